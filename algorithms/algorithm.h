@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The contract that every hidden-surface algorithm meets.
+ *
+ * An algorithm is one `const struct hsr_algorithm`, defined at the foot of its
+ * own file and named in list.def. It gets a world and a view and answers with
+ * one face id a sample. It never prints, exits, or keeps an epsilon of its own:
+ * what it compares, it compares by the services of common/screen.h, which are
+ * exact.
+ *
+ * Every algorithm is compiled twice, with HSR_COUNTING 0 and 1. Only the
+ * counting one counts and traces; only the other one is ever timed. */
+#ifndef HSR_ALGORITHMS_ALGORITHM_H
+#define HSR_ALGORITHMS_ALGORITHM_H
+
+#include "common/arena.h"
+#include "common/count.h"
+#include "common/statistics.h"
+#include "common/view.h"
+#include "common/world.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Sutherland et al. 1974, figure 13. */
+enum hsr_class {
+  HSR_OBJECT_SPACE,
+  HSR_LIST_PRIORITY,
+  HSR_IMAGE_SPACE_AREA,
+  HSR_IMAGE_SPACE_POINT,
+  HSR_BRUTE_FORCE, /* the paper's two yardsticks, and what grew out of them */
+  HSR_YARDSTICK    /* no algorithm of the field: the oracle, null */
+};
+
+/* Environment restrictions, figure 29a: what the method demands. */
+enum {
+  HSR_CC = 1 << 0, /* clusters are closed convex polyhedra */
+  HSR_CF = 1 << 1, /* faces are convex polygons */
+  HSR_TR = 1 << 2, /* faces are triangles */
+  HSR_LS = 1 << 3, /* clusters linearly separable */
+  HSR_NP = 1 << 4, /* no penetrating faces */
+  HSR_TP = 1 << 5, /* topology needed: adjacency, clusters */
+  HSR_PF = 1 << 6, /* planar faces only */
+  HSR_OF = 1 << 7, /* no faces outside the field of view */
+  HSR_BE = 1 << 8  /* no faces behind the observer */
+};
+
+/* What an algorithm produces; only like kinds are compared. */
+enum hsr_kind { HSR_IDS, HSR_SEGMENTS, HSR_FILTERED };
+
+enum { /* flags */
+  HSR_JUDGE = 1 << 0,       /* the oracle: defines what is right */
+  HSR_NO_PICTURE = 1 << 1,  /* draws nothing; never compared */
+  HSR_FRAME_STATE = 1 << 2  /* one render at a time on a prepared object */
+};
+
+/* A sort that the algorithm makes, as in figure 29b. */
+struct hsr_sort {
+  const char *what;   /* "edges" */
+  const char *key;    /* "Y" */
+  const char *method; /* "bucket sort" */
+  const char *often;  /* "once a frame" */
+};
+
+/* A cost step, as in Table III: cost = factor * count. */
+struct hsr_step {
+  const char *label;        /* "X merge" */
+  int counter;              /* index into the algorithm's counters */
+  double factor;            /* complexity factor, appendix B */
+  const char *formula;      /* the paper's prediction of the cost, as text */
+  double (*predict)(const struct hsr_table1 *); /* the same; NULL: none made */
+};
+
+/* One picture to make. Everything is borrowed for the call. */
+struct hsr_job {
+  const struct hsr_world *world;
+  const struct hsr_view *view;  /* its window says which samples */
+  void *prepared;               /* what prepare made, or NULL */
+  struct hsr_arena *scratch;    /* reset before the call; no other memory is
+                                   taken inside a frame */
+  struct hsr_tally *tally;      /* what was counted is added here */
+
+  /* Answer: id of sample (i, j) at ids[j * ids_stride + i], for (i, j) in the
+   * window, all of which the algorithm writes, HSR_BACKGROUND where there is
+   * no face. Samples outside the window are not touched. */
+  uint32_t *ids;
+  size_t ids_stride; /* >= view->m */
+};
+
+struct hsr_algorithm {
+  const char *name;    /* [a-z0-9-]+, "watkins" */
+  const char *title;   /* "Watkins' scan-line algorithm" */
+  const char *authors; /* "G. S. Watkins" */
+  int year;
+  const char *source; /* where it is published, and where described */
+
+  enum hsr_class taxonomy;
+  const char *sort_order;   /* "YXZ"; NULL if it has none */
+  const char *coherence;    /* what it bets on; NULL if nothing */
+  unsigned restrictions;    /* HSR_CC ... */
+  enum hsr_kind kind;
+  unsigned flags;
+  const struct hsr_sort *sorts; /* ended by .what == NULL; NULL: none */
+  const struct hsr_counter *counters; /* ended by .name == NULL; NULL: none */
+  const struct hsr_step *steps;       /* ended by .label == NULL; NULL: none */
+
+  /* View-independent work, timed apart; NULL if there is none. *prepared is
+   * freed by release. HSR_E_NOMEM. */
+  enum hsr_status (*prepare)(const struct hsr_world *world, void **prepared,
+                             struct hsr_error *err);
+
+  /* One view. May be called on several threads at once, with different jobs
+   * and one prepared object, unless HSR_FRAME_STATE. HSR_E_NOMEM. */
+  enum hsr_status (*render)(const struct hsr_job *job, struct hsr_error *err);
+
+  void (*release)(void *prepared); /* NULL if prepare is */
+};
+
+/* HSR_ALGORITHM(watkins) is the name of the descriptor of this build. */
+#define HSR_ALGORITHM_PASTE2(a, b) a##b
+#define HSR_ALGORITHM_PASTE(a, b) HSR_ALGORITHM_PASTE2(a, b)
+#if HSR_COUNTING
+#define HSR_ALGORITHM(id) HSR_ALGORITHM_PASTE(hsr_counting_, id)
+#else
+#define HSR_ALGORITHM(id) HSR_ALGORITHM_PASTE(hsr_algorithm_, id)
+#endif
+
+/* Both builds of one algorithm. */
+struct hsr_listed {
+  const struct hsr_algorithm *plain, *counting;
+};
+
+/* All algorithms in the order of list.def, ended by .plain == NULL. */
+extern const struct hsr_listed hsr_algorithms[];
+
+/* The listed algorithm of that name, or NULL. */
+const struct hsr_listed *hsr_algorithm_find(const char *name);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

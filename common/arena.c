@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/arena.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ALIGNMENT = 64, SMALLEST_BLOCK = 1 << 16 };
+
+struct hsr_arena_block {
+  struct hsr_arena_block *next;
+  size_t size, used; /* bytes of `memory` */
+  unsigned char *memory;
+};
+
+static struct hsr_arena_block *block_new(struct hsr_arena *arena, size_t size) {
+  struct hsr_arena_block *block = malloc(sizeof *block);
+  if (!block)
+    return NULL;
+  block->memory = aligned_alloc(ALIGNMENT, size);
+  if (!block->memory) {
+    free(block);
+    return NULL;
+  }
+  block->size = size;
+  block->used = 0;
+  block->next = arena->blocks;
+  arena->blocks = block;
+  arena->n_blocks_taken++;
+  return block;
+}
+
+void *hsr_arena_array(struct hsr_arena *arena, size_t n, size_t size) {
+  if (size && n > (SIZE_MAX / 2) / size)
+    return NULL;
+  size_t bytes = (n * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+  struct hsr_arena_block *block = arena->blocks;
+  if (!block || block->size - block->used < bytes) {
+    /* Doubling keeps the number of blocks logarithmic in what is asked. */
+    size_t wanted = block ? 2 * block->size : SMALLEST_BLOCK;
+    if (wanted < bytes)
+      wanted = bytes;
+    block = block_new(arena, wanted);
+    if (!block && wanted > bytes && bytes)
+      block = block_new(arena, bytes);
+    if (!block)
+      return NULL;
+  }
+  void *array = block->memory + block->used;
+  block->used += bytes;
+  arena->used_bytes += bytes;
+  if (arena->peak_bytes < arena->used_bytes)
+    arena->peak_bytes = arena->used_bytes;
+  return array;
+}
+
+void *hsr_arena_zeroed(struct hsr_arena *arena, size_t n, size_t size) {
+  void *array = hsr_arena_array(arena, n, size);
+  if (array)
+    memset(array, 0, n * size);
+  return array;
+}
+
+static void free_blocks(struct hsr_arena *arena) {
+  for (struct hsr_arena_block *block = arena->blocks, *next; block;
+       block = next) {
+    next = block->next;
+    free(block->memory);
+    free(block);
+  }
+  arena->blocks = NULL;
+}
+
+void hsr_arena_reset(struct hsr_arena *arena) {
+  if (arena->blocks && arena->blocks->next) {
+    size_t used = arena->used_bytes;
+    free_blocks(arena);
+    block_new(arena, used);
+  }
+  if (arena->blocks)
+    arena->blocks->used = 0;
+  arena->used_bytes = 0;
+}
+
+void hsr_arena_free(struct hsr_arena *arena) {
+  free_blocks(arena);
+  arena->used_bytes = 0;
+}

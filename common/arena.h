@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Memory that is given back all at once.
+ *
+ * An arena is a list of blocks from which arrays are cut one after another.
+ * `hsr_arena_reset` forgets the arrays but keeps the memory, as one block
+ * large enough for all that was in use: a module that asks for the same arrays
+ * every frame allocates in its first frame and never again. */
+#ifndef HSR_COMMON_ARENA_H
+#define HSR_COMMON_ARENA_H
+
+#include <stddef.h>
+
+struct hsr_arena {
+  struct hsr_arena_block *blocks; /* newest first; NULL when empty */
+  size_t used_bytes;              /* handed out since the last reset */
+  size_t peak_bytes;              /* the most ever handed out */
+  size_t n_blocks_taken;          /* calls of malloc over the arena's life */
+};
+
+/* An empty arena is all zero. */
+#define HSR_ARENA_EMPTY {0}
+
+/* An array of n elements of `size` bytes, aligned for any vector register (64
+ * bytes), its content undefined. NULL if memory ran out or n * size overflows;
+ * never NULL otherwise, not even for n = 0. */
+void *hsr_arena_array(struct hsr_arena *arena, size_t n, size_t size);
+
+/* The same, all bytes zero. */
+void *hsr_arena_zeroed(struct hsr_arena *arena, size_t n, size_t size);
+
+/* Forgets every array, keeps the memory. If it was scattered over several
+ * blocks, they are replaced by one; should that fail, they are only freed. */
+void hsr_arena_reset(struct hsr_arena *arena);
+
+/* Gives all memory back. The arena is empty afterwards and may be used again. */
+void hsr_arena_free(struct hsr_arena *arena);
+
+/* HSR_NEW(arena, T, n): an array of n T. */
+#define HSR_NEW(arena, type, n)                                                \
+  ((type *)hsr_arena_array((arena), (n), sizeof(type)))
+#define HSR_NEW_ZEROED(arena, type, n)                                         \
+  ((type *)hsr_arena_zeroed((arena), (n), sizeof(type)))
+
+#endif

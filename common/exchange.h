@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Mesh files: reading through CGAL (.off .obj .ply .stl) and VTK (.vtp).
+ *
+ * Polygons are kept as polygons. A mesh that is closed and consistently
+ * oriented outward becomes a one-sided object, any other a two-sided one. */
+#ifndef HSR_COMMON_EXCHANGE_H
+#define HSR_COMMON_EXCHANGE_H
+
+#include "common/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct hsr_import {
+  bool drop_degenerate; /* leave out, and count, faces that cannot be used,
+                           rather than refuse the file */
+  uint64_t n_dropped;   /* out: how many were left out */
+};
+
+/* Appends the mesh in `path` to the scene as one object named after the file,
+ * without an instance. By suffix, in any case. Never takes more memory than a
+ * small multiple of the file's own size, whatever counts the file claims.
+ * `import` may be NULL: nothing is dropped. On failure the scene has no new
+ * object, and *err says file, line or element, and what is wrong.
+ * HSR_E_INPUT: unreadable, wrong suffix, malformed, truncated, a coordinate
+ * not finite, an index out of range, a face with fewer than 3 vertices, a
+ * repeated one, or of no area; no face at all. HSR_E_NOMEM. */
+enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
+                              struct hsr_import *import,
+                              struct hsr_error *err);
+
+/* Whether an object is closed (every edge has exactly two faces), consistently
+ * oriented (they run it in opposite directions) and outward (its signed volume
+ * is positive). *answer is written on HSR_OK. HSR_E_NOMEM. */
+enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
+                                    bool *answer);
+
+/* Whether this build reads .vtp. */
+bool hsr_exchange_has_vtk(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a call that can fail says of its failure. */
+#ifndef HSR_COMMON_STATUS_H
+#define HSR_COMMON_STATUS_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The values are the exit statuses of the command. */
+enum hsr_status {
+  HSR_OK = 0,
+  HSR_E_DIFFERENCE = 1, /* a picture differs, or a check failed */
+  HSR_E_USAGE = 2,      /* the caller's words are off */
+  HSR_E_INPUT = 3,      /* a file or a scene cannot be used as it is */
+  HSR_E_NOMEM = 4,      /* memory ran out, or a limit was met */
+  HSR_E_INTERNAL = 5    /* a fault of hsr, or of a library below it */
+};
+
+/* One failure, as one line. Owned by the caller, who may pass NULL wherever a
+ * function takes one; written only on failure. `text` has no newline and says
+ * "file:line: what is wrong" where there is a file, "what is wrong" where
+ * there is none. */
+struct hsr_error {
+  enum hsr_status status;
+  char text[480];
+};
+
+/* Fills *err (unless NULL) from a printf format and returns `status`. Control
+ * characters in the result are replaced by '?', so that it stays one line. */
+enum hsr_status hsr_fail(struct hsr_error *err, enum hsr_status status,
+                         const char *format, ...)
+#if defined __GNUC__
+    __attribute__((format(printf, 3, 4)))
+#endif
+    ;
+
+/* The failure of an allocation: HSR_E_NOMEM, "out of memory". */
+enum hsr_status hsr_fail_nomem(struct hsr_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The environment laid out for the algorithms: every instance expanded, every
+ * face numbered by its id, one plain array for each thing.
+ *
+ * Plane       of face f: Newell's normal N (Sutherland et al. 1974, eq. 6)
+ *             through the mean of the vertices, in exact arithmetic; what is
+ *             stored is that plane in doubles, with a bound of the error.
+ * Equal       faces on exactly the same plane share a plane class, so their
+ *             ties are decided by comparing two integers. */
+#ifndef HSR_COMMON_WORLD_H
+#define HSR_COMMON_WORLD_H
+
+#include "common/arena.h"
+#include "common/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct hsr_world {
+  const struct hsr_scene *scene; /* borrowed; outlives the world */
+  uint32_t n_vertices, n_faces, n_corners;
+
+  /* Vertices, world units, exact as they stand. */
+  double *x, *y, *z; /* n_vertices */
+
+  /* Face f is vertex[start[f]], ..., vertex[start[f+1] - 1]. */
+  uint32_t *start;    /* n_faces + 1 */
+  uint32_t *vertex;   /* n_corners */
+  uint32_t *object;   /* n_faces: index into scene->objects */
+  uint32_t *instance; /* n_faces: index into scene->instances */
+  bool *one_sided;    /* n_faces: exists only when seen from its front */
+  bool all_triangles;
+
+  /* Approximate planes: N = (nx, ny, nz) +- n_error in every component;
+   * the plane passes within anchor_error (in every component) of the point
+   * (px, py, pz). Of a triangle that point is its first vertex and the error
+   * 0. Not normalised. See world.c for the proof. */
+  double *nx, *ny, *nz, *n_error;         /* n_faces */
+  double *px, *py, *pz, *anchor_error;    /* n_faces */
+  uint32_t *plane;                        /* n_faces: plane class */
+  uint32_t n_planes;
+
+  struct hsr_arena arena; /* holds all of the above */
+};
+
+/* Expands a finished scene. *world is written in full, and freed with
+ * hsr_world_free also after a failure. HSR_E_NOMEM. */
+enum hsr_status hsr_world_init(struct hsr_world *world,
+                               const struct hsr_scene *scene,
+                               struct hsr_error *err);
+void hsr_world_free(struct hsr_world *world);
+
+/* Number of vertices of face f. */
+static inline uint32_t hsr_face_size(const struct hsr_world *world,
+                                     uint32_t f) {
+  return world->start[f + 1] - world->start[f];
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif

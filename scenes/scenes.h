@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Built-in scenes: generators, deterministic from their parameters. */
+#ifndef HSR_SCENES_SCENES_H
+#define HSR_SCENES_SCENES_H
+
+#include "common/exchange.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define HSR_MAX_PARAMETERS 4
+
+struct hsr_builtin {
+  const char *name;     /* "soup" */
+  const char *usage;    /* "soup:N:SEED", or the name where there is no
+                           parameter */
+  const char *about;    /* one sentence; for a failure case: what it breaks */
+  bool failure_case;    /* one of the hand-made pathological scenes */
+  int n_parameters;     /* at most HSR_MAX_PARAMETERS */
+  long long standard[HSR_MAX_PARAMETERS]; /* defaults */
+  long long least[HSR_MAX_PARAMETERS], most[HSR_MAX_PARAMETERS];
+
+  /* Fills an empty scene with objects, instances and, where the scene has
+   * favourite places to look from, views. HSR_E_NOMEM, HSR_E_INPUT. */
+  enum hsr_status (*build)(struct hsr_scene *scene, const long long *parameter);
+};
+
+/* All of them, in the order of tables, ended by .name == NULL. */
+extern const struct hsr_builtin hsr_builtins[];
+
+/* Opens, finishes and returns the scene that a user names: a built-in scene
+ * with parameters ("harbor", "soup:1000:7"), a real mesh of Debian's
+ * libcgal-demo ("mesh:elephant"), a .scene.json, or a mesh file. *scene is the
+ * caller's to delete, NULL on failure. HSR_E_INPUT, HSR_E_NOMEM. */
+enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
+                               struct hsr_scene **scene,
+                               struct hsr_error *err);
+
+/* The real meshes at hand, sorted by name, without suffix. *names is one
+ * malloc'ed array of *n malloc'ed strings, the caller's. No mesh package
+ * installed: HSR_OK and *n == 0. */
+enum hsr_status hsr_mesh_names(char ***names, size_t *n,
+                               struct hsr_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
