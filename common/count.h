@@ -6,6 +6,7 @@
 #ifndef HSR_COMMON_COUNT_H
 #define HSR_COMMON_COUNT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -62,6 +63,7 @@ struct hsr_event {
 struct hsr_tally {
   uint64_t count[HSR_MAX_COUNTERS];
   uint64_t asked[HSR_N_QUESTIONS], exact[HSR_N_QUESTIONS];
+  bool out_of_memory; /* an exact predicate could not be decided */
 
   /* Work picture, 1 a touch; NULL when not asked for. Sample (i, j) at
    * work[j * work_stride + i]. */

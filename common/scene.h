@@ -98,11 +98,12 @@ enum hsr_status hsr_scene_view(struct hsr_scene *scene,
                                const struct hsr_camera *camera);
 
 /* Completes a scene: an object without instance gets one identity instance;
- * a scene without view gets eight around it (hsr_scene_add_orbit). Then checks what
- * the algorithms assume. HSR_E_INPUT with *err naming the object and face, when
- * there is no face at all, a face's Newell normal is exactly zero in the world
- * (all its vertices on one line, for a triangle), an instanced vertex
- * overflows, or the faces pass 2^32 - 1. */
+ * a scene without view gets eight around it (hsr_scene_add_orbit). Then checks
+ * what the algorithms assume of the objects. HSR_E_INPUT with *err naming the object
+ * and face when there is no face at all, a face's Newell normal is exactly zero
+ * (all vertices on one line, for a triangle), coordinates are so large that
+ * products of them overflow (over 1e60) or the faces pass 2^32 - 2. What an
+ * instance makes of a face is looked at by hsr_world_init. */
 enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
                                  struct hsr_error *err);
 

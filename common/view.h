@@ -43,8 +43,8 @@ struct hsr_view {
   double E[3], F[3], R[3], U[3]; /* exact by definition */
   double near;
 
-  /* Rounded once from exact values, each entry with a relative error of at
-   * most 2^-53, for approximate arithmetic only.
+  /* Rounded from exact values, each entry with a relative error of at most
+   * 2^-52, for approximate arithmetic only.
    * ray:    D(sx, sy) = ray[0] + sx ray[1] + sy ray[2];
    * screen: w sx, w sy, w = rows 0, 1, 2 times (V - E). */
   double ray[3][3], screen[3][3];

@@ -45,7 +45,8 @@ struct hsr_world {
 };
 
 /* Expands a finished scene. *world is written in full, and freed with
- * hsr_world_free also after a failure. HSR_E_NOMEM. */
+ * hsr_world_free also after a failure. HSR_E_NOMEM; HSR_E_INPUT when an
+ * instance takes a face's normal to zero or a vertex out of range. */
 enum hsr_status hsr_world_init(struct hsr_world *world,
                                const struct hsr_scene *scene,
                                struct hsr_error *err);
