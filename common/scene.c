@@ -285,9 +285,9 @@ enum hsr_status hsr_scene_add_orbit(struct hsr_scene *scene, unsigned n) {
       c = turned;
     }
     struct hsr_camera camera = {
-        .eye = {centre[0] + 3.4 * radius * s,
-                centre[1] + 1.25 * radius,
-                centre[2] + 3.4 * radius * c},
+        .eye = {centre[0] + 4.25 * radius * s,
+                centre[1] + 1.55 * radius,
+                centre[2] + 4.25 * radius * c},
         .at = {centre[0], centre[1], centre[2]},
         .up = {0, 1, 0},
         .fov = 45};

@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Expanding a scene, and the planes of its faces.
+ *
+ * Source      Newell's plane equation: Sutherland et al. 1974, eq. 6.
+ * Notation    u = 2^-53; a hat marks a computed value; d_i = V_i - V_0.
+ *
+ * Error of N. With V_0 as origin Newell's normal is the sum of
+ * d_i x d_{i+1}, i = 1 .. k-2. A product of two differences carries three
+ * roundings (1 + u)^3; a component sums 2(k - 2) of them, in at most 2(k - 2)
+ * additions. With P the largest component of the sum of |d_iy d_{i+1}z| +
+ * |d_iz d_{i+1}y| (as computed, itself within (1 + u)^{2k} of its value) the
+ * error of every component is at most (2k + 3) u P to first order; 4(k + 1) u P
+ * is stored, which covers the higher orders for every k < 2^48. To it 2^-960 is
+ * added, which covers underflow.
+ *
+ * Error of the anchor. The plane passes through the mean of the vertices, V_0 +
+ * (sum of d_i) / k. Each d_i carries one rounding, the sum k - 2, the division
+ * and the last addition one each: at most (k + 2) u times the largest of |V_0| +
+ * sum |d_i| by components; twice that is stored. A triangle's plane passes
+ * through V_0 itself, with no error. */
+#include "common/world.h"
+#include "common/predicates.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double U = DBL_EPSILON / 2;
+static const double UNDERFLOW = 0x1p-960;
+
+static enum hsr_status allocate(struct hsr_world *world) {
+  struct hsr_arena *arena = &world->arena;
+  size_t nv = world->n_vertices, nf = world->n_faces, nc = world->n_corners;
+  world->x = HSR_NEW(arena, double, nv);
+  world->y = HSR_NEW(arena, double, nv);
+  world->z = HSR_NEW(arena, double, nv);
+  world->start = HSR_NEW(arena, uint32_t, nf + 1);
+  world->vertex = HSR_NEW(arena, uint32_t, nc);
+  world->object = HSR_NEW(arena, uint32_t, nf);
+  world->instance = HSR_NEW(arena, uint32_t, nf);
+  world->one_sided = HSR_NEW(arena, bool, nf);
+  world->nx = HSR_NEW(arena, double, nf);
+  world->ny = HSR_NEW(arena, double, nf);
+  world->nz = HSR_NEW(arena, double, nf);
+  world->n_error = HSR_NEW(arena, double, nf);
+  world->px = HSR_NEW(arena, double, nf);
+  world->py = HSR_NEW(arena, double, nf);
+  world->pz = HSR_NEW(arena, double, nf);
+  world->anchor_error = HSR_NEW(arena, double, nf);
+  world->plane = HSR_NEW(arena, uint32_t, nf);
+  bool all = world->x && world->y && world->z && world->start &&
+             world->vertex && world->object && world->instance &&
+             world->one_sided && world->nx && world->ny && world->nz &&
+             world->n_error && world->px && world->py && world->pz &&
+             world->anchor_error && world->plane;
+  return all ? HSR_OK : HSR_E_NOMEM;
+}
+
+/* Counts what the instances hold. */
+static enum hsr_status measure(struct hsr_world *world, struct hsr_error *err) {
+  const struct hsr_scene *scene = world->scene;
+  uint64_t nv = 0, nf = 0, nc = 0;
+  world->all_triangles = true;
+  for (uint32_t i = 0; i < scene->n_instances; i++) {
+    const struct hsr_object *object =
+        &scene->objects[scene->instances[i].object];
+    nv += object->n_vertices;
+    nf += object->n_faces;
+    nc += object->start[object->n_faces];
+    if (object->start[object->n_faces] != 3 * (uint64_t)object->n_faces)
+      world->all_triangles = false;
+  }
+  if (nv >= UINT32_MAX || nf >= UINT32_MAX || nc >= UINT32_MAX)
+    return hsr_fail(err, HSR_E_NOMEM,
+                    "the scene is too large to be expanded: %llu faces",
+                    (unsigned long long)nf);
+  world->n_vertices = (uint32_t)nv;
+  world->n_faces = (uint32_t)nf;
+  world->n_corners = (uint32_t)nc;
+  return HSR_OK;
+}
+
+/* Puts instance i at vertex v, face f, corner c of the arrays. */
+static void expand_instance(struct hsr_world *world, uint32_t i, uint32_t v,
+                            uint32_t f, uint32_t c) {
+  const struct hsr_instance *instance = &world->scene->instances[i];
+  const struct hsr_object *object = &world->scene->objects[instance->object];
+  for (uint32_t k = 0; k < object->n_vertices; k++) {
+    double p[3];
+    hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)k, p);
+    world->x[v + k] = p[0];
+    world->y[v + k] = p[1];
+    world->z[v + k] = p[2];
+  }
+  for (uint32_t k = 0; k < object->n_faces; k++) {
+    world->start[f + k] = c + object->start[k];
+    world->object[f + k] = instance->object;
+    world->instance[f + k] = i;
+    world->one_sided[f + k] = object->one_sided;
+  }
+  for (uint32_t k = 0; k < object->start[object->n_faces]; k++)
+    world->vertex[c + k] = v + object->vertex[k];
+}
+
+static void expand(struct hsr_world *world) {
+  const struct hsr_scene *scene = world->scene;
+  uint32_t v = 0, f = 0, c = 0;
+  for (uint32_t i = 0; i < scene->n_instances; i++) {
+    const struct hsr_object *object =
+        &scene->objects[scene->instances[i].object];
+    expand_instance(world, i, v, f, c);
+    v += object->n_vertices;
+    f += object->n_faces;
+    c += object->start[object->n_faces];
+  }
+  world->start[f] = c;
+}
+
+/* Newell's normal and the anchor of face f, with their errors. */
+static void find_plane(struct hsr_world *world, uint32_t f) {
+  const double *axis[3] = {world->x, world->y, world->z};
+  const uint32_t *vertex = world->vertex + world->start[f];
+  uint32_t k = hsr_face_size(world, f);
+  double first[3], previous[3], next[3];
+  double normal[3] = {0}, size[3] = {0}, sum[3] = {0}, reach[3];
+  for (int a = 0; a < 3; a++) {
+    first[a] = axis[a][vertex[0]];
+    previous[a] = axis[a][vertex[1]] - first[a];
+    sum[a] = previous[a];
+    reach[a] = fabs(first[a]) + fabs(previous[a]);
+  }
+  for (uint32_t i = 2; i < k; i++) {
+    for (int a = 0; a < 3; a++) {
+      next[a] = axis[a][vertex[i]] - first[a];
+      sum[a] += next[a];
+      reach[a] += fabs(next[a]);
+    }
+    for (int a = 0, b = 1, c = 2; a < 3; a++, b = (b + 1) % 3, c = (c + 1) % 3) {
+      double plus = previous[b] * next[c], minus = previous[c] * next[b];
+      normal[a] += plus - minus;
+      size[a] += fabs(plus) + fabs(minus);
+    }
+    memcpy(previous, next, sizeof previous);
+  }
+  double p = fmax(size[0], fmax(size[1], size[2]));
+  double r = fmax(reach[0], fmax(reach[1], reach[2]));
+  world->nx[f] = normal[0];
+  world->ny[f] = normal[1];
+  world->nz[f] = normal[2];
+  world->n_error[f] = 4 * (k + 1.0) * U * p + UNDERFLOW;
+  bool triangle = k == 3;
+  world->px[f] = triangle ? first[0] : first[0] + sum[0] / k;
+  world->py[f] = triangle ? first[1] : first[1] + sum[1] / k;
+  world->pz[f] = triangle ? first[2] : first[2] + sum[2] / k;
+  world->anchor_error[f] =
+      triangle ? 0 : 2 * (k + 2.0) * U * r + UNDERFLOW;
+}
+
+static struct hsr_loop face_loop(const struct hsr_world *world, uint32_t f) {
+  return (struct hsr_loop){world->x, world->y, world->z, 1,
+                           world->vertex + world->start[f],
+                           hsr_face_size(world, f)};
+}
+
+static double largest_normal(const struct hsr_world *world, uint32_t f) {
+  return fmax(fabs(world->nx[f]),
+              fmax(fabs(world->ny[f]), fabs(world->nz[f])));
+}
+
+/* What an instance made of the object's faces must still be faces. */
+static enum hsr_status check(const struct hsr_world *world,
+                             struct hsr_error *err) {
+  for (uint32_t v = 0; v < world->n_vertices; v++)
+    if (!(fabs(world->x[v]) <= 1e30 && fabs(world->y[v]) <= 1e30 &&
+          fabs(world->z[v]) <= 1e30))
+      return hsr_fail(err, HSR_E_INPUT,
+                      "an instance takes a vertex out of range (above 1e30)");
+  bool out_of_memory = false;
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    if (largest_normal(world, f) <= world->n_error[f] &&
+        !hsr_exact_has_normal(face_loop(world, f), &out_of_memory))
+      return hsr_fail(
+          err, HSR_E_INPUT,
+          "object %s: an instance takes the area of face id %u to zero",
+          world->scene->objects[world->object[f]].name, f);
+  return out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+/* --- Equal planes ------------------------------------------------------- */
+
+/* A number that equal planes share: a fixed generic linear form in the unit
+ * normal and the distance, without its sign, known to lie in [lo, hi]. */
+struct plane_key {
+  double lo, hi;
+  uint32_t face;
+};
+
+/* Error of the key: the unit normal is off by at most 2 sqrt(3) n_error/|N| +
+ * 4u in each component, the distance by that times the anchor's size plus the
+ * anchor's error and three roundings; the form's coefficients are below 1. All
+ * is doubled. */
+static struct plane_key plane_key(const struct hsr_world *world, uint32_t f) {
+  double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
+  double p[3] = {world->px[f], world->py[f], world->pz[f]};
+  double scale = largest_normal(world, f);
+  for (int k = 0; k < 3; k++)
+    n[k] /= scale;
+  double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  double reach = fabs(p[0]) + fabs(p[1]) + fabs(p[2]);
+  double d = (n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) / length;
+  double key = fabs((0.5432 * n[0] + 0.8107 * n[1] + 0.3219 * n[2]) / length +
+                    0.6173 * d);
+  double turn = 4 * (world->n_error[f] / (scale * length)) + 8 * U;
+  double error =
+      8 * (turn * (1 + reach) + world->anchor_error[f]) + 16 * U * (1 + key);
+  if (!(error < INFINITY)) /* the normal is lost: compare with all */
+    return (struct plane_key){-INFINITY, INFINITY, f};
+  return (struct plane_key){key - error, key + error, f};
+}
+
+static int compare_keys(const void *a, const void *b) {
+  const struct plane_key *k = a, *l = b;
+  if (k->lo != l->lo)
+    return k->lo < l->lo ? -1 : 1;
+  return (k->face > l->face) - (k->face < l->face);
+}
+
+/* Cheap, and certain when it says no: whether the normals may be parallel. */
+static bool maybe_parallel(const struct hsr_world *world, uint32_t f,
+                           uint32_t g) {
+  double a[3] = {world->nx[f], world->ny[f], world->nz[f]};
+  double b[3] = {world->nx[g], world->ny[g], world->nz[g]};
+  double fa = largest_normal(world, f), fb = largest_normal(world, g);
+  double error = 4 * (fa * world->n_error[g] + fb * world->n_error[f] +
+                      world->n_error[f] * world->n_error[g]) +
+                 8 * U * fa * fb;
+  for (int i = 0, j = 1; i < 3; i++, j = (j + 1) % 3)
+    if (fabs(a[i] * b[j] - a[j] * b[i]) > error)
+      return false;
+  return true;
+}
+
+/* Sweeps over the keys: a plane is compared with those whose intervals reach
+ * into its own, one representative a class. */
+static enum hsr_status classify_planes(struct hsr_world *world) {
+  uint32_t n = world->n_faces, n_open = 0;
+  struct plane_key *key = malloc(n * sizeof *key);
+  struct plane_key *open = malloc(n * sizeof *open);
+  bool out_of_memory = !key || !open;
+  for (uint32_t f = 0; f < n && !out_of_memory; f++)
+    key[f] = plane_key(world, f);
+  if (!out_of_memory)
+    qsort(key, n, sizeof *key, compare_keys);
+  world->n_planes = 0;
+  for (uint32_t i = 0; i < n && !out_of_memory; i++) {
+    uint32_t f = key[i].face, kept = 0, found = UINT32_MAX;
+    for (uint32_t o = 0; o < n_open; o++) {
+      if (open[o].hi < key[i].lo)
+        continue; /* behind the sweep for good */
+      open[kept] = open[o];
+      uint32_t g = open[kept++].face;
+      if (found == UINT32_MAX && maybe_parallel(world, f, g) &&
+          hsr_exact_same_plane(face_loop(world, f), face_loop(world, g),
+                               &out_of_memory)) {
+        found = world->plane[g];
+        open[kept - 1].hi = fmax(open[kept - 1].hi, key[i].hi);
+      }
+    }
+    n_open = kept;
+    if (found == UINT32_MAX) {
+      found = world->n_planes++;
+      open[n_open++] = key[i];
+    }
+    world->plane[f] = found;
+  }
+  free(key);
+  free(open);
+  return out_of_memory ? HSR_E_NOMEM : HSR_OK;
+}
+
+enum hsr_status hsr_world_init(struct hsr_world *world,
+                               const struct hsr_scene *scene,
+                               struct hsr_error *err) {
+  *world = (struct hsr_world){.scene = scene};
+  enum hsr_status status = measure(world, err);
+  if (status)
+    return status;
+  if (allocate(world))
+    return hsr_fail_nomem(err);
+  expand(world);
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    find_plane(world, f);
+  status = check(world, err);
+  if (status)
+    return status;
+  return classify_planes(world) ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+void hsr_world_free(struct hsr_world *world) { hsr_arena_free(&world->arena); }
