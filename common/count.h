@@ -15,19 +15,18 @@ extern "C" {
 #endif
 
 /* What a counter of an algorithm counts. Every algorithm numbers its own, from
- * 0, with an enumeration in its file, and describes them in its descriptor; what
- * is not described there is not kept, which is not the same as 0. Like counters
- * of different algorithms bear the same name. */
+ * 0, with an enumeration in its file, and describes them in its descriptor;
+ * what is not described there is not kept, which is not the same as 0. Like
+ * counters of different algorithms bear the same name. */
 #define HSR_MAX_COUNTERS 32
 struct hsr_counter {
   const char *name;    /* "X merge" */
   const char *meaning; /* "comparisons to merge entering edges into the list" */
 };
 
-/* The services of common/screen.h and how they were decided: by the filter in
- * doubles, whose bound is proved, or by the exact path. These two are kept in
- * both builds for the exact path, which is rare, and in the counting build only
- * for all questions. */
+/* The questions put to the services of common/screen.h. Each is decided by a
+ * filter in doubles, whose bound is proved, or else by the exact path, which is
+ * rare and counted in both builds. */
 #define HSR_QUESTIONS(X)                                                       \
   X(DEPTH, "depth comparisons")                                                \
   X(EDGE, "edge sides")                                                        \
@@ -45,8 +44,16 @@ extern const char *const hsr_question_name[HSR_N_QUESTIONS];
 
 /* What a run traces: one vocabulary for all algorithms. */
 enum hsr_event_kind {
-  HSR_SORT, HSR_COMPARE, HSR_SPLIT, HSR_SUBDIVIDE, HSR_ACTIVATE, HSR_RETIRE,
-  HSR_SPAN, HSR_SAMPLE, HSR_REJECT, HSR_ACCEPT
+  HSR_SORT,
+  HSR_COMPARE,
+  HSR_SPLIT,
+  HSR_SUBDIVIDE,
+  HSR_ACTIVATE,
+  HSR_RETIRE,
+  HSR_SPAN,
+  HSR_SAMPLE,
+  HSR_REJECT,
+  HSR_ACCEPT
 };
 
 /* Subjects are face ids or edge numbers as the kind and counter tell, or
@@ -62,8 +69,9 @@ struct hsr_event {
 /* What one render counted. All zero to begin with. */
 struct hsr_tally {
   uint64_t count[HSR_MAX_COUNTERS];
-  uint64_t asked[HSR_N_QUESTIONS], exact[HSR_N_QUESTIONS];
-  bool out_of_memory; /* an exact predicate could not be decided */
+  uint64_t exact[HSR_N_QUESTIONS]; /* questions that took the exact path */
+  uint64_t depths_compared; /* all of HSR_ASK_DEPTH; in the counting build */
+  bool out_of_memory;       /* an exact predicate could not be decided */
 
   /* Work picture, 1 a touch; NULL when not asked for. Sample (i, j) at
    * work[j * work_stride + i]. */
@@ -86,15 +94,16 @@ void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);
 /* HSR_STEP(tally, X_SORT, HSR_COMPARE, a, b, x0, y0, x1, y1): one more, and an
  * event when someone listens. */
 /* HSR_TOUCH(tally, i, j): the sample was touched. */
+/* HSR_COUNT_DEPTHS(tally, n): n more comparisons of two faces' depths. */
 #if HSR_COUNTING
-#define HSR_COUNT(tally, counter, n)                                                \
+#define HSR_COUNT(tally, counter, n)                                           \
   ((void)((tally)->count[(counter)] += (uint64_t)(n)))
-#define HSR_STEP(tally, counter, event_kind, a_, b_, x0_, y0_, x1_, y1_)            \
+#define HSR_STEP(tally, counter, event_kind, a_, b_, x0_, y0_, x1_, y1_)       \
   do {                                                                         \
-    (tally)->count[(counter)]++;                                                \
+    (tally)->count[(counter)]++;                                               \
     if ((tally)->trace)                                                        \
       (tally)->trace((tally)->trace_context,                                   \
-                     &(struct hsr_event){(event_kind), (counter), (a_), (b_),   \
+                     &(struct hsr_event){(event_kind), (counter), (a_), (b_),  \
                                          (x0_), (y0_), (x1_), (y1_)});         \
   } while (0)
 #define HSR_TOUCH(tally, i, j)                                                 \
@@ -102,12 +111,16 @@ void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);
     if ((tally)->work)                                                         \
       (tally)->work[(size_t)(j) * (tally)->work_stride + (size_t)(i)] += 1;    \
   } while (0)
-#define HSR_ASKED(tally, question) ((void)(tally)->asked[question]++)
+#define HSR_COUNT_DEPTHS(tally, n)                                             \
+  ((void)((tally)->depths_compared += (uint64_t)(n)))
 #else
-#define HSR_COUNT(tally, counter, n) ((void)0)
-#define HSR_STEP(tally, counter, event_kind, a_, b_, x0_, y0_, x1_, y1_) ((void)0)
-#define HSR_TOUCH(tally, i, j) ((void)0)
-#define HSR_ASKED(tally, question) ((void)0)
+/* sizeof: looked at by the compiler, not evaluated. */
+#define HSR_COUNT(tally, counter, n) ((void)sizeof((tally) + (counter) + (n)))
+#define HSR_STEP(tally, counter, event_kind, a_, b_, x0_, y0_, x1_, y1_)       \
+  ((void)sizeof((tally) + (counter) + (event_kind) + (a_) + (b_) + (x0_) +     \
+                (y0_) + (x1_) + (y1_)))
+#define HSR_TOUCH(tally, i, j) ((void)sizeof((tally) + (i) + (j)))
+#define HSR_COUNT_DEPTHS(tally, n) ((void)sizeof((tally) + (n)))
 #endif
 
 #ifdef __cplusplus

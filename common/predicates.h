@@ -57,9 +57,15 @@ int hsr_exact_edge_side(const struct hsr_view *view, const double a[3],
 int hsr_exact_edge_slope(const struct hsr_view *view, const double a[3],
                          const double b[3], bool *out_of_memory);
 
-/* +1 if t > near on the face's plane at (sx, sy), perturbed; else -1. */
-int hsr_exact_beyond_near(const struct hsr_view *view, struct hsr_loop face,
-                          double sx, double sy, bool *out_of_memory);
+/* The two halves of t > near on the face's plane at (sx, sy), perturbed; on a
+ * scan line each holds on one side of one point.
+ * ahead:     +1 if 1/t > 0, so that the ray meets the plane before the eye;
+ * past near: +1 if near / t < 1.
+ * Else -1; both are -1 if the plane holds the eye. */
+int hsr_exact_ahead(const struct hsr_view *view, struct hsr_loop face,
+                    double sx, double sy, bool *out_of_memory);
+int hsr_exact_past_near(const struct hsr_view *view, struct hsr_loop face,
+                        double sx, double sy, bool *out_of_memory);
 
 /* Compares 1/t of the planes of f and g at (sx, sy), perturbed: +1 if f is
  * nearer, -1 if g is, 0 only if the planes are the same. Neither plane may hold

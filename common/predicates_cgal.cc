@@ -236,11 +236,10 @@ int hsr_exact_edge_slope(const struct hsr_view *view, const double a[3],
       out_of_memory);
 }
 
-int hsr_exact_beyond_near(const struct hsr_view *view, struct hsr_loop face,
-                          double sx, double sy, bool *out_of_memory) {
+int hsr_exact_ahead(const struct hsr_view *view, struct hsr_loop face,
+                    double sx, double sy, bool *out_of_memory) {
+  /* N.D has the sign of c = N . (S - k E). */
   int c = -hsr_exact_plane_side(face, view->E, out_of_memory);
-  if (!c)
-    return -1;
   int along = perturbed_sign(
       *view, sx, sy,
       [&](const auto &d, auto one) {
@@ -248,12 +247,14 @@ int hsr_exact_beyond_near(const struct hsr_view *view, struct hsr_loop face,
         return dot(newell_normal<T>(face), d);
       },
       out_of_memory);
-  if (along != c)
-    return -1;
-  if (view->near == 0)
-    return 1;
-  /* c - near k N.D, scaled by m n as D is. */
-  int beyond = perturbed_sign(
+  return c && along == c ? 1 : -1;
+}
+
+int hsr_exact_past_near(const struct hsr_view *view, struct hsr_loop face,
+                        double sx, double sy, bool *out_of_memory) {
+  /* c - near k N.D, scaled by m n as D is, has the sign of c. */
+  int c = -hsr_exact_plane_side(face, view->E, out_of_memory);
+  int past = perturbed_sign(
       *view, sx, sy,
       [&](const auto &d, auto one) {
         using T = decltype(one);
@@ -263,7 +264,7 @@ int hsr_exact_beyond_near(const struct hsr_view *view, struct hsr_loop face,
                T(view->near) * plane.k * dot(plane.normal, d);
       },
       out_of_memory);
-  return beyond == c ? 1 : -1;
+  return c && past == c ? 1 : -1;
 }
 
 int hsr_exact_nearer(const struct hsr_view *view, struct hsr_loop f,

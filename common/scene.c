@@ -238,8 +238,9 @@ enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
   if (!(up > 0))
     return hsr_fail(err, HSR_E_INPUT, "camera: up is zero");
   for (int k = 0; k < 3; k++)
-    normal = fmax(normal, fabs(f[(k + 1) % 3] / length * (u[(k + 2) % 3] / up) -
-                               f[(k + 2) % 3] / length * (u[(k + 1) % 3] / up)));
+    normal =
+        fmax(normal, fabs(f[(k + 1) % 3] / length * (u[(k + 2) % 3] / up) -
+                          f[(k + 2) % 3] / length * (u[(k + 1) % 3] / up)));
   if (!(normal > 1e-12))
     return hsr_fail(err, HSR_E_INPUT, "camera: up runs along the view");
   return HSR_OK;
@@ -284,13 +285,12 @@ enum hsr_status hsr_scene_add_orbit(struct hsr_scene *scene, unsigned n) {
       s = c;
       c = turned;
     }
-    struct hsr_camera camera = {
-        .eye = {centre[0] + 4.25 * radius * s,
-                centre[1] + 1.55 * radius,
-                centre[2] + 4.25 * radius * c},
-        .at = {centre[0], centre[1], centre[2]},
-        .up = {0, 1, 0},
-        .fov = 45};
+    struct hsr_camera camera = {.eye = {centre[0] + 4.25 * radius * s,
+                                        centre[1] + 1.55 * radius,
+                                        centre[2] + 4.25 * radius * c},
+                                .at = {centre[0], centre[1], centre[2]},
+                                .up = {0, 1, 0},
+                                .fov = 45};
     enum hsr_status status = hsr_scene_view(scene, &camera);
     if (status)
       return status;
@@ -308,9 +308,9 @@ static enum hsr_status check_object(const struct hsr_object *object,
                       object->name, v, LARGEST_COORDINATE);
   for (uint32_t f = 0; f < object->n_faces; f++) {
     uint32_t start = object->start[f];
-    struct hsr_loop loop = {object->xyz, object->xyz + 1, object->xyz + 2, 3,
-                            object->vertex + start,
-                            object->start[f + 1] - start};
+    struct hsr_loop loop = {
+        object->xyz, object->xyz + 1,        object->xyz + 2,
+        3,           object->vertex + start, object->start[f + 1] - start};
     if (!hsr_exact_has_normal(loop, &out_of_memory))
       return hsr_fail(err, HSR_E_INPUT,
                       "object %s: face %u has no area (its normal is zero)",

@@ -15,9 +15,13 @@
  *
  * Error of the anchor. The plane passes through the mean of the vertices, V_0 +
  * (sum of d_i) / k. Each d_i carries one rounding, the sum k - 2, the division
- * and the last addition one each: at most (k + 2) u times the largest of |V_0| +
- * sum |d_i| by components; twice that is stored. A triangle's plane passes
- * through V_0 itself, with no error. */
+ * and the last addition one each: at most (k + 2) u times the largest of |V_0|
+ * + sum |d_i| by components; twice that is stored. A triangle's plane passes
+ * through V_0 itself, with no error.
+ *
+ * Deviation. N.(V - P) as computed carries the error of N over |V - P|_1, the
+ * anchor's over |N|_1, and a rounding of the difference, three of the products
+ * and sums; all are added, doubled. */
 #include "common/world.h"
 #include "common/predicates.h"
 
@@ -27,7 +31,7 @@
 #include <string.h>
 
 static const double U = DBL_EPSILON / 2;
-static const double UNDERFLOW = 0x1p-960;
+static const double TINY = 0x1p-960;
 
 static enum hsr_status allocate(struct hsr_world *world) {
   struct hsr_arena *arena = &world->arena;
@@ -39,6 +43,8 @@ static enum hsr_status allocate(struct hsr_world *world) {
   world->vertex = HSR_NEW(arena, uint32_t, nc);
   world->object = HSR_NEW(arena, uint32_t, nf);
   world->instance = HSR_NEW(arena, uint32_t, nf);
+  world->first =
+      HSR_NEW(arena, uint32_t, (size_t)world->scene->n_instances + 1);
   world->one_sided = HSR_NEW(arena, bool, nf);
   world->nx = HSR_NEW(arena, double, nf);
   world->ny = HSR_NEW(arena, double, nf);
@@ -48,12 +54,14 @@ static enum hsr_status allocate(struct hsr_world *world) {
   world->py = HSR_NEW(arena, double, nf);
   world->pz = HSR_NEW(arena, double, nf);
   world->anchor_error = HSR_NEW(arena, double, nf);
+  world->deviation = HSR_NEW(arena, double, nf);
   world->plane = HSR_NEW(arena, uint32_t, nf);
   bool all = world->x && world->y && world->z && world->start &&
              world->vertex && world->object && world->instance &&
-             world->one_sided && world->nx && world->ny && world->nz &&
-             world->n_error && world->px && world->py && world->pz &&
-             world->anchor_error && world->plane;
+             world->first && world->one_sided && world->nx && world->ny &&
+             world->nz && world->n_error && world->px && world->py &&
+             world->pz && world->anchor_error && world->deviation &&
+             world->plane;
   return all ? HSR_OK : HSR_E_NOMEM;
 }
 
@@ -110,11 +118,13 @@ static void expand(struct hsr_world *world) {
     const struct hsr_object *object =
         &scene->objects[scene->instances[i].object];
     expand_instance(world, i, v, f, c);
+    world->first[i] = f;
     v += object->n_vertices;
     f += object->n_faces;
     c += object->start[object->n_faces];
   }
   world->start[f] = c;
+  world->first[scene->n_instances] = f;
 }
 
 /* Newell's normal and the anchor of face f, with their errors. */
@@ -136,7 +146,8 @@ static void find_plane(struct hsr_world *world, uint32_t f) {
       sum[a] += next[a];
       reach[a] += fabs(next[a]);
     }
-    for (int a = 0, b = 1, c = 2; a < 3; a++, b = (b + 1) % 3, c = (c + 1) % 3) {
+    for (int a = 0, b = 1, c = 2; a < 3;
+         a++, b = (b + 1) % 3, c = (c + 1) % 3) {
       double plus = previous[b] * next[c], minus = previous[c] * next[b];
       normal[a] += plus - minus;
       size[a] += fabs(plus) + fabs(minus);
@@ -148,24 +159,44 @@ static void find_plane(struct hsr_world *world, uint32_t f) {
   world->nx[f] = normal[0];
   world->ny[f] = normal[1];
   world->nz[f] = normal[2];
-  world->n_error[f] = 4 * (k + 1.0) * U * p + UNDERFLOW;
+  world->n_error[f] = 4 * (k + 1.0) * U * p + TINY;
   bool triangle = k == 3;
   world->px[f] = triangle ? first[0] : first[0] + sum[0] / k;
   world->py[f] = triangle ? first[1] : first[1] + sum[1] / k;
   world->pz[f] = triangle ? first[2] : first[2] + sum[2] / k;
-  world->anchor_error[f] =
-      triangle ? 0 : 2 * (k + 2.0) * U * r + UNDERFLOW;
+  world->anchor_error[f] = triangle ? 0 : 2 * (k + 2.0) * U * r + TINY;
+}
+
+/* An upper bound of |N . (V - P)| over the vertices of face f. */
+static double find_deviation(const struct hsr_world *world, uint32_t f) {
+  if (hsr_face_size(world, f) == 3)
+    return 0;
+  const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
+  double n1 = fabs(n[0]) + fabs(n[1]) + fabs(n[2]), largest = 0;
+  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
+    uint32_t v = world->vertex[k];
+    double r[3] = {world->x[v] - world->px[f], world->y[v] - world->py[f],
+                   world->z[v] - world->pz[f]};
+    double r1 = fabs(r[0]) + fabs(r[1]) + fabs(r[2]);
+    double error = 2 * (world->n_error[f] * r1 + world->anchor_error[f] * n1) +
+                   16 * U * n1 * r1 + TINY;
+    double off = fabs(n[0] * r[0] + n[1] * r[1] + n[2] * r[2]) + error;
+    largest = fmax(largest, off);
+  }
+  return largest;
 }
 
 static struct hsr_loop face_loop(const struct hsr_world *world, uint32_t f) {
-  return (struct hsr_loop){world->x, world->y, world->z, 1,
+  return (struct hsr_loop){world->x,
+                           world->y,
+                           world->z,
+                           1,
                            world->vertex + world->start[f],
                            hsr_face_size(world, f)};
 }
 
 static double largest_normal(const struct hsr_world *world, uint32_t f) {
-  return fmax(fabs(world->nx[f]),
-              fmax(fabs(world->ny[f]), fabs(world->nz[f])));
+  return fmax(fabs(world->nx[f]), fmax(fabs(world->ny[f]), fabs(world->nz[f])));
 }
 
 /* What an instance made of the object's faces must still be faces. */
@@ -291,10 +322,14 @@ enum hsr_status hsr_world_init(struct hsr_world *world,
   expand(world);
   for (uint32_t f = 0; f < world->n_faces; f++)
     find_plane(world, f);
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    world->deviation[f] = find_deviation(world, f);
   status = check(world, err);
   if (status)
     return status;
   return classify_planes(world) ? hsr_fail_nomem(err) : HSR_OK;
 }
 
-void hsr_world_free(struct hsr_world *world) { hsr_arena_free(&world->arena); }
+void hsr_world_free(struct hsr_world *world) {
+  hsr_arena_free(&world->arena);
+}

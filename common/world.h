@@ -29,15 +29,18 @@ struct hsr_world {
   uint32_t *vertex;   /* n_corners */
   uint32_t *object;   /* n_faces: index into scene->objects */
   uint32_t *instance; /* n_faces: index into scene->instances */
+  uint32_t *first;    /* n_instances + 1: the first face of each instance */
   bool *one_sided;    /* n_faces: exists only when seen from its front */
   bool all_triangles;
 
   /* Approximate planes: N = (nx, ny, nz) +- n_error in every component;
    * the plane passes within anchor_error (in every component) of the point
    * (px, py, pz). Of a triangle that point is its first vertex and the error
-   * 0. Not normalised. See world.c for the proof. */
+   * 0. Not normalised. `deviation` bounds |N . (V - P)| over the face's vertices
+   * V, P the exact mean: 0 for a triangle. See world.c for the proof. */
   double *nx, *ny, *nz, *n_error;         /* n_faces */
   double *px, *py, *pz, *anchor_error;    /* n_faces */
+  double *deviation;                      /* n_faces */
   uint32_t *plane;                        /* n_faces: plane class */
   uint32_t n_planes;
 

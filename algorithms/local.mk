@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every algorithm is compiled twice, to count and not to.
+pkginclude_algorithms_HEADERS += %D%/algorithm.h
+libhsr_a_SOURCES += %D%/registry.c %D%/list.def
+
+ALGORITHM_SOURCES = %D%/null.c %D%/oracle.cc %D%/raycast.c %D%/watkins.c \
+  %D%/zbuffer.c
+
+noinst_LIBRARIES += libplain.a libcounting.a
+libplain_a_SOURCES = $(ALGORITHM_SOURCES)
+libplain_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=0
+libcounting_a_SOURCES = $(ALGORITHM_SOURCES)
+libcounting_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=1
+libhsr_a_LIBADD += $(libplain_a_OBJECTS) $(libcounting_a_OBJECTS)

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Nothing at all: what the harness itself costs. */
+#include "algorithms/algorithm.h"
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  (void)job;
+  (void)err;
+  return HSR_OK;
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(null) = {
+    .name = "null",
+    .title = "Nothing",
+    .authors = "hsr",
+    .year = 1974,
+    .source = "draws nothing; measures the harness",
+    .taxonomy = HSR_YARDSTICK,
+    .kind = HSR_IDS,
+    .flags = HSR_NO_PICTURE,
+    .render = render};

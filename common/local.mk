@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+pkginclude_common_HEADERS += %D%/arena.h %D%/clip.h %D%/count.h \
+  %D%/exchange.h %D%/image.h %D%/picture.h %D%/predicates.h %D%/scene.h \
+  %D%/scene_json.h %D%/screen.h %D%/statistics.h %D%/status.h %D%/view.h \
+  %D%/world.h
+libhsr_a_SOURCES += %D%/arena.c %D%/clip.c %D%/count.c %D%/exchange.cc \
+  %D%/image.cc %D%/picture.c %D%/predicates_cgal.cc %D%/scene.c \
+  %D%/scene_json.c %D%/screen.c %D%/statistics.c %D%/status.c %D%/vector.h \
+  %D%/view.c %D%/world.c
+
+if WITH_VTK
+libhsr_a_LIBADD += $(libvtkshim_a_OBJECTS)
+noinst_LIBRARIES += libvtkshim.a
+libvtkshim_a_SOURCES = %D%/exchange_vtk.cc
+libvtkshim_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
+endif
+EXTRA_DIST += docs/correct-picture.md docs/scene.schema.json

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/picture.h"
+
+#include <math.h>
+
+static const float BACKGROUND[3] = {0.055f, 0.07f, 0.10f};
+
+/* 1/t of the face's plane at screen point (sx, sy), in doubles: good to float
+ * precision, which is all that a picture holds. */
+static double reciprocal_depth(const struct hsr_world *world,
+                               const struct hsr_view *view, uint32_t f,
+                               double sx, double sy) {
+  const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
+  const double p[3] = {world->px[f], world->py[f], world->pz[f]};
+  double along = 0, distance = 0;
+  for (int k = 0; k < 3; k++) {
+    along += n[k] * (view->ray[0][k] + sx * view->ray[1][k] +
+                     sy * view->ray[2][k]);
+    distance += n[k] * (p[k] - view->E[k]);
+  }
+  return along / distance;
+}
+
+void hsr_picture_depth(const struct hsr_world *world,
+                       const struct hsr_view *view, const uint32_t *ids,
+                       float *depth) {
+  for (int j = 0; j < view->n; j++)
+    for (int i = 0; i < view->m; i++) {
+      size_t k = (size_t)j * (size_t)view->m + (size_t)i;
+      depth[k] = ids[k] == HSR_BACKGROUND
+                     ? INFINITY
+                     : (float)(1 / reciprocal_depth(world, view, ids[k],
+                                                    hsr_sample_x(view, i),
+                                                    hsr_sample_y(view, j)));
+    }
+}
+
+/* A colour that neighbouring ids do not share: bits of the id scattered over
+ * hue by a multiplicative hash. */
+static void id_colour(uint32_t id, float rgb[3]) {
+  uint32_t h = id * 2654435761u;
+  h ^= h >> 15;
+  h *= 2246822519u;
+  h ^= h >> 13;
+  for (int k = 0; k < 3; k++)
+    rgb[k] = 0.15f + 0.8f * (float)(h >> (8 * k) & 255) / 255;
+}
+
+static void face_colour(const struct hsr_world *world, uint32_t f,
+                        float rgb[3]) {
+  const struct hsr_object *object = &world->scene->objects[world->object[f]];
+  const float *colour = object->colour;
+  if (object->rgb)
+    colour = object->rgb + 3 * (size_t)(f - world->first[world->instance[f]]);
+  for (int k = 0; k < 3; k++)
+    rgb[k] = colour[k];
+}
+
+/* N.L with a light above the eye's left shoulder; half of it is ambient. The
+ * normal is turned to the eye: a face seen from behind is lit as well. */
+static float lambert(const struct hsr_world *world, const struct hsr_view *view,
+                     uint32_t f) {
+  const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
+  const double p[3] = {world->px[f], world->py[f], world->pz[f]};
+  double length = 0, light_length = 0, facing = 0, lit = 0;
+  for (int k = 0; k < 3; k++) {
+    double l = -view->F[k] - 0.5 * view->R[k] + 0.9 * view->U[k];
+    length += n[k] * n[k];
+    light_length += l * l;
+    facing += n[k] * (view->E[k] - p[k]);
+    lit += n[k] * l;
+  }
+  double cosine = lit / sqrt(length * light_length);
+  if (facing < 0)
+    cosine = -cosine;
+  return (float)(cosine > 0 ? 0.25 + 0.75 * cosine : 0.25);
+}
+
+void hsr_picture_shade(const struct hsr_world *world,
+                       const struct hsr_view *view, const uint32_t *ids,
+                       enum hsr_shading shading, float *rgb) {
+  size_t n = (size_t)view->m * (size_t)view->n;
+  uint32_t last = HSR_BACKGROUND;
+  float colour[3] = {BACKGROUND[0], BACKGROUND[1], BACKGROUND[2]};
+  for (size_t k = 0; k < n; k++) {
+    if (ids[k] != last) {
+      last = ids[k];
+      if (last == HSR_BACKGROUND) {
+        for (int c = 0; c < 3; c++)
+          colour[c] = BACKGROUND[c];
+      } else if (shading == HSR_SHADE_IDS) {
+        id_colour(last, colour);
+      } else {
+        face_colour(world, last, colour);
+        if (shading == HSR_SHADE_LAMBERT) {
+          float light = lambert(world, view, last);
+          for (int c = 0; c < 3; c++)
+            colour[c] *= light;
+        }
+      }
+    }
+    for (int c = 0; c < 3; c++)
+      rgb[3 * k + (size_t)c] = colour[c];
+  }
+}

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Between linear light and the sRGB encoding of files (IEC 61966-2-1), both
+ * 0..1. */
+#ifndef HSR_COMMON_SRGB_H
+#define HSR_COMMON_SRGB_H
+
+#include <math.h>
+
+static inline float hsr_srgb_decode(float encoded) {
+  return encoded <= 0.04045f ? encoded / 12.92f
+                             : powf((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+static inline float hsr_srgb_encode(float linear) {
+  return linear <= 0.0031308f ? linear * 12.92f
+                              : 1.055f * powf(linear, 1 / 2.4f) - 0.055f;
+}
+
+#endif
