@@ -104,6 +104,11 @@ struct hsr_algorithm {
   const struct hsr_counter *counters; /* ended by .name == NULL; NULL: none */
   const struct hsr_step *steps;       /* ended by .label == NULL; NULL: none */
 
+  /* About how many elementary comparisons a view takes, by which a harness
+   * refuses what would take too long; NULL: it grows no faster than the faces
+   * and the samples. */
+  double (*expense)(const struct hsr_world *world, const struct hsr_view *view);
+
   /* View-independent work, timed apart; NULL if there is none. *prepared is
    * freed by release. HSR_E_NOMEM. */
   enum hsr_status (*prepare)(const struct hsr_world *world, void **prepared,

@@ -53,6 +53,11 @@ static uint32_t visible_face(const struct hsr_screen *screen, int i, int j,
   return nearest;
 }
 
+static double expense(const struct hsr_world *world,
+                      const struct hsr_view *view) {
+  return (double)view->m * view->n * world->n_faces;
+}
+
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_screen screen;
@@ -79,4 +84,5 @@ const struct hsr_algorithm HSR_ALGORITHM(raycast) = {
     .kind = HSR_IDS,
     .counters = counters,
     .steps = steps,
+    .expense = expense,
     .render = render};

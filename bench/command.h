@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the subcommands of hsr share: options, scenes and views by name, and
+ * running one algorithm. */
+#ifndef HSR_BENCH_COMMAND_H
+#define HSR_BENCH_COMMAND_H
+
+#include "config.h"
+
+#include "algorithms/algorithm.h"
+#include "scenes/scenes.h"
+
+#include <argp.h>
+#include <stdio.h>
+
+/* A subcommand. argv[0] is its name. HSR_E_DIFFERENCE ends the program with
+ * status 1 and without a message; any other failure with the message in *err. */
+struct hsr_command {
+  const char *name, *about;
+  enum hsr_status (*run)(int argc, char **argv, struct hsr_error *err);
+};
+
+enum hsr_status command_list(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_scenes(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_render(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_check(int argc, char **argv, struct hsr_error *err);
+
+/* --- Options --------------------------------------------------------------- */
+
+/* Parses argv with an argp parser, which reports its own findings by
+ * option_fail; any other fault of the command line becomes one line as well.
+ * --help prints and ends the program. */
+enum hsr_status parse_options(const struct argp *argp, int argc, char **argv,
+                              void *input, struct hsr_error *err);
+
+/* For use in an argp parser: stores the message and makes parse_options return
+ * HSR_E_USAGE. `input` of every parser starts with a struct option_base. */
+struct option_base {
+  struct hsr_error *err;
+  bool failed;
+};
+error_t option_fail(struct option_base *base, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* "512x512"; "x,y,z"; a decimal number. False if the text is anything else. */
+bool parse_size(const char *text, int *m, int *n);
+bool parse_point(const char *text, double point[3]);
+bool parse_number(const char *text, double *number);
+bool parse_count(const char *text, long least, long most, long *count);
+
+/* Where to look from: one of the scene's views, changed by what was given. */
+struct view_options {
+  long view; /* from 1 */
+  int m, n;
+  bool has_eye, has_at, has_up, has_fov, has_near;
+  struct hsr_camera camera;
+};
+#define VIEW_OPTIONS_STANDARD {.view = 1, .m = 512, .n = 512}
+
+/* The argp options, and their parser: ARGP_ERR_UNKNOWN if `key` is not one. */
+extern const struct argp_option view_argp_options[];
+error_t parse_view_option(struct view_options *options, int key, char *arg,
+                          struct option_base *base);
+
+/* The camera that the options choose. HSR_E_USAGE if the scene has no such
+ * view. */
+enum hsr_status choose_camera(const struct view_options *options,
+                              const struct hsr_scene *scene,
+                              struct hsr_camera *camera, struct hsr_error *err);
+
+/* The listed algorithm, or HSR_E_USAGE naming those there are. */
+enum hsr_status choose_algorithm(const char *name,
+                                 const struct hsr_listed **listed,
+                                 struct hsr_error *err);
+
+/* --- Running --------------------------------------------------------------- */
+
+double seconds_now(void); /* monotonic */
+long processors(void);    /* available to this process; at least 1 */
+
+/* Renders the view's whole window with a prepared algorithm on `threads`
+ * threads (1 if it keeps frame state), each a band of rows at a time, and adds
+ * what was counted to *tally. ids: view->m * view->n, no padding. *seconds,
+ * unless NULL, is the time of the rendering alone. */
+enum hsr_status render_view(const struct hsr_algorithm *algorithm,
+                            const struct hsr_world *world,
+                            const struct hsr_view *view, void *prepared,
+                            long threads, uint32_t *ids,
+                            struct hsr_tally *tally, double *seconds,
+                            struct hsr_error *err);
+
+#endif

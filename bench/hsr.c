@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The hsr command: which subcommand, and how it ends. */
+#include "bench/command.h"
+
+#include <locale.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct hsr_command commands[] = {
+    {"list", "the algorithms, with their place in the taxonomy", command_list},
+    {"scenes", "the scenes, their views and face counts", command_scenes},
+    {"stats", "Table I of a scene and view, beside Table II's rules",
+     command_stats},
+    {"render", "make a picture with one algorithm", command_render},
+    {"check", "every algorithm against the oracle, sample for sample",
+     command_check},
+    {NULL, NULL, NULL}};
+
+static void print_help(FILE *out) {
+  fputs("usage: hsr COMMAND [ARGUMENT...]\n"
+        "\n"
+        "A testbed for the classic hidden-surface algorithms: one correct\n"
+        "picture, every algorithm must produce it, and its work is counted.\n"
+        "\n"
+        "commands:\n",
+        out);
+  for (const struct hsr_command *c = commands; c->name; c++)
+    fprintf(out, "  hsr %-8s %s\n", c->name, c->about);
+  fputs("\n"
+        "  hsr COMMAND --help explains each; hsr --version tells the version.\n"
+        "\n"
+        "A scene is a built-in name with parameters (house, soup:1000:7), a\n"
+        "real mesh of Debian's libcgal-demo (mesh:elephant), a mesh file (.off\n"
+        ".obj .ply .stl .vtp) or a .scene.json.\n"
+        "\n"
+        "exit status: 0 good, 1 a difference or a failed check, 2 usage, 3 bad\n"
+        "input, 4 out of memory or a limit, 5 internal.\n"
+        "\n"
+        "to begin with:\n"
+        "  hsr render house -a watkins -o house.png\n"
+        "  hsr check house\n",
+        out);
+}
+
+/* Whatever went to stdout must have got there. */
+static enum hsr_status finish(enum hsr_status status, struct hsr_error *err) {
+  if (fflush(stdout) || ferror(stdout))
+    if (!status)
+      status = hsr_fail(err, HSR_E_INPUT, "standard output: cannot be written");
+  return status;
+}
+
+int main(int argc, char **argv) {
+  setlocale(LC_CTYPE, "");
+  if (argc < 2) {
+    fputs("hsr: a command is needed (see hsr --help)\n", stderr);
+    return HSR_E_USAGE;
+  }
+  if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-?") ||
+      !strcmp(argv[1], "help")) {
+    print_help(stdout);
+    return 0;
+  }
+  if (!strcmp(argv[1], "--version")) {
+    puts("hsr " PACKAGE_VERSION);
+    return 0;
+  }
+  for (const struct hsr_command *c = commands; c->name; c++) {
+    if (strcmp(argv[1], c->name))
+      continue;
+    struct hsr_error err = {.text = "unexplained failure"};
+    enum hsr_status status = finish(c->run(argc - 1, argv + 1, &err), &err);
+    if (status && status != HSR_E_DIFFERENCE)
+      fprintf(stderr, "hsr: %s\n", err.text);
+    return (int)status;
+  }
+  fprintf(stderr, "hsr: no command '%s' (see hsr --help)\n", argv[1]);
+  return HSR_E_USAGE;
+}

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr list: the algorithms and their taxonomy entries. */
+#include "bench/command.h"
+#include "bench/json.h"
+
+#include <string.h>
+
+static const char *const taxonomy_name[] = {
+    [HSR_OBJECT_SPACE] = "object space",
+    [HSR_LIST_PRIORITY] = "list priority",
+    [HSR_IMAGE_SPACE_AREA] = "image space, area sampling",
+    [HSR_IMAGE_SPACE_POINT] = "image space, point sampling",
+    [HSR_BRUTE_FORCE] = "brute force",
+    [HSR_YARDSTICK] = "yardstick"};
+
+static const char *const kind_name[] = {[HSR_IDS] = "ids",
+                                        [HSR_SEGMENTS] = "segments",
+                                        [HSR_FILTERED] = "filtered"};
+
+static const char *const restriction_code[] = {"CC", "CF", "TR", "LS", "NP",
+                                               "TP", "PF", "OF", "BE"};
+
+const char *algorithm_kind(const struct hsr_algorithm *a) {
+  return kind_name[a->kind];
+}
+
+struct options {
+  struct option_base base;
+  bool json;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct options *options = state->input;
+  switch (key) {
+  case 'j':
+    options->json = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    return option_fail(&options->base, "list: takes no argument, not '%s'",
+                       arg);
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static const struct argp argp = {
+    (const struct argp_option[]){
+        {"json", 'j', NULL, 0, "print one JSON object", 0}, {0}},
+    parse,
+    NULL,
+    "Lists the algorithms: name, year, place in the taxonomy of Sutherland, "
+    "Sproull and Schumacker, sorting order, environment restrictions.",
+    NULL,
+    NULL,
+    NULL};
+
+static json_t *restrictions_json(const struct hsr_algorithm *a) {
+  json_t *codes = json_array();
+  for (int k = 0; k < 9; k++)
+    if (a->restrictions & 1u << k)
+      json_append(&codes, json_string(restriction_code[k]));
+  return codes;
+}
+
+static json_t *sorts_json(const struct hsr_algorithm *a) {
+  json_t *sorts = json_array();
+  for (const struct hsr_sort *s = a->sorts; s && s->what; s++)
+    json_append(&sorts, json_pack("{ss ss ss ss}", "what", s->what,
+                                           "key", s->key, "method", s->method,
+                                           "often", s->often));
+  return sorts;
+}
+
+static json_t *counters_json(const struct hsr_algorithm *a) {
+  json_t *counters = json_array();
+  for (const struct hsr_counter *c = a->counters; c && c->name; c++)
+    json_append(&counters, json_pack("{ss ss}", "name", c->name,
+                                              "meaning", c->meaning));
+  return counters;
+}
+
+static json_t *steps_json(const struct hsr_algorithm *a) {
+  json_t *steps = json_array();
+  for (const struct hsr_step *s = a->steps; s && s->label; s++)
+    json_append(
+        &steps, json_pack("{ss ss sf ss}", "label", s->label, "counter",
+                         a->counters[s->counter].name, "factor", s->factor,
+                         "formula", s->formula));
+  return steps;
+}
+
+static json_t *algorithm_json(const struct hsr_algorithm *a) {
+  return json_pack(
+      "{ss ss ss si ss ss ss* ss* ss so so so so}", "name", a->name, "title",
+      a->title, "authors", a->authors, "year", a->year, "source", a->source,
+      "taxonomy", taxonomy_name[a->taxonomy], "sort_order", a->sort_order,
+      "coherence", a->coherence, "kind", algorithm_kind(a), "restrictions",
+      restrictions_json(a), "sorts", sorts_json(a), "counters",
+      counters_json(a), "steps", steps_json(a));
+}
+
+static enum hsr_status print_json(struct hsr_error *err) {
+  json_t *all = json_array();
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+    json_append(&all, algorithm_json(a->plain));
+  return json_print(
+      json_pack("{ss so}", "schema", "hsr-list/1", "algorithms", all), err);
+}
+
+static void print_restrictions(const struct hsr_algorithm *a) {
+  bool any = false;
+  for (int k = 0; k < 9; k++)
+    if (a->restrictions & 1u << k) {
+      printf("%s%s", any ? " " : "", restriction_code[k]);
+      any = true;
+    }
+  puts(any ? "" : "-");
+}
+
+enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
+  struct options options = {.json = false};
+  enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
+  if (status)
+    return status;
+  if (options.json)
+    return print_json(err);
+  printf("%-10s %4s  %-28s %-6s %-9s %s\n", "name", "year", "taxonomy", "sorts",
+         "kind", "restrictions");
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
+    printf("%-10s %4d  %-28s %-6s %-9s ", a->plain->name, a->plain->year,
+           taxonomy_name[a->plain->taxonomy],
+           a->plain->sort_order ? a->plain->sort_order : "-",
+           algorithm_kind(a->plain));
+    print_restrictions(a->plain);
+  }
+  return HSR_OK;
+}

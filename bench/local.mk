@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+bin_PROGRAMS += hsr
+hsr_SOURCES = %D%/check.c %D%/command.h %D%/hsr.c %D%/json.c %D%/json.h \
+  %D%/list.c %D%/options.c %D%/render.c %D%/run.c %D%/scenes_command.c \
+  %D%/stats.c
+hsr_LDADD = $(HSR_LIBS)
+nodist_EXTRA_hsr_SOURCES = force_cxx_link.cc
+dist_man_MANS += %D%/hsr.1

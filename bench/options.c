@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/command.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+error_t option_fail(struct option_base *base, const char *format, ...) {
+  char text[400];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(text, sizeof text, format, args);
+  va_end(args);
+  hsr_fail(base->err, HSR_E_USAGE, "%s", text);
+  base->failed = true;
+  return EINVAL;
+}
+
+enum hsr_status parse_options(const struct argp *argp, int argc, char **argv,
+                              void *input, struct hsr_error *err) {
+  struct option_base *base = input;
+  base->err = err;
+  base->failed = false;
+  char name[32], *first = argv[0];
+  snprintf(name, sizeof name, "hsr %s", first);
+  argv[0] = name;
+  int at = 1;
+  /* Help goes to stdout and exits; errors are ours to print. */
+  error_t failed =
+      argp_parse(argp, argc, argv, ARGP_NO_ERRS, &at, input);
+  argv[0] = first;
+  if (!failed)
+    return HSR_OK;
+  if (failed == ENOMEM)
+    return hsr_fail_nomem(err);
+  if (base->failed)
+    return HSR_E_USAGE;
+  return hsr_fail(err, HSR_E_USAGE,
+                  "%s: '%s' is not an option or lacks its value (see hsr %s "
+                  "--help)",
+                  first, argv[at > 1 && at <= argc ? at - 1 : argc - 1], first);
+}
+
+bool parse_number(const char *text, double *number) {
+  char *end;
+  errno = 0;
+  *number = strtod(text, &end);
+  return end != text && !*end && isfinite(*number);
+}
+
+bool parse_count(const char *text, long least, long most, long *count) {
+  char *end;
+  errno = 0;
+  *count = strtol(text, &end, 10);
+  return end != text && !*end && !errno && *count >= least && *count <= most;
+}
+
+bool parse_size(const char *text, int *m, int *n) {
+  char *end;
+  errno = 0;
+  long width = strtol(text, &end, 10);
+  if (end == text || *end != 'x' || errno)
+    return false;
+  const char *second = end + 1;
+  long height = strtol(second, &end, 10);
+  if (end == second || *end || errno || width < 1 || height < 1 ||
+      width > HSR_MAX_SIZE || height > HSR_MAX_SIZE)
+    return false;
+  *m = (int)width;
+  *n = (int)height;
+  return true;
+}
+
+bool parse_point(const char *text, double point[3]) {
+  for (int k = 0; k < 3; k++) {
+    char *end;
+    point[k] = strtod(text, &end);
+    if (end == text || *end != (k < 2 ? ',' : '\0') || !isfinite(point[k]))
+      return false;
+    text = end + 1;
+  }
+  return true;
+}
+
+enum { EYE = 0x100, AT, UP, FOV, NEAR };
+
+const struct argp_option view_argp_options[] = {
+    {"view", 'v', "K", 0, "look from the scene's view K, from 1 (standard: 1)",
+     1},
+    {"size", 's', "MxN", 0, "samples a row x rows (standard: 512x512)", 1},
+    {"eye", EYE, "X,Y,Z", 0, "look from here", 2},
+    {"at", AT, "X,Y,Z", 0, "look at this point", 2},
+    {"up", UP, "X,Y,Z", 0, "this direction is up", 2},
+    {"fov", FOV, "DEG", 0, "vertical angle of view, degrees", 2},
+    {"near", NEAR, "T", 0, "nothing exists up to this distance", 2},
+    {0}};
+
+error_t parse_view_option(struct view_options *o, int key, char *arg,
+                          struct option_base *base) {
+  switch (key) {
+  case 'v':
+    if (!parse_count(arg, 1, 1000000, &o->view))
+      return option_fail(base, "--view %s: views are numbered from 1", arg);
+    return 0;
+  case 's':
+    if (!parse_size(arg, &o->m, &o->n))
+      return option_fail(base, "--size %s: must be MxN, each 1 to %d", arg,
+                         HSR_MAX_SIZE);
+    return 0;
+  case EYE:
+  case AT:
+  case UP: {
+    double *point = key == EYE  ? o->camera.eye
+                    : key == AT ? o->camera.at
+                                : o->camera.up;
+    if (!parse_point(arg, point))
+      return option_fail(base, "'%s': a point is three numbers, X,Y,Z", arg);
+    o->has_eye |= key == EYE;
+    o->has_at |= key == AT;
+    o->has_up |= key == UP;
+    return 0;
+  }
+  case FOV:
+  case NEAR: {
+    if (!parse_number(arg, key == FOV ? &o->camera.fov : &o->camera.near))
+      return option_fail(base, "'%s' is not a number", arg);
+    o->has_fov |= key == FOV;
+    o->has_near |= key == NEAR;
+    return 0;
+  }
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+enum hsr_status choose_camera(const struct view_options *o,
+                              const struct hsr_scene *scene,
+                              struct hsr_camera *camera,
+                              struct hsr_error *err) {
+  if (o->view > (long)scene->n_views)
+    return hsr_fail(err, HSR_E_USAGE, "%s has %u views; there is no view %ld",
+                    scene->name, scene->n_views, o->view);
+  *camera = scene->views[o->view - 1];
+  for (int k = 0; k < 3; k++) {
+    if (o->has_eye)
+      camera->eye[k] = o->camera.eye[k];
+    if (o->has_at)
+      camera->at[k] = o->camera.at[k];
+    if (o->has_up)
+      camera->up[k] = o->camera.up[k];
+  }
+  if (o->has_fov)
+    camera->fov = o->camera.fov;
+  if (o->has_near)
+    camera->near = o->camera.near;
+  return hsr_camera_check(camera, err) ? HSR_E_USAGE : HSR_OK;
+}
+
+enum hsr_status choose_algorithm(const char *name,
+                                 const struct hsr_listed **listed,
+                                 struct hsr_error *err) {
+  *listed = hsr_algorithm_find(name);
+  if (*listed)
+    return HSR_OK;
+  char names[300] = "";
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
+    size_t length = strlen(names);
+    snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "",
+             a->plain->name);
+  }
+  return hsr_fail(err, HSR_E_USAGE, "no algorithm '%s'; there are %s", name,
+                  names);
+}

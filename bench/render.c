@@ -1,0 +1,279 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr render: one picture by one algorithm. */
+#include "bench/command.h"
+#include "common/image.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_OUTPUTS = 16, SHADE = 0x200, WORK, DROP };
+
+struct options {
+  struct option_base base;
+  struct view_options view;
+  const char *scene, *algorithm;
+  const char *output[MOST_OUTPUTS];
+  int n_outputs;
+  const char *work;
+  enum hsr_shading shading;
+  long threads, supersamples;
+  struct hsr_import import;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct options *o = state->input;
+  switch (key) {
+  case 'a':
+    o->algorithm = arg;
+    return 0;
+  case 'o':
+    if (o->n_outputs == MOST_OUTPUTS)
+      return option_fail(&o->base, "render: at most %d output files",
+                         (int)MOST_OUTPUTS);
+    o->output[o->n_outputs++] = arg;
+    return 0;
+  case 'J':
+    if (!parse_count(arg, 1, 64, &o->threads))
+      return option_fail(&o->base, "--jobs %s: must be 1 to 64", arg);
+    return 0;
+  case 'S':
+    if (!parse_count(arg, 1, 16, &o->supersamples))
+      return option_fail(&o->base, "--supersample %s: must be 1 to 16", arg);
+    return 0;
+  case SHADE:
+    if (!strcmp(arg, "lambert"))
+      o->shading = HSR_SHADE_LAMBERT;
+    else if (!strcmp(arg, "flat"))
+      o->shading = HSR_SHADE_FLAT;
+    else if (!strcmp(arg, "ids"))
+      o->shading = HSR_SHADE_IDS;
+    else
+      return option_fail(&o->base, "--shade %s: must be lambert, flat or ids",
+                         arg);
+    return 0;
+  case WORK:
+    o->work = arg;
+    return 0;
+  case DROP:
+    o->import.drop_degenerate = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->scene)
+      return option_fail(&o->base, "render: one scene at a time, not also '%s'",
+                         arg);
+    o->scene = arg;
+    return 0;
+  case ARGP_KEY_END:
+    if (!o->scene)
+      return option_fail(&o->base,
+                         "render: which scene? (see hsr render --help)");
+    return 0;
+  default:
+    return parse_view_option(&o->view, key, arg, &o->base);
+  }
+}
+
+static const struct argp_option render_options[] = {
+    {"algorithm", 'a', "NAME", 0, "the algorithm (standard: zbuffer)", 0},
+    {"output", 'o', "FILE", 0,
+     "write the picture, by suffix: .exr holds R G B, depth Z and face id; .png "
+     "and others the colours. May be given several times",
+     0},
+    {"work", WORK, "FILE", 0,
+     "write the work picture: how often each sample was touched (runs the "
+     "counting build)",
+     0},
+    {"shade", SHADE, "HOW", 0, "lambert (standard), flat, or ids", 0},
+    {"supersample", 'S', "N", 0,
+     "N x N samples a pixel, averaged (colours only)", 0},
+    {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
+    {"drop-degenerate", DROP, NULL, 0,
+     "leave out faces of a mesh file that have no area or repeat a vertex, "
+     "instead of refusing the file",
+     0},
+    {0}};
+
+static const struct argp argp = {
+    render_options,
+    parse,
+    "SCENE",
+    "Makes a picture of SCENE with one algorithm and says how long each phase "
+    "took.\v"
+    "SCENE is a built-in name with parameters (house, soup:1000:7), mesh:NAME, "
+    "a mesh file, or a .scene.json; see hsr scenes.\n\n"
+    "  hsr render house -a watkins -o house.png\n"
+    "  hsr render mesh:elephant -a zbuffer -s 1024x1024 -o elephant.exr\n"
+    "  hsr render harbor -a watkins --work work.png",
+    (const struct argp_child[]){
+        {&(const struct argp){view_argp_options, NULL, NULL, NULL, NULL, NULL,
+                              NULL},
+         0, "Where to look from:", 1},
+        {0}},
+    NULL,
+    NULL};
+
+/* The picture in the making, and what it took. */
+struct render {
+  const struct options *options;
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  struct hsr_view view; /* of the samples */
+  uint32_t *ids;
+  float *depth, *rgb, *work;
+  struct hsr_tally tally;
+  double import, build, prepare, draw, shade, write; /* seconds */
+};
+
+static enum hsr_status open_scene(struct render *r, struct hsr_error *err) {
+  const struct options *o = r->options;
+  double begin = seconds_now();
+  struct hsr_import import = o->import;
+  enum hsr_status status = hsr_scene_open(o->scene, &import, &r->scene, err);
+  if (status)
+    return status;
+  if (import.n_dropped)
+    fprintf(stderr, "hsr: %s: %llu degenerate faces left out\n", o->scene,
+            (unsigned long long)import.n_dropped);
+  r->import = seconds_now() - begin;
+
+  begin = seconds_now();
+  struct hsr_camera camera;
+  status = choose_camera(&o->view, r->scene, &camera, err);
+  if (!status)
+    status = hsr_view_init(&r->view, &camera, o->view.m * (int)o->supersamples,
+                           o->view.n * (int)o->supersamples, err);
+  if (!status)
+    status = hsr_world_init(&r->world, r->scene, err);
+  r->build = seconds_now() - begin;
+  return status;
+}
+
+static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
+                            struct hsr_error *err) {
+  size_t n = (size_t)r->view.m * (size_t)r->view.n;
+  r->ids = malloc(n * sizeof *r->ids);
+  if (!r->ids)
+    return hsr_fail_nomem(err);
+  memset(r->ids, 0xff, n * sizeof *r->ids);
+  if (r->options->work) {
+    r->work = calloc(n, sizeof *r->work);
+    if (!r->work)
+      return hsr_fail_nomem(err);
+    r->tally.work = r->work;
+    r->tally.work_stride = (size_t)r->view.m;
+  }
+  void *prepared = NULL;
+  double begin = seconds_now();
+  enum hsr_status status =
+      a->prepare ? a->prepare(&r->world, &prepared, err) : HSR_OK;
+  r->prepare = seconds_now() - begin;
+  if (!status)
+    status = render_view(a, &r->world, &r->view, prepared, r->options->threads,
+                         r->ids, &r->tally, &r->draw, err);
+  if (a->release)
+    a->release(prepared);
+  return status;
+}
+
+static enum hsr_status shade(struct render *r, struct hsr_error *err) {
+  size_t n = (size_t)r->view.m * (size_t)r->view.n;
+  double begin = seconds_now();
+  r->depth = malloc(n * sizeof *r->depth);
+  r->rgb = malloc(3 * n * sizeof *r->rgb);
+  if (!r->depth || !r->rgb)
+    return hsr_fail_nomem(err);
+  hsr_picture_depth(&r->world, &r->view, r->ids, r->depth);
+  hsr_picture_shade(&r->world, &r->view, r->ids, r->options->shading, r->rgb);
+  r->shade = seconds_now() - begin;
+  return HSR_OK;
+}
+
+/* Averages the colours of s x s samples, in place. */
+static void average(const struct hsr_view *view, int s, float *rgb) {
+  int m = view->m / s, n = view->n / s;
+  for (int j = 0; j < n; j++)
+    for (int i = 0; i < m; i++)
+      for (int c = 0; c < 3; c++) {
+        double sum = 0;
+        for (int k = 0; k < s * s; k++)
+          sum += (double)rgb[3 * ((size_t)(j * s + k / s) * (size_t)view->m +
+                                  (size_t)(i * s + k % s)) +
+                             (size_t)c];
+        rgb[3 * ((size_t)j * (size_t)m + (size_t)i) + (size_t)c] =
+            (float)(sum / (s * s));
+      }
+}
+
+static enum hsr_status write_pictures(struct render *r,
+                                      const struct hsr_algorithm *a,
+                                      struct hsr_error *err) {
+  const struct options *o = r->options;
+  double begin = seconds_now();
+  struct hsr_picture picture = {r->view.m, r->view.n, r->ids, r->depth, r->rgb};
+  if (o->supersamples > 1) {
+    average(&r->view, (int)o->supersamples, r->rgb);
+    picture = (struct hsr_picture){o->view.m, o->view.n, NULL, NULL, r->rgb};
+  }
+  char text[300];
+  snprintf(text, sizeof text, "Software=hsr\nScene=%s\nAlgorithm=%s\n",
+           o->scene, a->name);
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < o->n_outputs && !status; k++)
+    status = hsr_image_write(o->output[k], &picture, text, err);
+  if (o->work && !status)
+    status = hsr_image_write_work(o->work, r->view.m, r->view.n, r->work, err);
+  r->write = seconds_now() - begin;
+  return status;
+}
+
+static void print_report(const struct render *r, const struct hsr_algorithm *a) {
+  size_t n = (size_t)r->view.m * (size_t)r->view.n, covered = 0;
+  for (size_t k = 0; k < n; k++)
+    covered += r->ids[k] != HSR_BACKGROUND;
+  printf("%s, view %ld, %d x %d samples, %u faces, by %s: %.1f %% covered\n",
+         r->options->scene, r->options->view.view, r->view.m, r->view.n,
+         r->world.n_faces, a->name, 100.0 * (double)covered / (double)n);
+  printf("ms: import %.1f, build %.1f, prepare %.1f, render %.2f, shade %.1f, "
+         "write %.1f\n",
+         1e3 * r->import, 1e3 * r->build, 1e3 * r->prepare, 1e3 * r->draw,
+         1e3 * r->shade, 1e3 * r->write);
+  if (!r->options->work)
+    return;
+  for (int k = 0; a->counters && a->counters[k].name; k++)
+    printf("%-18s %14llu  %s\n", a->counters[k].name,
+           (unsigned long long)r->tally.count[k], a->counters[k].meaning);
+}
+
+enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
+  struct options options = {.view = VIEW_OPTIONS_STANDARD,
+                            .algorithm = "zbuffer",
+                            .threads = 1,
+                            .supersamples = 1};
+  enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
+  if (status)
+    return status;
+  const struct hsr_listed *listed;
+  status = choose_algorithm(options.algorithm, &listed, err);
+  if (status)
+    return status;
+  const struct hsr_algorithm *a =
+      options.work ? listed->counting : listed->plain;
+
+  struct render r = {.options = &options};
+  status = open_scene(&r, err);
+  if (!status)
+    status = draw(&r, a, err);
+  if (!status && (options.n_outputs || options.work))
+    status = shade(&r, err);
+  if (!status)
+    status = write_pictures(&r, a, err);
+  if (!status)
+    print_report(&r, a);
+  hsr_world_free(&r.world);
+  hsr_scene_delete(r.scene);
+  free(r.ids);
+  free(r.depth);
+  free(r.rgb);
+  free(r.work);
+  return status;
+}

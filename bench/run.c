@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Running an algorithm over a view, on one thread or several. */
+#include "bench/command.h"
+
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { MOST_THREADS = 64 };
+
+double seconds_now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+long processors(void) {
+  cpu_set_t set;
+  if (!sched_getaffinity(0, sizeof set, &set) && CPU_COUNT(&set) > 0)
+    return CPU_COUNT(&set);
+  return 1;
+}
+
+/* The picture in bands of rows, taken by whoever is free. */
+struct bands {
+  const struct hsr_algorithm *algorithm;
+  const struct hsr_world *world;
+  const struct hsr_view *view;
+  void *prepared;
+  uint32_t *ids;
+  int height;
+  atomic_int next;
+};
+
+struct worker {
+  struct bands *bands;
+  pthread_t thread;
+  bool started;
+  struct hsr_arena scratch;
+  struct hsr_tally tally;
+  struct hsr_error err;
+  enum hsr_status status;
+};
+
+static void *work(void *argument) {
+  struct worker *worker = argument;
+  struct bands *bands = worker->bands;
+  const struct hsr_window *all = &bands->view->window;
+  for (;;) {
+    int y0 = all->y0 + bands->height * atomic_fetch_add(&bands->next, 1);
+    if (y0 >= all->y1)
+      break;
+    struct hsr_view view = *bands->view;
+    view.window.y0 = y0;
+    if (y0 + bands->height < all->y1)
+      view.window.y1 = y0 + bands->height;
+    hsr_arena_reset(&worker->scratch);
+    struct hsr_job job = {.world = bands->world,
+                          .view = &view,
+                          .prepared = bands->prepared,
+                          .scratch = &worker->scratch,
+                          .tally = &worker->tally,
+                          .ids = bands->ids,
+                          .ids_stride = (size_t)view.m};
+    worker->status = bands->algorithm->render(&job, &worker->err);
+    if (!worker->status && worker->tally.out_of_memory)
+      worker->status = hsr_fail_nomem(&worker->err);
+    if (worker->status)
+      break;
+  }
+  return NULL;
+}
+
+enum hsr_status render_view(const struct hsr_algorithm *algorithm,
+                            const struct hsr_world *world,
+                            const struct hsr_view *view, void *prepared,
+                            long threads, uint32_t *ids,
+                            struct hsr_tally *tally, double *seconds,
+                            struct hsr_error *err) {
+  int rows = view->window.y1 - view->window.y0;
+  if (threads > MOST_THREADS)
+    threads = MOST_THREADS;
+  if (algorithm->flags & HSR_FRAME_STATE || threads < 1)
+    threads = 1;
+  struct bands bands = {.algorithm = algorithm,
+                        .world = world,
+                        .view = view,
+                        .prepared = prepared,
+                        .ids = ids,
+                        .height = rows};
+  if (threads > 1) {
+    bands.height = rows / (int)(4 * threads) + 1;
+  }
+  struct worker *workers = calloc((size_t)threads, sizeof *workers);
+  if (!workers)
+    return hsr_fail_nomem(err);
+
+  double begin = seconds_now();
+  for (long k = 0; k < threads; k++) {
+    workers[k].bands = &bands;
+    workers[k].tally = (struct hsr_tally){.work = tally->work,
+                                          .work_stride = tally->work_stride,
+                                          .trace = tally->trace,
+                                          .trace_context =
+                                              tally->trace_context};
+    /* Where no thread can be had, the first one does the work. */
+    if (k > 0)
+      workers[k].started =
+          !pthread_create(&workers[k].thread, NULL, work, &workers[k]);
+  }
+  work(&workers[0]);
+  enum hsr_status status = HSR_OK;
+  for (long k = 0; k < threads; k++) {
+    if (workers[k].started)
+      pthread_join(workers[k].thread, NULL);
+    if (workers[k].status && !status) {
+      status = workers[k].status;
+      if (err)
+        *err = workers[k].err;
+    }
+    hsr_tally_add(tally, &workers[k].tally);
+    hsr_arena_free(&workers[k].scratch);
+  }
+  if (seconds)
+    *seconds = seconds_now() - begin;
+  free(workers);
+  return status;
+}

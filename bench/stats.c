@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr stats: Table I of Sutherland et al. 1974, measured. */
+#include "bench/command.h"
+#include "bench/json.h"
+#include "common/statistics.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { DROP = 0x200 };
+
+struct options {
+  struct option_base base;
+  struct view_options view;
+  const char *scene;
+  bool json;
+  struct hsr_import import;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct options *o = state->input;
+  switch (key) {
+  case 'j':
+    o->json = true;
+    return 0;
+  case DROP:
+    o->import.drop_degenerate = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->scene)
+      return option_fail(&o->base, "stats: one scene at a time, not also '%s'",
+                         arg);
+    o->scene = arg;
+    return 0;
+  case ARGP_KEY_END:
+    if (!o->scene)
+      return option_fail(&o->base,
+                         "stats: which scene? (see hsr stats --help)");
+    return 0;
+  default:
+    return parse_view_option(&o->view, key, arg, &o->base);
+  }
+}
+
+static const struct argp argp = {
+    (const struct argp_option[]){
+        {"json", 'j', NULL, 0, "print one JSON object", 0},
+        {"drop-degenerate", DROP, NULL, 0,
+         "leave out faces of a mesh file that cannot be used", 0},
+        {0}},
+    parse,
+    "SCENE",
+    "Measures Table I of Sutherland, Sproull and Schumacker for a scene and a "
+    "view, and prints Table II's rules of thumb beside it, computed from the "
+    "measured n, m, F_r, F_c and D_c.\v"
+    "  hsr stats harbor --size 500x500",
+    (const struct argp_child[]){
+        {&(const struct argp){view_argp_options, NULL, NULL, NULL, NULL, NULL,
+                              NULL},
+         0, "Where to look from:", 1},
+        {0}},
+    NULL,
+    NULL};
+
+/* X(field, symbol, meaning) */
+static const struct {
+  const char *symbol, *meaning;
+  size_t offset;
+} rows[] = {
+#define X(field, symbol, meaning)                                              \
+  {symbol, meaning, offsetof(struct hsr_table1, field)},
+    HSR_TABLE1(X)
+#undef X
+};
+enum { N_ROWS = sizeof rows / sizeof rows[0] };
+
+static double cell(const struct hsr_table1 *table, int row) {
+  return *(const double *)((const char *)table + rows[row].offset);
+}
+
+static json_t *number_or_null(double x) {
+  return isfinite(x) ? json_real(x) : json_null();
+}
+
+static enum hsr_status print_json(const struct options *o,
+                                  const struct hsr_table1 *measured,
+                                  const struct hsr_table1 *rules,
+                                  struct hsr_error *err) {
+  json_t *table = json_array();
+  for (int k = 0; k < N_ROWS; k++)
+    json_append(&table, json_pack("{ss ss so so}", "symbol", rows[k].symbol,
+                                  "meaning", rows[k].meaning, "measured",
+                                  number_or_null(cell(measured, k)), "rule",
+                                  number_or_null(cell(rules, k))));
+  return json_print(json_pack("{ss ss si si si so}", "schema", "hsr-stats/1",
+                              "scene", o->scene, "view", (int)o->view.view,
+                              "width", o->view.m, "height", o->view.n,
+                              "table", table),
+                    err);
+}
+
+static void print_number(double x) {
+  if (isnan(x))
+    printf(" %12s", "-");
+  else if (fabs(x - nearbyint(x)) < 1e-9 && fabs(x) < 1e9)
+    printf(" %12.0f", x);
+  else
+    printf(" %12.4g", x);
+}
+
+static void print_text(const struct options *o,
+                       const struct hsr_table1 *measured,
+                       const struct hsr_table1 *rules) {
+  printf("%s, view %ld, %d x %d\n\n", o->scene, o->view.view, o->view.m,
+         o->view.n);
+  printf("%-4s %12s %12s %8s  %s\n", "", "measured", "rule", "ratio",
+         "Table I of Sutherland, Sproull and Schumacker 1974");
+  for (int k = 0; k < N_ROWS; k++) {
+    double a = cell(measured, k), b = cell(rules, k);
+    printf("%-4s", rows[k].symbol);
+    print_number(a);
+    print_number(b);
+    if (a > 0 && b > 0)
+      printf(" %8.3g", a / b);
+    else
+      printf(" %8s", "-");
+    printf("  %s\n", rows[k].meaning);
+  }
+}
+
+static enum hsr_status measure(const struct options *o,
+                               const struct hsr_world *world,
+                               const struct hsr_view *view,
+                               struct hsr_error *err) {
+  size_t n = (size_t)view->m * (size_t)view->n;
+  uint32_t *ids = malloc(n * sizeof *ids);
+  if (!ids)
+    return hsr_fail_nomem(err);
+  struct hsr_tally tally = {.out_of_memory = false};
+  struct hsr_table1 measured, rules;
+  const struct hsr_listed *zbuffer;
+  enum hsr_status status = choose_algorithm("zbuffer", &zbuffer, err);
+  if (!status)
+    status = render_view(zbuffer->plain, world, view, NULL, 1, ids, &tally,
+                         NULL, err);
+  if (!status)
+    status = hsr_statistics_measure(world, view, ids, &measured, err);
+  free(ids);
+  if (status)
+    return status;
+  hsr_statistics_rules(&measured, &rules);
+  if (o->json)
+    return print_json(o, &measured, &rules, err);
+  print_text(o, &measured, &rules);
+  return HSR_OK;
+}
+
+enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err) {
+  struct options options = {.view = VIEW_OPTIONS_STANDARD};
+  enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
+  if (status)
+    return status;
+  struct hsr_scene *scene;
+  status = hsr_scene_open(options.scene, &options.import, &scene, err);
+  if (status)
+    return status;
+  struct hsr_world world = {.scene = scene};
+  struct hsr_view view;
+  struct hsr_camera camera;
+  status = choose_camera(&options.view, scene, &camera, err);
+  if (!status)
+    status = hsr_view_init(&view, &camera, options.view.m, options.view.n, err);
+  if (!status)
+    status = hsr_world_init(&world, scene, err);
+  if (!status)
+    status = measure(&options, &world, &view, err);
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+  return status;
+}
