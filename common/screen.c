@@ -72,13 +72,15 @@ enum hsr_status hsr_screen_init(struct hsr_screen *screen,
   *screen = (struct hsr_screen){.world = world, .view = view};
   screen->sx = HSR_NEW(arena, double, nv);
   screen->sy = HSR_NEW(arena, double, nv);
+  screen->q = HSR_NEW(arena, double, nv);
   screen->plane = HSR_NEW(arena, struct hsr_depth_plane, nf);
   screen->facing = HSR_NEW(arena, signed char, nf);
   screen->relevant = HSR_NEW(arena, uint32_t, nf);
   screen->bounds = HSR_NEW(arena, struct hsr_bounds, nf);
   screen->whole = HSR_NEW(arena, bool, nf);
-  return screen->sx && screen->sy && screen->plane && screen->facing &&
-                 screen->relevant && screen->bounds && screen->whole
+  return screen->sx && screen->sy && screen->q && screen->plane &&
+                 screen->facing && screen->relevant && screen->bounds &&
+                 screen->whole
              ? HSR_OK
              : HSR_E_NOMEM;
 }
@@ -102,7 +104,8 @@ HSR_VECTOR static void transform(size_t n, const double *restrict x,
                                  const double *restrict y,
                                  const double *restrict z, const double E[3],
                                  const double M[3][3], double kappa,
-                                 double *restrict sx, double *restrict sy) {
+                                 double *restrict sx, double *restrict sy,
+                                 double *restrict q) {
   const double e0 = E[0], e1 = E[1], e2 = E[2];
   const double m00 = M[0][0], m01 = M[0][1], m02 = M[0][2];
   const double m10 = M[1][0], m11 = M[1][1], m12 = M[1][2];
@@ -120,6 +123,7 @@ HSR_VECTOR static void transform(size_t n, const double *restrict x,
                (fabs(py) <= HSR_GUARD);
     sx[v] = safe ? px : NAN;
     sy[v] = safe ? py : NAN;
+    q[v] = reciprocal;
   }
 }
 
@@ -127,10 +131,10 @@ void hsr_screen_vertices(struct hsr_screen *screen) {
   const struct hsr_world *world = screen->world;
   const struct hsr_view *view = screen->view;
   transform(world->n_vertices, world->x, world->y, world->z, view->E,
-            view->screen, safe_cosine(view), screen->sx, screen->sy);
+            view->screen, safe_cosine(view), screen->sx, screen->sy, screen->q);
 }
 
-HSR_VECTOR static void depth_planes(size_t n,
+HSR_VECTOR static void depth_planes(size_t first, size_t n,
                                     const struct hsr_world *restrict world,
                                     const struct hsr_view *restrict view,
                                     struct hsr_depth_plane *restrict plane,
@@ -147,7 +151,7 @@ HSR_VECTOR static void depth_planes(size_t n,
   for (int k = 0; k < 3; k++)
     D[k] = fabs(r[0][k]) + view->m * fabs(r[1][k]) + view->n * fabs(r[2][k]);
   const double D1 = D[0] + D[1] + D[2];
-  for (size_t f = 0; f < n; f++) {
+  for (size_t f = first; f < first + n; f++) {
     double n0 = nx[f], n1 = ny[f], n2 = nz[f];
     double r0 = px[f] - e0, r1 = py[f] - e1, r2 = pz[f] - e2;
     double c0 = n0 * r0, c1 = n1 * r1, c2 = n2 * r2;
@@ -174,9 +178,9 @@ HSR_VECTOR static void depth_planes(size_t n,
   }
 }
 
-void hsr_screen_planes(struct hsr_screen *screen) {
-  depth_planes(screen->world->n_faces, screen->world, screen->view,
-               screen->plane, screen->facing);
+void hsr_screen_planes(struct hsr_screen *screen, uint32_t first, uint32_t n) {
+  depth_planes(first, n, screen->world, screen->view, screen->plane,
+               screen->facing);
 }
 
 /* --- The culls ----------------------------------------------------------- */
@@ -331,8 +335,10 @@ static bool clear_of_near(const struct hsr_screen *screen, uint32_t f) {
   return true;
 }
 
-/* Sets bounds and whole of face f; false if it has no sample in the window. */
-static bool place_face(const struct hsr_screen *screen, uint32_t f) {
+bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
+                      struct hsr_tally *tally) {
+  if (!hsr_face_exists(screen, f, tally))
+    return false;
   struct hsr_bounds *b = &screen->bounds[f];
   bool certain = screen->facing[f] != 0;
   bool safe = vertex_bounds(screen, f, b);
@@ -357,7 +363,7 @@ static bool place_face(const struct hsr_screen *screen, uint32_t f) {
 void hsr_screen_cull(struct hsr_screen *screen, struct hsr_tally *tally) {
   uint32_t n = 0;
   for (uint32_t f = 0; f < screen->world->n_faces; f++)
-    if (hsr_face_exists(screen, f, tally) && place_face(screen, f))
+    if (hsr_screen_place(screen, f, tally))
       screen->relevant[n++] = f;
   screen->n_relevant = n;
 }
@@ -371,7 +377,7 @@ enum hsr_status hsr_screen_make(struct hsr_screen *screen,
   if (status)
     return status;
   hsr_screen_vertices(screen);
-  hsr_screen_planes(screen);
+  hsr_screen_planes(screen, 0, world->n_faces);
   hsr_screen_cull(screen, tally);
   return HSR_OK;
 }

@@ -54,6 +54,7 @@ struct hsr_screen {
   const struct hsr_view *view;
 
   double *sx, *sy; /* a vertex; NaN if not safely before the eye */
+  double *q; /* a vertex: 1/w, within 2^-42 of itself where sx is not NaN */
   struct hsr_depth_plane *plane; /* a face */
   signed char *facing; /* a face: +1 the eye is in front of it, -1 behind, and
                           no vertex is as far out of its plane as the eye; 0:
@@ -73,15 +74,19 @@ enum hsr_status hsr_screen_init(struct hsr_screen *screen,
                                 const struct hsr_view *view,
                                 struct hsr_arena *arena);
 
-/* The perspective transform of all vertices: fills sx, sy. */
+/* The perspective transform of all vertices: fills sx, sy, q. */
 void hsr_screen_vertices(struct hsr_screen *screen);
 
-/* The depth planes of all faces: fills plane. */
-void hsr_screen_planes(struct hsr_screen *screen);
+/* The depth planes of n faces from `first` on: fills plane and facing. */
+void hsr_screen_planes(struct hsr_screen *screen, uint32_t first, uint32_t n);
 
-/* The culls that every algorithm begins with, of faces that do not exist and of
- * those outside the window: fills relevant, bounds and whole. Needs both of
- * the above. */
+/* The culls of one face, whose plane is filled in: false if it does not exist,
+ * or has no sample of the window in its bounds; else fills bounds and whole. */
+bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
+                      struct hsr_tally *tally);
+
+/* The culls that every algorithm begins with, of all faces: fills relevant,
+ * bounds and whole. */
 void hsr_screen_cull(struct hsr_screen *screen, struct hsr_tally *tally);
 
 /* All of these. HSR_E_NOMEM. */
