@@ -85,7 +85,7 @@ enum {
   GRID = 1 << GRID_BITS, /* grid units a pixel */
   UNSAFE = INT_MIN,      /* snapped coordinate of a vertex that is not safe */
   LARGEST_BOX = 500,     /* pixels; keeps differences below 2^24 grid units */
-  BATCH = 256            /* faces looked at together */
+  BATCH = 128            /* faces looked at together */
 };
 /* Pixels; sums and differences of snapped coordinates fit in an int. */
 static const double FARTHEST = 32767.9;
@@ -94,18 +94,32 @@ static const float RHO = 0x1p-18f;
 static const float CLEAR = 1 + 2.5f * 0x1p-18f;
 static const float SNAP = 0x1.01p-16f; /* s */
 
-/* A batch of triangles: what becomes of each, its snapped corners, the depths
- * there, and the samples in its box. */
-enum fate { DROP, TILE, GENERALLY };
-struct batch {
+/* A vertex, snapped: grid units, or UNSAFE; and its depth. */
+struct corner {
+  int x, y;
+  float q;
+  int unused; /* to 16 bytes */
+};
+
+/* Triangles by their corners a, b, c, and the samples in their boxes. */
+struct corners {
   int ax[BATCH], ay[BATCH], bx[BATCH], by[BATCH], cx[BATCH], cy[BATCH];
   float qa[BATCH], qb[BATCH], qc[BATCH];
   int x0[BATCH], y0[BATCH], x1[BATCH], y1[BATCH];
-  int fate[BATCH];
 };
 
-/* A triangle ready to be tiled: edge functions and depth at the first sample of
- * its box, and their steps to the right and down. */
+/* What becomes of a triangle. */
+enum fate { DROP = 0, TILE = 1, GENERALLY = 2 };
+
+/* Triangles ready to be tiled: edge functions and depth at the first sample of
+ * the box, and their steps to the right and down. */
+struct triangles {
+  float e0[BATCH], e1[BATCH], e2[BATCH], ex0[BATCH], ex1[BATCH], ex2[BATCH],
+      ey0[BATCH], ey1[BATCH], ey2[BATCH], bound[BATCH];
+  float q[BATCH], qx[BATCH], qy[BATCH];
+};
+
+/* One of them. */
 struct triangle {
   float e0, e1, e2, ex0, ex1, ex2, ey0, ey1, ey2, bound;
   float q, qx, qy;
@@ -117,9 +131,8 @@ struct tiling {
   const struct hsr_job *job;
   struct hsr_tally *tally;
   struct hsr_screen screen;
-  int *x, *y; /* a vertex: snapped, or UNSAFE */
-  float *q;   /* a vertex */
-  float *z;   /* z of sample (i, j) at z[(j - y0) * z_stride + i - x0] */
+  struct corner *corner; /* a vertex */
+  float *z; /* z of sample (i, j) at z[(j - y0) * z_stride + i - x0] */
   size_t z_stride;
   struct hsr_window window;
   int first_x, first_y; /* of sample (0, 0), grid units */
@@ -285,31 +298,38 @@ tile_avx512(struct tiling *t, const struct triangle *tri) {
 /* --- Looking at a batch
  * ---------------------------------------------------------- */
 
-/* Gathers the corners of n triangles from `first` on, finds their boxes, and
- * says what becomes of them. */
-HSR_VECTOR static void look(const struct tiling *t, uint32_t first, int n,
-                            struct batch *restrict b) {
-  const uint32_t *restrict corner = t->job->world->vertex + 3 * (size_t)first;
-  const bool *restrict one_sided = t->job->world->one_sided + first;
-  const int *restrict x = t->x, *restrict y = t->y;
-  const float *restrict q = t->q;
-  const int fx = t->first_x, fy = t->first_y;
-  const struct hsr_window w = t->window;
-  const float near = (float)t->job->view->near;
+/* The corners of n triangles from `first` on. */
+static void gather(const struct tiling *t, uint32_t first, int n,
+                   struct corners *restrict r, int *restrict one_sided) {
+  const uint32_t *restrict vertex = t->job->world->vertex + 3 * (size_t)first;
+  const struct corner *restrict corner = t->corner;
   for (int k = 0; k < n; k++) {
-    uint32_t va = corner[3 * k], vb = corner[3 * k + 1], vc = corner[3 * k + 2];
-    int ax = x[va], bx = x[vb], cx = x[vc];
-    int ay = y[va], by = y[vb], cy = y[vc];
-    b->qa[k] = q[va];
-    b->qb[k] = q[vb];
-    b->qc[k] = q[vc];
+    struct corner a = corner[vertex[3 * k]], b = corner[vertex[3 * k + 1]],
+                  c = corner[vertex[3 * k + 2]];
+    r->ax[k] = a.x, r->ay[k] = a.y, r->qa[k] = a.q;
+    r->bx[k] = b.x, r->by[k] = b.y, r->qb[k] = b.q;
+    r->cx[k] = c.x, r->cy[k] = c.y, r->qc[k] = c.q;
+    one_sided[k] = t->job->world->one_sided[first + (uint32_t)k];
+  }
+}
+
+/* Finds their boxes, turns them so that their area on the screen is positive,
+ * and says what becomes of them. */
+HSR_VECTOR static void look(const struct tiling *t, int n,
+                            struct corners *restrict r,
+                            const int *restrict one_sided, int *restrict fate) {
+  const int fx = t->first_x, fy = t->first_y;
+  const int wx0 = t->window.x0, wx1 = t->window.x1, wy0 = t->window.y0,
+            wy1 = t->window.y1;
+  const float near = (float)t->job->view->near, unit = 1.0f / GRID;
+  for (int k = 0; k < n; k++) {
+    int ax = r->ax[k], bx = r->bx[k], cx = r->cx[k];
+    int ay = r->ay[k], by = r->by[k], cy = r->cy[k];
+    float qa = r->qa[k], qb = r->qb[k], qc = r->qc[k];
     int unsafe = (ax == UNSAFE) | (bx == UNSAFE) | (cx == UNSAFE);
-    ax = unsafe ? 0 : ax; /* nothing below may overflow */
-    bx = unsafe ? 0 : bx;
-    cx = unsafe ? 0 : cx;
-    ay = unsafe ? 0 : ay;
-    by = unsafe ? 0 : by;
-    cy = unsafe ? 0 : cy;
+    int safe = unsafe - 1;              /* all bits, or none */
+    ax &= safe, bx &= safe, cx &= safe; /* nothing below may overflow */
+    ay &= safe, by &= safe, cy &= safe;
     int lo_x = ax < bx ? ax : bx, hi_x = ax < bx ? bx : ax;
     int lo_y = ay < by ? ay : by, hi_y = ay < by ? by : ay;
     lo_x = cx < lo_x ? cx : lo_x;
@@ -322,108 +342,118 @@ HSR_VECTOR static void look(const struct tiling *t, uint32_t first, int n,
     int x1 = ((hi_x + 1 - fx) >> GRID_BITS) + 1;
     int y0 = (lo_y - 1 - fy + GRID - 1) >> GRID_BITS;
     int y1 = ((hi_y + 1 - fy) >> GRID_BITS) + 1;
-    x0 = x0 < w.x0 ? w.x0 : x0;
-    x1 = x1 > w.x1 ? w.x1 : x1;
-    y0 = y0 < w.y0 ? w.y0 : y0;
-    y1 = y1 > w.y1 ? w.y1 : y1;
+    x0 = x0 < wx0 ? wx0 : x0;
+    x1 = x1 > wx1 ? wx1 : x1;
+    y0 = y0 < wy0 ? wy0 : y0;
+    y1 = y1 > wy1 ? wy1 : y1;
     int empty = (x0 >= x1) | (y0 >= y1);
 
     /* The doubled area, negative if seen from the front (y runs down). */
-    float width = (float)(hi_x - lo_x) * (1.0f / GRID);
-    float height = (float)(hi_y - lo_y) * (1.0f / GRID);
-    float d1x = (float)(bx - ax) * (1.0f / GRID);
-    float d1y = (float)(by - ay) * (1.0f / GRID);
-    float d2x = (float)(cx - ax) * (1.0f / GRID);
-    float d2y = (float)(cy - ay) * (1.0f / GRID);
+    float width = (float)(hi_x - lo_x) * unit;
+    float height = (float)(hi_y - lo_y) * unit;
+    float d1x = (float)(bx - ax) * unit, d1y = (float)(by - ay) * unit;
+    float d2x = (float)(cx - ax) * unit, d2y = (float)(cy - ay) * unit;
     float area = d1x * d2y - d2x * d1y;
     float least = 64 * SNAP * (width + height + 4) +
                   0x1p-20f * (width + 2) * (height + 2);
-    int back = (area > least) & (one_sided[k] != 0);
     int small = (width <= LARGEST_BOX) & (height <= LARGEST_BOX);
-    int flat = ((area > least) | (area < -least)) ^ 1;
-    float nearest = b->qa[k] > b->qb[k] ? b->qa[k] : b->qb[k];
-    nearest = b->qc[k] > nearest ? b->qc[k] : nearest;
+    int back = small & (area > least) & one_sided[k];
+    int thick = (area > least) | (area < -least);
+    float nearest = qa > qb ? qa : qb;
+    nearest = qc > nearest ? qc : nearest;
     int past_near = near * nearest < 0.99f;
 
-    /* Corners in the order in which the area is positive. */
     int turned = area < 0;
-    b->ax[k] = ax;
-    b->ay[k] = ay;
-    b->bx[k] = turned ? cx : bx;
-    b->by[k] = turned ? cy : by;
-    b->cx[k] = turned ? bx : cx;
-    b->cy[k] = turned ? by : cy;
-    float qb = b->qb[k], qc = b->qc[k];
-    b->qb[k] = turned ? qc : qb;
-    b->qc[k] = turned ? qb : qc;
-    b->x0[k] = x0;
-    b->y0[k] = y0;
-    b->x1[k] = x1;
-    b->y1[k] = y1;
-    int drop = (unsafe ^ 1) & (empty | (small & back));
-    int fast = (unsafe ^ 1) & small & (flat ^ 1) & past_near;
-    b->fate[k] = drop ? DROP : fast ? TILE : GENERALLY;
+    r->bx[k] = turned ? cx : bx;
+    r->by[k] = turned ? cy : by;
+    r->cx[k] = turned ? bx : cx;
+    r->cy[k] = turned ? by : cy;
+    r->qb[k] = turned ? qc : qb;
+    r->qc[k] = turned ? qb : qc;
+    r->x0[k] = x0;
+    r->y0[k] = y0;
+    r->x1[k] = x1;
+    r->y1[k] = y1;
+    int drop = (unsafe ^ 1) & (empty | back);
+    int fast = (unsafe ^ 1) & small & thick & past_near;
+    fate[k] = (drop ^ 1) * (GENERALLY - fast); /* or DROP, or TILE */
   }
 }
 
-/* Sets up the n triangles chosen[]; their fate becomes GENERALLY where floats
- * cannot hold the depth within RHO. */
-HSR_VECTOR static void set_up(const struct tiling *t, uint32_t first,
-                              const int *restrict chosen, int n,
-                              struct batch *restrict b,
-                              struct triangle *restrict triangle) {
+/* Moves the triangles to be tiled to the front; face[] tells which they are. */
+static int compact(struct corners *r, const int *fate, int n, int *face) {
+  int kept = 0;
+  for (int k = 0; k < n; k++) {
+    if (fate[k] != TILE)
+      continue;
+    r->ax[kept] = r->ax[k], r->ay[kept] = r->ay[k], r->qa[kept] = r->qa[k];
+    r->bx[kept] = r->bx[k], r->by[kept] = r->by[k], r->qb[kept] = r->qb[k];
+    r->cx[kept] = r->cx[k], r->cy[kept] = r->cy[k], r->qc[kept] = r->qc[k];
+    r->x0[kept] = r->x0[k], r->y0[kept] = r->y0[k];
+    r->x1[kept] = r->x1[k], r->y1[kept] = r->y1[k];
+    face[kept++] = k;
+  }
+  return kept;
+}
+
+/* Sets up n triangles; good[] says whether floats hold the depth within RHO. */
+HSR_VECTOR static void set_up(const struct tiling *t,
+                              const struct corners *restrict r, int n,
+                              struct triangles *restrict out,
+                              int *restrict good) {
   const int fx = t->first_x, fy = t->first_y;
-  for (int c = 0; c < n; c++) {
-    int k = chosen[c];
-    const float unit = 1.0f / GRID;
-    int ax = b->ax[k], ay = b->ay[k], bx = b->bx[k], by = b->by[k],
-        cx = b->cx[k], cy = b->cy[k];
-    int sx = b->x0[k] * GRID + fx, sy = b->y0[k] * GRID + fy;
+  const float unit = 1.0f / GRID;
+  for (int k = 0; k < n; k++) {
+    int ax = r->ax[k], ay = r->ay[k], bx = r->bx[k], by = r->by[k],
+        cx = r->cx[k], cy = r->cy[k];
+    int sx = r->x0[k] * GRID + fx, sy = r->y0[k] * GRID + fy;
     float abx = (float)(bx - ax) * unit, aby = (float)(by - ay) * unit;
     float bcx = (float)(cx - bx) * unit, bcy = (float)(cy - by) * unit;
     float cax = (float)(ax - cx) * unit, cay = (float)(ay - cy) * unit;
     float hax = (float)(sx - ax) * unit, hay = (float)(sy - ay) * unit;
     float hbx = (float)(sx - bx) * unit, hby = (float)(sy - by) * unit;
     float hcx = (float)(sx - cx) * unit, hcy = (float)(sy - cy) * unit;
-    struct triangle r;
-    r.e0 = abx * hay - aby * hax;
-    r.e1 = bcx * hby - bcy * hbx;
-    r.e2 = cax * hcy - cay * hcx;
-    r.ex0 = -aby;
-    r.ex1 = -bcy;
-    r.ex2 = -cay;
-    r.ey0 = abx;
-    r.ey1 = bcx;
-    r.ey2 = cax;
+    out->e0[k] = abx * hay - aby * hax;
+    out->e1[k] = bcx * hby - bcy * hbx;
+    out->e2[k] = cax * hcy - cay * hcx;
+    out->ex0[k] = -aby;
+    out->ex1[k] = -bcy;
+    out->ex2[k] = -cay;
+    out->ey0[k] = abx;
+    out->ey1[k] = bcx;
+    out->ey2[k] = cax;
 
-    /* How large the box of samples and corners is, in pixels. */
+    /* How large the box of samples and corners is at most, in pixels. */
     float w1 = fabsf(abx), w2 = fabsf(cax), h1 = fabsf(aby), h2 = fabsf(cay);
     float width = w1 + w2, height = h1 + h2;
-    r.bound =
+    out->bound[k] =
         5 * SNAP * (width + height + 4) + 0x1p-20f * (width + 2) * (height + 2);
 
     float product1 = -abx * cay, product2 = -cax * aby;
     float inverse = 1 / (product1 - product2);
-    float q = b->qa[k], D1 = b->qb[k] - q, D2 = b->qc[k] - q;
-    r.qx = (D2 * aby + D1 * cay) * -inverse;
-    r.qy = (D1 * cax + D2 * abx) * inverse;
-    r.q = q + (r.qx * hax + r.qy * hay);
+    float q = r->qa[k], D1 = r->qb[k] - q, D2 = r->qc[k] - q;
+    float qx = (D1 * cay + D2 * aby) * -inverse;
+    float qy = (D1 * cax + D2 * abx) * inverse;
+    out->qx[k] = qx;
+    out->qy[k] = qy;
+    out->q[k] = q + (qx * hax + qy * hay);
     float M = (fabsf(D1) * (h2 * width + w2 * height) +
                fabsf(D2) * (h1 * width + w1 * height)) *
               inverse;
     float condition = (fabsf(product1) + fabsf(product2)) * inverse;
-    float least = b->qb[k] < q ? b->qb[k] : q;
-    least = b->qc[k] < least ? b->qc[k] : least;
-    int good = (M * (condition + 2) <= least) &
-               (10 * (fabsf(r.qx) + fabsf(r.qy)) <= least);
-    r.x0 = b->x0[k];
-    r.y0 = b->y0[k];
-    r.x1 = b->x1[k];
-    r.y1 = b->y1[k];
-    r.face = first + (uint32_t)k;
-    triangle[c] = r;
-    b->fate[k] = good ? TILE : GENERALLY;
+    float least = r->qb[k] < q ? r->qb[k] : q;
+    least = r->qc[k] < least ? r->qc[k] : least;
+    good[k] = (M * (condition + 2) <= least) &
+              (10 * (fabsf(qx) + fabsf(qy)) <= least);
   }
+}
+
+static struct triangle take(const struct triangles *s, const struct corners *r,
+                            int k, uint32_t face) {
+  return (struct triangle){
+      s->e0[k],  s->e1[k],  s->e2[k],  s->ex0[k],   s->ex1[k], s->ex2[k],
+      s->ey0[k], s->ey1[k], s->ey2[k], s->bound[k], s->q[k],   s->qx[k],
+      s->qy[k],  r->x0[k],  r->y0[k],  r->x1[k],    r->y1[k],  face};
 }
 
 /* --- The general way
@@ -459,14 +489,14 @@ static void tile_generally(struct tiling *t, uint32_t f) {
  * ------------------------------------------------------------------- */
 
 HSR_VECTOR static void snap(size_t n, const double *restrict sx,
-                            const double *restrict sy,
-                            const double *restrict sq, int *restrict x,
-                            int *restrict y, float *restrict q) {
+                            const double *restrict sy, const double *restrict q,
+                            struct corner *restrict corner) {
   for (size_t v = 0; v < n; v++) {
     int safe = (fabs(sx[v]) < FARTHEST) & (fabs(sy[v]) < FARTHEST);
-    x[v] = safe ? (int)floor(sx[v] * GRID + 0.5) : UNSAFE;
-    y[v] = safe ? (int)floor(sy[v] * GRID + 0.5) : UNSAFE;
-    q[v] = (float)sq[v];
+    corner[v].x = safe ? (int)floor(sx[v] * GRID + 0.5) : UNSAFE;
+    corner[v].y = safe ? (int)floor(sy[v] * GRID + 0.5) : UNSAFE;
+    corner[v].q = (float)q[v];
+    corner[v].unused = 0;
   }
 }
 
@@ -486,12 +516,10 @@ static enum hsr_status begin_frame(struct tiling *t) {
   t->tally = job->tally;
   t->window = *w;
   t->z_stride = width;
-  t->x = HSR_NEW(arena, int, world->n_vertices);
-  t->y = HSR_NEW(arena, int, world->n_vertices);
-  t->q = HSR_NEW(arena, float, world->n_vertices);
+  t->corner = HSR_NEW(arena, struct corner, world->n_vertices);
   t->z = HSR_NEW(arena, float, width *height);
   t->columns = HSR_NEW(arena, int, largest + 4);
-  if (!t->x || !t->y || !t->q || !t->z || !t->columns ||
+  if (!t->corner || !t->z || !t->columns ||
       hsr_screen_init(&t->screen, world, view, arena))
     return HSR_E_NOMEM;
 
@@ -510,22 +538,25 @@ static enum hsr_status begin_frame(struct tiling *t) {
 /* Triangles `first` to first + n - 1. */
 static void tile_batch(struct tiling *t, uint32_t first, int n,
                        tile_function *tile) {
-  struct batch batch;
-  struct triangle triangle[BATCH];
-  int chosen[BATCH], n_chosen = 0;
-  look(t, first, n, &batch);
-  for (int k = 0; k < n; k++) {
-    chosen[n_chosen] = k;
-    n_chosen += batch.fate[k] == TILE;
-  }
-  set_up(t, first, chosen, n_chosen, &batch, triangle);
-  for (int c = 0; c < n_chosen; c++)
-    if (batch.fate[chosen[c]] == TILE) {
-      HSR_COUNT(t->tally, FAST, 1);
-      tile(t, &triangle[c]);
+  struct corners corners;
+  struct triangles triangles;
+  int one_sided[BATCH], fate[BATCH], face[BATCH], good[BATCH];
+  gather(t, first, n, &corners, one_sided);
+  look(t, n, &corners, one_sided, fate);
+  int n_fast = compact(&corners, fate, n, face);
+  set_up(t, &corners, n_fast, &triangles, good);
+  for (int k = 0; k < n_fast; k++) {
+    if (!good[k]) {
+      fate[face[k]] = GENERALLY;
+      continue;
     }
+    HSR_COUNT(t->tally, FAST, 1);
+    struct triangle triangle =
+        take(&triangles, &corners, k, first + (uint32_t)face[k]);
+    tile(t, &triangle);
+  }
   for (int k = 0; k < n; k++)
-    if (batch.fate[k] == GENERALLY)
+    if (fate[k] == GENERALLY)
       tile_generally(t, first + (uint32_t)k);
 }
 
@@ -544,7 +575,7 @@ static enum hsr_status render(const struct hsr_job *job,
     return hsr_fail_nomem(err);
   const struct hsr_world *world = job->world;
   hsr_screen_vertices(&t.screen);
-  snap(world->n_vertices, t.screen.sx, t.screen.sy, t.screen.q, t.x, t.y, t.q);
+  snap(world->n_vertices, t.screen.sx, t.screen.sy, t.screen.q, t.corner);
   tile_function *tile = choose_tile();
   if (world->all_triangles && t.on_grid)
     for (uint32_t f = 0; f < world->n_faces; f += BATCH) {

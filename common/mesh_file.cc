@@ -102,9 +102,9 @@ Mesh_file load_mesh_file(const char *path) {
   return file;
 }
 
-Memory_buffer::pos_type
-Memory_buffer::seekoff(off_type offset, std::ios_base::seekdir from,
-                       std::ios_base::openmode) {
+Memory_buffer::pos_type Memory_buffer::seekoff(off_type offset,
+                                               std::ios_base::seekdir from,
+                                               std::ios_base::openmode) {
   const off_type size = egptr() - eback();
   if (from == std::ios_base::cur)
     offset += gptr() - eback();
@@ -193,7 +193,7 @@ void Mesh_builder::face(const uint32_t *vertices, size_t n, const float *rgb) {
     if (vertices[i] >= object_->n_vertices)
       refuse_element(path_, "face", number, "names a vertex that is not there");
   refuse_element(path_, "face", number,
-                 n < 3                          ? "has fewer than 3 vertices"
+                 n < 3                        ? "has fewer than 3 vertices"
                  : is_degenerate(vertices, n) ? "has the same vertex twice"
                                               : "is one more than can be held");
 }

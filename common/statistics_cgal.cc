@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// X_f of Table I: the pairs of faces that penetrate.
+//
+// Source      Sutherland, Sproull and Schumacker 1974, "Environment Complexity
+//             Definitions": an environment includes penetration if any of the
+//             faces intersect; the implied edge is where they do.
+// Definition  Two faces on different planes penetrate if their interiors meet.
+//             The planes then meet in a line; a stretch of it is inside f, a
+//             stretch of it inside g, and these overlap. Commonly an edge of
+//             one of them pierces the interior of the other; not so where both
+//             stretches end in the same points, as with two equal rectangles
+//             that cross like the blades of a paddle wheel, which is why the
+//             stretches are compared and not the edges.
+// Not one     Faces that only touch, be it along an edge; faces of one plane;
+//             faces that share a vertex, which are neighbours and meet in what
+//             they share.
+// Method      Pairs with overlapping boxes by CGAL's box_self_intersection_d;
+//             of these, the faces that reach through each other's planes; of
+//             these, the ends of the stretches, compared in intervals and, if
+//             that does not tell, in exact numbers.
+// Thickness   The plane of a polygon passes through the mean of its vertices,
+//             which may all be a little off it. A vertex of another face that
+//             is no farther off than they are counts as lying on the plane.
+//             Triangles have no thickness.
+
+#include "common/predicates.h"
+#include "common/statistics.h"
+
+#include <CGAL/Box_intersection_d/Box_with_handle_d.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <new>
+#include <vector>
+
+namespace {
+
+using Interval = CGAL::Interval_nt<false>;
+using Exact = CGAL::Mpzf;
+template <class T> using Vector = typename CGAL::Simple_cartesian<T>::Vector_3;
+
+const double U = DBL_EPSILON / 2;
+const double TINY = 0x1p-960;
+
+struct Face {
+  const hsr_world *world;
+  uint32_t id;
+
+  uint32_t size() const { return hsr_face_size(world, id); }
+  uint32_t vertex(uint32_t k) const {
+    return world->vertex[world->start[id] + k];
+  }
+};
+
+// --- The faces reach through each other's planes --------------------------
+
+// -1, 0 or +1: vertex v behind the plane of f, on it, or in front. The bound is
+// that of `deviation` in world.c.
+int side(const Face &f, uint32_t v) {
+  const hsr_world *w = f.world;
+  double n[3] = {w->nx[f.id], w->ny[f.id], w->nz[f.id]};
+  double p[3] = {w->x[v], w->y[v], w->z[v]};
+  double r[3] = {p[0] - w->px[f.id], p[1] - w->py[f.id], p[2] - w->pz[f.id]};
+  double n1 = std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]);
+  double r1 = std::fabs(r[0]) + std::fabs(r[1]) + std::fabs(r[2]);
+  double off = n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
+  double error = 2 * (w->n_error[f.id] * r1 + w->anchor_error[f.id] * n1) +
+                 16 * U * n1 * r1 + TINY;
+  if (std::fabs(off) > w->deviation[f.id] + error)
+    return off > 0 ? 1 : -1;
+  if (f.size() > 3)
+    return 0;
+  bool out_of_memory = false;
+  hsr_loop loop = {w->x, w->y, w->z, 1, w->vertex + w->start[f.id], f.size()};
+  int exact = hsr_exact_plane_side(loop, p, &out_of_memory);
+  if (out_of_memory)
+    throw std::bad_alloc();
+  return exact;
+}
+
+// The sides of the vertices of f against the plane of g; false unless there are
+// vertices on both.
+bool reaches_through(const Face &f, const Face &g, std::vector<int> &sides) {
+  bool in_front = false, behind = false;
+  sides.clear();
+  for (uint32_t k = 0; k < f.size(); k++) {
+    sides.push_back(side(g, f.vertex(k)));
+    in_front |= sides.back() > 0;
+    behind |= sides.back() < 0;
+  }
+  return in_front && behind;
+}
+
+bool share_vertex(const Face &f, const Face &g) {
+  for (uint32_t k = 0; k < f.size(); k++)
+    for (uint32_t l = 0; l < g.size(); l++)
+      if (f.vertex(k) == g.vertex(l))
+        return true;
+  return false;
+}
+
+// --- The stretches of the line where the planes meet ----------------------
+
+template <class T> Vector<T> point(const hsr_world *w, uint32_t v) {
+  return {T(w->x[v]), T(w->y[v]), T(w->z[v])};
+}
+
+// N . (k P - S) = 0, as in docs/correct-picture.md; `offset` is N . S.
+template <class T> struct Plane {
+  Vector<T> normal;
+  T k, offset;
+
+  explicit Plane(const Face &f) : normal(T(0), T(0), T(0)), k(double(f.size())) {
+    Vector<T> first = point<T>(f.world, f.vertex(0)), sum = first;
+    for (uint32_t i = 1; i < f.size(); i++) {
+      Vector<T> a = point<T>(f.world, f.vertex(i));
+      sum = sum + a;
+      if (i + 1 < f.size())
+        normal = normal + CGAL::cross_product(
+                              a - first,
+                              point<T>(f.world, f.vertex(i + 1)) - first);
+    }
+    offset = normal * sum;
+  }
+
+  T height(const Vector<T> &p) const { return k * (normal * p) - offset; }
+};
+
+// Where an edge meets the line: its coordinate numerator/denominator along one
+// axis, and to which sets of stretches it is an end.
+template <class T> struct End {
+  T numerator, denominator; // denominator > 0
+  unsigned sets;
+
+  bool operator<(const End &other) const {
+    return bool(numerator * other.denominator < other.numerator * denominator);
+  }
+};
+
+// The sets. A point of the line is inside a face if the face goes on to both
+// sides of it, in front of the other's plane and behind. F_FRONT are the
+// stretches along which f lies directly in front of the plane of g, and so on.
+enum { F_FRONT = 1, F_BEHIND = 2, G_FRONT = 4, G_BEHIND = 8, ALL = 15 };
+
+// The ends that f has on the plane of g: of the stretches in front, where an
+// edge goes from strictly in front to elsewhere; of those behind, likewise.
+template <class T>
+void find_ends(const Face &f, const Plane<T> &g, const std::vector<int> &sides,
+               int axis, unsigned front, unsigned behind,
+               std::vector<End<T>> &ends) {
+  for (uint32_t l = 0, k = f.size() - 1; l < f.size(); k = l++) {
+    unsigned sets = ((sides[k] > 0) != (sides[l] > 0) ? front : 0) |
+                    ((sides[k] < 0) != (sides[l] < 0) ? behind : 0);
+    if (!sets)
+      continue;
+    Vector<T> a = point<T>(f.world, f.vertex(k));
+    Vector<T> b = point<T>(f.world, f.vertex(l));
+    if (sides[k] == 0) {
+      ends.push_back({a[axis], T(1), sets});
+    } else if (sides[l] == 0) {
+      ends.push_back({b[axis], T(1), sets});
+    } else { // (h_a B - h_b A) / (h_a - h_b), h_a > 0
+      if (sides[k] < 0)
+        std::swap(a, b);
+      T ha = g.height(a), hb = g.height(b);
+      ends.push_back({ha * b[axis] - hb * a[axis], ha - hb, sets});
+    }
+  }
+}
+
+// Whether some of the line, more than a point, is in all of the sets.
+template <class T> bool overlap(std::vector<End<T>> &ends) {
+  std::sort(ends.begin(), ends.end());
+  unsigned inside = 0;
+  for (size_t k = 0; k < ends.size(); k++) {
+    inside ^= ends[k].sets;
+    if (inside == ALL && k + 1 < ends.size() && ends[k] < ends[k + 1])
+      return true;
+  }
+  return false;
+}
+
+template <class T>
+bool interiors_meet(const Face &f, const Face &g, const std::vector<int> &of_f,
+                    const std::vector<int> &of_g) {
+  Plane<T> plane_f(f), plane_g(g);
+  Vector<T> line = CGAL::cross_product(plane_f.normal, plane_g.normal);
+  for (int axis = 0; axis < 3; axis++) {
+    if (bool(line[axis] == T(0)))
+      continue;
+    std::vector<End<T>> ends;
+    find_ends(f, plane_g, of_f, axis, F_FRONT, F_BEHIND, ends);
+    find_ends(g, plane_f, of_g, axis, G_FRONT, G_BEHIND, ends);
+    return overlap(ends);
+  }
+  return false;
+}
+
+bool penetrate(const Face &f, const Face &g) {
+  std::vector<int> of_f, of_g;
+  if (f.world->plane[f.id] == f.world->plane[g.id] || share_vertex(f, g) ||
+      !reaches_through(f, g, of_f) || !reaches_through(g, f, of_g))
+    return false;
+  try {
+    CGAL::Protect_FPU_rounding<true> upwards;
+    return interiors_meet<Interval>(f, g, of_f, of_g);
+  } catch (const CGAL::Uncertain_conversion_exception &) {
+    // Below, with the rounding mode restored.
+  }
+  return interiors_meet<Exact>(f, g, of_f, of_g);
+}
+
+// --- The pairs ---------------------------------------------------------------
+
+using Box =
+    CGAL::Box_intersection_d::Box_with_handle_d<
+        double, 3, const uint32_t *, CGAL::Box_intersection_d::ID_FROM_HANDLE>;
+
+Box box_of(const hsr_world *world, const uint32_t *id) {
+  Box box(id);
+  for (uint32_t k = world->start[*id]; k < world->start[*id + 1]; k++) {
+    uint32_t v = world->vertex[k];
+    double p[3] = {world->x[v], world->y[v], world->z[v]};
+    box.extend(p);
+  }
+  return box;
+}
+
+} // namespace
+
+enum hsr_status hsr_count_penetrations(const struct hsr_world *world,
+                                       const uint32_t *faces, size_t n,
+                                       uint64_t *n_pairs,
+                                       struct hsr_error *err) {
+  try {
+    std::vector<Box> boxes;
+    boxes.reserve(n);
+    for (size_t k = 0; k < n; k++)
+      boxes.push_back(box_of(world, faces + k));
+    uint64_t count = 0;
+    CGAL::box_self_intersection_d(
+        boxes.begin(), boxes.end(), [&](const Box &f, const Box &g) {
+          count += penetrate({world, *f.handle()}, {world, *g.handle()});
+        });
+    *n_pairs = count;
+    return HSR_OK;
+  } catch (const std::bad_alloc &) {
+    return hsr_fail_nomem(err);
+  } catch (...) {
+    return hsr_fail(err, HSR_E_INTERNAL, "counting penetrating faces failed");
+  }
+}

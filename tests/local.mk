@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Programs that print TAP; the scripts among them end in .test.
+TAP_PROGRAMS = %D%/unit/exchange_test %D%/unit/image_test \
+  %D%/unit/oracle_test %D%/unit/scene_json_test %D%/unit/scenes_test \
+  %D%/unit/screen_test %D%/unit/statistics_test \
+  %D%/conformance/lattice_test %D%/properties/metamorphic_test
+TAP_SCRIPTS = %D%/command.test %D%/bad/bad_input.test
+
+check_PROGRAMS += $(TAP_PROGRAMS)
+dist_check_SCRIPTS += $(TAP_SCRIPTS)
+TESTS += $(TAP_PROGRAMS) $(TAP_SCRIPTS)
+
+LDADD = $(HSR_LIBS)
+%C%_unit_exchange_test_SOURCES = %D%/unit/exchange_test.cc
+%C%_unit_image_test_SOURCES = %D%/unit/image_test.cc
+%C%_unit_image_test_CPPFLAGS = $(AM_CPPFLAGS) $(OIIO_SYSTEM_CFLAGS)
+%C%_unit_oracle_test_SOURCES = %D%/unit/oracle_test.cc
+%C%_unit_scene_json_test_SOURCES = %D%/unit/scene_json_test.c
+nodist_EXTRA_%C%_unit_scene_json_test_SOURCES = force_cxx_link.cc
+%C%_unit_scenes_test_SOURCES = %D%/unit/scenes_test.c
+nodist_EXTRA_%C%_unit_scenes_test_SOURCES = force_cxx_link.cc
+%C%_unit_screen_test_SOURCES = %D%/unit/screen_test.c
+nodist_EXTRA_%C%_unit_screen_test_SOURCES = force_cxx_link.cc
+%C%_unit_statistics_test_SOURCES = %D%/unit/statistics_test.c
+nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
+%C%_conformance_lattice_test_SOURCES = %D%/conformance/lattice_test.c
+nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
+%C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
+nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
+
+EXTRA_DIST += %D%/bad/make-bad-inputs %D%/bad/expected
