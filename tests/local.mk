@@ -10,7 +10,9 @@ check_PROGRAMS += $(TAP_PROGRAMS)
 dist_check_SCRIPTS += $(TAP_SCRIPTS)
 TESTS += $(TAP_PROGRAMS) $(TAP_SCRIPTS)
 
-LDADD = $(HSR_LIBS)
+noinst_LIBRARIES += libdraw.a
+libdraw_a_SOURCES = %D%/draw.c %D%/draw.h %D%/tap.h
+LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_exchange_test_SOURCES = %D%/unit/exchange_test.cc
 %C%_unit_image_test_SOURCES = %D%/unit/image_test.cc
 %C%_unit_image_test_CPPFLAGS = $(AM_CPPFLAGS) $(OIIO_SYSTEM_CFLAGS)

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Scenes of small integer coordinates, seen by cameras aligned with them, so
+ * that ties abound: every algorithm against the oracle, sample for sample.
+ *
+ * usage: lattice_test [SCENES [SEED]]      standard: 2000 scenes, seed 1 */
+#include "common/predicates.h"
+#include "scenes/scenes.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { LARGEST = 64 };
+
+struct comparison {
+  const struct hsr_world *world;
+  const struct hsr_view *view;
+  const char *name;
+  const uint32_t *wanted;
+  uint32_t *got;
+  long differences;
+};
+
+static void compare(const struct hsr_algorithm *algorithm, void *context) {
+  struct comparison *c = context;
+  draw_ids(algorithm, c->world, c->view, c->got, NULL);
+  long differences = count_differences(c->view, c->got, c->wanted);
+  if (differences)
+    printf("# %s, %d x %d, eye %g,%g,%g: %s differs in %ld samples\n", c->name,
+           c->view->m, c->view->n, c->view->E[0], c->view->E[1], c->view->E[2],
+           algorithm->name, differences);
+  c->differences += differences;
+}
+
+/* The scene with every face cut into triangles from its first corner, those of
+ * no area left out: such scenes are drawn in other ways. NULL if nothing is
+ * left. */
+static struct hsr_scene *triangulated(const struct hsr_scene *scene) {
+  struct hsr_scene *copy = hsr_scene_new(scene->name);
+  struct hsr_error err;
+  for (uint32_t o = 0; o < scene->n_objects; o++) {
+    const struct hsr_object *from = &scene->objects[o];
+    struct hsr_object *to = hsr_scene_object(copy, from->name);
+    to->one_sided = from->one_sided;
+    for (uint32_t v = 0; v < from->n_vertices; v++)
+      hsr_object_vertex(to, from->xyz[3 * v], from->xyz[3 * v + 1],
+                        from->xyz[3 * v + 2], NULL);
+    for (uint32_t f = 0; f < from->n_faces; f++)
+      for (uint32_t k = from->start[f] + 2; k < from->start[f + 1]; k++) {
+        uint32_t corner[3] = {from->vertex[from->start[f]], from->vertex[k - 1],
+                              from->vertex[k]};
+        struct hsr_loop loop = {to->xyz, to->xyz + 1, to->xyz + 2,
+                                3,       corner,      3};
+        bool out_of_memory = false;
+        if (hsr_exact_has_normal(loop, &out_of_memory))
+          hsr_object_face(to, corner, 3, NULL);
+      }
+  }
+  for (uint32_t i = 0; i < scene->n_instances; i++)
+    hsr_scene_instance(copy, scene->instances[i].object, scene->instances[i].m);
+  for (uint32_t v = 0; v < scene->n_views; v++)
+    hsr_scene_view(copy, &scene->views[v]);
+  if (hsr_scene_finish(copy, &err)) {
+    hsr_scene_delete(copy);
+    return NULL;
+  }
+  return copy;
+}
+
+/* One scene of 3 to 40 faces, all its views, at sizes drawn from the seed. */
+static long check_scene(uint64_t *seed, long *samples) {
+  static uint32_t wanted[LARGEST * LARGEST], got[LARGEST * LARGEST];
+  char name[64];
+  snprintf(name, sizeof name, "lattice:%d:%d", (int)draw_integer(seed, 3, 40),
+           (int)draw_integer(seed, 1, 1000000000));
+  struct hsr_error err;
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  bool opened = !hsr_scene_open(name, NULL, &scene, &err);
+  if (opened && draw_integer(seed, 0, 1)) {
+    struct hsr_scene *triangles = triangulated(scene);
+    if (triangles) {
+      hsr_scene_delete(scene);
+      scene = triangles;
+    }
+  }
+  if (!opened || hsr_world_init(&world, scene, &err)) {
+    printf("Bail out! %s: %s\n", name, err.text);
+    exit(99);
+  }
+  const struct hsr_algorithm *oracle = hsr_algorithm_find("oracle")->plain;
+  long differences = 0;
+  uint32_t v = (uint32_t)draw_integer(seed, 0, scene->n_views - 1);
+  struct hsr_view view;
+  if (hsr_view_init(&view, &scene->views[v],
+                    (int)draw_integer(seed, 16, LARGEST),
+                    (int)draw_integer(seed, 16, LARGEST), &err)) {
+    printf("Bail out! %s: %s\n", name, err.text);
+    exit(99);
+  }
+  if (draw_integer(seed, 0, 3) == 0) { /* jittered */
+    view.offset_x = (double)draw_integer(seed, -7, 7) / 16;
+    view.offset_y = (double)draw_integer(seed, -7, 7) / 16;
+  }
+  if (draw_integer(seed, 0, 3) == 0) { /* a part of the picture */
+    view.window.x0 = (int)draw_integer(seed, 0, view.m - 1);
+    view.window.x1 = (int)draw_integer(seed, view.window.x0 + 1, view.m);
+    view.window.y0 = (int)draw_integer(seed, 0, view.n - 1);
+    view.window.y1 = (int)draw_integer(seed, view.window.y0 + 1, view.n);
+  }
+  draw_ids(oracle, &world, &view, wanted, NULL);
+  struct comparison c = {&world, &view, name, wanted, got, 0};
+  for_each_judged(compare, &c);
+  differences += c.differences;
+  *samples += (long)view.m * view.n;
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+  return differences;
+}
+
+int main(int argc, char **argv) {
+  long n = argc > 1 ? atol(argv[1]) : 2000, samples = 0;
+  uint64_t seed = argc > 2 ? strtoull(argv[2], NULL, 10) : 1;
+  enum { PARTS = 20 };
+  struct tap tap = plan(PARTS);
+  for (long part = 0; part < PARTS; part++) {
+    long differences = 0, first = n * part / PARTS,
+         end = n * (part + 1) / PARTS;
+    for (long k = first; k < end; k++)
+      differences += check_scene(&seed, &samples);
+    ok(&tap, differences == 0, "scenes %ld to %ld: %ld differences", first + 1,
+       end, differences);
+  }
+  printf("# %ld samples of %ld scenes\n", samples, n);
+  return finish(&tap);
+}

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tests/draw.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void draw_ids(const struct hsr_algorithm *algorithm,
+              const struct hsr_world *world, const struct hsr_view *view,
+              uint32_t *ids, struct hsr_tally *tally) {
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_tally own = {.out_of_memory = false};
+  void *prepared = NULL;
+  memset(ids, 0xfe, (size_t)view->m * (size_t)view->n * sizeof *ids);
+  enum hsr_status status =
+      algorithm->prepare ? algorithm->prepare(world, &prepared, &err) : HSR_OK;
+  struct hsr_job job = {.world = world,
+                        .view = view,
+                        .prepared = prepared,
+                        .scratch = &scratch,
+                        .tally = tally ? tally : &own,
+                        .ids = ids,
+                        .ids_stride = (size_t)view->m};
+  if (!status)
+    status = algorithm->render(&job, &err);
+  if (status || job.tally->out_of_memory) {
+    printf("Bail out! %s: %s\n", algorithm->name, err.text);
+    exit(99);
+  }
+  if (algorithm->release)
+    algorithm->release(prepared);
+  hsr_arena_free(&scratch);
+}
+
+long count_differences(const struct hsr_view *view, const uint32_t *a,
+                       const uint32_t *b) {
+  const struct hsr_window *w = &view->window;
+  long n = 0;
+  for (int j = w->y0; j < w->y1; j++)
+    for (int i = w->x0; i < w->x1; i++) {
+      size_t k = (size_t)j * (size_t)view->m + (size_t)i;
+      n += a[k] != b[k];
+    }
+  return n;
+}
+
+int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi) {
+  /* splitmix64 */
+  uint64_t z = *seed += 0x9e3779b97f4a7c15u;
+  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+  z ^= z >> 31;
+  return lo + (int64_t)(z % (uint64_t)(hi - lo + 1));
+}
+
+void for_each_judged(void (*check)(const struct hsr_algorithm *, void *),
+                     void *context) {
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+    if (a->plain->kind == HSR_IDS &&
+        !(a->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE))) {
+      check(a->plain, context);
+      check(a->counting, context);
+    }
+}

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Pictures for the tests: a scene, a camera, an algorithm, its ids. */
+#ifndef HSR_TESTS_DRAW_H
+#define HSR_TESTS_DRAW_H
+
+#include "algorithms/algorithm.h"
+#include "common/scene.h"
+
+#include <stdint.h>
+
+/* A value that no picture holds, for samples that were not written. */
+#define UNWRITTEN 0xfefefefeu
+
+/* Draws the window of `view` into ids (m * n, set to UNWRITTEN first), adding
+ * to *tally unless NULL. Aborts the test program on failure: no test expects
+ * one here. */
+void draw_ids(const struct hsr_algorithm *algorithm,
+              const struct hsr_world *world, const struct hsr_view *view,
+              uint32_t *ids, struct hsr_tally *tally);
+
+/* The number of samples in the window that differ. */
+long count_differences(const struct hsr_view *view, const uint32_t *a,
+                       const uint32_t *b);
+
+/* A number from a seed, in [lo, hi]. */
+int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi);
+
+/* Runs `check` for every algorithm that is judged, in both builds. */
+void for_each_judged(void (*check)(const struct hsr_algorithm *, void *),
+                     void *context);
+
+#endif
