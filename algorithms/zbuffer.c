@@ -157,15 +157,15 @@ static bool is_nearer(struct tiling *t, uint32_t f, uint32_t held, int i,
   if (held == HSR_BACKGROUND)
     return true;
   HSR_COUNT(t->tally, UNSURE_DEPTH, 1);
-  hsr_screen_planes(&t->screen, f, 1);
-  hsr_screen_planes(&t->screen, held, 1);
+  hsr_screen_plane(&t->screen, f);
+  hsr_screen_plane(&t->screen, held);
   return hsr_nearer(&t->screen, f, held, i, j, t->tally);
 }
 
 /* Decides sample (i, j) for a face of depth q there; `sure` if it covers it for
  * certain. */
-static void settle(struct tiling *t, uint32_t f, float q, bool sure, int i,
-                   int j) {
+static inline void settle(struct tiling *t, uint32_t f, float q, bool sure,
+                          int i, int j) {
   uint32_t *id = &t->job->ids[(size_t)j * t->job->ids_stride + (size_t)i];
   float *z = &t->z[(size_t)(j - t->window.y0) * t->z_stride +
                    (size_t)(i - t->window.x0)];
@@ -230,9 +230,49 @@ static inline void count_row(struct tiling *t, uint32_t f, const uint32_t *ids,
 #endif
 }
 
+/* A linear function: its value at the box's first sample, and its steps. */
+__attribute__((target("avx512f"))) static inline __m512
+at_avx512(float first, float x, __m512 right, float y, __m512 down) {
+  return _mm512_add_ps(_mm512_add_ps(_mm512_set1_ps(first),
+                                     _mm512_mul_ps(_mm512_set1_ps(x), right)),
+                       _mm512_mul_ps(_mm512_set1_ps(y), down));
+}
+
+/* Four by four samples at once; most triangles have no more in their box. */
+__attribute__((target("avx512f"))) static void
+tile_block_avx512(struct tiling *t, const struct triangle *tri) {
+  const __m512 right =
+      _mm512_set_ps(3, 2, 1, 0, 3, 2, 1, 0, 3, 2, 1, 0, 3, 2, 1, 0);
+  const __m512 down =
+      _mm512_set_ps(3, 3, 3, 3, 2, 2, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0);
+  __m512 d0 = at_avx512(tri->e0, tri->ex0, right, tri->ey0, down);
+  __m512 d1 = at_avx512(tri->e1, tri->ex1, right, tri->ey1, down);
+  __m512 d2 = at_avx512(tri->e2, tri->ex2, right, tri->ey2, down);
+  __m512 d = _mm512_min_ps(_mm512_min_ps(d0, d1), d2);
+  int width = tri->x1 - tri->x0, height = tri->y1 - tri->y0;
+  __mmask16 in_box =
+      (__mmask16)(0x1111 * ((1 << width) - 1) & ((1 << 4 * height) - 1));
+  unsigned maybe = _mm512_mask_cmp_ps_mask(
+      in_box, d, _mm512_set1_ps(-tri->bound), _CMP_GE_OQ);
+  if (!maybe)
+    return;
+  unsigned sure = _mm512_cmp_ps_mask(d, _mm512_set1_ps(tri->bound), _CMP_GT_OQ);
+  float q[16];
+  _mm512_storeu_ps(q, at_avx512(tri->q, tri->qx, right, tri->qy, down));
+  for (; maybe; maybe &= maybe - 1) {
+    int k = __builtin_ctz(maybe);
+    settle(t, tri->face, q[k], sure >> k & 1, tri->x0 + (k & 3),
+           tri->y0 + (k >> 2));
+  }
+}
+
 /* Sixteen samples of a row at a time. */
 __attribute__((target("avx512f"))) static void
 tile_avx512(struct tiling *t, const struct triangle *tri) {
+  if (tri->x1 - tri->x0 <= 4 && tri->y1 - tri->y0 <= 4) {
+    tile_block_avx512(t, tri);
+    return;
+  }
   const __m512 lanes =
       _mm512_set_ps(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
   const __m512 bound = _mm512_set1_ps(tri->bound),
@@ -470,7 +510,7 @@ static void tile_span(struct tiling *t, uint32_t f, int j, int x0, int x1) {
 
 static void tile_generally(struct tiling *t, uint32_t f) {
   struct hsr_screen *screen = &t->screen;
-  hsr_screen_planes(screen, f, 1);
+  hsr_screen_plane(screen, f);
   if (!hsr_screen_place(screen, f, t->tally))
     return;
   HSR_COUNT(t->tally, GENERAL, 1);

@@ -246,34 +246,37 @@ enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
   return HSR_OK;
 }
 
-/* Bounding box of all instances' vertices. */
-static void scene_bounds(const struct hsr_scene *scene, double lo[3],
-                         double hi[3]) {
+/* The centre of the bounding box of all instances' vertices, and the greatest
+ * distance of a vertex from it. */
+static double bounding_sphere(const struct hsr_scene *scene, double centre[3]) {
+  double lo[3], hi[3], radius = 0;
   for (int k = 0; k < 3; k++) {
     lo[k] = INFINITY;
     hi[k] = -INFINITY;
   }
-  for (uint32_t i = 0; i < scene->n_instances; i++) {
-    const struct hsr_instance *instance = &scene->instances[i];
-    const struct hsr_object *object = &scene->objects[instance->object];
-    for (uint32_t v = 0; v < object->n_vertices; v++) {
-      double p[3];
-      hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)v, p);
-      for (int k = 0; k < 3; k++) {
-        lo[k] = fmin(lo[k], p[k]);
-        hi[k] = fmax(hi[k], p[k]);
+  for (int pass = 0; pass < 2; pass++) {
+    for (uint32_t i = 0; i < scene->n_instances; i++) {
+      const struct hsr_instance *instance = &scene->instances[i];
+      const struct hsr_object *object = &scene->objects[instance->object];
+      for (uint32_t v = 0; v < object->n_vertices; v++) {
+        double p[3], d[3];
+        hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)v, p);
+        for (int k = 0; k < 3; k++) {
+          lo[k] = fmin(lo[k], p[k]);
+          hi[k] = fmax(hi[k], p[k]);
+          d[k] = pass ? p[k] - centre[k] : 0;
+        }
+        radius = fmax(radius, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
       }
     }
+    for (int k = 0; k < 3; k++)
+      centre[k] = lo[k] + (hi[k] - lo[k]) / 2;
   }
+  return radius;
 }
 
 enum hsr_status hsr_scene_add_orbit(struct hsr_scene *scene, unsigned n) {
-  double lo[3], hi[3], centre[3], radius = 0;
-  scene_bounds(scene, lo, hi);
-  for (int k = 0; k < 3; k++) {
-    centre[k] = lo[k] + (hi[k] - lo[k]) / 2;
-    radius = fmax(radius, (hi[k] - lo[k]) / 2);
-  }
+  double centre[3], radius = bounding_sphere(scene, centre);
   if (!(radius > 0) || !isfinite(radius))
     return HSR_E_INPUT;
   for (unsigned i = 0; i < n; i++) {
@@ -285,9 +288,10 @@ enum hsr_status hsr_scene_add_orbit(struct hsr_scene *scene, unsigned n) {
       s = c;
       c = turned;
     }
-    struct hsr_camera camera = {.eye = {centre[0] + 4.25 * radius * s,
-                                        centre[1] + 1.55 * radius,
-                                        centre[2] + 4.25 * radius * c},
+    /* 1 / sin(45/2 degrees) is 2.613: the sphere just fits. */
+    struct hsr_camera camera = {.eye = {centre[0] + 2.46 * radius * s,
+                                        centre[1] + 0.89 * radius,
+                                        centre[2] + 2.46 * radius * c},
                                 .at = {centre[0], centre[1], centre[2]},
                                 .up = {0, 1, 0},
                                 .fov = 45};

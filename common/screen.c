@@ -70,6 +70,9 @@ enum hsr_status hsr_screen_init(struct hsr_screen *screen,
                                 struct hsr_arena *arena) {
   size_t nv = world->n_vertices, nf = world->n_faces;
   *screen = (struct hsr_screen){.world = world, .view = view};
+  for (int k = 0; k < 3; k++)
+    screen->reach[k] = fabs(view->ray[0][k]) + view->m * fabs(view->ray[1][k]) +
+                       view->n * fabs(view->ray[2][k]);
   screen->sx = HSR_NEW(arena, double, nv);
   screen->sy = HSR_NEW(arena, double, nv);
   screen->q = HSR_NEW(arena, double, nv);
@@ -134,53 +137,73 @@ void hsr_screen_vertices(struct hsr_screen *screen) {
             view->screen, safe_cosine(view), screen->sx, screen->sy, screen->q);
 }
 
-HSR_VECTOR static void depth_planes(size_t first, size_t n,
-                                    const struct hsr_world *restrict world,
-                                    const struct hsr_view *restrict view,
-                                    struct hsr_depth_plane *restrict plane,
-                                    signed char *restrict facing) {
-  const double *restrict nx = world->nx, *restrict ny = world->ny,
-                         *restrict nz = world->nz, *restrict px = world->px,
-                         *restrict py = world->py, *restrict pz = world->pz,
-                         *restrict n_error = world->n_error,
-                         *restrict anchor = world->anchor_error,
-                         *restrict deviation = world->deviation;
-  const double e0 = view->E[0], e1 = view->E[1], e2 = view->E[2];
-  double r[3][3], D[3];
-  memcpy(r, view->ray, sizeof r);
-  for (int k = 0; k < 3; k++)
-    D[k] = fabs(r[0][k]) + view->m * fabs(r[1][k]) + view->n * fabs(r[2][k]);
-  const double D1 = D[0] + D[1] + D[2];
-  for (size_t f = first; f < first + n; f++) {
-    double n0 = nx[f], n1 = ny[f], n2 = nz[f];
-    double r0 = px[f] - e0, r1 = py[f] - e1, r2 = pz[f] - e2;
-    double c0 = n0 * r0, c1 = n1 * r1, c2 = n2 * r2;
-    double c = c0 + c1 + c2;
-    double n_size = fabs(n0) + fabs(n1) + fabs(n2);
-    double e_c = 2 * (n_error[f] * (fabs(r0) + fabs(r1) + fabs(r2)) +
-                      anchor[f] * n_size) +
-                 16 * U * (fabs(c0) + fabs(c1) + fabs(c2)) + TINY;
-    double c_size = fabs(c);
-    double S = fabs(n0) * D[0] + fabs(n1) * D[1] + fabs(n2) * D[2];
-    double e_n = n_error[f] * D1 + 16 * U * S + TINY;
-    double inverse = 1 / c, Q = S * fabs(inverse);
-    double error = (e_n + Q * e_c) / (c_size - e_c) + 16 * U * Q;
-    int known = c_size > 2 * e_c;
-    plane[f].a =
-        known ? (n0 * r[1][0] + n1 * r[1][1] + n2 * r[1][2]) * inverse : 0;
-    plane[f].b =
-        known ? (n0 * r[2][0] + n1 * r[2][1] + n2 * r[2][2]) * inverse : 0;
-    plane[f].c =
-        known ? (n0 * r[0][0] + n1 * r[0][1] + n2 * r[0][2]) * inverse : 0;
-    plane[f].error = known ? error : INFINITY;
-    int certain = c_size > e_c + deviation[f];
-    facing[f] = (signed char)(certain ? (c < 0 ? 1 : -1) : 0);
-  }
+/* What all faces of a view share: see hsr_screen and the proof above. */
+struct plane_frame {
+  double e0, e1, e2;    /* E */
+  double r[3][3];       /* the rays */
+  double D0, D1, D2, D; /* reach, and the sum of it */
+};
+
+static struct plane_frame plane_frame(const struct hsr_screen *screen) {
+  const struct hsr_view *view = screen->view;
+  struct plane_frame frame = {.e0 = view->E[0],
+                              .e1 = view->E[1],
+                              .e2 = view->E[2],
+                              .D0 = screen->reach[0],
+                              .D1 = screen->reach[1],
+                              .D2 = screen->reach[2]};
+  frame.D = frame.D0 + frame.D1 + frame.D2;
+  memcpy(frame.r, view->ray, sizeof frame.r);
+  return frame;
 }
 
-void hsr_screen_planes(struct hsr_screen *screen, uint32_t first, uint32_t n) {
-  depth_planes(first, n, screen->world, screen->view, screen->plane,
-               screen->facing);
+static inline void depth_plane(const struct hsr_world *world,
+                               const struct plane_frame *v, size_t f,
+                               struct hsr_depth_plane *plane,
+                               signed char *facing) {
+  double n0 = world->nx[f], n1 = world->ny[f], n2 = world->nz[f];
+  double r0 = world->px[f] - v->e0, r1 = world->py[f] - v->e1,
+         r2 = world->pz[f] - v->e2;
+  double c0 = n0 * r0, c1 = n1 * r1, c2 = n2 * r2;
+  double c = c0 + c1 + c2;
+  double n_size = fabs(n0) + fabs(n1) + fabs(n2);
+  double e_c = 2 * (world->n_error[f] * (fabs(r0) + fabs(r1) + fabs(r2)) +
+                    world->anchor_error[f] * n_size) +
+               16 * U * (fabs(c0) + fabs(c1) + fabs(c2)) + TINY;
+  double c_size = fabs(c);
+  double S = fabs(n0) * v->D0 + fabs(n1) * v->D1 + fabs(n2) * v->D2;
+  double e_n = world->n_error[f] * v->D + 16 * U * S + TINY;
+  double inverse = 1 / c, Q = S * fabs(inverse);
+  double error = (e_n + Q * e_c) / (c_size - e_c) + 16 * U * Q;
+  int known = c_size > 2 * e_c;
+  double a = (n0 * v->r[1][0] + n1 * v->r[1][1] + n2 * v->r[1][2]) * inverse;
+  double b = (n0 * v->r[2][0] + n1 * v->r[2][1] + n2 * v->r[2][2]) * inverse;
+  double d = (n0 * v->r[0][0] + n1 * v->r[0][1] + n2 * v->r[0][2]) * inverse;
+  plane->a = known ? a : 0;
+  plane->b = known ? b : 0;
+  plane->c = known ? d : 0;
+  plane->error = known ? error : INFINITY;
+  int certain = c_size > e_c + world->deviation[f];
+  *facing = (signed char)(certain ? (c < 0 ? 1 : -1) : 0);
+}
+
+HSR_VECTOR static void depth_planes(size_t n, const struct hsr_world *world,
+                                    struct plane_frame frame,
+                                    struct hsr_depth_plane *restrict plane,
+                                    signed char *restrict facing) {
+  const struct hsr_world w = *world; /* its pointers do not change */
+  for (size_t f = 0; f < n; f++)
+    depth_plane(&w, &frame, f, &plane[f], &facing[f]);
+}
+
+void hsr_screen_planes(struct hsr_screen *screen) {
+  depth_planes(screen->world->n_faces, screen->world, plane_frame(screen),
+               screen->plane, screen->facing);
+}
+
+void hsr_screen_plane(struct hsr_screen *screen, uint32_t f) {
+  struct plane_frame frame = plane_frame(screen);
+  depth_plane(screen->world, &frame, f, &screen->plane[f], &screen->facing[f]);
 }
 
 /* --- The culls ----------------------------------------------------------- */
@@ -377,7 +400,7 @@ enum hsr_status hsr_screen_make(struct hsr_screen *screen,
   if (status)
     return status;
   hsr_screen_vertices(screen);
-  hsr_screen_planes(screen, 0, world->n_faces);
+  hsr_screen_planes(screen);
   hsr_screen_cull(screen, tally);
   return HSR_OK;
 }

@@ -60,6 +60,8 @@ struct hsr_screen {
                           no vertex is as far out of its plane as the eye; 0:
                           not certain */
 
+  double reach[3]; /* no |D| in the picture is larger, by components */
+
   /* The relevant faces: existing, and with a sample of the window in their
    * bounds; ascending ids. */
   uint32_t *relevant;
@@ -77,8 +79,9 @@ enum hsr_status hsr_screen_init(struct hsr_screen *screen,
 /* The perspective transform of all vertices: fills sx, sy, q. */
 void hsr_screen_vertices(struct hsr_screen *screen);
 
-/* The depth planes of n faces from `first` on: fills plane and facing. */
-void hsr_screen_planes(struct hsr_screen *screen, uint32_t first, uint32_t n);
+/* The depth planes of all faces, or of one: fills plane and facing. */
+void hsr_screen_planes(struct hsr_screen *screen);
+void hsr_screen_plane(struct hsr_screen *screen, uint32_t f);
 
 /* The culls of one face, whose plane is filled in: false if it does not exist,
  * or has no sample of the window in its bounds; else fills bounds and whole. */

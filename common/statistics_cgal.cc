@@ -115,15 +115,16 @@ template <class T> struct Plane {
   Vector<T> normal;
   T k, offset;
 
-  explicit Plane(const Face &f) : normal(T(0), T(0), T(0)), k(double(f.size())) {
+  explicit Plane(const Face &f)
+      : normal(T(0), T(0), T(0)), k(double(f.size())) {
     Vector<T> first = point<T>(f.world, f.vertex(0)), sum = first;
     for (uint32_t i = 1; i < f.size(); i++) {
       Vector<T> a = point<T>(f.world, f.vertex(i));
       sum = sum + a;
       if (i + 1 < f.size())
-        normal = normal + CGAL::cross_product(
-                              a - first,
-                              point<T>(f.world, f.vertex(i + 1)) - first);
+        normal =
+            normal + CGAL::cross_product(
+                         a - first, point<T>(f.world, f.vertex(i + 1)) - first);
     }
     offset = normal * sum;
   }
@@ -217,9 +218,8 @@ bool penetrate(const Face &f, const Face &g) {
 
 // --- The pairs ---------------------------------------------------------------
 
-using Box =
-    CGAL::Box_intersection_d::Box_with_handle_d<
-        double, 3, const uint32_t *, CGAL::Box_intersection_d::ID_FROM_HANDLE>;
+using Box = CGAL::Box_intersection_d::Box_with_handle_d<
+    double, 3, const uint32_t *, CGAL::Box_intersection_d::ID_FROM_HANDLE>;
 
 Box box_of(const hsr_world *world, const uint32_t *id) {
   Box box(id);
