@@ -38,10 +38,12 @@
  * area. The gradient computed from A and differences D1, D2 of depths carries,
  * times the box, at most 2^-24 M (3 k + 5), where M = (|D1| (|dy2| W + |dx2| H)
  * + |D2| (|dy1| W + |dx1| H)) / |A| and k = (|dx1 dy2| + |dx2 dy1|) / |A|;
- * evaluating adds 8 * 2^-24 of the largest q. Where M (k + 2) <= q_min, so that
- * q_max <= 2 q_min, and |g|_1 <= q_min / 10, the sum is at most (2^-22 + 1.1 *
- * 2^-19.3 + 2^-24 (5 + 16)) q < 2^-18 q = RHO q. A triangle that does not
- * fulfil all this takes the general way. */
+ * evaluating it takes four roundings of at most 2^-24 (q_max + M). Where D1 and
+ * D2 are at most q_min in size, so that q_max <= 2 q_min, and M <= 4 q_min,
+ * M (k + 2) <= 16 q_min, |g|_1 <= 0.3 q_min, the sum is at most
+ *     (2^-23 + 0.3 * 2^-16) 17/16 + 2^-24 (48 + 24) < 0.7 * 2^-16
+ * of q, and RHO = 2^-16 holds it. A triangle that does not fulfil all this
+ * takes the general way. */
 #include "algorithms/algorithm.h"
 #include "common/screen.h"
 #include "common/vector.h"
@@ -85,13 +87,14 @@ enum {
   GRID = 1 << GRID_BITS, /* grid units a pixel */
   UNSAFE = INT_MIN,      /* snapped coordinate of a vertex that is not safe */
   LARGEST_BOX = 500,     /* pixels; keeps differences below 2^24 grid units */
+  AHEAD = 6,             /* triangles from the fetching to the tiling */
   BATCH = 128            /* faces looked at together */
 };
 /* Pixels; sums and differences of snapped coordinates fit in an int. */
 static const double FARTHEST = 32767.9;
-static const float RHO = 0x1p-18f;
+static const float RHO = 0x1p-16f;
 /* q > CLEAR z, with both within RHO of the truth, is certain. */
-static const float CLEAR = 1 + 2.5f * 0x1p-18f;
+static const float CLEAR = 1 + 2.5f * 0x1p-16f;
 static const float SNAP = 0x1.01p-16f; /* s */
 
 /* A vertex, snapped: grid units, or UNSAFE; and its depth. */
@@ -483,8 +486,9 @@ HSR_VECTOR static void set_up(const struct tiling *t,
     float condition = (fabsf(product1) + fabsf(product2)) * inverse;
     float least = r->qb[k] < q ? r->qb[k] : q;
     least = r->qc[k] < least ? r->qc[k] : least;
-    good[k] = (M * (condition + 2) <= least) &
-              (10 * (fabsf(qx) + fabsf(qy)) <= least);
+    good[k] = (M * (condition + 2) <= 16 * least) & (M <= 4 * least) &
+              (fabsf(D1) <= least) & (fabsf(D2) <= least) &
+              (fabsf(qx) + fabsf(qy) <= 0.3f * least);
   }
 }
 
@@ -575,6 +579,20 @@ static enum hsr_status begin_frame(struct tiling *t) {
   return HSR_OK;
 }
 
+/* Asks for what a triangle will need of the large memory, of which every row
+ * lies on a page of its own. */
+static void fetch(const struct tiling *t, const struct corners *r, int k) {
+  const uint32_t *ids =
+      t->job->ids + (size_t)r->y0[k] * t->job->ids_stride + (size_t)r->x0[k];
+  const float *z = t->z + (size_t)(r->y0[k] - t->window.y0) * t->z_stride +
+                   (size_t)(r->x0[k] - t->window.x0);
+  for (int j = r->y0[k]; j < r->y1[k];
+       j++, ids += t->job->ids_stride, z += t->z_stride) {
+    __builtin_prefetch(ids, 1);
+    __builtin_prefetch(z, 1);
+  }
+}
+
 /* Triangles `first` to first + n - 1. */
 static void tile_batch(struct tiling *t, uint32_t first, int n,
                        tile_function *tile) {
@@ -586,6 +604,8 @@ static void tile_batch(struct tiling *t, uint32_t first, int n,
   int n_fast = compact(&corners, fate, n, face);
   set_up(t, &corners, n_fast, &triangles, good);
   for (int k = 0; k < n_fast; k++) {
+    if (k + AHEAD < n_fast)
+      fetch(t, &corners, k + AHEAD);
     if (!good[k]) {
       fate[face[k]] = GENERALLY;
       continue;

@@ -4,8 +4,11 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
-enum { ALIGNMENT = 64, SMALLEST_BLOCK = 1 << 16 };
+enum { ALIGNMENT = 64, SMALLEST_BLOCK = 1 << 16, HUGE_PAGE = 1 << 21 };
 
 struct hsr_arena_block {
   struct hsr_arena_block *next;
@@ -13,11 +16,25 @@ struct hsr_arena_block {
   unsigned char *memory;
 };
 
+/* Large blocks lie on huge pages where the system has them: a picture's rows
+ * are far apart, and pages are few in the processor's tables. */
+static unsigned char *block_memory(size_t size) {
+  if (size < 2 * HUGE_PAGE)
+    return aligned_alloc(ALIGNMENT, size);
+  size_t rounded = (size + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE;
+  unsigned char *memory = aligned_alloc(HUGE_PAGE, rounded);
+#ifdef MADV_HUGEPAGE
+  if (memory)
+    madvise(memory, rounded, MADV_HUGEPAGE);
+#endif
+  return memory;
+}
+
 static struct hsr_arena_block *block_new(struct hsr_arena *arena, size_t size) {
   struct hsr_arena_block *block = malloc(sizeof *block);
   if (!block)
     return NULL;
-  block->memory = aligned_alloc(ALIGNMENT, size);
+  block->memory = block_memory(size);
   if (!block->memory) {
     free(block);
     return NULL;
