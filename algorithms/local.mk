@@ -3,12 +3,12 @@
 pkginclude_algorithms_HEADERS += %D%/algorithm.h
 libhsr_a_SOURCES += %D%/registry.c %D%/list.def
 
-ALGORITHM_SOURCES = %D%/null.c %D%/oracle.cc %D%/raycast.c %D%/watkins.c \
+algorithm_files = %D%/null.c %D%/oracle.cc %D%/raycast.c %D%/watkins.c \
   %D%/zbuffer.c
 
 noinst_LIBRARIES += libplain.a libcounting.a
-libplain_a_SOURCES = $(ALGORITHM_SOURCES)
+libplain_a_SOURCES = $(algorithm_files)
 libplain_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=0
-libcounting_a_SOURCES = $(ALGORITHM_SOURCES)
+libcounting_a_SOURCES = $(algorithm_files)
 libcounting_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=1
 libhsr_a_LIBADD += $(libplain_a_OBJECTS) $(libcounting_a_OBJECTS)

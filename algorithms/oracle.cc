@@ -3,10 +3,10 @@
  *
  * Source      docs/correct-picture.md, in whose words this file is written.
  * Input       the world's vertices, face lists and one_sided flags, and the
- *             view's E, F, R, U, near, m, n, offsets and window. Neither the
- *             world's approximate planes nor the view's matrices, and no code
- *             that another algorithm uses: the judge shares nothing with whom
- *             it judges, not even the exact number type.
+ *             view's E, F, R, U, near, m, n, offsets and window; neither the
+ *             world's approximate planes nor the view's matrices. The judge
+ *             shares no code with whom it judges: neither common/screen.h nor
+ *             common/predicates.h, nor the exact number type of the latter.
  * Notation    as there, but D is taken mn times as long, which keeps all in a
  *             ring; so the definition's t is mn times the depth here.
  * Method      a ray for each sample; a hierarchy of boxes says which faces it
@@ -53,9 +53,7 @@ enum { ORACLE_BOX, ORACLE_FACE, ORACLE_SIGN };
 
 /* ---- Vectors, of intervals or of exact numbers ---- */
 
-template <class T> struct vec {
-  T x, y, z;
-};
+template <class T> struct vec { T x, y, z; };
 
 template <class T> vec<T> lift(double x, double y, double z) {
   return {T(x), T(y), T(z)};
@@ -219,9 +217,9 @@ CGAL::Uncertain<bool> is_planar(const hsr_world &world, uint32_t f) {
   const vec<T> N = newell_normal<T>(world, f);
   bool all_certain = true;
   for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
-    const vec<T> V =
-        vertex_from(lift<T>(0, 0, 0), world, world.vertex[c]);
-    const CGAL::Uncertain<bool> on = CGAL::is_zero(dot(N, sum_from(V, world, f)));
+    const vec<T> V = vertex_from(lift<T>(0, 0, 0), world, world.vertex[c]);
+    const CGAL::Uncertain<bool> on =
+        CGAL::is_zero(dot(N, sum_from(V, world, f)));
     if (CGAL::certainly_not(on))
       return false;
     all_certain = all_certain && CGAL::is_certain(on);
@@ -358,8 +356,8 @@ struct node {
   bool planar;      /* all faces below are exactly planar */
 };
 
-/* Halving gives a height of 31 at most for 2^32 faces, and a stack of one
- * node more than that. */
+/* Halving 2^32 faces makes leaves after 30 steps at most. The stack holds one
+ * node for each step, and one more. */
 constexpr uint32_t FACES_A_LEAF = 4;
 constexpr int STACK_NODES = 40;
 
@@ -464,25 +462,27 @@ void build(const hsr_world &world, tree *made) {
     b.grow(0, world.n_faces);
 }
 
-/* Whether no face below the node can be visible, `farthest` being a bound of
- * the depth of a face that covers the sample.
+/* Whether no face below the node can be the visible one, given that a covering
+ * face has been found whose depth is `farthest` at most.
  *
- * If the line of the ray, in both directions, misses the convex hull of a
- * face's vertices, the closed polygon does not wind about it: the parity is
- * even and the face does not cover the sample. Of an exactly planar face that
- * covers it, moreover, the hit lies in the hull, and so on the part of the ray
- * within the box. For other faces it need not: their plane may be hit anywhere.
- * So the depths at which the line is in the box are intersected with [0,
- * farthest] if all faces are planar, and with nothing else if not.
+ * If the line of the ray, taken in both directions, misses the convex hull of a
+ * face's vertices, the polygon does not wind about it: the parity is even, and
+ * the face does not cover the sample. If the face is exactly planar and covers
+ * it, the hit is, moreover, a point of the hull; it is not behind the eye, and
+ * if it is beyond `farthest` the face is not the nearest. Of a face that is not
+ * planar nothing of the kind can be said, its plane may be hit far away from
+ * it. So the depths at which the line is in the box are found, and where all
+ * faces are planar only those from 0 to `farthest` count.
  *
- * The perturbation adds nothing, boxes being closed and `farthest` belonging to
- * the box: where points of the displaced rays are in the box, at depths up to
- * `farthest` or beyond by an infinitesimal, so is their limit on the ray.
+ * That is so with the displaced ray. But if its line meets the box for all
+ * small displacements, their limit, the ray's, meets it, boxes being closed;
+ * and the limit of the hits is a point of the ray in the box, at 0 or more, so
+ * that if the box begins beyond `farthest` it is certainly farther.
  *
- * The line of the ray is E + t D; the interval [low, high] - E over D has all
- * t for which it is between two faces of the box. Where D may be 0 this has no
- * bound; there, the range of t that the other axes leave is put to the test. A
- * comparison with a NaN is false and passes nothing over. */
+ * Along an axis the line E + t D is in the box for t in ([low, high] - E) / D.
+ * Where D may be 0 that has no bounds, and [low, high] - E is compared instead
+ * with what the t left by the other axes make of D. All in intervals; a
+ * comparison with a NaN is false and passes nothing by. */
 bool passes_by(const sample &s, const node &a, double farthest) {
   double enter = a.planar ? 0 : -infinity;
   double leave = a.planar ? farthest : infinity;
@@ -514,13 +514,13 @@ bool passes_by(const sample &s, const node &a, double farthest) {
 /* ---- Visible face ---- */
 
 /* The visible face of the sample at (sx, sy), or HSR_BACKGROUND. Not inlined,
- * so that nothing of the caller is computed in this rounding mode. */
+ * so that sx and sy are computed before the rounding mode is changed. */
 [[gnu::noinline]] uint32_t visible_face(const hsr_job &job, const tree &t,
                                         double sx, double sy) {
   const Upward upward;
   const sample s = make_sample(job, sx, sy);
   hit nearest = {HSR_BACKGROUND, 0};
-  double farthest = infinity; /* no bound below the depth of `nearest` */
+  double farthest = infinity; /* the depth of `nearest` is not greater */
 
   uint32_t stack[STACK_NODES];
   int n_stack = 0;
@@ -543,7 +543,7 @@ bool passes_by(const sample &s, const node &a, double farthest) {
       }
     }
 
-    /* The child that the ray meets first is taken first. */
+    /* The child that the ray is likely to meet first is taken first. */
     if (a.n_faces == 0) {
       const bool upwards = s.D[a.axis].sup() > 0;
       stack[n_stack++] = upwards ? a.at : at + 1;
@@ -602,15 +602,17 @@ static enum hsr_status render(const struct hsr_job *job,
     for (int j = w.y0; j < w.y1; j++) {
       for (int i = w.x0; i < w.x1; i++) {
         HSR_TOUCH(job->tally, i, j);
-        job->ids[size_t(j) * job->ids_stride + size_t(i)] = visible_face(
-            *job, t, hsr_sample_x(view, i), hsr_sample_y(view, j));
+        job->ids[size_t(j) * job->ids_stride + size_t(i)] =
+            visible_face(*job, t, hsr_sample_x(view, i), hsr_sample_y(view, j));
       }
     }
     return HSR_OK;
   });
 }
 
-static void release(void *prepared) { delete static_cast<tree *>(prepared); }
+static void release(void *prepared) {
+  delete static_cast<tree *>(prepared);
+}
 
 } /* extern "C" */
 
@@ -625,7 +627,7 @@ constexpr struct hsr_algorithm describe() {
   a.name = "oracle";
   a.title = "Oracle: exact ray casting from the definition";
   a.authors = "hsr";
-  a.year = 2025;
+  a.year = 2026;
   a.source = "docs/correct-picture.md";
   a.taxonomy = HSR_YARDSTICK;
   a.kind = HSR_IDS;

@@ -20,7 +20,7 @@ static const char *const kind_name[] = {[HSR_IDS] = "ids",
 static const char *const restriction_code[] = {"CC", "CF", "TR", "LS", "NP",
                                                "TP", "PF", "OF", "BE"};
 
-const char *algorithm_kind(const struct hsr_algorithm *a) {
+static const char *algorithm_kind(const struct hsr_algorithm *a) {
   return kind_name[a->kind];
 }
 

@@ -5,4 +5,9 @@ hsr_SOURCES = %D%/check.c %D%/command.h %D%/hsr.c %D%/json.c %D%/json.h \
   %D%/stats.c
 hsr_LDADD = $(HSR_LIBS)
 nodist_EXTRA_hsr_SOURCES = force_cxx_link.cc
+if TORTURE
+hsr_SOURCES += tests/torture/fail.cc
+hsr_LDFLAGS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
+  -Wl,--wrap=aligned_alloc,--wrap=strdup,--wrap=main
+endif
 dist_man_MANS += %D%/hsr.1

@@ -4,8 +4,10 @@ pkginclude_common_HEADERS += %D%/arena.h %D%/clip.h %D%/count.h \
   %D%/scene_json.h %D%/screen.h %D%/statistics.h %D%/status.h %D%/view.h \
   %D%/world.h
 libhsr_a_SOURCES += %D%/arena.c %D%/clip.c %D%/count.c %D%/exchange.cc \
+  %D%/mesh_file.cc %D%/mesh_file.h %D%/mesh_scan_obj.cc %D%/mesh_scan_off.cc \
+  %D%/mesh_scan_ply.cc %D%/mesh_scan_stl.cc %D%/mesh_text.cc %D%/mesh_text.h \
   %D%/image.cc %D%/picture.c %D%/predicates_cgal.cc %D%/scene.c \
-  %D%/scene_json.c %D%/screen.c %D%/statistics.c %D%/status.c %D%/vector.h \
+  %D%/scene_json.c %D%/srgb.h %D%/screen.c %D%/statistics.c %D%/statistics_cgal.cc %D%/status.c %D%/vector.h \
   %D%/view.c %D%/world.c
 
 if WITH_VTK
@@ -13,5 +15,7 @@ libhsr_a_LIBADD += $(libvtkshim_a_OBJECTS)
 noinst_LIBRARIES += libvtkshim.a
 libvtkshim_a_SOURCES = %D%/exchange_vtk.cc
 libvtkshim_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
+else
+libhsr_a_SOURCES += %D%/exchange_no_vtk.cc
 endif
 EXTRA_DIST += docs/correct-picture.md docs/scene.schema.json

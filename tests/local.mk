@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Programs that print TAP; the scripts among them end in .test.
-TAP_PROGRAMS = %D%/unit/exchange_test %D%/unit/image_test \
+tap_programs = %D%/unit/exchange_test %D%/unit/image_test \
   %D%/unit/oracle_test %D%/unit/scene_json_test %D%/unit/scenes_test \
   %D%/unit/screen_test %D%/unit/statistics_test \
   %D%/conformance/lattice_test %D%/properties/metamorphic_test
-TAP_SCRIPTS = %D%/command.test %D%/bad/bad_input.test
+tap_scripts = %D%/command.test %D%/bad/bad_input.test %D%/torture/torture.test
 
-check_PROGRAMS += $(TAP_PROGRAMS)
-dist_check_SCRIPTS += $(TAP_SCRIPTS)
-TESTS += $(TAP_PROGRAMS) $(TAP_SCRIPTS)
+check_PROGRAMS += $(tap_programs)
+dist_check_SCRIPTS += $(tap_scripts)
+TESTS += $(tap_programs) $(tap_scripts)
 
 noinst_LIBRARIES += libdraw.a
 libdraw_a_SOURCES = %D%/draw.c %D%/draw.h %D%/tap.h
@@ -30,4 +30,4 @@ nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
 %C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
 nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
 
-EXTRA_DIST += %D%/bad/make-bad-inputs %D%/bad/expected
+EXTRA_DIST += %D%/torture/fail.cc %D%/bad/make-bad-inputs %D%/bad/expected

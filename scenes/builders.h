@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The builders behind the table of scenes/registry.c. */
+#ifndef HSR_SCENES_BUILDERS_H
+#define HSR_SCENES_BUILDERS_H
+
+#include "scenes/scenes.h"
+
+/* Each fills an empty scene; see hsr_builtin.build. */
+typedef enum hsr_status hsr_build(struct hsr_scene *scene,
+                                  const long long *parameter);
+
+hsr_build hsr_build_house, hsr_build_harbor, hsr_build_big_harbor;
+hsr_build hsr_build_color_cube, hsr_build_sphere, hsr_build_terrain,
+    hsr_build_tower, hsr_build_soup, hsr_build_lattice;
+
+/* failures_order.c */
+hsr_build hsr_build_cyclic_overlap, hsr_build_penetration, hsr_build_coplanar,
+    hsr_build_nested_solids, hsr_build_one_sided, hsr_build_deep_stack;
+
+/* failures_edges.c */
+hsr_build hsr_build_t_junction, hsr_build_shared_edges,
+    hsr_build_collinear_edges, hsr_build_sliver, hsr_build_sub_pixel_gap,
+    hsr_build_needle_fan, hsr_build_non_convex;
+
+/* failures_eye.c */
+hsr_build hsr_build_behind_eye, hsr_build_near_plane, hsr_build_eye_in_plane,
+    hsr_build_non_planar, hsr_build_huge_and_tiny;
+
+#endif

@@ -1,0 +1,262 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The table of built-in scenes, and the way from a user's words to a scene. */
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+
+#include "scenes/builders.h"
+#include "scenes/meshes.h"
+
+#include "common/scene_json.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#define PLAIN(scene, function, sentence)                                       \
+  { .name = scene, .usage = scene, .about = sentence, .build = function }
+#define FAILURE(scene, function, sentence)                                     \
+  {                                                                            \
+    .name = scene, .usage = scene, .about = sentence, .failure_case = true,    \
+    .build = function                                                          \
+  }
+#define SIZED(scene, function, normal, low, high, sentence)                    \
+  {                                                                            \
+    .name = scene, .usage = scene ":N", .about = sentence, .n_parameters = 1,  \
+    .standard = {normal}, .least = {low}, .most = {high}, .build = function    \
+  }
+#define SEEDED(scene, function, normal, low, high, sentence)                   \
+  {                                                                            \
+    .name = scene, .usage = scene ":N:SEED", .about = sentence,                \
+    .n_parameters = 2, .standard = {normal, 1}, .least = {low, 0},             \
+    .most = {high, INT64_MAX}, .build = function                               \
+  }
+
+const struct hsr_builtin hsr_builtins[] = {
+    PLAIN("house", hsr_build_house,
+          "a house of convex solids that touch at most, after Roberts' house "
+          "in Table II"),
+    SIZED("harbor", hsr_build_harbor, 2500, 100, 60000,
+          "a harbor and its town with about N faces in the picture, after "
+          "Table II"),
+    PLAIN("big-harbor", hsr_build_big_harbor,
+          "the harbor in fine detail, 60,000 faces in the picture, after "
+          "Table II"),
+    SIZED("color-cube", hsr_build_color_cube, 6, 1, 40,
+          "N x N x N small cubes, each in the colour of its place"),
+    SIZED("tower", hsr_build_tower, 40, 1, 20000,
+          "a tower of N instances of one storey, each turned a little"),
+    SIZED("sphere", hsr_build_sphere, 2048, 8, 20000000,
+          "a sphere of about N triangles"),
+    SIZED("terrain", hsr_build_terrain, 64, 2, 2000,
+          "a landscape of 2 N x N triangles"),
+    SEEDED("soup", hsr_build_soup, 1000, 1, 10000000,
+           "N random triangles that penetrate one another"),
+    SEEDED("lattice", hsr_build_lattice, 200, 1, 1000000,
+           "N random polygons with small integer coordinates, seen so that "
+           "vertices, edges and planes meet the samples"),
+
+    FAILURE("cyclic-overlap", hsr_build_cyclic_overlap,
+            "faces and solids in rings, each over the next: no order of "
+            "priority without dividing"),
+    FAILURE("penetration", hsr_build_penetration,
+            "faces through faces: breaks methods that let visibility change "
+            "only at edges"),
+    FAILURE("coplanar", hsr_build_coplanar,
+            "overlapping, repeated and reversed faces on one plane: breaks "
+            "depth comparisons without a rule for ties"),
+    FAILURE("nested-solids", hsr_build_nested_solids,
+            "solids in solids that share planes: breaks tests of containment "
+            "and of solids against edges"),
+    FAILURE("one-sided", hsr_build_one_sided,
+            "open, inverted and back-to-back faces without back sides: breaks "
+            "culling that takes closed solids for granted"),
+    FAILURE("deep-stack", hsr_build_deep_stack,
+            "300 faces over one another: breaks counts of invisibility kept "
+            "in 8 bits, and depth ranges"),
+    FAILURE("t-junction", hsr_build_t_junction,
+            "vertices in the middle of edges, exactly and nearly: breaks "
+            "methods that leave or fill cracks"),
+    FAILURE("shared-edges", hsr_build_shared_edges,
+            "edges and vertices shared exactly at samples: breaks fill rules "
+            "that take a sample twice or never"),
+    FAILURE("collinear-edges", hsr_build_collinear_edges,
+            "edges upon edges of one line, in the world or in the picture: "
+            "breaks edge lists sorted by intersection"),
+    FAILURE("sliver", hsr_build_sliver,
+            "triangles down to one unit in the last place wide: breaks planes "
+            "and slopes computed in floating point"),
+    FAILURE("sub-pixel-gap", hsr_build_sub_pixel_gap,
+            "gaps far narrower than a sample, some of them at one: breaks "
+            "spans with rounded ends and area sampling"),
+    FAILURE("needle-fan", hsr_build_needle_fan,
+            "many thin triangles about one vertex: breaks sorting of edges "
+            "that meet, and subdivision that cannot end there"),
+    FAILURE("non-convex", hsr_build_non_convex,
+            "combs, stars and spirals: breaks span generators that expect two "
+            "edges on a line"),
+    FAILURE("non-planar", hsr_build_non_planar,
+            "quadrilaterals slightly and grossly out of plane: breaks methods "
+            "that take a plane from three corners"),
+    FAILURE("huge-and-tiny", hsr_build_huge_and_tiny,
+            "sizes from 1e-6 to 1e6 in one picture: breaks fixed tolerances "
+            "and fixed point"),
+    FAILURE("behind-eye", hsr_build_behind_eye,
+            "faces that reach behind the eye: breaks projection without "
+            "clipping"),
+    FAILURE("near-plane", hsr_build_near_plane,
+            "faces cut by the near plane and exactly on it: breaks clipping "
+            "that rounds, and its closed or open end"),
+    FAILURE("eye-in-plane", hsr_build_eye_in_plane,
+            "the eye in planes, on edges' lines and on vertices: breaks signs "
+            "of facing that know no zero"),
+    {.name = NULL}};
+
+static bool has_suffix(const char *name, const char *suffix) {
+  size_t n = strlen(name), k = strlen(suffix);
+  return n > k && !strcasecmp(name + n - k, suffix);
+}
+
+static bool is_mesh_file(const char *name) {
+  static const char *const suffixes[] = {".off", ".obj", ".ply", ".stl",
+                                         ".vtp"};
+  for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++)
+    if (has_suffix(name, suffixes[i]))
+      return true;
+  return false;
+}
+
+static enum hsr_status open_mesh(struct hsr_scene *scene, const char *name,
+                                 struct hsr_import *import,
+                                 struct hsr_error *err) {
+  char *path;
+  enum hsr_status status = hsr_mesh_find(name, &path, err);
+  if (!status)
+    status = hsr_mesh_read(scene, path, import, err);
+  free(path);
+  return status;
+}
+
+static const struct hsr_builtin *find_builtin(const char *name, size_t n) {
+  for (const struct hsr_builtin *b = hsr_builtins; b->name; b++)
+    if (strlen(b->name) == n && !memcmp(b->name, name, n))
+      return b;
+  return NULL;
+}
+
+static enum hsr_status unknown(const char *name, struct hsr_error *err) {
+  struct hsr_names list = {0};
+  char word[64], hint[256] = "";
+  snprintf(word, sizeof word, "%.*s", (int)strcspn(name, ":"), name);
+  enum hsr_status status = HSR_OK;
+  for (const struct hsr_builtin *b = hsr_builtins; b->name && !status; b++)
+    status = hsr_names_add(&list, b->name, strlen(b->name));
+  hsr_names_like(&list, word, hint, sizeof hint);
+  hsr_names_free(&list);
+  if (strpbrk(name, "./"))
+    return hsr_fail(err, HSR_E_INPUT,
+                    "%.200s: not a scene: files end in .scene.json, .off, "
+                    ".obj, .ply, .stl or .vtp",
+                    name);
+  return hsr_fail(err, HSR_E_INPUT, "there is no scene \"%.100s\"%s", name,
+                  hint);
+}
+
+/* Reads a whole number of digits alone. False if it is none, or too large. */
+static bool parse_number(const char *text, size_t n, long long *value) {
+  *value = 0;
+  for (size_t i = 0; i < n; i++) {
+    int digit = text[i] - '0';
+    if (digit < 0 || digit > 9 || *value > (INT64_MAX - digit) / 10)
+      return false;
+    *value = 10 * *value + digit;
+  }
+  return n > 0;
+}
+
+/* The word for a parameter in a usage, from the colon before it. */
+static const char *parameter_word(const struct hsr_builtin *builtin, int i) {
+  const char *word = builtin->usage;
+  for (int k = 0; k <= i; k++)
+    word = strchr(word, ':') + 1;
+  return word;
+}
+
+static enum hsr_status bad_parameter(const struct hsr_builtin *builtin, int i,
+                                     const char *text, size_t n,
+                                     struct hsr_error *err) {
+  const char *word = parameter_word(builtin, i);
+  return hsr_fail(err, HSR_E_INPUT,
+                  "%s: %.*s must be a whole number from %lld to %lld, not "
+                  "\"%.*s\" (usage: %s)",
+                  builtin->name, (int)strcspn(word, ":"), word,
+                  builtin->least[i], builtin->most[i], (int)(n < 40 ? n : 40),
+                  text, builtin->usage);
+}
+
+/* Parameters after the name, each with its colon before it; those left out at
+ * the end have their standard values. */
+static enum hsr_status parse_parameters(const struct hsr_builtin *builtin,
+                                        const char *text, long long *parameter,
+                                        struct hsr_error *err) {
+  memcpy(parameter, builtin->standard, sizeof builtin->standard);
+  for (int i = 0; *text; i++) {
+    size_t n = strcspn(++text, ":");
+    if (i == builtin->n_parameters)
+      return hsr_fail(err, HSR_E_INPUT, "%s: too many parameters (usage: %s)",
+                      builtin->name, builtin->usage);
+    if (!parse_number(text, n, &parameter[i]) ||
+        parameter[i] < builtin->least[i] || parameter[i] > builtin->most[i])
+      return bad_parameter(builtin, i, text, n, err);
+    text += n;
+  }
+  return HSR_OK;
+}
+
+static enum hsr_status open_builtin(struct hsr_scene *scene, const char *name,
+                                    struct hsr_error *err) {
+  size_t n = strcspn(name, ":");
+  const struct hsr_builtin *builtin = find_builtin(name, n);
+  if (!builtin)
+    return unknown(name, err);
+  long long parameter[HSR_MAX_PARAMETERS];
+  enum hsr_status status = parse_parameters(builtin, name + n, parameter, err);
+  if (status)
+    return status;
+  status = builtin->build(scene, parameter);
+  if (status == HSR_E_NOMEM)
+    return hsr_fail_nomem(err);
+  return status ? hsr_fail(err, status, "%.100s: cannot be built", name)
+                : HSR_OK;
+}
+
+static enum hsr_status fill(struct hsr_scene *scene, const char *name,
+                            struct hsr_import *import, struct hsr_error *err) {
+  if (!strncmp(name, "mesh:", 5))
+    return open_mesh(scene, name + 5, import, err);
+  if (has_suffix(name, ".scene.json"))
+    return hsr_scene_json_read(scene, name, import, err);
+  if (is_mesh_file(name))
+    return hsr_mesh_read(scene, name, import, err);
+  return open_builtin(scene, name, err);
+}
+
+enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
+                               struct hsr_scene **scene,
+                               struct hsr_error *err) {
+  if (import)
+    import->n_dropped = 0;
+  *scene = hsr_scene_new(name);
+  if (!*scene)
+    return hsr_fail_nomem(err);
+  enum hsr_status status = fill(*scene, name, import, err);
+  if (!status)
+    status = hsr_scene_finish(*scene, err);
+  if (status) {
+    hsr_scene_delete(*scene);
+    *scene = NULL;
+  }
+  return status;
+}
