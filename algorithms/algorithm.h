@@ -48,10 +48,10 @@ enum {
 /* What an algorithm produces; only like kinds are compared. */
 enum hsr_kind { HSR_IDS, HSR_SEGMENTS, HSR_FILTERED };
 
-enum { /* flags */
-  HSR_JUDGE = 1 << 0,       /* the oracle: defines what is right */
-  HSR_NO_PICTURE = 1 << 1,  /* draws nothing; never compared */
-  HSR_FRAME_STATE = 1 << 2  /* one render at a time on a prepared object */
+enum {                          /* flags */
+       HSR_JUDGE = 1 << 0,      /* the oracle: defines what is right */
+       HSR_NO_PICTURE = 1 << 1, /* draws nothing; never compared */
+       HSR_FRAME_STATE = 1 << 2 /* one render at a time on a prepared object */
 };
 
 /* A sort that the algorithm makes, as in figure 29b. */
@@ -64,21 +64,21 @@ struct hsr_sort {
 
 /* A cost step, as in Table III: cost = factor * count. */
 struct hsr_step {
-  const char *label;        /* "X merge" */
-  int counter;              /* index into the algorithm's counters */
-  double factor;            /* complexity factor, appendix B */
-  const char *formula;      /* the paper's prediction of the cost, as text */
+  const char *label;   /* "X merge" */
+  int counter;         /* index into the algorithm's counters */
+  double factor;       /* complexity factor, appendix B */
+  const char *formula; /* the paper's prediction of the cost, as text */
   double (*predict)(const struct hsr_table1 *); /* the same; NULL: none made */
 };
 
 /* One picture to make. Everything is borrowed for the call. */
 struct hsr_job {
   const struct hsr_world *world;
-  const struct hsr_view *view;  /* its window says which samples */
-  void *prepared;               /* what prepare made, or NULL */
-  struct hsr_arena *scratch;    /* reset before the call; no other memory is
-                                   taken inside a frame */
-  struct hsr_tally *tally;      /* what was counted is added here */
+  const struct hsr_view *view; /* its window says which samples */
+  void *prepared;              /* what prepare made, or NULL */
+  struct hsr_arena *scratch;   /* reset before the call; no other memory is
+                                  taken inside a frame */
+  struct hsr_tally *tally;     /* what was counted is added here */
 
   /* Answer: id of sample (i, j) at ids[j * ids_stride + i], for (i, j) in the
    * window, all of which the algorithm writes, HSR_BACKGROUND where there is
@@ -91,16 +91,16 @@ struct hsr_algorithm {
   const char *name;    /* [a-z0-9-]+, "watkins" */
   const char *title;   /* "Watkins' scan-line algorithm" */
   const char *authors; /* "G. S. Watkins" */
-  int year;
-  const char *source; /* where it is published, and where described */
+  int year;            /* of publication; 0: never published */
+  const char *source;  /* where it is published, and where described */
 
   enum hsr_class taxonomy;
-  const char *sort_order;   /* "YXZ"; NULL if it has none */
-  const char *coherence;    /* what it bets on; NULL if nothing */
-  unsigned restrictions;    /* HSR_CC ... */
+  const char *sort_order; /* "YXZ"; NULL if it has none */
+  const char *coherence;  /* what it bets on; NULL if nothing */
+  unsigned restrictions;  /* HSR_CC ... */
   enum hsr_kind kind;
   unsigned flags;
-  const struct hsr_sort *sorts; /* ended by .what == NULL; NULL: none */
+  const struct hsr_sort *sorts;       /* ended by .what == NULL; NULL: none */
   const struct hsr_counter *counters; /* ended by .name == NULL; NULL: none */
   const struct hsr_step *steps;       /* ended by .label == NULL; NULL: none */
 

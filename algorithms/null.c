@@ -13,7 +13,6 @@ const struct hsr_algorithm HSR_ALGORITHM(null) = {
     .name = "null",
     .title = "Nothing",
     .authors = "hsr",
-    .year = 1974,
     .source = "draws nothing; measures the harness",
     .taxonomy = HSR_YARDSTICK,
     .kind = HSR_IDS,

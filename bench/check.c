@@ -16,7 +16,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { MOST_SCENES = 4096, MOST_SIZES = 16, MOST_ALGORITHMS = 64, DROP = 0x200 };
+enum {
+  MOST_SCENES = 4096,
+  MOST_SIZES = 16,
+  MOST_ALGORITHMS = 64,
+  DROP = 0x200
+};
 
 struct options {
   struct option_base base;
@@ -31,7 +36,8 @@ struct options {
   struct hsr_import import;
 };
 
-/* --- Options --------------------------------------------------------------- */
+/* --- Options ---------------------------------------------------------------
+ */
 
 static error_t add_sizes(struct options *o, char *arg) {
   for (char *size = strtok(arg, ","); size; size = strtok(NULL, ",")) {
@@ -114,7 +120,8 @@ static const struct argp argp = {
          "where no scene is named: only the failure cases", 0},
         {"jobs", 'J', "N", 0, "views at a time (standard: one a processor)", 0},
         {"timeout", 't', "SECONDS", 0,
-         "the most that one picture may take (standard: 60); an algorithm whose "
+         "the most that one picture may take (standard: 60); an algorithm "
+         "whose "
          "work for a view is known to be more is refused",
          0},
         {"drop-degenerate", DROP, NULL, 0,
@@ -152,12 +159,13 @@ static void set_standards(struct options *o) {
         o->algorithm[o->n_algorithms++] = a;
 }
 
-/* --- One cell: an algorithm on a scene, view and size ------------------------ */
+/* --- One cell: an algorithm on a scene, view and size ------------------------
+ */
 
 enum verdict { PENDING, RIGHT, WRONG, REFUSED, TIMEOUT, CRASH };
 
 static const char *const verdict_name[] = {
-    [PENDING] = "crash", [RIGHT] = "ok",        [WRONG] = "wrong",
+    [PENDING] = "crash",   [RIGHT] = "ok",        [WRONG] = "wrong",
     [REFUSED] = "refused", [TIMEOUT] = "timeout", [CRASH] = "crash"};
 
 /* In memory shared between the processes. */
@@ -277,7 +285,8 @@ static enum hsr_status judge_group(struct group *g) {
   return status;
 }
 
-/* --- All groups of a scene ---------------------------------------------------- */
+/* --- All groups of a scene
+ * ---------------------------------------------------- */
 
 struct scene_run {
   const struct options *options;
@@ -403,7 +412,8 @@ static void close_run(struct scene_run *run) {
   hsr_scene_delete(run->scene);
 }
 
-/* --- The report ---------------------------------------------------------------- */
+/* --- The report
+ * ---------------------------------------------------------------- */
 
 struct totals {
   uint64_t samples, mismatches, depths, depths_exact;

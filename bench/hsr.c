@@ -27,20 +27,21 @@ static void print_help(FILE *out) {
         out);
   for (const struct hsr_command *c = commands; c->name; c++)
     fprintf(out, "  hsr %-8s %s\n", c->name, c->about);
-  fputs("\n"
-        "  hsr COMMAND --help explains each; hsr --version tells the version.\n"
-        "\n"
-        "A scene is a built-in name with parameters (house, soup:1000:7), a\n"
-        "real mesh of Debian's libcgal-demo (mesh:elephant), a mesh file (.off\n"
-        ".obj .ply .stl .vtp) or a .scene.json.\n"
-        "\n"
-        "exit status: 0 good, 1 a difference or a failed check, 2 usage, 3 bad\n"
-        "input, 4 out of memory or a limit, 5 internal.\n"
-        "\n"
-        "to begin with:\n"
-        "  hsr render house -a watkins -o house.png\n"
-        "  hsr check house\n",
-        out);
+  fputs(
+      "\n"
+      "  hsr COMMAND --help explains each; hsr --version tells the version.\n"
+      "\n"
+      "A scene is a built-in name with parameters (house, soup:1000:7), a\n"
+      "real mesh of Debian's libcgal-demo (mesh:elephant), a mesh file (.off\n"
+      ".obj .ply .stl .vtp) or a .scene.json.\n"
+      "\n"
+      "exit status: 0 good, 1 a difference or a failed check, 2 usage, 3 bad\n"
+      "input, 4 out of memory or a limit, 5 internal.\n"
+      "\n"
+      "to begin with:\n"
+      "  hsr render house -a watkins -o house.png\n"
+      "  hsr check house\n",
+      out);
 }
 
 /* Whatever went to stdout must have got there. */

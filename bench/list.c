@@ -65,38 +65,41 @@ static json_t *restrictions_json(const struct hsr_algorithm *a) {
 static json_t *sorts_json(const struct hsr_algorithm *a) {
   json_t *sorts = json_array();
   for (const struct hsr_sort *s = a->sorts; s && s->what; s++)
-    json_append(&sorts, json_pack("{ss ss ss ss}", "what", s->what,
-                                           "key", s->key, "method", s->method,
-                                           "often", s->often));
+    json_append(&sorts,
+                json_pack("{ss ss ss ss}", "what", s->what, "key", s->key,
+                          "method", s->method, "often", s->often));
   return sorts;
 }
 
 static json_t *counters_json(const struct hsr_algorithm *a) {
   json_t *counters = json_array();
   for (const struct hsr_counter *c = a->counters; c && c->name; c++)
-    json_append(&counters, json_pack("{ss ss}", "name", c->name,
-                                              "meaning", c->meaning));
+    json_append(&counters,
+                json_pack("{ss ss}", "name", c->name, "meaning", c->meaning));
   return counters;
 }
 
 static json_t *steps_json(const struct hsr_algorithm *a) {
   json_t *steps = json_array();
   for (const struct hsr_step *s = a->steps; s && s->label; s++)
-    json_append(
-        &steps, json_pack("{ss ss sf ss}", "label", s->label, "counter",
-                         a->counters[s->counter].name, "factor", s->factor,
-                         "formula", s->formula));
+    json_append(&steps, json_pack("{ss ss sf ss}", "label", s->label, "counter",
+                                  a->counters[s->counter].name, "factor",
+                                  s->factor, "formula", s->formula));
   return steps;
 }
 
+static json_t *year_json(const struct hsr_algorithm *a) {
+  return a->year ? json_integer(a->year) : json_null();
+}
+
 static json_t *algorithm_json(const struct hsr_algorithm *a) {
-  return json_pack(
-      "{ss ss ss si ss ss ss* ss* ss so so so so}", "name", a->name, "title",
-      a->title, "authors", a->authors, "year", a->year, "source", a->source,
-      "taxonomy", taxonomy_name[a->taxonomy], "sort_order", a->sort_order,
-      "coherence", a->coherence, "kind", algorithm_kind(a), "restrictions",
-      restrictions_json(a), "sorts", sorts_json(a), "counters",
-      counters_json(a), "steps", steps_json(a));
+  return json_pack("{ss ss ss so ss ss ss* ss* ss so so so so}", "name",
+                   a->name, "title", a->title, "authors", a->authors, "year",
+                   year_json(a), "source", a->source, "taxonomy",
+                   taxonomy_name[a->taxonomy], "sort_order", a->sort_order,
+                   "coherence", a->coherence, "kind", algorithm_kind(a),
+                   "restrictions", restrictions_json(a), "sorts", sorts_json(a),
+                   "counters", counters_json(a), "steps", steps_json(a));
 }
 
 static enum hsr_status print_json(struct hsr_error *err) {
@@ -127,7 +130,10 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
   printf("%-10s %4s  %-28s %-6s %-9s %s\n", "name", "year", "taxonomy", "sorts",
          "kind", "restrictions");
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
-    printf("%-10s %4d  %-28s %-6s %-9s ", a->plain->name, a->plain->year,
+    char year[12] = "-";
+    if (a->plain->year)
+      snprintf(year, sizeof year, "%d", a->plain->year);
+    printf("%-10s %4s  %-28s %-6s %-9s ", a->plain->name, year,
            taxonomy_name[a->plain->taxonomy],
            a->plain->sort_order ? a->plain->sort_order : "-",
            algorithm_kind(a->plain));

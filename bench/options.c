@@ -28,8 +28,7 @@ enum hsr_status parse_options(const struct argp *argp, int argc, char **argv,
   argv[0] = name;
   int at = 1;
   /* Help goes to stdout and exits; errors are ours to print. */
-  error_t failed =
-      argp_parse(argp, argc, argv, ARGP_NO_ERRS, &at, input);
+  error_t failed = argp_parse(argp, argc, argv, ARGP_NO_ERRS, &at, input);
   argv[0] = first;
   if (!failed)
     return HSR_OK;

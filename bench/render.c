@@ -76,7 +76,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static const struct argp_option render_options[] = {
     {"algorithm", 'a', "NAME", 0, "the algorithm (standard: zbuffer)", 0},
     {"output", 'o', "FILE", 0,
-     "write the picture, by suffix: .exr holds R G B, depth Z and face id; .png "
+     "write the picture, by suffix: .exr holds R G B, depth Z and face id; "
+     ".png "
      "and others the colours. May be given several times",
      0},
     {"work", WORK, "FILE", 0,
@@ -226,7 +227,8 @@ static enum hsr_status write_pictures(struct render *r,
   return status;
 }
 
-static void print_report(const struct render *r, const struct hsr_algorithm *a) {
+static void print_report(const struct render *r,
+                         const struct hsr_algorithm *a) {
   size_t n = (size_t)r->view.m * (size_t)r->view.n, covered = 0;
   for (size_t k = 0; k < n; k++)
     covered += r->ids[k] != HSR_BACKGROUND;

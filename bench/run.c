@@ -101,11 +101,11 @@ enum hsr_status render_view(const struct hsr_algorithm *algorithm,
   double begin = seconds_now();
   for (long k = 0; k < threads; k++) {
     workers[k].bands = &bands;
-    workers[k].tally = (struct hsr_tally){.work = tally->work,
-                                          .work_stride = tally->work_stride,
-                                          .trace = tally->trace,
-                                          .trace_context =
-                                              tally->trace_context};
+    workers[k].tally =
+        (struct hsr_tally){.work = tally->work,
+                           .work_stride = tally->work_stride,
+                           .trace = tally->trace,
+                           .trace_context = tally->trace_context};
     /* Where no thread can be had, the first one does the work. */
     if (k > 0)
       workers[k].started =

@@ -54,10 +54,10 @@ static enum hsr_status measure(const char *name, uint64_t *n_faces,
 static json_t *parameters_json(const struct hsr_builtin *b) {
   json_t *all = json_array();
   for (int k = 0; k < b->n_parameters; k++)
-    json_append(&all, json_pack("{sI sI sI}", "standard",
-                                (json_int_t)b->standard[k], "least",
-                                (json_int_t)b->least[k], "most",
-                                (json_int_t)b->most[k]));
+    json_append(&all,
+                json_pack("{sI sI sI}", "standard", (json_int_t)b->standard[k],
+                          "least", (json_int_t)b->least[k], "most",
+                          (json_int_t)b->most[k]));
   return all;
 }
 

@@ -94,8 +94,8 @@ static enum hsr_status print_json(const struct options *o,
                                   number_or_null(cell(rules, k))));
   return json_print(json_pack("{ss ss si si si so}", "schema", "hsr-stats/1",
                               "scene", o->scene, "view", (int)o->view.view,
-                              "width", o->view.m, "height", o->view.n,
-                              "table", table),
+                              "width", o->view.m, "height", o->view.n, "table",
+                              table),
                     err);
 }
 
