@@ -159,6 +159,20 @@ static void set_standards(struct options *o) {
         o->algorithm[o->n_algorithms++] = a;
 }
 
+/* --- Processes -------------------------------------------------------------- */
+
+/* Of the leak sanitizer, where there is one. */
+int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
+
+/* Ends a forked process. Not by exit: the destructors of libraries wait for
+ * threads that a fork does not bring along. */
+static _Noreturn void end_process(enum hsr_status status) {
+  if (__lsan_do_recoverable_leak_check && __lsan_do_recoverable_leak_check())
+    status = HSR_E_INTERNAL;
+  fflush(NULL);
+  _exit((int)status);
+}
+
 /* --- One cell: an algorithm on a scene, view and size ------------------------
  */
 
@@ -250,7 +264,7 @@ static void judge_apart(const struct group *g, const struct hsr_listed *listed,
     if (!status)
       status = judge(g, listed->counting, cell, true);
     alarm(0);
-    exit((int)status);
+    end_process(status);
   }
   int end = 0;
   if (child < 0 || waitpid(child, &end, 0) < 0) {
@@ -347,7 +361,7 @@ static enum hsr_status start_group(const struct scene_run *run, int size,
   fflush(NULL);
   pid_t child = fork();
   if (child == 0)
-    exit((int)judge_group(&g));
+    end_process(judge_group(&g));
   return child < 0 ? hsr_fail_nomem(err) : HSR_OK;
 }
 

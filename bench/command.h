@@ -13,7 +13,8 @@
 #include <stdio.h>
 
 /* A subcommand. argv[0] is its name. HSR_E_DIFFERENCE ends the program with
- * status 1 and without a message; any other failure with the message in *err. */
+ * status 1 and without a message; any other failure with the message in *err.
+ */
 struct hsr_command {
   const char *name, *about;
   enum hsr_status (*run)(int argc, char **argv, struct hsr_error *err);
@@ -25,7 +26,8 @@ enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_render(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_check(int argc, char **argv, struct hsr_error *err);
 
-/* --- Options --------------------------------------------------------------- */
+/* --- Options ---------------------------------------------------------------
+ */
 
 /* Parses argv with an argp parser, which reports its own findings by
  * option_fail; any other fault of the command line becomes one line as well.
@@ -55,10 +57,27 @@ struct view_options {
   bool has_eye, has_at, has_up, has_fov, has_near;
   struct hsr_camera camera;
 };
-#define VIEW_OPTIONS_STANDARD {.view = 1, .m = 512, .n = 512}
+#define VIEW_OPTIONS_STANDARD                                                  \
+  { .view = 1, .m = 512, .n = 512 }
 
-/* The argp options, and their parser: ARGP_ERR_UNKNOWN if `key` is not one. */
-extern const struct argp_option view_argp_options[];
+/* Entries for an argp option array, and their parser: ARGP_ERR_UNKNOWN if `key`
+ * is not one of them. */
+enum { VIEW_EYE = 0x100, VIEW_AT, VIEW_UP, VIEW_FOV, VIEW_NEAR };
+#define VIEW_ARGP_OPTIONS                                                      \
+  {NULL, 0, NULL, 0, "Where to look from:", 1},                                \
+      {"view",                                                                 \
+       'v',                                                                    \
+       "K",                                                                    \
+       0,                                                                      \
+       "look from the scene's view K, from 1 (standard: 1)",                   \
+       1},                                                                     \
+      {"size", 's', "MxN", 0, "samples a row x rows (standard: 512x512)", 1},  \
+      {"eye", VIEW_EYE, "X,Y,Z", 0, "look from here", 1},                      \
+      {"at", VIEW_AT, "X,Y,Z", 0, "look at this point", 1},                    \
+      {"up", VIEW_UP, "X,Y,Z", 0, "this direction is up", 1},                  \
+      {"fov", VIEW_FOV, "DEG", 0, "vertical angle of view, degrees", 1}, {     \
+    "near", VIEW_NEAR, "T", 0, "nothing exists up to this distance", 1         \
+  }
 error_t parse_view_option(struct view_options *options, int key, char *arg,
                           struct option_base *base);
 
@@ -73,7 +92,8 @@ enum hsr_status choose_algorithm(const char *name,
                                  const struct hsr_listed **listed,
                                  struct hsr_error *err);
 
-/* --- Running --------------------------------------------------------------- */
+/* --- Running ---------------------------------------------------------------
+ */
 
 double seconds_now(void); /* monotonic */
 long processors(void);    /* available to this process; at least 1 */

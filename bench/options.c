@@ -26,9 +26,15 @@ enum hsr_status parse_options(const struct argp *argp, int argc, char **argv,
   char name[32], *first = argv[0];
   snprintf(name, sizeof name, "hsr %s", first);
   argv[0] = name;
+  for (int k = 1; k < argc; k++)
+    if (!strcmp(argv[k], "--help") || !strcmp(argv[k], "-?")) {
+      argp_help(argp, stdout, ARGP_HELP_STD_HELP & ~ARGP_HELP_EXIT_OK, name);
+      exit(fflush(stdout) ? HSR_E_INPUT : 0);
+    }
+  /* Errors are ours to print; that argp is silent silences its help as well. */
   int at = 1;
-  /* Help goes to stdout and exits; errors are ours to print. */
-  error_t failed = argp_parse(argp, argc, argv, ARGP_NO_ERRS, &at, input);
+  error_t failed =
+      argp_parse(argp, argc, argv, ARGP_NO_ERRS | ARGP_NO_HELP, &at, input);
   argv[0] = first;
   if (!failed)
     return HSR_OK;
@@ -83,19 +89,6 @@ bool parse_point(const char *text, double point[3]) {
   return true;
 }
 
-enum { EYE = 0x100, AT, UP, FOV, NEAR };
-
-const struct argp_option view_argp_options[] = {
-    {"view", 'v', "K", 0, "look from the scene's view K, from 1 (standard: 1)",
-     1},
-    {"size", 's', "MxN", 0, "samples a row x rows (standard: 512x512)", 1},
-    {"eye", EYE, "X,Y,Z", 0, "look from here", 2},
-    {"at", AT, "X,Y,Z", 0, "look at this point", 2},
-    {"up", UP, "X,Y,Z", 0, "this direction is up", 2},
-    {"fov", FOV, "DEG", 0, "vertical angle of view, degrees", 2},
-    {"near", NEAR, "T", 0, "nothing exists up to this distance", 2},
-    {0}};
-
 error_t parse_view_option(struct view_options *o, int key, char *arg,
                           struct option_base *base) {
   switch (key) {
@@ -108,25 +101,25 @@ error_t parse_view_option(struct view_options *o, int key, char *arg,
       return option_fail(base, "--size %s: must be MxN, each 1 to %d", arg,
                          HSR_MAX_SIZE);
     return 0;
-  case EYE:
-  case AT:
-  case UP: {
-    double *point = key == EYE  ? o->camera.eye
-                    : key == AT ? o->camera.at
-                                : o->camera.up;
+  case VIEW_EYE:
+  case VIEW_AT:
+  case VIEW_UP: {
+    double *point = key == VIEW_EYE  ? o->camera.eye
+                    : key == VIEW_AT ? o->camera.at
+                                     : o->camera.up;
     if (!parse_point(arg, point))
       return option_fail(base, "'%s': a point is three numbers, X,Y,Z", arg);
-    o->has_eye |= key == EYE;
-    o->has_at |= key == AT;
-    o->has_up |= key == UP;
+    o->has_eye |= key == VIEW_EYE;
+    o->has_at |= key == VIEW_AT;
+    o->has_up |= key == VIEW_UP;
     return 0;
   }
-  case FOV:
-  case NEAR: {
-    if (!parse_number(arg, key == FOV ? &o->camera.fov : &o->camera.near))
+  case VIEW_FOV:
+  case VIEW_NEAR: {
+    if (!parse_number(arg, key == VIEW_FOV ? &o->camera.fov : &o->camera.near))
       return option_fail(base, "'%s' is not a number", arg);
-    o->has_fov |= key == FOV;
-    o->has_near |= key == NEAR;
+    o->has_fov |= key == VIEW_FOV;
+    o->has_near |= key == VIEW_NEAR;
     return 0;
   }
   default:

@@ -92,6 +92,7 @@ static const struct argp_option render_options[] = {
      "leave out faces of a mesh file that have no area or repeat a vertex, "
      "instead of refusing the file",
      0},
+    VIEW_ARGP_OPTIONS,
     {0}};
 
 static const struct argp argp = {
@@ -105,11 +106,7 @@ static const struct argp argp = {
     "  hsr render house -a watkins -o house.png\n"
     "  hsr render mesh:elephant -a zbuffer -s 1024x1024 -o elephant.exr\n"
     "  hsr render harbor -a watkins --work work.png",
-    (const struct argp_child[]){
-        {&(const struct argp){view_argp_options, NULL, NULL, NULL, NULL, NULL,
-                              NULL},
-         0, "Where to look from:", 1},
-        {0}},
+    NULL,
     NULL,
     NULL};
 

@@ -47,6 +47,7 @@ static const struct argp argp = {
         {"json", 'j', NULL, 0, "print one JSON object", 0},
         {"drop-degenerate", DROP, NULL, 0,
          "leave out faces of a mesh file that cannot be used", 0},
+        VIEW_ARGP_OPTIONS,
         {0}},
     parse,
     "SCENE",
@@ -54,11 +55,7 @@ static const struct argp argp = {
     "view, and prints Table II's rules of thumb beside it, computed from the "
     "measured n, m, F_r, F_c and D_c.\v"
     "  hsr stats harbor --size 500x500",
-    (const struct argp_child[]){
-        {&(const struct argp){view_argp_options, NULL, NULL, NULL, NULL, NULL,
-                              NULL},
-         0, "Where to look from:", 1},
-        {0}},
+    NULL,
     NULL,
     NULL};
 

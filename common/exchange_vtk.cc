@@ -6,6 +6,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
+#include <vtkExecutive.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
@@ -116,8 +117,12 @@ void build(const Mesh_file &file, vtkPolyData *data, Mesh_builder &builder) {
 
 void vtp_read(Mesh_file &file, Mesh_builder &builder) {
   const std::string_view text(file.begin, file.size());
-  if (text.find("<VTKFile") == std::string_view::npos)
+  const size_t tag = text.find("<VTKFile");
+  if (tag == std::string_view::npos)
     file.refuse(1, "is no VTK XML file");
+  const std::string_view head = text.substr(tag, text.find('>', tag) - tag);
+  if (head.find("PolyData") == std::string_view::npos)
+    file.refuse(line_of(file, head.data()), "holds no polygonal data");
   check_claims(file);
 
   Complaint complaint;
@@ -127,6 +132,7 @@ void vtp_read(Mesh_file &file, Mesh_builder &builder) {
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->AddObserver(vtkCommand::ErrorEvent, listener);
   reader->AddObserver(vtkCommand::WarningEvent, listener);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);
   reader->SetReaderErrorObserver(listener);
   reader->SetParserErrorObserver(listener);
   reader->ReadFromInputStringOn();

@@ -200,6 +200,16 @@ void test_triangle() {
   ok_picture(
       little_world().face({NW, {2 * SW.x, 2 * SW.y, 2 * SW.z}, {15, 15, -24}}),
       plain_view(8), upper_half, "the same triangle in an oblique plane");
+
+  /* F, R, U may have any length that doubles have, even where D has not. */
+  for (int exponent : {-1040, 1020}) {
+    struct hsr_view view = plain_view(8);
+    view.F[2] = std::ldexp(view.F[2], exponent);
+    view.R[0] = std::ldexp(view.R[0], exponent);
+    view.U[1] = std::ldexp(view.U[1], exponent);
+    ok_picture(little_world().face(corners), view, upper_half,
+               "the same in a view of 2^" + std::to_string(exponent));
+  }
 }
 
 /* Below the diagonal: -5 < Y <= X < 5, right and bottom edges lost. Together
