@@ -125,15 +125,19 @@ struct sample {
   const hsr_view *view;
   hsr_tally *tally;
   double sx, sy;
-  ray<Interval> r; /* holds the ray */
+  signed char *row_sign; /* a vertex: its row(v), once known; 0: not yet. The
+                            same for all samples of a row of the picture */
+  ray<Interval> r;       /* holds the ray */
 
   /* For the boxes, by axis: E, D, and 1/D where D is certainly not 0. */
   Interval E[3], D[3], reciprocal[3];
   bool slopes[3];
 };
 
-sample make_sample(const hsr_job &job, double sx, double sy) {
-  sample s = {job.world, job.view, job.tally, sx, sy, {}, {}, {}, {}, {}};
+sample make_sample(const hsr_job &job, signed char *row_sign, double sx,
+                   double sy) {
+  sample s = {job.world, job.view, job.tally, sx, sy, row_sign,
+              {},        {},       {},        {}, {}};
   s.r = make_ray<Interval>(*job.view, sx, sy);
   const vec<Interval> &E = s.r.E, &D = s.r.along_D.d;
   const Interval e[3] = {E.x, E.y, E.z}, d[3] = {D.x, D.y, D.z};
@@ -242,11 +246,14 @@ bool decide_planar(const hsr_world &world, uint32_t f) {
 
 /* row(v) = det(D, R, v). A vertex in the direction of R counts as positive. */
 int row(const sample &s, uint32_t v) {
+  signed char &known = s.row_sign[v];
+  if (known)
+    return known;
   const int sign =
       perturbed_sign(s, HSR_ASK_ROW, [&](const auto &r, const auto &h) {
         return det(h.d, r.R, vertex_from(r.E, *s.world, v));
       });
-  return sign ? sign : 1;
+  return known = sign ? static_cast<signed char>(sign) : 1;
 }
 
 /* edge(a, b) = det(a, b, D). 0: the edge's line passes through the eye. */
@@ -516,9 +523,10 @@ bool passes_by(const sample &s, const node &a, double farthest) {
 /* The visible face of the sample at (sx, sy), or HSR_BACKGROUND. Not inlined,
  * so that sx and sy are computed before the rounding mode is changed. */
 [[gnu::noinline]] uint32_t visible_face(const hsr_job &job, const tree &t,
-                                        double sx, double sy) {
+                                        signed char *row_sign, double sx,
+                                        double sy) {
   const Upward upward;
-  const sample s = make_sample(job, sx, sy);
+  const sample s = make_sample(job, row_sign, sx, sy);
   hit nearest = {HSR_BACKGROUND, 0};
   double farthest = infinity; /* the depth of `nearest` is not greater */
 
@@ -599,11 +607,14 @@ static enum hsr_status render(const struct hsr_job *job,
     const struct hsr_view *view = job->view;
     const struct hsr_window w = view->window;
     const tree &t = *static_cast<const tree *>(job->prepared);
+    std::vector<signed char> row_sign(job->world->n_vertices);
     for (int j = w.y0; j < w.y1; j++) {
+      std::fill(row_sign.begin(), row_sign.end(), 0);
       for (int i = w.x0; i < w.x1; i++) {
         HSR_TOUCH(job->tally, i, j);
         job->ids[size_t(j) * job->ids_stride + size_t(i)] =
-            visible_face(*job, t, hsr_sample_x(view, i), hsr_sample_y(view, j));
+            visible_face(*job, t, row_sign.data(), hsr_sample_x(view, i),
+                         hsr_sample_y(view, j));
       }
     }
     return HSR_OK;
@@ -627,7 +638,6 @@ constexpr struct hsr_algorithm describe() {
   a.name = "oracle";
   a.title = "Oracle: exact ray casting from the definition";
   a.authors = "hsr";
-  a.year = 2026;
   a.source = "docs/correct-picture.md";
   a.taxonomy = HSR_YARDSTICK;
   a.kind = HSR_IDS;

@@ -28,9 +28,48 @@ static void rectangle(struct hsr_pen *pen, double x0, double y0, double x1,
   flat(pen, 4, xy, z);
 }
 
-/* One wide face beside several narrow ones; a hypotenuse with vertices of
- * others on it; and thirds, which lie beside their edge by less than a unit in
- * the last place. */
+/* One wide face beside several narrow ones, and a hypotenuse with corners of
+ * others on it. */
+static void exact_junctions(struct hsr_pen *pen) {
+  static const double step[5] = {0, 4, 9, 12, 16};
+  static const double big[3][2] = {{16, 0}, {28, 16}, {16, 16}};
+  static const double small[3][4][2] = {{{16, 0}, {28, 0}, {28, 4}, {19, 4}},
+                                        {{19, 4}, {28, 4}, {28, 8}, {22, 8}},
+                                        {{22, 8}, {28, 8}, {28, 16}}};
+  hsr_pen_object(pen, "exact", false);
+  hsr_pen_palette(pen, 1);
+  rectangle(pen, -12, 0, 0, 16, 0);
+  for (uint32_t i = 0; i < 4; i++) {
+    hsr_pen_palette(pen, i + 2);
+    rectangle(pen, 0, step[i], 12, step[i + 1], 0);
+  }
+  hsr_pen_palette(pen, 7);
+  flat(pen, 3, big, 0);
+  for (uint32_t i = 0; i < 3; i++) {
+    hsr_pen_palette(pen, 8 + i);
+    flat(pen, i < 2 ? 4 : 3, small[i], 0);
+  }
+  hsr_pen_place(pen, NULL);
+}
+
+/* Corners at the thirds of an edge: rounded, they lie beside it. */
+static void thirds(struct hsr_pen *pen) {
+  static const double whole[3][3] = {{36, 0, 0}, {43, 5, 2}, {36, 5, 2}};
+  hsr_pen_object(pen, "thirds", false);
+  for (uint32_t i = 0; i < 3; i++) {
+    double a = i / 3.0, b = (i + 1) / 3.0;
+    const double p[4][3] = {{36 + 7 * a, 5 * a, 2 * a},
+                            {44, 5 * a, 2 * a},
+                            {44, 5 * b, 2 * b},
+                            {36 + 7 * b, 5 * b, 2 * b}};
+    hsr_pen_palette(pen, i);
+    hsr_pen_polygon(pen, 4, p);
+  }
+  hsr_pen_palette(pen, 5);
+  hsr_pen_polygon(pen, 3, whole);
+  hsr_pen_place(pen, NULL);
+}
+
 enum hsr_status hsr_build_t_junction(struct hsr_scene *scene,
                                      const long long *parameter) {
   static const double view[][8] = {
@@ -38,42 +77,11 @@ enum hsr_status hsr_build_t_junction(struct hsr_scene *scene,
       {12, 8, -16, 12, 8, 0, 90}, {0, 6, 6, 0, 6, 0, 90},
       {22, 8, 9, 22, 8, 0, 90},   {40, 4, 5, 38, 3, 0, 90},
       {30, 9, 12, 36, 3, 0, 60},  {6, 2, 4, 16, 5, 0, 80}};
-  static const double step[5] = {0, 4, 9, 12, 16};
-  static const double big[3][2] = {{16, 0}, {28, 16}, {16, 16}};
-  static const double small[3][4][2] = {{{16, 0}, {28, 0}, {28, 4}, {19, 4}},
-                                        {{19, 4}, {28, 4}, {28, 8}, {22, 8}},
-                                        {{22, 8}, {28, 8}, {28, 16}}};
   (void)parameter;
   struct hsr_pen pen;
   hsr_pen_init(&pen, scene);
-  hsr_pen_object(&pen, "exact", false);
-  hsr_pen_palette(&pen, 1);
-  rectangle(&pen, -12, 0, 0, 16, 0);
-  for (uint32_t i = 0; i < 4; i++) {
-    hsr_pen_palette(&pen, i + 2);
-    rectangle(&pen, 0, step[i], 12, step[i + 1], 0);
-  }
-  hsr_pen_palette(&pen, 7);
-  flat(&pen, 3, big, 0);
-  for (uint32_t i = 0; i < 3; i++) {
-    hsr_pen_palette(&pen, 8 + i);
-    flat(&pen, i < 2 ? 4 : 3, small[i], 0);
-  }
-  hsr_pen_place(&pen, NULL);
-  hsr_pen_object(&pen, "thirds", false);
-  for (uint32_t i = 0; i < 3; i++) {
-    double a = i / 3.0, b = (i + 1) / 3.0;
-    const double p[4][3] = {{36 + 7 * a, 5 * a, 2 * a},
-                            {44, 5 * a, 2 * a},
-                            {44, 5 * b, 2 * b},
-                            {36 + 7 * b, 5 * b, 2 * b}};
-    hsr_pen_palette(&pen, i);
-    hsr_pen_polygon(&pen, 4, p);
-  }
-  static const double whole[3][3] = {{36, 0, 0}, {43, 5, 2}, {36, 5, 2}};
-  hsr_pen_palette(&pen, 5);
-  hsr_pen_polygon(&pen, 3, whole);
-  hsr_pen_place(&pen, NULL);
+  exact_junctions(&pen);
+  thirds(&pen);
   HSR_VIEWS(&pen, view, 1);
   hsr_pen_views_to(&pen, 9);
   return pen.status;
@@ -294,10 +302,10 @@ enum hsr_status hsr_build_sub_pixel_gap(struct hsr_scene *scene,
 enum hsr_status hsr_build_needle_fan(struct hsr_scene *scene,
                                      const long long *parameter) {
   static const double view[][8] = {
-      {0, 0, 0, 0, 0, -1, 90},    {0, 0, -128, 0, 0, 0, 90},
-      {1, 1, 0, 1, 1, -1, 90},    {1, 1, -60, 1, 1, -64, 90},
-      {60, 40, 0, 0, 0, -64, 60}, {90, 1, -64, 1, 1, -64, 60},
-      {1, 1, -64, 2, 1, -64, 90}, {-59, -60, -40, -40, -60, -64, 90}};
+      {0, 0, 0, 0, 0, -1, 90},      {0, 0, -128, 0, 0, 0, 90},
+      {1, 1, 0, 1, 1, -1, 90},      {1, 1, -60, 1, 1, -64, 90},
+      {60, 40, 0, 0, 0, -64, 60},   {90, 1, -64, 1, 1, -64, 60},
+      {1, 1, -64, 0, -60, -50, 90}, {-59, -60, -40, -40, -60, -64, 90}};
   enum { N = 720 };
   (void)parameter;
   struct hsr_pen pen;

@@ -59,8 +59,40 @@ enum hsr_status hsr_build_behind_eye(struct hsr_scene *scene,
 }
 
 /* For an eye at the origin that looks to -z with near = 4: plates before, on
- * and behind the near plane, one unit in the last place from it, and faces that
- * cross it, that stand on it with an edge, and with a vertex. */
+ * and behind the near plane, and one unit in the last place from it. */
+static void plates_at_near(struct hsr_pen *pen) {
+  static const double plate[7][4] = {/* x, y, size, depth */
+                                     {-4, 1, 3, 4},
+                                     {-4, -4, 2, 2},
+                                     {-1, -4, 2, 4.000000000000001},
+                                     {1, -4, 2, 3.9999999999999996},
+                                     {3, -4, 1, 4},
+                                     {-1, 1, 2, 6},
+                                     {2, 1, 3, 8}};
+  hsr_pen_object(pen, "plates", false);
+  for (uint32_t i = 0; i < 7; i++) {
+    const double *q = plate[i];
+    hsr_pen_palette(pen, i);
+    hsr_pen_parallelogram(pen, P(q[0], q[1], -q[3]), P(q[2], 0, 0),
+                          P(0, q[2], 0));
+  }
+  hsr_pen_place(pen, NULL);
+}
+
+/* Faces that cross it, and that stand on it with an edge and with a corner. */
+static void slants_at_near(struct hsr_pen *pen) {
+  hsr_pen_object(pen, "slants", false);
+  hsr_pen_palette(pen, 7);
+  hsr_pen_parallelogram(pen, P(-3, -2, -1), P(6, 0, 0), P(0, 1, -8));
+  hsr_pen_palette(pen, 8);
+  triangle(pen, P(-2, 0, -4), P(2, 0, -4), P(0, 3, -7));
+  hsr_pen_palette(pen, 9);
+  triangle(pen, P(3, 0, -4), P(5, -2, -6), P(5, 2, -8));
+  hsr_pen_palette(pen, 10);
+  triangle(pen, P(-3, 3, -2), P(-3, 4, -9), P(3, 3, -9));
+  hsr_pen_place(pen, NULL);
+}
+
 enum hsr_status hsr_build_near_plane(struct hsr_scene *scene,
                                      const long long *parameter) {
   static const double view[][8] = {
@@ -69,35 +101,11 @@ enum hsr_status hsr_build_near_plane(struct hsr_scene *scene,
       {0, 0, -8, 0, 0, 0, 90, 4},  {4, 0, -4, 0, 0, -4, 90, 4},
       {0, 8, -4, 0, 0, -4, 90, 8}, {1, 2, 6, 0, 0, -4, 60, 7.5},
       {6, 5, 4, 0, 0, -5, 50, 0}};
-  /* x, y, size and depth */
-  static const double plate[7][4] = {{-4, 1, 3, 4},
-                                     {-4, -4, 2, 2},
-                                     {-1, -4, 2, 4.000000000000001},
-                                     {1, -4, 2, 3.9999999999999996},
-                                     {3, -4, 1, 4},
-                                     {-1, 1, 2, 6},
-                                     {2, 1, 3, 8}};
   (void)parameter;
   struct hsr_pen pen;
   hsr_pen_init(&pen, scene);
-  hsr_pen_object(&pen, "plates", false);
-  for (uint32_t i = 0; i < 7; i++) {
-    const double *q = plate[i];
-    hsr_pen_palette(&pen, i);
-    hsr_pen_parallelogram(&pen, P(q[0], q[1], -q[3]), P(q[2], 0, 0),
-                          P(0, q[2], 0));
-  }
-  hsr_pen_place(&pen, NULL);
-  hsr_pen_object(&pen, "slants", false);
-  hsr_pen_palette(&pen, 7);
-  hsr_pen_parallelogram(&pen, P(-3, -2, -1), P(6, 0, 0), P(0, 1, -8));
-  hsr_pen_palette(&pen, 8);
-  triangle(&pen, P(-2, 0, -4), P(2, 0, -4), P(0, 3, -7));
-  hsr_pen_palette(&pen, 9);
-  triangle(&pen, P(3, 0, -4), P(5, -2, -6), P(5, 2, -8));
-  hsr_pen_palette(&pen, 10);
-  triangle(&pen, P(-3, 3, -2), P(-3, 4, -9), P(3, 3, -9));
-  hsr_pen_place(&pen, NULL);
+  plates_at_near(&pen);
+  slants_at_near(&pen);
   hsr_pen_object(&pen, "box", true);
   hsr_pen_palette(&pen, 11);
   hsr_pen_box(&pen, -1, -1, -6, 1, 1, -4);

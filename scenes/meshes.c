@@ -110,7 +110,7 @@ static int run_tar(const char *mode, const char *member, int out) {
   posix_spawn_file_actions_t actions;
   if (posix_spawn_file_actions_init(&actions))
     return -1;
-  pid_t child;
+  pid_t child = 0;
   int failed =
       posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0) ||
       posix_spawn_file_actions_adddup2(&actions, out, 1) ||
@@ -271,11 +271,12 @@ enum hsr_status hsr_mesh_names(char ***names, size_t *n,
 static enum hsr_status no_mesh(const char *name, struct hsr_error *err) {
   struct hsr_names list = {0};
   char hint[256] = "";
-  if (!list_files(&list, NULL)) {
-    tidy(&list);
-    hsr_names_like(&list, name, hint, sizeof hint);
-  }
+  enum hsr_status status = list_files(&list, NULL);
+  tidy(&list);
+  hsr_names_like(&list, name, hint, sizeof hint);
   hsr_names_free(&list);
+  if (status == HSR_E_NOMEM)
+    return hsr_fail_nomem(err);
   return hsr_fail(err, HSR_E_INPUT, "there is no mesh %s%s%s", name,
                   own_folder() ? " in HSR_MESH_DIR" : "", hint);
 }

@@ -155,6 +155,8 @@ static enum hsr_status unknown(const char *name, struct hsr_error *err) {
     status = hsr_names_add(&list, b->name, strlen(b->name));
   hsr_names_like(&list, word, hint, sizeof hint);
   hsr_names_free(&list);
+  if (status)
+    return hsr_fail_nomem(err);
   if (strpbrk(name, "./"))
     return hsr_fail(err, HSR_E_INPUT,
                     "%.200s: not a scene: files end in .scene.json, .off, "

@@ -167,7 +167,7 @@ static void plan_lots(struct plan *plan) {
       take(plan, i, k & 1 ? k / 2 : -1 - k / 2);
 }
 
-/* The least scale, in steps of a sixteenth, at which there are lots enough. */
+/* The first scale, in steps of a sixteenth, at which there are lots enough. */
 static void plan_scale(struct plan *plan) {
   plan->scale = 16;
   do {
@@ -199,13 +199,19 @@ static void ground(struct hsr_pen *pen, const struct plan *plan) {
   hsr_pen_place(pen, NULL);
 }
 
-/* A pier wherever its first lot is in the picture. */
+/* Whether the standard view holds a lot on the pier of column i. */
+static bool has_pier(const struct plan *plan, int i) {
+  for (int k = 0; on_pier(i, k); k++)
+    if (holds(plan, (i + 0.5) * HSR_LOT_SIZE, (k + 0.5) * HSR_LOT_SIZE))
+      return true;
+  return false;
+}
+
 static void piers(struct hsr_pen *pen, const struct plan *plan) {
   bool drawn = false;
   int reach = reach_in_lots(plan);
   for (int i = -reach; i <= reach; i++) {
-    if (!on_pier(i, 0) ||
-        !holds(plan, (i + 0.5) * HSR_LOT_SIZE, 0.5 * HSR_LOT_SIZE))
+    if (!has_pier(plan, i))
       continue;
     if (!drawn)
       slab(pen, "pier", 0x9a948a, P(4, HSR_WATER, QUAY_EDGE),
