@@ -120,23 +120,30 @@ template <class T> ray<T> make_ray(const hsr_view &view, double sx, double sy) {
   return r;
 }
 
+/* Signs that samples share, once they are known. */
+struct memo {
+  std::vector<signed char> row; /* a vertex: row(v), the same for all samples of
+                                   a row of the picture; 0: not yet known */
+  std::vector<signed char> c;   /* a face: the sign of c, the same for all
+                                   samples; UNKNOWN: not yet known */
+  enum : signed char { UNKNOWN = 2 };
+};
+
 struct sample {
   const hsr_world *world;
   const hsr_view *view;
   hsr_tally *tally;
   double sx, sy;
-  signed char *row_sign; /* a vertex: its row(v), once known; 0: not yet. The
-                            same for all samples of a row of the picture */
-  ray<Interval> r;       /* holds the ray */
+  memo *known;
+  ray<Interval> r; /* holds the ray */
 
   /* For the boxes, by axis: E, D, and 1/D where D is certainly not 0. */
   Interval E[3], D[3], reciprocal[3];
   bool slopes[3];
 };
 
-sample make_sample(const hsr_job &job, signed char *row_sign, double sx,
-                   double sy) {
-  sample s = {job.world, job.view, job.tally, sx, sy, row_sign,
+sample make_sample(const hsr_job &job, memo *known, double sx, double sy) {
+  sample s = {job.world, job.view, job.tally, sx, sy, known,
               {},        {},       {},        {}, {}};
   s.r = make_ray<Interval>(*job.view, sx, sy);
   const vec<Interval> &E = s.r.E, &D = s.r.along_D.d;
@@ -246,7 +253,7 @@ bool decide_planar(const hsr_world &world, uint32_t f) {
 
 /* row(v) = det(D, R, v). A vertex in the direction of R counts as positive. */
 int row(const sample &s, uint32_t v) {
-  signed char &known = s.row_sign[v];
+  signed char &known = s.known->row[v];
   if (known)
     return known;
   const int sign =
@@ -284,9 +291,13 @@ bool is_parity_odd(const sample &s, uint32_t f) {
 /* The sign of c = N·(S - kE): -1 if the eye is in front of the face's plane,
  * 1 if behind, 0 if in it. */
 int sign_of_c(const sample &s, uint32_t f) {
-  return perturbed_sign(s, HSR_ASK_FACING, [&](const auto &r, const auto &h) {
-    return make_plane(r, *s.world, f).c * h.one;
-  });
+  signed char &known = s.known->c[f];
+  if (known == memo::UNKNOWN)
+    known = static_cast<signed char>(
+        perturbed_sign(s, HSR_ASK_FACING, [&](const auto &r, const auto &h) {
+          return make_plane(r, *s.world, f).c * h.one;
+        }));
+  return known;
 }
 
 /* The sign of N·D. */
@@ -312,10 +323,10 @@ struct hit {
 
 /* Whether face f exists and covers the sample, as *found then tells. */
 bool covers(const sample &s, uint32_t f, hit *found) {
-  if (!is_parity_odd(s, f))
-    return false;
   const int side = sign_of_c(s, f);
   if (side == 0 || (s.world->one_sided[f] && side > 0))
+    return false;
+  if (!is_parity_odd(s, f))
     return false;
   if (sign_of_slope(s, f) != side || sign_beyond_near(s, f) != side)
     return false;
@@ -523,10 +534,9 @@ bool passes_by(const sample &s, const node &a, double farthest) {
 /* The visible face of the sample at (sx, sy), or HSR_BACKGROUND. Not inlined,
  * so that sx and sy are computed before the rounding mode is changed. */
 [[gnu::noinline]] uint32_t visible_face(const hsr_job &job, const tree &t,
-                                        signed char *row_sign, double sx,
-                                        double sy) {
+                                        memo *known, double sx, double sy) {
   const Upward upward;
-  const sample s = make_sample(job, row_sign, sx, sy);
+  const sample s = make_sample(job, known, sx, sy);
   hit nearest = {HSR_BACKGROUND, 0};
   double farthest = infinity; /* the depth of `nearest` is not greater */
 
@@ -607,14 +617,14 @@ static enum hsr_status render(const struct hsr_job *job,
     const struct hsr_view *view = job->view;
     const struct hsr_window w = view->window;
     const tree &t = *static_cast<const tree *>(job->prepared);
-    std::vector<signed char> row_sign(job->world->n_vertices);
+    memo known = {std::vector<signed char>(job->world->n_vertices),
+                  std::vector<signed char>(job->world->n_faces, memo::UNKNOWN)};
     for (int j = w.y0; j < w.y1; j++) {
-      std::fill(row_sign.begin(), row_sign.end(), 0);
+      std::fill(known.row.begin(), known.row.end(), 0);
       for (int i = w.x0; i < w.x1; i++) {
         HSR_TOUCH(job->tally, i, j);
-        job->ids[size_t(j) * job->ids_stride + size_t(i)] =
-            visible_face(*job, t, row_sign.data(), hsr_sample_x(view, i),
-                         hsr_sample_y(view, j));
+        job->ids[size_t(j) * job->ids_stride + size_t(i)] = visible_face(
+            *job, t, &known, hsr_sample_x(view, i), hsr_sample_y(view, j));
       }
     }
     return HSR_OK;

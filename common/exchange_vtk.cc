@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // .vtp files, through VTK.
 
+#include "common/exchange.h"
 #include "common/mesh_file.h"
 
 #include <vtkCallbackCommand.h>

@@ -201,7 +201,7 @@ static enum hsr_status read_index(const struct reader *reader,
                                   const struct place *place,
                                   const json_t *value, const char *what,
                                   uint32_t n, uint32_t *to) {
-  double number;
+  double number = 0;
   enum hsr_status status = read_number(reader, place, value, &number);
   if (status)
     return status;
@@ -553,7 +553,7 @@ static enum hsr_status read_mesh(struct reader *reader,
                                  struct hsr_object **object) {
   static const char *const excluded[] = {"vertices", "faces", "face_colours",
                                          NULL};
-  const char *file;
+  const char *file = "";
   enum hsr_status status = exclude(reader, place, value, "file", excluded);
   if (!status)
     status = read_string(reader, &(struct place){place, "file", 0},
@@ -792,7 +792,7 @@ static enum hsr_status check_schema(const struct reader *reader,
                                     const json_t *root) {
   struct place place = {NULL, "schema", 0};
   json_t *schema;
-  const char *text;
+  const char *text = "";
   if (!json_is_object(root))
     return wrong_kind(reader, NULL, "an object", root);
   enum hsr_status status = require(reader, NULL, root, "schema", &schema);
@@ -828,7 +828,7 @@ static enum hsr_status read_views(const struct reader *reader,
 static enum hsr_status read_scene(struct reader *reader, json_t *root) {
   static const char *const keys[] = {"schema",    "name",  "objects",
                                      "instances", "views", NULL};
-  const char *text;
+  const char *text = "";
   json_t *member;
   enum hsr_status status = check_schema(reader, root);
   if (!status)

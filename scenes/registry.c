@@ -254,8 +254,14 @@ enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
   if (!*scene)
     return hsr_fail_nomem(err);
   enum hsr_status status = fill(*scene, name, import, err);
-  if (!status)
-    status = hsr_scene_finish(*scene, err);
+  struct hsr_error unfit;
+  if (!status) {
+    status = hsr_scene_finish(*scene, &unfit);
+    if (status == HSR_E_INPUT)
+      hsr_fail(err, status, "%.150s: %.300s", name, unfit.text);
+    else if (status && err)
+      *err = unfit;
+  }
   if (status) {
     hsr_scene_delete(*scene);
     *scene = NULL;

@@ -15,7 +15,6 @@ libdraw_a_SOURCES = %D%/draw.c %D%/draw.h %D%/tap.h
 LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_exchange_test_SOURCES = %D%/unit/exchange_test.cc
 %C%_unit_image_test_SOURCES = %D%/unit/image_test.cc
-%C%_unit_image_test_CPPFLAGS = $(AM_CPPFLAGS) $(OIIO_SYSTEM_CFLAGS)
 %C%_unit_oracle_test_SOURCES = %D%/unit/oracle_test.cc
 %C%_unit_scene_json_test_SOURCES = %D%/unit/scene_json_test.c
 nodist_EXTRA_%C%_unit_scene_json_test_SOURCES = force_cxx_link.cc
