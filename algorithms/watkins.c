@@ -350,6 +350,7 @@ static bool first_is_nearer(struct scan *s, const struct segment *f,
                             struct part pg, int l, int r, int j, int *end) {
   double margin = f->error + g->error;
   for (;;) {
+    HSR_TOUCH_SPAN(s->tally, l, r, j);
     HSR_STEP(s->tally, DEPTH_SEARCH, HSR_COMPARE, f->face, g->face, l, j, r,
              j + 1);
     *end = r;
@@ -470,10 +471,9 @@ static void scan_row(struct scan *s, int j) {
     float_right(s, visible, next, &right, j);
     uint32_t id = visible ? visible->face : HSR_BACKGROUND;
     HSR_STEP(s->tally, SPANS, HSR_SPAN, id, HSR_NOTHING, left, j, right, j + 1);
-    for (int i = left; i < right; i++) {
-      HSR_TOUCH(s->tally, i, j);
+    HSR_TOUCH_SPAN(s->tally, left, right, j);
+    for (int i = left; i < right; i++)
       row[i] = id;
-    }
   }
 }
 

@@ -94,6 +94,8 @@ void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);
 /* HSR_STEP(tally, X_SORT, HSR_COMPARE, a, b, x0, y0, x1, y1): one more, and an
  * event when someone listens. */
 /* HSR_TOUCH(tally, i, j): the sample was touched. */
+/* HSR_TOUCH_SPAN(tally, x0, x1, j): the samples [x0, x1) of row j were touched
+ * all at once: each by its share. */
 /* HSR_COUNT_DEPTHS(tally, n): n more comparisons of two faces' depths. */
 #if HSR_COUNTING
 #define HSR_COUNT(tally, counter, n)                                           \
@@ -111,6 +113,12 @@ void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);
     if ((tally)->work)                                                         \
       (tally)->work[(size_t)(j) * (tally)->work_stride + (size_t)(i)] += 1;    \
   } while (0)
+#define HSR_TOUCH_SPAN(tally, x0_, x1_, j_)                                    \
+  do {                                                                         \
+    for (int i_ = (x0_); (tally)->work && i_ < (x1_); i_++)                    \
+      (tally)->work[(size_t)(j_) * (tally)->work_stride + (size_t)i_] +=       \
+          1.0f / (float)((x1_) - (x0_));                                       \
+  } while (0)
 #define HSR_COUNT_DEPTHS(tally, n)                                             \
   ((void)((tally)->depths_compared += (uint64_t)(n)))
 #else
@@ -120,6 +128,8 @@ void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);
   ((void)sizeof((tally) + (counter) + (event_kind) + (a_) + (b_) + (x0_) +     \
                 (y0_) + (x1_) + (y1_)))
 #define HSR_TOUCH(tally, i, j) ((void)sizeof((tally) + (i) + (j)))
+#define HSR_TOUCH_SPAN(tally, x0_, x1_, j_)                                    \
+  ((void)sizeof((tally) + (x0_) + (x1_) + (j_)))
 #define HSR_COUNT_DEPTHS(tally, n) ((void)sizeof((tally) + (n)))
 #endif
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <new>
@@ -138,13 +139,14 @@ void write_colours(const std::string &path, const hsr_picture &picture,
   write_file(path, spec, TypeDesc::UINT8, bytes.data());
 }
 
-/* Scaled to 1, through a ramp of even steps to the eye, dark to bright. */
+/* Logarithmically to 1, over a factor of 256, since work is spread as unevenly
+ * as that; through a ramp of even steps to the eye, dark to bright. */
 void write_ramp(const std::string &path, int m, int n, const float *work) {
   const size_t size = size_t(m) * size_t(n);
   const float most = *std::max_element(work, work + size);
   std::vector<float> scaled(work, work + size);
   for (float &x : scaled)
-    x = most > 0 ? x / most : 0;
+    x = most > 0 ? std::log2(1 + 255 * x / most) / 8 : 0;
   const OIIO::ImageBuf source(ImageSpec(m, n, 1, TypeDesc::FLOAT),
                               scaled.data());
   errno = 0;

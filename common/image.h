@@ -22,8 +22,8 @@ enum hsr_status hsr_image_write(const char *path,
                                 const struct hsr_picture *picture,
                                 const char *text, struct hsr_error *err);
 
-/* Writes one float channel, m x n: .exr as it is (channel Y); others scaled so
- * that the largest value is white, through a perceptual colour ramp. */
+/* Writes one float channel, m x n: .exr as it is (channel Y); others through a
+ * perceptual colour ramp, logarithmically, the largest value brightest. */
 enum hsr_status hsr_image_write_work(const char *path, int m, int n,
                                      const float *work, struct hsr_error *err);
 
