@@ -273,7 +273,7 @@ void mesh_read(struct hsr_scene *scene, const char *path,
   if (!workshop.object->n_faces)
     file.refuse(0, "all of its %llu faces are degenerate",
                 static_cast<unsigned long long>(builder.n_given()));
-  bool solid;
+  bool solid = false;
   if (hsr_object_is_solid(workshop.object, &solid))
     throw std::bad_alloc();
   workshop.object->one_sided = solid;

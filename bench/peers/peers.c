@@ -380,8 +380,8 @@ static enum hsr_status run_all(const struct options *options,
   return status;
 }
 
-/* Memory once taken stays with the process: else page faults are a third of
- * llvmpipe's time, which allocates in every frame. */
+/* Memory once taken stays with the process: else page faults are nearly half of
+ * the time of llvmpipe, which allocates in every frame. */
 static void keep_memory(void) {
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
   mallopt(M_TRIM_THRESHOLD, INT32_MAX);
