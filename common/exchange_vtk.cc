@@ -9,6 +9,7 @@
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
 #include <vtkIdList.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkPoints.h>
@@ -73,6 +74,26 @@ void check_claims(const Mesh_file &file) {
   }
 }
 
+/* VTK loses memory over points of other than three components. */
+void check_points(const Mesh_file &file) {
+  const std::string_view text(file.begin, file.size());
+  constexpr std::string_view name = " NumberOfComponents";
+  for (size_t at = text.find("<Points"); at != std::string_view::npos;
+       at = text.find("<Points", at + 1)) {
+    const size_t tag = text.find("<DataArray", at);
+    if (tag == std::string_view::npos)
+      continue;
+    const std::string_view array = text.substr(tag, text.find('>', tag) - tag);
+    const size_t number = array.find(name);
+    const std::string_view value = number == std::string_view::npos
+                                       ? std::string_view()
+                                       : array.substr(number + name.size());
+    if (value.substr(0, 4) != "=\"3\"" && value.substr(0, 4) != "='3'")
+      file.refuse(line_of(file, array.data()),
+                  "has points of other than 3 coordinates");
+  }
+}
+
 void add_cells(vtkCellArray *cells, bool strips, Mesh_builder &builder) {
   vtkNew<vtkIdList> ids;
   std::vector<uint32_t> corners;
@@ -125,7 +146,9 @@ void vtp_read(Mesh_file &file, Mesh_builder &builder) {
   if (head.find("PolyData") == std::string_view::npos)
     file.refuse(line_of(file, head.data()), "holds no polygonal data");
   check_claims(file);
+  check_points(file);
 
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   Complaint complaint;
   vtkNew<vtkCallbackCommand> listener;
   listener->SetClientData(&complaint);
