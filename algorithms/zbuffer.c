@@ -10,13 +10,15 @@
  * Ties        wherever the depths are closer than their bounds, and wherever a
  *             sample is closer to an edge than its bound: by hsr_nearer and
  *             hsr_covers
- * Departures  none: "if the new polygon is closer, its data replaces that
- *             already in the memory"
+ * Departures  none in what is compared
  * Cost        10 H_f^2 F_r predicted
  *
  * Small triangles before the eye take the fast way, sixteen at a time: their
  * vertices are snapped to a grid of 2^-15 pixel, and coverage and depth are
  * computed in floats. All other faces take the general way, row by row.
+ *
+ * A large picture is tiled in bands of rows, one after the other in one small
+ * memory of depths: its triangles are set up once and sorted into the bands.
  *
  * Snapping moves a coordinate by at most s = 2^-16 + 2^-26 (common/screen.h).
  * With W and H the width and height in pixels of the box of the samples in
@@ -26,10 +28,12 @@
  *
  * Coverage. e = dx hy - dy hx changes by at most 2.1 s (|dx| + |dy| + |hx| +
  * |hy|) <= 4.2 s (W + H + 4). Differences of snapped coordinates are exact in
- * floats, being below 2^24 grid units. e is computed as (e_00 + ey jj) + ex ii;
- * its products and sums, seven roundings of terms no larger than 2 (W + 2)(H +
- * 2), err by at most 14 * 2^-24 (W + 2)(H + 2) < 2^-20 (W + 2)(H + 2). The
- * bound is 5 s (W + H + 4) + 2^-20 (W + 2)(H + 2).
+ * floats, being below 2^24 grid units. e is computed as (e_00 + ey jj) + ex ii,
+ * or as (e_00 + ex ii) + ey jj; its products and sums, seven roundings of terms
+ * no larger than 2 (W + 2)(H + 2), err by at most 14 * 2^-24 (W + 2)(H + 2) <
+ * 2^-20 (W + 2)(H + 2). The bound is 5 s (W + H + 4) + 2^-20 (W + 2)(H + 2). A
+ * fused multiply-add leaves out the rounding of its product, here and below,
+ * and errs by no more than what is reckoned for the two operations.
  *
  * Depth. The plane through the snapped vertices with their depths q^ differs at
  * a sample of the triangle from the true one by the interpolated residuals at
@@ -52,9 +56,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#if defined __x86_64__ && HSR_HAVE_TARGET_CLONES
+/* The counting build takes the portable way, so that what it counts and traces
+ * is the same on every machine: triangle after triangle, sample by sample. */
+#if defined __x86_64__ && HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
 #include <immintrin.h>
 #define HAVE_AVX512_TWIN 1
+#define AVX512 __attribute__((target("avx512f")))
 #endif
 
 /* Only to measure what exactness costs: decide by the floats alone. */
@@ -87,8 +94,13 @@ enum {
   GRID = 1 << GRID_BITS, /* grid units a pixel */
   UNSAFE = INT_MIN,      /* snapped coordinate of a vertex that is not safe */
   LARGEST_BOX = 500,     /* pixels; keeps differences below 2^24 grid units */
-  AHEAD = 6,             /* triangles from the fetching to the tiling */
-  BATCH = 128            /* faces looked at together */
+  LANES = 16,
+  BATCH = 128,          /* faces looked at together; whole vectors of them */
+  SMALL_BOX = 16,       /* samples; above, a triangle fills its own lanes */
+  QUEUE = 512,          /* samples */
+  ONE_BAND = 1 << 20,   /* samples of a picture that is not cut into bands */
+  BAND_BYTES = 1 << 19, /* of depths, to stay in the second level cache */
+  PAD = 16 /* floats: rows of a band do not meet in the same cache sets */
 };
 /* Pixels; sums and differences of snapped coordinates fit in an int. */
 static const double FARTHEST = 32767.9;
@@ -128,6 +140,18 @@ struct triangle {
   float q, qx, qy;
   int x0, y0, x1, y1;
   uint32_t face;
+  bool generally; /* only y0, y1 and face count: it takes the general way */
+};
+
+/* Faces looked at together: what becomes of each, and the n_fast ones in
+ * `corners` and `triangles`, of which the k-th is face first + place[k]. */
+struct batch {
+  uint32_t first;
+  int n, n_fast;
+  struct corners corners;
+  struct triangles triangles;
+  int one_sided[BATCH], fate[BATCH], place[BATCH];
+  int good[BATCH]; /* floats hold the depth of the k-th fast one within RHO */
 };
 
 struct tiling {
@@ -135,15 +159,25 @@ struct tiling {
   struct hsr_tally *tally;
   struct hsr_screen screen;
   struct corner *corner; /* a vertex */
-  float *z; /* z of sample (i, j) at z[(j - y0) * z_stride + i - x0] */
+  float *z; /* z of sample (i, j) at z[(j - band_y0) * z_stride + i - x0] */
   size_t z_stride;
   struct hsr_window window;
+  int band_rows;         /* of a band, except the last */
+  int band_y0, band_y1;  /* the band being tiled */
+  struct triangle *kept; /* set up, for all bands; NULL if there is but one */
+  size_t n_kept;
   int first_x, first_y; /* of sample (0, 0), grid units */
-  bool on_grid;         /* the samples lie on the grid */
+  bool fast;            /* triangles, and samples on the grid */
   int *columns;         /* room for the spans of the largest face */
 };
 
-typedef void tile_function(struct tiling *, const struct triangle *);
+/* The steps that are written twice, for every machine and for AVX-512. */
+struct twin {
+  void (*gather)(const struct tiling *, struct batch *);
+  void (*compact)(struct batch *);
+  void (*tile)(struct tiling *, const struct triangle *);
+  void (*tile_batch)(struct tiling *, const struct batch *);
+};
 
 /* --- What floats cannot tell
  * -------------------------------------------------- */
@@ -170,7 +204,7 @@ static bool is_nearer(struct tiling *t, uint32_t f, uint32_t held, int i,
 static inline void settle(struct tiling *t, uint32_t f, float q, bool sure,
                           int i, int j) {
   uint32_t *id = &t->job->ids[(size_t)j * t->job->ids_stride + (size_t)i];
-  float *z = &t->z[(size_t)(j - t->window.y0) * t->z_stride +
+  float *z = &t->z[(size_t)(j - t->band_y0) * t->z_stride +
                    (size_t)(i - t->window.x0)];
 #if HSR_ZBUFFER_INEXACT
   (void)covers;
@@ -194,167 +228,76 @@ static inline void settle(struct tiling *t, uint32_t f, float q, bool sure,
 #endif
 }
 
-/* --- Tiling a triangle
- * --------------------------------------------------------- */
-
-static void tile_portable(struct tiling *t, const struct triangle *tri) {
-  for (int j = tri->y0; j < tri->y1; j++) {
-    float down = (float)(j - tri->y0);
-    float e0 = tri->e0 + tri->ey0 * down, e1 = tri->e1 + tri->ey1 * down,
-          e2 = tri->e2 + tri->ey2 * down, q = tri->q + tri->qy * down;
-    for (int i = tri->x0; i < tri->x1; i++) {
-      float right = (float)(i - tri->x0);
-      float d0 = e0 + tri->ex0 * right, d1 = e1 + tri->ex1 * right,
-            d2 = e2 + tri->ex2 * right;
-      float d = d0 < d1 ? d0 : d1;
-      d = d < d2 ? d : d2;
-      if (d >= -tri->bound)
-        settle(t, tri->face, q + tri->qx * right, d > tri->bound, i, j);
-    }
-  }
-}
-
-#ifdef HAVE_AVX512_TWIN
-
-/* Counts what sixteen lanes decided, before they write. */
-static inline void count_row(struct tiling *t, uint32_t f, const uint32_t *ids,
-                             int x, int j, unsigned nearer, unsigned farther) {
-#if HSR_COUNTING
-  for (unsigned lanes = nearer | farther; lanes; lanes &= lanes - 1) {
-    int k = __builtin_ctz(lanes), i = x + k;
-    HSR_TOUCH(t->tally, i, j);
-    HSR_STEP(t->tally, DEPTH_TESTS, HSR_COMPARE, f, ids[k], i, j, i + 1, j + 1);
-    HSR_COUNT_DEPTHS(t->tally, ids[k] != HSR_BACKGROUND);
-    if (nearer >> k & 1)
-      HSR_STEP(t->tally, WRITES, HSR_ACCEPT, f, ids[k], i, j, i + 1, j + 1);
-  }
-#else
-  (void)t, (void)f, (void)ids, (void)x, (void)j, (void)nearer, (void)farther;
-#endif
-}
-
-/* A linear function: its value at the box's first sample, and its steps. */
-__attribute__((target("avx512f"))) static inline __m512
-at_avx512(float first, float x, __m512 right, float y, __m512 down) {
-  return _mm512_add_ps(_mm512_add_ps(_mm512_set1_ps(first),
-                                     _mm512_mul_ps(_mm512_set1_ps(x), right)),
-                       _mm512_mul_ps(_mm512_set1_ps(y), down));
-}
-
-/* Four by four samples at once; most triangles have no more in their box. */
-__attribute__((target("avx512f"))) static void
-tile_block_avx512(struct tiling *t, const struct triangle *tri) {
-  const __m512 right =
-      _mm512_set_ps(3, 2, 1, 0, 3, 2, 1, 0, 3, 2, 1, 0, 3, 2, 1, 0);
-  const __m512 down =
-      _mm512_set_ps(3, 3, 3, 3, 2, 2, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0);
-  __m512 d0 = at_avx512(tri->e0, tri->ex0, right, tri->ey0, down);
-  __m512 d1 = at_avx512(tri->e1, tri->ex1, right, tri->ey1, down);
-  __m512 d2 = at_avx512(tri->e2, tri->ex2, right, tri->ey2, down);
-  __m512 d = _mm512_min_ps(_mm512_min_ps(d0, d1), d2);
-  int width = tri->x1 - tri->x0, height = tri->y1 - tri->y0;
-  __mmask16 in_box =
-      (__mmask16)(0x1111 * ((1 << width) - 1) & ((1 << 4 * height) - 1));
-  unsigned maybe = _mm512_mask_cmp_ps_mask(
-      in_box, d, _mm512_set1_ps(-tri->bound), _CMP_GE_OQ);
-  if (!maybe)
-    return;
-  unsigned sure = _mm512_cmp_ps_mask(d, _mm512_set1_ps(tri->bound), _CMP_GT_OQ);
-  float q[16];
-  _mm512_storeu_ps(q, at_avx512(tri->q, tri->qx, right, tri->qy, down));
-  for (; maybe; maybe &= maybe - 1) {
-    int k = __builtin_ctz(maybe);
-    settle(t, tri->face, q[k], sure >> k & 1, tri->x0 + (k & 3),
-           tri->y0 + (k >> 2));
-  }
-}
-
-/* Sixteen samples of a row at a time. */
-__attribute__((target("avx512f"))) static void
-tile_avx512(struct tiling *t, const struct triangle *tri) {
-  if (tri->x1 - tri->x0 <= 4 && tri->y1 - tri->y0 <= 4) {
-    tile_block_avx512(t, tri);
-    return;
-  }
-  const __m512 lanes =
-      _mm512_set_ps(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-  const __m512 bound = _mm512_set1_ps(tri->bound),
-               minus_bound = _mm512_set1_ps(-tri->bound),
-               clear = _mm512_set1_ps(CLEAR);
-  const __m512i face = _mm512_set1_epi32((int)tri->face);
-  for (int x = tri->x0; x < tri->x1; x += 16) {
-    __m512 right = _mm512_add_ps(lanes, _mm512_set1_ps((float)(x - tri->x0)));
-    __m512 e0 = _mm512_add_ps(_mm512_set1_ps(tri->e0),
-                              _mm512_mul_ps(_mm512_set1_ps(tri->ex0), right));
-    __m512 e1 = _mm512_add_ps(_mm512_set1_ps(tri->e1),
-                              _mm512_mul_ps(_mm512_set1_ps(tri->ex1), right));
-    __m512 e2 = _mm512_add_ps(_mm512_set1_ps(tri->e2),
-                              _mm512_mul_ps(_mm512_set1_ps(tri->ex2), right));
-    __m512 q0 = _mm512_add_ps(_mm512_set1_ps(tri->q),
-                              _mm512_mul_ps(_mm512_set1_ps(tri->qx), right));
-    int n = tri->x1 - x;
-    __mmask16 in_box = (__mmask16)(n >= 16 ? 0xffff : (1 << n) - 1);
-    uint32_t *ids =
-        t->job->ids + (size_t)tri->y0 * t->job->ids_stride + (size_t)x;
-    float *z = t->z + (size_t)(tri->y0 - t->window.y0) * t->z_stride +
-               (size_t)(x - t->window.x0);
-    for (int j = tri->y0; j < tri->y1;
-         j++, ids += t->job->ids_stride, z += t->z_stride) {
-      __m512 down = _mm512_set1_ps((float)(j - tri->y0));
-      __m512 d0 =
-          _mm512_add_ps(e0, _mm512_mul_ps(_mm512_set1_ps(tri->ey0), down));
-      __m512 d1 =
-          _mm512_add_ps(e1, _mm512_mul_ps(_mm512_set1_ps(tri->ey1), down));
-      __m512 d2 =
-          _mm512_add_ps(e2, _mm512_mul_ps(_mm512_set1_ps(tri->ey2), down));
-      __m512 d = _mm512_min_ps(_mm512_min_ps(d0, d1), d2);
-      __mmask16 maybe =
-          _mm512_mask_cmp_ps_mask(in_box, d, minus_bound, _CMP_GE_OQ);
-      if (!maybe)
-        continue;
-      __mmask16 sure = _mm512_mask_cmp_ps_mask(maybe, d, bound, _CMP_GT_OQ);
-      __m512 q =
-          _mm512_add_ps(q0, _mm512_mul_ps(_mm512_set1_ps(tri->qy), down));
-      __m512 held = _mm512_maskz_loadu_ps(maybe, z);
-      __mmask16 nearer = _mm512_mask_cmp_ps_mask(
-          sure, q, _mm512_mul_ps(held, clear), _CMP_GT_OQ);
-      __mmask16 farther = _mm512_mask_cmp_ps_mask(sure, _mm512_mul_ps(q, clear),
-                                                  held, _CMP_LT_OQ);
-      count_row(t, tri->face, ids, x, j, nearer, farther);
-      _mm512_mask_storeu_ps(z, nearer, q);
-      _mm512_mask_storeu_epi32(ids, nearer, face);
-      unsigned unsure = maybe & ~(unsigned)(nearer | farther);
-      if (unsure) {
-        float depth[16];
-        _mm512_storeu_ps(depth, q);
-        for (; unsure; unsure &= unsure - 1) {
-          int k = __builtin_ctz(unsure);
-          settle(t, tri->face, depth[k], sure >> k & 1, x + k, j);
-        }
-      }
-    }
-  }
-}
-
-#endif
-
 /* --- Looking at a batch
  * ---------------------------------------------------------- */
 
-/* The corners of n triangles from `first` on. */
-static void gather(const struct tiling *t, uint32_t first, int n,
-                   struct corners *restrict r, int *restrict one_sided) {
-  const uint32_t *restrict vertex = t->job->world->vertex + 3 * (size_t)first;
+/* The corners of the faces from the k-th on. */
+static void gather_from(const struct tiling *t, struct batch *batch, int k) {
+  const struct hsr_world *world = t->job->world;
+  const uint32_t *restrict vertex = world->vertex + 3 * (size_t)batch->first;
   const struct corner *restrict corner = t->corner;
-  for (int k = 0; k < n; k++) {
+  struct corners *restrict r = &batch->corners;
+  for (; k < batch->n; k++) {
     struct corner a = corner[vertex[3 * k]], b = corner[vertex[3 * k + 1]],
                   c = corner[vertex[3 * k + 2]];
     r->ax[k] = a.x, r->ay[k] = a.y, r->qa[k] = a.q;
     r->bx[k] = b.x, r->by[k] = b.y, r->qb[k] = b.q;
     r->cx[k] = c.x, r->cy[k] = c.y, r->qc[k] = c.q;
-    one_sided[k] = t->job->world->one_sided[first + (uint32_t)k];
+    batch->one_sided[k] = world->one_sided[batch->first + (uint32_t)k];
   }
 }
+
+static void gather_portable(const struct tiling *t, struct batch *b) {
+  gather_from(t, b, 0);
+}
+
+#ifdef HAVE_AVX512_TWIN
+
+/* Corners v[0], v[12], v[24] and v[36]. */
+AVX512 static inline __m512i load_corners(const struct corner *corner,
+                                          const uint32_t *v) {
+  __m512i r =
+      _mm512_castsi128_si512(_mm_loadu_si128((const __m128i *)&corner[v[0]]));
+  r = _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[12]]),
+                         1);
+  r = _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[24]]),
+                         2);
+  return _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[36]]),
+                            3);
+}
+
+/* Corners v[0], v[3], ... v[45]: four transpositions of four by four. */
+AVX512 static inline void gather_corners(const struct corner *corner,
+                                         const uint32_t *v, int *x, int *y,
+                                         float *q) {
+  __m512i c0 = load_corners(corner, v), c1 = load_corners(corner, v + 3),
+          c2 = load_corners(corner, v + 6), c3 = load_corners(corner, v + 9);
+  __m512i xy01 = _mm512_unpacklo_epi32(c0, c1),
+          xy23 = _mm512_unpacklo_epi32(c2, c3),
+          q01 = _mm512_unpackhi_epi32(c0, c1),
+          q23 = _mm512_unpackhi_epi32(c2, c3);
+  _mm512_storeu_si512(x, _mm512_unpacklo_epi64(xy01, xy23));
+  _mm512_storeu_si512(y, _mm512_unpackhi_epi64(xy01, xy23));
+  _mm512_storeu_si512(q, _mm512_unpacklo_epi64(q01, q23));
+}
+
+AVX512 static void gather_avx512(const struct tiling *t, struct batch *b) {
+  const struct hsr_world *world = t->job->world;
+  const uint32_t *v = world->vertex + 3 * (size_t)b->first;
+  const void *one_sided = world->one_sided + b->first;
+  struct corners *r = &b->corners;
+  int k = 0;
+  for (; k + LANES <= b->n; k += LANES, v += 3 * LANES) {
+    gather_corners(t->corner, v, r->ax + k, r->ay + k, r->qa + k);
+    gather_corners(t->corner, v + 1, r->bx + k, r->by + k, r->qb + k);
+    gather_corners(t->corner, v + 2, r->cx + k, r->cy + k, r->qc + k);
+    __m128i bytes = _mm_loadu_si128((const __m128i *)one_sided + k / LANES);
+    _mm512_storeu_si512(b->one_sided + k, _mm512_cvtepu8_epi32(bytes));
+  }
+  gather_from(t, b, k);
+}
+
+#endif
 
 /* Finds their boxes, turns them so that their area on the screen is positive,
  * and says what becomes of them. */
@@ -423,21 +366,58 @@ HSR_VECTOR static void look(const struct tiling *t, int n,
   }
 }
 
-/* Moves the triangles to be tiled to the front; face[] tells which they are. */
-static int compact(struct corners *r, const int *fate, int n, int *face) {
+/* Moves the triangles to be tiled to the front. */
+static void compact_portable(struct batch *b) {
+  struct corners *r = &b->corners;
   int kept = 0;
-  for (int k = 0; k < n; k++) {
-    if (fate[k] != TILE)
+  for (int k = 0; k < b->n; k++) {
+    if (b->fate[k] != TILE)
       continue;
     r->ax[kept] = r->ax[k], r->ay[kept] = r->ay[k], r->qa[kept] = r->qa[k];
     r->bx[kept] = r->bx[k], r->by[kept] = r->by[k], r->qb[kept] = r->qb[k];
     r->cx[kept] = r->cx[k], r->cy[kept] = r->cy[k], r->qc[kept] = r->qc[k];
     r->x0[kept] = r->x0[k], r->y0[kept] = r->y0[k];
     r->x1[kept] = r->x1[k], r->y1[kept] = r->y1[k];
-    face[kept++] = k;
+    b->place[kept++] = k;
   }
-  return kept;
+  b->n_fast = kept;
 }
+
+#ifdef HAVE_AVX512_TWIN
+
+AVX512 static inline __m512i lane_numbers(void) {
+  return _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
+}
+
+/* The first n lanes. */
+static inline __mmask16 first_lanes(int n) {
+  return (__mmask16)(n >= LANES ? 0xffff : (1 << n) - 1);
+}
+
+AVX512 static void compact_avx512(struct batch *b) {
+  struct corners *r = &b->corners;
+  void *const rows[] = {r->ax, r->ay, r->bx, r->by, r->cx, r->cy, r->qa,
+                        r->qb, r->qc, r->x0, r->y0, r->x1, r->y1};
+  int kept = 0;
+  for (int k = 0; k < b->n; k += LANES) {
+    __mmask16 keep = _mm512_mask_cmpeq_epi32_mask(
+        first_lanes(b->n - k), _mm512_loadu_si512(b->fate + k),
+        _mm512_set1_epi32(TILE));
+    /* Never ahead of what is still to be read, since kept <= k. */
+    for (size_t a = 0; a < sizeof rows / sizeof *rows; a++) {
+      __m512i row = _mm512_loadu_si512((int *)rows[a] + k);
+      _mm512_storeu_si512((int *)rows[a] + kept,
+                          _mm512_maskz_compress_epi32(keep, row));
+    }
+    __m512i place = _mm512_add_epi32(lane_numbers(), _mm512_set1_epi32(k));
+    _mm512_storeu_si512(b->place + kept,
+                        _mm512_maskz_compress_epi32(keep, place));
+    kept += __builtin_popcount(keep);
+  }
+  b->n_fast = kept;
+}
+
+#endif
 
 /* Sets up n triangles; good[] says whether floats hold the depth within RHO. */
 HSR_VECTOR static void set_up(const struct tiling *t,
@@ -492,12 +472,296 @@ HSR_VECTOR static void set_up(const struct tiling *t,
   }
 }
 
-static struct triangle take(const struct triangles *s, const struct corners *r,
-                            int k, uint32_t face) {
+/* The n faces from `first` on; what floats do not hold goes the general way. */
+static void look_at_batch(const struct tiling *t, const struct twin *twin,
+                          struct batch *b, uint32_t first, int n) {
+  b->first = first;
+  b->n = n;
+  twin->gather(t, b);
+  look(t, n, &b->corners, b->one_sided, b->fate);
+  twin->compact(b);
+  set_up(t, &b->corners, b->n_fast, &b->triangles, b->good);
+  for (int k = 0; k < b->n_fast; k++)
+    if (b->good[k])
+      HSR_COUNT(t->tally, FAST, 1);
+    else
+      b->fate[b->place[k]] = GENERALLY;
+}
+
+/* The k-th of the fast ones. */
+static struct triangle take(const struct batch *b, int k) {
+  const struct triangles *s = &b->triangles;
+  const struct corners *r = &b->corners;
   return (struct triangle){
-      s->e0[k],  s->e1[k],  s->e2[k],  s->ex0[k],   s->ex1[k], s->ex2[k],
-      s->ey0[k], s->ey1[k], s->ey2[k], s->bound[k], s->q[k],   s->qx[k],
-      s->qy[k],  r->x0[k],  r->y0[k],  r->x1[k],    r->y1[k],  face};
+      s->e0[k],    s->e1[k],  s->e2[k],
+      s->ex0[k],   s->ex1[k], s->ex2[k],
+      s->ey0[k],   s->ey1[k], s->ey2[k],
+      s->bound[k], s->q[k],   s->qx[k],
+      s->qy[k],    r->x0[k],  r->y0[k],
+      r->x1[k],    r->y1[k],  b->first + (uint32_t)b->place[k],
+      false};
+}
+
+/* --- Tiling triangles
+ * ---------------------------------------------------------- */
+
+static void tile_portable(struct tiling *t, const struct triangle *tri) {
+  int y0 = tri->y0 > t->band_y0 ? tri->y0 : t->band_y0;
+  int y1 = tri->y1 < t->band_y1 ? tri->y1 : t->band_y1;
+  for (int j = y0; j < y1; j++) {
+    float down = (float)(j - tri->y0);
+    float e0 = tri->e0 + tri->ey0 * down, e1 = tri->e1 + tri->ey1 * down,
+          e2 = tri->e2 + tri->ey2 * down, q = tri->q + tri->qy * down;
+    for (int i = tri->x0; i < tri->x1; i++) {
+      float right = (float)(i - tri->x0);
+      float d0 = e0 + tri->ex0 * right, d1 = e1 + tri->ex1 * right,
+            d2 = e2 + tri->ex2 * right;
+      float d = d0 < d1 ? d0 : d1;
+      d = d < d2 ? d : d2;
+      if (d >= -tri->bound)
+        settle(t, tri->face, q + tri->qx * right, d > tri->bound, i, j);
+    }
+  }
+}
+
+static void tile_batch_portable(struct tiling *t, const struct batch *b) {
+  for (int k = 0; k < b->n_fast; k++) {
+    if (!b->good[k])
+      continue;
+    struct triangle triangle = take(b, k);
+    tile_portable(t, &triangle);
+  }
+}
+
+static const struct twin portable = {gather_portable, compact_portable,
+                                     tile_portable, tile_batch_portable};
+
+#ifdef HAVE_AVX512_TWIN
+
+/* f + fx x: a linear function along a row. */
+AVX512 static inline __m512 linear(float f, float fx, __m512 x) {
+  return _mm512_fmadd_ps(_mm512_set1_ps(fx), x, _mm512_set1_ps(f));
+}
+
+/* f + fx x + fy y, of sixteen triangles. */
+AVX512 static inline __m512 linear2(const float *f, const float *fx, __m512 x,
+                                    const float *fy, __m512 y) {
+  return _mm512_fmadd_ps(
+      _mm512_loadu_ps(fy), y,
+      _mm512_fmadd_ps(_mm512_loadu_ps(fx), x, _mm512_loadu_ps(f)));
+}
+
+/* Decides some of the sixteen samples from (x, j) on. */
+AVX512 __attribute__((noinline)) static void
+settle_row(struct tiling *t, uint32_t f, __m512 q, unsigned lanes,
+           unsigned sure, int x, int j) {
+  float depth[LANES];
+  _mm512_storeu_ps(depth, q);
+  for (; lanes; lanes &= lanes - 1) {
+    int l = __builtin_ctz(lanes);
+    settle(t, f, depth[l], sure >> l & 1, x + l, j);
+  }
+}
+
+/* Sixteen samples of each row of the band, from column x on. */
+AVX512 static inline void tile_strip(struct tiling *t,
+                                     const struct triangle *tri, int x) {
+  const __m512 bound = _mm512_set1_ps(tri->bound),
+               minus_bound = _mm512_set1_ps(-tri->bound),
+               clear = _mm512_set1_ps(CLEAR), one = _mm512_set1_ps(1);
+  const __m512 ey0 = _mm512_set1_ps(tri->ey0), ey1 = _mm512_set1_ps(tri->ey1),
+               ey2 = _mm512_set1_ps(tri->ey2), qy = _mm512_set1_ps(tri->qy);
+  const __m512i face = _mm512_set1_epi32((int)tri->face);
+  __m512 right = _mm512_cvtepi32_ps(
+      _mm512_add_epi32(lane_numbers(), _mm512_set1_epi32(x - tri->x0)));
+  __m512 e0 = linear(tri->e0, tri->ex0, right);
+  __m512 e1 = linear(tri->e1, tri->ex1, right);
+  __m512 e2 = linear(tri->e2, tri->ex2, right);
+  __m512 q0 = linear(tri->q, tri->qx, right);
+  __mmask16 in_box = first_lanes(tri->x1 - x);
+  int y0 = tri->y0 > t->band_y0 ? tri->y0 : t->band_y0;
+  int y1 = tri->y1 < t->band_y1 ? tri->y1 : t->band_y1;
+  const size_t ids_stride = t->job->ids_stride, z_stride = t->z_stride;
+  uint32_t *ids = t->job->ids + (size_t)y0 * ids_stride + (size_t)x;
+  float *z =
+      t->z + (size_t)(y0 - t->band_y0) * z_stride + (size_t)(x - t->window.x0);
+  __m512 down = _mm512_set1_ps((float)(y0 - tri->y0));
+  for (int j = y0; j < y1; j++, ids += ids_stride, z += z_stride) {
+    __m512 d0 = _mm512_fmadd_ps(ey0, down, e0),
+           d1 = _mm512_fmadd_ps(ey1, down, e1),
+           d2 = _mm512_fmadd_ps(ey2, down, e2),
+           q = _mm512_fmadd_ps(qy, down, q0),
+           d = _mm512_min_ps(_mm512_min_ps(d0, d1), d2);
+    down = _mm512_add_ps(down, one);
+    __mmask16 maybe =
+        _mm512_mask_cmp_ps_mask(in_box, d, minus_bound, _CMP_GE_OQ);
+    if (!maybe)
+      continue;
+    __mmask16 sure = _mm512_mask_cmp_ps_mask(maybe, d, bound, _CMP_GT_OQ);
+    __m512 held = _mm512_maskz_loadu_ps(maybe, z);
+    __mmask16 nearer = _mm512_mask_cmp_ps_mask(
+        sure, q, _mm512_mul_ps(held, clear), _CMP_GT_OQ);
+    _mm512_mask_storeu_ps(z, nearer, q);
+    _mm512_mask_storeu_epi32(ids, nearer, face);
+    if (nearer == maybe)
+      continue;
+    __mmask16 farther = _mm512_mask_cmp_ps_mask(sure, _mm512_mul_ps(q, clear),
+                                                held, _CMP_LT_OQ);
+    unsigned unsure = maybe & ~(unsigned)(nearer | farther);
+    if (unsure)
+      settle_row(t, tri->face, q, unsure, sure, x, j);
+  }
+}
+
+/* A triangle with a larger box. */
+AVX512 static void tile_avx512(struct tiling *t, const struct triangle *tri) {
+  for (int x = tri->x0; x < tri->x1; x += LANES)
+    tile_strip(t, tri, x);
+}
+
+/* Samples that small triangles cover for certain, their depths to be compared
+ * with the recorded ones. */
+struct queue {
+  int n;
+  uint32_t at[QUEUE + LANES]; /* column + 2^16 row, from the window's first */
+  float q[QUEUE + LANES];
+  uint32_t face[QUEUE + LANES];
+};
+
+static void compare_queue(struct tiling *t, struct queue *queue) {
+  const size_t ids_stride = t->job->ids_stride, z_stride = t->z_stride;
+  const struct hsr_window *w = &t->window;
+  uint32_t *ids = t->job->ids + (size_t)w->y0 * ids_stride + (size_t)w->x0;
+  float *z = t->z;
+  for (int k = 0; k < queue->n; k++) {
+    size_t x = queue->at[k] & 0xffff, y = queue->at[k] >> 16;
+    size_t place = y * z_stride + x;
+    float q = queue->q[k], held = z[place];
+    if (__builtin_expect(q > held * CLEAR, 1)) {
+      z[place] = q;
+      ids[y * ids_stride + x] = queue->face[k];
+    } else if (__builtin_expect(!(q * CLEAR < held), 0)) {
+      settle(t, queue->face[k], q, true, w->x0 + (int)x, w->y0 + (int)y);
+    }
+  }
+  queue->n = 0;
+}
+
+/* Adds the samples of some lanes. */
+AVX512 static inline void enqueue(struct tiling *t, struct queue *queue,
+                                  __mmask16 lanes, __m512i at, __m512 q,
+                                  __m512i face) {
+  int n = queue->n;
+  _mm512_storeu_si512(queue->at + n, _mm512_maskz_compress_epi32(lanes, at));
+  _mm512_storeu_ps(queue->q + n, _mm512_maskz_compress_ps(lanes, q));
+  _mm512_storeu_si512(queue->face + n,
+                      _mm512_maskz_compress_epi32(lanes, face));
+  queue->n = n + __builtin_popcount(lanes);
+  if (queue->n > QUEUE)
+    compare_queue(t, queue);
+}
+
+/* Decides samples that their faces cover perhaps. */
+AVX512 __attribute__((noinline)) static void settle_lanes(struct tiling *t,
+                                                          unsigned lanes,
+                                                          __m512i at, __m512 q,
+                                                          __m512i face) {
+  uint32_t places[LANES], faces[LANES];
+  float depth[LANES];
+  _mm512_storeu_si512(places, at);
+  _mm512_storeu_si512(faces, face);
+  _mm512_storeu_ps(depth, q);
+  for (; lanes; lanes &= lanes - 1) {
+    int l = __builtin_ctz(lanes);
+    settle(t, faces[l], depth[l], false,
+           t->window.x0 + (int)(places[l] & 0xffff),
+           t->window.y0 + (int)(places[l] >> 16));
+  }
+}
+
+/* Which of sixteen triangles have a small box. */
+AVX512 static __mmask16 small_ones(const struct batch *b, int k,
+                                   __mmask16 good) {
+  const struct corners *r = &b->corners;
+  __m512i width = _mm512_sub_epi32(_mm512_loadu_si512(r->x1 + k),
+                                   _mm512_loadu_si512(r->x0 + k));
+  __m512i height = _mm512_sub_epi32(_mm512_loadu_si512(r->y1 + k),
+                                    _mm512_loadu_si512(r->y0 + k));
+  return _mm512_mask_cmple_epi32_mask(good, _mm512_mullo_epi32(width, height),
+                                      _mm512_set1_epi32(SMALL_BOX));
+}
+
+/* Triangles k to k + 15, those that are small, each in a lane of its own: all
+ * go through the samples of their boxes in step, row by row. */
+AVX512 static void tile_small(struct tiling *t, const struct batch *b, int k,
+                              __mmask16 small, struct queue *queue) {
+  const struct corners *r = &b->corners;
+  const struct triangles *s = &b->triangles;
+  const __m512 one = _mm512_set1_ps(1), bound = _mm512_loadu_ps(s->bound + k),
+               minus_bound = _mm512_sub_ps(_mm512_setzero_ps(), bound);
+  __m512i x0 = _mm512_loadu_si512(r->x0 + k),
+          y0 = _mm512_loadu_si512(r->y0 + k);
+  __m512i columns = _mm512_sub_epi32(_mm512_loadu_si512(r->x1 + k), x0);
+  __m512 width = _mm512_cvtepi32_ps(columns);
+  __m512 height =
+      _mm512_cvtepi32_ps(_mm512_sub_epi32(_mm512_loadu_si512(r->y1 + k), y0));
+  __m512i face = _mm512_add_epi32(_mm512_loadu_si512(b->place + k),
+                                  _mm512_set1_epi32((int)b->first));
+  x0 = _mm512_sub_epi32(x0, _mm512_set1_epi32(t->window.x0));
+  y0 = _mm512_sub_epi32(y0, _mm512_set1_epi32(t->window.y0));
+  __m512i at = _mm512_add_epi32(x0, _mm512_slli_epi32(y0, 16));
+  __m512i next_row = _mm512_sub_epi32(_mm512_set1_epi32(1 << 16), columns);
+  __m512 right = _mm512_setzero_ps(), down = _mm512_setzero_ps();
+  for (__mmask16 active = small; active;) {
+    __m512 d0 = linear2(s->e0 + k, s->ex0 + k, right, s->ey0 + k, down);
+    __m512 d1 = linear2(s->e1 + k, s->ex1 + k, right, s->ey1 + k, down);
+    __m512 d2 = linear2(s->e2 + k, s->ex2 + k, right, s->ey2 + k, down);
+    __m512 q = linear2(s->q + k, s->qx + k, right, s->qy + k, down);
+    __m512 d = _mm512_min_ps(_mm512_min_ps(d0, d1), d2);
+    unsigned maybe =
+        _mm512_mask_cmp_ps_mask(active, d, minus_bound, _CMP_GE_OQ);
+    unsigned sure = _mm512_mask_cmp_ps_mask(active, d, bound, _CMP_GT_OQ);
+    enqueue(t, queue, (__mmask16)sure, at, q, face);
+    if (__builtin_expect(maybe != sure, 0))
+      settle_lanes(t, maybe & ~sure, at, q, face);
+    right = _mm512_add_ps(right, one);
+    at = _mm512_add_epi32(at, _mm512_set1_epi32(1));
+    __mmask16 end = _mm512_cmp_ps_mask(right, width, _CMP_GE_OQ);
+    right = _mm512_mask_mov_ps(right, end, _mm512_setzero_ps());
+    down = _mm512_mask_add_ps(down, end, down, one);
+    at = _mm512_mask_add_epi32(at, end, at, next_row);
+    active = _mm512_mask_cmp_ps_mask(active, down, height, _CMP_LT_OQ);
+  }
+}
+
+AVX512 static void tile_batch_avx512(struct tiling *t, const struct batch *b) {
+  struct queue queue;
+  queue.n = 0;
+  for (int k = 0; k < b->n_fast; k += LANES) {
+    __m512i flags = _mm512_loadu_si512(b->good + k);
+    __mmask16 good =
+        _mm512_mask_test_epi32_mask(first_lanes(b->n_fast - k), flags, flags);
+    __mmask16 small = small_ones(b, k, good);
+    tile_small(t, b, k, small, &queue);
+    for (unsigned large = good & ~(unsigned)small; large; large &= large - 1) {
+      struct triangle triangle = take(b, k + __builtin_ctz(large));
+      tile_avx512(t, &triangle);
+    }
+  }
+  compare_queue(t, &queue);
+}
+
+static const struct twin avx512 = {gather_avx512, compact_avx512, tile_avx512,
+                                   tile_batch_avx512};
+
+#endif
+
+static const struct twin *choose_twin(void) {
+#ifdef HAVE_AVX512_TWIN
+  if (__builtin_cpu_supports("avx512f"))
+    return &avx512;
+#endif
+  return &portable;
 }
 
 /* --- The general way
@@ -512,21 +776,118 @@ static void tile_span(struct tiling *t, uint32_t f, int j, int x0, int x1) {
   }
 }
 
-static void tile_generally(struct tiling *t, uint32_t f) {
-  struct hsr_screen *screen = &t->screen;
-  hsr_screen_plane(screen, f);
-  if (!hsr_screen_place(screen, f, t->tally))
-    return;
+/* Is there anything of the face to be tiled? */
+static bool place_generally(struct tiling *t, uint32_t f) {
+  hsr_screen_plane(&t->screen, f);
+  if (!hsr_screen_place(&t->screen, f, t->tally))
+    return false;
   HSR_COUNT(t->tally, GENERAL, 1);
-  const struct hsr_bounds *box = &screen->bounds[f];
+  return true;
+}
+
+/* The rows of the band. */
+static void tile_generally(struct tiling *t, uint32_t f) {
+  const struct hsr_bounds *box = &t->screen.bounds[f];
   const struct hsr_window *w = &t->window;
-  for (int j = box->y0; j < box->y1; j++) {
-    int n = hsr_face_spans(screen, f, j, t->columns, t->tally);
+  int y0 = box->y0 > t->band_y0 ? box->y0 : t->band_y0;
+  int y1 = box->y1 < t->band_y1 ? box->y1 : t->band_y1;
+  for (int j = y0; j < y1; j++) {
+    int n = hsr_face_spans(&t->screen, f, j, t->columns, t->tally);
     for (int k = 0; k < n; k += 2) {
       int x0 = t->columns[k], x1 = t->columns[k + 1];
       tile_span(t, f, j, x0 < w->x0 ? w->x0 : x0, x1 > w->x1 ? w->x1 : x1);
     }
   }
+}
+
+/* --- Bands
+ * ------------------------------------------------------------------------ */
+
+/* Clears the band that begins with row y0. */
+static void begin_band(struct tiling *t, int y0) {
+  const struct hsr_job *job = t->job;
+  const struct hsr_window *w = &t->window;
+  int left = w->y1 - y0;
+  size_t width = (size_t)(w->x1 - w->x0);
+  t->band_y0 = y0;
+  t->band_y1 = y0 + (left < t->band_rows ? left : t->band_rows);
+  memset(t->z, 0, (size_t)(t->band_y1 - y0) * t->z_stride * sizeof *t->z);
+  for (int j = y0; j < t->band_y1; j++)
+    memset(job->ids + (size_t)j * job->ids_stride + (size_t)w->x0, 0xff,
+           width * sizeof *job->ids);
+}
+
+/* Keeps what a batch has to be tiled. */
+static void keep_batch(struct tiling *t, const struct batch *b) {
+  for (int k = 0; k < b->n_fast; k++)
+    if (b->good[k])
+      t->kept[t->n_kept++] = take(b, k);
+  for (int k = 0; k < b->n; k++) {
+    uint32_t f = b->first + (uint32_t)k;
+    if (b->fate[k] != GENERALLY || !place_generally(t, f))
+      continue;
+    const struct hsr_bounds *box = &t->screen.bounds[f];
+    t->kept[t->n_kept++] = (struct triangle){
+        .y0 = box->y0, .y1 = box->y1, .face = f, .generally = true};
+  }
+}
+
+/* The bands that a triangle lies in. */
+static void bands_of(const struct tiling *t, const struct triangle *tri,
+                     int *first, int *last) {
+  const struct hsr_window *w = &t->window;
+  int y0 = tri->y0 < w->y0 ? w->y0 : tri->y0;
+  int y1 = tri->y1 > w->y1 ? w->y1 : tri->y1;
+  *first = (y0 - w->y0) / t->band_rows;
+  *last = (y1 - 1 - w->y0) / t->band_rows;
+}
+
+/* Counting sort: those of band b are kept[order[start[b]]] to
+ * kept[order[start[b + 1] - 1]], in the order in which they were kept. */
+static enum hsr_status sort_into_bands(const struct tiling *t, int n_bands,
+                                       size_t **start, size_t **order) {
+  struct hsr_arena *arena = t->job->scratch;
+  int first, last;
+  size_t *end = HSR_NEW_ZEROED(arena, size_t, (size_t)n_bands + 2);
+  if (!end)
+    return HSR_E_NOMEM;
+  for (size_t k = 0; k < t->n_kept; k++) {
+    bands_of(t, &t->kept[k], &first, &last);
+    for (int b = first; b <= last; b++)
+      end[b + 2]++;
+  }
+  for (int b = 0; b < n_bands; b++)
+    end[b + 2] += end[b + 1];
+  *start = end; /* in the end, end[b] is where band b - 1 ends */
+  *order = HSR_NEW(arena, size_t, end[n_bands + 1] + 1);
+  if (!*order)
+    return HSR_E_NOMEM;
+  for (size_t k = 0; k < t->n_kept; k++) {
+    bands_of(t, &t->kept[k], &first, &last);
+    for (int b = first; b <= last; b++)
+      (*order)[end[b + 1]++] = k;
+  }
+  return HSR_OK;
+}
+
+/* Tiles what was kept, band by band. */
+static enum hsr_status tile_bands(struct tiling *t, const struct twin *twin) {
+  int rows = t->window.y1 - t->window.y0;
+  int n_bands = (rows + t->band_rows - 1) / t->band_rows;
+  size_t *start, *order;
+  if (sort_into_bands(t, n_bands, &start, &order))
+    return HSR_E_NOMEM;
+  for (int b = 0; b < n_bands; b++) {
+    begin_band(t, t->window.y0 + b * t->band_rows);
+    for (size_t k = start[b]; k < start[b + 1]; k++) {
+      const struct triangle *triangle = &t->kept[order[k]];
+      if (triangle->generally)
+        tile_generally(t, triangle->face);
+      else
+        twin->tile(t, triangle);
+    }
+  }
+  return HSR_OK;
 }
 
 /* --- The algorithm
@@ -544,13 +905,38 @@ HSR_VECTOR static void snap(size_t n, const double *restrict sx,
   }
 }
 
+/* Do the samples lie on the grid? */
+static bool find_grid(struct tiling *t) {
+  double first_x = hsr_sample_x(t->job->view, 0) * GRID;
+  double first_y = hsr_sample_y(t->job->view, 0) * GRID;
+  t->first_x = (int)first_x;
+  t->first_y = (int)first_y;
+  return first_x == t->first_x && first_y == t->first_y;
+}
+
+/* The memory of depths, of all rows or of a band of them. */
+static enum hsr_status make_memory(struct tiling *t) {
+  struct hsr_arena *arena = t->job->scratch;
+  const struct hsr_window *w = &t->window;
+  size_t width = (size_t)(w->x1 - w->x0);
+  t->z_stride = width;
+  t->band_rows = w->y1 - w->y0;
+  if (t->fast && width * (size_t)t->band_rows > ONE_BAND) {
+    t->z_stride = width + PAD;
+    size_t rows = BAND_BYTES / (t->z_stride * sizeof *t->z);
+    t->band_rows = rows < 4 ? 4 : (int)rows;
+    t->kept = HSR_NEW(arena, struct triangle, t->job->world->n_faces);
+    if (!t->kept)
+      return HSR_E_NOMEM;
+  }
+  t->z = HSR_NEW(arena, float, t->z_stride *(size_t)t->band_rows);
+  return t->z ? HSR_OK : HSR_E_NOMEM;
+}
+
 static enum hsr_status begin_frame(struct tiling *t) {
   const struct hsr_job *job = t->job;
   const struct hsr_world *world = job->world;
-  const struct hsr_view *view = job->view;
-  const struct hsr_window *w = &view->window;
   struct hsr_arena *arena = job->scratch;
-  size_t width = (size_t)(w->x1 - w->x0), height = (size_t)(w->y1 - w->y0);
   size_t largest = 3;
   if (!world->all_triangles)
     for (uint32_t f = 0; f < world->n_faces; f++)
@@ -558,74 +944,42 @@ static enum hsr_status begin_frame(struct tiling *t) {
         largest = hsr_face_size(world, f);
 
   t->tally = job->tally;
-  t->window = *w;
-  t->z_stride = width;
+  t->window = job->view->window;
+  t->fast = find_grid(t) && world->all_triangles;
   t->corner = HSR_NEW(arena, struct corner, world->n_vertices);
-  t->z = HSR_NEW(arena, float, width *height);
   t->columns = HSR_NEW(arena, int, largest + 4);
-  if (!t->corner || !t->z || !t->columns ||
-      hsr_screen_init(&t->screen, world, view, arena))
+  if (!t->corner || !t->columns || make_memory(t) ||
+      hsr_screen_init(&t->screen, world, job->view, arena))
     return HSR_E_NOMEM;
-
-  memset(t->z, 0, width * height * sizeof *t->z);
-  for (int j = w->y0; j < w->y1; j++)
-    memset(job->ids + (size_t)j * job->ids_stride + (size_t)w->x0, 0xff,
-           width * sizeof *job->ids);
-  double first_x = hsr_sample_x(view, 0) * GRID;
-  double first_y = hsr_sample_y(view, 0) * GRID;
-  t->first_x = (int)first_x;
-  t->first_y = (int)first_y;
-  t->on_grid = first_x == t->first_x && first_y == t->first_y;
+  hsr_screen_vertices(&t->screen);
+  snap(world->n_vertices, t->screen.sx, t->screen.sy, t->screen.q, t->corner);
   return HSR_OK;
 }
 
-/* Asks for what a triangle will need of the large memory, of which every row
- * lies on a page of its own. */
-static void fetch(const struct tiling *t, const struct corners *r, int k) {
-  const uint32_t *ids =
-      t->job->ids + (size_t)r->y0[k] * t->job->ids_stride + (size_t)r->x0[k];
-  const float *z = t->z + (size_t)(r->y0[k] - t->window.y0) * t->z_stride +
-                   (size_t)(r->x0[k] - t->window.x0);
-  for (int j = r->y0[k]; j < r->y1[k];
-       j++, ids += t->job->ids_stride, z += t->z_stride) {
-    __builtin_prefetch(ids, 1);
-    __builtin_prefetch(z, 1);
+static void tile_batch(struct tiling *t, const struct twin *twin,
+                       const struct batch *b) {
+  twin->tile_batch(t, b);
+  for (int k = 0; k < b->n; k++) {
+    uint32_t f = b->first + (uint32_t)k;
+    if (b->fate[k] == GENERALLY && place_generally(t, f))
+      tile_generally(t, f);
   }
 }
 
-/* Triangles `first` to first + n - 1. */
-static void tile_batch(struct tiling *t, uint32_t first, int n,
-                       tile_function *tile) {
-  struct corners corners;
-  struct triangles triangles;
-  int one_sided[BATCH], fate[BATCH], face[BATCH], good[BATCH];
-  gather(t, first, n, &corners, one_sided);
-  look(t, n, &corners, one_sided, fate);
-  int n_fast = compact(&corners, fate, n, face);
-  set_up(t, &corners, n_fast, &triangles, good);
-  for (int k = 0; k < n_fast; k++) {
-    if (k + AHEAD < n_fast)
-      fetch(t, &corners, k + AHEAD);
-    if (!good[k]) {
-      fate[face[k]] = GENERALLY;
-      continue;
-    }
-    HSR_COUNT(t->tally, FAST, 1);
-    struct triangle triangle =
-        take(&triangles, &corners, k, first + (uint32_t)face[k]);
-    tile(t, &triangle);
+static enum hsr_status tile_triangles(struct tiling *t) {
+  const struct twin *twin = choose_twin();
+  uint32_t n = t->job->world->n_faces;
+  struct batch batch;
+  if (!t->kept)
+    begin_band(t, t->window.y0);
+  for (uint32_t f = 0; f < n; f += (uint32_t)batch.n) {
+    look_at_batch(t, twin, &batch, f, n - f < BATCH ? (int)(n - f) : BATCH);
+    if (t->kept)
+      keep_batch(t, &batch);
+    else
+      tile_batch(t, twin, &batch);
   }
-  for (int k = 0; k < n; k++)
-    if (fate[k] == GENERALLY)
-      tile_generally(t, first + (uint32_t)k);
-}
-
-static tile_function *choose_tile(void) {
-#ifdef HAVE_AVX512_TWIN
-  if (__builtin_cpu_supports("avx512f"))
-    return tile_avx512;
-#endif
-  return tile_portable;
+  return t->kept ? tile_bands(t, twin) : HSR_OK;
 }
 
 static enum hsr_status render(const struct hsr_job *job,
@@ -633,17 +987,11 @@ static enum hsr_status render(const struct hsr_job *job,
   struct tiling t = {.job = job};
   if (begin_frame(&t))
     return hsr_fail_nomem(err);
-  const struct hsr_world *world = job->world;
-  hsr_screen_vertices(&t.screen);
-  snap(world->n_vertices, t.screen.sx, t.screen.sy, t.screen.q, t.corner);
-  tile_function *tile = choose_tile();
-  if (world->all_triangles && t.on_grid)
-    for (uint32_t f = 0; f < world->n_faces; f += BATCH) {
-      uint32_t left = world->n_faces - f;
-      tile_batch(&t, f, left < BATCH ? (int)left : BATCH, tile);
-    }
-  else
-    for (uint32_t f = 0; f < world->n_faces; f++)
+  if (t.fast)
+    return tile_triangles(&t) ? hsr_fail_nomem(err) : HSR_OK;
+  begin_band(&t, t.window.y0);
+  for (uint32_t f = 0; f < job->world->n_faces; f++)
+    if (place_generally(&t, f))
       tile_generally(&t, f);
   return HSR_OK;
 }
