@@ -159,7 +159,8 @@ static void set_standards(struct options *o) {
         o->algorithm[o->n_algorithms++] = a;
 }
 
-/* --- Processes -------------------------------------------------------------- */
+/* --- Processes --------------------------------------------------------------
+ */
 
 /* Of the leak sanitizer, where there is one. */
 int __lsan_do_recoverable_leak_check(void) __attribute__((weak));

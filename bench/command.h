@@ -44,6 +44,11 @@ struct option_base {
 error_t option_fail(struct option_base *base, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* For subcommands that only take --json: what --help says of them is `about`.
+ */
+enum hsr_status parse_json_option(int argc, char **argv, const char *about,
+                                  bool *json, struct hsr_error *err);
+
 /* "512x512"; "x,y,z"; a decimal number. False if the text is anything else. */
 bool parse_size(const char *text, int *m, int *n);
 bool parse_point(const char *text, double point[3]);

@@ -24,35 +24,9 @@ static const char *algorithm_kind(const struct hsr_algorithm *a) {
   return kind_name[a->kind];
 }
 
-struct options {
-  struct option_base base;
-  bool json;
-};
-
-static error_t parse(int key, char *arg, struct argp_state *state) {
-  struct options *options = state->input;
-  switch (key) {
-  case 'j':
-    options->json = true;
-    return 0;
-  case ARGP_KEY_ARG:
-    return option_fail(&options->base, "list: takes no argument, not '%s'",
-                       arg);
-  default:
-    return ARGP_ERR_UNKNOWN;
-  }
-}
-
-static const struct argp argp = {
-    (const struct argp_option[]){
-        {"json", 'j', NULL, 0, "print one JSON object", 0}, {0}},
-    parse,
-    NULL,
+static const char about[] =
     "Lists the algorithms: name, year, place in the taxonomy of Sutherland, "
-    "Sproull and Schumacker, sorting order, environment restrictions.",
-    NULL,
-    NULL,
-    NULL};
+    "Sproull and Schumacker, sorting order, environment restrictions.";
 
 static json_t *restrictions_json(const struct hsr_algorithm *a) {
   json_t *codes = json_array();
@@ -121,11 +95,11 @@ static void print_restrictions(const struct hsr_algorithm *a) {
 }
 
 enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
-  struct options options = {.json = false};
-  enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
+  bool json;
+  enum hsr_status status = parse_json_option(argc, argv, about, &json, err);
   if (status)
     return status;
-  if (options.json)
+  if (json)
     return print_json(err);
   printf("%-10s %4s  %-28s %-6s %-9s %s\n", "name", "year", "taxonomy", "sorts",
          "kind", "restrictions");

@@ -48,6 +48,31 @@ enum hsr_status parse_options(const struct argp *argp, int argc, char **argv,
                   first, argv[at > 1 && at <= argc ? at - 1 : argc - 1], first);
 }
 
+struct json_options {
+  struct option_base base;
+  bool *json;
+};
+
+static error_t parse_json(int key, char *arg, struct argp_state *state) {
+  struct json_options *options = state->input;
+  if (key == ARGP_KEY_ARG)
+    return option_fail(&options->base, "takes no scene or file, not '%s'", arg);
+  if (key != 'j')
+    return ARGP_ERR_UNKNOWN;
+  *options->json = true;
+  return 0;
+}
+
+enum hsr_status parse_json_option(int argc, char **argv, const char *about,
+                                  bool *json, struct hsr_error *err) {
+  const struct argp_option entries[] = {
+      {"json", 'j', NULL, 0, "print one JSON object", 0}, {0}};
+  const struct argp argp = {entries, parse_json, NULL, about, NULL, NULL, NULL};
+  struct json_options options = {.json = json};
+  *json = false;
+  return parse_options(&argp, argc, argv, &options, err);
+}
+
 bool parse_number(const char *text, double *number) {
   char *end;
   errno = 0;

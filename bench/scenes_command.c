@@ -5,36 +5,10 @@
 
 #include <stdlib.h>
 
-struct options {
-  struct option_base base;
-  bool json;
-};
-
-static error_t parse(int key, char *arg, struct argp_state *state) {
-  struct options *options = state->input;
-  switch (key) {
-  case 'j':
-    options->json = true;
-    return 0;
-  case ARGP_KEY_ARG:
-    return option_fail(&options->base, "scenes: takes no argument, not '%s'",
-                       arg);
-  default:
-    return ARGP_ERR_UNKNOWN;
-  }
-}
-
-static const struct argp argp = {
-    (const struct argp_option[]){
-        {"json", 'j', NULL, 0, "print one JSON object", 0}, {0}},
-    parse,
-    NULL,
+static const char about[] =
     "Lists the built-in scenes with their standard parameters, the number of "
     "faces and views they then have, and what each is for; and the real meshes "
-    "of Debian's libcgal-demo, if that is installed.",
-    NULL,
-    NULL,
-    NULL};
+    "of Debian's libcgal-demo, if that is installed.";
 
 /* Faces and views of a built-in scene with its standard parameters. */
 static enum hsr_status measure(const char *name, uint64_t *n_faces,
@@ -116,8 +90,8 @@ static enum hsr_status print_text(char **meshes, size_t n_meshes,
 }
 
 enum hsr_status command_scenes(int argc, char **argv, struct hsr_error *err) {
-  struct options options = {.json = false};
-  enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
+  bool json;
+  enum hsr_status status = parse_json_option(argc, argv, about, &json, err);
   if (status)
     return status;
   char **meshes;
@@ -125,8 +99,8 @@ enum hsr_status command_scenes(int argc, char **argv, struct hsr_error *err) {
   status = hsr_mesh_names(&meshes, &n_meshes, err);
   if (status)
     return status;
-  status = options.json ? print_json(meshes, n_meshes, err)
-                        : print_text(meshes, n_meshes, err);
+  status = json ? print_json(meshes, n_meshes, err)
+                : print_text(meshes, n_meshes, err);
   for (size_t k = 0; k < n_meshes; k++)
     free(meshes[k]);
   free(meshes);

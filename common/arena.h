@@ -10,6 +10,10 @@
 
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct hsr_arena {
   struct hsr_arena_block *blocks; /* newest first; NULL when empty */
   size_t used_bytes;              /* handed out since the last reset */
@@ -18,7 +22,8 @@ struct hsr_arena {
 };
 
 /* An empty arena is all zero. */
-#define HSR_ARENA_EMPTY {0}
+#define HSR_ARENA_EMPTY                                                        \
+  { 0 }
 
 /* An array of n elements of `size` bytes, aligned for any vector register (64
  * bytes), its content undefined. NULL if memory ran out or n * size overflows;
@@ -32,7 +37,8 @@ void *hsr_arena_zeroed(struct hsr_arena *arena, size_t n, size_t size);
  * blocks, they are replaced by one; should that fail, they are only freed. */
 void hsr_arena_reset(struct hsr_arena *arena);
 
-/* Gives all memory back. The arena is empty afterwards and may be used again. */
+/* Gives all memory back. The arena is empty afterwards and may be used again.
+ */
 void hsr_arena_free(struct hsr_arena *arena);
 
 /* HSR_NEW(arena, T, n): an array of n T. */
@@ -41,4 +47,7 @@ void hsr_arena_free(struct hsr_arena *arena);
 #define HSR_NEW_ZEROED(arena, type, n)                                         \
   ((type *)hsr_arena_zeroed((arena), (n), sizeof(type)))
 
+#ifdef __cplusplus
+}
+#endif
 #endif

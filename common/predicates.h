@@ -14,6 +14,7 @@
 #define HSR_COMMON_PREDICATES_H
 
 #include "common/view.h"
+#include "common/world.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -27,6 +28,18 @@ struct hsr_loop {
   const uint32_t *vertex;
   uint32_t n;
 };
+
+/* The corners of face f. */
+static inline struct hsr_loop hsr_face_loop(const struct hsr_world *world,
+                                            uint32_t f) {
+  struct hsr_loop loop = {world->x,
+                          world->y,
+                          world->z,
+                          1,
+                          world->vertex + world->start[f],
+                          hsr_face_size(world, f)};
+  return loop;
+}
 
 /* Whether all three components of Newell's normal are zero: 0 if so, else 1. */
 int hsr_exact_has_normal(struct hsr_loop face, bool *out_of_memory);
@@ -75,7 +88,8 @@ int hsr_exact_nearer(const struct hsr_view *view, struct hsr_loop f,
                      bool *out_of_memory);
 
 /* The matrices of hsr_view from its E, F, R, U, m, n, each entry the exact
- * value with a relative error of at most 2^-52. False if F, R, U are dependent. */
+ * value with a relative error of at most 2^-52. False if F, R, U are dependent.
+ */
 bool hsr_exact_view_matrices(const struct hsr_view *view, double ray[3][3],
                              double screen[3][3], bool *out_of_memory);
 

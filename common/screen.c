@@ -208,22 +208,13 @@ void hsr_screen_plane(struct hsr_screen *screen, uint32_t f) {
 
 /* --- The culls ----------------------------------------------------------- */
 
-static struct hsr_loop face_loop(const struct hsr_world *world, uint32_t f) {
-  return (struct hsr_loop){world->x,
-                           world->y,
-                           world->z,
-                           1,
-                           world->vertex + world->start[f],
-                           hsr_face_size(world, f)};
-}
-
 bool hsr_face_exists(const struct hsr_screen *screen, uint32_t f,
                      struct hsr_tally *tally) {
   int facing = screen->facing[f];
   if (!facing) {
     tally->exact[HSR_ASK_FACING]++;
-    facing = hsr_exact_plane_side(face_loop(screen->world, f), screen->view->E,
-                                  &tally->out_of_memory);
+    facing = hsr_exact_plane_side(hsr_face_loop(screen->world, f),
+                                  screen->view->E, &tally->out_of_memory);
   }
   return facing > 0 || (facing < 0 && !screen->world->one_sided[f]);
 }
@@ -418,8 +409,8 @@ bool hsr_nearer_exact(const struct hsr_screen *screen, uint32_t f, uint32_t g,
                       int i, int j, struct hsr_tally *tally) {
   tally->exact[HSR_ASK_DEPTH]++;
   return hsr_exact_nearer(
-             screen->view, face_loop(screen->world, f),
-             face_loop(screen->world, g), hsr_sample_x(screen->view, i),
+             screen->view, hsr_face_loop(screen->world, f),
+             hsr_face_loop(screen->world, g), hsr_sample_x(screen->view, i),
              hsr_sample_y(screen->view, j), &tally->out_of_memory) > 0;
 }
 
@@ -453,7 +444,7 @@ static bool beyond_near(const struct hsr_screen *screen, uint32_t f, int i,
   if (q > error && view->near * (q + error) < 1 - 8 * U)
     return true;
   tally->exact[HSR_ASK_NEAR]++;
-  struct hsr_loop loop = face_loop(screen->world, f);
+  struct hsr_loop loop = hsr_face_loop(screen->world, f);
   double sx = hsr_sample_x(view, i), sy = hsr_sample_y(view, j);
   return hsr_exact_ahead(view, loop, sx, sy, &tally->out_of_memory) > 0 &&
          hsr_exact_past_near(view, loop, sx, sy, &tally->out_of_memory) > 0;
@@ -594,7 +585,7 @@ static bool ask_ahead(const struct question *q, int i) {
   if (fabs(depth) > screen->plane[q->face].error)
     return depth > 0;
   q->tally->exact[HSR_ASK_NEAR]++;
-  return hsr_exact_ahead(screen->view, face_loop(screen->world, q->face),
+  return hsr_exact_ahead(screen->view, hsr_face_loop(screen->world, q->face),
                          hsr_sample_x(screen->view, i),
                          hsr_sample_y(screen->view, q->j),
                          &q->tally->out_of_memory) > 0;
@@ -608,10 +599,10 @@ static bool ask_past_near(const struct question *q, int i) {
                      8 * U * (1 + screen->view->near * fabs(depth)))
     return by > 0;
   q->tally->exact[HSR_ASK_NEAR]++;
-  return hsr_exact_past_near(screen->view, face_loop(screen->world, q->face),
-                             hsr_sample_x(screen->view, i),
-                             hsr_sample_y(screen->view, q->j),
-                             &q->tally->out_of_memory) > 0;
+  return hsr_exact_past_near(
+             screen->view, hsr_face_loop(screen->world, q->face),
+             hsr_sample_x(screen->view, i), hsr_sample_y(screen->view, q->j),
+             &q->tally->out_of_memory) > 0;
 }
 
 static int change(const struct question *q, bool at_lo, int lo, int hi) {

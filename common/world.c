@@ -186,15 +186,6 @@ static double find_deviation(const struct hsr_world *world, uint32_t f) {
   return largest;
 }
 
-static struct hsr_loop face_loop(const struct hsr_world *world, uint32_t f) {
-  return (struct hsr_loop){world->x,
-                           world->y,
-                           world->z,
-                           1,
-                           world->vertex + world->start[f],
-                           hsr_face_size(world, f)};
-}
-
 static double largest_normal(const struct hsr_world *world, uint32_t f) {
   return fmax(fabs(world->nx[f]), fmax(fabs(world->ny[f]), fabs(world->nz[f])));
 }
@@ -210,7 +201,7 @@ static enum hsr_status check(const struct hsr_world *world,
   bool out_of_memory = false;
   for (uint32_t f = 0; f < world->n_faces; f++)
     if (largest_normal(world, f) <= world->n_error[f] &&
-        !hsr_exact_has_normal(face_loop(world, f), &out_of_memory))
+        !hsr_exact_has_normal(hsr_face_loop(world, f), &out_of_memory))
       return hsr_fail(
           err, HSR_E_INPUT,
           "object %s: an instance takes the area of face id %u to zero",
@@ -292,7 +283,7 @@ static enum hsr_status classify_planes(struct hsr_world *world) {
       open[kept] = open[o];
       uint32_t g = open[kept++].face;
       if (found == UINT32_MAX && maybe_parallel(world, f, g) &&
-          hsr_exact_same_plane(face_loop(world, f), face_loop(world, g),
+          hsr_exact_same_plane(hsr_face_loop(world, f), hsr_face_loop(world, g),
                                &out_of_memory)) {
         found = world->plane[g];
         open[kept - 1].hi = fmax(open[kept - 1].hi, key[i].hi);

@@ -1,49 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer target for a mesh reader: any bytes must give a scene or one line.
-// -DHSR_FUZZ_SUFFIX chooses the reader: '".off"'.
-
+// libFuzzer target for a mesh reader. -DHSR_FUZZ_SUFFIX chooses it: '".off"'.
 #include "common/exchange.h"
-
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <string>
-#include <unistd.h>
-
-namespace {
-
-/* A file of this process's own. */
-const std::string &path() {
-  static const std::string name = [] {
-    char directory[] = "/tmp/hsr-fuzz-XXXXXX";
-    if (!mkdtemp(directory))
-      std::abort();
-    return std::string(directory) + "/mesh" HSR_FUZZ_SUFFIX;
-  }();
-  return name;
-}
-
-} // namespace
+#include "tests/fuzz/fuzz_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  std::FILE *file = std::fopen(path().c_str(), "wb");
-  if (!file || std::fwrite(data, 1, size, file) != size || std::fclose(file))
-    std::abort();
-  struct hsr_scene *scene = hsr_scene_new("fuzz");
+  static const std::string path = fuzz_path("mesh" HSR_FUZZ_SUFFIX);
   struct hsr_import import = {size % 2 == 1, 0};
-  struct hsr_error err = {HSR_OK, ""};
-  if (!scene)
-    return 0;
-  enum hsr_status status = hsr_mesh_read(scene, path().c_str(), &import, &err);
-  if (status == HSR_OK)
-    status = hsr_scene_finish(scene, &err);
-  /* A failure names the file or the scene, on one line, and leaves no object.
-   */
-  if (status != HSR_OK && (!err.text[0] || std::strchr(err.text, '\n')))
-    std::abort();
-  if (status == HSR_E_INTERNAL)
-    std::abort();
-  hsr_scene_delete(scene);
+  fuzz_reader(
+      path, data, size,
+      [&](struct hsr_scene *scene, const char *name, struct hsr_error *err) {
+        return hsr_mesh_read(scene, name, &import, err);
+      });
   return 0;
 }

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the fuzz targets of the readers share: the bytes as a file, read by
+ * `read`, must give a scene or one line. */
+#ifndef HSR_TESTS_FUZZ_READER_H
+#define HSR_TESTS_FUZZ_READER_H
+
+#include "common/scene.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <unistd.h>
+
+/* A file of this process's own. */
+inline std::string fuzz_path(const char *name) {
+  char directory[] = "/tmp/hsr-fuzz-XXXXXX";
+  if (!mkdtemp(directory))
+    std::abort();
+  return std::string(directory) + "/" + name;
+}
+
+template <class Read>
+void fuzz_reader(const std::string &path, const uint8_t *data, size_t size,
+                 const Read &read) {
+  std::FILE *file = std::fopen(path.c_str(), "wb");
+  if (!file || std::fwrite(data, 1, size, file) != size || std::fclose(file))
+    std::abort();
+  struct hsr_scene *scene = hsr_scene_new("fuzz");
+  struct hsr_error err = {HSR_OK, ""};
+  if (!scene)
+    return;
+  enum hsr_status status = read(scene, path.c_str(), &err);
+  if (status == HSR_OK)
+    status = hsr_scene_finish(scene, &err);
+  if (status != HSR_OK && (!err.text[0] || std::strchr(err.text, '\n')))
+    std::abort();
+  if (status == HSR_E_INTERNAL)
+    std::abort();
+  hsr_scene_delete(scene);
+}
+
+#endif
