@@ -29,4 +29,4 @@ nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
 %C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
 nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
 
-EXTRA_DIST += %D%/torture/fail.cc %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc
+EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc
