@@ -7,6 +7,7 @@
  * nothing. Both builds of an algorithm are judged, the counting one too. */
 #include "bench/command.h"
 #include "bench/json.h"
+#include "bench/terminate.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -159,21 +160,6 @@ static void set_standards(struct options *o) {
         o->algorithm[o->n_algorithms++] = a;
 }
 
-/* --- Processes --------------------------------------------------------------
- */
-
-/* Of the leak sanitizer, where there is one. */
-int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
-
-/* Ends a forked process. Not by exit: the destructors of libraries wait for
- * threads that a fork does not bring along. */
-static _Noreturn void end_process(enum hsr_status status) {
-  if (__lsan_do_recoverable_leak_check && __lsan_do_recoverable_leak_check())
-    status = HSR_E_INTERNAL;
-  fflush(NULL);
-  _exit((int)status);
-}
-
 /* --- One cell: an algorithm on a scene, view and size ------------------------
  */
 
@@ -265,7 +251,7 @@ static void judge_apart(const struct group *g, const struct hsr_listed *listed,
     if (!status)
       status = judge(g, listed->counting, cell, true);
     alarm(0);
-    end_process(status);
+    end_process((int)status);
   }
   int end = 0;
   if (child < 0 || waitpid(child, &end, 0) < 0) {
@@ -362,7 +348,7 @@ static enum hsr_status start_group(const struct scene_run *run, int size,
   fflush(NULL);
   pid_t child = fork();
   if (child == 0)
-    end_process(judge_group(&g));
+    end_process((int)judge_group(&g));
   return child < 0 ? hsr_fail_nomem(err) : HSR_OK;
 }
 

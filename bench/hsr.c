@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hsr command: which subcommand, and how it ends. */
 #include "bench/command.h"
+#include "bench/terminate.h"
 
 #include <locale.h>
 #include <stdio.h>
@@ -54,6 +55,7 @@ static enum hsr_status finish(enum hsr_status status, struct hsr_error *err) {
 
 int main(int argc, char **argv) {
   setlocale(LC_CTYPE, "");
+  end_on_uncaught_exceptions();
   if (argc < 2) {
     fputs("hsr: a command is needed (see hsr --help)\n", stderr);
     return HSR_E_USAGE;
@@ -74,6 +76,8 @@ int main(int argc, char **argv) {
     enum hsr_status status = finish(c->run(argc - 1, argv + 1, &err), &err);
     if (status && status != HSR_E_DIFFERENCE)
       fprintf(stderr, "hsr: %s\n", err.text);
+    if (status == HSR_E_NOMEM)
+      end_process((int)status);
     return (int)status;
   }
   fprintf(stderr, "hsr: no command '%s' (see hsr --help)\n", argv[1]);

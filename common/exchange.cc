@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <cfloat>
 #include <cmath>
 #include <cstring>
@@ -112,9 +113,12 @@ void prepare(Soup &soup, const Mesh_extent &extent, const Mesh_file &file) {
 
 void check_read(const Mesh_file &file, bool read, size_t n_faces,
                 const Mesh_extent &extent) {
-  if (!read || n_faces != extent.n_faces)
-    file.refuse(0, "CGAL reads only %zu of its %zu faces", n_faces,
-                extent.n_faces);
+  if (read && n_faces == extent.n_faces)
+    return;
+  if (errno == ENOMEM)
+    throw std::bad_alloc();
+  file.refuse(0, "CGAL reads only %zu of its %zu faces", n_faces,
+              extent.n_faces);
 }
 
 void read_off(Mesh_file &file, bool drop, Soup &soup, Mesh_extent &extent) {
@@ -122,6 +126,7 @@ void read_off(Mesh_file &file, bool drop, Soup &soup, Mesh_extent &extent) {
   prepare(soup, extent, file);
   hsr::Memory_buffer buffer(file.begin, file.end);
   std::istream stream(&buffer);
+  errno = 0; /* where lack of memory shows */
   const bool read = CGAL::IO::read_OFF(stream, soup.points, soup.polygons,
                                        CGAL::parameters::verbose(false));
   check_read(file, read, soup.polygons.size(), extent);
@@ -132,6 +137,7 @@ void read_obj(Mesh_file &file, bool drop, Soup &soup, Mesh_extent &extent) {
   prepare(soup, extent, file);
   hsr::Memory_buffer buffer(file.begin, file.end);
   std::istream stream(&buffer);
+  errno = 0; /* where lack of memory shows */
   const bool read = CGAL::IO::read_OBJ(stream, soup.points, soup.polygons,
                                        CGAL::parameters::verbose(false));
   check_read(file, read, soup.polygons.size(), extent);
@@ -142,6 +148,7 @@ void read_ply(Mesh_file &file, bool drop, Soup &soup, Mesh_extent &extent) {
   prepare(soup, extent, file);
   hsr::Memory_buffer buffer(file.begin, file.end);
   std::istream stream(&buffer);
+  errno = 0; /* where lack of memory shows */
   std::vector<CGAL::IO::Color> of_faces, of_vertices;
   const bool read = CGAL::IO::read_PLY(stream, soup.points, soup.polygons,
                                        of_faces, of_vertices, false);
@@ -160,6 +167,7 @@ void read_stl(Mesh_file &file, bool, Soup &soup, Mesh_extent &extent) {
   soup.triangles.reserve(extent.n_faces);
   hsr::Memory_buffer buffer(file.begin, file.end);
   std::istream stream(&buffer);
+  errno = 0; /* where lack of memory shows */
   const bool read = CGAL::IO::read_STL(stream, soup.points, soup.triangles,
                                        CGAL::parameters::verbose(false));
   check_read(file, read, soup.triangles.size(), extent);

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The end of a program whose libraries throw where they promised not to:
+// OpenImageIO allocates in constructors that are declared noexcept.
+#include "bench/terminate.h"
+#include "common/status.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <unistd.h>
+
+/* Of the leak sanitizer, where there is one. */
+extern "C" int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
+
+namespace {
+
+/* One line, by means that need no memory. */
+[[noreturn]] void end(const char *line, size_t length, int status) {
+  if (write(STDERR_FILENO, line, length) < 0)
+    status = HSR_E_INTERNAL;
+  _exit(status);
+}
+
+[[noreturn]] void terminate() {
+  static const char no_memory[] = "hsr: out of memory\n";
+  static const char internal[] = "hsr: a library failed\n";
+  try {
+    if (std::current_exception())
+      throw;
+  } catch (const std::bad_alloc &) {
+    end(no_memory, sizeof no_memory - 1, HSR_E_NOMEM);
+  } catch (...) {
+  }
+  end(internal, sizeof internal - 1, HSR_E_INTERNAL);
+}
+
+} // namespace
+
+void end_process(int status) {
+  if (__lsan_do_recoverable_leak_check && __lsan_do_recoverable_leak_check())
+    status = HSR_E_INTERNAL;
+  std::fflush(nullptr);
+  _exit(status);
+}
+
+void end_on_uncaught_exceptions(void) {
+  std::set_terminate(terminate);
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HSR_BENCH_TERMINATE_H
+#define HSR_BENCH_TERMINATE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* From now on an exception that nothing catches ends the program with one line
+ * and status 4, if it is for lack of memory, or 5, instead of an abort. */
+void end_on_uncaught_exceptions(void);
+
+/* Ends the process, after a search for leaks where the leak sanitizer is there,
+ * but without the destructors of libraries: in a forked process they wait for
+ * threads that a fork does not bring along, and after a lack of memory they may
+ * find their own data broken. Does not return. */
+void end_process(int status);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
