@@ -78,7 +78,7 @@ int main(int argc, char **argv) {
       fprintf(stderr, "hsr: %s\n", err.text);
     if (status == HSR_E_NOMEM)
       end_process((int)status);
-    return (int)status;
+    return status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status;
   }
   fprintf(stderr, "hsr: no command '%s' (see hsr --help)\n", argv[1]);
   return HSR_E_USAGE;

@@ -115,11 +115,12 @@ struct render {
   const struct options *options;
   struct hsr_scene *scene;
   struct hsr_world world;
+  struct hsr_setup setup;
   struct hsr_view view; /* of the samples */
   uint32_t *ids;
   float *depth, *rgb, *work;
   struct hsr_tally tally;
-  double import, build, prepare, draw, shade, write; /* seconds */
+  double import, build, draw, shade, write; /* seconds */
 };
 
 static enum hsr_status open_scene(struct render *r, struct hsr_error *err) {
@@ -160,16 +161,10 @@ static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
     r->tally.work = r->work;
     r->tally.work_stride = (size_t)r->view.m;
   }
-  void *prepared = NULL;
-  double begin = seconds_now();
-  enum hsr_status status =
-      a->prepare ? a->prepare(&r->world, &prepared, err) : HSR_OK;
-  r->prepare = seconds_now() - begin;
+  enum hsr_status status = hsr_setup_init(&r->setup, a, &r->world, err);
   if (!status)
-    status = render_view(a, &r->world, &r->view, prepared, r->options->threads,
-                         r->ids, &r->tally, &r->draw, err);
-  if (a->release)
-    a->release(prepared);
+    status = render_view(&r->setup, &r->view, r->options->threads, r->ids,
+                         &r->tally, &r->draw, err);
   return status;
 }
 
@@ -232,10 +227,17 @@ static void print_report(const struct render *r,
   printf("%s, view %ld, %d x %d samples, %u faces, by %s: %.1f %% covered\n",
          r->options->scene, r->options->view.view, r->view.m, r->view.n,
          r->world.n_faces, a->name, 100.0 * (double)covered / (double)n);
-  printf("ms: import %.1f, build %.1f, prepare %.1f, render %.2f, shade %.1f, "
-         "write %.1f\n",
-         1e3 * r->import, 1e3 * r->build, 1e3 * r->prepare, 1e3 * r->draw,
-         1e3 * r->shade, 1e3 * r->write);
+  double adapt = 0;
+  for (int k = 0; k < r->setup.n_adaptations; k++) {
+    const struct hsr_adaptation *adaptation = &r->setup.adaptation[k];
+    printf("adapted: %s, %u faces\n", adaptation->name, adaptation->n_faces);
+    adapt += adaptation->seconds;
+  }
+  printf("ms: import %.1f, build %.1f, adapt %.1f, prepare %.1f, render %.2f, "
+         "shade %.1f, write %.1f\n",
+         1e3 * r->import, 1e3 * r->build, 1e3 * adapt,
+         1e3 * r->setup.prepare_seconds, 1e3 * r->draw, 1e3 * r->shade,
+         1e3 * r->write);
   if (!r->options->work)
     return;
   for (int k = 0; a->counters && a->counters[k].name; k++)
@@ -268,6 +270,8 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
     status = write_pictures(&r, a, err);
   if (!status)
     print_report(&r, a);
+  if (r.setup.algorithm)
+    hsr_setup_free(&r.setup);
   hsr_world_free(&r.world);
   hsr_scene_delete(r.scene);
   free(r.ids);

@@ -136,10 +136,14 @@ static enum hsr_status measure(const struct options *o,
   struct hsr_tally tally = {.out_of_memory = false};
   struct hsr_table1 measured, rules;
   const struct hsr_listed *zbuffer;
+  struct hsr_setup setup = {.algorithm = NULL};
   enum hsr_status status = choose_algorithm("zbuffer", &zbuffer, err);
   if (!status)
-    status = render_view(zbuffer->plain, world, view, NULL, 1, ids, &tally,
-                         NULL, err);
+    status = hsr_setup_init(&setup, zbuffer->plain, world, err);
+  if (!status)
+    status = render_view(&setup, view, 1, ids, &tally, NULL, err);
+  if (setup.algorithm)
+    hsr_setup_free(&setup);
   if (!status)
     status = hsr_statistics_measure(world, view, ids, &measured, err);
   free(ids);

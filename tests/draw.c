@@ -11,25 +11,21 @@ void draw_ids(const struct hsr_algorithm *algorithm,
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_tally own = {.out_of_memory = false};
-  void *prepared = NULL;
+  struct hsr_setup setup;
   memset(ids, 0xfe, (size_t)view->m * (size_t)view->n * sizeof *ids);
-  enum hsr_status status =
-      algorithm->prepare ? algorithm->prepare(world, &prepared, &err) : HSR_OK;
-  struct hsr_job job = {.world = world,
-                        .view = view,
-                        .prepared = prepared,
+  enum hsr_status status = hsr_setup_init(&setup, algorithm, world, &err);
+  struct hsr_job job = {.view = view,
                         .scratch = &scratch,
                         .tally = tally ? tally : &own,
                         .ids = ids,
                         .ids_stride = (size_t)view->m};
   if (!status)
-    status = algorithm->render(&job, &err);
-  if (status || job.tally->out_of_memory) {
+    status = hsr_setup_render(&setup, &job, &err);
+  if (status) {
     printf("Bail out! %s: %s\n", algorithm->name, err.text);
     exit(99);
   }
-  if (algorithm->release)
-    algorithm->release(prepared);
+  hsr_setup_free(&setup);
   hsr_arena_free(&scratch);
 }
 

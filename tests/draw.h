@@ -3,7 +3,7 @@
 #ifndef HSR_TESTS_DRAW_H
 #define HSR_TESTS_DRAW_H
 
-#include "algorithms/algorithm.h"
+#include "algorithms/setup.h"
 #include "common/scene.h"
 
 #include <stdint.h>

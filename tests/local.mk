@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Programs that print TAP; the scripts among them end in .test.
-tap_programs = %D%/unit/exchange_test %D%/unit/image_test \
+tap_programs = %D%/unit/adapt_test %D%/unit/exchange_test %D%/unit/image_test \
   %D%/unit/oracle_test %D%/unit/scene_json_test %D%/unit/scenes_test \
   %D%/unit/screen_test %D%/unit/statistics_test \
   %D%/conformance/lattice_test %D%/properties/metamorphic_test
@@ -13,6 +13,8 @@ TESTS += $(tap_programs) $(tap_scripts)
 noinst_LIBRARIES += libdraw.a
 libdraw_a_SOURCES = %D%/draw.c %D%/draw.h %D%/tap.h
 LDADD = libdraw.a $(HSR_LIBS)
+%C%_unit_adapt_test_SOURCES = %D%/unit/adapt_test.c
+nodist_EXTRA_%C%_unit_adapt_test_SOURCES = force_cxx_link.cc
 %C%_unit_exchange_test_SOURCES = %D%/unit/exchange_test.cc
 %C%_unit_image_test_SOURCES = %D%/unit/image_test.cc
 %C%_unit_oracle_test_SOURCES = %D%/unit/oracle_test.cc
