@@ -506,13 +506,12 @@ static bool beyond_near(const struct hsr_screen *screen, uint32_t f, int i,
 
 int hsr_cut_side(const struct hsr_screen *screen, uint32_t f, uint32_t g, int i,
                  int j, struct hsr_tally *tally) {
-  HSR_COUNT_DEPTHS(tally, 1);
   double bound = screen->plane[f].error + screen->plane[g].error;
   double by = hsr_depth(screen, f, i, j) - hsr_depth(screen, g, i, j);
   if (fabs(by) > bound && screen->facing[g])
     return by > 0 ? screen->facing[g] : -screen->facing[g];
   const struct hsr_view *view = screen->view;
-  tally->exact[HSR_ASK_DEPTH]++;
+  tally->exact[HSR_ASK_CUT]++;
   return hsr_exact_cut_side(
       view, hsr_plane_loop(screen->world, f), hsr_plane_loop(screen->world, g),
       hsr_sample_x(view, i), hsr_sample_y(view, j), &tally->out_of_memory);
