@@ -3,7 +3,13 @@
 pkginclude_algorithms_HEADERS += %D%/algorithm.h %D%/setup.h
 libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/list.def
 
-algorithm_files = %D%/newell.c %D%/null.c %D%/oracle.cc %D%/raycast.c %D%/watkins.c \
+algorithm_files = \
+  %D%/newell.c \
+  %D%/null.c \
+  %D%/oracle.cc \
+  %D%/raycast.c \
+  %D%/warnock.c \
+  %D%/watkins.c \
   %D%/zbuffer.c
 
 noinst_LIBRARIES += libplain.a libcounting.a
