@@ -122,6 +122,14 @@ static struct part right_half(struct part p) {
   return (struct part){(p.x0 + p.x1) / 2, p.x1, (p.q0 + p.q1) / 2, p.q1};
 }
 
+static double nearest(struct part p) {
+  return p.q0 > p.q1 ? p.q0 : p.q1;
+}
+
+static double farthest(struct part p) {
+  return p.q0 < p.q1 ? p.q0 : p.q1;
+}
+
 /* Halves the part if one half holds all of the samples [l, r). */
 static bool narrow(struct part *p, int l, int r) {
   double middle = (p->x0 + p->x1) / 2;
@@ -149,9 +157,9 @@ static bool first_is_nearer(struct scan *s, const struct segment *f,
     HSR_STEP(s->tally, DEPTH_SEARCH, HSR_COMPARE, f->face, g->face, l, j, r,
              j + 1);
     *end = r;
-    if (fmin(pf.q0, pf.q1) - fmax(pg.q0, pg.q1) > margin)
+    if (farthest(pf) - nearest(pg) > margin)
       return true;
-    if (fmin(pg.q0, pg.q1) - fmax(pf.q0, pf.q1) > margin)
+    if (farthest(pg) - nearest(pf) > margin)
       return false;
     if (r - l == 1)
       return hsr_nearer(s->screen, f->face, g->face, l, j, s->tally);
