@@ -155,6 +155,34 @@ static void sort_x(struct hsr_scan *s, int j) {
   }
 }
 
+/* --- Penetration -----------------------------------------------------------
+ */
+
+/* Looks first on both sides of where the two planes meet by their coefficients,
+ * then halves. */
+int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
+                      bool f_first, int left, int right, int j, int counter) {
+  const struct hsr_view *view = scan->job->view;
+  const struct hsr_depth_plane *p = &scan->screen.plane[f];
+  const struct hsr_depth_plane *q = &scan->screen.plane[g];
+  double x =
+      ((q->b - p->b) * hsr_sample_y(view, j) + q->c - p->c) / (p->a - q->a);
+  double column = ceil(x - hsr_sample_x(view, 0));
+  int lo = left, hi = right - 1; /* the order of `left` at lo, not at hi */
+  int look = column > lo && column < hi ? (int)column : hi;
+  for (int n = 0; hi - lo > 1; n++) {
+    if (n > 1 || look <= lo || look >= hi)
+      look = lo + (hi - lo) / 2;
+    HSR_TOUCH(scan->tally, look, j);
+    HSR_STEP(scan->tally, counter, HSR_COMPARE, f, g, look, j, look + 1, j + 1);
+    if (hsr_nearer(&scan->screen, f, g, look, j, scan->tally) == f_first)
+      lo = look++;
+    else
+      hi = look--;
+  }
+  return hi;
+}
+
 /* --- The row ----------------------------------------------------------------
  */
 

@@ -71,6 +71,7 @@ struct hsr_scan {
 /* Compiled twice, as the algorithms are. */
 #define hsr_scan_begin HSR_OF_BUILD(hsr_scan_begin)
 #define hsr_scan_advance HSR_OF_BUILD(hsr_scan_advance)
+#define hsr_scan_crossing HSR_OF_BUILD(hsr_scan_crossing)
 
 /* Screen coordinates, memory from job->scratch, and the Y sort. HSR_E_NOMEM. */
 enum hsr_status hsr_scan_begin(struct hsr_scan *scan,
@@ -79,6 +80,14 @@ enum hsr_status hsr_scan_begin(struct hsr_scan *scan,
 /* Brings the X sort list to row j. Called for each row of the window, from the
  * first. */
 void hsr_scan_advance(struct hsr_scan *scan, int j);
+
+/* Where two faces penetrate on row j: the first of the samples [left, right)
+ * at which the order of their planes is not that of the sample `left`; at the
+ * last one it is not. f_first: f is nearer at `left`. 1/t is linear along the
+ * row, so that there is one such place. Each comparison of depths adds one to
+ * the counter. */
+int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
+                      bool f_first, int left, int right, int j, int counter);
 
 /* The counters that these keep; an algorithm's own begin at
  * HSR_N_SCAN_COUNTERS. */
