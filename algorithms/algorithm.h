@@ -112,13 +112,16 @@ struct hsr_algorithm {
   void (*release)(void *prepared); /* NULL if prepare is */
 };
 
-/* HSR_ALGORITHM(watkins) is the name of the descriptor of this build. */
+/* HSR_ALGORITHM(watkins) is the name of the descriptor of this build, and
+ * HSR_OF_BUILD(hsr_scan_begin) that of a function which several share. */
 #define HSR_ALGORITHM_PASTE2(a, b) a##b
 #define HSR_ALGORITHM_PASTE(a, b) HSR_ALGORITHM_PASTE2(a, b)
 #if HSR_COUNTING
 #define HSR_ALGORITHM(id) HSR_ALGORITHM_PASTE(hsr_counting_, id)
+#define HSR_OF_BUILD(name) HSR_ALGORITHM_PASTE(name, _counting)
 #else
 #define HSR_ALGORITHM(id) HSR_ALGORITHM_PASTE(hsr_algorithm_, id)
+#define HSR_OF_BUILD(name) HSR_ALGORITHM_PASTE(name, _plain)
 #endif
 
 /* Both builds of one algorithm. */

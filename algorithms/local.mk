@@ -4,10 +4,13 @@ pkginclude_algorithms_HEADERS += %D%/algorithm.h %D%/setup.h
 libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/list.def
 
 algorithm_files = \
+  %D%/bouknight.c \
   %D%/newell.c \
   %D%/null.c \
   %D%/oracle.cc \
   %D%/raycast.c \
+  %D%/scan_line.c \
+  %D%/scan_line.h \
   %D%/warnock.c \
   %D%/watkins.c \
   %D%/zbuffer.c
