@@ -46,7 +46,7 @@ static const struct hsr_counter counters[] = {
     [SPECIAL] = {"Newell special",
                  "minimax tests in Z, X and Y, and 100 for each pair that goes "
                  "on to the tests of planes and of overlap"},
-    [SEGMENTS] = {"segments", "10 for each segment generated"},
+    [SEGMENTS] = {"segments", "segments generated"},
     [X_MERGE] = {"X merge", "beads passed to find the place of a segment"},
     [INTERCHANGES] = {"interchanges", "pieces moved to the end of the list"},
     [DIVISIONS] = {"divisions", "pieces divided by the plane of another"},
@@ -731,7 +731,6 @@ static void paint(struct newell *s, const struct piece *piece) {
       int x1 = s->columns[k + 1] < w->x1 ? s->columns[k + 1] : w->x1;
       if (x0 >= x1)
         continue;
-      HSR_COUNT(s->tally, SEGMENTS, 9);
       HSR_STEP(s->tally, SEGMENTS, HSR_SPAN, f, HSR_NOTHING, x0, j, x1, j + 1);
       HSR_TOUCH_SPAN(s->tally, x0, x1, j);
       if (s->thick[f])

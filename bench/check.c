@@ -431,7 +431,7 @@ static void print_header(const struct options *o) {
   printf("%-22s %8s %9s %5s ", "scene", "faces", "samples", "views");
   for (int a = 0; a < o->n_algorithms; a++)
     printf(" %9s", o->algorithm[a]->plain->name);
-  puts("   mismatches");
+  puts("   (mismatches)");
 }
 
 /* One line a size: mismatches over all views, or the worst verdict. */
@@ -451,10 +451,12 @@ static void print_scene(const struct scene_run *run) {
         if (cell->verdict > worst || cell->verdict == PENDING)
           worst = cell->verdict;
       }
+      int width = (int)strlen(o->algorithm[a]->plain->name);
+      width = width > 9 ? width : 9;
       if (worst == RIGHT || worst == WRONG)
-        printf(" %9llu", (unsigned long long)mismatches);
+        printf(" %*llu", width, (unsigned long long)mismatches);
       else
-        printf(" %9s", verdict_name[worst]);
+        printf(" %*s", width, verdict_name[worst]);
     }
     putchar('\n');
   }

@@ -23,6 +23,7 @@ struct hsr_command {
 enum hsr_status command_list(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_scenes(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_steps(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_render(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_check(int argc, char **argv, struct hsr_error *err);
 
@@ -111,5 +112,10 @@ enum hsr_status render_view(const struct hsr_setup *setup,
                             const struct hsr_view *view, long threads,
                             uint32_t *ids, struct hsr_tally *tally,
                             double *seconds, struct hsr_error *err);
+
+/* Measures Table I of a view, drawing its picture for what is visible. */
+enum hsr_status measure_table1(const struct hsr_world *world,
+                               const struct hsr_view *view,
+                               struct hsr_table1 *table, struct hsr_error *err);
 
 #endif

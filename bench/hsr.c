@@ -13,6 +13,8 @@ static const struct hsr_command commands[] = {
     {"scenes", "the scenes, their views and face counts", command_scenes},
     {"stats", "Table I of a scene and view, beside Table II's rules",
      command_stats},
+    {"steps", "Table III: what each step of an algorithm costs, and predicted",
+     command_steps},
     {"render", "make a picture with one algorithm", command_render},
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
