@@ -36,12 +36,13 @@ enum hsr_class {
 /* What an algorithm produces; only like kinds are compared. */
 enum hsr_kind { HSR_IDS, HSR_SEGMENTS, HSR_FILTERED };
 
-enum {                           /* flags */
-       HSR_JUDGE = 1 << 0,       /* the oracle: defines what is right */
-       HSR_NO_PICTURE = 1 << 1,  /* draws nothing; never compared */
-       HSR_FRAME_STATE = 1 << 2, /* one render at a time on a prepared object */
-       HSR_KNOWN_WRONG = 1 << 3  /* its picture is known to be wrong sometimes;
-                                    shown for what it is */
+/* Flags. */
+enum {
+  HSR_JUDGE = 1 << 0,       /* the oracle: defines what is right */
+  HSR_NO_PICTURE = 1 << 1,  /* draws nothing; never compared */
+  HSR_FRAME_STATE = 1 << 2, /* one render at a time on a prepared object */
+  HSR_KNOWN_WRONG = 1 << 3, /* its picture is wrong sometimes, and shown so */
+  HSR_TRANSPARENCY = 1 << 4 /* fills job->paint->rgb, if asked to */
 };
 
 /* A sort that the algorithm makes, as in figure 29b. */
@@ -61,6 +62,13 @@ struct hsr_step {
   double (*predict)(const struct hsr_table1 *); /* the same; NULL: none made */
 };
 
+/* Colours, for an algorithm that draws transparency. All borrowed. */
+struct hsr_paint {
+  const float *face;   /* 3 a face of the world: its colour in this view */
+  float background[3]; /* where there is none */
+  float *rgb; /* answer: 3 a sample, (i, j) at [3 * (j * ids_stride + i)] */
+};
+
 /* One picture to make. Everything is borrowed for the call. */
 struct hsr_job {
   const struct hsr_world *world;
@@ -75,6 +83,8 @@ struct hsr_job {
    * no face. Samples outside the window are not touched. */
   uint32_t *ids;
   size_t ids_stride; /* >= view->m */
+
+  const struct hsr_paint *paint; /* or NULL: ids only */
 };
 
 struct hsr_algorithm {

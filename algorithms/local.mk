@@ -8,6 +8,7 @@ algorithm_files = \
   %D%/newell.c \
   %D%/null.c \
   %D%/oracle.cc \
+  %D%/painter.c \
   %D%/raycast.c \
   %D%/scan_line.c \
   %D%/scan_line.h \

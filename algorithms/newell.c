@@ -27,33 +27,41 @@
 #include "algorithms/algorithm.h"
 #include "common/order.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum {
   Z_SORT,
   SPECIAL,
   SEGMENTS,
-  X_MERGE,
   INTERCHANGES,
   DIVISIONS,
   OVERLAPS,
-  THICKNESS
+  THICKNESS,
+  X_MERGE
 };
 
+#define COUNTERS                                                               \
+  [Z_SORT] = {"Z sort",                                                        \
+              "pieces put into buckets of depth; comparisons, where "          \
+              "the last frame's order is the start"},                          \
+  [SPECIAL] = {"Newell special",                                               \
+               "minimax tests in Z, X and Y, and 100 for each pair that goes " \
+               "on to the tests of planes and of overlap"},                    \
+  [SEGMENTS] = {"segments", "segments generated"},                             \
+  [INTERCHANGES] = {"interchanges", "pieces moved to the end of the list"},    \
+  [DIVISIONS] = {"divisions", "pieces divided by the plane of another"},       \
+  [OVERLAPS] = {"overlap tests", "pairs tested for overlap on the screen"},    \
+  [THICKNESS] = {"thickness checks",                                           \
+                 "comparisons in depth where faces that are not flat touch"}
+
 static const struct hsr_counter counters[] = {
-    [Z_SORT] = {"Z sort", "pieces put into buckets of depth; comparisons, when "
-                          "the last frame's order is the start"},
-    [SPECIAL] = {"Newell special",
-                 "minimax tests in Z, X and Y, and 100 for each pair that goes "
-                 "on to the tests of planes and of overlap"},
-    [SEGMENTS] = {"segments", "segments generated"},
+    COUNTERS,
     [X_MERGE] = {"X merge", "beads passed to find the place of a segment"},
-    [INTERCHANGES] = {"interchanges", "pieces moved to the end of the list"},
-    [DIVISIONS] = {"divisions", "pieces divided by the plane of another"},
-    [OVERLAPS] = {"overlap tests", "pairs tested for overlap on the screen"},
-    [THICKNESS] = {"thickness checks",
-                   "comparisons in depth where faces that are not flat touch"},
     {NULL, NULL}};
+
+static const struct hsr_counter counters_frame_buffer[] = {COUNTERS,
+                                                           {NULL, NULL}};
 
 static double predict_z_sort(const struct hsr_table1 *t) {
   return 2 * t->F_r;
@@ -69,16 +77,37 @@ static double predict_x_merge(const struct hsr_table1 *t) {
   return t->F_r * t->H_f * t->S_v / 4;
 }
 
+#define STEPS                                                                  \
+  {"Z sort", Z_SORT, 1, "2 F_r", predict_z_sort},                              \
+      {"Newell special", SPECIAL, 1,                                           \
+       "F_r^2 (f + f^2 + 100 f^3), f = 2 H_f / n", predict_special},           \
+  {                                                                            \
+    "segment generator, Y sort", SEGMENTS, 10, "10 F_r H_f", predict_segments  \
+  }
+
 static const struct hsr_step steps[] = {
-    {"Z sort", Z_SORT, 1, "2 F_r", predict_z_sort},
-    {"Newell special", SPECIAL, 1, "F_r^2 (f + f^2 + 100 f^3), f = 2 H_f / n",
-     predict_special},
-    {"segment generator, Y sort", SEGMENTS, 10, "10 F_r H_f", predict_segments},
+    STEPS,
     {"X merge", X_MERGE, 1, "F_r H_f S_v / 4", predict_x_merge},
     {NULL, 0, 0, NULL, NULL}};
 
+static const struct hsr_step steps_frame_buffer[] = {STEPS,
+                                                     {NULL, 0, 0, NULL, NULL}};
+
 static const struct hsr_sort sorts[] = {
     {"faces", "Z", "radix sort of the farthest vertex", "once a frame"},
+    {"faces", "XYZ", "Newell special", "once a frame"},
+    {"segments", "Y", "bucket sort", "once a frame"},
+    {"beads", "X", "merge", "once a segment"},
+    {NULL, NULL, NULL, NULL}};
+
+static const struct hsr_sort sorts_frame_buffer[] = {
+    {"faces", "Z", "radix sort of the farthest vertex", "once a frame"},
+    {"faces", "XYZ", "Newell special", "once a frame"},
+    {"samples", "XY", "frame buffer", "once a segment"},
+    {NULL, NULL, NULL, NULL}};
+
+static const struct hsr_sort sorts_previous[] = {
+    {"faces", "Z", "insertion sort of the last frame's order", "once a frame"},
     {"faces", "XYZ", "Newell special", "once a frame"},
     {"segments", "Y", "bucket sort", "once a frame"},
     {"beads", "X", "merge", "once a segment"},
@@ -105,6 +134,7 @@ struct piece {
 struct bead {
   int x0, x1;
   uint32_t face, next;
+  float rgb[3]; /* where colours are asked for */
 };
 
 /* An array that grows in the scratch arena, by doubling. */
@@ -115,7 +145,7 @@ struct growing {
 
 /* Faces in the order in which the last frame painted them. */
 struct previous {
-  uint32_t *order, n, n_faces;
+  uint32_t n, n_faces, order[];
 };
 
 struct newell {
@@ -627,11 +657,12 @@ static uint32_t find_bead(struct newell *s, int j, int x, uint32_t *before) {
   return b;
 }
 
-/* The samples [x0, x1) of row j become a bead of face f; what was there is
- * overwritten. */
-static void merge_bead(struct newell *s, uint32_t f, int x0, int x1, int j) {
+/* The samples [x0, x1) of row j become a bead; what was there is overwritten.
+ */
+static void merge_bead(struct newell *s, struct bead new, int j) {
+  int x0 = new.x0, x1 = new.x1;
   uint32_t before, b = find_bead(s, j, x0, &before);
-  uint32_t bead = new_bead(s, (struct bead){x0, x1, f, NONE});
+  uint32_t bead = new_bead(s, new);
   if (bead == NONE)
     return;
   if (b != NONE && bead_at(s, b)->x0 < x0) {
@@ -656,32 +687,84 @@ static void merge_bead(struct newell *s, uint32_t f, int x0, int x1, int j) {
   set_next(s, j, before, bead);
 }
 
-static void overwrite(struct newell *s, uint32_t f, int x0, int x1, int j) {
-  if (!s->frame_buffer) {
-    merge_bead(s, f, x0, x1, j);
-    return;
-  }
-  uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-  for (int i = x0; i < x1; i++)
-    row[i] = f;
+static void write_samples(struct newell *s, struct bead new, int j) {
+  size_t row = (size_t)j * s->job->ids_stride;
+  for (int i = new.x0; i < new.x1; i++)
+    s->job->ids[row + (size_t)i] = new.face;
+  float *rgb = s->job->paint ? s->job->paint->rgb + 3 * row : NULL;
+  for (int i = 3 * new.x0; rgb &&i < 3 * new.x1; i++)
+    rgb[i] = new.rgb[(i - 3 * new.x0) % 3];
 }
 
-/* What is painted at (i, j), and in *end how far at least, up to `most`. */
-static uint32_t painted(struct newell *s, int i, int j, int most, int *end) {
-  const uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-  *end = most;
+static void overwrite_opaque(struct newell *s, struct bead new, int j) {
+  if (s->frame_buffer)
+    write_samples(s, new, j);
+  else
+    merge_bead(s, new, j);
+}
+
+/* What is painted at (i, j), as a bead that ends at `most` or before; its
+ * face is the background where there is nothing. */
+static struct bead painted(struct newell *s, int i, int j, int most) {
+  struct bead there = {i, most, HSR_BACKGROUND, NONE, {0}};
+  const struct hsr_paint *paint = s->job->paint;
+  if (paint)
+    memcpy(there.rgb, paint->background, sizeof there.rgb);
   if (s->frame_buffer) {
-    for (*end = i + 1; *end < most && row[*end] == row[i];)
-      ++*end;
-    return row[i];
+    size_t row = (size_t)j * s->job->ids_stride;
+    const uint32_t *ids = s->job->ids + row;
+    const float *rgb = paint ? paint->rgb + 3 * row : NULL;
+    there.face = ids[i];
+    if (rgb)
+      memcpy(there.rgb, rgb + 3 * i, sizeof there.rgb);
+    for (there.x1 = i + 1;
+         there.x1 < most && ids[there.x1] == ids[i] &&
+         (!rgb || !memcmp(rgb + 3 * there.x1, there.rgb, sizeof there.rgb));)
+      there.x1++;
+    return there;
   }
   uint32_t before, b = find_bead(s, j, i, &before);
   if (b == NONE)
-    return HSR_BACKGROUND;
+    return there;
   const struct bead *bead = bead_at(s, b);
-  int stop = bead->x0 > i ? bead->x0 : bead->x1;
-  *end = stop < most ? stop : most;
-  return bead->x0 > i ? HSR_BACKGROUND : bead->face;
+  int end = bead->x0 > i ? bead->x0 : bead->x1;
+  if (bead->x0 <= i) {
+    there.face = bead->face;
+    memcpy(there.rgb, bead->rgb, sizeof there.rgb);
+  }
+  there.x1 = end < most ? end : most;
+  return there;
+}
+
+/* Partial overwriting: a transparent face that is brighter than what lies
+ * under it takes its place; else the two are combined. */
+static void overwrite_partly(struct newell *s, struct bead new, float opacity,
+                             int j) {
+  float brightness = new.rgb[0] + new.rgb[1] + new.rgb[2];
+  for (int i = new.x0, end = new.x1; i < end;) {
+    struct bead under = painted(s, i, j, end), mixed = new;
+    mixed.x0 = i;
+    mixed.x1 = i = under.x1;
+    if (brightness <= under.rgb[0] + under.rgb[1] + under.rgb[2])
+      for (int c = 0; c < 3; c++)
+        mixed.rgb[c] = opacity * new.rgb[c] + (1 - opacity) * under.rgb[c];
+    overwrite_opaque(s, mixed, j);
+  }
+}
+
+static void overwrite(struct newell *s, uint32_t f, int x0, int x1, int j) {
+  const struct hsr_world *world = s->job->world;
+  struct bead new = {x0, x1, f, NONE, {0}};
+  if (!s->job->paint) {
+    overwrite_opaque(s, new, j);
+    return;
+  }
+  memcpy(new.rgb, s->job->paint->face + 3 * (size_t)f, sizeof new.rgb);
+  float opacity = world->scene->objects[world->object[f]].opacity;
+  if (opacity < 1)
+    overwrite_partly(s, new, opacity, j);
+  else
+    overwrite_opaque(s, new, j);
 }
 
 /* Whether f is nearer than g at (i, j). */
@@ -695,7 +778,9 @@ static bool ask_sample(struct newell *s, uint32_t f, uint32_t g, int i, int j) {
 static void overwrite_thick(struct newell *s, uint32_t f, int x0, int x1,
                             int j) {
   for (int i = x0, end; i < x1; i = end) {
-    uint32_t g = painted(s, i, j, x1, &end);
+    struct bead there = painted(s, i, j, x1);
+    uint32_t g = there.face;
+    end = there.x1;
     if (g == HSR_BACKGROUND || !s->thick[g]) {
       overwrite(s, f, i, end, j);
       continue;
@@ -744,17 +829,18 @@ static void paint(struct newell *s, const struct piece *piece) {
 static void show_beads(struct newell *s) {
   const struct hsr_window *w = s->window;
   for (int j = w->y0; j < w->y1; j++) {
-    uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-    int i = w->x0;
+    struct bead gap = {w->x0, w->x0, HSR_BACKGROUND, NONE, {0}};
+    if (s->job->paint)
+      memcpy(gap.rgb, s->job->paint->background, sizeof gap.rgb);
     for (uint32_t b = s->row[j - w->y0]; b != NONE; b = bead_at(s, b)->next) {
       const struct bead *bead = bead_at(s, b);
-      for (; i < bead->x0; i++)
-        row[i] = HSR_BACKGROUND;
-      for (; i < bead->x1; i++)
-        row[i] = bead->face;
+      gap.x1 = bead->x0;
+      write_samples(s, gap, j);
+      write_samples(s, *bead, j);
+      gap.x0 = bead->x1;
     }
-    for (; i < w->x1; i++)
-      row[i] = HSR_BACKGROUND;
+    gap.x1 = w->x1;
+    write_samples(s, gap, j);
   }
 }
 
@@ -777,9 +863,8 @@ static enum hsr_status allocate(struct newell *s) {
   if (!s->thick || !s->row || !s->columns)
     return HSR_E_NOMEM;
   memset(s->row, 0xff, rows * sizeof *s->row);
-  for (int j = w->y0; s->frame_buffer && j < w->y1; j++)
-    memset(s->job->ids + (size_t)j * s->job->ids_stride + w->x0, 0xff,
-           (size_t)(w->x1 - w->x0) * sizeof *s->job->ids);
+  if (s->frame_buffer)
+    show_beads(s); /* there are none: the background */
   return HSR_OK;
 }
 
@@ -833,12 +918,31 @@ static enum hsr_status render_frame_buffer(const struct hsr_job *job,
   return run(job, true, NULL, err);
 }
 
+/* --- From the previous frame's order ---------------------------------------
+ */
+
+static enum hsr_status prepare_previous(const struct hsr_world *world,
+                                        void **prepared,
+                                        struct hsr_error *err) {
+  struct previous *previous =
+      malloc(sizeof *previous + world->n_faces * sizeof *previous->order);
+  if (!previous)
+    return hsr_fail_nomem(err);
+  *previous = (struct previous){.n_faces = world->n_faces};
+  *prepared = previous;
+  return HSR_OK;
+}
+
+static enum hsr_status render_previous(const struct hsr_job *job,
+                                       struct hsr_error *err) {
+  return run(job, false, job->prepared, err);
+}
+
 #define NEWELL                                                                 \
   .authors = "M. E. Newell, R. G. Newell, T. L. Sancha",                       \
   .source = "Proc. ACM Annual Conference, 1972, 443-450; Sutherland et al., "  \
             "Computing Surveys 6(1), 1974, \"List-Priority Algorithms\"",      \
-  .taxonomy = HSR_LIST_PRIORITY, .restrictions = 0, .kind = HSR_IDS,           \
-  .sorts = sorts, .counters = counters, .steps = steps
+  .taxonomy = HSR_LIST_PRIORITY, .restrictions = 0, .kind = HSR_IDS
 
 const struct hsr_algorithm HSR_ALGORITHM(newell) = {
     NEWELL,
@@ -847,6 +951,10 @@ const struct hsr_algorithm HSR_ALGORITHM(newell) = {
     .year = 1972,
     .sort_order = "ZYX",
     .coherence = "depth",
+    .flags = HSR_TRANSPARENCY,
+    .sorts = sorts,
+    .counters = counters,
+    .steps = steps,
     .render = render};
 
 const struct hsr_algorithm HSR_ALGORITHM(newell_frame_buffer) = {
@@ -856,4 +964,23 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_frame_buffer) = {
     .year = 1974,
     .sort_order = "Z(XY)",
     .coherence = "depth",
+    .flags = HSR_TRANSPARENCY,
+    .sorts = sorts_frame_buffer,
+    .counters = counters_frame_buffer,
+    .steps = steps_frame_buffer,
     .render = render_frame_buffer};
+
+const struct hsr_algorithm HSR_ALGORITHM(newell_previous) = {
+    NEWELL,
+    .name = "newell-previous",
+    .title = "Newell, Newell and Sancha's, from the previous frame's order",
+    .year = 1974,
+    .sort_order = "ZYX",
+    .coherence = "depth, frame",
+    .flags = HSR_TRANSPARENCY | HSR_FRAME_STATE,
+    .sorts = sorts_previous,
+    .counters = counters,
+    .steps = steps,
+    .prepare = prepare_previous,
+    .render = render_previous,
+    .release = free};

@@ -63,6 +63,7 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
                                  struct hsr_job *job, struct hsr_error *err) {
   job->world = setup->world;
   job->prepared = setup->prepared;
+  job->paint = setup->paint;
   enum hsr_status status = setup->algorithm->render(job, err);
   if (!status && job->tally->out_of_memory)
     status = hsr_fail_nomem(err);

@@ -28,6 +28,7 @@ struct hsr_setup {
   int n_adaptations; /* those that changed something */
   void *prepared;
   double prepare_seconds;
+  const struct hsr_paint *paint; /* for every job; NULL unless set */
 };
 
 /* `world` is borrowed and outlives the setup. Freed with hsr_setup_free, also
@@ -38,7 +39,8 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                                const struct hsr_world *world,
                                struct hsr_error *err);
 
-/* Renders job->view; the job's world and prepared object are set here. The ids
+/* Renders job->view; the job's world, prepared object and paint are set
+ * here. The ids
  * are those of the scene's faces. HSR_E_NOMEM. */
 enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
                                  struct hsr_job *job, struct hsr_error *err);

@@ -431,7 +431,7 @@ static void print_header(const struct options *o) {
   printf("%-22s %8s %9s %5s ", "scene", "faces", "samples", "views");
   for (int a = 0; a < o->n_algorithms; a++)
     printf(" %9s", o->algorithm[a]->plain->name);
-  puts("   (mismatches)");
+  puts("   mismatches");
 }
 
 /* One line a size: mismatches over all views, or the worst verdict. */
@@ -453,8 +453,12 @@ static void print_scene(const struct scene_run *run) {
       }
       int width = (int)strlen(o->algorithm[a]->plain->name);
       width = width > 9 ? width : 9;
+      bool known = o->algorithm[a]->plain->flags & HSR_KNOWN_WRONG;
+      char cell[32];
+      snprintf(cell, sizeof cell, known && mismatches ? "(%llu)" : "%llu",
+               (unsigned long long)mismatches);
       if (worst == RIGHT || worst == WRONG)
-        printf(" %*llu", width, (unsigned long long)mismatches);
+        printf(" %*s", width, cell);
       else
         printf(" %*s", width, verdict_name[worst]);
     }

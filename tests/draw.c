@@ -54,7 +54,7 @@ void for_each_judged(void (*check)(const struct hsr_algorithm *, void *),
                      void *context) {
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
     if (a->plain->kind == HSR_IDS &&
-        !(a->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE))) {
+        !(a->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE | HSR_KNOWN_WRONG))) {
       check(a->plain, context);
       check(a->counting, context);
     }
