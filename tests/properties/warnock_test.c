@@ -70,7 +70,7 @@ static void watch_test(struct watch *w, const struct hsr_event *event) {
   for (size_t k = w->of_face[event->a]; k; k = w->settled[k].next)
     if (is_within(window, w->settled[k].window)) {
       w->n_repeated++;
-      break;
+      return;
     }
   if (event->kind == HSR_COMPARE)
     return;
