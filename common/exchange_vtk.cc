@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // .vtp files, through VTK.
 //
-// Safety      see common/mesh_scan_vtp.cc: VTK sees only what the scan has
-// passed,
-//             and must find in it what the scan found.
+// Safety      see common/mesh_scan_vtp.cc: VTK sees what the scan passes, and
+//             must find in it what the scan found.
 // Memory      at once: the file, what VTK makes of one piece, and the object.
 
 #include "common/exchange.h"
@@ -21,6 +20,7 @@
 #include <vtkXMLDataParser.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <istream>
@@ -43,6 +43,7 @@ struct Complaint {
     std::string text = static_cast<const char *>(message);
     const size_t colon = text.find("): ");
     self.text = colon == std::string::npos ? text : text.substr(colon + 3);
+    self.text.resize(std::min(self.text.find('\n'), self.text.size()));
     while (!self.text.empty() &&
            std::isspace(static_cast<unsigned char>(self.text.back())))
       self.text.pop_back();
