@@ -214,6 +214,8 @@ void Vtp_scan::points(const Tag &tag, size_t n) {
       continue;
     }
     const char *place = child.text.data();
+    if (arrays_.size() > n_before)
+      markup_.refuse(place, "'Points' holds more than one array");
     const Word *size = markup_.attribute(child, "NumberOfComponents");
     if (!size || *size != "3")
       markup_.refuse(place, "has points of other than 3 coordinates");
@@ -223,9 +225,8 @@ void Vtp_scan::points(const Tag &tag, size_t n) {
     if (arrays_.back().type != type_of_points_)
       markup_.refuse(place, "has pieces with points of several types");
   }
-  if (arrays_.size() != n_before + 1)
-    markup_.refuse(tag.text.data(), "'Points' holds %zu arrays, not one",
-                   arrays_.size() - n_before);
+  if (arrays_.size() == n_before)
+    markup_.refuse(tag.text.data(), "'Points' holds no array");
 }
 
 void Vtp_scan::cells(const Tag &tag, size_t n, size_t n_points) {
