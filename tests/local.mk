@@ -7,6 +7,10 @@ tap_programs = %D%/unit/adapt_test %D%/unit/exchange_test %D%/unit/image_test \
   %D%/properties/warnock_test
 tap_scripts = %D%/command.test %D%/bad/bad_input.test %D%/torture/torture.test
 
+if WITH_VTK
+tap_programs += %D%/unit/vtp_test
+endif
+
 check_PROGRAMS += $(tap_programs)
 dist_check_SCRIPTS += $(tap_scripts)
 TESTS += $(tap_programs) $(tap_scripts)
@@ -27,6 +31,8 @@ nodist_EXTRA_%C%_unit_scenes_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_unit_screen_test_SOURCES = force_cxx_link.cc
 %C%_unit_statistics_test_SOURCES = %D%/unit/statistics_test.c
 nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
+%C%_unit_vtp_test_SOURCES = %D%/unit/vtp_test.cc
+%C%_unit_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_conformance_lattice_test_SOURCES = %D%/conformance/lattice_test.c
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
 %C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
@@ -36,4 +42,4 @@ nodist_EXTRA_%C%_properties_warnock_test_SOURCES = force_cxx_link.cc
 %C%_properties_newell_test_SOURCES = %D%/properties/newell_test.c
 nodist_EXTRA_%C%_properties_newell_test_SOURCES = force_cxx_link.cc
 
-EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc
+EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict
