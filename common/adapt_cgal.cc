@@ -137,7 +137,7 @@ using Flat_point = Kernel::Point_2;
 std::vector<Flat_point> flatten(const hsr_world &world, uint32_t f) {
   const double n[3] = {std::fabs(world.nx[f]), std::fabs(world.ny[f]),
                        std::fabs(world.nz[f])};
-  const int drop = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
+  const size_t drop = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
   std::vector<Flat_point> points;
   for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++) {
     const Point p = point_of(world, world.vertex[k]);
