@@ -10,6 +10,7 @@ algorithm_files = \
   %D%/oracle.cc \
   %D%/painter.c \
   %D%/raycast.c \
+  %D%/romney.c \
   %D%/scan_line.c \
   %D%/scan_line.h \
   %D%/warnock.c \
