@@ -5,7 +5,7 @@ tap_programs = %D%/unit/adapt_test %D%/unit/exchange_test %D%/unit/image_test \
   %D%/unit/screen_test %D%/unit/statistics_test \
   %D%/conformance/lattice_test %D%/properties/metamorphic_test %D%/properties/newell_test \
   %D%/properties/romney_test %D%/properties/warnock_test
-tap_scripts = %D%/command.test %D%/bad/bad_input.test %D%/torture/torture.test
+tap_scripts = %D%/command.test %D%/bad/bad_input.test %D%/bad/memory.test %D%/torture/torture.test
 
 if WITH_VTK
 tap_programs += %D%/unit/vtp_test
