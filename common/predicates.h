@@ -87,6 +87,12 @@ int hsr_exact_nearer(const struct hsr_view *view, struct hsr_loop f,
                      struct hsr_loop g, double sx, double sy,
                      bool *out_of_memory);
 
+/* The same on the ray through a point, and not perturbed: 0 if the planes meet
+ * there. */
+int hsr_exact_nearer_towards(const struct hsr_view *view, struct hsr_loop f,
+                             struct hsr_loop g, const double point[3],
+                             bool *out_of_memory);
+
 /* The matrices of hsr_view from its E, F, R, U, m, n, each entry the exact
  * value with a relative error of at most 2^-52. False if F, R, U are dependent.
  */
