@@ -4,7 +4,7 @@ pkginclude_algorithms_HEADERS += %D%/algorithm.h
 libhsr_a_SOURCES += %D%/registry.c %D%/list.def
 
 algorithm_files = %D%/bouknight.c %D%/null.c %D%/oracle.cc %D%/raycast.c \
-  %D%/scan_line.c %D%/scan_line.h %D%/watkins.c %D%/zbuffer.c
+  %D%/scan_line.c %D%/scan_line.h %D%/watkins.c %D%/yzx.c %D%/zbuffer.c
 
 noinst_LIBRARIES += libplain.a libcounting.a
 libplain_a_SOURCES = $(algorithm_files)
