@@ -3,7 +3,8 @@
 tap_programs = %D%/unit/exchange_test %D%/unit/image_test \
   %D%/unit/oracle_test %D%/unit/scene_json_test %D%/unit/scenes_test \
   %D%/unit/screen_test %D%/unit/statistics_test \
-  %D%/conformance/lattice_test %D%/properties/metamorphic_test
+  %D%/conformance/lattice_test %D%/properties/metamorphic_test \
+  %D%/properties/scan_line_test
 tap_scripts = %D%/command.test %D%/bad/bad_input.test %D%/torture/torture.test
 
 check_PROGRAMS += $(tap_programs)
@@ -28,5 +29,7 @@ nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
 %C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
 nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
+%C%_properties_scan_line_test_SOURCES = %D%/properties/scan_line_test.c
+nodist_EXTRA_%C%_properties_scan_line_test_SOURCES = force_cxx_link.cc
 
 EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc
