@@ -15,10 +15,10 @@
  *             and `last` are the nearest faces at its first and last sample
  * Penetration The depths are compared at both limits of a span; where they tell
  *             different faces, it is divided at the first sample behind the
- *             crossing of those two. (The survey says that the procedure "must
- *             be altered slightly if penetrating faces are allowed", and refers
- *             to R-432.) On a row 1/t of a plane is linear, ties included: a
- *             face that is nearest at both limits is so in between.
+ *             crossing of those two. (All the survey says is that penetrating
+ *             faces take a slight change, which R-432 describes.) On a row 1/t
+ *             of a plane is linear, ties included: a face that is nearest at
+ *             both limits is so in between.
  * Ties        by hsr_nearer
  * Departures  those of scan_line.h; a span without a sample is passed over, and
  *             one with a single face or none is not searched

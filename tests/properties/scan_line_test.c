@@ -8,9 +8,9 @@
  *             each scene in which a segment hides an end of another. Where no
  *             end is hidden both have as many (the sphere). The sample spans of
  *             yzx are the visible segments, the fewest that there can be.
- * Divisions   "Very often, no depth interpolations are needed": over all of
- *             these pictures less than a third of Watkins' depth comparisons
- *             are followed by a division.
+ * Divisions   Watkins' logarithmic search seldom computes a depth that was not
+ *             given: over all of these pictures less than a third of its
+ *             comparisons are followed by a division.
  * Lines       In a scene of faces many lines tall, four times as many lines of
  *             four times as many samples leave yzx with about as many
  *             comparisons in depth to sort faces, and with less than twice as
