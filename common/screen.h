@@ -125,7 +125,9 @@ static inline double hsr_depth(const struct hsr_screen *screen, uint32_t f,
 }
 
 /* Is f nearer than g on the ray of sample (i, j), by their planes: the order of
- * the picture, ties included. Both exist and are ahead there; f != g. */
+ * the picture, ties included. Both exist; f != g. Where a plane is met behind
+ * the eye its 1/t is negative, and compared as that: so the order of two planes
+ * changes at most at one place of a row. */
 static inline bool hsr_nearer(const struct hsr_screen *screen, uint32_t f,
                               uint32_t g, int i, int j,
                               struct hsr_tally *tally) {
