@@ -12,6 +12,7 @@
 #ifndef HSR_ALGORITHMS_ALGORITHM_H
 #define HSR_ALGORITHMS_ALGORITHM_H
 
+#include "common/adapt.h"
 #include "common/arena.h"
 #include "common/count.h"
 #include "common/statistics.h"
@@ -32,26 +33,16 @@ enum hsr_class {
   HSR_YARDSTICK    /* no algorithm of the field: the oracle, null */
 };
 
-/* Environment restrictions, figure 29a: what the method demands. */
-enum {
-  HSR_CC = 1 << 0, /* clusters are closed convex polyhedra */
-  HSR_CF = 1 << 1, /* faces are convex polygons */
-  HSR_TR = 1 << 2, /* faces are triangles */
-  HSR_LS = 1 << 3, /* clusters linearly separable */
-  HSR_NP = 1 << 4, /* no penetrating faces */
-  HSR_TP = 1 << 5, /* topology needed: adjacency, clusters */
-  HSR_PF = 1 << 6, /* planar faces only */
-  HSR_OF = 1 << 7, /* no faces outside the field of view */
-  HSR_BE = 1 << 8  /* no faces behind the observer */
-};
-
 /* What an algorithm produces; only like kinds are compared. */
 enum hsr_kind { HSR_IDS, HSR_SEGMENTS, HSR_FILTERED };
 
-enum {                          /* flags */
-       HSR_JUDGE = 1 << 0,      /* the oracle: defines what is right */
-       HSR_NO_PICTURE = 1 << 1, /* draws nothing; never compared */
-       HSR_FRAME_STATE = 1 << 2 /* one render at a time on a prepared object */
+/* Flags. */
+enum {
+  HSR_JUDGE = 1 << 0,       /* the oracle: defines what is right */
+  HSR_NO_PICTURE = 1 << 1,  /* draws nothing; never compared */
+  HSR_FRAME_STATE = 1 << 2, /* one render at a time on a prepared object */
+  HSR_KNOWN_WRONG = 1 << 3, /* its picture is wrong sometimes, and shown so */
+  HSR_TRANSPARENCY = 1 << 4 /* fills job->paint->rgb, if asked to */
 };
 
 /* A sort that the algorithm makes, as in figure 29b. */
@@ -71,6 +62,13 @@ struct hsr_step {
   double (*predict)(const struct hsr_table1 *); /* the same; NULL: none made */
 };
 
+/* Colours, for an algorithm that draws transparency. All borrowed. */
+struct hsr_paint {
+  const float *face;   /* 3 a face of the world: its colour in this view */
+  float background[3]; /* where there is none */
+  float *rgb; /* answer: 3 a sample, (i, j) at [3 * (j * ids_stride + i)] */
+};
+
 /* One picture to make. Everything is borrowed for the call. */
 struct hsr_job {
   const struct hsr_world *world;
@@ -85,6 +83,8 @@ struct hsr_job {
    * no face. Samples outside the window are not touched. */
   uint32_t *ids;
   size_t ids_stride; /* >= view->m */
+
+  const struct hsr_paint *paint; /* or NULL: ids only */
 };
 
 struct hsr_algorithm {
@@ -97,7 +97,8 @@ struct hsr_algorithm {
   enum hsr_class taxonomy;
   const char *sort_order; /* "YXZ"; NULL if it has none */
   const char *coherence;  /* what it bets on; NULL if nothing */
-  unsigned restrictions;  /* HSR_CC ... */
+  unsigned restrictions;  /* HSR_CC ... (common/adapt.h): the world that prepare
+                             and render get is adapted to these */
   enum hsr_kind kind;
   unsigned flags;
   const struct hsr_sort *sorts;       /* ended by .what == NULL; NULL: none */

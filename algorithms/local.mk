@@ -1,10 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every algorithm is compiled twice, to count and not to.
-pkginclude_algorithms_HEADERS += %D%/algorithm.h
-libhsr_a_SOURCES += %D%/registry.c %D%/list.def
+pkginclude_algorithms_HEADERS += %D%/algorithm.h %D%/setup.h
+libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/list.def
 
-algorithm_files = %D%/bouknight.c %D%/null.c %D%/oracle.cc %D%/raycast.c \
-  %D%/scan_line.c %D%/scan_line.h %D%/watkins.c %D%/yzx.c %D%/zbuffer.c
+algorithm_files = \
+  %D%/bouknight.c \
+  %D%/newell.c \
+  %D%/null.c \
+  %D%/oracle.cc \
+  %D%/painter.c \
+  %D%/raycast.c \
+  %D%/romney.c \
+  %D%/scan_line.c \
+  %D%/scan_line.h \
+  %D%/warnock.c \
+  %D%/watkins.c \
+  %D%/yzx.c \
+  %D%/zbuffer.c
 
 noinst_LIBRARIES += libplain.a libcounting.a
 libplain_a_SOURCES = $(algorithm_files)

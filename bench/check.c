@@ -177,6 +177,10 @@ struct cell {
   int i, j;                /* the first of them */
   uint32_t got, wanted;
   uint64_t depths_compared, depths_exact;
+  const char
+      *adapted[HSR_MAX_ADAPTATIONS]; /* adapters that changed the scene */
+  int n_adaptations;
+  char refusal[480]; /* why, if an adapter refused */
 };
 
 /* What a group's processes work on. */
@@ -184,7 +188,7 @@ struct group {
   const struct options *options;
   const struct hsr_scene *scene;
   const struct hsr_world *world;
-  void *oracle_prepared;
+  const struct hsr_setup *oracle;
   struct hsr_view view;
   uint32_t *wanted, *got; /* m * n each; got is shared */
   struct cell *cells;     /* an algorithm */
@@ -213,16 +217,18 @@ static enum hsr_status judge(const struct group *g,
                              bool counting) {
   struct hsr_error err;
   struct hsr_tally tally = {.out_of_memory = false};
-  void *prepared = NULL;
+  struct hsr_setup setup;
   /* A value that no picture holds shows what was not written. */
   memset(g->got, 0xfe, (size_t)g->view.m * (size_t)g->view.n * sizeof *g->got);
-  enum hsr_status status =
-      a->prepare ? a->prepare(g->world, &prepared, &err) : HSR_OK;
+  enum hsr_status status = hsr_setup_init(&setup, a, g->world, &err);
   if (!status)
-    status = render_view(a, g->world, &g->view, prepared, 1, g->got, &tally,
-                         NULL, &err);
-  if (a->release)
-    a->release(prepared);
+    status = render_view(&setup, &g->view, 1, g->got, &tally, NULL, &err);
+  cell->n_adaptations = setup.n_adaptations;
+  for (int k = 0; k < setup.n_adaptations; k++)
+    cell->adapted[k] = setup.adaptation[k].name; /* lasts: it is a constant */
+  hsr_setup_free(&setup);
+  if (status == HSR_E_REFUSED)
+    snprintf(cell->refusal, sizeof cell->refusal, "%s", err.text);
   if (status)
     return status;
   compare(g, cell);
@@ -259,6 +265,8 @@ static void judge_apart(const struct group *g, const struct hsr_listed *listed,
     cell->verdict = CRASH;
   } else if (WIFSIGNALED(end)) {
     cell->verdict = WTERMSIG(end) == SIGALRM ? TIMEOUT : CRASH;
+  } else if (WEXITSTATUS(end) == HSR_E_REFUSED) {
+    cell->verdict = REFUSED;
   } else if (WEXITSTATUS(end)) {
     cell->failure = (enum hsr_status)WEXITSTATUS(end);
     cell->verdict = CRASH;
@@ -276,8 +284,7 @@ static enum hsr_status judge_group(struct group *g) {
   g->got = shared_memory(size);
   enum hsr_status status = g->wanted && g->got ? HSR_OK : HSR_E_NOMEM;
   if (!status)
-    status = render_view(g->options->oracle->plain, g->world, &g->view,
-                         g->oracle_prepared, 1, g->wanted, &tally, NULL, &err);
+    status = render_view(g->oracle, &g->view, 1, g->wanted, &tally, NULL, &err);
   for (int a = 0; a < g->options->n_algorithms && !status; a++)
     judge_apart(g, g->options->algorithm[a], &g->cells[a]);
   if (g->got)
@@ -294,7 +301,7 @@ struct scene_run {
   const char *name;
   struct hsr_scene *scene;
   struct hsr_world world;
-  void *oracle_prepared;
+  struct hsr_setup oracle;
   int n_groups;
   struct cell *cells; /* n_groups * n_algorithms, shared */
   size_t cells_size;
@@ -338,7 +345,7 @@ static enum hsr_status start_group(const struct scene_run *run, int size,
   struct group g = {.options = run->options,
                     .scene = run->scene,
                     .world = &run->world,
-                    .oracle_prepared = run->oracle_prepared,
+                    .oracle = &run->oracle,
                     .cells = cell_at(run, size, view, 0)};
   enum hsr_status status =
       hsr_view_init(&g.view, &run->scene->views[view], run->options->m[size],
@@ -398,15 +405,12 @@ static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
   run->cells = shared_memory(run->cells_size);
   if (!run->cells)
     return hsr_fail_nomem(err);
-  const struct hsr_algorithm *oracle = o->oracle->plain;
-  return oracle->prepare
-             ? oracle->prepare(&run->world, &run->oracle_prepared, err)
-             : HSR_OK;
+  return hsr_setup_init(&run->oracle, o->oracle->plain, &run->world, err);
 }
 
 static void close_run(struct scene_run *run) {
-  if (run->options->oracle->plain->release && run->oracle_prepared)
-    run->options->oracle->plain->release(run->oracle_prepared);
+  if (run->oracle.algorithm)
+    hsr_setup_free(&run->oracle);
   if (run->cells)
     munmap(run->cells, run->cells_size);
   hsr_world_free(&run->world);
@@ -418,7 +422,8 @@ static void close_run(struct scene_run *run) {
 
 struct totals {
   uint64_t samples, mismatches, depths, depths_exact;
-  int failures; /* cells that are neither ok nor refused */
+  uint64_t expected; /* mismatches of algorithms that are known to be wrong */
+  int failures;      /* cells that are neither ok nor refused */
   json_t *cells;
 };
 
@@ -446,40 +451,61 @@ static void print_scene(const struct scene_run *run) {
         if (cell->verdict > worst || cell->verdict == PENDING)
           worst = cell->verdict;
       }
+      int width = (int)strlen(o->algorithm[a]->plain->name);
+      width = width > 9 ? width : 9;
+      bool known = o->algorithm[a]->plain->flags & HSR_KNOWN_WRONG;
+      char cell[32];
+      snprintf(cell, sizeof cell, known && mismatches ? "(%llu)" : "%llu",
+               (unsigned long long)mismatches);
       if (worst == RIGHT || worst == WRONG)
-        printf(" %9llu", (unsigned long long)mismatches);
+        printf(" %*s", width, cell);
       else
-        printf(" %9s", verdict_name[worst]);
+        printf(" %*s", width, verdict_name[worst]);
     }
     putchar('\n');
   }
+}
+
+static void print_difference(const struct scene_run *run, int size, int view,
+                             int a) {
+  const struct options *o = run->options;
+  const struct cell *c = cell_at(run, size, view, a);
+  const struct hsr_algorithm *algorithm = o->algorithm[a]->plain;
+  if (c->verdict == WRONG && !(algorithm->flags & HSR_KNOWN_WRONG))
+    printf("  wrong: %s, view %d, %dx%d, %s: %llu samples, the first (%d, %d): "
+           "face %u, not %u\n",
+           run->name, view + 1, o->m[size], o->n[size], algorithm->name,
+           (unsigned long long)c->mismatches, c->i, c->j, c->got, c->wanted);
+  if (c->refusal[0] && !size && !view)
+    printf("  refused by %s: %s\n", algorithm->name, c->refusal);
 }
 
 static void print_differences(const struct scene_run *run) {
   const struct options *o = run->options;
   for (int size = 0; size < o->n_sizes; size++)
     for (int view = 0; view < o->views; view++)
-      for (int a = 0; a < o->n_algorithms; a++) {
-        const struct cell *c = cell_at(run, size, view, a);
-        if (c->verdict == WRONG)
-          printf("  wrong: %s, view %d, %dx%d, %s: %llu samples, the first "
-                 "(%d, %d): face %u, not %u\n",
-                 run->name, view + 1, o->m[size], o->n[size],
-                 o->algorithm[a]->plain->name,
-                 (unsigned long long)c->mismatches, c->i, c->j, c->got,
-                 c->wanted);
-      }
+      for (int a = 0; a < o->n_algorithms; a++)
+        print_difference(run, size, view, a);
+}
+
+static json_t *adapted_json(const struct cell *c) {
+  json_t *names = json_array();
+  for (int k = 0; k < c->n_adaptations; k++)
+    json_append(&names, json_string(c->adapted[k]));
+  return names;
 }
 
 static json_t *cell_json(const struct scene_run *run, int size, int view,
                          int a) {
   const struct options *o = run->options;
   const struct cell *c = cell_at(run, size, view, a);
-  return json_pack("{ss si si si ss ss ss sI so}", "scene", run->name, "view",
-                   view + 1, "width", o->m[size], "height", o->n[size],
-                   "algorithm", o->algorithm[a]->plain->name, "kind", "ids",
-                   "status", verdict_name[c->verdict], "mismatches",
-                   (json_int_t)c->mismatches, "adapted", json_array());
+  const struct hsr_algorithm *algorithm = o->algorithm[a]->plain;
+  return json_pack(
+      "{ss si si si ss ss ss sI sb so}", "scene", run->name, "view", view + 1,
+      "width", o->m[size], "height", o->n[size], "algorithm", algorithm->name,
+      "kind", "ids", "status", verdict_name[c->verdict], "mismatches",
+      (json_int_t)c->mismatches, "known_wrong",
+      algorithm->flags & HSR_KNOWN_WRONG, "adapted", adapted_json(c));
 }
 
 static enum hsr_status add_up(const struct scene_run *run,
@@ -493,10 +519,15 @@ static enum hsr_status add_up(const struct scene_run *run,
           return HSR_E_NOMEM;
         if (c->verdict == RIGHT || c->verdict == WRONG)
           totals->samples += (uint64_t)o->m[size] * (uint64_t)o->n[size];
-        totals->mismatches += c->mismatches;
         totals->depths += c->depths_compared;
         totals->depths_exact += c->depths_exact;
-        totals->failures += c->verdict != RIGHT && c->verdict != REFUSED;
+        if (o->algorithm[a]->plain->flags & HSR_KNOWN_WRONG &&
+            c->verdict == WRONG) {
+          totals->expected += c->mismatches;
+        } else {
+          totals->mismatches += c->mismatches;
+          totals->failures += c->verdict != RIGHT && c->verdict != REFUSED;
+        }
         if (o->json)
           json_append(&totals->cells, cell_json(run, size, view, a));
       }
@@ -517,6 +548,9 @@ static enum hsr_status print_totals(const struct options *o,
   printf("\n%llu samples compared, %llu mismatches\n",
          (unsigned long long)totals->samples,
          (unsigned long long)totals->mismatches);
+  if (totals->expected)
+    printf("%llu more of algorithms that are known to be wrong\n",
+           (unsigned long long)totals->expected);
   printf("%llu depth comparisons, %llu by the exact path",
          (unsigned long long)totals->depths,
          (unsigned long long)totals->depths_exact);

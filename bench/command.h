@@ -6,7 +6,7 @@
 
 #include "config.h"
 
-#include "algorithms/algorithm.h"
+#include "algorithms/setup.h"
 #include "scenes/scenes.h"
 
 #include <argp.h>
@@ -23,6 +23,7 @@ struct hsr_command {
 enum hsr_status command_list(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_scenes(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_steps(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_render(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_check(int argc, char **argv, struct hsr_error *err);
 
@@ -103,15 +104,18 @@ enum hsr_status choose_algorithm(const char *name,
 double seconds_now(void); /* monotonic */
 long processors(void);    /* available to this process; at least 1 */
 
-/* Renders the view's whole window with a prepared algorithm on `threads`
+/* Renders the view's whole window with an algorithm made ready, on `threads`
  * threads (1 if it keeps frame state), each a band of rows at a time, and adds
  * what was counted to *tally. ids: view->m * view->n, no padding. *seconds,
  * unless NULL, is the time of the rendering alone. */
-enum hsr_status render_view(const struct hsr_algorithm *algorithm,
-                            const struct hsr_world *world,
-                            const struct hsr_view *view, void *prepared,
-                            long threads, uint32_t *ids,
-                            struct hsr_tally *tally, double *seconds,
-                            struct hsr_error *err);
+enum hsr_status render_view(const struct hsr_setup *setup,
+                            const struct hsr_view *view, long threads,
+                            uint32_t *ids, struct hsr_tally *tally,
+                            double *seconds, struct hsr_error *err);
+
+/* Measures Table I of a view, drawing its picture for what is visible. */
+enum hsr_status measure_table1(const struct hsr_world *world,
+                               const struct hsr_view *view,
+                               struct hsr_table1 *table, struct hsr_error *err);
 
 #endif

@@ -13,6 +13,8 @@ static const struct hsr_command commands[] = {
     {"scenes", "the scenes, their views and face counts", command_scenes},
     {"stats", "Table I of a scene and view, beside Table II's rules",
      command_stats},
+    {"steps", "Table III: what each step of an algorithm costs, and predicted",
+     command_steps},
     {"render", "make a picture with one algorithm", command_render},
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
@@ -78,7 +80,7 @@ int main(int argc, char **argv) {
       fprintf(stderr, "hsr: %s\n", err.text);
     if (status == HSR_E_NOMEM)
       end_process((int)status);
-    return (int)status;
+    return status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status;
   }
   fprintf(stderr, "hsr: no command '%s' (see hsr --help)\n", argv[1]);
   return HSR_E_USAGE;

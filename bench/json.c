@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/json.h"
 
+#include <math.h>
 #include <stdio.h>
+
+json_t *number_or_null(double x) {
+  return isfinite(x) ? json_real(x) : json_null();
+}
 
 void json_append(json_t **array, json_t *value) {
   /* Both functions take NULL for an error and free the value. */

@@ -7,6 +7,9 @@
 
 #include <jansson.h>
 
+/* A number, or null for one that is not finite: not measured. */
+json_t *number_or_null(double x);
+
 /* Appends a value, giving up the caller's reference to it. Where that fails, or
  * the value is NULL, *array is freed and becomes NULL, so that the failure
  * reaches json_print. */

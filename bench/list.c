@@ -17,9 +17,6 @@ static const char *const kind_name[] = {[HSR_IDS] = "ids",
                                         [HSR_SEGMENTS] = "segments",
                                         [HSR_FILTERED] = "filtered"};
 
-static const char *const restriction_code[] = {"CC", "CF", "TR", "LS", "NP",
-                                               "TP", "PF", "OF", "BE"};
-
 static const char *algorithm_kind(const struct hsr_algorithm *a) {
   return kind_name[a->kind];
 }
@@ -32,7 +29,7 @@ static json_t *restrictions_json(const struct hsr_algorithm *a) {
   json_t *codes = json_array();
   for (int k = 0; k < 9; k++)
     if (a->restrictions & 1u << k)
-      json_append(&codes, json_string(restriction_code[k]));
+      json_append(&codes, json_string(hsr_restriction_code(1u << k)));
   return codes;
 }
 
@@ -88,7 +85,7 @@ static void print_restrictions(const struct hsr_algorithm *a) {
   bool any = false;
   for (int k = 0; k < 9; k++)
     if (a->restrictions & 1u << k) {
-      printf("%s%s", any ? " " : "", restriction_code[k]);
+      printf("%s%s", any ? " " : "", hsr_restriction_code(1u << k));
       any = true;
     }
   puts(any ? "" : "-");

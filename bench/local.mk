@@ -2,7 +2,7 @@
 bin_PROGRAMS += hsr
 hsr_SOURCES = %D%/check.c %D%/command.h %D%/hsr.c %D%/json.c %D%/json.h \
   %D%/list.c %D%/options.c %D%/render.c %D%/run.c %D%/scenes_command.c \
-  %D%/stats.c %D%/terminate.cc %D%/terminate.h
+  %D%/stats.c %D%/steps.c %D%/terminate.cc %D%/terminate.h
 hsr_LDADD = $(HSR_LIBS)
 nodist_EXTRA_hsr_SOURCES = force_cxx_link.cc
 if TORTURE

@@ -115,11 +115,13 @@ struct render {
   const struct options *options;
   struct hsr_scene *scene;
   struct hsr_world world;
+  struct hsr_setup setup;
   struct hsr_view view; /* of the samples */
   uint32_t *ids;
-  float *depth, *rgb, *work;
+  float *depth, *rgb, *face_rgb, *work;
+  struct hsr_paint paint; /* of an algorithm that draws transparency */
   struct hsr_tally tally;
-  double import, build, prepare, draw, shade, write; /* seconds */
+  double import, build, draw, shade, write; /* seconds */
 };
 
 static enum hsr_status open_scene(struct render *r, struct hsr_error *err) {
@@ -146,6 +148,33 @@ static enum hsr_status open_scene(struct render *r, struct hsr_error *err) {
   return status;
 }
 
+static bool is_transparent(const struct hsr_scene *scene) {
+  for (uint32_t o = 0; o < scene->n_objects; o++)
+    if (scene->objects[o].opacity < 1)
+      return true;
+  return false;
+}
+
+/* Lets the algorithm draw the colours, as only it knows what lies behind. */
+static enum hsr_status ask_for_colours(struct render *r,
+                                       struct hsr_error *err) {
+  size_t n = (size_t)r->view.m * (size_t)r->view.n;
+  uint32_t n_faces = r->world.n_faces;
+  enum hsr_shading shading = r->options->shading;
+  r->rgb = malloc(3 * n * sizeof *r->rgb);
+  r->face_rgb = malloc(3 * (size_t)n_faces * sizeof *r->face_rgb);
+  if (!r->rgb || !r->face_rgb)
+    return hsr_fail_nomem(err);
+  for (uint32_t f = 0; f < n_faces; f++)
+    hsr_picture_colour(&r->world, &r->view, f, shading,
+                       r->face_rgb + 3 * (size_t)f);
+  r->paint = (struct hsr_paint){.face = r->face_rgb, .rgb = r->rgb};
+  hsr_picture_colour(&r->world, &r->view, HSR_BACKGROUND, shading,
+                     r->paint.background);
+  r->setup.paint = &r->paint;
+  return HSR_OK;
+}
+
 static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
                             struct hsr_error *err) {
   size_t n = (size_t)r->view.m * (size_t)r->view.n;
@@ -160,28 +189,27 @@ static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
     r->tally.work = r->work;
     r->tally.work_stride = (size_t)r->view.m;
   }
-  void *prepared = NULL;
-  double begin = seconds_now();
-  enum hsr_status status =
-      a->prepare ? a->prepare(&r->world, &prepared, err) : HSR_OK;
-  r->prepare = seconds_now() - begin;
+  enum hsr_status status = hsr_setup_init(&r->setup, a, &r->world, err);
+  if (!status && a->flags & HSR_TRANSPARENCY && is_transparent(r->scene))
+    status = ask_for_colours(r, err);
   if (!status)
-    status = render_view(a, &r->world, &r->view, prepared, r->options->threads,
-                         r->ids, &r->tally, &r->draw, err);
-  if (a->release)
-    a->release(prepared);
+    status = render_view(&r->setup, &r->view, r->options->threads, r->ids,
+                         &r->tally, &r->draw, err);
   return status;
 }
 
 static enum hsr_status shade(struct render *r, struct hsr_error *err) {
   size_t n = (size_t)r->view.m * (size_t)r->view.n;
   double begin = seconds_now();
+  bool by_ids = !r->rgb;
   r->depth = malloc(n * sizeof *r->depth);
-  r->rgb = malloc(3 * n * sizeof *r->rgb);
+  if (by_ids)
+    r->rgb = malloc(3 * n * sizeof *r->rgb);
   if (!r->depth || !r->rgb)
     return hsr_fail_nomem(err);
   hsr_picture_depth(&r->world, &r->view, r->ids, r->depth);
-  hsr_picture_shade(&r->world, &r->view, r->ids, r->options->shading, r->rgb);
+  if (by_ids)
+    hsr_picture_shade(&r->world, &r->view, r->ids, r->options->shading, r->rgb);
   r->shade = seconds_now() - begin;
   return HSR_OK;
 }
@@ -232,10 +260,16 @@ static void print_report(const struct render *r,
   printf("%s, view %ld, %d x %d samples, %u faces, by %s: %.1f %% covered\n",
          r->options->scene, r->options->view.view, r->view.m, r->view.n,
          r->world.n_faces, a->name, 100.0 * (double)covered / (double)n);
-  printf("ms: import %.1f, build %.1f, prepare %.1f, render %.2f, shade %.1f, "
-         "write %.1f\n",
-         1e3 * r->import, 1e3 * r->build, 1e3 * r->prepare, 1e3 * r->draw,
-         1e3 * r->shade, 1e3 * r->write);
+  for (int k = 0; k < r->setup.n_adaptations; k++) {
+    const struct hsr_adaptation *adaptation = &r->setup.adaptation[k];
+    printf("adapted: %s, %u faces, %.1f ms\n", adaptation->name,
+           adaptation->n_faces, 1e3 * adaptation->seconds);
+  }
+  printf("ms: import %.1f, build %.1f, adapt %.1f, prepare %.1f, render %.2f, "
+         "shade %.1f, write %.1f\n",
+         1e3 * r->import, 1e3 * r->build, 1e3 * r->setup.adapt_seconds,
+         1e3 * r->setup.prepare_seconds, 1e3 * r->draw, 1e3 * r->shade,
+         1e3 * r->write);
   if (!r->options->work)
     return;
   for (int k = 0; a->counters && a->counters[k].name; k++)
@@ -268,11 +302,14 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
     status = write_pictures(&r, a, err);
   if (!status)
     print_report(&r, a);
+  if (r.setup.algorithm)
+    hsr_setup_free(&r.setup);
   hsr_world_free(&r.world);
   hsr_scene_delete(r.scene);
   free(r.ids);
   free(r.depth);
   free(r.rgb);
+  free(r.face_rgb);
   free(r.work);
   return status;
 }

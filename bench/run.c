@@ -26,10 +26,8 @@ long processors(void) {
 
 /* The picture in bands of rows, taken by whoever is free. */
 struct bands {
-  const struct hsr_algorithm *algorithm;
-  const struct hsr_world *world;
+  const struct hsr_setup *setup;
   const struct hsr_view *view;
-  void *prepared;
   uint32_t *ids;
   int height;
   atomic_int next;
@@ -58,39 +56,29 @@ static void *work(void *argument) {
     if (y0 + bands->height < all->y1)
       view.window.y1 = y0 + bands->height;
     hsr_arena_reset(&worker->scratch);
-    struct hsr_job job = {.world = bands->world,
-                          .view = &view,
-                          .prepared = bands->prepared,
+    struct hsr_job job = {.view = &view,
                           .scratch = &worker->scratch,
                           .tally = &worker->tally,
                           .ids = bands->ids,
                           .ids_stride = (size_t)view.m};
-    worker->status = bands->algorithm->render(&job, &worker->err);
-    if (!worker->status && worker->tally.out_of_memory)
-      worker->status = hsr_fail_nomem(&worker->err);
+    worker->status = hsr_setup_render(bands->setup, &job, &worker->err);
     if (worker->status)
       break;
   }
   return NULL;
 }
 
-enum hsr_status render_view(const struct hsr_algorithm *algorithm,
-                            const struct hsr_world *world,
-                            const struct hsr_view *view, void *prepared,
-                            long threads, uint32_t *ids,
-                            struct hsr_tally *tally, double *seconds,
-                            struct hsr_error *err) {
+enum hsr_status render_view(const struct hsr_setup *setup,
+                            const struct hsr_view *view, long threads,
+                            uint32_t *ids, struct hsr_tally *tally,
+                            double *seconds, struct hsr_error *err) {
   int rows = view->window.y1 - view->window.y0;
   if (threads > MOST_THREADS)
     threads = MOST_THREADS;
-  if (algorithm->flags & HSR_FRAME_STATE || threads < 1)
+  if (setup->algorithm->flags & HSR_FRAME_STATE || threads < 1)
     threads = 1;
-  struct bands bands = {.algorithm = algorithm,
-                        .world = world,
-                        .view = view,
-                        .prepared = prepared,
-                        .ids = ids,
-                        .height = rows};
+  struct bands bands = {
+      .setup = setup, .view = view, .ids = ids, .height = rows};
   if (threads > 1) {
     bands.height = rows / (int)(4 * threads) + 1;
   }

@@ -75,10 +75,6 @@ static double cell(const struct hsr_table1 *table, int row) {
   return *(const double *)((const char *)table + rows[row].offset);
 }
 
-static json_t *number_or_null(double x) {
-  return isfinite(x) ? json_real(x) : json_null();
-}
-
 static enum hsr_status print_json(const struct options *o,
                                   const struct hsr_table1 *measured,
                                   const struct hsr_table1 *rules,
@@ -125,24 +121,36 @@ static void print_text(const struct options *o,
   }
 }
 
-static enum hsr_status measure(const struct options *o,
-                               const struct hsr_world *world,
+enum hsr_status measure_table1(const struct hsr_world *world,
                                const struct hsr_view *view,
+                               struct hsr_table1 *table,
                                struct hsr_error *err) {
   size_t n = (size_t)view->m * (size_t)view->n;
   uint32_t *ids = malloc(n * sizeof *ids);
   if (!ids)
     return hsr_fail_nomem(err);
   struct hsr_tally tally = {.out_of_memory = false};
-  struct hsr_table1 measured, rules;
+  struct hsr_setup setup = {.algorithm = NULL};
   const struct hsr_listed *zbuffer;
   enum hsr_status status = choose_algorithm("zbuffer", &zbuffer, err);
   if (!status)
-    status = render_view(zbuffer->plain, world, view, NULL, 1, ids, &tally,
-                         NULL, err);
+    status = hsr_setup_init(&setup, zbuffer->plain, world, err);
   if (!status)
-    status = hsr_statistics_measure(world, view, ids, &measured, err);
+    status = render_view(&setup, view, 1, ids, &tally, NULL, err);
+  if (setup.algorithm)
+    hsr_setup_free(&setup);
+  if (!status)
+    status = hsr_statistics_measure(world, view, ids, table, err);
   free(ids);
+  return status;
+}
+
+static enum hsr_status measure(const struct options *o,
+                               const struct hsr_world *world,
+                               const struct hsr_view *view,
+                               struct hsr_error *err) {
+  struct hsr_table1 measured, rules;
+  enum hsr_status status = measure_table1(world, view, &measured, err);
   if (status)
     return status;
   hsr_statistics_rules(&measured, &rules);

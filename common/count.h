@@ -29,6 +29,7 @@ struct hsr_counter {
  * rare and counted in both builds. */
 #define HSR_QUESTIONS(X)                                                       \
   X(DEPTH, "depth comparisons")                                                \
+  X(CUT, "sides of cuts")                                                      \
   X(EDGE, "edge sides")                                                        \
   X(ROW, "row sides")                                                          \
   X(FACING, "facings")                                                         \

@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-pkginclude_common_HEADERS += %D%/arena.h %D%/clip.h %D%/count.h \
-  %D%/exchange.h %D%/image.h %D%/picture.h %D%/predicates.h %D%/scene.h \
+pkginclude_common_HEADERS += %D%/adapt.h %D%/arena.h %D%/clip.h %D%/count.h \
+  %D%/exchange.h %D%/image.h %D%/order.h %D%/picture.h %D%/pieces.h %D%/predicates.h %D%/scene.h \
   %D%/scene_json.h %D%/screen.h %D%/statistics.h %D%/status.h %D%/view.h \
   %D%/world.h
-libhsr_a_SOURCES += %D%/arena.c %D%/clip.c %D%/count.c %D%/exchange.cc \
+libhsr_a_SOURCES += %D%/adapt_cgal.cc %D%/arena.c %D%/clip.c %D%/count.c %D%/exchange.cc \
   %D%/mesh_file.cc %D%/mesh_file.h %D%/mesh_scan_obj.cc %D%/mesh_scan_off.cc \
   %D%/mesh_scan_ply.cc %D%/mesh_scan_stl.cc %D%/mesh_text.cc %D%/mesh_text.h \
-  %D%/image.cc %D%/picture.c %D%/predicates_cgal.cc %D%/scene.c \
-  %D%/scene_json.c %D%/srgb.h %D%/screen.c %D%/statistics.c %D%/statistics_cgal.cc %D%/status.c %D%/vector.h \
+  %D%/image.cc %D%/order.c %D%/picture.c %D%/pieces.c %D%/predicates_cgal.cc %D%/scene.c \
+  %D%/scene_json.c %D%/srgb.h %D%/screen.c %D%/statistics.c %D%/penetration.cc %D%/penetration.h %D%/status.c %D%/vector.h \
   %D%/view.c %D%/world.c
 
 if WITH_VTK
 libhsr_a_LIBADD += $(libvtkshim_a_OBJECTS)
 noinst_LIBRARIES += libvtkshim.a
-libvtkshim_a_SOURCES = %D%/exchange_vtk.cc
-libvtkshim_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
+libvtkshim_a_SOURCES = %D%/exchange_vtk.cc %D%/mesh_array.cc \
+  %D%/mesh_array.h %D%/mesh_markup.cc %D%/mesh_markup.h %D%/mesh_scan_vtp.cc
+libvtkshim_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS) $(ZLIB_CFLAGS)
 else
 libhsr_a_SOURCES += %D%/exchange_no_vtk.cc
 endif

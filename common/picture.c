@@ -14,8 +14,8 @@ static double reciprocal_depth(const struct hsr_world *world,
   const double p[3] = {world->px[f], world->py[f], world->pz[f]};
   double along = 0, distance = 0;
   for (int k = 0; k < 3; k++) {
-    along += n[k] * (view->ray[0][k] + sx * view->ray[1][k] +
-                     sy * view->ray[2][k]);
+    along +=
+        n[k] * (view->ray[0][k] + sx * view->ray[1][k] + sy * view->ray[2][k]);
     distance += n[k] * (p[k] - view->E[k]);
   }
   return along / distance;
@@ -76,6 +76,22 @@ static float lambert(const struct hsr_world *world, const struct hsr_view *view,
   return (float)(cosine > 0 ? 0.25 + 0.75 * cosine : 0.25);
 }
 
+void hsr_picture_colour(const struct hsr_world *world,
+                        const struct hsr_view *view, uint32_t id,
+                        enum hsr_shading shading, float rgb[3]) {
+  if (id == HSR_BACKGROUND) {
+    for (int c = 0; c < 3; c++)
+      rgb[c] = BACKGROUND[c];
+  } else if (shading == HSR_SHADE_IDS) {
+    id_colour(id, rgb);
+  } else {
+    float light = shading == HSR_SHADE_LAMBERT ? lambert(world, view, id) : 1;
+    face_colour(world, id, rgb);
+    for (int c = 0; c < 3; c++)
+      rgb[c] *= light;
+  }
+}
+
 void hsr_picture_shade(const struct hsr_world *world,
                        const struct hsr_view *view, const uint32_t *ids,
                        enum hsr_shading shading, float *rgb) {
@@ -85,19 +101,7 @@ void hsr_picture_shade(const struct hsr_world *world,
   for (size_t k = 0; k < n; k++) {
     if (ids[k] != last) {
       last = ids[k];
-      if (last == HSR_BACKGROUND) {
-        for (int c = 0; c < 3; c++)
-          colour[c] = BACKGROUND[c];
-      } else if (shading == HSR_SHADE_IDS) {
-        id_colour(last, colour);
-      } else {
-        face_colour(world, last, colour);
-        if (shading == HSR_SHADE_LAMBERT) {
-          float light = lambert(world, view, last);
-          for (int c = 0; c < 3; c++)
-            colour[c] *= light;
-        }
-      }
+      hsr_picture_colour(world, view, last, shading, colour);
     }
     for (int c = 0; c < 3; c++)
       rgb[3 * k + (size_t)c] = colour[c];

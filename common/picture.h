@@ -32,6 +32,11 @@ void hsr_picture_depth(const struct hsr_world *world,
                        const struct hsr_view *view, const uint32_t *ids,
                        float *depth);
 
+/* The colour of a face, the same all over it, or of the background. */
+void hsr_picture_colour(const struct hsr_world *world,
+                        const struct hsr_view *view, uint32_t id,
+                        enum hsr_shading shading, float rgb[3]);
+
 /* rgb[3k..] of every sample, linear. Background is a dark blue grey. */
 void hsr_picture_shade(const struct hsr_world *world,
                        const struct hsr_view *view, const uint32_t *ids,

@@ -13,6 +13,7 @@
 #ifndef HSR_COMMON_PREDICATES_H
 #define HSR_COMMON_PREDICATES_H
 
+#include "common/pieces.h"
 #include "common/view.h"
 #include "common/world.h"
 
@@ -39,6 +40,15 @@ static inline struct hsr_loop hsr_face_loop(const struct hsr_world *world,
                           world->vertex + world->start[f],
                           hsr_face_size(world, f)};
   return loop;
+}
+
+/* A polygon on the same plane as face f, by which the plane is defined: its own
+ * corners, or of a piece its parent's. */
+static inline struct hsr_loop hsr_plane_loop(const struct hsr_world *world,
+                                             uint32_t f) {
+  const struct hsr_pieces *pieces = world->pieces;
+  return pieces ? hsr_face_loop(pieces->whole, pieces->parent[f])
+                : hsr_face_loop(world, f);
 }
 
 /* Whether all three components of Newell's normal are zero: 0 if so, else 1. */
@@ -92,6 +102,13 @@ int hsr_exact_nearer(const struct hsr_view *view, struct hsr_loop f,
 int hsr_exact_nearer_towards(const struct hsr_view *view, struct hsr_loop f,
                              struct hsr_loop g, const double point[3],
                              bool *out_of_memory);
+
+/* On which side of g's plane the ray of (sx, sy), perturbed, meets the plane of
+ * f: +1 in front, -1 behind, 0 only if the planes are the same. f's plane does
+ * not hold the eye, and is ahead of it there; g's may hold it. */
+int hsr_exact_cut_side(const struct hsr_view *view, struct hsr_loop f,
+                       struct hsr_loop g, double sx, double sy,
+                       bool *out_of_memory);
 
 /* The matrices of hsr_view from its E, F, R, U, m, n, each entry the exact
  * value with a relative error of at most 2^-52. False if F, R, U are dependent.

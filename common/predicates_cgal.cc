@@ -309,6 +309,24 @@ int hsr_exact_nearer_towards(const struct hsr_view *view, struct hsr_loop f,
   return sign ? sign * scale_sign(*view, f, g, out_of_memory) : 0;
 }
 
+int hsr_exact_cut_side(const struct hsr_view *view, struct hsr_loop f,
+                       struct hsr_loop g, double sx, double sy,
+                       bool *out_of_memory) {
+  /* With t = c_f / (k_f N_f.D), k_g N_g.(E + t D) - N_g.S_g
+   * = (c_f k_g N_g.D - c_g k_f N_f.D) / (k_f N_f.D), and N_f.D has the sign of
+   * c_f, since t > 0. */
+  int sign = perturbed_sign(
+      *view, sx, sy,
+      [&](const auto &d, auto one) {
+        using T = decltype(one);
+        Plane<T> p = newell_plane<T>(f), q = newell_plane<T>(g);
+        return depth_scale(*view, p) * q.k * dot(q.normal, d) -
+               depth_scale(*view, q) * p.k * dot(p.normal, d);
+      },
+      out_of_memory);
+  return sign ? sign * -hsr_exact_plane_side(f, view->E, out_of_memory) : 0;
+}
+
 bool hsr_exact_view_matrices(const struct hsr_view *view, double ray_rows[3][3],
                              double screen[3][3], bool *out_of_memory) {
   try {

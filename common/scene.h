@@ -39,6 +39,8 @@ struct hsr_object {
   float colour[3];  /* of every face without one of its own, linear, 0..1 */
   uint32_t n_vertices, n_faces;
   uint32_t cap_vertices, cap_faces, cap_corners; /* room, for the builder */
+  float opacity;  /* 0..1; 1, as by default, hides all that is behind. For
+                     algorithms that draw transparency; ids know nothing of it */
   bool one_sided; /* back faces do not exist */
 };
 
@@ -99,11 +101,11 @@ enum hsr_status hsr_scene_view(struct hsr_scene *scene,
 
 /* Completes a scene: an object without instance gets one identity instance;
  * a scene without view gets eight around it (hsr_scene_add_orbit). Then checks
- * what the algorithms assume of the objects. HSR_E_INPUT with *err naming the object
- * and face when there is no face at all, a face's Newell normal is exactly zero
- * (all vertices on one line, for a triangle), coordinates are so large that
- * products of them overflow (over 1e60) or the faces pass 2^32 - 2. What an
- * instance makes of a face is looked at by hsr_world_init. */
+ * what the algorithms assume of the objects. HSR_E_INPUT with *err naming the
+ * object and face when there is no face at all, a face's Newell normal is
+ * exactly zero (all vertices on one line, for a triangle), coordinates are so
+ * large that products of them overflow (over 1e60) or the faces pass 2^32 - 2.
+ * What an instance makes of a face is looked at by hsr_world_init. */
 enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
                                  struct hsr_error *err);
 

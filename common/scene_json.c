@@ -576,17 +576,29 @@ static enum hsr_status read_mesh(struct reader *reader,
                 : HSR_OK;
 }
 
+static enum hsr_status read_opacity(const struct reader *reader,
+                                    const struct place *place,
+                                    const json_t *value, float *to) {
+  double opacity = 1;
+  enum hsr_status status = read_number(reader, place, value, &opacity);
+  if (!status && !(opacity >= 0 && opacity <= 1))
+    return refuse(reader, place, "%.9g is not between 0 and 1", opacity);
+  *to = (float)opacity;
+  return status;
+}
+
 static enum hsr_status read_object(struct reader *reader,
                                    const struct place *place, json_t *value) {
   static const char *const keys[] = {"name",         "file",     "one_sided",
                                      "colour",       "vertices", "faces",
-                                     "face_colours", NULL};
+                                     "face_colours", "opacity",  NULL};
   enum hsr_status status = check_keys(reader, place, value, keys);
   if (status)
     return status;
   bool is_mesh = json_object_get(value, "file");
   json_t *name = json_object_get(value, "name");
   json_t *one_sided = json_object_get(value, "one_sided");
+  json_t *opacity = json_object_get(value, "opacity");
   const char *text = NULL;
   if (!is_mesh)
     status = require(reader, place, value, "name", &name);
@@ -597,6 +609,9 @@ static enum hsr_status read_object(struct reader *reader,
   if (!status)
     status =
         (is_mesh ? read_mesh : read_geometry)(reader, place, value, &object);
+  if (!status && opacity)
+    status = read_opacity(reader, &(struct place){place, "opacity", 0}, opacity,
+                          &object->opacity);
   if (!status && text)
     status = rename_to(reader, &object->name, text);
   if (!status && one_sided)
@@ -952,6 +967,10 @@ static void put_object(struct writer *writer, const struct hsr_object *object) {
                                      : ",\n   \"one_sided\": false");
   put_text(writer, ",\n   \"colour\": ");
   put_colour(writer, object->colour);
+  if (object->opacity < 1) {
+    put_text(writer, ",\n   \"opacity\": ");
+    put(writer, json_real((double)object->opacity), FLOAT_DIGITS);
+  }
   put_text(writer, ",\n   \"vertices\": [");
   for (uint32_t v = 0; v < object->n_vertices && !writer->status; v++) {
     put_line(writer, v, "    ");

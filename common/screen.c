@@ -218,6 +218,23 @@ void hsr_screen_plane(struct hsr_screen *screen, uint32_t f) {
   depth_plane(screen->world, &frame, f, &screen->plane[f], &screen->facing[f]);
 }
 
+/* --- Pieces ----------------------------------------------------------------
+ */
+
+struct cuts {
+  const struct hsr_cut *cut;
+  size_t n;
+};
+
+/* The cuts of a face that is a piece. */
+static struct cuts own_cuts(const struct hsr_world *world, uint32_t f) {
+  const struct hsr_pieces *p = world->pieces;
+  if (!p)
+    return (struct cuts){NULL, 0};
+  return (struct cuts){p->cut + p->cut_start[f],
+                       p->cut_start[f + 1] - p->cut_start[f]};
+}
+
 /* --- The culls ----------------------------------------------------------- */
 
 bool hsr_face_exists(const struct hsr_screen *screen, uint32_t f,
@@ -225,7 +242,7 @@ bool hsr_face_exists(const struct hsr_screen *screen, uint32_t f,
   int facing = screen->facing[f];
   if (!facing) {
     tally->exact[HSR_ASK_FACING]++;
-    facing = hsr_exact_plane_side(hsr_face_loop(screen->world, f),
+    facing = hsr_exact_plane_side(hsr_plane_loop(screen->world, f),
                                   screen->view->E, &tally->out_of_memory);
   }
   return facing > 0 || (facing < 0 && !screen->world->one_sided[f]);
@@ -361,6 +378,37 @@ static bool clear_of_near(const struct hsr_screen *screen, uint32_t f) {
   return true;
 }
 
+/* Bounds of a divided face: narrowed to its outline's, where that is safely
+ * before the eye. Its points are off by outline_error, which the matrix
+ * magnifies as it does in the proof above. */
+static void narrow_to_outline(const struct hsr_screen *screen, uint32_t f,
+                              struct hsr_bounds *b) {
+  const struct hsr_pieces *p = screen->world->pieces;
+  const double(*M)[3] = screen->view->screen;
+  double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY, q = 0;
+  bool safe = p->outline_start[f] < p->outline_start[f + 1];
+  for (uint32_t k = p->outline_start[f]; k < p->outline_start[f + 1]; k++) {
+    uint32_t v = p->outline[k];
+    safe &= screen->sx[v] == screen->sx[v];
+    x0 = fmin(x0, screen->sx[v]);
+    x1 = fmax(x1, screen->sx[v]);
+    y0 = fmin(y0, screen->sy[v]);
+    y1 = fmax(y1, screen->sy[v]);
+    q = fmax(q, screen->q[v]);
+  }
+  if (!safe)
+    return;
+  double off = 1 + 2 * p->outline_error * q *
+                       (max(sum_of_sizes(M[0]), sum_of_sizes(M[1])) +
+                        HSR_GUARD * sum_of_sizes(M[2]));
+  struct hsr_bounds o =
+      sample_bounds(screen->view, x0 - off, y0 - off, x1 + off, y1 + off);
+  b->x0 = o.x0 > b->x0 ? o.x0 : b->x0;
+  b->y0 = o.y0 > b->y0 ? o.y0 : b->y0;
+  b->x1 = o.x1 < b->x1 ? o.x1 : b->x1;
+  b->y1 = o.y1 < b->y1 ? o.y1 : b->y1;
+}
+
 bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
                       struct hsr_tally *tally) {
   if (!hsr_face_exists(screen, f, tally))
@@ -376,13 +424,16 @@ bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
     if (certain)
       *b = clipped_bounds(screen, f);
   }
+  if (screen->world->pieces)
+    narrow_to_outline(screen, f, b);
   if (b->x0 >= b->x1 || b->y0 >= b->y1)
     return false;
-  /* A face of uncertain plane may still be whole: a triangle before the eye is
+  /* A face of uncertain plane may still be whole: a flat one before the eye is
    * hit before the eye. */
-  bool ahead = certain || hsr_face_size(screen->world, f) == 3;
+  bool ahead = certain || screen->world->deviation[f] == 0;
   screen->whole[f] =
-      safe && ((ahead && screen->view->near == 0) || clear_of_near(screen, f));
+      safe && !own_cuts(screen->world, f).n &&
+      ((ahead && screen->view->near == 0) || clear_of_near(screen, f));
   return true;
 }
 
@@ -421,8 +472,8 @@ bool hsr_nearer_exact(const struct hsr_screen *screen, uint32_t f, uint32_t g,
                       int i, int j, struct hsr_tally *tally) {
   tally->exact[HSR_ASK_DEPTH]++;
   return hsr_exact_nearer(
-             screen->view, hsr_face_loop(screen->world, f),
-             hsr_face_loop(screen->world, g), hsr_sample_x(screen->view, i),
+             screen->view, hsr_plane_loop(screen->world, f),
+             hsr_plane_loop(screen->world, g), hsr_sample_x(screen->view, i),
              hsr_sample_y(screen->view, j), &tally->out_of_memory) > 0;
 }
 
@@ -430,8 +481,8 @@ int hsr_vertex_nearer_exact(const struct hsr_screen *screen, uint32_t f,
                             uint32_t g, uint32_t v, struct hsr_tally *tally) {
   double p[3];
   vertex_point(screen->world, v, p);
-  struct hsr_loop loop_f = hsr_face_loop(screen->world, f);
-  struct hsr_loop loop_g = hsr_face_loop(screen->world, g);
+  struct hsr_loop loop_f = hsr_plane_loop(screen->world, f);
+  struct hsr_loop loop_g = hsr_plane_loop(screen->world, g);
   bool *out_of_memory = &tally->out_of_memory;
   tally->exact[HSR_ASK_DEPTH]++;
   /* Mostly it lies in both planes, of faces that touch: that is soon told. */
@@ -472,10 +523,36 @@ static bool beyond_near(const struct hsr_screen *screen, uint32_t f, int i,
   if (q > error && view->near * (q + error) < 1 - 8 * U)
     return true;
   tally->exact[HSR_ASK_NEAR]++;
-  struct hsr_loop loop = hsr_face_loop(screen->world, f);
+  struct hsr_loop loop = hsr_plane_loop(screen->world, f);
   double sx = hsr_sample_x(view, i), sy = hsr_sample_y(view, j);
   return hsr_exact_ahead(view, loop, sx, sy, &tally->out_of_memory) > 0 &&
          hsr_exact_past_near(view, loop, sx, sy, &tally->out_of_memory) > 0;
+}
+
+/* --- Cuts -------------------------------------------------------------------
+ */
+
+int hsr_cut_side(const struct hsr_screen *screen, uint32_t f, uint32_t g, int i,
+                 int j, struct hsr_tally *tally) {
+  double bound = screen->plane[f].error + screen->plane[g].error;
+  double by = hsr_depth(screen, f, i, j) - hsr_depth(screen, g, i, j);
+  if (fabs(by) > bound && screen->facing[g])
+    return by > 0 ? screen->facing[g] : -screen->facing[g];
+  const struct hsr_view *view = screen->view;
+  tally->exact[HSR_ASK_CUT]++;
+  return hsr_exact_cut_side(
+      view, hsr_plane_loop(screen->world, f), hsr_plane_loop(screen->world, g),
+      hsr_sample_x(view, i), hsr_sample_y(view, j), &tally->out_of_memory);
+}
+
+static bool within_cuts(const struct hsr_screen *screen, uint32_t f,
+                        struct cuts cuts, int i, int j,
+                        struct hsr_tally *tally) {
+  for (size_t k = 0; k < cuts.n; k++)
+    if (hsr_cut_side(screen, f, cuts.cut[k].face, i, j, tally) !=
+        cuts.cut[k].side)
+      return false;
+  return true;
 }
 
 /* --- Surround test and sample spans ----------------------------------------
@@ -506,7 +583,17 @@ bool hsr_covers(const struct hsr_screen *screen, uint32_t f, int i, int j,
     a = b;
     row_a = row_b;
   }
-  return inside && (screen->whole[f] || beyond_near(screen, f, i, j, tally));
+  if (!inside || screen->whole[f])
+    return inside;
+  return beyond_near(screen, f, i, j, tally) &&
+         within_cuts(screen, f, own_cuts(screen->world, f), i, j, tally);
+}
+
+bool hsr_piece_covers(const struct hsr_screen *screen, uint32_t f,
+                      const struct hsr_cut *cut, size_t n, int i, int j,
+                      struct hsr_tally *tally) {
+  return hsr_covers(screen, f, i, j, tally) &&
+         within_cuts(screen, f, (struct cuts){cut, n}, i, j, tally);
 }
 
 int hsr_vertex_row(const struct hsr_screen *screen, uint32_t v,
@@ -598,8 +685,8 @@ static int whole_spans(const struct hsr_screen *screen, uint32_t f, int j,
 struct question {
   const struct hsr_screen *screen;
   struct hsr_tally *tally;
-  uint32_t a, b, face;
-  int row, j;
+  uint32_t a, b, face; /* an edge and a face; or a cutting face a */
+  int row, j;          /* the row; on which side of it a is, or of the cut */
   bool (*holds)(const struct question *question, int i);
 };
 
@@ -613,7 +700,7 @@ static bool ask_ahead(const struct question *q, int i) {
   if (fabs(depth) > screen->plane[q->face].error)
     return depth > 0;
   q->tally->exact[HSR_ASK_NEAR]++;
-  return hsr_exact_ahead(screen->view, hsr_face_loop(screen->world, q->face),
+  return hsr_exact_ahead(screen->view, hsr_plane_loop(screen->world, q->face),
                          hsr_sample_x(screen->view, i),
                          hsr_sample_y(screen->view, q->j),
                          &q->tally->out_of_memory) > 0;
@@ -628,7 +715,7 @@ static bool ask_past_near(const struct question *q, int i) {
     return by > 0;
   q->tally->exact[HSR_ASK_NEAR]++;
   return hsr_exact_past_near(
-             screen->view, hsr_face_loop(screen->world, q->face),
+             screen->view, hsr_plane_loop(screen->world, q->face),
              hsr_sample_x(screen->view, i), hsr_sample_y(screen->view, q->j),
              &q->tally->out_of_memory) > 0;
 }
@@ -700,8 +787,45 @@ static int cut_spans(const struct hsr_screen *screen, uint32_t f, int j,
   return n_columns;
 }
 
+static bool ask_side(const struct question *q, int i) {
+  return hsr_cut_side(q->screen, q->face, q->a, i, q->j, q->tally) == q->row;
+}
+
+/* Spans narrowed to what the cuts leave of them. */
+static int narrow_by_cuts(const struct hsr_screen *screen, uint32_t f,
+                          struct cuts cuts, int j, int *columns, int n,
+                          struct hsr_tally *tally) {
+  struct question q = {
+      .screen = screen, .tally = tally, .face = f, .j = j, .holds = ask_side};
+  int kept = 0;
+  for (int k = 0; k < n; k += 2) {
+    int lo = columns[k], hi = columns[k + 1];
+    for (size_t c = 0; c < cuts.n && lo < hi; c++) {
+      q.a = cuts.cut[c].face;
+      q.row = cuts.cut[c].side;
+      narrow(&q, &lo, &hi);
+    }
+    if (lo < hi) {
+      columns[kept++] = lo;
+      columns[kept++] = hi;
+    }
+  }
+  return kept;
+}
+
 int hsr_face_spans(const struct hsr_screen *screen, uint32_t f, int j,
                    int *columns, struct hsr_tally *tally) {
-  return screen->whole[f] ? whole_spans(screen, f, j, columns, tally)
-                          : cut_spans(screen, f, j, columns, tally);
+  if (screen->whole[f])
+    return whole_spans(screen, f, j, columns, tally);
+  int n = cut_spans(screen, f, j, columns, tally);
+  return narrow_by_cuts(screen, f, own_cuts(screen->world, f), j, columns, n,
+                        tally);
+}
+
+int hsr_piece_spans(const struct hsr_screen *screen, uint32_t f,
+                    const struct hsr_cut *cut, size_t n, int j, int *columns,
+                    struct hsr_tally *tally) {
+  int n_columns = hsr_face_spans(screen, f, j, columns, tally);
+  return narrow_by_cuts(screen, f, (struct cuts){cut, n}, j, columns, n_columns,
+                        tally);
 }

@@ -23,6 +23,7 @@
 
 #include "common/arena.h"
 #include "common/count.h"
+#include "common/pieces.h"
 #include "common/view.h"
 #include "common/world.h"
 
@@ -250,6 +251,27 @@ static inline int hsr_edge_column(const struct hsr_screen *screen,
  * even number; `columns` has room for the face's size + 4. */
 int hsr_face_spans(const struct hsr_screen *screen, uint32_t f, int j,
                    int *columns, struct hsr_tally *tally);
+
+/* --- Cut faces (common/pieces.h) -------------------------------------------
+ */
+
+/* On which side of the plane of g does the ray of sample (i, j) meet the plane
+ * of f: +1 in front of it, -1 behind. f exists and is ahead there; f and g do
+ * not lie on one plane. The plane of g may hold the eye; both are filled in, as
+ * those of all cutting faces must be by the time that a divided one is asked
+ * about. */
+int hsr_cut_side(const struct hsr_screen *screen, uint32_t f, uint32_t g, int i,
+                 int j, struct hsr_tally *tally);
+
+/* hsr_covers for the piece of f that n cuts leave. */
+bool hsr_piece_covers(const struct hsr_screen *screen, uint32_t f,
+                      const struct hsr_cut *cut, size_t n, int i, int j,
+                      struct hsr_tally *tally);
+
+/* hsr_face_spans for the piece of f that n cuts leave. */
+int hsr_piece_spans(const struct hsr_screen *screen, uint32_t f,
+                    const struct hsr_cut *cut, size_t n, int j, int *columns,
+                    struct hsr_tally *tally);
 
 #ifdef __cplusplus
 }

@@ -14,7 +14,9 @@ enum hsr_status {
   HSR_E_USAGE = 2,      /* the caller's words are off */
   HSR_E_INPUT = 3,      /* a file or a scene cannot be used as it is */
   HSR_E_NOMEM = 4,      /* memory ran out, or a limit was met */
-  HSR_E_INTERNAL = 5    /* a fault of hsr, or of a library below it */
+  HSR_E_INTERNAL = 5,   /* a fault of hsr, or of a library below it */
+  HSR_E_REFUSED = 6     /* the algorithm cannot take this scene; as an exit
+                           status, 4: a limit */
 };
 
 /* One failure, as one line. Owned by the caller, who may pass NULL wherever a

@@ -21,7 +21,9 @@
  *
  * Deviation. N.(V - P) as computed carries the error of N over |V - P|_1, the
  * anchor's over |N|_1, and a rounding of the difference, three of the products
- * and sums; all are added, doubled. */
+ * and sums; all are added, doubled. Where that leaves it open whether every
+ * vertex is on the plane, the exact predicate tells; of a quadrilateral,
+ * whether its four vertices are coplanar. */
 #include "common/world.h"
 #include "common/predicates.h"
 
@@ -33,7 +35,7 @@
 static const double U = DBL_EPSILON / 2;
 static const double TINY = 0x1p-960;
 
-static enum hsr_status allocate(struct hsr_world *world) {
+enum hsr_status hsr_world_allocate(struct hsr_world *world) {
   struct hsr_arena *arena = &world->arena;
   size_t nv = world->n_vertices, nf = world->n_faces, nc = world->n_corners;
   world->x = HSR_NEW(arena, double, nv);
@@ -167,10 +169,28 @@ static void find_plane(struct hsr_world *world, uint32_t f) {
   world->anchor_error[f] = triangle ? 0 : 2 * (k + 2.0) * U * r + TINY;
 }
 
+/* Whether all vertices of face f, which has more than three, are on its plane.
+ */
+static bool is_flat(const struct hsr_world *world, uint32_t f,
+                    bool *out_of_memory) {
+  struct hsr_loop loop = hsr_face_loop(world, f), plane = loop;
+  if (loop.n == 4)
+    plane.n = 3;
+  for (uint32_t k = loop.n == 4 ? 3 : 0; k < loop.n; k++) {
+    uint32_t v = loop.vertex[k];
+    const double p[3] = {world->x[v], world->y[v], world->z[v]};
+    if (hsr_exact_plane_side(plane, p, out_of_memory))
+      return false;
+  }
+  return true;
+}
+
 /* An upper bound of |N . (V - P)| over the vertices of face f. */
-static double find_deviation(const struct hsr_world *world, uint32_t f) {
+static double find_deviation(const struct hsr_world *world, uint32_t f,
+                             bool *out_of_memory) {
   if (hsr_face_size(world, f) == 3)
     return 0;
+  bool may_be_flat = true;
   const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
   double n1 = fabs(n[0]) + fabs(n[1]) + fabs(n[2]), largest = 0;
   for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
@@ -180,10 +200,11 @@ static double find_deviation(const struct hsr_world *world, uint32_t f) {
     double r1 = fabs(r[0]) + fabs(r[1]) + fabs(r[2]);
     double error = 2 * (world->n_error[f] * r1 + world->anchor_error[f] * n1) +
                    16 * U * n1 * r1 + TINY;
-    double off = fabs(n[0] * r[0] + n[1] * r[1] + n[2] * r[2]) + error;
-    largest = fmax(largest, off);
+    double off = fabs(n[0] * r[0] + n[1] * r[1] + n[2] * r[2]);
+    may_be_flat &= off <= error;
+    largest = fmax(largest, off + error);
   }
-  return largest;
+  return may_be_flat && is_flat(world, f, out_of_memory) ? 0 : largest;
 }
 
 static double largest_normal(const struct hsr_world *world, uint32_t f) {
@@ -308,13 +329,16 @@ enum hsr_status hsr_world_init(struct hsr_world *world,
   enum hsr_status status = measure(world, err);
   if (status)
     return status;
-  if (allocate(world))
+  if (hsr_world_allocate(world))
     return hsr_fail_nomem(err);
   expand(world);
   for (uint32_t f = 0; f < world->n_faces; f++)
     find_plane(world, f);
+  bool out_of_memory = false;
   for (uint32_t f = 0; f < world->n_faces; f++)
-    world->deviation[f] = find_deviation(world, f);
+    world->deviation[f] = find_deviation(world, f, &out_of_memory);
+  if (out_of_memory)
+    return hsr_fail_nomem(err);
   status = check(world, err);
   if (status)
     return status;

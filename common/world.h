@@ -6,7 +6,9 @@
  *             through the mean of the vertices, in exact arithmetic; what is
  *             stored is that plane in doubles, with a bound of the error.
  * Equal       faces on exactly the same plane share a plane class, so their
- *             ties are decided by comparing two integers. */
+ *             ties are decided by comparing two integers.
+ * Pieces      the faces of one world may be divided into those of another: see
+ *             common/pieces.h. A piece lies on its parent's plane. */
 #ifndef HSR_COMMON_WORLD_H
 #define HSR_COMMON_WORLD_H
 
@@ -37,12 +39,16 @@ struct hsr_world {
    * the plane passes within anchor_error (in every component) of the point
    * (px, py, pz). Of a triangle that point is its first vertex and the error
    * 0. Not normalised. `deviation` bounds |N . (V - P)| over the face's vertices
-   * V, P the exact mean: 0 for a triangle. See world.c for the proof. */
+   * V, P the exact mean: 0 if and only if they are all exactly on the plane, as
+   * those of a triangle are. See world.c for the proof. */
   double *nx, *ny, *nz, *n_error;         /* n_faces */
   double *px, *py, *pz, *anchor_error;    /* n_faces */
   double *deviation;                      /* n_faces */
   uint32_t *plane;                        /* n_faces: plane class */
   uint32_t n_planes;
+
+  /* Of a world of pieces; else NULL, and every face is itself. */
+  const struct hsr_pieces *pieces;
 
   struct hsr_arena arena; /* holds all of the above */
 };
@@ -54,6 +60,10 @@ enum hsr_status hsr_world_init(struct hsr_world *world,
                                const struct hsr_scene *scene,
                                struct hsr_error *err);
 void hsr_world_free(struct hsr_world *world);
+
+/* For those who make worlds: allocates every array, the sizes being set.
+ * HSR_E_NOMEM. */
+enum hsr_status hsr_world_allocate(struct hsr_world *world);
 
 /* Number of vertices of face f. */
 static inline uint32_t hsr_face_size(const struct hsr_world *world,

@@ -3,7 +3,7 @@
 #ifndef HSR_TESTS_DRAW_H
 #define HSR_TESTS_DRAW_H
 
-#include "algorithms/algorithm.h"
+#include "algorithms/setup.h"
 #include "common/scene.h"
 
 #include <stdint.h>
@@ -25,7 +25,7 @@ long count_differences(const struct hsr_view *view, const uint32_t *a,
 /* A number from a seed, in [lo, hi]. */
 int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi);
 
-/* Runs `check` for every algorithm that is judged, in both builds. */
+/* Runs `check` for every algorithm that must be right, in both builds. */
 void for_each_judged(void (*check)(const struct hsr_algorithm *, void *),
                      void *context);
 

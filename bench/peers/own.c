@@ -2,7 +2,7 @@
 /* The renderers that need no other library: algorithms of hsr, and memset. */
 #include "bench/peers/peers.h"
 
-#include "algorithms/algorithm.h"
+#include "algorithms/setup.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -11,9 +11,7 @@
  */
 
 struct own {
-  const struct hsr_algorithm *algorithm;
-  const struct hsr_world *world;
-  void *prepared;
+  struct hsr_setup setup;
   struct hsr_arena scratch; /* kept, so that a frame allocates nothing */
   uint32_t *ids;
 };
@@ -27,12 +25,8 @@ static enum hsr_status own_setup(const struct peer *peer,
   *state = own;
   if (!own)
     return hsr_fail_nomem(err);
-  own->algorithm = peer->flavour;
-  own->world = world;
   own->ids = ids;
-  return own->algorithm->prepare
-             ? own->algorithm->prepare(world, &own->prepared, err)
-             : HSR_OK;
+  return hsr_setup_init(&own->setup, peer->flavour, world, err);
 }
 
 static enum hsr_status own_draw(void *state, const struct hsr_view *view,
@@ -40,23 +34,19 @@ static enum hsr_status own_draw(void *state, const struct hsr_view *view,
   struct own *own = state;
   struct hsr_tally tally = {.work = NULL};
   hsr_arena_reset(&own->scratch);
-  struct hsr_job job = {.world = own->world,
-                        .view = view,
-                        .prepared = own->prepared,
+  struct hsr_job job = {.view = view,
                         .scratch = &own->scratch,
                         .tally = &tally,
                         .ids = own->ids,
                         .ids_stride = (size_t)view->m};
-  enum hsr_status status = own->algorithm->render(&job, err);
-  return !status && tally.out_of_memory ? hsr_fail_nomem(err) : status;
+  return hsr_setup_render(&own->setup, &job, err);
 }
 
 static void own_release(void *state) {
   struct own *own = state;
   if (!own)
     return;
-  if (own->algorithm->release)
-    own->algorithm->release(own->prepared);
+  hsr_setup_free(&own->setup);
   hsr_arena_free(&own->scratch);
   free(own);
 }

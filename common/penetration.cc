@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// X_f of Table I: the pairs of faces that penetrate.
+// The pairs of faces that penetrate; X_f of Table I.
 //
 // Source      Sutherland, Sproull and Schumacker 1974, "Environment Complexity
 //             Definitions": an environment includes penetration if any of the
@@ -11,18 +11,20 @@
 //             stretches end in the same points, as with two equal rectangles
 //             that cross like the blades of a paddle wheel, which is why the
 //             stretches are compared and not the edges.
-// Not one     Faces that only touch, be it along an edge; faces of one plane;
-//             faces that share a vertex, which are neighbours and meet in what
-//             they share.
+// Not one     Faces that only touch, be it along an edge; faces of one plane.
+// In
+//             X_f nor faces that share a vertex, which are neighbours and meet
+//             in what they share.
 // Method      Pairs with overlapping boxes by CGAL's box_self_intersection_d;
 //             of these, the faces that reach through each other's planes; of
 //             these, the ends of the stretches, compared in intervals and, if
 //             that does not tell, in exact numbers.
-// Thickness   The plane of a polygon passes through the mean of its vertices,
-//             which may all be a little off it. A vertex of another face that
-//             is no farther off than they are counts as lying on the plane.
-//             Triangles have no thickness.
+// Thickness   The plane of a polygon that is not flat passes through the mean
+//             of its vertices, which are a little off it. A vertex of another
+//             face that is no farther off than they are counts as lying on the
+//             plane. Flat faces have no thickness.
 
+#include "common/penetration.h"
 #include "common/predicates.h"
 #include "common/statistics.h"
 
@@ -55,6 +57,10 @@ struct Face {
   uint32_t vertex(uint32_t k) const {
     return world->vertex[world->start[id] + k];
   }
+  bool has(uint32_t v) const {
+    const uint32_t *first = world->vertex + world->start[id];
+    return std::find(first, first + size(), v) != first + size();
+  }
 };
 
 // --- The faces reach through each other's planes --------------------------
@@ -63,6 +69,8 @@ struct Face {
 // that of `deviation` in world.c.
 int side(const Face &f, uint32_t v) {
   const hsr_world *w = f.world;
+  if (f.has(v) && w->deviation[f.id] == 0)
+    return 0;
   double n[3] = {w->nx[f.id], w->ny[f.id], w->nz[f.id]};
   double p[3] = {w->x[v], w->y[v], w->z[v]};
   double r[3] = {p[0] - w->px[f.id], p[1] - w->py[f.id], p[2] - w->pz[f.id]};
@@ -73,7 +81,7 @@ int side(const Face &f, uint32_t v) {
                  16 * U * n1 * r1 + TINY;
   if (std::fabs(off) > w->deviation[f.id] + error)
     return off > 0 ? 1 : -1;
-  if (f.size() > 3)
+  if (w->deviation[f.id] > 0)
     return 0;
   bool out_of_memory = false;
   hsr_loop loop = {w->x, w->y, w->z, 1, w->vertex + w->start[f.id], f.size()};
@@ -98,9 +106,8 @@ bool reaches_through(const Face &f, const Face &g, std::vector<int> &sides) {
 
 bool share_vertex(const Face &f, const Face &g) {
   for (uint32_t k = 0; k < f.size(); k++)
-    for (uint32_t l = 0; l < g.size(); l++)
-      if (f.vertex(k) == g.vertex(l))
-        return true;
+    if (g.has(f.vertex(k)))
+      return true;
   return false;
 }
 
@@ -204,7 +211,7 @@ bool interiors_meet(const Face &f, const Face &g, const std::vector<int> &of_f,
 
 bool penetrate(const Face &f, const Face &g) {
   std::vector<int> of_f, of_g;
-  if (f.world->plane[f.id] == f.world->plane[g.id] || share_vertex(f, g) ||
+  if (f.world->plane[f.id] == f.world->plane[g.id] ||
       !reaches_through(f, g, of_f) || !reaches_through(g, f, of_g))
     return false;
   try {
@@ -233,20 +240,33 @@ Box box_of(const hsr_world *world, const uint32_t *id) {
 
 } // namespace
 
+namespace hsr {
+
+void for_each_penetration(
+    const hsr_world *world, const uint32_t *faces, size_t n,
+    const std::function<void(uint32_t f, uint32_t g)> &found) {
+  std::vector<Box> boxes;
+  boxes.reserve(n);
+  for (size_t k = 0; k < n; k++)
+    boxes.push_back(box_of(world, faces + k));
+  CGAL::box_self_intersection_d(
+      boxes.begin(), boxes.end(), [&](const Box &f, const Box &g) {
+        if (penetrate({world, *f.handle()}, {world, *g.handle()}))
+          found(*f.handle(), *g.handle());
+      });
+}
+
+} // namespace hsr
+
 enum hsr_status hsr_count_penetrations(const struct hsr_world *world,
                                        const uint32_t *faces, size_t n,
                                        uint64_t *n_pairs,
                                        struct hsr_error *err) {
   try {
-    std::vector<Box> boxes;
-    boxes.reserve(n);
-    for (size_t k = 0; k < n; k++)
-      boxes.push_back(box_of(world, faces + k));
     uint64_t count = 0;
-    CGAL::box_self_intersection_d(
-        boxes.begin(), boxes.end(), [&](const Box &f, const Box &g) {
-          count += penetrate({world, *f.handle()}, {world, *g.handle()});
-        });
+    hsr::for_each_penetration(world, faces, n, [&](uint32_t f, uint32_t g) {
+      count += !share_vertex({world, f}, {world, g});
+    });
     *n_pairs = count;
     return HSR_OK;
   } catch (const std::bad_alloc &) {

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+#include "algorithms/setup.h"
+
+#include <time.h>
+
+static double seconds_now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Applies one adapter to what there is. */
+static enum hsr_status apply(struct hsr_setup *setup,
+                             const struct hsr_adapter *adapter,
+                             struct hsr_error *err) {
+  struct hsr_world out = {.scene = NULL};
+  bool changed = false;
+  double begin = seconds_now();
+  enum hsr_status status = adapter->adapt(setup->world, &out, &changed, err);
+  double seconds = seconds_now() - begin;
+  setup->adapt_seconds += seconds;
+  if (!changed) /* it may have failed before it made anything */
+    return status;
+  hsr_world_free(&setup->adapted);
+  setup->adapted = out;
+  setup->world = &setup->adapted;
+  setup->adaptation[setup->n_adaptations++] =
+      (struct hsr_adaptation){adapter->name, out.n_faces, seconds};
+  return status;
+}
+
+enum hsr_status hsr_setup_init(struct hsr_setup *setup,
+                               const struct hsr_algorithm *algorithm,
+                               const struct hsr_world *world,
+                               struct hsr_error *err) {
+  *setup = (struct hsr_setup){.algorithm = algorithm, .world = world};
+  enum hsr_status status = HSR_OK;
+  for (const struct hsr_adapter *a = hsr_adapters; a->name && !status; a++)
+    if (algorithm->restrictions & a->mends)
+      status = apply(setup, a, err);
+  if (status || !algorithm->prepare)
+    return status;
+  double begin = seconds_now();
+  status = algorithm->prepare(setup->world, &setup->prepared, err);
+  setup->prepare_seconds = seconds_now() - begin;
+  return status;
+}
+
+/* From pieces to the faces of the scene. */
+static void name_parents(const struct hsr_pieces *pieces,
+                         const struct hsr_job *job) {
+  const struct hsr_window *w = &job->view->window;
+  for (int j = w->y0; j < w->y1; j++) {
+    uint32_t *row = job->ids + (size_t)j * job->ids_stride;
+    for (int i = w->x0; i < w->x1; i++)
+      if (row[i] != HSR_BACKGROUND)
+        row[i] = pieces->parent[row[i]];
+  }
+}
+
+enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
+                                 struct hsr_job *job, struct hsr_error *err) {
+  job->world = setup->world;
+  job->prepared = setup->prepared;
+  job->paint = setup->paint;
+  enum hsr_status status = setup->algorithm->render(job, err);
+  if (!status && job->tally->out_of_memory)
+    status = hsr_fail_nomem(err);
+  if (!status && setup->world->pieces)
+    name_parents(setup->world->pieces, job);
+  return status;
+}
+
+void hsr_setup_free(struct hsr_setup *setup) {
+  if (setup->algorithm->release && setup->prepared)
+    setup->algorithm->release(setup->prepared);
+  hsr_world_free(&setup->adapted);
+}

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* An algorithm made ready for one world: the world adapted to its restrictions,
+ * and its own view-independent work done. Whoever runs an algorithm, runs it
+ * through this. */
+#ifndef HSR_ALGORITHMS_SETUP_H
+#define HSR_ALGORITHMS_SETUP_H
+
+#include "algorithms/algorithm.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define HSR_MAX_ADAPTATIONS 8
+
+struct hsr_adaptation {
+  const char *name; /* of the adapter */
+  uint32_t n_faces; /* after it */
+  double seconds;
+};
+
+struct hsr_setup {
+  const struct hsr_algorithm *algorithm;
+  const struct hsr_world *world; /* what the algorithm gets: the scene's own, or
+                                    `adapted` */
+  struct hsr_world adapted;
+  struct hsr_adaptation adaptation[HSR_MAX_ADAPTATIONS];
+  int n_adaptations;    /* those that changed something */
+  double adapt_seconds; /* of all, also where there was nothing to change */
+  void *prepared;
+  double prepare_seconds;
+  const struct hsr_paint *paint; /* for every job; NULL unless set */
+};
+
+/* `world` is borrowed and outlives the setup. Freed with hsr_setup_free, also
+ * after a failure: HSR_E_NOMEM; HSR_E_REFUSED where the scene breaks a
+ * restriction and cannot be adapted. */
+enum hsr_status hsr_setup_init(struct hsr_setup *setup,
+                               const struct hsr_algorithm *algorithm,
+                               const struct hsr_world *world,
+                               struct hsr_error *err);
+
+/* Renders job->view; the job's world, prepared object and paint are set
+ * here. The ids
+ * are those of the scene's faces. HSR_E_NOMEM. */
+enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
+                                 struct hsr_job *job, struct hsr_error *err);
+
+void hsr_setup_free(struct hsr_setup *setup);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is claimed of Newell's algorithm: Sutherland et al. 1974, "List-Priority
+ * Algorithms" and "New Uses of Coherence". */
+#include "scenes/scenes.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { M = 64, N = 48, SHEETS = 40, FRAMES = 24 };
+
+static void fail(const struct hsr_error *err) {
+  printf("Bail out! %s\n", err->text);
+  exit(99);
+}
+
+/* What a counter of that name counted. */
+static uint64_t counted(const struct hsr_algorithm *a,
+                        const struct hsr_tally *tally, const char *name) {
+  for (int k = 0; a->counters[k].name; k++)
+    if (!strcmp(a->counters[k].name, name))
+      return tally->count[k];
+  printf("Bail out! %s counts no %s\n", a->name, name);
+  exit(99);
+}
+
+static const struct hsr_algorithm *counting(const char *name) {
+  return hsr_algorithm_find(name)->counting;
+}
+
+/* A square on z = depth, of half the side `half` about (x, y). */
+static struct hsr_object *add_square(struct hsr_scene *scene, double x,
+                                     double y, double depth, double half,
+                                     const float rgb[3]) {
+  struct hsr_object *object = hsr_scene_object(scene, "square");
+  uint32_t v[4];
+  for (int k = 0; k < 4; k++)
+    hsr_object_vertex(object, x + (k == 1 || k == 2 ? half : -half),
+                      y + (k > 1 ? half : -half), depth, &v[k]);
+  hsr_object_face(object, v, 4, rgb);
+  return object;
+}
+
+static void look_down_z(struct hsr_scene *scene, struct hsr_world *world,
+                        struct hsr_view *view) {
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_camera camera = {
+      .eye = {0, 0, 100}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 40};
+  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err) ||
+      hsr_world_init(world, scene, &err) ||
+      hsr_view_init(view, &camera, M, N, &err))
+    fail(&err);
+}
+
+/* A list that the Z sort leaves in order of priority. */
+static void check_sorted(struct tap *tap) {
+  static const float grey[3] = {0.5f, 0.5f, 0.5f};
+  static uint32_t ids[M * N];
+  struct hsr_scene *scene = hsr_scene_new("sheets");
+  struct hsr_world world;
+  struct hsr_view view;
+  for (int k = 0; k < SHEETS; k++)
+    add_square(scene, k % 5 - 2, k % 7 - 3, (k * 17 % SHEETS) - 20, 9, grey);
+  look_down_z(scene, &world, &view);
+  const struct hsr_algorithm *a = counting("newell");
+  struct hsr_tally tally = {.out_of_memory = false};
+  draw_ids(a, &world, &view, ids, &tally);
+  ok(tap, counted(a, &tally, "interchanges") == 0,
+     "a list that is in order is left as it is");
+  ok(tap, counted(a, &tally, "divisions") == 0, "nothing is divided");
+  ok(tap, counted(a, &tally, "Z sort") == 2 * SHEETS, "the Z sort costs 2 F_r");
+  ok(tap, counted(a, &tally, "Newell special") == SHEETS - 1,
+     "the special sort looks at each neighbour once (%llu)",
+     (unsigned long long)counted(a, &tally, "Newell special"));
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+}
+
+static void check_division(struct tap *tap) {
+  static uint32_t ids[M * N];
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_import import = {.drop_degenerate = false};
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  struct hsr_view view;
+  if (hsr_scene_open("cyclic-overlap", &import, &scene, &err) ||
+      hsr_world_init(&world, scene, &err) ||
+      hsr_view_init(&view, &scene->views[0], M, N, &err))
+    fail(&err);
+  const struct hsr_algorithm *a = counting("newell");
+  struct hsr_tally tally = {.out_of_memory = false};
+  draw_ids(a, &world, &view, ids, &tally);
+  ok(tap, counted(a, &tally, "divisions") > 0,
+     "cyclic overlap is resolved by division (%llu)",
+     (unsigned long long)counted(a, &tally, "divisions"));
+  ok(tap, counted(a, &tally, "thickness checks") == 0,
+     "and by nothing else, where faces are flat");
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+}
+
+/* One prepared object over frames of a slowly turning view. */
+static void check_coherence(struct tap *tap) {
+  static uint32_t ids[M * N], wanted[M * N];
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_import import = {.drop_degenerate = false};
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  struct hsr_setup setup;
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  const struct hsr_algorithm *a = counting("newell-previous");
+  if (hsr_scene_open("harbor:500", &import, &scene, &err) ||
+      hsr_world_init(&world, scene, &err) ||
+      hsr_setup_init(&setup, a, &world, &err))
+    fail(&err);
+  long wrong = 0;
+  uint64_t first = 0, later = 0, again = 0;
+  for (int k = 0; k <= FRAMES; k++) {
+    struct hsr_camera camera = scene->views[0];
+    camera.eye[0] += 0.01 * (k < FRAMES ? k : k - 1);
+    struct hsr_view view;
+    struct hsr_tally tally = {.out_of_memory = false};
+    if (hsr_view_init(&view, &camera, M, N, &err))
+      fail(&err);
+    struct hsr_job job = {.view = &view,
+                          .scratch = &scratch,
+                          .tally = &tally,
+                          .ids = ids,
+                          .ids_stride = M};
+    hsr_arena_reset(&scratch);
+    if (hsr_setup_render(&setup, &job, &err))
+      fail(&err);
+    draw_ids(hsr_algorithm_find("oracle")->plain, &world, &view, wanted, NULL);
+    wrong += count_differences(&view, ids, wanted);
+    *(k == 0       ? &first
+      : k < FRAMES ? &later
+                   : &again) += counted(a, &tally, "Z sort");
+  }
+  ok(tap, !wrong, "from the previous frame's order: the same pictures");
+  ok(tap, later < first * (FRAMES - 1),
+     "the previous order makes the Z sort cheaper than 2 F_r (%.0f, not %llu)",
+     (double)later / (FRAMES - 1), (unsigned long long)first);
+  ok(tap, again <= first / 2 + 64,
+     "the same view again costs about one comparison a face (%llu)",
+     (unsigned long long)again);
+  hsr_setup_free(&setup);
+  hsr_arena_free(&scratch);
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+}
+
+static bool same_colour(const float *a, float r, float g, float b) {
+  return fabsf(a[0] - r) < 1e-6f && fabsf(a[1] - g) < 1e-6f &&
+         fabsf(a[2] - b) < 1e-6f;
+}
+
+/* Partial overwriting: a dark pane before a bright wall is combined with it, a
+ * bright pane before a dark one takes its place. */
+static void check_transparency(struct tap *tap, const char *name) {
+  static const float bright[3] = {0.75f, 0.5f, 1}, dark[3] = {0.25f, 0, 0.125f};
+  static uint32_t ids[M * N], opaque[M * N];
+  static float rgb[3 * M * N], faces[12];
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_scene *scene = hsr_scene_new("panes");
+  struct hsr_world world;
+  struct hsr_view view;
+  add_square(scene, -15, 0, 0, 10, bright);
+  add_square(scene, 15, 0, 0, 10, dark);
+  add_square(scene, -15, 0, 10, 5, dark)->opacity = 0.25f;
+  add_square(scene, 15, 0, 10, 5, bright)->opacity = 0.25f;
+  look_down_z(scene, &world, &view);
+  const struct hsr_algorithm *a = hsr_algorithm_find(name)->plain;
+  struct hsr_paint paint = {.face = faces, .rgb = rgb};
+  for (int f = 0; f < 4; f++)
+    memcpy(faces + 3 * f, f == 0 || f == 3 ? bright : dark, sizeof bright);
+  struct hsr_setup setup;
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_tally tally = {.out_of_memory = false};
+  struct hsr_job job = {.view = &view,
+                        .scratch = &scratch,
+                        .tally = &tally,
+                        .ids = ids,
+                        .ids_stride = M};
+  if (hsr_setup_init(&setup, a, &world, &err))
+    fail(&err);
+  setup.paint = &paint;
+  if (hsr_setup_render(&setup, &job, &err))
+    fail(&err);
+  long wrong = 0;
+  for (int k = 0; k < M * N; k++)
+    wrong += !(ids[k] == HSR_BACKGROUND ? same_colour(rgb + 3 * k, 0, 0, 0)
+               : ids[k] == 2
+                   ? same_colour(rgb + 3 * k, 0.625f, 0.375f, 0.78125f)
+                   : same_colour(rgb + 3 * k, faces[3 * ids[k]],
+                                 faces[3 * ids[k] + 1], faces[3 * ids[k] + 2]));
+  ok(tap, !wrong, "%s: transparent faces overwrite in part (%ld wrong)", name,
+     wrong);
+  draw_ids(hsr_algorithm_find("oracle")->plain, &world, &view, opaque, NULL);
+  ok(tap, !count_differences(&view, ids, opaque),
+     "%s: the ids are those of opaque faces", name);
+  hsr_setup_free(&setup);
+  hsr_arena_free(&scratch);
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+}
+
+int main(void) {
+  struct tap tap = plan(13);
+  check_sorted(&tap);
+  check_division(&tap);
+  check_coherence(&tap);
+  check_transparency(&tap, "newell");
+  check_transparency(&tap, "newell-frame-buffer");
+  return finish(&tap);
+}
