@@ -15,6 +15,7 @@ algorithm_files = \
   %D%/scan_line.h \
   %D%/warnock.c \
   %D%/watkins.c \
+  %D%/yzx.c \
   %D%/zbuffer.c
 
 noinst_LIBRARIES += libplain.a libcounting.a

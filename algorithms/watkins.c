@@ -51,7 +51,7 @@ struct segment {
 };
 
 struct scan {
-  struct hsr_scan line; /* Y buckets and X sort list */
+  struct hsr_scan edges; /* Y buckets and X sort list */
   const struct hsr_screen *screen;
   const struct hsr_window *window;
   struct hsr_tally *tally;
@@ -85,8 +85,8 @@ static void close_segment(struct scan *s, uint32_t number, int x1, int j) {
  * closes it. */
 static void find_segments(struct scan *s, int j) {
   s->n_segments = 0;
-  for (uint32_t k = 0; k < s->line.n_list; k++) {
-    const struct hsr_scan_edge *edge = &s->line.edge[s->line.list[k]];
+  for (uint32_t k = 0; k < s->edges.n_list; k++) {
+    const struct hsr_scan_edge *edge = &s->edges.edge[s->edges.list[k]];
     if (edge->column == HSR_NO_COLUMN)
       break;
     uint32_t *open = &s->open[edge->face];
@@ -186,7 +186,7 @@ static bool first_is_nearer(struct scan *s, const struct segment *f,
 /* The same for whole segments; faces of one plane need no search. */
 static bool is_nearer(struct scan *s, const struct segment *f,
                       const struct segment *g, int l, int r, int j, int *end) {
-  const uint32_t *plane = s->line.job->world->plane;
+  const uint32_t *plane = s->edges.job->world->plane;
   if (plane[f->face] == plane[g->face]) {
     *end = r;
     return f->face < g->face;
@@ -264,7 +264,7 @@ static uint32_t enter_span(struct scan *s, int left, uint32_t next, int j) {
 }
 
 static void scan_row(struct scan *s, int j) {
-  uint32_t *row = s->line.job->ids + (size_t)j * s->line.job->ids_stride;
+  uint32_t *row = s->edges.job->ids + (size_t)j * s->edges.job->ids_stride;
   uint32_t next = 0;
   s->n_under = 0;
   for (int left = s->window->x0, right; left < s->window->x1; left = right) {
@@ -284,9 +284,9 @@ static void scan_row(struct scan *s, int j) {
  */
 
 static enum hsr_status allocate(struct scan *s) {
-  struct hsr_arena *arena = s->line.job->scratch;
-  size_t n_faces = s->line.job->world->n_faces;
-  size_t n_segments = s->line.most_edges / 2 + 1;
+  struct hsr_arena *arena = s->edges.job->scratch;
+  size_t n_faces = s->edges.job->world->n_faces;
+  size_t n_segments = s->edges.most_edges / 2 + 1;
   s->open = HSR_NEW(arena, uint32_t, n_faces);
   s->segment = HSR_NEW(arena, struct segment, n_segments);
   s->under = HSR_NEW(arena, uint32_t, n_segments);
@@ -299,14 +299,14 @@ static enum hsr_status allocate(struct scan *s) {
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  struct scan scan = {.screen = &scan.line.screen,
+  struct scan scan = {.screen = &scan.edges.screen,
                       .window = &job->view->window,
                       .tally = job->tally};
-  if (hsr_scan_begin(&scan.line, job) || allocate(&scan))
+  if (hsr_scan_begin(&scan.edges, job) || allocate(&scan))
     return hsr_fail_nomem(err);
 
   for (int j = scan.window->y0; j < scan.window->y1; j++) {
-    hsr_scan_advance(&scan.line, j);
+    hsr_scan_advance(&scan.edges, j);
     find_segments(&scan, j);
     scan_row(&scan, j);
   }

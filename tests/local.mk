@@ -1,11 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Programs that print TAP; the scripts among them end in .test.
-tap_programs = %D%/unit/adapt_test %D%/unit/exchange_test %D%/unit/image_test \
-  %D%/unit/oracle_test %D%/unit/scene_json_test %D%/unit/scenes_test \
-  %D%/unit/screen_test %D%/unit/statistics_test \
-  %D%/conformance/lattice_test %D%/properties/metamorphic_test %D%/properties/newell_test \
-  %D%/properties/romney_test %D%/properties/warnock_test
-tap_scripts = %D%/command.test %D%/bad/bad_input.test %D%/bad/memory.test %D%/torture/torture.test
+tap_programs = \
+  %D%/unit/adapt_test \
+  %D%/unit/exchange_test \
+  %D%/unit/image_test \
+  %D%/unit/oracle_test \
+  %D%/unit/scene_json_test \
+  %D%/unit/scenes_test \
+  %D%/unit/screen_test \
+  %D%/unit/statistics_test \
+  %D%/conformance/lattice_test \
+  %D%/properties/metamorphic_test \
+  %D%/properties/newell_test \
+  %D%/properties/romney_test \
+  %D%/properties/scan_line_test \
+  %D%/properties/warnock_test
+tap_scripts = \
+  %D%/command.test \
+  %D%/bad/bad_input.test \
+  %D%/bad/memory.test \
+  %D%/torture/torture.test
 
 if WITH_VTK
 tap_programs += %D%/unit/vtp_test
@@ -43,5 +57,7 @@ nodist_EXTRA_%C%_properties_romney_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_properties_warnock_test_SOURCES = force_cxx_link.cc
 %C%_properties_newell_test_SOURCES = %D%/properties/newell_test.c
 nodist_EXTRA_%C%_properties_newell_test_SOURCES = force_cxx_link.cc
+%C%_properties_scan_line_test_SOURCES = %D%/properties/scan_line_test.c
+nodist_EXTRA_%C%_properties_scan_line_test_SOURCES = force_cxx_link.cc
 
 EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict
