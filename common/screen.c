@@ -744,6 +744,28 @@ static void narrow(const struct question *q, int *lo, int *hi) {
     *hi = change(q, true, *lo, *hi - 1);
 }
 
+/* Whether the edge crosses to the right of the first and of the last of some
+ * columns, and the column where that changes, if it does. */
+struct crossing {
+  bool first, last;
+  int column;
+};
+
+static struct crossing find_crossing(const struct question *q, int lo, int hi) {
+  const struct hsr_screen *screen = q->screen;
+  if (screen->sx[q->a] == screen->sx[q->a] &&
+      screen->sx[q->b] == screen->sx[q->b]) {
+    struct hsr_edge edge;
+    hsr_edge_init(&edge, screen, q->row < 0 ? q->a : q->b,
+                  q->row < 0 ? q->b : q->a);
+    int column = hsr_edge_column(screen, &edge, q->j, q->tally);
+    return (struct crossing){column > lo, column >= hi, column};
+  }
+  bool first = q->holds(q, lo), last = q->holds(q, hi - 1);
+  return (struct crossing){first, last,
+                           first != last ? change(q, first, lo, hi - 1) : hi};
+}
+
 /* Columns of a cut face: by parity of the crossings to the right of a sample,
  * each of which ends or begins at most once along the row, where the plane is
  * ahead of the eye and past near. */
@@ -772,10 +794,10 @@ static int cut_spans(const struct hsr_screen *screen, uint32_t f, int j,
     q.b = vertex[k];
     int row_b = hsr_row_side(screen, q.b, j, tally);
     if (q.row != row_b) {
-      bool first = q.holds(&q, lo), last = q.holds(&q, hi - 1);
-      inside ^= first;
-      if (first != last)
-        insert_column(columns, n_columns++, change(&q, first, lo, hi - 1));
+      struct crossing crossing = find_crossing(&q, lo, hi);
+      inside ^= crossing.first;
+      if (crossing.first != crossing.last)
+        insert_column(columns, n_columns++, crossing.column);
     }
     q.a = q.b;
     q.row = row_b;
