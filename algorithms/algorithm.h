@@ -58,7 +58,7 @@ struct hsr_step {
   const char *label;   /* "X merge" */
   int counter;         /* index into the algorithm's counters */
   double factor;       /* complexity factor, appendix B */
-  const char *formula; /* the paper's prediction of the cost, as text */
+  const char *formula; /* the paper's prediction of the cost, or NULL */
   double (*predict)(const struct hsr_table1 *); /* the same; NULL: none made */
 };
 

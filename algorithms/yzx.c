@@ -114,8 +114,8 @@ static const struct hsr_step steps[] = {
     {"Z minimax", MINIMAX, 1, "F_r^2 f^2 / 2, f = 2 H_f/n (ours)",
      predict_minimax},
     {"Z sort", Z_SORT, 1, "4 F_r^2 f^3, f = 2 H_f/n (ours)", predict_z_sort},
-    {"implied edges", IMPLIED, 1, "none", NULL},
-    {"priority tests", PRIORITY, 1, "none", NULL},
+    {"implied edges", IMPLIED, 1, NULL, NULL},
+    {"priority tests", PRIORITY, 1, NULL, NULL},
     {NULL, 0, 0, NULL, NULL}};
 
 static const struct hsr_sort sorts[] = {

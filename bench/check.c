@@ -505,7 +505,7 @@ static json_t *cell_json(const struct scene_run *run, int size, int view,
       "width", o->m[size], "height", o->n[size], "algorithm", algorithm->name,
       "kind", "ids", "status", verdict_name[c->verdict], "mismatches",
       (json_int_t)c->mismatches, "known_wrong",
-      algorithm->flags & HSR_KNOWN_WRONG, "adapted", adapted_json(c));
+      (algorithm->flags & HSR_KNOWN_WRONG) != 0, "adapted", adapted_json(c));
 }
 
 static enum hsr_status add_up(const struct scene_run *run,

@@ -53,9 +53,9 @@ static json_t *counters_json(const struct hsr_algorithm *a) {
 static json_t *steps_json(const struct hsr_algorithm *a) {
   json_t *steps = json_array();
   for (const struct hsr_step *s = a->steps; s && s->label; s++)
-    json_append(&steps, json_pack("{ss ss sf ss}", "label", s->label, "counter",
-                                  a->counters[s->counter].name, "factor",
-                                  s->factor, "formula", s->formula));
+    json_append(&steps, json_pack("{ss ss sf ss?}", "label", s->label,
+                                  "counter", a->counters[s->counter].name,
+                                  "factor", s->factor, "formula", s->formula));
   return steps;
 }
 
@@ -64,11 +64,12 @@ static json_t *year_json(const struct hsr_algorithm *a) {
 }
 
 static json_t *algorithm_json(const struct hsr_algorithm *a) {
-  return json_pack("{ss ss ss so ss ss ss* ss* ss so so so so}", "name",
+  return json_pack("{ss ss ss so ss ss ss* ss* ss sb so so so so}", "name",
                    a->name, "title", a->title, "authors", a->authors, "year",
                    year_json(a), "source", a->source, "taxonomy",
                    taxonomy_name[a->taxonomy], "sort_order", a->sort_order,
                    "coherence", a->coherence, "kind", algorithm_kind(a),
+                   "known_wrong", (a->flags & HSR_KNOWN_WRONG) != 0,
                    "restrictions", restrictions_json(a), "sorts", sorts_json(a),
                    "counters", counters_json(a), "steps", steps_json(a));
 }
@@ -88,7 +89,8 @@ static void print_restrictions(const struct hsr_algorithm *a) {
       printf("%s%s", any ? " " : "", hsr_restriction_code(1u << k));
       any = true;
     }
-  puts(any ? "" : "-");
+  if (!any)
+    putchar('-');
 }
 
 enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
@@ -98,17 +100,18 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
     return status;
   if (json)
     return print_json(err);
-  printf("%-10s %4s  %-28s %-6s %-9s %s\n", "name", "year", "taxonomy", "sorts",
+  printf("%-20s %4s  %-28s %-6s %-9s %s\n", "name", "year", "taxonomy", "sorts",
          "kind", "restrictions");
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
     char year[12] = "-";
     if (a->plain->year)
       snprintf(year, sizeof year, "%d", a->plain->year);
-    printf("%-10s %4s  %-28s %-6s %-9s ", a->plain->name, year,
+    printf("%-20s %4s  %-28s %-6s %-9s ", a->plain->name, year,
            taxonomy_name[a->plain->taxonomy],
            a->plain->sort_order ? a->plain->sort_order : "-",
            algorithm_kind(a->plain));
     print_restrictions(a->plain);
+    puts(a->plain->flags & HSR_KNOWN_WRONG ? "  known to be wrong" : "");
   }
   return HSR_OK;
 }
