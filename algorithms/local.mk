@@ -14,6 +14,7 @@ algorithm_files = \
   %D%/scan_line.h \
   %D%/warnock.c \
   %D%/watkins.c \
+  %D%/watkins.h \
   %D%/zbuffer.c
 
 noinst_LIBRARIES += libplain.a libcounting.a
