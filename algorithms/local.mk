@@ -13,6 +13,8 @@ algorithm_files = \
   %D%/scan_line.c \
   %D%/scan_line.h \
   %D%/warnock.c \
+  %D%/warnock.h \
+  %D%/warnock_watkins.c \
   %D%/watkins.c \
   %D%/watkins.h \
   %D%/zbuffer.c
