@@ -6,9 +6,12 @@ libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/list.def
 algorithm_files = \
   %D%/bouknight.c \
   %D%/newell.c \
+  %D%/newell.h \
   %D%/null.c \
   %D%/oracle.cc \
   %D%/painter.c \
+  %D%/priority_list.c \
+  %D%/priority_list.h \
   %D%/raycast.c \
   %D%/scan_line.c \
   %D%/scan_line.h \
