@@ -7,6 +7,7 @@ algorithm_files = \
   %D%/bouknight.c \
   %D%/newell.c \
   %D%/newell.h \
+  %D%/newell_watkins.c \
   %D%/null.c \
   %D%/oracle.cc \
   %D%/painter.c \
@@ -17,6 +18,7 @@ algorithm_files = \
   %D%/scan_line.h \
   %D%/warnock.c \
   %D%/warnock.h \
+  %D%/warnock_newell.c \
   %D%/warnock_watkins.c \
   %D%/watkins.c \
   %D%/watkins.h \

@@ -48,6 +48,9 @@ static uint32_t add_piece(struct hsr_priority_list *s, struct piece piece) {
   if (bounds->x0 >= bounds->x1 || bounds->y0 >= bounds->y1 ||
       !(piece.farthest > 0))
     return NONE;
+  if (s->parts)
+    hsr_narrow_depth_range(s->screen, piece.part.face, bounds, &piece.nearest,
+                           &piece.farthest);
   if (!hsr_arena_grow(s->job->scratch, &s->pieces, sizeof piece)) {
     s->out_of_memory = true;
     return NONE;

@@ -46,6 +46,8 @@ struct hsr_priority_list {
   struct hsr_tally *tally;
   const struct hsr_screen *screen;
   const struct hsr_window *window;
+  bool parts; /* faces reach beyond the window: the depths of their samples in
+                 it are asked for */
   bool out_of_memory;
 
   bool *thick;  /* a face: among two of these, the samples decide */

@@ -60,20 +60,30 @@ static uint32_t most_ends(const struct hsr_screen *screen,
   return screen->whole[piece->face] ? size & ~1u : size + 4;
 }
 
+static int find_spans(struct hsr_scan *s, const struct hsr_piece *piece,
+                      int j) {
+  return hsr_piece_spans(&s->screen, piece->face, piece->cuts, piece->n_cuts, j,
+                         s->columns, s->tally);
+}
+
 static void sort_ends(struct hsr_scan *s, const struct hsr_piece *piece,
                       uint32_t number) {
-  struct hsr_scan_cut cut = {.cuts = piece->cuts,
-                             .n_cuts = piece->n_cuts,
-                             .face = piece->face,
+  struct hsr_scan_cut cut = {.piece = *piece,
                              .first_edge = s->n_edges,
                              .n_edges = (int)most_ends(&s->screen, piece),
                              .row = -1};
-  struct hsr_scan_edge edge = {.face = piece->face,
-                               .piece = number,
-                               .cut = s->n_cut,
-                               .end_row = piece->bounds.y1};
+  struct hsr_scan_edge edge = {
+      .face = piece->face, .piece = number, .cut = s->n_cut};
+  int row = piece->bounds.y0, end_row = piece->bounds.y1;
+  if (piece->n_cuts) { /* whose bounds are wide */
+    while (row < end_row && !find_spans(s, piece, row))
+      row++;
+    while (row < end_row && !find_spans(s, piece, end_row - 1))
+      end_row--;
+  }
+  edge.end_row = end_row;
   for (int k = 0; k < cut.n_edges; k++)
-    put_into_bucket(s, edge, piece->bounds.y0);
+    put_into_bucket(s, edge, row);
   s->cut[s->n_cut++] = cut;
 }
 
@@ -110,8 +120,7 @@ static void find_cut_columns(struct hsr_scan *s, struct hsr_scan_cut *cut,
   if (cut->row == j)
     return;
   cut->row = j;
-  int n = hsr_piece_spans(&s->screen, cut->face, cut->cuts, cut->n_cuts, j,
-                          s->columns, s->tally);
+  int n = find_spans(s, &cut->piece, j);
   for (int k = 0; k < cut->n_edges; k++)
     s->edge[cut->first_edge + (uint32_t)k].column =
         k < n ? s->columns[k] : HSR_NO_COLUMN;

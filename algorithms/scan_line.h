@@ -51,9 +51,10 @@ struct hsr_scan_edge {
 
 /* A cut face, or a piece of a face, and the edges that stand for its ends. */
 struct hsr_scan_cut {
-  const struct hsr_cut *cuts;
-  uint32_t n_cuts, face, first_edge;
-  int n_edges, row; /* row: that its columns are those of */
+  struct hsr_piece piece;
+  uint32_t first_edge;
+  int n_edges;
+  int row; /* that its columns are those of */
 };
 
 /* What there must be memory for, in the window that needs most of it. */

@@ -53,7 +53,7 @@ static json_t *counters_json(const struct hsr_algorithm *a) {
 static json_t *steps_json(const struct hsr_algorithm *a) {
   json_t *steps = json_array();
   for (const struct hsr_step *s = a->steps; s && s->label; s++)
-    json_append(&steps, json_pack("{ss ss sf ss}", "label", s->label, "counter",
+    json_append(&steps, json_pack("{ss ss sf ss?}", "label", s->label, "counter",
                                   a->counters[s->counter].name, "factor",
                                   s->factor, "formula", s->formula));
   return steps;
