@@ -14,6 +14,7 @@ algorithm_files = \
   %D%/priority_list.c \
   %D%/priority_list.h \
   %D%/raycast.c \
+  %D%/romney.c \
   %D%/scan_line.c \
   %D%/scan_line.h \
   %D%/warnock.c \
@@ -22,6 +23,7 @@ algorithm_files = \
   %D%/warnock_watkins.c \
   %D%/watkins.c \
   %D%/watkins.h \
+  %D%/yzx.c \
   %D%/zbuffer.c
 
 noinst_LIBRARIES += libplain.a libcounting.a

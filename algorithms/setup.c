@@ -20,13 +20,15 @@ static enum hsr_status apply(struct hsr_setup *setup,
   bool changed = false;
   double begin = seconds_now();
   enum hsr_status status = adapter->adapt(setup->world, &out, &changed, err);
+  double seconds = seconds_now() - begin;
+  setup->adapt_seconds += seconds;
   if (!changed) /* it may have failed before it made anything */
     return status;
   hsr_world_free(&setup->adapted);
   setup->adapted = out;
   setup->world = &setup->adapted;
-  setup->adaptation[setup->n_adaptations++] = (struct hsr_adaptation){
-      adapter->name, out.n_faces, seconds_now() - begin};
+  setup->adaptation[setup->n_adaptations++] =
+      (struct hsr_adaptation){adapter->name, out.n_faces, seconds};
   return status;
 }
 

@@ -25,7 +25,8 @@ struct hsr_setup {
                                     `adapted` */
   struct hsr_world adapted;
   struct hsr_adaptation adaptation[HSR_MAX_ADAPTATIONS];
-  int n_adaptations; /* those that changed something */
+  int n_adaptations;    /* those that changed something */
+  double adapt_seconds; /* of all, also where there was nothing to change */
   void *prepared;
   double prepare_seconds;
   const struct hsr_paint *paint; /* for every job; NULL unless set */

@@ -17,8 +17,9 @@
  * vertices are snapped to a grid of 2^-15 pixel, and coverage and depth are
  * computed in floats. All other faces take the general way, row by row.
  *
- * A large picture is tiled in bands of rows, one after the other in one small
- * memory of depths: its triangles are set up once and sorted into the bands.
+ * A large picture is cut into parts, which are tiled one after the other in one
+ * small memory of depths and ids: its triangles are set up once and sorted into
+ * the parts.
  *
  * Snapping moves a coordinate by at most s = 2^-16 + 2^-26 (common/screen.h).
  * With W and H the width and height in pixels of the box of the samples in
@@ -95,12 +96,13 @@ enum {
   UNSAFE = INT_MIN,      /* snapped coordinate of a vertex that is not safe */
   LARGEST_BOX = 500,     /* pixels; keeps differences below 2^24 grid units */
   LANES = 16,
-  BATCH = 128,          /* faces looked at together; whole vectors of them */
-  SMALL_BOX = 16,       /* samples; above, a triangle fills its own lanes */
-  QUEUE = 512,          /* samples */
-  ONE_BAND = 1 << 20,   /* samples of a picture that is not cut into bands */
-  BAND_BYTES = 1 << 19, /* of depths, to stay in the second level cache */
-  PAD = 16 /* floats: rows of a band do not meet in the same cache sets */
+  BATCH = 128,        /* faces looked at together; whole vectors of them */
+  SMALL_BOX = 16,     /* samples; above, a triangle fills its own lanes */
+  QUEUE = 512,        /* samples */
+  ONE_PART = 1 << 20, /* samples of a picture that is not cut into parts */
+  PART_WIDTH = 512,   /* samples; depths and ids of a part stay in the second */
+  PART_HEIGHT = 64,   /* level cache, few triangles lie in two of them */
+  PAD = 16 /* floats: rows of a part do not meet in the same cache sets */
 };
 /* Pixels; sums and differences of snapped coordinates fit in an int. */
 static const double FARTHEST = 32767.9;
@@ -140,7 +142,7 @@ struct triangle {
   float q, qx, qy;
   int x0, y0, x1, y1;
   uint32_t face;
-  bool generally; /* only y0, y1 and face count: it takes the general way */
+  bool generally; /* only its box and face count: it takes the general way */
 };
 
 /* Faces looked at together: what becomes of each, and the n_fast ones in
@@ -159,12 +161,13 @@ struct tiling {
   struct hsr_tally *tally;
   struct hsr_screen screen;
   struct corner *corner; /* a vertex */
-  float *z; /* z of sample (i, j) at z[(j - band_y0) * z_stride + i - x0] */
-  size_t z_stride;
   struct hsr_window window;
-  int band_rows;         /* of a band, except the last */
-  int band_y0, band_y1;  /* the band being tiled */
-  struct triangle *kept; /* set up, for all bands; NULL if there is but one */
+  struct hsr_window part; /* the part being tiled: its samples (i, j) have */
+  float *z;               /* z[(j - part.y0) * z_stride + i - part.x0], and */
+  uint32_t *ids; /* likewise: the picture's own, if there is one part */
+  size_t z_stride, ids_stride;
+  int parts_across, parts_down;
+  struct triangle *kept; /* set up, for all parts; NULL if there is but one */
   size_t n_kept;
   int first_x, first_y; /* of sample (0, 0), grid units */
   bool fast;            /* triangles, and samples on the grid */
@@ -177,6 +180,7 @@ struct twin {
   void (*compact)(struct batch *);
   void (*tile)(struct tiling *, const struct triangle *);
   void (*tile_batch)(struct tiling *, const struct batch *);
+  void (*write_back)(const struct tiling *);
 };
 
 /* --- What floats cannot tell
@@ -203,9 +207,9 @@ static bool is_nearer(struct tiling *t, uint32_t f, uint32_t held, int i,
  * certain. */
 static inline void settle(struct tiling *t, uint32_t f, float q, bool sure,
                           int i, int j) {
-  uint32_t *id = &t->job->ids[(size_t)j * t->job->ids_stride + (size_t)i];
-  float *z = &t->z[(size_t)(j - t->band_y0) * t->z_stride +
-                   (size_t)(i - t->window.x0)];
+  size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
+  uint32_t *id = &t->ids[y * t->ids_stride + x];
+  float *z = &t->z[y * t->z_stride + x];
 #if HSR_ZBUFFER_INEXACT
   (void)covers;
   (void)is_nearer;
@@ -505,14 +509,21 @@ static struct triangle take(const struct batch *b, int k) {
 /* --- Tiling triangles
  * ---------------------------------------------------------- */
 
+/* The samples that a box and the part being tiled have in common. */
+static inline struct hsr_window clip(const struct tiling *t, int x0, int y0,
+                                     int x1, int y1) {
+  const struct hsr_window *p = &t->part;
+  return (struct hsr_window){x0 > p->x0 ? x0 : p->x0, y0 > p->y0 ? y0 : p->y0,
+                             x1 < p->x1 ? x1 : p->x1, y1 < p->y1 ? y1 : p->y1};
+}
+
 static void tile_portable(struct tiling *t, const struct triangle *tri) {
-  int y0 = tri->y0 > t->band_y0 ? tri->y0 : t->band_y0;
-  int y1 = tri->y1 < t->band_y1 ? tri->y1 : t->band_y1;
-  for (int j = y0; j < y1; j++) {
+  struct hsr_window box = clip(t, tri->x0, tri->y0, tri->x1, tri->y1);
+  for (int j = box.y0; j < box.y1; j++) {
     float down = (float)(j - tri->y0);
     float e0 = tri->e0 + tri->ey0 * down, e1 = tri->e1 + tri->ey1 * down,
           e2 = tri->e2 + tri->ey2 * down, q = tri->q + tri->qy * down;
-    for (int i = tri->x0; i < tri->x1; i++) {
+    for (int i = box.x0; i < box.x1; i++) {
       float right = (float)(i - tri->x0);
       float d0 = e0 + tri->ex0 * right, d1 = e1 + tri->ex1 * right,
             d2 = e2 + tri->ex2 * right;
@@ -533,8 +544,18 @@ static void tile_batch_portable(struct tiling *t, const struct batch *b) {
   }
 }
 
+/* From the part's ids to the picture's. */
+static void write_back_portable(const struct tiling *t) {
+  const struct hsr_window *p = &t->part;
+  for (int j = p->y0; j < p->y1; j++)
+    memcpy(t->job->ids + (size_t)j * t->job->ids_stride + (size_t)p->x0,
+           t->ids + (size_t)(j - p->y0) * t->ids_stride,
+           (size_t)(p->x1 - p->x0) * sizeof *t->ids);
+}
+
 static const struct twin portable = {gather_portable, compact_portable,
-                                     tile_portable, tile_batch_portable};
+                                     tile_portable, tile_batch_portable,
+                                     write_back_portable};
 
 #ifdef HAVE_AVX512_TWIN
 
@@ -563,9 +584,10 @@ settle_row(struct tiling *t, uint32_t f, __m512 q, unsigned lanes,
   }
 }
 
-/* Sixteen samples of each row of the band, from column x on. */
+/* Sixteen samples of each row of a box, from column x on. */
 AVX512 static inline void tile_strip(struct tiling *t,
-                                     const struct triangle *tri, int x) {
+                                     const struct triangle *tri,
+                                     const struct hsr_window *box, int x) {
   const __m512 bound = _mm512_set1_ps(tri->bound),
                minus_bound = _mm512_set1_ps(-tri->bound),
                clear = _mm512_set1_ps(CLEAR), one = _mm512_set1_ps(1);
@@ -578,15 +600,14 @@ AVX512 static inline void tile_strip(struct tiling *t,
   __m512 e1 = linear(tri->e1, tri->ex1, right);
   __m512 e2 = linear(tri->e2, tri->ex2, right);
   __m512 q0 = linear(tri->q, tri->qx, right);
-  __mmask16 in_box = first_lanes(tri->x1 - x);
-  int y0 = tri->y0 > t->band_y0 ? tri->y0 : t->band_y0;
-  int y1 = tri->y1 < t->band_y1 ? tri->y1 : t->band_y1;
-  const size_t ids_stride = t->job->ids_stride, z_stride = t->z_stride;
-  uint32_t *ids = t->job->ids + (size_t)y0 * ids_stride + (size_t)x;
-  float *z =
-      t->z + (size_t)(y0 - t->band_y0) * z_stride + (size_t)(x - t->window.x0);
-  __m512 down = _mm512_set1_ps((float)(y0 - tri->y0));
-  for (int j = y0; j < y1; j++, ids += ids_stride, z += z_stride) {
+  __mmask16 in_box = first_lanes(box->x1 - x);
+  const size_t ids_stride = t->ids_stride, z_stride = t->z_stride;
+  size_t row = (size_t)(box->y0 - t->part.y0),
+         column = (size_t)(x - t->part.x0);
+  uint32_t *ids = t->ids + row * ids_stride + column;
+  float *z = t->z + row * z_stride + column;
+  __m512 down = _mm512_set1_ps((float)(box->y0 - tri->y0));
+  for (int j = box->y0; j < box->y1; j++, ids += ids_stride, z += z_stride) {
     __m512 d0 = _mm512_fmadd_ps(ey0, down, e0),
            d1 = _mm512_fmadd_ps(ey1, down, e1),
            d2 = _mm512_fmadd_ps(ey2, down, e2),
@@ -595,8 +616,6 @@ AVX512 static inline void tile_strip(struct tiling *t,
     down = _mm512_add_ps(down, one);
     __mmask16 maybe =
         _mm512_mask_cmp_ps_mask(in_box, d, minus_bound, _CMP_GE_OQ);
-    if (!maybe)
-      continue;
     __mmask16 sure = _mm512_mask_cmp_ps_mask(maybe, d, bound, _CMP_GT_OQ);
     __m512 held = _mm512_maskz_loadu_ps(maybe, z);
     __mmask16 nearer = _mm512_mask_cmp_ps_mask(
@@ -615,8 +634,9 @@ AVX512 static inline void tile_strip(struct tiling *t,
 
 /* A triangle with a larger box. */
 AVX512 static void tile_avx512(struct tiling *t, const struct triangle *tri) {
-  for (int x = tri->x0; x < tri->x1; x += LANES)
-    tile_strip(t, tri, x);
+  struct hsr_window box = clip(t, tri->x0, tri->y0, tri->x1, tri->y1);
+  for (int x = box.x0; x < box.x1; x += LANES)
+    tile_strip(t, tri, &box, x);
 }
 
 /* Samples that small triangles cover for certain, their depths to be compared
@@ -629,9 +649,9 @@ struct queue {
 };
 
 static void compare_queue(struct tiling *t, struct queue *queue) {
-  const size_t ids_stride = t->job->ids_stride, z_stride = t->z_stride;
-  const struct hsr_window *w = &t->window;
-  uint32_t *ids = t->job->ids + (size_t)w->y0 * ids_stride + (size_t)w->x0;
+  const size_t ids_stride = t->ids_stride, z_stride = t->z_stride;
+  const struct hsr_window *w = &t->window; /* it is the only part */
+  uint32_t *ids = t->ids;
   float *z = t->z;
   for (int k = 0; k < queue->n; k++) {
     size_t x = queue->at[k] & 0xffff, y = queue->at[k] >> 16;
@@ -751,8 +771,26 @@ AVX512 static void tile_batch_avx512(struct tiling *t, const struct batch *b) {
   compare_queue(t, &queue);
 }
 
+/* Past the caches, which have better use than rows that are done. */
+AVX512 static void write_back_avx512(const struct tiling *t) {
+  const struct hsr_window *p = &t->part;
+  int width = p->x1 - p->x0;
+  for (int j = p->y0; j < p->y1; j++) {
+    const uint32_t *from = t->ids + (size_t)(j - p->y0) * t->ids_stride;
+    uint32_t *to = t->job->ids + (size_t)j * t->job->ids_stride + (size_t)p->x0;
+    int i = 0;
+    for (; i < width && (uintptr_t)(to + i) % 64; i++)
+      to[i] = from[i];
+    for (; i + LANES <= width; i += LANES)
+      _mm512_stream_si512((__m512i *)(to + i), _mm512_loadu_si512(from + i));
+    for (; i < width; i++)
+      to[i] = from[i];
+  }
+  _mm_sfence();
+}
+
 static const struct twin avx512 = {gather_avx512, compact_avx512, tile_avx512,
-                                   tile_batch_avx512};
+                                   tile_batch_avx512, write_back_avx512};
 
 #endif
 
@@ -785,36 +823,32 @@ static bool place_generally(struct tiling *t, uint32_t f) {
   return true;
 }
 
-/* The rows of the band. */
+/* What of it lies in the part. */
 static void tile_generally(struct tiling *t, uint32_t f) {
-  const struct hsr_bounds *box = &t->screen.bounds[f];
-  const struct hsr_window *w = &t->window;
-  int y0 = box->y0 > t->band_y0 ? box->y0 : t->band_y0;
-  int y1 = box->y1 < t->band_y1 ? box->y1 : t->band_y1;
-  for (int j = y0; j < y1; j++) {
+  const struct hsr_bounds *bounds = &t->screen.bounds[f];
+  struct hsr_window box =
+      clip(t, bounds->x0, bounds->y0, bounds->x1, bounds->y1);
+  for (int j = box.y0; j < box.y1; j++) {
     int n = hsr_face_spans(&t->screen, f, j, t->columns, t->tally);
     for (int k = 0; k < n; k += 2) {
       int x0 = t->columns[k], x1 = t->columns[k + 1];
-      tile_span(t, f, j, x0 < w->x0 ? w->x0 : x0, x1 > w->x1 ? w->x1 : x1);
+      tile_span(t, f, j, x0 < t->part.x0 ? t->part.x0 : x0,
+                x1 > t->part.x1 ? t->part.x1 : x1);
     }
   }
 }
 
-/* --- Bands
- * ------------------------------------------------------------------------ */
+/* --- Parts -----------------------------------------------------------------
+ */
 
-/* Clears the band that begins with row y0. */
-static void begin_band(struct tiling *t, int y0) {
-  const struct hsr_job *job = t->job;
-  const struct hsr_window *w = &t->window;
-  int left = w->y1 - y0;
-  size_t width = (size_t)(w->x1 - w->x0);
-  t->band_y0 = y0;
-  t->band_y1 = y0 + (left < t->band_rows ? left : t->band_rows);
-  memset(t->z, 0, (size_t)(t->band_y1 - y0) * t->z_stride * sizeof *t->z);
-  for (int j = y0; j < t->band_y1; j++)
-    memset(job->ids + (size_t)j * job->ids_stride + (size_t)w->x0, 0xff,
-           width * sizeof *job->ids);
+/* Clears a part's samples. */
+static void begin_part(struct tiling *t, struct hsr_window part) {
+  size_t width = (size_t)(part.x1 - part.x0);
+  t->part = part;
+  for (int j = 0; j < part.y1 - part.y0; j++) {
+    memset(t->z + (size_t)j * t->z_stride, 0, width * sizeof *t->z);
+    memset(t->ids + (size_t)j * t->ids_stride, 0xff, width * sizeof *t->ids);
+  }
 }
 
 /* Keeps what a batch has to be tiled. */
@@ -827,65 +861,83 @@ static void keep_batch(struct tiling *t, const struct batch *b) {
     if (b->fate[k] != GENERALLY || !place_generally(t, f))
       continue;
     const struct hsr_bounds *box = &t->screen.bounds[f];
-    t->kept[t->n_kept++] = (struct triangle){
-        .y0 = box->y0, .y1 = box->y1, .face = f, .generally = true};
+    t->kept[t->n_kept++] = (struct triangle){.x0 = box->x0,
+                                             .y0 = box->y0,
+                                             .x1 = box->x1,
+                                             .y1 = box->y1,
+                                             .face = f,
+                                             .generally = true};
   }
 }
 
-/* The bands that a triangle lies in. */
-static void bands_of(const struct tiling *t, const struct triangle *tri,
-                     int *first, int *last) {
+/* The parts that a triangle's box meets: columns [x0, x1), rows [y0, y1) of
+ * them. */
+static struct hsr_window parts_of(const struct tiling *t,
+                                  const struct triangle *tri) {
   const struct hsr_window *w = &t->window;
+  int x0 = tri->x0 < w->x0 ? w->x0 : tri->x0;
   int y0 = tri->y0 < w->y0 ? w->y0 : tri->y0;
+  int x1 = tri->x1 > w->x1 ? w->x1 : tri->x1;
   int y1 = tri->y1 > w->y1 ? w->y1 : tri->y1;
-  *first = (y0 - w->y0) / t->band_rows;
-  *last = (y1 - 1 - w->y0) / t->band_rows;
+  return (struct hsr_window){
+      (x0 - w->x0) / PART_WIDTH, (y0 - w->y0) / PART_HEIGHT,
+      (x1 - 1 - w->x0) / PART_WIDTH + 1, (y1 - 1 - w->y0) / PART_HEIGHT + 1};
 }
 
-/* Counting sort: those of band b are kept[order[start[b]]] to
- * kept[order[start[b + 1] - 1]], in the order in which they were kept. */
-static enum hsr_status sort_into_bands(const struct tiling *t, int n_bands,
-                                       size_t **start, size_t **order) {
+/* Counting sort: those of part p are kept[order[start[p]]] to
+ * kept[order[start[p + 1] - 1]], in the order in which they were kept. */
+static enum hsr_status sort_into_parts(const struct tiling *t, size_t **start,
+                                       uint32_t **order) {
   struct hsr_arena *arena = t->job->scratch;
-  int first, last;
-  size_t *end = HSR_NEW_ZEROED(arena, size_t, (size_t)n_bands + 2);
+  size_t n_parts = (size_t)t->parts_across * (size_t)t->parts_down;
+  size_t *end = HSR_NEW_ZEROED(arena, size_t, n_parts + 2);
   if (!end)
     return HSR_E_NOMEM;
   for (size_t k = 0; k < t->n_kept; k++) {
-    bands_of(t, &t->kept[k], &first, &last);
-    for (int b = first; b <= last; b++)
-      end[b + 2]++;
+    struct hsr_window parts = parts_of(t, &t->kept[k]);
+    for (int y = parts.y0; y < parts.y1; y++)
+      for (int x = parts.x0; x < parts.x1; x++)
+        end[y * t->parts_across + x + 2]++;
   }
-  for (int b = 0; b < n_bands; b++)
-    end[b + 2] += end[b + 1];
-  *start = end; /* in the end, end[b] is where band b - 1 ends */
-  *order = HSR_NEW(arena, size_t, end[n_bands + 1] + 1);
+  for (size_t p = 0; p < n_parts; p++)
+    end[p + 2] += end[p + 1];
+  *start = end; /* in the end, end[p] is where part p - 1 ends */
+  *order = HSR_NEW(arena, uint32_t, end[n_parts + 1] + 1);
   if (!*order)
     return HSR_E_NOMEM;
   for (size_t k = 0; k < t->n_kept; k++) {
-    bands_of(t, &t->kept[k], &first, &last);
-    for (int b = first; b <= last; b++)
-      (*order)[end[b + 1]++] = k;
+    struct hsr_window parts = parts_of(t, &t->kept[k]);
+    for (int y = parts.y0; y < parts.y1; y++)
+      for (int x = parts.x0; x < parts.x1; x++)
+        (*order)[end[y * t->parts_across + x + 1]++] = (uint32_t)k;
   }
   return HSR_OK;
 }
 
-/* Tiles what was kept, band by band. */
-static enum hsr_status tile_bands(struct tiling *t, const struct twin *twin) {
-  int rows = t->window.y1 - t->window.y0;
-  int n_bands = (rows + t->band_rows - 1) / t->band_rows;
-  size_t *start, *order;
-  if (sort_into_bands(t, n_bands, &start, &order))
+static struct hsr_window part_at(const struct tiling *t, int x, int y) {
+  const struct hsr_window *w = &t->window;
+  int x0 = w->x0 + x * PART_WIDTH, y0 = w->y0 + y * PART_HEIGHT;
+  return (struct hsr_window){
+      x0, y0, w->x1 - x0 < PART_WIDTH ? w->x1 : x0 + PART_WIDTH,
+      w->y1 - y0 < PART_HEIGHT ? w->y1 : y0 + PART_HEIGHT};
+}
+
+/* Tiles what was kept, part by part. */
+static enum hsr_status tile_parts(struct tiling *t, const struct twin *twin) {
+  size_t *start;
+  uint32_t *order;
+  if (sort_into_parts(t, &start, &order))
     return HSR_E_NOMEM;
-  for (int b = 0; b < n_bands; b++) {
-    begin_band(t, t->window.y0 + b * t->band_rows);
-    for (size_t k = start[b]; k < start[b + 1]; k++) {
+  for (int p = 0; p < t->parts_across * t->parts_down; p++) {
+    begin_part(t, part_at(t, p % t->parts_across, p / t->parts_across));
+    for (size_t k = start[p]; k < start[p + 1]; k++) {
       const struct triangle *triangle = &t->kept[order[k]];
       if (triangle->generally)
         tile_generally(t, triangle->face);
       else
         twin->tile(t, triangle);
     }
+    twin->write_back(t);
   }
   return HSR_OK;
 }
@@ -914,23 +966,26 @@ static bool find_grid(struct tiling *t) {
   return first_x == t->first_x && first_y == t->first_y;
 }
 
-/* The memory of depths, of all rows or of a band of them. */
+/* The memory of depths, of the picture; or of depths and ids, of a part. */
 static enum hsr_status make_memory(struct tiling *t) {
-  struct hsr_arena *arena = t->job->scratch;
+  const struct hsr_job *job = t->job;
+  struct hsr_arena *arena = job->scratch;
   const struct hsr_window *w = &t->window;
-  size_t width = (size_t)(w->x1 - w->x0);
-  t->z_stride = width;
-  t->band_rows = w->y1 - w->y0;
-  if (t->fast && width * (size_t)t->band_rows > ONE_BAND) {
-    t->z_stride = width + PAD;
-    size_t rows = BAND_BYTES / (t->z_stride * sizeof *t->z);
-    t->band_rows = rows < 4 ? 4 : (int)rows;
-    t->kept = HSR_NEW(arena, struct triangle, t->job->world->n_faces);
-    if (!t->kept)
-      return HSR_E_NOMEM;
+  size_t width = (size_t)(w->x1 - w->x0), height = (size_t)(w->y1 - w->y0);
+  if (!t->fast || width * height <= ONE_PART) {
+    t->z_stride = width;
+    t->z = HSR_NEW(arena, float, width *height);
+    t->ids_stride = job->ids_stride;
+    t->ids = job->ids + (size_t)w->y0 * job->ids_stride + (size_t)w->x0;
+    return t->z ? HSR_OK : HSR_E_NOMEM;
   }
-  t->z = HSR_NEW(arena, float, t->z_stride *(size_t)t->band_rows);
-  return t->z ? HSR_OK : HSR_E_NOMEM;
+  t->z_stride = t->ids_stride = PART_WIDTH + PAD;
+  t->z = HSR_NEW(arena, float, PART_HEIGHT * t->z_stride);
+  t->ids = HSR_NEW(arena, uint32_t, PART_HEIGHT * t->ids_stride);
+  t->kept = HSR_NEW(arena, struct triangle, job->world->n_faces);
+  t->parts_across = (int)((width + PART_WIDTH - 1) / PART_WIDTH);
+  t->parts_down = (int)((height + PART_HEIGHT - 1) / PART_HEIGHT);
+  return t->z && t->ids && t->kept ? HSR_OK : HSR_E_NOMEM;
 }
 
 static enum hsr_status begin_frame(struct tiling *t) {
@@ -971,7 +1026,7 @@ static enum hsr_status tile_triangles(struct tiling *t) {
   uint32_t n = t->job->world->n_faces;
   struct batch batch;
   if (!t->kept)
-    begin_band(t, t->window.y0);
+    begin_part(t, t->window);
   for (uint32_t f = 0; f < n; f += (uint32_t)batch.n) {
     look_at_batch(t, twin, &batch, f, n - f < BATCH ? (int)(n - f) : BATCH);
     if (t->kept)
@@ -979,7 +1034,7 @@ static enum hsr_status tile_triangles(struct tiling *t) {
     else
       tile_batch(t, twin, &batch);
   }
-  return t->kept ? tile_bands(t, twin) : HSR_OK;
+  return t->kept ? tile_parts(t, twin) : HSR_OK;
 }
 
 static enum hsr_status render(const struct hsr_job *job,
@@ -989,7 +1044,7 @@ static enum hsr_status render(const struct hsr_job *job,
     return hsr_fail_nomem(err);
   if (t.fast)
     return tile_triangles(&t) ? hsr_fail_nomem(err) : HSR_OK;
-  begin_band(&t, t.window.y0);
+  begin_part(&t, t.window);
   for (uint32_t f = 0; f < job->world->n_faces; f++)
     if (place_generally(&t, f))
       tile_generally(&t, f);

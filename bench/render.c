@@ -260,15 +260,14 @@ static void print_report(const struct render *r,
   printf("%s, view %ld, %d x %d samples, %u faces, by %s: %.1f %% covered\n",
          r->options->scene, r->options->view.view, r->view.m, r->view.n,
          r->world.n_faces, a->name, 100.0 * (double)covered / (double)n);
-  double adapt = 0;
   for (int k = 0; k < r->setup.n_adaptations; k++) {
     const struct hsr_adaptation *adaptation = &r->setup.adaptation[k];
-    printf("adapted: %s, %u faces\n", adaptation->name, adaptation->n_faces);
-    adapt += adaptation->seconds;
+    printf("adapted: %s, %u faces, %.1f ms\n", adaptation->name,
+           adaptation->n_faces, 1e3 * adaptation->seconds);
   }
   printf("ms: import %.1f, build %.1f, adapt %.1f, prepare %.1f, render %.2f, "
          "shade %.1f, write %.1f\n",
-         1e3 * r->import, 1e3 * r->build, 1e3 * adapt,
+         1e3 * r->import, 1e3 * r->build, 1e3 * r->setup.adapt_seconds,
          1e3 * r->setup.prepare_seconds, 1e3 * r->draw, 1e3 * r->shade,
          1e3 * r->write);
   if (!r->options->work)

@@ -5,7 +5,10 @@
 //             CGAL's constrained Delaunay triangulation, whose predicates are
 //             exact, on the coordinate plane that it faces most; of the
 //             triangles, those are kept whose inside is inside the polygon by
-//             parity, which is decided in exact numbers.
+//             parity, which is decided in exact numbers. Of a polygon that is
+//             not flat, corners may fall together on that plane, or sides cross
+//             there; where the triangles would then cover other samples than
+//             the polygon does, it is a fan too, whose triangles overlap.
 // Penetration Of every pair of faces whose interiors meet (penetration.cc), one
 //             is cut by the plane of the other, wherever that plane passes
 //             through it near the other.
@@ -25,14 +28,18 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <new>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace {
 
 using Point = std::array<double, 3>;
+using Triangle = std::array<uint32_t, 3>;
 
 // --- Pieces in the making ------------------------------------------------
 
@@ -130,7 +137,7 @@ using Flat_point = Kernel::Point_2;
 std::vector<Flat_point> flatten(const hsr_world &world, uint32_t f) {
   const double n[3] = {std::fabs(world.nx[f]), std::fabs(world.ny[f]),
                        std::fabs(world.nz[f])};
-  const int drop = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
+  const size_t drop = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
   std::vector<Flat_point> points;
   for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++) {
     const Point p = point_of(world, world.vertex[k]);
@@ -190,40 +197,77 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>,
     CGAL::No_constraint_intersection_tag>;
 
-// Adds the triangles of face f, which is not convex.
-void triangulate_polygon(const hsr_world &world, uint32_t f, const Piece &whole,
-                         const std::vector<Flat_point> &corners, List &list) {
+void add_triangle(const Piece &whole, const Triangle &corners, List &list) {
+  Piece piece = whole;
+  piece.loop.assign(corners.begin(), corners.end());
+  list.add(piece, false);
+}
+
+void add_fan(const Piece &whole, List &list) {
+  for (size_t k = 2; k < whole.loop.size(); k++)
+    add_triangle(whole, {whole.loop[0], whole.loop[k - 1], whole.loop[k]},
+                 list);
+}
+
+// Whether every side of the loop is one of an odd number of triangles, and any
+// other of an even number. Then these cover by parity what the loop covers,
+// from wherever they are seen.
+bool border(const std::vector<Triangle> &triangles,
+            const std::vector<uint32_t> &loop) {
+  std::set<std::pair<uint32_t, uint32_t>> odd;
+  const auto toggle = [&](uint32_t a, uint32_t b) {
+    const auto side = std::minmax(a, b);
+    if (a != b && !odd.erase(side))
+      odd.insert(side);
+  };
+  for (const Triangle &t : triangles)
+    for (size_t k = 0; k < 3; k++)
+      toggle(t[k], t[(k + 1) % 3]);
+  for (size_t k = 0; k < loop.size(); k++)
+    toggle(loop[k], loop[(k + 1) % loop.size()]);
+  return odd.empty();
+}
+
+// The triangles of a polygon, by the corners on a coordinate plane. False if it
+// crosses itself there.
+bool triangulate_loop(const std::vector<uint32_t> &loop,
+                      const std::vector<Flat_point> &corners,
+                      std::vector<Triangle> &triangles) {
   Triangulation triangulation;
   std::vector<Triangulation::Vertex_handle> at;
   for (size_t k = 0; k < corners.size(); k++) {
     at.push_back(triangulation.insert(corners[k]));
-    at.back()->info() = whole.loop[k];
+    at.back()->info() = loop[k];
   }
   try {
     for (size_t k = 0, l = at.size() - 1; k < at.size(); l = k++)
       if (at[k] != at[l])
         triangulation.insert_constraint(at[l], at[k]);
   } catch (const Triangulation::Intersection_of_constraints_exception &) {
-    throw Refused{HSR_CF, hsr_world_parent(&world, f), "crosses itself"};
+    return false;
   }
   for (auto t = triangulation.finite_faces_begin();
-       t != triangulation.finite_faces_end(); ++t) {
-    if (!holds_middle(corners, t->vertex(0)->point(), t->vertex(1)->point(),
-                      t->vertex(2)->point()))
-      continue;
-    Piece piece = whole;
-    piece.loop = {t->vertex(0)->info(), t->vertex(1)->info(),
-                  t->vertex(2)->info()};
-    list.add(piece, false);
-  }
+       t != triangulation.finite_faces_end(); ++t)
+    if (holds_middle(corners, t->vertex(0)->point(), t->vertex(1)->point(),
+                     t->vertex(2)->point()))
+      triangles.push_back(
+          {t->vertex(0)->info(), t->vertex(1)->info(), t->vertex(2)->info()});
+  return true;
 }
 
-void add_fan(const Piece &whole, List &list) {
-  for (size_t k = 2; k < whole.loop.size(); k++) {
-    Piece piece = whole;
-    piece.loop = {whole.loop[0], whole.loop[k - 1], whole.loop[k]};
-    list.add(piece, false);
+// Adds the triangles of face f, which is not convex.
+void add_triangulation(const hsr_world &world, uint32_t f, const Piece &whole,
+                       const std::vector<Flat_point> &corners, List &list) {
+  std::vector<Triangle> triangles;
+  const bool simple = triangulate_loop(whole.loop, corners, triangles);
+  if (world.deviation[f] > 0 && !(simple && border(triangles, whole.loop))) {
+    add_fan(whole, list);
+    return;
   }
+  if (!simple)
+    throw Refused{HSR_CF, hsr_world_parent(&world, f), "crosses itself"};
+  for (const Triangle &t : triangles)
+    add_triangle(whole, t, list);
 }
 
 // Divides the polygons, all but triangles, or only those that are not convex.
@@ -248,7 +292,7 @@ hsr_status divide_polygons(const hsr_world *in, bool keep_convex,
       else if (convex)
         add_fan(whole, list);
       else
-        triangulate_polygon(*in, f, whole, corners, list);
+        add_triangulation(*in, f, whole, corners, list);
       *changed |= !(convex && keep_convex);
       if (list.size() == before) /* it has no inside, but it is a face */
         list.add(whole, true);

@@ -20,7 +20,8 @@ struct hsr_import {
 
 /* Appends the mesh in `path` to the scene as one object named after the file,
  * without an instance. By suffix, in any case. Never takes more memory than a
- * small multiple of the file's own size, whatever counts the file claims.
+ * small multiple of the file's own size, whatever counts the file claims (or of
+ * the size of its data, inflated, if it is a compressed .vtp file).
  * `import` may be NULL: nothing is dropped. On failure the scene has no new
  * object, and *err says file, line or element, and what is wrong.
  * HSR_E_INPUT: unreadable, wrong suffix, malformed, truncated, a coordinate

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // .vtp files, through VTK.
+//
+// Safety      see common/mesh_scan_vtp.cc: VTK sees what the scan passes, and
+//             must find in it what the scan found.
+// Memory      at once: the file, what VTK makes of one piece, and the object.
 
 #include "common/exchange.h"
 #include "common/mesh_file.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
-#include <vtkDataArray.h>
 #include <vtkExecutive.h>
 #include <vtkIdList.h>
 #include <vtkLogger.h>
@@ -14,11 +17,14 @@
 #include <vtkObject.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkXMLDataParser.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <limits>
+#include <istream>
+#include <memory>
 #include <new>
 
 namespace hsr {
@@ -37,143 +43,156 @@ struct Complaint {
     std::string text = static_cast<const char *>(message);
     const size_t colon = text.find("): ");
     self.text = colon == std::string::npos ? text : text.substr(colon + 3);
+    self.text.resize(std::min(self.text.find('\n'), self.text.size()));
     while (!self.text.empty() &&
            std::isspace(static_cast<unsigned char>(self.text.back())))
       self.text.pop_back();
   }
 };
 
-size_t line_of(const Mesh_file &file, const char *at) {
-  size_t line = 1;
-  for (const char *c = file.begin; c < at; c++)
-    line += *c == '\n';
-  return line;
-}
-
-/* VTK allocates what the attributes NumberOf... claim. A number takes at least
- * a byte of a file that is not compressed, and deflate makes nothing more than
- * 1032 times as small. */
-void check_claims(const Mesh_file &file) {
-  const std::string_view text(file.begin, file.size());
-  const bool packed = text.find("compressor=") != std::string_view::npos;
-  const size_t most = packed ? 1032 * file.size() : file.size();
-  constexpr std::string_view name = "NumberOf";
-  for (size_t at = text.find(name); at != std::string_view::npos;
-       at = text.find(name, at + 1)) {
-    const size_t quote = text.find_first_of("\"'>", at);
-    if (quote == std::string_view::npos || text[quote] == '>')
-      continue;
-    size_t number = 0, k = quote + 1;
-    for (; k < text.size() && std::isdigit(static_cast<unsigned char>(text[k]));
-         k++)
-      if (number <= most)
-        number = 10 * number + size_t(text[k] - '0');
-    if (number > most)
-      file.refuse(line_of(file, file.begin + at),
-                  "claims more than a file of %zu bytes can hold", file.size());
+/* Reads bytes in memory, without a copy of them. */
+class Memory_reader : public vtkXMLPolyDataReader {
+public:
+  vtkTypeMacro(Memory_reader, vtkXMLPolyDataReader);
+  static Memory_reader *New() { VTK_STANDARD_NEW_BODY(Memory_reader); }
+  void set_input(char *begin, char *end) {
+    buffer_ = std::make_unique<Memory_buffer>(begin, end);
+    stream_.rdbuf(buffer_.get());
   }
-}
 
-/* VTK loses memory over points of other than three components. */
-void check_points(const Mesh_file &file) {
-  const std::string_view text(file.begin, file.size());
-  constexpr std::string_view name = " NumberOfComponents";
-  for (size_t at = text.find("<Points"); at != std::string_view::npos;
-       at = text.find("<Points", at + 1)) {
-    const size_t tag = text.find("<DataArray", at);
-    if (tag == std::string_view::npos)
-      continue;
-    const std::string_view array = text.substr(tag, text.find('>', tag) - tag);
-    const size_t number = array.find(name);
-    const std::string_view value = number == std::string_view::npos
-                                       ? std::string_view()
-                                       : array.substr(number + name.size());
-    if (value.substr(0, 4) != "=\"3\"" && value.substr(0, 4) != "='3'")
-      file.refuse(line_of(file, array.data()),
-                  "has points of other than 3 coordinates");
+protected:
+  int OpenStream() override {
+    stream_.clear();
+    stream_.seekg(0);
+    this->Stream = &stream_;
+    return 1;
   }
-}
-
-void add_cells(vtkCellArray *cells, bool strips, Mesh_builder &builder) {
-  vtkNew<vtkIdList> ids;
-  std::vector<uint32_t> corners;
-  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); c++) {
-    cells->GetCellAtId(c, ids);
-    corners.clear();
-    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); k++) {
-      const vtkIdType id = ids->GetId(k);
-      corners.push_back(id < 0 || id > std::numeric_limits<uint32_t>::max()
-                            ? std::numeric_limits<uint32_t>::max()
-                            : static_cast<uint32_t>(id));
-    }
-    if (!strips) {
-      builder.face(corners.data(), corners.size(), nullptr);
-      continue;
-    }
-    /* Every second triangle of a strip is wound the other way round. */
-    for (size_t k = 2; k < corners.size(); k++) {
-      const uint32_t triangle[3] = {corners[k - 2], corners[k - 1 + k % 2],
-                                    corners[k - k % 2]};
-      builder.face(triangle, 3, nullptr);
-    }
+  /* Or VTK would keep a second copy of all arrays that are text. */
+  void CreateXMLParser() override {
+    this->Superclass::CreateXMLParser();
+    this->XMLParser->SetIgnoreCharacterData(1);
   }
-}
 
-void build(const Mesh_file &file, vtkPolyData *data, Mesh_builder &builder) {
-  if (data->GetVerts()->GetNumberOfCells() ||
-      data->GetLines()->GetNumberOfCells())
-    file.refuse(0, "holds vertices or lines as cells; only polygons and "
-                   "triangle strips make faces");
+private:
+  std::unique_ptr<Memory_buffer> buffer_;
+  std::istream stream_{nullptr};
+};
+
+/* What VTK reads, piece by piece, must be what the scan found. */
+class Piece_builder {
+public:
+  Piece_builder(const Mesh_file &file, Mesh_builder &builder)
+      : file_(file), builder_(builder) {}
+  void add(vtkPolyData *data);
+  void check(const Mesh_extent &extent) const;
+
+private:
+  void add_cells(vtkCellArray *cells, bool strips);
+  void add_strip();
+  [[noreturn]] void refuse() const {
+    file_.refuse(0, "VTK does not read what the file holds");
+  }
+
+  const Mesh_file &file_;
+  Mesh_builder &builder_;
+  Mesh_extent found_;
+  size_t first_ = 0; /* vertex of the piece */
+  std::vector<uint32_t> corners_;
+};
+
+void Piece_builder::add(vtkPolyData *data) {
+  first_ = found_.n_vertices;
   vtkPoints *points = data->GetPoints();
   const vtkIdType n = points ? points->GetNumberOfPoints() : 0;
   for (vtkIdType v = 0; v < n; v++) {
     double p[3];
     points->GetPoint(v, p);
-    builder.vertex(p[0], p[1], p[2]);
+    builder_.vertex(p[0], p[1], p[2]);
+    found_.n_vertices++;
   }
-  add_cells(data->GetPolys(), false, builder);
-  add_cells(data->GetStrips(), true, builder);
+  add_cells(data->GetPolys(), false);
+  add_cells(data->GetStrips(), true);
+}
+
+void Piece_builder::add_cells(vtkCellArray *cells, bool strips) {
+  vtkNew<vtkIdList> ids;
+  vtkIdType left = cells->GetNumberOfConnectivityIds();
+  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); c++) {
+    const vtkIdType size = cells->GetCellSize(c);
+    if (size < 0 || size > left)
+      refuse();
+    left -= size;
+    cells->GetCellAtId(c, ids);
+    corners_.clear();
+    for (vtkIdType k = 0; k < size; k++) {
+      const size_t vertex = first_ + static_cast<size_t>(ids->GetId(k));
+      if (vertex < first_ || vertex >= found_.n_vertices)
+        refuse();
+      corners_.push_back(static_cast<uint32_t>(vertex));
+    }
+    found_.n_faces++;
+    found_.n_corners += corners_.size();
+    if (strips)
+      add_strip();
+    else
+      builder_.face(corners_.data(), corners_.size(), nullptr);
+  }
+}
+
+/* Every second triangle of a strip is wound the other way round. */
+void Piece_builder::add_strip() {
+  for (size_t k = 2; k < corners_.size(); k++) {
+    const uint32_t triangle[3] = {corners_[k - 2], corners_[k - 1 + k % 2],
+                                  corners_[k - k % 2]};
+    builder_.face(triangle, 3, nullptr);
+  }
+}
+
+void Piece_builder::check(const Mesh_extent &extent) const {
+  if (found_.n_vertices != extent.n_vertices ||
+      found_.n_faces != extent.n_faces || found_.n_corners != extent.n_corners)
+    refuse();
 }
 
 } // namespace
 
+/* A piece at a time: VTK 9.1 numbers the corners of a piece's faces wrongly if
+ * it is the first that has faces of the kind, but not the first piece. */
 void vtp_read(Mesh_file &file, Mesh_builder &builder) {
-  const std::string_view text(file.begin, file.size());
-  const size_t tag = text.find("<VTKFile");
-  if (tag == std::string_view::npos)
-    file.refuse(1, "is no VTK XML file");
-  const std::string_view head = text.substr(tag, text.find('>', tag) - tag);
-  if (head.find("PolyData") == std::string_view::npos)
-    file.refuse(line_of(file, head.data()), "holds no polygonal data");
-  check_claims(file);
-  check_points(file);
+  const Mesh_extent extent = scan_vtp(file);
 
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   Complaint complaint;
   vtkNew<vtkCallbackCommand> listener;
   listener->SetClientData(&complaint);
   listener->SetCallback(Complaint::note);
-  vtkNew<vtkXMLPolyDataReader> reader;
+  vtkNew<Memory_reader> reader;
   reader->AddObserver(vtkCommand::ErrorEvent, listener);
   reader->AddObserver(vtkCommand::WarningEvent, listener);
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);
   reader->SetReaderErrorObserver(listener);
   reader->SetParserErrorObserver(listener);
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(std::string(text));
-  errno = 0;
-  reader->Update();
-  if (!complaint.text.empty() || reader->GetErrorCode()) {
+  reader->set_input(file.begin, file.end);
+  const auto check = [&] {
+    if (complaint.text.empty() && !reader->GetErrorCode())
+      return;
     if (errno == ENOMEM)
       throw std::bad_alloc();
-    file.refuse(0, "%.200s",
+    file.refuse(0, "%.180s",
                 complaint.text.empty() ? "VTK cannot read it"
                                        : complaint.text.c_str());
+  };
+  errno = 0; /* where lack of memory shows */
+  reader->UpdateInformation();
+  check();
+  Piece_builder pieces(file, builder);
+  const int n_pieces = static_cast<int>(reader->GetNumberOfPieces());
+  for (int piece = 0; piece < n_pieces; piece++) {
+    reader->UpdatePiece(piece, n_pieces, 0);
+    check();
+    pieces.add(reader->GetOutput());
   }
-  vtkPolyData *data = reader->GetOutput();
-  if (!data)
-    file.refuse(0, "holds no polygonal data");
-  build(file, data, builder);
+  pieces.check(extent);
 }
 
 } // namespace hsr

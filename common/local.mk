@@ -13,8 +13,9 @@ libhsr_a_SOURCES += %D%/adapt_cgal.cc %D%/arena.c %D%/clip.c %D%/count.c %D%/exc
 if WITH_VTK
 libhsr_a_LIBADD += $(libvtkshim_a_OBJECTS)
 noinst_LIBRARIES += libvtkshim.a
-libvtkshim_a_SOURCES = %D%/exchange_vtk.cc
-libvtkshim_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
+libvtkshim_a_SOURCES = %D%/exchange_vtk.cc %D%/mesh_array.cc \
+  %D%/mesh_array.h %D%/mesh_markup.cc %D%/mesh_markup.h %D%/mesh_scan_vtp.cc
+libvtkshim_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS) $(ZLIB_CFLAGS)
 else
 libhsr_a_SOURCES += %D%/exchange_no_vtk.cc
 endif

@@ -5,7 +5,7 @@
 // CGAL's and VTK's readers trust their input: they allocate what a header
 // claims, and some stop at the first thing they do not understand as if the
 // file ended there. So a file is read into memory once, its grammar is checked
-// from first to last byte (hsr::scan_off and its like, hsr::vtp_read), and only
+// from first to last byte (hsr::scan_off and its like), and only
 // what passed is given to them. A failure is thrown as hsr::Refused and caught
 // in hsr_mesh_read.
 #ifndef HSR_COMMON_MESH_FILE_H
@@ -68,16 +68,18 @@ struct Mesh_extent {
 };
 
 /* Each checks the whole of a file and throws Refused at the first thing that
- * is wrong with it. What CGAL's reader would stumble over though it is correct
- * (comments, tabs, names, statements it does not know) is blanked, and
+ * is wrong with it. What CGAL's or VTK's reader would stumble over though it is
+ * correct (comments, tabs, names, statements it does not know) is blanked, and
  * file.begin may be moved. Faces that are degenerate by their vertex numbers
  * are refused unless `drop`. */
 Mesh_extent scan_off(Mesh_file &file, bool drop);
 Mesh_extent scan_obj(Mesh_file &file, bool drop);
 Mesh_extent scan_ply(Mesh_file &file, bool drop);
 Mesh_extent scan_stl(Mesh_file &file);
+Mesh_extent scan_vtp(Mesh_file &file); /* in a build with VTK */
 
-/* Builds one object, vertices first, checking what is given. */
+/* Builds one object, vertices before the faces they are of, checking what is
+ * given. */
 class Mesh_builder {
 public:
   Mesh_builder(struct hsr_object *object, const char *path, bool drop)

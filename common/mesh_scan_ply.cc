@@ -9,28 +9,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <utility>
 
 namespace hsr {
 namespace {
 
-struct Type {
+struct Type : Number_type {
   Word name, other_name;
-  size_t size; /* bytes, in a binary file */
-  bool is_real;
-  double least, most; /* of an integer */
 };
 
-constexpr Type TYPES[] = {{"char", "int8", 1, false, -128, 127},
-                          {"uchar", "uint8", 1, false, 0, 255},
-                          {"short", "int16", 2, false, -32768, 32767},
-                          {"ushort", "uint16", 2, false, 0, 65535},
-                          {"int", "int32", 4, false, INT32_MIN, INT32_MAX},
-                          {"uint", "uint32", 4, false, 0, UINT32_MAX},
-                          {"float", "float32", 4, true, 0, 0},
-                          {"double", "float64", 8, true, 0, 0}};
+constexpr Type TYPES[] = {{{1, false, -128, 127}, "char", "int8"},
+                          {{1, false, 0, 255}, "uchar", "uint8"},
+                          {{2, false, -32768, 32767}, "short", "int16"},
+                          {{2, false, 0, 65535}, "ushort", "uint16"},
+                          {{4, false, INT32_MIN, INT32_MAX}, "int", "int32"},
+                          {{4, false, 0, UINT32_MAX}, "uint", "uint32"},
+                          {{4, true, 0, 0}, "float", "float32"},
+                          {{8, true, 0, 0}, "double", "float64"}};
 
 const Type *find_type(Word name) {
   for (const Type &type : TYPES)
@@ -367,23 +362,7 @@ private:
 double Binary_source::value(const Type &type) {
   const char *bytes = at_;
   skip(type, 1);
-  uint64_t bits = 0;
-  for (size_t k = 0; k < type.size; k++)
-    bits = bits << 8 | static_cast<unsigned char>(
-                           bytes[big_endian_ ? k : type.size - 1 - k]);
-  if (type.is_real && type.size == 8) {
-    double number;
-    std::memcpy(&number, &bits, sizeof number);
-    return number;
-  }
-  const uint32_t word = static_cast<uint32_t>(bits);
-  if (type.is_real) {
-    float number;
-    std::memcpy(&number, &word, sizeof number);
-    return double{number};
-  }
-  const double number = static_cast<double>(word);
-  return number > type.most ? number - (type.most - type.least + 1) : number;
+  return type.of_bytes(bytes, big_endian_);
 }
 
 template <class Source> class Ply_walk {

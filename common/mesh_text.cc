@@ -19,6 +19,28 @@ void skip_byte_order_mark(Mesh_file &file) {
     file.begin += 3;
 }
 
+double Number_type::of_bytes(const void *bytes, bool big_endian) const {
+  const auto *byte = static_cast<const unsigned char *>(bytes);
+  uint64_t bits = 0;
+  for (size_t k = 0; k < size; k++)
+    bits = bits << 8 | byte[big_endian ? k : size - 1 - k];
+  if (is_real && size == 8) {
+    double number;
+    std::memcpy(&number, &bits, sizeof number);
+    return number;
+  }
+  if (is_real) {
+    float number;
+    const uint32_t word = static_cast<uint32_t>(bits);
+    std::memcpy(&number, &word, sizeof number);
+    return double{number};
+  }
+  const size_t unused = 64 - 8 * size;
+  return least < 0 ? static_cast<double>(static_cast<int64_t>(bits << unused) >>
+                                         unused)
+                   : static_cast<double>(bits);
+}
+
 namespace {
 
 bool is_space(char c) {

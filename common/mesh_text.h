@@ -43,6 +43,15 @@ private:
   Classic ios_;
 };
 
+/* A type of numbers, as binary files hold them. */
+struct Number_type {
+  size_t size; /* bytes, at most 8 */
+  bool is_real;
+  double least, most; /* of an integer */
+
+  double of_bytes(const void *bytes, bool big_endian) const;
+};
+
 /* The lines of a text that hold a word, and their words. White space other
  * than line ends is turned into spaces as it is met, and so are comments. */
 class Lines {

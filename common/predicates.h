@@ -97,6 +97,12 @@ int hsr_exact_nearer(const struct hsr_view *view, struct hsr_loop f,
                      struct hsr_loop g, double sx, double sy,
                      bool *out_of_memory);
 
+/* The same on the ray through a point, and not perturbed: 0 if the planes meet
+ * there. */
+int hsr_exact_nearer_towards(const struct hsr_view *view, struct hsr_loop f,
+                             struct hsr_loop g, const double point[3],
+                             bool *out_of_memory);
+
 /* On which side of g's plane the ray of (sx, sy), perturbed, meets the plane of
  * f: +1 in front, -1 behind, 0 only if the planes are the same. f's plane does
  * not hold the eye, and is ahead of it there; g's may hold it. */

@@ -39,9 +39,7 @@ int sign_of(const Polynomial &polynomial, bool *out_of_memory) noexcept {
   }
 }
 
-template <class T> struct Vector {
-  T x, y, z;
-};
+template <class T> struct Vector { T x, y, z; };
 
 template <class T> Vector<T> vector(const double v[3]) {
   return {T(v[0]), T(v[1]), T(v[2])};
@@ -101,8 +99,7 @@ template <class T> Plane<T> newell_plane(const hsr_loop &face) {
 }
 
 /* m n D: the ray of screen point (sx, sy), without division. */
-template <class T>
-Vector<T> ray(const hsr_view &view, double sx, double sy) {
+template <class T> Vector<T> ray(const hsr_view &view, double sx, double sy) {
   T m = T(double(view.m)), n = T(double(view.n));
   T right = (T(sx) + T(sx) - m) * n, up = (n - T(sy) - T(sy)) * m;
   return (m * n) * vector<T>(view.F) + right * vector<T>(view.R) +
@@ -267,23 +264,49 @@ int hsr_exact_past_near(const struct hsr_view *view, struct hsr_loop face,
   return c && past == c ? 1 : -1;
 }
 
+namespace {
+
+/* k_f N_f.D / c_f - k_g N_g.D / c_g, times c_f c_g. */
+template <class T>
+T nearer_by(const hsr_view &view, const hsr_loop &f, const hsr_loop &g,
+            const Vector<T> &d) {
+  Plane<T> p = newell_plane<T>(f), q = newell_plane<T>(g);
+  return p.k * dot(p.normal, d) * depth_scale(view, q) -
+         q.k * dot(q.normal, d) * depth_scale(view, p);
+}
+
+/* The sign of c_f c_g. */
+int scale_sign(const hsr_view &view, const hsr_loop &f, const hsr_loop &g,
+               bool *out_of_memory) {
+  return hsr_exact_plane_side(f, view.E, out_of_memory) *
+         hsr_exact_plane_side(g, view.E, out_of_memory);
+}
+
+} // namespace
+
 int hsr_exact_nearer(const struct hsr_view *view, struct hsr_loop f,
                      struct hsr_loop g, double sx, double sy,
                      bool *out_of_memory) {
-  /* k_f N_f.D / c_f - k_g N_g.D / c_g, times c_f c_g. */
   int sign = perturbed_sign(
       *view, sx, sy,
       [&](const auto &d, auto one) {
         using T = decltype(one);
-        Plane<T> p = newell_plane<T>(f), q = newell_plane<T>(g);
-        return p.k * dot(p.normal, d) * depth_scale(*view, q) -
-               q.k * dot(q.normal, d) * depth_scale(*view, p);
+        return nearer_by<T>(*view, f, g, d);
       },
       out_of_memory);
-  if (!sign)
-    return 0;
-  return sign * hsr_exact_plane_side(f, view->E, out_of_memory) *
-         hsr_exact_plane_side(g, view->E, out_of_memory);
+  return sign ? sign * scale_sign(*view, f, g, out_of_memory) : 0;
+}
+
+int hsr_exact_nearer_towards(const struct hsr_view *view, struct hsr_loop f,
+                             struct hsr_loop g, const double point[3],
+                             bool *out_of_memory) {
+  int sign = sign_of(
+      [&](auto t) {
+        using T = decltype(t);
+        return nearer_by<T>(*view, f, g, from_eye<T>(*view, point));
+      },
+      out_of_memory);
+  return sign ? sign * scale_sign(*view, f, g, out_of_memory) : 0;
 }
 
 int hsr_exact_cut_side(const struct hsr_view *view, struct hsr_loop f,

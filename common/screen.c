@@ -28,6 +28,17 @@
  * S/|c^|, where the last term covers the divisions by c^ and the sums of a sx +
  * b sy + c, each term of which is at most Q (1 + small).
  *
+ * Depth at a vertex. Of a safe vertex |sx|, |sy| <= G, and there |D| is at most
+ * max(1, G/m, G/n) times what it is in the picture. All terms of the error of
+ * |q^ - q| grow with |D| by that factor at most, those of rounding included. To
+ * this comes delta times the slopes of q, which differ from a^ and b^ by less
+ * than that error over G. `outside` = 2 + G/m + G/n and 2 delta hold it all.
+ * The same goes for the difference of two planes' q. Of a whole face, the
+ * screen points of whose vertices have q_f >= q_g, every point within their
+ * convex hull has q_f >= q_g, since the difference is affine, and every point
+ * inside it has q_f > q_g, unless they are one function and the planes one. The
+ * displaced sample that the face covers is inside.
+ *
  * Facing. c < 0 means that the eye is in front. If |c^| > e_c + deviation, the
  * sign is certain, and every point X of the face's convex hull has N.(X - E) of
  * the sign of c too, since |N.(X - P)| <= deviation. A ray from the eye that
@@ -73,6 +84,7 @@ enum hsr_status hsr_screen_init(struct hsr_screen *screen,
   for (int k = 0; k < 3; k++)
     screen->reach[k] = fabs(view->ray[0][k]) + view->m * fabs(view->ray[1][k]) +
                        view->n * fabs(view->ray[2][k]);
+  screen->outside = 2 + HSR_GUARD / view->m + HSR_GUARD / view->n;
   screen->sx = HSR_NEW(arena, double, nv);
   screen->sy = HSR_NEW(arena, double, nv);
   screen->q = HSR_NEW(arena, double, nv);
@@ -465,6 +477,22 @@ bool hsr_nearer_exact(const struct hsr_screen *screen, uint32_t f, uint32_t g,
              hsr_sample_y(screen->view, j), &tally->out_of_memory) > 0;
 }
 
+int hsr_vertex_nearer_exact(const struct hsr_screen *screen, uint32_t f,
+                            uint32_t g, uint32_t v, struct hsr_tally *tally) {
+  double p[3];
+  vertex_point(screen->world, v, p);
+  struct hsr_loop loop_f = hsr_plane_loop(screen->world, f);
+  struct hsr_loop loop_g = hsr_plane_loop(screen->world, g);
+  bool *out_of_memory = &tally->out_of_memory;
+  tally->exact[HSR_ASK_DEPTH]++;
+  /* Mostly it lies in both planes, of faces that touch: that is soon told. */
+  if (!hsr_exact_plane_side(loop_g, p, out_of_memory) &&
+      !hsr_exact_plane_side(loop_f, p, out_of_memory))
+    return 0;
+  return hsr_exact_nearer_towards(screen->view, loop_f, loop_g, p,
+                                  out_of_memory);
+}
+
 int hsr_edge_side_exact(const struct hsr_screen *screen, uint32_t a, uint32_t b,
                         int i, int j, struct hsr_tally *tally) {
   double p[3], q[3];
@@ -716,6 +744,28 @@ static void narrow(const struct question *q, int *lo, int *hi) {
     *hi = change(q, true, *lo, *hi - 1);
 }
 
+/* Whether the edge crosses to the right of the first and of the last of some
+ * columns, and the column where that changes, if it does. */
+struct crossing {
+  bool first, last;
+  int column;
+};
+
+static struct crossing find_crossing(const struct question *q, int lo, int hi) {
+  const struct hsr_screen *screen = q->screen;
+  if (screen->sx[q->a] == screen->sx[q->a] &&
+      screen->sx[q->b] == screen->sx[q->b]) {
+    struct hsr_edge edge;
+    hsr_edge_init(&edge, screen, q->row < 0 ? q->a : q->b,
+                  q->row < 0 ? q->b : q->a);
+    int column = hsr_edge_column(screen, &edge, q->j, q->tally);
+    return (struct crossing){column > lo, column >= hi, column};
+  }
+  bool first = q->holds(q, lo), last = q->holds(q, hi - 1);
+  return (struct crossing){first, last,
+                           first != last ? change(q, first, lo, hi - 1) : hi};
+}
+
 /* Columns of a cut face: by parity of the crossings to the right of a sample,
  * each of which ends or begins at most once along the row, where the plane is
  * ahead of the eye and past near. */
@@ -744,10 +794,10 @@ static int cut_spans(const struct hsr_screen *screen, uint32_t f, int j,
     q.b = vertex[k];
     int row_b = hsr_row_side(screen, q.b, j, tally);
     if (q.row != row_b) {
-      bool first = q.holds(&q, lo), last = q.holds(&q, hi - 1);
-      inside ^= first;
-      if (first != last)
-        insert_column(columns, n_columns++, change(&q, first, lo, hi - 1));
+      struct crossing crossing = find_crossing(&q, lo, hi);
+      inside ^= crossing.first;
+      if (crossing.first != crossing.last)
+        insert_column(columns, n_columns++, crossing.column);
     }
     q.a = q.b;
     q.row = row_b;

@@ -62,6 +62,8 @@ struct hsr_screen {
                           not certain */
 
   double reach[3]; /* no |D| in the picture is larger, by components */
+  double outside;  /* a plane's error at any vertex that is safely before the
+                      eye is at most this times its `error` */
 
   /* The relevant faces: existing, and with a sample of the window in their
    * bounds; ascending ids. */
@@ -108,6 +110,8 @@ bool hsr_face_exists(const struct hsr_screen *screen, uint32_t f,
 /* The exact ends of the filters below; call those. */
 bool hsr_nearer_exact(const struct hsr_screen *screen, uint32_t f, uint32_t g,
                       int i, int j, struct hsr_tally *tally);
+int hsr_vertex_nearer_exact(const struct hsr_screen *screen, uint32_t f,
+                            uint32_t g, uint32_t v, struct hsr_tally *tally);
 int hsr_edge_side_exact(const struct hsr_screen *screen, uint32_t a, uint32_t b,
                         int i, int j, struct hsr_tally *tally);
 int hsr_row_side_exact(const struct hsr_screen *screen, uint32_t v, int j,
@@ -122,7 +126,9 @@ static inline double hsr_depth(const struct hsr_screen *screen, uint32_t f,
 }
 
 /* Is f nearer than g on the ray of sample (i, j), by their planes: the order of
- * the picture, ties included. Both exist and are ahead there; f != g. */
+ * the picture, ties included. Both exist; f != g. Where a plane is met behind
+ * the eye its 1/t is negative, and compared as that: so the order of two planes
+ * changes at most at one place of a row. */
 static inline bool hsr_nearer(const struct hsr_screen *screen, uint32_t f,
                               uint32_t g, int i, int j,
                               struct hsr_tally *tally) {
@@ -136,6 +142,40 @@ static inline bool hsr_nearer(const struct hsr_screen *screen, uint32_t f,
   if (by < -bound)
     return false;
   return hsr_nearer_exact(screen, f, g, i, j, tally);
+}
+
+/* q of face f's plane at vertex v, which is safely before the eye, within
+ * hsr_vertex_error. Where a face is whole, these are the extremes of what it
+ * has in its samples. */
+static inline double hsr_vertex_depth(const struct hsr_screen *screen,
+                                      uint32_t f, uint32_t v) {
+  const struct hsr_depth_plane *p = &screen->plane[f];
+  return p->a * screen->sx[v] + p->b * screen->sy[v] + p->c;
+}
+static inline double hsr_vertex_error(const struct hsr_screen *screen,
+                                      uint32_t f) {
+  const struct hsr_depth_plane *p = &screen->plane[f];
+  return screen->outside * p->error + 2 * HSR_DELTA * (fabs(p->a) + fabs(p->b));
+}
+
+/* Which of the planes of f and g is nearer on the ray through vertex v, which
+ * is safely before the eye: +1 f's, -1 g's, 0 if they meet there; nothing is
+ * perturbed. If f is whole and this is +1 or 0 at all of its vertices, then f
+ * is nearer, by hsr_nearer, at every sample that it covers; or both are on one
+ * plane. Both exist. */
+static inline int hsr_vertex_nearer(const struct hsr_screen *screen, uint32_t f,
+                                    uint32_t g, uint32_t v,
+                                    struct hsr_tally *tally) {
+  HSR_COUNT_DEPTHS(tally, 1);
+  const struct hsr_depth_plane *p = &screen->plane[f], *q = &screen->plane[g];
+  double bound = screen->outside * (p->error + q->error) +
+                 2 * HSR_DELTA * (fabs(p->a - q->a) + fabs(p->b - q->b));
+  double by = hsr_vertex_depth(screen, f, v) - hsr_vertex_depth(screen, g, v);
+  if (by > bound)
+    return 1;
+  if (by < -bound)
+    return -1;
+  return hsr_vertex_nearer_exact(screen, f, g, v, tally);
 }
 
 /* On which side of sample row j vertex v lies: -1 above the line, or on it;

@@ -1,11 +1,29 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Programs that print TAP; the scripts among them end in .test.
-tap_programs = %D%/unit/adapt_test %D%/unit/exchange_test %D%/unit/image_test \
-  %D%/unit/oracle_test %D%/unit/scene_json_test %D%/unit/scenes_test \
-  %D%/unit/screen_test %D%/unit/statistics_test \
-  %D%/conformance/lattice_test %D%/properties/metamorphic_test %D%/properties/newell_test \
+tap_programs = \
+  %D%/unit/adapt_test \
+  %D%/unit/exchange_test \
+  %D%/unit/image_test \
+  %D%/unit/oracle_test \
+  %D%/unit/scene_json_test \
+  %D%/unit/scenes_test \
+  %D%/unit/screen_test \
+  %D%/unit/statistics_test \
+  %D%/conformance/lattice_test \
+  %D%/properties/metamorphic_test \
+  %D%/properties/newell_test \
+  %D%/properties/romney_test \
+  %D%/properties/scan_line_test \
   %D%/properties/warnock_test
-tap_scripts = %D%/command.test %D%/bad/bad_input.test %D%/torture/torture.test
+tap_scripts = \
+  %D%/command.test \
+  %D%/bad/bad_input.test \
+  %D%/bad/memory.test \
+  %D%/torture/torture.test
+
+if WITH_VTK
+tap_programs += %D%/unit/vtp_test
+endif
 
 check_PROGRAMS += $(tap_programs)
 dist_check_SCRIPTS += $(tap_scripts)
@@ -27,13 +45,19 @@ nodist_EXTRA_%C%_unit_scenes_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_unit_screen_test_SOURCES = force_cxx_link.cc
 %C%_unit_statistics_test_SOURCES = %D%/unit/statistics_test.c
 nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
+%C%_unit_vtp_test_SOURCES = %D%/unit/vtp_test.cc
+%C%_unit_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_conformance_lattice_test_SOURCES = %D%/conformance/lattice_test.c
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
 %C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
 nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
+%C%_properties_romney_test_SOURCES = %D%/properties/romney_test.c
+nodist_EXTRA_%C%_properties_romney_test_SOURCES = force_cxx_link.cc
 %C%_properties_warnock_test_SOURCES = %D%/properties/warnock_test.c
 nodist_EXTRA_%C%_properties_warnock_test_SOURCES = force_cxx_link.cc
 %C%_properties_newell_test_SOURCES = %D%/properties/newell_test.c
 nodist_EXTRA_%C%_properties_newell_test_SOURCES = force_cxx_link.cc
+%C%_properties_scan_line_test_SOURCES = %D%/properties/scan_line_test.c
+nodist_EXTRA_%C%_properties_scan_line_test_SOURCES = force_cxx_link.cc
 
-EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc
+EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The adapters: of a scene adapted in every way, algorithms that demand nothing
- * make the same picture as the oracle makes of the scene itself. */
+ * make the same picture as the oracle makes of the scene itself; and the pieces
+ * of a face, be it flat or not, cover by parity what it covers. */
+#include "common/screen.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -37,6 +39,12 @@ static void open_scene(struct fixture *x, const char *name) {
       hsr_scene_add_orbit(x->scene, VIEWS) ||
       hsr_world_init(&x->world, x->scene, &err))
     fail(&err);
+}
+
+static void close_scene(struct fixture *x) {
+  hsr_world_free(&x->world);
+  hsr_scene_delete(x->scene);
+  free(x);
 }
 
 /* Samples that differ from `wanted`, by an algorithm that is told to demand
@@ -89,8 +97,76 @@ static void check_faces(struct tap *tap, struct fixture *x, const char *name) {
   hsr_setup_free(&setup);
 }
 
+/* --- Covering by parity ----------------------------------------------------
+ */
+
+/* Turns, in odd[], the faces of the scene that faces of a world cover (i, j).
+ */
+static void turn(const struct hsr_screen *screen, int i, int j, bool *odd,
+                 struct hsr_tally *tally) {
+  for (uint32_t r = 0; r < screen->n_relevant; r++) {
+    uint32_t f = screen->relevant[r];
+    const struct hsr_bounds *b = &screen->bounds[f];
+    if (i >= b->x0 && i < b->x1 && j >= b->y0 && j < b->y1)
+      odd[hsr_world_parent(screen->world, f)] ^=
+          hsr_covers(screen, f, i, j, tally);
+  }
+}
+
+/* Samples of faces that their pieces do not cover as they do. */
+static long uncovered(const struct hsr_world *world,
+                      const struct hsr_world *adapted,
+                      const struct hsr_view *view, long *covered) {
+  struct hsr_arena arena = HSR_ARENA_EMPTY;
+  struct hsr_tally tally = {.out_of_memory = false};
+  struct hsr_screen whole, pieces;
+  struct hsr_error err = {.text = "out of memory"};
+  bool *odd = HSR_NEW_ZEROED(&arena, bool, world->n_faces);
+  if (!odd || hsr_screen_make(&whole, world, view, &arena, &tally) ||
+      hsr_screen_make(&pieces, adapted, view, &arena, &tally))
+    fail(&err);
+  long n = 0;
+  for (int j = 0; j < view->n; j++)
+    for (int i = 0; i < view->m; i++) {
+      turn(&whole, i, j, odd, &tally);
+      for (uint32_t f = 0; f < world->n_faces; f++)
+        *covered += odd[f];
+      turn(&pieces, i, j, odd, &tally);
+      for (uint32_t f = 0; f < world->n_faces; f++) {
+        n += odd[f];
+        odd[f] = false;
+      }
+    }
+  hsr_arena_free(&arena);
+  return n;
+}
+
+static void check_parity(struct tap *tap, struct fixture *x, const char *name) {
+  long wrong = 0, covered = 0;
+  for (int d = 0; d < DEMANDS; d++) {
+    struct hsr_error err = {.text = ""};
+    struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
+    algorithm.restrictions = demands[d];
+    struct hsr_setup setup;
+    if (hsr_setup_init(&setup, &algorithm, &x->world, &err))
+      fail(&err);
+    for (uint32_t v = 0; v < x->scene->n_views; v++) {
+      struct hsr_view view;
+      if (hsr_view_init(&view, &x->scene->views[v], M / 2, N / 2, &err))
+        fail(&err);
+      wrong += uncovered(&x->world, setup.world, &view, &covered);
+    }
+    hsr_setup_free(&setup);
+  }
+  ok(tap, !wrong && covered, "%s: pieces cover what faces do (%ld off in %ld)",
+     name, wrong, covered);
+}
+
 int main(void) {
-  struct tap tap = plan(2 * SCENES);
+  static const char *const warped[] = {"non-planar", "non-convex", "behind-eye",
+                                       "lattice:40:6"};
+  enum { WARPED = sizeof warped / sizeof *warped };
+  struct tap tap = plan(2 * SCENES + WARPED);
   for (int s = 0; s < SCENES; s++) {
     struct fixture *x = calloc(1, sizeof *x);
     if (!x)
@@ -98,9 +174,15 @@ int main(void) {
     open_scene(x, scenes[s]);
     check_pictures(&tap, x, scenes[s]);
     check_faces(&tap, x, scenes[s]);
-    hsr_world_free(&x->world);
-    hsr_scene_delete(x->scene);
-    free(x);
+    close_scene(x);
+  }
+  for (int s = 0; s < WARPED; s++) {
+    struct fixture *x = calloc(1, sizeof *x);
+    if (!x)
+      return 99;
+    open_scene(x, warped[s]);
+    check_parity(&tap, x, warped[s]);
+    close_scene(x);
   }
   return finish(&tap);
 }

@@ -83,7 +83,8 @@ static void vertex(const struct fixture *x, uint32_t v, double p[3]) {
 
 /* Wrong answers of each service. */
 struct wrong {
-  long row, first_row, edge, column, spans, nearer, culled, asked;
+  long row, first_row, edge, column, spans, nearer, vertex, in_front, culled,
+      asked;
 };
 
 static void try_vertices(struct fixture *x, struct wrong *wrong) {
@@ -191,6 +192,31 @@ static void try_pair(struct fixture *x, uint32_t f, uint32_t g,
     }
 }
 
+/* At the vertices of f: against the exact predicate, and, where f is a
+ * triangle, which holds its vertices, against the sides of g's plane. */
+static void try_pair_at_vertices(struct fixture *x, uint32_t f, uint32_t g,
+                                 struct wrong *wrong) {
+  const struct hsr_world *w = &x->world;
+  bool out_of_memory = false, all_in_front = true;
+  int eye = hsr_exact_plane_side(loop_of(w, g), x->view.E, &out_of_memory);
+  for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
+    double p[3];
+    vertex(x, w->vertex[k], p);
+    int got = hsr_vertex_nearer(&x->screen, f, g, w->vertex[k], &x->tally);
+    wrong->vertex +=
+        got != hsr_exact_nearer_towards(&x->view, loop_of(w, f), loop_of(w, g),
+                                        p, &out_of_memory);
+    if (hsr_face_size(w, f) == 3)
+      wrong->vertex +=
+          got != eye * hsr_exact_plane_side(loop_of(w, g), p, &out_of_memory);
+    all_in_front &= got >= 0;
+  }
+  for (int j = 0; j < N && all_in_front && w->plane[f] != w->plane[g]; j++)
+    for (int i = 0; i < M; i++)
+      wrong->in_front += hsr_covers(&x->screen, f, i, j, &x->tally) &&
+                         !hsr_nearer(&x->screen, f, g, i, j, &x->tally);
+}
+
 static void try_services(struct tap *tap) {
   struct wrong wrong = {.asked = 0};
   uint64_t seed = 7, exact = 0;
@@ -201,6 +227,11 @@ static void try_services(struct tap *tap) {
     for (uint32_t r = 1; r < x->screen.n_relevant; r++)
       for (uint32_t s = 0; s < r; s++)
         try_pair(x, x->screen.relevant[r], x->screen.relevant[s], &wrong);
+    for (uint32_t r = 0; r < x->screen.n_relevant; r++)
+      for (uint32_t s = 0; s < x->screen.n_relevant; s++)
+        if (r != s && x->screen.whole[x->screen.relevant[r]])
+          try_pair_at_vertices(x, x->screen.relevant[r], x->screen.relevant[s],
+                               &wrong);
     for (int q = 0; q < HSR_N_QUESTIONS; q++)
       exact += x->tally.exact[q];
     tear_down(x);
@@ -212,6 +243,10 @@ static void try_services(struct tap *tap) {
   ok(tap, wrong.spans == 0, "face spans: %ld wrong", wrong.spans);
   ok(tap, wrong.culled == 0, "culls: %ld covered samples lost", wrong.culled);
   ok(tap, wrong.nearer == 0, "nearer: %ld wrong", wrong.nearer);
+  ok(tap, wrong.vertex == 0, "nearer at vertices: %ld wrong", wrong.vertex);
+  ok(tap, wrong.in_front == 0,
+     "in front at all vertices, so everywhere: %ld samples wrong",
+     wrong.in_front);
   ok(tap, exact > 1000, "the exact path was taken: %llu times",
      (unsigned long long)exact);
 }
@@ -275,7 +310,7 @@ static void try_arena(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(13);
+  struct tap tap = plan(15);
   try_services(&tap);
   try_generic(&tap);
   try_clip(&tap);
