@@ -6,15 +6,23 @@ libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/list.def
 algorithm_files = \
   %D%/bouknight.c \
   %D%/newell.c \
+  %D%/newell.h \
+  %D%/newell_watkins.c \
   %D%/null.c \
   %D%/oracle.cc \
   %D%/painter.c \
+  %D%/priority_list.c \
+  %D%/priority_list.h \
   %D%/raycast.c \
   %D%/romney.c \
   %D%/scan_line.c \
   %D%/scan_line.h \
   %D%/warnock.c \
+  %D%/warnock.h \
+  %D%/warnock_newell.c \
+  %D%/warnock_watkins.c \
   %D%/watkins.c \
+  %D%/watkins.h \
   %D%/yzx.c \
   %D%/zbuffer.c
 

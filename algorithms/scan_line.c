@@ -25,16 +25,19 @@ static void put_into_bucket(struct hsr_scan *s, struct hsr_scan_edge edge,
            w->x1, edge.end_row);
 }
 
-static void sort_whole_face(struct hsr_scan *s, uint32_t f) {
+static void sort_edges(struct hsr_scan *s, const struct hsr_piece *piece,
+                       uint32_t number) {
   const struct hsr_world *world = s->job->world;
+  uint32_t f = piece->face, n = hsr_face_size(world, f);
   const uint32_t *vertex = world->vertex + world->start[f];
-  uint32_t n = hsr_face_size(world, f), a = vertex[n - 1];
+  uint32_t a = vertex[n - 1];
   int row_a = hsr_vertex_row(&s->screen, a, s->tally);
   for (uint32_t k = 0; k < n; k++) {
     uint32_t b = vertex[k];
     int row_b = hsr_vertex_row(&s->screen, b, s->tally);
     if (row_a != row_b) { /* else it lies between two scan lines */
-      struct hsr_scan_edge edge = {.face = f};
+      struct hsr_scan_edge edge = {
+          .face = f, .piece = number, .cut = HSR_NOT_CUT};
       bool down = row_a < row_b;
       hsr_edge_init(&edge.line, &s->screen, down ? a : b, down ? b : a);
       edge.end_row = down ? row_b : row_a;
@@ -45,47 +48,90 @@ static void sort_whole_face(struct hsr_scan *s, uint32_t f) {
   }
 }
 
-static void sort_cut_face(struct hsr_scan *s, uint32_t f) {
-  const struct hsr_bounds *bounds = &s->screen.bounds[f];
-  struct hsr_scan_cut cut = {f, s->n_edges,
-                             (int)hsr_face_size(s->job->world, f) + 4};
-  struct hsr_scan_edge edge = {.face = f, .end_row = bounds->y1, .cut = true};
+static bool is_cut(const struct hsr_screen *screen,
+                   const struct hsr_piece *piece) {
+  return piece->n_cuts || !screen->whole[piece->face];
+}
+
+/* The most ends that segments of a cut piece have on a row. */
+static uint32_t most_ends(const struct hsr_screen *screen,
+                          const struct hsr_piece *piece) {
+  uint32_t size = hsr_face_size(screen->world, piece->face);
+  return screen->whole[piece->face] ? size & ~1u : size + 4;
+}
+
+static int find_spans(struct hsr_scan *s, const struct hsr_piece *piece,
+                      int j) {
+  return hsr_piece_spans(&s->screen, piece->face, piece->cuts, piece->n_cuts, j,
+                         s->columns, s->tally);
+}
+
+static void sort_ends(struct hsr_scan *s, const struct hsr_piece *piece,
+                      uint32_t number) {
+  struct hsr_scan_cut cut = {.piece = *piece,
+                             .first_edge = s->n_edges,
+                             .n_edges = (int)most_ends(&s->screen, piece),
+                             .row = -1};
+  struct hsr_scan_edge edge = {
+      .face = piece->face, .piece = number, .cut = s->n_cut};
+  int row = piece->bounds.y0, end_row = piece->bounds.y1;
+  if (piece->n_cuts) { /* whose bounds are wide */
+    while (row < end_row && !find_spans(s, piece, row))
+      row++;
+    while (row < end_row && !find_spans(s, piece, end_row - 1))
+      end_row--;
+  }
+  edge.end_row = end_row;
   for (int k = 0; k < cut.n_edges; k++)
-    put_into_bucket(s, edge, bounds->y0);
+    put_into_bucket(s, edge, row);
   s->cut[s->n_cut++] = cut;
 }
 
-static void sort_y(struct hsr_scan *s) {
-  for (int row = s->window->y0; row < s->window->y1; row++)
-    s->bucket[row - s->window->y0] = NONE;
-  for (uint32_t r = 0; r < s->screen.n_relevant; r++) {
-    uint32_t f = s->screen.relevant[r];
-    if (s->screen.whole[f])
-      sort_whole_face(s, f);
-    else
-      sort_cut_face(s, f);
+void hsr_scan_open(struct hsr_scan *s, const struct hsr_window *window) {
+  s->window = window;
+  s->n_edges = s->n_cut = s->n_list = 0;
+  for (int row = window->y0; row < window->y1; row++)
+    s->bucket[row - window->y0] = NONE;
+}
+
+void hsr_scan_add(struct hsr_scan *s, const struct hsr_piece *piece,
+                  uint32_t number) {
+  if (is_cut(&s->screen, piece))
+    sort_ends(s, piece, number);
+  else
+    sort_edges(s, piece, number);
+}
+
+void hsr_scan_sort(struct hsr_scan *s, const struct hsr_window *window,
+                   const uint32_t *faces, uint32_t n) {
+  hsr_scan_open(s, window);
+  for (uint32_t k = 0; k < n; k++) {
+    struct hsr_piece face = hsr_uncut_face(&s->screen, faces[k]);
+    hsr_scan_add(s, &face, faces[k]);
   }
 }
 
 /* --- X sort ----------------------------------------------------------------
  */
 
-static void find_cut_columns(struct hsr_scan *s, int j) {
-  for (uint32_t c = 0; c < s->n_cut; c++) {
-    const struct hsr_scan_cut *cut = &s->cut[c];
-    const struct hsr_bounds *bounds = &s->screen.bounds[cut->face];
-    if (j < bounds->y0 || j >= bounds->y1)
-      continue;
-    int n = hsr_face_spans(&s->screen, cut->face, j, s->columns, s->tally);
-    for (int k = 0; k < cut->n_edges; k++)
-      s->edge[cut->first_edge + (uint32_t)k].column =
-          k < n ? s->columns[k] : HSR_NO_COLUMN;
-  }
+/* Of all ends of a piece, the first time that one is asked for on the row. */
+static void find_cut_columns(struct hsr_scan *s, struct hsr_scan_cut *cut,
+                             int j) {
+  if (cut->row == j)
+    return;
+  cut->row = j;
+  int n = find_spans(s, &cut->piece, j);
+  for (int k = 0; k < cut->n_edges; k++)
+    s->edge[cut->first_edge + (uint32_t)k].column =
+        k < n ? s->columns[k] : HSR_NO_COLUMN;
 }
 
-static void find_column(struct hsr_scan *s, struct hsr_scan_edge *edge, int j) {
-  if (!edge->cut)
+static inline void find_column(struct hsr_scan *s, struct hsr_scan_edge *edge,
+                               int j) {
+  if (edge->cut == HSR_NOT_CUT)
     edge->column = hsr_edge_column(&s->screen, &edge->line, j, s->tally);
+  else
+    find_cut_columns(s, &s->cut[edge->cut], j);
 }
 
 /* Deletes the edges that end above row j, and moves the others on to it. */
@@ -186,25 +232,44 @@ int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
 /* --- The row ----------------------------------------------------------------
  */
 
-static enum hsr_status allocate(struct hsr_scan *s) {
-  const struct hsr_world *world = s->job->world;
-  struct hsr_arena *arena = s->job->scratch;
-  size_t n_edges = 0, n_cut = 0, n_columns = 0;
-  for (uint32_t r = 0; r < s->screen.n_relevant; r++) {
-    uint32_t f = s->screen.relevant[r], size = hsr_face_size(world, f);
-    bool cut = !s->screen.whole[f];
-    n_edges += size + (cut ? 4 : 0);
-    n_cut += cut;
-    if (cut && n_columns < size + 4)
-      n_columns = size + 4;
+void hsr_scan_make_room(struct hsr_scan_room *room,
+                        const struct hsr_screen *screen,
+                        const struct hsr_piece *piece) {
+  size_t size = hsr_face_size(screen->world, piece->face);
+  if (!is_cut(screen, piece)) {
+    room->edges += size;
+    return;
   }
-  s->most_edges = (uint32_t)n_edges;
-  s->edge = HSR_NEW(arena, struct hsr_scan_edge, n_edges);
-  s->bucket = HSR_NEW(arena, uint32_t, (size_t)(s->window->y1 - s->window->y0));
-  s->cut = HSR_NEW(arena, struct hsr_scan_cut, n_cut);
-  s->columns = HSR_NEW(arena, int, n_columns);
-  s->list = HSR_NEW(arena, uint32_t, n_edges);
-  s->entering = HSR_NEW(arena, uint32_t, n_edges);
+  room->edges += most_ends(screen, piece);
+  room->cut++;
+  if (room->columns < size + 4)
+    room->columns = size + 4;
+}
+
+struct hsr_scan_room hsr_scan_whole_room(const struct hsr_screen *screen) {
+  struct hsr_scan_room room = {0};
+  for (uint32_t r = 0; r < screen->n_relevant; r++) {
+    struct hsr_piece face = hsr_uncut_face(screen, screen->relevant[r]);
+    hsr_scan_make_room(&room, screen, &face);
+  }
+  return room;
+}
+
+enum hsr_status hsr_scan_reserve(struct hsr_scan *s, const struct hsr_job *job,
+                                 const struct hsr_screen *screen,
+                                 struct hsr_scan_room room) {
+  const struct hsr_window *w = &job->view->window;
+  struct hsr_arena *arena = job->scratch;
+  *s = (struct hsr_scan){.job = job,
+                         .tally = job->tally,
+                         .screen = *screen,
+                         .most_edges = (uint32_t)room.edges};
+  s->edge = HSR_NEW(arena, struct hsr_scan_edge, room.edges);
+  s->bucket = HSR_NEW(arena, uint32_t, (size_t)(w->y1 - w->y0));
+  s->cut = HSR_NEW(arena, struct hsr_scan_cut, room.cut);
+  s->columns = HSR_NEW(arena, int, room.columns);
+  s->list = HSR_NEW(arena, uint32_t, room.edges);
+  s->entering = HSR_NEW(arena, uint32_t, room.edges);
   return s->edge && s->bucket && s->cut && s->columns && s->list && s->entering
              ? HSR_OK
              : HSR_E_NOMEM;
@@ -212,18 +277,16 @@ static enum hsr_status allocate(struct hsr_scan *s) {
 
 enum hsr_status hsr_scan_begin(struct hsr_scan *scan,
                                const struct hsr_job *job) {
-  *scan = (struct hsr_scan){
-      .job = job, .tally = job->tally, .window = &job->view->window};
-  if (hsr_screen_make(&scan->screen, job->world, job->view, job->scratch,
+  struct hsr_screen screen;
+  if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
                       job->tally) ||
-      allocate(scan))
+      hsr_scan_reserve(scan, job, &screen, hsr_scan_whole_room(&screen)))
     return HSR_E_NOMEM;
-  sort_y(scan);
+  hsr_scan_sort(scan, &job->view->window, screen.relevant, screen.n_relevant);
   return HSR_OK;
 }
 
 void hsr_scan_advance(struct hsr_scan *scan, int j) {
-  find_cut_columns(scan, j);
   retire_and_advance(scan, j);
   take_bucket(scan, j);
   merge_x(scan, j);

@@ -49,84 +49,27 @@
  * the row sides and edge sides of the definition. On H the plane lies past near
  * if it does at the corners, both conditions, q > 0 and near q < 1, being
  * linear in the depth q; and nowhere if one of them fails at all corners. */
-#include "algorithms/algorithm.h"
-#include "common/screen.h"
+#include "algorithms/warnock.h"
 
 #include <float.h>
 #include <string.h>
 
-enum {
-  Z_SORT,
-  SPECIAL,
-  DEPTH_SEARCH,
-  WINDOWS,
-  SUBDIVISIONS,
-  MINIMAX,
-  OLD_SURROUNDERS,
-  OLD_DISJOINTS,
-  HIDDEN_FACES,
-  EMPTY,
-  HOMOGENEOUS,
-  ONE_FACE,
-  ONE_IN_FRONT,
-  SAMPLES,
-  AT_VERTEX
-};
+/* Of the variant that divides at vertices. */
+enum { AT_VERTEX = HSR_N_WARNOCK_COUNTERS };
 
-#define COUNTERS                                                               \
-  [Z_SORT] = {"Z sort", "faces put into buckets, in each of two passes"},      \
-  [SPECIAL] = {"Warnock special", "faces tested against a window"},            \
-  [DEPTH_SEARCH] = {"depth search",                                            \
-                    "faces compared in depth with a surrounder"},              \
-  [WINDOWS] = {"windows", "windows examined"},                                 \
-  [SUBDIVISIONS] = {"subdivisions", "windows divided into smaller ones"},      \
-  [MINIMAX] = {"minimax culls", "faces tested that their boxes decided"},      \
-  [OLD_SURROUNDERS] = {"inherited surrounders",                                \
-                       "faces not tested, since they surround a larger "       \
-                       "window"},                                              \
-  [OLD_DISJOINTS] = {"inherited disjoints",                                    \
-                     "faces not tested, since they are disjoint from a "       \
-                     "larger window"},                                         \
-  [HIDDEN_FACES] = {"hidden faces",                                            \
-                    "faces not tested, since a surrounder hides them"},        \
-  [EMPTY] = {"empty windows", "decided: no face in them"},                     \
-  [HOMOGENEOUS] = {"homogeneous windows", "decided: a critical surround"},     \
-  [ONE_FACE] = {"one face", "decided: no surrounder and one intersecter"},     \
-  [ONE_IN_FRONT] = {"one in front",                                            \
-                    "decided: one intersecter before the critical surround"},  \
-  [SAMPLES] = {"samples", "decided: windows of a single sample"}
-
-static const struct hsr_counter counters[] = {COUNTERS, {NULL, NULL}};
+static const struct hsr_counter counters[] = {HSR_WARNOCK_COUNTERS,
+                                              {NULL, NULL}};
 
 static const struct hsr_counter counters_at_vertices[] = {
-    COUNTERS,
+    HSR_WARNOCK_COUNTERS,
     [AT_VERTEX] = {"at vertices", "windows divided at a vertex"},
     {NULL, NULL}};
 
-static double predict_z_sort(const struct hsr_table1 *t) {
-  return 2 * t->F_r;
-}
-static double predict_special(const struct hsr_table1 *t) {
-  return 100 * t->L_v * t->D_c;
-}
-static double predict_depth_search(const struct hsr_table1 *t) {
-  return t->L_v * t->D_c;
-}
+static const struct hsr_step steps[] = {HSR_WARNOCK_STEPS,
+                                        {NULL, 0, 0, NULL, NULL}};
 
-static const struct hsr_step steps[] = {
-    {"Z sort", Z_SORT, 1, "2 F_r", predict_z_sort},
-    {"Warnock special", SPECIAL, 100, "100 L_v D_c", predict_special},
-    {"depth search", DEPTH_SEARCH, 1, "L_v D_c", predict_depth_search},
-    {NULL, 0, 0, NULL, NULL}};
-
-/* Reconstructed from the text, figure 29b being lost. */
-static const struct hsr_sort sorts[] = {
-    {"faces", "Z", "radix 512 Quicksort, two passes", "once a frame"},
-    {"faces", "(XY)", "radix 4 Quicksort: cull and subdivision",
-     "once a window"},
-    {"surrounders and intersecters", "Z", "exhaustive search at the corners",
-     "once a window"},
-    {NULL, NULL, NULL, NULL}};
+static const struct hsr_sort sorts[] = {HSR_WARNOCK_SORTS,
+                                        {NULL, NULL, NULL, NULL}};
 
 /* The Z sort: two passes of 9 bits. */
 enum { DIGIT_BITS = 9, RADIX = 1 << DIGIT_BITS };
@@ -160,11 +103,13 @@ struct window {
 struct state {
   const struct hsr_job *job;
   struct hsr_tally *tally;
-  struct hsr_screen screen;
-  bool at_vertices; /* subdivide at vertices */
+  const struct hsr_screen *screen;
+  bool at_vertices;                    /* subdivide at vertices */
+  const struct hsr_finisher *finisher; /* NULL: there is none */
 
   struct listed *list;  /* the relevant faces */
   struct listed *aside; /* as many, for sorting and setting aside */
+  uint32_t *open;       /* the finisher's: ids of a window's faces */
   int *columns;         /* room for the spans of the largest face */
   uint32_t n_disjoint;  /* faces left out of list[0, n), being disjoint */
   uint32_t n_hidden;    /* or hidden */
@@ -200,21 +145,21 @@ static struct listed list_face(const struct hsr_screen *screen, uint32_t f) {
 /* One pass of the sort: by one digit of z, the greatest first. */
 static void sort_by_digit(struct state *s, const struct listed *from,
                           struct listed *to, int shift) {
-  uint32_t n = s->screen.n_relevant, start[RADIX + 1] = {0};
+  uint32_t n = s->screen->n_relevant, start[RADIX + 1] = {0};
   for (uint32_t k = 0; k < n; k++)
     start[RADIX - (from[k].z >> shift) % RADIX]++;
   for (int digit = 0; digit < RADIX; digit++)
     start[digit + 1] += start[digit];
   for (uint32_t k = 0; k < n; k++) {
     to[start[RADIX - 1 - (from[k].z >> shift) % RADIX]++] = from[k];
-    HSR_STEP(s->tally, Z_SORT, HSR_SORT, from[k].id, HSR_NOTHING, from[k].x0,
-             from[k].y0, from[k].x1, from[k].y1);
+    HSR_STEP(s->tally, HSR_WARNOCK_Z_SORT, HSR_SORT, from[k].id, HSR_NOTHING,
+             from[k].x0, from[k].y0, from[k].x1, from[k].y1);
   }
 }
 
 static void sort_z(struct state *s) {
-  for (uint32_t r = 0; r < s->screen.n_relevant; r++)
-    s->list[r] = list_face(&s->screen, s->screen.relevant[r]);
+  for (uint32_t r = 0; r < s->screen->n_relevant; r++)
+    s->list[r] = list_face(s->screen, s->screen->relevant[r]);
   sort_by_digit(s, s->list, s->aside, 0);
   sort_by_digit(s, s->aside, s->list, DIGIT_BITS);
 }
@@ -255,18 +200,18 @@ static int corner_row(const struct window *w, int corner) {
 /* The edge's ends lie both above the window, or both below. */
 static bool passes_by_rows(const struct state *s, uint32_t a, uint32_t b,
                            const struct window *w) {
-  int side = hsr_row_side(&s->screen, a, w->y0, s->tally);
-  return side == hsr_row_side(&s->screen, b, w->y0, s->tally) &&
-         side == hsr_row_side(&s->screen, a, w->y1 - 1, s->tally) &&
-         side == hsr_row_side(&s->screen, b, w->y1 - 1, s->tally);
+  int side = hsr_row_side(s->screen, a, w->y0, s->tally);
+  return side == hsr_row_side(s->screen, b, w->y0, s->tally) &&
+         side == hsr_row_side(s->screen, a, w->y1 - 1, s->tally) &&
+         side == hsr_row_side(s->screen, b, w->y1 - 1, s->tally);
 }
 
 /* All corners of the window lie on one side of the edge's line. */
 static bool corners_agree(const struct state *s, uint32_t a, uint32_t b,
                           const struct window *w) {
-  int side = hsr_edge_side(&s->screen, a, b, w->x0, w->y0, s->tally);
+  int side = hsr_edge_side(s->screen, a, b, w->x0, w->y0, s->tally);
   for (int corner = 1; corner < 4; corner++)
-    if (hsr_edge_side(&s->screen, a, b, corner_column(w, corner),
+    if (hsr_edge_side(s->screen, a, b, corner_column(w, corner),
                       corner_row(w, corner), s->tally) != side)
       return false;
   return true;
@@ -276,7 +221,7 @@ static bool corners_agree(const struct state *s, uint32_t a, uint32_t b,
  * them. */
 static bool passes_by(const struct state *s, uint32_t a, uint32_t b,
                       const struct window *w) {
-  const double *sx = s->screen.sx, *sy = s->screen.sy;
+  const double *sx = s->screen->sx, *sy = s->screen->sy;
   double ax = sx[a] - w->centre_x, ay = sy[a] - w->centre_y;
   double bx = sx[b] - w->centre_x, by = sy[b] - w->centre_y;
   double right = w->half_width + 2 * HSR_DELTA;
@@ -315,7 +260,7 @@ static bool edges_meet(const struct state *s, uint32_t f,
  * of its depths leaves room for rounding here. */
 static enum relation relate_cut(const struct state *s, uint32_t f,
                                 const struct window *w) {
-  const struct hsr_screen *screen = &s->screen;
+  const struct hsr_screen *screen = s->screen;
   double near = s->job->view->near, error = 2 * screen->plane[f].error;
   int n_behind = 0, n_before_near = 0, n_covered = 0;
   for (int corner = 0; corner < 4; corner++) {
@@ -343,7 +288,7 @@ static enum relation relate(const struct state *s, const struct listed *f,
   bool contained =
       f->x0 >= w->x0 && f->x1 <= w->x1 && f->y0 >= w->y0 && f->y1 <= w->y1;
   if (apart || (contained && !reaches_over)) {
-    HSR_COUNT(s->tally, MINIMAX, 1);
+    HSR_COUNT(s->tally, HSR_WARNOCK_MINIMAX, 1);
     return apart ? DISJOINT : INTERSECTER;
   }
   if (!is_sample(w)) {
@@ -351,11 +296,11 @@ static enum relation relate(const struct state *s, const struct listed *f,
       return INTERSECTER;
     if (!reaches_over)
       return DISJOINT;
-    if (!s->screen.whole[f->id])
+    if (!s->screen->whole[f->id])
       return relate_cut(s, f->id, w);
   }
-  return hsr_covers(&s->screen, f->id, w->x0, w->y0, s->tally) ? SURROUNDER
-                                                               : DISJOINT;
+  return hsr_covers(s->screen, f->id, w->x0, w->y0, s->tally) ? SURROUNDER
+                                                              : DISJOINT;
 }
 
 /* The depths of a face's plane at the corners of a window, as hsr_depth. */
@@ -366,7 +311,7 @@ struct depths {
 
 static struct depths depths_of(const struct state *s, uint32_t f,
                                const struct window *w) {
-  const struct hsr_depth_plane *p = &s->screen.plane[f];
+  const struct hsr_depth_plane *p = &s->screen->plane[f];
   struct depths depths = {.id = f, .error = p->error};
   for (int corner = 0; corner < 4; corner++)
     depths.q[corner] =
@@ -395,21 +340,21 @@ static uint32_t cull(struct state *s, const struct window *w, uint32_t n) {
   for (k = 0; k < n && s->list[k].z >= z_end; k++) {
     struct listed *f = &s->list[k];
     if (f->since < w->level) {
-      HSR_COUNT(s->tally, OLD_SURROUNDERS, 1);
+      HSR_COUNT(s->tally, HSR_WARNOCK_OLD_SURROUNDERS, 1);
       f->relation = SURROUNDER;
     } else {
       f->relation = (uint8_t)relate(s, f, w);
       f->since = f->relation == SURROUNDER ? (uint8_t)w->level : NEVER;
-      HSR_STEP(s->tally, SPECIAL, event[f->relation], f->id, HSR_NOTHING, w->x0,
-               w->y0, w->x1, w->y1);
+      HSR_STEP(s->tally, HSR_WARNOCK_SPECIAL, event[f->relation], f->id,
+               HSR_NOTHING, w->x0, w->y0, w->x1, w->y1);
     }
     if (f->relation == SURROUNDER) {
       uint32_t z = farthest(s, f->id, w);
       z_end = z > z_end ? z : z_end;
     }
   }
-  HSR_COUNT(s->tally, OLD_DISJOINTS, s->n_disjoint);
-  HSR_COUNT(s->tally, HIDDEN_FACES, s->n_hidden + n - k);
+  HSR_COUNT(s->tally, HSR_WARNOCK_OLD_DISJOINTS, s->n_disjoint);
+  HSR_COUNT(s->tally, HSR_WARNOCK_HIDDEN_FACES, s->n_hidden + n - k);
   return k;
 }
 
@@ -425,9 +370,9 @@ static struct listed *nearest_surrounder(struct state *s,
     if (f->relation != SURROUNDER)
       continue;
     if (nearest) {
-      HSR_STEP(s->tally, DEPTH_SEARCH, HSR_COMPARE, f->id, nearest->id, w->x0,
-               w->y0, w->x1, w->y1);
-      if (!hsr_nearer(&s->screen, f->id, nearest->id, w->x0, w->y0, s->tally))
+      HSR_STEP(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_COMPARE, f->id,
+               nearest->id, w->x0, w->y0, w->x1, w->y1);
+      if (!hsr_nearer(s->screen, f->id, nearest->id, w->x0, w->y0, s->tally))
         continue;
     }
     nearest = f;
@@ -473,8 +418,8 @@ static struct remains search_depth(struct state *s, const struct window *w,
     int order = -1;
     if (remains.surrounder) {
       struct depths depths = depths_of(s, f->id, w);
-      HSR_STEP(s->tally, DEPTH_SEARCH, HSR_COMPARE, critical.id, f->id, w->x0,
-               w->y0, w->x1, w->y1);
+      HSR_STEP(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_COMPARE, critical.id,
+               f->id, w->x0, w->y0, w->x1, w->y1);
       order = order_in_depth(s, &critical, &depths);
     }
     if (order > 0) {
@@ -500,12 +445,12 @@ static void paint(struct state *s, const struct window *w, uint32_t id) {
 
 /* What of face f lies in the window. */
 static void paint_face(struct state *s, const struct window *w, uint32_t f) {
-  const struct hsr_bounds *bounds = &s->screen.bounds[f];
+  const struct hsr_bounds *bounds = &s->screen->bounds[f];
   int first = bounds->y0 > w->y0 ? bounds->y0 : w->y0;
   int end = bounds->y1 < w->y1 ? bounds->y1 : w->y1;
   for (int j = first; j < end; j++) {
     uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-    int n = hsr_face_spans(&s->screen, f, j, s->columns, s->tally);
+    int n = hsr_face_spans(s->screen, f, j, s->columns, s->tally);
     for (int k = 0; k < n; k += 2) {
       int x0 = s->columns[k], x1 = s->columns[k + 1];
       for (int i = x0 > w->x0 ? x0 : w->x0; i < x1 && i < w->x1; i++)
@@ -535,11 +480,12 @@ static bool decide(struct state *s, const struct window *w,
              remains->other->relation == INTERSECTER;
   int counter;
   if (is_sample(w))
-    counter = SAMPLES;
+    counter = HSR_WARNOCK_SAMPLES;
   else if (!remains->n_others)
-    counter = remains->surrounder ? HOMOGENEOUS : EMPTY;
+    counter = remains->surrounder ? HSR_WARNOCK_HOMOGENEOUS : HSR_WARNOCK_EMPTY;
   else if (one)
-    counter = remains->surrounder ? ONE_IN_FRONT : ONE_FACE;
+    counter =
+        remains->surrounder ? HSR_WARNOCK_ONE_IN_FRONT : HSR_WARNOCK_ONE_FACE;
   else
     return false;
   HSR_STEP(s->tally, counter, HSR_ACCEPT, id,
@@ -610,8 +556,8 @@ static bool at_vertex(const struct state *s, const struct window *w, uint32_t n,
   for (uint32_t k = 0; k < n; k++) {
     uint32_t f = s->list[k].id;
     for (uint32_t c = world->start[f]; c < world->start[f + 1]; c++) {
-      double column = ceil(s->screen.sx[world->vertex[c]] - first_x);
-      double row = ceil(s->screen.sy[world->vertex[c]] - first_y);
+      double column = ceil(s->screen->sx[world->vertex[c]] - first_x);
+      double row = ceil(s->screen->sy[world->vertex[c]] - first_y);
       if (!(column > w->x0 && column < w->x1 && row > w->y0 && row < w->y1))
         continue;
       double away = fmax(fabs(column - centre.column), fabs(row - centre.row));
@@ -627,16 +573,13 @@ static bool at_vertex(const struct state *s, const struct window *w, uint32_t n,
 static void examine(struct state *s, struct hsr_window samples, int level,
                     uint32_t n);
 
-/* Solves a window that is neither homogeneous nor simple, and whose surrounders
- * and intersecters are list[0, n), in Z order: by dividing it into four, or
- * into two where it is one sample wide or high. Any other way to solve it might
- * stand here, with the same arguments. */
+/* Into four, or into two where the window is one sample wide or high. */
 static void subdivide(struct state *s, const struct window *w, uint32_t n) {
   struct division at = at_centre(w);
   if (s->at_vertices && w->level < LAST_VERTEX_LEVEL && at_vertex(s, w, n, &at))
     HSR_COUNT(s->tally, AT_VERTEX, 1);
-  HSR_STEP(s->tally, SUBDIVISIONS, HSR_SUBDIVIDE, HSR_NOTHING, HSR_NOTHING,
-           w->x0, w->y0, w->x1, w->y1);
+  HSR_STEP(s->tally, HSR_WARNOCK_SUBDIVISIONS, HSR_SUBDIVIDE, HSR_NOTHING,
+           HSR_NOTHING, w->x0, w->y0, w->x1, w->y1);
   for (int quarter = 0; quarter < 4; quarter++) {
     struct hsr_window part = {w->x0, w->y0, w->x1, w->y1};
     *(quarter & 1 ? &part.x0 : &part.x1) = at.column;
@@ -646,10 +589,41 @@ static void subdivide(struct state *s, const struct window *w, uint32_t n) {
   }
 }
 
+/* Whether list[0, n) is what the finisher has room for. */
+static bool are_few(const struct state *s, uint32_t n) {
+  const struct hsr_finisher *finisher = s->finisher;
+  if (!finisher || n > finisher->most_faces)
+    return false;
+  uint32_t n_corners = 0;
+  for (uint32_t k = 0; k < n; k++)
+    n_corners += hsr_face_size(s->job->world, s->list[k].id);
+  return n_corners <= finisher->most_corners;
+}
+
+static void finish(struct state *s, const struct window *w, uint32_t n) {
+  struct hsr_window window = {w->x0, w->y0, w->x1, w->y1};
+  HSR_STEP(s->tally, HSR_WARNOCK_FINISHED, HSR_ACCEPT, HSR_NOTHING, HSR_NOTHING,
+           w->x0, w->y0, w->x1, w->y1);
+  for (uint32_t k = 0; k < n; k++)
+    s->open[k] = s->list[k].id;
+  s->tally->first = HSR_WARNOCK_FINISHER;
+  s->finisher->finish(s->finisher->context, &window, s->open, n);
+  s->tally->first = 0;
+}
+
+/* A window that is neither homogeneous nor simple, and whose surrounders and
+ * intersecters are list[0, n), in Z order. */
+static void solve(struct state *s, const struct window *w, uint32_t n) {
+  if (are_few(s, n))
+    finish(s, w, n);
+  else
+    subdivide(s, w, n);
+}
+
 /* One window. list[0, n): the faces that the enclosing window leaves open. */
 static void examine(struct state *s, struct hsr_window samples, int level,
                     uint32_t n) {
-  HSR_COUNT(s->tally, WINDOWS, 1);
+  HSR_COUNT(s->tally, HSR_WARNOCK_WINDOWS, 1);
   struct window w = make_window(s, samples, level);
   uint32_t n_reached = cull(s, &w, n);
   touch(s, &w, n_reached);
@@ -659,7 +633,7 @@ static void examine(struct state *s, struct hsr_window samples, int level,
 
   s->n_hidden += n - n_reached;
   uint32_t n_kept = set_aside(s, n_reached);
-  subdivide(s, &w, n_kept);
+  solve(s, &w, n_kept);
   take_back(s, n_kept, n_reached);
   s->n_hidden -= n - n_reached;
 }
@@ -668,43 +642,60 @@ static void examine(struct state *s, struct hsr_window samples, int level,
 
 static enum hsr_status allocate(struct state *s) {
   struct hsr_arena *arena = s->job->scratch;
-  uint32_t n = s->screen.n_relevant, largest = 0;
+  uint32_t n = s->screen->n_relevant, largest = 0;
   for (uint32_t r = 0; r < n; r++) {
-    uint32_t size = hsr_face_size(s->job->world, s->screen.relevant[r]);
+    uint32_t size = hsr_face_size(s->job->world, s->screen->relevant[r]);
     largest = size > largest ? size : largest;
   }
   s->list = HSR_NEW(arena, struct listed, n);
   s->aside = HSR_NEW(arena, struct listed, n);
+  s->open = HSR_NEW(arena, uint32_t, s->finisher ? s->finisher->most_faces : 0);
   s->columns = HSR_NEW(arena, int, largest + 4);
-  return s->list && s->aside && s->columns ? HSR_OK : HSR_E_NOMEM;
+  return s->list && s->aside && s->open && s->columns ? HSR_OK : HSR_E_NOMEM;
 }
 
-static enum hsr_status solve(const struct hsr_job *job, bool at_vertices,
-                             struct hsr_error *err) {
-  struct state s = {
-      .job = job, .tally = job->tally, .at_vertices = at_vertices};
-  if (hsr_screen_make(&s.screen, job->world, job->view, job->scratch,
-                      job->tally) ||
-      allocate(&s))
-    return hsr_fail_nomem(err);
-
+static enum hsr_status run(const struct hsr_job *job,
+                           const struct hsr_screen *screen, bool at_vertices,
+                           const struct hsr_finisher *finisher) {
+  struct state s = {.job = job,
+                    .tally = job->tally,
+                    .screen = screen,
+                    .at_vertices = at_vertices,
+                    .finisher = finisher};
+  if (allocate(&s))
+    return HSR_E_NOMEM;
   sort_z(&s);
-  examine(&s, job->view->window, 0, s.screen.n_relevant);
+  examine(&s, job->view->window, 0, screen->n_relevant);
+  return HSR_OK;
+}
+
+enum hsr_status hsr_warnock_run(const struct hsr_job *job,
+                                const struct hsr_screen *screen,
+                                const struct hsr_finisher *finisher) {
+  return run(job, screen, false, finisher);
+}
+
+static enum hsr_status render_alone(const struct hsr_job *job, bool at_vertices,
+                                    struct hsr_error *err) {
+  struct hsr_screen screen;
+  if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
+                      job->tally) ||
+      run(job, &screen, at_vertices, NULL))
+    return hsr_fail_nomem(err);
   return HSR_OK;
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  return solve(job, false, err);
+  return render_alone(job, false, err);
 }
 
 static enum hsr_status render_at_vertices(const struct hsr_job *job,
                                           struct hsr_error *err) {
-  return solve(job, true, err);
+  return render_alone(job, true, err);
 }
 
-/* Figure 29b is lost: the restrictions, and above the sorts, are reconstructed
- * from the text. */
+/* Figure 29b is lost: the restrictions are reconstructed from the text. */
 #define DESCRIPTION                                                            \
   .authors = "J. E. Warnock", .year = 1969,                                    \
   .source = "TR 4-15, University of Utah, 1969; Sutherland et al., Computing " \

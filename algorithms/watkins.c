@@ -6,68 +6,35 @@
  *             UTECH-CSC-70-101, 1970; as described by Sutherland et al. 1974,
  *             "Scan-line Algorithms" and figures 27b and 28.
  * Notation    scan line -> row j; Y buckets and X sort list -> scan_line.h;
- *             segment -> struct segment, the samples [x0, x1) of a face on the
- *             row; sample span -> [left, right)
+ *             segment -> struct hsr_segment, the samples [x0, x1) of a face on
+ *             the row; sample span -> [left, right)
  * Invariant   in scan_row, `visible` is nearest in [left, right) of the
  *             segments looked at so far, and right only ever moves to the left
  * Ties        depth: one plane, lower id; all else by hsr_nearer
  * Departures  those of scan_line.h
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
  *             of scan_line.h */
-#include "algorithms/scan_line.h"
+#include "algorithms/watkins.h"
 
-enum { SPAN_CULL = HSR_N_SCAN_COUNTERS, DEPTH_SEARCH, DIVISIONS, SPANS };
+static const struct hsr_counter counters[] = {HSR_WATKINS_COUNTERS(""),
+                                              {NULL, NULL}};
 
-static const struct hsr_counter counters[] = {
-    HSR_SCAN_COUNTERS,
-    [SPAN_CULL] = {"span cull", "segments tested against a sample span"},
-    [DEPTH_SEARCH] = {"depth search", "comparisons of two segments in depth"},
-    [DIVISIONS] = {"depth divisions", "segments divided at their midpoint"},
-    [SPANS] = {"spans", "sample spans decided"},
-    {NULL, NULL}};
+static const struct hsr_step steps[] = {HSR_WATKINS_STEPS(0, ""),
+                                        {NULL, 0, 0, NULL, NULL}};
 
-static const struct hsr_step steps[] = {
-    HSR_SCAN_STEPS,
-    {"span cull", SPAN_CULL, 1, "n S_l", hsr_predict_span_cull},
-    {"depth search", DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)",
-     hsr_predict_depth_search},
-    {NULL, 0, 0, NULL, NULL}};
-
-static const struct hsr_sort sorts[] = {
-    HSR_SCAN_SORTS,
-    {"segments", "X", "cull", "once a sample span"},
-    {"segments", "Z", "logarithmic search", "once a sample span"},
-    {NULL, NULL, NULL, NULL}};
+static const struct hsr_sort sorts[] = {HSR_WATKINS_SORTS,
+                                        {NULL, NULL, NULL, NULL}};
 
 /* No segment. */
 static const uint32_t NONE = UINT32_MAX;
 
-/* Samples [x0, x1) of a face on the current row; depths q at the first and the
- * last of them, as computed: within `error`. */
-struct segment {
-  uint32_t face;
-  int x0, x1;
-  double q0, q1, error;
-};
-
-struct scan {
-  struct hsr_scan edges; /* Y buckets and X sort list */
-  const struct hsr_screen *screen;
-  const struct hsr_window *window;
-  struct hsr_tally *tally;
-
-  uint32_t *open;          /* a face: its segment without right end */
-  struct segment *segment; /* of the row, by ascending x0 */
-  uint32_t n_segments;
-  uint32_t *under, n_under; /* segments that reach over the span's left end */
-};
-
 /* --- Segments ---------------------------------------------------------------
  */
 
-static void close_segment(struct scan *s, uint32_t number, int x1, int j) {
-  struct segment *segment = &s->segment[number];
-  const struct hsr_window *w = s->window;
+static void close_segment(struct hsr_watkins *s, uint32_t number, int x1,
+                          int j) {
+  struct hsr_segment *segment = &s->segment[number];
+  const struct hsr_window *w = s->edges.window;
   if (segment->x0 < w->x0)
     segment->x0 = w->x0;
   segment->x1 = x1 > w->x1 ? w->x1 : x1;
@@ -75,25 +42,27 @@ static void close_segment(struct scan *s, uint32_t number, int x1, int j) {
     segment->x1 = segment->x0; /* holds no sample */
     return;
   }
+  if (s->is_nearer)
+    return;
   uint32_t f = segment->face;
-  segment->q0 = hsr_depth(s->screen, f, segment->x0, j);
-  segment->q1 = hsr_depth(s->screen, f, segment->x1 - 1, j);
-  segment->error = 2 * s->screen->plane[f].error;
+  segment->q0 = hsr_depth(&s->edges.screen, f, segment->x0, j);
+  segment->q1 = hsr_depth(&s->edges.screen, f, segment->x1 - 1, j);
+  segment->error = 2 * s->edges.screen.plane[f].error;
 }
 
 /* Pairs the edges of list[]: the first of a face opens a segment, the second
  * closes it. */
-static void find_segments(struct scan *s, int j) {
+static void find_segments(struct hsr_watkins *s, int j) {
   s->n_segments = 0;
   for (uint32_t k = 0; k < s->edges.n_list; k++) {
     const struct hsr_scan_edge *edge = &s->edges.edge[s->edges.list[k]];
     if (edge->column == HSR_NO_COLUMN)
       break;
-    uint32_t *open = &s->open[edge->face];
+    uint32_t *open = &s->open[edge->piece];
     if (*open == NONE) {
       *open = s->n_segments;
-      s->segment[s->n_segments++] =
-          (struct segment){.face = edge->face, .x0 = edge->column};
+      s->segment[s->n_segments++] = (struct hsr_segment){
+          .face = edge->face, .piece = edge->piece, .x0 = edge->column};
     } else {
       close_segment(s, *open, edge->column, j);
       *open = NONE;
@@ -110,7 +79,7 @@ struct part {
   double x0, x1, q0, q1;
 };
 
-static struct part whole_part(const struct segment *segment) {
+static struct part whole_part(const struct hsr_segment *segment) {
   return (struct part){segment->x0, segment->x1 - 1, segment->q0, segment->q1};
 }
 
@@ -148,13 +117,13 @@ static bool narrow(struct part *p, int l, int r) {
  * the longer part is divided at its midpoint, and the samples with them once
  * they straddle both midpoints. A single sample is left to the exact
  * comparison. */
-static bool first_is_nearer(struct scan *s, const struct segment *f,
-                            struct part pf, const struct segment *g,
+static bool first_is_nearer(struct hsr_watkins *s, const struct hsr_segment *f,
+                            struct part pf, const struct hsr_segment *g,
                             struct part pg, int l, int r, int j, int *end) {
   double margin = f->error + g->error;
   for (;;) {
     HSR_TOUCH_SPAN(s->tally, l, r, j);
-    HSR_STEP(s->tally, DEPTH_SEARCH, HSR_COMPARE, f->face, g->face, l, j, r,
+    HSR_STEP(s->tally, HSR_DEPTH_SEARCH, HSR_COMPARE, f->face, g->face, l, j, r,
              j + 1);
     *end = r;
     if (farthest(pf) - nearest(pg) > margin)
@@ -162,9 +131,9 @@ static bool first_is_nearer(struct scan *s, const struct segment *f,
     if (farthest(pg) - nearest(pf) > margin)
       return false;
     if (r - l == 1)
-      return hsr_nearer(s->screen, f->face, g->face, l, j, s->tally);
-    HSR_STEP(s->tally, DIVISIONS, HSR_SUBDIVIDE, f->face, g->face, l, j, r,
-             j + 1);
+      return hsr_nearer(&s->edges.screen, f->face, g->face, l, j, s->tally);
+    HSR_STEP(s->tally, HSR_DEPTH_DIVISIONS, HSR_SUBDIVIDE, f->face, g->face, l,
+             j, r, j + 1);
     bool f_is_longer = pf.x1 - pf.x0 >= pg.x1 - pg.x0;
     if (!narrow(f_is_longer ? &pf : &pg, l, r) &&
         !narrow(f_is_longer ? &pg : &pf, l, r))
@@ -183,9 +152,12 @@ static bool first_is_nearer(struct scan *s, const struct segment *f,
   return nearer;
 }
 
-/* The same for whole segments; faces of one plane need no search. */
-static bool is_nearer(struct scan *s, const struct segment *f,
-                      const struct segment *g, int l, int r, int j, int *end) {
+/* The last step, for whole segments; faces of one plane need no search. */
+static bool is_nearer(struct hsr_watkins *s, const struct hsr_segment *f,
+                      const struct hsr_segment *g, int l, int r, int j,
+                      int *end) {
+  if (s->is_nearer)
+    return s->is_nearer(s->context, f, g, l, r, j, end);
   const uint32_t *plane = s->edges.job->world->plane;
   if (plane[f->face] == plane[g->face]) {
     *end = r;
@@ -203,11 +175,11 @@ static int least(int a, int b) {
 
 /* The visible one of the segments that reach over `left`; none, if there is
  * none. *right is moved to where that, or its segment, ends. */
-static const struct segment *search_depth(struct scan *s, int left, int *right,
-                                          int j) {
-  const struct segment *visible = NULL;
+static const struct hsr_segment *search_depth(struct hsr_watkins *s, int left,
+                                              int *right, int j) {
+  const struct hsr_segment *visible = NULL;
   for (uint32_t k = 0; k < s->n_under; k++) {
-    const struct segment *segment = &s->segment[s->under[k]];
+    const struct hsr_segment *segment = &s->segment[s->under[k]];
     if (!visible) {
       visible = segment;
       *right = least(*right, segment->x1);
@@ -226,11 +198,12 @@ static const struct segment *search_depth(struct scan *s, int left, int *right,
 /* Moves *right to the left end of the first segment that begins within the span
  * and does not lie behind the visible one. *next is the first segment not yet
  * under the span. */
-static void float_right(struct scan *s, const struct segment *visible,
-                        uint32_t next, int *right, int j) {
+static void float_right(struct hsr_watkins *s,
+                        const struct hsr_segment *visible, uint32_t next,
+                        int *right, int j) {
   for (uint32_t k = next; k < s->n_segments; k++) {
-    const struct segment *segment = &s->segment[k];
-    HSR_STEP(s->tally, SPAN_CULL, HSR_COMPARE, segment->face, HSR_NOTHING,
+    const struct hsr_segment *segment = &s->segment[k];
+    HSR_STEP(s->tally, HSR_SPAN_CULL, HSR_COMPARE, segment->face, HSR_NOTHING,
              segment->x0, j, *right, j + 1);
     if (segment->x0 >= *right)
       return;
@@ -245,17 +218,18 @@ static void float_right(struct scan *s, const struct segment *visible,
 }
 
 /* Brings under[] up to date for a span that begins at `left`. */
-static uint32_t enter_span(struct scan *s, int left, uint32_t next, int j) {
+static uint32_t enter_span(struct hsr_watkins *s, int left, uint32_t next,
+                           int j) {
   uint32_t kept = 0;
   for (uint32_t k = 0; k < s->n_under; k++) {
-    HSR_STEP(s->tally, SPAN_CULL, HSR_COMPARE, s->segment[s->under[k]].face,
+    HSR_STEP(s->tally, HSR_SPAN_CULL, HSR_COMPARE, s->segment[s->under[k]].face,
              HSR_NOTHING, left, j, left + 1, j + 1);
     if (s->segment[s->under[k]].x1 > left)
       s->under[kept++] = s->under[k];
   }
   s->n_under = kept;
   for (; next < s->n_segments && s->segment[next].x0 <= left; next++) {
-    HSR_STEP(s->tally, SPAN_CULL, HSR_ACTIVATE, s->segment[next].face,
+    HSR_STEP(s->tally, HSR_SPAN_CULL, HSR_ACTIVATE, s->segment[next].face,
              HSR_NOTHING, left, j, left + 1, j + 1);
     if (s->segment[next].x1 > left)
       s->under[s->n_under++] = next;
@@ -263,17 +237,19 @@ static uint32_t enter_span(struct scan *s, int left, uint32_t next, int j) {
   return next;
 }
 
-static void scan_row(struct scan *s, int j) {
+static void scan_row(struct hsr_watkins *s, int j) {
   uint32_t *row = s->edges.job->ids + (size_t)j * s->edges.job->ids_stride;
   uint32_t next = 0;
   s->n_under = 0;
-  for (int left = s->window->x0, right; left < s->window->x1; left = right) {
-    right = s->window->x1;
+  for (int left = s->edges.window->x0, right; left < s->edges.window->x1;
+       left = right) {
+    right = s->edges.window->x1;
     next = enter_span(s, left, next, j);
-    const struct segment *visible = search_depth(s, left, &right, j);
+    const struct hsr_segment *visible = search_depth(s, left, &right, j);
     float_right(s, visible, next, &right, j);
     uint32_t id = visible ? visible->face : HSR_BACKGROUND;
-    HSR_STEP(s->tally, SPANS, HSR_SPAN, id, HSR_NOTHING, left, j, right, j + 1);
+    HSR_STEP(s->tally, HSR_SPANS, HSR_SPAN, id, HSR_NOTHING, left, j, right,
+             j + 1);
     HSR_TOUCH_SPAN(s->tally, left, right, j);
     for (int i = left; i < right; i++)
       row[i] = id;
@@ -283,33 +259,50 @@ static void scan_row(struct scan *s, int j) {
 /* --- The algorithm -----------------------------------------------------------
  */
 
-static enum hsr_status allocate(struct scan *s) {
-  struct hsr_arena *arena = s->edges.job->scratch;
-  size_t n_faces = s->edges.job->world->n_faces;
-  size_t n_segments = s->edges.most_edges / 2 + 1;
-  s->open = HSR_NEW(arena, uint32_t, n_faces);
-  s->segment = HSR_NEW(arena, struct segment, n_segments);
-  s->under = HSR_NEW(arena, uint32_t, n_segments);
-  if (!s->open || !s->segment || !s->under)
+enum hsr_status hsr_watkins_reserve(struct hsr_watkins *s,
+                                    const struct hsr_job *job,
+                                    const struct hsr_screen *screen,
+                                    struct hsr_scan_room room,
+                                    size_t n_pieces) {
+  struct hsr_arena *arena = job->scratch;
+  *s = (struct hsr_watkins){.tally = job->tally};
+  enum hsr_status status = hsr_scan_reserve(&s->edges, job, screen, room);
+  s->open = HSR_NEW(arena, uint32_t, n_pieces);
+  s->segment = HSR_NEW(arena, struct hsr_segment, room.edges / 2 + 1);
+  s->under = HSR_NEW(arena, uint32_t, room.edges / 2 + 1);
+  if (status || !s->open || !s->segment || !s->under)
     return HSR_E_NOMEM;
-  for (size_t f = 0; f < n_faces; f++)
-    s->open[f] = NONE;
+  for (size_t p = 0; p < n_pieces; p++)
+    s->open[p] = NONE;
   return HSR_OK;
+}
+
+void hsr_watkins_scan(struct hsr_watkins *s) {
+  const struct hsr_window *w = s->edges.window;
+  for (int j = w->y0; j < w->y1; j++) {
+    hsr_scan_advance(&s->edges, j);
+    find_segments(s, j);
+    scan_row(s, j);
+  }
+}
+
+void hsr_watkins_solve(struct hsr_watkins *s, const struct hsr_window *window,
+                       const uint32_t *faces, uint32_t n) {
+  hsr_scan_sort(&s->edges, window, faces, n);
+  hsr_watkins_scan(s);
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  struct scan scan = {.screen = &scan.edges.screen,
-                      .window = &job->view->window,
-                      .tally = job->tally};
-  if (hsr_scan_begin(&scan.edges, job) || allocate(&scan))
+  struct hsr_screen screen;
+  struct hsr_watkins watkins;
+  if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
+                      job->tally) ||
+      hsr_watkins_reserve(&watkins, job, &screen, hsr_scan_whole_room(&screen),
+                          job->world->n_faces))
     return hsr_fail_nomem(err);
-
-  for (int j = scan.window->y0; j < scan.window->y1; j++) {
-    hsr_scan_advance(&scan.edges, j);
-    find_segments(&scan, j);
-    scan_row(&scan, j);
-  }
+  hsr_watkins_solve(&watkins, &job->view->window, screen.relevant,
+                    screen.n_relevant);
   return HSR_OK;
 }
 

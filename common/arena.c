@@ -78,6 +78,22 @@ void *hsr_arena_zeroed(struct hsr_arena *arena, size_t n, size_t size) {
   return array;
 }
 
+bool hsr_arena_grow(struct hsr_arena *arena, struct hsr_growing *array,
+                    size_t size) {
+  if (array->n == array->room) {
+    size_t room = array->room ? 2 * array->room : 1024;
+    void *items = hsr_arena_array(arena, room, size);
+    if (!items)
+      return false;
+    if (array->n)
+      memcpy(items, array->items, array->n * size);
+    array->items = items;
+    array->room = room;
+  }
+  array->n++;
+  return true;
+}
+
 static void free_blocks(struct hsr_arena *arena) {
   for (struct hsr_arena_block *block = arena->blocks, *next; block;
        block = next) {

@@ -8,6 +8,7 @@
 #ifndef HSR_COMMON_ARENA_H
 #define HSR_COMMON_ARENA_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -40,6 +41,18 @@ void hsr_arena_reset(struct hsr_arena *arena);
 /* Gives all memory back. The arena is empty afterwards and may be used again.
  */
 void hsr_arena_free(struct hsr_arena *arena);
+
+/* An array that grows in an arena, by doubling. Empty if all zero; what it grew
+ * out of stays where it was. */
+struct hsr_growing {
+  void *items;
+  size_t n, room;
+};
+
+/* One more item of `size` bytes, undefined: the last. False if memory ran out.
+ */
+bool hsr_arena_grow(struct hsr_arena *arena, struct hsr_growing *array,
+                    size_t size);
 
 /* HSR_NEW(arena, T, n): an array of n T. */
 #define HSR_NEW(arena, type, n)                                                \

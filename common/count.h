@@ -70,6 +70,8 @@ struct hsr_event {
 /* What one render counted. All zero to begin with. */
 struct hsr_tally {
   uint64_t count[HSR_MAX_COUNTERS];
+  int first; /* where one algorithm works inside another: the number that the
+                inner one's counter 0 has among all */
   uint64_t exact[HSR_N_QUESTIONS]; /* questions that took the exact path */
   uint64_t depths_compared; /* all of HSR_ASK_DEPTH; in the counting build */
   bool out_of_memory;       /* an exact predicate could not be decided */
@@ -100,13 +102,14 @@ void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);
 /* HSR_COUNT_DEPTHS(tally, n): n more comparisons of two faces' depths. */
 #if HSR_COUNTING
 #define HSR_COUNT(tally, counter, n)                                           \
-  ((void)((tally)->count[(counter)] += (uint64_t)(n)))
+  ((void)((tally)->count[(tally)->first + (counter)] += (uint64_t)(n)))
 #define HSR_STEP(tally, counter, event_kind, a_, b_, x0_, y0_, x1_, y1_)       \
   do {                                                                         \
-    (tally)->count[(counter)]++;                                               \
+    int counter_ = (tally)->first + (counter);                                 \
+    (tally)->count[counter_]++;                                                \
     if ((tally)->trace)                                                        \
       (tally)->trace((tally)->trace_context,                                   \
-                     &(struct hsr_event){(event_kind), (counter), (a_), (b_),  \
+                     &(struct hsr_event){(event_kind), counter_, (a_), (b_),   \
                                          (x0_), (y0_), (x1_), (y1_)});         \
   } while (0)
 #define HSR_TOUCH(tally, i, j)                                                 \

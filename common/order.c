@@ -220,3 +220,20 @@ void hsr_depth_range(const struct hsr_screen *screen,
   *nearest = *nearest > 0 ? *nearest / stretch * (1 - 8 * U) : 0;
   *farthest = *farthest * stretch * (1 + 8 * U);
 }
+
+/* 1/w is linear on the screen, so that it is least and greatest at corners. */
+void hsr_narrow_depth_range(const struct hsr_screen *screen, uint32_t f,
+                            const struct hsr_bounds *bounds, double *nearest,
+                            double *farthest) {
+  double least = INFINITY, greatest = 0, error = screen->plane[f].error;
+  for (int corner = 0; corner < 4; corner++) {
+    double q = hsr_depth(screen, f, corner & 1 ? bounds->x1 - 1 : bounds->x0,
+                         corner & 2 ? bounds->y1 - 1 : bounds->y0);
+    least = fmin(least, q);
+    greatest = fmax(greatest, q);
+  }
+  if (greatest > 0)
+    *nearest = fmax(*nearest, 1 / (greatest + error) * (1 - 8 * U));
+  if (least > error)
+    *farthest = fmin(*farthest, 1 / (least - error) * (1 + 8 * U));
+}

@@ -67,6 +67,11 @@ void hsr_depth_range(const struct hsr_screen *screen,
                      struct hsr_polygon polygon, double *nearest,
                      double *farthest);
 
+/* Narrows a depth range of face f to that of the samples within the bounds. */
+void hsr_narrow_depth_range(const struct hsr_screen *screen, uint32_t f,
+                            const struct hsr_bounds *bounds, double *nearest,
+                            double *farthest);
+
 #ifdef __cplusplus
 }
 #endif

@@ -255,6 +255,19 @@ int hsr_face_spans(const struct hsr_screen *screen, uint32_t f, int j,
 /* --- Cut faces (common/pieces.h) -------------------------------------------
  */
 
+/* What n_cuts cuts leave of a face; no sample of it is out of its bounds. */
+struct hsr_piece {
+  uint32_t face, n_cuts;
+  const struct hsr_cut *cuts; /* NULL if there are none */
+  struct hsr_bounds bounds;
+};
+
+/* A relevant face, not cut. */
+static inline struct hsr_piece hsr_uncut_face(const struct hsr_screen *screen,
+                                              uint32_t f) {
+  return (struct hsr_piece){.face = f, .bounds = screen->bounds[f]};
+}
+
 /* On which side of the plane of g does the ray of sample (i, j) meet the plane
  * of f: +1 in front of it, -1 behind. f exists and is ahead there; f and g do
  * not lie on one plane. The plane of g may hold the eye; both are filled in, as
