@@ -30,6 +30,7 @@ struct hsr_counter {
 #define HSR_QUESTIONS(X)                                                       \
   X(DEPTH, "depth comparisons")                                                \
   X(CUT, "sides of cuts")                                                      \
+  X(VERTEX, "vertices against planes")                                         \
   X(EDGE, "edge sides")                                                        \
   X(ROW, "row sides")                                                          \
   X(FACING, "facings")                                                         \

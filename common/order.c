@@ -67,17 +67,19 @@ static uint32_t n_points(const struct hsr_world *world, struct hsr_polygon p) {
   return p.outline ? p.n : hsr_face_size(world, p.face);
 }
 
-static void point_of(const struct hsr_world *world, struct hsr_polygon polygon,
-                     uint32_t k, double p[3]) {
+/* Point k of a polygon; returns its vertex, or HSR_NOTHING. */
+static uint32_t point_of(const struct hsr_world *world,
+                         struct hsr_polygon polygon, uint32_t k, double p[3]) {
   if (polygon.outline) {
     for (int c = 0; c < 3; c++)
       p[c] = polygon.outline[k][c];
-    return;
+    return HSR_NOTHING;
   }
   uint32_t v = world->vertex[world->start[polygon.face] + k];
   p[0] = world->x[v];
   p[1] = world->y[v];
   p[2] = world->z[v];
+  return v;
 }
 
 /* Whether all points are on this side of the plane of g, or on it. */
@@ -89,7 +91,9 @@ static enum hsr_certainty on_side(const struct hsr_screen *screen,
   enum hsr_certainty certainty = HSR_YES;
   for (uint32_t k = 0; k < n_points(world, polygon); k++) {
     double p[3], error;
-    point_of(world, polygon, k, p);
+    uint32_t v = point_of(world, polygon, k, p);
+    if (thick == 0 && v != HSR_NOTHING && hsr_on_plane(world, g, v))
+      continue; /* a vertex that they share */
     double off = side * height(world, g, p, !polygon.outline, &error);
     if (off > thick + error)
       continue;
@@ -102,7 +106,7 @@ static enum hsr_certainty on_side(const struct hsr_screen *screen,
       certainty = HSR_NEARLY;
       continue;
     }
-    tally->exact[HSR_ASK_FACING]++;
+    tally->exact[HSR_ASK_VERTEX]++;
     if (hsr_exact_plane_side(hsr_plane_loop(world, g), p,
                              &tally->out_of_memory) *
             side >=

@@ -479,12 +479,15 @@ bool hsr_nearer_exact(const struct hsr_screen *screen, uint32_t f, uint32_t g,
 
 int hsr_vertex_nearer_exact(const struct hsr_screen *screen, uint32_t f,
                             uint32_t g, uint32_t v, struct hsr_tally *tally) {
+  /* Faces that share a vertex meet there. */
+  if (hsr_on_plane(screen->world, f, v) && hsr_on_plane(screen->world, g, v))
+    return 0;
   double p[3];
   vertex_point(screen->world, v, p);
   struct hsr_loop loop_f = hsr_plane_loop(screen->world, f);
   struct hsr_loop loop_g = hsr_plane_loop(screen->world, g);
   bool *out_of_memory = &tally->out_of_memory;
-  tally->exact[HSR_ASK_DEPTH]++;
+  tally->exact[HSR_ASK_VERTEX]++;
   /* Mostly it lies in both planes, of faces that touch: that is soon told. */
   if (!hsr_exact_plane_side(loop_g, p, out_of_memory) &&
       !hsr_exact_plane_side(loop_f, p, out_of_memory))

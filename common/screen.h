@@ -166,7 +166,6 @@ static inline double hsr_vertex_error(const struct hsr_screen *screen,
 static inline int hsr_vertex_nearer(const struct hsr_screen *screen, uint32_t f,
                                     uint32_t g, uint32_t v,
                                     struct hsr_tally *tally) {
-  HSR_COUNT_DEPTHS(tally, 1);
   const struct hsr_depth_plane *p = &screen->plane[f], *q = &screen->plane[g];
   double bound = screen->outside * (p->error + q->error) +
                  2 * HSR_DELTA * (fabs(p->a - q->a) + fabs(p->b - q->b));

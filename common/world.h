@@ -38,13 +38,13 @@ struct hsr_world {
   /* Approximate planes: N = (nx, ny, nz) +- n_error in every component;
    * the plane passes within anchor_error (in every component) of the point
    * (px, py, pz). Of a triangle that point is its first vertex and the error
-   * 0. Not normalised. `deviation` bounds |N . (V - P)| over the face's vertices
-   * V, P the exact mean: 0 if and only if they are all exactly on the plane, as
-   * those of a triangle are. See world.c for the proof. */
-  double *nx, *ny, *nz, *n_error;         /* n_faces */
-  double *px, *py, *pz, *anchor_error;    /* n_faces */
-  double *deviation;                      /* n_faces */
-  uint32_t *plane;                        /* n_faces: plane class */
+   * 0. Not normalised. `deviation` bounds |N . (V - P)| over the face's
+   * vertices V, P the exact mean: 0 if and only if they are all exactly on the
+   * plane, as those of a triangle are. See world.c for the proof. */
+  double *nx, *ny, *nz, *n_error;      /* n_faces */
+  double *px, *py, *pz, *anchor_error; /* n_faces */
+  double *deviation;                   /* n_faces */
+  uint32_t *plane;                     /* n_faces: plane class */
   uint32_t n_planes;
 
   /* Of a world of pieces; else NULL, and every face is itself. */
@@ -69,6 +69,17 @@ enum hsr_status hsr_world_allocate(struct hsr_world *world);
 static inline uint32_t hsr_face_size(const struct hsr_world *world,
                                      uint32_t f) {
   return world->start[f + 1] - world->start[f];
+}
+
+/* Whether vertex v is one of face f and exactly on its plane. */
+static inline bool hsr_on_plane(const struct hsr_world *world, uint32_t f,
+                                uint32_t v) {
+  if (world->deviation[f] > 0)
+    return false;
+  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++)
+    if (world->vertex[k] == v)
+      return true;
+  return false;
 }
 
 #ifdef __cplusplus
