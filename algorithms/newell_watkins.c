@@ -17,9 +17,8 @@
  *             both ends of what they share and, where these differ, at the
  *             crossing, as depth is linear along the row; this is counted
  *             apart.
- * Cost        Z sort and Newell special as Newell's, Y sort to span cull as
- *             Watkins'; the priority search makes a comparison where Watkins'
- *             depth search made thirty and more */
+ * Cost        those of priority_list.h; of watkins.c all but the depth search:
+ *             a priority search is one comparison, where Table III has 30 */
 #include "algorithms/priority_list.h"
 #include "algorithms/watkins.h"
 
@@ -143,7 +142,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_watkins) = {
     .source = "suggested by both, as Sutherland et al., Computing Surveys "
               "6(1), 1974, report under \"Other Combinations of Sorting\"",
     .taxonomy = HSR_LIST_PRIORITY,
-    .sort_order = "ZYX",
+    .sort_order = "ZYXZ",
     .coherence = "depth; scan line; edge; floating right end of the sample "
                  "span",
     .restrictions = 0,

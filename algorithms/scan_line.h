@@ -13,9 +13,9 @@
  * Departures  an edge's crossing is found from its line anew on every row
  *             instead of by adding increments, whose roundings add up; X is
  *             kept as a column, which is all that a picture of samples can
- *             tell; a face that is cut by the near plane gives its columns a
- *             row at a time (hsr_face_spans) where the paper would have clipped
- *             it
+ *             tell; a face that is cut by the near plane, or divided, gives its
+ *             columns a row at a time (hsr_piece_spans) where the paper would
+ *             have clipped it
  * Cost        Y sort E_r, X merge E_r S_l / 2, X sort n (S_l + 10 X_r / (n
  *             S_l)) */
 #ifndef HSR_ALGORITHMS_SCAN_LINE_H
@@ -37,7 +37,7 @@ extern "C" {
 struct hsr_scan_edge {
   struct hsr_edge line;
   uint32_t face;
-  uint32_t piece; /* edges of one number pair up: the face, if that is whole */
+  uint32_t piece; /* edges of one number pair up; without pieces: the face */
   uint32_t cut;   /* the hsr_scan_cut that it stands for; HSR_NOT_CUT */
   uint32_t next;  /* in the Y bucket */
   int end_row;

@@ -100,13 +100,13 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
     return status;
   if (json)
     return print_json(err);
-  printf("%-20s %4s  %-28s %-6s %-9s %s\n", "name", "year", "taxonomy", "sorts",
+  printf("%-20s %4s  %-28s %-9s %-9s %s\n", "name", "year", "taxonomy", "sorts",
          "kind", "restrictions");
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
     char year[12] = "-";
     if (a->plain->year)
       snprintf(year, sizeof year, "%d", a->plain->year);
-    printf("%-20s %4s  %-28s %-6s %-9s ", a->plain->name, year,
+    printf("%-20s %4s  %-28s %-9s %-9s ", a->plain->name, year,
            taxonomy_name[a->plain->taxonomy],
            a->plain->sort_order ? a->plain->sort_order : "-",
            algorithm_kind(a->plain));

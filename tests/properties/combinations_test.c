@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What Sutherland et al. 1974 expect of the combinations of whole algorithms,
+ * "Other Combinations of Sorting", by their counts.
+ *
+ * Depths      Priority numbers save the depth computations of Watkins' last
+ *             step: newell-watkins makes none where faces are flat.
+ * Few faces   Where fewer than 100 faces are in a picture, Warnock's part of a
+ *             combination divides no window, and leaves one.
+ * Areas       Warnock's algorithm considers too many areas: in the harbor the
+ *             combinations examine less than a hundredth of its windows.
+ * Thickness   Faces that are flat but for rounding, and touch, are drawn right,
+ *             their samples being asked. */
+#include "scenes/scenes.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { M = 97, N = 61, LARGEST = 512, AROUND = 36, ACROSS = 18 };
+
+static uint32_t ids[LARGEST * LARGEST];
+
+static void stop(const char *name, const char *text) {
+  printf("Bail out! %s: %s\n", name, text);
+  exit(99);
+}
+
+/* What an algorithm counts as it draws a picture. */
+struct count {
+  const struct hsr_algorithm *algorithm;
+  struct hsr_tally tally;
+};
+
+static uint64_t of(const struct count *count, const char *counter) {
+  for (int k = 0; count->algorithm->counters[k].name; k++)
+    if (!strcmp(count->algorithm->counters[k].name, counter))
+      return count->tally.count[k];
+  stop(count->algorithm->name, counter);
+  return 0;
+}
+
+static struct count draw(const char *algorithm, struct hsr_scene *scene, int m,
+                         int n) {
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_world world;
+  struct hsr_view view;
+  struct count count = {hsr_algorithm_find(algorithm)->counting,
+                        {.out_of_memory = false}};
+  if (hsr_world_init(&world, scene, &err) ||
+      hsr_view_init(&view, &scene->views[0], m, n, &err))
+    stop(scene->name, err.text);
+  draw_ids(count.algorithm, &world, &view, ids, &count.tally);
+  hsr_world_free(&world);
+  return count;
+}
+
+static struct hsr_scene *open_scene(const char *name) {
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_scene *scene;
+  if (hsr_scene_open(name, NULL, &scene, &err))
+    stop(name, err.text);
+  return scene;
+}
+
+static void check_depths(struct tap *tap, const char *name) {
+  struct hsr_scene *scene = open_scene(name);
+  struct count both = draw("newell-watkins", scene, M, N);
+  struct count watkins = draw("watkins", scene, M, N);
+  uint64_t numbers = of(&both, "priority search");
+  uint64_t depths = of(&watkins, "depth search");
+  ok(tap, numbers > 0 && both.tally.depths_compared == 0,
+     "%s: %llu comparisons of priority numbers, none of depths (Watkins' are "
+     "%llu)",
+     name, (unsigned long long)numbers, (unsigned long long)depths);
+  hsr_scene_delete(scene);
+}
+
+static void check_few(struct tap *tap, const char *algorithm) {
+  struct hsr_scene *scene = open_scene("penetration");
+  struct count count = draw(algorithm, scene, M, N);
+  ok(tap,
+     of(&count, "finished windows") == 1 && of(&count, "subdivisions") == 0,
+     "%s: few faces are left to the other algorithm at once", algorithm);
+  hsr_scene_delete(scene);
+}
+
+static void check_areas(struct tap *tap) {
+  struct hsr_scene *scene = open_scene("harbor");
+  struct count warnock = draw("warnock", scene, LARGEST, LARGEST);
+  struct count watkins = draw("warnock-watkins", scene, LARGEST, LARGEST);
+  struct count newell = draw("warnock-newell", scene, LARGEST, LARGEST);
+  uint64_t alone = of(&warnock, "windows");
+  uint64_t together = of(&watkins, "windows");
+  ok(tap, together == of(&newell, "windows"),
+     "the same windows are left to Watkins and to Newell");
+  ok(tap, together < alone / 100, "%llu windows in the harbor, instead of %llu",
+     (unsigned long long)together, (unsigned long long)alone);
+  hsr_scene_delete(scene);
+}
+
+/* A torus of trapezoids: each is flat, but for the rounding of its vertices. */
+static struct hsr_scene *make_torus(void) {
+  static const float grey[3] = {0.5f, 0.5f, 0.5f};
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_scene *scene = hsr_scene_new("torus");
+  struct hsr_object *torus = hsr_scene_object(scene, "torus");
+  double turn = 2 * acos(-1.0);
+  for (int a = 0; a < AROUND; a++)
+    for (int b = 0; b < ACROSS; b++) {
+      double r = 2 + cos(turn * b / ACROSS);
+      uint32_t v;
+      hsr_object_vertex(torus, r * cos(turn * a / AROUND),
+                        r * sin(turn * a / AROUND), sin(turn * b / ACROSS), &v);
+    }
+  for (int a = 0; a < AROUND; a++)
+    for (int b = 0; b < ACROSS; b++) {
+      uint32_t v[4];
+      for (int k = 0; k < 4; k++)
+        v[k] = (uint32_t)((a + (k == 1 || k == 2)) % AROUND * ACROSS +
+                          (b + k / 2) % ACROSS);
+      hsr_object_face(torus, v, 4, grey);
+    }
+  struct hsr_camera camera = {
+      .eye = {5, 3, 2}, .at = {0, 0, 0}, .up = {0, 0, 1}, .fov = 40};
+  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err))
+    stop("torus", err.text);
+  return scene;
+}
+
+static void check_thickness(struct tap *tap, const char *algorithm,
+                            const char *counter) {
+  static uint32_t wanted[M * N];
+  struct hsr_scene *scene = make_torus();
+  draw("oracle", scene, M, N);
+  memcpy(wanted, ids, sizeof wanted);
+  struct count count = draw(algorithm, scene, M, N);
+  long wrong = 0;
+  for (int k = 0; k < M * N; k++)
+    wrong += ids[k] != wanted[k];
+  ok(tap, of(&count, counter) > 0 && !wrong,
+     "%s: faces that are not quite flat (%ld wrong, %llu samples asked)",
+     algorithm, wrong, (unsigned long long)of(&count, counter));
+  hsr_scene_delete(scene);
+}
+
+int main(void) {
+  struct tap tap = plan(10);
+  check_depths(&tap, "house");
+  check_depths(&tap, "harbor");
+  check_depths(&tap, "cyclic-overlap");
+  check_few(&tap, "warnock-watkins");
+  check_few(&tap, "warnock-newell");
+  check_areas(&tap);
+  check_thickness(&tap, "newell", "thickness checks");
+  check_thickness(&tap, "newell-watkins", "thickness checks");
+  check_thickness(&tap, "warnock-newell", "Newell: thickness checks");
+  return finish(&tap);
+}
