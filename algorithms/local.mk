@@ -12,6 +12,7 @@ algorithm_files = \
   %D%/raycast.c \
   %D%/scan_line.c \
   %D%/scan_line.h \
+  %D%/schumacker.c \
   %D%/warnock.c \
   %D%/watkins.c \
   %D%/zbuffer.c

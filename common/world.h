@@ -13,6 +13,7 @@
 #define HSR_COMMON_WORLD_H
 
 #include "common/arena.h"
+#include "common/clusters.h"
 #include "common/scene.h"
 
 #ifdef __cplusplus
@@ -38,17 +39,20 @@ struct hsr_world {
   /* Approximate planes: N = (nx, ny, nz) +- n_error in every component;
    * the plane passes within anchor_error (in every component) of the point
    * (px, py, pz). Of a triangle that point is its first vertex and the error
-   * 0. Not normalised. `deviation` bounds |N . (V - P)| over the face's vertices
-   * V, P the exact mean: 0 if and only if they are all exactly on the plane, as
-   * those of a triangle are. See world.c for the proof. */
-  double *nx, *ny, *nz, *n_error;         /* n_faces */
-  double *px, *py, *pz, *anchor_error;    /* n_faces */
-  double *deviation;                      /* n_faces */
-  uint32_t *plane;                        /* n_faces: plane class */
+   * 0. Not normalised. `deviation` bounds |N . (V - P)| over the face's
+   * vertices V, P the exact mean: 0 if and only if they are all exactly on the
+   * plane, as those of a triangle are. See world.c for the proof. */
+  double *nx, *ny, *nz, *n_error;      /* n_faces */
+  double *px, *py, *pz, *anchor_error; /* n_faces */
+  double *deviation;                   /* n_faces */
+  uint32_t *plane;                     /* n_faces: plane class */
   uint32_t n_planes;
 
   /* Of a world of pieces; else NULL, and every face is itself. */
   const struct hsr_pieces *pieces;
+
+  /* Of a world of pieces put into clusters; else NULL. */
+  const struct hsr_clusters *clusters;
 
   struct hsr_arena arena; /* holds all of the above */
 };
