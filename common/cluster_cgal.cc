@@ -35,6 +35,8 @@ const uint64_t MOST_QUESTIONS = 400000000;
 // Planes that are tried for a division, and how many pieces a cut is worth.
 const size_t TRIED_PLANES = 32, PRICE_OF_CUT = 5;
 
+const size_t PROHIBITIVE = SIZE_MAX;
+
 const unsigned BOTH = FRONT | BEHIND;
 
 using Group = std::vector<uint32_t>; // pieces, by ascending faces
@@ -268,6 +270,7 @@ private:
                 Group &&behind);
   bool split_at_gap(const Group &group, Place place, bool between_instances);
   bool make_cluster(const Group &group, Place place, Group &circuits);
+  size_t price_of(const Group &group, uint32_t plane);
   uint32_t choose_plane(const Group &group, const Group &candidates);
   void split_by_plane(const Group &group, Place place, uint32_t plane);
   void cut(uint32_t piece, uint32_t plane, Group &front, Group &behind);
@@ -352,30 +355,45 @@ bool Tree::make_cluster(const Group &group, Place place, Group &circuits) {
   return true;
 }
 
-// The candidates' plane that divides the group best.
+// What it costs to divide a group by a plane; PROHIBITIVE if all of it lies in
+// the plane, or may.
+size_t Tree::price_of(const Group &group, uint32_t plane) {
+  size_t n[4] = {0};
+  for (uint32_t p : group)
+    n[shapes_.about(pieces_[p], plane) & BOTH]++;
+  questions_ += group.size();
+  if (n[0] == group.size())
+    return PROHIBITIVE;
+  const size_t fewer = std::min(n[FRONT], n[BEHIND]) + n[0];
+  const size_t more = std::max(n[FRONT], n[BEHIND]);
+  return PRICE_OF_CUT * n[BOTH] + std::max(fewer, more);
+}
+
+// The candidates' plane that divides the group best, of some; of all, if those
+// do not divide it.
 uint32_t Tree::choose_plane(const Group &group, const Group &candidates) {
   std::vector<uint32_t> planes;
   for (uint32_t p : candidates)
     planes.push_back(pieces_[p].plane);
   std::sort(planes.begin(), planes.end());
   planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
-  const size_t step = std::max<size_t>(1, planes.size() / TRIED_PLANES);
-  size_t least = SIZE_MAX;
-  uint32_t best = planes[0];
-  for (size_t k = step / 2; k < planes.size(); k += step) {
-    size_t n[4] = {0};
-    for (uint32_t p : group)
-      n[shapes_.about(pieces_[p], planes[k]) & BOTH]++;
-    questions_ += group.size();
-    const size_t fewer = std::min(n[FRONT], n[BEHIND]) + n[0];
-    const size_t more = std::max(n[FRONT], n[BEHIND]);
-    const size_t price = PRICE_OF_CUT * n[BOTH] + std::max(fewer, more);
-    if (price < least) {
-      least = price;
-      best = planes[k];
+  size_t step = std::max<size_t>(1, planes.size() / TRIED_PLANES);
+  for (;; step = 1) {
+    size_t least = PROHIBITIVE;
+    uint32_t best = 0;
+    for (size_t k = step / 2; k < planes.size(); k += step) {
+      const size_t price = price_of(group, planes[k]);
+      if (price < least) {
+        least = price;
+        best = planes[k];
+      }
     }
+    if (least < PROHIBITIVE)
+      return best;
+    if (step == 1)
+      throw Refused{HSR_LS, pieces_[group[0]].parent,
+                    "and others are on no side of one another"};
   }
-  return best;
 }
 
 void Tree::cut(uint32_t piece, uint32_t plane, Group &front, Group &behind) {
@@ -393,11 +411,12 @@ void Tree::cut(uint32_t piece, uint32_t plane, Group &front, Group &behind) {
 void Tree::split_by_plane(const Group &group, Place place, uint32_t plane) {
   std::vector<unsigned> about;
   size_t n[4] = {0};
-  bool unsure = false;
+  double reach = -1;
   for (uint32_t p : group) {
     about.push_back(shapes_.about(pieces_[p], plane));
     n[about.back() & BOTH]++;
-    unsure |= (about.back() & UNSURE) != 0;
+    if (about.back() & UNSURE)
+      reach = std::fmax(reach, shapes_.reach_over(pieces_[p], plane));
   }
   // What lies in the plane goes to the smaller side, or is one itself.
   const bool smaller_is_front = n[BEHIND] + n[BOTH] == 0 ? false
@@ -407,7 +426,7 @@ void Tree::split_by_plane(const Group &group, Place place, uint32_t plane) {
   Group front, behind;
   for (size_t k = 0; k < group.size(); k++) {
     const uint32_t p = group[k];
-    if (unsure && about[k] & TOUCHES)
+    if (reach >= 0 && shapes_.comes_near(pieces_[p], plane, reach))
       touches_[p] = true;
     if ((about[k] & BOTH) == BOTH)
       cut(p, plane, front, behind);

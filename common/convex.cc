@@ -211,6 +211,28 @@ unsigned Convex_pieces::about(const Convex &piece, uint32_t plane) const {
   return sure ? where : where | UNSURE;
 }
 
+// Its corners may be there by as much as is not certain, and it as much beyond.
+double Convex_pieces::reach_over(const Convex &piece, uint32_t plane) const {
+  double most = 0, error;
+  for (const Corner &corner : piece.corners) {
+    height(plane, corner, error);
+    most = std::fmax(most, error);
+  }
+  return 2 * most + thickness_[plane];
+}
+
+bool Convex_pieces::comes_near(const Convex &piece, uint32_t plane,
+                               double reach) const {
+  const unsigned where = about(piece, plane);
+  bool near = (where & TOUCHES) || ((where & FRONT) && (where & BEHIND));
+  for (const Corner &corner : piece.corners) {
+    double error;
+    const double h = height(plane, corner, error);
+    near |= std::fabs(h) <= reach + error;
+  }
+  return near;
+}
+
 // --- Division
 // ------------------------------------------------------------------
 

@@ -53,6 +53,11 @@ public:
 
   unsigned about(const Convex &piece, uint32_t plane) const;
 
+  // How far a piece that is not certain to be on one side of a plane may reach
+  // to the other, as a height; and whether another comes as near to it.
+  double reach_over(const Convex &piece, uint32_t plane) const;
+  bool comes_near(const Convex &piece, uint32_t plane, double reach) const;
+
   // The part of a piece, which has points on both sides of the plane, on one
   // side of it.
   Convex part(const Convex &piece, uint32_t plane, int side) const;

@@ -4,6 +4,7 @@ tap_programs = %D%/unit/adapt_test %D%/unit/exchange_test %D%/unit/image_test \
   %D%/unit/oracle_test %D%/unit/scene_json_test %D%/unit/scenes_test \
   %D%/unit/screen_test %D%/unit/statistics_test \
   %D%/conformance/lattice_test %D%/properties/metamorphic_test %D%/properties/newell_test \
+  %D%/properties/schumacker_test \
   %D%/properties/warnock_test
 tap_scripts = %D%/command.test %D%/bad/bad_input.test %D%/torture/torture.test
 
@@ -31,6 +32,8 @@ nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
 %C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
 nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
+%C%_properties_schumacker_test_SOURCES = %D%/properties/schumacker_test.c
+nodist_EXTRA_%C%_properties_schumacker_test_SOURCES = force_cxx_link.cc
 %C%_properties_warnock_test_SOURCES = %D%/properties/warnock_test.c
 nodist_EXTRA_%C%_properties_warnock_test_SOURCES = force_cxx_link.cc
 %C%_properties_newell_test_SOURCES = %D%/properties/newell_test.c
