@@ -11,17 +11,16 @@
  *             list of faces -> list[], highest priority first; pair of counters
  *             -> struct pair, the raster elements [left, right) of a face on
  *             the scan line; pairs with L < 0 < R -> the bits of running[]
- * Invariants  of two faces that share a sample, the nearer is first in list[],
- *             unless they touch (common/clusters.h) or one is grazed; the pairs
- *             of a scan line are in the order of list[]
- * Ties        faces of one plane: the lower id has priority, in its cluster
- * Departures  the hardware is emulated, raster element by raster element. Where
- *             it looks at every edge and decrements every counter, edges that
- *             begin are taken from buckets, and counters are set where they
- *             come to zero; counted is what it does. Edges that a scan line
- *             does not cross have no intercept. Where faces touch that are not
- *             quite flat, or the eye grazes such a face, depths are compared at
- *             the elements where they meet; these are counted apart.
+ * Invariants  of two faces of list[] that share a sample the nearer is first,
+ *             but for the thick ones at its end; the pairs of a scan line are
+ * in the order of list[] Ties        faces of one plane: the lower id has
+ * priority, in its cluster Departures  the hardware is emulated, raster element
+ * by raster element. Where it looks at every edge and decrements every counter,
+ * edges that begin are taken from buckets, and counters are set where they come
+ * to zero; counted is what it does. Edges that a scan line does not cross have
+ * no intercept. A face that is not quite flat may have no place in the list,
+ * because it touches another or the eye grazes it: it is thick, and compared in
+ * depth with what is visible without it; these comparisons are counted apart.
  * Cost        intra-cluster priority 100 F_c^2 C_t, by the adapter `cluster`,
  *             not per frame; inter-cluster priority 10 C_t, back-face cull F_r,
  *             Y cull n E_s, X sort and priority search n m S_l */
@@ -55,8 +54,8 @@ static const struct hsr_counter counters[] = {
                   "the scan line's"},
     [PAIRS] = {"counter pairs", "pairs of counters loaded with intercepts"},
     [THICKNESS] = {"thickness checks",
-                   "comparisons in depth where faces that are not flat touch, "
-                   "or are grazed"},
+                   "comparisons in depth with faces that are not flat and have "
+                   "no place in the list"},
     {NULL, NULL}};
 
 static double predict_intra_cluster(const struct hsr_table1 *t) {
@@ -123,8 +122,8 @@ struct schumacker {
   const struct hsr_window *window;
   struct hsr_screen screen;
 
-  struct listed *list; /* the grazed faces first, whose place says nothing */
-  uint32_t n_list, n_grazed;
+  struct listed *list; /* by priority; then the thick faces, by nothing */
+  uint32_t n_list, n_thick;
   struct edge *edge;
   uint32_t n_edges;  /* of edge[] */
   uint64_t n_looked; /* edges of all listed faces */
@@ -133,7 +132,7 @@ struct schumacker {
   uint32_t *active, *other, n_active; /* those on the scan line, by priority */
 
   struct pair *pair; /* by priority */
-  uint32_t n_pairs, n_grazed_pairs;
+  uint32_t n_pairs, n_thick_pairs;
   uint32_t *begins, *ends; /* a raster element of the window, and one beyond */
   uint64_t *running;       /* a bit for each pair: L has come to zero, R not */
   uint64_t *words;         /* a bit for each word of running[] that is not 0 */
@@ -151,30 +150,23 @@ static int separator_side(const struct schumacker *s,
   return eye > separator->at ? 1 : eye < separator->at ? -1 : 0;
 }
 
-/* Lists a face, if it has samples. */
-static void list_face(struct schumacker *s, uint32_t f, struct listed *grazed) {
-  if (!hsr_screen_place(&s->screen, f, s->tally))
+/* Lists a face, as seen from one of its sides, unless it is a back face or has
+ * no sample. */
+static void list_face(struct schumacker *s, uint32_t oriented, bool is_thick,
+                      struct listed *thick) {
+  uint32_t f = oriented / 2;
+  int side = oriented % 2 ? -1 : 1;
+  HSR_STEP(s->tally, BACK_FACES, HSR_COMPARE, f, HSR_NOTHING, 0, 0, 0, 0);
+  if (hsr_eye_side(&s->screen, f, s->tally) != side ||
+      !hsr_screen_place(&s->screen, f, s->tally))
     return;
   const struct hsr_bounds *b = &s->screen.bounds[f];
   struct listed listed = {.face = f, .y0 = b->y0, .y1 = b->y1};
-  if (hsr_grazes(&s->screen, f, s->clusters->reach[f]))
-    grazed[s->n_grazed++] = listed;
+  if (is_thick || hsr_grazes(&s->screen, f, s->clusters->reach[f]))
+    thick[s->n_thick++] = listed;
   else
     s->list[s->n_list++] = listed;
   s->n_looked += hsr_face_size(s->job->world, f);
-}
-
-/* The faces of a cluster that are no back faces, in their fixed order. */
-static void list_cluster(struct schumacker *s, uint32_t c,
-                         struct listed *grazed) {
-  const struct hsr_clusters *clusters = s->clusters;
-  for (uint32_t k = clusters->start[c]; k < clusters->start[c + 1]; k++) {
-    uint32_t f = clusters->order[k] / 2;
-    int side = clusters->order[k] % 2 ? -1 : 1;
-    HSR_STEP(s->tally, BACK_FACES, HSR_COMPARE, f, HSR_NOTHING, 0, 0, 0, 0);
-    if (hsr_eye_side(&s->screen, f, s->tally) == side)
-      list_face(s, f, grazed);
-  }
 }
 
 /* All clusters by the tree of separating planes, the eye's side first. */
@@ -183,15 +175,17 @@ static enum hsr_status make_list(struct schumacker *s) {
   struct hsr_arena *arena = s->job->scratch;
   uint32_t n_faces = s->job->world->n_faces, n_open = 1;
   uint32_t *open = HSR_NEW(arena, uint32_t, (size_t)clusters->n_separators + 2);
-  struct listed *grazed = HSR_NEW(arena, struct listed, n_faces);
+  struct listed *thick = HSR_NEW(arena, struct listed, n_faces);
   s->list = HSR_NEW(arena, struct listed, (size_t)n_faces + 1);
-  if (!open || !grazed || !s->list)
+  if (!open || !thick || !s->list)
     return HSR_E_NOMEM;
   open[0] = clusters->root;
   while (n_open) {
     uint32_t next = open[--n_open];
     if (next & HSR_IS_CLUSTER) {
-      list_cluster(s, next & ~HSR_IS_CLUSTER, grazed);
+      uint32_t c = next & ~HSR_IS_CLUSTER;
+      for (uint32_t k = clusters->start[c]; k < clusters->start[c + 1]; k++)
+        list_face(s, clusters->order[k], false, thick);
       continue;
     }
     const struct hsr_separator *separator = &clusters->separator[next];
@@ -201,9 +195,10 @@ static enum hsr_status make_list(struct schumacker *s) {
     open[n_open++] = side > 0 ? separator->behind : separator->front;
     open[n_open++] = side > 0 ? separator->front : separator->behind;
   }
-  memmove(s->list + s->n_grazed, s->list, s->n_list * sizeof *s->list);
-  memcpy(s->list, grazed, s->n_grazed * sizeof *s->list);
-  s->n_list += s->n_grazed;
+  for (uint32_t k = 0; k < clusters->n_thick; k++)
+    list_face(s, clusters->thick[k], true, thick);
+  memcpy(s->list + s->n_list, thick, s->n_thick * sizeof *thick);
+  s->n_list += s->n_thick;
   return HSR_OK;
 }
 
@@ -325,17 +320,18 @@ static void load_counters(struct schumacker *s, int j) {
   size_t width = (size_t)(s->window->x1 - s->window->x0) + 1;
   memset(s->begins, 0xff, width * sizeof *s->begins);
   memset(s->ends, 0xff, width * sizeof *s->ends);
-  s->n_pairs = s->n_grazed_pairs = 0;
+  s->n_pairs = s->n_thick_pairs = 0;
   for (uint32_t k = 0; k < s->n_active; k++) {
     const struct listed *listed = &s->list[s->active[k]];
     uint32_t f = listed->face;
     int n = s->screen.whole[f]
                 ? find_intercepts(s, listed, j)
                 : hsr_face_spans(&s->screen, f, j, s->columns, s->tally);
+    uint32_t before = s->n_pairs;
     for (int c = 0; c < n; c += 2)
       load_pair(s, f, s->columns[c], s->columns[c + 1], j);
-    if (s->active[k] < s->n_grazed)
-      s->n_grazed_pairs = s->n_pairs;
+    if (s->active[k] >= s->n_list - s->n_thick)
+      s->n_thick_pairs += s->n_pairs - before;
   }
 }
 
@@ -385,36 +381,27 @@ static uint32_t first_running(const struct schumacker *s, uint32_t k) {
   return NONE;
 }
 
-/* Whether f is nearer than g at (i, j). */
-static bool ask_sample(struct schumacker *s, uint32_t f, uint32_t g, int i,
-                       int j) {
-  HSR_STEP(s->tally, THICKNESS, HSR_COMPARE, f, g, i, j, i + 1, j + 1);
-  return hsr_nearer(&s->screen, f, g, i, j, s->tally);
-}
-
-/* The visible face where priority does not tell: the first in the list and
- * those after it that touch others, if it does; and the grazed ones. */
-static uint32_t search_thick(struct schumacker *s, int i, int j) {
-  const bool *touches = s->clusters->touches;
-  uint32_t k = first_running(s, s->n_grazed_pairs);
-  uint32_t visible = k == NONE ? HSR_BACKGROUND : s->pair[k].face;
-  if (k != NONE && touches[visible])
-    while ((k = first_running(s, k + 1)) != NONE)
-      if (touches[s->pair[k].face] &&
-          ask_sample(s, s->pair[k].face, visible, i, j))
-        visible = s->pair[k].face;
-  for (k = 0; (k = first_running(s, k)) < s->n_grazed_pairs; k++)
-    if (visible == HSR_BACKGROUND ||
-        ask_sample(s, s->pair[k].face, visible, i, j))
-      visible = s->pair[k].face;
+/* The visible one of a face and the thick ones that run at (i, j), whose first
+ * is pair k. */
+static uint32_t search_thick(struct schumacker *s, uint32_t visible, uint32_t k,
+                             int i, int j) {
+  for (; k != NONE; k = first_running(s, k + 1)) {
+    uint32_t f = s->pair[k].face;
+    if (visible == HSR_BACKGROUND) {
+      visible = f;
+      continue;
+    }
+    HSR_STEP(s->tally, THICKNESS, HSR_COMPARE, f, visible, i, j, i + 1, j + 1);
+    if (hsr_nearer(&s->screen, f, visible, i, j, s->tally))
+      visible = f;
+  }
   return visible;
 }
 
 static void search_row(struct schumacker *s, int j) {
   const struct hsr_window *w = s->window;
   uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-  uint32_t visible = HSR_BACKGROUND;
-  bool thick = false;
+  uint32_t visible = HSR_BACKGROUND, thick = NONE;
   for (int i = w->x0; i < w->x1; i++) {
     uint32_t begin = s->begins[i - w->x0], end = s->ends[i - w->x0];
     for (uint32_t k = begin; k != NONE; k = s->pair[k].next_left)
@@ -422,12 +409,12 @@ static void search_row(struct schumacker *s, int j) {
     for (uint32_t k = end; k != NONE; k = s->pair[k].next_right)
       stop_pair(s, k);
     if (begin != NONE || end != NONE) {
+      uint32_t n_ordered = s->n_pairs - s->n_thick_pairs;
       uint32_t k = first_running(s, 0);
-      visible = k == NONE ? HSR_BACKGROUND : s->pair[k].face;
-      thick =
-          k != NONE && (k < s->n_grazed_pairs || s->clusters->touches[visible]);
+      visible = k < n_ordered ? s->pair[k].face : HSR_BACKGROUND;
+      thick = s->n_thick_pairs ? first_running(s, n_ordered) : NONE;
     }
-    row[i] = thick ? search_thick(s, i, j) : visible;
+    row[i] = search_thick(s, visible, thick, i, j);
     HSR_COUNT(s->tally, PRIORITY, s->n_pairs);
     HSR_TOUCH(s->tally, i, j);
   }

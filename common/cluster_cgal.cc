@@ -122,12 +122,12 @@ public:
     return left;
   }
 
-  // Calls found(k, l) for members that may not lie to either side of a plane.
-  template <class Found> void for_each_unsure(const Found &found) {
-    for (size_t k = 0; k < group_.size(); k++)
-      for (size_t l = 0; l < k; l++)
-        if ((about(k, l) | about(l, k)) & UNSURE)
-          found(k, l);
+  // Whether member k is not certain to be on one side of another's plane.
+  bool is_thick(size_t k) {
+    for (size_t l = 0; l < group_.size(); l++)
+      if (l != k && about(k, l) & UNSURE)
+        return true;
+    return false;
   }
 
 private:
@@ -253,9 +253,9 @@ private:
   const hsr_world &world_;
   const Convex_pieces shapes_;
   std::vector<Convex> pieces_;
-  std::vector<bool> touches_;
   std::vector<hsr_separator> separators_; // their faces are planes' first ones
   std::vector<Group> clusters_;           // as hsr_clusters.order, of pieces
+  Group thick_;                           // likewise
   uint32_t root_ = HSR_IS_CLUSTER;
   uint64_t pair_tests_ = 0, questions_ = 0;
 
@@ -273,6 +273,7 @@ private:
   size_t price_of(const Group &group, uint32_t plane);
   uint32_t choose_plane(const Group &group, const Group &candidates);
   void split_by_plane(const Group &group, Place place, uint32_t plane);
+  void add_thick(uint32_t piece);
   void cut(uint32_t piece, uint32_t plane, Group &front, Group &behind);
   void list_pieces(List &list, std::vector<uint32_t> &number) const;
   bool fill(hsr_world *out, const std::vector<uint32_t> &number) const;
@@ -345,22 +346,22 @@ bool Tree::make_cluster(const Group &group, Place place, Group &circuits) {
   Group cluster;
   for (uint32_t number : order) {
     const Oriented &node = graph.node(number);
-    cluster.push_back(2 * group[node.member] + !node.from_front);
+    (graph.is_thick(node.member) ? thick_ : cluster)
+        .push_back(2 * group[node.member] + !node.from_front);
   }
-  graph.for_each_unsure([&](size_t k, size_t l) {
-    touches_[group[k]] = touches_[group[l]] = true;
-  });
   put(place, HSR_IS_CLUSTER | uint32_t(clusters_.size()));
   clusters_.push_back(std::move(cluster));
   return true;
 }
 
 // What it costs to divide a group by a plane; PROHIBITIVE if all of it lies in
-// the plane, or may.
+// the plane.
 size_t Tree::price_of(const Group &group, uint32_t plane) {
   size_t n[4] = {0};
-  for (uint32_t p : group)
-    n[shapes_.about(pieces_[p], plane) & BOTH]++;
+  for (uint32_t p : group) {
+    const unsigned about = shapes_.about(pieces_[p], plane);
+    n[about & UNSURE ? BOTH : about]++;
+  }
   questions_ += group.size();
   if (n[0] == group.size())
     return PROHIBITIVE;
@@ -392,8 +393,14 @@ uint32_t Tree::choose_plane(const Group &group, const Group &candidates) {
       return best;
     if (step == 1)
       throw Refused{HSR_LS, pieces_[group[0]].parent,
-                    "and others are on no side of one another"};
+                    "lies in one plane with too many others"};
   }
+}
+
+void Tree::add_thick(uint32_t piece) {
+  thick_.push_back(2 * piece);
+  if (!world_.one_sided[pieces_[piece].from])
+    thick_.push_back(2 * piece + 1);
 }
 
 void Tree::cut(uint32_t piece, uint32_t plane, Group &front, Group &behind) {
@@ -405,35 +412,28 @@ void Tree::cut(uint32_t piece, uint32_t plane, Group &front, Group &behind) {
   front.push_back(piece);
   behind.push_back(uint32_t(pieces_.size()));
   pieces_.push_back(std::move(other));
-  touches_.push_back(touches_[piece]);
 }
 
 void Tree::split_by_plane(const Group &group, Place place, uint32_t plane) {
   std::vector<unsigned> about;
-  size_t n[4] = {0};
-  double reach = -1;
+  size_t n_front = 0, n_behind = 0;
   for (uint32_t p : group) {
     about.push_back(shapes_.about(pieces_[p], plane));
-    n[about.back() & BOTH]++;
-    if (about.back() & UNSURE)
-      reach = std::fmax(reach, shapes_.reach_over(pieces_[p], plane));
+    n_front += (about.back() & FRONT) != 0;
+    n_behind += (about.back() & BEHIND) != 0;
   }
   // What lies in the plane goes to the smaller side, or is one itself.
-  const bool smaller_is_front = n[BEHIND] + n[BOTH] == 0 ? false
-                                : n[FRONT] + n[BOTH] == 0
-                                    ? true
-                                    : n[FRONT] < n[BEHIND];
+  const bool on_is_front = !n_front || (n_behind && n_front < n_behind);
   Group front, behind;
   for (size_t k = 0; k < group.size(); k++) {
     const uint32_t p = group[k];
-    if (reach >= 0 && shapes_.comes_near(pieces_[p], plane, reach))
-      touches_[p] = true;
-    if ((about[k] & BOTH) == BOTH)
+    if (about[k] & UNSURE)
+      add_thick(p);
+    else if (about[k] == BOTH)
       cut(p, plane, front, behind);
-    else if (about[k] & BOTH)
-      (about[k] & FRONT ? front : behind).push_back(p);
     else
-      (smaller_is_front ? front : behind).push_back(p);
+      (about[k] == FRONT || (!about[k] && on_is_front) ? front : behind)
+          .push_back(p);
   }
   separate({shapes_.face_of(plane), 0, 0, 0, 0}, place, std::move(front),
            std::move(behind));
@@ -450,7 +450,6 @@ void Tree::build() {
     all.push_back(uint32_t(pieces_.size()));
     pieces_.push_back(std::move(piece));
   }
-  touches_.resize(pieces_.size());
   open_.push_back({std::move(all), {HSR_IS_CLUSTER, false}});
   while (!open_.empty()) {
     const Open next = std::move(open_.back());
@@ -460,9 +459,11 @@ void Tree::build() {
     if (questions_ > MOST_QUESTIONS)
       throw Refused{HSR_LS, pieces_[group[0]].parent,
                     "is one of too many that are hard to separate"};
-    if (!split_at_gap(group, next.place, true) &&
-        !make_cluster(group, next.place, circuits) &&
-        !split_at_gap(group, next.place, false))
+    if (group.empty()) // all that was in it is thick
+      make_cluster(group, next.place, circuits);
+    else if (!split_at_gap(group, next.place, true) &&
+             !make_cluster(group, next.place, circuits) &&
+             !split_at_gap(group, next.place, false))
       split_by_plane(group, next.place, choose_plane(group, circuits));
   }
 }
@@ -512,25 +513,28 @@ bool Tree::fill(hsr_world *out, const std::vector<uint32_t> &number) const {
   c->root = root_;
   c->start = HSR_NEW(arena, uint32_t, clusters_.size() + 1);
   c->order = HSR_NEW(arena, uint32_t, n_oriented);
-  c->touches = HSR_NEW_ZEROED(arena, bool, out->n_faces);
+  c->thick = HSR_NEW(arena, uint32_t, thick_.size());
+  c->n_thick = uint32_t(thick_.size());
   c->reach = HSR_NEW(arena, double, out->n_faces);
   c->pair_tests = pair_tests_;
-  if (!c->separator || !c->start || !c->order || !c->touches || !c->reach)
+  if (!c->separator || !c->start || !c->order || !c->thick || !c->reach)
     return false;
 
   std::copy(separators_.begin(), separators_.end(), c->separator);
   for (uint32_t s = 0; s < c->n_separators; s++)
     if (c->separator[s].face != HSR_NO_FACE)
       c->separator[s].face = out->pieces->first[c->separator[s].face];
-  uint32_t at = 0;
+  const auto renumber = [&](uint32_t oriented) {
+    return 2 * number[oriented / 2] + oriented % 2;
+  };
+  uint32_t *order = c->order;
   for (uint32_t k = 0; k < c->n_clusters; k++) {
-    c->start[k] = at;
-    for (uint32_t oriented : clusters_[k])
-      c->order[at++] = 2 * number[oriented / 2] + oriented % 2;
+    c->start[k] = uint32_t(order - c->order);
+    order = std::transform(clusters_[k].begin(), clusters_[k].end(), order,
+                           renumber);
   }
-  c->start[c->n_clusters] = at;
-  for (size_t p = 0; p < pieces_.size(); p++)
-    c->touches[number[p]] = touches_[p];
+  c->start[c->n_clusters] = uint32_t(order - c->order);
+  std::transform(thick_.begin(), thick_.end(), c->thick, renumber);
   for (uint32_t f = 0; f < out->n_faces; f++)
     c->reach[f] = shapes_.reach(out->pieces->parent[f]);
   out->clusters = c;

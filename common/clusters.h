@@ -24,11 +24,10 @@
  * of one plane that are seen from one side are in the order of their ids.
  *
  * Thickness   what is seen of a face that is not flat lies on its plane, near
- *             its vertices' hull; how near, depends on the eye. It is within
- *             `reach` of it unless the eye grazes the plane (hsr_grazes,
- *             common/order.h). Where two faces do not lie to either side of a
- *             plane for certain, they are said to touch, and their order in the
- *             list is one that may be wrong where they meet. */
+ *             the hull of its vertices; how near, depends on the eye. It is
+ *             within `reach` of it unless the eye grazes the plane (hsr_grazes,
+ *             common/order.h). A face that may be on either side of another's
+ *             plane within that is thick: no priority holds for it. */
 #ifndef HSR_COMMON_CLUSTERS_H
 #define HSR_COMMON_CLUSTERS_H
 
@@ -59,11 +58,13 @@ struct hsr_clusters {
 
   /* Cluster c: oriented faces order[start[c]], ... up to the next one's, of
    * descending priority; 2 f is face f as seen from its front, 2 f + 1 from
-   * behind. Faces without any point are in none. */
+   * behind. Faces without any point are in none, and a cluster may be empty. */
   uint32_t *start, *order;
 
-  bool *touches;       /* a face: see Thickness */
-  double *reach;       /* a face: see Thickness; 0 if it is flat */
+  /* Oriented faces that are in no cluster: see Thickness. */
+  uint32_t n_thick, *thick;
+  double *reach; /* a face; 0 if it is flat */
+
   uint64_t pair_tests; /* pairs of faces compared to find the priorities */
 };
 

@@ -70,18 +70,18 @@ Homogeneous<T> meet(const hsr_world *w, const std::array<uint32_t, 3> &faces) {
           n * gh};
 }
 
-bool has_vertex(const hsr_world &w, uint32_t f, uint32_t v) {
+// Whether a vertex is known to lie in the plane of face f.
+bool is_on(const hsr_world &w, uint32_t f, uint32_t v) {
   const uint32_t *first = w.vertex + w.start[f],
                  *last = w.vertex + w.start[f + 1];
-  return std::find(first, last, v) != last;
+  return w.deviation[f] == 0 && std::find(first, last, v) != last;
 }
 
-// Whether a side is known to lie in a plane, that of face g, which is flat.
+// Whether a side is known to lie in a plane, that of face g.
 bool is_within(const hsr_world &w, const Corner &side, uint32_t plane,
                uint32_t g) {
-  return side.b == NO_VERTEX
-             ? side.a == plane
-             : has_vertex(w, g, side.a) && has_vertex(w, g, side.b);
+  return side.b == NO_VERTEX ? side.a == plane
+                             : is_on(w, g, side.a) && is_on(w, g, side.b);
 }
 
 // The two sides that meet in corner k.
@@ -122,7 +122,7 @@ namespace hsr {
 Convex_pieces::Convex_pieces(const hsr_world &world)
     : world_(world), whole_(whole_of(world)),
       face_of_(whole_.n_planes, UINT32_MAX), turned_(whole_.n_faces),
-      reach_(whole_.n_faces), thickness_(whole_.n_planes) {
+      reach_(whole_.n_faces) {
   for (uint32_t f = 0; f < whole_.n_faces; f++) {
     uint32_t &first = face_of_[whole_.plane[f]];
     if (first == UINT32_MAX)
@@ -132,8 +132,6 @@ Convex_pieces::Convex_pieces(const hsr_world &world)
       continue;
     const double off = whole_.deviation[f] / largest_normal(whole_, f);
     reach_[f] = std::sqrt(off * size_of(whole_, f));
-    double &thickness = thickness_[whole_.plane[f]];
-    thickness = std::fmax(thickness, 2 * off * largest_normal(whole_, first));
   }
 }
 
@@ -163,7 +161,7 @@ int Convex_pieces::exact_side(const Convex &piece, size_t k,
       is_within(whole_, m.after, plane, g))
     return 0;
   if (m.is_vertex()) {
-    if (has_vertex(whole_, g, m.after.a))
+    if (is_on(whole_, g, m.after.a))
       return 0;
     bool out_of_memory = false;
     const int side = hsr_exact_plane_side(hsr_face_loop(&whole_, g),
@@ -183,14 +181,15 @@ int Convex_pieces::exact_side(const Convex &piece, size_t k,
                  Plane<Exact>(&whole_, face_of_[plane]));
 }
 
-// -1, 0 or +1: corner k behind a plane, on it, or in front.
+// -1, 0 or +1: corner k behind a plane, on it, or in front; of a piece that is
+// not flat, 0 and not sure if it may be on either side.
 int Convex_pieces::side(const Convex &piece, size_t k, uint32_t plane,
                         bool &sure) const {
   double error;
   const double h = height(plane, piece.corners[k], error);
-  if (std::fabs(h) > thickness_[plane] + error)
+  if (std::fabs(h) > error)
     return h > 0 ? 1 : -1;
-  if (is_flat(piece) && thickness_[plane] == 0)
+  if (is_flat(piece))
     return exact_side(piece, k, plane);
   sure = false;
   return 0;
@@ -198,39 +197,17 @@ int Convex_pieces::side(const Convex &piece, size_t k, uint32_t plane,
 
 unsigned Convex_pieces::about(const Convex &piece, uint32_t plane) const {
   if (piece.plane == plane)
-    return TOUCHES;
+    return 0;
   for (const hsr_cut &cut : piece.cuts)
     if (cut.face == plane)
-      return (cut.side > 0 ? FRONT : BEHIND) | TOUCHES;
+      return cut.side > 0 ? FRONT : BEHIND;
   unsigned where = 0;
   bool sure = true;
   for (size_t k = 0; k < piece.corners.size(); k++) {
     const int s = side(piece, k, plane, sure);
-    where |= s > 0 ? FRONT : s < 0 ? BEHIND : TOUCHES;
+    where |= s > 0 ? FRONT : s < 0 ? BEHIND : 0u;
   }
-  return sure ? where : where | UNSURE;
-}
-
-// Its corners may be there by as much as is not certain, and it as much beyond.
-double Convex_pieces::reach_over(const Convex &piece, uint32_t plane) const {
-  double most = 0, error;
-  for (const Corner &corner : piece.corners) {
-    height(plane, corner, error);
-    most = std::fmax(most, error);
-  }
-  return 2 * most + thickness_[plane];
-}
-
-bool Convex_pieces::comes_near(const Convex &piece, uint32_t plane,
-                               double reach) const {
-  const unsigned where = about(piece, plane);
-  bool near = (where & TOUCHES) || ((where & FRONT) && (where & BEHIND));
-  for (const Corner &corner : piece.corners) {
-    double error;
-    const double h = height(plane, corner, error);
-    near |= std::fabs(h) <= reach + error;
-  }
-  return near;
+  return sure || where == (FRONT | BEHIND) ? where : where | UNSURE;
 }
 
 // --- Division

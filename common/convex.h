@@ -39,9 +39,9 @@ struct Convex {
   std::vector<hsr_cut> cuts; // `face` is a plane here
 };
 
-// Where a piece lies about a plane: points strictly in front of it, and behind;
-// points on it, or near it; and whether that is not certain.
-enum : unsigned { FRONT = 1, BEHIND = 2, TOUCHES = 4, UNSURE = 8 };
+// Where a piece lies about a plane: whether it has points strictly in front of
+// it, and behind; or, of a piece that is not flat, whether that is not certain.
+enum : unsigned { FRONT = 1, BEHIND = 2, UNSURE = 4 };
 
 class Convex_pieces {
 public:
@@ -53,13 +53,8 @@ public:
 
   unsigned about(const Convex &piece, uint32_t plane) const;
 
-  // How far a piece that is not certain to be on one side of a plane may reach
-  // to the other, as a height; and whether another comes as near to it.
-  double reach_over(const Convex &piece, uint32_t plane) const;
-  bool comes_near(const Convex &piece, uint32_t plane, double reach) const;
-
-  // The part of a piece, which has points on both sides of the plane, on one
-  // side of it.
+  // The part of a piece, which has points on both sides of a plane, on one side
+  // of it.
   Convex part(const Convex &piece, uint32_t plane, int side) const;
 
   // The piece as a piece of its face, with an outline if it is to have one.
@@ -75,8 +70,6 @@ private:
   std::vector<uint32_t> face_of_;   // a plane: the first face in it
   std::vector<signed char> turned_; // a face of whole_
   std::vector<double> reach_;       // a face of whole_
-  std::vector<double> thickness_;   // a plane: how far vertices of faces in it
-                                    // are off, as heights over face_of_
 
   bool is_flat(const Convex &piece) const { return reach_[piece.parent] == 0; }
   double height(uint32_t plane, const Corner &corner, double &error) const;

@@ -117,8 +117,8 @@ static bool walk_tree(const struct hsr_clusters *c, uint32_t *found) {
   return n_separators == c->n_separators;
 }
 
-/* Every cluster is in the tree once, and every oriented face in a cluster at
- * most once; all faces in one, but for those without any point. */
+/* Every cluster is in the tree once, and every oriented face in one cluster, or
+ * thick. */
 static void check_clusters(struct tap *tap, struct fixture *x,
                            const char *name) {
   struct hsr_error err = {.text = ""};
@@ -134,9 +134,11 @@ static void check_clusters(struct tap *tap, struct fixture *x,
   uint32_t *found = times + 2 * (size_t)world->n_faces;
   bool good = walk_tree(c, found);
   for (uint32_t k = 0; k < c->n_clusters; k++)
-    good &= found[k] == 1 && c->start[k] < c->start[k + 1];
+    good &= found[k] == 1 && c->start[k] <= c->start[k + 1];
   for (uint32_t k = 0; k < c->start[c->n_clusters]; k++)
     times[c->order[k]]++;
+  for (uint32_t k = 0; k < c->n_thick; k++)
+    times[c->thick[k]]++;
   uint32_t n_empty = 0;
   for (uint32_t f = 0; f < world->n_faces; f++) {
     good &= times[2 * f] <= 1;
