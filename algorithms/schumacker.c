@@ -139,8 +139,7 @@ struct schumacker {
   int *columns;
 };
 
-/* --- Cluster priority, and the list ------------------------------------------
- */
+/* --- Cluster priority, and the list --------------------------------------- */
 
 static int separator_side(const struct schumacker *s,
                           const struct hsr_separator *separator) {
@@ -202,9 +201,7 @@ static enum hsr_status make_list(struct schumacker *s) {
   return HSR_OK;
 }
 
-/* --- Edges
- * ---------------------------------------------------------------------
- */
+/* --- Edges --------------------------------------------------------------- */
 
 /* The edges of a face that can be followed. */
 static void find_edges(struct schumacker *s, struct listed *listed) {
@@ -255,9 +252,7 @@ static enum hsr_status make_edges(struct schumacker *s) {
   return HSR_OK;
 }
 
-/* --- Y cull
- * ----------------------------------------------------------------------
- */
+/* --- Y cull -------------------------------------------------------------- */
 
 /* Brings the active faces up to date for scan line j: those that begin are
  * merged with those that have not ended. */
@@ -281,9 +276,7 @@ static void cull_y(struct schumacker *s, int j) {
   s->n_active = n;
 }
 
-/* --- Intercepts, loaded into the counters
- * ------------------------------------------
- */
+/* --- Intercepts, loaded into the counters -------------------------------- */
 
 static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
                       int j) {
@@ -335,9 +328,7 @@ static void load_counters(struct schumacker *s, int j) {
   }
 }
 
-/* --- Priority search
- * -----------------------------------------------------------------
- */
+/* --- Priority search ----------------------------------------------------- */
 
 static void start_pair(struct schumacker *s, uint32_t k) {
   s->running[k / 64] |= UINT64_C(1) << k % 64;
@@ -423,9 +414,7 @@ static void search_row(struct schumacker *s, int j) {
     stop_pair(s, k);
 }
 
-/* --- The algorithm
- * -----------------------------------------------------------------
- */
+/* --- The algorithm ------------------------------------------------------- */
 
 static enum hsr_status allocate_counters(struct schumacker *s) {
   const struct hsr_world *world = s->job->world;

@@ -12,11 +12,13 @@
 //             pieces; or by a piece's own plane, chosen to cut few and to leave
 //             about as many to either side. A piece that the plane passes
 //             through is cut. What lies in the plane goes all to one side.
-// End         each division takes faces, or parts of them, from one another;
-//             pieces of one plane never make a circuit.
-// Priority    of oriented faces: common/clusters.h. Two faces that each reach
-// to
-//             both sides of the other's plane are a circuit by themselves.
+// Priority    of oriented faces: common/clusters.h. Two faces that reach to
+//             both sides of each other's planes are a circuit by themselves;
+//             faces of one plane are none.
+// End         a division leaves fewer faces, or parts of them, in each group;
+//             and no piece is cut by a plane twice.
+// Thick       a piece that is not certain to lie on one side of the plane of a
+//             separator, or of another in its cluster, is in no cluster.
 #include "common/clusters.h"
 #include "common/convex.h"
 
@@ -41,7 +43,7 @@ const unsigned BOTH = FRONT | BEHIND;
 
 using Group = std::vector<uint32_t>; // pieces, by ascending faces
 
-// --- The priority graph of a group -------------------------------------------
+// --- The priority graph of a group ------------------------------------------
 
 // A piece as seen from one side of its plane.
 struct Oriented {
@@ -164,8 +166,7 @@ private:
   }
 };
 
-// --- Planes through gaps
-// --------------------------------------------------------
+// --- Planes through gaps ----------------------------------------------------
 
 // What some pieces take up of an axis; whether one of them lies at its end, in
 // a plane across the axis.
@@ -214,11 +215,13 @@ void find_gap(std::vector<Extent> &extents, size_t axis, size_t n_pieces,
   Extent behind = extents[0];
   for (size_t k = 1; k < extents.size(); k++) {
     const double next = extents[k].lo;
-    bool flat = false; // pieces lie in the plane, that would be in front
-    for (size_t l = k; l < extents.size() && extents[l].lo == behind.hi; l++)
-      flat |= extents[l].flat_lo;
+    bool flat = false; // some lie in the plane on either side
+    for (size_t l = k; behind.flat_hi && !flat && l < extents.size() &&
+                       extents[l].lo == behind.hi;
+         l++)
+      flat = extents[l].flat_lo;
     const size_t score = std::min(behind.n_pieces, n_pieces - behind.n_pieces);
-    if (behind.hi <= next && !(behind.flat_hi && flat) && score > best.score) {
+    if (behind.hi <= next && !flat && score > best.score) {
       best_end = k;
       best.axis = axis;
       best.score = score;
@@ -234,8 +237,7 @@ void find_gap(std::vector<Extent> &extents, size_t axis, size_t n_pieces,
   }
 }
 
-// --- The tree
-// ---------------------------------------------------------------------
+// --- The tree ---------------------------------------------------------------
 
 // Where a group's separator or cluster will hang in the tree.
 struct Place {
@@ -468,8 +470,7 @@ void Tree::build() {
   }
 }
 
-// --- The world of it
-// -----------------------------------------------------------
+// --- The world of it --------------------------------------------------------
 
 // The pieces by their faces; number[p] becomes the new face that p is.
 void Tree::list_pieces(List &list, std::vector<uint32_t> &number) const {

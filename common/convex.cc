@@ -44,7 +44,7 @@ double size_of(const hsr_world &w, uint32_t f) {
   return size;
 }
 
-// --- Corners in homogeneous numbers ----------------------------------------
+// --- Corners in homogeneous numbers -----------------------------------------
 
 template <class T> struct Homogeneous {
   Vector<T> p;
@@ -135,7 +135,7 @@ Convex_pieces::Convex_pieces(const hsr_world &world)
   }
 }
 
-// --- On which side -----------------------------------------------------------
+// --- On which side ----------------------------------------------------------
 
 // The height of a corner over a plane, and a bound of its error: that of
 // order.c, and the corner's own.
@@ -210,8 +210,7 @@ unsigned Convex_pieces::about(const Convex &piece, uint32_t plane) const {
   return sure || where == (FRONT | BEHIND) ? where : where | UNSURE;
 }
 
-// --- Division
-// ------------------------------------------------------------------
+// --- Division ---------------------------------------------------------------
 
 // The coordinates of corner k, which is no vertex.
 void Convex_pieces::locate(const Convex &piece, size_t k,

@@ -71,7 +71,9 @@ private:
   std::vector<signed char> turned_; // a face of whole_
   std::vector<double> reach_;       // a face of whole_
 
-  bool is_flat(const Convex &piece) const { return reach_[piece.parent] == 0; }
+  bool is_flat(const Convex &piece) const {
+    return whole_.deviation[piece.parent] == 0;
+  }
   double height(uint32_t plane, const Corner &corner, double &error) const;
   int side(const Convex &piece, size_t k, uint32_t plane, bool &sure) const;
   int exact_side(const Convex &piece, size_t k, uint32_t plane) const;

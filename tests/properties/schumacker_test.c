@@ -69,8 +69,7 @@ static void close_scene(struct fixture *x) {
   hsr_arena_free(&x->scratch);
 }
 
-/* --- Viewpoints --------------------------------------------------------------
- */
+/* --- Viewpoints ----------------------------------------------------------- */
 
 static double draw_between(uint64_t *seed, double lo, double hi) {
   return lo + (hi - lo) * (double)draw_integer(seed, 0, 1 << 20) / (1 << 20);
@@ -124,9 +123,7 @@ static struct hsr_camera draw_camera(uint64_t *seed, const struct fixture *x) {
   return camera;
 }
 
-/* --- The comparison
- * -------------------------------------------------------------
- */
+/* --- The comparison ------------------------------------------------------ */
 
 static void draw(struct fixture *x, const struct hsr_setup *setup,
                  const struct hsr_view *view, uint32_t *ids) {
@@ -199,8 +196,7 @@ static void check_scene(struct tap *tap, const char *name, uint64_t *seed) {
   close_scene(&x);
 }
 
-/* --- A grazed face
- * ---------------------------------------------------------- */
+/* --- A grazed face -------------------------------------------------------- */
 
 static void add_quad(struct hsr_object *object, const double corner[4][3]) {
   uint32_t vertex[4];
