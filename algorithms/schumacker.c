@@ -9,18 +9,19 @@
  *             figure 29 reconstructed from the text.
  * Notation    cluster, separating plane, face priority -> common/clusters.h;
  *             list of faces -> list[], highest priority first; pair of counters
- *             -> struct pair, the raster elements [left, right) of a face on
- *             the scan line; pairs with L < 0 < R -> the bits of running[]
- * Invariants  of two faces of list[] that share a sample the nearer is first,
+ *             -> struct pair; those with L < 0 < R -> the bits of running[]
+ * Invariants  of two faces of list[] that share a sample, the nearer is first,
  *             but for the thick ones at its end; the pairs of a scan line are
- * in the order of list[] Ties        faces of one plane: the lower id has
- * priority, in its cluster Departures  the hardware is emulated, raster element
- * by raster element. Where it looks at every edge and decrements every counter,
- * edges that begin are taken from buckets, and counters are set where they come
- * to zero; counted is what it does. Edges that a scan line does not cross have
- * no intercept. A face that is not quite flat may have no place in the list,
- * because it touches another or the eye grazes it: it is thick, and compared in
- * depth with what is visible without it; these comparisons are counted apart.
+ *             in the order of list[]
+ * Ties        faces of one plane: the lower id has priority, in its cluster
+ * Departures  the hardware is emulated, raster element by raster element. Where
+ *             it looks at every edge and decrements every counter, edges that
+ *             begin are taken from buckets, and counters are set where they
+ *             come to zero; counted is what it does. Edges that a scan line
+ *             does not cross have no intercept. A face that is not quite flat
+ *             may have no place in the list, because it touches another or the
+ *             eye grazes it: it is thick, and compared in depth with what is
+ *             visible without it; these comparisons are counted apart.
  * Cost        intra-cluster priority 100 F_c^2 C_t, by the adapter `cluster`,
  *             not per frame; inter-cluster priority 10 C_t, back-face cull F_r,
  *             Y cull n E_s, X sort and priority search n m S_l */
@@ -109,10 +110,10 @@ struct edge {
   int y0, y1;
 };
 
+/* The counters of a face that meets the scan line. */
 struct pair {
   uint32_t face;
-  int left, right;
-  uint32_t next_left, next_right; /* another that begins, or ends, there */
+  uint32_t next_begin, next_end; /* another whose L, or R, is the same */
 };
 
 struct schumacker {
@@ -133,7 +134,8 @@ struct schumacker {
 
   struct pair *pair; /* by priority */
   uint32_t n_pairs, n_thick_pairs;
-  uint32_t *begins, *ends; /* a raster element of the window, and one beyond */
+  uint32_t *begins, *ends; /* a raster element of the window, or one beyond: a
+                              pair whose L, or R, it is */
   uint64_t *running;       /* a bit for each pair: L has come to zero, R not */
   uint64_t *words;         /* a bit for each word of running[] that is not 0 */
   int *columns;
@@ -288,7 +290,7 @@ static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
   HSR_STEP(s->tally, PAIRS, HSR_ACTIVATE, f, HSR_NOTHING, left, j, right,
            j + 1);
   uint32_t *begins = &s->begins[left - w->x0], *ends = &s->ends[right - w->x0];
-  s->pair[s->n_pairs] = (struct pair){f, left, right, *begins, *ends};
+  s->pair[s->n_pairs] = (struct pair){f, *begins, *ends};
   *begins = *ends = s->n_pairs++;
 }
 
@@ -395,9 +397,9 @@ static void search_row(struct schumacker *s, int j) {
   uint32_t visible = HSR_BACKGROUND, thick = NONE;
   for (int i = w->x0; i < w->x1; i++) {
     uint32_t begin = s->begins[i - w->x0], end = s->ends[i - w->x0];
-    for (uint32_t k = begin; k != NONE; k = s->pair[k].next_left)
+    for (uint32_t k = begin; k != NONE; k = s->pair[k].next_begin)
       start_pair(s, k);
-    for (uint32_t k = end; k != NONE; k = s->pair[k].next_right)
+    for (uint32_t k = end; k != NONE; k = s->pair[k].next_end)
       stop_pair(s, k);
     if (begin != NONE || end != NONE) {
       uint32_t n_ordered = s->n_pairs - s->n_thick_pairs;
@@ -406,11 +408,14 @@ static void search_row(struct schumacker *s, int j) {
       thick = s->n_thick_pairs ? first_running(s, n_ordered) : NONE;
     }
     row[i] = search_thick(s, visible, thick, i, j);
-    HSR_COUNT(s->tally, PRIORITY, s->n_pairs);
+    if (s->n_pairs) {
+      HSR_COUNT(s->tally, PRIORITY, s->n_pairs - 1);
+      HSR_STEP(s->tally, PRIORITY, HSR_SAMPLE, row[i], HSR_NOTHING, i, j, i + 1,
+               j + 1);
+    }
     HSR_TOUCH(s->tally, i, j);
   }
-  for (uint32_t k = s->ends[w->x1 - w->x0]; k != NONE;
-       k = s->pair[k].next_right)
+  for (uint32_t k = s->ends[w->x1 - w->x0]; k != NONE; k = s->pair[k].next_end)
     stop_pair(s, k);
 }
 
