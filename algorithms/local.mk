@@ -17,6 +17,7 @@ algorithm_files = \
   %D%/romney.c \
   %D%/scan_line.c \
   %D%/scan_line.h \
+  %D%/schumacker.c \
   %D%/warnock.c \
   %D%/warnock.h \
   %D%/warnock_newell.c \

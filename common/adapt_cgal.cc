@@ -9,6 +9,10 @@
 //             not flat, corners may fall together on that plane, or sides cross
 //             there; where the triangles would then cover other samples than
 //             the polygon does, it is a fan too, whose triangles overlap.
+//             parity, which is decided in exact numbers.
+//             Of a polygon that is not flat, it depends on the eye what is
+//             convex, and its triangles may overlap as seen; it is not divided
+//             to be convex.
 // Penetration Of every pair of faces whose interiors meet (penetration.cc), one
 //             is cut by the plane of the other, wherever that plane passes
 //             through it near the other.
@@ -20,6 +24,7 @@
 //             they are divided as the mean of it would be.
 
 #include "common/adapt.h"
+#include "common/division.h"
 #include "common/penetration.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -38,95 +43,8 @@
 
 namespace {
 
-using Point = std::array<double, 3>;
+using namespace hsr;
 using Triangle = std::array<uint32_t, 3>;
-
-// --- Pieces in the making ------------------------------------------------
-
-struct Piece {
-  uint32_t parent;
-  std::vector<uint32_t> loop;
-  std::vector<hsr_cut> cuts;  // by the parents of the cutting planes
-  std::vector<Point> outline; // empty: the loop
-};
-
-// A face that cannot be mended.
-struct Refused {
-  unsigned restriction;
-  uint32_t face;
-  const char *why;
-};
-
-const hsr_world &whole_of(const hsr_world &world) {
-  return world.pieces ? *world.pieces->whole : world;
-}
-
-Point point_of(const hsr_world &world, uint32_t v) {
-  return {world.x[v], world.y[v], world.z[v]};
-}
-
-// Face f of any world as a piece of the scene's.
-Piece piece_of(const hsr_world &world, uint32_t f) {
-  Piece piece;
-  piece.parent = hsr_world_parent(&world, f);
-  piece.loop.assign(world.vertex + world.start[f],
-                    world.vertex + world.start[f + 1]);
-  if (const hsr_pieces *p = world.pieces) {
-    for (uint32_t c = p->cut_start[f]; c < p->cut_start[f + 1]; c++)
-      piece.cuts.push_back({p->parent[p->cut[c].face], p->cut[c].side});
-    for (uint32_t k = p->outline_start[f]; k < p->outline_start[f + 1]; k++)
-      piece.outline.push_back(point_of(world, p->outline[k]));
-  }
-  return piece;
-}
-
-// Pieces in flat arrays, as a world of them is made of.
-class List {
-public:
-  void add(const Piece &piece, bool with_outline) {
-    parent_.push_back(piece.parent);
-    vertex_.insert(vertex_.end(), piece.loop.begin(), piece.loop.end());
-    start_.push_back(uint32_t(vertex_.size()));
-    cut_.insert(cut_.end(), piece.cuts.begin(), piece.cuts.end());
-    cut_start_.push_back(uint32_t(cut_.size()));
-    if (with_outline)
-      for (const Point &p : piece.outline)
-        outline_.insert(outline_.end(), p.begin(), p.end());
-    outline_start_.push_back(uint32_t(outline_.size() / 3));
-  }
-
-  size_t size() const { return parent_.size(); }
-
-  hsr_status make(hsr_world *out, const hsr_world &whole,
-                  hsr_error *err) const {
-    const hsr_piece_list list = {
-        uint32_t(parent_.size()), parent_.data(),    start_.data(),
-        vertex_.data(),           cut_start_.data(), cut_.data(),
-        outline_start_.data(),    outline_.data()};
-    return hsr_world_of_pieces(out, &whole, &list, err);
-  }
-
-private:
-  std::vector<uint32_t> parent_, start_{0}, vertex_, cut_start_{0},
-      outline_start_{0};
-  std::vector<hsr_cut> cut_;
-  std::vector<double> outline_;
-};
-
-// Runs an adapter's body, which throws.
-template <class Body> hsr_status guarded(hsr_error *err, const Body &body) {
-  try {
-    return body();
-  } catch (const Refused &refused) {
-    return hsr_fail(err, HSR_E_REFUSED, "%s: face id %u %s",
-                    hsr_restriction_code(refused.restriction), refused.face,
-                    refused.why);
-  } catch (const std::bad_alloc &) {
-    return hsr_fail_nomem(err);
-  } catch (...) {
-    return hsr_fail(err, HSR_E_INTERNAL, "adapting the scene failed");
-  }
-}
 
 // --- Polygons into triangles -----------------------------------------------
 
@@ -286,14 +204,15 @@ hsr_status divide_polygons(const hsr_world *in, bool keep_convex,
       }
       const std::vector<Flat_point> corners = flatten(*in, f);
       const bool convex = is_convex(corners);
+      const bool keep = keep_convex && (convex || in->deviation[f] > 0);
       const size_t before = list.size();
-      if (convex && keep_convex)
+      if (keep)
         list.add(whole, true);
       else if (convex)
         add_fan(whole, list);
       else
         add_triangulation(*in, f, whole, corners, list);
-      *changed |= !(convex && keep_convex);
+      *changed |= !keep;
       if (list.size() == before) /* it has no inside, but it is a face */
         list.add(whole, true);
     }
@@ -471,6 +390,8 @@ const struct hsr_adapter hsr_adapters[] = {
     {"convex-parts", HSR_CF, "divides polygons that are not convex",
      make_convex},
     {"divide", HSR_NP, "divides faces where they penetrate", divide},
+    {"cluster", HSR_LS,
+     "makes clusters of faces, with planes that separate them", cluster},
     {nullptr, 0, nullptr, nullptr}};
 
 const char *hsr_restriction_code(unsigned restriction) {

@@ -60,6 +60,22 @@ static double thickness(const struct hsr_screen *screen, uint32_t f,
   return clear > deviation ? 2 * (h_g + error_g) * deviation / clear : INFINITY;
 }
 
+bool hsr_grazes(const struct hsr_screen *screen, uint32_t f, double reach) {
+  const struct hsr_world *world = screen->world;
+  const double *E = screen->view->E;
+  double deviation = world->deviation[f], farthest = 0, error;
+  if (deviation == 0)
+    return false;
+  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
+    uint32_t v = world->vertex[k];
+    const double d[3] = {world->x[v] - E[0], world->y[v] - E[1],
+                         world->z[v] - E[2]};
+    farthest = fmax(farthest, sum_of_sizes(d));
+  }
+  double clear = fabs(height(world, f, E, true, &error)) - error - deviation;
+  return !(clear > 0 && farthest * deviation <= reach * clear);
+}
+
 /* --- Before and beyond -----------------------------------------------------
  */
 

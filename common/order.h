@@ -72,6 +72,10 @@ void hsr_narrow_depth_range(const struct hsr_screen *screen, uint32_t f,
                             const struct hsr_bounds *bounds, double *nearest,
                             double *farthest);
 
+/* Whether what is seen of face f may be farther than `reach` from the hull of
+ * its vertices: the eye is near its plane. Never, of a face that is flat. */
+bool hsr_grazes(const struct hsr_screen *screen, uint32_t f, double reach);
+
 #ifdef __cplusplus
 }
 #endif

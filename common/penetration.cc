@@ -25,13 +25,11 @@
 //             plane. Flat faces have no thickness.
 
 #include "common/penetration.h"
+#include "common/exact_plane.h"
 #include "common/predicates.h"
 #include "common/statistics.h"
 
 #include <CGAL/Box_intersection_d/Box_with_handle_d.h>
-#include <CGAL/Interval_nt.h>
-#include <CGAL/Mpzf.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
@@ -42,9 +40,7 @@
 
 namespace {
 
-using Interval = CGAL::Interval_nt<false>;
-using Exact = CGAL::Mpzf;
-template <class T> using Vector = typename CGAL::Simple_cartesian<T>::Vector_3;
+using namespace hsr;
 
 const double U = DBL_EPSILON / 2;
 const double TINY = 0x1p-960;
@@ -113,32 +109,6 @@ bool share_vertex(const Face &f, const Face &g) {
 
 // --- The stretches of the line where the planes meet ----------------------
 
-template <class T> Vector<T> point(const hsr_world *w, uint32_t v) {
-  return {T(w->x[v]), T(w->y[v]), T(w->z[v])};
-}
-
-// N . (k P - S) = 0, as in docs/correct-picture.md; `offset` is N . S.
-template <class T> struct Plane {
-  Vector<T> normal;
-  T k, offset;
-
-  explicit Plane(const Face &f)
-      : normal(T(0), T(0), T(0)), k(double(f.size())) {
-    Vector<T> first = point<T>(f.world, f.vertex(0)), sum = first;
-    for (uint32_t i = 1; i < f.size(); i++) {
-      Vector<T> a = point<T>(f.world, f.vertex(i));
-      sum = sum + a;
-      if (i + 1 < f.size())
-        normal =
-            normal + CGAL::cross_product(
-                         a - first, point<T>(f.world, f.vertex(i + 1)) - first);
-    }
-    offset = normal * sum;
-  }
-
-  T height(const Vector<T> &p) const { return k * (normal * p) - offset; }
-};
-
 // Where an edge meets the line: its coordinate numerator/denominator along one
 // axis, and to which sets of stretches it is an end.
 template <class T> struct End {
@@ -196,7 +166,7 @@ template <class T> bool overlap(std::vector<End<T>> &ends) {
 template <class T>
 bool interiors_meet(const Face &f, const Face &g, const std::vector<int> &of_f,
                     const std::vector<int> &of_g) {
-  Plane<T> plane_f(f), plane_g(g);
+  const Plane<T> plane_f(f.world, f.id), plane_g(g.world, g.id);
   Vector<T> line = CGAL::cross_product(plane_f.normal, plane_g.normal);
   for (int axis = 0; axis < 3; axis++) {
     if (bool(line[axis] == T(0)))

@@ -13,6 +13,7 @@
 #define HSR_COMMON_WORLD_H
 
 #include "common/arena.h"
+#include "common/clusters.h"
 #include "common/scene.h"
 
 #ifdef __cplusplus
@@ -49,6 +50,9 @@ struct hsr_world {
 
   /* Of a world of pieces; else NULL, and every face is itself. */
   const struct hsr_pieces *pieces;
+
+  /* Of a world of pieces put into clusters; else NULL. */
+  const struct hsr_clusters *clusters;
 
   struct hsr_arena arena; /* holds all of the above */
 };

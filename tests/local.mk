@@ -15,6 +15,7 @@ tap_programs = \
   %D%/properties/newell_test \
   %D%/properties/romney_test \
   %D%/properties/scan_line_test \
+  %D%/properties/schumacker_test \
   %D%/properties/warnock_test
 tap_scripts = \
   %D%/command.test \
@@ -56,6 +57,8 @@ nodist_EXTRA_%C%_properties_combinations_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
 %C%_properties_romney_test_SOURCES = %D%/properties/romney_test.c
 nodist_EXTRA_%C%_properties_romney_test_SOURCES = force_cxx_link.cc
+%C%_properties_schumacker_test_SOURCES = %D%/properties/schumacker_test.c
+nodist_EXTRA_%C%_properties_schumacker_test_SOURCES = force_cxx_link.cc
 %C%_properties_warnock_test_SOURCES = %D%/properties/warnock_test.c
 nodist_EXTRA_%C%_properties_warnock_test_SOURCES = force_cxx_link.cc
 %C%_properties_newell_test_SOURCES = %D%/properties/newell_test.c
