@@ -3,9 +3,9 @@
  *
  * An algorithm is one `const struct hsr_algorithm`, defined at the foot of its
  * own file and named in list.def. It gets a world and a view and answers with
- * one face id a sample. It never prints, exits, or keeps an epsilon of its own:
- * what it compares, it compares by the services of common/screen.h, which are
- * exact.
+ * one face id a sample, or with a line drawing. It never prints, exits, or
+ * keeps an epsilon of its own: what it compares, it compares by the services of
+ * common/screen.h, which are exact.
  *
  * Every algorithm is compiled twice, with HSR_COUNTING 0 and 1. Only the
  * counting one counts and traces; only the other one is ever timed. */
@@ -15,6 +15,7 @@
 #include "common/adapt.h"
 #include "common/arena.h"
 #include "common/count.h"
+#include "common/drawing.h"
 #include "common/statistics.h"
 #include "common/view.h"
 #include "common/world.h"
@@ -38,11 +39,12 @@ enum hsr_kind { HSR_IDS, HSR_SEGMENTS, HSR_FILTERED };
 
 /* Flags. */
 enum {
-  HSR_JUDGE = 1 << 0,       /* the oracle: defines what is right */
-  HSR_NO_PICTURE = 1 << 1,  /* draws nothing; never compared */
-  HSR_FRAME_STATE = 1 << 2, /* one render at a time on a prepared object */
-  HSR_KNOWN_WRONG = 1 << 3, /* its picture is wrong sometimes, and shown so */
-  HSR_TRANSPARENCY = 1 << 4 /* fills job->paint->rgb, if asked to */
+  HSR_JUDGE = 1 << 0,        /* the oracle: defines what is right */
+  HSR_NO_PICTURE = 1 << 1,   /* draws nothing; never compared */
+  HSR_FRAME_STATE = 1 << 2,  /* one render at a time on a prepared object */
+  HSR_KNOWN_WRONG = 1 << 3,  /* its picture is wrong sometimes, and shown so */
+  HSR_TRANSPARENCY = 1 << 4, /* fills job->paint->rgb, if asked to */
+  HSR_VISIBLE_ONLY = 1 << 5  /* of segments: all invisibility over 0 is 1 */
 };
 
 /* A sort that the algorithm makes, as in figure 29b. */
@@ -85,6 +87,10 @@ struct hsr_job {
   size_t ids_stride; /* >= view->m */
 
   const struct hsr_paint *paint; /* or NULL: ids only */
+
+  /* Answer of HSR_SEGMENTS, which have no ids: the drawing of the whole
+   * picture, whatever the window; empty before the call. Grows by itself. */
+  struct hsr_drawing *drawing;
 };
 
 struct hsr_algorithm {
