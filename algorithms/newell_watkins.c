@@ -89,8 +89,8 @@ static bool ask_sample(const struct newell_watkins *s, uint32_t f, uint32_t g,
 }
 
 /* The last step of Watkins' algorithm. */
-static bool is_prior(void *context, const struct hsr_segment *f,
-                     const struct hsr_segment *g, int l, int r, int j,
+static bool is_prior(void *context, const struct hsr_watkins_segment *f,
+                     const struct hsr_watkins_segment *g, int l, int r, int j,
                      int *end) {
   const struct newell_watkins *s = context;
   const bool *thick = s->list.thick;

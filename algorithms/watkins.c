@@ -6,8 +6,8 @@
  *             UTECH-CSC-70-101, 1970; as described by Sutherland et al. 1974,
  *             "Scan-line Algorithms" and figures 27b and 28.
  * Notation    scan line -> row j; Y buckets and X sort list -> scan_line.h;
- *             segment -> struct hsr_segment, the samples [x0, x1) of a face on
- *             the row; sample span -> [left, right)
+ *             segment -> struct hsr_watkins_segment, the samples [x0, x1) of a
+ *             face on the row; sample span -> [left, right)
  * Invariant   in scan_row, `visible` is nearest in [left, right) of the
  *             segments looked at so far, and right only ever moves to the left
  * Ties        depth: one plane, lower id; all else by hsr_nearer
@@ -33,7 +33,7 @@ static const uint32_t NONE = UINT32_MAX;
 
 static void close_segment(struct hsr_watkins *s, uint32_t number, int x1,
                           int j) {
-  struct hsr_segment *segment = &s->segment[number];
+  struct hsr_watkins_segment *segment = &s->segment[number];
   const struct hsr_window *w = s->edges.window;
   if (segment->x0 < w->x0)
     segment->x0 = w->x0;
@@ -61,7 +61,7 @@ static void find_segments(struct hsr_watkins *s, int j) {
     uint32_t *open = &s->open[edge->piece];
     if (*open == NONE) {
       *open = s->n_segments;
-      s->segment[s->n_segments++] = (struct hsr_segment){
+      s->segment[s->n_segments++] = (struct hsr_watkins_segment){
           .face = edge->face, .piece = edge->piece, .x0 = edge->column};
     } else {
       close_segment(s, *open, edge->column, j);
@@ -79,7 +79,7 @@ struct part {
   double x0, x1, q0, q1;
 };
 
-static struct part whole_part(const struct hsr_segment *segment) {
+static struct part whole_part(const struct hsr_watkins_segment *segment) {
   return (struct part){segment->x0, segment->x1 - 1, segment->q0, segment->q1};
 }
 
@@ -117,9 +117,10 @@ static bool narrow(struct part *p, int l, int r) {
  * the longer part is divided at its midpoint, and the samples with them once
  * they straddle both midpoints. A single sample is left to the exact
  * comparison. */
-static bool first_is_nearer(struct hsr_watkins *s, const struct hsr_segment *f,
-                            struct part pf, const struct hsr_segment *g,
-                            struct part pg, int l, int r, int j, int *end) {
+static bool first_is_nearer(struct hsr_watkins *s,
+                            const struct hsr_watkins_segment *f, struct part pf,
+                            const struct hsr_watkins_segment *g, struct part pg,
+                            int l, int r, int j, int *end) {
   double margin = f->error + g->error;
   for (;;) {
     HSR_TOUCH_SPAN(s->tally, l, r, j);
@@ -153,8 +154,9 @@ static bool first_is_nearer(struct hsr_watkins *s, const struct hsr_segment *f,
 }
 
 /* The last step, for whole segments; faces of one plane need no search. */
-static bool is_nearer(struct hsr_watkins *s, const struct hsr_segment *f,
-                      const struct hsr_segment *g, int l, int r, int j,
+static bool is_nearer(struct hsr_watkins *s,
+                      const struct hsr_watkins_segment *f,
+                      const struct hsr_watkins_segment *g, int l, int r, int j,
                       int *end) {
   if (s->is_nearer)
     return s->is_nearer(s->context, f, g, l, r, j, end);
@@ -175,11 +177,11 @@ static int least(int a, int b) {
 
 /* The visible one of the segments that reach over `left`; none, if there is
  * none. *right is moved to where that, or its segment, ends. */
-static const struct hsr_segment *search_depth(struct hsr_watkins *s, int left,
-                                              int *right, int j) {
-  const struct hsr_segment *visible = NULL;
+static const struct hsr_watkins_segment *
+search_depth(struct hsr_watkins *s, int left, int *right, int j) {
+  const struct hsr_watkins_segment *visible = NULL;
   for (uint32_t k = 0; k < s->n_under; k++) {
-    const struct hsr_segment *segment = &s->segment[s->under[k]];
+    const struct hsr_watkins_segment *segment = &s->segment[s->under[k]];
     if (!visible) {
       visible = segment;
       *right = least(*right, segment->x1);
@@ -199,10 +201,10 @@ static const struct hsr_segment *search_depth(struct hsr_watkins *s, int left,
  * and does not lie behind the visible one. *next is the first segment not yet
  * under the span. */
 static void float_right(struct hsr_watkins *s,
-                        const struct hsr_segment *visible, uint32_t next,
-                        int *right, int j) {
+                        const struct hsr_watkins_segment *visible,
+                        uint32_t next, int *right, int j) {
   for (uint32_t k = next; k < s->n_segments; k++) {
-    const struct hsr_segment *segment = &s->segment[k];
+    const struct hsr_watkins_segment *segment = &s->segment[k];
     HSR_STEP(s->tally, HSR_SPAN_CULL, HSR_COMPARE, segment->face, HSR_NOTHING,
              segment->x0, j, *right, j + 1);
     if (segment->x0 >= *right)
@@ -245,7 +247,8 @@ static void scan_row(struct hsr_watkins *s, int j) {
        left = right) {
     right = s->edges.window->x1;
     next = enter_span(s, left, next, j);
-    const struct hsr_segment *visible = search_depth(s, left, &right, j);
+    const struct hsr_watkins_segment *visible =
+        search_depth(s, left, &right, j);
     float_right(s, visible, next, &right, j);
     uint32_t id = visible ? visible->face : HSR_BACKGROUND;
     HSR_STEP(s->tally, HSR_SPANS, HSR_SPAN, id, HSR_NOTHING, left, j, right,
@@ -268,7 +271,7 @@ enum hsr_status hsr_watkins_reserve(struct hsr_watkins *s,
   *s = (struct hsr_watkins){.tally = job->tally};
   enum hsr_status status = hsr_scan_reserve(&s->edges, job, screen, room);
   s->open = HSR_NEW(arena, uint32_t, n_pieces);
-  s->segment = HSR_NEW(arena, struct hsr_segment, room.edges / 2 + 1);
+  s->segment = HSR_NEW(arena, struct hsr_watkins_segment, room.edges / 2 + 1);
   s->under = HSR_NEW(arena, uint32_t, room.edges / 2 + 1);
   if (status || !s->open || !s->segment || !s->under)
     return HSR_E_NOMEM;

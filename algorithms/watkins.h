@@ -13,7 +13,7 @@ extern "C" {
 
 /* Samples [x0, x1) of a face or piece on the current row; depths q at the first
  * and the last of them, as computed: within `error`. */
-struct hsr_segment {
+struct hsr_watkins_segment {
   uint32_t face, piece; /* as in struct hsr_scan_edge */
   int x0, x1;
   double q0, q1, error;
@@ -23,15 +23,16 @@ struct hsr_watkins {
   struct hsr_scan edges;   /* Y buckets and X sort list */
   struct hsr_tally *tally; /* theirs */
 
-  uint32_t *open;              /* a piece: its segment without right end */
-  struct hsr_segment *segment; /* of the row, by ascending x0 */
+  uint32_t *open; /* a piece: its segment without right end */
+  struct hsr_watkins_segment *segment; /* of the row, by ascending x0 */
   uint32_t n_segments;
   uint32_t *under, n_under; /* segments that reach over the span's left end */
 
   /* The last step: is f nearer than g at the first sample of [l, r), where both
    * are? The answer is true for [l, *end). NULL: by a search in depth. */
-  bool (*is_nearer)(void *context, const struct hsr_segment *f,
-                    const struct hsr_segment *g, int l, int r, int j, int *end);
+  bool (*is_nearer)(void *context, const struct hsr_watkins_segment *f,
+                    const struct hsr_watkins_segment *g, int l, int r, int j,
+                    int *end);
   void *context;
 };
 
