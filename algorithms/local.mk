@@ -5,6 +5,7 @@ libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/list.def
 
 algorithm_files = \
   %D%/bouknight.c \
+  %D%/line_oracle.cc \
   %D%/newell.c \
   %D%/newell.h \
   %D%/newell_watkins.c \
