@@ -8,6 +8,7 @@ algorithm_files = \
   %D%/bouknight.c \
   %D%/edge_intersection.c \
   %D%/edge_intersection.h \
+  %D%/line_oracle.cc \
   %D%/newell.c \
   %D%/newell.h \
   %D%/newell_watkins.c \
