@@ -98,19 +98,35 @@ enum hsr_status choose_algorithm(const char *name,
                                  const struct hsr_listed **listed,
                                  struct hsr_error *err);
 
+const char *kind_name(enum hsr_kind kind); /* "ids", "segments" */
+
 /* --- Running ---------------------------------------------------------------
  */
 
 double seconds_now(void); /* monotonic */
 long processors(void);    /* available to this process; at least 1 */
 
-/* Renders the view's whole window with an algorithm made ready, on `threads`
- * threads (1 if it keeps frame state), each a band of rows at a time, and adds
- * what was counted to *tally. ids: view->m * view->n, no padding. *seconds,
- * unless NULL, is the time of the rendering alone. */
+/* What an algorithm answers a view with, by its kind. Owned by the caller. */
+struct answer {
+  uint32_t *ids;              /* HSR_IDS: view->m * view->n, no padding */
+  struct hsr_drawing drawing; /* HSR_SEGMENTS */
+};
+
+/* An answer without a face or an edge, to be freed also after a failure:
+ * HSR_E_NOMEM. */
+enum hsr_status answer_init(struct answer *answer,
+                            const struct hsr_algorithm *algorithm,
+                            const struct hsr_view *view, struct hsr_error *err);
+void answer_free(struct answer *answer);
+
+/* Renders the view's whole window with an algorithm made ready, and adds what
+ * was counted to *tally. Ids are rendered on `threads` threads (1 if the
+ * algorithm keeps frame state), each a band of rows at a time; a line drawing,
+ * which is whole, on one. *seconds, unless NULL, is the time of the rendering
+ * alone. */
 enum hsr_status render_view(const struct hsr_setup *setup,
                             const struct hsr_view *view, long threads,
-                            uint32_t *ids, struct hsr_tally *tally,
+                            struct answer *answer, struct hsr_tally *tally,
                             double *seconds, struct hsr_error *err);
 
 /* Measures Table I of a view, drawing its picture for what is visible. */

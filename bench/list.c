@@ -13,12 +13,11 @@ static const char *const taxonomy_name[] = {
     [HSR_BRUTE_FORCE] = "brute force",
     [HSR_YARDSTICK] = "yardstick"};
 
-static const char *const kind_name[] = {[HSR_IDS] = "ids",
-                                        [HSR_SEGMENTS] = "segments",
-                                        [HSR_FILTERED] = "filtered"};
-
-static const char *algorithm_kind(const struct hsr_algorithm *a) {
-  return kind_name[a->kind];
+const char *kind_name(enum hsr_kind kind) {
+  static const char *const name[] = {[HSR_IDS] = "ids",
+                                     [HSR_SEGMENTS] = "segments",
+                                     [HSR_FILTERED] = "filtered"};
+  return name[kind];
 }
 
 static const char about[] =
@@ -64,12 +63,13 @@ static json_t *year_json(const struct hsr_algorithm *a) {
 }
 
 static json_t *algorithm_json(const struct hsr_algorithm *a) {
-  return json_pack("{ss ss ss so ss ss ss* ss* ss sb so so so so}", "name",
+  return json_pack("{ss ss ss so ss ss ss* ss* ss sb sb so so so so}", "name",
                    a->name, "title", a->title, "authors", a->authors, "year",
                    year_json(a), "source", a->source, "taxonomy",
                    taxonomy_name[a->taxonomy], "sort_order", a->sort_order,
-                   "coherence", a->coherence, "kind", algorithm_kind(a),
+                   "coherence", a->coherence, "kind", kind_name(a->kind),
                    "known_wrong", (a->flags & HSR_KNOWN_WRONG) != 0,
+                   "visible_only", (a->flags & HSR_VISIBLE_ONLY) != 0,
                    "restrictions", restrictions_json(a), "sorts", sorts_json(a),
                    "counters", counters_json(a), "steps", steps_json(a));
 }
@@ -109,7 +109,7 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
     printf("%-20s %4s  %-28s %-9s %-9s ", a->plain->name, year,
            taxonomy_name[a->plain->taxonomy],
            a->plain->sort_order ? a->plain->sort_order : "-",
-           algorithm_kind(a->plain));
+           kind_name(a->plain->kind));
     print_restrictions(a->plain);
     puts(a->plain->flags & HSR_KNOWN_WRONG ? "  known to be wrong" : "");
   }

@@ -117,7 +117,7 @@ struct render {
   struct hsr_world world;
   struct hsr_setup setup;
   struct hsr_view view; /* of the samples */
-  uint32_t *ids;
+  struct answer answer;
   float *depth, *rgb, *face_rgb, *work;
   struct hsr_paint paint; /* of an algorithm that draws transparency */
   struct hsr_tally tally;
@@ -178,10 +178,9 @@ static enum hsr_status ask_for_colours(struct render *r,
 static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
                             struct hsr_error *err) {
   size_t n = (size_t)r->view.m * (size_t)r->view.n;
-  r->ids = malloc(n * sizeof *r->ids);
-  if (!r->ids)
-    return hsr_fail_nomem(err);
-  memset(r->ids, 0xff, n * sizeof *r->ids);
+  enum hsr_status status = answer_init(&r->answer, a, &r->view, err);
+  if (status)
+    return status;
   if (r->options->work) {
     r->work = calloc(n, sizeof *r->work);
     if (!r->work)
@@ -189,11 +188,11 @@ static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
     r->tally.work = r->work;
     r->tally.work_stride = (size_t)r->view.m;
   }
-  enum hsr_status status = hsr_setup_init(&r->setup, a, &r->world, err);
+  status = hsr_setup_init(&r->setup, a, &r->world, err);
   if (!status && a->flags & HSR_TRANSPARENCY && is_transparent(r->scene))
     status = ask_for_colours(r, err);
   if (!status)
-    status = render_view(&r->setup, &r->view, r->options->threads, r->ids,
+    status = render_view(&r->setup, &r->view, r->options->threads, &r->answer,
                          &r->tally, &r->draw, err);
   return status;
 }
@@ -207,9 +206,10 @@ static enum hsr_status shade(struct render *r, struct hsr_error *err) {
     r->rgb = malloc(3 * n * sizeof *r->rgb);
   if (!r->depth || !r->rgb)
     return hsr_fail_nomem(err);
-  hsr_picture_depth(&r->world, &r->view, r->ids, r->depth);
+  hsr_picture_depth(&r->world, &r->view, r->answer.ids, r->depth);
   if (by_ids)
-    hsr_picture_shade(&r->world, &r->view, r->ids, r->options->shading, r->rgb);
+    hsr_picture_shade(&r->world, &r->view, r->answer.ids, r->options->shading,
+                      r->rgb);
   r->shade = seconds_now() - begin;
   return HSR_OK;
 }
@@ -235,7 +235,8 @@ static enum hsr_status write_pictures(struct render *r,
                                       struct hsr_error *err) {
   const struct options *o = r->options;
   double begin = seconds_now();
-  struct hsr_picture picture = {r->view.m, r->view.n, r->ids, r->depth, r->rgb};
+  struct hsr_picture picture = {r->view.m, r->view.n, r->answer.ids, r->depth,
+                                r->rgb};
   if (o->supersamples > 1) {
     average(&r->view, (int)o->supersamples, r->rgb);
     picture = (struct hsr_picture){o->view.m, o->view.n, NULL, NULL, r->rgb};
@@ -256,7 +257,7 @@ static void print_report(const struct render *r,
                          const struct hsr_algorithm *a) {
   size_t n = (size_t)r->view.m * (size_t)r->view.n, covered = 0;
   for (size_t k = 0; k < n; k++)
-    covered += r->ids[k] != HSR_BACKGROUND;
+    covered += r->answer.ids[k] != HSR_BACKGROUND;
   printf("%s, view %ld, %d x %d samples, %u faces, by %s: %.1f %% covered\n",
          r->options->scene, r->options->view.view, r->view.m, r->view.n,
          r->world.n_faces, a->name, 100.0 * (double)covered / (double)n);
@@ -306,7 +307,7 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
     hsr_setup_free(&r.setup);
   hsr_world_free(&r.world);
   hsr_scene_delete(r.scene);
-  free(r.ids);
+  answer_free(&r.answer);
   free(r.depth);
   free(r.rgb);
   free(r.face_rgb);

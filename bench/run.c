@@ -6,6 +6,7 @@
 #include <sched.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -24,11 +25,31 @@ long processors(void) {
   return 1;
 }
 
+enum hsr_status answer_init(struct answer *answer,
+                            const struct hsr_algorithm *algorithm,
+                            const struct hsr_view *view,
+                            struct hsr_error *err) {
+  *answer = (struct answer){.ids = NULL};
+  if (algorithm->kind != HSR_IDS)
+    return HSR_OK;
+  size_t size = (size_t)view->m * (size_t)view->n * sizeof *answer->ids;
+  answer->ids = malloc(size);
+  if (!answer->ids)
+    return hsr_fail_nomem(err);
+  memset(answer->ids, 0xff, size); /* HSR_BACKGROUND */
+  return HSR_OK;
+}
+
+void answer_free(struct answer *answer) {
+  free(answer->ids);
+  hsr_drawing_free(&answer->drawing);
+}
+
 /* The picture in bands of rows, taken by whoever is free. */
 struct bands {
   const struct hsr_setup *setup;
   const struct hsr_view *view;
-  uint32_t *ids;
+  struct answer *answer;
   int height;
   atomic_int next;
 };
@@ -59,8 +80,9 @@ static void *work(void *argument) {
     struct hsr_job job = {.view = &view,
                           .scratch = &worker->scratch,
                           .tally = &worker->tally,
-                          .ids = bands->ids,
-                          .ids_stride = (size_t)view.m};
+                          .ids = bands->answer->ids,
+                          .ids_stride = (size_t)view.m,
+                          .drawing = &bands->answer->drawing};
     worker->status = hsr_setup_render(bands->setup, &job, &worker->err);
     if (worker->status)
       break;
@@ -70,15 +92,17 @@ static void *work(void *argument) {
 
 enum hsr_status render_view(const struct hsr_setup *setup,
                             const struct hsr_view *view, long threads,
-                            uint32_t *ids, struct hsr_tally *tally,
+                            struct answer *answer, struct hsr_tally *tally,
                             double *seconds, struct hsr_error *err) {
   int rows = view->window.y1 - view->window.y0;
   if (threads > MOST_THREADS)
     threads = MOST_THREADS;
-  if (setup->algorithm->flags & HSR_FRAME_STATE || threads < 1)
+  if (setup->algorithm->flags & HSR_FRAME_STATE ||
+      setup->algorithm->kind == HSR_SEGMENTS || threads < 1)
     threads = 1;
+  hsr_drawing_clear(&answer->drawing);
   struct bands bands = {
-      .setup = setup, .view = view, .ids = ids, .height = rows};
+      .setup = setup, .view = view, .answer = answer, .height = rows};
   if (threads > 1) {
     bands.height = rows / (int)(4 * threads) + 1;
   }

@@ -5,7 +5,6 @@
 #include "common/statistics.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 enum { DROP = 0x200 };
 
@@ -125,23 +124,22 @@ enum hsr_status measure_table1(const struct hsr_world *world,
                                const struct hsr_view *view,
                                struct hsr_table1 *table,
                                struct hsr_error *err) {
-  size_t n = (size_t)view->m * (size_t)view->n;
-  uint32_t *ids = malloc(n * sizeof *ids);
-  if (!ids)
-    return hsr_fail_nomem(err);
+  struct answer answer = {.ids = NULL};
   struct hsr_tally tally = {.out_of_memory = false};
   struct hsr_setup setup = {.algorithm = NULL};
   const struct hsr_listed *zbuffer;
   enum hsr_status status = choose_algorithm("zbuffer", &zbuffer, err);
   if (!status)
+    status = answer_init(&answer, zbuffer->plain, view, err);
+  if (!status)
     status = hsr_setup_init(&setup, zbuffer->plain, world, err);
   if (!status)
-    status = render_view(&setup, view, 1, ids, &tally, NULL, err);
+    status = render_view(&setup, view, 1, &answer, &tally, NULL, err);
   if (setup.algorithm)
     hsr_setup_free(&setup);
   if (!status)
-    status = hsr_statistics_measure(world, view, ids, table, err);
-  free(ids);
+    status = hsr_statistics_measure(world, view, answer.ids, table, err);
+  answer_free(&answer);
   return status;
 }
 

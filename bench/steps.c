@@ -151,12 +151,17 @@ static struct column *column_at(const struct measurement *m, int scene,
 static enum hsr_status
 run_algorithm(const struct hsr_algorithm *a, const struct hsr_world *world,
               const struct hsr_view *view, const struct hsr_table1 *table,
-              uint32_t *ids, struct column *column, struct hsr_error *err) {
+              struct column *column, struct hsr_error *err) {
   struct hsr_tally tally = {.out_of_memory = false};
+  struct answer answer;
   struct hsr_setup setup;
   enum hsr_status status = hsr_setup_init(&setup, a, world, err);
-  if (!status)
-    status = render_view(&setup, view, 1, ids, &tally, NULL, err);
+  if (!status) {
+    status = answer_init(&answer, a, view, err);
+    if (!status)
+      status = render_view(&setup, view, 1, &answer, &tally, NULL, err);
+    answer_free(&answer);
+  }
   hsr_setup_free(&setup);
   if (status == HSR_E_REFUSED) {
     column->refused = true;
@@ -176,9 +181,6 @@ static enum hsr_status measure_world(struct measurement *m, int scene,
                                      struct hsr_error *err) {
   const struct options *o = m->options;
   struct hsr_table1 table;
-  uint32_t *ids = malloc((size_t)view->m * (size_t)view->n * sizeof *ids);
-  if (!ids)
-    return hsr_fail_nomem(err);
   enum hsr_status status = measure_table1(world, view, &table, err);
   m->F_r[scene] = table.F_r;
   for (int a = 0; a < o->n_algorithms && !status; a++) {
@@ -187,9 +189,8 @@ static enum hsr_status measure_world(struct measurement *m, int scene,
     column->refused = algorithm->expense && algorithm->expense(world, view) >
                                                 5e8 * (double)o->timeout;
     if (!column->refused)
-      status = run_algorithm(algorithm, world, view, &table, ids, column, err);
+      status = run_algorithm(algorithm, world, view, &table, column, err);
   }
-  free(ids);
   return status;
 }
 
