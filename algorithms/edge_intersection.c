@@ -65,7 +65,7 @@ static void cull_edge(struct hsr_network *network, uint32_t e) {
   for (uint32_t k = edges->side_start[e]; k < edges->side_start[e + 1]; k++) {
     const struct hsr_side *side = &edges->side[k];
     HSR_COUNT(network->tally, HSR_EDGE_CULL, 1);
-    existing += sight->facing[side->face] != 0;
+    existing += sight->exists[side->face];
     if (sight->regular[side->face])
       network->net[e] += inside_of(sight, side);
   }
@@ -253,7 +253,7 @@ static enum hsr_status draw_part(struct hsr_network *network, uint32_t e,
       continue;
     if (add_interval(network, e, t, event[first].t, count, visible_only))
       return HSR_E_NOMEM;
-    t = event[first].t;
+    t = fmax(t, event[first].t);
     count += change;
   }
   return add_interval(network, e, t, part->to.t, count, visible_only);
@@ -428,8 +428,10 @@ enum hsr_status hsr_network_draw(struct hsr_network *network,
     if (promote(network, intersector))
       return HSR_E_NOMEM;
   }
-  hsr_drawing_sort(network->job->drawing);
-  return network->tally->out_of_memory ? HSR_E_NOMEM : HSR_OK;
+  return hsr_drawing_sort(network->job->drawing) ||
+                 network->tally->out_of_memory
+             ? HSR_E_NOMEM
+             : HSR_OK;
 }
 
 enum hsr_status hsr_network_render(const struct hsr_job *job,

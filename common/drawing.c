@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 void hsr_drawing_free(struct hsr_drawing *drawing) {
   free(drawing->segment);
@@ -53,25 +54,6 @@ int hsr_edge_name_compare(const struct hsr_edge_name *a,
   return order(a->part, b->part);
 }
 
-static int by_edge_and_place(const void *a, const void *b) {
-  const struct hsr_segment *s = a, *t = b;
-  int by_edge = hsr_edge_name_compare(&s->edge, &t->edge);
-  if (by_edge)
-    return by_edge;
-  if (s->t0 != t->t0)
-    return s->t0 < t->t0 ? -1 : 1;
-  return (s->t1 > t->t1) - (s->t1 < t->t1);
-}
-
-void hsr_drawing_sort(struct hsr_drawing *drawing) {
-  if (drawing->n)
-    qsort(drawing->segment, drawing->n, sizeof *drawing->segment,
-          by_edge_and_place);
-}
-
-/* --- Comparison ------------------------------------------------------------
- */
-
 /* The intervals of one edge in a drawing. */
 struct stretch {
   const struct hsr_segment *first;
@@ -85,6 +67,36 @@ static struct stretch edge_at(const struct hsr_drawing *drawing, size_t k) {
     s.n++;
   return s;
 }
+
+static int by_edge(const void *a, const void *b) {
+  const struct stretch *s = a, *t = b;
+  return hsr_edge_name_compare(&s->first->edge, &t->first->edge);
+}
+
+enum hsr_status hsr_drawing_sort(struct hsr_drawing *drawing) {
+  size_t n = 0;
+  struct stretch *edge = malloc((drawing->n + 1) * sizeof *edge);
+  struct hsr_segment *sorted =
+      malloc((drawing->room + 1) * sizeof *drawing->segment);
+  if (!edge || !sorted) {
+    free(edge);
+    free(sorted);
+    return HSR_E_NOMEM;
+  }
+  for (size_t k = 0; k < drawing->n; k += edge[n++].n)
+    edge[n] = edge_at(drawing, k);
+  qsort(edge, n, sizeof *edge, by_edge);
+  struct hsr_segment *next = sorted;
+  for (size_t e = 0; e < n; next += edge[e++].n)
+    memcpy(next, edge[e].first, edge[e].n * sizeof *next);
+  free(edge);
+  free(drawing->segment);
+  drawing->segment = sorted;
+  return HSR_OK;
+}
+
+/* --- Comparison ------------------------------------------------------------
+ */
 
 static uint32_t wanted_invisibility(const struct hsr_segment *segment,
                                     bool visible_only) {

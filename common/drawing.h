@@ -51,8 +51,9 @@ enum hsr_status hsr_drawing_add(struct hsr_drawing *drawing,
 int hsr_edge_name_compare(const struct hsr_edge_name *a,
                           const struct hsr_edge_name *b);
 
-/* Brings the intervals into the order of edges, and along each edge. */
-void hsr_drawing_sort(struct hsr_drawing *drawing);
+/* Brings the edges into their order. The intervals of an edge, which must
+ * follow one another, stay as they are. HSR_E_NOMEM. */
+enum hsr_status hsr_drawing_sort(struct hsr_drawing *drawing);
 
 /* How two drawings of one scene and view compare: the intervals of each edge
  * must agree in number, order and invisibility, and their ends within

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <numeric>
 #include <vector>
 
 namespace {
@@ -136,8 +137,7 @@ uint32_t add_point(Edges &made, hsr_exact_points &exact,
 
 void add_implied(const hsr_world *world, Edges &made, hsr_exact_points &exact) {
   std::vector<uint32_t> all(world->n_faces);
-  for (uint32_t f = 0; f < world->n_faces; f++)
-    all[f] = f;
+  std::iota(all.begin(), all.end(), 0);
   std::vector<std::pair<uint32_t, uint32_t>> pairs;
   for_each_penetration(
       world, all.data(), all.size(),
@@ -278,12 +278,13 @@ void extend_around(Box &box, const hsr_edges *edges, uint32_t p) {
 
 void find_touched(hsr_edges *edges) {
   const hsr_world *world = edges->world;
-  std::vector<uint32_t> ids(std::max(edges->n, world->n_faces));
-  for (size_t k = 0; k < ids.size(); k++)
-    ids[k] = uint32_t(k);
+  // Of its own for each: boxes of one handle are taken for one box.
+  std::vector<uint32_t> edge(edges->n), face(world->n_faces);
+  std::iota(edge.begin(), edge.end(), 0);
+  std::iota(face.begin(), face.end(), 0);
   std::vector<Box> of_edges, of_faces;
   for (uint32_t e = 0; e < edges->n; e++) {
-    Box box(&ids[e]);
+    Box box(&edge[e]);
     extend_around(box, edges, edges->a[e]);
     extend_around(box, edges, edges->b[e]);
     of_edges.push_back(box);
@@ -291,7 +292,7 @@ void find_touched(hsr_edges *edges) {
   for (uint32_t f = 0; f < world->n_faces; f++) {
     if (!edges->simple[f])
       continue;
-    Box box(&ids[f]);
+    Box box(&face[f]);
     for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++)
       extend_around(box, edges, world->vertex[k]);
     of_faces.push_back(box);

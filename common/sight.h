@@ -17,7 +17,7 @@
  * other that exists is loose: hsr_sight_face handles it, for one edge at a
  * time.
  *
- * A sight belongs to one view and one thread. */
+ * A sight belongs to one view and one thread, and does not move in memory. */
 #ifndef HSR_COMMON_SIGHT_H
 #define HSR_COMMON_SIGHT_H
 
@@ -41,7 +41,10 @@ struct hsr_sight {
   bool *ahead;     /* w > near */
 
   /* Faces. */
-  signed char *facing; /* +1 the eye is in front, -1 behind; 0: no such face */
+  bool *exists;
+  signed char *facing; /* +1 the eye is in front, -1 behind; 0: the face does
+                          not exist, or its plane holds the eye, so that it
+                          hides nothing */
   bool *regular;
   uint32_t *faces, n_faces; /* the regular ones */
   uint32_t *loose, n_loose;
@@ -119,8 +122,8 @@ static inline int hsr_sight_row_side(const struct hsr_sight *sight, uint32_t p,
 /* --- What lies before what --------------------------------------------------
  */
 
-/* Is P' strictly farther than the plane of face f, which exists: beyond it from
- * the eye? */
+/* Is P' strictly farther than the plane of face f, which can hide: beyond it
+ * from the eye? */
 bool hsr_sight_behind(const struct hsr_sight *sight, uint32_t f, uint32_t p);
 
 /* Does regular face f cover the direction of P', p being ahead? */
@@ -183,10 +186,10 @@ bool hsr_sight_in_plane(const struct hsr_sight *sight, uint32_t e, uint32_t f);
 bool hsr_sight_pierces(const struct hsr_sight *sight, uint32_t e, uint32_t f,
                        struct hsr_sight_event *event);
 
-/* Any face f that exists, a side of e or not, in its plane or not: does it hide
- * the edge where this begins to be ahead, and where does that change? Appends
- * its events, whose changes are +1 and -1, to `events`, which is an array of
- * struct hsr_sight_event in the arena. HSR_E_NOMEM. */
+/* Any face f that can hide, a side of e or not, in its plane or not: does it
+ * hide the edge where this begins to be ahead, and where does that change?
+ * Appends its events, whose changes are +1 and -1, to `events`, which is an
+ * array of struct hsr_sight_event in the arena. HSR_E_NOMEM. */
 enum hsr_status hsr_sight_face(const struct hsr_sight *sight, uint32_t e,
                                uint32_t f, struct hsr_arena *arena,
                                struct hsr_growing *events, bool *hidden);

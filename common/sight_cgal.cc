@@ -972,7 +972,8 @@ static void find_faces(hsr_sight *sight) {
   const hsr_world *w = sight->world;
   for (uint32_t f = 0; f < w->n_faces; f++) {
     int facing = facing_sign(n, f);
-    if (facing < 0 && w->one_sided[f])
+    sight->exists[f] = facing > 0 || !w->one_sided[f];
+    if (!sight->exists[f])
       facing = 0;
     sight->facing[f] = static_cast<signed char>(facing);
     bool regular = facing && sight->edges->simple[f];
@@ -994,12 +995,13 @@ static hsr_status make_arrays(hsr_sight *sight, hsr_arena *arena) {
   sight->sx = static_cast<double *>(array(np, sizeof(double)));
   sight->sy = static_cast<double *>(array(np, sizeof(double)));
   sight->ahead = static_cast<bool *>(array(np, sizeof(bool)));
+  sight->exists = static_cast<bool *>(array(nf, sizeof(bool)));
   sight->facing = static_cast<signed char *>(array(nf, 1));
   sight->regular = static_cast<bool *>(array(nf, sizeof(bool)));
   sight->faces = static_cast<uint32_t *>(array(nf, sizeof(uint32_t)));
   sight->loose = static_cast<uint32_t *>(array(nf, sizeof(uint32_t)));
-  return sight->sx && sight->sy && sight->ahead && sight->facing &&
-                 sight->regular && sight->faces && sight->loose
+  return sight->sx && sight->sy && sight->ahead && sight->exists &&
+                 sight->facing && sight->regular && sight->faces && sight->loose
              ? HSR_OK
              : HSR_E_NOMEM;
 }
