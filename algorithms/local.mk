@@ -18,6 +18,7 @@ algorithm_files = \
   %D%/priority_list.c \
   %D%/priority_list.h \
   %D%/raycast.c \
+  %D%/roberts.c \
   %D%/romney.c \
   %D%/scan_line.c \
   %D%/scan_line.h \

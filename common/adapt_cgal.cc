@@ -385,6 +385,22 @@ hsr_status divide(const hsr_world *in, hsr_world *out, bool *changed,
 
 } // namespace
 
+std::vector<std::vector<uint32_t>> hsr::convex_loops(const hsr_world &world,
+                                                     uint32_t f) {
+  const Piece whole = piece_of(world, f);
+  if (whole.loop.size() == 3)
+    return {whole.loop};
+  const std::vector<Flat_point> corners = flatten(world, f);
+  if (is_convex(corners))
+    return {whole.loop};
+  std::vector<Triangle> triangles;
+  std::vector<std::vector<uint32_t>> loops;
+  triangulate_loop(whole.loop, corners, triangles);
+  for (const Triangle &t : triangles)
+    loops.emplace_back(t.begin(), t.end());
+  return loops;
+}
+
 const struct hsr_adapter hsr_adapters[] = {
     {"triangulate", HSR_TR, "divides polygons into triangles", triangulate},
     {"convex-parts", HSR_CF, "divides polygons that are not convex",

@@ -98,6 +98,11 @@ template <class Body> hsr_status guarded(hsr_error *err, const Body &body) {
   }
 }
 
+// Face f of a scene, which is flat and does not cross itself, as convex
+// polygons through its corners: itself, or triangles.
+std::vector<std::vector<uint32_t>> convex_loops(const hsr_world &world,
+                                                uint32_t f);
+
 // The adapter of clusters.
 hsr_status cluster(const hsr_world *in, hsr_world *out, bool *changed,
                    hsr_error *err);

@@ -10,6 +10,8 @@
 #include <CGAL/Mpzf.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <cmath>
+
 namespace hsr {
 
 using Interval = CGAL::Interval_nt<false>;
@@ -41,6 +43,29 @@ template <class T> struct Plane {
 
   T height(const Vector<T> &p) const { return k * (normal * p) - offset; }
 };
+
+// The side of the plane of face f on which vertex v is, by the rounded plane,
+// if that is certain; else 0. The bound is that of order.c.
+inline int rough_side(const hsr_world *w, uint32_t f, uint32_t v) {
+  const double n[3] = {w->nx[f], w->ny[f], w->nz[f]};
+  const double r[3] = {w->x[v] - w->px[f], w->y[v] - w->py[f],
+                       w->z[v] - w->pz[f]};
+  const double n1 = std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]);
+  const double r1 = std::fabs(r[0]) + std::fabs(r[1]) + std::fabs(r[2]);
+  const double error = 2 * (w->n_error[f] * r1 + w->anchor_error[f] * n1) +
+                       0x1p-49 * n1 * r1 + 0x1p-960;
+  const double height = n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
+  return height > error ? 1 : height < -error ? -1 : 0;
+}
+
+// The same, exactly: +1 in front, -1 behind, 0 on it.
+inline int side_of_plane(const hsr_world *w, uint32_t f, uint32_t v) {
+  if (hsr_on_plane(w, f, v))
+    return 0;
+  if (const int side = rough_side(w, f, v))
+    return side;
+  return CGAL::sign(Plane<Exact>(w, f).height(point<Exact>(w, v)));
+}
 
 } // namespace hsr
 

@@ -30,14 +30,24 @@
 extern "C" {
 #endif
 
+/* A line of the scene: through points a and b, or, of planes, where those of
+ * faces a and b meet. */
+struct hsr_sight_line {
+  bool of_planes;
+  uint32_t a, b;
+};
+
 struct hsr_sight {
   const struct hsr_edges *edges;
   const struct hsr_world *world;
   const struct hsr_view *view;
   struct hsr_tally *tally;
 
+  const struct hsr_sight_line *line; /* of HSR_AT_LINE; borrowed, or NULL */
+
   /* Points. */
   double *sx, *sy; /* as in common/screen.h; NaN where not known so well */
+  double *q;       /* 1/w, within 2^-42 of itself where sx is not NaN */
   bool *ahead;     /* w > near */
 
   /* Faces. */
@@ -148,6 +158,7 @@ enum hsr_event_at {
   HSR_AT_EDGE,  /* crosses the image of edge `subject` */
   HSR_AT_SIDE,  /* crosses the image of the side of a face that ends in corner
                    `subject` of world->vertex */
+  HSR_AT_LINE,  /* crosses the image of line `subject` of sight->line */
   HSR_AT_PLANE, /* meets the plane of face `subject` */
   HSR_AT_NEAR,  /* is where the plane of face `subject` meets that of near */
   HSR_AT_BORDER /* is at border `subject` of what is in the picture */
@@ -179,6 +190,21 @@ bool hsr_sight_picture(const struct hsr_sight *sight, uint32_t e,
 
 /* Does the plane of face f hold edge e? */
 bool hsr_sight_in_plane(const struct hsr_sight *sight, uint32_t e, uint32_t f);
+
+/* The side of the plane of face f on which the eye is, whether the face exists
+ * or not: +1 in front of it, -1 behind, 0 on it. */
+int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f);
+
+/* Narrows the part of edge e between two of its places, which is in the
+ * picture, to what of it is on one side of an HSR_AT_PLANE or HSR_AT_LINE: in
+ * front of the plane (+1) or behind it; or on that side of the plane of the eye
+ * and a line of points, as hsr_sight_side has it. Of faces a and b, the sign of
+ * c_a (k N)_b - c_b (k N)_a is asked for, c being the heights of the eye over
+ * them. False if nothing is left. An edge in a plane is on neither side of it;
+ * before a line, it is displaced. */
+bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
+                      enum hsr_event_at at, uint32_t subject, int side,
+                      struct hsr_sight_event *from, struct hsr_sight_event *to);
 
 /* Where regular face f, which edge e may touch and which is none of its own
  * faces nor has a corner in an end of it, is pierced by A'B'. False if it is

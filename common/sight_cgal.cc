@@ -396,6 +396,15 @@ uint32_t side_begins(const hsr_world *w, uint32_t k) {
   return w->vertex[k == face[0] ? face[1] - 1 : k - 1];
 }
 
+// Of the plane through the eye and a line. Heights of the eye are -c.
+template <class T>
+vec<T> normal_of_image(const Numbers &n, const hsr_sight_line &line) {
+  if (!line.of_planes)
+    return cross(n.point<T>(line.a).p, n.point<T>(line.b).p);
+  const Plane<T> a = n.plane<T>(line.a), b = n.plane<T>(line.b);
+  return b.c * a.kN - a.c * b.kN;
+}
+
 // Where an event is: t = from / (from - to), `from` and `to` being the values
 // at both ends of a function that is zero there.
 template <class T> struct Place { T from, to; };
@@ -410,7 +419,12 @@ Place<T> place_of(const Numbers &n, uint32_t e, const hsr_sight_event &event) {
     return {T(1), T(0)};
   const Point<T> A = n.point<T>(edges->a[e]), B = n.point<T>(edges->b[e]);
   T from, to;
-  if (event.at == HSR_AT_EDGE || event.at == HSR_AT_SIDE) {
+  if (event.at == HSR_AT_LINE) {
+    const hsr_sight_line &line = s->line[event.subject];
+    const vec<T> normal = normal_of_image<T>(n, line);
+    from = dot(normal, A.p);
+    to = dot(normal, B.p);
+  } else if (event.at == HSR_AT_EDGE || event.at == HSR_AT_SIDE) {
     const bool is_edge = event.at == HSR_AT_EDGE;
     const uint32_t c = is_edge ? edges->a[event.subject]
                                : side_begins(s->world, event.subject);
@@ -554,6 +568,81 @@ bool hsr_sight_picture(const struct hsr_sight *sight, uint32_t e,
     if (!clip(sight, e, border, from, to))
       return false;
   return true;
+}
+
+// --- Parts of an edge
+// ---------------------------------------------------------
+
+int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f) {
+  return facing_sign(*sight->numbers, f);
+}
+
+namespace {
+
+int plane_sign(const Numbers &n, uint32_t f, uint32_t p) {
+  const hsr_world *w = n.sight->world;
+  if (p < w->n_vertices) {
+    if (hsr_on_plane(w, f, p))
+      return 0;
+    if (const int sign = hsr::rough_side(w, f, p))
+      return sign;
+  }
+  return sign_of(n, HSR_ASK_VERTEX, [&](auto t) {
+    using T = decltype(t);
+    return n.plane<T>(f).height(n.point<T>(p));
+  });
+}
+
+int line_sign(const Numbers &n, const hsr_sight_line &line, uint32_t p) {
+  if (!line.of_planes) {
+    if (p == line.a || p == line.b)
+      return 0;
+    double bound, turn = hsr_sight_turn(n.sight, line.a, line.b, p, &bound);
+    if (n.sight->ahead[p] && (turn > bound || turn < -bound))
+      return turn > 0 ? 1 : -1;
+  }
+  return sign_of(n, HSR_ASK_EDGE, [&](auto t) {
+    using T = decltype(t);
+    return dot(normal_of_image<T>(n, line), n.point<T>(p).p);
+  });
+}
+
+// Of an edge whose image lies on that of the line.
+int displaced_line_sign(const Numbers &n, const hsr_sight_line &line) {
+  return displaced_sign(n, HSR_ASK_EDGE, [&](auto t, int along) {
+    using T = decltype(t);
+    if (along == VALUE)
+      return T(0);
+    return dot(normal_of_image<T>(n, line), change<T>(n, along));
+  });
+}
+
+} // namespace
+
+bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
+                      enum hsr_event_at at, uint32_t subject, int side,
+                      struct hsr_sight_event *from,
+                      struct hsr_sight_event *to) {
+  const Numbers &n = *sight->numbers;
+  const auto sign_at = [&](uint32_t p) {
+    return side * (at == HSR_AT_PLANE ? plane_sign(n, subject, p)
+                                      : line_sign(n, sight->line[subject], p));
+  };
+  const int a = sign_at(sight->edges->a[e]), b = sign_at(sight->edges->b[e]);
+  if (a == 0 && b == 0)
+    return at == HSR_AT_LINE &&
+           displaced_line_sign(n, sight->line[subject]) == side;
+  if (a <= 0 && b <= 0)
+    return false;
+  if (a >= 0 && b >= 0)
+    return true;
+  hsr_sight_event event = {0, 0, at, subject, 0};
+  hsr_sight_locate(sight, e, &event);
+  if (a < 0 && hsr_sight_compare(sight, e, &event, from) > 0)
+    *from = event;
+  if (b < 0 && hsr_sight_compare(sight, e, &event, to) < 0)
+    *to = event;
+  return hsr_sight_compare(sight, e, from, to) < 0;
 }
 
 // --- Pierced faces
@@ -994,13 +1083,14 @@ static hsr_status make_arrays(hsr_sight *sight, hsr_arena *arena) {
   };
   sight->sx = static_cast<double *>(array(np, sizeof(double)));
   sight->sy = static_cast<double *>(array(np, sizeof(double)));
+  sight->q = static_cast<double *>(array(np, sizeof(double)));
   sight->ahead = static_cast<bool *>(array(np, sizeof(bool)));
   sight->exists = static_cast<bool *>(array(nf, sizeof(bool)));
   sight->facing = static_cast<signed char *>(array(nf, 1));
   sight->regular = static_cast<bool *>(array(nf, sizeof(bool)));
   sight->faces = static_cast<uint32_t *>(array(nf, sizeof(uint32_t)));
   sight->loose = static_cast<uint32_t *>(array(nf, sizeof(uint32_t)));
-  return sight->sx && sight->sy && sight->ahead && sight->exists &&
+  return sight->sx && sight->sy && sight->q && sight->ahead && sight->exists &&
                  sight->facing && sight->regular && sight->faces && sight->loose
              ? HSR_OK
              : HSR_E_NOMEM;
@@ -1023,8 +1113,9 @@ enum hsr_status hsr_sight_init(struct hsr_sight *sight,
   hsr_screen_vertices(&screen);
   std::copy(screen.sx, screen.sx + edges->world->n_vertices, sight->sx);
   std::copy(screen.sy, screen.sy + edges->world->n_vertices, sight->sy);
+  std::copy(screen.q, screen.q + edges->world->n_vertices, sight->q);
   for (uint32_t p = edges->world->n_vertices; p < edges->n_points; p++)
-    sight->sx[p] = sight->sy[p] = NAN;
+    sight->sx[p] = sight->sy[p] = sight->q[p] = NAN;
   try {
     sight->numbers = new hsr_sight_numbers{sight, {}, {}};
     Numbers &n = *sight->numbers;
