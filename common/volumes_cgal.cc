@@ -98,7 +98,7 @@ public:
     const int side_a = side_of_plane(world_, f_, a);
     const int side_b = side_of_plane(world_, f_, b);
     if (side_a && side_b)
-      return side_a != side_b; // nearer was looked at before
+      return side_a != side_b && is_pierced(a, b);
     if (side_a || side_b) {
       const uint32_t on = side_a ? b : a;
       return !is_corner(on) && holds(on);
@@ -138,6 +138,25 @@ private:
   }
   uint32_t corner(size_t k) const {
     return world_->vertex[world_->start[f_] + k];
+  }
+  // Whether the edge, whose ends are on both sides of the face, goes through it
+  // or through its border: it passes all sides of a part on one side.
+  bool is_pierced(uint32_t a, uint32_t b) const {
+    const auto place = [&](uint32_t v) {
+      return Kernel::Point_3(world_->x[v], world_->y[v], world_->z[v]);
+    };
+    for (const std::vector<uint32_t> &loop : convex_loops(*world_, f_)) {
+      bool left = false, right = false;
+      for (size_t k = 0, l = loop.size() - 1; k < loop.size(); l = k++) {
+        const auto turn = CGAL::orientation(place(a), place(b), place(loop[l]),
+                                            place(loop[k]));
+        left |= turn == CGAL::POSITIVE;
+        right |= turn == CGAL::NEGATIVE;
+      }
+      if (!(left && right))
+        return true;
+    }
+    return false;
   }
   bool is_corner(uint32_t v) const {
     for (size_t k = 0; k < polygon_.size(); k++)
