@@ -11,6 +11,7 @@ tap_programs = \
   %D%/unit/statistics_test \
   %D%/conformance/lattice_test \
   %D%/properties/combinations_test \
+  %D%/properties/lines_and_surfaces_test \
   %D%/properties/metamorphic_test \
   %D%/properties/newell_test \
   %D%/properties/romney_test \
@@ -53,6 +54,8 @@ nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
 %C%_properties_combinations_test_SOURCES = %D%/properties/combinations_test.c
 nodist_EXTRA_%C%_properties_combinations_test_SOURCES = force_cxx_link.cc
+%C%_properties_lines_and_surfaces_test_SOURCES = %D%/properties/lines_and_surfaces_test.c
+nodist_EXTRA_%C%_properties_lines_and_surfaces_test_SOURCES = force_cxx_link.cc
 %C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
 nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
 %C%_properties_romney_test_SOURCES = %D%/properties/romney_test.c
