@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making clusters, and planes that separate them.
+// Making clusters, planes that separate them, and priorities within them.
 //
 // Source      Sutherland et al. 1974, "List-Priority Algorithms"; what was done
 //             by hand there, the splitting of clusters, is done here in the
 //             order in which it costs least.
-// Groups      of pieces are taken one by one, all pieces being the first. One
-//             that holds several of the scene's instances, the environment's
-//             own clusters, is divided by a plane x, y or z = c that passes
-//             between instances. Any other becomes a cluster if its priority
-//             graph has no circuit; else it is divided: by such a plane between
-//             pieces; or by a piece's own plane, chosen to cut few and to leave
-//             about as many to either side. A piece that the plane passes
-//             through is cut. What lies in the plane goes all to one side.
+// Clusters    are the environment's own, its instances, as far as planes x, y
+//             or z = c pass between them: all pieces are one group, and a group
+//             is divided by such a plane as long as there is one.
+// Groups      of pieces that are to have priorities are taken one by one, the
+//             clusters being the first. One becomes a cluster if its priority
+//             graph has no circuit; else it is divided: by a plane x, y or
+//             z = c between pieces; or by a piece's own plane, chosen to cut
+//             few and to leave about as many to either side. A piece that the
+//             plane passes through is cut. What lies in the plane goes all to
+//             one side.
 // Priority    of oriented faces: common/clusters.h. Two faces that reach to
 //             both sides of each other's planes are a circuit by themselves;
 //             faces of one plane are none.
@@ -248,7 +250,8 @@ struct Place {
 class Tree {
 public:
   explicit Tree(const hsr_world &world) : world_(world), shapes_(world) {}
-  void build();
+  void make_clusters();
+  void give_priorities();
   hsr_status make(hsr_world *out, hsr_error *err) const;
 
 private:
@@ -268,15 +271,18 @@ private:
   std::vector<Open> open_;
 
   void put(Place place, uint32_t what);
+  void put_cluster(Place place, Group &&oriented);
   void separate(const hsr_separator &separator, Place place, Group &&front,
                 Group &&behind);
   bool split_at_gap(const Group &group, Place place, bool between_instances);
-  bool make_cluster(const Group &group, Place place, Group &circuits);
+  bool order(const Group &group, Place place, Group &circuits);
   size_t price_of(const Group &group, uint32_t plane);
   uint32_t choose_plane(const Group &group, const Group &candidates);
   void split_by_plane(const Group &group, Place place, uint32_t plane);
-  void add_thick(uint32_t piece);
+  void add_oriented(uint32_t piece, Group &to) const;
   void cut(uint32_t piece, uint32_t plane, Group &front, Group &behind);
+  void add_piece(uint32_t f, Group &to);
+  void start_at_clusters();
   void list_pieces(List &list, std::vector<uint32_t> &number) const;
   bool fill(hsr_world *out, const std::vector<uint32_t> &number) const;
 };
@@ -288,6 +294,11 @@ void Tree::put(Place place, uint32_t what) {
     separators_[place.separator].front = what;
   else
     separators_[place.separator].behind = what;
+}
+
+void Tree::put_cluster(Place place, Group &&oriented) {
+  put(place, HSR_IS_CLUSTER | uint32_t(clusters_.size()));
+  clusters_.push_back(std::move(oriented));
 }
 
 void Tree::separate(const hsr_separator &separator, Place place, Group &&front,
@@ -330,9 +341,10 @@ bool Tree::split_at_gap(const Group &group, Place place,
   return true;
 }
 
-// False if the group's graph has circuits, and `circuits` are the pieces to
+// Makes a cluster of the group, with priorities: false if its graph has
+// circuits, and `circuits` are the pieces to
 // blame.
-bool Tree::make_cluster(const Group &group, Place place, Group &circuits) {
+bool Tree::order(const Group &group, Place place, Group &circuits) {
   circuits = group;
   if (group.size() > LARGEST_CLUSTER)
     return false;
@@ -351,8 +363,7 @@ bool Tree::make_cluster(const Group &group, Place place, Group &circuits) {
     (graph.is_thick(node.member) ? thick_ : cluster)
         .push_back(2 * group[node.member] + !node.from_front);
   }
-  put(place, HSR_IS_CLUSTER | uint32_t(clusters_.size()));
-  clusters_.push_back(std::move(cluster));
+  put_cluster(place, std::move(cluster));
   return true;
 }
 
@@ -399,10 +410,11 @@ uint32_t Tree::choose_plane(const Group &group, const Group &candidates) {
   }
 }
 
-void Tree::add_thick(uint32_t piece) {
-  thick_.push_back(2 * piece);
+// A piece as seen from its sides.
+void Tree::add_oriented(uint32_t piece, Group &to) const {
+  to.push_back(2 * piece);
   if (!world_.one_sided[pieces_[piece].from])
-    thick_.push_back(2 * piece + 1);
+    to.push_back(2 * piece + 1);
 }
 
 void Tree::cut(uint32_t piece, uint32_t plane, Group &front, Group &behind) {
@@ -430,7 +442,7 @@ void Tree::split_by_plane(const Group &group, Place place, uint32_t plane) {
   for (size_t k = 0; k < group.size(); k++) {
     const uint32_t p = group[k];
     if (about[k] & UNSURE)
-      add_thick(p);
+      add_oriented(p, thick_);
     else if (about[k] == BOTH)
       cut(p, plane, front, behind);
     else
@@ -441,31 +453,68 @@ void Tree::split_by_plane(const Group &group, Place place, uint32_t plane) {
            std::move(behind));
 }
 
-void Tree::build() {
+// Face f, if it has any point.
+void Tree::add_piece(uint32_t f, Group &to) {
+  Convex piece;
+  if (pieces_.size() >= MOST_PIECES)
+    throw Refused{HSR_LS, hsr_world_parent(&world_, f), "is one of too many"};
+  if (!shapes_.make(f, piece))
+    return;
+  to.push_back(uint32_t(pieces_.size()));
+  pieces_.push_back(std::move(piece));
+}
+
+void Tree::make_clusters() {
   Group all;
-  for (uint32_t f = 0; f < world_.n_faces; f++) {
-    Convex piece;
-    if (f >= MOST_PIECES)
-      throw Refused{HSR_LS, hsr_world_parent(&world_, f), "is one of too many"};
-    if (!shapes_.make(f, piece))
-      continue;
-    all.push_back(uint32_t(pieces_.size()));
-    pieces_.push_back(std::move(piece));
-  }
+  for (uint32_t f = 0; f < world_.n_faces; f++)
+    add_piece(f, all);
   open_.push_back({std::move(all), {HSR_IS_CLUSTER, false}});
+  while (!open_.empty()) {
+    const Open next = std::move(open_.back());
+    open_.pop_back();
+    if (split_at_gap(next.group, next.place, true))
+      continue;
+    Group oriented;
+    for (uint32_t p : next.group)
+      add_oriented(p, oriented);
+    put_cluster(next.place, std::move(oriented));
+  }
+}
+
+// The tree of the world's clusters, all of which are open groups.
+void Tree::start_at_clusters() {
+  const hsr_clusters &given = *world_.clusters;
+  const auto open = [&](uint32_t what, Place place) {
+    if (!(what & HSR_IS_CLUSTER))
+      return;
+    const uint32_t c = what & ~HSR_IS_CLUSTER;
+    Group group;
+    for (uint32_t k = given.start[c]; k < given.start[c + 1]; k++)
+      if (given.order[k] % 2 == 0)
+        add_piece(given.order[k] / 2, group);
+    open_.push_back({std::move(group), place});
+  };
+  separators_.assign(given.separator, given.separator + given.n_separators);
+  root_ = given.root;
+  open(given.root, {HSR_IS_CLUSTER, false});
+  for (uint32_t s = 0; s < given.n_separators; s++) {
+    open(given.separator[s].behind, {s, false});
+    open(given.separator[s].front, {s, true});
+  }
+}
+
+void Tree::give_priorities() {
+  start_at_clusters();
   while (!open_.empty()) {
     const Open next = std::move(open_.back());
     const Group &group = next.group;
     open_.pop_back();
     Group circuits;
-    if (questions_ > MOST_QUESTIONS)
+    if (!group.empty() && questions_ > MOST_QUESTIONS)
       throw Refused{HSR_LS, pieces_[group[0]].parent,
                     "is one of too many that are hard to separate"};
-    if (group.empty()) // all that was in it is thick
-      make_cluster(group, next.place, circuits);
-    else if (!split_at_gap(group, next.place, true) &&
-             !make_cluster(group, next.place, circuits) &&
-             !split_at_gap(group, next.place, false))
+    if (!order(group, next.place, circuits) &&
+        !split_at_gap(group, next.place, false))
       split_by_plane(group, next.place, choose_plane(group, circuits));
   }
 }
@@ -559,7 +608,18 @@ hsr_status hsr::cluster(const hsr_world *in, hsr_world *out, bool *changed,
   return guarded(err, [&]() -> hsr_status {
     *changed = false;
     Tree tree(*in);
-    tree.build();
+    tree.make_clusters();
+    *changed = true;
+    return tree.make(out, err);
+  });
+}
+
+hsr_status hsr::give_priorities(const hsr_world *in, hsr_world *out,
+                                bool *changed, hsr_error *err) {
+  return guarded(err, [&]() -> hsr_status {
+    *changed = false;
+    Tree tree(*in);
+    tree.give_priorities();
     *changed = true;
     return tree.make(out, err);
   });
