@@ -5,6 +5,7 @@ libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/list.def
 
 algorithm_files = \
   %D%/bouknight.c \
+  %D%/cluster_order.h \
   %D%/newell.c \
   %D%/newell.h \
   %D%/newell_watkins.c \
@@ -18,6 +19,7 @@ algorithm_files = \
   %D%/scan_line.c \
   %D%/scan_line.h \
   %D%/schumacker.c \
+  %D%/schumacker_newell.c \
   %D%/warnock.c \
   %D%/warnock.h \
   %D%/warnock_newell.c \
