@@ -11,10 +11,12 @@
  *             painted so far
  * Ties        those of priority_list.h; faces of one plane that share a sample
  *             are in one cluster
- * Departures  those of priority_list.h. What is seen of a face that is not flat
- *             may be out of its cluster where the eye grazes its plane: it is
- *             painted after all clusters, where it is nearer than what is
- *             there; these comparisons are among the thickness checks.
+ * Departures  those of priority_list.h. A face that is not quite flat may have
+ *             no place in the order of clusters, because it touches a
+ *             separating plane or the eye grazes its own: it is painted after
+ *             all clusters, where it is nearer than what is there; these
+ *             comparisons are among the thickness checks. Faces are convex,
+ *             since separating planes may cut them.
  * Cost        inter-cluster priority 10 C_t; and Newell's steps beside the
  *             predictions for it alone: here each list is that of one cluster,
  *             and faces of different clusters are never compared */
@@ -52,16 +54,16 @@ struct schumacker_newell {
   struct hsr_screen screen;
   struct hsr_cluster_order order;
   struct hsr_newell newell;
-  bool *relevant;               /* a face */
-  uint32_t *faces, n_faces;     /* of the cluster that is painted */
-  uint32_t *grazing, n_grazing; /* of all, for the end */
+  bool *relevant;           /* a face */
+  uint32_t *faces, n_faces; /* of the cluster that is painted */
+  uint32_t *loose, n_loose; /* in no cluster, or not for this eye */
 };
 
 /* --- Clusters --------------------------------------------------------------
  */
 
-/* The faces of a cluster that are in the picture, but for those that may seem
- * to be out of it. A face of two sides is there twice. */
+/* The faces of a cluster that are in the picture. A face of two sides is in the
+ * cluster twice. */
 static void take_faces(struct schumacker_newell *s, uint32_t cluster) {
   const struct hsr_clusters *c = s->clusters;
   s->n_faces = 0;
@@ -70,10 +72,18 @@ static void take_faces(struct schumacker_newell *s, uint32_t cluster) {
     if (c->order[k] % 2 || !s->relevant[f])
       continue;
     if (hsr_grazes(&s->screen, f, c->reach[f]))
-      s->grazing[s->n_grazing++] = f;
+      s->loose[s->n_loose++] = f;
     else
       s->faces[s->n_faces++] = f;
   }
+}
+
+/* The faces that are in no cluster. */
+static void take_thick(struct schumacker_newell *s) {
+  const struct hsr_clusters *c = s->clusters;
+  for (uint32_t k = 0; k < c->n_thick; k++)
+    if (c->thick[k] % 2 == 0 && s->relevant[c->thick[k] / 2])
+      s->loose[s->n_loose++] = c->thick[k] / 2;
 }
 
 /* --- The algorithm ----------------------------------------------------------
@@ -87,8 +97,8 @@ static enum hsr_status reserve(struct schumacker_newell *s,
   uint32_t n = s->screen.n_relevant;
   s->relevant = HSR_NEW_ZEROED(arena, bool, job->world->n_faces);
   s->faces = HSR_NEW(arena, uint32_t, n);
-  s->grazing = HSR_NEW(arena, uint32_t, n);
-  if (!s->relevant || !s->faces || !s->grazing)
+  s->loose = HSR_NEW(arena, uint32_t, n);
+  if (!s->relevant || !s->faces || !s->loose)
     return HSR_E_NOMEM;
   for (uint32_t r = 0; r < n; r++)
     s->relevant[s->screen.relevant[r]] = true;
@@ -113,9 +123,10 @@ static enum hsr_status render(const struct hsr_job *job,
     hsr_newell_paint(&s->newell, s->faces, s->n_faces);
     job->tally->first = 0;
   }
+  take_thick(s);
   job->tally->first = NEWELL;
-  for (uint32_t k = 0; k < s->n_grazing; k++)
-    hsr_newell_paint_unordered(&s->newell, s->grazing[k]);
+  for (uint32_t k = 0; k < s->n_loose; k++)
+    hsr_newell_paint_unordered(&s->newell, s->loose[k]);
   job->tally->first = 0;
   return s->newell.list.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }
@@ -130,7 +141,7 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker_newell) = {
     .taxonomy = HSR_LIST_PRIORITY,
     .sort_order = "Zp ZYX",
     .coherence = "frame; cluster; depth",
-    .restrictions = HSR_LS,
+    .restrictions = HSR_CF | HSR_LS,
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,

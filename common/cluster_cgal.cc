@@ -4,16 +4,19 @@
 // Source      Sutherland et al. 1974, "List-Priority Algorithms"; what was done
 //             by hand there, the splitting of clusters, is done here in the
 //             order in which it costs least.
-// Clusters    are the environment's own, its instances, as far as planes x, y
-//             or z = c pass between them: all pieces are one group, and a group
-//             is divided by such a plane as long as there is one.
-// Groups      of pieces that are to have priorities are taken one by one, the
-//             clusters being the first. One becomes a cluster if its priority
-//             graph has no circuit; else it is divided: by a plane x, y or
-//             z = c between pieces; or by a piece's own plane, chosen to cut
-//             few and to leave about as many to either side. A piece that the
-//             plane passes through is cut. What lies in the plane goes all to
-//             one side.
+// Clusters    are the environment's own, its instances, as far as planes pass
+//             between them: all pieces are one group, and a group is divided by
+//             a plane x, y or z = c between instances; or else by the plane of
+//             one of its largest pieces, that leaves instances to either side
+//             and passes through few. A group that neither divides is a
+//             cluster.
+// Groups      that are to have priorities are taken one by one, the clusters
+//             being the first. One stays a cluster if its priority graph has no
+//             circuit; else it is divided: by a plane x, y or z = c between
+//             pieces; or by a piece's own plane, chosen to cut few and to leave
+//             about as many to either side.
+// Division    by a piece's plane: a piece that it passes through is cut; what
+//             lies in it goes all to one side.
 // Priority    of oriented faces: common/clusters.h. Two faces that reach to
 //             both sides of each other's planes are a circuit by themselves;
 //             faces of one plane are none.
@@ -170,24 +173,35 @@ private:
 
 // --- Planes through gaps ----------------------------------------------------
 
-// What some pieces take up of an axis; whether one of them lies at its end, in
-// a plane across the axis.
+// What some pieces take up of an axis; and if some lie at its end, in a plane
+// across the axis, from which sides of it these are seen.
 struct Extent {
   double lo, hi;
-  bool flat_lo, flat_hi;
+  unsigned flat_lo, flat_hi;
   size_t n_pieces;
   uint32_t owner; // the pieces' instance, or the piece
 
   void add(const Extent &other) {
-    flat_lo = (lo <= other.lo && flat_lo) || (other.lo <= lo && other.flat_lo);
-    flat_hi = (hi >= other.hi && flat_hi) || (other.hi >= hi && other.flat_hi);
+    flat_lo =
+        (lo <= other.lo ? flat_lo : 0) | (other.lo <= lo ? other.flat_lo : 0);
+    flat_hi =
+        (hi >= other.hi ? flat_hi : 0) | (other.hi >= hi ? other.flat_hi : 0);
     lo = std::fmin(lo, other.lo);
     hi = std::fmax(hi, other.hi);
     n_pieces += other.n_pieces;
   }
 };
 
-Extent extent_of(const Convex &piece, size_t axis, uint32_t owner) {
+// From which sides of its plane a face across an axis is seen.
+unsigned seen_from(const hsr_world &world, uint32_t f, size_t axis) {
+  const double *const n[3] = {world.nx, world.ny, world.nz};
+  if (!world.one_sided[f] || !(std::fabs(n[axis][f]) > world.n_error[f]))
+    return BOTH;
+  return n[axis][f] > 0 ? FRONT : BEHIND;
+}
+
+Extent extent_of(const hsr_world &world, const Convex &piece, size_t axis,
+                 uint32_t owner) {
   double lo = INFINITY, hi = -INFINITY;
   for (const Corner &c : piece.corners) {
     const double x = c.at[axis];
@@ -195,7 +209,8 @@ Extent extent_of(const Convex &piece, size_t axis, uint32_t owner) {
     lo = std::fmin(lo, exact ? x : std::nextafter(x - c.error, -INFINITY));
     hi = std::fmax(hi, exact ? x : std::nextafter(x + c.error, INFINITY));
   }
-  return {lo, hi, lo == hi, lo == hi, 1, owner};
+  const unsigned flat = lo == hi ? seen_from(world, piece.from, axis) : 0;
+  return {lo, hi, flat, flat, 1, owner};
 }
 
 // A plane axis = at, with the owners behind it; how many pieces the smaller
@@ -213,17 +228,19 @@ void find_gap(std::vector<Extent> &extents, size_t axis, size_t n_pieces,
             [](const Extent &a, const Extent &b) {
               return a.lo != b.lo ? a.lo < b.lo : a.hi < b.hi;
             });
+  if (extents.empty())
+    return;
   size_t best_end = 0;
   Extent behind = extents[0];
   for (size_t k = 1; k < extents.size(); k++) {
     const double next = extents[k].lo;
-    bool flat = false; // some lie in the plane on either side
-    for (size_t l = k; behind.flat_hi && !flat && l < extents.size() &&
-                       extents[l].lo == behind.hi;
+    unsigned flat = 0; // what lies in the plane, on the other side
+    for (size_t l = k;
+         behind.flat_hi && l < extents.size() && extents[l].lo == behind.hi;
          l++)
-      flat = extents[l].flat_lo;
+      flat |= extents[l].flat_lo;
     const size_t score = std::min(behind.n_pieces, n_pieces - behind.n_pieces);
-    if (behind.hi <= next && !flat && score > best.score) {
+    if (behind.hi <= next && !(behind.flat_hi & flat) && score > best.score) {
       best_end = k;
       best.axis = axis;
       best.score = score;
@@ -281,6 +298,8 @@ private:
   void split_by_plane(const Group &group, Place place, uint32_t plane);
   void add_oriented(uint32_t piece, Group &to) const;
   void cut(uint32_t piece, uint32_t plane, Group &front, Group &behind);
+  size_t price_between(const Group &group, uint32_t plane);
+  bool find_plane(const Group &group, uint32_t &plane);
   void add_piece(uint32_t f, Group &to);
   void start_at_clusters();
   void list_pieces(List &list, std::vector<uint32_t> &number) const;
@@ -320,7 +339,7 @@ bool Tree::split_at_gap(const Group &group, Place place,
   for (size_t axis = 0; axis < 3; axis++) {
     extents.clear();
     for (uint32_t p : group) {
-      const Extent extent = extent_of(pieces_[p], axis, owner(p));
+      const Extent extent = extent_of(world_, pieces_[p], axis, owner(p));
       if (extents.empty() || extents.back().owner != extent.owner)
         extents.push_back(extent);
       else
@@ -410,6 +429,52 @@ uint32_t Tree::choose_plane(const Group &group, const Group &candidates) {
   }
 }
 
+// What it costs to divide a group of instances by a plane; PROHIBITIVE if it
+// does not leave whole ones to either side.
+size_t Tree::price_between(const Group &group, uint32_t plane) {
+  size_t n[4] = {0};
+  for (size_t k = 0; k < group.size();) {
+    const uint32_t instance = world_.instance[pieces_[group[k]].from];
+    unsigned about = 0;
+    for (; k < group.size() &&
+           world_.instance[pieces_[group[k]].from] == instance;
+         k++)
+      about |= shapes_.about(pieces_[group[k]], plane);
+    n[about & UNSURE ? BOTH : about]++;
+  }
+  questions_ += group.size();
+  return n[FRONT] && n[BEHIND]
+             ? PRICE_OF_CUT * n[BOTH] + std::max(n[FRONT], n[BEHIND])
+             : PROHIBITIVE;
+}
+
+// The plane that divides a group of instances best, of those of its largest
+// pieces: false if none does.
+bool Tree::find_plane(const Group &group, uint32_t &plane) {
+  if (questions_ > MOST_QUESTIONS)
+    return false;
+  std::vector<std::pair<double, uint32_t>> largest;
+  for (uint32_t p : group) {
+    double size = 0;
+    for (size_t axis = 0; axis < 3; axis++) {
+      const Extent extent = extent_of(world_, pieces_[p], axis, p);
+      size = std::fmax(size, extent.hi - extent.lo);
+    }
+    largest.push_back({-size, pieces_[p].plane});
+  }
+  const size_t n = std::min(largest.size(), TRIED_PLANES);
+  std::partial_sort(largest.begin(), largest.begin() + n, largest.end());
+  size_t least = PROHIBITIVE;
+  for (size_t k = 0; k < n; k++) {
+    const size_t price = price_between(group, largest[k].second);
+    if (price < least) {
+      least = price;
+      plane = largest[k].second;
+    }
+  }
+  return least < PROHIBITIVE;
+}
+
 // A piece as seen from its sides.
 void Tree::add_oriented(uint32_t piece, Group &to) const {
   to.push_back(2 * piece);
@@ -472,8 +537,13 @@ void Tree::make_clusters() {
   while (!open_.empty()) {
     const Open next = std::move(open_.back());
     open_.pop_back();
+    uint32_t plane;
     if (split_at_gap(next.group, next.place, true))
       continue;
+    if (find_plane(next.group, plane)) {
+      split_by_plane(next.group, next.place, plane);
+      continue;
+    }
     Group oriented;
     for (uint32_t p : next.group)
       add_oriented(p, oriented);
@@ -484,17 +554,26 @@ void Tree::make_clusters() {
 // The tree of the world's clusters, all of which are open groups.
 void Tree::start_at_clusters() {
   const hsr_clusters &given = *world_.clusters;
-  const auto open = [&](uint32_t what, Place place) {
-    if (!(what & HSR_IS_CLUSTER))
-      return;
-    const uint32_t c = what & ~HSR_IS_CLUSTER;
+  const auto take = [&](const uint32_t *from, const uint32_t *to) {
     Group group;
-    for (uint32_t k = given.start[c]; k < given.start[c + 1]; k++)
-      if (given.order[k] % 2 == 0)
-        add_piece(given.order[k] / 2, group);
-    open_.push_back({std::move(group), place});
+    for (; from < to; from++)
+      if (*from % 2 == 0)
+        add_piece(*from / 2, group);
+    return group;
   };
+  const auto open = [&](uint32_t what, Place place) {
+    const uint32_t c = what & ~HSR_IS_CLUSTER;
+    if (what & HSR_IS_CLUSTER)
+      open_.push_back(
+          {take(given.order + given.start[c], given.order + given.start[c + 1]),
+           place});
+  };
+  for (uint32_t p : take(given.thick, given.thick + given.n_thick))
+    add_oriented(p, thick_);
   separators_.assign(given.separator, given.separator + given.n_separators);
+  for (hsr_separator &separator : separators_)
+    if (separator.face != HSR_NO_FACE)
+      separator.face = hsr_world_parent(&world_, separator.face);
   root_ = given.root;
   open(given.root, {HSR_IS_CLUSTER, false});
   for (uint32_t s = 0; s < given.n_separators; s++) {
