@@ -35,7 +35,8 @@ hsr_cluster_order_init(struct hsr_cluster_order *order,
   return HSR_OK;
 }
 
-/* On which side of a separator the eye is; 0: on it, or on the plane's. */
+/* On which side of a separator the eye is: +1 in front of it, -1 behind, 0 on
+ * it. */
 static inline int hsr_separator_side(const struct hsr_cluster_order *order,
                                      uint32_t number) {
   const struct hsr_separator *s = &order->clusters->separator[number];

@@ -22,9 +22,9 @@
  *             may have no place in the list, because it touches another or the
  *             eye grazes it: it is thick, and compared in depth with what is
  *             visible without it; these comparisons are counted apart.
- * Cost        intra-cluster priority 100 F_c^2 C_t, by the adapter `priorities`,
- *             not per frame; inter-cluster priority 10 C_t, back-face cull F_r,
- *             Y cull n E_s, X sort and priority search n m S_l */
+ * Cost        intra-cluster priority 100 F_c^2 C_t, by the adapter
+ * `priorities`, not per frame; inter-cluster priority 10 C_t, back-face cull
+ * F_r, Y cull n E_s, X sort and priority search n m S_l */
 #include "algorithms/cluster_order.h"
 
 #include <string.h>
