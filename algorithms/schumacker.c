@@ -23,8 +23,10 @@
  *             eye grazes it: it is thick, and compared in depth with what is
  *             visible without it; these comparisons are counted apart.
  * Cost        intra-cluster priority 100 F_c^2 C_t, by the adapter
- * `priorities`, not per frame; inter-cluster priority 10 C_t, back-face cull
- * F_r, Y cull n E_s, X sort and priority search n m S_l */
+ *             `priorities`, not per frame; inter-cluster priority 10 C_t, but
+ *             of the clusters into which those of the scene had to be split;
+ *             back-face cull F_r, Y cull n E_s, X sort and priority search
+ *             n m S_l */
 #include "algorithms/cluster_order.h"
 
 #include <string.h>
