@@ -463,7 +463,8 @@ bool Tree::find_plane(const Group &group, uint32_t &plane) {
     largest.push_back({-size, pieces_[p].plane});
   }
   const size_t n = std::min(largest.size(), TRIED_PLANES);
-  std::partial_sort(largest.begin(), largest.begin() + n, largest.end());
+  std::partial_sort(largest.begin(), largest.begin() + std::ptrdiff_t(n),
+                    largest.end());
   size_t least = PROHIBITIVE;
   for (size_t k = 0; k < n; k++) {
     const size_t price = price_between(group, largest[k].second);
