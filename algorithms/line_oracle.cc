@@ -1131,7 +1131,7 @@ enum hsr_status guarded(struct hsr_error *err, Work work) noexcept {
 extern "C" {
 
 static double expense(const struct hsr_world *world, const struct hsr_view *) {
-  return 0.5 * world->n_faces * world->n_corners;
+  return 0.125 * world->n_faces * world->n_corners;
 }
 
 static enum hsr_status prepare(const struct hsr_world *world, void **prepared,
