@@ -671,10 +671,19 @@ little_world random_world(dice &d, int n_faces, int size) {
   return w;
 }
 
-/* A view towards the middle with any independent F, R, U. */
-struct hsr_view random_view(dice &d, int size) {
+/* A view towards the middle with any independent F, R, U; some from the middle
+ * or an end of a side. */
+struct hsr_view random_view(const little_world &w, dice &d, int size) {
   struct hsr_view v = plain_view(d.once_in(2) ? 0 : d.from_to(1, 6) / 8.0);
-  const spot E = d.lattice(size);
+  spot E = d.lattice(size);
+  if (d.once_in(4)) {
+    const uint32_t f = uint32_t(d.below(int(w.n_faces())));
+    const uint32_t *corner = &w.vertex[w.start[f]];
+    const uint32_t a = corner[w.start[f + 1] - w.start[f] - 1];
+    const uint32_t b =
+        corner[d.once_in(4) ? w.start[f + 1] - w.start[f] - 1 : 0];
+    E = {(w.x[a] + w.x[b]) / 2, (w.y[a] + w.y[b]) / 2, (w.z[a] + w.z[b]) / 2};
+  }
   spot F, R, U;
   do {
     F = d.lattice(size / 3);
@@ -818,7 +827,7 @@ void ok_naive(const std::string &what, unsigned seed, int n_scenes, int n_faces,
   for (int scene = 0; scene < n_scenes; scene++) {
     dice d = {std::mt19937(seed + unsigned(scene))};
     little_world w = random_world(d, n_faces, size);
-    struct hsr_view v = random_view(d, size);
+    struct hsr_view v = random_view(w, d, size);
     if (rough)
       roughen(w, v);
     const long wrong = count.wrong;
@@ -841,7 +850,28 @@ void ok_naive(const std::string &what, unsigned seed, int n_scenes, int n_faces,
   ok(scale_holds, "the same 2^300 times as large and as small");
 }
 
+/* A side through the eye, of a polygon that is mostly not flat: where it is,
+ * the parity changes with a row. */
+void ok_through_eye(unsigned seed, int n_scenes) {
+  tally count = {};
+  for (int scene = 0; scene < n_scenes; scene++) {
+    dice d = {std::mt19937(seed + unsigned(scene))};
+    little_world w;
+    do
+      w = random_world(d, 3, 3);
+    while (w.start[1] == 3);
+    struct hsr_view v = random_view(w, d, 3);
+    const uint32_t a = w.vertex[0], b = w.vertex[1];
+    v.E[0] = (w.x[a] + w.x[b]) / 2;
+    v.E[1] = (w.y[a] + w.y[b]) / 2;
+    v.E[2] = (w.z[a] + w.z[b]) / 2;
+    compare(w, v, d, &count);
+  }
+  ok(count.wrong == 0 && count.intervals > 0, "a side through the eye");
+}
+
 void test_naive(int times) {
+  ok_through_eye(500, 150 * times);
   ok_naive("two faces on a lattice", 1000, 300 * times, 2, 3, false);
   ok_naive("few faces on a lattice", 2000, 60 * times, 6, 3, false);
   ok_naive("many faces on a lattice", 3000, 3 * times, 30, 4, false);
