@@ -4,6 +4,7 @@ tap_programs = \
   %D%/unit/adapt_test \
   %D%/unit/exchange_test \
   %D%/unit/image_test \
+  %D%/unit/line_oracle_test \
   %D%/unit/oracle_test \
   %D%/unit/scene_json_test \
   %D%/unit/scenes_test \
@@ -39,6 +40,7 @@ LDADD = libdraw.a $(HSR_LIBS)
 nodist_EXTRA_%C%_unit_adapt_test_SOURCES = force_cxx_link.cc
 %C%_unit_exchange_test_SOURCES = %D%/unit/exchange_test.cc
 %C%_unit_image_test_SOURCES = %D%/unit/image_test.cc
+%C%_unit_line_oracle_test_SOURCES = %D%/unit/line_oracle_test.cc
 %C%_unit_oracle_test_SOURCES = %D%/unit/oracle_test.cc
 %C%_unit_scene_json_test_SOURCES = %D%/unit/scene_json_test.c
 nodist_EXTRA_%C%_unit_scene_json_test_SOURCES = force_cxx_link.cc
