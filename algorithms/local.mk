@@ -4,7 +4,11 @@ pkginclude_algorithms_HEADERS += %D%/algorithm.h %D%/setup.h
 libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/list.def
 
 algorithm_files = \
+  %D%/appel.c \
   %D%/bouknight.c \
+  %D%/edge_intersection.c \
+  %D%/edge_intersection.h \
+  %D%/line_oracle.cc \
   %D%/newell.c \
   %D%/newell.h \
   %D%/newell_watkins.c \

@@ -34,7 +34,8 @@ struct hsr_counter {
   X(EDGE, "edge sides")                                                        \
   X(ROW, "row sides")                                                          \
   X(FACING, "facings")                                                         \
-  X(NEAR, "near tests")
+  X(NEAR, "near tests")                                                        \
+  X(PLACE, "places along edges")
 
 enum hsr_question {
 #define X(id, name) HSR_ASK_##id,

@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-pkginclude_common_HEADERS += %D%/adapt.h %D%/arena.h %D%/clip.h %D%/clusters.h %D%/count.h %D%/crease.h %D%/drawing.h \
-  %D%/exchange.h %D%/image.h %D%/order.h %D%/picture.h %D%/pieces.h %D%/plot.h %D%/predicates.h %D%/scene.h \
+pkginclude_common_HEADERS += %D%/adapt.h %D%/arena.h %D%/clip.h %D%/clusters.h %D%/count.h %D%/drawing.h %D%/edges.h %D%/sight.h \
+  %D%/exchange.h %D%/image.h %D%/order.h %D%/picture.h %D%/pieces.h %D%/predicates.h %D%/scene.h \
   %D%/scene_json.h %D%/screen.h %D%/statistics.h %D%/status.h %D%/view.h \
-  %D%/whole_file.h %D%/world.h
-libhsr_a_SOURCES += %D%/adapt_cgal.cc %D%/arena.c %D%/clip.c %D%/cluster_cgal.cc %D%/convex.cc %D%/convex.h %D%/count.c %D%/crease.c %D%/division.h %D%/drawing.c %D%/exact_plane.h %D%/exchange.cc \
+  %D%/world.h
+libhsr_a_SOURCES += %D%/adapt_cgal.cc %D%/arena.c %D%/clip.c %D%/cluster_cgal.cc %D%/convex.cc %D%/convex.h %D%/count.c %D%/division.h %D%/drawing.c %D%/edges_cgal.cc %D%/exact_points.h %D%/sight.c %D%/sight_cgal.cc %D%/exact_plane.h %D%/exchange.cc \
   %D%/mesh_file.cc %D%/mesh_file.h %D%/mesh_scan_obj.cc %D%/mesh_scan_off.cc \
   %D%/mesh_scan_ply.cc %D%/mesh_scan_stl.cc %D%/mesh_text.cc %D%/mesh_text.h \
-  %D%/image.cc %D%/order.c %D%/picture.c %D%/pieces.c %D%/plot.c %D%/plot_cairo.c %D%/plot_svg.c %D%/predicates_cgal.cc %D%/scene.c \
+  %D%/image.cc %D%/order.c %D%/picture.c %D%/pieces.c %D%/predicates_cgal.cc %D%/scene.c \
   %D%/scene_json.c %D%/srgb.h %D%/screen.c %D%/statistics.c %D%/penetration.cc %D%/penetration.h %D%/status.c %D%/vector.h \
-  %D%/view.c %D%/whole_file.c %D%/world.c
+  %D%/view.c %D%/world.c
+
+# Line drawings as files.
+pkginclude_common_HEADERS += %D%/crease.h %D%/plot.h %D%/whole_file.h
+libhsr_a_SOURCES += %D%/crease.c %D%/plot.c %D%/plot_cairo.c %D%/plot_svg.c \
+  %D%/whole_file.c
 
 if WITH_VTK
 libhsr_a_LIBADD += $(libvtkshim_a_OBJECTS)

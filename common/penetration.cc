@@ -109,16 +109,18 @@ bool share_vertex(const Face &f, const Face &g) {
 
 // --- The stretches of the line where the planes meet ----------------------
 
-// Where an edge meets the line: its coordinate numerator/denominator along one
-// axis, and to which sets of stretches it is an end.
+// Where an edge meets the line: the point at / denominator, and to which sets
+// of stretches it is an end.
 template <class T> struct End {
-  T numerator, denominator; // denominator > 0
+  Vector<T> at;
+  T denominator; // > 0
   unsigned sets;
-
-  bool operator<(const End &other) const {
-    return bool(numerator * other.denominator < other.numerator * denominator);
-  }
 };
+
+// Whether an end comes before another along an axis.
+template <class T> bool before(const End<T> &a, const End<T> &b, int axis) {
+  return bool(a.at[axis] * b.denominator < b.at[axis] * a.denominator);
+}
 
 // The sets. A point of the line is inside a face if the face goes on to both
 // sides of it, in front of the other's plane and behind. F_FRONT are the
@@ -129,8 +131,7 @@ enum { F_FRONT = 1, F_BEHIND = 2, G_FRONT = 4, G_BEHIND = 8, ALL = 15 };
 // edge goes from strictly in front to elsewhere; of those behind, likewise.
 template <class T>
 void find_ends(const Face &f, const Plane<T> &g, const std::vector<int> &sides,
-               int axis, unsigned front, unsigned behind,
-               std::vector<End<T>> &ends) {
+               unsigned front, unsigned behind, std::vector<End<T>> &ends) {
   for (uint32_t l = 0, k = f.size() - 1; l < f.size(); k = l++) {
     unsigned sets = ((sides[k] > 0) != (sides[l] > 0) ? front : 0) |
                     ((sides[k] < 0) != (sides[l] < 0) ? behind : 0);
@@ -139,44 +140,59 @@ void find_ends(const Face &f, const Plane<T> &g, const std::vector<int> &sides,
     Vector<T> a = point<T>(f.world, f.vertex(k));
     Vector<T> b = point<T>(f.world, f.vertex(l));
     if (sides[k] == 0) {
-      ends.push_back({a[axis], T(1), sets});
+      ends.push_back({a, T(1), sets});
     } else if (sides[l] == 0) {
-      ends.push_back({b[axis], T(1), sets});
+      ends.push_back({b, T(1), sets});
     } else { // (h_a B - h_b A) / (h_a - h_b), h_a > 0
       if (sides[k] < 0)
         std::swap(a, b);
       T ha = g.height(a), hb = g.height(b);
-      ends.push_back({ha * b[axis] - hb * a[axis], ha - hb, sets});
+      ends.push_back({ha * b - hb * a, ha - hb, sets});
     }
   }
 }
 
-// Whether some of the line, more than a point, is in all of the sets.
-template <class T> bool overlap(std::vector<End<T>> &ends) {
-  std::sort(ends.begin(), ends.end());
+// The stretches of the line, more than a point each, that are in all of the
+// sets, as pairs of ends in the order of the line. `along`
+// gets each and says whether to go on.
+template <class T, class Along>
+void for_each_stretch(const Face &f, const Face &g,
+                      const std::vector<int> &of_f,
+                      const std::vector<int> &of_g, const Along &along) {
+  const Plane<T> plane_f(f.world, f.id), plane_g(g.world, g.id);
+  const Vector<T> line = CGAL::cross_product(plane_f.normal, plane_g.normal);
+  int axis = 0;
+  while (axis < 3 && bool(line[axis] == T(0)))
+    axis++;
+  if (axis == 3)
+    return;
+  std::vector<End<T>> ends;
+  find_ends(f, plane_g, of_f, F_FRONT, F_BEHIND, ends);
+  find_ends(g, plane_f, of_g, G_FRONT, G_BEHIND, ends);
+  const bool ascending = bool(line[axis] > T(0));
+  std::sort(ends.begin(), ends.end(), [&](const End<T> &a, const End<T> &b) {
+    return ascending ? before(a, b, axis) : before(b, a, axis);
+  });
   unsigned inside = 0;
-  for (size_t k = 0; k < ends.size(); k++) {
+  for (size_t k = 0; k + 1 < ends.size(); k++) {
     inside ^= ends[k].sets;
-    if (inside == ALL && k + 1 < ends.size() && ends[k] < ends[k + 1])
-      return true;
+    if (inside == ALL &&
+        (before(ends[k], ends[k + 1], axis) ||
+         before(ends[k + 1], ends[k], axis)) &&
+        !along(ends[k], ends[k + 1]))
+      return;
   }
-  return false;
 }
 
 template <class T>
 bool interiors_meet(const Face &f, const Face &g, const std::vector<int> &of_f,
                     const std::vector<int> &of_g) {
-  const Plane<T> plane_f(f.world, f.id), plane_g(g.world, g.id);
-  Vector<T> line = CGAL::cross_product(plane_f.normal, plane_g.normal);
-  for (int axis = 0; axis < 3; axis++) {
-    if (bool(line[axis] == T(0)))
-      continue;
-    std::vector<End<T>> ends;
-    find_ends(f, plane_g, of_f, axis, F_FRONT, F_BEHIND, ends);
-    find_ends(g, plane_f, of_g, axis, G_FRONT, G_BEHIND, ends);
-    return overlap(ends);
-  }
-  return false;
+  bool meet = false;
+  for_each_stretch<T>(f, g, of_f, of_g, [&](const End<T> &, const End<T> &) {
+    meet = true;
+    return false;
+  });
+  return meet;
 }
 
 bool penetrate(const Face &f, const Face &g) {
@@ -224,6 +240,26 @@ void for_each_penetration(
         if (penetrate({world, *f.handle()}, {world, *g.handle()}))
           found(*f.handle(), *g.handle());
       });
+}
+
+void for_each_implied_edge(
+    const hsr_world *world, uint32_t f, uint32_t g,
+    const std::function<void(const Exact_point &, const Exact_point &)>
+        &found) {
+  if (world->deviation[f] > 0 || world->deviation[g] > 0)
+    return;
+  const Face a = {world, f}, b = {world, g};
+  std::vector<int> of_f, of_g;
+  reaches_through(a, b, of_f);
+  reaches_through(b, a, of_g);
+  const auto point = [](const End<Exact> &end) {
+    return Exact_point{end.at, end.denominator};
+  };
+  for_each_stretch<Exact>(a, b, of_f, of_g,
+                          [&](const End<Exact> &from, const End<Exact> &to) {
+                            found(point(from), point(to));
+                            return true;
+                          });
 }
 
 } // namespace hsr

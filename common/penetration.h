@@ -3,7 +3,7 @@
 #ifndef HSR_COMMON_PENETRATION_H
 #define HSR_COMMON_PENETRATION_H
 
-#include "common/world.h"
+#include "common/exact_plane.h"
 
 #include <functional>
 
@@ -15,6 +15,20 @@ namespace hsr {
 void for_each_penetration(
     const hsr_world *world, const uint32_t *faces, size_t n,
     const std::function<void(uint32_t f, uint32_t g)> &found);
+
+// A point that need not be one of doubles: at / denominator, which is > 0.
+struct Exact_point {
+  Vector<Exact> at;
+  Exact denominator;
+};
+
+// Calls found(from, to) for each implied edge of two faces that penetrate, f <
+// g, in their order along the cross product of the normals of f and of g. None
+// if one of them is not flat. Throws as above.
+void for_each_implied_edge(
+    const hsr_world *world, uint32_t f, uint32_t g,
+    const std::function<void(const Exact_point &from, const Exact_point &to)>
+        &found);
 
 } // namespace hsr
 

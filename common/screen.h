@@ -264,7 +264,8 @@ struct hsr_piece {
 /* A relevant face, not cut. */
 static inline struct hsr_piece hsr_uncut_face(const struct hsr_screen *screen,
                                               uint32_t f) {
-  return (struct hsr_piece){.face = f, .bounds = screen->bounds[f]};
+  struct hsr_piece piece = {f, 0, NULL, screen->bounds[f]};
+  return piece;
 }
 
 /* On which side of the plane of g does the ray of sample (i, j) meet the plane

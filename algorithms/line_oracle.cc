@@ -1,0 +1,1200 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The line oracle: the right drawing, from the definition alone.
+ *
+ * Source      docs/correct-drawing.md and docs/correct-picture.md, in whose
+ *             words this file is written.
+ * Input       the world's vertices, face lists and one_sided flags, and the
+ *             view's E, F, R, U and near; neither the world's approximate
+ *             planes nor the view's matrices. The judge shares no code with
+ *             whom it judges, nor with the other judge, oracle.cc.
+ * Notation    as there; u = P(t) - E, so that u = w D, and a determinant that
+ *             has D for a factor has the sign it has with u, w being positive.
+ * Method      every edge against every face. What decides whether the face
+ *             hides P(t) are signs of forms n·u + d, linear in t. Where on the
+ *             edge they change is computed; in each gap between the changes one
+ *             point is put to the definition. The changes of all faces, sorted,
+ *             give the invisibility.
+ *             Numbers are intervals first; where these leave open which sign
+ *             or which of two places is first, rational.
+ * Invariants  a face is passed over only if it hides nothing of the edge:
+ *             may_hide() and is_beside() have the proofs.
+ * Ties        a form that is zero at P(t) has the sign of its derivative along
+ *             R, and if that is zero, along -U. t and w stay as they are.
+ * Departures  none: there is no paper.
+ * Cost        four comparisons for every edge and every face that begins left
+ *             of the edge's right end; some hundred operations where boxes
+ *             overlap. Rational numbers where edges meet by place, not by
+ *             vertex number, and where a vertex lies in the plane of a face
+ *             that it is not of.
+ *
+ * Compile with -frounding-math; or, slower, but regardless of rounding modes
+ * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
+#include "algorithms/algorithm.h"
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <new>
+#include <optional>
+#include <vector>
+
+namespace {
+
+using Exact = CGAL::Gmpq;
+using Interval = CGAL::Interval_nt<false>; /* only while an Upward lives */
+
+struct Upward : CGAL::Protect_FPU_rounding<true> {};
+struct Nearest : CGAL::Protect_FPU_rounding<true> {
+  Nearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
+};
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+enum { LINE_BOX, LINE_PAIR, LINE_POINT, LINE_EXACT };
+
+/* ---- Numbers and vectors ---- */
+
+constexpr int UNKNOWN = 2;
+
+int sign_of(const Interval &a) {
+  return a.inf() > 0 ? 1 : a.sup() < 0 ? -1 : a.is_point() ? 0 : UNKNOWN;
+}
+
+int sign_of(const Exact &a) {
+  return int(CGAL::sign(a));
+}
+
+Interval enclose(const Exact &a) {
+  return Interval(CGAL::to_interval(a));
+}
+
+template <class T> struct vec { T x, y, z; };
+
+template <class T> vec<T> lift(const double v[3]) {
+  return {T(v[0]), T(v[1]), T(v[2])};
+}
+
+template <class T> vec<T> operator+(const vec<T> &a, const vec<T> &b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+template <class T> vec<T> operator-(const vec<T> &a, const vec<T> &b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+template <class T> vec<T> operator*(const T &s, const vec<T> &a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+
+template <class T> T dot(const vec<T> &a, const vec<T> &b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class T> vec<T> cross(const vec<T> &a, const vec<T> &b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+vec<Interval> enclose(const vec<Exact> &a) {
+  return {enclose(a.x), enclose(a.y), enclose(a.z)};
+}
+
+/* Whether a vector is zero, as far as an interval tells. */
+template <class T> int is_zero(const vec<T> &a) {
+  const int x = sign_of(a.x), y = sign_of(a.y), z = sign_of(a.z);
+  for (int s : {x, y, z})
+    if (s == 1 || s == -1)
+      return false;
+  return x == UNKNOWN || y == UNKNOWN || z == UNKNOWN ? UNKNOWN : true;
+}
+
+/* ---- Faces ---- */
+
+template <class T> vec<T> vertex(const hsr_world &world, uint32_t v) {
+  return {T(world.x[v]), T(world.y[v]), T(world.z[v])};
+}
+
+/* N·(k P - S) = 0, P and S taken from an origin O: kN·(P - O) = c. */
+template <class T> struct plane {
+  vec<T> kN;
+  T c;
+};
+
+template <class T>
+plane<T> make_plane(const hsr_world &world, uint32_t f, const vec<T> &O) {
+  const uint32_t *v = world.vertex + world.start[f];
+  const uint32_t k = hsr_face_size(&world, f);
+  const vec<T> V0 = vertex<T>(world, v[0]);
+  vec<T> b = vertex<T>(world, v[1]) - V0;
+  vec<T> N = cross(b, b); /* zero */
+  vec<T> S = (V0 - O) + (V0 - O) + b;
+  for (uint32_t i = 2; i < k; i++) {
+    const vec<T> a = b, V = vertex<T>(world, v[i]);
+    b = V - V0;
+    N = i == 2 ? cross(a, b) : N + cross(a, b);
+    S = S + (V - O);
+  }
+  return {T(double(k)) * N, dot(N, S)};
+}
+
+/* Whether all vertices of a face lie in its plane, as far as T tells. */
+template <class T> int is_flat(const hsr_world &world, uint32_t f) {
+  const uint32_t *v = world.vertex + world.start[f];
+  const uint32_t k = hsr_face_size(&world, f);
+  const vec<T> O = vertex<T>(world, v[0]);
+  const plane<T> p = make_plane<T>(world, f, O);
+  int all = true;
+  for (uint32_t i = 0; i < k; i++) {
+    const int sign = sign_of(dot(p.kN, vertex<T>(world, v[i]) - O) - p.c);
+    if (sign == 1 || sign == -1)
+      return false;
+    if (sign == UNKNOWN)
+      all = UNKNOWN;
+  }
+  return all;
+}
+
+bool decide_flat(const hsr_world &world, uint32_t f) {
+  if (hsr_face_size(&world, f) == 3)
+    return true;
+  const int guess = is_flat<Interval>(world, f);
+  if (guess != UNKNOWN)
+    return guess;
+  const Nearest to_nearest;
+  return is_flat<Exact>(world, f);
+}
+
+bool has_vertex(const hsr_world &world, uint32_t f, uint32_t v) {
+  const uint32_t *begin = world.vertex + world.start[f];
+  const uint32_t *end = world.vertex + world.start[f + 1];
+  return std::find(begin, end, v) != end;
+}
+
+/* ---- Edges ---- */
+
+/* A face and one of its sides, a < b. */
+struct side {
+  uint32_t a, b, face;
+};
+
+/* A stretch in which two faces penetrate. */
+struct stretch {
+  hsr_edge_name name;
+  vec<Exact> end[2];
+};
+
+/* What does not depend on the view. */
+struct shape {
+  std::vector<char> flat;       /* a face */
+  std::vector<side> sides;      /* ascending */
+  std::vector<stretch> implied; /* in the order of edges */
+};
+
+void find_sides(const hsr_world &world, shape *made) {
+  for (uint32_t f = 0; f < world.n_faces; f++) {
+    uint32_t a = world.vertex[world.start[f + 1] - 1];
+    for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
+      const uint32_t b = world.vertex[c];
+      made->sides.push_back({std::min(a, b), std::max(a, b), f});
+      a = b;
+    }
+  }
+  std::sort(made->sides.begin(), made->sides.end(),
+            [](const side &s, const side &t) {
+              return std::array<uint32_t, 3>{s.a, s.b, s.face} <
+                     std::array<uint32_t, 3>{t.a, t.b, t.face};
+            });
+}
+
+/* ---- Implied edges ---- */
+
+struct box {
+  double low[3], high[3];
+  uint32_t face;
+};
+
+box face_box(const hsr_world &world, uint32_t f) {
+  box all = {
+      {infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, f};
+  for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
+    const uint32_t v = world.vertex[c];
+    const double p[3] = {world.x[v], world.y[v], world.z[v]};
+    for (int axis = 0; axis < 3; axis++) {
+      all.low[axis] = std::min(all.low[axis], p[axis]);
+      all.high[axis] = std::max(all.high[axis], p[axis]);
+    }
+  }
+  return all;
+}
+
+bool overlap(const box &a, const box &b) {
+  for (int axis = 0; axis < 3; axis++)
+    if (a.high[axis] < b.low[axis] || b.high[axis] < a.low[axis])
+      return false;
+  return true;
+}
+
+/* Whether a flat face has vertices on both sides of another's plane. If it has
+ * not, the plane meets it in its border at most. */
+bool is_astride(const hsr_world &world, uint32_t f, uint32_t g) {
+  const uint32_t O = world.vertex[world.start[g]];
+  const vec<Interval> near_O = vertex<Interval>(world, O);
+  const plane<Interval> p = make_plane<Interval>(world, g, near_O);
+  std::optional<vec<Exact>> exact_O;
+  std::optional<plane<Exact>> q;
+  bool before = false, behind = false;
+  for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
+    const uint32_t v = world.vertex[c];
+    if (has_vertex(world, g, v))
+      continue;
+    int sign = sign_of(dot(p.kN, vertex<Interval>(world, v) - near_O) - p.c);
+    if (sign == UNKNOWN) {
+      const Nearest to_nearest;
+      if (!q) {
+        exact_O = vertex<Exact>(world, O);
+        q = make_plane<Exact>(world, g, *exact_O);
+      }
+      sign = sign_of(dot(q->kN, vertex<Exact>(world, v) - *exact_O) - q->c);
+    }
+    before = before || sign > 0;
+    behind = behind || sign < 0;
+  }
+  return before && behind;
+}
+
+/* A point of the line of two planes, at s along it. */
+struct mark {
+  Exact s;
+  vec<Exact> at;
+};
+
+/* The border of a face, where the other's plane cuts it. */
+struct border {
+  std::vector<Exact> crossings; /* of sides that lead through the plane, a
+                                   vertex in the plane counting as before it */
+  std::vector<std::array<Exact, 2>> lying; /* sides that lie in the plane */
+
+  bool is_inside(const Exact &s) const;
+};
+
+/* s is nowhere on the border but in a side that lies there. The parity is that
+ * of a point next to it on the side of the plane where none is. */
+bool border::is_inside(const Exact &s) const {
+  for (const auto &l : lying)
+    if (std::min(l[0], l[1]) < s && s < std::max(l[0], l[1]))
+      return false;
+  bool odd = false;
+  for (const Exact &c : crossings)
+    odd = odd != (c > s);
+  return odd;
+}
+
+/* Where the border of f meets plane p of the other face; the line runs along
+ * `direction`. */
+border cut_border(const hsr_world &world, uint32_t f, const plane<Exact> &p,
+                  const vec<Exact> &direction, std::vector<mark> *marks) {
+  border cut;
+  vec<Exact> a = vertex<Exact>(world, world.vertex[world.start[f + 1] - 1]);
+  Exact height_a = dot(p.kN, a) - p.c;
+  for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
+    const vec<Exact> b = vertex<Exact>(world, world.vertex[c]);
+    const Exact height_b = dot(p.kN, b) - p.c;
+    const int sign_a = sign_of(height_a), sign_b = sign_of(height_b);
+    if (sign_b == 0)
+      marks->push_back({dot(direction, b), b});
+    if (sign_a == 0 && sign_b == 0)
+      cut.lying.push_back({dot(direction, a), dot(direction, b)});
+    if ((sign_a >= 0) != (sign_b >= 0)) {
+      const Exact part = height_a / (height_a - height_b);
+      const vec<Exact> at = a + part * (b - a);
+      cut.crossings.push_back(dot(direction, at));
+      marks->push_back({cut.crossings.back(), at});
+    }
+    a = b;
+    height_a = height_b;
+  }
+  return cut;
+}
+
+/* The stretches of f < g, both flat and astride each other's plane. */
+void penetrate(const hsr_world &world, uint32_t f, uint32_t g, shape *made) {
+  const Nearest to_nearest;
+  const vec<Exact> origin = {Exact(0), Exact(0), Exact(0)};
+  const plane<Exact> p = make_plane<Exact>(world, f, origin);
+  const plane<Exact> q = make_plane<Exact>(world, g, origin);
+  const vec<Exact> direction = cross(p.kN, q.kN);
+  std::vector<mark> marks;
+  const border of_f = cut_border(world, f, q, direction, &marks);
+  const border of_g = cut_border(world, g, p, direction, &marks);
+  std::sort(marks.begin(), marks.end(),
+            [](const mark &a, const mark &b) { return a.s < b.s; });
+  uint32_t part = 0;
+  for (size_t i = 1; i < marks.size(); i++) {
+    if (marks[i - 1].s == marks[i].s)
+      continue;
+    const Exact middle = (marks[i - 1].s + marks[i].s) / Exact(2);
+    if (of_f.is_inside(middle) && of_g.is_inside(middle))
+      made->implied.push_back(
+          {{true, f, g, part++}, {marks[i - 1].at, marks[i].at}});
+  }
+}
+
+void find_implied(const hsr_world &world, shape *made) {
+  std::vector<box> boxes;
+  for (uint32_t f = 0; f < world.n_faces; f++)
+    if (made->flat[f])
+      boxes.push_back(face_box(world, f));
+  std::sort(boxes.begin(), boxes.end(),
+            [](const box &a, const box &b) { return a.low[0] < b.low[0]; });
+  for (size_t i = 0; i < boxes.size(); i++)
+    for (size_t j = i + 1;
+         j < boxes.size() && boxes[j].low[0] <= boxes[i].high[0]; j++) {
+      const uint32_t f = std::min(boxes[i].face, boxes[j].face);
+      const uint32_t g = std::max(boxes[i].face, boxes[j].face);
+      if (overlap(boxes[i], boxes[j]) && is_astride(world, f, g) &&
+          is_astride(world, g, f))
+        penetrate(world, f, g, made);
+    }
+  std::sort(made->implied.begin(), made->implied.end(),
+            [](const stretch &a, const stretch &b) {
+              return hsr_edge_name_compare(&a.name, &b.name) < 0;
+            });
+}
+
+/* ---- Forms ---- */
+
+/* The frame of the eye; w·u is the depth of u, wx·u and wy·u that times x and
+ * y. */
+template <class T> struct frame {
+  vec<T> E, R, U, w, wx, wy;
+  T near;
+};
+
+template <class T> frame<T> make_frame(const hsr_view &view) {
+  const vec<T> F = lift<T>(view.F), R = lift<T>(view.R), U = lift<T>(view.U);
+  const T scale = T(1) / dot(F, cross(R, U));
+  return {lift<T>(view.E),
+          R,
+          U,
+          scale * cross(R, U),
+          scale * cross(U, F),
+          scale * cross(F, R),
+          T(view.near)};
+}
+
+/* The number n·u + d. */
+template <class T> struct form {
+  vec<T> n;
+  T d;
+};
+
+template <class T> T at(const form<T> &l, const vec<T> &u) {
+  return dot(l.n, u) + l.d;
+}
+
+/* Which form; or, of a place on an edge, where which form is zero. */
+enum what : uint32_t {
+  START, /* no form: the place t = 0 */
+  END,   /* the place t = 1 */
+  SIDE,  /* edge(a, b), of vertices a < b */
+  ROW,   /* row(a), of a vertex */
+  PLANE, /* kN·u - c of face a: of the sign of c where it is hit before P */
+  SLOPE, /* kN·u */
+  NEAR,  /* w (c - near kN·D) */
+  CLIP_NEAR,
+  CLIP_LEFT,
+  CLIP_BOTTOM,
+  CLIP_RIGHT,
+  CLIP_TOP
+};
+
+struct recipe {
+  what of;
+  uint32_t a, b;
+
+  bool operator==(const recipe &other) const {
+    return of == other.of && a == other.a && b == other.b;
+  }
+};
+
+/* ---- The picture ---- */
+
+/* Bounds of x, y and w. */
+struct screen_box {
+  double left, right, low, high, nearest, farthest;
+};
+
+constexpr screen_box empty_image = {infinity,  -infinity, infinity,
+                                    -infinity, infinity,  -infinity};
+constexpr screen_box whole_screen = {-infinity, infinity,  -infinity,
+                                     infinity,  -infinity, infinity};
+
+/* A face that may hide something: its box, or the whole screen if it reaches
+ * from before to behind the eye; it is hit nowhere nearer than box.nearest. */
+struct hider {
+  screen_box box;
+  uint32_t face;
+};
+
+struct edge {
+  hsr_edge_name name;
+  const side *own; /* the own faces, of an edge of faces */
+  size_t n_own;
+  const stretch *implied; /* or NULL */
+  vec<Interval> u[2];
+  std::optional<vec<Exact>> exact[2];
+};
+
+/* A place on an edge. */
+struct place {
+  recipe zero;
+  Interval t;
+  std::optional<Exact> exact;
+};
+
+/* A point of an edge, between places. */
+struct point {
+  vec<Interval> u, u_cross_R;
+  double t; /* if not `exact_t` */
+  std::optional<Exact> exact_t;
+  std::optional<vec<Exact>> exact;
+};
+
+/* From `at` on, `change` more faces hide the edge. */
+struct event {
+  place *at;
+  int change;
+};
+
+class artist {
+public:
+  artist(const hsr_job &a_job, const shape &a_shape);
+  enum hsr_status draw();
+
+private:
+  /* The picture. */
+  template <class T> const frame<T> &eye() const;
+  template <class T> vec<T> vertex_from_eye(uint32_t v) const;
+  template <class T> const plane<T> &plane_of(uint32_t f);
+  template <class T> form<T> make_form(const recipe &which);
+  int decide_c(uint32_t f);
+  bool exists(uint32_t f) const;
+  void extend(screen_box *all, const vec<Interval> &u) const;
+  void add_hider(uint32_t f);
+
+  /* An edge. */
+  enum hsr_status draw_edge();
+  bool begin_edge();
+  const vec<Exact> &exact_end(int end);
+  int sign_at_end(const recipe &which, const Interval &guess, int end);
+  bool is_at_end(const recipe &which, int end) const;
+  place *cross_zero(const recipe &which, int signs[2]);
+  bool clip();
+  enum hsr_status emit();
+  enum hsr_status emit_part(place *from, place *to, int invisibility);
+
+  /* Places. */
+  const Exact &exact_place(place *p);
+  int compare(place *p, place *q);
+  void sort_places();
+  double rounded(place *p);
+
+  /* A face before it. */
+  bool is_own(uint32_t f) const;
+  bool is_beside(uint32_t f);
+  bool may_hide(uint32_t f);
+  void hide(uint32_t f);
+  void add_candidate(const recipe &which);
+  point between(place *p, place *q);
+  const vec<Exact> &exact_point(point *p);
+  int decide(const recipe &which, const Interval &guess, point *p);
+  int sign_at(const recipe &which, point *p);
+  int row(uint32_t v, point *p);
+  bool is_parity_odd(uint32_t f, point *p);
+  bool hides(uint32_t f, point *p);
+
+  const hsr_job &job;
+  const hsr_world &world;
+  const shape &known;
+  const frame<Interval> about;
+  const frame<Exact> exact;
+  std::vector<vec<Interval>> v;        /* V - E, a vertex */
+  std::vector<plane<Interval>> planes; /* a face */
+  std::vector<std::unique_ptr<plane<Exact>>> exact_planes;
+  std::vector<signed char> c; /* a face: the sign of its c */
+  std::vector<hider> hiders;  /* by `box.left` */
+
+  edge e;
+  vec<Interval> across; /* u0 x u1 */
+  place *lo, *hi;       /* what is in the picture */
+  screen_box image;
+  std::deque<place> places;
+  std::vector<event> events;
+  std::vector<place *> candidates; /* of one face */
+  std::vector<signed char> beside; /* of one face, a corner */
+};
+
+template <> const frame<Interval> &artist::eye() const {
+  return about;
+}
+template <> const frame<Exact> &artist::eye() const {
+  return exact;
+}
+template <>
+vec<Interval> artist::vertex_from_eye<Interval>(uint32_t number) const {
+  return v[number];
+}
+template <> vec<Exact> artist::vertex_from_eye<Exact>(uint32_t number) const {
+  return vertex<Exact>(world, number) - exact.E;
+}
+template <> const plane<Interval> &artist::plane_of(uint32_t f) {
+  return planes[f];
+}
+template <> const plane<Exact> &artist::plane_of(uint32_t f) {
+  if (!exact_planes[f])
+    exact_planes[f] =
+        std::make_unique<plane<Exact>>(make_plane<Exact>(world, f, exact.E));
+  return *exact_planes[f];
+}
+
+template <class T> form<T> artist::make_form(const recipe &which) {
+  const frame<T> &i = eye<T>();
+  const T zero(0);
+  switch (which.of) {
+  case SIDE:
+    return {cross(vertex_from_eye<T>(which.a), vertex_from_eye<T>(which.b)),
+            zero};
+  case ROW:
+    return {cross(i.R, vertex_from_eye<T>(which.a)), zero};
+  case PLANE:
+    return {plane_of<T>(which.a).kN, -plane_of<T>(which.a).c};
+  case SLOPE:
+    return {plane_of<T>(which.a).kN, zero};
+  case NEAR:
+    return {plane_of<T>(which.a).c * i.w - i.near * plane_of<T>(which.a).kN,
+            zero};
+  case CLIP_NEAR:
+    return {i.w, -i.near};
+  case CLIP_LEFT:
+    return {i.w + i.wx, zero};
+  case CLIP_RIGHT:
+    return {i.w - i.wx, zero};
+  case CLIP_BOTTOM:
+    return {i.w + i.wy, zero};
+  case CLIP_TOP:
+    return {i.w - i.wy, zero};
+  case START:
+  case END:
+    break;
+  }
+  return {i.w, zero}; /* never */
+}
+
+artist::artist(const hsr_job &a_job, const shape &a_shape)
+    : job(a_job), world(*a_job.world), known(a_shape),
+      about(make_frame<Interval>(*job.view)), exact([&] {
+        const Nearest to_nearest;
+        return make_frame<Exact>(*job.view);
+      }()),
+      exact_planes(world.n_faces), c(world.n_faces) {
+  v.reserve(world.n_vertices);
+  for (uint32_t k = 0; k < world.n_vertices; k++)
+    v.push_back(vertex<Interval>(world, k) - about.E);
+  planes.reserve(world.n_faces);
+  for (uint32_t f = 0; f < world.n_faces; f++)
+    planes.push_back(make_plane<Interval>(world, f, about.E));
+  for (uint32_t f = 0; f < world.n_faces; f++) {
+    c[f] = static_cast<signed char>(decide_c(f));
+    if (exists(f) && c[f])
+      add_hider(f);
+  }
+  std::sort(hiders.begin(), hiders.end(), [](const hider &a, const hider &b) {
+    return a.box.left < b.box.left;
+  });
+}
+
+int artist::decide_c(uint32_t f) {
+  const int sign = sign_of(planes[f].c);
+  if (sign != UNKNOWN)
+    return sign;
+  HSR_COUNT(job.tally, LINE_EXACT, 1);
+  const Nearest to_nearest;
+  return sign_of(plane_of<Exact>(f).c);
+}
+
+/* The eye is in front of a plane if c < 0. */
+bool artist::exists(uint32_t f) const {
+  return !world.one_sided[f] || c[f] < 0;
+}
+
+/* Adds one point. What is not finite may be anything. */
+void artist::extend(screen_box *all, const vec<Interval> &u) const {
+  const Interval w = dot(about.w, u);
+  const Interval x = dot(about.wx, u) / w, y = dot(about.wy, u) / w;
+  if (!CGAL::is_finite(x) || !CGAL::is_finite(y) || !CGAL::is_finite(w)) {
+    *all = whole_screen;
+    return;
+  }
+  all->left = std::min(all->left, x.inf());
+  all->right = std::max(all->right, x.sup());
+  all->low = std::min(all->low, y.inf());
+  all->high = std::max(all->high, y.sup());
+  all->nearest = std::min(all->nearest, w.inf());
+  all->farthest = std::max(all->farthest, w.sup());
+}
+
+/* If the ray's line, taken in both directions, misses the convex hull of the
+ * vertices, the parity is even. So a face covers nothing outside the hull of
+ * its vertices' images if they are all before the eye or all behind it; images
+ * and box are closed, and hold for the displaced ray too. A flat face is hit,
+ * where it covers, in the hull: nowhere nearer than its nearest vertex, and
+ * not at all if that would be at w <= near. */
+void artist::add_hider(uint32_t f) {
+  screen_box bounds = empty_image;
+  for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++)
+    extend(&bounds, v[world.vertex[k]]);
+  const bool flat = known.flat[f];
+  if (flat && bounds.farthest <= job.view->near)
+    return;
+  if (!(bounds.nearest > 0 || bounds.farthest < 0))
+    bounds = whole_screen;
+  if (!flat)
+    bounds.nearest = -infinity;
+  if (!(bounds.left > 1 || bounds.right < -1 || bounds.low > 1 ||
+        bounds.high < -1))
+    hiders.push_back({bounds, f});
+}
+
+/* ---- Places on an edge ---- */
+
+const vec<Exact> &artist::exact_end(int end) {
+  if (!e.exact[end])
+    e.exact[end] = e.implied
+                       ? e.implied->end[end] - exact.E
+                       : vertex_from_eye<Exact>(end ? e.name.b : e.name.a);
+  return *e.exact[end];
+}
+
+/* Whether the form is zero at an end since vertices are the same. */
+bool artist::is_at_end(const recipe &which, int end) const {
+  if (e.implied)
+    return false;
+  const uint32_t vertex_there = end ? e.name.b : e.name.a;
+  if (which.of == SIDE)
+    return which.a == vertex_there || which.b == vertex_there;
+  return which.of == PLANE && known.flat[which.a] &&
+         has_vertex(world, which.a, vertex_there);
+}
+
+int artist::sign_at_end(const recipe &which, const Interval &guess, int end) {
+  if (is_at_end(which, end))
+    return 0;
+  const int sign = sign_of(guess);
+  if (sign != UNKNOWN)
+    return sign;
+  HSR_COUNT(job.tally, LINE_EXACT, 1);
+  const Nearest to_nearest;
+  return sign_of(at(make_form<Exact>(which), exact_end(end)));
+}
+
+/* The signs of a form at both ends; and, if they are opposite, the place where
+ * it is zero, else NULL. */
+place *artist::cross_zero(const recipe &which, int signs[2]) {
+  const form<Interval> l = make_form<Interval>(which);
+  const Interval a = at(l, e.u[0]), b = at(l, e.u[1]);
+  signs[0] = sign_at_end(which, a, 0);
+  signs[1] = sign_at_end(which, b, 1);
+  if (signs[0] * signs[1] >= 0)
+    return nullptr;
+  const Interval t = a / (a - b); /* a NaN is taken for 0 and 1 below */
+  places.push_back(
+      {which, {std::max(0.0, t.inf()), std::min(1.0, t.sup())}, std::nullopt});
+  return &places.back();
+}
+
+const Exact &artist::exact_place(place *p) {
+  if (!p->exact) {
+    HSR_COUNT(job.tally, LINE_EXACT, 1);
+    const Nearest to_nearest;
+    if (p->zero.of == START || p->zero.of == END) {
+      p->exact = Exact(p->zero.of == END);
+    } else {
+      const form<Exact> l = make_form<Exact>(p->zero);
+      const Exact a = at(l, exact_end(0)), b = at(l, exact_end(1));
+      p->exact = a / (a - b);
+    }
+    p->t = enclose(*p->exact);
+  }
+  return *p->exact;
+}
+
+int artist::compare(place *p, place *q) {
+  if (p == q || p->zero == q->zero)
+    return 0;
+  if (p->zero.of == START || q->zero.of == END)
+    return -1;
+  if (q->zero.of == START || p->zero.of == END)
+    return 1;
+  if (p->t.sup() < q->t.inf())
+    return -1;
+  if (p->t.inf() > q->t.sup())
+    return 1;
+  const Exact &a = exact_place(p), &b = exact_place(q);
+  const Nearest to_nearest;
+  return int(CGAL::compare(a, b));
+}
+
+/* Within 1e-13, relatively. */
+double artist::rounded(place *p) {
+  const double t = p->t.inf() + (p->t.sup() - p->t.inf()) / 2;
+  if (p->t.sup() - p->t.inf() <= 1e-13 * p->t.inf())
+    return t;
+  const Exact &exact_t = exact_place(p);
+  const Nearest to_nearest;
+  return CGAL::to_double(exact_t);
+}
+
+/* ---- Points of an edge ---- */
+
+point artist::between(place *p, place *q) {
+  point m = {};
+  const double a = p->t.sup(), b = q->t.inf();
+  m.t = a + (b - a) / 2;
+  Interval t(m.t);
+  if (!(a < m.t && m.t < b)) {
+    const Exact &s = exact_place(p), &r = exact_place(q);
+    const Nearest to_nearest;
+    m.exact_t = (s + r) / Exact(2);
+    t = enclose(*m.exact_t);
+  }
+  m.u = e.u[0] + t * (e.u[1] - e.u[0]);
+  m.u_cross_R = cross(m.u, about.R);
+  return m;
+}
+
+const vec<Exact> &artist::exact_point(point *p) {
+  if (!p->exact) {
+    const Exact t = p->exact_t ? *p->exact_t : Exact(p->t);
+    p->exact = exact_end(0) + t * (exact_end(1) - exact_end(0));
+  }
+  return *p->exact;
+}
+
+/* The displaced sign of a form, of which an interval is known. */
+int artist::decide(const recipe &which, const Interval &guess, point *p) {
+  const int sign = sign_of(guess);
+  if (sign == 1 || sign == -1)
+    return sign;
+  HSR_COUNT(job.tally, LINE_EXACT, 1);
+  const Nearest to_nearest;
+  const form<Exact> l = make_form<Exact>(which);
+  if (const int there = sign_of(at(l, exact_point(p))))
+    return there;
+  if (const int along_R = sign_of(dot(l.n, exact.R)))
+    return along_R;
+  return -sign_of(dot(l.n, exact.U));
+}
+
+int artist::sign_at(const recipe &which, point *p) {
+  return decide(which, at(make_form<Interval>(which), p->u), p);
+}
+
+/* ---- Hiding ---- */
+
+/* row(v) = det(D, R, v). A vertex in the direction of R counts as positive. */
+int artist::row(uint32_t number, point *p) {
+  const int sign = decide({ROW, number, 0}, dot(p->u_cross_R, v[number]), p);
+  return sign ? sign : 1;
+}
+
+bool artist::is_parity_odd(uint32_t f, point *p) {
+  bool odd = false;
+  uint32_t a = world.vertex[world.start[f + 1] - 1];
+  int row_a = row(a, p);
+  for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++) {
+    const uint32_t b = world.vertex[k];
+    const int row_b = row(b, p);
+    if (row_a != row_b) {
+      const recipe which = {SIDE, std::min(a, b), std::max(a, b)};
+      const int sign = sign_at(which, p) * (a < b ? 1 : -1);
+      odd = odd != (sign == -row_a);
+    }
+    a = b;
+    row_a = row_b;
+  }
+  return odd;
+}
+
+/* Whether the face hides the point, if it is none of the edge's own faces and
+ * its plane does not contain the edge. */
+bool artist::hides(uint32_t f, point *p) {
+  HSR_COUNT(job.tally, LINE_POINT, 1);
+  const int side = c[f];
+  return sign_at({PLANE, f, 0}, p) == side && is_parity_odd(f, p) &&
+         sign_at({SLOPE, f, 0}, p) == side && sign_at({NEAR, f, 0}, p) == side;
+}
+
+bool artist::is_own(uint32_t f) const {
+  if (e.implied)
+    return f == e.name.a || f == e.name.b;
+  for (size_t i = 0; i < e.n_own; i++)
+    if (e.own[i].face == f)
+      return true;
+  return false;
+}
+
+/* Whether all vertices of the face lie strictly on one side of the plane
+ * through the eye and the edge, but for one that is an end of the edge. The
+ * rays of the edge's points, ends apart, lie in that plane and miss the hull of
+ * the vertices, and so do displaced ones: the parity is even.
+ * Notes for each corner on which side it certainly is, else 0. */
+bool artist::is_beside(uint32_t f) {
+  int n_ends = 0;
+  bool right_of = false, left_of = false, open = false;
+  beside.clear();
+  for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++) {
+    const uint32_t number = world.vertex[k];
+    int sign = 0;
+    if (!e.implied && (number == e.name.a || number == e.name.b)) {
+      n_ends++;
+    } else {
+      sign = sign_of(dot(across, v[number]));
+      open = open || sign == UNKNOWN || sign == 0;
+      sign = sign == UNKNOWN ? 0 : sign;
+    }
+    left_of = left_of || sign > 0;
+    right_of = right_of || sign < 0;
+    beside.push_back(static_cast<signed char>(sign));
+  }
+  return !open && n_ends <= 1 && left_of != right_of;
+}
+
+/* False if the face is not before the edge, which only its plane tells; or if
+ * its plane contains both ends. What is strictly hit before P has, where c is
+ * positive, kN·u - c > 0: if that is so at neither end, it is so nowhere
+ * between. Adds the place where it changes. */
+bool artist::may_hide(uint32_t f) {
+  int signs[2];
+  place *there = cross_zero({PLANE, f, 0}, signs);
+  if (there)
+    candidates.push_back(there);
+  return signs[0] * c[f] > 0 || signs[1] * c[f] > 0;
+}
+
+void artist::add_candidate(const recipe &which) {
+  int signs[2];
+  if (place *there = cross_zero(which, signs))
+    candidates.push_back(there);
+}
+
+/* The events of one face. The parity changes only where the ray crosses a side:
+ * both ends of which are then not on one side of the plane through the eye and
+ * the edge. Where a side's line passes through the eye, it is skipped, and the
+ * parity may change with a row; the face is then not flat, or c were 0. */
+void artist::hide(uint32_t f) {
+  HSR_COUNT(job.tally, LINE_PAIR, 1);
+  candidates.clear();
+  if (is_beside(f) || !may_hide(f))
+    return;
+  add_candidate({SLOPE, f, 0});
+  if (job.view->near > 0)
+    add_candidate({NEAR, f, 0});
+  const uint32_t *corner = world.vertex + world.start[f];
+  const uint32_t n = hsr_face_size(&world, f);
+  for (uint32_t i = n - 1, k = 0; k < n; i = k++) {
+    if (beside[i] * beside[k] <= 0)
+      add_candidate({SIDE, std::min(corner[i], corner[k]),
+                     std::max(corner[i], corner[k])});
+    if (!known.flat[f])
+      add_candidate({ROW, corner[k], 0});
+  }
+
+  sort_places();
+  for (size_t i = 1; i < candidates.size(); i++) {
+    point p = between(candidates[i - 1], candidates[i]);
+    if (!hides(f, &p))
+      continue;
+    events.push_back({candidates[i - 1], 1});
+    events.push_back({candidates[i], -1});
+  }
+}
+
+/* The candidates between lo and hi, sorted, each once, and these themselves. */
+void artist::sort_places() {
+  auto outside = [&](place *p) {
+    return compare(p, lo) <= 0 || compare(p, hi) >= 0;
+  };
+  candidates.erase(
+      std::remove_if(candidates.begin(), candidates.end(), outside),
+      candidates.end());
+  std::sort(candidates.begin(), candidates.end(),
+            [&](place *p, place *q) { return compare(p, q) < 0; });
+  candidates.erase(
+      std::unique(candidates.begin(), candidates.end(),
+                  [&](place *p, place *q) { return compare(p, q) == 0; }),
+      candidates.end());
+  candidates.insert(candidates.begin(), lo);
+  candidates.push_back(hi);
+}
+
+/* ---- An edge ---- */
+
+/* Places lo and hi around what is in the picture; false if that is nothing. */
+bool artist::clip() {
+  places.push_back({{START, 0, 0}, Interval(0), std::nullopt});
+  lo = &places.back();
+  places.push_back({{END, 0, 0}, Interval(1), std::nullopt});
+  hi = &places.back();
+  for (what of : {CLIP_NEAR, CLIP_LEFT, CLIP_RIGHT, CLIP_BOTTOM, CLIP_TOP}) {
+    const bool closed = of == CLIP_LEFT || of == CLIP_TOP;
+    int signs[2];
+    place *there = cross_zero({of, 0, 0}, signs);
+    if (!there) {
+      const int sign = signs[0] ? signs[0] : signs[1];
+      if (sign < 0 || (sign == 0 && !closed))
+        return false;
+    } else if (signs[0] < 0) {
+      lo = compare(there, lo) > 0 ? there : lo;
+    } else {
+      hi = compare(there, hi) < 0 ? there : hi;
+    }
+  }
+  return compare(lo, hi) < 0;
+}
+
+/* False if it is no edge, or nothing of it is in the picture. */
+bool artist::begin_edge() {
+  places.clear();
+  events.clear();
+  across = cross(e.u[0], e.u[1]);
+  int no_image = is_zero(across);
+  if (no_image == UNKNOWN) {
+    HSR_COUNT(job.tally, LINE_EXACT, 1);
+    const Nearest to_nearest;
+    no_image = is_zero(cross(exact_end(0), exact_end(1)));
+  }
+  if (no_image || !clip())
+    return false;
+
+  image = empty_image;
+  for (const vec<Interval> &u : e.u)
+    extend(&image, u);
+  if (!(image.nearest > 0)) {
+    const double farthest = image.farthest;
+    image = whole_screen;
+    image.farthest = farthest;
+  }
+  image.left = std::max(image.left, -1.0);
+  image.right = std::min(image.right, 1.0);
+  image.low = std::max(image.low, -1.0);
+  image.high = std::min(image.high, 1.0);
+  return true;
+}
+
+enum hsr_status artist::emit_part(place *from, place *to, int invisibility) {
+  const hsr_drawing &d = *job.drawing;
+  const hsr_segment *last = d.n ? &d.segment[d.n - 1] : nullptr;
+  const bool is_next = last && !hsr_edge_name_compare(&last->edge, &e.name);
+  struct hsr_segment part = {e.name, uint32_t(invisibility), 0, rounded(to), {},
+                             {}};
+
+  /* In the exact order, also where one is rounded in one way, one in another.
+   */
+  part.t0 = is_next ? last->t1 : rounded(from);
+  part.t1 = std::max(part.t0, part.t1);
+
+  double A[3], B[3];
+  if (e.implied) {
+    const Nearest to_nearest;
+    const vec<Exact> &a = e.implied->end[0], &b = e.implied->end[1];
+    const Exact *of_a[3] = {&a.x, &a.y, &a.z}, *of_b[3] = {&b.x, &b.y, &b.z};
+    for (int k = 0; k < 3; k++) {
+      A[k] = CGAL::to_double(*of_a[k]);
+      B[k] = CGAL::to_double(*of_b[k]);
+    }
+  } else {
+    const double *xyz[3] = {world.x, world.y, world.z};
+    for (int k = 0; k < 3; k++) {
+      A[k] = xyz[k][e.name.a];
+      B[k] = xyz[k][e.name.b];
+    }
+  }
+  for (int k = 0; k < 3; k++) {
+    part.from[k] = (1 - part.t0) * A[k] + part.t0 * B[k];
+    part.to[k] = (1 - part.t1) * A[k] + part.t1 * B[k];
+  }
+  return hsr_drawing_add(job.drawing, &part);
+}
+
+/* The intervals, from the events. */
+enum hsr_status artist::emit() {
+  std::sort(events.begin(), events.end(), [&](const event &a, const event &b) {
+    return compare(a.at, b.at) < 0;
+  });
+  place *from = lo;
+  int invisibility = 0;
+  enum hsr_status status = HSR_OK;
+  for (size_t i = 0; i < events.size() && !status;) {
+    place *to = events[i].at;
+    int change = 0;
+    for (; i < events.size() && compare(to, events[i].at) == 0; i++)
+      change += events[i].change;
+    if (change == 0)
+      continue;
+    if (compare(from, to) < 0)
+      status = emit_part(from, to, invisibility);
+    from = to;
+    invisibility += change;
+  }
+  if (!status && compare(from, hi) < 0)
+    status = emit_part(from, hi, invisibility);
+  return status;
+}
+
+enum hsr_status artist::draw_edge() {
+  if (!begin_edge())
+    return HSR_OK;
+  for (const hider &h : hiders) {
+    if (h.box.left > image.right)
+      break;
+    HSR_COUNT(job.tally, LINE_BOX, 1);
+    if (h.box.right < image.left || h.box.low > image.high ||
+        h.box.high < image.low || h.box.nearest >= image.farthest)
+      continue;
+    if (!is_own(h.face))
+      hide(h.face);
+  }
+  return emit();
+}
+
+enum hsr_status artist::draw() {
+  enum hsr_status status = HSR_OK;
+  const std::vector<side> &sides = known.sides;
+  for (size_t i = 0; i < sides.size() && !status;) {
+    const side *first = &sides[i];
+    bool there = false;
+    size_t n = 0;
+    for (; i < sides.size() && sides[i].a == first->a && sides[i].b == first->b;
+         i++, n++)
+      there = there || exists(sides[i].face);
+    e = {{false, first->a, first->b, 0}, first, n, nullptr,
+         {v[first->a], v[first->b]},     {}};
+    if (there && first->a != first->b)
+      status = draw_edge();
+  }
+  for (const stretch &s : known.implied) {
+    if (status)
+      break;
+    if (!exists(s.name.a) || !exists(s.name.b))
+      continue;
+    e = {s.name, nullptr, 0, &s, {}, {}};
+    for (int end : {0, 1})
+      e.u[end] = enclose([&] {
+        const Nearest to_nearest;
+        return exact_end(end);
+      }());
+    status = draw_edge();
+  }
+  return status;
+}
+
+/* ---- The algorithm ---- */
+
+/* Whether intervals hold what they should, which they do not where directed
+ * rounding is ignored. */
+bool is_rounding_honoured() {
+  const Upward upward;
+  const Interval third = Interval(1) / Interval(3);
+  const Interval tenth = Interval(1.1) * Interval(10.1);
+  return third.inf() < third.sup() && tenth.inf() < tenth.sup();
+}
+
+/* Does the work; nothing is thrown out of here. */
+template <class Work>
+enum hsr_status guarded(struct hsr_error *err, Work work) noexcept {
+  try {
+    return work();
+  } catch (const std::bad_alloc &) {
+    return hsr_fail_nomem(err);
+  } catch (const std::exception &e) {
+    return hsr_fail(err, HSR_E_INTERNAL, "line-oracle: %s", e.what());
+  } catch (...) {
+    return hsr_fail(err, HSR_E_INTERNAL, "line-oracle: an unknown exception");
+  }
+}
+
+extern "C" {
+
+static double expense(const struct hsr_world *world, const struct hsr_view *) {
+  return 0.5 * world->n_faces * world->n_corners;
+}
+
+static enum hsr_status prepare(const struct hsr_world *world, void **prepared,
+                               struct hsr_error *err) {
+  return guarded(err, [&] {
+    if (!is_rounding_honoured())
+      return hsr_fail(err, HSR_E_INTERNAL,
+                      "line-oracle: directed rounding has no effect here");
+    const Upward upward;
+    auto made = std::make_unique<shape>();
+    for (uint32_t f = 0; f < world->n_faces; f++)
+      made->flat.push_back(decide_flat(*world, f));
+    find_sides(*world, made.get());
+    find_implied(*world, made.get());
+    *prepared = made.release();
+    return HSR_OK;
+  });
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  return guarded(err, [&] {
+    const Upward upward;
+    artist a(*job, *static_cast<const shape *>(job->prepared));
+    const enum hsr_status status = a.draw();
+    return status ? hsr_fail_nomem(err) : HSR_OK;
+  });
+}
+
+static void release(void *prepared) {
+  delete static_cast<shape *>(prepared);
+}
+
+} /* extern "C" */
+
+constexpr struct hsr_counter counters[] = {
+    {"boxes", "boxes of faces compared with that of an edge"},
+    {"pairs", "faces compared with an edge, their boxes overlapping"},
+    {"points", "points of edges tested for whether a face hides them"},
+    {"exact", "signs and places that were sought in rational numbers"},
+    {nullptr, nullptr}};
+
+constexpr struct hsr_algorithm describe() {
+  struct hsr_algorithm a = {};
+  a.name = "line-oracle";
+  a.title = "Line oracle: exact invisibility from the definition";
+  a.authors = "hsr";
+  a.source = "docs/correct-drawing.md";
+  a.taxonomy = HSR_YARDSTICK;
+  a.kind = HSR_SEGMENTS;
+  a.flags = HSR_JUDGE;
+  a.counters = counters;
+  a.expense = expense;
+  a.prepare = prepare;
+  a.render = render;
+  a.release = release;
+  return a;
+}
+
+} /* namespace */
+
+/* Constant-initialised. Declared first: a const is otherwise private to its
+ * file in C++. */
+extern "C" const struct hsr_algorithm HSR_ALGORITHM(line_oracle);
+constexpr struct hsr_algorithm description = describe();
+const struct hsr_algorithm HSR_ALGORITHM(line_oracle) = description;
