@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The sides of faces are sorted here once more, rather than taken from
+ * common/edges.h, which would look for penetrations as well. */
 #include "common/crease.h"
 #include "common/predicates.h"
 
