@@ -159,6 +159,7 @@ enum hsr_event_at {
   HSR_AT_SIDE,  /* crosses the image of the side of a face that ends in corner
                    `subject` of world->vertex */
   HSR_AT_LINE,  /* crosses the image of line `subject` of sight->line */
+  HSR_AT_ROW,   /* is at the height of the image of vertex `subject` */
   HSR_AT_PLANE, /* meets the plane of face `subject` */
   HSR_AT_NEAR,  /* is where the plane of face `subject` meets that of near */
   HSR_AT_BORDER /* is at border `subject` of what is in the picture */
@@ -196,12 +197,12 @@ bool hsr_sight_in_plane(const struct hsr_sight *sight, uint32_t e, uint32_t f);
 int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f);
 
 /* Narrows the part of edge e between two of its places, which is in the
- * picture, to what of it is on one side of an HSR_AT_PLANE or HSR_AT_LINE: in
- * front of the plane (+1) or behind it; or on that side of the plane of the eye
- * and a line of points, as hsr_sight_side has it. Of faces a and b, the sign of
- * c_a (k N)_b - c_b (k N)_a is asked for, c being the heights of the eye over
- * them. False if nothing is left. An edge in a plane is on neither side of it;
- * before a line, it is displaced. */
+ * picture, to what of it is on one side of an HSR_AT_PLANE, in front (+1) or
+ * behind; or of an HSR_AT_LINE. That of a line of points is as hsr_sight_side
+ * has it; of the line where the planes of faces a and b meet, it is the sign of
+ * h_a(E) s_b(P) - h_b(E) s_a(P), h being the height of the eye, and s by how
+ * much P is higher than that. False if nothing is left. An edge in a plane is
+ * on neither side of it; whose image lies on that of a line, is displaced. */
 bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
                       enum hsr_event_at at, uint32_t subject, int side,
                       struct hsr_sight_event *from, struct hsr_sight_event *to);
