@@ -16,8 +16,8 @@
 //             If none is, what is in the cell is locally convex everywhere, so
 //             it is convex: in the cell, and inside the planes of all pieces.
 // Planes      of a part are those of its pieces and of its cell, so all of them
-//             are planes of faces, and exact. Where they meet is not known: any
-//             two have a rim.
+//             are planes of faces, and exact. Two of them have a rim if more
+//             than a point of their line is inside of all others.
 
 #include "common/convex.h"
 #include "common/exact_plane.h"
@@ -224,7 +224,9 @@ private:
   const hsr_edges *edges_;
   const hsr_world *world_;
   Convex_pieces shapes_;
-  std::vector<uint32_t> body_of_; // a face
+  std::vector<uint32_t> body_of_;                      // a face
+  std::map<uint32_t, std::vector<uint32_t>> on_plane_; // of the solid that is
+                                                       // divided: its vertices
 
   // Whether a triangle of face f runs around as the face does.
   bool runs_forwards(uint32_t f, const std::vector<uint32_t> &loop) const {
@@ -422,9 +424,13 @@ private:
     }
   };
 
-  bool divide(const Body &body, int out, std::vector<Volume> &parts) const {
+  bool divide(const Body &body, int out, std::vector<Volume> &parts) {
     Pieces pieces;
-    for (uint32_t f : body.faces)
+    on_plane_.clear();
+    for (uint32_t f : body.faces) {
+      std::vector<uint32_t> &on = on_plane_[world_->plane[f]];
+      on.insert(on.end(), world_->vertex + world_->start[f],
+                world_->vertex + world_->start[f + 1]);
       for (const std::vector<uint32_t> &loop : convex_loops(*world_, f)) {
         Convex piece = {f, f, world_->plane[f], {}, {}};
         for (size_t k = 0, n = loop.size(); k < n; k++)
@@ -432,6 +438,9 @@ private:
               {point_of(*world_, loop[k]), 0, loop[k], loop[(k + 1) % n]});
         pieces.push_back(piece);
       }
+    }
+    for (auto &on : on_plane_)
+      std::sort(on.second.begin(), on.second.end());
     return divide(Path(), pieces, out, most_parts(body.faces.size()), parts);
   }
 
@@ -506,26 +515,159 @@ private:
                 std::vector<Volume> &parts) const {
     if (parts.size() >= most)
       return false;
-    Volume part;
-    for (const hsr_half_space &half : all) {
-      const hsr_half_space one = {shapes_.face_of(half.face), half.side};
-      const auto same = [&](const hsr_half_space &other) {
-        return other.face == one.face;
-      };
-      if (std::none_of(part.planes.begin(), part.planes.end(), same))
-        part.planes.push_back(one);
-    }
-    for (uint32_t k = 0; k < part.planes.size(); k++)
-      for (uint32_t l = 0; l < k; l++) {
-        const hsr_half_space &one = part.planes[k], &other = part.planes[l];
-        const bool alike = one.side == other.side;
-        part.add_rim(k, l,
-                     {true, alike ? one.face : other.face,
-                      alike ? other.face : one.face});
-      }
-    parts.push_back(part);
+    Path planes;
+    for (const hsr_half_space &half : all)
+      if (std::none_of(planes.begin(), planes.end(), [&](const auto &other) {
+            return other.face == half.face;
+          }))
+        planes.push_back(half);
+    parts.push_back(Part(*this, planes).volume());
     return true;
   }
+
+  // A part in the making: which of its planes meet in an edge of it.
+  class Part {
+  public:
+    Part(const Finder &finder, const Path &planes)
+        : finder_(finder), planes_(planes) {
+      for (const hsr_half_space &half : planes) {
+        const uint32_t f = finder.shapes_.face_of(half.face);
+        exact_.emplace_back(finder.world_, f);
+        CGAL::Protect_FPU_rounding<true> upwards;
+        rough_.emplace_back(finder.world_, f);
+      }
+    }
+
+    // Planes that have no rim bound the part nowhere.
+    Volume volume() const {
+      Volume made;
+      std::vector<uint32_t> number(planes_.size(), UINT32_MAX);
+      const auto add = [&](uint32_t k) {
+        if (number[k] == UINT32_MAX) {
+          number[k] = uint32_t(made.planes.size());
+          made.planes.push_back(
+              {finder_.shapes_.face_of(planes_[k].face), planes_[k].side});
+        }
+        return number[k];
+      };
+      for (uint32_t k = 0; k < planes_.size(); k++)
+        for (uint32_t l = 0; l < k; l++)
+          if (meet(k, l)) {
+            const uint32_t plane = add(k), other = add(l);
+            made.add_rim(plane, other, line(k, l));
+          }
+      return made;
+    }
+
+  private:
+    const Finder &finder_;
+    const Path &planes_;
+    std::vector<Plane<Interval>> rough_;
+    std::vector<Plane<Exact>> exact_;
+
+    bool meet(uint32_t k, uint32_t l) const {
+      try {
+        CGAL::Protect_FPU_rounding<true> upwards;
+        return meet(rough_, k, l);
+      } catch (const CGAL::Uncertain_conversion_exception &) {
+        // Below, with the rounding mode restored.
+      }
+      return meet(exact_, k, l);
+    }
+
+    // A point P of the line of two planes, times w, and the line's direction.
+    template <class T> struct Line {
+      Vector<T> P, d;
+      T w;
+      Line(const Plane<T> &a, const Plane<T> &b)
+          : P(T(0), T(0), T(0)),
+            d(CGAL::cross_product(a.k * a.normal, b.k * b.normal)), w(d * d) {
+        P = a.offset * CGAL::cross_product(b.k * b.normal, d) +
+            b.offset * CGAL::cross_product(d, a.k * a.normal);
+      }
+    };
+
+    // Whether more than a point of the line is in the part: inside or on each
+    // other plane. P + t d is on plane m at t = -value / slope.
+    template <class T>
+    bool meet(const std::vector<Plane<T>> &planes, uint32_t k,
+              uint32_t l) const {
+      const Line<T> line(planes[k], planes[l]);
+      if (CGAL::Sign(CGAL::sign(line.w)) == CGAL::ZERO)
+        return false;
+      struct Bound {
+        bool is = false;
+        T value = T(0), slope = T(1);
+      } least, greatest;
+      const auto is_less = [](const Bound &a, const Bound &b) {
+        const CGAL::Sign s = CGAL::sign(b.value * a.slope - a.value * b.slope);
+        return s == CGAL::NEGATIVE;
+      };
+      for (uint32_t m = 0; m < planes.size(); m++) {
+        if (m == k || m == l)
+          continue;
+        const T side(planes_[m].side);
+        const Plane<T> &plane = planes[m];
+        Bound bound = {
+            true,
+            side * (plane.k * (plane.normal * line.P) - plane.offset * line.w),
+            side * (plane.k * (plane.normal * line.d))};
+        const CGAL::Sign slope = CGAL::sign(bound.slope);
+        if (slope == CGAL::ZERO) {
+          const CGAL::Sign value = CGAL::sign(bound.value);
+          if (value == CGAL::NEGATIVE)
+            return false;
+        } else if (slope == CGAL::POSITIVE) {
+          if (!least.is || is_less(least, bound))
+            least = bound;
+        } else {
+          bound.value = -bound.value;
+          bound.slope = -bound.slope;
+          if (!greatest.is || is_less(bound, greatest))
+            greatest = bound;
+        }
+      }
+      return !least.is || !greatest.is || is_less(least, greatest);
+    }
+
+    // By two vertices if there are any on both planes.
+    hsr_sight_line line(uint32_t k, uint32_t l) const {
+      const uint32_t f = finder_.shapes_.face_of(planes_[k].face);
+      const uint32_t g = finder_.shapes_.face_of(planes_[l].face);
+      const bool alike = planes_[k].side == planes_[l].side;
+      uint32_t a, b;
+      if (!finder_.find_common(planes_[k].face, planes_[l].face, a, b))
+        return {true, alike ? f : g, alike ? g : f};
+      // Seen from outside of plane k, it is on the left of the line.
+      const hsr_world *w = finder_.world_;
+      const Line<Exact> exact(exact_[k], exact_[l]);
+      const bool along =
+          CGAL::sign(exact.d * (point<Exact>(w, b) - point<Exact>(w, a))) > 0;
+      return {false, along == alike ? a : b, along == alike ? b : a};
+    }
+  };
+
+  // Two vertices of a solid at different places that are corners of faces in
+  // one plane, and of faces in another.
+  bool find_common(uint32_t plane, uint32_t other, uint32_t &a,
+                   uint32_t &b) const {
+    const std::vector<uint32_t> &on = on_plane_.at(plane);
+    const std::vector<uint32_t> &on_other = on_plane_.at(other);
+    bool found = false;
+    for (uint32_t v : on) {
+      if (!std::binary_search(on_other.begin(), on_other.end(), v))
+        continue;
+      if (found && place(v) != place(a)) {
+        b = v;
+        return true;
+      }
+      found = true;
+      a = v;
+    }
+    return false;
+  }
+
+  Point place(uint32_t v) const { return point_of(*world_, v); }
 };
 
 // --- Storing
