@@ -41,7 +41,7 @@ using namespace hsr;
 // faces, are taken face by face, which then costs less.
 const size_t LARGEST_DIVIDED = 1024;
 size_t most_parts(size_t n_faces) {
-  return std::max<size_t>(16, n_faces / 4);
+  return std::max<size_t>(16, n_faces / 2);
 }
 
 struct Volume {

@@ -17,6 +17,7 @@ tap_programs = \
   %D%/properties/lines_and_surfaces_test \
   %D%/properties/metamorphic_test \
   %D%/properties/newell_test \
+  %D%/properties/roberts_test \
   %D%/properties/romney_test \
   %D%/properties/scan_line_test \
   %D%/properties/schumacker_test \
@@ -66,6 +67,8 @@ nodist_EXTRA_%C%_properties_combinations_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_properties_lines_and_surfaces_test_SOURCES = force_cxx_link.cc
 %C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
 nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
+%C%_properties_roberts_test_SOURCES = %D%/properties/roberts_test.c
+nodist_EXTRA_%C%_properties_roberts_test_SOURCES = force_cxx_link.cc
 %C%_properties_romney_test_SOURCES = %D%/properties/romney_test.c
 nodist_EXTRA_%C%_properties_romney_test_SOURCES = force_cxx_link.cc
 %C%_properties_schumacker_test_SOURCES = %D%/properties/schumacker_test.c
