@@ -58,13 +58,6 @@ enum {
   TAKEN_APART
 };
 
-/* For minimax tests: a box on the screen, and depths, as 1/w. All of space if
- * it is not known. */
-struct extent {
-  double x0, y0, x1, y1;
-  double farthest, nearest;
-};
-
 /* A condition on alpha: the edge is on this side of a plane, or of a line
  * (hsr_sight_narrow). */
 struct condition {
@@ -75,14 +68,14 @@ struct condition {
 /* What is in the way: a volume that an edge may be behind. Its conditions are
  * contour[first_line], ... and front[first_plane], ... up to the next one's. */
 struct volume {
-  struct extent extent;
+  struct hsr_extent extent;
   uint32_t first_line, first_plane;
   uint32_t collection;
 };
 
 /* The volumes of one body: from `first` up to the next one's. */
 struct collection {
-  struct extent extent;
+  struct hsr_extent extent;
   uint32_t first;
 };
 
@@ -151,10 +144,10 @@ static enum hsr_status prepare(const struct hsr_world *world, void **prepared,
  * ------------------------------------------------------------
  */
 
-static const struct extent nowhere = {INFINITY,  INFINITY, -INFINITY,
-                                      -INFINITY, INFINITY, 0};
+static const struct hsr_extent nowhere = {INFINITY,  INFINITY, -INFINITY,
+                                          -INFINITY, INFINITY, 0};
 
-static void enclose(struct extent *extent, const struct hsr_sight *sight,
+static void enclose(struct hsr_extent *extent, const struct hsr_sight *sight,
                     uint32_t p) {
   double x = sight->sx[p], y = sight->sy[p], q = sight->q[p];
   bool is_known = sight->ahead[p] && x == x;
@@ -168,16 +161,24 @@ static void enclose(struct extent *extent, const struct hsr_sight *sight,
       is_known ? fmax(extent->nearest, q * (1 + 0x1p-41)) : INFINITY;
 }
 
-static struct extent extent_of(const struct hsr_sight *sight,
-                               const uint32_t *point, uint32_t n) {
-  struct extent extent = nowhere;
+static struct hsr_extent extent_of(const struct hsr_sight *sight,
+                                   const uint32_t *point, uint32_t n) {
+  struct hsr_extent extent = nowhere;
   for (uint32_t k = 0; k < n && extent.x1 < INFINITY; k++)
     enclose(&extent, sight, point[k]);
   return extent;
 }
 
-static bool is_out_of_the_way(const struct extent *edge,
-                              const struct extent *object) {
+/* Of volume v, a part of a solid. */
+static struct hsr_extent extent_of_part(const struct frame *frame, uint32_t v) {
+  const struct hsr_volumes *volumes = frame->volumes;
+  const struct hsr_space *space =
+      &volumes->space[v - volumes->flat[frame->edges->world->n_faces]];
+  return hsr_sight_enclose(&frame->sight, space->lo, space->hi);
+}
+
+static bool is_out_of_the_way(const struct hsr_extent *edge,
+                              const struct hsr_extent *object) {
   return object->x1 < edge->x0 || edge->x1 < object->x0 ||
          object->y1 < edge->y0 || edge->y1 < object->y0 ||
          object->nearest < edge->farthest;
@@ -196,7 +197,7 @@ static bool add_condition(struct frame *frame, struct hsr_growing *list,
   return true;
 }
 
-static bool begin_volume(struct frame *frame, const struct extent *extent) {
+static bool begin_volume(struct frame *frame, const struct hsr_extent *extent) {
   if (!hsr_arena_grow(frame->job->scratch, &frame->volume,
                       sizeof(struct volume)))
     return false;
@@ -208,7 +209,7 @@ static bool begin_volume(struct frame *frame, const struct extent *extent) {
 
 /* The front planes of volume v, and its contour. */
 static bool add_volume(struct frame *frame, uint32_t v,
-                       const struct extent *extent) {
+                       const struct hsr_extent *extent) {
   const struct hsr_volumes *volumes = frame->volumes;
   if (!begin_volume(frame, extent))
     return false;
@@ -237,7 +238,7 @@ static bool add_face(struct frame *frame, uint32_t f) {
   const struct hsr_world *world = frame->edges->world;
   if (!frame->sight.regular[f])
     return true;
-  struct extent extent = extent_of(
+  struct hsr_extent extent = extent_of(
       &frame->sight, world->vertex + world->start[f], hsr_face_size(world, f));
   for (uint32_t v = volumes->flat[f]; v < volumes->flat[f + 1]; v++)
     if (!add_volume(frame, v, &extent))
@@ -251,7 +252,7 @@ static bool add_body(struct frame *frame, uint32_t b) {
   const struct hsr_volumes *volumes = frame->volumes;
   const uint32_t *corner = volumes->corner + volumes->corner_start[b];
   uint32_t n = volumes->corner_start[b + 1] - volumes->corner_start[b];
-  struct extent extent = extent_of(&frame->sight, corner, n);
+  struct hsr_extent extent = extent_of(&frame->sight, corner, n);
   bool is_ahead = true;
   for (uint32_t k = 0; k < n && is_ahead; k++)
     is_ahead = frame->sight.ahead[corner[k]];
@@ -262,9 +263,12 @@ static bool add_body(struct frame *frame, uint32_t b) {
       (struct collection){extent, (uint32_t)frame->volume.n};
   uint32_t first = volumes->solid_start[b], end = volumes->solid_start[b + 1];
   if (first < end && is_ahead) {
-    for (uint32_t v = first; v < end; v++)
+    for (uint32_t v = first; v < end; v++) {
+      if (end - first > 1)
+        extent = extent_of_part(frame, v);
       if (!add_volume(frame, v, &extent))
         return false;
+    }
     return true;
   }
   HSR_COUNT(frame->tally, TAKEN_APART, 1);
@@ -371,7 +375,7 @@ static int test(const struct frame *frame, uint32_t e,
 /* The first volume from v on that the edge may be behind, by minimax tests, and
  * that is not its own. */
 static uint32_t next_in_the_way(const struct frame *frame, uint32_t e,
-                                const struct extent *extent, uint32_t v) {
+                                const struct hsr_extent *extent, uint32_t v) {
   const struct volume *volume = frame->volume.items;
   const struct collection *collection = frame->bodies.items;
   const struct condition *front = frame->front.items;
@@ -401,7 +405,7 @@ static uint32_t next_in_the_way(const struct frame *frame, uint32_t e,
 /* Tests all fragments on the stack against the remaining volumes, and what is
  * left of them. */
 static bool test_fragments(struct frame *frame, uint32_t e,
-                           const struct extent *extent) {
+                           const struct hsr_extent *extent) {
   const struct volume *volume = frame->volume.items;
   uint32_t n = (uint32_t)frame->volume.n - 1;
   while (frame->stack.n) {
@@ -536,7 +540,7 @@ static enum hsr_status draw_edge(struct frame *frame, uint32_t e) {
   if (!is_relevant(frame, e, &all))
     return HSR_OK;
   const uint32_t ends[2] = {frame->edges->a[e], frame->edges->b[e]};
-  struct extent extent = extent_of(&frame->sight, ends, 2);
+  struct hsr_extent extent = extent_of(&frame->sight, ends, 2);
   frame->stack.n = frame->visible.n = 0;
   if (!push(frame, &frame->stack, all) || !test_fragments(frame, e, &extent) ||
       !hide_apart(frame, e, &all))

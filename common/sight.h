@@ -129,6 +129,15 @@ static inline int hsr_sight_row_side(const struct hsr_sight *sight, uint32_t p,
   return hsr_sight_row_side_exact(sight, p, q);
 }
 
+/* What holds the image of all between two corners of space, in pixels; and its
+ * 1/w. All of the plane, and of space, if it is not known. */
+struct hsr_extent {
+  double x0, y0, x1, y1;
+  double farthest, nearest;
+};
+struct hsr_extent hsr_sight_enclose(const struct hsr_sight *sight,
+                                    const double lo[3], const double hi[3]);
+
 /* --- What lies before what --------------------------------------------------
  */
 

@@ -282,6 +282,33 @@ int hsr_sight_row_side_exact(const struct hsr_sight *sight, uint32_t p,
   return sign ? sign : 1;
 }
 
+static Interval hull(const Interval &a, const Interval &b) {
+  return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
+}
+
+struct hsr_extent hsr_sight_enclose(const struct hsr_sight *sight,
+                                    const double lo[3], const double hi[3]) {
+  using T = Interval;
+  const Eye<T> &eye = sight->numbers->rough;
+  CGAL::Protect_FPU_rounding<true> upwards;
+  T x, y, q;
+  for (int k = 0; k < 8; k++) {
+    const double corner[3] = {k & 1 ? hi[0] : lo[0], k & 2 ? hi[1] : lo[1],
+                              k & 4 ? hi[2] : lo[2]};
+    const vec<T> p = lift<T>(corner) - eye.E;
+    const T w = dot(eye.W, p);
+    if (!(w.inf() > 0))
+      return {-INFINITY, -INFINITY, INFINITY, INFINITY, -INFINITY, INFINITY};
+    const T here[3] = {dot(eye.X, p) / w, dot(eye.Y, p) / w, eye.scale / w};
+    x = k ? hull(x, here[0]) : here[0];
+    y = k ? hull(y, here[1]) : here[1];
+    q = k ? hull(q, here[2]) : here[2];
+  }
+  x = (x + T(1)) * T(sight->view->m / 2.0);
+  y = (T(1) - y) * T(sight->view->n / 2.0);
+  return {x.inf(), y.inf(), x.sup(), y.sup(), q.inf(), q.sup()};
+}
+
 // --- Depth -------------------------------------------------------------------
 
 bool hsr_sight_behind(const struct hsr_sight *sight, uint32_t f, uint32_t p) {

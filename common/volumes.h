@@ -42,6 +42,10 @@ struct hsr_rim {
   uint32_t plane, other;
 };
 
+struct hsr_space {
+  double lo[3], hi[3];
+};
+
 struct hsr_volumes {
   const struct hsr_edges *edges; /* borrowed */
 
@@ -57,6 +61,9 @@ struct hsr_volumes {
    * simple. They come before all others. */
   uint32_t *flat; /* n_faces + 1 */
 
+  struct hsr_space *space; /* what each of the others lies within, from volume
+                              flat[n_faces] on */
+
   /* Body b: its faces, corners, and its volumes as a solid, of which there are
    * none if it is none. */
   uint32_t n_bodies;
@@ -65,7 +72,8 @@ struct hsr_volumes {
 
   uint32_t n_solids, n_convex; /* bodies; those that are one convex volume */
   uint32_t n_parts;            /* volumes of the other solids */
-  uint32_t n_too_large; /* solids that are taken face by face: see MOST_PARTS */
+  uint32_t
+      n_too_large; /* solids that are taken face by face: see volumes_cgal.cc */
 
   struct hsr_arena arena; /* holds the arrays */
 };

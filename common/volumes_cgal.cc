@@ -37,18 +37,24 @@ namespace {
 
 using namespace hsr;
 
-// Solids of more faces, or that fall into more parts than a fraction of their
-// faces, are taken face by face, which then costs less.
+// Solids of more faces, or that fall into more parts than they have faces, are
+// taken face by face, which then costs less.
 const size_t LARGEST_DIVIDED = 1024;
 size_t most_parts(size_t n_faces) {
-  return std::max<size_t>(16, n_faces / 2);
+  return std::max<size_t>(16, n_faces);
 }
 
 struct Volume {
   std::vector<hsr_half_space> planes;
   std::vector<hsr_rim> rims; // of planes of the volume
   std::vector<hsr_sight_line> lines;
+  hsr_space space = {{INFINITY, INFINITY, INFINITY},
+                     {-INFINITY, -INFINITY, -INFINITY}}; // of solids
 
+  void extend(size_t axis, double lo, double hi) {
+    space.lo[axis] = std::fmin(space.lo[axis], lo);
+    space.hi[axis] = std::fmax(space.hi[axis], hi);
+  }
   void add_rim(uint32_t plane, uint32_t other, const hsr_sight_line &line) {
     rims.push_back({plane, other});
     lines.push_back(line);
@@ -375,6 +381,9 @@ private:
     }
     for (uint32_t f : body.faces)
       add_rims(f, out, number, volume);
+    for (uint32_t v : body.corners)
+      for (size_t c = 0; c < 3; c++)
+        volume.extend(c, place(v)[c], place(v)[c]);
     return true;
   }
 
@@ -552,7 +561,7 @@ private:
       };
       for (uint32_t k = 0; k < planes_.size(); k++)
         for (uint32_t l = 0; l < k; l++)
-          if (meet(k, l)) {
+          if (meet(k, l, made)) {
             const uint32_t plane = add(k), other = add(l);
             made.add_rim(plane, other, line(k, l));
           }
@@ -565,14 +574,15 @@ private:
     std::vector<Plane<Interval>> rough_;
     std::vector<Plane<Exact>> exact_;
 
-    bool meet(uint32_t k, uint32_t l) const {
+    // Whether two planes meet in an edge, within which the space then is too.
+    bool meet(uint32_t k, uint32_t l, Volume &made) const {
       try {
         CGAL::Protect_FPU_rounding<true> upwards;
-        return meet(rough_, k, l);
+        return meet(rough_, k, l, made);
       } catch (const CGAL::Uncertain_conversion_exception &) {
         // Below, with the rounding mode restored.
       }
-      return meet(exact_, k, l);
+      return meet(exact_, k, l, made);
     }
 
     // A point P of the line of two planes, times w, and the line's direction.
@@ -587,19 +597,33 @@ private:
       }
     };
 
+    // Where a line meets a plane.
+    template <class T> struct Bound {
+      bool is = false;
+      T value = T(0), slope = T(1);
+    };
+
+    template <class T>
+    static void extend(Volume &made, const Line<T> &line, const Bound<T> &at) {
+      using Safe = CGAL::Interval_nt<true>;
+      const Vector<T> P = at.slope * line.P - at.value * line.d;
+      const Safe w(CGAL::to_interval(T(at.slope * line.w)));
+      for (int c = 0; c < 3; c++) {
+        const Safe x = Safe(CGAL::to_interval(P[c])) / w;
+        made.extend(size_t(c), x.inf(), x.sup());
+      }
+    }
+
     // Whether more than a point of the line is in the part: inside or on each
     // other plane. P + t d is on plane m at t = -value / slope.
     template <class T>
-    bool meet(const std::vector<Plane<T>> &planes, uint32_t k,
-              uint32_t l) const {
+    bool meet(const std::vector<Plane<T>> &planes, uint32_t k, uint32_t l,
+              Volume &made) const {
       const Line<T> line(planes[k], planes[l]);
       if (CGAL::Sign(CGAL::sign(line.w)) == CGAL::ZERO)
         return false;
-      struct Bound {
-        bool is = false;
-        T value = T(0), slope = T(1);
-      } least, greatest;
-      const auto is_less = [](const Bound &a, const Bound &b) {
+      Bound<T> least, greatest;
+      const auto is_less = [](const Bound<T> &a, const Bound<T> &b) {
         const CGAL::Sign s = CGAL::sign(b.value * a.slope - a.value * b.slope);
         return s == CGAL::NEGATIVE;
       };
@@ -608,7 +632,7 @@ private:
           continue;
         const T side(planes_[m].side);
         const Plane<T> &plane = planes[m];
-        Bound bound = {
+        Bound<T> bound = {
             true,
             side * (plane.k * (plane.normal * line.P) - plane.offset * line.w),
             side * (plane.k * (plane.normal * line.d))};
@@ -627,7 +651,11 @@ private:
             greatest = bound;
         }
       }
-      return !least.is || !greatest.is || is_less(least, greatest);
+      if (!is_less(least, greatest))
+        return false;
+      extend(made, line, least);
+      extend(made, line, greatest);
+      return true;
     }
 
     // By two vertices if there are any on both planes.
@@ -714,6 +742,7 @@ void make(hsr_volumes *volumes) {
   finder.find();
   Stored_volumes all;
   std::vector<uint32_t> flat{0};
+  std::vector<hsr_space> space;
   for (uint32_t f = 0; f < world->n_faces; f++) {
     for (const Volume &volume : finder.flat(f))
       all.add(volume);
@@ -728,8 +757,10 @@ void make(hsr_volumes *volumes) {
     corners.items.insert(corners.items.end(), body.corners.begin(),
                          body.corners.end());
     corners.end_one();
-    for (const Volume &volume : finder.solids[b])
+    for (const Volume &volume : finder.solids[b]) {
       all.add(volume);
+      space.push_back(volume.space);
+    }
     solid_start.push_back(all.size());
     volumes->n_solids += !finder.solids[b].empty();
   }
@@ -740,6 +771,7 @@ void make(hsr_volumes *volumes) {
   volumes->rim = store(volumes, all.rims.items);
   volumes->line = store(volumes, all.lines);
   volumes->flat = store(volumes, flat);
+  volumes->space = store(volumes, space);
   volumes->n_bodies = uint32_t(finder.bodies.size());
   volumes->face_start = store(volumes, faces.start);
   volumes->face = store(volumes, faces.items);
