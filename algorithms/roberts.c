@@ -104,6 +104,7 @@ struct frame {
   struct hsr_growing front;   /* struct condition */
 
   struct hsr_growing stack, visible; /* struct fragment, of the current edge */
+  struct hsr_growing kept;           /* memory for the next `visible` */
   struct hsr_growing events;         /* of a face apart */
 };
 
@@ -436,7 +437,8 @@ static bool test_fragments(struct frame *frame, uint32_t e,
 /* Takes a part of the edge out of all that is visible. */
 static bool hide(struct frame *frame, uint32_t e, struct hsr_sight_event from,
                  struct hsr_sight_event to) {
-  struct hsr_growing kept = {0};
+  struct hsr_growing kept = frame->kept;
+  kept.n = 0;
   const struct fragment *visible = frame->visible.items;
   for (size_t k = 0; k < frame->visible.n; k++) {
     struct fragment hidden = visible[k], left[2];
@@ -454,6 +456,7 @@ static bool hide(struct frame *frame, uint32_t e, struct hsr_sight_event from,
         (outcome == TWO_LEFT && !push(frame, &kept, left[1])))
       return false;
   }
+  frame->kept = frame->visible;
   frame->visible = kept;
   return true;
 }
