@@ -97,6 +97,7 @@ struct frame {
   struct hsr_tally *tally;
   struct hsr_sight sight;
 
+  uint32_t *apart, n_apart;  /* faces that are no volumes in this view */
   bool *outside;             /* a plane of a volume: the eye is outside of it */
   struct hsr_growing volume; /* struct volume; one more, which ends the last */
   struct hsr_growing bodies; /* struct collection; likewise */
@@ -279,6 +280,15 @@ static bool add_body(struct frame *frame, uint32_t b) {
   return true;
 }
 
+/* Whether nothing of face f is ahead: it is flat, and no corner of it is. */
+static bool is_behind(const struct frame *frame, uint32_t f) {
+  const struct hsr_world *world = frame->edges->world;
+  bool is_ahead = world->deviation[f] > 0;
+  for (uint32_t k = world->start[f]; k < world->start[f + 1] && !is_ahead; k++)
+    is_ahead = frame->sight.ahead[world->vertex[k]];
+  return !is_ahead;
+}
+
 static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   const struct environment *environment = job->prepared;
   const struct hsr_volumes *volumes = &environment->volumes;
@@ -291,8 +301,12 @@ static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   frame->sight.line = volumes->line;
   frame->outside =
       HSR_NEW(job->scratch, bool, volumes->plane_start[volumes->n]);
-  if (status || !frame->outside)
+  frame->apart = HSR_NEW(job->scratch, uint32_t, frame->sight.n_loose);
+  if (status || !frame->outside || !frame->apart)
     return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < frame->sight.n_loose; k++)
+    if (!is_behind(frame, frame->sight.loose[k]))
+      frame->apart[frame->n_apart++] = frame->sight.loose[k];
   for (uint32_t b = 0; b < volumes->n_bodies; b++)
     if (!add_body(frame, b))
       return HSR_E_NOMEM;
@@ -467,8 +481,8 @@ static bool hide_apart(struct frame *frame, uint32_t e,
                        const struct fragment *all) {
   const struct hsr_edges *edges = frame->edges;
   const struct hsr_sight *sight = &frame->sight;
-  for (uint32_t k = 0; k < sight->n_loose; k++) {
-    uint32_t f = sight->loose[k];
+  for (uint32_t k = 0; k < frame->n_apart && frame->visible.n; k++) {
+    uint32_t f = frame->apart[k];
     bool own = false, hidden;
     for (uint32_t s = edges->side_start[e]; s < edges->side_start[e + 1]; s++)
       own |= edges->side[s].face == f;

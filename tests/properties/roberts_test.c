@@ -427,14 +427,58 @@ static void try_cubes(struct tap *t, int scenes, uint64_t seed) {
      (unsigned long long)solids, (unsigned long long)parts);
 }
 
+static void vertex(const struct hsr_world *w, uint64_t *seed, double at[3]) {
+  size_t v = (size_t)draw_integer(seed, 0, w->n_vertices - 1);
+  at[0] = w->x[v];
+  at[1] = w->y[v];
+  at[2] = w->z[v];
+}
+
+/* From between two vertices to another one: inside of solids, in planes, and
+ * with much behind the eye. */
+static void try_inside(struct tap *t, int views, uint64_t seed) {
+  static const char *const scenes[] = {"house", "harbor:100", "nested-solids",
+                                       "sphere:200", "non-planar"};
+  uint64_t wrong = 0, drawn = 0;
+  struct hsr_tally tally = {.out_of_memory = false};
+  for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
+    struct hsr_error err = {.text = ""};
+    struct hsr_scene *scene;
+    struct fixture x;
+    if (hsr_scene_open(scenes[s], NULL, &scene, &err))
+      fail(&err);
+    prepare(&x, scene);
+    for (int v = 0; v < views; v++) {
+      struct hsr_camera camera = {.up = {0.25, 1, 0.5}, .fov = 80};
+      struct hsr_view view;
+      double other[3];
+      vertex(&x.world, &seed, camera.eye);
+      vertex(&x.world, &seed, other);
+      vertex(&x.world, &seed, camera.at);
+      for (int k = 0; k < 3; k++)
+        camera.eye[k] += (other[k] - camera.eye[k]) / 2;
+      if (hsr_camera_check(&camera, NULL))
+        continue;
+      draw_view(&x, &camera, &view, &tally);
+      wrong += differing(&x, &x.oracle, &view);
+      drawn += edges_drawn(&x.got);
+    }
+    release(&x);
+  }
+  ok(t, !wrong && drawn && of(&tally, "faces apart"),
+     "%llu of %llu edges differ in views from within",
+     (unsigned long long)wrong, (unsigned long long)drawn);
+}
+
 /* usage: roberts_test [SCENES [SEED]]      standard: 40 scenes, seed 1963 */
 int main(int argc, char **argv) {
-  struct tap t = plan(8);
+  struct tap t = plan(9);
   try_outcomes(&t);
   try_convex(&t);
   try_concave(&t);
   try_union(&t);
   try_cubes(&t, argc > 1 ? atoi(argv[1]) : 40,
             argc > 2 ? strtoull(argv[2], NULL, 10) : 1963);
+  try_inside(&t, 12, 1963);
   return finish(&t);
 }
