@@ -245,11 +245,15 @@ static void try_outcomes(struct tap *t) {
 }
 
 static void try_convex(struct tap *t) {
-  for (int one_sided = 0; one_sided < 2; one_sided++) {
+  for (int kind = 0; kind < 3; kind++) {
+    static const double mirror[12] = {-1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0};
+    bool one_sided = kind == 1;
     struct cubes cubes = {{{{false}}}};
     cubes.is[1][1][1] = true;
     struct hsr_scene *scene = hsr_scene_new("cube");
     add_cubes(scene, &cubes, one_sided);
+    if (kind == 2)
+      hsr_scene_instance(scene, 0, mirror);
     struct fixture x;
     struct hsr_view view;
     struct hsr_tally tally = {.out_of_memory = false};
@@ -261,7 +265,9 @@ static void try_convex(struct tap *t) {
            of(&tally, "hidden whole") == (one_sided ? 0 : 3) &&
            of(&tally, "own volumes") == 9 && !differing(&x, &x.oracle, &view),
        "a %s cube: nothing is tested but what is behind it",
-       one_sided ? "one-sided" : "two-sided");
+       kind == 0   ? "two-sided"
+       : kind == 1 ? "one-sided"
+                   : "mirrored");
     release(&x);
   }
 }
@@ -472,7 +478,7 @@ static void try_inside(struct tap *t, int views, uint64_t seed) {
 
 /* usage: roberts_test [SCENES [SEED]]      standard: 40 scenes, seed 1963 */
 int main(int argc, char **argv) {
-  struct tap t = plan(9);
+  struct tap t = plan(10);
   try_outcomes(&t);
   try_convex(&t);
   try_concave(&t);
