@@ -161,8 +161,9 @@ static void send(const struct hsr_world *world, const struct hsr_view *view,
   gl2psDisable(GL2PS_POLYGON_OFFSET_FILL);
   glBegin(GL_LINES);
   for (size_t k = 0; k < n; k++) {
-    glColor3d(((k >> 16 & 255) + 0.5) / 255.5, ((k >> 8 & 255) + 0.5) / 255.5,
-              ((k & 255) + 0.5) / 255.5);
+    glColor3d((double)(k >> 16 & 255) / 255.5 + 0.5 / 255.5,
+              (double)(k >> 8 & 255) / 255.5 + 0.5 / 255.5,
+              (double)(k & 255) / 255.5 + 0.5 / 255.5);
     corner(world, edge[k].name.a);
     corner(world, edge[k].name.b);
   }
