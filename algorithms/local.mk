@@ -8,7 +8,9 @@ algorithm_files = \
   %D%/bouknight.c \
   %D%/edge_intersection.c \
   %D%/edge_intersection.h \
+  %D%/galimberti.c \
   %D%/line_oracle.cc \
+  %D%/loutrel.c \
   %D%/newell.c \
   %D%/newell.h \
   %D%/newell_watkins.c \
