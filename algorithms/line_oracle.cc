@@ -404,7 +404,6 @@ enum what : uint32_t {
   SIDE,  /* edge(a, b), of vertices a < b */
   ROW,   /* row(a), of a vertex */
   PLANE, /* kN·u - c of face a: of the sign of c where it is hit before P */
-  SLOPE, /* kN·u */
   NEAR,  /* w (c - near kN·D) */
   CLIP_NEAR,
   CLIP_LEFT,
@@ -573,8 +572,6 @@ template <class T> form<T> artist::make_form(const recipe &which) {
     return {cross(i.R, vertex_from_eye<T>(which.a)), zero};
   case PLANE:
     return {plane_of<T>(which.a).kN, -plane_of<T>(which.a).c};
-  case SLOPE:
-    return {plane_of<T>(which.a).kN, zero};
   case NEAR:
     return {plane_of<T>(which.a).c * i.w - i.near * plane_of<T>(which.a).kN,
             zero};
@@ -831,12 +828,13 @@ bool artist::is_parity_odd(uint32_t f, point *p) {
 }
 
 /* Whether the face hides the point, if it is none of the edge's own faces and
- * its plane does not contain the edge. */
+ * its plane does not contain the edge. Where kN·u - c has the sign of c, so has
+ * N·D. */
 bool artist::hides(uint32_t f, point *p) {
   HSR_COUNT(job.tally, LINE_POINT, 1);
   const int side = c[f];
   return sign_at({PLANE, f, 0}, p) == side && is_parity_odd(f, p) &&
-         sign_at({SLOPE, f, 0}, p) == side && sign_at({NEAR, f, 0}, p) == side;
+         sign_at({NEAR, f, 0}, p) == side;
 }
 
 bool artist::is_own(uint32_t f) const {
@@ -901,7 +899,6 @@ void artist::hide(uint32_t f) {
   candidates.clear();
   if (is_beside(f) || !may_hide(f))
     return;
-  add_candidate({SLOPE, f, 0});
   if (job.view->near > 0)
     add_candidate({NEAR, f, 0});
   const uint32_t *corner = world.vertex + world.start[f];
@@ -1131,7 +1128,7 @@ enum hsr_status guarded(struct hsr_error *err, Work work) noexcept {
 extern "C" {
 
 static double expense(const struct hsr_world *world, const struct hsr_view *) {
-  return 0.5 * world->n_faces * world->n_corners;
+  return 0.125 * world->n_faces * world->n_corners;
 }
 
 static enum hsr_status prepare(const struct hsr_world *world, void **prepared,

@@ -6,6 +6,7 @@ libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/list.def
 algorithm_files = \
   %D%/appel.c \
   %D%/bouknight.c \
+  %D%/cluster_order.h \
   %D%/edge_intersection.c \
   %D%/edge_intersection.h \
   %D%/galimberti.c \
@@ -24,6 +25,7 @@ algorithm_files = \
   %D%/scan_line.c \
   %D%/scan_line.h \
   %D%/schumacker.c \
+  %D%/schumacker_newell.c \
   %D%/warnock.c \
   %D%/warnock.h \
   %D%/warnock_newell.c \

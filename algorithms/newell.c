@@ -213,6 +213,10 @@ static void overwrite(struct hsr_newell *s, uint32_t f, int x0, int x1, int j) {
     overwrite_opaque(s, new, j);
 }
 
+static bool is_thick(const struct hsr_newell *s, uint32_t f) {
+  return s->ask_all || s->list.thick[f];
+}
+
 /* Whether f is nearer than g at (i, j). */
 static bool ask_sample(struct hsr_newell *s, uint32_t f, uint32_t g, int i,
                        int j) {
@@ -229,7 +233,7 @@ static void overwrite_thick(struct hsr_newell *s, uint32_t f, int x0, int x1,
     struct bead there = painted(s, i, j, x1);
     uint32_t g = there.face;
     end = there.x1;
-    if (g == HSR_BACKGROUND || !s->list.thick[g]) {
+    if (g == HSR_BACKGROUND || !is_thick(s, g)) {
       overwrite(s, f, i, end, j);
       continue;
     }
@@ -268,7 +272,7 @@ static void paint(struct hsr_newell *s, const struct hsr_piece *piece) {
       HSR_STEP(s->tally, HSR_NEWELL_SEGMENTS, HSR_SPAN, f, HSR_NOTHING, x0, j,
                x1, j + 1);
       HSR_TOUCH_SPAN(s->tally, x0, x1, j);
-      if (s->list.thick[f])
+      if (is_thick(s, f))
         overwrite_thick(s, f, x0, x1, j);
       else
         overwrite(s, f, x0, x1, j);
@@ -323,6 +327,13 @@ void hsr_newell_paint(struct hsr_newell *s, const uint32_t *faces, uint32_t n) {
   hsr_list_sort(&s->list, s->window, faces, n);
   for (const struct hsr_piece *piece; (piece = hsr_list_next(&s->list));)
     paint(s, piece);
+}
+
+void hsr_newell_paint_unordered(struct hsr_newell *s, uint32_t f) {
+  struct hsr_piece whole = hsr_uncut_face(s->list.screen, f);
+  s->ask_all = true;
+  paint(s, &whole);
+  s->ask_all = false;
 }
 
 void hsr_newell_show(struct hsr_newell *s) {

@@ -16,6 +16,7 @@ struct hsr_newell {
   const struct hsr_window *window;
   struct hsr_priority_list list;
   bool frame_buffer; /* paint on the picture, without beads */
+  bool ask_all;      /* all faces are thick */
 
   struct hsr_growing beads;
   uint32_t free_bead;
@@ -26,6 +27,7 @@ struct hsr_newell {
 #define hsr_newell_reserve HSR_OF_BUILD(hsr_newell_reserve)
 #define hsr_newell_open HSR_OF_BUILD(hsr_newell_open)
 #define hsr_newell_paint HSR_OF_BUILD(hsr_newell_paint)
+#define hsr_newell_paint_unordered HSR_OF_BUILD(hsr_newell_paint_unordered)
 #define hsr_newell_show HSR_OF_BUILD(hsr_newell_show)
 #define hsr_newell_solve HSR_OF_BUILD(hsr_newell_solve)
 
@@ -44,11 +46,13 @@ void hsr_newell_solve(struct hsr_newell *newell,
                       uint32_t n);
 
 /* The same in parts: a window without beads; n faces painted over what is
- * there; the beads into the picture. */
+ * there; one face, where it is nearer than what is there, whose samples are
+ * asked, the window being the view's; the beads into the picture. */
 void hsr_newell_open(struct hsr_newell *newell,
                      const struct hsr_window *window);
 void hsr_newell_paint(struct hsr_newell *newell, const uint32_t *faces,
                       uint32_t n);
+void hsr_newell_paint_unordered(struct hsr_newell *newell, uint32_t f);
 void hsr_newell_show(struct hsr_newell *newell);
 
 /* Counters and steps as those of priority_list.h: those of painting, and those

@@ -22,11 +22,12 @@
  *             may have no place in the list, because it touches another or the
  *             eye grazes it: it is thick, and compared in depth with what is
  *             visible without it; these comparisons are counted apart.
- * Cost        intra-cluster priority 100 F_c^2 C_t, by the adapter `cluster`,
- *             not per frame; inter-cluster priority 10 C_t, back-face cull F_r,
- *             Y cull n E_s, X sort and priority search n m S_l */
-#include "algorithms/algorithm.h"
-#include "common/order.h"
+ * Cost        intra-cluster priority 100 F_c^2 C_t, by the adapter
+ *             `priorities`, not per frame; inter-cluster priority 10 C_t, but
+ *             of the clusters into which those of the scene had to be split;
+ *             back-face cull F_r, Y cull n E_s, X sort and priority search
+ *             n m S_l */
+#include "algorithms/cluster_order.h"
 
 #include <string.h>
 
@@ -143,14 +144,6 @@ struct schumacker {
 
 /* --- Cluster priority, and the list --------------------------------------- */
 
-static int separator_side(const struct schumacker *s,
-                          const struct hsr_separator *separator) {
-  if (separator->face != HSR_NO_FACE)
-    return hsr_eye_side(&s->screen, separator->face, s->tally);
-  double eye = s->job->view->E[separator->axis];
-  return eye > separator->at ? 1 : eye < separator->at ? -1 : 0;
-}
-
 /* Lists a face, as seen from one of its sides, unless it is a back face or has
  * no sample. */
 static void list_face(struct schumacker *s, uint32_t oriented, bool is_thick,
@@ -170,32 +163,21 @@ static void list_face(struct schumacker *s, uint32_t oriented, bool is_thick,
   s->n_looked += hsr_face_size(s->job->world, f);
 }
 
-/* All clusters by the tree of separating planes, the eye's side first. */
+/* All clusters, the nearest first. */
 static enum hsr_status make_list(struct schumacker *s) {
   const struct hsr_clusters *clusters = s->clusters;
   struct hsr_arena *arena = s->job->scratch;
-  uint32_t n_faces = s->job->world->n_faces, n_open = 1;
-  uint32_t *open = HSR_NEW(arena, uint32_t, (size_t)clusters->n_separators + 2);
+  uint32_t n_faces = s->job->world->n_faces;
+  struct hsr_cluster_order order;
   struct listed *thick = HSR_NEW(arena, struct listed, n_faces);
   s->list = HSR_NEW(arena, struct listed, (size_t)n_faces + 1);
-  if (!open || !thick || !s->list)
+  if (!thick || !s->list ||
+      hsr_cluster_order_init(&order, &s->screen, arena, s->tally,
+                             INTER_CLUSTER))
     return HSR_E_NOMEM;
-  open[0] = clusters->root;
-  while (n_open) {
-    uint32_t next = open[--n_open];
-    if (next & HSR_IS_CLUSTER) {
-      uint32_t c = next & ~HSR_IS_CLUSTER;
-      for (uint32_t k = clusters->start[c]; k < clusters->start[c + 1]; k++)
-        list_face(s, clusters->order[k], false, thick);
-      continue;
-    }
-    const struct hsr_separator *separator = &clusters->separator[next];
-    int side = separator_side(s, separator);
-    HSR_STEP(s->tally, INTER_CLUSTER, HSR_COMPARE, separator->face, next, 0, 0,
-             0, 0);
-    open[n_open++] = side > 0 ? separator->behind : separator->front;
-    open[n_open++] = side > 0 ? separator->front : separator->behind;
-  }
+  for (uint32_t c; hsr_next_cluster(&order, true, &c);)
+    for (uint32_t k = clusters->start[c]; k < clusters->start[c + 1]; k++)
+      list_face(s, clusters->order[k], false, thick);
   for (uint32_t k = 0; k < clusters->n_thick; k++)
     list_face(s, clusters->thick[k], true, thick);
   memcpy(s->list + s->n_list, thick, s->n_thick * sizeof *thick);

@@ -39,7 +39,7 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
   *setup = (struct hsr_setup){.algorithm = algorithm, .world = world};
   enum hsr_status status = HSR_OK;
   for (const struct hsr_adapter *a = hsr_adapters; a->name && !status; a++)
-    if (algorithm->restrictions & a->mends)
+    if ((algorithm->restrictions & a->mends) == a->mends)
       status = apply(setup, a, err);
   if (status || !algorithm->prepare)
     return status;

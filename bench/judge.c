@@ -89,8 +89,10 @@ static enum hsr_status judge(const struct group *g,
              err.text);
   if (!status)
     compare(g, a, &got, wanted, cell);
-  cell->depths_compared = tally.depths_compared; /* in the counting build */
-  cell->depths_exact = tally.exact[HSR_ASK_DEPTH];
+  if (g->kind == HSR_IDS) { /* at samples; told by the counting build */
+    cell->depths_compared = tally.depths_compared;
+    cell->depths_exact = tally.exact[HSR_ASK_DEPTH];
+  }
   answer_free(&got);
   return status;
 }

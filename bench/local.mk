@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 bin_PROGRAMS += hsr
 hsr_SOURCES = %D%/check.c %D%/check.h %D%/check_report.c %D%/command.h \
-  %D%/hsr.c %D%/json.c %D%/json.h %D%/judge.c %D%/list.c %D%/options.c %D%/render.c %D%/run.c %D%/scenes_command.c \
+  %D%/hsr.c %D%/json.c %D%/json.h %D%/judge.c %D%/lines.c %D%/lines.h \
+  %D%/list.c %D%/options.c %D%/render.c %D%/run.c %D%/scenes_command.c \
   %D%/stats.c %D%/steps.c %D%/terminate.cc %D%/terminate.h
 hsr_LDADD = $(HSR_LIBS)
 nodist_EXTRA_hsr_SOURCES = force_cxx_link.cc

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr render: one picture by one algorithm. */
+/* hsr render: one picture, or one line drawing, by one algorithm. */
 #include "bench/command.h"
+#include "bench/lines.h"
+#include "common/crease.h"
 #include "common/image.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_OUTPUTS = 16, SHADE = 0x200, WORK, DROP };
+enum { MOST_OUTPUTS = 16, SHADE = 0x200, WORK, DROP, HIDDEN, CREASE };
 
 struct options {
   struct option_base base;
@@ -16,9 +18,79 @@ struct options {
   int n_outputs;
   const char *work;
   enum hsr_shading shading;
+  enum hsr_hidden hidden;
+  double crease;                   /* degrees; negative: all edges */
+  const char *of_faces, *of_lines; /* an option that was given and is only for
+                                      pictures of faces, or of lines */
   long threads, supersamples;
   struct hsr_import import;
 };
+
+/* The place of a word among `words`, which NULL ends; -1 if it is none. */
+static int choose_word(const char *word, const char *const *words) {
+  for (int k = 0; words[k]; k++)
+    if (!strcmp(word, words[k]))
+      return k;
+  return -1;
+}
+
+/* Options that are only for pictures of faces. */
+static error_t parse_face_option(struct options *o, int key, char *arg) {
+  static const char *const shadings[] = {[HSR_SHADE_LAMBERT] = "lambert",
+                                         [HSR_SHADE_FLAT] = "flat",
+                                         [HSR_SHADE_IDS] = "ids",
+                                         NULL};
+  int shading;
+  switch (key) {
+  case 'S':
+    o->of_faces = "--supersample";
+    if (!parse_count(arg, 1, 16, &o->supersamples))
+      return option_fail(&o->base, "--supersample %s: must be 1 to 16", arg);
+    return 0;
+  case SHADE:
+    o->of_faces = "--shade";
+    shading = choose_word(arg, shadings);
+    if (shading < 0)
+      return option_fail(&o->base, "--shade %s: must be lambert, flat or ids",
+                         arg);
+    o->shading = (enum hsr_shading)shading;
+    return 0;
+  case WORK:
+    o->of_faces = "--work";
+    o->work = arg;
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+/* Options that are only for line drawings. */
+static error_t parse_line_option(struct options *o, int key, char *arg) {
+  static const char *const ways[] = {[HSR_HIDDEN_NONE] = "none",
+                                     [HSR_HIDDEN_DASHED] = "dashed",
+                                     [HSR_HIDDEN_THIN] = "thin",
+                                     [HSR_HIDDEN_ALL] = "all",
+                                     NULL};
+  int way;
+  switch (key) {
+  case HIDDEN:
+    o->of_lines = "--hidden";
+    way = choose_word(arg, ways);
+    if (way < 0)
+      return option_fail(&o->base,
+                         "--hidden %s: must be none, dashed, thin or all", arg);
+    o->hidden = (enum hsr_hidden)way;
+    return 0;
+  case CREASE:
+    o->of_lines = "--crease";
+    if (!parse_number(arg, &o->crease) || o->crease < 0 || o->crease > 180)
+      return option_fail(&o->base, "--crease %s: must be degrees, 0 to 180",
+                         arg);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
@@ -37,23 +109,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
       return option_fail(&o->base, "--jobs %s: must be 1 to 64", arg);
     return 0;
   case 'S':
-    if (!parse_count(arg, 1, 16, &o->supersamples))
-      return option_fail(&o->base, "--supersample %s: must be 1 to 16", arg);
-    return 0;
   case SHADE:
-    if (!strcmp(arg, "lambert"))
-      o->shading = HSR_SHADE_LAMBERT;
-    else if (!strcmp(arg, "flat"))
-      o->shading = HSR_SHADE_FLAT;
-    else if (!strcmp(arg, "ids"))
-      o->shading = HSR_SHADE_IDS;
-    else
-      return option_fail(&o->base, "--shade %s: must be lambert, flat or ids",
-                         arg);
-    return 0;
   case WORK:
-    o->work = arg;
-    return 0;
+    return parse_face_option(o, key, arg);
+  case HIDDEN:
+  case CREASE:
+    return parse_line_option(o, key, arg);
   case DROP:
     o->import.drop_degenerate = true;
     return 0;
@@ -78,34 +139,48 @@ static const struct argp_option render_options[] = {
     {"output", 'o', "FILE", 0,
      "write the picture, by suffix: .exr holds R G B, depth Z and face id; "
      ".png "
-     "and others the colours. May be given several times",
+     "and others the colours; .svg, .pdf and, in world space, .vtp hold a line "
+     "drawing. May be given several times",
      0},
-    {"work", WORK, "FILE", 0,
-     "write the work picture: how often each sample was touched (runs the "
-     "counting build)",
-     0},
-    {"shade", SHADE, "HOW", 0, "lambert (standard), flat, or ids", 0},
-    {"supersample", 'S', "N", 0,
-     "N x N samples a pixel, averaged (colours only)", 0},
     {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
     {"drop-degenerate", DROP, NULL, 0,
      "leave out faces of a mesh file that have no area or repeat a vertex, "
      "instead of refusing the file",
      0},
     VIEW_ARGP_OPTIONS,
+    {NULL, 0, NULL, 0, "Where the algorithm draws faces:", 2},
+    {"work", WORK, "FILE", 0,
+     "write the work picture: how often each sample was touched (runs the "
+     "counting build)",
+     2},
+    {"shade", SHADE, "HOW", 0, "lambert (standard), flat, or ids", 2},
+    {"supersample", 'S', "N", 0,
+     "N x N samples a pixel, averaged (colours only)", 2},
+    {NULL, 0, NULL, 0, "Where it draws lines:", 3},
+    {"hidden", HIDDEN, "HOW", 0,
+     "what becomes of hidden lines: none (standard: left out), dashed, thin "
+     "(and lighter, the more faces hide them), or all (like visible ones); "
+     ".vtp files hold all",
+     3},
+    {"crease", CREASE, "DEG", 0,
+     "leave out edges whose two faces turn by at most DEG degrees, but for "
+     "contours",
+     3},
     {0}};
 
 static const struct argp argp = {
     render_options,
     parse,
     "SCENE",
-    "Makes a picture of SCENE with one algorithm and says how long each phase "
+    "Makes a picture, or a line drawing, of SCENE with one algorithm and says "
+    "how long each phase "
     "took.\v"
     "SCENE is a built-in name with parameters (house, soup:1000:7), mesh:NAME, "
     "a mesh file, or a .scene.json; see hsr scenes.\n\n"
     "  hsr render house -a watkins -o house.png\n"
     "  hsr render mesh:elephant -a zbuffer -s 1024x1024 -o elephant.exr\n"
-    "  hsr render harbor -a watkins --work work.png",
+    "  hsr render harbor -a watkins --work work.png\n"
+    "  hsr render house -a line-oracle --hidden dashed -o house.svg",
     NULL,
     NULL,
     NULL};
@@ -177,11 +252,11 @@ static enum hsr_status ask_for_colours(struct render *r,
 
 static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
                             struct hsr_error *err) {
-  size_t n = (size_t)r->view.m * (size_t)r->view.n;
   enum hsr_status status = answer_init(&r->answer, a, &r->view, err);
   if (status)
     return status;
   if (r->options->work) {
+    size_t n = (size_t)r->view.m * (size_t)r->view.n;
     r->work = calloc(n, sizeof *r->work);
     if (!r->work)
       return hsr_fail_nomem(err);
@@ -230,37 +305,73 @@ static void average(const struct hsr_view *view, int s, float *rgb) {
       }
 }
 
-static enum hsr_status write_pictures(struct render *r,
-                                      const struct hsr_algorithm *a,
-                                      struct hsr_error *err) {
+static enum hsr_status write_faces(struct render *r, const char *text,
+                                   struct hsr_error *err) {
   const struct options *o = r->options;
-  double begin = seconds_now();
   struct hsr_picture picture = {r->view.m, r->view.n, r->answer.ids, r->depth,
                                 r->rgb};
   if (o->supersamples > 1) {
     average(&r->view, (int)o->supersamples, r->rgb);
     picture = (struct hsr_picture){o->view.m, o->view.n, NULL, NULL, r->rgb};
   }
-  char text[300];
-  snprintf(text, sizeof text, "Software=hsr\nScene=%s\nAlgorithm=%s\n",
-           o->scene, a->name);
   enum hsr_status status = HSR_OK;
   for (int k = 0; k < o->n_outputs && !status; k++)
     status = hsr_image_write(o->output[k], &picture, text, err);
   if (o->work && !status)
     status = hsr_image_write_work(o->work, r->view.m, r->view.n, r->work, err);
+  return status;
+}
+
+static enum hsr_status write_drawing(const struct render *r,
+                                     const struct hsr_algorithm *a,
+                                     const char *text, struct hsr_error *err) {
+  const struct options *o = r->options;
+  char title[200], description[200];
+  snprintf(title, sizeof title, "%s, view %ld", o->scene, o->view.view);
+  snprintf(description, sizeof description,
+           "A line drawing by hsr " PACKAGE_VERSION ", %s", a->title);
+  struct line_picture picture = {.drawing = &r->answer.drawing,
+                                 .world = &r->world,
+                                 .view = &r->view,
+                                 .hidden = o->hidden,
+                                 .title = title,
+                                 .description = description,
+                                 .text = text};
+  return write_lines(&picture, o->output, o->n_outputs, err);
+}
+
+static enum hsr_status write_outputs(struct render *r,
+                                     const struct hsr_algorithm *a,
+                                     struct hsr_error *err) {
+  double begin = seconds_now();
+  char text[300];
+  snprintf(text, sizeof text, "Software=hsr\nScene=%s\nAlgorithm=%s\n",
+           r->options->scene, a->name);
+  enum hsr_status status = HSR_OK;
+  if (a->kind != HSR_SEGMENTS)
+    status = write_faces(r, text, err);
+  else if (r->options->n_outputs)
+    status = write_drawing(r, a, text, err);
   r->write = seconds_now() - begin;
   return status;
 }
 
-static void print_report(const struct render *r,
-                         const struct hsr_algorithm *a) {
+static void print_faces(const struct render *r) {
   size_t n = (size_t)r->view.m * (size_t)r->view.n, covered = 0;
   for (size_t k = 0; k < n; k++)
     covered += r->answer.ids[k] != HSR_BACKGROUND;
-  printf("%s, view %ld, %d x %d samples, %u faces, by %s: %.1f %% covered\n",
-         r->options->scene, r->options->view.view, r->view.m, r->view.n,
-         r->world.n_faces, a->name, 100.0 * (double)covered / (double)n);
+  printf("%.1f %% covered\n", 100.0 * (double)covered / (double)n);
+}
+
+static void print_report(const struct render *r,
+                         const struct hsr_algorithm *a) {
+  printf("%s, view %ld, %d x %d samples, %u faces, by %s: ", r->options->scene,
+         r->options->view.view, r->view.m, r->view.n, r->world.n_faces,
+         a->name);
+  if (a->kind == HSR_SEGMENTS)
+    print_lines(&r->answer.drawing, &r->view);
+  else
+    print_faces(r);
   for (int k = 0; k < r->setup.n_adaptations; k++) {
     const struct hsr_adaptation *adaptation = &r->setup.adaptation[k];
     printf("adapted: %s, %u faces, %.1f ms\n", adaptation->name,
@@ -278,9 +389,42 @@ static void print_report(const struct render *r,
            (unsigned long long)r->tally.count[k], a->counters[k].meaning);
 }
 
+/* Whether what was asked for goes with what the algorithm draws. */
+static enum hsr_status check_kind(const struct options *o,
+                                  const struct hsr_algorithm *a,
+                                  struct hsr_error *err) {
+  bool lines = a->kind == HSR_SEGMENTS;
+  if (lines && o->of_faces)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%s is for pictures of faces; %s draws lines", o->of_faces,
+                    a->name);
+  if (!lines && o->of_lines)
+    return hsr_fail(err, HSR_E_USAGE, "%s is for line drawings; %s draws faces",
+                    o->of_lines, a->name);
+  for (int k = 0; k < o->n_outputs && !lines; k++)
+    if (is_line_file(o->output[k]))
+      return hsr_fail(err, HSR_E_USAGE,
+                      "%s: only a line drawing is written so; %s draws faces",
+                      o->output[k], a->name);
+  return HSR_OK;
+}
+
+/* What there is to do between drawing and writing. */
+static enum hsr_status finish(struct render *r, const struct hsr_algorithm *a,
+                              struct hsr_error *err) {
+  const struct options *o = r->options;
+  if (a->kind != HSR_SEGMENTS)
+    return o->n_outputs || o->work ? shade(r, err) : HSR_OK;
+  if (o->crease < 0)
+    return HSR_OK;
+  return hsr_drawing_crease(&r->answer.drawing, &r->world, &r->view, o->crease,
+                            err);
+}
+
 enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   struct options options = {.view = VIEW_OPTIONS_STANDARD,
                             .algorithm = "zbuffer",
+                            .crease = -1,
                             .threads = 1,
                             .supersamples = 1};
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
@@ -288,6 +432,8 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
     return status;
   const struct hsr_listed *listed;
   status = choose_algorithm(options.algorithm, &listed, err);
+  if (!status)
+    status = check_kind(&options, listed->plain, err);
   if (status)
     return status;
   const struct hsr_algorithm *a =
@@ -297,10 +443,10 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   status = open_scene(&r, err);
   if (!status)
     status = draw(&r, a, err);
-  if (!status && (options.n_outputs || options.work))
-    status = shade(&r, err);
   if (!status)
-    status = write_pictures(&r, a, err);
+    status = finish(&r, a, err);
+  if (!status)
+    status = write_outputs(&r, a, err);
   if (!status)
     print_report(&r, a);
   if (r.setup.algorithm)

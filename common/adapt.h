@@ -34,7 +34,7 @@ const char *hsr_restriction_code(unsigned restriction);
 
 struct hsr_adapter {
   const char *name;  /* "triangulate" */
-  unsigned mends;    /* HSR_TR, ... */
+  unsigned mends;    /* HSR_TR, ...; of several, if all are demanded */
   const char *about; /* what it does, a clause */
 
   /* Makes *out of `in`, which is borrowed and, if *changed, may be freed before

@@ -392,6 +392,9 @@ const struct hsr_adapter hsr_adapters[] = {
     {"divide", HSR_NP, "divides faces where they penetrate", divide},
     {"cluster", HSR_LS,
      "makes clusters of faces, with planes that separate them", cluster},
+    {"priorities", HSR_LS | HSR_TP,
+     "gives the faces of a cluster priorities that hold from everywhere",
+     give_priorities},
     {nullptr, 0, nullptr, nullptr}};
 
 const char *hsr_restriction_code(unsigned restriction) {

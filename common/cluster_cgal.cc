@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making clusters, and planes that separate them.
+// Making clusters, planes that separate them, and priorities within them.
 //
 // Source      Sutherland et al. 1974, "List-Priority Algorithms"; what was done
 //             by hand there, the splitting of clusters, is done here in the
 //             order in which it costs least.
-// Groups      of pieces are taken one by one, all pieces being the first. One
-//             that holds several of the scene's instances, the environment's
-//             own clusters, is divided by a plane x, y or z = c that passes
-//             between instances. Any other becomes a cluster if its priority
-//             graph has no circuit; else it is divided: by such a plane between
+// Clusters    are the environment's own, its instances, as far as planes pass
+//             between them: all pieces are one group, and a group is divided by
+//             a plane x, y or z = c between instances; or else by the plane of
+//             one of its largest pieces, that leaves instances to either side
+//             and passes through few. A group that neither divides is a
+//             cluster.
+// Groups      that are to have priorities are taken one by one, the clusters
+//             being the first. One stays a cluster if its priority graph has no
+//             circuit; else it is divided: by a plane x, y or z = c between
 //             pieces; or by a piece's own plane, chosen to cut few and to leave
-//             about as many to either side. A piece that the plane passes
-//             through is cut. What lies in the plane goes all to one side.
+//             about as many to either side.
+// Division    by a piece's plane: a piece that it passes through is cut; what
+//             lies in it goes all to one side.
 // Priority    of oriented faces: common/clusters.h. Two faces that reach to
 //             both sides of each other's planes are a circuit by themselves;
 //             faces of one plane are none.
@@ -168,24 +173,35 @@ private:
 
 // --- Planes through gaps ----------------------------------------------------
 
-// What some pieces take up of an axis; whether one of them lies at its end, in
-// a plane across the axis.
+// What some pieces take up of an axis; and if some lie at its end, in a plane
+// across the axis, from which sides of it these are seen.
 struct Extent {
   double lo, hi;
-  bool flat_lo, flat_hi;
+  unsigned flat_lo, flat_hi;
   size_t n_pieces;
   uint32_t owner; // the pieces' instance, or the piece
 
   void add(const Extent &other) {
-    flat_lo = (lo <= other.lo && flat_lo) || (other.lo <= lo && other.flat_lo);
-    flat_hi = (hi >= other.hi && flat_hi) || (other.hi >= hi && other.flat_hi);
+    flat_lo =
+        (lo <= other.lo ? flat_lo : 0) | (other.lo <= lo ? other.flat_lo : 0);
+    flat_hi =
+        (hi >= other.hi ? flat_hi : 0) | (other.hi >= hi ? other.flat_hi : 0);
     lo = std::fmin(lo, other.lo);
     hi = std::fmax(hi, other.hi);
     n_pieces += other.n_pieces;
   }
 };
 
-Extent extent_of(const Convex &piece, size_t axis, uint32_t owner) {
+// From which sides of its plane a face across an axis is seen.
+unsigned seen_from(const hsr_world &world, uint32_t f, size_t axis) {
+  const double *const n[3] = {world.nx, world.ny, world.nz};
+  if (!world.one_sided[f] || !(std::fabs(n[axis][f]) > world.n_error[f]))
+    return BOTH;
+  return n[axis][f] > 0 ? FRONT : BEHIND;
+}
+
+Extent extent_of(const hsr_world &world, const Convex &piece, size_t axis,
+                 uint32_t owner) {
   double lo = INFINITY, hi = -INFINITY;
   for (const Corner &c : piece.corners) {
     const double x = c.at[axis];
@@ -193,7 +209,8 @@ Extent extent_of(const Convex &piece, size_t axis, uint32_t owner) {
     lo = std::fmin(lo, exact ? x : std::nextafter(x - c.error, -INFINITY));
     hi = std::fmax(hi, exact ? x : std::nextafter(x + c.error, INFINITY));
   }
-  return {lo, hi, lo == hi, lo == hi, 1, owner};
+  const unsigned flat = lo == hi ? seen_from(world, piece.from, axis) : 0;
+  return {lo, hi, flat, flat, 1, owner};
 }
 
 // A plane axis = at, with the owners behind it; how many pieces the smaller
@@ -211,17 +228,19 @@ void find_gap(std::vector<Extent> &extents, size_t axis, size_t n_pieces,
             [](const Extent &a, const Extent &b) {
               return a.lo != b.lo ? a.lo < b.lo : a.hi < b.hi;
             });
+  if (extents.empty())
+    return;
   size_t best_end = 0;
   Extent behind = extents[0];
   for (size_t k = 1; k < extents.size(); k++) {
     const double next = extents[k].lo;
-    bool flat = false; // some lie in the plane on either side
-    for (size_t l = k; behind.flat_hi && !flat && l < extents.size() &&
-                       extents[l].lo == behind.hi;
+    unsigned flat = 0; // what lies in the plane, on the other side
+    for (size_t l = k;
+         behind.flat_hi && l < extents.size() && extents[l].lo == behind.hi;
          l++)
-      flat = extents[l].flat_lo;
+      flat |= extents[l].flat_lo;
     const size_t score = std::min(behind.n_pieces, n_pieces - behind.n_pieces);
-    if (behind.hi <= next && !flat && score > best.score) {
+    if (behind.hi <= next && !(behind.flat_hi & flat) && score > best.score) {
       best_end = k;
       best.axis = axis;
       best.score = score;
@@ -248,7 +267,8 @@ struct Place {
 class Tree {
 public:
   explicit Tree(const hsr_world &world) : world_(world), shapes_(world) {}
-  void build();
+  void make_clusters();
+  void give_priorities();
   hsr_status make(hsr_world *out, hsr_error *err) const;
 
 private:
@@ -268,15 +288,20 @@ private:
   std::vector<Open> open_;
 
   void put(Place place, uint32_t what);
+  void put_cluster(Place place, Group &&oriented);
   void separate(const hsr_separator &separator, Place place, Group &&front,
                 Group &&behind);
   bool split_at_gap(const Group &group, Place place, bool between_instances);
-  bool make_cluster(const Group &group, Place place, Group &circuits);
+  bool order(const Group &group, Place place, Group &circuits);
   size_t price_of(const Group &group, uint32_t plane);
   uint32_t choose_plane(const Group &group, const Group &candidates);
   void split_by_plane(const Group &group, Place place, uint32_t plane);
-  void add_thick(uint32_t piece);
+  void add_oriented(uint32_t piece, Group &to) const;
   void cut(uint32_t piece, uint32_t plane, Group &front, Group &behind);
+  size_t price_between(const Group &group, uint32_t plane);
+  bool find_plane(const Group &group, uint32_t &plane);
+  void add_piece(uint32_t f, Group &to);
+  void start_at_clusters();
   void list_pieces(List &list, std::vector<uint32_t> &number) const;
   bool fill(hsr_world *out, const std::vector<uint32_t> &number) const;
 };
@@ -288,6 +313,11 @@ void Tree::put(Place place, uint32_t what) {
     separators_[place.separator].front = what;
   else
     separators_[place.separator].behind = what;
+}
+
+void Tree::put_cluster(Place place, Group &&oriented) {
+  put(place, HSR_IS_CLUSTER | uint32_t(clusters_.size()));
+  clusters_.push_back(std::move(oriented));
 }
 
 void Tree::separate(const hsr_separator &separator, Place place, Group &&front,
@@ -309,7 +339,7 @@ bool Tree::split_at_gap(const Group &group, Place place,
   for (size_t axis = 0; axis < 3; axis++) {
     extents.clear();
     for (uint32_t p : group) {
-      const Extent extent = extent_of(pieces_[p], axis, owner(p));
+      const Extent extent = extent_of(world_, pieces_[p], axis, owner(p));
       if (extents.empty() || extents.back().owner != extent.owner)
         extents.push_back(extent);
       else
@@ -330,9 +360,10 @@ bool Tree::split_at_gap(const Group &group, Place place,
   return true;
 }
 
-// False if the group's graph has circuits, and `circuits` are the pieces to
+// Makes a cluster of the group, with priorities: false if its graph has
+// circuits, and `circuits` are the pieces to
 // blame.
-bool Tree::make_cluster(const Group &group, Place place, Group &circuits) {
+bool Tree::order(const Group &group, Place place, Group &circuits) {
   circuits = group;
   if (group.size() > LARGEST_CLUSTER)
     return false;
@@ -351,8 +382,7 @@ bool Tree::make_cluster(const Group &group, Place place, Group &circuits) {
     (graph.is_thick(node.member) ? thick_ : cluster)
         .push_back(2 * group[node.member] + !node.from_front);
   }
-  put(place, HSR_IS_CLUSTER | uint32_t(clusters_.size()));
-  clusters_.push_back(std::move(cluster));
+  put_cluster(place, std::move(cluster));
   return true;
 }
 
@@ -399,10 +429,58 @@ uint32_t Tree::choose_plane(const Group &group, const Group &candidates) {
   }
 }
 
-void Tree::add_thick(uint32_t piece) {
-  thick_.push_back(2 * piece);
+// What it costs to divide a group of instances by a plane; PROHIBITIVE if it
+// does not leave whole ones to either side.
+size_t Tree::price_between(const Group &group, uint32_t plane) {
+  size_t n[4] = {0};
+  for (size_t k = 0; k < group.size();) {
+    const uint32_t instance = world_.instance[pieces_[group[k]].from];
+    unsigned about = 0;
+    for (; k < group.size() &&
+           world_.instance[pieces_[group[k]].from] == instance;
+         k++)
+      about |= shapes_.about(pieces_[group[k]], plane);
+    n[about & UNSURE ? BOTH : about]++;
+  }
+  questions_ += group.size();
+  return n[FRONT] && n[BEHIND]
+             ? PRICE_OF_CUT * n[BOTH] + std::max(n[FRONT], n[BEHIND])
+             : PROHIBITIVE;
+}
+
+// The plane that divides a group of instances best, of those of its largest
+// pieces: false if none does.
+bool Tree::find_plane(const Group &group, uint32_t &plane) {
+  if (questions_ > MOST_QUESTIONS)
+    return false;
+  std::vector<std::pair<double, uint32_t>> largest;
+  for (uint32_t p : group) {
+    double size = 0;
+    for (size_t axis = 0; axis < 3; axis++) {
+      const Extent extent = extent_of(world_, pieces_[p], axis, p);
+      size = std::fmax(size, extent.hi - extent.lo);
+    }
+    largest.push_back({-size, pieces_[p].plane});
+  }
+  const size_t n = std::min(largest.size(), TRIED_PLANES);
+  std::partial_sort(largest.begin(), largest.begin() + std::ptrdiff_t(n),
+                    largest.end());
+  size_t least = PROHIBITIVE;
+  for (size_t k = 0; k < n; k++) {
+    const size_t price = price_between(group, largest[k].second);
+    if (price < least) {
+      least = price;
+      plane = largest[k].second;
+    }
+  }
+  return least < PROHIBITIVE;
+}
+
+// A piece as seen from its sides.
+void Tree::add_oriented(uint32_t piece, Group &to) const {
+  to.push_back(2 * piece);
   if (!world_.one_sided[pieces_[piece].from])
-    thick_.push_back(2 * piece + 1);
+    to.push_back(2 * piece + 1);
 }
 
 void Tree::cut(uint32_t piece, uint32_t plane, Group &front, Group &behind) {
@@ -430,7 +508,7 @@ void Tree::split_by_plane(const Group &group, Place place, uint32_t plane) {
   for (size_t k = 0; k < group.size(); k++) {
     const uint32_t p = group[k];
     if (about[k] & UNSURE)
-      add_thick(p);
+      add_oriented(p, thick_);
     else if (about[k] == BOTH)
       cut(p, plane, front, behind);
     else
@@ -441,31 +519,82 @@ void Tree::split_by_plane(const Group &group, Place place, uint32_t plane) {
            std::move(behind));
 }
 
-void Tree::build() {
+// Face f, if it has any point.
+void Tree::add_piece(uint32_t f, Group &to) {
+  Convex piece;
+  if (pieces_.size() >= MOST_PIECES)
+    throw Refused{HSR_LS, hsr_world_parent(&world_, f), "is one of too many"};
+  if (!shapes_.make(f, piece))
+    return;
+  to.push_back(uint32_t(pieces_.size()));
+  pieces_.push_back(std::move(piece));
+}
+
+void Tree::make_clusters() {
   Group all;
-  for (uint32_t f = 0; f < world_.n_faces; f++) {
-    Convex piece;
-    if (f >= MOST_PIECES)
-      throw Refused{HSR_LS, hsr_world_parent(&world_, f), "is one of too many"};
-    if (!shapes_.make(f, piece))
-      continue;
-    all.push_back(uint32_t(pieces_.size()));
-    pieces_.push_back(std::move(piece));
-  }
+  for (uint32_t f = 0; f < world_.n_faces; f++)
+    add_piece(f, all);
   open_.push_back({std::move(all), {HSR_IS_CLUSTER, false}});
+  while (!open_.empty()) {
+    const Open next = std::move(open_.back());
+    open_.pop_back();
+    uint32_t plane;
+    if (split_at_gap(next.group, next.place, true))
+      continue;
+    if (find_plane(next.group, plane)) {
+      split_by_plane(next.group, next.place, plane);
+      continue;
+    }
+    Group oriented;
+    for (uint32_t p : next.group)
+      add_oriented(p, oriented);
+    put_cluster(next.place, std::move(oriented));
+  }
+}
+
+// The tree of the world's clusters, all of which are open groups.
+void Tree::start_at_clusters() {
+  const hsr_clusters &given = *world_.clusters;
+  const auto take = [&](const uint32_t *from, const uint32_t *to) {
+    Group group;
+    for (; from < to; from++)
+      if (*from % 2 == 0)
+        add_piece(*from / 2, group);
+    return group;
+  };
+  const auto open = [&](uint32_t what, Place place) {
+    const uint32_t c = what & ~HSR_IS_CLUSTER;
+    if (what & HSR_IS_CLUSTER)
+      open_.push_back(
+          {take(given.order + given.start[c], given.order + given.start[c + 1]),
+           place});
+  };
+  for (uint32_t p : take(given.thick, given.thick + given.n_thick))
+    add_oriented(p, thick_);
+  separators_.assign(given.separator, given.separator + given.n_separators);
+  for (hsr_separator &separator : separators_)
+    if (separator.face != HSR_NO_FACE)
+      separator.face = hsr_world_parent(&world_, separator.face);
+  root_ = given.root;
+  open(given.root, {HSR_IS_CLUSTER, false});
+  for (uint32_t s = 0; s < given.n_separators; s++) {
+    open(given.separator[s].behind, {s, false});
+    open(given.separator[s].front, {s, true});
+  }
+}
+
+void Tree::give_priorities() {
+  start_at_clusters();
   while (!open_.empty()) {
     const Open next = std::move(open_.back());
     const Group &group = next.group;
     open_.pop_back();
     Group circuits;
-    if (questions_ > MOST_QUESTIONS)
+    if (!group.empty() && questions_ > MOST_QUESTIONS)
       throw Refused{HSR_LS, pieces_[group[0]].parent,
                     "is one of too many that are hard to separate"};
-    if (group.empty()) // all that was in it is thick
-      make_cluster(group, next.place, circuits);
-    else if (!split_at_gap(group, next.place, true) &&
-             !make_cluster(group, next.place, circuits) &&
-             !split_at_gap(group, next.place, false))
+    if (!order(group, next.place, circuits) &&
+        !split_at_gap(group, next.place, false))
       split_by_plane(group, next.place, choose_plane(group, circuits));
   }
 }
@@ -559,7 +688,18 @@ hsr_status hsr::cluster(const hsr_world *in, hsr_world *out, bool *changed,
   return guarded(err, [&]() -> hsr_status {
     *changed = false;
     Tree tree(*in);
-    tree.build();
+    tree.make_clusters();
+    *changed = true;
+    return tree.make(out, err);
+  });
+}
+
+hsr_status hsr::give_priorities(const hsr_world *in, hsr_world *out,
+                                bool *changed, hsr_error *err) {
+  return guarded(err, [&]() -> hsr_status {
+    *changed = false;
+    Tree tree(*in);
+    tree.give_priorities();
     *changed = true;
     return tree.make(out, err);
   });

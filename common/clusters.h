@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Clusters of faces, and the planes that separate them.
+/* Clusters of faces, the planes that separate them, and priorities in them.
  *
  * Source      R. A. Schumacker, B. Brand, M. Gilliland, W. Sharp, "Study for
  *             applying computer-generated images to visual simulation",
  *             AFHRL-TR-69-14, 1969; as described by Sutherland et al. 1974,
  *             "List-Priority Algorithms", figures 18 and 19.
- * Cluster     a set of faces with fixed priority numbers that hold from every
- *             viewpoint once the back faces are removed. A face of two sides is
- *             two oriented faces, of which a view takes one.
+ * Cluster     a set of faces that no other is among; where HSR_TP is demanded,
+ *             with fixed priority numbers, that hold from every viewpoint once
+ *             the back faces are removed. A face of two sides is two oriented
+ *             faces, of which a view takes one.
  * Separator   a plane with clusters in front of it and clusters behind. An eye
  *             in front of it sees the former before the latter; to an eye
  *             on it, one or the other are not to be seen.
@@ -56,9 +57,10 @@ struct hsr_clusters {
   struct hsr_separator *separator;
   uint32_t root; /* as `front` */
 
-  /* Cluster c: oriented faces order[start[c]], ... up to the next one's, of
-   * descending priority; 2 f is face f as seen from its front, 2 f + 1 from
-   * behind. Faces without any point are in none, and a cluster may be empty. */
+  /* Cluster c: oriented faces order[start[c]], ... up to the next one's; 2 f is
+   * face f as seen from its front, 2 f + 1 from behind. Of descending priority,
+   * where HSR_TP is demanded; else of ascending ids. Faces without any point
+   * are in none, and a cluster may be empty. */
   uint32_t *start, *order;
 
   /* Oriented faces that are in no cluster: see Thickness. */

@@ -44,6 +44,21 @@ double size_of(const hsr_world &w, uint32_t f) {
   return size;
 }
 
+// The plane of face f, if it lies across an axis.
+Level level_of(const hsr_world &w, uint32_t f) {
+  const double *const x[3] = {w.x, w.y, w.z};
+  const double n[3] = {w.nx[f], w.ny[f], w.nz[f]};
+  for (size_t axis = 0; axis < 3; axis++) {
+    const double at = x[axis][w.vertex[w.start[f]]];
+    bool across = std::fabs(n[axis]) > w.n_error[f];
+    for (uint32_t k = w.start[f]; k < w.start[f + 1] && across; k++)
+      across = x[axis][w.vertex[k]] == at;
+    if (across)
+      return {axis, at, n[axis] > 0 ? 1 : -1};
+  }
+  return {0, 0, 0};
+}
+
 // --- Corners in homogeneous numbers -----------------------------------------
 
 template <class T> struct Homogeneous {
@@ -122,11 +137,13 @@ namespace hsr {
 Convex_pieces::Convex_pieces(const hsr_world &world)
     : world_(world), whole_(whole_of(world)),
       face_of_(whole_.n_planes, UINT32_MAX), turned_(whole_.n_faces),
-      reach_(whole_.n_faces) {
+      reach_(whole_.n_faces), level_(whole_.n_planes) {
   for (uint32_t f = 0; f < whole_.n_faces; f++) {
     uint32_t &first = face_of_[whole_.plane[f]];
-    if (first == UINT32_MAX)
+    if (first == UINT32_MAX) {
       first = f;
+      level_[whole_.plane[f]] = level_of(whole_, f);
+    }
     turned_[f] = first == f || same_way(whole_, first, f) ? 1 : -1;
     if (whole_.deviation[f] == 0)
       continue;
@@ -138,9 +155,15 @@ Convex_pieces::Convex_pieces(const hsr_world &world)
 // --- On which side ----------------------------------------------------------
 
 // The height of a corner over a plane, and a bound of its error: that of
-// order.c, and the corner's own.
+// order.c, and the corner's own. Over a plane across an axis the sign is exact
+// but for the corner's own error.
 double Convex_pieces::height(uint32_t plane, const Corner &corner,
                              double &error) const {
+  const Level &level = level_[plane];
+  if (level.front) {
+    error = corner.error;
+    return level.front * (corner.at[level.axis] - level.at);
+  }
   const uint32_t g = face_of_[plane];
   const double n[3] = {whole_.nx[g], whole_.ny[g], whole_.nz[g]};
   const double r[3] = {corner.at[0] - whole_.px[g], corner.at[1] - whole_.py[g],
@@ -189,6 +212,8 @@ int Convex_pieces::side(const Convex &piece, size_t k, uint32_t plane,
   const double h = height(plane, piece.corners[k], error);
   if (std::fabs(h) > error)
     return h > 0 ? 1 : -1;
+  if (error == 0)
+    return 0;
   if (is_flat(piece))
     return exact_side(piece, k, plane);
   sure = false;

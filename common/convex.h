@@ -10,7 +10,8 @@
 //             exactly by planes of the scene, however often a piece is cut. Its
 //             coordinates are approximate, within `error`.
 // Planes      are numbered by their class (common/world.h); each is turned as
-//             the first face is that lies in it.
+//             the first face is that lies in it. Many lie across an axis: there
+//             one subtraction, whose sign is exact, gives the side of a vertex.
 // Not flat    of a face that is not flat, the corners stay those of the whole,
 //             however it is cut; they are off by as much as what is seen of it
 //             may be (common/clusters.h). What is not certain within that is
@@ -43,6 +44,13 @@ struct Convex {
 // it, and behind; or, of a piece that is not flat, whether that is not certain.
 enum : unsigned { FRONT = 1, BEHIND = 2, UNSURE = 4 };
 
+// A plane across an axis: x, y or z = at, and the side that is its front.
+struct Level {
+  size_t axis;
+  double at;
+  int front; // +1 where x, y or z is greater; 0: the plane is another
+};
+
 class Convex_pieces {
 public:
   // Of the faces of a world, which is borrowed.
@@ -70,6 +78,7 @@ private:
   std::vector<uint32_t> face_of_;   // a plane: the first face in it
   std::vector<signed char> turned_; // a face of whole_
   std::vector<double> reach_;       // a face of whole_
+  std::vector<Level> level_;        // a plane
 
   bool is_flat(const Convex &piece) const {
     return whole_.deviation[piece.parent] == 0;

@@ -98,9 +98,11 @@ template <class Body> hsr_status guarded(hsr_error *err, const Body &body) {
   }
 }
 
-// The adapter of clusters.
+// The adapters of clusters.
 hsr_status cluster(const hsr_world *in, hsr_world *out, bool *changed,
                    hsr_error *err);
+hsr_status give_priorities(const hsr_world *in, hsr_world *out, bool *changed,
+                           hsr_error *err);
 
 } // namespace hsr
 

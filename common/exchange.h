@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mesh files: reading through CGAL (.off .obj .ply .stl) and VTK (.vtp).
+/* Mesh files: reading through CGAL (.off .obj .ply .stl) and VTK (.vtp); and
+ * line drawings: writing through VTK (.vtp).
  *
  * Polygons are kept as polygons. A mesh that is closed and consistently
  * oriented outward becomes a one-sided object, any other a two-sided one. */
 #ifndef HSR_COMMON_EXCHANGE_H
 #define HSR_COMMON_EXCHANGE_H
 
+#include "common/drawing.h"
 #include "common/scene.h"
 
 #ifdef __cplusplus
@@ -28,8 +30,7 @@ struct hsr_import {
  * not finite, an index out of range, a face with fewer than 3 vertices, a
  * repeated one, or of no area; no face at all. HSR_E_NOMEM. */
 enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
-                              struct hsr_import *import,
-                              struct hsr_error *err);
+                              struct hsr_import *import, struct hsr_error *err);
 
 /* Whether an object is closed (every edge has exactly two faces), consistently
  * oriented (they run it in opposite directions) and outward (its signed volume
@@ -37,7 +38,14 @@ enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
 enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
                                     bool *answer);
 
-/* Whether this build reads .vtp. */
+/* Writes a drawing in world space as lines, an interval each, in the drawing's
+ * order; cell data: invisibility, edge_a, edge_b, edge_part and implied, as in
+ * hsr_segment. HSR_E_INPUT: cannot be written, or this build has no VTK;
+ * HSR_E_NOMEM. */
+enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
+                                      const char *path, struct hsr_error *err);
+
+/* Whether this build reads and writes .vtp. */
 bool hsr_exchange_has_vtk(void);
 
 #ifdef __cplusplus

@@ -7,6 +7,13 @@ bool hsr_exchange_has_vtk(void) {
   return false;
 }
 
+enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *,
+                                      const char *path, struct hsr_error *err) {
+  return hsr_fail(err, HSR_E_INPUT,
+                  "%s: this build of hsr, without VTK, does not write .vtp",
+                  path);
+}
+
 void hsr::vtp_read(Mesh_file &file, Mesh_builder &) {
   file.refuse(0, "this build of hsr, without VTK, does not read .vtp");
 }

@@ -10,10 +10,15 @@ libhsr_a_SOURCES += %D%/adapt_cgal.cc %D%/arena.c %D%/clip.c %D%/cluster_cgal.cc
   %D%/scene_json.c %D%/srgb.h %D%/screen.c %D%/statistics.c %D%/penetration.cc %D%/penetration.h %D%/status.c %D%/vector.h \
   %D%/view.c %D%/world.c
 
+# Line drawings as files.
+pkginclude_common_HEADERS += %D%/crease.h %D%/plot.h %D%/whole_file.h
+libhsr_a_SOURCES += %D%/crease.c %D%/plot.c %D%/plot_cairo.c %D%/plot_svg.c \
+  %D%/whole_file.c
+
 if WITH_VTK
 libhsr_a_LIBADD += $(libvtkshim_a_OBJECTS)
 noinst_LIBRARIES += libvtkshim.a
-libvtkshim_a_SOURCES = %D%/exchange_vtk.cc %D%/mesh_array.cc \
+libvtkshim_a_SOURCES = %D%/drawing_vtk.cc %D%/exchange_vtk.cc %D%/mesh_array.cc \
   %D%/mesh_array.h %D%/mesh_markup.cc %D%/mesh_markup.h %D%/mesh_scan_vtp.cc
 libvtkshim_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS) $(ZLIB_CFLAGS)
 else

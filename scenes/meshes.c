@@ -46,10 +46,12 @@ static size_t stem(const char *file) {
 
 /* a and b in one malloc'ed string. */
 static char *join(const char *a, const char *b) {
-  size_t size = strlen(a) + strlen(b) + 1;
-  char *text = malloc(size);
-  if (text)
-    snprintf(text, size, "%s%s", a, b);
+  size_t n = strlen(a), m = strlen(b);
+  char *text = malloc(n + m + 1);
+  if (text) {
+    memcpy(text, a, n);
+    memcpy(text + n, b, m + 1);
+  }
   return text;
 }
 

@@ -2,15 +2,19 @@
 # Programs that print TAP; the scripts among them end in .test.
 tap_programs = \
   %D%/unit/adapt_test \
+  %D%/unit/drawing_test \
   %D%/unit/exchange_test \
   %D%/unit/image_test \
+  %D%/unit/line_oracle_test \
   %D%/unit/oracle_test \
+  %D%/unit/plot_test \
   %D%/unit/scene_json_test \
   %D%/unit/scenes_test \
   %D%/unit/screen_test \
   %D%/unit/statistics_test \
   %D%/conformance/lattice_test \
   %D%/properties/combinations_test \
+  %D%/properties/lines_and_surfaces_test \
   %D%/properties/metamorphic_test \
   %D%/properties/newell_test \
   %D%/properties/romney_test \
@@ -36,9 +40,14 @@ libdraw_a_SOURCES = %D%/draw.c %D%/draw.h %D%/tap.h
 LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_adapt_test_SOURCES = %D%/unit/adapt_test.c
 nodist_EXTRA_%C%_unit_adapt_test_SOURCES = force_cxx_link.cc
+%C%_unit_drawing_test_SOURCES = %D%/unit/drawing_test.c
+nodist_EXTRA_%C%_unit_drawing_test_SOURCES = force_cxx_link.cc
 %C%_unit_exchange_test_SOURCES = %D%/unit/exchange_test.cc
 %C%_unit_image_test_SOURCES = %D%/unit/image_test.cc
+%C%_unit_line_oracle_test_SOURCES = %D%/unit/line_oracle_test.cc
 %C%_unit_oracle_test_SOURCES = %D%/unit/oracle_test.cc
+%C%_unit_plot_test_SOURCES = %D%/unit/plot_test.c
+nodist_EXTRA_%C%_unit_plot_test_SOURCES = force_cxx_link.cc
 %C%_unit_scene_json_test_SOURCES = %D%/unit/scene_json_test.c
 nodist_EXTRA_%C%_unit_scene_json_test_SOURCES = force_cxx_link.cc
 %C%_unit_scenes_test_SOURCES = %D%/unit/scenes_test.c
@@ -53,6 +62,8 @@ nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
 %C%_properties_combinations_test_SOURCES = %D%/properties/combinations_test.c
 nodist_EXTRA_%C%_properties_combinations_test_SOURCES = force_cxx_link.cc
+%C%_properties_lines_and_surfaces_test_SOURCES = %D%/properties/lines_and_surfaces_test.c
+nodist_EXTRA_%C%_properties_lines_and_surfaces_test_SOURCES = force_cxx_link.cc
 %C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
 nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
 %C%_properties_romney_test_SOURCES = %D%/properties/romney_test.c

@@ -8,6 +8,10 @@
  *             combination divides no window, and leaves one.
  * Areas       Warnock's algorithm considers too many areas: in the harbor the
  *             combinations examine less than a hundredth of its windows.
+ * Clusters    Schumacker's order of clusters needs a look at each separating
+ *             plane and no more: schumacker-newell compares no faces of two
+ *             clusters, and no depths. Within a cluster priorities need not be
+ *             fixed: a ring of faces is divided.
  * Thickness   Faces that are flat but for rounding, and touch, are drawn right,
  *             their samples being asked. */
 #include "scenes/scenes.h"
@@ -100,6 +104,70 @@ static void check_areas(struct tap *tap) {
   hsr_scene_delete(scene);
 }
 
+/* Pairs of faces that an algorithm compares or divides, of one cluster or of
+ * two. */
+struct pairs {
+  uint32_t *cluster; /* a face */
+  long compared, divided, of_two;
+};
+
+static void watch_pair(void *context, const struct hsr_event *event) {
+  struct pairs *pairs = context;
+  uint32_t a = event->a, b = event->b;
+  if (event->counter == 0 || a == HSR_NOTHING || b == HSR_NOTHING)
+    return; /* of a plane, or of one face */
+  pairs->compared += event->kind == HSR_COMPARE;
+  pairs->divided += event->kind == HSR_SPLIT;
+  pairs->of_two += pairs->cluster[a] != pairs->cluster[b];
+}
+
+static void check_clusters(struct tap *tap, const char *name, bool is_ring) {
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_scene *scene = open_scene(name);
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_world world;
+  struct hsr_view view;
+  struct hsr_setup setup;
+  struct count count = {hsr_algorithm_find("schumacker-newell")->counting,
+                        {.out_of_memory = false}};
+  if (hsr_world_init(&world, scene, &err) ||
+      hsr_view_init(&view, &scene->views[0], M, N, &err) ||
+      hsr_setup_init(&setup, count.algorithm, &world, &err))
+    stop(name, err.text);
+  const struct hsr_clusters *c = setup.world->clusters;
+  struct pairs pairs = {.cluster =
+                            HSR_NEW(&scratch, uint32_t, setup.world->n_faces)};
+  if (!pairs.cluster)
+    stop(name, err.text);
+  for (uint32_t k = 0; k < c->n_clusters; k++)
+    for (uint32_t o = c->start[k]; o < c->start[k + 1]; o++)
+      pairs.cluster[c->order[o] / 2] = k;
+  count.tally.trace = watch_pair;
+  count.tally.trace_context = &pairs;
+  struct hsr_job job = {.view = &view,
+                        .scratch = &scratch,
+                        .tally = &count.tally,
+                        .ids = ids,
+                        .ids_stride = M};
+  if (hsr_setup_render(&setup, &job, &err))
+    stop(name, err.text);
+  ok(tap,
+     c->n_clusters > 1 && c->n_separators == c->n_clusters - 1 &&
+         of(&count, "inter-cluster priority") == c->n_separators,
+     "%s: %u clusters, each plane between them looked at once", name,
+     c->n_clusters);
+  ok(tap,
+     pairs.compared > 0 && !pairs.of_two && count.tally.depths_compared == 0,
+     "%s: %ld comparisons of faces, %ld across clusters, none of depths", name,
+     pairs.compared, pairs.of_two);
+  if (is_ring)
+    ok(tap, pairs.divided > 0, "%s: %ld divisions", name, pairs.divided);
+  hsr_setup_free(&setup);
+  hsr_world_free(&world);
+  hsr_arena_free(&scratch);
+  hsr_scene_delete(scene);
+}
+
 /* A torus of trapezoids: each is flat, but for the rounding of its vertices. */
 static struct hsr_scene *make_torus(void) {
   static const float grey[3] = {0.5f, 0.5f, 0.5f};
@@ -146,15 +214,18 @@ static void check_thickness(struct tap *tap, const char *algorithm,
 }
 
 int main(void) {
-  struct tap tap = plan(10);
+  struct tap tap = plan(16);
   check_depths(&tap, "house");
   check_depths(&tap, "harbor");
   check_depths(&tap, "cyclic-overlap");
   check_few(&tap, "warnock-watkins");
   check_few(&tap, "warnock-newell");
   check_areas(&tap);
+  check_clusters(&tap, "harbor", false);
+  check_clusters(&tap, "cyclic-overlap", true);
   check_thickness(&tap, "newell", "thickness checks");
   check_thickness(&tap, "newell-watkins", "thickness checks");
   check_thickness(&tap, "warnock-newell", "Newell: thickness checks");
+  check_thickness(&tap, "schumacker-newell", "thickness checks");
   return finish(&tap);
 }

@@ -17,8 +17,9 @@ static const unsigned demands[] = {HSR_TR,
                                    HSR_NP,
                                    HSR_TR | HSR_NP,
                                    HSR_CF | HSR_NP,
-                                   HSR_CF | HSR_NP | HSR_LS,
-                                   HSR_TR | HSR_NP | HSR_LS};
+                                   HSR_LS,
+                                   HSR_CF | HSR_NP | HSR_LS | HSR_TP,
+                                   HSR_TR | HSR_NP | HSR_LS | HSR_TP};
 enum { DEMANDS = sizeof demands / sizeof *demands };
 
 static const char *const scenes[] = {
@@ -127,11 +128,11 @@ static bool walk_tree(const struct hsr_clusters *c, uint32_t *found) {
 
 /* Every cluster is in the tree once, and every oriented face in one cluster, or
  * thick. */
-static void check_clusters(struct tap *tap, struct fixture *x,
-                           const char *name) {
+static void check_clusters(struct tap *tap, struct fixture *x, const char *name,
+                           unsigned demanded) {
   struct hsr_error err = {.text = ""};
   struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
-  algorithm.restrictions = HSR_CF | HSR_NP | HSR_LS;
+  algorithm.restrictions = demanded;
   struct hsr_setup setup;
   if (hsr_setup_init(&setup, &algorithm, &x->world, &err))
     fail(&err);
@@ -153,8 +154,9 @@ static void check_clusters(struct tap *tap, struct fixture *x,
     good &= times[2 * f + 1] == (world->one_sided[f] ? 0 : times[2 * f]);
     n_empty += !times[2 * f];
   }
-  ok(tap, good && n_empty == 0, "%s: %u faces in %u clusters, %u without", name,
-     world->n_faces, c->n_clusters, n_empty);
+  ok(tap, good && n_empty == 0, "%s: %u faces in %u clusters%s, %u without",
+     name, world->n_faces, c->n_clusters,
+     demanded & HSR_TP ? " with priorities" : "", n_empty);
   free(times);
   hsr_setup_free(&setup);
 }
@@ -228,7 +230,7 @@ int main(void) {
   static const char *const warped[] = {"non-planar", "non-convex", "behind-eye",
                                        "lattice:40:6"};
   enum { WARPED = sizeof warped / sizeof *warped };
-  struct tap tap = plan(3 * SCENES + WARPED);
+  struct tap tap = plan(4 * SCENES + WARPED);
   for (int s = 0; s < SCENES; s++) {
     struct fixture *x = calloc(1, sizeof *x);
     if (!x)
@@ -236,7 +238,8 @@ int main(void) {
     open_scene(x, scenes[s]);
     check_pictures(&tap, x, scenes[s]);
     check_faces(&tap, x, scenes[s]);
-    check_clusters(&tap, x, scenes[s]);
+    check_clusters(&tap, x, scenes[s], HSR_LS);
+    check_clusters(&tap, x, scenes[s], HSR_CF | HSR_NP | HSR_LS | HSR_TP);
     close_scene(x);
   }
   for (int s = 0; s < WARPED; s++) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// .vtp files: whatever VTK's own writer makes of a mesh is read as that mesh,
-// in every encoding; what a hostile file may hold is in tests/bad.
+// .vtp files: line drawings are written as VTK reads them, and whatever VTK's
+// own writer makes of a mesh is read as that mesh, in every encoding; what a
+// hostile file may hold is in tests/bad.
 #include "common/exchange.h"
 #include "tests/tap.h"
 
@@ -14,6 +15,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <cstdio>
@@ -238,6 +240,58 @@ void try_pieces(tap *t) {
   hsr_scene_delete(scene);
 }
 
+/* ---- Line drawings, written by us and read by VTK ---- */
+
+unsigned value(vtkPolyData *data, const char *name, vtkIdType cell) {
+  vtkDataArray *array = data->GetCellData()->GetArray(name);
+  return array ? static_cast<unsigned>(array->GetComponent(cell, 0)) : ~0u - 1;
+}
+
+/* Whether line k of the data is the interval. */
+bool is_line(vtkPolyData *data, vtkIdType k, const hsr_segment &s) {
+  vtkNew<vtkIdList> ends;
+  data->GetLines()->GetCellAtId(k, ends);
+  if (ends->GetNumberOfIds() != 2)
+    return false;
+  double from[3], to[3];
+  data->GetPoint(ends->GetId(0), from);
+  data->GetPoint(ends->GetId(1), to);
+  return !std::memcmp(from, s.from, sizeof from) &&
+         !std::memcmp(to, s.to, sizeof to) &&
+         value(data, "invisibility", k) == s.invisibility &&
+         value(data, "edge_a", k) == s.edge.a &&
+         value(data, "edge_b", k) == s.edge.b &&
+         value(data, "edge_part", k) == s.edge.part &&
+         value(data, "implied", k) == s.edge.implied;
+}
+
+void try_drawing(tap *t) {
+  hsr_segment segments[] = {
+      {{false, 3, 0x89abcdef, 0}, 0, 0, 0.1, {0.1, 1e-300, -3}, {1, 2, 3}},
+      {{false, 3, 0x89abcdef, 0}, 300, 0.1, 1, {1, 2, 3}, {4, 5, 1e30}},
+      {{true, 0, 7, 2}, 1, 0, 1, {1.0 / 3, 0, 0}, {0, 1.0 / 7, 0}}};
+  hsr_drawing drawing = {segments, 3, 3};
+  const std::string path = directory + "/lines.vtp";
+  hsr_error err = {HSR_OK, ""};
+  ok(t, !hsr_drawing_write_vtp(&drawing, path.c_str(), &err),
+     "a drawing is written");
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkPolyData *data = reader->GetOutput();
+  bool good = data->GetNumberOfLines() == 3;
+  for (vtkIdType k = 0; k < 3; k++)
+    good = good && is_line(data, k, segments[k]);
+  ok(t, good, "VTK reads every bit of it");
+  drawing.n = 0;
+  ok(t, !hsr_drawing_write_vtp(&drawing, path.c_str(), &err),
+     "an empty drawing is written");
+  ok(t,
+     hsr_drawing_write_vtp(&drawing, (directory + "/none/a.vtp").c_str(),
+                           &err) == HSR_E_INPUT,
+     "a folder that is not there: %s", err.text);
+}
+
 } // namespace
 
 int main() {
@@ -245,10 +299,11 @@ int main() {
   if (!mkdtemp(name))
     return 99;
   directory = name;
-  struct tap t = plan(8 + 1 + 1);
+  struct tap t = plan(8 + 1 + 1 + 4);
   try_ways(&t);
   try_borders(&t);
   try_pieces(&t);
+  try_drawing(&t);
   const std::string clean = "rm -rf '" + directory + "'";
   return finish(&t) | (std::system(clean.c_str()) != 0);
 }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Line drawings as .vtp files, for ParaView and the like.
+#include "common/exchange.h"
+#include "common/whole_file.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedIntArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <new>
+#include <string>
+
+namespace {
+
+vtkIdType n_cells(const hsr_drawing &drawing) {
+  return static_cast<vtkIdType>(drawing.n);
+}
+
+/* Adds a number a cell, `get` of its interval. */
+template <class Array, class Get>
+void add_data(vtkPolyData *data, const char *name, const hsr_drawing &drawing,
+              const Get &get) {
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(n_cells(drawing));
+  for (size_t k = 0; k < drawing.n; k++)
+    array->SetValue(static_cast<vtkIdType>(k), get(drawing.segment[k]));
+  data->GetCellData()->AddArray(array);
+}
+
+void add_lines(vtkPolyData *data, const hsr_drawing &drawing) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(2 * n_cells(drawing));
+  for (size_t k = 0; k < drawing.n; k++) {
+    const vtkIdType ends[2] = {static_cast<vtkIdType>(2 * k),
+                               static_cast<vtkIdType>(2 * k + 1)};
+    points->SetPoint(ends[0], drawing.segment[k].from);
+    points->SetPoint(ends[1], drawing.segment[k].to);
+    lines->InsertNextCell(2, ends);
+  }
+  data->SetPoints(points);
+  data->SetLines(lines);
+}
+
+/* The file's text; empty if VTK cannot make it. */
+std::string text_of(const hsr_drawing &drawing) {
+  vtkNew<vtkPolyData> data;
+  add_lines(data, drawing);
+  using Interval = const hsr_segment &;
+  add_data<vtkUnsignedIntArray>(data, "invisibility", drawing,
+                                [](Interval s) { return s.invisibility; });
+  add_data<vtkUnsignedIntArray>(data, "edge_a", drawing,
+                                [](Interval s) { return s.edge.a; });
+  add_data<vtkUnsignedIntArray>(data, "edge_b", drawing,
+                                [](Interval s) { return s.edge.b; });
+  add_data<vtkUnsignedIntArray>(data, "edge_part", drawing,
+                                [](Interval s) { return s.edge.part; });
+  add_data<vtkUnsignedCharArray>(data, "implied", drawing,
+                                 [](Interval s) { return s.edge.implied; });
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->WriteToOutputStringOn();
+  return writer->Write() && !writer->GetErrorCode() ? writer->GetOutputString()
+                                                    : std::string();
+}
+
+enum hsr_status write(const hsr_drawing &drawing, const char *path,
+                      hsr_error *err) {
+  const std::string text = text_of(drawing);
+  if (text.empty())
+    return hsr_fail(err, HSR_E_INTERNAL, "%s: VTK cannot make it", path);
+  hsr_whole_file file;
+  const enum hsr_status status = hsr_whole_file_open(&file, path, err);
+  if (status)
+    return status;
+  std::fwrite(text.data(), 1, text.size(), file.stream);
+  return hsr_whole_file_close(&file, HSR_OK, err);
+}
+
+} // namespace
+
+enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
+                                      const char *path, struct hsr_error *err) {
+  try {
+    return write(*drawing, path, err);
+  } catch (const std::bad_alloc &) {
+    return hsr_fail_nomem(err);
+  } catch (const std::exception &e) {
+    return hsr_fail(err, HSR_E_INTERNAL, "VTK: %s", e.what());
+  } catch (...) {
+    return hsr_fail(err, HSR_E_INTERNAL, "VTK: failed");
+  }
+}

@@ -1,0 +1,981 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The line oracle against answers derived by hand, and against the definition
+ * written a second time: the invisibility of one point of an edge, from all
+ * faces, without boxes, intervals or changes along the edge.
+ *
+ * By hand the eye is the origin, with F = (0, 0, -1), R = (1, 0, 0) and
+ * U = (0, 1, 0), so that x = X/w, y = Y/w and w = -Z.
+ *
+ * usage: line_oracle_test [TIMES]      standard: 1, of random scenes */
+#include "algorithms/algorithm.h"
+
+#include <CGAL/Exact_rational.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+extern "C" const struct hsr_algorithm HSR_ALGORITHM(line_oracle);
+
+namespace {
+
+const struct hsr_algorithm &oracle = HSR_ALGORITHM(line_oracle);
+
+/* ---- TAP ---- */
+
+int n_tests, n_failed;
+
+void ok(bool good, const std::string &what) {
+  std::printf("%s %d - %s\n", good ? "ok" : "not ok", ++n_tests, what.c_str());
+  std::fflush(stdout);
+  n_failed += !good;
+}
+
+/* ---- Worlds and views, filled by hand ---- */
+
+struct spot {
+  double x, y, z;
+};
+
+/* The fields of hsr_world that the oracle may look at; the others are NULL. */
+struct little_world {
+  std::vector<double> x, y, z;
+  std::vector<uint32_t> start = {0}, vertex;
+  std::vector<char> one_sided;
+
+  uint32_t point(const spot &p) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+    z.push_back(p.z);
+    return uint32_t(x.size() - 1);
+  }
+
+  /* A face of vertices that there are. */
+  little_world &join(const std::vector<uint32_t> &corners, bool one = false) {
+    vertex.insert(vertex.end(), corners.begin(), corners.end());
+    start.push_back(uint32_t(vertex.size()));
+    one_sided.push_back(one);
+    return *this;
+  }
+
+  /* A face of its own vertices. */
+  little_world &face(const std::vector<spot> &corners, bool one = false) {
+    std::vector<uint32_t> numbers;
+    for (const spot &p : corners)
+      numbers.push_back(point(p));
+    return join(numbers, one);
+  }
+
+  uint32_t n_faces() const { return uint32_t(start.size() - 1); }
+
+  struct hsr_world world() {
+    static_assert(sizeof(bool) == sizeof(char), "one_sided is read as bool");
+    struct hsr_world w = {};
+    w.n_vertices = uint32_t(x.size());
+    w.n_faces = n_faces();
+    w.n_corners = uint32_t(vertex.size());
+    w.x = x.data();
+    w.y = y.data();
+    w.z = z.data();
+    w.start = start.data();
+    w.vertex = vertex.data();
+    w.one_sided = reinterpret_cast<bool *>(one_sided.data());
+    return w;
+  }
+};
+
+struct hsr_view plain_view(double near = 0) {
+  struct hsr_view v = {};
+  v.m = v.n = 1;
+  v.window = {0, 0, 1, 1};
+  v.F[2] = -1;
+  v.R[0] = 1;
+  v.U[1] = 1;
+  v.near = near;
+  return v;
+}
+
+using drawing = std::vector<hsr_segment>;
+
+drawing draw(little_world &little, const struct hsr_view &view) {
+  const struct hsr_world world = little.world();
+  struct hsr_tally tally = {};
+  struct hsr_drawing made = {};
+  struct hsr_job job = {};
+  job.world = &world;
+  job.view = &view;
+  job.tally = &tally;
+  job.drawing = &made;
+  struct hsr_error err = {};
+  if (oracle.prepare(&world, &job.prepared, &err) ||
+      oracle.render(&job, &err)) {
+    std::printf("Bail out! %s\n", err.text);
+    std::exit(99);
+  }
+  oracle.release(job.prepared);
+  const drawing out(made.segment, made.segment + made.n);
+  hsr_drawing_free(&made);
+  return out;
+}
+
+bool is_same(const hsr_edge_name &a, const hsr_edge_name &b) {
+  return hsr_edge_name_compare(&a, &b) == 0;
+}
+
+/* The intervals of an edge, as text: "0..0.5=1 0.5..1=0". */
+std::string text(const drawing &all, const hsr_edge_name &edge) {
+  std::string out;
+  for (const hsr_segment &s : all)
+    if (is_same(s.edge, edge)) {
+      char part[96];
+      std::snprintf(part, sizeof part, "%.17g..%.17g=%u", s.t0, s.t1,
+                    s.invisibility);
+      out += out.empty() ? part : std::string(" ") + part;
+    }
+  return out;
+}
+
+void ok_edge(little_world little, const struct hsr_view &view,
+             const hsr_edge_name &edge, const std::string &expected,
+             const std::string &what) {
+  const std::string got = text(draw(little, view), edge);
+  ok(got == expected, what);
+  if (got != expected)
+    std::printf("# expected %s\n# got      %s\n", expected.c_str(),
+                got.c_str());
+}
+
+hsr_edge_name side(uint32_t a, uint32_t b) {
+  return {false, a, b, 0};
+}
+
+/* A triangle whose side from vertex 0 to 1 is looked at; its third vertex is
+ * above all pictures, w apart. */
+std::vector<spot> bearer(const spot &a, const spot &b) {
+  return {a, b, {(a.x + b.x) / 2, 99, (a.z + b.z) / 2 - 1}};
+}
+
+std::vector<spot> rectangle(double left, double low, double right, double high,
+                            double z) {
+  return {{left, low, z}, {right, low, z}, {right, high, z}, {left, high, z}};
+}
+
+/* ---- By hand ---- */
+
+/* The eye sees the sides x = 1, y = 1 and z = -6 of the cube. */
+little_world cube(bool one_sided) {
+  little_world w;
+  for (int k = 0; k < 8; k++)
+    w.point({k & 1 ? 3. : 1., k & 2 ? 3. : 1., k & 4 ? -8. : -6.});
+  const bool o = one_sided;
+  w.join({0, 1, 3, 2}, o).join({5, 4, 6, 7}, o).join({4, 0, 2, 6}, o);
+  w.join({1, 5, 7, 3}, o).join({4, 5, 1, 0}, o).join({2, 3, 7, 6}, o);
+  return w;
+}
+
+/* Vertex 7 is the hidden one. Each edge there passes behind two of the three
+ * sides that are seen, from one to the other at a point that is no change. */
+void test_cube() {
+  little_world w = cube(true);
+  const drawing seen = draw(w, plain_view());
+  bool all_visible = true;
+  for (const hsr_segment &s : seen)
+    all_visible = all_visible && s.t0 == 0 && s.t1 == 1 && s.invisibility == 0;
+  ok(seen.size() == 9 && all_visible, "a one-sided cube: nine whole edges");
+  ok(text(seen, side(3, 7)).empty(), "an edge of faces that do not exist");
+  ok(text(seen, side(0, 1)) == "0..1=0", "an edge of two that do");
+
+  w = cube(false);
+  const drawing all = draw(w, plain_view());
+  int n_hidden = 0, n_visible = 0;
+  for (const hsr_segment &s : all) {
+    const bool whole = s.t0 == 0 && s.t1 == 1;
+    n_hidden += whole && s.invisibility == 1 && s.edge.b == 7;
+    n_visible += whole && s.invisibility == 0 && s.edge.b != 7;
+  }
+  ok(all.size() == 12 && n_hidden == 3 && n_visible == 9,
+     "a two-sided cube: three hidden edges more");
+}
+
+/* The image of the square is |x|, |y| <= 1/2; the edge's runs on y = 0 from
+ * x = -3/4 to 5/4. */
+void test_before() {
+  little_world w;
+  w.face(bearer({-6, 0, -8}, {10, 0, -8})).face(rectangle(-2, -2, 2, 2, -4));
+  ok_edge(w, plain_view(), side(0, 1),
+          "0..0.125=0 0.125..0.625=1 0.625..0.875=0",
+          "a square before an edge that leaves the picture");
+  little_world behind;
+  behind.face(bearer({-6, 0, -8}, {10, 0, -8}));
+  behind.face(rectangle(-2, -2, 2, 2, -12));
+  ok_edge(behind, plain_view(), side(0, 1), "0..0.875=0", "a square behind it");
+}
+
+void test_piercing() {
+  little_world w;
+  w.face(rectangle(-4, -4, 4, 4, -4));
+  w.face({{-1, 0, -2}, {3, 0, -10}, {3, -2, -10}});
+  ok_edge(w, plain_view(), side(4, 5), "0..0.25=0 0.25..1=1",
+          "an edge pierces a face");
+  ok_edge(w, plain_view(), {true, 0, 1, 0}, "0..1=0", "their implied edge");
+  bool placed = false;
+  for (const hsr_segment &s : draw(w, plain_view()))
+    if (s.edge.implied)
+      placed = s.from[0] == 0 && s.from[1] == 0 && s.from[2] == -4 &&
+               s.to[0] == 0 && s.to[1] == -0.5 && s.to[2] == -4;
+  ok(placed, "which runs along the product of the normals");
+
+  /* A comb with two teeth through a plane. */
+  little_world comb;
+  comb.face(rectangle(-4, -4, 4, 4, -4));
+  comb.face({{-2, 1, -6},
+             {-2, 1, -3},
+             {-1, 1, -3},
+             {-1, 1, -5},
+             {1, 1, -5},
+             {1, 1, -3},
+             {2, 1, -3},
+             {2, 1, -6}});
+  ok_edge(comb, plain_view(), {true, 0, 1, 0}, "0..1=0", "a first stretch");
+  ok_edge(comb, plain_view(), {true, 0, 1, 1}, "0..1=0", "and a second one");
+  ok_edge(comb, plain_view(), {true, 0, 1, 2}, "", "and no third");
+}
+
+void test_coplanar() {
+  little_world w;
+  w.face(rectangle(-2, -2, 2, 2, -4))
+      .face({{-1, -1, -4}, {1, -1, -4}, {0, 1, -4}});
+  ok_edge(w, plain_view(), side(4, 5), "0..1=0",
+          "a face does not hide an edge of its plane");
+}
+
+/* The displacement is to the right and, less, down. */
+void test_collinear() {
+  const auto upright = bearer({0, -1, -8}, {0, 1, -8});
+  const auto level = bearer({-1, 0, -8}, {1, 0, -8});
+  const struct {
+    std::vector<spot> edge, square;
+    const char *expected, *what;
+  } cases[] = {
+      {upright, rectangle(0, -2, 2, 2, -4), "0..1=1", "on a left side"},
+      {upright, rectangle(-2, -2, 0, 2, -4), "0..1=0", "on a right side"},
+      {level, rectangle(-2, -2, 2, 0, -4), "0..1=1", "on an upper side"},
+      {level, rectangle(-2, 0, 2, 2, -4), "0..1=0", "on a lower side"}};
+  for (const auto &c : cases) {
+    little_world w;
+    w.face(c.edge).face(c.square);
+    ok_edge(w, plain_view(), side(0, 1), c.expected,
+            std::string("an edge seen ") + c.what + " of a face before it");
+  }
+}
+
+void test_picture() {
+  const struct {
+    spot a, b;
+    const char *expected, *what;
+  } cases[] = {
+      {{-4, -1, -4}, {-4, 1, -4}, "0..1=0", "x = -1 is in the picture"},
+      {{4, -1, -4}, {4, 1, -4}, "", "x = 1 is not"},
+      {{-1, 4, -4}, {1, 4, -4}, "0..1=0", "y = 1 is"},
+      {{-1, -4, -4}, {1, -4, -4}, "", "y = -1 is not"},
+      {{-8, 0, -4}, {8, 0, -4}, "0.25..0.75=0", "both ends are outside"},
+      {{5, 0, -4}, {8, 0, -4}, "", "all is outside"},
+      {{1, 0, -2}, {2, 0, -4}, "", "an edge on a line through the eye"},
+      {{1, 0, -2}, {1, 0, -2}, "", "no two places"}};
+  for (const auto &c : cases) {
+    little_world w;
+    w.face({c.a, c.b, {0, 50, -1}}); /* not an own face of what it may hide */
+    ok_edge(w, plain_view(), side(0, 1), c.expected, c.what);
+  }
+}
+
+void test_behind() {
+  little_world w;
+  w.face(bearer({1, 1, -4}, {1, 1, 4}));
+  ok_edge(w, plain_view(), side(0, 1), "0..0.375=0",
+          "an edge that leads behind the eye");
+  ok_edge(w, plain_view(2), side(0, 1), "0..0.25=0", "a nearer end: near");
+
+  /* Of a floor at y = -1 each ray hits the half of that to the edge. */
+  little_world floor;
+  floor.face({{-2, -2, -4}, {2, -2, -4}, {0, -3, -4}});
+  floor.face({{-10, -1, -10}, {10, -1, -10}, {10, -1, 10}, {-10, -1, 10}});
+  ok_edge(floor, plain_view(), side(0, 1), "0..1=1",
+          "a face that reaches behind the eye");
+  ok_edge(floor, plain_view(3), side(0, 1), "0..1=0",
+          "but nothing before near");
+  little_world slope;
+  slope.face({{-1, -1, -4}, {1, -3, -4}, {-2, -4, -4}});
+  slope.face({{-10, -1, -10}, {10, -1, -10}, {10, -1, 10}, {-10, -1, 10}});
+  ok_edge(slope, plain_view(2), side(0, 1), "0..0.5=1 0.5..1=0",
+          "a change where it is hit at near");
+}
+
+/* Normal along z, mean at z = -4, although no vertex is. */
+void test_warped() {
+  const std::vector<spot> saddle = {
+      {2, 2, -5}, {-2, 2, -3}, {-2, -2, -5}, {2, -2, -3}};
+  for (const auto &[z, expected] :
+       {std::pair(-4.5, "0..1=1"), std::pair(-3.5, "0..1=0")}) {
+    little_world w;
+    w.face(bearer({-0.5, 0, z}, {0.5, 0, z})).face(saddle);
+    ok_edge(w, plain_view(), side(0, 1), expected,
+            z < -4 ? "an edge behind a warped face's plane"
+                   : "an edge before it");
+  }
+}
+
+void test_t_junction() {
+  little_world w;
+  w.face({{-3, 1, -8}, {3, 1, -8}, {0, -3, -8}});
+  w.face({{0, -3, -8}, {0, 3, -8}, {1, 0, -8}});
+  w.face(rectangle(-2, -2, 0, 2, -4));
+  w.face(rectangle(0, -2, 2, 0, -4)).face(rectangle(0, 0, 2, 2, -4));
+  ok_edge(w, plain_view(), side(0, 1), "0..1=1", "an edge across a T-junction");
+  ok_edge(w, plain_view(), side(3, 4), "0..1=1", "an edge along it");
+}
+
+void test_stack() {
+  little_world w;
+  w.face({{0, 0, -800}, {512, 0, -800}, {256, 5, -800}});
+  for (int k = 1; k <= 300; k++) {
+    const double z = 400 + k, half = z / 2;
+    w.face(rectangle(-half, -half, half, half, -z));
+  }
+  ok_edge(w, plain_view(), side(0, 1), "0..0.78125=300 0.78125..1=0",
+          "invisibility 300");
+}
+
+/* ---- The definition, a second time ---- */
+
+using Q = CGAL::Exact_rational;
+
+struct vec {
+  Q x, y, z;
+};
+vec operator+(const vec &a, const vec &b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+vec operator*(const Q &s, const vec &a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+vec operator-(const vec &a, const vec &b) {
+  return a + Q(-1) * b;
+}
+Q dot(const vec &a, const vec &b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+vec cross(const vec &a, const vec &b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Q det(const vec &a, const vec &b, const vec &c) {
+  return dot(a, cross(b, c));
+}
+bool is_null(const vec &a) {
+  return a.x == 0 && a.y == 0 && a.z == 0;
+}
+int sign(const Q &a) {
+  return a > 0 ? 1 : a < 0 ? -1 : 0;
+}
+
+/* c[0] + c[1] e + c[2] e^2, e infinitesimal and positive. */
+struct poly {
+  Q c[3];
+};
+int sign(const poly &a) {
+  for (const Q &c : a.c)
+    if (c != 0)
+      return sign(c);
+  return 0;
+}
+
+/* The displaced ray, D + e R - e^2 U. */
+struct displaced {
+  vec d[3];
+};
+poly operator*(const vec &a, const displaced &D) {
+  return {{dot(a, D.d[0]), dot(a, D.d[1]), dot(a, D.d[2])}};
+}
+
+struct naive_face {
+  std::vector<vec> V; /* from the eye */
+  std::vector<uint32_t> number;
+  vec N, S;
+  Q k, c;
+  bool exists, flat;
+
+  Q height(const vec &P) const { return dot(N, k * P - S); }
+};
+
+struct naive_edge {
+  hsr_edge_name name;
+  vec A, B; /* from the eye */
+};
+
+struct naive {
+  vec F, R, U;
+  Q near;
+  std::vector<naive_face> faces;
+  std::vector<naive_edge> edges;
+
+  naive(const little_world &w, const struct hsr_view &v);
+  void find_implied(uint32_t f, uint32_t g);
+  bool is_own(const naive_face &f, uint32_t number, const hsr_edge_name &e);
+  bool covers(const naive_face &f, const displaced &D);
+  int invisibility(const naive_edge &e,
+                   const Q &t); /* -1: not in the picture */
+};
+
+naive::naive(const little_world &w, const struct hsr_view &v)
+    : F{v.F[0], v.F[1], v.F[2]}, R{v.R[0], v.R[1], v.R[2]}, U{v.U[0], v.U[1],
+                                                              v.U[2]},
+      near(v.near) {
+  const vec E = {v.E[0], v.E[1], v.E[2]};
+  const auto place = [&](uint32_t n) {
+    return vec{w.x[n], w.y[n], w.z[n]} - E;
+  };
+  std::set<std::pair<uint32_t, uint32_t>> pairs;
+  for (uint32_t f = 0; f < w.n_faces(); f++) {
+    naive_face made = {};
+    for (uint32_t c = w.start[f]; c < w.start[f + 1]; c++) {
+      made.number.push_back(w.vertex[c]);
+      made.V.push_back(place(w.vertex[c]));
+    }
+    const size_t n = made.V.size();
+    for (size_t i = 0; i < n; i++) {
+      made.N = made.N + cross(made.V[i], made.V[(i + 1) % n]);
+      made.S = made.S + made.V[i];
+    }
+    made.k = Q(int(n));
+    made.c = dot(made.N, made.S);
+    made.exists = !w.one_sided[f] || made.c < 0;
+    made.flat = true;
+    for (const vec &V : made.V)
+      made.flat = made.flat && made.height(V) == 0;
+    for (size_t i = 0; made.exists && i < n; i++)
+      pairs.insert(std::minmax(made.number[i], made.number[(i + 1) % n]));
+    faces.push_back(made);
+  }
+  for (const auto &[a, b] : pairs)
+    edges.push_back({side(a, b), place(a), place(b)});
+  for (uint32_t f = 0; f < faces.size(); f++)
+    for (uint32_t g = f + 1; g < faces.size(); g++)
+      if (faces[f].exists && faces[g].exists && faces[f].flat && faces[g].flat)
+        find_implied(f, g);
+}
+
+/* Whether P is on a side of the face. */
+bool is_on_border(const naive_face &f, const vec &P) {
+  for (size_t i = 0; i < f.V.size(); i++) {
+    const vec &a = f.V[i], &b = f.V[(i + 1) % f.V.size()];
+    if (is_null(cross(b - a, P - a)) && dot(P - a, P - b) <= 0)
+      return true;
+  }
+  return false;
+}
+
+/* Whether P, of the face's plane and not on its border, is inside: in two of
+ * the coordinates, how many sides are crossed to the right. */
+bool is_inside(const naive_face &f, const vec &P) {
+  const auto two = [&](const vec &a) {
+    return f.N.z != 0   ? std::pair(a.x, a.y)
+           : f.N.y != 0 ? std::pair(a.x, a.z)
+                        : std::pair(a.y, a.z);
+  };
+  const auto [x, y] = two(P);
+  bool odd = false;
+  for (size_t i = 0; i < f.V.size(); i++) {
+    const auto [ax, ay] = two(f.V[i]);
+    const auto [bx, by] = two(f.V[(i + 1) % f.V.size()]);
+    if ((ay > y) != (by > y) && ax + (y - ay) / (by - ay) * (bx - ax) > x)
+      odd = !odd;
+  }
+  return odd;
+}
+
+/* Along the line of both planes, wherever the plane through a side and across
+ * its face is met, something may end. */
+void naive::find_implied(uint32_t f, uint32_t g) {
+  const naive_face *pair[2] = {&faces[f], &faces[g]};
+  const vec direction = cross(pair[0]->N, pair[1]->N);
+  if (is_null(direction))
+    return;
+
+  /* N·P = N·S / k for both, direction·P = 0. */
+  const Q p = pair[0]->c / pair[0]->k, q = pair[1]->c / pair[1]->k;
+  const vec O =
+      Q(1) / dot(direction, direction) *
+      (p * cross(pair[1]->N, direction) + q * cross(direction, pair[0]->N));
+  std::vector<Q> marks;
+  for (const naive_face *face : pair)
+    for (size_t i = 0; i < face->V.size(); i++) {
+      const vec &a = face->V[i], &b = face->V[(i + 1) % face->V.size()];
+      for (const vec &end : {a, b}) /* of a side along the line */
+        marks.push_back(dot(direction, end - O) / dot(direction, direction));
+      const vec across = cross(face->N, b - a);
+      if (dot(across, direction) != 0)
+        marks.push_back(dot(across, a - O) / dot(across, direction));
+    }
+  std::sort(marks.begin(), marks.end());
+  marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
+
+  const auto at = [&](const Q &s) { return O + s * direction; };
+  const auto is_within = [&](const Q &s) {
+    bool inside = true;
+    for (const naive_face *face : pair)
+      inside = inside && !is_on_border(*face, at(s)) && is_inside(*face, at(s));
+    return inside;
+  };
+  std::optional<Q> begin;
+  uint32_t part = 0;
+  for (size_t i = 0; i < marks.size(); i++) {
+    const bool before = i > 0 && is_within((marks[i - 1] + marks[i]) / 2);
+    const bool after =
+        i + 1 < marks.size() && is_within((marks[i] + marks[i + 1]) / 2);
+    if (before && after && is_within(marks[i]))
+      continue;
+    if (before)
+      edges.push_back({{true, f, g, part++}, at(*begin), at(marks[i])});
+    if (after)
+      begin = marks[i];
+  }
+}
+
+bool naive::is_own(const naive_face &f, uint32_t number,
+                   const hsr_edge_name &e) {
+  if (e.implied)
+    return number == e.a || number == e.b;
+  for (size_t i = 0; i < f.number.size(); i++) {
+    const uint32_t a = f.number[i], b = f.number[(i + 1) % f.number.size()];
+    if (std::min(a, b) == e.a && std::max(a, b) == e.b)
+      return true;
+  }
+  return false;
+}
+
+bool naive::covers(const naive_face &f, const displaced &D) {
+  bool odd = false;
+  for (size_t i = 0; i < f.V.size(); i++) {
+    const vec &a = f.V[i], &b = f.V[(i + 1) % f.V.size()];
+    const int row_a = sign(cross(R, a) * D) < 0 ? -1 : 1;
+    const int row_b = sign(cross(R, b) * D) < 0 ? -1 : 1;
+    const int edge = sign(cross(a, b) * D);
+    if (row_a != row_b && edge == -row_a)
+      odd = !odd;
+  }
+  return odd;
+}
+
+int naive::invisibility(const naive_edge &e, const Q &t) {
+  const vec P = e.A + t * (e.B - e.A);
+  if (is_null(cross(e.A, e.B)))
+    return -1;
+  const Q all = det(F, R, U), w = det(P, R, U) / all;
+  if (w <= near)
+    return -1;
+  const Q x = det(F, P, U) / all / w, y = det(F, R, P) / all / w;
+  if (!(-1 <= x && x < 1 && -1 < y && y <= 1))
+    return -1;
+  const displaced D = {{F + x * R + y * U, R, Q(-1) * U}};
+  int n = 0;
+  for (uint32_t k = 0; k < faces.size(); k++) {
+    const naive_face &f = faces[k];
+    if (!f.exists || f.c == 0 || is_own(f, k, e.name) ||
+        (f.height(e.A) == 0 && f.height(e.B) == 0) || !covers(f, D))
+      continue;
+    /* near < t = c / kN·D < w */
+    const poly kND = (f.k * f.N) * D;
+    const auto beyond = [&](const Q &depth) {
+      return sign({{f.c - depth * kND.c[0], -depth * kND.c[1],
+                    -depth * kND.c[2]}}) *
+             sign(kND);
+    };
+    n += sign(kND) * sign(f.c) > 0 && beyond(near) > 0 && beyond(w) < 0;
+  }
+  return n;
+}
+
+/* ---- Random scenes ---- */
+
+struct dice {
+  std::mt19937 engine;
+
+  int below(int n) { return int(engine() % unsigned(n)); }
+  int from_to(int low, int high) { return low + below(high - low + 1); }
+  bool once_in(int n) { return below(n) == 0; }
+  spot lattice(int size) {
+    const double x = from_to(-size, size), y = from_to(-size, size);
+    return {x, y, double(from_to(-size, size))};
+  }
+  Q part() { /* in (0, 1), and no place where anything happens */
+    return Q(from_to(1, 2147483646)) / Q(2147483647);
+  }
+};
+
+vec exact(const spot &p) {
+  return {p.x, p.y, p.z};
+}
+
+/* A polygon without a Newell normal is no face. */
+bool has_normal(const little_world &w, const std::vector<uint32_t> &corners) {
+  vec N = {0, 0, 0};
+  for (size_t i = 0; i < corners.size(); i++) {
+    const uint32_t a = corners[i], b = corners[(i + 1) % corners.size()];
+    N = N + cross({w.x[a], w.y[a], w.z[a]}, {w.x[b], w.y[b], w.z[b]});
+  }
+  return !is_null(N);
+}
+
+/* O + a u + b v: flat in integers, convex and not. */
+std::vector<spot> planar_polygon(dice &d, int size) {
+  static const std::vector<std::array<int, 2>> shapes[] = {
+      {{0, 0}, {2, 0}, {2, 1}, {0, 1}},
+      {{0, 0}, {3, 0}, {3, 3}, {2, 1}, {1, 1}, {0, 3}},
+      {{0, 0}, {1, 1}, {3, 0}, {1, 3}, {0, 2}}};
+  const spot O = d.lattice(size), u = d.lattice(2), v = d.lattice(2);
+  std::vector<spot> corners;
+  for (const auto &[a, b] : shapes[d.below(3)])
+    corners.push_back({O.x + a * u.x + b * v.x, O.y + a * u.y + b * v.y,
+                       O.z + a * u.z + b * v.z});
+  return corners;
+}
+
+/* Vertices that faces share by number, and others of the same places. */
+little_world random_world(dice &d, int n_faces, int size) {
+  little_world w;
+  while (int(w.n_faces()) < n_faces) {
+    std::vector<uint32_t> corners;
+    if (d.once_in(3)) {
+      for (const spot &p : planar_polygon(d, size))
+        corners.push_back(w.point(p));
+    } else {
+      for (int k = d.once_in(4) ? d.from_to(4, 6) : 3; k > 0; k--)
+        corners.push_back(w.x.empty() || d.once_in(2)
+                              ? w.point(d.lattice(size))
+                              : uint32_t(d.below(int(w.x.size()))));
+    }
+    std::set<uint32_t> distinct(corners.begin(), corners.end());
+    if (distinct.size() == corners.size() && has_normal(w, corners))
+      w.join(corners, d.once_in(3));
+  }
+  return w;
+}
+
+/* A view towards the middle with any independent F, R, U; some from the middle
+ * or an end of a side. */
+struct hsr_view random_view(const little_world &w, dice &d, int size) {
+  struct hsr_view v = plain_view(d.once_in(2) ? 0 : d.from_to(1, 6) / 8.0);
+  spot E = d.lattice(size);
+  if (d.once_in(4)) {
+    const uint32_t f = uint32_t(d.below(int(w.n_faces())));
+    const uint32_t *corner = &w.vertex[w.start[f]];
+    const uint32_t a = corner[w.start[f + 1] - w.start[f] - 1];
+    const uint32_t b =
+        corner[d.once_in(4) ? w.start[f + 1] - w.start[f] - 1 : 0];
+    E = {(w.x[a] + w.x[b]) / 2, (w.y[a] + w.y[b]) / 2, (w.z[a] + w.z[b]) / 2};
+  }
+  spot F, R, U;
+  do {
+    F = d.lattice(size / 3);
+    F = {F.x - E.x, F.y - E.y, F.z - E.z};
+    R = d.lattice(1 + size / 4);
+    U = d.lattice(1 + size / 4);
+  } while (det(exact(F), exact(R), exact(U)) == 0);
+  const double e[] = {E.x, E.y, E.z}, f[] = {F.x, F.y, F.z};
+  const double r[] = {R.x, R.y, R.z}, u[] = {U.x, U.y, U.z};
+  for (int axis = 0; axis < 3; axis++) {
+    v.E[axis] = e[axis];
+    v.F[axis] = f[axis];
+    v.R[axis] = d.once_in(3) ? 2 * r[axis] : r[axis];
+    v.U[axis] = u[axis];
+  }
+  if (det(exact(F), {v.R[0], v.R[1], v.R[2]}, exact(U)) == 0)
+    for (int axis = 0; axis < 3; axis++)
+      v.R[axis] = r[axis];
+  return v;
+}
+
+/* Makes the scene one of rounded numbers: nearly degenerate where it was
+ * exactly so. */
+void roughen(little_world &w, struct hsr_view &v) {
+  for (std::vector<double> *a : {&w.x, &w.y, &w.z})
+    for (double &value : *a)
+      value = value * 0.1 + 1e3;
+  for (int axis = 0; axis < 3; axis++) {
+    v.E[axis] = v.E[axis] * 0.1 + 1e3;
+    v.F[axis] *= 0.1;
+    v.R[axis] *= 0.1;
+    v.U[axis] *= 0.1;
+  }
+}
+
+void scale(little_world &w, struct hsr_view &v, int exponent) {
+  for (std::vector<double> *a : {&w.x, &w.y, &w.z})
+    for (double &value : *a)
+      value = std::ldexp(value, exponent);
+  for (double &value : v.E)
+    value = std::ldexp(value, exponent);
+  v.near = std::ldexp(v.near, exponent);
+}
+
+/* ---- The comparison ---- */
+
+struct tally {
+  long points, wrong, intervals, implied, most;
+};
+
+/* The intervals of one edge against single points: anywhere in each interval,
+ * within some 1e-12 of its ends, and outside of all; not where it is too short
+ * for that. */
+void compare_edge(naive &slow, const naive_edge &e, const drawing &part,
+                  dice &d, tally *count) {
+  const auto check = [&](const Q &t, int expected) {
+    if (!(0 < t && t < 1))
+      return;
+    count->points++;
+    count->most = std::max(count->most, long(expected));
+    const int is = slow.invisibility(e, t);
+    if (is == expected)
+      return;
+    if (!count->wrong++)
+      std::printf("# edge %d %u %u %u, t = %g: %d, not %d\n", e.name.implied,
+                  e.name.a, e.name.b, e.name.part, CGAL::to_double(t), expected,
+                  is);
+  };
+  const Q tiny(1e-12);
+  Q done = 0;
+  for (size_t i = 0; i < part.size(); i++) {
+    const hsr_segment &s = part[i];
+    const Q t0(s.t0), t1(s.t1), length = t1 - t0;
+    const int n = int(s.invisibility);
+    count->intervals++;
+    if (i == 0) {
+      check(d.part() * t0, -1);
+      check(t0 - tiny * t0 * (1 + d.part()), -1);
+    } else {
+      count->wrong += t0 != done || part[i - 1].invisibility == s.invisibility;
+    }
+    if (length > 100 * tiny) {
+      for (int k = 0; k < 3; k++)
+        check(t0 + d.part() * length, n);
+      check(t0 + tiny * (1 + d.part()), n);
+      check(t1 - tiny * (1 + d.part()), n);
+    }
+    done = t1;
+    const vec ends[2] = {e.A + t0 * (e.B - e.A), e.A + t1 * (e.B - e.A)};
+    for (int k = 0; k < 2; k++) {
+      const double *given = k ? s.to : s.from;
+      const vec P = ends[k] - vec{given[0], given[1], given[2]};
+      if (!(CGAL::abs(P.x) < 1e-6) || !(CGAL::abs(P.y) < 1e-6) ||
+          !(CGAL::abs(P.z) < 1e-6))
+        count->wrong++;
+    }
+  }
+  if (part.empty()) {
+    for (int k = 0; k < 5; k++)
+      check(d.part(), -1);
+  } else if (1 - done > 100 * tiny) {
+    check(done + tiny * (1 + d.part()), -1);
+    check(done + (1 + d.part()) / 2 * (1 - done), -1);
+  }
+}
+
+void compare(little_world &w, const struct hsr_view &v, dice &d, tally *count) {
+  naive slow(w, v);
+  const drawing got = draw(w, v);
+  size_t k = 0;
+  for (naive_edge &e : slow.edges) {
+    drawing part;
+    for (; k < got.size() && is_same(got[k].edge, e.name); k++) {
+      part.push_back(got[k]);
+      for (int axis = 0; axis < 3; axis++) { /* from the eye */
+        part.back().from[axis] -= v.E[axis];
+        part.back().to[axis] -= v.E[axis];
+      }
+    }
+    count->implied += e.name.implied && !part.empty();
+    compare_edge(slow, e, part, d, count);
+  }
+  if (k < got.size()) { /* not in order, or no edge */
+    std::printf("# interval %zu is of another edge\n", k);
+    count->wrong++;
+  }
+}
+
+bool agree(drawing got, drawing wanted) {
+  const struct hsr_drawing a = {got.data(), got.size(), got.size()};
+  const struct hsr_drawing b = {wanted.data(), wanted.size(), wanted.size()};
+  struct hsr_drawing_difference difference;
+  hsr_drawing_compare(&a, &b, false, &difference);
+  return difference.differing == 0;
+}
+
+void ok_naive(const std::string &what, unsigned seed, int n_scenes, int n_faces,
+              int size, bool rough) {
+  tally count = {};
+  bool scale_holds = true;
+  for (int scene = 0; scene < n_scenes; scene++) {
+    dice d = {std::mt19937(seed + unsigned(scene))};
+    little_world w = random_world(d, n_faces, size);
+    struct hsr_view v = random_view(w, d, size);
+    if (rough)
+      roughen(w, v);
+    const long wrong = count.wrong;
+    compare(w, v, d, &count);
+    if (count.wrong != wrong)
+      std::printf("# seed %u\n", seed + unsigned(scene));
+
+    /* A power of two changes nothing, even where products leave the range of
+     * doubles. */
+    if (scene % 4 < 2) {
+      const drawing expected = draw(w, v);
+      scale(w, v, scene % 4 == 0 ? -300 : 300);
+      scale_holds = scale_holds && agree(draw(w, v), expected);
+    }
+  }
+  ok(count.wrong == 0 && count.intervals > 0, what);
+  std::printf("# %ld points of %ld intervals, %ld implied edges, invisibility "
+              "up to %ld\n",
+              count.points, count.intervals, count.implied, count.most);
+  ok(scale_holds, "the same 2^300 times as large and as small");
+}
+
+/* A side through the eye, of a polygon that is mostly not flat: where it is,
+ * the parity changes with a row. */
+void ok_through_eye(unsigned seed, int n_scenes) {
+  tally count = {};
+  for (int scene = 0; scene < n_scenes; scene++) {
+    dice d = {std::mt19937(seed + unsigned(scene))};
+    little_world w;
+    do
+      w = random_world(d, 3, 3);
+    while (w.start[1] == 3);
+    struct hsr_view v = random_view(w, d, 3);
+    const uint32_t a = w.vertex[0], b = w.vertex[1];
+    v.E[0] = (w.x[a] + w.x[b]) / 2;
+    v.E[1] = (w.y[a] + w.y[b]) / 2;
+    v.E[2] = (w.z[a] + w.z[b]) / 2;
+    compare(w, v, d, &count);
+  }
+  ok(count.wrong == 0 && count.intervals > 0, "a side through the eye");
+}
+
+void test_naive(int times) {
+  ok_through_eye(500, 150 * times);
+  ok_naive("two faces on a lattice", 1000, 300 * times, 2, 3, false);
+  ok_naive("few faces on a lattice", 2000, 60 * times, 6, 3, false);
+  ok_naive("many faces on a lattice", 3000, 3 * times, 30, 4, false);
+  ok_naive("faces on a wide lattice", 4000, 2 * times, 40, 20, false);
+  ok_naive("rounded faces", 5000, 10 * times, 12, 4, true);
+}
+
+/* ---- The interface ---- */
+
+/* Allocations left until one fails; negative: none fails. */
+long allocations_left = -1;
+
+/* Whether the operator new below is the one in use: valgrind has its own. */
+bool can_fail_allocations() {
+  allocations_left = 0;
+  bool can = false;
+  try {
+    ::operator delete(::operator new(1));
+  } catch (const std::bad_alloc &) {
+    can = true;
+  }
+  allocations_left = -1;
+  return can;
+}
+
+/* Faces that penetrate, with the k-th allocation failing, for many k. */
+void test_no_memory() {
+  const char *const what = "each failed allocation is told by HSR_E_NOMEM";
+  if (!can_fail_allocations()) {
+    ok(true, std::string(what) + " # SKIP allocations cannot be made to fail");
+    return;
+  }
+  little_world w;
+  w.face(rectangle(-4, -4, 4, 4, -4));
+  w.face({{-1, 0, -2}, {3, 0, -10}, {3, -2, -10}});
+  w.face({{-3, -3, -3}, {3, -3, -3}, {1, 1, -7}});
+  const struct hsr_world world = w.world();
+  const struct hsr_view view = plain_view();
+  struct hsr_tally tally = {};
+  bool good = true;
+  int n_failures = 0;
+  for (long k = 0;; k += 1 + k / 64) {
+    struct hsr_error err = {};
+    struct hsr_drawing made = {};
+    struct hsr_job job = {};
+    job.world = &world;
+    job.view = &view;
+    job.tally = &tally;
+    job.drawing = &made;
+    allocations_left = k;
+    enum hsr_status status = oracle.prepare(&world, &job.prepared, &err);
+    if (status == HSR_OK)
+      status = oracle.render(&job, &err);
+    allocations_left = -1;
+    oracle.release(job.prepared);
+    hsr_drawing_free(&made);
+    if (status == HSR_OK)
+      break;
+    n_failures++;
+    good = good && status == HSR_E_NOMEM && err.status == HSR_E_NOMEM;
+  }
+  ok(good && n_failures > 10, what);
+}
+
+void test_descriptor() {
+  ok(!std::strcmp(oracle.name, "line-oracle") &&
+         oracle.taxonomy == HSR_YARDSTICK && oracle.flags == HSR_JUDGE &&
+         oracle.kind == HSR_SEGMENTS,
+     "the descriptor");
+}
+
+} /* namespace */
+
+/* Not inlined: the compiler would take new and free for a mismatch. */
+[[gnu::noinline]] void *operator new(size_t size) {
+  if (allocations_left == 0)
+    throw std::bad_alloc();
+  if (allocations_left > 0)
+    allocations_left--;
+  if (void *p = std::malloc(size ? size : 1))
+    return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void *p) noexcept {
+  std::free(p);
+}
+[[gnu::noinline]] void operator delete(void *p, size_t) noexcept {
+  std::free(p);
+}
+
+int main(int argc, char **argv) {
+  test_descriptor();
+  test_cube();
+  test_before();
+  test_piercing();
+  test_coplanar();
+  test_collinear();
+  test_picture();
+  test_behind();
+  test_warped();
+  test_t_junction();
+  test_stack();
+  test_no_memory();
+  test_naive(argc > 1 ? std::atoi(argv[1]) : 1);
+  std::printf("1..%d\n", n_tests);
+  return n_failed ? 1 : 0;
+}
