@@ -28,6 +28,7 @@ algorithm_files = \
   %D%/schumacker_newell.c \
   %D%/warnock.c \
   %D%/warnock.h \
+  %D%/warnock_edges.c \
   %D%/warnock_newell.c \
   %D%/warnock_watkins.c \
   %D%/watkins.c \
