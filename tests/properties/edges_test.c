@@ -10,14 +10,13 @@
  *             agree.
  * Crossings   Loutrel's algorithm, and Warnock's sorted edges, confirm the
  *             crossings with nearer contour edges that Appel's finds, and no
- *             others; so does each depth test: of the images that cross in
- *             the plane, as many for both.
+ *             others; and both find as many images that cross in the plane.
  * Contours    With contour edges alone there are fewer pairs. The survey says
- *             that this saves about a fifth of the effort, and its own rules of
+ *             that this saves about a fifth of the effort; its own rules of
  *             thumb make more of it: by those, E_c / E_s is 0.6, 0.4 and 0.2
  *             on its three scenes.
- * Sorting     What Warnock's sorted edges put to the exact test grows less
- *             than with the square of the edges, Appel's pairs as the square.
+ * Sorting     The comparisons that sort Warnock's edges grow less than with
+ *             the square of the edges, Appel's pairs as the square.
  */
 #include "scenes/scenes.h"
 #include "scenes/shapes.h"
@@ -28,7 +27,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { VIEWS = 3, M = 97, N = 61, MOST_SOLIDS = 12 };
+enum { VIEWS = 2, M = 97, N = 61, MOST_SOLIDS = 12 };
 
 static void stop(const char *name, const char *text) {
   printf("Bail out! %s: %s\n", name, text);
@@ -145,9 +144,9 @@ struct totals {
 };
 
 static bool is_closed(const char *scene) {
-  return !strcmp(scene, "house") || !strcmp(scene, "harbor") ||
+  return !strcmp(scene, "house") || !strncmp(scene, "harbor", 6) ||
          !strcmp(scene, "color-cube") || !strcmp(scene, "sphere") ||
-         !strcmp(scene, "tower");
+         !strncmp(scene, "tower", 5);
 }
 
 static void add_saving(struct totals *totals, uint64_t contour_pairs,
@@ -206,23 +205,30 @@ static void try_scene(struct tap *tap, const char *name,
   hsr_scene_delete(scene);
 }
 
-/* big-harbor is the harbor, and takes long. */
-static bool is_tried(const struct hsr_builtin *builtin) {
-  return strcmp(builtin->name, "big-harbor") != 0;
+/* What takes long is tried smaller; big-harbor is the harbor. */
+static const char *tried(const struct hsr_builtin *builtin) {
+  static const char *const smaller[][2] = {
+      {"harbor", "harbor:1500"},   {"tower", "tower:4"},
+      {"terrain", "terrain:32"},   {"soup", "soup:80:1"},
+      {"lattice", "lattice:60:1"}, {"big-harbor", NULL}};
+  for (size_t k = 0; k < sizeof smaller / sizeof *smaller; k++)
+    if (!strcmp(builtin->name, smaller[k][0]))
+      return smaller[k][1];
+  return builtin->name;
 }
 
 static int count_tried(void) {
   int n = 0;
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++)
-    n += is_tried(b);
+    n += tried(b) != NULL;
   return n;
 }
 
 static void try_all_scenes(struct tap *tap) {
   struct totals totals = {.saved_least = 1, .saved_most = 0};
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++)
-    if (is_tried(b))
-      try_scene(tap, b->name, &totals);
+    if (tried(b))
+      try_scene(tap, tried(b), &totals);
   double saved = 1 - (double)totals.contour_pairs / (double)totals.pairs;
   ok(tap, totals.saved_least >= 0 && saved > 0.05 && saved < 0.95,
      "contour edges alone save %.0f %% of the pairs, from %.0f %% to %.0f %%",
@@ -259,7 +265,6 @@ static struct effort effort_at(const char *name) {
   return effort;
 }
 
-/* Spheres seen whole: four times the faces, twice the height of the list. */
 static void try_sorting(struct tap *tap) {
   struct effort few = effort_at("harbor:500"), many = effort_at("harbor:5000");
   double more = log(many.edges / few.edges);
