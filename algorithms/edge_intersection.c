@@ -161,30 +161,41 @@ enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e) {
  * ----------------------------------------------------
  */
 
-int hsr_network_compare(const struct hsr_network *network, uint32_t e,
-                        const struct hsr_sight_event *a,
-                        const struct hsr_sight_event *b) {
+static bool is_before(const struct hsr_network *network, uint32_t e,
+                      const struct hsr_sight_event *a,
+                      const struct hsr_sight_event *b) {
   HSR_COUNT(network->tally, HSR_SORT_ALONG, 1);
-  return hsr_sight_compare(&network->sight, e, a, b);
+  return hsr_sight_compare(&network->sight, e, a, b) < 0;
+}
+
+/* Few events, as there mostly are. */
+static void sort_by_insertion(const struct hsr_network *network, uint32_t e,
+                              struct hsr_sight_event *event, size_t n) {
+  for (size_t k = 1; k < n; k++) {
+    struct hsr_sight_event entering = event[k];
+    size_t place = k;
+    for (; place > 0 && is_before(network, e, &entering, &event[place - 1]);
+         place--)
+      event[place] = event[place - 1];
+    event[place] = entering;
+  }
 }
 
 static void sift(const struct hsr_network *network, uint32_t e,
                  struct hsr_sight_event *heap, size_t k, size_t n) {
   struct hsr_sight_event sinking = heap[k];
   for (size_t child; (child = 2 * k + 1) < n; k = child) {
-    if (child + 1 < n &&
-        hsr_network_compare(network, e, &heap[child], &heap[child + 1]) < 0)
+    if (child + 1 < n && is_before(network, e, &heap[child], &heap[child + 1]))
       child++;
-    if (hsr_network_compare(network, e, &sinking, &heap[child]) >= 0)
+    if (!is_before(network, e, &sinking, &heap[child]))
       break;
     heap[k] = heap[child];
   }
   heap[k] = sinking;
 }
 
-void hsr_network_sort_along(const struct hsr_network *network, uint32_t e) {
-  struct hsr_sight_event *event = events_of(network);
-  size_t n = network->events.n;
+static void sort_by_heap(const struct hsr_network *network, uint32_t e,
+                         struct hsr_sight_event *event, size_t n) {
   for (size_t k = n / 2; k-- > 0;)
     sift(network, e, event, k, n);
   for (size_t last = n; last-- > 1;) {
@@ -193,6 +204,15 @@ void hsr_network_sort_along(const struct hsr_network *network, uint32_t e) {
     event[last] = greatest;
     sift(network, e, event, 0, last);
   }
+}
+
+void hsr_network_sort_along(const struct hsr_network *network, uint32_t e) {
+  enum { FEW = 24 };
+  size_t n = network->events.n;
+  if (n <= FEW)
+    sort_by_insertion(network, e, events_of(network), n);
+  else
+    sort_by_heap(network, e, events_of(network), n);
 }
 
 /* --- Drawing an edge
@@ -226,16 +246,18 @@ static enum hsr_status draw_part(struct hsr_network *network, uint32_t e,
   const struct hsr_sight_event *event = events_of(network);
   size_t n = network->events.n, k = 0;
   hsr_network_sort_along(network, e);
-  for (; k < n && hsr_network_compare(network, e, &event[k], &part->from) <= 0;
+  for (; k < n &&
+         hsr_sight_compare(&network->sight, e, &event[k], &part->from) <= 0;
        k++)
     count += event[k].change;
   double t = part->from.t;
-  while (k < n && hsr_network_compare(network, e, &event[k], &part->to) < 0) {
+  while (k < n &&
+         hsr_sight_compare(&network->sight, e, &event[k], &part->to) < 0) {
     /* What falls together happens at once. */
     size_t first = k;
     int change = event[k++].change;
     for (; k < n &&
-           hsr_network_compare(network, e, &event[first], &event[k]) == 0;
+           hsr_sight_compare(&network->sight, e, &event[first], &event[k]) == 0;
          k++)
       change += event[k].change;
     if (!change)

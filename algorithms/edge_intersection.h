@@ -105,7 +105,6 @@ struct hsr_intersector {
 #define hsr_network_init HSR_OF_BUILD(hsr_network_init)
 #define hsr_network_cross HSR_OF_BUILD(hsr_network_cross)
 #define hsr_network_pierce HSR_OF_BUILD(hsr_network_pierce)
-#define hsr_network_compare HSR_OF_BUILD(hsr_network_compare)
 #define hsr_network_sort_along HSR_OF_BUILD(hsr_network_sort_along)
 #define hsr_network_interval HSR_OF_BUILD(hsr_network_interval)
 #define hsr_network_hides HSR_OF_BUILD(hsr_network_hides)
@@ -132,10 +131,7 @@ enum hsr_status hsr_network_cross(struct hsr_network *network, uint32_t e,
 /* The events of the regular faces that A'B' pierces. HSR_E_NOMEM. */
 enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e);
 
-/* The order of two places along edge e, counted; and network->events in it. */
-int hsr_network_compare(const struct hsr_network *network, uint32_t e,
-                        const struct hsr_sight_event *a,
-                        const struct hsr_sight_event *b);
+/* Sorts network->events by their places along edge e. */
 void hsr_network_sort_along(const struct hsr_network *network, uint32_t e);
 
 /* Draws edge e from t0 to t1. HSR_E_NOMEM. */

@@ -148,6 +148,7 @@ enum hsr_event_at {
   HSR_AT_EDGE,  /* crosses the image of edge `subject` */
   HSR_AT_SIDE,  /* crosses the image of the side of a face that ends in corner
                    `subject` of world->vertex */
+  HSR_AT_ROW,   /* is at the height of the image of vertex `subject` */
   HSR_AT_PLANE, /* meets the plane of face `subject` */
   HSR_AT_NEAR,  /* is where the plane of face `subject` meets that of near */
   HSR_AT_BORDER /* is at border `subject` of what is in the picture */

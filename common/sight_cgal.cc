@@ -419,6 +419,10 @@ Place<T> place_of(const Numbers &n, uint32_t e, const hsr_sight_event &event) {
     const vec<T> normal = cross(n.point<T>(c).p, n.point<T>(d).p);
     from = dot(normal, A.p);
     to = dot(normal, B.p);
+  } else if (event.at == HSR_AT_ROW) {
+    const vec<T> normal = cross(n.eye<T>().R, n.point<T>(event.subject).p);
+    from = dot(normal, A.p);
+    to = dot(normal, B.p);
   } else if (event.at == HSR_AT_BORDER) {
     from = border_value(n.eye<T>(), event.subject, A);
     to = border_value(n.eye<T>(), event.subject, B);
@@ -491,8 +495,8 @@ int hsr_sight_compare(const struct hsr_sight *sight, uint32_t e,
 // --- What is in the picture
 // --------------------------------------------------------
 
-static bool has_image(const hsr_sight *sight, uint32_t e) {
-  const uint32_t a = sight->edges->a[e], b = sight->edges->b[e];
+// Whether a and b are not on a line with the eye.
+static bool has_image(const hsr_sight *sight, uint32_t a, uint32_t b) {
   const double dx = sight->sx[a] - sight->sx[b];
   const double dy = sight->sy[a] - sight->sy[b];
   if (std::fabs(dx) > 4 * HSR_DELTA || std::fabs(dy) > 4 * HSR_DELTA)
@@ -545,7 +549,7 @@ bool hsr_sight_picture(const struct hsr_sight *sight, uint32_t e,
                        struct hsr_sight_event *to) {
   *from = hsr_sight_event{0, 0, HSR_AT_START, 0, 0};
   *to = hsr_sight_event{1, 0, HSR_AT_END, 0, 0};
-  if (!has_image(sight, e))
+  if (!has_image(sight, sight->edges->a[e], sight->edges->b[e]))
     return false;
   if (is_inside(sight, sight->edges->a[e]) &&
       is_inside(sight, sight->edges->b[e]))
@@ -872,8 +876,15 @@ public:
                                  : near_border());
     end_ =
         s->ahead[b] ? hsr_sight_event{1, 0, HSR_AT_END, 0, 0} : near_border();
-    for (uint32_t k = s->world->start[f]; k < s->world->start[f + 1]; k++)
+    for (uint32_t k = s->world->start[f]; k < s->world->start[f + 1]; k++) {
       add(HSR_AT_SIDE, k);
+      // A side that passes through the eye is no side, but its ends are where
+      // parity changes, since one is counted without the other.
+      if (!has_image(s, side_begins(s->world, k), s->world->vertex[k])) {
+        add(HSR_AT_ROW, side_begins(s->world, k));
+        add(HSR_AT_ROW, s->world->vertex[k]);
+      }
+    }
     add(HSR_AT_PLANE, f);
     if (s->view->near > 0)
       add(HSR_AT_NEAR, f);

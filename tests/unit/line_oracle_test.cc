@@ -249,6 +249,23 @@ void test_piercing() {
   ok_edge(comb, plain_view(), {true, 0, 1, 0}, "0..1=0", "a first stretch");
   ok_edge(comb, plain_view(), {true, 0, 1, 1}, "0..1=0", "and a second one");
   ok_edge(comb, plain_view(), {true, 0, 1, 2}, "", "and no third");
+
+  little_world step; /* a side from X = -1 to 1 lies in the plane */
+  step.face(rectangle(-4, -4, 4, 4, -4));
+  step.face({{-2, 1, -6},
+             {-2, 1, -3},
+             {-1, 1, -3},
+             {-1, 1, -4},
+             {1, 1, -4},
+             {1, 1, -6}});
+  ok_edge(step, plain_view(), {true, 0, 1, 0}, "0..1=0", "up to a border");
+  ok_edge(step, plain_view(), {true, 0, 1, 1}, "", "and not along it");
+
+  little_world notch; /* whose tip is in the plane */
+  notch.face(rectangle(-4, -4, 4, 4, -4));
+  notch.face({{-2, 1, -6}, {-2, 1, -3}, {0, 1, -4}, {2, 1, -3}, {2, 1, -6}});
+  ok_edge(notch, plain_view(), {true, 0, 1, 1}, "0..1=0",
+          "divided where a border touches");
 }
 
 void test_coplanar() {
@@ -870,7 +887,35 @@ void ok_through_eye(unsigned seed, int n_scenes) {
   ok(count.wrong == 0 && count.intervals > 0, "a side through the eye");
 }
 
+/* Quadrilaterals out of plane whose depth is w to w + 4, and edges whose depth
+ * is about `far`: a plane may be hit before all vertices of its face, and even
+ * where they are behind the eye. */
+void ok_warped(unsigned seed, int n_scenes, int w, int far,
+               const std::string &what) {
+  tally count = {};
+  for (int scene = 0; scene < n_scenes; scene++) {
+    dice d = {std::mt19937(seed + unsigned(scene))};
+    little_world little;
+    while (little.n_faces() < 5) {
+      std::vector<uint32_t> corners;
+      const bool quad = little.n_faces() < 2;
+      const int size = quad ? 4 : far / 2;
+      for (int k = quad ? 4 : 3; k > 0; k--) {
+        const double x = d.from_to(-size, size), y = d.from_to(-size, size);
+        const int depth = quad ? w + d.below(5) : far + d.below(2);
+        corners.push_back(little.point({x, y, double(-depth)}));
+      }
+      if (has_normal(little, corners))
+        little.join(corners);
+    }
+    compare(little, plain_view(), d, &count);
+  }
+  ok(count.wrong == 0 && count.most > 0, what);
+}
+
 void test_naive(int times) {
+  ok_warped(600, 60 * times, -5, 40, "warped faces behind the eye");
+  ok_warped(700, 60 * times, 4, 3, "warped faces behind an edge");
   ok_through_eye(500, 150 * times);
   ok_naive("two faces on a lattice", 1000, 300 * times, 2, 3, false);
   ok_naive("few faces on a lattice", 2000, 60 * times, 6, 3, false);
