@@ -40,7 +40,7 @@ static bool pierces_triangle(const struct hsr_sight *sight, uint32_t e,
 static enum hsr_status cross(void *context, struct hsr_network *network,
                              uint32_t e) {
   (void)context;
-  const struct hsr_edge_box *box = &network->box[e];
+  const struct hsr_image_box *box = &network->box[e];
   HSR_COUNT(network->tally, HSR_INTERSECT, network->n_contour);
   for (uint32_t k = 0; k < network->n_contour; k++) {
     uint32_t c = network->contour[k];

@@ -39,7 +39,7 @@ void hsr_network_release(void *prepared) {
  */
 
 /* What is known of where a point's image is. */
-static void enclose(struct hsr_edge_box *box, const struct hsr_sight *sight,
+static void enclose(struct hsr_image_box *box, const struct hsr_sight *sight,
                     uint32_t p) {
   double x = sight->sx[p], y = sight->sy[p];
   bool is_known = sight->ahead[p] && x == x;
@@ -49,11 +49,22 @@ static void enclose(struct hsr_edge_box *box, const struct hsr_sight *sight,
   box->y1 = is_known ? fmax(box->y1, y + HSR_DELTA) : INFINITY;
 }
 
-static struct hsr_edge_box edge_box(const struct hsr_sight *sight, uint32_t e) {
-  struct hsr_edge_box box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+static struct hsr_image_box edge_box(const struct hsr_sight *sight,
+                                     uint32_t e) {
+  struct hsr_image_box box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
   enclose(&box, sight, sight->edges->a[e]);
   if (box.x0 > -INFINITY)
     enclose(&box, sight, sight->edges->b[e]);
+  return box;
+}
+
+static struct hsr_image_box face_box(const struct hsr_sight *sight,
+                                     uint32_t f) {
+  const struct hsr_world *world = sight->world;
+  struct hsr_image_box box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+  for (uint32_t k = world->start[f];
+       k < world->start[f + 1] && box.x0 > -INFINITY; k++)
+    enclose(&box, sight, world->vertex[k]);
   return box;
 }
 
@@ -90,16 +101,21 @@ enum hsr_status hsr_network_init(struct hsr_network *network,
       hsr_sight_init(&network->sight, edges, job->view, arena, job->tally);
   network->net = HSR_NEW(arena, int, n);
   network->contour = HSR_NEW(arena, uint32_t, n);
-  network->box = HSR_NEW(arena, struct hsr_edge_box, n);
+  network->box = HSR_NEW(arena, struct hsr_image_box, n);
+  network->face_box = HSR_NEW(arena, struct hsr_image_box, job->world->n_faces);
   network->part = HSR_NEW(arena, struct hsr_edge_part, n);
   network->drawn = HSR_NEW(arena, bool, n);
   network->known = HSR_NEW_ZEROED(arena, bool, n_points);
   network->invisibility = HSR_NEW(arena, int64_t, n_points);
   network->waiting = HSR_NEW(arena, uint32_t, n_points);
   if (status || !network->net || !network->contour || !network->box ||
-      !network->part || !network->drawn || !network->known ||
-      !network->invisibility || !network->waiting)
+      !network->face_box || !network->part || !network->drawn ||
+      !network->known || !network->invisibility || !network->waiting)
     return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < network->sight.n_faces; k++) {
+    uint32_t f = network->sight.faces[k];
+    network->face_box[f] = face_box(&network->sight, f);
+  }
   for (uint32_t e = 0; e < n; e++)
     cull_edge(network, e);
   return HSR_OK;
@@ -167,17 +183,11 @@ enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e) {
 /* --- The sort along an edge ------------------------------------------------
  */
 
-int hsr_network_compare(const struct hsr_network *network, uint32_t e,
-                        const struct hsr_sight_event *a,
-                        const struct hsr_sight_event *b) {
-  return hsr_sight_compare(&network->sight, e, a, b);
-}
-
 static bool is_before(const struct hsr_network *network, uint32_t e,
                       const struct hsr_sight_event *a,
                       const struct hsr_sight_event *b) {
   HSR_COUNT(network->tally, HSR_SORT_ALONG, 1);
-  return hsr_network_compare(network, e, a, b) < 0;
+  return hsr_sight_compare(&network->sight, e, a, b) < 0;
 }
 
 /* Few events, as there mostly are. */
@@ -257,16 +267,18 @@ static enum hsr_status draw_part(struct hsr_network *network, uint32_t e,
   const struct hsr_sight_event *event = events_of(network);
   size_t n = network->events.n, k = 0;
   hsr_network_sort_along(network, e);
-  for (; k < n && hsr_network_compare(network, e, &event[k], &part->from) <= 0;
+  for (; k < n &&
+         hsr_sight_compare(&network->sight, e, &event[k], &part->from) <= 0;
        k++)
     count += event[k].change;
   double t = part->from.t;
-  while (k < n && hsr_network_compare(network, e, &event[k], &part->to) < 0) {
+  while (k < n &&
+         hsr_sight_compare(&network->sight, e, &event[k], &part->to) < 0) {
     /* What falls together happens at once. */
     size_t first = k;
     int change = event[k++].change;
     for (; k < n &&
-           hsr_network_compare(network, e, &event[first], &event[k]) == 0;
+           hsr_sight_compare(&network->sight, e, &event[first], &event[k]) == 0;
          k++)
       change += event[k].change;
     if (!change)
@@ -369,6 +381,12 @@ static int64_t correction(const struct hsr_network *network, uint32_t e,
 bool hsr_network_hides(const struct hsr_network *network, uint32_t f,
                        uint32_t p) {
   const struct hsr_sight *sight = &network->sight;
+  const struct hsr_image_box *box = &network->face_box[f];
+  /* Minimax; a point whose image is not known is in every box. */
+  double x = sight->sx[p], y = sight->sy[p];
+  if (x < box->x0 - HSR_DELTA || x > box->x1 + HSR_DELTA ||
+      y < box->y0 - HSR_DELTA || y > box->y1 + HSR_DELTA)
+    return false;
   return !hsr_is_corner(network->edges, p, f) &&
          hsr_sight_covers(sight, f, p) && hsr_sight_behind(sight, f, p);
 }

@@ -38,8 +38,9 @@
 extern "C" {
 #endif
 
-/* The image of an edge lies within; all of the plane, if that is not known. */
-struct hsr_edge_box {
+/* The image of an edge or face lies within; all of the plane, if that is not
+ * known. */
+struct hsr_image_box {
   double x0, y0, x1, y1;
 };
 
@@ -59,9 +60,10 @@ struct hsr_network {
                its positive side (hsr_sight_side) than on its
                negative one */
   uint32_t *contour, n_contour;
-  struct hsr_edge_box *box;   /* an edge */
-  struct hsr_edge_part *part; /* an edge */
-  bool *drawn;                /* an edge: done */
+  struct hsr_image_box *box;      /* an edge */
+  struct hsr_image_box *face_box; /* a regular face */
+  struct hsr_edge_part *part;     /* an edge */
+  bool *drawn;                    /* an edge: done */
 
   bool *known;                  /* a point */
   int64_t *invisibility;        /* a point, where known */
@@ -105,7 +107,6 @@ struct hsr_intersector {
 #define hsr_network_init HSR_OF_BUILD(hsr_network_init)
 #define hsr_network_cross HSR_OF_BUILD(hsr_network_cross)
 #define hsr_network_pierce HSR_OF_BUILD(hsr_network_pierce)
-#define hsr_network_compare HSR_OF_BUILD(hsr_network_compare)
 #define hsr_network_sort_along HSR_OF_BUILD(hsr_network_sort_along)
 #define hsr_network_interval HSR_OF_BUILD(hsr_network_interval)
 #define hsr_network_hides HSR_OF_BUILD(hsr_network_hides)
@@ -138,11 +139,8 @@ enum hsr_status hsr_network_cross(struct hsr_network *network, uint32_t e,
 /* The events of the regular faces that A'B' pierces. HSR_E_NOMEM. */
 enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e);
 
-/* The order of two places along edge e; and network->events in it, the
- * comparisons of which are counted. */
-int hsr_network_compare(const struct hsr_network *network, uint32_t e,
-                        const struct hsr_sight_event *a,
-                        const struct hsr_sight_event *b);
+/* Sorts network->events by their places along edge e, counting the
+ * comparisons. */
 void hsr_network_sort_along(const struct hsr_network *network, uint32_t e);
 
 /* Draws edge e from t0 to t1. HSR_E_NOMEM. */
@@ -223,8 +221,8 @@ static inline bool hsr_edges_meet(const struct hsr_edges *edges, uint32_t e,
          b == edges->b[c];
 }
 
-static inline bool hsr_boxes_overlap(const struct hsr_edge_box *a,
-                                     const struct hsr_edge_box *b) {
+static inline bool hsr_boxes_overlap(const struct hsr_image_box *a,
+                                     const struct hsr_image_box *b) {
   return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1;
 }
 

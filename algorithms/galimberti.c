@@ -160,7 +160,7 @@ static enum hsr_status leave(struct state *s, struct hsr_network *network,
 /* The crossings with all nearer edges. */
 static enum hsr_status cross(const struct state *s, struct hsr_network *network,
                              uint32_t e) {
-  const struct hsr_edge_box *box = &network->box[e];
+  const struct hsr_image_box *box = &network->box[e];
   HSR_COUNT(network->tally, HSR_INTERSECT, s->n_with_faces);
   HSR_COUNT(network->tally, OF_CONTOUR, network->n_contour);
   for (uint32_t k = 0; k < s->n_with_faces; k++) {
@@ -231,20 +231,19 @@ add_loose_faces(struct state *s, struct hsr_network *network, uint32_t e) {
 /* Moves along the sorted events, and draws what is in the picture. */
 static enum hsr_status move_along(struct state *s, struct hsr_network *network,
                                   uint32_t e) {
+  const struct hsr_sight *sight = &network->sight;
   const struct hsr_edge_part *part = &network->part[e];
   const struct hsr_sight_event *event = network->events.items;
   size_t n = network->events.n, k = 0;
-  for (; k < n && hsr_network_compare(network, e, &event[k], &part->from) <= 0;
-       k++)
+  for (; k < n && hsr_sight_compare(sight, e, &event[k], &part->from) <= 0; k++)
     pass(s, network, &event[k], 1);
   double t = part->from.t;
-  while (k < n && hsr_network_compare(network, e, &event[k], &part->to) < 0) {
+  while (k < n && hsr_sight_compare(sight, e, &event[k], &part->to) < 0) {
     size_t first = k;
     uint32_t n_hiding = s->n_hiding;
     do
       pass(s, network, &event[k++], 1);
-    while (k < n &&
-           hsr_network_compare(network, e, &event[first], &event[k]) == 0);
+    while (k < n && hsr_sight_compare(sight, e, &event[first], &event[k]) == 0);
     if (s->n_hiding == n_hiding)
       continue; /* hidden by others, but by as many */
     if (hsr_network_interval(network, e, t, event[first].t, n_hiding))

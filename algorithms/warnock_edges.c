@@ -33,9 +33,11 @@
  *             an end behind the eye, before near, or known by exact numbers
  *             only (implied ones) are compared with all, as Appel's are.
  * Cost        the survey gives no formula. The list holds about as many edges
- *             as a scan line meets, (E_s D_c)^1/2, and is gone through once an
- *             entry: E_s^1.5 quick comparisons; the edge intersections that
- *             are left are as the crossings of the picture, X_r. */
+ *             as a scan line meets, which is as (E_s D_c)^1/2, and is gone
+ *             through once an entry and once an exit: E_s^1.5 comparisons of
+ *             two numbers each. The pairs left to the exact test are as the
+ *             crossings of the picture, X_r. Of Appel's steps the initial
+ *             visibility, C_t F_r, is then the one that grows fastest. */
 #include "algorithms/edge_intersection.h"
 
 enum {
