@@ -565,6 +565,25 @@ bool hsr_sight_picture(const struct hsr_sight *sight, uint32_t e,
 
 namespace {
 
+// Whether face f covers a direction: an odd number of its sides cross to the
+// right. row(q) is the sign of det(D, R, q), side(c, d) that of det(c, d, D).
+template <class Row, class Side>
+bool has_odd_parity(const hsr_world *w, uint32_t f, const Row &row,
+                    const Side &side) {
+  bool odd = false;
+  uint32_t p = w->vertex[w->start[f + 1] - 1];
+  int row_p = row(p);
+  for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
+    const uint32_t q = w->vertex[k];
+    const int row_q = row(q);
+    if (row_p != row_q)
+      odd ^= side(p, q) == -row_p;
+    p = q;
+    row_p = row_q;
+  }
+  return odd;
+}
+
 // A polynomial in the infinitesimal, of degree 4.
 struct Series {
   std::array<Exact, 5> c;
@@ -676,19 +695,7 @@ struct Pierced {
         return side_value(n, C, D, P, P.w, along);
       });
     };
-    const hsr_world *w = n.sight->world;
-    bool inside = false;
-    uint32_t p = w->vertex[w->start[f + 1] - 1];
-    int row_p = row(p);
-    for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
-      const uint32_t q = w->vertex[k];
-      const int row_q = row(q);
-      if (row_p != row_q)
-        inside ^= side(p, q) == -row_p;
-      p = q;
-      row_p = row_q;
-    }
-    return inside;
+    return has_odd_parity(n.sight->world, f, row, side);
   }
 };
 
@@ -762,21 +769,11 @@ public:
         denominator_(denominator) {}
 
   bool hides() const {
-    const hsr_world *w = n_.sight->world;
     if (!is_before())
       return false;
-    bool inside = false;
-    uint32_t p = w->vertex[w->start[f_ + 1] - 1];
-    int row_p = row(p);
-    for (uint32_t k = w->start[f_]; k < w->start[f_ + 1]; k++) {
-      const uint32_t q = w->vertex[k];
-      const int row_q = row(q);
-      if (row_p != row_q)
-        inside ^= side(p, q) == -row_p;
-      p = q;
-      row_p = row_q;
-    }
-    return inside;
+    return has_odd_parity(
+        n_.sight->world, f_, [this](uint32_t q) { return row(q); },
+        [this](uint32_t c, uint32_t d) { return side(c, d); });
   }
 
 private:
