@@ -2,17 +2,21 @@
 /* Appel's hidden-line algorithm.
  *
  * Source      A. Appel, "The Notion of Quantitative Invisibility and the
- * Machine Rendering of Solids", Proc. ACM National Conference, 1967; Sutherland
- * et al. 1974, "Edge-Intersection Algorithms", figures 14 to 16. Notation
- * material edge -> relevant edge e from A to B; contour edge c from C to D;
- * vorticity -> the sides of A and B about c, and which of the edges is nearer
+ *             Machine Rendering of Solids", Proc. ACM National Conference,
+ *             1967; Sutherland et al. 1974, "Edge-Intersection Algorithms",
+ *             figures 14 to 16.
+ * Notation    material edge -> relevant edge e from A to B; contour edge c from
+ *             C to D; vorticity -> the sides of A and B about c, and which of
+ *             the edges is nearer
  * Invariants  those of edge_intersection.h. A contour edge changes the
  *             invisibility of a material edge just where it pierces the
- * triangle of the eye and that edge. Ties        the material edge is displaced
- * (common/sight.h): a contour edge meets no side of its triangle Departures the
- * change is the number of faces that the contour edge gains or loses, which is
- * 2 at a fold of a two-sided surface Cost        that of edge_intersection.h;
- * the edge intersection grows as the square of the edges */
+ *             triangle of the eye and that edge.
+ * Ties        the material edge is displaced (common/sight.h): a contour edge
+ *             meets no side of its triangle
+ * Departures  the change is the number of faces that the contour edge gains or
+ *             loses, which is 2 at a fold of a two-sided surface
+ * Cost        that of edge_intersection.h; the edge intersection grows as the
+ *             square of the edges */
 #include "algorithms/edge_intersection.h"
 
 /* Does contour edge c pierce the triangle E A' B'? */
@@ -36,7 +40,7 @@ static bool pierces_triangle(const struct hsr_sight *sight, uint32_t e,
 static enum hsr_status cross(void *context, struct hsr_network *network,
                              uint32_t e) {
   (void)context;
-  const struct hsr_edge_box *box = &network->box[e];
+  const struct hsr_image_box *box = &network->box[e];
   HSR_COUNT(network->tally, HSR_INTERSECT, network->n_contour);
   for (uint32_t k = 0; k < network->n_contour; k++) {
     uint32_t c = network->contour[k];
@@ -44,7 +48,7 @@ static enum hsr_status cross(void *context, struct hsr_network *network,
         hsr_edges_meet(network->edges, e, c))
       continue;
     if (pierces_triangle(&network->sight, e, c) &&
-        hsr_network_cross(network, e, c))
+        hsr_network_cross(network, e, c, network->net[c]))
       return HSR_E_NOMEM;
   }
   return HSR_OK;
@@ -83,7 +87,7 @@ static const struct hsr_sort sorts[] = {
   .coherence = "edge: visibility is promoted along edges that share a vertex", \
   .restrictions = HSR_TP, .kind = HSR_SEGMENTS, .sorts = sorts,                \
   .counters = counters, .steps = steps, .prepare = hsr_network_prepare,        \
-  .release = hsr_network_release
+  .release = hsr_network_release, .expense = hsr_network_expense
 
 const struct hsr_algorithm HSR_ALGORITHM(appel) = {
     .name = "appel",

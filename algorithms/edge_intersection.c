@@ -5,6 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+double hsr_network_expense(const struct hsr_world *world,
+                           const struct hsr_view *view) {
+  (void)view;
+  double edges = world->n_corners / 3.0;
+  return 4 * edges * edges;
+}
+
 /* --- Preparation -----------------------------------------------------------
  */
 
@@ -32,7 +39,7 @@ void hsr_network_release(void *prepared) {
  */
 
 /* What is known of where a point's image is. */
-static void enclose(struct hsr_edge_box *box, const struct hsr_sight *sight,
+static void enclose(struct hsr_image_box *box, const struct hsr_sight *sight,
                     uint32_t p) {
   double x = sight->sx[p], y = sight->sy[p];
   bool is_known = sight->ahead[p] && x == x;
@@ -42,19 +49,23 @@ static void enclose(struct hsr_edge_box *box, const struct hsr_sight *sight,
   box->y1 = is_known ? fmax(box->y1, y + HSR_DELTA) : INFINITY;
 }
 
-static struct hsr_edge_box edge_box(const struct hsr_sight *sight, uint32_t e) {
-  struct hsr_edge_box box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+static struct hsr_image_box edge_box(const struct hsr_sight *sight,
+                                     uint32_t e) {
+  struct hsr_image_box box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
   enclose(&box, sight, sight->edges->a[e]);
   if (box.x0 > -INFINITY)
     enclose(&box, sight, sight->edges->b[e]);
   return box;
 }
 
-/* The side of face f's edge on which the face is, as its image: a face seen
- * from its front runs around it so that the inside has sign -1. */
-static int inside_of(const struct hsr_sight *sight,
-                     const struct hsr_side *side) {
-  return -sight->facing[side->face] * side->turn;
+static struct hsr_image_box face_box(const struct hsr_sight *sight,
+                                     uint32_t f) {
+  const struct hsr_world *world = sight->world;
+  struct hsr_image_box box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+  for (uint32_t k = world->start[f];
+       k < world->start[f + 1] && box.x0 > -INFINITY; k++)
+    enclose(&box, sight, world->vertex[k]);
+  return box;
 }
 
 static void cull_edge(struct hsr_network *network, uint32_t e) {
@@ -67,7 +78,7 @@ static void cull_edge(struct hsr_network *network, uint32_t e) {
     HSR_COUNT(network->tally, HSR_EDGE_CULL, 1);
     existing += sight->exists[side->face];
     if (sight->regular[side->face])
-      network->net[e] += inside_of(sight, side);
+      network->net[e] += hsr_inside(sight, side);
   }
   struct hsr_edge_part *part = &network->part[e];
   uint32_t wanted = edges->name[e].implied ? 2 : 1;
@@ -90,16 +101,21 @@ enum hsr_status hsr_network_init(struct hsr_network *network,
       hsr_sight_init(&network->sight, edges, job->view, arena, job->tally);
   network->net = HSR_NEW(arena, int, n);
   network->contour = HSR_NEW(arena, uint32_t, n);
-  network->box = HSR_NEW(arena, struct hsr_edge_box, n);
+  network->box = HSR_NEW(arena, struct hsr_image_box, n);
+  network->face_box = HSR_NEW(arena, struct hsr_image_box, job->world->n_faces);
   network->part = HSR_NEW(arena, struct hsr_edge_part, n);
   network->drawn = HSR_NEW(arena, bool, n);
   network->known = HSR_NEW_ZEROED(arena, bool, n_points);
   network->invisibility = HSR_NEW(arena, int64_t, n_points);
   network->waiting = HSR_NEW(arena, uint32_t, n_points);
   if (status || !network->net || !network->contour || !network->box ||
-      !network->part || !network->drawn || !network->known ||
-      !network->invisibility || !network->waiting)
+      !network->face_box || !network->part || !network->drawn ||
+      !network->known || !network->invisibility || !network->waiting)
     return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < network->sight.n_faces; k++) {
+    uint32_t f = network->sight.faces[k];
+    network->face_box[f] = face_box(&network->sight, f);
+  }
   for (uint32_t e = 0; e < n; e++)
     cull_edge(network, e);
   return HSR_OK;
@@ -134,13 +150,13 @@ static bool crosses_ahead(const struct hsr_network *network, uint32_t e,
 }
 
 enum hsr_status hsr_network_cross(struct hsr_network *network, uint32_t e,
-                                  uint32_t c) {
+                                  uint32_t c, int gained) {
   const struct hsr_edges *edges = network->edges;
   const struct hsr_sight *sight = &network->sight;
   struct hsr_sight_event event = {.at = HSR_AT_EDGE, .subject = c};
   /* On which side of c does e end? */
-  event.change = network->net[c] *
-                 hsr_sight_side(sight, edges->a[c], edges->b[c], edges->b[e]);
+  event.change =
+      gained * hsr_sight_side(sight, edges->a[c], edges->b[c], edges->b[e]);
   hsr_sight_locate(sight, e, &event);
   if (!crosses_ahead(network, e, &event))
     return HSR_OK;
@@ -148,25 +164,13 @@ enum hsr_status hsr_network_cross(struct hsr_network *network, uint32_t e,
   return add_event(network, &event);
 }
 
-/* Whether p is a corner of face f. */
-static bool is_corner(const struct hsr_network *network, uint32_t p,
-                      uint32_t f) {
-  const struct hsr_edges *edges = network->edges;
-  if (p >= edges->world->n_vertices)
-    return false;
-  for (uint32_t k = edges->corner_start[p]; k < edges->corner_start[p + 1]; k++)
-    if (edges->corner[k].face == f)
-      return true;
-  return false;
-}
-
-static enum hsr_status pierce(struct hsr_network *network, uint32_t e) {
+enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e) {
   const struct hsr_edges *edges = network->edges;
   for (uint32_t k = edges->touch_start[e]; k < edges->touch_start[e + 1]; k++) {
     uint32_t f = edges->touch[k].face;
     struct hsr_sight_event event;
-    if (!network->sight.regular[f] || is_corner(network, edges->a[e], f) ||
-        is_corner(network, edges->b[e], f))
+    if (!network->sight.regular[f] || hsr_is_corner(edges, edges->a[e], f) ||
+        hsr_is_corner(edges, edges->b[e], f))
       continue;
     HSR_COUNT(network->tally, HSR_PIERCED, 1);
     if (hsr_sight_pierces(&network->sight, e, f, &event) &&
@@ -176,34 +180,44 @@ static enum hsr_status pierce(struct hsr_network *network, uint32_t e) {
   return HSR_OK;
 }
 
-/* --- The sort along an edge
- * ----------------------------------------------------
+/* --- The sort along an edge ------------------------------------------------
  */
 
-static int compare(const struct hsr_network *network, uint32_t e,
-                   const struct hsr_sight_event *a,
-                   const struct hsr_sight_event *b) {
+static bool is_before(const struct hsr_network *network, uint32_t e,
+                      const struct hsr_sight_event *a,
+                      const struct hsr_sight_event *b) {
   HSR_COUNT(network->tally, HSR_SORT_ALONG, 1);
-  return hsr_sight_compare(&network->sight, e, a, b);
+  return hsr_sight_compare(&network->sight, e, a, b) < 0;
+}
+
+/* Few events, as there mostly are. */
+static void sort_by_insertion(const struct hsr_network *network, uint32_t e,
+                              struct hsr_sight_event *event, size_t n) {
+  for (size_t k = 1; k < n; k++) {
+    struct hsr_sight_event entering = event[k];
+    size_t place = k;
+    for (; place > 0 && is_before(network, e, &entering, &event[place - 1]);
+         place--)
+      event[place] = event[place - 1];
+    event[place] = entering;
+  }
 }
 
 static void sift(const struct hsr_network *network, uint32_t e,
                  struct hsr_sight_event *heap, size_t k, size_t n) {
   struct hsr_sight_event sinking = heap[k];
   for (size_t child; (child = 2 * k + 1) < n; k = child) {
-    if (child + 1 < n &&
-        compare(network, e, &heap[child], &heap[child + 1]) < 0)
+    if (child + 1 < n && is_before(network, e, &heap[child], &heap[child + 1]))
       child++;
-    if (compare(network, e, &sinking, &heap[child]) >= 0)
+    if (!is_before(network, e, &sinking, &heap[child]))
       break;
     heap[k] = heap[child];
   }
   heap[k] = sinking;
 }
 
-static void sort_along(const struct hsr_network *network, uint32_t e) {
-  struct hsr_sight_event *event = events_of(network);
-  size_t n = network->events.n;
+static void sort_by_heap(const struct hsr_network *network, uint32_t e,
+                         struct hsr_sight_event *event, size_t n) {
   for (size_t k = n / 2; k-- > 0;)
     sift(network, e, event, k, n);
   for (size_t last = n; last-- > 1;) {
@@ -214,22 +228,35 @@ static void sort_along(const struct hsr_network *network, uint32_t e) {
   }
 }
 
-/* --- Drawing an edge
- * ------------------------------------------------------------
+void hsr_network_sort_along(const struct hsr_network *network, uint32_t e) {
+  enum { FEW = 24 };
+  size_t n = network->events.n;
+  if (n <= FEW)
+    sort_by_insertion(network, e, events_of(network), n);
+  else
+    sort_by_heap(network, e, events_of(network), n);
+}
+
+/* --- Drawing an edge -------------------------------------------------------
  */
+
+enum hsr_status hsr_network_interval(struct hsr_network *network, uint32_t e,
+                                     double t0, double t1,
+                                     uint32_t invisibility) {
+  struct hsr_segment segment = {.edge = network->edges->name[e],
+                                .invisibility = invisibility,
+                                .t0 = t0,
+                                .t1 = fmax(t0, t1)};
+  hsr_edge_point(network->edges, e, segment.t0, segment.from);
+  hsr_edge_point(network->edges, e, segment.t1, segment.to);
+  return hsr_drawing_add(network->job->drawing, &segment);
+}
 
 static enum hsr_status add_interval(struct hsr_network *network, uint32_t e,
                                     double t0, double t1, int64_t count,
                                     bool visible_only) {
-  struct hsr_segment segment = {.edge = network->edges->name[e],
-                                .invisibility = (uint32_t)count,
-                                .t0 = t0,
-                                .t1 = fmax(t0, t1)};
-  if (visible_only)
-    segment.invisibility = count > 0;
-  hsr_edge_point(network->edges, e, segment.t0, segment.from);
-  hsr_edge_point(network->edges, e, segment.t1, segment.to);
-  return hsr_drawing_add(network->job->drawing, &segment);
+  return hsr_network_interval(network, e, t0, t1,
+                              visible_only ? count > 0 : (uint32_t)count);
 }
 
 /* Draws what of the edge is in the picture; `count` is its invisibility before
@@ -239,15 +266,20 @@ static enum hsr_status draw_part(struct hsr_network *network, uint32_t e,
   const struct hsr_edge_part *part = &network->part[e];
   const struct hsr_sight_event *event = events_of(network);
   size_t n = network->events.n, k = 0;
-  sort_along(network, e);
-  for (; k < n && compare(network, e, &event[k], &part->from) <= 0; k++)
+  hsr_network_sort_along(network, e);
+  for (; k < n &&
+         hsr_sight_compare(&network->sight, e, &event[k], &part->from) <= 0;
+       k++)
     count += event[k].change;
   double t = part->from.t;
-  while (k < n && compare(network, e, &event[k], &part->to) < 0) {
+  while (k < n &&
+         hsr_sight_compare(&network->sight, e, &event[k], &part->to) < 0) {
     /* What falls together happens at once. */
     size_t first = k;
     int change = event[k++].change;
-    for (; k < n && compare(network, e, &event[first], &event[k]) == 0; k++)
+    for (; k < n &&
+           hsr_sight_compare(&network->sight, e, &event[first], &event[k]) == 0;
+         k++)
       change += event[k].change;
     if (!change)
       continue;
@@ -275,13 +307,6 @@ static enum hsr_status count_apart(struct hsr_network *network, uint32_t e,
   return HSR_OK;
 }
 
-static bool is_own(const struct hsr_edges *edges, uint32_t e, uint32_t f) {
-  for (uint32_t k = edges->side_start[e]; k < edges->side_start[e + 1]; k++)
-    if (edges->side[k].face == f)
-      return true;
-  return false;
-}
-
 /* Takes away the faces in whose plane the edge lies, and adds the loose ones.
  */
 static enum hsr_status count_faces_apart(struct hsr_network *network,
@@ -301,7 +326,7 @@ static enum hsr_status count_faces_apart(struct hsr_network *network,
       return HSR_E_NOMEM;
   for (uint32_t k = 0; k < sight->n_loose; k++) {
     uint32_t f = sight->loose[k];
-    if (!is_own(edges, e, f) && !hsr_sight_in_plane(sight, e, f) &&
+    if (!hsr_is_own(edges, e, f) && !hsr_sight_in_plane(sight, e, f) &&
         count_apart(network, e, f, 1, count))
       return HSR_E_NOMEM;
   }
@@ -331,8 +356,7 @@ static enum hsr_status draw_edge(struct hsr_network *network, uint32_t e,
   return draw_part(network, e, count, visible_only);
 }
 
-/* --- Promotion
- * -----------------------------------------------------------------
+/* --- Promotion -------------------------------------------------------------
  */
 
 /* How many faces that have a corner at the end p of edge e hide it there. */
@@ -345,7 +369,8 @@ static int64_t correction(const struct hsr_network *network, uint32_t e,
   for (uint32_t k = edges->corner_start[p]; k < edges->corner_start[p + 1];
        k++) {
     struct hsr_corner corner = edges->corner[k];
-    if (!network->sight.regular[corner.face] || is_own(edges, e, corner.face))
+    if (!network->sight.regular[corner.face] ||
+        hsr_is_own(edges, e, corner.face))
       continue;
     HSR_COUNT(network->tally, HSR_CORRECT, 1);
     hiding += hsr_sight_corner_hides(&network->sight, e, p, corner);
@@ -353,85 +378,134 @@ static int64_t correction(const struct hsr_network *network, uint32_t e,
   return hiding;
 }
 
-/* The search of all faces: those that hide point p, its own apart. */
-static void search_faces(struct hsr_network *network, uint32_t p) {
+bool hsr_network_hides(const struct hsr_network *network, uint32_t f,
+                       uint32_t p) {
   const struct hsr_sight *sight = &network->sight;
-  int64_t hiding = 0;
-  network->n_clusters++;
-  HSR_COUNT(network->tally, HSR_SEARCHES, 1);
-  HSR_COUNT(network->tally, HSR_INITIAL, sight->n_faces);
-  for (uint32_t k = 0; k < sight->n_faces; k++) {
-    uint32_t f = sight->faces[k];
-    hiding += !is_corner(network, p, f) && hsr_sight_covers(sight, f, p) &&
-              hsr_sight_behind(sight, f, p);
-  }
-  network->invisibility[p] = hiding;
+  const struct hsr_image_box *box = &network->face_box[f];
+  /* Minimax; a point whose image is not known is in every box. */
+  double x = sight->sx[p], y = sight->sy[p];
+  if (x < box->x0 - HSR_DELTA || x > box->x1 + HSR_DELTA ||
+      y < box->y0 - HSR_DELTA || y > box->y1 + HSR_DELTA)
+    return false;
+  return !hsr_is_corner(network->edges, p, f) &&
+         hsr_sight_covers(sight, f, p) && hsr_sight_behind(sight, f, p);
 }
 
-static void make_known(struct hsr_network *network, uint32_t p) {
+void hsr_network_wait(struct hsr_network *network, uint32_t p, int64_t hiding) {
+  HSR_COUNT(network->tally, HSR_PROMOTED, 1);
+  HSR_COUNT(network->tally, HSR_HIDING, hiding);
   network->known[p] = true;
   network->waiting[network->n_waiting++] = p;
 }
 
-/* Draws edge e, from its end p whose invisibility is known, and promotes that
- * to the other end. */
-static enum hsr_status follow(struct hsr_network *network,
-                              const struct hsr_intersector *intersector,
+/* Follows all edges that end in vertex p, whose turn it is. */
+static enum hsr_status follow_edges(struct hsr_network *network,
+                                    const struct hsr_promotion *promotion,
+                                    uint32_t p) {
+  const struct hsr_edges *edges = network->edges;
+  if (p >= edges->world->n_vertices)
+    return HSR_OK;
+  for (uint32_t k = edges->end_start[p]; k < edges->end_start[p + 1]; k++) {
+    uint32_t e = edges->end[k];
+    if (network->drawn[e])
+      continue;
+    network->drawn[e] = true;
+    network->events.n = 0;
+    if (promotion->follow(promotion->context, network, e, p))
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
+
+/* One cluster: all edges that can be reached from edge e. */
+static enum hsr_status draw_cluster(struct hsr_network *network,
+                                    const struct hsr_promotion *promotion,
+                                    uint32_t e) {
+  const struct hsr_edges *edges = network->edges;
+  uint32_t p = network->sight.ahead[edges->a[e]] ? edges->a[e] : edges->b[e];
+  HSR_COUNT(network->tally, HSR_SEARCHES, 1);
+  HSR_COUNT(network->tally, HSR_INITIAL, network->sight.n_faces);
+  network->known[p] = true;
+  if (promotion->search(promotion->context, network, p))
+    return HSR_E_NOMEM;
+  if (edges->name[e].implied) { /* on its own: no other edge ends there */
+    network->drawn[e] = true;
+    network->events.n = 0;
+    if (promotion->follow(promotion->context, network, e, p))
+      return HSR_E_NOMEM;
+  } else if (follow_edges(network, promotion, p)) {
+    return HSR_E_NOMEM;
+  }
+  while (network->n_waiting) {
+    p = network->waiting[--network->n_waiting];
+    promotion->resume(promotion->context, network, p);
+    if (follow_edges(network, promotion, p))
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
+
+enum hsr_status hsr_network_promote(struct hsr_network *network,
+                                    const struct hsr_promotion *promotion) {
+  for (uint32_t e = 0; e < network->edges->n; e++)
+    if (!network->drawn[e] && draw_cluster(network, promotion, e))
+      return HSR_E_NOMEM;
+  return hsr_drawing_sort(network->job->drawing) ||
+                 network->tally->out_of_memory
+             ? HSR_E_NOMEM
+             : HSR_OK;
+}
+
+/* --- Promotion of a number ---------------------------------------------------
+ */
+
+/* network->invisibility is always at hand. */
+static enum hsr_status search_faces(void *context, struct hsr_network *network,
+                                    uint32_t p) {
+  (void)context;
+  const struct hsr_sight *sight = &network->sight;
+  int64_t hiding = 0;
+  for (uint32_t k = 0; k < sight->n_faces; k++)
+    hiding += hsr_network_hides(network, sight->faces[k], p);
+  network->invisibility[p] = hiding;
+  return HSR_OK;
+}
+
+static void resume(void *context, struct hsr_network *network, uint32_t p) {
+  (void)context;
+  (void)network;
+  (void)p;
+}
+
+static enum hsr_status follow(void *context, struct hsr_network *network,
                               uint32_t e, uint32_t p) {
+  const struct hsr_intersector *intersector = context;
   const struct hsr_edges *edges = network->edges;
   uint32_t other = edges->a[e] == p ? edges->b[e] : edges->a[e];
-  network->drawn[e] = true;
-  network->events.n = 0;
   if (intersector->cross(intersector->context, network, e) ||
-      pierce(network, e))
+      hsr_network_pierce(network, e))
     return HSR_E_NOMEM;
   int64_t change = 0;
   for (size_t k = 0; k < network->events.n; k++)
     change += events_of(network)[k].change;
   int64_t here = network->invisibility[p] + correction(network, e, p);
   int64_t there = p == edges->a[e] ? here + change : here - change;
-  if (network->sight.ahead[other] && !network->known[other]) {
+  if (hsr_network_wants(network, other)) {
     network->invisibility[other] = there - correction(network, e, other);
-    make_known(network, other);
+    hsr_network_wait(network, other, network->invisibility[other]);
   }
   return draw_edge(network, e, p == edges->a[e] ? here : there,
                    intersector->visible_only);
 }
 
-/* Follows all edges that can be reached from where invisibility is known. */
-static enum hsr_status promote(struct hsr_network *network,
-                               const struct hsr_intersector *intersector) {
-  const struct hsr_edges *edges = network->edges;
-  while (network->n_waiting) {
-    uint32_t p = network->waiting[--network->n_waiting];
-    if (p >= edges->world->n_vertices)
-      continue;
-    for (uint32_t k = edges->end_start[p]; k < edges->end_start[p + 1]; k++)
-      if (!network->drawn[edges->end[k]] &&
-          follow(network, intersector, edges->end[k], p))
-        return HSR_E_NOMEM;
-  }
-  return HSR_OK;
-}
-
 enum hsr_status hsr_network_draw(struct hsr_network *network,
                                  const struct hsr_intersector *intersector) {
-  const struct hsr_edges *edges = network->edges;
-  for (uint32_t e = 0; e < edges->n; e++) {
-    if (network->drawn[e])
-      continue;
-    uint32_t p = network->sight.ahead[edges->a[e]] ? edges->a[e] : edges->b[e];
-    search_faces(network, p);
-    make_known(network, p);
-    if (edges->name[e].implied && follow(network, intersector, e, p))
-      return HSR_E_NOMEM;
-    if (promote(network, intersector))
-      return HSR_E_NOMEM;
-  }
-  return hsr_drawing_sort(network->job->drawing) ||
-                 network->tally->out_of_memory
-             ? HSR_E_NOMEM
-             : HSR_OK;
+  struct hsr_intersector own = *intersector;
+  return hsr_network_promote(network,
+                             &(struct hsr_promotion){.search = search_faces,
+                                                     .resume = resume,
+                                                     .follow = follow,
+                                                     .context = &own});
 }
 
 enum hsr_status hsr_network_render(const struct hsr_job *job,

@@ -9,7 +9,9 @@ algorithm_files = \
   %D%/cluster_order.h \
   %D%/edge_intersection.c \
   %D%/edge_intersection.h \
+  %D%/galimberti.c \
   %D%/line_oracle.cc \
+  %D%/loutrel.c \
   %D%/newell.c \
   %D%/newell.h \
   %D%/newell_watkins.c \
@@ -27,6 +29,7 @@ algorithm_files = \
   %D%/schumacker_newell.c \
   %D%/warnock.c \
   %D%/warnock.h \
+  %D%/warnock_edges.c \
   %D%/warnock_newell.c \
   %D%/warnock_watkins.c \
   %D%/watkins.c \

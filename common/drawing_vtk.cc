@@ -5,6 +5,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -51,6 +52,7 @@ void add_lines(vtkPolyData *data, const hsr_drawing &drawing) {
 
 /* The file's text; empty if VTK cannot make it. */
 std::string text_of(const hsr_drawing &drawing) {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<vtkPolyData> data;
   add_lines(data, drawing);
   using Interval = const hsr_segment &;

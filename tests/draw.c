@@ -5,20 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-void draw_ids(const struct hsr_algorithm *algorithm,
-              const struct hsr_world *world, const struct hsr_view *view,
-              uint32_t *ids, struct hsr_tally *tally) {
+/* Runs an algorithm: job lacks only the scratch memory, and the tally if that
+ * is NULL. */
+static void draw(const struct hsr_algorithm *algorithm,
+                 const struct hsr_world *world, struct hsr_job job) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_tally own = {.out_of_memory = false};
   struct hsr_setup setup;
-  memset(ids, 0xfe, (size_t)view->m * (size_t)view->n * sizeof *ids);
   enum hsr_status status = hsr_setup_init(&setup, algorithm, world, &err);
-  struct hsr_job job = {.view = view,
-                        .scratch = &scratch,
-                        .tally = tally ? tally : &own,
-                        .ids = ids,
-                        .ids_stride = (size_t)view->m};
+  job.scratch = &scratch;
+  if (!job.tally)
+    job.tally = &own;
   if (!status)
     status = hsr_setup_render(&setup, &job, &err);
   if (status) {
@@ -27,6 +25,25 @@ void draw_ids(const struct hsr_algorithm *algorithm,
   }
   hsr_setup_free(&setup);
   hsr_arena_free(&scratch);
+}
+
+void draw_ids(const struct hsr_algorithm *algorithm,
+              const struct hsr_world *world, const struct hsr_view *view,
+              uint32_t *ids, struct hsr_tally *tally) {
+  memset(ids, 0xfe, (size_t)view->m * (size_t)view->n * sizeof *ids);
+  draw(algorithm, world,
+       (struct hsr_job){.view = view,
+                        .tally = tally,
+                        .ids = ids,
+                        .ids_stride = (size_t)view->m});
+}
+
+void draw_lines(const struct hsr_algorithm *algorithm,
+                const struct hsr_world *world, const struct hsr_view *view,
+                struct hsr_drawing *drawing, struct hsr_tally *tally) {
+  hsr_drawing_clear(drawing);
+  draw(algorithm, world,
+       (struct hsr_job){.view = view, .tally = tally, .drawing = drawing});
 }
 
 long count_differences(const struct hsr_view *view, const uint32_t *a,
@@ -50,12 +67,25 @@ int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi) {
   return lo + (int64_t)(z % (uint64_t)(hi - lo + 1));
 }
 
-void for_each_judged(void (*check)(const struct hsr_algorithm *, void *),
-                     void *context) {
+static void for_each_of_kind(enum hsr_kind kind,
+                             void (*check)(const struct hsr_algorithm *,
+                                           void *),
+                             void *context) {
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
-    if (a->plain->kind == HSR_IDS &&
+    if (a->plain->kind == kind &&
         !(a->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE | HSR_KNOWN_WRONG))) {
       check(a->plain, context);
       check(a->counting, context);
     }
+}
+
+void for_each_judged(void (*check)(const struct hsr_algorithm *, void *),
+                     void *context) {
+  for_each_of_kind(HSR_IDS, check, context);
+}
+
+void for_each_line_algorithm(void (*check)(const struct hsr_algorithm *,
+                                           void *),
+                             void *context) {
+  for_each_of_kind(HSR_SEGMENTS, check, context);
 }

@@ -18,6 +18,11 @@ void draw_ids(const struct hsr_algorithm *algorithm,
               const struct hsr_world *world, const struct hsr_view *view,
               uint32_t *ids, struct hsr_tally *tally);
 
+/* Draws lines into *drawing, adding to *tally unless NULL. Aborts likewise. */
+void draw_lines(const struct hsr_algorithm *algorithm,
+                const struct hsr_world *world, const struct hsr_view *view,
+                struct hsr_drawing *drawing, struct hsr_tally *tally);
+
 /* The number of samples in the window that differ. */
 long count_differences(const struct hsr_view *view, const uint32_t *a,
                        const uint32_t *b);
@@ -25,8 +30,12 @@ long count_differences(const struct hsr_view *view, const uint32_t *a,
 /* A number from a seed, in [lo, hi]. */
 int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi);
 
-/* Runs `check` for every algorithm that must be right, in both builds. */
+/* Runs `check` for every algorithm that must be right, in both builds: those
+ * that draw pictures, and those that draw lines. */
 void for_each_judged(void (*check)(const struct hsr_algorithm *, void *),
                      void *context);
+void for_each_line_algorithm(void (*check)(const struct hsr_algorithm *,
+                                           void *),
+                             void *context);
 
 #endif

@@ -13,7 +13,9 @@ tap_programs = \
   %D%/unit/screen_test \
   %D%/unit/statistics_test \
   %D%/conformance/lattice_test \
+  %D%/conformance/line_lattice_test \
   %D%/properties/combinations_test \
+  %D%/properties/edges_test \
   %D%/properties/lines_and_surfaces_test \
   %D%/properties/metamorphic_test \
   %D%/properties/newell_test \
@@ -61,6 +63,10 @@ nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
 %C%_unit_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_conformance_lattice_test_SOURCES = %D%/conformance/lattice_test.c
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
+%C%_conformance_line_lattice_test_SOURCES = %D%/conformance/line_lattice_test.c
+nodist_EXTRA_%C%_conformance_line_lattice_test_SOURCES = force_cxx_link.cc
+%C%_properties_edges_test_SOURCES = %D%/properties/edges_test.c
+nodist_EXTRA_%C%_properties_edges_test_SOURCES = force_cxx_link.cc
 %C%_properties_combinations_test_SOURCES = %D%/properties/combinations_test.c
 nodist_EXTRA_%C%_properties_combinations_test_SOURCES = force_cxx_link.cc
 %C%_properties_lines_and_surfaces_test_SOURCES = %D%/properties/lines_and_surfaces_test.c

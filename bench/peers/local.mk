@@ -12,6 +12,12 @@ endif
 if WITH_OSMESA
 %C%_peers_SOURCES += %D%/osmesa.c
 endif
+if WITH_GL2PS
+noinst_PROGRAMS += %D%/gl2ps-lines
+%C%_gl2ps_lines_SOURCES = %D%/gl2ps_lines.c
+%C%_gl2ps_lines_LDADD = $(HSR_LIBS) -lgl2ps $(OSMESA_LIBS)
+nodist_EXTRA_%C%_gl2ps_lines_SOURCES = force_cxx_link.cc
+endif
 
 # zbuffer once more, without its exact fallback and under another name.
 noinst_LIBRARIES += libinexact.a
