@@ -18,7 +18,7 @@
  * for bodies that are no solid, or that a view cuts. Its planes are its own,
  * from both sides. Rims        where two planes of a volume meet. Those which
  * can be its contour must be there, others may be: rims of planes that bound it
- *             nowhere say nothing that is not true. */
+ * nowhere say nothing that is not true. */
 #ifndef HSR_COMMON_VOLUMES_H
 #define HSR_COMMON_VOLUMES_H
 
@@ -72,8 +72,7 @@ struct hsr_volumes {
 
   uint32_t n_solids, n_convex; /* bodies; those that are one convex volume */
   uint32_t n_parts;            /* volumes of the other solids */
-  uint32_t
-      n_too_large; /* solids that are taken face by face: see volumes_cgal.cc */
+  uint32_t n_too_large; /* solids taken face by face: see volumes_cgal.cc */
 
   struct hsr_arena arena; /* holds the arrays */
 };
