@@ -12,13 +12,15 @@
  *             hides a point by the faces of a solid hides it by the solid's
  *             volume, and the other way round.
  * Parts       a solid that is not convex is divided, by planes of its own
- * faces, into convex ones. The walls in between are no faces and have no edges;
- * whoever passes through one is inside the solid already. Flat        any face,
- * flat and simple, is a volume of no thickness, or several if it is not convex:
- * for bodies that are no solid, or that a view cuts. Its planes are its own,
- * from both sides. Rims        where two planes of a volume meet. Those which
- * can be its contour must be there, others may be: rims of planes that bound it
- * nowhere say nothing that is not true. */
+ *             faces, into convex ones. The walls in between are no faces and
+ *             have no edges; whoever passes through one is inside the solid
+ *             already.
+ * Flat        any face, flat and simple, is a volume of no thickness, or
+ *             several if it is not convex: for bodies that are no solid, or
+ *             that a view cuts. Its planes are its own, from both sides.
+ * Rims        where two planes of a volume meet. Those which can be its contour
+ *             must be there, others may be: rims of planes that bound it
+ *             nowhere say nothing that is not true. */
 #ifndef HSR_COMMON_VOLUMES_H
 #define HSR_COMMON_VOLUMES_H
 
