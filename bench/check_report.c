@@ -163,7 +163,7 @@ enum hsr_status report_end(const struct check_options *o, struct totals *totals,
   if (totals->expected)
     printf("%llu more of algorithms that are known to be wrong\n",
            (unsigned long long)totals->expected);
-  if (!samples)
+  if (!totals->depths)
     return HSR_OK;
   printf("%llu depth comparisons, %llu by the exact path",
          (unsigned long long)totals->depths,
