@@ -49,22 +49,11 @@ static void enclose(struct hsr_image_box *box, const struct hsr_sight *sight,
   box->y1 = is_known ? fmax(box->y1, y + HSR_DELTA) : INFINITY;
 }
 
-static struct hsr_image_box edge_box(const struct hsr_sight *sight,
-                                     uint32_t e) {
+static struct hsr_image_box box_of(const struct hsr_sight *sight,
+                                   const uint32_t *point, uint32_t n) {
   struct hsr_image_box box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
-  enclose(&box, sight, sight->edges->a[e]);
-  if (box.x0 > -INFINITY)
-    enclose(&box, sight, sight->edges->b[e]);
-  return box;
-}
-
-static struct hsr_image_box face_box(const struct hsr_sight *sight,
-                                     uint32_t f) {
-  const struct hsr_world *world = sight->world;
-  struct hsr_image_box box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
-  for (uint32_t k = world->start[f];
-       k < world->start[f + 1] && box.x0 > -INFINITY; k++)
-    enclose(&box, sight, world->vertex[k]);
+  for (uint32_t k = 0; k < n && box.x0 > -INFINITY; k++)
+    enclose(&box, sight, point[k]);
   return box;
 }
 
@@ -85,7 +74,8 @@ static void cull_edge(struct hsr_network *network, uint32_t e) {
   part->relevant =
       existing >= wanted && hsr_sight_picture(sight, e, &part->from, &part->to);
   network->drawn[e] = !part->relevant;
-  network->box[e] = edge_box(sight, e);
+  const uint32_t ends[2] = {edges->a[e], edges->b[e]};
+  network->box[e] = box_of(sight, ends, 2);
   if (network->net[e])
     network->contour[network->n_contour++] = e;
 }
@@ -114,7 +104,9 @@ enum hsr_status hsr_network_init(struct hsr_network *network,
     return HSR_E_NOMEM;
   for (uint32_t k = 0; k < network->sight.n_faces; k++) {
     uint32_t f = network->sight.faces[k];
-    network->face_box[f] = face_box(&network->sight, f);
+    network->face_box[f] =
+        box_of(&network->sight, job->world->vertex + job->world->start[f],
+               hsr_face_size(job->world, f));
   }
   for (uint32_t e = 0; e < n; e++)
     cull_edge(network, e);

@@ -233,9 +233,7 @@ struct Touching {
         return false;
       if (sa && sb) {
         const Interval from = sa > 0 ? ha : -ha, to = sb > 0 ? hb : -hb;
-        if (is_outside(f, to * A + from * B, to * scale_a + from * scale_b))
-          return false;
-        return true;
+        return !is_outside(f, to * A + from * B, to * scale_a + from * scale_b);
       }
     }
     in_plane = height_sign(a, f) == 0 && height_sign(b, f) == 0;
