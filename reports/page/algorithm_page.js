@@ -151,8 +151,8 @@ function steps(report, a) {
     `${a.name}: cost is factor × count, in comparisons`, rows, columns: [
     { name: "step", label: "step", value: (r) => r.step,
       show: (r) => r.once ? `${r.step} (not each frame)` : r.step },
-    { name: "formula", label: "the paper’s formula", value: (r) => r.formula ??
-      null, show: (r) => r.formula ?? "–" },
+    { name: "formula", label: "the paper’s formula", whole: true,
+      value: (r) => r.formula ?? null, show: (r) => r.formula ?? "–" },
     { name: "factor", label: "factor", value: (r) => r.factor, number: true },
     ...environments.flatMap((e, k) => [
       { group: e.scene, name: `predicted-${k}`, label: "predicted", number: true,
@@ -234,7 +234,7 @@ function counters(report, a) {
           label: `${c.scene}, view ${c.view}`, value: (k) => c.counts[k.name] ??
             null, title: (k) => `${where(c)}: ${whole(c.counts[k.name])}`,
           show: (k) => count(c.counts[k.name]) })),
-        { name: "meaning", label: "what is counted", value: (k) => k.meaning },
+        { name: "meaning", label: "what is counted", prose: true, value: (k) => k.meaning },
       ] }),
     h("details", { class: "behind" },
       h("summary", {}, `All ${counted.length} cells`),
@@ -305,6 +305,6 @@ export function outcomeColumns(rows) {
     rows.some((r) => r.adapted?.length) && { name: "adapted",
       label: "scene adapted", value: (r) => r.adapted?.join(", ") ?? "" },
     rows.some((r) => r.reason) && { name: "reason", label: "why",
-      value: (r) => r.reason ?? null, show: (r) => r.reason ?? "" },
+      prose: true, value: (r) => r.reason ?? null, show: (r) => r.reason ?? "" },
   ].filter(Boolean);
 }

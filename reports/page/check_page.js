@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who agrees with the oracle where: a row a view, a column an algorithm.
 import { h, link, section } from "./dom.js";
-import { href, read, set } from "./address.js";
+import { href } from "./address.js";
 import { chosen, filterForm, placeColumns } from "./filters.js";
 import { size, where, whole } from "./format.js";
 import { key } from "./looks.js";
@@ -9,7 +9,7 @@ import { outcomeColumns } from "./algorithm_page.js";
 import { pictureId, STATUSES, unique } from "./model.js";
 import { table } from "./table.js";
 
-const FILTERS = ["scene", "class"];
+const FILTERS = ["scene", "class", "status"];
 const WORST = ["crash", "wrong", "memory", "timeout", "refused", "ok"];
 
 export function checkPage(report) {
@@ -21,31 +21,15 @@ export function checkPage(report) {
       "sample for sample, every line drawing with the line oracle’s, edge by " +
       "edge. A cell leads to its pixels, where there is a picture."),
     h("ul", { class: "statuses" }, Object.entries(STATUSES).map(
-      ([name, { symbol, meaning }]) => h("li", {}, mark(name, symbol), " ",
-        h("b", {}, name), `: ${meaning}`))),
+      ([name, { symbol, meaning }]) => h("li", {}, mark(name, symbol),
+        h("span", {}, h("b", {}, name), `: ${meaning}`)))),
     filterForm(report, report.cells, FILTERS, update),
-    statusForm(report, update),
     results,
   ] };
 }
 
-function statusForm(report, update) {
-  const status = read().params.get("status");
-  return h("form", { class: "filters", onsubmit: (e) => e.preventDefault() },
-    h("label", {}, "Only what came out",
-      h("select", { name: "status", onchange: (e) => {
-        set({ status: e.target.value });
-        update();
-      } },
-      h("option", { value: "" }, "in any way"),
-      Object.keys(STATUSES).map((name) => h("option",
-        { value: name, selected: name === status }, name)))));
-}
-
 function show(report) {
-  const status = read().params.get("status");
-  const cells = chosen(report, report.cells, FILTERS)
-    .filter((c) => !status || c.status === status);
+  const cells = chosen(report, report.cells, FILTERS);
   if (!cells.length) return [h("p", {}, "Nothing is left by these filters.")];
   const modules = cells.filter((c) => !c.peer);
   const failed = cells.filter((c) => c.status !== "ok");

@@ -13,6 +13,7 @@ const CHOICES = {
   scene: { label: "Scene", of: (r) => r.scene },
   view: { label: "Scene and view", of: (r) => `${r.scene}, view ${r.view}` },
   size: { label: "Size", of: (r) => size(r) },
+  status: { label: "What came of it", of: (r) => r.status },
   class: { label: "Class", of: (r, report) =>
     report.algorithm(r.algorithm).taxonomy },
 };

@@ -43,14 +43,15 @@ function summary(report) {
     table({ id: "cells", caption: "Cells by what came of them", rows, columns: [
       { name: "algorithm", label: "algorithm", value: (r) => r.name,
         show: (r) => link(href("algorithm", r.name), key(r.name), r.name) },
-      { name: "class", label: "class", value: (r) => r.taxonomy ?? "" },
+      { name: "class", label: "class", whole: true,
+        value: (r) => r.taxonomy ?? "" },
       ...statuses.map((status) => ({
         name: status, label: `${STATUSES[status].symbol} ${status}`, number: true,
         title: () => STATUSES[status].meaning,
         value: (r) => of(r, status).length,
         show: (r) => of(r, status).length ?
           link(href("check", "", { algorithms: r.name, status }),
-            whole(of(r, status).length)) : "0" })),
+            whole(of(r, status).length)) : h("span", { class: "faint" }, "0") })),
       report.geometric.length && { name: "ratio", number: true,
         label: `time, ${report.baseline ?? "baseline"} = 1`,
         title: (r) => r.mean && `geometric mean over the ${r.mean.cells} cells ` +

@@ -2,7 +2,7 @@
 // Plots, all by Observable Plot; each has its numbers in a table behind it.
 import * as Plot from "@observablehq/plot";
 import { h, link } from "./dom.js";
-import { count, digits, seconds, where } from "./format.js";
+import { count, digits, seconds, tick, where } from "./format.js";
 import { href } from "./address.js";
 import { key, looks } from "./looks.js";
 import { unique } from "./model.js";
@@ -50,30 +50,31 @@ export function sweepPlot(points, label, width) {
   return Plot.plot({
     width, height: Math.min(560, Math.max(340, 0.6 * width)), style,
     marginLeft: 52, marginRight: 16, marginBottom: 42,
-    x: { type: "log", label, ticks: decades(points.map((p) => p.x), width),
-      tickFormat: count, grid: true, nice: false },
+    x: { type: "log", label, ticks: decades(points.map((p) => p.x), width - 70),
+      tickFormat: tick, grid: true, nice: false },
     y: { type: "log", label: "↑ seconds a frame", grid: true,
-      ticks: decades(points.map((p) => p.seconds)), tickFormat: seconds },
+      ticks: decades(points.map((p) => p.seconds)), tickFormat: (s) => seconds(s).replace(/\.0+(?=\D)/, "") },
     marks: [...lines, Plot.tip(points, Plot.pointer({ x: "x", y: "seconds",
       title: (p) => `${p.algorithm}\n${where(p)}\n${seconds(p.seconds)} at ${
         count(p.x)}` }))],
   });
 }
 
-// Powers of ten; where there are too few of them, 2 and 5 times them too.
+// Powers of ten, as many as have room; where there are too few, steps between.
 function decades(values, width = 600) {
   const there = values.filter((v) => v > 0);
   const low = Math.min(...there), high = Math.max(...there);
-  const between = (steps) => {
-    const ticks = [];
+  const room = Math.max(2, Math.floor(width / 50));
+  const ticks = (steps, every = 1) => {
+    const all = [];
     for (let e = Math.floor(Math.log10(low)); e <= Math.log10(high); e++)
-      for (const s of steps)
-        if (s * 10 ** e >= low * 0.999 && s * 10 ** e <= high * 1.001)
-          ticks.push(s * 10 ** e);
-    return ticks;
+      if (e % every === 0) all.push(...steps.map((s) => s * 10 ** e));
+    return all.filter((t) => t >= 0.999 * low && t <= 1.001 * high);
   };
-  const sparse = between([1]);
-  return sparse.length >= (width < 400 ? 2 : 3) ? sparse : between([1, 2, 5]);
+  const sparse = ticks([1]);
+  if (sparse.length > room) return ticks([1], Math.ceil(sparse.length / room));
+  return [sparse, ticks([1, 2, 5]), ticks([1, 1.5, 2, 3, 4, 5, 6, 7, 8])]
+    .find((list) => list.length >= 3 && list.length <= room) ?? sparse;
 }
 
 // One row an algorithm: every cell's median as a dot, its interval as a bar.
@@ -93,7 +94,7 @@ export function stripPlot(rows, label, width, show, reference = null) {
     width, height: 60 + 20 * names.length, style, marginLeft: 130,
     marginRight: 20, marginTop: 8, marginBottom: 40,
     x: { type: "log", label, grid: true, tickFormat: show,
-      ticks: decades(rows.map((r) => r.value), width - 130) },
+      ticks: decades(rows.map((r) => r.value), width - 150) },
     y: { label: null, domain: names, tickSize: 0 },
     marks: [
       reference === null ? null : Plot.ruleX([reference],
@@ -115,17 +116,17 @@ export function stepPlot(rows, name, width) {
   const fields = unique(rows.map((r) => r.environment));
   const place = { y: "step", fy: "environment" };
   return Plot.plot({
-    width, height: 70 + fields.length * (24 + 20 * steps.length), style,
+    width, height: 70 + fields.length * 1.45 * 20 * steps.length, style,
     marginLeft: 140, marginRight: 20, marginTop: 24, marginBottom: 40,
-    x: { type: "log", label: "comparisons →", grid: true, tickFormat: count,
+    x: { type: "log", label: "comparisons →", grid: true, tickFormat: tick,
       ticks: decades(rows.flatMap((r) => [r.predicted, r.measured]),
-        width < 500 ? 300 : 600) },
+        width - 160) },
     y: { label: null, domain: steps, tickSize: 0 },
-    fy: { label: null, domain: fields, axis: null },
+    fy: { label: null, domain: fields, axis: null, padding: 0.3 },
     marks: [
       Plot.gridY({ strokeOpacity: 0.06 }),
       Plot.text(fields, { fy: (d) => d, text: (d) => d, frameAnchor: "top-left",
-        dx: -134, dy: -16, fontWeight: "bold" }),
+        dx: -134, dy: -18, fontWeight: "bold" }),
       Plot.link(pairs, { ...place, x1: "predicted", x2: "measured",
         y1: "step", y2: "step", stroke: colour, strokeOpacity: 0.5 }),
       Plot.dot(rows.filter((r) => r.predicted > 0),

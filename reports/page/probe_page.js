@@ -211,18 +211,18 @@ function readoutOf(entries, pixels, i, j, module) {
     return h("tr", { class: [differs && "differs", name === module && "chosen"]
       .filter(Boolean).join(" ") || null },
     h("th", { scope: "row" }, key(name), name),
+    h("td", { class: "whole" }, differs ? "✗ differs" : "✓"),
     h("td", { class: "number" }, face < 0 ? "none" : String(face)),
     h("td", {}, face < 0 ? "background"
       : object ? `${object.name}, face ${object.number}` : ""),
-    h("td", { class: "number" }, depthOf(depth)),
-    h("td", {}, differs ? "✗ differs" : "✓"));
+    h("td", { class: "number" }, depthOf(depth)));
   };
   return h("div", { class: "scroll", tabindex: 0, role: "region",
     "aria-label": "What each module sees there" },
   h("table", {},
     h("caption", {}, `Pixel i = ${i}, j = ${j}`),
-    h("thead", {}, h("tr", {}, ["module", "face", "object", "depth",
-      "as the oracle"].map((text) => h("th", { scope: "col" }, text)))),
+    h("thead", {}, h("tr", {}, ["module", "", "face", "object",
+      "depth"].map((text) => h("th", { scope: "col" }, text)))),
     h("tbody", {}, row("oracle", truth, false),
       drawn.filter((e) => e.algorithm !== "oracle").map((e) => {
         const own = pixels.seen(e.algorithm, k);

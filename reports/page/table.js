@@ -4,10 +4,11 @@
 import { read, set } from "./address.js";
 import { h } from "./dom.js";
 
-const MANY = 400; // rows, above which a table is shown in part at first
+const MANY = 100; // rows, above which a table is shown in part at first
 
 // columns: { name, label, value(row): what it is sorted by, show(row): what is
 // seen (standard: the value), title(row), number: true if aligned as one,
+// whole: true if its lines are not broken, prose: true if it holds sentences,
 // group: a heading over several columns }. Without an id it is not sorted.
 export function table({ id, caption, columns, rows }) {
   const body = h("tbody");
@@ -32,7 +33,7 @@ export function table({ id, caption, columns, rows }) {
   return h("div", { class: "table" },
     h("div", { class: "scroll", tabindex: 0, role: "region",
       "aria-label": caption },
-      h("table", { id }, h("caption", {}, caption),
+      h("table", { id: id && `${id}-table` }, h("caption", {}, caption),
         h("thead", {}, groups(columns), h("tr", {}, heads)), body)),
     more);
 }
@@ -91,7 +92,7 @@ function rowOf(columns, row) {
   return h("tr", {}, columns.map((column, k) =>
     h(k === 0 ? "th" : "td", {
       scope: k === 0 ? "row" : null,
-      class: column.number ? "number" : null,
+      class: ["number", "whole", "prose"].find((kind) => column[kind]),
       title: column.title?.(row),
     }, (column.show ?? column.value)(row))));
 }

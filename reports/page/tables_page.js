@@ -67,7 +67,7 @@ function table1(report, t) {
     table({ id: "meanings", caption: "The symbols", rows: symbols, columns: [
       { name: "symbol", label: "symbol", value: (s) => s.symbol,
         show: (s) => symbol(s.symbol) },
-      { name: "meaning", label: "meaning", value: (s) => s.meaning },
+      { name: "meaning", label: "meaning", prose: true, value: (s) => s.meaning },
       ...report.environments.map((e, k) => {
         const v = views.find((x) => x.scene === e.scene && x.view === e.view &&
           size(x) === size(e));
@@ -109,8 +109,8 @@ function table3(report, t) {
     algorithmColumn,
     { name: "step", label: "step", value: (r) => r.step, show: (r) => r.once
       ? `${r.step} (not each frame)` : r.step },
-    { name: "formula", label: "formula", value: (r) => r.formula ?? null,
-      show: (r) => r.formula ?? "–" },
+    { name: "formula", label: "formula", whole: true,
+      value: (r) => r.formula ?? null, show: (r) => r.formula ?? "–" },
     ...report.environments.flatMap((e, k) => [
       number(`paper-${k}`, "paper", (r) => r.paper?.[k]),
       number(`predicted-${k}`, "predicted", (r) => r.predicted?.[k]),
@@ -170,7 +170,7 @@ function figure29b(t) {
       algorithmColumn,
       { name: "order", label: "order", value: (r) => r.sort_order ?? null,
         show: (r) => r.sort_order ?? "–" },
-      { name: "coherence", label: "coherence it bets on",
+      { name: "coherence", label: "coherence it bets on", prose: true,
         value: (r) => r.coherence ?? null, show: (r) => r.coherence ?? "–" },
       { name: "sorts", label: "sorts, in order",
         value: (r) => r.sorts?.length ?? 0,
@@ -195,11 +195,12 @@ function conclusions(t) {
   return t.conclusions?.length ? table({ id: "claims",
     caption: "Claims of the paper, judged by what was measured",
     rows: t.conclusions, columns: [
-      { name: "claim", label: "claim", value: (c) => c.claim },
+      { name: "claim", label: "claim", prose: true, value: (c) => c.claim },
       { name: "section", label: "where", value: (c) => c.section ?? "" },
       { name: "verdict", label: "verdict", value: (c) => c.verdict,
         show: (c) => `${VERDICTS[c.verdict] ?? ""} ${c.verdict}` },
-      { name: "evidence", label: "evidence", value: (c) => c.evidence ?? "" },
+      { name: "evidence", label: "evidence", prose: true,
+        value: (c) => c.evidence ?? "" },
     ] }) : null;
 }
 

@@ -4,9 +4,9 @@
 import { h, link } from "./dom.js";
 import { href } from "./address.js";
 import { key } from "./looks.js";
-import { unique } from "./model.js";
+import { PEER, unique } from "./model.js";
 
-const APART = ["brute force", "yardstick"];
+const APART = ["brute force", "yardstick", PEER];
 
 export function tree(report) {
   const branches = branchesOf(report);
@@ -32,29 +32,32 @@ function leaf(algorithm) {
 function leafOf({ name, authors, year }) {
   return h("span", { class: "leaf" },
     link(href("algorithm", name), key(name), name),
-    authors && h("small", {}, ` ${[authors, year].filter(Boolean).join(", ")}`));
+    h("small", {}, [authors, year].filter(Boolean).join(", ")));
 }
 
-// What figure 13 names, and whatever else is listed under its own class.
+// What figure 13 names, and whatever else is listed, by its class: a branch
+// follows in it after a comma.
 function branchesOf(report) {
-  const figure = report.tables.figure13 ?? [];
-  const placed = new Set(figure.flatMap((b) => b.algorithms));
-  const rest = report.algorithms.filter((a) => !placed.has(a.name) &&
-    a.authors && a.taxonomy && !APART.includes(a.taxonomy));
-  return [...figure.filter((b) => !APART.includes(b.class)),
-    ...unique(rest.map((a) => a.taxonomy)).map((name) => ({
-      class: name,
-      branch: null,
-      algorithms: rest.filter((a) => a.taxonomy === name).map((a) => a.name),
-    }))];
+  const branches = (report.tables.figure13 ?? [])
+    .filter((b) => !APART.includes(b.class))
+    .map((b) => ({ ...b, algorithms: [...b.algorithms] }));
+  const placed = new Set(branches.flatMap((b) => b.algorithms));
+  for (const { name, taxonomy } of report.algorithms) {
+    if (placed.has(name) || !taxonomy || APART.includes(taxonomy)) continue;
+    const [own, branch = null] = taxonomy.split(", ");
+    const there = branches.find((b) => b.class === own && b.branch === branch);
+    if (there) there.algorithms.push(name);
+    else branches.push({ class: own, branch, algorithms: [name] });
+  }
+  return branches;
 }
 
 // Brute force, yardsticks and peers, which have no place in the tree.
 export function apart(report) {
   const groups = unique(report.algorithms.map((a) => a.taxonomy))
-    .filter((name) => APART.includes(name) || name === "peer");
+    .filter((name) => APART.includes(name));
   return groups.length ? h("div", { class: "apart" }, groups.map((name) =>
-    h("section", {}, h("h3", {}, name === "peer" ? "peers: renderers of others"
+    h("section", {}, h("h3", {}, name === PEER ? "peers: renderers of others"
       : name),
     h("ul", {}, report.algorithms.filter((a) => a.taxonomy === name)
       .map((a) => h("li", {}, leafOf(a))))))) : null;
