@@ -16,6 +16,7 @@ report_sources = \
   %D%/page/probe_data.js \
   %D%/page/probe_page.js \
   %D%/page/sweeps_page.js \
+  %D%/page/symbols.js \
   %D%/page/table.js \
   %D%/page/tables_page.js \
   %D%/page/timings_page.js \

@@ -11,7 +11,8 @@ import {
   PEER, pictureId, RESTRICTIONS, STATUSES, unique,
 } from "./model.js";
 import { figure, stepPlot } from "./plots.js";
-import { behind, table } from "./table.js";
+import { formula } from "./symbols.js";
+import { table } from "./table.js";
 
 const KINDS = { ids: "the visible face of every sample",
   segments: "a line drawing", filtered: "filtered colours" };
@@ -104,7 +105,7 @@ function stepList(report, a) {
   const names = report.environments.map((e) => e.scene);
   if (!rows.length || !names.length)
     return a.steps?.length ? h("ol", { class: "sorts" }, a.steps.map((s) =>
-      h("li", {}, h("b", {}, s.label), s.formula && `: ${s.formula}`))) : null;
+      h("li", {}, h("b", {}, s.label), s.formula && [": ", formula(s.formula)]))) : null;
   return h("ol", { class: "sorts" }, rows.map((r) => h("li", {},
     h("b", {}, r.step), `: ${names.map((name, k) =>
       `${count(r.measured?.[k])} on ${name}`).join(", ")}`)));
@@ -149,10 +150,10 @@ function steps(report, a) {
     measured: r.measured?.[k] ?? null })));
   const numbers = table({ id: "steps", caption: "Table III of " +
     `${a.name}: cost is factor × count, in comparisons`, rows, columns: [
-    { name: "step", label: "step", value: (r) => r.step,
+    { name: "step", label: "step", whole: true, value: (r) => r.step,
       show: (r) => r.once ? `${r.step} (not each frame)` : r.step },
     { name: "formula", label: "the paper’s formula", whole: true,
-      value: (r) => r.formula ?? null, show: (r) => r.formula ?? "–" },
+      value: (r) => r.formula ?? null, show: (r) => formula(r.formula ?? "–") },
     { name: "factor", label: "factor", value: (r) => r.factor, number: true },
     ...environments.flatMap((e, k) => [
       { group: e.scene, name: `predicted-${k}`, label: "predicted", number: true,

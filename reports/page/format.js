@@ -35,11 +35,6 @@ export function count(x) {
   return `${digits(x / (name === "K" ? 1e3 : unit))}${name}`;
 }
 
-// The same on an axis: 10K, not 10.0K.
-export function tick(x) {
-  return count(x).replace(/\.0+(?=\D|$)/, "");
-}
-
 export function whole(x) {
   return absent(x) ? NOTHING : x.toLocaleString("en");
 }

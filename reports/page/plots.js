@@ -2,7 +2,7 @@
 // Plots, all by Observable Plot; each has its numbers in a table behind it.
 import * as Plot from "@observablehq/plot";
 import { h, link } from "./dom.js";
-import { count, digits, seconds, tick, where } from "./format.js";
+import { count, digits, seconds, where } from "./format.js";
 import { href } from "./address.js";
 import { key, looks } from "./looks.js";
 import { unique } from "./model.js";
@@ -30,6 +30,9 @@ function legend(names) {
     h("li", {}, link(href("algorithm", name), key(name), name)))) : null;
 }
 
+// A number on an axis: 10K, not 10.0K.
+const short = (show) => (x) => show(x).replace(/\.0+(?=\D|$)/, "");
+
 const style = { background: "transparent", fontSize: "12px", overflow: "visible" };
 
 // Seconds over something that grows, both logarithmic. points: { algorithm,
@@ -51,9 +54,9 @@ export function sweepPlot(points, label, width) {
     width, height: Math.min(560, Math.max(340, 0.6 * width)), style,
     marginLeft: 52, marginRight: 16, marginBottom: 42,
     x: { type: "log", label, ticks: decades(points.map((p) => p.x), width - 70),
-      tickFormat: tick, grid: true, nice: false },
+      tickFormat: short(count), grid: true, nice: false },
     y: { type: "log", label: "↑ seconds a frame", grid: true,
-      ticks: decades(points.map((p) => p.seconds)), tickFormat: (s) => seconds(s).replace(/\.0+(?=\D)/, "") },
+      ticks: decades(points.map((p) => p.seconds)), tickFormat: short(seconds) },
     marks: [...lines, Plot.tip(points, Plot.pointer({ x: "x", y: "seconds",
       title: (p) => `${p.algorithm}\n${where(p)}\n${seconds(p.seconds)} at ${
         count(p.x)}` }))],
@@ -77,9 +80,15 @@ function decades(values, width = 600) {
     .find((list) => list.length >= 3 && list.length <= room) ?? sparse;
 }
 
+// For labels on the left.
+function marginFor(labels) {
+  return 16 + 6.8 * Math.max(...labels.map((label) => label.length));
+}
+
 // One row an algorithm: every cell's median as a dot, its interval as a bar.
 export function stripPlot(rows, label, width, show, reference = null) {
   const names = unique(rows.map((r) => r.algorithm));
+  const margin = marginFor(names);
   const marks = names.flatMap((name) => {
     const { colour, symbol } = looks(name);
     const own = rows.filter((r) => r.algorithm === name);
@@ -91,10 +100,10 @@ export function stripPlot(rows, label, width, show, reference = null) {
     ];
   });
   return Plot.plot({
-    width, height: 60 + 20 * names.length, style, marginLeft: 130,
+    width, height: 60 + 20 * names.length, style, marginLeft: margin,
     marginRight: 20, marginTop: 8, marginBottom: 40,
-    x: { type: "log", label, grid: true, tickFormat: show,
-      ticks: decades(rows.map((r) => r.value), width - 150) },
+    x: { type: "log", label, grid: true, tickFormat: short(show),
+      ticks: decades(rows.map((r) => r.value), width - margin - 20) },
     y: { label: null, domain: names, tickSize: 0 },
     marks: [
       reference === null ? null : Plot.ruleX([reference],
@@ -114,19 +123,20 @@ export function stepPlot(rows, name, width) {
   const pairs = rows.filter((r) => r.predicted > 0 && r.measured > 0);
   const steps = unique(rows.map((r) => r.step));
   const fields = unique(rows.map((r) => r.environment));
+  const margin = marginFor(steps);
   const place = { y: "step", fy: "environment" };
   return Plot.plot({
     width, height: 70 + fields.length * 1.45 * 20 * steps.length, style,
-    marginLeft: 140, marginRight: 20, marginTop: 24, marginBottom: 40,
-    x: { type: "log", label: "comparisons →", grid: true, tickFormat: tick,
+    marginLeft: margin, marginRight: 20, marginTop: 24, marginBottom: 40,
+    x: { type: "log", label: "comparisons →", grid: true, tickFormat: short(count),
       ticks: decades(rows.flatMap((r) => [r.predicted, r.measured]),
-        width - 160) },
+        width - margin - 20) },
     y: { label: null, domain: steps, tickSize: 0 },
     fy: { label: null, domain: fields, axis: null, padding: 0.3 },
     marks: [
       Plot.gridY({ strokeOpacity: 0.06 }),
       Plot.text(fields, { fy: (d) => d, text: (d) => d, frameAnchor: "top-left",
-        dx: -134, dy: -18, fontWeight: "bold" }),
+        dx: 4 - margin, dy: -18, fontWeight: "bold" }),
       Plot.link(pairs, { ...place, x1: "predicted", x2: "measured",
         y1: "step", y2: "step", stroke: colour, strokeOpacity: 0.5 }),
       Plot.dot(rows.filter((r) => r.predicted > 0),

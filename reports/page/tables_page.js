@@ -7,6 +7,7 @@ import { growth } from "./algorithm_page.js";
 import { count, digits, exponent, size, whole } from "./format.js";
 import { key } from "./looks.js";
 import { RESTRICTIONS, unique } from "./model.js";
+import { formula } from "./symbols.js";
 import { table } from "./table.js";
 import { tree } from "./tree.js";
 
@@ -53,12 +54,6 @@ function number(name, label, value, show = count) {
     } };
 }
 
-// "F_r" as F with r below.
-function symbol(text) {
-  const [letter, index] = text.split("_");
-  return h("i", {}, letter, index && h("sub", {}, index));
-}
-
 function table1(report, t) {
   const symbols = t.table1 ?? [];
   if (!symbols.length) return null;
@@ -66,7 +61,7 @@ function table1(report, t) {
   return [
     table({ id: "meanings", caption: "The symbols", rows: symbols, columns: [
       { name: "symbol", label: "symbol", value: (s) => s.symbol,
-        show: (s) => symbol(s.symbol) },
+        show: (s) => formula(s.symbol) },
       { name: "meaning", label: "meaning", prose: true, value: (s) => s.meaning },
       ...report.environments.map((e, k) => {
         const v = views.find((x) => x.scene === e.scene && x.view === e.view &&
@@ -82,7 +77,7 @@ function table1(report, t) {
           { name: "size", label: "size", number: true,
             value: (v) => v.width * v.height, show: size },
           ...symbols.map((s) => ({ ...number(s.symbol, s.symbol,
-            (v) => v.table1[s.symbol]), label: symbol(s.symbol) }))] })) : null,
+            (v) => v.table1[s.symbol]), label: formula(s.symbol) }))] })) : null,
   ];
 }
 
@@ -91,12 +86,12 @@ function table2(report, t) {
     caption: "The paper’s rules, and what was measured", rows: t.table2,
     columns: [
       { name: "symbol", label: "symbol", value: (r) => r.symbol,
-        show: (r) => symbol(r.symbol) },
+        show: (r) => formula(r.symbol) },
       { name: "rule", label: "rule", value: (r) => r.rule ?? null,
-        show: (r) => r.rule ?? "" },
+        show: (r) => formula(r.rule ?? "") },
       ...report.environments.flatMap((e, k) => [
         number(`paper-${k}`, "paper", (r) => r.paper?.[k]),
-        number(`rule-${k}`, "rule of ours", (r) => r.rule_of_measured?.[k]),
+        number(`rule-${k}`, "by the rule", (r) => r.rule_of_measured?.[k]),
         number(`measured-${k}`, "measured", (r) => r.measured?.[k]),
         number(`ratio-${k}`, "ratio", (r) => r.ratio?.[k], digits),
       ].map((c) => ({ ...c, group: e.scene })))] }) : null;
@@ -107,10 +102,11 @@ function table3(report, t) {
     "costs: the paper’s figure, the formula on our statistics, the count",
   rows: t.table3, columns: [
     algorithmColumn,
-    { name: "step", label: "step", value: (r) => r.step, show: (r) => r.once
+    { name: "step", label: "step", whole: true, value: (r) => r.step,
+      show: (r) => r.once
       ? `${r.step} (not each frame)` : r.step },
     { name: "formula", label: "formula", whole: true,
-      value: (r) => r.formula ?? null, show: (r) => r.formula ?? "–" },
+      value: (r) => r.formula ?? null, show: (r) => formula(r.formula ?? "–") },
     ...report.environments.flatMap((e, k) => [
       number(`paper-${k}`, "paper", (r) => r.paper?.[k]),
       number(`predicted-${k}`, "predicted", (r) => r.predicted?.[k]),

@@ -163,7 +163,7 @@ async function sampled(folder) {
     assert.match(await heading(), /Watkins/);
     assert.match(await page.textContent(".facts"), /YXZ/);
     assert.match(await page.textContent("#sorts"), /logarithmic search/);
-    assert.match(await page.textContent("#steps"), /X merge.*E_r S_l/);
+    assert.match(await page.textContent("#steps"), /X merge.*Er Sl/);
     assert.match(await page.textContent("#pictures"), /touched/);
   });
 
