@@ -18,6 +18,7 @@ static const struct hsr_command commands[] = {
     {"render", "make a picture with one algorithm", command_render},
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
+    {"worker", NULL, command_worker},
     {NULL, NULL, NULL}};
 
 static void print_help(FILE *out) {
@@ -29,7 +30,8 @@ static void print_help(FILE *out) {
         "commands:\n",
         out);
   for (const struct hsr_command *c = commands; c->name; c++)
-    fprintf(out, "  hsr %-8s %s\n", c->name, c->about);
+    if (c->about)
+      fprintf(out, "  hsr %-8s %s\n", c->name, c->about);
   fputs(
       "\n"
       "  hsr COMMAND --help explains each; hsr --version tells the version.\n"
