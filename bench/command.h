@@ -16,7 +16,8 @@
  * status 1 and without a message; any other failure with the message in *err.
  */
 struct hsr_command {
-  const char *name, *about;
+  const char *name;
+  const char *about; /* for --help; NULL: not for people */
   enum hsr_status (*run)(int argc, char **argv, struct hsr_error *err);
 };
 
@@ -26,6 +27,8 @@ enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_steps(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_render(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_check(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err);
 
 /* --- Options ---------------------------------------------------------------
  */
@@ -119,11 +122,21 @@ enum hsr_status answer_init(struct answer *answer,
                             const struct hsr_view *view, struct hsr_error *err);
 void answer_free(struct answer *answer);
 
+/* Threads with a memory of their own each, which lasts from frame to frame. At
+ * least one and at most 64; NULL for lack of memory. */
+struct crew *crew_new(long threads);
+void crew_free(struct crew *crew); /* NULL is allowed */
+
 /* Renders the view's whole window with an algorithm made ready, and adds what
- * was counted to *tally. Ids are rendered on `threads` threads (1 if the
+ * was counted to *tally. Ids are rendered by the whole crew (by one if the
  * algorithm keeps frame state), each a band of rows at a time; a line drawing,
- * which is whole, on one. *seconds, unless NULL, is the time of the rendering
- * alone. */
+ * which is whole, by one. */
+enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
+                            const struct hsr_view *view, struct answer *answer,
+                            struct hsr_tally *tally, struct hsr_error *err);
+
+/* The same by a crew for this one frame. *seconds, unless NULL, is the time of
+ * the rendering alone. */
 enum hsr_status render_view(const struct hsr_setup *setup,
                             const struct hsr_view *view, long threads,
                             struct answer *answer, struct hsr_tally *tally,

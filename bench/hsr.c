@@ -18,6 +18,8 @@ static const struct hsr_command commands[] = {
     {"render", "make a picture with one algorithm", command_render},
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
+    {"bench", "time the algorithms that are right, in turn", command_bench},
+    {"worker", NULL, command_worker},
     {NULL, NULL, NULL}};
 
 static void print_help(FILE *out) {
@@ -29,7 +31,8 @@ static void print_help(FILE *out) {
         "commands:\n",
         out);
   for (const struct hsr_command *c = commands; c->name; c++)
-    fprintf(out, "  hsr %-8s %s\n", c->name, c->about);
+    if (c->about)
+      fprintf(out, "  hsr %-8s %s\n", c->name, c->about);
   fputs(
       "\n"
       "  hsr COMMAND --help explains each; hsr --version tells the version.\n"
@@ -57,7 +60,7 @@ static enum hsr_status finish(enum hsr_status status, struct hsr_error *err) {
 
 int main(int argc, char **argv) {
   setlocale(LC_CTYPE, "");
-  end_on_uncaught_exceptions();
+  end_in_one_line();
   if (argc < 2) {
     fputs("hsr: a command is needed (see hsr --help)\n", stderr);
     return HSR_E_USAGE;

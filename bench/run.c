@@ -64,6 +64,29 @@ struct worker {
   enum hsr_status status;
 };
 
+struct crew {
+  long n;
+  struct worker worker[];
+};
+
+struct crew *crew_new(long threads) {
+  if (threads > MOST_THREADS)
+    threads = MOST_THREADS;
+  if (threads < 1)
+    threads = 1;
+  struct crew *crew =
+      calloc(1, sizeof *crew + (size_t)threads * sizeof *crew->worker);
+  if (crew)
+    crew->n = threads;
+  return crew;
+}
+
+void crew_free(struct crew *crew) {
+  for (long k = 0; crew && k < crew->n; k++)
+    hsr_arena_free(&crew->worker[k].scratch);
+  free(crew);
+}
+
 static void *work(void *argument) {
   struct worker *worker = argument;
   struct bands *bands = worker->bands;
@@ -90,54 +113,61 @@ static void *work(void *argument) {
   return NULL;
 }
 
+/* Where no thread can be had, the first one does the work. */
+static void start(struct worker *worker, struct bands *bands,
+                  const struct hsr_tally *tally, bool in_thread) {
+  worker->bands = bands;
+  worker->status = HSR_OK;
+  worker->tally = (struct hsr_tally){.work = tally->work,
+                                     .work_stride = tally->work_stride,
+                                     .trace = tally->trace,
+                                     .trace_context = tally->trace_context};
+  worker->started =
+      in_thread && !pthread_create(&worker->thread, NULL, work, worker);
+}
+
+enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
+                            const struct hsr_view *view, struct answer *answer,
+                            struct hsr_tally *tally, struct hsr_error *err) {
+  bool whole = setup->algorithm->flags & HSR_FRAME_STATE ||
+               setup->algorithm->kind == HSR_SEGMENTS;
+  long threads = whole ? 1 : crew->n;
+  int rows = view->window.y1 - view->window.y0;
+  hsr_drawing_clear(&answer->drawing);
+  struct bands bands = {.setup = setup,
+                        .view = view,
+                        .answer = answer,
+                        .height =
+                            threads > 1 ? rows / (int)(4 * threads) + 1 : rows};
+  for (long k = 0; k < threads; k++)
+    start(&crew->worker[k], &bands, tally, k > 0);
+  work(&crew->worker[0]);
+  enum hsr_status status = HSR_OK;
+  for (long k = 0; k < threads; k++) {
+    struct worker *worker = &crew->worker[k];
+    if (worker->started)
+      pthread_join(worker->thread, NULL);
+    if (worker->status && !status) {
+      status = worker->status;
+      if (err)
+        *err = worker->err;
+    }
+    hsr_tally_add(tally, &worker->tally);
+  }
+  return status;
+}
+
 enum hsr_status render_view(const struct hsr_setup *setup,
                             const struct hsr_view *view, long threads,
                             struct answer *answer, struct hsr_tally *tally,
                             double *seconds, struct hsr_error *err) {
-  int rows = view->window.y1 - view->window.y0;
-  if (threads > MOST_THREADS)
-    threads = MOST_THREADS;
-  if (setup->algorithm->flags & HSR_FRAME_STATE ||
-      setup->algorithm->kind == HSR_SEGMENTS || threads < 1)
-    threads = 1;
-  hsr_drawing_clear(&answer->drawing);
-  struct bands bands = {
-      .setup = setup, .view = view, .answer = answer, .height = rows};
-  if (threads > 1) {
-    bands.height = rows / (int)(4 * threads) + 1;
-  }
-  struct worker *workers = calloc((size_t)threads, sizeof *workers);
-  if (!workers)
+  struct crew *crew = crew_new(threads);
+  if (!crew)
     return hsr_fail_nomem(err);
-
   double begin = seconds_now();
-  for (long k = 0; k < threads; k++) {
-    workers[k].bands = &bands;
-    workers[k].tally =
-        (struct hsr_tally){.work = tally->work,
-                           .work_stride = tally->work_stride,
-                           .trace = tally->trace,
-                           .trace_context = tally->trace_context};
-    /* Where no thread can be had, the first one does the work. */
-    if (k > 0)
-      workers[k].started =
-          !pthread_create(&workers[k].thread, NULL, work, &workers[k]);
-  }
-  work(&workers[0]);
-  enum hsr_status status = HSR_OK;
-  for (long k = 0; k < threads; k++) {
-    if (workers[k].started)
-      pthread_join(workers[k].thread, NULL);
-    if (workers[k].status && !status) {
-      status = workers[k].status;
-      if (err)
-        *err = workers[k].err;
-    }
-    hsr_tally_add(tally, &workers[k].tally);
-    hsr_arena_free(&workers[k].scratch);
-  }
+  enum hsr_status status = crew_render(crew, setup, view, answer, tally, err);
   if (seconds)
     *seconds = seconds_now() - begin;
-  free(workers);
+  crew_free(crew);
   return status;
 }

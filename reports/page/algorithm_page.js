@@ -15,7 +15,8 @@ import { formula } from "./symbols.js";
 import { table } from "./table.js";
 
 const KINDS = { ids: "the visible face of every sample",
-  segments: "a line drawing", filtered: "filtered colours" };
+  segments: "a line drawing", filtered: "filtered colours",
+  none: "no picture" };
 
 export function algorithmPage(report, name) {
   const algorithm = report.algorithm(name);
@@ -47,7 +48,7 @@ function descriptor(report, a) {
     ["Source", a.source],
     ["Class", a.taxonomy === PEER
       ? "a peer: a renderer of others on the same bench" : a.taxonomy],
-    ["Makes", a.kind && KINDS[a.kind] + (a.visible_only
+    ["Makes", KINDS[a.kind] && KINDS[a.kind] + (a.visible_only
       ? ", of which it tells what is visible, not how often the rest is hidden"
       : "")],
     ["Sorting order", a.sort_order],

@@ -65,7 +65,8 @@ function header(record) {
   const { machine = {} } = record;
   return facts([
     ["Run", record.date && new Date(record.date).toUTCString()],
-    ["Command", record.command && h("code", {}, record.command)],
+    ["Command", record.command && h("code", {}, [record.command].flat()
+      .join(" "))],
     ["hsr", [record.version, record.commit && `commit ${record.commit}`]
       .filter(Boolean).join(", ")],
     ["Compiler", [record.compiler, record.flags].filter(Boolean).join(", ")],

@@ -18,7 +18,7 @@ export function tablesPage(report) {
     ["table-2", "Table II: the rules of thumb", table2(report, t)],
     ["table-3", "Table III: the steps", table3(report, t)],
     ...(t.summary ?? []).map((s, k) => [`table-${k + 4}`,
-      `Table ${["IV", "V", "VI"][k] ?? k + 4}: ${s.scene}`, summary(s)]),
+      `Table ${["IV", "V", "VI"][k] ?? k + 4}: ${s.scene}`, summary(report, s)]),
     ["table-7", "Table VII: totals a frame", table7(report, t)],
     ["figure-13", "Figure 13: the taxonomy", t.figure13?.length && tree(report)],
     ["figure-29a", "Figure 29a: what each demands", figure29a(t)],
@@ -97,14 +97,24 @@ function table2(report, t) {
       ].map((c) => ({ ...c, group: e.scene })))] }) : null;
 }
 
+function stepName({ step, once }) {
+  return once ? `${step} (not each frame)` : step;
+}
+
+const growthColumns = [
+  { ...number("grows", "predicted", (r) => r.growth?.predicted, exponent),
+    group: "grows as faces to the" },
+  { ...number("grew", "measured", (r) => r.growth?.measured),
+    show: (r) => growth(r.growth), group: "grows as faces to the" },
+];
+
 function table3(report, t) {
   return t.table3?.length ? table({ id: "steps", caption: "Steps and their " +
     "costs: the paper’s figure, the formula on our statistics, the count",
   rows: t.table3, columns: [
     algorithmColumn,
     { name: "step", label: "step", whole: true, value: (r) => r.step,
-      show: (r) => r.once
-      ? `${r.step} (not each frame)` : r.step },
+      show: stepName },
     { name: "formula", label: "formula", whole: true,
       value: (r) => r.formula ?? null, show: (r) => formula(r.formula ?? "–") },
     ...report.environments.flatMap((e, k) => [
@@ -113,25 +123,25 @@ function table3(report, t) {
       number(`measured-${k}`, "measured", (r) => r.measured?.[k]),
       number(`ratio-${k}`, "ratio", (r) => r.ratio?.[k], digits),
     ].map((c) => ({ ...c, group: e.scene }))),
-    { ...number("grows", "predicted", (r) => r.growth?.predicted, exponent),
-      group: "grows as faces to the" },
-    { ...number("grew", "measured", (r) => r.growth?.measured),
-      show: (r) => growth(r.growth), group: "grows as faces to the" }] }) : null;
+    ...growthColumns] }) : null;
 }
 
 // Tables IV to VI: an environment each, a column an algorithm in the paper; on
 // a page that must be narrow, a row each.
-function summary({ scene, columns }) {
-  const rows = (columns ?? []).flatMap((c) => [...c.steps.map((s) => ({ ...s,
-    algorithm: c.algorithm })), { algorithm: c.algorithm, step: "total a frame",
-    predicted: c.predicted, measured: c.measured, paper: c.paper, total: true }]);
-  return rows.length ? table({ caption: `Steps and totals on ${scene}`, rows,
+function summary(report, { scene, columns }) {
+  const rows = (columns ?? []).flatMap((c) => [
+    ...c.steps.map((s) => ({ ...s, algorithm: c.algorithm })),
+    { ...c, step: "total a frame", total: true }]);
+  const title = report.environments.find((e) => e.scene === scene)?.title;
+  return rows.length ? table({ rows,
+    caption: `Steps and totals on ${scene}${title ? `, ${title}` : ""}`,
     columns: [algorithmColumn,
       { name: "step", label: "step", value: (r) => r.step,
-        show: (r) => r.total ? h("b", {}, r.step) : r.step },
+        show: (r) => r.total ? h("b", {}, r.step) : stepName(r) },
       number("paper", "paper", (r) => r.paper),
       number("predicted", "predicted", (r) => r.predicted),
-      number("measured", "measured", (r) => r.measured)] }) : null;
+      { ...number("measured", "measured", (r) => r.measured),
+        show: (r) => r.missing ?? count(r.measured) }] }) : null;
 }
 
 function table7(report, t) {
@@ -141,7 +151,8 @@ function table7(report, t) {
       number(`paper-${k}`, "paper", (r) => r.paper?.[k]),
       number(`predicted-${k}`, "predicted", (r) => r.predicted?.[k]),
       number(`measured-${k}`, "measured", (r) => r.measured?.[k]),
-    ].map((c) => ({ ...c, group: e.scene })))] }) : null;
+    ].map((c) => ({ ...c, group: e.scene }))),
+    ...growthColumns] }) : null;
 }
 
 function figure29a(t) {
@@ -185,7 +196,8 @@ function orders(t) {
           h("li", {}, named(name)))) }] }) : null;
 }
 
-const VERDICTS = { "borne out": "✓", "not borne out": "✗", "not measured": "–" };
+const VERDICTS = { "borne out": "✓", "not borne out": "✗", undecided: "?",
+  "not measured": "–" };
 
 function conclusions(t) {
   return t.conclusions?.length ? table({ id: "claims",
@@ -193,26 +205,22 @@ function conclusions(t) {
     rows: t.conclusions, columns: [
       { name: "claim", label: "claim", prose: true, value: (c) => c.claim },
       { name: "section", label: "where", value: (c) => c.section ?? "" },
-      { name: "verdict", label: "verdict", value: (c) => c.verdict,
+      { name: "criterion", label: "borne out if", prose: true,
+        value: (c) => c.criterion ?? "" },
+      { name: "verdict", label: "verdict", whole: true, value: (c) => c.verdict,
         show: (c) => `${VERDICTS[c.verdict] ?? ""} ${c.verdict}` },
       { name: "evidence", label: "evidence", prose: true,
         value: (c) => c.evidence ?? "" },
     ] }) : null;
 }
 
-// Records of whatever fields they have.
 function greene(t) {
-  const rows = t.greene ?? [];
-  const names = unique(rows.flatMap((r) => Object.keys(r)));
-  return rows.length ? table({ id: "greene-rows",
-    caption: "Greene’s figures beside ours", rows, columns: names.map((name) => ({
-      name, label: name, number: rows.some((r) => typeof r[name] === "number"),
-      value: (r) => r[name] ?? null,
-      show: (r) => name === "algorithm" ? named(r[name]) : shown(r[name]) }))})
-    : null;
-}
-
-function shown(value) {
-  if (Array.isArray(value)) return value.map(shown).join(", ");
-  return typeof value === "number" ? count(value) : value ?? "–";
+  return t.greene?.length ? table({ id: "figures",
+    caption: "Greene’s figures beside ours", rows: t.greene, columns: [
+      { name: "what", label: "what", prose: true, value: (g) => g.what },
+      { name: "source", label: "where", whole: true, value: (g) => g.source },
+      { name: "scene", label: "scene", value: (g) => g.scene ?? "" },
+      number("size", "size", (g) => g.size),
+      number("paper", "his", (g) => g.paper, digits),
+      number("ours", "ours", (g) => g.ours, digits)] }) : null;
 }

@@ -344,7 +344,7 @@ async function sampled(folder) {
       all.map((e) => e.textContent));
     for (const wanted of ["Table I:", "Table II:", "Table III:", "Table IV:",
       "Table V:", "Table VI:", "Table VII:", "Figure 13:", "Figure 29a:",
-      "Figure 29b:", "The sorting orders", "What the paper concluded"])
+      "Figure 29b:", "The sorting orders", "What the paper concluded", "Greene"])
       assert.ok(titles.some((t) => t.startsWith(wanted)), wanted);
     assert.match(await page.textContent("#conclusions"), /✗ not borne out/);
     assert.ok(await page.evaluate(() => scrollY > 500), "scrolled to it");

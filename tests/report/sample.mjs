@@ -185,13 +185,15 @@ const tables = {
   sorting_orders: [...new Set(algorithms.map((a) => a.sort_order))]
     .filter(Boolean).map((order) => ({ order, algorithms: algorithms
       .filter((a) => a.sort_order === order).map((a) => a.name) })),
-  greene: [],
+  greene: [{ source: "1995, figure 3.8", what: "depth tests a sample",
+    scene: "office:33", size: 512, paper: 83.7, ours: null }],
   conclusions: [
     { section: "VI", claim: "Watkins' depth search grows with the square root " +
       "of the faces", verdict: "borne out",
     evidence: "exponent 0.42 [0.38, 0.46], predicted 0.5" },
     { section: "VII", claim: "Roberts' grows with the square of the faces",
-      verdict: "not borne out", evidence: "exponent 1.31 [1.28, 1.35]" },
+      verdict: "not borne out", criterion: "exponent: 1.75 to 2.25",
+      evidence: "exponent 1.31 [1.28, 1.35]" },
     { section: "IX", claim: "Frame coherence pays", verdict: "not measured",
       evidence: null }],
 };
@@ -301,7 +303,7 @@ write("difference/house-1.png", png((i, j) => inside(i, j, A) &&
 write("data.js", `window.hsr = ${JSON.stringify({
   schema: "hsr-report/1", title: "A made-up report",
   headers: [{ schema: "hsr-bench/1", record: "header", run: "5a",
-    date: "2026-11-21T12:00:00Z", command: "hsr bench house harbor",
+    date: "2026-11-21T12:00:00Z", command: ["hsr", "bench", "house", "harbor"],
     version: "0.1.0", commit: "82d8f52", code: "0123abcd",
     compiler: "gcc 12.2.0", flags: "-O3 -g", seed: 1, starts: 2, repetitions: 9,
     timeout: 60, memory_mb: 2048,

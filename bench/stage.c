@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/stage.h"
+
+#include "bench/command.h"
+
+enum hsr_status stage_open(struct stage *stage, const char *scene, long view,
+                           int m, int n, struct hsr_error *err) {
+  *stage = (struct stage){.scene = NULL};
+  struct hsr_import import = {.drop_degenerate = false};
+  double begin = seconds_now();
+  enum hsr_status status = hsr_scene_open(scene, &import, &stage->scene, err);
+  if (!status)
+    status = hsr_world_init(&stage->world, stage->scene, err);
+  stage->import_seconds = seconds_now() - begin;
+  if (status)
+    return status;
+  if (stage->scene->n_views < view &&
+      hsr_scene_add_orbit(stage->scene, (unsigned)view - stage->scene->n_views))
+    return hsr_fail_nomem(err);
+  return hsr_view_init(&stage->view, &stage->scene->views[view - 1], m, n, err);
+}
+
+void stage_close(struct stage *stage) {
+  hsr_world_free(&stage->world);
+  hsr_scene_delete(stage->scene);
+}

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One scene and one of its views, opened by name: what a picture is made of. */
+#ifndef HSR_BENCH_STAGE_H
+#define HSR_BENCH_STAGE_H
+
+#include "scenes/scenes.h"
+
+#include "common/view.h"
+#include "common/world.h"
+
+struct stage {
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  struct hsr_view view;
+  double import_seconds; /* to open the scene and make the world */
+};
+
+/* Opens the scene that a user names and looks at it from its view `view`, from
+ * 1; a scene that has fewer gets further ones on an orbit. To be closed also
+ * after a failure: whatever hsr_scene_open and hsr_view_init fail with. */
+enum hsr_status stage_open(struct stage *stage, const char *scene, long view,
+                           int m, int n, struct hsr_error *err);
+void stage_close(struct stage *stage);
+
+#endif
