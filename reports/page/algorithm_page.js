@@ -153,7 +153,7 @@ function steps(report, a) {
     `${a.name}: cost is factor × count, in comparisons`, rows, columns: [
     { name: "step", label: "step", whole: true, value: (r) => r.step,
       show: (r) => r.once ? `${r.step} (not each frame)` : r.step },
-    { name: "formula", label: "the paper’s formula", whole: true,
+    { name: "formula", label: "the paper’s formula", prose: true,
       value: (r) => r.formula ?? null, show: (r) => formula(r.formula ?? "–") },
     { name: "factor", label: "factor", value: (r) => r.factor, number: true },
     ...environments.flatMap((e, k) => [

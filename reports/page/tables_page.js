@@ -115,7 +115,7 @@ function table3(report, t) {
     algorithmColumn,
     { name: "step", label: "step", whole: true, value: (r) => r.step,
       show: stepName },
-    { name: "formula", label: "formula", whole: true,
+    { name: "formula", label: "formula", prose: true,
       value: (r) => r.formula ?? null, show: (r) => formula(r.formula ?? "–") },
     ...report.environments.flatMap((e, k) => [
       number(`paper-${k}`, "paper", (r) => r.paper?.[k]),
