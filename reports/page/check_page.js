@@ -31,7 +31,7 @@ export function checkPage(report) {
 function show(report) {
   const cells = chosen(report, report.cells, FILTERS);
   if (!cells.length) return [h("p", {}, "Nothing is left by these filters.")];
-  const modules = cells.filter((c) => !c.peer && c.kind !== "none");
+  const modules = cells.filter((c) => !c.peer && report.draws(c.algorithm));
   const failed = cells.filter((c) => c.status !== "ok");
   return [
     matrix(report, "Surfaces", modules.filter((c) => c.kind !== "segments")),

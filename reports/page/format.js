@@ -7,6 +7,7 @@ const absent = (x) => x === null || x === undefined || Number.isNaN(x);
 
 export function seconds(s) {
   if (absent(s)) return NOTHING;
+  if (s === 0) return "0 s";
   if (s >= 1000) return `${s.toFixed(0)} s`;
   const [unit, name] = [[1, "s"], [1e-3, "ms"], [1e-6, "µs"], [1e-9, "ns"]]
     .find(([u]) => s >= 0.9995 * u) ?? [1e-9, "ns"];

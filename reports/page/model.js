@@ -56,6 +56,7 @@ export function model(data) {
     environments: tables.environments ?? [],
     algorithms, cells, tables,
     classes: [...new Set(algorithms.map((a) => a.taxonomy))].filter(Boolean),
+    draws: (name) => byName.get(name)?.kind !== "none" && name !== "null",
     algorithm: (name) => byName.get(name) ?? { name, title: name },
     cell: (record, name) => byKey.get(cellKey(record, name)) ?? null,
     cellsOf: (name) => cells.filter((c) => c.algorithm === name),

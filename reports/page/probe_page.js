@@ -23,14 +23,19 @@ export function probePage(report, id) {
     body: [others(report, id), place] };
 }
 
-function others(report, id) {
+function form(...fields) {
   return h("form", { class: "filters", onsubmit: (e) => e.preventDefault() },
-    h("label", {}, "Picture",
-      h("select", { name: "picture", onchange: (e) => {
-        location.hash = href("probe", e.target.value);
-      } }, report.pictures.filter((p) => p.probe).map((p) => h("option",
-        { value: pictureId(p), selected: pictureId(p) === id },
-        `${p.scene}, view ${p.view}`)))));
+    fields);
+}
+
+function others(report, id) {
+  return form(h("label", {}, "Picture",
+    h("select", { name: "picture", onchange: (e) => {
+      location.hash = href("probe", e.target.value,
+        { module: read().params.get("module") ?? "" });
+    } }, report.pictures.filter((p) => p.probe).map((p) => h("option",
+      { value: pictureId(p), selected: pictureId(p) === id },
+      `${p.scene}, view ${p.view}`)))));
 }
 
 // What is shown of the module: the layers of which there are files.
@@ -53,7 +58,7 @@ function probe(picture, pixels) {
     i: bounded(params.get("i"), width, width >> 1),
     j: bounded(params.get("j"), height, height >> 1),
     module: params.get("module") ?? "",
-    layer: params.get("layer") ?? "picture",
+    layer: params.get("layer") ?? "",
     zoom: ZOOMS.includes(params.get("zoom")) ? params.get("zoom") : "",
   };
 
@@ -63,9 +68,10 @@ function probe(picture, pixels) {
   const cursor = h("div", { class: "cursor" });
   const stage = h("div", { class: "stage", tabindex: 0, role: "application",
     "aria-label": "The picture; arrow keys choose a pixel, with Shift ten " +
-      "pixels on", "aria-describedby": "readout" }, image, marks, cursor);
+      "pixels on" }, image, marks, cursor);
   const box = h("div", { class: "stage-box" }, stage);
-  const readout = h("div", { id: "readout", "aria-live": "polite" });
+  const status = h("p", { role: "status" });
+  const readout = h("div", { id: "readout" });
   const layers = h("fieldset", { class: "layers" });
   const next = h("p", { class: "next" });
 
@@ -77,6 +83,7 @@ function probe(picture, pixels) {
   const point = (i, j) => {
     cursor.style.left = `${100 * i / width}%`;
     cursor.style.top = `${100 * j / height}%`;
+    status.textContent = inAWord(entries, pixels, i, j);
     readout.replaceChildren(readoutOf(entries, pixels, i, j, state.module));
   };
   const pin = ({ i = state.i, j = state.j }) => {
@@ -114,12 +121,13 @@ function probe(picture, pixels) {
 
   const showModule = () => {
     const there = layersOf(picture, entry());
-    if (!there.some(([name]) => name === state.layer)) state.layer = "picture";
+    if (!there.some(([name]) => name === state.layer))
+      state.layer = entry()?.drawing ? "drawing" : "picture";
     layers.replaceChildren(h("legend", {}, "Show"), ...there.map(([name]) =>
       h("label", {}, h("input", { type: "radio", name: "layer", value: name,
         checked: name === state.layer, onchange: () => {
           state.layer = name;
-          set({ layer: name === "picture" ? null : name });
+          set({ layer: name });
           showModule();
         } }), name)));
     const [name, source] = there.find(([n]) => n === state.layer) ?? there[0];
@@ -163,12 +171,13 @@ function probe(picture, pixels) {
   showModule();
   pin({});
   return [
-    h("form", { class: "filters", onsubmit: (e) => e.preventDefault() },
-      h("label", {}, "Module", moduleSelect),
-      h("label", {}, "Enlarge", zoomSelect),
-      h("label", {}, "i, from the left", iBox),
-      h("label", {}, "j, from the top", jBox), layers),
-    h("div", { class: "probe" }, h("div", {}, box, next), readout),
+    form(h("label", {}, "Module", moduleSelect), layers),
+    h("div", { class: "probe" },
+      h("div", {}, box, status, next,
+        form(h("label", {}, "i, from the left", iBox),
+          h("label", {}, "j, from the top", jBox),
+          h("label", {}, "Enlarge", zoomSelect))),
+      readout),
   ];
 }
 
@@ -188,8 +197,10 @@ function drawMarks(canvas, { width, height }, list) {
     context.fillRect(k % width, Math.floor(k / width), 1, 1);
 }
 
-function nextOf(state, { width }, list, go) {
+function nextOf(state, { width, drew }, list, go) {
   const who = state.module || "some module";
+  if (state.module && !drew(state.module))
+    return [`${who} is not compared pixel by pixel here.`];
   if (!list.length) return [state.module ? `No pixel of ${who} differs.`
     : "No pixel of any module differs."];
   const from = () => state.j * width + state.i;
@@ -201,22 +212,33 @@ function nextOf(state, { width }, list, go) {
     button("Next", () => list.find((k) => k > from()) ?? list[0])];
 }
 
+function faceOf(pixels, face) {
+  if (face < 0) return "background";
+  const object = pixels.object(face);
+  return object ? `${object.name}, face ${object.number}` : "";
+}
+
+function inAWord(entries, pixels, i, j) {
+  const k = j * pixels.width + i;
+  const other = entries.filter((e) => pixels.seen(e.algorithm, k))
+    .map((e) => e.algorithm);
+  return `i = ${i}, j = ${j}: ${faceOf(pixels, pixels.oracle(k).face)}` +
+    (other.length ? `; otherwise by ${other.join(", ")}` : "");
+}
+
 function readoutOf(entries, pixels, i, j, module) {
   const k = j * pixels.width + i;
   const truth = pixels.oracle(k);
   const drawn = entries.filter((e) => e.kind === "ids" &&
     pixels.drew(e.algorithm));
-  const row = (name, { face, depth }, differs) => {
-    const object = pixels.object(face);
-    return h("tr", { class: [differs && "differs", name === module && "chosen"]
+  const row = (name, { face, depth }, differs) =>
+    h("tr", { class: [differs && "differs", name === module && "chosen"]
       .filter(Boolean).join(" ") || null },
     h("th", { scope: "row" }, key(name), name),
     h("td", { class: "whole" }, differs ? "✗ differs" : "✓"),
     h("td", { class: "number" }, face < 0 ? "none" : String(face)),
-    h("td", {}, face < 0 ? "background"
-      : object ? `${object.name}, face ${object.number}` : ""),
+    h("td", {}, faceOf(pixels, face)),
     h("td", { class: "number" }, depthOf(depth)));
-  };
   return h("div", { class: "scroll", tabindex: 0, role: "region",
     "aria-label": "What each module sees there" },
   h("table", {},

@@ -22,7 +22,8 @@ const OVER = {
 
 export function sweepsPage(report) {
   const results = h("div");
-  const points = report.growth.flatMap((g) => pointsOf(report, g));
+  const points = report.growth.filter((g) => report.draws(g.algorithm))
+    .flatMap((g) => pointsOf(report, g));
   const update = () => {
     const shown = chosen(report, points, FILTERS);
     results.replaceChildren(...shown.length

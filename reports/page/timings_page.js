@@ -31,13 +31,14 @@ function show(report, cells) {
   if (!cells.length) return [h("p", {}, "Nothing is left by these filters.")];
   const modules = cells.filter((c) => !c.peer);
   const peers = cells.filter((c) => c.peer);
-  const plotted = inOrder(report, cells).map((c) => ({ ...c, ...c.seconds,
+  const plotted = drawing(report, cells).map((c) => ({ ...c, ...c.seconds,
     value: c.seconds.median, title: `${c.algorithm}\n${where(c)}\n${
       interval(c.seconds.median, c.seconds.low, c.seconds.high, seconds)}` }));
   return [
-    figure({ caption: "Seconds a frame; a mark a cell, its bar the 95 % " +
+    plotted.length ? figure({ caption: "Seconds a frame; a mark a cell, its bar the 95 % " +
       "interval.",
-    draw: (width) => stripPlot(plotted, "seconds a frame →", width, seconds) }),
+    draw: (width) => stripPlot(plotted, "seconds a frame →", width, seconds) })
+      : null,
     modules.length ? section("The algorithms", "modules",
       table({ id: "modules", caption: "Seconds a frame of the algorithms",
         rows: modules, columns: [algorithmColumn, ...placeColumns,
@@ -55,9 +56,11 @@ function show(report, cells) {
   ];
 }
 
-function inOrder(report, cells) {
+// In the order of the algorithms; without the one that draws nothing, beside
+// which all others would stand in a heap.
+function drawing(report, cells) {
   const names = report.algorithms.map((a) => a.name);
-  return [...cells].sort((a, b) => names.indexOf(a.algorithm) -
+  return cells.filter((c) => report.draws(c.algorithm)).sort((a, b) => names.indexOf(a.algorithm) -
     names.indexOf(b.algorithm));
 }
 
@@ -70,7 +73,7 @@ const algorithmColumn = { name: "algorithm", label: "algorithm",
 function means(report, names) {
   const rows = report.geometric.filter((g) => names.has(g.algorithm));
   if (!rows.length) return null;
-  const plotted = inOrder(report, rows).map((g) => ({ ...g, value: g.ratio,
+  const plotted = drawing(report, rows).map((g) => ({ ...g, value: g.ratio,
     title: `${g.algorithm}\n${interval(g.ratio, g.low, g.high)}` }));
   return section(`Beside ${report.baseline ?? "the baseline"}`, "means",
     h("p", {}, "Geometric means of the ratios over all cells that both " +

@@ -287,6 +287,8 @@ async function sampled(folder) {
       assert.deepEqual(await seen("watkins"), await seen("oracle"));
       assert.deepEqual(await seen("painter"),
         ["✗ differs", "1", "box <A>, face 1", "3.500000"]);
+      assert.equal(await page.textContent("[role=status]"),
+        "i = 45, j = 30: box B, face 1; otherwise by painter");
       await pixel(20, 20);
       assert.deepEqual(await seen("painter"),
         ["✓", "1", "box <A>, face 1", "3.500000"]);
