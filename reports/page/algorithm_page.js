@@ -106,7 +106,8 @@ function stepList(report, a) {
   const names = report.environments.map((e) => e.scene);
   if (!rows.length || !names.length)
     return a.steps?.length ? h("ol", { class: "sorts" }, a.steps.map((s) =>
-      h("li", {}, h("b", {}, s.label), s.formula && [": ", formula(s.formula)]))) : null;
+      h("li", {}, h("b", {}, s.label),
+        s.formula && [": ", formula(s.formula)]))) : null;
   return h("ol", { class: "sorts" }, rows.map((r) => h("li", {},
     h("b", {}, r.step), `: ${names.map((name, k) =>
       `${count(r.measured?.[k])} on ${name}`).join(", ")}`)));
@@ -236,7 +237,8 @@ function counters(report, a) {
           label: `${c.scene}, view ${c.view}`, value: (k) => c.counts[k.name] ??
             null, title: (k) => `${where(c)}: ${whole(c.counts[k.name])}`,
           show: (k) => count(c.counts[k.name]) })),
-        { name: "meaning", label: "what is counted", prose: true, value: (k) => k.meaning },
+        { name: "meaning", label: "what is counted", prose: true,
+          value: (k) => k.meaning },
       ] }),
     h("details", { class: "behind" },
       h("summary", {}, `All ${counted.length} cells`),

@@ -5,7 +5,8 @@
 export const STATUSES = {
   ok: { symbol: "✓", meaning: "no sample differs from the oracle's" },
   wrong: { symbol: "✗", meaning: "samples differ from the oracle's" },
-  refused: { symbol: "∅", meaning: "the scene breaks a restriction, or is too much" },
+  refused: { symbol: "∅",
+    meaning: "the scene breaks a restriction, or is too much" },
   timeout: { symbol: "◷", meaning: "took longer than it was given" },
   crash: { symbol: "!", meaning: "ended without an answer" },
   memory: { symbol: "▤", meaning: "needed more memory than it was given" },

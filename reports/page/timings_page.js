@@ -35,10 +35,10 @@ function show(report, cells) {
     value: c.seconds.median, title: `${c.algorithm}\n${where(c)}\n${
       interval(c.seconds.median, c.seconds.low, c.seconds.high, seconds)}` }));
   return [
-    plotted.length ? figure({ caption: "Seconds a frame; a mark a cell, its bar the 95 % " +
-      "interval.",
-    draw: (width) => stripPlot(plotted, "seconds a frame →", width, seconds) })
-      : null,
+    plotted.length ? figure({
+      caption: "Seconds a frame; a mark a cell, its bar the 95 % interval.",
+      draw: (width) =>
+        stripPlot(plotted, "seconds a frame →", width, seconds) }) : null,
     modules.length ? section("The algorithms", "modules",
       table({ id: "modules", caption: "Seconds a frame of the algorithms",
         rows: modules, columns: [algorithmColumn, ...placeColumns,
@@ -60,8 +60,8 @@ function show(report, cells) {
 // which all others would stand in a heap.
 function drawing(report, cells) {
   const names = report.algorithms.map((a) => a.name);
-  return cells.filter((c) => report.draws(c.algorithm)).sort((a, b) => names.indexOf(a.algorithm) -
-    names.indexOf(b.algorithm));
+  return cells.filter((c) => report.draws(c.algorithm)).sort((a, b) =>
+    names.indexOf(a.algorithm) - names.indexOf(b.algorithm));
 }
 
 const algorithmColumn = { name: "algorithm", label: "algorithm",

@@ -206,7 +206,8 @@ const views = places.map(({ scene, view, width, height }, k) => ({
 // --- the house, pixel by pixel: a floor and two boxes that overlap; the
 //     painter has the wrong one in front ---
 const W = 97, H = 61;
-const inside = (i, j, [i0, j0, i1, j1]) => i0 <= i && i <= i1 && j0 <= j && j <= j1;
+const inside = (i, j, [i0, j0, i1, j1]) =>
+  i0 <= i && i <= i1 && j0 <= j && j <= j1;
 const A = [10, 10, 50, 50], B = [40, 20, 80, 55], FLOOR = [0, 40, 96, 60];
 const COLOURS = { "-1": [225, 232, 240], 0: [150, 160, 140], 1: [190, 90, 60],
   2: [70, 110, 170] };
