@@ -10,7 +10,7 @@ libbench_a_SOURCES = %D%/bench.c %D%/check.c %D%/check.h %D%/check_report.c %D%/
   %D%/json.c %D%/json.h %D%/judge.c %D%/judge.h %D%/lines.c %D%/lines.h %D%/list.c \
   %D%/options.c %D%/render.c %D%/results.c %D%/results.h %D%/run.c \
   %D%/scenes_command.c %D%/serve.c %D%/serve.h %D%/stage.c %D%/stage.h \
-  %D%/stats.c %D%/steps.c %D%/terminate.cc %D%/terminate.h %D%/worker.c \
+  %D%/stats.c %D%/steps.c %D%/terminate.cc %D%/terminate.h %D%/times.c %D%/times.h %D%/worker.c \
   %D%/sweep/group.c %D%/sweep/machine.c %D%/sweep/plan.c %D%/sweep/summary.c \
   %D%/sweep/sweep.h %D%/sweep/turns.c
 nodist_libbench_a_SOURCES = %D%/commit.h
