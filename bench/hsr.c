@@ -18,6 +18,7 @@ static const struct hsr_command commands[] = {
     {"render", "make a picture with one algorithm", command_render},
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
+    {"bench", "time the algorithms that are right, in turn", command_bench},
     {"worker", NULL, command_worker},
     {NULL, NULL, NULL}};
 

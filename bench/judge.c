@@ -204,6 +204,9 @@ enum hsr_status judge_group(const struct group *g) {
     alarm(0);
     set_all(g, PENDING, oracle->name);
   }
+  if (!status && g->picture && wanted.ids)
+    memcpy(g->picture, wanted.ids,
+           (size_t)g->view.m * (size_t)g->view.n * sizeof *wanted.ids);
   for (int a = 0; a < g->n_algorithms && !status; a++)
     if (g->algorithm[a]->plain->kind == g->kind)
       judge_apart(g, g->algorithm[a], &wanted, &g->cells[a]);

@@ -46,6 +46,7 @@ struct group {
   enum hsr_kind kind;
   struct hsr_view view;
   struct cell *cells; /* an algorithm */
+  uint32_t *picture;  /* where the oracle leaves its ids, m * n; or NULL */
 };
 
 /* To be called in a process of its own. Where the oracle of line drawings takes

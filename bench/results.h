@@ -24,6 +24,11 @@ enum hsr_status results_read(struct results *results, const char *path,
                              struct hsr_error *err);
 void results_free(struct results *results);
 
+/* Adds one record, of which it takes a reference of its own. HSR_E_INPUT: it is
+ * none. HSR_E_NOMEM. */
+enum hsr_status results_add(struct results *results, json_t *record,
+                            struct hsr_error *err);
+
 /* The key of a view or cell record: the text by which two records are of the
  * same. "scene 1 512x512" and, of a cell, " algorithm 1": its threads. */
 enum { RESULTS_KEY = 512 };
