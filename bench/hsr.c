@@ -13,12 +13,12 @@ static const struct hsr_command commands[] = {
     {"scenes", "the scenes, their views and face counts", command_scenes},
     {"stats", "Table I of a scene and view, beside Table II's rules",
      command_stats},
-    {"steps", "Table III: what each step of an algorithm costs, and predicted",
-     command_steps},
     {"render", "make a picture with one algorithm", command_render},
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
     {"bench", "time the algorithms that are right, in turn", command_bench},
+    {"tables", "the survey's Tables I to VII measured, and its conclusions",
+     command_tables},
     {"worker", NULL, command_worker},
     {NULL, NULL, NULL}};
 

@@ -12,6 +12,7 @@ tap_programs = \
   %D%/unit/scenes_test \
   %D%/unit/screen_test \
   %D%/unit/statistics_test \
+  %D%/unit/tables_test \
   %D%/conformance/lattice_test \
   %D%/conformance/line_lattice_test \
   %D%/properties/combinations_test \
@@ -60,6 +61,9 @@ nodist_EXTRA_%C%_unit_scenes_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_unit_screen_test_SOURCES = force_cxx_link.cc
 %C%_unit_statistics_test_SOURCES = %D%/unit/statistics_test.c
 nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
+%C%_unit_tables_test_SOURCES = %D%/unit/tables_test.c
+%C%_unit_tables_test_LDADD = $(BENCH_LIBS)
+nodist_EXTRA_%C%_unit_tables_test_SOURCES = force_cxx_link.cc
 %C%_unit_vtp_test_SOURCES = %D%/unit/vtp_test.cc
 %C%_unit_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_conformance_lattice_test_SOURCES = %D%/conformance/lattice_test.c
