@@ -19,6 +19,7 @@ static const struct hsr_command commands[] = {
     {"bench", "time the algorithms that are right, in turn", command_bench},
     {"tables", "the survey's Tables I to VII measured, and its conclusions",
      command_tables},
+    {"report", "make pages of what bench found", command_report},
     {"worker", NULL, command_worker},
     {NULL, NULL, NULL}};
 

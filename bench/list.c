@@ -81,12 +81,17 @@ static json_t *algorithm_json(const struct hsr_algorithm *a) {
                    "counters", counters_json(a), "steps", steps_json(a));
 }
 
-static enum hsr_status print_json(struct hsr_error *err) {
+json_t *algorithms_json(void) {
   json_t *all = json_array();
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
     json_append(&all, algorithm_json(a->plain));
-  return json_print(
-      json_pack("{ss so}", "schema", "hsr-list/1", "algorithms", all), err);
+  return all;
+}
+
+static enum hsr_status print_json(struct hsr_error *err) {
+  return json_print(json_pack("{ss so}", "schema", "hsr-list/1", "algorithms",
+                              algorithms_json()),
+                    err);
 }
 
 static void print_restrictions(const struct hsr_algorithm *a) {

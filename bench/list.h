@@ -15,6 +15,7 @@ struct taxonomy taxonomy(enum hsr_branch branch);
 
 /* New references, or NULL for lack of memory. */
 json_t *restrictions_json(const struct hsr_algorithm *algorithm);
+json_t *algorithms_json(void); /* all that there are */
 json_t *sorts_json(const struct hsr_algorithm *algorithm);
 
 #endif

@@ -52,6 +52,10 @@ libbench_a_SOURCES = \
   %D%/times.c \
   %D%/times.h \
   %D%/worker.c \
+  %D%/report/command.c \
+  %D%/report/data.c \
+  %D%/report/pictures.c \
+  %D%/report/report.h \
   %D%/sweep/group.c \
   %D%/sweep/machine.c \
   %D%/sweep/plan.c \
