@@ -60,7 +60,7 @@ static enum hsr_status finish(enum hsr_status status, struct hsr_error *err) {
 
 int main(int argc, char **argv) {
   setlocale(LC_CTYPE, "");
-  end_on_uncaught_exceptions();
+  end_in_one_line();
   if (argc < 2) {
     fputs("hsr: a command is needed (see hsr --help)\n", stderr);
     return HSR_E_USAGE;

@@ -15,23 +15,24 @@ void results_free(struct results *results) {
   *results = (struct results){.headers = NULL};
 }
 
-static const char *text_of(const json_t *record, const char *field) {
+const char *results_text(const json_t *record, const char *field) {
   const char *text = json_string_value(json_object_get(record, field));
   return text ? text : "";
 }
 
-static long number_of(const json_t *record, const char *field) {
+long results_number(const json_t *record, const char *field) {
   return (long)json_integer_value(json_object_get(record, field));
 }
 
 void results_key(const json_t *record, char key[RESULTS_KEY]) {
-  int length =
-      snprintf(key, RESULTS_KEY, "%.300s %ld %ldx%ld", text_of(record, "scene"),
-               number_of(record, "view"), number_of(record, "width"),
-               number_of(record, "height"));
+  int length = snprintf(
+      key, RESULTS_KEY, "%.300s %ld %ldx%ld", results_text(record, "scene"),
+      results_number(record, "view"), results_number(record, "width"),
+      results_number(record, "height"));
   if (json_object_get(record, "algorithm"))
     snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.100s %ld",
-             text_of(record, "algorithm"), number_of(record, "threads"));
+             results_text(record, "algorithm"),
+             results_number(record, "threads"));
 }
 
 static const json_t *find(const struct results *results, const json_t *array,
@@ -81,10 +82,10 @@ enum hsr_status results_add(struct results *results, json_t *record,
                             struct hsr_error *err) {
   if (!make_room(results))
     return hsr_fail_nomem(err);
-  const char *what = text_of(record, "record");
+  const char *what = results_text(record, "record");
   bool kept;
   if (!strcmp(what, "header") &&
-      !strcmp(text_of(record, "schema"), "hsr-bench/1"))
+      !strcmp(results_text(record, "schema"), "hsr-bench/1"))
     kept = !json_array_append(results->headers, record);
   else if (!strcmp(what, "view"))
     kept = keep(results, results->views, record);

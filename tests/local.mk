@@ -29,6 +29,7 @@ tap_scripts = \
   %D%/command.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
+  %D%/report/report.test \
   %D%/torture/torture.test
 
 if WITH_VTK
@@ -90,4 +91,4 @@ nodist_EXTRA_%C%_properties_newell_test_SOURCES = force_cxx_link.cc
 %C%_properties_scan_line_test_SOURCES = %D%/properties/scan_line_test.c
 nodist_EXTRA_%C%_properties_scan_line_test_SOURCES = force_cxx_link.cc
 
-EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict
+EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/report/browse.mjs %D%/report/sample.mjs %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict
