@@ -49,7 +49,7 @@ struct short_number short_number(double x) {
                                   : 3;
   if (u == 0 && x == nearbyint(x))
     digits = 0;
-  if (x && fabs(x) < 0.0005)
+  if (x != 0 && fabs(x) < 0.0005)
     snprintf(n.text, sizeof n.text, "%.0e", x);
   else
     snprintf(n.text, sizeof n.text, "%.*f%.*s", digits, x, u > 0, unit + u);
@@ -143,7 +143,7 @@ static void print_step(const struct table_step *row) {
                                                          : "");
   printf("   (%g x count)", step->factor);
   if (!isnan(row->cost.predicted_growth.exponent))
-    printf("   its growth %.2f", row->cost.predicted_growth.exponent);
+    printf("   ~ F_r^%.2f", row->cost.predicted_growth.exponent);
   printf("\n  ");
   print_four(row->paper ? row->paper->figure : NULL, row->cost.predicted,
              row->cost.measured);
@@ -166,8 +166,9 @@ static void print_ladder(const struct tables *t) {
     puts("There is no ladder of harbor:N among the results: no growth.");
     return;
   }
-  char text[1200] = "Growth: the e of cost ~ F_r^e, measured with its 95 % "
-                    "interval, and the formula's own, over";
+  char text[1200] =
+      "Growth: the e of cost ~ F_r^e, measured (last column, with "
+      "its 95 % interval) and of the formula (behind it), over";
   for (int s = ENVIRONMENTS; s < t->n_scenes; s++) {
     size_t used = strlen(text);
     snprintf(text + used, sizeof text - used, " %s%s", t->scene[s].name,
