@@ -257,7 +257,7 @@ static void draw_triangles(const struct llvmpipe *llvmpipe, GLsizei from,
     return;
   if (llvmpipe->layout == INDEXED)
     glDrawElements(GL_TRIANGLES, to - from, GL_UNSIGNED_INT,
-                   (const uint32_t *)NULL + from);
+                   (const void *)(sizeof(uint32_t) * (size_t)from));
   else
     glDrawArrays(GL_TRIANGLES, from, to - from);
 }

@@ -51,9 +51,9 @@ constexpr uint32_t MOST_FACES = 0xffffff; /* the background's colour */
 class Window : public vtkGenericOpenGLRenderWindow {
 public:
   static Window *New();
-  vtkTypeMacro(Window, vtkGenericOpenGLRenderWindow)
+  vtkTypeMacro(Window, vtkGenericOpenGLRenderWindow);
 
-      void OpenGLInitContext() override {
+  void OpenGLInitContext() override {
     if (this->Initialized)
       return;
     vtkObject::GlobalWarningDisplayOff();
@@ -62,10 +62,21 @@ public:
     this->Initialized = this->GlewInitValid = true;
   }
 };
-vtkStandardNewMacro(Window)
+vtkStandardNewMacro(Window);
 
-    /* Faces that are culled alike. */
-    struct Part {
+/* Of whatever was thrown. */
+enum hsr_status vtk_fail(struct hsr_error *err) {
+  try {
+    throw;
+  } catch (const std::bad_alloc &) {
+    return hsr_fail_nomem(err);
+  } catch (...) {
+    return hsr_fail(err, HSR_E_INTERNAL, "vtk: an exception");
+  }
+}
+
+/* Faces that are culled alike. */
+struct Part {
   vtkNew<vtkPolyData> mesh;
   vtkNew<vtkDepthSortPolyData> sorter;
   vtkNew<vtkPolyDataMapper> mapper;
@@ -203,8 +214,8 @@ enum hsr_status vtk_setup(const struct peer *peer,
   open_window(state->scene, canvas);
   add_world(state, world);
   return HSR_OK;
-} catch (const std::bad_alloc &) {
-  return hsr_fail_nomem(err);
+} catch (...) {
+  return vtk_fail(err);
 }
 
 /* --- A frame ---------------------------------------------------------------
@@ -251,8 +262,8 @@ enum hsr_status vtk_draw(void *opaque, const struct hsr_view *view,
   take_ids(state, view);
   return scene->failed ? hsr_fail(err, HSR_E_INTERNAL, "vtk: drawing failed")
                        : HSR_OK;
-} catch (const std::bad_alloc &) {
-  return hsr_fail_nomem(err);
+} catch (...) {
+  return vtk_fail(err);
 }
 
 void vtk_release(void *opaque) {
