@@ -145,12 +145,6 @@ static void set_standards(struct check_options *o) {
 /* --- All groups of a scene --------------------------------------------------
  */
 
-static void *shared_memory(size_t size) {
-  void *memory = mmap(NULL, size, PROT_READ | PROT_WRITE,
-                      MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  return memory == MAP_FAILED ? NULL : memory;
-}
-
 static bool is_judged(const struct check_options *o, enum hsr_kind kind) {
   for (int a = 0; a < o->n_algorithms; a++)
     if (o->algorithm[a]->plain->kind == kind)
@@ -188,7 +182,9 @@ static void wait_for_group(enum hsr_status *failure) {
 static enum hsr_status start_group(const struct scene_run *run,
                                    enum hsr_kind kind, int size, int view,
                                    struct hsr_error *err) {
-  struct group g = {.options = run->options,
+  struct group g = {.algorithm = run->options->algorithm,
+                    .n_algorithms = run->options->n_algorithms,
+                    .timeout = run->options->timeout,
                     .world = &run->world,
                     .kind = kind,
                     .cells = cell_at(run, size, view, 0)};

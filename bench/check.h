@@ -1,18 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files of hsr check share. Each tells a part of it: check.c which
- * scenes, views and sizes; judge.c how the algorithms of a kind are judged on
- * one of them; check_report.c what came of it. */
+/* What the files of hsr check share: check.c tells which scenes, views and
+ * sizes are judged, check_report.c what came of it. */
 #ifndef HSR_BENCH_CHECK_H
 #define HSR_BENCH_CHECK_H
 
 #include "bench/command.h"
+#include "bench/judge.h"
 
-enum {
-  MOST_SCENES = 4096,
-  MOST_SIZES = 16,
-  MOST_ALGORITHMS = 64,
-  N_KINDS = HSR_FILTERED + 1
-};
+enum { MOST_SCENES = 4096, MOST_SIZES = 16, MOST_ALGORITHMS = 64 };
 
 struct check_options {
   struct option_base base;
@@ -25,46 +20,6 @@ struct check_options {
   bool json, failures_only;
   struct hsr_import import;
 };
-
-/* The oracle of a kind; NULL if there is none. */
-const struct hsr_algorithm *oracle_of(enum hsr_kind kind);
-
-/* --- One cell: an algorithm on a scene, view and size ------------------------
- */
-
-enum verdict { PENDING, RIGHT, WRONG, REFUSED, TIMEOUT, CRASH };
-
-/* In memory shared between the processes. */
-struct cell {
-  enum verdict verdict;
-  enum hsr_status failure; /* why the process stopped, if not HSR_OK */
-  uint64_t compared;       /* samples, or edges, in the build that is timed */
-  uint64_t mismatches;     /* of those in both builds */
-  struct {                 /* the first of them */
-    int i, j;
-    uint32_t got, wanted;
-    struct hsr_edge_name edge; /* of a line drawing */
-  } first;
-  uint64_t depths_compared, depths_exact;
-  const char
-      *adapted[HSR_MAX_ADAPTATIONS]; /* adapters that changed the scene */
-  int n_adaptations;
-  char refusal[560]; /* who refused and why, if it was not for its expense */
-};
-
-/* All algorithms of a kind on one scene, view and size. */
-struct group {
-  const struct check_options *options;
-  const struct hsr_world *world;
-  enum hsr_kind kind;
-  struct hsr_view view;
-  struct cell *cells; /* an algorithm, also of the other kinds */
-};
-
-/* To be called in a process of its own. Where the oracle of line drawings takes
- * longer than a picture may, that ends by SIGALRM, and the cells are refused.
- * Any failure is the oracle's. */
-enum hsr_status judge_group(const struct group *group);
 
 /* --- All cells of a scene ----------------------------------------------------
  */

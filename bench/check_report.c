@@ -5,10 +5,6 @@
 
 #include <string.h>
 
-static const char *const verdict_name[] = {
-    [PENDING] = "crash",   [RIGHT] = "ok",        [WRONG] = "wrong",
-    [REFUSED] = "refused", [TIMEOUT] = "timeout", [CRASH] = "crash"};
-
 static void print_header(const struct check_options *o) {
   printf("%-22s %8s %9s %5s ", "scene", "faces", "samples", "views");
   for (int a = 0; a < o->n_algorithms; a++)
@@ -42,7 +38,7 @@ static void print_scene(const struct scene_run *run) {
       if (worst == RIGHT || worst == WRONG)
         printf(" %*s", width, cell);
       else
-        printf(" %*s", width, verdict_name[worst]);
+        printf(" %*s", width, verdict_name(worst));
     }
     putchar('\n');
   }
@@ -114,7 +110,7 @@ static json_t *cell_json(const struct scene_run *run, int size, int view,
       "{ss si si si ss ss ss sI sb ss* so}", "scene", run->name, "view",
       view + 1, "width", o->m[size], "height", o->n[size], "algorithm",
       algorithm->name, "kind", kind_name(algorithm->kind), "status",
-      verdict_name[c->verdict], "mismatches", (json_int_t)c->mismatches,
+      verdict_name(c->verdict), "mismatches", (json_int_t)c->mismatches,
       "known_wrong", (algorithm->flags & HSR_KNOWN_WRONG) != 0, "refusal",
       c->refusal[0] ? c->refusal : NULL, "adapted", adapted_json(c));
 }

@@ -3,13 +3,30 @@
  * kind, in a process of its own, so that one that crashes or takes too long
  * harms nothing. Both builds of an algorithm are judged, the counting one too.
  */
-#include "bench/check.h"
+#include "bench/judge.h"
 #include "bench/terminate.h"
 
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+const char *verdict_name(enum verdict verdict) {
+  static const char *const name[] = {
+      [PENDING] = "crash",   [RIGHT] = "ok",        [WRONG] = "wrong",
+      [REFUSED] = "refused", [TIMEOUT] = "timeout", [CRASH] = "crash"};
+  return name[verdict];
+}
+
+void *shared_memory(size_t size) {
+  void *memory = mmap(NULL, size, PROT_READ | PROT_WRITE,
+                      MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return memory == MAP_FAILED ? NULL : memory;
+}
 
 const struct hsr_algorithm *oracle_of(enum hsr_kind kind) {
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
@@ -87,8 +104,9 @@ static enum hsr_status judge(const struct group *g,
   if (status == HSR_E_REFUSED)
     snprintf(cell->refusal, sizeof cell->refusal, "refused by %s: %s", a->name,
              err.text);
-  if (!status)
+  if (!status && !(a->flags & HSR_NO_PICTURE))
     compare(g, a, &got, wanted, cell);
+  memcpy(cell->count, tally.count, sizeof cell->count);
   if (g->kind == HSR_IDS) { /* at samples; told by the counting build */
     cell->depths_compared = tally.depths_compared;
     cell->depths_exact = tally.exact[HSR_ASK_DEPTH];
@@ -100,7 +118,17 @@ static enum hsr_status judge(const struct group *g,
 /* Is more to be done than the time that a picture may take lets one do? */
 static bool is_too_much(const struct group *g, const struct hsr_algorithm *a) {
   return a->expense &&
-         a->expense(g->world, &g->view) > 5e8 * (double)g->options->timeout;
+         a->expense(g->world, &g->view) > 5e8 * (double)g->timeout;
+}
+
+/* Of this process, which ends with the one that started it. */
+static void limit_process(const struct group *g) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (!g->memory_mb)
+    return;
+  struct rlimit limit = {.rlim_cur = (rlim_t)g->memory_mb << 20,
+                         .rlim_max = (rlim_t)g->memory_mb << 20};
+  setrlimit(RLIMIT_DATA, &limit);
 }
 
 /* Runs the algorithm in a new process and waits for it. */
@@ -113,16 +141,20 @@ static void judge_apart(const struct group *g, const struct hsr_listed *listed,
   fflush(NULL);
   pid_t child = fork();
   if (child == 0) {
-    alarm((unsigned)g->options->timeout);
+    limit_process(g);
+    alarm((unsigned)g->timeout);
     enum hsr_status status = judge(g, listed->plain, wanted, cell);
-    alarm((unsigned)g->options->timeout);
+    alarm((unsigned)g->timeout);
     if (!status)
       status = judge(g, listed->counting, wanted, cell);
     alarm(0);
     end_process((int)status);
   }
   int end = 0;
-  if (child < 0 || waitpid(child, &end, 0) < 0) {
+  struct rusage usage = {.ru_maxrss = 0};
+  pid_t ended = child < 0 ? -1 : wait4(child, &end, 0, &usage);
+  cell->peak_kb = usage.ru_maxrss;
+  if (ended < 0) {
     cell->failure = HSR_E_NOMEM;
     cell->verdict = CRASH;
   } else if (WIFSIGNALED(end)) {
@@ -140,8 +172,8 @@ static void judge_apart(const struct group *g, const struct hsr_listed *listed,
 /* The verdict of all cells of the group, for the oracle's sake. */
 static void set_all(const struct group *g, enum verdict verdict,
                     const char *oracle) {
-  for (int a = 0; a < g->options->n_algorithms; a++) {
-    const struct hsr_algorithm *algorithm = g->options->algorithm[a]->plain;
+  for (int a = 0; a < g->n_algorithms; a++) {
+    const struct hsr_algorithm *algorithm = g->algorithm[a]->plain;
     struct cell *cell = &g->cells[a];
     if (algorithm->kind != g->kind)
       continue;
@@ -150,7 +182,7 @@ static void set_all(const struct group *g, enum verdict verdict,
     if (verdict == REFUSED)
       snprintf(cell->refusal, sizeof cell->refusal,
                "refused, %s cannot be judged: %s takes more than %ld s",
-               algorithm->name, oracle, g->options->timeout);
+               algorithm->name, oracle, g->timeout);
   }
 }
 
@@ -161,7 +193,7 @@ enum hsr_status judge_group(const struct group *g) {
     set_all(g, REFUSED, oracle->name);
     if (is_too_much(g, oracle))
       return HSR_OK;
-    alarm((unsigned)g->options->timeout);
+    alarm((unsigned)g->timeout);
   }
   struct hsr_error err;
   struct hsr_setup setup;
@@ -172,9 +204,12 @@ enum hsr_status judge_group(const struct group *g) {
     alarm(0);
     set_all(g, PENDING, oracle->name);
   }
-  for (int a = 0; a < g->options->n_algorithms && !status; a++)
-    if (g->options->algorithm[a]->plain->kind == g->kind)
-      judge_apart(g, g->options->algorithm[a], &wanted, &g->cells[a]);
+  if (!status && g->picture && wanted.ids)
+    memcpy(g->picture, wanted.ids,
+           (size_t)g->view.m * (size_t)g->view.n * sizeof *wanted.ids);
+  for (int a = 0; a < g->n_algorithms && !status; a++)
+    if (g->algorithm[a]->plain->kind == g->kind)
+      judge_apart(g, g->algorithm[a], &wanted, &g->cells[a]);
   answer_free(&wanted);
   return status;
 }

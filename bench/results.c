@@ -15,23 +15,24 @@ void results_free(struct results *results) {
   *results = (struct results){.headers = NULL};
 }
 
-static const char *text_of(const json_t *record, const char *field) {
+const char *results_text(const json_t *record, const char *field) {
   const char *text = json_string_value(json_object_get(record, field));
   return text ? text : "";
 }
 
-static long number_of(const json_t *record, const char *field) {
+long results_number(const json_t *record, const char *field) {
   return (long)json_integer_value(json_object_get(record, field));
 }
 
 void results_key(const json_t *record, char key[RESULTS_KEY]) {
-  int length =
-      snprintf(key, RESULTS_KEY, "%.300s %ld %ldx%ld", text_of(record, "scene"),
-               number_of(record, "view"), number_of(record, "width"),
-               number_of(record, "height"));
+  int length = snprintf(
+      key, RESULTS_KEY, "%.300s %ld %ldx%ld", results_text(record, "scene"),
+      results_number(record, "view"), results_number(record, "width"),
+      results_number(record, "height"));
   if (json_object_get(record, "algorithm"))
     snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.100s %ld",
-             text_of(record, "algorithm"), number_of(record, "threads"));
+             results_text(record, "algorithm"),
+             results_number(record, "threads"));
 }
 
 static const json_t *find(const struct results *results, const json_t *array,
@@ -66,6 +67,35 @@ static bool keep(struct results *results, json_t *array, json_t *record) {
          !json_array_append(array, record);
 }
 
+static bool make_room(struct results *results) {
+  if (!results->headers) {
+    results->headers = json_array();
+    results->views = json_array();
+    results->cells = json_array();
+    results->places = json_object();
+  }
+  return results->headers && results->views && results->cells &&
+         results->places;
+}
+
+enum hsr_status results_add(struct results *results, json_t *record,
+                            struct hsr_error *err) {
+  if (!make_room(results))
+    return hsr_fail_nomem(err);
+  const char *what = results_text(record, "record");
+  bool kept;
+  if (!strcmp(what, "header") &&
+      !strcmp(results_text(record, "schema"), "hsr-bench/1"))
+    kept = !json_array_append(results->headers, record);
+  else if (!strcmp(what, "view"))
+    kept = keep(results, results->views, record);
+  else if (!strcmp(what, "cell"))
+    kept = keep(results, results->cells, record);
+  else
+    return hsr_fail(err, HSR_E_INPUT, "not a record of the schema hsr-bench/1");
+  return kept ? HSR_OK : hsr_fail_nomem(err);
+}
+
 static enum hsr_status add_line(struct results *results, const char *line,
                                 size_t length, const char *path, long number,
                                 struct hsr_error *err) {
@@ -73,25 +103,15 @@ static enum hsr_status add_line(struct results *results, const char *line,
   json_t *record = json_loadb(line, length, JSON_REJECT_DUPLICATES, &error);
   if (!record && json_error_code(&error) == json_error_out_of_memory)
     return hsr_fail_nomem(err);
-  const char *what = text_of(record, "record");
-  bool good = true, kept = true;
-  if (!strcmp(what, "header"))
-    good = !strcmp(text_of(record, "schema"), "hsr-bench/1");
-  if (good && !strcmp(what, "header"))
-    kept = !json_array_append(results->headers, record);
-  else if (!strcmp(what, "view"))
-    kept = keep(results, results->views, record);
-  else if (!strcmp(what, "cell"))
-    kept = keep(results, results->cells, record);
-  else
-    good = false;
+  struct hsr_error why = {.text = "not a line of JSON"};
+  enum hsr_status status =
+      record ? results_add(results, record, &why) : HSR_E_INPUT;
   json_decref(record);
-  if (!kept)
-    return hsr_fail_nomem(err);
-  return good ? HSR_OK
-              : hsr_fail(err, HSR_E_INPUT,
-                         "%s:%ld: not a record of the schema hsr-bench/1", path,
-                         number);
+  if (!status)
+    return HSR_OK;
+  return status == HSR_E_NOMEM
+             ? hsr_fail_nomem(err)
+             : hsr_fail(err, status, "%.200s:%ld: %s", path, number, why.text);
 }
 
 static enum hsr_status read_lines(struct results *results, FILE *file,
@@ -116,14 +136,7 @@ static enum hsr_status read_lines(struct results *results, FILE *file,
 
 enum hsr_status results_read(struct results *results, const char *path,
                              struct hsr_error *err) {
-  if (!results->headers) {
-    results->headers = json_array();
-    results->views = json_array();
-    results->cells = json_array();
-    results->places = json_object();
-  }
-  if (!results->headers || !results->views || !results->cells ||
-      !results->places)
+  if (!make_room(results))
     return hsr_fail_nomem(err);
   FILE *file = fopen(path, "r");
   if (!file)

@@ -24,6 +24,15 @@ enum hsr_status results_read(struct results *results, const char *path,
                              struct hsr_error *err);
 void results_free(struct results *results);
 
+/* Adds one record, of which it takes a reference of its own. HSR_E_INPUT: it is
+ * none. HSR_E_NOMEM. */
+enum hsr_status results_add(struct results *results, json_t *record,
+                            struct hsr_error *err);
+
+/* A field of a record: "" or 0 where it has none. */
+const char *results_text(const json_t *record, const char *field);
+long results_number(const json_t *record, const char *field);
+
 /* The key of a view or cell record: the text by which two records are of the
  * same. "scene 1 512x512" and, of a cell, " algorithm 1": its threads. */
 enum { RESULTS_KEY = 512 };

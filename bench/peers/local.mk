@@ -6,7 +6,7 @@ if WITH_PEERS
 hsrlibexecdir = $(libexecdir)/hsr
 hsrlibexec_PROGRAMS = %D%/hsr-peers
 %C%_hsr_peers_SOURCES = %D%/main.c %D%/own.c %D%/peers.h
-%C%_hsr_peers_LDADD = libbench.a libinexact.a
+%C%_hsr_peers_LDADD = libinexact.a
 nodist_EXTRA_%C%_hsr_peers_SOURCES = force_cxx_link.cc
 if WITH_EMBREE
 noinst_LIBRARIES += libembreepeer.a
@@ -29,7 +29,7 @@ libvtkpeer_a_SOURCES = %D%/vtk.cc
 libvtkpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_hsr_peers_LDADD += libvtkpeer.a $(VTK_RENDERER_LIBS)
 endif
-%C%_hsr_peers_LDADD += $(HSR_LIBS)
+%C%_hsr_peers_LDADD += $(BENCH_LIBS)
 
 # zbuffer once more, without its exact fallback and under another name.
 noinst_LIBRARIES += libinexact.a

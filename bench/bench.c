@@ -1,0 +1,414 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr bench: timings of the algorithms that are right, and the counts of their
+ * work, as lines of JSON. */
+#include "bench/sweep/sweep.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <fnmatch.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum {
+  STARTS = 0x200,
+  REPETITIONS,
+  SEED,
+  SHARD,
+  RESUME,
+  LIST,
+  COUNTS,
+  ONLY,
+  PEERS,
+  REFERENCE,
+  BASELINE
+};
+
+/* --- Options ---------------------------------------------------------------
+ */
+
+static error_t add_names(struct sweep_options *o, char *arg, const char **name,
+                         int *n, int most) {
+  for (char *word = strtok(arg, ","); word; word = strtok(NULL, ",")) {
+    if (*n == most)
+      return option_fail(&o->base, "bench: at most %d names", most);
+    name[(*n)++] = word;
+  }
+  return 0;
+}
+
+static error_t add_sizes(struct sweep_options *o, char *arg) {
+  for (char *size = strtok(arg, ","); size; size = strtok(NULL, ",")) {
+    if (o->n_sizes == SWEEP_MOST_SIZES)
+      return option_fail(&o->base, "bench: at most %d sizes",
+                         (int)SWEEP_MOST_SIZES);
+    if (!parse_size(size, &o->m[o->n_sizes], &o->n[o->n_sizes]))
+      return option_fail(&o->base, "--size %s: must be MxN, each 1 to %d", size,
+                         HSR_MAX_SIZE);
+    o->n_sizes++;
+  }
+  return 0;
+}
+
+static error_t add_threads(struct sweep_options *o, char *arg) {
+  for (char *word = strtok(arg, ","); word; word = strtok(NULL, ",")) {
+    if (o->n_threads == SWEEP_MOST_THREADS)
+      return option_fail(&o->base, "bench: at most %d numbers of threads",
+                         (int)SWEEP_MOST_THREADS);
+    if (!parse_count(word, 1, 64, &o->threads[o->n_threads++]))
+      return option_fail(&o->base, "--threads %s: must be 1 to 64", word);
+  }
+  return 0;
+}
+
+static error_t set_shard(struct sweep_options *o, char *arg) {
+  int length = 0;
+  if (sscanf(arg, "%7ld/%7ld%n", &o->shard, &o->shards, &length) == 2 &&
+      !arg[length] && o->shard >= 1 && o->shard <= o->shards)
+    return 0;
+  return option_fail(&o->base, "--shard %s: must be I/N, I from 1 to N", arg);
+}
+
+static error_t set_count(struct sweep_options *o, const char *name, char *arg,
+                         long least, long most, long *count) {
+  if (parse_count(arg, least, most, count))
+    return 0;
+  return option_fail(&o->base, "%s %s: must be %ld to %ld", name, arg, least,
+                     most);
+}
+
+static error_t complete(struct sweep_options *o) {
+  if (!o->n_scenes)
+    return option_fail(&o->base, "bench: which scene? (see hsr bench --help)");
+  if (o->resume && !o->output)
+    return option_fail(&o->base, "--resume: of which file? (-o FILE)");
+  if (!o->n_sizes) {
+    o->m[0] = o->n[0] = 512;
+    o->n_sizes = 1;
+  }
+  if (!o->n_threads)
+    o->threads[o->n_threads++] = 1;
+  return 0;
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct sweep_options *o = state->input;
+  switch (key) {
+  case 'a':
+    return add_names(o, arg, o->algorithm, &o->n_algorithms,
+                     SWEEP_MOST_ENTRANTS);
+  case PEERS:
+    return add_names(o, arg, o->peer, &o->n_peers, SWEEP_MOST_ENTRANTS);
+  case 's':
+    return add_sizes(o, arg);
+  case 'T':
+    return add_threads(o, arg);
+  case 'n':
+    return set_count(o, "--views", arg, 1, 1000, &o->views);
+  case 't':
+    return set_count(o, "--timeout", arg, 1, 100000, &o->timeout);
+  case 'M':
+    return set_count(o, "--memory", arg, 1, 1 << 30, &o->memory_mb);
+  case STARTS:
+    return set_count(o, "--starts", arg, 2, SWEEP_MOST_STARTS, &o->starts);
+  case REPETITIONS:
+    return set_count(o, "--repetitions", arg, 1, SWEEP_MOST_REPETITIONS,
+                     &o->repetitions);
+  case SEED:
+    return set_count(o, "--seed", arg, 0, 0x7fffffff, &o->seed);
+  case SHARD:
+    return set_shard(o, arg);
+  case RESUME:
+    o->resume = true;
+    return 0;
+  case LIST:
+    o->list = true;
+    return 0;
+  case COUNTS:
+    o->counts = true;
+    return 0;
+  case ONLY:
+    o->only = arg;
+    return 0;
+  case REFERENCE:
+    o->reference = arg;
+    return 0;
+  case BASELINE:
+    o->baseline = arg;
+    return 0;
+  case 'o':
+    o->output = arg;
+    return 0;
+  case ARGP_KEY_ARG:
+    return add_names(o, arg, o->scene, &o->n_scenes, SWEEP_MOST_NAMES);
+  case ARGP_KEY_END:
+    return complete(o);
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static const struct argp argp = {
+    (const struct argp_option[]){
+        {NULL, 0, NULL, 0, "Which cells:", 1},
+        {"algorithms", 'a', "A,B,...", 0,
+         "these, names or patterns (standard: all but the judges)", 1},
+        {"peers", PEERS, "P,Q,...", 0,
+         "and these renderers of others (built by configure --with-peers)", 1},
+        {"size", 's', "MxN,...", 0, "samples (standard: 512x512)", 1},
+        {"views", 'n', "N", 0, "the first N views of each scene (standard: 1)",
+         1},
+        {"threads", 'T', "N,...", 0, "on so many threads (standard: 1)", 1},
+        {"only", ONLY, "PATTERN", 0,
+         "cells whose line in --list matches, as '* watkins *'", 1},
+        {"shard", SHARD, "I/N", 0,
+         "the Ith of N parts, to spread a sweep; the files put one behind the "
+         "other are the whole",
+         1},
+        {"list", LIST, NULL, 0, "print the cells and end", 1},
+        {NULL, 0, NULL, 0, "How:", 2},
+        {"starts", STARTS, "N", 0, "processes a cell (standard: 5)", 2},
+        {"repetitions", REPETITIONS, "N", 0,
+         "samples a process (standard: 9), one a round, in an order shuffled "
+         "every round",
+         2},
+        {"seed", SEED, "N", 0, "of the orders (standard: 1)", 2},
+        {"counts", COUNTS, NULL, 0, "judge and count, but time nothing", 2},
+        {"timeout", 't', "SECONDS", 0,
+         "the most that a picture may take (standard: 60)", 2},
+        {"memory", 'M', "MB", 0, "the most data that a process may hold", 2},
+        {NULL, 0, NULL, 0, "What comes of it:", 3},
+        {"output", 'o', "FILE", 0,
+         "add the records to FILE, a line of JSON each", 3},
+        {"resume", RESUME, NULL, 0, "go on where FILE ends", 3},
+        {"reference", REFERENCE, "A", 0,
+         "print times as ratios to A's (standard: zbuffer)", 3},
+        {"baseline", BASELINE, "FILE", 0,
+         "tell what is slower or faster than in these earlier results", 3},
+        {0}},
+    parse,
+    "SCENE...",
+    "Times every algorithm on every scene (a name or a pattern, as 'mesh:*'), "
+    "view and size. An algorithm is timed only where its picture is the "
+    "oracle's; one that is wrong, refuses, crashes, takes too long or too much "
+    "memory is recorded as such. All cells of one scene, view and size take "
+    "turns, each in a process of its own, so that what disturbs the machine "
+    "disturbs all alike.\v"
+    "Exit status 0: all are right, and none is slower than in the baseline. 1: "
+    "one is not.\n\n"
+    "  hsr bench house harbor -o results.ndjson\n"
+    "  hsr bench 'mesh:*' -a 'zbuffer,*watkins*' --size 512x512,4096x4096 -o "
+    "meshes.ndjson",
+    NULL,
+    NULL,
+    NULL};
+
+/* --- The file ----------------------------------------------------------------
+ */
+
+/* What a process that was killed left of its last line must not stand before
+ * the next. */
+static enum hsr_status cut_last_line(int file, const char *path,
+                                     struct hsr_error *err) {
+  off_t end = lseek(file, 0, SEEK_END);
+  char byte = '\0';
+  while (end > 0 && pread(file, &byte, 1, end - 1) == 1 && byte != '\n')
+    end--;
+  return ftruncate(file, end)
+             ? hsr_fail(err, HSR_E_INPUT, "%s: %s", path, strerror(errno))
+             : HSR_OK;
+}
+
+/* Results of other code are not to be mixed with these. */
+static enum hsr_status check_code(const struct results *results,
+                                  const char *path, struct hsr_error *err) {
+  char code[17];
+  hash_program(code);
+  size_t k;
+  const json_t *header;
+  json_array_foreach(results->headers, k, header) {
+    const char *other = json_string_value(json_object_get(header, "code"));
+    if (!other || strcmp(other, code))
+      return hsr_fail(err, HSR_E_USAGE,
+                      "--resume %s: its results are of another build of hsr",
+                      path);
+  }
+  return HSR_OK;
+}
+
+static enum hsr_status open_file(struct sweep *sweep, struct hsr_error *err) {
+  const struct sweep_options *o = sweep->plan->options;
+  sweep->file = -1;
+  if (!o->output)
+    return HSR_OK;
+  enum hsr_status status = HSR_OK;
+  if (o->resume && !access(o->output, F_OK)) {
+    status = results_read(&sweep->results, o->output, err);
+    if (!status)
+      status = check_code(&sweep->results, o->output, err);
+    if (status)
+      return status;
+  }
+  int how = O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | (o->resume ? 0 : O_EXCL);
+  sweep->file = open(o->output, how, 0666);
+  if (sweep->file < 0 && errno == EEXIST)
+    return hsr_fail(err, HSR_E_USAGE, "%s is there already (--resume goes on)",
+                    o->output);
+  if (sweep->file < 0)
+    return hsr_fail(err, HSR_E_INPUT, "%s: %s", o->output, strerror(errno));
+  return cut_last_line(sweep->file, o->output, err);
+}
+
+/* --- The sweep ---------------------------------------------------------------
+ */
+
+static void print_list(const struct plan *plan) {
+  for (size_t k = 0; k < plan_places(plan); k++) {
+    struct place place = plan_place(plan, k);
+    for (int e = 0; e < plan->n_entrants; e++) {
+      char key[RESULTS_KEY];
+      plan_key(&place, &plan->entrant[e], key);
+      if (plan_wants(plan, k, &plan->entrant[e]))
+        puts(key);
+    }
+  }
+}
+
+static void show_progress(const struct plan *plan, size_t k, double begin) {
+  if (!isatty(STDERR_FILENO))
+    return;
+  size_t all = plan_places(plan);
+  if (k == all) {
+    fprintf(stderr, "\r\033[K");
+    return;
+  }
+  struct place place = plan_place(plan, k);
+  char key[RESULTS_KEY];
+  plan_key(&place, NULL, key);
+  fprintf(stderr, "\r\033[K%zu of %zu: %s", k + 1, all, key);
+  if (k)
+    fprintf(stderr, ", about %.0f s left",
+            (seconds_now() - begin) / (double)k * (double)(all - k));
+  fflush(stderr);
+}
+
+static enum hsr_status sweep_all(struct sweep *sweep, struct hsr_error *err) {
+  double begin = seconds_now();
+  enum hsr_status status = HSR_OK;
+  size_t all = plan_places(sweep->plan);
+  for (size_t k = 0; k < all && !status; k++) {
+    show_progress(sweep->plan, k, begin);
+    status = sweep_place(sweep, k, err);
+  }
+  show_progress(sweep->plan, all, begin);
+  return status;
+}
+
+/* Whether a cell is neither right, nor refused, nor known to be wrong. */
+static bool has_failures(const struct results *results) {
+  size_t k;
+  const json_t *cell;
+  json_array_foreach(results->cells, k, cell) {
+    const char *status = json_string_value(json_object_get(cell, "status"));
+    if (!status || (strcmp(status, "ok") && strcmp(status, "refused") &&
+                    !json_is_true(json_object_get(cell, "known_wrong")) &&
+                    !json_is_true(json_object_get(cell, "peer"))))
+      return true;
+  }
+  return false;
+}
+
+static enum hsr_status tell(const struct sweep_options *o,
+                            const struct results *results,
+                            struct hsr_error *err) {
+  enum hsr_status status = print_summary(results, o->reference, err);
+  if (!status && o->baseline) {
+    struct results old = {.headers = NULL};
+    status = results_read(&old, o->baseline, err);
+    if (!status)
+      status = print_changes(results, &old, o->reference, err);
+    results_free(&old);
+  }
+  if (!status && has_failures(results))
+    return HSR_E_DIFFERENCE;
+  return status;
+}
+
+static void name_run(char run[17]) {
+  struct timespec now;
+  clock_gettime(CLOCK_REALTIME, &now);
+  uint64_t x = (uint64_t)now.tv_sec * 1000000007u ^
+               (uint64_t)now.tv_nsec << 20 ^ (uint64_t)getpid();
+  snprintf(run, 17, "%016llx", (unsigned long long)x);
+}
+
+enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
+                          struct results *results, struct hsr_error *err) {
+  char run[17];
+  name_run(run);
+  struct sweep sweep = {.plan = plan, .run = run};
+  enum hsr_status status = open_file(&sweep, err);
+  if (!status)
+    status =
+        sweep_record(&sweep, sweep_header(plan->options, run, argc, argv), err);
+  if (!status)
+    status = sweep_all(&sweep, err);
+  if (sweep.file >= 0 && close(sweep.file) && !status)
+    status = hsr_fail(err, HSR_E_INPUT, "%s: %s", plan->options->output,
+                      strerror(errno));
+  *results = sweep.results;
+  return status;
+}
+
+static enum hsr_status run_and_tell(const struct plan *plan, int argc,
+                                    char **argv, struct hsr_error *err) {
+  struct results results;
+  enum hsr_status status = sweep_run(plan, argc, argv, &results, err);
+  if (!status)
+    status = tell(plan->options, &results, err);
+  results_free(&results);
+  return status;
+}
+
+/* As given, before the options are cut into words. */
+static char **copy_words(int argc, char **argv) {
+  char **copy = calloc((size_t)argc + 1, sizeof *copy);
+  for (int k = 0; copy && k < argc; k++)
+    if (!(copy[k] = strdup(argv[k]))) {
+      while (k--)
+        free(copy[k]);
+      free(copy);
+      return NULL;
+    }
+  return copy;
+}
+
+static void free_words(char **words) {
+  for (char **word = words; word && *word; word++)
+    free(*word);
+  free(words);
+}
+
+enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err) {
+  struct sweep_options *o = calloc(1, sizeof *o);
+  struct plan *plan = calloc(1, sizeof *plan);
+  char **words = copy_words(argc, argv);
+  enum hsr_status status = o && plan && words ? HSR_OK : hsr_fail_nomem(err);
+  if (!status) {
+    *o = (struct sweep_options)SWEEP_OPTIONS_STANDARD;
+    status = parse_options(&argp, argc, argv, o, err);
+  }
+  if (!status)
+    status = plan_init(plan, o, err);
+  if (!status && o->list)
+    print_list(plan);
+  else if (!status)
+    status = run_and_tell(plan, argc, words, err);
+  if (plan)
+    plan_free(plan);
+  free_words(words);
+  free(plan);
+  free(o);
+  return status;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is made of samples of time. A process start is what is repeated: the
+ * samples of one share its luck with addresses and pages, so every interval
+ * comes from the spread between starts as well as within them. */
+#ifndef HSR_BENCH_FIGURES_H
+#define HSR_BENCH_FIGURES_H
+
+#include <stdbool.h>
+
+/* A value and its interval; NAN, NAN where there is too little to tell. */
+struct figure {
+  double value, low, high;
+};
+
+/* Samples in order: those of a start together. Borrowed. */
+struct samples {
+  const double *seconds;
+  int starts, each; /* starts * each samples */
+};
+
+enum { FIGURES_MOST_STARTS = 64 };
+
+/* The median of all, with a 95 % interval by the bootstrap over starts, and
+ * over the samples within each. Reproducible. False for lack of memory. */
+bool figure_median(const struct samples *samples, struct figure *median);
+
+double figure_least(const struct samples *samples);
+
+/* logs[k] = the logarithm of the median of start k. False for lack of memory.
+ */
+bool figure_logs(const struct samples *samples, double *logs);
+
+/* exp of the mean of n logarithms, with a 99 % interval by Student's t. */
+struct figure figure_of_logs(const double *logs, int n);
+
+/* exp(mean of a - mean of b) of two independent sets, with a 99 % interval by
+ * Welch's t. */
+struct figure figure_quotient(const double *a, int n, const double *b, int m);
+
+/* Whether 1 is outside the interval. False where there is none. */
+bool figure_distinguishable(const struct figure *ratio);
+
+#endif

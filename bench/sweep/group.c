@@ -1,0 +1,382 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The cells of one scene, view and size: judged, timed, recorded. */
+#include "bench/json.h"
+#include "bench/stage.h"
+#include "bench/sweep/sweep.h"
+#include "bench/terminate.h"
+
+#include <errno.h>
+#include <gsl/gsl_rng.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* What the processes of judges leave to be read. */
+struct shared {
+  struct hsr_table1 table1;
+  bool has_table1;
+  struct cell cells[SWEEP_MOST_ENTRANTS];
+};
+
+struct place_run {
+  struct sweep *sweep;
+  struct place place;
+  size_t number;
+  struct stage stage;
+  const struct entrant *entrant[SWEEP_MOST_ENTRANTS]; /* those to do */
+  int n;
+  struct shared *shared;
+  uint32_t *picture; /* the oracle's, shared; NULL unless peers take part */
+  char folder[256];  /* for the peers' pictures */
+  char ids_file[SWEEP_MOST_ENTRANTS][288];
+  struct turn_taker taker[SWEEP_MOST_ENTRANTS]; /* an entrant; those timed */
+};
+
+static size_t picture_size(const struct place_run *run) {
+  return (size_t)run->place.m * (size_t)run->place.n * sizeof *run->picture;
+}
+
+/* --- Recording ---------------------------------------------------------------
+ */
+
+enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
+                             struct hsr_error *err) {
+  char *text =
+      record ? json_dumps(record, JSON_COMPACT | JSON_ENSURE_ASCII) : NULL;
+  enum hsr_status status = text ? HSR_OK : hsr_fail_nomem(err);
+  if (!status && sweep->file >= 0) {
+    size_t length = strlen(text);
+    text[length] = '\n'; /* where the end was: one write a line */
+    if (write(sweep->file, text, length + 1) != (ssize_t)length + 1)
+      status = hsr_fail(err, HSR_E_INPUT, "%s: %s",
+                        sweep->plan->options->output, strerror(errno));
+  }
+  if (!status)
+    status = results_add(&sweep->results, record, err);
+  free(text);
+  json_decref(record);
+  return status;
+}
+
+/* --- Judging -----------------------------------------------------------------
+ */
+
+static void judge_kind(const struct place_run *run, enum hsr_kind kind) {
+  const struct sweep_options *o = run->sweep->plan->options;
+  const struct hsr_listed *algorithm[SWEEP_MOST_ENTRANTS];
+  struct group group = {.algorithm = algorithm,
+                        .timeout = o->timeout,
+                        .memory_mb = o->memory_mb,
+                        .world = &run->stage.world,
+                        .kind = kind,
+                        .view = run->stage.view,
+                        .cells = run->shared->cells,
+                        .picture = kind == HSR_IDS ? run->picture : NULL};
+  /* Peers stand behind all algorithms. */
+  for (int k = 0; k < run->n && run->entrant[k]->listed; k++)
+    algorithm[group.n_algorithms++] = run->entrant[k]->listed;
+  end_process((int)judge_group(&group));
+}
+
+static void judge_statistics(const struct place_run *run) {
+  enum hsr_status status = measure_table1(&run->stage.world, &run->stage.view,
+                                          &run->shared->table1, NULL);
+  run->shared->has_table1 = !status;
+  end_process((int)status);
+}
+
+static bool has_kind(const struct place_run *run, enum hsr_kind kind) {
+  if (kind == HSR_IDS && run->picture)
+    return true;
+  for (int k = 0; k < run->n; k++)
+    if (run->entrant[k]->listed && run->entrant[k]->listed->plain->kind == kind)
+      return oracle_of(kind) != NULL;
+  return false;
+}
+
+/* Table I and the judges of all kinds, each in a process, at the same time:
+ * nothing is timed yet. */
+static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
+  fflush(NULL);
+  pid_t child = fork();
+  if (child == 0)
+    judge_statistics(run);
+  bool good = child > 0;
+  for (int kind = 0; kind < N_KINDS && good; kind++)
+    if (has_kind(run, (enum hsr_kind)kind)) {
+      child = fork();
+      if (child == 0)
+        judge_kind(run, (enum hsr_kind)kind);
+      good = child > 0;
+    }
+  while (waitpid(-1, NULL, 0) > 0 || errno == EINTR) {
+  }
+  return good ? HSR_OK : hsr_fail_nomem(err);
+}
+
+/* --- Timing ------------------------------------------------------------------
+ */
+
+/* Peers are timed whatever they draw, and leave their picture in a file. */
+static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
+  const struct sweep_options *o = run->sweep->plan->options;
+  for (int k = 0; k < run->n; k++) {
+    bool peer = !run->entrant[k]->listed;
+    struct cell *cell = &run->shared->cells[k];
+    if (peer)
+      cell->verdict = RIGHT;
+    struct turn_taker *taker = &run->taker[k];
+    *taker = (struct turn_taker){.entrant = run->entrant[k],
+                                 .need_kb = cell->peak_kb,
+                                 .verdict = cell->verdict};
+    if (peer) {
+      snprintf(run->ids_file[k], sizeof run->ids_file[k], "%s/%d", run->folder,
+               k);
+      taker->ids_file = run->ids_file[k];
+    }
+    if (cell->verdict == RIGHT) {
+      taker->starts = calloc((size_t)o->starts, sizeof *taker->starts);
+      if (!taker->starts)
+        return hsr_fail_nomem(err);
+    }
+  }
+  return HSR_OK;
+}
+
+static void compare_peer(const struct place_run *run, int k) {
+  size_t size = picture_size(run), n = size / sizeof *run->picture;
+  struct cell *cell = &run->shared->cells[k];
+  uint32_t *ids = malloc(size);
+  FILE *file = ids ? fopen(run->ids_file[k], "rb") : NULL;
+  if (file && fread(ids, 1, size, file) == size) {
+    cell->compared = n;
+    for (size_t s = 0; s < n; s++)
+      cell->mismatches += ids[s] != run->picture[s];
+  }
+  if (cell->mismatches)
+    cell->verdict = WRONG;
+  if (file)
+    fclose(file);
+  free(ids);
+  unlink(run->ids_file[k]);
+}
+
+static enum hsr_status time_all(struct place_run *run, struct hsr_error *err) {
+  const struct sweep_options *o = run->sweep->plan->options;
+  enum hsr_status status = line_up(run, err);
+  if (!status && o->starts && !o->counts)
+    status = take_turns(run->sweep->plan, &run->place, run->taker, run->n,
+                        (uint64_t)o->seed * 1000003u + run->number, err);
+  for (int k = 0; k < run->n; k++) {
+    struct cell *cell = &run->shared->cells[k];
+    if (cell->verdict == RIGHT) {
+      cell->verdict = run->taker[k].verdict;
+      cell->failure = run->taker[k].failure;
+    }
+    if (!run->entrant[k]->listed)
+      compare_peer(run, k);
+  }
+  return status;
+}
+
+/* --- Records -----------------------------------------------------------------
+ */
+
+static json_t *table1_json(const struct shared *shared) {
+  json_t *table = json_object();
+#define X(field, symbol, meaning)                                              \
+  json_object_set_new(table, symbol,                                           \
+                      shared->has_table1                                       \
+                          ? number_or_null(shared->table1.field)               \
+                          : json_null());
+  HSR_TABLE1(X)
+#undef X
+  return table;
+}
+
+static json_t *view_record(const struct place_run *run) {
+  char hash[17];
+  hash_world(&run->stage.world, hash);
+  return json_pack("{ss ss ss ss si si si so}", "record", "view", "run",
+                   run->sweep->run, "scene", run->place.scene, "scene_hash",
+                   hash, "view", run->place.view, "width", run->place.m,
+                   "height", run->place.n, "table1", table1_json(run->shared));
+}
+
+static json_t *seconds_or_null(double seconds) {
+  return seconds < 0 ? json_null() : json_real(seconds);
+}
+
+static json_t *start_json(const struct start *start, long repetitions) {
+  json_t *seconds = json_array();
+  for (long k = 0; k < repetitions; k++)
+    json_append(&seconds, json_real(start->seconds[k]));
+  return json_pack(
+      "{s{sf sf sf so so} s{sI sI} sI so}", "phases", "import",
+      start->import_seconds, "adapt", start->adapt_seconds, "prepare",
+      start->prepare_seconds, "shade", seconds_or_null(start->shade_seconds),
+      "write", seconds_or_null(start->write_seconds), "memory_kb", "before",
+      (json_int_t)start->before_kb, "peak", (json_int_t)start->peak_kb, "inner",
+      (json_int_t)start->inner, "seconds", seconds);
+}
+
+/* Times, where every start was timed to its end. */
+static json_t *starts_json(const struct place_run *run, int k) {
+  const struct sweep_options *o = run->sweep->plan->options;
+  const struct turn_taker *taker = &run->taker[k];
+  json_t *starts = json_array();
+  if (!o->counts && taker->verdict == RIGHT && taker->starts)
+    for (long s = 0; s < o->starts; s++)
+      json_append(&starts, start_json(&taker->starts[s], o->repetitions));
+  return starts;
+}
+
+static json_t *counts_json(const struct place_run *run, int k) {
+  const struct hsr_listed *listed = run->entrant[k]->listed;
+  const struct cell *cell = &run->shared->cells[k];
+  if (!listed || (cell->verdict != RIGHT && cell->verdict != WRONG))
+    return json_null();
+  json_t *counts = json_object();
+  const struct hsr_counter *c = listed->counting->counters;
+  for (int i = 0; c && c[i].name; i++)
+    json_object_set_new(counts, c[i].name,
+                        json_integer((json_int_t)cell->count[i]));
+  return counts;
+}
+
+static json_t *depths_json(const struct cell *cell) {
+  if (!cell->depths_compared)
+    return json_null();
+  return json_pack("{sI sI}", "compared", (json_int_t)cell->depths_compared,
+                   "exact", (json_int_t)cell->depths_exact);
+}
+
+static json_t *adapted_json(const struct cell *cell) {
+  json_t *names = json_array();
+  for (int k = 0; k < cell->n_adaptations; k++)
+    json_append(&names, json_string(cell->adapted[k]));
+  return names;
+}
+
+static const char *status_name(const struct cell *cell) {
+  if (cell->verdict == CRASH && cell->failure == HSR_E_NOMEM)
+    return "memory";
+  return verdict_name(cell->verdict);
+}
+
+static const char *kind_of(const struct entrant *entrant) {
+  if (!entrant->listed)
+    return "ids";
+  return entrant->listed->plain->flags & HSR_NO_PICTURE
+             ? "none"
+             : kind_name(entrant->listed->plain->kind);
+}
+
+static json_t *cell_record(const struct place_run *run, int k) {
+  const struct entrant *e = run->entrant[k];
+  const struct cell *cell = &run->shared->cells[k];
+  bool known_wrong = e->listed && e->listed->plain->flags & HSR_KNOWN_WRONG;
+  return json_pack(
+      "{ss ss ss si si si ss sb sb ss sI ss sI sI ss? so so so so}", "record",
+      "cell", "run", run->sweep->run, "scene", run->place.scene, "view",
+      run->place.view, "width", run->place.m, "height", run->place.n,
+      "algorithm", e->name, "peer", !e->listed, "known_wrong", known_wrong,
+      "kind", kind_of(e), "threads", (json_int_t)e->threads, "status",
+      status_name(cell), "mismatches", (json_int_t)cell->mismatches, "compared",
+      (json_int_t)cell->compared, "reason",
+      cell->refusal[0] ? cell->refusal : NULL, "adapted", adapted_json(cell),
+      "counts", counts_json(run, k), "depths", depths_json(cell), "starts",
+      starts_json(run, k));
+}
+
+static enum hsr_status record_all(struct place_run *run,
+                                  struct hsr_error *err) {
+  enum hsr_status status = sweep_record(run->sweep, view_record(run), err);
+  for (int k = 0; k < run->n && !status; k++)
+    status = sweep_record(run->sweep, cell_record(run, k), err);
+  if (!status && run->sweep->file >= 0)
+    fdatasync(run->sweep->file);
+  return status;
+}
+
+/* --- A place -----------------------------------------------------------------
+ */
+
+/* The entrants whose cells are wanted and not recorded yet; the order of the
+ * plan has algorithms first. */
+static void choose_entrants(struct place_run *run) {
+  const struct plan *plan = run->sweep->plan;
+  for (int k = 0; k < plan->n_entrants; k++) {
+    char key[RESULTS_KEY];
+    plan_key(&run->place, &plan->entrant[k], key);
+    if (plan_wants(plan, run->number, &plan->entrant[k]) &&
+        !results_cell(&run->sweep->results, key))
+      run->entrant[run->n++] = &plan->entrant[k];
+  }
+}
+
+static bool has_peers(const struct place_run *run) {
+  return run->n && !run->entrant[run->n - 1]->listed;
+}
+
+static enum hsr_status open_place(struct place_run *run,
+                                  struct hsr_error *err) {
+  const struct place *p = &run->place;
+  enum hsr_status status =
+      stage_open(&run->stage, p->scene, p->view, p->m, p->n, err);
+  if (status)
+    return status;
+  run->shared = shared_memory(sizeof *run->shared);
+  if (!run->shared)
+    return hsr_fail_nomem(err);
+  if (!has_peers(run))
+    return HSR_OK;
+  run->picture = shared_memory(picture_size(run));
+  if (!run->picture)
+    return hsr_fail_nomem(err);
+  const char *folder = getenv("TMPDIR");
+  snprintf(run->folder, sizeof run->folder, "%.200s/hsr-XXXXXX",
+           folder && *folder ? folder : "/tmp");
+  if (!mkdtemp(run->folder))
+    return hsr_fail(err, HSR_E_INPUT, "%s: %s", run->folder, strerror(errno));
+  return HSR_OK;
+}
+
+static void close_place(struct place_run *run) {
+  for (int k = 0; k < run->n; k++)
+    free(run->taker[k].starts);
+  if (run->picture) {
+    munmap(run->picture, picture_size(run));
+    rmdir(run->folder);
+  }
+  if (run->shared)
+    munmap(run->shared, sizeof *run->shared);
+  stage_close(&run->stage);
+  free(run);
+}
+
+enum hsr_status sweep_place(struct sweep *sweep, size_t number,
+                            struct hsr_error *err) {
+  struct place_run *run = calloc(1, sizeof *run);
+  if (!run)
+    return hsr_fail_nomem(err);
+  run->sweep = sweep;
+  run->number = number;
+  run->place = plan_place(sweep->plan, number);
+  choose_entrants(run);
+  enum hsr_status status = HSR_OK;
+  if (run->n) {
+    status = open_place(run, err);
+    if (!status)
+      status = judge_all(run, err);
+    if (!status)
+      status = time_all(run, err);
+    if (!status)
+      status = record_all(run, err);
+  }
+  close_place(run);
+  return status;
+}

@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which cells a sweep has: scenes x views x sizes x algorithms x threads. */
+#include "bench/sweep/sweep.h"
+
+#include <fnmatch.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static bool is_pattern(const char *text) {
+  return strpbrk(text, "*?[") != NULL;
+}
+
+/* --- Scenes ----------------------------------------------------------------
+ */
+
+static enum hsr_status add_scene(struct plan *plan, const char *name,
+                                 struct hsr_error *err) {
+  for (size_t k = 0; k < plan->n_scenes; k++)
+    if (!strcmp(plan->scene[k], name))
+      return HSR_OK;
+  char **scene = realloc(plan->scene, (plan->n_scenes + 1) * sizeof *scene);
+  if (!scene)
+    return hsr_fail_nomem(err);
+  plan->scene = scene;
+  scene[plan->n_scenes] = strdup(name);
+  if (!scene[plan->n_scenes])
+    return hsr_fail_nomem(err);
+  plan->n_scenes++;
+  return HSR_OK;
+}
+
+/* The built-in scenes that match, and the meshes as mesh:NAME. */
+static enum hsr_status add_matching(struct plan *plan, const char *pattern,
+                                    struct hsr_error *err) {
+  size_t before = plan->n_scenes, n;
+  char **mesh;
+  enum hsr_status status = hsr_mesh_names(&mesh, &n, err);
+  if (status)
+    return status;
+  for (const struct hsr_builtin *b = hsr_builtins; b->name && !status; b++)
+    if (!fnmatch(pattern, b->name, 0))
+      status = add_scene(plan, b->name, err);
+  for (size_t k = 0; k < n; k++) {
+    char name[300];
+    snprintf(name, sizeof name, "mesh:%s", mesh[k]);
+    if (!status && !fnmatch(pattern, name, 0))
+      status = add_scene(plan, name, err);
+    free(mesh[k]);
+  }
+  free(mesh);
+  if (!status && plan->n_scenes == before)
+    return hsr_fail(err, HSR_E_USAGE, "no scene matches '%.200s'", pattern);
+  return status;
+}
+
+static enum hsr_status add_scenes(struct plan *plan, struct hsr_error *err) {
+  const struct sweep_options *o = plan->options;
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < o->n_scenes && !status; k++)
+    status = is_pattern(o->scene[k]) ? add_matching(plan, o->scene[k], err)
+                                     : add_scene(plan, o->scene[k], err);
+  return status;
+}
+
+/* --- Entrants --------------------------------------------------------------
+ */
+
+static bool is_there(const struct plan *plan, const char *name, long threads) {
+  for (int k = 0; k < plan->n_entrants; k++)
+    if (!strcmp(plan->entrant[k].name, name) &&
+        plan->entrant[k].threads == threads)
+      return true;
+  return false;
+}
+
+/* One that works on one thread only takes part only so. */
+static enum hsr_status add_entrant(struct plan *plan, const char *name,
+                                   const struct hsr_listed *listed,
+                                   struct hsr_error *err) {
+  const struct sweep_options *o = plan->options;
+  bool single = listed && (listed->plain->flags & HSR_FRAME_STATE ||
+                           listed->plain->kind == HSR_SEGMENTS);
+  for (int t = 0; t < o->n_threads; t++) {
+    long threads = single ? 1 : o->threads[t];
+    if (is_there(plan, name, threads))
+      continue;
+    if (plan->n_entrants == SWEEP_MOST_ENTRANTS)
+      return hsr_fail(err, HSR_E_USAGE, "bench: at most %d algorithms",
+                      (int)SWEEP_MOST_ENTRANTS);
+    plan->entrant[plan->n_entrants++] =
+        (struct entrant){.name = name, .listed = listed, .threads = threads};
+  }
+  return HSR_OK;
+}
+
+/* Judges take part only where they are named. */
+static enum hsr_status add_algorithms(struct plan *plan, const char *pattern,
+                                      struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  bool found = false;
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain && !status; a++)
+    if (!fnmatch(pattern, a->plain->name, 0)) {
+      found = true;
+      status = add_entrant(plan, a->plain->name, a, err);
+    }
+  if (!status && !found) {
+    const struct hsr_listed *none;
+    return choose_algorithm(pattern, &none, err);
+  }
+  return status;
+}
+
+/* Where hsr-peers is: in the build tree beside this program, or installed. */
+static char *find_peers(void) {
+  char self[4096];
+  ssize_t length = readlink("/proc/self/exe", self, sizeof self - 64);
+  if (length < 0)
+    return NULL;
+  self[length] = '\0';
+  strcpy(strrchr(self, '/'), "/bench/peers/hsr-peers");
+  return strdup(access(self, X_OK) ? HSR_LIBEXECDIR "/hsr/hsr-peers" : self);
+}
+
+static enum hsr_status read_peers(const char *program, json_t **list,
+                                  struct hsr_error *err) {
+  char command[4200];
+  snprintf(command, sizeof command, "exec '%s' list", program);
+  FILE *pipe = access(program, X_OK) ? NULL : popen(command, "r");
+  *list = pipe ? json_loadf(pipe, 0, NULL) : NULL;
+  if (pipe)
+    pclose(pipe);
+  if (json_is_array(*list))
+    return HSR_OK;
+  return hsr_fail(err, HSR_E_USAGE,
+                  "--peers: hsr was built without them (configure "
+                  "--with-peers)");
+}
+
+static enum hsr_status add_peers(struct plan *plan, const char *pattern,
+                                 struct hsr_error *err) {
+  size_t k, found = 0;
+  const json_t *peer;
+  enum hsr_status status = HSR_OK;
+  json_array_foreach(plan->peers, k, peer) {
+    const char *name = json_string_value(json_object_get(peer, "name"));
+    if (!name || fnmatch(pattern, name, 0) || status)
+      continue;
+    found++;
+    status = add_entrant(plan, name, NULL, err);
+  }
+  if (!status && !found)
+    return hsr_fail(err, HSR_E_USAGE, "no peer '%.100s'", pattern);
+  return status;
+}
+
+static enum hsr_status add_entrants(struct plan *plan, struct hsr_error *err) {
+  const struct sweep_options *o = plan->options;
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < o->n_algorithms && !status; k++)
+    status = add_algorithms(plan, o->algorithm[k], err);
+  for (const struct hsr_listed *a = hsr_algorithms;
+       !o->n_algorithms && a->plain && !status; a++)
+    if (!(a->plain->flags & HSR_JUDGE))
+      status = add_entrant(plan, a->plain->name, a, err);
+  if (status || !o->n_peers)
+    return status;
+  plan->peers_program = find_peers();
+  if (!plan->peers_program)
+    return hsr_fail_nomem(err);
+  status = read_peers(plan->peers_program, &plan->peers, err);
+  for (int k = 0; k < o->n_peers && !status; k++)
+    status = add_peers(plan, o->peer[k], err);
+  return status;
+}
+
+/* --- The plan --------------------------------------------------------------
+ */
+
+enum hsr_status plan_init(struct plan *plan,
+                          const struct sweep_options *options,
+                          struct hsr_error *err) {
+  *plan = (struct plan){.options = options};
+  enum hsr_status status = add_scenes(plan, err);
+  if (!status)
+    status = add_entrants(plan, err);
+  return status;
+}
+
+void plan_free(struct plan *plan) {
+  for (size_t k = 0; k < plan->n_scenes; k++)
+    free(plan->scene[k]);
+  free(plan->scene);
+  free(plan->peers_program);
+  json_decref(plan->peers);
+}
+
+size_t plan_places(const struct plan *plan) {
+  return plan->n_scenes * (size_t)plan->options->views *
+         (size_t)plan->options->n_sizes;
+}
+
+struct place plan_place(const struct plan *plan, size_t k) {
+  const struct sweep_options *o = plan->options;
+  size_t size = k % (size_t)o->n_sizes, rest = k / (size_t)o->n_sizes;
+  return (struct place){.scene = plan->scene[rest / (size_t)o->views],
+                        .view = 1 + (int)(rest % (size_t)o->views),
+                        .m = o->m[size],
+                        .n = o->n[size]};
+}
+
+void plan_key(const struct place *place, const struct entrant *entrant,
+              char key[RESULTS_KEY]) {
+  int length = snprintf(key, RESULTS_KEY, "%.300s %d %dx%d", place->scene,
+                        place->view, place->m, place->n);
+  if (entrant)
+    snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.100s %ld",
+             entrant->name, entrant->threads);
+}
+
+bool plan_wants(const struct plan *plan, size_t place,
+                const struct entrant *entrant) {
+  const struct sweep_options *o = plan->options;
+  if ((long)(place % (size_t)o->shards) != o->shard - 1)
+    return false;
+  if (!o->only)
+    return true;
+  struct place at = plan_place(plan, place);
+  char key[RESULTS_KEY];
+  plan_key(&at, entrant, key);
+  return !fnmatch(o->only, key, 0);
+}

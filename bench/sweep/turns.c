@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Timing in turn: every entrant is a process that draws when it is told to, and
+ * none does while another does. So whatever disturbs the machine for a while
+ * disturbs all alike. */
+#include "bench/sweep/sweep.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+#include <jansson.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { LINE = 1024 };
+
+/* A process at the other end of two pipes. */
+struct process {
+  struct turn_taker *taker;
+  pid_t id; /* 0: none */
+  int in, out;
+};
+
+/* --- One process -------------------------------------------------------------
+ */
+
+/* In the new process. */
+static void become_worker(const struct plan *plan, const struct place *place,
+                          const struct turn_taker *taker, int in, int out) {
+  const struct entrant *entrant = taker->entrant;
+  const char *program =
+      entrant->listed ? "/proc/self/exe" : plan->peers_program;
+  char view[16], size[32], threads[24];
+  snprintf(view, sizeof view, "%d", place->view);
+  snprintf(size, sizeof size, "%dx%d", place->m, place->n);
+  snprintf(threads, sizeof threads, "%ld", entrant->threads);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (plan->options->memory_mb) {
+    rlim_t most = (rlim_t)plan->options->memory_mb << 20;
+    setrlimit(RLIMIT_DATA, &(struct rlimit){most, most});
+  }
+  int nowhere = open("/dev/null", O_WRONLY);
+  if (nowhere < 0 || dup2(in, STDIN_FILENO) < 0 ||
+      dup2(out, STDOUT_FILENO) < 0 || dup2(nowhere, STDERR_FILENO) < 0)
+    _exit(HSR_E_INTERNAL);
+  execl(program, "hsr", "worker", entrant->name, place->scene, view, size,
+        threads, taker->ids_file, (char *)NULL);
+  _exit(HSR_E_INTERNAL);
+}
+
+static bool open_process(struct process *process, const struct plan *plan,
+                         const struct place *place) {
+  int in[2] = {-1, -1}, out[2] = {-1, -1};
+  if (pipe2(in, O_CLOEXEC) || pipe2(out, O_CLOEXEC)) {
+    if (in[0] >= 0)
+      close(in[0]), close(in[1]);
+    return false;
+  }
+  fflush(NULL);
+  process->id = fork();
+  if (process->id == 0)
+    become_worker(plan, place, process->taker, in[0], out[1]);
+  close(in[0]);
+  close(out[1]);
+  process->in = in[1];
+  process->out = out[0];
+  return process->id > 0;
+}
+
+/* Ends the process, which is told to by the end of its input, or killed. */
+static void close_process(struct process *process, bool at_once) {
+  if (process->id <= 0)
+    return;
+  close(process->in);
+  close(process->out);
+  if (at_once)
+    kill(process->id, SIGKILL);
+  int end = 0;
+  while (waitpid(process->id, &end, 0) < 0 && errno == EINTR) {
+  }
+  process->id = 0;
+  struct turn_taker *taker = process->taker;
+  if (taker->verdict == RIGHT && WIFEXITED(end) && WEXITSTATUS(end))
+    taker->verdict = CRASH;
+  if (WIFEXITED(end))
+    taker->failure = (enum hsr_status)WEXITSTATUS(end);
+}
+
+/* It failed: by not answering in time, or by ending. */
+static void give_up(struct process *process, bool in_time) {
+  process->taker->verdict = in_time ? CRASH : TIMEOUT;
+  close_process(process, !in_time);
+}
+
+/* The next line of its output, as JSON; NULL if none comes in time, in which
+ * case it is given up. */
+static json_t *read_answer(struct process *process, double seconds) {
+  char line[LINE];
+  size_t length = 0;
+  double end = seconds_now() + seconds;
+  while (length < sizeof line) {
+    double left = end - seconds_now();
+    struct pollfd ready = {.fd = process->out, .events = POLLIN};
+    int n = left > 0 ? poll(&ready, 1, (int)(left * 1e3) + 1) : 0;
+    if (n < 0 && errno == EINTR)
+      continue;
+    if (n <= 0) {
+      give_up(process, false);
+      return NULL;
+    }
+    ssize_t got = read(process->out, line + length, sizeof line - length);
+    if (got <= 0)
+      break;
+    length += (size_t)got;
+    if (line[length - 1] == '\n')
+      break;
+  }
+  json_t *answer = json_loadb(line, length, 0, NULL);
+  if (!answer)
+    give_up(process, true);
+  return answer;
+}
+
+static double real_of(const json_t *answer, const char *name) {
+  const json_t *value = json_object_get(answer, name);
+  return json_is_number(value) ? json_number_value(value) : -1;
+}
+
+/* Says a byte and returns the answer, or NULL. */
+static json_t *ask(struct process *process, char byte, double seconds) {
+  if (write(process->in, &byte, 1) == 1)
+    return read_answer(process, seconds);
+  give_up(process, true);
+  return NULL;
+}
+
+/* --- One start of all --------------------------------------------------------
+ */
+
+static void begin(struct process *process, const struct plan *plan,
+                  const struct place *place, int start) {
+  if (!open_process(process, plan, place)) {
+    process->taker->verdict = CRASH;
+    process->taker->failure = HSR_E_NOMEM;
+    return;
+  }
+  /* Import, adapt, prepare and a few frames: each may take its time. */
+  json_t *ready = read_answer(process, 6 * (double)plan->options->timeout);
+  if (!ready)
+    return;
+  struct start *into = &process->taker->starts[start];
+  into->import_seconds = real_of(ready, "import");
+  into->adapt_seconds = real_of(ready, "adapt");
+  into->prepare_seconds = real_of(ready, "prepare");
+  into->before_kb = (long)real_of(ready, "before_kb");
+  into->inner = (long)real_of(ready, "inner");
+  into->shade_seconds = into->write_seconds = -1;
+  json_decref(ready);
+}
+
+static void draw(struct process *process, const struct plan *plan, int start,
+                 int round) {
+  json_t *answer = ask(process, 'r', 2 * (double)plan->options->timeout + 10);
+  if (answer)
+    process->taker->starts[start].seconds[round] = real_of(answer, "seconds");
+  json_decref(answer);
+}
+
+/* What is asked once the rounds are over. */
+static void finish(struct process *process, const struct plan *plan,
+                   int start) {
+  struct start *into = &process->taker->starts[start];
+  json_t *memory = ask(process, 'm', 10);
+  if (memory)
+    into->peak_kb = (long)real_of(memory, "peak_kb");
+  json_decref(memory);
+  if (start == 0 && process->id > 0) {
+    json_t *picture = ask(process, 'w', 6 * (double)plan->options->timeout);
+    into->shade_seconds = real_of(picture, "shade");
+    into->write_seconds = real_of(picture, "write");
+    json_decref(picture);
+  }
+  close_process(process, false);
+}
+
+static void run_lot(const struct plan *plan, const struct place *place,
+                    struct process *process, int n, int start,
+                    const gsl_rng *random) {
+  for (int k = 0; k < n; k++)
+    begin(&process[k], plan, place, start);
+  for (int round = 0; round < plan->options->repetitions; round++) {
+    int order[SWEEP_MOST_ENTRANTS];
+    for (int k = 0; k < n; k++)
+      order[k] = k;
+    gsl_ran_shuffle(random, order, (size_t)n, sizeof *order);
+    for (int k = 0; k < n; k++)
+      if (process[order[k]].id > 0)
+        draw(&process[order[k]], plan, start, round);
+  }
+  for (int k = 0; k < n; k++)
+    if (process[k].id > 0)
+      finish(&process[k], plan, start);
+}
+
+/* --- All starts --------------------------------------------------------------
+ */
+
+/* As many of those still in the race, from *next on, as have room together; at
+ * least one, if there is any. */
+static int fill_lot(struct turn_taker *taker, const int *order, int n,
+                    int *next, struct process *lot) {
+  double room = .6 * (double)sysconf(_SC_PHYS_PAGES) *
+                (double)sysconf(_SC_PAGESIZE) / 1024;
+  int size = 0;
+  for (; *next < n; ++*next) {
+    struct turn_taker *t = &taker[order[*next]];
+    if (t->verdict != RIGHT)
+      continue;
+    if (size && (double)t->need_kb > room)
+      break;
+    room -= (double)t->need_kb;
+    lot[size++] = (struct process){.taker = t};
+  }
+  return size;
+}
+
+static void run_start(const struct plan *plan, const struct place *place,
+                      struct turn_taker *taker, int n, int start,
+                      const gsl_rng *random) {
+  struct process lot[SWEEP_MOST_ENTRANTS];
+  int order[SWEEP_MOST_ENTRANTS], next = 0, size;
+  for (int k = 0; k < n; k++)
+    order[k] = k;
+  gsl_ran_shuffle(random, order, (size_t)n, sizeof *order);
+  while ((size = fill_lot(taker, order, n, &next, lot)) > 0)
+    run_lot(plan, place, lot, size, start, random);
+}
+
+enum hsr_status take_turns(const struct plan *plan, const struct place *place,
+                           struct turn_taker *taker, int n, uint64_t seed,
+                           struct hsr_error *err) {
+  gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+  if (!random)
+    return hsr_fail_nomem(err);
+  gsl_rng_set(random, (unsigned long)seed);
+  struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
+  sigaction(SIGPIPE, &ignore, &before); /* one that ended is found out so */
+  for (int start = 0; start < plan->options->starts; start++)
+    run_start(plan, place, taker, n, start, random);
+  sigaction(SIGPIPE, &before, NULL);
+  gsl_rng_free(random);
+  return HSR_OK;
+}
