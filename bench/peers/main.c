@@ -219,7 +219,7 @@ static void keep_memory(void) {
 
 int main(int argc, char **argv) {
   keep_memory();
-  end_on_uncaught_exceptions();
+  end_in_one_line();
   struct hsr_error err = {.text = "unexplained failure"};
   enum hsr_status status = run_command(argc, argv, &err);
   if ((fflush(stdout) || ferror(stdout)) && !status)
