@@ -27,6 +27,7 @@ tap_programs = \
   %D%/properties/warnock_test
 tap_scripts = \
   %D%/command.test \
+  %D%/peers.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
   %D%/report/report.test \
