@@ -4,9 +4,11 @@
 #include "bench/terminate.h"
 #include "common/status.h"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 /* Of the leak sanitizer, where there is one. */
@@ -41,6 +43,12 @@ void end_process(int status) {
     status = HSR_E_INTERNAL;
   std::fflush(nullptr);
   _exit(status);
+}
+
+void end_with_parent(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) /* it had ended before */
+    _exit(HSR_E_INTERNAL);
 }
 
 void end_on_uncaught_exceptions(void) {
