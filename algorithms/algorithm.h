@@ -24,12 +24,14 @@
 extern "C" {
 #endif
 
-/* Sutherland et al. 1974, figure 13. */
-enum hsr_class {
-  HSR_OBJECT_SPACE,
-  HSR_LIST_PRIORITY,
-  HSR_IMAGE_SPACE_AREA,
-  HSR_IMAGE_SPACE_POINT,
+/* The branches of figure 13 of Sutherland et al. 1974, and two beside it. */
+enum hsr_branch {
+  HSR_OBJECT_SPACE_VOLUMES,    /* edges against volumes */
+  HSR_OBJECT_SPACE_EDGES,      /* edges against edges */
+  HSR_LIST_PRIORITY_FIXED,     /* priority a priori, for all frames */
+  HSR_LIST_PRIORITY_PER_FRAME, /* priority anew in each frame */
+  HSR_IMAGE_SPACE_AREA,        /* area sampling */
+  HSR_IMAGE_SPACE_POINT,       /* point sampling, along scan lines */
   HSR_BRUTE_FORCE, /* the paper's two yardsticks, and what grew out of them */
   HSR_YARDSTICK    /* no algorithm of the field: the oracle, null */
 };
@@ -100,7 +102,7 @@ struct hsr_algorithm {
   int year;            /* of publication; 0: never published */
   const char *source;  /* where it is published, and where described */
 
-  enum hsr_class taxonomy;
+  enum hsr_branch taxonomy;
   const char *sort_order; /* "YXZ"; NULL if it has none */
   const char *coherence;  /* what it bets on; NULL if nothing */
   unsigned restrictions;  /* HSR_CC ... (common/adapt.h): the world that prepare

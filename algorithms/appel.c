@@ -83,7 +83,7 @@ static const struct hsr_sort sorts[] = {
   .source = "Proc. ACM National Conference, 1967, 387-393; Sutherland et "     \
             "al., Computing Surveys 6(1), 1974, \"Edge-Intersection "          \
             "Algorithms\"",                                                    \
-  .taxonomy = HSR_OBJECT_SPACE,                                                \
+  .taxonomy = HSR_OBJECT_SPACE_EDGES,                                          \
   .coherence = "edge: visibility is promoted along edges that share a vertex", \
   .restrictions = HSR_TP, .kind = HSR_SEGMENTS, .sorts = sorts,                \
   .counters = counters, .steps = steps, .prepare = hsr_network_prepare,        \

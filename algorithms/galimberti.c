@@ -348,7 +348,7 @@ const struct hsr_algorithm HSR_ALGORITHM(galimberti) = {
     .source = "Communications of the ACM 12(4), 1969, 206-211; Sutherland et "
               "al., Computing Surveys 6(1), 1974, \"Edge-Intersection "
               "Algorithms\"",
-    .taxonomy = HSR_OBJECT_SPACE,
+    .taxonomy = HSR_OBJECT_SPACE_EDGES,
     .coherence = "edge: natures are promoted along edges that share a vertex",
     .restrictions = HSR_TP,
     .kind = HSR_SEGMENTS,

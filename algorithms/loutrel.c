@@ -81,7 +81,7 @@ const struct hsr_algorithm HSR_ALGORITHM(loutrel) = {
     .source = "New York University TR 400-167, 1967; IEEE Trans. Computers "
               "C-19(3), 1970, 205-213; Sutherland et al., Computing Surveys "
               "6(1), 1974, \"Edge-Intersection Algorithms\"",
-    .taxonomy = HSR_OBJECT_SPACE,
+    .taxonomy = HSR_OBJECT_SPACE_EDGES,
     .coherence = "edge: visibility is promoted along edges that share a vertex",
     .restrictions = HSR_TP,
     .kind = HSR_SEGMENTS,

@@ -141,7 +141,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_watkins) = {
     .year = 1974,
     .source = "suggested by both, as Sutherland et al., Computing Surveys "
               "6(1), 1974, report under \"Other Combinations of Sorting\"",
-    .taxonomy = HSR_LIST_PRIORITY,
+    .taxonomy = HSR_LIST_PRIORITY_PER_FRAME,
     .sort_order = "ZYXZ",
     .coherence = "depth; scan line; edge; floating right end of the sample "
                  "span",

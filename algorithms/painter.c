@@ -128,7 +128,7 @@ const struct hsr_algorithm HSR_ALGORITHM(painter) = {
     .year = 1972,
     .source = "the Z sort of Newell et al. 1972 alone; Sutherland et al., "
               "Computing Surveys 6(1), 1974, figure 22",
-    .taxonomy = HSR_LIST_PRIORITY,
+    .taxonomy = HSR_LIST_PRIORITY_PER_FRAME,
     .sort_order = "Z(XY)",
     .coherence = "depth",
     .kind = HSR_IDS,

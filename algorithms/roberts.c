@@ -637,7 +637,7 @@ const struct hsr_algorithm HSR_ALGORITHM(roberts) = {
     .year = 1963,
     .source = "MIT Lincoln Laboratory TR 315, 1963; Sutherland et al., "
               "Computing Surveys 6(1), 1974, \"L. G. Roberts (1963)\"",
-    .taxonomy = HSR_OBJECT_SPACE,
+    .taxonomy = HSR_OBJECT_SPACE_VOLUMES,
     .coherence = "object: a volume leaves at most two pieces of an edge",
     .restrictions = HSR_CC | HSR_TP,
     .kind = HSR_SEGMENTS,

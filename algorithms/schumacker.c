@@ -453,7 +453,7 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker) = {
     .year = 1969,
     .source = "AFHRL-TR-69-14, 1969; Sutherland et al., Computing Surveys "
               "6(1), 1974, \"List-Priority Algorithms\"",
-    .taxonomy = HSR_LIST_PRIORITY,
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
     .sort_order = "ZYX",
     .coherence = "frame; cluster",
     .restrictions = HSR_CF | HSR_LS | HSR_NP | HSR_TP,

@@ -138,7 +138,7 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker_newell) = {
     .year = 1974,
     .source = "proposed in Computing Surveys 6(1), 1974, \"Other Combinations "
               "of Sorting\"",
-    .taxonomy = HSR_LIST_PRIORITY,
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
     .sort_order = "Zp ZYX",
     .coherence = "frame; cluster; depth",
     .restrictions = HSR_CF | HSR_LS,

@@ -447,7 +447,7 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_edges) = {
     .year = 1974,
     .source = "reported in Sutherland et al., Computing Surveys 6(1), 1974, "
               "at what lateral sorting would do for Appel's algorithm",
-    .taxonomy = HSR_OBJECT_SPACE,
+    .taxonomy = HSR_OBJECT_SPACE_EDGES,
     .coherence = "edge: visibility is promoted along edges that share a "
                  "vertex, and the order in X is kept from Y to Y",
     .restrictions = HSR_TP,

@@ -361,14 +361,14 @@ static bool has_failures(const struct results *results) {
   return false;
 }
 
-static enum hsr_status tell(const struct sweep *sweep,
+static enum hsr_status tell(const struct sweep_options *o,
+                            const struct results *results,
                             const struct results *baseline,
                             struct hsr_error *err) {
-  const struct sweep_options *o = sweep->plan->options;
-  enum hsr_status status = print_summary(&sweep->results, o->reference, err);
+  enum hsr_status status = print_summary(results, o->reference, err);
   if (!status && o->baseline)
-    status = print_changes(&sweep->results, baseline, o->reference, err);
-  if (!status && has_failures(&sweep->results))
+    status = print_changes(results, baseline, o->reference, err);
+  if (!status && has_failures(results))
     return HSR_E_DIFFERENCE;
   return status;
 }
@@ -381,17 +381,12 @@ static void name_run(char run[17]) {
   snprintf(run, 17, "%016llx", (unsigned long long)x);
 }
 
-static enum hsr_status run_plan(const struct plan *plan, int argc, char **argv,
-                                struct hsr_error *err) {
+enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
+                          struct results *results, struct hsr_error *err) {
   char run[17];
   name_run(run);
   struct sweep sweep = {.plan = plan, .run = run, .file = -1};
-  struct results baseline = {.headers = NULL};
-  enum hsr_status status = HSR_OK;
-  if (plan->options->baseline)
-    status = results_read(&baseline, plan->options->baseline, err);
-  if (!status)
-    status = open_file(&sweep, err);
+  enum hsr_status status = open_file(&sweep, err);
   if (!status)
     status =
         sweep_record(&sweep, sweep_header(plan->options, run, argc, argv), err);
@@ -400,9 +395,21 @@ static enum hsr_status run_plan(const struct plan *plan, int argc, char **argv,
   if (sweep.file >= 0 && close(sweep.file) && !status)
     status = hsr_fail(err, HSR_E_INPUT, "%s: %s", plan->options->output,
                       strerror(errno));
+  *results = sweep.results;
+  return status;
+}
+
+static enum hsr_status run_and_tell(const struct plan *plan, int argc,
+                                    char **argv, struct hsr_error *err) {
+  struct results results = {.headers = NULL}, baseline = {.headers = NULL};
+  enum hsr_status status = HSR_OK;
+  if (plan->options->baseline)
+    status = results_read(&baseline, plan->options->baseline, err);
   if (!status)
-    status = tell(&sweep, &baseline, err);
-  results_free(&sweep.results);
+    status = sweep_run(plan, argc, argv, &results, err);
+  if (!status)
+    status = tell(plan->options, &results, &baseline, err);
+  results_free(&results);
   results_free(&baseline);
   return status;
 }
@@ -432,14 +439,7 @@ enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err) {
   char **words = copy_words(argc, argv);
   enum hsr_status status = o && plan && words ? HSR_OK : hsr_fail_nomem(err);
   if (!status) {
-    *o = (struct sweep_options){.views = 1,
-                                .starts = 5,
-                                .repetitions = 9,
-                                .seed = 1,
-                                .timeout = 60,
-                                .shard = 1,
-                                .shards = 1,
-                                .reference = "zbuffer"};
+    *o = (struct sweep_options)SWEEP_OPTIONS_STANDARD;
     status = parse_options(&argp, argc, argv, o, err);
   }
   if (!status)
@@ -447,7 +447,7 @@ enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err) {
   if (!status && o->list)
     print_list(plan);
   else if (!status)
-    status = run_plan(plan, argc, words, err);
+    status = run_and_tell(plan, argc, words, err);
   if (plan)
     plan_free(plan);
   free_words(words);

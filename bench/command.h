@@ -24,10 +24,11 @@ struct hsr_command {
 enum hsr_status command_list(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_scenes(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err);
-enum hsr_status command_steps(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_tables(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_render(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_check(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_report(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err);
 
 /* --- Options ---------------------------------------------------------------

@@ -20,7 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RESAMPLES = 4000 };
+enum { RESAMPLES = 4000, LEAST_STARTS = 3 /* two tell nothing at 99 % */ };
 
 /* Leaves the values in another order. */
 static double median_of(double *values, int n) {
@@ -103,7 +103,7 @@ static struct figure interval(double mean, double error, double freedom) {
 
 struct figure figure_of_logs(const double *logs, int n) {
   double mean = gsl_stats_mean(logs, 1, (size_t)n);
-  if (n < 2)
+  if (n < LEAST_STARTS)
     return (struct figure){exp(mean), NAN, NAN};
   double spread = gsl_stats_sd(logs, 1, (size_t)n);
   return interval(mean, spread / sqrt(n), n - 1);
@@ -112,7 +112,7 @@ struct figure figure_of_logs(const double *logs, int n) {
 struct figure figure_quotient(const double *a, int n, const double *b, int m) {
   double mean =
       gsl_stats_mean(a, 1, (size_t)n) - gsl_stats_mean(b, 1, (size_t)m);
-  if (n < 2 || m < 2)
+  if (n < LEAST_STARTS || m < LEAST_STARTS)
     return (struct figure){exp(mean), NAN, NAN};
   double va = gsl_stats_variance(a, 1, (size_t)n) / n;
   double vb = gsl_stats_variance(b, 1, (size_t)m) / m;

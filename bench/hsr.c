@@ -13,12 +13,13 @@ static const struct hsr_command commands[] = {
     {"scenes", "the scenes, their views and face counts", command_scenes},
     {"stats", "Table I of a scene and view, beside Table II's rules",
      command_stats},
-    {"steps", "Table III: what each step of an algorithm costs, and predicted",
-     command_steps},
     {"render", "make a picture with one algorithm", command_render},
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
     {"bench", "time the algorithms that are right, in turn", command_bench},
+    {"tables", "the survey's Tables I to VII measured, and its conclusions",
+     command_tables},
+    {"report", "make pages of what bench found", command_report},
     {"worker", NULL, command_worker},
     {NULL, NULL, NULL}};
 
@@ -60,7 +61,7 @@ static enum hsr_status finish(enum hsr_status status, struct hsr_error *err) {
 
 int main(int argc, char **argv) {
   setlocale(LC_CTYPE, "");
-  end_on_uncaught_exceptions();
+  end_in_one_line();
   if (argc < 2) {
     fputs("hsr: a command is needed (see hsr --help)\n", stderr);
     return HSR_E_USAGE;

@@ -1,17 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr list: the algorithms and their taxonomy entries. */
+#include "bench/list.h"
 #include "bench/command.h"
 #include "bench/json.h"
 
 #include <string.h>
 
-static const char *const taxonomy_name[] = {
-    [HSR_OBJECT_SPACE] = "object space",
-    [HSR_LIST_PRIORITY] = "list priority",
-    [HSR_IMAGE_SPACE_AREA] = "image space, area sampling",
-    [HSR_IMAGE_SPACE_POINT] = "image space, point sampling",
-    [HSR_BRUTE_FORCE] = "brute force",
-    [HSR_YARDSTICK] = "yardstick"};
+struct taxonomy taxonomy(enum hsr_branch branch) {
+  static const struct taxonomy place[] = {
+      [HSR_OBJECT_SPACE_VOLUMES] = {"object space", "edges against volumes"},
+      [HSR_OBJECT_SPACE_EDGES] = {"object space", "edges against edges"},
+      [HSR_LIST_PRIORITY_FIXED] = {"list priority", "a priori"},
+      [HSR_LIST_PRIORITY_PER_FRAME] = {"list priority", "per frame"},
+      [HSR_IMAGE_SPACE_AREA] = {"image space", "area sampling"},
+      [HSR_IMAGE_SPACE_POINT] = {"image space", "point sampling"},
+      [HSR_BRUTE_FORCE] = {"brute force", NULL},
+      [HSR_YARDSTICK] = {"yardstick", NULL}};
+  return place[branch];
+}
 
 const char *kind_name(enum hsr_kind kind) {
   static const char *const name[] = {[HSR_IDS] = "ids",
@@ -24,7 +30,7 @@ static const char about[] =
     "Lists the algorithms: name, year, place in the taxonomy of Sutherland, "
     "Sproull and Schumacker, sorting order, environment restrictions.";
 
-static json_t *restrictions_json(const struct hsr_algorithm *a) {
+json_t *restrictions_json(const struct hsr_algorithm *a) {
   json_t *codes = json_array();
   for (int k = 0; k < 9; k++)
     if (a->restrictions & 1u << k)
@@ -32,7 +38,7 @@ static json_t *restrictions_json(const struct hsr_algorithm *a) {
   return codes;
 }
 
-static json_t *sorts_json(const struct hsr_algorithm *a) {
+json_t *sorts_json(const struct hsr_algorithm *a) {
   json_t *sorts = json_array();
   for (const struct hsr_sort *s = a->sorts; s && s->what; s++)
     json_append(&sorts,
@@ -63,10 +69,11 @@ static json_t *year_json(const struct hsr_algorithm *a) {
 }
 
 static json_t *algorithm_json(const struct hsr_algorithm *a) {
-  return json_pack("{ss ss ss so ss ss ss* ss* ss sb sb so so so so}", "name",
-                   a->name, "title", a->title, "authors", a->authors, "year",
-                   year_json(a), "source", a->source, "taxonomy",
-                   taxonomy_name[a->taxonomy], "sort_order", a->sort_order,
+  return json_pack("{ss ss ss so ss ss ss* ss* ss* ss sb sb so so so so}",
+                   "name", a->name, "title", a->title, "authors", a->authors,
+                   "year", year_json(a), "source", a->source, "taxonomy",
+                   taxonomy(a->taxonomy).class, "branch",
+                   taxonomy(a->taxonomy).branch, "sort_order", a->sort_order,
                    "coherence", a->coherence, "kind", kind_name(a->kind),
                    "known_wrong", (a->flags & HSR_KNOWN_WRONG) != 0,
                    "visible_only", (a->flags & HSR_VISIBLE_ONLY) != 0,
@@ -74,12 +81,17 @@ static json_t *algorithm_json(const struct hsr_algorithm *a) {
                    "counters", counters_json(a), "steps", steps_json(a));
 }
 
-static enum hsr_status print_json(struct hsr_error *err) {
+json_t *algorithms_json(void) {
   json_t *all = json_array();
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
     json_append(&all, algorithm_json(a->plain));
-  return json_print(
-      json_pack("{ss so}", "schema", "hsr-list/1", "algorithms", all), err);
+  return all;
+}
+
+static enum hsr_status print_json(struct hsr_error *err) {
+  return json_print(json_pack("{ss so}", "schema", "hsr-list/1", "algorithms",
+                              algorithms_json()),
+                    err);
 }
 
 static void print_restrictions(const struct hsr_algorithm *a) {
@@ -100,14 +112,17 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
     return status;
   if (json)
     return print_json(err);
-  printf("%-20s %4s  %-28s %-9s %-9s %s\n", "name", "year", "taxonomy", "sorts",
+  printf("%-20s %4s  %-35s %-9s %-9s %s\n", "name", "year", "taxonomy", "sorts",
          "kind", "restrictions");
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
     char year[12] = "-";
     if (a->plain->year)
       snprintf(year, sizeof year, "%d", a->plain->year);
-    printf("%-20s %4s  %-28s %-9s %-9s ", a->plain->name, year,
-           taxonomy_name[a->plain->taxonomy],
+    struct taxonomy place = taxonomy(a->plain->taxonomy);
+    char where[40];
+    snprintf(where, sizeof where, place.branch ? "%s, %s" : "%s", place.class,
+             place.branch);
+    printf("%-20s %4s  %-35s %-9s %-9s ", a->plain->name, year, where,
            a->plain->sort_order ? a->plain->sort_order : "-",
            kind_name(a->plain->kind));
     print_restrictions(a->plain);

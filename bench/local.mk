@@ -6,13 +6,62 @@ hsr_LDADD = $(BENCH_LIBS)
 # Everything but main, for programs that run other algorithms than those listed.
 noinst_LIBRARIES += libbench.a
 BENCH_LIBS = libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS)
-libbench_a_SOURCES = %D%/bench.c %D%/check.c %D%/check.h %D%/check_report.c %D%/command.h %D%/figures.c %D%/figures.h \
-  %D%/json.c %D%/json.h %D%/judge.c %D%/judge.h %D%/lines.c %D%/lines.h %D%/list.c \
-  %D%/options.c %D%/render.c %D%/results.c %D%/results.h %D%/run.c \
-  %D%/scenes_command.c %D%/serve.c %D%/serve.h %D%/stage.c %D%/stage.h \
-  %D%/stats.c %D%/steps.c %D%/terminate.cc %D%/terminate.h %D%/worker.c \
-  %D%/sweep/group.c %D%/sweep/machine.c %D%/sweep/plan.c %D%/sweep/summary.c \
-  %D%/sweep/sweep.h %D%/sweep/turns.c
+libbench_a_SOURCES = \
+  %D%/bench.c \
+  %D%/check.c \
+  %D%/check.h \
+  %D%/check_report.c \
+  %D%/claims.c \
+  %D%/claims.def \
+  %D%/claims.h \
+  %D%/command.h \
+  %D%/figures.c \
+  %D%/figures.h \
+  %D%/greene.c \
+  %D%/greene.h \
+  %D%/growth.c \
+  %D%/growth.h \
+  %D%/json.c \
+  %D%/json.h \
+  %D%/judge.c \
+  %D%/judge.h \
+  %D%/lines.c \
+  %D%/lines.h \
+  %D%/list.c \
+  %D%/list.h \
+  %D%/options.c \
+  %D%/paper_1974.c \
+  %D%/paper_1974.h \
+  %D%/render.c \
+  %D%/results.c \
+  %D%/results.h \
+  %D%/run.c \
+  %D%/scenes_command.c \
+  %D%/serve.c \
+  %D%/serve.h \
+  %D%/stage.c \
+  %D%/stage.h \
+  %D%/stats.c \
+  %D%/tables.c \
+  %D%/tables.h \
+  %D%/tables_1974.c \
+  %D%/tables_json.c \
+  %D%/tables_text.c \
+  %D%/terminate.cc \
+  %D%/terminate.h \
+  %D%/times.c \
+  %D%/times.h \
+  %D%/worker.c \
+  %D%/report/command.c \
+  %D%/report/data.c \
+  %D%/report/pictures.c \
+  %D%/report/report.h \
+  %D%/sweep/group.c \
+  %D%/sweep/machine.c \
+  %D%/sweep/plan.c \
+  %D%/sweep/summary.c \
+  %D%/sweep/sweep.h \
+  %D%/sweep/turns.c
 nodist_libbench_a_SOURCES = %D%/commit.h
 
 # The commit that is built, written anew only when it is another one.

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/results.h"
+#include "common/json_read.h"
 
 #include <errno.h>
 #include <stdbool.h>
@@ -15,24 +16,24 @@ void results_free(struct results *results) {
   *results = (struct results){.headers = NULL};
 }
 
-static const char *text_of(const json_t *record, const char *field) {
+const char *results_text(const json_t *record, const char *field) {
   const char *text = json_string_value(json_object_get(record, field));
   return text ? text : "";
 }
 
-static long number_of(const json_t *record, const char *field) {
+long results_number(const json_t *record, const char *field) {
   return (long)json_integer_value(json_object_get(record, field));
 }
 
 void results_key(const json_t *record, char key[RESULTS_KEY]) {
-  int length =
-      snprintf(key, RESULTS_KEY, "%.*s %ld %ldx%ld", (int)RESULTS_MOST_SCENE,
-               text_of(record, "scene"), number_of(record, "view"),
-               number_of(record, "width"), number_of(record, "height"));
+  int length = snprintf(
+      key, RESULTS_KEY, "%.*s %ld %ldx%ld", (int)RESULTS_MOST_SCENE,
+      results_text(record, "scene"), results_number(record, "view"),
+      results_number(record, "width"), results_number(record, "height"));
   if (json_object_get(record, "algorithm"))
     snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.*s %ld",
-             (int)RESULTS_MOST_NAME, text_of(record, "algorithm"),
-             number_of(record, "threads"));
+             (int)RESULTS_MOST_NAME, results_text(record, "algorithm"),
+             results_number(record, "threads"));
 }
 
 static const json_t *find(const struct results *results, const json_t *array,
@@ -88,10 +89,10 @@ enum hsr_status results_add(struct results *results, json_t *record,
                             struct hsr_error *err) {
   if (!make_room(results))
     return hsr_fail_nomem(err);
-  const char *what = text_of(record, "record");
+  const char *what = results_text(record, "record");
   bool kept;
   if (!strcmp(what, "header") &&
-      !strcmp(text_of(record, "schema"), "hsr-bench/1"))
+      !strcmp(results_text(record, "schema"), "hsr-bench/1"))
     kept = !json_array_append(results->headers, record);
   else if (!strcmp(what, "view") &&
            has_name(record, "scene", RESULTS_MOST_SCENE) &&
@@ -106,12 +107,30 @@ enum hsr_status results_add(struct results *results, json_t *record,
   return kept ? HSR_OK : hsr_fail_nomem(err);
 }
 
+/* The rest of a line, as the parser gets it. */
+struct rest {
+  const char *text;
+  size_t length;
+};
+
+static size_t read_rest(void *buffer, size_t size, void *data) {
+  struct rest *rest = data;
+  size_t n = rest->length < size ? rest->length : size;
+  memcpy(buffer, rest->text, n);
+  rest->text += n;
+  rest->length -= n;
+  return n;
+}
+
 static enum hsr_status add_line(struct results *results, const char *line,
                                 size_t length, const char *path, long number,
                                 struct hsr_error *err) {
   json_error_t error;
-  json_t *record = json_loadb(line, length, JSON_REJECT_DUPLICATES, &error);
-  if (!record && json_error_code(&error) == json_error_out_of_memory)
+  bool out_of_memory;
+  json_t *record =
+      hsr_json_read(read_rest, &(struct rest){line, length},
+                    JSON_REJECT_DUPLICATES, &out_of_memory, &error);
+  if (out_of_memory)
     return hsr_fail_nomem(err);
   struct hsr_error why = {.text = "not a line of JSON"};
   enum hsr_status status =

@@ -29,6 +29,10 @@ void results_free(struct results *results);
 enum hsr_status results_add(struct results *results, json_t *record,
                             struct hsr_error *err);
 
+/* A field of a record: "" or 0 where it has none. */
+const char *results_text(const json_t *record, const char *field);
+long results_number(const json_t *record, const char *field);
+
 /* The key of a view or cell record: the text by which two records are of the
  * same. "scene 1 512x512" and, of a cell, " algorithm 1": its threads. */
 enum { RESULTS_KEY = 512, RESULTS_MOST_SCENE = 300, RESULTS_MOST_NAME = 100 };

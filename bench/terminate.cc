@@ -6,7 +6,9 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <gmp.h>
 #include <new>
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -23,14 +25,31 @@ namespace {
   _exit(status);
 }
 
-[[noreturn]] void terminate() {
+[[noreturn]] void end_without_memory() {
   static const char no_memory[] = "hsr: out of memory\n";
+  end(no_memory, sizeof no_memory - 1, HSR_E_NOMEM);
+}
+
+/* For GMP, to which a failure cannot be told. */
+void *allocate(size_t size) {
+  void *p = std::malloc(size);
+  return p ? p : (end_without_memory(), nullptr);
+}
+void *reallocate(void *p, size_t, size_t size) {
+  void *q = std::realloc(p, size);
+  return q ? q : (end_without_memory(), nullptr);
+}
+void release(void *p, size_t) {
+  std::free(p);
+}
+
+[[noreturn]] void terminate() {
   static const char internal[] = "hsr: a library failed\n";
   try {
     if (std::current_exception())
       throw;
   } catch (const std::bad_alloc &) {
-    end(no_memory, sizeof no_memory - 1, HSR_E_NOMEM);
+    end_without_memory();
   } catch (...) {
   }
   end(internal, sizeof internal - 1, HSR_E_INTERNAL);
@@ -51,6 +70,7 @@ void end_with_parent(pid_t parent) {
     _exit(HSR_E_INTERNAL);
 }
 
-void end_on_uncaught_exceptions(void) {
+void end_in_one_line(void) {
   std::set_terminate(terminate);
+  mp_set_memory_functions(allocate, reallocate, release);
 }

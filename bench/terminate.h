@@ -8,9 +8,11 @@
 extern "C" {
 #endif
 
-/* From now on an exception that nothing catches ends the program with one line
- * and status 4, if it is for lack of memory, or 5, instead of an abort. */
-void end_on_uncaught_exceptions(void);
+/* From now on what no caller can be told of ends the program with one line,
+ * instead of an abort: an exception that nothing catches, by status 4 if it is
+ * for lack of memory, or 5; and a lack of memory inside GMP, on which CGAL's
+ * rational numbers stand, by status 4. */
+void end_in_one_line(void);
 
 /* Ends the process, after a search for leaks where the leak sanitizer is there,
  * but without the destructors of libraries: in a forked process they wait for

@@ -7,7 +7,7 @@
 #include "common/world.h"
 
 #include <CGAL/Interval_nt.h>
-#include <CGAL/Mpzf.h>
+#include <CGAL/MP_Float.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace hsr {
 
 using Interval = CGAL::Interval_nt<false>;
-using Exact = CGAL::Mpzf;
+using Exact = CGAL::MP_Float;
 template <class T> using Vector = typename CGAL::Simple_cartesian<T>::Vector_3;
 
 template <class T> Vector<T> point(const hsr_world *w, uint32_t v) {

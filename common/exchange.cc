@@ -14,7 +14,7 @@
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
-#include <CGAL/Mpzf.h>
+#include <CGAL/MP_Float.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -360,7 +360,7 @@ bool is_outward(const struct hsr_object &object) {
   const bool in_range = rough.magnitude < DBL_MAX && bound > n * DBL_MIN;
   if (in_range && std::fabs(rough.sum) > bound)
     return rough.sum > 0;
-  using Exact = CGAL::Mpzf;
+  using Exact = CGAL::MP_Float;
   return volume<Exact>(object, [](const Exact &) { return Exact(0); }).sum > 0;
 }
 

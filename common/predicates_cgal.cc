@@ -3,9 +3,11 @@
 //
 // Method      Each predicate is a polynomial written once as a template over
 //             the number type. It is evaluated in intervals, whose rounding
-//             CGAL directs; if the interval does not tell the sign, in Mpzf,
-//             CGAL's exact floating-point numbers (integers times powers of
-//             two), which hold sums and products of doubles exactly.
+//             CGAL directs; if the interval does not tell the sign, in
+//             MP_Float, CGAL's exact floating-point numbers (integers times
+//             powers of two), which hold sums and products of doubles exactly.
+//             The faster Mpzf is not for us: where memory runs out within a
+//             sum, CGAL 5.5 frees an address that it never got.
 // Division    there is none: x = (2 sx - m)/m and y = (n - 2 sy)/n are
 //             multiplied through by m n > 0, means by the number of vertices.
 
@@ -13,14 +15,14 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/Mpzf.h>
+#include <CGAL/MP_Float.h>
 
 #include <new>
 
 namespace {
 
 using Interval = CGAL::Interval_nt<false>;
-using Exact = CGAL::Mpzf;
+using Exact = CGAL::MP_Float;
 
 /* The sign of polynomial(T()), the argument only telling the number type. */
 template <class Polynomial>
@@ -34,7 +36,7 @@ int sign_of(const Polynomial &polynomial, bool *out_of_memory) noexcept {
     }
     return CGAL::sign(polynomial(Exact()));
   } catch (...) {
-    *out_of_memory = true; /* the only thing that Mpzf throws */
+    *out_of_memory = true; /* the only thing that MP_Float throws */
     return 1;
   }
 }

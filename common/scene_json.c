@@ -8,6 +8,7 @@
  * Memory      the file as jansson's tree, some 20 times its size and at worst
  *             80, and the scene. Files hold no counts to be believed. */
 #include "common/scene_json.h"
+#include "common/json_read.h"
 #include "common/predicates.h"
 
 #include <jansson.h>
@@ -15,7 +16,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -255,45 +255,6 @@ static enum hsr_status exclude(const struct reader *reader,
 
 /* ---- jansson's parser ---- */
 
-/* When its lexer cannot enlarge the buffer for a token, jansson loses a
- * character and goes on, or fails an assertion when it takes it back. So while
- * a file is parsed, memory that malloc does not give comes from a reserve; the
- * file then ends for the parser, and the result is dropped. The reserve does
- * for tokens of up to 4096 characters. */
-struct reserve {
-  bool touched;
-  size_t used;
-  _Alignas(max_align_t) char bytes[16384];
-};
-
-static _Thread_local struct reserve *reserve; /* NULL: no file is parsed */
-static json_malloc_t outer_malloc;
-static json_free_t outer_free;
-
-static void *reserve_malloc(size_t size) {
-  void *p = outer_malloc(size);
-  if (p || !reserve)
-    return p;
-  reserve->touched = true;
-  if (size > sizeof reserve->bytes - reserve->used)
-    return NULL;
-  p = reserve->bytes + reserve->used;
-  const size_t unit = _Alignof(max_align_t);
-  reserve->used += (size + unit - 1) / unit * unit;
-  return p;
-}
-
-static void reserve_free(void *p) {
-  if (!reserve ||
-      (uintptr_t)p - (uintptr_t)reserve->bytes >= sizeof reserve->bytes)
-    outer_free(p);
-}
-
-static void install_reserve(void) {
-  json_get_alloc_funcs(&outer_malloc, &outer_free);
-  json_set_alloc_funcs(reserve_malloc, reserve_free);
-}
-
 /* The file as the parser gets it. */
 struct source {
   int fd;
@@ -305,8 +266,6 @@ struct source {
 /* A NUL byte ends the file for the parser, which may overlook it elsewhere. */
 static size_t read_source(void *buffer, size_t size, void *data) {
   struct source *source = data;
-  if (reserve->touched)
-    return 0;
   ssize_t n;
   do
     n = read(source->fd, buffer, size);
@@ -336,31 +295,23 @@ static enum hsr_status parse_failure(const char *path,
   if (source->has_nul)
     return hsr_fail(err, HSR_E_INPUT, "%s:%zu: a NUL byte", shown(path),
                     source->line);
-  if (json_error_code(error) == json_error_out_of_memory)
-    return hsr_fail_nomem(err);
   return hsr_fail(err, HSR_E_INPUT, "%s:%d: %s", shown(path), error->line,
                   error->text);
 }
 
 static enum hsr_status parse(int fd, const char *path, json_t **root,
                              struct hsr_error *err) {
-  static pthread_once_t installed = PTHREAD_ONCE_INIT;
-  pthread_once(&installed, install_reserve);
   struct source source = {.fd = fd, .line = 1};
-  struct reserve fresh;
-  fresh.touched = false;
-  fresh.used = 0;
   json_error_t error;
-  reserve = &fresh;
-  *root = json_load_callback(read_source, &source,
-                             JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL,
-                             &error);
-  if (fresh.touched || source.reason || source.has_nul) {
+  bool out_of_memory;
+  *root = hsr_json_read(read_source, &source,
+                        JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL,
+                        &out_of_memory, &error);
+  if (source.reason || source.has_nul) {
     json_decref(*root);
     *root = NULL;
   }
-  reserve = NULL;
-  if (fresh.touched)
+  if (out_of_memory)
     return hsr_fail_nomem(err);
   return *root ? HSR_OK : parse_failure(path, &source, &error, err);
 }

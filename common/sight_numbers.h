@@ -9,8 +9,8 @@
 // Method      Whatever is asked is linear in v, but for coverage where an edge
 //             pierces a plane. Its sign is that of its value, else of its
 //             change along R, else along -U: each is a polynomial in the input
-//             doubles, evaluated in intervals, and in CGAL's Mpzf, which is
-//             exact, if the interval of the value holds zero.
+//             doubles, evaluated in intervals, and in CGAL's MP_Float, which
+//             is exact, if the interval of the value holds zero.
 #ifndef HSR_COMMON_SIGHT_NUMBERS_H
 #define HSR_COMMON_SIGHT_NUMBERS_H
 
@@ -18,7 +18,7 @@
 #include "common/sight.h"
 
 #include <CGAL/Interval_nt.h>
-#include <CGAL/Mpzf.h>
+#include <CGAL/MP_Float.h>
 
 #include <algorithm>
 

@@ -13,6 +13,7 @@ tap_programs = \
   %D%/unit/scenes_test \
   %D%/unit/screen_test \
   %D%/unit/statistics_test \
+  %D%/unit/tables_test \
   %D%/conformance/lattice_test \
   %D%/conformance/line_lattice_test \
   %D%/properties/combinations_test \
@@ -30,8 +31,10 @@ tap_programs = \
   %D%/sweep/sweep_test
 tap_scripts = \
   %D%/command.test \
+  %D%/peers.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
+  %D%/report/report.test \
   %D%/torture/torture.test
 
 if WITH_VTK
@@ -63,6 +66,9 @@ nodist_EXTRA_%C%_unit_scenes_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_unit_screen_test_SOURCES = force_cxx_link.cc
 %C%_unit_statistics_test_SOURCES = %D%/unit/statistics_test.c
 nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
+%C%_unit_tables_test_SOURCES = %D%/unit/tables_test.c
+%C%_unit_tables_test_LDADD = $(BENCH_LIBS)
+nodist_EXTRA_%C%_unit_tables_test_SOURCES = force_cxx_link.cc
 %C%_unit_vtp_test_SOURCES = %D%/unit/vtp_test.cc
 %C%_unit_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_conformance_lattice_test_SOURCES = %D%/conformance/lattice_test.c
@@ -109,4 +115,4 @@ nodist_EXTRA_%C%_sweep_schema_test_SOURCES = force_cxx_link.cc
 %C%_sweep_sweep_test_LDADD = $(BENCH_LIBS)
 nodist_EXTRA_%C%_sweep_sweep_test_SOURCES = force_cxx_link.cc
 
-EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict
+EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/report/browse.mjs %D%/report/sample.mjs %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict

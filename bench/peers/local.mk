@@ -1,23 +1,35 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The comparison with other people's renderers, built by configure --with-peers;
-# nothing else needs it.
+# Other people's renderers, for hsr bench: built by configure --with-peers;
+# nothing else needs them.
+EXTRA_DIST += %D%/README.md
 if WITH_PEERS
-noinst_PROGRAMS += %D%/peers
-%C%_peers_SOURCES = %D%/own.c %D%/peers.c %D%/peers.h
-%C%_peers_LDADD = libinexact.a $(HSR_LIBS) $(EMBREE_LIBS) $(OSMESA_LIBS)
-nodist_EXTRA_%C%_peers_SOURCES = force_cxx_link.cc
+hsrlibexecdir = $(libexecdir)/hsr
+hsrlibexec_PROGRAMS = %D%/hsr-peers
+%C%_hsr_peers_SOURCES = %D%/main.c %D%/own.c %D%/peers.h
+%C%_hsr_peers_LDADD = libinexact.a
+nodist_EXTRA_%C%_hsr_peers_SOURCES = force_cxx_link.cc
 if WITH_EMBREE
-%C%_peers_SOURCES += %D%/embree.c
+noinst_LIBRARIES += libembreepeer.a
+libembreepeer_a_SOURCES = %D%/embree.c
+libembreepeer_a_CFLAGS = $(AM_CFLAGS) $(OPENMP_CFLAGS)
+%C%_hsr_peers_LDADD += libembreepeer.a $(EMBREE_LIBS) $(OPENMP_CFLAGS)
 endif
-if WITH_OSMESA
-%C%_peers_SOURCES += %D%/osmesa.c
+if WITH_OFFSCREEN
+%C%_hsr_peers_SOURCES += %D%/llvmpipe.c %D%/offscreen.c %D%/offscreen.h \
+  %D%/projection.c %D%/projection.h
+%C%_hsr_peers_LDADD += $(OFFSCREEN_LIBS)
 endif
 if WITH_GL2PS
-noinst_PROGRAMS += %D%/gl2ps-lines
-%C%_gl2ps_lines_SOURCES = %D%/gl2ps_lines.c
-%C%_gl2ps_lines_LDADD = $(HSR_LIBS) -lgl2ps $(OSMESA_LIBS)
-nodist_EXTRA_%C%_gl2ps_lines_SOURCES = force_cxx_link.cc
+%C%_hsr_peers_SOURCES += %D%/gl2ps.c
+%C%_hsr_peers_LDADD += -lgl2ps
 endif
+if WITH_VTK_RENDERER
+noinst_LIBRARIES += libvtkpeer.a
+libvtkpeer_a_SOURCES = %D%/vtk.cc
+libvtkpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
+%C%_hsr_peers_LDADD += libvtkpeer.a $(VTK_RENDERER_LIBS)
+endif
+%C%_hsr_peers_LDADD += $(BENCH_LIBS)
 
 # zbuffer once more, without its exact fallback and under another name.
 noinst_LIBRARIES += libinexact.a

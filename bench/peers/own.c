@@ -1,68 +1,71 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The renderers that need no other library: algorithms of hsr, and memset. */
+/* The yardsticks, that need no other library: zbuffer without its exactness,
+ * and memset. */
 #include "bench/peers/peers.h"
 
-#include "algorithms/setup.h"
+#include "bench/command.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* --- An algorithm of hsr ---------------------------------------------------
+static void own_version(char *text) {
+  strcpy(text, PACKAGE_VERSION);
+}
+
+/* --- zbuffer, inexact ------------------------------------------------------
  */
 
-struct own {
-  struct hsr_setup setup;
-  struct hsr_arena scratch; /* kept, so that a frame allocates nothing */
-  uint32_t *ids;
+struct inexact {
+  const struct hsr_setup *setup;
+  struct crew *crew;
+  struct answer answer; /* its ids are the canvas' */
 };
 
-static enum hsr_status own_setup(const struct peer *peer,
-                                 const struct hsr_world *world, int m, int n,
-                                 uint32_t *ids, void **state,
-                                 struct hsr_error *err) {
-  (void)m, (void)n;
-  struct own *own = calloc(1, sizeof *own);
-  *state = own;
-  if (!own)
+static enum hsr_status inexact_setup(const struct peer *peer,
+                                     const struct peer_canvas *canvas,
+                                     void **state, struct hsr_error *err) {
+  (void)peer;
+  struct inexact *inexact = calloc(1, sizeof *inexact);
+  *state = inexact;
+  if (!inexact)
     return hsr_fail_nomem(err);
-  own->ids = ids;
-  return hsr_setup_init(&own->setup, peer->flavour, world, err);
+  inexact->setup = canvas->setup;
+  inexact->answer.ids = canvas->ids;
+  inexact->crew = crew_new(canvas->threads);
+  return inexact->crew ? HSR_OK : hsr_fail_nomem(err);
 }
 
-static enum hsr_status own_draw(void *state, const struct hsr_view *view,
-                                struct hsr_error *err) {
-  struct own *own = state;
+static enum hsr_status inexact_draw(void *state, const struct hsr_view *view,
+                                    struct hsr_error *err) {
+  struct inexact *inexact = state;
   struct hsr_tally tally = {.work = NULL};
-  hsr_arena_reset(&own->scratch);
-  struct hsr_job job = {.view = view,
-                        .scratch = &own->scratch,
-                        .tally = &tally,
-                        .ids = own->ids,
-                        .ids_stride = (size_t)view->m};
-  return hsr_setup_render(&own->setup, &job, err);
+  return crew_render(inexact->crew, inexact->setup, view, &inexact->answer,
+                     &tally, err);
 }
 
-static void own_release(void *state) {
-  struct own *own = state;
-  if (!own)
-    return;
-  hsr_setup_free(&own->setup);
-  hsr_arena_free(&own->scratch);
-  free(own);
+static void inexact_release(void *state) {
+  struct inexact *inexact = state;
+  if (inexact)
+    crew_free(inexact->crew);
+  free(inexact);
 }
 
-extern const struct hsr_algorithm hsr_algorithm_zbuffer,
-    hsr_algorithm_zbuffer_inexact, hsr_algorithm_null;
+extern const struct hsr_algorithm hsr_algorithm_zbuffer_inexact;
 
-#define OWN(name_, draws_, algorithm)                                          \
-  {                                                                            \
-    .name = name_, .draws = draws_, .flavour = &algorithm, .setup = own_setup, \
-    .draw = own_draw, .release = own_release                                   \
-  }
-const struct peer peer_zbuffer = OWN("zbuffer", true, hsr_algorithm_zbuffer);
-const struct peer peer_zbuffer_inexact =
-    OWN("zbuffer-inexact", true, hsr_algorithm_zbuffer_inexact);
-const struct peer peer_null = OWN("null", false, hsr_algorithm_null);
+const struct peer peer_zbuffer_inexact = {
+    .name = "zbuffer-inexact",
+    .title = "zbuffer without its exact fallback",
+    .source = "hsr, algorithms/zbuffer.c",
+    .what = "What exactness costs: our own zbuffer, which decides by rounded "
+            "numbers what lies within their bounds of error. A frame is all "
+            "that zbuffer does, and set-up as little.",
+    .kind = "ids",
+    .many_threads = true,
+    .demands = &hsr_algorithm_zbuffer_inexact,
+    .version = own_version,
+    .setup = inexact_setup,
+    .draw = inexact_draw,
+    .release = inexact_release};
 
 /* --- memset: an id and a depth a sample ------------------------------------
  */
@@ -74,16 +77,15 @@ struct fill {
 };
 
 static enum hsr_status fill_setup(const struct peer *peer,
-                                  const struct hsr_world *world, int m, int n,
-                                  uint32_t *ids, void **state,
-                                  struct hsr_error *err) {
-  (void)peer, (void)world;
+                                  const struct peer_canvas *canvas,
+                                  void **state, struct hsr_error *err) {
+  (void)peer;
   struct fill *fill = calloc(1, sizeof *fill);
   *state = fill;
   if (!fill)
     return hsr_fail_nomem(err);
-  fill->ids = ids;
-  fill->n = (size_t)m * (size_t)n;
+  fill->ids = canvas->ids;
+  fill->n = (size_t)canvas->m * (size_t)canvas->n;
   fill->depth = malloc(fill->n * sizeof *fill->depth);
   return fill->depth ? HSR_OK : hsr_fail_nomem(err);
 }
@@ -104,7 +106,17 @@ static void fill_release(void *state) {
   free(fill);
 }
 
-const struct peer peer_memset = {.name = "memset",
-                                 .setup = fill_setup,
-                                 .draw = fill_draw,
-                                 .release = fill_release};
+static const struct hsr_algorithm takes_all = {.name = "any"};
+
+const struct peer peer_memset = {
+    .name = "memset",
+    .title = "memset, the floor of every z-buffer",
+    .source = "ISO C11, 7.24.6.1",
+    .what = "What memory costs: a frame fills one id and one float of depth a "
+            "sample, and draws nothing.",
+    .kind = "none",
+    .demands = &takes_all,
+    .version = own_version,
+    .setup = fill_setup,
+    .draw = fill_draw,
+    .release = fill_release};

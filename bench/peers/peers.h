@@ -1,37 +1,81 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Renderers that draw one and the same picture, to be timed in turn. */
+/* Other people's renderers, drawing the views that ours draw.
+ *
+ * hsr-peers list
+ *   what there is, as JSON: an array of {"name", "title", "source", "version":
+ *   null if it cannot be started here, "kind": "ids", "segments" or "none",
+ *   "threads": whether it can draw on several, "what": what a frame is and what
+ *   is not in it}
+ * hsr-peers worker NAME SCENE VIEW WxH THREADS [IDS-FILE]
+ *   draws when told to: bench/serve.h
+ * hsr-peers judge NAME SCENE VIEW WxH
+ *   of a peer that draws lines: {"compared": edges, "mismatches": edges, ...},
+ *   its drawing against the line oracle's; its "what" tells how. Pictures of
+ *   ids are judged by who reads IDS-FILE. */
 #ifndef HSR_BENCH_PEERS_PEERS_H
 #define HSR_BENCH_PEERS_PEERS_H
 
+#include "algorithms/setup.h"
 #include "common/view.h"
-#include "common/world.h"
 
-#include <stdbool.h>
+#include <jansson.h>
 
-/* One renderer, set up for one world and one buffer of m x n ids. */
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a peer is set up for. All borrowed, and outlives it. */
+struct peer_canvas {
+  const struct hsr_setup *setup; /* of peer->demands, for the scene */
+  int m, n;
+  long threads;  /* 1, unless the peer can draw on several */
+  uint32_t *ids; /* m * n: for the face of sample (i, j), at j * m + i */
+};
+
 struct peer {
-  const char *name;
-  bool draws;          /* makes a picture that can be judged */
+  const char *name, *title, *source, *what;
+  const char *kind;    /* "ids", "segments", "none" */
+  bool many_threads;   /* it can draw on more than one */
   const void *flavour; /* where one set of functions serves several peers */
 
-  /* All that does not depend on the view, untimed. Every draw leaves the id of
-   * sample (i, j) at ids[j * m + i]. *state is freed by release, also after a
-   * failure. HSR_E_NOMEM, HSR_E_INTERNAL. */
-  enum hsr_status (*setup)(const struct peer *peer,
-                           const struct hsr_world *world, int m, int n,
-                           uint32_t *ids, void **state, struct hsr_error *err);
+  /* The algorithm whose demands on a scene are the peer's too. */
+  const struct hsr_algorithm *demands;
 
-  /* One whole frame, timed: from the world's vertices to the ids. */
+  /* Writes the version, at most PEER_VERSION characters; an empty one where the
+   * peer cannot be started. */
+  void (*version)(char *text);
+
+  /* All that does not depend on the view. *state is freed by release, also
+   * after a failure. HSR_E_NOMEM, HSR_E_INTERNAL; HSR_E_REFUSED if the scene
+   * is beyond it. */
+  enum hsr_status (*setup)(const struct peer *peer,
+                           const struct peer_canvas *canvas, void **state,
+                           struct hsr_error *err);
+
+  /* One whole frame: from the world's vertices to the answer in memory. */
   enum hsr_status (*draw)(void *state, const struct hsr_view *view,
                           struct hsr_error *err);
+
+  /* Of the frame just drawn; NULL unless it draws lines. *verdict is the
+   * caller's to free; NULL for lack of memory. */
+  enum hsr_status (*judge)(void *state, const struct hsr_view *view,
+                           json_t **verdict, struct hsr_error *err);
 
   void (*release)(void *state); /* NULL is allowed */
 };
 
-extern const struct peer peer_zbuffer, peer_zbuffer_inexact, peer_null,
-    peer_memset;                      /* own.c */
-extern const struct peer peer_embree; /* embree.c */
-extern const struct peer peer_llvmpipe_indexed,
-    peer_llvmpipe_arrays; /* osmesa.c */
+enum { PEER_VERSION = 80 };
 
+/* Nothing but a restriction: it demands triangles. */
+extern const struct hsr_algorithm takes_triangles; /* main.c */
+
+extern const struct peer peer_embree, peer_embree_packets;    /* embree.c */
+extern const struct peer peer_llvmpipe, peer_llvmpipe_arrays; /* llvmpipe.c */
+extern const struct peer peer_vtk, peer_vtk_painter;          /* vtk.cc */
+extern const struct peer peer_gl2ps;                          /* gl2ps.c */
+extern const struct peer peer_zbuffer_inexact, peer_memset;   /* own.c */
+
+#ifdef __cplusplus
+}
+#endif
 #endif

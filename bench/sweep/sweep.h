@@ -37,6 +37,12 @@ struct sweep_options {
   bool resume, list, counts; /* counts: and no times */
 };
 
+#define SWEEP_OPTIONS_STANDARD                                                 \
+  {                                                                            \
+    .views = 1, .starts = 5, .repetitions = 9, .seed = 1, .timeout = 60,       \
+    .shard = 1, .shards = 1, .reference = "zbuffer"                            \
+  }
+
 /* Who takes part in every group: an algorithm, or a peer, on so many threads.
  */
 struct entrant {
@@ -143,6 +149,15 @@ enum hsr_status sweep_place(struct sweep *sweep, size_t place,
  * reference, also on failure; NULL is HSR_E_NOMEM. */
 enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
                              struct hsr_error *err);
+
+/* --- bench.c -----------------------------------------------------------------
+ */
+
+/* Runs the plan, into the file that its options name, if they do. *results are
+ * its records, after those that the file had; to be freed also after a
+ * failure. The words of the command line go into the header. */
+enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
+                          struct results *results, struct hsr_error *err);
 
 /* --- summary.c --------------------------------------------------------------
  */

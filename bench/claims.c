@@ -1,0 +1,524 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A claim is about numbers that the tables yield: a number for each of some
+ * environments, or the exponent by which something grows with the relevant
+ * faces. It is borne out if all of them lie within its limits, an exponent with
+ * its whole interval.
+ *
+ * The survey's words are rarely so exact. Its authors compare orders of
+ * magnitude, so two costs are taken to differ by one if they differ by more
+ * than half of one, 10^1/2; and the exponents that they name are halves, so a
+ * measured one is taken to be the half that it is nearest to. */
+#include "bench/claims.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+enum { MOST_NAMES = 6 };
+enum { IN_HOUSE = 1, IN_HARBOR = 2, IN_BIG_HARBOR = 4, IN_ALL = 7 };
+#define HALF_ORDER 3.1622776601683795
+#define QUARTER 0.25
+
+/* A text of items that commas separate; what has no room is cut off. */
+struct text {
+  char *start;
+  size_t size;
+};
+
+struct claim {
+  const char *section, *claim;
+  const char *measure; /* what the number is */
+  double low, high;    /* limits; infinite: none */
+
+  /* The number of a scene, or of one of the algorithms on it, and maybe a
+   * remark. NULL: the exponent of a growth. */
+  double (*number)(const struct tables *t, const struct claim *claim,
+                   const char *algorithm, int scene, struct text remark);
+  unsigned environments;                 /* IN_... */
+  const char *algorithm[MOST_NAMES + 1]; /* of each of these; none: of no one */
+  const char *step;                      /* NULL: all steps */
+  size_t statistic; /* in struct hsr_table1: of that, not of a cost */
+};
+
+/* The algorithms that the survey compares. */
+static const char *const ten[] = {
+    "roberts", "appel",   "loutrel", "galimberti", "schumacker",
+    "newell",  "warnock", "romney",  "bouknight",  "watkins"};
+enum { TEN = sizeof ten / sizeof *ten, OBJECT_SPACE = 4 };
+
+static void add(struct text text, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+static void add(struct text text, const char *format, ...) {
+  size_t used = strlen(text.start);
+  if (used && used + 2 < text.size) {
+    memcpy(text.start + used, ", ", 3);
+    used += 2;
+  }
+  va_list args;
+  va_start(args, format);
+  vsnprintf(text.start + used, text.size - used, format, args);
+  va_end(args);
+}
+
+static double cost(const struct tables *t, const char *algorithm,
+                   const char *step, int scene) {
+  const struct series *series = tables_cost(t, algorithm, step);
+  return series ? series->measured[scene] : NAN;
+}
+
+static double total(const struct tables *t, const char *algorithm, int scene) {
+  return cost(t, algorithm, NULL, scene);
+}
+
+/* By how much the greater of two is greater. */
+static double factor_between(double a, double b) {
+  return isnan(a) || isnan(b) ? NAN : fmax(a / b, b / a);
+}
+
+#define NUMBER(name)                                                           \
+  static double name(const struct tables *t, const struct claim *claim,        \
+                     const char *algorithm, int scene, struct text remark)
+#define UNUSED (void)claim, (void)algorithm, (void)remark
+
+/* --- Numbers of all the ten ------------------------------------------------
+ */
+
+/* Of the totals of ten[first], ..., but one. NAN if one of them is. */
+struct range {
+  double least, most, mean; /* geometric */
+};
+static struct range range_from(const struct tables *t, int first,
+                               const char *but, int scene) {
+  struct range r = {INFINITY, 0, 0};
+  int n = 0;
+  for (int k = first; k < TEN; k++) {
+    double x = total(t, ten[k], scene);
+    if (but && !strcmp(ten[k], but))
+      continue;
+    if (isnan(x))
+      return (struct range){NAN, NAN, NAN};
+    r.least = fmin(r.least, x);
+    r.most = fmax(r.most, x);
+    r.mean += log(x);
+    n++;
+  }
+  r.mean = exp(r.mean / n);
+  return r;
+}
+
+static void add_total(struct text text, const struct tables *t,
+                      const char *algorithm, int scene) {
+  add(text, "%s %s", algorithm, short_number(total(t, algorithm, scene)).text);
+}
+
+NUMBER(around_a_million) {
+  UNUSED;
+  int n = 0;
+  for (int k = 0; k < TEN; k++) {
+    double x = total(t, ten[k], scene);
+    if (isnan(x))
+      return NAN;
+    n += x >= 1e5 && x <= 1e7;
+    add_total(remark, t, ten[k], scene);
+  }
+  return (double)n / TEN;
+}
+
+NUMBER(against_the_others) {
+  UNUSED;
+  return total(t, algorithm, scene) / range_from(t, 0, algorithm, scene).mean;
+}
+
+NUMBER(object_space_against_others) {
+  UNUSED;
+  struct range others = range_from(t, OBJECT_SPACE, NULL, scene);
+  double cheapest = INFINITY;
+  for (int k = 0; k < OBJECT_SPACE; k++) {
+    double x = total(t, ten[k], scene);
+    cheapest = isnan(x) || isnan(cheapest) ? NAN : fmin(cheapest, x);
+    add_total(remark, t, ten[k], scene);
+  }
+  add(remark, "the others %s to %s", short_number(others.least).text,
+      short_number(others.most).text);
+  return cheapest / others.most;
+}
+
+NUMBER(farthest_from_mean) {
+  UNUSED;
+  struct range r = range_from(t, OBJECT_SPACE, NULL, scene);
+  add(remark, "%s to %s", short_number(r.least).text,
+      short_number(r.most).text);
+  return isnan(r.mean) ? NAN : fmax(r.mean / r.least, r.most / r.mean);
+}
+
+NUMBER(against_cheapest) {
+  UNUSED;
+  return total(t, algorithm, scene) /
+         range_from(t, OBJECT_SPACE, algorithm, scene).least;
+}
+
+/* Of the pairs of those counted that Table VII puts `apart` times apart or
+ * farther, the part that is in its order. */
+static double pairs_in_order(const struct tables *t, int first, double apart,
+                             int scene, struct text remark) {
+  int n = 0, good = 0;
+  for (int k = first; k < TEN; k++)
+    for (int l = first; l < TEN; l++) {
+      double dearer = paper_group(ten[k])->total[scene];
+      double cheaper = paper_group(ten[l])->total[scene];
+      double a = total(t, ten[k], scene), b = total(t, ten[l], scene);
+      if (dearer <= cheaper || dearer < apart * cheaper || isnan(a - b))
+        continue;
+      n++;
+      good += a > b;
+      if (a <= b)
+        add(remark, "not %s before %s", ten[l], ten[k]);
+    }
+  return n ? (double)good / n : NAN;
+}
+
+NUMBER(far_pairs_in_order) {
+  UNUSED;
+  return pairs_in_order(t, 0, 10, scene, remark);
+}
+
+NUMBER(rivals_in_order) {
+  UNUSED;
+  return isnan(range_from(t, OBJECT_SPACE, NULL, scene).mean)
+             ? NAN
+             : pairs_in_order(t, OBJECT_SPACE, 1, scene, remark);
+}
+
+/* The costliest step of those charged in each frame, `but` one, which may be
+ * NULL. */
+static const struct table_step *largest(const struct table_algorithm *a,
+                                        const char *but, int scene) {
+  const struct table_step *best = NULL;
+  for (int k = 0; k < a->n_steps; k++) {
+    const struct table_step *row = &a->step[k];
+    if ((row->paper && row->paper->once) ||
+        (but && !strcmp(row->step->label, but)))
+      continue;
+    if (!best || row->cost.measured[scene] > best->cost.measured[scene])
+      best = row;
+  }
+  return best;
+}
+
+/* Of the ten that were counted. */
+NUMBER(one_step_preponderates) {
+  UNUSED;
+  int n = 0, many = 0;
+  for (int k = 0; k < TEN; k++) {
+    const struct table_algorithm *a = tables_algorithm(t, ten[k]);
+    if (!a || isnan(a->total.measured[scene]))
+      continue;
+    const struct table_step *row = largest(a, NULL, scene);
+    double part = row->cost.measured[scene] / a->total.measured[scene];
+    n++;
+    many += part > 0.5;
+    if (part <= 0.5)
+      add(remark, "not %s: %s %.0f %%", ten[k], row->step->label, 100 * part);
+  }
+  return n ? (double)many / n : NAN;
+}
+
+/* --- Numbers of an algorithm -----------------------------------------------
+ */
+
+NUMBER(against_largest_step) {
+  const struct table_algorithm *a = tables_algorithm(t, algorithm);
+  double own = cost(t, algorithm, claim->step, scene);
+  if (isnan(own))
+    return NAN;
+  const struct table_step *other = largest(a, claim->step, scene);
+  double all = a->total.measured[scene];
+  add(remark, "%.0f %% of the cost; %s %.0f %%", 100 * own / all,
+      other->step->label, 100 * other->cost.measured[scene] / all);
+  return own / other->cost.measured[scene];
+}
+
+NUMBER(part_of_total) {
+  (void)remark;
+  return cost(t, algorithm, claim->step, scene) / total(t, algorithm, scene);
+}
+
+NUMBER(against_house) {
+  (void)remark;
+  return cost(t, algorithm, claim->step, scene) /
+         cost(t, algorithm, claim->step, HOUSE);
+}
+
+NUMBER(worst_prediction) {
+  (void)claim;
+  const struct table_algorithm *a = tables_algorithm(t, algorithm);
+  const struct table_step *worst = NULL;
+  double factor = NAN;
+  for (int k = 0; a && k < a->n_steps; k++) {
+    const struct series *s = &a->step[k].cost;
+    double x = factor_between(s->measured[scene], s->predicted[scene]);
+    if (!isnan(x) && !(x <= factor)) {
+      factor = x;
+      worst = &a->step[k];
+    }
+  }
+  if (worst)
+    add(remark, "%s", worst->step->label);
+  return factor;
+}
+
+/* claim->algorithm[0] against the cheapest of those after it. */
+NUMBER(against_origins) {
+  (void)algorithm, (void)remark;
+  double least = INFINITY;
+  for (int k = 1; claim->algorithm[k]; k++) {
+    double x = cost(t, claim->algorithm[k], claim->step, scene);
+    least = isnan(x) || isnan(least) ? NAN : fmin(least, x);
+  }
+  return cost(t, claim->algorithm[0], claim->step, scene) / least;
+}
+
+NUMBER(newell_against_watkins) {
+  UNUSED;
+  return factor_between(total(t, "newell", scene), total(t, "watkins", scene));
+}
+
+/* --- Numbers of Table I, and of counters -----------------------------------
+ */
+
+NUMBER(worst_rule) {
+  UNUSED;
+  const struct table_scene *s = &t->scene[scene];
+  const char *worst = NULL;
+  double factor = NAN;
+#define X(field, symbol, meaning)                                              \
+  {                                                                            \
+    double x = factor_between(s->measured.field, s->rules.field);              \
+    if (!isnan(x) && !(x <= factor)) {                                         \
+      factor = x;                                                              \
+      worst = symbol;                                                          \
+    }                                                                          \
+  }
+  HSR_TABLE1(X)
+#undef X
+  if (worst)
+    add(remark, "%s", worst);
+  return factor;
+}
+
+NUMBER(depth_from_heights) {
+  UNUSED;
+  const struct hsr_table1 *m = &t->scene[scene].measured;
+  return m->F_r * (m->H_f / m->n) * (m->H_f / m->m) / m->D_c;
+}
+
+NUMBER(tests_a_pair) {
+  UNUSED;
+  const struct hsr_table1 *m = &t->scene[scene].measured;
+  return tables_count(t, "roberts", "edge/volume test", scene) /
+         (m->E_s * m->C_t);
+}
+
+NUMBER(searches_a_cluster) {
+  UNUSED;
+  return tables_count(t, "appel", "searches", scene) /
+         t->scene[scene].measured.C_t;
+}
+
+NUMBER(saved_by_contours) {
+  UNUSED;
+  return 1 - tables_count(t, "galimberti", "contour pairs", scene) /
+                 tables_count(t, "galimberti", "edge intersection", scene);
+}
+
+NUMBER(planes_a_cluster) {
+  UNUSED;
+  return tables_count(t, "schumacker", "inter-cluster priority", scene) /
+         t->scene[scene].measured.C_t;
+}
+
+NUMBER(spans_reused) {
+  UNUSED;
+  return tables_count(t, "romney", "spans reused", scene) /
+         tables_count(t, "romney", "spans", scene);
+}
+
+NUMBER(comparisons_an_edge) {
+  (void)claim, (void)remark;
+  const struct hsr_table1 *m = &t->scene[scene].measured;
+  return tables_count(t, algorithm, "X sort", scene) / (2 * m->n * m->S_l);
+}
+
+NUMBER(spans_against_bouknight) {
+  UNUSED;
+  return tables_count(t, "watkins", "spans", scene) /
+         tables_count(t, "bouknight", "spans", scene);
+}
+
+NUMBER(spans_a_visible_segment) {
+  UNUSED;
+  const struct hsr_table1 *m = &t->scene[scene].measured;
+  return tables_count(t, "watkins", "spans", scene) / (m->n * m->S_v);
+}
+
+NUMBER(divisions_a_comparison) {
+  UNUSED;
+  return tables_count(t, "watkins", "depth divisions", scene) /
+         tables_count(t, "watkins", "depth search", scene);
+}
+
+/* --- Judging ---------------------------------------------------------------
+ */
+
+#define EXPONENT(e) "exponent", (e)-QUARTER, (e) + QUARTER
+#define AT_MOST(x) -INFINITY, (x)
+#define AT_LEAST(x) (x), INFINITY
+#define LEADS                                                                  \
+  "cost / that of the largest other step", AT_LEAST(1),                        \
+      .number = against_largest_step
+#define APPEL_GROUP                                                            \
+  { "appel", "loutrel", "galimberti" }
+#define TABLE1(field) offsetof(struct hsr_table1, field)
+
+static const struct claim claims[] = {
+#include "bench/claims.def"
+};
+
+int claims_count(void) {
+  return (int)(sizeof claims / sizeof *claims);
+}
+
+const char *finding_name(enum finding finding) {
+  static const char *const name[] = {[BORNE_OUT] = "borne out",
+                                     [UNDECIDED] = "undecided",
+                                     [NOT_MEASURED] = "not measured",
+                                     [NOT_BORNE_OUT] = "not borne out"};
+  return name[finding];
+}
+
+static void outweigh(enum finding *finding, enum finding other) {
+  if (other > *finding)
+    *finding = other;
+}
+
+/* An interval against the limits; of a single number, low == high. */
+static enum finding within(const struct claim *claim, double low, double high) {
+  if (isnan(low) || isnan(high))
+    return NOT_MEASURED;
+  if (low >= claim->low && high <= claim->high)
+    return BORNE_OUT;
+  return high < claim->low || low > claim->high ? NOT_BORNE_OUT : UNDECIDED;
+}
+
+static void tell(struct conclusion *c, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+static void tell(struct conclusion *c, const char *format, ...) {
+  size_t used = strlen(c->evidence);
+  va_list args;
+  va_start(args, format);
+  vsnprintf(c->evidence + used, sizeof c->evidence - used, format, args);
+  va_end(args);
+}
+
+static const char *separator(const struct conclusion *c) {
+  return c->evidence[0] ? "; " : "";
+}
+
+static void judge_exponent(const struct claim *claim, const char *of,
+                           struct growth g, struct conclusion *c) {
+  outweigh(&c->finding, within(claim, g.low, g.high));
+  if (!isnan(g.low))
+    tell(c, "%s%s %.2f [%.2f, %.2f]", separator(c), of, g.exponent, g.low,
+         g.high);
+}
+
+static void judge_growth(const struct tables *t, const struct claim *claim,
+                         struct conclusion *c) {
+  for (int a = 0; claim->algorithm[a]; a++) {
+    const struct series *s = tables_cost(t, claim->algorithm[a], claim->step);
+    judge_exponent(claim, claim->algorithm[a],
+                   s ? s->growth : (struct growth){NAN, NAN, NAN, 0}, c);
+    if (s && !isnan(s->growth.low) && !isnan(s->predicted_growth.exponent))
+      tell(c, ", by its formula %.2f", s->predicted_growth.exponent);
+  }
+  if (!claim->statistic)
+    return;
+  double values[MOST_SCENES];
+  for (int s = 0; s < t->n_scenes; s++)
+    memcpy(&values[s], (const char *)&t->scene[s].measured + claim->statistic,
+           sizeof *values);
+  judge_exponent(claim, "measured", tables_growth(t, values), c);
+}
+
+/* Of one environment, and of one algorithm unless that is NULL. */
+static enum finding judge_number(const struct tables *t,
+                                 const struct claim *claim,
+                                 const char *algorithm, int scene,
+                                 struct conclusion *c) {
+  char remark[300] = "";
+  double x = claim->number(t, claim, algorithm, scene,
+                           (struct text){remark, sizeof remark});
+  if (algorithm)
+    tell(c, "%s ", algorithm);
+  tell(c, "%s", isnan(x) ? "not measured" : short_number(x).text);
+  if (!isnan(x) && remark[0])
+    tell(c, " (%s)", remark);
+  return within(claim, x, x);
+}
+
+static enum finding judge_environment(const struct tables *t,
+                                      const struct claim *claim, int scene,
+                                      struct conclusion *c) {
+  tell(c, "%s%s: ", separator(c), paper_environments[scene].scene);
+  /* The algorithms of against_origins are taken together. */
+  if (!claim->algorithm[0] || claim->number == against_origins)
+    return judge_number(t, claim, NULL, scene, c);
+  enum finding finding = BORNE_OUT;
+  for (int a = 0; claim->algorithm[a]; a++) {
+    if (a)
+      tell(c, ", ");
+    outweigh(&finding, judge_number(t, claim, claim->algorithm[a], scene, c));
+  }
+  return finding;
+}
+
+/* An environment that was not measured is told, but leaves the finding to the
+ * others, if there are any. */
+static void judge_numbers(const struct tables *t, const struct claim *claim,
+                          struct conclusion *c) {
+  bool measured = false;
+  for (int e = 0; e < ENVIRONMENTS; e++)
+    if (claim->environments & 1u << e) {
+      enum finding finding = judge_environment(t, claim, e, c);
+      if (finding == NOT_MEASURED)
+        continue;
+      measured = true;
+      outweigh(&c->finding, finding);
+    }
+  if (!measured)
+    c->finding = NOT_MEASURED;
+}
+
+static void tell_criterion(const struct claim *claim, struct conclusion *c) {
+  if (isinf(claim->low))
+    snprintf(c->criterion, sizeof c->criterion, "%s: at most %.3g",
+             claim->measure, claim->high);
+  else if (isinf(claim->high))
+    snprintf(c->criterion, sizeof c->criterion, "%s: at least %.3g",
+             claim->measure, claim->low);
+  else
+    snprintf(c->criterion, sizeof c->criterion, "%s: %.3g to %.3g",
+             claim->measure, claim->low, claim->high);
+}
+
+struct conclusion claims_judge(const struct tables *t, int k) {
+  const struct claim *claim = &claims[k];
+  struct conclusion c = {
+      .section = claim->section, .claim = claim->claim, .finding = BORNE_OUT};
+  tell_criterion(claim, &c);
+  if (claim->number)
+    judge_numbers(t, claim, &c);
+  else
+    judge_growth(t, claim, &c);
+  return c;
+}

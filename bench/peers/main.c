@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr-peers: other people's renderers, for hsr bench. See peers.h. */
+#include "bench/peers/peers.h"
+
+#include "bench/command.h"
+#include "bench/json.h"
+#include "bench/serve.h"
+#include "bench/terminate.h"
+
+#include <malloc.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct peer *const peers[] = {
+#if HSR_HAVE_EMBREE
+    &peer_embree,
+    &peer_embree_packets,
+#endif
+#if HSR_HAVE_OFFSCREEN
+    &peer_llvmpipe,
+    &peer_llvmpipe_arrays,
+#endif
+#if HSR_HAVE_VTK_RENDERER
+    &peer_vtk,
+    &peer_vtk_painter,
+#endif
+#if HSR_HAVE_GL2PS
+    &peer_gl2ps,
+#endif
+    &peer_zbuffer_inexact,
+    &peer_memset,
+};
+enum { N_PEERS = sizeof peers / sizeof *peers };
+
+const struct hsr_algorithm takes_triangles = {.name = "triangles",
+                                              .restrictions = HSR_TR};
+
+static enum hsr_status choose_peer(const char *name, const struct peer **chosen,
+                                   struct hsr_error *err) {
+  char names[256] = "";
+  for (int k = 0; k < N_PEERS; k++) {
+    *chosen = peers[k];
+    if (!strcmp(peers[k]->name, name))
+      return HSR_OK;
+    size_t used = strlen(names);
+    snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "",
+             peers[k]->name);
+  }
+  return hsr_fail(err, HSR_E_USAGE, "no peer '%.100s'; there are %s", name,
+                  names);
+}
+
+/* --- hsr-peers list --------------------------------------------------------
+ */
+
+static json_t *peer_json(const struct peer *peer) {
+  char version[PEER_VERSION] = "";
+  peer->version(version);
+  return json_pack("{ss ss ss so ss sb ss}", "name", peer->name, "title",
+                   peer->title, "source", peer->source, "version",
+                   *version ? json_string(version) : json_null(), "kind",
+                   peer->kind, "threads", peer->many_threads, "what",
+                   peer->what);
+}
+
+static enum hsr_status command_peers(int argc, char **argv,
+                                     struct hsr_error *err) {
+  (void)argv;
+  if (argc > 1)
+    return hsr_fail(err, HSR_E_USAGE, "list: takes no arguments");
+  json_t *all = json_array();
+  for (int k = 0; k < N_PEERS; k++)
+    json_append(&all, peer_json(peers[k]));
+  return json_print(all, err);
+}
+
+/* --- One peer, one view ----------------------------------------------------
+ */
+
+/* All that one run takes. */
+struct run {
+  const struct peer *peer;
+  const struct serve_request *request;
+  struct stage stage;
+  struct hsr_setup setup;
+  struct peer_canvas canvas;
+  long before_kb;
+  double prepare_seconds;
+  void *state; /* the peer's */
+};
+
+static enum hsr_status draw_frame(void *state, struct hsr_error *err) {
+  struct run *run = state;
+  return run->peer->draw(run->state, &run->stage.view, err);
+}
+
+static enum hsr_status serve_run(struct run *run, struct hsr_error *err) {
+  bool draws_ids = !strcmp(run->peer->kind, "ids");
+  struct served served = {.request = run->request,
+                          .stage = &run->stage,
+                          .adapt_seconds = run->setup.adapt_seconds,
+                          .prepare_seconds = run->prepare_seconds,
+                          .before_kb = run->before_kb,
+                          .frame = draw_frame,
+                          .state = run,
+                          .ids = draws_ids ? run->canvas.ids : NULL};
+  return serve(&served, err);
+}
+
+static enum hsr_status judge_run(struct run *run, struct hsr_error *err) {
+  json_t *verdict = NULL;
+  enum hsr_status status = draw_frame(run, err);
+  if (!status)
+    status = run->peer->judge(run->state, &run->stage.view, &verdict, err);
+  return status ? status : json_print(verdict, err);
+}
+
+/* Ids are those of no face until they are drawn. */
+static enum hsr_status make_canvas(struct run *run, struct hsr_error *err) {
+  const struct serve_request *request = run->request;
+  size_t size =
+      (size_t)request->m * (size_t)request->n * sizeof *run->canvas.ids;
+  run->canvas = (struct peer_canvas){.setup = &run->setup,
+                                     .m = request->m,
+                                     .n = request->n,
+                                     .threads = request->threads,
+                                     .ids = malloc(size)};
+  if (!run->canvas.ids)
+    return hsr_fail_nomem(err);
+  memset(run->canvas.ids, 0xfe, size);
+  return HSR_OK;
+}
+
+static enum hsr_status set_up(struct run *run, struct hsr_error *err) {
+  enum hsr_status status =
+      hsr_setup_init(&run->setup, run->peer->demands, &run->stage.world, err);
+  if (!status)
+    status = make_canvas(run, err);
+  double begin = seconds_now();
+  if (!status)
+    status = run->peer->setup(run->peer, &run->canvas, &run->state, err);
+  run->prepare_seconds = run->setup.prepare_seconds + seconds_now() - begin;
+  return status;
+}
+
+static enum hsr_status
+run_peer(const struct peer *peer, const struct serve_request *request,
+         enum hsr_status (*use)(struct run *run, struct hsr_error *err),
+         struct hsr_error *err) {
+  if (request->threads > 1 && !peer->many_threads)
+    return hsr_fail(err, HSR_E_REFUSED, "%s draws on one thread", peer->name);
+  struct run run = {.peer = peer, .request = request};
+  enum hsr_status status = stage_open(&run.stage, request->scene, request->view,
+                                      request->m, request->n, err);
+  if (!status) {
+    run.before_kb = memory_kb();
+    status = set_up(&run, err);
+    if (!status)
+      status = use(&run, err);
+    peer->release(run.state);
+    free(run.canvas.ids);
+    hsr_setup_free(&run.setup);
+  }
+  stage_close(&run.stage);
+  return status;
+}
+
+/* --- hsr-peers worker, hsr-peers judge -------------------------------------
+ */
+
+static enum hsr_status command_work(int argc, char **argv,
+                                    struct hsr_error *err) {
+  struct serve_request request;
+  const struct peer *peer;
+  enum hsr_status status = serve_parse(argc, argv, &request, err);
+  if (!status)
+    status = choose_peer(request.name, &peer, err);
+  return status ? status : run_peer(peer, &request, serve_run, err);
+}
+
+static enum hsr_status command_judge(int argc, char **argv,
+                                     struct hsr_error *err) {
+  struct serve_request request = {.threads = 1};
+  const struct peer *peer;
+  if (argc != 5 || !parse_count(argv[3], 1, 1000, &request.view) ||
+      !parse_size(argv[4], &request.m, &request.n))
+    return hsr_fail(err, HSR_E_USAGE, "judge: NAME SCENE VIEW WxH");
+  request.scene = argv[2];
+  enum hsr_status status = choose_peer(argv[1], &peer, err);
+  if (!status && !peer->judge)
+    status = hsr_fail(err, HSR_E_USAGE, "judge: %s draws no lines", peer->name);
+  return status ? status : run_peer(peer, &request, judge_run, err);
+}
+
+/* --- The program -----------------------------------------------------------
+ */
+
+static const struct hsr_command commands[] = {{"list", NULL, command_peers},
+                                              {"worker", NULL, command_work},
+                                              {"judge", NULL, command_judge},
+                                              {NULL, NULL, NULL}};
+
+static enum hsr_status run_command(int argc, char **argv,
+                                   struct hsr_error *err) {
+  for (const struct hsr_command *c = commands; argc > 1 && c->name; c++)
+    if (!strcmp(argv[1], c->name))
+      return c->run(argc - 1, argv + 1, err);
+  return hsr_fail(err, HSR_E_USAGE,
+                  "hsr-peers: list, or worker NAME SCENE VIEW WxH THREADS "
+                  "[IDS-FILE], or judge NAME SCENE VIEW WxH");
+}
+
+/* Memory once taken stays with the process: else page faults are nearly half of
+ * the time of llvmpipe, which allocates in every frame. */
+static void keep_memory(void) {
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, INT32_MAX);
+}
+
+int main(int argc, char **argv) {
+  keep_memory();
+  end_in_one_line();
+  struct hsr_error err = {.text = "unexplained failure"};
+  enum hsr_status status = run_command(argc, argv, &err);
+  if ((fflush(stdout) || ferror(stdout)) && !status)
+    status = hsr_fail(&err, HSR_E_INPUT, "standard output: cannot be written");
+  if (status)
+    fprintf(stderr, "hsr: %s\n", err.text);
+  if (status == HSR_E_NOMEM)
+    end_process((int)status);
+  return status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status;
+}

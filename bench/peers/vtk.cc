@@ -1,0 +1,319 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* VTK's renderer, as a program without a display would use it.
+ *
+ * Context     VTK draws in one that others made (vtkGenericOpenGLRenderWindow):
+ *             ours, of EGL and llvmpipe, as Debian's VTK can make its own for
+ *             an X server alone.
+ * Ids         colours of the points, three of its own to a triangle; no light,
+ *             no smoothing, so that a pixel holds the id exactly: in 24 bits.
+ *             Colours of the cells, with shared points, take as long or, on
+ *             some meshes, half as long again.
+ * Painter     vtkDepthSortPolyData, from back to front by the centres of the
+ *             triangles' boxes, before the same renderer, which then takes
+ *             every pixel that comes.
+ * Sides       one-sided faces and the others are two actors; the painter, who
+ *             needs all in one order, culls only if all are one-sided. */
+#include "bench/peers/offscreen.h"
+#include "bench/peers/peers.h"
+#include "bench/peers/projection.h"
+
+#include <vtkActor.h>
+#include <vtkAutoInit.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkDepthSortPolyData.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLState.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVersion.h>
+
+#include <GL/gl.h>
+#include <cstring>
+#include <new>
+
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
+
+namespace {
+
+constexpr uint32_t MOST_FACES = 0xffffff; /* the background's colour */
+
+/* GLEW, by which VTK finds OpenGL's functions, finds them and then fails for
+ * want of an X server, in every frame: let it do so once. */
+class Window : public vtkGenericOpenGLRenderWindow {
+public:
+  static Window *New();
+  vtkTypeMacro(Window, vtkGenericOpenGLRenderWindow);
+
+  void OpenGLInitContext() override {
+    if (this->Initialized)
+      return;
+    vtkObject::GlobalWarningDisplayOff();
+    this->vtkGenericOpenGLRenderWindow::OpenGLInitContext();
+    vtkObject::GlobalWarningDisplayOn();
+    this->Initialized = this->GlewInitValid = true;
+  }
+};
+vtkStandardNewMacro(Window);
+
+/* Of whatever was thrown. */
+enum hsr_status vtk_fail(struct hsr_error *err) {
+  try {
+    throw;
+  } catch (const std::bad_alloc &) {
+    return hsr_fail_nomem(err);
+  } catch (...) {
+    return hsr_fail(err, HSR_E_INTERNAL, "vtk: an exception");
+  }
+}
+
+/* Faces that are culled alike. */
+struct Part {
+  vtkNew<vtkPolyData> mesh;
+  vtkNew<vtkDepthSortPolyData> sorter;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+};
+
+struct Scene {
+  vtkNew<Window> window;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkUnsignedCharArray> pixels;
+  Part part[2]; /* two-sided, one-sided */
+  bool failed = false;
+};
+
+struct State {
+  struct offscreen offscreen = {nullptr, nullptr};
+  struct box box;
+  bool painter;
+  uint32_t *ids;
+  Scene *scene = nullptr; /* goes before the context does */
+};
+
+/* --- Setting up ------------------------------------------------------------
+ */
+
+void note_failure(vtkObject *, unsigned long, void *scene, void *) {
+  static_cast<Scene *>(scene)->failed = true;
+}
+
+void watch(Scene *scene, vtkObject *object) {
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(note_failure);
+  command->SetClientData(scene);
+  object->AddObserver(vtkCommand::ErrorEvent, command);
+}
+
+void add_triangle(const struct hsr_world *world, uint32_t f, vtkPoints *points,
+                  vtkCellArray *triangles, vtkUnsignedCharArray *ids) {
+  uint32_t id = hsr_world_parent(world, f);
+  const unsigned char colour[3] = {(unsigned char)(id & 255),
+                                   (unsigned char)(id >> 8 & 255),
+                                   (unsigned char)(id >> 16)};
+  triangles->InsertNextCell(3);
+  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
+    uint32_t v = world->vertex[k];
+    triangles->InsertCellPoint(
+        points->InsertNextPoint(world->x[v], world->y[v], world->z[v]));
+    ids->InsertNextTypedTuple(colour);
+  }
+}
+
+/* The faces that are one-sided, those that are not, or all. */
+void fill_part(Part &part, const struct hsr_world *world, bool all,
+               bool one_sided) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkUnsignedCharArray> ids;
+  points->SetDataTypeToDouble();
+  ids->SetNumberOfComponents(3);
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    if (all || world->one_sided[f] == one_sided)
+      add_triangle(world, f, points, triangles, ids);
+  part.mesh->SetPoints(points);
+  part.mesh->SetPolys(triangles);
+  part.mesh->GetPointData()->SetScalars(ids);
+  part.actor->GetProperty()->SetBackfaceCulling(one_sided);
+}
+
+/* From the mesh to the picture. */
+void connect_part(State *state, Part &part) {
+  if (state->painter) {
+    part.sorter->SetInputData(part.mesh);
+    part.sorter->SetDirectionToBackToFront();
+    part.sorter->SetDepthSortModeToBoundsCenter();
+    part.sorter->SetCamera(state->scene->renderer->GetActiveCamera());
+    part.mapper->SetInputConnection(part.sorter->GetOutputPort());
+  } else {
+    part.mapper->SetInputData(part.mesh);
+  }
+  part.mapper->SetScalarModeToUsePointData();
+  part.mapper->SetColorModeToDirectScalars();
+  part.actor->SetMapper(part.mapper);
+  part.actor->GetProperty()->LightingOff();
+  state->scene->renderer->AddActor(part.actor);
+  watch(state->scene, part.mapper);
+}
+
+void add_world(State *state, const struct hsr_world *world) {
+  uint32_t n_one_sided = 0;
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    n_one_sided += world->one_sided[f];
+  bool mixed = n_one_sided > 0 && n_one_sided < world->n_faces;
+  bool all = state->painter && mixed;
+  for (bool one_sided : {false, true}) {
+    if (all ? one_sided : !mixed && one_sided != (n_one_sided > 0))
+      continue;
+    Part &part = state->scene->part[one_sided];
+    fill_part(part, world, all, one_sided);
+    connect_part(state, part);
+  }
+}
+
+void open_window(Scene *scene, const struct peer_canvas *canvas) {
+  scene->window->SetReadyForRendering(true);
+  scene->window->SetIsCurrent(true);
+  scene->window->SetSupportsOpenGL(1);
+  scene->window->SetOwnContext(0);
+  scene->window->SetMultiSamples(0);
+  scene->window->SetFrameBlitModeToNoBlit();
+  scene->window->SetSize(canvas->m, canvas->n);
+  scene->renderer->SetBackground(1, 1, 1); /* MOST_FACES */
+  scene->window->AddRenderer(scene->renderer);
+  watch(scene, scene->window);
+  watch(scene, scene->renderer);
+}
+
+enum hsr_status vtk_setup(const struct peer *peer,
+                          const struct peer_canvas *canvas, void **out,
+                          struct hsr_error *err) try {
+  State *state = new (std::nothrow) State;
+  *out = state;
+  if (!state)
+    return hsr_fail_nomem(err);
+  const struct hsr_world *world = canvas->setup->world;
+  if (world->n_faces >= MOST_FACES)
+    return hsr_fail(err, HSR_E_REFUSED, "vtk: more faces than colours");
+  state->painter = peer == &peer_vtk_painter;
+  state->box = box_of_world(world);
+  state->ids = canvas->ids;
+  enum hsr_status status =
+      offscreen_open(&state->offscreen, false, canvas->threads, err);
+  if (status)
+    return status;
+  state->scene = new Scene;
+  open_window(state->scene, canvas);
+  add_world(state, world);
+  return HSR_OK;
+} catch (...) {
+  return vtk_fail(err);
+}
+
+/* --- A frame ---------------------------------------------------------------
+ */
+
+void set_camera(const State *state, const struct hsr_view *view) {
+  vtkCamera *camera = state->scene->renderer->GetActiveCamera();
+  double nearest, farthest;
+  box_depths(&state->box, view, &nearest, &farthest);
+  camera->SetPosition(view->camera.eye);
+  camera->SetFocalPoint(view->camera.at);
+  camera->SetViewUp(view->camera.up);
+  camera->SetViewAngle(view->camera.fov);
+  camera->SetClippingRange(nearest, farthest);
+}
+
+/* VTK's first row is the lowest. */
+void take_ids(const State *state, const struct hsr_view *view) {
+  const unsigned char *pixels = state->scene->pixels->GetPointer(0);
+  size_t m = (size_t)view->m, n = (size_t)view->n;
+  for (size_t j = 0; j < n; j++) {
+    uint32_t *row = state->ids + j * m;
+    memcpy(row, pixels + 4 * (n - 1 - j) * m, m * sizeof *row);
+    for (size_t i = 0; i < m; i++) {
+      uint32_t id = row[i] & 0xffffff;
+      row[i] = id == MOST_FACES ? HSR_BACKGROUND : id;
+    }
+  }
+}
+
+enum hsr_status vtk_draw(void *opaque, const struct hsr_view *view,
+                         struct hsr_error *err) try {
+  State *state = static_cast<State *>(opaque);
+  Scene *scene = state->scene;
+  set_camera(state, view);
+  if (state->painter) {
+    for (Part &part : scene->part)
+      part.sorter->Modified(); /* else it would sort once for all frames */
+    scene->window->GetState()->vtkglDepthFunc(GL_ALWAYS);
+  }
+  scene->window->Render();
+  scene->window->GetRGBACharPixelData(0, 0, view->m - 1, view->n - 1, 0,
+                                      scene->pixels);
+  take_ids(state, view);
+  return scene->failed ? hsr_fail(err, HSR_E_INTERNAL, "vtk: drawing failed")
+                       : HSR_OK;
+} catch (...) {
+  return vtk_fail(err);
+}
+
+void vtk_release(void *opaque) {
+  State *state = static_cast<State *>(opaque);
+  if (!state)
+    return;
+  delete state->scene;
+  offscreen_close(&state->offscreen);
+  delete state;
+}
+
+/* --- The peers -------------------------------------------------------------
+ */
+
+void vtk_version(char *text) {
+  char mesa[PEER_VERSION / 2];
+  offscreen_version(mesa, sizeof mesa);
+  if (*mesa)
+    snprintf(text, PEER_VERSION, "%.20s on %s", vtkVersion::GetVTKVersion(),
+             mesa);
+}
+
+struct peer vtk_peer(const char *name, const char *title, const char *what) {
+  struct peer peer = {};
+  peer.name = name;
+  peer.title = title;
+  peer.source = "W. Schroeder, K. Martin and B. Lorensen, The Visualization "
+                "Toolkit, 4th edition, Kitware 2006";
+  peer.what = what;
+  peer.kind = "ids";
+  peer.many_threads = true;
+  peer.demands = &takes_triangles;
+  peer.version = vtk_version;
+  peer.setup = vtk_setup;
+  peer.draw = vtk_draw;
+  peer.release = vtk_release;
+  return peer;
+}
+
+} // namespace
+
+const struct peer peer_vtk =
+    vtk_peer("vtk", "VTK's renderer, on Mesa's llvmpipe",
+             "vtkPolyDataMapper and a z-buffer. A frame renders the scene and "
+             "copies the pixels to memory as ids; set-up leaves out the "
+             "context, the meshes and, in its first frame, bringing them to "
+             "buffers.");
+const struct peer peer_vtk_painter = vtk_peer(
+    "vtk-painter", "VTK's depth-sorted painter, on Mesa's llvmpipe",
+    "vtkDepthSortPolyData and no z-buffer: known to be wrong, as painters are. "
+    "A frame sorts all triangles by depth, brings them to buffers, renders "
+    "them and copies the pixels to memory as ids; set-up leaves out the "
+    "context and the meshes.");

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The tables of Sutherland et al. 1974, from what hsr bench counted: computed
+ * once, printed as text or JSON (hsr tables).
+ *
+ * They are about three environments and a ladder of harbors, all looked at from
+ * view 1 at 500 x 500. A number that was not measured is NAN. */
+#ifndef HSR_BENCH_TABLES_H
+#define HSR_BENCH_TABLES_H
+
+#include "algorithms/algorithm.h"
+#include "bench/growth.h"
+#include "bench/paper_1974.h"
+#include "bench/results.h"
+
+enum { TABLES_VIEW = 1, TABLES_SIZE = 500, MOST_SCENES = 32, MOST_STEPS = 16 };
+
+/* What is to be counted for the whole of it, ended by NULL: the environments,
+ * and harbors from 100 to 60,000 relevant faces, of one depth complexity, on
+ * which growth is measured. */
+extern const char *const tables_scenes[];
+
+/* A scene of the results, with Table I measured and Table II's rules. */
+struct table_scene {
+  const char *name;
+  struct hsr_table1 measured, rules;
+};
+
+/* A cost on every scene, and how it grows over the ladder with F_r. */
+struct series {
+  double measured[MOST_SCENES], predicted[MOST_SCENES];
+  struct growth growth, predicted_growth;
+};
+
+/* A row of Table III. */
+struct table_step {
+  const struct hsr_step *step;    /* label, factor, formula */
+  const struct paper_step *paper; /* NULL: the survey has none */
+  struct series cost;
+};
+
+/* A column of Tables IV to VII. */
+struct table_algorithm {
+  const struct hsr_algorithm *algorithm;
+  const struct paper_group *paper; /* NULL: not in the survey's tables */
+  const json_t *cell[MOST_SCENES]; /* record in the results; NULL: none */
+  int n_steps;
+  struct table_step step[MOST_STEPS];
+  struct series total; /* of the steps that each frame takes */
+};
+
+struct tables {
+  const struct results *results;
+  /* First the environments, in their order, measured or not; then the ladder,
+   * by relevant faces. */
+  int n_scenes;
+  struct table_scene scene[MOST_SCENES];
+  int n_algorithms; /* those that have steps, in the order of the list */
+  struct table_algorithm *algorithm;
+};
+
+/* HSR_E_INPUT if the results hold none of the scenes. The results are borrowed
+ * and outlive the tables, which are freed with tables_delete. */
+enum hsr_status tables_new(struct tables **tables,
+                           const struct results *results,
+                           struct hsr_error *err);
+void tables_delete(struct tables *tables); /* NULL is allowed */
+
+/* --- Looking things up -----------------------------------------------------
+ */
+
+const struct table_algorithm *tables_algorithm(const struct tables *t,
+                                               const char *name);
+
+/* The cost of a step, or of all if `step` is NULL; NULL: no such thing. */
+const struct series *tables_cost(const struct tables *t, const char *algorithm,
+                                 const char *step);
+
+/* What a counter of an algorithm came to on a scene; NAN. */
+double tables_count(const struct tables *t, const char *algorithm,
+                    const char *counter, int scene);
+
+/* How a number of each scene, `values`, grows over the ladder. */
+struct growth tables_growth(const struct tables *t, const double *values);
+
+/* Why an algorithm has no counts on a scene: "timeout". NULL: it has. */
+const char *tables_missing(const struct table_algorithm *a, int scene);
+
+/* Three digits, as "12.3K"; K, M, G, T: thousands, ...; "-" for NAN. */
+struct short_number {
+  char text[16];
+};
+struct short_number short_number(double x);
+
+/* --- Printing --------------------------------------------------------------
+ */
+
+void tables_print(const struct tables *t);
+
+/* A new reference, or NULL for lack of memory. */
+json_t *tables_json(const struct tables *t);
+
+#endif

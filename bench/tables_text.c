@@ -1,0 +1,441 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The tables as text, no wider than 100 columns. */
+#include "bench/claims.h"
+#include "bench/greene.h"
+#include "bench/list.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { WIDTH = 100 };
+
+/* --- Pieces ----------------------------------------------------------------
+ */
+
+static void title(const char *text) {
+  printf("\n%s\n", text);
+  for (size_t k = strlen(text); k; k--)
+    putchar('-');
+  putchar('\n');
+}
+
+/* Words on lines that begin `indent` columns in, the first one after what
+ * already stands there. */
+static void wrap(int indent, const char *text) {
+  int column = indent;
+  while (*text) {
+    int length = (int)strcspn(text, " ");
+    if (column > indent && column + 1 + length > WIDTH) {
+      printf("\n%*s", indent, "");
+      column = indent;
+    }
+    column += printf("%s%.*s", column > indent ? " " : "", length, text);
+    text += length + (text[length] == ' ');
+  }
+  putchar('\n');
+}
+
+struct short_number short_number(double x) {
+  static const char unit[] = " KMGT";
+  struct short_number n = {"-"};
+  int u = 0;
+  if (isnan(x))
+    return n;
+  for (; u < 4 && fabs(x) >= 999.5; u++)
+    x /= 1000;
+  int digits = fabs(x) >= 99.95   ? 0
+               : fabs(x) >= 9.995 ? 1
+               : fabs(x) >= 0.995 ? 2
+                                  : 3;
+  if (u == 0 && x == nearbyint(x))
+    digits = 0;
+  if (x != 0 && fabs(x) < 0.0005)
+    snprintf(n.text, sizeof n.text, "%.0e", x);
+  else
+    snprintf(n.text, sizeof n.text, "%.*f%.*s", digits, x, u > 0, unit + u);
+  return n;
+}
+
+/* A figure of the survey's, which has two digits or three: 2.5K, 60K. */
+static struct short_number printed(double x) {
+  struct short_number n = short_number(x);
+  char *point = strchr(n.text, '.');
+  if (!point)
+    return n;
+  char *unit = point + strspn(point, ".0123456789"), *end = unit;
+  while (end[-1] == '0')
+    end--;
+  memmove(end - (end[-1] == '.'), unit, strlen(unit) + 1);
+  return n;
+}
+
+/* Of what was measured to what was foretold. */
+static struct short_number ratio(double measured, double foretold) {
+  return short_number(measured > 0 && foretold > 0 ? measured / foretold : NAN);
+}
+
+static void print_environments(int indent, const char *columns) {
+  printf("%*s", indent, "");
+  for (int e = 0; e < ENVIRONMENTS; e++)
+    printf(" %*s", (int)strlen(columns) - 1, paper_environments[e].scene);
+  printf("\n%*s", indent, "");
+  for (int e = 0; e < ENVIRONMENTS; e++)
+    fputs(columns, stdout);
+}
+
+/* The survey's figure, foretold by it of our Table I, measured, their ratio. */
+static void print_four(const double *paper, const double *predicted,
+                       const double *measured) {
+  for (int e = 0; e < ENVIRONMENTS; e++)
+    printf("  %5s %5s %5s %5s", printed(paper ? paper[e] : NAN).text,
+           short_number(predicted[e]).text, short_number(measured[e]).text,
+           ratio(measured[e], predicted[e]).text);
+}
+#define FOUR "  paper pred. meas. ratio"
+
+/* --- Tables I to III -------------------------------------------------------
+ */
+
+static void print_table1(void) {
+  title("Table I. Environment statistics");
+#define X(field, symbol, meaning) printf("%-4s %s\n", symbol, meaning);
+  HSR_TABLE1(X)
+#undef X
+}
+
+static void print_table2(const struct tables *t) {
+  title("Table II. Statistics of the three environments");
+  puts("paper: as printed; pred.: the rule applied to the measured n, m, F_r, "
+       "F_c and D_c; meas.: measured;\nratio: measured to predicted.\n");
+  print_environments(24, FOUR);
+  putchar('\n');
+#define X(field, symbol, meaning)                                              \
+  {                                                                            \
+    const struct paper_statistic *s = paper_statistic(symbol);                 \
+    double rule[ENVIRONMENTS], measured[ENVIRONMENTS];                         \
+    for (int e = 0; e < ENVIRONMENTS; e++) {                                   \
+      rule[e] = t->scene[e].rules.field;                                       \
+      measured[e] = t->scene[e].measured.field;                                \
+    }                                                                          \
+    printf("%-4s %-19s", symbol, s && s->rule ? s->rule : "-");                \
+    print_four(s ? s->figure : NULL, rule, measured);                          \
+    putchar('\n');                                                             \
+  }
+  HSR_TABLE1(X)
+#undef X
+}
+
+static void print_growth(const struct series *s) {
+  if (isnan(s->growth.exponent))
+    printf("%6s", "-");
+  else if (isnan(s->growth.low))
+    printf("%6.2f", s->growth.exponent);
+  else
+    printf("%6.2f [%.2f, %.2f]", s->growth.exponent, s->growth.low,
+           s->growth.high);
+}
+
+static void print_step(const struct table_step *row) {
+  const struct hsr_step *step = row->step;
+  bool once = row->paper && row->paper->once;
+  printf("  %s: %s%s", step->label, step->formula ? step->formula : "-",
+         once && !strstr(step->formula, "not per frame") ? ", not per frame"
+                                                         : "");
+  printf("   (%g x count)", step->factor);
+  if (!isnan(row->cost.predicted_growth.exponent))
+    printf("   ~ F_r^%.2f", row->cost.predicted_growth.exponent);
+  printf("\n  ");
+  print_four(row->paper ? row->paper->figure : NULL, row->cost.predicted,
+             row->cost.measured);
+  print_growth(&row->cost);
+  putchar('\n');
+}
+
+/* What there is no count of, and why. */
+static void print_missing(const struct tables *t,
+                          const struct table_algorithm *a) {
+  for (int s = 0; s < t->n_scenes; s++) {
+    const char *why = tables_missing(a, s);
+    if (why)
+      printf("    no counts of %s: %s\n", t->scene[s].name, why);
+  }
+}
+
+static void print_ladder(const struct tables *t) {
+  if (t->n_scenes == ENVIRONMENTS) {
+    puts("There is no ladder of harbor:N among the results: no growth.");
+    return;
+  }
+  char text[1200] =
+      "Growth: the e of cost ~ F_r^e, measured (last column, with "
+      "its 95 % interval) and of the formula (behind it), over";
+  for (int s = ENVIRONMENTS; s < t->n_scenes; s++) {
+    size_t used = strlen(text);
+    snprintf(text + used, sizeof text - used, " %s%s", t->scene[s].name,
+             s + 1 < t->n_scenes ? "," : ".");
+  }
+  wrap(0, text);
+}
+
+static void print_table3(const struct tables *t) {
+  title("Table III. Costs in the three environments, step by step");
+  puts("cost = complexity factor x count. paper: as printed, for its own Table "
+       "II; pred.: its formula of\nour measured Table I; meas.: measured; "
+       "ratio: measured to predicted.");
+  print_ladder(t);
+  putchar('\n');
+  print_environments(2, FOUR);
+  puts("  growth measured");
+  for (int a = 0; a < t->n_algorithms; a++) {
+    printf("\n%s\n", t->algorithm[a].algorithm->name);
+    for (int k = 0; k < t->algorithm[a].n_steps; k++)
+      print_step(&t->algorithm[a].step[k]);
+    print_missing(t, &t->algorithm[a]);
+  }
+}
+
+/* --- Tables IV to VII ------------------------------------------------------
+ */
+
+/* "#####": a part of all. */
+static void print_bar(double part) {
+  int length = (int)nearbyint(30 * part);
+  if (length)
+    printf("  ");
+  for (int k = 0; k < length; k++)
+    putchar('#');
+}
+
+static void print_summary_of(const struct table_algorithm *a, int e) {
+  double total = a->total.measured[e];
+  const char *why = tables_missing(a, e);
+  printf("%-30s %6s %6s %6s %6s  %s\n", a->algorithm->name,
+         printed(a->paper ? a->paper->total[e] : NAN).text,
+         short_number(a->total.predicted[e]).text, short_number(total).text,
+         ratio(total, a->total.predicted[e]).text, why ? why : "");
+  for (int k = 0; k < a->n_steps; k++) {
+    const struct table_step *row = &a->step[k];
+    double measured = row->cost.measured[e];
+    bool once = row->paper && row->paper->once;
+    printf("  %-28s %6s %6s %6s %6s", row->step->label,
+           printed(row->paper ? row->paper->figure[e] : NAN).text,
+           short_number(row->cost.predicted[e]).text,
+           short_number(measured).text,
+           ratio(measured, row->cost.predicted[e]).text);
+    if (once)
+      printf("  not charged");
+    else if (!isnan(total))
+      print_bar(measured / total);
+    putchar('\n');
+  }
+}
+
+static void print_summary(const struct tables *t, int e) {
+  static const char *const numeral[ENVIRONMENTS] = {"IV", "V", "VI"};
+  char text[100];
+  snprintf(text, sizeof text, "Table %s. Cost summary: %s, %s", numeral[e],
+           paper_environments[e].scene, paper_environments[e].title);
+  title(text);
+  printf("%-30s %6s %6s %6s %6s  %s\n", "", "paper", "pred.", "meas.", "ratio",
+         "part of what was measured");
+  for (int a = 0; a < t->n_algorithms; a++)
+    print_summary_of(&t->algorithm[a], e);
+}
+
+static void print_table7(const struct tables *t) {
+  title("Table VII. Cost summary: the three environments");
+  print_environments(24, FOUR);
+  putchar('\n');
+  for (int a = 0; a < t->n_algorithms; a++) {
+    const struct table_algorithm *row = &t->algorithm[a];
+    printf("%-24s", row->algorithm->name);
+    print_four(row->paper ? row->paper->total : NULL, row->total.predicted,
+               row->total.measured);
+    putchar('\n');
+  }
+  putchar('\n');
+  wrap(0, "Measured totals include the steps for which there is no prediction. "
+          "What is predicted of an algorithm made of two is what both would "
+          "cost alone.");
+}
+
+/* --- The taxonomy ----------------------------------------------------------
+ */
+
+static bool is_yardstick(const struct hsr_algorithm *a) {
+  return a->taxonomy == HSR_YARDSTICK;
+}
+
+static void print_leaf(const struct hsr_algorithm *a, const char *before) {
+  printf("%s%-20s", before, a->name);
+  if (a->year)
+    printf(" %d  %s\n", a->year, a->authors);
+  else
+    puts("       not published");
+}
+
+/* The last of those that hang from a branch or class ends its line. */
+static bool more_of_branch(const struct hsr_listed *after, enum hsr_branch b) {
+  for (after++; after->plain; after++)
+    if (after->plain->taxonomy == b)
+      return true;
+  return false;
+}
+
+static void print_branch(enum hsr_branch branch, const char *indent) {
+  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+    if (l->plain->taxonomy == branch) {
+      char before[40];
+      snprintf(before, sizeof before, "%s%s-- ", indent,
+               more_of_branch(l, branch) ? "|" : "`");
+      print_leaf(l->plain, before);
+    }
+}
+
+static void print_figure13(void) {
+  title("Figure 13. The algorithms arranged in a tree");
+  puts("hidden-surface algorithms");
+  const char *class = "";
+  for (int b = 0; b < HSR_YARDSTICK; b++) {
+    struct taxonomy place = taxonomy((enum hsr_branch)b);
+    struct taxonomy next = taxonomy((enum hsr_branch)(b + 1));
+    bool last_class = b >= HSR_BRUTE_FORCE;
+    if (strcmp(class, place.class))
+      printf("%s-- %s\n", last_class ? "`" : "|", place.class);
+    class = place.class;
+    bool last = strcmp(next.class, place.class) != 0;
+    if (place.branch)
+      printf("|   %s-- %s\n", last ? "`" : "|", place.branch);
+    print_branch((enum hsr_branch)b, last_class ? "    "
+                                     : last     ? "|       "
+                                                : "|   |   ");
+  }
+}
+
+static void print_orders(void) {
+  title("Sorting orders");
+  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
+    const char *order = l->plain->sort_order;
+    bool before = false;
+    for (const struct hsr_listed *b = hsr_algorithms; order && b != l; b++)
+      before = before ||
+               (b->plain->sort_order && !strcmp(b->plain->sort_order, order));
+    if (!order || before)
+      continue;
+    printf("%-10s %s", order, l->plain->name);
+    for (const struct hsr_listed *m = l + 1; m->plain; m++)
+      if (m->plain->sort_order && !strcmp(m->plain->sort_order, order))
+        printf(", %s", m->plain->name);
+    putchar('\n');
+  }
+}
+
+static void print_figure29a(void) {
+  title("Figure 29a. What each algorithm restricts the environment to");
+  puts("CC  clusters are closed convex polyhedra  NP  no penetrating faces\n"
+       "CF  faces are convex polygons             TP  topology is needed\n"
+       "TR  faces are triangles                   PF  planar faces only\n"
+       "LS  clusters are linearly separable       OF  no faces out of view\n"
+       "                                          BE  no faces behind the "
+       "observer\n");
+  printf("%-20s", "");
+  for (int k = 0; k < 9; k++)
+    printf(" %s", hsr_restriction_code(1u << k));
+  putchar('\n');
+  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
+    if (is_yardstick(l->plain))
+      continue;
+    char row[2 + 9 * 3] = "";
+    for (int k = 0; k < 9; k++)
+      strcat(row, l->plain->restrictions & 1u << k ? "  x" : "  .");
+    printf("%-20s%s\n", l->plain->name, row);
+  }
+}
+
+static void print_figure29b(void) {
+  title("Figure 29b. What each algorithm sorts, by what key and method, how "
+        "often");
+  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
+    const struct hsr_algorithm *a = l->plain;
+    if (is_yardstick(a))
+      continue;
+    printf("%-20s ", a->name);
+    char text[400];
+    snprintf(text, sizeof text, "%s%scoherence: %s",
+             a->sort_order ? a->sort_order : "", a->sort_order ? "; " : "",
+             a->coherence ? a->coherence : "none");
+    wrap(21, text);
+    int n = 0;
+    for (const struct hsr_sort *s = a->sorts; s && s->what; s++) {
+      printf("  %d. ", ++n);
+      snprintf(text, sizeof text, "%s (%s): %s, %s", s->what, s->key, s->method,
+               s->often);
+      wrap(5, text);
+    }
+  }
+}
+
+/* --- Conclusions -----------------------------------------------------------
+ */
+
+static void print_greene(const struct tables *t) {
+  title("Greene's figures");
+  puts("Of hierarchical visibility, for the algorithms that there are.\n");
+  printf("%8s %8s\n", "paper", "ours");
+  for (const struct greene_figure *f = greene_figures; f->source; f++) {
+    double ours = greene_measured(f, t->results);
+    printf("%8s ", short_number(f->printed).text);
+    if (isnan(ours))
+      printf("%8s  ", "-");
+    else
+      printf("%8s  ", short_number(ours).text);
+    char text[300];
+    snprintf(text, sizeof text, "%s (%s; %s)", f->what, f->source,
+             f->term.scene);
+    wrap(19, text);
+  }
+}
+
+static void print_conclusions(const struct tables *t) {
+  title("The survey's conclusions, and whether the counts bear them out");
+  puts("Judged by computation: each by the criterion below it.");
+  int n[NOT_BORNE_OUT + 1] = {0};
+  for (int k = 0; k < claims_count(); k++) {
+    struct conclusion c = claims_judge(t, k);
+    n[c.finding]++;
+    printf("\n%-14s ", finding_name(c.finding));
+    char text[400];
+    snprintf(text, sizeof text, "%s (%s)", c.claim, c.section);
+    wrap(15, text);
+    printf("%15s", "");
+    wrap(15, c.criterion);
+    if (c.evidence[0]) {
+      printf("%15s", "");
+      wrap(15, c.evidence);
+    }
+  }
+  printf("\n%d claims: %d borne out, %d not borne out, %d undecided, %d not "
+         "measured\n",
+         claims_count(), n[BORNE_OUT], n[NOT_BORNE_OUT], n[UNDECIDED],
+         n[NOT_MEASURED]);
+}
+
+void tables_print(const struct tables *t) {
+  puts(
+      "The tables of Sutherland, Sproull and Schumacker, A Characterization of "
+      "Ten Hidden-Surface\nAlgorithms, Computing Surveys 6(1), 1974, measured."
+      " K = 1,000; M = 1,000,000; G = 10^9; T = 10^12.\n-: none, or not "
+      "measured.");
+  print_table1();
+  print_table2(t);
+  print_table3(t);
+  for (int e = 0; e < ENVIRONMENTS; e++)
+    print_summary(t, e);
+  print_table7(t);
+  print_figure13();
+  print_orders();
+  print_figure29a();
+  print_figure29b();
+  print_greene(t);
+  print_conclusions(t);
+}

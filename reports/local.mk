@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The page of `hsr report`: one script made of reports/page/*.js and of what
+# npm brings for them, built and installed where node and npm are.
+report_sources = \
+  %D%/page/address.js \
+  %D%/page/algorithm_page.js \
+  %D%/page/check_page.js \
+  %D%/page/dom.js \
+  %D%/page/filters.js \
+  %D%/page/format.js \
+  %D%/page/index_page.js \
+  %D%/page/looks.js \
+  %D%/page/main.js \
+  %D%/page/model.js \
+  %D%/page/plots.js \
+  %D%/page/probe_data.js \
+  %D%/page/probe_page.js \
+  %D%/page/sweeps_page.js \
+  %D%/page/symbols.js \
+  %D%/page/table.js \
+  %D%/page/tables_page.js \
+  %D%/page/timings_page.js \
+  %D%/page/tree.js
+EXTRA_DIST += $(report_sources) %D%/build.mjs %D%/package.json \
+  %D%/package-lock.json %D%/page/page.html %D%/page/style.css
+
+if WITH_REPORT
+reportdir = $(pkgdatadir)/report
+nodist_report_DATA = %D%/page/index.html %D%/page/report.css %D%/page/report.js
+CLEANFILES += $(nodist_report_DATA)
+report_modules = %D%/npm/node_modules
+
+# npm's packages, in the build tree. None of them needs to run a script.
+%D%/npm/installed: %D%/package.json %D%/package-lock.json
+	@$(MKDIR_P) %D%/npm
+	cp $(srcdir)/%D%/package.json $(srcdir)/%D%/package-lock.json %D%/npm
+	cd %D%/npm && $(NPM) ci --ignore-scripts --no-audit --no-fund \
+	  --loglevel=error || { echo "hsr: npm cannot fetch the report's" \
+	  "packages; ./configure --without-report builds without" >&2; exit 1; }
+	touch $@
+
+%D%/page/report.js: $(report_sources) %D%/build.mjs %D%/npm/installed
+	@$(MKDIR_P) %D%/page
+	$(NODE) $(srcdir)/%D%/build.mjs $(srcdir)/%D%/page $(report_modules) $@
+
+%D%/page/report.css: %D%/page/style.css
+	@$(MKDIR_P) %D%/page
+	cp $(srcdir)/%D%/page/style.css $@
+
+%D%/page/index.html: %D%/page/page.html
+	@$(MKDIR_P) %D%/page
+	cp $(srcdir)/%D%/page/page.html $@
+
+distclean-local:
+	rm -rf %D%/npm
+endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an algorithm looks like in every plot, whatever else is drawn: one of
+// eight colours that stay apart without colour vision (style.css has their
+// light and dark forms), one of eight symbols, and the symbol's dash.
+import {
+  symbol, symbolCircle, symbolSquare, symbolTriangle, symbolDiamond, symbolStar,
+  symbolCross, symbolWye, symbolSquare2,
+} from "d3";
+
+const COLOURS = 8;
+const SYMBOLS = [
+  [symbolCircle, null], [symbolSquare, "7 3"], [symbolTriangle, "2 3"],
+  [symbolDiamond, "9 3 2 3"], [symbolStar, "5 2"], [symbolCross, "1 2"],
+  [symbolWye, "12 4"], [symbolSquare2, "4 2 1 2"],
+];
+
+// [colour, symbol]: relatives share a colour, neighbours in a plot do not.
+const KNOWN = {
+  watkins: [0, 0], "newell-watkins": [0, 1], "warnock-watkins": [0, 2],
+  appel: [0, 3], "appel-visible": [0, 4],
+  warnock: [1, 0], "warnock-vertices": [1, 1], roberts: [1, 3],
+  romney: [2, 0], loutrel: [2, 3],
+  newell: [3, 0], "newell-frame-buffer": [3, 1], "newell-previous": [3, 2],
+  "warnock-newell": [3, 3], "schumacker-newell": [3, 4],
+  yzx: [4, 0], painter: [4, 5],
+  bouknight: [5, 0], galimberti: [5, 3],
+  schumacker: [6, 0], "warnock-edges": [6, 3],
+  zbuffer: [7, 0], raycast: [7, 1], oracle: [7, 3], "line-oracle": [7, 4],
+  null: [7, 5],
+};
+
+// FNV-1a: a name that is not known keeps its looks from report to report.
+function hash(name) {
+  let value = 0x811c9dc5;
+  for (const c of new TextEncoder().encode(name))
+    value = Math.imul(value ^ c, 0x01000193) >>> 0;
+  return value;
+}
+
+export function looks(name) {
+  const unknown = hash(name);
+  const [colour, shape] = Object.hasOwn(KNOWN, name) ? KNOWN[name]
+    : [unknown % COLOURS, (unknown >>> 8) % SYMBOLS.length];
+  const [type, dash] = SYMBOLS[shape];
+  return { colour: `var(--hue-${colour})`, symbol: type, dash };
+}
+
+// The symbol with a bit of the line, as a plot shows them.
+export function key(name) {
+  const { colour, symbol: type, dash } = looks(name);
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  const add = (tag, attributes) => {
+    const element = document.createElementNS(svg.namespaceURI, tag);
+    for (const [k, v] of Object.entries(attributes))
+      if (v !== null) element.setAttribute(k, v);
+    svg.append(element);
+  };
+  for (const [k, v] of Object.entries({ class: "key", viewBox: "-14 -7 28 14",
+    width: 28, height: 14, "aria-hidden": "true" })) svg.setAttribute(k, v);
+  add("line", { x1: -13, x2: 13, stroke: colour, "stroke-width": 1.5,
+    "stroke-dasharray": dash });
+  add("path", { d: symbol(type, 44)(), fill: colour });
+  return svg;
+}

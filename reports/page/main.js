@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report of a bench: one page that shows what its address asks for.
+import { algorithmPage } from "./algorithm_page.js";
+import { checkPage } from "./check_page.js";
+import { h, link } from "./dom.js";
+import { href, read } from "./address.js";
+import { indexPage } from "./index_page.js";
+import { model } from "./model.js";
+import { probePage } from "./probe_page.js";
+import { sweepsPage } from "./sweeps_page.js";
+import { tablesPage } from "./tables_page.js";
+import { timingsPage } from "./timings_page.js";
+
+const PAGES = {
+  "": { label: "Algorithms", show: indexPage },
+  check: { label: "Agreement", show: checkPage },
+  sweeps: { label: "Growth", show: sweepsPage },
+  timings: { label: "Timings", show: timingsPage },
+  tables: { label: "1974 tables", show: tablesPage },
+  algorithm: { under: "", show: algorithmPage },
+  probe: { under: "check", show: probePage },
+};
+const SCHEMA = "hsr-report/1";
+
+const main = document.querySelector("main");
+
+function start(data) {
+  if (data?.schema !== SCHEMA) {
+    main.replaceChildren(h("h1", {}, "Nothing to show"), h("p", {},
+      data ? `data.js is of another form, ${data.schema}; this page reads ${
+        SCHEMA}.` : "data.js is missing beside this page, or is damaged."));
+    return;
+  }
+  const report = model(data);
+  const show = () => {
+    const { page, argument } = read();
+    const known = Object.hasOwn(PAGES, page) ? page : "";
+    const { title, body } = PAGES[known].show(report, argument);
+    navigation(known);
+    const heading = h("h1", { tabindex: -1 }, title);
+    main.replaceChildren(heading, ...body.flat(Infinity).filter(Boolean));
+    document.title = title === report.title ? title
+      : `${title} · ${report.title}`;
+    return { heading, part: known === "tables" && argument };
+  };
+  // To another page: as if it were one, from its top or the part asked for.
+  const turn = () => {
+    const { heading, part } = show();
+    const at = part ? document.getElementById(part) : null;
+    if (at) at.scrollIntoView();
+    else scrollTo(0, 0);
+    (at?.querySelector("h2") ?? heading).focus({ preventScroll: true });
+  };
+  addEventListener("hashchange", turn);
+  const { part } = show();
+  if (part) document.getElementById(part)?.scrollIntoView();
+  document.querySelector("footer").append(h("p", {},
+    "Made by ", h("code", {}, "hsr report"), ". The numbers: ",
+    link("data.js", "data.js"), "."));
+}
+
+function navigation(page) {
+  const here = PAGES[page].under ?? page;
+  document.querySelector("header nav").replaceChildren(h("ul", {},
+    Object.entries(PAGES).filter(([, { label }]) => label)
+      .map(([name, { label }]) => h("li", {}, h("a", { href: href(name),
+        "aria-current": name === here ? "page" : null }, label)))));
+}
+
+// The address is taken, so the link that skips the header cannot use it.
+document.querySelector(".skip").addEventListener("click", (event) => {
+  event.preventDefault();
+  main.focus();
+});
+
+start(window.hsr);

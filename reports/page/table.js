@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A table in a box of its own that scrolls when the table is too wide. Its
+// columns sort it; the order stands in the address.
+import { read, set } from "./address.js";
+import { h } from "./dom.js";
+
+const MANY = 100; // rows, above which a table is shown in part at first
+
+// columns: { name, label, value(row): what it is sorted by, show(row): what is
+// seen (standard: the value), title(row), number: true if aligned as one,
+// whole: true if its lines are not broken, prose: true if it holds sentences,
+// group: a heading over several columns }. Without an id it is not sorted.
+export function table({ id, caption, columns, rows }) {
+  const body = h("tbody");
+  const heads = columns.map((column) => headOf(id, column, () => fill()));
+  const more = h("p", { class: "more" });
+  let all = false;
+
+  const fill = () => {
+    const sort = id ? orderOf(id) : null;
+    heads.forEach((head, k) => mark(head, columns[k], sort));
+    const sorted = sort ? sortRows(rows, columns, sort) : rows;
+    const shown = all ? sorted : sorted.slice(0, MANY);
+    body.replaceChildren(...shown.map((row) => rowOf(columns, row)));
+    more.replaceChildren(...shown.length < rows.length
+      ? [`${shown.length} of ${rows.length} rows. `,
+        h("button", { type: "button", onclick: () => { all = true; fill(); } },
+          "Show all")]
+      : []);
+  };
+  fill();
+
+  return h("div", { class: "table" },
+    h("div", { class: "scroll", tabindex: 0, role: "region",
+      "aria-label": caption },
+      h("table", { id: id && `${id}-table` }, h("caption", {}, caption),
+        h("thead", {}, groups(columns), h("tr", {}, heads)), body)),
+    more);
+}
+
+function headOf(id, column, fill) {
+  const attributes = { scope: "col", class: column.number ? "number" : null };
+  if (!id) return h("th", attributes, column.label);
+  const turn = () => {
+    const now = orderOf(id);
+    const down = now?.name === column.name ? !now.down : false;
+    set({ [`sort-${id}`]: (down ? "-" : "") + column.name });
+    fill();
+  };
+  return h("th", attributes,
+    h("button", { type: "button", onclick: turn }, column.label,
+      h("span", { class: "arrow", "aria-hidden": "true" })));
+}
+
+function orderOf(id) {
+  const text = read().params.get(`sort-${id}`);
+  return text && { name: text.replace(/^-/, ""), down: text.startsWith("-") };
+}
+
+function mark(head, column, sort) {
+  if (sort?.name === column.name)
+    head.setAttribute("aria-sort", sort.down ? "descending" : "ascending");
+  else head.removeAttribute("aria-sort");
+}
+
+// Equal rows keep their order; rows without a value come last either way.
+function sortRows(rows, columns, { name, down }) {
+  const column = columns.find((c) => c.name === name);
+  if (!column) return rows;
+  const empty = (x) => x === null || x === undefined;
+  const compare = (a, b) => typeof a === "number" && typeof b === "number"
+    ? a - b : String(a).localeCompare(String(b), "en", { numeric: true });
+  return rows.map((row) => [column.value(row), row])
+    .sort(([a], [b]) => empty(a) || empty(b) ? empty(a) - empty(b)
+      : down ? compare(b, a) : compare(a, b))
+    .map(([, row]) => row);
+}
+
+function groups(columns) {
+  if (!columns.some((c) => c.group)) return null;
+  const runs = [];
+  for (const { group = "" } of columns) {
+    if (runs.at(-1)?.group === group) runs.at(-1).span += 1;
+    else runs.push({ group, span: 1 });
+  }
+  return h("tr", { class: "groups" }, runs.map(({ group, span }) =>
+    group ? h("th", { colspan: span, scope: "colgroup" }, group)
+      : h("td", { colspan: span })));
+}
+
+function rowOf(columns, row) {
+  return h("tr", {}, columns.map((column, k) =>
+    h(k === 0 ? "th" : "td", {
+      scope: k === 0 ? "row" : null,
+      class: ["number", "whole", "prose"].find((kind) => column[kind]),
+      title: column.title?.(row),
+    }, (column.show ?? column.value)(row))));
+}
+
+// A plot's numbers, folded away behind it.
+export function behind(...children) {
+  return h("details", { class: "behind" },
+    h("summary", {}, "The numbers as a table"), children);
+}

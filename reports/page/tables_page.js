@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tables and figures of Sutherland, Sproull and Schumacker 1974, with what
+// was measured, and Greene's.
+import { h, link, section } from "./dom.js";
+import { href } from "./address.js";
+import { growth } from "./algorithm_page.js";
+import { count, digits, exponent, size, whole } from "./format.js";
+import { key } from "./looks.js";
+import { RESTRICTIONS, unique } from "./model.js";
+import { formula } from "./symbols.js";
+import { table } from "./table.js";
+import { tree } from "./tree.js";
+
+export function tablesPage(report) {
+  const t = report.tables;
+  const all = [
+    ["table-1", "Table I: the statistics", table1(report, t)],
+    ["table-2", "Table II: the rules of thumb", table2(report, t)],
+    ["table-3", "Table III: the steps", table3(report, t)],
+    ...(t.summary ?? []).map((s, k) => [`table-${k + 4}`,
+      `Table ${["IV", "V", "VI"][k] ?? k + 4}: ${s.scene}`, summary(report, s)]),
+    ["table-7", "Table VII: totals a frame", table7(report, t)],
+    ["figure-13", "Figure 13: the taxonomy", t.figure13?.length && tree(report)],
+    ["figure-29a", "Figure 29a: what each demands", figure29a(t)],
+    ["figure-29b", "Figure 29b: the sorts each makes", figure29b(t)],
+    ["orders", "The sorting orders", orders(t)],
+    ["conclusions", "What the paper concluded", conclusions(t)],
+    ["greene", "Greene’s tables", greene(t)],
+  ].filter(([, , content]) => content);
+  return { title: "The tables of 1974", body: [
+    h("p", { class: "lead" }, "What Sutherland, Sproull and Schumacker " +
+      "predicted from rules of thumb, what the same formulas predict from the " +
+      "statistics of our scenes, and what was counted. Costs are in " +
+      "comparisons: a step’s count times its complexity factor."),
+    all.length ? h("nav", { "aria-label": "Tables" }, h("ul", { class: "toc" },
+      all.map(([id, title]) => h("li", {}, link(href("tables", id), title)))))
+      : h("p", {}, "The tables were not made."),
+    ...all.map(([id, title, content]) => section(title, id, content)),
+  ] };
+}
+
+const algorithmColumn = { name: "algorithm", label: "algorithm",
+  value: (r) => r.algorithm, show: (r) => named(r.algorithm) };
+
+function named(name) {
+  return link(href("algorithm", name), key(name), name);
+}
+
+function number(name, label, value, show = count) {
+  return { name, label, number: true, value: (r) => value(r) ?? null,
+    show: (r) => show(value(r)), title: (r) => {
+      const x = value(r);
+      return typeof x === "number" ? whole(x) : null;
+    } };
+}
+
+function table1(report, t) {
+  const symbols = t.table1 ?? [];
+  if (!symbols.length) return null;
+  const views = report.views.filter((v) => v.table1);
+  return [
+    table({ id: "meanings", caption: "The symbols", rows: symbols, columns: [
+      { name: "symbol", label: "symbol", value: (s) => s.symbol,
+        show: (s) => formula(s.symbol) },
+      { name: "meaning", label: "meaning", prose: true, value: (s) => s.meaning },
+      ...report.environments.map((e, k) => {
+        const v = views.find((x) => x.scene === e.scene && x.view === e.view &&
+          size(x) === size(e));
+        return v && number(`e${k}`, e.scene, (s) => v.table1[s.symbol]);
+      }).filter(Boolean)] }),
+    views.length ? h("details", { class: "behind" },
+      h("summary", {}, `Table I of all ${views.length} views`),
+      table({ id: "views", caption: "Table I, view by view", rows: views,
+        columns: [
+          { name: "scene", label: "scene", value: (v) => v.scene },
+          { name: "view", label: "view", number: true, value: (v) => v.view },
+          { name: "size", label: "size", number: true,
+            value: (v) => v.width * v.height, show: size },
+          ...symbols.map((s) => ({ ...number(s.symbol, s.symbol,
+            (v) => v.table1[s.symbol]), label: formula(s.symbol) }))] })) : null,
+  ];
+}
+
+function table2(report, t) {
+  return t.table2?.length ? table({ id: "rules",
+    caption: "The paper’s rules, and what was measured", rows: t.table2,
+    columns: [
+      { name: "symbol", label: "symbol", value: (r) => r.symbol,
+        show: (r) => formula(r.symbol) },
+      { name: "rule", label: "rule", value: (r) => r.rule ?? null,
+        show: (r) => formula(r.rule ?? "") },
+      ...report.environments.flatMap((e, k) => [
+        number(`paper-${k}`, "paper", (r) => r.paper?.[k]),
+        number(`rule-${k}`, "by the rule", (r) => r.rule_of_measured?.[k]),
+        number(`measured-${k}`, "measured", (r) => r.measured?.[k]),
+        number(`ratio-${k}`, "ratio", (r) => r.ratio?.[k], digits),
+      ].map((c) => ({ ...c, group: e.scene })))] }) : null;
+}
+
+function stepName({ step, once }) {
+  return once ? `${step} (not each frame)` : step;
+}
+
+const growthColumns = [
+  { ...number("grows", "predicted", (r) => r.growth?.predicted, exponent),
+    group: "grows as faces to the" },
+  { ...number("grew", "measured", (r) => r.growth?.measured),
+    show: (r) => growth(r.growth), group: "grows as faces to the" },
+];
+
+function table3(report, t) {
+  return t.table3?.length ? table({ id: "steps", caption: "Steps and their " +
+    "costs: the paper’s figure, the formula on our statistics, the count",
+  rows: t.table3, columns: [
+    algorithmColumn,
+    { name: "step", label: "step", whole: true, value: (r) => r.step,
+      show: stepName },
+    { name: "formula", label: "formula", prose: true,
+      value: (r) => r.formula ?? null, show: (r) => formula(r.formula ?? "–") },
+    ...report.environments.flatMap((e, k) => [
+      number(`paper-${k}`, "paper", (r) => r.paper?.[k]),
+      number(`predicted-${k}`, "predicted", (r) => r.predicted?.[k]),
+      number(`measured-${k}`, "measured", (r) => r.measured?.[k]),
+      number(`ratio-${k}`, "ratio", (r) => r.ratio?.[k], digits),
+    ].map((c) => ({ ...c, group: e.scene }))),
+    ...growthColumns] }) : null;
+}
+
+// Tables IV to VI: an environment each, a column an algorithm in the paper; on
+// a page that must be narrow, a row each.
+function summary(report, { scene, columns }) {
+  const rows = (columns ?? []).flatMap((c) => [
+    ...c.steps.map((s) => ({ ...s, algorithm: c.algorithm })),
+    { ...c, step: "total a frame", total: true }]);
+  const title = report.environments.find((e) => e.scene === scene)?.title;
+  return rows.length ? table({ rows,
+    caption: `Steps and totals on ${scene}${title ? `, ${title}` : ""}`,
+    columns: [algorithmColumn,
+      { name: "step", label: "step", value: (r) => r.step,
+        show: (r) => r.total ? h("b", {}, r.step) : stepName(r) },
+      number("paper", "paper", (r) => r.paper),
+      number("predicted", "predicted", (r) => r.predicted),
+      { ...number("measured", "measured", (r) => r.measured),
+        show: (r) => r.missing ?? count(r.measured) }] }) : null;
+}
+
+function table7(report, t) {
+  return t.table7?.length ? table({ id: "totals",
+    caption: "Comparisons a frame, all steps together", rows: t.table7,
+    columns: [algorithmColumn, ...report.environments.flatMap((e, k) => [
+      number(`paper-${k}`, "paper", (r) => r.paper?.[k]),
+      number(`predicted-${k}`, "predicted", (r) => r.predicted?.[k]),
+      number(`measured-${k}`, "measured", (r) => r.measured?.[k]),
+    ].map((c) => ({ ...c, group: e.scene }))),
+    ...growthColumns] }) : null;
+}
+
+function figure29a(t) {
+  const rows = t.figure29a ?? [];
+  const codes = unique([...Object.keys(RESTRICTIONS),
+    ...rows.flatMap((r) => r.restrictions)])
+    .filter((code) => rows.some((r) => r.restrictions.includes(code)));
+  return rows.length ? [
+    table({ id: "demands", caption: "What the scene must be like", rows,
+      columns: [algorithmColumn, ...codes.map((code) => ({
+        name: code, label: code, title: () => RESTRICTIONS[code],
+        value: (r) => r.restrictions.includes(code) ? 0 : null,
+        show: (r) => r.restrictions.includes(code) ? `✓ ${code}` : "" }))] }),
+    h("ul", { class: "plain" }, codes.map((code) => h("li", {},
+      h("b", {}, code), ` ${RESTRICTIONS[code] ?? ""}`))),
+  ] : null;
+}
+
+function figure29b(t) {
+  return t.figure29b?.length ? table({ id: "sorts",
+    caption: "Sorting order, coherence and sorts", rows: t.figure29b, columns: [
+      algorithmColumn,
+      { name: "order", label: "order", value: (r) => r.sort_order ?? null,
+        show: (r) => r.sort_order ?? "–" },
+      { name: "coherence", label: "coherence it bets on", prose: true,
+        value: (r) => r.coherence ?? null, show: (r) => r.coherence ?? "–" },
+      { name: "sorts", label: "sorts, in order",
+        value: (r) => r.sorts?.length ?? 0,
+        show: (r) => h("ol", { class: "sorts" }, (r.sorts ?? []).map((s) =>
+          h("li", {}, h("b", {}, s.what), " by ", h("b", {}, s.key),
+            `: ${s.method}, ${s.often}`))) }] }) : null;
+}
+
+function orders(t) {
+  return t.sorting_orders?.length ? table({ id: "order",
+    caption: "Which sorts first by what", rows: t.sorting_orders, columns: [
+      { name: "order", label: "order", value: (o) => o.order },
+      { name: "algorithms", label: "algorithms",
+        value: (o) => o.algorithms.join(" "),
+        show: (o) => h("ul", { class: "legend" }, o.algorithms.map((name) =>
+          h("li", {}, named(name)))) }] }) : null;
+}
+
+const VERDICTS = { "borne out": "✓", "not borne out": "✗", undecided: "?",
+  "not measured": "–" };
+
+function conclusions(t) {
+  return t.conclusions?.length ? table({ id: "claims",
+    caption: "Claims of the paper, judged by what was measured",
+    rows: t.conclusions, columns: [
+      { name: "claim", label: "claim", prose: true, value: (c) => c.claim },
+      { name: "section", label: "where", value: (c) => c.section ?? "" },
+      { name: "criterion", label: "borne out if", prose: true,
+        value: (c) => c.criterion ?? "" },
+      { name: "verdict", label: "verdict", whole: true, value: (c) => c.verdict,
+        show: (c) => `${VERDICTS[c.verdict] ?? ""} ${c.verdict}` },
+      { name: "evidence", label: "evidence", prose: true,
+        value: (c) => c.evidence ?? "" },
+    ] }) : null;
+}
+
+function greene(t) {
+  return t.greene?.length ? table({ id: "figures",
+    caption: "Greene’s figures beside ours", rows: t.greene, columns: [
+      { name: "what", label: "what", prose: true, value: (g) => g.what },
+      { name: "source", label: "where", whole: true, value: (g) => g.source },
+      { name: "scene", label: "scene", value: (g) => g.scene ?? "" },
+      number("size", "size", (g) => g.size),
+      number("paper", "his", (g) => g.paper, digits),
+      number("ours", "ours", (g) => g.ours, digits)] }) : null;
+}

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// node browse.mjs MODULES BROWSER sample SAMPLE BARE DAMAGED
+// node browse.mjs MODULES BROWSER any REPORT
+// Opens reports from disk as a reader would, and prints TAP.
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [modules, executablePath, kind, ...folders] = process.argv.slice(2);
+const { chromium } = createRequire(join(resolve(modules), "x"))("playwright-core");
+const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
+
+let tests = 0, failures = 0;
+async function test(what, body) {
+  tests += 1;
+  try {
+    await body();
+    console.log(`ok ${tests} - ${what}`);
+  } catch (error) {
+    failures += 1;
+    console.log(`not ok ${tests} - ${what}`);
+    console.log(String(error.message).replace(/^/gm, "# "));
+  }
+}
+
+// A window on a report. What goes wrong in it is gathered in .faults.
+async function open(folder, options = {}) {
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.setDefaultTimeout(10000);
+  const faults = [];
+  page.on("console", (m) => m.type() === "error" && faults.push(m.text()));
+  page.on("pageerror", (error) => faults.push(error.message));
+  page.on("requestfailed", (r) => faults.push(`not there: ${r.url()}`));
+  page.on("request", (r) => /^(file|data):/.test(r.url()) ||
+    faults.push(`a request left: ${r.url()}`));
+  const root = pathToFileURL(join(resolve(folder), "index.html")).href;
+  const go = async (hash) => {
+    await page.goto(root + hash);
+    await page.waitForSelector("main h1");
+    await settle(page);
+  };
+  return { page, faults, go, close: () => context.close() };
+}
+
+// Plots are drawn when their width is known, two frames after the rest.
+function settle(page) {
+  return page.evaluate(() => new Promise((done) =>
+    requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+// --- what holds of every page of every report ---
+
+// Runs in the page; tells what is wrong with it.
+function blemishes() {
+  const bad = [];
+  const root = document.documentElement;
+  if (root.scrollWidth > innerWidth)
+    bad.push(`the page is ${root.scrollWidth} wide in ${innerWidth}`);
+  if (!root.lang) bad.push("no language");
+  if (document.querySelectorAll("h1").length !== 1) bad.push("not one h1");
+  for (const e of document.querySelectorAll("input, select"))
+    if (!e.labels.length || !e.labels[0].textContent.trim())
+      bad.push(`no label: ${e.name}`);
+  for (const e of document.querySelectorAll("img"))
+    if (!e.alt) bad.push(`no alt: ${e.src}`);
+  for (const e of document.querySelectorAll("button, a"))
+    if (!e.textContent.trim() && !e.querySelector("img[alt]"))
+      bad.push(`no name: ${e.outerHTML}`);
+  const ids = [...document.querySelectorAll("[id]")].map((e) => e.id);
+  for (const id of ids)
+    if (ids.indexOf(id) !== ids.lastIndexOf(id)) bad.push(`id twice: ${id}`);
+  for (const e of document.querySelectorAll(".plot")) {
+    if (!e.querySelector("svg[role=img][aria-label]")) bad.push("empty plot");
+    const figure = e.closest("figure");
+    if (!figure.querySelector("table") &&
+        !figure.nextElementSibling?.querySelector("table"))
+      bad.push("a plot without its table");
+  }
+  const text = document.querySelector("main").innerText;
+  for (const word of ["undefined", "NaN", "[object"])
+    if (text.includes(word)) bad.push(`“${word}” in the text`);
+  return bad;
+}
+
+async function visitAll(folder, width, colorScheme) {
+  await test(`every page at ${width} pixels, ${colorScheme}`, async () => {
+    const { page, faults, go, close } = await open(folder,
+      { viewport: { width, height: 800 }, colorScheme });
+    await go("");
+    const links = new Set(await hashes(page));
+    for (const hash of ["#/check", "#/sweeps", "#/timings", "#/tables"])
+      links.add(hash);
+    await go("#/check");
+    const probes = (await hashes(page)).filter((x) => x.startsWith("#/probe/"));
+    for (const path of new Set(probes.map((x) => x.split("?")[0])))
+      links.add(probes.find((x) => x.startsWith(path)));
+    for (const hash of links) {
+      await go(hash);
+      assert.deepEqual(await page.evaluate(blemishes), [], hash);
+      assert.deepEqual(faults, [], hash);
+    }
+    assert.ok(links.size >= 5);
+    console.log(`# ${links.size} pages`);
+    await close();
+  });
+}
+
+function hashes(page) {
+  return page.$$eval("a[href^='#/']", (all) =>
+    all.map((a) => a.getAttribute("href")));
+}
+
+async function any(folder) {
+  await visitAll(folder, 1280, "light");
+  await visitAll(folder, 320, "dark");
+
+  await test("every listed algorithm is in the tree or beside it", async () => {
+    const { page, go, close } = await open(folder);
+    await go("");
+    const listed = await page.evaluate(() =>
+      (window.hsr.algorithms ?? []).map((a) => a.name));
+    const shown = await page.$$eval("#tree .leaf a", (all) =>
+      all.map((a) => a.textContent));
+    assert.deepEqual(listed.filter((name) => !shown.includes(name)), []);
+    await close();
+  });
+
+  await test("without JavaScript it says so", async () => {
+    const { page, close } = await open(folder, { javaScriptEnabled: false });
+    await page.goto(pathToFileURL(join(resolve(folder), "index.html")).href);
+    assert.match(await page.innerText("main"), /needs\s+JavaScript/);
+    await close();
+  });
+}
+
+// --- what holds of the sample ---
+
+const column = (page, table, n) => page.$$eval(`#${table}-table tbody tr`,
+  (rows, k) => rows.map((row) => row.children[k].textContent), n);
+
+async function choose(page, name, value) {
+  await page.selectOption(`select[name=${name}]`, value);
+  await settle(page);
+}
+
+async function sampled(folder) {
+  const { page, faults, go, close } = await open(folder);
+  const hash = () => page.evaluate(() => location.hash);
+  const heading = () => page.textContent("h1");
+  const follow = async (selector) => {
+    const before = await hash();
+    await page.click(selector);
+    await page.waitForFunction((old) => location.hash !== old, before);
+    await settle(page);
+  };
+
+  await test("the tree leads to Watkins' page", async () => {
+    await go("");
+    await follow(".tree a:text-is('watkins')");
+    assert.match(await heading(), /Watkins/);
+    assert.match(await page.textContent(".facts"), /YXZ/);
+    assert.match(await page.textContent("#sorts"), /logarithmic search/);
+    assert.match(await page.textContent("#steps"), /X merge.*Er Sl/);
+    assert.match(await page.textContent("#pictures"), /touched/);
+  });
+
+  await test("Watkins beside Bouknight", async () => {
+    await choose(page, "with", "bouknight");
+    assert.match(await hash(), /with=bouknight/);
+    await page.reload();
+    const beside = await page.textContent(".beside");
+    assert.match(beside, /Watkins/);
+    assert.match(beside, /Bouknight/);
+    assert.ok((await column(page, "beside", 3)).length > 5);
+  });
+
+  await test("restrictions are spelled out", async () => {
+    await go("#/algorithm/romney");
+    assert.match(await page.textContent(".facts"), /TR\s+faces are triangles/);
+  });
+
+  await test("an algorithm that nobody knows has its place", async () => {
+    await go("");
+    await follow(".tree a:text-is('newcomer')");
+    assert.match(await heading(), /nobody knows/);
+  });
+
+  await test("filters change the matrix and the address, and last", async () => {
+    await go("#/check");
+    const rows = () => page.$$eval(".matrix tbody tr", (all) => all.length);
+    const before = await rows();
+    await choose(page, "scene", "house");
+    const after = await rows();
+    assert.ok(after < before && after > 0, `${after} of ${before}`);
+    assert.match(await hash(), /scene=house/);
+    await page.reload();
+    assert.equal(await rows(), after);
+    assert.equal(await page.inputValue("select[name=scene]"), "house");
+  });
+
+  await test("states stand in words and symbols", async () => {
+    await go("#/check");
+    const text = await page.textContent("main");
+    for (const word of ["✓ ok", "✗ 341", "∅ refused", "◷ timeout", "! crash",
+      "▤ memory"]) assert.ok(text.includes(word), word);
+    assert.match(await page.textContent("#failed"), /NP: face 17/);
+  });
+
+  await test("a wrong picture has no time, a peer has both", async () => {
+    await go("#/timings?algorithms=painter");
+    const places = await column(page, "modules", 1);
+    const views = await column(page, "modules", 2);
+    assert.ok(places.length > 3);
+    assert.ok(!places.some((s, k) => s === "house" && views[k] === "1"));
+    await go("#/timings?algorithms=embree");
+    assert.match(await page.textContent("#peers"), /17 of 5,917/);
+    assert.equal(await page.$("#modules"), null);
+  });
+
+  await test("ticked algorithms alone are left, in their colours", async () => {
+    const colours = () => page.$$eval(".legend a", (all) => Object.fromEntries(
+      all.map((a) => [a.textContent, a.querySelector("path").outerHTML])));
+    await go("#/sweeps");
+    const before = await colours();
+    assert.ok(Object.keys(before).length > 15);
+    await page.click(".choice summary");
+    await page.check("input[value=watkins]");
+    await page.check("input[value=zbuffer]");
+    await settle(page);
+    assert.match(await hash(), /algorithms=/);
+    await page.reload();
+    await settle(page);
+    const { watkins, zbuffer } = before;
+    assert.deepEqual(await colours(), { watkins, zbuffer });
+    const hue = /--hue-\d/.exec(watkins)[0];
+    assert.ok(await page.$(`.plot svg [fill="var(${hue})"]`), "in the plot");
+  });
+
+  await test("tables sort by any column, and the address keeps it", async () => {
+    await go("#/timings?view=house%2C+view+1");
+    const medians = () => page.evaluate(() => {
+      const of = new Map(window.hsr.cells.filter((c) => c.scene === "house" &&
+        c.view === 1 && c.seconds).map((c) => [c.algorithm, c.seconds.median]));
+      return [...document.querySelectorAll("#modules-table tbody tr")].map((row) =>
+        of.get(row.children[0].textContent));
+    });
+    const sorted = (list) => [...list].sort((a, b) => a - b);
+    const given = await medians();
+    assert.ok(given.length > 10);
+    assert.notDeepEqual(given, sorted(given));
+    await page.click("#modules-table th button:has-text('median')");
+    assert.deepEqual(await medians(), sorted(given));
+    await page.click("#modules-table th button:has-text('median')");
+    assert.deepEqual(await medians(), sorted(given).reverse());
+    await page.reload();
+    assert.deepEqual(await medians(), sorted(given).reverse());
+    assert.equal(await page.getAttribute("#modules-table [aria-sort]", "aria-sort"),
+      "descending");
+  });
+
+  await test("what is not distinguishable is said to be so", async () => {
+    await go("#/timings");
+    assert.match(await page.textContent("#modules"), /not distinguishable/);
+  });
+
+  // Row of a module at the pixel that is chosen: verdict, face, object, depth.
+  const seen = (name) => page.$$eval("#readout tbody tr", (rows, n) =>
+    [...rows.find((r) => r.children[0].textContent === n).children].slice(1)
+      .map((td) => td.textContent), name);
+  const pixel = async (i, j) => {
+    await page.fill("input[name=i]", String(i));
+    await page.fill("input[name=j]", String(j));
+    await page.keyboard.press("Tab");
+  };
+
+  await test("the matrix leads to the probe, which tells face and depth",
+    async () => {
+      await go("#/check?scene=house");
+      await follow("td.wrong a");
+      await page.waitForSelector("#readout table");
+      await pixel(45, 30);
+      assert.deepEqual(await seen("oracle"),
+        ["✓", "2", "box B, face 1", "3.203125"]);
+      assert.deepEqual(await seen("watkins"), await seen("oracle"));
+      assert.deepEqual(await seen("painter"),
+        ["✗ differs", "1", "box <A>, face 1", "3.500000"]);
+      assert.equal(await page.textContent("[role=status]"),
+        "i = 45, j = 30: box B, face 1; otherwise by painter");
+      await pixel(20, 20);
+      assert.deepEqual(await seen("painter"),
+        ["✓", "1", "box <A>, face 1", "3.500000"]);
+      await pixel(96, 0);
+      assert.deepEqual(await seen("zbuffer"), ["✓", "none", "background", "–"]);
+    });
+
+  await test("keys, pointer and the next difference choose a pixel",
+    async () => {
+      await pixel(39, 30);
+      await page.focus(".stage");
+      await page.keyboard.press("ArrowRight");
+      assert.equal(await page.inputValue("input[name=i]"), "40");
+      assert.equal((await seen("painter"))[0], "✗ differs");
+      await page.keyboard.press("Shift+ArrowDown");
+      assert.equal(await page.inputValue("input[name=j]"), "40");
+      const area = await (await page.$(".stage")).boundingBox();
+      const scale = area.width / 97;
+      await page.mouse.click(area.x + 60.5 * scale, area.y + 3.5 * scale);
+      assert.match(await page.textContent("#readout caption"),
+        /i = 60, j = 3$/);
+      await page.click("button:has-text('Next')");
+      assert.match(await page.textContent("#readout caption"),
+        /i = 40, j = 20$/);
+    });
+
+  await test("the probe's state lasts, and layers are shown", async () => {
+    await page.check("input[value=differences]");
+    assert.match(await page.getAttribute(".stage img", "src"), /^difference/);
+    await page.waitForFunction(() => /i=40&j=20/.test(location.hash));
+    await page.reload();
+    await page.waitForSelector("#readout table");
+    assert.match(await page.textContent("#readout caption"), /i = 40, j = 20$/);
+    assert.match(await page.getAttribute(".stage img", "src"), /^difference/);
+    assert.equal(await page.$eval(".stage img", (e) =>
+      getComputedStyle(e).imageRendering), "pixelated");
+    await choose(page, "module", "watkins");
+    assert.match(await page.textContent(".next"), /No pixel of watkins differs/);
+  });
+
+  await test("odd names are text", async () => {
+    await go("#/check");
+    assert.match(await page.textContent("main"), /odd <b>&"name'\/50%/);
+    assert.equal(await page.$("main th b"), null);
+    await go("#/timings");
+    await choose(page, "view", "odd <b>&\"name'/50%, view 1");
+    await page.reload();
+    const names = await column(page, "modules", 1);
+    assert.ok(names.length && names.every((n) => n.startsWith("odd <b>")));
+  });
+
+  await test("all tables of 1974 are there, also by address", async () => {
+    await go("#/tables/figure-29b");
+    const titles = await page.$$eval("h2", (all) =>
+      all.map((e) => e.textContent));
+    for (const wanted of ["Table I:", "Table II:", "Table III:", "Table IV:",
+      "Table V:", "Table VI:", "Table VII:", "Figure 13:", "Figure 29a:",
+      "Figure 29b:", "The sorting orders", "What the paper concluded", "Greene"])
+      assert.ok(titles.some((t) => t.startsWith(wanted)), wanted);
+    assert.match(await page.textContent("#conclusions"), /✗ not borne out/);
+    assert.ok(await page.evaluate(() => scrollY > 500), "scrolled to it");
+  });
+
+  await test("going back shows the page before, from its top", async () => {
+    await go("");
+    await follow("nav a:has-text('Growth')");
+    assert.equal(await heading(), "How they grow");
+    assert.match(await page.title(), /^How they grow/);
+    await page.goBack();
+    await settle(page);
+    assert.equal(await heading(), "A made-up report");
+  });
+
+  await test("nothing went wrong on the way", async () =>
+    assert.deepEqual(faults, []));
+  await close();
+}
+
+async function lacking(bare, damaged) {
+  await visitAll(bare, 320, "light");
+  await test("data of another form, or damaged, are told", async () => {
+    const { page, close } = await open(damaged);
+    await page.goto(pathToFileURL(join(resolve(damaged), "index.html")).href);
+    assert.match(await page.innerText("main"), /missing beside this page/);
+    await close();
+  });
+}
+
+await any(folders[0]);
+if (kind === "sample") {
+  await sampled(folders[0]);
+  await lacking(folders[1], folders[2]);
+}
+await browser.close();
+console.log(`1..${tests}`);
+process.exitCode = failures ? 1 : 0;
