@@ -8,6 +8,7 @@
 #include <fnmatch.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -30,12 +31,21 @@ enum {
 
 static error_t add_names(struct sweep_options *o, char *arg, const char **name,
                          int *n, int most) {
+  int before = *n;
   for (char *word = strtok(arg, ","); word; word = strtok(NULL, ",")) {
     if (*n == most)
       return option_fail(&o->base, "bench: at most %d names", most);
     name[(*n)++] = word;
   }
-  return 0;
+  return *n > before ? 0
+                     : option_fail(&o->base, "bench: '%s' names nothing", arg);
+}
+
+static bool has_size(const struct sweep_options *o, int m, int n) {
+  for (int k = 0; k < o->n_sizes; k++)
+    if (o->m[k] == m && o->n[k] == n)
+      return true;
+  return false;
 }
 
 static error_t add_sizes(struct sweep_options *o, char *arg) {
@@ -43,10 +53,14 @@ static error_t add_sizes(struct sweep_options *o, char *arg) {
     if (o->n_sizes == SWEEP_MOST_SIZES)
       return option_fail(&o->base, "bench: at most %d sizes",
                          (int)SWEEP_MOST_SIZES);
-    if (!parse_size(size, &o->m[o->n_sizes], &o->n[o->n_sizes]))
+    int m, n;
+    if (!parse_size(size, &m, &n))
       return option_fail(&o->base, "--size %s: must be MxN, each 1 to %d", size,
                          HSR_MAX_SIZE);
-    o->n_sizes++;
+    if (has_size(o, m, n))
+      continue;
+    o->m[o->n_sizes] = m;
+    o->n[o->n_sizes++] = n;
   }
   return 0;
 }
@@ -141,7 +155,11 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->output = arg;
     return 0;
   case ARGP_KEY_ARG:
-    return add_names(o, arg, o->scene, &o->n_scenes, SWEEP_MOST_NAMES);
+    if (o->n_scenes == SWEEP_MOST_NAMES)
+      return option_fail(&o->base, "bench: at most %d scenes",
+                         (int)SWEEP_MOST_NAMES);
+    o->scene[o->n_scenes++] = arg;
+    return 0;
   case ARGP_KEY_END:
     return complete(o);
   default:
@@ -237,27 +255,51 @@ static enum hsr_status check_code(const struct results *results,
   return HSR_OK;
 }
 
+/* What is in the file already. One that holds something else stays as it is. */
+static enum hsr_status read_file(struct sweep *sweep, const char *path,
+                                 const struct stat *about,
+                                 struct hsr_error *err) {
+  if (!S_ISREG(about->st_mode))
+    return hsr_fail(err, HSR_E_USAGE, "--resume: %s is not a file", path);
+  enum hsr_status status = results_read(&sweep->results, path, err);
+  if (!status && about->st_size && !json_array_size(sweep->results.headers))
+    return hsr_fail(err, HSR_E_INPUT, "%s: holds no results to go on from",
+                    path);
+  return status ? status : check_code(&sweep->results, path, err);
+}
+
+/* Two runs in one file would cut each other's lines. */
+static bool is_locked_by_another(int file) {
+  struct flock all = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+  return fcntl(file, F_SETLK, &all) && (errno == EACCES || errno == EAGAIN);
+}
+
 static enum hsr_status open_file(struct sweep *sweep, struct hsr_error *err) {
   const struct sweep_options *o = sweep->plan->options;
+  const char *path = o->output;
   sweep->file = -1;
-  if (!o->output)
+  if (!path)
     return HSR_OK;
-  enum hsr_status status = HSR_OK;
-  if (o->resume && !access(o->output, F_OK)) {
-    status = results_read(&sweep->results, o->output, err);
-    if (!status)
-      status = check_code(&sweep->results, o->output, err);
-    if (status)
-      return status;
-  }
-  int how = O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | (o->resume ? 0 : O_EXCL);
-  sweep->file = open(o->output, how, 0666);
-  if (sweep->file < 0 && errno == EEXIST)
+  struct stat about;
+  bool there = !stat(path, &about), device = there && !S_ISREG(about.st_mode);
+  if (there && !device && !o->resume)
     return hsr_fail(err, HSR_E_USAGE, "%s is there already (--resume goes on)",
-                    o->output);
+                    path);
+  enum hsr_status status = HSR_OK;
+  if (there && o->resume)
+    status = read_file(sweep, path, &about, err);
+  if (status)
+    return status;
+  int how = device ? O_WRONLY : O_RDWR | O_CREAT | O_APPEND;
+  sweep->file = open(path, how | O_CLOEXEC | (there ? 0 : O_EXCL), 0666);
   if (sweep->file < 0)
-    return hsr_fail(err, HSR_E_INPUT, "%s: %s", o->output, strerror(errno));
-  return cut_last_line(sweep->file, o->output, err);
+    return hsr_fail(err, HSR_E_INPUT, "%s: %s", path, strerror(errno));
+  if (device)
+    return HSR_OK;
+  if (is_locked_by_another(sweep->file))
+    return hsr_fail(err, HSR_E_USAGE, "%s: another hsr bench writes to it",
+                    path);
+  return cut_last_line(sweep->file, path, err);
 }
 
 /* --- The sweep ---------------------------------------------------------------
@@ -321,15 +363,11 @@ static bool has_failures(const struct results *results) {
 
 static enum hsr_status tell(const struct sweep_options *o,
                             const struct results *results,
+                            const struct results *baseline,
                             struct hsr_error *err) {
   enum hsr_status status = print_summary(results, o->reference, err);
-  if (!status && o->baseline) {
-    struct results old = {.headers = NULL};
-    status = results_read(&old, o->baseline, err);
-    if (!status)
-      status = print_changes(results, &old, o->reference, err);
-    results_free(&old);
-  }
+  if (!status && o->baseline)
+    status = print_changes(results, baseline, o->reference, err);
   if (!status && has_failures(results))
     return HSR_E_DIFFERENCE;
   return status;
@@ -347,7 +385,7 @@ enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
                           struct results *results, struct hsr_error *err) {
   char run[17];
   name_run(run);
-  struct sweep sweep = {.plan = plan, .run = run};
+  struct sweep sweep = {.plan = plan, .run = run, .file = -1};
   enum hsr_status status = open_file(&sweep, err);
   if (!status)
     status =
@@ -363,11 +401,16 @@ enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
 
 static enum hsr_status run_and_tell(const struct plan *plan, int argc,
                                     char **argv, struct hsr_error *err) {
-  struct results results;
-  enum hsr_status status = sweep_run(plan, argc, argv, &results, err);
+  struct results results = {.headers = NULL}, baseline = {.headers = NULL};
+  enum hsr_status status = HSR_OK;
+  if (plan->options->baseline)
+    status = results_read(&baseline, plan->options->baseline, err);
   if (!status)
-    status = tell(plan->options, &results, err);
+    status = sweep_run(plan, argc, argv, &results, err);
+  if (!status)
+    status = tell(plan->options, &results, &baseline, err);
   results_free(&results);
+  results_free(&baseline);
   return status;
 }
 

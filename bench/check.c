@@ -194,9 +194,11 @@ static enum hsr_status start_group(const struct scene_run *run,
   if (status)
     return status;
   fflush(NULL);
-  pid_t child = fork();
-  if (child == 0)
+  pid_t parent = getpid(), child = fork();
+  if (child == 0) {
+    end_with_parent(parent);
     end_process((int)judge_group(&g));
+  }
   return child < 0 ? hsr_fail_nomem(err) : HSR_OK;
 }
 

@@ -97,7 +97,7 @@ enum hsr_status choose_camera(const struct view_options *options,
                               const struct hsr_scene *scene,
                               struct hsr_camera *camera, struct hsr_error *err);
 
-/* The listed algorithm, or HSR_E_USAGE naming those there are. */
+/* The listed algorithm, or HSR_E_USAGE. */
 enum hsr_status choose_algorithm(const char *name,
                                  const struct hsr_listed **listed,
                                  struct hsr_error *err);

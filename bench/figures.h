@@ -21,7 +21,8 @@ struct samples {
 enum { FIGURES_MOST_STARTS = 64 };
 
 /* The median of all, with a 95 % interval by the bootstrap over starts, and
- * over the samples within each. Reproducible. False for lack of memory. */
+ * over the samples within each; too short a one where there are only two
+ * starts. Reproducible. False for lack of memory. */
 bool figure_median(const struct samples *samples, struct figure *median);
 
 double figure_least(const struct samples *samples);

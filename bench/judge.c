@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -72,7 +71,7 @@ static void compare(const struct group *g, const struct hsr_algorithm *a,
 /* Sets the algorithm up and draws. A value that no picture holds shows what was
  * not written. The answer is to be freed also after a failure. */
 static enum hsr_status draw(const struct group *g,
-                            const struct hsr_algorithm *a,
+                            const struct hsr_algorithm *a, long threads,
                             struct hsr_setup *setup, struct answer *answer,
                             struct hsr_tally *tally, struct hsr_error *err) {
   *tally = (struct hsr_tally){.out_of_memory = false};
@@ -84,20 +83,20 @@ static enum hsr_status draw(const struct group *g,
            (size_t)g->view.m * (size_t)g->view.n * sizeof *answer->ids);
   status = hsr_setup_init(setup, a, g->world, err);
   if (!status)
-    status = render_view(setup, &g->view, 1, answer, tally, NULL, err);
+    status = render_view(setup, &g->view, threads, answer, tally, NULL, err);
   hsr_setup_free(setup);
   return status;
 }
 
 /* In a process of its own. */
 static enum hsr_status judge(const struct group *g,
-                             const struct hsr_algorithm *a,
+                             const struct hsr_algorithm *a, long threads,
                              const struct answer *wanted, struct cell *cell) {
   struct hsr_error err;
   struct hsr_setup setup = {.n_adaptations = 0};
   struct hsr_tally tally;
   struct answer got;
-  enum hsr_status status = draw(g, a, &setup, &got, &tally, &err);
+  enum hsr_status status = draw(g, a, threads, &setup, &got, &tally, &err);
   cell->n_adaptations = setup.n_adaptations;
   for (int k = 0; k < setup.n_adaptations; k++)
     cell->adapted[k] = setup.adaptation[k].name; /* lasts: it is a constant */
@@ -121,9 +120,8 @@ static bool is_too_much(const struct group *g, const struct hsr_algorithm *a) {
          a->expense(g->world, &g->view) > 5e8 * (double)g->timeout;
 }
 
-/* Of this process, which ends with the one that started it. */
+/* Of this process. */
 static void limit_process(const struct group *g) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (!g->memory_mb)
     return;
   struct rlimit limit = {.rlim_cur = (rlim_t)g->memory_mb << 20,
@@ -132,21 +130,25 @@ static void limit_process(const struct group *g) {
 }
 
 /* Runs the algorithm in a new process and waits for it. */
-static void judge_apart(const struct group *g, const struct hsr_listed *listed,
-                        const struct answer *wanted, struct cell *cell) {
+static void judge_apart(const struct group *g, int number,
+                        const struct answer *wanted) {
+  const struct hsr_listed *listed = g->algorithm[number];
+  struct cell *cell = &g->cells[number];
   if (is_too_much(g, listed->plain)) {
     cell->verdict = REFUSED;
     return;
   }
   fflush(NULL);
-  pid_t child = fork();
+  pid_t parent = getpid(), child = fork();
   if (child == 0) {
+    end_with_parent(parent);
     limit_process(g);
     alarm((unsigned)g->timeout);
-    enum hsr_status status = judge(g, listed->plain, wanted, cell);
+    enum hsr_status status = judge(
+        g, listed->plain, g->threads ? g->threads[number] : 1, wanted, cell);
     alarm((unsigned)g->timeout);
     if (!status)
-      status = judge(g, listed->counting, wanted, cell);
+      status = judge(g, listed->counting, 1, wanted, cell);
     alarm(0);
     end_process((int)status);
   }
@@ -199,7 +201,7 @@ enum hsr_status judge_group(const struct group *g) {
   struct hsr_setup setup;
   struct hsr_tally tally;
   struct answer wanted;
-  enum hsr_status status = draw(g, oracle, &setup, &wanted, &tally, &err);
+  enum hsr_status status = draw(g, oracle, 1, &setup, &wanted, &tally, &err);
   if (limited) {
     alarm(0);
     set_all(g, PENDING, oracle->name);
@@ -209,7 +211,7 @@ enum hsr_status judge_group(const struct group *g) {
            (size_t)g->view.m * (size_t)g->view.n * sizeof *wanted.ids);
   for (int a = 0; a < g->n_algorithms && !status; a++)
     if (g->algorithm[a]->plain->kind == g->kind)
-      judge_apart(g, g->algorithm[a], &wanted, &g->cells[a]);
+      judge_apart(g, a, &wanted);
   answer_free(&wanted);
   return status;
 }

@@ -40,8 +40,9 @@ struct cell {
 struct group {
   const struct hsr_listed *const *algorithm; /* also those of other kinds */
   int n_algorithms;
-  long timeout;   /* seconds that a picture may take */
-  long memory_mb; /* of data that a process may hold; 0: any */
+  const long *threads; /* an algorithm, for the build that is timed; NULL: 1 */
+  long timeout;        /* seconds that a picture may take */
+  long memory_mb;      /* of data that a process may hold; 0: any */
   const struct hsr_world *world;
   enum hsr_kind kind;
   struct hsr_view view;

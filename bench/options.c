@@ -181,12 +181,6 @@ enum hsr_status choose_algorithm(const char *name,
   *listed = hsr_algorithm_find(name);
   if (*listed)
     return HSR_OK;
-  char names[300] = "";
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
-    size_t length = strlen(names);
-    snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "",
-             a->plain->name);
-  }
-  return hsr_fail(err, HSR_E_USAGE, "no algorithm '%s'; there are %s", name,
-                  names);
+  return hsr_fail(err, HSR_E_USAGE, "no algorithm '%.100s' (see hsr list)",
+                  name);
 }

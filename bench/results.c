@@ -27,12 +27,12 @@ long results_number(const json_t *record, const char *field) {
 
 void results_key(const json_t *record, char key[RESULTS_KEY]) {
   int length = snprintf(
-      key, RESULTS_KEY, "%.300s %ld %ldx%ld", results_text(record, "scene"),
-      results_number(record, "view"), results_number(record, "width"),
-      results_number(record, "height"));
+      key, RESULTS_KEY, "%.*s %ld %ldx%ld", (int)RESULTS_MOST_SCENE,
+      results_text(record, "scene"), results_number(record, "view"),
+      results_number(record, "width"), results_number(record, "height"));
   if (json_object_get(record, "algorithm"))
-    snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.100s %ld",
-             results_text(record, "algorithm"),
+    snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.*s %ld",
+             (int)RESULTS_MOST_NAME, results_text(record, "algorithm"),
              results_number(record, "threads"));
 }
 
@@ -68,6 +68,12 @@ static bool keep(struct results *results, json_t *array, json_t *record) {
          !json_array_append(array, record);
 }
 
+/* Whether the record has a key that no other has. */
+static bool has_name(const json_t *record, const char *field, size_t most) {
+  size_t length = json_string_length(json_object_get(record, field));
+  return length > 0 && length <= most;
+}
+
 static bool make_room(struct results *results) {
   if (!results->headers) {
     results->headers = json_array();
@@ -88,9 +94,13 @@ enum hsr_status results_add(struct results *results, json_t *record,
   if (!strcmp(what, "header") &&
       !strcmp(results_text(record, "schema"), "hsr-bench/1"))
     kept = !json_array_append(results->headers, record);
-  else if (!strcmp(what, "view"))
+  else if (!strcmp(what, "view") &&
+           has_name(record, "scene", RESULTS_MOST_SCENE) &&
+           !json_object_get(record, "algorithm"))
     kept = keep(results, results->views, record);
-  else if (!strcmp(what, "cell"))
+  else if (!strcmp(what, "cell") &&
+           has_name(record, "scene", RESULTS_MOST_SCENE) &&
+           has_name(record, "algorithm", RESULTS_MOST_NAME))
     kept = keep(results, results->cells, record);
   else
     return hsr_fail(err, HSR_E_INPUT, "not a record of the schema hsr-bench/1");

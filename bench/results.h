@@ -35,7 +35,7 @@ long results_number(const json_t *record, const char *field);
 
 /* The key of a view or cell record: the text by which two records are of the
  * same. "scene 1 512x512" and, of a cell, " algorithm 1": its threads. */
-enum { RESULTS_KEY = 512 };
+enum { RESULTS_KEY = 512, RESULTS_MOST_SCENE = 300, RESULTS_MOST_NAME = 100 };
 void results_key(const json_t *record, char key[RESULTS_KEY]);
 
 /* The record of that key, borrowed; NULL if there is none. */

@@ -47,9 +47,11 @@ long memory_kb(void) {
   return resident * (sysconf(_SC_PAGESIZE) / 1024);
 }
 
-static long peak_kb(void) {
+/* The kernel keeps the two numbers apart, and either only about. */
+static long peak_kb(long before) {
   struct rusage usage;
-  return getrusage(RUSAGE_SELF, &usage) ? 0 : usage.ru_maxrss;
+  long peak = getrusage(RUSAGE_SELF, &usage) ? 0 : usage.ru_maxrss;
+  return peak > before ? peak : before;
 }
 
 /* --- Frames ----------------------------------------------------------------
@@ -115,25 +117,40 @@ static enum hsr_status write_ids(const struct served *served,
 /* --- Shading and writing ----------------------------------------------------
  */
 
+/* A file of our own in the folder for such; false where there can be none. */
+static bool make_file(char *path, size_t size) {
+  static const char suffix[] = ".png";
+  const char *folder = getenv("TMPDIR");
+  int length = snprintf(path, size, "%s/hsr-XXXXXX%s",
+                        folder && *folder ? folder : "/tmp", suffix);
+  int file = length < (int)size ? mkstemps(path, sizeof suffix - 1) : -1;
+  return file >= 0 && !close(file);
+}
+
+/* That there is no room for the picture is no fault of whoever drew it. */
 static enum hsr_status shade_and_write(const struct served *served, float *rgb,
                                        struct hsr_error *err) {
   const struct stage *stage = served->stage;
   double begin = seconds_now();
   hsr_picture_shade(&stage->world, &stage->view, served->ids, HSR_SHADE_LAMBERT,
                     rgb);
-  double shaded = seconds_now();
+  printf("{\"shade\": %.9g, \"write\": ", seconds_now() - begin);
   struct hsr_picture picture = {
       .m = stage->view.m, .n = stage->view.n, .ids = served->ids, .rgb = rgb};
-  const char *folder = getenv("TMPDIR");
-  char path[512];
-  snprintf(path, sizeof path, "%s/hsr-worker-%ld.png",
-           folder && *folder ? folder : "/tmp", (long)getpid());
-  enum hsr_status status = hsr_image_write(path, &picture, NULL, err);
-  double written = seconds_now();
-  unlink(path);
-  if (!status)
-    printf("{\"shade\": %.9g, \"write\": %.9g}\n", shaded - begin,
-           written - shaded);
+  char path[4096];
+  enum hsr_status status = HSR_E_INPUT;
+  if (make_file(path, sizeof path)) {
+    begin = seconds_now();
+    status = hsr_image_write(path, &picture, NULL, err);
+    double seconds = seconds_now() - begin;
+    unlink(path);
+    if (!status)
+      printf("%.9g}\n", seconds);
+  }
+  if (status == HSR_E_INPUT) {
+    puts("null}");
+    return HSR_OK;
+  }
   return status;
 }
 
@@ -164,7 +181,7 @@ static enum hsr_status answer_byte(const struct served *served, int byte,
   case 'r':
     return draw_sample(served, pace, err);
   case 'm':
-    printf("{\"peak_kb\": %ld}\n", peak_kb());
+    printf("{\"peak_kb\": %ld}\n", peak_kb(served->before_kb));
     return HSR_OK;
   case 'w':
     return finish_picture(served, err);

@@ -13,7 +13,8 @@
  *                                          the clock on the wall
  *   'm'  the most memory it ever held:     {"peak_kb": n}
  *   'w'  it shades and writes the picture: {"shade": s, "write": s}, both null
- *                                          where there is none
+ *                                          where there is none, the second one
+ *                                          where it cannot be written
  * A failure is one line on the standard error and the exit status. */
 #ifndef HSR_BENCH_SERVE_H
 #define HSR_BENCH_SERVE_H

@@ -4,11 +4,13 @@
 #include "bench/terminate.h"
 #include "common/status.h"
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <gmp.h>
 #include <new>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 /* Of the leak sanitizer, where there is one. */
@@ -60,6 +62,12 @@ void end_process(int status) {
     status = HSR_E_INTERNAL;
   std::fflush(nullptr);
   _exit(status);
+}
+
+void end_with_parent(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) /* it had ended before */
+    _exit(HSR_E_INTERNAL);
 }
 
 void end_in_one_line(void) {

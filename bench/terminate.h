@@ -2,6 +2,8 @@
 #ifndef HSR_BENCH_TERMINATE_H
 #define HSR_BENCH_TERMINATE_H
 
+#include <sys/types.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -17,6 +19,10 @@ void end_in_one_line(void);
  * threads that a fork does not bring along, and after a lack of memory they may
  * find their own data broken. Does not return. */
 void end_process(int status);
+
+/* Called first in a forked process: from now on it is killed when its parent,
+ * of that id, ends in whatever way. */
+void end_with_parent(pid_t parent);
 
 #ifdef __cplusplus
 }

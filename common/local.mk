@@ -24,4 +24,4 @@ libvtkshim_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS) $(ZLIB_CFLAGS)
 else
 libhsr_a_SOURCES += %D%/exchange_no_vtk.cc
 endif
-EXTRA_DIST += docs/correct-drawing.md docs/correct-picture.md docs/scene.schema.json
+EXTRA_DIST += docs/correct-drawing.md docs/correct-picture.md docs/scene.schema.json docs/bench.schema.json

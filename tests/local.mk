@@ -4,6 +4,7 @@ tap_programs = \
   %D%/unit/adapt_test \
   %D%/unit/drawing_test \
   %D%/unit/exchange_test \
+  %D%/unit/figures_test \
   %D%/unit/image_test \
   %D%/unit/line_oracle_test \
   %D%/unit/oracle_test \
@@ -24,7 +25,10 @@ tap_programs = \
   %D%/properties/romney_test \
   %D%/properties/scan_line_test \
   %D%/properties/schumacker_test \
-  %D%/properties/warnock_test
+  %D%/properties/warnock_test \
+  %D%/sweep/resume_test \
+  %D%/sweep/schema_test \
+  %D%/sweep/sweep_test
 tap_scripts = \
   %D%/command.test \
   %D%/peers.test \
@@ -38,7 +42,7 @@ if WITH_VTK
 tap_programs += %D%/unit/vtp_test
 endif
 
-check_PROGRAMS += $(tap_programs)
+check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures
 dist_check_SCRIPTS += $(tap_scripts)
 TESTS += $(tap_programs) $(tap_scripts)
 
@@ -92,5 +96,24 @@ nodist_EXTRA_%C%_properties_warnock_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_properties_newell_test_SOURCES = force_cxx_link.cc
 %C%_properties_scan_line_test_SOURCES = %D%/properties/scan_line_test.c
 nodist_EXTRA_%C%_properties_scan_line_test_SOURCES = force_cxx_link.cc
+
+%C%_unit_figures_test_SOURCES = %D%/unit/figures_test.c
+%C%_unit_figures_test_LDADD = $(BENCH_LIBS)
+nodist_EXTRA_%C%_unit_figures_test_SOURCES = force_cxx_link.cc
+
+# The command with a list of its own: algorithms that fail on purpose.
+%C%_sweep_hsr_fixtures_SOURCES = bench/hsr.c %D%/sweep/fixtures.c
+%C%_sweep_hsr_fixtures_LDADD = $(BENCH_LIBS)
+nodist_EXTRA_%C%_sweep_hsr_fixtures_SOURCES = force_cxx_link.cc
+sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
+%C%_sweep_resume_test_SOURCES = %D%/sweep/resume_test.c $(sweeping)
+%C%_sweep_resume_test_LDADD = $(BENCH_LIBS)
+nodist_EXTRA_%C%_sweep_resume_test_SOURCES = force_cxx_link.cc
+%C%_sweep_schema_test_SOURCES = %D%/sweep/schema_test.c $(sweeping)
+%C%_sweep_schema_test_LDADD = $(BENCH_LIBS)
+nodist_EXTRA_%C%_sweep_schema_test_SOURCES = force_cxx_link.cc
+%C%_sweep_sweep_test_SOURCES = %D%/sweep/sweep_test.c $(sweeping)
+%C%_sweep_sweep_test_LDADD = $(BENCH_LIBS)
+nodist_EXTRA_%C%_sweep_sweep_test_SOURCES = force_cxx_link.cc
 
 EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/report/browse.mjs %D%/report/sample.mjs %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict

@@ -26,6 +26,7 @@ struct place_run {
   struct place place;
   size_t number;
   struct stage stage;
+  char scene_hash[17];
   const struct entrant *entrant[SWEEP_MOST_ENTRANTS]; /* those to do */
   int n;
   struct shared *shared;
@@ -42,6 +43,17 @@ static size_t picture_size(const struct place_run *run) {
 /* --- Recording ---------------------------------------------------------------
  */
 
+/* At once, where the file takes it at once. */
+static bool write_all(int file, const char *text, size_t length) {
+  for (size_t done = 0; done < length;) {
+    ssize_t n = write(file, text + done, length - done);
+    if (n < 0 && errno != EINTR)
+      return false;
+    done += n > 0 ? (size_t)n : 0;
+  }
+  return true;
+}
+
 enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
                              struct hsr_error *err) {
   char *text =
@@ -49,8 +61,8 @@ enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
   enum hsr_status status = text ? HSR_OK : hsr_fail_nomem(err);
   if (!status && sweep->file >= 0) {
     size_t length = strlen(text);
-    text[length] = '\n'; /* where the end was: one write a line */
-    if (write(sweep->file, text, length + 1) != (ssize_t)length + 1)
+    text[length] = '\n'; /* where the end was */
+    if (!write_all(sweep->file, text, length + 1))
       status = hsr_fail(err, HSR_E_INPUT, "%s: %s",
                         sweep->plan->options->output, strerror(errno));
   }
@@ -67,7 +79,9 @@ enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
 static void judge_kind(const struct place_run *run, enum hsr_kind kind) {
   const struct sweep_options *o = run->sweep->plan->options;
   const struct hsr_listed *algorithm[SWEEP_MOST_ENTRANTS];
+  long threads[SWEEP_MOST_ENTRANTS];
   struct group group = {.algorithm = algorithm,
+                        .threads = threads,
                         .timeout = o->timeout,
                         .memory_mb = o->memory_mb,
                         .world = &run->stage.world,
@@ -76,8 +90,11 @@ static void judge_kind(const struct place_run *run, enum hsr_kind kind) {
                         .cells = run->shared->cells,
                         .picture = kind == HSR_IDS ? run->picture : NULL};
   /* Peers stand behind all algorithms. */
-  for (int k = 0; k < run->n && run->entrant[k]->listed; k++)
-    algorithm[group.n_algorithms++] = run->entrant[k]->listed;
+  for (int k = 0; k < run->n && run->entrant[k]->listed; k++) {
+    algorithm[k] = run->entrant[k]->listed;
+    threads[k] = run->entrant[k]->threads;
+    group.n_algorithms++;
+  }
   end_process((int)judge_group(&group));
 }
 
@@ -101,18 +118,31 @@ static bool has_kind(const struct place_run *run, enum hsr_kind kind) {
  * nothing is timed yet. */
 static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
   fflush(NULL);
-  pid_t child = fork();
-  if (child == 0)
+  pid_t parent = getpid(), child = fork();
+  if (child == 0) {
+    end_with_parent(parent);
     judge_statistics(run);
+  }
   bool good = child > 0;
   for (int kind = 0; kind < N_KINDS && good; kind++)
     if (has_kind(run, (enum hsr_kind)kind)) {
       child = fork();
-      if (child == 0)
+      if (child == 0) {
+        end_with_parent(parent);
         judge_kind(run, (enum hsr_kind)kind);
+      }
       good = child > 0;
     }
   while (waitpid(-1, NULL, 0) > 0 || errno == EINTR) {
+  }
+  for (int k = 0; k < run->n; k++) {
+    struct cell *cell = &run->shared->cells[k];
+    if (!run->entrant[k]->listed || cell->verdict != PENDING)
+      continue;
+    cell->verdict = REFUSED;
+    snprintf(cell->refusal, sizeof cell->refusal,
+             "refused, %s cannot be judged: the oracle failed",
+             run->entrant[k]->name);
   }
   return good ? HSR_OK : hsr_fail_nomem(err);
 }
@@ -198,12 +228,11 @@ static json_t *table1_json(const struct shared *shared) {
 }
 
 static json_t *view_record(const struct place_run *run) {
-  char hash[17];
-  hash_world(&run->stage.world, hash);
   return json_pack("{ss ss ss ss si si si so}", "record", "view", "run",
                    run->sweep->run, "scene", run->place.scene, "scene_hash",
-                   hash, "view", run->place.view, "width", run->place.m,
-                   "height", run->place.n, "table1", table1_json(run->shared));
+                   run->scene_hash, "view", run->place.view, "width",
+                   run->place.m, "height", run->place.n, "table1",
+                   table1_json(run->shared));
 }
 
 static json_t *seconds_or_null(double seconds) {
@@ -305,6 +334,14 @@ static enum hsr_status record_all(struct place_run *run,
 /* --- A place -----------------------------------------------------------------
  */
 
+/* Whether a recorded cell says all that is asked for: where it was only
+ * counted, its times may be missing. */
+static bool is_done(const json_t *cell, const struct sweep_options *o) {
+  const char *status = json_string_value(json_object_get(cell, "status"));
+  return cell && (o->counts || !status || strcmp(status, "ok") != 0 ||
+                  json_array_size(json_object_get(cell, "starts")) > 0);
+}
+
 /* The entrants whose cells are wanted and not recorded yet; the order of the
  * plan has algorithms first. */
 static void choose_entrants(struct place_run *run) {
@@ -313,9 +350,23 @@ static void choose_entrants(struct place_run *run) {
     char key[RESULTS_KEY];
     plan_key(&run->place, &plan->entrant[k], key);
     if (plan_wants(plan, run->number, &plan->entrant[k]) &&
-        !results_cell(&run->sweep->results, key))
+        !is_done(results_cell(&run->sweep->results, key), plan->options))
       run->entrant[run->n++] = &plan->entrant[k];
   }
+}
+
+/* A scene may be a file. */
+static enum hsr_status check_scene(const struct place_run *run,
+                                   struct hsr_error *err) {
+  char key[RESULTS_KEY];
+  plan_key(&run->place, NULL, key);
+  const char *before = json_string_value(
+      json_object_get(results_view(&run->sweep->results, key), "scene_hash"));
+  if (!before || !strcmp(before, run->scene_hash))
+    return HSR_OK;
+  return hsr_fail(err, HSR_E_INPUT,
+                  "--resume: %.300s is another scene than before",
+                  run->place.scene);
 }
 
 static bool has_peers(const struct place_run *run) {
@@ -327,6 +378,10 @@ static enum hsr_status open_place(struct place_run *run,
   const struct place *p = &run->place;
   enum hsr_status status =
       stage_open(&run->stage, p->scene, p->view, p->m, p->n, err);
+  if (status)
+    return status;
+  hash_world(&run->stage.world, run->scene_hash);
+  status = check_scene(run, err);
   if (status)
     return status;
   run->shared = shared_memory(sizeof *run->shared);

@@ -123,11 +123,22 @@ static json_t *machine_json(void) {
 /* --- The header --------------------------------------------------------------
  */
 
+/* Words need not be UTF-8; what is not ASCII gives way in one that is not. */
+static json_t *word_json(char *word) {
+  json_t *text = json_string(word);
+  if (text)
+    return text;
+  for (char *c = word; *c; c++)
+    if (*c & 0x80)
+      *c = '?';
+  return json_string(word);
+}
+
 static json_t *command_json(int argc, char **argv) {
   json_t *command = json_array();
   json_append(&command, json_string("hsr"));
   for (int k = 0; k < argc; k++)
-    json_append(&command, json_string(argv[k]));
+    json_append(&command, word_json(argv[k]));
   return command;
 }
 

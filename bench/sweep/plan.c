@@ -2,20 +2,43 @@
 /* Which cells a sweep has: scenes x views x sizes x algorithms x threads. */
 #include "bench/sweep/sweep.h"
 
+#include <ctype.h>
 #include <fnmatch.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-static bool is_pattern(const char *text) {
-  return strpbrk(text, "*?[") != NULL;
-}
-
 /* --- Scenes ----------------------------------------------------------------
  */
 
+/* A file's name may look like one. */
+static bool is_pattern(const char *text) {
+  return strpbrk(text, "*?[") && access(text, F_OK);
+}
+
+/* Whether records, and the lines of --list, can hold the name. */
+static enum hsr_status check_scene_name(const char *name,
+                                        struct hsr_error *err) {
+  if (strlen(name) > RESULTS_MOST_SCENE)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%.100s...: the name is longer than %d bytes", name,
+                    (int)RESULTS_MOST_SCENE);
+  for (const char *c = name; *c; c++)
+    if (iscntrl((unsigned char)*c))
+      return hsr_fail(err, HSR_E_USAGE,
+                      "%s: the name holds a control character", name);
+  json_t *text = json_string(name);
+  bool good = text != NULL;
+  json_decref(text);
+  return good ? HSR_OK
+              : hsr_fail(err, HSR_E_USAGE, "%s: the name is not UTF-8", name);
+}
+
 static enum hsr_status add_scene(struct plan *plan, const char *name,
                                  struct hsr_error *err) {
+  enum hsr_status status = check_scene_name(name, err);
+  if (status)
+    return status;
   for (size_t k = 0; k < plan->n_scenes; k++)
     if (!strcmp(plan->scene[k], name))
       return HSR_OK;
@@ -33,23 +56,27 @@ static enum hsr_status add_scene(struct plan *plan, const char *name,
 /* The built-in scenes that match, and the meshes as mesh:NAME. */
 static enum hsr_status add_matching(struct plan *plan, const char *pattern,
                                     struct hsr_error *err) {
-  size_t before = plan->n_scenes, n;
+  size_t n, found = 0;
   char **mesh;
   enum hsr_status status = hsr_mesh_names(&mesh, &n, err);
   if (status)
     return status;
   for (const struct hsr_builtin *b = hsr_builtins; b->name && !status; b++)
-    if (!fnmatch(pattern, b->name, 0))
+    if (!fnmatch(pattern, b->name, 0)) {
+      found++;
       status = add_scene(plan, b->name, err);
+    }
   for (size_t k = 0; k < n; k++) {
     char name[300];
     snprintf(name, sizeof name, "mesh:%s", mesh[k]);
-    if (!status && !fnmatch(pattern, name, 0))
+    if (!status && !fnmatch(pattern, name, 0)) {
+      found++;
       status = add_scene(plan, name, err);
+    }
     free(mesh[k]);
   }
   free(mesh);
-  if (!status && plan->n_scenes == before)
+  if (!status && !found)
     return hsr_fail(err, HSR_E_USAGE, "no scene matches '%.200s'", pattern);
   return status;
 }
@@ -174,6 +201,17 @@ static enum hsr_status add_entrants(struct plan *plan, struct hsr_error *err) {
   return status;
 }
 
+/* One that takes part, or that results to go on from may hold. */
+static enum hsr_status check_reference(const struct plan *plan,
+                                       struct hsr_error *err) {
+  const char *name = plan->options->reference;
+  const struct hsr_listed *listed;
+  for (int k = 0; k < plan->n_entrants; k++)
+    if (!strcmp(plan->entrant[k].name, name))
+      return HSR_OK;
+  return choose_algorithm(name, &listed, err);
+}
+
 /* --- The plan --------------------------------------------------------------
  */
 
@@ -184,6 +222,8 @@ enum hsr_status plan_init(struct plan *plan,
   enum hsr_status status = add_scenes(plan, err);
   if (!status)
     status = add_entrants(plan, err);
+  if (!status)
+    status = check_reference(plan, err);
   return status;
 }
 

@@ -73,8 +73,8 @@ struct place {
  */
 
 /* Resolves the patterns of scenes and algorithms. To be freed also after a
- * failure: HSR_E_USAGE for a name or pattern that matches nothing; HSR_E_NOMEM.
- */
+ * failure: HSR_E_USAGE for a name or pattern that matches nothing, or a name
+ * that no record can hold; HSR_E_NOMEM. */
 enum hsr_status plan_init(struct plan *plan,
                           const struct sweep_options *options,
                           struct hsr_error *err);

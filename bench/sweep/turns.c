@@ -3,6 +3,7 @@
  * none does while another does. So whatever disturbs the machine for a while
  * disturbs all alike. */
 #include "bench/sweep/sweep.h"
+#include "bench/terminate.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -13,7 +14,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -40,7 +40,6 @@ static void become_worker(const struct plan *plan, const struct place *place,
   snprintf(view, sizeof view, "%d", place->view);
   snprintf(size, sizeof size, "%dx%d", place->m, place->n);
   snprintf(threads, sizeof threads, "%ld", entrant->threads);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (plan->options->memory_mb) {
     rlim_t most = (rlim_t)plan->options->memory_mb << 20;
     setrlimit(RLIMIT_DATA, &(struct rlimit){most, most});
@@ -63,39 +62,69 @@ static bool open_process(struct process *process, const struct plan *plan,
     return false;
   }
   fflush(NULL);
+  pid_t parent = getpid();
   process->id = fork();
-  if (process->id == 0)
+  if (process->id == 0) {
+    end_with_parent(parent);
     become_worker(plan, place, process->taker, in[0], out[1]);
+  }
   close(in[0]);
   close(out[1]);
   process->in = in[1];
   process->out = out[0];
-  return process->id > 0;
-}
-
-/* Ends the process, which is told to by the end of its input, or killed. */
-static void close_process(struct process *process, bool at_once) {
-  if (process->id <= 0)
-    return;
+  if (process->id > 0)
+    return true;
   close(process->in);
   close(process->out);
-  if (at_once)
+  return false;
+}
+
+/* Whether there is more to be read of its output, or nothing any more, before
+ * the time, in seconds_now, is over. */
+static bool is_ready(const struct process *process, double end) {
+  for (;;) {
+    double left = end - seconds_now();
+    struct pollfd ready = {.fd = process->out, .events = POLLIN};
+    int n = left > 0 ? poll(&ready, 1, (int)(left * 1e3) + 1) : 0;
+    if (n >= 0 || errno != EINTR)
+      return n > 0;
+  }
+}
+
+/* Waits until the process has closed its output, which it does by ending. */
+static bool ends_in_time(const struct process *process, double seconds) {
+  char rest[LINE];
+  double end = seconds_now() + seconds;
+  while (is_ready(process, end))
+    if (read(process->out, rest, sizeof rest) <= 0)
+      return true;
+  return false;
+}
+
+/* Ends the process, which is told to by the end of its input; it is killed
+ * where that takes longer than `seconds`. */
+static void close_process(struct process *process, double seconds) {
+  struct turn_taker *taker = process->taker;
+  close(process->in);
+  if (!ends_in_time(process, seconds)) {
+    taker->verdict = TIMEOUT;
     kill(process->id, SIGKILL);
+  }
+  close(process->out);
   int end = 0;
   while (waitpid(process->id, &end, 0) < 0 && errno == EINTR) {
   }
   process->id = 0;
-  struct turn_taker *taker = process->taker;
-  if (taker->verdict == RIGHT && WIFEXITED(end) && WEXITSTATUS(end))
+  if (taker->verdict == RIGHT && end)
     taker->verdict = CRASH;
   if (WIFEXITED(end))
     taker->failure = (enum hsr_status)WEXITSTATUS(end);
 }
 
-/* It failed: by not answering in time, or by ending. */
-static void give_up(struct process *process, bool in_time) {
-  process->taker->verdict = in_time ? CRASH : TIMEOUT;
-  close_process(process, !in_time);
+/* It has failed. What does not end by itself is ended soon. */
+static void give_up(struct process *process, enum verdict verdict) {
+  process->taker->verdict = verdict;
+  close_process(process, verdict == TIMEOUT ? 0 : 10);
 }
 
 /* The next line of its output, as JSON; NULL if none comes in time, in which
@@ -105,13 +134,8 @@ static json_t *read_answer(struct process *process, double seconds) {
   size_t length = 0;
   double end = seconds_now() + seconds;
   while (length < sizeof line) {
-    double left = end - seconds_now();
-    struct pollfd ready = {.fd = process->out, .events = POLLIN};
-    int n = left > 0 ? poll(&ready, 1, (int)(left * 1e3) + 1) : 0;
-    if (n < 0 && errno == EINTR)
-      continue;
-    if (n <= 0) {
-      give_up(process, false);
+    if (!is_ready(process, end)) {
+      give_up(process, TIMEOUT);
       return NULL;
     }
     ssize_t got = read(process->out, line + length, sizeof line - length);
@@ -123,7 +147,7 @@ static json_t *read_answer(struct process *process, double seconds) {
   }
   json_t *answer = json_loadb(line, length, 0, NULL);
   if (!answer)
-    give_up(process, true);
+    give_up(process, CRASH);
   return answer;
 }
 
@@ -136,7 +160,7 @@ static double real_of(const json_t *answer, const char *name) {
 static json_t *ask(struct process *process, char byte, double seconds) {
   if (write(process->in, &byte, 1) == 1)
     return read_answer(process, seconds);
-  give_up(process, true);
+  give_up(process, CRASH);
   return NULL;
 }
 
@@ -186,7 +210,8 @@ static void finish(struct process *process, const struct plan *plan,
     into->write_seconds = real_of(picture, "write");
     json_decref(picture);
   }
-  close_process(process, false);
+  if (process->id > 0)
+    close_process(process, 2 * (double)plan->options->timeout + 10);
 }
 
 static void run_lot(const struct plan *plan, const struct place *place,

@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The list of a command of their own, hsr-fixtures: algorithms that fail in
+ * every way there is, of which hsr bench must never show a time; and good ones
+ * that they are measured by. */
+#include "algorithms/algorithm.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+extern const struct hsr_algorithm hsr_algorithm_oracle, hsr_counting_oracle;
+extern const struct hsr_algorithm hsr_algorithm_null, hsr_counting_null;
+extern const struct hsr_algorithm hsr_algorithm_zbuffer, hsr_counting_zbuffer;
+extern const struct hsr_algorithm hsr_algorithm_watkins, hsr_counting_watkins;
+
+static int frames; /* drawn by this process */
+
+static void sleep_ms(long ms) {
+  nanosleep(&(struct timespec){.tv_nsec = ms * 1000000}, NULL);
+}
+
+static enum hsr_status zbuffer(const struct hsr_job *job,
+                               struct hsr_error *err) {
+  return hsr_algorithm_zbuffer.render(job, err);
+}
+
+/* --- Wrong -------------------------------------------------------------------
+ */
+
+static enum hsr_status broken(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  enum hsr_status status = zbuffer(job, err);
+  const struct hsr_window *w = &job->view->window;
+  job->ids[(size_t)w->y0 * job->ids_stride + (size_t)w->x0] ^= 1;
+  return status;
+}
+
+/* Right where one thread draws all, wrong where several do. */
+static enum hsr_status banded(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  const struct hsr_window *w = &job->view->window;
+  return w->y1 - w->y0 < job->view->n ? broken(job, err) : zbuffer(job, err);
+}
+
+/* --- Failing at once ---------------------------------------------------------
+ */
+
+static enum hsr_status crasher(const struct hsr_job *job,
+                               struct hsr_error *err) {
+  (void)job;
+  (void)err;
+  abort();
+}
+
+static enum hsr_status staller(const struct hsr_job *job,
+                               struct hsr_error *err) {
+  (void)err;
+  while (job)
+    sleep_ms(100);
+  return HSR_OK;
+}
+
+/* Takes memory until it gets none; 2 GB at most, for the machine's sake. */
+static enum hsr_status hog(const struct hsr_job *job, struct hsr_error *err) {
+  for (int k = 0; k < 2048; k++)
+    if (!HSR_NEW(job->scratch, char, 1 << 20))
+      return hsr_fail_nomem(err);
+  return zbuffer(job, err);
+}
+
+/* --- Failing later -----------------------------------------------------------
+ * Where they are judged they draw two frames; where they are timed, about 10
+ * before the first round, and some three a round.
+ */
+
+static bool is_late(void) {
+  sleep_ms(2);
+  return ++frames > 14;
+}
+
+static enum hsr_status late(const struct hsr_job *job, struct hsr_error *err) {
+  return is_late() ? crasher(job, err) : zbuffer(job, err);
+}
+
+static enum hsr_status late_staller(const struct hsr_job *job,
+                                    struct hsr_error *err) {
+  return is_late() ? staller(job, err) : zbuffer(job, err);
+}
+
+/* Fails when all frames are drawn. */
+static enum hsr_status prepare(const struct hsr_world *world, void **prepared,
+                               struct hsr_error *err) {
+  (void)world;
+  (void)err;
+  *prepared = &frames;
+  return HSR_OK;
+}
+
+static enum hsr_status count_frames(const struct hsr_job *job,
+                                    struct hsr_error *err) {
+  frames++;
+  return zbuffer(job, err);
+}
+
+static void crash_at_last(void *prepared) {
+  if (prepared && frames > 2)
+    abort();
+}
+
+static void stall_at_last(void *prepared) {
+  while (prepared && frames > 2)
+    sleep_ms(100);
+}
+
+/* --- Good --------------------------------------------------------------------
+ */
+
+static enum hsr_status sleeper(const struct hsr_job *job,
+                               struct hsr_error *err) {
+  sleep_ms(20);
+  return zbuffer(job, err);
+}
+
+/* Leaves its name in the file that HSR_WITNESS names, with every frame. */
+static enum hsr_status witness(const struct hsr_job *job, const char *name,
+                               struct hsr_error *err) {
+  const char *path = getenv("HSR_WITNESS");
+  FILE *file = path ? fopen(path, "a") : NULL;
+  if (file) {
+    fprintf(file, "%s\n", name);
+    fclose(file);
+  }
+  sleep_ms(5); /* so that it draws few */
+  return zbuffer(job, err);
+}
+
+static enum hsr_status witness_a(const struct hsr_job *job,
+                                 struct hsr_error *err) {
+  return witness(job, "a", err);
+}
+static enum hsr_status witness_b(const struct hsr_job *job,
+                                 struct hsr_error *err) {
+  return witness(job, "b", err);
+}
+static enum hsr_status witness_c(const struct hsr_job *job,
+                                 struct hsr_error *err) {
+  return witness(job, "c", err);
+}
+
+/* --- The list ----------------------------------------------------------------
+ */
+
+#define FIXTURE(id, text, ...)                                                 \
+  static const struct hsr_algorithm fixture_##id = {.name = text,              \
+                                                    .title = text,             \
+                                                    .authors = "hsr",          \
+                                                    .source = "tests",         \
+                                                    .taxonomy = HSR_YARDSTICK, \
+                                                    .kind = HSR_IDS,           \
+                                                    __VA_ARGS__};
+FIXTURE(broken, "broken", .render = broken)
+FIXTURE(banded, "banded", .render = banded)
+FIXTURE(crasher, "crasher", .render = crasher)
+FIXTURE(staller, "staller", .render = staller)
+FIXTURE(hog, "hog", .render = hog)
+FIXTURE(late, "late", .render = late)
+FIXTURE(late_staller, "late-staller", .render = late_staller)
+FIXTURE(last, "last", .prepare = prepare, .render = count_frames,
+        .release = crash_at_last)
+FIXTURE(last_staller, "last-staller", .prepare = prepare,
+        .render = count_frames, .release = stall_at_last)
+FIXTURE(sleeper, "sleeper", .render = sleeper)
+FIXTURE(still, "still", .render = zbuffer, .flags = HSR_FRAME_STATE)
+FIXTURE(witness_a, "witness-a", .render = witness_a)
+FIXTURE(witness_b, "witness-b", .render = witness_b)
+FIXTURE(witness_c, "witness-c", .render = witness_c)
+FIXTURE(same_1, "same-1", .render = zbuffer)
+FIXTURE(same_2, "same-2", .render = zbuffer)
+FIXTURE(same_3, "same-3", .render = zbuffer)
+FIXTURE(same_4, "same-4", .render = zbuffer)
+
+#define BOTH(id)                                                               \
+  { &fixture_##id, &fixture_##id }
+const struct hsr_listed hsr_algorithms[] = {
+    {&hsr_algorithm_oracle, &hsr_counting_oracle},
+    {&hsr_algorithm_null, &hsr_counting_null},
+    {&hsr_algorithm_zbuffer, &hsr_counting_zbuffer},
+    {&hsr_algorithm_watkins, &hsr_counting_watkins},
+    BOTH(broken),
+    BOTH(banded),
+    BOTH(crasher),
+    BOTH(staller),
+    BOTH(hog),
+    BOTH(late),
+    BOTH(late_staller),
+    BOTH(last),
+    BOTH(last_staller),
+    BOTH(sleeper),
+    BOTH(still),
+    BOTH(witness_a),
+    BOTH(witness_b),
+    BOTH(witness_c),
+    BOTH(same_1),
+    BOTH(same_2),
+    BOTH(same_3),
+    BOTH(same_4),
+    {NULL, NULL}};
+
+const struct hsr_listed *hsr_algorithm_find(const char *name) {
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+    if (!strcmp(a->plain->name, name))
+      return a;
+  return NULL;
+}

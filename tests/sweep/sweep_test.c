@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr bench on algorithms that fail on purpose: each is recorded for what it
+ * is, none with a time; and the times of the others are true. */
+#include "tests/sweep/sweeping.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#if defined __SANITIZE_ADDRESS__
+#define SANITIZED true /* takes more memory than any limit allows */
+#else
+#define SANITIZED false
+#endif
+
+#define SMALL "house --size 64x48 --starts 2 "
+
+/* --- Verdicts ----------------------------------------------------------------
+ */
+
+static const struct {
+  const char *algorithm, *verdict;
+} failing[] = {
+    {"broken", "wrong"},         {"crasher", "crash"},
+    {"staller", "timeout"},      {"late", "crash"},
+    {"last", "crash"},           {"late-staller", "timeout"},
+    {"last-staller", "timeout"},
+};
+enum { N_FAILING = sizeof failing / sizeof *failing };
+
+static void test_verdicts(struct tap *tap) {
+  int status = bench(SMALL "-a 'broken,crasher,staller,*la*,zbuffer,null,"
+                           "watkins' -t 1 --repetitions 5 -o v.ndjson");
+  ok(tap, status == 1, "failures are told by the exit status (%d)", status);
+  ok(tap, is_silent(), "and not in words");
+  struct results r = read_results("v.ndjson");
+  for (int k = 0; k < N_FAILING; k++) {
+    const char *name = failing[k].algorithm, *got = verdict(&r, name);
+    ok(tap, !strcmp(got, failing[k].verdict), "%s: %s", name, got);
+    ok(tap, !has_times(&r, name), "%s has no time", name);
+  }
+  static const char *const good[] = {"zbuffer", "watkins", "null"};
+  for (int k = 0; k < 3; k++)
+    ok(tap, !strcmp(verdict(&r, good[k]), "ok") && has_times(&r, good[k]),
+       "%s is timed beside them", good[k]);
+  double null = median(&r, "null");
+  ok(tap, null > 0 && null < 20e-6, "null takes %.3g us", 1e6 * null);
+  results_free(&r);
+}
+
+static void test_memory(struct tap *tap) {
+  if (SANITIZED) {
+    ok(tap, true, "too much memory # SKIP sanitized");
+    ok(tap, true, "too much memory # SKIP sanitized");
+    return;
+  }
+  int status = bench(SMALL "-a hog,zbuffer --memory 500 --repetitions 1 "
+                           "-o m.ndjson");
+  struct results r = read_results("m.ndjson");
+  ok(tap, status == 1 && !strcmp(verdict(&r, "hog"), "memory"),
+     "too much memory: %s", verdict(&r, "hog"));
+  ok(tap, !has_times(&r, "hog") && has_times(&r, "zbuffer"),
+     "only what has enough is timed");
+  results_free(&r);
+}
+
+/* What is timed on two threads is judged on two. */
+static void test_threads(struct tap *tap) {
+  bench(SMALL "-a zbuffer,banded,still -T 1,2 --repetitions 1 -o t.ndjson");
+  struct results r = read_results("t.ndjson");
+  ok(tap, json_array_size(r.cells) == 5,
+     "threads are cells of their own, where there can be several");
+  ok(tap,
+     !strcmp(verdict(&r, "banded"), "ok") &&
+         !strcmp(json_string_value(json_object_get(
+                     results_cell(&r, "house 1 64x48 banded 2"), "status")),
+                 "wrong"),
+     "one that is wrong on two threads is found out");
+  results_free(&r);
+}
+
+/* What is nobody's fault. */
+static void test_surroundings(struct tap *tap) {
+  setenv("TMPDIR", "/nowhere", 1);
+  int status = bench(SMALL "-a zbuffer --repetitions 1 -o n.ndjson");
+  unsetenv("TMPDIR");
+  struct results r = read_results("n.ndjson");
+  ok(tap, !status && has_times(&r, "zbuffer"),
+     "without TMPDIR nothing is written, but all is timed");
+  results_free(&r);
+  status = bench(SMALL "-a zbuffer --counts -o c.ndjson");
+  r = read_results("c.ndjson");
+  ok(tap,
+     !status && !strcmp(verdict(&r, "zbuffer"), "ok") &&
+         !has_times(&r, "zbuffer"),
+     "--counts times nothing");
+  results_free(&r);
+  status = bench(SMALL "-a zbuffer --repetitions 1 --resume -o c.ndjson");
+  r = read_results("c.ndjson");
+  ok(tap, !status && has_times(&r, "zbuffer"), "which can be made up for");
+  results_free(&r);
+}
+
+/* --- Times -------------------------------------------------------------------
+ */
+
+/* The machine may be busy with other things: three tries. */
+static void test_sleeper(struct tap *tap) {
+  double slept = 0;
+  for (int k = 0; k < 3 && fabs(slept - 20e-3) > .05 * 20e-3; k++) {
+    bench(SMALL "-a sleeper,zbuffer --repetitions 9 -o s%d.ndjson", k);
+    char path[16];
+    snprintf(path, sizeof path, "s%d.ndjson", k);
+    struct results r = read_results(path);
+    slept = median(&r, "sleeper") - median(&r, "zbuffer");
+    results_free(&r);
+  }
+  ok(tap, fabs(slept - 20e-3) <= .05 * 20e-3,
+     "a frame that sleeps 20 ms takes %.4g ms longer", 1e3 * slept);
+}
+
+/* The names in the file of the witnesses, each run of one name once. */
+static char *read_order(const char *seed) {
+  unlink("witness");
+  setenv("HSR_WITNESS", "witness", 1);
+  must(!bench(SMALL "-a 'witness-*' --repetitions 6 --seed %s", seed));
+  unsetenv("HSR_WITNESS");
+  char *names = read_text("witness");
+  size_t n = 0;
+  for (const char *name = names; *name; name++)
+    if (*name != '\n' && (!n || names[n - 1] != *name))
+      names[n++] = *name;
+  names[n] = '\0';
+  return names;
+}
+
+static void test_orders(struct tap *tap) {
+  char *first = read_order("1"), *again = read_order("1"),
+       *other = read_order("2");
+  printf("# seed 1: %s\n# again:  %s\n# seed 2: %s\n", first, again, other);
+  ok(tap, strlen(first) > 12 && !strcmp(first, again),
+     "the same seed, the same orders");
+  ok(tap, strcmp(first, other) != 0, "another seed, other orders");
+  ok(tap, strstr(first, "ac") && strstr(first, "cb") && strstr(first, "ba"),
+     "they are not always in turn");
+  free(first);
+  free(again);
+  free(other);
+}
+
+/* --- Earlier results ---------------------------------------------------------
+ */
+
+/* Writes `results` anew, all times multiplied, one verdict changed. */
+static void doctor(const char *from, const char *to, double factor,
+                   const char *algorithm, const char *status) {
+  struct results r = read_results(from);
+  FILE *file = fopen(to, "w");
+  must(file != NULL);
+  const json_t *records[] = {r.headers, r.views, r.cells};
+  for (int kind = 0; kind < 3; kind++) {
+    size_t k, s, i;
+    json_t *record, *start, *second;
+    json_array_foreach(records[kind], k, record) {
+      json_array_foreach(json_object_get(record, "starts"), s, start) {
+        json_t *seconds = json_object_get(start, "seconds");
+        json_array_foreach(seconds, i, second)
+            json_real_set(second, factor * json_real_value(second));
+      }
+      const char *name =
+          json_string_value(json_object_get(record, "algorithm"));
+      if (algorithm && name && !strcmp(name, algorithm))
+        json_object_set_new(record, "status", json_string(status));
+      must(!json_dumpf(record, file, JSON_COMPACT));
+      putc('\n', file);
+    }
+  }
+  must(!fclose(file));
+  results_free(&r);
+}
+
+static void test_baseline(struct tap *tap) {
+#define AGAIN SMALL "-a sleeper,zbuffer,null --resume -o b.ndjson --baseline "
+  must(!bench(SMALL "-a sleeper,zbuffer,null --starts 5 --repetitions 5 "
+                    "-o b.ndjson"));
+  int status = bench(AGAIN "b.ndjson");
+  ok(tap,
+     !status && printed("3 cells timed in both: 0 slower, 0 faster") &&
+         printed("2 ratios to zbuffer: 0 distinguishable"),
+     "nothing has changed from itself");
+  doctor("b.ndjson", "faster.ndjson", 1 / 3.0, NULL, NULL);
+  status = bench(AGAIN "faster.ndjson");
+  ok(tap, status == 1 && printed("sleeper 1: slower, 3 of the time before"),
+     "three times slower is told");
+  ok(tap, printed("0 distinguishable from before"),
+     "where all are, the ratios are the same");
+  doctor("b.ndjson", "slower.ndjson", 3, NULL, NULL);
+  status = bench(AGAIN "slower.ndjson");
+  ok(tap, !status && printed("sleeper 1: faster, 0.333 of the time before"),
+     "three times faster is no failure");
+  doctor("b.ndjson", "wrong.ndjson", 1, "null", "wrong");
+  status = bench(AGAIN "wrong.ndjson");
+  ok(tap, !status && printed("null 1: ok, before: wrong"),
+     "what is right at last is no failure");
+  bench(SMALL "-a broken --counts -o d.ndjson");
+  doctor("d.ndjson", "right.ndjson", 1, "broken", "ok");
+  status = bench(SMALL "-a broken --counts --resume -o d.ndjson --baseline "
+                       "right.ndjson");
+  ok(tap, status == 1 && printed("1 no longer right"),
+     "what is right no longer is one");
+  status = bench(SMALL "-a zbuffer -o e.ndjson --baseline none.ndjson");
+  ok(tap, status == 3 && says("none.ndjson") && access("e.ndjson", F_OK),
+     "a baseline that is not there is missed before all is timed");
+}
+
+int main(void) {
+  struct tap tap = plan(2 + 2 * N_FAILING + 4 + 2 + 2 + 3 + 4 + 7);
+  enter_folder();
+  test_verdicts(&tap);
+  test_memory(&tap);
+  test_threads(&tap);
+  test_surroundings(&tap);
+  test_sleeper(&tap);
+  test_orders(&tap);
+  test_baseline(&tap);
+  return finish(&tap);
+}
