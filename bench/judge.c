@@ -136,6 +136,9 @@ static void judge_apart(const struct group *g, int number,
   struct cell *cell = &g->cells[number];
   if (is_too_much(g, listed->plain)) {
     cell->verdict = REFUSED;
+    snprintf(cell->refusal, sizeof cell->refusal,
+             "refused: %s would take more than %ld s", listed->plain->name,
+             g->timeout);
     return;
   }
   fflush(NULL);

@@ -33,7 +33,7 @@ struct cell {
   const char
       *adapted[HSR_MAX_ADAPTATIONS]; /* adapters that changed the scene */
   int n_adaptations;
-  char refusal[560]; /* who refused and why, if it was not for its expense */
+  char refusal[560]; /* who refused and why */
 };
 
 /* All algorithms of a kind on one scene, view and size. All borrowed. */

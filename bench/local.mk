@@ -58,6 +58,7 @@ libbench_a_SOURCES = \
   %D%/report/report.h \
   %D%/sweep/group.c \
   %D%/sweep/machine.c \
+  %D%/sweep/peers.c \
   %D%/sweep/plan.c \
   %D%/sweep/summary.c \
   %D%/sweep/sweep.h \

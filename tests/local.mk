@@ -34,6 +34,7 @@ tap_scripts = \
   %D%/peers.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
+  %D%/report/made.test \
   %D%/report/report.test \
   %D%/torture/torture.test
 

@@ -176,9 +176,10 @@ static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
   return HSR_OK;
 }
 
-static void compare_peer(const struct place_run *run, int k) {
+/* With the oracle's picture. */
+static void compare_picture(const struct place_run *run, int k,
+                            struct cell *cell) {
   size_t size = picture_size(run), n = size / sizeof *run->picture;
-  struct cell *cell = &run->shared->cells[k];
   uint32_t *ids = malloc(size);
   FILE *file = ids ? fopen(run->ids_file[k], "rb") : NULL;
   if (file && fread(ids, 1, size, file) == size) {
@@ -186,12 +187,21 @@ static void compare_peer(const struct place_run *run, int k) {
     for (size_t s = 0; s < n; s++)
       cell->mismatches += ids[s] != run->picture[s];
   }
-  if (cell->mismatches)
-    cell->verdict = WRONG;
   if (file)
     fclose(file);
   free(ids);
   unlink(run->ids_file[k]);
+}
+
+static void judge_peer(const struct place_run *run, int k) {
+  const struct entrant *peer = run->entrant[k];
+  struct cell *cell = &run->shared->cells[k];
+  if (!strcmp(peer->kind, "ids"))
+    compare_picture(run, k, cell);
+  else if (!strcmp(peer->kind, "segments"))
+    peers_judge(run->sweep->plan, &run->place, peer->name, cell);
+  if (cell->mismatches)
+    cell->verdict = WRONG;
 }
 
 static enum hsr_status time_all(struct place_run *run, struct hsr_error *err) {
@@ -207,7 +217,7 @@ static enum hsr_status time_all(struct place_run *run, struct hsr_error *err) {
       cell->failure = run->taker[k].failure;
     }
     if (!run->entrant[k]->listed)
-      compare_peer(run, k);
+      judge_peer(run, k);
   }
   return status;
 }
@@ -296,29 +306,36 @@ static const char *status_name(const struct cell *cell) {
   return verdict_name(cell->verdict);
 }
 
-static const char *kind_of(const struct entrant *entrant) {
-  if (!entrant->listed)
-    return "ids";
-  return entrant->listed->plain->flags & HSR_NO_PICTURE
-             ? "none"
-             : kind_name(entrant->listed->plain->kind);
+/* Why there is no time, in words; *text is room for them. */
+static const char *reason_of(const struct sweep_options *o,
+                             const struct cell *cell, char text[80]) {
+  if (cell->refusal[0])
+    return cell->refusal;
+  if (cell->verdict == TIMEOUT)
+    snprintf(text, 80, "a picture took longer than %ld s", o->timeout);
+  else if (cell->verdict == CRASH && cell->failure == HSR_E_NOMEM)
+    snprintf(text, 80, "took more memory than there was");
+  else
+    return NULL;
+  return text;
 }
 
 static json_t *cell_record(const struct place_run *run, int k) {
   const struct entrant *e = run->entrant[k];
   const struct cell *cell = &run->shared->cells[k];
+  char reason[80];
   bool known_wrong = e->listed && e->listed->plain->flags & HSR_KNOWN_WRONG;
   return json_pack(
       "{ss ss ss si si si ss sb sb ss sI ss sI sI ss? so so so so}", "record",
       "cell", "run", run->sweep->run, "scene", run->place.scene, "view",
       run->place.view, "width", run->place.m, "height", run->place.n,
       "algorithm", e->name, "peer", !e->listed, "known_wrong", known_wrong,
-      "kind", kind_of(e), "threads", (json_int_t)e->threads, "status",
+      "kind", e->kind, "threads", (json_int_t)e->threads, "status",
       status_name(cell), "mismatches", (json_int_t)cell->mismatches, "compared",
       (json_int_t)cell->compared, "reason",
-      cell->refusal[0] ? cell->refusal : NULL, "adapted", adapted_json(cell),
-      "counts", counts_json(run, k), "depths", depths_json(cell), "starts",
-      starts_json(run, k));
+      reason_of(run->sweep->plan->options, cell, reason), "adapted",
+      adapted_json(cell), "counts", counts_json(run, k), "depths",
+      depths_json(cell), "starts", starts_json(run, k));
 }
 
 static enum hsr_status record_all(struct place_run *run,

@@ -104,10 +104,9 @@ static bool is_there(const struct plan *plan, const char *name, long threads) {
 /* One that works on one thread only takes part only so. */
 static enum hsr_status add_entrant(struct plan *plan, const char *name,
                                    const struct hsr_listed *listed,
+                                   const char *kind, bool single,
                                    struct hsr_error *err) {
   const struct sweep_options *o = plan->options;
-  bool single = listed && (listed->plain->flags & HSR_FRAME_STATE ||
-                           listed->plain->kind == HSR_SEGMENTS);
   for (int t = 0; t < o->n_threads; t++) {
     long threads = single ? 1 : o->threads[t];
     if (is_there(plan, name, threads))
@@ -115,10 +114,20 @@ static enum hsr_status add_entrant(struct plan *plan, const char *name,
     if (plan->n_entrants == SWEEP_MOST_ENTRANTS)
       return hsr_fail(err, HSR_E_USAGE, "bench: at most %d algorithms",
                       (int)SWEEP_MOST_ENTRANTS);
-    plan->entrant[plan->n_entrants++] =
-        (struct entrant){.name = name, .listed = listed, .threads = threads};
+    plan->entrant[plan->n_entrants++] = (struct entrant){
+        .name = name, .listed = listed, .kind = kind, .threads = threads};
   }
   return HSR_OK;
+}
+
+static enum hsr_status add_algorithm(struct plan *plan,
+                                     const struct hsr_listed *listed,
+                                     struct hsr_error *err) {
+  const struct hsr_algorithm *a = listed->plain;
+  return add_entrant(plan, a->name, listed,
+                     a->flags & HSR_NO_PICTURE ? "none" : kind_name(a->kind),
+                     a->flags & HSR_FRAME_STATE || a->kind == HSR_SEGMENTS,
+                     err);
 }
 
 /* Judges take part only where they are named. */
@@ -129,39 +138,13 @@ static enum hsr_status add_algorithms(struct plan *plan, const char *pattern,
   for (const struct hsr_listed *a = hsr_algorithms; a->plain && !status; a++)
     if (!fnmatch(pattern, a->plain->name, 0)) {
       found = true;
-      status = add_entrant(plan, a->plain->name, a, err);
+      status = add_algorithm(plan, a, err);
     }
   if (!status && !found) {
     const struct hsr_listed *none;
     return choose_algorithm(pattern, &none, err);
   }
   return status;
-}
-
-/* Where hsr-peers is: in the build tree beside this program, or installed. */
-static char *find_peers(void) {
-  char self[4096];
-  ssize_t length = readlink("/proc/self/exe", self, sizeof self - 64);
-  if (length < 0)
-    return NULL;
-  self[length] = '\0';
-  strcpy(strrchr(self, '/'), "/bench/peers/hsr-peers");
-  return strdup(access(self, X_OK) ? HSR_LIBEXECDIR "/hsr/hsr-peers" : self);
-}
-
-static enum hsr_status read_peers(const char *program, json_t **list,
-                                  struct hsr_error *err) {
-  char command[4200];
-  snprintf(command, sizeof command, "exec '%s' list", program);
-  FILE *pipe = access(program, X_OK) ? NULL : popen(command, "r");
-  *list = pipe ? json_loadf(pipe, 0, NULL) : NULL;
-  if (pipe)
-    pclose(pipe);
-  if (json_is_array(*list))
-    return HSR_OK;
-  return hsr_fail(err, HSR_E_USAGE,
-                  "--peers: hsr was built without them (configure "
-                  "--with-peers)");
 }
 
 static enum hsr_status add_peers(struct plan *plan, const char *pattern,
@@ -174,7 +157,8 @@ static enum hsr_status add_peers(struct plan *plan, const char *pattern,
     if (!name || fnmatch(pattern, name, 0) || status)
       continue;
     found++;
-    status = add_entrant(plan, name, NULL, err);
+    status = add_entrant(plan, name, NULL, results_text(peer, "kind"),
+                         !json_is_true(json_object_get(peer, "threads")), err);
   }
   if (!status && !found)
     return hsr_fail(err, HSR_E_USAGE, "no peer '%.100s'", pattern);
@@ -189,13 +173,10 @@ static enum hsr_status add_entrants(struct plan *plan, struct hsr_error *err) {
   for (const struct hsr_listed *a = hsr_algorithms;
        !o->n_algorithms && a->plain && !status; a++)
     if (!(a->plain->flags & HSR_JUDGE))
-      status = add_entrant(plan, a->plain->name, a, err);
+      status = add_algorithm(plan, a, err);
   if (status || !o->n_peers)
     return status;
-  plan->peers_program = find_peers();
-  if (!plan->peers_program)
-    return hsr_fail_nomem(err);
-  status = read_peers(plan->peers_program, &plan->peers, err);
+  status = peers_open(plan, err);
   for (int k = 0; k < o->n_peers && !status; k++)
     status = add_peers(plan, o->peer[k], err);
   return status;

@@ -48,6 +48,7 @@ struct sweep_options {
 struct entrant {
   const char *name;
   const struct hsr_listed *listed; /* NULL: a peer */
+  const char *kind;                /* "ids", "segments", "none" */
   long threads;
 };
 
@@ -90,6 +91,17 @@ void plan_key(const struct place *place, const struct entrant *entrant,
 /* Whether the cell is of this shard and asked for by --only. */
 bool plan_wants(const struct plan *plan, size_t place,
                 const struct entrant *entrant);
+
+/* --- peers.c -----------------------------------------------------------------
+ */
+
+/* Finds hsr-peers and what it lists, for the plan. HSR_E_USAGE if there is
+ * none; HSR_E_NOMEM. */
+enum hsr_status peers_open(struct plan *plan, struct hsr_error *err);
+
+/* How much of a line drawing by a peer differs from the line oracle's. */
+void peers_judge(const struct plan *plan, const struct place *place,
+                 const char *name, struct cell *cell);
 
 /* --- machine.c --------------------------------------------------------------
  */

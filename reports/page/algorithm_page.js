@@ -147,7 +147,9 @@ function steps(report, a) {
   const rows = stepRows(report, a);
   const { environments } = report;
   if (!rows.length || !environments.length) return null;
-  const plotted = environments.flatMap((e, k) => rows.map((r) => ({
+  const measured = environments.map((e, k) => [e, k])
+    .filter(([, k]) => rows.some((r) => r.measured?.[k] > 0));
+  const plotted = measured.flatMap(([e, k]) => rows.map((r) => ({
     environment: e.scene, step: r.step, predicted: r.predicted?.[k] ?? null,
     measured: r.measured?.[k] ?? null })));
   const numbers = table({ id: "steps", caption: "Table III of " +
@@ -157,7 +159,7 @@ function steps(report, a) {
     { name: "formula", label: "the paper’s formula", prose: true,
       value: (r) => r.formula ?? null, show: (r) => formula(r.formula ?? "–") },
     { name: "factor", label: "factor", value: (r) => r.factor, number: true },
-    ...environments.flatMap((e, k) => [
+    ...measured.flatMap(([e, k]) => [
       { group: e.scene, name: `predicted-${k}`, label: "predicted", number: true,
         value: (r) => r.predicted?.[k] ?? null,
         title: (r) => whole(r.predicted?.[k]),
@@ -178,7 +180,7 @@ function steps(report, a) {
   ] });
   const drawable = plotted.some((r) => r.measured > 0 || r.predicted > 0);
   return drawable ? figure({
-    caption: `The steps of ${a.name} on ${environments.map((e) => e.scene)
+    caption: `The steps of ${a.name} on ${measured.map(([e]) => e.scene)
       .join(", ")}: the ring is what the paper’s formula predicts from the ` +
       "scene’s statistics, the disk what was counted.",
     draw: (width) => stepPlot(plotted, a.name, width), numbers }) : numbers;

@@ -49,7 +49,8 @@ function show(report) {
 
 function matrix(report, title, cells) {
   if (!cells.length) return null;
-  const names = report.algorithms.map((a) => a.name)
+  const listed = report.algorithms.map((a) => a.name);
+  const names = unique([...listed, ...cells.map((c) => c.algorithm)])
     .filter((name) => cells.some((c) => c.algorithm === name));
   const places = unique(cells.map(where));
   const at = new Map();
@@ -65,8 +66,7 @@ function matrix(report, title, cells) {
       h("caption", {}, `${title}: ${places.length} views by ${names.length} ${
         cells[0].peer ? "peers" : "algorithms"}`),
       h("thead", {}, h("tr", {}, h("td"), names.map((name) =>
-        h("th", { scope: "col" }, link(href("algorithm", name),
-          h("span", { class: "turned" }, name)))))),
+        h("th", { scope: "col" }, heading(name, listed.includes(name)))))),
       h("tbody", {}, places.map((place) => {
         const record = first.get(place);
         return h("tr", {},
@@ -75,6 +75,12 @@ function matrix(report, title, cells) {
           names.map((name) =>
             square(report, at.get(JSON.stringify([place, name])))));
       }))))));
+}
+
+// A peer has no page of its own.
+function heading(name, listed) {
+  const turned = h("span", { class: "turned" }, name);
+  return listed ? link(href("algorithm", name), turned) : turned;
 }
 
 function worse(a, b) {

@@ -56,7 +56,8 @@ function start(data) {
   if (part) document.getElementById(part)?.scrollIntoView();
   document.querySelector("footer").append(h("p", {},
     "Made by ", h("code", {}, "hsr report"), ". The numbers: ",
-    link("data.js", "data.js"), "."));
+    link("data.js", "data.js"), "; the records that they are made of: ",
+    link("results.ndjson", "results.ndjson"), "."));
 }
 
 function navigation(page) {
