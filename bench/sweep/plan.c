@@ -244,6 +244,8 @@ bool plan_wants(const struct plan *plan, size_t place,
   const struct sweep_options *o = plan->options;
   if ((long)(place % (size_t)o->shards) != o->shard - 1)
     return false;
+  if (o->counts && !entrant->listed) /* there is nothing else to learn */
+    return false;
   if (!o->only)
     return true;
   struct place at = plan_place(plan, place);

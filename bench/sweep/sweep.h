@@ -137,7 +137,8 @@ struct turn_taker {
 /* Starts all takers' processes, as often as the options say, and lets them take
  * turns, in an order of its own every round. Where they have not room beside
  * each other they do it in several lots. `random` is the seed of the orders.
- * HSR_E_NOMEM. A taker that fails is left out from there on. */
+ * HSR_E_NOMEM, also where there can be no more processes. A taker that fails
+ * is left out from there on. */
 enum hsr_status take_turns(const struct plan *plan, const struct place *place,
                            struct turn_taker *taker, int n, uint64_t random,
                            struct hsr_error *err);

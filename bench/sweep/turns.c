@@ -44,10 +44,12 @@ static void become_worker(const struct plan *plan, const struct place *place,
     rlim_t most = (rlim_t)plan->options->memory_mb << 20;
     setrlimit(RLIMIT_DATA, &(struct rlimit){most, most});
   }
-  int nowhere = open("/dev/null", O_WRONLY);
-  if (nowhere < 0 || dup2(in, STDIN_FILENO) < 0 ||
-      dup2(out, STDOUT_FILENO) < 0 || dup2(nowhere, STDERR_FILENO) < 0)
+  bool good = dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0;
+  close(in); /* there may be no number left for another file */
+  int nowhere = good ? open("/dev/null", O_WRONLY) : -1;
+  if (nowhere < 0 || dup2(nowhere, STDERR_FILENO) < 0)
     _exit(HSR_E_INTERNAL);
+  close(nowhere);
   execl(program, "hsr", "worker", entrant->name, place->scene, view, size,
         threads, taker->ids_file, (char *)NULL);
   _exit(HSR_E_INTERNAL);
@@ -57,8 +59,10 @@ static bool open_process(struct process *process, const struct plan *plan,
                          const struct place *place) {
   int in[2] = {-1, -1}, out[2] = {-1, -1};
   if (pipe2(in, O_CLOEXEC) || pipe2(out, O_CLOEXEC)) {
+    int why = errno;
     if (in[0] >= 0)
       close(in[0]), close(in[1]);
+    errno = why;
     return false;
   }
   fflush(NULL);
@@ -68,6 +72,7 @@ static bool open_process(struct process *process, const struct plan *plan,
     end_with_parent(parent);
     become_worker(plan, place, process->taker, in[0], out[1]);
   }
+  int why = errno;
   close(in[0]);
   close(out[1]);
   process->in = in[1];
@@ -76,6 +81,7 @@ static bool open_process(struct process *process, const struct plan *plan,
     return true;
   close(process->in);
   close(process->out);
+  errno = why;
   return false;
 }
 
@@ -167,17 +173,15 @@ static json_t *ask(struct process *process, char byte, double seconds) {
 /* --- One start of all --------------------------------------------------------
  */
 
-static void begin(struct process *process, const struct plan *plan,
+/* False if there can be no more processes, which is not the taker's failure. */
+static bool begin(struct process *process, const struct plan *plan,
                   const struct place *place, int start) {
-  if (!open_process(process, plan, place)) {
-    process->taker->verdict = CRASH;
-    process->taker->failure = HSR_E_NOMEM;
-    return;
-  }
+  if (!open_process(process, plan, place))
+    return false;
   /* Import, adapt, prepare and a few frames: each may take its time. */
   json_t *ready = read_answer(process, 6 * (double)plan->options->timeout);
   if (!ready)
-    return;
+    return true;
   struct start *into = &process->taker->starts[start];
   into->import_seconds = real_of(ready, "import");
   into->adapt_seconds = real_of(ready, "adapt");
@@ -186,6 +190,7 @@ static void begin(struct process *process, const struct plan *plan,
   into->inner = (long)real_of(ready, "inner");
   into->shade_seconds = into->write_seconds = -1;
   json_decref(ready);
+  return true;
 }
 
 static void draw(struct process *process, const struct plan *plan, int start,
@@ -214,11 +219,23 @@ static void finish(struct process *process, const struct plan *plan,
     close_process(process, 2 * (double)plan->options->timeout + 10);
 }
 
-static void run_lot(const struct plan *plan, const struct place *place,
-                    struct process *process, int n, int start,
-                    const gsl_rng *random) {
+static void end_all(struct process *process, int n) {
   for (int k = 0; k < n; k++)
-    begin(&process[k], plan, place, start);
+    if (process[k].id > 0)
+      close_process(&process[k], 0);
+}
+
+static enum hsr_status run_lot(const struct plan *plan,
+                               const struct place *place,
+                               struct process *process, int n, int start,
+                               const gsl_rng *random, struct hsr_error *err) {
+  for (int k = 0; k < n; k++)
+    if (!begin(&process[k], plan, place, start)) {
+      hsr_fail(err, HSR_E_NOMEM, "bench: %d processes at a time: %s", n,
+               strerror(errno));
+      end_all(process, k);
+      return HSR_E_NOMEM;
+    }
   for (int round = 0; round < plan->options->repetitions; round++) {
     int order[SWEEP_MOST_ENTRANTS];
     for (int k = 0; k < n; k++)
@@ -231,6 +248,7 @@ static void run_lot(const struct plan *plan, const struct place *place,
   for (int k = 0; k < n; k++)
     if (process[k].id > 0)
       finish(&process[k], plan, start);
+  return HSR_OK;
 }
 
 /* --- All starts --------------------------------------------------------------
@@ -255,16 +273,19 @@ static int fill_lot(struct turn_taker *taker, const int *order, int n,
   return size;
 }
 
-static void run_start(const struct plan *plan, const struct place *place,
-                      struct turn_taker *taker, int n, int start,
-                      const gsl_rng *random) {
+static enum hsr_status run_start(const struct plan *plan,
+                                 const struct place *place,
+                                 struct turn_taker *taker, int n, int start,
+                                 const gsl_rng *random, struct hsr_error *err) {
   struct process lot[SWEEP_MOST_ENTRANTS];
   int order[SWEEP_MOST_ENTRANTS], next = 0, size;
   for (int k = 0; k < n; k++)
     order[k] = k;
   gsl_ran_shuffle(random, order, (size_t)n, sizeof *order);
-  while ((size = fill_lot(taker, order, n, &next, lot)) > 0)
-    run_lot(plan, place, lot, size, start, random);
+  enum hsr_status status = HSR_OK;
+  while (!status && (size = fill_lot(taker, order, n, &next, lot)) > 0)
+    status = run_lot(plan, place, lot, size, start, random, err);
+  return status;
 }
 
 enum hsr_status take_turns(const struct plan *plan, const struct place *place,
@@ -276,9 +297,10 @@ enum hsr_status take_turns(const struct plan *plan, const struct place *place,
   gsl_rng_set(random, (unsigned long)seed);
   struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
   sigaction(SIGPIPE, &ignore, &before); /* one that ended is found out so */
-  for (int start = 0; start < plan->options->starts; start++)
-    run_start(plan, place, taker, n, start, random);
+  enum hsr_status status = HSR_OK;
+  for (int start = 0; start < plan->options->starts && !status; start++)
+    status = run_start(plan, place, taker, n, start, random, err);
   sigaction(SIGPIPE, &before, NULL);
   gsl_rng_free(random);
-  return HSR_OK;
+  return status;
 }

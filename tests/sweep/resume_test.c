@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -211,6 +212,32 @@ static void test_two(struct tap *tap) {
   is_group_gone(id);
 }
 
+/* Closed files must not be mistaken for those that are opened. */
+static void test_closed(struct tap *tap) {
+  int status = bench(ONE "-o closed.ndjson <&- 2>&-");
+  ok(tap,
+     !status && is_whole("closed.ndjson") && cells_in("closed.ndjson") == 1,
+     "without standard input and error");
+  status = bench(ONE "-o silent.ndjson >&-");
+  ok(tap, status == 3 && says("standard output") && is_whole("silent.ndjson"),
+     "without standard output, the records are there alone");
+}
+
+static void test_limit(struct tap *tap) {
+#define MANY "house --size 20x14 -a 'zbuffer,watkins,null,same-*' --starts 2 "
+  struct rlimit limit, few;
+  must(!getrlimit(RLIMIT_NOFILE, &limit));
+  few = limit;
+  few.rlim_cur = 16;
+  must(!setrlimit(RLIMIT_NOFILE, &few));
+  int status = bench(MANY "-o few.ndjson");
+  must(!setrlimit(RLIMIT_NOFILE, &limit));
+  ok(tap, status == 4 && says("open files") && !cells_in("few.ndjson"),
+     "too many processes are nobody's crash");
+  status = bench(MANY "--repetitions 1 --resume -o few.ndjson");
+  ok(tap, !status && cells_in("few.ndjson") == 7, "and can be made up for");
+}
+
 /* --- Scenes ------------------------------------------------------------------
  */
 
@@ -240,7 +267,7 @@ static void test_scene_files(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(1 + 6 + 3 + 1 + 2 + 5 + 4 + 1 + 7);
+  struct tap tap = plan(1 + 6 + 3 + 1 + 2 + 5 + 4 + 1 + 2 + 2 + 7);
   enter_folder();
   int status = bench(SWEEP "-o whole.ndjson");
   ok(&tap, status == 1 && cells_in("whole.ndjson") == CELLS,
@@ -252,6 +279,8 @@ int main(void) {
   test_existing(&tap);
   test_unwritable(&tap);
   test_two(&tap);
+  test_closed(&tap);
+  test_limit(&tap);
   test_scene_files(&tap);
   return finish(&tap);
 }
