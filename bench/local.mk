@@ -7,20 +7,9 @@ hsr_LDADD = $(BENCH_LIBS)
 noinst_LIBRARIES += libbench.a
 BENCH_LIBS = libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS)
 libbench_a_SOURCES = \
-  %D%/bench.c \
-  %D%/check.c \
-  %D%/check.h \
-  %D%/check_report.c \
-  %D%/claims.c \
-  %D%/claims.def \
-  %D%/claims.h \
   %D%/command.h \
   %D%/figures.c \
   %D%/figures.h \
-  %D%/greene.c \
-  %D%/greene.h \
-  %D%/growth.c \
-  %D%/growth.h \
   %D%/json.c \
   %D%/json.h \
   %D%/judge.c \
@@ -30,8 +19,6 @@ libbench_a_SOURCES = \
   %D%/list.c \
   %D%/list.h \
   %D%/options.c \
-  %D%/paper_1974.c \
-  %D%/paper_1974.h \
   %D%/render.c \
   %D%/results.c \
   %D%/results.h \
@@ -42,27 +29,40 @@ libbench_a_SOURCES = \
   %D%/stage.c \
   %D%/stage.h \
   %D%/stats.c \
-  %D%/tables.c \
-  %D%/tables.h \
-  %D%/tables_1974.c \
-  %D%/tables_json.c \
-  %D%/tables_text.c \
   %D%/terminate.cc \
   %D%/terminate.h \
   %D%/times.c \
   %D%/times.h \
   %D%/worker.c \
+  %D%/check/check.h \
+  %D%/check/command.c \
+  %D%/check/report.c \
   %D%/report/command.c \
   %D%/report/data.c \
   %D%/report/pictures.c \
   %D%/report/report.h \
+  %D%/sweep/command.c \
   %D%/sweep/group.c \
   %D%/sweep/machine.c \
   %D%/sweep/peers.c \
   %D%/sweep/plan.c \
   %D%/sweep/summary.c \
   %D%/sweep/sweep.h \
-  %D%/sweep/turns.c
+  %D%/sweep/turns.c \
+  %D%/tables/claims.c \
+  %D%/tables/claims.def \
+  %D%/tables/claims.h \
+  %D%/tables/command.c \
+  %D%/tables/compute.c \
+  %D%/tables/greene.c \
+  %D%/tables/greene.h \
+  %D%/tables/growth.c \
+  %D%/tables/growth.h \
+  %D%/tables/json.c \
+  %D%/tables/paper_1974.c \
+  %D%/tables/paper_1974.h \
+  %D%/tables/tables.h \
+  %D%/tables/text.c
 nodist_libbench_a_SOURCES = %D%/commit.h
 
 # The commit that is built, written anew only when it is another one.

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The numbers of the report: what hsr bench recorded, with the statistics made
  * of it. */
-#include "bench/growth.h"
+#include "bench/tables/growth.h"
 #include "bench/json.h"
 #include "bench/list.h"
 #include "bench/report/report.h"
-#include "bench/tables.h"
+#include "bench/tables/tables.h"
 #include "bench/times.h"
 
 #include <math.h>

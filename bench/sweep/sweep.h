@@ -163,7 +163,7 @@ enum hsr_status sweep_place(struct sweep *sweep, size_t place,
 enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
                              struct hsr_error *err);
 
-/* --- bench.c -----------------------------------------------------------------
+/* --- command.c ---------------------------------------------------------------
  */
 
 /* Runs the plan, into the file that its options name, if they do. *results are

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tables of Sutherland et al. 1974 and what is concluded from them, on
  * results made up here: worlds in which every count is known. */
-#include "bench/claims.h"
-#include "bench/greene.h"
+#include "bench/tables/claims.h"
+#include "bench/tables/greene.h"
 #include "bench/json.h"
 #include "tests/tap.h"
 

@@ -3,7 +3,7 @@
 #ifndef HSR_BENCH_CLAIMS_H
 #define HSR_BENCH_CLAIMS_H
 
-#include "bench/tables.h"
+#include "bench/tables/tables.h"
 
 /* In the order in which one outweighs another, where a claim is of several
  * things: one that is contradicted is so whatever else was not measured. */

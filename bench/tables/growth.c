@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "bench/growth.h"
+#include "bench/tables/growth.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_fit.h>

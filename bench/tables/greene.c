@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "bench/greene.h"
+#include "bench/tables/greene.h"
 
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>

@@ -8,7 +8,7 @@
  * magnitude, so two costs are taken to differ by one if they differ by more
  * than half of one, 10^1/2; and the exponents that they name are halves, so a
  * measured one is taken to be the half that it is nearest to. */
-#include "bench/claims.h"
+#include "bench/tables/claims.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -381,7 +381,7 @@ NUMBER(divisions_a_comparison) {
 #define TABLE1(field) offsetof(struct hsr_table1, field)
 
 static const struct claim claims[] = {
-#include "bench/claims.def"
+#include "bench/tables/claims.def"
 };
 
 int claims_count(void) {

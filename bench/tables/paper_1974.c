@@ -3,7 +3,7 @@
  * figures here were computed anew from its formulas, and agree with those that
  * can be read, of Tables III to VII, cell by cell. Where more than a point is
  * wrong it is told. */
-#include "bench/paper_1974.h"
+#include "bench/tables/paper_1974.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tables as one JSON object, of the schema hsr-tables/1. */
-#include "bench/claims.h"
-#include "bench/greene.h"
+#include "bench/tables/claims.h"
+#include "bench/tables/greene.h"
 #include "bench/json.h"
 #include "bench/list.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tables as text, no wider than 100 columns. */
-#include "bench/claims.h"
-#include "bench/greene.h"
+#include "bench/tables/claims.h"
+#include "bench/tables/greene.h"
 #include "bench/list.h"
 
 #include <math.h>

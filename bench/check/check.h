@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files of hsr check share: check.c tells which scenes, views and
- * sizes are judged, check_report.c what came of it. */
+/* What the files of hsr check share: command.c tells which scenes, views and
+ * sizes are judged, report.c what came of it. */
 #ifndef HSR_BENCH_CHECK_H
 #define HSR_BENCH_CHECK_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr tables: the tables of Sutherland et al. 1974, measured. */
-#include "bench/tables.h"
+#include "bench/tables/tables.h"
 #include "bench/json.h"
 #include "bench/sweep/sweep.h"
 

@@ -4,7 +4,7 @@
  *
  * A group is one scene, view, size and kind of algorithm. It is judged in a
  * process of its own (bench/judge.c), several at a time. */
-#include "bench/check.h"
+#include "bench/check/check.h"
 #include "bench/terminate.h"
 
 #include <errno.h>

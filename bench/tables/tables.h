@@ -8,8 +8,8 @@
 #define HSR_BENCH_TABLES_H
 
 #include "algorithms/algorithm.h"
-#include "bench/growth.h"
-#include "bench/paper_1974.h"
+#include "bench/tables/growth.h"
+#include "bench/tables/paper_1974.h"
 #include "bench/results.h"
 
 enum { TABLES_VIEW = 1, TABLES_SIZE = 500, MOST_SCENES = 32, MOST_STEPS = 16 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What hsr check prints: a table, or one JSON object. */
-#include "bench/check.h"
+#include "bench/check/check.h"
 #include "bench/json.h"
 
 #include <string.h>
