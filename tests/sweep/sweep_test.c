@@ -110,7 +110,7 @@ static void test_sleeper(struct tap *tap) {
   double slept = 0;
   for (int k = 0; k < 3 && fabs(slept - 20e-3) > .05 * 20e-3; k++) {
     bench(SMALL "-a sleeper,zbuffer --repetitions 9 -o s%d.ndjson", k);
-    char path[16];
+    char path[32];
     snprintf(path, sizeof path, "s%d.ndjson", k);
     struct results r = read_results(path);
     slept = median(&r, "sleeper") - median(&r, "zbuffer");
