@@ -24,7 +24,10 @@ enum hsr_status times_read(const json_t *cell, struct times *times,
     for (int k = 0; k < each; k++)
       times->seconds[s * each + k] = json_number_value(
           json_array_get(seconds_of(cell, (size_t)s), (size_t)k));
-  times->samples = (struct samples){times->seconds, starts, each};
+  struct samples samples = {times->seconds, starts, each};
+  if (figure_least(&samples) <= 0) /* a start with fewer than the first */
+    return HSR_OK;
+  times->samples = samples;
   return figure_logs(&times->samples, times->logs) ? HSR_OK
                                                    : hsr_fail_nomem(err);
 }

@@ -110,7 +110,7 @@ static void test_sleeper(struct tap *tap) {
   double slept = 0;
   for (int k = 0; k < 3 && fabs(slept - 20e-3) > .05 * 20e-3; k++) {
     bench(SMALL "-a sleeper,zbuffer --repetitions 9 -o s%d.ndjson", k);
-    char path[16];
+    char path[32];
     snprintf(path, sizeof path, "s%d.ndjson", k);
     struct results r = read_results(path);
     slept = median(&r, "sleeper") - median(&r, "zbuffer");
@@ -203,6 +203,10 @@ static void test_baseline(struct tap *tap) {
   status = bench(AGAIN "wrong.ndjson");
   ok(tap, !status && printed("null 1: ok, before: wrong"),
      "what is right at last is no failure");
+  doctor("b.ndjson", "never.ndjson", 0, NULL, NULL);
+  status = bench(AGAIN "never.ndjson");
+  ok(tap, !status && printed("0 cells timed in both"),
+     "what takes no time was not timed");
   bench(SMALL "-a broken --counts -o d.ndjson");
   doctor("d.ndjson", "right.ndjson", 1, "broken", "ok");
   status = bench(SMALL "-a broken --counts --resume -o d.ndjson --baseline "
@@ -215,7 +219,7 @@ static void test_baseline(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 + 2 * N_FAILING + 4 + 2 + 2 + 3 + 4 + 7);
+  struct tap tap = plan(2 + 2 * N_FAILING + 4 + 2 + 2 + 3 + 4 + 8);
   enter_folder();
   test_verdicts(&tap);
   test_memory(&tap);
