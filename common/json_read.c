@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 /* When its lexer cannot enlarge the buffer for a token, jansson loses a
  * character and goes on, or fails an assertion when it takes it back. So while

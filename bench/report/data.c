@@ -222,15 +222,28 @@ static json_t *points_json(const struct ladder *ladder) {
   return points;
 }
 
+/* What its rungs have in common: "house", or "harbor:N, 500x500". */
+static void name_ladder(const struct ladder *ladder, char *name, size_t size) {
+  const json_t *cell = ladder->cell[0];
+  const char *scene = results_text(cell, "scene");
+  if (!strcmp(ladder->over, "samples"))
+    snprintf(name, size, "%.200s", scene);
+  else
+    snprintf(name, size, "%.*s:N, %ldx%ld", (int)strcspn(scene, ":"), scene,
+             results_number(cell, "width"), results_number(cell, "height"));
+}
+
 static json_t *ladder_json(const struct ladder *ladder) {
+  char name[300];
+  name_ladder(ladder, name, sizeof name);
   struct growth growth = growth_fit(ladder->x, ladder->y, ladder->n);
   if (isnan(growth.exponent))
     return NULL;
-  return json_pack("{ss si ss so so so so}", "algorithm", ladder->algorithm,
-                   "threads", (int)results_number(ladder->cell[0], "threads"),
-                   "over", ladder->over, "exponent",
-                   number_or_null(growth.exponent), "low",
-                   number_or_null(growth.low), "high",
+  return json_pack("{ss ss si ss so so so so}", "algorithm", ladder->algorithm,
+                   "of", name, "threads",
+                   (int)results_number(ladder->cell[0], "threads"), "over",
+                   ladder->over, "exponent", number_or_null(growth.exponent),
+                   "low", number_or_null(growth.low), "high",
                    number_or_null(growth.high), "points", points_json(ladder));
 }
 

@@ -22,7 +22,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { NAME = 160, PATH = 4400 };
+/* MANY_LINES: of so many no one would see the hidden ones. */
+enum { NAME = 160, PATH = 4400, MANY_LINES = 30000 };
 
 /* One scene and view. */
 struct view_picture {
@@ -63,12 +64,13 @@ static enum hsr_status write_lines_file(const struct view_picture *p,
   snprintf(description, sizeof description, "A line drawing by %.150s",
            a->title);
   const char *file[] = {path};
-  struct line_picture picture = {.drawing = drawing,
-                                 .world = &p->stage.world,
-                                 .view = &p->stage.view,
-                                 .hidden = HSR_HIDDEN_THIN,
-                                 .title = p->stage.scene->name,
-                                 .description = description};
+  struct line_picture picture = {
+      .drawing = drawing,
+      .world = &p->stage.world,
+      .view = &p->stage.view,
+      .hidden = drawing->n > MANY_LINES ? HSR_HIDDEN_NONE : HSR_HIDDEN_THIN,
+      .title = p->stage.scene->name,
+      .description = description};
   return write_lines(&picture, file, 1, err);
 }
 

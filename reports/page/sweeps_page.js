@@ -65,7 +65,7 @@ function sweep(report, over, shown) {
         (p) => p.scene.split(":")[0])).join(", ")}.`,
       draw: (width) => sweepPlot(points, label, width), algorithms: names,
       numbers: behind(pointsTable(over, points, label)) }),
-    h("p", {}, grows, " The exponents are those of all scenes together."),
+    h("p", {}, grows, " The exponents are those of every ladder by itself, whatever is chosen above."),
     exponents(over, fits));
 }
 
@@ -78,6 +78,8 @@ function exponents(over, fits) {
   return table({ id: `exponents-${over}`, rows: fits,
     caption: `Growth exponents over ${over}`, columns: [
       algorithmColumn,
+      fits.some((g) => g.of) && { name: "of", label: "of",
+        value: (g) => g.of ?? null, show: (g) => g.of ?? "" },
       { name: "exponent", label: "exponent", number: true,
         value: (g) => g.exponent ?? null, show: (g) => exponent(g.exponent) },
       { name: "low", label: "at least", number: true,
@@ -85,7 +87,7 @@ function exponents(over, fits) {
       { name: "high", label: "at most", number: true,
         value: (g) => g.high ?? null, show: (g) => exponent(g.high) },
       { name: "points", label: "points", number: true,
-        value: (g) => g.points?.length ?? 0 }] });
+        value: (g) => g.points?.length ?? 0 }].filter(Boolean) });
 }
 
 function pointsTable(over, points, label) {
