@@ -107,29 +107,13 @@ enum hsr_status results_add(struct results *results, json_t *record,
   return kept ? HSR_OK : hsr_fail_nomem(err);
 }
 
-/* The rest of a line, as the parser gets it. */
-struct rest {
-  const char *text;
-  size_t length;
-};
-
-static size_t read_rest(void *buffer, size_t size, void *data) {
-  struct rest *rest = data;
-  size_t n = rest->length < size ? rest->length : size;
-  memcpy(buffer, rest->text, n);
-  rest->text += n;
-  rest->length -= n;
-  return n;
-}
-
 static enum hsr_status add_line(struct results *results, const char *line,
                                 size_t length, const char *path, long number,
                                 struct hsr_error *err) {
   json_error_t error;
   bool out_of_memory;
-  json_t *record =
-      hsr_json_read(read_rest, &(struct rest){line, length},
-                    JSON_REJECT_DUPLICATES, &out_of_memory, &error);
+  json_t *record = hsr_json_read_text(line, length, JSON_REJECT_DUPLICATES,
+                                      &out_of_memory, &error);
   if (out_of_memory)
     return hsr_fail_nomem(err);
   struct hsr_error why = {.text = "not a line of JSON"};

@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 /* When its lexer cannot enlarge the buffer for a token, jansson loses a
  * character and goes on, or fails an assertion when it takes it back. So while
@@ -72,4 +73,25 @@ json_t *hsr_json_read(json_load_callback_t read, void *data, size_t flags,
   *out_of_memory = fresh.touched || (!root && json_error_code(error) ==
                                                   json_error_out_of_memory);
   return root;
+}
+
+/* What is left of a text. */
+struct rest {
+  const char *text;
+  size_t length;
+};
+
+static size_t read_rest(void *buffer, size_t size, void *data) {
+  struct rest *rest = data;
+  size_t n = rest->length < size ? rest->length : size;
+  memcpy(buffer, rest->text, n);
+  rest->text += n;
+  rest->length -= n;
+  return n;
+}
+
+json_t *hsr_json_read_text(const char *text, size_t length, size_t flags,
+                           bool *out_of_memory, json_error_t *error) {
+  return hsr_json_read(read_rest, &(struct rest){text, length}, flags,
+                       out_of_memory, error);
 }

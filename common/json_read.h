@@ -12,4 +12,8 @@
 json_t *hsr_json_read(json_load_callback_t read, void *data, size_t flags,
                       bool *out_of_memory, json_error_t *error);
 
+/* The same of a text of that length. */
+json_t *hsr_json_read_text(const char *text, size_t length, size_t flags,
+                           bool *out_of_memory, json_error_t *error);
+
 #endif

@@ -27,11 +27,14 @@ static enum hsr_status check_scene_name(const char *name,
     if (iscntrl((unsigned char)*c))
       return hsr_fail(err, HSR_E_USAGE,
                       "%s: the name holds a control character", name);
-  json_t *text = json_string(name);
-  bool good = text != NULL;
+  json_error_t error;
+  json_t *text = json_pack_ex(&error, 0, "s", name);
   json_decref(text);
-  return good ? HSR_OK
-              : hsr_fail(err, HSR_E_USAGE, "%s: the name is not UTF-8", name);
+  if (text)
+    return HSR_OK;
+  return json_error_code(&error) == json_error_invalid_utf8
+             ? hsr_fail(err, HSR_E_USAGE, "%s: the name is not UTF-8", name)
+             : hsr_fail_nomem(err);
 }
 
 static enum hsr_status add_scene(struct plan *plan, const char *name,

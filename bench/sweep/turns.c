@@ -4,6 +4,7 @@
  * disturbs all alike. */
 #include "bench/sweep/sweep.h"
 #include "bench/terminate.h"
+#include "common/json_read.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -25,6 +26,7 @@ struct process {
   struct turn_taker *taker;
   pid_t id; /* 0: none */
   int in, out;
+  bool starved; /* this program had no memory to understand it */
 };
 
 /* --- One process -------------------------------------------------------------
@@ -151,7 +153,9 @@ static json_t *read_answer(struct process *process, double seconds) {
     if (line[length - 1] == '\n')
       break;
   }
-  json_t *answer = json_loadb(line, length, 0, NULL);
+  json_error_t error;
+  json_t *answer =
+      hsr_json_read_text(line, length, 0, &process->starved, &error);
   if (!answer)
     give_up(process, CRASH);
   return answer;
@@ -248,6 +252,9 @@ static enum hsr_status run_lot(const struct plan *plan,
   for (int k = 0; k < n; k++)
     if (process[k].id > 0)
       finish(&process[k], plan, start);
+  for (int k = 0; k < n; k++)
+    if (process[k].starved)
+      return hsr_fail_nomem(err);
   return HSR_OK;
 }
 

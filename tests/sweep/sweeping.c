@@ -135,8 +135,16 @@ bool printed(const char *text) {
   return found;
 }
 
+/* What it says on standard error, but for words of sanitizers: of threads that
+ * a fork leaves behind, and of CGAL's own shifts. */
+static char *read_words(void) {
+  must(!system("sed -i -e '/was not suspended. False leaks/d' "
+               "-e '/CGAL.*runtime error: left shift/d' err"));
+  return read_text("err");
+}
+
 bool says(const char *text) {
-  char *err = read_text("err");
+  char *err = read_words();
   bool good = !strncmp(err, "hsr: ", 5) && strstr(err, text) &&
               strchr(err, '\n') == err + strlen(err) - 1;
   if (!good)
@@ -146,7 +154,7 @@ bool says(const char *text) {
 }
 
 bool is_silent(void) {
-  char *err = read_text("err");
+  char *err = read_words();
   bool good = !*err;
   if (!good)
     printf("# it says '%s'\n", err);
