@@ -59,6 +59,7 @@ static pid_t begin(const char *format, va_list words) {
   must(id >= 0);
   if (id == 0) {
     setpgid(0, 0);
+    signal(SIGINT, SIG_DFL); /* ignored in what a shell runs in background */
     execl("/bin/sh", "sh", "-c", command, (char *)NULL);
     _exit(127);
   }
