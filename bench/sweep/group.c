@@ -193,7 +193,9 @@ static void compare_picture(const struct place_run *run, int k,
   unlink(run->ids_file[k]);
 }
 
-static void judge_peer(const struct place_run *run, int k) {
+/* Times stand only beside mismatches: a peer whose answer could not be compared
+ * has none. */
+static void judge_peer(struct place_run *run, int k) {
   const struct entrant *peer = run->entrant[k];
   struct cell *cell = &run->shared->cells[k];
   if (!strcmp(peer->kind, "ids"))
@@ -202,6 +204,11 @@ static void judge_peer(const struct place_run *run, int k) {
     peers_judge(run->sweep->plan, &run->place, peer->name, cell);
   if (cell->mismatches)
     cell->verdict = WRONG;
+  if (cell->verdict == RIGHT && !cell->compared && strcmp(peer->kind, "none")) {
+    cell->verdict = run->taker[k].verdict = REFUSED;
+    snprintf(cell->refusal, sizeof cell->refusal,
+             "refused, what %s draws could not be judged", peer->name);
+  }
 }
 
 static enum hsr_status time_all(struct place_run *run, struct hsr_error *err) {

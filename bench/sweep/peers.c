@@ -81,9 +81,5 @@ void peers_judge(const struct plan *plan, const struct place *place,
                        2 * plan->options->timeout);
   cell->compared = (uint64_t)results_number(answer, "compared");
   cell->mismatches = (uint64_t)results_number(answer, "mismatches");
-  if (!answer)
-    snprintf(cell->refusal, sizeof cell->refusal,
-             "its drawing could not be judged in %ld s",
-             2 * plan->options->timeout);
   json_decref(answer);
 }

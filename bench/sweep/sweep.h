@@ -99,7 +99,8 @@ bool plan_wants(const struct plan *plan, size_t place,
  * none; HSR_E_NOMEM. */
 enum hsr_status peers_open(struct plan *plan, struct hsr_error *err);
 
-/* How much of a line drawing by a peer differs from the line oracle's. */
+/* How much of a line drawing by a peer differs from the line oracle's; nothing
+ * is compared where the judge gives no answer in time. */
 void peers_judge(const struct plan *plan, const struct place *place,
                  const char *name, struct cell *cell);
 
