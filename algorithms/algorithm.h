@@ -46,7 +46,8 @@ enum {
   HSR_FRAME_STATE = 1 << 2,  /* one render at a time on a prepared object */
   HSR_KNOWN_WRONG = 1 << 3,  /* its picture is wrong sometimes, and shown so */
   HSR_TRANSPARENCY = 1 << 4, /* fills job->paint->rgb, if asked to */
-  HSR_VISIBLE_ONLY = 1 << 5  /* of segments: all invisibility over 0 is 1 */
+  HSR_VISIBLE_ONLY = 1 << 5, /* of segments: all invisibility over 0 is 1 */
+  HSR_INSTANCED = 1 << 6     /* takes a world that is an outline, too */
 };
 
 /* A sort that the algorithm makes, as in figure 29b. */
@@ -66,6 +67,31 @@ struct hsr_step {
   double (*predict)(const struct hsr_table1 *); /* the same; NULL: none made */
 };
 
+/* A word that an option may be. */
+struct hsr_word {
+  const char *name;    /* [a-z0-9-]+, "faces"; NULL ends a list */
+  const char *meaning; /* "scan-converted, as in 1993" */
+  unsigned
+      flags; /* what choosing it adds to the algorithm's: HSR_FRAME_STATE */
+};
+
+/* A choice that the algorithm leaves. */
+struct hsr_option {
+  const char *name;             /* [a-z0-9-]+, "cubes" */
+  const char *meaning;          /* "how the faces of a cube are tested" */
+  const struct hsr_word *words; /* what it may be; NULL: a number, */
+  long least, most;             /* from least to most */
+  long standard;                /* the number, or which word */
+};
+
+/* What was chosen: the number of each option's word, or its number. */
+#define HSR_MAX_OPTIONS 16
+struct hsr_choice {
+  long option[HSR_MAX_OPTIONS];
+  long window; /* samples a side of the squares in which the picture is drawn;
+                  0: as it suits the harness */
+};
+
 /* Colours, for an algorithm that draws transparency. All borrowed. */
 struct hsr_paint {
   const float *face;   /* 3 a face of the world: its colour in this view */
@@ -78,6 +104,7 @@ struct hsr_job {
   const struct hsr_world *world;
   const struct hsr_view *view; /* its window says which samples */
   void *prepared;              /* what prepare made, or NULL */
+  const long *option;          /* what was chosen, an option of the algorithm */
   struct hsr_arena *scratch;   /* reset before the call; no other memory is
                                   taken inside a frame */
   struct hsr_tally *tally;     /* what was counted is added here */
@@ -112,16 +139,17 @@ struct hsr_algorithm {
   const struct hsr_sort *sorts;       /* ended by .what == NULL; NULL: none */
   const struct hsr_counter *counters; /* ended by .name == NULL; NULL: none */
   const struct hsr_step *steps;       /* ended by .label == NULL; NULL: none */
+  const struct hsr_option *options;   /* ended by .name == NULL; NULL: none */
 
   /* About how many elementary comparisons a view takes, by which a harness
    * refuses what would take too long; NULL: it grows no faster than the faces
    * and the samples. */
   double (*expense)(const struct hsr_world *world, const struct hsr_view *view);
 
-  /* View-independent work, timed apart; NULL if there is none. *prepared is
-   * freed by release. HSR_E_NOMEM. */
-  enum hsr_status (*prepare)(const struct hsr_world *world, void **prepared,
-                             struct hsr_error *err);
+  /* View-independent work, timed apart; NULL if there is none. `option` is what
+   * was chosen; *prepared is freed by release. HSR_E_NOMEM. */
+  enum hsr_status (*prepare)(const struct hsr_world *world, const long *option,
+                             void **prepared, struct hsr_error *err);
 
   /* One view. May be called on several threads at once, with different jobs
    * and one prepared object, unless HSR_FRAME_STATE. HSR_E_NOMEM. */
@@ -129,6 +157,11 @@ struct hsr_algorithm {
 
   void (*release)(void *prepared); /* NULL if prepare is */
 };
+
+/* The standard choice; and the flags of an algorithm so chosen. */
+struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *algorithm);
+unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
+                          const struct hsr_choice *choice);
 
 /* HSR_ALGORITHM(watkins) is the name of the descriptor of this build, and
  * HSR_OF_BUILD(hsr_scan_begin) that of a function which several share. */

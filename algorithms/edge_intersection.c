@@ -16,7 +16,9 @@ double hsr_network_expense(const struct hsr_world *world,
  */
 
 enum hsr_status hsr_network_prepare(const struct hsr_world *world,
-                                    void **prepared, struct hsr_error *err) {
+                                    const long *option, void **prepared,
+                                    struct hsr_error *err) {
+  (void)option;
   struct hsr_edges *edges = malloc(sizeof *edges);
   if (!edges)
     return hsr_fail_nomem(err);

@@ -123,7 +123,8 @@ double hsr_network_expense(const struct hsr_world *world,
 
 /* `prepare` and `release` of these algorithms: the edges of the world. */
 enum hsr_status hsr_network_prepare(const struct hsr_world *world,
-                                    void **prepared, struct hsr_error *err);
+                                    const long *option, void **prepared,
+                                    struct hsr_error *err);
 void hsr_network_release(void *prepared);
 
 /* A sight, the cull of edges, and memory from job->scratch. network->sight is

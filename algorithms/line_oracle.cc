@@ -1131,8 +1131,8 @@ static double expense(const struct hsr_world *world, const struct hsr_view *) {
   return 0.125 * world->n_faces * world->n_corners;
 }
 
-static enum hsr_status prepare(const struct hsr_world *world, void **prepared,
-                               struct hsr_error *err) {
+static enum hsr_status prepare(const struct hsr_world *world, const long *,
+                               void **prepared, struct hsr_error *err) {
   return guarded(err, [&] {
     if (!is_rounding_honoured())
       return hsr_fail(err, HSR_E_INTERNAL,

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every algorithm is compiled twice, to count and not to.
-pkginclude_algorithms_HEADERS += %D%/algorithm.h %D%/setup.h
-libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/list.def
+pkginclude_algorithms_HEADERS += %D%/algorithm.h %D%/setup.h \
+  %D%/variant.h
+libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/variant.c %D%/list.def
 
 algorithm_files = \
   %D%/appel.c \

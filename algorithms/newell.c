@@ -377,8 +377,9 @@ static enum hsr_status render_frame_buffer(const struct hsr_job *job,
  */
 
 static enum hsr_status prepare_previous(const struct hsr_world *world,
-                                        void **prepared,
+                                        const long *option, void **prepared,
                                         struct hsr_error *err) {
+  (void)option;
   struct hsr_previous *previous =
       malloc(sizeof *previous + world->n_faces * sizeof *previous->order);
   if (!previous)

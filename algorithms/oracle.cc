@@ -598,8 +598,8 @@ enum hsr_status guarded(struct hsr_error *err, Work work) noexcept {
 
 extern "C" {
 
-static enum hsr_status prepare(const struct hsr_world *world, void **prepared,
-                               struct hsr_error *err) {
+static enum hsr_status prepare(const struct hsr_world *world, const long *,
+                               void **prepared, struct hsr_error *err) {
   return guarded(err, [&] {
     if (!is_rounding_honoured())
       return hsr_fail(err, HSR_E_INTERNAL,

@@ -127,8 +127,10 @@ static void release(void *prepared) {
   free(environment);
 }
 
-static enum hsr_status prepare(const struct hsr_world *world, void **prepared,
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
                                struct hsr_error *err) {
+  (void)option;
   struct environment *environment = calloc(1, sizeof *environment);
   if (!environment)
     return hsr_fail_nomem(err);

@@ -34,9 +34,16 @@ static enum hsr_status apply(struct hsr_setup *setup,
 
 enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                                const struct hsr_algorithm *algorithm,
+                               const struct hsr_choice *choice,
                                const struct hsr_world *world,
                                struct hsr_error *err) {
   *setup = (struct hsr_setup){.algorithm = algorithm, .world = world};
+  setup->choice = choice ? *choice : hsr_choice_standard(algorithm);
+  setup->flags = hsr_choice_flags(algorithm, &setup->choice);
+  if (hsr_is_outline(world) && !(algorithm->flags & HSR_INSTANCED))
+    return hsr_fail(err, HSR_E_REFUSED,
+                    "%u faces are too many to be laid out, as it needs them",
+                    world->n_faces);
   enum hsr_status status = HSR_OK;
   for (const struct hsr_adapter *a = hsr_adapters; a->name && !status; a++)
     if ((algorithm->restrictions & a->mends) == a->mends)
@@ -44,7 +51,8 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
   if (status || !algorithm->prepare)
     return status;
   double begin = seconds_now();
-  status = algorithm->prepare(setup->world, &setup->prepared, err);
+  status = algorithm->prepare(setup->world, setup->choice.option,
+                              &setup->prepared, err);
   setup->prepare_seconds = seconds_now() - begin;
   return status;
 }
@@ -65,6 +73,7 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
                                  struct hsr_job *job, struct hsr_error *err) {
   job->world = setup->world;
   job->prepared = setup->prepared;
+  job->option = setup->choice.option;
   job->paint = setup->paint;
   enum hsr_status status = setup->algorithm->render(job, err);
   if (!status && job->tally->out_of_memory)

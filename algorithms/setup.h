@@ -21,6 +21,8 @@ struct hsr_adaptation {
 
 struct hsr_setup {
   const struct hsr_algorithm *algorithm;
+  struct hsr_choice choice;      /* of its options */
+  unsigned flags;                /* of the algorithm so chosen */
   const struct hsr_world *world; /* what the algorithm gets: the scene's own, or
                                     `adapted` */
   struct hsr_world adapted;
@@ -32,11 +34,14 @@ struct hsr_setup {
   const struct hsr_paint *paint; /* for every job; NULL unless set */
 };
 
-/* `world` is borrowed and outlives the setup. Freed with hsr_setup_free, also
+/* `choice` is NULL for the standard one. `world` is borrowed and outlives the
+ * setup. Freed with hsr_setup_free, also
  * after a failure: HSR_E_NOMEM; HSR_E_REFUSED where the scene breaks a
- * restriction and cannot be adapted. */
+ * restriction and cannot be adapted, or is an outline, which the algorithm does
+ * not take. */
 enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                                const struct hsr_algorithm *algorithm,
+                               const struct hsr_choice *choice,
                                const struct hsr_world *world,
                                struct hsr_error *err);
 

@@ -7,6 +7,7 @@
 #include "config.h"
 
 #include "algorithms/setup.h"
+#include "algorithms/variant.h"
 #include "scenes/scenes.h"
 
 #include <argp.h>
@@ -97,11 +98,6 @@ enum hsr_status choose_camera(const struct view_options *options,
                               const struct hsr_scene *scene,
                               struct hsr_camera *camera, struct hsr_error *err);
 
-/* The listed algorithm, or HSR_E_USAGE. */
-enum hsr_status choose_algorithm(const char *name,
-                                 const struct hsr_listed **listed,
-                                 struct hsr_error *err);
-
 const char *kind_name(enum hsr_kind kind); /* "ids", "segments" */
 
 /* --- Running ---------------------------------------------------------------
@@ -130,8 +126,8 @@ void crew_free(struct crew *crew); /* NULL is allowed */
 
 /* Renders the view's whole window with an algorithm made ready, and adds what
  * was counted to *tally. Ids are rendered by the whole crew (by one if the
- * algorithm keeps frame state), each a band of rows at a time; a line drawing,
- * which is whole, by one. */
+ * algorithm keeps frame state), each a band of rows at a time, or a square as
+ * the setup's choice says; a line drawing, which is whole, by one. */
 enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
                             const struct hsr_view *view, struct answer *answer,
                             struct hsr_tally *tally, struct hsr_error *err);

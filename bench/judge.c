@@ -71,7 +71,8 @@ static void compare(const struct group *g, const struct hsr_algorithm *a,
 /* Sets the algorithm up and draws. A value that no picture holds shows what was
  * not written. The answer is to be freed also after a failure. */
 static enum hsr_status draw(const struct group *g,
-                            const struct hsr_algorithm *a, long threads,
+                            const struct hsr_algorithm *a,
+                            const struct hsr_choice *choice, long threads,
                             struct hsr_setup *setup, struct answer *answer,
                             struct hsr_tally *tally, struct hsr_error *err) {
   *tally = (struct hsr_tally){.out_of_memory = false};
@@ -81,7 +82,7 @@ static enum hsr_status draw(const struct group *g,
   if (answer->ids)
     memset(answer->ids, 0xfe,
            (size_t)g->view.m * (size_t)g->view.n * sizeof *answer->ids);
-  status = hsr_setup_init(setup, a, g->world, err);
+  status = hsr_setup_init(setup, a, choice, g->world, err);
   if (!status)
     status = render_view(setup, &g->view, threads, answer, tally, NULL, err);
   hsr_setup_free(setup);
@@ -90,13 +91,15 @@ static enum hsr_status draw(const struct group *g,
 
 /* In a process of its own. */
 static enum hsr_status judge(const struct group *g,
-                             const struct hsr_algorithm *a, long threads,
+                             const struct hsr_algorithm *a,
+                             const struct hsr_choice *choice, long threads,
                              const struct answer *wanted, struct cell *cell) {
   struct hsr_error err;
   struct hsr_setup setup = {.n_adaptations = 0};
   struct hsr_tally tally;
   struct answer got;
-  enum hsr_status status = draw(g, a, threads, &setup, &got, &tally, &err);
+  enum hsr_status status =
+      draw(g, a, choice, threads, &setup, &got, &tally, &err);
   cell->n_adaptations = setup.n_adaptations;
   for (int k = 0; k < setup.n_adaptations; k++)
     cell->adapted[k] = setup.adaptation[k].name; /* lasts: it is a constant */
@@ -132,7 +135,8 @@ static void limit_process(const struct group *g) {
 /* Runs the algorithm in a new process and waits for it. */
 static void judge_apart(const struct group *g, int number,
                         const struct answer *wanted) {
-  const struct hsr_listed *listed = g->algorithm[number];
+  const struct hsr_listed *listed = g->algorithm[number].listed;
+  const struct hsr_choice *choice = &g->algorithm[number].choice;
   struct cell *cell = &g->cells[number];
   if (is_too_much(g, listed->plain)) {
     cell->verdict = REFUSED;
@@ -147,11 +151,12 @@ static void judge_apart(const struct group *g, int number,
     end_with_parent(parent);
     limit_process(g);
     alarm((unsigned)g->timeout);
-    enum hsr_status status = judge(
-        g, listed->plain, g->threads ? g->threads[number] : 1, wanted, cell);
+    enum hsr_status status =
+        judge(g, listed->plain, choice, g->threads ? g->threads[number] : 1,
+              wanted, cell);
     alarm((unsigned)g->timeout);
     if (!status)
-      status = judge(g, listed->counting, 1, wanted, cell);
+      status = judge(g, listed->counting, choice, 1, wanted, cell);
     alarm(0);
     end_process((int)status);
   }
@@ -178,7 +183,7 @@ static void judge_apart(const struct group *g, int number,
 static void set_all(const struct group *g, enum verdict verdict,
                     const char *oracle) {
   for (int a = 0; a < g->n_algorithms; a++) {
-    const struct hsr_algorithm *algorithm = g->algorithm[a]->plain;
+    const struct hsr_algorithm *algorithm = g->algorithm[a].listed->plain;
     struct cell *cell = &g->cells[a];
     if (algorithm->kind != g->kind)
       continue;
@@ -204,7 +209,8 @@ enum hsr_status judge_group(const struct group *g) {
   struct hsr_setup setup;
   struct hsr_tally tally;
   struct answer wanted;
-  enum hsr_status status = draw(g, oracle, 1, &setup, &wanted, &tally, &err);
+  enum hsr_status status =
+      draw(g, oracle, NULL, 1, &setup, &wanted, &tally, &err);
   if (limited) {
     alarm(0);
     set_all(g, PENDING, oracle->name);
@@ -213,7 +219,7 @@ enum hsr_status judge_group(const struct group *g) {
     memcpy(g->picture, wanted.ids,
            (size_t)g->view.m * (size_t)g->view.n * sizeof *wanted.ids);
   for (int a = 0; a < g->n_algorithms && !status; a++)
-    if (g->algorithm[a]->plain->kind == g->kind)
+    if (g->algorithm[a].listed->plain->kind == g->kind)
       judge_apart(g, a, &wanted);
   answer_free(&wanted);
   return status;

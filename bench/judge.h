@@ -38,7 +38,7 @@ struct cell {
 
 /* All algorithms of a kind on one scene, view and size. All borrowed. */
 struct group {
-  const struct hsr_listed *const *algorithm; /* also those of other kinds */
+  const struct hsr_variant *algorithm; /* also those of other kinds */
   int n_algorithms;
   const long *threads; /* an algorithm, for the build that is timed; NULL: 1 */
   long timeout;        /* seconds that a picture may take */

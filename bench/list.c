@@ -28,7 +28,8 @@ const char *kind_name(enum hsr_kind kind) {
 
 static const char about[] =
     "Lists the algorithms: name, year, place in the taxonomy of Sutherland, "
-    "Sproull and Schumacker, sorting order, environment restrictions.";
+    "Sproull and Schumacker, sorting order, environment restrictions; and the "
+    "options that they leave.";
 
 json_t *restrictions_json(const struct hsr_algorithm *a) {
   json_t *codes = json_array();
@@ -64,21 +65,41 @@ static json_t *steps_json(const struct hsr_algorithm *a) {
   return steps;
 }
 
+static json_t *option_json(const struct hsr_option *o) {
+  if (!o->words)
+    return json_pack("{ss ss sI sI sI}", "name", o->name, "meaning", o->meaning,
+                     "least", (json_int_t)o->least, "most", (json_int_t)o->most,
+                     "standard", (json_int_t)o->standard);
+  json_t *words = json_array();
+  for (const struct hsr_word *w = o->words; w->name; w++)
+    json_append(&words,
+                json_pack("{ss ss}", "name", w->name, "meaning", w->meaning));
+  return json_pack("{ss ss so ss}", "name", o->name, "meaning", o->meaning,
+                   "words", words, "standard", o->words[o->standard].name);
+}
+
+static json_t *options_json(const struct hsr_algorithm *a) {
+  json_t *options = json_array();
+  for (const struct hsr_option *o = a->options; o && o->name; o++)
+    json_append(&options, option_json(o));
+  return options;
+}
+
 static json_t *year_json(const struct hsr_algorithm *a) {
   return a->year ? json_integer(a->year) : json_null();
 }
 
 static json_t *algorithm_json(const struct hsr_algorithm *a) {
-  return json_pack("{ss ss ss so ss ss ss* ss* ss* ss sb sb so so so so}",
-                   "name", a->name, "title", a->title, "authors", a->authors,
-                   "year", year_json(a), "source", a->source, "taxonomy",
-                   taxonomy(a->taxonomy).class, "branch",
-                   taxonomy(a->taxonomy).branch, "sort_order", a->sort_order,
-                   "coherence", a->coherence, "kind", kind_name(a->kind),
-                   "known_wrong", (a->flags & HSR_KNOWN_WRONG) != 0,
-                   "visible_only", (a->flags & HSR_VISIBLE_ONLY) != 0,
-                   "restrictions", restrictions_json(a), "sorts", sorts_json(a),
-                   "counters", counters_json(a), "steps", steps_json(a));
+  return json_pack(
+      "{ss ss ss so ss ss ss* ss* ss* ss sb sb so so so so so}", "name",
+      a->name, "title", a->title, "authors", a->authors, "year", year_json(a),
+      "source", a->source, "taxonomy", taxonomy(a->taxonomy).class, "branch",
+      taxonomy(a->taxonomy).branch, "sort_order", a->sort_order, "coherence",
+      a->coherence, "kind", kind_name(a->kind), "known_wrong",
+      (a->flags & HSR_KNOWN_WRONG) != 0, "visible_only",
+      (a->flags & HSR_VISIBLE_ONLY) != 0, "restrictions", restrictions_json(a),
+      "sorts", sorts_json(a), "counters", counters_json(a), "steps",
+      steps_json(a), "options", options_json(a));
 }
 
 json_t *algorithms_json(void) {
@@ -105,6 +126,31 @@ static void print_restrictions(const struct hsr_algorithm *a) {
     putchar('-');
 }
 
+static void print_option(const struct hsr_option *o) {
+  if (!o->words) {
+    printf("    %s=N  %s, %ld to %ld (standard: %ld)\n", o->name, o->meaning,
+           o->least, o->most, o->standard);
+    return;
+  }
+  printf("    %s  %s\n", o->name, o->meaning);
+  for (const struct hsr_word *w = o->words; w->name; w++)
+    printf("      %s=%-12s %s%s\n", o->name, w->name, w->meaning,
+           w == &o->words[o->standard] ? " (standard)" : "");
+}
+
+/* Behind the table: what can be chosen, as NAME:OPTION=VALUE. */
+static void print_options(void) {
+  puts("\nOptions, as in zbuffer:window=64:\n"
+       "  all that draw ids\n"
+       "    window=N  in squares of N x N samples, each a job of its own");
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
+    if (a->plain->options)
+      printf("  %s\n", a->plain->name);
+    for (const struct hsr_option *o = a->plain->options; o && o->name; o++)
+      print_option(o);
+  }
+}
+
 enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
   bool json;
   enum hsr_status status = parse_json_option(argc, argv, about, &json, err);
@@ -128,5 +174,6 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
     print_restrictions(a->plain);
     puts(a->plain->flags & HSR_KNOWN_WRONG ? "  known to be wrong" : "");
   }
+  print_options();
   return HSR_OK;
 }

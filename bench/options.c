@@ -174,13 +174,3 @@ enum hsr_status choose_camera(const struct view_options *o,
     camera->near = o->camera.near;
   return hsr_camera_check(camera, err) ? HSR_E_USAGE : HSR_OK;
 }
-
-enum hsr_status choose_algorithm(const char *name,
-                                 const struct hsr_listed **listed,
-                                 struct hsr_error *err) {
-  *listed = hsr_algorithm_find(name);
-  if (*listed)
-    return HSR_OK;
-  return hsr_fail(err, HSR_E_USAGE, "no algorithm '%.100s' (see hsr list)",
-                  name);
-}

@@ -199,7 +199,8 @@ struct render {
   double import, build, draw, shade, write; /* seconds */
 };
 
-static enum hsr_status open_scene(struct render *r, struct hsr_error *err) {
+static enum hsr_status open_scene(struct render *r, bool lay_out,
+                                  struct hsr_error *err) {
   const struct options *o = r->options;
   double begin = seconds_now();
   struct hsr_import import = o->import;
@@ -218,7 +219,7 @@ static enum hsr_status open_scene(struct render *r, struct hsr_error *err) {
     status = hsr_view_init(&r->view, &camera, o->view.m * (int)o->supersamples,
                            o->view.n * (int)o->supersamples, err);
   if (!status)
-    status = hsr_world_init(&r->world, r->scene, err);
+    status = hsr_world_open(&r->world, r->scene, lay_out, err);
   r->build = seconds_now() - begin;
   return status;
 }
@@ -251,6 +252,7 @@ static enum hsr_status ask_for_colours(struct render *r,
 }
 
 static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
+                            const struct hsr_choice *choice,
                             struct hsr_error *err) {
   enum hsr_status status = answer_init(&r->answer, a, &r->view, err);
   if (status)
@@ -263,7 +265,7 @@ static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
     r->tally.work = r->work;
     r->tally.work_stride = (size_t)r->view.m;
   }
-  status = hsr_setup_init(&r->setup, a, &r->world, err);
+  status = hsr_setup_init(&r->setup, a, choice, &r->world, err);
   if (!status && a->flags & HSR_TRANSPARENCY && is_transparent(r->scene))
     status = ask_for_colours(r, err);
   if (!status)
@@ -281,12 +283,11 @@ static enum hsr_status shade(struct render *r, struct hsr_error *err) {
     r->rgb = malloc(3 * n * sizeof *r->rgb);
   if (!r->depth || !r->rgb)
     return hsr_fail_nomem(err);
-  hsr_picture_depth(&r->world, &r->view, r->answer.ids, r->depth);
-  if (by_ids)
-    hsr_picture_shade(&r->world, &r->view, r->answer.ids, r->options->shading,
-                      r->rgb);
+  enum hsr_status status = hsr_picture_finish(
+      &r->world, &r->view, r->answer.ids, r->options->shading, r->depth,
+      by_ids ? r->rgb : NULL, err);
   r->shade = seconds_now() - begin;
-  return HSR_OK;
+  return status;
 }
 
 /* Averages the colours of s x s samples, in place. */
@@ -430,19 +431,19 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
   if (status)
     return status;
-  const struct hsr_listed *listed;
-  status = choose_algorithm(options.algorithm, &listed, err);
+  struct hsr_variant variant;
+  status = hsr_variant_parse(options.algorithm, &variant, err);
   if (!status)
-    status = check_kind(&options, listed->plain, err);
+    status = check_kind(&options, variant.listed->plain, err);
   if (status)
     return status;
   const struct hsr_algorithm *a =
-      options.work ? listed->counting : listed->plain;
+      options.work ? variant.listed->counting : variant.listed->plain;
 
   struct render r = {.options = &options};
-  status = open_scene(&r, err);
+  status = open_scene(&r, !(a->flags & HSR_INSTANCED), err);
   if (!status)
-    status = draw(&r, a, err);
+    status = draw(&r, a, &variant.choice, err);
   if (!status)
     status = finish(&r, a, err);
   if (!status)

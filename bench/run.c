@@ -45,17 +45,17 @@ void answer_free(struct answer *answer) {
   hsr_drawing_free(&answer->drawing);
 }
 
-/* The picture in bands of rows, taken by whoever is free. */
-struct bands {
+/* The picture in parts, bands of rows or squares, taken by whoever is free. */
+struct parts {
   const struct hsr_setup *setup;
   const struct hsr_view *view;
   struct answer *answer;
-  int height;
+  int width, height, across, all;
   atomic_int next;
 };
 
 struct worker {
-  struct bands *bands;
+  struct parts *parts;
   pthread_t thread;
   bool started;
   struct hsr_arena scratch;
@@ -87,26 +87,32 @@ void crew_free(struct crew *crew) {
   free(crew);
 }
 
+/* The view of part k alone. */
+static struct hsr_view view_of_part(const struct parts *parts, int k) {
+  struct hsr_view view = *parts->view;
+  struct hsr_window *w = &view.window;
+  w->x0 += k % parts->across * parts->width;
+  w->y0 += k / parts->across * parts->height;
+  if (w->x1 - w->x0 > parts->width)
+    w->x1 = w->x0 + parts->width;
+  if (w->y1 - w->y0 > parts->height)
+    w->y1 = w->y0 + parts->height;
+  return view;
+}
+
 static void *work(void *argument) {
   struct worker *worker = argument;
-  struct bands *bands = worker->bands;
-  const struct hsr_window *all = &bands->view->window;
-  for (;;) {
-    int y0 = all->y0 + bands->height * atomic_fetch_add(&bands->next, 1);
-    if (y0 >= all->y1)
-      break;
-    struct hsr_view view = *bands->view;
-    view.window.y0 = y0;
-    if (y0 + bands->height < all->y1)
-      view.window.y1 = y0 + bands->height;
+  struct parts *parts = worker->parts;
+  for (int k; (k = atomic_fetch_add(&parts->next, 1)) < parts->all;) {
+    struct hsr_view view = view_of_part(parts, k);
     hsr_arena_reset(&worker->scratch);
     struct hsr_job job = {.view = &view,
                           .scratch = &worker->scratch,
                           .tally = &worker->tally,
-                          .ids = bands->answer->ids,
+                          .ids = parts->answer->ids,
                           .ids_stride = (size_t)view.m,
-                          .drawing = &bands->answer->drawing};
-    worker->status = hsr_setup_render(bands->setup, &job, &worker->err);
+                          .drawing = &parts->answer->drawing};
+    worker->status = hsr_setup_render(parts->setup, &job, &worker->err);
     if (worker->status)
       break;
   }
@@ -114,9 +120,9 @@ static void *work(void *argument) {
 }
 
 /* Where no thread can be had, the first one does the work. */
-static void start(struct worker *worker, struct bands *bands,
+static void start(struct worker *worker, struct parts *parts,
                   const struct hsr_tally *tally, bool in_thread) {
-  worker->bands = bands;
+  worker->parts = parts;
   worker->status = HSR_OK;
   worker->tally = (struct hsr_tally){.work = tally->work,
                                      .work_stride = tally->work_stride,
@@ -126,21 +132,30 @@ static void start(struct worker *worker, struct bands *bands,
       in_thread && !pthread_create(&worker->thread, NULL, work, worker);
 }
 
+/* Into squares, if so chosen; else into bands for several threads. */
+static void divide(struct parts *parts, long threads) {
+  const struct hsr_window *w = &parts->view->window;
+  int columns = w->x1 - w->x0, rows = w->y1 - w->y0;
+  int window = (int)parts->setup->choice.window;
+  parts->width = window ? window : columns;
+  parts->height = window        ? window
+                  : threads > 1 ? rows / (int)(4 * threads) + 1
+                                : rows;
+  parts->across = (columns + parts->width - 1) / parts->width;
+  parts->all = parts->across * ((rows + parts->height - 1) / parts->height);
+}
+
 enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
                             const struct hsr_view *view, struct answer *answer,
                             struct hsr_tally *tally, struct hsr_error *err) {
-  bool whole = setup->algorithm->flags & HSR_FRAME_STATE ||
-               setup->algorithm->kind == HSR_SEGMENTS;
+  bool whole =
+      setup->flags & HSR_FRAME_STATE || setup->algorithm->kind == HSR_SEGMENTS;
   long threads = whole ? 1 : crew->n;
-  int rows = view->window.y1 - view->window.y0;
   hsr_drawing_clear(&answer->drawing);
-  struct bands bands = {.setup = setup,
-                        .view = view,
-                        .answer = answer,
-                        .height =
-                            threads > 1 ? rows / (int)(4 * threads) + 1 : rows};
+  struct parts parts = {.setup = setup, .view = view, .answer = answer};
+  divide(&parts, threads);
   for (long k = 0; k < threads; k++)
-    start(&crew->worker[k], &bands, tally, k > 0);
+    start(&crew->worker[k], &parts, tally, k > 0);
   work(&crew->worker[0]);
   enum hsr_status status = HSR_OK;
   for (long k = 0; k < threads; k++) {

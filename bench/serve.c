@@ -132,13 +132,16 @@ static enum hsr_status shade_and_write(const struct served *served, float *rgb,
                                        struct hsr_error *err) {
   const struct stage *stage = served->stage;
   double begin = seconds_now();
-  hsr_picture_shade(&stage->world, &stage->view, served->ids, HSR_SHADE_LAMBERT,
-                    rgb);
+  enum hsr_status status =
+      hsr_picture_finish(&stage->world, &stage->view, served->ids,
+                         HSR_SHADE_LAMBERT, NULL, rgb, err);
+  if (status)
+    return status;
   printf("{\"shade\": %.9g, \"write\": ", seconds_now() - begin);
   struct hsr_picture picture = {
       .m = stage->view.m, .n = stage->view.n, .ids = served->ids, .rgb = rgb};
   char path[4096];
-  enum hsr_status status = HSR_E_INPUT;
+  status = HSR_E_INPUT;
   if (make_file(path, sizeof path)) {
     begin = seconds_now();
     status = hsr_image_write(path, &picture, NULL, err);

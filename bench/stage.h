@@ -16,10 +16,11 @@ struct stage {
 };
 
 /* Opens the scene that a user names and looks at it from its view `view`, from
- * 1; a scene that has fewer gets further ones on an orbit. To be closed also
+ * 1; a scene that has fewer gets further ones on an orbit. Its faces are laid
+ * out as hsr_world_open says. To be closed also
  * after a failure: whatever hsr_scene_open and hsr_view_init fail with. */
-enum hsr_status stage_open(struct stage *stage, const char *scene, long view,
-                           int m, int n, struct hsr_error *err);
+enum hsr_status stage_open(struct stage *stage, const char *scene, bool lay_out,
+                           long view, int m, int n, struct hsr_error *err);
 void stage_close(struct stage *stage);
 
 #endif

@@ -127,12 +127,10 @@ enum hsr_status measure_table1(const struct hsr_world *world,
   struct answer answer = {.ids = NULL};
   struct hsr_tally tally = {.out_of_memory = false};
   struct hsr_setup setup = {.algorithm = NULL};
-  const struct hsr_listed *zbuffer;
-  enum hsr_status status = choose_algorithm("zbuffer", &zbuffer, err);
+  const struct hsr_listed *zbuffer = hsr_algorithm_find("zbuffer");
+  enum hsr_status status = answer_init(&answer, zbuffer->plain, view, err);
   if (!status)
-    status = answer_init(&answer, zbuffer->plain, view, err);
-  if (!status)
-    status = hsr_setup_init(&setup, zbuffer->plain, world, err);
+    status = hsr_setup_init(&setup, zbuffer->plain, NULL, world, err);
   if (!status)
     status = render_view(&setup, view, 1, &answer, &tally, NULL, err);
   if (setup.algorithm)

@@ -46,19 +46,21 @@ static enum hsr_status serve_setup(const struct serve_request *request,
 
 enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err) {
   struct serve_request request;
-  const struct hsr_listed *listed;
+  struct hsr_variant variant;
   enum hsr_status status = serve_parse(argc, argv, &request, err);
   if (!status)
-    status = choose_algorithm(request.name, &listed, err);
+    status = hsr_variant_parse(request.name, &variant, err);
   if (status)
     return status;
   struct stage stage;
-  status = stage_open(&stage, request.scene, request.view, request.m, request.n,
-                      err);
+  bool lay_out = !(variant.listed->plain->flags & HSR_INSTANCED);
+  status = stage_open(&stage, request.scene, lay_out, request.view, request.m,
+                      request.n, err);
   if (!status) {
     long before = memory_kb();
     struct hsr_setup setup;
-    status = hsr_setup_init(&setup, listed->plain, &stage.world, err);
+    status = hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
+                            &stage.world, err);
     if (!status)
       status = serve_setup(&request, &stage, &setup, before, err);
     hsr_setup_free(&setup);

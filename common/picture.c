@@ -2,6 +2,8 @@
 #include "common/picture.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 static const float BACKGROUND[3] = {0.055f, 0.07f, 0.10f};
 
@@ -46,12 +48,17 @@ static void id_colour(uint32_t id, float rgb[3]) {
     rgb[k] = 0.15f + 0.8f * (float)(h >> (8 * k) & 255) / 255;
 }
 
+static uint32_t scene_id(const struct hsr_world *world, uint32_t f) {
+  return world->id ? world->id[f] : f;
+}
+
 static void face_colour(const struct hsr_world *world, uint32_t f,
                         float rgb[3]) {
   const struct hsr_object *object = &world->scene->objects[world->object[f]];
   const float *colour = object->colour;
   if (object->rgb)
-    colour = object->rgb + 3 * (size_t)(f - world->first[world->instance[f]]);
+    colour = object->rgb + 3 * (size_t)(scene_id(world, f) -
+                                        world->first[world->instance[f]]);
   for (int k = 0; k < 3; k++)
     rgb[k] = colour[k];
 }
@@ -83,7 +90,7 @@ void hsr_picture_colour(const struct hsr_world *world,
     for (int c = 0; c < 3; c++)
       rgb[c] = BACKGROUND[c];
   } else if (shading == HSR_SHADE_IDS) {
-    id_colour(id, rgb);
+    id_colour(scene_id(world, id), rgb);
   } else {
     float light = shading == HSR_SHADE_LAMBERT ? lambert(world, view, id) : 1;
     face_colour(world, id, rgb);
@@ -106,4 +113,74 @@ void hsr_picture_shade(const struct hsr_world *world,
     for (int c = 0; c < 3; c++)
       rgb[3 * k + (size_t)c] = colour[c];
   }
+}
+
+/* --- Of an outline ------------------------------------------------------- */
+
+/* The faces that are in a picture, laid out, and the picture by their numbers
+ * there. */
+struct seen {
+  struct hsr_world world;
+  uint32_t *id;  /* the scene's ids of the faces, ascending */
+  uint32_t *ids; /* the picture */
+};
+
+static int compare_ids(const void *a, const void *b) {
+  uint32_t f = *(const uint32_t *)a, g = *(const uint32_t *)b;
+  return (f > g) - (f < g);
+}
+
+/* The different faces of a picture, ascending, into id[]; how many. */
+static uint32_t find_seen(const uint32_t *ids, size_t n, uint32_t *id) {
+  memcpy(id, ids, n * sizeof *id);
+  qsort(id, n, sizeof *id, compare_ids);
+  uint32_t kept = 0;
+  for (size_t k = 0; k < n && id[k] != HSR_BACKGROUND; k++)
+    if (!kept || id[k] != id[kept - 1])
+      id[kept++] = id[k];
+  return kept;
+}
+
+static enum hsr_status seen_init(struct seen *seen,
+                                 const struct hsr_world *world,
+                                 const uint32_t *ids, size_t n,
+                                 struct hsr_error *err) {
+  seen->id = malloc(n * sizeof *seen->id);
+  seen->ids = malloc(n * sizeof *seen->ids);
+  if (!seen->id || !seen->ids)
+    return hsr_fail_nomem(err);
+  uint32_t n_seen = find_seen(ids, n, seen->id);
+  for (size_t k = 0; k < n; k++) {
+    const uint32_t *place =
+        bsearch(&ids[k], seen->id, n_seen, sizeof *seen->id, compare_ids);
+    seen->ids[k] = place ? (uint32_t)(place - seen->id) : HSR_BACKGROUND;
+  }
+  return hsr_world_extract(&seen->world, world, seen->id, n_seen, err);
+}
+
+static void seen_free(struct seen *seen) {
+  hsr_world_free(&seen->world);
+  free(seen->id);
+  free(seen->ids);
+}
+
+enum hsr_status hsr_picture_finish(const struct hsr_world *world,
+                                   const struct hsr_view *view,
+                                   const uint32_t *ids,
+                                   enum hsr_shading shading, float *depth,
+                                   float *rgb, struct hsr_error *err) {
+  struct seen seen = {.ids = NULL};
+  enum hsr_status status = HSR_OK;
+  if (hsr_is_outline(world)) {
+    status =
+        seen_init(&seen, world, ids, (size_t)view->m * (size_t)view->n, err);
+    world = &seen.world;
+    ids = seen.ids;
+  }
+  if (!status && depth)
+    hsr_picture_depth(world, view, ids, depth);
+  if (!status && rgb)
+    hsr_picture_shade(world, view, ids, shading, rgb);
+  seen_free(&seen);
+  return status;
 }

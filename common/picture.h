@@ -42,6 +42,15 @@ void hsr_picture_shade(const struct hsr_world *world,
                        const struct hsr_view *view, const uint32_t *ids,
                        enum hsr_shading shading, float *rgb);
 
+/* Both of these, unless depth or rgb is NULL, also of a world that is an
+ * outline: the faces in the picture are laid out for it. HSR_E_NOMEM;
+ * HSR_E_INPUT as hsr_world_extract. */
+enum hsr_status hsr_picture_finish(const struct hsr_world *world,
+                                   const struct hsr_view *view,
+                                   const uint32_t *ids,
+                                   enum hsr_shading shading, float *depth,
+                                   float *rgb, struct hsr_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -45,9 +45,10 @@ enum hsr_status hsr_world_allocate(struct hsr_world *world) {
   world->vertex = HSR_NEW(arena, uint32_t, nc);
   world->object = HSR_NEW(arena, uint32_t, nf);
   world->instance = HSR_NEW(arena, uint32_t, nf);
-  world->first =
-      HSR_NEW(arena, uint32_t, (size_t)world->scene->n_instances + 1);
   world->one_sided = HSR_NEW(arena, bool, nf);
+  if (!world->first)
+    world->first =
+        HSR_NEW(arena, uint32_t, (size_t)world->scene->n_instances + 1);
   world->nx = HSR_NEW(arena, double, nf);
   world->ny = HSR_NEW(arena, double, nf);
   world->nz = HSR_NEW(arena, double, nf);
@@ -60,33 +61,49 @@ enum hsr_status hsr_world_allocate(struct hsr_world *world) {
   world->plane = HSR_NEW(arena, uint32_t, nf);
   bool all = world->x && world->y && world->z && world->start &&
              world->vertex && world->object && world->instance &&
-             world->first && world->one_sided && world->nx && world->ny &&
+             world->one_sided && world->first && world->nx && world->ny &&
              world->nz && world->n_error && world->px && world->py &&
              world->pz && world->anchor_error && world->deviation &&
              world->plane;
   return all ? HSR_OK : HSR_E_NOMEM;
 }
 
-/* Counts what the instances hold. */
-static enum hsr_status measure(struct hsr_world *world, struct hsr_error *err) {
+/* Counts the faces, and numbers them by instances. */
+static enum hsr_status number_faces(struct hsr_world *world,
+                                    struct hsr_error *err) {
   const struct hsr_scene *scene = world->scene;
-  uint64_t nv = 0, nf = 0, nc = 0;
+  world->first =
+      HSR_NEW(&world->arena, uint32_t, (size_t)scene->n_instances + 1);
+  if (!world->first)
+    return hsr_fail_nomem(err);
   world->all_triangles = true;
   for (uint32_t i = 0; i < scene->n_instances; i++) {
     const struct hsr_object *object =
         &scene->objects[scene->instances[i].object];
-    nv += object->n_vertices;
-    nf += object->n_faces;
-    nc += object->start[object->n_faces];
+    world->first[i] = world->n_faces;
+    world->n_faces += object->n_faces;
     if (object->start[object->n_faces] != 3 * (uint64_t)object->n_faces)
       world->all_triangles = false;
   }
-  if (nv >= UINT32_MAX || nf >= UINT32_MAX || nc >= UINT32_MAX)
+  world->first[scene->n_instances] = world->n_faces;
+  return HSR_OK;
+}
+
+/* Counts what the faces consist of. */
+static enum hsr_status measure(struct hsr_world *world, struct hsr_error *err) {
+  const struct hsr_scene *scene = world->scene;
+  uint64_t nv = 0, nc = 0;
+  for (uint32_t i = 0; i < scene->n_instances; i++) {
+    const struct hsr_object *object =
+        &scene->objects[scene->instances[i].object];
+    nv += object->n_vertices;
+    nc += object->start[object->n_faces];
+  }
+  if (nv >= UINT32_MAX || nc >= UINT32_MAX)
     return hsr_fail(err, HSR_E_NOMEM,
-                    "the scene is too large to be expanded: %llu faces",
-                    (unsigned long long)nf);
+                    "the scene is too large to be laid out: %u faces",
+                    world->n_faces);
   world->n_vertices = (uint32_t)nv;
-  world->n_faces = (uint32_t)nf;
   world->n_corners = (uint32_t)nc;
   return HSR_OK;
 }
@@ -120,13 +137,11 @@ static void expand(struct hsr_world *world) {
     const struct hsr_object *object =
         &scene->objects[scene->instances[i].object];
     expand_instance(world, i, v, f, c);
-    world->first[i] = f;
     v += object->n_vertices;
     f += object->n_faces;
     c += object->start[object->n_faces];
   }
   world->start[f] = c;
-  world->first[scene->n_instances] = f;
 }
 
 /* Newell's normal and the anchor of face f, with their errors. */
@@ -322,16 +337,8 @@ static enum hsr_status classify_planes(struct hsr_world *world) {
   return out_of_memory ? HSR_E_NOMEM : HSR_OK;
 }
 
-enum hsr_status hsr_world_init(struct hsr_world *world,
-                               const struct hsr_scene *scene,
-                               struct hsr_error *err) {
-  *world = (struct hsr_world){.scene = scene};
-  enum hsr_status status = measure(world, err);
-  if (status)
-    return status;
-  if (hsr_world_allocate(world))
-    return hsr_fail_nomem(err);
-  expand(world);
+/* Planes and what the algorithms assume, of faces that are laid out. */
+static enum hsr_status finish(struct hsr_world *world, struct hsr_error *err) {
   for (uint32_t f = 0; f < world->n_faces; f++)
     find_plane(world, f);
   bool out_of_memory = false;
@@ -339,12 +346,119 @@ enum hsr_status hsr_world_init(struct hsr_world *world,
     world->deviation[f] = find_deviation(world, f, &out_of_memory);
   if (out_of_memory)
     return hsr_fail_nomem(err);
-  status = check(world, err);
+  enum hsr_status status = check(world, err);
   if (status)
     return status;
   return classify_planes(world) ? hsr_fail_nomem(err) : HSR_OK;
 }
 
+enum hsr_status hsr_world_init(struct hsr_world *world,
+                               const struct hsr_scene *scene,
+                               struct hsr_error *err) {
+  enum hsr_status status = hsr_world_outline(world, scene, err);
+  if (!status)
+    status = measure(world, err);
+  if (status)
+    return status;
+  if (hsr_world_allocate(world))
+    return hsr_fail_nomem(err);
+  expand(world);
+  return finish(world, err);
+}
+
 void hsr_world_free(struct hsr_world *world) {
   hsr_arena_free(&world->arena);
+}
+
+/* --- Outlines ------------------------------------------------------------ */
+
+enum hsr_status hsr_world_outline(struct hsr_world *world,
+                                  const struct hsr_scene *scene,
+                                  struct hsr_error *err) {
+  *world = (struct hsr_world){.scene = scene};
+  return number_faces(world, err);
+}
+
+enum hsr_status hsr_world_open(struct hsr_world *world,
+                               const struct hsr_scene *scene, bool lay_out,
+                               struct hsr_error *err) {
+  uint64_t n = 0;
+  for (uint32_t i = 0; i < scene->n_instances; i++)
+    n += scene->objects[scene->instances[i].object].n_faces;
+  return lay_out && n <= HSR_MOST_LAID_OUT
+             ? hsr_world_init(world, scene, err)
+             : hsr_world_outline(world, scene, err);
+}
+
+uint32_t hsr_instance_of(const struct hsr_world *world, uint32_t f) {
+  uint32_t lo = 0,
+           hi = world->scene->n_instances; /* first[lo] <= f < first[hi] */
+  while (hi - lo > 1) {
+    uint32_t middle = lo + (hi - lo) / 2;
+    if (world->first[middle] <= f)
+      lo = middle;
+    else
+      hi = middle;
+  }
+  return lo;
+}
+
+/* A face in its object. */
+struct place {
+  uint32_t instance;
+  const struct hsr_object *object;
+  uint32_t face; /* of the object */
+};
+
+static struct place place_of(const struct hsr_world *world, uint32_t id) {
+  uint32_t i = hsr_instance_of(world, id);
+  return (struct place){
+      i, &world->scene->objects[world->scene->instances[i].object],
+      id - world->first[i]};
+}
+
+static uint32_t size_of(const struct place *at) {
+  return at->object->start[at->face + 1] - at->object->start[at->face];
+}
+
+/* Lays out face f, with vertices of its own. */
+static void extract_face(struct hsr_world *out, uint32_t f) {
+  struct place at = place_of(out, out->id[f]);
+  const struct hsr_instance *instance = &out->scene->instances[at.instance];
+  const uint32_t *vertex = at.object->vertex + at.object->start[at.face];
+  out->start[f + 1] = out->start[f] + size_of(&at);
+  for (uint32_t c = out->start[f]; c < out->start[f + 1]; c++, vertex++) {
+    double p[3];
+    hsr_instance_vertex(instance->m, at.object->xyz + 3 * (size_t)*vertex, p);
+    out->x[c] = p[0];
+    out->y[c] = p[1];
+    out->z[c] = p[2];
+    out->vertex[c] = c;
+  }
+  out->object[f] = instance->object;
+  out->instance[f] = at.instance;
+  out->one_sided[f] = at.object->one_sided;
+}
+
+enum hsr_status hsr_world_extract(struct hsr_world *out,
+                                  const struct hsr_world *world,
+                                  const uint32_t *id, uint32_t n,
+                                  struct hsr_error *err) {
+  *out = (struct hsr_world){.scene = world->scene,
+                            .n_faces = n,
+                            .first = world->first,
+                            .id = id,
+                            .all_triangles = true};
+  for (uint32_t f = 0; f < n; f++) {
+    struct place at = place_of(world, id[f]);
+    out->n_corners += size_of(&at);
+    out->all_triangles &= size_of(&at) == 3;
+  }
+  out->n_vertices = out->n_corners;
+  if (hsr_world_allocate(out))
+    return hsr_fail_nomem(err);
+  out->start[0] = 0;
+  for (uint32_t f = 0; f < n; f++)
+    extract_face(out, f);
+  return finish(out, err);
 }

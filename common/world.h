@@ -8,7 +8,9 @@
  * Equal       faces on exactly the same plane share a plane class, so their
  *             ties are decided by comparing two integers.
  * Pieces      the faces of one world may be divided into those of another: see
- *             common/pieces.h. A piece lies on its parent's plane. */
+ *             common/pieces.h. A piece lies on its parent's plane.
+ * Outline     of a scene with too many instances to be laid out there is only
+ *             an outline: which ids belong to which instance. */
 #ifndef HSR_COMMON_WORLD_H
 #define HSR_COMMON_WORLD_H
 
@@ -24,6 +26,12 @@ struct hsr_world {
   const struct hsr_scene *scene; /* borrowed; outlives the world */
   uint32_t n_vertices, n_faces, n_corners;
 
+  /* Of an outline there is this, and nothing below but all_triangles. */
+  uint32_t *first; /* n_instances + 1: the first face of each instance */
+
+  /* Of an extract, the scene's id of each face; else NULL: its number. */
+  const uint32_t *id;
+
   /* Vertices, world units, exact as they stand. */
   double *x, *y, *z; /* n_vertices */
 
@@ -32,7 +40,6 @@ struct hsr_world {
   uint32_t *vertex;   /* n_corners */
   uint32_t *object;   /* n_faces: index into scene->objects */
   uint32_t *instance; /* n_faces: index into scene->instances */
-  uint32_t *first;    /* n_instances + 1: the first face of each instance */
   bool *one_sided;    /* n_faces: exists only when seen from its front */
   bool all_triangles;
 
@@ -65,8 +72,37 @@ enum hsr_status hsr_world_init(struct hsr_world *world,
                                struct hsr_error *err);
 void hsr_world_free(struct hsr_world *world);
 
-/* For those who make worlds: allocates every array, the sizes being set.
+/* The outline of a finished scene; n_vertices and n_corners are 0. *world is
+ * written in full, and freed with hsr_world_free also after a failure.
  * HSR_E_NOMEM. */
+enum hsr_status hsr_world_outline(struct hsr_world *world,
+                                  const struct hsr_scene *scene,
+                                  struct hsr_error *err);
+
+/* hsr_world_init, or hsr_world_outline where the faces need not be laid out or
+ * are more than this. */
+#define HSR_MOST_LAID_OUT (1u << 25)
+enum hsr_status hsr_world_open(struct hsr_world *world,
+                               const struct hsr_scene *scene, bool lay_out,
+                               struct hsr_error *err);
+
+/* Lays out n faces of a scene: face k of *out is face id[k] of `world`, an
+ * outline or not, and no two share a vertex. `id` and `world` are borrowed and
+ * outlive *out. HSR_E_NOMEM; HSR_E_INPUT as hsr_world_init. */
+enum hsr_status hsr_world_extract(struct hsr_world *out,
+                                  const struct hsr_world *world,
+                                  const uint32_t *id, uint32_t n,
+                                  struct hsr_error *err);
+
+static inline bool hsr_is_outline(const struct hsr_world *world) {
+  return !world->start;
+}
+
+/* The instance that face f belongs to. */
+uint32_t hsr_instance_of(const struct hsr_world *world, uint32_t f);
+
+/* For those who make worlds: allocates every array, the sizes being set;
+ * `first` only if it is NULL. HSR_E_NOMEM. */
 enum hsr_status hsr_world_allocate(struct hsr_world *world);
 
 /* Number of vertices of face f. */

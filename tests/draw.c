@@ -13,7 +13,7 @@ static void draw(const struct hsr_algorithm *algorithm,
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_tally own = {.out_of_memory = false};
   struct hsr_setup setup;
-  enum hsr_status status = hsr_setup_init(&setup, algorithm, world, &err);
+  enum hsr_status status = hsr_setup_init(&setup, algorithm, NULL, world, &err);
   job.scratch = &scratch;
   if (!job.tally)
     job.tally = &own;

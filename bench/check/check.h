@@ -14,7 +14,7 @@ struct check_options {
   const char *scene[MOST_SCENES];
   int n_scenes;
   int m[MOST_SIZES], n[MOST_SIZES], n_sizes;
-  const struct hsr_listed *algorithm[MOST_ALGORITHMS];
+  struct hsr_variant algorithm[MOST_ALGORITHMS];
   int n_algorithms;
   long views, jobs, timeout;
   bool json, failures_only;

@@ -34,18 +34,17 @@ static error_t add_sizes(struct check_options *o, char *arg) {
 
 static error_t add_algorithms(struct check_options *o, char *arg) {
   for (char *name = strtok(arg, ","); name; name = strtok(NULL, ",")) {
-    const struct hsr_listed *listed;
-    if (choose_algorithm(name, &listed, o->base.err)) {
-      o->base.failed = true;
-      return EINVAL;
-    }
-    if (listed->plain->flags & HSR_NO_PICTURE ||
-        !oracle_of(listed->plain->kind))
-      return option_fail(&o->base, "check: %s draws nothing to compare", name);
     if (o->n_algorithms == MOST_ALGORITHMS)
       return option_fail(&o->base, "check: at most %d algorithms",
                          (int)MOST_ALGORITHMS);
-    o->algorithm[o->n_algorithms++] = listed;
+    struct hsr_variant *variant = &o->algorithm[o->n_algorithms++];
+    if (hsr_variant_parse(name, variant, o->base.err)) {
+      o->base.failed = true;
+      return EINVAL;
+    }
+    const struct hsr_algorithm *a = variant->listed->plain;
+    if (a->flags & HSR_NO_PICTURE || !oracle_of(a->kind))
+      return option_fail(&o->base, "check: %s draws nothing to compare", name);
   }
   return 0;
 }
@@ -139,7 +138,7 @@ static void set_standards(struct check_options *o) {
     for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
       if (oracle_of(a->plain->kind) &&
           !(a->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE)))
-        o->algorithm[o->n_algorithms++] = a;
+        o->algorithm[o->n_algorithms++] = hsr_variant_standard(a);
 }
 
 /* --- All groups of a scene --------------------------------------------------
@@ -147,7 +146,7 @@ static void set_standards(struct check_options *o) {
 
 static bool is_judged(const struct check_options *o, enum hsr_kind kind) {
   for (int a = 0; a < o->n_algorithms; a++)
-    if (o->algorithm[a]->plain->kind == kind)
+    if (o->algorithm[a].listed->plain->kind == kind)
       return true;
   return false;
 }
@@ -236,6 +235,14 @@ static enum hsr_status run_groups(const struct scene_run *run,
   return status;
 }
 
+/* Whether an algorithm takes the faces laid out only. */
+static bool needs_faces(const struct check_options *o) {
+  for (int a = 0; a < o->n_algorithms; a++)
+    if (!(o->algorithm[a].listed->plain->flags & HSR_INSTANCED))
+      return true;
+  return false;
+}
+
 static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
   const struct check_options *o = run->options;
   struct hsr_import import = o->import;
@@ -247,7 +254,7 @@ static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
                                  (unsigned)o->views - run->scene->n_views);
   if (status)
     return hsr_fail_nomem(err);
-  status = hsr_world_init(&run->world, run->scene, err);
+  status = hsr_world_open(&run->world, run->scene, needs_faces(o), err);
   if (status)
     return status;
   run->cells_size = (size_t)(o->n_sizes * (int)o->views * o->n_algorithms) *

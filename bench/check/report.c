@@ -8,7 +8,7 @@
 static void print_header(const struct check_options *o) {
   printf("%-22s %8s %9s %5s ", "scene", "faces", "samples", "views");
   for (int a = 0; a < o->n_algorithms; a++)
-    printf(" %9s", o->algorithm[a]->plain->name);
+    printf(" %9s", o->algorithm[a].name);
   puts("   mismatches");
 }
 
@@ -29,9 +29,9 @@ static void print_scene(const struct scene_run *run) {
         if (cell->verdict > worst || cell->verdict == PENDING)
           worst = cell->verdict;
       }
-      int width = (int)strlen(o->algorithm[a]->plain->name);
+      int width = (int)strlen(o->algorithm[a].name);
       width = width > 9 ? width : 9;
-      bool known = o->algorithm[a]->plain->flags & HSR_KNOWN_WRONG;
+      bool known = o->algorithm[a].listed->plain->flags & HSR_KNOWN_WRONG;
       char cell[32];
       snprintf(cell, sizeof cell, known && mismatches ? "(%llu)" : "%llu",
                (unsigned long long)mismatches);
@@ -56,11 +56,11 @@ static void print_difference(const struct scene_run *run, int size, int view,
                              int a) {
   const struct check_options *o = run->options;
   const struct cell *c = cell_at(run, size, view, a);
-  const struct hsr_algorithm *algorithm = o->algorithm[a]->plain;
+  const struct hsr_algorithm *algorithm = o->algorithm[a].listed->plain;
   if (c->verdict != WRONG || algorithm->flags & HSR_KNOWN_WRONG)
     return;
   printf("  wrong: %s, view %d, %dx%d, %s: %llu ", run->name, view + 1,
-         o->m[size], o->n[size], algorithm->name,
+         o->m[size], o->n[size], o->algorithm[a].name,
          (unsigned long long)c->mismatches);
   if (algorithm->kind == HSR_SEGMENTS) {
     printf("edges, the first ");
@@ -105,11 +105,11 @@ static json_t *cell_json(const struct scene_run *run, int size, int view,
                          int a) {
   const struct check_options *o = run->options;
   const struct cell *c = cell_at(run, size, view, a);
-  const struct hsr_algorithm *algorithm = o->algorithm[a]->plain;
+  const struct hsr_algorithm *algorithm = o->algorithm[a].listed->plain;
   return json_pack(
       "{ss si si si ss ss ss sI sb ss* so}", "scene", run->name, "view",
       view + 1, "width", o->m[size], "height", o->n[size], "algorithm",
-      algorithm->name, "kind", kind_name(algorithm->kind), "status",
+      o->algorithm[a].name, "kind", kind_name(algorithm->kind), "status",
       verdict_name(c->verdict), "mismatches", (json_int_t)c->mismatches,
       "known_wrong", (algorithm->flags & HSR_KNOWN_WRONG) != 0, "refusal",
       c->refusal[0] ? c->refusal : NULL, "adapted", adapted_json(c));
@@ -125,10 +125,10 @@ static enum hsr_status add_up(const struct scene_run *run,
         if (c->failure == HSR_E_NOMEM)
           return HSR_E_NOMEM;
         if (c->verdict == RIGHT || c->verdict == WRONG)
-          totals->compared[o->algorithm[a]->plain->kind] += c->compared;
+          totals->compared[o->algorithm[a].listed->plain->kind] += c->compared;
         totals->depths += c->depths_compared;
         totals->depths_exact += c->depths_exact;
-        if (o->algorithm[a]->plain->flags & HSR_KNOWN_WRONG &&
+        if (o->algorithm[a].listed->plain->flags & HSR_KNOWN_WRONG &&
             c->verdict == WRONG) {
           totals->expected += c->mismatches;
         } else {

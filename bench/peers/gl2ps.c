@@ -221,7 +221,7 @@ static enum hsr_status draw_right(const struct hsr_world *world,
   struct hsr_job job = {
       .view = view, .scratch = &scratch, .tally = &tally, .drawing = drawing};
   enum hsr_status status = hsr_setup_init(
-      &setup, hsr_algorithm_find("line-oracle")->plain, world, err);
+      &setup, hsr_algorithm_find("line-oracle")->plain, NULL, world, err);
   if (!status)
     status = hsr_setup_render(&setup, &job, err);
   hsr_setup_free(&setup);

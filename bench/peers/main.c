@@ -132,8 +132,8 @@ static enum hsr_status make_canvas(struct run *run, struct hsr_error *err) {
 }
 
 static enum hsr_status set_up(struct run *run, struct hsr_error *err) {
-  enum hsr_status status =
-      hsr_setup_init(&run->setup, run->peer->demands, &run->stage.world, err);
+  enum hsr_status status = hsr_setup_init(&run->setup, run->peer->demands, NULL,
+                                          &run->stage.world, err);
   if (!status)
     status = make_canvas(run, err);
   double begin = seconds_now();
@@ -150,8 +150,9 @@ run_peer(const struct peer *peer, const struct serve_request *request,
   if (request->threads > 1 && !peer->many_threads)
     return hsr_fail(err, HSR_E_REFUSED, "%s draws on one thread", peer->name);
   struct run run = {.peer = peer, .request = request};
-  enum hsr_status status = stage_open(&run.stage, request->scene, request->view,
-                                      request->m, request->n, err);
+  enum hsr_status status =
+      stage_open(&run.stage, request->scene, true, request->view, request->m,
+                 request->n, err);
   if (!status) {
     run.before_kb = memory_kb();
     status = set_up(&run, err);

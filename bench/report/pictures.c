@@ -86,7 +86,7 @@ static enum hsr_status draw(struct view_picture *p,
   if (!status)
     status = answer_init(&answer, a, &p->stage.view, err);
   if (!status) {
-    status = hsr_setup_init(&setup, a, &p->stage.world, err);
+    status = hsr_setup_init(&setup, a, NULL, &p->stage.world, err);
     if (!status)
       status =
           render_view(&setup, &p->stage.view, 1, &answer, &tally, NULL, err);
@@ -360,8 +360,9 @@ static enum hsr_status open_view(struct view_picture *p, const json_t *view,
                                  struct hsr_error *err) {
   int m, n;
   size_of(p->report, view, &m, &n);
-  enum hsr_status status = stage_open(&p->stage, results_text(view, "scene"),
-                                      results_number(view, "view"), m, n, err);
+  enum hsr_status status =
+      stage_open(&p->stage, results_text(view, "scene"), true,
+                 results_number(view, "view"), m, n, err);
   if (status)
     return status;
   p->n = (size_t)m * (size_t)n;

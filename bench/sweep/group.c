@@ -78,7 +78,7 @@ enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
 
 static void judge_kind(const struct place_run *run, enum hsr_kind kind) {
   const struct sweep_options *o = run->sweep->plan->options;
-  const struct hsr_listed *algorithm[SWEEP_MOST_ENTRANTS];
+  struct hsr_variant algorithm[SWEEP_MOST_ENTRANTS];
   long threads[SWEEP_MOST_ENTRANTS];
   struct group group = {.algorithm = algorithm,
                         .threads = threads,
@@ -91,7 +91,8 @@ static void judge_kind(const struct place_run *run, enum hsr_kind kind) {
                         .picture = kind == HSR_IDS ? run->picture : NULL};
   /* Peers stand behind all algorithms. */
   for (int k = 0; k < run->n && run->entrant[k]->listed; k++) {
-    algorithm[k] = run->entrant[k]->listed;
+    algorithm[k].listed = run->entrant[k]->listed;
+    algorithm[k].choice = run->entrant[k]->choice;
     threads[k] = run->entrant[k]->threads;
     group.n_algorithms++;
   }
@@ -397,14 +398,24 @@ static bool has_peers(const struct place_run *run) {
   return run->n && !run->entrant[run->n - 1]->listed;
 }
 
+/* Whether someone takes the faces laid out only. */
+static bool needs_faces(const struct place_run *run) {
+  for (int k = 0; k < run->n; k++) {
+    const struct hsr_listed *listed = run->entrant[k]->listed;
+    if (!listed || !(listed->plain->flags & HSR_INSTANCED))
+      return true;
+  }
+  return false;
+}
+
 static enum hsr_status open_place(struct place_run *run,
                                   struct hsr_error *err) {
   const struct place *p = &run->place;
-  enum hsr_status status =
-      stage_open(&run->stage, p->scene, p->view, p->m, p->n, err);
+  enum hsr_status status = stage_open(&run->stage, p->scene, needs_faces(run),
+                                      p->view, p->m, p->n, err);
   if (status)
     return status;
-  hash_world(&run->stage.world, run->scene_hash);
+  hash_scene(run->stage.scene, run->scene_hash);
   status = check_scene(run, err);
   if (status)
     return status;

@@ -40,15 +40,22 @@ void hash_program(char hash[17]) {
   print_hash(sum, hash);
 }
 
-void hash_world(const struct hsr_world *world, char hash[17]) {
+void hash_scene(const struct hsr_scene *scene, char hash[17]) {
   uint64_t sum = HASH_EMPTY;
-  sum = hash_bytes(sum, world->x, world->n_vertices * sizeof *world->x);
-  sum = hash_bytes(sum, world->y, world->n_vertices * sizeof *world->y);
-  sum = hash_bytes(sum, world->z, world->n_vertices * sizeof *world->z);
-  sum = hash_bytes(sum, world->first,
-                   ((size_t)world->n_faces + 1) * sizeof *world->first);
-  sum =
-      hash_bytes(sum, world->vertex, world->n_corners * sizeof *world->vertex);
+  for (uint32_t o = 0; o < scene->n_objects; o++) {
+    const struct hsr_object *object = &scene->objects[o];
+    sum = hash_bytes(sum, object->xyz,
+                     3 * (size_t)object->n_vertices * sizeof *object->xyz);
+    sum = hash_bytes(sum, object->start,
+                     ((size_t)object->n_faces + 1) * sizeof *object->start);
+    sum = hash_bytes(sum, object->vertex,
+                     object->start[object->n_faces] * sizeof *object->vertex);
+  }
+  for (uint32_t i = 0; i < scene->n_instances; i++) {
+    const struct hsr_instance *instance = &scene->instances[i];
+    sum = hash_bytes(sum, &instance->object, sizeof instance->object);
+    sum = hash_bytes(sum, instance->m, sizeof instance->m);
+  }
   print_hash(sum, hash);
 }
 

@@ -106,7 +106,7 @@ static bool is_there(const struct plan *plan, const char *name, long threads) {
 
 /* One that works on one thread only takes part only so. */
 static enum hsr_status add_entrant(struct plan *plan, const char *name,
-                                   const struct hsr_listed *listed,
+                                   const struct hsr_variant *variant,
                                    const char *kind, bool single,
                                    struct hsr_error *err) {
   const struct sweep_options *o = plan->options;
@@ -117,23 +117,35 @@ static enum hsr_status add_entrant(struct plan *plan, const char *name,
     if (plan->n_entrants == SWEEP_MOST_ENTRANTS)
       return hsr_fail(err, HSR_E_USAGE, "bench: at most %d algorithms",
                       (int)SWEEP_MOST_ENTRANTS);
-    plan->entrant[plan->n_entrants++] = (struct entrant){
-        .name = name, .listed = listed, .kind = kind, .threads = threads};
+    struct entrant *entrant = &plan->entrant[plan->n_entrants++];
+    *entrant = (struct entrant){.name = name, .kind = kind, .threads = threads};
+    if (variant) {
+      entrant->listed = variant->listed;
+      entrant->choice = variant->choice;
+    }
   }
   return HSR_OK;
 }
 
-static enum hsr_status add_algorithm(struct plan *plan,
-                                     const struct hsr_listed *listed,
+static enum hsr_status add_algorithm(struct plan *plan, const char *name,
+                                     const struct hsr_variant *variant,
                                      struct hsr_error *err) {
-  const struct hsr_algorithm *a = listed->plain;
-  return add_entrant(plan, a->name, listed,
-                     a->flags & HSR_NO_PICTURE ? "none" : kind_name(a->kind),
-                     a->flags & HSR_FRAME_STATE || a->kind == HSR_SEGMENTS,
-                     err);
+  const struct hsr_algorithm *a = variant->listed->plain;
+  unsigned flags = hsr_choice_flags(a, &variant->choice);
+  return add_entrant(plan, name, variant,
+                     flags & HSR_NO_PICTURE ? "none" : kind_name(a->kind),
+                     flags & HSR_FRAME_STATE || a->kind == HSR_SEGMENTS, err);
 }
 
-/* Judges take part only where they are named. */
+static enum hsr_status add_standard(struct plan *plan,
+                                    const struct hsr_listed *listed,
+                                    struct hsr_error *err) {
+  struct hsr_variant variant = hsr_variant_standard(listed);
+  return add_algorithm(plan, listed->plain->name, &variant, err);
+}
+
+/* Those whose name matches, or one with options. Judges take part only where
+ * they are named. */
 static enum hsr_status add_algorithms(struct plan *plan, const char *pattern,
                                       struct hsr_error *err) {
   enum hsr_status status = HSR_OK;
@@ -141,13 +153,13 @@ static enum hsr_status add_algorithms(struct plan *plan, const char *pattern,
   for (const struct hsr_listed *a = hsr_algorithms; a->plain && !status; a++)
     if (!fnmatch(pattern, a->plain->name, 0)) {
       found = true;
-      status = add_algorithm(plan, a, err);
+      status = add_standard(plan, a, err);
     }
-  if (!status && !found) {
-    const struct hsr_listed *none;
-    return choose_algorithm(pattern, &none, err);
-  }
-  return status;
+  if (status || found)
+    return status;
+  struct hsr_variant variant;
+  status = hsr_variant_parse(pattern, &variant, err);
+  return status ? status : add_algorithm(plan, pattern, &variant, err);
 }
 
 static enum hsr_status add_peers(struct plan *plan, const char *pattern,
@@ -176,7 +188,7 @@ static enum hsr_status add_entrants(struct plan *plan, struct hsr_error *err) {
   for (const struct hsr_listed *a = hsr_algorithms;
        !o->n_algorithms && a->plain && !status; a++)
     if (!(a->plain->flags & HSR_JUDGE))
-      status = add_algorithm(plan, a, err);
+      status = add_standard(plan, a, err);
   if (status || !o->n_peers)
     return status;
   status = peers_open(plan, err);
@@ -189,11 +201,11 @@ static enum hsr_status add_entrants(struct plan *plan, struct hsr_error *err) {
 static enum hsr_status check_reference(const struct plan *plan,
                                        struct hsr_error *err) {
   const char *name = plan->options->reference;
-  const struct hsr_listed *listed;
+  struct hsr_variant variant;
   for (int k = 0; k < plan->n_entrants; k++)
     if (!strcmp(plan->entrant[k].name, name))
       return HSR_OK;
-  return choose_algorithm(name, &listed, err);
+  return hsr_variant_parse(name, &variant, err);
 }
 
 /* --- The plan --------------------------------------------------------------

@@ -48,6 +48,7 @@ struct sweep_options {
 struct entrant {
   const char *name;
   const struct hsr_listed *listed; /* NULL: a peer */
+  struct hsr_choice choice;        /* of an algorithm's options */
   const char *kind;                /* "ids", "segments", "none" */
   long threads;
 };
@@ -111,9 +112,9 @@ void peers_judge(const struct plan *plan, const struct place *place,
 json_t *sweep_header(const struct sweep_options *options, const char *run,
                      int argc, char **argv);
 
-/* A hash of this program's file, 16 hexadecimal digits; of a world. */
+/* A hash of this program's file, 16 hexadecimal digits; of a scene's faces. */
 void hash_program(char hash[17]);
-void hash_world(const struct hsr_world *world, char hash[17]);
+void hash_scene(const struct hsr_scene *scene, char hash[17]);
 
 /* --- turns.c ----------------------------------------------------------------
  */

@@ -132,7 +132,7 @@ static void check_clusters(struct tap *tap, const char *name, bool is_ring) {
                         {.out_of_memory = false}};
   if (hsr_world_init(&world, scene, &err) ||
       hsr_view_init(&view, &scene->views[0], M, N, &err) ||
-      hsr_setup_init(&setup, count.algorithm, &world, &err))
+      hsr_setup_init(&setup, count.algorithm, NULL, &world, &err))
     stop(name, err.text);
   const struct hsr_clusters *c = setup.world->clusters;
   struct pairs pairs = {.cluster =

@@ -197,10 +197,10 @@ static void ask_scene(struct tap *tap, const char *name) {
   struct hsr_error err;
   if (hsr_scene_open(name, &import, &scene, &err) ||
       hsr_world_init(&world, scene, &err) ||
-      hsr_setup_init(&oracle, hsr_algorithm_find("oracle")->plain, &world,
+      hsr_setup_init(&oracle, hsr_algorithm_find("oracle")->plain, NULL, &world,
                      &err) ||
-      hsr_setup_init(&lines, hsr_algorithm_find("line-oracle")->plain, &world,
-                     &err)) {
+      hsr_setup_init(&lines, hsr_algorithm_find("line-oracle")->plain, NULL,
+                     &world, &err)) {
     printf("Bail out! %s\n", err.text);
     exit(99);
   }

@@ -113,7 +113,7 @@ static void check_coherence(struct tap *tap) {
   const struct hsr_algorithm *a = counting("newell-previous");
   if (hsr_scene_open("harbor:500", &import, &scene, &err) ||
       hsr_world_init(&world, scene, &err) ||
-      hsr_setup_init(&setup, a, &world, &err))
+      hsr_setup_init(&setup, a, NULL, &world, &err))
     fail(&err);
   long wrong = 0;
   uint64_t first = 0, later = 0, again = 0;
@@ -183,7 +183,7 @@ static void check_transparency(struct tap *tap, const char *name) {
                         .tally = &tally,
                         .ids = ids,
                         .ids_stride = M};
-  if (hsr_setup_init(&setup, a, &world, &err))
+  if (hsr_setup_init(&setup, a, NULL, &world, &err))
     fail(&err);
   setup.paint = &paint;
   if (hsr_setup_render(&setup, &job, &err))

@@ -40,8 +40,8 @@ static void setup(struct hsr_setup *setup, const struct hsr_world *world,
                   const char *name, bool counting) {
   struct hsr_error err = {.text = ""};
   const struct hsr_listed *listed = hsr_algorithm_find(name);
-  if (hsr_setup_init(setup, counting ? listed->counting : listed->plain, world,
-                     &err))
+  if (hsr_setup_init(setup, counting ? listed->counting : listed->plain, NULL,
+                     world, &err))
     fail(&err);
 }
 

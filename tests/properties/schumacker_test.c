@@ -38,10 +38,10 @@ static void prepare(struct fixture *x, struct hsr_scene *scene) {
   struct hsr_error err = {.text = ""};
   *x = (struct fixture){.scene = scene, .scratch = HSR_ARENA_EMPTY};
   if (hsr_world_init(&x->world, x->scene, &err) ||
-      hsr_setup_init(&x->oracle, hsr_algorithm_find("oracle")->plain, &x->world,
-                     &err) ||
+      hsr_setup_init(&x->oracle, hsr_algorithm_find("oracle")->plain, NULL,
+                     &x->world, &err) ||
       hsr_setup_init(&x->schumacker, hsr_algorithm_find("schumacker")->plain,
-                     &x->world, &err))
+                     NULL, &x->world, &err))
     fail(&err);
   const double *axis[3] = {x->world.x, x->world.y, x->world.z};
   for (int k = 0; k < 3; k++) {

@@ -89,8 +89,10 @@ static enum hsr_status late_staller(const struct hsr_job *job,
 }
 
 /* Fails when all frames are drawn. */
-static enum hsr_status prepare(const struct hsr_world *world, void **prepared,
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
                                struct hsr_error *err) {
+  (void)option;
   (void)world;
   (void)err;
   *prepared = &frames;

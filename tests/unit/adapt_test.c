@@ -96,7 +96,7 @@ static void check_faces(struct tap *tap, struct fixture *x, const char *name) {
   struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
   algorithm.restrictions = HSR_TR | HSR_NP;
   struct hsr_setup setup;
-  if (hsr_setup_init(&setup, &algorithm, &x->world, &err))
+  if (hsr_setup_init(&setup, &algorithm, NULL, &x->world, &err))
     fail(&err);
   bool good = setup.world->all_triangles;
   for (uint32_t f = 0; f + 1 < setup.world->n_faces; f++)
@@ -134,7 +134,7 @@ static void check_clusters(struct tap *tap, struct fixture *x, const char *name,
   struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
   algorithm.restrictions = demanded;
   struct hsr_setup setup;
-  if (hsr_setup_init(&setup, &algorithm, &x->world, &err))
+  if (hsr_setup_init(&setup, &algorithm, NULL, &x->world, &err))
     fail(&err);
   const struct hsr_world *world = setup.world;
   const struct hsr_clusters *c = world->clusters;
@@ -212,7 +212,7 @@ static void check_parity(struct tap *tap, struct fixture *x, const char *name) {
     struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
     algorithm.restrictions = demands[d];
     struct hsr_setup setup;
-    if (hsr_setup_init(&setup, &algorithm, &x->world, &err))
+    if (hsr_setup_init(&setup, &algorithm, NULL, &x->world, &err))
       fail(&err);
     for (uint32_t v = 0; v < x->scene->n_views; v++) {
       struct hsr_view view;

@@ -117,7 +117,7 @@ drawing draw(little_world &little, const struct hsr_view &view) {
   job.tally = &tally;
   job.drawing = &made;
   struct hsr_error err = {};
-  if (oracle.prepare(&world, &job.prepared, &err) ||
+  if (oracle.prepare(&world, nullptr, &job.prepared, &err) ||
       oracle.render(&job, &err)) {
     std::printf("Bail out! %s\n", err.text);
     std::exit(99);
@@ -967,7 +967,8 @@ void test_no_memory() {
     job.tally = &tally;
     job.drawing = &made;
     allocations_left = k;
-    enum hsr_status status = oracle.prepare(&world, &job.prepared, &err);
+    enum hsr_status status =
+        oracle.prepare(&world, nullptr, &job.prepared, &err);
     if (status == HSR_OK)
       status = oracle.render(&job, &err);
     allocations_left = -1;

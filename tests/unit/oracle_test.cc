@@ -903,7 +903,8 @@ void test_no_memory() {
     struct hsr_error err = {};
     job.prepared = nullptr;
     allocations_left = k;
-    enum hsr_status status = oracle.prepare(&world, &job.prepared, &err);
+    enum hsr_status status =
+        oracle.prepare(&world, nullptr, &job.prepared, &err);
     if (status == HSR_OK)
       status = oracle.render(&job, &err);
     allocations_left = -1;

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* An algorithm with its options chosen, as a user writes it:
+ *
+ *   NAME[:OPTION=VALUE]...     hzbuffer:cubes=faces:window=64
+ *
+ * The options are those of the algorithm's descriptor and, of every algorithm
+ * that draws faces, `window`: the picture is drawn in squares of so many
+ * samples, each a job of its own. */
+#ifndef HSR_ALGORITHMS_VARIANT_H
+#define HSR_ALGORITHMS_VARIANT_H
+
+#include "algorithms/algorithm.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define HSR_MOST_VARIANT 100 /* bytes of its text */
+
+struct hsr_variant {
+  const struct hsr_listed *listed;
+  struct hsr_choice choice;
+  char name[HSR_MOST_VARIANT + 1]; /* as the user wrote it */
+};
+
+/* HSR_E_USAGE: no such algorithm, option or value; an option twice; a window of
+ * what cannot be drawn in parts; the text is too long. */
+enum hsr_status hsr_variant_parse(const char *text, struct hsr_variant *variant,
+                                  struct hsr_error *err);
+
+/* The algorithm with its standard options. */
+struct hsr_variant hsr_variant_standard(const struct hsr_listed *listed);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
