@@ -164,16 +164,22 @@ unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
                           const struct hsr_choice *choice);
 
 /* HSR_ALGORITHM(watkins) is the name of the descriptor of this build, and
- * HSR_OF_BUILD(hsr_scan_begin) that of a function which several share. */
+ * HSR_OF_BUILD(hsr_scan_begin) that of a function which several share. A build
+ * of some files for another end defines HSR_BUILD. */
 #define HSR_ALGORITHM_PASTE2(a, b) a##b
 #define HSR_ALGORITHM_PASTE(a, b) HSR_ALGORITHM_PASTE2(a, b)
 #if HSR_COUNTING
 #define HSR_ALGORITHM(id) HSR_ALGORITHM_PASTE(hsr_counting_, id)
-#define HSR_OF_BUILD(name) HSR_ALGORITHM_PASTE(name, _counting)
+#ifndef HSR_BUILD
+#define HSR_BUILD _counting
+#endif
 #else
 #define HSR_ALGORITHM(id) HSR_ALGORITHM_PASTE(hsr_algorithm_, id)
-#define HSR_OF_BUILD(name) HSR_ALGORITHM_PASTE(name, _plain)
+#ifndef HSR_BUILD
+#define HSR_BUILD _plain
 #endif
+#endif
+#define HSR_OF_BUILD(name) HSR_ALGORITHM_PASTE(name, HSR_BUILD)
 
 /* Both builds of one algorithm. */
 struct hsr_listed {

@@ -28,6 +28,8 @@ algorithm_files = \
   %D%/scan_line.h \
   %D%/schumacker.c \
   %D%/schumacker_newell.c \
+  %D%/tiler.c \
+  %D%/tiler.h \
   %D%/warnock.c \
   %D%/warnock.h \
   %D%/warnock_edges.c \

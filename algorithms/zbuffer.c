@@ -3,878 +3,70 @@
  *
  * Source      Sutherland, Sproull and Schumacker 1974, appendix B, "Brute-Force
  *             Image-Space"; E. Catmull, PhD thesis, University of Utah, 1974.
- * Notation    raster element -> sample (i, j); recorded depth -> z, as q = 1/t,
- *             greater is nearer, 0 for the background
- * Invariant   at every sample, ids holds the nearest of the faces tiled so far,
- *             and z is NaN (unknown) or within RHO z of that face's q there
- * Ties        wherever the depths are closer than their bounds, and wherever a
- *             sample is closer to an edge than its bound: by hsr_nearer and
- *             hsr_covers
+ * Notation    as in tiler.h, which does the tiling
  * Departures  none in what is compared
  * Cost        10 H_f^2 F_r predicted
  *
- * Small triangles before the eye take the fast way, sixteen at a time: their
- * vertices are snapped to a grid of 2^-15 pixel, and coverage and depth are
- * computed in floats. All other faces take the general way, row by row.
- *
  * A large picture is cut into parts, which are tiled one after the other in one
  * small memory of depths and ids: its triangles are set up once and sorted into
- * the parts.
- *
- * Snapping moves a coordinate by at most s = 2^-16 + 2^-26 (common/screen.h).
- * With W and H the width and height in pixels of the box of the samples in
- * question, and everything of the triangle within it but for 2 pixels, the
- * sides d = b - a of the triangle and the offsets h of a sample from a vertex
- * are at most W + 2 and H + 2.
- *
- * Coverage. e = dx hy - dy hx changes by at most 2.1 s (|dx| + |dy| + |hx| +
- * |hy|) <= 4.2 s (W + H + 4). Differences of snapped coordinates are exact in
- * floats, being below 2^24 grid units. e is computed as (e_00 + ey jj) + ex ii,
- * or as (e_00 + ex ii) + ey jj; its products and sums, seven roundings of terms
- * no larger than 2 (W + 2)(H + 2), err by at most 14 * 2^-24 (W + 2)(H + 2) <
- * 2^-20 (W + 2)(H + 2). The bound is 5 s (W + H + 4) + 2^-20 (W + 2)(H + 2). A
- * fused multiply-add leaves out the rounding of its product, here and below,
- * and errs by no more than what is reckoned for the two operations.
- *
- * Depth. The plane through the snapped vertices with their depths q^ differs at
- * a sample of the triangle from the true one by the interpolated residuals at
- * the vertices, each at most 2^-23 q + |g|_1 s, g the gradient of q; the
- * weights are at most 1 + 1/16 since |A| >= 64 s (W + H + 4), A the doubled
- * area. The gradient computed from A and differences D1, D2 of depths carries,
- * times the box, at most 2^-24 M (3 k + 5), where M = (|D1| (|dy2| W + |dx2| H)
- * + |D2| (|dy1| W + |dx1| H)) / |A| and k = (|dx1 dy2| + |dx2 dy1|) / |A|;
- * evaluating it takes four roundings of at most 2^-24 (q_max + M). Where D1 and
- * D2 are at most q_min in size, so that q_max <= 2 q_min, and M <= 4 q_min,
- * M (k + 2) <= 16 q_min, |g|_1 <= 0.3 q_min, the sum is at most
- *     (2^-23 + 0.3 * 2^-16) 17/16 + 2^-24 (48 + 24) < 0.7 * 2^-16
- * of q, and RHO = 2^-16 holds it. A triangle that does not fulfil all this
- * takes the general way. */
-#include "algorithms/algorithm.h"
-#include "common/screen.h"
-#include "common/vector.h"
+ * the parts. */
+#include "algorithms/tiler.h"
 
-#include <limits.h>
-#include <stdlib.h>
-#include <string.h>
-
-/* The counting build takes the portable way, so that what it counts and traces
- * is the same on every machine: triangle after triangle, sample by sample. */
-#if defined __x86_64__ && HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
-#include <immintrin.h>
-#define HAVE_AVX512_TWIN 1
-#define AVX512 __attribute__((target("avx512f")))
-#endif
-
-/* Only to measure what exactness costs: decide by the floats alone. */
-#ifndef HSR_ZBUFFER_INEXACT
-#define HSR_ZBUFFER_INEXACT 0
-#endif
-
-enum { DEPTH_TESTS, WRITES, FAST, GENERAL, UNSURE_COVER, UNSURE_DEPTH };
-
-static const struct hsr_counter counters[] = {
-    [DEPTH_TESTS] = {"depth tests", "depths compared with the recorded ones"},
-    [WRITES] = {"writes", "samples written, overwrites counted each time"},
-    [FAST] = {"fast triangles", "tiled in floats"},
-    [GENERAL] = {"general faces", "tiled row by row in doubles"},
-    [UNSURE_COVER] = {"unsure covers", "samples closer to an edge than floats "
-                                       "can tell"},
-    [UNSURE_DEPTH] = {"unsure depths", "depths closer than floats can tell"},
-    {NULL, NULL}};
+static const struct hsr_counter counters[] = {HSR_TILER_COUNTERS, {NULL, NULL}};
 
 static double predict_tiling(const struct hsr_table1 *t) {
   return 10 * t->H_f * t->H_f * t->F_r;
 }
 
 static const struct hsr_step steps[] = {
-    {"depth comparison", DEPTH_TESTS, 10, "10 H_f^2 F_r", predict_tiling},
+    {"depth comparison", HSR_DEPTH_TESTS, 10, "10 H_f^2 F_r", predict_tiling},
     {NULL, 0, 0, NULL, NULL}};
 
 enum {
-  GRID_BITS = 15,
-  GRID = 1 << GRID_BITS, /* grid units a pixel */
-  UNSAFE = INT_MIN,      /* snapped coordinate of a vertex that is not safe */
-  LARGEST_BOX = 500,     /* pixels; keeps differences below 2^24 grid units */
-  LANES = 16,
-  BATCH = 128,        /* faces looked at together; whole vectors of them */
-  SMALL_BOX = 16,     /* samples; above, a triangle fills its own lanes */
-  QUEUE = 512,        /* samples */
   ONE_PART = 1 << 20, /* samples of a picture that is not cut into parts */
   PART_WIDTH = 512,   /* samples; depths and ids of a part stay in the second */
   PART_HEIGHT = 64,   /* level cache, few triangles lie in two of them */
   PAD = 16 /* floats: rows of a part do not meet in the same cache sets */
 };
-/* Pixels; sums and differences of snapped coordinates fit in an int. */
-static const double FARTHEST = 32767.9;
-static const float RHO = 0x1p-16f;
-/* q > CLEAR z, with both within RHO of the truth, is certain. */
-static const float CLEAR = 1 + 2.5f * 0x1p-16f;
-static const float SNAP = 0x1.01p-16f; /* s */
 
-/* A vertex, snapped: grid units, or UNSAFE; and its depth. */
-struct corner {
-  int x, y;
-  float q;
-  int unused; /* to 16 bytes */
-};
-
-/* Triangles by their corners a, b, c, and the samples in their boxes. */
-struct corners {
-  int ax[BATCH], ay[BATCH], bx[BATCH], by[BATCH], cx[BATCH], cy[BATCH];
-  float qa[BATCH], qb[BATCH], qc[BATCH];
-  int x0[BATCH], y0[BATCH], x1[BATCH], y1[BATCH];
-};
-
-/* What becomes of a triangle. */
-enum fate { DROP = 0, TILE = 1, GENERALLY = 2 };
-
-/* Triangles ready to be tiled: edge functions and depth at the first sample of
- * the box, and their steps to the right and down. */
-struct triangles {
-  float e0[BATCH], e1[BATCH], e2[BATCH], ex0[BATCH], ex1[BATCH], ex2[BATCH],
-      ey0[BATCH], ey1[BATCH], ey2[BATCH], bound[BATCH];
-  float q[BATCH], qx[BATCH], qy[BATCH];
-};
-
-/* One of them. */
-struct triangle {
-  float e0, e1, e2, ex0, ex1, ex2, ey0, ey1, ey2, bound;
-  float q, qx, qy;
-  int x0, y0, x1, y1;
-  uint32_t face;
-  bool generally; /* only its box and face count: it takes the general way */
-};
-
-/* Faces looked at together: what becomes of each, and the n_fast ones in
- * `corners` and `triangles`, of which the k-th is face first + place[k]. */
-struct batch {
-  uint32_t first;
-  int n, n_fast;
-  struct corners corners;
-  struct triangles triangles;
-  int one_sided[BATCH], fate[BATCH], place[BATCH];
-  int good[BATCH]; /* floats hold the depth of the k-th fast one within RHO */
-};
-
-struct tiling {
+struct frame {
   const struct hsr_job *job;
-  struct hsr_tally *tally;
-  struct hsr_screen screen;
-  struct corner *corner; /* a vertex */
-  struct hsr_window window;
-  struct hsr_window part; /* the part being tiled: its samples (i, j) have */
-  float *z;               /* z[(j - part.y0) * z_stride + i - part.x0], and */
-  uint32_t *ids; /* likewise: the picture's own, if there is one part */
-  size_t z_stride, ids_stride;
+  struct hsr_tiler tiler;
+  bool fast; /* triangles only, and samples on the grid */
   int parts_across, parts_down;
-  struct triangle *kept; /* set up, for all parts; NULL if there is but one */
+  struct hsr_triangle
+      *kept; /* set up, for all parts; NULL if there is but one */
   size_t n_kept;
-  int first_x, first_y; /* of sample (0, 0), grid units */
-  bool fast;            /* triangles, and samples on the grid */
-  int *columns;         /* room for the spans of the largest face */
 };
-
-/* The steps that are written twice, for every machine and for AVX-512. */
-struct twin {
-  void (*gather)(const struct tiling *, struct batch *);
-  void (*compact)(struct batch *);
-  void (*tile)(struct tiling *, const struct triangle *);
-  void (*tile_batch)(struct tiling *, const struct batch *);
-  void (*write_back)(const struct tiling *);
-};
-
-/* --- What floats cannot tell
- * -------------------------------------------------- */
-
-static bool covers(struct tiling *t, uint32_t f, int i, int j) {
-  HSR_COUNT(t->tally, UNSURE_COVER, 1);
-  t->screen.whole[f] = true;
-  return hsr_covers(&t->screen, f, i, j, t->tally);
-}
-
-/* Is f nearer than what the sample holds? */
-static bool is_nearer(struct tiling *t, uint32_t f, uint32_t held, int i,
-                      int j) {
-  if (held == HSR_BACKGROUND)
-    return true;
-  HSR_COUNT(t->tally, UNSURE_DEPTH, 1);
-  hsr_screen_plane(&t->screen, f);
-  hsr_screen_plane(&t->screen, held);
-  return hsr_nearer(&t->screen, f, held, i, j, t->tally);
-}
-
-/* Decides sample (i, j) for a face of depth q there; `sure` if it covers it for
- * certain. */
-static inline void settle(struct tiling *t, uint32_t f, float q, bool sure,
-                          int i, int j) {
-  size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
-  uint32_t *id = &t->ids[y * t->ids_stride + x];
-  float *z = &t->z[y * t->z_stride + x];
-#if HSR_ZBUFFER_INEXACT
-  (void)covers;
-  (void)is_nearer;
-  if (sure && q > *z) {
-    *z = q;
-    *id = f;
-  }
-#else
-  if (!sure && !covers(t, f, i, j))
-    return;
-  HSR_TOUCH(t->tally, i, j);
-  HSR_STEP(t->tally, DEPTH_TESTS, HSR_COMPARE, f, *id, i, j, i + 1, j + 1);
-  bool clear = q > *z * CLEAR || q * CLEAR < *z;
-  HSR_COUNT_DEPTHS(t->tally, clear && *id != HSR_BACKGROUND);
-  if (clear ? q < *z : !is_nearer(t, f, *id, i, j))
-    return;
-  HSR_STEP(t->tally, WRITES, HSR_ACCEPT, f, *id, i, j, i + 1, j + 1);
-  *z = q;
-  *id = f;
-#endif
-}
-
-/* --- Looking at a batch
- * ---------------------------------------------------------- */
-
-/* The corners of the faces from the k-th on. */
-static void gather_from(const struct tiling *t, struct batch *batch, int k) {
-  const struct hsr_world *world = t->job->world;
-  const uint32_t *restrict vertex = world->vertex + 3 * (size_t)batch->first;
-  const struct corner *restrict corner = t->corner;
-  struct corners *restrict r = &batch->corners;
-  for (; k < batch->n; k++) {
-    struct corner a = corner[vertex[3 * k]], b = corner[vertex[3 * k + 1]],
-                  c = corner[vertex[3 * k + 2]];
-    r->ax[k] = a.x, r->ay[k] = a.y, r->qa[k] = a.q;
-    r->bx[k] = b.x, r->by[k] = b.y, r->qb[k] = b.q;
-    r->cx[k] = c.x, r->cy[k] = c.y, r->qc[k] = c.q;
-    batch->one_sided[k] = world->one_sided[batch->first + (uint32_t)k];
-  }
-}
-
-static void gather_portable(const struct tiling *t, struct batch *b) {
-  gather_from(t, b, 0);
-}
-
-#ifdef HAVE_AVX512_TWIN
-
-/* Corners v[0], v[12], v[24] and v[36]. */
-AVX512 static inline __m512i load_corners(const struct corner *corner,
-                                          const uint32_t *v) {
-  __m512i r =
-      _mm512_castsi128_si512(_mm_loadu_si128((const __m128i *)&corner[v[0]]));
-  r = _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[12]]),
-                         1);
-  r = _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[24]]),
-                         2);
-  return _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[36]]),
-                            3);
-}
-
-/* Corners v[0], v[3], ... v[45]: four transpositions of four by four. */
-AVX512 static inline void gather_corners(const struct corner *corner,
-                                         const uint32_t *v, int *x, int *y,
-                                         float *q) {
-  __m512i c0 = load_corners(corner, v), c1 = load_corners(corner, v + 3),
-          c2 = load_corners(corner, v + 6), c3 = load_corners(corner, v + 9);
-  __m512i xy01 = _mm512_unpacklo_epi32(c0, c1),
-          xy23 = _mm512_unpacklo_epi32(c2, c3),
-          q01 = _mm512_unpackhi_epi32(c0, c1),
-          q23 = _mm512_unpackhi_epi32(c2, c3);
-  _mm512_storeu_si512(x, _mm512_unpacklo_epi64(xy01, xy23));
-  _mm512_storeu_si512(y, _mm512_unpackhi_epi64(xy01, xy23));
-  _mm512_storeu_si512(q, _mm512_unpacklo_epi64(q01, q23));
-}
-
-AVX512 static void gather_avx512(const struct tiling *t, struct batch *b) {
-  const struct hsr_world *world = t->job->world;
-  const uint32_t *v = world->vertex + 3 * (size_t)b->first;
-  const void *one_sided = world->one_sided + b->first;
-  struct corners *r = &b->corners;
-  int k = 0;
-  for (; k + LANES <= b->n; k += LANES, v += 3 * LANES) {
-    gather_corners(t->corner, v, r->ax + k, r->ay + k, r->qa + k);
-    gather_corners(t->corner, v + 1, r->bx + k, r->by + k, r->qb + k);
-    gather_corners(t->corner, v + 2, r->cx + k, r->cy + k, r->qc + k);
-    __m128i bytes = _mm_loadu_si128((const __m128i *)one_sided + k / LANES);
-    _mm512_storeu_si512(b->one_sided + k, _mm512_cvtepu8_epi32(bytes));
-  }
-  gather_from(t, b, k);
-}
-
-#endif
-
-/* Finds their boxes, turns them so that their area on the screen is positive,
- * and says what becomes of them. */
-HSR_VECTOR static void look(const struct tiling *t, int n,
-                            struct corners *restrict r,
-                            const int *restrict one_sided, int *restrict fate) {
-  const int fx = t->first_x, fy = t->first_y;
-  const int wx0 = t->window.x0, wx1 = t->window.x1, wy0 = t->window.y0,
-            wy1 = t->window.y1;
-  const float near = (float)t->job->view->near, unit = 1.0f / GRID;
-  for (int k = 0; k < n; k++) {
-    int ax = r->ax[k], bx = r->bx[k], cx = r->cx[k];
-    int ay = r->ay[k], by = r->by[k], cy = r->cy[k];
-    float qa = r->qa[k], qb = r->qb[k], qc = r->qc[k];
-    int unsafe = (ax == UNSAFE) | (bx == UNSAFE) | (cx == UNSAFE);
-    int safe = unsafe - 1;              /* all bits, or none */
-    ax &= safe, bx &= safe, cx &= safe; /* nothing below may overflow */
-    ay &= safe, by &= safe, cy &= safe;
-    int lo_x = ax < bx ? ax : bx, hi_x = ax < bx ? bx : ax;
-    int lo_y = ay < by ? ay : by, hi_y = ay < by ? by : ay;
-    lo_x = cx < lo_x ? cx : lo_x;
-    hi_x = cx > hi_x ? cx : hi_x;
-    lo_y = cy < lo_y ? cy : lo_y;
-    hi_y = cy > hi_y ? cy : hi_y;
-
-    /* Samples from lo - 1 to hi + 1 grid units, within the window. */
-    int x0 = (lo_x - 1 - fx + GRID - 1) >> GRID_BITS;
-    int x1 = ((hi_x + 1 - fx) >> GRID_BITS) + 1;
-    int y0 = (lo_y - 1 - fy + GRID - 1) >> GRID_BITS;
-    int y1 = ((hi_y + 1 - fy) >> GRID_BITS) + 1;
-    x0 = x0 < wx0 ? wx0 : x0;
-    x1 = x1 > wx1 ? wx1 : x1;
-    y0 = y0 < wy0 ? wy0 : y0;
-    y1 = y1 > wy1 ? wy1 : y1;
-    int empty = (x0 >= x1) | (y0 >= y1);
-
-    /* The doubled area, negative if seen from the front (y runs down). */
-    float width = (float)(hi_x - lo_x) * unit;
-    float height = (float)(hi_y - lo_y) * unit;
-    float d1x = (float)(bx - ax) * unit, d1y = (float)(by - ay) * unit;
-    float d2x = (float)(cx - ax) * unit, d2y = (float)(cy - ay) * unit;
-    float area = d1x * d2y - d2x * d1y;
-    float least = 64 * SNAP * (width + height + 4) +
-                  0x1p-20f * (width + 2) * (height + 2);
-    int small = (width <= LARGEST_BOX) & (height <= LARGEST_BOX);
-    int back = small & (area > least) & one_sided[k];
-    int thick = (area > least) | (area < -least);
-    float nearest = qa > qb ? qa : qb;
-    nearest = qc > nearest ? qc : nearest;
-    int past_near = near * nearest < 0.99f;
-
-    int turned = area < 0;
-    r->bx[k] = turned ? cx : bx;
-    r->by[k] = turned ? cy : by;
-    r->cx[k] = turned ? bx : cx;
-    r->cy[k] = turned ? by : cy;
-    r->qb[k] = turned ? qc : qb;
-    r->qc[k] = turned ? qb : qc;
-    r->x0[k] = x0;
-    r->y0[k] = y0;
-    r->x1[k] = x1;
-    r->y1[k] = y1;
-    int drop = (unsafe ^ 1) & (empty | back);
-    int fast = (unsafe ^ 1) & small & thick & past_near;
-    fate[k] = (drop ^ 1) * (GENERALLY - fast); /* or DROP, or TILE */
-  }
-}
-
-/* Moves the triangles to be tiled to the front. */
-static void compact_portable(struct batch *b) {
-  struct corners *r = &b->corners;
-  int kept = 0;
-  for (int k = 0; k < b->n; k++) {
-    if (b->fate[k] != TILE)
-      continue;
-    r->ax[kept] = r->ax[k], r->ay[kept] = r->ay[k], r->qa[kept] = r->qa[k];
-    r->bx[kept] = r->bx[k], r->by[kept] = r->by[k], r->qb[kept] = r->qb[k];
-    r->cx[kept] = r->cx[k], r->cy[kept] = r->cy[k], r->qc[kept] = r->qc[k];
-    r->x0[kept] = r->x0[k], r->y0[kept] = r->y0[k];
-    r->x1[kept] = r->x1[k], r->y1[kept] = r->y1[k];
-    b->place[kept++] = k;
-  }
-  b->n_fast = kept;
-}
-
-#ifdef HAVE_AVX512_TWIN
-
-AVX512 static inline __m512i lane_numbers(void) {
-  return _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-}
-
-/* The first n lanes. */
-static inline __mmask16 first_lanes(int n) {
-  return (__mmask16)(n >= LANES ? 0xffff : (1 << n) - 1);
-}
-
-AVX512 static void compact_avx512(struct batch *b) {
-  struct corners *r = &b->corners;
-  void *const rows[] = {r->ax, r->ay, r->bx, r->by, r->cx, r->cy, r->qa,
-                        r->qb, r->qc, r->x0, r->y0, r->x1, r->y1};
-  int kept = 0;
-  for (int k = 0; k < b->n; k += LANES) {
-    __mmask16 keep = _mm512_mask_cmpeq_epi32_mask(
-        first_lanes(b->n - k), _mm512_loadu_si512(b->fate + k),
-        _mm512_set1_epi32(TILE));
-    /* Never ahead of what is still to be read, since kept <= k. */
-    for (size_t a = 0; a < sizeof rows / sizeof *rows; a++) {
-      __m512i row = _mm512_loadu_si512((int *)rows[a] + k);
-      _mm512_storeu_si512((int *)rows[a] + kept,
-                          _mm512_maskz_compress_epi32(keep, row));
-    }
-    __m512i place = _mm512_add_epi32(lane_numbers(), _mm512_set1_epi32(k));
-    _mm512_storeu_si512(b->place + kept,
-                        _mm512_maskz_compress_epi32(keep, place));
-    kept += __builtin_popcount(keep);
-  }
-  b->n_fast = kept;
-}
-
-#endif
-
-/* Sets up n triangles; good[] says whether floats hold the depth within RHO. */
-HSR_VECTOR static void set_up(const struct tiling *t,
-                              const struct corners *restrict r, int n,
-                              struct triangles *restrict out,
-                              int *restrict good) {
-  const int fx = t->first_x, fy = t->first_y;
-  const float unit = 1.0f / GRID;
-  for (int k = 0; k < n; k++) {
-    int ax = r->ax[k], ay = r->ay[k], bx = r->bx[k], by = r->by[k],
-        cx = r->cx[k], cy = r->cy[k];
-    int sx = r->x0[k] * GRID + fx, sy = r->y0[k] * GRID + fy;
-    float abx = (float)(bx - ax) * unit, aby = (float)(by - ay) * unit;
-    float bcx = (float)(cx - bx) * unit, bcy = (float)(cy - by) * unit;
-    float cax = (float)(ax - cx) * unit, cay = (float)(ay - cy) * unit;
-    float hax = (float)(sx - ax) * unit, hay = (float)(sy - ay) * unit;
-    float hbx = (float)(sx - bx) * unit, hby = (float)(sy - by) * unit;
-    float hcx = (float)(sx - cx) * unit, hcy = (float)(sy - cy) * unit;
-    out->e0[k] = abx * hay - aby * hax;
-    out->e1[k] = bcx * hby - bcy * hbx;
-    out->e2[k] = cax * hcy - cay * hcx;
-    out->ex0[k] = -aby;
-    out->ex1[k] = -bcy;
-    out->ex2[k] = -cay;
-    out->ey0[k] = abx;
-    out->ey1[k] = bcx;
-    out->ey2[k] = cax;
-
-    /* How large the box of samples and corners is at most, in pixels. */
-    float w1 = fabsf(abx), w2 = fabsf(cax), h1 = fabsf(aby), h2 = fabsf(cay);
-    float width = w1 + w2, height = h1 + h2;
-    out->bound[k] =
-        5 * SNAP * (width + height + 4) + 0x1p-20f * (width + 2) * (height + 2);
-
-    float product1 = -abx * cay, product2 = -cax * aby;
-    float inverse = 1 / (product1 - product2);
-    float q = r->qa[k], D1 = r->qb[k] - q, D2 = r->qc[k] - q;
-    float qx = (D1 * cay + D2 * aby) * -inverse;
-    float qy = (D1 * cax + D2 * abx) * inverse;
-    out->qx[k] = qx;
-    out->qy[k] = qy;
-    out->q[k] = q + (qx * hax + qy * hay);
-    float M = (fabsf(D1) * (h2 * width + w2 * height) +
-               fabsf(D2) * (h1 * width + w1 * height)) *
-              inverse;
-    float condition = (fabsf(product1) + fabsf(product2)) * inverse;
-    float least = r->qb[k] < q ? r->qb[k] : q;
-    least = r->qc[k] < least ? r->qc[k] : least;
-    good[k] = (M * (condition + 2) <= 16 * least) & (M <= 4 * least) &
-              (fabsf(D1) <= least) & (fabsf(D2) <= least) &
-              (fabsf(qx) + fabsf(qy) <= 0.3f * least);
-  }
-}
-
-/* The n faces from `first` on; what floats do not hold goes the general way. */
-static void look_at_batch(const struct tiling *t, const struct twin *twin,
-                          struct batch *b, uint32_t first, int n) {
-  b->first = first;
-  b->n = n;
-  twin->gather(t, b);
-  look(t, n, &b->corners, b->one_sided, b->fate);
-  twin->compact(b);
-  set_up(t, &b->corners, b->n_fast, &b->triangles, b->good);
-  for (int k = 0; k < b->n_fast; k++)
-    if (b->good[k])
-      HSR_COUNT(t->tally, FAST, 1);
-    else
-      b->fate[b->place[k]] = GENERALLY;
-}
-
-/* The k-th of the fast ones. */
-static struct triangle take(const struct batch *b, int k) {
-  const struct triangles *s = &b->triangles;
-  const struct corners *r = &b->corners;
-  return (struct triangle){
-      s->e0[k],    s->e1[k],  s->e2[k],
-      s->ex0[k],   s->ex1[k], s->ex2[k],
-      s->ey0[k],   s->ey1[k], s->ey2[k],
-      s->bound[k], s->q[k],   s->qx[k],
-      s->qy[k],    r->x0[k],  r->y0[k],
-      r->x1[k],    r->y1[k],  b->first + (uint32_t)b->place[k],
-      false};
-}
-
-/* --- Tiling triangles
- * ---------------------------------------------------------- */
-
-/* The samples that a box and the part being tiled have in common. */
-static inline struct hsr_window clip(const struct tiling *t, int x0, int y0,
-                                     int x1, int y1) {
-  const struct hsr_window *p = &t->part;
-  return (struct hsr_window){x0 > p->x0 ? x0 : p->x0, y0 > p->y0 ? y0 : p->y0,
-                             x1 < p->x1 ? x1 : p->x1, y1 < p->y1 ? y1 : p->y1};
-}
-
-static void tile_portable(struct tiling *t, const struct triangle *tri) {
-  struct hsr_window box = clip(t, tri->x0, tri->y0, tri->x1, tri->y1);
-  for (int j = box.y0; j < box.y1; j++) {
-    float down = (float)(j - tri->y0);
-    float e0 = tri->e0 + tri->ey0 * down, e1 = tri->e1 + tri->ey1 * down,
-          e2 = tri->e2 + tri->ey2 * down, q = tri->q + tri->qy * down;
-    for (int i = box.x0; i < box.x1; i++) {
-      float right = (float)(i - tri->x0);
-      float d0 = e0 + tri->ex0 * right, d1 = e1 + tri->ex1 * right,
-            d2 = e2 + tri->ex2 * right;
-      float d = d0 < d1 ? d0 : d1;
-      d = d < d2 ? d : d2;
-      if (d >= -tri->bound)
-        settle(t, tri->face, q + tri->qx * right, d > tri->bound, i, j);
-    }
-  }
-}
-
-static void tile_batch_portable(struct tiling *t, const struct batch *b) {
-  for (int k = 0; k < b->n_fast; k++) {
-    if (!b->good[k])
-      continue;
-    struct triangle triangle = take(b, k);
-    tile_portable(t, &triangle);
-  }
-}
-
-/* From the part's ids to the picture's. */
-static void write_back_portable(const struct tiling *t) {
-  const struct hsr_window *p = &t->part;
-  for (int j = p->y0; j < p->y1; j++)
-    memcpy(t->job->ids + (size_t)j * t->job->ids_stride + (size_t)p->x0,
-           t->ids + (size_t)(j - p->y0) * t->ids_stride,
-           (size_t)(p->x1 - p->x0) * sizeof *t->ids);
-}
-
-static const struct twin portable = {gather_portable, compact_portable,
-                                     tile_portable, tile_batch_portable,
-                                     write_back_portable};
-
-#ifdef HAVE_AVX512_TWIN
-
-/* f + fx x: a linear function along a row. */
-AVX512 static inline __m512 linear(float f, float fx, __m512 x) {
-  return _mm512_fmadd_ps(_mm512_set1_ps(fx), x, _mm512_set1_ps(f));
-}
-
-/* f + fx x + fy y, of sixteen triangles. */
-AVX512 static inline __m512 linear2(const float *f, const float *fx, __m512 x,
-                                    const float *fy, __m512 y) {
-  return _mm512_fmadd_ps(
-      _mm512_loadu_ps(fy), y,
-      _mm512_fmadd_ps(_mm512_loadu_ps(fx), x, _mm512_loadu_ps(f)));
-}
-
-/* Decides some of the sixteen samples from (x, j) on. */
-AVX512 __attribute__((noinline)) static void
-settle_row(struct tiling *t, uint32_t f, __m512 q, unsigned lanes,
-           unsigned sure, int x, int j) {
-  float depth[LANES];
-  _mm512_storeu_ps(depth, q);
-  for (; lanes; lanes &= lanes - 1) {
-    int l = __builtin_ctz(lanes);
-    settle(t, f, depth[l], sure >> l & 1, x + l, j);
-  }
-}
-
-/* Sixteen samples of each row of a box, from column x on. */
-AVX512 static inline void tile_strip(struct tiling *t,
-                                     const struct triangle *tri,
-                                     const struct hsr_window *box, int x) {
-  const __m512 bound = _mm512_set1_ps(tri->bound),
-               minus_bound = _mm512_set1_ps(-tri->bound),
-               clear = _mm512_set1_ps(CLEAR), one = _mm512_set1_ps(1);
-  const __m512 ey0 = _mm512_set1_ps(tri->ey0), ey1 = _mm512_set1_ps(tri->ey1),
-               ey2 = _mm512_set1_ps(tri->ey2), qy = _mm512_set1_ps(tri->qy);
-  const __m512i face = _mm512_set1_epi32((int)tri->face);
-  __m512 right = _mm512_cvtepi32_ps(
-      _mm512_add_epi32(lane_numbers(), _mm512_set1_epi32(x - tri->x0)));
-  __m512 e0 = linear(tri->e0, tri->ex0, right);
-  __m512 e1 = linear(tri->e1, tri->ex1, right);
-  __m512 e2 = linear(tri->e2, tri->ex2, right);
-  __m512 q0 = linear(tri->q, tri->qx, right);
-  __mmask16 in_box = first_lanes(box->x1 - x);
-  const size_t ids_stride = t->ids_stride, z_stride = t->z_stride;
-  size_t row = (size_t)(box->y0 - t->part.y0),
-         column = (size_t)(x - t->part.x0);
-  uint32_t *ids = t->ids + row * ids_stride + column;
-  float *z = t->z + row * z_stride + column;
-  __m512 down = _mm512_set1_ps((float)(box->y0 - tri->y0));
-  for (int j = box->y0; j < box->y1; j++, ids += ids_stride, z += z_stride) {
-    __m512 d0 = _mm512_fmadd_ps(ey0, down, e0),
-           d1 = _mm512_fmadd_ps(ey1, down, e1),
-           d2 = _mm512_fmadd_ps(ey2, down, e2),
-           q = _mm512_fmadd_ps(qy, down, q0),
-           d = _mm512_min_ps(_mm512_min_ps(d0, d1), d2);
-    down = _mm512_add_ps(down, one);
-    __mmask16 maybe =
-        _mm512_mask_cmp_ps_mask(in_box, d, minus_bound, _CMP_GE_OQ);
-    __mmask16 sure = _mm512_mask_cmp_ps_mask(maybe, d, bound, _CMP_GT_OQ);
-    __m512 held = _mm512_maskz_loadu_ps(maybe, z);
-    __mmask16 nearer = _mm512_mask_cmp_ps_mask(
-        sure, q, _mm512_mul_ps(held, clear), _CMP_GT_OQ);
-    _mm512_mask_storeu_ps(z, nearer, q);
-    _mm512_mask_storeu_epi32(ids, nearer, face);
-    if (nearer == maybe)
-      continue;
-    __mmask16 farther = _mm512_mask_cmp_ps_mask(sure, _mm512_mul_ps(q, clear),
-                                                held, _CMP_LT_OQ);
-    unsigned unsure = maybe & ~(unsigned)(nearer | farther);
-    if (unsure)
-      settle_row(t, tri->face, q, unsure, sure, x, j);
-  }
-}
-
-/* A triangle with a larger box. */
-AVX512 static void tile_avx512(struct tiling *t, const struct triangle *tri) {
-  struct hsr_window box = clip(t, tri->x0, tri->y0, tri->x1, tri->y1);
-  for (int x = box.x0; x < box.x1; x += LANES)
-    tile_strip(t, tri, &box, x);
-}
-
-/* Samples that small triangles cover for certain, their depths to be compared
- * with the recorded ones. */
-struct queue {
-  int n;
-  uint32_t at[QUEUE + LANES]; /* column + 2^16 row, from the window's first */
-  float q[QUEUE + LANES];
-  uint32_t face[QUEUE + LANES];
-};
-
-static void compare_queue(struct tiling *t, struct queue *queue) {
-  const size_t ids_stride = t->ids_stride, z_stride = t->z_stride;
-  const struct hsr_window *w = &t->window; /* it is the only part */
-  uint32_t *ids = t->ids;
-  float *z = t->z;
-  for (int k = 0; k < queue->n; k++) {
-    size_t x = queue->at[k] & 0xffff, y = queue->at[k] >> 16;
-    size_t place = y * z_stride + x;
-    float q = queue->q[k], held = z[place];
-    if (__builtin_expect(q > held * CLEAR, 1)) {
-      z[place] = q;
-      ids[y * ids_stride + x] = queue->face[k];
-    } else if (__builtin_expect(!(q * CLEAR < held), 0)) {
-      settle(t, queue->face[k], q, true, w->x0 + (int)x, w->y0 + (int)y);
-    }
-  }
-  queue->n = 0;
-}
-
-/* Adds the samples of some lanes. */
-AVX512 static inline void enqueue(struct tiling *t, struct queue *queue,
-                                  __mmask16 lanes, __m512i at, __m512 q,
-                                  __m512i face) {
-  int n = queue->n;
-  _mm512_storeu_si512(queue->at + n, _mm512_maskz_compress_epi32(lanes, at));
-  _mm512_storeu_ps(queue->q + n, _mm512_maskz_compress_ps(lanes, q));
-  _mm512_storeu_si512(queue->face + n,
-                      _mm512_maskz_compress_epi32(lanes, face));
-  queue->n = n + __builtin_popcount(lanes);
-  if (queue->n > QUEUE)
-    compare_queue(t, queue);
-}
-
-/* Decides samples that their faces cover perhaps. */
-AVX512 __attribute__((noinline)) static void settle_lanes(struct tiling *t,
-                                                          unsigned lanes,
-                                                          __m512i at, __m512 q,
-                                                          __m512i face) {
-  uint32_t places[LANES], faces[LANES];
-  float depth[LANES];
-  _mm512_storeu_si512(places, at);
-  _mm512_storeu_si512(faces, face);
-  _mm512_storeu_ps(depth, q);
-  for (; lanes; lanes &= lanes - 1) {
-    int l = __builtin_ctz(lanes);
-    settle(t, faces[l], depth[l], false,
-           t->window.x0 + (int)(places[l] & 0xffff),
-           t->window.y0 + (int)(places[l] >> 16));
-  }
-}
-
-/* Which of sixteen triangles have a small box. */
-AVX512 static __mmask16 small_ones(const struct batch *b, int k,
-                                   __mmask16 good) {
-  const struct corners *r = &b->corners;
-  __m512i width = _mm512_sub_epi32(_mm512_loadu_si512(r->x1 + k),
-                                   _mm512_loadu_si512(r->x0 + k));
-  __m512i height = _mm512_sub_epi32(_mm512_loadu_si512(r->y1 + k),
-                                    _mm512_loadu_si512(r->y0 + k));
-  return _mm512_mask_cmple_epi32_mask(good, _mm512_mullo_epi32(width, height),
-                                      _mm512_set1_epi32(SMALL_BOX));
-}
-
-/* Triangles k to k + 15, those that are small, each in a lane of its own: all
- * go through the samples of their boxes in step, row by row. */
-AVX512 static void tile_small(struct tiling *t, const struct batch *b, int k,
-                              __mmask16 small, struct queue *queue) {
-  const struct corners *r = &b->corners;
-  const struct triangles *s = &b->triangles;
-  const __m512 one = _mm512_set1_ps(1), bound = _mm512_loadu_ps(s->bound + k),
-               minus_bound = _mm512_sub_ps(_mm512_setzero_ps(), bound);
-  __m512i x0 = _mm512_loadu_si512(r->x0 + k),
-          y0 = _mm512_loadu_si512(r->y0 + k);
-  __m512i columns = _mm512_sub_epi32(_mm512_loadu_si512(r->x1 + k), x0);
-  __m512 width = _mm512_cvtepi32_ps(columns);
-  __m512 height =
-      _mm512_cvtepi32_ps(_mm512_sub_epi32(_mm512_loadu_si512(r->y1 + k), y0));
-  __m512i face = _mm512_add_epi32(_mm512_loadu_si512(b->place + k),
-                                  _mm512_set1_epi32((int)b->first));
-  x0 = _mm512_sub_epi32(x0, _mm512_set1_epi32(t->window.x0));
-  y0 = _mm512_sub_epi32(y0, _mm512_set1_epi32(t->window.y0));
-  __m512i at = _mm512_add_epi32(x0, _mm512_slli_epi32(y0, 16));
-  __m512i next_row = _mm512_sub_epi32(_mm512_set1_epi32(1 << 16), columns);
-  __m512 right = _mm512_setzero_ps(), down = _mm512_setzero_ps();
-  for (__mmask16 active = small; active;) {
-    __m512 d0 = linear2(s->e0 + k, s->ex0 + k, right, s->ey0 + k, down);
-    __m512 d1 = linear2(s->e1 + k, s->ex1 + k, right, s->ey1 + k, down);
-    __m512 d2 = linear2(s->e2 + k, s->ex2 + k, right, s->ey2 + k, down);
-    __m512 q = linear2(s->q + k, s->qx + k, right, s->qy + k, down);
-    __m512 d = _mm512_min_ps(_mm512_min_ps(d0, d1), d2);
-    unsigned maybe =
-        _mm512_mask_cmp_ps_mask(active, d, minus_bound, _CMP_GE_OQ);
-    unsigned sure = _mm512_mask_cmp_ps_mask(active, d, bound, _CMP_GT_OQ);
-    enqueue(t, queue, (__mmask16)sure, at, q, face);
-    if (__builtin_expect(maybe != sure, 0))
-      settle_lanes(t, maybe & ~sure, at, q, face);
-    right = _mm512_add_ps(right, one);
-    at = _mm512_add_epi32(at, _mm512_set1_epi32(1));
-    __mmask16 end = _mm512_cmp_ps_mask(right, width, _CMP_GE_OQ);
-    right = _mm512_mask_mov_ps(right, end, _mm512_setzero_ps());
-    down = _mm512_mask_add_ps(down, end, down, one);
-    at = _mm512_mask_add_epi32(at, end, at, next_row);
-    active = _mm512_mask_cmp_ps_mask(active, down, height, _CMP_LT_OQ);
-  }
-}
-
-AVX512 static void tile_batch_avx512(struct tiling *t, const struct batch *b) {
-  struct queue queue;
-  queue.n = 0;
-  for (int k = 0; k < b->n_fast; k += LANES) {
-    __m512i flags = _mm512_loadu_si512(b->good + k);
-    __mmask16 good =
-        _mm512_mask_test_epi32_mask(first_lanes(b->n_fast - k), flags, flags);
-    __mmask16 small = small_ones(b, k, good);
-    tile_small(t, b, k, small, &queue);
-    for (unsigned large = good & ~(unsigned)small; large; large &= large - 1) {
-      struct triangle triangle = take(b, k + __builtin_ctz(large));
-      tile_avx512(t, &triangle);
-    }
-  }
-  compare_queue(t, &queue);
-}
-
-/* Past the caches, which have better use than rows that are done. */
-AVX512 static void write_back_avx512(const struct tiling *t) {
-  const struct hsr_window *p = &t->part;
-  int width = p->x1 - p->x0;
-  for (int j = p->y0; j < p->y1; j++) {
-    const uint32_t *from = t->ids + (size_t)(j - p->y0) * t->ids_stride;
-    uint32_t *to = t->job->ids + (size_t)j * t->job->ids_stride + (size_t)p->x0;
-    int i = 0;
-    for (; i < width && (uintptr_t)(to + i) % 64; i++)
-      to[i] = from[i];
-    for (; i + LANES <= width; i += LANES)
-      _mm512_stream_si512((__m512i *)(to + i), _mm512_loadu_si512(from + i));
-    for (; i < width; i++)
-      to[i] = from[i];
-  }
-  _mm_sfence();
-}
-
-static const struct twin avx512 = {gather_avx512, compact_avx512, tile_avx512,
-                                   tile_batch_avx512, write_back_avx512};
-
-#endif
-
-static const struct twin *choose_twin(void) {
-#ifdef HAVE_AVX512_TWIN
-  if (__builtin_cpu_supports("avx512f"))
-    return &avx512;
-#endif
-  return &portable;
-}
-
-/* --- The general way
- * --------------------------------------------------------------- */
-
-static void tile_span(struct tiling *t, uint32_t f, int j, int x0, int x1) {
-  float error = (float)t->screen.plane[f].error;
-  for (int i = x0; i < x1; i++) {
-    float q = (float)hsr_depth(&t->screen, f, i, j);
-    /* Unknown unless within RHO. */
-    settle(t, f, error < 0.5f * RHO * q ? q : NAN, true, i, j);
-  }
-}
-
-/* Is there anything of the face to be tiled? */
-static bool place_generally(struct tiling *t, uint32_t f) {
-  hsr_screen_plane(&t->screen, f);
-  if (!hsr_screen_place(&t->screen, f, t->tally))
-    return false;
-  HSR_COUNT(t->tally, GENERAL, 1);
-  return true;
-}
-
-/* What of it lies in the part. */
-static void tile_generally(struct tiling *t, uint32_t f) {
-  const struct hsr_bounds *bounds = &t->screen.bounds[f];
-  struct hsr_window box =
-      clip(t, bounds->x0, bounds->y0, bounds->x1, bounds->y1);
-  for (int j = box.y0; j < box.y1; j++) {
-    int n = hsr_face_spans(&t->screen, f, j, t->columns, t->tally);
-    for (int k = 0; k < n; k += 2) {
-      int x0 = t->columns[k], x1 = t->columns[k + 1];
-      tile_span(t, f, j, x0 < t->part.x0 ? t->part.x0 : x0,
-                x1 > t->part.x1 ? t->part.x1 : x1);
-    }
-  }
-}
 
 /* --- Parts -----------------------------------------------------------------
  */
 
-/* Clears a part's samples. */
-static void begin_part(struct tiling *t, struct hsr_window part) {
-  size_t width = (size_t)(part.x1 - part.x0);
-  t->part = part;
-  for (int j = 0; j < part.y1 - part.y0; j++) {
-    memset(t->z + (size_t)j * t->z_stride, 0, width * sizeof *t->z);
-    memset(t->ids + (size_t)j * t->ids_stride, 0xff, width * sizeof *t->ids);
-  }
-}
-
 /* Keeps what a batch has to be tiled. */
-static void keep_batch(struct tiling *t, const struct batch *b) {
+static void keep_batch(struct frame *t, const struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++)
     if (b->good[k])
-      t->kept[t->n_kept++] = take(b, k);
+      t->kept[t->n_kept++] = HSR_OF_BUILD(hsr_tiler_take)(b, k);
   for (int k = 0; k < b->n; k++) {
     uint32_t f = b->first + (uint32_t)k;
-    if (b->fate[k] != GENERALLY || !place_generally(t, f))
+    if (b->fate[k] != HSR_GENERALLY ||
+        !HSR_OF_BUILD(hsr_tiler_place)(&t->tiler, f))
       continue;
-    const struct hsr_bounds *box = &t->screen.bounds[f];
-    t->kept[t->n_kept++] = (struct triangle){.x0 = box->x0,
-                                             .y0 = box->y0,
-                                             .x1 = box->x1,
-                                             .y1 = box->y1,
-                                             .face = f,
-                                             .generally = true};
+    const struct hsr_bounds *box = &t->tiler.screen.bounds[f];
+    t->kept[t->n_kept++] = (struct hsr_triangle){.x0 = box->x0,
+                                                 .y0 = box->y0,
+                                                 .x1 = box->x1,
+                                                 .y1 = box->y1,
+                                                 .face = f,
+                                                 .generally = true};
   }
 }
 
 /* The parts that a triangle's box meets: columns [x0, x1), rows [y0, y1) of
  * them. */
-static struct hsr_window parts_of(const struct tiling *t,
-                                  const struct triangle *tri) {
-  const struct hsr_window *w = &t->window;
+static struct hsr_window parts_of(const struct frame *t,
+                                  const struct hsr_triangle *tri) {
+  const struct hsr_window *w = &t->tiler.window;
   int x0 = tri->x0 < w->x0 ? w->x0 : tri->x0;
   int y0 = tri->y0 < w->y0 ? w->y0 : tri->y0;
   int x1 = tri->x1 > w->x1 ? w->x1 : tri->x1;
@@ -886,7 +78,7 @@ static struct hsr_window parts_of(const struct tiling *t,
 
 /* Counting sort: those of part p are kept[order[start[p]]] to
  * kept[order[start[p + 1] - 1]], in the order in which they were kept. */
-static enum hsr_status sort_into_parts(const struct tiling *t, size_t **start,
+static enum hsr_status sort_into_parts(const struct frame *t, size_t **start,
                                        uint32_t **order) {
   struct hsr_arena *arena = t->job->scratch;
   size_t n_parts = (size_t)t->parts_across * (size_t)t->parts_down;
@@ -914,8 +106,8 @@ static enum hsr_status sort_into_parts(const struct tiling *t, size_t **start,
   return HSR_OK;
 }
 
-static struct hsr_window part_at(const struct tiling *t, int x, int y) {
-  const struct hsr_window *w = &t->window;
+static struct hsr_window part_at(const struct frame *t, int x, int y) {
+  const struct hsr_window *w = &t->tiler.window;
   int x0 = w->x0 + x * PART_WIDTH, y0 = w->y0 + y * PART_HEIGHT;
   return (struct hsr_window){
       x0, y0, w->x1 - x0 < PART_WIDTH ? w->x1 : x0 + PART_WIDTH,
@@ -923,21 +115,22 @@ static struct hsr_window part_at(const struct tiling *t, int x, int y) {
 }
 
 /* Tiles what was kept, part by part. */
-static enum hsr_status tile_parts(struct tiling *t, const struct twin *twin) {
+static enum hsr_status tile_parts(struct frame *t) {
   size_t *start;
   uint32_t *order;
   if (sort_into_parts(t, &start, &order))
     return HSR_E_NOMEM;
   for (int p = 0; p < t->parts_across * t->parts_down; p++) {
-    begin_part(t, part_at(t, p % t->parts_across, p / t->parts_across));
+    HSR_OF_BUILD(hsr_tiler_begin_part)
+    (&t->tiler, part_at(t, p % t->parts_across, p / t->parts_across));
     for (size_t k = start[p]; k < start[p + 1]; k++) {
-      const struct triangle *triangle = &t->kept[order[k]];
+      const struct hsr_triangle *triangle = &t->kept[order[k]];
       if (triangle->generally)
-        tile_generally(t, triangle->face);
+        HSR_OF_BUILD(hsr_tiler_tile_generally)(&t->tiler, triangle->face);
       else
-        twin->tile(t, triangle);
+        HSR_OF_BUILD(hsr_tiler_tile)(&t->tiler, triangle);
     }
-    twin->write_back(t);
+    HSR_OF_BUILD(hsr_tiler_write_back)(&t->tiler, t->job);
   }
   return HSR_OK;
 }
@@ -945,52 +138,33 @@ static enum hsr_status tile_parts(struct tiling *t, const struct twin *twin) {
 /* --- The algorithm
  * ------------------------------------------------------------------- */
 
-HSR_VECTOR static void snap(size_t n, const double *restrict sx,
-                            const double *restrict sy, const double *restrict q,
-                            struct corner *restrict corner) {
-  for (size_t v = 0; v < n; v++) {
-    int safe = (fabs(sx[v]) < FARTHEST) & (fabs(sy[v]) < FARTHEST);
-    corner[v].x = safe ? (int)floor(sx[v] * GRID + 0.5) : UNSAFE;
-    corner[v].y = safe ? (int)floor(sy[v] * GRID + 0.5) : UNSAFE;
-    corner[v].q = (float)q[v];
-    corner[v].unused = 0;
-  }
-}
-
-/* Do the samples lie on the grid? */
-static bool find_grid(struct tiling *t) {
-  double first_x = hsr_sample_x(t->job->view, 0) * GRID;
-  double first_y = hsr_sample_y(t->job->view, 0) * GRID;
-  t->first_x = (int)first_x;
-  t->first_y = (int)first_y;
-  return first_x == t->first_x && first_y == t->first_y;
-}
-
 /* The memory of depths, of the picture; or of depths and ids, of a part. */
-static enum hsr_status make_memory(struct tiling *t) {
+static enum hsr_status make_memory(struct frame *t) {
   const struct hsr_job *job = t->job;
+  struct hsr_tiler *tiler = &t->tiler;
   struct hsr_arena *arena = job->scratch;
-  const struct hsr_window *w = &t->window;
+  const struct hsr_window *w = &tiler->window;
   size_t width = (size_t)(w->x1 - w->x0), height = (size_t)(w->y1 - w->y0);
   if (!t->fast || width * height <= ONE_PART) {
-    t->z_stride = width;
-    t->z = HSR_NEW(arena, float, width *height);
-    t->ids_stride = job->ids_stride;
-    t->ids = job->ids + (size_t)w->y0 * job->ids_stride + (size_t)w->x0;
-    return t->z ? HSR_OK : HSR_E_NOMEM;
+    tiler->z_stride = width;
+    tiler->z = HSR_NEW(arena, float, width *height);
+    tiler->ids_stride = job->ids_stride;
+    tiler->ids = job->ids + (size_t)w->y0 * job->ids_stride + (size_t)w->x0;
+    return tiler->z ? HSR_OK : HSR_E_NOMEM;
   }
-  t->z_stride = t->ids_stride = PART_WIDTH + PAD;
-  t->z = HSR_NEW(arena, float, PART_HEIGHT * t->z_stride);
-  t->ids = HSR_NEW(arena, uint32_t, PART_HEIGHT * t->ids_stride);
-  t->kept = HSR_NEW(arena, struct triangle, job->world->n_faces);
+  tiler->z_stride = tiler->ids_stride = PART_WIDTH + PAD;
+  tiler->z = HSR_NEW(arena, float, PART_HEIGHT * tiler->z_stride);
+  tiler->ids = HSR_NEW(arena, uint32_t, PART_HEIGHT * tiler->ids_stride);
+  t->kept = HSR_NEW(arena, struct hsr_triangle, job->world->n_faces);
   t->parts_across = (int)((width + PART_WIDTH - 1) / PART_WIDTH);
   t->parts_down = (int)((height + PART_HEIGHT - 1) / PART_HEIGHT);
-  return t->z && t->ids && t->kept ? HSR_OK : HSR_E_NOMEM;
+  return tiler->z && tiler->ids && t->kept ? HSR_OK : HSR_E_NOMEM;
 }
 
-static enum hsr_status begin_frame(struct tiling *t) {
+static enum hsr_status begin_frame(struct frame *t) {
   const struct hsr_job *job = t->job;
   const struct hsr_world *world = job->world;
+  struct hsr_tiler *tiler = &t->tiler;
   struct hsr_arena *arena = job->scratch;
   size_t largest = 3;
   if (!world->all_triangles)
@@ -998,56 +172,56 @@ static enum hsr_status begin_frame(struct tiling *t) {
       if (largest < hsr_face_size(world, f))
         largest = hsr_face_size(world, f);
 
-  t->tally = job->tally;
-  t->window = job->view->window;
-  t->fast = find_grid(t) && world->all_triangles;
-  t->corner = HSR_NEW(arena, struct corner, world->n_vertices);
-  t->columns = HSR_NEW(arena, int, largest + 4);
-  if (!t->corner || !t->columns || make_memory(t) ||
-      hsr_screen_init(&t->screen, world, job->view, arena))
+  HSR_OF_BUILD(hsr_tiler_begin)(tiler, job);
+  t->fast = tiler->on_grid && world->all_triangles;
+  tiler->corner = HSR_NEW(arena, struct hsr_corner, world->n_vertices);
+  tiler->columns = HSR_NEW(arena, int, largest + 4);
+  if (!tiler->corner || !tiler->columns || make_memory(t) ||
+      hsr_screen_init(&tiler->screen, world, job->view, arena))
     return HSR_E_NOMEM;
-  hsr_screen_vertices(&t->screen);
-  snap(world->n_vertices, t->screen.sx, t->screen.sy, t->screen.q, t->corner);
+  hsr_screen_vertices(&tiler->screen);
+  HSR_OF_BUILD(hsr_tiler_snap)(tiler);
   return HSR_OK;
 }
 
-static void tile_batch(struct tiling *t, const struct twin *twin,
-                       const struct batch *b) {
-  twin->tile_batch(t, b);
-  for (int k = 0; k < b->n; k++) {
-    uint32_t f = b->first + (uint32_t)k;
-    if (b->fate[k] == GENERALLY && place_generally(t, f))
-      tile_generally(t, f);
-  }
+static void tile_face_generally(struct hsr_tiler *tiler, uint32_t f) {
+  if (HSR_OF_BUILD(hsr_tiler_place)(tiler, f))
+    HSR_OF_BUILD(hsr_tiler_tile_generally)(tiler, f);
 }
 
-static enum hsr_status tile_triangles(struct tiling *t) {
-  const struct twin *twin = choose_twin();
+static void tile_batch(struct hsr_tiler *tiler, const struct hsr_batch *b) {
+  HSR_OF_BUILD(hsr_tiler_tile_batch)(tiler, b);
+  for (int k = 0; k < b->n; k++)
+    if (b->fate[k] == HSR_GENERALLY)
+      tile_face_generally(tiler, b->first + (uint32_t)k);
+}
+
+static enum hsr_status tile_triangles(struct frame *t) {
   uint32_t n = t->job->world->n_faces;
-  struct batch batch;
-  if (!t->kept)
-    begin_part(t, t->window);
-  for (uint32_t f = 0; f < n; f += (uint32_t)batch.n) {
-    look_at_batch(t, twin, &batch, f, n - f < BATCH ? (int)(n - f) : BATCH);
+  struct hsr_batch batch;
+  for (uint32_t f = 0; f < n; f += HSR_BATCH) {
+    HSR_OF_BUILD(hsr_tiler_look)
+    (&t->tiler, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
+    HSR_OF_BUILD(hsr_tiler_set_up)(&t->tiler, &batch);
     if (t->kept)
       keep_batch(t, &batch);
     else
-      tile_batch(t, twin, &batch);
+      tile_batch(&t->tiler, &batch);
   }
-  return t->kept ? tile_parts(t, twin) : HSR_OK;
+  return t->kept ? tile_parts(t) : HSR_OK;
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  struct tiling t = {.job = job};
+  struct frame t = {.job = job};
   if (begin_frame(&t))
     return hsr_fail_nomem(err);
+  if (!t.kept)
+    HSR_OF_BUILD(hsr_tiler_begin_part)(&t.tiler, t.tiler.window);
   if (t.fast)
     return tile_triangles(&t) ? hsr_fail_nomem(err) : HSR_OK;
-  begin_part(&t, t.window);
   for (uint32_t f = 0; f < job->world->n_faces; f++)
-    if (place_generally(&t, f))
-      tile_generally(&t, f);
+    tile_face_generally(&t.tiler, f);
   return HSR_OK;
 }
 

@@ -7,7 +7,7 @@ libhsr_a_SOURCES += %D%/adapt_cgal.cc %D%/arena.c %D%/clip.c %D%/cluster_cgal.cc
   %D%/mesh_file.cc %D%/mesh_file.h %D%/mesh_scan_obj.cc %D%/mesh_scan_off.cc \
   %D%/mesh_scan_ply.cc %D%/mesh_scan_stl.cc %D%/mesh_text.cc %D%/mesh_text.h \
   %D%/image.cc %D%/order.c %D%/picture.c %D%/pieces.c %D%/predicates_cgal.cc %D%/scene.c \
-  %D%/json_read.c %D%/json_read.h %D%/scene_json.c %D%/srgb.h %D%/screen.c %D%/statistics.c %D%/penetration.cc %D%/penetration.h %D%/status.c %D%/vector.h \
+  %D%/json_read.c %D%/json_read.h %D%/scene_json.c %D%/srgb.h %D%/screen.c %D%/statistics.c %D%/pair.c %D%/pair.h %D%/penetration.cc %D%/penetration.h %D%/status.c %D%/vector.h \
   %D%/view.c %D%/volumes_cgal.cc %D%/world.c
 
 # Line drawings as files.

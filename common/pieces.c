@@ -17,7 +17,7 @@ static enum hsr_status allocate(struct hsr_world *world,
   pieces->outline = HSR_NEW(arena, uint32_t, list->outline_start[n]);
   return pieces->parent && pieces->first && pieces->cut_start && pieces->cut &&
                  pieces->outline_start && pieces->outline
-             ? hsr_world_allocate(world)
+             ? hsr_world_allocate(world, arena)
              : HSR_E_NOMEM;
 }
 

@@ -35,8 +35,8 @@
 static const double U = DBL_EPSILON / 2;
 static const double TINY = 0x1p-960;
 
-enum hsr_status hsr_world_allocate(struct hsr_world *world) {
-  struct hsr_arena *arena = &world->arena;
+enum hsr_status hsr_world_allocate(struct hsr_world *world,
+                                   struct hsr_arena *arena) {
   size_t nv = world->n_vertices, nf = world->n_faces, nc = world->n_corners;
   world->x = HSR_NEW(arena, double, nv);
   world->y = HSR_NEW(arena, double, nv);
@@ -337,13 +337,17 @@ static enum hsr_status classify_planes(struct hsr_world *world) {
   return out_of_memory ? HSR_E_NOMEM : HSR_OK;
 }
 
+void hsr_world_find_plane(struct hsr_world *world, uint32_t f,
+                          bool *out_of_memory) {
+  find_plane(world, f);
+  world->deviation[f] = find_deviation(world, f, out_of_memory);
+}
+
 /* Planes and what the algorithms assume, of faces that are laid out. */
 static enum hsr_status finish(struct hsr_world *world, struct hsr_error *err) {
-  for (uint32_t f = 0; f < world->n_faces; f++)
-    find_plane(world, f);
   bool out_of_memory = false;
   for (uint32_t f = 0; f < world->n_faces; f++)
-    world->deviation[f] = find_deviation(world, f, &out_of_memory);
+    hsr_world_find_plane(world, f, &out_of_memory);
   if (out_of_memory)
     return hsr_fail_nomem(err);
   enum hsr_status status = check(world, err);
@@ -360,7 +364,7 @@ enum hsr_status hsr_world_init(struct hsr_world *world,
     status = measure(world, err);
   if (status)
     return status;
-  if (hsr_world_allocate(world))
+  if (hsr_world_allocate(world, &world->arena))
     return hsr_fail_nomem(err);
   expand(world);
   return finish(world, err);
@@ -421,8 +425,7 @@ static uint32_t size_of(const struct place *at) {
   return at->object->start[at->face + 1] - at->object->start[at->face];
 }
 
-/* Lays out face f, with vertices of its own. */
-static void extract_face(struct hsr_world *out, uint32_t f) {
+void hsr_world_lay_out(struct hsr_world *out, uint32_t f) {
   struct place at = place_of(out, out->id[f]);
   const struct hsr_instance *instance = &out->scene->instances[at.instance];
   const uint32_t *vertex = at.object->vertex + at.object->start[at.face];
@@ -455,10 +458,10 @@ enum hsr_status hsr_world_extract(struct hsr_world *out,
     out->all_triangles &= size_of(&at) == 3;
   }
   out->n_vertices = out->n_corners;
-  if (hsr_world_allocate(out))
+  if (hsr_world_allocate(out, &out->arena))
     return hsr_fail_nomem(err);
   out->start[0] = 0;
   for (uint32_t f = 0; f < n; f++)
-    extract_face(out, f);
+    hsr_world_lay_out(out, f);
   return finish(out, err);
 }

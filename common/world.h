@@ -103,7 +103,16 @@ uint32_t hsr_instance_of(const struct hsr_world *world, uint32_t f);
 
 /* For those who make worlds: allocates every array, the sizes being set;
  * `first` only if it is NULL. HSR_E_NOMEM. */
-enum hsr_status hsr_world_allocate(struct hsr_world *world);
+enum hsr_status hsr_world_allocate(struct hsr_world *world,
+                                   struct hsr_arena *arena);
+
+/* Lays out face id[f] of the scene as face f, with vertices of its own, from
+ * start[f] on, and sets start[f + 1]. */
+void hsr_world_lay_out(struct hsr_world *world, uint32_t f);
+
+/* Finds the plane of face f, which is laid out, and its deviation. */
+void hsr_world_find_plane(struct hsr_world *world, uint32_t f,
+                          bool *out_of_memory);
 
 /* Number of vertices of face f. */
 static inline uint32_t hsr_face_size(const struct hsr_world *world,
