@@ -117,12 +117,13 @@ enum hsr_box_verdict hsr_box_classify(const struct hsr_polyhedron *poly,
                                       const struct hsr_box *box, unsigned *cut,
                                       struct hsr_box_work *work);
 
-/* Whether the box meets a polygon: section A.4, last paragraph. `normal`, of
- * any length, and on the side from which the corners go counterclockwise, may
- * be rounded. The polygon is planar and convex, or it is taken for its convex
- * hull. Where it is more than that, since its corners were rounded or its plane
- * does not pass through all of them, no point of it is farther than `slack`
- * from the hull in any coordinate. */
+/* Whether the box meets a planar convex polygon: section A.4, last paragraph.
+ * `normal`, of any length and on the side from which the corners go
+ * counterclockwise, may be rounded. Of a polygon that is not convex, all that
+ * meets its convex hull is said to meet it, and perhaps more. Where a polygon
+ * is not within that hull, since its corners were rounded or its plane does not
+ * pass through all of them, no point of it may be farther than `slack` from the
+ * hull in any coordinate. */
 bool hsr_box_meets_polygon(const struct hsr_box *box, struct hsr_loop polygon,
                            const double normal[3], double slack);
 
