@@ -77,7 +77,8 @@ struct hsr_polyhedron {
  * are vertex[start[f]], ..., vertex[start[f+1] - 1], which are convex, go round
  * either way, and close. radius[v] tells how far, in every coordinate, vertex v
  * may be from where it is meant to be; NULL: not at all. Then the polyhedron is
- * the one that is meant. */
+ * the one that is meant. Radii are for rounding: where they are not small
+ * beside the polyhedron, boxes are seldom IN. */
 void hsr_polyhedron_init(struct hsr_polyhedron *poly, int n_vertices,
                          const double *xyz, const double *radius, int n_faces,
                          const int *start, const int *vertex);

@@ -229,7 +229,8 @@ void try_box(Score &score, const hsr_polyhedron &poly, const hsr_box &box,
 
 // ---- Solids ----
 
-hsr_polyhedron ready(const Solid<double> &solid) {
+hsr_polyhedron ready(const Solid<double> &solid,
+                     const double *radius = nullptr) {
   std::vector<int> start = {0}, loops;
   for (const auto &face : solid.faces) {
     loops.insert(loops.end(), face.begin(), face.end());
@@ -237,8 +238,8 @@ hsr_polyhedron ready(const Solid<double> &solid) {
   }
   hsr_polyhedron poly;
   hsr_polyhedron_init(&poly, int(solid.vertices.size()),
-                      solid.vertices[0].data(), nullptr,
-                      int(solid.faces.size()), start.data(), loops.data());
+                      solid.vertices[0].data(), radius, int(solid.faces.size()),
+                      start.data(), loops.data());
   return poly;
 }
 
@@ -346,6 +347,52 @@ void test_solids(struct tap *tap) {
     ok(tap, frusta.needs_lines > 0 && tetrahedra.needs_lines > 0,
        "%s: without edge-lines some would be taken to meet", numbers);
   }
+}
+
+// A little box on the surface.
+hsr_box box_on(const Solid<double> &solid) {
+  const Polygon<double> face =
+      solid.face(size_t(integer(0, int(solid.faces.size()) - 1)));
+  const Point<double> p = somewhere_in(face);
+  hsr_box box;
+  for (int k = 0; k < 3; k++) {
+    const double middle = p[size_t(k)] + real(-0x1p-10, 0x1p-10);
+    const double half = real(0, 0x1p-11);
+    box.lo[k] = middle - half;
+    box.hi[k] = middle + half;
+  }
+  return box;
+}
+
+// Vertices that are out of place, each by up to a radius of its own.
+void test_radii(struct tap *tap) {
+  Score with, without;
+  for (int i = 0; i < 10000; i++) {
+    const Solid<double> solid = random_frustum(false);
+    Solid<double> moved = solid;
+    double radius[8];
+    for (size_t v = 0; v < 8; v++) {
+      radius[v] = std::ldexp(1., integer(-20, -9));
+      for (double &x : moved.vertices[v])
+        x += radius[v] * integer(-1, 1);
+    }
+    const hsr_polyhedron wide = ready(moved, radius), narrow = ready(moved);
+    for (int k = 0; k < 10; k++) {
+      const hsr_box box =
+          k % 2 ? box_on(solid)
+                : random_box(somewhere_in(solid.vertices), 2, false);
+      const Truth truth = exactly([&](const auto zero) {
+        return judge(convert<std::decay_t<decltype(zero)>>(solid), box);
+      });
+      try_box(with, wide, box, truth);
+      try_box(without, narrow, box, truth);
+    }
+  }
+  with.print("vertices out of place, by known radii");
+  without.print("the same, the radii not told");
+  ok(tap, with.wrong == 0 && with.out > 100 && with.in > 100,
+     "vertices out of place by their radii: no verdict is wrong");
+  ok(tap, without.wrong > 0, "but if the radii are not told, some are");
 }
 
 // ---- The frusta of views ----
@@ -560,9 +607,10 @@ void test_slack(struct tap *tap) {
 } // namespace
 
 int main() {
-  struct tap tap = plan(18);
+  struct tap tap = plan(20);
   state = 6;
   test_solids(&tap);
+  test_radii(&tap);
   test_views(&tap);
   test_convex_polygons(&tap);
   test_darts(&tap);

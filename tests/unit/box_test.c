@@ -108,17 +108,23 @@ static void test_edge_lines(struct tap *tap) {
      "by the planes alone it would be taken to meet");
 }
 
-/* A flat solid has no inside, and is met all the same. */
+/* A triangle, and three about a point of it: a solid that is flat. All normals
+ * are (1, 1, 1), so that the half spaces alone would hold what is below. */
 static void test_flat(struct tap *tap) {
-  static const double flat[] = {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 0};
-  struct hsr_polyhedron poly = tetrahedron(flat);
+  static const double xyz[] = {4, 0, 0, 0, 4, 0, 0, 0, 4, 2, 1, 1};
+  static const int start[] = {0, 3, 6, 9, 12};
+  static const int faces[] = {1, 2, 3, 2, 0, 3, 0, 1, 3, 0, 1, 2};
+  struct hsr_polyhedron poly;
   unsigned n, cut;
+  hsr_polyhedron_init(&poly, 4, xyz, NULL, 4, start, faces);
   ok(tap,
-     classify(&poly, box(1, 1, 0, 1, 1, 0), &cut, &n) == HSR_BOX_PARTIAL &&
+     classify(&poly, box(.5, .5, .5, 1, 1, 1), &cut, &n) != HSR_BOX_IN &&
          cut == 15,
      "nothing is in a flat polyhedron");
-  ok(tap, classify(&poly, box(1, 1, 1, 2, 2, 2), &cut, &n) == HSR_BOX_OUT,
-     "what is above it is out");
+  ok(tap,
+     classify(&poly, box(1, 1, 2, 1, 1, 2), &cut, &n) == HSR_BOX_PARTIAL &&
+         classify(&poly, box(2, 2, 2, 3, 3, 3), &cut, &n) == HSR_BOX_OUT,
+     "but it is met, and what is above it is out");
 }
 
 /* Eye at the origin, looking along -z, 90 degrees: |x|, |y| <= -z. */
