@@ -2,6 +2,7 @@
 # Programs that print TAP; the scripts among them end in .test.
 tap_programs = \
   %D%/unit/adapt_test \
+  %D%/unit/box_test \
   %D%/unit/drawing_test \
   %D%/unit/exchange_test \
   %D%/unit/figures_test \
@@ -16,6 +17,7 @@ tap_programs = \
   %D%/unit/tables_test \
   %D%/conformance/lattice_test \
   %D%/conformance/line_lattice_test \
+  %D%/properties/boxes_test \
   %D%/properties/combinations_test \
   %D%/properties/edges_test \
   %D%/properties/lines_and_surfaces_test \
@@ -51,6 +53,8 @@ libdraw_a_SOURCES = %D%/draw.c %D%/draw.h %D%/tap.h
 LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_adapt_test_SOURCES = %D%/unit/adapt_test.c
 nodist_EXTRA_%C%_unit_adapt_test_SOURCES = force_cxx_link.cc
+%C%_unit_box_test_SOURCES = %D%/unit/box_test.c
+nodist_EXTRA_%C%_unit_box_test_SOURCES = force_cxx_link.cc
 %C%_unit_drawing_test_SOURCES = %D%/unit/drawing_test.c
 nodist_EXTRA_%C%_unit_drawing_test_SOURCES = force_cxx_link.cc
 %C%_unit_exchange_test_SOURCES = %D%/unit/exchange_test.cc
@@ -76,6 +80,7 @@ nodist_EXTRA_%C%_unit_tables_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
 %C%_conformance_line_lattice_test_SOURCES = %D%/conformance/line_lattice_test.c
 nodist_EXTRA_%C%_conformance_line_lattice_test_SOURCES = force_cxx_link.cc
+%C%_properties_boxes_test_SOURCES = %D%/properties/boxes_test.cc
 %C%_properties_edges_test_SOURCES = %D%/properties/edges_test.c
 nodist_EXTRA_%C%_properties_edges_test_SOURCES = force_cxx_link.cc
 %C%_properties_combinations_test_SOURCES = %D%/properties/combinations_test.c
