@@ -30,7 +30,6 @@
  * of q, and HSR_RHO = 2^-16 holds it. A triangle that does not fulfil all this
  * takes the general way. */
 #include "algorithms/tiler.h"
-#include "common/pair.h"
 #include "common/vector.h"
 
 #include <limits.h>
@@ -86,7 +85,7 @@ static bool is_nearer(struct hsr_tiler *t, uint32_t id, uint32_t held, int i,
   if (held == HSR_BACKGROUND || held == id)
     return held != id;
   HSR_COUNT(t->tally, HSR_UNSURE_DEPTH, 1);
-  if (t->scene)
+  if (t->pair)
     return hsr_pair_nearer(t->pair, id, held, i, j, t->tally);
   hsr_screen_plane(&t->screen, id);
   hsr_screen_plane(&t->screen, held);
@@ -730,9 +729,8 @@ static void tile_span(struct hsr_tiler *t, uint32_t f, int j, int x0, int x1) {
 }
 
 bool HSR_OF_BUILD(hsr_tiler_place)(struct hsr_tiler *t, uint32_t f) {
-  if (t->scene)
-    hsr_world_find_plane((struct hsr_world *)t->screen.world, f,
-                         &t->tally->out_of_memory);
+  if (t->few)
+    hsr_world_find_plane(t->few, f, &t->tally->out_of_memory);
   hsr_screen_plane(&t->screen, f);
   if (!hsr_screen_place(&t->screen, f, t->tally))
     return false;

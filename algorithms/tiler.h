@@ -23,7 +23,7 @@
 #define HSR_ALGORITHMS_TILER_H
 
 #include "algorithms/algorithm.h"
-#include "common/screen.h"
+#include "common/pair.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -118,10 +118,10 @@ struct hsr_tiler {
    * is NULL. */
   const uint32_t *id;
   uint32_t first_id;
-  /* The scene's world, if it is not the screen's; NULL else. Then the screen's
-   * planes are found when they are asked for, and faces are compared as the
-   * scene's. */
-  const struct hsr_world *scene;
+  /* Where the screen's world is not the scene's, but a few faces laid out for
+   * the moment: that world, whose planes are found when they are asked for, and
+   * what compares the scene's faces; else NULL. */
+  struct hsr_world *few;
   struct hsr_pair *pair;
 
   struct hsr_window window;

@@ -54,6 +54,9 @@ static inline struct hsr_loop hsr_plane_loop(const struct hsr_world *world,
 /* Whether all three components of Newell's normal are zero: 0 if so, else 1. */
 int hsr_exact_has_normal(struct hsr_loop face, bool *out_of_memory);
 
+/* Whether all corners are on the plane of the face (common/world.h). */
+bool hsr_is_flat(struct hsr_loop face, bool *out_of_memory);
+
 /* Whether two faces lie on one plane, in either orientation: 1 if so. */
 int hsr_exact_same_plane(struct hsr_loop f, struct hsr_loop g,
                          bool *out_of_memory);

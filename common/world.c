@@ -184,16 +184,13 @@ static void find_plane(struct hsr_world *world, uint32_t f) {
   world->anchor_error[f] = triangle ? 0 : 2 * (k + 2.0) * U * r + TINY;
 }
 
-/* Whether all vertices of face f, which has more than three, are on its plane.
- */
-static bool is_flat(const struct hsr_world *world, uint32_t f,
-                    bool *out_of_memory) {
-  struct hsr_loop loop = hsr_face_loop(world, f), plane = loop;
+bool hsr_is_flat(struct hsr_loop loop, bool *out_of_memory) {
+  struct hsr_loop plane = loop;
   if (loop.n == 4)
     plane.n = 3;
-  for (uint32_t k = loop.n == 4 ? 3 : 0; k < loop.n; k++) {
-    uint32_t v = loop.vertex[k];
-    const double p[3] = {world->x[v], world->y[v], world->z[v]};
+  for (uint32_t k = loop.n <= 4 ? 3 : 0; k < loop.n; k++) {
+    size_t v = loop.stride * loop.vertex[k];
+    const double p[3] = {loop.x[v], loop.y[v], loop.z[v]};
     if (hsr_exact_plane_side(plane, p, out_of_memory))
       return false;
   }
@@ -219,7 +216,7 @@ static double find_deviation(const struct hsr_world *world, uint32_t f,
     may_be_flat &= off <= error;
     largest = fmax(largest, off + error);
   }
-  return may_be_flat && is_flat(world, f, out_of_memory) ? 0 : largest;
+  return may_be_flat && hsr_is_flat(hsr_face_loop(world, f), out_of_memory) ? 0 : largest;
 }
 
 static double largest_normal(const struct hsr_world *world, uint32_t f) {

@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "algorithms/pyramid.h"
+#include "common/vector.h"
+
+#include <string.h>
+
+static int side_of(const struct hsr_pyramid *p, int level) {
+  return 1 << (p->n_levels - 1 - level);
+}
+
+enum hsr_status HSR_OF_BUILD(hsr_pyramid_init)(struct hsr_pyramid *p,
+                                               const struct hsr_window *window,
+                                               bool near, size_t *stride,
+                                               struct hsr_arena *arena) {
+  int width = window->x1 - window->x0, height = window->y1 - window->y0;
+  int side = width > height ? width : height;
+  *p = (struct hsr_pyramid){.window = *window, .n_levels = 1};
+  while (1 << (p->n_levels - 1) < side)
+    p->n_levels++;
+  for (int level = 0; level < p->n_levels; level++) {
+    size_t n = (size_t)side_of(p, level) * (size_t)side_of(p, level);
+    p->far[level] = HSR_NEW(arena, float, n);
+    if (!p->far[level])
+      return HSR_E_NOMEM;
+    if (near)
+      p->near[level] = level ? HSR_NEW(arena, float, n) : p->far[0];
+    if (near && !p->near[level])
+      return HSR_E_NOMEM;
+  }
+  *stride = (size_t)side_of(p, 0);
+  return HSR_OK;
+}
+
+void HSR_OF_BUILD(hsr_pyramid_clear)(struct hsr_pyramid *p) {
+  int width = p->window.x1 - p->window.x0, height = p->window.y1 - p->window.y0;
+  for (int level = 0; level < p->n_levels; level++) {
+    int side = side_of(p, level);
+    int columns = (width - 1 >> level) + 1, rows = (height - 1 >> level) + 1;
+    for (int y = 0; y < side; y++)
+      for (int x = 0; x < side; x++) {
+        size_t cell = (size_t)y * (size_t)side + (size_t)x;
+        bool inside = x < columns && y < rows;
+        p->far[level][cell] = inside ? 0 : HUGE_VALF;
+        if (p->near[level])
+          p->near[level][cell] = inside ? 0 : HUGE_VALF;
+      }
+  }
+}
+
+/* --- Update -----------------------------------------------------------------
+ */
+
+/* NaN is the background's depth. */
+static inline float known(float z) {
+  return z > 0 ? z : 0;
+}
+
+/* The farthest of two rows' cells, two by two; whether any entry changed. */
+HSR_VECTOR static int reduce_far(const float *restrict row0,
+                                 const float *restrict row1, float *restrict to,
+                                 int n) {
+  int changed = 0;
+  for (int x = 0; x < n; x++) {
+    float a = known(row0[2 * x]), b = known(row0[2 * x + 1]);
+    float c = known(row1[2 * x]), d = known(row1[2 * x + 1]);
+    a = a < b ? a : b;
+    c = c < d ? c : d;
+    a = a < c ? a : c;
+    changed |= a != to[x];
+    to[x] = a;
+  }
+  return changed;
+}
+
+/* NaN, or what is outside, is nearer than anything. */
+static int reduce_near(const float *row0, const float *row1, float *to, int n) {
+  int changed = 0;
+  for (int x = 0; x < n; x++) {
+    float nearest = 0;
+    const float four[4] = {row0[2 * x], row0[2 * x + 1], row1[2 * x],
+                           row1[2 * x + 1]};
+    for (int k = 0; k < 4; k++)
+      nearest = four[k] <= nearest ? nearest
+                : four[k] > 0      ? four[k]
+                                   : HUGE_VALF;
+    changed |= nearest != to[x];
+    to[x] = nearest;
+  }
+  return changed;
+}
+
+void HSR_OF_BUILD(hsr_pyramid_update)(struct hsr_pyramid *p,
+                                      struct hsr_bounds box) {
+  int x0 = box.x0 - p->window.x0, y0 = box.y0 - p->window.y0;
+  int x1 = box.x1 - p->window.x0 - 1, y1 = box.y1 - p->window.y0 - 1;
+  for (int level = 1, changed = 1; level < p->n_levels && changed; level++) {
+    size_t side = (size_t)side_of(p, level);
+    x0 >>= 1, y0 >>= 1, x1 >>= 1, y1 >>= 1;
+    changed = 0;
+    for (int y = y0; y <= y1; y++) {
+      size_t below = 4 * side * (size_t)y + 2 * (size_t)x0;
+      size_t to = side * (size_t)y + (size_t)x0;
+      const float *from = p->far[level - 1] + below;
+      changed |=
+          reduce_far(from, from + 2 * side, p->far[level] + to, x1 - x0 + 1);
+      if (p->near[level]) {
+        from = p->near[level - 1] + below;
+        changed |= reduce_near(from, from + 2 * side, p->near[level] + to,
+                               x1 - x0 + 1);
+      }
+    }
+  }
+}
+
+/* --- Tests ------------------------------------------------------------------
+ */
+
+/* Inclusive columns and rows of cells of level 0. */
+struct rectangle {
+  int x0, y0, x1, y1;
+};
+
+static struct rectangle rectangle_of(const struct hsr_pyramid *p,
+                                     struct hsr_bounds box) {
+  return (struct rectangle){box.x0 - p->window.x0, box.y0 - p->window.y0,
+                            box.x1 - p->window.x0 - 1,
+                            box.y1 - p->window.y0 - 1};
+}
+
+/* The level of the smallest entry that encloses the rectangle. */
+static int enclosing_level(const struct rectangle *r) {
+  unsigned differ = (unsigned)(r->x0 ^ r->x1) | (unsigned)(r->y0 ^ r->y1);
+  return differ ? 32 - __builtin_clz(differ) : 0;
+}
+
+/* An entry stands for a square of samples, each of which it touches by its
+ * share. */
+static void touch(const struct hsr_pyramid *p, int level, int x, int y) {
+  const struct hsr_window *w = &p->window;
+  float share = 1.0f / (float)(1 << level) / (float)(1 << level);
+  for (int j = w->y0 + (y << level); j < w->y0 + ((y + 1) << level); j++)
+    for (int i = w->x0 + (x << level); i < w->x0 + ((x + 1) << level); i++)
+      if (i < w->x1 && j < w->y1)
+        p->work[(size_t)j * p->work_stride + (size_t)i] += share;
+}
+
+static inline float read_entry(struct hsr_pyramid *p, float *const *levels,
+                               int level, int x, int y) {
+  p->reads++;
+  if (HSR_COUNTING && p->work)
+    touch(p, level, x, y);
+  return levels[level][((size_t)y << (p->n_levels - 1 - level)) + (size_t)x];
+}
+
+bool HSR_OF_BUILD(hsr_pyramid_basic)(struct hsr_pyramid *p,
+                                     struct hsr_bounds box, float q) {
+  struct rectangle r = rectangle_of(p, box);
+  int level = enclosing_level(&r);
+  return q * HSR_CLEAR <
+         read_entry(p, p->far, level, r.x0 >> level, r.y0 >> level);
+}
+
+/* Entry (x, y) of the level, which the rectangle meets. */
+static bool hides(struct hsr_pyramid *p, const struct rectangle *r, float q,
+                  int level, int x, int y) {
+  if (q * HSR_CLEAR < read_entry(p, p->far, level, x, y))
+    return true;
+  if (!level--)
+    return false;
+  int x0 = 2 * x > r->x0 >> level ? 2 * x : r->x0 >> level;
+  int y0 = 2 * y > r->y0 >> level ? 2 * y : r->y0 >> level;
+  int x1 = 2 * x + 1 < r->x1 >> level ? 2 * x + 1 : r->x1 >> level;
+  int y1 = 2 * y + 1 < r->y1 >> level ? 2 * y + 1 : r->y1 >> level;
+  for (y = y0; y <= y1; y++)
+    for (x = x0; x <= x1; x++)
+      if (!hides(p, r, q, level, x, y))
+        return false;
+  return true;
+}
+
+bool HSR_OF_BUILD(hsr_pyramid_hides)(struct hsr_pyramid *p,
+                                     struct hsr_bounds box, float q) {
+  struct rectangle r = rectangle_of(p, box);
+  int level = enclosing_level(&r);
+  return hides(p, &r, q, level, r.x0 >> level, r.y0 >> level);
+}
+
+bool HSR_OF_BUILD(hsr_pyramid_before)(struct hsr_pyramid *p,
+                                      struct hsr_bounds box, float q) {
+  struct rectangle r = rectangle_of(p, box);
+  int level = enclosing_level(&r);
+  return q > HSR_CLEAR *
+                 read_entry(p, p->near, level, r.x0 >> level, r.y0 >> level);
+}
