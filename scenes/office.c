@@ -65,7 +65,7 @@ static void block(struct hsr_pen *pen, int a, int b, int c, int d, int e,
 }
 
 /* A bar along the stairs, between x0 and x1 and between two heights above the
- * line of the treads' backs, which rises by 2 in 3. */
+ * line of the treads' backs, which rises by 2 in 3; x is from the foot. */
 static void bar(struct hsr_pen *pen, int x0, int x1, int low, int high, int z0,
                 int z1) {
   const int x[4] = {x0, x1, x1, x0}, z[4] = {z1, z1, z0, z0};
@@ -89,6 +89,8 @@ static void slab(struct hsr_pen *pen) {
   block(pen, EAST, -SLAB, NORTH, MODULE, 0, SOUTH);
 }
 
+/* Up to the next slab; and, so that no module reaches into the next, the upper
+ * end of the rails of the stairs from below. */
 static void stairs(struct hsr_pen *pen) {
   hsr_pen_paint(pen, TREAD);
   for (int i = 1; i <= N_TREADS; i++)
@@ -97,11 +99,12 @@ static void stairs(struct hsr_pen *pen) {
   for (int south = 0; south <= 1; south++) {
     int z = south ? STAIR_SOUTH - 4 : STAIR_NORTH, well = EAST - WEST;
     hsr_pen_paint(pen, STEEL);
-    bar(pen, 0, well, -8, RISE, z, z + 4);
-    bar(pen, 60, 63, RISE, RAIL, z + 1, z + 3);
-    bar(pen, 297, 300, RISE, RAIL, z + 1, z + 3);
+    bar(pen, 0, well, -SLAB, 0, z, z + 4);
+    bar(pen, 126, 129, 0, RAIL, z + 1, z + 3);
+    bar(pen, well - 3, well, 2 - STOREY, RAIL - STOREY, z + 1, z + 3);
     hsr_pen_paint(pen, TREAD);
-    bar(pen, 0, well, RAIL, RAIL + 3, z, z + 4);
+    bar(pen, 0, 258, RAIL, RAIL + 3, z, z + 4);
+    bar(pen, 264, well, RAIL - STOREY, RAIL + 3 - STOREY, z, z + 4);
   }
 }
 
@@ -111,8 +114,8 @@ static void railings(struct hsr_pen *pen) {
     int edge = south ? SOUTH : NORTH - 4, end = south ? SOUTH + 4 : NORTH;
     int open = south ? STAIR_SOUTH : STAIR_NORTH - 3;
     hsr_pen_paint(pen, STEEL);
-    for (int i = 0; i <= 3; i++)
-      block(pen, WEST + 119 * i, 0, edge, WEST + 119 * i + 3, RAIL, edge + 3);
+    for (int x = WEST; x < EAST; x += (EAST - WEST) / 2 - 2)
+      block(pen, x, 0, edge, x + 3, RAIL, edge + 3);
     block(pen, WEST - 4, 0, open, WEST - 1, RAIL, open + 3);
     block(pen, EAST + 1, 0, open, EAST + 4, RAIL, open + 3);
     hsr_pen_paint(pen, TREAD);
@@ -263,18 +266,25 @@ static void storey(struct hsr_pen *pen, int i, struct hsr_random *random) {
 /* --- The walk ---------------------------------------------------------------
  */
 
-/* A stretch ends at (x, y, z), in 64ths, y being that of the feet above the
- * first storey's floor, with the eye turned to `heading` degrees from +x to +z,
- * looking down (up, if negative) by 64ths in a metre. */
+/* A stretch ends with the feet at (x, z), y above the lowest floor, in 64ths,
+ * and the eye turned to `heading` degrees from +x to +z, looking down (up, if
+ * negative) by 64ths in a metre. */
 struct stretch {
   int x, y, z, heading, down, n_views;
 };
 
-/* From beside the stairwell along it, round its corner, up the stairs, and back
- * to above the start. */
-static const struct stretch walk[] = {{800, 256, 230, 140, 8, 1}};
+/* From the second storey to the third: to the foot of the stairs, up, and round
+ * the stairwell to above the start. A view is 0.25 m from the one before, or
+ * turned by 4 degrees. */
+static const struct stretch walk[] = {
+    {112, 256, 230, 395, 5, 1},   {150, 256, 342, 422, 5, 7},
+    {208, 256, 512, 390, 2, 12},  {208, 256, 512, 360, 0, 8},
+    {332, 256, 512, 360, -12, 8}, {692, 512, 512, 360, 4, 28},
+    {752, 512, 512, 345, 4, 4},   {752, 512, 512, 300, 4, 12},
+    {760, 512, 230, 240, 6, 18},  {260, 512, 226, 150, 6, 31},
+    {260, 512, 226, 60, 4, 24}};
 
-enum { EYE = 106 };
+enum { EYE = 106 }; /* above the feet */
 
 static double between(int a, int b, int k, int n) {
   return a + (double)(b - a) * k / n;
@@ -296,7 +306,7 @@ static void walk_through(struct hsr_pen *pen, const double origin[3]) {
       at[0] = eye[0] + c;
       at[1] = eye[1] - between(from->down, to->down, k, n) / 64;
       at[2] = eye[2] + z;
-      hsr_pen_view(pen, eye, at, 66, 0.0625);
+      hsr_pen_view(pen, eye, at, 70, 0.0625);
     }
     from = to;
   }
