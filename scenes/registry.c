@@ -63,6 +63,7 @@ const struct hsr_builtin hsr_builtins[] = {
      .usage = "office:NX:NY:NZ",
      .about = "a building of NX x NY x NZ modules (NY and NZ, if 0, as NX) of "
               "14,976 triangles, and a walk in it: 33 has 538 million",
+     .only_by_name = true,
      .n_parameters = 3,
      .standard = {1, 0, 0},
      .least = {1, 0, 0},
