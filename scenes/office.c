@@ -29,30 +29,27 @@
 #include "scenes/builders.h"
 #include "scenes/shapes.h"
 
-#include <string.h>
-
 /* Lengths are in 64ths of a metre. */
+enum { MODULE = 1024, N_STOREYS = 4, STOREY = MODULE / N_STOREYS };
+
+/* The slabs' thickness, and the stairwell in them. */
+enum { SLAB = 16, WEST = 332, EAST = 692, NORTH = 288, SOUTH = 736 };
+
+/* The stairs. */
 enum {
-  MODULE = 1024,
-  N_STOREYS = 4,
-  STOREY = MODULE / N_STOREYS,
-  SLAB = 16, /* its thickness */
-  WEST = 332,
-  EAST = 692, /* the stairwell, */
-  NORTH = 288,
-  SOUTH = 736, /* open through all storeys */
   N_TREADS = 15,
   RISE = 16,
   RUN = (EAST - WEST) / N_TREADS,
   STAIR_NORTH = 448,
-  STAIR_SOUTH = 576,
-  RAIL = 64,  /* height of hand rails above the floor */
-  WALL = 96,  /* height of a cubicle's walls */
-  WIDE = 192, /* a cubicle: along x, */
-  DEEP = 176, /* and along z */
-  DESK = 48,  /* height of its top */
-  SHELF = 74  /* likewise */
+  STAIR_SOUTH = 576
 };
+
+/* Heights above the floor: of hand rails, of a cubicle's walls, desk and shelf,
+ * and of the eye. */
+enum { RAIL = 64, WALL = 96, DESK = 48, SHELF = 74, EYE = 106 };
+
+/* A cubicle's extent along x and z. */
+enum { WIDE = 192, DEEP = 176 };
 
 static const unsigned CONCRETE = 0xc9c5bb, PAINT = 0xe8e6df, STEEL = 0x7d8790,
                       TREAD = 0xa9794f, LIGHT = 0xfff6d8, DARK = 0x34383d,
@@ -78,7 +75,7 @@ static void bar(struct hsr_pen *pen, int x0, int x1, int low, int high, int z0,
   hsr_pen_loft(pen, 4, 2, (const double(*)[3])p, false);
 }
 
-/* --- The building: 54 hexahedra a storey ------------------------------------
+/* --- The building: 56 hexahedra a storey ------------------------------------
  */
 
 static void slab(struct hsr_pen *pen) {
@@ -283,8 +280,6 @@ static const struct stretch walk[] = {
     {752, 512, 512, 345, 4, 4},   {752, 512, 512, 300, 4, 12},
     {760, 512, 230, 240, 6, 18},  {260, 512, 226, 150, 6, 31},
     {260, 512, 226, 60, 4, 24}};
-
-enum { EYE = 106 }; /* above the feet */
 
 static double between(int a, int b, int k, int n) {
   return a + (double)(b - a) * k / n;
