@@ -17,6 +17,8 @@ struct hsr_builtin {
                            parameter */
   const char *about;    /* one sentence; for a failure case: what it breaks */
   bool failure_case;    /* one of the hand-made pathological scenes */
+  bool only_by_name;    /* too large to be tried by every algorithm where no
+                           scene is named */
   int n_parameters;     /* at most HSR_MAX_PARAMETERS */
   long long standard[HSR_MAX_PARAMETERS]; /* defaults */
   long long least[HSR_MAX_PARAMETERS], most[HSR_MAX_PARAMETERS];

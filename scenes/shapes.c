@@ -75,10 +75,18 @@ uint32_t hsr_pen_vertex(struct hsr_pen *pen, double x, double y, double z) {
   return number;
 }
 
-void hsr_pen_face(struct hsr_pen *pen, uint32_t n, const uint32_t *vertices) {
+static void face(struct hsr_pen *pen, uint32_t n, const uint32_t *vertices) {
   if (!pen->status)
     note(pen, hsr_object_face(&pen->scene->objects[pen->object], vertices, n,
                               pen->rgb));
+}
+
+void hsr_pen_face(struct hsr_pen *pen, uint32_t n, const uint32_t *vertices) {
+  if (!pen->triangles)
+    face(pen, n, vertices);
+  for (uint32_t k = 2; pen->triangles && k < n; k++)
+    face(pen, 3,
+         (const uint32_t[3]){vertices[0], vertices[k - 1], vertices[k]});
 }
 
 /* The face first, first + 1, ..., first + n - 1, or that backwards. */

@@ -16,6 +16,7 @@ struct hsr_pen {
   uint32_t object;         /* number of the object being drawn */
   double m[12];            /* the frame: where in the object it is drawn */
   float rgb[3];            /* of the faces to come */
+  bool triangles;          /* divide them, which are convex, into triangles */
   enum hsr_status status;  /* the first failure, HSR_OK so far */
 };
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scenes of one idea: a cube of cubes, a sphere, a terrain, a tower. */
+/* Scenes of one idea: a cube of cubes, a sphere, a tower. */
 #include "scenes/builders.h"
 #include "scenes/shapes.h"
 
@@ -107,89 +107,6 @@ enum hsr_status hsr_build_sphere(struct hsr_scene *scene,
     sphere_ring(&pen, r, k);
   for (int r = 0; r < 2 * k; r++)
     sphere_band(&pen, (uint32_t)r, (uint32_t)k);
-  hsr_pen_place(&pen, NULL);
-  HSR_VIEWS(&pen, view, 1);
-  return pen.status;
-}
-
-/* A value in [0, 1) for each point of a lattice. */
-static double lattice_value(int x, int z, int octave) {
-  struct hsr_random random = {(uint64_t)x * 0x100000001 +
-                              (uint64_t)z * 0x10001 + (uint64_t)octave * 1409};
-  hsr_random_bits(&random);
-  return hsr_random_unit(&random);
-}
-
-static double smooth(double t) {
-  return t * t * (3 - 2 * t);
-}
-
-static double noise(double u, double v, int octave) {
-  int x = (int)u, z = (int)v;
-  double s = smooth(u - x), t = smooth(v - z);
-  double a = lattice_value(x, z, octave), b = lattice_value(x + 1, z, octave);
-  double c = lattice_value(x, z + 1, octave),
-         d = lattice_value(x + 1, z + 1, octave);
-  return (1 - t) * ((1 - s) * a + s * b) + t * ((1 - s) * c + s * d);
-}
-
-/* Height over the unit square: seven octaves of noise, the valleys flattened.
- */
-static double altitude(double u, double v) {
-  double sum = 0, amplitude = 0.5, frequency = 3;
-  for (int octave = 0; octave < 7; octave++) {
-    sum += amplitude * noise(u * frequency, v * frequency, octave);
-    amplitude *= 0.4375;
-    frequency *= 2;
-  }
-  return sum * sum;
-}
-
-static void terrain_triangle(struct hsr_pen *pen, uint32_t a, uint32_t b,
-                             uint32_t c) {
-  static const unsigned colour[6] = {0x5f8fae, 0xd8c48f, 0x8fb266,
-                                     0x6f9455, 0x94836b, 0xf2f2f0};
-  static const double below[5] = {0.11, 0.14, 0.24, 0.36, 0.5};
-  if (pen->status)
-    return;
-  const double *xyz = pen->scene->objects[pen->object].xyz;
-  double y = (xyz[3 * (size_t)a + 1] + xyz[3 * (size_t)b + 1] +
-              xyz[3 * (size_t)c + 1]) /
-             3;
-  int i = 0;
-  while (i < 5 && y >= below[i])
-    i++;
-  hsr_pen_paint(pen, colour[i]);
-  const uint32_t v[3] = {a, b, c};
-  hsr_pen_face(pen, 3, v);
-}
-
-enum hsr_status hsr_build_terrain(struct hsr_scene *scene,
-                                  const long long *parameter) {
-  static const double view[][8] = {{0.3, 1.15, 1.6, 0, 0.1, 0.2, 52},
-                                   {-1.6, 0.7, 1.2, 0, 0.1, 0, 50},
-                                   {0, 0.5, 0.9, 0, 0.2, 0, 70},
-                                   {1.2, 0.6, -1.2, 0, 0.1, 0, 60},
-                                   {0, 3, 0, 0, 0, 0, 45},
-                                   {-0.3, 0.45, -0.2, 1, 0.2, 0.6, 80},
-                                   {2.4, 0.3, 0.3, 0, 0.25, 0, 40},
-                                   {0.2, -1, 1.5, 0, 0.1, 0, 60}};
-  uint32_t n = (uint32_t)parameter[0];
-  struct hsr_pen pen;
-  hsr_pen_init(&pen, scene);
-  hsr_pen_object(&pen, "terrain", false);
-  for (uint32_t k = 0; k <= n; k++)
-    for (uint32_t i = 0; i <= n; i++) {
-      double u = (double)i / n, v = (double)k / n;
-      hsr_pen_vertex(&pen, 2 * u - 1, altitude(u, v), 2 * v - 1);
-    }
-  for (uint32_t k = 0; k < n; k++)
-    for (uint32_t i = 0; i < n; i++) {
-      uint32_t a = k * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
-      bool falling = (i + k) & 1;
-      terrain_triangle(&pen, a, c, falling ? b : d);
-      terrain_triangle(&pen, falling ? b : a, falling ? c : d, falling ? d : b);
-    }
   hsr_pen_place(&pen, NULL);
   HSR_VIEWS(&pen, view, 1);
   return pen.status;

@@ -205,16 +205,19 @@ static void try_scene(struct tap *tap, const char *name,
   hsr_scene_delete(scene);
 }
 
-/* What takes long is tried smaller; big-harbor is the harbor. */
+/* What takes long is tried smaller or not at all; big-harbor is the harbor. */
 static const char *tried(const struct hsr_builtin *builtin) {
-  static const char *const smaller[][2] = {
-      {"harbor", "harbor:1500"},   {"tower", "tower:4"},
-      {"terrain", "terrain:32"},   {"soup", "soup:80:1"},
-      {"lattice", "lattice:60:1"}, {"big-harbor", NULL}};
+  static const char *const smaller[][2] = {{"harbor", "harbor:1500"},
+                                           {"tower", "tower:4"},
+                                           {"terrain", "terrain:32"},
+                                           {"soup", "soup:80:1"},
+                                           {"lattice", "lattice:60:1"},
+                                           {"big-harbor", NULL},
+                                           {"office", NULL}};
   for (size_t k = 0; k < sizeof smaller / sizeof *smaller; k++)
     if (!strcmp(builtin->name, smaller[k][0]))
       return smaller[k][1];
-  return builtin->name;
+  return builtin->only_by_name ? NULL : builtin->name;
 }
 
 static int count_tried(void) {

@@ -36,6 +36,9 @@ static const struct {
              {"tower", 0xbc91c984b8e016ac, 0xc2909bebeafc32c6},
              {"sphere", 0x207a114635096eb5, 0x86ef54c087208bae},
              {"terrain", 0xb0269d9521dfd0b9, 0x64bf0ca9e27f50d0},
+             {"terrain:16:9", 0x533db8daf334d39e, 0xa9bd750879ba1341},
+             {"office", 0x32385bec4991caa6, 0x79a88eb9fed8d2d5},
+             {"office:3:1:2", 0xa75f0ed79c736967, 0x353812346d442d00},
              {"soup", 0x09cd6f8287df6eec, 0xe2f28953fa2319f1},
              {"soup:100:7", 0x258c9a8fbb04398c, 0xa91990140ef9c1f1},
              {"lattice", 0x3177b0ca5e6c6b16, 0xad865c6288d8bd3e},
@@ -606,6 +609,130 @@ static bool is_sphere(const struct hsr_scene *scene) {
   return sphere->n_faces == 2048 && is_closed(sphere) && volume(sphere) > 24;
 }
 
+/* The least and greatest a x + b y + c z over the 8 vertices of solid i. */
+static void extent(const struct hsr_object *module, uint32_t i,
+                   const double n[3], double *low, double *high) {
+  *low = INFINITY;
+  *high = -INFINITY;
+  for (uint32_t v = 8 * i; v < 8 * i + 8; v++) {
+    const double *p = module->xyz + 3 * (size_t)v;
+    double d = n[0] * p[0] + n[1] * p[1] + n[2] * p[2];
+    *low = fmin(*low, d);
+    *high = fmax(*high, d);
+  }
+}
+
+/* All solids are boxes or bars along the stairs, which rise by 2 in 3: they
+ * are apart, or touch, where one of four directions says so. On the lattice of
+ * 64ths all is exact. */
+static bool are_apart(const struct hsr_object *module, uint32_t i, uint32_t k) {
+  static const double normal[4][3] = {
+      {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-2, 3, 0}};
+  for (int a = 0; a < 4; a++) {
+    double low_i, high_i, low_k, high_k;
+    extent(module, i, normal[a], &low_i, &high_i);
+    extent(module, k, normal[a], &low_k, &high_k);
+    if (high_i <= low_k || high_k <= low_i)
+      return true;
+  }
+  return false;
+}
+
+/* Solids outward that do not overlap have no two coplanar faces to be seen from
+ * one side where they overlap. */
+static bool is_office(const struct hsr_scene *scene) {
+  const struct hsr_object *module = &scene->objects[0];
+  uint32_t n = module->n_vertices / 8;
+  bool good = scene->n_objects == 1 && n == 1248 && module->n_faces == 12 * n &&
+              module->start[module->n_faces] == 3 * module->n_faces &&
+              module->one_sided && is_closed(module) && volume(module) > 0;
+  for (size_t i = 0; i < 3 * (size_t)module->n_vertices; i++) {
+    double x = module->xyz[i];
+    good = good && 64 * x == rint(64 * x) && x >= 0 && x <= 16;
+  }
+  for (uint32_t i = 0; i < n && good; i++)
+    for (uint32_t k = 0; k < i && good; k++)
+      if (!(good = are_apart(module, i, k)))
+        printf("# solids %u and %u overlap\n", k, i);
+  return good;
+}
+
+/* The number of the solid within which the eye is, or n. */
+static uint32_t solid_about(const struct hsr_object *module,
+                            const double eye[3]) {
+  uint32_t n = module->n_vertices / 8;
+  for (uint32_t i = 0; i < n; i++) {
+    bool outside = false;
+    for (uint32_t f = 12 * i; f < 12 * i + 12; f++)
+      outside = outside || side_of(module, f, eye) > 0;
+    if (!outside)
+      return i;
+  }
+  return n;
+}
+
+static double distance(const double a[3], const double b[3]) {
+  return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+              (a[2] - b[2]) * (a[2] - b[2]));
+}
+
+/* In small steps, within the module, through nothing solid: between views, at
+ * four points each. */
+static bool is_walked(const struct hsr_scene *scene) {
+  const struct hsr_object *module = &scene->objects[0];
+  uint32_t n = module->n_vertices / 8;
+  bool good = scene->n_views >= 64;
+  for (uint32_t v = 0; v + 1 < scene->n_views && good; v++) {
+    const struct hsr_camera *a = &scene->views[v], *b = a + 1;
+    double ahead[2][3], step = distance(a->eye, b->eye);
+    for (int k = 0; k < 3; k++) {
+      ahead[0][k] = a->at[k] - a->eye[k];
+      ahead[1][k] = b->at[k] - b->eye[k];
+      good = good && a->eye[k] > 0 && a->eye[k] < 16;
+    }
+    good = good && step < 0.27 && distance(ahead[0], ahead[1]) < 0.08;
+    for (int i = 0; i < 4 && good; i++) {
+      double p[3];
+      for (int k = 0; k < 3; k++)
+        p[k] = a->eye[k] + 0.25 * i * (b->eye[k] - a->eye[k]);
+      good = solid_about(module, p) == n;
+    }
+  }
+  return good;
+}
+
+/* The modules differ by multiples of 16 m, and are 538 million faces. */
+static bool is_half_a_billion(const struct hsr_scene *scene) {
+  static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  bool good =
+      scene->n_instances == 35937 &&
+      (uint64_t)scene->n_instances * scene->objects[0].n_faces == 538192512;
+  for (uint32_t i = 0; i < scene->n_instances && good; i++)
+    for (int k = 0; k < 12; k++) {
+      double moved = scene->instances[i].m[k] - identity[k];
+      good = good &&
+             (k % 4 == 3 ? fmod(moved, 16) == 0 && moved < 528 : moved == 0);
+    }
+  return good && scene->views[0].eye[0] > 256 && scene->views[0].eye[0] < 272;
+}
+
+/* Three models: closed wood, and leaves that are seen from both sides. */
+static bool has_plants(const struct hsr_scene *scene) {
+  uint32_t n_wood = 0, n_leaves = 0;
+  bool good = scene->n_objects == 7 && scene->n_views == 10;
+  for (uint32_t i = 0; i < scene->n_instances; i++) {
+    n_wood += scene->instances[i].object % 2 == 1;
+    n_leaves +=
+        scene->instances[i].object > 0 && scene->instances[i].object % 2 == 0;
+  }
+  for (uint32_t o = 1; o < 7 && good; o += 2) {
+    const struct hsr_object *wood = &scene->objects[o], *leaves = wood + 1;
+    good = wood->one_sided && is_closed(wood) && volume(wood) > 0 &&
+           !leaves->one_sided && wood->n_faces + leaves->n_faces == 5288;
+  }
+  return good && n_wood == 10000 && n_leaves == 10000;
+}
+
 static const struct {
   const char *name, *claim;
   bool (*holds)(const struct hsr_scene *scene);
@@ -616,6 +743,13 @@ static const struct {
     {"color-cube", "solids all", is_of_solids},
     {"tower:3", "solids all", is_of_solids},
     {"sphere", "closed, outward, 2,048 faces", is_sphere},
+    {"office", "1,248 closed solids on a lattice, which touch at most",
+     is_office},
+    {"office", "a walk in small steps through nothing solid", is_walked},
+    {"office:33", "538,192,512 faces of modules on a lattice",
+     is_half_a_billion},
+    {"terrain:8:10000", "10,000 plants of closed wood and open leaves",
+     has_plants},
     {"lattice", "small integers, plane faces", is_on_lattice},
     {"lattice:50:99", "small integers, plane faces", is_on_lattice},
     {"cyclic-overlap", "each bar lies over the next", is_cyclic},
