@@ -190,8 +190,8 @@ static int other_face(const struct solid *solid, int f, int a, int b) {
   return -1;
 }
 
-/* The edge-line of the edge from a to b in the view along axis u, turned away
- * from the face's inside, which is that of the solid. */
+/* The edge-line of the edge from a to b in the view along axis u, turned
+ * away from the middle. */
 static struct hsr_half_space edge_line(const struct solid *solid, int a, int b,
                                        int u, const double middle[3]) {
   const double *p = vertex(solid, a), *q = vertex(solid, b);
