@@ -7,10 +7,13 @@ libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/variant.c %D%/list.def
 algorithm_files = \
   %D%/appel.c \
   %D%/bouknight.c \
+  %D%/cube_frame.c \
+  %D%/cube_frame.h \
   %D%/cluster_order.h \
   %D%/edge_intersection.c \
   %D%/edge_intersection.h \
   %D%/galimberti.c \
+  %D%/hzbuffer.c \
   %D%/line_oracle.cc \
   %D%/loutrel.c \
   %D%/newell.c \
@@ -21,6 +24,8 @@ algorithm_files = \
   %D%/painter.c \
   %D%/priority_list.c \
   %D%/priority_list.h \
+  %D%/pyramid.c \
+  %D%/pyramid.h \
   %D%/raycast.c \
   %D%/roberts.c \
   %D%/romney.c \

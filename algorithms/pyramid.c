@@ -35,7 +35,8 @@ void HSR_OF_BUILD(hsr_pyramid_clear)(struct hsr_pyramid *p) {
   int width = p->window.x1 - p->window.x0, height = p->window.y1 - p->window.y0;
   for (int level = 0; level < p->n_levels; level++) {
     int side = side_of(p, level);
-    int columns = (width - 1 >> level) + 1, rows = (height - 1 >> level) + 1;
+    int columns = ((width - 1) >> level) + 1,
+        rows = ((height - 1) >> level) + 1;
     for (int y = 0; y < side; y++)
       for (int x = 0; x < side; x++) {
         size_t cell = (size_t)y * (size_t)side + (size_t)x;

@@ -354,6 +354,19 @@ static bool always_meets(const void *context, uint32_t k,
   return hsr_boxes_meet(&cubes->bounds[k], cube);
 }
 
+static bool are_apart(const struct hsr_cubes *cubes) {
+  const struct hsr_octree *octree = &cubes->octree;
+  bool apart = octree->n_items == cubes->scene->n_instances;
+  for (uint32_t k = 0; k < octree->n_nodes && apart; k++) {
+    const struct hsr_octree_node *node = &octree->node[k];
+    uint32_t children = 0;
+    for (int o = 0; o < 8; o++)
+      children += node->child[o] != HSR_NO_NODE;
+    apart = node->n == 0 || (node->n == 1 && !children);
+  }
+  return apart;
+}
+
 /* One instance to a cube; those on the planes of a grid stay whole if the
  * cubes' planes are the grid's: the root is a power of two times as large as
  * the largest instance. */
@@ -384,8 +397,10 @@ static enum hsr_status make_instances(struct hsr_cubes *cubes) {
   struct hsr_primitives primitives = {n, cubes, bounds_of, area_of,
                                       always_meets};
   struct hsr_octree_rule rule = {.small = 0.1, .most = 1, .least = 1};
-  return hsr_octree_init(&cubes->octree, &primitives, &rule, all.lo, side,
-                         &cubes->arena);
+  enum hsr_status status = hsr_octree_init(&cubes->octree, &primitives, &rule,
+                                           all.lo, side, &cubes->arena);
+  cubes->apart = !status && are_apart(cubes);
+  return status;
 }
 
 enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,

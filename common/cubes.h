@@ -51,6 +51,7 @@ struct hsr_cubes {
                              loose */
   uint32_t *loose;        /* the instances with loose faces */
   uint32_t n_loose;
+  bool apart; /* every instance has a cube to itself, and no other */
   uint32_t most_vertices, most_faces, most_corners; /* of a cell */
   uint32_t most_object_faces;                       /* of an object */
   struct hsr_arena arena;

@@ -1,0 +1,534 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Hierarchical z-buffer visibility.
+ *
+ * Source      N. Greene, M. Kass and G. Miller, "Hierarchical Z-Buffer
+ *             Visibility", SIGGRAPH 1993 ("1993" below); N. Greene,
+ *             "Hierarchical Rendering of Complex Environments", PhD thesis, UC
+ *             Santa Cruz, 1995, chapter 3 ("the thesis").
+ * Notation    octree cube -> node; z-pyramid -> far[]; z -> q = 1/t, greater is
+ *             nearer; primitive -> face
+ * Invariants  a face that is tiled lies in a cube that is not known to be
+ *             hidden, or is loose (common/cubes.h); z-buffer and pyramid agree
+ *             whenever a cube or a face is tested
+ * Ties        a cube or a face that is as near as what hides it is not hidden;
+ *             which face wins, tiler.h decides
+ * Departures  a cell's faces are all tested, then all tiled, many at a time,
+ *             where the paper tests and tiles one after the other. Loose faces
+ *             are tiled first. The octree of instances has no cube around a
+ *             single instance, whose own root is tested instead.
+ * Cost        proportional to what is visible, and to the cubes around it */
+#include "algorithms/cube_frame.h"
+#include "algorithms/pyramid.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  NODES = HSR_N_TILER_COUNTERS,
+  INEQUALITIES,
+  OUT,
+  CUBES_TESTED,
+  CUBES_CULLED,
+  CUBES_VISIBLE,
+  CUBE_READS,
+  SIDES_SCANNED,
+  SIDE_SAMPLES,
+  FACES,
+  REPEATED,
+  FACES_TESTED,
+  FACES_CULLED,
+  FACES_TILED,
+  FACE_READS,
+  COMPLETED
+};
+
+static const struct hsr_counter counters[] = {
+    HSR_TILER_COUNTERS,
+    [NODES] = {"nodes visited", "octree nodes come to"},
+    [INEQUALITIES] = {"inequalities", "of appendix A, to tell where nodes lie"},
+    [OUT] = {"nodes out", "outside of the frustum"},
+    [CUBES_TESTED] = {"cubes tested", "whether they are hidden"},
+    [CUBES_CULLED] = {"cubes culled", "found to be hidden"},
+    [CUBES_VISIBLE] = {"cubes visible", "not known to be hidden"},
+    [CUBE_READS] = {"cube reads", "pyramid entries read to test cubes"},
+    [SIDES_SCANNED] = {"sides scanned", "sides of cubes scan-converted"},
+    [SIDE_SAMPLES] = {"side samples", "samples looked at for that"},
+    [FACES] = {"faces met", "in cubes that are not known to be hidden"},
+    [REPEATED] = {"faces repeated", "met again in the frame"},
+    [FACES_TESTED] = {"faces tested", "by the pyramid"},
+    [FACES_CULLED] = {"faces culled", "found to be hidden"},
+    [FACES_TILED] = {"faces tiled", "scan-converted"},
+    [FACE_READS] = {"face reads", "pyramid entries read to test faces"},
+    [COMPLETED] = {"completed", "samples known to be done"},
+    {NULL, NULL}};
+
+enum option {
+  OCTREE,
+  PLACEMENT,
+  LEAST,
+  SMALL,
+  PYRAMID,
+  CUBES,
+  POLYGONS,
+  NEAR,
+  COMPLETED_SAMPLES,
+  WORK
+};
+enum { OFF, ON };
+enum { PUSHED, ENCLOSING };
+enum { RECTANGLE, SIDES };
+enum { FAST, BASIC, DEFINITIVE, NONE };
+enum { WORK_ALL, WORK_PYRAMID, WORK_BOXES, WORK_POLYGONS };
+
+static const struct hsr_word off_on[] = {
+    {"off", "without it", 0}, {"on", "with it", 0}, {NULL, NULL, 0}};
+static const struct hsr_word placements[] = {
+    {"pushed",
+     "a small face that crosses a median plane goes into the octants "
+     "that it meets",
+     0},
+    {"enclosing", "it stays in the smallest cube that encloses it", 0},
+    {NULL, NULL, 0}};
+static const struct hsr_word cube_tests[] = {
+    {"rectangle", "sides by their bounding rectangles, as in the thesis", 0},
+    {"sides", "where that leaves it open, scan-converted, as in 1993", 0},
+    {NULL, NULL, 0}};
+static const struct hsr_word polygon_tests[] = {
+    {"fast", "bounding rectangles, by recursion", 0},
+    {"basic", "bounding rectangles, by one entry", 0},
+    {"definitive", "recursion into what the face covers", 0},
+    {"none", "no test", 0},
+    {NULL, NULL, 0}};
+static const struct hsr_word works[] = {
+    {"all", "everything", 0},
+    {"pyramid", "pyramid tests", 0},
+    {"boxes", "scan-converted sides of cubes", 0},
+    {"polygons", "tiling", 0},
+    {NULL, NULL, 0}};
+
+static const struct hsr_option options[] = {
+    [OCTREE] = {"octree", "cull by cubes", off_on, 0, 1, ON},
+    [PLACEMENT] = {"placement", "in which cube a face is", placements, 0, 1,
+                   PUSHED},
+    [LEAST] = {"least", "an octant of fewer faces is its parent's", NULL, 1,
+               100000, 20},
+    [SMALL] = {"small", "small is an area of less than 1/N of a cube's side",
+               NULL, 1, 100000, 10},
+    [PYRAMID] = {"pyramid", "test by the z-pyramid", off_on, 0, 1, ON},
+    [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 1, RECTANGLE},
+    [POLYGONS] = {"polygons", "how a face is tested", polygon_tests, 0, 3,
+                  FAST},
+    [NEAR] = {"near", "a second pyramid, of the nearest depths", off_on, 0, 1,
+              OFF},
+    [COMPLETED_SAMPLES] = {"completed",
+                           "tag samples behind which a cube's side was found, "
+                           "where instances are apart and sides scanned",
+                           off_on, 0, 1, OFF},
+    [WORK] = {"work", "what the work picture shows", works, 0, 3, WORK_ALL},
+    {NULL, NULL, NULL, 0, 0, 0}};
+
+struct walk {
+  struct hsr_cube_frame frame;
+  struct hsr_pyramid pyramid;
+  const long *option;
+  struct hsr_tally *tally;
+  float *work;     /* the work picture, or NULL */
+  uint32_t *tiled; /* a face of the object at hand: the visit when it was met */
+  uint32_t visit;
+  uint32_t *visited; /* instances, a bit each */
+};
+
+/* What is touched from now on is of that kind. */
+static void touch_for(struct walk *w, int kind) {
+  long wanted = w->option[WORK];
+  w->tally->work = wanted == WORK_ALL || wanted == kind ? w->work : NULL;
+}
+
+/* --- Is a cube visible? -----------------------------------------------------
+ */
+
+/* Adds the pyramid's reads since `before` to a counter. */
+static void count_reads(struct walk *w, int counter, uint64_t before) {
+  HSR_COUNT(w->tally, counter, w->pyramid.reads - before);
+}
+
+/* The columns of row j, within HSR_CUBE_MARGIN, of a convex polygon's. */
+static bool row_of_side(const struct hsr_cube_image *image,
+                        const unsigned char *corner, double y, double *lo,
+                        double *hi) {
+  double top = y - HSR_CUBE_MARGIN, bottom = y + HSR_CUBE_MARGIN;
+  *lo = INFINITY;
+  *hi = -INFINITY;
+  for (int k = 0; k < 4; k++) {
+    double ax = image->x[corner[k]], ay = image->y[corner[k]];
+    double bx = image->x[corner[(k + 1) % 4]],
+           by = image->y[corner[(k + 1) % 4]];
+    if (fmin(ay, by) > bottom || fmax(ay, by) < top)
+      continue;
+    double from = fmin(fmax(fmin(ay, by), top), bottom);
+    double to = fmin(fmax(fmax(ay, by), top), bottom);
+    double slope = ay == by ? 0 : (bx - ax) / (by - ay);
+    double p = ay == by ? ax : ax + slope * (from - ay);
+    double q = ay == by ? bx : ax + slope * (to - ay);
+    *lo = fmin(*lo, fmin(p, q));
+    *hi = fmax(*hi, fmax(p, q));
+  }
+  *lo -= 2 * HSR_CUBE_MARGIN;
+  *hi += 2 * HSR_CUBE_MARGIN;
+  return *lo <= *hi;
+}
+
+/* Tags a sample behind which the side of a cube lies: nothing that is still to
+ * come, from front to back, is nearer. */
+static void complete(struct walk *w, float *z, int i, int j) {
+  if (*z == HUGE_VALF)
+    return;
+  *z = HUGE_VALF;
+  HSR_COUNT(w->tally, COMPLETED, 1);
+  HSR_OF_BUILD(hsr_pyramid_update)
+  (&w->pyramid, (struct hsr_bounds){i, j, i + 1, j + 1});
+}
+
+/* Scan-converts a side, to the first sample where it is not hidden. */
+static bool scan_side(struct walk *w, const struct hsr_placing *placing,
+                      const struct hsr_octree_node *node,
+                      const struct hsr_cube_image *image, int side,
+                      const struct hsr_bounds *box) {
+  const struct hsr_view *view = w->frame.job->view;
+  const struct hsr_tiler *t = &w->frame.tiler;
+  struct hsr_side_depth depth =
+      HSR_OF_BUILD(hsr_cube_side_depth)(placing, node, image, side);
+  bool tags = w->option[COMPLETED_SAMPLES] && w->frame.cubes->apart;
+  HSR_COUNT(w->tally, SIDES_SCANNED, 1);
+  touch_for(w, WORK_BOXES);
+  for (int j = box->y0; j < box->y1; j++) {
+    double y = hsr_sample_y(view, j), lo, hi;
+    if (!row_of_side(image, HSR_OF_BUILD(hsr_cube_side)[side], y, &lo, &hi))
+      continue;
+    float *z = t->z + (size_t)(j - t->part.y0) * t->z_stride;
+    for (int i = box->x0; i < box->x1; i++) {
+      double x = hsr_sample_x(view, i);
+      if (x < lo || x > hi)
+        continue;
+      HSR_COUNT(w->tally, SIDE_SAMPLES, 1);
+      HSR_TOUCH(w->tally, i, j);
+      float q = (float)(depth.c + depth.a * x + depth.b * y);
+      q = q < image->nearest ? q : image->nearest;
+      if (!(q * HSR_CLEAR < z[i - t->part.x0]))
+        return true;
+      if (tags)
+        complete(w, &z[i - t->part.x0], i, j);
+    }
+  }
+  return false;
+}
+
+/* The nearest of a side's corners. */
+static float nearest_of(const struct hsr_cube_image *image,
+                        const unsigned char *corner) {
+  float q = image->q[corner[0]];
+  for (int k = 1; k < 4; k++)
+    q = image->q[corner[k]] > q ? image->q[corner[k]] : q;
+  return q;
+}
+
+/* Is a front side not known to be hidden? */
+static bool is_side_visible(struct walk *w, const struct hsr_placing *placing,
+                            const struct hsr_octree_node *node,
+                            const struct hsr_cube_image *image, int side) {
+  const unsigned char *corner = HSR_OF_BUILD(hsr_cube_side)[side];
+  struct hsr_bounds box;
+  if (!HSR_OF_BUILD(hsr_cube_bounds)(&w->frame, image, corner, 4, &box))
+    return false;
+  if (w->option[PYRAMID]) {
+    float q = nearest_of(image, corner);
+    touch_for(w, WORK_PYRAMID);
+    w->pyramid.work = w->tally->work;
+    uint64_t before = w->pyramid.reads;
+    bool visible = w->option[NEAR] &&
+                   HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q) &&
+                   w->option[CUBES] == RECTANGLE;
+    bool hidden =
+        !visible && HSR_OF_BUILD(hsr_pyramid_hides)(&w->pyramid, box, q);
+    count_reads(w, CUBE_READS, before);
+    if (visible || hidden)
+      return visible;
+  }
+  return w->option[CUBES] == RECTANGLE ||
+         scan_side(w, placing, node, image, side, &box);
+}
+
+/* cube_visible of the thesis. *inside: it is all inside of the frustum, and so
+ * are the cubes in it. */
+static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
+                            const struct hsr_octree_node *node, bool *inside) {
+  HSR_COUNT(w->tally, NODES, 1);
+  if (!*inside) {
+    struct hsr_box_work work = {0, 0};
+    enum hsr_box_verdict verdict = HSR_OF_BUILD(hsr_cube_classify)(
+        &w->frame, placing, node, HSR_COUNTING ? &work : NULL);
+    HSR_COUNT(w->tally, INEQUALITIES, work.deciding);
+    if (verdict == HSR_BOX_OUT) {
+      HSR_COUNT(w->tally, OUT, 1);
+      return false;
+    }
+    *inside = verdict == HSR_BOX_IN;
+  }
+  struct hsr_cube_image image;
+  if (!HSR_OF_BUILD(hsr_cube_project)(&w->frame, placing, node, &image))
+    return true; /* the eye may be inside, or the near plane meet it */
+  HSR_COUNT(w->tally, CUBES_TESTED, 1);
+  for (int side = 0; side < 6; side++)
+    if (image.front >> side & 1 &&
+        is_side_visible(w, placing, node, &image, side))
+      return true;
+  HSR_COUNT(w->tally, CUBES_CULLED, 1);
+  return false;
+}
+
+/* --- Tiling what is in a cube -----------------------------------------------
+ */
+
+/* Was the face met before in this visit? */
+static bool is_repeated(struct walk *w, uint32_t f) {
+  uint32_t *tiled = &w->tiled[w->frame.tiler.id[f]];
+  if (*tiled == w->visit)
+    return true;
+  *tiled = w->visit;
+  return false;
+}
+
+/* Is the k-th triangle of a batch, looked at, hidden by the pyramid? */
+static bool is_hidden(struct walk *w, const struct hsr_batch *b, int k) {
+  const struct hsr_corners *r = &b->corners;
+  struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
+  float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
+  q = r->qc[k] > q ? r->qc[k] : q;
+  HSR_COUNT(w->tally, FACES_TESTED, 1);
+  if (w->option[POLYGONS] == BASIC)
+    return HSR_OF_BUILD(hsr_pyramid_basic)(&w->pyramid, box, q);
+  if (w->option[NEAR] && HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q))
+    return false;
+  return HSR_OF_BUILD(hsr_pyramid_hides)(&w->pyramid, box, q);
+}
+
+/* Leaves out of a batch what was met before, and what is hidden. */
+static void filter(struct walk *w, struct hsr_batch *b) {
+  bool tests = w->option[PYRAMID] && w->option[POLYGONS] != NONE;
+  uint64_t before = w->pyramid.reads;
+  touch_for(w, WORK_PYRAMID);
+  w->pyramid.work = w->tally->work;
+  for (int k = 0; k < b->n; k++) {
+    if (b->fate[k] == HSR_DROP)
+      continue;
+    if (is_repeated(w, b->first + (uint32_t)k)) {
+      HSR_COUNT(w->tally, REPEATED, 1);
+      b->fate[k] = HSR_DROP;
+    } else if (tests && b->fate[k] == HSR_TILE && is_hidden(w, b, k)) {
+      HSR_COUNT(w->tally, FACES_CULLED, 1);
+      b->fate[k] = HSR_DROP;
+    }
+  }
+  count_reads(w, FACE_READS, before);
+}
+
+static void tile_generally(struct walk *w, uint32_t f) {
+  struct hsr_tiler *t = &w->frame.tiler;
+  if (!HSR_OF_BUILD(hsr_tiler_place)(t, f))
+    return;
+  HSR_COUNT(w->tally, FACES_TILED, 1);
+  HSR_OF_BUILD(hsr_tiler_tile_generally)(t, f);
+  if (w->option[PYRAMID])
+    HSR_OF_BUILD(hsr_pyramid_update)(&w->pyramid, t->screen.bounds[f]);
+}
+
+static void tile_batch(struct walk *w, const struct hsr_batch *b) {
+  const struct hsr_corners *r = &b->corners;
+  HSR_OF_BUILD(hsr_tiler_tile_batch)(&w->frame.tiler, b);
+  for (int k = 0; k < b->n_fast; k++) {
+    HSR_COUNT(w->tally, FACES_TILED, b->good[k]);
+    if (b->good[k] && w->option[PYRAMID])
+      HSR_OF_BUILD(hsr_pyramid_update)
+    (&w->pyramid, (struct hsr_bounds){r->x0[k], r->y0[k], r->x1[k], r->y1[k]});
+  }
+  for (int k = 0; k < b->n; k++)
+    if (b->fate[k] == HSR_GENERALLY)
+      tile_generally(w, b->first + (uint32_t)k);
+}
+
+/* The faces of a cell of the object at hand. */
+static void tile_cell(struct walk *w, uint32_t place) {
+  if (!w->frame.object->cell[place].n_faces)
+    return;
+  const struct hsr_cell *cell = HSR_OF_BUILD(hsr_cube_cell)(&w->frame, place);
+  struct hsr_tiler *t = &w->frame.tiler;
+  uint32_t n = t->on_grid ? cell->n_triangles : 0;
+  struct hsr_batch batch;
+  HSR_COUNT(w->tally, FACES, cell->n_faces);
+  for (uint32_t f = 0; f < n; f += HSR_BATCH) {
+    HSR_OF_BUILD(hsr_tiler_look)
+    (t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
+    filter(w, &batch);
+    HSR_OF_BUILD(hsr_tiler_set_up)(t, &batch);
+    touch_for(w, WORK_POLYGONS);
+    tile_batch(w, &batch);
+  }
+  touch_for(w, WORK_POLYGONS);
+  for (uint32_t f = n; f < cell->n_faces; f++)
+    if (!is_repeated(w, f))
+      tile_generally(w, f);
+}
+
+/* --- The octrees, from front to back ----------------------------------------
+ */
+
+/* A cube of the object at hand. */
+static void render_cube(struct walk *w, uint32_t k, bool inside) {
+  const struct hsr_octree *octree = &w->frame.object->octree;
+  const struct hsr_octree_node *node = &octree->node[k];
+  if (!is_cube_visible(w, &w->frame.placing, node, &inside))
+    return;
+  HSR_COUNT(w->tally, CUBES_VISIBLE, 1);
+  tile_cell(w, k);
+  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.placing, node);
+  for (int o = 0; o < 8; o++) {
+    uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
+    if (child != HSR_NO_NODE)
+      render_cube(w, child, inside);
+  }
+}
+
+static void take_in_hand(struct walk *w, uint32_t instance) {
+  HSR_OF_BUILD(hsr_cube_instance)(&w->frame, instance);
+  w->visit++;
+}
+
+/* Once a frame. */
+static void render_instance(struct walk *w, uint32_t i, bool inside) {
+  uint32_t bit = 1u << i % 32;
+  if (w->visited[i / 32] & bit)
+    return;
+  w->visited[i / 32] |= bit;
+  take_in_hand(w, i);
+  render_cube(w, 0, inside);
+}
+
+/* A cube of instances. */
+static void render_instances(struct walk *w, uint32_t k, bool inside) {
+  const struct hsr_octree *octree = &w->frame.cubes->octree;
+  const struct hsr_octree_node *node = &octree->node[k];
+  static const uint32_t no_child[8] = {HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
+                                       HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
+                                       HSR_NO_NODE, HSR_NO_NODE};
+  bool single = node->n == 1 && !memcmp(node->child, no_child, sizeof no_child);
+  if (!single) {
+    if (!is_cube_visible(w, &w->frame.as_it_is, node, &inside))
+      return;
+    HSR_COUNT(w->tally, CUBES_VISIBLE, 1);
+  }
+  for (uint32_t i = 0; i < node->n; i++)
+    render_instance(w, octree->item[node->first + i], inside);
+  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.as_it_is, node);
+  for (int o = 0; o < 8; o++) {
+    uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
+    if (child != HSR_NO_NODE)
+      render_instances(w, child, inside);
+  }
+}
+
+/* Without cubes: cell after cell, as they come. */
+static void render_all(struct walk *w) {
+  for (uint32_t i = 0; i < w->frame.cubes->scene->n_instances; i++) {
+    take_in_hand(w, i);
+    for (uint32_t k = 0; k < w->frame.object->octree.n_nodes; k++)
+      tile_cell(w, k);
+  }
+}
+
+static void render_loose(struct walk *w) {
+  const struct hsr_cubes *cubes = w->frame.cubes;
+  for (uint32_t k = 0; k < cubes->n_loose; k++) {
+    take_in_hand(w, cubes->loose[k]);
+    tile_cell(w, w->frame.object->octree.n_nodes);
+  }
+}
+
+/* --- A frame ----------------------------------------------------------------
+ */
+
+static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
+  const struct hsr_cubes *cubes = job->prepared;
+  struct hsr_arena *arena = job->scratch;
+  struct hsr_tiler *t = &w->frame.tiler;
+  const struct hsr_window *window = &job->view->window;
+  w->option = job->option;
+  w->tally = job->tally;
+  w->work = job->tally->work;
+  w->tiled = HSR_NEW_ZEROED(arena, uint32_t, cubes->most_object_faces);
+  w->visited = HSR_NEW_ZEROED(arena, uint32_t,
+                              cubes->scene->n_instances / 32 + (size_t)1);
+  if (!w->tiled || !w->visited ||
+      HSR_OF_BUILD(hsr_cube_frame_begin)(&w->frame, job, cubes) ||
+      HSR_OF_BUILD(hsr_pyramid_init)(&w->pyramid, window, job->option[NEAR],
+                                     &t->z_stride, arena))
+    return HSR_E_NOMEM;
+  w->pyramid.work_stride = job->tally->work_stride;
+  t->z = w->pyramid.far[0];
+  t->ids_stride = job->ids_stride;
+  t->ids = job->ids + (size_t)window->y0 * job->ids_stride + window->x0;
+  HSR_OF_BUILD(hsr_tiler_begin_part)(t, *window);
+  HSR_OF_BUILD(hsr_pyramid_clear)(&w->pyramid);
+  return HSR_OK;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct walk w = {.visit = 0};
+  if (begin(&w, job))
+    return hsr_fail_nomem(err);
+  render_loose(&w);
+  if (w.option[OCTREE])
+    render_instances(&w, 0, false);
+  else
+    render_all(&w);
+  job->tally->work = w.work;
+  return HSR_OK;
+}
+
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  struct hsr_cubes *cubes = malloc(sizeof *cubes);
+  *prepared = cubes;
+  if (!cubes)
+    return hsr_fail_nomem(err);
+  struct hsr_octree_rule rule = {
+      .small = option[PLACEMENT] == PUSHED ? 1.0 / (double)option[SMALL] : 0,
+      .most = (uint32_t)option[LEAST],
+      .least = (uint32_t)option[LEAST]};
+  return hsr_cubes_init(cubes, world, &rule, err);
+}
+
+static void release(void *prepared) {
+  hsr_cubes_free(prepared);
+  free(prepared);
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(hzbuffer) = {
+    .name = "hzbuffer",
+    .title = "Hierarchical z-buffer visibility",
+    .authors = "N. Greene, M. Kass and G. Miller",
+    .year = 1993,
+    .source = "Greene, Kass and Miller, SIGGRAPH 1993; Greene, PhD thesis, UC "
+              "Santa Cruz, 1995, chapter 3",
+    .taxonomy = HSR_BRUTE_FORCE,
+    .sort_order = "Z(XY)",
+    .coherence = "of hidden regions, in space and on the screen",
+    .kind = HSR_IDS,
+    .flags = HSR_INSTANCED,
+    .counters = counters,
+    .options = options,
+    .prepare = prepare,
+    .render = render,
+    .release = release};
