@@ -109,6 +109,23 @@ void HSR_OF_BUILD(hsr_cube_instance)(struct hsr_cube_frame *frame, uint32_t i) {
   place(&frame->placing, frame->job->view, instance->m, frame->object->reach);
 }
 
+enum hsr_status HSR_OF_BUILD(hsr_cube_loose)(const struct hsr_cube_frame *frame,
+                                             struct hsr_tiler *tiler) {
+  const struct hsr_job *job = frame->job;
+  *tiler = frame->tiler;
+  tiler->few = NULL;
+  tiler->id = frame->cubes->loose_id;
+  tiler->first_id = 0;
+  return hsr_screen_make(&tiler->screen, &frame->cubes->loose, job->view,
+                         job->scratch, job->tally);
+}
+
+bool HSR_OF_BUILD(hsr_cube_is_new)(struct hsr_cube_frame *frame, uint32_t i) {
+  uint32_t bit = 1u << i % 32, met = frame->met[i / 32];
+  frame->met[i / 32] = met | bit;
+  return !(met & bit);
+}
+
 /* --- Cubes ------------------------------------------------------------------
  */
 
@@ -302,11 +319,14 @@ HSR_OF_BUILD(hsr_cube_frame_begin)(struct hsr_cube_frame *frame,
   tiler->few = world;
   tiler->pair = &frame->pair;
   tiler->corner = HSR_NEW(arena, struct hsr_corner, cubes->most_vertices);
-  tiler->columns = HSR_NEW(arena, int, (size_t)cubes->most_corners + 4);
+  tiler->columns =
+      HSR_NEW(arena, int, (size_t)hsr_largest_face(cubes->scene) + 4);
   frame->two_sided = HSR_NEW_ZEROED(arena, bool, cubes->most_faces);
   frame->one_sided = HSR_NEW(arena, bool, cubes->most_faces);
+  frame->met = HSR_NEW_ZEROED(arena, uint32_t,
+                              cubes->scene->n_instances / 32 + (size_t)1);
   if (!tiler->corner || !tiler->columns || !frame->two_sided ||
-      !frame->one_sided || hsr_world_allocate(world, arena) ||
+      !frame->one_sided || !frame->met || hsr_world_allocate(world, arena) ||
       hsr_screen_init(&tiler->screen, world, job->view, arena) ||
       hsr_pair_init(&frame->pair, job->world, job->view, arena))
     return HSR_E_NOMEM;

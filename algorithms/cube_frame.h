@@ -53,6 +53,7 @@ struct hsr_cube_frame {
   struct hsr_world world; /* of the cell at hand */
   struct hsr_pair pair;
   bool *two_sided, *one_sided; /* of all faces of a cell */
+  uint32_t *met;               /* instances, a bit each */
 
   /* The instance at hand. */
   uint32_t instance;
@@ -66,6 +67,16 @@ enum hsr_status
     HSR_OF_BUILD(hsr_cube_frame_begin)(struct hsr_cube_frame *frame,
                                        const struct hsr_job *job,
                                        const struct hsr_cubes *cubes);
+
+/* A tiler of the scene's loose faces, once the frame's has its memory: those
+ * that are relevant of its screen are to be tiled generally, before any cell.
+ * HSR_E_NOMEM. */
+enum hsr_status HSR_OF_BUILD(hsr_cube_loose)(const struct hsr_cube_frame *frame,
+                                             struct hsr_tiler *tiler);
+
+/* Whether the instance, which may be in several cubes, was not met before. */
+bool HSR_OF_BUILD(hsr_cube_is_new)(struct hsr_cube_frame *frame,
+                                   uint32_t instance);
 
 /* Takes an instance in hand. */
 void HSR_OF_BUILD(hsr_cube_instance)(struct hsr_cube_frame *frame,

@@ -136,7 +136,6 @@ struct walk {
   float *work;     /* the work picture, or NULL */
   uint32_t *tiled; /* a face of the object at hand: the visit when it was met */
   uint32_t visit;
-  uint32_t *visited; /* instances, a bit each */
 };
 
 /* What is touched from now on is of that kind. */
@@ -333,14 +332,17 @@ static void filter(struct walk *w, struct hsr_batch *b) {
   count_reads(w, FACE_READS, before);
 }
 
-static void tile_generally(struct walk *w, uint32_t f) {
-  struct hsr_tiler *t = &w->frame.tiler;
-  if (!HSR_OF_BUILD(hsr_tiler_place)(t, f))
-    return;
+/* A face that is placed on the tiler's screen. */
+static void tile_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
   HSR_COUNT(w->tally, FACES_TILED, 1);
   HSR_OF_BUILD(hsr_tiler_tile_generally)(t, f);
   if (w->option[PYRAMID])
     HSR_OF_BUILD(hsr_pyramid_update)(&w->pyramid, t->screen.bounds[f]);
+}
+
+static void tile_generally(struct walk *w, uint32_t f) {
+  if (HSR_OF_BUILD(hsr_tiler_place)(&w->frame.tiler, f))
+    tile_face(w, &w->frame.tiler, f);
 }
 
 static void tile_batch(struct walk *w, const struct hsr_batch *b) {
@@ -404,14 +406,12 @@ static void take_in_hand(struct walk *w, uint32_t instance) {
   w->visit++;
 }
 
-/* Once a frame. */
-static void render_instance(struct walk *w, uint32_t i, bool inside) {
-  uint32_t bit = 1u << i % 32;
-  if (w->visited[i / 32] & bit)
+/* Once a frame. The instance may reach out of the cube in which it is met. */
+static void render_instance(struct walk *w, uint32_t i) {
+  if (!HSR_OF_BUILD(hsr_cube_is_new)(&w->frame, i))
     return;
-  w->visited[i / 32] |= bit;
   take_in_hand(w, i);
-  render_cube(w, 0, inside);
+  render_cube(w, 0, false);
 }
 
 /* A cube of instances. */
@@ -428,7 +428,7 @@ static void render_instances(struct walk *w, uint32_t k, bool inside) {
     HSR_COUNT(w->tally, CUBES_VISIBLE, 1);
   }
   for (uint32_t i = 0; i < node->n; i++)
-    render_instance(w, octree->item[node->first + i], inside);
+    render_instance(w, octree->item[node->first + i]);
   int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.as_it_is, node);
   for (int o = 0; o < 8; o++) {
     uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
@@ -446,12 +446,14 @@ static void render_all(struct walk *w) {
   }
 }
 
-static void render_loose(struct walk *w) {
-  const struct hsr_cubes *cubes = w->frame.cubes;
-  for (uint32_t k = 0; k < cubes->n_loose; k++) {
-    take_in_hand(w, cubes->loose[k]);
-    tile_cell(w, w->frame.object->octree.n_nodes);
-  }
+static enum hsr_status render_loose(struct walk *w) {
+  struct hsr_tiler t;
+  if (HSR_OF_BUILD(hsr_cube_loose)(&w->frame, &t))
+    return HSR_E_NOMEM;
+  touch_for(w, WORK_POLYGONS);
+  for (uint32_t k = 0; k < t.screen.n_relevant; k++)
+    tile_face(w, &t, t.screen.relevant[k]);
+  return HSR_OK;
 }
 
 /* --- A frame ----------------------------------------------------------------
@@ -466,10 +468,7 @@ static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
   w->tally = job->tally;
   w->work = job->tally->work;
   w->tiled = HSR_NEW_ZEROED(arena, uint32_t, cubes->most_object_faces);
-  w->visited = HSR_NEW_ZEROED(arena, uint32_t,
-                              cubes->scene->n_instances / 32 + (size_t)1);
-  if (!w->tiled || !w->visited ||
-      HSR_OF_BUILD(hsr_cube_frame_begin)(&w->frame, job, cubes) ||
+  if (!w->tiled || HSR_OF_BUILD(hsr_cube_frame_begin)(&w->frame, job, cubes) ||
       HSR_OF_BUILD(hsr_pyramid_init)(&w->pyramid, window, job->option[NEAR],
                                      &t->z_stride, arena))
     return HSR_E_NOMEM;
@@ -487,7 +486,8 @@ static enum hsr_status render(const struct hsr_job *job,
   struct walk w = {.visit = 0};
   if (begin(&w, job))
     return hsr_fail_nomem(err);
-  render_loose(&w);
+  if (render_loose(&w))
+    return hsr_fail_nomem(err);
   if (w.option[OCTREE])
     render_instances(&w, 0, false);
   else

@@ -7,6 +7,7 @@ libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/variant.c %D%/list.def
 algorithm_files = \
   %D%/appel.c \
   %D%/bouknight.c \
+  %D%/clark.c \
   %D%/cube_frame.c \
   %D%/cube_frame.h \
   %D%/cluster_order.h \

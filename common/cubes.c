@@ -69,13 +69,13 @@ static bool is_exact(const struct hsr_instance *instance,
   return c->reach + far < ldexp(1, grain + 52);
 }
 
-/* The faces of object o that go into cubes: how many, in into[]; the loose ones
- * behind them. */
+/* The faces of object o that go into cubes: how many, in into[]. The others are
+ * marked. */
 static uint32_t part_loose(const struct hsr_cubes *cubes, uint32_t o,
                            uint32_t *into, bool *out_of_memory) {
   const struct hsr_scene *scene = cubes->scene;
   const struct hsr_object *object = &scene->objects[o];
-  uint32_t n = object->n_faces, kept = 0, loose = n;
+  uint32_t n = object->n_faces, kept = 0;
   bool exact = true;
   if (object->start[n] != 3 * (uint64_t)n) {
     for (uint32_t i = 0; i < scene->n_instances && exact; i++)
@@ -87,7 +87,7 @@ static uint32_t part_loose(const struct hsr_cubes *cubes, uint32_t o,
     if (loop.n == 3 || (exact && hsr_is_flat(loop, out_of_memory)))
       into[kept++] = f;
     else
-      into[--loose] = f;
+      cubes->object[o].is_loose[f] = true;
   }
   return kept;
 }
@@ -208,7 +208,7 @@ static void add_face(struct cell_maker *m, struct hsr_cell *cell, uint32_t f) {
   m->n_starts++;
 }
 
-/* The n faces number[item[k]], or number[k] if item is NULL. */
+/* The n faces number[item[k]]. */
 static void make_cell(struct cell_maker *m, uint32_t place,
                       const uint32_t *number, const uint32_t *item,
                       uint32_t n) {
@@ -223,7 +223,7 @@ static void make_cell(struct cell_maker *m, uint32_t place,
   m->n_starts++;
   for (int triangles = 1; triangles >= 0; triangles--)
     for (uint32_t k = 0; k < n; k++) {
-      uint32_t f = number[item ? item[k] : k];
+      uint32_t f = number[item[k]];
       uint32_t size = m->object->start[f + 1] - m->object->start[f];
       if ((size == 3) != triangles)
         continue;
@@ -232,21 +232,17 @@ static void make_cell(struct cell_maker *m, uint32_t place,
     }
 }
 
-static void make_cells(struct cell_maker *m, const uint32_t *number,
-                       uint32_t n_placed) {
+static void make_cells(struct cell_maker *m, const uint32_t *number) {
   const struct hsr_octree *octree = &m->c->octree;
   m->n_faces = m->n_starts = m->n_corners = m->n_vertices = 0;
   memset(m->mark, 0, m->object->n_vertices * sizeof *m->mark);
   for (uint32_t k = 0; k < octree->n_nodes; k++)
     make_cell(m, k, number, octree->item + octree->node[k].first,
               octree->node[k].n);
-  make_cell(m, octree->n_nodes, number + n_placed, NULL,
-            m->object->n_faces - n_placed);
 }
 
 static enum hsr_status lay_out_cells(struct hsr_cubes *cubes, uint32_t o,
-                                     const uint32_t *number,
-                                     uint32_t n_placed) {
+                                     const uint32_t *number) {
   const struct hsr_object *object = &cubes->scene->objects[o];
   struct hsr_cubes_object *c = &cubes->object[o];
   struct hsr_arena *arena = &cubes->arena;
@@ -255,10 +251,10 @@ static enum hsr_status lay_out_cells(struct hsr_cubes *cubes, uint32_t o,
                          .number =
                              malloc(object->n_vertices * sizeof *m.number),
                          .mark = malloc(object->n_vertices * sizeof *m.mark)};
-  c->cell = HSR_NEW(arena, struct hsr_cell, (size_t)c->octree.n_nodes + 1);
+  c->cell = HSR_NEW(arena, struct hsr_cell, c->octree.n_nodes);
   bool good = m.number && m.mark && c->cell;
   if (good) {
-    make_cells(&m, number, n_placed);
+    make_cells(&m, number);
     c->face = HSR_NEW(arena, uint32_t, m.n_faces);
     c->start = HSR_NEW(arena, uint32_t, m.n_starts);
     c->vertex = HSR_NEW(arena, uint32_t, m.n_corners);
@@ -268,7 +264,7 @@ static enum hsr_status lay_out_cells(struct hsr_cubes *cubes, uint32_t o,
     good = c->face && c->start && c->vertex && c->x && c->y && c->z;
   }
   if (good)
-    make_cells(&m, number, n_placed);
+    make_cells(&m, number);
   free(m.number);
   free(m.mark);
   return good ? HSR_OK : HSR_E_NOMEM;
@@ -284,11 +280,15 @@ static enum hsr_status make_object(struct hsr_cubes *cubes, uint32_t o,
   struct hsr_cubes_object *c = &cubes->object[o];
   bool out_of_memory = false;
   uint32_t *number = malloc(((size_t)object->n_faces + 1) * sizeof *number);
-  if (!number)
+  c->is_loose = HSR_NEW_ZEROED(&cubes->arena, bool, object->n_faces);
+  if (!number || !c->is_loose) {
+    free(number);
     return HSR_E_NOMEM;
+  }
   find_reach(object, c);
   c->grain = grain_of(object);
   uint32_t n_placed = part_loose(cubes, o, number, &out_of_memory);
+  c->n_loose = object->n_faces - n_placed;
   struct faces faces = {object, number, c->reach};
   struct hsr_primitives primitives = {n_placed, &faces, face_bounds, face_area,
                                       face_meets};
@@ -298,9 +298,9 @@ static enum hsr_status make_object(struct hsr_cubes *cubes, uint32_t o,
           : hsr_octree_init(&c->octree, &primitives, rule, c->bounds.lo,
                             longest_side(&c->bounds), &cubes->arena);
   if (!status)
-    status = lay_out_cells(cubes, o, number, n_placed);
+    status = lay_out_cells(cubes, o, number);
   free(number);
-  for (uint32_t k = 0; !status && k <= c->octree.n_nodes; k++) {
+  for (uint32_t k = 0; !status && k < c->octree.n_nodes; k++) {
     const struct hsr_cell *cell = &c->cell[k];
     const uint32_t *start = c->start + cell->first_start;
     cubes->most_faces = larger(cubes->most_faces, cell->n_faces);
@@ -373,23 +373,18 @@ static bool are_apart(const struct hsr_cubes *cubes) {
 static enum hsr_status make_instances(struct hsr_cubes *cubes) {
   uint32_t n = cubes->scene->n_instances;
   cubes->bounds = HSR_NEW(&cubes->arena, struct hsr_box, n);
-  cubes->loose = HSR_NEW(&cubes->arena, uint32_t, n);
-  if (!cubes->bounds || !cubes->loose)
+  if (!cubes->bounds)
     return HSR_E_NOMEM;
   struct hsr_box all = {{INFINITY, INFINITY, INFINITY},
                         {-INFINITY, -INFINITY, -INFINITY}};
   double largest = 0;
   for (uint32_t i = 0; i < n; i++) {
     struct hsr_box box = cubes->bounds[i] = instance_bounds(cubes, i);
-    const struct hsr_cubes_object *c =
-        &cubes->object[cubes->scene->instances[i].object];
     largest = fmax(largest, longest_side(&box));
     for (int k = 0; k < 3; k++) {
       all.lo[k] = fmin(all.lo[k], box.lo[k]);
       all.hi[k] = fmax(all.hi[k], box.hi[k]);
     }
-    if (c->cell[c->octree.n_nodes].n_faces)
-      cubes->loose[cubes->n_loose++] = i;
   }
   double side = largest;
   while (side < longest_side(&all))
@@ -401,6 +396,37 @@ static enum hsr_status make_instances(struct hsr_cubes *cubes) {
                                            all.lo, side, &cubes->arena);
   cubes->apart = !status && are_apart(cubes);
   return status;
+}
+
+/* --- Loose faces ------------------------------------------------------------
+ */
+
+/* Their ids, into id[] unless it is NULL: how many. */
+static size_t list_loose(const struct hsr_cubes *cubes,
+                         const struct hsr_world *world, uint32_t *id) {
+  size_t n = 0;
+  for (uint32_t i = 0; i < cubes->scene->n_instances; i++) {
+    uint32_t o = cubes->scene->instances[i].object;
+    const struct hsr_cubes_object *c = &cubes->object[o];
+    for (uint32_t f = 0;
+         id && c->n_loose && f < world->first[i + 1] - world->first[i]; f++)
+      if (c->is_loose[f])
+        id[n++] = world->first[i] + f;
+    n += id ? 0 : c->n_loose;
+  }
+  return n;
+}
+
+static enum hsr_status lay_out_loose(struct hsr_cubes *cubes,
+                                     const struct hsr_world *world,
+                                     struct hsr_error *err) {
+  size_t n = list_loose(cubes, world, NULL);
+  cubes->loose_id = HSR_NEW(&cubes->arena, uint32_t, n);
+  if (!cubes->loose_id)
+    return hsr_fail_nomem(err);
+  list_loose(cubes, world, cubes->loose_id);
+  return hsr_world_extract(&cubes->loose, world, cubes->loose_id, (uint32_t)n,
+                           err);
 }
 
 enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
@@ -415,9 +441,10 @@ enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
     status = make_object(cubes, o, rule);
   if (!status)
     status = make_instances(cubes);
-  return status ? hsr_fail_nomem(err) : HSR_OK;
+  return status ? hsr_fail_nomem(err) : lay_out_loose(cubes, world, err);
 }
 
 void hsr_cubes_free(struct hsr_cubes *cubes) {
+  hsr_world_free(&cubes->loose);
   hsr_arena_free(&cubes->arena);
 }

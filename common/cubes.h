@@ -7,11 +7,10 @@
  * vertices and all, in plain arrays, triangles first, ready to be transformed
  * at once. Loose       a face whose vertices are not exactly on one plane, or
  * may not be in some instance, is visible where that plane is, and not just
- *             where its vertices are: it is in no cube. Triangles never are
- *             loose.
- * Invariant   whatever of a face that is not loose is in the world lies within
- *             `slack` of its face in the object, as an exact transformation has
- *             it, and that lies in the cubes that hold it. */
+ *             where its vertices are: it is in no cube, but laid out for
+ * itself. Triangles never are loose. Invariant   whatever of a face that is not
+ * loose is in the world lies within `slack` of its face in the object, as an
+ * exact transformation has it, and that lies in the cubes that hold it. */
 #ifndef HSR_COMMON_CUBES_H
 #define HSR_COMMON_CUBES_H
 
@@ -34,8 +33,10 @@ struct hsr_cell {
 
 struct hsr_cubes_object {
   struct hsr_octree octree;
-  struct hsr_cell *cell; /* a node, and one of the loose faces */
-  uint32_t *face;        /* numbers of the object's faces, cell by cell */
+  struct hsr_cell *cell; /* a node */
+  bool *is_loose;        /* a face */
+  uint32_t n_loose;
+  uint32_t *face; /* numbers of the object's faces, cell by cell */
   uint32_t *start, *vertex;
   double *x, *y, *z; /* the object's own coordinates */
   double reach;      /* none is larger in size */
@@ -49,8 +50,8 @@ struct hsr_cubes {
   struct hsr_octree octree;        /* of the instances */
   struct hsr_box *bounds; /* an instance: holds it in the world, but for what is
                              loose */
-  uint32_t *loose;        /* the instances with loose faces */
-  uint32_t n_loose;
+  struct hsr_world loose; /* the loose faces of all instances, laid out */
+  uint32_t *loose_id;     /* what they are called in the scene */
   bool apart; /* every instance has a cube to itself, and no other */
   uint32_t most_vertices, most_faces, most_corners; /* of a cell */
   uint32_t most_object_faces;                       /* of an object */
