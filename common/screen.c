@@ -57,6 +57,17 @@
  * edge(a, b), since that is e times w_a w_b det(F, R, U) times a negative
  * constant; both w are positive, and det(F, R, U) < 0 in a right-handed world.
  *
+ * Behind the eye, or beside it, a vertex still has homogeneous coordinates A =
+ * S v, S the screen matrix, as computed within e_k = 8u |S_k|_1 |v|inf; then
+ * |A_k|
+ * <= (1 + 8u) e_k / 8u. row(v) has the sign of A_1 - sy A_2, and edge(a, b)
+ * that of det(A, B, (sx, sy, 1)), as before the division. The first is within
+ * e_1 + |sy| e_2 and the rounding of the product and the difference, at most a
+ * quarter of that each; the filter takes three times it. A product A_k B_l
+ * carries e_k |B_l| + f_l |A_k| <= 2.1 e_k f_l / 8u and a rounding of e_k f_l /
+ * 64u; with further roundings of the sums, of four times that, the sum of all
+ * is within 0.4 e f / u, for which the filter takes e f / u.
+ *
  * Edge columns. For |dy| >= 16 delta the parameter of the crossing,
  * (y - ay)/dy in [0, 1], is within 3.5 delta/|dy|; the crossing ax + dx t
  * within delta + 2.1 delta + 3.5 delta |dx/dy|. Rounding of x + slope sy adds
@@ -496,24 +507,54 @@ int hsr_vertex_nearer_exact(const struct hsr_screen *screen, uint32_t f,
                                   out_of_memory);
 }
 
+/* The sign of a number that is within `error` of the truth; 0 if in doubt. */
+static int certain_sign(double value, double error) {
+  return (value > error) - (value < -error);
+}
+
+static int homogeneous_row(const struct hsr_screen *screen, uint32_t v,
+                           double sy) {
+  double a[3], error[3] = {0, 0, 0};
+  homogeneous(screen, v, a, error);
+  return certain_sign(a[1] - sy * a[2], 3 * (error[1] + fabs(sy) * error[2]));
+}
+
+static int homogeneous_edge(const struct hsr_screen *screen, uint32_t va,
+                            uint32_t vb, double sx, double sy) {
+  double a[3], b[3], e[3] = {0, 0, 0}, f[3] = {0, 0, 0};
+  homogeneous(screen, va, a, e);
+  homogeneous(screen, vb, b, f);
+  double det = sx * (a[1] * b[2] - a[2] * b[1]) +
+               sy * (a[2] * b[0] - a[0] * b[2]) + (a[0] * b[1] - a[1] * b[0]);
+  double error = fabs(sx) * (e[1] * f[2] + e[2] * f[1]) +
+                 fabs(sy) * (e[2] * f[0] + e[0] * f[2]) +
+                 (e[0] * f[1] + e[1] * f[0]);
+  return certain_sign(det, error / U + TINY);
+}
+
 int hsr_edge_side_exact(const struct hsr_screen *screen, uint32_t a, uint32_t b,
                         int i, int j, struct hsr_tally *tally) {
   double p[3], q[3];
   vertex_point(screen->world, a, p);
   vertex_point(screen->world, b, q);
+  double sx = hsr_sample_x(screen->view, i), sy = hsr_sample_y(screen->view, j);
+  int sign = homogeneous_edge(screen, a, b, sx, sy);
+  if (sign)
+    return sign;
   tally->exact[HSR_ASK_EDGE]++;
-  return hsr_exact_edge_side(screen->view, p, q, hsr_sample_x(screen->view, i),
-                             hsr_sample_y(screen->view, j),
-                             &tally->out_of_memory);
+  return hsr_exact_edge_side(screen->view, p, q, sx, sy, &tally->out_of_memory);
 }
 
 int hsr_row_side_exact(const struct hsr_screen *screen, uint32_t v, int j,
                        struct hsr_tally *tally) {
   double p[3];
   vertex_point(screen->world, v, p);
+  double sy = hsr_sample_y(screen->view, j);
+  int sign = homogeneous_row(screen, v, sy);
+  if (sign)
+    return sign;
   tally->exact[HSR_ASK_ROW]++;
-  return hsr_exact_row_side(screen->view, p, hsr_sample_y(screen->view, j),
-                            &tally->out_of_memory);
+  return hsr_exact_row_side(screen->view, p, sy, &tally->out_of_memory);
 }
 
 /* t > near on the plane of a cut face. */
