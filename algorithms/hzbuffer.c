@@ -18,6 +18,7 @@
  *             single instance, whose own root is tested instead.
  * Cost        proportional to what is visible, and to the cubes around it */
 #include "algorithms/cube_frame.h"
+#include "algorithms/cube_list.h"
 #include "algorithms/pyramid.h"
 
 #include <math.h>
@@ -40,7 +41,8 @@ enum {
   FACES_CULLED,
   FACES_TILED,
   FACE_READS,
-  COMPLETED
+  COMPLETED,
+  CUBES_AGAIN
 };
 
 static const struct hsr_counter counters[] = {
@@ -61,6 +63,8 @@ static const struct hsr_counter counters[] = {
     [FACES_TILED] = {"faces tiled", "scan-converted"},
     [FACE_READS] = {"face reads", "pyramid entries read to test faces"},
     [COMPLETED] = {"completed", "samples known to be done"},
+    [CUBES_AGAIN] = {"cubes again", "rendered first, since they were visible "
+                                    "in the frame before"},
     {NULL, NULL}};
 
 enum option {
@@ -73,12 +77,14 @@ enum option {
   POLYGONS,
   NEAR,
   COMPLETED_SAMPLES,
+  COHERENCE,
   WORK
 };
 enum { OFF, ON };
 enum { PUSHED, ENCLOSING };
 enum { RECTANGLE, SIDES };
 enum { FAST, BASIC, DEFINITIVE, NONE };
+enum { NO_COHERENCE, LIST, PASSES };
 enum { WORK_ALL, WORK_PYRAMID, WORK_BOXES, WORK_POLYGONS };
 
 static const struct hsr_word off_on[] = {
@@ -99,6 +105,12 @@ static const struct hsr_word polygon_tests[] = {
     {"basic", "bounding rectangles, by one entry", 0},
     {"definitive", "recursion into what the face covers", 0},
     {"none", "no test", 0},
+    {NULL, NULL, 0}};
+static const struct hsr_word coherences[] = {
+    {"off", "every frame for itself", 0},
+    {"list", "a list of visible cubes, rendered first and pruned, as in 1993",
+     HSR_FRAME_STATE},
+    {"passes", "two passes, as in the thesis", HSR_FRAME_STATE},
     {NULL, NULL, 0}};
 static const struct hsr_word works[] = {
     {"all", "everything", 0},
@@ -125,12 +137,26 @@ static const struct hsr_option options[] = {
                            "tag samples behind which a cube's side was found, "
                            "where instances are apart and sides scanned",
                            off_on, 0, 1, OFF},
+    [COHERENCE] = {"coherence", "what is kept from frame to frame", coherences,
+                   0, 2, NO_COHERENCE},
     [WORK] = {"work", "what the work picture shows", works, 0, 3, WORK_ALL},
     {NULL, NULL, NULL, 0, 0, 0}};
 
+/* What lasts from frame to frame. */
+struct prepared {
+  struct hsr_cubes cubes;
+  struct hsr_cube_list
+      list[2]; /* visible cubes, of the last frame and of this */
+  int last;    /* which one is the last frame's */
+};
+
 struct walk {
   struct hsr_cube_frame frame;
+  struct hsr_cube_list *last, *next; /* NULL without coherence */
+  struct hsr_cube_marks rendered;    /* what of the last frame's was */
+  bool out_of_memory;
   struct hsr_pyramid pyramid;
+  bool plain; /* no tests, and the pyramid is left as it is */
   const long *option;
   struct hsr_tally *tally;
   float *work;     /* the work picture, or NULL */
@@ -314,7 +340,7 @@ static bool is_hidden(struct walk *w, const struct hsr_batch *b, int k) {
 
 /* Leaves out of a batch what was met before, and what is hidden. */
 static void filter(struct walk *w, struct hsr_batch *b) {
-  bool tests = w->option[PYRAMID] && w->option[POLYGONS] != NONE;
+  bool tests = w->option[PYRAMID] && w->option[POLYGONS] != NONE && !w->plain;
   uint64_t before = w->pyramid.reads;
   touch_for(w, WORK_PYRAMID);
   w->pyramid.work = w->tally->work;
@@ -336,7 +362,7 @@ static void filter(struct walk *w, struct hsr_batch *b) {
 static void tile_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
   HSR_COUNT(w->tally, FACES_TILED, 1);
   HSR_OF_BUILD(hsr_tiler_tile_generally)(t, f);
-  if (w->option[PYRAMID])
+  if (w->option[PYRAMID] && !w->plain)
     HSR_OF_BUILD(hsr_pyramid_update)(&w->pyramid, t->screen.bounds[f]);
 }
 
@@ -350,7 +376,7 @@ static void tile_batch(struct walk *w, const struct hsr_batch *b) {
   HSR_OF_BUILD(hsr_tiler_tile_batch)(&w->frame.tiler, b);
   for (int k = 0; k < b->n_fast; k++) {
     HSR_COUNT(w->tally, FACES_TILED, b->good[k]);
-    if (b->good[k] && w->option[PYRAMID])
+    if (b->good[k] && w->option[PYRAMID] && !w->plain)
       HSR_OF_BUILD(hsr_pyramid_update)
     (&w->pyramid, (struct hsr_bounds){r->x0[k], r->y0[k], r->x1[k], r->y1[k]});
   }
@@ -385,14 +411,27 @@ static void tile_cell(struct walk *w, uint32_t place) {
 /* --- The octrees, from front to back ----------------------------------------
  */
 
-/* A cube of the object at hand. */
+/* Lists a cube of the object at hand as visible. */
+static void list_cube(struct walk *w, uint32_t k) {
+  if (!HSR_OF_BUILD(hsr_cube_list_add)(w->next, w->frame.instance, k))
+    w->out_of_memory = true;
+}
+
+/* A cube of the object at hand. One on the list of 1993 is not tested any more
+ * before the list is pruned. */
 static void render_cube(struct walk *w, uint32_t k, bool inside) {
   const struct hsr_octree *octree = &w->frame.object->octree;
   const struct hsr_octree_node *node = &octree->node[k];
-  if (!is_cube_visible(w, &w->frame.placing, node, &inside))
+  bool rendered =
+      w->last && hsr_cube_is_marked(&w->rendered, w->frame.instance, k);
+  if (!(rendered && w->option[COHERENCE] == LIST) &&
+      !is_cube_visible(w, &w->frame.placing, node, &inside))
     return;
   HSR_COUNT(w->tally, CUBES_VISIBLE, 1);
-  tile_cell(w, k);
+  if (w->next)
+    list_cube(w, k);
+  if (!rendered)
+    tile_cell(w, k);
   int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.placing, node);
   for (int o = 0; o < 8; o++) {
     uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
@@ -401,9 +440,19 @@ static void render_cube(struct walk *w, uint32_t k, bool inside) {
   }
 }
 
+/* What was rendered of it already, is met again. */
 static void take_in_hand(struct walk *w, uint32_t instance) {
   HSR_OF_BUILD(hsr_cube_instance)(&w->frame, instance);
   w->visit++;
+  const struct hsr_listed_instance *group =
+      w->rendered.list ? hsr_cube_marks_group(&w->rendered, instance) : NULL;
+  for (uint32_t k = 0; group && k < group->n; k++) {
+    const struct hsr_cubes_object *object = w->frame.object;
+    const struct hsr_cell *cell =
+        &object->cell[hsr_cube_list_cubes(w->last, group)[k]];
+    for (uint32_t f = 0; f < cell->n_faces; f++)
+      w->tiled[object->face[cell->first_face + f]] = w->visit;
+  }
 }
 
 /* Once a frame. The instance may reach out of the cube in which it is met. */
@@ -446,6 +495,53 @@ static void render_all(struct walk *w) {
   }
 }
 
+/* --- Temporal coherence -----------------------------------------------------
+ */
+
+/* The cubes that were visible in the last frame, into the plain z-buffer; then
+ * the pyramid is built. */
+static enum hsr_status render_last(struct walk *w) {
+  const struct hsr_cubes *cubes = w->frame.cubes;
+  const struct hsr_window *window = &w->frame.job->view->window;
+  w->plain = true;
+  for (size_t g = 0; g < w->last->group.n; g++) {
+    const struct hsr_listed_instance *group = hsr_cube_list_group(w->last, g);
+    const uint32_t *cube = hsr_cube_list_cubes(w->last, group);
+    take_in_hand(w, group->instance);
+    for (uint32_t k = 0; k < group->n; k++)
+      tile_cell(w, cube[k]);
+    HSR_COUNT(w->tally, CUBES_AGAIN, group->n);
+  }
+  w->plain = false;
+  HSR_OF_BUILD(hsr_pyramid_update)
+  (&w->pyramid,
+   (struct hsr_bounds){window->x0, window->y0, window->x1, window->y1});
+  return HSR_OF_BUILD(hsr_cube_marks_init)(&w->rendered, w->last, cubes,
+                                           w->frame.job->scratch);
+}
+
+/* 1993: of the listed cubes, those stay that the finished pyramid does not
+ * hide.
+ */
+static void prune(struct walk *w) {
+  struct hsr_cube_list *kept = w->last;
+  const struct hsr_cube_list *all = w->next;
+  w->rendered.list = NULL;
+  HSR_OF_BUILD(hsr_cube_list_clear)(kept);
+  for (size_t g = 0; g < all->group.n; g++) {
+    const struct hsr_listed_instance *group = hsr_cube_list_group(all, g);
+    const uint32_t *cube = hsr_cube_list_cubes(all, group);
+    take_in_hand(w, group->instance);
+    for (uint32_t k = 0; k < group->n; k++) {
+      bool inside = false;
+      if (is_cube_visible(w, &w->frame.placing,
+                          &w->frame.object->octree.node[cube[k]], &inside) &&
+          !HSR_OF_BUILD(hsr_cube_list_add)(kept, group->instance, cube[k]))
+        w->out_of_memory = true;
+    }
+  }
+}
+
 static enum hsr_status render_loose(struct walk *w) {
   struct hsr_tiler t;
   if (HSR_OF_BUILD(hsr_cube_loose)(&w->frame, &t))
@@ -460,13 +556,19 @@ static enum hsr_status render_loose(struct walk *w) {
  */
 
 static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
-  const struct hsr_cubes *cubes = job->prepared;
+  struct prepared *prepared = job->prepared;
+  const struct hsr_cubes *cubes = &prepared->cubes;
   struct hsr_arena *arena = job->scratch;
   struct hsr_tiler *t = &w->frame.tiler;
   const struct hsr_window *window = &job->view->window;
   w->option = job->option;
   w->tally = job->tally;
   w->work = job->tally->work;
+  if (w->option[COHERENCE]) {
+    w->last = &prepared->list[prepared->last];
+    w->next = &prepared->list[prepared->last ^ 1];
+    HSR_OF_BUILD(hsr_cube_list_clear)(w->next);
+  }
   w->tiled = HSR_NEW_ZEROED(arena, uint32_t, cubes->most_object_faces);
   if (!w->tiled || HSR_OF_BUILD(hsr_cube_frame_begin)(&w->frame, job, cubes) ||
       HSR_OF_BUILD(hsr_pyramid_init)(&w->pyramid, window, job->option[NEAR],
@@ -481,6 +583,17 @@ static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
   return HSR_OK;
 }
 
+/* The list for the next frame; none, rather than half of one. */
+static void end_coherence(struct walk *w) {
+  struct prepared *prepared = w->frame.job->prepared;
+  if (w->option[COHERENCE] == LIST)
+    prune(w);
+  else
+    prepared->last ^= 1;
+  if (w->out_of_memory)
+    HSR_OF_BUILD(hsr_cube_list_clear)(&prepared->list[prepared->last]);
+}
+
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct walk w = {.visit = 0};
@@ -488,30 +601,37 @@ static enum hsr_status render(const struct hsr_job *job,
     return hsr_fail_nomem(err);
   if (render_loose(&w))
     return hsr_fail_nomem(err);
+  if (w.last && render_last(&w))
+    return hsr_fail_nomem(err);
   if (w.option[OCTREE])
     render_instances(&w, 0, false);
   else
     render_all(&w);
+  if (w.last)
+    end_coherence(&w);
   job->tally->work = w.work;
-  return HSR_OK;
+  return w.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }
 
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
-  struct hsr_cubes *cubes = malloc(sizeof *cubes);
-  *prepared = cubes;
-  if (!cubes)
+  struct prepared *made = calloc(1, sizeof *made);
+  *prepared = made;
+  if (!made)
     return hsr_fail_nomem(err);
   struct hsr_octree_rule rule = {
       .small = option[PLACEMENT] == PUSHED ? 1.0 / (double)option[SMALL] : 0,
       .most = (uint32_t)option[LEAST],
       .least = (uint32_t)option[LEAST]};
-  return hsr_cubes_init(cubes, world, &rule, err);
+  return hsr_cubes_init(&made->cubes, world, &rule, err);
 }
 
-static void release(void *prepared) {
-  hsr_cubes_free(prepared);
+static void release(void *object) {
+  struct prepared *prepared = object;
+  hsr_cubes_free(&prepared->cubes);
+  hsr_arena_free(&prepared->list[0].arena);
+  hsr_arena_free(&prepared->list[1].arena);
   free(prepared);
 }
 

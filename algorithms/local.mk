@@ -10,6 +10,8 @@ algorithm_files = \
   %D%/clark.c \
   %D%/cube_frame.c \
   %D%/cube_frame.h \
+  %D%/cube_list.c \
+  %D%/cube_list.h \
   %D%/cluster_order.h \
   %D%/edge_intersection.c \
   %D%/edge_intersection.h \
