@@ -41,6 +41,7 @@ enum {
   FACES_CULLED,
   FACES_TILED,
   FACE_READS,
+  FACES_BEFORE,
   COMPLETED,
   CUBES_AGAIN
 };
@@ -62,6 +63,8 @@ static const struct hsr_counter counters[] = {
     [FACES_CULLED] = {"faces culled", "found to be hidden"},
     [FACES_TILED] = {"faces tiled", "scan-converted"},
     [FACE_READS] = {"face reads", "pyramid entries read to test faces"},
+    [FACES_BEFORE] = {"faces before", "nearer than anything: tiled without "
+                                      "comparisons"},
     [COMPLETED] = {"completed", "samples known to be done"},
     [CUBES_AGAIN] = {"cubes again", "rendered first, since they were visible "
                                     "in the frame before"},
@@ -371,12 +374,53 @@ static void tile_generally(struct walk *w, uint32_t f) {
     tile_face(w, &w->frame.tiler, f);
 }
 
-static void tile_batch(struct walk *w, const struct hsr_batch *b) {
+/* The definitive test, of those that are set up and that the fast one left. */
+static void filter_definitively(struct walk *w, struct hsr_batch *b) {
+  uint64_t before = w->pyramid.reads;
+  touch_for(w, WORK_PYRAMID);
+  w->pyramid.work = w->tally->work;
+  for (int k = 0; k < b->n_fast; k++) {
+    struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
+    if (b->good[k] && HSR_OF_BUILD(hsr_pyramid_hides_triangle)(
+                          &w->pyramid, &w->frame.tiler, &triangle)) {
+      HSR_COUNT(w->tally, FACES_CULLED, 1);
+      b->good[k] = 0;
+    }
+  }
+  count_reads(w, FACE_READS, before);
+}
+
+/* Those that are nearer than anything where they are, by the pyramid of the
+ * nearest: their depths need not be compared. */
+static void tile_before_all(struct walk *w, struct hsr_batch *b) {
   const struct hsr_corners *r = &b->corners;
+  for (int k = 0; k < b->n_fast; k++) {
+    struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
+    float q = r->qa[k] < r->qb[k] ? r->qa[k] : r->qb[k];
+    q = r->qc[k] < q ? r->qc[k] : q;
+    if (!b->good[k] || !HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q))
+      continue;
+    struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
+    HSR_OF_BUILD(hsr_tiler_tile_before)(&w->frame.tiler, &triangle);
+    HSR_OF_BUILD(hsr_pyramid_update)(&w->pyramid, box);
+    HSR_COUNT(w->tally, FACES_TILED, 1);
+    HSR_COUNT(w->tally, FACES_BEFORE, 1);
+    b->good[k] = 0;
+  }
+}
+
+static void tile_batch(struct walk *w, struct hsr_batch *b) {
+  const struct hsr_corners *r = &b->corners;
+  bool tests = w->option[PYRAMID] && !w->plain;
+  if (tests && w->option[POLYGONS] == DEFINITIVE)
+    filter_definitively(w, b);
+  touch_for(w, WORK_POLYGONS);
+  if (tests && w->option[NEAR])
+    tile_before_all(w, b);
   HSR_OF_BUILD(hsr_tiler_tile_batch)(&w->frame.tiler, b);
   for (int k = 0; k < b->n_fast; k++) {
     HSR_COUNT(w->tally, FACES_TILED, b->good[k]);
-    if (b->good[k] && w->option[PYRAMID] && !w->plain)
+    if (b->good[k] && tests)
       HSR_OF_BUILD(hsr_pyramid_update)
     (&w->pyramid, (struct hsr_bounds){r->x0[k], r->y0[k], r->x1[k], r->y1[k]});
   }
@@ -399,7 +443,6 @@ static void tile_cell(struct walk *w, uint32_t place) {
     (t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
     filter(w, &batch);
     HSR_OF_BUILD(hsr_tiler_set_up)(t, &batch);
-    touch_for(w, WORK_POLYGONS);
     tile_batch(w, &batch);
   }
   touch_for(w, WORK_POLYGONS);

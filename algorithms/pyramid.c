@@ -186,6 +186,54 @@ bool HSR_OF_BUILD(hsr_pyramid_hides)(struct hsr_pyramid *p,
   return hides(p, &r, q, level, r.x0 >> level, r.y0 >> level);
 }
 
+/* The largest value of e + ex x + ey y over the samples of a box, counted from
+ * the triangle's first. */
+static float largest(float e, float ex, float ey, const struct rectangle *b) {
+  return e + ex * (float)(ex > 0 ? b->x1 : b->x0) +
+         ey * (float)(ey > 0 ? b->y1 : b->y0);
+}
+
+/* No depth q of the triangle in a part of its box is more than (1 + HSR_RHO)
+ * times the largest that is computed at the part's corners: common to all the
+ * samples in the box are the errors of the gradient and of the sums (tiler.c);
+ * at those of the triangle, the snapped plane is that near to the true one. */
+static bool hides_triangle(struct hsr_pyramid *p, struct hsr_tiler *t,
+                           const struct hsr_triangle *tri,
+                           const struct rectangle *r, int level, int x, int y) {
+  int x0 = x << level, y0 = y << level;
+  int x1 = ((x + 1) << level) - 1, y1 = ((y + 1) << level) - 1;
+  int dx = p->window.x0 - tri->x0, dy = p->window.y0 - tri->y0;
+  struct rectangle b = {
+      (x0 > r->x0 ? x0 : r->x0) + dx, (y0 > r->y0 ? y0 : r->y0) + dy,
+      (x1 < r->x1 ? x1 : r->x1) + dx, (y1 < r->y1 ? y1 : r->y1) + dy};
+  if (largest(tri->e0, tri->ex0, tri->ey0, &b) < -tri->bound ||
+      largest(tri->e1, tri->ex1, tri->ey1, &b) < -tri->bound ||
+      largest(tri->e2, tri->ex2, tri->ey2, &b) < -tri->bound)
+    return true; /* it is not there */
+  float q = largest(tri->q, tri->qx, tri->qy, &b) * (1 + HSR_RHO);
+  if (q * HSR_CLEAR < read_entry(p, p->far, level, x, y))
+    return true;
+  if (!level--)
+    return !HSR_OF_BUILD(hsr_tiler_shows)(t, tri, x + p->window.x0,
+                                          y + p->window.y0);
+  for (int k = 0; k < 4; k++) {
+    int cx = 2 * x + k % 2, cy = 2 * y + k / 2;
+    if (cx >= r->x0 >> level && cx <= r->x1 >> level && cy >= r->y0 >> level &&
+        cy <= r->y1 >> level && !hides_triangle(p, t, tri, r, level, cx, cy))
+      return false;
+  }
+  return true;
+}
+
+bool HSR_OF_BUILD(hsr_pyramid_hides_triangle)(struct hsr_pyramid *p,
+                                              struct hsr_tiler *t,
+                                              const struct hsr_triangle *tri) {
+  struct rectangle r =
+      rectangle_of(p, (struct hsr_bounds){tri->x0, tri->y0, tri->x1, tri->y1});
+  int level = enclosing_level(&r);
+  return hides_triangle(p, t, tri, &r, level, r.x0 >> level, r.y0 >> level);
+}
+
 bool HSR_OF_BUILD(hsr_pyramid_before)(struct hsr_pyramid *p,
                                       struct hsr_bounds box, float q) {
   struct rectangle r = rectangle_of(p, box);

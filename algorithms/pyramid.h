@@ -61,6 +61,12 @@ bool HSR_OF_BUILD(hsr_pyramid_basic)(struct hsr_pyramid *pyramid,
 bool HSR_OF_BUILD(hsr_pyramid_hides)(struct hsr_pyramid *pyramid,
                                      struct hsr_bounds box, float q);
 
+/* The definitive test: is a triangle that is set up hidden? Within each entry,
+ * by the nearest that it has there; at a sample, by what tiling it would do. */
+bool HSR_OF_BUILD(hsr_pyramid_hides_triangle)(
+    struct hsr_pyramid *pyramid, struct hsr_tiler *tiler,
+    const struct hsr_triangle *triangle);
+
 /* By the pyramid of the nearest: is q nearer than anything in the smallest
  * entry that encloses the box? */
 bool HSR_OF_BUILD(hsr_pyramid_before)(struct hsr_pyramid *pyramid,

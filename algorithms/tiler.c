@@ -425,21 +425,63 @@ static inline struct hsr_window clip(const struct hsr_tiler *t, int x0, int y0,
                              x1 < p->x1 ? x1 : p->x1, y1 < p->y1 ? y1 : p->y1};
 }
 
+/* What a triangle has at a sample: its depth; whether it covers it perhaps, and
+ * for certain. */
+struct at {
+  float q;
+  bool maybe, sure;
+};
+
+static inline struct at look_at(const struct hsr_triangle *tri, int i, int j) {
+  float right = (float)(i - tri->x0), down = (float)(j - tri->y0);
+  float d0 = tri->e0 + tri->ey0 * down + tri->ex0 * right,
+        d1 = tri->e1 + tri->ey1 * down + tri->ex1 * right,
+        d2 = tri->e2 + tri->ey2 * down + tri->ex2 * right;
+  float d = d0 < d1 ? d0 : d1;
+  d = d < d2 ? d : d2;
+  return (struct at){tri->q + tri->qy * down + tri->qx * right,
+                     d >= -tri->bound, d > tri->bound};
+}
+
+bool HSR_OF_BUILD(hsr_tiler_shows)(struct hsr_tiler *t,
+                                   const struct hsr_triangle *tri, int i,
+                                   int j) {
+  struct at at = look_at(tri, i, j);
+  if (!at.maybe || !(at.sure || covers(t, tri->face, i, j)))
+    return false;
+  size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
+  float z = t->z[y * t->z_stride + x];
+  bool clear = at.q > z * HSR_CLEAR || at.q * HSR_CLEAR < z;
+  return clear ? at.q > z
+               : is_nearer(t, tri->id, t->ids[y * t->ids_stride + x], i, j);
+}
+
+void HSR_OF_BUILD(hsr_tiler_tile_before)(struct hsr_tiler *t,
+                                         const struct hsr_triangle *tri) {
+  struct hsr_window box = clip(t, tri->x0, tri->y0, tri->x1, tri->y1);
+  for (int j = box.y0; j < box.y1; j++)
+    for (int i = box.x0; i < box.x1; i++) {
+      struct at at = look_at(tri, i, j);
+      if (!at.maybe || !(at.sure || covers(t, tri->face, i, j)))
+        continue;
+      size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
+      uint32_t *held = &t->ids[y * t->ids_stride + x];
+      HSR_TOUCH(t->tally, i, j);
+      HSR_STEP(t->tally, HSR_WRITES, HSR_ACCEPT, tri->id, *held, i, j, i + 1,
+               j + 1);
+      HSR_COUNT(t->tally, HSR_OVERWRITES, *held != HSR_BACKGROUND);
+      t->z[y * t->z_stride + x] = at.q;
+      *held = tri->id;
+    }
+}
+
 static void tile_portable(struct hsr_tiler *t, const struct hsr_triangle *tri) {
   struct hsr_window box = clip(t, tri->x0, tri->y0, tri->x1, tri->y1);
   for (int j = box.y0; j < box.y1; j++) {
-    float down = (float)(j - tri->y0);
-    float e0 = tri->e0 + tri->ey0 * down, e1 = tri->e1 + tri->ey1 * down,
-          e2 = tri->e2 + tri->ey2 * down, q = tri->q + tri->qy * down;
     for (int i = box.x0; i < box.x1; i++) {
-      float right = (float)(i - tri->x0);
-      float d0 = e0 + tri->ex0 * right, d1 = e1 + tri->ex1 * right,
-            d2 = e2 + tri->ex2 * right;
-      float d = d0 < d1 ? d0 : d1;
-      d = d < d2 ? d : d2;
-      if (d >= -tri->bound)
-        settle(t, tri->face, tri->id, q + tri->qx * right, d > tri->bound, i,
-               j);
+      struct at at = look_at(tri, i, j);
+      if (at.maybe)
+        settle(t, tri->face, tri->id, at.q, at.sure, i, j);
     }
   }
 }

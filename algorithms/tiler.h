@@ -168,6 +168,16 @@ struct hsr_triangle HSR_OF_BUILD(hsr_tiler_take)(const struct hsr_batch *batch,
 void HSR_OF_BUILD(hsr_tiler_tile)(struct hsr_tiler *tiler,
                                   const struct hsr_triangle *triangle);
 
+/* Would the triangle be written to sample (i, j), if it were tiled? */
+bool HSR_OF_BUILD(hsr_tiler_shows)(struct hsr_tiler *tiler,
+                                   const struct hsr_triangle *triangle, int i,
+                                   int j);
+
+/* The same as hsr_tiler_tile for one that is known to be nearer than what is
+ * there: no depths are compared. */
+void HSR_OF_BUILD(hsr_tiler_tile_before)(struct hsr_tiler *tiler,
+                                         const struct hsr_triangle *triangle);
+
 /* The general way: is there anything of a face to be tiled; and what of it lies
  * in the part, tiled. */
 bool HSR_OF_BUILD(hsr_tiler_place)(struct hsr_tiler *tiler, uint32_t f);
