@@ -131,6 +131,11 @@ static enum hsr_status render(const struct hsr_job *job,
   for (uint32_t k = 0; k < loose.screen.n_relevant; k++)
     HSR_OF_BUILD(hsr_tiler_tile_generally)(&loose, loose.screen.relevant[k]);
   cull_instances(&w, 0, false);
+  const struct hsr_cubes *cubes = w.frame.cubes;
+  for (uint32_t k = 0; k < cubes->n_movers; k++) {
+    HSR_OF_BUILD(hsr_cube_instance)(&w.frame, cubes->mover[k]);
+    cull_cube(&w, 0, false);
+  }
   return HSR_OK;
 }
 

@@ -19,6 +19,7 @@
  * Cost        proportional to what is visible, and to the cubes around it */
 #include "algorithms/cube_frame.h"
 #include "algorithms/cube_list.h"
+#include "algorithms/movers.h"
 #include "algorithms/pyramid.h"
 
 #include <math.h>
@@ -43,7 +44,9 @@ enum {
   FACE_READS,
   FACES_BEFORE,
   COMPLETED,
-  CUBES_AGAIN
+  CUBES_AGAIN,
+  MOVED,
+  SPLITS
 };
 
 static const struct hsr_counter counters[] = {
@@ -68,6 +71,8 @@ static const struct hsr_counter counters[] = {
     [COMPLETED] = {"completed", "samples known to be done"},
     [CUBES_AGAIN] = {"cubes again", "rendered first, since they were visible "
                                     "in the frame before"},
+    [MOVED] = {"moved down", "instances that move, from a cube to an octant"},
+    [SPLITS] = {"splits", "cubes of instances that move, divided"},
     {NULL, NULL}};
 
 enum option {
@@ -81,6 +86,7 @@ enum option {
   NEAR,
   COMPLETED_SAMPLES,
   COHERENCE,
+  MOVERS,
   WORK
 };
 enum { OFF, ON };
@@ -88,6 +94,7 @@ enum { PUSHED, ENCLOSING };
 enum { RECTANGLE, SIDES };
 enum { FAST, BASIC, DEFINITIVE, NONE };
 enum { NO_COHERENCE, LIST, PASSES };
+enum { WHOLE, LAZY, BEHIND };
 enum { WORK_ALL, WORK_PYRAMID, WORK_BOXES, WORK_POLYGONS };
 
 static const struct hsr_word off_on[] = {
@@ -114,6 +121,11 @@ static const struct hsr_word coherences[] = {
     {"list", "a list of visible cubes, rendered first and pruned, as in 1993",
      HSR_FRAME_STATE},
     {"passes", "two passes, as in the thesis", HSR_FRAME_STATE},
+    {NULL, NULL, 0}};
+static const struct hsr_word movings[] = {
+    {"octree", "an octree of them in every frame, beside the other", 0},
+    {"lazy", "the same, divided only where it is visible", 0},
+    {"behind", "one by one, after all that does not move", 0},
     {NULL, NULL, 0}};
 static const struct hsr_word works[] = {
     {"all", "everything", 0},
@@ -142,6 +154,8 @@ static const struct hsr_option options[] = {
                            off_on, 0, 1, OFF},
     [COHERENCE] = {"coherence", "what is kept from frame to frame", coherences,
                    0, 2, NO_COHERENCE},
+    [MOVERS] = {"movers", "what is done with objects that move", movings, 0, 2,
+                WHOLE},
     [WORK] = {"work", "what the work picture shows", works, 0, 3, WORK_ALL},
     {NULL, NULL, NULL, 0, 0, 0}};
 
@@ -157,6 +171,7 @@ struct walk {
   struct hsr_cube_frame frame;
   struct hsr_cube_list *last, *next; /* NULL without coherence */
   struct hsr_cube_marks rendered;    /* what of the last frame's was */
+  struct hsr_movers movers;
   bool out_of_memory;
   struct hsr_pyramid pyramid;
   bool plain; /* no tests, and the pyramid is left as it is */
@@ -506,27 +521,77 @@ static void render_instance(struct walk *w, uint32_t i) {
   render_cube(w, 0, false);
 }
 
-/* A cube of instances. */
-static void render_instances(struct walk *w, uint32_t k, bool inside) {
+/* The movers of a cube, which are divided among its octants before, if they are
+ * so late. */
+static bool render_movers(struct walk *w, uint32_t node,
+                          const struct hsr_octree_node *cube) {
+  if (!HSR_OF_BUILD(hsr_movers_divide)(&w->movers, node, cube)) {
+    w->out_of_memory = true;
+    return false;
+  }
+  for (uint32_t k = hsr_mover_node(&w->movers, node)->first; k != HSR_NO_MOVER;
+       k = w->movers.mover[k].next)
+    render_instance(w, w->movers.mover[k].instance);
+  return true;
+}
+
+static bool is_leaf(const struct hsr_octree_node *node) {
+  static const uint32_t none[8] = {HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
+                                   HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
+                                   HSR_NO_NODE, HSR_NO_NODE};
+  return !memcmp(node->child, none, sizeof none);
+}
+
+/* A cube of instances, both octrees at once: node `still` of those that do not
+ * move, node `moving` of those that do, or HSR_NO_NODE. */
+static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
+                             uint32_t still, uint32_t moving, bool inside) {
   const struct hsr_octree *octree = &w->frame.cubes->octree;
-  const struct hsr_octree_node *node = &octree->node[k];
-  static const uint32_t no_child[8] = {HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
-                                       HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
-                                       HSR_NO_NODE, HSR_NO_NODE};
-  bool single = node->n == 1 && !memcmp(node->child, no_child, sizeof no_child);
+  const struct hsr_octree_node *node =
+      still != HSR_NO_NODE ? &octree->node[still] : NULL;
+  bool single = moving == HSR_NO_NODE && node && node->n == 1 && is_leaf(node);
   if (!single) {
-    if (!is_cube_visible(w, &w->frame.as_it_is, node, &inside))
+    if (!is_cube_visible(w, &w->frame.as_it_is, cube, &inside))
       return;
     HSR_COUNT(w->tally, CUBES_VISIBLE, 1);
   }
-  for (uint32_t i = 0; i < node->n; i++)
+  for (uint32_t i = 0; node && i < node->n; i++)
     render_instance(w, octree->item[node->first + i]);
-  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.as_it_is, node);
-  for (int o = 0; o < 8; o++) {
-    uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
-    if (child != HSR_NO_NODE)
-      render_instances(w, child, inside);
+  if (moving != HSR_NO_NODE && !render_movers(w, moving, cube))
+    return;
+  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.as_it_is, cube);
+  for (int k = 0; k < 8; k++) {
+    int o = nearest ^ hsr_octant_order[k];
+    uint32_t child = node ? node->child[o] : HSR_NO_NODE;
+    uint32_t mover = moving != HSR_NO_NODE
+                         ? hsr_mover_node(&w->movers, moving)->child[o]
+                         : HSR_NO_NODE;
+    struct hsr_octree_node octant = HSR_OF_BUILD(hsr_cube_octant)(cube, o);
+    if (child != HSR_NO_NODE || mover != HSR_NO_NODE)
+      render_instances(w, &octant, child, mover, inside);
   }
+}
+
+/* Those that move, as the option says; then all octrees from front to back. */
+static enum hsr_status render_octrees(struct walk *w) {
+  const struct hsr_cubes *cubes = w->frame.cubes;
+  const struct hsr_octree_node *root = &cubes->octree.node[0];
+  struct hsr_movers *movers = &w->movers;
+  long how = w->option[MOVERS];
+  if (HSR_OF_BUILD(hsr_movers_init)(movers, cubes, w->frame.job->scratch))
+    return HSR_E_NOMEM;
+  if (how == WHOLE && !HSR_OF_BUILD(hsr_movers_divide_all)(movers, 0, root))
+    return HSR_E_NOMEM;
+  bool together = movers->n && how != BEHIND;
+  render_instances(w, root, 0, together ? 0 : HSR_NO_NODE, false);
+  for (uint32_t k = 0; k < movers->n && how == BEHIND; k++)
+    render_instance(w, movers->mover[k].instance);
+  for (uint32_t k = movers->outside; k != HSR_NO_MOVER;
+       k = movers->mover[k].next)
+    render_instance(w, movers->mover[k].instance);
+  HSR_COUNT(w->tally, MOVED, movers->moved);
+  HSR_COUNT(w->tally, SPLITS, movers->splits);
+  return HSR_OK;
 }
 
 /* Without cubes: cell after cell, as they come. */
@@ -646,10 +711,10 @@ static enum hsr_status render(const struct hsr_job *job,
     return hsr_fail_nomem(err);
   if (w.last && render_last(&w))
     return hsr_fail_nomem(err);
-  if (w.option[OCTREE])
-    render_instances(&w, 0, false);
-  else
+  if (!w.option[OCTREE])
     render_all(&w);
+  else if (render_octrees(&w))
+    return hsr_fail_nomem(err);
   if (w.last)
     end_coherence(&w);
   job->tally->work = w.work;

@@ -19,6 +19,8 @@ algorithm_files = \
   %D%/hzbuffer.c \
   %D%/line_oracle.cc \
   %D%/loutrel.c \
+  %D%/movers.c \
+  %D%/movers.h \
   %D%/newell.c \
   %D%/newell.h \
   %D%/newell_watkins.c \

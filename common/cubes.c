@@ -314,9 +314,7 @@ static enum hsr_status make_object(struct hsr_cubes *cubes, uint32_t o,
 /* --- The octree of instances ------------------------------------------------
  */
 
-/* Holds all of the object's vertices, as the instance places them. */
-static struct hsr_box instance_bounds(const struct hsr_cubes *cubes,
-                                      uint32_t i) {
+struct hsr_box hsr_cubes_bounds(const struct hsr_cubes *cubes, uint32_t i) {
   const struct hsr_instance *instance = &cubes->scene->instances[i];
   const struct hsr_cubes_object *c = &cubes->object[instance->object];
   bool exact = is_exact(instance, c);
@@ -337,21 +335,27 @@ static struct hsr_box instance_bounds(const struct hsr_cubes *cubes,
   return box;
 }
 
+/* Those that do not move. */
+struct still {
+  uint32_t *instance;
+  struct hsr_box *bounds;
+};
+
 static struct hsr_box bounds_of(const void *context, uint32_t k) {
-  const struct hsr_cubes *cubes = context;
-  return cubes->bounds[k];
+  const struct still *still = context;
+  return still->bounds[k];
 }
 
 static double area_of(const void *context, uint32_t k) {
-  const struct hsr_cubes *cubes = context;
-  double side = longest_side(&cubes->bounds[k]);
+  const struct still *still = context;
+  double side = longest_side(&still->bounds[k]);
   return side * side;
 }
 
 static bool always_meets(const void *context, uint32_t k,
                          const struct hsr_box *cube) {
-  const struct hsr_cubes *cubes = context;
-  return hsr_boxes_meet(&cubes->bounds[k], cube);
+  const struct still *still = context;
+  return hsr_boxes_meet(&still->bounds[k], cube);
 }
 
 static bool are_apart(const struct hsr_cubes *cubes) {
@@ -370,32 +374,53 @@ static bool are_apart(const struct hsr_cubes *cubes) {
 /* One instance to a cube; those on the planes of a grid stay whole if the
  * cubes' planes are the grid's: the root is a power of two times as large as
  * the largest instance. */
-static enum hsr_status make_instances(struct hsr_cubes *cubes) {
-  uint32_t n = cubes->scene->n_instances;
-  cubes->bounds = HSR_NEW(&cubes->arena, struct hsr_box, n);
-  if (!cubes->bounds)
+static enum hsr_status place_still(struct hsr_cubes *cubes,
+                                   const struct still *still, uint32_t n,
+                                   const struct hsr_box *all, double largest) {
+  double side = largest;
+  while (side < longest_side(all))
+    side *= 2;
+  struct hsr_primitives primitives = {n, still, bounds_of, area_of,
+                                      always_meets};
+  struct hsr_octree_rule rule = {.small = 0.1, .most = 1, .least = 1};
+  struct hsr_octree *octree = &cubes->octree;
+  if (hsr_octree_init(octree, &primitives, &rule, all->lo, side, &cubes->arena))
     return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < octree->n_items; k++)
+    octree->item[k] = still->instance[octree->item[k]];
+  cubes->apart = are_apart(cubes);
+  return HSR_OK;
+}
+
+static enum hsr_status make_instances(struct hsr_cubes *cubes) {
+  uint32_t n = cubes->scene->n_instances, n_still = 0;
+  struct still still = {malloc((n + (size_t)1) * sizeof *still.instance),
+                        malloc((n + (size_t)1) * sizeof *still.bounds)};
+  cubes->mover = HSR_NEW(&cubes->arena, uint32_t, n);
   struct hsr_box all = {{INFINITY, INFINITY, INFINITY},
                         {-INFINITY, -INFINITY, -INFINITY}};
   double largest = 0;
-  for (uint32_t i = 0; i < n; i++) {
-    struct hsr_box box = cubes->bounds[i] = instance_bounds(cubes, i);
-    largest = fmax(largest, longest_side(&box));
+  bool good = still.instance && still.bounds && cubes->mover;
+  for (uint32_t i = 0; i < n && good; i++) {
+    struct hsr_box box = hsr_cubes_bounds(cubes, i);
     for (int k = 0; k < 3; k++) {
       all.lo[k] = fmin(all.lo[k], box.lo[k]);
       all.hi[k] = fmax(all.hi[k], box.hi[k]);
     }
+    if (cubes->scene->objects[cubes->scene->instances[i].object].moves) {
+      cubes->mover[cubes->n_movers++] = i;
+      continue;
+    }
+    largest = fmax(largest, longest_side(&box));
+    still.instance[n_still] = i;
+    still.bounds[n_still++] = box;
   }
-  double side = largest;
-  while (side < longest_side(&all))
-    side *= 2;
-  struct hsr_primitives primitives = {n, cubes, bounds_of, area_of,
-                                      always_meets};
-  struct hsr_octree_rule rule = {.small = 0.1, .most = 1, .least = 1};
-  enum hsr_status status = hsr_octree_init(&cubes->octree, &primitives, &rule,
-                                           all.lo, side, &cubes->arena);
-  cubes->apart = !status && are_apart(cubes);
-  return status;
+  if (largest == 0) /* nothing is still, or all in one point */
+    largest = fmax(longest_side(&all), 0x1p-900);
+  good = good && !place_still(cubes, &still, n_still, &all, largest);
+  free(still.instance);
+  free(still.bounds);
+  return good ? HSR_OK : HSR_E_NOMEM;
 }
 
 /* --- Loose faces ------------------------------------------------------------
@@ -435,6 +460,14 @@ enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
                                struct hsr_error *err) {
   *cubes = (struct hsr_cubes){.scene = world->scene};
   uint32_t n = cubes->scene->n_objects;
+  for (uint32_t o = 0; o < n; o++) {
+    const struct hsr_object *object = &cubes->scene->objects[o];
+    if (object->moves &&
+        object->start[object->n_faces] != 3 * (uint64_t)object->n_faces)
+      return hsr_fail(err, HSR_E_REFUSED,
+                      "object %s, which moves, is not of triangles",
+                      object->name);
+  }
   cubes->object = HSR_NEW_ZEROED(&cubes->arena, struct hsr_cubes_object, n);
   enum hsr_status status = cubes->object ? HSR_OK : HSR_E_NOMEM;
   for (uint32_t o = 0; o < n && !status; o++)

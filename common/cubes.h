@@ -47,24 +47,29 @@ struct hsr_cubes_object {
 struct hsr_cubes {
   const struct hsr_scene *scene;
   struct hsr_cubes_object *object; /* an object of the scene */
-  struct hsr_octree octree;        /* of the instances */
-  struct hsr_box *bounds; /* an instance: holds it in the world, but for what is
-                             loose */
+  struct hsr_octree octree;        /* of the instances that do not move */
+  uint32_t *mover;                 /* the others */
+  uint32_t n_movers;
   struct hsr_world loose; /* the loose faces of all instances, laid out */
   uint32_t *loose_id;     /* what they are called in the scene */
-  bool apart; /* every instance has a cube to itself, and no other */
+  bool apart; /* none moves, and each has a cube to itself, and no other */
   uint32_t most_vertices, most_faces, most_corners; /* of a cell */
   uint32_t most_object_faces;                       /* of an object */
   struct hsr_arena arena;
 };
 
 /* `world` is borrowed, with its scene. *cubes is freed with hsr_cubes_free also
- * after a failure: HSR_E_NOMEM. */
+ * after a failure: HSR_E_NOMEM; HSR_E_REFUSED where something that moves is not
+ * of triangles. */
 enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
                                const struct hsr_world *world,
                                const struct hsr_octree_rule *rule,
                                struct hsr_error *err);
 void hsr_cubes_free(struct hsr_cubes *cubes);
+
+/* Holds what an instance places in the world, but for what is loose. */
+struct hsr_box hsr_cubes_bounds(const struct hsr_cubes *cubes,
+                                uint32_t instance);
 
 #ifdef __cplusplus
 }

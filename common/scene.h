@@ -42,6 +42,9 @@ struct hsr_object {
   float opacity;  /* 0..1; 1, as by default, hides all that is behind. For
                      algorithms that draw transparency; ids know nothing of it */
   bool one_sided; /* back faces do not exist */
+  bool moves;     /* its instances may be moved between frames: what is prepared
+                     for a scene must not depend on where they are. Of triangles
+                     only */
 };
 
 /* A placed copy of an object: world = M * (x, y, z, 1). */
