@@ -8,6 +8,7 @@ tap_programs = \
   %D%/unit/image_test \
   %D%/unit/line_oracle_test \
   %D%/unit/oracle_test \
+  %D%/unit/outline_test \
   %D%/unit/plot_test \
   %D%/unit/scene_json_test \
   %D%/unit/scenes_test \
@@ -57,6 +58,8 @@ nodist_EXTRA_%C%_unit_drawing_test_SOURCES = force_cxx_link.cc
 %C%_unit_image_test_SOURCES = %D%/unit/image_test.cc
 %C%_unit_line_oracle_test_SOURCES = %D%/unit/line_oracle_test.cc
 %C%_unit_oracle_test_SOURCES = %D%/unit/oracle_test.cc
+%C%_unit_outline_test_SOURCES = %D%/unit/outline_test.c
+nodist_EXTRA_%C%_unit_outline_test_SOURCES = force_cxx_link.cc
 %C%_unit_plot_test_SOURCES = %D%/unit/plot_test.c
 nodist_EXTRA_%C%_unit_plot_test_SOURCES = force_cxx_link.cc
 %C%_unit_scene_json_test_SOURCES = %D%/unit/scene_json_test.c
