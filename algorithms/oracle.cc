@@ -402,9 +402,10 @@ struct node {
 };
 
 /* Halving 2^32 items makes leaves after 30 steps at most. The stack holds one
- * node for each step, and one more. */
+ * node for each step through the instances, those of a leaf, and one node for
+ * each step through an object. */
 constexpr uint32_t ITEMS_A_LEAF = 4;
-constexpr int STACK_NODES = 40;
+constexpr int STACK_NODES = 30 + ITEMS_A_LEAF + 30;
 
 /* Of faces, or of instances. */
 struct tree {
@@ -578,54 +579,6 @@ bool passes_by(const sample &s, const box &bounds, bool planar,
   return false;
 }
 
-/* ---- Search ---- */
-
-struct search {
-  hit nearest;
-  double farthest; /* the depth of `nearest` is not greater */
-};
-
-/* Puts face f of the sample's world to the definition. */
-void ask(const sample &s, uint32_t f, search *so_far) {
-  HSR_COUNT(s.tally, ORACLE_FACE, 1);
-  hit found;
-  if (covers(s, f, &found) && is_nearer(s, found, so_far->nearest))
-    *so_far = {found, farthest_depth(s, f)};
-}
-
-/* A tree whose boxes are in the world. */
-struct in_world {
-  const box &bounds(const node &a) const { return a.bounds; }
-  bool planar(const node &a) const { return a.planar == ALWAYS; }
-  bool upwards(const sample &s, int axis) const { return s.D[axis].sup() > 0; }
-};
-
-/* Takes every item that may hold the visible face; those that the ray is likely
- * to meet first, first. */
-template <class Place, class Take>
-void walk(const sample &s, const tree &t, const Place &place,
-          const search &so_far, Take take) {
-  uint32_t stack[STACK_NODES];
-  int n_stack = 0;
-  if (!t.nodes.empty())
-    stack[n_stack++] = 0;
-  while (n_stack > 0) {
-    const uint32_t at = stack[--n_stack];
-    const node &a = t.nodes[at];
-    HSR_COUNT(s.tally, ORACLE_BOX, 1);
-    if (passes_by(s, place.bounds(a), place.planar(a), so_far.farthest))
-      continue;
-
-    for (uint32_t i = 0; i < a.n_items; i++)
-      take(t.items[a.at + i]);
-    if (a.n_items == 0) {
-      const bool upwards = place.upwards(s, a.axis);
-      stack[n_stack++] = upwards ? a.at : at + 1;
-      stack[n_stack++] = upwards ? at + 1 : a.at;
-    }
-  }
-}
-
 /* ---- Instances ---- */
 
 /* Whether each of an instance's coordinates depends on one of the object's at
@@ -639,23 +592,30 @@ bool is_along_axes(const hsr_instance &instance) {
   return true;
 }
 
+/* What is to be known of a face for it to be planar in the instance. */
+planarity needed_in(const hsr_instance &instance) {
+  return is_along_axes(instance) ? ALONG_AXES : ALWAYS;
+}
+
 /* A box that holds every vertex of the instance that the object has in `part`.
  *
  * It is what hsr_instance_vertex computes, operation by operation, in
  * intervals. If these hold the operands of an addition or a multiplication they
  * hold its result also where that is rounded to nearest: the interval's ends
  * are rounded down and up, and rounding to nearest is not outside of these.
- * Nothing is asked of the matrix. */
+ * (That the sum begins with 0 changes no value.) Nothing is asked of the
+ * matrix. */
 box box_in_world(const double *m, const box &part) {
-  const Interval x(part.low[0], part.high[0]), y(part.low[1], part.high[1]),
-      z(part.low[2], part.high[2]);
   box moved;
   for (int row = 0; row < 3; row++, m += 4) {
-    const Interval range =
-        ((Interval(m[0]) * x + Interval(m[1]) * y) + Interval(m[2]) * z) +
-        Interval(m[3]);
-    moved.low[row] = range.inf();
-    moved.high[row] = range.sup();
+    Interval sum(0);
+    for (int axis = 0; axis < 3; axis++) {
+      const Interval range(part.low[axis], part.high[axis]);
+      sum = sum + Interval(m[axis]) * range;
+    }
+    sum = sum + Interval(m[3]);
+    moved.low[row] = sum.inf();
+    moved.high[row] = sum.sup();
   }
   return moved;
 }
@@ -722,32 +682,11 @@ struct scene_instances {
     return box_in_world(scene.instances[i].m, root(i).bounds);
   }
   planarity planar(uint32_t i) const {
-    return root(i).planar >= needed(scene.instances[i]) ? ALWAYS : UNSURE;
-  }
-
-  /* What faces must be for the instance's to be planar for certain. */
-  static planarity needed(const hsr_instance &instance) {
-    return is_along_axes(instance) ? ALONG_AXES : ALWAYS;
+    return root(i).planar >= needed_in(scene.instances[i]) ? ALWAYS : UNSURE;
   }
 };
 
-/* A tree of an object, where an instance places it. */
-struct in_instance {
-  const double *m;
-  planarity needed;
-
-  explicit in_instance(const hsr_instance &instance)
-      : m(instance.m), needed(scene_instances::needed(instance)) {}
-
-  box bounds(const node &a) const { return box_in_world(m, a.bounds); }
-  bool planar(const node &a) const { return a.planar >= needed; }
-  /* Certain only where the instance is turned at most, which is enough: it says
-   * in which order, not what. */
-  bool upwards(const sample &s, int axis) const {
-    const Interval x(m[axis]), y(m[4 + axis]), z(m[8 + axis]);
-    return (x * s.D[0] + y * s.D[1] + z * s.D[2]).sup() > 0;
-  }
-};
+/* ---- Faces at hand ---- */
 
 /* Not inlined, so that it is computed after the rounding mode is changed. */
 [[gnu::noinline]] void place_vertex(const hsr_instance &instance,
@@ -755,22 +694,23 @@ struct in_instance {
   hsr_instance_vertex(instance.m, in, out);
 }
 
-/* Faces of an outline, laid out for one sample: an extract with what the
- * definition asks for and no more, no two faces sharing a vertex. */
-class extract {
+/* The faces that are laid out: all of the world; or of an outline those that
+ * the sample may meet, no two sharing a vertex. */
+class faces_at_hand {
 public:
-  explicit extract(const hsr_world &whole) : outline(whole) { clear(); }
-  extract(const extract &) = delete;
-  extract &operator=(const extract &) = delete;
+  faces_at_hand(const hsr_world &all, const hsr_window &asked);
+  faces_at_hand(const faces_at_hand &) = delete;
+  faces_at_hand &operator=(const faces_at_hand &) = delete;
 
-  void clear();
+  void begin_row();
+  void begin_sample();
   uint32_t add(uint32_t i, uint32_t k); /* of instance i, face k; its number */
 
-  hsr_world world = {};
+  hsr_world world; /* of an outline: what the definition asks for, no more */
   memo known;
 
 private:
-  const hsr_world &outline;
+  const hsr_world &whole;
   std::vector<double> x, y, z;
   std::vector<uint32_t> start, vertex, id;
   std::vector<std::array<bool, 1>> one_sided;
@@ -778,7 +718,25 @@ private:
   void add_vertex(const hsr_instance &instance, const double *corner);
 };
 
-void extract::clear() {
+/* A sample asks for a few dozen signs. */
+faces_at_hand::faces_at_hand(const hsr_world &all, const hsr_window &asked)
+    : world(all), whole(all) {
+  const double signs = 32.0 * (asked.x1 - asked.x0) * (asked.y1 - asked.y0);
+  if (hsr_is_outline(&whole)) {
+    world = {};
+  } else if (signs > world.n_vertices && signs > world.n_faces) {
+    known.row.resize(world.n_vertices);
+    known.c.resize(world.n_faces, memo::UNKNOWN);
+  }
+}
+
+void faces_at_hand::begin_row() {
+  std::fill(known.row.begin(), known.row.end(), memo::UNKNOWN);
+}
+
+void faces_at_hand::begin_sample() {
+  if (!hsr_is_outline(&whole))
+    return;
   world.n_faces = 0;
   for (std::vector<double> *axis : {&x, &y, &z})
     axis->clear();
@@ -790,7 +748,8 @@ void extract::clear() {
   known.c.clear();
 }
 
-void extract::add_vertex(const hsr_instance &instance, const double *corner) {
+void faces_at_hand::add_vertex(const hsr_instance &instance,
+                               const double *corner) {
   double placed[3];
   place_vertex(instance, corner, placed);
   vertex.push_back(uint32_t(x.size()));
@@ -800,15 +759,15 @@ void extract::add_vertex(const hsr_instance &instance, const double *corner) {
   known.row.push_back(memo::UNKNOWN);
 }
 
-uint32_t extract::add(uint32_t i, uint32_t k) {
-  const hsr_instance &instance = outline.scene->instances[i];
-  const hsr_object &object = outline.scene->objects[instance.object];
+uint32_t faces_at_hand::add(uint32_t i, uint32_t k) {
+  const hsr_instance &instance = whole.scene->instances[i];
+  const hsr_object &object = whole.scene->objects[instance.object];
   const object_faces faces = {object};
   const Nearest to_nearest;
   for (uint32_t c = object.start[k]; c < object.start[k + 1]; c++)
     add_vertex(instance, faces.corner(c));
   start.push_back(uint32_t(vertex.size()));
-  id.push_back(outline.first[i] + k);
+  id.push_back(whole.first[i] + k);
   one_sided.push_back({object.one_sided});
   known.c.push_back(memo::UNKNOWN);
 
@@ -853,32 +812,106 @@ void build_trees(const hsr_world &world, trees *made) {
   build(scene_instances{scene, made->objects}, scene.n_instances, &made->world);
 }
 
+/* A node of the world's tree, or of the object's that an instance places. */
+struct stop {
+  uint32_t at;
+  const hsr_instance *instance; /* or NULL */
+};
+
+/* The way through the trees of a sample's ray. */
+struct way {
+  way(const sample &asked, const trees &all, const hsr_scene *scene,
+      faces_at_hand *laid_out)
+      : s(asked), t(all), instanced(scene), faces(laid_out) {}
+
+  const sample &s;
+  const trees &t;
+  const hsr_scene *instanced; /* NULL if the world is laid out */
+  faces_at_hand *faces;
+  hit nearest = {HSR_BACKGROUND, 0};
+  double farthest = infinity; /* the depth of `nearest` is not greater */
+  stop stack[STACK_NODES];
+  int n_stack = 0;
+
+  void go();
+  void visit(const stop &here);
+  void take(const stop &here, uint32_t item);
+  bool upwards(const stop &here, int axis) const;
+};
+
+/* A face is put to the definition; of an instance, the object's tree is next.
+ */
+void way::take(const stop &here, uint32_t item) {
+  uint32_t f = item;
+  if (instanced && !here.instance) {
+    stack[n_stack++] = {0, instanced->instances + item};
+    return;
+  }
+  if (here.instance)
+    f = faces->add(uint32_t(here.instance - instanced->instances), item);
+  HSR_COUNT(s.tally, ORACLE_FACE, 1);
+  hit found;
+  if (covers(s, f, &found) && is_nearer(s, found, nearest)) {
+    nearest = found;
+    farthest = farthest_depth(s, f);
+  }
+}
+
+/* Whether the ray is likely to meet the first child first. Where an instance is
+ * more than turned the guess may be bad, and cost time. */
+bool way::upwards(const stop &here, int axis) const {
+  if (!here.instance)
+    return s.D[axis].sup() > 0;
+  double along = 0;
+  for (int row = 0; row < 3; row++)
+    along += here.instance->m[4 * row + axis] * s.D[row].sup();
+  return along > 0;
+}
+
+void way::visit(const stop &here) {
+  const tree &of = here.instance ? t.objects[here.instance->object] : t.world;
+  const node &a = of.nodes[here.at];
+  const box *bounds = &a.bounds;
+  planarity needed = ALWAYS;
+  box moved;
+  if (here.instance) {
+    moved = box_in_world(here.instance->m, a.bounds);
+    bounds = &moved;
+    needed = needed_in(*here.instance);
+  }
+  HSR_COUNT(s.tally, ORACLE_BOX, 1);
+  if (passes_by(s, *bounds, a.planar >= needed, farthest))
+    return;
+
+  for (uint32_t i = 0; i < a.n_items; i++)
+    take(here, of.items[a.at + i]);
+  if (a.n_items == 0) {
+    const bool first = upwards(here, a.axis);
+    stack[n_stack++] = {first ? a.at : here.at + 1, here.instance};
+    stack[n_stack++] = {first ? here.at + 1 : a.at, here.instance};
+  }
+}
+
+void way::go() {
+  if (!t.world.nodes.empty())
+    stack[n_stack++] = {0, nullptr};
+  while (n_stack > 0)
+    visit(stop(stack[--n_stack]));
+}
+
 /* The visible face of the sample at (sx, sy), or HSR_BACKGROUND. Not inlined,
  * so that sx and sy are computed before the rounding mode is changed. */
 [[gnu::noinline]] uint32_t visible_face(const hsr_job &job, const trees &t,
-                                        memo *known, double sx, double sy) {
+                                        faces_at_hand *faces, double sx,
+                                        double sy) {
   const Upward upward;
-  const sample s = make_sample(job, job.world, known, sx, sy);
-  search so_far = {{HSR_BACKGROUND, 0}, infinity};
-  walk(s, t.world, in_world(), so_far, [&](uint32_t f) { ask(s, f, &so_far); });
-  return so_far.nearest.face;
-}
-
-/* The same of an outline. */
-[[gnu::noinline]] uint32_t visible_in_outline(const hsr_job &job,
-                                              const trees &t, extract *laid_out,
-                                              double sx, double sy) {
-  const Upward upward;
-  laid_out->clear();
-  const sample s = make_sample(job, &laid_out->world, &laid_out->known, sx, sy);
-  search so_far = {{HSR_BACKGROUND, 0}, infinity};
-  walk(s, t.world, in_world(), so_far, [&](uint32_t i) {
-    const hsr_instance &instance = job.world->scene->instances[i];
-    walk(s, t.objects[instance.object], in_instance(instance), so_far,
-         [&](uint32_t k) { ask(s, laid_out->add(i, k), &so_far); });
-  });
-  const uint32_t f = so_far.nearest.face;
-  return f == HSR_BACKGROUND ? f : id_of(s, f);
+  const bool instanced = hsr_is_outline(job.world);
+  faces->begin_sample();
+  const sample s = make_sample(job, &faces->world, &faces->known, sx, sy);
+  way w(s, t, instanced ? job.world->scene : nullptr, faces);
+  w.go();
+  const uint32_t f = w.nearest.face;
+  return instanced && f != HSR_BACKGROUND ? id_of(s, f) : f;
 }
 
 /* ---- The algorithm ---- */
@@ -890,16 +923,6 @@ bool is_rounding_honoured() {
   const Interval third = Interval(1) / Interval(3);
   const Interval tenth = Interval(1.1) * Interval(10.1);
   return third.inf() < third.sup() && tenth.inf() < tenth.sup();
-}
-
-/* Of a world that is laid out. A sample asks for a few dozen signs. */
-memo make_memo(const hsr_world &world, const hsr_window &w) {
-  const double signs = 32.0 * (w.x1 - w.x0) * (w.y1 - w.y0);
-  if (hsr_is_outline(&world) || signs < world.n_vertices ||
-      signs < world.n_faces)
-    return {};
-  return {std::vector<signed char>(world.n_vertices),
-          std::vector<signed char>(world.n_faces, memo::UNKNOWN)};
 }
 
 /* Does the work; nothing is thrown out of here. */
@@ -937,17 +960,13 @@ static enum hsr_status render(const struct hsr_job *job,
     const struct hsr_view *view = job->view;
     const struct hsr_window w = view->window;
     const trees &t = *static_cast<const trees *>(job->prepared);
-    extract laid_out(*job->world);
-    memo known = make_memo(*job->world, w);
+    faces_at_hand faces(*job->world, w);
     for (int j = w.y0; j < w.y1; j++) {
-      std::fill(known.row.begin(), known.row.end(), memo::UNKNOWN);
+      faces.begin_row();
       for (int i = w.x0; i < w.x1; i++) {
         HSR_TOUCH(job->tally, i, j);
-        const double sx = hsr_sample_x(view, i), sy = hsr_sample_y(view, j);
-        job->ids[size_t(j) * job->ids_stride + size_t(i)] =
-            hsr_is_outline(job->world)
-                ? visible_in_outline(*job, t, &laid_out, sx, sy)
-                : visible_face(*job, t, &known, sx, sy);
+        job->ids[size_t(j) * job->ids_stride + size_t(i)] = visible_face(
+            *job, t, &faces, hsr_sample_x(view, i), hsr_sample_y(view, j));
       }
     }
     return HSR_OK;
