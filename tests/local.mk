@@ -27,6 +27,7 @@ tap_programs = \
   %D%/properties/scan_line_test \
   %D%/properties/schumacker_test \
   %D%/properties/warnock_test \
+  %D%/sweep/check_test \
   %D%/sweep/resume_test \
   %D%/sweep/schema_test \
   %D%/sweep/sweep_test
@@ -109,6 +110,9 @@ nodist_EXTRA_%C%_unit_figures_test_SOURCES = force_cxx_link.cc
 %C%_sweep_hsr_fixtures_LDADD = $(BENCH_LIBS)
 nodist_EXTRA_%C%_sweep_hsr_fixtures_SOURCES = force_cxx_link.cc
 sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
+%C%_sweep_check_test_SOURCES = %D%/sweep/check_test.c $(sweeping)
+%C%_sweep_check_test_LDADD = $(BENCH_LIBS)
+nodist_EXTRA_%C%_sweep_check_test_SOURCES = force_cxx_link.cc
 %C%_sweep_resume_test_SOURCES = %D%/sweep/resume_test.c $(sweeping)
 %C%_sweep_resume_test_LDADD = $(BENCH_LIBS)
 nodist_EXTRA_%C%_sweep_resume_test_SOURCES = force_cxx_link.cc
