@@ -2,25 +2,31 @@
 /* The oracle: the right answer for each sample, from the definition alone.
  *
  * Source      docs/correct-picture.md, in whose words this file is written.
- * Input       the world's vertices, face lists and one_sided flags, and the
- *             view's E, F, R, U, near, m, n, offsets and window; neither the
- *             world's approximate planes nor the view's matrices. The judge
- *             shares no code with whom it judges: neither common/screen.h nor
+ * Input       the world's vertices, face lists and one_sided flags, or of an
+ *             outline the scene's objects and instances; and the view's E, F,
+ *             R, U, near, m, n, offsets and window; neither the world's
+ *             approximate planes nor the view's matrices. The judge shares no
+ *             code with whom it judges: neither common/screen.h nor
  *             common/predicates.h, nor the exact number type of the latter.
  * Notation    as there, but D is taken mn times as long, which keeps all in a
  *             ring; so the definition's t is mn times the depth here.
  * Method      a ray for each sample; a hierarchy of boxes says which faces it
  *             may meet, and these are put to the definition. A sign is sought
  *             in CGAL's interval arithmetic; where the interval holds zero, it
- *             is taken in exact arithmetic along D, then R, then -U.
+ *             is taken in exact arithmetic along D, then R, then -U. Of an
+ *             outline there is a hierarchy over the instances, and one over
+ *             each object's faces, whose boxes are moved into the world as the
+ *             ray comes to them; only the faces that it may meet are laid out.
  * Invariants  a box is passed over only if no face in it can be the visible
- *             one: passes_by() has the proof.
+ *             one: passes_by() has the proof, and box_in_world() that of boxes
+ *             that are moved.
  * Ties        equal planes: the lowest face id.
  * Departures  none: there is no paper.
  * Cost        some dozens of boxes and a dozen faces a sample, and more where
  *             faces are not exactly planar, for then depth prunes nothing.
  *             Exact only where a sample is within rounding of an edge or of a
- *             line where planes meet, or where they are equal.
+ *             line where planes meet, or where they are equal. An outline takes
+ *             memory for the faces of its objects and for its instances.
  *
  * Compile with -frounding-math; or, slower, but regardless of rounding modes
  * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
@@ -31,6 +37,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -120,17 +127,30 @@ template <class T> ray<T> make_ray(const hsr_view &view, double sx, double sy) {
   return r;
 }
 
-/* Signs that samples share, once they are known. */
+/* Signs that samples share, once they are known; both empty where so few
+ * samples are asked that it would not pay. */
 struct memo {
   std::vector<signed char> row; /* a vertex: row(v), the same for all samples of
-                                   a row of the picture; 0: not yet known */
+                                   a row of the picture; UNKNOWN: not yet */
   std::vector<signed char> c;   /* a face: the sign of c, the same for all
-                                   samples; UNKNOWN: not yet known */
+                                   samples; UNKNOWN: not yet */
   enum : signed char { UNKNOWN = 2 };
 };
 
+/* The sign kept at `index`, found if it is not known. */
+template <class Find>
+int remember(std::vector<signed char> &kept, uint32_t index, Find find) {
+  if (kept.empty())
+    return find();
+  signed char &known = kept[index];
+  if (known == memo::UNKNOWN)
+    known = static_cast<signed char>(find());
+  return known;
+}
+
 struct sample {
-  const hsr_world *world;
+  const hsr_world *world; /* that holds the faces; of an outline, those that
+                             are laid out for this sample */
   const hsr_view *view;
   hsr_tally *tally;
   double sx, sy;
@@ -142,9 +162,9 @@ struct sample {
   bool slopes[3];
 };
 
-sample make_sample(const hsr_job &job, memo *known, double sx, double sy) {
-  sample s = {job.world, job.view, job.tally, sx, sy, known,
-              {},        {},       {},        {}, {}};
+sample make_sample(const hsr_job &job, const hsr_world *world, memo *known,
+                   double sx, double sy) {
+  sample s = {world, job.view, job.tally, sx, sy, known, {}, {}, {}, {}, {}};
   s.r = make_ray<Interval>(*job.view, sx, sy);
   const vec<Interval> &E = s.r.E, &D = s.r.along_D.d;
   const Interval e[3] = {E.x, E.y, E.z}, d[3] = {D.x, D.y, D.z};
@@ -253,14 +273,13 @@ bool decide_planar(const hsr_world &world, uint32_t f) {
 
 /* row(v) = det(D, R, v). A vertex in the direction of R counts as positive. */
 int row(const sample &s, uint32_t v) {
-  signed char &known = s.known->row[v];
-  if (known)
-    return known;
-  const int sign =
-      perturbed_sign(s, HSR_ASK_ROW, [&](const auto &r, const auto &h) {
-        return det(h.d, r.R, vertex_from(r.E, *s.world, v));
-      });
-  return known = sign ? static_cast<signed char>(sign) : 1;
+  return remember(s.known->row, v, [&] {
+    const int sign =
+        perturbed_sign(s, HSR_ASK_ROW, [&](const auto &r, const auto &h) {
+          return det(h.d, r.R, vertex_from(r.E, *s.world, v));
+        });
+    return sign ? sign : 1;
+  });
 }
 
 /* edge(a, b) = det(a, b, D). 0: the edge's line passes through the eye. */
@@ -291,13 +310,11 @@ bool is_parity_odd(const sample &s, uint32_t f) {
 /* The sign of c = N·(S - kE): -1 if the eye is in front of the face's plane,
  * 1 if behind, 0 if in it. */
 int sign_of_c(const sample &s, uint32_t f) {
-  signed char &known = s.known->c[f];
-  if (known == memo::UNKNOWN)
-    known = static_cast<signed char>(
-        perturbed_sign(s, HSR_ASK_FACING, [&](const auto &r, const auto &h) {
-          return make_plane(r, *s.world, f).c * h.one;
-        }));
-  return known;
+  return remember(s.known->c, f, [&] {
+    return perturbed_sign(s, HSR_ASK_FACING, [&](const auto &r, const auto &h) {
+      return make_plane(r, *s.world, f).c * h.one;
+    });
+  });
 }
 
 /* The sign of N·D. */
@@ -336,6 +353,11 @@ bool covers(const sample &s, uint32_t f, hit *found) {
 
 /* ---- Nearest ---- */
 
+/* By which ties are decided. */
+uint32_t id_of(const sample &s, uint32_t f) {
+  return s.world->id ? s.world->id[f] : f;
+}
+
 /* Whether f is to be seen rather than g. With 1/t = kN·D / c on either side,
  * the difference is taken times both c, whose signs are known. */
 bool is_nearer(const sample &s, const hit &f, const hit &g) {
@@ -348,7 +370,7 @@ bool is_nearer(const sample &s, const hit &f, const hit &g) {
         const auto q = make_plane(r, *s.world, g.face);
         return dot(p.kN, h.d) * q.c - dot(q.kN, h.d) * p.c;
       });
-  return sign ? sign == f.side * g.side : f.face < g.face;
+  return sign ? sign == f.side * g.side : id_of(s, f.face) < id_of(s, g.face);
 }
 
 /* No hit on the plane of face f is farther than this; infinite if the ray may
@@ -364,24 +386,31 @@ struct box {
   double low[3], high[3];
 };
 
+/* What is known of a face's vertices, whatever instance places it: that they
+ * are exactly on a plane in every one, or in one along the axes
+ * (is_along_axes), or nothing. */
+enum planarity : char { UNSURE, ALONG_AXES, ALWAYS };
+
 /* Nodes stand in depth-first order: the first child of an inner node follows
- * it. A leaf has n_faces > 0 faces, from tree::faces[at]. */
+ * it. A leaf has n_items > 0 items, from tree::items[at]. */
 struct node {
-  box bounds;       /* closed; exactly of the vertices below */
-  uint32_t at;      /* leaf: its first face; inner: its second child */
-  uint32_t n_faces; /* inner: 0 */
-  int axis;         /* inner: the first child lies lower on this axis */
-  bool planar;      /* all faces below are exactly planar */
+  box bounds;       /* closed; holds the vertices below */
+  uint32_t at;      /* leaf: its first item; inner: its second child */
+  uint32_t n_items; /* inner: 0 */
+  char axis;        /* inner: the first child lies lower on this axis */
+  planarity planar; /* the least of the faces below */
 };
 
-/* Halving 2^32 faces makes leaves after 30 steps at most. The stack holds one
- * node for each step, and one more. */
-constexpr uint32_t FACES_A_LEAF = 4;
-constexpr int STACK_NODES = 40;
+/* Halving 2^32 items makes leaves after 30 steps at most. The stack holds one
+ * node for each step through the instances, those of a leaf, and one node for
+ * each step through an object. */
+constexpr uint32_t ITEMS_A_LEAF = 4;
+constexpr int STACK_NODES = 30 + ITEMS_A_LEAF + 30;
 
+/* Of faces, or of instances. */
 struct tree {
-  std::vector<node> nodes; /* the root first; none if there are no faces */
-  std::vector<uint32_t> faces;
+  std::vector<node> nodes; /* the root first; none if there are no items */
+  std::vector<uint32_t> items;
 };
 
 void extend(box *all, const box &part) {
@@ -391,43 +420,47 @@ void extend(box *all, const box &part) {
   }
 }
 
+void extend(box *all, double x, double y, double z) {
+  extend(all, {{x, y, z}, {x, y, z}});
+}
+
 constexpr box empty_box = {{infinity, infinity, infinity},
                            {-infinity, -infinity, -infinity}};
 
-box face_box(const hsr_world &world, uint32_t f) {
-  box all = empty_box;
-  for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
-    const uint32_t v = world.vertex[c];
-    const double x = world.x[v], y = world.y[v], z = world.z[v];
-    extend(&all, {{x, y, z}, {x, y, z}});
-  }
-  return all;
+/* Of vertices beyond all range there is none; any number will do. */
+double finite_middle(double low, double high) {
+  const double middle = low / 2 + high / 2;
+  return std::isfinite(middle) ? middle : 0;
 }
 
-struct builder {
-  const hsr_world &world;
+/* Items have bounds(k) and planar(k), k < n. */
+template <class Items> struct builder {
+  const Items &items;
   tree &made;
-  std::vector<std::array<double, 3>> centre; /* of every face's box */
+  std::vector<std::array<double, 3>> centre; /* of every item's box */
 
-  /* Makes the subtree of faces[first .. last) and returns its root's index. */
+  /* Makes the subtree of items[first .. last) and returns its root's index. */
   uint32_t grow(uint32_t first, uint32_t last);
   void make_leaf(node *leaf, uint32_t first, uint32_t last) const;
   int widest_axis(uint32_t first, uint32_t last) const;
 };
 
-void builder::make_leaf(node *leaf, uint32_t first, uint32_t last) const {
-  *leaf = {empty_box, first, last - first, 0, true};
+template <class Items>
+void builder<Items>::make_leaf(node *leaf, uint32_t first,
+                               uint32_t last) const {
+  *leaf = {empty_box, first, last - first, 0, ALWAYS};
   for (uint32_t i = first; i < last; i++) {
-    extend(&leaf->bounds, face_box(world, made.faces[i]));
-    leaf->planar = leaf->planar && decide_planar(world, made.faces[i]);
+    extend(&leaf->bounds, items.bounds(made.items[i]));
+    leaf->planar = std::min(leaf->planar, items.planar(made.items[i]));
   }
 }
 
-int builder::widest_axis(uint32_t first, uint32_t last) const {
+template <class Items>
+int builder<Items>::widest_axis(uint32_t first, uint32_t last) const {
   box all = empty_box;
   for (uint32_t i = first; i < last; i++) {
-    const std::array<double, 3> &c = centre[made.faces[i]];
-    extend(&all, {{c[0], c[1], c[2]}, {c[0], c[1], c[2]}});
+    const std::array<double, 3> &c = centre[made.items[i]];
+    extend(&all, c[0], c[1], c[2]);
   }
   int widest = 0;
   for (int axis = 1; axis < 3; axis++)
@@ -436,19 +469,20 @@ int builder::widest_axis(uint32_t first, uint32_t last) const {
   return widest;
 }
 
-uint32_t builder::grow(uint32_t first, uint32_t last) {
+template <class Items>
+uint32_t builder<Items>::grow(uint32_t first, uint32_t last) {
   const uint32_t self = uint32_t(made.nodes.size());
   made.nodes.emplace_back();
-  if (last - first <= FACES_A_LEAF) {
+  if (last - first <= ITEMS_A_LEAF) {
     make_leaf(&made.nodes[self], first, last);
     return self;
   }
 
-  /* Half the faces to either child, by their centres on the widest axis. */
+  /* Half the items to either child, by their centres on the widest axis. */
   const int axis = widest_axis(first, last);
   const uint32_t middle = first + (last - first) / 2;
-  uint32_t *faces = made.faces.data();
-  std::nth_element(faces + first, faces + middle, faces + last,
+  uint32_t *all = made.items.data();
+  std::nth_element(all + first, all + middle, all + last,
                    [&](uint32_t f, uint32_t g) {
                      return centre[f][size_t(axis)] < centre[g][size_t(axis)];
                    });
@@ -458,30 +492,45 @@ uint32_t builder::grow(uint32_t first, uint32_t last) {
   node inner = made.nodes[one];
   extend(&inner.bounds, made.nodes[two].bounds);
   inner.at = two;
-  inner.n_faces = 0;
-  inner.axis = axis;
-  inner.planar = inner.planar && made.nodes[two].planar;
+  inner.n_items = 0;
+  inner.axis = char(axis);
+  inner.planar = std::min(inner.planar, made.nodes[two].planar);
   made.nodes[self] = inner;
   return self;
 }
 
-void build(const hsr_world &world, tree *made) {
-  const Upward upward;
-  builder b = {world, *made, {}};
-  made->faces.resize(world.n_faces);
-  b.centre.resize(world.n_faces);
-  for (uint32_t f = 0; f < world.n_faces; f++) {
-    made->faces[f] = f;
-    const box bounds = face_box(world, f);
+/* Builds the tree of made->items, out of n. */
+template <class Items> void build(const Items &items, uint32_t n, tree *made) {
+  builder<Items> b = {items, *made, {}};
+  b.centre.resize(n);
+  for (uint32_t k : made->items) {
+    const box bounds = items.bounds(k);
     for (size_t axis = 0; axis < 3; axis++)
-      b.centre[f][axis] = bounds.low[axis] / 2 + bounds.high[axis] / 2;
+      b.centre[k][axis] = finite_middle(bounds.low[axis], bounds.high[axis]);
   }
-  if (world.n_faces > 0)
-    b.grow(0, world.n_faces);
+  if (!made->items.empty())
+    b.grow(0, uint32_t(made->items.size()));
 }
 
-/* Whether no face below the node can be the visible one, given that a covering
- * face has been found whose depth is `farthest` at most.
+/* The faces of a world that is laid out. */
+struct world_faces {
+  const hsr_world &world;
+
+  box bounds(uint32_t f) const {
+    box all = empty_box;
+    for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
+      const uint32_t v = world.vertex[c];
+      extend(&all, world.x[v], world.y[v], world.z[v]);
+    }
+    return all;
+  }
+  planarity planar(uint32_t f) const {
+    return decide_planar(world, f) ? ALWAYS : UNSURE;
+  }
+};
+
+/* Whether no face in the box can be the visible one, given that a covering face
+ * has been found whose depth is `farthest` at most; planar: all are exactly so.
  *
  * If the line of the ray, taken in both directions, misses the convex hull of a
  * face's vertices, the polygon does not wind about it: the parity is even, and
@@ -501,12 +550,13 @@ void build(const hsr_world &world, tree *made) {
  * Where D may be 0 that has no bounds, and [low, high] - E is compared instead
  * with what the t left by the other axes make of D. All in intervals; a
  * comparison with a NaN is false and passes nothing by. */
-bool passes_by(const sample &s, const node &a, double farthest) {
-  double enter = a.planar ? 0 : -infinity;
-  double leave = a.planar ? farthest : infinity;
+bool passes_by(const sample &s, const box &bounds, bool planar,
+               double farthest) {
+  double enter = planar ? 0 : -infinity;
+  double leave = planar ? farthest : infinity;
   Interval slab[3];
   for (int axis = 0; axis < 3; axis++) {
-    slab[axis] = Interval(a.bounds.low[axis], a.bounds.high[axis]) - s.E[axis];
+    slab[axis] = Interval(bounds.low[axis], bounds.high[axis]) - s.E[axis];
     if (!s.slopes[axis])
       continue;
     const Interval inside = slab[axis] * s.reciprocal[axis];
@@ -529,46 +579,339 @@ bool passes_by(const sample &s, const node &a, double farthest) {
   return false;
 }
 
+/* ---- Instances ---- */
+
+/* Whether each of an instance's coordinates depends on one of the object's at
+ * most, and no two on the same. */
+bool is_along_axes(const hsr_instance &instance) {
+  const double *m = instance.m;
+  for (int k = 0; k < 3; k++)
+    if ((m[4 * k] != 0) + (m[4 * k + 1] != 0) + (m[4 * k + 2] != 0) > 1 ||
+        (m[k] != 0) + (m[4 + k] != 0) + (m[8 + k] != 0) > 1)
+      return false;
+  return true;
+}
+
+/* What is to be known of a face for it to be planar in the instance. */
+planarity needed_in(const hsr_instance &instance) {
+  return is_along_axes(instance) ? ALONG_AXES : ALWAYS;
+}
+
+/* A box that holds every vertex of the instance that the object has in `part`.
+ *
+ * It is what hsr_instance_vertex computes, operation by operation, in
+ * intervals. If these hold the operands of an addition or a multiplication they
+ * hold its result also where that is rounded to nearest: the interval's ends
+ * are rounded down and up, and rounding to nearest is not outside of these.
+ * (That the sum begins with 0 changes no value.) Nothing is asked of the
+ * matrix. */
+box box_in_world(const double *m, const box &part) {
+  box moved;
+  for (int row = 0; row < 3; row++, m += 4) {
+    Interval sum(0);
+    for (int axis = 0; axis < 3; axis++) {
+      const Interval range(part.low[axis], part.high[axis]);
+      sum = sum + Interval(m[axis]) * range;
+    }
+    sum = sum + Interval(m[3]);
+    moved.low[row] = sum.inf();
+    moved.high[row] = sum.sup();
+  }
+  return moved;
+}
+
+/* The faces of an object, in its own coordinates. */
+struct object_faces {
+  const hsr_object &object;
+
+  const double *corner(uint32_t c) const {
+    return object.xyz + 3 * size_t(object.vertex[c]);
+  }
+  box bounds(uint32_t f) const {
+    box all = empty_box;
+    for (uint32_t c = object.start[f]; c < object.start[f + 1]; c++)
+      extend(&all, corner(c)[0], corner(c)[1], corner(c)[2]);
+    return all;
+  }
+  bool is_upright(uint32_t f, int axis) const;
+  planarity planar(uint32_t f) const;
+};
+
+/* Whether the corners, seen along the axis, are two points at most. */
+bool object_faces::is_upright(uint32_t f, int axis) const {
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const auto meet = [&](const double *p, const double *q) {
+    return p[u] == q[u] && p[v] == q[v];
+  };
+  const uint32_t first = object.start[f], last = object.start[f + 1];
+  uint32_t other = first;
+  for (uint32_t c = first; c < last; c++) {
+    if (meet(corner(c), corner(first)))
+      continue;
+    if (other != first && !meet(corner(c), corner(other)))
+      return false;
+    other = c;
+  }
+  return true;
+}
+
+/* Along the axes, corners that share a coordinate share again what depends on
+ * it. So those of a face across an axis stay on a plane across one; and those
+ * that are two points, seen along an axis, stay so, on the plane along it
+ * through both. Where nothing depends on one of the object's coordinates, one
+ * of the instance's depends on none and is the same for all corners. */
+planarity object_faces::planar(uint32_t f) const {
+  if (object.start[f + 1] - object.start[f] == 3)
+    return ALWAYS;
+  const box all = bounds(f);
+  for (int axis = 0; axis < 3; axis++)
+    if (all.low[axis] == all.high[axis] || is_upright(f, axis))
+      return ALONG_AXES;
+  return UNSURE;
+}
+
+/* The instances of a scene, each as a whole. */
+struct scene_instances {
+  const hsr_scene &scene;
+  const std::vector<tree> &objects;
+
+  const node &root(uint32_t i) const {
+    return objects[scene.instances[i].object].nodes[0];
+  }
+  box bounds(uint32_t i) const {
+    return box_in_world(scene.instances[i].m, root(i).bounds);
+  }
+  planarity planar(uint32_t i) const {
+    return root(i).planar >= needed_in(scene.instances[i]) ? ALWAYS : UNSURE;
+  }
+};
+
+/* ---- Faces at hand ---- */
+
+/* Not inlined, so that it is computed after the rounding mode is changed. */
+[[gnu::noinline]] void place_vertex(const hsr_instance &instance,
+                                    const double *in, double out[3]) {
+  hsr_instance_vertex(instance.m, in, out);
+}
+
+/* The faces that are laid out: all of the world; or of an outline those that
+ * the sample may meet, no two sharing a vertex. */
+class faces_at_hand {
+public:
+  faces_at_hand(const hsr_world &all, const hsr_window &asked);
+  faces_at_hand(const faces_at_hand &) = delete;
+  faces_at_hand &operator=(const faces_at_hand &) = delete;
+
+  void begin_row();
+  void begin_sample();
+  uint32_t add(uint32_t i, uint32_t k); /* of instance i, face k; its number */
+
+  hsr_world world; /* of an outline: what the definition asks for, no more */
+  memo known;
+
+private:
+  const hsr_world &whole;
+  std::vector<double> x, y, z;
+  std::vector<uint32_t> start, vertex, id;
+  std::vector<std::array<bool, 1>> one_sided;
+
+  void add_vertex(const hsr_instance &instance, const double *corner);
+};
+
+/* A sample asks for a few dozen signs. */
+faces_at_hand::faces_at_hand(const hsr_world &all, const hsr_window &asked)
+    : world(all), whole(all) {
+  const double signs = 32.0 * (asked.x1 - asked.x0) * (asked.y1 - asked.y0);
+  if (hsr_is_outline(&whole)) {
+    world = {};
+  } else if (signs > world.n_vertices && signs > world.n_faces) {
+    known.row.resize(world.n_vertices);
+    known.c.resize(world.n_faces, memo::UNKNOWN);
+  }
+}
+
+void faces_at_hand::begin_row() {
+  std::fill(known.row.begin(), known.row.end(), memo::UNKNOWN);
+}
+
+void faces_at_hand::begin_sample() {
+  if (!hsr_is_outline(&whole))
+    return;
+  world.n_faces = 0;
+  for (std::vector<double> *axis : {&x, &y, &z})
+    axis->clear();
+  start.assign(1, 0);
+  vertex.clear();
+  id.clear();
+  one_sided.clear();
+  known.row.clear();
+  known.c.clear();
+}
+
+void faces_at_hand::add_vertex(const hsr_instance &instance,
+                               const double *corner) {
+  double placed[3];
+  place_vertex(instance, corner, placed);
+  vertex.push_back(uint32_t(x.size()));
+  x.push_back(placed[0]);
+  y.push_back(placed[1]);
+  z.push_back(placed[2]);
+  known.row.push_back(memo::UNKNOWN);
+}
+
+uint32_t faces_at_hand::add(uint32_t i, uint32_t k) {
+  const hsr_instance &instance = whole.scene->instances[i];
+  const hsr_object &object = whole.scene->objects[instance.object];
+  const object_faces faces = {object};
+  const Nearest to_nearest;
+  for (uint32_t c = object.start[k]; c < object.start[k + 1]; c++)
+    add_vertex(instance, faces.corner(c));
+  start.push_back(uint32_t(vertex.size()));
+  id.push_back(whole.first[i] + k);
+  one_sided.push_back({object.one_sided});
+  known.c.push_back(memo::UNKNOWN);
+
+  world.x = x.data();
+  world.y = y.data();
+  world.z = z.data();
+  world.start = start.data();
+  world.vertex = vertex.data();
+  world.id = id.data();
+  world.one_sided = one_sided.data()->data();
+  return world.n_faces++;
+}
+
 /* ---- Visible face ---- */
+
+/* Over the faces of a world that is laid out; else over the instances, and over
+ * the faces of each object. */
+struct trees {
+  tree world;
+  std::vector<tree> objects;
+};
+
+void build_trees(const hsr_world &world, trees *made) {
+  const Upward upward;
+  if (!hsr_is_outline(&world)) {
+    for (uint32_t f = 0; f < world.n_faces; f++)
+      made->world.items.push_back(f);
+    build(world_faces{world}, world.n_faces, &made->world);
+    return;
+  }
+  const hsr_scene &scene = *world.scene;
+  made->objects.resize(scene.n_objects);
+  for (uint32_t o = 0; o < scene.n_objects; o++) {
+    const uint32_t n = scene.objects[o].n_faces;
+    for (uint32_t k = 0; k < n; k++)
+      made->objects[o].items.push_back(k);
+    build(object_faces{scene.objects[o]}, n, &made->objects[o]);
+  }
+  for (uint32_t i = 0; i < scene.n_instances; i++)
+    if (!made->objects[scene.instances[i].object].nodes.empty())
+      made->world.items.push_back(i);
+  build(scene_instances{scene, made->objects}, scene.n_instances, &made->world);
+}
+
+/* A node of the world's tree, or of the object's that an instance places. */
+struct stop {
+  uint32_t at;
+  const hsr_instance *instance; /* or NULL */
+};
+
+/* The way through the trees of a sample's ray. */
+struct way {
+  way(const sample &asked, const trees &all, const hsr_scene *scene,
+      faces_at_hand *laid_out)
+      : s(asked), t(all), instanced(scene), faces(laid_out) {}
+
+  const sample &s;
+  const trees &t;
+  const hsr_scene *instanced; /* NULL if the world is laid out */
+  faces_at_hand *faces;
+  hit nearest = {HSR_BACKGROUND, 0};
+  double farthest = infinity; /* the depth of `nearest` is not greater */
+  stop stack[STACK_NODES];
+  int n_stack = 0;
+
+  void go();
+  void visit(const stop &here);
+  void take(const stop &here, uint32_t item);
+  bool upwards(const stop &here, int axis) const;
+};
+
+/* A face is put to the definition; of an instance, the object's tree is next.
+ */
+void way::take(const stop &here, uint32_t item) {
+  uint32_t f = item;
+  if (instanced && !here.instance) {
+    stack[n_stack++] = {0, instanced->instances + item};
+    return;
+  }
+  if (here.instance)
+    f = faces->add(uint32_t(here.instance - instanced->instances), item);
+  HSR_COUNT(s.tally, ORACLE_FACE, 1);
+  hit found;
+  if (covers(s, f, &found) && is_nearer(s, found, nearest)) {
+    nearest = found;
+    farthest = farthest_depth(s, f);
+  }
+}
+
+/* Whether the ray is likely to meet the first child first. Where an instance is
+ * more than turned the guess may be bad, and cost time. */
+bool way::upwards(const stop &here, int axis) const {
+  if (!here.instance)
+    return s.D[axis].sup() > 0;
+  double along = 0;
+  for (int row = 0; row < 3; row++)
+    along += here.instance->m[4 * row + axis] * s.D[row].sup();
+  return along > 0;
+}
+
+void way::visit(const stop &here) {
+  const tree &of = here.instance ? t.objects[here.instance->object] : t.world;
+  const node &a = of.nodes[here.at];
+  const box *bounds = &a.bounds;
+  planarity needed = ALWAYS;
+  box moved;
+  if (here.instance) {
+    moved = box_in_world(here.instance->m, a.bounds);
+    bounds = &moved;
+    needed = needed_in(*here.instance);
+  }
+  HSR_COUNT(s.tally, ORACLE_BOX, 1);
+  if (passes_by(s, *bounds, a.planar >= needed, farthest))
+    return;
+
+  for (uint32_t i = 0; i < a.n_items; i++)
+    take(here, of.items[a.at + i]);
+  if (a.n_items == 0) {
+    const bool first = upwards(here, a.axis);
+    stack[n_stack++] = {first ? a.at : here.at + 1, here.instance};
+    stack[n_stack++] = {first ? here.at + 1 : a.at, here.instance};
+  }
+}
+
+void way::go() {
+  if (!t.world.nodes.empty())
+    stack[n_stack++] = {0, nullptr};
+  while (n_stack > 0)
+    visit(stop(stack[--n_stack]));
+}
 
 /* The visible face of the sample at (sx, sy), or HSR_BACKGROUND. Not inlined,
  * so that sx and sy are computed before the rounding mode is changed. */
-[[gnu::noinline]] uint32_t visible_face(const hsr_job &job, const tree &t,
-                                        memo *known, double sx, double sy) {
+[[gnu::noinline]] uint32_t visible_face(const hsr_job &job, const trees &t,
+                                        faces_at_hand *faces, double sx,
+                                        double sy) {
   const Upward upward;
-  const sample s = make_sample(job, known, sx, sy);
-  hit nearest = {HSR_BACKGROUND, 0};
-  double farthest = infinity; /* the depth of `nearest` is not greater */
-
-  uint32_t stack[STACK_NODES];
-  int n_stack = 0;
-  if (!t.nodes.empty())
-    stack[n_stack++] = 0;
-  while (n_stack > 0) {
-    const uint32_t at = stack[--n_stack];
-    const node &a = t.nodes[at];
-    HSR_COUNT(s.tally, ORACLE_BOX, 1);
-    if (passes_by(s, a, farthest))
-      continue;
-
-    for (uint32_t i = 0; i < a.n_faces; i++) {
-      const uint32_t f = t.faces[a.at + i];
-      HSR_COUNT(s.tally, ORACLE_FACE, 1);
-      hit found;
-      if (covers(s, f, &found) && is_nearer(s, found, nearest)) {
-        nearest = found;
-        farthest = farthest_depth(s, f);
-      }
-    }
-
-    /* The child that the ray is likely to meet first is taken first. */
-    if (a.n_faces == 0) {
-      const bool upwards = s.D[a.axis].sup() > 0;
-      stack[n_stack++] = upwards ? a.at : at + 1;
-      stack[n_stack++] = upwards ? at + 1 : a.at;
-    }
-  }
-  return nearest.face;
+  const bool instanced = hsr_is_outline(job.world);
+  faces->begin_sample();
+  const sample s = make_sample(job, &faces->world, &faces->known, sx, sy);
+  way w(s, t, instanced ? job.world->scene : nullptr, faces);
+  w.go();
+  const uint32_t f = w.nearest.face;
+  return instanced && f != HSR_BACKGROUND ? id_of(s, f) : f;
 }
 
 /* ---- The algorithm ---- */
@@ -604,8 +947,8 @@ static enum hsr_status prepare(const struct hsr_world *world, const long *,
     if (!is_rounding_honoured())
       return hsr_fail(err, HSR_E_INTERNAL,
                       "oracle: directed rounding has no effect here");
-    auto made = std::make_unique<tree>();
-    build(*world, made.get());
+    auto made = std::make_unique<trees>();
+    build_trees(*world, made.get());
     *prepared = made.release();
     return HSR_OK;
   });
@@ -616,15 +959,14 @@ static enum hsr_status render(const struct hsr_job *job,
   return guarded(err, [&] {
     const struct hsr_view *view = job->view;
     const struct hsr_window w = view->window;
-    const tree &t = *static_cast<const tree *>(job->prepared);
-    memo known = {std::vector<signed char>(job->world->n_vertices),
-                  std::vector<signed char>(job->world->n_faces, memo::UNKNOWN)};
+    const trees &t = *static_cast<const trees *>(job->prepared);
+    faces_at_hand faces(*job->world, w);
     for (int j = w.y0; j < w.y1; j++) {
-      std::fill(known.row.begin(), known.row.end(), 0);
+      faces.begin_row();
       for (int i = w.x0; i < w.x1; i++) {
         HSR_TOUCH(job->tally, i, j);
         job->ids[size_t(j) * job->ids_stride + size_t(i)] = visible_face(
-            *job, t, &known, hsr_sample_x(view, i), hsr_sample_y(view, j));
+            *job, t, &faces, hsr_sample_x(view, i), hsr_sample_y(view, j));
       }
     }
     return HSR_OK;
@@ -632,7 +974,7 @@ static enum hsr_status render(const struct hsr_job *job,
 }
 
 static void release(void *prepared) {
-  delete static_cast<tree *>(prepared);
+  delete static_cast<trees *>(prepared);
 }
 
 } /* extern "C" */
@@ -651,7 +993,7 @@ constexpr struct hsr_algorithm describe() {
   a.source = "docs/correct-picture.md";
   a.taxonomy = HSR_YARDSTICK;
   a.kind = HSR_IDS;
-  a.flags = HSR_JUDGE;
+  a.flags = HSR_JUDGE | HSR_INSTANCED;
   a.counters = counters;
   a.prepare = prepare;
   a.render = render;

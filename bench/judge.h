@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Judging algorithms by their oracle: all of a kind on one scene, view and
- * size, each in a process of its own. */
+/* Judging algorithms by their oracle: all of a kind on one scene and size, and
+ * one view or a sequence of them, each in a process of its own. */
 #ifndef HSR_BENCH_JUDGE_H
 #define HSR_BENCH_JUDGE_H
 
@@ -16,9 +16,11 @@ enum verdict { PENDING, RIGHT, WRONG, REFUSED, TIMEOUT, CRASH };
 /* "ok", "wrong", "refused", "timeout", "crash"; what is PENDING has crashed. */
 const char *verdict_name(enum verdict verdict);
 
-/* What became of one algorithm; in memory shared between the processes. */
+/* What became of one algorithm's picture; in memory shared between the
+ * processes. */
 struct cell {
   enum verdict verdict;
+  int builds;              /* that drew it and were compared, of two */
   enum hsr_status failure; /* why the process stopped, if not HSR_OK */
   uint64_t compared;       /* samples, or edges, in the build that is timed */
   uint64_t mismatches;     /* of those in both builds */
@@ -36,19 +38,37 @@ struct cell {
   char refusal[560]; /* who refused and why */
 };
 
-/* All algorithms of a kind on one scene, view and size. All borrowed. */
+/* All algorithms of a kind on one scene and size. All borrowed. */
 struct group {
   const struct hsr_variant *algorithm; /* also those of other kinds */
   int n_algorithms;
   const long *threads; /* an algorithm, for the build that is timed; NULL: 1 */
   long timeout;        /* seconds that a picture may take */
   long memory_mb;      /* of data that a process may hold; 0: any */
+  long samples;        /* of each picture that are compared; 0: all */
   const struct hsr_world *world;
   enum hsr_kind kind;
-  struct hsr_view view;
-  struct cell *cells; /* an algorithm */
-  uint32_t *picture;  /* where the oracle leaves its ids, m * n; or NULL */
+
+  /* Algorithms for which flags & mask == flags are judged: 0, 0: all. */
+  unsigned mask, flags;
+
+  /* An algorithm draws all views in this order from one prepared object. */
+  const struct hsr_view *view;
+  const int *number; /* of each view, from 0: some samples are chosen by it */
+  int n_views;
+
+  struct cell *cells; /* a view and algorithm */
+  uint32_t *picture; /* where the oracle leaves its ids of the only view, m * n,
+                        NOT_DRAWN where it was not asked; or NULL */
 };
+
+/* Where nothing was written. */
+#define NOT_DRAWN 0xfefefefeu
+
+/* How many samples of each picture to compare, 0: all. Unless the user wants a
+ * number, all, but of scenes whose faces are too many to be laid out. */
+enum { SAMPLES_OF_MANY_FACES = 20000, MOST_SAMPLES = 1 << 28 };
+long samples_to_compare(const struct hsr_world *world, long wanted);
 
 /* To be called in a process of its own. Where the oracle of line drawings takes
  * longer than a picture may, that ends by SIGALRM, and the cells are refused.

@@ -9,6 +9,7 @@ tap_programs = \
   %D%/unit/image_test \
   %D%/unit/line_oracle_test \
   %D%/unit/oracle_test \
+  %D%/unit/outline_test \
   %D%/unit/plot_test \
   %D%/unit/scene_json_test \
   %D%/unit/scenes_test \
@@ -28,6 +29,7 @@ tap_programs = \
   %D%/properties/scan_line_test \
   %D%/properties/schumacker_test \
   %D%/properties/warnock_test \
+  %D%/sweep/check_test \
   %D%/sweep/resume_test \
   %D%/sweep/schema_test \
   %D%/sweep/sweep_test
@@ -61,6 +63,8 @@ nodist_EXTRA_%C%_unit_drawing_test_SOURCES = force_cxx_link.cc
 %C%_unit_image_test_SOURCES = %D%/unit/image_test.cc
 %C%_unit_line_oracle_test_SOURCES = %D%/unit/line_oracle_test.cc
 %C%_unit_oracle_test_SOURCES = %D%/unit/oracle_test.cc
+%C%_unit_outline_test_SOURCES = %D%/unit/outline_test.c
+nodist_EXTRA_%C%_unit_outline_test_SOURCES = force_cxx_link.cc
 %C%_unit_plot_test_SOURCES = %D%/unit/plot_test.c
 nodist_EXTRA_%C%_unit_plot_test_SOURCES = force_cxx_link.cc
 %C%_unit_scene_json_test_SOURCES = %D%/unit/scene_json_test.c
@@ -111,6 +115,9 @@ nodist_EXTRA_%C%_unit_figures_test_SOURCES = force_cxx_link.cc
 %C%_sweep_hsr_fixtures_LDADD = $(BENCH_LIBS)
 nodist_EXTRA_%C%_sweep_hsr_fixtures_SOURCES = force_cxx_link.cc
 sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
+%C%_sweep_check_test_SOURCES = %D%/sweep/check_test.c $(sweeping)
+%C%_sweep_check_test_LDADD = $(BENCH_LIBS)
+nodist_EXTRA_%C%_sweep_check_test_SOURCES = force_cxx_link.cc
 %C%_sweep_resume_test_SOURCES = %D%/sweep/resume_test.c $(sweeping)
 %C%_sweep_resume_test_LDADD = $(BENCH_LIBS)
 nodist_EXTRA_%C%_sweep_resume_test_SOURCES = force_cxx_link.cc

@@ -7,7 +7,12 @@
 #include "bench/command.h"
 #include "bench/judge.h"
 
-enum { MOST_SCENES = 4096, MOST_SIZES = 16, MOST_ALGORITHMS = 64 };
+enum {
+  MOST_SCENES = 4096,
+  MOST_SIZES = 16,
+  MOST_ALGORITHMS = 64,
+  MOST_VIEWS = 1000
+};
 
 struct check_options {
   struct option_base base;
@@ -16,7 +21,10 @@ struct check_options {
   int m[MOST_SIZES], n[MOST_SIZES], n_sizes;
   struct hsr_variant algorithm[MOST_ALGORITHMS];
   int n_algorithms;
-  long views, jobs, timeout;
+  int view[MOST_VIEWS], n_views; /* from 0, in the order of judging */
+  long samples, jobs, timeout;   /* samples: 0: as the scene allows */
+  long first_views;              /* --views; 0: not given */
+  const char *order;             /* --order; or NULL */
   bool json, failures_only;
   struct hsr_import import;
 };
@@ -29,13 +37,15 @@ struct scene_run {
   const char *name;
   struct hsr_scene *scene;
   struct hsr_world world;
-  struct cell *cells; /* a size, view and algorithm; shared */
+  long samples;          /* of each picture; 0: all */
+  struct hsr_view *view; /* a size and view, in the order of judging */
+  struct cell *cells;    /* a size, view and algorithm; shared */
   size_t cells_size;
 };
 
 static inline struct cell *cell_at(const struct scene_run *run, int size,
                                    int view, int algorithm) {
-  int picture = size * (int)run->options->views + view;
+  int picture = size * run->options->n_views + view;
   return &run->cells[picture * run->options->n_algorithms + algorithm];
 }
 

@@ -2,8 +2,9 @@
 /* hsr check: every algorithm's picture against the oracle's, and every
  * algorithm's line drawing against the line oracle's.
  *
- * A group is one scene, view, size and kind of algorithm. It is judged in a
- * process of its own (bench/judge.c), several at a time. */
+ * A group is one scene, view, size and kind of algorithm; or, of algorithms
+ * that keep a state from frame to frame, one with all views in a row. It is
+ * judged in a process of its own (bench/judge.c), several at a time. */
 #include "bench/check/check.h"
 #include "bench/terminate.h"
 
@@ -15,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { DROP = 0x200 };
+enum { DROP = 0x200, ORDER, SAMPLES };
 
 /* --- Options ---------------------------------------------------------------
  */
@@ -49,6 +50,48 @@ static error_t add_algorithms(struct check_options *o, char *arg) {
   return 0;
 }
 
+/* The views that are judged, in their order. */
+static error_t list_views(struct check_options *o) {
+  char *end = NULL;
+  for (const char *at = o->order; at; at = *end ? end + 1 : NULL) {
+    long view = strtol(at, &end, 10);
+    if (end == at || (*end && *end != ',') || view < 1 || view > MOST_VIEWS)
+      return option_fail(&o->base,
+                         "--order %s: must be reverse, shuffle or K,..., each "
+                         "1 to %d",
+                         o->order, (int)MOST_VIEWS);
+    if (o->n_views == MOST_VIEWS)
+      return option_fail(&o->base, "--order: at most %d views",
+                         (int)MOST_VIEWS);
+    o->view[o->n_views++] = (int)view - 1;
+  }
+  return o->first_views
+             ? option_fail(&o->base,
+                           "--order %s: names the views, so not also --views",
+                           o->order)
+             : 0;
+}
+
+static void swap_views(struct check_options *o, int a, int b) {
+  int kept = o->view[a];
+  o->view[a] = o->view[b];
+  o->view[b] = kept;
+}
+
+static error_t order_views(struct check_options *o) {
+  bool reverse = o->order && !strcmp(o->order, "reverse");
+  bool shuffle = o->order && !strcmp(o->order, "shuffle");
+  if (o->order && !reverse && !shuffle)
+    return list_views(o);
+  o->n_views = o->first_views ? (int)o->first_views : 8;
+  for (int k = 0; k < o->n_views; k++)
+    o->view[k] = reverse ? o->n_views - 1 - k : k;
+  unsigned short random[3] = {(unsigned short)o->n_views};
+  for (int k = o->n_views - 1; shuffle && k > 0; k--)
+    swap_views(o, k, (int)(erand48(random) * (k + 1)));
+  return 0;
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct check_options *o = state->input;
   switch (key) {
@@ -57,8 +100,17 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 's':
     return add_sizes(o, arg);
   case 'n':
-    if (!parse_count(arg, 1, 1000, &o->views))
-      return option_fail(&o->base, "--views %s: must be 1 to 1000", arg);
+    if (!parse_count(arg, 1, MOST_VIEWS, &o->first_views))
+      return option_fail(&o->base, "--views %s: must be 1 to %d", arg,
+                         (int)MOST_VIEWS);
+    return 0;
+  case ORDER:
+    o->order = arg;
+    return 0;
+  case SAMPLES:
+    if (!parse_count(arg, 1, MOST_SAMPLES, &o->samples))
+      return option_fail(&o->base, "--samples %s: must be 1 to %d", arg,
+                         (int)MOST_SAMPLES);
     return 0;
   case 'J':
     if (!parse_count(arg, 1, 256, &o->jobs))
@@ -83,6 +135,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
                          (int)MOST_SCENES);
     o->scene[o->n_scenes++] = arg;
     return 0;
+  case ARGP_KEY_END:
+    return order_views(o);
   default:
     return ARGP_ERR_UNKNOWN;
   }
@@ -96,6 +150,17 @@ static const struct argp argp = {
         {"views", 'n', "N", 0,
          "the first N views of each scene; more are made up if it has fewer "
          "(standard: 8)",
+         0},
+        {"order", ORDER, "ORDER", 0,
+         "the order in which an algorithm that keeps a state from frame to "
+         "frame draws the views: reverse; shuffle, always the same way; or "
+         "K,..., which names the views as well",
+         0},
+        {"samples", SAMPLES, "N", 0,
+         "compare N random samples of each picture, the same in every run: "
+         "those that Knuth's algorithm S selects by erand48() from the state "
+         "{view, columns, rows} (standard: all, but 20000 of scenes of over 33 "
+         "million faces)",
          0},
         {"failure-cases", 'f', NULL, 0,
          "where no scene is named: only the failure cases", 0},
@@ -145,10 +210,16 @@ static void set_standards(struct check_options *o) {
 /* --- All groups of a scene --------------------------------------------------
  */
 
-static bool is_judged(const struct check_options *o, enum hsr_kind kind) {
-  for (int a = 0; a < o->n_algorithms; a++)
-    if (o->algorithm[a].listed->plain->kind == kind)
+/* Whether there is an algorithm of a kind that keeps a state, or keeps none. */
+static bool is_judged(const struct check_options *o, enum hsr_kind kind,
+                      bool state) {
+  for (int k = 0; k < o->n_algorithms; k++) {
+    const struct hsr_variant *v = &o->algorithm[k];
+    const struct hsr_algorithm *a = v->listed->plain;
+    bool keeps = hsr_choice_flags(a, &v->choice) & HSR_FRAME_STATE;
+    if (a->kind == kind && keeps == state)
       return true;
+  }
   return false;
 }
 
@@ -179,50 +250,66 @@ static void wait_for_group(enum hsr_status *failure) {
     *failure = HSR_E_INTERNAL;
 }
 
-static enum hsr_status start_group(const struct scene_run *run,
-                                   enum hsr_kind kind, int size, int view,
+static enum hsr_status start_group(const struct group *g,
                                    struct hsr_error *err) {
-  struct group g = {.algorithm = run->options->algorithm,
-                    .n_algorithms = run->options->n_algorithms,
-                    .timeout = run->options->timeout,
-                    .world = &run->world,
-                    .kind = kind,
-                    .cells = cell_at(run, size, view, 0)};
-  enum hsr_status status =
-      hsr_view_init(&g.view, &run->scene->views[view], run->options->m[size],
-                    run->options->n[size], err);
-  if (status)
-    return status;
   fflush(NULL);
   pid_t parent = getpid(), child = fork();
   if (child == 0) {
     end_with_parent(parent);
-    end_process((int)judge_group(&g));
+    end_process((int)judge_group(g));
   }
   return child < 0 ? hsr_fail_nomem(err) : HSR_OK;
 }
 
-/* The groups of all kinds, sizes and views, by number. */
-static enum hsr_status run_groups(const struct scene_run *run,
-                                  struct hsr_error *err) {
+/* Of one view; or of all of them, for who keeps a state from one to another. */
+static struct group group_of(const struct scene_run *run, enum hsr_kind kind,
+                             int size, int view, bool sequence) {
   const struct check_options *o = run->options;
-  enum hsr_kind kind[N_KINDS];
-  int n_kinds = 0, views = (int)o->views, pictures = o->n_sizes * views;
-  for (int k = 0; k < N_KINDS; k++)
-    if (is_judged(o, (enum hsr_kind)k))
-      kind[n_kinds++] = (enum hsr_kind)k;
-  int n_groups = n_kinds * pictures;
+  return (struct group){.algorithm = o->algorithm,
+                        .n_algorithms = o->n_algorithms,
+                        .timeout = o->timeout,
+                        .samples = run->samples,
+                        .world = &run->world,
+                        .kind = kind,
+                        .mask = HSR_FRAME_STATE,
+                        .flags = sequence ? HSR_FRAME_STATE : 0,
+                        .view = &run->view[size * o->n_views + view],
+                        .number = &o->view[view],
+                        .n_views = sequence ? o->n_views : 1,
+                        .cells = cell_at(run, size, view, 0)};
+}
+
+/* The groups of all kinds, sizes and views: how many, and into group[] unless
+ * that is NULL. The longest first. */
+static int list_groups(const struct scene_run *run, struct group *group) {
+  const struct check_options *o = run->options;
+  int n = 0;
+  for (int sequence = 1; sequence >= 0; sequence--)
+    for (int kind = 0; kind < N_KINDS; kind++)
+      for (int size = 0; size < o->n_sizes; size++)
+        for (int view = 0; view < (sequence ? 1 : o->n_views); view++) {
+          if (!is_judged(o, (enum hsr_kind)kind, sequence))
+            continue;
+          if (group)
+            group[n] = group_of(run, (enum hsr_kind)kind, size, view, sequence);
+          n++;
+        }
+  return n;
+}
+
+static enum hsr_status run_groups(const struct scene_run *run,
+                                  const struct group *group, int n_groups,
+                                  struct hsr_error *err) {
   enum hsr_status status = HSR_OK, failure = HSR_OK;
   int running = 0, done = 0;
   show_progress(run, 0, n_groups);
   for (int k = 0; k < n_groups && !status && !failure; k++) {
-    if (running == o->jobs) {
+    if (running == run->options->jobs) {
       wait_for_group(&failure);
       running--;
       show_progress(run, ++done, n_groups);
     }
-    status = start_group(run, kind[k / pictures], k % pictures / views,
-                         k % views, err);
+    status = start_group(&group[k], err);
     running += !status;
   }
   for (; running; running--) {
@@ -244,22 +331,39 @@ static bool needs_faces(const struct check_options *o) {
   return false;
 }
 
+/* All views of all sizes; the scene gets as many as are asked for. */
+static enum hsr_status make_views(struct scene_run *run,
+                                  struct hsr_error *err) {
+  const struct check_options *o = run->options;
+  uint32_t last = 0;
+  for (int k = 0; k < o->n_views; k++)
+    last = (uint32_t)o->view[k] > last ? (uint32_t)o->view[k] : last;
+  run->view = calloc((size_t)(o->n_sizes * o->n_views), sizeof *run->view);
+  if (!run->view ||
+      (run->scene->n_views <= last &&
+       hsr_scene_add_orbit(run->scene, last + 1 - run->scene->n_views)))
+    return hsr_fail_nomem(err);
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < o->n_sizes * o->n_views && !status; k++)
+    status = hsr_view_init(&run->view[k],
+                           &run->scene->views[o->view[k % o->n_views]],
+                           o->m[k / o->n_views], o->n[k / o->n_views], err);
+  return status;
+}
+
 static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
   const struct check_options *o = run->options;
   struct hsr_import import = o->import;
   enum hsr_status status = hsr_scene_open(run->name, &import, &run->scene, err);
+  if (!status)
+    status = make_views(run, err);
+  if (!status)
+    status = hsr_world_open(&run->world, run->scene, needs_faces(o), err);
   if (status)
     return status;
-  if (run->scene->n_views < o->views)
-    status = hsr_scene_add_orbit(run->scene,
-                                 (unsigned)o->views - run->scene->n_views);
-  if (status)
-    return hsr_fail_nomem(err);
-  status = hsr_world_open(&run->world, run->scene, needs_faces(o), err);
-  if (status)
-    return status;
-  run->cells_size = (size_t)(o->n_sizes * (int)o->views * o->n_algorithms) *
-                    sizeof *run->cells;
+  run->samples = samples_to_compare(&run->world, o->samples);
+  run->cells_size =
+      (size_t)(o->n_sizes * o->n_views * o->n_algorithms) * sizeof *run->cells;
   run->cells = shared_memory(run->cells_size);
   return run->cells ? HSR_OK : hsr_fail_nomem(err);
 }
@@ -267,6 +371,7 @@ static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
 static void close_run(struct scene_run *run) {
   if (run->cells)
     munmap(run->cells, run->cells_size);
+  free(run->view);
   hsr_world_free(&run->world);
   hsr_scene_delete(run->scene);
 }
@@ -275,11 +380,18 @@ static enum hsr_status check_scene(const struct check_options *o,
                                    const char *name, struct totals *totals,
                                    struct hsr_error *err) {
   struct scene_run run = {.options = o, .name = name};
+  struct group *group = NULL;
   enum hsr_status status = open_run(&run, err);
-  if (!status)
-    status = run_groups(&run, err);
+  if (!status) {
+    int n = list_groups(&run, NULL);
+    group = calloc((size_t)n, sizeof *group);
+    status = group ? HSR_OK : hsr_fail_nomem(err);
+    if (!status)
+      status = run_groups(&run, group, list_groups(&run, group), err);
+  }
   if (!status)
     status = report_scene(&run, totals, err);
+  free(group);
   close_run(&run);
   return status;
 }
@@ -288,7 +400,6 @@ enum hsr_status command_check(int argc, char **argv, struct hsr_error *err) {
   struct check_options *o = calloc(1, sizeof *o);
   if (!o)
     return hsr_fail_nomem(err);
-  o->views = 8;
   o->jobs = processors();
   o->timeout = 60;
   struct totals totals = {.mismatches = 0};

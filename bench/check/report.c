@@ -18,12 +18,12 @@ static void print_scene(const struct scene_run *run) {
   for (int size = 0; size < o->n_sizes; size++) {
     char samples[24];
     snprintf(samples, sizeof samples, "%dx%d", o->m[size], o->n[size]);
-    printf("%-22s %8u %9s %5ld ", run->name, run->world.n_faces, samples,
-           o->views);
+    printf("%-22s %8u %9s %5d ", run->name, run->world.n_faces, samples,
+           o->n_views);
     for (int a = 0; a < o->n_algorithms; a++) {
       uint64_t mismatches = 0;
       enum verdict worst = RIGHT;
-      for (int view = 0; view < o->views; view++) {
+      for (int view = 0; view < o->n_views; view++) {
         const struct cell *cell = cell_at(run, size, view, a);
         mismatches += cell->mismatches;
         if (cell->verdict > worst || cell->verdict == PENDING)
@@ -59,7 +59,7 @@ static void print_difference(const struct scene_run *run, int size, int view,
   const struct hsr_algorithm *algorithm = o->algorithm[a].listed->plain;
   if (c->verdict != WRONG || algorithm->flags & HSR_KNOWN_WRONG)
     return;
-  printf("  wrong: %s, view %d, %dx%d, %s: %llu ", run->name, view + 1,
+  printf("  wrong: %s, view %d, %dx%d, %s: %llu ", run->name, o->view[view] + 1,
          o->m[size], o->n[size], o->algorithm[a].name,
          (unsigned long long)c->mismatches);
   if (algorithm->kind == HSR_SEGMENTS) {
@@ -75,7 +75,7 @@ static void print_difference(const struct scene_run *run, int size, int view,
 static void print_refusal(const struct scene_run *run, int a) {
   const struct check_options *o = run->options;
   for (int size = 0; size < o->n_sizes; size++)
-    for (int view = 0; view < o->views; view++) {
+    for (int view = 0; view < o->n_views; view++) {
       const struct cell *c = cell_at(run, size, view, a);
       if (c->refusal[0]) {
         printf("  %s\n", c->refusal);
@@ -86,10 +86,12 @@ static void print_refusal(const struct scene_run *run, int a) {
 
 static void print_differences(const struct scene_run *run) {
   const struct check_options *o = run->options;
+  if (run->samples)
+    printf("  compared: %ld random samples of each picture\n", run->samples);
   for (int a = 0; a < o->n_algorithms; a++)
     print_refusal(run, a);
   for (int size = 0; size < o->n_sizes; size++)
-    for (int view = 0; view < o->views; view++)
+    for (int view = 0; view < o->n_views; view++)
       for (int a = 0; a < o->n_algorithms; a++)
         print_difference(run, size, view, a);
 }
@@ -107,11 +109,12 @@ static json_t *cell_json(const struct scene_run *run, int size, int view,
   const struct cell *c = cell_at(run, size, view, a);
   const struct hsr_algorithm *algorithm = o->algorithm[a].listed->plain;
   return json_pack(
-      "{ss si si si ss ss ss sI sb ss* so}", "scene", run->name, "view",
-      view + 1, "width", o->m[size], "height", o->n[size], "algorithm",
+      "{ss si si si ss ss ss sI sI sb ss* so}", "scene", run->name, "view",
+      o->view[view] + 1, "width", o->m[size], "height", o->n[size], "algorithm",
       o->algorithm[a].name, "kind", kind_name(algorithm->kind), "status",
       verdict_name(c->verdict), "mismatches", (json_int_t)c->mismatches,
-      "known_wrong", (algorithm->flags & HSR_KNOWN_WRONG) != 0, "refusal",
+      "compared", (json_int_t)c->compared, "known_wrong",
+      (algorithm->flags & HSR_KNOWN_WRONG) != 0, "refusal",
       c->refusal[0] ? c->refusal : NULL, "adapted", adapted_json(c));
 }
 
@@ -119,7 +122,7 @@ static enum hsr_status add_up(const struct scene_run *run,
                               struct totals *totals) {
   const struct check_options *o = run->options;
   for (int size = 0; size < o->n_sizes; size++)
-    for (int view = 0; view < o->views; view++)
+    for (int view = 0; view < o->n_views; view++)
       for (int a = 0; a < o->n_algorithms; a++) {
         const struct cell *c = cell_at(run, size, view, a);
         if (c->failure == HSR_E_NOMEM)

@@ -423,7 +423,7 @@ json_t *report_pictures(const struct report *report, struct hsr_error *err) {
     show_progress(k, json_array_size(views), view);
     struct view_picture p = {.report = report, .number = number++};
     status = open_view(&p, view, err);
-    if (!status)
+    if (!status && !hsr_is_outline(&p.stage.world)) /* or there is no picture */
       status = add_view(&p, view, pictures, err);
     close_view(&p);
   }

@@ -80,13 +80,18 @@ static void judge_kind(const struct place_run *run, enum hsr_kind kind) {
   const struct sweep_options *o = run->sweep->plan->options;
   struct hsr_variant algorithm[SWEEP_MOST_ENTRANTS];
   long threads[SWEEP_MOST_ENTRANTS];
+  int number = run->place.view - 1;
   struct group group = {.algorithm = algorithm,
                         .threads = threads,
                         .timeout = o->timeout,
                         .memory_mb = o->memory_mb,
+                        .samples =
+                            samples_to_compare(&run->stage.world, o->samples),
                         .world = &run->stage.world,
                         .kind = kind,
-                        .view = run->stage.view,
+                        .view = &run->stage.view,
+                        .number = &number,
+                        .n_views = 1,
                         .cells = run->shared->cells,
                         .picture = kind == HSR_IDS ? run->picture : NULL};
   /* Peers stand behind all algorithms. */
@@ -99,7 +104,10 @@ static void judge_kind(const struct place_run *run, enum hsr_kind kind) {
   end_process((int)judge_group(&group));
 }
 
+/* Of faces that are laid out. */
 static void judge_statistics(const struct place_run *run) {
+  if (hsr_is_outline(&run->stage.world))
+    end_process(HSR_OK);
   enum hsr_status status = measure_table1(&run->stage.world, &run->stage.view,
                                           &run->shared->table1, NULL);
   run->shared->has_table1 = !status;
@@ -177,16 +185,18 @@ static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
   return HSR_OK;
 }
 
-/* With the oracle's picture. */
+/* With the oracle's picture, as far as there is one. */
 static void compare_picture(const struct place_run *run, int k,
                             struct cell *cell) {
   size_t size = picture_size(run), n = size / sizeof *run->picture;
   uint32_t *ids = malloc(size);
   FILE *file = ids ? fopen(run->ids_file[k], "rb") : NULL;
   if (file && fread(ids, 1, size, file) == size) {
-    cell->compared = n;
     for (size_t s = 0; s < n; s++)
-      cell->mismatches += ids[s] != run->picture[s];
+      if (run->picture[s] != NOT_DRAWN) {
+        cell->compared++;
+        cell->mismatches += ids[s] != run->picture[s];
+      }
   }
   if (file)
     fclose(file);

@@ -69,6 +69,14 @@ static void print_cell_name(const json_t *cell) {
   printf("  %-22s %-8s", name, results_text(cell, "status"));
 }
 
+/* Where not all samples were compared. */
+static void print_samples(const json_t *cell) {
+  long compared = results_number(cell, "compared");
+  long all = results_number(cell, "width") * results_number(cell, "height");
+  if (compared && compared < all && !strcmp(results_text(cell, "kind"), "ids"))
+    printf("  at %ld samples", compared);
+}
+
 enum hsr_status print_summary(const struct results *results,
                               const char *reference, struct hsr_error *err) {
   printf("%-33s %11s %11s %11s %11s %9s\n", "", "median", "95 % from", "to",
@@ -91,6 +99,7 @@ enum hsr_status print_summary(const struct results *results,
     long wrong = results_number(cell, "mismatches");
     if (wrong)
       printf("  %ld mismatches", wrong);
+    print_samples(cell);
     const char *reason = results_text(cell, "reason");
     printf("%s%s\n", *reason ? "  " : "", reason);
     if (status)

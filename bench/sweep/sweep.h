@@ -29,6 +29,7 @@ struct sweep_options {
   long threads[SWEEP_MOST_THREADS];
   int n_threads;
   long views, starts, repetitions, seed, timeout, memory_mb;
+  long samples; /* of each picture that are compared; 0: as the scene allows */
   long shard, shards;        /* shard from 1 */
   const char *only;          /* pattern of keys, or NULL */
   const char *output;        /* NULL: nowhere that lasts */

@@ -43,6 +43,26 @@ static enum hsr_status banded(const struct hsr_job *job,
   return w->y1 - w->y0 < job->view->n ? broken(job, err) : zbuffer(job, err);
 }
 
+/* Right in the first two frames after it was prepared, and wrong from then on.
+ */
+static enum hsr_status forget(const struct hsr_world *world, const long *option,
+                              void **prepared, struct hsr_error *err) {
+  (void)option;
+  (void)world;
+  (void)err;
+  frames = 0;
+  *prepared = &frames;
+  return HSR_OK;
+}
+
+static enum hsr_status stale(const struct hsr_job *job, struct hsr_error *err) {
+  return ++frames > 2 ? broken(job, err) : zbuffer(job, err);
+}
+
+static void forgotten(void *prepared) {
+  (void)prepared;
+}
+
 /* --- Failing at once ---------------------------------------------------------
  */
 
@@ -163,6 +183,10 @@ static enum hsr_status witness_c(const struct hsr_job *job,
                                                     __VA_ARGS__};
 FIXTURE(broken, "broken", .render = broken)
 FIXTURE(banded, "banded", .render = banded)
+FIXTURE(stale, "stale", .prepare = forget, .render = stale,
+        .release = forgotten, .flags = HSR_FRAME_STATE)
+FIXTURE(fresh, "fresh", .prepare = forget, .render = stale,
+        .release = forgotten)
 FIXTURE(crasher, "crasher", .render = crasher)
 FIXTURE(staller, "staller", .render = staller)
 FIXTURE(hog, "hog", .render = hog)
@@ -190,6 +214,8 @@ const struct hsr_listed hsr_algorithms[] = {
     {&hsr_algorithm_zbuffer, &hsr_counting_zbuffer},
     {&hsr_algorithm_watkins, &hsr_counting_watkins},
     BOTH(broken),
+    BOTH(stale),
+    BOTH(fresh),
     BOTH(banded),
     BOTH(crasher),
     BOTH(staller),

@@ -49,10 +49,11 @@ void enter_folder(void) {
 /* --- The command -------------------------------------------------------------
  */
 
-static pid_t begin(const char *format, va_list words) {
+static pid_t begin(const char *subcommand, const char *format, va_list words) {
   char command[8192];
-  int length = snprintf(command, sizeof command,
-                        "exec '%s' bench >out 2>err </dev/null ", fixtures);
+  int length =
+      snprintf(command, sizeof command, "exec '%s' %s >out 2>err </dev/null ",
+               fixtures, subcommand);
   vsnprintf(command + length, sizeof command - (size_t)length, format, words);
   fflush(NULL);
   pid_t id = fork();
@@ -70,7 +71,7 @@ static pid_t begin(const char *format, va_list words) {
 pid_t bench_begin(const char *format, ...) {
   va_list words;
   va_start(words, format);
-  pid_t id = begin(format, words);
+  pid_t id = begin("bench", format, words);
   va_end(words);
   return id;
 }
@@ -81,10 +82,18 @@ int bench_end(pid_t id) {
   return WIFEXITED(end) ? WEXITSTATUS(end) : 128 + WTERMSIG(end);
 }
 
+int check(const char *format, ...) {
+  va_list words;
+  va_start(words, format);
+  pid_t id = begin("check", format, words);
+  va_end(words);
+  return bench_end(id);
+}
+
 int bench(const char *format, ...) {
   va_list words;
   va_start(words, format);
-  pid_t id = begin(format, words);
+  pid_t id = begin("bench", format, words);
   va_end(words);
   return bench_end(id);
 }

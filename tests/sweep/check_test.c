@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr check on algorithms that fail on purpose: those that are wrong only after
+ * some frames are found out where they keep a state, in whatever order; and of
+ * some samples no others are looked at. */
+#include "tests/sweep/sweeping.h"
+
+#include <string.h>
+
+#define SMALL "house --size 64x48 "
+
+/* The one sample that it draws wrong, in either build, makes a line each. */
+static bool is_wrong(const char *name, int view) {
+  char line[100];
+  snprintf(line, sizeof line, "wrong: house, view %d, 64x48, %s: 2 samples",
+           view, name);
+  return printed(line);
+}
+
+static bool sums_up(long samples, long mismatches) {
+  char line[100];
+  snprintf(line, sizeof line,
+           "\n%ld samples and 0 edges compared, %ld mismatches\n", samples,
+           mismatches);
+  return printed(line);
+}
+
+/* Some of the views are wrong: from the third that is drawn. */
+static void test_sequence(struct tap *tap) {
+  int status = check(SMALL "-a stale,zbuffer --views 4");
+  ok(tap, status == 1 && is_silent(), "what is wrong in the third frame fails");
+  ok(tap,
+     !is_wrong("stale", 1) && !is_wrong("stale", 2) && is_wrong("stale", 3) &&
+         is_wrong("stale", 4) && sums_up(2 * 4 * 64 * 48, 4),
+     "and is told from there on");
+  check(SMALL "-a stale --views 4 --order reverse");
+  ok(tap,
+     is_wrong("stale", 1) && is_wrong("stale", 2) && !is_wrong("stale", 3) &&
+         !is_wrong("stale", 4),
+     "the same with time reversed");
+  check(SMALL "-a stale --order 4,1,9,2");
+  ok(tap,
+     !is_wrong("stale", 4) && !is_wrong("stale", 1) && is_wrong("stale", 9) &&
+         is_wrong("stale", 2) && sums_up(4 * 64 * 48, 4),
+     "and with cuts");
+  check(SMALL "-a stale --order 1,1,1");
+  ok(tap, is_wrong("stale", 1) && sums_up(3 * 64 * 48, 2),
+     "and of one view again and again");
+  check(SMALL "-a stale --views 6 --order shuffle");
+  int wrong = 0;
+  for (int view = 1; view <= 6; view++)
+    wrong += is_wrong("stale", view);
+  ok(tap, wrong == 4 && sums_up(6 * 64 * 48, 8), "and in any order");
+  status = check(SMALL "-a stale --views 2");
+  ok(tap, !status, "two frames of a build are right");
+  status = check(SMALL "-a fresh --views 8 --order reverse");
+  ok(tap, !status && sums_up(8 * 64 * 48, 0),
+     "who keeps no state is prepared for every view");
+}
+
+/* `broken` is wrong at one sample, (0, 0). */
+static void test_samples(struct tap *tap) {
+  int status = check(SMALL "-a broken,zbuffer --views 1 --samples 20");
+  ok(tap, !status && sums_up(40, 0), "what is wrong elsewhere is not seen");
+  ok(tap, printed("compared: 20 random samples"),
+     "it is told how many there are");
+  status = check(SMALL "-a broken --views 1 --samples %d", 64 * 48 - 1);
+  ok(tap, status == 1 && is_wrong("broken", 1) && sums_up(64 * 48 - 1, 2),
+     "what is wrong at a sample is");
+  status = check(SMALL "-a broken --views 1 --samples 9999");
+  ok(tap, status == 1 && sums_up(64 * 48, 2), "more than there are: all");
+  status = check(SMALL "-a stale --views 4 --samples %d", 64 * 48 - 1);
+  ok(tap, status == 1 && is_wrong("stale", 3), "and so of frames in a row");
+
+  status = bench(SMALL "-a broken,zbuffer --counts --samples 20 -o s.ndjson");
+  struct results r = read_results("s.ndjson");
+  ok(tap,
+     !status && !strcmp(verdict(&r, "broken"), "ok") &&
+         printed("at 20 samples"),
+     "a bench judges by some samples likewise");
+  results_free(&r);
+}
+
+int main(void) {
+  struct tap tap = plan(8 + 6);
+  enter_folder();
+  test_sequence(&tap);
+  test_samples(&tap);
+  return finish(&tap);
+}
