@@ -6,6 +6,8 @@
  *             changes nothing.
  * Sides       both, of every face: of a closed solid before the eye no ray
  *             meets the back first.
+ * Outlines    the two levels of Embree: a hierarchy of boxes for each object,
+ *             and one of the instances.
  * Threads     OpenMP's, each a band of rows at a time. */
 #include "bench/peers/peers.h"
 
@@ -28,8 +30,14 @@ struct embree {
   RTCScene scene;
   bool packets;
   int threads;
-  const uint32_t *parent; /* of a triangle: its face; NULL: itself */
+  const struct hsr_world *triangles, *outline; /* as in peer_canvas */
   uint32_t *ids;
+};
+
+/* What becomes a geometry: a scene, or one of its objects. */
+struct part {
+  uint32_t first_vertex, n_vertices;
+  uint32_t first_face, n_faces;
 };
 
 static enum hsr_status embree_fail(const struct embree *embree,
@@ -43,41 +51,127 @@ static enum hsr_status embree_fail(const struct embree *embree,
 
 static enum hsr_status fill_geometry(const struct embree *embree,
                                      RTCGeometry geometry,
-                                     const struct hsr_world *world,
+                                     const struct part *part,
                                      struct hsr_error *err) {
+  const struct hsr_world *world = embree->triangles;
   float *xyz = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                                        RTC_FORMAT_FLOAT3, 3 * sizeof *xyz,
-                                       world->n_vertices);
-  uint32_t *corner = rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof *corner,
-      world->n_faces);
+                                       part->n_vertices);
+  uint32_t *corner = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+                                             RTC_FORMAT_UINT3,
+                                             3 * sizeof *corner, part->n_faces);
   if (!xyz || !corner)
     return embree_fail(embree, "making buffers", err);
-  for (size_t v = 0; v < world->n_vertices; v++) {
-    xyz[3 * v] = (float)world->x[v];
-    xyz[3 * v + 1] = (float)world->y[v];
-    xyz[3 * v + 2] = (float)world->z[v];
+  for (size_t k = 0; k < part->n_vertices; k++) {
+    size_t v = part->first_vertex + k;
+    xyz[3 * k] = (float)world->x[v];
+    xyz[3 * k + 1] = (float)world->y[v];
+    xyz[3 * k + 2] = (float)world->z[v];
   }
-  memcpy(corner, world->vertex, (size_t)world->n_corners * sizeof *corner);
+  const uint32_t *vertex = world->vertex + world->start[part->first_face];
+  for (size_t c = 0; c < 3 * (size_t)part->n_faces; c++)
+    corner[c] = vertex[c] - part->first_vertex;
   return HSR_OK;
 }
 
-static enum hsr_status build(struct embree *embree,
-                             const struct hsr_world *world,
-                             struct hsr_error *err) {
-  embree->scene = rtcNewScene(embree->device);
+static enum hsr_status attach_triangles(const struct embree *embree,
+                                        const struct part *part, RTCScene scene,
+                                        struct hsr_error *err) {
   RTCGeometry geometry =
       rtcNewGeometry(embree->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  if (!embree->scene || !geometry)
-    return embree_fail(embree, "making a scene", err);
-  rtcSetSceneFlags(embree->scene, RTC_SCENE_FLAG_NONE);
-  enum hsr_status status = fill_geometry(embree, geometry, world, err);
+  if (!geometry)
+    return embree_fail(embree, "making triangles", err);
+  enum hsr_status status = fill_geometry(embree, geometry, part, err);
   if (!status) {
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(embree->scene, geometry);
-    rtcCommitScene(embree->scene);
+    rtcAttachGeometry(scene, geometry);
   }
   rtcReleaseGeometry(geometry);
+  return status;
+}
+
+/* The hierarchy of triangles. *scene is NULL, or the caller's to release. */
+static enum hsr_status build_part(const struct embree *embree,
+                                  const struct part *part, RTCScene *scene,
+                                  struct hsr_error *err) {
+  *scene = rtcNewScene(embree->device);
+  if (!*scene)
+    return embree_fail(embree, "making a scene", err);
+  enum hsr_status status = HSR_OK;
+  if (part->n_faces)
+    status = attach_triangles(embree, part, *scene, err);
+  if (!status)
+    rtcCommitScene(*scene);
+  return status;
+}
+
+static enum hsr_status build_objects(const struct embree *embree,
+                                     RTCScene *object, struct hsr_error *err) {
+  const struct hsr_scene *scene = embree->outline->scene;
+  const uint32_t *first = embree->triangles->first;
+  uint32_t first_vertex = 0;
+  enum hsr_status status = HSR_OK;
+  for (uint32_t o = 0; o < scene->n_objects && !status; o++) {
+    struct part part = {.first_vertex = first_vertex,
+                        .n_vertices = scene->objects[o].n_vertices,
+                        .first_face = first[o],
+                        .n_faces = first[o + 1] - first[o]};
+    first_vertex += part.n_vertices;
+    status = build_part(embree, &part, &object[o], err);
+  }
+  return status;
+}
+
+/* The hierarchy of instances; hits tell an instance by its number. */
+static enum hsr_status place_objects(struct embree *embree,
+                                     const RTCScene *object,
+                                     struct hsr_error *err) {
+  const struct hsr_scene *scene = embree->outline->scene;
+  embree->scene = rtcNewScene(embree->device);
+  if (!embree->scene)
+    return embree_fail(embree, "making a scene", err);
+  for (uint32_t i = 0; i < scene->n_instances; i++) {
+    const struct hsr_instance *instance = &scene->instances[i];
+    RTCGeometry geometry =
+        rtcNewGeometry(embree->device, RTC_GEOMETRY_TYPE_INSTANCE);
+    if (!geometry)
+      return embree_fail(embree, "making an instance", err);
+    float m[12];
+    for (int k = 0; k < 12; k++)
+      m[k] = (float)instance->m[k];
+    rtcSetGeometryInstancedScene(geometry, object[instance->object]);
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, m);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(embree->scene, geometry, i);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(embree->scene);
+  return HSR_OK;
+}
+
+/* Instances keep the scenes of their objects. */
+static enum hsr_status build_levels(struct embree *embree,
+                                    struct hsr_error *err) {
+  uint32_t n = embree->outline->scene->n_objects;
+  RTCScene *object = calloc(n, sizeof *object);
+  if (!object)
+    return hsr_fail_nomem(err);
+  enum hsr_status status = build_objects(embree, object, err);
+  if (!status)
+    status = place_objects(embree, object, err);
+  for (uint32_t o = 0; o < n; o++)
+    if (object[o])
+      rtcReleaseScene(object[o]);
+  free(object);
+  return status;
+}
+
+static enum hsr_status build(struct embree *embree, struct hsr_error *err) {
+  struct part all = {.n_vertices = embree->triangles->n_vertices,
+                     .n_faces = embree->triangles->n_faces};
+  enum hsr_status status = embree->outline
+                               ? build_levels(embree, err)
+                               : build_part(embree, &all, &embree->scene, err);
   if (!status && rtcGetDeviceError(embree->device) != RTC_ERROR_NONE)
     status = hsr_fail(err, HSR_E_INTERNAL, "embree: the build failed");
   return status;
@@ -90,27 +184,45 @@ static enum hsr_status embree_setup(const struct peer *peer,
   *state = embree;
   if (!embree)
     return hsr_fail_nomem(err);
-  const struct hsr_world *world = canvas->setup->world;
   embree->packets = *(const bool *)peer->flavour;
   embree->threads = (int)canvas->threads;
-  embree->parent = world->pieces ? world->pieces->parent : NULL;
+  embree->triangles = canvas->setup->world;
+  embree->outline = canvas->outline;
   embree->ids = canvas->ids;
   char config[32];
   snprintf(config, sizeof config, "threads=%d", embree->threads);
   embree->device = rtcNewDevice(config);
   if (!embree->device)
     return embree_fail(embree, "making a device", err);
-  return build(embree, world, err);
+  return build(embree, err);
+}
+
+/* --- What is hit -----------------------------------------------------------
+ */
+
+/* The face of the scene that triangle k of an instance is, or is a piece of. */
+static uint32_t name_in_instance(const struct embree *embree, uint32_t k,
+                                 uint32_t instance) {
+  const struct hsr_world *triangles = embree->triangles;
+  const struct hsr_world *faces =
+      triangles->pieces ? triangles->pieces->whole : triangles;
+  uint32_t object = embree->outline->scene->instances[instance].object;
+  uint32_t face = hsr_world_parent(triangles, triangles->first[object] + k);
+  return embree->outline->first[instance] + (face - faces->first[object]);
+}
+
+/* By Embree's numbers; that of the triangle is HSR_BACKGROUND still if nothing
+ * was hit. */
+static uint32_t name_hit(const struct embree *embree, uint32_t triangle,
+                         uint32_t instance) {
+  if (triangle == HSR_BACKGROUND)
+    return HSR_BACKGROUND;
+  return embree->outline ? name_in_instance(embree, triangle, instance)
+                         : hsr_world_parent(embree->triangles, triangle);
 }
 
 /* --- Single rays -----------------------------------------------------------
  */
-
-/* An id of Embree's, that is HSR_BACKGROUND still if nothing was hit. */
-static uint32_t name_hit(const struct embree *embree, uint32_t triangle) {
-  return embree->parent && triangle != HSR_BACKGROUND ? embree->parent[triangle]
-                                                      : triangle;
-}
 
 static uint32_t trace_ray(const struct embree *embree,
                           struct RTCIntersectContext *context,
@@ -130,7 +242,7 @@ static uint32_t trace_ray(const struct embree *embree,
               .mask = UINT32_MAX},
       .hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .primID = HSR_BACKGROUND}};
   rtcIntersect1(embree->scene, context, &one);
-  return name_hit(embree, one.hit.primID);
+  return name_hit(embree, one.hit.primID, one.hit.instID[0]);
 }
 
 /* --- Packets ---------------------------------------------------------------
@@ -181,7 +293,8 @@ static void trace_packet(const struct embree *embree,
   for (int k = 0; k < height; k++)
     for (int i = 0; i < width; i++)
       embree->ids[(size_t)(y + k) * (size_t)view->m + (size_t)(x + i)] =
-          name_hit(embree, packet->hit.primID[SIDE * k + i]);
+          name_hit(embree, packet->hit.primID[SIDE * k + i],
+                   packet->hit.instID[0][SIDE * k + i]);
 }
 
 /* --- A frame ---------------------------------------------------------------
@@ -266,7 +379,7 @@ static void embree_version(char *text) {
 
 static const bool singly = false, in_packets = true;
 
-#define EMBREE(name_, title_, flavour_, what_)                                 \
+#define EMBREE(name_, title_, flavour_, outlines_, what_)                      \
   {                                                                            \
     .name = name_, .title = title_,                                            \
     .source = "I. Wald, S. Woop, C. Benthin, G. S. Johnson and M. Ernst, "     \
@@ -277,11 +390,18 @@ static const bool singly = false, in_packets = true;
         "leaves out copying the vertices, as floats, and building the "        \
         "hierarchy of boxes.",                                                 \
     .kind = "ids", .many_threads = MANY_THREADS, .flavour = flavour_,          \
-    .demands = &takes_triangles, .version = embree_version,                    \
-    .setup = embree_setup, .draw = embree_draw, .release = embree_release      \
+    .demands = &takes_triangles, .outlines = outlines_,                        \
+    .version = embree_version, .setup = embree_setup, .draw = embree_draw,     \
+    .release = embree_release                                                  \
   }
-const struct peer peer_embree = EMBREE("embree", "Embree, single rays", &singly,
-                                       "Ray tracing, one ray at a time.");
-const struct peer peer_embree_packets =
-    EMBREE("embree-packets", "Embree, packets of 16 rays", &in_packets,
-           "Ray tracing, sixteen rays of 4 x 4 samples at a time.");
+const struct peer peer_embree =
+    EMBREE("embree", "Embree, single rays", &singly, OUTLINES_TAKEN,
+           "Ray tracing, one ray at a time.");
+const struct peer peer_embree_packets = EMBREE(
+    "embree-packets", "Embree, packets of 16 rays", &in_packets, OUTLINES_TAKEN,
+    "Ray tracing, sixteen rays of 4 x 4 samples at a time.");
+const struct peer peer_embree_instances =
+    EMBREE("embree-instances", "Embree, packets of 16 rays, on two levels",
+           &in_packets, OUTLINES_ONLY,
+           "As embree-packets, with a hierarchy of boxes for each object and "
+           "one of the instances, whose faces are never laid out.");

@@ -15,6 +15,7 @@ static const struct peer *const peers[] = {
 #if HSR_HAVE_EMBREE
     &peer_embree,
     &peer_embree_packets,
+    &peer_embree_instances,
 #endif
 #if HSR_HAVE_OFFSCREEN
     &peer_llvmpipe,
@@ -82,6 +83,8 @@ struct run {
   const struct peer *peer;
   const struct serve_request *request;
   struct stage stage;
+  struct hsr_scene once; /* of an outline: its objects, which are borrowed, */
+  struct hsr_world objects; /* laid out once each */
   struct hsr_setup setup;
   struct peer_canvas canvas;
   long before_kb;
@@ -115,16 +118,43 @@ static enum hsr_status judge_run(struct run *run, struct hsr_error *err) {
   return status ? status : json_print(verdict, err);
 }
 
+/* Every object once, in its own coordinates. */
+static enum hsr_status lay_out_objects(struct run *run, struct hsr_error *err) {
+  const struct hsr_scene *scene = run->stage.scene;
+  double begin = seconds_now();
+  run->once = (struct hsr_scene){
+      .name = scene->name,
+      .objects = scene->objects,
+      .instances = calloc(scene->n_objects, sizeof *run->once.instances),
+      .n_objects = scene->n_objects,
+      .n_instances = scene->n_objects};
+  if (!run->once.instances)
+    return hsr_fail_nomem(err);
+  for (uint32_t o = 0; o < scene->n_objects; o++)
+    run->once.instances[o] = (struct hsr_instance){
+        .object = o, .m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
+  enum hsr_status status = hsr_world_init(&run->objects, &run->once, err);
+  run->stage.import_seconds += seconds_now() - begin;
+  return status;
+}
+
+static bool is_drawn_by_objects(const struct run *run) {
+  return run->peer->outlines != OUTLINES_REFUSED &&
+         hsr_is_outline(&run->stage.world);
+}
+
 /* Ids are those of no face until they are drawn. */
 static enum hsr_status make_canvas(struct run *run, struct hsr_error *err) {
   const struct serve_request *request = run->request;
   size_t size =
       (size_t)request->m * (size_t)request->n * sizeof *run->canvas.ids;
-  run->canvas = (struct peer_canvas){.setup = &run->setup,
-                                     .m = request->m,
-                                     .n = request->n,
-                                     .threads = request->threads,
-                                     .ids = malloc(size)};
+  run->canvas = (struct peer_canvas){
+      .setup = &run->setup,
+      .outline = is_drawn_by_objects(run) ? &run->stage.world : NULL,
+      .m = request->m,
+      .n = request->n,
+      .threads = request->threads,
+      .ids = malloc(size)};
   if (!run->canvas.ids)
     return hsr_fail_nomem(err);
   memset(run->canvas.ids, 0xfe, size);
@@ -132,8 +162,10 @@ static enum hsr_status make_canvas(struct run *run, struct hsr_error *err) {
 }
 
 static enum hsr_status set_up(struct run *run, struct hsr_error *err) {
-  enum hsr_status status = hsr_setup_init(&run->setup, run->peer->demands, NULL,
-                                          &run->stage.world, err);
+  const struct hsr_world *world =
+      is_drawn_by_objects(run) ? &run->objects : &run->stage.world;
+  enum hsr_status status =
+      hsr_setup_init(&run->setup, run->peer->demands, NULL, world, err);
   if (!status)
     status = make_canvas(run, err);
   double begin = seconds_now();
@@ -151,8 +183,10 @@ run_peer(const struct peer *peer, const struct serve_request *request,
     return hsr_fail(err, HSR_E_REFUSED, "%s draws on one thread", peer->name);
   struct run run = {.peer = peer, .request = request};
   enum hsr_status status =
-      stage_open(&run.stage, request->scene, true, request->view, request->m,
-                 request->n, err);
+      stage_open(&run.stage, request->scene, peer->outlines != OUTLINES_ONLY,
+                 request->view, request->m, request->n, err);
+  if (!status && is_drawn_by_objects(&run))
+    status = lay_out_objects(&run, err);
   if (!status) {
     run.before_kb = memory_kb();
     status = set_up(&run, err);
@@ -162,6 +196,8 @@ run_peer(const struct peer *peer, const struct serve_request *request,
     free(run.canvas.ids);
     hsr_setup_free(&run.setup);
   }
+  hsr_world_free(&run.objects);
+  free(run.once.instances);
   stage_close(&run.stage);
   return status;
 }

@@ -106,7 +106,8 @@ static void fill_release(void *state) {
   free(fill);
 }
 
-static const struct hsr_algorithm takes_all = {.name = "any"};
+static const struct hsr_algorithm takes_all = {.name = "any",
+                                               .flags = HSR_INSTANCED};
 
 const struct peer peer_memset = {
     .name = "memset",

@@ -26,11 +26,18 @@ extern "C" {
 
 /* What a peer is set up for. All borrowed, and outlives it. */
 struct peer_canvas {
-  const struct hsr_setup *setup; /* of peer->demands, for the scene */
+  const struct hsr_setup *setup;   /* of peer->demands, for the scene; where
+                                      there is an outline, for its objects, each
+                                      once, in their own coordinates */
+  const struct hsr_world *outline; /* of the scene; NULL: it is laid out */
   int m, n;
   long threads;  /* 1, unless the peer can draw on several */
   uint32_t *ids; /* m * n: for the face of sample (i, j), at j * m + i */
 };
+
+/* Which scenes a peer draws from an outline and the objects: none, those that
+ * are too large to be laid out, or all. */
+enum outlines { OUTLINES_REFUSED, OUTLINES_TAKEN, OUTLINES_ONLY };
 
 struct peer {
   const char *name, *title, *source, *what;
@@ -40,6 +47,7 @@ struct peer {
 
   /* The algorithm whose demands on a scene are the peer's too. */
   const struct hsr_algorithm *demands;
+  enum outlines outlines;
 
   /* Writes the version, at most PEER_VERSION characters; an empty one where the
    * peer cannot be started. */
@@ -69,7 +77,8 @@ enum { PEER_VERSION = 80 };
 /* Nothing but a restriction: it demands triangles. */
 extern const struct hsr_algorithm takes_triangles; /* main.c */
 
-extern const struct peer peer_embree, peer_embree_packets;    /* embree.c */
+extern const struct peer peer_embree, peer_embree_packets,
+    peer_embree_instances;                                    /* embree.c */
 extern const struct peer peer_llvmpipe, peer_llvmpipe_arrays; /* llvmpipe.c */
 extern const struct peer peer_vtk, peer_vtk_painter;          /* vtk.cc */
 extern const struct peer peer_gl2ps;                          /* gl2ps.c */
