@@ -134,6 +134,13 @@ static int enclosing_level(const struct rectangle *r) {
   return differ ? 32 - __builtin_clz(differ) : 0;
 }
 
+/* The least level where the rectangle meets at most two by two entries. */
+static int covering_level(const struct rectangle *r) {
+  int width = r->x1 - r->x0, height = r->y1 - r->y0;
+  unsigned side = (unsigned)(width > height ? width : height);
+  return side ? 32 - __builtin_clz(side) : 0;
+}
+
 /* An entry stands for a square of samples, each of which it touches by its
  * share. */
 static void touch(const struct hsr_pyramid *p, int level, int x, int y) {
@@ -182,8 +189,12 @@ static bool hides(struct hsr_pyramid *p, const struct rectangle *r, float q,
 bool HSR_OF_BUILD(hsr_pyramid_hides)(struct hsr_pyramid *p,
                                      struct hsr_bounds box, float q) {
   struct rectangle r = rectangle_of(p, box);
-  int level = enclosing_level(&r);
-  return hides(p, &r, q, level, r.x0 >> level, r.y0 >> level);
+  int level = covering_level(&r);
+  for (int y = r.y0 >> level; y <= r.y1 >> level; y++)
+    for (int x = r.x0 >> level; x <= r.x1 >> level; x++)
+      if (!hides(p, &r, q, level, x, y))
+        return false;
+  return true;
 }
 
 /* The largest value of e + ex x + ey y over the samples of a box, counted from

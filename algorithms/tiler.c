@@ -61,10 +61,19 @@ enum {
 static const double FARTHEST = 32767.9;
 static const float SNAP = 0x1.01p-16f; /* s */
 
+/* A row of a face that covers all of it: 1/t = a sx + (b sy) + c. */
+struct span {
+  uint32_t f, id;
+  double a, by, c;
+  float least; /* a depth is unknown unless it is more: within HSR_RHO */
+  int j, x0, x1;
+};
+
 /* The steps that are written twice, for every machine and for AVX-512. */
 struct hsr_twin {
   void (*gather)(const struct hsr_tiler *, struct hsr_batch *);
   void (*compact)(struct hsr_batch *);
+  void (*tile_span)(struct hsr_tiler *, const struct span *);
   void (*tile)(struct hsr_tiler *, const struct hsr_triangle *);
   void (*tile_batch)(struct hsr_tiler *, const struct hsr_batch *);
   void (*write_back)(const struct hsr_tiler *, const struct hsr_job *);
@@ -414,8 +423,8 @@ struct hsr_triangle HSR_OF_BUILD(hsr_tiler_take)(const struct hsr_batch *b,
       r->id[k],    false};
 }
 
-/* --- Tiling triangles
- * ---------------------------------------------------------- */
+/* --- The general way
+ * --------------------------------------------------------------- */
 
 /* The samples that a box and the part being tiled have in common. */
 static inline struct hsr_window clip(const struct hsr_tiler *t, int x0, int y0,
@@ -424,6 +433,148 @@ static inline struct hsr_window clip(const struct hsr_tiler *t, int x0, int y0,
   return (struct hsr_window){x0 > p->x0 ? x0 : p->x0, y0 > p->y0 ? y0 : p->y0,
                              x1 < p->x1 ? x1 : p->x1, y1 < p->y1 ? y1 : p->y1};
 }
+
+static void tile_span_from(struct hsr_tiler *t, const struct span *s, int i) {
+  for (; i < s->x1; i++) {
+    float q = (float)(s->a * hsr_sample_x(t->view, i) + s->by + s->c);
+    settle(t, s->f, s->id, q > s->least ? q : NAN, true, i, s->j);
+  }
+}
+
+static void tile_span_portable(struct hsr_tiler *t, const struct span *s) {
+  tile_span_from(t, s, s->x0);
+}
+
+#ifdef HAVE_AVX512_TWIN
+
+AVX512 static inline __m256 eight_depths(const struct span *s, __m512d x) {
+  __m512d q = _mm512_mul_pd(_mm512_set1_pd(s->a), x);
+  q = _mm512_add_pd(_mm512_add_pd(q, _mm512_set1_pd(s->by)),
+                    _mm512_set1_pd(s->c));
+  return _mm512_cvtpd_ps(q);
+}
+
+AVX512 static void tile_span_avx512(struct hsr_tiler *t, const struct span *s) {
+  const __m512 clear = _mm512_set1_ps(HSR_CLEAR);
+  const __m512i id = _mm512_set1_epi32((int)s->id);
+  const __m512d lanes = _mm512_set_pd(7, 6, 5, 4, 3, 2, 1, 0);
+  size_t row = (size_t)(s->j - t->part.y0);
+  uint32_t *ids = t->ids + row * t->ids_stride;
+  float *z = t->z + row * t->z_stride;
+  for (int i = s->x0; i < s->x1; i += LANES) {
+    __m512d x = _mm512_add_pd(lanes, _mm512_set1_pd(hsr_sample_x(t->view, i)));
+    __m512 q = _mm512_castps256_ps512(eight_depths(s, x));
+    x = _mm512_add_pd(x, _mm512_set1_pd(8));
+    q = _mm512_castpd_ps(_mm512_insertf64x4(
+        _mm512_castps_pd(q), _mm256_castps_pd(eight_depths(s, x)), 1));
+    __mmask16 in = first_lanes(s->x1 - i);
+    float *z_here = z + (i - t->part.x0);
+    __m512 held = _mm512_maskz_loadu_ps(in, z_here);
+    __mmask16 known =
+        _mm512_mask_cmp_ps_mask(in, q, _mm512_set1_ps(s->least), _CMP_GT_OQ);
+    __mmask16 nearer = _mm512_mask_cmp_ps_mask(
+        known, q, _mm512_mul_ps(held, clear), _CMP_GT_OQ);
+    __mmask16 farther = _mm512_mask_cmp_ps_mask(known, _mm512_mul_ps(q, clear),
+                                                held, _CMP_LT_OQ);
+    _mm512_mask_storeu_ps(z_here, nearer, q);
+    _mm512_mask_storeu_epi32(ids + (i - t->part.x0), nearer, id);
+    if ((nearer | farther) == in)
+      continue;
+    float depth[LANES];
+    _mm512_storeu_ps(depth, q);
+    for (unsigned rest = in & ~(unsigned)(nearer | farther); rest;
+         rest &= rest - 1) {
+      int l = __builtin_ctz(rest);
+      settle(t, s->f, s->id, known >> l & 1 ? depth[l] : NAN, true, i + l,
+             s->j);
+    }
+  }
+}
+
+#endif
+
+/* Where a depth of the face is within HSR_RHO / 2. */
+static void tile_span(struct hsr_tiler *t, uint32_t f, int j, int x0, int x1) {
+  const struct hsr_depth_plane *p = &t->screen.plane[f];
+  struct span span = {.f = f,
+                      .id = called(t, f),
+                      .a = p->a,
+                      .by = p->b * hsr_sample_y(t->view, j),
+                      .c = p->c,
+                      .least = (float)p->error / (0.5f * HSR_RHO),
+                      .j = j,
+                      .x0 = x0 < t->part.x0 ? t->part.x0 : x0,
+                      .x1 = x1 > t->part.x1 ? t->part.x1 : x1};
+  if (span.x0 < span.x1)
+    t->twin->tile_span(t, &span);
+}
+
+/* The rows from j on that an edge crosses, up to row `end`: those that the
+ * other edge crosses too. */
+static void tile_between(struct hsr_tiler *t, uint32_t f,
+                         const struct hsr_edge *e, const struct hsr_edge *g,
+                         int j, int end) {
+  j = j < t->part.y0 ? t->part.y0 : j;
+  end = end > t->part.y1 ? t->part.y1 : end;
+  for (; j < end; j++) {
+    int x0 = hsr_edge_column(&t->screen, e, j, t->tally);
+    int x1 = hsr_edge_column(&t->screen, g, j, t->tally);
+    tile_span(t, f, j, x0 < x1 ? x0 : x1, x0 < x1 ? x1 : x0);
+  }
+}
+
+/* A triangle that is whole: from its upper corner to the middle one, and from
+ * there to the lower one. */
+static void tile_whole(struct hsr_tiler *t, uint32_t f) {
+  const struct hsr_world *world = t->screen.world;
+  uint32_t v[3];
+  int row[3];
+  memcpy(v, world->vertex + world->start[f], sizeof v);
+  for (int k = 0; k < 3; k++)
+    row[k] = hsr_vertex_row(&t->screen, v[k], t->tally);
+  for (int k = 0; k < 3; k++) { /* bubbles: 0 1, 1 2, 0 1 */
+    int a = k % 2, b = a + 1, r = row[a];
+    uint32_t w = v[a];
+    if (row[a] <= row[b])
+      continue;
+    row[a] = row[b], v[a] = v[b];
+    row[b] = r, v[b] = w;
+  }
+  struct hsr_edge all, upper, lower;
+  hsr_edge_init(&all, &t->screen, v[0], v[2]);
+  hsr_edge_init(&upper, &t->screen, v[0], v[1]);
+  hsr_edge_init(&lower, &t->screen, v[1], v[2]);
+  tile_between(t, f, &all, &upper, row[0], row[1]);
+  tile_between(t, f, &all, &lower, row[1], row[2]);
+}
+
+bool HSR_OF_BUILD(hsr_tiler_place)(struct hsr_tiler *t, uint32_t f) {
+  if (t->few)
+    hsr_world_find_plane(t->few, f, &t->tally->out_of_memory);
+  hsr_screen_plane(&t->screen, f);
+  if (!hsr_screen_place(&t->screen, f, t->tally))
+    return false;
+  HSR_COUNT(t->tally, HSR_GENERAL, 1);
+  return true;
+}
+
+void HSR_OF_BUILD(hsr_tiler_tile_generally)(struct hsr_tiler *t, uint32_t f) {
+  if (t->screen.whole[f] && hsr_face_size(t->screen.world, f) == 3) {
+    tile_whole(t, f);
+    return;
+  }
+  const struct hsr_bounds *bounds = &t->screen.bounds[f];
+  struct hsr_window box =
+      clip(t, bounds->x0, bounds->y0, bounds->x1, bounds->y1);
+  for (int j = box.y0; j < box.y1; j++) {
+    int n = hsr_face_spans(&t->screen, f, j, t->columns, t->tally);
+    for (int k = 0; k < n; k += 2)
+      tile_span(t, f, j, t->columns[k], t->columns[k + 1]);
+  }
+}
+
+/* --- Tiling triangles
+ * ---------------------------------------------------------- */
 
 /* What a triangle has at a sample: its depth; whether it covers it perhaps, and
  * for certain. */
@@ -506,9 +657,9 @@ static void write_back_portable(const struct hsr_tiler *t,
            (size_t)(p->x1 - p->x0) * sizeof *t->ids);
 }
 
-static const struct hsr_twin portable = {gather_portable, compact_portable,
-                                         tile_portable, tile_batch_portable,
-                                         write_back_portable};
+static const struct hsr_twin portable = {
+    gather_portable, compact_portable,    tile_span_portable,
+    tile_portable,   tile_batch_portable, write_back_portable};
 
 #ifdef HAVE_AVX512_TWIN
 
@@ -743,9 +894,9 @@ AVX512 static void write_back_avx512(const struct hsr_tiler *t,
   _mm_sfence();
 }
 
-static const struct hsr_twin avx512 = {gather_avx512, compact_avx512,
-                                       tile_avx512, tile_batch_avx512,
-                                       write_back_avx512};
+static const struct hsr_twin avx512 = {gather_avx512,     compact_avx512,
+                                       tile_span_avx512,  tile_avx512,
+                                       tile_batch_avx512, write_back_avx512};
 
 #endif
 
@@ -755,43 +906,6 @@ static const struct hsr_twin *choose_twin(void) {
     return &avx512;
 #endif
   return &portable;
-}
-
-/* --- The general way
- * --------------------------------------------------------------- */
-
-static void tile_span(struct hsr_tiler *t, uint32_t f, int j, int x0, int x1) {
-  uint32_t id = called(t, f);
-  float error = (float)t->screen.plane[f].error;
-  for (int i = x0; i < x1; i++) {
-    float q = (float)hsr_depth(&t->screen, f, i, j);
-    /* Unknown unless within HSR_RHO. */
-    settle(t, f, id, error < 0.5f * HSR_RHO * q ? q : NAN, true, i, j);
-  }
-}
-
-bool HSR_OF_BUILD(hsr_tiler_place)(struct hsr_tiler *t, uint32_t f) {
-  if (t->few)
-    hsr_world_find_plane(t->few, f, &t->tally->out_of_memory);
-  hsr_screen_plane(&t->screen, f);
-  if (!hsr_screen_place(&t->screen, f, t->tally))
-    return false;
-  HSR_COUNT(t->tally, HSR_GENERAL, 1);
-  return true;
-}
-
-void HSR_OF_BUILD(hsr_tiler_tile_generally)(struct hsr_tiler *t, uint32_t f) {
-  const struct hsr_bounds *bounds = &t->screen.bounds[f];
-  struct hsr_window box =
-      clip(t, bounds->x0, bounds->y0, bounds->x1, bounds->y1);
-  for (int j = box.y0; j < box.y1; j++) {
-    int n = hsr_face_spans(&t->screen, f, j, t->columns, t->tally);
-    for (int k = 0; k < n; k += 2) {
-      int x0 = t->columns[k], x1 = t->columns[k + 1];
-      tile_span(t, f, j, x0 < t->part.x0 ? t->part.x0 : x0,
-                x1 > t->part.x1 ? t->part.x1 : x1);
-    }
-  }
 }
 
 /* --- For whoever tiles -----------------------------------------------------
