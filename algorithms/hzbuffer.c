@@ -91,10 +91,10 @@ enum option {
 };
 enum { OFF, ON };
 enum { PUSHED, ENCLOSING };
-enum { RECTANGLE, SIDES };
+enum { RECTANGLE, SIDES, WHOLE };
 enum { FAST, BASIC, DEFINITIVE, NONE };
 enum { NO_COHERENCE, LIST, PASSES };
-enum { WHOLE, LAZY, BEHIND };
+enum { FRESH, LAZY, BEHIND };
 enum { WORK_ALL, WORK_PYRAMID, WORK_BOXES, WORK_POLYGONS };
 
 static const struct hsr_word off_on[] = {
@@ -109,6 +109,7 @@ static const struct hsr_word placements[] = {
 static const struct hsr_word cube_tests[] = {
     {"rectangle", "sides by their bounding rectangles, as in the thesis", 0},
     {"sides", "where that leaves it open, scan-converted, as in 1993", 0},
+    {"whole", "the cube, instead of its sides, by its bounding rectangle", 0},
     {NULL, NULL, 0}};
 static const struct hsr_word polygon_tests[] = {
     {"fast", "bounding rectangles, by recursion", 0},
@@ -143,7 +144,7 @@ static const struct hsr_option options[] = {
     [SMALL] = {"small", "small is an area of less than 1/N of a cube's side",
                NULL, 1, 100000, 10},
     [PYRAMID] = {"pyramid", "test by the z-pyramid", off_on, 0, 1, ON},
-    [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 1, RECTANGLE},
+    [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 2, RECTANGLE},
     [POLYGONS] = {"polygons", "how a face is tested", polygon_tests, 0, 3,
                   FAST},
     [NEAR] = {"near", "a second pyramid, of the nearest depths", off_on, 0, 1,
@@ -155,7 +156,7 @@ static const struct hsr_option options[] = {
     [COHERENCE] = {"coherence", "what is kept from frame to frame", coherences,
                    0, 2, NO_COHERENCE},
     [MOVERS] = {"movers", "what is done with objects that move", movings, 0, 2,
-                WHOLE},
+                FRESH},
     [WORK] = {"work", "what the work picture shows", works, 0, 3, WORK_ALL},
     {NULL, NULL, NULL, 0, 0, 0}};
 
@@ -276,6 +277,21 @@ static float nearest_of(const struct hsr_cube_image *image,
   return q;
 }
 
+/* Does the pyramid hide a rectangle of the cube's, of depth q? Or, by the other
+ * one, not. Sets *visible where that is known. */
+static bool is_rectangle_hidden(struct walk *w, struct hsr_bounds box, float q,
+                                bool *visible) {
+  uint64_t before = w->pyramid.reads;
+  touch_for(w, WORK_PYRAMID);
+  w->pyramid.work = w->tally->work;
+  *visible = w->option[NEAR] && w->option[CUBES] != SIDES &&
+             HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q);
+  bool hidden =
+      !*visible && HSR_OF_BUILD(hsr_pyramid_hides)(&w->pyramid, box, q);
+  count_reads(w, CUBE_READS, before);
+  return hidden;
+}
+
 /* Is a front side not known to be hidden? */
 static bool is_side_visible(struct walk *w, const struct hsr_placing *placing,
                             const struct hsr_octree_node *node,
@@ -298,8 +314,30 @@ static bool is_side_visible(struct walk *w, const struct hsr_placing *placing,
     if (visible || hidden)
       return visible;
   }
-  return w->option[CUBES] == RECTANGLE ||
+  return w->option[CUBES] != SIDES ||
          scan_side(w, placing, node, image, side, &box);
+}
+
+/* The same of the cube as a whole. */
+static bool is_whole_visible(struct walk *w,
+                             const struct hsr_cube_image *image) {
+  static const unsigned char all[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+  struct hsr_bounds box;
+  bool visible;
+  return HSR_OF_BUILD(hsr_cube_bounds)(&w->frame, image, all, 8, &box) &&
+         !(w->option[PYRAMID] &&
+           is_rectangle_hidden(w, box, image->nearest, &visible));
+}
+
+static bool is_any_side_visible(struct walk *w,
+                                const struct hsr_placing *placing,
+                                const struct hsr_octree_node *node,
+                                const struct hsr_cube_image *image) {
+  for (int side = 0; side < 6; side++)
+    if (image->front >> side & 1 &&
+        is_side_visible(w, placing, node, image, side))
+      return true;
+  return false;
 }
 
 /* cube_visible of the thesis. *inside: it is all inside of the frustum, and so
@@ -322,12 +360,11 @@ static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
   if (!HSR_OF_BUILD(hsr_cube_project)(&w->frame, placing, node, &image))
     return true; /* the eye may be inside, or the near plane meet it */
   HSR_COUNT(w->tally, CUBES_TESTED, 1);
-  for (int side = 0; side < 6; side++)
-    if (image.front >> side & 1 &&
-        is_side_visible(w, placing, node, &image, side))
-      return true;
-  HSR_COUNT(w->tally, CUBES_CULLED, 1);
-  return false;
+  bool visible = w->option[CUBES] == WHOLE
+                     ? is_whole_visible(w, &image)
+                     : is_any_side_visible(w, placing, node, &image);
+  HSR_COUNT(w->tally, CUBES_CULLED, !visible);
+  return visible;
 }
 
 /* --- Tiling what is in a cube -----------------------------------------------
@@ -342,38 +379,50 @@ static bool is_repeated(struct walk *w, uint32_t f) {
   return false;
 }
 
-/* Is the k-th triangle of a batch, looked at, hidden by the pyramid? */
-static bool is_hidden(struct walk *w, const struct hsr_batch *b, int k) {
+/* Which triangles of a batch, looked at, are hidden: 1; 0; or -1, no matter. */
+static void find_hidden(struct walk *w, const struct hsr_batch *b,
+                        int *hidden) {
   const struct hsr_corners *r = &b->corners;
-  struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
-  float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
-  q = r->qc[k] > q ? r->qc[k] : q;
-  HSR_COUNT(w->tally, FACES_TESTED, 1);
-  if (w->option[POLYGONS] == BASIC)
-    return HSR_OF_BUILD(hsr_pyramid_basic)(&w->pyramid, box, q);
-  if (w->option[NEAR] && HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q))
-    return false;
-  return HSR_OF_BUILD(hsr_pyramid_hides)(&w->pyramid, box, q);
+  if (w->option[POLYGONS] != BASIC) {
+    HSR_OF_BUILD(hsr_pyramid_hides_triangles)
+    (&w->pyramid, b->n, r, b->fate, hidden);
+    return;
+  }
+  for (int k = 0; k < b->n; k++) {
+    struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
+    float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
+    q = r->qc[k] > q ? r->qc[k] : q;
+    hidden[k] = b->fate[k] == HSR_TILE
+                    ? HSR_OF_BUILD(hsr_pyramid_basic)(&w->pyramid, box, q)
+                    : -1;
+  }
 }
 
-/* Leaves out of a batch what was met before, and what is hidden. */
-static void filter(struct walk *w, struct hsr_batch *b) {
-  bool tests = w->option[PYRAMID] && w->option[POLYGONS] != NONE && !w->plain;
+/* Leaves out of a batch what was met before, and what is hidden. False: nothing
+ * is left. */
+static bool filter(struct walk *w, struct hsr_batch *b) {
+  int left = 0, hidden[HSR_BATCH];
+  for (int k = 0; k < b->n; k++) {
+    if (b->fate[k] != HSR_DROP && is_repeated(w, b->first + (uint32_t)k)) {
+      HSR_COUNT(w->tally, REPEATED, 1);
+      b->fate[k] = HSR_DROP;
+    }
+    left += b->fate[k] != HSR_DROP;
+  }
+  if (!left || !w->option[PYRAMID] || w->option[POLYGONS] == NONE || w->plain)
+    return left > 0;
   uint64_t before = w->pyramid.reads;
   touch_for(w, WORK_PYRAMID);
   w->pyramid.work = w->tally->work;
+  find_hidden(w, b, hidden);
   for (int k = 0; k < b->n; k++) {
-    if (b->fate[k] == HSR_DROP)
-      continue;
-    if (is_repeated(w, b->first + (uint32_t)k)) {
-      HSR_COUNT(w->tally, REPEATED, 1);
-      b->fate[k] = HSR_DROP;
-    } else if (tests && b->fate[k] == HSR_TILE && is_hidden(w, b, k)) {
-      HSR_COUNT(w->tally, FACES_CULLED, 1);
-      b->fate[k] = HSR_DROP;
-    }
+    HSR_COUNT(w->tally, FACES_TESTED, hidden[k] >= 0);
+    HSR_COUNT(w->tally, FACES_CULLED, hidden[k] > 0);
+    b->fate[k] = hidden[k] > 0 ? HSR_DROP : b->fate[k];
+    left -= hidden[k] > 0;
   }
   count_reads(w, FACE_READS, before);
+  return left > 0;
 }
 
 /* A face that is placed on the tiler's screen. */
@@ -456,7 +505,8 @@ static void tile_cell(struct walk *w, uint32_t place) {
   for (uint32_t f = 0; f < n; f += HSR_BATCH) {
     HSR_OF_BUILD(hsr_tiler_look)
     (t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
-    filter(w, &batch);
+    if (!filter(w, &batch))
+      continue;
     HSR_OF_BUILD(hsr_tiler_set_up)(t, &batch);
     tile_batch(w, &batch);
   }
@@ -580,7 +630,7 @@ static enum hsr_status render_octrees(struct walk *w) {
   long how = w->option[MOVERS];
   if (HSR_OF_BUILD(hsr_movers_init)(movers, cubes, w->frame.job->scratch))
     return HSR_E_NOMEM;
-  if (how == WHOLE && !HSR_OF_BUILD(hsr_movers_divide_all)(movers, 0, root))
+  if (how == FRESH && !HSR_OF_BUILD(hsr_movers_divide_all)(movers, 0, root))
     return HSR_E_NOMEM;
   bool together = movers->n && how != BEHIND;
   render_instances(w, root, 0, together ? 0 : HSR_NO_NODE, false);

@@ -8,6 +8,11 @@ static int side_of(const struct hsr_pyramid *p, int level) {
   return 1 << (p->n_levels - 1 - level);
 }
 
+/* How many entries there are below a level: 4^(n-1) + 4^(n-2) + ... */
+static inline int offset_of(int n_levels, int level) {
+  return (int)(((1u << 2 * n_levels) - (1u << 2 * (n_levels - level))) / 3);
+}
+
 enum hsr_status HSR_OF_BUILD(hsr_pyramid_init)(struct hsr_pyramid *p,
                                                const struct hsr_window *window,
                                                bool near, size_t *stride,
@@ -17,15 +22,16 @@ enum hsr_status HSR_OF_BUILD(hsr_pyramid_init)(struct hsr_pyramid *p,
   *p = (struct hsr_pyramid){.window = *window, .n_levels = 1};
   while (1 << (p->n_levels - 1) < side)
     p->n_levels++;
+  size_t all = (size_t)side_of(p, 0) * (size_t)side_of(p, 0) * 4 / 3 + 1;
+  float *far = HSR_NEW(arena, float, all), *nearest = NULL;
+  if (near)
+    nearest = HSR_NEW(arena, float, all);
+  if (!far || (near && !nearest))
+    return HSR_E_NOMEM;
   for (int level = 0; level < p->n_levels; level++) {
-    size_t n = (size_t)side_of(p, level) * (size_t)side_of(p, level);
-    p->far[level] = HSR_NEW(arena, float, n);
-    if (!p->far[level])
-      return HSR_E_NOMEM;
+    p->far[level] = far + offset_of(p->n_levels, level);
     if (near)
-      p->near[level] = level ? HSR_NEW(arena, float, n) : p->far[0];
-    if (near && !p->near[level])
-      return HSR_E_NOMEM;
+      p->near[level] = level ? nearest + offset_of(p->n_levels, level) : far;
   }
   *stride = (size_t)side_of(p, 0);
   return HSR_OK;
@@ -138,7 +144,7 @@ static int enclosing_level(const struct rectangle *r) {
 static int covering_level(const struct rectangle *r) {
   int width = r->x1 - r->x0, height = r->y1 - r->y0;
   unsigned side = (unsigned)(width > height ? width : height);
-  return side ? 32 - __builtin_clz(side) : 0;
+  return side > 1 ? 32 - __builtin_clz(side - 1) : 0;
 }
 
 /* An entry stands for a square of samples, each of which it touches by its
@@ -202,6 +208,53 @@ bool HSR_OF_BUILD(hsr_pyramid_hides)(struct hsr_pyramid *p,
 static float largest(float e, float ex, float ey, const struct rectangle *b) {
   return e + ex * (float)(ex > 0 ? b->x1 : b->x0) +
          ey * (float)(ey > 0 ? b->y1 : b->y0);
+}
+
+/* Which triangles the four entries hide at which the fast test begins; -1,
+ * those that are not to be tiled. */
+HSR_VECTOR static void try_four(const struct hsr_pyramid *p, int n,
+                                const struct hsr_corners *restrict r,
+                                const int *restrict fate,
+                                int *restrict hidden) {
+  const int n_levels = p->n_levels, wx = p->window.x0, wy = p->window.y0;
+  const float *restrict far = p->far[0];
+  for (int k = 0; k < n; k++) {
+    int tile = fate[k] == HSR_TILE;
+    int x0 = tile ? r->x0[k] - wx : 0, x1 = tile ? r->x1[k] - wx - 1 : 0;
+    int y0 = tile ? r->y0[k] - wy : 0, y1 = tile ? r->y1[k] - wy - 1 : 0;
+    int width = x1 - x0, height = y1 - y0;
+    float side = (float)((width > height ? width : height) - 1);
+    int bits; /* of the number, from its exponent as a float */
+    memcpy(&bits, &side, sizeof bits);
+    int level = side >= 1 ? (bits >> 23) - 126 : 0;
+    int row = n_levels - 1 - level;
+    x0 >>= level, x1 >>= level, y0 >>= level, y1 >>= level;
+    int at = offset_of(n_levels, level);
+    float a = known(far[at + (y0 << row) + x0]);
+    float b = known(far[at + (y0 << row) + x1]);
+    float c = known(far[at + (y1 << row) + x0]);
+    float d = known(far[at + (y1 << row) + x1]);
+    a = a < b ? a : b;
+    c = c < d ? c : d;
+    a = a < c ? a : c;
+    float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
+    q = r->qc[k] > q ? r->qc[k] : q;
+    hidden[k] = tile ? q * HSR_CLEAR < a : -1;
+  }
+}
+
+void HSR_OF_BUILD(hsr_pyramid_hides_triangles)(struct hsr_pyramid *p, int n,
+                                               const struct hsr_corners *r,
+                                               const int *fate, int *hidden) {
+  try_four(p, n, r, fate, hidden);
+  for (int k = 0; k < n; k++) {
+    if (hidden[k] < 0 || (hidden[k] && !HSR_COUNTING))
+      continue;
+    float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
+    q = r->qc[k] > q ? r->qc[k] : q;
+    hidden[k] = HSR_OF_BUILD(hsr_pyramid_hides)(
+        p, (struct hsr_bounds){r->x0[k], r->y0[k], r->x1[k], r->y1[k]}, q);
+  }
 }
 
 /* No depth q of the triangle in a part of its box is more than (1 + HSR_RHO)
