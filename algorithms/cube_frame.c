@@ -16,6 +16,12 @@
  * `least` is the larger of these. Rounding to float adds 2^-24; q is taken
  * 2^-18 larger, so that it is never less than the truth.
  *
+ * Vertices. A vertex is off by at most 4u (|M| r + |m|); rows by 5u |S| |M|,
+ * origin by 6u |S| (|m| + |E|), the sums by 4u of all: 14u in all, less than
+ * 2^-5 e. If w >= 2^41 2^-5 e_w and w >= 2^26 2^-5 e_x, then sx, below 2^15, is
+ * off by less than 2^-26 + 2^-26 and roundings of 2^-36, so by less than 2^-24.
+ * `sure` is the larger of these.
+ *
  * The eye. By Cramer's rule, E' = adj(M) (E - m) / det M, with an error of at
  * most 32 u |adj(M)| (|E| + |m|) / |det M|, as long as det M itself is 2^-20
  * exact; slack is 2^10 times that. A side that may face the eye is tested, so
@@ -93,6 +99,7 @@ static void place(struct hsr_placing *p, const struct hsr_view *view,
     error[k] = 0x1p-44 * (fabs(s[0]) * far[0] + fabs(s[1]) * far[1] +
                           fabs(s[2]) * far[2]);
   }
+  p->sure = fmax(0x1p36 * error[2], 0x1p21 * fmax(error[0], error[1]));
   p->least = fmax(0x1p20 * error[2], 0x1p4 * fmax(error[0], error[1]));
   place_eye(p, view);
 }
@@ -114,6 +121,7 @@ enum hsr_status HSR_OF_BUILD(hsr_cube_loose)(const struct hsr_cube_frame *frame,
   const struct hsr_job *job = frame->job;
   *tiler = frame->tiler;
   tiler->few = NULL;
+  tiler->lay_out = NULL;
   tiler->id = frame->cubes->loose_id;
   tiler->first_id = 0;
   return hsr_screen_make(&tiler->screen, &frame->cubes->loose, job->view,
@@ -156,6 +164,22 @@ static unsigned front_sides(const struct hsr_placing *p,
   return front;
 }
 
+HSR_VECTOR static void corners(const double *restrict base,
+                               double step[restrict 3][3], double *restrict x,
+                               double *restrict y, float *restrict q) {
+  static const double sign[3][8] = {{-1, 1, -1, 1, -1, 1, -1, 1},
+                                    {-1, -1, 1, 1, -1, -1, 1, 1},
+                                    {-1, -1, -1, -1, 1, 1, 1, 1}};
+  for (int o = 0; o < 8; o++) {
+    double i = sign[0][o], j = sign[1][o], k = sign[2][o];
+    double w = base[2] + i * step[2][0] + j * step[2][1] + k * step[2][2];
+    double r = 1 / w;
+    x[o] = (base[0] + i * step[0][0] + j * step[0][1] + k * step[0][2]) * r;
+    y[o] = (base[1] + i * step[1][0] + j * step[1][1] + k * step[1][2]) * r;
+    q[o] = (float)(r * (1 + 0x1p-18));
+  }
+}
+
 bool HSR_OF_BUILD(hsr_cube_project)(const struct hsr_cube_frame *frame,
                                     const struct hsr_placing *p,
                                     const struct hsr_octree_node *node,
@@ -171,17 +195,7 @@ bool HSR_OF_BUILD(hsr_cube_project)(const struct hsr_cube_frame *frame,
   double w = base[2] - fabs(step[2][0]) - fabs(step[2][1]) - fabs(step[2][2]);
   if (!(w > p->least && w > frame->job->view->near * (1 + 0x1p-16)))
     return false;
-  for (int o = 0; o < 8; o++) {
-    double v[3];
-    for (int k = 0; k < 3; k++)
-      v[k] = base[k] + (o & 1 ? step[k][0] : -step[k][0]) +
-             (o & 2 ? step[k][1] : -step[k][1]) +
-             (o & 4 ? step[k][2] : -step[k][2]);
-    double q = 1 / v[2];
-    image->x[o] = v[0] * q;
-    image->y[o] = v[1] * q;
-    image->q[o] = (float)(q * (1 + 0x1p-18));
-  }
+  corners(base, step, image->x, image->y, image->q);
   image->nearest = image->q[0];
   for (int o = 1; o < 8; o++)
     if (image->q[o] > image->nearest)
@@ -263,21 +277,41 @@ HSR_VECTOR static void to_world(size_t n, const double *restrict m,
   }
 }
 
+/* The cell at hand, in the world and on the screen. */
+static void lay_out(void *context) {
+  struct hsr_cube_frame *frame = context;
+  const struct hsr_cubes_object *object = frame->object;
+  struct hsr_world *world = &frame->world;
+  size_t v = frame->cell->first_vertex;
+  to_world(world->n_vertices, frame->placing.m, object->x + v, object->y + v,
+           object->z + v, world->x, world->y, world->z);
+  hsr_screen_vertices(&frame->tiler.screen);
+}
+
+/* Most cells are so far away that their vertices need not be laid out. */
 const struct hsr_cell *HSR_OF_BUILD(hsr_cube_cell)(struct hsr_cube_frame *frame,
                                                    uint32_t place) {
   const struct hsr_cubes_object *object = frame->object;
   const struct hsr_cell *cell = &object->cell[place];
   struct hsr_world *world = &frame->world;
+  struct hsr_tiler *tiler = &frame->tiler;
+  struct hsr_placing *p = &frame->placing;
   size_t v = cell->first_vertex;
+  frame->cell = cell;
   world->n_vertices = cell->n_vertices;
   world->n_faces = cell->n_faces;
   world->start = object->start + cell->first_start;
   world->vertex = object->vertex + cell->first_corner;
-  to_world(cell->n_vertices, frame->placing.m, object->x + v, object->y + v,
-           object->z + v, world->x, world->y, world->z);
-  frame->tiler.id = object->face + cell->first_face;
-  hsr_screen_vertices(&frame->tiler.screen);
-  HSR_OF_BUILD(hsr_tiler_snap)(&frame->tiler);
+  tiler->id = object->face + cell->first_face;
+  tiler->context = frame;
+  tiler->lay_out = lay_out;
+  if (!HSR_OF_BUILD(hsr_tiler_snap_far)(tiler, cell->n_vertices, object->x + v,
+                                        object->y + v, object->z + v, p->rows,
+                                        p->origin, p->sure)) {
+    tiler->lay_out = NULL;
+    lay_out(frame);
+    HSR_OF_BUILD(hsr_tiler_snap)(tiler);
+  }
   return cell;
 }
 

@@ -26,6 +26,7 @@ struct hsr_placing {
   double grow[3];               /* in the world, for what is rounded */
   double rows[3][3], origin[3]; /* (w sx, w sy, w) = rows X + origin */
   double least;                 /* w of what is safely before the eye */
+  double sure; /* w of vertices that rows and origin take within 2^-24 pixel */
   double eye[3], slack; /* in the object's coordinates, within slack; NaN: the
                            instance is flat, and has no such */
   double across[3]
@@ -59,6 +60,7 @@ struct hsr_cube_frame {
   uint32_t instance;
   struct hsr_placing placing;
   const struct hsr_cubes_object *object;
+  const struct hsr_cell *cell; /* of it, the one at hand */
 };
 
 /* Makes ready for job->view's window, whose memory of depths is left to be

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The proofs of the fast way's bounds.
  *
- * Snapping moves a coordinate by at most s = 2^-16 + 2^-26 (common/screen.h).
- * With W and H the width and height in pixels of the box of the samples in
- * question, and everything of the triangle within it but for 2 pixels, the
- * sides d = b - a of the triangle and the offsets h of a sample from a vertex
- * are at most W + 2 and H + 2.
+ * Snapping moves a coordinate by at most s = 2^-16 + 2^-26 (common/screen.h),
+ * or 2^-24 more than 2^-16 where that is all that is known of it. With W and H
+ * the width and height in pixels of the box of the samples in question, and
+ * everything of the triangle within it but for 2 pixels, the sides d = b - a of
+ * the triangle and the offsets h of a sample from a vertex are at most W + 2
+ * and H + 2.
  *
  * Coverage. e = dx hy - dy hx changes by at most 2.1 s (|dx| + |dy| + |hx| +
  * |hy|) <= 4.2 s (W + H + 4). Differences of snapped coordinates are exact in
@@ -82,8 +83,17 @@ struct hsr_twin {
 /* --- What floats cannot tell
  * -------------------------------------------------- */
 
+/* Has the screen's vertices transformed. */
+static inline void need_screen(struct hsr_tiler *t) {
+  void (*lay_out)(void *) = t->lay_out;
+  t->lay_out = NULL;
+  if (lay_out)
+    lay_out(t->context);
+}
+
 static bool covers(struct hsr_tiler *t, uint32_t f, int i, int j) {
   HSR_COUNT(t->tally, HSR_UNSURE_COVER, 1);
+  need_screen(t);
   t->screen.whole[f] = true;
   return hsr_covers(&t->screen, f, i, j, t->tally);
 }
@@ -549,6 +559,7 @@ static void tile_whole(struct hsr_tiler *t, uint32_t f) {
 }
 
 bool HSR_OF_BUILD(hsr_tiler_place)(struct hsr_tiler *t, uint32_t f) {
+  need_screen(t);
   if (t->few)
     hsr_world_find_plane(t->few, f, &t->tally->out_of_memory);
   hsr_screen_plane(&t->screen, f);
@@ -923,6 +934,32 @@ HSR_VECTOR static void snap(size_t n, const double *restrict sx,
   }
 }
 
+HSR_VECTOR static int snap_far(size_t n, const double *restrict x,
+                               const double *restrict y,
+                               const double *restrict z, double rows[3][3],
+                               const double *origin, double sure,
+                               struct hsr_corner *restrict corner) {
+  const double a0 = rows[0][0], a1 = rows[0][1], a2 = rows[0][2],
+               a3 = origin[0];
+  const double b0 = rows[1][0], b1 = rows[1][1], b2 = rows[1][2],
+               b3 = origin[1];
+  const double c0 = rows[2][0], c1 = rows[2][1], c2 = rows[2][2],
+               c3 = origin[2];
+  int all = 1;
+  for (size_t v = 0; v < n; v++) {
+    double w = c0 * x[v] + c1 * y[v] + c2 * z[v] + c3, q = 1 / w;
+    double sx = (a0 * x[v] + a1 * y[v] + a2 * z[v] + a3) * q;
+    double sy = (b0 * x[v] + b1 * y[v] + b2 * z[v] + b3) * q;
+    int safe = (w > sure) & (fabs(sx) < FARTHEST) & (fabs(sy) < FARTHEST);
+    all &= safe;
+    corner[v].x = safe ? (int)floor(sx * GRID + 0.5) : UNSAFE;
+    corner[v].y = safe ? (int)floor(sy * GRID + 0.5) : UNSAFE;
+    corner[v].q = (float)q;
+    corner[v].unused = 0;
+  }
+  return all;
+}
+
 /* Do the samples lie on the grid? */
 static bool find_grid(struct hsr_tiler *t) {
   double first_x = hsr_sample_x(t->view, 0) * GRID;
@@ -944,6 +981,13 @@ void HSR_OF_BUILD(hsr_tiler_begin)(struct hsr_tiler *t,
 void HSR_OF_BUILD(hsr_tiler_snap)(struct hsr_tiler *t) {
   snap(t->screen.world->n_vertices, t->screen.sx, t->screen.sy, t->screen.q,
        t->corner);
+}
+
+bool HSR_OF_BUILD(hsr_tiler_snap_far)(struct hsr_tiler *t, size_t n,
+                                      const double *x, const double *y,
+                                      const double *z, double rows[3][3],
+                                      const double origin[3], double sure) {
+  return snap_far(n, x, y, z, rows, origin, sure, t->corner);
 }
 
 void HSR_OF_BUILD(hsr_tiler_begin_part)(struct hsr_tiler *t,

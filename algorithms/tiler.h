@@ -122,6 +122,10 @@ struct hsr_tiler {
    * the moment: that world, whose planes are found when they are asked for, and
    * what compares the scene's faces; else NULL. */
   struct hsr_world *few;
+  /* Transforms its vertices, which may be put off until their exact place is
+   * asked for; NULL: that is done. */
+  void (*lay_out)(void *context);
+  void *context;
   struct hsr_pair *pair;
 
   struct hsr_window window;
@@ -141,6 +145,14 @@ void HSR_OF_BUILD(hsr_tiler_begin)(struct hsr_tiler *tiler,
 
 /* Snaps the vertices of the screen's world, once they are transformed. */
 void HSR_OF_BUILD(hsr_tiler_snap)(struct hsr_tiler *tiler);
+
+/* Snaps n vertices right away, those that rows X + origin = (w sx, w sy, w)
+ * takes within 2^-24 pixel where w > sure. False if one of them is not that
+ * far, or not on the screen: then they are to be snapped by the other way. */
+bool HSR_OF_BUILD(hsr_tiler_snap_far)(struct hsr_tiler *tiler, size_t n,
+                                      const double *x, const double *y,
+                                      const double *z, double rows[3][3],
+                                      const double origin[3], double sure);
 
 /* Clears the samples of a part, which is the next to be tiled. */
 void HSR_OF_BUILD(hsr_tiler_begin_part)(struct hsr_tiler *tiler,
