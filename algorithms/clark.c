@@ -39,6 +39,7 @@ static void tile_face(struct hsr_tiler *t, uint32_t f) {
 static void tile_batch(struct hsr_tiler *t, uint32_t first, int n) {
   struct hsr_batch batch;
   HSR_OF_BUILD(hsr_tiler_look)(t, &batch, first, n);
+  HSR_OF_BUILD(hsr_tiler_compact)(t, &batch);
   HSR_OF_BUILD(hsr_tiler_set_up)(t, &batch);
   HSR_OF_BUILD(hsr_tiler_tile_batch)(t, &batch);
   for (int k = 0; k < n; k++)

@@ -379,50 +379,51 @@ static bool is_repeated(struct walk *w, uint32_t f) {
   return false;
 }
 
-/* Which triangles of a batch, looked at, are hidden: 1; 0; or -1, no matter. */
+/* Of those that go the general way. */
+static void drop_repeated(struct walk *w, struct hsr_batch *b) {
+  for (int k = 0; k < b->n; k++)
+    if (b->fate[k] == HSR_GENERALLY && is_repeated(w, b->first + (uint32_t)k)) {
+      HSR_COUNT(w->tally, REPEATED, 1);
+      b->fate[k] = HSR_DROP;
+    }
+}
+
+/* Which of the triangles to be tiled are hidden. */
 static void find_hidden(struct walk *w, const struct hsr_batch *b,
                         int *hidden) {
   const struct hsr_corners *r = &b->corners;
   if (w->option[POLYGONS] != BASIC) {
     HSR_OF_BUILD(hsr_pyramid_hides_triangles)
-    (&w->pyramid, b->n, r, b->fate, hidden);
+    (&w->pyramid, b->n_fast, r, hidden);
     return;
   }
-  for (int k = 0; k < b->n; k++) {
+  for (int k = 0; k < b->n_fast; k++) {
     struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
     float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
     q = r->qc[k] > q ? r->qc[k] : q;
-    hidden[k] = b->fate[k] == HSR_TILE
-                    ? HSR_OF_BUILD(hsr_pyramid_basic)(&w->pyramid, box, q)
-                    : -1;
+    hidden[k] = HSR_OF_BUILD(hsr_pyramid_basic)(&w->pyramid, box, q);
   }
 }
 
-/* Leaves out of a batch what was met before, and what is hidden. False: nothing
- * is left. */
-static bool filter(struct walk *w, struct hsr_batch *b) {
-  int left = 0, hidden[HSR_BATCH];
-  for (int k = 0; k < b->n; k++) {
-    if (b->fate[k] != HSR_DROP && is_repeated(w, b->first + (uint32_t)k)) {
-      HSR_COUNT(w->tally, REPEATED, 1);
-      b->fate[k] = HSR_DROP;
-    }
-    left += b->fate[k] != HSR_DROP;
+/* Leaves out of a batch what was met before, and what is hidden. */
+static void filter(struct walk *w, struct hsr_batch *b) {
+  int drop[HSR_BATCH];
+  for (int k = 0; k < b->n_fast; k++) {
+    drop[k] = is_repeated(w, b->first + (uint32_t)b->place[k]);
+    HSR_COUNT(w->tally, REPEATED, drop[k]);
   }
-  if (!left || !w->option[PYRAMID] || w->option[POLYGONS] == NONE || w->plain)
-    return left > 0;
+  HSR_OF_BUILD(hsr_tiler_drop)(b, drop);
+  if (!w->option[PYRAMID] || w->option[POLYGONS] == NONE || w->plain)
+    return;
   uint64_t before = w->pyramid.reads;
   touch_for(w, WORK_PYRAMID);
   w->pyramid.work = w->tally->work;
-  find_hidden(w, b, hidden);
-  for (int k = 0; k < b->n; k++) {
-    HSR_COUNT(w->tally, FACES_TESTED, hidden[k] >= 0);
-    HSR_COUNT(w->tally, FACES_CULLED, hidden[k] > 0);
-    b->fate[k] = hidden[k] > 0 ? HSR_DROP : b->fate[k];
-    left -= hidden[k] > 0;
-  }
+  find_hidden(w, b, drop);
+  int tested = b->n_fast;
+  HSR_OF_BUILD(hsr_tiler_drop)(b, drop);
+  HSR_COUNT(w->tally, FACES_TESTED, tested);
+  HSR_COUNT(w->tally, FACES_CULLED, tested - b->n_fast);
   count_reads(w, FACE_READS, before);
-  return left > 0;
 }
 
 /* A face that is placed on the tiler's screen. */
@@ -505,8 +506,9 @@ static void tile_cell(struct walk *w, uint32_t place) {
   for (uint32_t f = 0; f < n; f += HSR_BATCH) {
     HSR_OF_BUILD(hsr_tiler_look)
     (t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
-    if (!filter(w, &batch))
-      continue;
+    drop_repeated(w, &batch);
+    HSR_OF_BUILD(hsr_tiler_compact)(t, &batch);
+    filter(w, &batch);
     HSR_OF_BUILD(hsr_tiler_set_up)(t, &batch);
     tile_batch(w, &batch);
   }

@@ -214,14 +214,12 @@ static float largest(float e, float ex, float ey, const struct rectangle *b) {
  * those that are not to be tiled. */
 HSR_VECTOR static void try_four(const struct hsr_pyramid *p, int n,
                                 const struct hsr_corners *restrict r,
-                                const int *restrict fate,
                                 int *restrict hidden) {
   const int n_levels = p->n_levels, wx = p->window.x0, wy = p->window.y0;
   const float *restrict far = p->far[0];
   for (int k = 0; k < n; k++) {
-    int tile = fate[k] == HSR_TILE;
-    int x0 = tile ? r->x0[k] - wx : 0, x1 = tile ? r->x1[k] - wx - 1 : 0;
-    int y0 = tile ? r->y0[k] - wy : 0, y1 = tile ? r->y1[k] - wy - 1 : 0;
+    int x0 = r->x0[k] - wx, x1 = r->x1[k] - wx - 1;
+    int y0 = r->y0[k] - wy, y1 = r->y1[k] - wy - 1;
     int width = x1 - x0, height = y1 - y0;
     float side = (float)((width > height ? width : height) - 1);
     int bits; /* of the number, from its exponent as a float */
@@ -239,16 +237,16 @@ HSR_VECTOR static void try_four(const struct hsr_pyramid *p, int n,
     a = a < c ? a : c;
     float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
     q = r->qc[k] > q ? r->qc[k] : q;
-    hidden[k] = tile ? q * HSR_CLEAR < a : -1;
+    hidden[k] = q * HSR_CLEAR < a;
   }
 }
 
 void HSR_OF_BUILD(hsr_pyramid_hides_triangles)(struct hsr_pyramid *p, int n,
                                                const struct hsr_corners *r,
-                                               const int *fate, int *hidden) {
-  try_four(p, n, r, fate, hidden);
+                                               int *hidden) {
+  try_four(p, n, r, hidden);
   for (int k = 0; k < n; k++) {
-    if (hidden[k] < 0 || (hidden[k] && !HSR_COUNTING))
+    if (hidden[k] && !HSR_COUNTING)
       continue;
     float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
     q = r->qc[k] > q ? r->qc[k] : q;

@@ -61,11 +61,10 @@ bool HSR_OF_BUILD(hsr_pyramid_basic)(struct hsr_pyramid *pyramid,
 bool HSR_OF_BUILD(hsr_pyramid_hides)(struct hsr_pyramid *pyramid,
                                      struct hsr_bounds box, float q);
 
-/* The fast test of n triangles that are looked at: hidden[k] is 1, 0, or -1 for
- * those whose fate is not to be tiled. */
+/* The fast test of n triangles, whose boxes are not empty: hidden[k] tells. */
 void HSR_OF_BUILD(hsr_pyramid_hides_triangles)(
     struct hsr_pyramid *pyramid, int n, const struct hsr_corners *corners,
-    const int *fate, int *hidden);
+    int *hidden);
 
 /* The definitive test: is a triangle that is set up hidden? Within each entry,
  * by the nearest that it has there; at a sample, by what tiling it would do. */

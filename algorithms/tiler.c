@@ -292,21 +292,24 @@ HSR_VECTOR static void look(const struct hsr_tiler *t, int n,
   }
 }
 
+/* Makes the k-th triangle, which is that at `place`, the one at `to`. */
+static void move(struct hsr_batch *b, int k, int place, int to) {
+  struct hsr_corners *r = &b->corners;
+  r->ax[to] = r->ax[k], r->ay[to] = r->ay[k], r->qa[to] = r->qa[k];
+  r->bx[to] = r->bx[k], r->by[to] = r->by[k], r->qb[to] = r->qb[k];
+  r->cx[to] = r->cx[k], r->cy[to] = r->cy[k], r->qc[to] = r->qc[k];
+  r->x0[to] = r->x0[k], r->y0[to] = r->y0[k];
+  r->x1[to] = r->x1[k], r->y1[to] = r->y1[k];
+  r->id[to] = r->id[k];
+  b->place[to] = place;
+}
+
 /* Moves the triangles to be tiled to the front. */
 static void compact_portable(struct hsr_batch *b) {
-  struct hsr_corners *r = &b->corners;
   int kept = 0;
-  for (int k = 0; k < b->n; k++) {
-    if (b->fate[k] != HSR_TILE)
-      continue;
-    r->ax[kept] = r->ax[k], r->ay[kept] = r->ay[k], r->qa[kept] = r->qa[k];
-    r->bx[kept] = r->bx[k], r->by[kept] = r->by[k], r->qb[kept] = r->qb[k];
-    r->cx[kept] = r->cx[k], r->cy[kept] = r->cy[k], r->qc[kept] = r->qc[k];
-    r->x0[kept] = r->x0[k], r->y0[kept] = r->y0[k];
-    r->x1[kept] = r->x1[k], r->y1[kept] = r->y1[k];
-    r->id[kept] = r->id[k];
-    b->place[kept++] = k;
-  }
+  for (int k = 0; k < b->n; k++)
+    if (b->fate[k] == HSR_TILE)
+      move(b, k, k, kept++);
   b->n_fast = kept;
 }
 
@@ -408,9 +411,24 @@ void HSR_OF_BUILD(hsr_tiler_look)(const struct hsr_tiler *t,
   look(t, n, &b->corners, b->one_sided, b->fate);
 }
 
+void HSR_OF_BUILD(hsr_tiler_compact)(const struct hsr_tiler *t,
+                                     struct hsr_batch *b) {
+  t->twin->compact(b);
+}
+
+void HSR_OF_BUILD(hsr_tiler_drop)(struct hsr_batch *b, const int *drop) {
+  int kept = 0;
+  for (int k = 0; k < b->n_fast; k++) {
+    if (drop[k])
+      b->fate[b->place[k]] = HSR_DROP;
+    else
+      move(b, k, b->place[k], kept++);
+  }
+  b->n_fast = kept;
+}
+
 void HSR_OF_BUILD(hsr_tiler_set_up)(const struct hsr_tiler *t,
                                     struct hsr_batch *b) {
-  t->twin->compact(b);
   set_up(t, &b->corners, b->n_fast, &b->triangles, b->good);
   for (int k = 0; k < b->n_fast; k++)
     if (b->good[k])

@@ -165,8 +165,13 @@ void HSR_OF_BUILD(hsr_tiler_look)(const struct hsr_tiler *tiler,
                                   struct hsr_batch *batch, uint32_t first,
                                   int n);
 
-/* Sets up those whose fate is to be tiled; what floats do not hold is to go
- * the general way. */
+/* Moves those whose fate is to be tiled to the front, where they are the n_fast
+ * ones; and leaves out of these where drop[k] is not 0. */
+void HSR_OF_BUILD(hsr_tiler_compact)(const struct hsr_tiler *tiler,
+                                     struct hsr_batch *batch);
+void HSR_OF_BUILD(hsr_tiler_drop)(struct hsr_batch *batch, const int *drop);
+
+/* Sets up the fast ones; what floats do not hold is to go the general way. */
 void HSR_OF_BUILD(hsr_tiler_set_up)(const struct hsr_tiler *tiler,
                                     struct hsr_batch *batch);
 

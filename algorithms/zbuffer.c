@@ -202,6 +202,7 @@ static enum hsr_status tile_triangles(struct frame *t) {
   for (uint32_t f = 0; f < n; f += HSR_BATCH) {
     HSR_OF_BUILD(hsr_tiler_look)
     (&t->tiler, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
+    HSR_OF_BUILD(hsr_tiler_compact)(&t->tiler, &batch);
     HSR_OF_BUILD(hsr_tiler_set_up)(&t->tiler, &batch);
     if (t->kept)
       keep_batch(t, &batch);

@@ -795,6 +795,19 @@ struct crossing {
   int column;
 };
 
+/* About where an edge crosses the row, wherever its ends are; any number where
+ * that cannot be told. */
+static int guess_column(const struct question *q) {
+  double a[3], b[3], unused[3] = {0, 0, 0};
+  double sy = hsr_sample_y(q->screen->view, q->j);
+  homogeneous(q->screen, q->a, a, unused);
+  homogeneous(q->screen, q->b, b, unused);
+  double across = a[1] * b[2] - a[2] * b[1];
+  double rest = sy * (a[2] * b[0] - a[0] * b[2]) + (a[0] * b[1] - a[1] * b[0]);
+  double column = ceil(-rest / across - hsr_sample_x(q->screen->view, 0));
+  return fabs(column) < HSR_GUARD ? (int)column : 0;
+}
+
 static struct crossing find_crossing(const struct question *q, int lo, int hi) {
   const struct hsr_screen *screen = q->screen;
   if (screen->sx[q->a] == screen->sx[q->a] &&
@@ -806,8 +819,20 @@ static struct crossing find_crossing(const struct question *q, int lo, int hi) {
     return (struct crossing){column > lo, column >= hi, column};
   }
   bool first = q->holds(q, lo), last = q->holds(q, hi - 1);
-  return (struct crossing){first, last,
-                           first != last ? change(q, first, lo, hi - 1) : hi};
+  if (first == last)
+    return (struct crossing){first, last, hi};
+  int guess = guess_column(q);
+  if (guess > lo && guess < hi - 1) { /* mostly it is right */
+    if (q->holds(q, guess) == first)
+      lo = guess;
+    else
+      hi = guess + 1;
+    if (lo < guess && q->holds(q, guess - 1) == first)
+      lo = guess - 1;
+    else if (lo == guess && guess + 2 < hi && q->holds(q, guess + 1) != first)
+      hi = guess + 2;
+  }
+  return (struct crossing){first, last, change(q, first, lo, hi - 1)};
 }
 
 /* Columns of a cut face: by parity of the crossings to the right of a sample,
