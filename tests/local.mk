@@ -26,6 +26,8 @@ tap_programs = \
   %D%/properties/boxes_test \
   %D%/properties/combinations_test \
   %D%/properties/edges_test \
+  %D%/properties/hzbuffer_options_test \
+  %D%/properties/hzbuffer_test \
   %D%/properties/lines_and_surfaces_test \
   %D%/properties/metamorphic_test \
   %D%/properties/newell_test \
@@ -102,6 +104,10 @@ nodist_EXTRA_%C%_conformance_line_lattice_test_SOURCES = force_cxx_link.cc
 %C%_properties_boxes_test_SOURCES = %D%/properties/boxes_test.cc
 %C%_properties_edges_test_SOURCES = %D%/properties/edges_test.c
 nodist_EXTRA_%C%_properties_edges_test_SOURCES = force_cxx_link.cc
+%C%_properties_hzbuffer_options_test_SOURCES = %D%/properties/hzbuffer_options_test.c
+nodist_EXTRA_%C%_properties_hzbuffer_options_test_SOURCES = force_cxx_link.cc
+%C%_properties_hzbuffer_test_SOURCES = %D%/properties/hzbuffer_test.c
+nodist_EXTRA_%C%_properties_hzbuffer_test_SOURCES = force_cxx_link.cc
 %C%_properties_combinations_test_SOURCES = %D%/properties/combinations_test.c
 nodist_EXTRA_%C%_properties_combinations_test_SOURCES = force_cxx_link.cc
 %C%_properties_lines_and_surfaces_test_SOURCES = %D%/properties/lines_and_surfaces_test.c
