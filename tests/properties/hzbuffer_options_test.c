@@ -230,9 +230,10 @@ static struct hsr_scene *random_modules(uint64_t *seed) {
   return scene;
 }
 
-static const char *const apart_choices[] = {
+static const char *const choices[] = {
     "hzbuffer:least=2",
     "hzbuffer:least=2:cubes=sides",
+    "hzbuffer:least=1:cubes=sides:pyramid=off",
     "hzbuffer:least=2:cubes=sides:completed=on",
     "hzbuffer:least=1:cubes=sides:completed=on:placement=enclosing",
     "hzbuffer:least=1:cubes=sides:completed=on:near=on:polygons=definitive",
@@ -242,30 +243,103 @@ static const char *const apart_choices[] = {
     "hzbuffer:least=1:near=on",
     "clark"};
 
+/* Wrong samples with each of these choices. */
+static long try_choices(const struct known *k) {
+  long wrong = 0;
+  for (size_t c = 0; c < sizeof choices / sizeof *choices; c++) {
+    struct hsr_variant variant;
+    struct hsr_error err;
+    if (hsr_variant_parse(choices[c], &variant, &err))
+      stop(choices[c], err.text);
+    long bad = try_choice(k, variant.listed->counting, &variant.choice);
+    if (bad)
+      printf("# %s: %s: %ld samples differ\n", k->scene->name, choices[c], bad);
+    wrong += bad;
+  }
+  return wrong;
+}
+
+/* Samples that show a face. */
+static long count_faces(const struct known *k) {
+  long faces = 0;
+  for (int v = 0; v < VIEWS; v++)
+    for (int i = 0; i < M * N; i++)
+      faces += k->right[v][i] != HSR_BACKGROUND;
+  return faces;
+}
+
 static void test_instances(struct tap *tap, uint64_t *seed) {
   static struct known k;
   long wrong = 0, faces = 0;
   for (int s = 0; s < RANDOM_SCENES; s++) {
     k.scene = random_modules(seed);
     know(&k);
-    for (int v = 0; v < VIEWS; v++)
-      for (int i = 0; i < M * N; i++)
-        faces += k.right[v][i] != HSR_BACKGROUND;
-    for (size_t c = 0; c < sizeof apart_choices / sizeof *apart_choices; c++) {
-      struct hsr_variant variant;
-      struct hsr_error err;
-      if (hsr_variant_parse(apart_choices[c], &variant, &err))
-        stop(apart_choices[c], err.text);
-      long bad = try_choice(&k, variant.listed->counting, &variant.choice);
-      if (bad)
-        printf("# scene %d: %s: %ld samples differ\n", s, apart_choices[c],
-               bad);
-      wrong += bad;
-    }
+    faces += count_faces(&k);
+    wrong += try_choices(&k);
     forget(&k);
   }
   ok(tap, !wrong && faces > RANDOM_SCENES * 40,
      "%d scenes of instances: %ld samples differ", (int)RANDOM_SCENES, wrong);
+}
+
+/* --- Ties -------------------------------------------------------------------
+ */
+
+/* Rooms in a row that have their two walls on the sides of their cubes, and so
+ * on those of the next. Where two lie on one another the first one is seen,
+ * from either end, though its cube may come last. */
+static struct hsr_scene *rooms(int axis, double aside) {
+  struct hsr_scene *scene = hsr_scene_new("rooms");
+  struct hsr_object *room = hsr_scene_object(scene, "room");
+  struct hsr_error err = {.text = "out of memory"};
+  int b = (axis + 1) % 3, c = (axis + 2) % 3;
+  for (int wall = 0; wall < 2; wall++) {
+    uint32_t vertex[4];
+    for (int k = 0; k < 4; k++) {
+      double p[3];
+      p[axis] = 16 * wall;
+      p[b] = k == 1 || k == 2 ? 16 : 0;
+      p[c] = k >= 2 ? 16 : 0;
+      hsr_object_vertex(room, p[0], p[1], p[2], &vertex[k]);
+    }
+    const uint32_t half[3] = {vertex[0], vertex[2], vertex[3]};
+    hsr_object_face(room, vertex, 3, NULL);
+    hsr_object_face(room, half, 3, NULL);
+  }
+  for (int k = 0; k < 4; k++) {
+    double m[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    m[4 * axis + 3] = 16 * k;
+    hsr_scene_instance(scene, 0, m);
+  }
+  for (int v = 0; v < VIEWS; v++) { /* from the second room and the third */
+    struct hsr_camera camera = {.fov = 90};
+    camera.eye[axis] = v ? 40 : 24;
+    camera.eye[b] = camera.at[b] = 8.25 + aside;
+    camera.eye[c] = 8.125;
+    camera.at[c] = 8.125 - 2 * aside;
+    camera.at[axis] = v ? 0 : 64;
+    camera.up[c] = 1;
+    if (hsr_scene_view(scene, &camera))
+      stop("rooms", "no view");
+  }
+  if (hsr_scene_finish(scene, &err))
+    stop(scene->name, err.text);
+  return scene;
+}
+
+static void test_ties(struct tap *tap) {
+  static struct known k;
+  long wrong = 0, faces = 0;
+  for (int axis = 0; axis < 3; axis++)
+    for (int aside = 0; aside < 3; aside++) {
+      k.scene = rooms(axis, 1.5 * aside);
+      know(&k);
+      faces += count_faces(&k);
+      wrong += try_choices(&k);
+      forget(&k);
+    }
+  ok(tap, !wrong && faces > 9 * M * N,
+     "walls on the sides of cubes: %ld samples differ", wrong);
 }
 
 /* --- Windows ----------------------------------------------------------------
@@ -330,7 +404,7 @@ static bool draw_in_windows(const struct hsr_setup *setup,
 
 static void test_windows(struct tap *tap, const char *name) {
   static const int sizes[] = {1, 7, 32, 64};
-  static const char *const choices[] = {
+  static const char *const in_windows[] = {
       "hzbuffer", "hzbuffer:cubes=sides:near=on:polygons=definitive",
       "hzbuffer:pyramid=off:placement=enclosing", "clark"};
   struct known *k = open_known(name);
@@ -340,7 +414,7 @@ static void test_windows(struct tap *tap, const char *name) {
     struct hsr_setup setup;
     struct hsr_error err = {.text = "out of memory"};
     uint32_t ids[M * N];
-    if (hsr_variant_parse(choices[c], &variant, &err) ||
+    if (hsr_variant_parse(in_windows[c], &variant, &err) ||
         hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
                        &k->outline, &err))
       stop(name, err.text);
@@ -351,7 +425,7 @@ static void test_windows(struct tap *tap, const char *name) {
       long bad = count_differences(&k->view[1], ids, k->right[1]);
       if (bad)
         printf("# %s, %s: %ld samples differ in windows of %d\n", name,
-               choices[c], bad, sizes[s]);
+               in_windows[c], bad, sizes[s]);
       wrong += bad;
     }
     hsr_setup_free(&setup);
@@ -369,11 +443,12 @@ int main(void) {
     SMALL = sizeof small / sizeof *small,
     WINDOWED = sizeof windowed / sizeof *windowed
   };
-  struct tap tap = plan(SMALL + 1 + WINDOWED);
+  struct tap tap = plan(SMALL + 2 + WINDOWED);
   uint64_t seed = 33;
   for (int k = 0; k < SMALL; k++)
     test_options(&tap, small[k]);
   test_instances(&tap, &seed);
+  test_ties(&tap);
   for (int k = 0; k < WINDOWED; k++)
     test_windows(&tap, windowed[k]);
   return finish(&tap);

@@ -241,6 +241,52 @@ static void test_cells(struct tap *tap, struct frame *f,
   free(times);
 }
 
+/* --- The octree of instances ------------------------------------------------
+ */
+
+/* Is the point of the instance in a cube that holds the instance? */
+static bool is_in_its_cubes(const struct hsr_octree *octree, uint32_t k,
+                            uint32_t instance, const double p[3]) {
+  const struct hsr_octree_node *node = &octree->node[k];
+  struct hsr_box cube = hsr_cube_box(node);
+  for (int a = 0; a < 3; a++)
+    if (p[a] < cube.lo[a] || p[a] > cube.hi[a])
+      return false;
+  for (uint32_t i = 0; i < node->n; i++)
+    if (octree->item[node->first + i] == instance)
+      return true;
+  for (int o = 0; o < 8; o++)
+    if (node->child[o] != HSR_NO_NODE &&
+        is_in_its_cubes(octree, node->child[o], instance, p))
+      return true;
+  return false;
+}
+
+/* All vertices, but of loose faces. */
+static void test_bounds(struct tap *tap, const struct laid_out *l,
+                        const struct hsr_cubes *cubes) {
+  const struct hsr_world *world = &l->world;
+  long looked = 0, out = 0, astray = 0;
+  for (uint32_t g = 0; g < world->n_faces; g++) {
+    uint32_t i = world->instance[g];
+    struct hsr_box box = hsr_cubes_bounds(cubes, i);
+    if (cubes->object[world->object[g]].is_loose[g - world->first[i]])
+      continue;
+    for (uint32_t c = world->start[g]; c < world->start[g + 1]; c++) {
+      uint32_t v = world->vertex[c];
+      const double p[3] = {world->x[v], world->y[v], world->z[v]};
+      for (int a = 0; a < 3; a++)
+        out += p[a] < box.lo[a] || p[a] > box.hi[a];
+      astray += !is_in_its_cubes(&cubes->octree, 0, i, p);
+      looked++;
+    }
+  }
+  ok(tap, looked && !out && !astray,
+     "%s: of %ld corners %ld are out of their instance's bounds, %ld of its "
+     "cubes",
+     l->scene->name, looked, out, astray);
+}
+
 /* --- Cubes in the world and on the screen -----------------------------------
  */
 
@@ -413,8 +459,10 @@ static void try_scene(struct tap *tap, struct laid_out *l, bool enclosing,
   begin_frame(&f, l, &cubes, &l->scene->views[0]);
   test_cells(tap, &f, l, &cubes, enclosing);
   hsr_arena_free(&f.scratch);
-  if (enclosing)
+  if (enclosing) {
+    test_bounds(tap, l, &cubes);
     test_images(tap, l, &cubes, seed);
+  }
   hsr_cubes_free(&cubes);
 }
 
@@ -422,7 +470,7 @@ int main(void) {
   static const char *const scenes[] = {"office:1", "terrain:16:3", "tower:3",
                                        "house"};
   enum { SCENES = sizeof scenes / sizeof *scenes };
-  struct tap tap = plan(3 + 3 * (SCENES + 1) + 3);
+  struct tap tap = plan(3 + 4 * (SCENES + 1) + 3);
   uint64_t seed = 1995;
   struct laid_out l = {.scene = all_kinds(&seed)};
   struct hsr_cubes cubes;
