@@ -115,13 +115,16 @@ static void test_bad(struct tap *tap) {
   bad(tap, "hzbuffer:window", "window must be 1 to 16384");
   bad(tap, "hzbuffer:window=0", "window must be");
   bad(tap, "hzbuffer:window=16385", "window must be");
+  bad(tap, "hzbuffer:least=3:least=3", "twice");
+  bad(tap, "hzbuffer:cubes=sides:near=on:cubes=rectangle", "twice");
+  bad(tap, "zbuffer:window=8:window=16", "twice");
   bad(tap, "appel:window=16", "appel does not draw in windows");
   bad(tap, "hzbuffer:coherence=list:window=32", "no windows");
   bad(tap, "hzbuffer:window=32:coherence=passes", "no windows");
 }
 
 int main(void) {
-  struct tap tap = plan(8 + 34);
+  struct tap tap = plan(8 + 37);
   test_good(&tap);
   test_bad(&tap);
   return finish(&tap);
