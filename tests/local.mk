@@ -3,24 +3,31 @@
 tap_programs = \
   %D%/unit/adapt_test \
   %D%/unit/box_test \
+  %D%/unit/cubes_test \
   %D%/unit/drawing_test \
   %D%/unit/exchange_test \
   %D%/unit/figures_test \
   %D%/unit/image_test \
   %D%/unit/line_oracle_test \
+  %D%/unit/octree_test \
   %D%/unit/oracle_test \
   %D%/unit/outline_test \
   %D%/unit/plot_test \
+  %D%/unit/pyramid_test \
   %D%/unit/scene_json_test \
   %D%/unit/scenes_test \
   %D%/unit/screen_test \
   %D%/unit/statistics_test \
   %D%/unit/tables_test \
+  %D%/unit/variant_test \
+  %D%/unit/world_test \
   %D%/conformance/lattice_test \
   %D%/conformance/line_lattice_test \
   %D%/properties/boxes_test \
   %D%/properties/combinations_test \
   %D%/properties/edges_test \
+  %D%/properties/hzbuffer_options_test \
+  %D%/properties/hzbuffer_test \
   %D%/properties/lines_and_surfaces_test \
   %D%/properties/metamorphic_test \
   %D%/properties/newell_test \
@@ -57,6 +64,8 @@ LDADD = libdraw.a $(HSR_LIBS)
 nodist_EXTRA_%C%_unit_adapt_test_SOURCES = force_cxx_link.cc
 %C%_unit_box_test_SOURCES = %D%/unit/box_test.c
 nodist_EXTRA_%C%_unit_box_test_SOURCES = force_cxx_link.cc
+%C%_unit_cubes_test_SOURCES = %D%/unit/cubes_test.c
+nodist_EXTRA_%C%_unit_cubes_test_SOURCES = force_cxx_link.cc
 %C%_unit_drawing_test_SOURCES = %D%/unit/drawing_test.c
 nodist_EXTRA_%C%_unit_drawing_test_SOURCES = force_cxx_link.cc
 %C%_unit_exchange_test_SOURCES = %D%/unit/exchange_test.cc
@@ -65,8 +74,12 @@ nodist_EXTRA_%C%_unit_drawing_test_SOURCES = force_cxx_link.cc
 %C%_unit_oracle_test_SOURCES = %D%/unit/oracle_test.cc
 %C%_unit_outline_test_SOURCES = %D%/unit/outline_test.c
 nodist_EXTRA_%C%_unit_outline_test_SOURCES = force_cxx_link.cc
+%C%_unit_octree_test_SOURCES = %D%/unit/octree_test.c
+nodist_EXTRA_%C%_unit_octree_test_SOURCES = force_cxx_link.cc
 %C%_unit_plot_test_SOURCES = %D%/unit/plot_test.c
 nodist_EXTRA_%C%_unit_plot_test_SOURCES = force_cxx_link.cc
+%C%_unit_pyramid_test_SOURCES = %D%/unit/pyramid_test.c
+nodist_EXTRA_%C%_unit_pyramid_test_SOURCES = force_cxx_link.cc
 %C%_unit_scene_json_test_SOURCES = %D%/unit/scene_json_test.c
 nodist_EXTRA_%C%_unit_scene_json_test_SOURCES = force_cxx_link.cc
 %C%_unit_scenes_test_SOURCES = %D%/unit/scenes_test.c
@@ -78,6 +91,10 @@ nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
 %C%_unit_tables_test_SOURCES = %D%/unit/tables_test.c
 %C%_unit_tables_test_LDADD = $(BENCH_LIBS)
 nodist_EXTRA_%C%_unit_tables_test_SOURCES = force_cxx_link.cc
+%C%_unit_variant_test_SOURCES = %D%/unit/variant_test.c
+nodist_EXTRA_%C%_unit_variant_test_SOURCES = force_cxx_link.cc
+%C%_unit_world_test_SOURCES = %D%/unit/world_test.c
+nodist_EXTRA_%C%_unit_world_test_SOURCES = force_cxx_link.cc
 %C%_unit_vtp_test_SOURCES = %D%/unit/vtp_test.cc
 %C%_unit_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_conformance_lattice_test_SOURCES = %D%/conformance/lattice_test.c
@@ -87,6 +104,10 @@ nodist_EXTRA_%C%_conformance_line_lattice_test_SOURCES = force_cxx_link.cc
 %C%_properties_boxes_test_SOURCES = %D%/properties/boxes_test.cc
 %C%_properties_edges_test_SOURCES = %D%/properties/edges_test.c
 nodist_EXTRA_%C%_properties_edges_test_SOURCES = force_cxx_link.cc
+%C%_properties_hzbuffer_options_test_SOURCES = %D%/properties/hzbuffer_options_test.c
+nodist_EXTRA_%C%_properties_hzbuffer_options_test_SOURCES = force_cxx_link.cc
+%C%_properties_hzbuffer_test_SOURCES = %D%/properties/hzbuffer_test.c
+nodist_EXTRA_%C%_properties_hzbuffer_test_SOURCES = force_cxx_link.cc
 %C%_properties_combinations_test_SOURCES = %D%/properties/combinations_test.c
 nodist_EXTRA_%C%_properties_combinations_test_SOURCES = force_cxx_link.cc
 %C%_properties_lines_and_surfaces_test_SOURCES = %D%/properties/lines_and_surfaces_test.c

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a user may write for an algorithm with its options, and what not. */
+#include "algorithms/variant.h"
+#include "tests/tap.h"
+
+#include <string.h>
+
+static struct hsr_variant variant;
+static struct hsr_error err;
+
+/* Is it refused, saying so? */
+static void bad(struct tap *tap, const char *text, const char *says) {
+  err.text[0] = '\0';
+  enum hsr_status status = hsr_variant_parse(text, &variant, &err);
+  ok(tap, status == HSR_E_USAGE && strstr(err.text, says) != NULL,
+     "'%.40s' is refused: %s", text, err.text);
+}
+
+/* The number chosen of the algorithm's option; -1: it has none of that name. */
+static long chosen(const char *name) {
+  const struct hsr_option *option = variant.listed->plain->options;
+  for (int k = 0; option[k].name; k++)
+    if (!strcmp(option[k].name, name))
+      return variant.choice.option[k];
+  return -1;
+}
+
+static bool parses(const char *text) {
+  return !hsr_variant_parse(text, &variant, &err) &&
+         !strcmp(variant.name, text);
+}
+
+/* Every word of every option of every algorithm; the ends of every number. */
+static bool all_parse(void) {
+  bool good = true;
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
+    const struct hsr_option *option = a->plain->options;
+    for (int k = 0; option && option[k].name; k++) {
+      char text[HSR_MOST_VARIANT + 1];
+      for (long w = 0; option[k].words && option[k].words[w].name; w++) {
+        snprintf(text, sizeof text, "%s:%s=%s", a->plain->name, option[k].name,
+                 option[k].words[w].name);
+        good &= parses(text) && variant.listed == a &&
+                variant.choice.option[k] == w;
+      }
+      for (int end = 0; !option[k].words && end < 2; end++) {
+        long number = end ? option[k].most : option[k].least;
+        snprintf(text, sizeof text, "%s:%s=%ld", a->plain->name, option[k].name,
+                 number);
+        good &= parses(text) && variant.choice.option[k] == number;
+      }
+    }
+  }
+  return good;
+}
+
+static void test_good(struct tap *tap) {
+  struct hsr_choice standard;
+  ok(tap, parses("zbuffer") && !variant.choice.window, "a name alone");
+  ok(tap, parses("hzbuffer"), "a name of one that has options");
+  standard = hsr_choice_standard(variant.listed->plain);
+  ok(tap, !memcmp(&standard, &variant.choice, sizeof standard),
+     "leaves all at its standard");
+  ok(tap,
+     parses("hzbuffer:cubes=sides:least=7") && chosen("cubes") == 1 &&
+         chosen("least") == 7 && chosen("octree") == 1,
+     "options are set, the others are not");
+  ok(tap, parses("hzbuffer:window=16") && variant.choice.window == 16,
+     "a window");
+  ok(tap, parses("watkins:window=16384") && variant.choice.window == 16384,
+     "a window, of any algorithm that draws faces");
+  ok(tap, all_parse(),
+     "every word, and the ends of every number, of every "
+     "algorithm's options");
+  ok(tap,
+     parses("hzbuffer:coherence=passes") &&
+         hsr_choice_flags(variant.listed->plain, &variant.choice) &
+             HSR_FRAME_STATE,
+     "a word may add a flag");
+}
+
+static void test_bad(struct tap *tap) {
+  char longest[HSR_MOST_VARIANT + 2];
+  memset(longest, ':', sizeof longest - 1);
+  memcpy(longest, "hzbuffer", 8);
+  longest[sizeof longest - 1] = '\0';
+  bad(tap, "", "no algorithm ''");
+  bad(tap, "z-buffer", "no algorithm 'z-buffer'");
+  bad(tap, "hzbuffe", "no algorithm");
+  bad(tap, ":cubes=sides", "no algorithm ''");
+  bad(tap, "hzbuffer=2", "no algorithm");
+  bad(tap, longest, "no algorithm");
+  bad(tap, "hzbuffer:", "no option ''");
+  bad(tap, "hzbuffer::cubes=sides", "no option ''");
+  bad(tap, "hzbuffer:=sides", "no option ''");
+  bad(tap, "hzbuffer:cube=sides", "no option 'cube'");
+  bad(tap, "hzbuffer:cubess=sides", "no option 'cubess'");
+  bad(tap, "zbuffer:cubes=sides", "no option 'cubes'");
+  bad(tap, "hzbuffer:cubes", "cubes must be one of: rectangle, sides");
+  bad(tap, "hzbuffer:cubes=", "cubes must be one of");
+  bad(tap, "hzbuffer:cubes=side", "cubes must be one of");
+  bad(tap, "hzbuffer:cubes=sidess", "cubes must be one of");
+  bad(tap, "hzbuffer:cubes=1", "cubes must be one of");
+  bad(tap, "hzbuffer:cubes=sides=", "cubes must be one of");
+  bad(tap, "hzbuffer:least", "least must be 1 to 100000");
+  bad(tap, "hzbuffer:least=0", "least must be");
+  bad(tap, "hzbuffer:least=100001", "least must be");
+  bad(tap, "hzbuffer:least=-1", "least must be");
+  bad(tap, "hzbuffer:least=+1", "least must be");
+  bad(tap, "hzbuffer:least= 1", "least must be");
+  bad(tap, "hzbuffer:least=1x", "least must be");
+  bad(tap, "hzbuffer:least=0x10", "least must be");
+  bad(tap, "hzbuffer:least=99999999999999999999999", "least must be");
+  bad(tap, "hzbuffer:least=9223372036854775808", "least must be");
+  bad(tap, "hzbuffer:window", "window must be 1 to 16384");
+  bad(tap, "hzbuffer:window=0", "window must be");
+  bad(tap, "hzbuffer:window=16385", "window must be");
+  bad(tap, "hzbuffer:least=3:least=3", "twice");
+  bad(tap, "hzbuffer:cubes=sides:near=on:cubes=rectangle", "twice");
+  bad(tap, "zbuffer:window=8:window=16", "twice");
+  bad(tap, "appel:window=16", "appel does not draw in windows");
+  bad(tap, "hzbuffer:coherence=list:window=32", "no windows");
+  bad(tap, "hzbuffer:window=32:coherence=passes", "no windows");
+}
+
+int main(void) {
+  struct tap tap = plan(8 + 37);
+  test_good(&tap);
+  test_bad(&tap);
+  return finish(&tap);
+}
