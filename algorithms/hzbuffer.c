@@ -234,6 +234,23 @@ static void complete(struct walk *w, float *z, int i, int j) {
   (&w->pyramid, (struct hsr_bounds){i, j, i + 1, j + 1});
 }
 
+/* Is a point on the screen within a side, whatever HSR_CUBE_MARGIN leaves open?
+ */
+static bool is_within(const struct hsr_cube_image *image,
+                      const unsigned char *corner, double x, double y) {
+  int turns = 0;
+  for (int k = 0; k < 4; k++) {
+    int a = corner[k], b = corner[(k + 1) % 4];
+    double dx = image->x[b] - image->x[a], dy = image->y[b] - image->y[a];
+    double e = dx * (y - image->y[a]) - dy * (x - image->x[a]);
+    double bound = 4 * HSR_CUBE_MARGIN *
+                   (fabs(dx) + fabs(dy) + fabs(x - image->x[a]) +
+                    fabs(y - image->y[a]) + 2 * HSR_CUBE_MARGIN);
+    turns += e > bound ? 1 : e < -bound ? -1 : 0;
+  }
+  return turns == 4 || turns == -4;
+}
+
 /* Scan-converts a side, to the first sample where it is not hidden. */
 static bool scan_side(struct walk *w, const struct hsr_placing *placing,
                       const struct hsr_octree_node *node,
@@ -261,7 +278,7 @@ static bool scan_side(struct walk *w, const struct hsr_placing *placing,
       q = q < image->nearest ? q : image->nearest;
       if (!(q * HSR_CLEAR < z[i - t->part.x0]))
         return true;
-      if (tags)
+      if (tags && is_within(image, HSR_OF_BUILD(hsr_cube_side)[side], x, y))
         complete(w, &z[i - t->part.x0], i, j);
     }
   }

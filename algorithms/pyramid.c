@@ -48,8 +48,9 @@ void HSR_OF_BUILD(hsr_pyramid_clear)(struct hsr_pyramid *p) {
         size_t cell = (size_t)y * (size_t)side + (size_t)x;
         bool inside = x < columns && y < rows;
         p->far[level][cell] = inside ? 0 : HUGE_VALF;
+        bool wholly = (x + 1) << level <= width && (y + 1) << level <= height;
         if (p->near[level])
-          p->near[level][cell] = inside ? 0 : HUGE_VALF;
+          p->near[level][cell] = wholly ? 0 : HUGE_VALF;
       }
   }
 }

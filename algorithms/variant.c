@@ -94,19 +94,36 @@ static enum hsr_status choose_window(const struct hsr_algorithm *a,
   return HSR_OK;
 }
 
+/* Notes that an option, by its bit, is chosen. */
+static enum hsr_status note(unsigned bit, struct part name, const char *text,
+                            unsigned *chosen, struct hsr_error *err) {
+  if (*chosen & bit)
+    return hsr_fail(err, HSR_E_USAGE, "%s: %.*s is given twice", text,
+                    (int)name.n, name.text);
+  *chosen |= bit;
+  return HSR_OK;
+}
+
 /* One OPTION=VALUE. */
 static enum hsr_status choose(const struct hsr_algorithm *a, struct part name,
                               struct part value, const char *text,
-                              struct hsr_choice *choice,
+                              unsigned *chosen, struct hsr_choice *choice,
                               struct hsr_error *err) {
-  if (is(name, "window"))
-    return choose_window(a, value, text, choice, err);
+  if (is(name, "window")) {
+    enum hsr_status status =
+        note(1u << HSR_MAX_OPTIONS, name, text, chosen, err);
+    return status ? status : choose_window(a, value, text, choice, err);
+  }
   for (int k = 0; a->options && a->options[k].name; k++) {
     const struct hsr_option *option = &a->options[k];
-    if (is(name, option->name))
-      return option->words
-                 ? choose_word(option, value, text, &choice->option[k], err)
-                 : choose_number(option, value, text, &choice->option[k], err);
+    if (!is(name, option->name))
+      continue;
+    enum hsr_status status = note(1u << k, name, text, chosen, err);
+    if (status)
+      return status;
+    return option->words
+               ? choose_word(option, value, text, &choice->option[k], err)
+               : choose_number(option, value, text, &choice->option[k], err);
   }
   return hsr_fail(err, HSR_E_USAGE,
                   "%s: %s has no option '%.*s' (see hsr list)", text, a->name,
@@ -127,14 +144,15 @@ enum hsr_status hsr_variant_parse(const char *text, struct hsr_variant *variant,
     return hsr_fail(err, HSR_E_USAGE, "no algorithm '%s' (see hsr list)", name);
   *variant = hsr_variant_standard(listed);
   memcpy(variant->name, text, strlen(text) + 1);
+  unsigned chosen = 0;
   for (const char *at = text + n; *at; at += n) {
     n = 1 + strcspn(at + 1, ":");
     struct part option = {at + 1, strcspn(at + 1, "=:")};
     struct part value = {at + 1 + option.n, 0};
     if (*value.text == '=')
       value = (struct part){value.text + 1, n - 2 - option.n};
-    enum hsr_status status =
-        choose(listed->plain, option, value, text, &variant->choice, err);
+    enum hsr_status status = choose(listed->plain, option, value, text, &chosen,
+                                    &variant->choice, err);
     if (status)
       return status;
   }

@@ -358,6 +358,24 @@ static bool always_meets(const void *context, uint32_t k,
   return hsr_boxes_meet(&still->bounds[k], cube);
 }
 
+/* Whether an instance's own root cube lies in a cube. */
+static bool holds_root(const struct hsr_cubes *cubes,
+                       const struct hsr_octree_node *node, uint32_t i) {
+  const struct hsr_instance *instance = &cubes->scene->instances[i];
+  const struct hsr_octree_node *root =
+      &cubes->object[instance->object].octree.node[0];
+  struct hsr_box box = hsr_cube_box(node);
+  for (int k = 0; k < 3; k++) {
+    const double *row = instance->m + 4 * k;
+    double centre = row[0] * root->centre[0] + row[1] * root->centre[1] +
+                    row[2] * root->centre[2] + row[3];
+    double half = (fabs(row[0]) + fabs(row[1]) + fabs(row[2])) * root->half;
+    if (centre - half < box.lo[k] || centre + half > box.hi[k])
+      return false;
+  }
+  return true;
+}
+
 static bool are_apart(const struct hsr_cubes *cubes) {
   const struct hsr_octree *octree = &cubes->octree;
   bool apart = octree->n_items == cubes->scene->n_instances;
@@ -366,7 +384,10 @@ static bool are_apart(const struct hsr_cubes *cubes) {
     uint32_t children = 0;
     for (int o = 0; o < 8; o++)
       children += node->child[o] != HSR_NO_NODE;
-    apart = node->n == 0 || (node->n == 1 && !children);
+    apart =
+        node->n == 0 || (node->n == 1 && !children &&
+                         (octree->n_items == 1 ||
+                          holds_root(cubes, node, octree->item[node->first])));
   }
   return apart;
 }
