@@ -198,6 +198,16 @@ static bool is_face(const struct hsr_world *cell, uint32_t k,
   return same;
 }
 
+/* The cell's vertices are laid out even where that could be put off. */
+static const struct hsr_cell *lay_out_cell(struct hsr_cube_frame *frame,
+                                           uint32_t k) {
+  const struct hsr_cell *cell = HSR_OF_BUILD(hsr_cube_cell)(frame, k);
+  if (frame->tiler.lay_out)
+    frame->tiler.lay_out(frame->tiler.context);
+  frame->tiler.lay_out = NULL;
+  return cell;
+}
+
 /* Counts how often each face of the world is in a cell. */
 static bool match_cells(struct frame *f, const struct laid_out *l,
                         unsigned char *times) {
@@ -206,7 +216,7 @@ static bool match_cells(struct frame *f, const struct laid_out *l,
   for (uint32_t i = 0; i < l->scene->n_instances; i++) {
     HSR_OF_BUILD(hsr_cube_instance)(frame, i);
     for (uint32_t k = 0; k < frame->object->octree.n_nodes; k++) {
-      const struct hsr_cell *cell = HSR_OF_BUILD(hsr_cube_cell)(frame, k);
+      const struct hsr_cell *cell = lay_out_cell(frame, k);
       for (uint32_t n = 0; n < cell->n_faces; n++) {
         uint32_t g = frame->tiler.first_id + frame->tiler.id[n];
         times[g]++;
@@ -325,7 +335,7 @@ static bool is_in_image(const struct frame *f,
 static void look_at_cube(struct frame *f, uint32_t k, struct held *held) {
   struct hsr_cube_frame *frame = &f->frame;
   const struct hsr_octree_node *node = &frame->object->octree.node[k];
-  const struct hsr_cell *cell = HSR_OF_BUILD(hsr_cube_cell)(frame, k);
+  const struct hsr_cell *cell = lay_out_cell(frame, k);
   struct hsr_cube_image image;
   bool out = HSR_OF_BUILD(hsr_cube_classify)(frame, &frame->placing, node,
                                              NULL) == HSR_BOX_OUT;
