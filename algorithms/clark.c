@@ -42,7 +42,7 @@ static void tile_batch(struct hsr_tiler *t, uint32_t first, int n) {
   HSR_OF_BUILD(hsr_tiler_compact)(t, &batch);
   HSR_OF_BUILD(hsr_tiler_set_up)(t, &batch);
   HSR_OF_BUILD(hsr_tiler_tile_batch)(t, &batch);
-  for (int k = 0; k < n; k++)
+  for (int k = 0; k < n && batch.general; k++)
     if (batch.fate[k] == HSR_GENERALLY)
       tile_face(t, first + (uint32_t)k);
 }

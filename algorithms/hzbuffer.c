@@ -398,7 +398,7 @@ static bool is_repeated(struct walk *w, uint32_t f) {
 
 /* Of those that go the general way. */
 static void drop_repeated(struct walk *w, struct hsr_batch *b) {
-  for (int k = 0; k < b->n; k++)
+  for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY && is_repeated(w, b->first + (uint32_t)k)) {
       HSR_COUNT(w->tally, REPEATED, 1);
       b->fate[k] = HSR_DROP;
@@ -506,7 +506,7 @@ static void tile_batch(struct walk *w, struct hsr_batch *b) {
       HSR_OF_BUILD(hsr_pyramid_update)
     (&w->pyramid, (struct hsr_bounds){r->x0[k], r->y0[k], r->x1[k], r->y1[k]});
   }
-  for (int k = 0; k < b->n; k++)
+  for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY)
       tile_generally(w, b->first + (uint32_t)k);
 }

@@ -64,9 +64,9 @@ static inline float known(float z) {
 }
 
 /* The farthest of two rows' cells, two by two; whether any entry changed. */
-HSR_VECTOR static int reduce_far(const float *restrict row0,
-                                 const float *restrict row1, float *restrict to,
-                                 int n) {
+static inline int reduce_few(const float *restrict row0,
+                             const float *restrict row1, float *restrict to,
+                             int n) {
   int changed = 0;
   for (int x = 0; x < n; x++) {
     float a = known(row0[2 * x]), b = known(row0[2 * x + 1]);
@@ -78,6 +78,17 @@ HSR_VECTOR static int reduce_far(const float *restrict row0,
     to[x] = a;
   }
   return changed;
+}
+
+HSR_VECTOR static int reduce_many(const float *restrict row0,
+                                  const float *restrict row1,
+                                  float *restrict to, int n) {
+  return reduce_few(row0, row1, to, n);
+}
+
+/* Most boxes are small. */
+static int reduce_far(const float *row0, const float *row1, float *to, int n) {
+  return n < 8 ? reduce_few(row0, row1, to, n) : reduce_many(row0, row1, to, n);
 }
 
 /* NaN, or what is outside, is nearer than anything. */
@@ -175,20 +186,26 @@ bool HSR_OF_BUILD(hsr_pyramid_basic)(struct hsr_pyramid *p,
          read_entry(p, p->far, level, r.x0 >> level, r.y0 >> level);
 }
 
-/* Entry (x, y) of the level, which the rectangle meets. */
-static bool hides(struct hsr_pyramid *p, const struct rectangle *r, float q,
-                  int level, int x, int y) {
-  if (q * HSR_CLEAR < read_entry(p, p->far, level, x, y))
-    return true;
-  if (!level--)
-    return false;
-  int x0 = 2 * x > r->x0 >> level ? 2 * x : r->x0 >> level;
-  int y0 = 2 * y > r->y0 >> level ? 2 * y : r->y0 >> level;
-  int x1 = 2 * x + 1 < r->x1 >> level ? 2 * x + 1 : r->x1 >> level;
-  int y1 = 2 * y + 1 < r->y1 >> level ? 2 * y + 1 : r->y1 >> level;
-  for (y = y0; y <= y1; y++)
-    for (x = x0; x <= x1; x++)
-      if (!hides(p, r, q, level, x, y))
+/* The part of a rectangle that an entry of a level covers, in entries of that
+ * below, which are `level`. */
+static inline struct rectangle below(const struct rectangle *r, int level,
+                                     int x, int y) {
+  int x0 = r->x0 >> level, y0 = r->y0 >> level;
+  int x1 = r->x1 >> level, y1 = r->y1 >> level;
+  return (struct rectangle){2 * x > x0 ? 2 * x : x0, 2 * y > y0 ? 2 * y : y0,
+                            2 * x + 1 < x1 ? 2 * x + 1 : x1,
+                            2 * y + 1 < y1 ? 2 * y + 1 : y1};
+}
+
+/* Do entries `e` of the level hide what of the rectangle r is in them? Those
+ * that do not by themselves, by those below. q is the depth, HSR_CLEAR times.
+ */
+static bool hide(struct hsr_pyramid *p, const struct rectangle *r, float q,
+                 int level, struct rectangle e) {
+  for (int y = e.y0; y <= e.y1; y++)
+    for (int x = e.x0; x <= e.x1; x++)
+      if (!(q < read_entry(p, p->far, level, x, y)) &&
+          (!level || !hide(p, r, q, level - 1, below(r, level - 1, x, y))))
         return false;
   return true;
 }
@@ -197,11 +214,9 @@ bool HSR_OF_BUILD(hsr_pyramid_hides)(struct hsr_pyramid *p,
                                      struct hsr_bounds box, float q) {
   struct rectangle r = rectangle_of(p, box);
   int level = covering_level(&r);
-  for (int y = r.y0 >> level; y <= r.y1 >> level; y++)
-    for (int x = r.x0 >> level; x <= r.x1 >> level; x++)
-      if (!hides(p, &r, q, level, x, y))
-        return false;
-  return true;
+  struct rectangle e = {r.x0 >> level, r.y0 >> level, r.x1 >> level,
+                        r.y1 >> level};
+  return hide(p, &r, q * HSR_CLEAR, level, e);
 }
 
 /* The largest value of e + ex x + ey y over the samples of a box, counted from

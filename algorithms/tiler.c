@@ -165,7 +165,6 @@ static void gather_from(const struct hsr_tiler *t, struct hsr_batch *batch,
     r->bx[k] = b.x, r->by[k] = b.y, r->qb[k] = b.q;
     r->cx[k] = c.x, r->cy[k] = c.y, r->qc[k] = c.q;
     batch->one_sided[k] = world->one_sided[batch->first + (uint32_t)k];
-    r->id[k] = called(t, batch->first + (uint32_t)k);
   }
 }
 
@@ -216,8 +215,6 @@ AVX512 static void gather_avx512(const struct hsr_tiler *t,
     gather_corners(t->corner, v + 2, r->cx + k, r->cy + k, r->qc + k);
     __m128i bytes = _mm_loadu_si128((const __m128i *)one_sided + k / LANES);
     _mm512_storeu_si512(b->one_sided + k, _mm512_cvtepu8_epi32(bytes));
-    for (int l = k; l < k + LANES; l++)
-      r->id[l] = called(t, b->first + (uint32_t)l);
   }
   gather_from(t, b, k);
 }
@@ -226,9 +223,10 @@ AVX512 static void gather_avx512(const struct hsr_tiler *t,
 
 /* Finds their boxes, turns them so that their area on the screen is positive,
  * and says what becomes of them. */
-HSR_VECTOR static void look(const struct hsr_tiler *t, int n,
-                            struct hsr_corners *restrict r,
-                            const int *restrict one_sided, int *restrict fate) {
+HSR_VECTOR static int look(const struct hsr_tiler *t, int n,
+                           struct hsr_corners *restrict r,
+                           const int *restrict one_sided, int *restrict fate) {
+  int any = 0;
   const int fx = t->first_x, fy = t->first_y;
   const int wx0 = t->window.x0, wx1 = t->window.x1, wy0 = t->window.y0,
             wy1 = t->window.y1;
@@ -289,7 +287,9 @@ HSR_VECTOR static void look(const struct hsr_tiler *t, int n,
     int fast = (unsafe ^ 1) & small & thick & past_near;
     fate[k] =
         (drop ^ 1) * (HSR_GENERALLY - fast); /* or HSR_DROP, or HSR_TILE */
+    any |= fate[k];
   }
+  return any & HSR_GENERALLY;
 }
 
 /* Makes the k-th triangle, which is that at `place`, the one at `to`. */
@@ -327,12 +327,14 @@ static inline __mmask16 first_lanes(int n) {
 AVX512 static void compact_avx512(struct hsr_batch *b) {
   struct hsr_corners *r = &b->corners;
   void *const rows[] = {r->ax, r->ay, r->bx, r->by, r->cx, r->cy, r->qa,
-                        r->qb, r->qc, r->x0, r->y0, r->x1, r->y1, r->id};
+                        r->qb, r->qc, r->x0, r->y0, r->x1, r->y1};
   int kept = 0;
   for (int k = 0; k < b->n; k += LANES) {
     __mmask16 keep = _mm512_mask_cmpeq_epi32_mask(
         first_lanes(b->n - k), _mm512_loadu_si512(b->fate + k),
         _mm512_set1_epi32(HSR_TILE));
+    if (!keep)
+      continue;
     /* Never ahead of what is still to be read, since kept <= k. */
     for (size_t a = 0; a < sizeof rows / sizeof *rows; a++) {
       __m512i row = _mm512_loadu_si512((int *)rows[a] + k);
@@ -408,12 +410,14 @@ void HSR_OF_BUILD(hsr_tiler_look)(const struct hsr_tiler *t,
   b->first = first;
   b->n = n;
   t->twin->gather(t, b);
-  look(t, n, &b->corners, b->one_sided, b->fate);
+  b->general = look(t, n, &b->corners, b->one_sided, b->fate);
 }
 
 void HSR_OF_BUILD(hsr_tiler_compact)(const struct hsr_tiler *t,
                                      struct hsr_batch *b) {
   t->twin->compact(b);
+  for (int k = 0; k < b->n_fast; k++)
+    b->corners.id[k] = called(t, b->first + (uint32_t)b->place[k]);
 }
 
 void HSR_OF_BUILD(hsr_tiler_drop)(struct hsr_batch *b, const int *drop) {
@@ -430,11 +434,11 @@ void HSR_OF_BUILD(hsr_tiler_drop)(struct hsr_batch *b, const int *drop) {
 void HSR_OF_BUILD(hsr_tiler_set_up)(const struct hsr_tiler *t,
                                     struct hsr_batch *b) {
   set_up(t, &b->corners, b->n_fast, &b->triangles, b->good);
-  for (int k = 0; k < b->n_fast; k++)
-    if (b->good[k])
-      HSR_COUNT(t->tally, HSR_FAST, 1);
-    else
-      b->fate[b->place[k]] = HSR_GENERALLY;
+  for (int k = 0; k < b->n_fast; k++) {
+    HSR_COUNT(t->tally, HSR_FAST, b->good[k]);
+    if (!b->good[k])
+      b->general = b->fate[b->place[k]] = HSR_GENERALLY;
+  }
 }
 
 struct hsr_triangle HSR_OF_BUILD(hsr_tiler_take)(const struct hsr_batch *b,

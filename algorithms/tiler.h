@@ -101,6 +101,7 @@ struct hsr_triangle {
 struct hsr_batch {
   uint32_t first;
   int n, n_fast;
+  int general; /* not 0: some are to go the general way */
   struct hsr_corners corners;
   struct hsr_triangles triangles;
   int one_sided[HSR_BATCH], fate[HSR_BATCH], place[HSR_BATCH];

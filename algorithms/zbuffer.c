@@ -191,7 +191,7 @@ static void tile_face_generally(struct hsr_tiler *tiler, uint32_t f) {
 
 static void tile_batch(struct hsr_tiler *tiler, const struct hsr_batch *b) {
   HSR_OF_BUILD(hsr_tiler_tile_batch)(tiler, b);
-  for (int k = 0; k < b->n; k++)
+  for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY)
       tile_face_generally(tiler, b->first + (uint32_t)k);
 }
