@@ -66,8 +66,9 @@ static bool classify(struct walk *w, const struct hsr_placing *placing,
   HSR_COUNT(w->tally, NODES, 1);
   if (!*inside) {
     struct hsr_box_work work = {0, 0};
+    struct hsr_octree_box cube = hsr_octree_cube(node);
     enum hsr_box_verdict verdict = HSR_OF_BUILD(hsr_cube_classify)(
-        &w->frame, placing, node, HSR_COUNTING ? &work : NULL);
+        &w->frame, placing, &cube, HSR_COUNTING ? &work : NULL);
     HSR_COUNT(w->tally, INEQUALITIES, work.deciding);
     HSR_COUNT(w->tally, NODES_OUT, verdict == HSR_BOX_OUT);
     if (verdict == HSR_BOX_OUT)

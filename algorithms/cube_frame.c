@@ -139,25 +139,25 @@ bool HSR_OF_BUILD(hsr_cube_is_new)(struct hsr_cube_frame *frame, uint32_t i) {
 
 enum hsr_box_verdict HSR_OF_BUILD(hsr_cube_classify)(
     const struct hsr_cube_frame *frame, const struct hsr_placing *p,
-    const struct hsr_octree_node *node, struct hsr_box_work *work) {
-  struct hsr_box box;
+    const struct hsr_octree_box *box, struct hsr_box_work *work) {
+  struct hsr_box grown;
   for (int k = 0; k < 3; k++) {
     const double *row = p->m + 4 * k;
-    double centre = row[0] * node->centre[0] + row[1] * node->centre[1] +
-                    row[2] * node->centre[2] + row[3];
-    double half =
-        (fabs(row[0]) + fabs(row[1]) + fabs(row[2])) * node->half + p->grow[k];
-    box.lo[k] = centre - half;
-    box.hi[k] = centre + half;
+    double centre = row[0] * box->centre[0] + row[1] * box->centre[1] +
+                    row[2] * box->centre[2] + row[3];
+    double half = fabs(row[0]) * box->half[0] + fabs(row[1]) * box->half[1] +
+                  fabs(row[2]) * box->half[2] + p->grow[k];
+    grown.lo[k] = centre - half;
+    grown.hi[k] = centre + half;
   }
-  return hsr_box_classify(&frame->frustum, &box, NULL, work);
+  return hsr_box_classify(&frame->frustum, &grown, NULL, work);
 }
 
 static unsigned front_sides(const struct hsr_placing *p,
-                            const struct hsr_octree_node *node) {
+                            const struct hsr_octree_box *box) {
   unsigned front = 0;
   for (int k = 0; k < 3; k++) {
-    double off = p->eye[k] - node->centre[k], reach = node->half - p->slack;
+    double off = p->eye[k] - box->centre[k], reach = box->half[k] - p->slack;
     front |= (unsigned)!(off > -reach) << k; /* NaN: all six */
     front |= (unsigned)!(off < reach) << (k + 3);
   }
@@ -182,15 +182,15 @@ HSR_VECTOR static void corners(const double *restrict base,
 
 bool HSR_OF_BUILD(hsr_cube_project)(const struct hsr_cube_frame *frame,
                                     const struct hsr_placing *p,
-                                    const struct hsr_octree_node *node,
+                                    const struct hsr_octree_box *box,
                                     struct hsr_cube_image *image) {
   double base[3], step[3][3];
   for (int k = 0; k < 3; k++) {
     const double *row = p->rows[k];
-    base[k] = row[0] * node->centre[0] + row[1] * node->centre[1] +
-              row[2] * node->centre[2] + p->origin[k];
+    base[k] = row[0] * box->centre[0] + row[1] * box->centre[1] +
+              row[2] * box->centre[2] + p->origin[k];
     for (int l = 0; l < 3; l++)
-      step[k][l] = row[l] * node->half;
+      step[k][l] = row[l] * box->half[l];
   }
   double w = base[2] - fabs(step[2][0]) - fabs(step[2][1]) - fabs(step[2][2]);
   if (!(w > p->least && w > frame->job->view->near * (1 + 0x1p-16)))
@@ -200,7 +200,7 @@ bool HSR_OF_BUILD(hsr_cube_project)(const struct hsr_cube_frame *frame,
   for (int o = 1; o < 8; o++)
     if (image->q[o] > image->nearest)
       image->nearest = image->q[o];
-  image->front = front_sides(p, node);
+  image->front = front_sides(p, box);
   return true;
 }
 
@@ -242,10 +242,10 @@ bool HSR_OF_BUILD(hsr_cube_bounds)(const struct hsr_cube_frame *frame,
 }
 
 struct hsr_side_depth HSR_OF_BUILD(hsr_cube_side_depth)(
-    const struct hsr_placing *p, const struct hsr_octree_node *node,
+    const struct hsr_placing *p, const struct hsr_octree_box *box,
     const struct hsr_cube_image *image, int side) {
   int k = side % 3;
-  double at = node->centre[k] + (side < 3 ? -node->half : node->half);
+  double at = box->centre[k] + (side < 3 ? -box->half[k] : box->half[k]);
   double away = at - p->eye[k];
   if (!(fabs(away) > 0x1p20 * p->slack))
     return (struct hsr_side_depth){0, 0, image->nearest};

@@ -87,13 +87,13 @@ void HSR_OF_BUILD(hsr_cube_instance)(struct hsr_cube_frame *frame,
 /* Where a cube lies, as of hsr_box_classify. */
 enum hsr_box_verdict HSR_OF_BUILD(hsr_cube_classify)(
     const struct hsr_cube_frame *frame, const struct hsr_placing *placing,
-    const struct hsr_octree_node *node, struct hsr_box_work *work);
+    const struct hsr_octree_box *box, struct hsr_box_work *work);
 
 /* The image of a cube; false if it is not safely before the eye and past near,
  * and has none. */
 bool HSR_OF_BUILD(hsr_cube_project)(const struct hsr_cube_frame *frame,
                                     const struct hsr_placing *placing,
-                                    const struct hsr_octree_node *node,
+                                    const struct hsr_octree_box *box,
                                     struct hsr_cube_image *image);
 
 /* The corners of side k of a cube, in order around it. */
@@ -113,7 +113,7 @@ struct hsr_side_depth {
   double a, b, c;
 };
 struct hsr_side_depth HSR_OF_BUILD(hsr_cube_side_depth)(
-    const struct hsr_placing *placing, const struct hsr_octree_node *node,
+    const struct hsr_placing *placing, const struct hsr_octree_box *box,
     const struct hsr_cube_image *image, int side);
 
 /* The octant of a cube that is nearest to the eye. */

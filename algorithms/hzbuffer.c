@@ -81,6 +81,7 @@ enum option {
   LEAST,
   SMALL,
   PYRAMID,
+  VOLUMES,
   CUBES,
   POLYGONS,
   NEAR,
@@ -91,6 +92,7 @@ enum option {
 };
 enum { OFF, ON };
 enum { PUSHED, ENCLOSING };
+enum { CUBE, TIGHT };
 enum { RECTANGLE, SIDES, WHOLE };
 enum { FAST, BASIC, DEFINITIVE, NONE };
 enum { NO_COHERENCE, LIST, PASSES };
@@ -105,6 +107,10 @@ static const struct hsr_word placements[] = {
      "that it meets",
      0},
     {"enclosing", "it stays in the smallest cube that encloses it", 0},
+    {NULL, NULL, 0}};
+static const struct hsr_word volumes[] = {
+    {"cubes", "the octree's", 0},
+    {"tight", "the boxes, within them, of what they hold", 0},
     {NULL, NULL, 0}};
 static const struct hsr_word cube_tests[] = {
     {"rectangle", "sides by their bounding rectangles, as in the thesis", 0},
@@ -144,6 +150,7 @@ static const struct hsr_option options[] = {
     [SMALL] = {"small", "small is an area of less than 1/N of a cube's side",
                NULL, 1, 100000, 10},
     [PYRAMID] = {"pyramid", "test by the z-pyramid", off_on, 0, 1, ON},
+    [VOLUMES] = {"volumes", "what is tested for a cube", volumes, 0, 1, CUBE},
     [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 2, RECTANGLE},
     [POLYGONS] = {"polygons", "how a face is tested", polygon_tests, 0, 3,
                   FAST},
@@ -253,13 +260,13 @@ static bool is_within(const struct hsr_cube_image *image,
 
 /* Scan-converts a side, to the first sample where it is not hidden. */
 static bool scan_side(struct walk *w, const struct hsr_placing *placing,
-                      const struct hsr_octree_node *node,
+                      const struct hsr_octree_box *cube,
                       const struct hsr_cube_image *image, int side,
                       const struct hsr_bounds *box) {
   const struct hsr_view *view = w->frame.job->view;
   const struct hsr_tiler *t = &w->frame.tiler;
   struct hsr_side_depth depth =
-      HSR_OF_BUILD(hsr_cube_side_depth)(placing, node, image, side);
+      HSR_OF_BUILD(hsr_cube_side_depth)(placing, cube, image, side);
   bool tags = w->option[COMPLETED_SAMPLES] && w->frame.cubes->apart;
   HSR_COUNT(w->tally, SIDES_SCANNED, 1);
   touch_for(w, WORK_BOXES);
@@ -311,7 +318,7 @@ static bool is_rectangle_hidden(struct walk *w, struct hsr_bounds box, float q,
 
 /* Is a front side not known to be hidden? */
 static bool is_side_visible(struct walk *w, const struct hsr_placing *placing,
-                            const struct hsr_octree_node *node,
+                            const struct hsr_octree_box *cube,
                             const struct hsr_cube_image *image, int side) {
   const unsigned char *corner = HSR_OF_BUILD(hsr_cube_side)[side];
   struct hsr_bounds box;
@@ -332,7 +339,7 @@ static bool is_side_visible(struct walk *w, const struct hsr_placing *placing,
       return visible;
   }
   return w->option[CUBES] != SIDES ||
-         scan_side(w, placing, node, image, side, &box);
+         scan_side(w, placing, cube, image, side, &box);
 }
 
 /* The same of the cube as a whole. */
@@ -348,11 +355,11 @@ static bool is_whole_visible(struct walk *w,
 
 static bool is_any_side_visible(struct walk *w,
                                 const struct hsr_placing *placing,
-                                const struct hsr_octree_node *node,
+                                const struct hsr_octree_box *cube,
                                 const struct hsr_cube_image *image) {
   for (int side = 0; side < 6; side++)
     if (image->front >> side & 1 &&
-        is_side_visible(w, placing, node, image, side))
+        is_side_visible(w, placing, cube, image, side))
       return true;
   return false;
 }
@@ -361,11 +368,13 @@ static bool is_any_side_visible(struct walk *w,
  * are the cubes in it. */
 static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
                             const struct hsr_octree_node *node, bool *inside) {
+  struct hsr_octree_box cube =
+      w->option[VOLUMES] == TIGHT ? node->tight : hsr_octree_cube(node);
   HSR_COUNT(w->tally, NODES, 1);
   if (!*inside) {
     struct hsr_box_work work = {0, 0};
     enum hsr_box_verdict verdict = HSR_OF_BUILD(hsr_cube_classify)(
-        &w->frame, placing, node, HSR_COUNTING ? &work : NULL);
+        &w->frame, placing, &cube, HSR_COUNTING ? &work : NULL);
     HSR_COUNT(w->tally, INEQUALITIES, work.deciding);
     if (verdict == HSR_BOX_OUT) {
       HSR_COUNT(w->tally, OUT, 1);
@@ -374,12 +383,12 @@ static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
     *inside = verdict == HSR_BOX_IN;
   }
   struct hsr_cube_image image;
-  if (!HSR_OF_BUILD(hsr_cube_project)(&w->frame, placing, node, &image))
+  if (!HSR_OF_BUILD(hsr_cube_project)(&w->frame, placing, &cube, &image))
     return true; /* the eye may be inside, or the near plane meet it */
   HSR_COUNT(w->tally, CUBES_TESTED, 1);
   bool visible = w->option[CUBES] == WHOLE
                      ? is_whole_visible(w, &image)
-                     : is_any_side_visible(w, placing, node, &image);
+                     : is_any_side_visible(w, placing, &cube, &image);
   HSR_COUNT(w->tally, CUBES_CULLED, !visible);
   return visible;
 }
@@ -620,7 +629,8 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
       still != HSR_NO_NODE ? &octree->node[still] : NULL;
   bool single = moving == HSR_NO_NODE && node && node->n == 1 && is_leaf(node);
   if (!single) {
-    if (!is_cube_visible(w, &w->frame.as_it_is, cube, &inside))
+    if (!is_cube_visible(w, &w->frame.as_it_is,
+                         moving == HSR_NO_NODE ? node : cube, &inside))
       return;
     HSR_COUNT(w->tally, CUBES_VISIBLE, 1);
   }

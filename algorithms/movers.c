@@ -49,6 +49,7 @@ HSR_OF_BUILD(hsr_cube_octant)(const struct hsr_octree_node *cube, int o) {
   for (int k = 0; k < 3; k++)
     octant.centre[k] =
         cube->centre[k] + (o >> k & 1 ? octant.half : -octant.half);
+  octant.tight = hsr_octree_cube(&octant);
   return octant;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/octree.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -182,6 +183,40 @@ static bool look_at_primitives(struct builder *b, struct list *all) {
   return true;
 }
 
+/* What the cube holds of a box is in *all. */
+static void add_box(struct hsr_box *all, const struct hsr_box *cube,
+                    const struct hsr_box *box) {
+  for (int k = 0; k < 3; k++) {
+    double lo = box->lo[k] > cube->lo[k] ? box->lo[k] : cube->lo[k];
+    double hi = box->hi[k] < cube->hi[k] ? box->hi[k] : cube->hi[k];
+    all->lo[k] = lo < all->lo[k] ? lo : all->lo[k];
+    all->hi[k] = hi > all->hi[k] ? hi : all->hi[k];
+  }
+}
+
+/* From the children to their parents. Rounding takes the middle and the halves
+ * off by less than 2^-50 of the coordinates. */
+static void tighten(const struct builder *b, struct hsr_box *tight) {
+  for (uint32_t k = (uint32_t)b->node.n; k--;) {
+    struct hsr_octree_node *node = node_at(b, k);
+    struct hsr_box cube = hsr_cube_box(node);
+    const uint32_t *item = (const uint32_t *)b->item.items + node->first;
+    tight[k] = (struct hsr_box){{INFINITY, INFINITY, INFINITY},
+                                {-INFINITY, -INFINITY, -INFINITY}};
+    for (uint32_t i = 0; i < node->n; i++)
+      add_box(&tight[k], &cube, &b->bounds[item[i]]);
+    for (int o = 0; o < 8; o++)
+      if (node->child[o] != HSR_NO_NODE)
+        add_box(&tight[k], &cube, &tight[node->child[o]]);
+    if (!(tight[k].lo[0] <= tight[k].hi[0]))
+      tight[k] = cube;
+    for (int a = 0; a < 3; a++) {
+      node->tight.centre[a] = 0.5 * (tight[k].lo[a] + tight[k].hi[a]);
+      node->tight.half[a] = 0.5 * (tight[k].hi[a] - tight[k].lo[a]);
+    }
+  }
+}
+
 enum hsr_status hsr_octree_init(struct hsr_octree *octree,
                                 const struct hsr_primitives *primitives,
                                 const struct hsr_octree_rule *rule,
@@ -195,6 +230,11 @@ enum hsr_status hsr_octree_init(struct hsr_octree *octree,
   struct list all = {NULL, 0, 0};
   uint32_t made;
   bool good = look_at_primitives(&b, &all) && build(&b, &root, &all, 0, &made);
+  struct hsr_box *tight = good ? malloc(b.node.n * sizeof *tight) : NULL;
+  good = tight;
+  if (good)
+    tighten(&b, tight);
+  free(tight);
   free(all.k);
   free(b.bounds);
   free(b.area);

@@ -22,10 +22,17 @@ extern "C" {
 
 #define HSR_NO_NODE UINT32_MAX
 
+/* A box by its middle. */
+struct hsr_octree_box {
+  double centre[3], half[3];
+};
+
 struct hsr_octree_node {
-  double centre[3], half; /* the cube */
-  uint32_t child[8];      /* bit k of the octant's number: above centre[k] */
-  uint32_t first, n;      /* its primitives: item[first] and so on */
+  double centre[3], half;      /* the cube */
+  struct hsr_octree_box tight; /* within it, what is in it and its octants; the
+                                  cube, if there is nothing */
+  uint32_t child[8]; /* bit k of the octant's number: above centre[k] */
+  uint32_t first, n; /* its primitives: item[first] and so on */
 };
 
 struct hsr_octree {
@@ -67,6 +74,14 @@ static inline struct hsr_box hsr_cube_box(const struct hsr_octree_node *node) {
     box.hi[k] = node->centre[k] + node->half;
   }
   return box;
+}
+
+static inline struct hsr_octree_box
+hsr_octree_cube(const struct hsr_octree_node *node) {
+  struct hsr_octree_box cube = {
+      {node->centre[0], node->centre[1], node->centre[2]},
+      {node->half, node->half, node->half}};
+  return cube;
 }
 
 /* The order in which octants are visited from front to back, of an eye in

@@ -139,7 +139,8 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
   struct walk *w = &ns->walk;
   const uint64_t *count = w->tally->count;
   uint64_t out = count[OUT], tested = count[CUBES_TESTED];
-  bool truly_out = HSR_OF_BUILD(hsr_cube_classify)(&w->frame, placing, node,
+  struct hsr_octree_box cube = hsr_octree_cube(node);
+  bool truly_out = HSR_OF_BUILD(hsr_cube_classify)(&w->frame, placing, &cube,
                                                    NULL) == HSR_BOX_OUT;
   bool visible = is_cube_visible(w, placing, node, inside);
   enum said said = count[OUT] > out               ? IS_OUT

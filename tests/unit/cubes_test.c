@@ -323,10 +323,11 @@ static bool is_in_image(const struct frame *f,
               q <= (double)image->nearest;
   if (x < 0 || x > M || y < 0 || y > N)
     return good; /* depths are of the picture */
+  struct hsr_octree_box cube = hsr_octree_cube(node);
   for (int side = 0; side < 6; side++)
     if (image->front >> side & 1) {
       struct hsr_side_depth d = HSR_OF_BUILD(hsr_cube_side_depth)(
-          &f->frame.placing, node, image, side);
+          &f->frame.placing, &cube, image, side);
       good &= q <= d.c + d.a * x + d.b * y;
     }
   return good;
@@ -336,11 +337,12 @@ static void look_at_cube(struct frame *f, uint32_t k, struct held *held) {
   struct hsr_cube_frame *frame = &f->frame;
   const struct hsr_octree_node *node = &frame->object->octree.node[k];
   const struct hsr_cell *cell = lay_out_cell(frame, k);
+  struct hsr_octree_box cube = hsr_octree_cube(node);
   struct hsr_cube_image image;
-  bool out = HSR_OF_BUILD(hsr_cube_classify)(frame, &frame->placing, node,
+  bool out = HSR_OF_BUILD(hsr_cube_classify)(frame, &frame->placing, &cube,
                                              NULL) == HSR_BOX_OUT;
   bool has_image =
-      HSR_OF_BUILD(hsr_cube_project)(frame, &frame->placing, node, &image);
+      HSR_OF_BUILD(hsr_cube_project)(frame, &frame->placing, &cube, &image);
   held->out += out;
   held->images += has_image;
   for (uint32_t v = 0; v < cell->n_vertices; v++) {
