@@ -145,9 +145,10 @@ static bool same_family(const char *a, const char *b) {
 static double table1_of(const struct report *report, const json_t *cell,
                         const char *symbol) {
   char key[RESULTS_KEY];
-  snprintf(key, sizeof key, "%.300s %ld %ldx%ld", results_text(cell, "scene"),
-           results_number(cell, "view"), results_number(cell, "width"),
-           results_number(cell, "height"));
+  results_picture_key(results_text(cell, "scene"), results_number(cell, "view"),
+                      results_number(cell, "walk"),
+                      results_number(cell, "width"),
+                      results_number(cell, "height"), key);
   const json_t *view = results_view(report->results, key);
   const json_t *x = json_object_get(json_object_get(view, "table1"), symbol);
   return json_is_number(x) ? json_number_value(x) : NAN;
@@ -166,7 +167,9 @@ static bool equal(const json_t *a, const json_t *b, const char *field) {
  * or of other scenes of the same family. */
 static bool is_rung(const json_t *a, const json_t *b, bool of_sizes) {
   if (!equal(a, b, "algorithm") || !equal(a, b, "threads") ||
-      !equal(a, b, "view") || !json_is_object(json_object_get(b, "seconds")))
+      !equal(a, b, "view") ||
+      results_number(a, "walk") != results_number(b, "walk") ||
+      !json_is_object(json_object_get(b, "seconds")))
     return false;
   if (of_sizes)
     return equal(a, b, "scene") && samples_of(a) > 0;
