@@ -5,6 +5,7 @@
 #include "bench/json.h"
 #include "bench/list.h"
 #include "bench/report/report.h"
+#include "bench/tables/greene.h"
 #include "bench/tables/tables.h"
 #include "bench/times.h"
 
@@ -334,11 +335,11 @@ static json_t *geometric_json(const json_t *cells, const char *to) {
 /* --- All ---------------------------------------------------------------------
  */
 
-/* null where the results have none of the scenes of 1974. */
-static json_t *tables_or_null(const struct report *report) {
+/* Greene's alone where the results have none of the scenes of 1974. */
+static json_t *all_tables(const struct report *report) {
   struct tables *tables;
   json_t *json = tables_new(&tables, report->results, NULL)
-                     ? json_null()
+                     ? json_pack("{so}", "greene", greene_json(report->results))
                      : tables_json(tables);
   tables_delete(tables);
   return json;
@@ -357,7 +358,7 @@ json_t *report_data(const struct report *report, struct hsr_error *err) {
       report->results->headers, "views", report->results->views, "growth",
       growth_json(report, cells), "geometric",
       geometric_json(cells, report->reference), "baseline", report->reference,
-      "tables", tables_or_null(report), "algorithms", algorithms_json());
+      "tables", all_tables(report), "algorithms", algorithms_json());
   if (data && json_object_set(data, "cells", cells)) {
     json_decref(data);
     data = NULL;
