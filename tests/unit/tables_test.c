@@ -269,6 +269,10 @@ static void test_missing(struct tap *tap) {
   json_object_set_new(json_object_get(cell, "counts"), "X merge",
                       json_integer(1));
   give(&results, cell);
+  for (int e = 0; e < ENVIRONMENTS; e++) {
+    set(&results, e, "bouknight", "spans", 100);
+    set(&results, e, "watkins", "spans", 200);
+  }
   struct tables *t = tables_of(&results);
   const struct table_algorithm *watkins = tables_algorithm(t, "watkins");
   ok(tap,
