@@ -55,6 +55,7 @@ libbench_a_SOURCES = \
   %D%/tables/command.c \
   %D%/tables/compute.c \
   %D%/tables/greene.c \
+  %D%/tables/greene.def \
   %D%/tables/greene.h \
   %D%/tables/growth.c \
   %D%/tables/growth.h \

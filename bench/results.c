@@ -25,11 +25,26 @@ long results_number(const json_t *record, const char *field) {
   return (long)json_integer_value(json_object_get(record, field));
 }
 
+void results_view_name(long view, long walk, char name[RESULTS_VIEW]) {
+  if (walk > 1)
+    snprintf(name, RESULTS_VIEW, "%ld-%ld", view, view + walk - 1);
+  else
+    snprintf(name, RESULTS_VIEW, "%ld", view);
+}
+
+int results_picture_key(const char *scene, long view, long walk, long m, long n,
+                        char key[RESULTS_KEY]) {
+  char name[RESULTS_VIEW];
+  results_view_name(view, walk, name);
+  return snprintf(key, RESULTS_KEY, "%.*s %s %ldx%ld", (int)RESULTS_MOST_SCENE,
+                  scene, name, m, n);
+}
+
 void results_key(const json_t *record, char key[RESULTS_KEY]) {
-  int length = snprintf(
-      key, RESULTS_KEY, "%.*s %ld %ldx%ld", (int)RESULTS_MOST_SCENE,
+  int length = results_picture_key(
       results_text(record, "scene"), results_number(record, "view"),
-      results_number(record, "width"), results_number(record, "height"));
+      results_number(record, "walk"), results_number(record, "width"),
+      results_number(record, "height"), key);
   if (json_object_get(record, "algorithm"))
     snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.*s %ld",
              (int)RESULTS_MOST_NAME, results_text(record, "algorithm"),

@@ -34,9 +34,17 @@ const char *results_text(const json_t *record, const char *field);
 long results_number(const json_t *record, const char *field);
 
 /* The key of a view or cell record: the text by which two records are of the
- * same. "scene 1 512x512" and, of a cell, " algorithm 1": its threads. */
+ * same. "scene 1 512x512", of a walk over views 1 to 8 "scene 1-8 512x512";
+ * and, of a cell, " algorithm 1": its threads. */
 enum { RESULTS_KEY = 512, RESULTS_MOST_SCENE = 300, RESULTS_MOST_NAME = 100 };
 void results_key(const json_t *record, char key[RESULTS_KEY]);
+
+/* What keys are made of: a view, or `walk` views in a row; the scene's picture,
+ * of which it returns the length. */
+enum { RESULTS_VIEW = 48 };
+void results_view_name(long view, long walk, char name[RESULTS_VIEW]);
+int results_picture_key(const char *scene, long view, long walk, long m, long n,
+                        char key[RESULTS_KEY]);
 
 /* The record of that key, borrowed; NULL if there is none. */
 const json_t *results_view(const struct results *results, const char *key);

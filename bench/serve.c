@@ -16,13 +16,28 @@
 #define SAMPLE_SECONDS 4e-3
 #define WARM_SECONDS 20e-3
 #define SHORT_SECONDS 100e-3
-enum { WARM_FRAMES = 3, MOST_INNER = 100000 };
+enum { WARM_ROUNDS = 3, MOST_ROUNDS = 100000, MOST_VIEW = 2000 };
+
+/* "K", or "K-L": K is the first view of a walk, L its last. */
+static bool parse_views(const char *text, long *first, int *walk) {
+  long last;
+  int length = 0;
+  *walk = 1;
+  if (parse_count(text, 1, MOST_VIEW, first))
+    return true;
+  if (sscanf(text, "%7ld-%7ld%n", first, &last, &length) != 2 || text[length] ||
+      *first < 1 || *first >= last || last > MOST_VIEW)
+    return false;
+  *walk = (int)(last - *first) + 1;
+  return true;
+}
 
 enum hsr_status serve_parse(int argc, char **argv,
                             struct serve_request *request,
                             struct hsr_error *err) {
   *request = (struct serve_request){.name = NULL};
-  if (argc < 6 || argc > 7 || !parse_count(argv[3], 1, 1000, &request->view) ||
+  if (argc < 6 || argc > 7 ||
+      !parse_views(argv[3], &request->view, &request->walk) ||
       !parse_size(argv[4], &request->m, &request->n) ||
       !parse_count(argv[5], 1, 64, &request->threads))
     return hsr_fail(err, HSR_E_USAGE,
@@ -59,9 +74,9 @@ static long peak_kb(long before) {
 
 /* How a sample is taken. */
 struct pace {
-  long inner;      /* so many frames, timed together */
+  long rounds;     /* so many, timed together */
   bool has_runner; /* behind one that brings the caches back, untimed: others
-                      have drawn meanwhile. Long frames do without. */
+                      have drawn meanwhile. Long rounds do without. */
 };
 
 /* Draws until all is warm. */
@@ -69,9 +84,9 @@ static enum hsr_status warm_up(const struct served *served, struct pace *pace,
                                struct hsr_error *err) {
   double begin = seconds_now(), last = begin, least = -1;
   for (long k = 0;
-       k < WARM_FRAMES || (last - begin < WARM_SECONDS && k < MOST_INNER);
+       k < WARM_ROUNDS || (last - begin < WARM_SECONDS && k < MOST_ROUNDS);
        k++) {
-    enum hsr_status status = served->frame(served->state, err);
+    enum hsr_status status = served->round(served->state, err);
     if (status)
       return status;
     double now = seconds_now();
@@ -79,10 +94,14 @@ static enum hsr_status warm_up(const struct served *served, struct pace *pace,
       least = now - last;
     last = now;
   }
-  double frames = SAMPLE_SECONDS / (least > 1e-9 ? least : 1e-9);
-  pace->inner = frames > MOST_INNER ? MOST_INNER : (long)frames + 1;
+  double rounds = SAMPLE_SECONDS / (least > 1e-9 ? least : 1e-9);
+  pace->rounds = rounds > MOST_ROUNDS ? MOST_ROUNDS : (long)rounds + 1;
   pace->has_runner = least < SHORT_SECONDS;
   return HSR_OK;
+}
+
+static long frames_of(const struct served *served, const struct pace *pace) {
+  return pace->rounds * served->request->walk;
 }
 
 static enum hsr_status draw_sample(const struct served *served,
@@ -90,11 +109,11 @@ static enum hsr_status draw_sample(const struct served *served,
                                    struct hsr_error *err) {
   enum hsr_status status = HSR_OK;
   if (pace->has_runner)
-    status = served->frame(served->state, err);
+    status = served->round(served->state, err);
   double begin = seconds_now();
-  for (long k = 0; k < pace->inner && !status; k++)
-    status = served->frame(served->state, err);
-  double seconds = (seconds_now() - begin) / (double)pace->inner;
+  for (long k = 0; k < pace->rounds && !status; k++)
+    status = served->round(served->state, err);
+  double seconds = (seconds_now() - begin) / (double)frames_of(served, pace);
   if (!status)
     printf("{\"seconds\": %.9g}\n", seconds);
   return status;
@@ -194,7 +213,7 @@ static enum hsr_status answer_byte(const struct served *served, int byte,
 }
 
 enum hsr_status serve(const struct served *served, struct hsr_error *err) {
-  struct pace pace = {.inner = 1};
+  struct pace pace = {.rounds = 1};
   enum hsr_status status = warm_up(served, &pace, err);
   if (!status)
     status = write_ids(served, err);
@@ -203,7 +222,7 @@ enum hsr_status serve(const struct served *served, struct hsr_error *err) {
   printf("{\"import\": %.9g, \"adapt\": %.9g, \"prepare\": %.9g, "
          "\"before_kb\": %ld, \"inner\": %ld}\n",
          served->stage->import_seconds, served->adapt_seconds,
-         served->prepare_seconds, served->before_kb, pace.inner);
+         served->prepare_seconds, served->before_kb, frames_of(served, &pace));
   while (!status) {
     if (fflush(stdout))
       return hsr_fail(err, HSR_E_INPUT, "worker: nobody listens");

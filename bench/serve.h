@@ -4,11 +4,13 @@
  *
  * It is started as
  *   PROGRAM worker NAME SCENE VIEW WxH THREADS [IDS-FILE]
- * and speaks lines of JSON on its standard output. When it is ready:
+ * where VIEW is K, or K-L for a walk, of which a round is a frame of each view
+ * from K to L, in their order; else it is one frame. It speaks lines of JSON on
+ * its standard output. When it is ready:
  *   {"import": s, "adapt": s, "prepare": s, "before_kb": n, "inner": k}
  * import, adapt, prepare: seconds of these phases; before_kb: the memory that
- * it held before the last two; inner: frames a sample. Then it answers every
- * byte that comes on its standard input, until that ends:
+ * it held before the last two; inner: frames a sample, whole rounds. Then it
+ * answers every byte that comes on its standard input, until that ends:
  *   'r'  it draws `inner` frames:          {"seconds": s}, the mean of one by
  *                                          the clock on the wall
  *   'm'  the most memory it ever held:     {"peak_kb": n}
@@ -25,6 +27,7 @@
 struct serve_request {
   const char *name, *scene;
   long view, threads;
+  int walk; /* views of a round */
   int m, n;
   const char *ids_file; /* or NULL */
 };
@@ -41,11 +44,11 @@ struct served {
   double adapt_seconds, prepare_seconds;
   long before_kb;
 
-  /* One whole frame. */
-  enum hsr_status (*frame)(void *state, struct hsr_error *err);
+  /* A round of whole frames. */
+  enum hsr_status (*round)(void *state, struct hsr_error *err);
   void *state;
-  const uint32_t *ids; /* the picture, m * n, once a frame is drawn; NULL: it
-                          makes none */
+  const uint32_t *ids; /* the last picture, m * n, once a round is drawn; NULL:
+                          it makes none */
 };
 
 long memory_kb(void); /* that this process holds now */

@@ -20,6 +20,15 @@ enum hsr_status stage_open(struct stage *stage, const char *scene, bool lay_out,
   return hsr_view_init(&stage->view, &stage->scene->views[view - 1], m, n, err);
 }
 
+enum hsr_status stage_walk(const struct stage *stage, long first, int n,
+                           struct hsr_view *view, struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < n && !status; k++)
+    status = hsr_view_init(&view[k], &stage->scene->views[first - 1 + k],
+                           stage->view.m, stage->view.n, err);
+  return status;
+}
+
 void stage_close(struct stage *stage) {
   hsr_world_free(&stage->world);
   hsr_scene_delete(stage->scene);

@@ -23,4 +23,9 @@ enum hsr_status stage_open(struct stage *stage, const char *scene, bool lay_out,
                            long view, int m, int n, struct hsr_error *err);
 void stage_close(struct stage *stage);
 
+/* `n` views of an open stage from view `first` on, of the size of its own,
+ * which none of them is behind. Whatever hsr_view_init fails with. */
+enum hsr_status stage_walk(const struct stage *stage, long first, int n,
+                           struct hsr_view *view, struct hsr_error *err);
+
 #endif

@@ -39,10 +39,12 @@ void times_free(struct times *times) {
 const json_t *times_reference(const struct results *results, const json_t *cell,
                               const char *reference) {
   char key[RESULTS_KEY];
-  snprintf(key, sizeof key, "%.300s %ld %ldx%ld %.100s 1",
-           results_text(cell, "scene"), results_number(cell, "view"),
-           results_number(cell, "width"), results_number(cell, "height"),
-           reference);
+  int length = results_picture_key(
+      results_text(cell, "scene"), results_number(cell, "view"),
+      results_number(cell, "walk"), results_number(cell, "width"),
+      results_number(cell, "height"), key);
+  snprintf(key + length, sizeof key - (size_t)length, " %.*s 1",
+           (int)RESULTS_MOST_NAME, reference);
   return results_cell(results, key);
 }
 

@@ -3,30 +3,39 @@
 #include "bench/command.h"
 #include "bench/serve.h"
 
-/* What one frame takes. */
-struct frame {
+#include <stdlib.h>
+
+/* What one round takes. */
+struct round {
   const struct hsr_setup *setup;
-  const struct hsr_view *view;
+  const struct hsr_view *view; /* the walk's, n of them */
+  int n;
   struct crew *crew;
   struct answer answer;
 };
 
-static enum hsr_status draw_frame(void *state, struct hsr_error *err) {
-  struct frame *frame = state;
+static enum hsr_status draw_round(void *state, struct hsr_error *err) {
+  struct round *round = state;
   struct hsr_tally tally = {.work = NULL};
-  return crew_render(frame->crew, frame->setup, frame->view, &frame->answer,
-                     &tally, err);
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < round->n && !status; k++)
+    status = crew_render(round->crew, round->setup, &round->view[k],
+                         &round->answer, &tally, err);
+  return status;
 }
 
-static enum hsr_status serve_setup(const struct serve_request *request,
-                                   const struct stage *stage,
-                                   const struct hsr_setup *setup, long before,
-                                   struct hsr_error *err) {
+static enum hsr_status serve_walk(const struct serve_request *request,
+                                  const struct stage *stage,
+                                  const struct hsr_setup *setup,
+                                  const struct hsr_view *view, long before,
+                                  struct hsr_error *err) {
   const struct hsr_algorithm *algorithm = setup->algorithm;
-  struct frame frame = {
-      .setup = setup, .view = &stage->view, .crew = crew_new(request->threads)};
+  struct round round = {.setup = setup,
+                        .view = view,
+                        .n = request->walk,
+                        .crew = crew_new(request->threads)};
   enum hsr_status status =
-      frame.crew ? answer_init(&frame.answer, algorithm, &stage->view, err)
+      round.crew ? answer_init(&round.answer, algorithm, &stage->view, err)
                  : hsr_fail_nomem(err);
   struct served served = {
       .request = request,
@@ -34,16 +43,32 @@ static enum hsr_status serve_setup(const struct serve_request *request,
       .adapt_seconds = setup->adapt_seconds,
       .prepare_seconds = setup->prepare_seconds,
       .before_kb = before,
-      .frame = draw_frame,
-      .state = &frame,
-      .ids = algorithm->flags & HSR_NO_PICTURE ? NULL : frame.answer.ids};
+      .round = draw_round,
+      .state = &round,
+      .ids = algorithm->flags & HSR_NO_PICTURE ? NULL : round.answer.ids};
   if (!status)
     status = serve(&served, err);
-  answer_free(&frame.answer);
-  crew_free(frame.crew);
+  answer_free(&round.answer);
+  crew_free(round.crew);
   return status;
 }
 
+static enum hsr_status serve_setup(const struct serve_request *request,
+                                   const struct stage *stage,
+                                   const struct hsr_setup *setup, long before,
+                                   struct hsr_error *err) {
+  struct hsr_view *view = calloc((size_t)request->walk, sizeof *view);
+  enum hsr_status status =
+      view ? stage_walk(stage, request->view, request->walk, view, err)
+           : hsr_fail_nomem(err);
+  if (!status)
+    status = serve_walk(request, stage, setup, view, before, err);
+  free(view);
+  return status;
+}
+
+/* The stage's own view is the walk's last, which is the picture that there is
+ * once a round is drawn. */
 enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err) {
   struct serve_request request;
   struct hsr_variant variant;
@@ -54,8 +79,9 @@ enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err) {
     return status;
   struct stage stage;
   bool lay_out = !(variant.listed->plain->flags & HSR_INSTANCED);
-  status = stage_open(&stage, request.scene, lay_out, request.view, request.m,
-                      request.n, err);
+  status =
+      stage_open(&stage, request.scene, lay_out,
+                 request.view + request.walk - 1, request.m, request.n, err);
   if (!status) {
     long before = memory_kb();
     struct hsr_setup setup;

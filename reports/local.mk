@@ -23,6 +23,8 @@ report_sources = \
   %D%/page/tree.js
 EXTRA_DIST += %D%/peers/README.md %D%/peers/results.ndjson %D%/peers/times.txt \
   %D%/1974/README.md %D%/1974/counts.ndjson %D%/1974/tables.txt \
+  %D%/greene/README.md %D%/greene/make %D%/greene/results.ndjson \
+  %D%/greene/tables.txt \
   $(report_sources) %D%/build.mjs %D%/package.json \
   %D%/package-lock.json %D%/page/page.html %D%/page/style.css
 

@@ -104,7 +104,7 @@ static enum hsr_status serve_run(struct run *run, struct hsr_error *err) {
                           .adapt_seconds = run->setup.adapt_seconds,
                           .prepare_seconds = run->prepare_seconds,
                           .before_kb = run->before_kb,
-                          .frame = draw_frame,
+                          .round = draw_frame,
                           .state = run,
                           .ids = draws_ids ? run->canvas.ids : NULL};
   return serve(&served, err);
@@ -181,6 +181,8 @@ run_peer(const struct peer *peer, const struct serve_request *request,
          struct hsr_error *err) {
   if (request->threads > 1 && !peer->many_threads)
     return hsr_fail(err, HSR_E_REFUSED, "%s draws on one thread", peer->name);
+  if (request->walk > 1)
+    return hsr_fail(err, HSR_E_REFUSED, "%s does not walk", peer->name);
   struct run run = {.peer = peer, .request = request};
   enum hsr_status status =
       stage_open(&run.stage, request->scene, peer->outlines != OUTLINES_ONLY,

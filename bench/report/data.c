@@ -5,6 +5,7 @@
 #include "bench/json.h"
 #include "bench/list.h"
 #include "bench/report/report.h"
+#include "bench/tables/greene.h"
 #include "bench/tables/tables.h"
 #include "bench/times.h"
 
@@ -145,9 +146,10 @@ static bool same_family(const char *a, const char *b) {
 static double table1_of(const struct report *report, const json_t *cell,
                         const char *symbol) {
   char key[RESULTS_KEY];
-  snprintf(key, sizeof key, "%.300s %ld %ldx%ld", results_text(cell, "scene"),
-           results_number(cell, "view"), results_number(cell, "width"),
-           results_number(cell, "height"));
+  results_picture_key(results_text(cell, "scene"), results_number(cell, "view"),
+                      results_number(cell, "walk"),
+                      results_number(cell, "width"),
+                      results_number(cell, "height"), key);
   const json_t *view = results_view(report->results, key);
   const json_t *x = json_object_get(json_object_get(view, "table1"), symbol);
   return json_is_number(x) ? json_number_value(x) : NAN;
@@ -166,7 +168,9 @@ static bool equal(const json_t *a, const json_t *b, const char *field) {
  * or of other scenes of the same family. */
 static bool is_rung(const json_t *a, const json_t *b, bool of_sizes) {
   if (!equal(a, b, "algorithm") || !equal(a, b, "threads") ||
-      !equal(a, b, "view") || !json_is_object(json_object_get(b, "seconds")))
+      !equal(a, b, "view") ||
+      results_number(a, "walk") != results_number(b, "walk") ||
+      !json_is_object(json_object_get(b, "seconds")))
     return false;
   if (of_sizes)
     return equal(a, b, "scene") && samples_of(a) > 0;
@@ -331,11 +335,11 @@ static json_t *geometric_json(const json_t *cells, const char *to) {
 /* --- All ---------------------------------------------------------------------
  */
 
-/* null where the results have none of the scenes of 1974. */
-static json_t *tables_or_null(const struct report *report) {
+/* Greene's alone where the results have none of the scenes of 1974. */
+static json_t *all_tables(const struct report *report) {
   struct tables *tables;
   json_t *json = tables_new(&tables, report->results, NULL)
-                     ? json_null()
+                     ? json_pack("{so}", "greene", greene_json(report->results))
                      : tables_json(tables);
   tables_delete(tables);
   return json;
@@ -354,7 +358,7 @@ json_t *report_data(const struct report *report, struct hsr_error *err) {
       report->results->headers, "views", report->results->views, "growth",
       growth_json(report, cells), "geometric",
       geometric_json(cells, report->reference), "baseline", report->reference,
-      "tables", tables_or_null(report), "algorithms", algorithms_json());
+      "tables", all_tables(report), "algorithms", algorithms_json());
   if (data && json_object_set(data, "cells", cells)) {
     json_decref(data);
     data = NULL;

@@ -13,7 +13,8 @@
 #include <unistd.h>
 
 enum {
-  STARTS = 0x200,
+  WALK = 0x200,
+  STARTS,
   REPETITIONS,
   SAMPLES,
   SEED,
@@ -98,6 +99,8 @@ static error_t complete(struct sweep_options *o) {
     return option_fail(&o->base, "bench: which scene? (see hsr bench --help)");
   if (o->resume && !o->output)
     return option_fail(&o->base, "--resume: of which file? (-o FILE)");
+  if (o->walk > 1 && o->n_peers)
+    return option_fail(&o->base, "--walk: peers stand still, so not --peers");
   if (!o->n_sizes) {
     o->m[0] = o->n[0] = 512;
     o->n_sizes = 1;
@@ -120,7 +123,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 'T':
     return add_threads(o, arg);
   case 'n':
-    return set_count(o, "--views", arg, 1, 1000, &o->views);
+    return set_count(o, "--views", arg, 1, SWEEP_MOST_VIEWS, &o->views);
+  case WALK:
+    return set_count(o, "--walk", arg, 1, SWEEP_MOST_VIEWS, &o->walk);
   case 't':
     return set_count(o, "--timeout", arg, 1, 100000, &o->timeout);
   case 'M':
@@ -179,6 +184,11 @@ static const struct argp argp = {
          "and these renderers of others (built by configure --with-peers)", 1},
         {"size", 's', "MxN,...", 0, "samples (standard: 512x512)", 1},
         {"views", 'n', "N", 0, "the first N views of each scene (standard: 1)",
+         1},
+        {"walk", WALK, "N", 0,
+         "draw from each of these views a walk instead, over it and the N - 1 "
+         "views that follow, again and again: frames that differ, for what is "
+         "kept from one to the next. Times are of a frame, counts of one walk",
          1},
         {"threads", 'T', "N,...", 0, "on so many threads (standard: 1)", 1},
         {"only", ONLY, "PATTERN", 0,

@@ -16,9 +16,10 @@
 
 /* What the processes of judges leave to be read. */
 struct shared {
-  struct hsr_table1 table1;
+  struct hsr_table1 table1; /* of the first view */
   bool has_table1;
-  struct cell cells[SWEEP_MOST_ENTRANTS];
+  struct cell cells[]; /* an entrant; of a walk, a view and entrant, until those
+                          of all views are added to the first one's */
 };
 
 struct place_run {
@@ -26,6 +27,8 @@ struct place_run {
   struct place place;
   size_t number;
   struct stage stage;
+  struct hsr_view *view; /* those of the walk */
+  int *view_number;      /* of each, from 0 */
   char scene_hash[17];
   const struct entrant *entrant[SWEEP_MOST_ENTRANTS]; /* those to do */
   int n;
@@ -80,7 +83,6 @@ static void judge_kind(const struct place_run *run, enum hsr_kind kind) {
   const struct sweep_options *o = run->sweep->plan->options;
   struct hsr_variant algorithm[SWEEP_MOST_ENTRANTS];
   long threads[SWEEP_MOST_ENTRANTS];
-  int number = run->place.view - 1;
   struct group group = {.algorithm = algorithm,
                         .threads = threads,
                         .timeout = o->timeout,
@@ -89,9 +91,9 @@ static void judge_kind(const struct place_run *run, enum hsr_kind kind) {
                             samples_to_compare(&run->stage.world, o->samples),
                         .world = &run->stage.world,
                         .kind = kind,
-                        .view = &run->stage.view,
-                        .number = &number,
-                        .n_views = 1,
+                        .view = run->view,
+                        .number = run->view_number,
+                        .n_views = run->place.walk,
                         .cells = run->shared->cells,
                         .picture = kind == HSR_IDS ? run->picture : NULL};
   /* Peers stand behind all algorithms. */
@@ -108,8 +110,8 @@ static void judge_kind(const struct place_run *run, enum hsr_kind kind) {
 static void judge_statistics(const struct place_run *run) {
   if (hsr_is_outline(&run->stage.world))
     end_process(HSR_OK);
-  enum hsr_status status = measure_table1(&run->stage.world, &run->stage.view,
-                                          &run->shared->table1, NULL);
+  enum hsr_status status =
+      measure_table1(&run->stage.world, run->view, &run->shared->table1, NULL);
   run->shared->has_table1 = !status;
   end_process((int)status);
 }
@@ -121,6 +123,27 @@ static bool has_kind(const struct place_run *run, enum hsr_kind kind) {
     if (run->entrant[k]->listed && run->entrant[k]->listed->plain->kind == kind)
       return oracle_of(kind) != NULL;
   return false;
+}
+
+/* Adds what became of a later picture; the worst verdict is that of all. */
+static void add_cell(struct cell *sum, const struct cell *cell) {
+  if (cell->verdict > sum->verdict) {
+    sum->verdict = cell->verdict;
+    sum->failure = cell->failure;
+    memcpy(sum->refusal, cell->refusal, sizeof sum->refusal);
+  }
+  sum->compared += cell->compared;
+  sum->mismatches += cell->mismatches;
+  for (int c = 0; c < HSR_MAX_COUNTERS; c++)
+    sum->count[c] += cell->count[c];
+  sum->depths_compared += cell->depths_compared;
+  sum->depths_exact += cell->depths_exact;
+}
+
+/* The entrant's cells of a walk; there are no peers, then. */
+static void add_walk(const struct place_run *run, int k) {
+  for (int view = 1; view < run->place.walk; view++)
+    add_cell(&run->shared->cells[k], &run->shared->cells[view * run->n + k]);
 }
 
 /* Table I and the judges of all kinds, each in a process, at the same time:
@@ -146,6 +169,7 @@ static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
   }
   for (int k = 0; k < run->n; k++) {
     struct cell *cell = &run->shared->cells[k];
+    add_walk(run, k);
     if (!run->entrant[k]->listed || cell->verdict != PENDING)
       continue;
     cell->verdict = REFUSED;
@@ -255,12 +279,22 @@ static json_t *table1_json(const struct shared *shared) {
   return table;
 }
 
+/* The record, which it takes; it tells of a walk. */
+static json_t *with_walk(const struct place_run *run, json_t *record) {
+  if (run->place.walk == 1 ||
+      !json_object_set_new(record, "walk", json_integer(run->place.walk)))
+    return record;
+  json_decref(record);
+  return NULL;
+}
+
 static json_t *view_record(const struct place_run *run) {
-  return json_pack("{ss ss ss ss si si si so}", "record", "view", "run",
-                   run->sweep->run, "scene", run->place.scene, "scene_hash",
-                   run->scene_hash, "view", run->place.view, "width",
-                   run->place.m, "height", run->place.n, "table1",
-                   table1_json(run->shared));
+  return with_walk(run,
+                   json_pack("{ss ss ss ss si si si so}", "record", "view",
+                             "run", run->sweep->run, "scene", run->place.scene,
+                             "scene_hash", run->scene_hash, "view",
+                             run->place.view, "width", run->place.m, "height",
+                             run->place.n, "table1", table1_json(run->shared)));
 }
 
 static json_t *seconds_or_null(double seconds) {
@@ -343,7 +377,7 @@ static json_t *cell_record(const struct place_run *run, int k) {
   const struct cell *cell = &run->shared->cells[k];
   char reason[80];
   bool known_wrong = e->listed && e->listed->plain->flags & HSR_KNOWN_WRONG;
-  return json_pack(
+  json_t *record = json_pack(
       "{ss ss ss si si si ss sb sb ss sI ss sI sI ss? so so so so}", "record",
       "cell", "run", run->sweep->run, "scene", run->place.scene, "view",
       run->place.view, "width", run->place.m, "height", run->place.n,
@@ -354,6 +388,7 @@ static json_t *cell_record(const struct place_run *run, int k) {
       reason_of(run->sweep->plan->options, cell, reason), "adapted",
       adapted_json(cell), "counts", counts_json(run, k), "depths",
       depths_json(cell), "starts", starts_json(run, k));
+  return with_walk(run, record);
 }
 
 static enum hsr_status record_all(struct place_run *run,
@@ -418,18 +453,37 @@ static bool needs_faces(const struct place_run *run) {
   return false;
 }
 
+static size_t shared_size(const struct place_run *run) {
+  return sizeof *run->shared +
+         (size_t)(run->n * run->place.walk) * sizeof *run->shared->cells;
+}
+
+static enum hsr_status choose_views(struct place_run *run,
+                                    struct hsr_error *err) {
+  const struct place *p = &run->place;
+  run->view = calloc((size_t)p->walk, sizeof *run->view);
+  run->view_number = calloc((size_t)p->walk, sizeof *run->view_number);
+  if (!run->view || !run->view_number)
+    return hsr_fail_nomem(err);
+  for (int k = 0; k < p->walk; k++)
+    run->view_number[k] = p->view - 1 + k;
+  return stage_walk(&run->stage, p->view, p->walk, run->view, err);
+}
+
 static enum hsr_status open_place(struct place_run *run,
                                   struct hsr_error *err) {
   const struct place *p = &run->place;
   enum hsr_status status = stage_open(&run->stage, p->scene, needs_faces(run),
-                                      p->view, p->m, p->n, err);
+                                      p->view + p->walk - 1, p->m, p->n, err);
+  if (!status)
+    status = choose_views(run, err);
   if (status)
     return status;
   hash_scene(run->stage.scene, run->scene_hash);
   status = check_scene(run, err);
   if (status)
     return status;
-  run->shared = shared_memory(sizeof *run->shared);
+  run->shared = shared_memory(shared_size(run));
   if (!run->shared)
     return hsr_fail_nomem(err);
   if (!has_peers(run))
@@ -453,7 +507,9 @@ static void close_place(struct place_run *run) {
     rmdir(run->folder);
   }
   if (run->shared)
-    munmap(run->shared, sizeof *run->shared);
+    munmap(run->shared, shared_size(run));
+  free(run->view);
+  free(run->view_number);
   stage_close(&run->stage);
   free(run);
 }

@@ -241,14 +241,15 @@ struct place plan_place(const struct plan *plan, size_t k) {
   size_t size = k % (size_t)o->n_sizes, rest = k / (size_t)o->n_sizes;
   return (struct place){.scene = plan->scene[rest / (size_t)o->views],
                         .view = 1 + (int)(rest % (size_t)o->views),
+                        .walk = (int)o->walk,
                         .m = o->m[size],
                         .n = o->n[size]};
 }
 
 void plan_key(const struct place *place, const struct entrant *entrant,
               char key[RESULTS_KEY]) {
-  int length = snprintf(key, RESULTS_KEY, "%.300s %d %dx%d", place->scene,
-                        place->view, place->m, place->n);
+  int length = results_picture_key(place->scene, place->view, place->walk,
+                                   place->m, place->n, key);
   if (entrant)
     snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.100s %ld",
              entrant->name, entrant->threads);

@@ -72,7 +72,9 @@ static void print_cell_name(const json_t *cell) {
 /* Where not all samples were compared. */
 static void print_samples(const json_t *cell) {
   long compared = results_number(cell, "compared");
-  long all = results_number(cell, "width") * results_number(cell, "height");
+  long walk = results_number(cell, "walk");
+  long all = results_number(cell, "width") * results_number(cell, "height") *
+             (walk ? walk : 1);
   if (compared && compared < all && !strcmp(results_text(cell, "kind"), "ids"))
     printf("  at %ld samples", compared);
 }

@@ -12,6 +12,7 @@
 
 enum {
   SWEEP_MOST_NAMES = 4096,
+  SWEEP_MOST_VIEWS = 1000,
   SWEEP_MOST_SIZES = 16,
   SWEEP_MOST_THREADS = 8,
   SWEEP_MOST_ENTRANTS = 256,
@@ -28,7 +29,7 @@ struct sweep_options {
   int m[SWEEP_MOST_SIZES], n[SWEEP_MOST_SIZES], n_sizes;
   long threads[SWEEP_MOST_THREADS];
   int n_threads;
-  long views, starts, repetitions, seed, timeout, memory_mb;
+  long views, walk, starts, repetitions, seed, timeout, memory_mb;
   long samples; /* of each picture that are compared; 0: as the scene allows */
   long shard, shards;        /* shard from 1 */
   const char *only;          /* pattern of keys, or NULL */
@@ -40,8 +41,8 @@ struct sweep_options {
 
 #define SWEEP_OPTIONS_STANDARD                                                 \
   {                                                                            \
-    .views = 1, .starts = 5, .repetitions = 9, .seed = 1, .timeout = 60,       \
-    .shard = 1, .shards = 1, .reference = "zbuffer"                            \
+    .views = 1, .walk = 1, .starts = 5, .repetitions = 9, .seed = 1,           \
+    .timeout = 60, .shard = 1, .shards = 1, .reference = "zbuffer"             \
   }
 
 /* Who takes part in every group: an algorithm, or a peer, on so many threads.
@@ -65,10 +66,11 @@ struct plan {
 };
 
 /* A scene, view and size: cells that are judged by the same picture and timed
- * in turn. */
+ * in turn. Or a walk: so many views in a row, each of which a round draws. */
 struct place {
   const char *scene;
   int view; /* from 1 */
+  int walk; /* views; 1: no walk */
   int m, n;
 };
 

@@ -38,8 +38,8 @@ static void become_worker(const struct plan *plan, const struct place *place,
   const struct entrant *entrant = taker->entrant;
   const char *program =
       entrant->listed ? "/proc/self/exe" : plan->peers_program;
-  char view[16], size[32], threads[24];
-  snprintf(view, sizeof view, "%d", place->view);
+  char view[RESULTS_VIEW], size[32], threads[24];
+  results_view_name(place->view, place->walk, view);
   snprintf(size, sizeof size, "%dx%d", place->m, place->n);
   snprintf(threads, sizeof threads, "%ld", entrant->threads);
   if (plan->options->memory_mb) {
@@ -177,13 +177,18 @@ static json_t *ask(struct process *process, char byte, double seconds) {
 /* --- One start of all --------------------------------------------------------
  */
 
+/* Seconds that a round may take. */
+static double patience(const struct plan *plan) {
+  return (double)plan->options->timeout * (double)plan->options->walk;
+}
+
 /* False if there can be no more processes, which is not the taker's failure. */
 static bool begin(struct process *process, const struct plan *plan,
                   const struct place *place, int start) {
   if (!open_process(process, plan, place))
     return false;
-  /* Import, adapt, prepare and a few frames: each may take its time. */
-  json_t *ready = read_answer(process, 6 * (double)plan->options->timeout);
+  /* Import, adapt, prepare and a few rounds: each may take its time. */
+  json_t *ready = read_answer(process, 6 * patience(plan));
   if (!ready)
     return true;
   struct start *into = &process->taker->starts[start];
@@ -199,7 +204,7 @@ static bool begin(struct process *process, const struct plan *plan,
 
 static void draw(struct process *process, const struct plan *plan, int start,
                  int round) {
-  json_t *answer = ask(process, 'r', 2 * (double)plan->options->timeout + 10);
+  json_t *answer = ask(process, 'r', 2 * patience(plan) + 10);
   if (answer)
     process->taker->starts[start].seconds[round] = real_of(answer, "seconds");
   json_decref(answer);

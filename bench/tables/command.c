@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr tables: the tables of Sutherland et al. 1974, measured. */
+/* hsr tables: the tables of Sutherland et al. 1974, measured; and Greene's. */
+#include "bench/tables/greene.h"
 #include "bench/tables/tables.h"
 #include "bench/json.h"
 #include "bench/sweep/sweep.h"
 
 #include <stdlib.h>
 
-enum { MOST_FILES = 64 };
+enum { MOST_FILES = 64, GREENE = 0x200 };
 
 struct options {
   struct option_base base;
@@ -14,7 +15,7 @@ struct options {
   int n_files;
   const char *output; /* where the counts go, or NULL */
   long timeout;
-  bool json;
+  bool json, greene;
 };
 
 /* --- Options ---------------------------------------------------------------
@@ -25,6 +26,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   switch (key) {
   case 'j':
     o->json = true;
+    return 0;
+  case GREENE:
+    o->greene = true;
     return 0;
   case 'o':
     o->output = arg;
@@ -39,6 +43,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->file[o->n_files++] = arg;
     return 0;
   case ARGP_KEY_END:
+    if (o->greene && !o->n_files)
+      return option_fail(&o->base, "tables: --greene of which results? "
+                                   "(reports/greene/make)");
     if (o->n_files && (o->output || o->timeout))
       return option_fail(&o->base, "tables: -o and -t are for counting, which "
                                    "is done where no results are given");
@@ -51,6 +58,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static const struct argp argp = {
     (const struct argp_option[]){
         {"json", 'j', NULL, 0, "print one JSON object", 0},
+        {"greene", GREENE, NULL, 0,
+         "instead, what Greene measured of hierarchical visibility, and the "
+         "same of ours, out of results that reports/greene/make makes",
+         0},
         {"output", 'o', "FILE", 0, "also write what is counted, as hsr bench",
          0},
         {"timeout", 't', "SECONDS", 0,
@@ -108,9 +119,25 @@ static enum hsr_status count(const struct options *o, int argc, char **argv,
   return status;
 }
 
+static enum hsr_status print_greene(const struct options *o,
+                                    const struct results *results,
+                                    struct hsr_error *err) {
+  if (!greene_is_measured(results))
+    return hsr_fail(err, HSR_E_INPUT,
+                    "tables: the results have none of what Greene measured");
+  if (o->json)
+    return json_print(json_pack("{ss so}", "schema", "hsr-greene/1", "greene",
+                                greene_json(results)),
+                      err);
+  greene_print(results);
+  return HSR_OK;
+}
+
 static enum hsr_status print(const struct options *o,
                              const struct results *results,
                              struct hsr_error *err) {
+  if (o->greene)
+    return print_greene(o, results, err);
   struct tables *tables;
   enum hsr_status status = tables_new(&tables, results, err);
   if (status)

@@ -240,19 +240,31 @@ static json_t *orders_json(void) {
   return array;
 }
 
-/* --- Conclusions -----------------------------------------------------------
+/* --- Greene ----------------------------------------------------------------
  */
 
-static json_t *greene_json(const struct tables *t) {
+static json_t *figure_json(const struct greene_figure *f, const char *table,
+                           double ours) {
+  return json_pack("{ss ss ss so so so ss?}", "table", table, "what", f->what,
+                   "source", f->source, "paper", number_or_null(f->printed),
+                   "ours", number_or_null(ours), "ratio",
+                   number_or_null(ours / f->printed), "reason",
+                   greene_reason(f, ours));
+}
+
+json_t *greene_json(const struct results *results) {
   json_t *array = json_array();
-  for (const struct greene_figure *f = greene_figures; f->source; f++)
-    json_append(&array,
-                json_pack("{ss ss ss si sf so}", "source", f->source, "what",
-                          f->what, "scene", f->term.scene, "size", f->term.size,
-                          "paper", f->printed, "ours",
-                          number_or_null(greene_measured(f, t->results))));
+  const char *table = "";
+  for (const struct greene_figure *f = greene_figures; f->what; f++)
+    if (f->source)
+      json_append(&array, figure_json(f, table, greene_measured(f, results)));
+    else
+      table = f->what;
   return array;
 }
+
+/* --- Conclusions -----------------------------------------------------------
+ */
 
 static json_t *conclusions_json(const struct tables *t) {
   json_t *array = json_array();
@@ -273,6 +285,6 @@ json_t *tables_json(const struct tables *t) {
       table1_json(), "table2", table2_json(t), "table3", table3_json(t),
       "summary", summary_json(t), "table7", table7_json(t), "figure13",
       figure13_json(), "sorting_orders", orders_json(), "figure29a",
-      figure29a_json(), "figure29b", figure29b_json(), "greene", greene_json(t),
-      "conclusions", conclusions_json(t));
+      figure29a_json(), "figure29b", figure29b_json(), "greene",
+      greene_json(t->results), "conclusions", conclusions_json(t));
 }

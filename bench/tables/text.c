@@ -378,24 +378,6 @@ static void print_figure29b(void) {
 /* --- Conclusions -----------------------------------------------------------
  */
 
-static void print_greene(const struct tables *t) {
-  title("Greene's figures");
-  puts("Of hierarchical visibility, for the algorithms that there are.\n");
-  printf("%8s %8s\n", "paper", "ours");
-  for (const struct greene_figure *f = greene_figures; f->source; f++) {
-    double ours = greene_measured(f, t->results);
-    printf("%8s ", short_number(f->printed).text);
-    if (isnan(ours))
-      printf("%8s  ", "-");
-    else
-      printf("%8s  ", short_number(ours).text);
-    char text[300];
-    snprintf(text, sizeof text, "%s (%s; %s)", f->what, f->source,
-             f->term.scene);
-    wrap(19, text);
-  }
-}
-
 static void print_conclusions(const struct tables *t) {
   title("The survey's conclusions, and whether the counts bear them out");
   puts("Judged by computation: each by the criterion below it.");
@@ -436,6 +418,45 @@ void tables_print(const struct tables *t) {
   print_orders();
   print_figure29a();
   print_figure29b();
-  print_greene(t);
   print_conclusions(t);
+}
+
+/* --- Greene ------------------------------------------------------------------
+ */
+
+/* A reason that is the last one's again is not told again. */
+static void print_reason(const char *reason, int indent, const char **last) {
+  printf("%*s> ", indent, "");
+  wrap(indent + 2, reason == *last ? "as above" : reason);
+  *last = reason;
+}
+
+static void print_figure(const struct greene_figure *f, double ours,
+                         const char **last) {
+  enum { TEXT = 29 };
+  printf("%8s %8s %9s  ", short_number(f->printed).text,
+         short_number(ours).text, ratio(ours, f->printed).text);
+  char text[300];
+  snprintf(text, sizeof text, *f->source ? "%s (%s)" : "%s%s", f->what,
+           f->source);
+  wrap(TEXT, text);
+  const char *reason = greene_reason(f, ours);
+  if (reason)
+    print_reason(reason, TEXT, last);
+}
+
+void greene_print(const struct results *results) {
+  puts("What Greene measured of hierarchical visibility, and the same of ours: "
+       "counts, and ratios of\ntimes, each the least that a frame took. 1993: "
+       "with Kass and Miller, SIGGRAPH. 1995: thesis. 1996:\nSIGGRAPH. -: he "
+       "prints none, or the results do not have it. >: why ours is off by more "
+       "than a factor\nof 2. K = 1,000; M = 1,000,000.");
+  const char *last = NULL;
+  for (const struct greene_figure *f = greene_figures; f->what; f++)
+    if (f->source) {
+      print_figure(f, greene_measured(f, results), &last);
+    } else {
+      title(f->what);
+      printf("%8s %8s %9s\n", "his", "ours", "ours/his");
+    }
 }

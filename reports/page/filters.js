@@ -4,14 +4,14 @@
 import { read, set } from "./address.js";
 import { h } from "./dom.js";
 import { key } from "./looks.js";
-import { size, where } from "./format.js";
+import { size, views, where } from "./format.js";
 import { unique } from "./model.js";
 
 // What can be chosen: its name in the address, its label, what a record is
 // sorted under. A record is a cell or a point of a sweep.
 const CHOICES = {
   scene: { label: "Scene", of: (r) => r.scene },
-  view: { label: "Scene and view", of: (r) => `${r.scene}, view ${r.view}` },
+  view: { label: "Scene and view", of: (r) => `${r.scene}, view ${views(r)}` },
   size: { label: "Size", of: (r) => size(r) },
   status: { label: "What came of it", of: (r) => r.status },
   class: { label: "Class", of: (r, report) =>
@@ -89,7 +89,8 @@ export function chosen(report, records, names) {
 // Columns that tell where a cell was measured.
 export const placeColumns = [
   { name: "scene", label: "scene", value: (r) => r.scene },
-  { name: "view", label: "view", value: (r) => r.view, number: true },
+  { name: "view", label: "view", value: (r) => r.view, number: true,
+    show: views },
   { name: "size", label: "size", number: true, title: where,
     value: (r) => r.width * r.height, show: size },
 ];

@@ -61,6 +61,11 @@ export function size(record) {
   return `${record.width} × ${record.height}`;
 }
 
+// One view, or those of a walk: "1–8".
+export function views({ view, walk }) {
+  return walk > 1 ? `${view}–${view + walk - 1}` : view;
+}
+
 export function where(record) {
-  return `${record.scene}, view ${record.view}, ${size(record)}`;
+  return `${record.scene}, view ${views(record)}, ${size(record)}`;
 }

@@ -67,7 +67,7 @@ export function model(data) {
 
 function cellKey(record, name) {
   return JSON.stringify([record.scene, record.view, record.width, record.height,
-    name]);
+    record.walk ?? 1, name]);
 }
 
 function pictureOf(pictures, { scene, view, width, height }) {

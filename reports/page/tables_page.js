@@ -215,12 +215,15 @@ function conclusions(t) {
 }
 
 function greene(t) {
-  return t.greene?.length ? table({ id: "figures",
-    caption: "Greene’s figures beside ours", rows: t.greene, columns: [
+  const rows = (t.greene ?? []).filter((g) => typeof g.ours === "number");
+  return rows.length ? table({ id: "figures",
+    caption: "Greene’s figures beside ours", rows, columns: [
+      { name: "table", label: "of", prose: true, value: (g) => g.table },
       { name: "what", label: "what", prose: true, value: (g) => g.what },
       { name: "source", label: "where", whole: true, value: (g) => g.source },
-      { name: "scene", label: "scene", value: (g) => g.scene ?? "" },
-      number("size", "size", (g) => g.size),
       number("paper", "his", (g) => g.paper, digits),
-      number("ours", "ours", (g) => g.ours, digits)] }) : null;
+      number("ours", "ours", (g) => g.ours, digits),
+      number("ratio", "ours / his", (g) => g.ratio, digits),
+      { name: "reason", label: "why so far off", prose: true,
+        value: (g) => g.reason ?? "" }] }) : null;
 }

@@ -157,6 +157,15 @@ static enum hsr_status witness(const struct hsr_job *job, const char *name,
   return zbuffer(job, err);
 }
 
+/* The same, but of where it looks from. */
+static enum hsr_status walker(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  const double *eye = job->view->camera.eye;
+  char place[100];
+  snprintf(place, sizeof place, "%g,%g,%g", eye[0], eye[1], eye[2]);
+  return witness(job, place, err);
+}
+
 static enum hsr_status witness_a(const struct hsr_job *job,
                                  struct hsr_error *err) {
   return witness(job, "a", err);
@@ -197,6 +206,7 @@ FIXTURE(last, "last", .prepare = prepare, .render = count_frames,
 FIXTURE(last_staller, "last-staller", .prepare = prepare,
         .render = count_frames, .release = stall_at_last)
 FIXTURE(sleeper, "sleeper", .render = sleeper)
+FIXTURE(walker, "walker", .render = walker)
 FIXTURE(still, "still", .render = zbuffer, .flags = HSR_FRAME_STATE)
 FIXTURE(witness_a, "witness-a", .render = witness_a)
 FIXTURE(witness_b, "witness-b", .render = witness_b)
@@ -226,6 +236,7 @@ const struct hsr_listed hsr_algorithms[] = {
     BOTH(last_staller),
     BOTH(sleeper),
     BOTH(still),
+    BOTH(walker),
     BOTH(witness_a),
     BOTH(witness_b),
     BOTH(witness_c),

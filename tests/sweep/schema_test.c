@@ -238,8 +238,21 @@ static bool may_have_times(const char *status, bool peer) {
   return valid;
 }
 
+/* A walk is told of by cells and views alike: two views at least. */
+static bool is_walk(const char *path, const char *kind) {
+  json_t *record = find_record(path, kind, NULL);
+  bool good = is_valid(schema, record) &&
+              json_integer_value(json_object_get(record, "walk")) == 2;
+  json_object_set_new(record, "walk", json_integer(1));
+  good = good && !is_valid(schema, record);
+  json_object_set_new(record, "walk", json_string("2"));
+  good = good && !is_valid(schema, record);
+  json_decref(record);
+  return good;
+}
+
 int main(void) {
-  struct tap tap = plan(10);
+  struct tap tap = plan(12);
   const char *source = getenv("HSR_SOURCE"), *hsr = getenv("HSR");
   must(source && hsr);
   char text[8192];
@@ -274,6 +287,13 @@ int main(void) {
   ok(&tap, may_have_times("wrong", true), "a peer has, though it is wrong");
   ok(&tap, !may_have_times("wrong", false) && !may_have_times("crash", false),
      "nothing else has");
+
+  bench("house --size 64x48 -a zbuffer:window=20:window=30,broken --walk 2 "
+        "--starts 2 --repetitions 1 -o w.ndjson");
+  n = count_records("w.ndjson", "cell", &others);
+  ok(&tap, n == 2 && !others, "cells of a walk, of an algorithm with options");
+  ok(&tap, is_walk("w.ndjson", "cell") && is_walk("w.ndjson", "view"),
+     "both kinds of record tell how long it is");
   json_decref(schema);
   return finish(&tap);
 }

@@ -80,6 +80,78 @@ static void test_threads(struct tap *tap) {
   results_free(&r);
 }
 
+/* --- Walks -------------------------------------------------------------------
+ */
+
+static json_int_t depth_tests(const struct results *r, const char *key) {
+  json_t *counts = json_object_get(results_cell(r, key), "counts");
+  return json_integer_value(json_object_get(counts, "depth tests"));
+}
+
+/* Whether line k of the file is line k - n; *differ: the first n are no two the
+ * same. */
+static bool repeats(const char *path, int n, bool *differ) {
+  char *text = read_text(path), *line[10];
+  bool good = true;
+  *differ = true;
+  int k = 0;
+  for (char *word = strtok(text, "\n"); word; word = strtok(NULL, "\n"), k++) {
+    for (int i = 0; k < n && i < k; i++)
+      *differ &= strcmp(word, line[i]) != 0;
+    if (k < n)
+      line[k] = word;
+    good &= !strcmp(word, line[k % n]);
+  }
+  free(text);
+  return good && k > n && k % n == 0;
+}
+
+static void test_walk(struct tap *tap) {
+  setenv("HSR_WITNESS", "walk", 1);
+  int status = bench(SMALL "-a walker --walk 3 --repetitions 2 -o w.ndjson");
+  unsetenv("HSR_WITNESS");
+  bool differ;
+  ok(tap, !status && repeats("walk", 3, &differ) && differ,
+     "a walk: three views in turn, over and over");
+  struct results r = read_results("w.ndjson");
+  const json_t *cell = results_cell(&r, "house 1-3 64x48 walker 1");
+  long inner = results_number(
+      json_array_get(json_object_get(cell, "starts"), 0), "inner");
+  ok(tap,
+     results_number(cell, "walk") == 3 &&
+         results_number(cell, "compared") == 3 * 64 * 48 && inner > 0 &&
+         inner % 3 == 0,
+     "all of it judged, and timed in whole rounds");
+  results_free(&r);
+
+  must(!bench(SMALL "-a zbuffer --counts --views 3 -o w.ndjson --resume"));
+  must(!bench(SMALL "-a zbuffer --counts --walk 3 -o w.ndjson --resume"));
+  r = read_results("w.ndjson");
+  ok(tap,
+     depth_tests(&r, "house 1 64x48 zbuffer 1") > 0 &&
+         depth_tests(&r, "house 1-3 64x48 zbuffer 1") ==
+             depth_tests(&r, "house 1 64x48 zbuffer 1") +
+                 depth_tests(&r, "house 2 64x48 zbuffer 1") +
+                 depth_tests(&r, "house 3 64x48 zbuffer 1"),
+     "its counts are those of its views, which are cells beside it");
+  results_free(&r);
+
+  bench(SMALL "-a stale --walk 2 --counts -o w2.ndjson");
+  bench(SMALL "-a stale --walk 3 --counts -o w3.ndjson");
+  struct results two = read_results("w2.ndjson");
+  r = read_results("w3.ndjson");
+  const json_t *wrong = results_cell(&r, "house 1-3 64x48 stale 1");
+  ok(tap,
+     !strcmp(
+         results_text(results_cell(&two, "house 1-2 64x48 stale 1"), "status"),
+         "ok") &&
+         !strcmp(results_text(wrong, "status"), "wrong") &&
+         results_number(wrong, "mismatches") == 2,
+     "one that goes wrong in the third frame is, in both builds");
+  results_free(&two);
+  results_free(&r);
+}
+
 /* What is nobody's fault. */
 static void test_surroundings(struct tap *tap) {
   setenv("TMPDIR", "/nowhere", 1);
@@ -219,11 +291,12 @@ static void test_baseline(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 + 2 * N_FAILING + 4 + 2 + 2 + 3 + 4 + 8);
+  struct tap tap = plan(2 + 2 * N_FAILING + 4 + 2 + 2 + 4 + 3 + 4 + 8);
   enter_folder();
   test_verdicts(&tap);
   test_memory(&tap);
   test_threads(&tap);
+  test_walk(&tap);
   test_surroundings(&tap);
   test_sleeper(&tap);
   test_orders(&tap);
