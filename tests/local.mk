@@ -27,6 +27,7 @@ tap_programs = \
   %D%/properties/combinations_test \
   %D%/properties/edges_test \
   %D%/properties/hzbuffer_options_test \
+  %D%/properties/movers_test \
   %D%/properties/hzbuffer_test \
   %D%/properties/lines_and_surfaces_test \
   %D%/properties/metamorphic_test \
@@ -106,6 +107,8 @@ nodist_EXTRA_%C%_conformance_line_lattice_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_properties_edges_test_SOURCES = force_cxx_link.cc
 %C%_properties_hzbuffer_options_test_SOURCES = %D%/properties/hzbuffer_options_test.c
 nodist_EXTRA_%C%_properties_hzbuffer_options_test_SOURCES = force_cxx_link.cc
+%C%_properties_movers_test_SOURCES = %D%/properties/movers_test.c
+nodist_EXTRA_%C%_properties_movers_test_SOURCES = force_cxx_link.cc
 %C%_properties_hzbuffer_test_SOURCES = %D%/properties/hzbuffer_test.c
 nodist_EXTRA_%C%_properties_hzbuffer_test_SOURCES = force_cxx_link.cc
 %C%_properties_combinations_test_SOURCES = %D%/properties/combinations_test.c
