@@ -15,7 +15,10 @@
  * Departures  a cell's faces are all tested, then all tiled, many at a time,
  *             where the paper tests and tiles one after the other. Loose faces
  *             are tiled first. The octree of instances has no cube around a
- *             single instance, whose own root is tested instead.
+ *             single instance, whose own root is tested instead. The fast test
+ *             begins where the rectangle meets at most four entries. What is
+ *             chosen by standard is Greene's; cubes=whole:volumes=tight:least=80
+ *             finds the same picture in less time, by fewer and tighter tests.
  * Cost        proportional to what is visible, and to the cubes around it */
 #include "algorithms/cube_frame.h"
 #include "algorithms/cube_list.h"
