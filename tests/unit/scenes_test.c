@@ -39,6 +39,8 @@ static const struct {
              {"terrain:16:9", 0x533db8daf334d39e, 0xa9bd750879ba1341},
              {"office", 0x32385bec4991caa6, 0x79a88eb9fed8d2d5},
              {"office:3:1:2", 0xa75f0ed79c736967, 0x353812346d442d00},
+             {"traffic", 0x52c4e5bdff73e8b8, 0xc33f9d6d5f81e462},
+             {"traffic:20:7", 0x28977051da187355, 0xc33f9d6d5f81e462},
              {"soup", 0x09cd6f8287df6eec, 0xe2f28953fa2319f1},
              {"soup:100:7", 0x258c9a8fbb04398c, 0xa91990140ef9c1f1},
              {"lattice", 0x3177b0ca5e6c6b16, 0xad865c6288d8bd3e},
