@@ -288,7 +288,7 @@ int main(void) {
   ok(&tap, !may_have_times("wrong", false) && !may_have_times("crash", false),
      "nothing else has");
 
-  bench("house --size 64x48 -a zbuffer:window=20:window=30,broken --walk 2 "
+  bench("house --size 64x48 -a zbuffer:window=20,broken --walk 2 "
         "--starts 2 --repetitions 1 -o w.ndjson");
   n = count_records("w.ndjson", "cell", &others);
   ok(&tap, n == 2 && !others, "cells of a walk, of an algorithm with options");
