@@ -172,7 +172,7 @@ static void touch(const struct hsr_pyramid *p, int level, int x, int y) {
 
 static inline float read_entry(struct hsr_pyramid *p, float *const *levels,
                                int level, int x, int y) {
-  p->reads++;
+  p->reads += HSR_COUNTING;
   if (HSR_COUNTING && p->work)
     touch(p, level, x, y);
   return levels[level][((size_t)y << (p->n_levels - 1 - level)) + (size_t)x];

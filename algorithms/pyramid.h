@@ -30,7 +30,7 @@ struct hsr_pyramid {
   int n_levels; /* the last one is one cell, the apex */
   float *far[HSR_PYRAMID_LEVELS];  /* 2^(n_levels - 1 - level) cells a side */
   float *near[HSR_PYRAMID_LEVELS]; /* NULL: not kept. near[0] is far[0] */
-  uint64_t reads;                  /* entries read by the tests below */
+  uint64_t reads; /* entries read by the tests below, in the counting build */
   float *work; /* sample (i, j), at work[j * work_stride + i], by its share of
                   every entry read, if not NULL; in the counting build */
   size_t work_stride;
