@@ -425,8 +425,8 @@ void HSR_OF_BUILD(hsr_tiler_drop)(struct hsr_batch *b, const int *drop) {
   for (int k = 0; k < b->n_fast; k++) {
     if (drop[k])
       b->fate[b->place[k]] = HSR_DROP;
-    else
-      move(b, k, b->place[k], kept++);
+    else if (kept++ < k)
+      move(b, k, b->place[k], kept - 1);
   }
   b->n_fast = kept;
 }
