@@ -519,17 +519,28 @@ static int homogeneous_row(const struct hsr_screen *screen, uint32_t v,
   return certain_sign(a[1] - sy * a[2], 3 * (error[1] + fabs(sy) * error[2]));
 }
 
-static int homogeneous_edge(const struct hsr_screen *screen, uint32_t va,
-                            uint32_t vb, double sx, double sy) {
+/* det(A, B, (sx, sy, 1)) along a row, as sx across + rest, with the errors of
+ * these. */
+struct row_edge {
+  double across, rest, across_error, rest_error;
+};
+
+static struct row_edge row_edge(const struct hsr_screen *screen, uint32_t va,
+                                uint32_t vb, double sy) {
   double a[3], b[3], e[3] = {0, 0, 0}, f[3] = {0, 0, 0};
   homogeneous(screen, va, a, e);
   homogeneous(screen, vb, b, f);
-  double det = sx * (a[1] * b[2] - a[2] * b[1]) +
-               sy * (a[2] * b[0] - a[0] * b[2]) + (a[0] * b[1] - a[1] * b[0]);
-  double error = fabs(sx) * (e[1] * f[2] + e[2] * f[1]) +
-                 fabs(sy) * (e[2] * f[0] + e[0] * f[2]) +
-                 (e[0] * f[1] + e[1] * f[0]);
-  return certain_sign(det, error / U + TINY);
+  return (struct row_edge){
+      a[1] * b[2] - a[2] * b[1],
+      sy * (a[2] * b[0] - a[0] * b[2]) + (a[0] * b[1] - a[1] * b[0]),
+      (e[1] * f[2] + e[2] * f[1]) / U,
+      (fabs(sy) * (e[2] * f[0] + e[0] * f[2]) + (e[0] * f[1] + e[1] * f[0])) /
+          U};
+}
+
+static inline int row_edge_side(const struct row_edge *edge, double sx) {
+  return certain_sign(sx * edge->across + edge->rest,
+                      fabs(sx) * edge->across_error + edge->rest_error + TINY);
 }
 
 int hsr_edge_side_exact(const struct hsr_screen *screen, uint32_t a, uint32_t b,
@@ -538,7 +549,8 @@ int hsr_edge_side_exact(const struct hsr_screen *screen, uint32_t a, uint32_t b,
   vertex_point(screen->world, a, p);
   vertex_point(screen->world, b, q);
   double sx = hsr_sample_x(screen->view, i), sy = hsr_sample_y(screen->view, j);
-  int sign = homogeneous_edge(screen, a, b, sx, sy);
+  struct row_edge edge = row_edge(screen, a, b, sy);
+  int sign = row_edge_side(&edge, sx);
   if (sign)
     return sign;
   tally->exact[HSR_ASK_EDGE]++;
@@ -797,15 +809,17 @@ struct crossing {
 
 /* About where an edge crosses the row, wherever its ends are; any number where
  * that cannot be told. */
-static int guess_column(const struct question *q) {
-  double a[3], b[3], unused[3] = {0, 0, 0};
-  double sy = hsr_sample_y(q->screen->view, q->j);
-  homogeneous(q->screen, q->a, a, unused);
-  homogeneous(q->screen, q->b, b, unused);
-  double across = a[1] * b[2] - a[2] * b[1];
-  double rest = sy * (a[2] * b[0] - a[0] * b[2]) + (a[0] * b[1] - a[1] * b[0]);
-  double column = ceil(-rest / across - hsr_sample_x(q->screen->view, 0));
+static int guess_column(const struct question *q, const struct row_edge *edge) {
+  double column =
+      ceil(-edge->rest / edge->across - hsr_sample_x(q->screen->view, 0));
   return fabs(column) < HSR_GUARD ? (int)column : 0;
+}
+
+/* ask_crosses, quickly. */
+static bool crosses_at(const struct question *q, const struct row_edge *edge,
+                       int i) {
+  int side = row_edge_side(edge, hsr_sample_x(q->screen->view, i));
+  return side ? side == -q->row : q->holds(q, i);
 }
 
 static struct crossing find_crossing(const struct question *q, int lo, int hi) {
@@ -818,18 +832,21 @@ static struct crossing find_crossing(const struct question *q, int lo, int hi) {
     int column = hsr_edge_column(screen, &edge, q->j, q->tally);
     return (struct crossing){column > lo, column >= hi, column};
   }
-  bool first = q->holds(q, lo), last = q->holds(q, hi - 1);
+  struct row_edge edge =
+      row_edge(screen, q->a, q->b, hsr_sample_y(screen->view, q->j));
+  bool first = crosses_at(q, &edge, lo), last = crosses_at(q, &edge, hi - 1);
   if (first == last)
     return (struct crossing){first, last, hi};
-  int guess = guess_column(q);
+  int guess = guess_column(q, &edge);
   if (guess > lo && guess < hi - 1) { /* mostly it is right */
-    if (q->holds(q, guess) == first)
+    if (crosses_at(q, &edge, guess) == first)
       lo = guess;
     else
       hi = guess + 1;
-    if (lo < guess && q->holds(q, guess - 1) == first)
+    if (lo < guess && crosses_at(q, &edge, guess - 1) == first)
       lo = guess - 1;
-    else if (lo == guess && guess + 2 < hi && q->holds(q, guess + 1) != first)
+    else if (lo == guess && guess + 2 < hi &&
+             crosses_at(q, &edge, guess + 1) != first)
       hi = guess + 2;
   }
   return (struct crossing){first, last, change(q, first, lo, hi - 1)};
