@@ -17,9 +17,10 @@
  *             are tiled first. The octree of instances has no cube around a
  *             single instance, whose own root is tested instead. The fast test
  *             begins where the rectangle meets at most four entries. What is
- *             chosen by standard is Greene's; cubes=whole:volumes=tight:least=80
- *             finds the same picture in less time, by fewer and tighter tests.
- * Cost        proportional to what is visible, and to the cubes around it */
+ *             chosen by standard is Greene's;
+ * cubes=whole:volumes=tight:least=80 finds the same picture in less time, by
+ * fewer and tighter tests. Cost        proportional to what is visible, and to
+ * the cubes around it */
 #include "algorithms/cube_frame.h"
 #include "algorithms/cube_list.h"
 #include "algorithms/movers.h"
@@ -309,8 +310,6 @@ static float nearest_of(const struct hsr_cube_image *image,
 static bool is_rectangle_hidden(struct walk *w, struct hsr_bounds box, float q,
                                 bool *visible) {
   uint64_t before = w->pyramid.reads;
-  touch_for(w, WORK_PYRAMID);
-  w->pyramid.work = w->tally->work;
   *visible = w->option[NEAR] && w->option[CUBES] != SIDES &&
              HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q);
   bool hidden =
@@ -329,8 +328,6 @@ static bool is_side_visible(struct walk *w, const struct hsr_placing *placing,
     return false;
   if (w->option[PYRAMID]) {
     float q = nearest_of(image, corner);
-    touch_for(w, WORK_PYRAMID);
-    w->pyramid.work = w->tally->work;
     uint64_t before = w->pyramid.reads;
     bool visible = w->option[NEAR] &&
                    HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q) &&
@@ -428,8 +425,7 @@ static void find_hidden(struct walk *w, const struct hsr_batch *b,
   }
   for (int k = 0; k < b->n_fast; k++) {
     struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
-    float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
-    q = r->qc[k] > q ? r->qc[k] : q;
+    float q = hsr_nearest_corner(r, k);
     hidden[k] = HSR_OF_BUILD(hsr_pyramid_basic)(&w->pyramid, box, q);
   }
 }
@@ -445,8 +441,6 @@ static void filter(struct walk *w, struct hsr_batch *b) {
   if (!w->option[PYRAMID] || w->option[POLYGONS] == NONE || w->plain)
     return;
   uint64_t before = w->pyramid.reads;
-  touch_for(w, WORK_PYRAMID);
-  w->pyramid.work = w->tally->work;
   find_hidden(w, b, drop);
   int tested = b->n_fast;
   HSR_OF_BUILD(hsr_tiler_drop)(b, drop);
@@ -471,8 +465,6 @@ static void tile_generally(struct walk *w, uint32_t f) {
 /* The definitive test, of those that are set up and that the fast one left. */
 static void filter_definitively(struct walk *w, struct hsr_batch *b) {
   uint64_t before = w->pyramid.reads;
-  touch_for(w, WORK_PYRAMID);
-  w->pyramid.work = w->tally->work;
   for (int k = 0; k < b->n_fast; k++) {
     struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
     if (b->good[k] && HSR_OF_BUILD(hsr_pyramid_hides_triangle)(
@@ -648,7 +640,7 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
     uint32_t mover = moving != HSR_NO_NODE
                          ? hsr_mover_node(&w->movers, moving)->child[o]
                          : HSR_NO_NODE;
-    struct hsr_octree_node octant = HSR_OF_BUILD(hsr_cube_octant)(cube, o);
+    struct hsr_octree_node octant = hsr_octree_octant(cube, o);
     if (child != HSR_NO_NODE || mover != HSR_NO_NODE)
       render_instances(w, &octant, child, mover, inside);
   }
@@ -764,6 +756,8 @@ static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
       HSR_OF_BUILD(hsr_pyramid_init)(&w->pyramid, window, job->option[NEAR],
                                      &t->z_stride, arena))
     return HSR_E_NOMEM;
+  touch_for(w, WORK_PYRAMID);
+  w->pyramid.work = job->tally->work;
   w->pyramid.work_stride = job->tally->work_stride;
   t->z = w->pyramid.far[0];
   t->ids_stride = job->ids_stride;

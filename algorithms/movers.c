@@ -43,28 +43,6 @@ enum hsr_status HSR_OF_BUILD(hsr_movers_init)(struct hsr_movers *m,
   return HSR_OK;
 }
 
-struct hsr_octree_node
-HSR_OF_BUILD(hsr_cube_octant)(const struct hsr_octree_node *cube, int o) {
-  struct hsr_octree_node octant = {.half = cube->half / 2};
-  for (int k = 0; k < 3; k++)
-    octant.centre[k] =
-        cube->centre[k] + (o >> k & 1 ? octant.half : -octant.half);
-  octant.tight = hsr_octree_cube(&octant);
-  return octant;
-}
-
-/* The octant that holds the box; -1: none does. */
-static int octant_that_holds(const struct hsr_octree_node *cube,
-                             const struct hsr_box *box) {
-  int o = 0;
-  for (int k = 0; k < 3; k++)
-    if (box->lo[k] >= cube->centre[k])
-      o |= 1 << k;
-    else if (box->hi[k] > cube->centre[k])
-      return -1;
-  return o;
-}
-
 bool HSR_OF_BUILD(hsr_movers_divide)(struct hsr_movers *m, uint32_t node,
                                      const struct hsr_octree_node *cube) {
   if (hsr_mover_node(m, node)->divided)
@@ -78,7 +56,7 @@ bool HSR_OF_BUILD(hsr_movers_divide)(struct hsr_movers *m, uint32_t node,
   hsr_mover_node(m, node)->first = HSR_NO_MOVER;
   for (uint32_t next; k != HSR_NO_MOVER; k = next) {
     next = m->mover[k].next;
-    int o = octant_that_holds(cube, &m->mover[k].bounds);
+    int o = hsr_octant_that_holds(cube, &m->mover[k].bounds);
     if (o < 0) {
       put(m, &hsr_mover_node(m, node)->first, k);
       continue;
@@ -99,7 +77,7 @@ bool HSR_OF_BUILD(hsr_movers_divide_all)(struct hsr_movers *m, uint32_t node,
     return false;
   for (int o = 0; o < 8; o++) {
     uint32_t child = hsr_mover_node(m, node)->child[o];
-    struct hsr_octree_node octant = HSR_OF_BUILD(hsr_cube_octant)(cube, o);
+    struct hsr_octree_node octant = hsr_octree_octant(cube, o);
     if (child != HSR_NO_NODE &&
         !HSR_OF_BUILD(hsr_movers_divide_all)(m, child, &octant))
       return false;

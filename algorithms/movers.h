@@ -48,10 +48,6 @@ hsr_mover_node(const struct hsr_movers *movers, uint32_t k) {
   return (struct hsr_mover_node *)movers->node.items + k;
 }
 
-/* The cube's octant o. */
-struct hsr_octree_node
-    HSR_OF_BUILD(hsr_cube_octant)(const struct hsr_octree_node *cube, int o);
-
 /* Divides a node, whose cube is given, if it is not yet. False for lack of
  * memory. */
 bool HSR_OF_BUILD(hsr_movers_divide)(struct hsr_movers *movers, uint32_t node,

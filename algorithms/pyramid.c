@@ -251,8 +251,7 @@ HSR_VECTOR static void try_four(const struct hsr_pyramid *p, int n,
     a = a < b ? a : b;
     c = c < d ? c : d;
     a = a < c ? a : c;
-    float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
-    q = r->qc[k] > q ? r->qc[k] : q;
+    float q = hsr_nearest_corner(r, k);
     hidden[k] = q * HSR_CLEAR < a;
   }
 }
@@ -264,8 +263,7 @@ void HSR_OF_BUILD(hsr_pyramid_hides_triangles)(struct hsr_pyramid *p, int n,
   for (int k = 0; k < n; k++) {
     if (hidden[k] && !HSR_COUNTING)
       continue;
-    float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
-    q = r->qc[k] > q ? r->qc[k] : q;
+    float q = hsr_nearest_corner(r, k);
     hidden[k] = HSR_OF_BUILD(hsr_pyramid_hides)(
         p, (struct hsr_bounds){r->x0[k], r->y0[k], r->x1[k], r->y1[k]}, q);
   }

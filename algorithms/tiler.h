@@ -75,6 +75,11 @@ struct hsr_corners {
   uint32_t id[HSR_BATCH]; /* in the picture */
 };
 
+static inline float hsr_nearest_corner(const struct hsr_corners *r, int k) {
+  float q = r->qa[k] > r->qb[k] ? r->qa[k] : r->qb[k];
+  return r->qc[k] > q ? r->qc[k] : q;
+}
+
 /* What becomes of a triangle. */
 enum hsr_fate { HSR_DROP = 0, HSR_TILE = 1, HSR_GENERALLY = 2 };
 

@@ -39,20 +39,19 @@ static bool append(struct list *list, uint32_t k) {
   return true;
 }
 
-/* The cubes around which an octant's centre lies. */
-static struct hsr_octree_node octant_of(const struct hsr_octree_node *cube,
-                                        int octant) {
+struct hsr_octree_node hsr_octree_octant(const struct hsr_octree_node *cube,
+                                         int octant) {
   struct hsr_octree_node node = {.half = cube->half / 2};
   for (int k = 0; k < 3; k++)
     node.centre[k] =
         cube->centre[k] + (octant >> k & 1 ? node.half : -node.half);
   memset(node.child, 0xff, sizeof node.child);
+  node.tight = hsr_octree_cube(&node);
   return node;
 }
 
-/* The octant that holds the box; -1: it crosses a median plane. */
-static int octant_that_holds(const struct hsr_octree_node *cube,
-                             const struct hsr_box *box) {
+int hsr_octant_that_holds(const struct hsr_octree_node *cube,
+                          const struct hsr_box *box) {
   int octant = 0;
   for (int k = 0; k < 3; k++)
     if (box->lo[k] >= cube->centre[k] && box->hi[k] > cube->centre[k])
@@ -67,7 +66,7 @@ static bool push(const struct builder *b, const struct hsr_octree_node *cube,
                  uint32_t k, struct list *octants) {
   const struct hsr_primitives *p = b->primitives;
   for (int o = 0; o < 8; o++) {
-    struct hsr_octree_node child = octant_of(cube, o);
+    struct hsr_octree_node child = hsr_octree_octant(cube, o);
     struct hsr_box box = hsr_cube_box(&child);
     if (hsr_boxes_meet(&b->bounds[k], &box) && p->meets(p->context, k, &box) &&
         !append(&octants[o], k))
@@ -83,7 +82,7 @@ static bool part(const struct builder *b, const struct hsr_octree_node *cube,
   double small = b->rule->small * 4 * cube->half * cube->half;
   for (uint32_t i = 0; i < list->n; i++) {
     uint32_t k = list->k[i];
-    int octant = octant_that_holds(cube, &b->bounds[k]);
+    int octant = hsr_octant_that_holds(cube, &b->bounds[k]);
     bool good = octant >= 0          ? append(&octants[octant], k)
                 : b->area[k] < small ? push(b, cube, k, octants)
                                      : append(own, k);
@@ -144,7 +143,7 @@ static bool divide(struct builder *b, uint32_t node,
   free(own.k);
   for (int o = 0; o < 8; o++) {
     if (good && octants[o].n) {
-      struct hsr_octree_node child = octant_of(cube, o);
+      struct hsr_octree_node child = hsr_octree_octant(cube, o);
       uint32_t made;
       good = build(b, &child, &octants[o], depth + 1, &made);
       if (good)

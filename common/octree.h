@@ -84,6 +84,15 @@ hsr_octree_cube(const struct hsr_octree_node *node) {
   return cube;
 }
 
+/* A cube's octant, without octants or primitives of its own. */
+struct hsr_octree_node hsr_octree_octant(const struct hsr_octree_node *cube,
+                                         int octant);
+
+/* The octant that holds the box; -1: it crosses a median plane. The box is
+ * within the cube. */
+int hsr_octant_that_holds(const struct hsr_octree_node *cube,
+                          const struct hsr_box *box);
+
 /* The order in which octants are visited from front to back, of an eye in
  * octant `nearest`: octant nearest ^ hsr_octant_order[0], then [1], and so on.
  * First the nearest one, then those that share a face with it, then those that
