@@ -16,6 +16,7 @@
 #include "common/arena.h"
 #include "common/count.h"
 #include "common/drawing.h"
+#include "common/filter.h"
 #include "common/statistics.h"
 #include "common/view.h"
 #include "common/world.h"
@@ -47,7 +48,8 @@ enum {
   HSR_KNOWN_WRONG = 1 << 3,  /* its picture is wrong sometimes, and shown so */
   HSR_TRANSPARENCY = 1 << 4, /* fills job->paint->rgb, if asked to */
   HSR_VISIBLE_ONLY = 1 << 5, /* of segments: all invisibility over 0 is 1 */
-  HSR_INSTANCED = 1 << 6     /* takes a world that is an outline, too */
+  HSR_INSTANCED = 1 << 6,    /* takes a world that is an outline, too */
+  HSR_FILTERS = 1 << 7       /* filters by itself, if asked to */
 };
 
 /* A sort that the algorithm makes, as in figure 29b. */
@@ -90,6 +92,7 @@ struct hsr_choice {
   long option[HSR_MAX_OPTIONS];
   long window; /* samples a side of the squares in which the picture is drawn;
                   0: as it suits the harness */
+  struct hsr_filtering filtering; /* makes the kind HSR_FILTERED */
 };
 
 /* Colours, for an algorithm that draws transparency. All borrowed. */
@@ -116,6 +119,13 @@ struct hsr_job {
   size_t ids_stride; /* >= view->m */
 
   const struct hsr_paint *paint; /* or NULL: ids only */
+
+  /* Answer instead of ids, if this is not NULL; of HSR_FILTERS only, which draw
+   * the whole picture then, in one job. `view` is that of the pixels. The sums
+   * of pixel (i, j) at sums[3 * (j * view->m + i)], 0 before the call; the
+   * background is added, too. */
+  const struct hsr_filtering *filtering;
+  uint32_t *sums;
 
   /* Answer of HSR_SEGMENTS, which have no ids: the drawing of the whole
    * picture, whatever the window; empty before the call. Grows by itself. */
