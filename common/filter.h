@@ -15,7 +15,8 @@
  *             channel, linear.
  * Sum         what a pixel holds: of colour times weight, over all sub-samples
  *             of the picture that the filter's kernel reaches; in integers, so
- *             that no order of adding differs from another. */
+ *             that no order of adding differs from another. At most 65535 times
+ *             65536, so 32 bits hold it. */
 #ifndef HSR_COMMON_FILTER_H
 #define HSR_COMMON_FILTER_H
 
@@ -47,6 +48,10 @@ struct hsr_kernel {
   /* What sub-sample `bit` of a pixel adds to the pixel that is dx to the right
    * and dy below of it: weight[dy + 1][dx + 1][bit]. */
   uint32_t weight[3][3][64];
+  /* The same, of those in row b of the pixel whose bits are set in `byte`:
+   * row[dy + 1][dx + 1][b][byte]. */
+  uint32_t row[3][3][HSR_SUB][256];
+  int reach; /* pixels to each side that a pixel adds to: 0 or 1 */
 };
 void hsr_kernel_init(struct hsr_kernel *kernel, enum hsr_filter filter);
 
@@ -55,8 +60,10 @@ void hsr_kernel_init(struct hsr_kernel *kernel, enum hsr_filter filter);
 struct hsr_jitter {
   double x[64], y[64];
 };
-int hsr_jitter_pattern(const struct hsr_filtering *filtering, int i, int j);
 void hsr_jitter_init(struct hsr_jitter *jitter, int pattern);
+
+/* Which pattern a pixel has, 0 to patterns - 1; -1 where there is no jitter. */
+int hsr_jitter_pattern(const struct hsr_filtering *filtering, int i, int j);
 
 /* The view of which sub-sample `bit` of the pixels of a pattern is a sample;
  * pattern -1: without jitter. */
@@ -68,6 +75,26 @@ struct hsr_view hsr_subsample_view(const struct hsr_view *view, int pattern,
 void hsr_filter_colour(const struct hsr_world *world,
                        const struct hsr_view *view, uint32_t id,
                        uint16_t rgb[3]);
+
+/* Adds a colour, where the mask of pixel (i, j) is set, to the sums of the
+ * pixels of an m x n picture that it reaches. */
+void hsr_filter_add(const struct hsr_kernel *kernel, int m, int n, int i, int j,
+                    uint64_t mask, const uint16_t rgb[3], uint32_t *sums);
+
+/* Adds a whole picture without jitter: ids[] of 8 m x 8 n samples, m x n being
+ * the size of `view`. */
+void hsr_filter_add_picture(const struct hsr_kernel *kernel,
+                            const struct hsr_world *world,
+                            const struct hsr_view *view, const uint32_t *ids,
+                            uint32_t *sums);
+
+/* Adds one sub-sample of all pixels of a pattern: ids[] of m x n samples of its
+ * view. */
+void hsr_filter_add_subsample(const struct hsr_kernel *kernel,
+                              const struct hsr_filtering *filtering,
+                              const struct hsr_world *world,
+                              const struct hsr_view *view, int pattern, int bit,
+                              const uint32_t *ids, uint32_t *sums);
 
 /* Sums to linear colours 0..1: divided by the weights that are within the
  * picture. Three a pixel, m * n, no padding. */

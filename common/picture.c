@@ -63,12 +63,8 @@ static void face_colour(const struct hsr_world *world, uint32_t f,
     rgb[k] = colour[k];
 }
 
-/* N.L with a light above the eye's left shoulder; half of it is ambient. The
- * normal is turned to the eye: a face seen from behind is lit as well. */
-static float lambert(const struct hsr_world *world, const struct hsr_view *view,
-                     uint32_t f) {
-  const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
-  const double p[3] = {world->px[f], world->py[f], world->pz[f]};
+float hsr_picture_light(const struct hsr_view *view, const double n[3],
+                        const double p[3]) {
   double length = 0, light_length = 0, facing = 0, lit = 0;
   for (int k = 0; k < 3; k++) {
     double l = -view->F[k] - 0.5 * view->R[k] + 0.9 * view->U[k];
@@ -81,6 +77,13 @@ static float lambert(const struct hsr_world *world, const struct hsr_view *view,
   if (facing < 0)
     cosine = -cosine;
   return (float)(cosine > 0 ? 0.25 + 0.75 * cosine : 0.25);
+}
+
+static float lambert(const struct hsr_world *world, const struct hsr_view *view,
+                     uint32_t f) {
+  return hsr_picture_light(
+      view, (double[]){world->nx[f], world->ny[f], world->nz[f]},
+      (double[]){world->px[f], world->py[f], world->pz[f]});
 }
 
 void hsr_picture_colour(const struct hsr_world *world,

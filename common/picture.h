@@ -32,6 +32,12 @@ void hsr_picture_depth(const struct hsr_world *world,
                        const struct hsr_view *view, const uint32_t *ids,
                        float *depth);
 
+/* By N.L, with a light above the eye's left shoulder, of a face with this
+ * normal, turned to the eye, through this point: 0..1. Half of it is ambient;
+ * a face seen from behind is lit as well. */
+float hsr_picture_light(const struct hsr_view *view, const double normal[3],
+                        const double anchor[3]);
+
 /* The colour of a face, the same all over it, or of the background. */
 void hsr_picture_colour(const struct hsr_world *world,
                         const struct hsr_view *view, uint32_t id,

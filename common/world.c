@@ -25,6 +25,7 @@
  * vertex is on the plane, the exact predicate tells; of a quadrilateral,
  * whether its four vertices are coplanar. */
 #include "common/world.h"
+#include "common/pieces.h"
 #include "common/predicates.h"
 
 #include <float.h>
@@ -144,44 +145,62 @@ static void expand(struct hsr_world *world) {
   world->start[f] = c;
 }
 
+/* Newell's plane, vertex by vertex; the first is the origin. */
+struct newell {
+  uint32_t n; /* vertices so far */
+  double first[3], previous[3];
+  double normal[3], size[3]; /* and the sum of what it is a sum of, positive */
+  double sum[3], reach[3];   /* of the vertices; and the same */
+};
+
+static void newell_add(struct newell *plane, const double v[3]) {
+  double next[3];
+  for (int a = 0; a < 3; a++) {
+    if (!plane->n)
+      plane->first[a] = v[a];
+    next[a] = v[a] - plane->first[a];
+    plane->sum[a] += next[a];
+    plane->reach[a] += plane->n ? fabs(next[a]) : fabs(v[a]);
+  }
+  const double *previous = plane->previous;
+  for (int a = 0, b = 1, c = 2; plane->n > 1 && a < 3;
+       a++, b = (b + 1) % 3, c = (c + 1) % 3) {
+    double plus = previous[b] * next[c], minus = previous[c] * next[b];
+    plane->normal[a] += plus - minus;
+    plane->size[a] += fabs(plus) + fabs(minus);
+  }
+  memcpy(plane->previous, next, sizeof next);
+  plane->n++;
+}
+
+/* A point of the plane: the mean of the vertices, or of a triangle the first.
+ */
+static void newell_anchor(const struct newell *plane, double anchor[3]) {
+  for (int a = 0; a < 3; a++)
+    anchor[a] = plane->n == 3 ? plane->first[a]
+                              : plane->first[a] + plane->sum[a] / plane->n;
+}
+
 /* Newell's normal and the anchor of face f, with their errors. */
 static void find_plane(struct hsr_world *world, uint32_t f) {
-  const double *axis[3] = {world->x, world->y, world->z};
-  const uint32_t *vertex = world->vertex + world->start[f];
-  uint32_t k = hsr_face_size(world, f);
-  double first[3], previous[3], next[3];
-  double normal[3] = {0}, size[3] = {0}, sum[3] = {0}, reach[3];
-  for (int a = 0; a < 3; a++) {
-    first[a] = axis[a][vertex[0]];
-    previous[a] = axis[a][vertex[1]] - first[a];
-    sum[a] = previous[a];
-    reach[a] = fabs(first[a]) + fabs(previous[a]);
+  struct newell plane = {.n = 0};
+  for (uint32_t c = world->start[f]; c < world->start[f + 1]; c++) {
+    uint32_t v = world->vertex[c];
+    newell_add(&plane, (double[]){world->x[v], world->y[v], world->z[v]});
   }
-  for (uint32_t i = 2; i < k; i++) {
-    for (int a = 0; a < 3; a++) {
-      next[a] = axis[a][vertex[i]] - first[a];
-      sum[a] += next[a];
-      reach[a] += fabs(next[a]);
-    }
-    for (int a = 0, b = 1, c = 2; a < 3;
-         a++, b = (b + 1) % 3, c = (c + 1) % 3) {
-      double plus = previous[b] * next[c], minus = previous[c] * next[b];
-      normal[a] += plus - minus;
-      size[a] += fabs(plus) + fabs(minus);
-    }
-    memcpy(previous, next, sizeof previous);
-  }
-  double p = fmax(size[0], fmax(size[1], size[2]));
-  double r = fmax(reach[0], fmax(reach[1], reach[2]));
-  world->nx[f] = normal[0];
-  world->ny[f] = normal[1];
-  world->nz[f] = normal[2];
-  world->n_error[f] = 4 * (k + 1.0) * U * p + TINY;
-  bool triangle = k == 3;
-  world->px[f] = triangle ? first[0] : first[0] + sum[0] / k;
-  world->py[f] = triangle ? first[1] : first[1] + sum[1] / k;
-  world->pz[f] = triangle ? first[2] : first[2] + sum[2] / k;
-  world->anchor_error[f] = triangle ? 0 : 2 * (k + 2.0) * U * r + TINY;
+  double anchor[3];
+  newell_anchor(&plane, anchor);
+  double p = fmax(plane.size[0], fmax(plane.size[1], plane.size[2]));
+  double r = fmax(plane.reach[0], fmax(plane.reach[1], plane.reach[2]));
+  world->nx[f] = plane.normal[0];
+  world->ny[f] = plane.normal[1];
+  world->nz[f] = plane.normal[2];
+  world->n_error[f] = 4 * (plane.n + 1.0) * U * p + TINY;
+  world->px[f] = anchor[0];
+  world->py[f] = anchor[1];
+  world->pz[f] = anchor[2];
+  world->anchor_error[f] =
+      plane.n == 3 ? 0 : 2 * (plane.n + 2.0) * U * r + TINY;
 }
 
 bool hsr_is_flat(struct hsr_loop loop, bool *out_of_memory) {
@@ -216,7 +235,9 @@ static double find_deviation(const struct hsr_world *world, uint32_t f,
     may_be_flat &= off <= error;
     largest = fmax(largest, off + error);
   }
-  return may_be_flat && hsr_is_flat(hsr_face_loop(world, f), out_of_memory) ? 0 : largest;
+  return may_be_flat && hsr_is_flat(hsr_face_loop(world, f), out_of_memory)
+             ? 0
+             : largest;
 }
 
 static double largest_normal(const struct hsr_world *world, uint32_t f) {
@@ -404,26 +425,36 @@ uint32_t hsr_instance_of(const struct hsr_world *world, uint32_t f) {
   return lo;
 }
 
-/* A face in its object. */
-struct place {
-  uint32_t instance;
-  const struct hsr_object *object;
-  uint32_t face; /* of the object */
-};
-
-static struct place place_of(const struct hsr_world *world, uint32_t id) {
+struct hsr_place hsr_place_of(const struct hsr_world *world, uint32_t id) {
+  if (world->pieces)
+    world = world->pieces->whole;
   uint32_t i = hsr_instance_of(world, id);
-  return (struct place){
-      i, &world->scene->objects[world->scene->instances[i].object],
+  return (struct hsr_place){
+      &world->scene->objects[world->scene->instances[i].object], i,
       id - world->first[i]};
 }
 
-static uint32_t size_of(const struct place *at) {
+void hsr_place_plane(const struct hsr_world *world, struct hsr_place place,
+                     double normal[3], double anchor[3]) {
+  const struct hsr_object *object = place.object;
+  const double *m = world->scene->instances[place.instance].m;
+  struct newell plane = {.n = 0};
+  for (uint32_t c = object->start[place.face];
+       c < object->start[place.face + 1]; c++) {
+    double p[3];
+    hsr_instance_vertex(m, object->xyz + 3 * (size_t)object->vertex[c], p);
+    newell_add(&plane, p);
+  }
+  memcpy(normal, plane.normal, sizeof plane.normal);
+  newell_anchor(&plane, anchor);
+}
+
+static uint32_t size_of(const struct hsr_place *at) {
   return at->object->start[at->face + 1] - at->object->start[at->face];
 }
 
 void hsr_world_lay_out(struct hsr_world *out, uint32_t f) {
-  struct place at = place_of(out, out->id[f]);
+  struct hsr_place at = hsr_place_of(out, out->id[f]);
   const struct hsr_instance *instance = &out->scene->instances[at.instance];
   const uint32_t *vertex = at.object->vertex + at.object->start[at.face];
   out->start[f + 1] = out->start[f] + size_of(&at);
@@ -450,7 +481,7 @@ enum hsr_status hsr_world_extract(struct hsr_world *out,
                             .id = id,
                             .all_triangles = true};
   for (uint32_t f = 0; f < n; f++) {
-    struct place at = place_of(world, id[f]);
+    struct hsr_place at = hsr_place_of(world, id[f]);
     out->n_corners += size_of(&at);
     out->all_triangles &= size_of(&at) == 3;
   }

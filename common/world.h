@@ -101,6 +101,20 @@ static inline bool hsr_is_outline(const struct hsr_world *world) {
 /* The instance that face f belongs to. */
 uint32_t hsr_instance_of(const struct hsr_world *world, uint32_t f);
 
+/* Where a face of the scene stands there, by its id, whatever world it is
+ * looked up in: laid out, an outline, an extract, or of pieces. */
+struct hsr_place {
+  const struct hsr_object *object;
+  uint32_t instance;
+  uint32_t face; /* of the object */
+};
+struct hsr_place hsr_place_of(const struct hsr_world *world, uint32_t id);
+
+/* Its normal and the point that its plane passes through: the doubles that the
+ * world has for it where it is laid out. */
+void hsr_place_plane(const struct hsr_world *world, struct hsr_place place,
+                     double normal[3], double anchor[3]);
+
 /* For those who make worlds: allocates every array, the sizes being set;
  * `first` only if it is NULL. HSR_E_NOMEM. */
 enum hsr_status hsr_world_allocate(struct hsr_world *world,

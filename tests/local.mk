@@ -8,6 +8,7 @@ tap_programs = \
   %D%/unit/drawing_test \
   %D%/unit/exchange_test \
   %D%/unit/figures_test \
+  %D%/unit/filter_test \
   %D%/unit/image_test \
   %D%/unit/line_oracle_test \
   %D%/unit/octree_test \
@@ -73,6 +74,8 @@ nodist_EXTRA_%C%_unit_cubes_test_SOURCES = force_cxx_link.cc
 %C%_unit_drawing_test_SOURCES = %D%/unit/drawing_test.c
 nodist_EXTRA_%C%_unit_drawing_test_SOURCES = force_cxx_link.cc
 %C%_unit_exchange_test_SOURCES = %D%/unit/exchange_test.cc
+%C%_unit_filter_test_SOURCES = %D%/unit/filter_test.c
+nodist_EXTRA_%C%_unit_filter_test_SOURCES = force_cxx_link.cc
 %C%_unit_image_test_SOURCES = %D%/unit/image_test.cc
 %C%_unit_line_oracle_test_SOURCES = %D%/unit/line_oracle_test.cc
 %C%_unit_oracle_test_SOURCES = %D%/unit/oracle_test.cc
