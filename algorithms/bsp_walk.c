@@ -27,7 +27,7 @@ static double sum_of_sizes(const double v[3]) {
 
 static int side_of_plane(const struct hsr_bsp_walk *walk, uint32_t plane) {
   const struct hsr_world *world = walk->bsp->world;
-  const double *E = walk->view->E, *S = walk->shift;
+  const double *E = walk->eye, *S = walk->shift;
   uint32_t f = walk->bsp->face_of[plane];
   const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
   const double d[3] = {E[0] - S[0], E[1] - S[1], E[2] - S[2]};
@@ -47,7 +47,7 @@ static int side_of_plane(const struct hsr_bsp_walk *walk, uint32_t plane) {
 
 static int side_of_median(const struct hsr_bsp_walk *walk, int axis,
                           double at) {
-  double shift = walk->shift[axis], eye = walk->view->E[axis];
+  double shift = walk->shift[axis], eye = walk->eye[axis];
   double moved = at + shift;
   if (eye != moved)
     return eye > moved ? 1 : -1;
@@ -62,18 +62,16 @@ static int side_of_median(const struct hsr_bsp_walk *walk, int axis,
 static void tell_pieces(const struct hsr_bsp_walk *walk,
                         const struct hsr_bsp_node *node, int eye_side) {
   const struct hsr_bsp *bsp = walk->bsp;
-  bool forwards = walk->order == HSR_FRONT_TO_BACK;
-  for (uint32_t k = 0; k < node->n_pieces && eye_side; k++) {
-    uint32_t p = node->first_piece + (forwards ? k : node->n_pieces - 1 - k);
-    uint32_t f = bsp->piece[p].face;
-    int side = eye_side * bsp->turned[f];
-    if (side > 0 || !bsp->world->one_sided[f])
-      walk->visitor.piece(walk->visitor.context, p, side);
+  uint32_t n = node->n_pieces;
+  for (uint32_t k = 0; k < n && eye_side; k++) {
+    const struct hsr_bsp_piece *piece =
+        &bsp->piece[node->first_piece + (walk->backwards ? n - 1 - k : k)];
+    int facing = eye_side * bsp->turned[piece->face];
+    if (facing > 0 || !bsp->world->one_sided[piece->face])
+      walk->piece(walk->context, piece, facing);
   }
 }
 
-/* Of a node that is gone into, there wait the side that is gone into first, its
- * pieces, and the other side: at most three a level, of which one is taken. */
 static void walk_tree(const struct hsr_bsp_walk *walk, uint32_t root) {
   const struct hsr_bsp *bsp = walk->bsp;
   struct hsr_bsp_waiting *waiting = walk->waiting;
@@ -88,8 +86,7 @@ static void walk_tree(const struct hsr_bsp_walk *walk, uint32_t root) {
     }
     next.eye_side = side_of_plane(walk, node->plane);
     next.gone_into = true;
-    bool front_first =
-        (next.eye_side > 0) == (walk->order == HSR_FRONT_TO_BACK);
+    bool front_first = (next.eye_side > 0) != walk->backwards;
     uint32_t first = front_first ? node->front : node->behind;
     uint32_t last = front_first ? node->behind : node->front;
     if (last != HSR_NO_BSP)
@@ -104,11 +101,10 @@ static void walk_tree(const struct hsr_bsp_walk *walk, uint32_t root) {
  */
 
 /* As deep as the octree: at most 20 levels (common/bsp.cc). */
-static void walk_cube(const struct hsr_bsp_walk *walk, uint32_t number) {
-  const struct hsr_bsp_cube *cube = &walk->bsp->cube[number];
-  const struct hsr_bsp_visitor *visitor = &walk->visitor;
+static void walk_cube(const struct hsr_bsp_walk *walk,
+                      const struct hsr_bsp_cube *cube) {
   unsigned nearest = 0;
-  if (visitor->enter && !visitor->enter(visitor->context, number))
+  if (walk->enter && !walk->enter(walk->context, cube))
     return;
   if (cube->root != HSR_NO_BSP) {
     walk_tree(walk, cube->root);
@@ -118,30 +114,14 @@ static void walk_cube(const struct hsr_bsp_walk *walk, uint32_t number) {
     if (side_of_median(walk, k, cube->centre[k]) > 0)
       nearest |= 1u << k;
   for (int k = 0; k < 8; k++) {
-    int place = walk->order == HSR_FRONT_TO_BACK ? k : 7 - k;
+    int place = walk->backwards ? 7 - k : k;
     uint32_t child = cube->child[nearest ^ hsr_octant_order[place]];
     if (child != HSR_NO_BSP)
-      walk_cube(walk, child);
+      walk_cube(walk, &walk->bsp->cube[child]);
   }
 }
 
-void HSR_OF_BUILD(hsr_bsp_walk)(struct hsr_bsp_walk *walk,
-                                const struct hsr_bsp *bsp,
-                                const double shift[3]) {
-  walk->bsp = bsp;
-  for (int k = 0; k < 3; k++)
-    walk->shift[k] = shift ? shift[k] : 0;
-  if (bsp->n_pieces)
-    walk_cube(walk, 0);
-}
-
-enum hsr_status HSR_OF_BUILD(hsr_bsp_walk_init)(struct hsr_bsp_walk *walk,
-                                                const struct hsr_view *view,
-                                                uint32_t most_depth,
-                                                struct hsr_arena *arena,
-                                                struct hsr_tally *tally) {
-  *walk = (struct hsr_bsp_walk){.view = view, .tally = tally};
-  walk->waiting = HSR_NEW(arena, struct hsr_bsp_waiting,
-                          2 * (size_t)most_depth + 1);
-  return walk->waiting ? HSR_OK : HSR_E_NOMEM;
+void HSR_OF_BUILD(hsr_bsp_walk)(const struct hsr_bsp_walk *walk) {
+  if (walk->bsp->n_pieces)
+    walk_cube(walk, &walk->bsp->cube[0]);
 }

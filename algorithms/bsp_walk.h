@@ -25,45 +25,36 @@
 extern "C" {
 #endif
 
-/* Who is told of what is come to. */
-struct hsr_bsp_visitor {
-  void *context;
-  /* Whether to enter a cube, which holds something; NULL: always. */
-  bool (*enter)(void *context, uint32_t cube);
-  /* A piece; +1 if the eye is in front of its face, -1 behind. */
-  void (*piece)(void *context, uint32_t piece, int eye_side);
-};
-
-enum hsr_bsp_order { HSR_FRONT_TO_BACK, HSR_BACK_TO_FRONT };
-
 /* A node that waits: to be gone into, or for its pieces to be told of. */
 struct hsr_bsp_waiting {
   uint32_t node;
-  int eye_side; /* of its plane, if it is known */
+  int eye_side; /* of its plane, if it is gone into */
   bool gone_into;
 };
 
+/* All borrowed. */
 struct hsr_bsp_walk {
-  const struct hsr_view *view;
-  struct hsr_tally *tally;
-  enum hsr_bsp_order order;
-  struct hsr_bsp_visitor visitor;
-  struct hsr_bsp_waiting *waiting; /* those of one tree */
   const struct hsr_bsp *bsp;
-  double shift[3];
+  const double *eye, *shift;
+  bool backwards; /* back to front */
+  struct hsr_tally *tally;
+  struct hsr_bsp_waiting *waiting; /* room for hsr_bsp_most_waiting */
+
+  void *context;
+  /* Whether to enter a cube, which holds something; NULL: always. */
+  bool (*enter)(void *context, const struct hsr_bsp_cube *cube);
+  /* A piece; facing: +1 if the eye is in front of its face, -1 behind. */
+  void (*piece)(void *context, const struct hsr_bsp_piece *piece, int facing);
 };
 
-/* Makes ready for trees that are no deeper than this. HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_bsp_walk_init)(struct hsr_bsp_walk *walk,
-                                                const struct hsr_view *view,
-                                                uint32_t most_depth,
-                                                struct hsr_arena *arena,
-                                                struct hsr_tally *tally);
+/* A node that is gone into, and what comes after it: two for each level of a
+ * tree; and the one that is gone into next. */
+static inline size_t hsr_bsp_most_waiting(const struct hsr_bsp *bsp) {
+  return 2 * (size_t)bsp->most_depth + 1;
+}
 
-/* From the root. `order` and `visitor` are set; shift NULL: not moved. */
-void HSR_OF_BUILD(hsr_bsp_walk)(struct hsr_bsp_walk *walk,
-                                const struct hsr_bsp *bsp,
-                                const double shift[3]);
+/* From the root. */
+void HSR_OF_BUILD(hsr_bsp_walk)(const struct hsr_bsp_walk *walk);
 
 #ifdef __cplusplus
 }

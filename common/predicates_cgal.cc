@@ -194,7 +194,8 @@ int hsr_exact_moved_plane_side(struct hsr_loop face, const double shift[3],
       [&](auto t) {
         using T = decltype(t);
         Plane<T> plane = newell_plane<T>(face);
-        return plane.k * dot(plane.normal, vector<T>(point) - vector<T>(shift)) -
+        return plane.k *
+                   dot(plane.normal, vector<T>(point) - vector<T>(shift)) -
                plane.offset;
       },
       out_of_memory);
