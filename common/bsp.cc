@@ -53,6 +53,8 @@ const unsigned BOTH = FRONT | BEHIND;
 
 using Group = std::vector<uint32_t>; // pieces, by ascending faces
 
+struct Too_many {};
+
 const hsr_box EMPTY = {{INFINITY, INFINITY, INFINITY},
                        {-INFINITY, -INFINITY, -INFINITY}};
 
@@ -332,7 +334,7 @@ void Maker::find_tight_boxes() {
 void Maker::check_size(size_t n_more) const {
   if (made_.size() + n_open_ + n_more > MOST_PIECES ||
       questions_ > MOST_QUESTIONS)
-    throw Refused{HSR_NP, 0, "is one of too many that must be divided"};
+    throw Too_many();
 }
 
 // Counts the division of a piece; false if its face is loose.
@@ -557,7 +559,13 @@ hsr_status hsr_bsp_init(struct hsr_bsp *bsp, const struct hsr_world *world,
   bsp->world = world;
   return guarded(err, [&]() -> hsr_status {
     Maker maker(*world, rule->most);
-    maker.make();
+    try {
+      maker.make();
+    } catch (const Too_many &) {
+      return hsr_fail(err, HSR_E_REFUSED,
+                      "the BSP trees of %u faces would be too large",
+                      world->n_faces);
+    }
     return maker.fill(bsp) ? HSR_OK : hsr_fail_nomem(err);
   });
 }
