@@ -49,6 +49,7 @@ struct warnock {
   int n_levels;
   unsigned char *state[LEVELS]; /* a cell of the level: 2^level samples a side,
                                    rows of 2^(n_levels - 1 - level) cells */
+  uint32_t *visits[LEVELS];     /* of cells; NULL: there is no work picture */
   struct side *side;            /* for all levels */
 
   /* The polygon at hand. */
@@ -56,10 +57,13 @@ struct warnock {
   bool is_asked; /* what it covers is asked sample by sample */
 };
 
+static size_t cell_of(const struct warnock *s, int level, int x, int y) {
+  return ((size_t)y << (s->n_levels - 1 - level)) + (size_t)x;
+}
+
 static unsigned char *state_of(const struct warnock *s, int level, int x,
                                int y) {
-  size_t row = (size_t)1 << (s->n_levels - 1 - level);
-  return &s->state[level][(size_t)y * row + (size_t)x];
+  return &s->state[level][cell_of(s, level, x, y)];
 }
 
 /* What its four quadrants make of a cell. */
@@ -115,15 +119,6 @@ static enum where side_of_cell(struct warnock *s, const struct side *side,
   return n ? INSIDE : OUTSIDE;
 }
 
-static void touch(const struct warnock *s, const struct hsr_bounds *b) {
-  struct hsr_tally *tally = s->frame.job->tally;
-  int rows = b->y1 - b->y0, columns = b->x1 - b->x0;
-  float share = 1.0f / (float)(rows * columns);
-  for (int k = 0; HSR_COUNTING && tally->work && k < rows * columns; k++)
-    tally->work[(size_t)(b->y0 + k / columns) * tally->work_stride +
-                (size_t)(b->x0 + k % columns)] += share;
-}
-
 static void write_cell(struct warnock *s, const struct hsr_bounds *b) {
   HSR_COUNT(s->frame.job->tally, HSR_BSP_SAMPLES,
             (b->x1 - b->x0) * (b->y1 - b->y0));
@@ -150,7 +145,8 @@ static void insert(struct warnock *s, int level, int x, int y,
   struct hsr_bounds samples = samples_of(s, level, x, y);
   HSR_STEP(tally, CELLS, HSR_SAMPLE, s->piece.face, HSR_NOTHING, samples.x0,
            samples.y0, samples.x1, samples.y1);
-  touch(s, &samples);
+  if (HSR_COUNTING && s->visits[level])
+    s->visits[level][cell_of(s, level, x, y)]++;
   if (misses(&samples, &s->piece.bounds))
     return;
   struct side *crossing = s->side + (side - s->side) + n;
@@ -239,16 +235,46 @@ static enum hsr_status make_quadtree(struct warnock *s) {
   return HSR_OK;
 }
 
+/* For the work picture. */
+static enum hsr_status begin_visits(struct warnock *s) {
+  const struct hsr_job *job = s->frame.job;
+  for (int level = 0; level < s->n_levels && HSR_COUNTING && job->tally->work;
+       level++) {
+    size_t row = (size_t)1 << (s->n_levels - 1 - level);
+    s->visits[level] = HSR_NEW_ZEROED(job->scratch, uint32_t, row * row);
+    if (!s->visits[level])
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
+
+/* A cell's visits are shared by its samples. */
+static void share_visits(const struct warnock *s) {
+  const struct hsr_window *w = s->window;
+  struct hsr_tally *tally = s->frame.job->tally;
+  for (int level = 0; level < s->n_levels && s->visits[level]; level++)
+    for (int j = w->y0; j < w->y1; j++)
+      for (int i = w->x0; i < w->x1; i++) {
+        int x = (i - w->x0) >> level, y = (j - w->y0) >> level;
+        struct hsr_bounds b = samples_of(s, level, x, y);
+        tally->work[(size_t)j * tally->work_stride + (size_t)i] +=
+            (float)s->visits[level][cell_of(s, level, x, y)] /
+            (float)((b.x1 - b.x0) * (b.y1 - b.y0));
+      }
+}
+
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct warnock warnock = {.window = &job->view->window}, *s = &warnock;
-  if (HSR_OF_BUILD(hsr_bsp_frame_begin)(&s->frame, job) || make_quadtree(s))
+  if (HSR_OF_BUILD(hsr_bsp_frame_begin)(&s->frame, job) || make_quadtree(s) ||
+      begin_visits(s))
     return hsr_fail_nomem(err);
   s->side = HSR_NEW(job->scratch, struct side,
                     (size_t)s->frame.most_corners * ((size_t)s->n_levels + 1));
   if (!s->side)
     return hsr_fail_nomem(err);
   HSR_OF_BUILD(hsr_bsp_frame_walk)(&s->frame, false, s, insert_piece);
+  share_visits(s);
   HSR_OF_BUILD(hsr_bsp_frame_finish)(&s->frame);
   return HSR_OK;
 }
