@@ -312,6 +312,15 @@ static void print_figure13(void) {
   }
 }
 
+/* One more name in a row of them, or in the next, whose columns it keeps count
+ * of. */
+static int print_next(const char *name, int column) {
+  if (column + 2 + (int)strlen(name) < 100)
+    return column + printf(", %s", name);
+  puts(",");
+  return printf("%-10s %s", "", name);
+}
+
 static void print_orders(void) {
   title("Sorting orders");
   for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
@@ -322,10 +331,10 @@ static void print_orders(void) {
                (b->plain->sort_order && !strcmp(b->plain->sort_order, order));
     if (!order || before)
       continue;
-    printf("%-10s %s", order, l->plain->name);
+    int column = printf("%-10s %s", order, l->plain->name);
     for (const struct hsr_listed *m = l + 1; m->plain; m++)
       if (m->plain->sort_order && !strcmp(m->plain->sort_order, order))
-        printf(", %s", m->plain->name);
+        column = print_next(m->plain->name, column);
     putchar('\n');
   }
 }
