@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/tiling/masks.h"
+#include "common/vector.h"
 
 #include <math.h>
 #include <string.h>
@@ -228,7 +229,7 @@ static void count_cell(struct hsr_masks *p, const struct cell *cell) {
   int x1 = x0 + cell->size / p->pixel, y1 = y0 + cell->size / p->pixel;
   int m = p->window.x1 / p->pixel, n = p->window.y1 / p->pixel;
   float share = 1.0f / (float)((x1 - x0) * (y1 - y0));
-  p->work->pixels += 1;
+  p->work->pixels++;
   for (int j = y0; p->touched && j < y1 && j < n; j++)
     for (int i = x0; i < x1 && i < m; i++)
       p->touched[(size_t)j * p->touched_stride + (size_t)i] += share;
@@ -256,7 +257,7 @@ static void split_portable(const struct hsr_mask_line *line, double f,
 
 static const struct hsr_mask_twin portable = {split_portable};
 
-#if HAVE_AVX512_TWIN
+#ifdef HAVE_AVX512_TWIN
 AVX512 static void split_avx512(const struct hsr_mask_line *line, double f,
                                 const struct hsr_mask_places *places,
                                 uint64_t *inside, uint64_t *outside) {
@@ -279,7 +280,7 @@ static const struct hsr_mask_twin avx512 = {split_avx512};
 #endif
 
 static const struct hsr_mask_twin *choose_twin(void) {
-#if HAVE_AVX512_TWIN
+#ifdef HAVE_AVX512_TWIN
   if (__builtin_cpu_supports("avx512f"))
     return &avx512;
 #endif

@@ -67,7 +67,7 @@ struct hsr_mask_places {
 /* What is counted of one kind of work, in the counting build. */
 struct hsr_mask_work {
   uint64_t cells, finest; /* visited; those of the finest level */
-  double pixels;          /* cells of a pixel or more, and no smaller ones */
+  uint64_t pixels;        /* those of a pixel or more */
 };
 
 enum { HSR_MASK_LEVELS = 6 };
