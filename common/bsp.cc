@@ -42,7 +42,7 @@ const uint64_t MOST_QUESTIONS = 2000000000;
 // Planes tried for a group; pieces that are put to each; and how many pieces on
 // the larger side a cut is worth. A cut piece is one more for every picture, a
 // deep tree costs only while it is made.
-const size_t TRIED_PLANES = 6, WEIGHED_PIECES = 128;
+const size_t TRIED_PLANES = 12, WEIGHED_PIECES = 128;
 const size_t PRICE_OF_CUT = 8;
 
 // Of a face that is not flat. It never becomes smaller for the planes that it
@@ -61,8 +61,9 @@ void grow(hsr_box &box, const Point &at, double error) {
   for (size_t c = 0; c < 3; c++) {
     const double lo = at[c] - error, hi = at[c] + error;
     box.lo[c] =
-        std::fmin(box.lo[c], error ? std::nextafter(lo, -INFINITY) : lo);
-    box.hi[c] = std::fmax(box.hi[c], error ? std::nextafter(hi, INFINITY) : hi);
+        std::fmin(box.lo[c], error > 0 ? std::nextafter(lo, -INFINITY) : lo);
+    box.hi[c] =
+        std::fmax(box.hi[c], error > 0 ? std::nextafter(hi, INFINITY) : hi);
   }
 }
 

@@ -102,8 +102,8 @@ struct hsr_bsp {
 };
 
 struct hsr_bsp_rule {
-  uint32_t most; /* a cube of more pieces is divided; 0: none is, and there is
-                    one BSP tree */
+  uint32_t most; /* a cube of more pieces is divided, unless that makes too many
+                    of them; 0: none is, and there is one BSP tree */
 };
 
 /* `world` is laid out, its faces convex; it is borrowed. *bsp is freed with
