@@ -46,7 +46,7 @@ const struct hsr_builtin hsr_builtins[] = {
           "Table II"),
     SIZED("color-cube", hsr_build_color_cube, 6, 1, 40,
           "N x N x N small cubes, each in the colour of its place"),
-    SIZED("tower", hsr_build_tower, 40, 1, 20000,
+    SIZED("twist", hsr_build_twist, 40, 1, 20000,
           "a tower of N instances of one storey, each turned a little"),
     SIZED("sphere", hsr_build_sphere, 2048, 8, 20000000,
           "a sphere of about N triangles"),
