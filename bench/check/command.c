@@ -179,8 +179,8 @@ static const struct argp argp = {
     "[SCENE...]",
     "Compares every algorithm's picture with the oracle's, sample for sample, "
     "and every line drawing with the line oracle's, edge by edge. "
-    "Without SCENE, all built-in scenes but office, with their standard "
-    "parameters.\v"
+    "Without SCENE, all built-in scenes but office, traffic, tower and "
+    "tower-bare, with their standard parameters.\v"
     "Exit status 0: no sample and no edge differs. 1: one does, or an "
     "algorithm crashed or took too long.\n\n"
     "  hsr check\n"

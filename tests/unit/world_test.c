@@ -138,7 +138,7 @@ static void test_limit(struct tap *tap) {
 }
 
 int main(void) {
-  static const char *const scenes[] = {"house",        "tower:3",  "non-planar",
+  static const char *const scenes[] = {"house",        "twist:3",  "non-planar",
                                        "lattice:80:1", "coplanar", "office:2",
                                        "terrain:8:6",  "one-sided"};
   enum { SCENES = sizeof scenes / sizeof *scenes };
