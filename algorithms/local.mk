@@ -43,6 +43,8 @@ algorithm_files = \
   %D%/tiler.c \
   %D%/tiling/canvas.c \
   %D%/tiling/canvas.h \
+  %D%/tiling/loose.c \
+  %D%/tiling/loose.h \
   %D%/tiling/masks.c \
   %D%/tiling/masks.h \
   %D%/tiling/polygon.c \
