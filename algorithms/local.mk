@@ -7,6 +7,8 @@ libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/variant.c %D%/list.def
 algorithm_files = \
   %D%/appel.c \
   %D%/bouknight.c \
+  %D%/bsp_walk.c \
+  %D%/bsp_walk.h \
   %D%/clark.c \
   %D%/cube_frame.c \
   %D%/cube_frame.h \
@@ -39,6 +41,13 @@ algorithm_files = \
   %D%/schumacker.c \
   %D%/schumacker_newell.c \
   %D%/tiler.c \
+  %D%/tiling/canvas.c \
+  %D%/tiling/canvas.h \
+  %D%/tiling/masks.c \
+  %D%/tiling/masks.h \
+  %D%/tiling/polygon.c \
+  %D%/tiling/polygon.h \
+  %D%/tiling/tiling.c \
   %D%/tiler.h \
   %D%/warnock.c \
   %D%/warnock.h \

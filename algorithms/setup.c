@@ -46,7 +46,8 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                     world->n_faces);
   enum hsr_status status = HSR_OK;
   for (const struct hsr_adapter *a = hsr_adapters; a->name && !status; a++)
-    if ((algorithm->restrictions & a->mends) == a->mends)
+    if (!hsr_is_outline(world) &&
+        (algorithm->restrictions & a->mends) == a->mends)
       status = apply(setup, a, err);
   if (status || !algorithm->prepare)
     return status;

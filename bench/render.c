@@ -202,7 +202,7 @@ struct render {
   double import, build, draw, shade, write; /* seconds */
 };
 
-static enum hsr_status open_scene(struct render *r, bool lay_out,
+static enum hsr_status open_scene(struct render *r, uint32_t most,
                                   struct hsr_error *err) {
   const struct options *o = r->options;
   double begin = seconds_now();
@@ -222,7 +222,7 @@ static enum hsr_status open_scene(struct render *r, bool lay_out,
     status = hsr_view_init(&r->view, &camera, o->view.m * (int)o->supersamples,
                            o->view.n * (int)o->supersamples, err);
   if (!status)
-    status = hsr_world_open(&r->world, r->scene, lay_out, err);
+    status = hsr_world_open(&r->world, r->scene, most, err);
   r->build = seconds_now() - begin;
   return status;
 }
@@ -479,7 +479,7 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
 
   struct render r = {.options = &options,
                      .kind = hsr_choice_kind(a, &variant.choice)};
-  status = open_scene(&r, !(a->flags & HSR_INSTANCED), err);
+  status = open_scene(&r, hsr_most_laid_out(a), err);
   if (!status)
     status = draw(&r, a, &variant.choice, err);
   if (!status)

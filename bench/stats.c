@@ -172,7 +172,7 @@ enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err) {
   if (!status)
     status = hsr_view_init(&view, &camera, options.view.m, options.view.n, err);
   if (!status)
-    status = hsr_world_open(&world, scene, true, err);
+    status = hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, err);
   if (!status && hsr_is_outline(&world))
     status = hsr_fail(err, HSR_E_NOMEM,
                       "stats: %u faces are too many to be laid out, as Table I "

@@ -81,10 +81,10 @@ enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err) {
   if (status)
     return status;
   struct stage stage;
-  bool lay_out = !(variant.listed->plain->flags & HSR_INSTANCED);
+  uint32_t most = hsr_most_laid_out(variant.listed->plain);
   status =
-      stage_open(&stage, request.scene, lay_out,
-                 request.view + request.walk - 1, request.m, request.n, err);
+      stage_open(&stage, request.scene, most, request.view + request.walk - 1,
+                 request.m, request.n, err);
   if (!status) {
     long before = memory_kb();
     struct hsr_setup setup;

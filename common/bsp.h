@@ -20,7 +20,13 @@
  * Order       whatever is on the eye's side of a node's plane hides what is in
  *             the plane, and that what is on the other side. Pieces in one
  *             plane are ascending by face, so that the first one is seen.
- * Ties        a piece in a median plane goes to the lower octant. */
+ * Ties        a piece in a median plane goes to the lower octant.
+ * Not flat    what is seen of a face that is not flat lies on its plane, and
+ *             where, depends on the eye: within `reach` of the hull of its
+ *             vertices, unless the eye grazes it (hsr_grazes, common/order.h);
+ *             then the trees have no place for it. Where it is not certain to
+ *             be on one side of a plane, it is cut and goes to both. A face of
+ *             which this makes too many pieces is loose: it is in no tree. */
 #ifndef HSR_COMMON_BSP_H
 #define HSR_COMMON_BSP_H
 
@@ -40,7 +46,7 @@ extern "C" {
 #define HSR_BSP_FRONT UINT32_MAX
 #define HSR_BSP_BEHIND (UINT32_MAX - 1)
 struct hsr_bsp_corner {
-  uint32_t point;
+  uint32_t point; /* x[point], y[point], z[point] */
   uint32_t a, b;
 };
 
@@ -53,21 +59,22 @@ struct hsr_bsp_piece {
 };
 
 struct hsr_bsp_node {
-  uint32_t plane;         /* a plane class of the world */
-  uint32_t front, behind; /* nodes, or HSR_NO_BSP */
+  uint32_t plane;                 /* a plane class of the world */
+  uint32_t front, behind;         /* nodes, or HSR_NO_BSP */
   uint32_t first_piece, n_pieces; /* in the plane */
 };
 
 struct hsr_bsp_cube {
   double centre[3], half;
-  struct hsr_box tight; /* holds all that is in it; empty: lo > hi */
-  uint32_t child[8]; /* as of hsr_octree_node: bit k: above centre[k] */
-  uint32_t root;     /* of a leaf: its BSP tree; HSR_NO_BSP: no piece */
+  struct hsr_box tight; /* within it, holds all that is in it; empty: lo > hi */
+  uint32_t child[8];    /* as of hsr_octree_node: bit k: above centre[k];
+                           HSR_NO_BSP: none, or nothing in it */
+  uint32_t root;        /* of a leaf: its BSP tree; HSR_NO_BSP: no piece */
   uint32_t first_point, n_points; /* of a leaf: those of its pieces */
   uint32_t most_corners;          /* of a leaf: that a piece has */
 };
 
-/* A median plane. */
+/* A median plane: plane n_planes + k of a world is median[k]. */
 struct hsr_bsp_median {
   int axis;
   double at;
@@ -75,27 +82,33 @@ struct hsr_bsp_median {
 
 struct hsr_bsp {
   const struct hsr_world *world;
-  struct hsr_bsp_cube *cube; /* the first is the root; parents first */
+  struct hsr_bsp_cube *cube; /* at least one: the root; parents first */
   struct hsr_bsp_node *node;
   struct hsr_bsp_piece *piece;
   struct hsr_bsp_corner *corner;
-  struct hsr_bsp_corner *cut;   /* .point is unused */
-  double *x, *y, *z;            /* points */
-  double *error;                /* of each of a point's coordinates */
+  struct hsr_bsp_corner *cut; /* .point is unused */
+  double *x, *y, *z;          /* points */
+  double *error;              /* of each of a point's coordinates; 0: it is
+                                 a vertex of the world */
   struct hsr_bsp_median *median;
   uint32_t *face_of;   /* a plane class: the face as which it is turned */
   signed char *turned; /* a face: +1 as its plane is, -1 the other way */
-  uint32_t n_cubes, n_nodes, n_pieces, n_corners, n_cuts, n_points, n_medians;
+  double *reach;       /* a face; 0: it is flat */
+  uint32_t *loose;     /* faces that are in no tree, ascending */
+  uint32_t n_cubes, n_nodes, n_pieces, n_corners, n_cuts, n_points, n_medians,
+      n_loose;
+  uint32_t most_depth; /* nodes on the longest path down a tree */
   struct hsr_arena arena;
 };
 
 struct hsr_bsp_rule {
-  uint32_t most; /* a cube of more pieces is divided; 0: none is, and there is
-                    one BSP tree */
+  uint32_t most; /* a cube of more pieces is divided, unless that makes too many
+                    of them; 0: none is, and there is one BSP tree */
 };
 
 /* `world` is laid out, its faces convex; it is borrowed. *bsp is freed with
- * hsr_bsp_free also after a failure: HSR_E_NOMEM. */
+ * hsr_bsp_free also after a failure: HSR_E_NOMEM; HSR_E_REFUSED, if there would
+ * be too many pieces. */
 enum hsr_status hsr_bsp_init(struct hsr_bsp *bsp, const struct hsr_world *world,
                              const struct hsr_bsp_rule *rule,
                              struct hsr_error *err);

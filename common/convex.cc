@@ -3,6 +3,8 @@
 #include "common/exact_plane.h"
 #include "common/predicates.h"
 
+#include <CGAL/Exact_rational.h>
+
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
@@ -66,18 +68,20 @@ template <class T> struct Homogeneous {
   T w;
 };
 
+// Of the edge from a to b with a plane. It is one number, however the edge
+// runs.
 template <class T>
-Homogeneous<T> meet(const hsr_world *w, uint32_t a, uint32_t b, uint32_t face) {
-  const Plane<T> plane(w, face);
-  const Vector<T> from = point<T>(w, a), to = point<T>(w, b);
+Homogeneous<T> meet(const hsr_world *w, uint32_t a, uint32_t b,
+                    const Plane<T> &plane) {
+  const Vector<T> from = point<T>(w, std::min(a, b)),
+                  to = point<T>(w, std::max(a, b));
   const T h_from = plane.height(from), h_to = plane.height(to);
   return {h_from * to - h_to * from, h_from - h_to};
 }
 
 // Cramer's rule on k N . P = N . S.
 template <class T>
-Homogeneous<T> meet(const hsr_world *w, const std::array<uint32_t, 3> &faces) {
-  const Plane<T> f(w, faces[0]), g(w, faces[1]), h(w, faces[2]);
+Homogeneous<T> meet(const Plane<T> &f, const Plane<T> &g, const Plane<T> &h) {
   const Vector<T> n = f.k * f.normal, o = g.k * g.normal, p = h.k * h.normal;
   const Vector<T> gh = CGAL::cross_product(o, p);
   return {f.offset * gh + g.offset * CGAL::cross_product(p, n) +
@@ -92,13 +96,6 @@ bool is_on(const hsr_world &w, uint32_t f, uint32_t v) {
   return w.deviation[f] == 0 && std::find(first, last, v) != last;
 }
 
-// Whether a side is known to lie in a plane, that of face g.
-bool is_within(const hsr_world &w, const Corner &side, uint32_t plane,
-               uint32_t g) {
-  return side.b == NO_VERTEX ? side.a == plane
-                             : is_on(w, g, side.a) && is_on(w, g, side.b);
-}
-
 // The two sides that meet in corner k.
 struct Meeting {
   const Corner &before, &after;
@@ -111,15 +108,24 @@ struct Meeting {
 };
 
 template <class T>
+Plane<T> plane_of(const Convex_pieces &pieces, const hsr_world *whole,
+                  uint32_t plane) {
+  const Level &level = pieces.level(plane);
+  return level.front ? Plane<T>(level.axis, level.at, level.front)
+                     : Plane<T>(whole, pieces.face_of(plane));
+}
+
+template <class T>
 Homogeneous<T> corner_of(const Convex_pieces &pieces, const hsr_world *whole,
                          const Convex &piece, size_t k) {
   const Meeting m(piece, k);
+  const auto plane = [&](uint32_t p) { return plane_of<T>(pieces, whole, p); };
   if (m.before.b != NO_VERTEX)
-    return meet<T>(whole, m.before.a, m.before.b, pieces.face_of(m.after.a));
+    return meet<T>(whole, m.before.a, m.before.b, plane(m.after.a));
   if (m.after.b != NO_VERTEX)
-    return meet<T>(whole, m.after.a, m.after.b, pieces.face_of(m.before.a));
-  return meet<T>(whole, {piece.parent, pieces.face_of(m.before.a),
-                         pieces.face_of(m.after.a)});
+    return meet<T>(whole, m.after.a, m.after.b, plane(m.before.a));
+  return meet<T>(plane(piece.plane), plane(std::min(m.before.a, m.after.a)),
+                 plane(std::max(m.before.a, m.after.a)));
 }
 
 template <class T>
@@ -176,15 +182,30 @@ double Convex_pieces::height(uint32_t plane, const Corner &corner,
   return n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
 }
 
+// Whether a side is known to lie in a plane.
+bool Convex_pieces::is_within(const Corner &side, uint32_t plane) const {
+  const Level &level = level_[plane];
+  if (side.b == NO_VERTEX) {
+    const Level &other = level_[side.a];
+    return side.a == plane ||
+           (level.front && other.front && level.axis == other.axis &&
+            level.at == other.at);
+  }
+  if (!level.front)
+    return is_on(whole_, face_of_[plane], side.a) &&
+           is_on(whole_, face_of_[plane], side.b);
+  return point_of(whole_, side.a)[level.axis] == level.at &&
+         point_of(whole_, side.b)[level.axis] == level.at;
+}
+
 int Convex_pieces::exact_side(const Convex &piece, size_t k,
                               uint32_t plane) const {
   const Meeting m(piece, k);
-  const uint32_t g = face_of_[plane];
-  if (is_within(whole_, m.before, plane, g) ||
-      is_within(whole_, m.after, plane, g))
+  if (is_within(m.before, plane) || is_within(m.after, plane))
     return 0;
-  if (m.is_vertex()) {
-    if (is_on(whole_, g, m.after.a))
+  if (m.after.error == 0) { // a vertex, and the plane is none across an axis
+    const uint32_t g = face_of_[plane];
+    if (m.is_vertex() && is_on(whole_, g, m.after.a))
       return 0;
     bool out_of_memory = false;
     const int side = hsr_exact_plane_side(hsr_face_loop(&whole_, g),
@@ -196,12 +217,12 @@ int Convex_pieces::exact_side(const Convex &piece, size_t k,
   try {
     CGAL::Protect_FPU_rounding<true> upwards;
     return side_of(corner_of<Interval>(*this, &whole_, piece, k),
-                   Plane<Interval>(&whole_, face_of_[plane]));
+                   plane_of<Interval>(*this, &whole_, plane));
   } catch (const CGAL::Uncertain_conversion_exception &) {
     // Below, with the rounding mode restored.
   }
   return side_of(corner_of<Exact>(*this, &whole_, piece, k),
-                 Plane<Exact>(&whole_, face_of_[plane]));
+                 plane_of<Exact>(*this, &whole_, plane));
 }
 
 // -1, 0 or +1: corner k behind a plane, on it, or in front; of a piece that is
@@ -240,18 +261,31 @@ unsigned Convex_pieces::about(const Convex &piece, uint32_t plane) const {
 // The coordinates of corner k, which is no vertex.
 void Convex_pieces::locate(const Convex &piece, size_t k,
                            Corner &corner) const {
-  CGAL::Protect_FPU_rounding<true> upwards;
-  const Homogeneous<Interval> h = corner_of<Interval>(*this, &whole_, piece, k);
-  corner.error = INFINITY;
-  if (!(h.w.inf() > 0 || h.w.sup() < 0))
-    return;
   corner.error = TINY;
+  const auto set = [&](size_t c, double lo, double hi) {
+    corner.at[c] = lo + (hi - lo) / 2;
+    corner.error = std::fmax(corner.error,
+                             std::fmax(corner.at[c] - lo, hi - corner.at[c]));
+  };
+  {
+    CGAL::Protect_FPU_rounding<true> upwards;
+    const Homogeneous<Interval> h =
+        corner_of<Interval>(*this, &whole_, piece, k);
+    if (h.w.inf() > 0 || h.w.sup() < 0) {
+      for (int c = 0; c < 3; c++) {
+        const Interval x = h.p[c] / h.w;
+        set(size_t(c), x.inf(), x.sup());
+      }
+      return;
+    }
+  }
+  using Rational = CGAL::Exact_rational;
+  const Homogeneous<Rational> h = corner_of<Rational>(*this, &whole_, piece, k);
   for (int c = 0; c < 3; c++) {
-    const Interval x = h.p[c] / h.w;
-    corner.at[size_t(c)] = x.inf() + (x.sup() - x.inf()) / 2;
-    corner.error =
-        std::fmax(corner.error, std::fmax(corner.at[size_t(c)] - x.inf(),
-                                          x.sup() - corner.at[size_t(c)]));
+    const std::pair<double, double> x =
+        CGAL::to_interval(Rational(h.p[c] / h.w));
+    CGAL::Protect_FPU_rounding<true> upwards;
+    set(size_t(c), x.first, x.second);
   }
 }
 

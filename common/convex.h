@@ -12,6 +12,8 @@
 // Planes      are numbered by their class (common/world.h); each is turned as
 //             the first face is that lies in it. Many lie across an axis: there
 //             one subtraction, whose sign is exact, gives the side of a vertex.
+//             Further planes across an axis may be added; of those, too, cuts
+//             are made.
 // Not flat    of a face that is not flat, the corners stay those of the whole,
 //             however it is cut; they are off by as much as what is seen of it
 //             may be (common/clusters.h). What is not certain within that is
@@ -56,6 +58,12 @@ public:
   // Of the faces of a world, which is borrowed.
   explicit Convex_pieces(const hsr_world &world);
 
+  // The number of the plane x, y or z = at, in front where it is greater.
+  uint32_t add_level(size_t axis, double at) {
+    level_.push_back({axis, at, 1});
+    return uint32_t(level_.size() - 1);
+  }
+
   // Face f as a piece: false if it has no point.
   bool make(uint32_t f, Convex &piece) const;
 
@@ -66,12 +74,18 @@ public:
   Convex part(const Convex &piece, uint32_t plane, int side) const;
 
   // The piece as a piece of its face, with an outline if it is to have one.
+  // All its cuts are by planes of faces.
   Piece finished(const Convex &piece, bool &with_outline) const;
 
+  const Level &level(uint32_t plane) const { return level_[plane]; }
+  // Of the planes of faces.
   uint32_t face_of(uint32_t plane) const { return face_of_[plane]; }
   // +1 if the face is turned as its plane is, -1 if the other way.
   int turned(uint32_t parent) const { return turned_[parent]; }
   double reach(uint32_t parent) const { return reach_[parent]; }
+  bool is_flat(const Convex &piece) const {
+    return whole_.deviation[piece.parent] == 0;
+  }
 
 private:
   const hsr_world &world_, &whole_;
@@ -80,11 +94,9 @@ private:
   std::vector<double> reach_;       // a face of whole_
   std::vector<Level> level_;        // a plane
 
-  bool is_flat(const Convex &piece) const {
-    return whole_.deviation[piece.parent] == 0;
-  }
   double height(uint32_t plane, const Corner &corner, double &error) const;
   int side(const Convex &piece, size_t k, uint32_t plane, bool &sure) const;
+  bool is_within(const Corner &side, uint32_t plane) const;
   int exact_side(const Convex &piece, size_t k, uint32_t plane) const;
   void locate(const Convex &piece, size_t k, Corner &corner) const;
   void clip(Convex &piece, uint32_t plane, int side) const;

@@ -5,11 +5,9 @@
  * |M| |X|inf-sums and |m|: a coordinate is off by at most 8 u (sum of |M_kl|
  * reach + |m_k|). What lies between vertices is off by no more, as the same
  * convex combination. Bounds are grown by twice that.
- *
- * Exact. If the coordinates of an object are multiples of g, every row of M is
- * a signed unit vector, m a multiple of g too and all less than 2^52 g, then
- * nothing is rounded and a plane stays one. */
+ * Where an instance is exact (common/grain.h), a plane stays one. */
 #include "common/cubes.h"
+#include "common/grain.h"
 #include "common/predicates.h"
 
 #include <float.h>
@@ -31,44 +29,6 @@ static struct hsr_loop object_loop(const struct hsr_object *object,
 
 /* --- Which faces are loose ------------------------------------------------ */
 
-/* The exponent of the least bit of x, which is not 0. */
-static int least_bit(double x) {
-  int exponent;
-  int64_t bits = (int64_t)ldexp(frexp(x, &exponent), 53);
-  return exponent - 53 + __builtin_ctzll((unsigned long long)bits);
-}
-
-/* The exponent of g: all coordinates are multiples of 2 to it. */
-static int grain_of(const struct hsr_object *object) {
-  int grain = 1024;
-  for (size_t k = 0; k < 3 * (size_t)object->n_vertices; k++)
-    if (object->xyz[k] != 0 && least_bit(object->xyz[k]) < grain)
-      grain = least_bit(object->xyz[k]);
-  return grain;
-}
-
-/* Whether the instance rounds nothing. */
-static bool is_exact(const struct hsr_instance *instance,
-                     const struct hsr_cubes_object *c) {
-  const double *row = instance->m;
-  int grain = c->grain;
-  for (int k = 0; k < 3; k++, row += 4) {
-    int units = 0;
-    for (int l = 0; l < 3; l++) {
-      if (row[l] != 0 && fabs(row[l]) != 1)
-        return false;
-      units += row[l] != 0;
-    }
-    if (units != 1)
-      return false;
-    if (row[3] != 0 && least_bit(row[3]) < grain)
-      grain = least_bit(row[3]);
-  }
-  double far = fmax(fabs(instance->m[3]),
-                    fmax(fabs(instance->m[7]), fabs(instance->m[11])));
-  return c->reach + far < ldexp(1, grain + 52);
-}
-
 /* The faces of object o that go into cubes: how many, in into[]. The others are
  * marked. */
 static uint32_t part_loose(const struct hsr_cubes *cubes, uint32_t o,
@@ -79,8 +39,10 @@ static uint32_t part_loose(const struct hsr_cubes *cubes, uint32_t o,
   bool exact = true;
   if (object->start[n] != 3 * (uint64_t)n) {
     for (uint32_t i = 0; i < scene->n_instances && exact; i++)
-      exact = scene->instances[i].object != o ||
-              is_exact(&scene->instances[i], &cubes->object[o]);
+      exact =
+          scene->instances[i].object != o ||
+          hsr_instance_is_exact(&scene->instances[i], cubes->object[o].grain,
+                                cubes->object[o].reach);
   }
   for (uint32_t f = 0; f < n; f++) {
     struct hsr_loop loop = object_loop(object, f);
@@ -146,12 +108,11 @@ static bool face_meets(const void *context, uint32_t k,
   return hsr_box_meets_polygon(cube, loop, n, 0);
 }
 
-static void find_reach(const struct hsr_object *object,
-                       struct hsr_cubes_object *c) {
+static void find_bounds(const struct hsr_object *object,
+                        struct hsr_cubes_object *c) {
   c->bounds = (struct hsr_box){{INFINITY, INFINITY, INFINITY},
                                {-INFINITY, -INFINITY, -INFINITY}};
   for (size_t k = 0; k < 3 * (size_t)object->n_vertices; k++) {
-    c->reach = fmax(c->reach, fabs(object->xyz[k]));
     c->bounds.lo[k % 3] = fmin(c->bounds.lo[k % 3], object->xyz[k]);
     c->bounds.hi[k % 3] = fmax(c->bounds.hi[k % 3], object->xyz[k]);
   }
@@ -285,8 +246,9 @@ static enum hsr_status make_object(struct hsr_cubes *cubes, uint32_t o,
     free(number);
     return HSR_E_NOMEM;
   }
-  find_reach(object, c);
-  c->grain = grain_of(object);
+  find_bounds(object, c);
+  c->reach = hsr_reach(object);
+  c->grain = hsr_grain(object->xyz, 3 * (size_t)object->n_vertices);
   uint32_t n_placed = part_loose(cubes, o, number, &out_of_memory);
   c->n_loose = object->n_faces - n_placed;
   struct faces faces = {object, number, c->reach};
@@ -317,7 +279,7 @@ static enum hsr_status make_object(struct hsr_cubes *cubes, uint32_t o,
 struct hsr_box hsr_cubes_bounds(const struct hsr_cubes *cubes, uint32_t i) {
   const struct hsr_instance *instance = &cubes->scene->instances[i];
   const struct hsr_cubes_object *c = &cubes->object[instance->object];
-  bool exact = is_exact(instance, c);
+  bool exact = hsr_instance_is_exact(instance, c->grain, c->reach);
   const double *row = instance->m;
   struct hsr_box box;
   for (int k = 0; k < 3; k++, row += 4) {

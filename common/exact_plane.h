@@ -41,6 +41,12 @@ template <class T> struct Plane {
     offset = normal * sum;
   }
 
+  // Across an axis: x, y or z = at, in front (+1) where it is greater.
+  Plane(size_t axis, double at, int front)
+      : normal(T(axis == 0 ? front : 0), T(axis == 1 ? front : 0),
+               T(axis == 2 ? front : 0)),
+        k(1), offset(T(front) * T(at)) {}
+
   T height(const Vector<T> &p) const { return k * (normal * p) - offset; }
 };
 

@@ -3,7 +3,7 @@ pkginclude_common_HEADERS += %D%/adapt.h %D%/arena.h %D%/box.h %D%/clip.h %D%/cl
   %D%/exchange.h %D%/filter.h %D%/image.h %D%/order.h %D%/picture.h %D%/pieces.h %D%/predicates.h %D%/scene.h \
   %D%/scene_json.h %D%/screen.h %D%/statistics.h %D%/status.h %D%/view.h \
   %D%/volumes.h %D%/world.h
-libhsr_a_SOURCES += %D%/adapt_cgal.cc %D%/arena.c %D%/box.c %D%/clip.c %D%/cluster_cgal.cc %D%/convex.cc %D%/convex.h %D%/count.c %D%/cubes.c %D%/cubes.h %D%/division.h %D%/drawing.c %D%/edges_cgal.cc %D%/exact_points.h %D%/sight.c %D%/sight_cgal.cc %D%/sight_events.cc %D%/sight_face.cc %D%/sight_volume.cc %D%/sight_numbers.h %D%/exact_plane.h %D%/exchange.cc \
+libhsr_a_SOURCES += %D%/adapt_cgal.cc %D%/arena.c %D%/box.c %D%/bsp.cc %D%/bsp.h %D%/clip.c %D%/cluster_cgal.cc %D%/convex.cc %D%/convex.h %D%/count.c %D%/cubes.c %D%/cubes.h %D%/grain.c %D%/grain.h %D%/grove.c %D%/grove.h %D%/triage.c %D%/triage.h %D%/division.h %D%/drawing.c %D%/edges_cgal.cc %D%/exact_points.h %D%/sight.c %D%/sight_cgal.cc %D%/sight_events.cc %D%/sight_face.cc %D%/sight_volume.cc %D%/sight_numbers.h %D%/exact_plane.h %D%/exchange.cc \
   %D%/mesh_file.cc %D%/mesh_file.h %D%/mesh_scan_obj.cc %D%/mesh_scan_off.cc \
   %D%/mesh_scan_ply.cc %D%/mesh_scan_stl.cc %D%/mesh_text.cc %D%/mesh_text.h \
   %D%/filter.c %D%/image.cc %D%/octree.c %D%/octree.h %D%/order.c %D%/picture.c %D%/pieces.c %D%/predicates_cgal.cc %D%/scene.c \

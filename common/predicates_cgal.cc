@@ -188,15 +188,23 @@ int hsr_exact_same_plane(struct hsr_loop f, struct hsr_loop g,
       out_of_memory);
 }
 
-int hsr_exact_plane_side(struct hsr_loop face, const double point[3],
-                         bool *out_of_memory) {
+int hsr_exact_moved_plane_side(struct hsr_loop face, const double shift[3],
+                               const double point[3], bool *out_of_memory) {
   return sign_of(
       [&](auto t) {
         using T = decltype(t);
         Plane<T> plane = newell_plane<T>(face);
-        return plane.k * dot(plane.normal, vector<T>(point)) - plane.offset;
+        return plane.k *
+                   dot(plane.normal, vector<T>(point) - vector<T>(shift)) -
+               plane.offset;
       },
       out_of_memory);
+}
+
+int hsr_exact_plane_side(struct hsr_loop face, const double point[3],
+                         bool *out_of_memory) {
+  static const double nowhere[3] = {0, 0, 0};
+  return hsr_exact_moved_plane_side(face, nowhere, point, out_of_memory);
 }
 
 int hsr_exact_row_side(const struct hsr_view *view, const double vertex[3],

@@ -3,6 +3,7 @@
 tap_programs = \
   %D%/unit/adapt_test \
   %D%/unit/box_test \
+  %D%/unit/bsp_test \
   %D%/unit/cubes_test \
   %D%/unit/drawing_test \
   %D%/unit/exchange_test \
@@ -66,6 +67,8 @@ LDADD = libdraw.a $(HSR_LIBS)
 nodist_EXTRA_%C%_unit_adapt_test_SOURCES = force_cxx_link.cc
 %C%_unit_box_test_SOURCES = %D%/unit/box_test.c
 nodist_EXTRA_%C%_unit_box_test_SOURCES = force_cxx_link.cc
+%C%_unit_bsp_test_SOURCES = %D%/unit/bsp_test.c
+nodist_EXTRA_%C%_unit_bsp_test_SOURCES = force_cxx_link.cc
 %C%_unit_cubes_test_SOURCES = %D%/unit/cubes_test.c
 nodist_EXTRA_%C%_unit_cubes_test_SOURCES = force_cxx_link.cc
 %C%_unit_drawing_test_SOURCES = %D%/unit/drawing_test.c

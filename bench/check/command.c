@@ -181,8 +181,8 @@ static const struct argp argp = {
     "[SCENE...]",
     "Compares every algorithm's picture with the oracle's, sample for sample, "
     "and every line drawing with the line oracle's, edge by edge. "
-    "Without SCENE, all built-in scenes but office, with their standard "
-    "parameters.\v"
+    "Without SCENE, all built-in scenes but office, traffic, tower and "
+    "tower-bare, with their standard parameters.\v"
     "Exit status 0: no sample and no edge differs. 1: one does, or an "
     "algorithm crashed or took too long.\n\n"
     "  hsr check\n"
@@ -332,12 +332,14 @@ static enum hsr_status run_groups(const struct scene_run *run,
   return status;
 }
 
-/* Whether an algorithm takes the faces laid out only. */
-static bool needs_faces(const struct check_options *o) {
-  for (int a = 0; a < o->n_algorithms; a++)
-    if (!(o->algorithm[a].listed->plain->flags & HSR_INSTANCED))
-      return true;
-  return false;
+/* How many faces are laid out, if an algorithm takes them so. */
+static uint32_t most_laid_out(const struct check_options *o) {
+  uint32_t most = 0;
+  for (int a = 0; a < o->n_algorithms; a++) {
+    uint32_t own = hsr_most_laid_out(o->algorithm[a].listed->plain);
+    most = own > most ? own : most;
+  }
+  return most;
 }
 
 /* All views of all sizes; the scene gets as many as are asked for. */
@@ -367,7 +369,7 @@ static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
   if (!status)
     status = make_views(run, err);
   if (!status)
-    status = hsr_world_open(&run->world, run->scene, needs_faces(o), err);
+    status = hsr_world_open(&run->world, run->scene, most_laid_out(o), err);
   if (status)
     return status;
   run->cells_size =

@@ -361,7 +361,7 @@ static enum hsr_status open_view(struct view_picture *p, const json_t *view,
   int m, n;
   size_of(p->report, view, &m, &n);
   enum hsr_status status =
-      stage_open(&p->stage, results_text(view, "scene"), true,
+      stage_open(&p->stage, results_text(view, "scene"), HSR_MOST_LAID_OUT,
                  results_number(view, "view"), m, n, err);
   if (status)
     return status;

@@ -453,14 +453,16 @@ static bool has_peers(const struct place_run *run) {
   return run->n && !run->entrant[run->n - 1]->listed;
 }
 
-/* Whether someone takes the faces laid out only. */
-static bool needs_faces(const struct place_run *run) {
+/* How many faces are laid out, if someone takes them so. */
+static uint32_t most_laid_out(const struct place_run *run) {
+  uint32_t most = 0;
   for (int k = 0; k < run->n; k++) {
     const struct hsr_listed *listed = run->entrant[k]->listed;
-    if (!listed || !(listed->plain->flags & HSR_INSTANCED))
-      return true;
+    uint32_t own =
+        listed ? hsr_most_laid_out(listed->plain) : HSR_MOST_LAID_OUT;
+    most = own > most ? own : most;
   }
-  return false;
+  return most;
 }
 
 static size_t shared_size(const struct place_run *run) {
@@ -483,7 +485,7 @@ static enum hsr_status choose_views(struct place_run *run,
 static enum hsr_status open_place(struct place_run *run,
                                   struct hsr_error *err) {
   const struct place *p = &run->place;
-  enum hsr_status status = stage_open(&run->stage, p->scene, needs_faces(run),
+  enum hsr_status status = stage_open(&run->stage, p->scene, most_laid_out(run),
                                       p->view + p->walk - 1, p->m, p->n, err);
   if (!status)
     status = choose_views(run, err);

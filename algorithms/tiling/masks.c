@@ -1,0 +1,547 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "algorithms/tiling/masks.h"
+#include "common/vector.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The counting build takes the portable way, so that it counts the same on
+ * every machine. */
+#if defined __x86_64__ && HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
+#include <immintrin.h>
+#define HAVE_AVX512_TWIN 1
+#define AVX512 __attribute__((target("avx512f")))
+#endif
+
+static const uint64_t ALL = UINT64_MAX;
+
+/* The step that is written twice, for every machine and for AVX-512: of the
+ * samples of a finest cell, those surely inside a line that is f at the cell's
+ * corner, and those surely outside. */
+struct hsr_mask_twin {
+  void (*split)(const struct hsr_mask_line *line, double f,
+                const struct hsr_mask_places *places, uint64_t *inside,
+                uint64_t *outside);
+};
+
+/* A cell on the way. */
+struct cell {
+  int level;
+  uint32_t number;
+  int x, y, size; /* its first sample, and samples a side */
+};
+
+static int first_bit(uint64_t mask) {
+#ifdef __GNUC__
+  return __builtin_ctzll(mask);
+#else
+  int bit = 0;
+  while (!(mask >> bit & 1))
+    bit++;
+  return bit;
+#endif
+}
+
+static bool is_finest(const struct hsr_masks *p, const struct cell *cell) {
+  return cell->level == p->n_levels - 1;
+}
+
+static struct cell subcell(const struct cell *cell, int bit) {
+  int size = cell->size / 8;
+  struct cell sub = {cell->level + 1, cell->number * 64 + (uint32_t)bit,
+                     cell->x + bit % 8 * size, cell->y + bit / 8 * size, size};
+  return sub;
+}
+
+static struct cell root_of(const struct hsr_masks *p) {
+  int size = 1;
+  for (int k = 0; k < p->n_levels; k++)
+    size *= 8;
+  struct cell root = {0, 0, p->window.x0, p->window.y0, size};
+  return root;
+}
+
+/* --- Clearing --------------------------------------------------------------
+ */
+
+/* The subcells of columns [c0, c1) and rows [r0, r1), within 0 .. 8. */
+static uint64_t rectangle(int c0, int r0, int c1, int r1) {
+  if (c0 >= c1 || r0 >= r1)
+    return 0;
+  uint64_t row = (uint64_t)((1 << c1) - (1 << c0));
+  uint64_t rows = (ALL >> (64 - 8 * (r1 - r0))) << (8 * r0);
+  return row * 0x0101010101010101u & rows;
+}
+
+/* How many subcells of `size` samples begin before the end. */
+static int subcells(int extent, int size) {
+  int n = (extent + size - 1) / size;
+  return n < 0 ? 0 : n > 8 ? 8 : n;
+}
+
+/* The subcells that have samples of the window. */
+static uint64_t in_window(const struct hsr_masks *p, const struct cell *cell) {
+  int size = cell->size / 8;
+  return rectangle(0, 0, subcells(p->window.x1 - cell->x, size),
+                   subcells(p->window.y1 - cell->y, size));
+}
+
+static void clear(struct hsr_masks *p, const struct cell *cell) {
+  uint64_t vacant = in_window(p, cell);
+  if (is_finest(p, cell))
+    p->finest[cell->number] = ~vacant;
+  else
+    p->coarse[cell->level][cell->number] = (struct hsr_triage){~vacant, vacant};
+}
+
+static const struct hsr_mask_twin *choose_twin(void);
+
+static bool allocate_lines(struct hsr_mask_lines *lines, uint32_t most,
+                           struct hsr_arena *arena) {
+  lines->number = HSR_NEW(arena, uint32_t, most);
+  lines->inside = HSR_NEW(arena, uint64_t, most);
+  lines->list = HSR_NEW(arena, uint32_t, most);
+  return lines->number && lines->inside && lines->list;
+}
+
+enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *p,
+                                             const struct hsr_window *window,
+                                             uint32_t most,
+                                             struct hsr_arena *arena) {
+  int width = window->x1 - window->x0, height = window->y1 - window->y0;
+  size_t cells = 1;
+  p->window = *window;
+  p->n_levels = 1;
+  p->twin = choose_twin();
+  for (int size = 8; size < width || size < height; size *= 8) {
+    p->coarse[p->n_levels - 1] = HSR_NEW(arena, struct hsr_triage, cells);
+    if (!p->coarse[p->n_levels++ - 1])
+      return HSR_E_NOMEM;
+    cells *= 64;
+  }
+  p->finest = HSR_NEW(arena, uint64_t, cells);
+  bool allocated = p->finest;
+  for (int k = 0; k < p->n_levels; k++)
+    allocated = allocated && allocate_lines(&p->lines[k], most, arena);
+  p->all = HSR_NEW(arena, uint32_t, most);
+  if (!allocated || !p->all)
+    return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < most; k++)
+    p->all[k] = k;
+  struct cell root = root_of(p);
+  clear(p, &root);
+  return HSR_OK;
+}
+
+int HSR_OF_BUILD(hsr_masks_extent)(const struct hsr_masks *p) {
+  return root_of(p).size;
+}
+
+/* --- Lines before cells ----------------------------------------------------
+ */
+
+enum where { OUTSIDE, INSIDE, CROSSING };
+
+/* The samples of a cell about a line. Those that are not jittered keep half a
+ * sample away from the cell's border. */
+static enum where classify(const struct hsr_masks *p,
+                           const struct hsr_mask_line *line,
+                           const struct cell *cell, double *corner) {
+  double half = 0.5 * cell->size;
+  double middle =
+      line->a * (cell->x + half) + line->b * (cell->y + half) + line->c;
+  double reach = line->span * (p->anywhere ? half : half - 0.5);
+  *corner = middle - (line->a + line->b) * half;
+  if (middle + reach < -line->error)
+    return OUTSIDE;
+  return middle - reach > line->error ? INSIDE : CROSSING;
+}
+
+/* A line that crosses a cell, in the tables: -1 unless it crosses the sides at
+ * places that are known within half the tables' slack. */
+static int entry_of(const struct hsr_masks *p, const struct hsr_mask_line *line,
+                    double corner, int size, bool *inside) {
+  double step[2] = {line->a * size, line->b * size};
+  double per[2] = {line->per_a / size, line->per_b / size};
+  double least = 2 / HSR_TRIAGE_SLACK * line->error;
+  bool known[2] = {fabs(step[0]) > least, fabs(step[1]) > least};
+  return hsr_triage_entry(p->tables->intervals, corner, step, per, known,
+                          inside);
+}
+
+static struct hsr_triage look_up(const struct hsr_masks *p,
+                                 const struct hsr_mask_line *line,
+                                 double corner, int size) {
+  bool inside;
+  int entry = entry_of(p, line, corner, size, &inside);
+  if (entry < 0)
+    return (struct hsr_triage){0, 0};
+  struct hsr_triage mask = p->tables->mask[entry];
+  return inside ? mask : (struct hsr_triage){mask.v, mask.c};
+}
+
+/* The lines that cross a cell, of those in list[]: into active[], each with the
+ * subcells that it leaves surely inside. The polygon's masks; false if the cell
+ * is outside. */
+static bool compose(const struct hsr_masks *p,
+                    const struct hsr_mask_polygon *polygon,
+                    const struct cell *cell, const uint32_t *list, uint32_t n,
+                    struct hsr_mask_lines *active, struct hsr_triage *mask) {
+  *mask = (struct hsr_triage){ALL, 0};
+  active->n = 0;
+  for (uint32_t k = 0; k < n; k++) {
+    const struct hsr_mask_line *line = &polygon->line[list[k]];
+    double corner;
+    enum where where = classify(p, line, cell, &corner);
+    if (where == OUTSIDE)
+      return false;
+    if (where == INSIDE)
+      continue;
+    struct hsr_triage edge = look_up(p, line, corner, cell->size);
+    active->number[active->n] = list[k];
+    active->inside[active->n++] = edge.c;
+    mask->c &= edge.c;
+    mask->v |= edge.v;
+  }
+  return true;
+}
+
+/* Of the active lines of a cell, those that are not surely inside in a subcell.
+ */
+static uint32_t choose(const struct hsr_mask_lines *active, int bit) {
+  uint32_t n = 0;
+  for (uint32_t k = 0; k < active->n; k++)
+    if (!(active->inside[k] >> bit & 1))
+      active->list[n++] = active->number[k];
+  return n;
+}
+
+/* --- Counting --------------------------------------------------------------
+ */
+
+#if HSR_COUNTING
+static void count_cell(struct hsr_masks *p, const struct cell *cell) {
+  p->work->cells++;
+  p->work->finest += is_finest(p, cell);
+  if (cell->size < p->pixel)
+    return;
+  int x0 = cell->x / p->pixel, y0 = cell->y / p->pixel;
+  int x1 = x0 + cell->size / p->pixel, y1 = y0 + cell->size / p->pixel;
+  int m = p->window.x1 / p->pixel, n = p->window.y1 / p->pixel;
+  float share = 1.0f / (float)((x1 - x0) * (y1 - y0));
+  p->work->pixels++;
+  for (int j = y0; p->touched && j < y1 && j < n; j++)
+    for (int i = x0; i < x1 && i < m; i++)
+      p->touched[(size_t)j * p->touched_stride + (size_t)i] += share;
+}
+#else
+static void count_cell(const struct hsr_masks *p, const struct cell *cell) {
+  (void)p;
+  (void)cell;
+}
+#endif
+
+/* --- The finest level ------------------------------------------------------
+ */
+
+static void split_portable(const struct hsr_mask_line *line, double f,
+                           const struct hsr_mask_places *places,
+                           uint64_t *inside, uint64_t *outside) {
+  *inside = *outside = 0;
+  for (int bit = 0; bit < 64; bit++) {
+    double at = f + (line->a * places->x[bit] + line->b * places->y[bit]);
+    *inside |= (uint64_t)(at > line->error) << bit;
+    *outside |= (uint64_t)(at < -line->error) << bit;
+  }
+}
+
+static const struct hsr_mask_twin portable = {split_portable};
+
+#ifdef HAVE_AVX512_TWIN
+AVX512 static void split_avx512(const struct hsr_mask_line *line, double f,
+                                const struct hsr_mask_places *places,
+                                uint64_t *inside, uint64_t *outside) {
+  __m512d a = _mm512_set1_pd(line->a), b = _mm512_set1_pd(line->b);
+  __m512d from = _mm512_set1_pd(f), error = _mm512_set1_pd(line->error);
+  __m512d minus = _mm512_set1_pd(-line->error);
+  uint64_t in = 0, out = 0;
+  for (int row = 0; row < 8; row++) {
+    __m512d x = _mm512_loadu_pd(places->x + 8 * row);
+    __m512d y = _mm512_loadu_pd(places->y + 8 * row);
+    __m512d at = _mm512_fmadd_pd(a, x, _mm512_fmadd_pd(b, y, from));
+    in |= (uint64_t)_mm512_cmp_pd_mask(at, error, _CMP_GT_OQ) << (8 * row);
+    out |= (uint64_t)_mm512_cmp_pd_mask(at, minus, _CMP_LT_OQ) << (8 * row);
+  }
+  *inside = in;
+  *outside = out;
+}
+
+static const struct hsr_mask_twin avx512 = {split_avx512};
+#endif
+
+static const struct hsr_mask_twin *choose_twin(void) {
+#ifdef HAVE_AVX512_TWIN
+  if (__builtin_cpu_supports("avx512f"))
+    return &avx512;
+#endif
+  return &portable;
+}
+
+static int pattern_of(const struct hsr_masks *p, const struct cell *cell) {
+  return p->filtering
+             ? hsr_jitter_pattern(p->filtering, cell->x / 8, cell->y / 8)
+             : 0;
+}
+
+/* The samples of a finest cell that the polygon may cover, by the lines of the
+ * list; *unsure are those of them that are not certain. */
+static uint64_t candidates(const struct hsr_masks *p,
+                           const struct hsr_mask_polygon *polygon,
+                           const struct cell *cell, const uint32_t *list,
+                           uint32_t n, int pattern, uint64_t *unsure) {
+  uint64_t mask = ALL;
+  *unsure = 0;
+  for (uint32_t k = 0; k < n && mask; k++) {
+    const struct hsr_mask_line *line = &polygon->line[list[k]];
+    uint64_t inside, outside;
+    double f = line->a * cell->x + line->b * cell->y + line->c;
+    p->twin->split(line, f, &p->places[pattern], &inside, &outside);
+    mask &= ~outside;
+    *unsure |= ~(inside | outside);
+  }
+  *unsure &= mask;
+  return mask;
+}
+
+/* The same by the tables: certain, and sometimes wrong. */
+static uint64_t tabled(const struct hsr_masks *p,
+                       const struct hsr_mask_polygon *polygon,
+                       const struct cell *cell, const uint32_t *list,
+                       uint32_t n, int pattern, uint64_t *unsure) {
+  uint64_t mask = ALL;
+  *unsure = 0;
+  for (uint32_t k = 0; k < n && mask; k++) {
+    const struct hsr_mask_line *line = &polygon->line[list[k]];
+    double corner;
+    enum where where = classify(p, line, cell, &corner);
+    bool inside;
+    int entry = entry_of(p, line, corner, cell->size, &inside);
+    if (where == OUTSIDE)
+      return 0;
+    if (where == INSIDE)
+      continue;
+    if (entry < 0)
+      return candidates(p, polygon, cell, list, n, pattern, unsure);
+    uint64_t samples = p->sample_tables[pattern][entry];
+    mask &= inside ? samples : ~samples;
+  }
+  return mask;
+}
+
+/* Whether the exact predicates have a sample covered. */
+static bool is_covered(struct hsr_masks *p,
+                       const struct hsr_mask_polygon *polygon,
+                       const struct cell *cell, const uint32_t *list,
+                       uint32_t n, int pattern, int bit, bool lines_unsure) {
+  const struct hsr_mask_places *places = &p->places[pattern];
+  double sx = cell->x + places->x[bit], sy = cell->y + places->y[bit];
+  p->unsure++;
+  for (uint32_t k = 0; lines_unsure && k < n; k++) {
+    const struct hsr_mask_line *line = &polygon->line[list[k]];
+    double f = line->a * cell->x + line->b * cell->y + line->c;
+    double at = f + (line->a * places->x[bit] + line->b * places->y[bit]);
+    if (!(at > line->error) &&
+        !polygon->inside(polygon->context, list[k], sx, sy))
+      return false;
+  }
+  return !polygon->covers || polygon->covers(polygon->context, sx, sy);
+}
+
+/* W of a finest cell. */
+static uint64_t visible_samples(struct hsr_masks *p,
+                                const struct hsr_mask_polygon *polygon,
+                                const struct cell *cell, const uint32_t *list,
+                                uint32_t n) {
+  uint64_t vacant = ~p->finest[cell->number], unsure;
+  int pattern = pattern_of(p, cell);
+  uint64_t mask = vacant & (p->sample_tables ? tabled : candidates)(
+                               p, polygon, cell, list, n, pattern, &unsure);
+  uint64_t ask = mask & (polygon->covers ? ALL : unsure);
+  for (; ask; ask &= ask - 1) {
+    int bit = first_bit(ask);
+    if (!is_covered(p, polygon, cell, list, n, pattern, bit, unsure >> bit & 1))
+      mask &= ~((uint64_t)1 << bit);
+  }
+  return mask;
+}
+
+/* --- Tiling ----------------------------------------------------------------
+ */
+
+struct task {
+  struct hsr_masks *masks;
+  const struct hsr_mask_polygon *polygon;
+  const struct hsr_mask_sink *sink;
+};
+
+static void tile_finest(const struct task *t, const struct cell *cell,
+                        const uint32_t *list, uint32_t n) {
+  uint64_t w = visible_samples(t->masks, t->polygon, cell, list, n);
+  count_cell(t->masks, cell);
+  if (!w)
+    return;
+  t->masks->finest[cell->number] |= w;
+  t->sink->samples(t->sink->context, cell->x, cell->y, w);
+}
+
+/* What was tiled in a subcell goes up to its cell. */
+static void propagate(const struct hsr_masks *p, const struct cell *sub,
+                      struct hsr_triage *mask) {
+  uint64_t bit = (uint64_t)1 << (sub->number & 63);
+  uint64_t covered, vacant;
+  if (is_finest(p, sub)) {
+    covered = p->finest[sub->number];
+    vacant = ~covered;
+  } else {
+    covered = p->coarse[sub->level][sub->number].c;
+    vacant = p->coarse[sub->level][sub->number].v;
+  }
+  if (covered == ALL)
+    mask->c |= bit;
+  if (vacant != ALL)
+    mask->v &= ~bit;
+}
+
+static void write_squares(const struct task *t, const struct cell *cell,
+                          uint64_t w) {
+  int size = cell->size / 8;
+  for (; w; w &= w - 1) {
+    int bit = first_bit(w);
+    t->sink->square(t->sink->context, cell->x + bit % 8 * size,
+                    cell->y + bit / 8 * size, size);
+  }
+}
+
+/* Listing 1. */
+static void tile(const struct task *t, const struct cell *cell,
+                 const uint32_t *list, uint32_t n) {
+  struct hsr_masks *p = t->masks;
+  if (is_finest(p, cell)) {
+    tile_finest(t, cell, list, n);
+    return;
+  }
+  struct hsr_mask_lines *active = &p->lines[cell->level];
+  struct hsr_triage *mask = &p->coarse[cell->level][cell->number], polygon;
+  count_cell(p, cell);
+  if (!compose(p, t->polygon, cell, list, n, active, &polygon))
+    return;
+  if (t->polygon->covers)
+    polygon.c = 0;
+  uint64_t w = mask->v & polygon.c;
+  mask->c |= w;
+  mask->v &= ~w;
+  write_squares(t, cell, w);
+  for (uint64_t a = ~(w | polygon.v | mask->c); a; a &= a - 1) {
+    int bit = first_bit(a);
+    struct cell sub = subcell(cell, bit);
+    if (mask->v >> bit & 1)
+      clear(p, &sub);
+    uint32_t n_sub = choose(active, bit);
+    tile(t, &sub, active->list, n_sub);
+    propagate(p, &sub, mask);
+  }
+}
+
+/* Whether the polygon, of which the lines leave open what is not surely
+ * outside, covers a sample that is not covered. */
+static bool shows(const struct task *t, const struct cell *cell,
+                  const uint32_t *list, uint32_t n) {
+  struct hsr_masks *p = t->masks;
+  count_cell(p, cell);
+  if (is_finest(p, cell)) {
+    uint64_t unsure;
+    return ~p->finest[cell->number] & candidates(p, t->polygon, cell, list, n,
+                                                 pattern_of(p, cell), &unsure);
+  }
+  struct hsr_mask_lines *active = &p->lines[cell->level];
+  struct hsr_triage *mask = &p->coarse[cell->level][cell->number], polygon;
+  if (!compose(p, t->polygon, cell, list, n, active, &polygon))
+    return false;
+  if (polygon.c & ~mask->c)
+    return true;
+  for (uint64_t a = ~(polygon.c | polygon.v | mask->c); a; a &= a - 1) {
+    int bit = first_bit(a);
+    struct cell sub = subcell(cell, bit);
+    if (mask->v >> bit & 1)
+      clear(p, &sub);
+    uint32_t n_sub = choose(active, bit);
+    if (shows(t, &sub, active->list, n_sub))
+      return true;
+  }
+  return false;
+}
+
+/* --- Where to begin --------------------------------------------------------
+ */
+
+/* The subcells of a cell that have samples in the box. */
+static uint64_t subcells_of(const struct cell *cell,
+                            const struct hsr_bounds *box) {
+  int size = cell->size / 8;
+  int c0 = (box->x0 - cell->x) / size, r0 = (box->y0 - cell->y) / size;
+  return rectangle(c0, r0, (box->x1 - 1 - cell->x) / size + 1,
+                   (box->y1 - 1 - cell->y) / size + 1);
+}
+
+/* The way from the root to the smallest cell that encloses the box; 0 if the
+ * box is seen to be hidden. Cells on the way are cleared if they are to be. */
+static int descend(struct hsr_masks *p, const struct hsr_bounds *box,
+                   struct cell way[HSR_MASK_LEVELS]) {
+  way[0] = root_of(p);
+  for (int k = 0;; k++) {
+    uint64_t in = subcells_of(&way[k], box);
+    bool finest = is_finest(p, &way[k]);
+    struct hsr_triage *mask = finest ? NULL : &p->coarse[k][way[k].number];
+    bool hidden = !(in & ~(finest ? p->finest[way[k].number] : mask->c));
+    if (!hidden && (finest || in & (in - 1)))
+      return k + 1;
+    count_cell(p, &way[k]);
+    if (hidden)
+      return 0;
+    way[k + 1] = subcell(&way[k], first_bit(in));
+    if (mask->v & in)
+      clear(p, &way[k + 1]);
+  }
+}
+
+bool HSR_OF_BUILD(hsr_masks_tile)(struct hsr_masks *p,
+                                  const struct hsr_mask_polygon *polygon,
+                                  struct hsr_bounds box,
+                                  const struct hsr_mask_sink *sink) {
+  struct task task = {p, polygon, sink};
+  struct cell way[HSR_MASK_LEVELS];
+  int k = descend(p, &box, way);
+  if (!k--)
+    return false;
+  tile(&task, &way[k], p->all, polygon->n);
+  for (; k > 0; k--)
+    propagate(p, &way[k], &p->coarse[k - 1][way[k - 1].number]);
+  return true;
+}
+
+void HSR_OF_BUILD(hsr_masks_tile_root)(struct hsr_masks *p,
+                                       const struct hsr_mask_polygon *polygon,
+                                       const struct hsr_mask_sink *sink) {
+  struct task task = {p, polygon, sink};
+  struct cell root = root_of(p);
+  tile(&task, &root, p->all, polygon->n);
+}
+
+bool HSR_OF_BUILD(hsr_masks_show)(struct hsr_masks *p,
+                                  const struct hsr_mask_polygon *polygon,
+                                  struct hsr_bounds box) {
+  struct task task = {p, polygon, NULL};
+  struct cell way[HSR_MASK_LEVELS];
+  int k = descend(p, &box, way);
+  return k && shows(&task, &way[k - 1], p->all, polygon->n);
+}

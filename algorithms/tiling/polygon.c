@@ -1,0 +1,468 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The bounds of errors; u = 2^-53.
+ *
+ * Points. V - E is rounded once, the rows are within 2 u, the product and two
+ * sums add 3 u: X is off by at most 6 u S_x, S_x = sum |row_k| |V - E|_k, and
+ * by sum |row_k| e more if V is off by e in its coordinates. What is used is 8
+ * u of S_x at the farthest corner of the leaf.
+ *
+ * Lines. a = Y_a W_b - W_a Y_b is off by at most e_y (|W_a| + |W_b|) +
+ * e_w (|Y_a| + |Y_b|) + 2 e_y e_w, and its rounding 2 u (|Y_a W_b| + |W_a
+ * Y_b|); b and c likewise. f at coordinates of size r is off by r (e_a + e_b) +
+ * e_c, and its rounding 5 u (r |a| + r |b| + |c|). Twice all this holds the
+ * terms of second order, and what masks.c adds and subtracts. */
+#include "algorithms/tiling/polygon.h"
+
+#include <float.h>
+#include <math.h>
+
+static const double U = DBL_EPSILON / 2;
+
+enum { SILHOUETTE = 8 }; /* room for its lines */
+
+/* The corners of a side of a box, counterclockwise from outside; corner number:
+ * bit k above in coordinate k. Side 2 k is the lower in coordinate k. */
+static const unsigned char SIDE[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5},
+                                         {0, 1, 5, 4}, {2, 6, 7, 3},
+                                         {0, 2, 3, 1}, {4, 5, 7, 6}};
+
+/* The silhouette of a box from an eye that is below, within or above it in each
+ * coordinate, 0 to 2: it goes along the edges of which one of both sides faces
+ * the eye. */
+static struct hsr_silhouette find_silhouette(const int place[3]) {
+  struct hsr_silhouette silhouette = {0, {0}};
+  unsigned to[8] = {0}; /* a corner: where edges go from it */
+  for (int s = 0; s < 6; s++)
+    for (int e = 0; place[s / 2] == s % 2 * 2 && e < 4; e++) {
+      int a = SIDE[s][e], b = SIDE[s][(e + 1) & 3];
+      if (to[b] >> a & 1) /* between two such sides */
+        to[b] &= ~(1u << a);
+      else
+        to[a] |= 1u << b;
+    }
+  int first = 0;
+  while (first < 8 && !to[first])
+    first++;
+  if (first == 8)
+    return silhouette;
+  int corner = first;
+  do {
+    silhouette.corner[silhouette.n++] = (unsigned char)corner;
+    for (int next = 0; next < 8; next++)
+      if (to[corner] == 1u << next) {
+        corner = next;
+        break;
+      }
+  } while (corner != first);
+  return silhouette;
+}
+
+enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *p,
+                                               const struct hsr_grove *grove,
+                                               const struct hsr_view *view,
+                                               const struct hsr_masks *masks,
+                                               struct hsr_tally *tally,
+                                               struct hsr_arena *arena) {
+  *p = (struct hsr_pieces_view){.view = view,
+                                .tally = tally,
+                                .anywhere = masks->anywhere,
+                                .most_face = grove->most_face};
+  int x0 = view->window.x0, y0 = view->window.y0;
+  p->reach = HSR_OF_BUILD(hsr_masks_extent)(masks) + (x0 > y0 ? x0 : y0);
+  p->x = HSR_NEW(arena, double, grove->most_points);
+  p->y = HSR_NEW(arena, double, grove->most_points);
+  p->w = HSR_NEW(arena, double, grove->most_points);
+  p->line =
+      HSR_NEW(arena, struct hsr_mask_line, grove->most_corners + SILHOUETTE);
+  p->corner[0] = HSR_NEW(arena, double, 3 * (size_t)grove->most_face);
+  p->corner[1] = HSR_NEW(arena, double, 3 * (size_t)grove->most_face);
+  p->number = HSR_NEW(arena, uint32_t, grove->most_face);
+  if (!p->x || !p->y || !p->w || !p->line || !p->corner[0] || !p->corner[1] ||
+      !p->number)
+    return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < grove->most_face; k++)
+    p->number[k] = k;
+  for (int k = 0; k < 27; k++) {
+    const int place[3] = {k % 3, k / 3 % 3, k / 9};
+    p->silhouette[k] = find_silhouette(place);
+  }
+  return HSR_OK;
+}
+
+void HSR_OF_BUILD(hsr_pieces_tree)(struct hsr_pieces_view *p,
+                                   const struct hsr_bsp *bsp,
+                                   const double shift[3]) {
+  p->bsp = bsp;
+  for (int k = 0; k < 3; k++)
+    p->shift[k] = shift[k];
+}
+
+/* --- The transform ---------------------------------------------------------
+ */
+
+/* Errors of points within a box that is moved. */
+static void find_errors(const struct hsr_pieces_view *p,
+                        const struct hsr_box *box, const double shift[3],
+                        double error[3]) {
+  for (int c = 0; c < 3; c++) {
+    double sum = 0;
+    for (int k = 0; k < 3; k++)
+      sum += fabs(p->view->screen[c][k]) *
+             fmax(fabs(box->lo[k] + shift[k] - p->view->E[k]),
+                  fabs(box->hi[k] + shift[k] - p->view->E[k]));
+    error[c] = 8 * U * sum + 0x1p-1000;
+  }
+}
+
+void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *p,
+                                   const struct hsr_bsp_cube *leaf) {
+  const double(*r)[3] = p->view->screen;
+  const double *x = p->bsp->x + leaf->first_point,
+               *y = p->bsp->y + leaf->first_point,
+               *z = p->bsp->z + leaf->first_point;
+  p->first_point = leaf->first_point;
+  find_errors(p, &leaf->tight, p->shift, p->error);
+  for (uint32_t k = 0; k < leaf->n_points; k++) {
+    double dx = x[k] + p->shift[0] - p->view->E[0];
+    double dy = y[k] + p->shift[1] - p->view->E[1];
+    double dz = z[k] + p->shift[2] - p->view->E[2];
+    p->x[k] = r[0][0] * dx + r[0][1] * dy + r[0][2] * dz;
+    p->y[k] = r[1][0] * dx + r[1][1] * dy + r[1][2] * dz;
+    p->w[k] = r[2][0] * dx + r[2][1] * dy + r[2][2] * dz;
+  }
+}
+
+/* --- Lines -----------------------------------------------------------------
+ */
+
+struct point {
+  double x, y, w;
+  double ex, ey, ew; /* what it may be off by */
+};
+
+/* The line from a to b, inside being where `side` times the determinant is
+ * positive. */
+static struct hsr_mask_line line_through(double reach, const struct point *a,
+                                         const struct point *b, double side) {
+  double ax = fabs(a->x), ay = fabs(a->y), aw = fabs(a->w);
+  double bx = fabs(b->x), by = fabs(b->y), bw = fabs(b->w);
+  double ex = fmax(a->ex, b->ex), ey = fmax(a->ey, b->ey),
+         ew = fmax(a->ew, b->ew);
+  double error_a =
+      ey * (aw + bw) + ew * (ay + by) + 2 * U * (ay * bw + aw * by);
+  double error_b =
+      ex * (aw + bw) + ew * (ax + bx) + 2 * U * (ax * bw + aw * bx);
+  double error_c =
+      ex * (ay + by) + ey * (ax + bx) + 2 * U * (ax * by + ay * bx);
+  struct hsr_mask_line line;
+  line.a = side * (a->y * b->w - a->w * b->y);
+  line.b = side * (a->w * b->x - a->x * b->w);
+  line.c = side * (a->x * b->y - a->y * b->x);
+  line.span = fabs(line.a) + fabs(line.b);
+  line.error = 2 * (reach * (error_a + error_b) + error_c +
+                    5 * U * (reach * line.span + fabs(line.c))) +
+               0x1p-1000;
+  line.per_a = 1 / line.a;
+  line.per_b = 1 / line.b;
+  return line;
+}
+
+static struct point corner_point(const struct hsr_pieces_view *p,
+                                 const struct hsr_bsp_corner *corner) {
+  uint32_t k = corner->point - p->first_point;
+  double own = p->bsp->error[corner->point];
+  const double(*r)[3] = p->view->screen;
+  struct point point = {p->x[k],     p->y[k],     p->w[k],
+                        p->error[0], p->error[1], p->error[2]};
+  if (own > 0) {
+    point.ex += own * (fabs(r[0][0]) + fabs(r[0][1]) + fabs(r[0][2]));
+    point.ey += own * (fabs(r[1][0]) + fabs(r[1][1]) + fabs(r[1][2]));
+    point.ew += own * (fabs(r[2][0]) + fabs(r[2][1]) + fabs(r[2][2]));
+  }
+  return point;
+}
+
+/* --- The box of samples ----------------------------------------------------
+ */
+
+/* What holds points of the screen; and which borders of the window all points
+ * so far are beyond, as homogeneous coordinates tell wherever they are. */
+struct hull {
+  double x0, y0, x1, y1;
+  bool ahead; /* all points are surely before the eye */
+  unsigned beyond;
+};
+
+static struct hull no_hull(void) {
+  struct hull hull = {INFINITY, INFINITY, -INFINITY, -INFINITY, true, 31};
+  return hull;
+}
+
+static void add_point(struct hull *hull, const struct point *a,
+                      const struct hsr_window *window) {
+  double x0 = window->x0, y0 = window->y0, x1 = window->x1, y1 = window->y1;
+  double wide = a->ex + fmax(fabs(x0), fabs(x1)) * a->ew;
+  double high = a->ey + fmax(fabs(y0), fabs(y1)) * a->ew;
+  hull->beyond &= (unsigned)(a->x - x0 * a->w < -2 * wide) |
+                  (unsigned)(a->x - x1 * a->w > 2 * wide) << 1 |
+                  (unsigned)(a->y - y0 * a->w < -2 * high) << 2 |
+                  (unsigned)(a->y - y1 * a->w > 2 * high) << 3 |
+                  (unsigned)(a->w < -2 * a->ew) << 4;
+  if (!(a->w > 4 * a->ew)) {
+    hull->ahead = false;
+    return;
+  }
+  double sx = a->x / a->w, sy = a->y / a->w;
+  double mx = 2 * (a->ex + fabs(sx) * a->ew) / a->w + 4 * U * fabs(sx);
+  double my = 2 * (a->ey + fabs(sy) * a->ew) / a->w + 4 * U * fabs(sy);
+  hull->x0 = fmin(hull->x0, sx - mx);
+  hull->x1 = fmax(hull->x1, sx + mx);
+  hull->y0 = fmin(hull->y0, sy - my);
+  hull->y1 = fmax(hull->y1, sy + my);
+}
+
+/* The first whole number from x on, within [least, most]. */
+static int whole(double x, int least, int most) {
+  return !(x > least) ? least : x >= most ? most : (int)ceil(x);
+}
+
+/* The samples of the window within the hull. */
+static bool box_of(const struct hull *hull, const struct hsr_window *w,
+                   bool anywhere, struct hsr_bounds *box) {
+  *box = (struct hsr_bounds){w->x0, w->y0, w->x1, w->y1};
+  if (hull->beyond)
+    return false;
+  if (!hull->ahead)
+    return true;
+  double before = anywhere ? 1 : 0.5, after = anywhere ? 0 : 0.5;
+  box->x0 = whole(hull->x0 - before, w->x0, w->x1);
+  box->y0 = whole(hull->y0 - before, w->y0, w->y1);
+  box->x1 = whole(hull->x1 - after, w->x0, w->x1);
+  box->y1 = whole(hull->y1 - after, w->y0, w->y1);
+  return box->x0 < box->x1 && box->y0 < box->y1;
+}
+
+/* --- Exact questions -------------------------------------------------------
+ */
+
+/* Vertex v of the world, moved. */
+static void moved_vertex(const struct hsr_pieces_view *p,
+                         const struct hsr_world *world, uint32_t v,
+                         double at[3]) {
+  at[0] = world->x[v] + p->shift[0];
+  at[1] = world->y[v] + p->shift[1];
+  at[2] = world->z[v] + p->shift[2];
+}
+
+/* The corners of a loop, moved, in place `k` of two. */
+static struct hsr_loop moved_loop(const struct hsr_pieces_view *p,
+                                  struct hsr_loop loop, int k) {
+  double *at = p->corner[k];
+  for (uint32_t c = 0; c < loop.n; c++) {
+    size_t v = loop.stride * loop.vertex[c];
+    at[3 * c] = loop.x[v] + p->shift[0];
+    at[3 * c + 1] = loop.y[v] + p->shift[1];
+    at[3 * c + 2] = loop.z[v] + p->shift[2];
+  }
+  return (struct hsr_loop){at, at + 1, at + 2, 3, p->number, loop.n};
+}
+
+static struct hsr_loop moved_plane(const struct hsr_pieces_view *p, uint32_t f,
+                                   int k) {
+  return moved_loop(p, hsr_plane_loop(p->bsp->world, f), k);
+}
+
+/* A triangle in a median plane, its front where the coordinate is greater. */
+static struct hsr_loop median_loop(const struct hsr_pieces_view *p,
+                                   const struct hsr_bsp_median *median) {
+  double *at = p->corner[1];
+  int a = median->axis, b = (a + 1) % 3, c = (a + 2) % 3;
+  for (int k = 0; k < 3; k++)
+    at[3 * k + a] = median->at + p->shift[a];
+  at[b] = 0, at[c] = 0;
+  at[3 + b] = 1, at[3 + c] = 0;
+  at[6 + b] = 0, at[6 + c] = 1;
+  return (struct hsr_loop){at, at + 1, at + 2, 3, p->number, 3};
+}
+
+static bool within_cut(struct hsr_pieces_view *p,
+                       const struct hsr_bsp_corner *cut, double sx, double sy) {
+  const struct hsr_bsp *bsp = p->bsp;
+  struct hsr_loop face = moved_plane(p, p->piece->face, 0);
+  struct hsr_loop plane =
+      cut->a < bsp->world->n_planes
+          ? moved_plane(p, bsp->face_of[cut->a], 1)
+          : median_loop(p, &bsp->median[cut->a - bsp->world->n_planes]);
+  p->tally->exact[HSR_ASK_CUT]++;
+  int side = hsr_exact_cut_side(p->view, face, plane, sx, sy,
+                                &p->tally->out_of_memory);
+  return side == (cut->b == HSR_BSP_FRONT ? 1 : -1);
+}
+
+/* An edge that is seen as a point bounds nothing. */
+static bool within_edge(struct hsr_pieces_view *p,
+                        const struct hsr_bsp_corner *edge, double sx,
+                        double sy) {
+  double a[3], b[3];
+  moved_vertex(p, p->bsp->world, edge->a, a);
+  moved_vertex(p, p->bsp->world, edge->b, b);
+  p->tally->exact[HSR_ASK_EDGE]++;
+  return hsr_exact_edge_side(p->view, a, b, sx, sy, &p->tally->out_of_memory) !=
+         p->facing;
+}
+
+static bool within_side(void *context, uint32_t k, double sx, double sy) {
+  struct hsr_pieces_view *p = context;
+  const struct hsr_bsp_corner *side =
+      &p->bsp->corner[p->piece->first_corner + k];
+  return side->b < HSR_BSP_BEHIND ? within_edge(p, side, sx, sy)
+                                  : within_cut(p, side, sx, sy);
+}
+
+static bool past_near(void *context, double sx, double sy) {
+  struct hsr_pieces_view *p = context;
+  struct hsr_loop face = moved_plane(p, p->piece->face, 0);
+  p->tally->exact[HSR_ASK_NEAR]++;
+  return hsr_exact_past_near(p->view, face, sx, sy, &p->tally->out_of_memory) >
+         0;
+}
+
+/* By the definition: the parity of edges that cross the row to the right
+ * (docs/correct-picture.md). */
+static bool within_loop(struct hsr_pieces_view *p, double sx, double sy) {
+  const struct hsr_world *world = p->bsp->world;
+  uint32_t f = p->piece->face, n = hsr_face_size(world, f);
+  const uint32_t *vertex = world->vertex + world->start[f];
+  bool *out_of_memory = &p->tally->out_of_memory, covered = false;
+  for (uint32_t k = 0; k < n; k++) {
+    double a[3], b[3];
+    moved_vertex(p, world, vertex[k], a);
+    moved_vertex(p, world, vertex[k + 1 < n ? k + 1 : 0], b);
+    int row = hsr_exact_row_side(p->view, a, sy, out_of_memory);
+    if (row == hsr_exact_row_side(p->view, b, sy, out_of_memory))
+      continue;
+    covered ^=
+        hsr_exact_edge_side(p->view, a, b, sx, sy, out_of_memory) == -row;
+  }
+  return covered;
+}
+
+/* A face that is not flat, and its cuts. */
+static bool covers(void *context, double sx, double sy) {
+  struct hsr_pieces_view *p = context;
+  const struct hsr_bsp_piece *piece = p->piece;
+  p->tally->exact[HSR_ASK_EDGE]++;
+  if (!within_loop(p, sx, sy))
+    return false;
+  struct hsr_loop face = moved_plane(p, piece->face, 0);
+  if (hsr_exact_ahead(p->view, face, sx, sy, &p->tally->out_of_memory) < 0 ||
+      hsr_exact_past_near(p->view, face, sx, sy, &p->tally->out_of_memory) < 0)
+    return false;
+  for (uint32_t k = 0; k < piece->n_cuts; k++)
+    if (!within_cut(p, &p->bsp->cut[piece->first_cut + k], sx, sy))
+      return false;
+  return true;
+}
+
+static bool within_box(void *context, uint32_t k, double sx, double sy) {
+  const struct hsr_bounds *box =
+      &((const struct hsr_pieces_view *)context)->box;
+  return k == 0   ? sx > box->x0
+         : k == 1 ? sx < box->x1
+         : k == 2 ? sy > box->y0
+                  : sy < box->y1;
+}
+
+/* --- Pieces ----------------------------------------------------------------
+ */
+
+/* A polygon that is all of the box, and of it what `covers` says. */
+static void take_box(struct hsr_pieces_view *p) {
+  const struct hsr_bounds *b = &p->box;
+  const double side[4][3] = {
+      {1, 0, -b->x0}, {-1, 0, b->x1}, {0, 1, -b->y0}, {0, -1, b->y1}};
+  for (int k = 0; k < 4; k++)
+    p->line[k] = (struct hsr_mask_line){
+        side[k][0], side[k][1],     side[k][2],    0x1p-30,
+        1,          1 / side[k][0], 1 / side[k][1]};
+  p->polygon = (struct hsr_mask_polygon){p->line, 4, within_box, covers, p};
+}
+
+bool HSR_OF_BUILD(hsr_pieces_take)(struct hsr_pieces_view *p,
+                                   const struct hsr_bsp_piece *piece,
+                                   int facing) {
+  const struct hsr_bsp_corner *corner = p->bsp->corner + piece->first_corner;
+  struct hull hull = no_hull();
+  bool near = p->view->near > 0, cut_by_near = false, all_before = true;
+  p->piece = piece;
+  p->facing = facing;
+  for (uint32_t k = 0; k < piece->n_corners; k++) {
+    struct point point = corner_point(p, &corner[k]);
+    add_point(&hull, &point, &p->view->window);
+    cut_by_near |= near && !(point.w - point.ew > p->view->near);
+    all_before &= point.w + point.ew < p->view->near;
+  }
+  if (all_before || !box_of(&hull, &p->view->window, p->anywhere, &p->box))
+    return false;
+  if (p->bsp->world->deviation[piece->face] > 0) {
+    take_box(p);
+    return true;
+  }
+  struct point from = corner_point(p, &corner[0]), first = from;
+  for (uint32_t k = 0; k < piece->n_corners; k++) {
+    struct point to =
+        k + 1 < piece->n_corners ? corner_point(p, &corner[k + 1]) : first;
+    p->line[k] = line_through(p->reach, &from, &to, -facing);
+    from = to;
+  }
+  p->polygon = (struct hsr_mask_polygon){p->line, piece->n_corners, within_side,
+                                         cut_by_near ? past_near : NULL, p};
+  return true;
+}
+
+/* --- Boxes -----------------------------------------------------------------
+ */
+
+const struct hsr_mask_polygon *
+HSR_OF_BUILD(hsr_pieces_silhouette)(struct hsr_pieces_view *p,
+                                    const struct hsr_box *box,
+                                    const double shift[3], bool *known) {
+  const double(*r)[3] = p->view->screen;
+  const double *eye = p->view->E;
+  struct point point[8];
+  struct hull hull = no_hull();
+  double error[3], at[2][3];
+  int place = 0;
+  for (int c = 2; c >= 0; c--) {
+    at[0][c] = box->lo[c] + shift[c];
+    at[1][c] = box->hi[c] + shift[c];
+    place = 3 * place + (eye[c] < at[0][c] ? 0 : eye[c] > at[1][c] ? 2 : 1);
+  }
+  find_errors(p, box, shift, error);
+  for (int c = 0; c < 3; c++) /* and of at[] */
+    for (int k = 0; k < 3; k++)
+      error[c] += 4 * U * fabs(r[c][k]) * fmax(fabs(at[0][k]), fabs(at[1][k]));
+  for (int k = 0; k < 8; k++) {
+    double d[3];
+    for (int c = 0; c < 3; c++)
+      d[c] = at[k >> c & 1][c] - eye[c];
+    point[k] = (struct point){r[0][0] * d[0] + r[0][1] * d[1] + r[0][2] * d[2],
+                              r[1][0] * d[0] + r[1][1] * d[1] + r[1][2] * d[2],
+                              r[2][0] * d[0] + r[2][1] * d[1] + r[2][2] * d[2],
+                              error[0],
+                              error[1],
+                              error[2]};
+    add_point(&hull, &point[k], &p->view->window);
+  }
+  *known = true;
+  if (!box_of(&hull, &p->view->window, p->anywhere, &p->box))
+    return NULL;
+  const struct hsr_silhouette *s = &p->silhouette[place];
+  *known = hull.ahead && s->n;
+  for (int k = 0; *known && k < s->n; k++)
+    p->line[k] = line_through(p->reach, &point[s->corner[k]],
+                              &point[s->corner[(k + 1) % s->n]], -1);
+  p->polygon =
+      (struct hsr_mask_polygon){p->line, (uint32_t)s->n, NULL, NULL, p};
+  return *known ? &p->polygon : NULL;
+}

@@ -1,0 +1,384 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Hierarchical polygon tiling with coverage masks.
+ *
+ * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
+ *             SIGGRAPH 1996; N. Greene, PhD thesis, UC Santa Cruz, 1995, 4.4 to
+ *             4.6.
+ * Notation    coverage pyramid, or mask pyramid -> masks (masks.h); the model,
+ *             an octree of BSP trees -> grove (common/grove.h)
+ * Invariant   all that has been tiled hides what is tiled next: a sample is
+ *             written once, and never compared by depth
+ * Ties        pieces in one plane come by ascending face; what is too close to
+ *             an edge is decided exactly (polygon.h)
+ * Departures  the finest masks are exact, not those of the table, unless so
+ *             chosen. Nothing is clipped. Instances are in a tree of planes
+ * that separate them, above the octrees. Cost        of cells crossed by edges
+ * that are visible; of cubes that are visible and their children. */
+#include "algorithms/algorithm.h"
+#include "algorithms/bsp_walk.h"
+#include "algorithms/tiling/canvas.h"
+#include "algorithms/tiling/polygon.h"
+
+#include <stdlib.h>
+
+enum { LEAF, INTERVALS, MASKS, START, CUBES };
+enum { MASKS_EXACT, MASKS_TABLE };
+enum { START_BOX, START_ROOT };
+enum { CUBES_TESTED, CUBES_DRAWN };
+
+enum {
+  CUBES_ASKED,
+  CUBES_HIDDEN,
+  CUBE_CELLS,
+  PIECES,
+  PIECES_HIDDEN,
+  PIECE_CELLS,
+  FINEST_CELLS,
+  PIXEL_CELLS,
+  SAMPLES,
+  UNSURE
+};
+
+/* --- Once ------------------------------------------------------------------
+ */
+
+enum { PATTERNS = HSR_MOST_PATTERNS + 1 }; /* the last one is no jitter */
+
+struct prepared {
+  struct hsr_grove grove;
+  struct hsr_triage_tables tables;
+  struct hsr_mask_places places[PATTERNS];
+  uint64_t *samples; /* masks of the finest level, of all patterns; or NULL */
+  const uint64_t *sample_tables[PATTERNS];
+  uint32_t bytes[8][3][3][256]; /* of the cosine */
+};
+
+static void find_places(struct hsr_mask_places places[PATTERNS]) {
+  for (int pattern = 0; pattern < PATTERNS; pattern++) {
+    struct hsr_jitter jitter = {{0}, {0}};
+    if (pattern < HSR_MOST_PATTERNS)
+      hsr_jitter_init(&jitter, pattern);
+    for (int bit = 0; bit < 64; bit++) {
+      places[pattern].x[bit] = bit % 8 + 0.5 + jitter.x[bit];
+      places[pattern].y[bit] = bit / 8 + 0.5 + jitter.y[bit];
+    }
+  }
+}
+
+/* The paper's finest level: a table for each pattern of jitter. */
+static enum hsr_status make_sample_tables(struct prepared *p, int intervals) {
+  size_t entries = 6 * (size_t)intervals * (size_t)intervals;
+  p->samples = malloc(PATTERNS * entries * sizeof *p->samples);
+  if (!p->samples)
+    return HSR_E_NOMEM;
+  for (int pattern = 0; pattern < PATTERNS; pattern++) {
+    double x[64], y[64];
+    for (int bit = 0; bit < 64; bit++) {
+      x[bit] = p->places[pattern].x[bit] / 8;
+      y[bit] = p->places[pattern].y[bit] / 8;
+    }
+    uint64_t *table = p->samples + (size_t)pattern * entries;
+    hsr_sample_masks(intervals, x, y, table);
+    p->sample_tables[pattern] = table;
+  }
+  return HSR_OK;
+}
+
+static void release(void *prepared) {
+  struct prepared *p = prepared;
+  hsr_grove_free(&p->grove);
+  hsr_triage_free(&p->tables);
+  free(p->samples);
+  free(p);
+}
+
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  struct prepared *p = calloc(1, sizeof *p);
+  *prepared = p;
+  if (!p)
+    return hsr_fail_nomem(err);
+  struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
+  find_places(p->places);
+  HSR_OF_BUILD(hsr_canvas_tables)(HSR_FILTER_COSINE, p->bytes);
+  enum hsr_status status =
+      hsr_triage_init(&p->tables, (int)option[INTERVALS], err);
+  if (!status && option[MASKS] == MASKS_TABLE &&
+      make_sample_tables(p, (int)option[INTERVALS]))
+    status = hsr_fail_nomem(err);
+  if (!status)
+    status = hsr_grove_init(&p->grove, world, &rule, err);
+  return status;
+}
+
+/* --- A frame ---------------------------------------------------------------
+ */
+
+struct frame {
+  const struct hsr_job *job;
+  const struct prepared *prepared;
+  struct hsr_view view; /* of the samples */
+  struct hsr_masks masks;
+  struct hsr_mask_work cubes, polygons;
+  struct hsr_pieces_view pieces;
+  struct hsr_canvas canvas;
+  struct hsr_mask_sink sink;
+  uint32_t first_id; /* of the tree at hand */
+};
+
+/* The view whose samples are the sub-samples of a view of pixels. */
+static struct hsr_view view_of_samples(const struct hsr_job *job) {
+  struct hsr_view view = *job->view;
+  if (!job->filtering)
+    return view;
+  view.m *= HSR_SUB;
+  view.n *= HSR_SUB;
+  view.window = (struct hsr_window){0, 0, view.m, view.n};
+  for (int k = 0; k < 3; k++) {
+    view.screen[0][k] *= HSR_SUB;
+    view.screen[1][k] *= HSR_SUB;
+    view.ray[1][k] /= HSR_SUB;
+    view.ray[2][k] /= HSR_SUB;
+  }
+  return view;
+}
+
+static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
+  const struct prepared *p = job->prepared;
+  const struct hsr_filtering *filtering = job->filtering;
+  bool jittered = filtering && filtering->patterns;
+  int first = jittered ? 0 : HSR_MOST_PATTERNS;
+  *f = (struct frame){.job = job, .prepared = p, .view = view_of_samples(job)};
+  f->masks = (struct hsr_masks){
+      .tables = &p->tables,
+      .places = p->places + first,
+      .filtering = jittered ? filtering : NULL,
+      .sample_tables = p->samples ? p->sample_tables + first : NULL,
+      .anywhere = jittered,
+      .work = &f->polygons,
+      .touched = job->tally->work,
+      .touched_stride = job->tally->work_stride,
+      .pixel = filtering ? HSR_SUB : 1};
+  enum hsr_status status = HSR_OF_BUILD(hsr_masks_init)(
+      &f->masks, &f->view.window, p->grove.most_corners + 8, job->scratch);
+  if (!status)
+    status = HSR_OF_BUILD(hsr_pieces_begin)(
+        &f->pieces, &p->grove, &f->view, &f->masks, job->tally, job->scratch);
+  bool cosine = filtering && filtering->filter == HSR_FILTER_COSINE;
+  HSR_OF_BUILD(hsr_canvas_begin)
+  (&f->canvas, job, f->view.window,
+   cosine ? (uint32_t(*)[3][3][256])p->bytes : NULL);
+  f->sink = HSR_OF_BUILD(hsr_canvas_sink)(&f->canvas);
+  return status;
+}
+
+/* Whether anything within a box that is moved may be seen. */
+static bool is_visible(struct frame *f, const struct hsr_box *box,
+                       const double shift[3]) {
+  bool known;
+  const struct hsr_mask_polygon *silhouette =
+      HSR_OF_BUILD(hsr_pieces_silhouette)(&f->pieces, box, shift, &known);
+  if (!known)
+    return true;
+  if (!silhouette)
+    return false;
+  if (f->job->option[CUBES] == CUBES_DRAWN)
+    return true;
+  HSR_COUNT(f->job->tally, CUBES_ASKED, 1);
+  f->masks.work = &f->cubes;
+  bool visible =
+      HSR_OF_BUILD(hsr_masks_show)(&f->masks, silhouette, f->pieces.box);
+  f->masks.work = &f->polygons;
+  HSR_COUNT(f->job->tally, CUBES_HIDDEN, !visible);
+  return visible;
+}
+
+static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
+  struct frame *f = context;
+  if (!is_visible(f, &cube->tight, f->pieces.shift))
+    return false;
+  if (cube->root != HSR_NO_BSP)
+    HSR_OF_BUILD(hsr_pieces_leaf)(&f->pieces, cube);
+  return true;
+}
+
+static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
+                       int facing) {
+  struct frame *f = context;
+  struct hsr_pieces_view *pieces = &f->pieces;
+  if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
+    return;
+  HSR_STEP(f->job->tally, PIECES, HSR_ACTIVATE, f->first_id + piece->face,
+           HSR_NOTHING, pieces->box.x0, pieces->box.y0, pieces->box.x1,
+           pieces->box.y1);
+  uint32_t id = f->first_id + piece->face;
+  if (f->job->filtering)
+    id = hsr_world_parent(f->job->world, id);
+  HSR_OF_BUILD(hsr_canvas_face)(&f->canvas, id);
+  if (f->job->option[START] == START_ROOT)
+    HSR_OF_BUILD(hsr_masks_tile_root)
+  (&f->masks, &pieces->polygon, &f->sink);
+  else if (!HSR_OF_BUILD(hsr_masks_tile)(&f->masks, &pieces->polygon,
+                                         pieces->box, &f->sink))
+      HSR_COUNT(f->job->tally, PIECES_HIDDEN, 1);
+}
+
+static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
+                      const double shift[3], uint32_t first_id) {
+  struct hsr_bsp_walk walk = {.bsp = bsp,
+                              .eye = f->view.E,
+                              .shift = shift,
+                              .tally = f->job->tally,
+                              .context = f,
+                              .enter = enter_cube,
+                              .piece = tile_piece};
+  f->first_id = first_id;
+  HSR_OF_BUILD(hsr_pieces_tree)(&f->pieces, bsp, shift);
+  HSR_OF_BUILD(hsr_bsp_walk)(&walk);
+}
+
+/* Instances in order, the nearer side of each plane first. */
+static void tile_instances(struct frame *f, uint32_t number) {
+  static const double still[3] = {0, 0, 0};
+  const struct hsr_grove *grove = &f->prepared->grove;
+  const struct hsr_grove_node *node = &grove->node[number];
+  if (node->axis >= 0) {
+    if (!is_visible(f, &node->box, still))
+      return;
+    bool above = f->view.E[node->axis] > node->at;
+    tile_instances(f, above ? node->above : node->below);
+    tile_instances(f, above ? node->below : node->above);
+    return;
+  }
+  const struct hsr_instance *instance =
+      &grove->world->scene->instances[node->instance];
+  const double shift[3] = {instance->m[3], instance->m[7], instance->m[11]};
+  tile_tree(f, &grove->tree[instance->object].bsp, shift,
+            grove->world->first[node->instance]);
+}
+
+/* Whatever is vacant still, and of no polygon. */
+static void tile_background(struct frame *f) {
+  struct hsr_mask_polygon all = {NULL, 0, NULL, NULL, NULL};
+  HSR_OF_BUILD(hsr_canvas_face)(&f->canvas, HSR_BACKGROUND);
+  HSR_OF_BUILD(hsr_masks_tile_root)(&f->masks, &all, &f->sink);
+}
+
+static void count_work(const struct frame *f) {
+  struct hsr_tally *tally = f->job->tally;
+  HSR_COUNT(tally, CUBE_CELLS, f->cubes.cells);
+  HSR_COUNT(tally, PIECE_CELLS, f->polygons.cells);
+  HSR_COUNT(tally, FINEST_CELLS, f->cubes.finest + f->polygons.finest);
+  HSR_COUNT(tally, PIXEL_CELLS, f->cubes.pixels + f->polygons.pixels);
+  HSR_COUNT(tally, SAMPLES, f->canvas.samples);
+  HSR_COUNT(tally, UNSURE, f->masks.unsure);
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  static const double still[3] = {0, 0, 0};
+  struct frame f;
+  const struct prepared *p = job->prepared;
+  if (begin(&f, job))
+    return hsr_fail_nomem(err);
+  if (p->grove.is_whole)
+    tile_tree(&f, &p->grove.whole, still, 0);
+  else
+    tile_instances(&f, 0);
+  tile_background(&f);
+  count_work(&f);
+  return HSR_OK;
+}
+
+/* --- The descriptor --------------------------------------------------------
+ */
+
+static const struct hsr_counter counters[] = {
+    [CUBES_ASKED] = {"cubes asked", "cubes, and boxes of instances, whose "
+                                    "silhouettes were tiled"},
+    [CUBES_HIDDEN] = {"cubes hidden", "of these, those that are hidden"},
+    [CUBE_CELLS] = {"cube cells", "cells of the mask pyramid visited for them"},
+    [PIECES] = {"pieces", "pieces of faces in visible cubes, with a sample in "
+                          "their box"},
+    [PIECES_HIDDEN] = {"pieces hidden", "of these, those whose box is hidden"},
+    [PIECE_CELLS] = {"polygon cells", "cells of the mask pyramid visited for "
+                                      "polygons, and the background"},
+    [FINEST_CELLS] = {"finest cells",
+                      "of all these, those of the finest level"},
+    [PIXEL_CELLS] = {"pixel cells",
+                     "of all these, those as large as a pixel or "
+                     "larger"},
+    [SAMPLES] = {"samples", "written, each once"},
+    [UNSURE] = {"unsure samples", "put to the exact predicates"},
+    {NULL, NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "priority", "BSP trees", "once for all frames"},
+    {"cubes", "distance", "octree, from front to back", "once a frame"},
+    {"faces", "X and Y", "mask pyramid", "a polygon"},
+    {NULL, NULL, NULL, NULL}};
+
+static const struct hsr_option options[] = {
+    [LEAF] = {.name = "leaf",
+              .meaning = "the most faces that an octree's leaf has; 0: one BSP "
+                         "tree and no octree",
+              .least = 0,
+              .most = 1000,
+              .standard = 30},
+    [INTERVALS] = {.name = "intervals",
+                   .meaning = "into which a side is divided for the tables of "
+                              "masks",
+                   .least = 1,
+                   .most = HSR_TRIAGE_MOST,
+                   .standard = 64},
+    [MASKS] = {.name = "masks",
+               .meaning = "how the masks of samples are found",
+               .words =
+                   (const struct hsr_word[]){
+                       {"exact", "by the edges, exactly", 0},
+                       {"table",
+                        "by tables, as in the paper, and sometimes wrong",
+                        HSR_KNOWN_WRONG},
+                       {NULL, NULL, 0}}},
+    [START] = {.name = "start",
+               .meaning = "where a polygon is tiled from",
+               .words =
+                   (const struct hsr_word[]){
+                       {"box",
+                        "the smallest cell that encloses its box, unless "
+                        "that is hidden",
+                        0},
+                       {"root", "the root, as in the thesis", 0},
+                       {NULL, NULL, 0}}},
+    [CUBES] = {.name = "cubes",
+               .meaning = "what becomes of cubes in the picture",
+               .words =
+                   (const struct hsr_word[]){
+                       {"tested",
+                        "their silhouettes are tiled, and hidden ones "
+                        "culled",
+                        0},
+                       {"drawn", "all are gone through", 0},
+                       {NULL, NULL, 0}}},
+    {.name = NULL}};
+
+const struct hsr_algorithm HSR_ALGORITHM(tiling) = {
+    .name = "tiling",
+    .title = "Hierarchical polygon tiling with coverage masks",
+    .authors = "N. Greene",
+    .year = 1996,
+    .source = "N. Greene, Hierarchical Polygon Tiling with Coverage Masks, "
+              "SIGGRAPH 1996",
+    .taxonomy = HSR_IMAGE_SPACE_AREA,
+    .sort_order = "Z(XY)",
+    .coherence = "area coherence; hidden cubes hide all that is in them",
+    .restrictions = HSR_CF,
+    .kind = HSR_IDS,
+    .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS,
+    .sorts = sorts,
+    .counters = counters,
+    .options = options,
+    .prepare = prepare,
+    .render = render,
+    .release = release};
