@@ -122,10 +122,10 @@ struct hsr_job {
 
   const struct hsr_paint *paint; /* or NULL: ids only */
 
-  /* Answer instead of ids, if this is not NULL; of HSR_FILTERS only, which draw
-   * the whole picture then, in one job. `view` is that of the pixels. The sums
-   * of pixel (i, j) at sums[3 * (j * view->m + i)], 0 before the call; the
-   * background is added, too. */
+  /* Answer instead of ids, which are NULL then, if this is not NULL; of
+   * HSR_FILTERS only, which draw the whole picture then, in one job. `view` is
+   * that of the pixels. The sums of pixel (i, j) at sums[3 * (j * view->m +
+   * i)], 0 before the call; the background is added, too. */
   const struct hsr_filtering *filtering;
   uint32_t *sums;
 
@@ -178,10 +178,12 @@ static inline uint32_t hsr_most_laid_out(const struct hsr_algorithm *a) {
                                           : 0;
 }
 
-/* The standard choice; and the flags of an algorithm so chosen. */
+/* The standard choice; and the flags and the kind of an algorithm so chosen. */
 struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *algorithm);
 unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
                           const struct hsr_choice *choice);
+enum hsr_kind hsr_choice_kind(const struct hsr_algorithm *algorithm,
+                              const struct hsr_choice *choice);
 
 /* HSR_ALGORITHM(watkins) is the name of the descriptor of this build, and
  * HSR_OF_BUILD(hsr_scan_begin) that of a function which several share. A build

@@ -79,7 +79,7 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
   enum hsr_status status = setup->algorithm->render(job, err);
   if (!status && job->tally->out_of_memory)
     status = hsr_fail_nomem(err);
-  if (!status && setup->world->pieces && setup->algorithm->kind == HSR_IDS)
+  if (!status && setup->world->pieces && job->ids)
     name_parents(setup->world->pieces, job);
   return status;
 }

@@ -34,9 +34,10 @@ static enum hsr_status serve_walk(const struct serve_request *request,
                         .view = view,
                         .n = request->walk,
                         .crew = crew_new(request->threads)};
-  enum hsr_status status =
-      round.crew ? answer_init(&round.answer, algorithm, &stage->view, err)
-                 : hsr_fail_nomem(err);
+  enum hsr_status status = round.crew
+                               ? answer_init(&round.answer, algorithm,
+                                             &setup->choice, &stage->view, err)
+                               : hsr_fail_nomem(err);
   struct served served = {
       .request = request,
       .stage = stage,
@@ -45,7 +46,9 @@ static enum hsr_status serve_walk(const struct serve_request *request,
       .before_kb = before,
       .round = draw_round,
       .state = &round,
-      .ids = algorithm->flags & HSR_NO_PICTURE ? NULL : round.answer.ids};
+      .ids = algorithm->flags & HSR_NO_PICTURE ? NULL : round.answer.ids,
+      .filtering = &setup->choice.filtering,
+      .sums = algorithm->flags & HSR_NO_PICTURE ? NULL : round.answer.sums};
   if (!status)
     status = serve(&served, err);
   answer_free(&round.answer);

@@ -84,7 +84,7 @@ static enum hsr_status draw(struct view_picture *p,
                             .work_stride = (size_t)p->stage.view.m};
   enum hsr_status status = tally.work ? HSR_OK : hsr_fail_nomem(err);
   if (!status)
-    status = answer_init(&answer, a, &p->stage.view, err);
+    status = answer_init(&answer, a, NULL, &p->stage.view, err);
   if (!status) {
     status = hsr_setup_init(&setup, a, NULL, &p->stage.world, err);
     if (!status)
