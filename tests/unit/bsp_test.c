@@ -453,8 +453,9 @@ static void leave_seen(struct fixture *x, int *facing) {
   x->n_ordered = n;
 }
 
-/* The eye in the moved trees, near a vertex, so that it is in planes, or
- * nearly; what they are moved by is added to it without rounding, or not. */
+/* The eye in the moved trees: near a vertex, or in a median plane too, so that
+ * it is in planes, or nearly. What they are moved by is added to vertices
+ * without rounding, or not. */
 static void choose_eye(struct fixture *x, bool exact, uint64_t *seed) {
   static const double shifts[2][3] = {{1024.0 / 3, -4096.0 / 3, 12288.0 / 7},
                                       {3072, -4096.5, 12288.25}};
@@ -466,6 +467,11 @@ static void choose_eye(struct fixture *x, bool exact, uint64_t *seed) {
                  ldexp(1, (int)draw_integer(seed, -20, 2));
     x->shift[k] = shifts[exact][k];
     x->view.E[k] = nearbyint(at[k] * 0x1p20) * 0x1p-20 + off + x->shift[k];
+  }
+  if (x->bsp.n_medians && draw_integer(seed, 0, 1)) {
+    const struct hsr_bsp_median *median =
+        &x->bsp.median[draw_integer(seed, 0, x->bsp.n_medians - 1)];
+    x->view.E[median->axis] = median->at + x->shift[median->axis];
   }
 }
 
