@@ -7,6 +7,9 @@ libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/variant.c %D%/list.def
 algorithm_files = \
   %D%/appel.c \
   %D%/bouknight.c \
+  %D%/bsp_frame.c \
+  %D%/bsp_frame.h \
+  %D%/bsp_painter.c \
   %D%/bsp_walk.c \
   %D%/bsp_walk.h \
   %D%/clark.c \
@@ -53,6 +56,7 @@ algorithm_files = \
   %D%/tiler.h \
   %D%/warnock.c \
   %D%/warnock.h \
+  %D%/warnock_depth.c \
   %D%/warnock_edges.c \
   %D%/warnock_newell.c \
   %D%/warnock_watkins.c \

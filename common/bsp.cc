@@ -53,6 +53,8 @@ const unsigned BOTH = FRONT | BEHIND;
 
 using Group = std::vector<uint32_t>; // pieces, by ascending faces
 
+struct Too_many {};
+
 const hsr_box EMPTY = {{INFINITY, INFINITY, INFINITY},
                        {-INFINITY, -INFINITY, -INFINITY}};
 
@@ -332,7 +334,7 @@ void Maker::find_tight_boxes() {
 void Maker::check_size(size_t n_more) const {
   if (made_.size() + n_open_ + n_more > MOST_PIECES ||
       questions_ > MOST_QUESTIONS)
-    throw Refused{HSR_NP, 0, "is one of too many that must be divided"};
+    throw Too_many();
 }
 
 // Counts the division of a piece; false if its face is loose.
@@ -517,13 +519,17 @@ bool Maker::fill(hsr_bsp *out) const {
   hsr_arena *arena = &out->arena;
   const uint32_t n = world_.n_faces;
   out->face_of = HSR_NEW(arena, uint32_t, world_.n_planes);
+  out->level = HSR_NEW(arena, hsr_bsp_level, world_.n_planes);
   out->turned = HSR_NEW(arena, signed char, n);
   out->reach = HSR_NEW(arena, double, n);
-  if (!out->face_of || !out->turned || !out->reach)
+  if (!out->face_of || !out->level || !out->turned || !out->reach)
     return false;
   for (uint32_t p = 0; p < world_.n_planes; p++) {
     const uint32_t f = shapes_.face_of(p);
+    const Level &level = shapes_.level(p);
     out->face_of[p] = world_.pieces ? world_.pieces->first[f] : f;
+    out->level[p] = {level.at, static_cast<signed char>(level.axis),
+                     static_cast<signed char>(level.front)};
   }
   for (uint32_t f = 0; f < n; f++) {
     const uint32_t parent = hsr_world_parent(&world_, f);
@@ -557,7 +563,13 @@ hsr_status hsr_bsp_init(struct hsr_bsp *bsp, const struct hsr_world *world,
   bsp->world = world;
   return guarded(err, [&]() -> hsr_status {
     Maker maker(*world, rule->most);
-    maker.make();
+    try {
+      maker.make();
+    } catch (const Too_many &) {
+      return hsr_fail(err, HSR_E_REFUSED,
+                      "the BSP trees of %u faces would be too large",
+                      world->n_faces);
+    }
     return maker.fill(bsp) ? HSR_OK : hsr_fail_nomem(err);
   });
 }

@@ -25,6 +25,7 @@ tap_programs = \
   %D%/unit/world_test \
   %D%/conformance/lattice_test \
   %D%/conformance/line_lattice_test \
+  %D%/properties/baselines_test \
   %D%/properties/boxes_test \
   %D%/properties/combinations_test \
   %D%/properties/edges_test \
@@ -108,6 +109,8 @@ nodist_EXTRA_%C%_unit_world_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
 %C%_conformance_line_lattice_test_SOURCES = %D%/conformance/line_lattice_test.c
 nodist_EXTRA_%C%_conformance_line_lattice_test_SOURCES = force_cxx_link.cc
+%C%_properties_baselines_test_SOURCES = %D%/properties/baselines_test.c
+nodist_EXTRA_%C%_properties_baselines_test_SOURCES = force_cxx_link.cc
 %C%_properties_boxes_test_SOURCES = %D%/properties/boxes_test.cc
 %C%_properties_edges_test_SOURCES = %D%/properties/edges_test.c
 nodist_EXTRA_%C%_properties_edges_test_SOURCES = force_cxx_link.cc

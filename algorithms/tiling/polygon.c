@@ -311,20 +311,23 @@ static bool within_edge(struct hsr_pieces_view *p,
          p->facing;
 }
 
-static bool within_side(void *context, uint32_t k, double sx, double sy) {
-  struct hsr_pieces_view *p = context;
-  const struct hsr_bsp_corner *side =
-      &p->bsp->corner[p->piece->first_corner + k];
-  return side->b < HSR_BSP_BEHIND ? within_edge(p, side, sx, sy)
-                                  : within_cut(p, side, sx, sy);
-}
-
 static bool past_near(void *context, double sx, double sy) {
   struct hsr_pieces_view *p = context;
   struct hsr_loop face = moved_plane(p, p->piece->face, 0);
   p->tally->exact[HSR_ASK_NEAR]++;
   return hsr_exact_past_near(p->view, face, sx, sy, &p->tally->out_of_memory) >
          0;
+}
+
+/* The last line, after those of the sides, may be that of near. */
+static bool within_side(void *context, uint32_t k, double sx, double sy) {
+  struct hsr_pieces_view *p = context;
+  if (k == p->piece->n_corners)
+    return past_near(context, sx, sy);
+  const struct hsr_bsp_corner *side =
+      &p->bsp->corner[p->piece->first_corner + k];
+  return side->b < HSR_BSP_BEHIND ? within_edge(p, side, sx, sy)
+                                  : within_cut(p, side, sx, sy);
 }
 
 /* By the definition: the parity of edges that cross the row to the right
@@ -388,6 +391,48 @@ static void take_box(struct hsr_pieces_view *p) {
   p->polygon = (struct hsr_mask_polygon){p->line, 4, within_box, covers, p};
 }
 
+/* The point between a and b where W is near. What is done to the errors of a
+ * and b is bounded by what their W, which differ by more than four times that
+ * error, may be off by. */
+static struct point at_near(const struct point *a, const struct point *b,
+                            double near) {
+  double step = b->w - a->w, t = (near - a->w) / step;
+  double off = 2 * (fmax(a->ew, b->ew) + 2 * U * (fabs(a->w) + near)) /
+                   (fabs(step) - a->ew - b->ew) +
+               4 * U;
+  double dx = b->x - a->x, dy = b->y - a->y;
+  struct point point = {a->x + t * dx, a->y + t * dy, near, 0, 0, 0};
+  point.ex = 2 * (fmax(a->ex, b->ex) + off * fabs(dx)) +
+             4 * U * (fabs(a->x) + fabs(b->x));
+  point.ey = 2 * (fmax(a->ey, b->ey) + off * fabs(dy)) +
+             4 * U * (fabs(a->y) + fabs(b->y));
+  return point;
+}
+
+/* The line that near makes on a polygon with corners on both sides of it, or
+ * none where that is not certain. It leaves the polygon's own lines as they
+ * are. */
+static bool line_at_near(struct hsr_pieces_view *p,
+                         const struct hsr_bsp_corner *corner, uint32_t n,
+                         struct hsr_mask_line *line) {
+  double near = p->view->near;
+  struct point from = {0}, to = {0};
+  int found = 0;
+  for (uint32_t k = 0; k < n; k++) {
+    struct point a = corner_point(p, &corner[k]);
+    struct point b = corner_point(p, &corner[k + 1 < n ? k + 1 : 0]);
+    if (!(fabs(a.w - near) > 4 * a.ew && fabs(b.w - near) > 4 * b.ew))
+      return false;
+    if ((a.w > near) == (b.w > near))
+      continue;
+    *(a.w > near ? &from : &to) = at_near(&a, &b, near);
+    found++;
+  }
+  if (found == 2)
+    *line = line_through(p->reach, &from, &to, -p->facing);
+  return found == 2;
+}
+
 bool HSR_OF_BUILD(hsr_pieces_take)(struct hsr_pieces_view *p,
                                    const struct hsr_bsp_piece *piece,
                                    int facing) {
@@ -415,8 +460,12 @@ bool HSR_OF_BUILD(hsr_pieces_take)(struct hsr_pieces_view *p,
     p->line[k] = line_through(p->reach, &from, &to, -facing);
     from = to;
   }
-  p->polygon = (struct hsr_mask_polygon){p->line, piece->n_corners, within_side,
-                                         cut_by_near ? past_near : NULL, p};
+  uint32_t n = piece->n_corners;
+  p->polygon = (struct hsr_mask_polygon){p->line, n, within_side, NULL, p};
+  if (cut_by_near && line_at_near(p, corner, n, &p->line[n]))
+    p->polygon.n++;
+  else if (cut_by_near)
+    p->polygon.covers = past_near;
   return true;
 }
 

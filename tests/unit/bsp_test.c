@@ -2,7 +2,9 @@
 /* Octrees of BSP trees, sample by sample: a sample that a face covers is in one
  * of its pieces; and of the pieces that a sample is in, front to back, the
  * first is of the face that the oracle sees. Both are asked of the exact
- * predicates, and so is the eye's side of every plane. */
+ * predicates, and so is the eye's side of every plane. Then bsp_walk, which
+ * must go that way, wherever the trees are moved to. */
+#include "algorithms/bsp_walk.h"
 #include "common/bsp.h"
 #include "common/octree.h"
 #include "common/order.h"
@@ -25,6 +27,7 @@ struct fixture {
   bool out_of_memory;
 
   struct hsr_view view;
+  double shift[3]; /* what the trees are moved by */
   struct hsr_screen screen;
   struct hsr_arena arena;
   struct hsr_tally tally;
@@ -48,13 +51,9 @@ struct median_loop {
   double x[3], y[3], z[3];
 };
 
-static struct hsr_loop plane_loop(const struct fixture *x, uint32_t plane,
-                                  struct median_loop *room) {
+static struct hsr_loop median_loop(const struct hsr_bsp_median *median,
+                                   struct median_loop *room) {
   static const uint32_t vertex[] = {0, 1, 2};
-  const struct hsr_world *world = x->setup.world;
-  if (plane < world->n_planes)
-    return hsr_plane_loop(world, x->bsp.face_of[plane]);
-  const struct hsr_bsp_median *median = &x->bsp.median[plane - world->n_planes];
   double *c[3] = {room->x, room->y, room->z};
   for (int k = 0; k < 3; k++) {
     c[median->axis][k] = median->at;
@@ -62,6 +61,14 @@ static struct hsr_loop plane_loop(const struct fixture *x, uint32_t plane,
     c[(median->axis + 2) % 3][k] = k == 2;
   }
   return (struct hsr_loop){room->x, room->y, room->z, 1, vertex, 3};
+}
+
+static struct hsr_loop plane_loop(const struct fixture *x, uint32_t plane,
+                                  struct median_loop *room) {
+  const struct hsr_world *world = x->setup.world;
+  return plane < world->n_planes
+             ? hsr_plane_loop(world, x->bsp.face_of[plane])
+             : median_loop(&x->bsp.median[plane - world->n_planes], room);
 }
 
 static bool is_edge(const struct hsr_world *world, uint32_t f, uint32_t a,
@@ -273,17 +280,17 @@ static bool holds(struct fixture *x, const struct hsr_bsp_piece *piece, int i,
 /* --- Front to back ----------------------------------------------------------
  */
 
-static int eye_side(struct fixture *x, uint32_t plane) {
-  struct median_loop room;
-  return hsr_exact_plane_side(plane_loop(x, plane, &room), x->view.E,
-                              &x->out_of_memory);
+static int eye_side(struct fixture *x, struct hsr_loop plane) {
+  return hsr_exact_moved_plane_side(plane, x->shift, x->view.E,
+                                    &x->out_of_memory);
 }
 
 static void order_tree(struct fixture *x, uint32_t root) {
   if (root == HSR_NO_BSP)
     return;
   const struct hsr_bsp_node *node = &x->bsp.node[root];
-  int side = eye_side(x, node->plane);
+  struct median_loop room;
+  int side = eye_side(x, plane_loop(x, node->plane, &room));
   order_tree(x, side > 0 ? node->front : node->behind);
   for (uint32_t k = 0; k < node->n_pieces; k++)
     x->order[x->n_ordered++] = node->first_piece + k;
@@ -293,8 +300,11 @@ static void order_tree(struct fixture *x, uint32_t root) {
 static void order_cube(struct fixture *x, uint32_t number) {
   const struct hsr_bsp_cube *cube = &x->bsp.cube[number];
   int nearest = 0;
-  for (int c = 0; c < 3; c++)
-    nearest |= (x->view.E[c] > cube->centre[c]) << c;
+  for (int c = 0; c < 3; c++) {
+    struct median_loop room;
+    const struct hsr_bsp_median median = {c, cube->centre[c]};
+    nearest |= (eye_side(x, median_loop(&median, &room)) > 0) << c;
+  }
   order_tree(x, cube->root);
   for (int k = 0; k < 8; k++) {
     uint32_t child = cube->child[nearest ^ hsr_octant_order[k]];
@@ -396,6 +406,7 @@ static void check_view(struct fixture *x, uint32_t v, long *grazed,
 static void check_samples(struct tap *tap, struct fixture *x, uint32_t most) {
   long grazed = 0, covered = 0, twice = 0, wrong = 0;
   uint32_t n = x->scene->n_views;
+  memset(x->shift, 0, sizeof x->shift);
   for (uint32_t k = 0; k < VIEWS && k < n; k++)
     check_view(x, n > VIEWS ? k * (n - 1) / (VIEWS - 1) : k, &grazed, &covered,
                &twice, &wrong);
@@ -405,6 +416,110 @@ static void check_samples(struct tap *tap, struct fixture *x, uint32_t most) {
   ok(tap, covered && !wrong,
      "%s, %u: the first piece, front to back, is seen (%ld not, %ld grazed)",
      x->name, most, wrong, grazed);
+}
+
+/* --- The walk ---------------------------------------------------------------
+ */
+
+enum { EYES = 24 };
+
+/* The pieces that a walk tells of. */
+struct told {
+  const struct hsr_bsp *bsp;
+  uint32_t *piece, n;
+  int *facing;
+};
+
+static void tell(void *context, const struct hsr_bsp_piece *piece, int facing) {
+  struct told *told = context;
+  told->facing[told->n] = facing;
+  told->piece[told->n++] = (uint32_t)(piece - told->bsp->piece);
+}
+
+/* Leaves of the order those pieces that are seen; their facings. */
+static void leave_seen(struct fixture *x, int *facing) {
+  const struct hsr_world *world = x->setup.world;
+  uint32_t n = 0;
+  for (uint32_t k = 0; k < x->n_ordered; k++) {
+    uint32_t f = x->bsp.piece[x->order[k]].face;
+    struct median_loop room;
+    struct hsr_loop plane = plane_loop(x, world->plane[f], &room);
+    int side = eye_side(x, plane) * x->bsp.turned[f];
+    if (side == 0 || (side < 0 && world->one_sided[f]))
+      continue;
+    facing[n] = side;
+    x->order[n++] = x->order[k];
+  }
+  x->n_ordered = n;
+}
+
+/* The eye in the moved trees: near a vertex, or in a median plane too, so that
+ * it is in planes, or nearly. What they are moved by is added to vertices
+ * without rounding, or not. */
+static void choose_eye(struct fixture *x, bool exact, uint64_t *seed) {
+  static const double shifts[2][3] = {{1024.0 / 3, -4096.0 / 3, 12288.0 / 7},
+                                      {3072, -4096.5, 12288.25}};
+  const struct hsr_world *world = x->setup.world;
+  uint32_t v = (uint32_t)draw_integer(seed, 0, world->n_vertices - 1);
+  const double at[3] = {world->x[v], world->y[v], world->z[v]};
+  for (int k = 0; k < 3; k++) {
+    double off = (double)draw_integer(seed, -2, 2) *
+                 ldexp(1, (int)draw_integer(seed, -20, 2));
+    x->shift[k] = shifts[exact][k];
+    x->view.E[k] = nearbyint(at[k] * 0x1p20) * 0x1p-20 + off + x->shift[k];
+  }
+  if (x->bsp.n_medians && draw_integer(seed, 0, 1)) {
+    const struct hsr_bsp_median *median =
+        &x->bsp.median[draw_integer(seed, 0, x->bsp.n_medians - 1)];
+    x->view.E[median->axis] = median->at + x->shift[median->axis];
+  }
+}
+
+/* Whether the walk is that of the exact order. */
+static bool check_walk(struct fixture *x, bool backwards, struct told *told,
+                       const int *facing) {
+  struct hsr_bsp_waiting *waiting =
+      HSR_NEW(&x->arena, struct hsr_bsp_waiting, hsr_bsp_most_waiting(&x->bsp));
+  struct hsr_bsp_walk walk = {.bsp = &x->bsp,
+                              .eye = x->view.E,
+                              .shift = x->shift,
+                              .backwards = backwards,
+                              .tally = &x->tally,
+                              .waiting = waiting,
+                              .context = told,
+                              .piece = tell};
+  told->n = 0;
+  HSR_OF_BUILD(hsr_bsp_walk)(&walk);
+  bool good = told->n == x->n_ordered;
+  for (uint32_t k = 0; k < told->n && good; k++) {
+    uint32_t l = backwards ? told->n - 1 - k : k;
+    good = told->piece[k] == x->order[l] && told->facing[k] == facing[l];
+  }
+  return good;
+}
+
+static void check_walks(struct tap *tap, struct fixture *x, uint32_t most) {
+  uint64_t seed = 1;
+  long told_of = 0;
+  bool good = true;
+  for (int k = 0; k < EYES; k++) {
+    hsr_arena_reset(&x->arena);
+    uint32_t n = x->bsp.n_pieces;
+    x->order = HSR_NEW(&x->arena, uint32_t, n);
+    int *facing = HSR_NEW(&x->arena, int, n);
+    struct told told = {&x->bsp, HSR_NEW(&x->arena, uint32_t, n), 0,
+                        HSR_NEW(&x->arena, int, n)};
+    choose_eye(x, k % 2 == 0, &seed);
+    x->n_ordered = 0;
+    order_cube(x, 0);
+    leave_seen(x, facing);
+    good &= check_walk(x, false, &told, facing);
+    good &= check_walk(x, true, &told, facing);
+    told_of += told.n;
+  }
+  ok(tap, good && told_of && !x->tally.out_of_memory,
+     "%s, %u: the walk goes that way, and back (%ld pieces)", x->name, most,
+     told_of);
 }
 
 /* --- Scenes -----------------------------------------------------------------
@@ -449,14 +564,14 @@ int main(int argc, char **argv) {
   const char *const *scenes =
       argc > 1 ? (const char *const *)argv + 1 : built_in;
   int n = argc > 1 ? argc - 1 : (int)(sizeof built_in / sizeof *built_in);
-  struct tap tap = plan(3 * n * MOST);
+  struct tap tap = plan(4 * n * MOST);
   for (int s = 0; s < n; s++) {
     bool is_here = open_scene(x, scenes[s]);
     for (int k = 0; k < MOST; k++) {
       struct hsr_error err = {.text = "out of memory"};
       struct hsr_bsp_rule rule = {most[k]};
       if (!is_here) {
-        for (int t = 0; t < 3; t++)
+        for (int t = 0; t < 4; t++)
           ok(&tap, true, "%s # SKIP it is not installed", scenes[s]);
         continue;
       }
@@ -464,6 +579,7 @@ int main(int argc, char **argv) {
         fail(&err);
       check_form(&tap, x, most[k]);
       check_samples(&tap, x, most[k]);
+      check_walks(&tap, x, most[k]);
       hsr_bsp_free(&x->bsp);
     }
     if (is_here)
