@@ -128,7 +128,8 @@ enum hsr_status measure_table1(const struct hsr_world *world,
   struct hsr_tally tally = {.out_of_memory = false};
   struct hsr_setup setup = {.algorithm = NULL};
   const struct hsr_listed *zbuffer = hsr_algorithm_find("zbuffer");
-  enum hsr_status status = answer_init(&answer, zbuffer->plain, NULL, view, err);
+  enum hsr_status status =
+      answer_init(&answer, zbuffer->plain, NULL, view, err);
   if (!status)
     status = hsr_setup_init(&setup, zbuffer->plain, NULL, world, err);
   if (!status)
