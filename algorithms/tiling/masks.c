@@ -15,13 +15,6 @@
 
 static const uint64_t ALL = UINT64_MAX;
 
-/* A cell on the way. */
-struct cell {
-  int level;
-  uint32_t number;
-  int x, y, size; /* its first sample, and samples a side */
-};
-
 static int first_bit(uint64_t mask) {
 #ifdef __GNUC__
   return __builtin_ctzll(mask);
@@ -33,22 +26,24 @@ static int first_bit(uint64_t mask) {
 #endif
 }
 
-static bool is_finest(const struct hsr_masks *p, const struct cell *cell) {
+static bool is_finest(const struct hsr_masks *p,
+                      const struct hsr_mask_cell *cell) {
   return cell->level == p->n_levels - 1;
 }
 
-static struct cell subcell(const struct cell *cell, int bit) {
+static struct hsr_mask_cell subcell(const struct hsr_mask_cell *cell, int bit) {
   int size = cell->size / 8;
-  struct cell sub = {cell->level + 1, cell->number * 64 + (uint32_t)bit,
-                     cell->x + bit % 8 * size, cell->y + bit / 8 * size, size};
+  struct hsr_mask_cell sub = {
+      cell->level + 1, cell->number * 64 + (uint32_t)bit,
+      cell->x + bit % 8 * size, cell->y + bit / 8 * size, size};
   return sub;
 }
 
-static struct cell root_of(const struct hsr_masks *p) {
+static struct hsr_mask_cell root_of(const struct hsr_masks *p) {
   int size = 1;
   for (int k = 0; k < p->n_levels; k++)
     size *= 8;
-  struct cell root = {0, 0, p->window.x0, p->window.y0, size};
+  struct hsr_mask_cell root = {0, 0, p->window.x0, p->window.y0, size};
   return root;
 }
 
@@ -70,7 +65,7 @@ static int within_8(int k) {
 
 /* The subcells of a cell that have samples in the box; size is a power of two,
  * and the shift rounds down. */
-static uint64_t subcells_of(const struct cell *cell,
+static uint64_t subcells_of(const struct hsr_mask_cell *cell,
                             const struct hsr_bounds *box) {
   int size = cell->size / 8;
   int shift = first_bit((uint64_t)size);
@@ -81,7 +76,8 @@ static uint64_t subcells_of(const struct cell *cell,
 }
 
 /* The subcells that have samples of the window. */
-static uint64_t in_window(const struct hsr_masks *p, const struct cell *cell) {
+static uint64_t in_window(const struct hsr_masks *p,
+                          const struct hsr_mask_cell *cell) {
   const struct hsr_window *w = &p->window;
   if (cell->x + cell->size <= w->x1 && cell->y + cell->size <= w->y1)
     return ALL;
@@ -89,7 +85,7 @@ static uint64_t in_window(const struct hsr_masks *p, const struct cell *cell) {
   return subcells_of(cell, &box);
 }
 
-static void clear(struct hsr_masks *p, const struct cell *cell) {
+static void clear(struct hsr_masks *p, const struct hsr_mask_cell *cell) {
   uint64_t vacant = in_window(p, cell);
   if (is_finest(p, cell))
     p->finest[cell->number] = ~vacant;
@@ -131,7 +127,7 @@ enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *p,
     return HSR_E_NOMEM;
   for (uint32_t k = 0; k < most; k++)
     p->all[k] = k;
-  struct cell root = root_of(p);
+  struct hsr_mask_cell root = root_of(p);
   clear(p, &root);
   return HSR_OK;
 }
@@ -149,7 +145,7 @@ enum where { OUTSIDE, INSIDE, CROSSING };
  * sample away from the cell's border. */
 static enum where classify(const struct hsr_masks *p,
                            const struct hsr_mask_line *line,
-                           const struct cell *cell, double *corner) {
+                           const struct hsr_mask_cell *cell, double *corner) {
   double half = 0.5 * cell->size;
   double middle =
       line->a * (cell->x + half) + line->b * (cell->y + half) + line->c;
@@ -189,8 +185,9 @@ static struct hsr_triage look_up(const struct hsr_masks *p,
  * is outside. */
 static bool compose(const struct hsr_masks *p,
                     const struct hsr_mask_polygon *polygon,
-                    const struct cell *cell, const uint32_t *list, uint32_t n,
-                    struct hsr_mask_lines *active, struct hsr_triage *mask) {
+                    const struct hsr_mask_cell *cell, const uint32_t *list,
+                    uint32_t n, struct hsr_mask_lines *active,
+                    struct hsr_triage *mask) {
   *mask = (struct hsr_triage){ALL, 0};
   active->n = 0;
   for (uint32_t k = 0; k < n; k++) {
@@ -224,7 +221,7 @@ static uint32_t choose(const struct hsr_mask_lines *active, int bit) {
  */
 
 #if HSR_COUNTING
-static void count_cell(struct hsr_masks *p, const struct cell *cell) {
+static void count_cell(struct hsr_masks *p, const struct hsr_mask_cell *cell) {
   p->work->cells++;
   p->work->finest += is_finest(p, cell);
   if (cell->size < p->pixel)
@@ -239,7 +236,8 @@ static void count_cell(struct hsr_masks *p, const struct cell *cell) {
       p->touched[(size_t)j * p->touched_stride + (size_t)i] += share;
 }
 #else
-static void count_cell(const struct hsr_masks *p, const struct cell *cell) {
+static void count_cell(const struct hsr_masks *p,
+                       const struct hsr_mask_cell *cell) {
   (void)p;
   (void)cell;
 }
@@ -286,7 +284,8 @@ AVX512 static inline void split_avx512(const struct hsr_mask_line *line,
 }
 #endif
 
-static int pattern_of(const struct hsr_masks *p, const struct cell *cell) {
+static int pattern_of(const struct hsr_masks *p,
+                      const struct hsr_mask_cell *cell) {
   return p->filtering
              ? hsr_jitter_pattern(p->filtering, cell->x / 8, cell->y / 8)
              : 0;
@@ -296,8 +295,9 @@ static int pattern_of(const struct hsr_masks *p, const struct cell *cell) {
  * list; *unsure are those of them that are not certain. */
 static uint64_t candidates(const struct hsr_masks *p,
                            const struct hsr_mask_polygon *polygon,
-                           const struct cell *cell, const uint32_t *list,
-                           uint32_t n, int pattern, uint64_t *unsure) {
+                           const struct hsr_mask_cell *cell,
+                           const uint32_t *list, uint32_t n, int pattern,
+                           uint64_t *unsure) {
   uint64_t mask = ALL;
   *unsure = 0;
   for (uint32_t k = 0; k < n && mask; k++) {
@@ -315,7 +315,7 @@ static uint64_t candidates(const struct hsr_masks *p,
 /* The same by the tables: certain, and sometimes wrong. */
 static uint64_t tabled(const struct hsr_masks *p,
                        const struct hsr_mask_polygon *polygon,
-                       const struct cell *cell, const uint32_t *list,
+                       const struct hsr_mask_cell *cell, const uint32_t *list,
                        uint32_t n, int pattern, uint64_t *unsure) {
   uint64_t mask = ALL;
   *unsure = 0;
@@ -340,7 +340,7 @@ static uint64_t tabled(const struct hsr_masks *p,
 /* Whether the exact predicates have a sample covered. */
 static bool is_covered(struct hsr_masks *p,
                        const struct hsr_mask_polygon *polygon,
-                       const struct cell *cell, const uint32_t *list,
+                       const struct hsr_mask_cell *cell, const uint32_t *list,
                        uint32_t n, int pattern, int bit, bool lines_unsure) {
   const struct hsr_mask_places *places = &p->places[pattern];
   double sx = cell->x + places->x[bit], sy = cell->y + places->y[bit];
@@ -359,8 +359,8 @@ static bool is_covered(struct hsr_masks *p,
 /* W of a finest cell. */
 static uint64_t visible_samples(struct hsr_masks *p,
                                 const struct hsr_mask_polygon *polygon,
-                                const struct cell *cell, const uint32_t *list,
-                                uint32_t n) {
+                                const struct hsr_mask_cell *cell,
+                                const uint32_t *list, uint32_t n) {
   uint64_t vacant = ~p->finest[cell->number], unsure;
   int pattern = pattern_of(p, cell);
   uint64_t mask = vacant & (p->sample_tables ? tabled : candidates)(
@@ -384,14 +384,16 @@ struct task {
   struct hsr_bounds box; /* of its samples */
 };
 
-/* The step that is written twice, for every machine and for AVX-512. */
+/* The steps that are written twice, for every machine and for AVX-512. */
 struct hsr_mask_twin {
-  void (*tile_pixels)(const struct task *t, const struct cell *cell,
+  void (*tile_pixels)(const struct task *t, const struct hsr_mask_cell *cell,
                       const struct hsr_mask_lines *active,
                       struct hsr_triage *mask, uint64_t a);
+  bool (*shows_finest)(const struct task *t, const struct hsr_mask_cell *cell,
+                       const uint32_t *list, uint32_t n);
 };
 
-static void tile_finest(const struct task *t, const struct cell *cell,
+static void tile_finest(const struct task *t, const struct hsr_mask_cell *cell,
                         const uint32_t *list, uint32_t n) {
   uint64_t w = visible_samples(t->masks, t->polygon, cell, list, n);
   count_cell(t->masks, cell);
@@ -402,7 +404,8 @@ static void tile_finest(const struct task *t, const struct cell *cell,
 }
 
 /* What was tiled in a subcell goes up to its cell. */
-static void propagate(const struct hsr_masks *p, const struct cell *sub,
+static void propagate(const struct hsr_masks *p,
+                      const struct hsr_mask_cell *sub,
                       struct hsr_triage *mask) {
   uint64_t bit = (uint64_t)1 << (sub->number & 63);
   uint64_t covered, vacant;
@@ -419,8 +422,8 @@ static void propagate(const struct hsr_masks *p, const struct cell *sub,
     mask->v &= ~bit;
 }
 
-static void write_squares(const struct task *t, const struct cell *cell,
-                          uint64_t w) {
+static void write_squares(const struct task *t,
+                          const struct hsr_mask_cell *cell, uint64_t w) {
   int size = cell->size / 8;
   for (; w; w &= w - 1) {
     int bit = first_bit(w);
@@ -432,13 +435,13 @@ static void write_squares(const struct task *t, const struct cell *cell,
 /* The finest subcells a of a cell, as tile_finest has them one by one. What is
  * left open there is left to that. */
 static inline __attribute__((always_inline)) void
-tile_pixels(const struct task *t, const struct cell *cell,
+tile_pixels(const struct task *t, const struct hsr_mask_cell *cell,
             const struct hsr_mask_lines *active, struct hsr_triage *mask,
             uint64_t a, splitter by) {
   struct hsr_masks *p = t->masks;
   for (; a; a &= a - 1) {
     int bit = first_bit(a);
-    struct cell sub = subcell(cell, bit);
+    struct hsr_mask_cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
       clear(p, &sub);
     const struct hsr_mask_places *places = &p->places[pattern_of(p, &sub)];
@@ -469,23 +472,53 @@ tile_pixels(const struct task *t, const struct cell *cell,
   }
 }
 
-static void tile_pixels_portable(const struct task *t, const struct cell *cell,
+static void tile_pixels_portable(const struct task *t,
+                                 const struct hsr_mask_cell *cell,
                                  const struct hsr_mask_lines *active,
                                  struct hsr_triage *mask, uint64_t a) {
   tile_pixels(t, cell, active, mask, a, split);
 }
 
-static const struct hsr_mask_twin portable = {tile_pixels_portable};
+static inline __attribute__((always_inline)) bool
+shows_finest(const struct task *t, const struct hsr_mask_cell *cell,
+             const uint32_t *list, uint32_t n, splitter by) {
+  struct hsr_masks *p = t->masks;
+  uint64_t vacant = ~p->finest[cell->number];
+  for (uint32_t k = 0; k < n && vacant; k++) {
+    const struct hsr_mask_line *line = &t->polygon->line[list[k]];
+    uint64_t inside, outside;
+    by(line, line->a * cell->x + line->b * cell->y + line->c,
+       &p->places[pattern_of(p, cell)], &inside, &outside);
+    vacant &= ~outside;
+  }
+  return vacant;
+}
+
+static bool shows_finest_portable(const struct task *t,
+                                  const struct hsr_mask_cell *cell,
+                                  const uint32_t *list, uint32_t n) {
+  return shows_finest(t, cell, list, n, split);
+}
+
+static const struct hsr_mask_twin portable = {tile_pixels_portable,
+                                              shows_finest_portable};
 
 #ifdef HAVE_AVX512_TWIN
 AVX512 static void tile_pixels_avx512(const struct task *t,
-                                      const struct cell *cell,
+                                      const struct hsr_mask_cell *cell,
                                       const struct hsr_mask_lines *active,
                                       struct hsr_triage *mask, uint64_t a) {
   tile_pixels(t, cell, active, mask, a, split_avx512);
 }
 
-static const struct hsr_mask_twin avx512 = {tile_pixels_avx512};
+AVX512 static bool shows_finest_avx512(const struct task *t,
+                                       const struct hsr_mask_cell *cell,
+                                       const uint32_t *list, uint32_t n) {
+  return shows_finest(t, cell, list, n, split_avx512);
+}
+
+static const struct hsr_mask_twin avx512 = {tile_pixels_avx512,
+                                            shows_finest_avx512};
 #endif
 
 static const struct hsr_mask_twin *choose_twin(void) {
@@ -497,7 +530,7 @@ static const struct hsr_mask_twin *choose_twin(void) {
 }
 
 /* Listing 1. */
-static void tile(const struct task *t, const struct cell *cell,
+static void tile(const struct task *t, const struct hsr_mask_cell *cell,
                  const uint32_t *list, uint32_t n) {
   struct hsr_masks *p = t->masks;
   if (is_finest(p, cell)) {
@@ -523,7 +556,7 @@ static void tile(const struct task *t, const struct cell *cell,
   }
   for (; a; a &= a - 1) {
     int bit = first_bit(a);
-    struct cell sub = subcell(cell, bit);
+    struct hsr_mask_cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
       clear(p, &sub);
     uint32_t n_sub = choose(active, bit);
@@ -534,15 +567,12 @@ static void tile(const struct task *t, const struct cell *cell,
 
 /* Whether the polygon, of which the lines leave open what is not surely
  * outside, covers a sample that is not covered. */
-static bool shows(const struct task *t, const struct cell *cell,
+static bool shows(const struct task *t, const struct hsr_mask_cell *cell,
                   const uint32_t *list, uint32_t n) {
   struct hsr_masks *p = t->masks;
   count_cell(p, cell);
-  if (is_finest(p, cell)) {
-    uint64_t unsure;
-    return ~p->finest[cell->number] & candidates(p, t->polygon, cell, list, n,
-                                                 pattern_of(p, cell), &unsure);
-  }
+  if (is_finest(p, cell))
+    return p->twin->shows_finest(t, cell, list, n);
   struct hsr_mask_lines *active = &p->lines[cell->level];
   struct hsr_triage *mask = &p->coarse[cell->level][cell->number], polygon;
   if (!compose(p, t->polygon, cell, list, n, active, &polygon))
@@ -553,7 +583,7 @@ static bool shows(const struct task *t, const struct cell *cell,
            ~(polygon.c | polygon.v | mask->c) & subcells_of(cell, &t->box);
        a; a &= a - 1) {
     int bit = first_bit(a);
-    struct cell sub = subcell(cell, bit);
+    struct hsr_mask_cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
       clear(p, &sub);
     uint32_t n_sub = choose(active, bit);
@@ -566,39 +596,45 @@ static bool shows(const struct task *t, const struct cell *cell,
 /* --- Where to begin --------------------------------------------------------
  */
 
-/* The way from the root to the smallest cell that encloses the box; 0 if the
- * box is seen to be hidden. Cells on the way are cleared if they are to be. */
-static int descend(struct hsr_masks *p, const struct hsr_bounds *box,
-                   struct cell way[HSR_MASK_LEVELS]) {
+/* Cells on the way are cleared if they are to be. */
+bool HSR_OF_BUILD(hsr_masks_find)(struct hsr_masks *p, struct hsr_bounds box) {
+  struct hsr_mask_cell *way = p->way;
+  p->box = box;
   way[0] = root_of(p);
-  for (int k = 0;; k++) {
-    uint64_t in = subcells_of(&way[k], box);
-    bool finest = is_finest(p, &way[k]);
-    struct hsr_triage *mask = finest ? NULL : &p->coarse[k][way[k].number];
-    bool hidden = !(in & ~(finest ? p->finest[way[k].number] : mask->c));
+  for (p->n_way = 1;; p->n_way++, way++) {
+    uint64_t in = subcells_of(way, &box);
+    bool finest = is_finest(p, way);
+    struct hsr_triage *mask =
+        finest ? NULL : &p->coarse[way->level][way->number];
+    bool hidden = !(in & ~(finest ? p->finest[way->number] : mask->c));
     if (!hidden && (finest || in & (in - 1)))
-      return k + 1;
-    count_cell(p, &way[k]);
+      return true;
+    count_cell(p, way);
     if (hidden)
-      return 0;
-    way[k + 1] = subcell(&way[k], first_bit(in));
+      return false;
+    way[1] = subcell(way, first_bit(in));
     if (mask->v & in)
-      clear(p, &way[k + 1]);
+      clear(p, &way[1]);
   }
+}
+
+void HSR_OF_BUILD(hsr_masks_tile_found)(struct hsr_masks *p,
+                                        const struct hsr_mask_polygon *polygon,
+                                        const struct hsr_mask_sink *sink) {
+  struct task task = {p, polygon, sink, p->box};
+  int k = p->n_way - 1;
+  tile(&task, &p->way[k], p->all, polygon->n);
+  for (; k > 0; k--)
+    propagate(p, &p->way[k], &p->coarse[k - 1][p->way[k - 1].number]);
 }
 
 bool HSR_OF_BUILD(hsr_masks_tile)(struct hsr_masks *p,
                                   const struct hsr_mask_polygon *polygon,
                                   struct hsr_bounds box,
                                   const struct hsr_mask_sink *sink) {
-  struct task task = {p, polygon, sink, box};
-  struct cell way[HSR_MASK_LEVELS];
-  int k = descend(p, &box, way);
-  if (!k--)
+  if (!HSR_OF_BUILD(hsr_masks_find)(p, box))
     return false;
-  tile(&task, &way[k], p->all, polygon->n);
-  for (; k > 0; k--)
-    propagate(p, &way[k], &p->coarse[k - 1][way[k - 1].number]);
+  HSR_OF_BUILD(hsr_masks_tile_found)(p, polygon, sink);
   return true;
 }
 
@@ -607,15 +643,20 @@ void HSR_OF_BUILD(hsr_masks_tile_root)(struct hsr_masks *p,
                                        const struct hsr_mask_sink *sink) {
   const struct hsr_window *w = &p->window;
   struct task task = {p, polygon, sink, {w->x0, w->y0, w->x1, w->y1}};
-  struct cell root = root_of(p);
+  struct hsr_mask_cell root = root_of(p);
   tile(&task, &root, p->all, polygon->n);
 }
 
 bool HSR_OF_BUILD(hsr_masks_show)(struct hsr_masks *p,
                                   const struct hsr_mask_polygon *polygon,
                                   struct hsr_bounds box) {
-  struct task task = {p, polygon, NULL, box};
-  struct cell way[HSR_MASK_LEVELS];
-  int k = descend(p, &box, way);
-  return k && shows(&task, &way[k - 1], p->all, polygon->n);
+  if (!HSR_OF_BUILD(hsr_masks_find)(p, box))
+    return false;
+  return HSR_OF_BUILD(hsr_masks_show_found)(p, polygon);
+}
+
+bool HSR_OF_BUILD(hsr_masks_show_found)(
+    struct hsr_masks *p, const struct hsr_mask_polygon *polygon) {
+  struct task task = {p, polygon, NULL, p->box};
+  return shows(&task, &p->way[p->n_way - 1], p->all, polygon->n);
 }

@@ -231,12 +231,15 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   if (f->job->filtering)
     id = hsr_world_parent(f->job->world, id);
   HSR_OF_BUILD(hsr_canvas_face)(&f->canvas, id);
-  if (f->job->option[START] == START_ROOT)
-    HSR_OF_BUILD(hsr_masks_tile_root)
-  (&f->masks, &pieces->polygon, &f->sink);
-  else if (!HSR_OF_BUILD(hsr_masks_tile)(&f->masks, &pieces->polygon,
-                                         pieces->box, &f->sink))
-      HSR_COUNT(f->job->tally, PIECES_HIDDEN, 1);
+  if (f->job->option[START] == START_ROOT) {
+    HSR_OF_BUILD(hsr_pieces_outline)(pieces);
+    HSR_OF_BUILD(hsr_masks_tile_root)(&f->masks, &pieces->polygon, &f->sink);
+  } else if (HSR_OF_BUILD(hsr_masks_find)(&f->masks, pieces->box)) {
+    HSR_OF_BUILD(hsr_pieces_outline)(pieces);
+    HSR_OF_BUILD(hsr_masks_tile_found)(&f->masks, &pieces->polygon, &f->sink);
+  } else {
+    HSR_COUNT(f->job->tally, PIECES_HIDDEN, 1);
+  }
 }
 
 static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
