@@ -49,7 +49,9 @@ enum {
   HSR_TRANSPARENCY = 1 << 4, /* fills job->paint->rgb, if asked to */
   HSR_VISIBLE_ONLY = 1 << 5, /* of segments: all invisibility over 0 is 1 */
   HSR_INSTANCED = 1 << 6,    /* takes a world that is an outline, too */
-  HSR_FILTERS = 1 << 7       /* filters by itself, if asked to */
+  HSR_FILTERS = 1 << 7,      /* filters by itself, if asked to */
+  HSR_RATHER_LAID_OUT = 1 << 8 /* with HSR_INSTANCED: takes an outline only if
+                                  instances are apart (common/grove.h) */
 };
 
 /* A sort that the algorithm makes, as in figure 29b. */
@@ -120,10 +122,10 @@ struct hsr_job {
 
   const struct hsr_paint *paint; /* or NULL: ids only */
 
-  /* Answer instead of ids, if this is not NULL; of HSR_FILTERS only, which draw
-   * the whole picture then, in one job. `view` is that of the pixels. The sums
-   * of pixel (i, j) at sums[3 * (j * view->m + i)], 0 before the call; the
-   * background is added, too. */
+  /* Answer instead of ids, which are NULL then, if this is not NULL; of
+   * HSR_FILTERS only, which draw the whole picture then, in one job. `view` is
+   * that of the pixels. The sums of pixel (i, j) at sums[3 * (j * view->m +
+   * i)], 0 before the call; the background is added, too. */
   const struct hsr_filtering *filtering;
   uint32_t *sums;
 
@@ -168,10 +170,20 @@ struct hsr_algorithm {
   void (*release)(void *prepared); /* NULL if prepare is */
 };
 
-/* The standard choice; and the flags of an algorithm so chosen. */
+/* How many faces a scene may have to be laid out for an algorithm. */
+#define HSR_RATHER_MOST (1u << 22)
+static inline uint32_t hsr_most_laid_out(const struct hsr_algorithm *a) {
+  return !(a->flags & HSR_INSTANCED)      ? HSR_MOST_LAID_OUT
+         : a->flags & HSR_RATHER_LAID_OUT ? HSR_RATHER_MOST
+                                          : 0;
+}
+
+/* The standard choice; and the flags and the kind of an algorithm so chosen. */
 struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *algorithm);
 unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
                           const struct hsr_choice *choice);
+enum hsr_kind hsr_choice_kind(const struct hsr_algorithm *algorithm,
+                              const struct hsr_choice *choice);
 
 /* HSR_ALGORITHM(watkins) is the name of the descriptor of this build, and
  * HSR_OF_BUILD(hsr_scan_begin) that of a function which several share. A build

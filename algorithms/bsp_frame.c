@@ -78,8 +78,8 @@ enum hsr_status HSR_OF_BUILD(hsr_bsp_frame_begin)(struct hsr_bsp_frame *frame,
       .job = job, .bsp = &p->bsp, .most_corners = p->most_corners};
   if (hsr_screen_make(&frame->screen, job->world, job->view, arena, job->tally))
     return HSR_E_NOMEM;
-  frame->waiting =
-      HSR_NEW(arena, struct hsr_bsp_waiting, hsr_bsp_most_waiting(frame->bsp));
+  frame->waiting = HSR_NEW(arena, struct hsr_bsp_waiting,
+                           hsr_bsp_most_waiting(frame->bsp->most_depth));
   frame->placed = HSR_NEW_ZEROED(arena, bool, job->world->n_faces);
   frame->loose = HSR_NEW(arena, uint32_t, frame->screen.n_relevant);
   frame->columns = HSR_NEW(arena, int, (size_t)p->most_vertices + 4);

@@ -6,9 +6,10 @@
  * is as if P were off by u |d| more, and the bound is that of order.c, with
  * 2 u |d| added to the anchor's error.
  *
- * Median. x = at + S is rounded to X. Rounding keeps order: if E < X then E <
- * x, since x <= E would make X <= E; likewise E > X. If E = X, then E - x is
- * what was rounded off, the other way round: Knuth's two-sum has it exactly. */
+ * Median planes, and others across an axis. x = at + S is rounded to X.
+ * Rounding keeps order: if E < X then E < x, since x <= E would make X <= E;
+ * likewise E > X. If E = X, then E - x is what was rounded off, the other way
+ * round: Knuth's two-sum has it exactly. */
 #include "algorithms/bsp_walk.h"
 #include "common/octree.h"
 
@@ -25,10 +26,24 @@ static double sum_of_sizes(const double v[3]) {
 /* --- The eye's side ---------------------------------------------------------
  */
 
+static int side_of_median(const struct hsr_bsp_walk *walk, int axis,
+                          double at) {
+  double shift = walk->shift[axis], eye = walk->eye[axis];
+  double moved = at + shift;
+  if (eye != moved)
+    return eye > moved ? 1 : -1;
+  double part = moved - at;
+  double off = (at - (moved - part)) + (shift - part);
+  return (off < 0) - (off > 0);
+}
+
 static int side_of_plane(const struct hsr_bsp_walk *walk, uint32_t plane) {
   const struct hsr_world *world = walk->bsp->world;
   const double *E = walk->eye, *S = walk->shift;
   uint32_t f = walk->bsp->face_of[plane];
+  const struct hsr_bsp_level *level = &walk->bsp->level[plane];
+  if (level->front)
+    return level->front * side_of_median(walk, level->axis, level->at);
   const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
   const double d[3] = {E[0] - S[0], E[1] - S[1], E[2] - S[2]};
   const double r[3] = {d[0] - world->px[f], d[1] - world->py[f],
@@ -43,17 +58,6 @@ static int side_of_plane(const struct hsr_bsp_walk *walk, uint32_t plane) {
   walk->tally->exact[HSR_ASK_FACING]++;
   return hsr_exact_moved_plane_side(hsr_plane_loop(world, f), S, E,
                                     &walk->tally->out_of_memory);
-}
-
-static int side_of_median(const struct hsr_bsp_walk *walk, int axis,
-                          double at) {
-  double shift = walk->shift[axis], eye = walk->eye[axis];
-  double moved = at + shift;
-  if (eye != moved)
-    return eye > moved ? 1 : -1;
-  double part = moved - at;
-  double off = (at - (moved - part)) + (shift - part);
-  return (off < 0) - (off > 0);
 }
 
 /* --- Trees ------------------------------------------------------------------

@@ -49,8 +49,8 @@ struct hsr_bsp_walk {
 
 /* A node that is gone into, and what comes after it: two for each level of a
  * tree; and the one that is gone into next. */
-static inline size_t hsr_bsp_most_waiting(const struct hsr_bsp *bsp) {
-  return 2 * (size_t)bsp->most_depth + 1;
+static inline size_t hsr_bsp_most_waiting(uint32_t most_depth) {
+  return 2 * (size_t)most_depth + 1;
 }
 
 /* From the root. */

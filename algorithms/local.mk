@@ -44,6 +44,15 @@ algorithm_files = \
   %D%/schumacker.c \
   %D%/schumacker_newell.c \
   %D%/tiler.c \
+  %D%/tiling/canvas.c \
+  %D%/tiling/canvas.h \
+  %D%/tiling/loose.c \
+  %D%/tiling/loose.h \
+  %D%/tiling/masks.c \
+  %D%/tiling/masks.h \
+  %D%/tiling/polygon.c \
+  %D%/tiling/polygon.h \
+  %D%/tiling/tiling.c \
   %D%/tiler.h \
   %D%/warnock.c \
   %D%/warnock.h \

@@ -46,7 +46,8 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                     world->n_faces);
   enum hsr_status status = HSR_OK;
   for (const struct hsr_adapter *a = hsr_adapters; a->name && !status; a++)
-    if ((algorithm->restrictions & a->mends) == a->mends)
+    if (!hsr_is_outline(world) &&
+        (algorithm->restrictions & a->mends) == a->mends)
       status = apply(setup, a, err);
   if (status || !algorithm->prepare)
     return status;
@@ -78,7 +79,7 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
   enum hsr_status status = setup->algorithm->render(job, err);
   if (!status && job->tally->out_of_memory)
     status = hsr_fail_nomem(err);
-  if (!status && setup->world->pieces && setup->algorithm->kind == HSR_IDS)
+  if (!status && setup->world->pieces && job->ids)
     name_parents(setup->world->pieces, job);
   return status;
 }

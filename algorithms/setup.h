@@ -47,8 +47,8 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
 
 /* Renders job->view; the job's world, prepared object and paint are set
  * here. The ids
- * are those of the scene's faces; the edges of a drawing the algorithm names by
- * itself. HSR_E_NOMEM. */
+ * are those of the scene's faces; the edges of a drawing, and the faces that it
+ * filters, the algorithm names by itself. HSR_E_NOMEM. */
 enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
                                  struct hsr_job *job, struct hsr_error *err);
 

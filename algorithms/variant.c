@@ -15,6 +15,11 @@ unsigned hsr_choice_flags(const struct hsr_algorithm *a,
   return flags;
 }
 
+enum hsr_kind hsr_choice_kind(const struct hsr_algorithm *a,
+                              const struct hsr_choice *choice) {
+  return choice->filtering.filter ? HSR_FILTERED : a->kind;
+}
+
 struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *a) {
   struct hsr_choice choice = {.window = 0};
   for (int k = 0; a->options && a->options[k].name; k++)
@@ -94,6 +99,47 @@ static enum hsr_status choose_window(const struct hsr_algorithm *a,
   return HSR_OK;
 }
 
+static enum hsr_status choose_filter(const struct hsr_algorithm *a,
+                                     struct part value, const char *text,
+                                     struct hsr_choice *choice,
+                                     struct hsr_error *err) {
+  if (a->kind != HSR_IDS)
+    return hsr_fail(err, HSR_E_USAGE, "%s: %s draws nothing to filter", text,
+                    a->name);
+  if (is(value, "box"))
+    choice->filtering.filter = HSR_FILTER_BOX;
+  else if (is(value, "cosine"))
+    choice->filtering.filter = HSR_FILTER_COSINE;
+  else
+    return hsr_fail(err, HSR_E_USAGE, "%s: filter must be one of: box, cosine",
+                    text);
+  return HSR_OK;
+}
+
+static enum hsr_status choose_jitter(const struct hsr_algorithm *a,
+                                     struct part value, const char *text,
+                                     struct hsr_choice *choice,
+                                     struct hsr_error *err) {
+  long patterns;
+  (void)a;
+  if (!parse_number(value, &patterns) || patterns > HSR_MOST_PATTERNS)
+    return hsr_fail(err, HSR_E_USAGE, "%s: jitter must be 0 to %d", text,
+                    HSR_MOST_PATTERNS);
+  choice->filtering.patterns = (int)patterns;
+  return HSR_OK;
+}
+
+/* The options that all have, whose bits follow those of an algorithm's own. */
+enum { WINDOW, FILTER, JITTER, N_COMMON };
+static const struct {
+  const char *name;
+  enum hsr_status (*choose)(const struct hsr_algorithm *a, struct part value,
+                            const char *text, struct hsr_choice *choice,
+                            struct hsr_error *err);
+} common[] = {[WINDOW] = {"window", choose_window},
+              [FILTER] = {"filter", choose_filter},
+              [JITTER] = {"jitter", choose_jitter}};
+
 /* Notes that an option, by its bit, is chosen. */
 static enum hsr_status note(unsigned bit, struct part name, const char *text,
                             unsigned *chosen, struct hsr_error *err) {
@@ -109,10 +155,12 @@ static enum hsr_status choose(const struct hsr_algorithm *a, struct part name,
                               struct part value, const char *text,
                               unsigned *chosen, struct hsr_choice *choice,
                               struct hsr_error *err) {
-  if (is(name, "window")) {
+  for (int k = 0; k < N_COMMON; k++) {
+    if (!is(name, common[k].name))
+      continue;
     enum hsr_status status =
-        note(1u << HSR_MAX_OPTIONS, name, text, chosen, err);
-    return status ? status : choose_window(a, value, text, choice, err);
+        note(1u << (HSR_MAX_OPTIONS + k), name, text, chosen, err);
+    return status ? status : common[k].choose(a, value, text, choice, err);
   }
   for (int k = 0; a->options && a->options[k].name; k++) {
     const struct hsr_option *option = &a->options[k];
@@ -128,6 +176,25 @@ static enum hsr_status choose(const struct hsr_algorithm *a, struct part name,
   return hsr_fail(err, HSR_E_USAGE,
                   "%s: %s has no option '%.*s' (see hsr list)", text, a->name,
                   (int)name.n, name.text);
+}
+
+/* What does not go together. */
+static enum hsr_status check(const struct hsr_algorithm *a,
+                             const struct hsr_choice *choice, unsigned chosen,
+                             const char *text, struct hsr_error *err) {
+  bool filtered = hsr_choice_kind(a, choice) == HSR_FILTERED;
+  if (choice->window && filtered)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%s: a filtered picture is drawn as a whole; no windows",
+                    text);
+  if (choice->window && hsr_choice_flags(a, choice) & HSR_FRAME_STATE)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%s: what is kept from frame to frame is of the whole "
+                    "picture; no windows",
+                    text);
+  if (chosen >> HSR_MAX_OPTIONS & 1u << JITTER && !filtered)
+    return hsr_fail(err, HSR_E_USAGE, "%s: jitter needs a filter", text);
+  return HSR_OK;
 }
 
 enum hsr_status hsr_variant_parse(const char *text, struct hsr_variant *variant,
@@ -156,11 +223,5 @@ enum hsr_status hsr_variant_parse(const char *text, struct hsr_variant *variant,
     if (status)
       return status;
   }
-  if (variant->choice.window &&
-      hsr_choice_flags(listed->plain, &variant->choice) & HSR_FRAME_STATE)
-    return hsr_fail(err, HSR_E_USAGE,
-                    "%s: what is kept from frame to frame is of the whole "
-                    "picture; no windows",
-                    text);
-  return HSR_OK;
+  return check(listed->plain, &variant->choice, chosen, text, err);
 }

@@ -5,7 +5,8 @@
  *
  * The options are those of the algorithm's descriptor and, of every algorithm
  * that draws faces, `window`: the picture is drawn in squares of so many
- * samples, each a job of its own. */
+ * samples, each a job of its own; or `filter` and `jitter`: what is drawn is
+ * the filtered picture, zbuffer:filter=box:jitter=4. */
 #ifndef HSR_ALGORITHMS_VARIANT_H
 #define HSR_ALGORITHMS_VARIANT_H
 
@@ -24,7 +25,8 @@ struct hsr_variant {
 };
 
 /* HSR_E_USAGE: no such algorithm, option or value; an option twice; a window of
- * what cannot be drawn in parts; the text is too long. */
+ * what cannot be drawn in parts; jitter without a filter; the text is too long.
+ */
 enum hsr_status hsr_variant_parse(const char *text, struct hsr_variant *variant,
                                   struct hsr_error *err);
 

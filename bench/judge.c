@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How hsr check judges: first the oracle draws, then each algorithm of its
- * kind, in a process of its own, so that one that crashes or takes too long
+/* How hsr check judges: first the oracle draws, then each algorithm of like
+ * output, in a process of its own, so that one that crashes or takes too long
  * harms nothing. Both builds of an algorithm are judged, the counting one too.
  *
  * Samples, where not all are compared, are drawn by the selection sampling
  * technique of Knuth, The Art of Computer Programming, volume 2, 3.4.2,
  * algorithm S. */
 #include "bench/judge.h"
+#include "bench/judge_filtered.h"
 #include "bench/terminate.h"
 
+#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +32,19 @@ void *shared_memory(size_t size) {
   return memory == MAP_FAILED ? NULL : memory;
 }
 
+struct output output_of(const struct hsr_algorithm *a,
+                        const struct hsr_choice *choice) {
+  return (struct output){hsr_choice_kind(a, choice), choice->filtering};
+}
+
+bool is_same_output(struct output a, struct output b) {
+  return a.kind == b.kind && a.filtering.filter == b.filtering.filter &&
+         a.filtering.patterns == b.filtering.patterns;
+}
+
 const struct hsr_algorithm *oracle_of(enum hsr_kind kind) {
+  if (kind == HSR_FILTERED)
+    kind = HSR_IDS;
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
     if (a->plain->kind == kind && a->plain->flags & HSR_JUDGE)
       return a->plain;
@@ -48,11 +62,15 @@ struct wanted {
   size_t n;         /* how many */
 };
 
-long samples_to_compare(const struct hsr_world *world, long wanted) {
+/* So many pixels as have about so many sub-samples. */
+long samples_to_compare(const struct hsr_world *world, enum hsr_kind kind,
+                        long wanted) {
   if (wanted)
     return wanted;
-  bool many = hsr_is_outline(world) && world->n_faces > HSR_MOST_LAID_OUT;
-  return many ? SAMPLES_OF_MANY_FACES : 0;
+  if (!hsr_is_outline(world) || world->n_faces <= HSR_MOST_LAID_OUT)
+    return 0;
+  return kind == HSR_FILTERED ? SAMPLES_OF_MANY_FACES / (HSR_SUB * HSR_SUB)
+                              : SAMPLES_OF_MANY_FACES;
 }
 
 /* The same ones for all algorithms: chosen by the view's number and size. */
@@ -62,7 +80,7 @@ static enum hsr_status choose_samples(const struct group *g, int k,
   const struct hsr_view *view = &g->view[k];
   size_t all = (size_t)view->m * (size_t)view->n, n = (size_t)g->samples;
   wanted->n = all;
-  if (!n || n >= all || g->kind != HSR_IDS)
+  if (!n || n >= all || g->output.kind == HSR_SEGMENTS)
     return HSR_OK;
   wanted->sample = malloc(n * sizeof *wanted->sample);
   if (!wanted->sample)
@@ -97,13 +115,35 @@ static enum hsr_status ask_samples(const struct hsr_setup *oracle,
 
 /* An answer that shows what was not written. */
 static enum hsr_status clean_answer(struct answer *answer,
-                                    const struct hsr_algorithm *a,
+                                    const struct hsr_setup *setup,
                                     const struct hsr_view *view,
                                     struct hsr_error *err) {
-  enum hsr_status status = answer_init(answer, a, view, err);
+  enum hsr_status status =
+      answer_init(answer, setup->algorithm, &setup->choice, view, err);
   if (!status && answer->ids)
     memset(answer->ids, 0xfe,
            (size_t)view->m * (size_t)view->n * sizeof *answer->ids);
+  return status;
+}
+
+/* The pixels, and what the sub-samples that reach them add up to. */
+static enum hsr_status ask_pixels(const struct hsr_setup *oracle,
+                                  const struct hsr_filtering *filtering,
+                                  const struct hsr_view *view,
+                                  struct wanted *wanted,
+                                  struct hsr_error *err) {
+  size_t n = (size_t)view->m * (size_t)view->n;
+  bool *chosen = wanted->sample ? calloc(n, sizeof *chosen) : NULL;
+  wanted->answer.sums = malloc(3 * n * sizeof *wanted->answer.sums);
+  enum hsr_status status = wanted->answer.sums && (chosen || !wanted->sample)
+                               ? HSR_OK
+                               : hsr_fail_nomem(err);
+  for (size_t k = 0; k < wanted->n && chosen; k++)
+    chosen[wanted->sample[k]] = true;
+  if (!status)
+    status =
+        judge_sums(oracle, filtering, view, chosen, wanted->answer.sums, err);
+  free(chosen);
   return status;
 }
 
@@ -113,8 +153,10 @@ static enum hsr_status ask_view(const struct group *g,
   struct hsr_tally tally = {.out_of_memory = false};
   const struct hsr_view *view = &g->view[k];
   enum hsr_status status = choose_samples(g, k, wanted, err);
+  if (!status && g->output.kind == HSR_FILTERED)
+    return ask_pixels(oracle, &g->output.filtering, view, wanted, err);
   if (!status)
-    status = clean_answer(&wanted->answer, oracle->algorithm, view, err);
+    status = clean_answer(&wanted->answer, oracle, view, err);
   if (status)
     return status;
   return wanted->sample
@@ -160,6 +202,21 @@ static void compare_ids(const struct hsr_view *view, const uint32_t *got,
   }
 }
 
+static void compare_sums(const struct hsr_view *view, const uint32_t *got,
+                         const struct wanted *wanted, struct cell *cell) {
+  cell->compared = wanted->n;
+  for (size_t k = 0; k < wanted->n; k++) {
+    size_t s = wanted->sample ? wanted->sample[k] : k;
+    const uint32_t *right = wanted->answer.sums + 3 * s;
+    if (memcmp(got + 3 * s, right, 3 * sizeof *got) && !cell->mismatches++) {
+      cell->first.i = (int)(s % (size_t)view->m);
+      cell->first.j = (int)(s / (size_t)view->m);
+      memcpy(cell->first.sums, got + 3 * s, sizeof cell->first.sums);
+      memcpy(cell->first.wanted_sums, right, sizeof cell->first.wanted_sums);
+    }
+  }
+}
+
 static void compare_drawings(const struct hsr_drawing *got,
                              const struct hsr_drawing *wanted,
                              bool visible_only, struct cell *cell) {
@@ -174,9 +231,11 @@ static void compare_drawings(const struct hsr_drawing *got,
 static void compare(const struct group *g, const struct hsr_algorithm *a, int k,
                     const struct answer *got, const struct wanted *wanted,
                     struct cell *cell) {
-  if (g->kind == HSR_SEGMENTS)
+  if (g->output.kind == HSR_SEGMENTS)
     compare_drawings(&got->drawing, &wanted->answer.drawing,
                      a->flags & HSR_VISIBLE_ONLY, cell);
+  else if (g->output.kind == HSR_FILTERED)
+    compare_sums(&g->view[k], got->sums, wanted, cell);
   else
     compare_ids(&g->view[k], got->ids, wanted, cell);
 }
@@ -192,23 +251,32 @@ static struct cell *cell_of(const struct group *g, int view, int number) {
 static enum hsr_status judge_view(const struct group *g,
                                   const struct hsr_setup *setup, int k,
                                   long threads, const struct wanted *wanted,
-                                  struct cell *cell) {
+                                  struct cell *cell, struct hsr_error *err) {
   const struct hsr_algorithm *a = setup->algorithm;
   struct hsr_tally tally = {.out_of_memory = false};
   struct answer got;
-  enum hsr_status status = clean_answer(&got, a, &g->view[k], NULL);
+  enum hsr_status status = clean_answer(&got, setup, &g->view[k], err);
   if (!status)
-    status = render_view(setup, &g->view[k], threads, &got, &tally, NULL, NULL);
+    status = render_view(setup, &g->view[k], threads, &got, &tally, NULL, err);
   if (!status && !(a->flags & HSR_NO_PICTURE))
     compare(g, a, k, &got, wanted, cell);
   memcpy(cell->count, tally.count, sizeof cell->count);
-  if (g->kind == HSR_IDS) { /* at samples; told by the counting build */
+  if (g->output.kind != HSR_SEGMENTS) { /* at samples; told by the counting
+                                           build */
     cell->depths_compared = tally.depths_compared;
     cell->depths_exact = tally.exact[HSR_ASK_DEPTH];
   }
   cell->builds += !status;
   answer_free(&got);
   return status;
+}
+
+static void note_refusal(const struct group *g, int number, const char *why) {
+  for (int k = 0; k < g->n_views; k++) {
+    struct cell *cell = cell_of(g, k, number);
+    snprintf(cell->refusal, sizeof cell->refusal, "refused by %s: %s",
+             g->algorithm[number].listed->plain->name, why);
+  }
 }
 
 /* All views, in order, by one prepared object. In a process of its own. */
@@ -225,15 +293,14 @@ static enum hsr_status judge(const struct group *g, int number,
     cell->n_adaptations = setup.n_adaptations;
     for (int i = 0; i < setup.n_adaptations; i++)
       cell->adapted[i] = setup.adaptation[i].name; /* lasts: it is a constant */
-    if (status == HSR_E_REFUSED)
-      snprintf(cell->refusal, sizeof cell->refusal, "refused by %s: %s",
-               a->name, err.text);
   }
   for (int k = 0; k < g->n_views && !status; k++) {
-    status =
-        judge_view(g, &setup, k, threads, &wanted[k], cell_of(g, k, number));
+    status = judge_view(g, &setup, k, threads, &wanted[k],
+                        cell_of(g, k, number), &err);
     alarm((unsigned)g->timeout);
   }
+  if (status == HSR_E_REFUSED)
+    note_refusal(g, number, err.text);
   hsr_setup_free(&setup);
   alarm(0);
   return status;
@@ -244,8 +311,11 @@ static enum hsr_status judge(const struct group *g, int number,
 static bool is_too_much(const struct group *g, const struct hsr_algorithm *a) {
   if (!a->expense || (hsr_is_outline(g->world) && !(a->flags & HSR_INSTANCED)))
     return false;
+  double pictures = 1;
+  if (g->output.kind == HSR_FILTERED)
+    pictures = HSR_SUB * HSR_SUB * fmax(1, g->output.filtering.patterns);
   for (int k = 0; k < g->n_views; k++)
-    if (a->expense(g->world, &g->view[k]) > 5e8 * (double)g->timeout)
+    if (pictures * a->expense(g->world, &g->view[k]) > 5e8 * (double)g->timeout)
       return true;
   return false;
 }
@@ -331,7 +401,7 @@ static void judge_apart(const struct group *g, int number,
 static bool is_judged(const struct group *g, int number) {
   const struct hsr_variant *v = &g->algorithm[number];
   const struct hsr_algorithm *a = v->listed->plain;
-  return a->kind == g->kind &&
+  return is_same_output(output_of(a, &v->choice), g->output) &&
          (hsr_choice_flags(a, &v->choice) & g->mask) == g->flags;
 }
 
@@ -353,7 +423,7 @@ static enum hsr_status ask_in_time(const struct group *g,
                                    const struct hsr_algorithm *oracle,
                                    struct wanted *wanted,
                                    struct hsr_error *err) {
-  if (g->kind != HSR_SEGMENTS)
+  if (g->output.kind != HSR_SEGMENTS)
     return ask_oracle(g, oracle, wanted, err);
   char why[100];
   snprintf(why, sizeof why, "%s takes more than %ld s", oracle->name,
@@ -369,7 +439,7 @@ static enum hsr_status ask_in_time(const struct group *g,
 }
 
 enum hsr_status judge_group(const struct group *g) {
-  const struct hsr_algorithm *oracle = oracle_of(g->kind);
+  const struct hsr_algorithm *oracle = oracle_of(g->output.kind);
   struct hsr_error err;
   struct wanted *wanted = calloc((size_t)g->n_views, sizeof *wanted);
   enum hsr_status status =

@@ -142,7 +142,11 @@ static void print_option(const struct hsr_option *o) {
 static void print_options(void) {
   puts("\nOptions, as in zbuffer:window=64:\n"
        "  all that draw ids\n"
-       "    window=N  in squares of N x N samples, each a job of its own");
+       "    window=N  in squares of N x N samples, each a job of its own\n"
+       "    filter=F  the filtered picture of 8 x 8 samples a pixel: box or "
+       "cosine\n"
+       "    jitter=N  with filter: the samples jittered in N patterns, 0 to 16 "
+       "(standard: 0)");
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
     if (a->plain->options)
       printf("  %s\n", a->plain->name);

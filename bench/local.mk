@@ -14,6 +14,8 @@ libbench_a_SOURCES = \
   %D%/json.h \
   %D%/judge.c \
   %D%/judge.h \
+  %D%/judge_filtered.c \
+  %D%/judge_filtered.h \
   %D%/lines.c \
   %D%/lines.h \
   %D%/list.c \

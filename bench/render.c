@@ -19,9 +19,10 @@ struct options {
   const char *work;
   enum hsr_shading shading;
   enum hsr_hidden hidden;
-  double crease;                   /* degrees; negative: all edges */
-  const char *of_faces, *of_lines; /* an option that was given and is only for
-                                      pictures of faces, or of lines */
+  double crease; /* degrees; negative: all edges */
+  /* An option that was given and is only for pictures of faces, for those of
+   * samples that are not filtered, or for line drawings. */
+  const char *of_faces, *of_samples, *of_lines;
   long threads, supersamples;
   struct hsr_import import;
 };
@@ -43,12 +44,12 @@ static error_t parse_face_option(struct options *o, int key, char *arg) {
   int shading;
   switch (key) {
   case 'S':
-    o->of_faces = "--supersample";
+    o->of_faces = o->of_samples = "--supersample";
     if (!parse_count(arg, 1, 16, &o->supersamples))
       return option_fail(&o->base, "--supersample %s: must be 1 to 16", arg);
     return 0;
   case SHADE:
-    o->of_faces = "--shade";
+    o->of_faces = o->of_samples = "--shade";
     shading = choose_word(arg, shadings);
     if (shading < 0)
       return option_fail(&o->base, "--shade %s: must be lambert, flat or ids",
@@ -137,9 +138,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static const struct argp_option render_options[] = {
     {"algorithm", 'a', "NAME", 0, "the algorithm (standard: zbuffer)", 0},
     {"output", 'o', "FILE", 0,
-     "write the picture, by suffix: .exr holds R G B, depth Z and face id; "
-     ".png "
-     "and others the colours; .svg, .pdf and, in world space, .vtp hold a line "
+     "write the picture, by suffix: .exr holds R G B and, unless it is "
+     "filtered, depth Z and face id; .png and others the colours; .svg, .pdf "
+     "and, in world space, .vtp hold a line "
      "drawing. May be given several times",
      0},
     {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
@@ -151,7 +152,7 @@ static const struct argp_option render_options[] = {
     {NULL, 0, NULL, 0, "Where the algorithm draws faces:", 2},
     {"work", WORK, "FILE", 0,
      "write the work picture: how often each sample was touched (runs the "
-     "counting build)",
+     "counting build); filtered, only where the algorithm filters itself",
      2},
     {"shade", SHADE, "HOW", 0, "lambert (standard), flat, or ids", 2},
     {"supersample", 'S', "N", 0,
@@ -180,6 +181,7 @@ static const struct argp argp = {
     "  hsr render house -a watkins -o house.png\n"
     "  hsr render mesh:elephant -a zbuffer -s 1024x1024 -o elephant.exr\n"
     "  hsr render harbor -a watkins --work work.png\n"
+    "  hsr render house -a zbuffer:filter=cosine:jitter=4 -o house.png\n"
     "  hsr render house -a line-oracle --hidden dashed -o house.svg",
     NULL,
     NULL,
@@ -191,7 +193,8 @@ struct render {
   struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_setup setup;
-  struct hsr_view view; /* of the samples */
+  struct hsr_view view; /* of the samples; of filtered ones, of the pixels */
+  enum hsr_kind kind;
   struct answer answer;
   float *depth, *rgb, *face_rgb, *work;
   struct hsr_paint paint; /* of an algorithm that draws transparency */
@@ -199,7 +202,7 @@ struct render {
   double import, build, draw, shade, write; /* seconds */
 };
 
-static enum hsr_status open_scene(struct render *r, bool lay_out,
+static enum hsr_status open_scene(struct render *r, uint32_t most,
                                   struct hsr_error *err) {
   const struct options *o = r->options;
   double begin = seconds_now();
@@ -219,7 +222,7 @@ static enum hsr_status open_scene(struct render *r, bool lay_out,
     status = hsr_view_init(&r->view, &camera, o->view.m * (int)o->supersamples,
                            o->view.n * (int)o->supersamples, err);
   if (!status)
-    status = hsr_world_open(&r->world, r->scene, lay_out, err);
+    status = hsr_world_open(&r->world, r->scene, most, err);
   r->build = seconds_now() - begin;
   return status;
 }
@@ -254,7 +257,7 @@ static enum hsr_status ask_for_colours(struct render *r,
 static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
                             const struct hsr_choice *choice,
                             struct hsr_error *err) {
-  enum hsr_status status = answer_init(&r->answer, a, &r->view, err);
+  enum hsr_status status = answer_init(&r->answer, a, choice, &r->view, err);
   if (status)
     return status;
   if (r->options->work) {
@@ -266,12 +269,24 @@ static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
     r->tally.work_stride = (size_t)r->view.m;
   }
   status = hsr_setup_init(&r->setup, a, choice, &r->world, err);
-  if (!status && a->flags & HSR_TRANSPARENCY && is_transparent(r->scene))
+  if (!status && r->kind == HSR_IDS && a->flags & HSR_TRANSPARENCY &&
+      is_transparent(r->scene))
     status = ask_for_colours(r, err);
   if (!status)
     status = render_view(&r->setup, &r->view, r->options->threads, &r->answer,
                          &r->tally, &r->draw, err);
   return status;
+}
+
+static enum hsr_status shade_filtered(struct render *r, struct hsr_error *err) {
+  double begin = seconds_now();
+  r->rgb = malloc(3 * (size_t)r->view.m * (size_t)r->view.n * sizeof *r->rgb);
+  if (!r->rgb)
+    return hsr_fail_nomem(err);
+  hsr_filter_finish(&r->setup.choice.filtering, r->view.m, r->view.n,
+                    r->answer.sums, r->rgb);
+  r->shade = seconds_now() - begin;
+  return HSR_OK;
 }
 
 static enum hsr_status shade(struct render *r, struct hsr_error *err) {
@@ -349,7 +364,7 @@ static enum hsr_status write_outputs(struct render *r,
   snprintf(text, sizeof text, "Software=hsr\nScene=%s\nAlgorithm=%s\n",
            r->options->scene, a->name);
   enum hsr_status status = HSR_OK;
-  if (a->kind != HSR_SEGMENTS)
+  if (r->kind != HSR_SEGMENTS)
     status = write_faces(r, text, err);
   else if (r->options->n_outputs)
     status = write_drawing(r, a, text, err);
@@ -364,13 +379,24 @@ static void print_faces(const struct render *r) {
   printf("%.1f %% covered\n", 100.0 * (double)covered / (double)n);
 }
 
+static void print_filtered(const struct hsr_filtering *filtering) {
+  printf("%d x %d samples a pixel, %s", HSR_SUB, HSR_SUB,
+         filtering->filter == HSR_FILTER_BOX ? "box" : "cosine");
+  if (filtering->patterns)
+    printf(", jittered in %d patterns", filtering->patterns);
+  putchar('\n');
+}
+
 static void print_report(const struct render *r,
                          const struct hsr_algorithm *a) {
-  printf("%s, view %ld, %d x %d samples, %u faces, by %s: ", r->options->scene,
-         r->options->view.view, r->view.m, r->view.n, r->world.n_faces,
+  printf("%s, view %ld, %d x %d %s, %u faces, by %s: ", r->options->scene,
+         r->options->view.view, r->view.m, r->view.n,
+         r->kind == HSR_FILTERED ? "pixels" : "samples", r->world.n_faces,
          a->name);
-  if (a->kind == HSR_SEGMENTS)
+  if (r->kind == HSR_SEGMENTS)
     print_lines(&r->answer.drawing, &r->view);
+  else if (r->kind == HSR_FILTERED)
+    print_filtered(&r->setup.choice.filtering);
   else
     print_faces(r);
   for (int k = 0; k < r->setup.n_adaptations; k++) {
@@ -392,9 +418,19 @@ static void print_report(const struct render *r,
 
 /* Whether what was asked for goes with what the algorithm draws. */
 static enum hsr_status check_kind(const struct options *o,
-                                  const struct hsr_algorithm *a,
+                                  const struct hsr_variant *variant,
                                   struct hsr_error *err) {
-  bool lines = a->kind == HSR_SEGMENTS;
+  const struct hsr_algorithm *a = variant->listed->plain;
+  enum hsr_kind kind = hsr_choice_kind(a, &variant->choice);
+  bool lines = kind == HSR_SEGMENTS;
+  if (kind == HSR_FILTERED && o->of_samples)
+    return hsr_fail(err, HSR_E_USAGE, "%s is for samples; %s is filtered",
+                    o->of_samples, variant->name);
+  if (kind == HSR_FILTERED && o->work && !(a->flags & HSR_FILTERS))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--work is for samples; those of %s are filtered only when "
+                    "all are drawn",
+                    variant->name);
   if (lines && o->of_faces)
     return hsr_fail(err, HSR_E_USAGE,
                     "%s is for pictures of faces; %s draws lines", o->of_faces,
@@ -411,10 +447,11 @@ static enum hsr_status check_kind(const struct options *o,
 }
 
 /* What there is to do between drawing and writing. */
-static enum hsr_status finish(struct render *r, const struct hsr_algorithm *a,
-                              struct hsr_error *err) {
+static enum hsr_status finish(struct render *r, struct hsr_error *err) {
   const struct options *o = r->options;
-  if (a->kind != HSR_SEGMENTS)
+  if (r->kind == HSR_FILTERED)
+    return o->n_outputs ? shade_filtered(r, err) : HSR_OK;
+  if (r->kind == HSR_IDS)
     return o->n_outputs || o->work ? shade(r, err) : HSR_OK;
   if (o->crease < 0)
     return HSR_OK;
@@ -434,18 +471,19 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   struct hsr_variant variant;
   status = hsr_variant_parse(options.algorithm, &variant, err);
   if (!status)
-    status = check_kind(&options, variant.listed->plain, err);
+    status = check_kind(&options, &variant, err);
   if (status)
     return status;
   const struct hsr_algorithm *a =
       options.work ? variant.listed->counting : variant.listed->plain;
 
-  struct render r = {.options = &options};
-  status = open_scene(&r, !(a->flags & HSR_INSTANCED), err);
+  struct render r = {.options = &options,
+                     .kind = hsr_choice_kind(a, &variant.choice)};
+  status = open_scene(&r, hsr_most_laid_out(a), err);
   if (!status)
     status = draw(&r, a, &variant.choice, err);
   if (!status)
-    status = finish(&r, a, err);
+    status = finish(&r, err);
   if (!status)
     status = write_outputs(&r, a, err);
   if (!status)

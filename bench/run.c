@@ -25,31 +25,72 @@ long processors(void) {
   return 1;
 }
 
+/* The ids of n samples of an empty scene; NULL for lack of memory. */
+static uint32_t *background(size_t n) {
+  uint32_t *ids = malloc(n * sizeof *ids);
+  for (size_t k = 0; ids && k < n; k++)
+    ids[k] = HSR_BACKGROUND;
+  return ids;
+}
+
+static enum hsr_status init_filtered(struct answer *answer,
+                                     const struct hsr_algorithm *algorithm,
+                                     const struct hsr_filtering *filtering,
+                                     const struct hsr_view *view,
+                                     struct hsr_error *err) {
+  size_t n = (size_t)view->m * (size_t)view->n;
+  bool jittered = filtering->patterns, filters = algorithm->flags & HSR_FILTERS;
+  if (!jittered && !filters &&
+      (view->m > HSR_MAX_SIZE / HSR_SUB || view->n > HSR_MAX_SIZE / HSR_SUB))
+    return hsr_fail(err, HSR_E_REFUSED,
+                    "%d x %d pixels of %d x %d samples, without jitter: each "
+                    "side must be 1 to %d",
+                    view->m, view->n, HSR_SUB, HSR_SUB, HSR_MAX_SIZE / HSR_SUB);
+  answer->sums = calloc(3 * n, sizeof *answer->sums);
+  if (!filters)
+    answer->sub_samples = background(jittered ? n : HSR_SUB * HSR_SUB * n);
+  return answer->sums && (filters || answer->sub_samples) ? HSR_OK
+                                                          : hsr_fail_nomem(err);
+}
+
 enum hsr_status answer_init(struct answer *answer,
                             const struct hsr_algorithm *algorithm,
+                            const struct hsr_choice *choice,
                             const struct hsr_view *view,
                             struct hsr_error *err) {
+  struct hsr_choice standard = hsr_choice_standard(algorithm);
+  if (!choice)
+    choice = &standard;
   *answer = (struct answer){.ids = NULL};
-  if (algorithm->kind != HSR_IDS)
+  switch (hsr_choice_kind(algorithm, choice)) {
+  case HSR_SEGMENTS:
     return HSR_OK;
-  size_t size = (size_t)view->m * (size_t)view->n * sizeof *answer->ids;
-  answer->ids = malloc(size);
-  if (!answer->ids)
-    return hsr_fail_nomem(err);
-  memset(answer->ids, 0xff, size); /* HSR_BACKGROUND */
-  return HSR_OK;
+  case HSR_IDS:
+    answer->ids = background((size_t)view->m * (size_t)view->n);
+    return answer->ids ? HSR_OK : hsr_fail_nomem(err);
+  default:
+    return init_filtered(answer, algorithm, &choice->filtering, view, err);
+  }
 }
 
 void answer_free(struct answer *answer) {
   free(answer->ids);
+  free(answer->sums);
+  free(answer->sub_samples);
   hsr_drawing_free(&answer->drawing);
 }
 
+/* Who draws, and into what. */
+struct task {
+  const struct hsr_setup *setup;
+  uint32_t *ids, *sums;
+  struct hsr_drawing *drawing;
+};
+
 /* The picture in parts, bands of rows or squares, taken by whoever is free. */
 struct parts {
-  const struct hsr_setup *setup;
+  const struct task *task;
   const struct hsr_view *view;
-  struct answer *answer;
   int width, height, across, all;
   atomic_int next;
 };
@@ -103,16 +144,20 @@ static struct hsr_view view_of_part(const struct parts *parts, int k) {
 static void *work(void *argument) {
   struct worker *worker = argument;
   struct parts *parts = worker->parts;
+  const struct task *task = parts->task;
   for (int k; (k = atomic_fetch_add(&parts->next, 1)) < parts->all;) {
     struct hsr_view view = view_of_part(parts, k);
     hsr_arena_reset(&worker->scratch);
     struct hsr_job job = {.view = &view,
                           .scratch = &worker->scratch,
                           .tally = &worker->tally,
-                          .ids = parts->answer->ids,
+                          .ids = task->ids,
                           .ids_stride = (size_t)view.m,
-                          .drawing = &parts->answer->drawing};
-    worker->status = hsr_setup_render(parts->setup, &job, &worker->err);
+                          .sums = task->sums,
+                          .drawing = task->drawing};
+    if (task->sums)
+      job.filtering = &task->setup->choice.filtering;
+    worker->status = hsr_setup_render(task->setup, &job, &worker->err);
     if (worker->status)
       break;
   }
@@ -136,7 +181,7 @@ static void start(struct worker *worker, struct parts *parts,
 static void divide(struct parts *parts, long threads) {
   const struct hsr_window *w = &parts->view->window;
   int columns = w->x1 - w->x0, rows = w->y1 - w->y0;
-  int window = (int)parts->setup->choice.window;
+  int window = (int)parts->task->setup->choice.window;
   parts->width = window ? window : columns;
   parts->height = window        ? window
                   : threads > 1 ? rows / (int)(4 * threads) + 1
@@ -145,14 +190,12 @@ static void divide(struct parts *parts, long threads) {
   parts->all = parts->across * ((rows + parts->height - 1) / parts->height);
 }
 
-enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
-                            const struct hsr_view *view, struct answer *answer,
+static enum hsr_status draw(struct crew *crew, const struct task *task,
+                            const struct hsr_view *view,
                             struct hsr_tally *tally, struct hsr_error *err) {
-  bool whole =
-      setup->flags & HSR_FRAME_STATE || setup->algorithm->kind == HSR_SEGMENTS;
+  bool whole = task->setup->flags & HSR_FRAME_STATE || !task->ids;
   long threads = whole ? 1 : crew->n;
-  hsr_drawing_clear(&answer->drawing);
-  struct parts parts = {.setup = setup, .view = view, .answer = answer};
+  struct parts parts = {.task = task, .view = view};
   divide(&parts, threads);
   for (long k = 0; k < threads; k++)
     start(&crew->worker[k], &parts, tally, k > 0);
@@ -170,6 +213,74 @@ enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
     hsr_tally_add(tally, &worker->tally);
   }
   return status;
+}
+
+/* --- Filtered --------------------------------------------------------------
+ */
+
+/* One picture of 8 m x 8 n samples. */
+static enum hsr_status filter_fine(struct crew *crew, const struct task *task,
+                                   const struct hsr_view *pixels,
+                                   const struct hsr_kernel *kernel,
+                                   uint32_t *sums, struct hsr_tally *tally,
+                                   struct hsr_error *err) {
+  struct hsr_view fine;
+  enum hsr_status status = hsr_view_init(
+      &fine, &pixels->camera, HSR_SUB * pixels->m, HSR_SUB * pixels->n, err);
+  if (!status)
+    status = draw(crew, task, &fine, tally, err);
+  if (!status)
+    hsr_filter_add_picture(kernel, task->setup->world, pixels, task->ids, sums);
+  return status;
+}
+
+/* A picture of m x n samples for each pattern and sub-sample. */
+static enum hsr_status filter_jittered(struct crew *crew,
+                                       const struct task *task,
+                                       const struct hsr_view *pixels,
+                                       const struct hsr_kernel *kernel,
+                                       uint32_t *sums, struct hsr_tally *tally,
+                                       struct hsr_error *err) {
+  const struct hsr_filtering *filtering = &task->setup->choice.filtering;
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < filtering->patterns * HSR_SUB * HSR_SUB && !status; k++) {
+    int pattern = k / (HSR_SUB * HSR_SUB), bit = k % (HSR_SUB * HSR_SUB);
+    struct hsr_view view = hsr_subsample_view(pixels, pattern, bit);
+    status = draw(crew, task, &view, tally, err);
+    if (!status)
+      hsr_filter_add_subsample(kernel, filtering, task->setup->world, pixels,
+                               pattern, bit, task->ids, sums);
+  }
+  return status;
+}
+
+static enum hsr_status filter(struct crew *crew, const struct hsr_setup *setup,
+                              const struct hsr_view *view,
+                              struct answer *answer, struct hsr_tally *tally,
+                              struct hsr_error *err) {
+  uint32_t *sums = answer->sums;
+  memset(sums, 0, 3 * (size_t)view->m * (size_t)view->n * sizeof *sums);
+  struct task task = {.setup = setup, .ids = answer->sub_samples};
+  if (!task.ids) {
+    task.sums = sums;
+    return draw(crew, &task, view, tally, err);
+  }
+  struct hsr_kernel kernel;
+  hsr_kernel_init(&kernel, setup->choice.filtering.filter);
+  return setup->choice.filtering.patterns
+             ? filter_jittered(crew, &task, view, &kernel, sums, tally, err)
+             : filter_fine(crew, &task, view, &kernel, sums, tally, err);
+}
+
+enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
+                            const struct hsr_view *view, struct answer *answer,
+                            struct hsr_tally *tally, struct hsr_error *err) {
+  if (answer->sums)
+    return filter(crew, setup, view, answer, tally, err);
+  struct task task = {
+      .setup = setup, .ids = answer->ids, .drawing = &answer->drawing};
+  hsr_drawing_clear(&answer->drawing);
+  return draw(crew, &task, view, tally, err);
 }
 
 enum hsr_status render_view(const struct hsr_setup *setup,

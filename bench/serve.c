@@ -151,9 +151,13 @@ static enum hsr_status shade_and_write(const struct served *served, float *rgb,
                                        struct hsr_error *err) {
   const struct stage *stage = served->stage;
   double begin = seconds_now();
-  enum hsr_status status =
-      hsr_picture_finish(&stage->world, &stage->view, served->ids,
-                         HSR_SHADE_LAMBERT, NULL, rgb, err);
+  enum hsr_status status = HSR_OK;
+  if (served->sums)
+    hsr_filter_finish(served->filtering, stage->view.m, stage->view.n,
+                      served->sums, rgb);
+  else
+    status = hsr_picture_finish(&stage->world, &stage->view, served->ids,
+                                HSR_SHADE_LAMBERT, NULL, rgb, err);
   if (status)
     return status;
   printf("{\"shade\": %.9g, \"write\": ", seconds_now() - begin);
@@ -179,7 +183,7 @@ static enum hsr_status shade_and_write(const struct served *served, float *rgb,
 /* The two phases behind the picture, where there is one. */
 static enum hsr_status finish_picture(const struct served *served,
                                       struct hsr_error *err) {
-  if (!served->ids) {
+  if (!served->ids && !served->sums) {
     puts("{\"shade\": null, \"write\": null}");
     return HSR_OK;
   }

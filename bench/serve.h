@@ -23,6 +23,8 @@
 
 #include "bench/stage.h"
 
+#include "common/filter.h"
+
 /* What the command line asked for. Strings are borrowed from argv. */
 struct serve_request {
   const char *name, *scene;
@@ -49,6 +51,8 @@ struct served {
   void *state;
   const uint32_t *ids; /* the last picture, m * n, once a round is drawn; NULL:
                           it makes none */
+  const struct hsr_filtering *filtering;
+  const uint32_t *sums; /* likewise, 3 * m * n; NULL: it does not filter */
 };
 
 long memory_kb(void); /* that this process holds now */

@@ -3,14 +3,15 @@
 
 #include "bench/command.h"
 
-enum hsr_status stage_open(struct stage *stage, const char *scene, bool lay_out,
-                           long view, int m, int n, struct hsr_error *err) {
+enum hsr_status stage_open(struct stage *stage, const char *scene,
+                           uint32_t most, long view, int m, int n,
+                           struct hsr_error *err) {
   *stage = (struct stage){.scene = NULL};
   struct hsr_import import = {.drop_degenerate = false};
   double begin = seconds_now();
   enum hsr_status status = hsr_scene_open(scene, &import, &stage->scene, err);
   if (!status)
-    status = hsr_world_open(&stage->world, stage->scene, lay_out, err);
+    status = hsr_world_open(&stage->world, stage->scene, most, err);
   stage->import_seconds = seconds_now() - begin;
   if (status)
     return status;

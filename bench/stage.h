@@ -19,8 +19,9 @@ struct stage {
  * 1; a scene that has fewer gets further ones on an orbit. Its faces are laid
  * out as hsr_world_open says. To be closed also
  * after a failure: whatever hsr_scene_open and hsr_view_init fail with. */
-enum hsr_status stage_open(struct stage *stage, const char *scene, bool lay_out,
-                           long view, int m, int n, struct hsr_error *err);
+enum hsr_status stage_open(struct stage *stage, const char *scene,
+                           uint32_t most, long view, int m, int n,
+                           struct hsr_error *err);
 void stage_close(struct stage *stage);
 
 /* `n` views of an open stage from view `first` on, of the size of its own,

@@ -128,7 +128,8 @@ enum hsr_status measure_table1(const struct hsr_world *world,
   struct hsr_tally tally = {.out_of_memory = false};
   struct hsr_setup setup = {.algorithm = NULL};
   const struct hsr_listed *zbuffer = hsr_algorithm_find("zbuffer");
-  enum hsr_status status = answer_init(&answer, zbuffer->plain, view, err);
+  enum hsr_status status =
+      answer_init(&answer, zbuffer->plain, NULL, view, err);
   if (!status)
     status = hsr_setup_init(&setup, zbuffer->plain, NULL, world, err);
   if (!status)
@@ -172,7 +173,7 @@ enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err) {
   if (!status)
     status = hsr_view_init(&view, &camera, options.view.m, options.view.n, err);
   if (!status)
-    status = hsr_world_open(&world, scene, true, err);
+    status = hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, err);
   if (!status && hsr_is_outline(&world))
     status = hsr_fail(err, HSR_E_NOMEM,
                       "stats: %u faces are too many to be laid out, as Table I "

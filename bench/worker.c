@@ -34,9 +34,10 @@ static enum hsr_status serve_walk(const struct serve_request *request,
                         .view = view,
                         .n = request->walk,
                         .crew = crew_new(request->threads)};
-  enum hsr_status status =
-      round.crew ? answer_init(&round.answer, algorithm, &stage->view, err)
-                 : hsr_fail_nomem(err);
+  enum hsr_status status = round.crew
+                               ? answer_init(&round.answer, algorithm,
+                                             &setup->choice, &stage->view, err)
+                               : hsr_fail_nomem(err);
   struct served served = {
       .request = request,
       .stage = stage,
@@ -45,7 +46,9 @@ static enum hsr_status serve_walk(const struct serve_request *request,
       .before_kb = before,
       .round = draw_round,
       .state = &round,
-      .ids = algorithm->flags & HSR_NO_PICTURE ? NULL : round.answer.ids};
+      .ids = algorithm->flags & HSR_NO_PICTURE ? NULL : round.answer.ids,
+      .filtering = &setup->choice.filtering,
+      .sums = algorithm->flags & HSR_NO_PICTURE ? NULL : round.answer.sums};
   if (!status)
     status = serve(&served, err);
   answer_free(&round.answer);
@@ -78,10 +81,10 @@ enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err) {
   if (status)
     return status;
   struct stage stage;
-  bool lay_out = !(variant.listed->plain->flags & HSR_INSTANCED);
+  uint32_t most = hsr_most_laid_out(variant.listed->plain);
   status =
-      stage_open(&stage, request.scene, lay_out,
-                 request.view + request.walk - 1, request.m, request.n, err);
+      stage_open(&stage, request.scene, most, request.view + request.walk - 1,
+                 request.m, request.n, err);
   if (!status) {
     long before = memory_kb();
     struct hsr_setup setup;

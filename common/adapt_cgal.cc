@@ -51,15 +51,17 @@ using Triangle = std::array<uint32_t, 3>;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Flat_point = Kernel::Point_2;
 
-// The corners of face f on the coordinate plane that it faces most.
+// The corners of face f on the coordinate plane that it faces most, which is
+// turned as the face is: counterclockwise stays counterclockwise.
 std::vector<Flat_point> flatten(const hsr_world &world, uint32_t f) {
-  const double n[3] = {std::fabs(world.nx[f]), std::fabs(world.ny[f]),
-                       std::fabs(world.nz[f])};
-  const size_t drop = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
+  const double n[3] = {world.nx[f], world.ny[f], world.nz[f]};
+  const double a[3] = {std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])};
+  const size_t drop = a[0] >= a[1] && a[0] >= a[2] ? 0 : a[1] >= a[2] ? 1 : 2;
+  const size_t right = (drop + (n[drop] > 0 ? 1 : 2)) % 3;
   std::vector<Flat_point> points;
   for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++) {
     const Point p = point_of(world, world.vertex[k]);
-    points.emplace_back(p[(drop + 1) % 3], p[(drop + 2) % 3]);
+    points.emplace_back(p[right], p[3 - drop - right]);
   }
   return points;
 }

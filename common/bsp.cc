@@ -519,13 +519,17 @@ bool Maker::fill(hsr_bsp *out) const {
   hsr_arena *arena = &out->arena;
   const uint32_t n = world_.n_faces;
   out->face_of = HSR_NEW(arena, uint32_t, world_.n_planes);
+  out->level = HSR_NEW(arena, hsr_bsp_level, world_.n_planes);
   out->turned = HSR_NEW(arena, signed char, n);
   out->reach = HSR_NEW(arena, double, n);
-  if (!out->face_of || !out->turned || !out->reach)
+  if (!out->face_of || !out->level || !out->turned || !out->reach)
     return false;
   for (uint32_t p = 0; p < world_.n_planes; p++) {
     const uint32_t f = shapes_.face_of(p);
+    const Level &level = shapes_.level(p);
     out->face_of[p] = world_.pieces ? world_.pieces->first[f] : f;
+    out->level[p] = {level.at, static_cast<signed char>(level.axis),
+                     static_cast<signed char>(level.front)};
   }
   for (uint32_t f = 0; f < n; f++) {
     const uint32_t parent = hsr_world_parent(&world_, f);

@@ -80,6 +80,13 @@ struct hsr_bsp_median {
   double at;
 };
 
+/* A plane class that lies across an axis: its front is where front times the
+ * coordinate is greater. front 0: it does not. */
+struct hsr_bsp_level {
+  double at;
+  signed char axis, front;
+};
+
 struct hsr_bsp {
   const struct hsr_world *world;
   struct hsr_bsp_cube *cube; /* at least one: the root; parents first */
@@ -91,7 +98,8 @@ struct hsr_bsp {
   double *error;              /* of each of a point's coordinates; 0: it is
                                  a vertex of the world */
   struct hsr_bsp_median *median;
-  uint32_t *face_of;   /* a plane class: the face as which it is turned */
+  uint32_t *face_of; /* a plane class: the face as which it is turned */
+  struct hsr_bsp_level *level; /* a plane class */
   signed char *turned; /* a face: +1 as its plane is, -1 the other way */
   double *reach;       /* a face; 0: it is flat */
   uint32_t *loose;     /* faces that are in no tree, ascending */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/filter.h"
 #include "common/picture.h"
+#include "common/pieces.h"
 
 #include <math.h>
 
@@ -116,14 +117,20 @@ static uint16_t in_16_bits(float value) {
   return (uint16_t)floor(inside * 65535 + 0.5);
 }
 
+static bool is_face(const struct hsr_world *world, uint32_t id) {
+  if (world->pieces)
+    world = world->pieces->whole;
+  return id < world->first[world->scene->n_instances];
+}
+
 /* By the scene alone, so that no way of holding the world can differ. */
 void hsr_filter_colour(const struct hsr_world *world,
                        const struct hsr_view *view, uint32_t id,
                        uint16_t rgb[3]) {
-  float colour[3];
+  float colour[3] = {0, 0, 0};
   if (id == HSR_BACKGROUND) {
     hsr_picture_colour(world, view, id, HSR_SHADE_LAMBERT, colour);
-  } else {
+  } else if (is_face(world, id)) {
     double normal[3], anchor[3];
     struct hsr_place at = hsr_place_of(world, id);
     hsr_place_plane(world, at, normal, anchor);
@@ -179,25 +186,35 @@ static bool is_within(int m, int n, int i, int j) {
   return i >= 0 && i < m && j >= 0 && j < n;
 }
 
+/* Adds to pixel (i, j), if there is one. */
+static void add(int m, int n, int i, int j, uint32_t weight,
+                const uint16_t rgb[3], uint32_t *sums) {
+  if (!weight || !is_within(m, n, i, j))
+    return;
+  uint32_t *sum = sums + 3 * ((size_t)j * (size_t)m + (size_t)i);
+  for (int c = 0; c < 3; c++)
+    sum[c] += weight * rgb[c];
+}
+
 void hsr_filter_add(const struct hsr_kernel *kernel, int m, int n, int i, int j,
                     uint64_t mask, const uint16_t rgb[3], uint32_t *sums) {
   for (int dy = -kernel->reach; dy <= kernel->reach; dy++)
-    for (int dx = -kernel->reach; dx <= kernel->reach; dx++) {
-      if (!is_within(m, n, i + dx, j + dy))
-        continue;
-      uint32_t weight = weight_of(kernel->row[dy + 1][dx + 1], mask);
-      uint32_t *sum =
-          sums + 3 * ((size_t)(j + dy) * (size_t)m + (size_t)(i + dx));
-      for (int c = 0; c < 3; c++)
-        sum[c] += weight * rgb[c];
-    }
+    for (int dx = -kernel->reach; dx <= kernel->reach; dx++)
+      add(m, n, i + dx, j + dy, weight_of(kernel->row[dy + 1][dx + 1], mask),
+          rgb, sums);
 }
 
-/* The ids of the pixel whose first sub-sample is at `corner`, by their bits. */
-static void gather(const uint32_t *corner, size_t stride, uint32_t id[BITS]) {
+/* The ids of the pixel whose first sub-sample is at `corner`, by their bits;
+ * whether it is of one face, as most are. */
+static bool gather(const uint32_t *corner, size_t stride, uint32_t id[BITS]) {
+  uint32_t differ = 0;
   for (int b = 0; b < HSR_SUB; b++)
-    for (int a = 0; a < HSR_SUB; a++)
-      id[HSR_SUB * b + a] = corner[(size_t)b * stride + (size_t)a];
+    for (int a = 0; a < HSR_SUB; a++) {
+      uint32_t face = corner[(size_t)b * stride + (size_t)a];
+      id[HSR_SUB * b + a] = face;
+      differ |= face ^ *corner;
+    }
+  return !differ;
 }
 
 /* Where the pixel shows a face. */
@@ -219,13 +236,13 @@ void hsr_filter_add_picture(const struct hsr_kernel *kernel,
   for (int j = 0; j < n; j++)
     for (int i = 0; i < m; i++) {
       uint32_t id[BITS];
-      gather(ids + (size_t)j * HSR_SUB * stride + (size_t)i * HSR_SUB, stride,
-             id);
+      bool alike = gather(
+          ids + (size_t)j * HSR_SUB * stride + (size_t)i * HSR_SUB, stride, id);
       uint64_t done = 0;
       for (int bit = 0; bit < BITS; bit++) {
         if (done >> bit & 1)
           continue;
-        uint64_t mask = mask_of(id, id[bit]);
+        uint64_t mask = alike ? UINT64_MAX : mask_of(id, id[bit]);
         hsr_filter_add(kernel, m, n, i, j, mask, colour_of(&colours, id[bit]),
                        sums);
         done |= mask;
@@ -238,15 +255,20 @@ void hsr_filter_add_subsample(const struct hsr_kernel *kernel,
                               const struct hsr_world *world,
                               const struct hsr_view *view, int pattern, int bit,
                               const uint32_t *ids, uint32_t *sums) {
+  int m = view->m, n = view->n, reach = kernel->reach;
   struct colours colours;
   colours_init(&colours, world, view);
-  for (int j = 0; j < view->n; j++)
-    for (int i = 0; i < view->m; i++)
-      if (hsr_jitter_pattern(filtering, i, j) == pattern)
-        hsr_filter_add(
-            kernel, view->m, view->n, i, j, (uint64_t)1 << bit,
-            colour_of(&colours, ids[(size_t)j * (size_t)view->m + (size_t)i]),
-            sums);
+  for (int j = 0; j < n; j++)
+    for (int i = 0; i < m; i++) {
+      if (hsr_jitter_pattern(filtering, i, j) != pattern)
+        continue;
+      const uint16_t *rgb =
+          colour_of(&colours, ids[(size_t)j * (size_t)m + (size_t)i]);
+      for (int dy = -reach; dy <= reach; dy++)
+        for (int dx = -reach; dx <= reach; dx++)
+          add(m, n, i + dx, j + dy, kernel->weight[dy + 1][dx + 1][bit], rgb,
+              sums);
+    }
 }
 
 /* The weight of what of a picture reaches its pixel (i, j). */

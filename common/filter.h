@@ -71,7 +71,7 @@ struct hsr_view hsr_subsample_view(const struct hsr_view *view, int pattern,
                                    int bit);
 
 /* The colour of a face by its id in the scene, or of HSR_BACKGROUND; of any
- * world, laid out or not. */
+ * world, laid out or not. Black where there is no such face. */
 void hsr_filter_colour(const struct hsr_world *world,
                        const struct hsr_view *view, uint32_t id,
                        uint16_t rgb[3]);

@@ -2,6 +2,7 @@
 #include "common/grove.h"
 #include "common/adapt.h"
 #include "common/grain.h"
+#include "common/predicates.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -230,9 +231,14 @@ static void note_sizes(struct hsr_grove *g, const struct hsr_bsp *bsp) {
     if (cube->most_corners > g->most_corners)
       g->most_corners = cube->most_corners;
   }
-  for (uint32_t f = 0; f < bsp->world->n_faces; f++)
-    if (hsr_face_size(bsp->world, f) > g->most_face)
-      g->most_face = hsr_face_size(bsp->world, f);
+  if (bsp->most_depth > g->most_depth)
+    g->most_depth = bsp->most_depth;
+  for (uint32_t f = 0; f < bsp->world->n_faces; f++) {
+    uint32_t of_plane = hsr_plane_loop(bsp->world, f).n;
+    uint32_t own = hsr_face_size(bsp->world, f);
+    own = of_plane > own ? of_plane : own;
+    g->most_face = own > g->most_face ? own : g->most_face;
+  }
 }
 
 /* Objects are not adapted: their faces must be convex as they are, and flat, so

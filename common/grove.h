@@ -49,7 +49,11 @@ struct hsr_grove {
   bool is_whole;
   struct hsr_grove_tree *tree; /* an object; else */
   struct hsr_grove_node *node; /* the first is the root */
-  uint32_t n_nodes, n_trees, most_points, most_corners, most_face;
+  uint32_t n_nodes, n_trees;
+
+  /* The most that a tree has: points and corners of a leaf, corners of a face,
+   * nodes on a path. */
+  uint32_t most_points, most_corners, most_face, most_depth;
   struct hsr_arena arena;
 };
 

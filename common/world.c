@@ -402,14 +402,13 @@ enum hsr_status hsr_world_outline(struct hsr_world *world,
 }
 
 enum hsr_status hsr_world_open(struct hsr_world *world,
-                               const struct hsr_scene *scene, bool lay_out,
+                               const struct hsr_scene *scene, uint32_t most,
                                struct hsr_error *err) {
   uint64_t n = 0;
   for (uint32_t i = 0; i < scene->n_instances; i++)
     n += scene->objects[scene->instances[i].object].n_faces;
-  return lay_out && n <= HSR_MOST_LAID_OUT
-             ? hsr_world_init(world, scene, err)
-             : hsr_world_outline(world, scene, err);
+  return n <= most ? hsr_world_init(world, scene, err)
+                   : hsr_world_outline(world, scene, err);
 }
 
 uint32_t hsr_instance_of(const struct hsr_world *world, uint32_t f) {

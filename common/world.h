@@ -79,11 +79,10 @@ enum hsr_status hsr_world_outline(struct hsr_world *world,
                                   const struct hsr_scene *scene,
                                   struct hsr_error *err);
 
-/* hsr_world_init, or hsr_world_outline where the faces need not be laid out or
- * are more than this. */
+/* hsr_world_init, or hsr_world_outline where the faces are more than `most`. */
 #define HSR_MOST_LAID_OUT (1u << 25)
 enum hsr_status hsr_world_open(struct hsr_world *world,
-                               const struct hsr_scene *scene, bool lay_out,
+                               const struct hsr_scene *scene, uint32_t most,
                                struct hsr_error *err);
 
 /* Lays out n faces of a scene: face k of *out is face id[k] of `world`, an

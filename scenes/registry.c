@@ -34,6 +34,13 @@
     .most = {high, INT64_MAX}, .build = function                               \
   }
 
+#define TOWER(scene, function, sentence)                                       \
+  {                                                                            \
+    .name = scene, .usage = scene ":STOREYS", .about = sentence,               \
+    .only_by_name = true, .n_parameters = 1, .standard = {408}, .least = {1},  \
+    .most = {408}, .build = function                                           \
+  }
+
 const struct hsr_builtin hsr_builtins[] = {
     PLAIN("house", hsr_build_house,
           "a house of convex solids that touch at most, after Roberts' house "
@@ -46,7 +53,7 @@ const struct hsr_builtin hsr_builtins[] = {
           "Table II"),
     SIZED("color-cube", hsr_build_color_cube, 6, 1, 40,
           "N x N x N small cubes, each in the colour of its place"),
-    SIZED("tower", hsr_build_tower, 40, 1, 20000,
+    SIZED("twist", hsr_build_twist, 40, 1, 20000,
           "a tower of N instances of one storey, each turned a little"),
     SIZED("sphere", hsr_build_sphere, 2048, 8, 20000000,
           "a sphere of about N triangles"),
@@ -79,6 +86,11 @@ const struct hsr_builtin hsr_builtins[] = {
      .least = {1, 0},
      .most = {90, 1000000},
      .build = hsr_build_traffic},
+    TOWER("tower", hsr_build_tower,
+          "an office building of STOREYS storeys (rounded up to a multiple of "
+          "4) in a shell with windows: 408 have 167 million quadrilaterals"),
+    TOWER("tower-bare", hsr_build_bare_tower,
+          "the tower of STOREYS storeys without its shell"),
     SEEDED("soup", hsr_build_soup, 1000, 1, 10000000,
            "N random triangles that penetrate one another"),
     SEEDED("lattice", hsr_build_lattice, 200, 1, 1000000,

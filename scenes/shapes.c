@@ -166,6 +166,12 @@ void hsr_pen_box(struct hsr_pen *pen, double x0, double y0, double z0,
   hsr_pen_loft(pen, 4, 2, p, false);
 }
 
+void hsr_pen_block(struct hsr_pen *pen, int x0, int y0, int z0, int x1, int y1,
+                   int z1) {
+  hsr_pen_box(pen, x0 / 64.0, y0 / 64.0, z0 / 64.0, x1 / 64.0, y1 / 64.0,
+              z1 / 64.0);
+}
+
 /* The prism over n points of a plane, between two values of the third
  * coordinate; `up` is its number, and the plane's are `first` and `second`. */
 static void extrude(struct hsr_pen *pen, uint32_t n, const double (*p)[2],

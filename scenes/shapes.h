@@ -51,6 +51,10 @@ void hsr_pen_parallelogram(struct hsr_pen *pen, const double p[3],
 void hsr_pen_box(struct hsr_pen *pen, double x0, double y0, double z0,
                  double x1, double y1, double z1);
 
+/* A box given in 64ths. */
+void hsr_pen_block(struct hsr_pen *pen, int x0, int y0, int z0, int x1, int y1,
+                   int z1);
+
 /* k rings of n points, ring after ring, the lowest first: a bottom, k - 1
  * bands of quadrilaterals, each in two triangles if `triangles`, and a top. */
 void hsr_pen_loft(struct hsr_pen *pen, uint32_t n, uint32_t k,

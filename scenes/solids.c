@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scenes of one idea: a cube of cubes, a sphere, a tower. */
+/* Scenes of one idea: a cube of cubes, a sphere, a twisted tower. */
 #include "scenes/builders.h"
 #include "scenes/shapes.h"
 
@@ -142,7 +142,7 @@ static void storey(struct hsr_pen *pen) {
   }
 }
 
-static void tower_ends(struct hsr_pen *pen, int n) {
+static void twist_ends(struct hsr_pen *pen, int n) {
   static const double roof[4][2] = {{9, 0}, {9, 0.75}, {3, 3}, {0, 14}};
   double m[12];
   hsr_pen_object(pen, "plaza", true);
@@ -157,7 +157,7 @@ static void tower_ends(struct hsr_pen *pen, int n) {
 }
 
 /* Each storey is turned by a 160th of a circle against the one below. */
-enum hsr_status hsr_build_tower(struct hsr_scene *scene,
+enum hsr_status hsr_build_twist(struct hsr_scene *scene,
                                 const long long *parameter) {
   static const double view[][8] = {
       {0.5, 0.35, 0.8, 0, 0.47, 0, 58}, {-1, 0.9, 0.9, 0, 0.45, 0, 50},
@@ -167,7 +167,7 @@ enum hsr_status hsr_build_tower(struct hsr_scene *scene,
   int n = (int)parameter[0];
   struct hsr_pen pen;
   hsr_pen_init(&pen, scene);
-  tower_ends(&pen, n);
+  twist_ends(&pen, n);
   storey(&pen);
   for (int i = 0; i < n; i++) {
     double c, s;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/tiling/masks.h"
+#include "common/vector.h"
 
 #include <math.h>
 #include <string.h>
@@ -14,22 +15,6 @@
 
 static const uint64_t ALL = UINT64_MAX;
 
-/* The step that is written twice, for every machine and for AVX-512: of the
- * samples of a finest cell, those surely inside a line that is f at the cell's
- * corner, and those surely outside. */
-struct hsr_mask_twin {
-  void (*split)(const struct hsr_mask_line *line, double f,
-                const struct hsr_mask_places *places, uint64_t *inside,
-                uint64_t *outside);
-};
-
-/* A cell on the way. */
-struct cell {
-  int level;
-  uint32_t number;
-  int x, y, size; /* its first sample, and samples a side */
-};
-
 static int first_bit(uint64_t mask) {
 #ifdef __GNUC__
   return __builtin_ctzll(mask);
@@ -41,22 +26,24 @@ static int first_bit(uint64_t mask) {
 #endif
 }
 
-static bool is_finest(const struct hsr_masks *p, const struct cell *cell) {
+static bool is_finest(const struct hsr_masks *p,
+                      const struct hsr_mask_cell *cell) {
   return cell->level == p->n_levels - 1;
 }
 
-static struct cell subcell(const struct cell *cell, int bit) {
+static struct hsr_mask_cell subcell(const struct hsr_mask_cell *cell, int bit) {
   int size = cell->size / 8;
-  struct cell sub = {cell->level + 1, cell->number * 64 + (uint32_t)bit,
-                     cell->x + bit % 8 * size, cell->y + bit / 8 * size, size};
+  struct hsr_mask_cell sub = {
+      cell->level + 1, cell->number * 64 + (uint32_t)bit,
+      cell->x + bit % 8 * size, cell->y + bit / 8 * size, size};
   return sub;
 }
 
-static struct cell root_of(const struct hsr_masks *p) {
+static struct hsr_mask_cell root_of(const struct hsr_masks *p) {
   int size = 1;
   for (int k = 0; k < p->n_levels; k++)
     size *= 8;
-  struct cell root = {0, 0, p->window.x0, p->window.y0, size};
+  struct hsr_mask_cell root = {0, 0, p->window.x0, p->window.y0, size};
   return root;
 }
 
@@ -72,20 +59,33 @@ static uint64_t rectangle(int c0, int r0, int c1, int r1) {
   return row * 0x0101010101010101u & rows;
 }
 
-/* How many subcells of `size` samples begin before the end. */
-static int subcells(int extent, int size) {
-  int n = (extent + size - 1) / size;
-  return n < 0 ? 0 : n > 8 ? 8 : n;
+static int within_8(int k) {
+  return k < 0 ? 0 : k > 8 ? 8 : k;
+}
+
+/* The subcells of a cell that have samples in the box; size is a power of two,
+ * and the shift rounds down. */
+static uint64_t subcells_of(const struct hsr_mask_cell *cell,
+                            const struct hsr_bounds *box) {
+  int size = cell->size / 8;
+  int shift = first_bit((uint64_t)size);
+  return rectangle(within_8((box->x0 - cell->x) >> shift),
+                   within_8((box->y0 - cell->y) >> shift),
+                   within_8(((box->x1 - 1 - cell->x) >> shift) + 1),
+                   within_8(((box->y1 - 1 - cell->y) >> shift) + 1));
 }
 
 /* The subcells that have samples of the window. */
-static uint64_t in_window(const struct hsr_masks *p, const struct cell *cell) {
-  int size = cell->size / 8;
-  return rectangle(0, 0, subcells(p->window.x1 - cell->x, size),
-                   subcells(p->window.y1 - cell->y, size));
+static uint64_t in_window(const struct hsr_masks *p,
+                          const struct hsr_mask_cell *cell) {
+  const struct hsr_window *w = &p->window;
+  if (cell->x + cell->size <= w->x1 && cell->y + cell->size <= w->y1)
+    return ALL;
+  struct hsr_bounds box = {w->x0, w->y0, w->x1, w->y1};
+  return subcells_of(cell, &box);
 }
 
-static void clear(struct hsr_masks *p, const struct cell *cell) {
+static void clear(struct hsr_masks *p, const struct hsr_mask_cell *cell) {
   uint64_t vacant = in_window(p, cell);
   if (is_finest(p, cell))
     p->finest[cell->number] = ~vacant;
@@ -127,7 +127,7 @@ enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *p,
     return HSR_E_NOMEM;
   for (uint32_t k = 0; k < most; k++)
     p->all[k] = k;
-  struct cell root = root_of(p);
+  struct hsr_mask_cell root = root_of(p);
   clear(p, &root);
   return HSR_OK;
 }
@@ -145,7 +145,7 @@ enum where { OUTSIDE, INSIDE, CROSSING };
  * sample away from the cell's border. */
 static enum where classify(const struct hsr_masks *p,
                            const struct hsr_mask_line *line,
-                           const struct cell *cell, double *corner) {
+                           const struct hsr_mask_cell *cell, double *corner) {
   double half = 0.5 * cell->size;
   double middle =
       line->a * (cell->x + half) + line->b * (cell->y + half) + line->c;
@@ -160,8 +160,9 @@ static enum where classify(const struct hsr_masks *p,
  * places that are known within half the tables' slack. */
 static int entry_of(const struct hsr_masks *p, const struct hsr_mask_line *line,
                     double corner, int size, bool *inside) {
-  double step[2] = {line->a * size, line->b * size};
-  double per[2] = {line->per_a / size, line->per_b / size};
+  double side = size, per_side = 1 / side; /* a power of two */
+  double step[2] = {line->a * side, line->b * side};
+  double per[2] = {line->per_a * per_side, line->per_b * per_side};
   double least = 2 / HSR_TRIAGE_SLACK * line->error;
   bool known[2] = {fabs(step[0]) > least, fabs(step[1]) > least};
   return hsr_triage_entry(p->tables->intervals, corner, step, per, known,
@@ -184,8 +185,9 @@ static struct hsr_triage look_up(const struct hsr_masks *p,
  * is outside. */
 static bool compose(const struct hsr_masks *p,
                     const struct hsr_mask_polygon *polygon,
-                    const struct cell *cell, const uint32_t *list, uint32_t n,
-                    struct hsr_mask_lines *active, struct hsr_triage *mask) {
+                    const struct hsr_mask_cell *cell, const uint32_t *list,
+                    uint32_t n, struct hsr_mask_lines *active,
+                    struct hsr_triage *mask) {
   *mask = (struct hsr_triage){ALL, 0};
   active->n = 0;
   for (uint32_t k = 0; k < n; k++) {
@@ -219,7 +221,7 @@ static uint32_t choose(const struct hsr_mask_lines *active, int bit) {
  */
 
 #if HSR_COUNTING
-static void count_cell(struct hsr_masks *p, const struct cell *cell) {
+static void count_cell(struct hsr_masks *p, const struct hsr_mask_cell *cell) {
   p->work->cells++;
   p->work->finest += is_finest(p, cell);
   if (cell->size < p->pixel)
@@ -228,13 +230,14 @@ static void count_cell(struct hsr_masks *p, const struct cell *cell) {
   int x1 = x0 + cell->size / p->pixel, y1 = y0 + cell->size / p->pixel;
   int m = p->window.x1 / p->pixel, n = p->window.y1 / p->pixel;
   float share = 1.0f / (float)((x1 - x0) * (y1 - y0));
-  p->work->pixels += 1;
+  p->work->pixels++;
   for (int j = y0; p->touched && j < y1 && j < n; j++)
     for (int i = x0; i < x1 && i < m; i++)
       p->touched[(size_t)j * p->touched_stride + (size_t)i] += share;
 }
 #else
-static void count_cell(const struct hsr_masks *p, const struct cell *cell) {
+static void count_cell(const struct hsr_masks *p,
+                       const struct hsr_mask_cell *cell) {
   (void)p;
   (void)cell;
 }
@@ -243,9 +246,15 @@ static void count_cell(const struct hsr_masks *p, const struct cell *cell) {
 /* --- The finest level ------------------------------------------------------
  */
 
-static void split_portable(const struct hsr_mask_line *line, double f,
-                           const struct hsr_mask_places *places,
-                           uint64_t *inside, uint64_t *outside) {
+/* Of the samples of a finest cell, those surely inside a line that is f at the
+ * cell's corner, and those surely outside. */
+typedef void (*splitter)(const struct hsr_mask_line *line, double f,
+                         const struct hsr_mask_places *places, uint64_t *inside,
+                         uint64_t *outside);
+
+static inline void split(const struct hsr_mask_line *line, double f,
+                         const struct hsr_mask_places *places, uint64_t *inside,
+                         uint64_t *outside) {
   *inside = *outside = 0;
   for (int bit = 0; bit < 64; bit++) {
     double at = f + (line->a * places->x[bit] + line->b * places->y[bit]);
@@ -254,12 +263,11 @@ static void split_portable(const struct hsr_mask_line *line, double f,
   }
 }
 
-static const struct hsr_mask_twin portable = {split_portable};
-
-#if HAVE_AVX512_TWIN
-AVX512 static void split_avx512(const struct hsr_mask_line *line, double f,
-                                const struct hsr_mask_places *places,
-                                uint64_t *inside, uint64_t *outside) {
+#ifdef HAVE_AVX512_TWIN
+AVX512 static inline void split_avx512(const struct hsr_mask_line *line,
+                                       double f,
+                                       const struct hsr_mask_places *places,
+                                       uint64_t *inside, uint64_t *outside) {
   __m512d a = _mm512_set1_pd(line->a), b = _mm512_set1_pd(line->b);
   __m512d from = _mm512_set1_pd(f), error = _mm512_set1_pd(line->error);
   __m512d minus = _mm512_set1_pd(-line->error);
@@ -274,19 +282,10 @@ AVX512 static void split_avx512(const struct hsr_mask_line *line, double f,
   *inside = in;
   *outside = out;
 }
-
-static const struct hsr_mask_twin avx512 = {split_avx512};
 #endif
 
-static const struct hsr_mask_twin *choose_twin(void) {
-#if HAVE_AVX512_TWIN
-  if (__builtin_cpu_supports("avx512f"))
-    return &avx512;
-#endif
-  return &portable;
-}
-
-static int pattern_of(const struct hsr_masks *p, const struct cell *cell) {
+static int pattern_of(const struct hsr_masks *p,
+                      const struct hsr_mask_cell *cell) {
   return p->filtering
              ? hsr_jitter_pattern(p->filtering, cell->x / 8, cell->y / 8)
              : 0;
@@ -296,15 +295,16 @@ static int pattern_of(const struct hsr_masks *p, const struct cell *cell) {
  * list; *unsure are those of them that are not certain. */
 static uint64_t candidates(const struct hsr_masks *p,
                            const struct hsr_mask_polygon *polygon,
-                           const struct cell *cell, const uint32_t *list,
-                           uint32_t n, int pattern, uint64_t *unsure) {
+                           const struct hsr_mask_cell *cell,
+                           const uint32_t *list, uint32_t n, int pattern,
+                           uint64_t *unsure) {
   uint64_t mask = ALL;
   *unsure = 0;
   for (uint32_t k = 0; k < n && mask; k++) {
     const struct hsr_mask_line *line = &polygon->line[list[k]];
     uint64_t inside, outside;
     double f = line->a * cell->x + line->b * cell->y + line->c;
-    p->twin->split(line, f, &p->places[pattern], &inside, &outside);
+    split(line, f, &p->places[pattern], &inside, &outside);
     mask &= ~outside;
     *unsure |= ~(inside | outside);
   }
@@ -315,7 +315,7 @@ static uint64_t candidates(const struct hsr_masks *p,
 /* The same by the tables: certain, and sometimes wrong. */
 static uint64_t tabled(const struct hsr_masks *p,
                        const struct hsr_mask_polygon *polygon,
-                       const struct cell *cell, const uint32_t *list,
+                       const struct hsr_mask_cell *cell, const uint32_t *list,
                        uint32_t n, int pattern, uint64_t *unsure) {
   uint64_t mask = ALL;
   *unsure = 0;
@@ -340,7 +340,7 @@ static uint64_t tabled(const struct hsr_masks *p,
 /* Whether the exact predicates have a sample covered. */
 static bool is_covered(struct hsr_masks *p,
                        const struct hsr_mask_polygon *polygon,
-                       const struct cell *cell, const uint32_t *list,
+                       const struct hsr_mask_cell *cell, const uint32_t *list,
                        uint32_t n, int pattern, int bit, bool lines_unsure) {
   const struct hsr_mask_places *places = &p->places[pattern];
   double sx = cell->x + places->x[bit], sy = cell->y + places->y[bit];
@@ -359,8 +359,8 @@ static bool is_covered(struct hsr_masks *p,
 /* W of a finest cell. */
 static uint64_t visible_samples(struct hsr_masks *p,
                                 const struct hsr_mask_polygon *polygon,
-                                const struct cell *cell, const uint32_t *list,
-                                uint32_t n) {
+                                const struct hsr_mask_cell *cell,
+                                const uint32_t *list, uint32_t n) {
   uint64_t vacant = ~p->finest[cell->number], unsure;
   int pattern = pattern_of(p, cell);
   uint64_t mask = vacant & (p->sample_tables ? tabled : candidates)(
@@ -381,9 +381,19 @@ struct task {
   struct hsr_masks *masks;
   const struct hsr_mask_polygon *polygon;
   const struct hsr_mask_sink *sink;
+  struct hsr_bounds box; /* of its samples */
 };
 
-static void tile_finest(const struct task *t, const struct cell *cell,
+/* The steps that are written twice, for every machine and for AVX-512. */
+struct hsr_mask_twin {
+  void (*tile_pixels)(const struct task *t, const struct hsr_mask_cell *cell,
+                      const struct hsr_mask_lines *active,
+                      struct hsr_triage *mask, uint64_t a);
+  bool (*shows_finest)(const struct task *t, const struct hsr_mask_cell *cell,
+                       const uint32_t *list, uint32_t n);
+};
+
+static void tile_finest(const struct task *t, const struct hsr_mask_cell *cell,
                         const uint32_t *list, uint32_t n) {
   uint64_t w = visible_samples(t->masks, t->polygon, cell, list, n);
   count_cell(t->masks, cell);
@@ -394,7 +404,8 @@ static void tile_finest(const struct task *t, const struct cell *cell,
 }
 
 /* What was tiled in a subcell goes up to its cell. */
-static void propagate(const struct hsr_masks *p, const struct cell *sub,
+static void propagate(const struct hsr_masks *p,
+                      const struct hsr_mask_cell *sub,
                       struct hsr_triage *mask) {
   uint64_t bit = (uint64_t)1 << (sub->number & 63);
   uint64_t covered, vacant;
@@ -411,8 +422,8 @@ static void propagate(const struct hsr_masks *p, const struct cell *sub,
     mask->v &= ~bit;
 }
 
-static void write_squares(const struct task *t, const struct cell *cell,
-                          uint64_t w) {
+static void write_squares(const struct task *t,
+                          const struct hsr_mask_cell *cell, uint64_t w) {
   int size = cell->size / 8;
   for (; w; w &= w - 1) {
     int bit = first_bit(w);
@@ -421,8 +432,105 @@ static void write_squares(const struct task *t, const struct cell *cell,
   }
 }
 
+/* The finest subcells a of a cell, as tile_finest has them one by one. What is
+ * left open there is left to that. */
+static inline __attribute__((always_inline)) void
+tile_pixels(const struct task *t, const struct hsr_mask_cell *cell,
+            const struct hsr_mask_lines *active, struct hsr_triage *mask,
+            uint64_t a, splitter by) {
+  struct hsr_masks *p = t->masks;
+  for (; a; a &= a - 1) {
+    int bit = first_bit(a);
+    struct hsr_mask_cell sub = subcell(cell, bit);
+    if (mask->v >> bit & 1)
+      clear(p, &sub);
+    const struct hsr_mask_places *places = &p->places[pattern_of(p, &sub)];
+    uint64_t w = ~p->finest[sub.number], unsure = 0;
+    for (uint32_t k = 0; k < active->n && w; k++) {
+      if (active->inside[k] >> bit & 1)
+        continue;
+      const struct hsr_mask_line *line = &t->polygon->line[active->number[k]];
+      uint64_t inside, outside;
+      by(line, line->a * sub.x + line->b * sub.y + line->c, places, &inside,
+         &outside);
+      w &= ~outside;
+      unsure |= ~inside;
+    }
+    if (w & unsure) {
+      tile_finest(t, &sub, active->list, choose(active, bit));
+      propagate(p, &sub, mask);
+      continue;
+    }
+    count_cell(p, &sub);
+    if (!w)
+      continue;
+    mask->v &= ~((uint64_t)1 << bit);
+    p->finest[sub.number] |= w;
+    if (p->finest[sub.number] == ALL)
+      mask->c |= (uint64_t)1 << bit;
+    t->sink->samples(t->sink->context, sub.x, sub.y, w);
+  }
+}
+
+static void tile_pixels_portable(const struct task *t,
+                                 const struct hsr_mask_cell *cell,
+                                 const struct hsr_mask_lines *active,
+                                 struct hsr_triage *mask, uint64_t a) {
+  tile_pixels(t, cell, active, mask, a, split);
+}
+
+static inline __attribute__((always_inline)) bool
+shows_finest(const struct task *t, const struct hsr_mask_cell *cell,
+             const uint32_t *list, uint32_t n, splitter by) {
+  struct hsr_masks *p = t->masks;
+  uint64_t vacant = ~p->finest[cell->number];
+  for (uint32_t k = 0; k < n && vacant; k++) {
+    const struct hsr_mask_line *line = &t->polygon->line[list[k]];
+    uint64_t inside, outside;
+    by(line, line->a * cell->x + line->b * cell->y + line->c,
+       &p->places[pattern_of(p, cell)], &inside, &outside);
+    vacant &= ~outside;
+  }
+  return vacant;
+}
+
+static bool shows_finest_portable(const struct task *t,
+                                  const struct hsr_mask_cell *cell,
+                                  const uint32_t *list, uint32_t n) {
+  return shows_finest(t, cell, list, n, split);
+}
+
+static const struct hsr_mask_twin portable = {tile_pixels_portable,
+                                              shows_finest_portable};
+
+#ifdef HAVE_AVX512_TWIN
+AVX512 static void tile_pixels_avx512(const struct task *t,
+                                      const struct hsr_mask_cell *cell,
+                                      const struct hsr_mask_lines *active,
+                                      struct hsr_triage *mask, uint64_t a) {
+  tile_pixels(t, cell, active, mask, a, split_avx512);
+}
+
+AVX512 static bool shows_finest_avx512(const struct task *t,
+                                       const struct hsr_mask_cell *cell,
+                                       const uint32_t *list, uint32_t n) {
+  return shows_finest(t, cell, list, n, split_avx512);
+}
+
+static const struct hsr_mask_twin avx512 = {tile_pixels_avx512,
+                                            shows_finest_avx512};
+#endif
+
+static const struct hsr_mask_twin *choose_twin(void) {
+#ifdef HAVE_AVX512_TWIN
+  if (__builtin_cpu_supports("avx512f"))
+    return &avx512;
+#endif
+  return &portable;
+}
+
 /* Listing 1. */
-static void tile(const struct task *t, const struct cell *cell,
+static void tile(const struct task *t, const struct hsr_mask_cell *cell,
                  const uint32_t *list, uint32_t n) {
   struct hsr_masks *p = t->masks;
   if (is_finest(p, cell)) {
@@ -440,9 +548,15 @@ static void tile(const struct task *t, const struct cell *cell,
   mask->c |= w;
   mask->v &= ~w;
   write_squares(t, cell, w);
-  for (uint64_t a = ~(w | polygon.v | mask->c); a; a &= a - 1) {
+  uint64_t a = ~(w | polygon.v | mask->c) & subcells_of(cell, &t->box);
+  if (cell->level == p->n_levels - 2 && !p->sample_tables &&
+      !t->polygon->covers) {
+    p->twin->tile_pixels(t, cell, active, mask, a);
+    return;
+  }
+  for (; a; a &= a - 1) {
     int bit = first_bit(a);
-    struct cell sub = subcell(cell, bit);
+    struct hsr_mask_cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
       clear(p, &sub);
     uint32_t n_sub = choose(active, bit);
@@ -453,24 +567,23 @@ static void tile(const struct task *t, const struct cell *cell,
 
 /* Whether the polygon, of which the lines leave open what is not surely
  * outside, covers a sample that is not covered. */
-static bool shows(const struct task *t, const struct cell *cell,
+static bool shows(const struct task *t, const struct hsr_mask_cell *cell,
                   const uint32_t *list, uint32_t n) {
   struct hsr_masks *p = t->masks;
   count_cell(p, cell);
-  if (is_finest(p, cell)) {
-    uint64_t unsure;
-    return ~p->finest[cell->number] & candidates(p, t->polygon, cell, list, n,
-                                                 pattern_of(p, cell), &unsure);
-  }
+  if (is_finest(p, cell))
+    return p->twin->shows_finest(t, cell, list, n);
   struct hsr_mask_lines *active = &p->lines[cell->level];
   struct hsr_triage *mask = &p->coarse[cell->level][cell->number], polygon;
   if (!compose(p, t->polygon, cell, list, n, active, &polygon))
     return false;
-  if (polygon.c & ~mask->c)
+  if (polygon.c & ~mask->c & subcells_of(cell, &t->box))
     return true;
-  for (uint64_t a = ~(polygon.c | polygon.v | mask->c); a; a &= a - 1) {
+  for (uint64_t a =
+           ~(polygon.c | polygon.v | mask->c) & subcells_of(cell, &t->box);
+       a; a &= a - 1) {
     int bit = first_bit(a);
-    struct cell sub = subcell(cell, bit);
+    struct hsr_mask_cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
       clear(p, &sub);
     uint32_t n_sub = choose(active, bit);
@@ -483,64 +596,67 @@ static bool shows(const struct task *t, const struct cell *cell,
 /* --- Where to begin --------------------------------------------------------
  */
 
-/* The subcells of a cell that have samples in the box. */
-static uint64_t subcells_of(const struct cell *cell,
-                            const struct hsr_bounds *box) {
-  int size = cell->size / 8;
-  int c0 = (box->x0 - cell->x) / size, r0 = (box->y0 - cell->y) / size;
-  return rectangle(c0, r0, (box->x1 - 1 - cell->x) / size + 1,
-                   (box->y1 - 1 - cell->y) / size + 1);
+/* Cells on the way are cleared if they are to be. */
+bool HSR_OF_BUILD(hsr_masks_find)(struct hsr_masks *p, struct hsr_bounds box) {
+  struct hsr_mask_cell *way = p->way;
+  p->box = box;
+  way[0] = root_of(p);
+  for (p->n_way = 1;; p->n_way++, way++) {
+    uint64_t in = subcells_of(way, &box);
+    bool finest = is_finest(p, way);
+    struct hsr_triage *mask =
+        finest ? NULL : &p->coarse[way->level][way->number];
+    bool hidden = !(in & ~(finest ? p->finest[way->number] : mask->c));
+    if (!hidden && (finest || in & (in - 1)))
+      return true;
+    count_cell(p, way);
+    if (hidden)
+      return false;
+    way[1] = subcell(way, first_bit(in));
+    if (mask->v & in)
+      clear(p, &way[1]);
+  }
 }
 
-/* The way from the root to the smallest cell that encloses the box; 0 if the
- * box is seen to be hidden. Cells on the way are cleared if they are to be. */
-static int descend(struct hsr_masks *p, const struct hsr_bounds *box,
-                   struct cell way[HSR_MASK_LEVELS]) {
-  way[0] = root_of(p);
-  for (int k = 0;; k++) {
-    uint64_t in = subcells_of(&way[k], box);
-    bool finest = is_finest(p, &way[k]);
-    struct hsr_triage *mask = finest ? NULL : &p->coarse[k][way[k].number];
-    bool hidden = !(in & ~(finest ? p->finest[way[k].number] : mask->c));
-    if (!hidden && (finest || in & (in - 1)))
-      return k + 1;
-    count_cell(p, &way[k]);
-    if (hidden)
-      return 0;
-    way[k + 1] = subcell(&way[k], first_bit(in));
-    if (mask->v & in)
-      clear(p, &way[k + 1]);
-  }
+void HSR_OF_BUILD(hsr_masks_tile_found)(struct hsr_masks *p,
+                                        const struct hsr_mask_polygon *polygon,
+                                        const struct hsr_mask_sink *sink) {
+  struct task task = {p, polygon, sink, p->box};
+  int k = p->n_way - 1;
+  tile(&task, &p->way[k], p->all, polygon->n);
+  for (; k > 0; k--)
+    propagate(p, &p->way[k], &p->coarse[k - 1][p->way[k - 1].number]);
 }
 
 bool HSR_OF_BUILD(hsr_masks_tile)(struct hsr_masks *p,
                                   const struct hsr_mask_polygon *polygon,
                                   struct hsr_bounds box,
                                   const struct hsr_mask_sink *sink) {
-  struct task task = {p, polygon, sink};
-  struct cell way[HSR_MASK_LEVELS];
-  int k = descend(p, &box, way);
-  if (!k--)
+  if (!HSR_OF_BUILD(hsr_masks_find)(p, box))
     return false;
-  tile(&task, &way[k], p->all, polygon->n);
-  for (; k > 0; k--)
-    propagate(p, &way[k], &p->coarse[k - 1][way[k - 1].number]);
+  HSR_OF_BUILD(hsr_masks_tile_found)(p, polygon, sink);
   return true;
 }
 
 void HSR_OF_BUILD(hsr_masks_tile_root)(struct hsr_masks *p,
                                        const struct hsr_mask_polygon *polygon,
                                        const struct hsr_mask_sink *sink) {
-  struct task task = {p, polygon, sink};
-  struct cell root = root_of(p);
+  const struct hsr_window *w = &p->window;
+  struct task task = {p, polygon, sink, {w->x0, w->y0, w->x1, w->y1}};
+  struct hsr_mask_cell root = root_of(p);
   tile(&task, &root, p->all, polygon->n);
 }
 
 bool HSR_OF_BUILD(hsr_masks_show)(struct hsr_masks *p,
                                   const struct hsr_mask_polygon *polygon,
                                   struct hsr_bounds box) {
-  struct task task = {p, polygon, NULL};
-  struct cell way[HSR_MASK_LEVELS];
-  int k = descend(p, &box, way);
-  return k && shows(&task, &way[k - 1], p->all, polygon->n);
+  if (!HSR_OF_BUILD(hsr_masks_find)(p, box))
+    return false;
+  return HSR_OF_BUILD(hsr_masks_show_found)(p, polygon);
+}
+
+bool HSR_OF_BUILD(hsr_masks_show_found)(
+    struct hsr_masks *p, const struct hsr_mask_polygon *polygon) {
+  struct task task = {p, polygon, NULL, p->box};
+  return shows(&task, &p->way[p->n_way - 1], p->all, polygon->n);
 }

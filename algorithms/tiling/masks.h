@@ -67,10 +67,16 @@ struct hsr_mask_places {
 /* What is counted of one kind of work, in the counting build. */
 struct hsr_mask_work {
   uint64_t cells, finest; /* visited; those of the finest level */
-  double pixels;          /* cells of a pixel or more, and no smaller ones */
+  uint64_t pixels;        /* those of a pixel or more */
 };
 
 enum { HSR_MASK_LEVELS = 6 };
+
+struct hsr_mask_cell {
+  int level;
+  uint32_t number;
+  int x, y, size; /* its first sample, and samples a side */
+};
 
 struct hsr_masks {
   struct hsr_window window;                   /* cells begin at (x0, y0) */
@@ -89,7 +95,10 @@ struct hsr_masks {
     uint64_t *inside;    /* the subcells that each leaves surely inside, */
     uint32_t *list;      /* and the lines of the subcell at hand */
   } lines[HSR_MASK_LEVELS];
-  uint32_t *all;   /* 0, 1, ...: all lines of a polygon */
+  uint32_t *all;         /* 0, 1, ...: all lines of a polygon */
+  struct hsr_bounds box; /* the box that was looked for, */
+  struct hsr_mask_cell way[HSR_MASK_LEVELS + 1]; /* from the root to it */
+  int n_way;
   bool anywhere;   /* a sample may be anywhere in its square, by jitter */
   uint64_t unsure; /* samples left to the exact predicates */
   struct hsr_mask_work *work;
@@ -113,9 +122,17 @@ enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *masks,
  */
 int HSR_OF_BUILD(hsr_masks_extent)(const struct hsr_masks *masks);
 
-/* Tiles a polygon that is within the box of samples, which is within the
- * window: from the smallest cell that encloses the box, or else from the root.
- * Returns false if its box is hidden. */
+/* Finds the smallest cell that encloses a box of samples of the window, which
+ * is not empty: false if the box is seen to be hidden. */
+bool HSR_OF_BUILD(hsr_masks_find)(struct hsr_masks *masks,
+                                  struct hsr_bounds box);
+
+/* Tiles a polygon that is within the box, from the cell found. */
+void HSR_OF_BUILD(hsr_masks_tile_found)(struct hsr_masks *masks,
+                                        const struct hsr_mask_polygon *polygon,
+                                        const struct hsr_mask_sink *sink);
+
+/* Both: false if the box is hidden. Or from the root, whatever the box. */
 bool HSR_OF_BUILD(hsr_masks_tile)(struct hsr_masks *masks,
                                   const struct hsr_mask_polygon *polygon,
                                   struct hsr_bounds box,
@@ -129,6 +146,8 @@ void HSR_OF_BUILD(hsr_masks_tile_root)(struct hsr_masks *masks,
 bool HSR_OF_BUILD(hsr_masks_show)(struct hsr_masks *masks,
                                   const struct hsr_mask_polygon *polygon,
                                   struct hsr_bounds box);
+bool HSR_OF_BUILD(hsr_masks_show_found)(struct hsr_masks *masks,
+                                        const struct hsr_mask_polygon *polygon);
 
 #ifdef __cplusplus
 }

@@ -18,6 +18,13 @@
 
 static const double U = DBL_EPSILON / 2;
 
+static inline double larger(double a, double b) {
+  return a > b ? a : b;
+}
+static inline double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+
 enum { SILHOUETTE = 8 }; /* room for its lines */
 
 /* The corners of a side of a box, counterclockwise from outside; corner number:
@@ -72,13 +79,15 @@ enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *p,
   p->x = HSR_NEW(arena, double, grove->most_points);
   p->y = HSR_NEW(arena, double, grove->most_points);
   p->w = HSR_NEW(arena, double, grove->most_points);
+  p->sx = HSR_NEW(arena, double, grove->most_points);
+  p->sy = HSR_NEW(arena, double, grove->most_points);
   p->line =
       HSR_NEW(arena, struct hsr_mask_line, grove->most_corners + SILHOUETTE);
   p->corner[0] = HSR_NEW(arena, double, 3 * (size_t)grove->most_face);
   p->corner[1] = HSR_NEW(arena, double, 3 * (size_t)grove->most_face);
   p->number = HSR_NEW(arena, uint32_t, grove->most_face);
-  if (!p->x || !p->y || !p->w || !p->line || !p->corner[0] || !p->corner[1] ||
-      !p->number)
+  if (!p->x || !p->y || !p->w || !p->sx || !p->sy || !p->line ||
+      !p->corner[0] || !p->corner[1] || !p->number)
     return HSR_E_NOMEM;
   for (uint32_t k = 0; k < grove->most_face; k++)
     p->number[k] = k;
@@ -108,10 +117,37 @@ static void find_errors(const struct hsr_pieces_view *p,
     double sum = 0;
     for (int k = 0; k < 3; k++)
       sum += fabs(p->view->screen[c][k]) *
-             fmax(fabs(box->lo[k] + shift[k] - p->view->E[k]),
-                  fabs(box->hi[k] + shift[k] - p->view->E[k]));
+             larger(fabs(box->lo[k] + shift[k] - p->view->E[k]),
+                    fabs(box->hi[k] + shift[k] - p->view->E[k]));
     error[c] = 8 * U * sum + 0x1p-1000;
   }
+}
+
+/* Where the leaf's points are on the screen, as of add_point. */
+static void find_places(struct hsr_pieces_view *p,
+                        const struct hsr_bsp_cube *leaf) {
+  const double *own = p->bsp->error + leaf->first_point;
+  double margin = 0, nearest = INFINITY;
+  double spread = 0; /* what a point's own error of 1 makes of X, Y and W */
+  for (int c = 0; c < 3; c++) {
+    double sum = 0;
+    for (int k = 0; k < 3; k++)
+      sum += fabs(p->view->screen[c][k]);
+    spread = larger(spread, sum);
+  }
+  double most = larger(larger(p->error[0], p->error[1]), p->error[2]);
+  for (uint32_t k = 0; k < leaf->n_points; k++) {
+    double e = most + spread * own[k], per_w = 1 / p->w[k];
+    p->sx[k] = p->x[k] * per_w;
+    p->sy[k] = p->y[k] * per_w;
+    double far = larger(fabs(p->sx[k]), fabs(p->sy[k]));
+    double off = (2 * e * (1 + far)) * per_w + 8 * U * far;
+    margin = off > margin ? off : margin;
+    nearest = smaller(nearest, p->w[k] - 4 * e);
+  }
+  p->margin = margin;
+  p->ahead = nearest > 0 && margin < INFINITY;
+  p->past_near = nearest > p->view->near;
 }
 
 void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *p,
@@ -130,6 +166,7 @@ void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *p,
     p->y[k] = r[1][0] * dx + r[1][1] * dy + r[1][2] * dz;
     p->w[k] = r[2][0] * dx + r[2][1] * dy + r[2][2] * dz;
   }
+  find_places(p, leaf);
 }
 
 /* --- Lines -----------------------------------------------------------------
@@ -146,8 +183,8 @@ static struct hsr_mask_line line_through(double reach, const struct point *a,
                                          const struct point *b, double side) {
   double ax = fabs(a->x), ay = fabs(a->y), aw = fabs(a->w);
   double bx = fabs(b->x), by = fabs(b->y), bw = fabs(b->w);
-  double ex = fmax(a->ex, b->ex), ey = fmax(a->ey, b->ey),
-         ew = fmax(a->ew, b->ew);
+  double ex = larger(a->ex, b->ex), ey = larger(a->ey, b->ey),
+         ew = larger(a->ew, b->ew);
   double error_a =
       ey * (aw + bw) + ew * (ay + by) + 2 * U * (ay * bw + aw * by);
   double error_b =
@@ -201,8 +238,8 @@ static struct hull no_hull(void) {
 static void add_point(struct hull *hull, const struct point *a,
                       const struct hsr_window *window) {
   double x0 = window->x0, y0 = window->y0, x1 = window->x1, y1 = window->y1;
-  double wide = a->ex + fmax(fabs(x0), fabs(x1)) * a->ew;
-  double high = a->ey + fmax(fabs(y0), fabs(y1)) * a->ew;
+  double wide = a->ex + larger(fabs(x0), fabs(x1)) * a->ew;
+  double high = a->ey + larger(fabs(y0), fabs(y1)) * a->ew;
   hull->beyond &= (unsigned)(a->x - x0 * a->w < -2 * wide) |
                   (unsigned)(a->x - x1 * a->w > 2 * wide) << 1 |
                   (unsigned)(a->y - y0 * a->w < -2 * high) << 2 |
@@ -215,10 +252,10 @@ static void add_point(struct hull *hull, const struct point *a,
   double sx = a->x / a->w, sy = a->y / a->w;
   double mx = 2 * (a->ex + fabs(sx) * a->ew) / a->w + 4 * U * fabs(sx);
   double my = 2 * (a->ey + fabs(sy) * a->ew) / a->w + 4 * U * fabs(sy);
-  hull->x0 = fmin(hull->x0, sx - mx);
-  hull->x1 = fmax(hull->x1, sx + mx);
-  hull->y0 = fmin(hull->y0, sy - my);
-  hull->y1 = fmax(hull->y1, sy + my);
+  hull->x0 = smaller(hull->x0, sx - mx);
+  hull->x1 = larger(hull->x1, sx + mx);
+  hull->y0 = smaller(hull->y0, sy - my);
+  hull->y1 = larger(hull->y1, sy + my);
 }
 
 /* The first whole number from x on, within [least, most]. */
@@ -311,20 +348,23 @@ static bool within_edge(struct hsr_pieces_view *p,
          p->facing;
 }
 
-static bool within_side(void *context, uint32_t k, double sx, double sy) {
-  struct hsr_pieces_view *p = context;
-  const struct hsr_bsp_corner *side =
-      &p->bsp->corner[p->piece->first_corner + k];
-  return side->b < HSR_BSP_BEHIND ? within_edge(p, side, sx, sy)
-                                  : within_cut(p, side, sx, sy);
-}
-
 static bool past_near(void *context, double sx, double sy) {
   struct hsr_pieces_view *p = context;
   struct hsr_loop face = moved_plane(p, p->piece->face, 0);
   p->tally->exact[HSR_ASK_NEAR]++;
   return hsr_exact_past_near(p->view, face, sx, sy, &p->tally->out_of_memory) >
          0;
+}
+
+/* The last line, after those of the sides, may be that of near. */
+static bool within_side(void *context, uint32_t k, double sx, double sy) {
+  struct hsr_pieces_view *p = context;
+  if (k == p->piece->n_corners)
+    return past_near(context, sx, sy);
+  const struct hsr_bsp_corner *side =
+      &p->bsp->corner[p->piece->first_corner + k];
+  return side->b < HSR_BSP_BEHIND ? within_edge(p, side, sx, sy)
+                                  : within_cut(p, side, sx, sy);
 }
 
 /* By the definition: the parity of edges that cross the row to the right
@@ -388,36 +428,121 @@ static void take_box(struct hsr_pieces_view *p) {
   p->polygon = (struct hsr_mask_polygon){p->line, 4, within_box, covers, p};
 }
 
+/* The point between a and b where W is near. What is done to the errors of a
+ * and b is bounded by what their W, which differ by more than four times that
+ * error, may be off by. */
+static struct point at_near(const struct point *a, const struct point *b,
+                            double near) {
+  double step = b->w - a->w, t = (near - a->w) / step;
+  double off = 2 * (larger(a->ew, b->ew) + 2 * U * (fabs(a->w) + near)) /
+                   (fabs(step) - a->ew - b->ew) +
+               4 * U;
+  double dx = b->x - a->x, dy = b->y - a->y;
+  struct point point = {a->x + t * dx, a->y + t * dy, near, 0, 0, 0};
+  point.ex = 2 * (larger(a->ex, b->ex) + off * fabs(dx)) +
+             4 * U * (fabs(a->x) + fabs(b->x));
+  point.ey = 2 * (larger(a->ey, b->ey) + off * fabs(dy)) +
+             4 * U * (fabs(a->y) + fabs(b->y));
+  return point;
+}
+
+/* The line that near makes on a polygon with corners on both sides of it, or
+ * none where that is not certain. It leaves the polygon's own lines as they
+ * are. */
+static bool line_at_near(struct hsr_pieces_view *p,
+                         const struct hsr_bsp_corner *corner, uint32_t n,
+                         struct hsr_mask_line *line) {
+  double near = p->view->near;
+  struct point from = {0}, to = {0};
+  int found = 0;
+  for (uint32_t k = 0; k < n; k++) {
+    struct point a = corner_point(p, &corner[k]);
+    struct point b = corner_point(p, &corner[k + 1 < n ? k + 1 : 0]);
+    if (!(fabs(a.w - near) > 4 * a.ew && fabs(b.w - near) > 4 * b.ew))
+      return false;
+    if ((a.w > near) == (b.w > near))
+      continue;
+    *(a.w > near ? &from : &to) = at_near(&a, &b, near);
+    found++;
+  }
+  if (found == 2)
+    *line = line_through(p->reach, &from, &to, -p->facing);
+  return found == 2;
+}
+
+/* The box of the piece at hand, of a leaf that is before the eye. */
+static bool find_box(struct hsr_pieces_view *p) {
+  const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
+  struct hull hull = no_hull();
+  hull.beyond = 0;
+  for (uint32_t k = 0; k < p->piece->n_corners; k++) {
+    double sx = p->sx[corner[k].point - p->first_point];
+    double sy = p->sy[corner[k].point - p->first_point];
+    hull.x0 = smaller(hull.x0, sx);
+    hull.x1 = larger(hull.x1, sx);
+    hull.y0 = smaller(hull.y0, sy);
+    hull.y1 = larger(hull.y1, sy);
+  }
+  hull.x0 -= p->margin;
+  hull.x1 += p->margin;
+  hull.y0 -= p->margin;
+  hull.y1 += p->margin;
+  return box_of(&hull, &p->view->window, p->anywhere, &p->box);
+}
+
+/* The same of any other leaf. */
+static bool find_box_around(struct hsr_pieces_view *p) {
+  const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
+  struct hull hull = no_hull();
+  bool before_near = p->view->near > 0;
+  for (uint32_t k = 0; k < p->piece->n_corners; k++) {
+    struct point point = corner_point(p, &corner[k]);
+    add_point(&hull, &point, &p->view->window);
+    before_near &= point.w + point.ew < p->view->near;
+  }
+  return !before_near && box_of(&hull, &p->view->window, p->anywhere, &p->box);
+}
+
 bool HSR_OF_BUILD(hsr_pieces_take)(struct hsr_pieces_view *p,
                                    const struct hsr_bsp_piece *piece,
                                    int facing) {
-  const struct hsr_bsp_corner *corner = p->bsp->corner + piece->first_corner;
-  struct hull hull = no_hull();
-  bool near = p->view->near > 0, cut_by_near = false, all_before = true;
   p->piece = piece;
   p->facing = facing;
-  for (uint32_t k = 0; k < piece->n_corners; k++) {
+  return p->ahead && p->past_near ? find_box(p) : find_box_around(p);
+}
+
+/* Near may cut the piece at hand. */
+static void cut_at_near(struct hsr_pieces_view *p) {
+  uint32_t n = p->piece->n_corners;
+  const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
+  bool cut = false;
+  for (uint32_t k = 0; k < n; k++) {
     struct point point = corner_point(p, &corner[k]);
-    add_point(&hull, &point, &p->view->window);
-    cut_by_near |= near && !(point.w - point.ew > p->view->near);
-    all_before &= point.w + point.ew < p->view->near;
+    cut |= !(point.w - point.ew > p->view->near);
   }
-  if (all_before || !box_of(&hull, &p->view->window, p->anywhere, &p->box))
-    return false;
+  if (cut && line_at_near(p, corner, n, &p->line[n]))
+    p->polygon.n++;
+  else if (cut)
+    p->polygon.covers = past_near;
+}
+
+void HSR_OF_BUILD(hsr_pieces_outline)(struct hsr_pieces_view *p) {
+  const struct hsr_bsp_piece *piece = p->piece;
+  const struct hsr_bsp_corner *corner = p->bsp->corner + piece->first_corner;
+  uint32_t n = piece->n_corners;
   if (p->bsp->world->deviation[piece->face] > 0) {
     take_box(p);
-    return true;
+    return;
   }
   struct point from = corner_point(p, &corner[0]), first = from;
-  for (uint32_t k = 0; k < piece->n_corners; k++) {
-    struct point to =
-        k + 1 < piece->n_corners ? corner_point(p, &corner[k + 1]) : first;
-    p->line[k] = line_through(p->reach, &from, &to, -facing);
+  for (uint32_t k = 0; k < n; k++) {
+    struct point to = k + 1 < n ? corner_point(p, &corner[k + 1]) : first;
+    p->line[k] = line_through(p->reach, &from, &to, -p->facing);
     from = to;
   }
-  p->polygon = (struct hsr_mask_polygon){p->line, piece->n_corners, within_side,
-                                         cut_by_near ? past_near : NULL, p};
-  return true;
+  p->polygon = (struct hsr_mask_polygon){p->line, n, within_side, NULL, p};
+  if (p->view->near > 0 && !p->past_near)
+    cut_at_near(p);
 }
 
 /* --- Boxes -----------------------------------------------------------------
@@ -441,7 +566,8 @@ HSR_OF_BUILD(hsr_pieces_silhouette)(struct hsr_pieces_view *p,
   find_errors(p, box, shift, error);
   for (int c = 0; c < 3; c++) /* and of at[] */
     for (int k = 0; k < 3; k++)
-      error[c] += 4 * U * fabs(r[c][k]) * fmax(fabs(at[0][k]), fabs(at[1][k]));
+      error[c] +=
+          4 * U * fabs(r[c][k]) * larger(fabs(at[0][k]), fabs(at[1][k]));
   for (int k = 0; k < 8; k++) {
     double d[3];
     for (int c = 0; c < 3; c++)

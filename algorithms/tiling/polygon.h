@@ -45,6 +45,10 @@ struct hsr_pieces_view {
   uint32_t first_point;
   double *x, *y, *w;
   double error[3];
+  bool ahead;      /* all points are surely before the eye: then they are at */
+  double *sx, *sy; /* (sx, sy) on the screen, */
+  double margin;   /* within this */
+  bool past_near;  /* all of them are */
 
   /* The piece at hand. */
   const struct hsr_bsp_piece *piece;
@@ -75,12 +79,15 @@ void HSR_OF_BUILD(hsr_pieces_tree)(struct hsr_pieces_view *pieces,
 void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *pieces,
                                    const struct hsr_bsp_cube *leaf);
 
-/* Makes the polygon of a piece of that leaf, of whose face the eye is on the
- * side `facing`, and the box of the samples that it may cover: false if there
+/* Takes in hand a piece of that leaf, of whose face the eye is on the side
+ * `facing`, and finds the box of the samples that it may cover: false if there
  * are none in the window. */
 bool HSR_OF_BUILD(hsr_pieces_take)(struct hsr_pieces_view *pieces,
                                    const struct hsr_bsp_piece *piece,
                                    int facing);
+
+/* Makes the polygon of the piece. */
+void HSR_OF_BUILD(hsr_pieces_outline)(struct hsr_pieces_view *pieces);
 
 /* What may be seen of a box that is moved, as a polygon whose lines leave
  * nothing of it outside, and its box of samples: NULL if that is nothing. Where

@@ -17,6 +17,7 @@
 #include "algorithms/algorithm.h"
 #include "algorithms/bsp_walk.h"
 #include "algorithms/tiling/canvas.h"
+#include "algorithms/tiling/loose.h"
 #include "algorithms/tiling/polygon.h"
 
 #include <stdlib.h>
@@ -36,7 +37,8 @@ enum {
   FINEST_CELLS,
   PIXEL_CELLS,
   SAMPLES,
-  UNSURE
+  UNSURE,
+  LOOSE
 };
 
 /* --- Once ------------------------------------------------------------------
@@ -122,6 +124,8 @@ struct frame {
   struct hsr_masks masks;
   struct hsr_mask_work cubes, polygons;
   struct hsr_pieces_view pieces;
+  struct hsr_bsp_waiting *waiting;
+  struct hsr_loose loose;
   struct hsr_canvas canvas;
   struct hsr_mask_sink sink;
   uint32_t first_id; /* of the tree at hand */
@@ -165,6 +169,15 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
   if (!status)
     status = HSR_OF_BUILD(hsr_pieces_begin)(
         &f->pieces, &p->grove, &f->view, &f->masks, job->tally, job->scratch);
+  f->waiting = HSR_NEW(job->scratch, struct hsr_bsp_waiting,
+                       hsr_bsp_most_waiting(p->grove.most_depth));
+  if (!f->waiting)
+    return HSR_E_NOMEM;
+  if (p->grove.is_whole)
+    status = status ? status
+                    : HSR_OF_BUILD(hsr_loose_begin)(&f->loose, &p->grove.whole,
+                                                    &f->view, job->tally,
+                                                    job->scratch);
   bool cosine = filtering && filtering->filter == HSR_FILTER_COSINE;
   HSR_OF_BUILD(hsr_canvas_begin)
   (&f->canvas, job, f->view.window,
@@ -207,6 +220,8 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
                        int facing) {
   struct frame *f = context;
   struct hsr_pieces_view *pieces = &f->pieces;
+  if (f->loose.is_loose && f->loose.is_loose[piece->face])
+    return;
   if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
     return;
   HSR_STEP(f->job->tally, PIECES, HSR_ACTIVATE, f->first_id + piece->face,
@@ -216,12 +231,15 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   if (f->job->filtering)
     id = hsr_world_parent(f->job->world, id);
   HSR_OF_BUILD(hsr_canvas_face)(&f->canvas, id);
-  if (f->job->option[START] == START_ROOT)
-    HSR_OF_BUILD(hsr_masks_tile_root)
-  (&f->masks, &pieces->polygon, &f->sink);
-  else if (!HSR_OF_BUILD(hsr_masks_tile)(&f->masks, &pieces->polygon,
-                                         pieces->box, &f->sink))
-      HSR_COUNT(f->job->tally, PIECES_HIDDEN, 1);
+  if (f->job->option[START] == START_ROOT) {
+    HSR_OF_BUILD(hsr_pieces_outline)(pieces);
+    HSR_OF_BUILD(hsr_masks_tile_root)(&f->masks, &pieces->polygon, &f->sink);
+  } else if (HSR_OF_BUILD(hsr_masks_find)(&f->masks, pieces->box)) {
+    HSR_OF_BUILD(hsr_pieces_outline)(pieces);
+    HSR_OF_BUILD(hsr_masks_tile_found)(&f->masks, &pieces->polygon, &f->sink);
+  } else {
+    HSR_COUNT(f->job->tally, PIECES_HIDDEN, 1);
+  }
 }
 
 static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
@@ -230,6 +248,7 @@ static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
                               .eye = f->view.E,
                               .shift = shift,
                               .tally = f->job->tally,
+                              .waiting = f->waiting,
                               .context = f,
                               .enter = enter_cube,
                               .piece = tile_piece};
@@ -273,6 +292,16 @@ static void count_work(const struct frame *f) {
   HSR_COUNT(tally, PIXEL_CELLS, f->cubes.pixels + f->polygons.pixels);
   HSR_COUNT(tally, SAMPLES, f->canvas.samples);
   HSR_COUNT(tally, UNSURE, f->masks.unsure);
+  HSR_COUNT(tally, LOOSE, f->loose.compared);
+}
+
+static enum hsr_status refuse_loose(const struct frame *f,
+                                    struct hsr_error *err) {
+  uint32_t id = hsr_world_parent(f->job->world, f->loose.face[0]);
+  return hsr_fail(err, HSR_E_REFUSED,
+                  "PF: face id %u is not flat, and its place in the order is "
+                  "not certain, as a filtered picture needs it",
+                  id);
 }
 
 static enum hsr_status render(const struct hsr_job *job,
@@ -282,11 +311,14 @@ static enum hsr_status render(const struct hsr_job *job,
   const struct prepared *p = job->prepared;
   if (begin(&f, job))
     return hsr_fail_nomem(err);
+  if (f.loose.n && job->filtering)
+    return refuse_loose(&f, err);
   if (p->grove.is_whole)
     tile_tree(&f, &p->grove.whole, still, 0);
   else
     tile_instances(&f, 0);
   tile_background(&f);
+  HSR_OF_BUILD(hsr_loose_draw)(&f.loose, job->ids, job->ids_stride);
   count_work(&f);
   return HSR_OK;
 }
@@ -311,6 +343,9 @@ static const struct hsr_counter counters[] = {
                      "larger"},
     [SAMPLES] = {"samples", "written, each once"},
     [UNSURE] = {"unsure samples", "put to the exact predicates"},
+    [LOOSE] = {"thickness checks",
+               "comparisons in depth with faces that are not flat and have no "
+               "place in the trees"},
     {NULL, NULL}};
 
 static const struct hsr_sort sorts[] = {
@@ -375,7 +410,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling) = {
     .coherence = "area coherence; hidden cubes hide all that is in them",
     .restrictions = HSR_CF,
     .kind = HSR_IDS,
-    .flags = HSR_INSTANCED | HSR_FILTERS,
+    .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS,
     .sorts = sorts,
     .counters = counters,
     .options = options,

@@ -37,7 +37,6 @@ struct scene_run {
   const char *name;
   struct hsr_scene *scene;
   struct hsr_world world;
-  long samples;          /* of each picture; 0: all */
   struct hsr_view *view; /* a size and view, in the order of judging */
   struct cell *cells;    /* a size, view and algorithm; shared */
   size_t cells_size;

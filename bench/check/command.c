@@ -44,7 +44,8 @@ static error_t add_algorithms(struct check_options *o, char *arg) {
       return EINVAL;
     }
     const struct hsr_algorithm *a = variant->listed->plain;
-    if (a->flags & HSR_NO_PICTURE || !oracle_of(a->kind))
+    if (a->flags & HSR_NO_PICTURE ||
+        !oracle_of(hsr_choice_kind(a, &variant->choice)))
       return option_fail(&o->base, "check: %s draws nothing to compare", name);
   }
   return 0;
@@ -157,10 +158,11 @@ static const struct argp argp = {
          "K,..., which names the views as well",
          0},
         {"samples", SAMPLES, "N", 0,
-         "compare N random samples of each picture, the same in every run: "
+         "compare N random samples of each picture, or pixels of a filtered "
+         "one, the same in every run: "
          "those that Knuth's algorithm S selects by erand48() from the state "
-         "{view, columns, rows} (standard: all, but 20000 of scenes of over 33 "
-         "million faces)",
+         "{view, columns, rows} (standard: all, but 20000 samples and 312 "
+         "pixels of scenes of over 33 million faces)",
          0},
         {"failure-cases", 'f', NULL, 0,
          "where no scene is named: only the failure cases", 0},
@@ -179,8 +181,8 @@ static const struct argp argp = {
     "[SCENE...]",
     "Compares every algorithm's picture with the oracle's, sample for sample, "
     "and every line drawing with the line oracle's, edge by edge. "
-    "Without SCENE, all built-in scenes but office, with their standard "
-    "parameters.\v"
+    "Without SCENE, all built-in scenes but office, traffic, tower and "
+    "tower-bare, with their standard parameters.\v"
     "Exit status 0: no sample and no edge differs. 1: one does, or an "
     "algorithm crashed or took too long.\n\n"
     "  hsr check\n"
@@ -210,17 +212,20 @@ static void set_standards(struct check_options *o) {
 /* --- All groups of a scene --------------------------------------------------
  */
 
-/* Whether there is an algorithm of a kind that keeps a state, or keeps none. */
-static bool is_judged(const struct check_options *o, enum hsr_kind kind,
-                      bool state) {
-  for (int k = 0; k < o->n_algorithms; k++) {
-    const struct hsr_variant *v = &o->algorithm[k];
-    const struct hsr_algorithm *a = v->listed->plain;
-    bool keeps = hsr_choice_flags(a, &v->choice) & HSR_FRAME_STATE;
-    if (a->kind == kind && keeps == state)
-      return true;
-  }
-  return false;
+static bool keeps_state(const struct hsr_variant *v) {
+  return hsr_choice_flags(v->listed->plain, &v->choice) & HSR_FRAME_STATE;
+}
+
+/* Whether algorithm k is the first of those that are judged together: of one
+ * output, and all keep a state, or none does. */
+static bool is_first(const struct check_options *o, int k) {
+  const struct hsr_variant *v = &o->algorithm[k];
+  struct output output = output_of(v->listed->plain, &v->choice);
+  for (const struct hsr_variant *w = o->algorithm; w < v; w++)
+    if (keeps_state(w) == keeps_state(v) &&
+        is_same_output(output_of(w->listed->plain, &w->choice), output))
+      return false;
+  return true;
 }
 
 /* Groups done, to be seen on a terminal. */
@@ -262,38 +267,42 @@ static enum hsr_status start_group(const struct group *g,
 }
 
 /* Of one view; or of all of them, for who keeps a state from one to another. */
-static struct group group_of(const struct scene_run *run, enum hsr_kind kind,
-                             int size, int view, bool sequence) {
+static struct group group_of(const struct scene_run *run,
+                             const struct hsr_variant *first, int size,
+                             int view) {
   const struct check_options *o = run->options;
-  return (struct group){.algorithm = o->algorithm,
-                        .n_algorithms = o->n_algorithms,
-                        .timeout = o->timeout,
-                        .samples = run->samples,
-                        .world = &run->world,
-                        .kind = kind,
-                        .mask = HSR_FRAME_STATE,
-                        .flags = sequence ? HSR_FRAME_STATE : 0,
-                        .view = &run->view[size * o->n_views + view],
-                        .number = &o->view[view],
-                        .n_views = sequence ? o->n_views : 1,
-                        .cells = cell_at(run, size, view, 0)};
+  bool sequence = keeps_state(first);
+  struct output output = output_of(first->listed->plain, &first->choice);
+  return (struct group){
+      .algorithm = o->algorithm,
+      .n_algorithms = o->n_algorithms,
+      .timeout = o->timeout,
+      .samples = samples_to_compare(&run->world, output.kind, o->samples),
+      .world = &run->world,
+      .output = output,
+      .mask = HSR_FRAME_STATE,
+      .flags = sequence ? HSR_FRAME_STATE : 0,
+      .view = &run->view[size * o->n_views + view],
+      .number = &o->view[view],
+      .n_views = sequence ? o->n_views : 1,
+      .cells = cell_at(run, size, view, 0)};
 }
 
-/* The groups of all kinds, sizes and views: how many, and into group[] unless
+/* The groups of all outputs, sizes and views: how many, and into group[] unless
  * that is NULL. The longest first. */
 static int list_groups(const struct scene_run *run, struct group *group) {
   const struct check_options *o = run->options;
   int n = 0;
   for (int sequence = 1; sequence >= 0; sequence--)
-    for (int kind = 0; kind < N_KINDS; kind++)
+    for (int k = 0; k < o->n_algorithms; k++) {
+      const struct hsr_variant *first = &o->algorithm[k];
+      if (keeps_state(first) != sequence || !is_first(o, k))
+        continue;
       for (int size = 0; size < o->n_sizes; size++)
-        for (int view = 0; view < (sequence ? 1 : o->n_views); view++) {
-          if (!is_judged(o, (enum hsr_kind)kind, sequence))
-            continue;
+        for (int view = 0; view < (sequence ? 1 : o->n_views); view++, n++)
           if (group)
-            group[n] = group_of(run, (enum hsr_kind)kind, size, view, sequence);
-          n++;
-        }
+            group[n] = group_of(run, first, size, view);
+    }
   return n;
 }
 
@@ -323,12 +332,14 @@ static enum hsr_status run_groups(const struct scene_run *run,
   return status;
 }
 
-/* Whether an algorithm takes the faces laid out only. */
-static bool needs_faces(const struct check_options *o) {
-  for (int a = 0; a < o->n_algorithms; a++)
-    if (!(o->algorithm[a].listed->plain->flags & HSR_INSTANCED))
-      return true;
-  return false;
+/* How many faces are laid out, if an algorithm takes them so. */
+static uint32_t most_laid_out(const struct check_options *o) {
+  uint32_t most = 0;
+  for (int a = 0; a < o->n_algorithms; a++) {
+    uint32_t own = hsr_most_laid_out(o->algorithm[a].listed->plain);
+    most = own > most ? own : most;
+  }
+  return most;
 }
 
 /* All views of all sizes; the scene gets as many as are asked for. */
@@ -358,10 +369,9 @@ static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
   if (!status)
     status = make_views(run, err);
   if (!status)
-    status = hsr_world_open(&run->world, run->scene, needs_faces(o), err);
+    status = hsr_world_open(&run->world, run->scene, most_laid_out(o), err);
   if (status)
     return status;
-  run->samples = samples_to_compare(&run->world, o->samples);
   run->cells_size =
       (size_t)(o->n_sizes * o->n_views * o->n_algorithms) * sizeof *run->cells;
   run->cells = shared_memory(run->cells_size);

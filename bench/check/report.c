@@ -5,6 +5,11 @@
 
 #include <string.h>
 
+static enum hsr_kind kind_of(const struct check_options *o, int algorithm) {
+  const struct hsr_variant *v = &o->algorithm[algorithm];
+  return hsr_choice_kind(v->listed->plain, &v->choice);
+}
+
 static void print_header(const struct check_options *o) {
   printf("%-22s %8s %9s %5s ", "scene", "faces", "samples", "views");
   for (int a = 0; a < o->n_algorithms; a++)
@@ -56,18 +61,26 @@ static void print_difference(const struct scene_run *run, int size, int view,
                              int a) {
   const struct check_options *o = run->options;
   const struct cell *c = cell_at(run, size, view, a);
-  const struct hsr_algorithm *algorithm = o->algorithm[a].listed->plain;
-  if (c->verdict != WRONG || algorithm->flags & HSR_KNOWN_WRONG)
+  const uint32_t *sums = c->first.sums, *wanted = c->first.wanted_sums;
+  if (c->verdict != WRONG ||
+      o->algorithm[a].listed->plain->flags & HSR_KNOWN_WRONG)
     return;
   printf("  wrong: %s, view %d, %dx%d, %s: %llu ", run->name, o->view[view] + 1,
          o->m[size], o->n[size], o->algorithm[a].name,
          (unsigned long long)c->mismatches);
-  if (algorithm->kind == HSR_SEGMENTS) {
+  switch (kind_of(o, a)) {
+  case HSR_SEGMENTS:
     printf("edges, the first ");
     print_edge(c->first.edge);
-  } else {
+    break;
+  case HSR_IDS:
     printf("samples, the first (%d, %d): face %u, not %u\n", c->first.i,
            c->first.j, c->first.got, c->first.wanted);
+    break;
+  default:
+    printf("pixels, the first (%d, %d): sums %u %u %u, not %u %u %u\n",
+           c->first.i, c->first.j, sums[0], sums[1], sums[2], wanted[0],
+           wanted[1], wanted[2]);
   }
 }
 
@@ -84,10 +97,22 @@ static void print_refusal(const struct scene_run *run, int a) {
     }
 }
 
+/* Where pictures of a kind were not compared wholly. */
+static void print_compared(const struct scene_run *run, enum hsr_kind kind,
+                           const char *what) {
+  const struct check_options *o = run->options;
+  long n = samples_to_compare(&run->world, kind, o->samples);
+  bool any = false;
+  for (int a = 0; a < o->n_algorithms; a++)
+    any |= kind_of(o, a) == kind;
+  if (n && any)
+    printf("  compared: %ld random %s of each picture\n", n, what);
+}
+
 static void print_differences(const struct scene_run *run) {
   const struct check_options *o = run->options;
-  if (run->samples)
-    printf("  compared: %ld random samples of each picture\n", run->samples);
+  print_compared(run, HSR_IDS, "samples");
+  print_compared(run, HSR_FILTERED, "filtered pixels");
   for (int a = 0; a < o->n_algorithms; a++)
     print_refusal(run, a);
   for (int size = 0; size < o->n_sizes; size++)
@@ -111,7 +136,7 @@ static json_t *cell_json(const struct scene_run *run, int size, int view,
   return json_pack(
       "{ss si si si ss ss ss sI sI sb ss* so}", "scene", run->name, "view",
       o->view[view] + 1, "width", o->m[size], "height", o->n[size], "algorithm",
-      o->algorithm[a].name, "kind", kind_name(algorithm->kind), "status",
+      o->algorithm[a].name, "kind", kind_name(kind_of(o, a)), "status",
       verdict_name(c->verdict), "mismatches", (json_int_t)c->mismatches,
       "compared", (json_int_t)c->compared, "known_wrong",
       (algorithm->flags & HSR_KNOWN_WRONG) != 0, "refusal",
@@ -128,7 +153,7 @@ static enum hsr_status add_up(const struct scene_run *run,
         if (c->failure == HSR_E_NOMEM)
           return HSR_E_NOMEM;
         if (c->verdict == RIGHT || c->verdict == WRONG)
-          totals->compared[o->algorithm[a].listed->plain->kind] += c->compared;
+          totals->compared[kind_of(o, a)] += c->compared;
         totals->depths += c->depths_compared;
         totals->depths_exact += c->depths_exact;
         if (o->algorithm[a].listed->plain->flags & HSR_KNOWN_WRONG &&
@@ -148,17 +173,21 @@ enum hsr_status report_end(const struct check_options *o, struct totals *totals,
                            struct hsr_error *err) {
   uint64_t samples = totals->compared[HSR_IDS];
   uint64_t edges = totals->compared[HSR_SEGMENTS];
+  uint64_t pixels = totals->compared[HSR_FILTERED];
   if (o->json)
     return json_print(
-        json_pack("{ss sI sI sI sI sI so}", "schema", "hsr-check/1", "samples",
-                  (json_int_t)samples, "edges", (json_int_t)edges, "mismatches",
+        json_pack("{ss sI sI sI sI sI sI so}", "schema", "hsr-check/1",
+                  "samples", (json_int_t)samples, "edges", (json_int_t)edges,
+                  "pixels", (json_int_t)pixels, "mismatches",
                   (json_int_t)totals->mismatches, "depths_compared",
                   (json_int_t)totals->depths, "depths_exact",
                   (json_int_t)totals->depths_exact, "cells", totals->cells),
         err);
-  printf("\n%llu samples and %llu edges compared, %llu mismatches\n",
-         (unsigned long long)samples, (unsigned long long)edges,
-         (unsigned long long)totals->mismatches);
+  printf("\n%llu samples and %llu edges compared", (unsigned long long)samples,
+         (unsigned long long)edges);
+  if (pixels)
+    printf(", %llu filtered pixels", (unsigned long long)pixels);
+  printf(", %llu mismatches\n", (unsigned long long)totals->mismatches);
   if (totals->expected)
     printf("%llu more of algorithms that are known to be wrong\n",
            (unsigned long long)totals->expected);

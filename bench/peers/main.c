@@ -185,7 +185,8 @@ run_peer(const struct peer *peer, const struct serve_request *request,
     return hsr_fail(err, HSR_E_REFUSED, "%s does not walk", peer->name);
   struct run run = {.peer = peer, .request = request};
   enum hsr_status status =
-      stage_open(&run.stage, request->scene, peer->outlines != OUTLINES_ONLY,
+      stage_open(&run.stage, request->scene,
+                 peer->outlines != OUTLINES_ONLY ? HSR_MOST_LAID_OUT : 0,
                  request->view, request->m, request->n, err);
   if (!status && is_drawn_by_objects(&run))
     status = lay_out_objects(&run, err);

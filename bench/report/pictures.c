@@ -84,7 +84,7 @@ static enum hsr_status draw(struct view_picture *p,
                             .work_stride = (size_t)p->stage.view.m};
   enum hsr_status status = tally.work ? HSR_OK : hsr_fail_nomem(err);
   if (!status)
-    status = answer_init(&answer, a, &p->stage.view, err);
+    status = answer_init(&answer, a, NULL, &p->stage.view, err);
   if (!status) {
     status = hsr_setup_init(&setup, a, NULL, &p->stage.world, err);
     if (!status)
@@ -361,7 +361,7 @@ static enum hsr_status open_view(struct view_picture *p, const json_t *view,
   int m, n;
   size_of(p->report, view, &m, &n);
   enum hsr_status status =
-      stage_open(&p->stage, results_text(view, "scene"), true,
+      stage_open(&p->stage, results_text(view, "scene"), HSR_MOST_LAID_OUT,
                  results_number(view, "view"), m, n, err);
   if (status)
     return status;

@@ -79,23 +79,23 @@ enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
 /* --- Judging -----------------------------------------------------------------
  */
 
-static void judge_kind(const struct place_run *run, enum hsr_kind kind) {
+static void judge_output(const struct place_run *run, struct output output) {
   const struct sweep_options *o = run->sweep->plan->options;
   struct hsr_variant algorithm[SWEEP_MOST_ENTRANTS];
   long threads[SWEEP_MOST_ENTRANTS];
-  struct group group = {.algorithm = algorithm,
-                        .threads = threads,
-                        .timeout = o->timeout,
-                        .memory_mb = o->memory_mb,
-                        .samples =
-                            samples_to_compare(&run->stage.world, o->samples),
-                        .world = &run->stage.world,
-                        .kind = kind,
-                        .view = run->view,
-                        .number = run->view_number,
-                        .n_views = run->place.walk,
-                        .cells = run->shared->cells,
-                        .picture = kind == HSR_IDS ? run->picture : NULL};
+  struct group group = {
+      .algorithm = algorithm,
+      .threads = threads,
+      .timeout = o->timeout,
+      .memory_mb = o->memory_mb,
+      .samples = samples_to_compare(&run->stage.world, output.kind, o->samples),
+      .world = &run->stage.world,
+      .output = output,
+      .view = run->view,
+      .number = run->view_number,
+      .n_views = run->place.walk,
+      .cells = run->shared->cells,
+      .picture = output.kind == HSR_IDS ? run->picture : NULL};
   /* Peers stand behind all algorithms. */
   for (int k = 0; k < run->n && run->entrant[k]->listed; k++) {
     algorithm[k].listed = run->entrant[k]->listed;
@@ -116,13 +116,22 @@ static void judge_statistics(const struct place_run *run) {
   end_process((int)status);
 }
 
-static bool has_kind(const struct place_run *run, enum hsr_kind kind) {
-  if (kind == HSR_IDS && run->picture)
-    return true;
-  for (int k = 0; k < run->n; k++)
-    if (run->entrant[k]->listed && run->entrant[k]->listed->plain->kind == kind)
-      return oracle_of(kind) != NULL;
-  return false;
+/* What is judged: of each output one. Peers are judged by ids. */
+static int list_outputs(const struct place_run *run,
+                        struct output output[SWEEP_MOST_ENTRANTS + 1]) {
+  int n = 0;
+  if (run->picture)
+    output[n++] = (struct output){.kind = HSR_IDS};
+  for (int k = 0; k < run->n && run->entrant[k]->listed; k++) {
+    struct output its =
+        output_of(run->entrant[k]->listed->plain, &run->entrant[k]->choice);
+    bool known = !oracle_of(its.kind);
+    for (int i = 0; i < n; i++)
+      known |= is_same_output(output[i], its);
+    if (!known)
+      output[n++] = its;
+  }
+  return n;
 }
 
 /* Adds what became of a later picture; the worst verdict is that of all. */
@@ -146,7 +155,7 @@ static void add_walk(const struct place_run *run, int k) {
     add_cell(&run->shared->cells[k], &run->shared->cells[view * run->n + k]);
 }
 
-/* Table I and the judges of all kinds, each in a process, at the same time:
+/* Table I and the judges of all outputs, each in a process, at the same time:
  * nothing is timed yet. */
 static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
   fflush(NULL);
@@ -156,15 +165,16 @@ static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
     judge_statistics(run);
   }
   bool good = child > 0;
-  for (int kind = 0; kind < N_KINDS && good; kind++)
-    if (has_kind(run, (enum hsr_kind)kind)) {
-      child = fork();
-      if (child == 0) {
-        end_with_parent(parent);
-        judge_kind(run, (enum hsr_kind)kind);
-      }
-      good = child > 0;
+  struct output output[SWEEP_MOST_ENTRANTS + 1];
+  int n_outputs = list_outputs(run, output);
+  for (int k = 0; k < n_outputs && good; k++) {
+    child = fork();
+    if (child == 0) {
+      end_with_parent(parent);
+      judge_output(run, output[k]);
     }
+    good = child > 0;
+  }
   while (waitpid(-1, NULL, 0) > 0 || errno == EINTR) {
   }
   for (int k = 0; k < run->n; k++) {
@@ -443,14 +453,16 @@ static bool has_peers(const struct place_run *run) {
   return run->n && !run->entrant[run->n - 1]->listed;
 }
 
-/* Whether someone takes the faces laid out only. */
-static bool needs_faces(const struct place_run *run) {
+/* How many faces are laid out, if someone takes them so. */
+static uint32_t most_laid_out(const struct place_run *run) {
+  uint32_t most = 0;
   for (int k = 0; k < run->n; k++) {
     const struct hsr_listed *listed = run->entrant[k]->listed;
-    if (!listed || !(listed->plain->flags & HSR_INSTANCED))
-      return true;
+    uint32_t own =
+        listed ? hsr_most_laid_out(listed->plain) : HSR_MOST_LAID_OUT;
+    most = own > most ? own : most;
   }
-  return false;
+  return most;
 }
 
 static size_t shared_size(const struct place_run *run) {
@@ -473,7 +485,7 @@ static enum hsr_status choose_views(struct place_run *run,
 static enum hsr_status open_place(struct place_run *run,
                                   struct hsr_error *err) {
   const struct place *p = &run->place;
-  enum hsr_status status = stage_open(&run->stage, p->scene, needs_faces(run),
+  enum hsr_status status = stage_open(&run->stage, p->scene, most_laid_out(run),
                                       p->view + p->walk - 1, p->m, p->n, err);
   if (!status)
     status = choose_views(run, err);

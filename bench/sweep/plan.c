@@ -132,9 +132,12 @@ static enum hsr_status add_algorithm(struct plan *plan, const char *name,
                                      struct hsr_error *err) {
   const struct hsr_algorithm *a = variant->listed->plain;
   unsigned flags = hsr_choice_flags(a, &variant->choice);
+  enum hsr_kind kind = hsr_choice_kind(a, &variant->choice);
+  bool single = flags & HSR_FRAME_STATE || kind == HSR_SEGMENTS ||
+                (kind == HSR_FILTERED && flags & HSR_FILTERS);
   return add_entrant(plan, name, variant,
-                     flags & HSR_NO_PICTURE ? "none" : kind_name(a->kind),
-                     flags & HSR_FRAME_STATE || a->kind == HSR_SEGMENTS, err);
+                     flags & HSR_NO_PICTURE ? "none" : kind_name(kind), single,
+                     err);
 }
 
 static enum hsr_status add_standard(struct plan *plan,

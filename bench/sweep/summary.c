@@ -75,8 +75,10 @@ static void print_samples(const json_t *cell) {
   long walk = results_number(cell, "walk");
   long all = results_number(cell, "width") * results_number(cell, "height") *
              (walk ? walk : 1);
-  if (compared && compared < all && !strcmp(results_text(cell, "kind"), "ids"))
-    printf("  at %ld samples", compared);
+  const char *kind = results_text(cell, "kind");
+  if (compared && compared < all && strcmp(kind, "segments"))
+    printf("  at %ld %s", compared,
+           strcmp(kind, "filtered") ? "samples" : "pixels");
 }
 
 enum hsr_status print_summary(const struct results *results,

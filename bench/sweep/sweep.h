@@ -51,7 +51,7 @@ struct entrant {
   const char *name;
   const struct hsr_listed *listed; /* NULL: a peer */
   struct hsr_choice choice;        /* of an algorithm's options */
-  const char *kind;                /* "ids", "segments", "none" */
+  const char *kind;                /* "ids", "segments", "filtered", "none" */
   long threads;
 };
 

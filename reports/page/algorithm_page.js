@@ -217,7 +217,7 @@ function image(source, { width, height }, alt, caption) {
 
 function verdict({ status, mismatches, kind }) {
   const symbol = STATUSES[status]?.symbol ?? "";
-  const what = kind === "segments" ? "edges" : "samples";
+  const what = { segments: "edges", filtered: "pixels" }[kind] ?? "samples";
   return status === "wrong" ? `${symbol} wrong: ${whole(mismatches)} ${what} differ`
     : `${symbol} ${status}`;
 }

@@ -146,7 +146,7 @@ struct totals {
 static bool is_closed(const char *scene) {
   return !strcmp(scene, "house") || !strncmp(scene, "harbor", 6) ||
          !strcmp(scene, "color-cube") || !strcmp(scene, "sphere") ||
-         !strncmp(scene, "tower", 5);
+         !strncmp(scene, "twist", 5);
 }
 
 static void add_saving(struct totals *totals, uint64_t contour_pairs,
@@ -208,7 +208,7 @@ static void try_scene(struct tap *tap, const char *name,
 /* What takes long is tried smaller or not at all; big-harbor is the harbor. */
 static const char *tried(const struct hsr_builtin *builtin) {
   static const char *const smaller[][2] = {{"harbor", "harbor:1500"},
-                                           {"tower", "tower:4"},
+                                           {"twist", "twist:4"},
                                            {"terrain", "terrain:32"},
                                            {"soup", "soup:80:1"},
                                            {"lattice", "lattice:60:1"},

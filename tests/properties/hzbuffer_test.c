@@ -765,7 +765,7 @@ int main(void) {
     int views;
   } stages[] = {{"office:1", 5},      {"office:2", 4},    {"harbor", 3},
                 {"terrain:16:12", 3}, {"house", 9},       {"soup:500:3", 4},
-                {"tower:5", 3},       {"color-cube:4", 3}};
+                {"twist:5", 3},       {"color-cube:4", 3}};
   enum { STAGES = sizeof stages / sizeof *stages };
   struct tap tap = plan(4 * 2 * STAGES + 6);
   for (int k = 0; k < STAGES; k++) {

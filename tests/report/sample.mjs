@@ -33,7 +33,7 @@ const places = [
   place("big-harbor", 1, 500, 500, 119126, 2.9),
   place(ODD, 1, 97, 61, 12, 2),
   ...[100, 1000, 10000].map((n) => place(`soup:${n}:7`, 1, 256, 256, n, n / 90)),
-  ...[128, 256, 512, 1024].map((n) => place("tower", 1, n, n, 6295, 4)),
+  ...[128, 256, 512, 1024].map((n) => place("twist", 1, n, n, 6295, 4)),
   ...[2, 4, 8, 16].map((n) => place(`layers:${n}`, 1, 256, 256, 1000, n)),
 ];
 const peers = ["embree", "llvmpipe"];
@@ -113,7 +113,7 @@ function growthOf(over, x, chosen) {
 
 const growth = [
   ...growthOf("faces", (p) => p.faces, (p) => p.scene.startsWith("soup")),
-  ...growthOf("samples", (p) => p.width * p.height, (p) => p.scene === "tower"),
+  ...growthOf("samples", (p) => p.width * p.height, (p) => p.scene === "twist"),
   ...growthOf("depth", (p) => p.depth, (p) => p.scene.startsWith("layers")),
 ];
 const geometric = drawing.map(({ name }, k) => {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr check on algorithms that fail on purpose: those that are wrong only after
- * some frames are found out where they keep a state, in whatever order; and of
- * some samples no others are looked at. */
+ * some frames are found out where they keep a state, in whatever order; of some
+ * samples no others are looked at; and filtered pictures are right to the last
+ * bit of their sums. */
 #include "tests/sweep/sweeping.h"
 
 #include <string.h>
@@ -80,10 +81,48 @@ static void test_samples(struct tap *tap) {
   results_free(&r);
 }
 
+/* Filtered pictures are judged by their sums, each filter by itself. */
+static void test_filters(struct tap *tap) {
+  int status = check("house --size 24x16 --views 1 -a zbuffer,"
+                     "own-filter:filter=cosine:jitter=2,"
+                     "zbuffer:filter=cosine:jitter=2,"
+                     "off-by-one:filter=cosine:jitter=2,"
+                     "own-filter:filter=cosine,watkins:filter=cosine,"
+                     "own-filter:filter=box,zbuffer:filter=box,"
+                     "zbuffer:filter=box:jitter=16,off-by-one");
+  ok(tap,
+     status == 1 && is_silent() &&
+         printed("off-by-one:filter=cosine:jitter=2: 2 pixels, the first "
+                 "(5, 0): sums "),
+     "a sum that is one too large is found");
+  ok(tap,
+     printed("\n768 samples and 0 edges compared, 3072 filtered pixels, 2 "
+             "mismatches\n"),
+     "and nothing else: whoever filters, with and without jitter, is right");
+  status = check("house --size 24x16 --views 1 --samples 100 -a "
+                 "off-by-one:filter=box,zbuffer:filter=cosine:jitter=3,"
+                 "own-filter:filter=cosine");
+  ok(tap,
+     status == 1 && printed("2 pixels, the first (5, 0)") &&
+         printed("compared: 100 random filtered pixels of each picture") &&
+         printed(", 300 filtered pixels, 2 mismatches"),
+     "some pixels are judged by the sub-samples that reach them");
+  status = check("house --size 24x16 --views 1 --samples 1 -a "
+                 "off-by-one:filter=box");
+  ok(tap, !status, "what is wrong elsewhere is not seen");
+  status = check("house --size 24x16 --views 1 -a broken:filter=box,"
+                 "stale:filter=box:jitter=1");
+  ok(tap,
+     status == 1 && printed("broken:filter=box: ") &&
+         printed("stale:filter=box:jitter=1: "),
+     "what is wrong in a sub-sample is wrong in the sums");
+}
+
 int main(void) {
-  struct tap tap = plan(8 + 6);
+  struct tap tap = plan(8 + 6 + 5);
   enter_folder();
   test_sequence(&tap);
   test_samples(&tap);
+  test_filters(&tap);
   return finish(&tap);
 }

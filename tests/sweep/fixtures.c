@@ -179,6 +179,42 @@ static enum hsr_status witness_c(const struct hsr_job *job,
   return witness(job, "c", err);
 }
 
+/* Filters itself, if asked to; sub-sample by sub-sample. */
+static enum hsr_status own_filter(const struct hsr_job *job,
+                                  struct hsr_error *err) {
+  if (!job->sums)
+    return zbuffer(job, err);
+  static uint32_t ids[64 * 48];
+  const struct hsr_filtering *filtering = job->filtering;
+  struct hsr_kernel kernel;
+  hsr_kernel_init(&kernel, filtering->filter);
+  enum hsr_status status = job->ids || job->view->m > 64 || job->view->n > 48
+                               ? HSR_E_INTERNAL
+                               : HSR_OK;
+  for (int p = filtering->patterns ? 0 : -1;
+       p < (filtering->patterns ? filtering->patterns : 0); p++)
+    for (int bit = 0; bit < 64 && !status; bit++) {
+      struct hsr_view view = hsr_subsample_view(job->view, p, bit);
+      struct hsr_job part = *job;
+      part.view = &view;
+      part.ids = ids;
+      part.sums = NULL;
+      status = zbuffer(&part, err);
+      hsr_filter_add_subsample(&kernel, filtering, job->world, job->view, p,
+                               bit, ids, job->sums);
+    }
+  return status;
+}
+
+/* Wrong by the least that a sum can be, the green one of pixel (5, 0). */
+static enum hsr_status off_by_one(const struct hsr_job *job,
+                                  struct hsr_error *err) {
+  enum hsr_status status = own_filter(job, err);
+  if (job->sums)
+    job->sums[3 * 5 + 1]++;
+  return status;
+}
+
 /* --- The list ----------------------------------------------------------------
  */
 
@@ -205,6 +241,8 @@ FIXTURE(last, "last", .prepare = prepare, .render = count_frames,
         .release = crash_at_last)
 FIXTURE(last_staller, "last-staller", .prepare = prepare,
         .render = count_frames, .release = stall_at_last)
+FIXTURE(own_filter, "own-filter", .render = own_filter, .flags = HSR_FILTERS)
+FIXTURE(off_by_one, "off-by-one", .render = off_by_one, .flags = HSR_FILTERS)
 FIXTURE(sleeper, "sleeper", .render = sleeper)
 FIXTURE(walker, "walker", .render = walker)
 FIXTURE(still, "still", .render = zbuffer, .flags = HSR_FRAME_STATE)
@@ -234,6 +272,8 @@ const struct hsr_listed hsr_algorithms[] = {
     BOTH(late_staller),
     BOTH(last),
     BOTH(last_staller),
+    BOTH(own_filter),
+    BOTH(off_by_one),
     BOTH(sleeper),
     BOTH(still),
     BOTH(walker),

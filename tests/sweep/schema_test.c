@@ -288,10 +288,10 @@ int main(void) {
   ok(&tap, !may_have_times("wrong", false) && !may_have_times("crash", false),
      "nothing else has");
 
-  bench("house --size 64x48 -a zbuffer:window=20,broken --walk 2 "
-        "--starts 2 --repetitions 1 -o w.ndjson");
+  bench("house --size 64x48 -a zbuffer:window=20,zbuffer:filter=box,broken "
+        "--walk 2 --starts 2 --repetitions 1 -o w.ndjson");
   n = count_records("w.ndjson", "cell", &others);
-  ok(&tap, n == 2 && !others, "cells of a walk, of an algorithm with options");
+  ok(&tap, n == 3 && !others, "cells of a walk, of an algorithm with options");
   ok(&tap, is_walk("w.ndjson", "cell") && is_walk("w.ndjson", "view"),
      "both kinds of record tell how long it is");
   json_decref(schema);

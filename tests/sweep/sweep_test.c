@@ -80,6 +80,30 @@ static void test_threads(struct tap *tap) {
   results_free(&r);
 }
 
+/* Filtered pictures are timed with their filtering, in the same table. */
+static void test_filters(struct tap *tap) {
+  int status = bench(SMALL "-a zbuffer,zbuffer:filter=box:jitter=2,"
+                           "own-filter:filter=cosine,off-by-one:filter=box "
+                           "-T 1,2 --repetitions 1 -o f.ndjson");
+  struct results r = read_results("f.ndjson");
+  ok(tap,
+     status == 1 && !strcmp(verdict(&r, "off-by-one:filter=box"), "wrong") &&
+         !has_times(&r, "off-by-one:filter=box") &&
+         has_times(&r, "zbuffer:filter=box:jitter=2") &&
+         has_times(&r, "own-filter:filter=cosine"),
+     "filtered pictures are judged and timed");
+  const json_t *cell =
+      results_cell(&r, "house 1 64x48 zbuffer:filter=box:jitter=2 2");
+  ok(tap,
+     json_array_size(r.cells) == 6 &&
+         !strcmp(results_text(cell, "kind"), "filtered"),
+     "threads draw what is filtered; who filters itself takes one");
+  double one = median(&r, "zbuffer"),
+         all = median(&r, "zbuffer:filter=box:jitter=2");
+  ok(tap, all > 20 * one, "128 pictures take %.3g times as long", all / one);
+  results_free(&r);
+}
+
 /* --- Walks -------------------------------------------------------------------
  */
 
@@ -291,11 +315,12 @@ static void test_baseline(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 + 2 * N_FAILING + 4 + 2 + 2 + 4 + 3 + 4 + 8);
+  struct tap tap = plan(2 + 2 * N_FAILING + 4 + 2 + 2 + 3 + 4 + 3 + 4 + 8);
   enter_folder();
   test_verdicts(&tap);
   test_memory(&tap);
   test_threads(&tap);
+  test_filters(&tap);
   test_walk(&tap);
   test_surroundings(&tap);
   test_sleeper(&tap);

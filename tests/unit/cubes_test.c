@@ -479,7 +479,7 @@ static void try_scene(struct tap *tap, struct laid_out *l, bool enclosing,
 }
 
 int main(void) {
-  static const char *const scenes[] = {"office:1", "terrain:16:3", "tower:3",
+  static const char *const scenes[] = {"office:1", "terrain:16:3", "twist:3",
                                        "house"};
   enum { SCENES = sizeof scenes / sizeof *scenes };
   struct tap tap = plan(3 + 4 * (SCENES + 1) + 3);

@@ -33,7 +33,7 @@ static const struct {
              {"harbor:12000", 0xe703e12cd705b137, 0xed73929cefa136a5},
              {"big-harbor", 0x6b26f93c7dfc7dfb, 0x1004e17d0b20c38b},
              {"color-cube", 0xfcd9e4d92b4383b5, 0x8356deeea864066a},
-             {"tower", 0xbc91c984b8e016ac, 0xc2909bebeafc32c6},
+             {"twist", 0xbc91c984b8e016ac, 0xc2909bebeafc32c6},
              {"sphere", 0x207a114635096eb5, 0x86ef54c087208bae},
              {"terrain", 0xb0269d9521dfd0b9, 0x64bf0ca9e27f50d0},
              {"terrain:16:9", 0x533db8daf334d39e, 0xa9bd750879ba1341},
@@ -41,6 +41,9 @@ static const struct {
              {"office:3:1:2", 0xa75f0ed79c736967, 0x353812346d442d00},
              {"traffic", 0x52c4e5bdff73e8b8, 0xc33f9d6d5f81e462},
              {"traffic:20:7", 0x28977051da187355, 0xc33f9d6d5f81e462},
+             {"tower", 0xb3bb39213ddefcd9, 0x8980ce04974aab03},
+             {"tower-bare", 0xb0c8a65c4732bfbe, 0x8980ce04974aab03},
+             {"tower:40", 0xaf9c59cbb6aab7e4, 0xa198a97b12450d32},
              {"soup", 0x09cd6f8287df6eec, 0xe2f28953fa2319f1},
              {"soup:100:7", 0x258c9a8fbb04398c, 0xa91990140ef9c1f1},
              {"lattice", 0x3177b0ca5e6c6b16, 0xad865c6288d8bd3e},
@@ -640,23 +643,30 @@ static bool are_apart(const struct hsr_object *module, uint32_t i, uint32_t k) {
   return false;
 }
 
-/* Solids outward that do not overlap have no two coplanar faces to be seen from
- * one side where they overlap. */
+/* Whether solids of 8 vertices are apart and on the lattice. Solids outward
+ * that do not overlap have no two coplanar faces to be seen from one side where
+ * they overlap. */
+static bool touch_at_most(const struct hsr_object *object) {
+  uint32_t n = object->n_vertices / 8;
+  bool good = object->n_vertices == 8 * n && object->one_sided &&
+              is_closed(object) && volume(object) > 0;
+  for (size_t i = 0; i < 3 * (size_t)object->n_vertices; i++)
+    good = good && 64 * object->xyz[i] == rint(64 * object->xyz[i]);
+  for (uint32_t i = 0; i < n && good; i++)
+    for (uint32_t k = 0; k < i && good; k++)
+      if (!(good = are_apart(object, i, k)))
+        printf("# solids %u and %u of %s overlap\n", k, i, object->name);
+  return good;
+}
+
 static bool is_office(const struct hsr_scene *scene) {
   const struct hsr_object *module = &scene->objects[0];
   uint32_t n = module->n_vertices / 8;
   bool good = scene->n_objects == 1 && n == 1248 && module->n_faces == 12 * n &&
-              module->start[module->n_faces] == 3 * module->n_faces &&
-              module->one_sided && is_closed(module) && volume(module) > 0;
-  for (size_t i = 0; i < 3 * (size_t)module->n_vertices; i++) {
-    double x = module->xyz[i];
-    good = good && 64 * x == rint(64 * x) && x >= 0 && x <= 16;
-  }
-  for (uint32_t i = 0; i < n && good; i++)
-    for (uint32_t k = 0; k < i && good; k++)
-      if (!(good = are_apart(module, i, k)))
-        printf("# solids %u and %u overlap\n", k, i);
-  return good;
+              module->start[module->n_faces] == 3 * module->n_faces;
+  for (size_t i = 0; i < 3 * (size_t)module->n_vertices; i++)
+    good = good && module->xyz[i] >= 0 && module->xyz[i] <= 16;
+  return good && touch_at_most(module);
 }
 
 /* The number of the solid within which the eye is, or n. */
@@ -718,6 +728,90 @@ static bool is_half_a_billion(const struct hsr_scene *scene) {
   return good && scene->views[0].eye[0] > 256 && scene->views[0].eye[0] < 272;
 }
 
+/* A box about an object or an instance. */
+struct box {
+  double low[3], high[3];
+};
+
+static struct box box_about(const struct hsr_object *object) {
+  struct box box = {{INFINITY, INFINITY, INFINITY},
+                    {-INFINITY, -INFINITY, -INFINITY}};
+  for (uint32_t v = 0; v < object->n_vertices; v++) {
+    const double *p = object->xyz + 3 * (size_t)v;
+    for (int k = 0; k < 3; k++) {
+      box.low[k] = fmin(box.low[k], p[k]);
+      box.high[k] = fmax(box.high[k], p[k]);
+    }
+  }
+  return box;
+}
+
+static int compare_low(const void *a, const void *b) {
+  double p = ((const struct box *)a)->low[1],
+         q = ((const struct box *)b)->low[1];
+  return (p > q) - (p < q);
+}
+
+/* Whether the boxes touch at most; sorts them by height. */
+static bool boxes_are_apart(struct box *box, uint32_t n) {
+  qsort(box, n, sizeof *box, compare_low);
+  for (uint32_t i = 0; i < n; i++)
+    for (uint32_t k = i + 1; k < n && box[k].low[1] < box[i].high[1]; k++)
+      if (box[k].low[0] < box[i].high[0] && box[i].low[0] < box[k].high[0] &&
+          box[k].low[2] < box[i].high[2] && box[i].low[2] < box[k].high[2])
+        return false;
+  return true;
+}
+
+/* Moved by multiples of 1/64, and no more than moved. */
+static bool is_moved(const struct hsr_instance *instance) {
+  static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  bool good = true;
+  for (int k = 0; k < 12; k++) {
+    double m = 64 * (instance->m[k] - identity[k]);
+    good = good && (k % 4 == 3 ? m == rint(m) : m == 0);
+  }
+  return good;
+}
+
+/* Quadrilaterals of solids on the lattice, in boxes that touch at most. */
+static bool is_stacked(const struct hsr_scene *scene) {
+  struct box *of_object = malloc(scene->n_objects * sizeof *of_object);
+  struct box *box = malloc(scene->n_instances * sizeof *box);
+  bool good = true;
+  for (uint32_t o = 0; o < scene->n_objects; o++) {
+    const struct hsr_object *object = &scene->objects[o];
+    good = good && touch_at_most(object) &&
+           4 * object->n_faces == 3 * object->n_vertices &&
+           object->start[object->n_faces] == 4 * object->n_faces;
+    for (uint32_t f = 0; f < object->n_faces; f++)
+      good = good && is_plane(object, f);
+    of_object[o] = box_about(object);
+  }
+  for (uint32_t i = 0; i < scene->n_instances; i++) {
+    const struct hsr_instance *instance = &scene->instances[i];
+    good = good && is_moved(instance);
+    for (int k = 0; k < 3; k++) {
+      double by = instance->m[4 * k + 3];
+      box[i].low[k] = of_object[instance->object].low[k] + by;
+      box[i].high[k] = of_object[instance->object].high[k] + by;
+    }
+  }
+  good = good && boxes_are_apart(box, scene->n_instances);
+  free(of_object);
+  free(box);
+  return good;
+}
+
+/* 21,836 modules in 102 layers, and what stands about them. */
+static bool is_tower(const struct hsr_scene *scene) {
+  uint32_t n_modules = 0;
+  for (uint32_t i = 0; i < scene->n_instances; i++)
+    n_modules += scene->instances[i].object == 0;
+  return has_faces(scene, 167e6, 29000, 0.01) && n_modules == 21836 &&
+         scene->objects[0].n_faces == 7488 && is_stacked(scene);
+}
+
 /* Three models: closed wood, and leaves that are seen from both sides. */
 static bool has_plants(const struct hsr_scene *scene) {
   uint32_t n_wood = 0, n_leaves = 0;
@@ -743,13 +837,19 @@ static const struct {
     {"harbor", "5,000 faces of 200 clusters, solids all", is_harbor},
     {"big-harbor", "120,000 faces of 600 clusters", is_big_harbor},
     {"color-cube", "solids all", is_of_solids},
-    {"tower:3", "solids all", is_of_solids},
+    {"twist:3", "solids all", is_of_solids},
     {"sphere", "closed, outward, 2,048 faces", is_sphere},
     {"office", "1,248 closed solids on a lattice, which touch at most",
      is_office},
     {"office", "a walk in small steps through nothing solid", is_walked},
     {"office:33", "538,192,512 faces of modules on a lattice",
      is_half_a_billion},
+    {"tower", "167 million quadrilaterals of solids that touch at most",
+     is_tower},
+    {"tower-bare", "solids that touch at most", is_stacked},
+    {"tower:4", "solids that touch at most", is_stacked},
+    {"tower:60", "solids that touch at most", is_stacked},
+    {"tower:333", "solids that touch at most", is_stacked},
     {"terrain:8:10000", "10,000 plants of closed wood and open leaves",
      has_plants},
     {"lattice", "small integers, plane faces", is_on_lattice},

@@ -69,6 +69,24 @@ static void test_good(struct tap *tap) {
      "a window");
   ok(tap, parses("watkins:window=16384") && variant.choice.window == 16384,
      "a window, of any algorithm that draws faces");
+  ok(tap,
+     parses("zbuffer:filter=box") &&
+         variant.choice.filtering.filter == HSR_FILTER_BOX &&
+         !variant.choice.filtering.patterns &&
+         hsr_choice_kind(variant.listed->plain, &variant.choice) ==
+             HSR_FILTERED,
+     "a filter makes another kind of picture");
+  ok(tap,
+     parses("hzbuffer:jitter=16:coherence=list:filter=cosine") &&
+         variant.choice.filtering.filter == HSR_FILTER_COSINE &&
+         variant.choice.filtering.patterns == 16,
+     "and jitter, in any order");
+  ok(tap,
+     parses("zbuffer:jitter=0:filter=box") &&
+         !variant.choice.filtering.patterns && parses("roberts") &&
+         hsr_choice_kind(variant.listed->plain, &variant.choice) ==
+             HSR_SEGMENTS,
+     "or none");
   ok(tap, all_parse(),
      "every word, and the ends of every number, of every "
      "algorithm's options");
@@ -116,6 +134,17 @@ static void test_bad(struct tap *tap) {
   bad(tap, "hzbuffer:window=0", "window must be");
   bad(tap, "hzbuffer:window=16385", "window must be");
   bad(tap, "hzbuffer:least=3:least=3", "twice");
+  bad(tap, "zbuffer:filter", "filter must be one of: box, cosine");
+  bad(tap, "zbuffer:filter=boxes", "filter must be one of");
+  bad(tap, "zbuffer:filter=box:filter=cosine", "filter is given twice");
+  bad(tap, "zbuffer:filter=box:jitter=17", "jitter must be 0 to 16");
+  bad(tap, "zbuffer:filter=box:jitter=-1", "jitter must be");
+  bad(tap, "zbuffer:filter=box:jitter", "jitter must be");
+  bad(tap, "zbuffer:jitter=1", "jitter needs a filter");
+  bad(tap, "zbuffer:jitter=0", "jitter needs a filter");
+  bad(tap, "zbuffer:filter=box:window=8", "no windows");
+  bad(tap, "zbuffer:window=8:filter=box", "no windows");
+  bad(tap, "roberts:filter=box", "nothing to filter");
   bad(tap, "hzbuffer:cubes=sides:near=on:cubes=rectangle", "twice");
   bad(tap, "zbuffer:window=8:window=16", "twice");
   bad(tap, "appel:window=16", "appel does not draw in windows");
@@ -124,7 +153,7 @@ static void test_bad(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(8 + 37);
+  struct tap tap = plan(11 + 48);
   test_good(&tap);
   test_bad(&tap);
   return finish(&tap);

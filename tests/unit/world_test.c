@@ -83,7 +83,7 @@ static void try_scene(struct tap *tap, const char *name, uint64_t *seed) {
   if (hsr_scene_open(name, NULL, &scene, &err) ||
       hsr_world_init(&all, scene, &err) ||
       hsr_world_outline(&outline, scene, &err) ||
-      hsr_world_open(&opened, scene, false, &err))
+      hsr_world_open(&opened, scene, 0, &err))
     stop(name, err.text);
   uint32_t n = all.n_faces, k = scene->n_instances;
   ok(tap,
@@ -126,7 +126,7 @@ static void test_limit(struct tap *tap) {
   struct hsr_world world;
   struct hsr_error err = {.text = "out of memory"};
   if (hsr_scene_open("office:14", NULL, &scene, &err) ||
-      hsr_world_open(&world, scene, true, &err))
+      hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, &err))
     stop("office:14", err.text);
   uint32_t n = world.n_faces;
   bool good = hsr_is_outline(&world) && n > HSR_MOST_LAID_OUT &&
@@ -138,7 +138,7 @@ static void test_limit(struct tap *tap) {
 }
 
 int main(void) {
-  static const char *const scenes[] = {"house",        "tower:3",  "non-planar",
+  static const char *const scenes[] = {"house",        "twist:3",  "non-planar",
                                        "lattice:80:1", "coplanar", "office:2",
                                        "terrain:8:6",  "one-sided"};
   enum { SCENES = sizeof scenes / sizeof *scenes };
