@@ -159,38 +159,42 @@ static void posts(struct tower *tower) {
 /* --- Roofs, crown and ground ------------------------------------------------
  */
 
-/* A strip of a roof in its own frame: before and to the right of what rises
- * from it, with a parapet along these two edges; rows of vents on the wide. */
-static void strip(struct hsr_pen *pen, double left, double right, double inner,
-                  double outer) {
+/* A strip of a roof in its own frame: before what rises from it, with a parapet
+ * along its outer edge, and at its ends, if so wanted; rows of vents on the
+ * wide. */
+static void strip(struct hsr_pen *pen, double half, double inner, double outer,
+                  bool ends) {
   double top = ROOF + 1, middle = (inner + outer) / 2;
   hsr_pen_paint(pen, GRAVEL);
-  hsr_pen_box(pen, left, 0, inner, right, ROOF, outer);
+  hsr_pen_box(pen, -half, 0, inner, half, ROOF, outer);
   hsr_pen_paint(pen, LIMESTONE);
-  hsr_pen_box(pen, left, ROOF, outer - SHELL, right, top, outer);
-  hsr_pen_box(pen, right - SHELL, ROOF, inner, right, top, outer - SHELL);
+  hsr_pen_box(pen, -half, ROOF, outer - SHELL, half, top, outer);
+  for (int k = -1; ends && k <= 1; k += 2)
+    hsr_pen_box(pen, k < 0 ? -half : half - SHELL, ROOF, inner,
+                k < 0 ? SHELL - half : half, top, outer - SHELL);
   hsr_pen_paint(pen, VENT);
   if (outer - inner > 12)
-    for (double x = left + 8; x < right - 12; x += 24)
+    for (double x = 8 - half; x < half - 12; x += 24)
       hsr_pen_box(pen, x, ROOF, middle - 2, x + 6, ROOF + 3, middle + 2);
 }
 
-/* On the layer below, about what is above it: four strips like the sails of a
- * windmill, where they have any width. */
+/* On the layer below, about what is above it: along two sides from corner to
+ * corner, along the others between these; where they have any width. So planes
+ * separate them. */
 static void roof(struct tower *tower, int layer) {
   struct plan below = plan_of(tower, layer - 1), above = plan_of(tower, layer);
   struct hsr_pen *pen = &tower->pen;
   for (int side = 0; side < 4; side++) {
-    bool turned = side % 2;
-    double left = turned ? above.z : above.x,
-           right = turned ? below.z : below.x;
-    double inner = turned ? above.x : above.z;
-    double outer = turned ? below.x : below.z;
+    bool between = side % 2;
+    double half = between ? above.z : below.x;
+    double inner = between ? above.x : above.z;
+    double outer = between ? below.x : below.z;
     if (inner == outer)
       continue;
     hsr_pen_object(pen, "roof", true);
     hsr_pen_frame(pen, 0, 0, 0, side);
-    strip(pen, -left - SHELL, right + SHELL, inner + SHELL, outer + SHELL);
+    strip(pen, half + SHELL, inner + SHELL, outer + SHELL,
+          !between || above.z == below.z);
     place(tower, 0, SIDE * layer, 0);
   }
 }

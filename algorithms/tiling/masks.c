@@ -15,15 +15,6 @@
 
 static const uint64_t ALL = UINT64_MAX;
 
-/* The step that is written twice, for every machine and for AVX-512: of the
- * samples of a finest cell, those surely inside a line that is f at the cell's
- * corner, and those surely outside. */
-struct hsr_mask_twin {
-  void (*split)(const struct hsr_mask_line *line, double f,
-                const struct hsr_mask_places *places, uint64_t *inside,
-                uint64_t *outside);
-};
-
 /* A cell on the way. */
 struct cell {
   int level;
@@ -73,17 +64,29 @@ static uint64_t rectangle(int c0, int r0, int c1, int r1) {
   return row * 0x0101010101010101u & rows;
 }
 
-/* How many subcells of `size` samples begin before the end. */
-static int subcells(int extent, int size) {
-  int n = (extent + size - 1) / size;
-  return n < 0 ? 0 : n > 8 ? 8 : n;
+static int within_8(int k) {
+  return k < 0 ? 0 : k > 8 ? 8 : k;
+}
+
+/* The subcells of a cell that have samples in the box; size is a power of two,
+ * and the shift rounds down. */
+static uint64_t subcells_of(const struct cell *cell,
+                            const struct hsr_bounds *box) {
+  int size = cell->size / 8;
+  int shift = first_bit((uint64_t)size);
+  return rectangle(within_8((box->x0 - cell->x) >> shift),
+                   within_8((box->y0 - cell->y) >> shift),
+                   within_8(((box->x1 - 1 - cell->x) >> shift) + 1),
+                   within_8(((box->y1 - 1 - cell->y) >> shift) + 1));
 }
 
 /* The subcells that have samples of the window. */
 static uint64_t in_window(const struct hsr_masks *p, const struct cell *cell) {
-  int size = cell->size / 8;
-  return rectangle(0, 0, subcells(p->window.x1 - cell->x, size),
-                   subcells(p->window.y1 - cell->y, size));
+  const struct hsr_window *w = &p->window;
+  if (cell->x + cell->size <= w->x1 && cell->y + cell->size <= w->y1)
+    return ALL;
+  struct hsr_bounds box = {w->x0, w->y0, w->x1, w->y1};
+  return subcells_of(cell, &box);
 }
 
 static void clear(struct hsr_masks *p, const struct cell *cell) {
@@ -161,8 +164,9 @@ static enum where classify(const struct hsr_masks *p,
  * places that are known within half the tables' slack. */
 static int entry_of(const struct hsr_masks *p, const struct hsr_mask_line *line,
                     double corner, int size, bool *inside) {
-  double step[2] = {line->a * size, line->b * size};
-  double per[2] = {line->per_a / size, line->per_b / size};
+  double side = size, per_side = 1 / side; /* a power of two */
+  double step[2] = {line->a * side, line->b * side};
+  double per[2] = {line->per_a * per_side, line->per_b * per_side};
   double least = 2 / HSR_TRIAGE_SLACK * line->error;
   bool known[2] = {fabs(step[0]) > least, fabs(step[1]) > least};
   return hsr_triage_entry(p->tables->intervals, corner, step, per, known,
@@ -244,9 +248,15 @@ static void count_cell(const struct hsr_masks *p, const struct cell *cell) {
 /* --- The finest level ------------------------------------------------------
  */
 
-static void split_portable(const struct hsr_mask_line *line, double f,
-                           const struct hsr_mask_places *places,
-                           uint64_t *inside, uint64_t *outside) {
+/* Of the samples of a finest cell, those surely inside a line that is f at the
+ * cell's corner, and those surely outside. */
+typedef void (*splitter)(const struct hsr_mask_line *line, double f,
+                         const struct hsr_mask_places *places, uint64_t *inside,
+                         uint64_t *outside);
+
+static inline void split(const struct hsr_mask_line *line, double f,
+                         const struct hsr_mask_places *places, uint64_t *inside,
+                         uint64_t *outside) {
   *inside = *outside = 0;
   for (int bit = 0; bit < 64; bit++) {
     double at = f + (line->a * places->x[bit] + line->b * places->y[bit]);
@@ -255,12 +265,11 @@ static void split_portable(const struct hsr_mask_line *line, double f,
   }
 }
 
-static const struct hsr_mask_twin portable = {split_portable};
-
 #ifdef HAVE_AVX512_TWIN
-AVX512 static void split_avx512(const struct hsr_mask_line *line, double f,
-                                const struct hsr_mask_places *places,
-                                uint64_t *inside, uint64_t *outside) {
+AVX512 static inline void split_avx512(const struct hsr_mask_line *line,
+                                       double f,
+                                       const struct hsr_mask_places *places,
+                                       uint64_t *inside, uint64_t *outside) {
   __m512d a = _mm512_set1_pd(line->a), b = _mm512_set1_pd(line->b);
   __m512d from = _mm512_set1_pd(f), error = _mm512_set1_pd(line->error);
   __m512d minus = _mm512_set1_pd(-line->error);
@@ -275,17 +284,7 @@ AVX512 static void split_avx512(const struct hsr_mask_line *line, double f,
   *inside = in;
   *outside = out;
 }
-
-static const struct hsr_mask_twin avx512 = {split_avx512};
 #endif
-
-static const struct hsr_mask_twin *choose_twin(void) {
-#ifdef HAVE_AVX512_TWIN
-  if (__builtin_cpu_supports("avx512f"))
-    return &avx512;
-#endif
-  return &portable;
-}
 
 static int pattern_of(const struct hsr_masks *p, const struct cell *cell) {
   return p->filtering
@@ -305,7 +304,7 @@ static uint64_t candidates(const struct hsr_masks *p,
     const struct hsr_mask_line *line = &polygon->line[list[k]];
     uint64_t inside, outside;
     double f = line->a * cell->x + line->b * cell->y + line->c;
-    p->twin->split(line, f, &p->places[pattern], &inside, &outside);
+    split(line, f, &p->places[pattern], &inside, &outside);
     mask &= ~outside;
     *unsure |= ~(inside | outside);
   }
@@ -382,6 +381,14 @@ struct task {
   struct hsr_masks *masks;
   const struct hsr_mask_polygon *polygon;
   const struct hsr_mask_sink *sink;
+  struct hsr_bounds box; /* of its samples */
+};
+
+/* The step that is written twice, for every machine and for AVX-512. */
+struct hsr_mask_twin {
+  void (*tile_pixels)(const struct task *t, const struct cell *cell,
+                      const struct hsr_mask_lines *active,
+                      struct hsr_triage *mask, uint64_t a);
 };
 
 static void tile_finest(const struct task *t, const struct cell *cell,
@@ -422,6 +429,73 @@ static void write_squares(const struct task *t, const struct cell *cell,
   }
 }
 
+/* The finest subcells a of a cell, as tile_finest has them one by one. What is
+ * left open there is left to that. */
+static inline __attribute__((always_inline)) void
+tile_pixels(const struct task *t, const struct cell *cell,
+            const struct hsr_mask_lines *active, struct hsr_triage *mask,
+            uint64_t a, splitter by) {
+  struct hsr_masks *p = t->masks;
+  for (; a; a &= a - 1) {
+    int bit = first_bit(a);
+    struct cell sub = subcell(cell, bit);
+    if (mask->v >> bit & 1)
+      clear(p, &sub);
+    const struct hsr_mask_places *places = &p->places[pattern_of(p, &sub)];
+    uint64_t w = ~p->finest[sub.number], unsure = 0;
+    for (uint32_t k = 0; k < active->n && w; k++) {
+      if (active->inside[k] >> bit & 1)
+        continue;
+      const struct hsr_mask_line *line = &t->polygon->line[active->number[k]];
+      uint64_t inside, outside;
+      by(line, line->a * sub.x + line->b * sub.y + line->c, places, &inside,
+         &outside);
+      w &= ~outside;
+      unsure |= ~inside;
+    }
+    if (w & unsure) {
+      tile_finest(t, &sub, active->list, choose(active, bit));
+      propagate(p, &sub, mask);
+      continue;
+    }
+    count_cell(p, &sub);
+    if (!w)
+      continue;
+    mask->v &= ~((uint64_t)1 << bit);
+    p->finest[sub.number] |= w;
+    if (p->finest[sub.number] == ALL)
+      mask->c |= (uint64_t)1 << bit;
+    t->sink->samples(t->sink->context, sub.x, sub.y, w);
+  }
+}
+
+static void tile_pixels_portable(const struct task *t, const struct cell *cell,
+                                 const struct hsr_mask_lines *active,
+                                 struct hsr_triage *mask, uint64_t a) {
+  tile_pixels(t, cell, active, mask, a, split);
+}
+
+static const struct hsr_mask_twin portable = {tile_pixels_portable};
+
+#ifdef HAVE_AVX512_TWIN
+AVX512 static void tile_pixels_avx512(const struct task *t,
+                                      const struct cell *cell,
+                                      const struct hsr_mask_lines *active,
+                                      struct hsr_triage *mask, uint64_t a) {
+  tile_pixels(t, cell, active, mask, a, split_avx512);
+}
+
+static const struct hsr_mask_twin avx512 = {tile_pixels_avx512};
+#endif
+
+static const struct hsr_mask_twin *choose_twin(void) {
+#ifdef HAVE_AVX512_TWIN
+  if (__builtin_cpu_supports("avx512f"))
+    return &avx512;
+#endif
+  return &portable;
+}
+
 /* Listing 1. */
 static void tile(const struct task *t, const struct cell *cell,
                  const uint32_t *list, uint32_t n) {
@@ -441,7 +515,13 @@ static void tile(const struct task *t, const struct cell *cell,
   mask->c |= w;
   mask->v &= ~w;
   write_squares(t, cell, w);
-  for (uint64_t a = ~(w | polygon.v | mask->c); a; a &= a - 1) {
+  uint64_t a = ~(w | polygon.v | mask->c) & subcells_of(cell, &t->box);
+  if (cell->level == p->n_levels - 2 && !p->sample_tables &&
+      !t->polygon->covers) {
+    p->twin->tile_pixels(t, cell, active, mask, a);
+    return;
+  }
+  for (; a; a &= a - 1) {
     int bit = first_bit(a);
     struct cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
@@ -467,9 +547,11 @@ static bool shows(const struct task *t, const struct cell *cell,
   struct hsr_triage *mask = &p->coarse[cell->level][cell->number], polygon;
   if (!compose(p, t->polygon, cell, list, n, active, &polygon))
     return false;
-  if (polygon.c & ~mask->c)
+  if (polygon.c & ~mask->c & subcells_of(cell, &t->box))
     return true;
-  for (uint64_t a = ~(polygon.c | polygon.v | mask->c); a; a &= a - 1) {
+  for (uint64_t a =
+           ~(polygon.c | polygon.v | mask->c) & subcells_of(cell, &t->box);
+       a; a &= a - 1) {
     int bit = first_bit(a);
     struct cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
@@ -483,15 +565,6 @@ static bool shows(const struct task *t, const struct cell *cell,
 
 /* --- Where to begin --------------------------------------------------------
  */
-
-/* The subcells of a cell that have samples in the box. */
-static uint64_t subcells_of(const struct cell *cell,
-                            const struct hsr_bounds *box) {
-  int size = cell->size / 8;
-  int c0 = (box->x0 - cell->x) / size, r0 = (box->y0 - cell->y) / size;
-  return rectangle(c0, r0, (box->x1 - 1 - cell->x) / size + 1,
-                   (box->y1 - 1 - cell->y) / size + 1);
-}
 
 /* The way from the root to the smallest cell that encloses the box; 0 if the
  * box is seen to be hidden. Cells on the way are cleared if they are to be. */
@@ -518,7 +591,7 @@ bool HSR_OF_BUILD(hsr_masks_tile)(struct hsr_masks *p,
                                   const struct hsr_mask_polygon *polygon,
                                   struct hsr_bounds box,
                                   const struct hsr_mask_sink *sink) {
-  struct task task = {p, polygon, sink};
+  struct task task = {p, polygon, sink, box};
   struct cell way[HSR_MASK_LEVELS];
   int k = descend(p, &box, way);
   if (!k--)
@@ -532,7 +605,8 @@ bool HSR_OF_BUILD(hsr_masks_tile)(struct hsr_masks *p,
 void HSR_OF_BUILD(hsr_masks_tile_root)(struct hsr_masks *p,
                                        const struct hsr_mask_polygon *polygon,
                                        const struct hsr_mask_sink *sink) {
-  struct task task = {p, polygon, sink};
+  const struct hsr_window *w = &p->window;
+  struct task task = {p, polygon, sink, {w->x0, w->y0, w->x1, w->y1}};
   struct cell root = root_of(p);
   tile(&task, &root, p->all, polygon->n);
 }
@@ -540,7 +614,7 @@ void HSR_OF_BUILD(hsr_masks_tile_root)(struct hsr_masks *p,
 bool HSR_OF_BUILD(hsr_masks_show)(struct hsr_masks *p,
                                   const struct hsr_mask_polygon *polygon,
                                   struct hsr_bounds box) {
-  struct task task = {p, polygon, NULL};
+  struct task task = {p, polygon, NULL, box};
   struct cell way[HSR_MASK_LEVELS];
   int k = descend(p, &box, way);
   return k && shows(&task, &way[k - 1], p->all, polygon->n);
