@@ -35,11 +35,11 @@ static enum hsr_status check(const struct hsr_volumes *volumes,
                              struct hsr_error *err) {
   for (uint32_t b = 0; b < volumes->n_bodies; b++)
     if (volumes->solid_start[b] == volumes->solid_start[b + 1])
-      return hsr_fail(err, HSR_E_REFUSED,
-                      "%s: face %u is of no closed solid, or of one too large "
-                      "to be divided into convex parts",
-                      hsr_restriction_code(HSR_CC),
-                      volumes->face[volumes->face_start[b]]);
+      return hsr_fail(
+          err, HSR_E_REFUSED,
+          "%s: face %u is not of a closed solid that can be divided "
+          "into convex parts",
+          hsr_restriction_code(HSR_CC), volumes->face[volumes->face_start[b]]);
   return HSR_OK;
 }
 

@@ -25,8 +25,8 @@ struct hsr_voxel_solids {
 
 /* `most` voxels along the longest side of the world. To be freed also after a
  * failure. HSR_E_NOMEM; HSR_E_INPUT as hsr_voxel_grid_init; HSR_E_REFUSED with
- * the code HSR_CC and the face, where one is of no solid, or of one that is too
- * large to be divided. */
+ * the code HSR_CC and the face, where one is of no closed solid, or of one that
+ * is too large to be divided. */
 enum hsr_status hsr_voxel_solids_init(struct hsr_voxel_solids *answer,
                                       const struct hsr_volumes *volumes,
                                       int most, struct hsr_error *err);

@@ -303,14 +303,12 @@ static void tile_finest(struct hsr_voxels *p, const struct cell *cell,
 /* What was tiled in a subcell goes up to its cell. */
 static void propagate(const struct hsr_voxels *p, const struct cell *sub,
                       uint64_t bit, struct hsr_triage *mask) {
-  struct hsr_triage all;
-  if (is_finest(p, sub))
-    all = (struct hsr_triage){*finest_of(p, sub), ~*finest_of(p, sub)};
-  else
-    all = *coarse_of(p, sub);
-  if (all.c == ALL)
+  bool finest = is_finest(p, sub);
+  uint64_t c = finest ? *finest_of(p, sub) : coarse_of(p, sub)->c;
+  uint64_t v = finest ? ~c : coarse_of(p, sub)->v;
+  if (c == ALL)
     mask->c |= bit;
-  if (all.v != ALL)
+  if (v != in_grid(p, sub))
     mask->v &= ~bit;
 }
 

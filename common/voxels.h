@@ -12,10 +12,9 @@
  * Centres     are the doubles that hsr_voxel_centre computes.
  * Order       any: a voxel is given to the first that it is inside of.
  * Invariant   on every path of subcells that are active: C_c is set just where
- *             all voxels are covered, C_v just where none is, except that
- *             voxels outside of the grid count as covered. What lies below a
- *             vacant subcell is cleared when it is entered; below a covered one
- *             it is stale.
+ *             all voxels of the grid are covered, C_v just where none is and
+ *             there are any. What lies below a vacant subcell is cleared when
+ *             it is entered; below a covered one it is stale.
  * Memory      1 bit a voxel of the finest level and 2 of every cell above, 64
  *             times fewer each: at least 1 1/32 bits a voxel if there are two
  *             levels or more, less than 1 2/63; the grid being taken as whole
@@ -62,21 +61,24 @@ struct hsr_voxel_work {
   uint64_t exact;         /* sides of voxels left to the exact predicates */
 };
 
+/* One level of the pyramid. */
+struct hsr_voxel_level {
+  int n[3];                  /* cells along x, y, z; x is fastest */
+  struct hsr_triage *coarse; /* NULL for the finest level, which has */
+  uint64_t *finest;          /* these instead */
+
+  /* Of the cell at hand: the planes that cross it, and the subcells that
+   * each leaves surely inside; those of the subcell at hand. */
+  uint32_t n_active, *active, *list;
+  uint64_t *inside;
+};
+
 struct hsr_voxels {
   struct hsr_voxel_grid grid;
   const struct hsr_volumes *volumes; /* borrowed */
   int n_levels; /* cells of level k have 4^(n_levels - k) voxels a side */
   size_t pyramid_bytes;
-  struct hsr_voxel_level {
-    int n[3];                  /* cells along x, y, z; x is fastest */
-    struct hsr_triage *coarse; /* NULL for the finest level, which has */
-    uint64_t *finest;          /* these instead */
-
-    /* Of the cell at hand: the planes that cross it, and the subcells that
-     * each leaves surely inside; those of the subcell at hand. */
-    uint32_t n_active, *active, *list;
-    uint64_t *inside;
-  } level[HSR_VOXEL_LEVELS];
+  struct hsr_voxel_level level[HSR_VOXEL_LEVELS]; /* [0] holds the root */
 
   /* Of the volume at hand. */
   const struct hsr_half_space *half_space;
