@@ -45,6 +45,7 @@ struct hsr_pieces_view {
   uint32_t first_point;
   double *x, *y, *w;
   double error[3];
+  double rounding; /* of a point that is no vertex, when it is moved */
 
   /* The piece at hand. */
   const struct hsr_bsp_piece *piece;
