@@ -49,6 +49,7 @@ struct hsr_pieces_view {
   double *sx, *sy; /* (sx, sy) on the screen, */
   double margin;   /* within this */
   bool past_near;  /* all of them are */
+  double rounding; /* of a point that is no vertex, when it is moved */
 
   /* The piece at hand. */
   const struct hsr_bsp_piece *piece;
