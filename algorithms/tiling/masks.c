@@ -24,13 +24,6 @@ struct hsr_mask_twin {
                 uint64_t *outside);
 };
 
-/* A cell on the way. */
-struct cell {
-  int level;
-  uint32_t number;
-  int x, y, size; /* its first sample, and samples a side */
-};
-
 static int first_bit(uint64_t mask) {
 #ifdef __GNUC__
   return __builtin_ctzll(mask);
@@ -42,22 +35,24 @@ static int first_bit(uint64_t mask) {
 #endif
 }
 
-static bool is_finest(const struct hsr_masks *p, const struct cell *cell) {
+static bool is_finest(const struct hsr_masks *p,
+                      const struct hsr_mask_cell *cell) {
   return cell->level == p->n_levels - 1;
 }
 
-static struct cell subcell(const struct cell *cell, int bit) {
+static struct hsr_mask_cell subcell(const struct hsr_mask_cell *cell, int bit) {
   int size = cell->size / 8;
-  struct cell sub = {cell->level + 1, cell->number * 64 + (uint32_t)bit,
-                     cell->x + bit % 8 * size, cell->y + bit / 8 * size, size};
+  struct hsr_mask_cell sub = {
+      cell->level + 1, cell->number * 64 + (uint32_t)bit,
+      cell->x + bit % 8 * size, cell->y + bit / 8 * size, size};
   return sub;
 }
 
-static struct cell root_of(const struct hsr_masks *p) {
+static struct hsr_mask_cell root_of(const struct hsr_masks *p) {
   int size = 1;
   for (int k = 0; k < p->n_levels; k++)
     size *= 8;
-  struct cell root = {0, 0, p->window.x0, p->window.y0, size};
+  struct hsr_mask_cell root = {0, 0, p->window.x0, p->window.y0, size};
   return root;
 }
 
@@ -80,13 +75,14 @@ static int subcells(int extent, int size) {
 }
 
 /* The subcells that have samples of the window. */
-static uint64_t in_window(const struct hsr_masks *p, const struct cell *cell) {
+static uint64_t in_window(const struct hsr_masks *p,
+                          const struct hsr_mask_cell *cell) {
   int size = cell->size / 8;
   return rectangle(0, 0, subcells(p->window.x1 - cell->x, size),
                    subcells(p->window.y1 - cell->y, size));
 }
 
-static void clear(struct hsr_masks *p, const struct cell *cell) {
+static void clear(struct hsr_masks *p, const struct hsr_mask_cell *cell) {
   uint64_t vacant = in_window(p, cell);
   if (is_finest(p, cell))
     p->finest[cell->number] = ~vacant;
@@ -128,7 +124,7 @@ enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *p,
     return HSR_E_NOMEM;
   for (uint32_t k = 0; k < most; k++)
     p->all[k] = k;
-  struct cell root = root_of(p);
+  struct hsr_mask_cell root = root_of(p);
   clear(p, &root);
   return HSR_OK;
 }
@@ -146,7 +142,7 @@ enum where { OUTSIDE, INSIDE, CROSSING };
  * sample away from the cell's border. */
 static enum where classify(const struct hsr_masks *p,
                            const struct hsr_mask_line *line,
-                           const struct cell *cell, double *corner) {
+                           const struct hsr_mask_cell *cell, double *corner) {
   double half = 0.5 * cell->size;
   double middle =
       line->a * (cell->x + half) + line->b * (cell->y + half) + line->c;
@@ -185,8 +181,9 @@ static struct hsr_triage look_up(const struct hsr_masks *p,
  * is outside. */
 static bool compose(const struct hsr_masks *p,
                     const struct hsr_mask_polygon *polygon,
-                    const struct cell *cell, const uint32_t *list, uint32_t n,
-                    struct hsr_mask_lines *active, struct hsr_triage *mask) {
+                    const struct hsr_mask_cell *cell, const uint32_t *list,
+                    uint32_t n, struct hsr_mask_lines *active,
+                    struct hsr_triage *mask) {
   *mask = (struct hsr_triage){ALL, 0};
   active->n = 0;
   for (uint32_t k = 0; k < n; k++) {
@@ -220,7 +217,7 @@ static uint32_t choose(const struct hsr_mask_lines *active, int bit) {
  */
 
 #if HSR_COUNTING
-static void count_cell(struct hsr_masks *p, const struct cell *cell) {
+static void count_cell(struct hsr_masks *p, const struct hsr_mask_cell *cell) {
   p->work->cells++;
   p->work->finest += is_finest(p, cell);
   if (cell->size < p->pixel)
@@ -235,7 +232,8 @@ static void count_cell(struct hsr_masks *p, const struct cell *cell) {
       p->touched[(size_t)j * p->touched_stride + (size_t)i] += share;
 }
 #else
-static void count_cell(const struct hsr_masks *p, const struct cell *cell) {
+static void count_cell(const struct hsr_masks *p,
+                       const struct hsr_mask_cell *cell) {
   (void)p;
   (void)cell;
 }
@@ -287,7 +285,8 @@ static const struct hsr_mask_twin *choose_twin(void) {
   return &portable;
 }
 
-static int pattern_of(const struct hsr_masks *p, const struct cell *cell) {
+static int pattern_of(const struct hsr_masks *p,
+                      const struct hsr_mask_cell *cell) {
   return p->filtering
              ? hsr_jitter_pattern(p->filtering, cell->x / 8, cell->y / 8)
              : 0;
@@ -297,8 +296,9 @@ static int pattern_of(const struct hsr_masks *p, const struct cell *cell) {
  * list; *unsure are those of them that are not certain. */
 static uint64_t candidates(const struct hsr_masks *p,
                            const struct hsr_mask_polygon *polygon,
-                           const struct cell *cell, const uint32_t *list,
-                           uint32_t n, int pattern, uint64_t *unsure) {
+                           const struct hsr_mask_cell *cell,
+                           const uint32_t *list, uint32_t n, int pattern,
+                           uint64_t *unsure) {
   uint64_t mask = ALL;
   *unsure = 0;
   for (uint32_t k = 0; k < n && mask; k++) {
@@ -316,7 +316,7 @@ static uint64_t candidates(const struct hsr_masks *p,
 /* The same by the tables: certain, and sometimes wrong. */
 static uint64_t tabled(const struct hsr_masks *p,
                        const struct hsr_mask_polygon *polygon,
-                       const struct cell *cell, const uint32_t *list,
+                       const struct hsr_mask_cell *cell, const uint32_t *list,
                        uint32_t n, int pattern, uint64_t *unsure) {
   uint64_t mask = ALL;
   *unsure = 0;
@@ -341,7 +341,7 @@ static uint64_t tabled(const struct hsr_masks *p,
 /* Whether the exact predicates have a sample covered. */
 static bool is_covered(struct hsr_masks *p,
                        const struct hsr_mask_polygon *polygon,
-                       const struct cell *cell, const uint32_t *list,
+                       const struct hsr_mask_cell *cell, const uint32_t *list,
                        uint32_t n, int pattern, int bit, bool lines_unsure) {
   const struct hsr_mask_places *places = &p->places[pattern];
   double sx = cell->x + places->x[bit], sy = cell->y + places->y[bit];
@@ -357,15 +357,16 @@ static bool is_covered(struct hsr_masks *p,
   return !polygon->covers || polygon->covers(polygon->context, sx, sy);
 }
 
-/* W of a finest cell. */
-static uint64_t visible_samples(struct hsr_masks *p,
+/* The samples of a finest cell that the polygon covers, of those asked for. */
+static uint64_t covered_samples(struct hsr_masks *p,
                                 const struct hsr_mask_polygon *polygon,
-                                const struct cell *cell, const uint32_t *list,
-                                uint32_t n) {
-  uint64_t vacant = ~p->finest[cell->number], unsure;
+                                const struct hsr_mask_cell *cell,
+                                const uint32_t *list, uint32_t n,
+                                uint64_t asked) {
+  uint64_t unsure;
   int pattern = pattern_of(p, cell);
-  uint64_t mask = vacant & (p->sample_tables ? tabled : candidates)(
-                               p, polygon, cell, list, n, pattern, &unsure);
+  uint64_t mask = asked & (p->sample_tables ? tabled : candidates)(
+                              p, polygon, cell, list, n, pattern, &unsure);
   uint64_t ask = mask & (polygon->covers ? ALL : unsure);
   for (; ask; ask &= ask - 1) {
     int bit = first_bit(ask);
@@ -384,9 +385,10 @@ struct task {
   const struct hsr_mask_sink *sink;
 };
 
-static void tile_finest(const struct task *t, const struct cell *cell,
+static void tile_finest(const struct task *t, const struct hsr_mask_cell *cell,
                         const uint32_t *list, uint32_t n) {
-  uint64_t w = visible_samples(t->masks, t->polygon, cell, list, n);
+  uint64_t w = covered_samples(t->masks, t->polygon, cell, list, n,
+                               ~t->masks->finest[cell->number]);
   count_cell(t->masks, cell);
   if (!w)
     return;
@@ -395,7 +397,8 @@ static void tile_finest(const struct task *t, const struct cell *cell,
 }
 
 /* What was tiled in a subcell goes up to its cell. */
-static void propagate(const struct hsr_masks *p, const struct cell *sub,
+static void propagate(const struct hsr_masks *p,
+                      const struct hsr_mask_cell *sub,
                       struct hsr_triage *mask) {
   uint64_t bit = (uint64_t)1 << (sub->number & 63);
   uint64_t covered, vacant;
@@ -412,8 +415,8 @@ static void propagate(const struct hsr_masks *p, const struct cell *sub,
     mask->v &= ~bit;
 }
 
-static void write_squares(const struct task *t, const struct cell *cell,
-                          uint64_t w) {
+static void write_squares(const struct task *t,
+                          const struct hsr_mask_cell *cell, uint64_t w) {
   int size = cell->size / 8;
   for (; w; w &= w - 1) {
     int bit = first_bit(w);
@@ -423,7 +426,7 @@ static void write_squares(const struct task *t, const struct cell *cell,
 }
 
 /* Listing 1. */
-static void tile(const struct task *t, const struct cell *cell,
+static void tile(const struct task *t, const struct hsr_mask_cell *cell,
                  const uint32_t *list, uint32_t n) {
   struct hsr_masks *p = t->masks;
   if (is_finest(p, cell)) {
@@ -443,7 +446,7 @@ static void tile(const struct task *t, const struct cell *cell,
   write_squares(t, cell, w);
   for (uint64_t a = ~(w | polygon.v | mask->c); a; a &= a - 1) {
     int bit = first_bit(a);
-    struct cell sub = subcell(cell, bit);
+    struct hsr_mask_cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
       clear(p, &sub);
     uint32_t n_sub = choose(active, bit);
@@ -454,7 +457,7 @@ static void tile(const struct task *t, const struct cell *cell,
 
 /* Whether the polygon, of which the lines leave open what is not surely
  * outside, covers a sample that is not covered. */
-static bool shows(const struct task *t, const struct cell *cell,
+static bool shows(const struct task *t, const struct hsr_mask_cell *cell,
                   const uint32_t *list, uint32_t n) {
   struct hsr_masks *p = t->masks;
   count_cell(p, cell);
@@ -471,7 +474,7 @@ static bool shows(const struct task *t, const struct cell *cell,
     return true;
   for (uint64_t a = ~(polygon.c | polygon.v | mask->c); a; a &= a - 1) {
     int bit = first_bit(a);
-    struct cell sub = subcell(cell, bit);
+    struct hsr_mask_cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
       clear(p, &sub);
     uint32_t n_sub = choose(active, bit);
@@ -485,7 +488,7 @@ static bool shows(const struct task *t, const struct cell *cell,
  */
 
 /* The subcells of a cell that have samples in the box. */
-static uint64_t subcells_of(const struct cell *cell,
+static uint64_t subcells_of(const struct hsr_mask_cell *cell,
                             const struct hsr_bounds *box) {
   int size = cell->size / 8;
   int c0 = (box->x0 - cell->x) / size, r0 = (box->y0 - cell->y) / size;
@@ -496,7 +499,7 @@ static uint64_t subcells_of(const struct cell *cell,
 /* The way from the root to the smallest cell that encloses the box; 0 if the
  * box is seen to be hidden. Cells on the way are cleared if they are to be. */
 static int descend(struct hsr_masks *p, const struct hsr_bounds *box,
-                   struct cell way[HSR_MASK_LEVELS]) {
+                   struct hsr_mask_cell way[HSR_MASK_LEVELS]) {
   way[0] = root_of(p);
   for (int k = 0;; k++) {
     uint64_t in = subcells_of(&way[k], box);
@@ -519,7 +522,7 @@ bool HSR_OF_BUILD(hsr_masks_tile)(struct hsr_masks *p,
                                   struct hsr_bounds box,
                                   const struct hsr_mask_sink *sink) {
   struct task task = {p, polygon, sink};
-  struct cell way[HSR_MASK_LEVELS];
+  struct hsr_mask_cell way[HSR_MASK_LEVELS];
   int k = descend(p, &box, way);
   if (!k--)
     return false;
@@ -533,7 +536,7 @@ void HSR_OF_BUILD(hsr_masks_tile_root)(struct hsr_masks *p,
                                        const struct hsr_mask_polygon *polygon,
                                        const struct hsr_mask_sink *sink) {
   struct task task = {p, polygon, sink};
-  struct cell root = root_of(p);
+  struct hsr_mask_cell root = root_of(p);
   tile(&task, &root, p->all, polygon->n);
 }
 
@@ -541,7 +544,102 @@ bool HSR_OF_BUILD(hsr_masks_show)(struct hsr_masks *p,
                                   const struct hsr_mask_polygon *polygon,
                                   struct hsr_bounds box) {
   struct task task = {p, polygon, NULL};
-  struct cell way[HSR_MASK_LEVELS];
+  struct hsr_mask_cell way[HSR_MASK_LEVELS];
   int k = descend(p, &box, way);
   return k && shows(&task, &way[k - 1], p->all, polygon->n);
+}
+
+/* --- For those who go through the pyramid by themselves ---------------------
+ */
+
+struct visit {
+  struct hsr_masks *masks;
+  const struct hsr_mask_polygon *polygon;
+  const struct hsr_mask_visitor *visitor;
+};
+
+static void visit_finest(const struct visit *v,
+                         const struct hsr_mask_cell *cell, const uint32_t *list,
+                         uint32_t n) {
+  struct hsr_masks *p = v->masks;
+  void *context = v->visitor->context;
+  struct hsr_triage unknown = {0, 0};
+  uint64_t mask = v->visitor->enter(context, cell, unknown), unsure;
+  if (mask && v->polygon->inside)
+    mask = covered_samples(p, v->polygon, cell, list, n, mask);
+  else if (mask)
+    mask &=
+        candidates(p, v->polygon, cell, list, n, pattern_of(p, cell), &unsure);
+  if (mask)
+    v->visitor->samples(context, cell, mask);
+}
+
+static void visit(const struct visit *v, const struct hsr_mask_cell *cell,
+                  const uint32_t *list, uint32_t n) {
+  struct hsr_masks *p = v->masks;
+  struct hsr_triage polygon;
+  count_cell(p, cell);
+  if (is_finest(p, cell)) {
+    visit_finest(v, cell, list, n);
+    return;
+  }
+  struct hsr_mask_lines *active = &p->lines[cell->level];
+  if (!compose(p, v->polygon, cell, list, n, active, &polygon))
+    return;
+  if (v->polygon->covers)
+    polygon.c = 0;
+  uint64_t entered = v->visitor->enter(v->visitor->context, cell, polygon);
+  for (uint64_t a = entered; a; a &= a - 1) {
+    int bit = first_bit(a);
+    struct hsr_mask_cell sub = subcell(cell, bit);
+    uint32_t n_sub = choose(active, bit);
+    visit(v, &sub, active->list, n_sub);
+  }
+  v->visitor->leave(v->visitor->context, cell, entered);
+}
+
+bool HSR_OF_BUILD(hsr_masks_visit)(struct hsr_masks *p,
+                                   const struct hsr_mask_polygon *polygon,
+                                   struct hsr_bounds box,
+                                   const struct hsr_mask_visitor *visitor) {
+  struct visit v = {p, polygon, visitor};
+  struct hsr_mask_cell way[HSR_MASK_LEVELS];
+  uint64_t in[HSR_MASK_LEVELS];
+  int k = 0;
+  way[0] = root_of(p);
+  for (;; k++) {
+    in[k] = subcells_of(&way[k], &box);
+    if (is_finest(p, &way[k]) || in[k] & (in[k] - 1))
+      break;
+    count_cell(p, &way[k]);
+    struct hsr_triage polygon_there = {0, ~in[k]};
+    if (!visitor->enter(visitor->context, &way[k], polygon_there))
+      break;
+    way[k + 1] = subcell(&way[k], first_bit(in[k]));
+  }
+  bool met = is_finest(p, &way[k]) || in[k] & (in[k] - 1);
+  if (met)
+    visit(&v, &way[k], p->all, polygon->n);
+  for (k--; k >= 0; k--)
+    visitor->leave(visitor->context, &way[k], in[k]);
+  return met;
+}
+
+uint64_t HSR_OF_BUILD(hsr_masks_in_window)(const struct hsr_masks *p,
+                                           const struct hsr_mask_cell *cell) {
+  return in_window(p, cell);
+}
+
+struct hsr_mask_cell
+HSR_OF_BUILD(hsr_masks_subcell)(const struct hsr_mask_cell *cell, int bit) {
+  return subcell(cell, bit);
+}
+
+struct hsr_mask_cell HSR_OF_BUILD(hsr_masks_root)(const struct hsr_masks *p) {
+  return root_of(p);
+}
+
+int HSR_OF_BUILD(hsr_masks_pattern)(const struct hsr_masks *p,
+                                    const struct hsr_mask_cell *cell) {
+  return pattern_of(p, cell);
 }
