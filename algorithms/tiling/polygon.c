@@ -66,7 +66,7 @@ static struct hsr_silhouette find_silhouette(const int place[3]) {
 }
 
 enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *p,
-                                               const struct hsr_grove *grove,
+                                               struct hsr_pieces_room room,
                                                const struct hsr_view *view,
                                                const struct hsr_masks *masks,
                                                struct hsr_tally *tally,
@@ -74,23 +74,22 @@ enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *p,
   *p = (struct hsr_pieces_view){.view = view,
                                 .tally = tally,
                                 .anywhere = masks->anywhere,
-                                .most_face = grove->most_face};
+                                .most_face = room.face};
   int x0 = view->window.x0, y0 = view->window.y0;
   p->reach = HSR_OF_BUILD(hsr_masks_extent)(masks) + (x0 > y0 ? x0 : y0);
-  p->x = HSR_NEW(arena, double, grove->most_points);
-  p->y = HSR_NEW(arena, double, grove->most_points);
-  p->w = HSR_NEW(arena, double, grove->most_points);
-  p->sx = HSR_NEW(arena, double, grove->most_points);
-  p->sy = HSR_NEW(arena, double, grove->most_points);
-  p->line =
-      HSR_NEW(arena, struct hsr_mask_line, grove->most_corners + SILHOUETTE);
-  p->corner[0] = HSR_NEW(arena, double, 3 * (size_t)grove->most_face);
-  p->corner[1] = HSR_NEW(arena, double, 3 * (size_t)grove->most_face);
-  p->number = HSR_NEW(arena, uint32_t, grove->most_face);
+  p->x = HSR_NEW(arena, double, room.points);
+  p->y = HSR_NEW(arena, double, room.points);
+  p->w = HSR_NEW(arena, double, room.points);
+  p->sx = HSR_NEW(arena, double, room.points);
+  p->sy = HSR_NEW(arena, double, room.points);
+  p->line = HSR_NEW(arena, struct hsr_mask_line, room.corners + SILHOUETTE);
+  p->corner[0] = HSR_NEW(arena, double, 3 * (size_t)room.face);
+  p->corner[1] = HSR_NEW(arena, double, 3 * (size_t)room.face);
+  p->number = HSR_NEW(arena, uint32_t, room.face);
   if (!p->x || !p->y || !p->w || !p->sx || !p->sy || !p->line ||
       !p->corner[0] || !p->corner[1] || !p->number)
     return HSR_E_NOMEM;
-  for (uint32_t k = 0; k < grove->most_face; k++)
+  for (uint32_t k = 0; k < room.face; k++)
     p->number[k] = k;
   for (int k = 0; k < 27; k++) {
     const int place[3] = {k % 3, k / 3 % 3, k / 9};
