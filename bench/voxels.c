@@ -17,16 +17,6 @@ struct options {
   struct hsr_import import;
 };
 
-static error_t parse_output(struct options *o, const char *path) {
-  const char *dot = strrchr(path, '.');
-  if (o->output)
-    return option_fail(&o->base, "voxels: one -o, not also '%s'", path);
-  if (!dot || strcasecmp(dot, ".vti"))
-    return option_fail(&o->base, "%s: voxels are written as .vti", path);
-  o->output = path;
-  return 0;
-}
-
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
   switch (key) {
@@ -39,7 +29,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
                          HSR_VOXELS_MOST);
     return 0;
   case 'o':
-    return parse_output(o, arg);
+    if (o->output)
+      return option_fail(&o->base, "voxels: one -o, not also '%s'", arg);
+    o->output = arg;
+    return 0;
   case DROP:
     o->import.drop_degenerate = true;
     return 0;
@@ -178,9 +171,18 @@ static enum hsr_status tell(const struct options *o, struct found *found,
   return HSR_OK;
 }
 
+static enum hsr_status check_output(const char *path, struct hsr_error *err) {
+  const char *dot = path ? strrchr(path, '.') : ".vti";
+  if (dot && !strcasecmp(dot, ".vti"))
+    return HSR_OK;
+  return hsr_fail(err, HSR_E_INPUT, "%s: voxels are written as .vti", path);
+}
+
 enum hsr_status command_voxels(int argc, char **argv, struct hsr_error *err) {
   struct options options = {.size = 64};
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
+  if (!status)
+    status = check_output(options.output, err);
   if (status)
     return status;
   struct hsr_scene *scene;
