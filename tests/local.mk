@@ -32,6 +32,7 @@ tap_programs = \
   %D%/properties/hzbuffer_options_test \
   %D%/properties/movers_test \
   %D%/properties/hzbuffer_test \
+  %D%/properties/lazy_test \
   %D%/properties/lines_and_surfaces_test \
   %D%/properties/metamorphic_test \
   %D%/properties/newell_test \
@@ -123,6 +124,8 @@ nodist_EXTRA_%C%_properties_movers_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_properties_hzbuffer_test_SOURCES = force_cxx_link.cc
 %C%_properties_combinations_test_SOURCES = %D%/properties/combinations_test.c
 nodist_EXTRA_%C%_properties_combinations_test_SOURCES = force_cxx_link.cc
+%C%_properties_lazy_test_SOURCES = %D%/properties/lazy_test.c
+nodist_EXTRA_%C%_properties_lazy_test_SOURCES = force_cxx_link.cc
 %C%_properties_lines_and_surfaces_test_SOURCES = %D%/properties/lines_and_surfaces_test.c
 nodist_EXTRA_%C%_properties_lines_and_surfaces_test_SOURCES = force_cxx_link.cc
 %C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c

@@ -25,14 +25,15 @@
 #include "algorithms/tiling/separate.h"
 #include "common/octree.h"
 #include "common/order.h"
+#include "common/predicates.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { ORDER, LEAF, DISORDER, CUBES };
+enum { ORDER, LEAF, DISORDER, CUBES, INTERVALS };
 enum { ORDER_TREE, ORDER_FRONT, ORDER_BACK, ORDER_INPUT };
 enum { CUBES_TESTED, CUBES_DRAWN };
-enum { INTERVALS = 64, SILHOUETTE = 8 };
+enum { SILHOUETTE = 8 };
 
 enum {
   CUBES_ASKED,
@@ -134,8 +135,8 @@ static enum hsr_status prepare(const struct hsr_world *world,
   if (!p)
     return hsr_fail_nomem(err);
   struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
-  enum hsr_status status =
-      HSR_OF_BUILD(hsr_sampling_init)(&p->sampling, INTERVALS, err);
+  enum hsr_status status = HSR_OF_BUILD(hsr_sampling_init)(
+      &p->sampling, (int)option[INTERVALS], err);
   if (!status && HSR_OF_BUILD(hsr_separate_init)(&p->separate, world))
     status = hsr_fail_nomem(err);
   if (!status && option[ORDER] == ORDER_TREE && world->n_faces &&
@@ -148,7 +149,8 @@ static enum hsr_status prepare(const struct hsr_world *world,
   make_room(&p->room, &p->separate);
   make_room(&p->room, &p->tree);
   for (uint32_t f = 0; f < world->n_faces; f++)
-    p->room.face = larger(p->room.face, hsr_face_size(world, f));
+    p->room.face = larger(p->room.face, larger(hsr_face_size(world, f),
+                                               hsr_plane_loop(world, f).n));
   return HSR_OK;
 }
 
@@ -521,6 +523,12 @@ static const struct hsr_option options[] = {
                         0},
                        {"drawn", "all are gone through", 0},
                        {NULL, NULL, 0}}},
+    [INTERVALS] = {.name = "intervals",
+                   .meaning = "into which a side is divided for the tables of "
+                              "masks",
+                   .least = 1,
+                   .most = HSR_TRIAGE_MOST,
+                   .standard = 64},
     {.name = NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(tiling_lazy) = {
