@@ -15,10 +15,10 @@
  *             all voxels of the grid are covered, C_v just where none is and
  *             there are any. What lies below a vacant subcell is cleared when
  *             it is entered; below a covered one it is stale.
- * Memory      1 bit a voxel of the finest level and 2 of every cell above, 64
- *             times fewer each: at least 1 1/32 bits a voxel if there are two
- *             levels or more, less than 1 2/63; the grid being taken as whole
- *             cells, but not as a whole root. */
+ * Memory      1 bit a voxel, and 2 a subcell of every level above the finest,
+ *             of cells that the grid meets. Of 4^n voxels a side, from 1 1/32
+ *             bits a voxel for two levels to less than 1 2/63 for more.
+ */
 #ifndef HSR_COMMON_VOXELS_H
 #define HSR_COMMON_VOXELS_H
 

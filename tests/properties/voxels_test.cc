@@ -429,6 +429,9 @@ size_t crossed_by(const Solid &solid, const Grid &grid) {
 // what is visited is asked about its outermost centres, and not its corners.
 const double MOST_VISITED = 1;
 
+// And masks of planes in each: of those that cross the cell above about there.
+const double MOST_PLANES = 10;
+
 struct Sums {
   size_t voxels = 0, set = 0, differing = 0, grids = 0, shared = 0, twice = 0,
          wrong = 0, checked = 0, reordered = 0, exact = 0;
@@ -641,6 +644,8 @@ void test_visited(tap &t, const char *name, int most) {
     crossed += crossed_by(solid, grid);
   const std::string what = std::string(name) + " at " + std::to_string(most);
   report_visited(t, what.c_str(), answer.work.cells, crossed);
+  const double planes = double(answer.work.masks) / double(answer.work.cells);
+  ok(&t, planes < MOST_PLANES, "there, %.3f masks of planes a cell", planes);
   hsr_voxel_solids_free(&answer);
 }
 
@@ -718,7 +723,7 @@ void test_refused(tap &t) {
 } // namespace
 
 int main() {
-  tap t = plan(28);
+  tap t = plan(33);
   test_triage(t);
   test_scene(t, "color-cube", false);
   test_scene(t, "house", true);
