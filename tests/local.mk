@@ -10,7 +10,9 @@ tap_programs = \
   %D%/unit/figures_test \
   %D%/unit/filter_test \
   %D%/unit/image_test \
+  %D%/unit/grove_test \
   %D%/unit/line_oracle_test \
+  %D%/unit/masks_test \
   %D%/unit/octree_test \
   %D%/unit/oracle_test \
   %D%/unit/outline_test \
@@ -21,6 +23,7 @@ tap_programs = \
   %D%/unit/screen_test \
   %D%/unit/statistics_test \
   %D%/unit/tables_test \
+  %D%/unit/triage_test \
   %D%/unit/variant_test \
   %D%/unit/world_test \
   %D%/conformance/lattice_test \
@@ -41,6 +44,7 @@ tap_programs = \
   %D%/properties/scan_line_test \
   %D%/properties/schumacker_test \
   %D%/properties/voxels_test \
+  %D%/properties/tiling_test \
   %D%/properties/warnock_test \
   %D%/sweep/check_test \
   %D%/sweep/resume_test \
@@ -79,8 +83,12 @@ nodist_EXTRA_%C%_unit_drawing_test_SOURCES = force_cxx_link.cc
 %C%_unit_exchange_test_SOURCES = %D%/unit/exchange_test.cc
 %C%_unit_filter_test_SOURCES = %D%/unit/filter_test.c
 nodist_EXTRA_%C%_unit_filter_test_SOURCES = force_cxx_link.cc
+%C%_unit_grove_test_SOURCES = %D%/unit/grove_test.c
+nodist_EXTRA_%C%_unit_grove_test_SOURCES = force_cxx_link.cc
 %C%_unit_image_test_SOURCES = %D%/unit/image_test.cc
 %C%_unit_line_oracle_test_SOURCES = %D%/unit/line_oracle_test.cc
+%C%_unit_masks_test_SOURCES = %D%/unit/masks_test.c
+nodist_EXTRA_%C%_unit_masks_test_SOURCES = force_cxx_link.cc
 %C%_unit_oracle_test_SOURCES = %D%/unit/oracle_test.cc
 %C%_unit_outline_test_SOURCES = %D%/unit/outline_test.c
 nodist_EXTRA_%C%_unit_outline_test_SOURCES = force_cxx_link.cc
@@ -101,6 +109,8 @@ nodist_EXTRA_%C%_unit_statistics_test_SOURCES = force_cxx_link.cc
 %C%_unit_tables_test_SOURCES = %D%/unit/tables_test.c
 %C%_unit_tables_test_LDADD = $(BENCH_LIBS)
 nodist_EXTRA_%C%_unit_tables_test_SOURCES = force_cxx_link.cc
+%C%_unit_triage_test_SOURCES = %D%/unit/triage_test.c
+nodist_EXTRA_%C%_unit_triage_test_SOURCES = force_cxx_link.cc
 %C%_unit_variant_test_SOURCES = %D%/unit/variant_test.c
 nodist_EXTRA_%C%_unit_variant_test_SOURCES = force_cxx_link.cc
 %C%_unit_world_test_SOURCES = %D%/unit/world_test.c
@@ -137,6 +147,9 @@ nodist_EXTRA_%C%_properties_romney_test_SOURCES = force_cxx_link.cc
 %C%_properties_schumacker_test_SOURCES = %D%/properties/schumacker_test.c
 nodist_EXTRA_%C%_properties_schumacker_test_SOURCES = force_cxx_link.cc
 %C%_properties_voxels_test_SOURCES = %D%/properties/voxels_test.cc
+%C%_properties_tiling_test_SOURCES = %D%/properties/tiling_test.c
+%C%_properties_tiling_test_LDADD = libdraw.a $(BENCH_LIBS)
+nodist_EXTRA_%C%_properties_tiling_test_SOURCES = force_cxx_link.cc
 %C%_properties_warnock_test_SOURCES = %D%/properties/warnock_test.c
 nodist_EXTRA_%C%_properties_warnock_test_SOURCES = force_cxx_link.cc
 %C%_properties_newell_test_SOURCES = %D%/properties/newell_test.c
