@@ -125,7 +125,12 @@ static void walk_cube(const struct hsr_bsp_walk *walk,
   }
 }
 
-void HSR_OF_BUILD(hsr_bsp_walk)(const struct hsr_bsp_walk *walk) {
+void HSR_OF_BUILD(hsr_bsp_walk_cube)(const struct hsr_bsp_walk *walk,
+                                     uint32_t cube) {
   if (walk->bsp->n_pieces)
-    walk_cube(walk, &walk->bsp->cube[0]);
+    walk_cube(walk, &walk->bsp->cube[cube]);
+}
+
+void HSR_OF_BUILD(hsr_bsp_walk)(const struct hsr_bsp_walk *walk) {
+  HSR_OF_BUILD(hsr_bsp_walk_cube)(walk, 0);
 }

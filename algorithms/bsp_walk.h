@@ -53,6 +53,10 @@ static inline size_t hsr_bsp_most_waiting(uint32_t most_depth) {
   return 2 * (size_t)most_depth + 1;
 }
 
+/* From a cube. */
+void HSR_OF_BUILD(hsr_bsp_walk_cube)(const struct hsr_bsp_walk *walk,
+                                     uint32_t cube);
+
 /* From the root. */
 void HSR_OF_BUILD(hsr_bsp_walk)(const struct hsr_bsp_walk *walk);
 

@@ -46,6 +46,8 @@ algorithm_files = \
   %D%/tiler.c \
   %D%/tiling/canvas.c \
   %D%/tiling/canvas.h \
+  %D%/tiling/clip.c \
+  %D%/tiling/clip.h \
   %D%/tiling/loose.c \
   %D%/tiling/loose.h \
   %D%/tiling/lazy.c \
@@ -53,6 +55,7 @@ algorithm_files = \
   %D%/tiling/lazy_pyramid.h \
   %D%/tiling/masks.c \
   %D%/tiling/masks.h \
+  %D%/tiling/merged.c \
   %D%/tiling/polygon.c \
   %D%/tiling/polygon.h \
   %D%/tiling/sampling.c \

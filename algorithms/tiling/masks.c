@@ -103,6 +103,19 @@ static bool allocate_lines(struct hsr_mask_lines *lines, uint32_t most,
   return lines->number && lines->inside && lines->list;
 }
 
+enum hsr_status HSR_OF_BUILD(hsr_masks_room)(struct hsr_masks *p, uint32_t most,
+                                             struct hsr_arena *arena) {
+  bool allocated = true;
+  for (int k = 0; k < p->n_levels; k++)
+    allocated = allocated && allocate_lines(&p->lines[k], most, arena);
+  p->all = HSR_NEW(arena, uint32_t, most);
+  if (!allocated || !p->all)
+    return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < most; k++)
+    p->all[k] = k;
+  return HSR_OK;
+}
+
 enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *p,
                                              const struct hsr_window *window,
                                              uint32_t most,
@@ -119,14 +132,8 @@ enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *p,
     cells *= 64;
   }
   p->finest = HSR_NEW(arena, uint64_t, cells);
-  bool allocated = p->finest;
-  for (int k = 0; k < p->n_levels; k++)
-    allocated = allocated && allocate_lines(&p->lines[k], most, arena);
-  p->all = HSR_NEW(arena, uint32_t, most);
-  if (!allocated || !p->all)
+  if (!p->finest || HSR_OF_BUILD(hsr_masks_room)(p, most, arena))
     return HSR_E_NOMEM;
-  for (uint32_t k = 0; k < most; k++)
-    p->all[k] = k;
   struct hsr_mask_cell root = root_of(p);
   clear(p, &root);
   return HSR_OK;

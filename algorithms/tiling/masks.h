@@ -136,6 +136,11 @@ enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *masks,
                                              uint32_t most,
                                              struct hsr_arena *arena);
 
+/* Makes room for other than `most` lines a polygon. HSR_E_NOMEM. */
+enum hsr_status HSR_OF_BUILD(hsr_masks_room)(struct hsr_masks *masks,
+                                             uint32_t most,
+                                             struct hsr_arena *arena);
+
 /* Samples a side of the root cell: lines hold in it and not only in the window.
  */
 int HSR_OF_BUILD(hsr_masks_extent)(const struct hsr_masks *masks);
