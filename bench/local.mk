@@ -35,6 +35,7 @@ libbench_a_SOURCES = \
   %D%/terminate.h \
   %D%/times.c \
   %D%/times.h \
+  %D%/voxels.c \
   %D%/worker.c \
   %D%/check/check.h \
   %D%/check/command.c \

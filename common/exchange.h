@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Mesh files: reading through CGAL (.off .obj .ply .stl) and VTK (.vtp); and
- * line drawings: writing through VTK (.vtp).
+ * line drawings: writing through VTK (.vtp); voxels likewise (.vti).
  *
  * Polygons are kept as polygons. A mesh that is closed and consistently
  * oriented outward becomes a one-sided object, any other a two-sided one. */
@@ -45,7 +45,13 @@ enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
 enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
                                       const char *path, struct hsr_error *err);
 
-/* Whether this build reads and writes .vtp. */
+/* Writes voxels as an image, a cell each, with the solid's number as cell data
+ * "solid". Fails as above. */
+struct hsr_voxel_solids;
+enum hsr_status hsr_voxels_write_vti(const struct hsr_voxel_solids *voxels,
+                                     const char *path, struct hsr_error *err);
+
+/* Whether this build reads .vtp, and writes .vtp and .vti. */
 bool hsr_exchange_has_vtk(void);
 
 #ifdef __cplusplus

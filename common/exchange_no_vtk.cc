@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of exchange_vtk.cc in a build without VTK.
+// In place of exchange_vtk.cc, drawing_vtk.cc and voxels_vtk.cc in a build
+// without VTK.
 #include "common/exchange.h"
 #include "common/mesh_file.h"
 
@@ -11,6 +12,13 @@ enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *,
                                       const char *path, struct hsr_error *err) {
   return hsr_fail(err, HSR_E_INPUT,
                   "%s: this build of hsr, without VTK, does not write .vtp",
+                  path);
+}
+
+enum hsr_status hsr_voxels_write_vti(const struct hsr_voxel_solids *,
+                                     const char *path, struct hsr_error *err) {
+  return hsr_fail(err, HSR_E_INPUT,
+                  "%s: this build of hsr, without VTK, does not write .vti",
                   path);
 }
 

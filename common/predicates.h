@@ -70,6 +70,11 @@ int hsr_exact_plane_side(struct hsr_loop face, const double point[3],
 int hsr_exact_moved_plane_side(struct hsr_loop face, const double shift[3],
                                const double point[3], bool *out_of_memory);
 
+/* The same of the face as it stands and a point displaced by (e, e^2, e^3), e
+ * infinitesimal: never 0. */
+int hsr_exact_displaced_plane_side(struct hsr_loop face, const double point[3],
+                                   bool *out_of_memory);
+
 /* row(v) of a vertex against the scan plane through screen height sy,
  * perturbed: for a vertex before the eye, +1 if it lies below the line. */
 int hsr_exact_row_side(const struct hsr_view *view, const double vertex[3],

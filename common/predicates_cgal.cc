@@ -147,18 +147,25 @@ template <class T> T depth_scale(const hsr_view &view, const Plane<T> &plane) {
 
 } // namespace
 
+namespace {
+
+/* The sign of a component of Newell's normal. */
+int normal_sign(const hsr_loop &face, int axis, bool *out_of_memory) {
+  return sign_of(
+      [&](auto t) {
+        using T = decltype(t);
+        Vector<T> n = newell_normal<T>(face);
+        return axis == 0 ? n.x : axis == 1 ? n.y : n.z;
+      },
+      out_of_memory);
+}
+
+} // namespace
+
 int hsr_exact_has_normal(struct hsr_loop face, bool *out_of_memory) {
-  for (int axis = 0; axis < 3; axis++) {
-    int sign = sign_of(
-        [&](auto t) {
-          using T = decltype(t);
-          Vector<T> n = newell_normal<T>(face);
-          return axis == 0 ? n.x : axis == 1 ? n.y : n.z;
-        },
-        out_of_memory);
-    if (sign)
+  for (int axis = 0; axis < 3; axis++)
+    if (normal_sign(face, axis, out_of_memory))
       return 1;
-  }
   return 0;
 }
 
@@ -205,6 +212,14 @@ int hsr_exact_plane_side(struct hsr_loop face, const double point[3],
                          bool *out_of_memory) {
   static const double nowhere[3] = {0, 0, 0};
   return hsr_exact_moved_plane_side(face, nowhere, point, out_of_memory);
+}
+
+int hsr_exact_displaced_plane_side(struct hsr_loop face, const double point[3],
+                                   bool *out_of_memory) {
+  int sign = hsr_exact_plane_side(face, point, out_of_memory);
+  for (int axis = 0; axis < 3 && !sign; axis++)
+    sign = normal_sign(face, axis, out_of_memory);
+  return sign;
 }
 
 int hsr_exact_row_side(const struct hsr_view *view, const double vertex[3],

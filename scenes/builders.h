@@ -10,9 +10,9 @@ typedef enum hsr_status hsr_build(struct hsr_scene *scene,
                                   const long long *parameter);
 
 hsr_build hsr_build_house, hsr_build_harbor, hsr_build_big_harbor;
-hsr_build hsr_build_color_cube, hsr_build_sphere, hsr_build_terrain,
-    hsr_build_twist, hsr_build_office, hsr_build_traffic, hsr_build_tower,
-    hsr_build_bare_tower, hsr_build_soup, hsr_build_lattice;
+hsr_build hsr_build_color_cube, hsr_build_color_sides, hsr_build_sphere,
+    hsr_build_terrain, hsr_build_twist, hsr_build_office, hsr_build_traffic,
+    hsr_build_tower, hsr_build_bare_tower, hsr_build_soup, hsr_build_lattice;
 
 /* failures_order.c */
 hsr_build hsr_build_cyclic_overlap, hsr_build_penetration, hsr_build_coplanar,

@@ -53,6 +53,8 @@ const struct hsr_builtin hsr_builtins[] = {
           "Table II"),
     SIZED("color-cube", hsr_build_color_cube, 6, 1, 40,
           "N x N x N small cubes, each in the colour of its place"),
+    SIZED("color-sides", hsr_build_color_sides, 8, 1, 500,
+          "a cube whose sides are N x N squares, after Greene"),
     SIZED("twist", hsr_build_twist, 40, 1, 20000,
           "a tower of N instances of one storey, each turned a little"),
     SIZED("sphere", hsr_build_sphere, 2048, 8, 20000000,

@@ -30,6 +30,41 @@ enum hsr_status hsr_build_color_cube(struct hsr_scene *scene,
   return pen.status;
 }
 
+/* After figure 5 of N. Greene, "Hierarchical Polygon Tiling with Coverage
+ * Masks", SIGGRAPH 1996: of 8 x 8 squares a side three sides are seen, 192
+ * squares. */
+enum hsr_status hsr_build_color_sides(struct hsr_scene *scene,
+                                      const long long *parameter) {
+  static const double view[][8] = {
+      {1.5, 1.2, 2, 0, -0.05, 0, 36}, {1.3, 1.5, 1.4, 0, 0, 0, 36},
+      {0, 0, 1.5, 0, 0, 0, 60},       {-1.8, 0.9, 1.4, 0, 0, 0, 36},
+      {2, -1.5, -1, 0, 0, 0, 40},     {0.7, 0.6, 0.65, 0, 0, 0, 75},
+      {0, 2, 0.5, 0, 0, 0, 40},       {3, 0.25, -2, 0, 0.25, 0, 25}};
+  int n = (int)parameter[0];
+  double half = 0.5 * n;
+  struct hsr_pen pen;
+  hsr_pen_init(&pen, scene);
+  hsr_pen_object(&pen, "cube", true);
+  for (int k = 0; k < 6 * n * n && !pen.status; k++) {
+    int side = k / (n * n), row = k / n % n, column = k % n;
+    int a = side / 2, b = (a + 1) % 3, c = (a + 2) % 3;
+    double p[3], u[3] = {0}, v[3] = {0}, colour[3];
+    p[a] = side % 2 ? half : -half;
+    p[b] = column - half;
+    p[c] = row - half;
+    u[side % 2 ? b : c] = 1;
+    v[side % 2 ? c : b] = 1;
+    colour[a] = side % 2;
+    colour[b] = (column + 0.5) / n;
+    colour[c] = (row + 0.5) / n;
+    hsr_pen_rgb(&pen, colour[0], colour[1], colour[2]);
+    hsr_pen_parallelogram(&pen, p, u, v);
+  }
+  hsr_pen_place(&pen, NULL);
+  HSR_VIEWS(&pen, view, n);
+  return pen.status;
+}
+
 /* Number of the vertices of the sphere above ring r: ring r of 2k + 1 has
  * 4 min(r, 2k - r) vertices, the poles one. */
 static uint32_t ring_start(uint32_t r, uint32_t k) {

@@ -39,6 +39,7 @@ tap_programs = \
   %D%/properties/romney_test \
   %D%/properties/scan_line_test \
   %D%/properties/schumacker_test \
+  %D%/properties/voxels_test \
   %D%/properties/warnock_test \
   %D%/sweep/check_test \
   %D%/sweep/resume_test \
@@ -132,6 +133,7 @@ nodist_EXTRA_%C%_properties_roberts_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_properties_romney_test_SOURCES = force_cxx_link.cc
 %C%_properties_schumacker_test_SOURCES = %D%/properties/schumacker_test.c
 nodist_EXTRA_%C%_properties_schumacker_test_SOURCES = force_cxx_link.cc
+%C%_properties_voxels_test_SOURCES = %D%/properties/voxels_test.cc
 %C%_properties_warnock_test_SOURCES = %D%/properties/warnock_test.c
 nodist_EXTRA_%C%_properties_warnock_test_SOURCES = force_cxx_link.cc
 %C%_properties_newell_test_SOURCES = %D%/properties/newell_test.c

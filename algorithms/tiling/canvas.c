@@ -166,6 +166,13 @@ void HSR_OF_BUILD(hsr_canvas_face)(struct hsr_canvas *c, uint32_t id) {
   c->has_colour = false;
 }
 
+void HSR_OF_BUILD(hsr_canvas_colour)(struct hsr_canvas *c,
+                                     const uint16_t rgb[3]) {
+  for (int k = 0; k < 3; k++)
+    c->rgb[k] = rgb[k];
+  c->has_colour = true;
+}
+
 struct hsr_mask_sink HSR_OF_BUILD(hsr_canvas_sink)(struct hsr_canvas *c) {
   struct hsr_mask_sink ids = {put_samples, put_square, c};
   struct hsr_mask_sink box = {box_samples, box_square, c};

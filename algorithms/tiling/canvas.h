@@ -45,6 +45,10 @@ void HSR_OF_BUILD(hsr_canvas_tables)(enum hsr_filter filter,
 /* Takes a face in hand: what is tiled next is of this. */
 void HSR_OF_BUILD(hsr_canvas_face)(struct hsr_canvas *canvas, uint32_t id);
 
+/* The same of a filtered picture, whose colour is known. */
+void HSR_OF_BUILD(hsr_canvas_colour)(struct hsr_canvas *canvas,
+                                     const uint16_t rgb[3]);
+
 struct hsr_mask_sink HSR_OF_BUILD(hsr_canvas_sink)(struct hsr_canvas *canvas);
 
 #ifdef __cplusplus

@@ -356,15 +356,16 @@ static bool is_covered(struct hsr_masks *p,
   return !polygon->covers || polygon->covers(polygon->context, sx, sy);
 }
 
-/* W of a finest cell. */
-static uint64_t visible_samples(struct hsr_masks *p,
+/* The samples of a finest cell that the polygon covers, of those asked for. */
+static uint64_t covered_samples(struct hsr_masks *p,
                                 const struct hsr_mask_polygon *polygon,
                                 const struct hsr_mask_cell *cell,
-                                const uint32_t *list, uint32_t n) {
-  uint64_t vacant = ~p->finest[cell->number], unsure;
+                                const uint32_t *list, uint32_t n,
+                                uint64_t asked) {
+  uint64_t unsure;
   int pattern = pattern_of(p, cell);
-  uint64_t mask = vacant & (p->sample_tables ? tabled : candidates)(
-                               p, polygon, cell, list, n, pattern, &unsure);
+  uint64_t mask = asked & (p->sample_tables ? tabled : candidates)(
+                              p, polygon, cell, list, n, pattern, &unsure);
   uint64_t ask = mask & (polygon->covers ? ALL : unsure);
   for (; ask; ask &= ask - 1) {
     int bit = first_bit(ask);
@@ -395,7 +396,8 @@ struct hsr_mask_twin {
 
 static void tile_finest(const struct task *t, const struct hsr_mask_cell *cell,
                         const uint32_t *list, uint32_t n) {
-  uint64_t w = visible_samples(t->masks, t->polygon, cell, list, n);
+  uint64_t w = covered_samples(t->masks, t->polygon, cell, list, n,
+                               ~t->masks->finest[cell->number]);
   count_cell(t->masks, cell);
   if (!w)
     return;
@@ -659,4 +661,99 @@ bool HSR_OF_BUILD(hsr_masks_show_found)(
     struct hsr_masks *p, const struct hsr_mask_polygon *polygon) {
   struct task task = {p, polygon, NULL, p->box};
   return shows(&task, &p->way[p->n_way - 1], p->all, polygon->n);
+}
+
+/* --- For those who go through the pyramid by themselves ---------------------
+ */
+
+struct visit {
+  struct hsr_masks *masks;
+  const struct hsr_mask_polygon *polygon;
+  const struct hsr_mask_visitor *visitor;
+};
+
+static void visit_finest(const struct visit *v,
+                         const struct hsr_mask_cell *cell, const uint32_t *list,
+                         uint32_t n) {
+  struct hsr_masks *p = v->masks;
+  void *context = v->visitor->context;
+  struct hsr_triage unknown = {0, 0};
+  uint64_t mask = v->visitor->enter(context, cell, unknown), unsure;
+  if (mask && v->polygon->inside)
+    mask = covered_samples(p, v->polygon, cell, list, n, mask);
+  else if (mask)
+    mask &=
+        candidates(p, v->polygon, cell, list, n, pattern_of(p, cell), &unsure);
+  if (mask)
+    v->visitor->samples(context, cell, mask);
+}
+
+static void visit(const struct visit *v, const struct hsr_mask_cell *cell,
+                  const uint32_t *list, uint32_t n) {
+  struct hsr_masks *p = v->masks;
+  struct hsr_triage polygon;
+  count_cell(p, cell);
+  if (is_finest(p, cell)) {
+    visit_finest(v, cell, list, n);
+    return;
+  }
+  struct hsr_mask_lines *active = &p->lines[cell->level];
+  if (!compose(p, v->polygon, cell, list, n, active, &polygon))
+    return;
+  if (v->polygon->covers)
+    polygon.c = 0;
+  uint64_t entered = v->visitor->enter(v->visitor->context, cell, polygon);
+  for (uint64_t a = entered; a; a &= a - 1) {
+    int bit = first_bit(a);
+    struct hsr_mask_cell sub = subcell(cell, bit);
+    uint32_t n_sub = choose(active, bit);
+    visit(v, &sub, active->list, n_sub);
+  }
+  v->visitor->leave(v->visitor->context, cell, entered);
+}
+
+bool HSR_OF_BUILD(hsr_masks_visit)(struct hsr_masks *p,
+                                   const struct hsr_mask_polygon *polygon,
+                                   struct hsr_bounds box,
+                                   const struct hsr_mask_visitor *visitor) {
+  struct visit v = {p, polygon, visitor};
+  struct hsr_mask_cell way[HSR_MASK_LEVELS];
+  uint64_t in[HSR_MASK_LEVELS];
+  int k = 0;
+  way[0] = root_of(p);
+  for (;; k++) {
+    in[k] = subcells_of(&way[k], &box);
+    if (is_finest(p, &way[k]) || in[k] & (in[k] - 1))
+      break;
+    count_cell(p, &way[k]);
+    struct hsr_triage polygon_there = {0, ~in[k]};
+    if (!visitor->enter(visitor->context, &way[k], polygon_there))
+      break;
+    way[k + 1] = subcell(&way[k], first_bit(in[k]));
+  }
+  bool met = is_finest(p, &way[k]) || in[k] & (in[k] - 1);
+  if (met)
+    visit(&v, &way[k], p->all, polygon->n);
+  for (k--; k >= 0; k--)
+    visitor->leave(visitor->context, &way[k], in[k]);
+  return met;
+}
+
+uint64_t HSR_OF_BUILD(hsr_masks_in_window)(const struct hsr_masks *p,
+                                           const struct hsr_mask_cell *cell) {
+  return in_window(p, cell);
+}
+
+struct hsr_mask_cell
+HSR_OF_BUILD(hsr_masks_subcell)(const struct hsr_mask_cell *cell, int bit) {
+  return subcell(cell, bit);
+}
+
+struct hsr_mask_cell HSR_OF_BUILD(hsr_masks_root)(const struct hsr_masks *p) {
+  return root_of(p);
+}
+
+int HSR_OF_BUILD(hsr_masks_pattern)(const struct hsr_masks *p,
+                                    const struct hsr_mask_cell *cell) {
+  return pattern_of(p, cell);
 }

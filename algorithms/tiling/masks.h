@@ -58,6 +58,30 @@ struct hsr_mask_sink {
   void *context;
 };
 
+/* A cell: its first sample, and samples a side. */
+struct hsr_mask_cell {
+  int level;
+  uint32_t number;
+  int x, y, size;
+};
+
+/* Who goes through the pyramid in a way of his own. */
+struct hsr_mask_visitor {
+  /* A cell: the polygon surely covers all of the subcells polygon.c, and none
+   * of polygon.v. Which are to be entered; of a finest cell, of which nothing
+   * is known, which samples are to be asked about. */
+  uint64_t (*enter)(void *context, const struct hsr_mask_cell *cell,
+                    struct hsr_triage polygon);
+  /* Of those, the samples that the polygon covers, if there are any; exactly,
+   * unless it cannot be asked whether a sample is inside. */
+  void (*samples)(void *context, const struct hsr_mask_cell *cell,
+                  uint64_t mask);
+  /* A cell that is not of the finest level, after all that was entered. */
+  void (*leave)(void *context, const struct hsr_mask_cell *cell,
+                uint64_t entered);
+  void *context;
+};
+
 /* Where the samples of a finest cell are in it, in samples: sample `bit` at
  * (x[bit], y[bit]). */
 struct hsr_mask_places {
@@ -71,12 +95,6 @@ struct hsr_mask_work {
 };
 
 enum { HSR_MASK_LEVELS = 6 };
-
-struct hsr_mask_cell {
-  int level;
-  uint32_t number;
-  int x, y, size; /* its first sample, and samples a side */
-};
 
 struct hsr_masks {
   struct hsr_window window;                   /* cells begin at (x0, y0) */
@@ -148,6 +166,26 @@ bool HSR_OF_BUILD(hsr_masks_show)(struct hsr_masks *masks,
                                   struct hsr_bounds box);
 bool HSR_OF_BUILD(hsr_masks_show_found)(struct hsr_masks *masks,
                                         const struct hsr_mask_polygon *polygon);
+
+/* Takes a visitor to the cells of a polygon that is within the box, from the
+ * root down; on the way to the smallest cell that encloses the box, he is told
+ * of no more than the box. Returns false if he did not get there. What masks
+ * the cells have is left to him. */
+bool HSR_OF_BUILD(hsr_masks_visit)(struct hsr_masks *masks,
+                                   const struct hsr_mask_polygon *polygon,
+                                   struct hsr_bounds box,
+                                   const struct hsr_mask_visitor *visitor);
+
+/* The root; a subcell; the subcells, or samples, that are in the window; the
+ * pattern of a finest cell, its number in places[]. */
+struct hsr_mask_cell
+    HSR_OF_BUILD(hsr_masks_root)(const struct hsr_masks *masks);
+struct hsr_mask_cell
+    HSR_OF_BUILD(hsr_masks_subcell)(const struct hsr_mask_cell *cell, int bit);
+uint64_t HSR_OF_BUILD(hsr_masks_in_window)(const struct hsr_masks *masks,
+                                           const struct hsr_mask_cell *cell);
+int HSR_OF_BUILD(hsr_masks_pattern)(const struct hsr_masks *masks,
+                                    const struct hsr_mask_cell *cell);
 
 #ifdef __cplusplus
 }

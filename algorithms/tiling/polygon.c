@@ -4,7 +4,8 @@
  * Points. V - E is rounded once, the rows are within 2 u, the product and two
  * sums add 3 u: X is off by at most 6 u S_x, S_x = sum |row_k| |V - E|_k, and
  * by sum |row_k| e more if V is off by e in its coordinates. What is used is 8
- * u of S_x at the farthest corner of the leaf.
+ * u of S_x at the farthest corner of the leaf. A vertex that is moved rounds
+ * nothing, the points where faces are cut u |V| in each coordinate.
  *
  * Lines. a = Y_a W_b - W_a Y_b is off by at most e_y (|W_a| + |W_b|) +
  * e_w (|Y_a| + |Y_b|) + 2 e_y e_w, and its rounding 2 u (|Y_a W_b| + |W_a
@@ -65,7 +66,7 @@ static struct hsr_silhouette find_silhouette(const int place[3]) {
 }
 
 enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *p,
-                                               const struct hsr_grove *grove,
+                                               struct hsr_pieces_room room,
                                                const struct hsr_view *view,
                                                const struct hsr_masks *masks,
                                                struct hsr_tally *tally,
@@ -73,23 +74,22 @@ enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *p,
   *p = (struct hsr_pieces_view){.view = view,
                                 .tally = tally,
                                 .anywhere = masks->anywhere,
-                                .most_face = grove->most_face};
+                                .most_face = room.face};
   int x0 = view->window.x0, y0 = view->window.y0;
   p->reach = HSR_OF_BUILD(hsr_masks_extent)(masks) + (x0 > y0 ? x0 : y0);
-  p->x = HSR_NEW(arena, double, grove->most_points);
-  p->y = HSR_NEW(arena, double, grove->most_points);
-  p->w = HSR_NEW(arena, double, grove->most_points);
-  p->sx = HSR_NEW(arena, double, grove->most_points);
-  p->sy = HSR_NEW(arena, double, grove->most_points);
-  p->line =
-      HSR_NEW(arena, struct hsr_mask_line, grove->most_corners + SILHOUETTE);
-  p->corner[0] = HSR_NEW(arena, double, 3 * (size_t)grove->most_face);
-  p->corner[1] = HSR_NEW(arena, double, 3 * (size_t)grove->most_face);
-  p->number = HSR_NEW(arena, uint32_t, grove->most_face);
+  p->x = HSR_NEW(arena, double, room.points);
+  p->y = HSR_NEW(arena, double, room.points);
+  p->w = HSR_NEW(arena, double, room.points);
+  p->sx = HSR_NEW(arena, double, room.points);
+  p->sy = HSR_NEW(arena, double, room.points);
+  p->line = HSR_NEW(arena, struct hsr_mask_line, room.corners + SILHOUETTE);
+  p->corner[0] = HSR_NEW(arena, double, 3 * (size_t)room.face);
+  p->corner[1] = HSR_NEW(arena, double, 3 * (size_t)room.face);
+  p->number = HSR_NEW(arena, uint32_t, room.face);
   if (!p->x || !p->y || !p->w || !p->sx || !p->sy || !p->line ||
       !p->corner[0] || !p->corner[1] || !p->number)
     return HSR_E_NOMEM;
-  for (uint32_t k = 0; k < grove->most_face; k++)
+  for (uint32_t k = 0; k < room.face; k++)
     p->number[k] = k;
   for (int k = 0; k < 27; k++) {
     const int place[3] = {k % 3, k / 3 % 3, k / 9};
@@ -137,7 +137,8 @@ static void find_places(struct hsr_pieces_view *p,
   }
   double most = larger(larger(p->error[0], p->error[1]), p->error[2]);
   for (uint32_t k = 0; k < leaf->n_points; k++) {
-    double e = most + spread * own[k], per_w = 1 / p->w[k];
+    double off_k = own[k] > 0 ? own[k] + p->rounding : 0;
+    double e = most + spread * off_k, per_w = 1 / p->w[k];
     p->sx[k] = p->x[k] * per_w;
     p->sy[k] = p->y[k] * per_w;
     double far = larger(fabs(p->sx[k]), fabs(p->sy[k]));
@@ -158,6 +159,13 @@ void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *p,
                *z = p->bsp->z + leaf->first_point;
   p->first_point = leaf->first_point;
   find_errors(p, &leaf->tight, p->shift, p->error);
+  p->rounding = 0;
+  for (int k = 0; k < 3; k++)
+    if (p->shift[k] != 0)
+      p->rounding = larger(p->rounding,
+                           2 * U *
+                               larger(fabs(leaf->tight.lo[k] + p->shift[k]),
+                                      fabs(leaf->tight.hi[k] + p->shift[k])));
   for (uint32_t k = 0; k < leaf->n_points; k++) {
     double dx = x[k] + p->shift[0] - p->view->E[0];
     double dy = y[k] + p->shift[1] - p->view->E[1];
@@ -212,6 +220,7 @@ static struct point corner_point(const struct hsr_pieces_view *p,
   struct point point = {p->x[k],     p->y[k],     p->w[k],
                         p->error[0], p->error[1], p->error[2]};
   if (own > 0) {
+    own += p->rounding;
     point.ex += own * (fabs(r[0][0]) + fabs(r[0][1]) + fabs(r[0][2]));
     point.ey += own * (fabs(r[1][0]) + fabs(r[1][1]) + fabs(r[1][2]));
     point.ew += own * (fabs(r[2][0]) + fabs(r[2][1]) + fabs(r[2][2]));

@@ -16,7 +16,7 @@
 #define HSR_ALGORITHMS_TILING_POLYGON_H
 
 #include "algorithms/tiling/masks.h"
-#include "common/grove.h"
+#include "common/bsp.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -49,6 +49,7 @@ struct hsr_pieces_view {
   double *sx, *sy; /* (sx, sy) on the screen, */
   double margin;   /* within this */
   bool past_near;  /* all of them are */
+  double rounding; /* of a point that is no vertex, when it is moved */
 
   /* The piece at hand. */
   const struct hsr_bsp_piece *piece;
@@ -63,10 +64,15 @@ struct hsr_pieces_view {
   uint32_t most_face; /* corners that there is room for */
 };
 
-/* For the trees of a grove; `masks` is where the pieces will go. HSR_E_NOMEM.
- */
+/* The most that the trees to come have: points and corners of a leaf, corners
+ * of a face. */
+struct hsr_pieces_room {
+  uint32_t points, corners, face;
+};
+
+/* `masks` is where the pieces will go. HSR_E_NOMEM. */
 enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *pieces,
-                                               const struct hsr_grove *grove,
+                                               struct hsr_pieces_room room,
                                                const struct hsr_view *view,
                                                const struct hsr_masks *masks,
                                                struct hsr_tally *tally,

@@ -19,6 +19,8 @@
 #include "algorithms/tiling/canvas.h"
 #include "algorithms/tiling/loose.h"
 #include "algorithms/tiling/polygon.h"
+#include "algorithms/tiling/sampling.h"
+#include "common/grove.h"
 
 #include <stdlib.h>
 
@@ -44,40 +46,24 @@ enum {
 /* --- Once ------------------------------------------------------------------
  */
 
-enum { PATTERNS = HSR_MOST_PATTERNS + 1 }; /* the last one is no jitter */
-
 struct prepared {
   struct hsr_grove grove;
-  struct hsr_triage_tables tables;
-  struct hsr_mask_places places[PATTERNS];
+  struct hsr_sampling sampling;
   uint64_t *samples; /* masks of the finest level, of all patterns; or NULL */
-  const uint64_t *sample_tables[PATTERNS];
-  uint32_t bytes[8][3][3][256]; /* of the cosine */
+  const uint64_t *sample_tables[HSR_PATTERNS];
 };
-
-static void find_places(struct hsr_mask_places places[PATTERNS]) {
-  for (int pattern = 0; pattern < PATTERNS; pattern++) {
-    struct hsr_jitter jitter = {{0}, {0}};
-    if (pattern < HSR_MOST_PATTERNS)
-      hsr_jitter_init(&jitter, pattern);
-    for (int bit = 0; bit < 64; bit++) {
-      places[pattern].x[bit] = bit % 8 + 0.5 + jitter.x[bit];
-      places[pattern].y[bit] = bit / 8 + 0.5 + jitter.y[bit];
-    }
-  }
-}
 
 /* The paper's finest level: a table for each pattern of jitter. */
 static enum hsr_status make_sample_tables(struct prepared *p, int intervals) {
   size_t entries = 6 * (size_t)intervals * (size_t)intervals;
-  p->samples = malloc(PATTERNS * entries * sizeof *p->samples);
+  p->samples = malloc(HSR_PATTERNS * entries * sizeof *p->samples);
   if (!p->samples)
     return HSR_E_NOMEM;
-  for (int pattern = 0; pattern < PATTERNS; pattern++) {
+  for (int pattern = 0; pattern < HSR_PATTERNS; pattern++) {
     double x[64], y[64];
     for (int bit = 0; bit < 64; bit++) {
-      x[bit] = p->places[pattern].x[bit] / 8;
-      y[bit] = p->places[pattern].y[bit] / 8;
+      x[bit] = p->sampling.places[pattern].x[bit] / 8;
+      y[bit] = p->sampling.places[pattern].y[bit] / 8;
     }
     uint64_t *table = p->samples + (size_t)pattern * entries;
     hsr_sample_masks(intervals, x, y, table);
@@ -89,7 +75,7 @@ static enum hsr_status make_sample_tables(struct prepared *p, int intervals) {
 static void release(void *prepared) {
   struct prepared *p = prepared;
   hsr_grove_free(&p->grove);
-  hsr_triage_free(&p->tables);
+  HSR_OF_BUILD(hsr_sampling_free)(&p->sampling);
   free(p->samples);
   free(p);
 }
@@ -102,10 +88,8 @@ static enum hsr_status prepare(const struct hsr_world *world,
   if (!p)
     return hsr_fail_nomem(err);
   struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
-  find_places(p->places);
-  HSR_OF_BUILD(hsr_canvas_tables)(HSR_FILTER_COSINE, p->bytes);
-  enum hsr_status status =
-      hsr_triage_init(&p->tables, (int)option[INTERVALS], err);
+  enum hsr_status status = HSR_OF_BUILD(hsr_sampling_init)(
+      &p->sampling, (int)option[INTERVALS], err);
   if (!status && option[MASKS] == MASKS_TABLE &&
       make_sample_tables(p, (int)option[INTERVALS]))
     status = hsr_fail_nomem(err);
@@ -131,59 +115,34 @@ struct frame {
   uint32_t first_id; /* of the tree at hand */
 };
 
-/* The view whose samples are the sub-samples of a view of pixels. */
-static struct hsr_view view_of_samples(const struct hsr_job *job) {
-  struct hsr_view view = *job->view;
-  if (!job->filtering)
-    return view;
-  view.m *= HSR_SUB;
-  view.n *= HSR_SUB;
-  view.window = (struct hsr_window){0, 0, view.m, view.n};
-  for (int k = 0; k < 3; k++) {
-    view.screen[0][k] *= HSR_SUB;
-    view.screen[1][k] *= HSR_SUB;
-    view.ray[1][k] /= HSR_SUB;
-    view.ray[2][k] /= HSR_SUB;
-  }
-  return view;
+static struct hsr_pieces_room room_of(const struct hsr_grove *grove) {
+  return (struct hsr_pieces_room){grove->most_points, grove->most_corners,
+                                  grove->most_face};
 }
 
 static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
   const struct prepared *p = job->prepared;
-  const struct hsr_filtering *filtering = job->filtering;
-  bool jittered = filtering && filtering->patterns;
-  int first = jittered ? 0 : HSR_MOST_PATTERNS;
-  *f = (struct frame){.job = job, .prepared = p, .view = view_of_samples(job)};
-  f->masks = (struct hsr_masks){
-      .tables = &p->tables,
-      .places = p->places + first,
-      .filtering = jittered ? filtering : NULL,
-      .sample_tables = p->samples ? p->sample_tables + first : NULL,
-      .anywhere = jittered,
-      .work = &f->polygons,
-      .touched = job->tally->work,
-      .touched_stride = job->tally->work_stride,
-      .pixel = filtering ? HSR_SUB : 1};
-  enum hsr_status status = HSR_OF_BUILD(hsr_masks_init)(
-      &f->masks, &f->view.window, p->grove.most_corners + 8, job->scratch);
-  if (!status)
-    status = HSR_OF_BUILD(hsr_pieces_begin)(
-        &f->pieces, &p->grove, &f->view, &f->masks, job->tally, job->scratch);
-  f->waiting = HSR_NEW(job->scratch, struct hsr_bsp_waiting,
+  struct hsr_arena *arena = job->scratch;
+  *f = (struct frame){
+      .job = job, .prepared = p, .view = HSR_OF_BUILD(hsr_sampling_view)(job)};
+  if (HSR_OF_BUILD(hsr_sampling_begin)(&p->sampling, job, &f->view,
+                                       p->grove.most_corners + 8, &f->masks,
+                                       &f->polygons, &f->canvas) ||
+      HSR_OF_BUILD(hsr_pieces_begin)(&f->pieces, room_of(&p->grove), &f->view,
+                                     &f->masks, job->tally, arena))
+    return HSR_E_NOMEM;
+  if (p->samples)
+    f->masks.sample_tables =
+        p->sample_tables + HSR_OF_BUILD(hsr_sampling_first)(job);
+  f->sink = HSR_OF_BUILD(hsr_canvas_sink)(&f->canvas);
+  f->waiting = HSR_NEW(arena, struct hsr_bsp_waiting,
                        hsr_bsp_most_waiting(p->grove.most_depth));
   if (!f->waiting)
     return HSR_E_NOMEM;
-  if (p->grove.is_whole)
-    status = status ? status
-                    : HSR_OF_BUILD(hsr_loose_begin)(&f->loose, &p->grove.whole,
-                                                    &f->view, job->tally,
-                                                    job->scratch);
-  bool cosine = filtering && filtering->filter == HSR_FILTER_COSINE;
-  HSR_OF_BUILD(hsr_canvas_begin)
-  (&f->canvas, job, f->view.window,
-   cosine ? (uint32_t(*)[3][3][256])p->bytes : NULL);
-  f->sink = HSR_OF_BUILD(hsr_canvas_sink)(&f->canvas);
-  return status;
+  return p->grove.is_whole
+             ? HSR_OF_BUILD(hsr_loose_begin)(&f->loose, &p->grove.whole,
+                                             &f->view, job->tally, arena)
+             : HSR_OK;
 }
 
 /* Whether anything within a box that is moved may be seen. */

@@ -480,7 +480,8 @@ static void choose_eye(struct fixture *x, bool exact, uint64_t *seed) {
 static bool check_walk(struct fixture *x, bool backwards, struct told *told,
                        const int *facing) {
   struct hsr_bsp_waiting *waiting =
-      HSR_NEW(&x->arena, struct hsr_bsp_waiting, hsr_bsp_most_waiting(&x->bsp));
+      HSR_NEW(&x->arena, struct hsr_bsp_waiting,
+              hsr_bsp_most_waiting(x->bsp.most_depth));
   struct hsr_bsp_walk walk = {.bsp = &x->bsp,
                               .eye = x->view.E,
                               .shift = x->shift,

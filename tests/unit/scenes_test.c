@@ -33,6 +33,7 @@ static const struct {
              {"harbor:12000", 0xe703e12cd705b137, 0xed73929cefa136a5},
              {"big-harbor", 0x6b26f93c7dfc7dfb, 0x1004e17d0b20c38b},
              {"color-cube", 0xfcd9e4d92b4383b5, 0x8356deeea864066a},
+             {"color-sides", 0xc8ad25980fc4950f, 0xefb47b05a05b3101},
              {"twist", 0xbc91c984b8e016ac, 0xc2909bebeafc32c6},
              {"sphere", 0x207a114635096eb5, 0x86ef54c087208bae},
              {"terrain", 0xb0269d9521dfd0b9, 0x64bf0ca9e27f50d0},

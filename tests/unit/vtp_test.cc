@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// .vtp files: line drawings are written as VTK reads them, and whatever VTK's
-// own writer makes of a mesh is read as that mesh, in every encoding; what a
-// hostile file may hold is in tests/bad.
+// .vtp and .vti files: line drawings and voxels are written as VTK reads them,
+// and whatever VTK's own writer makes of a mesh is read as that mesh, in every
+// encoding; what a hostile file may hold is in tests/bad.
 #include "common/exchange.h"
+#include "common/voxel_solids.h"
 #include "tests/tap.h"
 
 #include <vtkCellArray.h>
@@ -10,11 +11,13 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkXMLImageDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -292,6 +295,36 @@ void try_drawing(tap *t) {
      "a folder that is not there: %s", err.text);
 }
 
+void try_voxels(tap *t) {
+  uint32_t solid[24];
+  for (uint32_t k = 0; k < 24; k++)
+    solid[k] = k % 5 ? 0xfffffff0u + k % 5 : 0;
+  hsr_voxel_solids voxels = {};
+  voxels.grid = {{-1, 1.0 / 3, 1e-9}, 0.1, {2, 3, 4}};
+  voxels.solid = solid;
+  const std::string path = directory + "/voxels.vti";
+  hsr_error err = {HSR_OK, ""};
+  ok(t, !hsr_voxels_write_vti(&voxels, path.c_str(), &err),
+     "voxels are written");
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkImageData *data = reader->GetOutput();
+  vtkDataArray *read = data->GetCellData()->GetArray("solid");
+  bool good = read && data->GetNumberOfCells() == 24;
+  for (vtkIdType k = 0; good && k < 24; k++)
+    good = read->GetTuple1(k) == solid[k];
+  for (int k = 0; k < 3; k++)
+    good = good && data->GetOrigin()[k] == voxels.grid.lo[k] &&
+           data->GetSpacing()[k] == voxels.grid.size &&
+           data->GetDimensions()[k] == voxels.grid.n[k] + 1;
+  ok(t, good, "VTK reads every bit of them");
+  ok(t,
+     hsr_voxels_write_vti(&voxels, (directory + "/none/a.vti").c_str(), &err) ==
+         HSR_E_INPUT,
+     "a folder that is not there: %s", err.text);
+}
+
 } // namespace
 
 int main() {
@@ -299,11 +332,12 @@ int main() {
   if (!mkdtemp(name))
     return 99;
   directory = name;
-  struct tap t = plan(8 + 1 + 1 + 4);
+  struct tap t = plan(8 + 1 + 1 + 4 + 3);
   try_ways(&t);
   try_borders(&t);
   try_pieces(&t);
   try_drawing(&t);
+  try_voxels(&t);
   const std::string clean = "rm -rf '" + directory + "'";
   return finish(&t) | (std::system(clean.c_str()) != 0);
 }
