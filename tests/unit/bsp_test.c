@@ -22,7 +22,8 @@ struct fixture {
   const char *name;
   struct hsr_scene *scene;
   struct hsr_world world;
-  struct hsr_setup setup; /* of convex faces */
+  struct hsr_algorithm convex; /* demands convex faces */
+  struct hsr_setup setup;      /* for it */
   struct hsr_bsp bsp;
   bool out_of_memory;
 
@@ -529,9 +530,9 @@ static void check_walks(struct tap *tap, struct fixture *x, uint32_t most) {
 static bool open_scene(struct fixture *x, const char *name) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_import import = {.drop_degenerate = true};
-  struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
-  algorithm.restrictions = HSR_CF;
-  *x = (struct fixture){.name = name};
+  *x = (struct fixture){.name = name,
+                        .convex = *hsr_algorithm_find("null")->plain};
+  x->convex.restrictions = HSR_CF;
   if (hsr_scene_open(name, &import, &x->scene, &err)) {
     if (strncmp(name, "mesh:", 5) == 0)
       return false;
@@ -539,7 +540,7 @@ static bool open_scene(struct fixture *x, const char *name) {
   }
   if (hsr_scene_add_orbit(x->scene, VIEWS) ||
       hsr_world_init(&x->world, x->scene, &err) ||
-      hsr_setup_init(&x->setup, &algorithm, NULL, &x->world, &err))
+      hsr_setup_init(&x->setup, &x->convex, NULL, &x->world, &err))
     fail(&err);
   return true;
 }
