@@ -11,13 +11,16 @@
  * Hidden      Whether anything of a polygon is to be seen is said rightly, and
  *             what is behind an occluder costs one cell.
  *
- * Mutants of masks.c that this has to tell, and did: descend() without its look
- * at covered subcells on the way, or without clearing; A of listing 1 with the
+ * Mutants of masks.c that were tried, and told: descend() without its look at
+ * covered subcells on the way, or without clearing; A of listing 1 with the
  * polygon's covered subcells instead of the screen's, as the thesis prints it;
- * propagate() left out on the way up, or without its line on vacant subcells;
- * write_squares() of all covered subcells; look_up() that does not exchange C
- * and V, or complements them; choose() that keeps lines that are inside, or
- * loses others; classify() without its error. */
+ * tile() and shows() without clearing, or with samples outside of the window
+ * vacant; no propagate() on the way up, or half of it; look_up() that does not
+ * exchange C and V, or complements them; choose() that loses lines; classify()
+ * and the finest level without the error of lines, tables without the slack,
+ * and jittered samples taken for others; shows() that forgets what is active,
+ * or covered. choose() may keep lines that are inside: that costs time alone.
+ */
 #define HSR_COUNTING 1
 #include "algorithms/tiling/masks.h"
 #include "tests/draw.h"
