@@ -15,6 +15,8 @@
 
 static const uint64_t ALL = UINT64_MAX;
 
+enum { FEW = 4 };
+
 static int first_bit(uint64_t mask) {
 #ifdef __GNUC__
   return __builtin_ctzll(mask);
@@ -538,6 +540,23 @@ static const struct hsr_mask_twin *choose_twin(void) {
   return &portable;
 }
 
+/* Few enough to be asked about one by one, without the polygon's masks. */
+static bool is_few(uint64_t subcells) {
+  for (int k = 0; k < FEW; k++)
+    subcells &= subcells - 1;
+  return !subcells;
+}
+
+/* All lines, as far as nothing is known of them. */
+static void take_all(struct hsr_mask_lines *active, const uint32_t *list,
+                     uint32_t n) {
+  active->n = n;
+  for (uint32_t k = 0; k < n; k++) {
+    active->number[k] = list[k];
+    active->inside[k] = 0;
+  }
+}
+
 /* Listing 1. */
 static void tile(const struct task *t, const struct hsr_mask_cell *cell,
                  const uint32_t *list, uint32_t n) {
@@ -548,7 +567,15 @@ static void tile(const struct task *t, const struct hsr_mask_cell *cell,
   }
   struct hsr_mask_lines *active = &p->lines[cell->level];
   struct hsr_triage *mask = &p->coarse[cell->level][cell->number], polygon;
+  uint64_t in = subcells_of(cell, &t->box);
+  bool of_finest = cell->level == p->n_levels - 2 && !p->sample_tables &&
+                   !t->polygon->covers;
   count_cell(p, cell);
+  if (of_finest && in & ~mask->c && is_few(in)) {
+    take_all(active, list, n);
+    p->twin->tile_pixels(t, cell, active, mask, in & ~mask->c);
+    return;
+  }
   if (!compose(p, t->polygon, cell, list, n, active, &polygon))
     return;
   if (t->polygon->covers)
@@ -557,9 +584,8 @@ static void tile(const struct task *t, const struct hsr_mask_cell *cell,
   mask->c |= w;
   mask->v &= ~w;
   write_squares(t, cell, w);
-  uint64_t a = ~(w | polygon.v | mask->c) & subcells_of(cell, &t->box);
-  if (cell->level == p->n_levels - 2 && !p->sample_tables &&
-      !t->polygon->covers) {
+  uint64_t a = ~(w | polygon.v | mask->c) & in;
+  if (of_finest) {
     p->twin->tile_pixels(t, cell, active, mask, a);
     return;
   }

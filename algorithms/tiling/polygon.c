@@ -557,41 +557,94 @@ void HSR_OF_BUILD(hsr_pieces_outline)(struct hsr_pieces_view *p) {
 /* --- Boxes -----------------------------------------------------------------
  */
 
+/* A moved box, and a little more: the sums are rounded. */
+static struct hsr_box moved_box(const struct hsr_box *box,
+                                const double shift[3]) {
+  struct hsr_box moved;
+  for (int c = 0; c < 3; c++) {
+    double lo = box->lo[c] + shift[c], hi = box->hi[c] + shift[c];
+    moved.lo[c] = lo - 2 * U * fabs(lo);
+    moved.hi[c] = hi + 2 * U * fabs(hi);
+  }
+  return moved;
+}
+
+/* The corners of a box: the one of all los, and what is added along its sides.
+ * Six more roundings of terms no larger than twice the sum, which the errors,
+ * as of a leaf's points, do not hold. */
+static void find_corners(const struct hsr_pieces_view *p,
+                         const struct hsr_box *box, struct point point[8]) {
+  static const double still[3] = {0, 0, 0};
+  const double(*r)[3] = p->view->screen;
+  double error[3], lo[3], side[3];
+  find_errors(p, box, still, error);
+  for (int c = 0; c < 3; c++) {
+    lo[c] = box->lo[c] - p->view->E[c];
+    side[c] = box->hi[c] - box->lo[c];
+  }
+  point[0] = (struct point){r[0][0] * lo[0] + r[0][1] * lo[1] + r[0][2] * lo[2],
+                            r[1][0] * lo[0] + r[1][1] * lo[1] + r[1][2] * lo[2],
+                            r[2][0] * lo[0] + r[2][1] * lo[1] + r[2][2] * lo[2],
+                            3 * error[0],
+                            3 * error[1],
+                            3 * error[2]};
+  for (int c = 0; c < 3; c++)
+    for (int k = 0; k < 1 << c; k++) {
+      struct point *to = &point[k + (1 << c)];
+      *to = point[k];
+      to->x += r[0][c] * side[c];
+      to->y += r[1][c] * side[c];
+      to->w += r[2][c] * side[c];
+    }
+}
+
+/* The hull of corners whose errors are all the same. */
+static struct hull hull_of(const struct hsr_pieces_view *p,
+                           const struct point point[8]) {
+  struct hull hull = no_hull();
+  double nearest = INFINITY, far = 0;
+  double e = larger(point->ex, larger(point->ey, point->ew));
+  for (int k = 0; k < 8; k++)
+    nearest = smaller(nearest, point[k].w);
+  if (!(nearest > 4 * e)) {
+    for (int k = 0; k < 8; k++)
+      add_point(&hull, &point[k], &p->view->window);
+    return hull;
+  }
+  hull.beyond = 0;
+  for (int k = 0; k < 8; k++) {
+    double per_w = 1 / point[k].w;
+    double sx = point[k].x * per_w, sy = point[k].y * per_w;
+    hull.x0 = smaller(hull.x0, sx);
+    hull.x1 = larger(hull.x1, sx);
+    hull.y0 = smaller(hull.y0, sy);
+    hull.y1 = larger(hull.y1, sy);
+    far = larger(far, larger(fabs(sx), fabs(sy)));
+  }
+  double margin = 2 * e * (1 + far) / nearest + 8 * U * far;
+  hull.x0 -= margin;
+  hull.x1 += margin;
+  hull.y0 -= margin;
+  hull.y1 += margin;
+  return hull;
+}
+
 const struct hsr_mask_polygon *
 HSR_OF_BUILD(hsr_pieces_silhouette)(struct hsr_pieces_view *p,
                                     const struct hsr_box *box,
                                     const double shift[3], bool *known) {
-  const double(*r)[3] = p->view->screen;
-  const double *eye = p->view->E;
+  struct hsr_box moved = moved_box(box, shift);
   struct point point[8];
-  struct hull hull = no_hull();
-  double error[3], at[2][3];
   int place = 0;
-  for (int c = 2; c >= 0; c--) {
-    at[0][c] = box->lo[c] + shift[c];
-    at[1][c] = box->hi[c] + shift[c];
-    place = 3 * place + (eye[c] < at[0][c] ? 0 : eye[c] > at[1][c] ? 2 : 1);
-  }
-  find_errors(p, box, shift, error);
-  for (int c = 0; c < 3; c++) /* and of at[] */
-    for (int k = 0; k < 3; k++)
-      error[c] +=
-          4 * U * fabs(r[c][k]) * larger(fabs(at[0][k]), fabs(at[1][k]));
-  for (int k = 0; k < 8; k++) {
-    double d[3];
-    for (int c = 0; c < 3; c++)
-      d[c] = at[k >> c & 1][c] - eye[c];
-    point[k] = (struct point){r[0][0] * d[0] + r[0][1] * d[1] + r[0][2] * d[2],
-                              r[1][0] * d[0] + r[1][1] * d[1] + r[1][2] * d[2],
-                              r[2][0] * d[0] + r[2][1] * d[1] + r[2][2] * d[2],
-                              error[0],
-                              error[1],
-                              error[2]};
-    add_point(&hull, &point[k], &p->view->window);
-  }
+  find_corners(p, &moved, point);
+  struct hull hull = hull_of(p, point);
   *known = true;
   if (!box_of(&hull, &p->view->window, p->anywhere, &p->box))
     return NULL;
+  for (int c = 2; c >= 0; c--)
+    place = 3 * place + (p->view->E[c] < moved.lo[c]   ? 0
+                         : p->view->E[c] > moved.hi[c] ? 2
+                                                       : 1);
   const struct hsr_silhouette *s = &p->silhouette[place];
   *known = hull.ahead && s->n;
   for (int k = 0; *known && k < s->n; k++)
