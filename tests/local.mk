@@ -37,6 +37,7 @@ tap_programs = \
   %D%/properties/hzbuffer_test \
   %D%/properties/lazy_test \
   %D%/properties/lines_and_surfaces_test \
+  %D%/properties/merged_test \
   %D%/properties/metamorphic_test \
   %D%/properties/newell_test \
   %D%/properties/roberts_test \
@@ -138,6 +139,8 @@ nodist_EXTRA_%C%_properties_combinations_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_properties_lazy_test_SOURCES = force_cxx_link.cc
 %C%_properties_lines_and_surfaces_test_SOURCES = %D%/properties/lines_and_surfaces_test.c
 nodist_EXTRA_%C%_properties_lines_and_surfaces_test_SOURCES = force_cxx_link.cc
+%C%_properties_merged_test_SOURCES = %D%/properties/merged_test.c
+nodist_EXTRA_%C%_properties_merged_test_SOURCES = force_cxx_link.cc
 %C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
 nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
 %C%_properties_roberts_test_SOURCES = %D%/properties/roberts_test.c
