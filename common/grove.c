@@ -63,10 +63,12 @@ static bool is_closed_off(const struct hsr_object *object) {
   for (uint32_t f = 0; f < object->n_faces; f++)
     for (int k = 0; k < 3; k++) {
       bool low = lies_in(object, f, k, box.lo[k]);
-      if (!low && !lies_in(object, f, k, box.hi[k]))
+      bool high = lies_in(object, f, k, box.hi[k]);
+      if (!low && !high)
         continue;
-      if (!object->one_sided ||
-          !(low ? turn(object, f, k) < 0 : turn(object, f, k) > 0))
+      double outward = turn(object, f, k);
+      if (!object->one_sided || (low && !(outward < 0)) ||
+          (high && !(outward > 0)))
         return false;
     }
   return true;
@@ -270,6 +272,29 @@ static enum hsr_status check_faces(const struct hsr_world *world,
   return HSR_OK;
 }
 
+/* The planes that an object's cubes have beside its faces' must be moved
+ * exactly, too. */
+static enum hsr_status check_medians(const struct hsr_grove *g, uint32_t object,
+                                     const struct hsr_bsp *bsp,
+                                     struct hsr_error *err) {
+  const struct hsr_scene *scene = g->world->scene;
+  const struct hsr_object *of = &scene->objects[object];
+  int grain = hsr_grain(of->xyz, 3 * (size_t)of->n_vertices);
+  for (uint32_t k = 0; k < bsp->n_medians; k++) {
+    int own = hsr_grain(&bsp->median[k].at, 1);
+    grain = own < grain ? own : grain;
+  }
+  double reach = 8 * hsr_reach(of); /* holds the root cube */
+  for (uint32_t i = 0; i < scene->n_instances; i++)
+    if (scene->instances[i].object == object &&
+        !hsr_instance_is_exact(&scene->instances[i], grain, reach))
+      return hsr_fail(err, HSR_E_REFUSED,
+                      "object %s has instances too far out for planes that "
+                      "divide it to be moved exactly",
+                      of->name);
+  return HSR_OK;
+}
+
 static enum hsr_status plant(struct hsr_grove *g, uint32_t object,
                              const struct hsr_bsp_rule *rule,
                              struct hsr_error *err) {
@@ -286,6 +311,8 @@ static enum hsr_status plant(struct hsr_grove *g, uint32_t object,
     status = check_faces(&tree->world, tree->scene.objects, err);
   if (!status)
     status = hsr_bsp_init(&tree->bsp, &tree->world, rule, err);
+  if (!status)
+    status = check_medians(g, object, &tree->bsp, err);
   if (!status)
     note_sizes(g, &tree->bsp);
   return status;

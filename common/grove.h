@@ -12,9 +12,9 @@
  *             of its object's box is to be seen from within: then no two faces
  *             in one plane, of two instances, exist for one eye.
  * Exact       they must be moved only, by what rounds nothing: then what is
- * true of the object's planes is true of the instance's. Whole       a scene
- * that does not fulfil this is one tree of all its faces, if it can be laid
- * out. */
+ *             true of the object's planes is true of the instance's
+ * Whole       what does not fulfil this is one tree of all faces, if these can
+ *             be laid out */
 #ifndef HSR_COMMON_GROVE_H
 #define HSR_COMMON_GROVE_H
 

@@ -46,21 +46,30 @@ static struct interval interval_of(int side, int i, int intervals) {
   return all;
 }
 
-/* On which side of all lines through both intervals is a cell, if it is on one:
- * +1 to the left of the way from the first to the second, -1 to the right. For
- * a point x the turn is linear in the place on each of the intervals, so that
- * its extremes are at their ends; and those over a cell at its corners. */
-static int side_of_cell(const struct interval *first,
-                        const struct interval *second, int row, int column) {
-  int left = 0, right = 0;
-  for (int k = 0; k < 16; k++) {
-    struct point corner = {(column + (k & 1)) / 8.0,
-                           (row + (k >> 1 & 1)) / 8.0};
-    double at = turn(first->end[k >> 2 & 1], second->end[k >> 3], corner);
-    left += at > 0;
-    right += at < 0;
-  }
-  return left == 16 ? 1 : right == 16 ? -1 : 0;
+/* On which side of all lines through both intervals are the corners of the
+ * cells: +1 to the left of the way from the first to the second, -1 to the
+ * right, 0 on neither. For a point x the turn is linear in the place on each of
+ * the intervals, so that its extremes are at their ends. */
+static void find_sides(const struct interval *first,
+                       const struct interval *second, int side[9][9]) {
+  for (int row = 0; row < 9; row++)
+    for (int column = 0; column < 9; column++) {
+      struct point corner = {column / 8.0, row / 8.0};
+      int left = 0, right = 0;
+      for (int k = 0; k < 4; k++) {
+        double at = turn(first->end[k & 1], second->end[k >> 1], corner);
+        left += at > 0;
+        right += at < 0;
+      }
+      side[row][column] = left == 4 ? 1 : right == 4 ? -1 : 0;
+    }
+}
+
+/* And a cell, whose extremes are at its corners. */
+static int side_of_cell(int side[9][9], int row, int column) {
+  int sum = side[row][column] + side[row][column + 1] + side[row + 1][column] +
+            side[row + 1][column + 1];
+  return sum == 4 ? 1 : sum == -4 ? -1 : 0;
 }
 
 /* The side of corner 0, which no line of the pair goes through but at ends. */
@@ -77,8 +86,10 @@ static struct hsr_triage find_mask(int intervals, int pair, int i, int j) {
   struct interval second = interval_of(SIDES[pair][1], j, intervals);
   int inside = side_of_corner_0(pair);
   struct hsr_triage mask = {0, 0};
+  int sides[9][9];
+  find_sides(&first, &second, sides);
   for (int bit = 0; bit < 64; bit++) {
-    int side = side_of_cell(&first, &second, bit / 8, bit % 8);
+    int side = side_of_cell(sides, bit / 8, bit % 8);
     if (side == inside)
       mask.c |= (uint64_t)1 << bit;
     else if (side == -inside)

@@ -113,7 +113,7 @@ static void cosine_samples(void *context, int x, int y, uint64_t mask) {
   count_samples(c, count_bits(mask));
   for (int byte = 0; mask; byte++, mask >>= 8)
     for (int k = 0; mask & 255 && k < 9; k++)
-      weight[k / 3][k % 3] += c->bytes[byte][k / 3][k % 3][mask & 255];
+      weight[k / 3][k % 3] += c->kernel->row[k / 3][k % 3][byte][mask & 255];
   spread(c, x / HSR_SUB, y / HSR_SUB, weight);
 }
 
@@ -129,36 +129,18 @@ static void cosine_square(void *context, int x, int y, int size) {
       spread(c, i, j, c->whole);
 }
 
-void HSR_OF_BUILD(hsr_canvas_tables)(enum hsr_filter filter,
-                                     uint32_t (*bytes)[3][3][256]) {
-  struct hsr_kernel kernel;
-  hsr_kernel_init(&kernel, filter);
-  for (int byte = 0; byte < 8; byte++)
-    for (int k = 0; k < 9; k++) {
-      uint32_t *sum = bytes[byte][k / 3][k % 3];
-      sum[0] = 0;
-      for (unsigned value = 1; value < 256; value++) {
-        unsigned low = 0;
-        while (!(value >> low & 1))
-          low++;
-        sum[value] = sum[value & (value - 1)] +
-                     kernel.weight[k / 3][k % 3][8 * (unsigned)byte + low];
-      }
-    }
-}
-
 /* --- The sink --------------------------------------------------------------
  */
 
 void HSR_OF_BUILD(hsr_canvas_begin)(struct hsr_canvas *c,
                                     const struct hsr_job *job,
                                     struct hsr_window window,
-                                    uint32_t (*bytes)[3][3][256]) {
+                                    const struct hsr_kernel *cosine) {
   *c = (struct hsr_canvas){
-      .job = job, .window = window, .world = job->world, .bytes = bytes};
-  for (int byte = 0; bytes && byte < 8; byte++)
-    for (int k = 0; k < 9; k++)
-      c->whole[k / 3][k % 3] += bytes[byte][k / 3][k % 3][255];
+      .job = job, .window = window, .world = job->world, .kernel = cosine};
+  for (int k = 0; k < 9; k++)
+    for (int byte = 0; byte < 8; byte++)
+      c->whole[k / 3][k % 3] += cosine->row[k / 3][k % 3][byte][255];
 }
 
 void HSR_OF_BUILD(hsr_canvas_face)(struct hsr_canvas *c, uint32_t id) {

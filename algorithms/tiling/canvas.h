@@ -7,7 +7,7 @@
  * Pixel       of a filtered picture is one mask of the finest level.
  * Box         the bits of a mask are counted.
  * Cosine      what a byte of a mask adds to each of the 3 x 3 pixels about it
- * is looked up. */
+ *             is looked up */
 #ifndef HSR_ALGORITHMS_TILING_CANVAS_H
 #define HSR_ALGORITHMS_TILING_CANVAS_H
 
@@ -26,21 +26,17 @@ struct hsr_canvas {
   const struct hsr_world *world; /* of the scene */
   bool has_colour;               /* rgb is that of the face in hand */
   uint16_t rgb[3];
-  uint32_t (*bytes)[3][3][256]; /* a byte of a mask, pixel, value: weight */
-  uint32_t whole[3][3];         /* of a whole pixel */
+  const struct hsr_kernel *kernel;
+  uint32_t whole[3][3]; /* what a whole pixel adds to those about it */
 
   uint64_t samples; /* written, in the counting build */
 };
 
-/* `tables` is that of hsr_canvas_tables if the filter is the cosine. */
+/* `cosine` is that filter's kernel; borrowed. */
 void HSR_OF_BUILD(hsr_canvas_begin)(struct hsr_canvas *canvas,
                                     const struct hsr_job *job,
                                     struct hsr_window window,
-                                    uint32_t (*bytes)[3][3][256]);
-
-/* Fills bytes[8] for a filter. */
-void HSR_OF_BUILD(hsr_canvas_tables)(enum hsr_filter filter,
-                                     uint32_t (*bytes)[3][3][256]);
+                                    const struct hsr_kernel *cosine);
 
 /* Takes a face in hand: what is tiled next is of this. */
 void HSR_OF_BUILD(hsr_canvas_face)(struct hsr_canvas *canvas, uint32_t id);

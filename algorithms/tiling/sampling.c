@@ -19,7 +19,7 @@ enum hsr_status HSR_OF_BUILD(hsr_sampling_init)(struct hsr_sampling *s,
       hsr_jitter_init(&jitter, pattern);
     s->places[pattern] = places_of(&jitter);
   }
-  HSR_OF_BUILD(hsr_canvas_tables)(HSR_FILTER_COSINE, s->bytes);
+  hsr_kernel_init(&s->cosine, HSR_FILTER_COSINE);
   return hsr_triage_init(&s->tables, intervals, err);
 }
 
@@ -65,7 +65,6 @@ enum hsr_status HSR_OF_BUILD(hsr_sampling_begin)(
     struct hsr_mask_work *work, struct hsr_canvas *canvas) {
   const struct hsr_filtering *filtering = job->filtering;
   bool jittered = filtering && filtering->patterns;
-  bool cosine = filtering && filtering->filter == HSR_FILTER_COSINE;
   bool moved = !filtering && (view->offset_x != 0 || view->offset_y != 0);
   *masks = (struct hsr_masks){
       .tables = &s->tables,
@@ -78,7 +77,7 @@ enum hsr_status HSR_OF_BUILD(hsr_sampling_begin)(
       .touched_stride = job->tally->work_stride,
       .pixel = filtering ? HSR_SUB : 1};
   HSR_OF_BUILD(hsr_canvas_begin)
-  (canvas, job, view->window, cosine ? (uint32_t(*)[3][3][256])s->bytes : NULL);
+  (canvas, job, view->window, &s->cosine);
   if (!masks->places)
     return HSR_E_NOMEM;
   return HSR_OF_BUILD(hsr_masks_init)(masks, &view->window, most, job->scratch);

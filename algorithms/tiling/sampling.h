@@ -15,7 +15,7 @@ enum { HSR_PATTERNS = HSR_MOST_PATTERNS + 1 }; /* the last one is no jitter */
 struct hsr_sampling {
   struct hsr_triage_tables tables;
   struct hsr_mask_places places[HSR_PATTERNS];
-  uint32_t bytes[8][3][3][256]; /* of the cosine */
+  struct hsr_kernel cosine;
 };
 
 /* HSR_E_NOMEM; freed with hsr_sampling_free also then. */

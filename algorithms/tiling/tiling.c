@@ -12,8 +12,10 @@
  *             an edge is decided exactly (polygon.h)
  * Departures  the finest masks are exact, not those of the table, unless so
  *             chosen. Nothing is clipped. Instances are in a tree of planes
- * that separate them, above the octrees. Cost        of cells crossed by edges
- * that are visible; of cubes that are visible and their children. */
+ *             that separate them, above the octrees. A polygon of few cells of
+ *             the finest level is put to these at once.
+ * Cost        of cells crossed by edges that are visible; of cubes that are
+ *             visible and their children */
 #include "algorithms/algorithm.h"
 #include "algorithms/bsp_walk.h"
 #include "algorithms/tiling/canvas.h"
