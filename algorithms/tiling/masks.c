@@ -703,6 +703,7 @@ struct visit {
   struct hsr_masks *masks;
   const struct hsr_mask_polygon *polygon;
   const struct hsr_mask_visitor *visitor;
+  struct hsr_bounds box;
 };
 
 static void visit_finest(const struct visit *v,
@@ -735,6 +736,8 @@ static void visit(const struct visit *v, const struct hsr_mask_cell *cell,
     return;
   if (v->polygon->covers)
     polygon.c = 0;
+  polygon.v |= ~subcells_of(cell, &v->box);
+  polygon.c &= ~polygon.v;
   uint64_t entered = v->visitor->enter(v->visitor->context, cell, polygon);
   for (uint64_t a = entered; a; a &= a - 1) {
     int bit = first_bit(a);
@@ -749,7 +752,7 @@ bool HSR_OF_BUILD(hsr_masks_visit)(struct hsr_masks *p,
                                    const struct hsr_mask_polygon *polygon,
                                    struct hsr_bounds box,
                                    const struct hsr_mask_visitor *visitor) {
-  struct visit v = {p, polygon, visitor};
+  struct visit v = {p, polygon, visitor, box};
   struct hsr_mask_cell way[HSR_MASK_LEVELS];
   uint64_t in[HSR_MASK_LEVELS];
   int k = 0;

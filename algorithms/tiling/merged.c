@@ -376,6 +376,7 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
     return;
   if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
     return;
+  HSR_OF_BUILD(hsr_pieces_outline)(pieces);
   struct hsr_screen *screen = screen_of(f);
   const struct hsr_mask_polygon *polygon =
       screen ? HSR_OF_BUILD(hsr_clip_piece)(&f->clip, pieces, screen, f->region)
