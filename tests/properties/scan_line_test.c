@@ -97,7 +97,8 @@ static uint64_t count_runs(const struct hsr_view *view) {
 /* Where no end is hidden in the views looked at. */
 static bool shows_all(const char *scene) {
   return !strcmp(scene, "sphere") || !strcmp(scene, "t-junction") ||
-         !strcmp(scene, "sub-pixel-gap");
+         !strcmp(scene, "sub-pixel-gap") ||
+         !strcmp(scene, "color-sides");
 }
 
 struct searches {
