@@ -39,6 +39,15 @@ enum hsr_status HSR_OF_BUILD(hsr_loose_begin)(struct hsr_loose *l,
   return HSR_OK;
 }
 
+enum hsr_status HSR_OF_BUILD(hsr_loose_refuse)(const struct hsr_loose *l,
+                                               const struct hsr_world *world,
+                                               struct hsr_error *err) {
+  return hsr_fail(err, HSR_E_REFUSED,
+                  "PF: face id %u is not flat, and its place in the order is "
+                  "not certain, as a filtered picture needs it",
+                  hsr_world_parent(world, l->face[0]));
+}
+
 static void find_plane(struct hsr_loose *l, uint32_t f) {
   if (!l->has_plane[f])
     hsr_screen_plane(&l->screen, f);

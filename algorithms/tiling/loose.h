@@ -29,6 +29,12 @@ enum hsr_status HSR_OF_BUILD(hsr_loose_begin)(struct hsr_loose *loose,
                                               struct hsr_tally *tally,
                                               struct hsr_arena *arena);
 
+/* That a filtered picture cannot have them: HSR_E_REFUSED. There is one at
+ * least. */
+enum hsr_status HSR_OF_BUILD(hsr_loose_refuse)(const struct hsr_loose *loose,
+                                               const struct hsr_world *world,
+                                               struct hsr_error *err);
+
 /* Draws them over a picture of ids. */
 void HSR_OF_BUILD(hsr_loose_draw)(struct hsr_loose *loose, uint32_t *ids,
                                   size_t stride);

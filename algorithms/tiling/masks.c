@@ -682,6 +682,12 @@ void HSR_OF_BUILD(hsr_masks_tile_root)(struct hsr_masks *p,
   tile(&task, &root, p->all, polygon->n);
 }
 
+void HSR_OF_BUILD(hsr_masks_tile_rest)(struct hsr_masks *p,
+                                       const struct hsr_mask_sink *sink) {
+  struct hsr_mask_polygon all = {NULL, 0, NULL, NULL, NULL};
+  HSR_OF_BUILD(hsr_masks_tile_root)(p, &all, sink);
+}
+
 bool HSR_OF_BUILD(hsr_masks_show)(struct hsr_masks *p,
                                   const struct hsr_mask_polygon *polygon,
                                   struct hsr_bounds box) {

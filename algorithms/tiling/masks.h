@@ -164,6 +164,10 @@ void HSR_OF_BUILD(hsr_masks_tile_root)(struct hsr_masks *masks,
                                        const struct hsr_mask_polygon *polygon,
                                        const struct hsr_mask_sink *sink);
 
+/* Tiles whatever is vacant still: the background. */
+void HSR_OF_BUILD(hsr_masks_tile_rest)(struct hsr_masks *masks,
+                                       const struct hsr_mask_sink *sink);
+
 /* Whether any sample within the box that the polygon may cover is not covered;
  * what the lines leave open counts as inside. */
 bool HSR_OF_BUILD(hsr_masks_show)(struct hsr_masks *masks,

@@ -746,9 +746,8 @@ static void tile_bodies(struct frame *f) {
 
 /* Whatever is vacant still, and of no polygon. */
 static void tile_background(struct frame *f) {
-  struct hsr_mask_polygon all = {NULL, 0, NULL, NULL, NULL};
   HSR_OF_BUILD(hsr_canvas_face)(&f->canvas, HSR_BACKGROUND);
-  HSR_OF_BUILD(hsr_masks_tile_root)(&f->masks, &all, &f->sink);
+  HSR_OF_BUILD(hsr_masks_tile_rest)(&f->masks, &f->sink);
 }
 
 static void count_work(const struct frame *f) {
@@ -768,10 +767,7 @@ static enum hsr_status render(const struct hsr_job *job,
   if (begin(&f, job, err))
     return f.status ? f.status : HSR_E_NOMEM;
   if (f.loose.n && job->filtering)
-    return hsr_fail(err, HSR_E_REFUSED,
-                    "PF: face id %u is not flat, and its place in the order is "
-                    "not certain, as a filtered picture needs it",
-                    hsr_world_parent(job->world, f.loose.face[0]));
+    return HSR_OF_BUILD(hsr_loose_refuse)(&f.loose, job->world, err);
   tile_bodies(&f);
   if (f.status)
     return f.status;

@@ -240,9 +240,8 @@ static void tile_instances(struct frame *f, uint32_t number) {
 
 /* Whatever is vacant still, and of no polygon. */
 static void tile_background(struct frame *f) {
-  struct hsr_mask_polygon all = {NULL, 0, NULL, NULL, NULL};
   HSR_OF_BUILD(hsr_canvas_face)(&f->canvas, HSR_BACKGROUND);
-  HSR_OF_BUILD(hsr_masks_tile_root)(&f->masks, &all, &f->sink);
+  HSR_OF_BUILD(hsr_masks_tile_rest)(&f->masks, &f->sink);
 }
 
 static void count_work(const struct frame *f) {
@@ -256,15 +255,6 @@ static void count_work(const struct frame *f) {
   HSR_COUNT(tally, LOOSE, f->loose.compared);
 }
 
-static enum hsr_status refuse_loose(const struct frame *f,
-                                    struct hsr_error *err) {
-  uint32_t id = hsr_world_parent(f->job->world, f->loose.face[0]);
-  return hsr_fail(err, HSR_E_REFUSED,
-                  "PF: face id %u is not flat, and its place in the order is "
-                  "not certain, as a filtered picture needs it",
-                  id);
-}
-
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   static const double still[3] = {0, 0, 0};
@@ -273,7 +263,7 @@ static enum hsr_status render(const struct hsr_job *job,
   if (begin(&f, job))
     return hsr_fail_nomem(err);
   if (f.loose.n && job->filtering)
-    return refuse_loose(&f, err);
+    return HSR_OF_BUILD(hsr_loose_refuse)(&f.loose, job->world, err);
   if (p->grove.is_whole)
     tile_tree(&f, &p->grove.whole, still, 0);
   else
