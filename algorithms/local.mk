@@ -48,18 +48,18 @@ algorithm_files = \
   %D%/tiling/canvas.h \
   %D%/tiling/clip.c \
   %D%/tiling/clip.h \
-  %D%/tiling/loose.c \
-  %D%/tiling/loose.h \
+  %D%/tiling/frame.c \
+  %D%/tiling/frame.h \
   %D%/tiling/lazy.c \
   %D%/tiling/lazy_pyramid.c \
   %D%/tiling/lazy_pyramid.h \
+  %D%/tiling/loose.c \
+  %D%/tiling/loose.h \
   %D%/tiling/masks.c \
   %D%/tiling/masks.h \
   %D%/tiling/merged.c \
   %D%/tiling/polygon.c \
   %D%/tiling/polygon.h \
-  %D%/tiling/sampling.c \
-  %D%/tiling/sampling.h \
   %D%/tiling/separate.c \
   %D%/tiling/separate.h \
   %D%/tiling/tiling.c \

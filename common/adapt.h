@@ -48,6 +48,12 @@ struct hsr_adapter {
 /* In the order of their application, ended by .name == NULL. */
 extern const struct hsr_adapter hsr_adapters[];
 
+/* Whether a world that nobody has adapted is of convex faces, and all of them
+ * flat: else HSR_E_REFUSED, in words of `what`, "object chair" or "the scene".
+ * HSR_E_NOMEM. */
+enum hsr_status hsr_check_unadapted(const struct hsr_world *world,
+                                    const char *what, struct hsr_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -423,3 +423,25 @@ const char *hsr_restriction_code(unsigned restriction) {
       return code[k];
   return "";
 }
+
+enum hsr_status hsr_check_unadapted(const struct hsr_world *world,
+                                    const char *what, struct hsr_error *err) {
+  hsr_world parts = {};
+  bool divided = false;
+  hsr_status status = make_convex(world, &parts, &divided, err);
+  if (divided)
+    hsr_world_free(&parts);
+  if (status || divided)
+    return status ? status
+                  : hsr_fail(err, HSR_E_REFUSED,
+                             "CF: %s, which is not laid out, has faces that "
+                             "are not convex",
+                             what);
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    if (world->deviation[f] > 0)
+      return hsr_fail(err, HSR_E_REFUSED,
+                      "PF: %s, which is not laid out, has faces that are not "
+                      "flat",
+                      what);
+  return HSR_OK;
+}

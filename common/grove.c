@@ -5,6 +5,7 @@
 #include "common/predicates.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -248,28 +249,9 @@ static void note_sizes(struct hsr_grove *g, const struct hsr_bsp *bsp) {
 static enum hsr_status check_faces(const struct hsr_world *world,
                                    const struct hsr_object *object,
                                    struct hsr_error *err) {
-  for (const struct hsr_adapter *a = hsr_adapters; a->name; a++) {
-    if (a->mends != HSR_CF)
-      continue;
-    struct hsr_world out = {.scene = NULL};
-    bool changed = false;
-    enum hsr_status status = a->adapt(world, &out, &changed, err);
-    if (changed)
-      hsr_world_free(&out);
-    if (status || changed)
-      return status ? status
-                    : hsr_fail(err, HSR_E_REFUSED,
-                               "CF: object %s, which has instances, has faces "
-                               "that are not convex",
-                               object->name);
-  }
-  for (uint32_t f = 0; f < world->n_faces; f++)
-    if (world->deviation[f] > 0)
-      return hsr_fail(err, HSR_E_REFUSED,
-                      "PF: object %s, which has instances, has faces that are "
-                      "not flat",
-                      object->name);
-  return HSR_OK;
+  char what[sizeof err->text];
+  snprintf(what, sizeof what, "object %.80s", object->name);
+  return hsr_check_unadapted(world, what, err);
 }
 
 /* The planes that an object's cubes have beside its faces' must be moved

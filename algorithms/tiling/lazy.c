@@ -19,9 +19,8 @@
  */
 #include "algorithms/algorithm.h"
 #include "algorithms/bsp_walk.h"
+#include "algorithms/tiling/frame.h"
 #include "algorithms/tiling/lazy_pyramid.h"
-#include "algorithms/tiling/polygon.h"
-#include "algorithms/tiling/sampling.h"
 #include "algorithms/tiling/separate.h"
 #include "common/octree.h"
 #include "common/order.h"
@@ -33,23 +32,15 @@
 enum { ORDER, LEAF, DISORDER, CUBES, INTERVALS };
 enum { ORDER_TREE, ORDER_FRONT, ORDER_BACK, ORDER_INPUT };
 enum { CUBES_TESTED, CUBES_DRAWN };
-enum { SILHOUETTE = 8 };
 
 enum {
-  CUBES_ASKED,
-  CUBES_HIDDEN,
-  CUBE_CELLS,
-  POLYGONS,
+  POLYGONS = HSR_TILING_COUNTERS,
   POLYGONS_HIDDEN,
-  POLYGON_CELLS,
-  FINEST_CELLS,
-  PIXEL_CELLS,
   FRAGMENTS,
   DEMOTED,
   ENTERED,
   Z_BUFFERED,
-  COMPARED,
-  UNSURE
+  COMPARED
 };
 
 /* --- Once ------------------------------------------------------------------
@@ -166,12 +157,8 @@ struct turn {
 struct frame {
   const struct hsr_job *job;
   const struct prepared *prepared;
-  struct hsr_view view; /* of the samples */
-  struct hsr_masks masks;
-  struct hsr_mask_work cubes, polygons;
+  struct hsr_tiling tiling;
   struct hsr_lazy_pyramid pyramid;
-  struct hsr_pieces_view pieces;
-  struct hsr_canvas canvas;
   struct hsr_growing turn; /* struct turn */
   bool *met;               /* a face, in a cube */
   uint16_t (*rgb)[3];      /* of a filtered picture: a face, */
@@ -184,32 +171,27 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
   size_t colours = job->filtering ? (size_t)job->world->n_faces + 1 : 0;
   *f = (struct frame){.job = job,
                       .prepared = p,
-                      .view = HSR_OF_BUILD(hsr_sampling_view)(job),
                       .rgb = hsr_arena_array(arena, colours, sizeof *f->rgb),
                       .has_colour = HSR_NEW_ZEROED(arena, bool, colours),
                       .met = HSR_NEW_ZEROED(arena, bool, job->world->n_faces)};
   if (!f->rgb || !f->has_colour || !f->met ||
-      HSR_OF_BUILD(hsr_sampling_begin)(&p->sampling, job, &f->view,
-                                       p->room.corners + SILHOUETTE, &f->masks,
-                                       &f->polygons, &f->canvas) ||
-      HSR_OF_BUILD(hsr_pieces_begin)(&f->pieces, p->room, &f->view, &f->masks,
-                                     job->tally, arena))
+      HSR_OF_BUILD(hsr_tiling_begin)(&f->tiling, &p->sampling, job, p->room))
     return HSR_E_NOMEM;
-  return HSR_OF_BUILD(hsr_lazy_begin)(&f->pyramid, &f->masks, job->world,
-                                      &f->view, job->tally, arena);
+  return HSR_OF_BUILD(hsr_lazy_begin)(&f->pyramid, &f->tiling.masks, job->world,
+                                      &f->tiling.view, job->tally, arena);
 }
 
 /* Takes in hand a tree with all of its points. */
 static void take_tree(struct frame *f, const struct hsr_bsp *bsp) {
   static const double still[3] = {0, 0, 0};
   struct hsr_bsp_cube all = HSR_OF_BUILD(hsr_all_points)(bsp);
-  HSR_OF_BUILD(hsr_pieces_tree)(&f->pieces, bsp, still);
-  HSR_OF_BUILD(hsr_pieces_leaf)(&f->pieces, &all);
+  HSR_OF_BUILD(hsr_pieces_tree)(&f->tiling.pieces, bsp, still);
+  HSR_OF_BUILD(hsr_pieces_leaf)(&f->tiling.pieces, &all);
 }
 
 static void tile_piece(struct frame *f, const struct hsr_bsp_piece *piece,
                        int facing) {
-  struct hsr_pieces_view *pieces = &f->pieces;
+  struct hsr_pieces_view *pieces = &f->tiling.pieces;
   if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
     return;
   HSR_OF_BUILD(hsr_pieces_outline)(pieces);
@@ -253,7 +235,7 @@ static struct hsr_box corners_of(const struct hsr_octree_box *box) {
 /* No point of a box has a greater 1/t. W is a sum of three products, within 8 u
  * of their sizes as in polygon.c. */
 static double nearest_of(const struct frame *f, const struct hsr_box *box) {
-  const double *row = f->view.screen[2], *eye = f->view.E;
+  const double *row = f->tiling.view.screen[2], *eye = f->tiling.view.E;
   double w = -0x1p-900;
   for (int k = 0; k < 3; k++) {
     double lo = row[k] * (box->lo[k] - eye[k]);
@@ -267,20 +249,20 @@ static bool is_visible(struct frame *f, const struct hsr_octree_box *cube) {
   static const double still[3] = {0, 0, 0};
   struct hsr_box box = corners_of(cube);
   bool known;
-  const struct hsr_mask_polygon *silhouette =
-      HSR_OF_BUILD(hsr_pieces_silhouette)(&f->pieces, &box, still, &known);
+  const struct hsr_mask_polygon *silhouette = HSR_OF_BUILD(
+      hsr_pieces_silhouette)(&f->tiling.pieces, &box, still, &known);
   if (!known)
     return true;
   if (!silhouette)
     return false;
   if (f->job->option[CUBES] == CUBES_DRAWN)
     return true;
-  HSR_COUNT(f->job->tally, CUBES_ASKED, 1);
-  f->masks.work = &f->cubes;
+  HSR_COUNT(f->job->tally, HSR_CUBES_ASKED, 1);
+  f->tiling.masks.work = &f->tiling.cubes;
   bool visible = HSR_OF_BUILD(hsr_lazy_shows)(
-      &f->pyramid, silhouette, f->pieces.box, nearest_of(f, &box));
-  f->masks.work = &f->polygons;
-  HSR_COUNT(f->job->tally, CUBES_HIDDEN, !visible);
+      &f->pyramid, silhouette, f->tiling.pieces.box, nearest_of(f, &box));
+  f->tiling.masks.work = &f->tiling.polygons;
+  HSR_COUNT(f->job->tally, HSR_CUBES_HIDDEN, !visible);
   return visible;
 }
 
@@ -297,7 +279,7 @@ static void tile_cube(struct frame *f, uint32_t number) {
     f->met[face] = true;
   }
   for (int k = 0; k < 3; k++)
-    nearest |= (unsigned)(f->view.E[k] > node->centre[k]) << k;
+    nearest |= (unsigned)(f->tiling.view.E[k] > node->centre[k]) << k;
   for (int k = 0; k < 8; k++) {
     uint32_t child = node->child[nearest ^ hsr_octant_order[k]];
     if (child != HSR_NO_NODE)
@@ -388,7 +370,7 @@ static void tile_tree(struct frame *f) {
   const struct hsr_bsp *bsp = &f->prepared->tree;
   struct hsr_bsp_walk walk = {
       .bsp = bsp,
-      .eye = f->view.E,
+      .eye = f->tiling.view.E,
       .shift = still,
       .backwards = f->job->option[ORDER] == ORDER_BACK,
       .tally = f->job->tally,
@@ -413,7 +395,7 @@ static void tile_tree(struct frame *f) {
 
 static void take_face(void *context, uint32_t face) {
   struct frame *f = context;
-  f->canvas.id = face;
+  f->tiling.canvas.id = face;
   if (!f->job->filtering)
     return;
   uint32_t n = f->job->world->n_faces, k = face < n ? face : n;
@@ -422,22 +404,18 @@ static void take_face(void *context, uint32_t face) {
                       face < n ? hsr_world_parent(f->job->world, face) : face,
                       f->rgb[k]);
   f->has_colour[k] = true;
-  HSR_OF_BUILD(hsr_canvas_colour)(&f->canvas, f->rgb[k]);
+  HSR_OF_BUILD(hsr_canvas_colour)(&f->tiling.canvas, f->rgb[k]);
 }
 
 static void count_work(const struct frame *f) {
   struct hsr_tally *tally = f->job->tally;
   const struct hsr_lazy_work *work = &f->pyramid.work;
-  HSR_COUNT(tally, CUBE_CELLS, f->cubes.cells);
-  HSR_COUNT(tally, POLYGON_CELLS, f->polygons.cells);
-  HSR_COUNT(tally, FINEST_CELLS, f->cubes.finest + f->polygons.finest);
-  HSR_COUNT(tally, PIXEL_CELLS, f->cubes.pixels + f->polygons.pixels);
+  HSR_OF_BUILD(hsr_tiling_count)(&f->tiling);
   HSR_COUNT(tally, FRAGMENTS, work->fragments);
   HSR_COUNT(tally, DEMOTED, work->demoted);
   HSR_COUNT(tally, ENTERED, work->pixels);
   HSR_COUNT(tally, Z_BUFFERED, work->z_buffered);
   HSR_COUNT(tally, COMPARED, work->compared);
-  HSR_COUNT(tally, UNSURE, f->masks.unsure);
 }
 
 static enum hsr_status render(const struct hsr_job *job,
@@ -453,8 +431,7 @@ static enum hsr_status render(const struct hsr_job *job,
     tile_tree(&f);
   if (f.pyramid.out_of_memory)
     return hsr_fail_nomem(err);
-  struct hsr_mask_sink sink = HSR_OF_BUILD(hsr_canvas_sink)(&f.canvas);
-  HSR_OF_BUILD(hsr_lazy_resolve)(&f.pyramid, &sink, &f, take_face);
+  HSR_OF_BUILD(hsr_lazy_resolve)(&f.pyramid, &f.tiling.sink, &f, take_face);
   count_work(&f);
   return HSR_OK;
 }
@@ -463,26 +440,17 @@ static enum hsr_status render(const struct hsr_job *job,
  */
 
 static const struct hsr_counter counters[] = {
-    [CUBES_ASKED] = {"cubes asked", "cubes whose silhouettes were tiled"},
-    [CUBES_HIDDEN] = {"cubes hidden", "of these, those that are hidden"},
-    [CUBE_CELLS] = {"cube cells", "cells of the mask pyramid visited for them"},
+    HSR_TILING_COUNTER_NAMES,
     [POLYGONS] = {"polygons", "faces, or pieces of them, in visible cubes, "
                               "with a sample in their box"},
     [POLYGONS_HIDDEN] = {"polygons hidden",
                          "of these, those whose box is hidden"},
-    [POLYGON_CELLS] = {"polygon cells",
-                       "cells of the mask pyramid visited for them"},
-    [FINEST_CELLS] = {"finest cells",
-                      "of all these, those of the finest level"},
-    [PIXEL_CELLS] = {"pixel cells",
-                     "of all these, those as large as a pixel or larger"},
     [FRAGMENTS] = {"fragments", "of polygons, cached in pixels"},
     [DEMOTED] = {"pixels demoted", "from tiling to z-buffering"},
     [ENTERED] = {"pixels entered", "that are not of one face as all about them "
                                    "in the end, or vacant"},
     [Z_BUFFERED] = {"pixels z-buffered", "of these, in the end"},
     [COMPARED] = {"samples compared", "by depth"},
-    [UNSURE] = {"unsure samples", "put to the exact predicates"},
     {NULL, NULL}};
 
 static const struct hsr_sort sorts[] = {
@@ -523,12 +491,7 @@ static const struct hsr_option options[] = {
                         0},
                        {"drawn", "all are gone through", 0},
                        {NULL, NULL, 0}}},
-    [INTERVALS] = {.name = "intervals",
-                   .meaning = "into which a side is divided for the tables of "
-                              "masks",
-                   .least = 1,
-                   .most = HSR_TRIAGE_MOST,
-                   .standard = 64},
+    [INTERVALS] = HSR_INTERVALS_OPTION,
     {.name = NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(tiling_lazy) = {

@@ -30,8 +30,8 @@
 #include "algorithms/algorithm.h"
 #include "algorithms/bsp_walk.h"
 #include "algorithms/tiling/clip.h"
+#include "algorithms/tiling/frame.h"
 #include "algorithms/tiling/loose.h"
-#include "algorithms/tiling/sampling.h"
 #include "common/adapt.h"
 #include "common/octree.h"
 
@@ -40,27 +40,18 @@
 #include <string.h>
 
 enum { LEAF, INTERVALS };
-enum { SPARE_LINES = 8 }; /* of a silhouette; or near, and clips */
 enum {
   SMALL = 8
 }; /* a body of so many leaves' faces is not divided
       before it is merged */
 
 enum {
-  CUBES_ASKED,
-  CUBES_HIDDEN,
-  CUBE_CELLS,
-  REGIONS,
+  REGIONS = HSR_TILING_COUNTERS,
   TREES,
   MERGES,
   MERGED_FACES,
   PIECES,
   PIECES_CLIPPED,
-  PIECE_CELLS,
-  FINEST_CELLS,
-  PIXEL_CELLS,
-  SAMPLES,
-  UNSURE,
   LOOSE
 };
 
@@ -106,31 +97,6 @@ static bool is_flat(const struct hsr_world *world) {
   return true;
 }
 
-/* Of an outline, which nobody has adapted. */
-static enum hsr_status check_still(const struct hsr_world *still,
-                                   struct hsr_error *err) {
-  for (const struct hsr_adapter *a = hsr_adapters; a->name; a++) {
-    struct hsr_world out = {.scene = NULL};
-    bool changed = false;
-    if (a->mends != HSR_CF)
-      continue;
-    enum hsr_status status = a->adapt(still, &out, &changed, err);
-    if (changed)
-      hsr_world_free(&out);
-    if (status)
-      return status;
-    if (changed)
-      return hsr_fail(err, HSR_E_REFUSED,
-                      "CF: it has faces that are not "
-                      "convex, and is too large to be "
-                      "laid out");
-  }
-  return is_flat(still) ? HSR_OK
-                        : hsr_fail(err, HSR_E_REFUSED,
-                                   "PF: it has faces that are not flat, and is "
-                                   "too large to be laid out");
-}
-
 static enum hsr_status plant(struct prepared *p, const struct hsr_world *world,
                              const struct hsr_bsp_rule *rule,
                              struct hsr_error *err) {
@@ -145,7 +111,7 @@ static enum hsr_status plant(struct prepared *p, const struct hsr_world *world,
   enum hsr_status status =
       hsr_world_extract(&p->still, world, p->id, p->n_still, err);
   if (!status && outline)
-    status = check_still(&p->still, err);
+    status = hsr_check_unadapted(&p->still, "the scene", err);
   return status ? status : hsr_bsp_init(&p->tree, &p->still, rule, err);
 }
 
@@ -195,16 +161,11 @@ struct node {
 struct frame {
   const struct hsr_job *job;
   const struct prepared *prepared;
-  struct hsr_view view; /* of the samples */
-  struct hsr_masks masks;
-  struct hsr_mask_work cubes, polygons;
-  struct hsr_pieces_view pieces;
+  struct hsr_tiling tiling;
   struct hsr_pieces_room room;
   uint32_t most_depth; /* of a tree; room in `waiting` */
   struct hsr_bsp_waiting *waiting;
   struct hsr_loose loose;
-  struct hsr_canvas canvas;
-  struct hsr_mask_sink sink;
   struct hsr_clip clip;
 
   struct body still, *mover, merged;
@@ -229,7 +190,6 @@ static uint32_t larger(uint32_t a, uint32_t b) {
 /* Makes room for a tree, if there is too little. */
 static void make_room(struct frame *f, const struct hsr_bsp *tree) {
   struct hsr_pieces_room room = f->room;
-  struct hsr_arena *arena = f->job->scratch;
   for (uint32_t k = 0; k < tree->n_cubes; k++) {
     room.points = larger(room.points, tree->cube[k].n_points);
     room.corners = larger(room.corners, tree->cube[k].most_corners);
@@ -239,7 +199,7 @@ static void make_room(struct frame *f, const struct hsr_bsp *tree) {
                                          hsr_plane_loop(tree->world, k).n));
   if (!f->waiting || tree->most_depth > f->most_depth) {
     f->most_depth = 2 * tree->most_depth;
-    f->waiting = HSR_NEW(arena, struct hsr_bsp_waiting,
+    f->waiting = HSR_NEW(f->job->scratch, struct hsr_bsp_waiting,
                          hsr_bsp_most_waiting(f->most_depth));
   }
   if (!f->waiting)
@@ -248,10 +208,7 @@ static void make_room(struct frame *f, const struct hsr_bsp *tree) {
     return;
   f->room = (struct hsr_pieces_room){2 * room.points, 2 * room.corners,
                                      2 * room.face};
-  if (HSR_OF_BUILD(hsr_masks_room)(&f->masks, f->room.corners + SPARE_LINES,
-                                   arena) ||
-      HSR_OF_BUILD(hsr_pieces_begin)(&f->pieces, f->room, &f->view, &f->masks,
-                                     f->job->tally, arena))
+  if (HSR_OF_BUILD(hsr_tiling_room)(&f->tiling, f->room))
     fail(f, HSR_E_NOMEM);
 }
 
@@ -260,21 +217,15 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job,
   const struct prepared *p = job->prepared;
   *f = (struct frame){.job = job,
                       .prepared = p,
-                      .view = HSR_OF_BUILD(hsr_sampling_view)(job),
                       .room = {8, 8, 8},
                       .still = {.tree = &p->tree},
                       .err = err};
-  if (HSR_OF_BUILD(hsr_sampling_begin)(&p->sampling, job, &f->view,
-                                       f->room.corners + SPARE_LINES, &f->masks,
-                                       &f->polygons, &f->canvas) ||
-      HSR_OF_BUILD(hsr_pieces_begin)(&f->pieces, f->room, &f->view, &f->masks,
-                                     job->tally, job->scratch))
+  if (HSR_OF_BUILD(hsr_tiling_begin)(&f->tiling, &p->sampling, job, f->room))
     return hsr_fail_nomem(err);
-  f->sink = HSR_OF_BUILD(hsr_canvas_sink)(&f->canvas);
   make_room(f, &p->tree);
   if (!f->status && p->is_whole &&
-      HSR_OF_BUILD(hsr_loose_begin)(&f->loose, &p->tree, &f->view, job->tally,
-                                    job->scratch))
+      HSR_OF_BUILD(hsr_loose_begin)(&f->loose, &p->tree, &f->tiling.view,
+                                    job->tally, job->scratch))
     fail(f, HSR_E_NOMEM);
   return f->status;
 }
@@ -329,22 +280,8 @@ static uint32_t name_of(const struct frame *f, const struct hsr_world *world,
 static bool is_visible(struct frame *f, const struct hsr_region *region,
                        struct hsr_box box) {
   static const double still[3] = {0, 0, 0};
-  bool known;
-  if (!HSR_OF_BUILD(hsr_region_clip)(region, &box))
-    return false;
-  const struct hsr_mask_polygon *silhouette =
-      HSR_OF_BUILD(hsr_pieces_silhouette)(&f->pieces, &box, still, &known);
-  if (!known)
-    return true;
-  if (!silhouette)
-    return false;
-  HSR_COUNT(f->job->tally, CUBES_ASKED, 1);
-  f->masks.work = &f->cubes;
-  bool visible =
-      HSR_OF_BUILD(hsr_masks_show)(&f->masks, silhouette, f->pieces.box);
-  f->masks.work = &f->polygons;
-  HSR_COUNT(f->job->tally, CUBES_HIDDEN, !visible);
-  return visible;
+  return HSR_OF_BUILD(hsr_region_clip)(region, &box) &&
+         HSR_OF_BUILD(hsr_tiling_shows)(&f->tiling, &box, still, true);
 }
 
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
@@ -352,7 +289,7 @@ static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   if (f->status || !is_visible(f, f->region, cube->tight))
     return false;
   if (cube->root != HSR_NO_BSP)
-    HSR_OF_BUILD(hsr_pieces_leaf)(&f->pieces, cube);
+    HSR_OF_BUILD(hsr_pieces_leaf)(&f->tiling.pieces, cube);
   return true;
 }
 
@@ -360,7 +297,7 @@ static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
 static struct hsr_screen *screen_of(struct frame *f) {
   struct body *body = f->body;
   if (!body->has_screen && hsr_screen_init(&body->screen, body->tree->world,
-                                           &f->view, f->job->scratch)) {
+                                           &f->tiling.view, f->job->scratch)) {
     fail(f, HSR_E_NOMEM);
     return NULL;
   }
@@ -371,7 +308,8 @@ static struct hsr_screen *screen_of(struct frame *f) {
 static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
                        int facing) {
   struct frame *f = context;
-  struct hsr_pieces_view *pieces = &f->pieces;
+  struct hsr_tiling *t = &f->tiling;
+  struct hsr_pieces_view *pieces = &t->pieces;
   if (f->status || (f->loose.is_loose && f->loose.is_loose[piece->face]))
     return;
   if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
@@ -387,15 +325,15 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   HSR_STEP(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NOTHING, pieces->box.x0,
            pieces->box.y0, pieces->box.x1, pieces->box.y1);
   HSR_COUNT(f->job->tally, PIECES_CLIPPED, polygon != &pieces->polygon);
-  HSR_OF_BUILD(hsr_canvas_face)(&f->canvas, id);
-  HSR_OF_BUILD(hsr_masks_tile)(&f->masks, polygon, pieces->box, &f->sink);
+  HSR_OF_BUILD(hsr_canvas_face)(&t->canvas, id);
+  HSR_OF_BUILD(hsr_masks_tile)(&t->masks, polygon, pieces->box, &t->sink);
 }
 
 static void tile_tree(struct frame *f, struct body *body, uint32_t cube,
                       const struct hsr_region *region) {
   static const double still[3] = {0, 0, 0};
   struct hsr_bsp_walk walk = {.bsp = body->tree,
-                              .eye = f->view.E,
+                              .eye = f->tiling.view.E,
                               .shift = still,
                               .tally = f->job->tally,
                               .waiting = f->waiting,
@@ -406,7 +344,7 @@ static void tile_tree(struct frame *f, struct body *body, uint32_t cube,
     return;
   f->body = body;
   f->region = region;
-  HSR_OF_BUILD(hsr_pieces_tree)(&f->pieces, body->tree, still);
+  HSR_OF_BUILD(hsr_pieces_tree)(&f->tiling.pieces, body->tree, still);
   HSR_OF_BUILD(hsr_bsp_walk_cube)(&walk, cube);
 }
 
@@ -574,7 +512,7 @@ static void tile_region(struct frame *f, const struct hsr_region *region,
 /* The region's parts on both sides of a plane; that of the eye first. */
 static void tile_sides(struct frame *f, const struct hsr_region *region,
                        const struct node *node, size_t n, int axis, double at) {
-  bool eye_above = f->view.E[axis] > at;
+  bool eye_above = f->tiling.view.E[axis] > at;
   for (int side = 0; side < 2; side++) {
     struct hsr_region part = *region;
     if (eye_above == (side == 0))
@@ -620,7 +558,7 @@ static void open_cube(struct frame *f, const struct hsr_region *region,
   const struct hsr_bsp_cube *cube = &body->tree->cube[node[n - 1].cube];
   unsigned nearest = 0;
   for (int k = 0; k < 3; k++)
-    nearest |= (unsigned)(f->view.E[k] > cube->centre[k]) << k;
+    nearest |= (unsigned)(f->tiling.view.E[k] > cube->centre[k]) << k;
   for (int o = 0; o < 8; o++) {
     unsigned octant = nearest ^ hsr_octant_order[o];
     uint32_t child = cube->child[octant];
@@ -744,23 +682,6 @@ static void tile_bodies(struct frame *f) {
     free_own(&f->mover[k]);
 }
 
-/* Whatever is vacant still, and of no polygon. */
-static void tile_background(struct frame *f) {
-  HSR_OF_BUILD(hsr_canvas_face)(&f->canvas, HSR_BACKGROUND);
-  HSR_OF_BUILD(hsr_masks_tile_rest)(&f->masks, &f->sink);
-}
-
-static void count_work(const struct frame *f) {
-  struct hsr_tally *tally = f->job->tally;
-  HSR_COUNT(tally, CUBE_CELLS, f->cubes.cells);
-  HSR_COUNT(tally, PIECE_CELLS, f->polygons.cells);
-  HSR_COUNT(tally, FINEST_CELLS, f->cubes.finest + f->polygons.finest);
-  HSR_COUNT(tally, PIXEL_CELLS, f->cubes.pixels + f->polygons.pixels);
-  HSR_COUNT(tally, SAMPLES, f->canvas.samples);
-  HSR_COUNT(tally, UNSURE, f->masks.unsure);
-  HSR_COUNT(tally, LOOSE, f->loose.compared);
-}
-
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct frame f;
@@ -771,9 +692,10 @@ static enum hsr_status render(const struct hsr_job *job,
   tile_bodies(&f);
   if (f.status)
     return f.status;
-  tile_background(&f);
+  HSR_OF_BUILD(hsr_tiling_background)(&f.tiling);
   HSR_OF_BUILD(hsr_loose_draw)(&f.loose, job->ids, job->ids_stride);
-  count_work(&f);
+  HSR_OF_BUILD(hsr_tiling_count)(&f.tiling);
+  HSR_COUNT(job->tally, LOOSE, f.loose.compared);
   return HSR_OK;
 }
 
@@ -781,11 +703,7 @@ static enum hsr_status render(const struct hsr_job *job,
  */
 
 static const struct hsr_counter counters[] = {
-    [CUBES_ASKED] = {"cubes asked",
-                     "cubes, and boxes of bodies, whose silhouettes were "
-                     "tiled"},
-    [CUBES_HIDDEN] = {"cubes hidden", "of these, those that are hidden"},
-    [CUBE_CELLS] = {"cube cells", "cells of the mask pyramid visited for them"},
+    HSR_TILING_COUNTER_NAMES,
     [REGIONS] = {"regions", "of space, with cubes that may be visible"},
     [TREES] = {"trees", "made of bodies that move"},
     [MERGES] = {"merges", "trees made of leaves of several bodies"},
@@ -793,14 +711,6 @@ static const struct hsr_counter counters[] = {
     [PIECES] = {"pieces", "pieces of faces in visible cubes, with a sample in "
                           "their box"},
     [PIECES_CLIPPED] = {"pieces clipped", "of these, to a region"},
-    [PIECE_CELLS] = {"polygon cells", "cells of the mask pyramid visited for "
-                                      "polygons, and the background"},
-    [FINEST_CELLS] = {"finest cells",
-                      "of all these, those of the finest level"},
-    [PIXEL_CELLS] = {"pixel cells",
-                     "of all these, those as large as a pixel or larger"},
-    [SAMPLES] = {"samples", "written, each once"},
-    [UNSURE] = {"unsure samples", "put to the exact predicates"},
     [LOOSE] = {"thickness checks",
                "comparisons in depth with faces that are not flat and have no "
                "place in the trees"},
@@ -820,12 +730,7 @@ static const struct hsr_option options[] = {
               .least = 1,
               .most = 1000,
               .standard = 30},
-    [INTERVALS] = {.name = "intervals",
-                   .meaning = "into which a side is divided for the tables of "
-                              "masks",
-                   .least = 1,
-                   .most = HSR_TRIAGE_MOST,
-                   .standard = 64},
+    [INTERVALS] = HSR_INTERVALS_OPTION,
     {.name = NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(tiling_merged) = {

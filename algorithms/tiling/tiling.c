@@ -18,10 +18,8 @@
  *             visible and their children */
 #include "algorithms/algorithm.h"
 #include "algorithms/bsp_walk.h"
-#include "algorithms/tiling/canvas.h"
+#include "algorithms/tiling/frame.h"
 #include "algorithms/tiling/loose.h"
-#include "algorithms/tiling/polygon.h"
-#include "algorithms/tiling/sampling.h"
 #include "common/grove.h"
 
 #include <stdlib.h>
@@ -31,19 +29,7 @@ enum { MASKS_EXACT, MASKS_TABLE };
 enum { START_BOX, START_ROOT };
 enum { CUBES_TESTED, CUBES_DRAWN };
 
-enum {
-  CUBES_ASKED,
-  CUBES_HIDDEN,
-  CUBE_CELLS,
-  PIECES,
-  PIECES_HIDDEN,
-  PIECE_CELLS,
-  FINEST_CELLS,
-  PIXEL_CELLS,
-  SAMPLES,
-  UNSURE,
-  LOOSE
-};
+enum { PIECES = HSR_TILING_COUNTERS, PIECES_HIDDEN, LOOSE };
 
 /* --- Once ------------------------------------------------------------------
  */
@@ -106,98 +92,71 @@ static enum hsr_status prepare(const struct hsr_world *world,
 struct frame {
   const struct hsr_job *job;
   const struct prepared *prepared;
-  struct hsr_view view; /* of the samples */
-  struct hsr_masks masks;
-  struct hsr_mask_work cubes, polygons;
-  struct hsr_pieces_view pieces;
+  struct hsr_tiling tiling;
   struct hsr_bsp_waiting *waiting;
   struct hsr_loose loose;
-  struct hsr_canvas canvas;
-  struct hsr_mask_sink sink;
   uint32_t first_id; /* of the tree at hand */
 };
 
-static struct hsr_pieces_room room_of(const struct hsr_grove *grove) {
-  return (struct hsr_pieces_room){grove->most_points, grove->most_corners,
-                                  grove->most_face};
-}
-
 static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
   const struct prepared *p = job->prepared;
-  struct hsr_arena *arena = job->scratch;
-  *f = (struct frame){
-      .job = job, .prepared = p, .view = HSR_OF_BUILD(hsr_sampling_view)(job)};
-  if (HSR_OF_BUILD(hsr_sampling_begin)(&p->sampling, job, &f->view,
-                                       p->grove.most_corners + 8, &f->masks,
-                                       &f->polygons, &f->canvas) ||
-      HSR_OF_BUILD(hsr_pieces_begin)(&f->pieces, room_of(&p->grove), &f->view,
-                                     &f->masks, job->tally, arena))
+  const struct hsr_grove *grove = &p->grove;
+  const struct hsr_pieces_room room = {grove->most_points, grove->most_corners,
+                                       grove->most_face};
+  *f = (struct frame){.job = job, .prepared = p};
+  if (HSR_OF_BUILD(hsr_tiling_begin)(&f->tiling, &p->sampling, job, room))
     return HSR_E_NOMEM;
   if (p->samples)
-    f->masks.sample_tables =
-        p->sample_tables + HSR_OF_BUILD(hsr_sampling_first)(job);
-  f->sink = HSR_OF_BUILD(hsr_canvas_sink)(&f->canvas);
-  f->waiting = HSR_NEW(arena, struct hsr_bsp_waiting,
-                       hsr_bsp_most_waiting(p->grove.most_depth));
+    f->tiling.masks.sample_tables =
+        p->sample_tables + HSR_OF_BUILD(hsr_tiling_pattern)(job);
+  f->waiting = HSR_NEW(job->scratch, struct hsr_bsp_waiting,
+                       hsr_bsp_most_waiting(grove->most_depth));
   if (!f->waiting)
     return HSR_E_NOMEM;
-  return p->grove.is_whole
-             ? HSR_OF_BUILD(hsr_loose_begin)(&f->loose, &p->grove.whole,
-                                             &f->view, job->tally, arena)
+  return grove->is_whole
+             ? HSR_OF_BUILD(hsr_loose_begin)(&f->loose, &grove->whole,
+                                             &f->tiling.view, job->tally,
+                                             job->scratch)
              : HSR_OK;
 }
 
-/* Whether anything within a box that is moved may be seen. */
 static bool is_visible(struct frame *f, const struct hsr_box *box,
                        const double shift[3]) {
-  bool known;
-  const struct hsr_mask_polygon *silhouette =
-      HSR_OF_BUILD(hsr_pieces_silhouette)(&f->pieces, box, shift, &known);
-  if (!known)
-    return true;
-  if (!silhouette)
-    return false;
-  if (f->job->option[CUBES] == CUBES_DRAWN)
-    return true;
-  HSR_COUNT(f->job->tally, CUBES_ASKED, 1);
-  f->masks.work = &f->cubes;
-  bool visible =
-      HSR_OF_BUILD(hsr_masks_show)(&f->masks, silhouette, f->pieces.box);
-  f->masks.work = &f->polygons;
-  HSR_COUNT(f->job->tally, CUBES_HIDDEN, !visible);
-  return visible;
+  return HSR_OF_BUILD(hsr_tiling_shows)(&f->tiling, box, shift,
+                                        f->job->option[CUBES] == CUBES_TESTED);
 }
 
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   struct frame *f = context;
-  if (!is_visible(f, &cube->tight, f->pieces.shift))
+  struct hsr_pieces_view *pieces = &f->tiling.pieces;
+  if (!is_visible(f, &cube->tight, pieces->shift))
     return false;
   if (cube->root != HSR_NO_BSP)
-    HSR_OF_BUILD(hsr_pieces_leaf)(&f->pieces, cube);
+    HSR_OF_BUILD(hsr_pieces_leaf)(pieces, cube);
   return true;
 }
 
 static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
                        int facing) {
   struct frame *f = context;
-  struct hsr_pieces_view *pieces = &f->pieces;
+  struct hsr_tiling *t = &f->tiling;
+  struct hsr_pieces_view *pieces = &t->pieces;
+  uint32_t id = f->first_id + piece->face;
   if (f->loose.is_loose && f->loose.is_loose[piece->face])
     return;
   if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
     return;
-  HSR_STEP(f->job->tally, PIECES, HSR_ACTIVATE, f->first_id + piece->face,
-           HSR_NOTHING, pieces->box.x0, pieces->box.y0, pieces->box.x1,
-           pieces->box.y1);
-  uint32_t id = f->first_id + piece->face;
+  HSR_STEP(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NOTHING, pieces->box.x0,
+           pieces->box.y0, pieces->box.x1, pieces->box.y1);
   if (f->job->filtering)
     id = hsr_world_parent(f->job->world, id);
-  HSR_OF_BUILD(hsr_canvas_face)(&f->canvas, id);
+  HSR_OF_BUILD(hsr_canvas_face)(&t->canvas, id);
   if (f->job->option[START] == START_ROOT) {
     HSR_OF_BUILD(hsr_pieces_outline)(pieces);
-    HSR_OF_BUILD(hsr_masks_tile_root)(&f->masks, &pieces->polygon, &f->sink);
-  } else if (HSR_OF_BUILD(hsr_masks_find)(&f->masks, pieces->box)) {
+    HSR_OF_BUILD(hsr_masks_tile_root)(&t->masks, &pieces->polygon, &t->sink);
+  } else if (HSR_OF_BUILD(hsr_masks_find)(&t->masks, pieces->box)) {
     HSR_OF_BUILD(hsr_pieces_outline)(pieces);
-    HSR_OF_BUILD(hsr_masks_tile_found)(&f->masks, &pieces->polygon, &f->sink);
+    HSR_OF_BUILD(hsr_masks_tile_found)(&t->masks, &pieces->polygon, &t->sink);
   } else {
     HSR_COUNT(f->job->tally, PIECES_HIDDEN, 1);
   }
@@ -206,7 +165,7 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
 static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
                       const double shift[3], uint32_t first_id) {
   struct hsr_bsp_walk walk = {.bsp = bsp,
-                              .eye = f->view.E,
+                              .eye = f->tiling.view.E,
                               .shift = shift,
                               .tally = f->job->tally,
                               .waiting = f->waiting,
@@ -214,7 +173,7 @@ static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
                               .enter = enter_cube,
                               .piece = tile_piece};
   f->first_id = first_id;
-  HSR_OF_BUILD(hsr_pieces_tree)(&f->pieces, bsp, shift);
+  HSR_OF_BUILD(hsr_pieces_tree)(&f->tiling.pieces, bsp, shift);
   HSR_OF_BUILD(hsr_bsp_walk)(&walk);
 }
 
@@ -226,7 +185,7 @@ static void tile_instances(struct frame *f, uint32_t number) {
   if (node->axis >= 0) {
     if (!is_visible(f, &node->box, still))
       return;
-    bool above = f->view.E[node->axis] > node->at;
+    bool above = f->tiling.view.E[node->axis] > node->at;
     tile_instances(f, above ? node->above : node->below);
     tile_instances(f, above ? node->below : node->above);
     return;
@@ -236,23 +195,6 @@ static void tile_instances(struct frame *f, uint32_t number) {
   const double shift[3] = {instance->m[3], instance->m[7], instance->m[11]};
   tile_tree(f, &grove->tree[instance->object].bsp, shift,
             grove->world->first[node->instance]);
-}
-
-/* Whatever is vacant still, and of no polygon. */
-static void tile_background(struct frame *f) {
-  HSR_OF_BUILD(hsr_canvas_face)(&f->canvas, HSR_BACKGROUND);
-  HSR_OF_BUILD(hsr_masks_tile_rest)(&f->masks, &f->sink);
-}
-
-static void count_work(const struct frame *f) {
-  struct hsr_tally *tally = f->job->tally;
-  HSR_COUNT(tally, CUBE_CELLS, f->cubes.cells);
-  HSR_COUNT(tally, PIECE_CELLS, f->polygons.cells);
-  HSR_COUNT(tally, FINEST_CELLS, f->cubes.finest + f->polygons.finest);
-  HSR_COUNT(tally, PIXEL_CELLS, f->cubes.pixels + f->polygons.pixels);
-  HSR_COUNT(tally, SAMPLES, f->canvas.samples);
-  HSR_COUNT(tally, UNSURE, f->masks.unsure);
-  HSR_COUNT(tally, LOOSE, f->loose.compared);
 }
 
 static enum hsr_status render(const struct hsr_job *job,
@@ -268,9 +210,10 @@ static enum hsr_status render(const struct hsr_job *job,
     tile_tree(&f, &p->grove.whole, still, 0);
   else
     tile_instances(&f, 0);
-  tile_background(&f);
+  HSR_OF_BUILD(hsr_tiling_background)(&f.tiling);
   HSR_OF_BUILD(hsr_loose_draw)(&f.loose, job->ids, job->ids_stride);
-  count_work(&f);
+  HSR_OF_BUILD(hsr_tiling_count)(&f.tiling);
+  HSR_COUNT(job->tally, LOOSE, f.loose.compared);
   return HSR_OK;
 }
 
@@ -278,22 +221,10 @@ static enum hsr_status render(const struct hsr_job *job,
  */
 
 static const struct hsr_counter counters[] = {
-    [CUBES_ASKED] = {"cubes asked", "cubes, and boxes of instances, whose "
-                                    "silhouettes were tiled"},
-    [CUBES_HIDDEN] = {"cubes hidden", "of these, those that are hidden"},
-    [CUBE_CELLS] = {"cube cells", "cells of the mask pyramid visited for them"},
+    HSR_TILING_COUNTER_NAMES,
     [PIECES] = {"pieces", "pieces of faces in visible cubes, with a sample in "
                           "their box"},
     [PIECES_HIDDEN] = {"pieces hidden", "of these, those whose box is hidden"},
-    [PIECE_CELLS] = {"polygon cells", "cells of the mask pyramid visited for "
-                                      "polygons, and the background"},
-    [FINEST_CELLS] = {"finest cells",
-                      "of all these, those of the finest level"},
-    [PIXEL_CELLS] = {"pixel cells",
-                     "of all these, those as large as a pixel or "
-                     "larger"},
-    [SAMPLES] = {"samples", "written, each once"},
-    [UNSURE] = {"unsure samples", "put to the exact predicates"},
     [LOOSE] = {"thickness checks",
                "comparisons in depth with faces that are not flat and have no "
                "place in the trees"},
@@ -312,12 +243,7 @@ static const struct hsr_option options[] = {
               .least = 0,
               .most = 1000,
               .standard = 30},
-    [INTERVALS] = {.name = "intervals",
-                   .meaning = "into which a side is divided for the tables of "
-                              "masks",
-                   .least = 1,
-                   .most = HSR_TRIAGE_MOST,
-                   .standard = 64},
+    [INTERVALS] = HSR_INTERVALS_OPTION,
     [MASKS] = {.name = "masks",
                .meaning = "how the masks of samples are found",
                .words =
