@@ -25,9 +25,12 @@ namespace {
   _exit(status);
 }
 
+/* The parent process says it, from the status. */
+bool parent_tells = false;
+
 [[noreturn]] void end_without_memory() {
   static const char no_memory[] = "hsr: out of memory\n";
-  end(no_memory, sizeof no_memory - 1, HSR_E_NOMEM);
+  end(no_memory, parent_tells ? 0 : sizeof no_memory - 1, HSR_E_NOMEM);
 }
 
 /* For GMP, to which a failure cannot be told. */
@@ -68,6 +71,7 @@ void end_with_parent(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) /* it had ended before */
     _exit(HSR_E_INTERNAL);
+  parent_tells = true;
 }
 
 void end_in_one_line(void) {

@@ -21,7 +21,8 @@ void end_in_one_line(void);
 void end_process(int status);
 
 /* Called first in a forked process: from now on it is killed when its parent,
- * of that id, ends in whatever way. */
+ * of that id, ends in whatever way; and leaves it to him to say that memory was
+ * lacking. */
 void end_with_parent(pid_t parent);
 
 #ifdef __cplusplus

@@ -14,11 +14,9 @@
 
 #include <errno.h>
 #include <math.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -107,9 +105,9 @@ static enum hsr_status draw(struct view_picture *p,
 static bool draw_apart(struct view_picture *p, const struct hsr_algorithm *a,
                        const char *work, const char *drawing) {
   fflush(NULL);
-  pid_t child = fork();
+  pid_t parent = getpid(), child = fork();
   if (child == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    end_with_parent(parent);
     alarm((unsigned)p->report->timeout);
     end_process((int)draw(p, a, work, drawing, NULL));
   }
