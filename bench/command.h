@@ -62,6 +62,30 @@ bool parse_point(const char *text, double point[3]);
 bool parse_number(const char *text, double *number);
 bool parse_count(const char *text, long least, long most, long *count);
 
+/* The one scene of a subcommand. */
+struct scene_options {
+  const char *name;
+  struct hsr_import import;
+};
+
+/* An entry for an argp option array, and the parser of it and of the argument:
+ * ARGP_ERR_UNKNOWN if `key` is none of them. `command` is "render", ... */
+enum { DROP_DEGENERATE = 0x180 };
+#define SCENE_ARGP_OPTIONS                                                     \
+  {                                                                            \
+    "drop-degenerate", DROP_DEGENERATE, NULL, 0,                               \
+        "leave out faces of a mesh file that have no area or repeat a "        \
+        "vertex, instead of refusing the file",                                \
+        0                                                                      \
+  }
+error_t parse_scene_option(struct scene_options *options, int key, char *arg,
+                           const char *command, struct option_base *base);
+
+/* Opens a scene, which the caller deletes, and says on stderr how many faces
+ * were left out of it. Errors as of hsr_scene_open. */
+enum hsr_status open_scene(const char *name, struct hsr_import import,
+                           struct hsr_scene **scene, struct hsr_error *err);
+
 /* Where to look from: one of the scene's views, changed by what was given. */
 struct view_options {
   long view; /* from 1 */

@@ -114,6 +114,37 @@ bool parse_point(const char *text, double point[3]) {
   return true;
 }
 
+error_t parse_scene_option(struct scene_options *o, int key, char *arg,
+                           const char *command, struct option_base *base) {
+  switch (key) {
+  case DROP_DEGENERATE:
+    o->import.drop_degenerate = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->name)
+      return option_fail(base, "%s: one scene at a time, not also '%s'",
+                         command, arg);
+    o->name = arg;
+    return 0;
+  case ARGP_KEY_END:
+    if (!o->name)
+      return option_fail(base, "%s: which scene? (see hsr %s --help)", command,
+                         command);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+enum hsr_status open_scene(const char *name, struct hsr_import import,
+                           struct hsr_scene **scene, struct hsr_error *err) {
+  enum hsr_status status = hsr_scene_open(name, &import, scene, err);
+  if (!status && import.n_dropped)
+    fprintf(stderr, "hsr: %s: %llu degenerate faces left out\n", name,
+            (unsigned long long)import.n_dropped);
+  return status;
+}
+
 error_t parse_view_option(struct view_options *o, int key, char *arg,
                           struct option_base *base) {
   switch (key) {

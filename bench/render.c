@@ -8,12 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_OUTPUTS = 16, SHADE = 0x200, WORK, DROP, HIDDEN, CREASE };
+enum { MOST_OUTPUTS = 16, SHADE = 0x200, WORK, HIDDEN, CREASE };
 
 struct options {
   struct option_base base;
   struct view_options view;
-  const char *scene, *algorithm;
+  struct scene_options scene;
+  const char *algorithm;
   const char *output[MOST_OUTPUTS];
   int n_outputs;
   const char *work;
@@ -24,7 +25,6 @@ struct options {
    * samples that are not filtered, or for line drawings. */
   const char *of_faces, *of_samples, *of_lines;
   long threads, supersamples;
-  struct hsr_import import;
 };
 
 /* The place of a word among `words`, which NULL ends; -1 if it is none. */
@@ -93,6 +93,14 @@ static error_t parse_line_option(struct options *o, int key, char *arg) {
   }
 }
 
+/* The scene, and where to look from. */
+static error_t parse_place_option(struct options *o, int key, char *arg) {
+  error_t error = parse_scene_option(&o->scene, key, arg, "render", &o->base);
+  return error == ARGP_ERR_UNKNOWN
+             ? parse_view_option(&o->view, key, arg, &o->base)
+             : error;
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
   switch (key) {
@@ -116,22 +124,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case HIDDEN:
   case CREASE:
     return parse_line_option(o, key, arg);
-  case DROP:
-    o->import.drop_degenerate = true;
-    return 0;
-  case ARGP_KEY_ARG:
-    if (o->scene)
-      return option_fail(&o->base, "render: one scene at a time, not also '%s'",
-                         arg);
-    o->scene = arg;
-    return 0;
-  case ARGP_KEY_END:
-    if (!o->scene)
-      return option_fail(&o->base,
-                         "render: which scene? (see hsr render --help)");
-    return 0;
   default:
-    return parse_view_option(&o->view, key, arg, &o->base);
+    return parse_place_option(o, key, arg);
   }
 }
 
@@ -144,10 +138,7 @@ static const struct argp_option render_options[] = {
      "drawing. May be given several times",
      0},
     {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
-    {"drop-degenerate", DROP, NULL, 0,
-     "leave out faces of a mesh file that have no area or repeat a vertex, "
-     "instead of refusing the file",
-     0},
+    SCENE_ARGP_OPTIONS,
     VIEW_ARGP_OPTIONS,
     {NULL, 0, NULL, 0, "Where the algorithm draws faces:", 2},
     {"work", WORK, "FILE", 0,
@@ -202,17 +193,14 @@ struct render {
   double import, build, draw, shade, write; /* seconds */
 };
 
-static enum hsr_status open_scene(struct render *r, uint32_t most,
+static enum hsr_status open_place(struct render *r, uint32_t most,
                                   struct hsr_error *err) {
   const struct options *o = r->options;
   double begin = seconds_now();
-  struct hsr_import import = o->import;
-  enum hsr_status status = hsr_scene_open(o->scene, &import, &r->scene, err);
+  enum hsr_status status =
+      open_scene(o->scene.name, o->scene.import, &r->scene, err);
   if (status)
     return status;
-  if (import.n_dropped)
-    fprintf(stderr, "hsr: %s: %llu degenerate faces left out\n", o->scene,
-            (unsigned long long)import.n_dropped);
   r->import = seconds_now() - begin;
 
   begin = seconds_now();
@@ -343,7 +331,7 @@ static enum hsr_status write_drawing(const struct render *r,
                                      const char *text, struct hsr_error *err) {
   const struct options *o = r->options;
   char title[200], description[200];
-  snprintf(title, sizeof title, "%s, view %ld", o->scene, o->view.view);
+  snprintf(title, sizeof title, "%s, view %ld", o->scene.name, o->view.view);
   snprintf(description, sizeof description,
            "A line drawing by hsr " PACKAGE_VERSION ", %s", a->title);
   struct line_picture picture = {.drawing = &r->answer.drawing,
@@ -362,7 +350,7 @@ static enum hsr_status write_outputs(struct render *r,
   double begin = seconds_now();
   char text[300];
   snprintf(text, sizeof text, "Software=hsr\nScene=%s\nAlgorithm=%s\n",
-           r->options->scene, a->name);
+           r->options->scene.name, a->name);
   enum hsr_status status = HSR_OK;
   if (r->kind != HSR_SEGMENTS)
     status = write_faces(r, text, err);
@@ -389,7 +377,7 @@ static void print_filtered(const struct hsr_filtering *filtering) {
 
 static void print_report(const struct render *r,
                          const struct hsr_algorithm *a) {
-  printf("%s, view %ld, %d x %d %s, %u faces, by %s: ", r->options->scene,
+  printf("%s, view %ld, %d x %d %s, %u faces, by %s: ", r->options->scene.name,
          r->options->view.view, r->view.m, r->view.n,
          r->kind == HSR_FILTERED ? "pixels" : "samples", r->world.n_faces,
          a->name);
@@ -479,7 +467,7 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
 
   struct render r = {.options = &options,
                      .kind = hsr_choice_kind(a, &variant.choice)};
-  status = open_scene(&r, hsr_most_laid_out(a), err);
+  status = open_place(&r, hsr_most_laid_out(a), err);
   if (!status)
     status = draw(&r, a, &variant.choice, err);
   if (!status)

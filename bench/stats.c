@@ -6,46 +6,32 @@
 
 #include <math.h>
 
-enum { DROP = 0x200 };
-
 struct options {
   struct option_base base;
   struct view_options view;
-  const char *scene;
+  struct scene_options scene;
   bool json;
-  struct hsr_import import;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
+  error_t unknown;
   switch (key) {
   case 'j':
     o->json = true;
     return 0;
-  case DROP:
-    o->import.drop_degenerate = true;
-    return 0;
-  case ARGP_KEY_ARG:
-    if (o->scene)
-      return option_fail(&o->base, "stats: one scene at a time, not also '%s'",
-                         arg);
-    o->scene = arg;
-    return 0;
-  case ARGP_KEY_END:
-    if (!o->scene)
-      return option_fail(&o->base,
-                         "stats: which scene? (see hsr stats --help)");
-    return 0;
   default:
-    return parse_view_option(&o->view, key, arg, &o->base);
+    unknown = parse_scene_option(&o->scene, key, arg, "stats", &o->base);
+    return unknown == ARGP_ERR_UNKNOWN
+               ? parse_view_option(&o->view, key, arg, &o->base)
+               : unknown;
   }
 }
 
 static const struct argp argp = {
     (const struct argp_option[]){
         {"json", 'j', NULL, 0, "print one JSON object", 0},
-        {"drop-degenerate", DROP, NULL, 0,
-         "leave out faces of a mesh file that cannot be used", 0},
+        SCENE_ARGP_OPTIONS,
         VIEW_ARGP_OPTIONS,
         {0}},
     parse,
@@ -85,7 +71,7 @@ static enum hsr_status print_json(const struct options *o,
                                   number_or_null(cell(measured, k)), "rule",
                                   number_or_null(cell(rules, k))));
   return json_print(json_pack("{ss ss si si si so}", "schema", "hsr-stats/1",
-                              "scene", o->scene, "view", (int)o->view.view,
+                              "scene", o->scene.name, "view", (int)o->view.view,
                               "width", o->view.m, "height", o->view.n, "table",
                               table),
                     err);
@@ -103,7 +89,7 @@ static void print_number(double x) {
 static void print_text(const struct options *o,
                        const struct hsr_table1 *measured,
                        const struct hsr_table1 *rules) {
-  printf("%s, view %ld, %d x %d\n\n", o->scene, o->view.view, o->view.m,
+  printf("%s, view %ld, %d x %d\n\n", o->scene.name, o->view.view, o->view.m,
          o->view.n);
   printf("%-4s %12s %12s %8s  %s\n", "", "measured", "rule", "ratio",
          "Table I of Sutherland, Sproull and Schumacker 1974");
@@ -163,7 +149,7 @@ enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err) {
   if (status)
     return status;
   struct hsr_scene *scene;
-  status = hsr_scene_open(options.scene, &options.import, &scene, err);
+  status = open_scene(options.scene.name, options.scene.import, &scene, err);
   if (status)
     return status;
   struct hsr_world world = {.scene = scene};

@@ -7,14 +7,12 @@
 #include <string.h>
 #include <strings.h>
 
-enum { DROP = 0x200 };
-
 struct options {
   struct option_base base;
-  const char *scene, *output;
+  struct scene_options scene;
+  const char *output;
   long size;
   bool json;
-  struct hsr_import import;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
@@ -33,22 +31,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
       return option_fail(&o->base, "voxels: one -o, not also '%s'", arg);
     o->output = arg;
     return 0;
-  case DROP:
-    o->import.drop_degenerate = true;
-    return 0;
-  case ARGP_KEY_ARG:
-    if (o->scene)
-      return option_fail(&o->base, "voxels: one scene at a time, not also '%s'",
-                         arg);
-    o->scene = arg;
-    return 0;
-  case ARGP_KEY_END:
-    if (!o->scene)
-      return option_fail(&o->base,
-                         "voxels: which scene? (see hsr voxels --help)");
-    return 0;
   default:
-    return ARGP_ERR_UNKNOWN;
+    return parse_scene_option(&o->scene, key, arg, "voxels", &o->base);
   }
 }
 
@@ -61,8 +45,7 @@ static const struct argp argp = {
          "write them as an image of VTK, .vti, for ParaView: cell data `solid'",
          0},
         {"json", 'j', NULL, 0, "print one JSON object", 0},
-        {"drop-degenerate", DROP, NULL, 0,
-         "leave out faces of a mesh file that cannot be used", 0},
+        SCENE_ARGP_OPTIONS,
         {0}},
     parse,
     "SCENE",
@@ -166,8 +149,8 @@ static enum hsr_status tell(const struct options *o, struct found *found,
     return status;
   measure(found);
   if (o->json)
-    return print_json(o->scene, found, err);
-  print_text(o->scene, found);
+    return print_json(o->scene.name, found, err);
+  print_text(o->scene.name, found);
   return HSR_OK;
 }
 
@@ -186,7 +169,7 @@ enum hsr_status command_voxels(int argc, char **argv, struct hsr_error *err) {
   if (status)
     return status;
   struct hsr_scene *scene;
-  status = hsr_scene_open(options.scene, &options.import, &scene, err);
+  status = open_scene(options.scene.name, options.scene.import, &scene, err);
   if (status)
     return status;
   struct hsr_world world = {.scene = scene};

@@ -364,8 +364,7 @@ static enum hsr_status make_views(struct scene_run *run,
 
 static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
   const struct check_options *o = run->options;
-  struct hsr_import import = o->import;
-  enum hsr_status status = hsr_scene_open(run->name, &import, &run->scene, err);
+  enum hsr_status status = open_scene(run->name, o->import, &run->scene, err);
   if (!status)
     status = make_views(run, err);
   if (!status)
