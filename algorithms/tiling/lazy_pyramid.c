@@ -337,15 +337,18 @@ enum hsr_status HSR_OF_BUILD(hsr_lazy_begin)(struct hsr_lazy_pyramid *p,
                                              const struct hsr_view *view,
                                              struct hsr_tally *tally,
                                              struct hsr_arena *arena) {
-  size_t cells = 1;
+  int finest = masks->n_levels - 1;
   *p =
       (struct hsr_lazy_pyramid){.masks = masks, .arena = arena, .tally = tally};
-  for (int level = 0; level + 1 < masks->n_levels; level++, cells *= 64) {
-    p->cell[level] = HSR_NEW_ZEROED(arena, struct hsr_lazy_cell, cells);
+  for (int level = 0; level < finest; level++) {
+    p->cell[level] =
+        HSR_NEW_ZEROED(arena, struct hsr_lazy_cell,
+                       HSR_OF_BUILD(hsr_masks_cells)(masks, level));
     if (!p->cell[level])
       return HSR_E_NOMEM;
   }
-  p->pixel = HSR_NEW_ZEROED(arena, struct hsr_lazy_pixel, cells);
+  p->pixel = HSR_NEW_ZEROED(arena, struct hsr_lazy_pixel,
+                            HSR_OF_BUILD(hsr_masks_cells)(masks, finest));
   p->depth = HSR_NEW(arena, struct hsr_lazy_depth, world->n_faces);
   p->known = HSR_NEW_ZEROED(arena, bool, world->n_faces);
   if (!p->pixel || !p->depth || !p->known ||

@@ -118,22 +118,35 @@ enum hsr_status HSR_OF_BUILD(hsr_masks_room)(struct hsr_masks *p, uint32_t most,
   return HSR_OK;
 }
 
+/* The last one is that of the window's last sample: the greatest digits, in
+ * base 64, are there first. */
+size_t HSR_OF_BUILD(hsr_masks_cells)(const struct hsr_masks *p, int level) {
+  struct hsr_mask_cell cell = root_of(p);
+  struct hsr_bounds last = {p->window.x1 - 1, p->window.y1 - 1, p->window.x1,
+                            p->window.y1};
+  while (cell.level < level)
+    cell = subcell(&cell, first_bit(subcells_of(&cell, &last)));
+  return (size_t)cell.number + 1;
+}
+
 enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *p,
                                              const struct hsr_window *window,
                                              uint32_t most,
                                              struct hsr_arena *arena) {
   int width = window->x1 - window->x0, height = window->y1 - window->y0;
-  size_t cells = 1;
   p->window = *window;
   p->n_levels = 1;
   p->twin = choose_twin();
-  for (int size = 8; size < width || size < height; size *= 8) {
-    p->coarse[p->n_levels - 1] = HSR_NEW(arena, struct hsr_triage, cells);
-    if (!p->coarse[p->n_levels++ - 1])
+  for (int size = 8; size < width || size < height; size *= 8)
+    p->n_levels++;
+  for (int level = 0; level + 1 < p->n_levels; level++) {
+    p->coarse[level] = HSR_NEW(arena, struct hsr_triage,
+                               HSR_OF_BUILD(hsr_masks_cells)(p, level));
+    if (!p->coarse[level])
       return HSR_E_NOMEM;
-    cells *= 64;
   }
-  p->finest = HSR_NEW(arena, uint64_t, cells);
+  p->finest = HSR_NEW(arena, uint64_t,
+                      HSR_OF_BUILD(hsr_masks_cells)(p, p->n_levels - 1));
   if (!p->finest || HSR_OF_BUILD(hsr_masks_room)(p, most, arena))
     return HSR_E_NOMEM;
   struct hsr_mask_cell root = root_of(p);

@@ -136,6 +136,9 @@ enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *masks,
                                              uint32_t most,
                                              struct hsr_arena *arena);
 
+/* The numbers of the cells of a level that are in the window are less. */
+size_t HSR_OF_BUILD(hsr_masks_cells)(const struct hsr_masks *masks, int level);
+
 /* Makes room for other than `most` lines a polygon. HSR_E_NOMEM. */
 enum hsr_status HSR_OF_BUILD(hsr_masks_room)(struct hsr_masks *masks,
                                              uint32_t most,

@@ -731,6 +731,42 @@ static void test_memory(struct tap *tap) {
   ok(tap, good, "memory: %.4f bits a sample of 4096 x 4096", bits);
 }
 
+/* The number of the cell of a level, of cells of `size` samples, that holds a
+ * sample: a digit of base 64 a level. */
+static size_t number_of(int x, int y, int root, int size) {
+  size_t number = 0;
+  for (int side = root / 8; side >= size; side /= 8)
+    number = 64 * number + (size_t)(y / side % 8 * 8 + x / side % 8);
+  return number;
+}
+
+/* No cell of a window is beyond its arrays, and the last one is there. */
+static void test_cells(struct tap *tap) {
+  static const int windows[][2] = {{8, 8},   {9, 1},    {1, 65},  {65, 64},
+                                   {97, 61}, {513, 90}, {600, 7}, {512, 512}};
+  int good = 0;
+  for (int w = 0; w < 8; w++) {
+    struct hsr_arena arena = HSR_ARENA_EMPTY;
+    struct hsr_masks masks = {.pixel = 1};
+    struct hsr_window window = {16, 5, 16 + windows[w][0], 5 + windows[w][1]};
+    if (hsr_masks_init_counting(&masks, &window, 0, &arena))
+      stop("out of memory");
+    int root = hsr_masks_extent_counting(&masks), size = root;
+    for (int level = 0; level < masks.n_levels; level++, size /= 8) {
+      size_t most = 0;
+      for (int y = 0; y < windows[w][1]; y++)
+        for (int x = 0; x < windows[w][0]; x++) {
+          size_t number = number_of(x, y, root, size);
+          most = number > most ? number : most;
+        }
+      good += hsr_masks_cells_counting(&masks, level) == most + 1;
+    }
+    hsr_arena_free(&arena);
+  }
+  ok(tap, good == 1 + 2 + 3 + 3 + 3 + 4 + 4 + 3,
+     "the cells of windows, as many as are needed: %d", good);
+}
+
 /* What is filtered: of each pixel all 64 samples are told of, once. */
 struct popcounts {
   int of[64][64];
@@ -784,7 +820,7 @@ int main(void) {
                                               {0, 0, 600, 300}};
   enum { WINDOWS = sizeof windows / sizeof *windows };
   struct picture *p = malloc(sizeof *p);
-  struct tap tap = plan(6 * (WINDOWS + 1) + 7);
+  struct tap tap = plan(6 * (WINDOWS + 1) + 8);
   if (!p)
     stop("out of memory");
   for (int k = 0; k < WINDOWS; k++)
@@ -793,6 +829,7 @@ int main(void) {
   test_cases(&tap, p);
   test_occluder(&tap, p);
   test_memory(&tap);
+  test_cells(&tap);
   test_popcounts(&tap, p);
   free(p);
   return finish(&tap);
