@@ -55,6 +55,8 @@ void write_file(const std::string &path, const ImageSpec &spec, TypeDesc type,
   if (suffix.empty())
     throw Failure{HSR_E_INPUT,
                   path + ": a picture's name ends in .png, .exr or the like"};
+  /* OpenEXR waits for its threads for ever if it has no memory for a task. */
+  OIIO::attribute("exr_threads", -1);
   errno = 0;
   std::unique_ptr<ImageOutput> out = ImageOutput::create(suffix.substr(1));
   if (!out) {
