@@ -57,6 +57,7 @@ algorithm_files = \
   %D%/tiling/loose.h \
   %D%/tiling/masks.c \
   %D%/tiling/masks.h \
+  %D%/tiling/masks_avx512.h \
   %D%/tiling/merged.c \
   %D%/tiling/polygon.c \
   %D%/tiling/polygon.h \

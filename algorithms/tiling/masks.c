@@ -8,9 +8,7 @@
 /* The counting build takes the portable way, so that it counts the same on
  * every machine. */
 #if defined __x86_64__ && HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
-#include <immintrin.h>
 #define HAVE_AVX512_TWIN 1
-#define AVX512 __attribute__((target("avx512f")))
 #endif
 
 static const uint64_t ALL = UINT64_MAX;
@@ -285,27 +283,6 @@ static inline void split(const struct hsr_mask_line *line, double f,
   }
 }
 
-#ifdef HAVE_AVX512_TWIN
-AVX512 static inline void split_avx512(const struct hsr_mask_line *line,
-                                       double f,
-                                       const struct hsr_mask_places *places,
-                                       uint64_t *inside, uint64_t *outside) {
-  __m512d a = _mm512_set1_pd(line->a), b = _mm512_set1_pd(line->b);
-  __m512d from = _mm512_set1_pd(f), error = _mm512_set1_pd(line->error);
-  __m512d minus = _mm512_set1_pd(-line->error);
-  uint64_t in = 0, out = 0;
-  for (int row = 0; row < 8; row++) {
-    __m512d x = _mm512_loadu_pd(places->x + 8 * row);
-    __m512d y = _mm512_loadu_pd(places->y + 8 * row);
-    __m512d at = _mm512_fmadd_pd(a, x, _mm512_fmadd_pd(b, y, from));
-    in |= (uint64_t)_mm512_cmp_pd_mask(at, error, _CMP_GT_OQ) << (8 * row);
-    out |= (uint64_t)_mm512_cmp_pd_mask(at, minus, _CMP_LT_OQ) << (8 * row);
-  }
-  *inside = in;
-  *outside = out;
-}
-#endif
-
 static int pattern_of(const struct hsr_masks *p,
                       const struct hsr_mask_cell *cell) {
   return p->filtering
@@ -409,6 +386,11 @@ struct task {
 
 /* The steps that are written twice, for every machine and for AVX-512. */
 struct hsr_mask_twin {
+  bool (*compose)(const struct hsr_masks *p,
+                  const struct hsr_mask_polygon *polygon,
+                  const struct hsr_mask_cell *cell, const uint32_t *list,
+                  uint32_t n, struct hsr_mask_lines *active,
+                  struct hsr_triage *mask);
   void (*tile_pixels)(const struct task *t, const struct hsr_mask_cell *cell,
                       const struct hsr_mask_lines *active,
                       struct hsr_triage *mask, uint64_t a);
@@ -524,10 +506,12 @@ static bool shows_finest_portable(const struct task *t,
   return shows_finest(t, cell, list, n, split);
 }
 
-static const struct hsr_mask_twin portable = {tile_pixels_portable,
+static const struct hsr_mask_twin portable = {compose, tile_pixels_portable,
                                               shows_finest_portable};
 
 #ifdef HAVE_AVX512_TWIN
+#include "algorithms/tiling/masks_avx512.h"
+
 AVX512 static void tile_pixels_avx512(const struct task *t,
                                       const struct hsr_mask_cell *cell,
                                       const struct hsr_mask_lines *active,
@@ -541,7 +525,7 @@ AVX512 static bool shows_finest_avx512(const struct task *t,
   return shows_finest(t, cell, list, n, split_avx512);
 }
 
-static const struct hsr_mask_twin avx512 = {tile_pixels_avx512,
+static const struct hsr_mask_twin avx512 = {compose_avx512, tile_pixels_avx512,
                                             shows_finest_avx512};
 #endif
 
@@ -589,7 +573,7 @@ static void tile(const struct task *t, const struct hsr_mask_cell *cell,
     p->twin->tile_pixels(t, cell, active, mask, in & ~mask->c);
     return;
   }
-  if (!compose(p, t->polygon, cell, list, n, active, &polygon))
+  if (!p->twin->compose(p, t->polygon, cell, list, n, active, &polygon))
     return;
   if (t->polygon->covers)
     polygon.c = 0;
@@ -623,7 +607,7 @@ static bool shows(const struct task *t, const struct hsr_mask_cell *cell,
     return p->twin->shows_finest(t, cell, list, n);
   struct hsr_mask_lines *active = &p->lines[cell->level];
   struct hsr_triage *mask = &p->coarse[cell->level][cell->number], polygon;
-  if (!compose(p, t->polygon, cell, list, n, active, &polygon))
+  if (!p->twin->compose(p, t->polygon, cell, list, n, active, &polygon))
     return false;
   if (polygon.c & ~mask->c & subcells_of(cell, &t->box))
     return true;
@@ -751,7 +735,7 @@ static void visit(const struct visit *v, const struct hsr_mask_cell *cell,
     return;
   }
   struct hsr_mask_lines *active = &p->lines[cell->level];
-  if (!compose(p, v->polygon, cell, list, n, active, &polygon))
+  if (!p->twin->compose(p, v->polygon, cell, list, n, active, &polygon))
     return;
   if (v->polygon->covers)
     polygon.c = 0;

@@ -13,6 +13,7 @@
  * e_c, and its rounding 5 u (r |a| + r |b| + |c|). Twice all this holds the
  * terms of second order, and what masks.c adds and subtracts. */
 #include "algorithms/tiling/polygon.h"
+#include "common/vector.h"
 
 #include <float.h>
 #include <math.h>
@@ -151,12 +152,29 @@ static void find_places(struct hsr_pieces_view *p,
   p->past_near = nearest > p->view->near;
 }
 
+/* (X, Y, W) of n points that are moved. */
+HSR_VECTOR static void
+transform(size_t n, const double *restrict x, const double *restrict y,
+          const double *restrict z, const double shift[3],
+          const struct hsr_view *view, double *restrict to_x,
+          double *restrict to_y, double *restrict to_w) {
+  const double(*r)[3] = view->screen;
+  double r00 = r[0][0], r01 = r[0][1], r02 = r[0][2];
+  double r10 = r[1][0], r11 = r[1][1], r12 = r[1][2];
+  double r20 = r[2][0], r21 = r[2][1], r22 = r[2][2];
+  double ex = view->E[0], ey = view->E[1], ez = view->E[2];
+  double mx = shift[0], my = shift[1], mz = shift[2];
+  for (size_t k = 0; k < n; k++) {
+    double dx = x[k] + mx - ex, dy = y[k] + my - ey, dz = z[k] + mz - ez;
+    to_x[k] = r00 * dx + r01 * dy + r02 * dz;
+    to_y[k] = r10 * dx + r11 * dy + r12 * dz;
+    to_w[k] = r20 * dx + r21 * dy + r22 * dz;
+  }
+}
+
 void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *p,
                                    const struct hsr_bsp_cube *leaf) {
-  const double(*r)[3] = p->view->screen;
-  const double *x = p->bsp->x + leaf->first_point,
-               *y = p->bsp->y + leaf->first_point,
-               *z = p->bsp->z + leaf->first_point;
+  size_t first = leaf->first_point;
   p->first_point = leaf->first_point;
   find_errors(p, &leaf->tight, p->shift, p->error);
   p->rounding = 0;
@@ -166,14 +184,8 @@ void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *p,
                            2 * U *
                                larger(fabs(leaf->tight.lo[k] + p->shift[k]),
                                       fabs(leaf->tight.hi[k] + p->shift[k])));
-  for (uint32_t k = 0; k < leaf->n_points; k++) {
-    double dx = x[k] + p->shift[0] - p->view->E[0];
-    double dy = y[k] + p->shift[1] - p->view->E[1];
-    double dz = z[k] + p->shift[2] - p->view->E[2];
-    p->x[k] = r[0][0] * dx + r[0][1] * dy + r[0][2] * dz;
-    p->y[k] = r[1][0] * dx + r[1][1] * dy + r[1][2] * dz;
-    p->w[k] = r[2][0] * dx + r[2][1] * dy + r[2][2] * dz;
-  }
+  transform(leaf->n_points, p->bsp->x + first, p->bsp->y + first,
+            p->bsp->z + first, p->shift, p->view, p->x, p->y, p->w);
   find_places(p, leaf);
 }
 
@@ -269,7 +281,9 @@ static void add_point(struct hull *hull, const struct point *a,
 
 /* The first whole number from x on, within [least, most]. */
 static int whole(double x, int least, int most) {
-  return !(x > least) ? least : x >= most ? most : (int)ceil(x);
+  double within = smaller(larger(x, least), most);
+  int down = (int)within;
+  return down + (down < within);
 }
 
 /* The samples of the window within the hull. */
