@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Line drawings as .vtp files, for ParaView and the like.
 #include "common/exchange.h"
-#include "common/whole_file.h"
+#include "common/vtk_text.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedIntArray.h>
 #include <vtkXMLPolyDataWriter.h>
-
-#include <new>
-#include <string>
 
 namespace {
 
@@ -52,7 +48,6 @@ void add_lines(vtkPolyData *data, const hsr_drawing &drawing) {
 
 /* The file's text; empty if VTK cannot make it. */
 std::string text_of(const hsr_drawing &drawing) {
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<vtkPolyData> data;
   add_lines(data, drawing);
   using Interval = const hsr_segment &;
@@ -66,37 +61,13 @@ std::string text_of(const hsr_drawing &drawing) {
                                 [](Interval s) { return s.edge.part; });
   add_data<vtkUnsignedCharArray>(data, "implied", drawing,
                                  [](Interval s) { return s.edge.implied; });
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(data);
-  writer->WriteToOutputStringOn();
-  return writer->Write() && !writer->GetErrorCode() ? writer->GetOutputString()
-                                                    : std::string();
-}
-
-enum hsr_status write(const hsr_drawing &drawing, const char *path,
-                      hsr_error *err) {
-  const std::string text = text_of(drawing);
-  if (text.empty())
-    return hsr_fail(err, HSR_E_INTERNAL, "%s: VTK cannot make it", path);
-  hsr_whole_file file;
-  const enum hsr_status status = hsr_whole_file_open(&file, path, err);
-  if (status)
-    return status;
-  std::fwrite(text.data(), 1, text.size(), file.stream);
-  return hsr_whole_file_close(&file, HSR_OK, err);
+  return hsr::vtk_text<vtkXMLPolyDataWriter>(data.Get());
 }
 
 } // namespace
 
 enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
                                       const char *path, struct hsr_error *err) {
-  try {
-    return write(*drawing, path, err);
-  } catch (const std::bad_alloc &) {
-    return hsr_fail_nomem(err);
-  } catch (const std::exception &e) {
-    return hsr_fail(err, HSR_E_INTERNAL, "VTK: %s", e.what());
-  } catch (...) {
-    return hsr_fail(err, HSR_E_INTERNAL, "VTK: failed");
-  }
+  return hsr::write_vtk_text(
+      path, [&] { return text_of(*drawing); }, err);
 }

@@ -7,7 +7,7 @@ libhsr_a_SOURCES += %D%/adapt_cgal.cc %D%/arena.c %D%/box.c %D%/bsp.cc %D%/bsp.h
   %D%/mesh_file.cc %D%/mesh_file.h %D%/mesh_scan_obj.cc %D%/mesh_scan_off.cc \
   %D%/mesh_scan_ply.cc %D%/mesh_scan_stl.cc %D%/mesh_text.cc %D%/mesh_text.h \
   %D%/filter.c %D%/image.cc %D%/octree.c %D%/octree.h %D%/order.c %D%/picture.c %D%/pieces.c %D%/predicates_cgal.cc %D%/scene.c \
-  %D%/json_read.c %D%/json_read.h %D%/scene_json.c %D%/srgb.h %D%/screen.c %D%/statistics.c %D%/pair.c %D%/pair.h %D%/penetration.cc %D%/penetration.h %D%/status.c %D%/vector.h \
+  %D%/json_read.c %D%/json_read.h %D%/scene_json.c %D%/srgb.h %D%/screen.c %D%/statistics.c %D%/pair.c %D%/pair.h %D%/penetration.cc %D%/penetration.h %D%/status.c %D%/vector.h %D%/bits.h \
   %D%/view.c %D%/volumes_cgal.cc %D%/voxel_solids.c %D%/voxels.c %D%/world.c
 
 # Line drawings as files.
@@ -20,7 +20,7 @@ libhsr_a_LIBADD += $(libvtkshim_a_OBJECTS)
 noinst_LIBRARIES += libvtkshim.a
 libvtkshim_a_SOURCES = %D%/drawing_vtk.cc %D%/exchange_vtk.cc %D%/mesh_array.cc \
   %D%/mesh_array.h %D%/mesh_markup.cc %D%/mesh_markup.h %D%/mesh_scan_vtp.cc \
-  %D%/voxels_vtk.cc
+  %D%/voxels_vtk.cc %D%/vtk_text.h
 libvtkshim_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS) $(ZLIB_CFLAGS)
 else
 libhsr_a_SOURCES += %D%/exchange_no_vtk.cc

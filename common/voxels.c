@@ -11,6 +11,7 @@
  * in order.c, the doubling covering the products of errors; or f is nowhere
  * beyond that. 2^-960 covers underflow. */
 #include "common/voxels.h"
+#include "common/bits.h"
 #include "common/predicates.h"
 
 #include <math.h>
@@ -22,17 +23,6 @@ struct cell {
   int level;
   int corner[3], size; /* its first voxel, and voxels a side */
 };
-
-static int first_bit(uint64_t mask) {
-#ifdef __GNUC__
-  return __builtin_ctzll(mask);
-#else
-  int bit = 0;
-  while (!(mask >> bit & 1))
-    bit++;
-  return bit;
-#endif
-}
 
 static void corner_of(const int corner[3], int size, int bit, int of_bit[3]) {
   of_bit[0] = corner[0] + bit % 4 * size;
@@ -278,7 +268,7 @@ static uint32_t choose(const struct hsr_voxel_level *level, int bit) {
 static void decide(struct hsr_voxels *p, const struct cell *cell,
                    uint64_t active, struct hsr_triage *mask) {
   for (; active; active &= active - 1) {
-    int bit = first_bit(active), voxel[3];
+    int bit = hsr_first_bit(active), voxel[3];
     uint32_t n = choose(&p->level[cell->level], bit);
     bool inside = true;
     corner_of(cell->corner, 1, bit, voxel);
@@ -332,7 +322,7 @@ static void tile(struct hsr_voxels *p, const struct cell *cell,
   if (w)
     sink->cubes(sink->context, cell->corner, cell->size / 4, w);
   for (uint64_t a = ~(w | solid.v | mask->c); a; a &= a - 1) {
-    int bit = first_bit(a);
+    int bit = hsr_first_bit(a);
     struct cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
       clear(p, &sub);

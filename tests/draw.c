@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/draw.h"
+#include "scenes/scenes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,6 +57,22 @@ long count_differences(const struct hsr_view *view, const uint32_t *a,
       n += a[k] != b[k];
     }
   return n;
+}
+
+void open_worlds(struct both_worlds *w, const char *name) {
+  struct hsr_error err = {.text = "out of memory"};
+  if (hsr_scene_open(name, NULL, &w->scene, &err) ||
+      hsr_world_init(&w->world, w->scene, &err) ||
+      hsr_world_outline(&w->outline, w->scene, &err)) {
+    printf("Bail out! %s: %s\n", name, err.text);
+    exit(99);
+  }
+}
+
+void close_worlds(struct both_worlds *w) {
+  hsr_world_free(&w->world);
+  hsr_world_free(&w->outline);
+  hsr_scene_delete(w->scene);
 }
 
 int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi) {

@@ -27,6 +27,15 @@ void draw_lines(const struct hsr_algorithm *algorithm,
 long count_differences(const struct hsr_view *view, const uint32_t *a,
                        const uint32_t *b);
 
+/* A scene of a name, laid out as a world, and as an outline. Opening aborts the
+ * test program on failure. */
+struct both_worlds {
+  struct hsr_scene *scene;
+  struct hsr_world world, outline;
+};
+void open_worlds(struct both_worlds *worlds, const char *name);
+void close_worlds(struct both_worlds *worlds);
+
 /* A number from a seed, in [lo, hi]. */
 int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi);
 

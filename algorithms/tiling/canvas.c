@@ -1,19 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/tiling/canvas.h"
+#include "common/bits.h"
 
 static int least(int a, int b) {
   return a < b ? a : b;
-}
-
-static unsigned count_bits(uint64_t mask) {
-#ifdef __GNUC__
-  return (unsigned)__builtin_popcountll(mask);
-#else
-  unsigned n = 0;
-  for (; mask; mask &= mask - 1)
-    n++;
-  return n;
-#endif
 }
 
 static void count_samples(struct hsr_canvas *c, uint64_t n) {
@@ -31,7 +21,7 @@ static void count_samples(struct hsr_canvas *c, uint64_t n) {
 static void put_samples(void *context, int x, int y, uint64_t mask) {
   struct hsr_canvas *c = context;
   uint32_t *row = c->job->ids + (size_t)y * c->job->ids_stride + x;
-  count_samples(c, count_bits(mask));
+  count_samples(c, hsr_count_bits(mask));
   for (; mask; mask >>= 8, row += c->job->ids_stride)
     for (int i = 0; i < 8; i++)
       if (mask >> i & 1)
@@ -71,7 +61,7 @@ static void add(const struct hsr_canvas *c, int i, int j, uint32_t weight) {
 
 static void box_samples(void *context, int x, int y, uint64_t mask) {
   struct hsr_canvas *c = context;
-  unsigned n = count_bits(mask);
+  unsigned n = hsr_count_bits(mask);
   shade(c);
   count_samples(c, n);
   add(c, x / HSR_SUB, y / HSR_SUB, n * (HSR_WHOLE_WEIGHT / 64));
@@ -110,7 +100,7 @@ static void cosine_samples(void *context, int x, int y, uint64_t mask) {
   struct hsr_canvas *c = context;
   uint32_t weight[3][3] = {{0}};
   shade(c);
-  count_samples(c, count_bits(mask));
+  count_samples(c, hsr_count_bits(mask));
   for (int byte = 0; mask; byte++, mask >>= 8)
     for (int k = 0; mask & 255 && k < 9; k++)
       weight[k / 3][k % 3] += c->kernel->row[k / 3][k % 3][byte][mask & 255];

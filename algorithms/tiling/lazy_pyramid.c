@@ -7,23 +7,13 @@
  * is safely before the eye, it is within its extremes at the vertices, too;
  * behind the eye nothing is seen, so it is not negative. */
 #include "algorithms/tiling/lazy_pyramid.h"
+#include "common/bits.h"
 #include "common/predicates.h"
 
 #include <float.h>
 
 static const uint64_t ALL = UINT64_MAX;
 static const double U = DBL_EPSILON / 2;
-
-static int first_bit(uint64_t mask) {
-#ifdef __GNUC__
-  return __builtin_ctzll(mask);
-#else
-  int bit = 0;
-  while (!(mask >> bit & 1))
-    bit++;
-  return bit;
-#endif
-}
 
 #if HSR_COUNTING
 #define COUNT(counter, n) ((counter) += (uint64_t)(n))
@@ -195,7 +185,7 @@ static bool is_behind_fragments(struct hsr_lazy_pyramid *p,
     uint64_t shared = mask & fragment(p, index)->mask;
     for (; shared; shared &= shared - 1) {
       double sx, sy;
-      place_of(p->masks, cell, first_bit(shared), &sx, &sy);
+      place_of(p->masks, cell, hsr_first_bit(shared), &sx, &sy);
       if (is_nearer(p, p->face, face, sx, sy))
         return false;
     }
@@ -219,14 +209,14 @@ static void demote(struct hsr_lazy_pyramid *p, struct hsr_lazy_pixel *pixel) {
     face[bit] = HSR_BACKGROUND;
   for (uint32_t k = pixel->fragments; k; k = fragment(p, k)->next)
     for (uint64_t mask = fragment(p, k)->mask; mask; mask &= mask - 1)
-      face[first_bit(mask)] = fragment(p, k)->face;
+      face[hsr_first_bit(mask)] = fragment(p, k)->face;
   discard_fragments(p, pixel);
   pixel->z_buffered = true;
 }
 
 /* The samples of one face, which is that of the first, of those in the mask. */
 static uint64_t same_face(const uint32_t face[64], uint64_t mask) {
-  uint32_t wanted = face[first_bit(mask)];
+  uint32_t wanted = face[hsr_first_bit(mask)];
   uint64_t same = 0;
   for (int bit = 0; bit < 64; bit++)
     same |= (uint64_t)(face[bit] == wanted) << bit;
@@ -241,18 +231,18 @@ static void z_buffer(struct hsr_lazy_pyramid *p,
   uint64_t in_window = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
   for (uint64_t ask = mask & *covered; ask; ask &= ask - 1) {
     double sx, sy;
-    int bit = first_bit(ask);
+    int bit = hsr_first_bit(ask);
     place_of(p->masks, cell, bit, &sx, &sy);
     if (is_nearer(p, p->face, face[bit], sx, sy))
       face[bit] = p->face;
   }
   for (uint64_t put = mask & ~*covered; put; put &= put - 1)
-    face[first_bit(put)] = p->face;
+    face[hsr_first_bit(put)] = p->face;
   *covered |= mask;
   pixel->depth = NOTHING;
   for (uint64_t rest = *covered & in_window, same; rest; rest &= ~same) {
     same = same_face(face, rest);
-    include(&pixel->depth, depth_in(p, face[first_bit(rest)], cell));
+    include(&pixel->depth, depth_in(p, face[hsr_first_bit(rest)], cell));
   }
 }
 
@@ -323,7 +313,7 @@ static void find_depth(const struct hsr_lazy_pyramid *p,
   own->depth = own->whole ? depth_in(p, own->face, cell) : NOTHING;
   for (; some; some &= some - 1) {
     struct hsr_mask_cell sub =
-        HSR_OF_BUILD(hsr_masks_subcell)(cell, first_bit(some));
+        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(some));
     include(&own->depth, depth_of(p, own, &sub));
   }
 }
@@ -386,7 +376,7 @@ static uint64_t enter(void *context, const struct hsr_mask_cell *cell,
   for (; ask; ask &= ask - 1) {
     uint64_t bit = ask & (~ask + 1);
     struct hsr_mask_cell sub =
-        HSR_OF_BUILD(hsr_masks_subcell)(cell, first_bit(ask));
+        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(ask));
     bool hides = polygon.c & bit;
     if (!(mask->v & bit)) {
       struct hsr_lazy_depth here = depth_in(p, p->face, &sub);
@@ -440,7 +430,7 @@ static void leave(void *context, const struct hsr_mask_cell *cell,
   for (; entered; entered &= entered - 1) {
     uint64_t bit = entered & (~entered + 1), covered;
     struct hsr_mask_cell sub =
-        HSR_OF_BUILD(hsr_masks_subcell)(cell, first_bit(entered));
+        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(entered));
     uint64_t in = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, &sub);
     bool vacant;
     if (is_finest(p, &sub)) {
@@ -490,7 +480,7 @@ static uint64_t look(void *context, const struct hsr_mask_cell *cell,
   for (; ask && !p->shows; ask &= ask - 1) {
     uint64_t bit = ask & (~ask + 1);
     struct hsr_mask_cell sub =
-        HSR_OF_BUILD(hsr_masks_subcell)(cell, first_bit(ask));
+        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(ask));
     if (mask->c & bit && is_behind(box, depth_of(p, own, &sub)))
       continue;
     open(p, mask, own, &sub);
@@ -552,7 +542,7 @@ static void resolve_pixel(const struct resolving *r,
     const uint32_t *face = samples_of(p, pixel)->face;
     for (uint64_t rest = covered, same; rest; rest &= ~same) {
       same = same_face(face, rest);
-      tell_samples(r, cell, face[first_bit(rest)], same);
+      tell_samples(r, cell, face[hsr_first_bit(rest)], same);
     }
   }
   for (uint32_t k = pixel->fragments; k; k = fragment(p, k)->next)
@@ -572,7 +562,7 @@ static void resolve(const struct resolving *r,
   const struct hsr_lazy_cell *own = &p->cell[cell->level][cell->number];
   uint64_t all = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
   for (; all; all &= all - 1) {
-    int bit = first_bit(all);
+    int bit = hsr_first_bit(all);
     struct hsr_mask_cell sub = HSR_OF_BUILD(hsr_masks_subcell)(cell, bit);
     bool vacant = mask->v >> bit & 1, whole = own->whole >> bit & 1;
     if (vacant || whole) {

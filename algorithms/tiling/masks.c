@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/tiling/masks.h"
+#include "common/bits.h"
 #include "common/vector.h"
 
 #include <math.h>
@@ -14,17 +15,6 @@
 static const uint64_t ALL = UINT64_MAX;
 
 enum { FEW = 4 };
-
-static int first_bit(uint64_t mask) {
-#ifdef __GNUC__
-  return __builtin_ctzll(mask);
-#else
-  int bit = 0;
-  while (!(mask >> bit & 1))
-    bit++;
-  return bit;
-#endif
-}
 
 static bool is_finest(const struct hsr_masks *p,
                       const struct hsr_mask_cell *cell) {
@@ -68,7 +58,7 @@ static int within_8(int k) {
 static uint64_t subcells_of(const struct hsr_mask_cell *cell,
                             const struct hsr_bounds *box) {
   int size = cell->size / 8;
-  int shift = first_bit((uint64_t)size);
+  int shift = hsr_first_bit((uint64_t)size);
   return rectangle(within_8((box->x0 - cell->x) >> shift),
                    within_8((box->y0 - cell->y) >> shift),
                    within_8(((box->x1 - 1 - cell->x) >> shift) + 1),
@@ -123,7 +113,7 @@ size_t HSR_OF_BUILD(hsr_masks_cells)(const struct hsr_masks *p, int level) {
   struct hsr_bounds last = {p->window.x1 - 1, p->window.y1 - 1, p->window.x1,
                             p->window.y1};
   while (cell.level < level)
-    cell = subcell(&cell, first_bit(subcells_of(&cell, &last)));
+    cell = subcell(&cell, hsr_first_bit(subcells_of(&cell, &last)));
   return (size_t)cell.number + 1;
 }
 
@@ -367,7 +357,7 @@ static uint64_t covered_samples(struct hsr_masks *p,
                               p, polygon, cell, list, n, pattern, &unsure);
   uint64_t ask = mask & (polygon->covers ? ALL : unsure);
   for (; ask; ask &= ask - 1) {
-    int bit = first_bit(ask);
+    int bit = hsr_first_bit(ask);
     if (!is_covered(p, polygon, cell, list, n, pattern, bit, unsure >> bit & 1))
       mask &= ~((uint64_t)1 << bit);
   }
@@ -432,7 +422,7 @@ static void write_squares(const struct task *t,
                           const struct hsr_mask_cell *cell, uint64_t w) {
   int size = cell->size / 8;
   for (; w; w &= w - 1) {
-    int bit = first_bit(w);
+    int bit = hsr_first_bit(w);
     t->sink->square(t->sink->context, cell->x + bit % 8 * size,
                     cell->y + bit / 8 * size, size);
   }
@@ -446,7 +436,7 @@ tile_pixels(const struct task *t, const struct hsr_mask_cell *cell,
             uint64_t a, splitter by) {
   struct hsr_masks *p = t->masks;
   for (; a; a &= a - 1) {
-    int bit = first_bit(a);
+    int bit = hsr_first_bit(a);
     struct hsr_mask_cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
       clear(p, &sub);
@@ -587,7 +577,7 @@ static void tile(const struct task *t, const struct hsr_mask_cell *cell,
     return;
   }
   for (; a; a &= a - 1) {
-    int bit = first_bit(a);
+    int bit = hsr_first_bit(a);
     struct hsr_mask_cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
       clear(p, &sub);
@@ -614,7 +604,7 @@ static bool shows(const struct task *t, const struct hsr_mask_cell *cell,
   for (uint64_t a =
            ~(polygon.c | polygon.v | mask->c) & subcells_of(cell, &t->box);
        a; a &= a - 1) {
-    int bit = first_bit(a);
+    int bit = hsr_first_bit(a);
     struct hsr_mask_cell sub = subcell(cell, bit);
     if (mask->v >> bit & 1)
       clear(p, &sub);
@@ -644,7 +634,7 @@ bool HSR_OF_BUILD(hsr_masks_find)(struct hsr_masks *p, struct hsr_bounds box) {
     count_cell(p, way);
     if (hidden)
       return false;
-    way[1] = subcell(way, first_bit(in));
+    way[1] = subcell(way, hsr_first_bit(in));
     if (mask->v & in)
       clear(p, &way[1]);
   }
@@ -743,7 +733,7 @@ static void visit(const struct visit *v, const struct hsr_mask_cell *cell,
   polygon.c &= ~polygon.v;
   uint64_t entered = v->visitor->enter(v->visitor->context, cell, polygon);
   for (uint64_t a = entered; a; a &= a - 1) {
-    int bit = first_bit(a);
+    int bit = hsr_first_bit(a);
     struct hsr_mask_cell sub = subcell(cell, bit);
     uint32_t n_sub = choose(active, bit);
     visit(v, &sub, active->list, n_sub);
@@ -768,7 +758,7 @@ bool HSR_OF_BUILD(hsr_masks_visit)(struct hsr_masks *p,
     struct hsr_triage polygon_there = {0, ~in[k]};
     if (!visitor->enter(visitor->context, &way[k], polygon_there))
       break;
-    way[k + 1] = subcell(&way[k], first_bit(in[k]));
+    way[k + 1] = subcell(&way[k], hsr_first_bit(in[k]));
   }
   bool met = is_finest(p, &way[k]) || in[k] & (in[k] - 1);
   if (met)

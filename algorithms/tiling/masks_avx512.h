@@ -165,7 +165,7 @@ AVX512 static bool compose_avx512(const struct hsr_masks *p,
   unsigned has_corner = find_entries_avx512(p->tables->intervals, &line, corner,
                                             cell->size, entry);
   for (; crossing; crossing &= crossing - 1) {
-    int k = first_bit(crossing);
+    int k = hsr_first_bit(crossing);
     struct hsr_triage edge = {0, 0};
     if (entry[k] >= 0)
       edge = p->tables->mask[entry[k]];

@@ -40,25 +40,6 @@ static void stop(const char *name, const char *text) {
 /* --- Pictures ---------------------------------------------------------------
  */
 
-struct stage {
-  struct hsr_scene *scene;
-  struct hsr_world world, outline;
-};
-
-static void open_stage(struct stage *s, const char *name) {
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_scene_open(name, NULL, &s->scene, &err) ||
-      hsr_world_init(&s->world, s->scene, &err) ||
-      hsr_world_outline(&s->outline, s->scene, &err))
-    stop(name, err.text);
-}
-
-static void close_stage(struct stage *s) {
-  hsr_world_free(&s->world);
-  hsr_world_free(&s->outline);
-  hsr_scene_delete(s->scene);
-}
-
 /* One prepared object and the memory of its frames. */
 struct run {
   struct hsr_setup setup;
@@ -69,7 +50,8 @@ struct run {
   uint32_t ids[SAMPLES];
 };
 
-static void begin_run(struct run *r, const struct stage *s, const char *text) {
+static void begin_run(struct run *r, const struct both_worlds *s,
+                      const char *text) {
   struct hsr_variant variant;
   struct hsr_error err;
   memset(r, 0, sizeof *r);
@@ -85,7 +67,8 @@ static void end_run(struct run *r) {
 }
 
 /* Makes the job of a view ready. */
-static void set_view(struct run *r, const struct stage *s, uint32_t view) {
+static void set_view(struct run *r, const struct both_worlds *s,
+                     uint32_t view) {
   struct hsr_error err;
   if (hsr_view_init(&r->view, &s->scene->views[view], M, N, &err))
     stop(s->scene->name, err.text);
@@ -109,7 +92,7 @@ static void draw_run(struct run *r) {
 }
 
 /* By the z-buffer, of the scene laid out. */
-static void draw_right(const struct stage *s, const struct hsr_view *view,
+static void draw_right(const struct both_worlds *s, const struct hsr_view *view,
                        uint32_t *ids) {
   draw_ids(hsr_algorithm_find("zbuffer")->plain, &s->world, view, ids, NULL);
 }
@@ -338,7 +321,8 @@ static double meet(const struct hsr_view *view, const struct side *side,
 }
 
 /* The finished picture: 1/t of what is seen, 0 where nothing is. */
-static void find_depths(const struct stage *st, struct run *r, double *depth) {
+static void find_depths(const struct both_worlds *st, struct run *r,
+                        double *depth) {
   struct hsr_arena arena = HSR_ARENA_EMPTY;
   struct hsr_screen screen;
   if (hsr_screen_make(&screen, &st->world, &r->view, &arena, &r->tally))
@@ -550,8 +534,9 @@ static bool count_alike(const struct run *a, const struct run *b) {
   return !memcmp(a->tally.count, b->tally.count, sizeof a->tally.count);
 }
 
-static void try_view(const struct stage *s, struct run *r, struct run *noted,
-                     const uint32_t *right, uint32_t view, struct found *f) {
+static void try_view(const struct both_worlds *s, struct run *r,
+                     struct run *noted, const uint32_t *right, uint32_t view,
+                     struct found *f) {
   static struct notes ns;
   static double depth[SAMPLES];
   struct watched watched = {NULL, 0, 0, calloc(s->world.n_faces, sizeof(bool))};
@@ -591,8 +576,8 @@ static void try_view(const struct stage *s, struct run *r, struct run *noted,
   free(watched.compared);
 }
 
-static void try_claims(struct tap *tap, const struct stage *s, const char *text,
-                       int n_views) {
+static void try_claims(struct tap *tap, const struct both_worlds *s,
+                       const char *text, int n_views) {
   static struct run r, noted;
   static uint32_t right[SAMPLES];
   struct found f;
@@ -672,8 +657,8 @@ struct cold {
   long differ;
 };
 
-static void draw_cold(const struct stage *s, struct run *plain, uint32_t view,
-                      struct cold *cold) {
+static void draw_cold(const struct both_worlds *s, struct run *plain,
+                      uint32_t view, struct cold *cold) {
   set_view(plain, s, view);
   draw_right(s, &plain->view, cold->right);
   draw_run(plain);
@@ -696,7 +681,7 @@ static size_t bytes_of_lists(const struct run *r) {
          prepared->list[1].arena.peak_bytes;
 }
 
-static void walk_frame(const struct stage *s, struct run *stepped,
+static void walk_frame(const struct both_worlds *s, struct run *stepped,
                        struct run *whole, const struct cold *cold, int k,
                        struct walked *t) {
   set_view(stepped, s, view_of_frame(k));
@@ -718,7 +703,7 @@ static void walk_frame(const struct stage *s, struct run *stepped,
   t->peak = bytes_of_lists(stepped);
 }
 
-static void try_walk(struct tap *tap, const struct stage *s,
+static void try_walk(struct tap *tap, const struct both_worlds *s,
                      const struct cold *cold, const char *text) {
   static struct run stepped, whole;
   struct walked t;
@@ -747,8 +732,8 @@ static void try_walk(struct tap *tap, const struct stage *s,
 static void try_walks(struct tap *tap) {
   static struct cold cold[CUT_TO + 1];
   static struct run plain;
-  struct stage s;
-  open_stage(&s, "office:3");
+  struct both_worlds s;
+  open_worlds(&s, "office:3");
   begin_run(&plain, &s, "hzbuffer");
   for (uint32_t v = 1; v <= STEPS; v++)
     draw_cold(&s, &plain, v, &cold[v]);
@@ -756,7 +741,7 @@ static void try_walks(struct tap *tap) {
   end_run(&plain);
   try_walk(tap, &s, cold, "hzbuffer:coherence=list");
   try_walk(tap, &s, cold, "hzbuffer:coherence=passes");
-  close_stage(&s);
+  close_worlds(&s);
 }
 
 int main(void) {
@@ -769,11 +754,11 @@ int main(void) {
   enum { STAGES = sizeof stages / sizeof *stages };
   struct tap tap = plan(4 * 2 * STAGES + 6);
   for (int k = 0; k < STAGES; k++) {
-    struct stage s;
-    open_stage(&s, stages[k].scene);
+    struct both_worlds s;
+    open_worlds(&s, stages[k].scene);
     try_claims(&tap, &s, "hzbuffer", stages[k].views);
     try_claims(&tap, &s, "hzbuffer:cubes=sides", stages[k].views);
-    close_stage(&s);
+    close_worlds(&s);
   }
   try_walks(&tap);
   return finish(&tap);

@@ -6,8 +6,9 @@
  *             are the oracle's, and filtered sums those of the judge's loop.
  * Once        Samples are written once each, the background's too.
  * Tables      Finest masks from tables are wrong in few samples, in half as
- * many when intervals are half as long. Ties        Where vertices, edges and
- * planes meet samples, nothing is wrong. */
+ *             many when intervals are half as long.
+ * Ties        Where vertices, edges and planes meet samples, nothing is wrong.
+ */
 #include "algorithms/variant.h"
 #include "bench/judge_filtered.h"
 #include "scenes/scenes.h"
@@ -26,25 +27,6 @@ static void stop(const char *name, const char *text) {
 
 /* --- Drawing ----------------------------------------------------------------
  */
-
-struct stage {
-  struct hsr_scene *scene;
-  struct hsr_world world, outline;
-};
-
-static void open_stage(struct stage *s, const char *name) {
-  struct hsr_error err = {.text = "out of memory"};
-  if (hsr_scene_open(name, NULL, &s->scene, &err) ||
-      hsr_world_init(&s->world, s->scene, &err) ||
-      hsr_world_outline(&s->outline, s->scene, &err))
-    stop(name, err.text);
-}
-
-static void close_stage(struct stage *s) {
-  hsr_world_free(&s->world);
-  hsr_world_free(&s->outline);
-  hsr_scene_delete(s->scene);
-}
 
 /* An algorithm as chosen, ready for a world. */
 struct run {
@@ -92,7 +74,7 @@ static bool draw(struct run *r, const struct hsr_view *view, long threads) {
   return !status;
 }
 
-static struct hsr_view view_of(const struct stage *s, uint32_t v, int m,
+static struct hsr_view view_of(const struct both_worlds *s, uint32_t v, int m,
                                int n) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_view view;
@@ -102,11 +84,11 @@ static struct hsr_view view_of(const struct stage *s, uint32_t v, int m,
 }
 
 /* Who knows: the oracle, or where that were slow the z-buffer. */
-static const char *judge_of(const struct stage *s) {
+static const char *judge_of(const struct both_worlds *s) {
   return s->world.n_faces < FEW_FACES ? "oracle" : "zbuffer";
 }
 
-static uint32_t *wanted_ids(const struct stage *s, const char *judge,
+static uint32_t *wanted_ids(const struct both_worlds *s, const char *judge,
                             const struct hsr_view *view) {
   uint32_t *ids = malloc(sizeof *ids * (size_t)view->m * (size_t)view->n);
   if (!ids)
@@ -177,10 +159,10 @@ static const struct {
 enum { CHOICES = sizeof choices / sizeof *choices };
 
 static void test_pictures(struct tap *tap, const char *name) {
-  struct stage s;
+  struct both_worlds s;
   struct found found = {0, 0, 0, 0};
   struct right right = {.n = 0};
-  open_stage(&s, name);
+  open_worlds(&s, name);
   for (uint32_t v = 0; v < VIEWS && v < s.scene->n_views; v++) {
     right.view[v] = view_of(&s, v, M, N);
     right.ids[v] = wanted_ids(&s, judge_of(&s), &right.view[v]);
@@ -200,13 +182,13 @@ static void test_pictures(struct tap *tap, const char *name) {
      "%s: of %ld samples %ld are written", name, found.samples, found.written);
   for (uint32_t v = 0; v < right.n; v++)
     free(right.ids[v]);
-  close_stage(&s);
+  close_worlds(&s);
 }
 
 /* --- Filtered ---------------------------------------------------------------
  */
 
-static void find_sums(const struct stage *s, const char *text,
+static void find_sums(const struct both_worlds *s, const char *text,
                       const struct hsr_view *view, uint32_t *sums) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_variant variant;
@@ -233,9 +215,9 @@ static void test_filtered(struct tap *tap, const char *name, bool may_refuse) {
   static const char *const texts[] = {
       "tiling:filter=box", "tiling:filter=cosine", "tiling:filter=box:jitter=3",
       "tiling:filter=cosine:jitter=3"};
-  struct stage s;
+  struct both_worlds s;
   long wrong = 0, refused = 0, pictures = 0;
-  open_stage(&s, name);
+  open_worlds(&s, name);
   for (int k = 0; k < 4; k++) {
     uint32_t wanted[3 * COLUMNS * ROWS];
     struct hsr_view view = view_of(&s, (uint32_t)k / 2, COLUMNS, ROWS);
@@ -261,7 +243,7 @@ static void test_filtered(struct tap *tap, const char *name, bool may_refuse) {
   ok(tap, !wrong && pictures + refused == 4 && (may_refuse || !refused),
      "%s: %ld filtered pictures have the judge's sums, %ld are refused", name,
      pictures, refused);
-  close_stage(&s);
+  close_worlds(&s);
 }
 
 /* --- Tables -----------------------------------------------------------------
@@ -269,7 +251,7 @@ static void test_filtered(struct tap *tap, const char *name, bool may_refuse) {
 
 /* The per cent of samples that the tables have wrong, beside what the paper's
  * method did in an independent program, of 400 polygons. */
-static void test_tables(struct tap *tap, struct stage *s, int side,
+static void test_tables(struct tap *tap, struct both_worlds *s, int side,
                         const char *const noted[4]) {
   static const int intervals[4] = {16, 32, 64, 128};
   struct hsr_view view = view_of(s, 0, side, side);
@@ -314,11 +296,11 @@ static void test_ties(struct tap *tap) {
   long wrong = 0, samples = 0;
   for (int k = 0; k < SCENES; k++) {
     char name[64];
-    struct stage s;
+    struct both_worlds s;
     snprintf(name, sizeof name, "lattice:%d:%d",
              (int)draw_integer(&seed, 3, 40),
              (int)draw_integer(&seed, 1, 1000000000));
-    open_stage(&s, name);
+    open_worlds(&s, name);
     struct hsr_view view = view_of(&s, (uint32_t)draw_integer(&seed, 0, 1000),
                                    (int)draw_integer(&seed, 10, 20),
                                    (int)draw_integer(&seed, 10, 20));
@@ -338,7 +320,7 @@ static void test_ties(struct tap *tap) {
       hsr_setup_free(&r.setup);
     }
     free(wanted);
-    close_stage(&s);
+    close_worlds(&s);
   }
   ok(tap, !wrong, "%d scenes of ties: of %ld samples %ld are wrong", SCENES,
      samples, wrong);
@@ -366,11 +348,11 @@ int main(void) {
     test_pictures(&tap, scenes[k].name);
     test_filtered(&tap, scenes[k].name, scenes[k].may_refuse);
   }
-  struct stage s;
-  open_stage(&s, "soup:400:1");
+  struct both_worlds s;
+  open_worlds(&s, "soup:400:1");
   test_tables(&tap, &s, 512, noted_512);
   test_tables(&tap, &s, 4096, noted_4096);
-  close_stage(&s);
+  close_worlds(&s);
   test_ties(&tap);
   return finish(&tap);
 }
