@@ -151,14 +151,15 @@ void write_ramp(const std::string &path, int m, int n, const float *work) {
     x = most > 0 ? std::log2(1 + 255 * x / most) / 8 : 0;
   const OIIO::ImageBuf source(ImageSpec(m, n, 1, TypeDesc::FLOAT),
                               scaled.data());
-  errno = 0;
-  const OIIO::ImageBuf ramp =
-      OIIO::ImageBufAlgo::color_map(source, 0, "inferno", OIIO::ROI(), 1);
-  std::vector<unsigned char> bytes(3 * size);
-  if (ramp.has_error() || !ramp.get_pixels(OIIO::ROI(0, m, 0, n, 0, 1, 0, 3),
-                                           TypeDesc::UINT8, bytes.data()))
-    throw failure(path, ramp.geterror());
+  /* Into memory of our own: where an image that it makes itself finds none,
+   * OpenImageIO divides by 0. */
   ImageSpec spec(m, n, 3, TypeDesc::UINT8);
+  std::vector<unsigned char> bytes(3 * size);
+  OIIO::ImageBuf ramp(spec, bytes.data());
+  errno = 0;
+  if (!OIIO::ImageBufAlgo::color_map(ramp, source, 0, "inferno", OIIO::ROI(),
+                                     1))
+    throw failure(path, ramp.geterror());
   spec.attribute("oiio:ColorSpace", "sRGB");
   write_file(path, spec, TypeDesc::UINT8, bytes.data());
 }
