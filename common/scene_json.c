@@ -5,8 +5,9 @@
  *             and 1e0 are the same, -0 has its sign, an integer above 2^53 is
  *             the double next to it. What overflows is refused.
  * Keys        unknown and repeated ones are refused.
- * Memory      the file as jansson's tree, some 20 times its size and at worst
- *             80, and the scene. Files hold no counts to be believed. */
+ * Memory      the file's text, and the scene; jansson's tree is of one vertex,
+ *             face, instance or view at a time (some 20 times its text). Files
+ *             hold no counts to be believed. */
 #include "common/scene_json.h"
 #include "common/json_read.h"
 #include "common/predicates.h"
@@ -253,72 +254,49 @@ static enum hsr_status exclude(const struct reader *reader,
   return HSR_OK;
 }
 
-/* ---- jansson's parser ---- */
+/* ---- The text, and jansson's parser ---- */
 
-/* The file as the parser gets it. */
-struct source {
-  int fd;
-  int reason;  /* errno of a read that failed; 0 */
-  size_t line; /* that ends after what was read so far */
-  bool has_nul;
-};
+/* What is read an element at a time: of the file, and of an object. */
+enum { OBJECTS, INSTANCES, VIEWS, SCENE_LISTS };
+static const char *const scene_lists[] = {"objects", "instances", "views",
+                                          NULL};
+enum { VERTICES, FACES, FACE_COLOURS, OBJECT_LISTS };
+static const char *const object_lists[] = {"vertices", "faces", "face_colours",
+                                           NULL};
 
-/* A NUL byte ends the file for the parser, which may overlook it elsewhere. */
-static size_t read_source(void *buffer, size_t size, void *data) {
-  struct source *source = data;
-  ssize_t n;
-  do
-    n = read(source->fd, buffer, size);
-  while (n < 0 && errno == EINTR);
-  if (n < 0) {
-    source->reason = errno;
-    return 0;
-  }
-  for (const char *c = buffer, *end = c + n; c < end; c++) {
-    source->line += *c == '\n';
-    if (!*c) {
-      source->has_nul = true;
-      return 0;
+/* Reads a file. HSR_E_INPUT also for a NUL in it, which would end it for the
+ * parser, or be overlooked. */
+static enum hsr_status read_text(int fd, const char *path, char **text,
+                                 size_t *length, struct hsr_error *err) {
+  size_t size = 1 << 16;
+  ssize_t n = 1;
+  *length = 0;
+  while (n > 0) {
+    if (!*text || size - *length < size / 4) {
+      size *= *text ? 2 : 1;
+      char *larger = realloc(*text, size);
+      if (!larger)
+        return hsr_fail_nomem(err);
+      *text = larger;
     }
+    char *to = *text + *length;
+    do
+      n = read(fd, to, size - *length);
+    while (n < 0 && errno == EINTR);
+    if (n < 0)
+      return fail_errno(path, "cannot be read", err);
+    const char *nul = memchr(to, 0, (size_t)n);
+    if (nul)
+      return hsr_fail(err, HSR_E_INPUT, "%s:%d: a NUL byte", shown(path),
+                      1 + hsr_json_lines(*text, nul));
+    *length += (size_t)n;
   }
-  return (size_t)n;
+  return HSR_OK;
 }
 
-/* Why there is no tree. */
-static enum hsr_status parse_failure(const char *path,
-                                     const struct source *source,
-                                     const json_error_t *error,
-                                     struct hsr_error *err) {
-  errno = source->reason;
-  if (source->reason)
-    return fail_errno(path, "cannot be read", err);
-  if (source->has_nul)
-    return hsr_fail(err, HSR_E_INPUT, "%s:%zu: a NUL byte", shown(path),
-                    source->line);
-  return hsr_fail(err, HSR_E_INPUT, "%s:%d: %s", shown(path), error->line,
-                  error->text);
-}
-
-static enum hsr_status parse(int fd, const char *path, json_t **root,
-                             struct hsr_error *err) {
-  struct source source = {.fd = fd, .line = 1};
-  json_error_t error;
-  bool out_of_memory;
-  *root = hsr_json_read(read_source, &source,
-                        JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL,
-                        &out_of_memory, &error);
-  if (source.reason || source.has_nul) {
-    json_decref(*root);
-    *root = NULL;
-  }
-  if (out_of_memory)
-    return hsr_fail_nomem(err);
-  return *root ? HSR_OK : parse_failure(path, &source, &error, err);
-}
-
-static enum hsr_status load(const char *path, json_t **root,
+/* Into *text, which the caller frees. */
+static enum hsr_status load(const char *path, char **text, size_t *length,
                             struct hsr_error *err) {
-  *root = NULL;
   /* Opening a pipe must not wait for its other end. */
   int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd < 0)
@@ -332,9 +310,40 @@ static enum hsr_status load(const char *path, json_t **root,
                       S_ISDIR(about.st_mode) ? "is a directory"
                                              : "is not a regular file");
   else
-    status = parse(fd, path, root, err);
+    status = read_text(fd, path, text, length, err);
   close(fd);
   return status;
+}
+
+enum { OF_FILE, OF_OBJECT, OF_LEAF };
+static const hsr_json_levels levels[] = {scene_lists, object_lists, NULL};
+
+/* A value of some level, whose lists are in list[]: see hsr_json_read_part. */
+static enum hsr_status parse(const struct reader *reader,
+                             struct hsr_json_part part, int level,
+                             struct hsr_json_part *list, json_t **value) {
+  size_t flags = JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL;
+  bool out_of_memory;
+  json_error_t error;
+  *value =
+      hsr_json_read_part(part, flags | (level == OF_FILE ? 0 : JSON_DECODE_ANY),
+                         levels + level, list, &out_of_memory, &error);
+  if (out_of_memory)
+    return hsr_fail_nomem(reader->err);
+  return *value ? HSR_OK
+                : hsr_fail(reader->err, HSR_E_INPUT, "%s:%d: %s",
+                           shown(reader->path), error.line, error.text);
+}
+
+/* The next element of a list, which is released here: NULL after the last. */
+static enum hsr_status next(const struct reader *reader,
+                            struct hsr_json_part *list, json_t **value) {
+  struct hsr_json_part element;
+  json_decref(*value);
+  *value = NULL;
+  return hsr_json_next(list, &element)
+             ? parse(reader, element, OF_LEAF, NULL, value)
+             : HSR_OK;
 }
 
 /* ---- Objects ---- */
@@ -349,24 +358,35 @@ static enum hsr_status rename_to(const struct reader *reader, char **name,
   return HSR_OK;
 }
 
+static enum hsr_status read_vertex(const struct reader *reader,
+                                   const struct place *place,
+                                   const json_t *vertex,
+                                   struct hsr_object *object) {
+  double p[3];
+  enum hsr_status status = read_numbers(reader, place, vertex, 3, p);
+  if (status)
+    return status;
+  status = hsr_object_vertex(object, p[0], p[1], p[2], NULL);
+  if (status == HSR_E_NOMEM)
+    return hsr_fail_nomem(reader->err);
+  return status
+             ? refuse(reader, place, "one more vertex than an object can hold")
+             : HSR_OK;
+}
+
 static enum hsr_status read_vertices(const struct reader *reader,
                                      const struct place *place,
-                                     const json_t *vertices,
+                                     struct hsr_json_part vertices,
                                      struct hsr_object *object) {
-  enum hsr_status status = read_array(reader, place, vertices);
-  size_t n = json_array_size(vertices);
-  for (size_t v = 0; v < n && !status; v++) {
-    struct place here = {place, NULL, v};
-    double p[3];
-    status = read_numbers(reader, &here, json_array_get(vertices, v), 3, p);
-    if (status)
-      return status;
-    status = hsr_object_vertex(object, p[0], p[1], p[2], NULL);
-    if (status == HSR_E_NOMEM)
-      return hsr_fail_nomem(reader->err);
-    if (status)
-      return refuse(reader, &here, "one more vertex than an object can hold");
+  json_t *vertex = NULL;
+  enum hsr_status status = next(reader, &vertices, &vertex);
+  for (size_t v = 0; vertex && !status; v++) {
+    status =
+        read_vertex(reader, &(struct place){place, NULL, v}, vertex, object);
+    if (!status)
+      status = next(reader, &vertices, &vertex);
   }
+  json_decref(vertex);
   return status;
 }
 
@@ -430,43 +450,54 @@ static enum hsr_status read_face(struct reader *reader,
   return status ? status : add_face(reader, place, object, n, rgb);
 }
 
-/* `colours` may be NULL. */
+/* `colours` are none, or as many as the faces. */
 static enum hsr_status read_faces(struct reader *reader,
                                   const struct place *place,
-                                  const json_t *faces, const json_t *colours,
+                                  struct hsr_json_part faces,
+                                  struct hsr_json_part colours,
                                   struct hsr_object *object) {
   struct place at_faces = {place, "faces", 0};
   struct place at_colours = {place, "face_colours", 0};
-  enum hsr_status status = read_array(reader, &at_faces, faces);
-  if (!status && colours)
-    status = read_array(reader, &at_colours, colours);
-  if (status)
-    return status;
-  size_t n = json_array_size(faces);
-  if (colours && json_array_size(colours) != n)
-    return refuse(reader, &at_colours,
-                  "must have one colour for each of %zu "
-                  "faces, not %zu",
-                  n, json_array_size(colours));
-  for (size_t f = 0; f < n && !status; f++) {
-    float rgb[3];
-    if (colours)
+  json_t *face = NULL, *colour = NULL;
+  float rgb[3];
+  enum hsr_status status = next(reader, &faces, &face);
+  for (size_t f = 0; face && !status; f++) {
+    status = next(reader, &colours, &colour);
+    if (!status && colour)
       status = read_colour(reader, &(struct place){&at_colours, NULL, f},
-                           json_array_get(colours, f), rgb);
+                           colour, rgb);
     if (!status)
-      status =
-          read_face(reader, &(struct place){&at_faces, NULL, f},
-                    json_array_get(faces, f), object, colours ? rgb : NULL);
+      status = read_face(reader, &(struct place){&at_faces, NULL, f}, face,
+                         object, colour ? rgb : NULL);
+    if (!status)
+      status = next(reader, &faces, &face);
   }
+  json_decref(face);
+  json_decref(colour);
   return status;
 }
 
-/* The colour comes before the faces, as hsr_object_face wants it. */
-static enum hsr_status read_geometry(struct reader *reader,
+static enum hsr_status check_colours(const struct reader *reader,
                                      const struct place *place,
-                                     const json_t *value,
-                                     struct hsr_object **object) {
+                                     const json_t *colours,
+                                     struct hsr_json_part faces,
+                                     struct hsr_json_part list) {
+  struct place here = {place, "face_colours", 0};
+  enum hsr_status status = read_array(reader, &here, colours);
+  size_t n_faces = hsr_json_count(faces), n_colours = hsr_json_count(list);
+  return status || n_faces == n_colours
+             ? status
+             : refuse(reader, &here,
+                      "must have one colour for each of %zu faces, not %zu",
+                      n_faces, n_colours);
+}
+
+/* The colour comes before the faces, as hsr_object_face wants it. */
+static enum hsr_status read_geometry(
+    struct reader *reader, const struct place *place, const json_t *value,
+    const struct hsr_json_part list[OBJECT_LISTS], struct hsr_object **object) {
   json_t *vertices, *faces, *colour = json_object_get(value, "colour");
+  json_t *colours = json_object_get(value, "face_colours");
   enum hsr_status status = require(reader, place, value, "vertices", &vertices);
   if (!status)
     status = require(reader, place, value, "faces", &faces);
@@ -479,12 +510,19 @@ static enum hsr_status read_geometry(struct reader *reader,
     status = read_colour(reader, &(struct place){place, "colour", 0}, colour,
                          (*object)->colour);
   if (!status)
-    status = read_vertices(reader, &(struct place){place, "vertices", 0},
-                           vertices, *object);
+    status =
+        read_array(reader, &(struct place){place, "vertices", 0}, vertices);
   if (!status)
-    status = read_faces(reader, place, faces,
-                        json_object_get(value, "face_colours"), *object);
-  return status;
+    status = read_vertices(reader, &(struct place){place, "vertices", 0},
+                           list[VERTICES], *object);
+  if (!status)
+    status = read_array(reader, &(struct place){place, "faces", 0}, faces);
+  if (!status && colours)
+    status =
+        check_colours(reader, place, colours, list[FACES], list[FACE_COLOURS]);
+  return status ? status
+                : read_faces(reader, place, list[FACES], list[FACE_COLOURS],
+                             *object);
 }
 
 /* The path of a file that the scene file names. NULL: out of memory. */
@@ -538,8 +576,9 @@ static enum hsr_status read_opacity(const struct reader *reader,
   return status;
 }
 
-static enum hsr_status read_object(struct reader *reader,
-                                   const struct place *place, json_t *value) {
+static enum hsr_status
+read_object(struct reader *reader, const struct place *place, json_t *value,
+            const struct hsr_json_part list[OBJECT_LISTS]) {
   static const char *const keys[] = {"name",         "file",     "one_sided",
                                      "colour",       "vertices", "faces",
                                      "face_colours", "opacity",  NULL};
@@ -558,8 +597,8 @@ static enum hsr_status read_object(struct reader *reader,
         read_string(reader, &(struct place){place, "name", 0}, name, &text);
   struct hsr_object *object = NULL;
   if (!status)
-    status =
-        (is_mesh ? read_mesh : read_geometry)(reader, place, value, &object);
+    status = is_mesh ? read_mesh(reader, place, value, &object)
+                     : read_geometry(reader, place, value, list, &object);
   if (!status && opacity)
     status = read_opacity(reader, &(struct place){place, "opacity", 0}, opacity,
                           &object->opacity);
@@ -692,23 +731,35 @@ static enum hsr_status append_instances(const struct reader *reader,
   return status ? hsr_fail_nomem(reader->err) : HSR_OK;
 }
 
-static enum hsr_status read_instances(const struct reader *reader,
-                                      const json_t *value) {
+/* Into list[], which has room for all. */
+static enum hsr_status list_instances(const struct reader *reader,
+                                      struct hsr_json_part instances,
+                                      const json_t *numbers,
+                                      struct placed *list) {
   struct place place = {NULL, "instances", 0};
-  enum hsr_status status = read_array(reader, &place, value);
-  size_t n = json_array_size(value);
-  if (status || !n)
-    return status;
+  json_t *value = NULL;
+  enum hsr_status status = next(reader, &instances, &value);
+  for (size_t i = 0; value && !status; i++) {
+    list[i].order = i;
+    status = read_instance(reader, &(struct place){&place, NULL, i}, value,
+                           numbers, &list[i].instance);
+    if (!status)
+      status = next(reader, &instances, &value);
+  }
+  json_decref(value);
+  return status;
+}
+
+static enum hsr_status read_instances(const struct reader *reader,
+                                      struct hsr_json_part instances) {
+  size_t n = hsr_json_count(instances);
+  if (!n)
+    return HSR_OK;
   struct placed *list = calloc(n, sizeof *list);
   json_t *numbers = number_by_name(reader->scene);
-  if (!list || !numbers)
-    status = hsr_fail_nomem(reader->err);
-  for (size_t i = 0; i < n && !status; i++) {
-    list[i].order = i;
-    status =
-        read_instance(reader, &(struct place){&place, NULL, i},
-                      json_array_get(value, i), numbers, &list[i].instance);
-  }
+  enum hsr_status status =
+      list && numbers ? list_instances(reader, instances, numbers, list)
+                      : hsr_fail_nomem(reader->err);
   if (!status)
     status = append_instances(reader, list, n);
   json_decref(numbers);
@@ -769,49 +820,74 @@ static enum hsr_status check_schema(const struct reader *reader,
   return status;
 }
 
-static enum hsr_status read_objects(struct reader *reader, const json_t *root) {
+static enum hsr_status read_objects(struct reader *reader,
+                                    struct hsr_json_part objects) {
   struct place place = {NULL, "objects", 0};
-  json_t *objects;
-  enum hsr_status status = require(reader, NULL, root, "objects", &objects);
-  if (!status)
-    status = read_array(reader, &place, objects);
-  for (size_t o = 0; !status && o < json_array_size(objects); o++)
-    status = read_object(reader, &(struct place){&place, NULL, o},
-                         json_array_get(objects, o));
+  struct hsr_json_part part, list[OBJECT_LISTS];
+  enum hsr_status status = HSR_OK;
+  for (size_t o = 0; !status && hsr_json_next(&objects, &part); o++) {
+    json_t *value;
+    status = parse(reader, part, OF_OBJECT, list, &value);
+    if (!status)
+      status =
+          read_object(reader, &(struct place){&place, NULL, o}, value, list);
+    json_decref(value);
+  }
   return status;
 }
 
 static enum hsr_status read_views(const struct reader *reader,
-                                  const json_t *views) {
+                                  struct hsr_json_part views) {
   struct place place = {NULL, "views", 0};
-  enum hsr_status status = read_array(reader, &place, views);
-  for (size_t i = 0; !status && i < json_array_size(views); i++)
-    status = read_view(reader, &(struct place){&place, NULL, i},
-                       json_array_get(views, i));
+  json_t *view = NULL;
+  enum hsr_status status = next(reader, &views, &view);
+  for (size_t i = 0; view && !status; i++) {
+    status = read_view(reader, &(struct place){&place, NULL, i}, view);
+    if (!status)
+      status = next(reader, &views, &view);
+  }
+  json_decref(view);
   return status;
 }
 
-static enum hsr_status read_scene(struct reader *reader, json_t *root) {
+static enum hsr_status read_name(const struct reader *reader,
+                                 const json_t *name) {
+  struct place place = {NULL, "name", 0};
+  const char *text = "";
+  enum hsr_status status = read_string(reader, &place, name, &text);
+  return status ? status : rename_to(reader, &reader->scene->name, text);
+}
+
+/* Refuses members that should be lists and are not. */
+static enum hsr_status check_lists(const struct reader *reader,
+                                   const json_t *root) {
+  json_t *list;
+  enum hsr_status status = require(reader, NULL, root, "objects", &list);
+  for (int k = 0; k < SCENE_LISTS && !status; k++)
+    if ((list = json_object_get(root, scene_lists[k])))
+      status =
+          read_array(reader, &(struct place){NULL, scene_lists[k], 0}, list);
+  return status;
+}
+
+static enum hsr_status
+read_scene(struct reader *reader, json_t *root,
+           const struct hsr_json_part list[SCENE_LISTS]) {
   static const char *const keys[] = {"schema",    "name",  "objects",
                                      "instances", "views", NULL};
-  const char *text = "";
-  json_t *member;
+  json_t *name = json_object_get(root, "name");
   enum hsr_status status = check_schema(reader, root);
   if (!status)
     status = check_keys(reader, NULL, root, keys);
-  if (!status && (member = json_object_get(root, "name"))) {
-    status =
-        read_string(reader, &(struct place){NULL, "name", 0}, member, &text);
-    if (!status)
-      status = rename_to(reader, &reader->scene->name, text);
-  }
+  if (!status && name)
+    status = read_name(reader, name);
   if (!status)
-    status = read_objects(reader, root);
-  if (!status && (member = json_object_get(root, "instances")))
-    status = read_instances(reader, member);
-  if (!status && (member = json_object_get(root, "views")))
-    status = read_views(reader, member);
-  return status;
+    status = check_lists(reader, root);
+  if (!status)
+    status = read_objects(reader, list[OBJECTS]);
+  if (!status)
+    status = read_instances(reader, list[INSTANCES]);
+  return status ? status : read_views(reader, list[VIEWS]);
 }
 
 enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
@@ -820,11 +896,17 @@ enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
   struct reader reader = {.scene = scene, .path = path, .err = err};
   if (import)
     reader.import.drop_degenerate = import->drop_degenerate;
-  json_t *root;
-  enum hsr_status status = load(path, &root, err);
+  struct hsr_json_part file = {.line = 1}, list[SCENE_LISTS];
+  char *text = NULL;
+  json_t *root = NULL;
+  enum hsr_status status = load(path, &text, &file.length, err);
+  file.text = text;
   if (!status)
-    status = read_scene(&reader, root);
+    status = parse(&reader, file, OF_FILE, list, &root);
+  if (!status)
+    status = read_scene(&reader, root, list);
   json_decref(root);
+  free(text);
   free(reader.corners);
   if (import)
     import->n_dropped = reader.import.n_dropped;

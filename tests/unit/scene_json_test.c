@@ -4,8 +4,11 @@
 #include "common/scene_json.h"
 #include "tests/tap.h"
 
+#include <jansson.h>
+
 #include <math.h>
 #include <signal.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -386,6 +389,25 @@ static const struct {
      ":3: real number overflow near '-1e400'"},
     {"hsr", ":1: '[' or '{' expected near 'hsr'"},
 
+    /* Lists that are read an element at a time */
+    {HEAD OBJECT ",\n,\n" OBJECT "]}", ":3: unexpected token near ','"},
+    {HEAD OBJECT "\n}]}", ":3: "},
+    {HEAD OBJECT "}", ":2: "},
+    {HEAD
+     "{\"name\": \"\", \"vertices\": [\n[0,0,0],\n[1,0 0]], \"faces\": []}]}",
+     ":4: ']' expected near '0'"},
+    {HEAD "{\"vertices\": [\n[0,0,0],\n[1,0 0],\n[0,1", ":4: "},
+    {HEAD "{\"vertices\": [\n[0,0,0],\n[1,0,0],\n[0,1", ":5: "},
+    {HEAD "{\"name\": \"a\", \"vert\\u0069ces\": [[0,0]], \"faces\": []}]}",
+     ": /objects/0/vertices/0: must have 3 numbers, not 2"},
+    {HEAD "{\"name\": \"]\\\"\", \"vertices\": [\n\n], \"faces\": [\n[0]]}]}",
+     ": /objects/0/faces/0/0: vertex 0 of 0"},
+    {HEAD "{\"vertices\": [],\n\"vertices\": [[0,0,0]]}]}",
+     ":3: duplicate object key near '\"vertices\"'"},
+    {HEAD "{\"vertices\": [[0,0,0], [0,[1],0]]}]}", ": /objects/0"},
+    {INSTANCE("{\"object\": 0},\n{\"object\"}"), ":3: ':' expected"},
+    {VIEW("{\"eye\": [0,0,1], \"at\": [0,0,0]},\n{]"), ":3: "},
+
     /* The whole */
     {"[]", ": must be an object, not an array"},
     {"{}", ": 'schema' is missing"},
@@ -567,10 +589,60 @@ static void clean_up(const char *directory) {
   remove(directory);
 }
 
+/* ---- Memory ---- */
+
+/* What jansson holds at a time, and the most of it. */
+static size_t held, most_held;
+
+static void *hold(size_t size) {
+  size_t *p = malloc(sizeof(max_align_t) + size);
+  if (!p)
+    return NULL;
+  *p = size;
+  held += size;
+  most_held = held > most_held ? held : most_held;
+  return (char *)p + sizeof(max_align_t);
+}
+
+static void let_go(void *p) {
+  if (!p)
+    return;
+  size_t *size = (size_t *)(void *)((char *)p - sizeof(max_align_t));
+  held -= *size;
+  free(size);
+}
+
+/* Whatever the length of a list, there is never a tree of all of it: neither of
+ * a good file, nor of one that ends too early. */
+static void test_memory(struct tap *tap) {
+  enum { N = 100000 };
+  struct hsr_scene *scene;
+  struct hsr_error err;
+  for (int cut = 0; cut < 2; cut++) {
+    FILE *file = fopen("long.scene.json", "w");
+    must(file);
+    fputs(HEAD "{\"name\": \"a\", \"vertices\": [", file);
+    for (int v = 0; v < N; v++)
+      fprintf(file, "%s[%d,%d,0.5]", v ? ",\n" : "", v, v % 7);
+    if (!cut)
+      fputs("], \"faces\": [[0,1,2]]}]}", file);
+    must(!fclose(file));
+    most_held = 0;
+    enum hsr_status status = read_file(&scene, "long.scene.json", NULL, &err);
+    ok(tap,
+       status == (cut ? HSR_E_INPUT : HSR_OK) && most_held < 8192 && !held &&
+           (cut || scene->objects[0].n_vertices == N),
+       "%d vertices%s: jansson holds %zu bytes at the most", (int)N,
+       cut ? ", and no end" : "", most_held);
+    hsr_scene_delete(scene);
+  }
+}
+
 int main(void) {
+  json_set_alloc_funcs(hold, let_go);
   char directory[] = "/tmp/hsr-scene-json-XXXXXX";
   must(mkdtemp(directory) && !chdir(directory));
-  struct tap tap = plan(5 + 4 + 11 + 6 + 2 + COUNT(bad) + 7);
+  struct tap tap = plan(5 + 4 + 11 + 6 + 2 + COUNT(bad) + 7 + 2);
   test_round_trip(&tap);
   test_bad_writes(&tap);
   test_defaults(&tap);
@@ -578,6 +650,7 @@ int main(void) {
   test_drop(&tap);
   test_bad_texts(&tap);
   test_bad_files(&tap);
+  test_memory(&tap);
   clean_up(directory);
   return finish(&tap);
 }
