@@ -38,7 +38,8 @@ struct lines_avx512 {
 AVX512 static inline struct lines_avx512
 load_lines_avx512(const struct hsr_mask_line *line, const uint32_t *list,
                   uint32_t n) {
-  const __mmask8 fields = sizeof *line / sizeof(double) == 7 ? 0x7f : 0;
+  _Static_assert(sizeof *line == 7 * sizeof(double), "a row of 7 fields");
+  const __mmask8 fields = 0x7f;
   __m512d row[8], pair[8], quad[8];
   for (uint32_t k = 0; k < 8; k++)
     row[k] = _mm512_maskz_loadu_pd(fields, &line[list[k < n ? k : 0]]);
