@@ -5,21 +5,21 @@
  * own file and named in list.def. It gets a world and a view and answers with
  * one face id a sample, or with a line drawing. It never prints, exits, or
  * keeps an epsilon of its own: what it compares, it compares by the services of
- * common/screen.h, which are exact.
+ * common/exact/screen.h, which are exact.
  *
  * Every algorithm is compiled twice, with HSR_COUNTING 0 and 1. Only the
  * counting one counts and traces; only the other one is ever timed. */
 #ifndef HSR_ALGORITHMS_ALGORITHM_H
 #define HSR_ALGORITHMS_ALGORITHM_H
 
-#include "common/adapt.h"
-#include "common/arena.h"
-#include "common/count.h"
-#include "common/drawing.h"
-#include "common/filter.h"
-#include "common/statistics.h"
-#include "common/view.h"
-#include "common/world.h"
+#include "common/adapt/adapt.h"
+#include "common/base/arena.h"
+#include "common/base/count.h"
+#include "common/lines/drawing.h"
+#include "common/answers/filter.h"
+#include "common/statistics/statistics.h"
+#include "common/view/view.h"
+#include "common/scene/world.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -51,7 +51,7 @@ enum {
   HSR_INSTANCED = 1 << 6,    /* takes a world that is an outline, too */
   HSR_FILTERS = 1 << 7,      /* filters by itself, if asked to */
   HSR_RATHER_LAID_OUT = 1 << 8 /* with HSR_INSTANCED: takes an outline only if
-                                  instances are apart (common/grove.h) */
+                                  instances are apart (algorithms/image_space/area/tiling/grove.h) */
 };
 
 /* A sort that the algorithm makes, as in figure 29b. */
@@ -144,7 +144,7 @@ struct hsr_algorithm {
   enum hsr_branch taxonomy;
   const char *sort_order; /* "YXZ"; NULL if it has none */
   const char *coherence;  /* what it bets on; NULL if nothing */
-  unsigned restrictions;  /* HSR_CC ... (common/adapt.h): the world that prepare
+  unsigned restrictions;  /* HSR_CC ... (common/adapt/adapt.h): the world that prepare
                              and render get is adapted to these */
   enum hsr_kind kind;
   unsigned flags;

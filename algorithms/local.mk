@@ -1,80 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every algorithm is compiled twice, to count and not to.
-pkginclude_algorithms_HEADERS += %D%/algorithm.h %D%/setup.h \
-  %D%/variant.h
+nobase_pkginclude_HEADERS += %D%/algorithm.h %D%/setup.h %D%/variant.h
 libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/variant.c %D%/list.def
 
-algorithm_files = \
-  %D%/appel.c \
-  %D%/bouknight.c \
-  %D%/bsp_frame.c \
-  %D%/bsp_frame.h \
-  %D%/bsp_painter.c \
-  %D%/bsp_walk.c \
-  %D%/bsp_walk.h \
-  %D%/clark.c \
-  %D%/cube_frame.c \
-  %D%/cube_frame.h \
-  %D%/cube_list.c \
-  %D%/cube_list.h \
-  %D%/cluster_order.h \
-  %D%/edge_intersection.c \
-  %D%/edge_intersection.h \
-  %D%/galimberti.c \
-  %D%/hzbuffer.c \
-  %D%/line_oracle.cc \
-  %D%/loutrel.c \
-  %D%/movers.c \
-  %D%/movers.h \
-  %D%/newell.c \
-  %D%/newell.h \
-  %D%/newell_watkins.c \
-  %D%/null.c \
-  %D%/oracle.cc \
-  %D%/painter.c \
-  %D%/priority_list.c \
-  %D%/priority_list.h \
-  %D%/pyramid.c \
-  %D%/pyramid.h \
-  %D%/raycast.c \
-  %D%/roberts.c \
-  %D%/romney.c \
-  %D%/scan_line.c \
-  %D%/scan_line.h \
-  %D%/schumacker.c \
-  %D%/schumacker_newell.c \
-  %D%/tiler.c \
-  %D%/tiling/canvas.c \
-  %D%/tiling/canvas.h \
-  %D%/tiling/clip.c \
-  %D%/tiling/clip.h \
-  %D%/tiling/frame.c \
-  %D%/tiling/frame.h \
-  %D%/tiling/lazy.c \
-  %D%/tiling/lazy_pyramid.c \
-  %D%/tiling/lazy_pyramid.h \
-  %D%/tiling/loose.c \
-  %D%/tiling/loose.h \
-  %D%/tiling/masks.c \
-  %D%/tiling/masks.h \
-  %D%/tiling/masks_avx512.h \
-  %D%/tiling/merged.c \
-  %D%/tiling/polygon.c \
-  %D%/tiling/polygon.h \
-  %D%/tiling/separate.c \
-  %D%/tiling/separate.h \
-  %D%/tiling/tiling.c \
-  %D%/tiler.h \
-  %D%/warnock.c \
-  %D%/warnock.h \
-  %D%/warnock_depth.c \
-  %D%/warnock_edges.c \
-  %D%/warnock_newell.c \
-  %D%/warnock_watkins.c \
-  %D%/watkins.c \
-  %D%/watkins.h \
-  %D%/yzx.c \
-  %D%/zbuffer.c
+algorithm_files =
+include %D%/object_space/volumes/local.mk
+include %D%/object_space/edges/local.mk
+include %D%/list_priority/fixed/local.mk
+include %D%/list_priority/per_frame/local.mk
+include %D%/image_space/area/local.mk
+include %D%/image_space/area/tiling/local.mk
+include %D%/image_space/area/tiling/masks/local.mk
+include %D%/image_space/point/local.mk
+include %D%/brute_force/local.mk
+include %D%/hierarchical/local.mk
+include bench/judge/oracles.mk
 
 noinst_LIBRARIES += libplain.a libcounting.a
 libplain_a_SOURCES = $(algorithm_files)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hsr command: which subcommand, and how it ends. */
 #include "bench/command.h"
-#include "bench/terminate.h"
+#include "bench/run/terminate.h"
 
 #include <fcntl.h>
 #include <locale.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/lines.h"
-#include "common/exchange.h"
-#include "common/image.h"
+#include "common/files/mesh/exchange.h"
+#include "common/files/image.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #define HSR_BENCH_LINES_H
 
 #include "bench/command.h"
-#include "common/plot.h"
+#include "common/files/plot.h"
 
 /* Whether only a line drawing can be written to a file of this name. */
 bool is_line_file(const char *path);

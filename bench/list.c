@@ -2,7 +2,7 @@
 /* hsr list: the algorithms and their taxonomy entries. */
 #include "bench/list.h"
 #include "bench/command.h"
-#include "bench/json.h"
+#include "bench/results/json.h"
 
 #include <string.h>
 

@@ -8,35 +8,35 @@ noinst_LIBRARIES += libbench.a
 BENCH_LIBS = libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS)
 libbench_a_SOURCES = \
   %D%/command.h \
-  %D%/figures.c \
-  %D%/figures.h \
-  %D%/json.c \
-  %D%/json.h \
-  %D%/judge.c \
-  %D%/judge.h \
-  %D%/judge_filtered.c \
-  %D%/judge_filtered.h \
+  %D%/results/figures.c \
+  %D%/results/figures.h \
+  %D%/results/json.c \
+  %D%/results/json.h \
+  %D%/judge/judge.c \
+  %D%/judge/judge.h \
+  %D%/judge/judge_filtered.c \
+  %D%/judge/judge_filtered.h \
   %D%/lines.c \
   %D%/lines.h \
   %D%/list.c \
   %D%/list.h \
   %D%/options.c \
   %D%/render.c \
-  %D%/results.c \
-  %D%/results.h \
-  %D%/run.c \
-  %D%/scenes_command.c \
-  %D%/serve.c \
-  %D%/serve.h \
-  %D%/stage.c \
-  %D%/stage.h \
+  %D%/results/results.c \
+  %D%/results/results.h \
+  %D%/run/run.c \
+  %D%/scenes.c \
+  %D%/run/serve.c \
+  %D%/run/serve.h \
+  %D%/run/stage.c \
+  %D%/run/stage.h \
   %D%/stats.c \
-  %D%/terminate.cc \
-  %D%/terminate.h \
-  %D%/times.c \
-  %D%/times.h \
+  %D%/run/terminate.cc \
+  %D%/run/terminate.h \
+  %D%/results/times.c \
+  %D%/results/times.h \
   %D%/voxels.c \
-  %D%/worker.c \
+  %D%/run/worker.c \
   %D%/check/check.h \
   %D%/check/command.c \
   %D%/check/report.c \

@@ -2,8 +2,8 @@
 /* hsr render: one picture, or one line drawing, by one algorithm. */
 #include "bench/command.h"
 #include "bench/lines.h"
-#include "common/crease.h"
-#include "common/image.h"
+#include "common/lines/crease.h"
+#include "common/files/image.h"
 
 #include <stdlib.h>
 #include <string.h>

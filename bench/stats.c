@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr stats: Table I of Sutherland et al. 1974, measured. */
 #include "bench/command.h"
-#include "bench/json.h"
-#include "common/statistics.h"
+#include "bench/results/json.h"
+#include "common/statistics/statistics.h"
 
 #include <math.h>
 

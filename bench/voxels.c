@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr voxels: the solids of a scene as voxels. */
 #include "bench/command.h"
-#include "bench/json.h"
-#include "common/voxel_solids.h"
+#include "bench/results/json.h"
+#include "common/grids/voxel_solids.h"
 
 #include <string.h>
 #include <strings.h>

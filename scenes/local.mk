@@ -1,8 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-pkginclude_scenes_HEADERS += %D%/scenes.h
-libhsr_a_SOURCES += %D%/builders.h %D%/failures_edges.c %D%/failures_eye.c \
-  %D%/failures_order.c %D%/house.c %D%/lots.c %D%/lots.h %D%/meshes.c \
-  %D%/meshes.h %D%/module.c %D%/module.h %D%/names.c %D%/office.c \
-  %D%/random.c %D%/registry.c %D%/shapes.c %D%/shapes.h %D%/solids.c \
-  %D%/terrain.c %D%/tower.c %D%/town.c %D%/traffic.c
+nobase_pkginclude_HEADERS += %D%/scenes.h
+libhsr_a_SOURCES += \
+  %D%/builders.h \
+  %D%/meshes.c \
+  %D%/meshes.h \
+  %D%/names.c \
+  %D%/registry.c \
+  %D%/failures/edges.c \
+  %D%/failures/eye.c \
+  %D%/failures/order.c \
+  %D%/parts/lots.c \
+  %D%/parts/lots.h \
+  %D%/parts/module.c \
+  %D%/parts/module.h \
+  %D%/parts/shapes.c \
+  %D%/parts/shapes.h \
+  %D%/worlds/house.c \
+  %D%/worlds/office.c \
+  %D%/worlds/random.c \
+  %D%/worlds/solids.c \
+  %D%/worlds/terrain.c \
+  %D%/worlds/tower.c \
+  %D%/worlds/town.c \
+  %D%/worlds/traffic.c
 EXTRA_DIST += %D%/README.md

@@ -7,7 +7,7 @@
 #include "scenes/builders.h"
 #include "scenes/meshes.h"
 
-#include "common/scene_json.h"
+#include "common/files/scene_json.h"
 
 #include <inttypes.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #ifndef HSR_SCENES_SCENES_H
 #define HSR_SCENES_SCENES_H
 
-#include "common/exchange.h"
+#include "common/files/mesh/exchange.h"
 
 #ifdef __cplusplus
 extern "C" {

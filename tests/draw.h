@@ -4,7 +4,7 @@
 #define HSR_TESTS_DRAW_H
 
 #include "algorithms/setup.h"
-#include "common/scene.h"
+#include "common/scene/scene.h"
 
 #include <stdint.h>
 

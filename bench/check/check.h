@@ -5,7 +5,7 @@
 #define HSR_BENCH_CHECK_H
 
 #include "bench/command.h"
-#include "bench/judge.h"
+#include "bench/judge/judge.h"
 
 enum {
   MOST_SCENES = 4096,

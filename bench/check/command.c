@@ -4,9 +4,9 @@
  *
  * A group is one scene, view, size and kind of algorithm; or, of algorithms
  * that keep a state from frame to frame, one with all views in a row. It is
- * judged in a process of its own (bench/judge.c), several at a time. */
+ * judged in a process of its own (bench/judge/judge.c), several at a time. */
 #include "bench/check/check.h"
-#include "bench/terminate.h"
+#include "bench/run/terminate.h"
 
 #include <errno.h>
 #include <signal.h>

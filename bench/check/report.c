@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What hsr check prints: a table, or one JSON object. */
 #include "bench/check/check.h"
-#include "bench/json.h"
+#include "bench/results/json.h"
 
 #include <string.h>
 

@@ -11,7 +11,7 @@
  * Threads     OpenMP's, each a band of rows at a time. */
 #include "bench/peers/peers.h"
 
-#include "common/vector.h"
+#include "common/base/vector.h"
 
 #include <embree3/rtcore.h>
 #include <math.h>

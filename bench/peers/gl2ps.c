@@ -14,7 +14,7 @@
 #include "bench/peers/peers.h"
 #include "bench/peers/projection.h"
 
-#include "common/edges.h"
+#include "common/lines/edges.h"
 
 #include <GL/gl.h>
 #include <gl2ps.h>

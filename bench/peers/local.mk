@@ -33,8 +33,8 @@ endif
 
 # zbuffer once more, without its exact fallback and under another name.
 noinst_LIBRARIES += libinexact.a
-libinexact_a_SOURCES = algorithms/tiler.c algorithms/tiler.h \
-  algorithms/zbuffer.c
+libinexact_a_SOURCES = algorithms/brute_force/tiler.c algorithms/brute_force/tiler.h \
+  algorithms/brute_force/zbuffer.c
 libinexact_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=0 \
   -DHSR_INEXACT=1 -DHSR_BUILD=_inexact \
   -Dhsr_algorithm_zbuffer=hsr_algorithm_zbuffer_inexact

@@ -3,9 +3,9 @@
 #include "bench/peers/peers.h"
 
 #include "bench/command.h"
-#include "bench/json.h"
-#include "bench/serve.h"
-#include "bench/terminate.h"
+#include "bench/results/json.h"
+#include "bench/run/serve.h"
+#include "bench/run/terminate.h"
 
 #include <malloc.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 #ifndef HSR_BENCH_PEERS_OFFSCREEN_H
 #define HSR_BENCH_PEERS_OFFSCREEN_H
 
-#include "common/status.h"
+#include "common/base/status.h"
 
 #include <stdbool.h>
 

@@ -55,7 +55,7 @@ extern const struct hsr_algorithm hsr_algorithm_zbuffer_inexact;
 const struct peer peer_zbuffer_inexact = {
     .name = "zbuffer-inexact",
     .title = "zbuffer without its exact fallback",
-    .source = "hsr, algorithms/zbuffer.c",
+    .source = "hsr, algorithms/brute_force/zbuffer.c",
     .what = "What exactness costs: our own zbuffer, which decides by rounded "
             "numbers what lies within their bounds of error. A frame is all "
             "that zbuffer does, and set-up as little.",

@@ -7,7 +7,7 @@
  *   "threads": whether it can draw on several, "what": what a frame is and what
  *   is not in it}
  * hsr-peers worker NAME SCENE VIEW WxH THREADS [IDS-FILE]
- *   draws when told to: bench/serve.h
+ *   draws when told to: bench/run/serve.h
  * hsr-peers judge NAME SCENE VIEW WxH
  *   of a peer that draws lines: {"compared": edges, "mismatches": edges, ...},
  *   its drawing against the line oracle's; its "what" tells how. Pictures of
@@ -16,7 +16,7 @@
 #define HSR_BENCH_PEERS_PEERS_H
 
 #include "algorithms/setup.h"
-#include "common/view.h"
+#include "common/view/view.h"
 
 #include <jansson.h>
 

@@ -3,8 +3,8 @@
 #ifndef HSR_BENCH_PEERS_PROJECTION_H
 #define HSR_BENCH_PEERS_PROJECTION_H
 
-#include "common/view.h"
-#include "common/world.h"
+#include "common/view/view.h"
+#include "common/scene/world.h"
 
 #ifdef __cplusplus
 extern "C" {

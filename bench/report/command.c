@@ -3,7 +3,7 @@
  * disk. */
 #include "bench/report/report.h"
 
-#include "bench/json.h"
+#include "bench/results/json.h"
 
 #include <errno.h>
 #include <stdlib.h>

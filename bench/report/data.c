@@ -2,12 +2,12 @@
 /* The numbers of the report: what hsr bench recorded, with the statistics made
  * of it. */
 #include "bench/tables/growth.h"
-#include "bench/json.h"
+#include "bench/results/json.h"
 #include "bench/list.h"
 #include "bench/report/report.h"
 #include "bench/tables/greene.h"
 #include "bench/tables/tables.h"
-#include "bench/times.h"
+#include "bench/results/times.h"
 
 #include <math.h>
 #include <stdlib.h>

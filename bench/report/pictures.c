@@ -2,15 +2,15 @@
 /* What there is to look at in a report: every scene and view by every
  * algorithm, with its work picture, where it differs from the oracle, and what
  * the page's probe shows at a pixel. */
-#include "bench/json.h"
-#include "bench/judge.h"
+#include "bench/results/json.h"
+#include "bench/judge/judge.h"
 #include "bench/lines.h"
 #include "bench/report/report.h"
-#include "bench/stage.h"
-#include "bench/terminate.h"
+#include "bench/run/stage.h"
+#include "bench/run/terminate.h"
 
-#include "common/image.h"
-#include "common/picture.h"
+#include "common/files/image.h"
+#include "common/answers/picture.h"
 
 #include <errno.h>
 #include <math.h>

@@ -5,7 +5,7 @@
 #define HSR_BENCH_REPORT_REPORT_H
 
 #include "bench/command.h"
-#include "bench/results.h"
+#include "bench/results/results.h"
 
 struct report {
   const struct results *results;

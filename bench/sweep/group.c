@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cells of one scene, view and size: judged, timed, recorded. */
-#include "bench/json.h"
-#include "bench/stage.h"
+#include "bench/results/json.h"
+#include "bench/run/stage.h"
 #include "bench/sweep/sweep.h"
-#include "bench/terminate.h"
+#include "bench/run/terminate.h"
 
 #include <errno.h>
 #include <gsl/gsl_rng.h>

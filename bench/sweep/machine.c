@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The header of a run: what was run, on what. */
 #include "bench/commit.h"
-#include "bench/json.h"
+#include "bench/results/json.h"
 #include "bench/sweep/sweep.h"
 
 #include <hwloc.h>

@@ -2,7 +2,7 @@
 /* What a sweep found, as a table: who is right, how long they took, and against
  * whom; and what has changed since an earlier one. */
 #include "bench/sweep/sweep.h"
-#include "bench/times.h"
+#include "bench/results/times.h"
 
 #include <math.h>
 #include <string.h>

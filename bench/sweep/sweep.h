@@ -7,8 +7,8 @@
 #define HSR_BENCH_SWEEP_SWEEP_H
 
 #include "bench/command.h"
-#include "bench/judge.h"
-#include "bench/results.h"
+#include "bench/judge/judge.h"
+#include "bench/results/results.h"
 
 enum {
   SWEEP_MOST_NAMES = 4096,

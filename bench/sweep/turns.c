@@ -3,8 +3,8 @@
  * none does while another does. So whatever disturbs the machine for a while
  * disturbs all alike. */
 #include "bench/sweep/sweep.h"
-#include "bench/terminate.h"
-#include "common/json_read.h"
+#include "bench/run/terminate.h"
+#include "common/files/json_read.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -2,7 +2,7 @@
 /* hsr tables: the tables of Sutherland et al. 1974, measured; and Greene's. */
 #include "bench/tables/greene.h"
 #include "bench/tables/tables.h"
-#include "bench/json.h"
+#include "bench/results/json.h"
 #include "bench/sweep/sweep.h"
 
 #include <stdlib.h>

@@ -7,13 +7,13 @@
 #ifndef HSR_BENCH_GREENE_H
 #define HSR_BENCH_GREENE_H
 
-#include "bench/results.h"
+#include "bench/results/results.h"
 
 #include <stdbool.h>
 
 /* A number that a cell of the results has. */
 struct greene_term {
-  const char *cell; /* its key (bench/results.h) */
+  const char *cell; /* its key (bench/results/results.h) */
   const char *of;   /* counters, joined by '+'; or "seconds", the least of a
                        frame;   or "samples", of all frames */
 };

@@ -2,7 +2,7 @@
 /* The tables as one JSON object, of the schema hsr-tables/1. */
 #include "bench/tables/claims.h"
 #include "bench/tables/greene.h"
-#include "bench/json.h"
+#include "bench/results/json.h"
 #include "bench/list.h"
 
 #include <math.h>

@@ -10,7 +10,7 @@
 #include "algorithms/algorithm.h"
 #include "bench/tables/growth.h"
 #include "bench/tables/paper_1974.h"
-#include "bench/results.h"
+#include "bench/results/results.h"
 
 enum { TABLES_VIEW = 1, TABLES_SIZE = 500, MOST_SCENES = 32, MOST_STEPS = 16 };
 

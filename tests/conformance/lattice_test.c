@@ -3,7 +3,7 @@
  * that ties abound: every algorithm against the oracle, sample for sample.
  *
  * usage: lattice_test [SCENES [SEED]]      standard: 2000 scenes, seed 1 */
-#include "common/predicates.h"
+#include "common/exact/predicates.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -5,7 +5,7 @@
  *
  * usage: line_lattice_test [SCENES [SEED]]      standard: 500 scenes, seed 1 */
 #include "scenes/scenes.h"
-#include "scenes/shapes.h"
+#include "scenes/parts/shapes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer target for a mesh reader. -DHSR_FUZZ_SUFFIX chooses it: '".off"'.
-#include "common/exchange.h"
+#include "common/files/mesh/exchange.h"
 #include "tests/fuzz/fuzz_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -4,7 +4,7 @@
 #ifndef HSR_TESTS_FUZZ_READER_H
 #define HSR_TESTS_FUZZ_READER_H
 
-#include "common/scene.h"
+#include "common/scene/scene.h"
 
 #include <cstdint>
 #include <cstdio>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Changes of a scene that must not change its picture, or change it in a known
  * way: for every algorithm, without the oracle. */
-#include "common/predicates.h"
+#include "common/exact/predicates.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 

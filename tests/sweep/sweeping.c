@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/sweep/sweeping.h"
 
-#include "bench/figures.h"
+#include "bench/results/figures.h"
 
 #include <errno.h>
 #include <signal.h>

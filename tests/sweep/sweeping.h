@@ -5,7 +5,7 @@
 #ifndef HSR_TESTS_SWEEP_SWEEPING_H
 #define HSR_TESTS_SWEEP_SWEEPING_H
 
-#include "bench/results.h"
+#include "bench/results/results.h"
 #include "tests/tap.h"
 
 #include <sys/types.h>

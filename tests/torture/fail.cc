@@ -13,7 +13,7 @@
 //                    being in the file HSR_FAIL_WORDS: status 0, or 4 with one
 //                    line. HSR_FAIL_LOG then gets what was wrong and, as the
 //                    last line, how many were tried.
-#include "bench/terminate.h"
+#include "bench/run/terminate.h"
 
 #include <fcntl.h>
 #include <jansson.h>

@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Brute force without memory: at every raster element, search all faces.
+ *
+ * Source      Sutherland, Sproull and Schumacker 1974, appendix B,
+ *             "Brute-Force Image-Space": the cost of finding the visible face
+ * at each element by examining every face; in form, the ray casting of A.
+ * Appel, "Some techniques for shading machine renderings of solids", AFIPS SJCC
+ * 1968. Notation    raster element -> sample (i, j); minimax box ->
+ * screen.bounds Invariant   nearest is the visible one of the faces seen so far
+ * Ties        by hsr_nearer: the picture's order
+ * Departures  the culls that the paper calls universally applicable come first;
+ *             the minimax test precedes the surround test
+ * Cost        100 n m F_r predicted: the minimax tests are n m F_r */
+#include "algorithms/algorithm.h"
+#include "common/exact/screen.h"
+
+enum { MINIMAX, SURROUND, DEPTH };
+
+static const struct hsr_counter counters[] = {
+    [MINIMAX] = {"minimax tests", "faces whose box was compared with a sample"},
+    [SURROUND] = {"surround tests", "faces tested for surrounding a sample"},
+    [DEPTH] = {"depth tests", "depths compared"},
+    {NULL, NULL}};
+
+static double predict_search(const struct hsr_table1 *t) {
+  return 100 * t->n * t->m * t->F_r;
+}
+
+static const struct hsr_step steps[] = {
+    {"search of all faces", MINIMAX, 100, "100 n m F_r", predict_search},
+    {NULL, 0, 0, NULL, NULL}};
+
+static uint32_t visible_face(const struct hsr_screen *screen, int i, int j,
+                             struct hsr_tally *tally) {
+  uint32_t nearest = HSR_BACKGROUND;
+  for (uint32_t r = 0; r < screen->n_relevant; r++) {
+    uint32_t f = screen->relevant[r];
+    const struct hsr_bounds *box = &screen->bounds[f];
+    HSR_STEP(tally, MINIMAX, HSR_COMPARE, f, HSR_NOTHING, i, j, i + 1, j + 1);
+    if (i < box->x0 || i >= box->x1 || j < box->y0 || j >= box->y1)
+      continue;
+    HSR_TOUCH(tally, i, j);
+    HSR_STEP(tally, SURROUND, HSR_SAMPLE, f, HSR_NOTHING, i, j, i + 1, j + 1);
+    if (!hsr_covers(screen, f, i, j, tally))
+      continue;
+    if (nearest != HSR_BACKGROUND) {
+      HSR_STEP(tally, DEPTH, HSR_COMPARE, f, nearest, i, j, i + 1, j + 1);
+      if (!hsr_nearer(screen, f, nearest, i, j, tally))
+        continue;
+    }
+    nearest = f;
+  }
+  return nearest;
+}
+
+static double expense(const struct hsr_world *world,
+                      const struct hsr_view *view) {
+  return (double)view->m * view->n * world->n_faces;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct hsr_screen screen;
+  if (hsr_screen_make(&screen, job->world, job->view, job->scratch, job->tally))
+    return hsr_fail_nomem(err);
+  const struct hsr_window *w = &job->view->window;
+  for (int j = w->y0; j < w->y1; j++)
+    for (int i = w->x0; i < w->x1; i++)
+      job->ids[(size_t)j * job->ids_stride + (size_t)i] =
+          visible_face(&screen, i, j, job->tally);
+  return HSR_OK;
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(raycast) = {
+    .name = "raycast",
+    .title = "Brute force without memory",
+    .authors = "A. Appel; Sutherland, Sproull and Schumacker",
+    .year = 1968,
+    .source = "Appel, AFIPS SJCC 1968; Sutherland et al., Computing Surveys "
+              "6(1), 1974, appendix B",
+    .taxonomy = HSR_BRUTE_FORCE,
+    .sort_order = "(XY)Z",
+    .coherence = NULL,
+    .kind = HSR_IDS,
+    .counters = counters,
+    .steps = steps,
+    .expense = expense,
+    .render = render};

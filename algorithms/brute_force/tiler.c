@@ -1,0 +1,1038 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The proofs of the fast way's bounds.
+ *
+ * Snapping moves a coordinate by at most s = 2^-16 + 2^-26 (common/exact/screen.h),
+ * or 2^-24 more than 2^-16 where that is all that is known of it. With W and H
+ * the width and height in pixels of the box of the samples in question, and
+ * everything of the triangle within it but for 2 pixels, the sides d = b - a of
+ * the triangle and the offsets h of a sample from a vertex are at most W + 2
+ * and H + 2.
+ *
+ * Coverage. e = dx hy - dy hx changes by at most 2.1 s (|dx| + |dy| + |hx| +
+ * |hy|) <= 4.2 s (W + H + 4). Differences of snapped coordinates are exact in
+ * floats, being below 2^24 grid units. e is computed as (e_00 + ey jj) + ex ii,
+ * or as (e_00 + ex ii) + ey jj; its products and sums, seven roundings of terms
+ * no larger than 2 (W + 2)(H + 2), err by at most 14 * 2^-24 (W + 2)(H + 2) <
+ * 2^-20 (W + 2)(H + 2). The bound is 5 s (W + H + 4) + 2^-20 (W + 2)(H + 2). A
+ * fused multiply-add leaves out the rounding of its product, here and below,
+ * and errs by no more than what is reckoned for the two operations.
+ *
+ * Depth. The plane through the snapped vertices with their depths q^ differs at
+ * a sample of the triangle from the true one by the interpolated residuals at
+ * the vertices, each at most 2^-23 q + |g|_1 s, g the gradient of q; the
+ * weights are at most 1 + 1/16 since |A| >= 64 s (W + H + 4), A the doubled
+ * area. The gradient computed from A and differences D1, D2 of depths carries,
+ * times the box, at most 2^-24 M (3 k + 5), where M = (|D1| (|dy2| W + |dx2| H)
+ * + |D2| (|dy1| W + |dx1| H)) / |A| and k = (|dx1 dy2| + |dx2 dy1|) / |A|;
+ * evaluating it takes four roundings of at most 2^-24 (q_max + M). Where D1 and
+ * D2 are at most q_min in size, so that q_max <= 2 q_min, and M <= 4 q_min,
+ * M (k + 2) <= 16 q_min, |g|_1 <= 0.3 q_min, the sum is at most
+ *     (2^-23 + 0.3 * 2^-16) 17/16 + 2^-24 (48 + 24) < 0.7 * 2^-16
+ * of q, and HSR_RHO = 2^-16 holds it. A triangle that does not fulfil all this
+ * takes the general way. */
+#include "algorithms/brute_force/tiler.h"
+#include "common/base/vector.h"
+
+#include <limits.h>
+#include <string.h>
+
+/* The counting build takes the portable way, so that what it counts and traces
+ * is the same on every machine: triangle after triangle, sample by sample. */
+#if defined __x86_64__ && HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
+#include <immintrin.h>
+#define HAVE_AVX512_TWIN 1
+#define AVX512 __attribute__((target("avx512f")))
+#endif
+
+/* Only to measure what exactness costs: decide by the floats alone. */
+#ifndef HSR_INEXACT
+#define HSR_INEXACT 0
+#endif
+
+enum {
+  GRID_BITS = 15,
+  GRID = 1 << GRID_BITS, /* grid units a pixel */
+  UNSAFE = INT_MIN,      /* snapped coordinate of a vertex that is not safe */
+  LARGEST_BOX = 500,     /* pixels; keeps differences below 2^24 grid units */
+  LANES = 16,
+  SMALL_BOX = 16, /* samples; above, a triangle fills its own lanes */
+  QUEUE = 512     /* samples */
+};
+/* Pixels; sums and differences of snapped coordinates fit in an int. */
+static const double FARTHEST = 32767.9;
+static const float SNAP = 0x1.01p-16f; /* s */
+
+/* A row of a face that covers all of it: 1/t = a sx + (b sy) + c. */
+struct span {
+  uint32_t f, id;
+  double a, by, c;
+  float least; /* a depth is unknown unless it is more: within HSR_RHO */
+  int j, x0, x1;
+};
+
+/* The steps that are written twice, for every machine and for AVX-512. */
+struct hsr_twin {
+  void (*gather)(const struct hsr_tiler *, struct hsr_batch *);
+  void (*compact)(struct hsr_batch *);
+  void (*tile_span)(struct hsr_tiler *, const struct span *);
+  void (*tile)(struct hsr_tiler *, const struct hsr_triangle *);
+  void (*tile_batch)(struct hsr_tiler *, const struct hsr_batch *);
+  void (*write_back)(const struct hsr_tiler *, const struct hsr_job *);
+};
+
+/* --- What floats cannot tell
+ * -------------------------------------------------- */
+
+/* Has the screen's vertices transformed. */
+static inline void need_screen(struct hsr_tiler *t) {
+  void (*lay_out)(void *) = t->lay_out;
+  t->lay_out = NULL;
+  if (lay_out)
+    lay_out(t->context);
+}
+
+static bool covers(struct hsr_tiler *t, uint32_t f, int i, int j) {
+  HSR_COUNT(t->tally, HSR_UNSURE_COVER, 1);
+  need_screen(t);
+  t->screen.whole[f] = true;
+  return hsr_covers(&t->screen, f, i, j, t->tally);
+}
+
+/* Is the face called id nearer than what the sample holds? */
+static bool is_nearer(struct hsr_tiler *t, uint32_t id, uint32_t held, int i,
+                      int j) {
+  if (held == HSR_BACKGROUND || held == id)
+    return held != id;
+  HSR_COUNT(t->tally, HSR_UNSURE_DEPTH, 1);
+  if (t->pair)
+    return hsr_pair_nearer(t->pair, id, held, i, j, t->tally);
+  hsr_screen_plane(&t->screen, id);
+  hsr_screen_plane(&t->screen, held);
+  return hsr_nearer(&t->screen, id, held, i, j, t->tally);
+}
+
+/* Decides sample (i, j) for face f, called id, of depth q there; `sure` if it
+ * covers it for certain: then f does not matter. */
+static inline void settle(struct hsr_tiler *t, uint32_t f, uint32_t id, float q,
+                          bool sure, int i, int j) {
+  size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
+  uint32_t *held = &t->ids[y * t->ids_stride + x];
+  float *z = &t->z[y * t->z_stride + x];
+#if HSR_INEXACT
+  (void)covers;
+  (void)is_nearer;
+  (void)f;
+  if (sure && q > *z) {
+    *z = q;
+    *held = id;
+  }
+#else
+  if (!sure && !covers(t, f, i, j))
+    return;
+  HSR_TOUCH(t->tally, i, j);
+  HSR_STEP(t->tally, HSR_DEPTH_TESTS, HSR_COMPARE, id, *held, i, j, i + 1,
+           j + 1);
+  bool clear = q > *z * HSR_CLEAR || q * HSR_CLEAR < *z;
+  HSR_COUNT_DEPTHS(t->tally, clear && *held != HSR_BACKGROUND);
+  if (clear ? q < *z : !is_nearer(t, id, *held, i, j))
+    return;
+  HSR_STEP(t->tally, HSR_WRITES, HSR_ACCEPT, id, *held, i, j, i + 1, j + 1);
+  HSR_COUNT(t->tally, HSR_OVERWRITES, *held != HSR_BACKGROUND);
+  *z = q;
+  *held = id;
+#endif
+}
+
+/* What face f of the world at hand is called. */
+static inline uint32_t called(const struct hsr_tiler *t, uint32_t f) {
+  return t->id ? t->first_id + t->id[f] : f;
+}
+
+/* --- Looking at a batch
+ * ---------------------------------------------------------- */
+
+/* The corners of the faces from the k-th on. */
+static void gather_from(const struct hsr_tiler *t, struct hsr_batch *batch,
+                        int k) {
+  const struct hsr_world *world = t->screen.world;
+  const uint32_t *restrict vertex = world->vertex + 3 * (size_t)batch->first;
+  const struct hsr_corner *restrict corner = t->corner;
+  struct hsr_corners *restrict r = &batch->corners;
+  for (; k < batch->n; k++) {
+    struct hsr_corner a = corner[vertex[3 * k]], b = corner[vertex[3 * k + 1]],
+                      c = corner[vertex[3 * k + 2]];
+    r->ax[k] = a.x, r->ay[k] = a.y, r->qa[k] = a.q;
+    r->bx[k] = b.x, r->by[k] = b.y, r->qb[k] = b.q;
+    r->cx[k] = c.x, r->cy[k] = c.y, r->qc[k] = c.q;
+    batch->one_sided[k] = world->one_sided[batch->first + (uint32_t)k];
+  }
+}
+
+static void gather_portable(const struct hsr_tiler *t, struct hsr_batch *b) {
+  gather_from(t, b, 0);
+}
+
+#ifdef HAVE_AVX512_TWIN
+
+/* Corners v[0], v[12], v[24] and v[36]. */
+AVX512 static inline __m512i load_corners(const struct hsr_corner *corner,
+                                          const uint32_t *v) {
+  __m512i r =
+      _mm512_castsi128_si512(_mm_loadu_si128((const __m128i *)&corner[v[0]]));
+  r = _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[12]]),
+                         1);
+  r = _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[24]]),
+                         2);
+  return _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[36]]),
+                            3);
+}
+
+/* Corners v[0], v[3], ... v[45]: four transpositions of four by four. */
+AVX512 static inline void gather_corners(const struct hsr_corner *corner,
+                                         const uint32_t *v, int *x, int *y,
+                                         float *q) {
+  __m512i c0 = load_corners(corner, v), c1 = load_corners(corner, v + 3),
+          c2 = load_corners(corner, v + 6), c3 = load_corners(corner, v + 9);
+  __m512i xy01 = _mm512_unpacklo_epi32(c0, c1),
+          xy23 = _mm512_unpacklo_epi32(c2, c3),
+          q01 = _mm512_unpackhi_epi32(c0, c1),
+          q23 = _mm512_unpackhi_epi32(c2, c3);
+  _mm512_storeu_si512(x, _mm512_unpacklo_epi64(xy01, xy23));
+  _mm512_storeu_si512(y, _mm512_unpackhi_epi64(xy01, xy23));
+  _mm512_storeu_si512(q, _mm512_unpacklo_epi64(q01, q23));
+}
+
+AVX512 static void gather_avx512(const struct hsr_tiler *t,
+                                 struct hsr_batch *b) {
+  const struct hsr_world *world = t->screen.world;
+  const uint32_t *v = world->vertex + 3 * (size_t)b->first;
+  const void *one_sided = world->one_sided + b->first;
+  struct hsr_corners *r = &b->corners;
+  int k = 0;
+  for (; k + LANES <= b->n; k += LANES, v += 3 * LANES) {
+    gather_corners(t->corner, v, r->ax + k, r->ay + k, r->qa + k);
+    gather_corners(t->corner, v + 1, r->bx + k, r->by + k, r->qb + k);
+    gather_corners(t->corner, v + 2, r->cx + k, r->cy + k, r->qc + k);
+    __m128i bytes = _mm_loadu_si128((const __m128i *)one_sided + k / LANES);
+    _mm512_storeu_si512(b->one_sided + k, _mm512_cvtepu8_epi32(bytes));
+  }
+  gather_from(t, b, k);
+}
+
+#endif
+
+/* Finds their boxes, turns them so that their area on the screen is positive,
+ * and says what becomes of them. */
+HSR_VECTOR static int look(const struct hsr_tiler *t, int n,
+                           struct hsr_corners *restrict r,
+                           const int *restrict one_sided, int *restrict fate) {
+  int any = 0;
+  const int fx = t->first_x, fy = t->first_y;
+  const int wx0 = t->window.x0, wx1 = t->window.x1, wy0 = t->window.y0,
+            wy1 = t->window.y1;
+  const float near = (float)t->view->near, unit = 1.0f / GRID;
+  for (int k = 0; k < n; k++) {
+    int ax = r->ax[k], bx = r->bx[k], cx = r->cx[k];
+    int ay = r->ay[k], by = r->by[k], cy = r->cy[k];
+    float qa = r->qa[k], qb = r->qb[k], qc = r->qc[k];
+    int unsafe = (ax == UNSAFE) | (bx == UNSAFE) | (cx == UNSAFE);
+    int safe = unsafe - 1;              /* all bits, or none */
+    ax &= safe, bx &= safe, cx &= safe; /* nothing below may overflow */
+    ay &= safe, by &= safe, cy &= safe;
+    int lo_x = ax < bx ? ax : bx, hi_x = ax < bx ? bx : ax;
+    int lo_y = ay < by ? ay : by, hi_y = ay < by ? by : ay;
+    lo_x = cx < lo_x ? cx : lo_x;
+    hi_x = cx > hi_x ? cx : hi_x;
+    lo_y = cy < lo_y ? cy : lo_y;
+    hi_y = cy > hi_y ? cy : hi_y;
+
+    /* Samples from lo - 1 to hi + 1 grid units, within the window. */
+    int x0 = (lo_x - 1 - fx + GRID - 1) >> GRID_BITS;
+    int x1 = ((hi_x + 1 - fx) >> GRID_BITS) + 1;
+    int y0 = (lo_y - 1 - fy + GRID - 1) >> GRID_BITS;
+    int y1 = ((hi_y + 1 - fy) >> GRID_BITS) + 1;
+    x0 = x0 < wx0 ? wx0 : x0;
+    x1 = x1 > wx1 ? wx1 : x1;
+    y0 = y0 < wy0 ? wy0 : y0;
+    y1 = y1 > wy1 ? wy1 : y1;
+    int empty = (x0 >= x1) | (y0 >= y1);
+
+    /* The doubled area, negative if seen from the front (y runs down). */
+    float width = (float)(hi_x - lo_x) * unit;
+    float height = (float)(hi_y - lo_y) * unit;
+    float d1x = (float)(bx - ax) * unit, d1y = (float)(by - ay) * unit;
+    float d2x = (float)(cx - ax) * unit, d2y = (float)(cy - ay) * unit;
+    float area = d1x * d2y - d2x * d1y;
+    float least = 64 * SNAP * (width + height + 4) +
+                  0x1p-20f * (width + 2) * (height + 2);
+    int small = (width <= LARGEST_BOX) & (height <= LARGEST_BOX);
+    int back = small & (area > least) & one_sided[k];
+    int thick = (area > least) | (area < -least);
+    float nearest = qa > qb ? qa : qb;
+    nearest = qc > nearest ? qc : nearest;
+    int past_near = near * nearest < 0.99f;
+
+    int turned = area < 0;
+    r->bx[k] = turned ? cx : bx;
+    r->by[k] = turned ? cy : by;
+    r->cx[k] = turned ? bx : cx;
+    r->cy[k] = turned ? by : cy;
+    r->qb[k] = turned ? qc : qb;
+    r->qc[k] = turned ? qb : qc;
+    r->x0[k] = x0;
+    r->y0[k] = y0;
+    r->x1[k] = x1;
+    r->y1[k] = y1;
+    int drop = (unsafe ^ 1) & (empty | back);
+    int fast = (unsafe ^ 1) & small & thick & past_near;
+    fate[k] =
+        (drop ^ 1) * (HSR_GENERALLY - fast); /* or HSR_DROP, or HSR_TILE */
+    any |= fate[k];
+  }
+  return any & HSR_GENERALLY;
+}
+
+/* Makes the k-th triangle, which is that at `place`, the one at `to`. */
+static void move(struct hsr_batch *b, int k, int place, int to) {
+  struct hsr_corners *r = &b->corners;
+  r->ax[to] = r->ax[k], r->ay[to] = r->ay[k], r->qa[to] = r->qa[k];
+  r->bx[to] = r->bx[k], r->by[to] = r->by[k], r->qb[to] = r->qb[k];
+  r->cx[to] = r->cx[k], r->cy[to] = r->cy[k], r->qc[to] = r->qc[k];
+  r->x0[to] = r->x0[k], r->y0[to] = r->y0[k];
+  r->x1[to] = r->x1[k], r->y1[to] = r->y1[k];
+  r->id[to] = r->id[k];
+  b->place[to] = place;
+}
+
+/* Moves the triangles to be tiled to the front. */
+static void compact_portable(struct hsr_batch *b) {
+  int kept = 0;
+  for (int k = 0; k < b->n; k++)
+    if (b->fate[k] == HSR_TILE)
+      move(b, k, k, kept++);
+  b->n_fast = kept;
+}
+
+#ifdef HAVE_AVX512_TWIN
+
+AVX512 static inline __m512i lane_numbers(void) {
+  return _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
+}
+
+/* The first n lanes. */
+static inline __mmask16 first_lanes(int n) {
+  return (__mmask16)(n >= LANES ? 0xffff : (1 << n) - 1);
+}
+
+AVX512 static void compact_avx512(struct hsr_batch *b) {
+  struct hsr_corners *r = &b->corners;
+  void *const rows[] = {r->ax, r->ay, r->bx, r->by, r->cx, r->cy, r->qa,
+                        r->qb, r->qc, r->x0, r->y0, r->x1, r->y1};
+  int kept = 0;
+  for (int k = 0; k < b->n; k += LANES) {
+    __mmask16 keep = _mm512_mask_cmpeq_epi32_mask(
+        first_lanes(b->n - k), _mm512_loadu_si512(b->fate + k),
+        _mm512_set1_epi32(HSR_TILE));
+    if (!keep)
+      continue;
+    /* Never ahead of what is still to be read, since kept <= k. */
+    for (size_t a = 0; a < sizeof rows / sizeof *rows; a++) {
+      __m512i row = _mm512_loadu_si512((int *)rows[a] + k);
+      _mm512_storeu_si512((int *)rows[a] + kept,
+                          _mm512_maskz_compress_epi32(keep, row));
+    }
+    __m512i place = _mm512_add_epi32(lane_numbers(), _mm512_set1_epi32(k));
+    _mm512_storeu_si512(b->place + kept,
+                        _mm512_maskz_compress_epi32(keep, place));
+    kept += __builtin_popcount(keep);
+  }
+  b->n_fast = kept;
+}
+
+#endif
+
+/* Sets up n triangles; good[] says whether floats hold the depth within
+ * HSR_RHO. */
+HSR_VECTOR static void set_up(const struct hsr_tiler *t,
+                              const struct hsr_corners *restrict r, int n,
+                              struct hsr_triangles *restrict out,
+                              int *restrict good) {
+  const int fx = t->first_x, fy = t->first_y;
+  const float unit = 1.0f / GRID;
+  for (int k = 0; k < n; k++) {
+    int ax = r->ax[k], ay = r->ay[k], bx = r->bx[k], by = r->by[k],
+        cx = r->cx[k], cy = r->cy[k];
+    int sx = r->x0[k] * GRID + fx, sy = r->y0[k] * GRID + fy;
+    float abx = (float)(bx - ax) * unit, aby = (float)(by - ay) * unit;
+    float bcx = (float)(cx - bx) * unit, bcy = (float)(cy - by) * unit;
+    float cax = (float)(ax - cx) * unit, cay = (float)(ay - cy) * unit;
+    float hax = (float)(sx - ax) * unit, hay = (float)(sy - ay) * unit;
+    float hbx = (float)(sx - bx) * unit, hby = (float)(sy - by) * unit;
+    float hcx = (float)(sx - cx) * unit, hcy = (float)(sy - cy) * unit;
+    out->e0[k] = abx * hay - aby * hax;
+    out->e1[k] = bcx * hby - bcy * hbx;
+    out->e2[k] = cax * hcy - cay * hcx;
+    out->ex0[k] = -aby;
+    out->ex1[k] = -bcy;
+    out->ex2[k] = -cay;
+    out->ey0[k] = abx;
+    out->ey1[k] = bcx;
+    out->ey2[k] = cax;
+
+    /* How large the box of samples and corners is at most, in pixels. */
+    float w1 = fabsf(abx), w2 = fabsf(cax), h1 = fabsf(aby), h2 = fabsf(cay);
+    float width = w1 + w2, height = h1 + h2;
+    out->bound[k] =
+        5 * SNAP * (width + height + 4) + 0x1p-20f * (width + 2) * (height + 2);
+
+    float product1 = -abx * cay, product2 = -cax * aby;
+    float inverse = 1 / (product1 - product2);
+    float q = r->qa[k], D1 = r->qb[k] - q, D2 = r->qc[k] - q;
+    float qx = (D1 * cay + D2 * aby) * -inverse;
+    float qy = (D1 * cax + D2 * abx) * inverse;
+    out->qx[k] = qx;
+    out->qy[k] = qy;
+    out->q[k] = q + (qx * hax + qy * hay);
+    float M = (fabsf(D1) * (h2 * width + w2 * height) +
+               fabsf(D2) * (h1 * width + w1 * height)) *
+              inverse;
+    float condition = (fabsf(product1) + fabsf(product2)) * inverse;
+    float least = r->qb[k] < q ? r->qb[k] : q;
+    least = r->qc[k] < least ? r->qc[k] : least;
+    good[k] = (M * (condition + 2) <= 16 * least) & (M <= 4 * least) &
+              (fabsf(D1) <= least) & (fabsf(D2) <= least) &
+              (fabsf(qx) + fabsf(qy) <= 0.3f * least);
+  }
+}
+
+void HSR_OF_BUILD(hsr_tiler_look)(const struct hsr_tiler *t,
+                                  struct hsr_batch *b, uint32_t first, int n) {
+  b->first = first;
+  b->n = n;
+  t->twin->gather(t, b);
+  b->general = look(t, n, &b->corners, b->one_sided, b->fate);
+}
+
+void HSR_OF_BUILD(hsr_tiler_compact)(const struct hsr_tiler *t,
+                                     struct hsr_batch *b) {
+  t->twin->compact(b);
+  for (int k = 0; k < b->n_fast; k++)
+    b->corners.id[k] = called(t, b->first + (uint32_t)b->place[k]);
+}
+
+void HSR_OF_BUILD(hsr_tiler_drop)(struct hsr_batch *b, const int *drop) {
+  int kept = 0;
+  for (int k = 0; k < b->n_fast; k++) {
+    if (drop[k])
+      b->fate[b->place[k]] = HSR_DROP;
+    else if (kept++ < k)
+      move(b, k, b->place[k], kept - 1);
+  }
+  b->n_fast = kept;
+}
+
+void HSR_OF_BUILD(hsr_tiler_set_up)(const struct hsr_tiler *t,
+                                    struct hsr_batch *b) {
+  set_up(t, &b->corners, b->n_fast, &b->triangles, b->good);
+  for (int k = 0; k < b->n_fast; k++) {
+    HSR_COUNT(t->tally, HSR_FAST, b->good[k]);
+    if (!b->good[k])
+      b->general = b->fate[b->place[k]] = HSR_GENERALLY;
+  }
+}
+
+struct hsr_triangle HSR_OF_BUILD(hsr_tiler_take)(const struct hsr_batch *b,
+                                                 int k) {
+  const struct hsr_triangles *s = &b->triangles;
+  const struct hsr_corners *r = &b->corners;
+  return (struct hsr_triangle){
+      s->e0[k],    s->e1[k],  s->e2[k],
+      s->ex0[k],   s->ex1[k], s->ex2[k],
+      s->ey0[k],   s->ey1[k], s->ey2[k],
+      s->bound[k], s->q[k],   s->qx[k],
+      s->qy[k],    r->x0[k],  r->y0[k],
+      r->x1[k],    r->y1[k],  b->first + (uint32_t)b->place[k],
+      r->id[k],    false};
+}
+
+/* --- The general way
+ * --------------------------------------------------------------- */
+
+/* The samples that a box and the part being tiled have in common. */
+static inline struct hsr_window clip(const struct hsr_tiler *t, int x0, int y0,
+                                     int x1, int y1) {
+  const struct hsr_window *p = &t->part;
+  return (struct hsr_window){x0 > p->x0 ? x0 : p->x0, y0 > p->y0 ? y0 : p->y0,
+                             x1 < p->x1 ? x1 : p->x1, y1 < p->y1 ? y1 : p->y1};
+}
+
+static void tile_span_from(struct hsr_tiler *t, const struct span *s, int i) {
+  for (; i < s->x1; i++) {
+    float q = (float)(s->a * hsr_sample_x(t->view, i) + s->by + s->c);
+    settle(t, s->f, s->id, q > s->least ? q : NAN, true, i, s->j);
+  }
+}
+
+static void tile_span_portable(struct hsr_tiler *t, const struct span *s) {
+  tile_span_from(t, s, s->x0);
+}
+
+#ifdef HAVE_AVX512_TWIN
+
+AVX512 static inline __m256 eight_depths(const struct span *s, __m512d x) {
+  __m512d q = _mm512_mul_pd(_mm512_set1_pd(s->a), x);
+  q = _mm512_add_pd(_mm512_add_pd(q, _mm512_set1_pd(s->by)),
+                    _mm512_set1_pd(s->c));
+  return _mm512_cvtpd_ps(q);
+}
+
+AVX512 static void tile_span_avx512(struct hsr_tiler *t, const struct span *s) {
+  const __m512 clear = _mm512_set1_ps(HSR_CLEAR);
+  const __m512i id = _mm512_set1_epi32((int)s->id);
+  const __m512d lanes = _mm512_set_pd(7, 6, 5, 4, 3, 2, 1, 0);
+  size_t row = (size_t)(s->j - t->part.y0);
+  uint32_t *ids = t->ids + row * t->ids_stride;
+  float *z = t->z + row * t->z_stride;
+  for (int i = s->x0; i < s->x1; i += LANES) {
+    __m512d x = _mm512_add_pd(lanes, _mm512_set1_pd(hsr_sample_x(t->view, i)));
+    __m512 q = _mm512_castps256_ps512(eight_depths(s, x));
+    x = _mm512_add_pd(x, _mm512_set1_pd(8));
+    q = _mm512_castpd_ps(_mm512_insertf64x4(
+        _mm512_castps_pd(q), _mm256_castps_pd(eight_depths(s, x)), 1));
+    __mmask16 in = first_lanes(s->x1 - i);
+    float *z_here = z + (i - t->part.x0);
+    __m512 held = _mm512_maskz_loadu_ps(in, z_here);
+    __mmask16 known =
+        _mm512_mask_cmp_ps_mask(in, q, _mm512_set1_ps(s->least), _CMP_GT_OQ);
+    __mmask16 nearer = _mm512_mask_cmp_ps_mask(
+        known, q, _mm512_mul_ps(held, clear), _CMP_GT_OQ);
+    __mmask16 farther = _mm512_mask_cmp_ps_mask(known, _mm512_mul_ps(q, clear),
+                                                held, _CMP_LT_OQ);
+    _mm512_mask_storeu_ps(z_here, nearer, q);
+    _mm512_mask_storeu_epi32(ids + (i - t->part.x0), nearer, id);
+    if ((nearer | farther) == in)
+      continue;
+    float depth[LANES];
+    _mm512_storeu_ps(depth, q);
+    for (unsigned rest = in & ~(unsigned)(nearer | farther); rest;
+         rest &= rest - 1) {
+      int l = __builtin_ctz(rest);
+      settle(t, s->f, s->id, known >> l & 1 ? depth[l] : NAN, true, i + l,
+             s->j);
+    }
+  }
+}
+
+#endif
+
+/* Where a depth of the face is within HSR_RHO / 2. */
+static void tile_span(struct hsr_tiler *t, uint32_t f, int j, int x0, int x1) {
+  const struct hsr_depth_plane *p = &t->screen.plane[f];
+  struct span span = {.f = f,
+                      .id = called(t, f),
+                      .a = p->a,
+                      .by = p->b * hsr_sample_y(t->view, j),
+                      .c = p->c,
+                      .least = (float)p->error / (0.5f * HSR_RHO),
+                      .j = j,
+                      .x0 = x0 < t->part.x0 ? t->part.x0 : x0,
+                      .x1 = x1 > t->part.x1 ? t->part.x1 : x1};
+  if (span.x0 < span.x1)
+    t->twin->tile_span(t, &span);
+}
+
+/* The rows from j on that an edge crosses, up to row `end`: those that the
+ * other edge crosses too. */
+static void tile_between(struct hsr_tiler *t, uint32_t f,
+                         const struct hsr_edge *e, const struct hsr_edge *g,
+                         int j, int end) {
+  j = j < t->part.y0 ? t->part.y0 : j;
+  end = end > t->part.y1 ? t->part.y1 : end;
+  for (; j < end; j++) {
+    int x0 = hsr_edge_column(&t->screen, e, j, t->tally);
+    int x1 = hsr_edge_column(&t->screen, g, j, t->tally);
+    tile_span(t, f, j, x0 < x1 ? x0 : x1, x0 < x1 ? x1 : x0);
+  }
+}
+
+/* A triangle that is whole: from its upper corner to the middle one, and from
+ * there to the lower one. */
+static void tile_whole(struct hsr_tiler *t, uint32_t f) {
+  const struct hsr_world *world = t->screen.world;
+  uint32_t v[3];
+  int row[3];
+  memcpy(v, world->vertex + world->start[f], sizeof v);
+  for (int k = 0; k < 3; k++)
+    row[k] = hsr_vertex_row(&t->screen, v[k], t->tally);
+  for (int k = 0; k < 3; k++) { /* bubbles: 0 1, 1 2, 0 1 */
+    int a = k % 2, b = a + 1, r = row[a];
+    uint32_t w = v[a];
+    if (row[a] <= row[b])
+      continue;
+    row[a] = row[b], v[a] = v[b];
+    row[b] = r, v[b] = w;
+  }
+  struct hsr_edge all, upper, lower;
+  hsr_edge_init(&all, &t->screen, v[0], v[2]);
+  hsr_edge_init(&upper, &t->screen, v[0], v[1]);
+  hsr_edge_init(&lower, &t->screen, v[1], v[2]);
+  tile_between(t, f, &all, &upper, row[0], row[1]);
+  tile_between(t, f, &all, &lower, row[1], row[2]);
+}
+
+bool HSR_OF_BUILD(hsr_tiler_place)(struct hsr_tiler *t, uint32_t f) {
+  need_screen(t);
+  if (t->few)
+    hsr_world_find_plane(t->few, f, &t->tally->out_of_memory);
+  hsr_screen_plane(&t->screen, f);
+  if (!hsr_screen_place(&t->screen, f, t->tally))
+    return false;
+  HSR_COUNT(t->tally, HSR_GENERAL, 1);
+  return true;
+}
+
+void HSR_OF_BUILD(hsr_tiler_tile_generally)(struct hsr_tiler *t, uint32_t f) {
+  if (t->screen.whole[f] && hsr_face_size(t->screen.world, f) == 3) {
+    tile_whole(t, f);
+    return;
+  }
+  const struct hsr_bounds *bounds = &t->screen.bounds[f];
+  struct hsr_window box =
+      clip(t, bounds->x0, bounds->y0, bounds->x1, bounds->y1);
+  for (int j = box.y0; j < box.y1; j++) {
+    int n = hsr_face_spans(&t->screen, f, j, t->columns, t->tally);
+    for (int k = 0; k < n; k += 2)
+      tile_span(t, f, j, t->columns[k], t->columns[k + 1]);
+  }
+}
+
+/* --- Tiling triangles
+ * ---------------------------------------------------------- */
+
+/* What a triangle has at a sample: its depth; whether it covers it perhaps, and
+ * for certain. */
+struct at {
+  float q;
+  bool maybe, sure;
+};
+
+static inline struct at look_at(const struct hsr_triangle *tri, int i, int j) {
+  float right = (float)(i - tri->x0), down = (float)(j - tri->y0);
+  float d0 = tri->e0 + tri->ey0 * down + tri->ex0 * right,
+        d1 = tri->e1 + tri->ey1 * down + tri->ex1 * right,
+        d2 = tri->e2 + tri->ey2 * down + tri->ex2 * right;
+  float d = d0 < d1 ? d0 : d1;
+  d = d < d2 ? d : d2;
+  return (struct at){tri->q + tri->qy * down + tri->qx * right,
+                     d >= -tri->bound, d > tri->bound};
+}
+
+bool HSR_OF_BUILD(hsr_tiler_shows)(struct hsr_tiler *t,
+                                   const struct hsr_triangle *tri, int i,
+                                   int j) {
+  struct at at = look_at(tri, i, j);
+  if (!at.maybe || !(at.sure || covers(t, tri->face, i, j)))
+    return false;
+  size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
+  float z = t->z[y * t->z_stride + x];
+  bool clear = at.q > z * HSR_CLEAR || at.q * HSR_CLEAR < z;
+  return clear ? at.q > z
+               : is_nearer(t, tri->id, t->ids[y * t->ids_stride + x], i, j);
+}
+
+void HSR_OF_BUILD(hsr_tiler_tile_before)(struct hsr_tiler *t,
+                                         const struct hsr_triangle *tri) {
+  struct hsr_window box = clip(t, tri->x0, tri->y0, tri->x1, tri->y1);
+  for (int j = box.y0; j < box.y1; j++)
+    for (int i = box.x0; i < box.x1; i++) {
+      struct at at = look_at(tri, i, j);
+      if (!at.maybe || !(at.sure || covers(t, tri->face, i, j)))
+        continue;
+      size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
+      uint32_t *held = &t->ids[y * t->ids_stride + x];
+      HSR_TOUCH(t->tally, i, j);
+      HSR_STEP(t->tally, HSR_WRITES, HSR_ACCEPT, tri->id, *held, i, j, i + 1,
+               j + 1);
+      HSR_COUNT(t->tally, HSR_OVERWRITES, *held != HSR_BACKGROUND);
+      t->z[y * t->z_stride + x] = at.q;
+      *held = tri->id;
+    }
+}
+
+static void tile_portable(struct hsr_tiler *t, const struct hsr_triangle *tri) {
+  struct hsr_window box = clip(t, tri->x0, tri->y0, tri->x1, tri->y1);
+  for (int j = box.y0; j < box.y1; j++) {
+    for (int i = box.x0; i < box.x1; i++) {
+      struct at at = look_at(tri, i, j);
+      if (at.maybe)
+        settle(t, tri->face, tri->id, at.q, at.sure, i, j);
+    }
+  }
+}
+
+static void tile_batch_portable(struct hsr_tiler *t,
+                                const struct hsr_batch *b) {
+  for (int k = 0; k < b->n_fast; k++) {
+    if (!b->good[k])
+      continue;
+    struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
+    tile_portable(t, &triangle);
+  }
+}
+
+/* From the part's ids to the picture's. */
+static void write_back_portable(const struct hsr_tiler *t,
+                                const struct hsr_job *job) {
+  const struct hsr_window *p = &t->part;
+  for (int j = p->y0; j < p->y1; j++)
+    memcpy(job->ids + (size_t)j * job->ids_stride + (size_t)p->x0,
+           t->ids + (size_t)(j - p->y0) * t->ids_stride,
+           (size_t)(p->x1 - p->x0) * sizeof *t->ids);
+}
+
+static const struct hsr_twin portable = {
+    gather_portable, compact_portable,    tile_span_portable,
+    tile_portable,   tile_batch_portable, write_back_portable};
+
+#ifdef HAVE_AVX512_TWIN
+
+/* f + fx x: a linear function along a row. */
+AVX512 static inline __m512 linear(float f, float fx, __m512 x) {
+  return _mm512_fmadd_ps(_mm512_set1_ps(fx), x, _mm512_set1_ps(f));
+}
+
+/* f + fx x + fy y, of sixteen triangles. */
+AVX512 static inline __m512 linear2(const float *f, const float *fx, __m512 x,
+                                    const float *fy, __m512 y) {
+  return _mm512_fmadd_ps(
+      _mm512_loadu_ps(fy), y,
+      _mm512_fmadd_ps(_mm512_loadu_ps(fx), x, _mm512_loadu_ps(f)));
+}
+
+/* Decides some of the sixteen samples from (x, j) on. */
+AVX512 __attribute__((noinline)) static void
+settle_row(struct hsr_tiler *t, const struct hsr_triangle *tri, __m512 q,
+           unsigned lanes, unsigned sure, int x, int j) {
+  float depth[LANES];
+  _mm512_storeu_ps(depth, q);
+  for (; lanes; lanes &= lanes - 1) {
+    int l = __builtin_ctz(lanes);
+    settle(t, tri->face, tri->id, depth[l], sure >> l & 1, x + l, j);
+  }
+}
+
+/* Sixteen samples of each row of a box, from column x on. */
+AVX512 static inline void tile_strip(struct hsr_tiler *t,
+                                     const struct hsr_triangle *tri,
+                                     const struct hsr_window *box, int x) {
+  const __m512 bound = _mm512_set1_ps(tri->bound),
+               minus_bound = _mm512_set1_ps(-tri->bound),
+               clear = _mm512_set1_ps(HSR_CLEAR), one = _mm512_set1_ps(1);
+  const __m512 ey0 = _mm512_set1_ps(tri->ey0), ey1 = _mm512_set1_ps(tri->ey1),
+               ey2 = _mm512_set1_ps(tri->ey2), qy = _mm512_set1_ps(tri->qy);
+  const __m512i id = _mm512_set1_epi32((int)tri->id);
+  __m512 right = _mm512_cvtepi32_ps(
+      _mm512_add_epi32(lane_numbers(), _mm512_set1_epi32(x - tri->x0)));
+  __m512 e0 = linear(tri->e0, tri->ex0, right);
+  __m512 e1 = linear(tri->e1, tri->ex1, right);
+  __m512 e2 = linear(tri->e2, tri->ex2, right);
+  __m512 q0 = linear(tri->q, tri->qx, right);
+  __mmask16 in_box = first_lanes(box->x1 - x);
+  const size_t ids_stride = t->ids_stride, z_stride = t->z_stride;
+  size_t row = (size_t)(box->y0 - t->part.y0),
+         column = (size_t)(x - t->part.x0);
+  uint32_t *ids = t->ids + row * ids_stride + column;
+  float *z = t->z + row * z_stride + column;
+  __m512 down = _mm512_set1_ps((float)(box->y0 - tri->y0));
+  for (int j = box->y0; j < box->y1; j++, ids += ids_stride, z += z_stride) {
+    __m512 d0 = _mm512_fmadd_ps(ey0, down, e0),
+           d1 = _mm512_fmadd_ps(ey1, down, e1),
+           d2 = _mm512_fmadd_ps(ey2, down, e2),
+           q = _mm512_fmadd_ps(qy, down, q0),
+           d = _mm512_min_ps(_mm512_min_ps(d0, d1), d2);
+    down = _mm512_add_ps(down, one);
+    __mmask16 maybe =
+        _mm512_mask_cmp_ps_mask(in_box, d, minus_bound, _CMP_GE_OQ);
+    __mmask16 sure = _mm512_mask_cmp_ps_mask(maybe, d, bound, _CMP_GT_OQ);
+    __m512 held = _mm512_maskz_loadu_ps(maybe, z);
+    __mmask16 nearer = _mm512_mask_cmp_ps_mask(
+        sure, q, _mm512_mul_ps(held, clear), _CMP_GT_OQ);
+    _mm512_mask_storeu_ps(z, nearer, q);
+    _mm512_mask_storeu_epi32(ids, nearer, id);
+    if (nearer == maybe)
+      continue;
+    __mmask16 farther = _mm512_mask_cmp_ps_mask(sure, _mm512_mul_ps(q, clear),
+                                                held, _CMP_LT_OQ);
+    unsigned unsure = maybe & ~(unsigned)(nearer | farther);
+    if (unsure)
+      settle_row(t, tri, q, unsure, sure, x, j);
+  }
+}
+
+/* A triangle with a larger box. */
+AVX512 static void tile_avx512(struct hsr_tiler *t,
+                               const struct hsr_triangle *tri) {
+  struct hsr_window box = clip(t, tri->x0, tri->y0, tri->x1, tri->y1);
+  for (int x = box.x0; x < box.x1; x += LANES)
+    tile_strip(t, tri, &box, x);
+}
+
+/* Samples that small triangles cover for certain, their depths to be compared
+ * with the recorded ones. */
+struct queue {
+  int n;
+  uint32_t at[QUEUE + LANES]; /* column + 2^16 row, from the window's first */
+  float q[QUEUE + LANES];
+  uint32_t id[QUEUE + LANES];
+};
+
+static void compare_queue(struct hsr_tiler *t, struct queue *queue) {
+  const size_t ids_stride = t->ids_stride, z_stride = t->z_stride;
+  const struct hsr_window *w = &t->window; /* it is the only part */
+  uint32_t *ids = t->ids;
+  float *z = t->z;
+  for (int k = 0; k < queue->n; k++) {
+    size_t x = queue->at[k] & 0xffff, y = queue->at[k] >> 16;
+    size_t place = y * z_stride + x;
+    float q = queue->q[k], held = z[place];
+    if (__builtin_expect(q > held * HSR_CLEAR, 1)) {
+      z[place] = q;
+      ids[y * ids_stride + x] = queue->id[k];
+    } else if (__builtin_expect(!(q * HSR_CLEAR < held), 0)) {
+      settle(t, HSR_NOTHING, queue->id[k], q, true, w->x0 + (int)x,
+             w->y0 + (int)y);
+    }
+  }
+  queue->n = 0;
+}
+
+/* Adds the samples of some lanes. */
+AVX512 static inline void enqueue(struct hsr_tiler *t, struct queue *queue,
+                                  __mmask16 lanes, __m512i at, __m512 q,
+                                  __m512i id) {
+  int n = queue->n;
+  _mm512_storeu_si512(queue->at + n, _mm512_maskz_compress_epi32(lanes, at));
+  _mm512_storeu_ps(queue->q + n, _mm512_maskz_compress_ps(lanes, q));
+  _mm512_storeu_si512(queue->id + n, _mm512_maskz_compress_epi32(lanes, id));
+  queue->n = n + __builtin_popcount(lanes);
+  if (queue->n > QUEUE)
+    compare_queue(t, queue);
+}
+
+/* Decides samples that triangles k to k + 15 cover perhaps. */
+AVX512 __attribute__((noinline)) static void
+settle_lanes(struct hsr_tiler *t, const struct hsr_batch *b, int k,
+             unsigned lanes, __m512i at, __m512 q) {
+  uint32_t places[LANES];
+  float depth[LANES];
+  _mm512_storeu_si512(places, at);
+  _mm512_storeu_ps(depth, q);
+  for (; lanes; lanes &= lanes - 1) {
+    int l = __builtin_ctz(lanes);
+    settle(t, b->first + (uint32_t)b->place[k + l], b->corners.id[k + l],
+           depth[l], false, t->window.x0 + (int)(places[l] & 0xffff),
+           t->window.y0 + (int)(places[l] >> 16));
+  }
+}
+
+/* Which of sixteen triangles have a small box. */
+AVX512 static __mmask16 small_ones(const struct hsr_batch *b, int k,
+                                   __mmask16 good) {
+  const struct hsr_corners *r = &b->corners;
+  __m512i width = _mm512_sub_epi32(_mm512_loadu_si512(r->x1 + k),
+                                   _mm512_loadu_si512(r->x0 + k));
+  __m512i height = _mm512_sub_epi32(_mm512_loadu_si512(r->y1 + k),
+                                    _mm512_loadu_si512(r->y0 + k));
+  return _mm512_mask_cmple_epi32_mask(good, _mm512_mullo_epi32(width, height),
+                                      _mm512_set1_epi32(SMALL_BOX));
+}
+
+/* Triangles k to k + 15, those that are small, each in a lane of its own: all
+ * go through the samples of their boxes in step, row by row. */
+AVX512 static void tile_small(struct hsr_tiler *t, const struct hsr_batch *b,
+                              int k, __mmask16 small, struct queue *queue) {
+  const struct hsr_corners *r = &b->corners;
+  const struct hsr_triangles *s = &b->triangles;
+  const __m512 one = _mm512_set1_ps(1), bound = _mm512_loadu_ps(s->bound + k),
+               minus_bound = _mm512_sub_ps(_mm512_setzero_ps(), bound);
+  __m512i x0 = _mm512_loadu_si512(r->x0 + k),
+          y0 = _mm512_loadu_si512(r->y0 + k);
+  __m512i columns = _mm512_sub_epi32(_mm512_loadu_si512(r->x1 + k), x0);
+  __m512 width = _mm512_cvtepi32_ps(columns);
+  __m512 height =
+      _mm512_cvtepi32_ps(_mm512_sub_epi32(_mm512_loadu_si512(r->y1 + k), y0));
+  __m512i id = _mm512_loadu_si512(r->id + k);
+  x0 = _mm512_sub_epi32(x0, _mm512_set1_epi32(t->window.x0));
+  y0 = _mm512_sub_epi32(y0, _mm512_set1_epi32(t->window.y0));
+  __m512i at = _mm512_add_epi32(x0, _mm512_slli_epi32(y0, 16));
+  __m512i next_row = _mm512_sub_epi32(_mm512_set1_epi32(1 << 16), columns);
+  __m512 right = _mm512_setzero_ps(), down = _mm512_setzero_ps();
+  for (__mmask16 active = small; active;) {
+    __m512 d0 = linear2(s->e0 + k, s->ex0 + k, right, s->ey0 + k, down);
+    __m512 d1 = linear2(s->e1 + k, s->ex1 + k, right, s->ey1 + k, down);
+    __m512 d2 = linear2(s->e2 + k, s->ex2 + k, right, s->ey2 + k, down);
+    __m512 q = linear2(s->q + k, s->qx + k, right, s->qy + k, down);
+    __m512 d = _mm512_min_ps(_mm512_min_ps(d0, d1), d2);
+    unsigned maybe =
+        _mm512_mask_cmp_ps_mask(active, d, minus_bound, _CMP_GE_OQ);
+    unsigned sure = _mm512_mask_cmp_ps_mask(active, d, bound, _CMP_GT_OQ);
+    enqueue(t, queue, (__mmask16)sure, at, q, id);
+    if (__builtin_expect(maybe != sure, 0))
+      settle_lanes(t, b, k, maybe & ~sure, at, q);
+    right = _mm512_add_ps(right, one);
+    at = _mm512_add_epi32(at, _mm512_set1_epi32(1));
+    __mmask16 end = _mm512_cmp_ps_mask(right, width, _CMP_GE_OQ);
+    right = _mm512_mask_mov_ps(right, end, _mm512_setzero_ps());
+    down = _mm512_mask_add_ps(down, end, down, one);
+    at = _mm512_mask_add_epi32(at, end, at, next_row);
+    active = _mm512_mask_cmp_ps_mask(active, down, height, _CMP_LT_OQ);
+  }
+}
+
+AVX512 static void tile_batch_avx512(struct hsr_tiler *t,
+                                     const struct hsr_batch *b) {
+  struct queue queue;
+  queue.n = 0;
+  for (int k = 0; k < b->n_fast; k += LANES) {
+    __m512i flags = _mm512_loadu_si512(b->good + k);
+    __mmask16 good =
+        _mm512_mask_test_epi32_mask(first_lanes(b->n_fast - k), flags, flags);
+    __mmask16 small = small_ones(b, k, good);
+    tile_small(t, b, k, small, &queue);
+    for (unsigned large = good & ~(unsigned)small; large; large &= large - 1) {
+      struct hsr_triangle triangle =
+          HSR_OF_BUILD(hsr_tiler_take)(b, k + __builtin_ctz(large));
+      tile_avx512(t, &triangle);
+    }
+  }
+  compare_queue(t, &queue);
+}
+
+/* Past the caches, which have better use than rows that are done. */
+AVX512 static void write_back_avx512(const struct hsr_tiler *t,
+                                     const struct hsr_job *job) {
+  const struct hsr_window *p = &t->part;
+  int width = p->x1 - p->x0;
+  for (int j = p->y0; j < p->y1; j++) {
+    const uint32_t *from = t->ids + (size_t)(j - p->y0) * t->ids_stride;
+    uint32_t *to = job->ids + (size_t)j * job->ids_stride + (size_t)p->x0;
+    int i = 0;
+    for (; i < width && (uintptr_t)(to + i) % 64; i++)
+      to[i] = from[i];
+    for (; i + LANES <= width; i += LANES)
+      _mm512_stream_si512((__m512i *)(to + i), _mm512_loadu_si512(from + i));
+    for (; i < width; i++)
+      to[i] = from[i];
+  }
+  _mm_sfence();
+}
+
+static const struct hsr_twin avx512 = {gather_avx512,     compact_avx512,
+                                       tile_span_avx512,  tile_avx512,
+                                       tile_batch_avx512, write_back_avx512};
+
+#endif
+
+static const struct hsr_twin *choose_twin(void) {
+#ifdef HAVE_AVX512_TWIN
+  if (__builtin_cpu_supports("avx512f"))
+    return &avx512;
+#endif
+  return &portable;
+}
+
+/* --- For whoever tiles -----------------------------------------------------
+ */
+
+HSR_VECTOR static void snap(size_t n, const double *restrict sx,
+                            const double *restrict sy, const double *restrict q,
+                            struct hsr_corner *restrict corner) {
+  for (size_t v = 0; v < n; v++) {
+    int safe = (fabs(sx[v]) < FARTHEST) & (fabs(sy[v]) < FARTHEST);
+    corner[v].x = safe ? (int)floor(sx[v] * GRID + 0.5) : UNSAFE;
+    corner[v].y = safe ? (int)floor(sy[v] * GRID + 0.5) : UNSAFE;
+    corner[v].q = (float)q[v];
+    corner[v].unused = 0;
+  }
+}
+
+HSR_VECTOR static int snap_far(size_t n, const double *restrict x,
+                               const double *restrict y,
+                               const double *restrict z, double rows[3][3],
+                               const double *origin, double sure,
+                               struct hsr_corner *restrict corner) {
+  const double a0 = rows[0][0], a1 = rows[0][1], a2 = rows[0][2],
+               a3 = origin[0];
+  const double b0 = rows[1][0], b1 = rows[1][1], b2 = rows[1][2],
+               b3 = origin[1];
+  const double c0 = rows[2][0], c1 = rows[2][1], c2 = rows[2][2],
+               c3 = origin[2];
+  int all = 1;
+  for (size_t v = 0; v < n; v++) {
+    double w = c0 * x[v] + c1 * y[v] + c2 * z[v] + c3, q = 1 / w;
+    double sx = (a0 * x[v] + a1 * y[v] + a2 * z[v] + a3) * q;
+    double sy = (b0 * x[v] + b1 * y[v] + b2 * z[v] + b3) * q;
+    int safe = (w > sure) & (fabs(sx) < FARTHEST) & (fabs(sy) < FARTHEST);
+    all &= safe;
+    corner[v].x = safe ? (int)floor(sx * GRID + 0.5) : UNSAFE;
+    corner[v].y = safe ? (int)floor(sy * GRID + 0.5) : UNSAFE;
+    corner[v].q = (float)q;
+    corner[v].unused = 0;
+  }
+  return all;
+}
+
+/* Do the samples lie on the grid? */
+static bool find_grid(struct hsr_tiler *t) {
+  double first_x = hsr_sample_x(t->view, 0) * GRID;
+  double first_y = hsr_sample_y(t->view, 0) * GRID;
+  t->first_x = (int)first_x;
+  t->first_y = (int)first_y;
+  return first_x == t->first_x && first_y == t->first_y;
+}
+
+void HSR_OF_BUILD(hsr_tiler_begin)(struct hsr_tiler *t,
+                                   const struct hsr_job *job) {
+  *t = (struct hsr_tiler){.view = job->view,
+                          .tally = job->tally,
+                          .window = job->view->window,
+                          .twin = choose_twin()};
+  t->on_grid = find_grid(t);
+}
+
+void HSR_OF_BUILD(hsr_tiler_snap)(struct hsr_tiler *t) {
+  snap(t->screen.world->n_vertices, t->screen.sx, t->screen.sy, t->screen.q,
+       t->corner);
+}
+
+bool HSR_OF_BUILD(hsr_tiler_snap_far)(struct hsr_tiler *t, size_t n,
+                                      const double *x, const double *y,
+                                      const double *z, double rows[3][3],
+                                      const double origin[3], double sure) {
+  return snap_far(n, x, y, z, rows, origin, sure, t->corner);
+}
+
+void HSR_OF_BUILD(hsr_tiler_begin_part)(struct hsr_tiler *t,
+                                        struct hsr_window part) {
+  size_t width = (size_t)(part.x1 - part.x0);
+  t->part = part;
+  for (int j = 0; j < part.y1 - part.y0; j++) {
+    memset(t->z + (size_t)j * t->z_stride, 0, width * sizeof *t->z);
+    memset(t->ids + (size_t)j * t->ids_stride, 0xff, width * sizeof *t->ids);
+  }
+}
+
+void HSR_OF_BUILD(hsr_tiler_tile_batch)(struct hsr_tiler *t,
+                                        const struct hsr_batch *b) {
+  t->twin->tile_batch(t, b);
+}
+
+void HSR_OF_BUILD(hsr_tiler_tile)(struct hsr_tiler *t,
+                                  const struct hsr_triangle *triangle) {
+  t->twin->tile(t, triangle);
+}
+
+void HSR_OF_BUILD(hsr_tiler_write_back)(const struct hsr_tiler *t,
+                                        const struct hsr_job *job) {
+  t->twin->write_back(t, job);
+}

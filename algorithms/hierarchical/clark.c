@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A z-buffer behind hierarchical frustum culling.
+ *
+ * Source      J. H. Clark, "Hierarchical Geometric Models for Visible Surface
+ *             Algorithms", Communications of the ACM 19(10), 1976; B. Garlick,
+ *             D. Baum and J. Winget, SIGGRAPH course notes, 1990; as told by N.
+ *             Greene, PhD thesis, UC Santa Cruz, 1995, 2.1.
+ * Notation    node outside, inside, partially inside the frustum: HSR_BOX_OUT,
+ *             HSR_BOX_IN, HSR_BOX_PARTIAL
+ * Invariant   every face of which something is in the frustum is tiled once
+ * Departures  the faces of a node that is partially inside are told apart by
+ *             their boxes on the screen, as those of any other are
+ * Cost        proportional to what is in the frustum */
+#include "algorithms/hierarchical/cube_frame.h"
+
+#include <stdlib.h>
+
+enum { NODES = HSR_N_TILER_COUNTERS, INEQUALITIES, NODES_OUT, NODES_IN, FACES };
+
+static const struct hsr_counter counters[] = {
+    HSR_TILER_COUNTERS,
+    [NODES] = {"nodes visited", "octree nodes come to"},
+    [INEQUALITIES] = {"inequalities", "of appendix A, to tell where nodes lie"},
+    [NODES_OUT] = {"nodes out", "outside of the frustum"},
+    [NODES_IN] = {"nodes inside", "wholly, as their subtrees are"},
+    [FACES] = {"faces met", "in nodes that are not outside"},
+    {NULL, NULL}};
+
+struct walk {
+  struct hsr_cube_frame frame;
+  struct hsr_tally *tally;
+};
+
+static void tile_face(struct hsr_tiler *t, uint32_t f) {
+  if (HSR_OF_BUILD(hsr_tiler_place)(t, f))
+    HSR_OF_BUILD(hsr_tiler_tile_generally)(t, f);
+}
+
+static void tile_batch(struct hsr_tiler *t, uint32_t first, int n) {
+  struct hsr_batch batch;
+  HSR_OF_BUILD(hsr_tiler_look)(t, &batch, first, n);
+  HSR_OF_BUILD(hsr_tiler_compact)(t, &batch);
+  HSR_OF_BUILD(hsr_tiler_set_up)(t, &batch);
+  HSR_OF_BUILD(hsr_tiler_tile_batch)(t, &batch);
+  for (int k = 0; k < n && batch.general; k++)
+    if (batch.fate[k] == HSR_GENERALLY)
+      tile_face(t, first + (uint32_t)k);
+}
+
+static void tile_cell(struct walk *w, uint32_t place) {
+  if (!w->frame.object->cell[place].n_faces)
+    return;
+  const struct hsr_cell *cell = HSR_OF_BUILD(hsr_cube_cell)(&w->frame, place);
+  struct hsr_tiler *t = &w->frame.tiler;
+  uint32_t n = t->on_grid ? cell->n_triangles : 0;
+  HSR_COUNT(w->tally, FACES, cell->n_faces);
+  for (uint32_t f = 0; f < n; f += HSR_BATCH)
+    tile_batch(t, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
+  for (uint32_t f = n; f < cell->n_faces; f++)
+    tile_face(t, f);
+}
+
+/* Is the node not outside? *inside: it and its subtree are wholly inside. */
+static bool classify(struct walk *w, const struct hsr_placing *placing,
+                     const struct hsr_octree_node *node, bool *inside) {
+  HSR_COUNT(w->tally, NODES, 1);
+  if (!*inside) {
+    struct hsr_box_work work = {0, 0};
+    struct hsr_octree_box cube = hsr_octree_cube(node);
+    enum hsr_box_verdict verdict = HSR_OF_BUILD(hsr_cube_classify)(
+        &w->frame, placing, &cube, HSR_COUNTING ? &work : NULL);
+    HSR_COUNT(w->tally, INEQUALITIES, work.deciding);
+    HSR_COUNT(w->tally, NODES_OUT, verdict == HSR_BOX_OUT);
+    if (verdict == HSR_BOX_OUT)
+      return false;
+    *inside = verdict == HSR_BOX_IN;
+  }
+  HSR_COUNT(w->tally, NODES_IN, *inside);
+  return true;
+}
+
+static void cull_cube(struct walk *w, uint32_t k, bool inside) {
+  const struct hsr_octree_node *node = &w->frame.object->octree.node[k];
+  if (!classify(w, &w->frame.placing, node, &inside))
+    return;
+  tile_cell(w, k);
+  for (int o = 0; o < 8; o++)
+    if (node->child[o] != HSR_NO_NODE)
+      cull_cube(w, node->child[o], inside);
+}
+
+static void cull_instances(struct walk *w, uint32_t k, bool inside) {
+  const struct hsr_octree *octree = &w->frame.cubes->octree;
+  const struct hsr_octree_node *node = &octree->node[k];
+  if (!classify(w, &w->frame.as_it_is, node, &inside))
+    return;
+  for (uint32_t p = 0; p < node->n; p++) {
+    uint32_t i = octree->item[node->first + p];
+    if (!HSR_OF_BUILD(hsr_cube_is_new)(&w->frame, i))
+      continue;
+    HSR_OF_BUILD(hsr_cube_instance)(&w->frame, i);
+    cull_cube(w, 0,
+              false); /* `inside` is of the node: the instance may not be */
+  }
+  for (int o = 0; o < 8; o++)
+    if (node->child[o] != HSR_NO_NODE)
+      cull_instances(w, node->child[o], inside);
+}
+
+static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
+  struct hsr_tiler *t = &w->frame.tiler;
+  const struct hsr_window *window = &job->view->window;
+  size_t width = (size_t)(window->x1 - window->x0);
+  w->tally = job->tally;
+  if (HSR_OF_BUILD(hsr_cube_frame_begin)(&w->frame, job, job->prepared))
+    return HSR_E_NOMEM;
+  t->z = HSR_NEW(job->scratch, float, width *(size_t)(window->y1 - window->y0));
+  t->z_stride = width;
+  t->ids_stride = job->ids_stride;
+  t->ids = job->ids + (size_t)window->y0 * job->ids_stride + window->x0;
+  if (!t->z)
+    return HSR_E_NOMEM;
+  HSR_OF_BUILD(hsr_tiler_begin_part)(t, *window);
+  return HSR_OK;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct walk w;
+  struct hsr_tiler loose;
+  if (begin(&w, job) || HSR_OF_BUILD(hsr_cube_loose)(&w.frame, &loose))
+    return hsr_fail_nomem(err);
+  for (uint32_t k = 0; k < loose.screen.n_relevant; k++)
+    HSR_OF_BUILD(hsr_tiler_tile_generally)(&loose, loose.screen.relevant[k]);
+  cull_instances(&w, 0, false);
+  const struct hsr_cubes *cubes = w.frame.cubes;
+  for (uint32_t k = 0; k < cubes->n_movers; k++) {
+    HSR_OF_BUILD(hsr_cube_instance)(&w.frame, cubes->mover[k]);
+    cull_cube(&w, 0, false);
+  }
+  return HSR_OK;
+}
+
+/* Each face in one cube: what crosses a median plane stays. */
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  static const struct hsr_octree_rule rule = {
+      .small = 0, .most = 32, .least = 1};
+  (void)option;
+  struct hsr_cubes *cubes = malloc(sizeof *cubes);
+  *prepared = cubes;
+  return cubes ? hsr_cubes_init(cubes, world, &rule, err) : hsr_fail_nomem(err);
+}
+
+static void release(void *prepared) {
+  hsr_cubes_free(prepared);
+  free(prepared);
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(clark) = {
+    .name = "clark",
+    .title = "The z-buffer behind hierarchical frustum culling",
+    .authors = "J. H. Clark; B. Garlick, D. Baum and J. Winget",
+    .year = 1976,
+    .source = "Clark, Communications of the ACM 19(10), 1976; Garlick, Baum "
+              "and Winget, SIGGRAPH course notes, 1990",
+    .taxonomy = HSR_BRUTE_FORCE,
+    .sort_order = "Z(XY)",
+    .coherence = "of objects, in space",
+    .kind = HSR_IDS,
+    .flags = HSR_INSTANCED,
+    .counters = counters,
+    .prepare = prepare,
+    .render = render,
+    .release = release};

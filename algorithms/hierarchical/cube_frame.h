@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One view of a scene in cubes: what every algorithm needs that goes through
+ * the octree of octrees.
+ *
+ * Source      N. Greene, PhD thesis, UC Santa Cruz, 1995, 3.3.1, 3.5 and
+ *             appendix A.
+ * Placing     how an instance takes its object to the world and to the screen;
+ *             cubes of the instances' own octree are placed as they are.
+ * Cell        of the instance at hand, one cell at a time is laid out in the
+ *             world and on the screen, to be tiled.
+ * Certain     a cube that is out, or has an image, is, and has, for all that it
+ *             holds of faces that are not loose, rounded as they are; see
+ *             cube_frame.c. */
+#ifndef HSR_ALGORITHMS_CUBE_FRAME_H
+#define HSR_ALGORITHMS_CUBE_FRAME_H
+
+#include "algorithms/brute_force/tiler.h"
+#include "algorithms/hierarchical/cubes.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct hsr_placing {
+  double m[12];                 /* as in hsr_instance */
+  double grow[3];               /* in the world, for what is rounded */
+  double rows[3][3], origin[3]; /* (w sx, w sy, w) = rows X + origin */
+  double least;                 /* w of what is safely before the eye */
+  double sure; /* w of vertices that rows and origin take within 2^-24 pixel */
+  double eye[3], slack; /* in the object's coordinates, within slack; NaN: the
+                           instance is flat, and has no such */
+  double across[3]
+               [3]; /* what a ray D, from the eye, gains in coordinate k while
+                       its t grows by 1: across[k] (1, sx, sy), within */
+  double across_error[3];
+};
+
+/* The corners of a cube on the screen: corner o as octant o. */
+struct hsr_cube_image {
+  double x[8], y[8]; /* within HSR_CUBE_MARGIN, or far outside any picture */
+  float q[8];        /* none is less than the truth */
+  float nearest;     /* the largest */
+  unsigned front;    /* sides that may face the eye: bit k the one below in
+                        coordinate k, bit k + 3 the one above */
+};
+#define HSR_CUBE_MARGIN 0.125 /* pixels */
+
+struct hsr_cube_frame {
+  const struct hsr_job *job;
+  const struct hsr_cubes *cubes;
+  struct hsr_polyhedron frustum;
+  struct hsr_placing as_it_is; /* of the cubes of instances */
+  struct hsr_tiler tiler;
+  struct hsr_world world; /* of the cell at hand */
+  struct hsr_pair pair;
+  bool *two_sided, *one_sided; /* of all faces of a cell */
+  uint32_t *met;               /* instances, a bit each */
+
+  /* The instance at hand. */
+  uint32_t instance;
+  struct hsr_placing placing;
+  const struct hsr_cubes_object *object;
+  const struct hsr_cell *cell; /* of it, the one at hand */
+};
+
+/* Makes ready for job->view's window, whose memory of depths is left to be
+ * made. HSR_E_NOMEM. */
+enum hsr_status
+    HSR_OF_BUILD(hsr_cube_frame_begin)(struct hsr_cube_frame *frame,
+                                       const struct hsr_job *job,
+                                       const struct hsr_cubes *cubes);
+
+/* A tiler of the scene's loose faces, once the frame's has its memory: those
+ * that are relevant of its screen are to be tiled generally, before any cell.
+ * HSR_E_NOMEM. */
+enum hsr_status HSR_OF_BUILD(hsr_cube_loose)(const struct hsr_cube_frame *frame,
+                                             struct hsr_tiler *tiler);
+
+/* Whether the instance, which may be in several cubes, was not met before. */
+bool HSR_OF_BUILD(hsr_cube_is_new)(struct hsr_cube_frame *frame,
+                                   uint32_t instance);
+
+/* Takes an instance in hand. */
+void HSR_OF_BUILD(hsr_cube_instance)(struct hsr_cube_frame *frame,
+                                     uint32_t instance);
+
+/* Where a cube lies, as of hsr_box_classify. */
+enum hsr_box_verdict HSR_OF_BUILD(hsr_cube_classify)(
+    const struct hsr_cube_frame *frame, const struct hsr_placing *placing,
+    const struct hsr_octree_box *box, struct hsr_box_work *work);
+
+/* The image of a cube; false if it is not safely before the eye and past near,
+ * and has none. */
+bool HSR_OF_BUILD(hsr_cube_project)(const struct hsr_cube_frame *frame,
+                                    const struct hsr_placing *placing,
+                                    const struct hsr_octree_box *box,
+                                    struct hsr_cube_image *image);
+
+/* The corners of side k of a cube, in order around it. */
+extern const unsigned char HSR_OF_BUILD(hsr_cube_side)[6][4];
+
+/* The samples of the window that a side, or a cube, may cover: false if there
+ * are none. */
+bool HSR_OF_BUILD(hsr_cube_bounds)(const struct hsr_cube_frame *frame,
+                                   const struct hsr_cube_image *image,
+                                   const unsigned char *corner, int n_corners,
+                                   struct hsr_bounds *bounds);
+
+/* 1/t on side k of a cube, linear on the screen: q = c + a sx + b sy, and
+ * nowhere in the picture less than the truth. Where too little is known of it,
+ * it is the same all over: the image's nearest. */
+struct hsr_side_depth {
+  double a, b, c;
+};
+struct hsr_side_depth HSR_OF_BUILD(hsr_cube_side_depth)(
+    const struct hsr_placing *placing, const struct hsr_octree_box *box,
+    const struct hsr_cube_image *image, int side);
+
+/* The octant of a cube that is nearest to the eye. */
+int HSR_OF_BUILD(hsr_cube_nearest)(const struct hsr_placing *placing,
+                                   const struct hsr_octree_node *node);
+
+/* Lays out cell `place` of the object at hand: then faces 0 .. n-1 of
+ * frame->world are those of the cell, and the tiler is ready for them. */
+const struct hsr_cell *HSR_OF_BUILD(hsr_cube_cell)(struct hsr_cube_frame *frame,
+                                                   uint32_t place);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

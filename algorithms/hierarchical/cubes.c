@@ -1,0 +1,466 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Notation    u = 2^-53; an instance takes X to M X + m.
+ *
+ * Slack. hsr_instance_vertex makes seven roundings, of terms no larger than
+ * |M| |X|inf-sums and |m|: a coordinate is off by at most 8 u (sum of |M_kl|
+ * reach + |m_k|). What lies between vertices is off by no more, as the same
+ * convex combination. Bounds are grown by twice that.
+ * Where an instance is exact (common/trees/grain.h), a plane stays one. */
+#include "algorithms/hierarchical/cubes.h"
+#include "common/trees/grain.h"
+#include "common/exact/predicates.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double U = DBL_EPSILON / 2;
+
+static struct hsr_loop object_loop(const struct hsr_object *object,
+                                   uint32_t f) {
+  return (struct hsr_loop){object->xyz,
+                           object->xyz + 1,
+                           object->xyz + 2,
+                           3,
+                           object->vertex + object->start[f],
+                           object->start[f + 1] - object->start[f]};
+}
+
+/* --- Which faces are loose ------------------------------------------------ */
+
+/* The faces of object o that go into cubes: how many, in into[]. The others are
+ * marked. */
+static uint32_t part_loose(const struct hsr_cubes *cubes, uint32_t o,
+                           uint32_t *into, bool *out_of_memory) {
+  const struct hsr_scene *scene = cubes->scene;
+  const struct hsr_object *object = &scene->objects[o];
+  uint32_t n = object->n_faces, kept = 0;
+  bool exact = true;
+  if (object->start[n] != 3 * (uint64_t)n) {
+    for (uint32_t i = 0; i < scene->n_instances && exact; i++)
+      exact =
+          scene->instances[i].object != o ||
+          hsr_instance_is_exact(&scene->instances[i], cubes->object[o].grain,
+                                cubes->object[o].reach);
+  }
+  for (uint32_t f = 0; f < n; f++) {
+    struct hsr_loop loop = object_loop(object, f);
+    if (loop.n == 3 || (exact && hsr_is_flat(loop, out_of_memory)))
+      into[kept++] = f;
+    else
+      cubes->object[o].is_loose[f] = true;
+  }
+  return kept;
+}
+
+/* --- An object's octree -----------------------------------------------------
+ */
+
+struct faces {
+  const struct hsr_object *object;
+  const uint32_t *number; /* of those that are placed */
+  double reach;
+};
+
+static struct hsr_box face_bounds(const void *context, uint32_t k) {
+  const struct faces *faces = context;
+  struct hsr_loop loop = object_loop(faces->object, faces->number[k]);
+  struct hsr_box box = {{INFINITY, INFINITY, INFINITY},
+                        {-INFINITY, -INFINITY, -INFINITY}};
+  for (uint32_t c = 0; c < loop.n; c++)
+    for (int a = 0; a < 3; a++) {
+      double x = loop.x[3 * (size_t)loop.vertex[c] + (size_t)a];
+      box.lo[a] = fmin(box.lo[a], x);
+      box.hi[a] = fmax(box.hi[a], x);
+    }
+  return box;
+}
+
+/* Twice the area is the length of Newell's normal. */
+static void face_normal(const struct hsr_loop *loop, double normal[3]) {
+  const double *o = loop->x + 3 * (size_t)loop->vertex[0];
+  memset(normal, 0, 3 * sizeof *normal);
+  for (uint32_t c = 1; c + 1 < loop->n; c++) {
+    const double *a = loop->x + 3 * (size_t)loop->vertex[c];
+    const double *b = loop->x + 3 * (size_t)loop->vertex[c + 1];
+    for (int k = 0, l = 1, m = 2; k < 3; k++, l = (l + 1) % 3, m = (m + 1) % 3)
+      normal[k] +=
+          (a[l] - o[l]) * (b[m] - o[m]) - (a[m] - o[m]) * (b[l] - o[l]);
+  }
+}
+
+static double face_area(const void *context, uint32_t k) {
+  const struct faces *faces = context;
+  struct hsr_loop loop = object_loop(faces->object, faces->number[k]);
+  double n[3];
+  face_normal(&loop, n);
+  return 0.5 * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+}
+
+/* Flat faces are in the hull of their corners. */
+static bool face_meets(const void *context, uint32_t k,
+                       const struct hsr_box *cube) {
+  const struct faces *faces = context;
+  struct hsr_loop loop = object_loop(faces->object, faces->number[k]);
+  double n[3];
+  face_normal(&loop, n);
+  return hsr_box_meets_polygon(cube, loop, n, 0);
+}
+
+static void find_bounds(const struct hsr_object *object,
+                        struct hsr_cubes_object *c) {
+  c->bounds = (struct hsr_box){{INFINITY, INFINITY, INFINITY},
+                               {-INFINITY, -INFINITY, -INFINITY}};
+  for (size_t k = 0; k < 3 * (size_t)object->n_vertices; k++) {
+    c->bounds.lo[k % 3] = fmin(c->bounds.lo[k % 3], object->xyz[k]);
+    c->bounds.hi[k % 3] = fmax(c->bounds.hi[k % 3], object->xyz[k]);
+  }
+}
+
+static double longest_side(const struct hsr_box *box) {
+  return fmax(box->hi[0] - box->lo[0],
+              fmax(box->hi[1] - box->lo[1], box->hi[2] - box->lo[2]));
+}
+
+/* --- Cells ------------------------------------------------------------------
+ */
+
+/* Where the next cell begins, and the cell's number of an object's vertex, good
+ * where mark[] is 1 + the cell's. */
+struct cell_maker {
+  const struct hsr_object *object;
+  struct hsr_cubes_object *c;
+  uint32_t *number, *mark;
+  uint32_t n_faces, n_starts, n_corners, n_vertices;
+};
+
+static uint32_t cell_vertex(struct cell_maker *m, struct hsr_cell *cell,
+                            uint32_t v) {
+  uint32_t mark = (uint32_t)(cell - m->c->cell) + 1;
+  if (m->mark[v] != mark) {
+    const double *p = m->object->xyz + 3 * (size_t)v;
+    m->mark[v] = mark;
+    m->number[v] = cell->n_vertices++;
+    if (m->c->x) {
+      m->c->x[m->n_vertices] = p[0];
+      m->c->y[m->n_vertices] = p[1];
+      m->c->z[m->n_vertices] = p[2];
+    }
+    m->n_vertices++;
+  }
+  return m->number[v];
+}
+
+/* A pass without arrays only counts. */
+static void add_face(struct cell_maker *m, struct hsr_cell *cell, uint32_t f) {
+  struct hsr_loop loop = object_loop(m->object, f);
+  for (uint32_t k = 0; k < loop.n; k++) {
+    uint32_t v = cell_vertex(m, cell, loop.vertex[k]);
+    if (m->c->vertex)
+      m->c->vertex[m->n_corners] = v;
+    m->n_corners++;
+  }
+  if (m->c->face) {
+    m->c->face[m->n_faces] = f;
+    m->c->start[m->n_starts] = m->n_corners - cell->first_corner;
+  }
+  m->n_faces++;
+  m->n_starts++;
+}
+
+/* The n faces number[item[k]]. */
+static void make_cell(struct cell_maker *m, uint32_t place,
+                      const uint32_t *number, const uint32_t *item,
+                      uint32_t n) {
+  struct hsr_cell *cell = &m->c->cell[place];
+  *cell = (struct hsr_cell){.first_face = m->n_faces,
+                            .n_faces = n,
+                            .first_vertex = m->n_vertices,
+                            .first_corner = m->n_corners,
+                            .first_start = m->n_starts};
+  if (m->c->start)
+    m->c->start[m->n_starts] = 0;
+  m->n_starts++;
+  for (int triangles = 1; triangles >= 0; triangles--)
+    for (uint32_t k = 0; k < n; k++) {
+      uint32_t f = number[item[k]];
+      uint32_t size = m->object->start[f + 1] - m->object->start[f];
+      if ((size == 3) != triangles)
+        continue;
+      add_face(m, cell, f);
+      cell->n_triangles += (uint32_t)triangles;
+    }
+}
+
+static void make_cells(struct cell_maker *m, const uint32_t *number) {
+  const struct hsr_octree *octree = &m->c->octree;
+  m->n_faces = m->n_starts = m->n_corners = m->n_vertices = 0;
+  memset(m->mark, 0, m->object->n_vertices * sizeof *m->mark);
+  for (uint32_t k = 0; k < octree->n_nodes; k++)
+    make_cell(m, k, number, octree->item + octree->node[k].first,
+              octree->node[k].n);
+}
+
+static enum hsr_status lay_out_cells(struct hsr_cubes *cubes, uint32_t o,
+                                     const uint32_t *number) {
+  const struct hsr_object *object = &cubes->scene->objects[o];
+  struct hsr_cubes_object *c = &cubes->object[o];
+  struct hsr_arena *arena = &cubes->arena;
+  struct cell_maker m = {.object = object,
+                         .c = c,
+                         .number =
+                             malloc(object->n_vertices * sizeof *m.number),
+                         .mark = malloc(object->n_vertices * sizeof *m.mark)};
+  c->cell = HSR_NEW(arena, struct hsr_cell, c->octree.n_nodes);
+  bool good = m.number && m.mark && c->cell;
+  if (good) {
+    make_cells(&m, number);
+    c->face = HSR_NEW(arena, uint32_t, m.n_faces);
+    c->start = HSR_NEW(arena, uint32_t, m.n_starts);
+    c->vertex = HSR_NEW(arena, uint32_t, m.n_corners);
+    c->x = HSR_NEW(arena, double, m.n_vertices);
+    c->y = HSR_NEW(arena, double, m.n_vertices);
+    c->z = HSR_NEW(arena, double, m.n_vertices);
+    good = c->face && c->start && c->vertex && c->x && c->y && c->z;
+  }
+  if (good)
+    make_cells(&m, number);
+  free(m.number);
+  free(m.mark);
+  return good ? HSR_OK : HSR_E_NOMEM;
+}
+
+static uint32_t larger(uint32_t a, uint32_t b) {
+  return a > b ? a : b;
+}
+
+static enum hsr_status make_object(struct hsr_cubes *cubes, uint32_t o,
+                                   const struct hsr_octree_rule *rule) {
+  const struct hsr_object *object = &cubes->scene->objects[o];
+  struct hsr_cubes_object *c = &cubes->object[o];
+  bool out_of_memory = false;
+  uint32_t *number = malloc(((size_t)object->n_faces + 1) * sizeof *number);
+  c->is_loose = HSR_NEW_ZEROED(&cubes->arena, bool, object->n_faces);
+  if (!number || !c->is_loose) {
+    free(number);
+    return HSR_E_NOMEM;
+  }
+  find_bounds(object, c);
+  c->reach = hsr_reach(object);
+  c->grain = hsr_grain(object->xyz, 3 * (size_t)object->n_vertices);
+  uint32_t n_placed = part_loose(cubes, o, number, &out_of_memory);
+  c->n_loose = object->n_faces - n_placed;
+  struct faces faces = {object, number, c->reach};
+  struct hsr_primitives primitives = {n_placed, &faces, face_bounds, face_area,
+                                      face_meets};
+  enum hsr_status status =
+      out_of_memory
+          ? HSR_E_NOMEM
+          : hsr_octree_init(&c->octree, &primitives, rule, c->bounds.lo,
+                            longest_side(&c->bounds), &cubes->arena);
+  if (!status)
+    status = lay_out_cells(cubes, o, number);
+  free(number);
+  for (uint32_t k = 0; !status && k < c->octree.n_nodes; k++) {
+    const struct hsr_cell *cell = &c->cell[k];
+    const uint32_t *start = c->start + cell->first_start;
+    cubes->most_faces = larger(cubes->most_faces, cell->n_faces);
+    cubes->most_vertices = larger(cubes->most_vertices, cell->n_vertices);
+    cubes->most_corners = larger(cubes->most_corners, start[cell->n_faces]);
+  }
+  cubes->most_object_faces = larger(cubes->most_object_faces, object->n_faces);
+  return status;
+}
+
+/* --- The octree of instances ------------------------------------------------
+ */
+
+struct hsr_box hsr_cubes_bounds(const struct hsr_cubes *cubes, uint32_t i) {
+  const struct hsr_instance *instance = &cubes->scene->instances[i];
+  const struct hsr_cubes_object *c = &cubes->object[instance->object];
+  bool exact = hsr_instance_is_exact(instance, c->grain, c->reach);
+  const double *row = instance->m;
+  struct hsr_box box;
+  for (int k = 0; k < 3; k++, row += 4) {
+    double lo = row[3], hi = row[3], size = fabs(row[3]);
+    for (int l = 0; l < 3; l++) {
+      double a = row[l] * c->bounds.lo[l], b = row[l] * c->bounds.hi[l];
+      lo += fmin(a, b);
+      hi += fmax(a, b);
+      size += fabs(row[l]) * c->reach;
+    }
+    double slack = exact ? 0 : 32 * U * size;
+    box.lo[k] = lo - slack;
+    box.hi[k] = hi + slack;
+  }
+  return box;
+}
+
+/* Those that do not move. */
+struct still {
+  uint32_t *instance;
+  struct hsr_box *bounds;
+};
+
+static struct hsr_box bounds_of(const void *context, uint32_t k) {
+  const struct still *still = context;
+  return still->bounds[k];
+}
+
+static double area_of(const void *context, uint32_t k) {
+  const struct still *still = context;
+  double side = longest_side(&still->bounds[k]);
+  return side * side;
+}
+
+static bool always_meets(const void *context, uint32_t k,
+                         const struct hsr_box *cube) {
+  const struct still *still = context;
+  return hsr_boxes_meet(&still->bounds[k], cube);
+}
+
+/* Whether an instance's own root cube lies in a cube. */
+static bool holds_root(const struct hsr_cubes *cubes,
+                       const struct hsr_octree_node *node, uint32_t i) {
+  const struct hsr_instance *instance = &cubes->scene->instances[i];
+  const struct hsr_octree_node *root =
+      &cubes->object[instance->object].octree.node[0];
+  struct hsr_box box = hsr_cube_box(node);
+  for (int k = 0; k < 3; k++) {
+    const double *row = instance->m + 4 * k;
+    double centre = row[0] * root->centre[0] + row[1] * root->centre[1] +
+                    row[2] * root->centre[2] + row[3];
+    double half = (fabs(row[0]) + fabs(row[1]) + fabs(row[2])) * root->half;
+    if (centre - half < box.lo[k] || centre + half > box.hi[k])
+      return false;
+  }
+  return true;
+}
+
+static bool are_apart(const struct hsr_cubes *cubes) {
+  const struct hsr_octree *octree = &cubes->octree;
+  bool apart = octree->n_items == cubes->scene->n_instances;
+  for (uint32_t k = 0; k < octree->n_nodes && apart; k++) {
+    const struct hsr_octree_node *node = &octree->node[k];
+    uint32_t children = 0;
+    for (int o = 0; o < 8; o++)
+      children += node->child[o] != HSR_NO_NODE;
+    apart =
+        node->n == 0 || (node->n == 1 && !children &&
+                         (octree->n_items == 1 ||
+                          holds_root(cubes, node, octree->item[node->first])));
+  }
+  return apart;
+}
+
+/* One instance to a cube; those on the planes of a grid stay whole if the
+ * cubes' planes are the grid's: the root is a power of two times as large as
+ * the largest instance. */
+static enum hsr_status place_still(struct hsr_cubes *cubes,
+                                   const struct still *still, uint32_t n,
+                                   const struct hsr_box *all, double largest) {
+  double side = largest;
+  while (side < longest_side(all))
+    side *= 2;
+  struct hsr_primitives primitives = {n, still, bounds_of, area_of,
+                                      always_meets};
+  struct hsr_octree_rule rule = {.small = 0.1, .most = 1, .least = 1};
+  struct hsr_octree *octree = &cubes->octree;
+  if (hsr_octree_init(octree, &primitives, &rule, all->lo, side, &cubes->arena))
+    return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < octree->n_items; k++)
+    octree->item[k] = still->instance[octree->item[k]];
+  cubes->apart = are_apart(cubes);
+  return HSR_OK;
+}
+
+static enum hsr_status make_instances(struct hsr_cubes *cubes) {
+  uint32_t n = cubes->scene->n_instances, n_still = 0;
+  struct still still = {malloc((n + (size_t)1) * sizeof *still.instance),
+                        malloc((n + (size_t)1) * sizeof *still.bounds)};
+  cubes->mover = HSR_NEW(&cubes->arena, uint32_t, n);
+  struct hsr_box all = {{INFINITY, INFINITY, INFINITY},
+                        {-INFINITY, -INFINITY, -INFINITY}};
+  double largest = 0;
+  bool good = still.instance && still.bounds && cubes->mover;
+  for (uint32_t i = 0; i < n && good; i++) {
+    struct hsr_box box = hsr_cubes_bounds(cubes, i);
+    for (int k = 0; k < 3; k++) {
+      all.lo[k] = fmin(all.lo[k], box.lo[k]);
+      all.hi[k] = fmax(all.hi[k], box.hi[k]);
+    }
+    if (cubes->scene->objects[cubes->scene->instances[i].object].moves) {
+      cubes->mover[cubes->n_movers++] = i;
+      continue;
+    }
+    largest = fmax(largest, longest_side(&box));
+    still.instance[n_still] = i;
+    still.bounds[n_still++] = box;
+  }
+  if (largest == 0) /* nothing is still, or all in one point */
+    largest = fmax(longest_side(&all), 0x1p-900);
+  good = good && !place_still(cubes, &still, n_still, &all, largest);
+  free(still.instance);
+  free(still.bounds);
+  return good ? HSR_OK : HSR_E_NOMEM;
+}
+
+/* --- Loose faces ------------------------------------------------------------
+ */
+
+/* Their ids, into id[] unless it is NULL: how many. */
+static size_t list_loose(const struct hsr_cubes *cubes,
+                         const struct hsr_world *world, uint32_t *id) {
+  size_t n = 0;
+  for (uint32_t i = 0; i < cubes->scene->n_instances; i++) {
+    uint32_t o = cubes->scene->instances[i].object;
+    const struct hsr_cubes_object *c = &cubes->object[o];
+    for (uint32_t f = 0;
+         id && c->n_loose && f < world->first[i + 1] - world->first[i]; f++)
+      if (c->is_loose[f])
+        id[n++] = world->first[i] + f;
+    n += id ? 0 : c->n_loose;
+  }
+  return n;
+}
+
+static enum hsr_status lay_out_loose(struct hsr_cubes *cubes,
+                                     const struct hsr_world *world,
+                                     struct hsr_error *err) {
+  size_t n = list_loose(cubes, world, NULL);
+  cubes->loose_id = HSR_NEW(&cubes->arena, uint32_t, n);
+  if (!cubes->loose_id)
+    return hsr_fail_nomem(err);
+  list_loose(cubes, world, cubes->loose_id);
+  return hsr_world_extract(&cubes->loose, world, cubes->loose_id, (uint32_t)n,
+                           err);
+}
+
+enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
+                               const struct hsr_world *world,
+                               const struct hsr_octree_rule *rule,
+                               struct hsr_error *err) {
+  *cubes = (struct hsr_cubes){.scene = world->scene};
+  uint32_t n = cubes->scene->n_objects;
+  for (uint32_t o = 0; o < n; o++) {
+    const struct hsr_object *object = &cubes->scene->objects[o];
+    if (object->moves &&
+        object->start[object->n_faces] != 3 * (uint64_t)object->n_faces)
+      return hsr_fail(err, HSR_E_REFUSED,
+                      "object %s, which moves, is not of triangles",
+                      object->name);
+  }
+  cubes->object = HSR_NEW_ZEROED(&cubes->arena, struct hsr_cubes_object, n);
+  enum hsr_status status = cubes->object ? HSR_OK : HSR_E_NOMEM;
+  for (uint32_t o = 0; o < n && !status; o++)
+    status = make_object(cubes, o, rule);
+  if (!status)
+    status = make_instances(cubes);
+  return status ? hsr_fail_nomem(err) : lay_out_loose(cubes, world, err);
+}
+
+void hsr_cubes_free(struct hsr_cubes *cubes) {
+  hsr_world_free(&cubes->loose);
+  hsr_arena_free(&cubes->arena);
+}

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A scene in cubes: an octree of its instances, and for each object an octree
+ * of its faces; the octree of octrees of Greene's thesis, 3.5. What is known of
+ * an object is kept once, however many instances it has.
+ *
+ * Cells       the faces of one cube are a cell: a small mesh of its own,
+ * vertices and all, in plain arrays, triangles first, ready to be transformed
+ * at once. Loose       a face whose vertices are not exactly on one plane, or
+ * may not be in some instance, is visible where that plane is, and not just
+ *             where its vertices are: it is in no cube, but laid out for
+ * itself. Triangles never are loose. Invariant   whatever of a face that is not
+ * loose is in the world lies within `slack` of its face in the object, as an
+ * exact transformation has it, and that lies in the cubes that hold it. */
+#ifndef HSR_COMMON_CUBES_H
+#define HSR_COMMON_CUBES_H
+
+#include "common/trees/octree.h"
+#include "common/scene/world.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The faces of a cube: face[first_face ..], corners vertex[start[first_start +
+ * k]] and so on, which are numbers of the cell's own vertices, x[first_vertex
+ * ..]. */
+struct hsr_cell {
+  uint32_t first_face, n_faces, n_triangles; /* the triangles come first */
+  uint32_t first_vertex, n_vertices;
+  uint32_t first_corner; /* start[] counts from here */
+  uint32_t first_start;  /* n_faces + 1 numbers */
+};
+
+struct hsr_cubes_object {
+  struct hsr_octree octree;
+  struct hsr_cell *cell; /* a node */
+  bool *is_loose;        /* a face */
+  uint32_t n_loose;
+  uint32_t *face; /* numbers of the object's faces, cell by cell */
+  uint32_t *start, *vertex;
+  double *x, *y, *z; /* the object's own coordinates */
+  double reach;      /* none is larger in size */
+  int grain;         /* all are multiples of 2 to this */
+  struct hsr_box bounds;
+};
+
+struct hsr_cubes {
+  const struct hsr_scene *scene;
+  struct hsr_cubes_object *object; /* an object of the scene */
+  struct hsr_octree octree;        /* of the instances that do not move */
+  uint32_t *mover;                 /* the others */
+  uint32_t n_movers;
+  struct hsr_world loose; /* the loose faces of all instances, laid out */
+  uint32_t *loose_id;     /* what they are called in the scene */
+  bool apart; /* none moves, and each has a cube to itself, and no other */
+  uint32_t most_vertices, most_faces, most_corners; /* of a cell */
+  uint32_t most_object_faces;                       /* of an object */
+  struct hsr_arena arena;
+};
+
+/* `world` is borrowed, with its scene. *cubes is freed with hsr_cubes_free also
+ * after a failure: HSR_E_NOMEM; HSR_E_REFUSED where something that moves is not
+ * of triangles. */
+enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
+                               const struct hsr_world *world,
+                               const struct hsr_octree_rule *rule,
+                               struct hsr_error *err);
+void hsr_cubes_free(struct hsr_cubes *cubes);
+
+/* Holds what an instance places in the world, but for what is loose. */
+struct hsr_box hsr_cubes_bounds(const struct hsr_cubes *cubes,
+                                uint32_t instance);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

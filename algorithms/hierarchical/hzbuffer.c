@@ -1,0 +1,838 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Hierarchical z-buffer visibility.
+ *
+ * Source      N. Greene, M. Kass and G. Miller, "Hierarchical Z-Buffer
+ *             Visibility", SIGGRAPH 1993 ("1993" below); N. Greene,
+ *             "Hierarchical Rendering of Complex Environments", PhD thesis, UC
+ *             Santa Cruz, 1995, chapter 3 ("the thesis").
+ * Notation    octree cube -> node; z-pyramid -> far[]; z -> q = 1/t, greater is
+ *             nearer; primitive -> face
+ * Invariants  a face that is tiled lies in a cube that is not known to be
+ *             hidden, or is loose (algorithms/hierarchical/cubes.h); z-buffer and pyramid agree
+ *             whenever a cube or a face is tested
+ * Ties        a cube or a face that is as near as what hides it is not hidden;
+ *             which face wins, tiler.h decides
+ * Departures  a cell's faces are all tested, then all tiled, many at a time,
+ *             where the paper tests and tiles one after the other. Loose faces
+ *             are tiled first. The octree of instances has no cube around a
+ *             single instance, whose own root is tested instead. The fast test
+ *             begins where the rectangle meets at most four entries. What is
+ *             chosen by standard is Greene's;
+ * cubes=whole:volumes=tight:least=80 finds the same picture in less time, by
+ * fewer and tighter tests. Cost        proportional to what is visible, and to
+ * the cubes around it */
+#include "algorithms/hierarchical/cube_frame.h"
+#include "algorithms/hierarchical/cube_list.h"
+#include "algorithms/hierarchical/movers.h"
+#include "algorithms/hierarchical/pyramid.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  NODES = HSR_N_TILER_COUNTERS,
+  INEQUALITIES,
+  OUT,
+  CUBES_TESTED,
+  CUBES_CULLED,
+  CUBES_VISIBLE,
+  CUBE_READS,
+  SIDES_SCANNED,
+  SIDE_SAMPLES,
+  FACES,
+  REPEATED,
+  FACES_TESTED,
+  FACES_CULLED,
+  FACES_TILED,
+  FACE_READS,
+  FACES_BEFORE,
+  COMPLETED,
+  CUBES_AGAIN,
+  MOVED,
+  SPLITS
+};
+
+static const struct hsr_counter counters[] = {
+    HSR_TILER_COUNTERS,
+    [NODES] = {"nodes visited", "octree nodes come to"},
+    [INEQUALITIES] = {"inequalities", "of appendix A, to tell where nodes lie"},
+    [OUT] = {"nodes out", "outside of the frustum"},
+    [CUBES_TESTED] = {"cubes tested", "whether they are hidden"},
+    [CUBES_CULLED] = {"cubes culled", "found to be hidden"},
+    [CUBES_VISIBLE] = {"cubes visible", "not known to be hidden"},
+    [CUBE_READS] = {"cube reads", "pyramid entries read to test cubes"},
+    [SIDES_SCANNED] = {"sides scanned", "sides of cubes scan-converted"},
+    [SIDE_SAMPLES] = {"side samples", "samples looked at for that"},
+    [FACES] = {"faces met", "in cubes that are not known to be hidden"},
+    [REPEATED] = {"faces repeated", "met again in the frame"},
+    [FACES_TESTED] = {"faces tested", "by the pyramid"},
+    [FACES_CULLED] = {"faces culled", "found to be hidden"},
+    [FACES_TILED] = {"faces tiled", "scan-converted"},
+    [FACE_READS] = {"face reads", "pyramid entries read to test faces"},
+    [FACES_BEFORE] = {"faces before", "nearer than anything: tiled without "
+                                      "comparisons"},
+    [COMPLETED] = {"completed", "samples known to be done"},
+    [CUBES_AGAIN] = {"cubes again", "rendered first, since they were visible "
+                                    "in the frame before"},
+    [MOVED] = {"moved down", "instances that move, from a cube to an octant"},
+    [SPLITS] = {"splits", "cubes of instances that move, divided"},
+    {NULL, NULL}};
+
+enum option {
+  OCTREE,
+  PLACEMENT,
+  LEAST,
+  SMALL,
+  PYRAMID,
+  VOLUMES,
+  CUBES,
+  POLYGONS,
+  NEAR,
+  COMPLETED_SAMPLES,
+  COHERENCE,
+  MOVERS,
+  WORK
+};
+enum { OFF, ON };
+enum { PUSHED, ENCLOSING };
+enum { CUBE, TIGHT };
+enum { RECTANGLE, SIDES, WHOLE };
+enum { FAST, BASIC, DEFINITIVE, NONE };
+enum { NO_COHERENCE, LIST, PASSES };
+enum { FRESH, LAZY, BEHIND };
+enum { WORK_ALL, WORK_PYRAMID, WORK_BOXES, WORK_POLYGONS };
+
+static const struct hsr_word off_on[] = {
+    {"off", "without it", 0}, {"on", "with it", 0}, {NULL, NULL, 0}};
+static const struct hsr_word placements[] = {
+    {"pushed",
+     "a small face that crosses a median plane goes into the octants "
+     "that it meets",
+     0},
+    {"enclosing", "it stays in the smallest cube that encloses it", 0},
+    {NULL, NULL, 0}};
+static const struct hsr_word volumes[] = {
+    {"cubes", "the octree's", 0},
+    {"tight", "the boxes, within them, of what they hold", 0},
+    {NULL, NULL, 0}};
+static const struct hsr_word cube_tests[] = {
+    {"rectangle", "sides by their bounding rectangles, as in the thesis", 0},
+    {"sides", "where that leaves it open, scan-converted, as in 1993", 0},
+    {"whole", "the cube, instead of its sides, by its bounding rectangle", 0},
+    {NULL, NULL, 0}};
+static const struct hsr_word polygon_tests[] = {
+    {"fast", "bounding rectangles, by recursion", 0},
+    {"basic", "bounding rectangles, by one entry", 0},
+    {"definitive", "recursion into what the face covers", 0},
+    {"none", "no test", 0},
+    {NULL, NULL, 0}};
+static const struct hsr_word coherences[] = {
+    {"off", "every frame for itself", 0},
+    {"list", "a list of visible cubes, rendered first and pruned, as in 1993",
+     HSR_FRAME_STATE},
+    {"passes", "two passes, as in the thesis", HSR_FRAME_STATE},
+    {NULL, NULL, 0}};
+static const struct hsr_word movings[] = {
+    {"octree", "an octree of them in every frame, beside the other", 0},
+    {"lazy", "the same, divided only where it is visible", 0},
+    {"behind", "one by one, after all that does not move", 0},
+    {NULL, NULL, 0}};
+static const struct hsr_word works[] = {
+    {"all", "everything", 0},
+    {"pyramid", "pyramid tests", 0},
+    {"boxes", "scan-converted sides of cubes", 0},
+    {"polygons", "tiling", 0},
+    {NULL, NULL, 0}};
+
+static const struct hsr_option options[] = {
+    [OCTREE] = {"octree", "cull by cubes", off_on, 0, 1, ON},
+    [PLACEMENT] = {"placement", "in which cube a face is", placements, 0, 1,
+                   PUSHED},
+    [LEAST] = {"least", "an octant of fewer faces is its parent's", NULL, 1,
+               100000, 20},
+    [SMALL] = {"small", "small is an area of less than 1/N of a cube's side",
+               NULL, 1, 100000, 10},
+    [PYRAMID] = {"pyramid", "test by the z-pyramid", off_on, 0, 1, ON},
+    [VOLUMES] = {"volumes", "what is tested for a cube", volumes, 0, 1, CUBE},
+    [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 2, RECTANGLE},
+    [POLYGONS] = {"polygons", "how a face is tested", polygon_tests, 0, 3,
+                  FAST},
+    [NEAR] = {"near", "a second pyramid, of the nearest depths", off_on, 0, 1,
+              OFF},
+    [COMPLETED_SAMPLES] = {"completed",
+                           "tag samples behind which a cube's side was found, "
+                           "where instances are apart and sides scanned",
+                           off_on, 0, 1, OFF},
+    [COHERENCE] = {"coherence", "what is kept from frame to frame", coherences,
+                   0, 2, NO_COHERENCE},
+    [MOVERS] = {"movers", "what is done with objects that move", movings, 0, 2,
+                FRESH},
+    [WORK] = {"work", "what the work picture shows", works, 0, 3, WORK_ALL},
+    {NULL, NULL, NULL, 0, 0, 0}};
+
+/* What lasts from frame to frame. */
+struct prepared {
+  struct hsr_cubes cubes;
+  struct hsr_cube_list
+      list[2]; /* visible cubes, of the last frame and of this */
+  int last;    /* which one is the last frame's */
+};
+
+struct walk {
+  struct hsr_cube_frame frame;
+  struct hsr_cube_list *last, *next; /* NULL without coherence */
+  struct hsr_cube_marks rendered;    /* what of the last frame's was */
+  struct hsr_movers movers;
+  bool out_of_memory;
+  struct hsr_pyramid pyramid;
+  bool plain; /* no tests, and the pyramid is left as it is */
+  const long *option;
+  struct hsr_tally *tally;
+  float *work;     /* the work picture, or NULL */
+  uint32_t *tiled; /* a face of the object at hand: the visit when it was met */
+  uint32_t visit;
+};
+
+/* What is touched from now on is of that kind. */
+static void touch_for(struct walk *w, int kind) {
+  long wanted = w->option[WORK];
+  w->tally->work = wanted == WORK_ALL || wanted == kind ? w->work : NULL;
+}
+
+/* --- Is a cube visible? -----------------------------------------------------
+ */
+
+/* Adds the pyramid's reads since `before` to a counter. */
+static void count_reads(struct walk *w, int counter, uint64_t before) {
+  HSR_COUNT(w->tally, counter, w->pyramid.reads - before);
+}
+
+/* The columns of row j, within HSR_CUBE_MARGIN, of a convex polygon's. */
+static bool row_of_side(const struct hsr_cube_image *image,
+                        const unsigned char *corner, double y, double *lo,
+                        double *hi) {
+  double top = y - HSR_CUBE_MARGIN, bottom = y + HSR_CUBE_MARGIN;
+  *lo = INFINITY;
+  *hi = -INFINITY;
+  for (int k = 0; k < 4; k++) {
+    double ax = image->x[corner[k]], ay = image->y[corner[k]];
+    double bx = image->x[corner[(k + 1) % 4]],
+           by = image->y[corner[(k + 1) % 4]];
+    if (fmin(ay, by) > bottom || fmax(ay, by) < top)
+      continue;
+    double from = fmin(fmax(fmin(ay, by), top), bottom);
+    double to = fmin(fmax(fmax(ay, by), top), bottom);
+    double slope = ay == by ? 0 : (bx - ax) / (by - ay);
+    double p = ay == by ? ax : ax + slope * (from - ay);
+    double q = ay == by ? bx : ax + slope * (to - ay);
+    *lo = fmin(*lo, fmin(p, q));
+    *hi = fmax(*hi, fmax(p, q));
+  }
+  *lo -= 2 * HSR_CUBE_MARGIN;
+  *hi += 2 * HSR_CUBE_MARGIN;
+  return *lo <= *hi;
+}
+
+/* Tags a sample behind which the side of a cube lies: nothing that is still to
+ * come, from front to back, is nearer. */
+static void complete(struct walk *w, float *z, int i, int j) {
+  if (*z == HUGE_VALF)
+    return;
+  *z = HUGE_VALF;
+  HSR_COUNT(w->tally, COMPLETED, 1);
+  HSR_OF_BUILD(hsr_pyramid_update)
+  (&w->pyramid, (struct hsr_bounds){i, j, i + 1, j + 1});
+}
+
+/* Is a point on the screen within a side, whatever HSR_CUBE_MARGIN leaves open?
+ */
+static bool is_within(const struct hsr_cube_image *image,
+                      const unsigned char *corner, double x, double y) {
+  int turns = 0;
+  for (int k = 0; k < 4; k++) {
+    int a = corner[k], b = corner[(k + 1) % 4];
+    double dx = image->x[b] - image->x[a], dy = image->y[b] - image->y[a];
+    double e = dx * (y - image->y[a]) - dy * (x - image->x[a]);
+    double bound = 4 * HSR_CUBE_MARGIN *
+                   (fabs(dx) + fabs(dy) + fabs(x - image->x[a]) +
+                    fabs(y - image->y[a]) + 2 * HSR_CUBE_MARGIN);
+    turns += e > bound ? 1 : e < -bound ? -1 : 0;
+  }
+  return turns == 4 || turns == -4;
+}
+
+/* Scan-converts a side, to the first sample where it is not hidden. */
+static bool scan_side(struct walk *w, const struct hsr_placing *placing,
+                      const struct hsr_octree_box *cube,
+                      const struct hsr_cube_image *image, int side,
+                      const struct hsr_bounds *box) {
+  const struct hsr_view *view = w->frame.job->view;
+  const struct hsr_tiler *t = &w->frame.tiler;
+  struct hsr_side_depth depth =
+      HSR_OF_BUILD(hsr_cube_side_depth)(placing, cube, image, side);
+  bool tags = w->option[COMPLETED_SAMPLES] && w->frame.cubes->apart;
+  HSR_COUNT(w->tally, SIDES_SCANNED, 1);
+  touch_for(w, WORK_BOXES);
+  for (int j = box->y0; j < box->y1; j++) {
+    double y = hsr_sample_y(view, j), lo, hi;
+    if (!row_of_side(image, HSR_OF_BUILD(hsr_cube_side)[side], y, &lo, &hi))
+      continue;
+    float *z = t->z + (size_t)(j - t->part.y0) * t->z_stride;
+    for (int i = box->x0; i < box->x1; i++) {
+      double x = hsr_sample_x(view, i);
+      if (x < lo || x > hi)
+        continue;
+      HSR_COUNT(w->tally, SIDE_SAMPLES, 1);
+      HSR_TOUCH(w->tally, i, j);
+      float q = (float)(depth.c + depth.a * x + depth.b * y);
+      q = q < image->nearest ? q : image->nearest;
+      if (!(q * HSR_CLEAR < z[i - t->part.x0]))
+        return true;
+      if (tags && is_within(image, HSR_OF_BUILD(hsr_cube_side)[side], x, y))
+        complete(w, &z[i - t->part.x0], i, j);
+    }
+  }
+  return false;
+}
+
+/* The nearest of a side's corners. */
+static float nearest_of(const struct hsr_cube_image *image,
+                        const unsigned char *corner) {
+  float q = image->q[corner[0]];
+  for (int k = 1; k < 4; k++)
+    q = image->q[corner[k]] > q ? image->q[corner[k]] : q;
+  return q;
+}
+
+/* Does the pyramid hide a rectangle of the cube's, of depth q? Or, by the other
+ * one, not. Sets *visible where that is known. */
+static bool is_rectangle_hidden(struct walk *w, struct hsr_bounds box, float q,
+                                bool *visible) {
+  uint64_t before = w->pyramid.reads;
+  *visible = w->option[NEAR] && w->option[CUBES] != SIDES &&
+             HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q);
+  bool hidden =
+      !*visible && HSR_OF_BUILD(hsr_pyramid_hides)(&w->pyramid, box, q);
+  count_reads(w, CUBE_READS, before);
+  return hidden;
+}
+
+/* Is a front side not known to be hidden? */
+static bool is_side_visible(struct walk *w, const struct hsr_placing *placing,
+                            const struct hsr_octree_box *cube,
+                            const struct hsr_cube_image *image, int side) {
+  const unsigned char *corner = HSR_OF_BUILD(hsr_cube_side)[side];
+  struct hsr_bounds box;
+  if (!HSR_OF_BUILD(hsr_cube_bounds)(&w->frame, image, corner, 4, &box))
+    return false;
+  if (w->option[PYRAMID]) {
+    float q = nearest_of(image, corner);
+    uint64_t before = w->pyramid.reads;
+    bool visible = w->option[NEAR] &&
+                   HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q) &&
+                   w->option[CUBES] == RECTANGLE;
+    bool hidden =
+        !visible && HSR_OF_BUILD(hsr_pyramid_hides)(&w->pyramid, box, q);
+    count_reads(w, CUBE_READS, before);
+    if (visible || hidden)
+      return visible;
+  }
+  return w->option[CUBES] != SIDES ||
+         scan_side(w, placing, cube, image, side, &box);
+}
+
+/* The same of the cube as a whole. */
+static bool is_whole_visible(struct walk *w,
+                             const struct hsr_cube_image *image) {
+  static const unsigned char all[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+  struct hsr_bounds box;
+  bool visible;
+  return HSR_OF_BUILD(hsr_cube_bounds)(&w->frame, image, all, 8, &box) &&
+         !(w->option[PYRAMID] &&
+           is_rectangle_hidden(w, box, image->nearest, &visible));
+}
+
+static bool is_any_side_visible(struct walk *w,
+                                const struct hsr_placing *placing,
+                                const struct hsr_octree_box *cube,
+                                const struct hsr_cube_image *image) {
+  for (int side = 0; side < 6; side++)
+    if (image->front >> side & 1 &&
+        is_side_visible(w, placing, cube, image, side))
+      return true;
+  return false;
+}
+
+/* cube_visible of the thesis. *inside: it is all inside of the frustum, and so
+ * are the cubes in it. */
+static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
+                            const struct hsr_octree_node *node, bool *inside) {
+  struct hsr_octree_box cube =
+      w->option[VOLUMES] == TIGHT ? node->tight : hsr_octree_cube(node);
+  HSR_COUNT(w->tally, NODES, 1);
+  if (!*inside) {
+    struct hsr_box_work work = {0, 0};
+    enum hsr_box_verdict verdict = HSR_OF_BUILD(hsr_cube_classify)(
+        &w->frame, placing, &cube, HSR_COUNTING ? &work : NULL);
+    HSR_COUNT(w->tally, INEQUALITIES, work.deciding);
+    if (verdict == HSR_BOX_OUT) {
+      HSR_COUNT(w->tally, OUT, 1);
+      return false;
+    }
+    *inside = verdict == HSR_BOX_IN;
+  }
+  struct hsr_cube_image image;
+  if (!HSR_OF_BUILD(hsr_cube_project)(&w->frame, placing, &cube, &image))
+    return true; /* the eye may be inside, or the near plane meet it */
+  HSR_COUNT(w->tally, CUBES_TESTED, 1);
+  bool visible = w->option[CUBES] == WHOLE
+                     ? is_whole_visible(w, &image)
+                     : is_any_side_visible(w, placing, &cube, &image);
+  HSR_COUNT(w->tally, CUBES_CULLED, !visible);
+  return visible;
+}
+
+/* --- Tiling what is in a cube -----------------------------------------------
+ */
+
+/* Was the face met before in this visit? */
+static bool is_repeated(struct walk *w, uint32_t f) {
+  uint32_t *tiled = &w->tiled[w->frame.tiler.id[f]];
+  if (*tiled == w->visit)
+    return true;
+  *tiled = w->visit;
+  return false;
+}
+
+/* Of those that go the general way. */
+static void drop_repeated(struct walk *w, struct hsr_batch *b) {
+  for (int k = 0; k < b->n && b->general; k++)
+    if (b->fate[k] == HSR_GENERALLY && is_repeated(w, b->first + (uint32_t)k)) {
+      HSR_COUNT(w->tally, REPEATED, 1);
+      b->fate[k] = HSR_DROP;
+    }
+}
+
+/* Which of the triangles to be tiled are hidden. */
+static void find_hidden(struct walk *w, const struct hsr_batch *b,
+                        int *hidden) {
+  const struct hsr_corners *r = &b->corners;
+  if (w->option[POLYGONS] != BASIC) {
+    HSR_OF_BUILD(hsr_pyramid_hides_triangles)
+    (&w->pyramid, b->n_fast, r, hidden);
+    return;
+  }
+  for (int k = 0; k < b->n_fast; k++) {
+    struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
+    float q = hsr_nearest_corner(r, k);
+    hidden[k] = HSR_OF_BUILD(hsr_pyramid_basic)(&w->pyramid, box, q);
+  }
+}
+
+/* Leaves out of a batch what was met before, and what is hidden. */
+static void filter(struct walk *w, struct hsr_batch *b) {
+  int drop[HSR_BATCH];
+  for (int k = 0; k < b->n_fast; k++) {
+    drop[k] = is_repeated(w, b->first + (uint32_t)b->place[k]);
+    HSR_COUNT(w->tally, REPEATED, drop[k]);
+  }
+  HSR_OF_BUILD(hsr_tiler_drop)(b, drop);
+  if (!w->option[PYRAMID] || w->option[POLYGONS] == NONE || w->plain)
+    return;
+  uint64_t before = w->pyramid.reads;
+  find_hidden(w, b, drop);
+  int tested = b->n_fast;
+  HSR_OF_BUILD(hsr_tiler_drop)(b, drop);
+  HSR_COUNT(w->tally, FACES_TESTED, tested);
+  HSR_COUNT(w->tally, FACES_CULLED, tested - b->n_fast);
+  count_reads(w, FACE_READS, before);
+}
+
+/* A face that is placed on the tiler's screen. */
+static void tile_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
+  HSR_COUNT(w->tally, FACES_TILED, 1);
+  HSR_OF_BUILD(hsr_tiler_tile_generally)(t, f);
+  if (w->option[PYRAMID] && !w->plain)
+    HSR_OF_BUILD(hsr_pyramid_update)(&w->pyramid, t->screen.bounds[f]);
+}
+
+static void tile_generally(struct walk *w, uint32_t f) {
+  if (HSR_OF_BUILD(hsr_tiler_place)(&w->frame.tiler, f))
+    tile_face(w, &w->frame.tiler, f);
+}
+
+/* The definitive test, of those that are set up and that the fast one left. */
+static void filter_definitively(struct walk *w, struct hsr_batch *b) {
+  uint64_t before = w->pyramid.reads;
+  for (int k = 0; k < b->n_fast; k++) {
+    struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
+    if (b->good[k] && HSR_OF_BUILD(hsr_pyramid_hides_triangle)(
+                          &w->pyramid, &w->frame.tiler, &triangle)) {
+      HSR_COUNT(w->tally, FACES_CULLED, 1);
+      b->good[k] = 0;
+    }
+  }
+  count_reads(w, FACE_READS, before);
+}
+
+/* Those that are nearer than anything where they are, by the pyramid of the
+ * nearest: their depths need not be compared. */
+static void tile_before_all(struct walk *w, struct hsr_batch *b) {
+  const struct hsr_corners *r = &b->corners;
+  for (int k = 0; k < b->n_fast; k++) {
+    struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
+    float q = r->qa[k] < r->qb[k] ? r->qa[k] : r->qb[k];
+    q = r->qc[k] < q ? r->qc[k] : q;
+    if (!b->good[k] || !HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q))
+      continue;
+    struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
+    HSR_OF_BUILD(hsr_tiler_tile_before)(&w->frame.tiler, &triangle);
+    HSR_OF_BUILD(hsr_pyramid_update)(&w->pyramid, box);
+    HSR_COUNT(w->tally, FACES_TILED, 1);
+    HSR_COUNT(w->tally, FACES_BEFORE, 1);
+    b->good[k] = 0;
+  }
+}
+
+static void tile_batch(struct walk *w, struct hsr_batch *b) {
+  const struct hsr_corners *r = &b->corners;
+  bool tests = w->option[PYRAMID] && !w->plain;
+  if (tests && w->option[POLYGONS] == DEFINITIVE)
+    filter_definitively(w, b);
+  touch_for(w, WORK_POLYGONS);
+  if (tests && w->option[NEAR])
+    tile_before_all(w, b);
+  HSR_OF_BUILD(hsr_tiler_tile_batch)(&w->frame.tiler, b);
+  for (int k = 0; k < b->n_fast; k++) {
+    HSR_COUNT(w->tally, FACES_TILED, b->good[k]);
+    if (b->good[k] && tests)
+      HSR_OF_BUILD(hsr_pyramid_update)
+    (&w->pyramid, (struct hsr_bounds){r->x0[k], r->y0[k], r->x1[k], r->y1[k]});
+  }
+  for (int k = 0; k < b->n && b->general; k++)
+    if (b->fate[k] == HSR_GENERALLY)
+      tile_generally(w, b->first + (uint32_t)k);
+}
+
+/* The faces of a cell of the object at hand. */
+static void tile_cell(struct walk *w, uint32_t place) {
+  if (!w->frame.object->cell[place].n_faces)
+    return;
+  const struct hsr_cell *cell = HSR_OF_BUILD(hsr_cube_cell)(&w->frame, place);
+  struct hsr_tiler *t = &w->frame.tiler;
+  uint32_t n = t->on_grid ? cell->n_triangles : 0;
+  struct hsr_batch batch;
+  HSR_COUNT(w->tally, FACES, cell->n_faces);
+  for (uint32_t f = 0; f < n; f += HSR_BATCH) {
+    HSR_OF_BUILD(hsr_tiler_look)
+    (t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
+    drop_repeated(w, &batch);
+    HSR_OF_BUILD(hsr_tiler_compact)(t, &batch);
+    filter(w, &batch);
+    HSR_OF_BUILD(hsr_tiler_set_up)(t, &batch);
+    tile_batch(w, &batch);
+  }
+  touch_for(w, WORK_POLYGONS);
+  for (uint32_t f = n; f < cell->n_faces; f++)
+    if (!is_repeated(w, f))
+      tile_generally(w, f);
+}
+
+/* --- The octrees, from front to back ----------------------------------------
+ */
+
+/* Lists a cube of the object at hand as visible. */
+static void list_cube(struct walk *w, uint32_t k) {
+  if (!HSR_OF_BUILD(hsr_cube_list_add)(w->next, w->frame.instance, k))
+    w->out_of_memory = true;
+}
+
+/* A cube of the object at hand. One on the list of 1993 is not tested any more
+ * before the list is pruned. */
+static void render_cube(struct walk *w, uint32_t k, bool inside) {
+  const struct hsr_octree *octree = &w->frame.object->octree;
+  const struct hsr_octree_node *node = &octree->node[k];
+  bool rendered =
+      w->last && hsr_cube_is_marked(&w->rendered, w->frame.instance, k);
+  if (!(rendered && w->option[COHERENCE] == LIST) &&
+      !is_cube_visible(w, &w->frame.placing, node, &inside))
+    return;
+  HSR_COUNT(w->tally, CUBES_VISIBLE, 1);
+  if (w->next)
+    list_cube(w, k);
+  if (!rendered)
+    tile_cell(w, k);
+  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.placing, node);
+  for (int o = 0; o < 8; o++) {
+    uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
+    if (child != HSR_NO_NODE)
+      render_cube(w, child, inside);
+  }
+}
+
+/* What was rendered of it already, is met again. */
+static void take_in_hand(struct walk *w, uint32_t instance) {
+  HSR_OF_BUILD(hsr_cube_instance)(&w->frame, instance);
+  w->visit++;
+  const struct hsr_listed_instance *group =
+      w->rendered.list ? hsr_cube_marks_group(&w->rendered, instance) : NULL;
+  for (uint32_t k = 0; group && k < group->n; k++) {
+    const struct hsr_cubes_object *object = w->frame.object;
+    const struct hsr_cell *cell =
+        &object->cell[hsr_cube_list_cubes(w->last, group)[k]];
+    for (uint32_t f = 0; f < cell->n_faces; f++)
+      w->tiled[object->face[cell->first_face + f]] = w->visit;
+  }
+}
+
+/* Once a frame. The instance may reach out of the cube in which it is met. */
+static void render_instance(struct walk *w, uint32_t i) {
+  if (!HSR_OF_BUILD(hsr_cube_is_new)(&w->frame, i))
+    return;
+  take_in_hand(w, i);
+  render_cube(w, 0, false);
+}
+
+/* The movers of a cube, which are divided among its octants before, if they are
+ * so late. */
+static bool render_movers(struct walk *w, uint32_t node,
+                          const struct hsr_octree_node *cube) {
+  if (!HSR_OF_BUILD(hsr_movers_divide)(&w->movers, node, cube)) {
+    w->out_of_memory = true;
+    return false;
+  }
+  for (uint32_t k = hsr_mover_node(&w->movers, node)->first; k != HSR_NO_MOVER;
+       k = w->movers.mover[k].next)
+    render_instance(w, w->movers.mover[k].instance);
+  return true;
+}
+
+static bool is_leaf(const struct hsr_octree_node *node) {
+  static const uint32_t none[8] = {HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
+                                   HSR_NO_NODE, HSR_NO_NODE, HSR_NO_NODE,
+                                   HSR_NO_NODE, HSR_NO_NODE};
+  return !memcmp(node->child, none, sizeof none);
+}
+
+/* A cube of instances, both octrees at once: node `still` of those that do not
+ * move, node `moving` of those that do, or HSR_NO_NODE. */
+static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
+                             uint32_t still, uint32_t moving, bool inside) {
+  const struct hsr_octree *octree = &w->frame.cubes->octree;
+  const struct hsr_octree_node *node =
+      still != HSR_NO_NODE ? &octree->node[still] : NULL;
+  bool single = moving == HSR_NO_NODE && node && node->n == 1 && is_leaf(node);
+  if (!single) {
+    if (!is_cube_visible(w, &w->frame.as_it_is,
+                         moving == HSR_NO_NODE ? node : cube, &inside))
+      return;
+    HSR_COUNT(w->tally, CUBES_VISIBLE, 1);
+  }
+  for (uint32_t i = 0; node && i < node->n; i++)
+    render_instance(w, octree->item[node->first + i]);
+  if (moving != HSR_NO_NODE && !render_movers(w, moving, cube))
+    return;
+  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.as_it_is, cube);
+  for (int k = 0; k < 8; k++) {
+    int o = nearest ^ hsr_octant_order[k];
+    uint32_t child = node ? node->child[o] : HSR_NO_NODE;
+    uint32_t mover = moving != HSR_NO_NODE
+                         ? hsr_mover_node(&w->movers, moving)->child[o]
+                         : HSR_NO_NODE;
+    struct hsr_octree_node octant = hsr_octree_octant(cube, o);
+    if (child != HSR_NO_NODE || mover != HSR_NO_NODE)
+      render_instances(w, &octant, child, mover, inside);
+  }
+}
+
+/* Those that move, as the option says; then all octrees from front to back. */
+static enum hsr_status render_octrees(struct walk *w) {
+  const struct hsr_cubes *cubes = w->frame.cubes;
+  const struct hsr_octree_node *root = &cubes->octree.node[0];
+  struct hsr_movers *movers = &w->movers;
+  long how = w->option[MOVERS];
+  if (HSR_OF_BUILD(hsr_movers_init)(movers, cubes, w->frame.job->scratch))
+    return HSR_E_NOMEM;
+  if (how == FRESH && !HSR_OF_BUILD(hsr_movers_divide_all)(movers, 0, root))
+    return HSR_E_NOMEM;
+  bool together = movers->n && how != BEHIND;
+  render_instances(w, root, 0, together ? 0 : HSR_NO_NODE, false);
+  for (uint32_t k = 0; k < movers->n && how == BEHIND; k++)
+    render_instance(w, movers->mover[k].instance);
+  for (uint32_t k = movers->outside; k != HSR_NO_MOVER;
+       k = movers->mover[k].next)
+    render_instance(w, movers->mover[k].instance);
+  HSR_COUNT(w->tally, MOVED, movers->moved);
+  HSR_COUNT(w->tally, SPLITS, movers->splits);
+  return HSR_OK;
+}
+
+/* Without cubes: cell after cell, as they come. */
+static void render_all(struct walk *w) {
+  for (uint32_t i = 0; i < w->frame.cubes->scene->n_instances; i++) {
+    take_in_hand(w, i);
+    for (uint32_t k = 0; k < w->frame.object->octree.n_nodes; k++)
+      tile_cell(w, k);
+  }
+}
+
+/* --- Temporal coherence -----------------------------------------------------
+ */
+
+/* The cubes that were visible in the last frame, into the plain z-buffer; then
+ * the pyramid is built. */
+static enum hsr_status render_last(struct walk *w) {
+  const struct hsr_cubes *cubes = w->frame.cubes;
+  const struct hsr_window *window = &w->frame.job->view->window;
+  w->plain = true;
+  for (size_t g = 0; g < w->last->group.n; g++) {
+    const struct hsr_listed_instance *group = hsr_cube_list_group(w->last, g);
+    const uint32_t *cube = hsr_cube_list_cubes(w->last, group);
+    take_in_hand(w, group->instance);
+    for (uint32_t k = 0; k < group->n; k++)
+      tile_cell(w, cube[k]);
+    HSR_COUNT(w->tally, CUBES_AGAIN, group->n);
+  }
+  w->plain = false;
+  HSR_OF_BUILD(hsr_pyramid_update)
+  (&w->pyramid,
+   (struct hsr_bounds){window->x0, window->y0, window->x1, window->y1});
+  return HSR_OF_BUILD(hsr_cube_marks_init)(&w->rendered, w->last, cubes,
+                                           w->frame.job->scratch);
+}
+
+/* 1993: of the listed cubes, those stay that the finished pyramid does not
+ * hide.
+ */
+static void prune(struct walk *w) {
+  struct hsr_cube_list *kept = w->last;
+  const struct hsr_cube_list *all = w->next;
+  w->rendered.list = NULL;
+  HSR_OF_BUILD(hsr_cube_list_clear)(kept);
+  for (size_t g = 0; g < all->group.n; g++) {
+    const struct hsr_listed_instance *group = hsr_cube_list_group(all, g);
+    const uint32_t *cube = hsr_cube_list_cubes(all, group);
+    take_in_hand(w, group->instance);
+    for (uint32_t k = 0; k < group->n; k++) {
+      bool inside = false;
+      if (is_cube_visible(w, &w->frame.placing,
+                          &w->frame.object->octree.node[cube[k]], &inside) &&
+          !HSR_OF_BUILD(hsr_cube_list_add)(kept, group->instance, cube[k]))
+        w->out_of_memory = true;
+    }
+  }
+}
+
+static enum hsr_status render_loose(struct walk *w) {
+  struct hsr_tiler t;
+  if (HSR_OF_BUILD(hsr_cube_loose)(&w->frame, &t))
+    return HSR_E_NOMEM;
+  touch_for(w, WORK_POLYGONS);
+  for (uint32_t k = 0; k < t.screen.n_relevant; k++)
+    tile_face(w, &t, t.screen.relevant[k]);
+  return HSR_OK;
+}
+
+/* --- A frame ----------------------------------------------------------------
+ */
+
+static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
+  struct prepared *prepared = job->prepared;
+  const struct hsr_cubes *cubes = &prepared->cubes;
+  struct hsr_arena *arena = job->scratch;
+  struct hsr_tiler *t = &w->frame.tiler;
+  const struct hsr_window *window = &job->view->window;
+  w->option = job->option;
+  w->tally = job->tally;
+  w->work = job->tally->work;
+  if (w->option[COHERENCE]) {
+    w->last = &prepared->list[prepared->last];
+    w->next = &prepared->list[prepared->last ^ 1];
+    HSR_OF_BUILD(hsr_cube_list_clear)(w->next);
+  }
+  w->tiled = HSR_NEW_ZEROED(arena, uint32_t, cubes->most_object_faces);
+  if (!w->tiled || HSR_OF_BUILD(hsr_cube_frame_begin)(&w->frame, job, cubes) ||
+      HSR_OF_BUILD(hsr_pyramid_init)(&w->pyramid, window, job->option[NEAR],
+                                     &t->z_stride, arena))
+    return HSR_E_NOMEM;
+  touch_for(w, WORK_PYRAMID);
+  w->pyramid.work = job->tally->work;
+  w->pyramid.work_stride = job->tally->work_stride;
+  t->z = w->pyramid.far[0];
+  t->ids_stride = job->ids_stride;
+  t->ids = job->ids + (size_t)window->y0 * job->ids_stride + window->x0;
+  HSR_OF_BUILD(hsr_tiler_begin_part)(t, *window);
+  HSR_OF_BUILD(hsr_pyramid_clear)(&w->pyramid);
+  return HSR_OK;
+}
+
+/* The list for the next frame; none, rather than half of one. */
+static void end_coherence(struct walk *w) {
+  struct prepared *prepared = w->frame.job->prepared;
+  if (w->option[COHERENCE] == LIST)
+    prune(w);
+  else
+    prepared->last ^= 1;
+  if (w->out_of_memory)
+    HSR_OF_BUILD(hsr_cube_list_clear)(&prepared->list[prepared->last]);
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct walk w = {.visit = 0};
+  if (begin(&w, job))
+    return hsr_fail_nomem(err);
+  if (render_loose(&w))
+    return hsr_fail_nomem(err);
+  if (w.last && render_last(&w))
+    return hsr_fail_nomem(err);
+  if (!w.option[OCTREE])
+    render_all(&w);
+  else if (render_octrees(&w))
+    return hsr_fail_nomem(err);
+  if (w.last)
+    end_coherence(&w);
+  job->tally->work = w.work;
+  return w.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  struct prepared *made = calloc(1, sizeof *made);
+  *prepared = made;
+  if (!made)
+    return hsr_fail_nomem(err);
+  struct hsr_octree_rule rule = {
+      .small = option[PLACEMENT] == PUSHED ? 1.0 / (double)option[SMALL] : 0,
+      .most = (uint32_t)option[LEAST],
+      .least = (uint32_t)option[LEAST]};
+  return hsr_cubes_init(&made->cubes, world, &rule, err);
+}
+
+static void release(void *object) {
+  struct prepared *prepared = object;
+  hsr_cubes_free(&prepared->cubes);
+  hsr_arena_free(&prepared->list[0].arena);
+  hsr_arena_free(&prepared->list[1].arena);
+  free(prepared);
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(hzbuffer) = {
+    .name = "hzbuffer",
+    .title = "Hierarchical z-buffer visibility",
+    .authors = "N. Greene, M. Kass and G. Miller",
+    .year = 1993,
+    .source = "Greene, Kass and Miller, SIGGRAPH 1993; Greene, PhD thesis, UC "
+              "Santa Cruz, 1995, chapter 3",
+    .taxonomy = HSR_BRUTE_FORCE,
+    .sort_order = "Z(XY)",
+    .coherence = "of hidden regions, in space and on the screen",
+    .kind = HSR_IDS,
+    .flags = HSR_INSTANCED,
+    .counters = counters,
+    .options = options,
+    .prepare = prepare,
+    .render = render,
+    .release = release};

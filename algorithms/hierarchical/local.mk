@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+algorithm_files += \
+  %D%/clark.c \
+  %D%/cube_frame.c \
+  %D%/cube_frame.h \
+  %D%/cube_list.c \
+  %D%/cube_list.h \
+  %D%/hzbuffer.c \
+  %D%/movers.c \
+  %D%/movers.h \
+  %D%/pyramid.c \
+  %D%/pyramid.h
+# Compiled once: what counts nothing.
+libhsr_a_SOURCES += \
+  %D%/cubes.c \
+  %D%/cubes.h

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "algorithms/hierarchical/movers.h"
+
+#include <string.h>
+
+static bool new_node(struct hsr_movers *m, uint32_t *made) {
+  if (!hsr_arena_grow(m->arena, &m->node, sizeof(struct hsr_mover_node)))
+    return false;
+  *made = (uint32_t)m->node.n - 1;
+  struct hsr_mover_node *node = hsr_mover_node(m, *made);
+  memset(node->child, 0xff, sizeof node->child);
+  node->first = HSR_NO_MOVER;
+  node->divided = false;
+  return true;
+}
+
+static void put(struct hsr_movers *m, uint32_t *first, uint32_t k) {
+  m->mover[k].next = *first;
+  *first = k;
+}
+
+enum hsr_status HSR_OF_BUILD(hsr_movers_init)(struct hsr_movers *m,
+                                              const struct hsr_cubes *cubes,
+                                              struct hsr_arena *arena) {
+  uint32_t root;
+  struct hsr_box box = hsr_cube_box(&cubes->octree.node[0]);
+  *m = (struct hsr_movers){
+      .mover = HSR_NEW(arena, struct hsr_mover, cubes->n_movers),
+      .n = cubes->n_movers,
+      .outside = HSR_NO_MOVER,
+      .arena = arena};
+  if (!m->mover || !new_node(m, &root))
+    return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < m->n; k++) {
+    uint32_t i = cubes->mover[k];
+    m->mover[k].instance = i;
+    m->mover[k].bounds = hsr_cubes_bounds(cubes, i);
+    put(m,
+        hsr_box_holds(&box, &m->mover[k].bounds) ? &hsr_mover_node(m, 0)->first
+                                                 : &m->outside,
+        k);
+  }
+  return HSR_OK;
+}
+
+bool HSR_OF_BUILD(hsr_movers_divide)(struct hsr_movers *m, uint32_t node,
+                                     const struct hsr_octree_node *cube) {
+  if (hsr_mover_node(m, node)->divided)
+    return true;
+  uint32_t k = hsr_mover_node(m, node)->first;
+  bool single = k == HSR_NO_MOVER || m->mover[k].next == HSR_NO_MOVER;
+  hsr_mover_node(m, node)->divided = true;
+  if (single)
+    return true;
+  m->splits++;
+  hsr_mover_node(m, node)->first = HSR_NO_MOVER;
+  for (uint32_t next; k != HSR_NO_MOVER; k = next) {
+    next = m->mover[k].next;
+    int o = hsr_octant_that_holds(cube, &m->mover[k].bounds);
+    if (o < 0) {
+      put(m, &hsr_mover_node(m, node)->first, k);
+      continue;
+    }
+    uint32_t child = hsr_mover_node(m, node)->child[o];
+    if (child == HSR_NO_NODE && !new_node(m, &child))
+      return false;
+    hsr_mover_node(m, node)->child[o] = child;
+    put(m, &hsr_mover_node(m, child)->first, k);
+    m->moved++;
+  }
+  return true;
+}
+
+bool HSR_OF_BUILD(hsr_movers_divide_all)(struct hsr_movers *m, uint32_t node,
+                                         const struct hsr_octree_node *cube) {
+  if (!HSR_OF_BUILD(hsr_movers_divide)(m, node, cube))
+    return false;
+  for (int o = 0; o < 8; o++) {
+    uint32_t child = hsr_mover_node(m, node)->child[o];
+    struct hsr_octree_node octant = hsr_octree_octant(cube, o);
+    if (child != HSR_NO_NODE &&
+        !HSR_OF_BUILD(hsr_movers_divide_all)(m, child, &octant))
+      return false;
+  }
+  return true;
+}

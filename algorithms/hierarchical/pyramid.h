@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The z-pyramid.
+ *
+ * Source      N. Greene, M. Kass and G. Miller, "Hierarchical Z-Buffer
+ *             Visibility", SIGGRAPH 1993, 3.2; N. Greene, PhD thesis, UC Santa
+ *             Cruz, 1995, 3.3.2.
+ * Notation    depths are q = 1/t: farthest is least. z-value -> far[level], and
+ *             of the second pyramid near[level]; level 0 is the z-buffer, an
+ *             N x N square, N a power of two, of which the window is a corner
+ * Invariant   after hsr_pyramid_update of all boxes written to, every entry is
+ *             the farthest (nearest) of the four below it. What is outside of
+ *             the window is nearer than anything; an unknown depth (NaN) is the
+ *             background's in far[], nearer than anything in near[].
+ * Certain     "hidden" is certain, for depths that are exact within HSR_RHO;
+ *             what rounding leaves in doubt is not hidden. */
+#ifndef HSR_ALGORITHMS_PYRAMID_H
+#define HSR_ALGORITHMS_PYRAMID_H
+
+#include "algorithms/brute_force/tiler.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { HSR_PYRAMID_LEVELS = 15 }; /* of 2^14 samples a side */
+
+struct hsr_pyramid {
+  struct hsr_window
+      window;   /* sample (i, j) is cell (i - x0, j - y0) of level 0 */
+  int n_levels; /* the last one is one cell, the apex */
+  float *far[HSR_PYRAMID_LEVELS];  /* 2^(n_levels - 1 - level) cells a side */
+  float *near[HSR_PYRAMID_LEVELS]; /* NULL: not kept. near[0] is far[0] */
+  uint64_t reads; /* entries read by the tests below, in the counting build */
+  float *work; /* sample (i, j), at work[j * work_stride + i], by its share of
+                  every entry read, if not NULL; in the counting build */
+  size_t work_stride;
+};
+
+/* A pyramid for the window, its arrays the arena's, and a z-buffer as a tiler
+ * has it, `stride` floats a row. HSR_E_NOMEM. */
+enum hsr_status HSR_OF_BUILD(hsr_pyramid_init)(struct hsr_pyramid *pyramid,
+                                               const struct hsr_window *window,
+                                               bool near, size_t *stride,
+                                               struct hsr_arena *arena);
+
+/* All samples are the background. */
+void HSR_OF_BUILD(hsr_pyramid_clear)(struct hsr_pyramid *pyramid);
+
+/* What was written within a box of samples goes up, to where it changes nothing
+ * any more. */
+void HSR_OF_BUILD(hsr_pyramid_update)(struct hsr_pyramid *pyramid,
+                                      struct hsr_bounds box);
+
+/* The basic test: the smallest entry that encloses the box, and nothing else.
+ */
+bool HSR_OF_BUILD(hsr_pyramid_basic)(struct hsr_pyramid *pyramid,
+                                     struct hsr_bounds box, float q);
+
+/* The fast test: is all within a box of samples, which is within the window and
+ * not empty, of depth q or farther, hidden? */
+bool HSR_OF_BUILD(hsr_pyramid_hides)(struct hsr_pyramid *pyramid,
+                                     struct hsr_bounds box, float q);
+
+/* The fast test of n triangles, whose boxes are not empty: hidden[k] tells. */
+void HSR_OF_BUILD(hsr_pyramid_hides_triangles)(
+    struct hsr_pyramid *pyramid, int n, const struct hsr_corners *corners,
+    int *hidden);
+
+/* The definitive test: is a triangle that is set up hidden? Within each entry,
+ * by the nearest that it has there; at a sample, by what tiling it would do. */
+bool HSR_OF_BUILD(hsr_pyramid_hides_triangle)(
+    struct hsr_pyramid *pyramid, struct hsr_tiler *tiler,
+    const struct hsr_triangle *triangle);
+
+/* By the pyramid of the nearest: is q nearer than anything in the smallest
+ * entry that encloses the box? */
+bool HSR_OF_BUILD(hsr_pyramid_before)(struct hsr_pyramid *pyramid,
+                                      struct hsr_bounds box, float q);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+algorithm_files += \
+  %D%/warnock.c \
+  %D%/warnock.h \
+  %D%/warnock_depth.c \
+  %D%/warnock_newell.c \
+  %D%/warnock_watkins.c

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "algorithms/image_space/area/tiling/frame.h"
+
+enum { SPARE_LINES = 8 }; /* of a silhouette; or near, and clips */
+
+/* --- Where the samples are --------------------------------------------------
+ */
+
+static struct hsr_mask_places places_of(const struct hsr_jitter *jitter) {
+  struct hsr_mask_places places;
+  for (int bit = 0; bit < 64; bit++) {
+    places.x[bit] = bit % 8 + 0.5 + jitter->x[bit];
+    places.y[bit] = bit / 8 + 0.5 + jitter->y[bit];
+  }
+  return places;
+}
+
+enum hsr_status HSR_OF_BUILD(hsr_sampling_init)(struct hsr_sampling *s,
+                                                int intervals,
+                                                struct hsr_error *err) {
+  for (int pattern = 0; pattern < HSR_PATTERNS; pattern++) {
+    struct hsr_jitter jitter = {{0}, {0}};
+    if (pattern < HSR_MOST_PATTERNS)
+      hsr_jitter_init(&jitter, pattern);
+    s->places[pattern] = places_of(&jitter);
+  }
+  hsr_kernel_init(&s->cosine, HSR_FILTER_COSINE);
+  return hsr_triage_init(&s->tables, intervals, err);
+}
+
+void HSR_OF_BUILD(hsr_sampling_free)(struct hsr_sampling *s) {
+  hsr_triage_free(&s->tables);
+}
+
+static struct hsr_view view_of(const struct hsr_job *job) {
+  struct hsr_view view = *job->view;
+  if (!job->filtering)
+    return view;
+  view.m *= HSR_SUB;
+  view.n *= HSR_SUB;
+  view.window = (struct hsr_window){0, 0, view.m, view.n};
+  for (int k = 0; k < 3; k++) {
+    view.screen[0][k] *= HSR_SUB;
+    view.screen[1][k] *= HSR_SUB;
+    view.ray[1][k] /= HSR_SUB;
+    view.ray[2][k] /= HSR_SUB;
+  }
+  return view;
+}
+
+int HSR_OF_BUILD(hsr_tiling_pattern)(const struct hsr_job *job) {
+  return job->filtering && job->filtering->patterns ? 0 : HSR_MOST_PATTERNS;
+}
+
+/* The samples of a view that is not filtered may be displaced, all alike. */
+static struct hsr_mask_places *displaced(const struct hsr_job *job,
+                                         const struct hsr_view *view) {
+  struct hsr_mask_places *places =
+      HSR_NEW(job->scratch, struct hsr_mask_places, 1);
+  for (int bit = 0; places && bit < 64; bit++) {
+    places->x[bit] = hsr_sample_x(view, bit % 8);
+    places->y[bit] = hsr_sample_y(view, bit / 8);
+  }
+  return places;
+}
+
+/* --- A frame ---------------------------------------------------------------
+ */
+
+static struct hsr_masks masks_of(struct hsr_tiling *t) {
+  const struct hsr_job *job = t->job;
+  const struct hsr_filtering *filtering = job->filtering;
+  bool jittered = filtering && filtering->patterns;
+  bool moved = !filtering && (t->view.offset_x != 0 || t->view.offset_y != 0);
+  int pattern = HSR_OF_BUILD(hsr_tiling_pattern)(job);
+  return (struct hsr_masks){.tables = &t->sampling->tables,
+                            .places = moved ? displaced(job, &t->view)
+                                            : t->sampling->places + pattern,
+                            .filtering = jittered ? filtering : NULL,
+                            .anywhere = jittered || moved,
+                            .work = &t->polygons,
+                            .touched = job->tally->work,
+                            .touched_stride = job->tally->work_stride,
+                            .pixel = filtering ? HSR_SUB : 1};
+}
+
+enum hsr_status HSR_OF_BUILD(hsr_tiling_begin)(
+    struct hsr_tiling *t, const struct hsr_sampling *sampling,
+    const struct hsr_job *job, struct hsr_pieces_room room) {
+  *t = (struct hsr_tiling){
+      .job = job, .sampling = sampling, .view = view_of(job)};
+  t->masks = masks_of(t);
+  HSR_OF_BUILD(hsr_canvas_begin)
+  (&t->canvas, job, t->view.window, &sampling->cosine);
+  t->sink = HSR_OF_BUILD(hsr_canvas_sink)(&t->canvas);
+  if (!t->masks.places ||
+      HSR_OF_BUILD(hsr_masks_init)(&t->masks, &t->view.window,
+                                   room.corners + SPARE_LINES, job->scratch))
+    return HSR_E_NOMEM;
+  return HSR_OF_BUILD(hsr_pieces_begin)(&t->pieces, room, &t->view, &t->masks,
+                                        job->tally, job->scratch);
+}
+
+enum hsr_status HSR_OF_BUILD(hsr_tiling_room)(struct hsr_tiling *t,
+                                              struct hsr_pieces_room room) {
+  const struct hsr_job *job = t->job;
+  if (HSR_OF_BUILD(hsr_masks_room)(&t->masks, room.corners + SPARE_LINES,
+                                   job->scratch))
+    return HSR_E_NOMEM;
+  return HSR_OF_BUILD(hsr_pieces_begin)(&t->pieces, room, &t->view, &t->masks,
+                                        job->tally, job->scratch);
+}
+
+bool HSR_OF_BUILD(hsr_tiling_shows)(struct hsr_tiling *t,
+                                    const struct hsr_box *box,
+                                    const double shift[3], bool tested) {
+  bool known;
+  const struct hsr_mask_polygon *silhouette =
+      HSR_OF_BUILD(hsr_pieces_silhouette)(&t->pieces, box, shift, &known);
+  if (!known)
+    return true;
+  if (!silhouette || !tested)
+    return silhouette;
+  HSR_COUNT(t->job->tally, HSR_CUBES_ASKED, 1);
+  t->masks.work = &t->cubes;
+  bool visible =
+      HSR_OF_BUILD(hsr_masks_show)(&t->masks, silhouette, t->pieces.box);
+  t->masks.work = &t->polygons;
+  HSR_COUNT(t->job->tally, HSR_CUBES_HIDDEN, !visible);
+  return visible;
+}
+
+void HSR_OF_BUILD(hsr_tiling_background)(struct hsr_tiling *t) {
+  HSR_OF_BUILD(hsr_canvas_face)(&t->canvas, HSR_BACKGROUND);
+  HSR_OF_BUILD(hsr_masks_tile_rest)(&t->masks, &t->sink);
+}
+
+void HSR_OF_BUILD(hsr_tiling_count)(const struct hsr_tiling *t) {
+  struct hsr_tally *tally = t->job->tally;
+  HSR_COUNT(tally, HSR_CUBE_CELLS, t->cubes.cells);
+  HSR_COUNT(tally, HSR_POLYGON_CELLS, t->polygons.cells);
+  HSR_COUNT(tally, HSR_FINEST_CELLS, t->cubes.finest + t->polygons.finest);
+  HSR_COUNT(tally, HSR_PIXEL_CELLS, t->cubes.pixels + t->polygons.pixels);
+  HSR_COUNT(tally, HSR_SAMPLES_WRITTEN, t->canvas.samples);
+  HSR_COUNT(tally, HSR_SAMPLES_UNSURE, t->masks.unsure);
+}

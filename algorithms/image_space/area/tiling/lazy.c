@@ -1,0 +1,516 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Hierarchical polygon tiling with lazy z-buffering: of polygons that come
+ * from front to back only by and large.
+ *
+ * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
+ *             SIGGRAPH 1996, 6.1.
+ * Invariant   the picture is the same for any order (lazy_pyramid.h)
+ * Ties        faces in one plane: the lower one is seen; what is too close to
+ *             an edge is decided exactly (polygon.h)
+ * Order       that which the paper wants it for is that of an octree whose
+ *             cubes come from front to back, and the faces of a cube as they
+ *             are; it is made of the faces as they are laid out in a frame, and
+ *             so needs nothing for those that move. The others are there to be
+ *             compared.
+ * Not flat    faces that are not flat are seen on their planes, and not within
+ *             their cubes: they come first.
+ * Departures  see lazy_pyramid.h
+ * Cost        that of tiling, where the order is exact and cells are not deep
+ */
+#include "algorithms/algorithm.h"
+#include "algorithms/list_priority/fixed/bsp_walk.h"
+#include "algorithms/image_space/area/tiling/frame.h"
+#include "algorithms/image_space/area/tiling/lazy_pyramid.h"
+#include "algorithms/image_space/area/tiling/separate.h"
+#include "common/trees/octree.h"
+#include "common/exact/order.h"
+#include "common/exact/predicates.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { ORDER, LEAF, DISORDER, CUBES, INTERVALS };
+enum { ORDER_TREE, ORDER_FRONT, ORDER_BACK, ORDER_INPUT };
+enum { CUBES_TESTED, CUBES_DRAWN };
+
+enum {
+  POLYGONS = HSR_TILING_COUNTERS,
+  POLYGONS_HIDDEN,
+  FRAGMENTS,
+  DEMOTED,
+  ENTERED,
+  Z_BUFFERED,
+  COMPARED
+};
+
+/* --- Once ------------------------------------------------------------------
+ */
+
+struct prepared {
+  struct hsr_sampling sampling;
+  struct hsr_bsp separate;  /* the faces as they are */
+  struct hsr_bsp tree;      /* their pieces in order; of some orders only */
+  struct hsr_octree octree; /* of the faces that are flat; else */
+  struct hsr_arena arena;   /* holds the octree */
+  struct hsr_pieces_room room;
+};
+
+static uint32_t larger(uint32_t a, uint32_t b) {
+  return a > b ? a : b;
+}
+
+static void make_room(struct hsr_pieces_room *room, const struct hsr_bsp *bsp) {
+  room->points = larger(room->points, bsp->n_points);
+  for (uint32_t k = 0; k < bsp->n_pieces; k++)
+    room->corners = larger(room->corners, bsp->piece[k].n_corners);
+}
+
+static struct hsr_box bounds_of(const void *context, uint32_t f) {
+  const struct hsr_world *world = context;
+  const double *at[3] = {world->x, world->y, world->z};
+  struct hsr_box box;
+  for (int k = 0; k < 3; k++) {
+    box.lo[k] = box.hi[k] = at[k][world->vertex[world->start[f]]];
+    for (uint32_t c = world->start[f]; c < world->start[f + 1]; c++) {
+      box.lo[k] = fmin(box.lo[k], at[k][world->vertex[c]]);
+      box.hi[k] = fmax(box.hi[k], at[k][world->vertex[c]]);
+    }
+  }
+  return box;
+}
+
+static double area_of(const void *context, uint32_t f) {
+  const struct hsr_world *w = context;
+  return 0.5 *
+         sqrt(w->nx[f] * w->nx[f] + w->ny[f] * w->ny[f] + w->nz[f] * w->nz[f]);
+}
+
+/* By their boxes. */
+static bool meets(const void *context, uint32_t f, const struct hsr_box *cube) {
+  (void)context;
+  (void)f;
+  (void)cube;
+  return true;
+}
+
+/* A face is in the smallest cube that holds it, or if it is small in all that
+ * its box meets. */
+static enum hsr_status make_octree(struct prepared *p,
+                                   const struct hsr_world *world, long leaf) {
+  struct hsr_primitives faces = {world->n_faces, world, bounds_of, area_of,
+                                 meets};
+  struct hsr_octree_rule rule = {0.1, (uint32_t)leaf, 1};
+  struct hsr_box box = HSR_OF_BUILD(hsr_all_points)(&p->separate).tight;
+  double side = 0;
+  for (int k = 0; k < 3; k++)
+    side = fmax(side, box.hi[k] - box.lo[k]);
+  /* A little larger, for what is rounded. */
+  side = 1.0009765625 * side + 0x1p-900;
+  return hsr_octree_init(&p->octree, &faces, &rule, box.lo, side, &p->arena);
+}
+
+static void release(void *prepared) {
+  struct prepared *p = prepared;
+  HSR_OF_BUILD(hsr_sampling_free)(&p->sampling);
+  hsr_bsp_free(&p->separate);
+  hsr_bsp_free(&p->tree);
+  hsr_arena_free(&p->arena);
+  free(p);
+}
+
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  struct prepared *p = calloc(1, sizeof *p);
+  *prepared = p;
+  if (!p)
+    return hsr_fail_nomem(err);
+  struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
+  enum hsr_status status = HSR_OF_BUILD(hsr_sampling_init)(
+      &p->sampling, (int)option[INTERVALS], err);
+  if (!status && HSR_OF_BUILD(hsr_separate_init)(&p->separate, world))
+    status = hsr_fail_nomem(err);
+  if (!status && option[ORDER] == ORDER_TREE && world->n_faces &&
+      make_octree(p, world, option[LEAF]))
+    status = hsr_fail_nomem(err);
+  if (!status && (option[ORDER] == ORDER_FRONT || option[ORDER] == ORDER_BACK))
+    status = hsr_bsp_init(&p->tree, world, &rule, err);
+  if (status)
+    return status;
+  make_room(&p->room, &p->separate);
+  make_room(&p->room, &p->tree);
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    p->room.face = larger(p->room.face, larger(hsr_face_size(world, f),
+                                               hsr_plane_loop(world, f).n));
+  return HSR_OK;
+}
+
+/* --- A frame ---------------------------------------------------------------
+ */
+
+/* A polygon that waits for its turn. */
+struct turn {
+  const struct hsr_bsp_piece *piece;
+  int facing;
+};
+
+struct frame {
+  const struct hsr_job *job;
+  const struct prepared *prepared;
+  struct hsr_tiling tiling;
+  struct hsr_lazy_pyramid pyramid;
+  struct hsr_growing turn; /* struct turn */
+  bool *met;               /* a face, in a cube */
+  uint16_t (*rgb)[3];      /* of a filtered picture: a face, */
+  bool *has_colour;        /* if it has been found; the last is background */
+};
+
+static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
+  const struct prepared *p = job->prepared;
+  struct hsr_arena *arena = job->scratch;
+  size_t colours = job->filtering ? (size_t)job->world->n_faces + 1 : 0;
+  *f = (struct frame){.job = job,
+                      .prepared = p,
+                      .rgb = hsr_arena_array(arena, colours, sizeof *f->rgb),
+                      .has_colour = HSR_NEW_ZEROED(arena, bool, colours),
+                      .met = HSR_NEW_ZEROED(arena, bool, job->world->n_faces)};
+  if (!f->rgb || !f->has_colour || !f->met ||
+      HSR_OF_BUILD(hsr_tiling_begin)(&f->tiling, &p->sampling, job, p->room))
+    return HSR_E_NOMEM;
+  return HSR_OF_BUILD(hsr_lazy_begin)(&f->pyramid, &f->tiling.masks, job->world,
+                                      &f->tiling.view, job->tally, arena);
+}
+
+/* Takes in hand a tree with all of its points. */
+static void take_tree(struct frame *f, const struct hsr_bsp *bsp) {
+  static const double still[3] = {0, 0, 0};
+  struct hsr_bsp_cube all = HSR_OF_BUILD(hsr_all_points)(bsp);
+  HSR_OF_BUILD(hsr_pieces_tree)(&f->tiling.pieces, bsp, still);
+  HSR_OF_BUILD(hsr_pieces_leaf)(&f->tiling.pieces, &all);
+}
+
+static void tile_piece(struct frame *f, const struct hsr_bsp_piece *piece,
+                       int facing) {
+  struct hsr_pieces_view *pieces = &f->tiling.pieces;
+  if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
+    return;
+  HSR_OF_BUILD(hsr_pieces_outline)(pieces);
+  HSR_STEP(f->job->tally, POLYGONS, HSR_ACTIVATE, piece->face, HSR_NOTHING,
+           pieces->box.x0, pieces->box.y0, pieces->box.x1, pieces->box.y1);
+  if (!HSR_OF_BUILD(hsr_lazy_tile)(&f->pyramid, piece->face, &pieces->polygon,
+                                   pieces->box))
+    HSR_COUNT(f->job->tally, POLYGONS_HIDDEN, 1);
+}
+
+/* On which side of a face the eye is; 0 if the face does not exist. */
+static int facing_of(struct frame *f, uint32_t face) {
+  struct hsr_screen *screen = &f->pyramid.screen;
+  HSR_OF_BUILD(hsr_lazy_face)(&f->pyramid, face);
+  return hsr_face_exists(screen, face, f->job->tally)
+             ? hsr_eye_side(screen, face, f->job->tally)
+             : 0;
+}
+
+static void tile_face(struct frame *f, uint32_t face) {
+  int facing = facing_of(f, face);
+  if (facing)
+    tile_piece(f, &f->prepared->separate.piece[face], facing);
+}
+
+/* --- An octree, from front to back -----------------------------------------
+ */
+
+/* The corners of a cube's box, and a little more for what is rounded: an
+ * octree's boxes are within 2^-50 of the coordinates (common/trees/octree.c). */
+static struct hsr_box corners_of(const struct hsr_octree_box *box) {
+  struct hsr_box corners;
+  for (int k = 0; k < 3; k++) {
+    double more = 0x1p-48 * (fabs(box->centre[k]) + box->half[k]);
+    corners.lo[k] = box->centre[k] - box->half[k] - more;
+    corners.hi[k] = box->centre[k] + box->half[k] + more;
+  }
+  return corners;
+}
+
+/* No point of a box has a greater 1/t. W is a sum of three products, within 8 u
+ * of their sizes as in polygon.c. */
+static double nearest_of(const struct frame *f, const struct hsr_box *box) {
+  const double *row = f->tiling.view.screen[2], *eye = f->tiling.view.E;
+  double w = -0x1p-900;
+  for (int k = 0; k < 3; k++) {
+    double lo = row[k] * (box->lo[k] - eye[k]);
+    double hi = row[k] * (box->hi[k] - eye[k]);
+    w += fmin(lo, hi) - 0x1p-48 * fmax(fabs(lo), fabs(hi));
+  }
+  return w > 0 ? (1 + 0x1p-50) / w : INFINITY;
+}
+
+static bool is_visible(struct frame *f, const struct hsr_octree_box *cube) {
+  static const double still[3] = {0, 0, 0};
+  struct hsr_box box = corners_of(cube);
+  bool known;
+  const struct hsr_mask_polygon *silhouette = HSR_OF_BUILD(
+      hsr_pieces_silhouette)(&f->tiling.pieces, &box, still, &known);
+  if (!known)
+    return true;
+  if (!silhouette)
+    return false;
+  if (f->job->option[CUBES] == CUBES_DRAWN)
+    return true;
+  HSR_COUNT(f->job->tally, HSR_CUBES_ASKED, 1);
+  f->tiling.masks.work = &f->tiling.cubes;
+  bool visible = HSR_OF_BUILD(hsr_lazy_shows)(
+      &f->pyramid, silhouette, f->tiling.pieces.box, nearest_of(f, &box));
+  f->tiling.masks.work = &f->tiling.polygons;
+  HSR_COUNT(f->job->tally, HSR_CUBES_HIDDEN, !visible);
+  return visible;
+}
+
+static void tile_cube(struct frame *f, uint32_t number) {
+  const struct hsr_octree *octree = &f->prepared->octree;
+  const struct hsr_octree_node *node = &octree->node[number];
+  unsigned nearest = 0;
+  if (!is_visible(f, &node->tight))
+    return;
+  for (uint32_t k = 0; k < node->n; k++) {
+    uint32_t face = octree->item[node->first + k];
+    if (!f->met[face])
+      tile_face(f, face);
+    f->met[face] = true;
+  }
+  for (int k = 0; k < 3; k++)
+    nearest |= (unsigned)(f->tiling.view.E[k] > node->centre[k]) << k;
+  for (int k = 0; k < 8; k++) {
+    uint32_t child = node->child[nearest ^ hsr_octant_order[k]];
+    if (child != HSR_NO_NODE)
+      tile_cube(f, child);
+  }
+}
+
+static void tile_octree(struct frame *f) {
+  const struct hsr_world *world = f->job->world;
+  take_tree(f, &f->prepared->separate);
+  for (uint32_t face = 0; face < world->n_faces; face++)
+    if (world->deviation[face] > 0) {
+      tile_face(f, face);
+      f->met[face] = true;
+    }
+  if (f->prepared->octree.n_nodes)
+    tile_cube(f, 0);
+}
+
+/* --- Other orders ----------------------------------------------------------
+ */
+
+static void wait_for_turn(void *context, const struct hsr_bsp_piece *piece,
+                          int facing) {
+  struct frame *f = context;
+  if (!hsr_arena_grow(f->job->scratch, &f->turn, sizeof(struct turn))) {
+    f->pyramid.out_of_memory = true;
+    return;
+  }
+  ((struct turn *)f->turn.items)[f->turn.n - 1] = (struct turn){piece, facing};
+}
+
+/* A number below n, by D. Lehmer's multiplicative generator modulo 2^31 - 1. */
+static size_t draw_number(uint64_t *seed, size_t n) {
+  *seed = *seed * 48271 % 2147483647;
+  return (size_t)(*seed * n / 2147483647);
+}
+
+/* So many per cent, chosen at random, change places at random. */
+static void disturb(struct frame *f, long per_cent) {
+  struct turn *turn = f->turn.items;
+  size_t n = f->turn.n, moved = n * (size_t)per_cent / 100;
+  uint64_t seed = 1996;
+  size_t *place = HSR_NEW(f->job->scratch, size_t, n);
+  if (!place) {
+    f->pyramid.out_of_memory = true;
+    return;
+  }
+  for (size_t k = 0; k < n; k++)
+    place[k] = k;
+  for (size_t k = 0; k < moved; k++) {
+    size_t other = k + draw_number(&seed, n - k), kept = place[k];
+    place[k] = place[other];
+    place[other] = kept;
+  }
+  for (size_t k = moved; k > 1; k--) {
+    size_t a = place[k - 1], b = place[draw_number(&seed, k)];
+    struct turn kept = turn[a];
+    turn[a] = turn[b];
+    turn[b] = kept;
+  }
+}
+
+static void tile_turns(struct frame *f) {
+  disturb(f, f->job->option[DISORDER]);
+  if (f->pyramid.out_of_memory)
+    return;
+  for (size_t k = 0; k < f->turn.n; k++) {
+    const struct turn *turn = (struct turn *)f->turn.items + k;
+    tile_piece(f, turn->piece, turn->facing);
+  }
+}
+
+static void tile_input(struct frame *f) {
+  const struct hsr_bsp *separate = &f->prepared->separate;
+  for (uint32_t face = 0; face < f->job->world->n_faces; face++) {
+    int facing = facing_of(f, face);
+    if (facing)
+      wait_for_turn(f, &separate->piece[face], facing);
+  }
+  take_tree(f, separate);
+  tile_turns(f);
+}
+
+/* Pieces, and then the faces that the tree has no place for. */
+static void tile_tree(struct frame *f) {
+  static const double still[3] = {0, 0, 0};
+  const struct hsr_bsp *bsp = &f->prepared->tree;
+  struct hsr_bsp_walk walk = {
+      .bsp = bsp,
+      .eye = f->tiling.view.E,
+      .shift = still,
+      .backwards = f->job->option[ORDER] == ORDER_BACK,
+      .tally = f->job->tally,
+      .waiting = HSR_NEW(f->job->scratch, struct hsr_bsp_waiting,
+                         hsr_bsp_most_waiting(bsp->most_depth)),
+      .context = f,
+      .piece = wait_for_turn};
+  if (!walk.waiting) {
+    f->pyramid.out_of_memory = true;
+    return;
+  }
+  HSR_OF_BUILD(hsr_bsp_walk)(&walk);
+  take_tree(f, bsp);
+  tile_turns(f);
+  take_tree(f, &f->prepared->separate);
+  for (uint32_t k = 0; k < bsp->n_loose; k++)
+    tile_face(f, bsp->loose[k]);
+}
+
+/* --- The picture -----------------------------------------------------------
+ */
+
+static void take_face(void *context, uint32_t face) {
+  struct frame *f = context;
+  f->tiling.canvas.id = face;
+  if (!f->job->filtering)
+    return;
+  uint32_t n = f->job->world->n_faces, k = face < n ? face : n;
+  if (!f->has_colour[k])
+    hsr_filter_colour(f->job->world, f->job->view,
+                      face < n ? hsr_world_parent(f->job->world, face) : face,
+                      f->rgb[k]);
+  f->has_colour[k] = true;
+  HSR_OF_BUILD(hsr_canvas_colour)(&f->tiling.canvas, f->rgb[k]);
+}
+
+static void count_work(const struct frame *f) {
+  struct hsr_tally *tally = f->job->tally;
+  const struct hsr_lazy_work *work = &f->pyramid.work;
+  HSR_OF_BUILD(hsr_tiling_count)(&f->tiling);
+  HSR_COUNT(tally, FRAGMENTS, work->fragments);
+  HSR_COUNT(tally, DEMOTED, work->demoted);
+  HSR_COUNT(tally, ENTERED, work->pixels);
+  HSR_COUNT(tally, Z_BUFFERED, work->z_buffered);
+  HSR_COUNT(tally, COMPARED, work->compared);
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct frame f;
+  if (begin(&f, job))
+    return hsr_fail_nomem(err);
+  if (job->option[ORDER] == ORDER_TREE)
+    tile_octree(&f);
+  else if (job->option[ORDER] == ORDER_INPUT)
+    tile_input(&f);
+  else
+    tile_tree(&f);
+  if (f.pyramid.out_of_memory)
+    return hsr_fail_nomem(err);
+  HSR_OF_BUILD(hsr_lazy_resolve)(&f.pyramid, &f.tiling.sink, &f, take_face);
+  count_work(&f);
+  return HSR_OK;
+}
+
+/* --- The descriptor --------------------------------------------------------
+ */
+
+static const struct hsr_counter counters[] = {
+    HSR_TILING_COUNTER_NAMES,
+    [POLYGONS] = {"polygons", "faces, or pieces of them, in visible cubes, "
+                              "with a sample in their box"},
+    [POLYGONS_HIDDEN] = {"polygons hidden",
+                         "of these, those whose box is hidden"},
+    [FRAGMENTS] = {"fragments", "of polygons, cached in pixels"},
+    [DEMOTED] = {"pixels demoted", "from tiling to z-buffering"},
+    [ENTERED] = {"pixels entered", "that are not of one face as all about them "
+                                   "in the end, or vacant"},
+    [Z_BUFFERED] = {"pixels z-buffered", "of these, in the end"},
+    [COMPARED] = {"samples compared", "by depth"},
+    {NULL, NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"cubes", "distance", "octree, from front to back", "once a frame"},
+    {"faces", "X and Y", "mask pyramid", "a polygon"},
+    {"faces", "Z", "exhaustive search", "a sample of a z-buffered pixel"},
+    {NULL, NULL, NULL, NULL}};
+
+static const struct hsr_option options[] = {
+    [ORDER] = {.name = "order",
+               .meaning = "in which polygons come",
+               .words =
+                   (const struct hsr_word[]){
+                       {"tree",
+                        "cubes of an octree from front to back, faces of a "
+                        "cube as they are",
+                        0},
+                       {"front", "pieces in BSP trees, from front to back", 0},
+                       {"back", "the same from back to front", 0},
+                       {"input", "by their numbers", 0},
+                       {NULL, NULL, 0}}},
+    [LEAF] = {.name = "leaf",
+              .meaning = "the most faces that an octree's leaf has",
+              .least = 1,
+              .most = 1000,
+              .standard = 30},
+    [DISORDER] = {.name = "disorder",
+                  .meaning = "per cent of the polygons that change places at "
+                             "random; not with order=tree",
+                  .least = 0,
+                  .most = 100},
+    [CUBES] = {.name = "cubes",
+               .meaning = "what becomes of cubes in the picture",
+               .words =
+                   (const struct hsr_word[]){
+                       {"tested",
+                        "their silhouettes are tiled, and hidden ones culled",
+                        0},
+                       {"drawn", "all are gone through", 0},
+                       {NULL, NULL, 0}}},
+    [INTERVALS] = HSR_INTERVALS_OPTION,
+    {.name = NULL}};
+
+const struct hsr_algorithm HSR_ALGORITHM(tiling_lazy) = {
+    .name = "tiling-lazy",
+    .title = "Hierarchical polygon tiling with lazy z-buffering",
+    .authors = "N. Greene",
+    .year = 1996,
+    .source = "N. Greene, Hierarchical Polygon Tiling with Coverage Masks, "
+              "SIGGRAPH 1996, 6.1",
+    .taxonomy = HSR_IMAGE_SPACE_AREA,
+    .sort_order = "Z(XY)Z",
+    .coherence = "area coherence; hidden cubes hide all that is in them; faces "
+                 "come nearly from front to back",
+    .restrictions = HSR_CF,
+    .kind = HSR_IDS,
+    .flags = HSR_FILTERS,
+    .sorts = sorts,
+    .counters = counters,
+    .options = options,
+    .prepare = prepare,
+    .render = render,
+    .release = release};

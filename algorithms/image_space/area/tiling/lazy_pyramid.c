@@ -1,0 +1,583 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Depth in a cell; u = 2^-53. On the plane of a face q is affine: at the
+ * samples of a square it is within |a| half + |b| half of what it is in the
+ * middle, and a sx + b sy + c is within the plane's error of it
+ * (common/exact/screen.h). Middle and half differ from that sum by roundings, at most
+ * five of its terms' sizes and half's: 8 u of these are added. Of a face that
+ * is safely before the eye, it is within its extremes at the vertices, too;
+ * behind the eye nothing is seen, so it is not negative. */
+#include "algorithms/image_space/area/tiling/lazy_pyramid.h"
+#include "common/base/bits.h"
+#include "common/exact/predicates.h"
+
+#include <float.h>
+
+static const uint64_t ALL = UINT64_MAX;
+static const double U = DBL_EPSILON / 2;
+
+#if HSR_COUNTING
+#define COUNT(counter, n) ((counter) += (uint64_t)(n))
+#else
+#define COUNT(counter, n) ((void)sizeof((counter) + (uint64_t)(n)))
+#endif
+
+/* --- Depth -----------------------------------------------------------------
+ */
+
+static const struct hsr_lazy_depth NOTHING = {INFINITY, 0};
+
+static void include(struct hsr_lazy_depth *depth, struct hsr_lazy_depth more) {
+  depth->far = fmin(depth->far, more.far);
+  depth->near = fmax(depth->near, more.near);
+}
+
+static bool is_behind(struct hsr_lazy_depth a, struct hsr_lazy_depth b) {
+  return a.near < b.far;
+}
+
+/* Of all that is seen of a face. */
+static struct hsr_lazy_depth depth_at_vertices(const struct hsr_screen *s,
+                                               uint32_t f) {
+  const struct hsr_world *world = s->world;
+  struct hsr_lazy_depth depth = NOTHING;
+  double error = hsr_vertex_error(s, f);
+  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
+    double q = hsr_vertex_depth(s, f, world->vertex[k]);
+    if (!(q - error < INFINITY)) /* not safely before the eye */
+      return (struct hsr_lazy_depth){0, INFINITY};
+    include(&depth, (struct hsr_lazy_depth){q - error, q + error});
+  }
+  depth.far = fmax(depth.far, 0);
+  return depth;
+}
+
+void HSR_OF_BUILD(hsr_lazy_face)(struct hsr_lazy_pyramid *p, uint32_t f) {
+  if (p->known[f])
+    return;
+  p->known[f] = true;
+  hsr_screen_plane(&p->screen, f);
+  p->depth[f] = depth_at_vertices(&p->screen, f);
+}
+
+static struct hsr_lazy_depth depth_in(const struct hsr_lazy_pyramid *p,
+                                      uint32_t f,
+                                      const struct hsr_mask_cell *cell) {
+  const struct hsr_depth_plane *plane = &p->screen.plane[f];
+  struct hsr_lazy_depth depth = p->depth[f];
+  double half = 0.5 * cell->size, x = cell->x + half, y = cell->y + half;
+  double a = fabs(plane->a), b = fabs(plane->b);
+  double middle = plane->a * x + plane->b * y + plane->c;
+  double reach = (a + b) * half;
+  reach += plane->error + 8 * U * (a * x + b * y + fabs(plane->c) + reach);
+  depth.far = fmax(depth.far, middle - reach);
+  depth.near = fmin(depth.near, middle + reach);
+  return depth;
+}
+
+/* Whether face f is nearer than g at a sample that both cover. */
+static bool is_nearer(struct hsr_lazy_pyramid *p, uint32_t f, uint32_t g,
+                      double sx, double sy) {
+  const struct hsr_world *world = p->screen.world;
+  const struct hsr_depth_plane *a = &p->screen.plane[f],
+                               *b = &p->screen.plane[g];
+  COUNT(p->work.compared, 1);
+  HSR_COUNT_DEPTHS(p->tally, 1);
+  if (world->plane[f] == world->plane[g])
+    return f < g;
+  double by = (a->a * sx + a->b * sy + a->c) - (b->a * sx + b->b * sy + b->c);
+  double bound = a->error + b->error;
+  if (by > bound)
+    return true;
+  if (by < -bound)
+    return false;
+  p->tally->exact[HSR_ASK_DEPTH]++;
+  return hsr_exact_nearer(p->screen.view, hsr_plane_loop(world, f),
+                          hsr_plane_loop(world, g), sx, sy,
+                          &p->tally->out_of_memory) > 0;
+}
+
+/* --- Fragments -------------------------------------------------------------
+ */
+
+static struct hsr_lazy_fragment *fragment(const struct hsr_lazy_pyramid *p,
+                                          uint32_t index) {
+  return (struct hsr_lazy_fragment *)p->fragment.items + (index - 1);
+}
+
+static struct hsr_lazy_samples *samples_of(const struct hsr_lazy_pyramid *p,
+                                           const struct hsr_lazy_pixel *pixel) {
+  return (struct hsr_lazy_samples *)p->samples.items + (pixel->samples - 1);
+}
+
+static void discard_fragments(struct hsr_lazy_pyramid *p,
+                              struct hsr_lazy_pixel *pixel) {
+  if (!pixel->fragments)
+    return;
+  struct hsr_lazy_fragment *last = fragment(p, pixel->fragments);
+  while (last->next)
+    last = fragment(p, last->next);
+  last->next = p->vacant_fragment;
+  p->vacant_fragment = pixel->fragments;
+  pixel->fragments = 0;
+}
+
+static void cache_fragment(struct hsr_lazy_pyramid *p,
+                           struct hsr_lazy_pixel *pixel, uint32_t face,
+                           uint64_t mask) {
+  uint32_t index = p->vacant_fragment;
+  COUNT(p->work.fragments, 1);
+  if (!index) {
+    if (p->fragment.n == UINT32_MAX ||
+        !hsr_arena_grow(p->arena, &p->fragment,
+                        sizeof(struct hsr_lazy_fragment))) {
+      p->out_of_memory = true;
+      return;
+    }
+    index = (uint32_t)p->fragment.n;
+    fragment(p, index)->next = 0;
+  }
+  p->vacant_fragment = fragment(p, index)->next;
+  *fragment(p, index) =
+      (struct hsr_lazy_fragment){mask, face, pixel->fragments};
+  pixel->fragments = index;
+}
+
+/* --- Pixels ----------------------------------------------------------------
+ */
+
+/* Where sample `bit` of a pixel is. */
+static void place_of(const struct hsr_masks *masks,
+                     const struct hsr_mask_cell *cell, int bit, double *sx,
+                     double *sy) {
+  const struct hsr_mask_places *places =
+      &masks->places[HSR_OF_BUILD(hsr_masks_pattern)(masks, cell)];
+  *sx = cell->x + places->x[bit];
+  *sy = cell->y + places->y[bit];
+}
+
+static void clear_pixel(struct hsr_lazy_pyramid *p,
+                        const struct hsr_mask_cell *cell) {
+  struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
+  discard_fragments(p, pixel);
+  pixel->depth = NOTHING;
+  pixel->z_buffered = false;
+  p->masks->finest[cell->number] =
+      ~HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+}
+
+static void tile_pixel(struct hsr_lazy_pyramid *p,
+                       const struct hsr_mask_cell *cell, uint32_t face,
+                       uint64_t mask) {
+  struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
+  cache_fragment(p, pixel, face, mask);
+  p->masks->finest[cell->number] |= mask;
+  include(&pixel->depth, depth_in(p, face, cell));
+}
+
+/* Whether the face at hand is behind the fragments at all of these samples,
+ * which they cover. */
+static bool is_behind_fragments(struct hsr_lazy_pyramid *p,
+                                const struct hsr_mask_cell *cell,
+                                uint64_t mask) {
+  uint32_t index = p->pixel[cell->number].fragments;
+  for (; index; index = fragment(p, index)->next) {
+    uint32_t face = fragment(p, index)->face;
+    uint64_t shared = mask & fragment(p, index)->mask;
+    for (; shared; shared &= shared - 1) {
+      double sx, sy;
+      place_of(p->masks, cell, hsr_first_bit(shared), &sx, &sy);
+      if (is_nearer(p, p->face, face, sx, sy))
+        return false;
+    }
+  }
+  return true;
+}
+
+/* To ordinary z-buffering. */
+static void demote(struct hsr_lazy_pyramid *p, struct hsr_lazy_pixel *pixel) {
+  COUNT(p->work.demoted, 1);
+  if (!pixel->samples) {
+    if (!hsr_arena_grow(p->arena, &p->samples,
+                        sizeof(struct hsr_lazy_samples))) {
+      p->out_of_memory = true;
+      return;
+    }
+    pixel->samples = (uint32_t)p->samples.n;
+  }
+  uint32_t *face = samples_of(p, pixel)->face;
+  for (int bit = 0; bit < 64; bit++)
+    face[bit] = HSR_BACKGROUND;
+  for (uint32_t k = pixel->fragments; k; k = fragment(p, k)->next)
+    for (uint64_t mask = fragment(p, k)->mask; mask; mask &= mask - 1)
+      face[hsr_first_bit(mask)] = fragment(p, k)->face;
+  discard_fragments(p, pixel);
+  pixel->z_buffered = true;
+}
+
+/* The samples of one face, which is that of the first, of those in the mask. */
+static uint64_t same_face(const uint32_t face[64], uint64_t mask) {
+  uint32_t wanted = face[hsr_first_bit(mask)];
+  uint64_t same = 0;
+  for (int bit = 0; bit < 64; bit++)
+    same |= (uint64_t)(face[bit] == wanted) << bit;
+  return same & mask;
+}
+
+static void z_buffer(struct hsr_lazy_pyramid *p,
+                     const struct hsr_mask_cell *cell, uint64_t mask) {
+  struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
+  uint32_t *face = samples_of(p, pixel)->face;
+  uint64_t *covered = &p->masks->finest[cell->number];
+  uint64_t in_window = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  for (uint64_t ask = mask & *covered; ask; ask &= ask - 1) {
+    double sx, sy;
+    int bit = hsr_first_bit(ask);
+    place_of(p->masks, cell, bit, &sx, &sy);
+    if (is_nearer(p, p->face, face[bit], sx, sy))
+      face[bit] = p->face;
+  }
+  for (uint64_t put = mask & ~*covered; put; put &= put - 1)
+    face[hsr_first_bit(put)] = p->face;
+  *covered |= mask;
+  pixel->depth = NOTHING;
+  for (uint64_t rest = *covered & in_window, same; rest; rest &= ~same) {
+    same = same_face(face, rest);
+    include(&pixel->depth, depth_in(p, face[hsr_first_bit(rest)], cell));
+  }
+}
+
+/* --- Cells -----------------------------------------------------------------
+ */
+
+static bool is_finest(const struct hsr_lazy_pyramid *p,
+                      const struct hsr_mask_cell *cell) {
+  return cell->level == p->masks->n_levels - 1;
+}
+
+static void clear(struct hsr_lazy_pyramid *p,
+                  const struct hsr_mask_cell *cell) {
+  uint64_t vacant = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  if (is_finest(p, cell)) {
+    clear_pixel(p, cell);
+    return;
+  }
+  p->masks->coarse[cell->level][cell->number] =
+      (struct hsr_triage){~vacant, vacant};
+  p->cell[cell->level][cell->number] = (struct hsr_lazy_cell){.depth = NOTHING};
+}
+
+/* A face that hides all that was there makes the cell whole. */
+static void make_whole(struct hsr_lazy_pyramid *p,
+                       const struct hsr_mask_cell *cell, uint32_t face) {
+  uint64_t all = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  if (is_finest(p, cell)) {
+    clear_pixel(p, cell);
+    tile_pixel(p, cell, face, all);
+    return;
+  }
+  p->masks->coarse[cell->level][cell->number] = (struct hsr_triage){ALL, 0};
+  p->cell[cell->level][cell->number] =
+      (struct hsr_lazy_cell){depth_in(p, face, cell), all, face};
+}
+
+/* Of a subcell that is not vacant. */
+static struct hsr_lazy_depth depth_of(const struct hsr_lazy_pyramid *p,
+                                      const struct hsr_lazy_cell *parent,
+                                      const struct hsr_mask_cell *sub) {
+  if (parent->whole >> (sub->number & 63) & 1)
+    return depth_in(p, parent->face, sub);
+  return is_finest(p, sub) ? p->pixel[sub->number].depth
+                           : p->cell[sub->level][sub->number].depth;
+}
+
+/* Makes a subcell ready to be entered. */
+static void open(struct hsr_lazy_pyramid *p, const struct hsr_triage *mask,
+                 struct hsr_lazy_cell *parent,
+                 const struct hsr_mask_cell *sub) {
+  uint64_t bit = (uint64_t)1 << (sub->number & 63);
+  if (mask->v & bit)
+    clear(p, sub);
+  else if (parent->whole & bit) {
+    make_whole(p, sub, parent->face);
+    parent->whole &= ~bit;
+  }
+}
+
+/* Depths of the subcells make that of the cell. */
+static void find_depth(const struct hsr_lazy_pyramid *p,
+                       const struct hsr_mask_cell *cell) {
+  const struct hsr_triage *mask = &p->masks->coarse[cell->level][cell->number];
+  struct hsr_lazy_cell *own = &p->cell[cell->level][cell->number];
+  uint64_t some = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell) & ~mask->v &
+                  ~own->whole;
+  own->depth = own->whole ? depth_in(p, own->face, cell) : NOTHING;
+  for (; some; some &= some - 1) {
+    struct hsr_mask_cell sub =
+        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(some));
+    include(&own->depth, depth_of(p, own, &sub));
+  }
+}
+
+/* --- Once a frame ----------------------------------------------------------
+ */
+
+enum hsr_status HSR_OF_BUILD(hsr_lazy_begin)(struct hsr_lazy_pyramid *p,
+                                             struct hsr_masks *masks,
+                                             const struct hsr_world *world,
+                                             const struct hsr_view *view,
+                                             struct hsr_tally *tally,
+                                             struct hsr_arena *arena) {
+  int finest = masks->n_levels - 1;
+  *p =
+      (struct hsr_lazy_pyramid){.masks = masks, .arena = arena, .tally = tally};
+  for (int level = 0; level < finest; level++) {
+    p->cell[level] =
+        HSR_NEW_ZEROED(arena, struct hsr_lazy_cell,
+                       HSR_OF_BUILD(hsr_masks_cells)(masks, level));
+    if (!p->cell[level])
+      return HSR_E_NOMEM;
+  }
+  p->pixel = HSR_NEW_ZEROED(arena, struct hsr_lazy_pixel,
+                            HSR_OF_BUILD(hsr_masks_cells)(masks, finest));
+  p->depth = HSR_NEW(arena, struct hsr_lazy_depth, world->n_faces);
+  p->known = HSR_NEW_ZEROED(arena, bool, world->n_faces);
+  if (!p->pixel || !p->depth || !p->known ||
+      hsr_screen_init(&p->screen, world, view, arena))
+    return HSR_E_NOMEM;
+  hsr_screen_vertices(&p->screen);
+  struct hsr_mask_cell root = HSR_OF_BUILD(hsr_masks_root)(masks);
+  clear(p, &root);
+  return HSR_OK;
+}
+
+/* --- Tiling ----------------------------------------------------------------
+ */
+
+static uint64_t enter_pixel(struct hsr_lazy_pyramid *p,
+                            const struct hsr_mask_cell *cell) {
+  p->own = depth_in(p, p->face, cell);
+  if (is_behind(p->own, p->pixel[cell->number].depth))
+    return ~p->masks->finest[cell->number];
+  return HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+}
+
+/* Subcells that are hidden are left out; those that the polygon makes whole,
+ * made so; the others, entered. */
+static uint64_t enter(void *context, const struct hsr_mask_cell *cell,
+                      struct hsr_triage polygon) {
+  struct hsr_lazy_pyramid *p = context;
+  if (is_finest(p, cell))
+    return enter_pixel(p, cell);
+  struct hsr_triage *mask = &p->masks->coarse[cell->level][cell->number];
+  struct hsr_lazy_cell *own = &p->cell[cell->level][cell->number];
+  uint64_t entered = 0;
+  uint64_t ask = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell) & ~polygon.v;
+  p->changed[cell->level] = false;
+  for (; ask; ask &= ask - 1) {
+    uint64_t bit = ask & (~ask + 1);
+    struct hsr_mask_cell sub =
+        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(ask));
+    bool hides = polygon.c & bit;
+    if (!(mask->v & bit)) {
+      struct hsr_lazy_depth here = depth_in(p, p->face, &sub);
+      struct hsr_lazy_depth there = depth_of(p, own, &sub);
+      if (mask->c & bit && is_behind(here, there))
+        continue;
+      hides = hides && is_behind(there, here);
+    }
+    if (hides) {
+      make_whole(p, &sub, p->face);
+      mask->c |= bit;
+      mask->v &= ~bit;
+      own->whole &= ~bit;
+      p->changed[cell->level] = true;
+    } else {
+      open(p, mask, own, &sub);
+      entered |= bit;
+    }
+  }
+  return entered;
+}
+
+static void take_samples(void *context, const struct hsr_mask_cell *cell,
+                         uint64_t mask) {
+  struct hsr_lazy_pyramid *p = context;
+  struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
+  uint64_t covered = p->masks->finest[cell->number];
+  uint64_t all = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  if (mask == all && is_behind(pixel->depth, p->own))
+    make_whole(p, cell, p->face);
+  else if (!pixel->z_buffered && is_behind_fragments(p, cell, mask & covered)) {
+    if (!(mask & ~covered))
+      return;
+    tile_pixel(p, cell, p->face, mask & ~covered);
+  } else {
+    if (!pixel->z_buffered)
+      demote(p, pixel);
+    if (pixel->z_buffered)
+      z_buffer(p, cell, mask);
+  }
+  if (cell->level)
+    p->changed[cell->level - 1] = true;
+}
+
+static void leave(void *context, const struct hsr_mask_cell *cell,
+                  uint64_t entered) {
+  struct hsr_lazy_pyramid *p = context;
+  struct hsr_triage *mask = &p->masks->coarse[cell->level][cell->number];
+  if (!p->changed[cell->level])
+    return;
+  for (; entered; entered &= entered - 1) {
+    uint64_t bit = entered & (~entered + 1), covered;
+    struct hsr_mask_cell sub =
+        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(entered));
+    uint64_t in = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, &sub);
+    bool vacant;
+    if (is_finest(p, &sub)) {
+      covered = p->masks->finest[sub.number];
+      vacant = !(covered & in);
+    } else {
+      covered = p->masks->coarse[sub.level][sub.number].c;
+      vacant = p->masks->coarse[sub.level][sub.number].v == in;
+    }
+    if (covered == ALL)
+      mask->c |= bit;
+    if (!vacant)
+      mask->v &= ~bit;
+  }
+  find_depth(p, cell);
+  if (cell->level)
+    p->changed[cell->level - 1] = true;
+}
+
+bool HSR_OF_BUILD(hsr_lazy_tile)(struct hsr_lazy_pyramid *p, uint32_t face,
+                                 const struct hsr_mask_polygon *polygon,
+                                 struct hsr_bounds box) {
+  struct hsr_mask_visitor visitor = {enter, take_samples, leave, p};
+  HSR_OF_BUILD(hsr_lazy_face)(p, face);
+  p->face = face;
+  return HSR_OF_BUILD(hsr_masks_visit)(p->masks, polygon, box, &visitor);
+}
+
+/* --- Asking ----------------------------------------------------------------
+ */
+
+static uint64_t look(void *context, const struct hsr_mask_cell *cell,
+                     struct hsr_triage polygon) {
+  struct hsr_lazy_pyramid *p = context;
+  struct hsr_lazy_depth box = {0, p->nearest};
+  uint64_t entered = 0;
+  if (p->shows)
+    return 0;
+  uint64_t ask = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell) & ~polygon.v;
+  if (is_finest(p, cell))
+    return is_behind(box, p->pixel[cell->number].depth)
+               ? ~p->masks->finest[cell->number]
+               : ask;
+  struct hsr_triage *mask = &p->masks->coarse[cell->level][cell->number];
+  struct hsr_lazy_cell *own = &p->cell[cell->level][cell->number];
+  p->shows = ask & polygon.c & mask->v;
+  for (; ask && !p->shows; ask &= ask - 1) {
+    uint64_t bit = ask & (~ask + 1);
+    struct hsr_mask_cell sub =
+        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(ask));
+    if (mask->c & bit && is_behind(box, depth_of(p, own, &sub)))
+      continue;
+    open(p, mask, own, &sub);
+    entered |= bit;
+  }
+  return p->shows ? 0 : entered;
+}
+
+static void see_samples(void *context, const struct hsr_mask_cell *cell,
+                        uint64_t mask) {
+  struct hsr_lazy_pyramid *p = context;
+  (void)cell;
+  p->shows = p->shows || mask;
+}
+
+static void go_on(void *context, const struct hsr_mask_cell *cell,
+                  uint64_t entered) {
+  (void)context;
+  (void)cell;
+  (void)entered;
+}
+
+bool HSR_OF_BUILD(hsr_lazy_shows)(struct hsr_lazy_pyramid *p,
+                                  const struct hsr_mask_polygon *polygon,
+                                  struct hsr_bounds box, double nearest) {
+  struct hsr_mask_visitor visitor = {look, see_samples, go_on, p};
+  p->shows = false;
+  p->nearest = nearest;
+  HSR_OF_BUILD(hsr_masks_visit)(p->masks, polygon, box, &visitor);
+  return p->shows;
+}
+
+/* --- The picture -----------------------------------------------------------
+ */
+
+struct resolving {
+  struct hsr_lazy_pyramid *pyramid;
+  const struct hsr_mask_sink *sink;
+  void *context;
+  void (*take)(void *context, uint32_t face);
+};
+
+static void tell_samples(const struct resolving *r,
+                         const struct hsr_mask_cell *cell, uint32_t face,
+                         uint64_t mask) {
+  r->take(r->context, face);
+  r->sink->samples(r->sink->context, cell->x, cell->y, mask);
+}
+
+static void resolve_pixel(const struct resolving *r,
+                          const struct hsr_mask_cell *cell) {
+  struct hsr_lazy_pyramid *p = r->pyramid;
+  const struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
+  uint64_t in_window = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  uint64_t covered = p->masks->finest[cell->number] & in_window;
+  COUNT(p->work.pixels, 1);
+  COUNT(p->work.z_buffered, pixel->z_buffered);
+  if (pixel->z_buffered) {
+    const uint32_t *face = samples_of(p, pixel)->face;
+    for (uint64_t rest = covered, same; rest; rest &= ~same) {
+      same = same_face(face, rest);
+      tell_samples(r, cell, face[hsr_first_bit(rest)], same);
+    }
+  }
+  for (uint32_t k = pixel->fragments; k; k = fragment(p, k)->next)
+    tell_samples(r, cell, fragment(p, k)->face, fragment(p, k)->mask);
+  if (covered != in_window)
+    tell_samples(r, cell, HSR_BACKGROUND, in_window & ~covered);
+}
+
+static void resolve(const struct resolving *r,
+                    const struct hsr_mask_cell *cell) {
+  const struct hsr_lazy_pyramid *p = r->pyramid;
+  if (is_finest(p, cell)) {
+    resolve_pixel(r, cell);
+    return;
+  }
+  const struct hsr_triage *mask = &p->masks->coarse[cell->level][cell->number];
+  const struct hsr_lazy_cell *own = &p->cell[cell->level][cell->number];
+  uint64_t all = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  for (; all; all &= all - 1) {
+    int bit = hsr_first_bit(all);
+    struct hsr_mask_cell sub = HSR_OF_BUILD(hsr_masks_subcell)(cell, bit);
+    bool vacant = mask->v >> bit & 1, whole = own->whole >> bit & 1;
+    if (vacant || whole) {
+      r->take(r->context, vacant ? HSR_BACKGROUND : own->face);
+      r->sink->square(r->sink->context, sub.x, sub.y, sub.size);
+    } else {
+      resolve(r, &sub);
+    }
+  }
+}
+
+void HSR_OF_BUILD(hsr_lazy_resolve)(
+    struct hsr_lazy_pyramid *p, const struct hsr_mask_sink *sink, void *context,
+    void (*take)(void *context, uint32_t face)) {
+  struct resolving resolving = {p, sink, context, take};
+  struct hsr_mask_cell root = HSR_OF_BUILD(hsr_masks_root)(p->masks);
+  resolve(&resolving, &root);
+}

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The mask pyramid with depths: tiling polygons in any order, by masks as long
+ * as their order allows, else by a z-buffer.
+ *
+ * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
+ *             SIGGRAPH 1996, 6.1.
+ * Notation    znear, zfar -> near, far, as q = 1/t, greater being nearer;
+ *             fragment -> struct hsr_lazy_fragment; the pixel of the paper ->
+ *             a cell of the finest level, of 8 x 8 samples
+ * Invariant   what is seen so far of any sample of a cell has its q within
+ *             [far, near] of the cell. A pixel is tiled, and its fragments
+ *             share no sample; or z-buffered, and the face of each sample is
+ *             known. A polygon that hides all that was met in a cell makes it
+ *             whole: it is all that is there, and nothing is kept below.
+ * Legal       tiling is, while what arrives shares no sample with what is
+ *             there, or is behind it: by far, or else at every shared sample.
+ * Ties        what near and far leave open is compared at the samples, exactly;
+ *             of faces in one plane the lower one is nearer.
+ * Departures  colours are added when all polygons have been met, from the
+ *             fragments, which are cached anyway; so none are discarded. near
+ *             and far of a cell are found anew from those of its subcells. */
+#ifndef HSR_ALGORITHMS_TILING_LAZY_PYRAMID_H
+#define HSR_ALGORITHMS_TILING_LAZY_PYRAMID_H
+
+#include "algorithms/image_space/area/tiling/masks/canvas.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Bounds of q = 1/t; far > near: of nothing. */
+struct hsr_lazy_depth {
+  double far, near;
+};
+
+/* A cell above the finest level, beside its masks. */
+struct hsr_lazy_cell {
+  struct hsr_lazy_depth depth;
+  uint64_t whole; /* the subcells that have not been entered since `face` made
+                     the cell whole: all that is there is that face */
+  uint32_t face;
+};
+
+/* Indices are those of the growing arrays + 1; 0: none. */
+struct hsr_lazy_fragment {
+  uint64_t mask;
+  uint32_t face, next;
+};
+struct hsr_lazy_samples {
+  uint32_t face[64]; /* HSR_BACKGROUND: none yet */
+};
+struct hsr_lazy_pixel {
+  struct hsr_lazy_depth depth;
+  uint32_t fragments, samples;
+  bool z_buffered;
+};
+
+/* What is counted, in the counting build. */
+struct hsr_lazy_work {
+  uint64_t fragments;  /* cached */
+  uint64_t demoted;    /* pixels, from tiling to z-buffering */
+  uint64_t compared;   /* samples, by depth */
+  uint64_t pixels;     /* in the end: entered, */
+  uint64_t z_buffered; /* and of these */
+};
+
+struct hsr_lazy_pyramid {
+  struct hsr_masks *masks; /* its C and V are kept here */
+  struct hsr_lazy_cell *cell[HSR_MASK_LEVELS];
+  struct hsr_lazy_pixel *pixel;
+  struct hsr_growing fragment, samples;
+  uint32_t vacant_fragment; /* the first of a list */
+  bool changed[HSR_MASK_LEVELS];
+  bool out_of_memory;
+
+  struct hsr_screen screen;     /* of the samples; planes as they are needed */
+  struct hsr_lazy_depth *depth; /* a face: over all of it, once it is known */
+  bool *known;                  /* a face: its plane and depth are */
+  struct hsr_arena *arena;
+  struct hsr_tally *tally;
+
+  /* The polygon at hand. */
+  uint32_t face;
+  struct hsr_lazy_depth own; /* in the pixel at hand */
+  double nearest;            /* of the box at hand */
+  bool shows;
+
+  struct hsr_lazy_work work;
+};
+
+/* All of it vacant. `masks` is made ready, and vacant. HSR_E_NOMEM. */
+enum hsr_status HSR_OF_BUILD(hsr_lazy_begin)(struct hsr_lazy_pyramid *pyramid,
+                                             struct hsr_masks *masks,
+                                             const struct hsr_world *world,
+                                             const struct hsr_view *view,
+                                             struct hsr_tally *tally,
+                                             struct hsr_arena *arena);
+
+/* Finds the plane of a face of the screen's. */
+void HSR_OF_BUILD(hsr_lazy_face)(struct hsr_lazy_pyramid *pyramid,
+                                 uint32_t face);
+
+/* Tiles a polygon of a face, that is within the box of samples. Returns false
+ * if its box is hidden. */
+bool HSR_OF_BUILD(hsr_lazy_tile)(struct hsr_lazy_pyramid *pyramid,
+                                 uint32_t face,
+                                 const struct hsr_mask_polygon *polygon,
+                                 struct hsr_bounds box);
+
+/* Whether anything may be seen within the polygon, of which the lines leave
+ * open what is not surely outside, that has no q greater than `nearest`. */
+bool HSR_OF_BUILD(hsr_lazy_shows)(struct hsr_lazy_pyramid *pyramid,
+                                  const struct hsr_mask_polygon *polygon,
+                                  struct hsr_bounds box, double nearest);
+
+/* Tells of all samples of the window: `take` of the face that the next ones
+ * are of, or HSR_BACKGROUND. */
+void HSR_OF_BUILD(hsr_lazy_resolve)(struct hsr_lazy_pyramid *pyramid,
+                                    const struct hsr_mask_sink *sink,
+                                    void *context,
+                                    void (*take)(void *context, uint32_t face));
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "algorithms/image_space/area/tiling/masks/canvas.h"
+#include "common/base/bits.h"
+
+static int least(int a, int b) {
+  return a < b ? a : b;
+}
+
+static void count_samples(struct hsr_canvas *c, uint64_t n) {
+#if HSR_COUNTING
+  c->samples += n;
+#else
+  (void)c;
+  (void)n;
+#endif
+}
+
+/* --- Ids -------------------------------------------------------------------
+ */
+
+static void put_samples(void *context, int x, int y, uint64_t mask) {
+  struct hsr_canvas *c = context;
+  uint32_t *row = c->job->ids + (size_t)y * c->job->ids_stride + x;
+  count_samples(c, hsr_count_bits(mask));
+  for (; mask; mask >>= 8, row += c->job->ids_stride)
+    for (int i = 0; i < 8; i++)
+      if (mask >> i & 1)
+        row[i] = c->id;
+}
+
+static void put_square(void *context, int x, int y, int size) {
+  struct hsr_canvas *c = context;
+  int x1 = least(x + size, c->window.x1), y1 = least(y + size, c->window.y1);
+  count_samples(c, (uint64_t)(x1 - x) * (uint64_t)(y1 - y));
+  for (int j = y; j < y1; j++) {
+    uint32_t *row = c->job->ids + (size_t)j * c->job->ids_stride;
+    for (int i = x; i < x1; i++)
+      row[i] = c->id;
+  }
+}
+
+/* --- Sums ------------------------------------------------------------------
+ */
+
+/* Shading is put off until something of the face is seen. */
+static void shade(struct hsr_canvas *c) {
+  if (!c->has_colour)
+    hsr_filter_colour(c->world, c->job->view, c->id, c->rgb);
+  c->has_colour = true;
+}
+
+static uint32_t *pixel(const struct hsr_canvas *c, int i, int j) {
+  return c->job->sums + 3 * ((size_t)j * (size_t)c->job->view->m + (size_t)i);
+}
+
+static void add(const struct hsr_canvas *c, int i, int j, uint32_t weight) {
+  uint32_t *sum = pixel(c, i, j);
+  for (int k = 0; k < 3; k++)
+    sum[k] += weight * c->rgb[k];
+}
+
+static void box_samples(void *context, int x, int y, uint64_t mask) {
+  struct hsr_canvas *c = context;
+  unsigned n = hsr_count_bits(mask);
+  shade(c);
+  count_samples(c, n);
+  add(c, x / HSR_SUB, y / HSR_SUB, n * (HSR_WHOLE_WEIGHT / 64));
+}
+
+/* Nothing has been added to these pixels before. */
+static void box_square(void *context, int x, int y, int size) {
+  struct hsr_canvas *c = context;
+  shade(c);
+  uint32_t whole[3];
+  for (int k = 0; k < 3; k++)
+    whole[k] = HSR_WHOLE_WEIGHT * c->rgb[k];
+  int i1 = least(x + size, c->window.x1) / HSR_SUB;
+  int j1 = least(y + size, c->window.y1) / HSR_SUB;
+  count_samples(c, 64 * (uint64_t)(i1 - x / HSR_SUB) *
+                       (uint64_t)(j1 - y / HSR_SUB));
+  for (int j = y / HSR_SUB; j < j1; j++) {
+    uint32_t *sum = pixel(c, x / HSR_SUB, j);
+    for (int i = x / HSR_SUB; i < i1; i++, sum += 3)
+      for (int k = 0; k < 3; k++)
+        sum[k] = whole[k];
+  }
+}
+
+/* Adds to the 3 x 3 pixels about (i, j) that are in the picture. */
+static void spread(const struct hsr_canvas *c, int i, int j,
+                   uint32_t weight[3][3]) {
+  const struct hsr_view *view = c->job->view;
+  for (int dy = -1; dy <= 1; dy++)
+    for (int dx = -1; dx <= 1; dx++)
+      if (i + dx >= 0 && i + dx < view->m && j + dy >= 0 && j + dy < view->n)
+        add(c, i + dx, j + dy, weight[dy + 1][dx + 1]);
+}
+
+static void cosine_samples(void *context, int x, int y, uint64_t mask) {
+  struct hsr_canvas *c = context;
+  uint32_t weight[3][3] = {{0}};
+  shade(c);
+  count_samples(c, hsr_count_bits(mask));
+  for (int byte = 0; mask; byte++, mask >>= 8)
+    for (int k = 0; mask & 255 && k < 9; k++)
+      weight[k / 3][k % 3] += c->kernel->row[k / 3][k % 3][byte][mask & 255];
+  spread(c, x / HSR_SUB, y / HSR_SUB, weight);
+}
+
+static void cosine_square(void *context, int x, int y, int size) {
+  struct hsr_canvas *c = context;
+  shade(c);
+  int i1 = least(x + size, c->window.x1) / HSR_SUB;
+  int j1 = least(y + size, c->window.y1) / HSR_SUB;
+  count_samples(c, 64 * (uint64_t)(i1 - x / HSR_SUB) *
+                       (uint64_t)(j1 - y / HSR_SUB));
+  for (int j = y / HSR_SUB; j < j1; j++)
+    for (int i = x / HSR_SUB; i < i1; i++)
+      spread(c, i, j, c->whole);
+}
+
+/* --- The sink --------------------------------------------------------------
+ */
+
+void HSR_OF_BUILD(hsr_canvas_begin)(struct hsr_canvas *c,
+                                    const struct hsr_job *job,
+                                    struct hsr_window window,
+                                    const struct hsr_kernel *cosine) {
+  *c = (struct hsr_canvas){
+      .job = job, .window = window, .world = job->world, .kernel = cosine};
+  for (int k = 0; k < 9; k++)
+    for (int byte = 0; byte < 8; byte++)
+      c->whole[k / 3][k % 3] += cosine->row[k / 3][k % 3][byte][255];
+}
+
+void HSR_OF_BUILD(hsr_canvas_face)(struct hsr_canvas *c, uint32_t id) {
+  c->id = id;
+  c->has_colour = false;
+}
+
+void HSR_OF_BUILD(hsr_canvas_colour)(struct hsr_canvas *c,
+                                     const uint16_t rgb[3]) {
+  for (int k = 0; k < 3; k++)
+    c->rgb[k] = rgb[k];
+  c->has_colour = true;
+}
+
+struct hsr_mask_sink HSR_OF_BUILD(hsr_canvas_sink)(struct hsr_canvas *c) {
+  struct hsr_mask_sink ids = {put_samples, put_square, c};
+  struct hsr_mask_sink box = {box_samples, box_square, c};
+  struct hsr_mask_sink cosine = {cosine_samples, cosine_square, c};
+  const struct hsr_filtering *filtering = c->job->filtering;
+  return !filtering                               ? ids
+         : filtering->filter == HSR_FILTER_COSINE ? cosine
+                                                  : box;
+}

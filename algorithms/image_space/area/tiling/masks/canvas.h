@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where tiled samples go: ids of a picture, or sums of a filtered one.
+ *
+ * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
+ *             SIGGRAPH 1996, 4.4 and 4.5; L. Carpenter, "The A-buffer",
+ *             SIGGRAPH 1984. The filters are those of common/answers/filter.h.
+ * Pixel       of a filtered picture is one mask of the finest level.
+ * Box         the bits of a mask are counted.
+ * Cosine      what a byte of a mask adds to each of the 3 x 3 pixels about it
+ *             is looked up */
+#ifndef HSR_ALGORITHMS_TILING_CANVAS_H
+#define HSR_ALGORITHMS_TILING_CANVAS_H
+
+#include "algorithms/image_space/area/tiling/masks/masks.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct hsr_canvas {
+  const struct hsr_job *job;
+  struct hsr_window window; /* of samples */
+  uint32_t id;              /* of the face in hand */
+
+  /* Of a filtered picture. */
+  const struct hsr_world *world; /* of the scene */
+  bool has_colour;               /* rgb is that of the face in hand */
+  uint16_t rgb[3];
+  const struct hsr_kernel *kernel;
+  uint32_t whole[3][3]; /* what a whole pixel adds to those about it */
+
+  uint64_t samples; /* written, in the counting build */
+};
+
+/* `cosine` is that filter's kernel; borrowed. */
+void HSR_OF_BUILD(hsr_canvas_begin)(struct hsr_canvas *canvas,
+                                    const struct hsr_job *job,
+                                    struct hsr_window window,
+                                    const struct hsr_kernel *cosine);
+
+/* Takes a face in hand: what is tiled next is of this. */
+void HSR_OF_BUILD(hsr_canvas_face)(struct hsr_canvas *canvas, uint32_t id);
+
+/* The same of a filtered picture, whose colour is known. */
+void HSR_OF_BUILD(hsr_canvas_colour)(struct hsr_canvas *canvas,
+                                     const uint16_t rgb[3]);
+
+struct hsr_mask_sink HSR_OF_BUILD(hsr_canvas_sink)(struct hsr_canvas *canvas);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

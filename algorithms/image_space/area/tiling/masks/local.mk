@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+algorithm_files += \
+  %D%/canvas.c \
+  %D%/canvas.h \
+  %D%/masks.c \
+  %D%/masks.h \
+  %D%/masks_avx512.h \
+  %D%/polygon.c \
+  %D%/polygon.h

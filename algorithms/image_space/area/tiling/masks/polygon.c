@@ -1,0 +1,670 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The bounds of errors; u = 2^-53.
+ *
+ * Points. V - E is rounded once, the rows are within 2 u, the product and two
+ * sums add 3 u: X is off by at most 6 u S_x, S_x = sum |row_k| |V - E|_k, and
+ * by sum |row_k| e more if V is off by e in its coordinates. What is used is 8
+ * u of S_x at the farthest corner of the leaf. A vertex that is moved rounds
+ * nothing, the points where faces are cut u |V| in each coordinate.
+ *
+ * Lines. a = Y_a W_b - W_a Y_b is off by at most e_y (|W_a| + |W_b|) +
+ * e_w (|Y_a| + |Y_b|) + 2 e_y e_w, and its rounding 2 u (|Y_a W_b| + |W_a
+ * Y_b|); b and c likewise. f at coordinates of size r is off by r (e_a + e_b) +
+ * e_c, and its rounding 5 u (r |a| + r |b| + |c|). Twice all this holds the
+ * terms of second order, and what masks.c adds and subtracts. */
+#include "algorithms/image_space/area/tiling/masks/polygon.h"
+#include "common/base/vector.h"
+
+#include <float.h>
+#include <math.h>
+
+static const double U = DBL_EPSILON / 2;
+
+static inline double larger(double a, double b) {
+  return a > b ? a : b;
+}
+static inline double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+
+enum { SILHOUETTE = 8 }; /* room for its lines */
+
+/* The corners of a side of a box, counterclockwise from outside; corner number:
+ * bit k above in coordinate k. Side 2 k is the lower in coordinate k. */
+static const unsigned char SIDE[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5},
+                                         {0, 1, 5, 4}, {2, 6, 7, 3},
+                                         {0, 2, 3, 1}, {4, 5, 7, 6}};
+
+/* The silhouette of a box from an eye that is below, within or above it in each
+ * coordinate, 0 to 2: it goes along the edges of which one of both sides faces
+ * the eye. */
+static struct hsr_silhouette find_silhouette(const int place[3]) {
+  struct hsr_silhouette silhouette = {0, {0}};
+  unsigned to[8] = {0}; /* a corner: where edges go from it */
+  for (int s = 0; s < 6; s++)
+    for (int e = 0; place[s / 2] == s % 2 * 2 && e < 4; e++) {
+      int a = SIDE[s][e], b = SIDE[s][(e + 1) & 3];
+      if (to[b] >> a & 1) /* between two such sides */
+        to[b] &= ~(1u << a);
+      else
+        to[a] |= 1u << b;
+    }
+  int first = 0;
+  while (first < 8 && !to[first])
+    first++;
+  if (first == 8)
+    return silhouette;
+  int corner = first;
+  do {
+    silhouette.corner[silhouette.n++] = (unsigned char)corner;
+    for (int next = 0; next < 8; next++)
+      if (to[corner] == 1u << next) {
+        corner = next;
+        break;
+      }
+  } while (corner != first);
+  return silhouette;
+}
+
+enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *p,
+                                               struct hsr_pieces_room room,
+                                               const struct hsr_view *view,
+                                               const struct hsr_masks *masks,
+                                               struct hsr_tally *tally,
+                                               struct hsr_arena *arena) {
+  *p = (struct hsr_pieces_view){.view = view,
+                                .tally = tally,
+                                .anywhere = masks->anywhere,
+                                .most_face = room.face};
+  int x0 = view->window.x0, y0 = view->window.y0;
+  p->reach = HSR_OF_BUILD(hsr_masks_extent)(masks) + (x0 > y0 ? x0 : y0);
+  p->x = HSR_NEW(arena, double, room.points);
+  p->y = HSR_NEW(arena, double, room.points);
+  p->w = HSR_NEW(arena, double, room.points);
+  p->sx = HSR_NEW(arena, double, room.points);
+  p->sy = HSR_NEW(arena, double, room.points);
+  p->line = HSR_NEW(arena, struct hsr_mask_line, room.corners + SILHOUETTE);
+  p->corner[0] = HSR_NEW(arena, double, 3 * (size_t)room.face);
+  p->corner[1] = HSR_NEW(arena, double, 3 * (size_t)room.face);
+  p->number = HSR_NEW(arena, uint32_t, room.face);
+  if (!p->x || !p->y || !p->w || !p->sx || !p->sy || !p->line ||
+      !p->corner[0] || !p->corner[1] || !p->number)
+    return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < room.face; k++)
+    p->number[k] = k;
+  for (int k = 0; k < 27; k++) {
+    const int place[3] = {k % 3, k / 3 % 3, k / 9};
+    p->silhouette[k] = find_silhouette(place);
+  }
+  return HSR_OK;
+}
+
+void HSR_OF_BUILD(hsr_pieces_tree)(struct hsr_pieces_view *p,
+                                   const struct hsr_bsp *bsp,
+                                   const double shift[3]) {
+  p->bsp = bsp;
+  for (int k = 0; k < 3; k++)
+    p->shift[k] = shift[k];
+}
+
+/* --- The transform ---------------------------------------------------------
+ */
+
+/* Errors of points within a box that is moved. */
+static void find_errors(const struct hsr_pieces_view *p,
+                        const struct hsr_box *box, const double shift[3],
+                        double error[3]) {
+  for (int c = 0; c < 3; c++) {
+    double sum = 0;
+    for (int k = 0; k < 3; k++)
+      sum += fabs(p->view->screen[c][k]) *
+             larger(fabs(box->lo[k] + shift[k] - p->view->E[k]),
+                    fabs(box->hi[k] + shift[k] - p->view->E[k]));
+    error[c] = 8 * U * sum + 0x1p-1000;
+  }
+}
+
+/* Where the leaf's points are on the screen, as of add_point. */
+static void find_places(struct hsr_pieces_view *p,
+                        const struct hsr_bsp_cube *leaf) {
+  const double *own = p->bsp->error + leaf->first_point;
+  double margin = 0, nearest = INFINITY;
+  double spread = 0; /* what a point's own error of 1 makes of X, Y and W */
+  for (int c = 0; c < 3; c++) {
+    double sum = 0;
+    for (int k = 0; k < 3; k++)
+      sum += fabs(p->view->screen[c][k]);
+    spread = larger(spread, sum);
+  }
+  double most = larger(larger(p->error[0], p->error[1]), p->error[2]);
+  for (uint32_t k = 0; k < leaf->n_points; k++) {
+    double off_k = own[k] > 0 ? own[k] + p->rounding : 0;
+    double e = most + spread * off_k, per_w = 1 / p->w[k];
+    p->sx[k] = p->x[k] * per_w;
+    p->sy[k] = p->y[k] * per_w;
+    double far = larger(fabs(p->sx[k]), fabs(p->sy[k]));
+    double off = (2 * e * (1 + far)) * per_w + 8 * U * far;
+    margin = off > margin ? off : margin;
+    nearest = smaller(nearest, p->w[k] - 4 * e);
+  }
+  p->margin = margin;
+  p->ahead = nearest > 0 && margin < INFINITY;
+  p->past_near = nearest > p->view->near;
+}
+
+/* (X, Y, W) of n points that are moved. */
+HSR_VECTOR static void
+transform(size_t n, const double *restrict x, const double *restrict y,
+          const double *restrict z, const double shift[3],
+          const struct hsr_view *view, double *restrict to_x,
+          double *restrict to_y, double *restrict to_w) {
+  const double(*r)[3] = view->screen;
+  double r00 = r[0][0], r01 = r[0][1], r02 = r[0][2];
+  double r10 = r[1][0], r11 = r[1][1], r12 = r[1][2];
+  double r20 = r[2][0], r21 = r[2][1], r22 = r[2][2];
+  double ex = view->E[0], ey = view->E[1], ez = view->E[2];
+  double mx = shift[0], my = shift[1], mz = shift[2];
+  for (size_t k = 0; k < n; k++) {
+    double dx = x[k] + mx - ex, dy = y[k] + my - ey, dz = z[k] + mz - ez;
+    to_x[k] = r00 * dx + r01 * dy + r02 * dz;
+    to_y[k] = r10 * dx + r11 * dy + r12 * dz;
+    to_w[k] = r20 * dx + r21 * dy + r22 * dz;
+  }
+}
+
+void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *p,
+                                   const struct hsr_bsp_cube *leaf) {
+  size_t first = leaf->first_point;
+  p->first_point = leaf->first_point;
+  find_errors(p, &leaf->tight, p->shift, p->error);
+  p->rounding = 0;
+  for (int k = 0; k < 3; k++)
+    if (p->shift[k] != 0)
+      p->rounding = larger(p->rounding,
+                           2 * U *
+                               larger(fabs(leaf->tight.lo[k] + p->shift[k]),
+                                      fabs(leaf->tight.hi[k] + p->shift[k])));
+  transform(leaf->n_points, p->bsp->x + first, p->bsp->y + first,
+            p->bsp->z + first, p->shift, p->view, p->x, p->y, p->w);
+  find_places(p, leaf);
+}
+
+/* --- Lines -----------------------------------------------------------------
+ */
+
+struct point {
+  double x, y, w;
+  double ex, ey, ew; /* what it may be off by */
+};
+
+/* The line from a to b, inside being where `side` times the determinant is
+ * positive. */
+static struct hsr_mask_line line_through(double reach, const struct point *a,
+                                         const struct point *b, double side) {
+  double ax = fabs(a->x), ay = fabs(a->y), aw = fabs(a->w);
+  double bx = fabs(b->x), by = fabs(b->y), bw = fabs(b->w);
+  double ex = larger(a->ex, b->ex), ey = larger(a->ey, b->ey),
+         ew = larger(a->ew, b->ew);
+  double error_a =
+      ey * (aw + bw) + ew * (ay + by) + 2 * U * (ay * bw + aw * by);
+  double error_b =
+      ex * (aw + bw) + ew * (ax + bx) + 2 * U * (ax * bw + aw * bx);
+  double error_c =
+      ex * (ay + by) + ey * (ax + bx) + 2 * U * (ax * by + ay * bx);
+  struct hsr_mask_line line;
+  line.a = side * (a->y * b->w - a->w * b->y);
+  line.b = side * (a->w * b->x - a->x * b->w);
+  line.c = side * (a->x * b->y - a->y * b->x);
+  line.span = fabs(line.a) + fabs(line.b);
+  line.error = 2 * (reach * (error_a + error_b) + error_c +
+                    5 * U * (reach * line.span + fabs(line.c))) +
+               0x1p-1000;
+  line.per_a = 1 / line.a;
+  line.per_b = 1 / line.b;
+  return line;
+}
+
+static struct point corner_point(const struct hsr_pieces_view *p,
+                                 const struct hsr_bsp_corner *corner) {
+  uint32_t k = corner->point - p->first_point;
+  double own = p->bsp->error[corner->point];
+  const double(*r)[3] = p->view->screen;
+  struct point point = {p->x[k],     p->y[k],     p->w[k],
+                        p->error[0], p->error[1], p->error[2]};
+  if (own > 0) {
+    own += p->rounding;
+    point.ex += own * (fabs(r[0][0]) + fabs(r[0][1]) + fabs(r[0][2]));
+    point.ey += own * (fabs(r[1][0]) + fabs(r[1][1]) + fabs(r[1][2]));
+    point.ew += own * (fabs(r[2][0]) + fabs(r[2][1]) + fabs(r[2][2]));
+  }
+  return point;
+}
+
+/* --- The box of samples ----------------------------------------------------
+ */
+
+/* What holds points of the screen; and which borders of the window all points
+ * so far are beyond, as homogeneous coordinates tell wherever they are. */
+struct hull {
+  double x0, y0, x1, y1;
+  bool ahead; /* all points are surely before the eye */
+  unsigned beyond;
+};
+
+static struct hull no_hull(void) {
+  struct hull hull = {INFINITY, INFINITY, -INFINITY, -INFINITY, true, 31};
+  return hull;
+}
+
+static void add_point(struct hull *hull, const struct point *a,
+                      const struct hsr_window *window) {
+  double x0 = window->x0, y0 = window->y0, x1 = window->x1, y1 = window->y1;
+  double wide = a->ex + larger(fabs(x0), fabs(x1)) * a->ew;
+  double high = a->ey + larger(fabs(y0), fabs(y1)) * a->ew;
+  hull->beyond &= (unsigned)(a->x - x0 * a->w < -2 * wide) |
+                  (unsigned)(a->x - x1 * a->w > 2 * wide) << 1 |
+                  (unsigned)(a->y - y0 * a->w < -2 * high) << 2 |
+                  (unsigned)(a->y - y1 * a->w > 2 * high) << 3 |
+                  (unsigned)(a->w < -2 * a->ew) << 4;
+  if (!(a->w > 4 * a->ew)) {
+    hull->ahead = false;
+    return;
+  }
+  double sx = a->x / a->w, sy = a->y / a->w;
+  double mx = 2 * (a->ex + fabs(sx) * a->ew) / a->w + 4 * U * fabs(sx);
+  double my = 2 * (a->ey + fabs(sy) * a->ew) / a->w + 4 * U * fabs(sy);
+  hull->x0 = smaller(hull->x0, sx - mx);
+  hull->x1 = larger(hull->x1, sx + mx);
+  hull->y0 = smaller(hull->y0, sy - my);
+  hull->y1 = larger(hull->y1, sy + my);
+}
+
+/* The first whole number from x on, within [least, most]. */
+static int whole(double x, int least, int most) {
+  double within = smaller(larger(x, least), most);
+  int down = (int)within;
+  return down + (down < within);
+}
+
+/* The samples of the window within the hull. */
+static bool box_of(const struct hull *hull, const struct hsr_window *w,
+                   bool anywhere, struct hsr_bounds *box) {
+  *box = (struct hsr_bounds){w->x0, w->y0, w->x1, w->y1};
+  if (hull->beyond)
+    return false;
+  if (!hull->ahead)
+    return true;
+  double before = anywhere ? 1 : 0.5, after = anywhere ? 0 : 0.5;
+  box->x0 = whole(hull->x0 - before, w->x0, w->x1);
+  box->y0 = whole(hull->y0 - before, w->y0, w->y1);
+  box->x1 = whole(hull->x1 - after, w->x0, w->x1);
+  box->y1 = whole(hull->y1 - after, w->y0, w->y1);
+  return box->x0 < box->x1 && box->y0 < box->y1;
+}
+
+/* --- Exact questions -------------------------------------------------------
+ */
+
+/* Vertex v of the world, moved. */
+static void moved_vertex(const struct hsr_pieces_view *p,
+                         const struct hsr_world *world, uint32_t v,
+                         double at[3]) {
+  at[0] = world->x[v] + p->shift[0];
+  at[1] = world->y[v] + p->shift[1];
+  at[2] = world->z[v] + p->shift[2];
+}
+
+/* The corners of a loop, moved, in place `k` of two. */
+static struct hsr_loop moved_loop(const struct hsr_pieces_view *p,
+                                  struct hsr_loop loop, int k) {
+  double *at = p->corner[k];
+  for (uint32_t c = 0; c < loop.n; c++) {
+    size_t v = loop.stride * loop.vertex[c];
+    at[3 * c] = loop.x[v] + p->shift[0];
+    at[3 * c + 1] = loop.y[v] + p->shift[1];
+    at[3 * c + 2] = loop.z[v] + p->shift[2];
+  }
+  return (struct hsr_loop){at, at + 1, at + 2, 3, p->number, loop.n};
+}
+
+static struct hsr_loop moved_plane(const struct hsr_pieces_view *p, uint32_t f,
+                                   int k) {
+  return moved_loop(p, hsr_plane_loop(p->bsp->world, f), k);
+}
+
+/* A triangle in a median plane, its front where the coordinate is greater. */
+static struct hsr_loop median_loop(const struct hsr_pieces_view *p,
+                                   const struct hsr_bsp_median *median) {
+  double *at = p->corner[1];
+  int a = median->axis, b = (a + 1) % 3, c = (a + 2) % 3;
+  for (int k = 0; k < 3; k++)
+    at[3 * k + a] = median->at + p->shift[a];
+  at[b] = 0, at[c] = 0;
+  at[3 + b] = 1, at[3 + c] = 0;
+  at[6 + b] = 0, at[6 + c] = 1;
+  return (struct hsr_loop){at, at + 1, at + 2, 3, p->number, 3};
+}
+
+static bool within_cut(struct hsr_pieces_view *p,
+                       const struct hsr_bsp_corner *cut, double sx, double sy) {
+  const struct hsr_bsp *bsp = p->bsp;
+  struct hsr_loop face = moved_plane(p, p->piece->face, 0);
+  struct hsr_loop plane =
+      cut->a < bsp->world->n_planes
+          ? moved_plane(p, bsp->face_of[cut->a], 1)
+          : median_loop(p, &bsp->median[cut->a - bsp->world->n_planes]);
+  p->tally->exact[HSR_ASK_CUT]++;
+  int side = hsr_exact_cut_side(p->view, face, plane, sx, sy,
+                                &p->tally->out_of_memory);
+  return side == (cut->b == HSR_BSP_FRONT ? 1 : -1);
+}
+
+/* An edge that is seen as a point bounds nothing. */
+static bool within_edge(struct hsr_pieces_view *p,
+                        const struct hsr_bsp_corner *edge, double sx,
+                        double sy) {
+  double a[3], b[3];
+  moved_vertex(p, p->bsp->world, edge->a, a);
+  moved_vertex(p, p->bsp->world, edge->b, b);
+  p->tally->exact[HSR_ASK_EDGE]++;
+  return hsr_exact_edge_side(p->view, a, b, sx, sy, &p->tally->out_of_memory) !=
+         p->facing;
+}
+
+static bool past_near(void *context, double sx, double sy) {
+  struct hsr_pieces_view *p = context;
+  struct hsr_loop face = moved_plane(p, p->piece->face, 0);
+  p->tally->exact[HSR_ASK_NEAR]++;
+  return hsr_exact_past_near(p->view, face, sx, sy, &p->tally->out_of_memory) >
+         0;
+}
+
+/* The last line, after those of the sides, may be that of near. */
+static bool within_side(void *context, uint32_t k, double sx, double sy) {
+  struct hsr_pieces_view *p = context;
+  if (k == p->piece->n_corners)
+    return past_near(context, sx, sy);
+  const struct hsr_bsp_corner *side =
+      &p->bsp->corner[p->piece->first_corner + k];
+  return side->b < HSR_BSP_BEHIND ? within_edge(p, side, sx, sy)
+                                  : within_cut(p, side, sx, sy);
+}
+
+/* By the definition: the parity of edges that cross the row to the right
+ * (docs/correct-picture.md). */
+static bool within_loop(struct hsr_pieces_view *p, double sx, double sy) {
+  const struct hsr_world *world = p->bsp->world;
+  uint32_t f = p->piece->face, n = hsr_face_size(world, f);
+  const uint32_t *vertex = world->vertex + world->start[f];
+  bool *out_of_memory = &p->tally->out_of_memory, covered = false;
+  for (uint32_t k = 0; k < n; k++) {
+    double a[3], b[3];
+    moved_vertex(p, world, vertex[k], a);
+    moved_vertex(p, world, vertex[k + 1 < n ? k + 1 : 0], b);
+    int row = hsr_exact_row_side(p->view, a, sy, out_of_memory);
+    if (row == hsr_exact_row_side(p->view, b, sy, out_of_memory))
+      continue;
+    covered ^=
+        hsr_exact_edge_side(p->view, a, b, sx, sy, out_of_memory) == -row;
+  }
+  return covered;
+}
+
+/* A face that is not flat, and its cuts. */
+static bool covers(void *context, double sx, double sy) {
+  struct hsr_pieces_view *p = context;
+  const struct hsr_bsp_piece *piece = p->piece;
+  p->tally->exact[HSR_ASK_EDGE]++;
+  if (!within_loop(p, sx, sy))
+    return false;
+  struct hsr_loop face = moved_plane(p, piece->face, 0);
+  if (hsr_exact_ahead(p->view, face, sx, sy, &p->tally->out_of_memory) < 0 ||
+      hsr_exact_past_near(p->view, face, sx, sy, &p->tally->out_of_memory) < 0)
+    return false;
+  for (uint32_t k = 0; k < piece->n_cuts; k++)
+    if (!within_cut(p, &p->bsp->cut[piece->first_cut + k], sx, sy))
+      return false;
+  return true;
+}
+
+static bool within_box(void *context, uint32_t k, double sx, double sy) {
+  const struct hsr_bounds *box =
+      &((const struct hsr_pieces_view *)context)->box;
+  return k == 0   ? sx > box->x0
+         : k == 1 ? sx < box->x1
+         : k == 2 ? sy > box->y0
+                  : sy < box->y1;
+}
+
+/* --- Pieces ----------------------------------------------------------------
+ */
+
+/* A polygon that is all of the box, and of it what `covers` says. */
+static void take_box(struct hsr_pieces_view *p) {
+  const struct hsr_bounds *b = &p->box;
+  const double side[4][3] = {
+      {1, 0, -b->x0}, {-1, 0, b->x1}, {0, 1, -b->y0}, {0, -1, b->y1}};
+  for (int k = 0; k < 4; k++)
+    p->line[k] = (struct hsr_mask_line){
+        side[k][0], side[k][1],     side[k][2],    0x1p-30,
+        1,          1 / side[k][0], 1 / side[k][1]};
+  p->polygon = (struct hsr_mask_polygon){p->line, 4, within_box, covers, p};
+}
+
+/* The point between a and b where W is near. What is done to the errors of a
+ * and b is bounded by what their W, which differ by more than four times that
+ * error, may be off by. */
+static struct point at_near(const struct point *a, const struct point *b,
+                            double near) {
+  double step = b->w - a->w, t = (near - a->w) / step;
+  double off = 2 * (larger(a->ew, b->ew) + 2 * U * (fabs(a->w) + near)) /
+                   (fabs(step) - a->ew - b->ew) +
+               4 * U;
+  double dx = b->x - a->x, dy = b->y - a->y;
+  struct point point = {a->x + t * dx, a->y + t * dy, near, 0, 0, 0};
+  point.ex = 2 * (larger(a->ex, b->ex) + off * fabs(dx)) +
+             4 * U * (fabs(a->x) + fabs(b->x));
+  point.ey = 2 * (larger(a->ey, b->ey) + off * fabs(dy)) +
+             4 * U * (fabs(a->y) + fabs(b->y));
+  return point;
+}
+
+/* The line that near makes on a polygon with corners on both sides of it, or
+ * none where that is not certain. It leaves the polygon's own lines as they
+ * are. */
+static bool line_at_near(struct hsr_pieces_view *p,
+                         const struct hsr_bsp_corner *corner, uint32_t n,
+                         struct hsr_mask_line *line) {
+  double near = p->view->near;
+  struct point from = {0}, to = {0};
+  int found = 0;
+  for (uint32_t k = 0; k < n; k++) {
+    struct point a = corner_point(p, &corner[k]);
+    struct point b = corner_point(p, &corner[k + 1 < n ? k + 1 : 0]);
+    if (!(fabs(a.w - near) > 4 * a.ew && fabs(b.w - near) > 4 * b.ew))
+      return false;
+    if ((a.w > near) == (b.w > near))
+      continue;
+    *(a.w > near ? &from : &to) = at_near(&a, &b, near);
+    found++;
+  }
+  if (found == 2)
+    *line = line_through(p->reach, &from, &to, -p->facing);
+  return found == 2;
+}
+
+/* The box of the piece at hand, of a leaf that is before the eye. */
+static bool find_box(struct hsr_pieces_view *p) {
+  const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
+  struct hull hull = no_hull();
+  hull.beyond = 0;
+  for (uint32_t k = 0; k < p->piece->n_corners; k++) {
+    double sx = p->sx[corner[k].point - p->first_point];
+    double sy = p->sy[corner[k].point - p->first_point];
+    hull.x0 = smaller(hull.x0, sx);
+    hull.x1 = larger(hull.x1, sx);
+    hull.y0 = smaller(hull.y0, sy);
+    hull.y1 = larger(hull.y1, sy);
+  }
+  hull.x0 -= p->margin;
+  hull.x1 += p->margin;
+  hull.y0 -= p->margin;
+  hull.y1 += p->margin;
+  return box_of(&hull, &p->view->window, p->anywhere, &p->box);
+}
+
+/* The same of any other leaf. */
+static bool find_box_around(struct hsr_pieces_view *p) {
+  const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
+  struct hull hull = no_hull();
+  bool before_near = p->view->near > 0;
+  for (uint32_t k = 0; k < p->piece->n_corners; k++) {
+    struct point point = corner_point(p, &corner[k]);
+    add_point(&hull, &point, &p->view->window);
+    before_near &= point.w + point.ew < p->view->near;
+  }
+  return !before_near && box_of(&hull, &p->view->window, p->anywhere, &p->box);
+}
+
+bool HSR_OF_BUILD(hsr_pieces_take)(struct hsr_pieces_view *p,
+                                   const struct hsr_bsp_piece *piece,
+                                   int facing) {
+  p->piece = piece;
+  p->facing = facing;
+  return p->ahead && p->past_near ? find_box(p) : find_box_around(p);
+}
+
+/* Near may cut the piece at hand. */
+static void cut_at_near(struct hsr_pieces_view *p) {
+  uint32_t n = p->piece->n_corners;
+  const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
+  bool cut = false;
+  for (uint32_t k = 0; k < n; k++) {
+    struct point point = corner_point(p, &corner[k]);
+    cut |= !(point.w - point.ew > p->view->near);
+  }
+  if (cut && line_at_near(p, corner, n, &p->line[n]))
+    p->polygon.n++;
+  else if (cut)
+    p->polygon.covers = past_near;
+}
+
+void HSR_OF_BUILD(hsr_pieces_outline)(struct hsr_pieces_view *p) {
+  const struct hsr_bsp_piece *piece = p->piece;
+  const struct hsr_bsp_corner *corner = p->bsp->corner + piece->first_corner;
+  uint32_t n = piece->n_corners;
+  if (p->bsp->world->deviation[piece->face] > 0) {
+    take_box(p);
+    return;
+  }
+  struct point from = corner_point(p, &corner[0]), first = from;
+  for (uint32_t k = 0; k < n; k++) {
+    struct point to = k + 1 < n ? corner_point(p, &corner[k + 1]) : first;
+    p->line[k] = line_through(p->reach, &from, &to, -p->facing);
+    from = to;
+  }
+  p->polygon = (struct hsr_mask_polygon){p->line, n, within_side, NULL, p};
+  if (p->view->near > 0 && !p->past_near)
+    cut_at_near(p);
+}
+
+/* --- Boxes -----------------------------------------------------------------
+ */
+
+/* A moved box, and a little more: the sums are rounded. */
+static struct hsr_box moved_box(const struct hsr_box *box,
+                                const double shift[3]) {
+  struct hsr_box moved;
+  for (int c = 0; c < 3; c++) {
+    double lo = box->lo[c] + shift[c], hi = box->hi[c] + shift[c];
+    moved.lo[c] = lo - 2 * U * fabs(lo);
+    moved.hi[c] = hi + 2 * U * fabs(hi);
+  }
+  return moved;
+}
+
+/* The corners of a box: the one of all los, and what is added along its sides.
+ * Six more roundings of terms no larger than twice the sum, which the errors,
+ * as of a leaf's points, do not hold. */
+static void find_corners(const struct hsr_pieces_view *p,
+                         const struct hsr_box *box, struct point point[8]) {
+  static const double still[3] = {0, 0, 0};
+  const double(*r)[3] = p->view->screen;
+  double error[3], lo[3], side[3];
+  find_errors(p, box, still, error);
+  for (int c = 0; c < 3; c++) {
+    lo[c] = box->lo[c] - p->view->E[c];
+    side[c] = box->hi[c] - box->lo[c];
+  }
+  point[0] = (struct point){r[0][0] * lo[0] + r[0][1] * lo[1] + r[0][2] * lo[2],
+                            r[1][0] * lo[0] + r[1][1] * lo[1] + r[1][2] * lo[2],
+                            r[2][0] * lo[0] + r[2][1] * lo[1] + r[2][2] * lo[2],
+                            3 * error[0],
+                            3 * error[1],
+                            3 * error[2]};
+  for (int c = 0; c < 3; c++)
+    for (int k = 0; k < 1 << c; k++) {
+      struct point *to = &point[k + (1 << c)];
+      *to = point[k];
+      to->x += r[0][c] * side[c];
+      to->y += r[1][c] * side[c];
+      to->w += r[2][c] * side[c];
+    }
+}
+
+/* The hull of corners whose errors are all the same. */
+static struct hull hull_of(const struct hsr_pieces_view *p,
+                           const struct point point[8]) {
+  struct hull hull = no_hull();
+  double nearest = INFINITY, far = 0;
+  double e = larger(point->ex, larger(point->ey, point->ew));
+  for (int k = 0; k < 8; k++)
+    nearest = smaller(nearest, point[k].w);
+  if (!(nearest > 4 * e)) {
+    for (int k = 0; k < 8; k++)
+      add_point(&hull, &point[k], &p->view->window);
+    return hull;
+  }
+  hull.beyond = 0;
+  for (int k = 0; k < 8; k++) {
+    double per_w = 1 / point[k].w;
+    double sx = point[k].x * per_w, sy = point[k].y * per_w;
+    hull.x0 = smaller(hull.x0, sx);
+    hull.x1 = larger(hull.x1, sx);
+    hull.y0 = smaller(hull.y0, sy);
+    hull.y1 = larger(hull.y1, sy);
+    far = larger(far, larger(fabs(sx), fabs(sy)));
+  }
+  double margin = 2 * e * (1 + far) / nearest + 8 * U * far;
+  hull.x0 -= margin;
+  hull.x1 += margin;
+  hull.y0 -= margin;
+  hull.y1 += margin;
+  return hull;
+}
+
+const struct hsr_mask_polygon *
+HSR_OF_BUILD(hsr_pieces_silhouette)(struct hsr_pieces_view *p,
+                                    const struct hsr_box *box,
+                                    const double shift[3], bool *known) {
+  struct hsr_box moved = moved_box(box, shift);
+  struct point point[8];
+  int place = 0;
+  find_corners(p, &moved, point);
+  struct hull hull = hull_of(p, point);
+  *known = true;
+  if (!box_of(&hull, &p->view->window, p->anywhere, &p->box))
+    return NULL;
+  for (int c = 2; c >= 0; c--)
+    place = 3 * place + (p->view->E[c] < moved.lo[c]   ? 0
+                         : p->view->E[c] > moved.hi[c] ? 2
+                                                       : 1);
+  const struct hsr_silhouette *s = &p->silhouette[place];
+  *known = hull.ahead && s->n;
+  for (int k = 0; *known && k < s->n; k++)
+    p->line[k] = line_through(p->reach, &point[s->corner[k]],
+                              &point[s->corner[(k + 1) % s->n]], -1);
+  p->polygon =
+      (struct hsr_mask_polygon){p->line, (uint32_t)s->n, NULL, NULL, p};
+  return *known ? &p->polygon : NULL;
+}

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The pieces of a BSP tree as polygons to be tiled with masks.
+ *
+ * Notation    a point V of the world is (X, Y, W) = rows (V - E) in homogeneous
+ *             coordinates of the screen; the line through two points a and b is
+ *             f = det(sample, a, b), inside being where f is positive.
+ * Behind      nothing is clipped: a convex polygon in space is seen just within
+ *             the lines of its sides, so taken, wherever its corners are.
+ * Depth       is not kept, as in the paper: only where near cuts a polygon are
+ *             its samples asked about.
+ * Ties        samples that are closer to a line than its error are put to the
+ *             exact predicates; on a side that a cut made, planes are compared.
+ * Not flat    faces whose corners are not on their plane are asked about sample
+ *             by sample. */
+#ifndef HSR_ALGORITHMS_TILING_POLYGON_H
+#define HSR_ALGORITHMS_TILING_POLYGON_H
+
+#include "algorithms/image_space/area/tiling/masks/masks.h"
+#include "common/trees/bsp.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The corners of a box that are on its silhouette, in order; none if the eye is
+ * within. */
+struct hsr_silhouette {
+  int n;
+  unsigned char corner[6];
+};
+
+/* One view of the pieces. */
+struct hsr_pieces_view {
+  const struct hsr_view *view; /* of the samples */
+  double reach;                /* lines are asked nowhere farther out */
+  bool anywhere;               /* as in struct hsr_masks */
+  struct hsr_tally *tally;
+
+  /* The tree at hand, and by what it is moved. */
+  const struct hsr_bsp *bsp;
+  double shift[3];
+
+  /* The leaf at hand: its points, and what each may be off by beside what the
+   * point's own error makes of it. */
+  uint32_t first_point;
+  double *x, *y, *w;
+  double error[3];
+  bool ahead;      /* all points are surely before the eye: then they are at */
+  double *sx, *sy; /* (sx, sy) on the screen, */
+  double margin;   /* within this */
+  bool past_near;  /* all of them are */
+  double rounding; /* of a point that is no vertex, when it is moved */
+
+  /* The piece at hand. */
+  const struct hsr_bsp_piece *piece;
+  int facing; /* +1 the eye is in front of the face, -1 behind */
+  struct hsr_bounds box;
+  struct hsr_mask_line *line;
+  struct hsr_mask_polygon polygon;
+
+  struct hsr_silhouette silhouette[27]; /* by where the eye is */
+  double *corner[2];  /* moved corners of faces, by coordinates */
+  uint32_t *number;   /* 0, 1, ... */
+  uint32_t most_face; /* corners that there is room for */
+};
+
+/* The most that the trees to come have: points and corners of a leaf, corners
+ * of a face. */
+struct hsr_pieces_room {
+  uint32_t points, corners, face;
+};
+
+/* `masks` is where the pieces will go. HSR_E_NOMEM. */
+enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *pieces,
+                                               struct hsr_pieces_room room,
+                                               const struct hsr_view *view,
+                                               const struct hsr_masks *masks,
+                                               struct hsr_tally *tally,
+                                               struct hsr_arena *arena);
+
+/* Takes in hand a tree, and a leaf of it, whose points are transformed. */
+void HSR_OF_BUILD(hsr_pieces_tree)(struct hsr_pieces_view *pieces,
+                                   const struct hsr_bsp *bsp,
+                                   const double shift[3]);
+void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *pieces,
+                                   const struct hsr_bsp_cube *leaf);
+
+/* Takes in hand a piece of that leaf, of whose face the eye is on the side
+ * `facing`, and finds the box of the samples that it may cover: false if there
+ * are none in the window. */
+bool HSR_OF_BUILD(hsr_pieces_take)(struct hsr_pieces_view *pieces,
+                                   const struct hsr_bsp_piece *piece,
+                                   int facing);
+
+/* Makes the polygon of the piece. */
+void HSR_OF_BUILD(hsr_pieces_outline)(struct hsr_pieces_view *pieces);
+
+/* What may be seen of a box that is moved, as a polygon whose lines leave
+ * nothing of it outside, and its box of samples: NULL if that is nothing. Where
+ * it is not wholly ahead, *known is false: it may be seen, and NULL, too. */
+const struct hsr_mask_polygon *
+    HSR_OF_BUILD(hsr_pieces_silhouette)(struct hsr_pieces_view *pieces,
+                                        const struct hsr_box *box,
+                                        const double shift[3], bool *known);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

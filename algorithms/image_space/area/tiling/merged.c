@@ -1,0 +1,755 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Hierarchical polygon tiling of rigid bodies that move by themselves, each an
+ * octree of BSP trees: the octrees are gone through together, from front to
+ * back, and merged where bodies meet.
+ *
+ * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
+ *             SIGGRAPH 1996, 6.2.
+ * Bodies      all that does not move is one, made ready once; each instance of
+ *             an object that moves is one, laid out in the world in every
+ *             frame, and made an octree when it is known that it may be seen
+ *             and stands by itself.
+ * Order       a region of space is divided by planes across the axes: one that
+ *             separates the cubes in it, else those of the largest cube, whose
+ *             octants take its place. The eye's side of a plane comes first.
+ *             Polygons of cubes that a plane goes through are clipped to both
+ *             sides (clip.h).
+ * Merged      leaves of several bodies that no plane separates: all of their
+ *             faces in the region are made one BSP tree. As all of a region is
+ *             tiled before what it hides, faces are taken whole.
+ * Whole       a scene in which nothing moves, or that has been adapted, or
+ *             whose faces are not all flat, is one body.
+ * Ties        faces in one plane, of whatever bodies, are on one side of all
+ *             planes wherever they meet, and so in one tree, where the lower
+ *             comes first
+ * Departures  the paper takes the frontmost cube of all octrees, and clips to
+ *             it what meets it; but a cube that meets it may reach before it.
+ *             Cubes are across the axes of the world, not of the body. Memory
+ *             is taken inside a frame, for trees.
+ * Cost        that of tiling, and of trees where bodies are visible and meet */
+#include "algorithms/algorithm.h"
+#include "algorithms/list_priority/fixed/bsp_walk.h"
+#include "algorithms/image_space/area/tiling/clip.h"
+#include "algorithms/image_space/area/tiling/frame.h"
+#include "algorithms/image_space/area/tiling/loose.h"
+#include "common/adapt/adapt.h"
+#include "common/trees/octree.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LEAF, INTERVALS };
+enum {
+  SMALL = 8
+}; /* a body of so many leaves' faces is not divided
+      before it is merged */
+
+enum {
+  REGIONS = HSR_TILING_COUNTERS,
+  TREES,
+  MERGES,
+  MERGED_FACES,
+  PIECES,
+  PIECES_CLIPPED,
+  LOOSE
+};
+
+/* --- Once ------------------------------------------------------------------
+ */
+
+struct prepared {
+  struct hsr_sampling sampling;
+  bool is_whole;
+  uint32_t *id, n_still;  /* faces that do not move; unless whole */
+  struct hsr_world still; /* these; unless whole */
+  struct hsr_bsp tree;    /* of them, or of all */
+  uint32_t *mover;        /* instances */
+  uint32_t n_movers;
+  struct hsr_arena arena;
+};
+
+static bool moves(const struct hsr_world *world, uint32_t instance) {
+  const struct hsr_scene *scene = world->scene;
+  return scene->objects[scene->instances[instance].object].moves;
+}
+
+/* What moves, and what does not. */
+static enum hsr_status part(struct prepared *p, const struct hsr_world *world) {
+  uint32_t n = world->scene->n_instances;
+  p->mover = HSR_NEW(&p->arena, uint32_t, n);
+  p->id = HSR_NEW(&p->arena, uint32_t, world->n_faces);
+  if (!p->mover || !p->id)
+    return HSR_E_NOMEM;
+  for (uint32_t i = 0; i < n; i++)
+    if (moves(world, i))
+      p->mover[p->n_movers++] = i;
+    else
+      for (uint32_t f = world->first[i]; f < world->first[i + 1]; f++)
+        p->id[p->n_still++] = f;
+  return HSR_OK;
+}
+
+static bool is_flat(const struct hsr_world *world) {
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    if (world->deviation[f] > 0)
+      return false;
+  return true;
+}
+
+static enum hsr_status plant(struct prepared *p, const struct hsr_world *world,
+                             const struct hsr_bsp_rule *rule,
+                             struct hsr_error *err) {
+  bool outline = hsr_is_outline(world);
+  p->is_whole = !outline && (world->pieces || !is_flat(world));
+  if (!p->is_whole && part(p, world))
+    return hsr_fail_nomem(err);
+  if (!outline && !p->n_movers)
+    p->is_whole = true;
+  if (p->is_whole)
+    return hsr_bsp_init(&p->tree, world, rule, err);
+  enum hsr_status status =
+      hsr_world_extract(&p->still, world, p->id, p->n_still, err);
+  if (!status && outline)
+    status = hsr_check_unadapted(&p->still, "the scene", err);
+  return status ? status : hsr_bsp_init(&p->tree, &p->still, rule, err);
+}
+
+static void release(void *prepared) {
+  struct prepared *p = prepared;
+  HSR_OF_BUILD(hsr_sampling_free)(&p->sampling);
+  hsr_bsp_free(&p->tree);
+  hsr_world_free(&p->still);
+  hsr_arena_free(&p->arena);
+  free(p);
+}
+
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  struct prepared *p = calloc(1, sizeof *p);
+  *prepared = p;
+  if (!p)
+    return hsr_fail_nomem(err);
+  struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
+  enum hsr_status status = HSR_OF_BUILD(hsr_sampling_init)(
+      &p->sampling, (int)option[INTERVALS], err);
+  return status ? status : plant(p, world, &rule, err);
+}
+
+/* --- A frame ---------------------------------------------------------------
+ */
+
+/* A tree that can be tiled; that of a body that moves, or of several, is the
+ * frame's own. */
+struct body {
+  uint32_t first, n;          /* of one that moves: its faces */
+  const struct hsr_bsp *tree; /* NULL: not made yet */
+  struct hsr_screen screen;   /* for what is clipped */
+  bool has_screen;
+  struct hsr_world own_world;
+  struct hsr_bsp own_tree;
+};
+
+/* A cube of a body; HSR_NO_BSP: the body, whose tree is not made yet. */
+struct node {
+  struct body *body;
+  uint32_t cube;
+  struct hsr_box box;
+};
+
+struct frame {
+  const struct hsr_job *job;
+  const struct prepared *prepared;
+  struct hsr_tiling tiling;
+  struct hsr_pieces_room room;
+  uint32_t most_depth; /* of a tree; room in `waiting` */
+  struct hsr_bsp_waiting *waiting;
+  struct hsr_loose loose;
+  struct hsr_clip clip;
+
+  struct body still, *mover, merged;
+
+  /* The tree at hand. */
+  struct body *body;
+  const struct hsr_region *region;
+
+  enum hsr_status status;
+  struct hsr_error *err;
+};
+
+static void fail(struct frame *f, enum hsr_status status) {
+  if (!f->status)
+    f->status = status == HSR_E_NOMEM ? hsr_fail_nomem(f->err) : status;
+}
+
+static uint32_t larger(uint32_t a, uint32_t b) {
+  return a > b ? a : b;
+}
+
+/* Makes room for a tree, if there is too little. */
+static void make_room(struct frame *f, const struct hsr_bsp *tree) {
+  struct hsr_pieces_room room = f->room;
+  for (uint32_t k = 0; k < tree->n_cubes; k++) {
+    room.points = larger(room.points, tree->cube[k].n_points);
+    room.corners = larger(room.corners, tree->cube[k].most_corners);
+  }
+  for (uint32_t k = 0; k < tree->world->n_faces; k++)
+    room.face = larger(room.face, larger(hsr_face_size(tree->world, k),
+                                         hsr_plane_loop(tree->world, k).n));
+  if (!f->waiting || tree->most_depth > f->most_depth) {
+    f->most_depth = 2 * tree->most_depth;
+    f->waiting = HSR_NEW(f->job->scratch, struct hsr_bsp_waiting,
+                         hsr_bsp_most_waiting(f->most_depth));
+  }
+  if (!f->waiting)
+    fail(f, HSR_E_NOMEM);
+  if (!memcmp(&room, &f->room, sizeof room))
+    return;
+  f->room = (struct hsr_pieces_room){2 * room.points, 2 * room.corners,
+                                     2 * room.face};
+  if (HSR_OF_BUILD(hsr_tiling_room)(&f->tiling, f->room))
+    fail(f, HSR_E_NOMEM);
+}
+
+static enum hsr_status begin(struct frame *f, const struct hsr_job *job,
+                             struct hsr_error *err) {
+  const struct prepared *p = job->prepared;
+  *f = (struct frame){.job = job,
+                      .prepared = p,
+                      .room = {8, 8, 8},
+                      .still = {.tree = &p->tree},
+                      .err = err};
+  if (HSR_OF_BUILD(hsr_tiling_begin)(&f->tiling, &p->sampling, job, f->room))
+    return hsr_fail_nomem(err);
+  make_room(f, &p->tree);
+  if (!f->status && p->is_whole &&
+      HSR_OF_BUILD(hsr_loose_begin)(&f->loose, &p->tree, &f->tiling.view,
+                                    job->tally, job->scratch))
+    fail(f, HSR_E_NOMEM);
+  return f->status;
+}
+
+/* --- Trees -----------------------------------------------------------------
+ */
+
+static void free_own(struct body *body) {
+  hsr_bsp_free(&body->own_tree);
+  hsr_world_free(&body->own_world);
+}
+
+/* Makes a tree of n faces of the scene; the array lasts as long as it. */
+static void make_tree(struct frame *f, struct body *body, const uint32_t *id,
+                      uint32_t n, long leaf) {
+  struct hsr_bsp_rule rule = {.most = (uint32_t)leaf};
+  enum hsr_status status =
+      hsr_world_extract(&body->own_world, f->job->world, id, n, f->err);
+  if (!status)
+    status = hsr_bsp_init(&body->own_tree, &body->own_world, &rule, f->err);
+  if (status)
+    fail(f, status);
+  else
+    make_room(f, &body->own_tree);
+  body->tree = &body->own_tree;
+}
+
+static void make_body(struct frame *f, struct body *body) {
+  uint32_t *id = HSR_NEW(f->job->scratch, uint32_t, body->n);
+  HSR_COUNT(f->job->tally, TREES, 1);
+  if (!id) {
+    fail(f, HSR_E_NOMEM);
+    return;
+  }
+  for (uint32_t k = 0; k < body->n; k++)
+    id[k] = body->first + k;
+  make_tree(f, body, id, body->n, f->job->option[LEAF]);
+}
+
+/* What a face is called in the answer. */
+static uint32_t name_of(const struct frame *f, const struct hsr_world *world,
+                        uint32_t face) {
+  if (world->id)
+    return world->id[face];
+  return f->job->filtering ? hsr_world_parent(world, face) : face;
+}
+
+/* --- Tiling one tree -------------------------------------------------------
+ */
+
+/* Whether anything within the box, in the region, may be seen. */
+static bool is_visible(struct frame *f, const struct hsr_region *region,
+                       struct hsr_box box) {
+  static const double still[3] = {0, 0, 0};
+  return HSR_OF_BUILD(hsr_region_clip)(region, &box) &&
+         HSR_OF_BUILD(hsr_tiling_shows)(&f->tiling, &box, still, true);
+}
+
+static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
+  struct frame *f = context;
+  if (f->status || !is_visible(f, f->region, cube->tight))
+    return false;
+  if (cube->root != HSR_NO_BSP)
+    HSR_OF_BUILD(hsr_pieces_leaf)(&f->tiling.pieces, cube);
+  return true;
+}
+
+/* The planes of a body's faces, for what is clipped. */
+static struct hsr_screen *screen_of(struct frame *f) {
+  struct body *body = f->body;
+  if (!body->has_screen && hsr_screen_init(&body->screen, body->tree->world,
+                                           &f->tiling.view, f->job->scratch)) {
+    fail(f, HSR_E_NOMEM);
+    return NULL;
+  }
+  body->has_screen = true;
+  return &body->screen;
+}
+
+static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
+                       int facing) {
+  struct frame *f = context;
+  struct hsr_tiling *t = &f->tiling;
+  struct hsr_pieces_view *pieces = &t->pieces;
+  if (f->status || (f->loose.is_loose && f->loose.is_loose[piece->face]))
+    return;
+  if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
+    return;
+  HSR_OF_BUILD(hsr_pieces_outline)(pieces);
+  struct hsr_screen *screen = screen_of(f);
+  const struct hsr_mask_polygon *polygon =
+      screen ? HSR_OF_BUILD(hsr_clip_piece)(&f->clip, pieces, screen, f->region)
+             : NULL;
+  if (!polygon)
+    return;
+  uint32_t id = name_of(f, f->body->tree->world, piece->face);
+  HSR_STEP(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NOTHING, pieces->box.x0,
+           pieces->box.y0, pieces->box.x1, pieces->box.y1);
+  HSR_COUNT(f->job->tally, PIECES_CLIPPED, polygon != &pieces->polygon);
+  HSR_OF_BUILD(hsr_canvas_face)(&t->canvas, id);
+  HSR_OF_BUILD(hsr_masks_tile)(&t->masks, polygon, pieces->box, &t->sink);
+}
+
+static void tile_tree(struct frame *f, struct body *body, uint32_t cube,
+                      const struct hsr_region *region) {
+  static const double still[3] = {0, 0, 0};
+  struct hsr_bsp_walk walk = {.bsp = body->tree,
+                              .eye = f->tiling.view.E,
+                              .shift = still,
+                              .tally = f->job->tally,
+                              .waiting = f->waiting,
+                              .context = f,
+                              .enter = enter_cube,
+                              .piece = tile_piece};
+  if (f->status)
+    return;
+  f->body = body;
+  f->region = region;
+  HSR_OF_BUILD(hsr_pieces_tree)(&f->tiling.pieces, body->tree, still);
+  HSR_OF_BUILD(hsr_bsp_walk_cube)(&walk, cube);
+}
+
+/* --- Merging ---------------------------------------------------------------
+ */
+
+struct gathering {
+  struct frame *frame;
+  const struct hsr_region *region;
+  struct hsr_growing id; /* uint32_t */
+};
+
+static void add_vertex(struct hsr_box *box, const struct hsr_object *object,
+                       uint32_t vertex, const double m[12]) {
+  double at[3];
+  hsr_instance_vertex(m, object->xyz + 3 * (size_t)vertex, at);
+  for (int k = 0; k < 3; k++) {
+    box->lo[k] = fmin(box->lo[k], at[k]);
+    box->hi[k] = fmax(box->hi[k], at[k]);
+  }
+}
+
+/* Holds face `id` of the scene, exactly. */
+static struct hsr_box box_of_face(const struct hsr_world *world, uint32_t id) {
+  struct hsr_place place = hsr_place_of(world, id);
+  const struct hsr_object *object = place.object;
+  struct hsr_box box = {{INFINITY, INFINITY, INFINITY},
+                        {-INFINITY, -INFINITY, -INFINITY}};
+  for (uint32_t c = object->start[place.face];
+       c < object->start[place.face + 1]; c++)
+    add_vertex(&box, object, object->vertex[c],
+               world->scene->instances[place.instance].m);
+  return box;
+}
+
+static void gather_face(struct gathering *g, uint32_t id) {
+  struct hsr_box box = box_of_face(g->frame->job->world, id);
+  if (!HSR_OF_BUILD(hsr_region_clip)(g->region, &box))
+    return;
+  if (!hsr_arena_grow(g->frame->job->scratch, &g->id, sizeof id)) {
+    fail(g->frame, HSR_E_NOMEM);
+    return;
+  }
+  ((uint32_t *)g->id.items)[g->id.n - 1] = id;
+}
+
+static void gather_tree(struct gathering *g, const struct hsr_bsp *tree,
+                        uint32_t number) {
+  if (number == HSR_NO_BSP || g->frame->status)
+    return;
+  const struct hsr_bsp_node *node = &tree->node[number];
+  for (uint32_t k = 0; k < node->n_pieces; k++)
+    gather_face(g, tree->world->id[tree->piece[node->first_piece + k].face]);
+  gather_tree(g, tree, node->front);
+  gather_tree(g, tree, node->behind);
+}
+
+static int compare_ids(const void *a, const void *b) {
+  uint32_t f = *(const uint32_t *)a, g = *(const uint32_t *)b;
+  return (f > g) - (f < g);
+}
+
+static void gather_node(struct gathering *g, const struct node *node) {
+  const struct body *body = node->body;
+  if (node->cube != HSR_NO_BSP) {
+    gather_tree(g, body->tree, body->tree->cube[node->cube].root);
+    return;
+  }
+  for (uint32_t k = 0; k < body->n; k++)
+    gather_face(g, body->first + k);
+}
+
+static uint32_t sort_ids(uint32_t *id, size_t n) {
+  uint32_t different = 0;
+  qsort(id, n, sizeof *id, compare_ids);
+  for (size_t k = 0; k < n; k++)
+    if (!k || id[k] != id[k - 1])
+      id[different++] = id[k];
+  return different;
+}
+
+static void tile_alone(struct frame *f, const struct hsr_region *region,
+                       const struct node *node);
+
+/* One tree of what is in the region of all these leaves and bodies; if that is
+ * not of one of them alone. */
+static void merge(struct frame *f, const struct hsr_region *region,
+                  const struct node *node, size_t n) {
+  struct gathering g = {f, region, {NULL, 0, 0}};
+  size_t some = 0, last = 0;
+  for (size_t k = 0; k < n; k++) {
+    size_t before = g.id.n;
+    gather_node(&g, &node[k]);
+    if (g.id.n > before) {
+      some++;
+      last = k;
+    }
+  }
+  if (f->status || !some)
+    return;
+  if (some == 1) {
+    tile_alone(f, region, &node[last]);
+    return;
+  }
+  uint32_t faces = sort_ids(g.id.items, g.id.n);
+  HSR_COUNT(f->job->tally, MERGES, 1);
+  HSR_COUNT(f->job->tally, MERGED_FACES, faces);
+  f->merged = (struct body){.n = 0};
+  make_tree(f, &f->merged, g.id.items, faces, 0);
+  tile_tree(f, &f->merged, 0, region);
+  free_own(&f->merged);
+}
+
+/* --- Regions, from front to back -------------------------------------------
+ */
+
+struct key {
+  double lo, hi;
+};
+
+static int compare_keys(const void *a, const void *b) {
+  double k = ((const struct key *)a)->lo, l = ((const struct key *)b)->lo;
+  return (k > l) - (k < l);
+}
+
+/* The plane x = *at across an axis that no box goes through and that leaves as
+ * many as can be on both sides, if it is better than so many: how many are on
+ * the lesser side. */
+static size_t find_plane_across(const struct node *node, size_t n, int axis,
+                                size_t least, struct key *key, double *at) {
+  double reach = -INFINITY;
+  for (size_t k = 0; k < n; k++)
+    key[k] = (struct key){node[k].box.lo[axis], node[k].box.hi[axis]};
+  qsort(key, n, sizeof *key, compare_keys);
+  for (size_t k = 0; k + 1 < n; k++) {
+    size_t lesser = k + 1 < n - k - 1 ? k + 1 : n - k - 1;
+    reach = fmax(reach, key[k].hi);
+    if (reach < key[k + 1].lo && lesser > least) {
+      least = lesser;
+      *at = reach;
+    }
+  }
+  return least;
+}
+
+static bool find_plane(struct frame *f, const struct node *node, size_t n,
+                       int *axis, double *at) {
+  struct key *key = HSR_NEW(f->job->scratch, struct key, n);
+  size_t most = 0;
+  if (!key)
+    fail(f, HSR_E_NOMEM);
+  for (int k = 0; k < 3 && key; k++) {
+    size_t lesser = find_plane_across(node, n, k, most, key, at);
+    if (lesser > most) {
+      most = lesser;
+      *axis = k;
+    }
+  }
+  return most;
+}
+
+static void tile_region(struct frame *f, const struct hsr_region *region,
+                        const struct node *node, size_t n);
+
+/* The region's parts on both sides of a plane; that of the eye first. */
+static void tile_sides(struct frame *f, const struct hsr_region *region,
+                       const struct node *node, size_t n, int axis, double at) {
+  bool eye_above = f->tiling.view.E[axis] > at;
+  for (int side = 0; side < 2; side++) {
+    struct hsr_region part = *region;
+    if (eye_above == (side == 0))
+      part.above[axis] = at;
+    else
+      part.below[axis] = at;
+    tile_region(f, &part, node, n);
+  }
+}
+
+static bool is_openable(const struct frame *f, const struct node *node) {
+  if (node->cube == HSR_NO_BSP)
+    return (long)node->body->n > SMALL * f->job->option[LEAF];
+  return node->body->tree->cube[node->cube].root == HSR_NO_BSP;
+}
+
+/* The largest cube that can be divided; n: there is none. */
+static size_t find_openable(const struct frame *f, const struct node *node,
+                            size_t n) {
+  size_t best = n;
+  double largest = -1;
+  for (size_t k = 0; k < n; k++) {
+    const struct hsr_box *box = &node[k].box;
+    double size = box->hi[0] - box->lo[0] + box->hi[1] - box->lo[1] +
+                  box->hi[2] - box->lo[2];
+    if (size > largest && is_openable(f, &node[k])) {
+      largest = size;
+      best = k;
+    }
+  }
+  return best;
+}
+
+static struct node root_of(struct body *body) {
+  struct node node = {body, 0, body->tree->cube[0].tight};
+  return node;
+}
+
+/* Octants in the place of their cube, which is the last node. */
+static void open_cube(struct frame *f, const struct hsr_region *region,
+                      struct node *node, size_t n) {
+  struct body *body = node[n - 1].body;
+  const struct hsr_bsp_cube *cube = &body->tree->cube[node[n - 1].cube];
+  unsigned nearest = 0;
+  for (int k = 0; k < 3; k++)
+    nearest |= (unsigned)(f->tiling.view.E[k] > cube->centre[k]) << k;
+  for (int o = 0; o < 8; o++) {
+    unsigned octant = nearest ^ hsr_octant_order[o];
+    uint32_t child = cube->child[octant];
+    struct hsr_region part = *region;
+    size_t others = n - 1;
+    for (int k = 0; k < 3; k++)
+      if (octant >> k & 1)
+        part.above[k] = fmax(part.above[k], cube->centre[k]);
+      else
+        part.below[k] = fmin(part.below[k], cube->centre[k]);
+    if (child != HSR_NO_BSP)
+      node[others++] =
+          (struct node){body, child, body->tree->cube[child].tight};
+    tile_region(f, &part, node, others);
+  }
+}
+
+static void open_node(struct frame *f, const struct hsr_region *region,
+                      struct node *node, size_t n, size_t k) {
+  struct node opened = node[k];
+  node[k] = node[n - 1];
+  node[n - 1] = opened;
+  if (opened.cube != HSR_NO_BSP) {
+    open_cube(f, region, node, n);
+    return;
+  }
+  if (!opened.body->tree)
+    make_body(f, opened.body);
+  if (!f->status) {
+    node[n - 1] = root_of(opened.body);
+    tile_region(f, region, node, n);
+  }
+}
+
+static void tile_alone(struct frame *f, const struct hsr_region *region,
+                       const struct node *node) {
+  if (!node->body->tree)
+    make_body(f, node->body);
+  tile_tree(f, node->body, node->cube == HSR_NO_BSP ? 0 : node->cube, region);
+}
+
+/* The nodes that may be seen in a region, their boxes clipped to it. */
+static size_t look_at(struct frame *f, const struct hsr_region *region,
+                      const struct node *all, size_t n_all,
+                      struct node **node) {
+  size_t n = 0, touching = 0;
+  for (size_t k = 0; k < n_all; k++) {
+    struct hsr_box box = all[k].box;
+    touching += HSR_OF_BUILD(hsr_region_clip)(region, &box);
+  }
+  *node = HSR_NEW(f->job->scratch, struct node, touching);
+  if (!*node)
+    fail(f, HSR_E_NOMEM);
+  for (size_t k = 0; k < n_all && !f->status; k++)
+    if (is_visible(f, region, all[k].box)) {
+      (*node)[n] = all[k];
+      HSR_OF_BUILD(hsr_region_clip)(region, &(*node)[n++].box);
+    }
+  return f->status ? 0 : n;
+}
+
+/* All that the nodes have in a region. */
+static void tile_region(struct frame *f, const struct hsr_region *region,
+                        const struct node *all, size_t n_all) {
+  struct node *node;
+  size_t n = look_at(f, region, all, n_all, &node), openable;
+  int axis = 0;
+  double at = 0;
+  if (!n)
+    return;
+  HSR_COUNT(f->job->tally, REGIONS, 1);
+  if (n == 1)
+    tile_alone(f, region, node);
+  else if (find_plane(f, node, n, &axis, &at))
+    tile_sides(f, region, node, n, axis, at);
+  else if ((openable = find_openable(f, node, n)) < n)
+    open_node(f, region, node, n, openable);
+  else
+    merge(f, region, node, n);
+}
+
+/* --- The picture -----------------------------------------------------------
+ */
+
+/* Holds an instance, exactly. */
+static struct hsr_box box_of_instance(const struct hsr_scene *scene,
+                                      uint32_t instance) {
+  const struct hsr_instance *of = &scene->instances[instance];
+  const struct hsr_object *object = &scene->objects[of->object];
+  struct hsr_box box = {{INFINITY, INFINITY, INFINITY},
+                        {-INFINITY, -INFINITY, -INFINITY}};
+  for (uint32_t v = 0; v < object->n_vertices; v++)
+    add_vertex(&box, object, v, of->m);
+  return box;
+}
+
+static void tile_bodies(struct frame *f) {
+  const struct prepared *p = f->prepared;
+  const struct hsr_world *world = f->job->world;
+  struct hsr_region all = {{-INFINITY, -INFINITY, -INFINITY},
+                           {INFINITY, INFINITY, INFINITY}};
+  struct node *node =
+      HSR_NEW(f->job->scratch, struct node, (size_t)p->n_movers + 1);
+  f->mover = HSR_NEW_ZEROED(f->job->scratch, struct body, p->n_movers);
+  size_t n = 0;
+  if (!node || !f->mover) {
+    fail(f, HSR_E_NOMEM);
+    return;
+  }
+  if (p->tree.n_pieces)
+    node[n++] = root_of(&f->still);
+  for (uint32_t k = 0; k < p->n_movers; k++) {
+    uint32_t i = p->mover[k];
+    f->mover[k].first = world->first[i];
+    f->mover[k].n = world->first[i + 1] - world->first[i];
+    node[n++] = (struct node){&f->mover[k], HSR_NO_BSP,
+                              box_of_instance(world->scene, i)};
+  }
+  tile_region(f, &all, node, n);
+  for (uint32_t k = 0; k < p->n_movers; k++)
+    free_own(&f->mover[k]);
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct frame f;
+  if (begin(&f, job, err))
+    return f.status ? f.status : HSR_E_NOMEM;
+  if (f.loose.n && job->filtering)
+    return HSR_OF_BUILD(hsr_loose_refuse)(&f.loose, job->world, err);
+  tile_bodies(&f);
+  if (f.status)
+    return f.status;
+  HSR_OF_BUILD(hsr_tiling_background)(&f.tiling);
+  HSR_OF_BUILD(hsr_loose_draw)(&f.loose, job->ids, job->ids_stride);
+  HSR_OF_BUILD(hsr_tiling_count)(&f.tiling);
+  HSR_COUNT(job->tally, LOOSE, f.loose.compared);
+  return HSR_OK;
+}
+
+/* --- The descriptor --------------------------------------------------------
+ */
+
+static const struct hsr_counter counters[] = {
+    HSR_TILING_COUNTER_NAMES,
+    [REGIONS] = {"regions", "of space, with cubes that may be visible"},
+    [TREES] = {"trees", "made of bodies that move"},
+    [MERGES] = {"merges", "trees made of leaves of several bodies"},
+    [MERGED_FACES] = {"merged faces", "in these"},
+    [PIECES] = {"pieces", "pieces of faces in visible cubes, with a sample in "
+                          "their box"},
+    [PIECES_CLIPPED] = {"pieces clipped", "of these, to a region"},
+    [LOOSE] = {"thickness checks",
+               "comparisons in depth with faces that are not flat and have no "
+               "place in the trees"},
+    {NULL, NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "priority", "BSP trees", "once for all frames"},
+    {"faces that move", "priority", "BSP trees", "once a frame"},
+    {"cubes", "distance", "octrees together, from front to back",
+     "once a frame"},
+    {"faces", "X and Y", "mask pyramid", "a polygon"},
+    {NULL, NULL, NULL, NULL}};
+
+static const struct hsr_option options[] = {
+    [LEAF] = {.name = "leaf",
+              .meaning = "the most faces that an octree's leaf has",
+              .least = 1,
+              .most = 1000,
+              .standard = 30},
+    [INTERVALS] = HSR_INTERVALS_OPTION,
+    {.name = NULL}};
+
+const struct hsr_algorithm HSR_ALGORITHM(tiling_merged) = {
+    .name = "tiling-merged",
+    .title = "Hierarchical polygon tiling of merged octrees",
+    .authors = "N. Greene",
+    .year = 1996,
+    .source = "N. Greene, Hierarchical Polygon Tiling with Coverage Masks, "
+              "SIGGRAPH 1996, 6.2",
+    .taxonomy = HSR_IMAGE_SPACE_AREA,
+    .sort_order = "Z(XY)",
+    .coherence = "area coherence; hidden cubes hide all that is in them; few "
+                 "bodies move, and fewer meet",
+    .restrictions = HSR_CF,
+    .kind = HSR_IDS,
+    .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS,
+    .sorts = sorts,
+    .counters = counters,
+    .options = options,
+    .prepare = prepare,
+    .render = render,
+    .release = release};

@@ -1,0 +1,296 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Hierarchical polygon tiling with coverage masks.
+ *
+ * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
+ *             SIGGRAPH 1996; N. Greene, PhD thesis, UC Santa Cruz, 1995, 4.4 to
+ *             4.6.
+ * Notation    coverage pyramid, or mask pyramid -> masks (masks.h); the model,
+ *             an octree of BSP trees -> grove (algorithms/image_space/area/tiling/grove.h)
+ * Invariant   all that has been tiled hides what is tiled next: a sample is
+ *             written once, and never compared by depth
+ * Ties        pieces in one plane come by ascending face; what is too close to
+ *             an edge is decided exactly (polygon.h)
+ * Departures  the finest masks are exact, not those of the table, unless so
+ *             chosen. Nothing is clipped. Instances are in a tree of planes
+ *             that separate them, above the octrees. A polygon of few cells of
+ *             the finest level is put to these at once.
+ * Cost        of cells crossed by edges that are visible; of cubes that are
+ *             visible and their children */
+#include "algorithms/algorithm.h"
+#include "algorithms/list_priority/fixed/bsp_walk.h"
+#include "algorithms/image_space/area/tiling/frame.h"
+#include "algorithms/image_space/area/tiling/loose.h"
+#include "algorithms/image_space/area/tiling/grove.h"
+
+#include <stdlib.h>
+
+enum { LEAF, INTERVALS, MASKS, START, CUBES };
+enum { MASKS_EXACT, MASKS_TABLE };
+enum { START_BOX, START_ROOT };
+enum { CUBES_TESTED, CUBES_DRAWN };
+
+enum { PIECES = HSR_TILING_COUNTERS, PIECES_HIDDEN, LOOSE };
+
+/* --- Once ------------------------------------------------------------------
+ */
+
+struct prepared {
+  struct hsr_grove grove;
+  struct hsr_sampling sampling;
+  uint64_t *samples; /* masks of the finest level, of all patterns; or NULL */
+  const uint64_t *sample_tables[HSR_PATTERNS];
+};
+
+/* The paper's finest level: a table for each pattern of jitter. */
+static enum hsr_status make_sample_tables(struct prepared *p, int intervals) {
+  size_t entries = 6 * (size_t)intervals * (size_t)intervals;
+  p->samples = malloc(HSR_PATTERNS * entries * sizeof *p->samples);
+  if (!p->samples)
+    return HSR_E_NOMEM;
+  for (int pattern = 0; pattern < HSR_PATTERNS; pattern++) {
+    double x[64], y[64];
+    for (int bit = 0; bit < 64; bit++) {
+      x[bit] = p->sampling.places[pattern].x[bit] / 8;
+      y[bit] = p->sampling.places[pattern].y[bit] / 8;
+    }
+    uint64_t *table = p->samples + (size_t)pattern * entries;
+    hsr_sample_masks(intervals, x, y, table);
+    p->sample_tables[pattern] = table;
+  }
+  return HSR_OK;
+}
+
+static void release(void *prepared) {
+  struct prepared *p = prepared;
+  hsr_grove_free(&p->grove);
+  HSR_OF_BUILD(hsr_sampling_free)(&p->sampling);
+  free(p->samples);
+  free(p);
+}
+
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  struct prepared *p = calloc(1, sizeof *p);
+  *prepared = p;
+  if (!p)
+    return hsr_fail_nomem(err);
+  struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
+  enum hsr_status status = HSR_OF_BUILD(hsr_sampling_init)(
+      &p->sampling, (int)option[INTERVALS], err);
+  if (!status && option[MASKS] == MASKS_TABLE &&
+      make_sample_tables(p, (int)option[INTERVALS]))
+    status = hsr_fail_nomem(err);
+  if (!status)
+    status = hsr_grove_init(&p->grove, world, &rule, err);
+  return status;
+}
+
+/* --- A frame ---------------------------------------------------------------
+ */
+
+struct frame {
+  const struct hsr_job *job;
+  const struct prepared *prepared;
+  struct hsr_tiling tiling;
+  struct hsr_bsp_waiting *waiting;
+  struct hsr_loose loose;
+  uint32_t first_id; /* of the tree at hand */
+};
+
+static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
+  const struct prepared *p = job->prepared;
+  const struct hsr_grove *grove = &p->grove;
+  const struct hsr_pieces_room room = {grove->most_points, grove->most_corners,
+                                       grove->most_face};
+  *f = (struct frame){.job = job, .prepared = p};
+  if (HSR_OF_BUILD(hsr_tiling_begin)(&f->tiling, &p->sampling, job, room))
+    return HSR_E_NOMEM;
+  if (p->samples)
+    f->tiling.masks.sample_tables =
+        p->sample_tables + HSR_OF_BUILD(hsr_tiling_pattern)(job);
+  f->waiting = HSR_NEW(job->scratch, struct hsr_bsp_waiting,
+                       hsr_bsp_most_waiting(grove->most_depth));
+  if (!f->waiting)
+    return HSR_E_NOMEM;
+  return grove->is_whole
+             ? HSR_OF_BUILD(hsr_loose_begin)(&f->loose, &grove->whole,
+                                             &f->tiling.view, job->tally,
+                                             job->scratch)
+             : HSR_OK;
+}
+
+static bool is_visible(struct frame *f, const struct hsr_box *box,
+                       const double shift[3]) {
+  return HSR_OF_BUILD(hsr_tiling_shows)(&f->tiling, box, shift,
+                                        f->job->option[CUBES] == CUBES_TESTED);
+}
+
+static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
+  struct frame *f = context;
+  struct hsr_pieces_view *pieces = &f->tiling.pieces;
+  if (!is_visible(f, &cube->tight, pieces->shift))
+    return false;
+  if (cube->root != HSR_NO_BSP)
+    HSR_OF_BUILD(hsr_pieces_leaf)(pieces, cube);
+  return true;
+}
+
+static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
+                       int facing) {
+  struct frame *f = context;
+  struct hsr_tiling *t = &f->tiling;
+  struct hsr_pieces_view *pieces = &t->pieces;
+  uint32_t id = f->first_id + piece->face;
+  if (f->loose.is_loose && f->loose.is_loose[piece->face])
+    return;
+  if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
+    return;
+  HSR_STEP(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NOTHING, pieces->box.x0,
+           pieces->box.y0, pieces->box.x1, pieces->box.y1);
+  if (f->job->filtering)
+    id = hsr_world_parent(f->job->world, id);
+  HSR_OF_BUILD(hsr_canvas_face)(&t->canvas, id);
+  if (f->job->option[START] == START_ROOT) {
+    HSR_OF_BUILD(hsr_pieces_outline)(pieces);
+    HSR_OF_BUILD(hsr_masks_tile_root)(&t->masks, &pieces->polygon, &t->sink);
+  } else if (HSR_OF_BUILD(hsr_masks_find)(&t->masks, pieces->box)) {
+    HSR_OF_BUILD(hsr_pieces_outline)(pieces);
+    HSR_OF_BUILD(hsr_masks_tile_found)(&t->masks, &pieces->polygon, &t->sink);
+  } else {
+    HSR_COUNT(f->job->tally, PIECES_HIDDEN, 1);
+  }
+}
+
+static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
+                      const double shift[3], uint32_t first_id) {
+  struct hsr_bsp_walk walk = {.bsp = bsp,
+                              .eye = f->tiling.view.E,
+                              .shift = shift,
+                              .tally = f->job->tally,
+                              .waiting = f->waiting,
+                              .context = f,
+                              .enter = enter_cube,
+                              .piece = tile_piece};
+  f->first_id = first_id;
+  HSR_OF_BUILD(hsr_pieces_tree)(&f->tiling.pieces, bsp, shift);
+  HSR_OF_BUILD(hsr_bsp_walk)(&walk);
+}
+
+/* Instances in order, the nearer side of each plane first. */
+static void tile_instances(struct frame *f, uint32_t number) {
+  static const double still[3] = {0, 0, 0};
+  const struct hsr_grove *grove = &f->prepared->grove;
+  const struct hsr_grove_node *node = &grove->node[number];
+  if (node->axis >= 0) {
+    if (!is_visible(f, &node->box, still))
+      return;
+    bool above = f->tiling.view.E[node->axis] > node->at;
+    tile_instances(f, above ? node->above : node->below);
+    tile_instances(f, above ? node->below : node->above);
+    return;
+  }
+  const struct hsr_instance *instance =
+      &grove->world->scene->instances[node->instance];
+  const double shift[3] = {instance->m[3], instance->m[7], instance->m[11]};
+  tile_tree(f, &grove->tree[instance->object].bsp, shift,
+            grove->world->first[node->instance]);
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  static const double still[3] = {0, 0, 0};
+  struct frame f;
+  const struct prepared *p = job->prepared;
+  if (begin(&f, job))
+    return hsr_fail_nomem(err);
+  if (f.loose.n && job->filtering)
+    return HSR_OF_BUILD(hsr_loose_refuse)(&f.loose, job->world, err);
+  if (p->grove.is_whole)
+    tile_tree(&f, &p->grove.whole, still, 0);
+  else
+    tile_instances(&f, 0);
+  HSR_OF_BUILD(hsr_tiling_background)(&f.tiling);
+  HSR_OF_BUILD(hsr_loose_draw)(&f.loose, job->ids, job->ids_stride);
+  HSR_OF_BUILD(hsr_tiling_count)(&f.tiling);
+  HSR_COUNT(job->tally, LOOSE, f.loose.compared);
+  return HSR_OK;
+}
+
+/* --- The descriptor --------------------------------------------------------
+ */
+
+static const struct hsr_counter counters[] = {
+    HSR_TILING_COUNTER_NAMES,
+    [PIECES] = {"pieces", "pieces of faces in visible cubes, with a sample in "
+                          "their box"},
+    [PIECES_HIDDEN] = {"pieces hidden", "of these, those whose box is hidden"},
+    [LOOSE] = {"thickness checks",
+               "comparisons in depth with faces that are not flat and have no "
+               "place in the trees"},
+    {NULL, NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "priority", "BSP trees", "once for all frames"},
+    {"cubes", "distance", "octree, from front to back", "once a frame"},
+    {"faces", "X and Y", "mask pyramid", "a polygon"},
+    {NULL, NULL, NULL, NULL}};
+
+static const struct hsr_option options[] = {
+    [LEAF] = {.name = "leaf",
+              .meaning = "the most faces that an octree's leaf has; 0: one BSP "
+                         "tree and no octree",
+              .least = 0,
+              .most = 1000,
+              .standard = 30},
+    [INTERVALS] = HSR_INTERVALS_OPTION,
+    [MASKS] = {.name = "masks",
+               .meaning = "how the masks of samples are found",
+               .words =
+                   (const struct hsr_word[]){
+                       {"exact", "by the edges, exactly", 0},
+                       {"table",
+                        "by tables, as in the paper, and sometimes wrong",
+                        HSR_KNOWN_WRONG},
+                       {NULL, NULL, 0}}},
+    [START] = {.name = "start",
+               .meaning = "where a polygon is tiled from",
+               .words =
+                   (const struct hsr_word[]){
+                       {"box",
+                        "the smallest cell that encloses its box, unless "
+                        "that is hidden",
+                        0},
+                       {"root", "the root, as in the thesis", 0},
+                       {NULL, NULL, 0}}},
+    [CUBES] = {.name = "cubes",
+               .meaning = "what becomes of cubes in the picture",
+               .words =
+                   (const struct hsr_word[]){
+                       {"tested",
+                        "their silhouettes are tiled, and hidden ones "
+                        "culled",
+                        0},
+                       {"drawn", "all are gone through", 0},
+                       {NULL, NULL, 0}}},
+    {.name = NULL}};
+
+const struct hsr_algorithm HSR_ALGORITHM(tiling) = {
+    .name = "tiling",
+    .title = "Hierarchical polygon tiling with coverage masks",
+    .authors = "N. Greene",
+    .year = 1996,
+    .source = "N. Greene, Hierarchical Polygon Tiling with Coverage Masks, "
+              "SIGGRAPH 1996",
+    .taxonomy = HSR_IMAGE_SPACE_AREA,
+    .sort_order = "Z(XY)",
+    .coherence = "area coherence; hidden cubes hide all that is in them",
+    .restrictions = HSR_CF,
+    .kind = HSR_IDS,
+    .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS,
+    .sorts = sorts,
+    .counters = counters,
+    .options = options,
+    .prepare = prepare,
+    .render = render,
+    .release = release};

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Warnock's subdivision as other algorithms use it: until few faces are left in
+ * a window. See warnock.c.
+ *
+ * Source      Sutherland et al. 1974, "Other Combinations of Sorting": some
+ *             subdivision, "say until fewer than 100 polygons remained", then
+ *             Newell's method, or Watkins', within that area.
+ * Few         How many faces to leave was measured at 512 x 512: the work in
+ *             millions of comparisons, weighted as in Table III,
+ *
+ *             fewer than     4     16    100   1000  all of them  Warnock alone
+ *             Watkins
+ *               house      2.2    1.3    1.5    1.7      1.7          4.0
+ *               harbor      16     10    8.4    6.5      5.3           21
+ *               big harbor 141    119     95     65       33          147
+ *             Newell
+ *               house      2.0   0.48   0.28   0.25     0.24          4.0
+ *               harbor      16    8.6    5.3    3.4      3.3           21
+ *               big harbor 141    120     96     69       64          147
+ *
+ *             That of the harbors is Warnock special most of all, 100 a face
+ *             and window; only Watkins in the house has a best number. So it is
+ *             the survey's. */
+#ifndef HSR_ALGORITHMS_WARNOCK_H
+#define HSR_ALGORITHMS_WARNOCK_H
+
+#include "algorithms/algorithm.h"
+#include "common/exact/screen.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Solves the windows that are neither homogeneous nor simple, and in which no
+ * more than most_faces faces, with most_corners corners in all, are open:
+ * surrounders and intersecters not hidden by a surrounder. */
+struct hsr_finisher {
+  uint32_t most_faces, most_corners;
+  void (*finish)(void *context, const struct hsr_window *window,
+                 const uint32_t *faces, uint32_t n);
+  void *context;
+};
+
+/* Few faces: fewer than 100. Scenes have four corners a face or so. */
+enum { HSR_FEW_FACES = 99, HSR_FEW_CORNERS = 8 * HSR_FEW_FACES };
+
+/* Compiled twice, as the algorithms are. */
+#define hsr_warnock_run HSR_OF_BUILD(hsr_warnock_run)
+
+/* The view's window. The finisher counts from HSR_WARNOCK_FINISHER on.
+ * HSR_E_NOMEM. */
+enum hsr_status hsr_warnock_run(const struct hsr_job *job,
+                                const struct hsr_screen *screen,
+                                const struct hsr_finisher *finisher);
+
+/* The counters that it keeps, in their order. */
+enum {
+  HSR_WARNOCK_Z_SORT,
+  HSR_WARNOCK_SPECIAL,
+  HSR_WARNOCK_DEPTH_SEARCH,
+  HSR_WARNOCK_WINDOWS,
+  HSR_WARNOCK_SUBDIVISIONS,
+  HSR_WARNOCK_MINIMAX,
+  HSR_WARNOCK_OLD_SURROUNDERS,
+  HSR_WARNOCK_OLD_DISJOINTS,
+  HSR_WARNOCK_HIDDEN_FACES,
+  HSR_WARNOCK_EMPTY,
+  HSR_WARNOCK_HOMOGENEOUS,
+  HSR_WARNOCK_ONE_FACE,
+  HSR_WARNOCK_ONE_IN_FRONT,
+  HSR_WARNOCK_SAMPLES,
+  HSR_N_WARNOCK_COUNTERS,
+  HSR_WARNOCK_FINISHED = HSR_N_WARNOCK_COUNTERS,
+  HSR_WARNOCK_FINISHER /* the first of the finisher's own */
+};
+#define HSR_WARNOCK_COUNTERS                                                   \
+  {"Z sort", "faces put into buckets, in each of two passes"},                 \
+      {"Warnock special", "faces tested against a window"},                    \
+      {"depth search", "faces compared in depth with a surrounder"},           \
+      {"windows", "windows examined"},                                         \
+      {"subdivisions", "windows divided into smaller ones"},                   \
+      {"minimax culls", "faces tested that their boxes decided"},              \
+      {"inherited surrounders",                                                \
+       "faces not tested, since they surround a larger window"},               \
+      {"inherited disjoints",                                                  \
+       "faces not tested, since they are disjoint from a larger window"},      \
+      {"hidden faces", "faces not tested, since a surrounder hides them"},     \
+      {"empty windows", "decided: no face in them"},                           \
+      {"homogeneous windows", "decided: a critical surround"},                 \
+      {"one face", "decided: no surrounder and one intersecter"},              \
+      {"one in front",                                                         \
+       "decided: one intersecter before the critical surround"},               \
+  {                                                                            \
+    "samples", "decided: windows of a single sample"                           \
+  }
+#define HSR_FINISHED_COUNTERS                                                  \
+  HSR_WARNOCK_COUNTERS, {                                                      \
+    "finished windows", "left to the other algorithm"                          \
+  }
+
+/* The same for the arrays of steps and sorts. Figure 29b being lost, the sorts
+ * are reconstructed from the text. */
+#define HSR_WARNOCK_STEPS                                                      \
+  {"Z sort", HSR_WARNOCK_Z_SORT, 1, "2 F_r", hsr_predict_warnock_z_sort},      \
+      {"Warnock special", HSR_WARNOCK_SPECIAL, 100, "100 L_v D_c",             \
+       hsr_predict_warnock_special},                                           \
+  {                                                                            \
+    "depth search", HSR_WARNOCK_DEPTH_SEARCH, 1, "L_v D_c",                    \
+        hsr_predict_warnock_depth_search                                       \
+  }
+#define HSR_WARNOCK_SORTS                                                      \
+  {"faces", "Z", "radix 512 Quicksort, two passes", "once a frame"},           \
+      {"faces", "(XY)", "radix 4 Quicksort: cull and subdivision",             \
+       "once a window"},                                                       \
+  {                                                                            \
+    "surrounders and intersecters", "Z", "exhaustive search at the corners",   \
+        "once a window"                                                        \
+  }
+
+static inline double hsr_predict_warnock_z_sort(const struct hsr_table1 *t) {
+  return 2 * t->F_r;
+}
+static inline double hsr_predict_warnock_special(const struct hsr_table1 *t) {
+  return 100 * t->L_v * t->D_c;
+}
+static inline double
+hsr_predict_warnock_depth_search(const struct hsr_table1 *t) {
+  return t->L_v * t->D_c;
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif

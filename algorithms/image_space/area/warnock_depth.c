@@ -1,0 +1,298 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Depth-priority Warnock: Warnock's subdivision without lists, of polygons that
+ * come one by one, from front to back.
+ *
+ * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
+ *             SIGGRAPH 1996, 2.1; N. Greene, PhD thesis, UC Santa Cruz, 1995,
+ *             4.3.1.
+ * Notation    occupied, and the quadtree of such marks -> state[]; inside,
+ *             outside, intersecting -> side_of_cell
+ * Invariant   all that comes later is behind what has been written; a cell is
+ *             occupied just when all its samples are written, or outside the
+ *             window
+ * Ties        pieces in one plane: the lowest face comes first
+ * Departures  a cell that has no sample in the polygon's box is outside, too.
+ *             Faces for which the tree has no place are compared in depth
+ *             (bsp_frame.h).
+ * Cost        of cells that edges cross which are visible */
+#include "algorithms/list_priority/fixed/bsp_frame.h"
+
+enum { CELLS = HSR_BSP_N_COUNTERS, SUBDIVISIONS, SIDES };
+
+static const struct hsr_counter counters[] = {
+    HSR_BSP_COUNTERS,
+    [CELLS] = {"cells", "cells visited that were not occupied"},
+    [SUBDIVISIONS] = {"subdivisions", "of these, those that were subdivided"},
+    [SIDES] = {"side tests", "sides of polygons compared with cells"},
+    {NULL, NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"faces", "Z", "BSP tree", "once for all frames"},
+    {"pieces", "Z", "walk of the tree, from front to back", "once a frame"},
+    {"windows", "XY", "quadtree", "once a piece"},
+    {NULL, NULL, NULL, NULL}};
+
+enum { LEVELS = 32 };
+
+enum state { VACANT, PARTLY, OCCUPIED };
+
+/* A side of the polygon: the edge from vertex a to b, inside where
+ * hsr_edge_side is `inside`; or, if b is HSR_NOTHING, the plane of face a. */
+struct side {
+  uint32_t a, b;
+  int inside;
+};
+
+struct warnock {
+  struct hsr_bsp_frame frame;
+  const struct hsr_window *window;
+  int n_levels;
+  unsigned char *state[LEVELS]; /* a cell of the level: 2^level samples a side,
+                                   rows of 2^(n_levels - 1 - level) cells */
+  uint32_t *visits[LEVELS];     /* of cells; NULL: there is no work picture */
+  struct side *side;            /* for all levels */
+
+  /* The polygon at hand. */
+  struct hsr_piece piece;
+  bool is_asked; /* what it covers is asked sample by sample */
+};
+
+static size_t cell_of(const struct warnock *s, int level, int x, int y) {
+  return ((size_t)y << (s->n_levels - 1 - level)) + (size_t)x;
+}
+
+static unsigned char *state_of(const struct warnock *s, int level, int x,
+                               int y) {
+  return &s->state[level][cell_of(s, level, x, y)];
+}
+
+/* What its four quadrants make of a cell. */
+static enum state gather(const struct warnock *s, int level, int x, int y) {
+  int n_occupied = 0, n_vacant = 0;
+  for (int q = 0; q < 4; q++) {
+    enum state state = *state_of(s, level - 1, 2 * x + q % 2, 2 * y + q / 2);
+    n_occupied += state == OCCUPIED;
+    n_vacant += state == VACANT;
+  }
+  return n_occupied == 4 ? OCCUPIED : n_vacant == 4 ? VACANT : PARTLY;
+}
+
+/* --- Cells ------------------------------------------------------------------
+ */
+
+/* The samples of a cell that are in the window. */
+static struct hsr_bounds samples_of(const struct warnock *s, int level, int x,
+                                    int y) {
+  const struct hsr_window *w = s->window;
+  int size = 1 << level;
+  struct hsr_bounds b = {w->x0 + x * size, w->y0 + y * size, 0, 0};
+  b.x1 = b.x0 + size < w->x1 ? b.x0 + size : w->x1;
+  b.y1 = b.y0 + size < w->y1 ? b.y0 + size : w->y1;
+  return b;
+}
+
+static bool is_inside(struct warnock *s, const struct side *side, int i,
+                      int j) {
+  struct hsr_tally *tally = s->frame.job->tally;
+  const struct hsr_screen *screen = &s->frame.screen;
+  return side->inside ==
+         (side->b == HSR_NOTHING
+              ? hsr_cut_side(screen, s->piece.face, side->a, i, j, tally)
+              : hsr_edge_side(screen, side->a, side->b, i, j, tally));
+}
+
+/* A side is a line on the screen: all samples between four are on the side of
+ * it on which these are. */
+enum where { OUTSIDE, INTERSECTING, INSIDE };
+static enum where side_of_cell(struct warnock *s, const struct side *side,
+                               const struct hsr_bounds *b) {
+  int n = is_inside(s, side, b->x0, b->y0);
+  HSR_COUNT(s->frame.job->tally, SIDES, 1);
+  if (b->x1 - b->x0 > 1 || b->y1 - b->y0 > 1) {
+    n += is_inside(s, side, b->x1 - 1, b->y0);
+    if (n == 1)
+      return INTERSECTING;
+    n += is_inside(s, side, b->x0, b->y1 - 1);
+    n += is_inside(s, side, b->x1 - 1, b->y1 - 1);
+    return n == 0 ? OUTSIDE : n == 4 ? INSIDE : INTERSECTING;
+  }
+  return n ? INSIDE : OUTSIDE;
+}
+
+static void write_cell(struct warnock *s, const struct hsr_bounds *b) {
+  HSR_COUNT(s->frame.job->tally, HSR_BSP_SAMPLES,
+            (b->x1 - b->x0) * (b->y1 - b->y0));
+  for (int j = b->y0; j < b->y1; j++)
+    for (int i = b->x0; i < b->x1; i++)
+      hsr_bsp_frame_row(&s->frame, j)[i] = s->piece.face;
+}
+
+static bool misses(const struct hsr_bounds *a, const struct hsr_bounds *b) {
+  return a->x0 >= b->x1 || b->x0 >= a->x1 || a->y0 >= b->y1 || b->y0 >= a->y1;
+}
+
+/* --- The algorithm ----------------------------------------------------------
+ */
+
+/* Inserts the polygon into a cell, which n of its sides may cross. After these
+ * there is room for those that cross its quadrants. */
+static void insert(struct warnock *s, int level, int x, int y,
+                   const struct side *side, uint32_t n) {
+  struct hsr_tally *tally = s->frame.job->tally;
+  unsigned char *state = state_of(s, level, x, y);
+  if (*state == OCCUPIED)
+    return;
+  struct hsr_bounds samples = samples_of(s, level, x, y);
+  HSR_STEP(tally, CELLS, HSR_SAMPLE, s->piece.face, HSR_NOTHING, samples.x0,
+           samples.y0, samples.x1, samples.y1);
+  if (HSR_COUNTING && s->visits[level])
+    s->visits[level][cell_of(s, level, x, y)]++;
+  if (misses(&samples, &s->piece.bounds))
+    return;
+  struct side *crossing = s->side + (side - s->side) + n;
+  uint32_t n_crossing = 0;
+  for (uint32_t k = 0; k < n; k++) {
+    enum where where = side_of_cell(s, &side[k], &samples);
+    if (where == OUTSIDE)
+      return;
+    if (where == INTERSECTING)
+      crossing[n_crossing++] = side[k];
+  }
+  if (level == 0 && s->is_asked &&
+      !hsr_piece_covers(&s->frame.screen, s->piece.face, s->piece.cuts,
+                        s->piece.n_cuts, samples.x0, samples.y0, tally))
+    return;
+  if (level == 0 || (!n_crossing && !s->is_asked && *state == VACANT)) {
+    write_cell(s, &samples);
+    *state = OCCUPIED;
+    return;
+  }
+  HSR_COUNT(tally, SUBDIVISIONS, 1);
+  for (int q = 0; q < 4; q++)
+    insert(s, level - 1, 2 * x + q % 2, 2 * y + q / 2, crossing, n_crossing);
+  *state = (unsigned char)gather(s, level, x, y);
+}
+
+/* On which side of its plane the eye is, turned as the face's loop goes. */
+static int side_of_loop(const struct warnock *s, uint32_t f, int facing) {
+  const struct hsr_job *job = s->frame.job;
+  return job->world->pieces
+             ? hsr_exact_plane_side(hsr_face_loop(job->world, f), job->view->E,
+                                    &job->tally->out_of_memory)
+             : facing;
+}
+
+/* The sides of a flat piece. From the eye it fills the cone that they bound,
+ * however much of it is behind the eye. */
+static uint32_t find_sides(struct warnock *s, const struct hsr_bsp_piece *piece,
+                           int facing) {
+  const struct hsr_bsp *bsp = s->frame.bsp;
+  const struct hsr_bsp_corner *corner = bsp->corner + piece->first_corner;
+  int around = side_of_loop(s, piece->face, facing);
+  uint32_t n_cuts = 0;
+  for (uint32_t k = 0; k < piece->n_corners; k++) {
+    if (corner[k].b == HSR_BSP_FRONT || corner[k].b == HSR_BSP_BEHIND) {
+      const struct hsr_cut *cut = &s->piece.cuts[n_cuts++];
+      s->side[k] = (struct side){cut->face, HSR_NOTHING, cut->side};
+    } else {
+      s->side[k] = (struct side){corner[k].a, corner[k].b, -around};
+    }
+  }
+  return piece->n_corners;
+}
+
+static void insert_piece(void *context, const struct hsr_bsp_piece *piece,
+                         int facing) {
+  struct warnock *s = context;
+  if (!HSR_OF_BUILD(hsr_bsp_frame_piece)(&s->frame, piece, &s->piece))
+    return;
+  uint32_t f = piece->face, n = 0;
+  s->is_asked = s->frame.job->world->deviation[f] > 0 ||
+                (s->frame.job->view->near > 0 && !s->frame.screen.whole[f]);
+  if (!s->is_asked)
+    n = find_sides(s, piece, facing);
+  insert(s, s->n_levels - 1, 0, 0, s->side, n);
+}
+
+/* A quadtree whose root holds the window; what is outside is occupied. */
+static enum hsr_status make_quadtree(struct warnock *s) {
+  const struct hsr_window *w = s->window;
+  int columns = w->x1 - w->x0, rows = w->y1 - w->y0, size = 1;
+  for (s->n_levels = 1; size < columns || size < rows; s->n_levels++)
+    size *= 2;
+  for (int level = 0; level < s->n_levels; level++) {
+    size_t row = (size_t)(size >> level);
+    s->state[level] = HSR_NEW(s->frame.job->scratch, unsigned char, row *row);
+    if (!s->state[level])
+      return HSR_E_NOMEM;
+    for (int y = 0; y < size >> level; y++)
+      for (int x = 0; x < size >> level; x++)
+        *state_of(s, level, x, y) =
+            (unsigned char)(level                     ? gather(s, level, x, y)
+                            : x < columns && y < rows ? VACANT
+                                                      : OCCUPIED);
+  }
+  return HSR_OK;
+}
+
+/* For the work picture. */
+static enum hsr_status begin_visits(struct warnock *s) {
+  const struct hsr_job *job = s->frame.job;
+  for (int level = 0; level < s->n_levels && HSR_COUNTING && job->tally->work;
+       level++) {
+    size_t row = (size_t)1 << (s->n_levels - 1 - level);
+    s->visits[level] = HSR_NEW_ZEROED(job->scratch, uint32_t, row * row);
+    if (!s->visits[level])
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
+
+/* A cell's visits are shared by its samples. */
+static void share_visits(const struct warnock *s) {
+  const struct hsr_window *w = s->window;
+  struct hsr_tally *tally = s->frame.job->tally;
+  for (int level = 0; level < s->n_levels && s->visits[level]; level++)
+    for (int j = w->y0; j < w->y1; j++)
+      for (int i = w->x0; i < w->x1; i++) {
+        int x = (i - w->x0) >> level, y = (j - w->y0) >> level;
+        struct hsr_bounds b = samples_of(s, level, x, y);
+        tally->work[(size_t)j * tally->work_stride + (size_t)i] +=
+            (float)s->visits[level][cell_of(s, level, x, y)] /
+            (float)((b.x1 - b.x0) * (b.y1 - b.y0));
+      }
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct warnock warnock = {.window = &job->view->window}, *s = &warnock;
+  if (HSR_OF_BUILD(hsr_bsp_frame_begin)(&s->frame, job) || make_quadtree(s) ||
+      begin_visits(s))
+    return hsr_fail_nomem(err);
+  s->side = HSR_NEW(job->scratch, struct side,
+                    (size_t)s->frame.most_corners * ((size_t)s->n_levels + 1));
+  if (!s->side)
+    return hsr_fail_nomem(err);
+  HSR_OF_BUILD(hsr_bsp_frame_walk)(&s->frame, false, s, insert_piece);
+  share_visits(s);
+  HSR_OF_BUILD(hsr_bsp_frame_finish)(&s->frame);
+  return HSR_OK;
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(warnock_depth) = {
+    .name = "warnock-depth",
+    .title = "Depth-priority Warnock: subdivision from front to back",
+    .authors = "N. Greene",
+    .year = 1995,
+    .source = "N. Greene, Hierarchical Rendering of Complex Environments, PhD "
+              "thesis, UC Santa Cruz, 1995, 4.3.1",
+    .taxonomy = HSR_IMAGE_SPACE_AREA,
+    .sort_order = "Z(XY)",
+    .coherence = "frame; area",
+    .restrictions = HSR_CF,
+    .kind = HSR_IDS,
+    .sorts = sorts,
+    .counters = counters,
+    .prepare = HSR_OF_BUILD(hsr_bsp_prepare),
+    .render = render,
+    .release = HSR_OF_BUILD(hsr_bsp_release)};

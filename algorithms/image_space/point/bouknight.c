@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Bouknight's scan-line algorithm: a sample span from each edge crossing to the
+ * next.
+ *
+ * Source      W. J. Bouknight, "An improved procedure for generation of
+ *             half-tone computer graphics representations", R-432, Coordinated
+ *             Science Laboratory, University of Illinois, 1969, and Comm. ACM
+ *             13(9), 1970; as described by Sutherland et al. 1974, "Segment
+ *             Comparisons", "Scan-line Algorithms", figures 12a and 27a.
+ * Notation    scan line -> row j; Y buckets and X sort list -> scan_line.h;
+ *             sample span -> [left, right); the faces whose visible bit is on
+ *             -> visible[]; a face's bit is on -> place[] is not NONE
+ * Invariants  in decide_span, the faces in visible[] cover all samples of the
+ *             span, and no other face covers any of them; in show_span, `first`
+ *             and `last` are the nearest faces at its first and last sample
+ * Penetration The depths are compared at both limits of a span; where they tell
+ *             different faces, it is divided at the first sample behind the
+ *             crossing of those two. (All the survey says is that penetrating
+ *             faces take a slight change, which R-432 describes.) On a row 1/t
+ *             of a plane is linear, ties included: a face that is nearest at
+ *             both limits is so in between.
+ * Ties        by hsr_nearer
+ * Departures  those of scan_line.h; a span without a sample is passed over, and
+ *             one with a single face or none is not searched
+ * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
+ *             of scan_line.h: Table III has one column for Watkins and
+ *             Bouknight, though the latter's spans are up to 2 S_l a line */
+#include "algorithms/image_space/point/scan_line.h"
+
+enum { SPAN_CULL = HSR_N_SCAN_COUNTERS, DEPTH_SEARCH, DIVISIONS, SPANS };
+
+static const struct hsr_counter counters[] = {
+    HSR_SCAN_COUNTERS,
+    [SPAN_CULL] = {"span cull", "visible bits turned on or off"},
+    [DEPTH_SEARCH] = {"depth search", "comparisons of two faces in depth"},
+    [DIVISIONS] = {"span divisions", "spans divided where two faces penetrate"},
+    [SPANS] = {"spans", "sample spans decided"},
+    {NULL, NULL}};
+
+static const struct hsr_step steps[] = {
+    HSR_SCAN_STEPS,
+    {"span cull", SPAN_CULL, 1, "n S_l", hsr_predict_span_cull},
+    {"depth search", DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)",
+     hsr_predict_depth_search},
+    {NULL, 0, 0, NULL, NULL}};
+
+static const struct hsr_sort sorts[] = {
+    HSR_SCAN_SORTS,
+    {"faces", "X", "cull by visible bits", "once an edge crossing"},
+    {"faces", "Z", "exhaustive search", "at both limits of a sample span"},
+    {NULL, NULL, NULL, NULL}};
+
+/* No place: the visible bit is off. */
+static const uint32_t NONE = UINT32_MAX;
+
+struct scan {
+  struct hsr_scan edges; /* Y buckets and X sort list */
+  int j;
+  uint32_t *ids; /* of the row */
+
+  uint32_t *visible, n_visible;
+  uint32_t *place; /* a face: where it stands in visible[] */
+};
+
+/* --- Span cull --------------------------------------------------------------
+ */
+
+/* Turns the visible bit of a face on or off, as the span passes its edge. */
+static void turn_bit(struct scan *s, uint32_t f) {
+  HSR_STEP(s->edges.tally, SPAN_CULL,
+           s->place[f] == NONE ? HSR_ACTIVATE : HSR_RETIRE, f, HSR_NOTHING, 0,
+           s->j, 0, s->j + 1);
+  if (s->place[f] == NONE) {
+    s->place[f] = s->n_visible;
+    s->visible[s->n_visible++] = f;
+  } else {
+    uint32_t last = s->visible[--s->n_visible];
+    s->visible[s->place[f]] = last;
+    s->place[last] = s->place[f];
+    s->place[f] = NONE;
+  }
+}
+
+/* --- Depth search -----------------------------------------------------------
+ */
+
+/* The nearest of the visible faces at sample i; `nearest` is one of them. */
+static uint32_t search_depth(struct scan *s, uint32_t nearest, int i) {
+  for (uint32_t k = 0; k < s->n_visible; k++) {
+    uint32_t f = s->visible[k];
+    if (f == nearest)
+      continue;
+    HSR_TOUCH(s->edges.tally, i, s->j);
+    HSR_STEP(s->edges.tally, DEPTH_SEARCH, HSR_COMPARE, f, nearest, i, s->j,
+             i + 1, s->j + 1);
+    if (hsr_nearer(&s->edges.screen, f, nearest, i, s->j, s->edges.tally))
+      nearest = f;
+  }
+  return nearest;
+}
+
+/* --- Sample spans -----------------------------------------------------------
+ */
+
+static void write_span(struct scan *s, uint32_t id, int left, int right) {
+  HSR_STEP(s->edges.tally, SPANS, HSR_SPAN, id, HSR_NOTHING, left, s->j, right,
+           s->j + 1);
+  HSR_TOUCH_SPAN(s->edges.tally, left, right, s->j);
+  for (int i = left; i < right; i++)
+    s->ids[i] = id;
+}
+
+/* Writes a span, divided where the nearest face changes. */
+static void show_span(struct scan *s, uint32_t first, uint32_t last, int left,
+                      int right) {
+  while (first != last) {
+    HSR_STEP(s->edges.tally, DIVISIONS, HSR_SUBDIVIDE, first, last, left, s->j,
+             right, s->j + 1);
+    int middle = hsr_scan_crossing(&s->edges, first, last, true, left, right,
+                                   s->j, DEPTH_SEARCH);
+    uint32_t before = search_depth(s, first, middle - 1);
+    show_span(s, first, before, left, middle);
+    first = search_depth(s, last, middle);
+    left = middle;
+  }
+  write_span(s, first, left, right);
+}
+
+static void decide_span(struct scan *s, int left, int right) {
+  uint32_t first = HSR_BACKGROUND, last = HSR_BACKGROUND;
+  if (s->n_visible) {
+    first = search_depth(s, s->visible[0], left);
+    last = left + 1 < right ? search_depth(s, first, right - 1) : first;
+  }
+  show_span(s, first, last, left, right);
+}
+
+/* A span ends, and the next one begins, at every edge crossing. */
+static void scan_row(struct scan *s) {
+  const struct hsr_window *w = s->edges.window;
+  int left = w->x0;
+  for (uint32_t k = 0; k < s->edges.n_list; k++) {
+    const struct hsr_scan_edge *edge = &s->edges.edge[s->edges.list[k]];
+    if (edge->column == HSR_NO_COLUMN)
+      break;
+    int right = edge->column < w->x1 ? edge->column : w->x1;
+    if (left < right) {
+      decide_span(s, left, right);
+      left = right;
+    }
+    turn_bit(s, edge->face);
+  }
+  if (left < w->x1)
+    decide_span(s, left, w->x1);
+}
+
+/* --- The algorithm ----------------------------------------------------------
+ */
+
+static enum hsr_status allocate(struct scan *s) {
+  const struct hsr_job *job = s->edges.job;
+  size_t n_faces = job->world->n_faces;
+  s->visible = HSR_NEW(job->scratch, uint32_t, s->edges.screen.n_relevant);
+  s->place = HSR_NEW(job->scratch, uint32_t, n_faces);
+  if (!s->visible || !s->place)
+    return HSR_E_NOMEM;
+  for (size_t f = 0; f < n_faces; f++)
+    s->place[f] = NONE;
+  return HSR_OK;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct scan scan = {.n_visible = 0};
+  if (hsr_scan_begin(&scan.edges, job) || allocate(&scan))
+    return hsr_fail_nomem(err);
+
+  const struct hsr_window *w = &job->view->window;
+  for (scan.j = w->y0; scan.j < w->y1; scan.j++) {
+    hsr_scan_advance(&scan.edges, scan.j);
+    scan.ids = job->ids + (size_t)scan.j * job->ids_stride;
+    scan_row(&scan);
+  }
+  return HSR_OK;
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(bouknight) = {
+    .name = "bouknight",
+    .title = "Bouknight's scan-line algorithm",
+    .authors = "W. J. Bouknight",
+    .year = 1969,
+    .source = "R-432, Coordinated Science Laboratory, University of Illinois, "
+              "1969; Comm. ACM 13(9), 1970; Sutherland et al., Computing "
+              "Surveys 6(1), 1974, \"Scan-line Algorithms\"",
+    .taxonomy = HSR_IMAGE_SPACE_POINT,
+    .sort_order = "YXZ",
+    .coherence = "scan line; edge",
+    .restrictions = 0,
+    .kind = HSR_IDS,
+    .sorts = sorts,
+    .counters = counters,
+    .steps = steps,
+    .render = render};

@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+algorithm_files += \
+  %D%/bouknight.c \
+  %D%/romney.c \
+  %D%/scan_line.c \
+  %D%/scan_line.h \
+  %D%/watkins.c \
+  %D%/watkins.h \
+  %D%/yzx.c

@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The Y bucket sort of edges and the X sort list: see scan_line.h. */
+#include "algorithms/image_space/point/scan_line.h"
+
+/* No more edges in a bucket. */
+static const uint32_t NONE = UINT32_MAX;
+
+/* --- Y sort ----------------------------------------------------------------
+ */
+
+static void put_into_bucket(struct hsr_scan *s, struct hsr_scan_edge edge,
+                            int row) {
+  const struct hsr_window *w = s->window;
+  if (row < w->y0)
+    row = w->y0;
+  if (edge.end_row > w->y1)
+    edge.end_row = w->y1;
+  if (row >= edge.end_row)
+    return;
+  uint32_t *bucket = &s->bucket[row - w->y0];
+  edge.next = *bucket;
+  *bucket = s->n_edges;
+  s->edge[s->n_edges++] = edge;
+  HSR_STEP(s->tally, HSR_Y_SORT, HSR_SORT, edge.face, *bucket, w->x0, row,
+           w->x1, edge.end_row);
+}
+
+static void sort_edges(struct hsr_scan *s, const struct hsr_piece *piece,
+                       uint32_t number) {
+  const struct hsr_world *world = s->job->world;
+  uint32_t f = piece->face, n = hsr_face_size(world, f);
+  const uint32_t *vertex = world->vertex + world->start[f];
+  uint32_t a = vertex[n - 1];
+  int row_a = hsr_vertex_row(&s->screen, a, s->tally);
+  for (uint32_t k = 0; k < n; k++) {
+    uint32_t b = vertex[k];
+    int row_b = hsr_vertex_row(&s->screen, b, s->tally);
+    if (row_a != row_b) { /* else it lies between two scan lines */
+      struct hsr_scan_edge edge = {
+          .face = f, .piece = number, .cut = HSR_NOT_CUT};
+      bool down = row_a < row_b;
+      hsr_edge_init(&edge.line, &s->screen, down ? a : b, down ? b : a);
+      edge.end_row = down ? row_b : row_a;
+      put_into_bucket(s, edge, down ? row_a : row_b);
+    }
+    a = b;
+    row_a = row_b;
+  }
+}
+
+static bool is_cut(const struct hsr_screen *screen,
+                   const struct hsr_piece *piece) {
+  return piece->n_cuts || !screen->whole[piece->face];
+}
+
+/* The most ends that segments of a cut piece have on a row. */
+static uint32_t most_ends(const struct hsr_screen *screen,
+                          const struct hsr_piece *piece) {
+  uint32_t size = hsr_face_size(screen->world, piece->face);
+  return screen->whole[piece->face] ? size & ~1u : size + 4;
+}
+
+static int find_spans(struct hsr_scan *s, const struct hsr_piece *piece,
+                      int j) {
+  return hsr_piece_spans(&s->screen, piece->face, piece->cuts, piece->n_cuts, j,
+                         s->columns, s->tally);
+}
+
+static void sort_ends(struct hsr_scan *s, const struct hsr_piece *piece,
+                      uint32_t number) {
+  struct hsr_scan_cut cut = {.piece = *piece,
+                             .first_edge = s->n_edges,
+                             .n_edges = (int)most_ends(&s->screen, piece),
+                             .row = -1};
+  struct hsr_scan_edge edge = {
+      .face = piece->face, .piece = number, .cut = s->n_cut};
+  int row = piece->bounds.y0, end_row = piece->bounds.y1;
+  if (piece->n_cuts) { /* whose bounds are wide */
+    while (row < end_row && !find_spans(s, piece, row))
+      row++;
+    while (row < end_row && !find_spans(s, piece, end_row - 1))
+      end_row--;
+  }
+  edge.end_row = end_row;
+  for (int k = 0; k < cut.n_edges; k++)
+    put_into_bucket(s, edge, row);
+  s->cut[s->n_cut++] = cut;
+}
+
+void hsr_scan_open(struct hsr_scan *s, const struct hsr_window *window) {
+  s->window = window;
+  s->n_edges = s->n_cut = s->n_list = 0;
+  for (int row = window->y0; row < window->y1; row++)
+    s->bucket[row - window->y0] = NONE;
+}
+
+void hsr_scan_add(struct hsr_scan *s, const struct hsr_piece *piece,
+                  uint32_t number) {
+  if (is_cut(&s->screen, piece))
+    sort_ends(s, piece, number);
+  else
+    sort_edges(s, piece, number);
+}
+
+void hsr_scan_sort(struct hsr_scan *s, const struct hsr_window *window,
+                   const uint32_t *faces, uint32_t n) {
+  hsr_scan_open(s, window);
+  for (uint32_t k = 0; k < n; k++) {
+    struct hsr_piece face = hsr_uncut_face(&s->screen, faces[k]);
+    hsr_scan_add(s, &face, faces[k]);
+  }
+}
+
+/* --- X sort ----------------------------------------------------------------
+ */
+
+/* Of all ends of a piece, the first time that one is asked for on the row. */
+static void find_cut_columns(struct hsr_scan *s, struct hsr_scan_cut *cut,
+                             int j) {
+  if (cut->row == j)
+    return;
+  cut->row = j;
+  int n = find_spans(s, &cut->piece, j);
+  for (int k = 0; k < cut->n_edges; k++)
+    s->edge[cut->first_edge + (uint32_t)k].column =
+        k < n ? s->columns[k] : HSR_NO_COLUMN;
+}
+
+static inline void find_column(struct hsr_scan *s, struct hsr_scan_edge *edge,
+                               int j) {
+  if (edge->cut == HSR_NOT_CUT)
+    edge->column = hsr_edge_column(&s->screen, &edge->line, j, s->tally);
+  else
+    find_cut_columns(s, &s->cut[edge->cut], j);
+}
+
+/* Deletes the edges that end above row j, and moves the others on to it. */
+static void retire_and_advance(struct hsr_scan *s, int j) {
+  uint32_t *list = s->list, n = s->n_list, kept = 0;
+  for (uint32_t k = 0; k < n; k++) {
+    struct hsr_scan_edge *edge = &s->edge[list[k]];
+    if (edge->end_row <= j)
+      continue;
+    find_column(s, edge, j);
+    list[kept++] = list[k];
+  }
+  s->n_list = kept;
+}
+
+/* The row's bucket, sorted by column, into entering[]. */
+static void take_bucket(struct hsr_scan *s, int j) {
+  s->n_entering = 0;
+  for (uint32_t e = s->bucket[j - s->window->y0]; e != NONE;
+       e = s->edge[e].next) {
+    find_column(s, &s->edge[e], j);
+    uint32_t k = s->n_entering++;
+    for (; k; k--) {
+      HSR_STEP(s->tally, HSR_X_MERGE, HSR_COMPARE, e, s->entering[k - 1], 0, j,
+               0, j + 1);
+      if (s->edge[s->entering[k - 1]].column <= s->edge[e].column)
+        break;
+      s->entering[k] = s->entering[k - 1];
+    }
+    s->entering[k] = e;
+  }
+}
+
+/* Merges entering[] into list[], from the right end of both. */
+static void merge_x(struct hsr_scan *s, int j) {
+  uint32_t from = s->n_list, entering = s->n_entering;
+  uint32_t to = s->n_list += s->n_entering;
+  while (entering) {
+    uint32_t e = s->entering[entering - 1];
+    bool stays = false;
+    if (from) {
+      HSR_STEP(s->tally, HSR_X_MERGE, HSR_COMPARE, e, s->list[from - 1], 0, j,
+               0, j + 1);
+      stays = s->edge[s->list[from - 1]].column > s->edge[e].column;
+    }
+    s->list[--to] = stays ? s->list[--from] : e;
+    entering -= !stays;
+  }
+}
+
+/* Bubble sort, each edge sinking to its place among those before it. */
+static void sort_x(struct hsr_scan *s, int j) {
+  const struct hsr_scan_edge *edge = s->edge;
+  uint32_t *list = s->list, n_list = s->n_list;
+  for (uint32_t n = 1; n < n_list; n++) {
+    uint32_t e = list[n], k = n;
+    int column = edge[e].column;
+    for (; k; k--) {
+      HSR_STEP(s->tally, HSR_X_SORT, HSR_COMPARE, e, list[k - 1], 0, j, 0,
+               j + 1);
+      if (edge[list[k - 1]].column <= column)
+        break;
+      HSR_COUNT(s->tally, HSR_X_SORT, 10);
+      list[k] = list[k - 1];
+    }
+    list[k] = e;
+  }
+}
+
+/* --- Penetration -----------------------------------------------------------
+ */
+
+/* Looks first on both sides of where the two planes meet by their coefficients,
+ * then halves. */
+int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
+                      bool f_first, int left, int right, int j, int counter) {
+  const struct hsr_view *view = scan->job->view;
+  const struct hsr_depth_plane *p = &scan->screen.plane[f];
+  const struct hsr_depth_plane *q = &scan->screen.plane[g];
+  double x =
+      ((q->b - p->b) * hsr_sample_y(view, j) + q->c - p->c) / (p->a - q->a);
+  double column = ceil(x - hsr_sample_x(view, 0));
+  int lo = left, hi = right - 1; /* the order of `left` at lo, not at hi */
+  int look = column > lo && column < hi ? (int)column : hi;
+  for (int n = 0; hi - lo > 1; n++) {
+    if (n > 1 || look <= lo || look >= hi)
+      look = lo + (hi - lo) / 2;
+    HSR_TOUCH(scan->tally, look, j);
+    HSR_STEP(scan->tally, counter, HSR_COMPARE, f, g, look, j, look + 1, j + 1);
+    if (hsr_nearer(&scan->screen, f, g, look, j, scan->tally) == f_first)
+      lo = look++;
+    else
+      hi = look--;
+  }
+  return hi;
+}
+
+/* --- The row ----------------------------------------------------------------
+ */
+
+void hsr_scan_make_room(struct hsr_scan_room *room,
+                        const struct hsr_screen *screen,
+                        const struct hsr_piece *piece) {
+  size_t size = hsr_face_size(screen->world, piece->face);
+  if (!is_cut(screen, piece)) {
+    room->edges += size;
+    return;
+  }
+  room->edges += most_ends(screen, piece);
+  room->cut++;
+  if (room->columns < size + 4)
+    room->columns = size + 4;
+}
+
+struct hsr_scan_room hsr_scan_whole_room(const struct hsr_screen *screen) {
+  struct hsr_scan_room room = {0};
+  for (uint32_t r = 0; r < screen->n_relevant; r++) {
+    struct hsr_piece face = hsr_uncut_face(screen, screen->relevant[r]);
+    hsr_scan_make_room(&room, screen, &face);
+  }
+  return room;
+}
+
+enum hsr_status hsr_scan_reserve(struct hsr_scan *s, const struct hsr_job *job,
+                                 const struct hsr_screen *screen,
+                                 struct hsr_scan_room room) {
+  const struct hsr_window *w = &job->view->window;
+  struct hsr_arena *arena = job->scratch;
+  *s = (struct hsr_scan){.job = job,
+                         .tally = job->tally,
+                         .screen = *screen,
+                         .most_edges = (uint32_t)room.edges};
+  s->edge = HSR_NEW(arena, struct hsr_scan_edge, room.edges);
+  s->bucket = HSR_NEW(arena, uint32_t, (size_t)(w->y1 - w->y0));
+  s->cut = HSR_NEW(arena, struct hsr_scan_cut, room.cut);
+  s->columns = HSR_NEW(arena, int, room.columns);
+  s->list = HSR_NEW(arena, uint32_t, room.edges);
+  s->entering = HSR_NEW(arena, uint32_t, room.edges);
+  return s->edge && s->bucket && s->cut && s->columns && s->list && s->entering
+             ? HSR_OK
+             : HSR_E_NOMEM;
+}
+
+enum hsr_status hsr_scan_begin(struct hsr_scan *scan,
+                               const struct hsr_job *job) {
+  struct hsr_screen screen;
+  if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
+                      job->tally) ||
+      hsr_scan_reserve(scan, job, &screen, hsr_scan_whole_room(&screen)))
+    return HSR_E_NOMEM;
+  hsr_scan_sort(scan, &job->view->window, screen.relevant, screen.n_relevant);
+  return HSR_OK;
+}
+
+void hsr_scan_advance(struct hsr_scan *scan, int j) {
+  retire_and_advance(scan, j);
+  take_bucket(scan, j);
+  merge_x(scan, j);
+  sort_x(scan, j);
+}

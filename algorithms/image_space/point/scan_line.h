@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the scan-line algorithms share: the Y bucket sort of edges and the X
+ * sort list.
+ *
+ * Source      Sutherland et al. 1974, "Scan-line Algorithms": the first two of
+ *             their four basic steps, as Bouknight and Watkins take them.
+ * Notation    scan line -> row j; Y bucket -> bucket[]; X sort list -> list[];
+ *             X intercept -> column, that of the first sample to the right
+ * Invariant   after hsr_scan_advance(scan, j), list[] holds the edges that
+ *             cross row j in ascending columns, so that each face's edges pair
+ *             up, first with second, as the ends of its segments
+ * Ties        edges of one column have no sample between them, in any order
+ * Departures  an edge's crossing is found from its line anew on every row
+ *             instead of by adding increments, whose roundings add up; X is
+ *             kept as a column, which is all that a picture of samples can
+ *             tell; a face that is cut by the near plane, or divided, gives its
+ *             columns a row at a time (hsr_piece_spans) where the paper would
+ *             have clipped it
+ * Cost        Y sort E_r, X merge E_r S_l / 2, X sort n (S_l + 10 X_r / (n
+ *             S_l)) */
+#ifndef HSR_ALGORITHMS_SCAN_LINE_H
+#define HSR_ALGORITHMS_SCAN_LINE_H
+
+#include "algorithms/algorithm.h"
+#include "common/exact/screen.h"
+
+#include <limits.h>
+#include <math.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* An edge that crosses the rows from its bucket's to end_row. The edges of a
+ * cut face, or of a piece of a face, stand for whatever ends its segments have
+ * on a row. */
+struct hsr_scan_edge {
+  struct hsr_edge line;
+  uint32_t face;
+  uint32_t piece; /* edges of one number pair up; without pieces: the face */
+  uint32_t cut;   /* the hsr_scan_cut that it stands for; HSR_NOT_CUT */
+  uint32_t next;  /* in the Y bucket */
+  int end_row;
+  int column; /* on the current row */
+};
+
+#define HSR_NOT_CUT UINT32_MAX
+
+/* The column of an edge of a cut face that ends no segment on the row. */
+#define HSR_NO_COLUMN INT_MAX
+
+/* A cut face, or a piece of a face, and the edges that stand for its ends. */
+struct hsr_scan_cut {
+  struct hsr_piece piece;
+  uint32_t first_edge;
+  int n_edges;
+  int row; /* that its columns are those of */
+};
+
+/* What there must be memory for, in the window that needs most of it. */
+struct hsr_scan_room {
+  size_t edges, cut, columns;
+};
+
+/* One window: all of the view's, or one after another of a frame. */
+struct hsr_scan {
+  const struct hsr_job *job;
+  struct hsr_tally *tally;
+  const struct hsr_window *window;
+  struct hsr_screen screen;
+
+  struct hsr_scan_edge *edge;
+  uint32_t n_edges, most_edges; /* most_edges: that there is room for */
+  uint32_t *bucket;             /* a row of the window: its entering edges */
+  struct hsr_scan_cut *cut;
+  uint32_t n_cut;
+  int *columns; /* room for the spans of the largest cut face */
+
+  uint32_t *list, n_list;         /* X sort list */
+  uint32_t *entering, n_entering; /* edges of the row's bucket, sorted */
+};
+
+/* Compiled twice, as the algorithms are. */
+#define hsr_scan_begin HSR_OF_BUILD(hsr_scan_begin)
+#define hsr_scan_reserve HSR_OF_BUILD(hsr_scan_reserve)
+#define hsr_scan_whole_room HSR_OF_BUILD(hsr_scan_whole_room)
+#define hsr_scan_make_room HSR_OF_BUILD(hsr_scan_make_room)
+#define hsr_scan_sort HSR_OF_BUILD(hsr_scan_sort)
+#define hsr_scan_open HSR_OF_BUILD(hsr_scan_open)
+#define hsr_scan_add HSR_OF_BUILD(hsr_scan_add)
+#define hsr_scan_advance HSR_OF_BUILD(hsr_scan_advance)
+#define hsr_scan_crossing HSR_OF_BUILD(hsr_scan_crossing)
+
+/* Screen coordinates, memory from job->scratch, and the Y sort of all relevant
+ * faces. HSR_E_NOMEM. */
+enum hsr_status hsr_scan_begin(struct hsr_scan *scan,
+                               const struct hsr_job *job);
+
+/* The same in parts, for one window after another, and for pieces of faces.
+ * The screen's arrays are shared. HSR_E_NOMEM. */
+enum hsr_status hsr_scan_reserve(struct hsr_scan *scan,
+                                 const struct hsr_job *job,
+                                 const struct hsr_screen *screen,
+                                 struct hsr_scan_room room);
+
+/* Room for all relevant faces. */
+struct hsr_scan_room hsr_scan_whole_room(const struct hsr_screen *screen);
+
+/* Makes room for one more piece. */
+void hsr_scan_make_room(struct hsr_scan_room *room,
+                        const struct hsr_screen *screen,
+                        const struct hsr_piece *piece);
+
+/* The Y sort of n faces in a window, which lies within the view's. */
+void hsr_scan_sort(struct hsr_scan *scan, const struct hsr_window *window,
+                   const uint32_t *faces, uint32_t n);
+
+/* The same in parts: a window without edges, to which pieces are added one
+ * after another, scan->edge[].piece being `number`. */
+void hsr_scan_open(struct hsr_scan *scan, const struct hsr_window *window);
+void hsr_scan_add(struct hsr_scan *scan, const struct hsr_piece *piece,
+                  uint32_t number);
+
+/* Brings the X sort list to row j. Called for each row of the window, from the
+ * first. */
+void hsr_scan_advance(struct hsr_scan *scan, int j);
+
+/* Where two faces penetrate on row j: the first of the samples [left, right)
+ * at which the order of their planes is not that of the sample `left`; at the
+ * last one it is not. f_first: f is nearer at `left`. 1/t is linear along the
+ * row, so that there is one such place. Each comparison of depths adds one to
+ * the counter. */
+int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
+                      bool f_first, int left, int right, int j, int counter);
+
+/* The counters that these keep, in their order; an algorithm's own begin at
+ * HSR_N_SCAN_COUNTERS. Inside another algorithm they begin at `first`, and bear
+ * the prefix `of`. */
+enum { HSR_Y_SORT, HSR_X_MERGE, HSR_X_SORT, HSR_N_SCAN_COUNTERS };
+#define HSR_SCAN_COUNTERS_IN(of)                                               \
+  {of "Y sort", "edges put into Y buckets"},                                   \
+      {of "X merge", "comparisons to merge entering edges into the list"}, {   \
+    of "X sort", "comparisons, and ten more for each interchange"              \
+  }
+#define HSR_SCAN_COUNTERS HSR_SCAN_COUNTERS_IN("")
+
+/* The same for the arrays of steps and sorts. */
+#define HSR_SCAN_STEPS_IN(first, of)                                           \
+  {of "Y sort", first + HSR_Y_SORT, 1, "E_r", hsr_predict_y_sort},             \
+      {of "X merge", first + HSR_X_MERGE, 1, "E_r S_l / 2",                    \
+       hsr_predict_x_merge},                                                   \
+  {                                                                            \
+    of "X sort", first + HSR_X_SORT, 1, "n (S_l + 10 X_r / (n S_l))",          \
+        hsr_predict_x_sort                                                     \
+  }
+#define HSR_SCAN_STEPS HSR_SCAN_STEPS_IN(0, "")
+#define HSR_SCAN_SORTS                                                         \
+  {"edges", "Y", "bucket sort", "once a frame"},                               \
+      {"edges", "X", "merge", "as they enter"}, {                              \
+    "edges", "X", "bubble sort", "once a scan line"                            \
+  }
+
+static inline double hsr_predict_y_sort(const struct hsr_table1 *t) {
+  return t->E_r;
+}
+static inline double hsr_predict_x_merge(const struct hsr_table1 *t) {
+  return t->E_r * t->S_l / 2;
+}
+static inline double hsr_predict_x_sort(const struct hsr_table1 *t) {
+  return t->n * t->S_l + (t->S_l > 0 ? 10 * t->X_r / t->S_l : 0);
+}
+
+/* The other steps for which Table III has one formula, "Watkins, Bouknight". */
+static inline double hsr_predict_span_cull(const struct hsr_table1 *t) {
+  return t->n * t->S_l;
+}
+static inline double hsr_predict_depth_search(const struct hsr_table1 *t) {
+  return 30 * t->n * t->D_c * fmin(t->m, 2 * t->S_v);
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif

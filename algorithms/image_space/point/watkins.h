@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Watkins' algorithm as other algorithms use it: on the faces of a window, on
+ * pieces of faces, and with another last step than the search in depth. See
+ * watkins.c. */
+#ifndef HSR_ALGORITHMS_WATKINS_H
+#define HSR_ALGORITHMS_WATKINS_H
+
+#include "algorithms/image_space/point/scan_line.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Samples [x0, x1) of a face or piece on the current row; depths q at the first
+ * and the last of them, as computed: within `error`. */
+struct hsr_watkins_segment {
+  uint32_t face, piece; /* as in struct hsr_scan_edge */
+  int x0, x1;
+  double q0, q1, error;
+};
+
+struct hsr_watkins {
+  struct hsr_scan edges;   /* Y buckets and X sort list */
+  struct hsr_tally *tally; /* theirs */
+
+  uint32_t *open; /* a piece: its segment without right end */
+  struct hsr_watkins_segment *segment; /* of the row, by ascending x0 */
+  uint32_t n_segments;
+  uint32_t *under, n_under; /* segments that reach over the span's left end */
+
+  /* The last step: is f nearer than g at the first sample of [l, r), where both
+   * are? The answer is true for [l, *end). NULL: by a search in depth. */
+  bool (*is_nearer)(void *context, const struct hsr_watkins_segment *f,
+                    const struct hsr_watkins_segment *g, int l, int r, int j,
+                    int *end);
+  void *context;
+};
+
+/* Compiled twice, as the algorithms are. */
+#define hsr_watkins_reserve HSR_OF_BUILD(hsr_watkins_reserve)
+#define hsr_watkins_scan HSR_OF_BUILD(hsr_watkins_scan)
+#define hsr_watkins_solve HSR_OF_BUILD(hsr_watkins_solve)
+
+/* Memory from job->scratch for windows that need no more than `room`, of pieces
+ * with numbers less than n_pieces. HSR_E_NOMEM. */
+enum hsr_status hsr_watkins_reserve(struct hsr_watkins *watkins,
+                                    const struct hsr_job *job,
+                                    const struct hsr_screen *screen,
+                                    struct hsr_scan_room room, size_t n_pieces);
+
+/* The rows of the window that watkins->edges was opened with, all edges being
+ * added. */
+void hsr_watkins_scan(struct hsr_watkins *watkins);
+
+/* A window, which lies within the view's, and of whose samples no face covers
+ * one but these n. */
+void hsr_watkins_solve(struct hsr_watkins *watkins,
+                       const struct hsr_window *window, const uint32_t *faces,
+                       uint32_t n);
+
+/* Counters, steps and sorts as those of scan_line.h: of everything but the last
+ * step, and of all. */
+enum {
+  HSR_SPAN_CULL = HSR_N_SCAN_COUNTERS,
+  HSR_SPANS,
+  HSR_N_SPAN_COUNTERS,
+  HSR_DEPTH_SEARCH = HSR_N_SPAN_COUNTERS,
+  HSR_DEPTH_DIVISIONS,
+  HSR_N_WATKINS_COUNTERS
+};
+#define HSR_SPAN_COUNTERS(of)                                                  \
+  HSR_SCAN_COUNTERS_IN(of),                                                    \
+      {of "span cull", "segments tested against a sample span"}, {             \
+    of "spans", "sample spans decided"                                         \
+  }
+#define HSR_WATKINS_COUNTERS(of)                                               \
+  HSR_SPAN_COUNTERS(of),                                                       \
+      {of "depth search", "comparisons of two segments in depth"}, {           \
+    of "depth divisions", "segments divided at their midpoint"                 \
+  }
+
+#define HSR_SPAN_STEPS(first, of)                                              \
+  HSR_SCAN_STEPS_IN(first, of), {                                              \
+    of "span cull", first + HSR_SPAN_CULL, 1, "n S_l", hsr_predict_span_cull   \
+  }
+#define HSR_WATKINS_STEPS(first, of)                                           \
+  HSR_SPAN_STEPS(first, of), {                                                 \
+    of "depth search", first + HSR_DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)", \
+        hsr_predict_depth_search                                               \
+  }
+
+#define HSR_SPAN_SORTS                                                         \
+  HSR_SCAN_SORTS, {                                                            \
+    "segments", "X", "cull", "once a sample span"                              \
+  }
+#define HSR_WATKINS_SORTS                                                      \
+  HSR_SPAN_SORTS, {                                                            \
+    "segments", "Z", "logarithmic search", "once a sample span"                \
+  }
+
+#ifdef __cplusplus
+}
+#endif
+#endif

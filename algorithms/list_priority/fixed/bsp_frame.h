@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One view of a world whose faces are in one BSP tree, without an octree: what
+ * the algorithms share that take polygons in its order and do nothing cleverer.
+ *
+ * Source      H. Fuchs, Z. Kedem and B. Naylor, "On Visible Surface Generation
+ *             by A Priori Tree Structures", SIGGRAPH 1980; N. Greene,
+ *             "Hierarchical Polygon Tiling with Coverage Masks", SIGGRAPH 1996,
+ *             2.1.
+ * Loose       faces, for which the tree has no place, or none from this eye
+ *             (common/trees/bsp.h), are last, and compared in depth at each sample
+ *             with what is there; these comparisons are counted apart. All of
+ *             them are not flat. */
+#ifndef HSR_ALGORITHMS_BSP_FRAME_H
+#define HSR_ALGORITHMS_BSP_FRAME_H
+
+#include "algorithms/list_priority/fixed/bsp_walk.h"
+#include "common/exact/order.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The counters that all have, before their own. */
+enum { HSR_BSP_PIECES, HSR_BSP_SAMPLES, HSR_BSP_THICKNESS, HSR_BSP_N_COUNTERS };
+#define HSR_BSP_COUNTERS                                                       \
+  [HSR_BSP_PIECES] = {"pieces", "pieces of faces in the order of the tree, "   \
+                                "with a sample in their box"},                 \
+  [HSR_BSP_SAMPLES] = {"samples", "samples written"},                          \
+  [HSR_BSP_THICKNESS] = {                                                      \
+      "thickness checks",                                                      \
+      "comparisons in depth with faces that are not flat and have no place "   \
+      "in the tree"}
+
+/* The descriptor's. */
+enum hsr_status HSR_OF_BUILD(hsr_bsp_prepare)(const struct hsr_world *world,
+                                              const long *option,
+                                              void **prepared,
+                                              struct hsr_error *err);
+void HSR_OF_BUILD(hsr_bsp_release)(void *prepared);
+
+struct hsr_bsp_frame {
+  const struct hsr_job *job;
+  const struct hsr_bsp *bsp;
+  struct hsr_screen screen;
+  struct hsr_bsp_waiting *waiting;
+  bool *placed;             /* a face: in the picture, and not loose */
+  uint32_t *loose, n_loose; /* in the picture */
+  int *columns;             /* room for a face's */
+  uint32_t most_corners;    /* of a piece */
+
+  /* Of the piece at hand. */
+  double (*outline)[3];
+  struct hsr_cut *cut;
+};
+
+/* Makes ready for a job, whose picture is cleared. HSR_E_NOMEM. */
+enum hsr_status HSR_OF_BUILD(hsr_bsp_frame_begin)(struct hsr_bsp_frame *frame,
+                                                  const struct hsr_job *job);
+
+/* All pieces in order, back to front if `backwards`. */
+void HSR_OF_BUILD(hsr_bsp_frame_walk)(
+    const struct hsr_bsp_frame *frame, bool backwards, void *context,
+    void (*piece)(void *context, const struct hsr_bsp_piece *piece,
+                  int facing));
+
+/* The piece for the services of common/exact/screen.h, good until the next one; false
+ * if it has no sample, or its face is loose. */
+bool HSR_OF_BUILD(hsr_bsp_frame_piece)(struct hsr_bsp_frame *frame,
+                                       const struct hsr_bsp_piece *piece,
+                                       struct hsr_piece *out);
+
+/* The loose faces, all others being drawn. */
+void HSR_OF_BUILD(hsr_bsp_frame_finish)(struct hsr_bsp_frame *frame);
+
+static inline uint32_t *hsr_bsp_frame_row(const struct hsr_bsp_frame *frame,
+                                          int j) {
+  return frame->job->ids + (size_t)j * frame->job->ids_stride;
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif

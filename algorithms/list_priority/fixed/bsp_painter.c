@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A BSP tree, and a frame buffer: painted over from back to front; or filled
+ * from front to back, each sample once.
+ *
+ * Source      H. Fuchs, Z. Kedem and B. Naylor, "On Visible Surface Generation
+ *             by A Priori Tree Structures", SIGGRAPH 1980; from front to back:
+ *             J. Foley, A. van Dam, S. Feiner and J. Hughes, "Computer
+ *             Graphics: Principles and Practice", 2nd edition, 1990, 15.5.2;
+ *             both as N. Greene measured them, "Hierarchical Polygon Tiling
+ *             with Coverage Masks", SIGGRAPH 1996, 6.
+ * Notation    vacant -> HSR_BACKGROUND
+ * Invariant   painting: at every sample the last one painted is the nearest so
+ *             far; filling: the first one
+ * Ties        pieces in one plane: the lowest face is painted last, or first
+ * Departures  faces for which the tree has no place are compared in depth
+ *             (bsp_frame.h)
+ * Cost        samples of all faces: written, or looked at */
+#include "algorithms/list_priority/fixed/bsp_frame.h"
+
+enum { OVERWRITES = HSR_BSP_N_COUNTERS };
+enum { TAKEN = HSR_BSP_N_COUNTERS };
+
+static const struct hsr_counter painter_counters[] = {
+    HSR_BSP_COUNTERS,
+    [OVERWRITES] = {"overwrites", "of these, over another face"},
+    {NULL, NULL}};
+
+static const struct hsr_counter front_counters[] = {
+    HSR_BSP_COUNTERS,
+    [TAKEN] = {"samples taken", "samples looked at that were not vacant"},
+    {NULL, NULL}};
+
+static const struct hsr_sort painter_sorts[] = {
+    {"faces", "Z", "BSP tree", "once for all frames"},
+    {"pieces", "Z", "walk of the tree, from back to front", "once a frame"},
+    {"samples", "XY", "frame buffer", "once a piece"},
+    {NULL, NULL, NULL, NULL}};
+
+static const struct hsr_sort front_sorts[] = {
+    {"faces", "Z", "BSP tree", "once for all frames"},
+    {"pieces", "Z", "walk of the tree, from front to back", "once a frame"},
+    {"samples", "XY", "frame buffer", "once a piece"},
+    {NULL, NULL, NULL, NULL}};
+
+/* --- Samples ----------------------------------------------------------------
+ */
+
+static void paint(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
+                  int i, int j) {
+  struct hsr_tally *tally = frame->job->tally;
+  HSR_TOUCH(tally, i, j);
+  HSR_COUNT(tally, HSR_BSP_SAMPLES, 1);
+  HSR_COUNT(tally, OVERWRITES, *id != HSR_BACKGROUND);
+  *id = f;
+}
+
+static void fill(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
+                 int i, int j) {
+  struct hsr_tally *tally = frame->job->tally;
+  HSR_TOUCH(tally, i, j);
+  if (*id != HSR_BACKGROUND) {
+    HSR_COUNT(tally, TAKEN, 1);
+    return;
+  }
+  HSR_COUNT(tally, HSR_BSP_SAMPLES, 1);
+  *id = f;
+}
+
+/* --- Pieces -----------------------------------------------------------------
+ */
+
+typedef void write_sample(const struct hsr_bsp_frame *frame, uint32_t f,
+                          uint32_t *id, int i, int j);
+
+/* By spans, row by row. */
+static inline void convert(struct hsr_bsp_frame *frame,
+                           const struct hsr_bsp_piece *given,
+                           write_sample *write) {
+  struct hsr_piece piece;
+  if (!HSR_OF_BUILD(hsr_bsp_frame_piece)(frame, given, &piece))
+    return;
+  const struct hsr_bounds *b = &piece.bounds;
+  for (int j = b->y0; j < b->y1; j++) {
+    uint32_t *row = hsr_bsp_frame_row(frame, j);
+    int n = hsr_piece_spans(&frame->screen, piece.face, piece.cuts,
+                            piece.n_cuts, j, frame->columns, frame->job->tally);
+    for (int c = 0; c < n; c += 2) {
+      int x0 = frame->columns[c] > b->x0 ? frame->columns[c] : b->x0;
+      int x1 = frame->columns[c + 1] < b->x1 ? frame->columns[c + 1] : b->x1;
+      for (int i = x0; i < x1; i++)
+        write(frame, piece.face, &row[i], i, j);
+    }
+  }
+}
+
+static void paint_piece(void *context, const struct hsr_bsp_piece *piece,
+                        int facing) {
+  (void)facing;
+  convert(context, piece, paint);
+}
+
+static void fill_piece(void *context, const struct hsr_bsp_piece *piece,
+                       int facing) {
+  (void)facing;
+  convert(context, piece, fill);
+}
+
+static enum hsr_status render_painter(const struct hsr_job *job,
+                                      struct hsr_error *err) {
+  struct hsr_bsp_frame frame;
+  if (HSR_OF_BUILD(hsr_bsp_frame_begin)(&frame, job))
+    return hsr_fail_nomem(err);
+  HSR_OF_BUILD(hsr_bsp_frame_walk)(&frame, true, &frame, paint_piece);
+  HSR_OF_BUILD(hsr_bsp_frame_finish)(&frame);
+  return HSR_OK;
+}
+
+static enum hsr_status render_front(const struct hsr_job *job,
+                                    struct hsr_error *err) {
+  struct hsr_bsp_frame frame;
+  if (HSR_OF_BUILD(hsr_bsp_frame_begin)(&frame, job))
+    return hsr_fail_nomem(err);
+  HSR_OF_BUILD(hsr_bsp_frame_walk)(&frame, false, &frame, fill_piece);
+  HSR_OF_BUILD(hsr_bsp_frame_finish)(&frame);
+  return HSR_OK;
+}
+
+#define OF_ONE_TREE                                                            \
+  .taxonomy = HSR_LIST_PRIORITY_FIXED, .sort_order = "Z(XY)",                  \
+  .coherence = "frame", .restrictions = HSR_CF, .kind = HSR_IDS,               \
+  .prepare = HSR_OF_BUILD(hsr_bsp_prepare),                                    \
+  .release = HSR_OF_BUILD(hsr_bsp_release)
+
+const struct hsr_algorithm HSR_ALGORITHM(bsp_painter) = {
+    OF_ONE_TREE,
+    .name = "bsp-painter",
+    .title = "A BSP tree, painted from back to front",
+    .authors = "H. Fuchs, Z. Kedem, B. Naylor",
+    .year = 1980,
+    .source = "Fuchs et al., On Visible Surface Generation by A Priori Tree "
+              "Structures, SIGGRAPH 1980",
+    .sorts = painter_sorts,
+    .counters = painter_counters,
+    .render = render_painter};
+
+const struct hsr_algorithm HSR_ALGORITHM(bsp_front) = {
+    OF_ONE_TREE,
+    .name = "bsp-front",
+    .title = "A BSP tree, from front to back where samples are vacant",
+    .authors = "J. Foley, A. van Dam, S. Feiner, J. Hughes",
+    .year = 1990,
+    .source = "Foley et al., Computer Graphics: Principles and Practice, 2nd "
+              "edition, 1990, 15.5.2",
+    .sorts = front_sorts,
+    .counters = front_counters,
+    .render = render_front};

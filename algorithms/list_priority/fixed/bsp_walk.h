@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Going through an octree of BSP trees, front to back or back to front.
+ *
+ * Source      H. Fuchs, Z. Kedem and B. Naylor, "On Visible Surface Generation
+ *             by A Priori Tree Structures", SIGGRAPH 1980; N. Greene,
+ *             "Hierarchical Polygon Tiling with Coverage Masks", SIGGRAPH 1996,
+ *             5.1.
+ * Order       front to back: the octant that holds the eye, and the others as
+ *             of hsr_octant_order; of a tree, what is on the eye's side of the
+ *             plane, what is in it, and what is on the other side. Back to
+ *             front: the reverse, but for pieces in one plane: those come by
+ *             descending faces, so that the lowest is painted last.
+ * Side        of the eye: exact. Where the eye is in a plane, what is in it is
+ *             not seen, and neither side hides the other.
+ * Left out    pieces that are in the eye's plane, and back faces of one side.
+ * Moved       the trees may be those of an object, whose instance is it, moved
+ *             by `shift`: the sum of any vertex and it is exact. */
+#ifndef HSR_ALGORITHMS_BSP_WALK_H
+#define HSR_ALGORITHMS_BSP_WALK_H
+
+#include "algorithms/algorithm.h"
+#include "common/trees/bsp.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A node that waits: to be gone into, or for its pieces to be told of. */
+struct hsr_bsp_waiting {
+  uint32_t node;
+  int eye_side; /* of its plane, if it is gone into */
+  bool gone_into;
+};
+
+/* All borrowed. */
+struct hsr_bsp_walk {
+  const struct hsr_bsp *bsp;
+  const double *eye, *shift;
+  bool backwards; /* back to front */
+  struct hsr_tally *tally;
+  struct hsr_bsp_waiting *waiting; /* room for hsr_bsp_most_waiting */
+
+  void *context;
+  /* Whether to enter a cube, which holds something; NULL: always. */
+  bool (*enter)(void *context, const struct hsr_bsp_cube *cube);
+  /* A piece; facing: +1 if the eye is in front of its face, -1 behind. */
+  void (*piece)(void *context, const struct hsr_bsp_piece *piece, int facing);
+};
+
+/* A node that is gone into, and what comes after it: two for each level of a
+ * tree; and the one that is gone into next. */
+static inline size_t hsr_bsp_most_waiting(uint32_t most_depth) {
+  return 2 * (size_t)most_depth + 1;
+}
+
+/* From a cube. */
+void HSR_OF_BUILD(hsr_bsp_walk_cube)(const struct hsr_bsp_walk *walk,
+                                     uint32_t cube);
+
+/* From the root. */
+void HSR_OF_BUILD(hsr_bsp_walk)(const struct hsr_bsp_walk *walk);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

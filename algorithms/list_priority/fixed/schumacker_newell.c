@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Schumacker's order of clusters, and Newell's priority computer within each:
+ * clusters are painted on a frame buffer, one over the other.
+ *
+ * Source      Sutherland et al. 1974, "Other Combinations of Sorting": a
+ *             proposal in two sentences, and its sorting order Zp ZYX, p for a
+ *             partial sort.
+ * Notation    cluster, separating plane -> common/scene/clusters.h; the list ->
+ *             priority_list.h; painting -> newell.c
+ * Invariant   at every sample the last one painted is the nearest of those
+ *             painted so far
+ * Ties        those of priority_list.h; faces of one plane that share a sample
+ *             are in one cluster
+ * Departures  those of priority_list.h. A face that is not quite flat may have
+ *             no place in the order of clusters, because it touches a
+ *             separating plane or the eye grazes its own: it is painted after
+ *             all clusters, where it is nearer than what is there; these
+ *             comparisons are among the thickness checks. Faces are convex,
+ *             since separating planes may cut them.
+ * Cost        inter-cluster priority 10 C_t; and Newell's steps beside the
+ *             predictions for it alone: here each list is that of one cluster,
+ *             and faces of different clusters are never compared */
+#include "algorithms/list_priority/fixed/cluster_order.h"
+#include "algorithms/list_priority/per_frame/newell.h"
+
+/* Newell's counters are from NEWELL on. */
+enum { INTER_CLUSTER, NEWELL };
+
+static const struct hsr_counter counters[] = {
+    [INTER_CLUSTER] = {"inter-cluster priority",
+                       "separating planes that the eye is compared with"},
+    HSR_PAINTING_COUNTERS(""),
+    {NULL, NULL}};
+
+static double predict_inter_cluster(const struct hsr_table1 *t) {
+  return 10 * t->C_t;
+}
+
+static const struct hsr_step steps[] = {{"inter-cluster priority",
+                                         INTER_CLUSTER, 10, "10 C_t",
+                                         predict_inter_cluster},
+                                        HSR_PAINTING_STEPS(NEWELL, ""),
+                                        {NULL, 0, 0, NULL, NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"clusters", "Z", "tree of separating planes", "once a frame"},
+    {"faces", "Z", "radix sort of the farthest vertex", "once a cluster"},
+    {"faces", "XYZ", "Newell special", "once a cluster"},
+    {"samples", "XY", "frame buffer", "once a segment"},
+    {NULL, NULL, NULL, NULL}};
+
+struct schumacker_newell {
+  const struct hsr_clusters *clusters;
+  struct hsr_screen screen;
+  struct hsr_cluster_order order;
+  struct hsr_newell newell;
+  bool *relevant;           /* a face */
+  uint32_t *faces, n_faces; /* of the cluster that is painted */
+  uint32_t *loose, n_loose; /* in no cluster, or not for this eye */
+};
+
+/* --- Clusters --------------------------------------------------------------
+ */
+
+/* The faces of a cluster that are in the picture. A face of two sides is in the
+ * cluster twice. */
+static void take_faces(struct schumacker_newell *s, uint32_t cluster) {
+  const struct hsr_clusters *c = s->clusters;
+  s->n_faces = 0;
+  for (uint32_t k = c->start[cluster]; k < c->start[cluster + 1]; k++) {
+    uint32_t f = c->order[k] / 2;
+    if (c->order[k] % 2 || !s->relevant[f])
+      continue;
+    if (hsr_grazes(&s->screen, f, c->reach[f]))
+      s->loose[s->n_loose++] = f;
+    else
+      s->faces[s->n_faces++] = f;
+  }
+}
+
+/* The faces that are in no cluster. */
+static void take_thick(struct schumacker_newell *s) {
+  const struct hsr_clusters *c = s->clusters;
+  for (uint32_t k = 0; k < c->n_thick; k++)
+    if (c->thick[k] % 2 == 0 && s->relevant[c->thick[k] / 2])
+      s->loose[s->n_loose++] = c->thick[k] / 2;
+}
+
+/* --- The algorithm ----------------------------------------------------------
+ */
+
+static enum hsr_status reserve(struct schumacker_newell *s,
+                               const struct hsr_job *job) {
+  struct hsr_arena *arena = job->scratch;
+  if (hsr_screen_make(&s->screen, job->world, job->view, arena, job->tally))
+    return HSR_E_NOMEM;
+  uint32_t n = s->screen.n_relevant;
+  s->relevant = HSR_NEW_ZEROED(arena, bool, job->world->n_faces);
+  s->faces = HSR_NEW(arena, uint32_t, n);
+  s->loose = HSR_NEW(arena, uint32_t, n);
+  if (!s->relevant || !s->faces || !s->loose)
+    return HSR_E_NOMEM;
+  for (uint32_t r = 0; r < n; r++)
+    s->relevant[s->screen.relevant[r]] = true;
+  return hsr_cluster_order_init(&s->order, &s->screen, arena, job->tally,
+                                INTER_CLUSTER)
+             ? HSR_E_NOMEM
+             : hsr_newell_reserve(&s->newell, job, &s->screen, NULL, n);
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct schumacker_newell schumacker_newell = {.clusters =
+                                                    job->world->clusters};
+  struct schumacker_newell *s = &schumacker_newell;
+  if (reserve(s, job))
+    return hsr_fail_nomem(err);
+  s->newell.frame_buffer = true;
+  hsr_newell_open(&s->newell, &job->view->window);
+  for (uint32_t cluster; hsr_next_cluster(&s->order, false, &cluster);) {
+    take_faces(s, cluster);
+    job->tally->first = NEWELL;
+    hsr_newell_paint(&s->newell, s->faces, s->n_faces);
+    job->tally->first = 0;
+  }
+  take_thick(s);
+  job->tally->first = NEWELL;
+  for (uint32_t k = 0; k < s->n_loose; k++)
+    hsr_newell_paint_unordered(&s->newell, s->loose[k]);
+  job->tally->first = 0;
+  return s->newell.list.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(schumacker_newell) = {
+    .name = "schumacker-newell",
+    .title = "Schumacker's order of clusters, then Newell's priority list",
+    .authors = "I. E. Sutherland, R. F. Sproull, R. A. Schumacker",
+    .year = 1974,
+    .source = "proposed in Computing Surveys 6(1), 1974, \"Other Combinations "
+              "of Sorting\"",
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
+    .sort_order = "Zp ZYX",
+    .coherence = "frame; cluster; depth",
+    .restrictions = HSR_CF | HSR_LS,
+    .kind = HSR_IDS,
+    .sorts = sorts,
+    .counters = counters,
+    .steps = steps,
+    .render = render};

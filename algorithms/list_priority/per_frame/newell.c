@@ -1,0 +1,442 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Newell, Newell and Sancha's algorithm: the priority of faces computed anew
+ * for every frame, and faces painted over one another in its order.
+ *
+ * Source      M. E. Newell, R. G. Newell, T. L. Sancha, "A solution to the
+ *             hidden surface problem", Proc. ACM Annual Conference, 1972; as
+ *             described by Sutherland et al. 1974, "List-Priority Algorithms",
+ *             figures 21 to 23; figure 29 reconstructed from the text.
+ * Notation    the list, its Z sort and special sort -> priority_list.h; bead ->
+ *             the samples [x0, x1) of a row
+ * Invariant   at every sample the last one painted is the nearest of those
+ *             painted so far
+ * Ties        those of priority_list.h
+ * Departures  those of priority_list.h. Where one thick face is painted over
+ *             another, the samples are asked as a bead is merged; these are
+ *             counted apart.
+ * Cost        segments 10 F_r H_f, X merge F_r H_f S_v / 4, and those of
+ *             priority_list.h */
+#include "algorithms/list_priority/per_frame/newell.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const struct hsr_counter counters[] = {HSR_NEWELL_COUNTERS(""),
+                                              {NULL, NULL}};
+
+static const struct hsr_counter counters_frame_buffer[] = {
+    HSR_PAINTING_COUNTERS(""), {NULL, NULL}};
+
+static const struct hsr_step steps[] = {HSR_NEWELL_STEPS(0, ""),
+                                        {NULL, 0, 0, NULL, NULL}};
+
+static const struct hsr_step steps_frame_buffer[] = {HSR_PAINTING_STEPS(0, ""),
+                                                     {NULL, 0, 0, NULL, NULL}};
+
+static const struct hsr_sort sorts[] = {
+    HSR_LIST_SORTS, HSR_BEAD_SORTS, {NULL, NULL, NULL, NULL}};
+
+static const struct hsr_sort sorts_frame_buffer[] = {
+    HSR_LIST_SORTS,
+    {"samples", "XY", "frame buffer", "once a segment"},
+    {NULL, NULL, NULL, NULL}};
+
+static const struct hsr_sort sorts_previous[] = {
+    {"faces", "Z", "insertion sort of the last frame's order", "once a frame"},
+    {"faces", "XYZ", "Newell special", "once a frame"},
+    HSR_BEAD_SORTS,
+    {NULL, NULL, NULL, NULL}};
+
+/* No bead. */
+static const uint32_t NONE = UINT32_MAX;
+
+struct bead {
+  int x0, x1;
+  uint32_t face, next;
+  float rgb[3]; /* where colours are asked for */
+};
+
+static struct bead *bead_at(const struct hsr_newell *s, uint32_t b) {
+  return (struct bead *)s->beads.items + b;
+}
+
+/* --- Beads ------------------------------------------------------------------
+ */
+
+static uint32_t new_bead(struct hsr_newell *s, struct bead bead) {
+  uint32_t b = s->free_bead;
+  if (b != NONE)
+    s->free_bead = bead_at(s, b)->next;
+  else if (hsr_arena_grow(s->job->scratch, &s->beads, sizeof bead))
+    b = (uint32_t)s->beads.n - 1;
+  else
+    s->list.out_of_memory = true;
+  if (b != NONE)
+    *bead_at(s, b) = bead;
+  return b;
+}
+
+static void drop_bead(struct hsr_newell *s, uint32_t b) {
+  bead_at(s, b)->next = s->free_bead;
+  s->free_bead = b;
+}
+
+static void set_next(struct hsr_newell *s, int j, uint32_t bead,
+                     uint32_t next) {
+  if (bead == NONE)
+    s->row[j - s->window->y0] = next;
+  else
+    bead_at(s, bead)->next = next;
+}
+
+/* The beads of row j around column x: the first that ends after it, and the one
+ * before that. */
+static uint32_t find_bead(struct hsr_newell *s, int j, int x,
+                          uint32_t *before) {
+  uint32_t b = s->row[j - s->window->y0];
+  *before = NONE;
+  while (b != NONE && bead_at(s, b)->x1 <= x) {
+    HSR_COUNT(s->tally, HSR_BEAD_MERGE, 1);
+    *before = b;
+    b = bead_at(s, b)->next;
+  }
+  return b;
+}
+
+/* The samples [x0, x1) of row j become a bead; what was there is overwritten.
+ */
+static void merge_bead(struct hsr_newell *s, struct bead new, int j) {
+  int x0 = new.x0, x1 = new.x1;
+  uint32_t before, b = find_bead(s, j, x0, &before);
+  uint32_t bead = new_bead(s, new);
+  if (bead == NONE)
+    return;
+  if (b != NONE && bead_at(s, b)->x0 < x0) {
+    struct bead left = *bead_at(s, b);
+    left.x1 = x0;
+    uint32_t l = new_bead(s, left);
+    if (l == NONE)
+      return;
+    set_next(s, j, before, l);
+    before = l;
+    bead_at(s, b)->x0 = x0;
+  }
+  while (b != NONE && bead_at(s, b)->x1 <= x1) {
+    uint32_t next = bead_at(s, b)->next;
+    HSR_COUNT(s->tally, HSR_BEAD_MERGE, 1);
+    drop_bead(s, b);
+    b = next;
+  }
+  if (b != NONE && bead_at(s, b)->x0 < x1)
+    bead_at(s, b)->x0 = x1;
+  bead_at(s, bead)->next = b;
+  set_next(s, j, before, bead);
+}
+
+static void write_samples(struct hsr_newell *s, struct bead new, int j) {
+  size_t row = (size_t)j * s->job->ids_stride;
+  for (int i = new.x0; i < new.x1; i++)
+    s->job->ids[row + (size_t)i] = new.face;
+  float *rgb = s->job->paint ? s->job->paint->rgb + 3 * row : NULL;
+  for (int i = 3 * new.x0; rgb &&i < 3 * new.x1; i++)
+    rgb[i] = new.rgb[(i - 3 * new.x0) % 3];
+}
+
+static void overwrite_opaque(struct hsr_newell *s, struct bead new, int j) {
+  if (s->frame_buffer)
+    write_samples(s, new, j);
+  else
+    merge_bead(s, new, j);
+}
+
+/* What is painted at (i, j), as a bead that ends at `most` or before; its
+ * face is the background where there is nothing. */
+static struct bead painted(struct hsr_newell *s, int i, int j, int most) {
+  struct bead there = {i, most, HSR_BACKGROUND, NONE, {0}};
+  const struct hsr_paint *paint = s->job->paint;
+  if (paint)
+    memcpy(there.rgb, paint->background, sizeof there.rgb);
+  if (s->frame_buffer) {
+    size_t row = (size_t)j * s->job->ids_stride;
+    const uint32_t *ids = s->job->ids + row;
+    const float *rgb = paint ? paint->rgb + 3 * row : NULL;
+    there.face = ids[i];
+    if (rgb)
+      memcpy(there.rgb, rgb + 3 * i, sizeof there.rgb);
+    for (there.x1 = i + 1;
+         there.x1 < most && ids[there.x1] == ids[i] &&
+         (!rgb || !memcmp(rgb + 3 * there.x1, there.rgb, sizeof there.rgb));)
+      there.x1++;
+    return there;
+  }
+  uint32_t before, b = find_bead(s, j, i, &before);
+  if (b == NONE)
+    return there;
+  const struct bead *bead = bead_at(s, b);
+  int end = bead->x0 > i ? bead->x0 : bead->x1;
+  if (bead->x0 <= i) {
+    there.face = bead->face;
+    memcpy(there.rgb, bead->rgb, sizeof there.rgb);
+  }
+  there.x1 = end < most ? end : most;
+  return there;
+}
+
+/* Partial overwriting: a transparent face that is brighter than what lies
+ * under it takes its place; else the two are combined. */
+static void overwrite_partly(struct hsr_newell *s, struct bead new,
+                             float opacity, int j) {
+  float brightness = new.rgb[0] + new.rgb[1] + new.rgb[2];
+  for (int i = new.x0, end = new.x1; i < end;) {
+    struct bead under = painted(s, i, j, end), mixed = new;
+    mixed.x0 = i;
+    mixed.x1 = i = under.x1;
+    if (brightness <= under.rgb[0] + under.rgb[1] + under.rgb[2])
+      for (int c = 0; c < 3; c++)
+        mixed.rgb[c] = opacity * new.rgb[c] + (1 - opacity) * under.rgb[c];
+    overwrite_opaque(s, mixed, j);
+  }
+}
+
+static void overwrite(struct hsr_newell *s, uint32_t f, int x0, int x1, int j) {
+  const struct hsr_world *world = s->job->world;
+  struct bead new = {x0, x1, f, NONE, {0}};
+  if (!s->job->paint) {
+    overwrite_opaque(s, new, j);
+    return;
+  }
+  memcpy(new.rgb, s->job->paint->face + 3 * (size_t)f, sizeof new.rgb);
+  float opacity = world->scene->objects[world->object[f]].opacity;
+  if (opacity < 1)
+    overwrite_partly(s, new, opacity, j);
+  else
+    overwrite_opaque(s, new, j);
+}
+
+static bool is_thick(const struct hsr_newell *s, uint32_t f) {
+  return s->ask_all || s->list.thick[f];
+}
+
+/* Whether f is nearer than g at (i, j). */
+static bool ask_sample(struct hsr_newell *s, uint32_t f, uint32_t g, int i,
+                       int j) {
+  HSR_STEP(s->tally, HSR_NEWELL_THICKNESS, HSR_COMPARE, f, g, i, j, i + 1,
+           j + 1);
+  return f == g || hsr_nearer(s->list.screen, f, g, i, j, s->tally);
+}
+
+/* Overwrites those of the samples where f is not behind what is there, which is
+ * asked where both touch others within their thickness. */
+static void overwrite_thick(struct hsr_newell *s, uint32_t f, int x0, int x1,
+                            int j) {
+  for (int i = x0, end; i < x1; i = end) {
+    struct bead there = painted(s, i, j, x1);
+    uint32_t g = there.face;
+    end = there.x1;
+    if (g == HSR_BACKGROUND || !is_thick(s, g)) {
+      overwrite(s, f, i, end, j);
+      continue;
+    }
+    bool first = ask_sample(s, f, g, i, j);
+    int lo = i, hi = end - 1; /* the order of two planes changes once */
+    if (ask_sample(s, f, g, hi, j) == first)
+      lo = end;
+    else
+      for (lo++; lo < hi;) {
+        int middle = lo + (hi - lo) / 2;
+        if (ask_sample(s, f, g, middle, j) == first)
+          lo = middle + 1;
+        else
+          hi = middle;
+      }
+    if (first)
+      overwrite(s, f, i, lo, j);
+    else if (lo < end)
+      overwrite(s, f, lo, end, j);
+  }
+}
+
+static void paint(struct hsr_newell *s, const struct hsr_piece *piece) {
+  uint32_t f = piece->face;
+  const struct hsr_bounds *b = &piece->bounds;
+  const struct hsr_window *w = s->window;
+  int *columns = s->list.columns;
+  for (int j = b->y0; j < b->y1; j++) {
+    int n = hsr_piece_spans(s->list.screen, f, piece->cuts, piece->n_cuts, j,
+                            columns, s->tally);
+    for (int k = 0; k < n; k += 2) {
+      int x0 = columns[k] > w->x0 ? columns[k] : w->x0;
+      int x1 = columns[k + 1] < w->x1 ? columns[k + 1] : w->x1;
+      if (x0 >= x1)
+        continue;
+      HSR_STEP(s->tally, HSR_NEWELL_SEGMENTS, HSR_SPAN, f, HSR_NOTHING, x0, j,
+               x1, j + 1);
+      HSR_TOUCH_SPAN(s->tally, x0, x1, j);
+      if (is_thick(s, f))
+        overwrite_thick(s, f, x0, x1, j);
+      else
+        overwrite(s, f, x0, x1, j);
+    }
+  }
+}
+
+static void show_beads(struct hsr_newell *s) {
+  const struct hsr_window *w = s->window;
+  for (int j = w->y0; j < w->y1; j++) {
+    struct bead gap = {w->x0, w->x0, HSR_BACKGROUND, NONE, {0}};
+    if (s->job->paint)
+      memcpy(gap.rgb, s->job->paint->background, sizeof gap.rgb);
+    for (uint32_t b = s->row[j - w->y0]; b != NONE; b = bead_at(s, b)->next) {
+      const struct bead *bead = bead_at(s, b);
+      gap.x1 = bead->x0;
+      write_samples(s, gap, j);
+      write_samples(s, *bead, j);
+      gap.x0 = bead->x1;
+    }
+    gap.x1 = w->x1;
+    write_samples(s, gap, j);
+  }
+}
+
+/* --- The algorithm ----------------------------------------------------------
+ */
+
+enum hsr_status hsr_newell_reserve(struct hsr_newell *s,
+                                   const struct hsr_job *job,
+                                   const struct hsr_screen *screen,
+                                   struct hsr_previous *previous,
+                                   size_t most_faces) {
+  const struct hsr_window *w = &job->view->window;
+  *s = (struct hsr_newell){.job = job, .tally = job->tally};
+  s->row = HSR_NEW(job->scratch, uint32_t, (size_t)(w->y1 - w->y0));
+  return s->row ? hsr_list_reserve(&s->list, job, screen, previous, most_faces)
+                : HSR_E_NOMEM;
+}
+
+void hsr_newell_open(struct hsr_newell *s, const struct hsr_window *window) {
+  s->window = window;
+  s->beads.n = 0;
+  s->free_bead = NONE;
+  for (int j = window->y0; j < window->y1; j++)
+    s->row[j - window->y0] = NONE;
+  if (s->frame_buffer)
+    show_beads(s); /* there are none: the background */
+}
+
+void hsr_newell_paint(struct hsr_newell *s, const uint32_t *faces, uint32_t n) {
+  hsr_list_sort(&s->list, s->window, faces, n);
+  for (const struct hsr_piece *piece; (piece = hsr_list_next(&s->list));)
+    paint(s, piece);
+}
+
+void hsr_newell_paint_unordered(struct hsr_newell *s, uint32_t f) {
+  struct hsr_piece whole = hsr_uncut_face(s->list.screen, f);
+  s->ask_all = true;
+  paint(s, &whole);
+  s->ask_all = false;
+}
+
+void hsr_newell_show(struct hsr_newell *s) {
+  if (!s->frame_buffer)
+    show_beads(s);
+}
+
+void hsr_newell_solve(struct hsr_newell *s, const struct hsr_window *window,
+                      const uint32_t *faces, uint32_t n) {
+  hsr_newell_open(s, window);
+  hsr_newell_paint(s, faces, n);
+  hsr_newell_show(s);
+}
+
+static enum hsr_status run(const struct hsr_job *job, bool frame_buffer,
+                           struct hsr_previous *previous,
+                           struct hsr_error *err) {
+  struct hsr_screen screen;
+  struct hsr_newell newell;
+  if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
+                      job->tally) ||
+      hsr_newell_reserve(&newell, job, &screen, previous, screen.n_relevant))
+    return hsr_fail_nomem(err);
+  newell.frame_buffer = frame_buffer;
+  hsr_newell_solve(&newell, &job->view->window, screen.relevant,
+                   screen.n_relevant);
+  return newell.list.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  return run(job, false, NULL, err);
+}
+
+static enum hsr_status render_frame_buffer(const struct hsr_job *job,
+                                           struct hsr_error *err) {
+  return run(job, true, NULL, err);
+}
+
+/* --- From the previous frame's order ---------------------------------------
+ */
+
+static enum hsr_status prepare_previous(const struct hsr_world *world,
+                                        const long *option, void **prepared,
+                                        struct hsr_error *err) {
+  (void)option;
+  struct hsr_previous *previous =
+      malloc(sizeof *previous + world->n_faces * sizeof *previous->order);
+  if (!previous)
+    return hsr_fail_nomem(err);
+  *previous = (struct hsr_previous){.n_faces = world->n_faces};
+  *prepared = previous;
+  return HSR_OK;
+}
+
+static enum hsr_status render_previous(const struct hsr_job *job,
+                                       struct hsr_error *err) {
+  return run(job, false, job->prepared, err);
+}
+
+#define NEWELL                                                                 \
+  .authors = "M. E. Newell, R. G. Newell, T. L. Sancha",                       \
+  .source = "Proc. ACM Annual Conference, 1972, 443-450; Sutherland et al., "  \
+            "Computing Surveys 6(1), 1974, \"List-Priority Algorithms\"",      \
+  .taxonomy = HSR_LIST_PRIORITY_PER_FRAME, .restrictions = 0, .kind = HSR_IDS
+
+const struct hsr_algorithm HSR_ALGORITHM(newell) = {
+    NEWELL,
+    .name = "newell",
+    .title = "Newell, Newell and Sancha's priority list, with beads",
+    .year = 1972,
+    .sort_order = "ZYX",
+    .coherence = "depth",
+    .flags = HSR_TRANSPARENCY,
+    .sorts = sorts,
+    .counters = counters,
+    .steps = steps,
+    .render = render};
+
+const struct hsr_algorithm HSR_ALGORITHM(newell_frame_buffer) = {
+    NEWELL,
+    .name = "newell-frame-buffer",
+    .title = "Newell, Newell and Sancha's priority list on a frame buffer",
+    .year = 1974,
+    .sort_order = "Z(XY)",
+    .coherence = "depth",
+    .flags = HSR_TRANSPARENCY,
+    .sorts = sorts_frame_buffer,
+    .counters = counters_frame_buffer,
+    .steps = steps_frame_buffer,
+    .render = render_frame_buffer};
+
+const struct hsr_algorithm HSR_ALGORITHM(newell_previous) = {
+    NEWELL,
+    .name = "newell-previous",
+    .title = "Newell, Newell and Sancha's, from the previous frame's order",
+    .year = 1974,
+    .sort_order = "ZYX",
+    .coherence = "depth, frame",
+    .flags = HSR_TRANSPARENCY | HSR_FRAME_STATE,
+    .sorts = sorts_previous,
+    .counters = counters,
+    .steps = steps,
+    .prepare = prepare_previous,
+    .render = render_previous,
+    .release = free};

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Newell's algorithm as other algorithms use it: on the faces of a window, or
+ * of one layer of a picture after another. See newell.c. */
+#ifndef HSR_ALGORITHMS_NEWELL_H
+#define HSR_ALGORITHMS_NEWELL_H
+
+#include "algorithms/list_priority/per_frame/priority_list.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct hsr_newell {
+  const struct hsr_job *job;
+  struct hsr_tally *tally;
+  const struct hsr_window *window;
+  struct hsr_priority_list list;
+  bool frame_buffer; /* paint on the picture, without beads */
+  bool ask_all;      /* all faces are thick */
+
+  struct hsr_growing beads;
+  uint32_t free_bead;
+  uint32_t *row; /* a row of the window: its first bead */
+};
+
+/* Compiled twice, as the algorithms are. */
+#define hsr_newell_reserve HSR_OF_BUILD(hsr_newell_reserve)
+#define hsr_newell_open HSR_OF_BUILD(hsr_newell_open)
+#define hsr_newell_paint HSR_OF_BUILD(hsr_newell_paint)
+#define hsr_newell_paint_unordered HSR_OF_BUILD(hsr_newell_paint_unordered)
+#define hsr_newell_show HSR_OF_BUILD(hsr_newell_show)
+#define hsr_newell_solve HSR_OF_BUILD(hsr_newell_solve)
+
+/* Memory from job->scratch for lists of no more than most_faces faces. The
+ * rest is as hsr_list_reserve has it. HSR_E_NOMEM. */
+enum hsr_status hsr_newell_reserve(struct hsr_newell *newell,
+                                   const struct hsr_job *job,
+                                   const struct hsr_screen *screen,
+                                   struct hsr_previous *previous,
+                                   size_t most_faces);
+
+/* A window, which lies within the view's, and of whose samples no face covers
+ * one but these n. If memory runs out, list.out_of_memory is set. */
+void hsr_newell_solve(struct hsr_newell *newell,
+                      const struct hsr_window *window, const uint32_t *faces,
+                      uint32_t n);
+
+/* The same in parts: a window without beads; n faces painted over what is
+ * there; one face, where it is nearer than what is there, whose samples are
+ * asked, the window being the view's; the beads into the picture. */
+void hsr_newell_open(struct hsr_newell *newell,
+                     const struct hsr_window *window);
+void hsr_newell_paint(struct hsr_newell *newell, const uint32_t *faces,
+                      uint32_t n);
+void hsr_newell_paint_unordered(struct hsr_newell *newell, uint32_t f);
+void hsr_newell_show(struct hsr_newell *newell);
+
+/* Counters and steps as those of priority_list.h: those of painting, and those
+ * of beads. */
+enum {
+  HSR_NEWELL_SEGMENTS = HSR_N_LIST_COUNTERS,
+  HSR_NEWELL_THICKNESS,
+  HSR_BEAD_MERGE,
+  HSR_N_NEWELL_COUNTERS
+};
+#define HSR_PAINTING_COUNTERS(of)                                              \
+  HSR_LIST_COUNTERS(of), {of "segments", "segments generated"}, {              \
+    of "thickness checks",                                                     \
+        "comparisons in depth where faces that are not flat touch"             \
+  }
+#define HSR_NEWELL_COUNTERS(of)                                                \
+  HSR_PAINTING_COUNTERS(of), {                                                 \
+    of "X merge", "beads passed to find the place of a segment"                \
+  }
+
+#define HSR_PAINTING_STEPS(first, of)                                          \
+  HSR_LIST_STEPS(first, of), {                                                 \
+    of "segment generator, Y sort", first + HSR_NEWELL_SEGMENTS, 10,           \
+        "10 F_r H_f", hsr_predict_segments                                     \
+  }
+#define HSR_NEWELL_STEPS(first, of)                                            \
+  HSR_PAINTING_STEPS(first, of), {                                             \
+    of "X merge", first + HSR_BEAD_MERGE, 1, "F_r H_f S_v / 4",                \
+        hsr_predict_bead_merge                                                 \
+  }
+#define HSR_BEAD_SORTS                                                         \
+  {"segments", "Y", "bucket sort", "once a frame"}, {                          \
+    "beads", "X", "merge", "once a segment"                                    \
+  }
+
+static inline double hsr_predict_segments(const struct hsr_table1 *t) {
+  return 10 * t->F_r * t->H_f;
+}
+static inline double hsr_predict_bead_merge(const struct hsr_table1 *t) {
+  return t->F_r * t->H_f * t->S_v / 4;
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Newell's priority computer, then Watkins' scan lines, whose last step
+ * compares priority numbers instead of depths.
+ *
+ * Source      suggested by E. Catmull and M. E. Newell, as Sutherland et al.
+ *             1974 report under "Other Combinations of Sorting": a few
+ *             sentences.
+ * Notation    the list -> priority_list.h; scan line, segment, sample span ->
+ *             watkins.c; priority number -> the place at which a piece left the
+ *             list, the farthest first
+ * Invariant   of two pieces that cover a sample, the one with the greater
+ *             number is the nearer one, unless both are of thick faces
+ * Ties        those of priority_list.h; among thick faces, by hsr_nearer
+ * Departures  those of priority_list.h and scan_line.h. A divided face gives
+ *             its columns a row at a time (hsr_piece_spans), being its face and
+ *             cuts. Of two segments of thick faces the samples are asked, at
+ *             both ends of what they share and, where these differ, at the
+ *             crossing, as depth is linear along the row; this is counted
+ *             apart.
+ * Cost        those of priority_list.h; of watkins.c all but the depth search:
+ *             a priority search is one comparison, where Table III has 30 */
+#include "algorithms/list_priority/per_frame/priority_list.h"
+#include "algorithms/image_space/point/watkins.h"
+
+/* The counters of the priority list come first, those of the scan from SCAN on,
+ * to which two are added. */
+enum {
+  SCAN = HSR_N_LIST_COUNTERS,
+  PRIORITY_SEARCH = HSR_N_SPAN_COUNTERS,
+  THICKNESS
+};
+
+static const struct hsr_counter counters[] = {
+    HSR_LIST_COUNTERS(""),
+    HSR_SPAN_COUNTERS(""),
+    [SCAN +
+        PRIORITY_SEARCH] = {"priority search",
+                            "comparisons of two segments' priority numbers"},
+    [SCAN + THICKNESS] =
+        {"thickness checks",
+         "comparisons in depth where faces that are not flat touch"},
+    {NULL, NULL}};
+
+static const struct hsr_step steps[] = {
+    HSR_LIST_STEPS(0, ""),
+    HSR_SPAN_STEPS(SCAN, ""),
+    {"priority search", SCAN + PRIORITY_SEARCH, 1, NULL, NULL},
+    {NULL, 0, 0, NULL, NULL}};
+
+static const struct hsr_sort sorts[] = {
+    HSR_LIST_SORTS,
+    HSR_SPAN_SORTS,
+    {"segments", "Z", "search by priority number", "once a sample span"},
+    {NULL, NULL, NULL, NULL}};
+
+struct newell_watkins {
+  struct hsr_priority_list list;
+  struct hsr_growing pieces; /* by priority number */
+  struct hsr_watkins watkins;
+};
+
+/* --- Newell: priority -------------------------------------------------------
+ */
+
+/* All pieces in the order of priority, and the room that Watkins needs. */
+static enum hsr_status order_pieces(struct newell_watkins *s,
+                                    const struct hsr_screen *screen,
+                                    struct hsr_scan_room *room) {
+  const struct hsr_job *job = s->list.job;
+  hsr_list_sort(&s->list, &job->view->window, screen->relevant,
+                screen->n_relevant);
+  for (const struct hsr_piece *piece; (piece = hsr_list_next(&s->list));) {
+    if (!hsr_arena_grow(job->scratch, &s->pieces, sizeof *piece))
+      return HSR_E_NOMEM;
+    ((struct hsr_piece *)s->pieces.items)[s->pieces.n - 1] = *piece;
+    hsr_scan_make_room(room, screen, piece);
+  }
+  return s->list.out_of_memory ? HSR_E_NOMEM : HSR_OK;
+}
+
+/* --- Watkins: visibility ----------------------------------------------------
+ */
+
+/* Whether f is nearer than g at (i, j). */
+static bool ask_sample(const struct newell_watkins *s, uint32_t f, uint32_t g,
+                       int i, int j) {
+  HSR_STEP(s->list.tally, THICKNESS, HSR_COMPARE, f, g, i, j, i + 1, j + 1);
+  return hsr_nearer(s->list.screen, f, g, i, j, s->list.tally);
+}
+
+/* The last step of Watkins' algorithm. */
+static bool is_prior(void *context, const struct hsr_watkins_segment *f,
+                     const struct hsr_watkins_segment *g, int l, int r, int j,
+                     int *end) {
+  const struct newell_watkins *s = context;
+  const bool *thick = s->list.thick;
+  *end = r;
+  if (!thick[f->face] || !thick[g->face]) {
+    HSR_STEP(s->list.tally, PRIORITY_SEARCH, HSR_COMPARE, f->face, g->face, l,
+             j, r, j + 1);
+    return f->piece > g->piece;
+  }
+  bool nearer = ask_sample(s, f->face, g->face, l, j);
+  if (l + 1 < r && ask_sample(s, f->face, g->face, r - 1, j) != nearer)
+    *end = hsr_scan_crossing(&s->watkins.edges, f->face, g->face, nearer, l, r,
+                             j, THICKNESS);
+  return nearer;
+}
+
+/* --- The algorithm ----------------------------------------------------------
+ */
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct hsr_screen screen;
+  struct newell_watkins s = {.pieces = {.n = 0}};
+  struct hsr_scan_room room = {0};
+  if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
+                      job->tally) ||
+      hsr_list_reserve(&s.list, job, &screen, NULL, screen.n_relevant) ||
+      order_pieces(&s, &screen, &room) ||
+      hsr_watkins_reserve(&s.watkins, job, &screen, room, s.pieces.n))
+    return hsr_fail_nomem(err);
+
+  job->tally->first = SCAN;
+  s.watkins.is_nearer = is_prior;
+  s.watkins.context = &s;
+  hsr_scan_open(&s.watkins.edges, &job->view->window);
+  const struct hsr_piece *piece = s.pieces.items;
+  for (uint32_t p = 0; p < s.pieces.n; p++)
+    hsr_scan_add(&s.watkins.edges, &piece[p], p);
+  hsr_watkins_scan(&s.watkins);
+  job->tally->first = 0;
+  return HSR_OK;
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(newell_watkins) = {
+    .name = "newell-watkins",
+    .title = "Newell's priority list, then Watkins' scan lines",
+    .authors = "E. Catmull, M. E. Newell",
+    .year = 1974,
+    .source = "suggested by both, as Sutherland et al., Computing Surveys "
+              "6(1), 1974, report under \"Other Combinations of Sorting\"",
+    .taxonomy = HSR_LIST_PRIORITY_PER_FRAME,
+    .sort_order = "ZYXZ",
+    .coherence = "depth; scan line; edge; floating right end of the sample "
+                 "span",
+    .restrictions = 0,
+    .kind = HSR_IDS,
+    .sorts = sorts,
+    .counters = counters,
+    .steps = steps,
+    .render = render};

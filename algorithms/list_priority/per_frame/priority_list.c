@@ -1,0 +1,534 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Newell's priority computer: see priority_list.h. */
+#include "algorithms/list_priority/per_frame/priority_list.h"
+
+#include <string.h>
+
+/* No piece. */
+static const uint32_t NONE = UINT32_MAX;
+
+enum { RADIX_BITS = 9, RADIX = 1 << RADIX_BITS, DIGITS = 2 };
+
+/* What is left of a face after some cuts. */
+struct piece {
+  struct hsr_piece part;
+  struct hsr_polygon polygon;
+  uint32_t next;
+  double nearest, farthest; /* depths along the line of sight */
+  uint32_t bucket;          /* of the farthest; greater is nearer */
+  uint32_t marker; /* the last attempt in which it was moved to the end of the
+                      list; 0: never, and it is still where it was sorted */
+  bool forced;     /* could not be ordered: asks the samples */
+};
+
+static struct piece *piece_at(const struct hsr_priority_list *s, uint32_t p) {
+  return (struct piece *)s->pieces.items + p;
+}
+
+/* --- Z sort ----------------------------------------------------------------
+ */
+
+/* Samples of the bounds that are in the window. */
+static struct hsr_bounds clip_bounds(struct hsr_bounds b,
+                                     const struct hsr_window *w) {
+  return (struct hsr_bounds){
+      b.x0 > w->x0 ? b.x0 : w->x0, b.y0 > w->y0 ? b.y0 : w->y0,
+      b.x1 < w->x1 ? b.x1 : w->x1, b.y1 < w->y1 ? b.y1 : w->y1};
+}
+
+/* Adds a piece, whose polygon and cuts are given, if it has samples. Returns
+ * its number, or NONE. */
+static uint32_t add_piece(struct hsr_priority_list *s, struct piece piece) {
+  hsr_depth_range(s->screen, piece.polygon, &piece.nearest, &piece.farthest);
+  piece.part.bounds = clip_bounds(
+      piece.polygon.outline ? hsr_outline_bounds(s->screen, piece.polygon)
+                            : s->screen->bounds[piece.part.face],
+      s->window);
+  const struct hsr_bounds *bounds = &piece.part.bounds;
+  if (bounds->x0 >= bounds->x1 || bounds->y0 >= bounds->y1 ||
+      !(piece.farthest > 0))
+    return NONE;
+  if (s->parts)
+    hsr_narrow_depth_range(s->screen, piece.part.face, bounds, &piece.nearest,
+                           &piece.farthest);
+  if (!hsr_arena_grow(s->job->scratch, &s->pieces, sizeof piece)) {
+    s->out_of_memory = true;
+    return NONE;
+  }
+  uint32_t p = (uint32_t)s->pieces.n - 1;
+  *piece_at(s, p) = piece;
+  return p;
+}
+
+/* The bucket of a depth: greater, nearer; it never decreases as depth does. */
+static uint32_t bucket_of(const struct hsr_priority_list *s, double depth) {
+  double q = depth > 0 ? 1 / depth : INFINITY;
+  double bucket = q * s->buckets_per_q;
+  double most = (1 << RADIX_BITS * DIGITS) - 1;
+  return (uint32_t)(bucket < most ? bucket : most);
+}
+
+/* Buckets evenly over 1/depth, up to that of the nearest farthest vertex. */
+static void choose_buckets(struct hsr_priority_list *s) {
+  double q_max = 0;
+  for (uint32_t p = 0; p < s->pieces.n; p++)
+    q_max = fmax(q_max, 1 / piece_at(s, p)->farthest);
+  s->buckets_per_q = q_max > 0 ? ((1 << RADIX_BITS * DIGITS) - 1) / q_max : 0;
+  for (uint32_t p = 0; p < s->pieces.n; p++) {
+    struct piece *piece = piece_at(s, p);
+    piece->bucket = bucket_of(s, piece->farthest);
+  }
+}
+
+/* One pass of the radix sort, from `from` to `to`. */
+static void sort_digit(struct hsr_priority_list *s, int digit,
+                       const uint32_t *from, uint32_t *to) {
+  uint32_t begin[RADIX + 1] = {0};
+  int shift = RADIX_BITS * digit;
+  for (uint32_t k = 0; k < s->pieces.n; k++)
+    begin[(piece_at(s, from[k])->bucket >> shift) % RADIX + 1]++;
+  for (int b = 0; b < RADIX; b++)
+    begin[b + 1] += begin[b];
+  for (uint32_t k = 0; k < s->pieces.n; k++) {
+    uint32_t p = from[k];
+    to[begin[(piece_at(s, p)->bucket >> shift) % RADIX]++] = p;
+    HSR_STEP(s->tally, HSR_LIST_Z_SORT, HSR_SORT, piece_at(s, p)->part.face,
+             HSR_NOTHING, 0, 0, 0, 0);
+  }
+}
+
+/* The order of the last frame, those in front that it did not paint, put right
+ * by an insertion sort. */
+static void sort_previous(struct hsr_priority_list *s) {
+  const struct hsr_previous *previous = s->previous;
+  uint32_t n = 0;
+  for (uint32_t k = 0; k < previous->n; k++) {
+    uint32_t p = s->piece_of[previous->order[k]];
+    if (p != NONE && !piece_at(s, p)->marker) {
+      piece_at(s, p)->marker = 1; /* taken */
+      s->order[n++] = p;
+    }
+  }
+  for (uint32_t p = 0; p < s->pieces.n; p++)
+    if (!piece_at(s, p)->marker)
+      s->order[n++] = p;
+  for (uint32_t k = 0; k < n; k++) {
+    uint32_t p = s->order[k], to = k;
+    piece_at(s, p)->marker = 0;
+    for (; to; to--) {
+      HSR_STEP(s->tally, HSR_LIST_Z_SORT, HSR_COMPARE,
+               piece_at(s, p)->part.face,
+               piece_at(s, s->order[to - 1])->part.face, 0, 0, 0, 0);
+      if (piece_at(s, s->order[to - 1])->bucket <= piece_at(s, p)->bucket)
+        break;
+      s->order[to] = s->order[to - 1];
+    }
+    s->order[to] = p;
+  }
+}
+
+static void link_list(struct hsr_priority_list *s) {
+  s->head = NONE;
+  for (size_t k = s->pieces.n; k-- > 0;) {
+    piece_at(s, s->order[k])->next = s->head;
+    s->head = s->order[k];
+  }
+}
+
+void hsr_list_sort(struct hsr_priority_list *s, const struct hsr_window *window,
+                   const uint32_t *faces, uint32_t n) {
+  s->window = window;
+  s->pieces.n = 0;
+  s->halves_used = 0;
+  s->attempt = 1;
+  for (uint32_t k = 0; k < n; k++) {
+    uint32_t f = faces[k];
+    s->thick[f] = false;
+    add_piece(s, (struct piece){.part = {.face = f}, .polygon = {.face = f}});
+  }
+  choose_buckets(s);
+  if (s->previous && s->previous->n) {
+    memset(s->piece_of, 0xff, s->previous->n_faces * sizeof *s->piece_of);
+    for (uint32_t p = 0; p < s->pieces.n; p++)
+      s->piece_of[piece_at(s, p)->part.face] = p;
+    sort_previous(s);
+  } else {
+    for (uint32_t p = 0; p < s->pieces.n; p++)
+      s->order[p] = p;
+    sort_digit(s, 0, s->order, s->other);
+    sort_digit(s, 1, s->other, s->order);
+  }
+  link_list(s);
+  if (s->previous)
+    s->previous->n = 0;
+}
+
+/* --- The tests: may P obscure Q? --------------------------------------------
+ */
+
+static bool same_plane(const struct hsr_priority_list *s, uint32_t f,
+                       uint32_t g) {
+  return s->job->world->plane[f] == s->job->world->plane[g];
+}
+
+/* The side of the plane of g that the piece was cut to, or 0. */
+static int cut_side(const struct hsr_priority_list *s,
+                    const struct piece *piece, uint32_t g) {
+  for (uint32_t c = 0; c < piece->part.n_cuts; c++)
+    if (same_plane(s, piece->part.cuts[c].face, g)) {
+      /* Two faces of one plane may face two ways. */
+      int eye = hsr_eye_side(s->screen, piece->part.cuts[c].face, s->tally);
+      return piece->part.cuts[c].side == eye ? 1 : -1;
+    }
+  return 0;
+}
+
+/* Test 4: P is deeper than the plane of Q. */
+static enum hsr_certainty is_deeper(const struct hsr_priority_list *s,
+                                    const struct piece *p,
+                                    const struct piece *q) {
+  uint32_t f = p->part.face, g = q->part.face;
+  if (same_plane(s, f, g))
+    return f >= g ? HSR_YES : HSR_NO;
+  int side = cut_side(s, p, g);
+  if (side)
+    return side < 0 ? HSR_YES : HSR_NO;
+  return hsr_beyond(s->screen, p->polygon, g, s->tally);
+}
+
+/* Test 5: Q is closer than the plane of P. */
+static enum hsr_certainty is_closer(const struct hsr_priority_list *s,
+                                    const struct piece *q,
+                                    const struct piece *p) {
+  uint32_t f = p->part.face, g = q->part.face;
+  if (same_plane(s, f, g))
+    return f >= g ? HSR_YES : HSR_NO;
+  int side = cut_side(s, q, f);
+  if (side)
+    return side > 0 ? HSR_YES : HSR_NO;
+  return hsr_before(s->screen, q->polygon, f, s->tally);
+}
+
+/* On which side of the line from a to b vertex v is seen: 0 if that is not
+ * certain; the ends themselves are on either. */
+static int line_side(const struct hsr_screen *screen, uint32_t a, uint32_t b,
+                     uint32_t v) {
+  double dx = screen->sx[b] - screen->sx[a], dy = screen->sy[b] - screen->sy[a];
+  double hx = screen->sx[v] - screen->sx[a], hy = screen->sy[v] - screen->sy[a];
+  double e = dx * hy - dy * hx;
+  double bound = 8 * HSR_DELTA * (fabs(dx) + fabs(dy) + fabs(hx) + fabs(hy)) +
+                 16 * HSR_DELTA * HSR_DELTA;
+  return e > bound ? 1 : e < -bound ? -1 : 0;
+}
+
+/* Whether all vertices of face f but a and b are on one side of their line:
+ * that side, or 0. */
+static int face_side(const struct hsr_priority_list *s, uint32_t a, uint32_t b,
+                     uint32_t f) {
+  const struct hsr_world *world = s->job->world;
+  int side = 0;
+  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
+    uint32_t v = world->vertex[k];
+    if (v == a || v == b)
+      continue;
+    int here = line_side(s->screen, a, b, v);
+    if (!here || (side && here != side))
+      return 0;
+    side = here;
+  }
+  return side;
+}
+
+/* Whether the line of an edge of f has f to one side and g to the other. */
+static bool edge_separates(const struct hsr_priority_list *s, uint32_t f,
+                           uint32_t g) {
+  const struct hsr_world *world = s->job->world;
+  const uint32_t *vertex = world->vertex + world->start[f];
+  uint32_t n = hsr_face_size(world, f);
+  for (uint32_t k = 0, l = n - 1; k < n; l = k++) {
+    int side = face_side(s, vertex[l], vertex[k], f);
+    if (side && face_side(s, vertex[l], vertex[k], g) == -side)
+      return true;
+  }
+  return false;
+}
+
+/* Whether two lists of spans have a sample of the window in common. */
+static bool spans_meet(const struct hsr_window *w, const int *a, int n_a,
+                       const int *b, int n_b) {
+  for (int k = 0, l = 0; k < n_a && l < n_b;) {
+    int x0 = a[k] > b[l] ? a[k] : b[l];
+    int x1 = a[k + 1] < b[l + 1] ? a[k + 1] : b[l + 1];
+    if (x0 < x1 && x0 < w->x1 && x1 > w->x0)
+      return true;
+    if (a[k + 1] < b[l + 1])
+      k += 2;
+    else
+      l += 2;
+  }
+  return false;
+}
+
+/* Test 6: no sample is in both. By a line between whole faces if there is one,
+ * else by the spans of every row that both may reach. */
+static bool are_apart(struct hsr_priority_list *s, const struct piece *p,
+                      const struct piece *q) {
+  uint32_t f = p->part.face, g = q->part.face;
+  HSR_COUNT(s->tally, HSR_LIST_OVERLAPS, 1);
+  if (s->screen->whole[f] && s->screen->whole[g] &&
+      (edge_separates(s, f, g) || edge_separates(s, g, f)))
+    return true;
+  const struct hsr_bounds *pb = &p->part.bounds, *qb = &q->part.bounds;
+  int y0 = pb->y0 > qb->y0 ? pb->y0 : qb->y0;
+  int y1 = pb->y1 < qb->y1 ? pb->y1 : qb->y1;
+  int *a = s->columns, *b = s->columns + s->most_corners + 4;
+  for (int j = y0; j < y1; j++) {
+    int n_a = hsr_piece_spans(s->screen, f, p->part.cuts, p->part.n_cuts, j, a,
+                              s->tally);
+    int n_b = n_a ? hsr_piece_spans(s->screen, g, q->part.cuts, q->part.n_cuts,
+                                    j, b, s->tally)
+                  : 0;
+    if (spans_meet(s->window, a, n_a, b, n_b))
+      return false;
+  }
+  return true;
+}
+
+static bool minimax(int a0, int a1, int b0, int b1) {
+  return a0 < b1 && b0 < a1;
+}
+
+/* The six tests, in order. */
+static bool may_obscure(struct hsr_priority_list *s, struct piece *p,
+                        struct piece *q) {
+  uint32_t f = p->part.face, g = q->part.face;
+  HSR_STEP(s->tally, HSR_LIST_SPECIAL, HSR_COMPARE, f, g, 0, 0, 0, 0);
+  if (p->nearest > q->farthest)
+    return false;
+  HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 1);
+  const struct hsr_bounds *pb = &p->part.bounds, *qb = &q->part.bounds;
+  if (!minimax(pb->x0, pb->x1, qb->x0, qb->x1))
+    return false;
+  HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 1);
+  if (!minimax(pb->y0, pb->y1, qb->y0, qb->y1))
+    return false;
+  HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 100);
+  enum hsr_certainty certainty = is_deeper(s, p, q);
+  if (certainty != HSR_YES) {
+    enum hsr_certainty closer = is_closer(s, q, p);
+    certainty = closer > certainty ? closer : certainty;
+  }
+  if (certainty == HSR_YES || are_apart(s, p, q))
+    return false;
+  if (certainty == HSR_NO && !p->forced)
+    return true;
+  s->thick[f] = s->thick[g] = true;
+  return false;
+}
+
+/* The first of {Q} that P may obscure, or NONE; *before is the one before it in
+ * the list. */
+static uint32_t find_obscured(struct hsr_priority_list *s, uint32_t p,
+                              uint32_t *before) {
+  uint32_t bucket = bucket_of(s, piece_at(s, p)->nearest);
+  *before = p;
+  for (uint32_t q = piece_at(s, p)->next; q != NONE;
+       *before = q, q = piece_at(s, q)->next) {
+    struct piece *piece = piece_at(s, q);
+    if (piece->bucket > bucket && !piece->marker) {
+      HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 1);
+      return NONE;
+    }
+    if (may_obscure(s, piece_at(s, p), piece))
+      return q;
+  }
+  return NONE;
+}
+
+/* --- Dividing ---------------------------------------------------------------
+ */
+
+/* Puts a piece where its farthest vertex belongs, after those with markers. */
+static void insert(struct hsr_priority_list *s, uint32_t p) {
+  uint32_t bucket = piece_at(s, p)->bucket, at = s->head, before = NONE;
+  while (at != NONE &&
+         (piece_at(s, at)->marker || piece_at(s, at)->bucket < bucket)) {
+    HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 1);
+    before = at;
+    at = piece_at(s, at)->next;
+  }
+  piece_at(s, p)->next = at;
+  if (before == NONE)
+    s->head = p;
+  else
+    piece_at(s, before)->next = p;
+}
+
+/* Memory until the next list; NULL if there is none. */
+static void *take_half(struct hsr_priority_list *s, size_t n, size_t size) {
+  size_t bytes = n * size;
+  if (bytes > s->halves_room - s->halves_used) {
+    size_t room = 2 * s->halves_room + bytes + 4096;
+    s->halves = hsr_arena_array(s->job->scratch, room, 1);
+    s->halves_used = 0;
+    s->halves_room = s->halves ? room : 0;
+    if (!s->halves)
+      return NULL;
+  }
+  void *taken = s->halves + s->halves_used;
+  s->halves_used += bytes;
+  return taken;
+}
+
+/* The part of a piece on one side of a plane, into the list. */
+static void add_half(struct hsr_priority_list *s, const struct piece *whole,
+                     struct hsr_cut cut) {
+  uint32_t f = whole->part.face, n_cuts = whole->part.n_cuts;
+  uint32_t n = whole->polygon.outline ? whole->polygon.n
+                                      : hsr_face_size(s->job->world, f);
+  uint32_t room = n + n / 2 + 1;
+  if (room > s->scratch_room) {
+    s->scratch = hsr_arena_array(s->job->scratch, 2 * room, sizeof *s->scratch);
+    s->scratch_room = s->scratch ? 2 * room : 0;
+  }
+  struct hsr_cut *cuts = take_half(s, n_cuts + 1, sizeof *cuts);
+  double(*outline)[3] = cuts ? take_half(s, room, sizeof *outline) : NULL;
+  if (!s->scratch || !outline) {
+    s->out_of_memory = true;
+    return;
+  }
+  if (n_cuts)
+    memcpy(cuts, whole->part.cuts, n_cuts * sizeof *cuts);
+  cuts[n_cuts] = cut;
+  uint32_t left =
+      hsr_divide_outline(s->screen, whole->polygon, cut, outline, s->scratch);
+  s->halves_used -= (room - left) * sizeof *outline;
+  uint32_t p = add_piece(
+      s, (struct piece){.part = {.face = f, .n_cuts = n_cuts + 1, .cuts = cuts},
+                        .polygon = {f, (const double(*)[3])outline, left}});
+  if (p == NONE)
+    return;
+  piece_at(s, p)->bucket = bucket_of(s, piece_at(s, p)->farthest);
+  insert(s, p);
+}
+
+/* Takes a piece with a marker, or the head, out of the list. */
+static void take_out(struct hsr_priority_list *s, uint32_t p) {
+  uint32_t *link = &s->head;
+  while (*link != p)
+    link = &piece_at(s, *link)->next;
+  *link = piece_at(s, p)->next;
+}
+
+/* Divides a piece with a marker, or the head, by the plane of face g. */
+static void divide(struct hsr_priority_list *s, uint32_t p, uint32_t g) {
+  take_out(s, p);
+  struct piece whole = *piece_at(s, p);
+  HSR_STEP(s->tally, HSR_LIST_DIVISIONS, HSR_SPLIT, whole.part.face, g, 0, 0, 0,
+           0);
+  HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 100);
+  s->attempt++;
+  add_half(s, &whole, (struct hsr_cut){g, -1});
+  add_half(s, &whole, (struct hsr_cut){g, +1});
+}
+
+/* Divides a piece by the plane of another, if that passes through it. */
+static bool try_to_divide(struct hsr_priority_list *s, uint32_t p,
+                          uint32_t by) {
+  const struct piece *piece = piece_at(s, p);
+  uint32_t f = piece->part.face, g = piece_at(s, by)->part.face;
+  if (same_plane(s, f, g) || cut_side(s, piece, g) ||
+      hsr_beyond(s->screen, piece->polygon, g, s->tally) != HSR_NO ||
+      hsr_before(s->screen, piece->polygon, g, s->tally) != HSR_NO)
+    return false;
+  divide(s, p, g);
+  return true;
+}
+
+/* Q is moved to the end of the list, in P's place. */
+static void interchange(struct hsr_priority_list *s, uint32_t before,
+                        uint32_t q) {
+  struct piece *offending = piece_at(s, q);
+  HSR_STEP(s->tally, HSR_LIST_INTERCHANGES, HSR_SORT,
+           piece_at(s, s->head)->part.face, offending->part.face, 0, 0, 0, 0);
+  piece_at(s, before)->next = offending->next;
+  offending->next = s->head;
+  offending->marker = s->attempt;
+  s->head = q;
+}
+
+/* P and Q obscure one another, or stand in a circle of such pieces, all of
+ * which bear the marker of this attempt: one is divided by the plane of
+ * another. There is such a one: were every piece on one side of the plane of
+ * every other, those planes would put them in order. */
+static bool break_circle(struct hsr_priority_list *s, uint32_t q) {
+  uint32_t p = s->head;
+  if (try_to_divide(s, q, p) || try_to_divide(s, p, q))
+    return true;
+  for (uint32_t a = p; a != NONE && (a == p || piece_at(s, a)->marker);
+       a = piece_at(s, a)->next)
+    for (uint32_t b = p; b != NONE && (b == p || piece_at(s, b)->marker);
+         b = piece_at(s, b)->next)
+      if (a != b && try_to_divide(s, a, b))
+        return true;
+  return false;
+}
+
+/* P may obscure Q, which follows `before`: Q is tried in P's place, unless it
+ * has been. */
+static void resolve(struct hsr_priority_list *s, uint32_t before, uint32_t q) {
+  if (piece_at(s, q)->marker != s->attempt)
+    interchange(s, before, q);
+  else if (!break_circle(s, q))
+    piece_at(s, s->head)->forced = true;
+}
+
+/* --- The list ---------------------------------------------------------------
+ */
+
+enum hsr_status hsr_list_reserve(struct hsr_priority_list *s,
+                                 const struct hsr_job *job,
+                                 const struct hsr_screen *screen,
+                                 struct hsr_previous *previous,
+                                 size_t most_faces) {
+  struct hsr_arena *arena = job->scratch;
+  size_t n_faces = job->world->n_faces;
+  *s = (struct hsr_priority_list){.job = job,
+                                  .tally = job->tally,
+                                  .screen = screen,
+                                  .previous = previous,
+                                  .head = NONE};
+  for (uint32_t r = 0; r < screen->n_relevant; r++) {
+    uint32_t n = hsr_face_size(job->world, screen->relevant[r]);
+    s->most_corners = n > s->most_corners ? n : s->most_corners;
+  }
+  s->thick = HSR_NEW(arena, bool, n_faces);
+  s->columns = HSR_NEW(arena, int, 2 * ((size_t)s->most_corners + 4));
+  s->order = HSR_NEW(arena, uint32_t, most_faces);
+  s->other = HSR_NEW(arena, uint32_t, most_faces);
+  s->piece_of = HSR_NEW(arena, uint32_t, previous ? n_faces : 0);
+  return s->thick && s->columns && s->order && s->other && s->piece_of
+             ? HSR_OK
+             : HSR_E_NOMEM;
+}
+
+/* Notes a face for the next frame. */
+static void remember(struct hsr_previous *previous, uint32_t f) {
+  if (previous && previous->n < previous->n_faces)
+    previous->order[previous->n++] = f;
+}
+
+const struct hsr_piece *hsr_list_next(struct hsr_priority_list *s) {
+  while (s->head != NONE && !s->out_of_memory) {
+    uint32_t before, p = s->head, q = find_obscured(s, p, &before);
+    if (q != NONE) {
+      resolve(s, before, q);
+      continue;
+    }
+    s->head = piece_at(s, p)->next;
+    s->attempt++;
+    remember(s->previous, piece_at(s, p)->part.face);
+    return &piece_at(s, p)->part;
+  }
+  return NULL;
+}

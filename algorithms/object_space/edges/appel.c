@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Appel's hidden-line algorithm.
+ *
+ * Source      A. Appel, "The Notion of Quantitative Invisibility and the
+ *             Machine Rendering of Solids", Proc. ACM National Conference,
+ *             1967; Sutherland et al. 1974, "Edge-Intersection Algorithms",
+ *             figures 14 to 16.
+ * Notation    material edge -> relevant edge e from A to B; contour edge c from
+ *             C to D; vorticity -> the sides of A and B about c, and which of
+ *             the edges is nearer
+ * Invariants  those of edge_intersection.h. A contour edge changes the
+ *             invisibility of a material edge just where it pierces the
+ *             triangle of the eye and that edge.
+ * Ties        the material edge is displaced (common/lines/sight/sight.h): a contour edge
+ *             meets no side of its triangle
+ * Departures  the change is the number of faces that the contour edge gains or
+ *             loses, which is 2 at a fold of a two-sided surface
+ * Cost        that of edge_intersection.h; the edge intersection grows as the
+ *             square of the edges */
+#include "algorithms/object_space/edges/edge_intersection.h"
+
+/* Does contour edge c pierce the triangle E A' B'? */
+static bool pierces_triangle(const struct hsr_sight *sight, uint32_t e,
+                             uint32_t c) {
+  const struct hsr_edges *edges = sight->edges;
+  uint32_t A = edges->a[e], B = edges->b[e];
+  uint32_t C = edges->a[c], D = edges->b[c];
+  /* Its ends are on both sides of the triangle's plane, */
+  if (hsr_sight_line_side(sight, A, B, C) ==
+      hsr_sight_line_side(sight, A, B, D))
+    return false;
+  /* and the three directed edges of the triangle have one vorticity about it:
+   * E A and B E, */
+  if (hsr_sight_side(sight, C, D, A) == hsr_sight_side(sight, C, D, B))
+    return false;
+  /* and A B, which it passes on the side of the eye. */
+  return hsr_sight_nearer(sight, e, c);
+}
+
+static enum hsr_status cross(void *context, struct hsr_network *network,
+                             uint32_t e) {
+  (void)context;
+  const struct hsr_image_box *box = &network->box[e];
+  HSR_COUNT(network->tally, HSR_INTERSECT, network->n_contour);
+  for (uint32_t k = 0; k < network->n_contour; k++) {
+    uint32_t c = network->contour[k];
+    if (!hsr_boxes_overlap(box, &network->box[c]) ||
+        hsr_edges_meet(network->edges, e, c))
+      continue;
+    if (pierces_triangle(&network->sight, e, c) &&
+        hsr_network_cross(network, e, c, network->net[c]))
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  return hsr_network_render(job, &(struct hsr_intersector){.cross = cross},
+                            err);
+}
+
+static enum hsr_status render_visible(const struct hsr_job *job,
+                                      struct hsr_error *err) {
+  return hsr_network_render(
+      job, &(struct hsr_intersector){.cross = cross, .visible_only = true},
+      err);
+}
+
+static const struct hsr_counter counters[] = {HSR_NETWORK_COUNTERS, {0}};
+static const struct hsr_step steps[] = {HSR_NETWORK_STEPS, {0}};
+static const struct hsr_sort sorts[] = {
+    {"edges", "back-facing, contour", "cull", "once a frame"},
+    {"faces", "before a vertex", "exhaustive search", "once a cluster"},
+    {"contour edges", "piercing an edge's triangle", "exhaustive search",
+     "once an edge"},
+    {"faces", "before an edge's end", "cull", "twice an edge"},
+    {"crossings", "along the edge", "sort", "once an edge"},
+    {0}};
+
+#define APPEL                                                                  \
+  .authors = "A. Appel", .year = 1967,                                         \
+  .source = "Proc. ACM National Conference, 1967, 387-393; Sutherland et "     \
+            "al., Computing Surveys 6(1), 1974, \"Edge-Intersection "          \
+            "Algorithms\"",                                                    \
+  .taxonomy = HSR_OBJECT_SPACE_EDGES,                                          \
+  .coherence = "edge: visibility is promoted along edges that share a vertex", \
+  .restrictions = HSR_TP, .kind = HSR_SEGMENTS, .sorts = sorts,                \
+  .counters = counters, .steps = steps, .prepare = hsr_network_prepare,        \
+  .release = hsr_network_release, .expense = hsr_network_expense
+
+const struct hsr_algorithm HSR_ALGORITHM(appel) = {
+    .name = "appel",
+    .title = "Appel's quantitative invisibility",
+    APPEL,
+    .render = render};
+
+const struct hsr_algorithm HSR_ALGORITHM(appel_visible) = {
+    .name = "appel-visible",
+    .title = "Appel's, sorting only edges that may be visible",
+    APPEL,
+    .flags = HSR_VISIBLE_ONLY,
+    .render = render_visible};

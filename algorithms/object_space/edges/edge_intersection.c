@@ -1,0 +1,514 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "algorithms/object_space/edges/edge_intersection.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+double hsr_network_expense(const struct hsr_world *world,
+                           const struct hsr_view *view) {
+  (void)view;
+  double edges = world->n_corners / 3.0;
+  return 4 * edges * edges;
+}
+
+/* --- Preparation -----------------------------------------------------------
+ */
+
+enum hsr_status hsr_network_prepare(const struct hsr_world *world,
+                                    const long *option, void **prepared,
+                                    struct hsr_error *err) {
+  (void)option;
+  struct hsr_edges *edges = malloc(sizeof *edges);
+  if (!edges)
+    return hsr_fail_nomem(err);
+  enum hsr_status status = hsr_edges_init(edges, world, err);
+  if (status) {
+    hsr_edges_free(edges);
+    free(edges);
+    return status;
+  }
+  *prepared = edges;
+  return HSR_OK;
+}
+
+void hsr_network_release(void *prepared) {
+  hsr_edges_free(prepared);
+  free(prepared);
+}
+
+/* --- Relevant and contour edges ----------------------------------------------
+ */
+
+/* What is known of where a point's image is. */
+static void enclose(struct hsr_image_box *box, const struct hsr_sight *sight,
+                    uint32_t p) {
+  double x = sight->sx[p], y = sight->sy[p];
+  bool is_known = sight->ahead[p] && x == x;
+  box->x0 = is_known ? fmin(box->x0, x - HSR_DELTA) : -INFINITY;
+  box->y0 = is_known ? fmin(box->y0, y - HSR_DELTA) : -INFINITY;
+  box->x1 = is_known ? fmax(box->x1, x + HSR_DELTA) : INFINITY;
+  box->y1 = is_known ? fmax(box->y1, y + HSR_DELTA) : INFINITY;
+}
+
+static struct hsr_image_box box_of(const struct hsr_sight *sight,
+                                   const uint32_t *point, uint32_t n) {
+  struct hsr_image_box box = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+  for (uint32_t k = 0; k < n && box.x0 > -INFINITY; k++)
+    enclose(&box, sight, point[k]);
+  return box;
+}
+
+static void cull_edge(struct hsr_network *network, uint32_t e) {
+  const struct hsr_edges *edges = network->edges;
+  const struct hsr_sight *sight = &network->sight;
+  uint32_t existing = 0;
+  network->net[e] = 0;
+  for (uint32_t k = edges->side_start[e]; k < edges->side_start[e + 1]; k++) {
+    const struct hsr_side *side = &edges->side[k];
+    HSR_COUNT(network->tally, HSR_EDGE_CULL, 1);
+    existing += sight->exists[side->face];
+    if (sight->regular[side->face])
+      network->net[e] += hsr_inside(sight, side);
+  }
+  struct hsr_edge_part *part = &network->part[e];
+  uint32_t wanted = edges->name[e].implied ? 2 : 1;
+  part->relevant =
+      existing >= wanted && hsr_sight_picture(sight, e, &part->from, &part->to);
+  network->drawn[e] = !part->relevant;
+  const uint32_t ends[2] = {edges->a[e], edges->b[e]};
+  network->box[e] = box_of(sight, ends, 2);
+  if (network->net[e])
+    network->contour[network->n_contour++] = e;
+}
+
+enum hsr_status hsr_network_init(struct hsr_network *network,
+                                 const struct hsr_job *job) {
+  const struct hsr_edges *edges = job->prepared;
+  struct hsr_arena *arena = job->scratch;
+  uint32_t n = edges->n, n_points = edges->n_points;
+  *network =
+      (struct hsr_network){.job = job, .edges = edges, .tally = job->tally};
+  enum hsr_status status =
+      hsr_sight_init(&network->sight, edges, job->view, arena, job->tally);
+  network->net = HSR_NEW(arena, int, n);
+  network->contour = HSR_NEW(arena, uint32_t, n);
+  network->box = HSR_NEW(arena, struct hsr_image_box, n);
+  network->face_box = HSR_NEW(arena, struct hsr_image_box, job->world->n_faces);
+  network->part = HSR_NEW(arena, struct hsr_edge_part, n);
+  network->drawn = HSR_NEW(arena, bool, n);
+  network->known = HSR_NEW_ZEROED(arena, bool, n_points);
+  network->invisibility = HSR_NEW(arena, int64_t, n_points);
+  network->waiting = HSR_NEW(arena, uint32_t, n_points);
+  if (status || !network->net || !network->contour || !network->box ||
+      !network->face_box || !network->part || !network->drawn ||
+      !network->known || !network->invisibility || !network->waiting)
+    return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < network->sight.n_faces; k++) {
+    uint32_t f = network->sight.faces[k];
+    network->face_box[f] =
+        box_of(&network->sight, job->world->vertex + job->world->start[f],
+               hsr_face_size(job->world, f));
+  }
+  for (uint32_t e = 0; e < n; e++)
+    cull_edge(network, e);
+  return HSR_OK;
+}
+
+/* --- Events ------------------------------------------------------------------
+ */
+
+static struct hsr_sight_event *events_of(const struct hsr_network *network) {
+  return network->events.items;
+}
+
+static enum hsr_status add_event(struct hsr_network *network,
+                                 const struct hsr_sight_event *event) {
+  if (!hsr_arena_grow(network->job->scratch, &network->events, sizeof *event))
+    return HSR_E_NOMEM;
+  events_of(network)[network->events.n - 1] = *event;
+  return HSR_OK;
+}
+
+/* Whether the edge, cut off by the near plane, is ahead where it crosses. */
+static bool crosses_ahead(const struct hsr_network *network, uint32_t e,
+                          const struct hsr_sight_event *event) {
+  const struct hsr_sight *sight = &network->sight;
+  const struct hsr_edge_part *part = &network->part[e];
+  bool a = sight->ahead[network->edges->a[e]];
+  bool b = sight->ahead[network->edges->b[e]];
+  if (a && b)
+    return true;
+  return a ? hsr_sight_compare(sight, e, event, &part->to) < 0
+           : hsr_sight_compare(sight, e, event, &part->from) > 0;
+}
+
+enum hsr_status hsr_network_cross(struct hsr_network *network, uint32_t e,
+                                  uint32_t c, int gained) {
+  const struct hsr_edges *edges = network->edges;
+  const struct hsr_sight *sight = &network->sight;
+  struct hsr_sight_event event = {.at = HSR_AT_EDGE, .subject = c};
+  /* On which side of c does e end? */
+  event.change =
+      gained * hsr_sight_side(sight, edges->a[c], edges->b[c], edges->b[e]);
+  hsr_sight_locate(sight, e, &event);
+  if (!crosses_ahead(network, e, &event))
+    return HSR_OK;
+  HSR_COUNT(network->tally, HSR_CROSSINGS, 1);
+  return add_event(network, &event);
+}
+
+enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e) {
+  const struct hsr_edges *edges = network->edges;
+  for (uint32_t k = edges->touch_start[e]; k < edges->touch_start[e + 1]; k++) {
+    uint32_t f = edges->touch[k].face;
+    struct hsr_sight_event event;
+    if (!network->sight.regular[f] || hsr_is_corner(edges, edges->a[e], f) ||
+        hsr_is_corner(edges, edges->b[e], f))
+      continue;
+    HSR_COUNT(network->tally, HSR_PIERCED, 1);
+    if (hsr_sight_pierces(&network->sight, e, f, &event) &&
+        add_event(network, &event))
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
+
+/* --- The sort along an edge ------------------------------------------------
+ */
+
+static bool is_before(const struct hsr_network *network, uint32_t e,
+                      const struct hsr_sight_event *a,
+                      const struct hsr_sight_event *b) {
+  HSR_COUNT(network->tally, HSR_SORT_ALONG, 1);
+  return hsr_sight_compare(&network->sight, e, a, b) < 0;
+}
+
+/* Few events, as there mostly are. */
+static void sort_by_insertion(const struct hsr_network *network, uint32_t e,
+                              struct hsr_sight_event *event, size_t n) {
+  for (size_t k = 1; k < n; k++) {
+    struct hsr_sight_event entering = event[k];
+    size_t place = k;
+    for (; place > 0 && is_before(network, e, &entering, &event[place - 1]);
+         place--)
+      event[place] = event[place - 1];
+    event[place] = entering;
+  }
+}
+
+static void sift(const struct hsr_network *network, uint32_t e,
+                 struct hsr_sight_event *heap, size_t k, size_t n) {
+  struct hsr_sight_event sinking = heap[k];
+  for (size_t child; (child = 2 * k + 1) < n; k = child) {
+    if (child + 1 < n && is_before(network, e, &heap[child], &heap[child + 1]))
+      child++;
+    if (!is_before(network, e, &sinking, &heap[child]))
+      break;
+    heap[k] = heap[child];
+  }
+  heap[k] = sinking;
+}
+
+static void sort_by_heap(const struct hsr_network *network, uint32_t e,
+                         struct hsr_sight_event *event, size_t n) {
+  for (size_t k = n / 2; k-- > 0;)
+    sift(network, e, event, k, n);
+  for (size_t last = n; last-- > 1;) {
+    struct hsr_sight_event greatest = event[0];
+    event[0] = event[last];
+    event[last] = greatest;
+    sift(network, e, event, 0, last);
+  }
+}
+
+void hsr_network_sort_along(const struct hsr_network *network, uint32_t e) {
+  enum { FEW = 24 };
+  size_t n = network->events.n;
+  if (n <= FEW)
+    sort_by_insertion(network, e, events_of(network), n);
+  else
+    sort_by_heap(network, e, events_of(network), n);
+}
+
+/* --- Drawing an edge -------------------------------------------------------
+ */
+
+enum hsr_status hsr_network_interval(struct hsr_network *network, uint32_t e,
+                                     double t0, double t1,
+                                     uint32_t invisibility) {
+  struct hsr_segment segment = {.edge = network->edges->name[e],
+                                .invisibility = invisibility,
+                                .t0 = t0,
+                                .t1 = fmax(t0, t1)};
+  hsr_edge_point(network->edges, e, segment.t0, segment.from);
+  hsr_edge_point(network->edges, e, segment.t1, segment.to);
+  return hsr_drawing_add(network->job->drawing, &segment);
+}
+
+static enum hsr_status add_interval(struct hsr_network *network, uint32_t e,
+                                    double t0, double t1, int64_t count,
+                                    bool visible_only) {
+  return hsr_network_interval(network, e, t0, t1,
+                              visible_only ? count > 0 : (uint32_t)count);
+}
+
+/* Draws what of the edge is in the picture; `count` is its invisibility before
+ * the first event. */
+static enum hsr_status draw_part(struct hsr_network *network, uint32_t e,
+                                 int64_t count, bool visible_only) {
+  const struct hsr_edge_part *part = &network->part[e];
+  const struct hsr_sight_event *event = events_of(network);
+  size_t n = network->events.n, k = 0;
+  hsr_network_sort_along(network, e);
+  for (; k < n &&
+         hsr_sight_compare(&network->sight, e, &event[k], &part->from) <= 0;
+       k++)
+    count += event[k].change;
+  double t = part->from.t;
+  while (k < n &&
+         hsr_sight_compare(&network->sight, e, &event[k], &part->to) < 0) {
+    /* What falls together happens at once. */
+    size_t first = k;
+    int change = event[k++].change;
+    for (; k < n &&
+           hsr_sight_compare(&network->sight, e, &event[first], &event[k]) == 0;
+         k++)
+      change += event[k].change;
+    if (!change)
+      continue;
+    if (add_interval(network, e, t, event[first].t, count, visible_only))
+      return HSR_E_NOMEM;
+    t = fmax(t, event[first].t);
+    count += change;
+  }
+  return add_interval(network, e, t, part->to.t, count, visible_only);
+}
+
+/* Counts face f apart: with sign -1 takes it away where it is counted, with +1
+ * adds it. */
+static enum hsr_status count_apart(struct hsr_network *network, uint32_t e,
+                                   uint32_t f, int sign, int64_t *count) {
+  bool hidden;
+  size_t first = network->events.n;
+  HSR_COUNT(network->tally, HSR_APART, 1);
+  if (hsr_sight_face(&network->sight, e, f, network->job->scratch,
+                     &network->events, &hidden))
+    return HSR_E_NOMEM;
+  *count += hidden ? sign : 0;
+  for (size_t k = first; k < network->events.n; k++)
+    events_of(network)[k].change *= sign;
+  return HSR_OK;
+}
+
+/* Takes away the faces in whose plane the edge lies, and adds the loose ones.
+ */
+static enum hsr_status count_faces_apart(struct hsr_network *network,
+                                         uint32_t e, int64_t *count) {
+  const struct hsr_edges *edges = network->edges;
+  const struct hsr_sight *sight = &network->sight;
+  for (uint32_t k = edges->touch_start[e]; k < edges->touch_start[e + 1]; k++) {
+    const struct hsr_touch *touch = &edges->touch[k];
+    if (touch->in_plane && sight->regular[touch->face] &&
+        count_apart(network, e, touch->face, -1, count))
+      return HSR_E_NOMEM;
+  }
+  for (uint32_t k = edges->side_start[e];
+       edges->name[e].implied && k < edges->side_start[e + 1]; k++)
+    if (sight->regular[edges->side[k].face] &&
+        count_apart(network, e, edges->side[k].face, -1, count))
+      return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < sight->n_loose; k++) {
+    uint32_t f = sight->loose[k];
+    if (!hsr_is_own(edges, e, f) && !hsr_sight_in_plane(sight, e, f) &&
+        count_apart(network, e, f, 1, count))
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
+
+/* Whether no place of the edge can be visible: there are not enough crossings
+ * to bring the invisibility down to zero. */
+static bool is_hidden_throughout(const struct hsr_network *network,
+                                 int64_t count) {
+  for (size_t k = 0; k < network->events.n; k++)
+    if (events_of(network)[k].change < 0)
+      count += events_of(network)[k].change;
+  return count > 0;
+}
+
+static enum hsr_status draw_edge(struct hsr_network *network, uint32_t e,
+                                 int64_t count, bool visible_only) {
+  if (count_faces_apart(network, e, &count))
+    return HSR_E_NOMEM;
+  if (is_hidden_throughout(network, count)) {
+    HSR_COUNT(network->tally, HSR_SAVED, 1);
+    if (visible_only)
+      return add_interval(network, e, network->part[e].from.t,
+                          network->part[e].to.t, 1, true);
+  }
+  return draw_part(network, e, count, visible_only);
+}
+
+/* --- Promotion -------------------------------------------------------------
+ */
+
+/* How many faces that have a corner at the end p of edge e hide it there. */
+static int64_t correction(const struct hsr_network *network, uint32_t e,
+                          uint32_t p) {
+  const struct hsr_edges *edges = network->edges;
+  int64_t hiding = 0;
+  if (p >= edges->world->n_vertices)
+    return 0;
+  for (uint32_t k = edges->corner_start[p]; k < edges->corner_start[p + 1];
+       k++) {
+    struct hsr_corner corner = edges->corner[k];
+    if (!network->sight.regular[corner.face] ||
+        hsr_is_own(edges, e, corner.face))
+      continue;
+    HSR_COUNT(network->tally, HSR_CORRECT, 1);
+    hiding += hsr_sight_corner_hides(&network->sight, e, p, corner);
+  }
+  return hiding;
+}
+
+bool hsr_network_hides(const struct hsr_network *network, uint32_t f,
+                       uint32_t p) {
+  const struct hsr_sight *sight = &network->sight;
+  const struct hsr_image_box *box = &network->face_box[f];
+  /* Minimax; a point whose image is not known is in every box. */
+  double x = sight->sx[p], y = sight->sy[p];
+  if (x < box->x0 - HSR_DELTA || x > box->x1 + HSR_DELTA ||
+      y < box->y0 - HSR_DELTA || y > box->y1 + HSR_DELTA)
+    return false;
+  return !hsr_is_corner(network->edges, p, f) &&
+         hsr_sight_covers(sight, f, p) && hsr_sight_behind(sight, f, p);
+}
+
+void hsr_network_wait(struct hsr_network *network, uint32_t p, int64_t hiding) {
+  HSR_COUNT(network->tally, HSR_PROMOTED, 1);
+  HSR_COUNT(network->tally, HSR_HIDING, hiding);
+  network->known[p] = true;
+  network->waiting[network->n_waiting++] = p;
+}
+
+/* Follows all edges that end in vertex p, whose turn it is. */
+static enum hsr_status follow_edges(struct hsr_network *network,
+                                    const struct hsr_promotion *promotion,
+                                    uint32_t p) {
+  const struct hsr_edges *edges = network->edges;
+  if (p >= edges->world->n_vertices)
+    return HSR_OK;
+  for (uint32_t k = edges->end_start[p]; k < edges->end_start[p + 1]; k++) {
+    uint32_t e = edges->end[k];
+    if (network->drawn[e])
+      continue;
+    network->drawn[e] = true;
+    network->events.n = 0;
+    if (promotion->follow(promotion->context, network, e, p))
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
+
+/* One cluster: all edges that can be reached from edge e. */
+static enum hsr_status draw_cluster(struct hsr_network *network,
+                                    const struct hsr_promotion *promotion,
+                                    uint32_t e) {
+  const struct hsr_edges *edges = network->edges;
+  uint32_t p = network->sight.ahead[edges->a[e]] ? edges->a[e] : edges->b[e];
+  HSR_COUNT(network->tally, HSR_SEARCHES, 1);
+  HSR_COUNT(network->tally, HSR_INITIAL, network->sight.n_faces);
+  network->known[p] = true;
+  if (promotion->search(promotion->context, network, p))
+    return HSR_E_NOMEM;
+  if (edges->name[e].implied) { /* on its own: no other edge ends there */
+    network->drawn[e] = true;
+    network->events.n = 0;
+    if (promotion->follow(promotion->context, network, e, p))
+      return HSR_E_NOMEM;
+  } else if (follow_edges(network, promotion, p)) {
+    return HSR_E_NOMEM;
+  }
+  while (network->n_waiting) {
+    p = network->waiting[--network->n_waiting];
+    promotion->resume(promotion->context, network, p);
+    if (follow_edges(network, promotion, p))
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
+
+enum hsr_status hsr_network_promote(struct hsr_network *network,
+                                    const struct hsr_promotion *promotion) {
+  for (uint32_t e = 0; e < network->edges->n; e++)
+    if (!network->drawn[e] && draw_cluster(network, promotion, e))
+      return HSR_E_NOMEM;
+  return hsr_drawing_sort(network->job->drawing) ||
+                 network->tally->out_of_memory
+             ? HSR_E_NOMEM
+             : HSR_OK;
+}
+
+/* --- Promotion of a number ---------------------------------------------------
+ */
+
+/* network->invisibility is always at hand. */
+static enum hsr_status search_faces(void *context, struct hsr_network *network,
+                                    uint32_t p) {
+  (void)context;
+  const struct hsr_sight *sight = &network->sight;
+  int64_t hiding = 0;
+  for (uint32_t k = 0; k < sight->n_faces; k++)
+    hiding += hsr_network_hides(network, sight->faces[k], p);
+  network->invisibility[p] = hiding;
+  return HSR_OK;
+}
+
+static void resume(void *context, struct hsr_network *network, uint32_t p) {
+  (void)context;
+  (void)network;
+  (void)p;
+}
+
+static enum hsr_status follow(void *context, struct hsr_network *network,
+                              uint32_t e, uint32_t p) {
+  const struct hsr_intersector *intersector = context;
+  const struct hsr_edges *edges = network->edges;
+  uint32_t other = edges->a[e] == p ? edges->b[e] : edges->a[e];
+  if (intersector->cross(intersector->context, network, e) ||
+      hsr_network_pierce(network, e))
+    return HSR_E_NOMEM;
+  int64_t change = 0;
+  for (size_t k = 0; k < network->events.n; k++)
+    change += events_of(network)[k].change;
+  int64_t here = network->invisibility[p] + correction(network, e, p);
+  int64_t there = p == edges->a[e] ? here + change : here - change;
+  if (hsr_network_wants(network, other)) {
+    network->invisibility[other] = there - correction(network, e, other);
+    hsr_network_wait(network, other, network->invisibility[other]);
+  }
+  return draw_edge(network, e, p == edges->a[e] ? here : there,
+                   intersector->visible_only);
+}
+
+enum hsr_status hsr_network_draw(struct hsr_network *network,
+                                 const struct hsr_intersector *intersector) {
+  struct hsr_intersector own = *intersector;
+  return hsr_network_promote(network,
+                             &(struct hsr_promotion){.search = search_faces,
+                                                     .resume = resume,
+                                                     .follow = follow,
+                                                     .context = &own});
+}
+
+enum hsr_status hsr_network_render(const struct hsr_job *job,
+                                   const struct hsr_intersector *intersector,
+                                   struct hsr_error *err) {
+  struct hsr_network network;
+  enum hsr_status status = hsr_network_init(&network, job);
+  if (!status)
+    status = hsr_network_draw(&network, intersector);
+  hsr_sight_free(&network.sight);
+  return status ? hsr_fail_nomem(err) : HSR_OK;
+}

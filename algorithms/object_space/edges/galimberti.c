@@ -1,0 +1,361 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Galimberti and Montanari's hidden-line algorithm: the set of hiding faces is
+ * carried along the edges.
+ *
+ * Source      R. Galimberti, U. Montanari, "An Algorithm for Hidden Line
+ *             Elimination", Comm. ACM 12(4), 1969; Sutherland et al. 1974,
+ *             "Edge-Intersection Algorithms".
+ * Notation    nature of a point -> the faces that hide it: nature[] of the
+ *             vertex whose turn it is, natures of those that wait, and along
+ *             the edge the faces whose member[].times is over 0
+ * Invariants  the nature of a vertex holds the regular faces that hide it,
+ *             displaced, those that have a corner there left out: it is the
+ *             same for all edges that end there, but for those corners. An
+ *             edge c between faces alpha and beta that is nearer where the
+ *             images cross takes away the one that lies on the side that is
+ *             left, and adds the other. The last natures[] are those of
+ *             network->waiting[], one after another, from from[] on.
+ * Ties        what falls together along an edge happens at once: in between, a
+ *             face may be entered twice, or left before it is entered. So
+ *             membership is counted, and looked at after all of it.
+ * Departures  those of edge_intersection.h, as sets: a face in whose plane the
+ *             edge lies is carried but does not count; loose faces are put to
+ *             each edge, and are not carried. At the end of an edge nothing is
+ *             tested to correct its nature: the faces with a corner there are
+ *             left out.
+ * Cost        that of edge_intersection.h, but that all edges are compared
+ *             with all, contour edges or not, that the sort is never saved,
+ *             and that sets take more to change than numbers. Natures are kept
+ *             only of vertices that wait. */
+#include "algorithms/object_space/edges/edge_intersection.h"
+
+#include <string.h>
+
+enum { OF_CONTOUR = HSR_N_NETWORK_COUNTERS, CHANGED };
+
+/* How a face stands to the current edge. */
+struct member {
+  int times;   /* entered more often than left: 0 or 1, if not in between */
+  bool listed; /* in touched[] */
+  bool apart;  /* one whose plane holds the edge: does not hide it */
+};
+
+struct state {
+  uint32_t *with_faces, n_with_faces; /* edges of regular faces */
+
+  struct member *member;        /* a face */
+  uint32_t *touched, n_touched; /* faces whose member[] is not all zero */
+  uint32_t n_hiding;            /* the size of the nature along the edge */
+
+  uint32_t *nature, n_nature; /* at hand */
+  struct hsr_growing natures; /* of uint32_t: those of the vertices that wait */
+  size_t *from;               /* where that of network->waiting[k] begins */
+};
+
+/* --- The nature along an edge ----------------------------------------------
+ */
+
+static struct member *touch(struct state *s, uint32_t f) {
+  struct member *member = &s->member[f];
+  if (!member->listed) {
+    member->listed = true;
+    s->touched[s->n_touched++] = f;
+  }
+  return member;
+}
+
+/* Face f is entered once more, or left (-1). */
+static void enter(struct state *s, uint32_t f, int times) {
+  struct member *member = touch(s, f);
+  s->n_hiding -= !member->apart && member->times > 0;
+  member->times += times;
+  s->n_hiding += !member->apart && member->times > 0;
+}
+
+static void forget(struct state *s) {
+  for (uint32_t k = 0; k < s->n_touched; k++)
+    s->member[s->touched[k]] = (struct member){.times = 0};
+  s->n_touched = 0;
+  s->n_hiding = 0;
+}
+
+static uint32_t face_of_corner(const struct hsr_world *w, uint32_t corner) {
+  uint32_t f = 0, beyond = w->n_faces;
+  while (beyond - f > 1) {
+    uint32_t middle = f + (beyond - f) / 2;
+    if (w->start[middle] <= corner)
+      f = middle;
+    else
+      beyond = middle;
+  }
+  return f;
+}
+
+/* What happens at an event, or the reverse (times = -1). */
+static void pass(struct state *s, const struct hsr_network *network,
+                 const struct hsr_sight_event *event, int times) {
+  const struct hsr_edges *edges = network->edges;
+  const struct hsr_sight *sight = &network->sight;
+  uint32_t c = event->subject;
+  HSR_COUNT(network->tally, CHANGED, 1);
+  if (event->at == HSR_AT_EDGE) {
+    for (uint32_t k = edges->side_start[c]; k < edges->side_start[c + 1]; k++)
+      if (sight->regular[edges->side[k].face])
+        enter(s, edges->side[k].face,
+              times * event->change * hsr_inside(sight, &edges->side[k]));
+  } else {
+    uint32_t f = event->at == HSR_AT_SIDE ? face_of_corner(sight->world, c) : c;
+    enter(s, f, times * event->change);
+  }
+}
+
+/* --- Natures of vertices -----------------------------------------------------
+ */
+
+static enum hsr_status search(void *context, struct hsr_network *network,
+                              uint32_t p) {
+  struct state *s = context;
+  const struct hsr_sight *sight = &network->sight;
+  s->n_nature = 0;
+  for (uint32_t k = 0; k < sight->n_faces; k++)
+    if (hsr_network_hides(network, sight->faces[k], p))
+      s->nature[s->n_nature++] = sight->faces[k];
+  return HSR_OK;
+}
+
+static void resume(void *context, struct hsr_network *network, uint32_t p) {
+  (void)p;
+  struct state *s = context;
+  const uint32_t *natures = s->natures.items;
+  size_t from = s->from[network->n_waiting];
+  s->n_nature = (uint32_t)(s->natures.n - from);
+  if (s->n_nature)
+    memcpy(s->nature, natures + from, s->n_nature * sizeof *s->nature);
+  s->natures.n = from;
+}
+
+/* Leaves with vertex p the nature of the edge there. */
+static enum hsr_status leave(struct state *s, struct hsr_network *network,
+                             uint32_t p) {
+  if (!hsr_network_wants(network, p))
+    return HSR_OK;
+  size_t from = s->natures.n;
+  for (uint32_t k = 0; k < s->n_touched; k++) {
+    uint32_t f = s->touched[k];
+    if (s->member[f].times <= 0 || !network->sight.regular[f] ||
+        hsr_is_corner(network->edges, p, f))
+      continue;
+    if (!hsr_arena_grow(network->job->scratch, &s->natures, sizeof f))
+      return HSR_E_NOMEM;
+    ((uint32_t *)s->natures.items)[s->natures.n - 1] = f;
+  }
+  s->from[network->n_waiting] = from;
+  hsr_network_wait(network, p, (int64_t)(s->natures.n - from));
+  return HSR_OK;
+}
+
+/* --- Along an edge -----------------------------------------------------------
+ */
+
+/* The crossings with all nearer edges. */
+static enum hsr_status cross(const struct state *s, struct hsr_network *network,
+                             uint32_t e) {
+  const struct hsr_image_box *box = &network->box[e];
+  HSR_COUNT(network->tally, HSR_INTERSECT, s->n_with_faces);
+  HSR_COUNT(network->tally, OF_CONTOUR, network->n_contour);
+  for (uint32_t k = 0; k < s->n_with_faces; k++) {
+    uint32_t c = s->with_faces[k];
+    if (hsr_boxes_overlap(box, &network->box[c]) &&
+        !hsr_edges_meet(network->edges, e, c) &&
+        hsr_images_cross(&network->sight, e, c) &&
+        hsr_sight_nearer(&network->sight, e, c) &&
+        hsr_network_cross(network, e, c, 1))
+      return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
+
+/* The faces in whose planes the edge lies do not hide it. */
+static void set_apart(struct state *s, const struct hsr_network *network,
+                      uint32_t e) {
+  const struct hsr_edges *edges = network->edges;
+  for (uint32_t k = edges->side_start[e]; k < edges->side_start[e + 1]; k++)
+    touch(s, edges->side[k].face)->apart = true;
+  for (uint32_t k = edges->touch_start[e]; k < edges->touch_start[e + 1]; k++)
+    if (edges->touch[k].in_plane) {
+      HSR_COUNT(network->tally, HSR_APART, 1);
+      touch(s, edges->touch[k].face)->apart = true;
+    }
+}
+
+/* The nature where the edge begins, or ends, at vertex p: that of p, and those
+ * faces with a corner there that hide the edge. */
+static void begin(struct state *s, const struct hsr_network *network,
+                  uint32_t e, uint32_t p) {
+  const struct hsr_edges *edges = network->edges;
+  for (uint32_t k = 0; k < s->n_nature; k++)
+    enter(s, s->nature[k], 1);
+  if (p >= edges->world->n_vertices)
+    return;
+  for (uint32_t k = edges->corner_start[p]; k < edges->corner_start[p + 1];
+       k++) {
+    struct hsr_corner corner = edges->corner[k];
+    if (!network->sight.regular[corner.face] ||
+        hsr_is_own(edges, e, corner.face))
+      continue;
+    HSR_COUNT(network->tally, HSR_CORRECT, 1);
+    if (hsr_sight_corner_hides(&network->sight, e, p, corner))
+      enter(s, corner.face, 1);
+  }
+}
+
+/* Loose faces, which are not carried. */
+static enum hsr_status
+add_loose_faces(struct state *s, struct hsr_network *network, uint32_t e) {
+  const struct hsr_sight *sight = &network->sight;
+  for (uint32_t k = 0; k < sight->n_loose; k++) {
+    uint32_t f = sight->loose[k];
+    bool hidden;
+    if (s->member[f].apart || hsr_sight_in_plane(sight, e, f))
+      continue;
+    HSR_COUNT(network->tally, HSR_APART, 1);
+    if (hsr_sight_face(sight, e, f, network->job->scratch, &network->events,
+                       &hidden))
+      return HSR_E_NOMEM;
+    if (hidden)
+      enter(s, f, 1);
+  }
+  return HSR_OK;
+}
+
+/* Moves along the sorted events, and draws what is in the picture. */
+static enum hsr_status move_along(struct state *s, struct hsr_network *network,
+                                  uint32_t e) {
+  const struct hsr_sight *sight = &network->sight;
+  const struct hsr_edge_part *part = &network->part[e];
+  const struct hsr_sight_event *event = network->events.items;
+  size_t n = network->events.n, k = 0;
+  for (; k < n && hsr_sight_compare(sight, e, &event[k], &part->from) <= 0; k++)
+    pass(s, network, &event[k], 1);
+  double t = part->from.t;
+  while (k < n && hsr_sight_compare(sight, e, &event[k], &part->to) < 0) {
+    size_t first = k;
+    uint32_t n_hiding = s->n_hiding;
+    do
+      pass(s, network, &event[k++], 1);
+    while (k < n && hsr_sight_compare(sight, e, &event[first], &event[k]) == 0);
+    if (s->n_hiding == n_hiding)
+      continue; /* hidden by others, but by as many */
+    if (hsr_network_interval(network, e, t, event[first].t, n_hiding))
+      return HSR_E_NOMEM;
+    t = event[first].t > t ? event[first].t : t;
+  }
+  if (hsr_network_interval(network, e, t, part->to.t, s->n_hiding))
+    return HSR_E_NOMEM;
+  for (; k < n; k++)
+    pass(s, network, &event[k], 1);
+  return HSR_OK;
+}
+
+static enum hsr_status follow(void *context, struct hsr_network *network,
+                              uint32_t e, uint32_t p) {
+  struct state *s = context;
+  uint32_t a = network->edges->a[e], b = network->edges->b[e];
+  if (cross(s, network, e) || hsr_network_pierce(network, e))
+    return HSR_E_NOMEM;
+  set_apart(s, network, e);
+  begin(s, network, e, p);
+  if (p == b) { /* backwards to a, from where the edge is drawn */
+    const struct hsr_sight_event *event = network->events.items;
+    for (size_t k = 0; k < network->events.n; k++)
+      pass(s, network, &event[k], -1);
+    if (leave(s, network, a))
+      return HSR_E_NOMEM;
+  }
+  if (add_loose_faces(s, network, e))
+    return HSR_E_NOMEM;
+  hsr_network_sort_along(network, e);
+  if (move_along(s, network, e) || (p == a && leave(s, network, b)))
+    return HSR_E_NOMEM;
+  forget(s);
+  return HSR_OK;
+}
+
+/* --- The frame ---------------------------------------------------------------
+ */
+
+/* All edges where something can be entered or left. */
+static void collect_edges(struct state *s, const struct hsr_network *network) {
+  const struct hsr_edges *edges = network->edges;
+  for (uint32_t e = 0; e < edges->n; e++) {
+    bool any = false;
+    for (uint32_t k = edges->side_start[e]; k < edges->side_start[e + 1]; k++)
+      any |= network->sight.regular[edges->side[k].face] &&
+             hsr_inside(&network->sight, &edges->side[k]) != 0;
+    if (any)
+      s->with_faces[s->n_with_faces++] = e;
+  }
+}
+
+static enum hsr_status draw(const struct hsr_job *job,
+                            struct hsr_network *network) {
+  struct hsr_arena *arena = job->scratch;
+  uint32_t n_faces = network->edges->world->n_faces;
+  struct state s = {.with_faces = HSR_NEW(arena, uint32_t, network->edges->n),
+                    .member = HSR_NEW_ZEROED(arena, struct member, n_faces),
+                    .touched = HSR_NEW(arena, uint32_t, n_faces),
+                    .nature = HSR_NEW(arena, uint32_t, n_faces),
+                    .from = HSR_NEW(arena, size_t, network->edges->n_points)};
+  if (!s.with_faces || !s.member || !s.touched || !s.nature || !s.from)
+    return HSR_E_NOMEM;
+  collect_edges(&s, network);
+  return hsr_network_promote(network, &(struct hsr_promotion){.search = search,
+                                                              .resume = resume,
+                                                              .follow = follow,
+                                                              .context = &s});
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct hsr_network network;
+  enum hsr_status status = hsr_network_init(&network, job);
+  if (!status)
+    status = draw(job, &network);
+  hsr_sight_free(&network.sight);
+  return status ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+static const struct hsr_counter counters[] = {
+    HSR_NETWORK_COUNTERS,
+    {"contour pairs", "pairs there would be with contour edges only"},
+    {"nature changes", "events at which faces are entered and left"},
+    {0}};
+static const struct hsr_step steps[] = {HSR_NETWORK_STEPS, {0}};
+static const struct hsr_sort sorts[] = {
+    {"edges", "back-facing", "cull", "once a frame"},
+    {"faces", "before a vertex", "exhaustive search", "once a cluster"},
+    {"edges", "crossing in the picture plane, nearer", "exhaustive search",
+     "once an edge"},
+    {"faces", "before an edge's end", "cull", "once an edge"},
+    {"crossings", "along the edge", "sort", "once an edge"},
+    {0}};
+
+const struct hsr_algorithm HSR_ALGORITHM(galimberti) = {
+    .name = "galimberti",
+    .title = "Galimberti and Montanari's natures",
+    .authors = "R. Galimberti, U. Montanari",
+    .year = 1969,
+    .source = "Communications of the ACM 12(4), 1969, 206-211; Sutherland et "
+              "al., Computing Surveys 6(1), 1974, \"Edge-Intersection "
+              "Algorithms\"",
+    .taxonomy = HSR_OBJECT_SPACE_EDGES,
+    .coherence = "edge: natures are promoted along edges that share a vertex",
+    .restrictions = HSR_TP,
+    .kind = HSR_SEGMENTS,
+    .sorts = sorts,
+    .counters = counters,
+    .steps = steps,
+    .prepare = hsr_network_prepare,
+    .render = render,
+    .expense = hsr_network_expense,
+    .release = hsr_network_release};

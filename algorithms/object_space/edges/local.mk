@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+algorithm_files += \
+  %D%/appel.c \
+  %D%/edge_intersection.c \
+  %D%/edge_intersection.h \
+  %D%/galimberti.c \
+  %D%/loutrel.c \
+  %D%/warnock_edges.c

@@ -1,0 +1,460 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Warnock's sorted edges: Appel's algorithm, its crossings found by sorting.
+ *
+ * Source      Sutherland et al. 1974, "Other Combinations of Sorting", which
+ *             reports it of J. E. Warnock in one paragraph; the promotion is
+ *             that of edge_intersection.h.
+ * Notation    active edge list -> list[], sorted by the left ends of what the
+ *             edges may cover of the current Y; interchange -> two neighbours
+ *             that a bubble sort exchanges
+ * Cover       an image known in doubles is within HSR_DELTA of the true one;
+ *             displaced or not, at any Y from HSR_DELTA above its true upper
+ *             end to as much below its lower one, it is in
+ *                 [left, right] = x0 + slope (Y - y0) -+ half,
+ *             half = 2 HSR_DELTA (1 + |slope|). An image that is nearly level
+ *             may be anywhere between its ends. Both are linear in Y, and an
+ *             edge is active from 2 HSR_DELTA above its upper end to as much
+ *             below its lower one.
+ * Invariants  images that meet, do so at a Y between two neighbouring entries
+ *             (or exits), both active at both of them. If they cover a place
+ *             in common at neither, they have changed sides, as covers are
+ *             linear: the bubble sort exchanges them. So every pair of edges
+ *             whose images cross or only touch is noted: at an exchange, or
+ *             where covers are first found in common.
+ * Rounding    coordinates are less than 2^15, widths less than 2^17: a cover
+ *             is computed within 2^-33, the Y of entries within 2^-37, which
+ *             moves a cover by 2^-29 where the slope is less than 2^8. Half of
+ *             2 HSR_DELTA = 2^-25 is kept for these.
+ * Ties        a pair noted is put to the exact test, with one edge displaced,
+ *             and the other way round
+ * Departures  the list is sorted again where edges leave it, too: one that
+ *             begins and ends between two entries may cross others. What is
+ *             not certainly in order is noted as interchanges are. Edges with
+ *             an end behind the eye, before near, or known by exact numbers
+ *             only (implied ones) are compared with all, as Appel's are.
+ * Cost        the survey gives no formula. The list holds about as many edges
+ *             as a scan line meets, which is as (E_s D_c)^1/2, and is gone
+ *             through once an entry and once an exit: E_s^1.5 comparisons of
+ *             two numbers each. The pairs left to the exact test are as the
+ *             crossings of the picture, X_r. Of Appel's steps the initial
+ *             visibility, C_t F_r, is then the one that grows fastest. */
+#include "algorithms/object_space/edges/edge_intersection.h"
+
+enum {
+  BUCKET_SORT = HSR_N_NETWORK_COUNTERS,
+  X_MERGE,
+  BUBBLE_SORT,
+  INTERCHANGES,
+  UNCERTAIN,
+  NOTED,
+  CONFIRMED,
+  UNPLACED
+};
+
+/* An edge in the active edge list. */
+struct active {
+  uint32_t e;
+  double x0, y0, slope, half;
+  double left, right;         /* its cover at the current Y */
+  double was_left, was_right; /* at the Y before; nothing if it was not there */
+  double end_y;
+};
+
+struct note {
+  uint32_t e, c; /* contour edge c may change what hides e */
+};
+
+struct sweep {
+  struct hsr_network *network;
+
+  /* The edges whose images are known: as they enter, and as they leave. */
+  uint32_t *entering, *leaving, n;
+  double *top, *bottom; /* an edge */
+
+  struct active *list;
+  uint32_t n_active;
+  double *enters_at; /* an edge: left when it enters */
+
+  struct hsr_growing noted; /* of struct note */
+  size_t *start;            /* an edge: where its own begin in */
+  uint32_t *c;              /* the contour edges noted */
+  uint32_t *tried;          /* an edge: the last e that it was tried with */
+
+  uint32_t *unplaced, n_unplaced; /* contour edges whose images are not known */
+};
+
+static bool is_placed(const struct hsr_network *network, uint32_t e) {
+  return network->box[e].x0 > -INFINITY;
+}
+
+/* --- The bucket sort by northmost Y ----------------------------------------
+ */
+
+/* Sifts item k of a heap of n, the greatest key on top; keys are the items'. */
+static void sift(const double *key, uint32_t *item, uint32_t k, uint32_t n) {
+  uint32_t sinking = item[k];
+  for (uint32_t child; (child = 2 * k + 1) < n; k = child) {
+    if (child + 1 < n && key[item[child]] < key[item[child + 1]])
+      child++;
+    if (key[sinking] >= key[item[child]])
+      break;
+    item[k] = item[child];
+  }
+  item[k] = sinking;
+}
+
+static void sort_bucket(const double *key, uint32_t *item, uint32_t n) {
+  for (uint32_t k = n / 2; k-- > 0;)
+    sift(key, item, k, n);
+  for (uint32_t last = n; last-- > 1;) {
+    uint32_t greatest = item[0];
+    item[0] = item[last];
+    item[last] = greatest;
+    sift(key, item, 0, last);
+  }
+}
+
+/* The bucket of y: a row each, and one for all above, one for all below. */
+static uint32_t bucket_of(const struct hsr_view *view, double y) {
+  return y < 0 ? 0 : y >= view->n ? (uint32_t)view->n + 1 : (uint32_t)y + 1;
+}
+
+/* Sorts the n items by key, which is an edge's. HSR_E_NOMEM. */
+static enum hsr_status sort_by_y(const struct sweep *s, const double *key,
+                                 uint32_t *item) {
+  const struct hsr_job *job = s->network->job;
+  uint32_t n_buckets = (uint32_t)job->view->n + 2;
+  uint32_t *end = HSR_NEW_ZEROED(job->scratch, uint32_t, n_buckets + 1);
+  uint32_t *sorted = HSR_NEW(job->scratch, uint32_t, s->n);
+  if (!end || !sorted)
+    return HSR_E_NOMEM;
+  HSR_COUNT(job->tally, BUCKET_SORT, s->n);
+  for (uint32_t k = 0; k < s->n; k++)
+    end[bucket_of(job->view, key[item[k]]) + 1]++;
+  for (uint32_t b = 0; b < n_buckets; b++)
+    end[b + 1] += end[b];
+  for (uint32_t k = 0; k < s->n; k++)
+    sorted[end[bucket_of(job->view, key[item[k]])]++] = item[k];
+  for (uint32_t b = 0, begin = 0; b < n_buckets; begin = end[b++])
+    sort_bucket(key, sorted + begin, end[b] - begin);
+  for (uint32_t k = 0; k < s->n; k++)
+    item[k] = sorted[k];
+  return HSR_OK;
+}
+
+/* --- Covers ------------------------------------------------------------------
+ */
+
+static struct active activate(const struct sweep *s, uint32_t e) {
+  const struct hsr_sight *sight = &s->network->sight;
+  uint32_t a = sight->edges->a[e], b = sight->edges->b[e];
+  double x0 = sight->sx[a], y0 = sight->sy[a];
+  double dx = sight->sx[b] - x0, dy = sight->sy[b] - y0;
+  struct active edge = {.e = e, .x0 = x0, .y0 = y0, .end_y = s->bottom[e]};
+  if (fabs(dx) < 256 * fabs(dy)) {
+    edge.slope = dx / dy;
+    edge.half = 2 * HSR_DELTA * (1 + fabs(edge.slope));
+  } else { /* nearly level, or a point */
+    edge.x0 += dx / 2;
+    edge.half = fabs(dx) / 2 + 2 * HSR_DELTA;
+  }
+  return edge;
+}
+
+static void cover(struct active *edge, double y) {
+  double x = edge->x0 + edge->slope * (y - edge->y0);
+  edge->left = x - edge->half;
+  edge->right = x + edge->half;
+}
+
+static bool have_met(const struct active *a, const struct active *b) {
+  return a->was_left <= b->was_right && b->was_left <= a->was_right;
+}
+
+/* --- Notes -------------------------------------------------------------------
+ */
+
+static bool note_one(struct sweep *s, uint32_t e, uint32_t c) {
+  const struct hsr_network *network = s->network;
+  if (!network->part[e].relevant || !network->net[c])
+    return true;
+  if (!hsr_arena_grow(network->job->scratch, &s->noted, sizeof(struct note)))
+    return false;
+  HSR_COUNT(network->tally, NOTED, 1);
+  ((struct note *)s->noted.items)[s->noted.n - 1] = (struct note){e, c};
+  return true;
+}
+
+/* The images of two edges may cross: either may hide the other. */
+static bool note(struct sweep *s, uint32_t e, uint32_t c) {
+  return hsr_edges_meet(s->network->edges, e, c) ||
+         (note_one(s, e, c) && note_one(s, c, e));
+}
+
+/* --- The active edge list ----------------------------------------------------
+ */
+
+/* Exchanges entry k with its neighbours to the left until it is in order. False
+ * if memory ran out. */
+static bool exchange(struct sweep *s, uint32_t k) {
+  struct active edge = s->list[k];
+  for (; k && s->list[k - 1].left > edge.left; k--) {
+    const struct active *left = &s->list[k - 1];
+    HSR_COUNT(s->network->tally, BUBBLE_SORT, 1);
+    HSR_COUNT(s->network->tally, INTERCHANGES, 1);
+    /* What they cover in common, now or then, is found elsewhere. */
+    if (left->left > edge.right && !have_met(left, &edge) &&
+        !note(s, left->e, edge.e))
+      return false;
+    s->list[k] = *left;
+  }
+  s->list[k] = edge;
+  return true;
+}
+
+/* Moves the list to another Y, and sorts it again. False if memory ran out. */
+static bool bubble_sort(struct sweep *s, double y) {
+  for (uint32_t k = 0; k < s->n_active; k++) {
+    struct active *edge = &s->list[k];
+    edge->was_left = edge->left;
+    edge->was_right = edge->right;
+    cover(edge, y);
+    HSR_COUNT(s->network->tally, BUBBLE_SORT, 1);
+    if (k && edge[-1].left > edge->left && !exchange(s, k))
+      return false;
+  }
+  return true;
+}
+
+/* Merges the n edges that enter at y. */
+static void merge(struct sweep *s, uint32_t *edge, uint32_t n, double y) {
+  for (uint32_t k = 0; k < n; k++) {
+    struct active entry = activate(s, edge[k]);
+    cover(&entry, y);
+    s->enters_at[edge[k]] = entry.left;
+  }
+  sort_bucket(s->enters_at, edge, n);
+  uint32_t from = s->n_active, to = s->n_active += n;
+  while (n) {
+    HSR_COUNT(s->network->tally, X_MERGE, 1);
+    if (from && s->list[from - 1].left > s->enters_at[edge[n - 1]]) {
+      s->list[--to] = s->list[--from];
+    } else {
+      struct active *entry = &s->list[--to];
+      *entry = activate(s, edge[--n]);
+      cover(entry, y);
+      entry->was_left = INFINITY;
+      entry->was_right = -INFINITY;
+    }
+  }
+}
+
+/* Notes what has come to cover places in common. False if memory ran out. */
+static bool compare_covers(struct sweep *s) {
+  for (uint32_t k = 0; k < s->n_active; k++) {
+    const struct active *edge = &s->list[k];
+    for (uint32_t l = k + 1; l < s->n_active && s->list[l].left <= edge->right;
+         l++) {
+      HSR_COUNT(s->network->tally, UNCERTAIN, 1);
+      if (!have_met(edge, &s->list[l]) && !note(s, edge->e, s->list[l].e))
+        return false;
+    }
+  }
+  return true;
+}
+
+/* Edges that end at y leave the list. */
+static void retire(struct sweep *s, double y) {
+  uint32_t n = 0;
+  for (uint32_t k = 0; k < s->n_active; k++)
+    if (s->list[k].end_y > y)
+      s->list[n++] = s->list[k];
+  s->n_active = n;
+}
+
+/* Down the screen, from one Y where edges enter or leave to the next. False if
+ * memory ran out. */
+static bool sweep_down(struct sweep *s) {
+  uint32_t in = 0, out = 0;
+  while (out < s->n) {
+    double y = s->bottom[s->leaving[out]];
+    if (in < s->n && s->top[s->entering[in]] < y)
+      y = s->top[s->entering[in]];
+    uint32_t first = in;
+    while (in < s->n && s->top[s->entering[in]] == y)
+      in++;
+    if (!bubble_sort(s, y))
+      return false;
+    merge(s, s->entering + first, in - first, y);
+    if (!compare_covers(s))
+      return false;
+    if (s->bottom[s->leaving[out]] == y)
+      retire(s, y);
+    while (out < s->n && s->bottom[s->leaving[out]] == y)
+      out++;
+  }
+  return true;
+}
+
+/* --- Noted crossings ---------------------------------------------------------
+ */
+
+/* Collects the notes of every edge. HSR_E_NOMEM. */
+static enum hsr_status collect_notes(struct sweep *s) {
+  struct hsr_arena *arena = s->network->job->scratch;
+  const struct note *noted = s->noted.items;
+  uint32_t n = s->network->edges->n;
+  s->start = HSR_NEW_ZEROED(arena, size_t, (size_t)n + 2);
+  s->c = HSR_NEW(arena, uint32_t, s->noted.n);
+  if (!s->start || !s->c)
+    return HSR_E_NOMEM;
+  size_t *end = s->start + 1; /* moves on to the beginning of the next edge */
+  for (size_t k = 0; k < s->noted.n; k++)
+    end[noted[k].e + 1]++;
+  for (uint32_t e = 0; e < n; e++)
+    end[e + 1] += end[e];
+  for (size_t k = 0; k < s->noted.n; k++)
+    s->c[end[noted[k].e]++] = noted[k].c;
+  return HSR_OK;
+}
+
+/* The exact test of e, displaced, against contour edge c. HSR_E_NOMEM. */
+static enum hsr_status try_pair(struct sweep *s, uint32_t e, uint32_t c) {
+  struct hsr_network *network = s->network;
+  if (s->tried[c] == e) /* noted twice */
+    return HSR_OK;
+  s->tried[c] = e;
+  HSR_COUNT(network->tally, HSR_INTERSECT, 1);
+  if (hsr_edges_meet(network->edges, e, c) ||
+      !hsr_images_cross(&network->sight, e, c))
+    return HSR_OK;
+  HSR_COUNT(network->tally, CONFIRMED, 1);
+  if (!hsr_sight_nearer(&network->sight, e, c))
+    return HSR_OK;
+  return hsr_network_cross(network, e, c, network->net[c]);
+}
+
+static enum hsr_status cross(void *context, struct hsr_network *network,
+                             uint32_t e) {
+  struct sweep *s = context;
+  bool placed = is_placed(network, e);
+  const uint32_t *others = placed ? s->unplaced : network->contour;
+  uint32_t n_others = placed ? s->n_unplaced : network->n_contour;
+  HSR_COUNT(network->tally, UNPLACED, n_others);
+  for (size_t k = s->start[e]; k < s->start[e + 1]; k++)
+    if (try_pair(s, e, s->c[k]))
+      return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < n_others; k++)
+    if (try_pair(s, e, others[k]))
+      return HSR_E_NOMEM;
+  return HSR_OK;
+}
+
+/* --- The frame ---------------------------------------------------------------
+ */
+
+static enum hsr_status allocate(struct sweep *s) {
+  struct hsr_arena *arena = s->network->job->scratch;
+  uint32_t n = s->network->edges->n;
+  s->entering = HSR_NEW(arena, uint32_t, n);
+  s->leaving = HSR_NEW(arena, uint32_t, n);
+  s->top = HSR_NEW(arena, double, n);
+  s->bottom = HSR_NEW(arena, double, n);
+  s->list = HSR_NEW(arena, struct active, n);
+  s->enters_at = HSR_NEW(arena, double, n);
+  s->tried = HSR_NEW(arena, uint32_t, n);
+  s->unplaced = HSR_NEW(arena, uint32_t, s->network->n_contour);
+  return s->entering && s->leaving && s->top && s->bottom && s->list &&
+                 s->enters_at && s->tried && s->unplaced
+             ? HSR_OK
+             : HSR_E_NOMEM;
+}
+
+/* The relevant and contour edges: those to sort, and those that cannot be. */
+static void choose_edges(struct sweep *s) {
+  const struct hsr_network *network = s->network;
+  for (uint32_t e = 0; e < network->edges->n; e++) {
+    s->tried[e] = HSR_NOTHING;
+    if (!network->part[e].relevant && !network->net[e])
+      continue;
+    if (is_placed(network, e)) { /* a box is HSR_DELTA wider than the image */
+      s->top[e] = network->box[e].y0 - HSR_DELTA;
+      s->bottom[e] = network->box[e].y1 + HSR_DELTA;
+      s->entering[s->n] = s->leaving[s->n] = e;
+      s->n++;
+    } else if (network->net[e]) {
+      s->unplaced[s->n_unplaced++] = e;
+    }
+  }
+}
+
+static enum hsr_status draw(struct hsr_network *network) {
+  struct sweep s = {.network = network};
+  if (allocate(&s))
+    return HSR_E_NOMEM;
+  choose_edges(&s);
+  if (sort_by_y(&s, s.top, s.entering) || sort_by_y(&s, s.bottom, s.leaving) ||
+      !sweep_down(&s) || collect_notes(&s))
+    return HSR_E_NOMEM;
+  return hsr_network_draw(
+      network, &(struct hsr_intersector){.cross = cross, .context = &s});
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct hsr_network network;
+  enum hsr_status status = hsr_network_init(&network, job);
+  if (!status)
+    status = draw(&network);
+  hsr_sight_free(&network.sight);
+  return status ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+static const struct hsr_counter counters[] = {
+    HSR_NETWORK_COUNTERS,
+    {"bucket sort", "edges put into buckets, to enter and to leave"},
+    {"X merge", "comparisons to merge entering edges into the list"},
+    {"bubble sort", "comparisons of neighbours to sort the list again"},
+    {"interchanges", "exchanges of neighbours in the list"},
+    {"uncertain order", "comparisons of edges that cover places in common"},
+    {"crossings noted", "pairs put to the exact test: relevant, contour"},
+    {"crossings confirmed", "pairs whose images cross"},
+    {"unplaced pairs", "pairs tested since the image of one is not known"},
+    {0}};
+static const struct hsr_step steps[] = {
+    HSR_NETWORK_STEPS,
+    {"bucket sort", BUCKET_SORT, 1, NULL, NULL},
+    {"X merge", X_MERGE, 1, NULL, NULL},
+    {"bubble sort", BUBBLE_SORT, 1, NULL, NULL},
+    {"uncertain order", UNCERTAIN, 1, NULL, NULL},
+    {0}};
+static const struct hsr_sort sorts[] = {
+    {"edges", "back-facing, contour", "cull", "once a frame"},
+    {"edges", "northmost Y", "bucket sort", "once a frame"},
+    {"entering edges", "X", "merge", "once an entry"},
+    {"active edges", "X", "bubble sort", "once an entry or exit"},
+    {"faces", "before a vertex", "exhaustive search", "once a cluster"},
+    {"contour edges", "crossing in the picture plane, nearer",
+     "exhaustive search among those noted", "once an edge"},
+    {"faces", "before an edge's end", "cull", "twice an edge"},
+    {"crossings", "along the edge", "sort", "once an edge"},
+    {0}};
+
+const struct hsr_algorithm HSR_ALGORITHM(warnock_edges) = {
+    .name = "warnock-edges",
+    .title = "Warnock's sorted edges, for Appel's crossings",
+    .authors = "J. E. Warnock",
+    .year = 1974,
+    .source = "reported in Sutherland et al., Computing Surveys 6(1), 1974, "
+              "at what lateral sorting would do for Appel's algorithm",
+    .taxonomy = HSR_OBJECT_SPACE_EDGES,
+    .coherence = "edge: visibility is promoted along edges that share a "
+                 "vertex, and the order in X is kept from Y to Y",
+    .restrictions = HSR_TP,
+    .kind = HSR_SEGMENTS,
+    .sorts = sorts,
+    .counters = counters,
+    .steps = steps,
+    .prepare = hsr_network_prepare,
+    .render = render,
+    .release = hsr_network_release};

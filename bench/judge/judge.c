@@ -1,0 +1,459 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How hsr check judges: first the oracle draws, then each algorithm of like
+ * output, in a process of its own, so that one that crashes or takes too long
+ * harms nothing. Both builds of an algorithm are judged, the counting one too.
+ *
+ * Samples, where not all are compared, are drawn by the selection sampling
+ * technique of Knuth, The Art of Computer Programming, volume 2, 3.4.2,
+ * algorithm S. */
+#include "bench/judge/judge.h"
+#include "bench/judge/judge_filtered.h"
+#include "bench/run/terminate.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+const char *verdict_name(enum verdict verdict) {
+  static const char *const name[] = {
+      [PENDING] = "crash",   [RIGHT] = "ok",        [WRONG] = "wrong",
+      [REFUSED] = "refused", [TIMEOUT] = "timeout", [CRASH] = "crash"};
+  return name[verdict];
+}
+
+void *shared_memory(size_t size) {
+  void *memory = mmap(NULL, size, PROT_READ | PROT_WRITE,
+                      MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return memory == MAP_FAILED ? NULL : memory;
+}
+
+struct output output_of(const struct hsr_algorithm *a,
+                        const struct hsr_choice *choice) {
+  return (struct output){hsr_choice_kind(a, choice), choice->filtering};
+}
+
+bool is_same_output(struct output a, struct output b) {
+  return a.kind == b.kind && a.filtering.filter == b.filtering.filter &&
+         a.filtering.patterns == b.filtering.patterns;
+}
+
+const struct hsr_algorithm *oracle_of(enum hsr_kind kind) {
+  if (kind == HSR_FILTERED)
+    kind = HSR_IDS;
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+    if (a->plain->kind == kind && a->plain->flags & HSR_JUDGE)
+      return a->plain;
+  return NULL;
+}
+
+/* --- What is right ---------------------------------------------------------
+ */
+
+/* What the oracle makes of a view. */
+struct wanted {
+  struct answer answer;
+  uint32_t *sample; /* those that it was asked for, number j * m + i, ascending;
+                       NULL: all */
+  size_t n;         /* how many */
+};
+
+/* So many pixels as have about so many sub-samples. */
+long samples_to_compare(const struct hsr_world *world, enum hsr_kind kind,
+                        long wanted) {
+  if (wanted)
+    return wanted;
+  if (!hsr_is_outline(world) || world->n_faces <= HSR_MOST_LAID_OUT)
+    return 0;
+  return kind == HSR_FILTERED ? SAMPLES_OF_MANY_FACES / (HSR_SUB * HSR_SUB)
+                              : SAMPLES_OF_MANY_FACES;
+}
+
+/* The same ones for all algorithms: chosen by the view's number and size. */
+static enum hsr_status choose_samples(const struct group *g, int k,
+                                      struct wanted *wanted,
+                                      struct hsr_error *err) {
+  const struct hsr_view *view = &g->view[k];
+  size_t all = (size_t)view->m * (size_t)view->n, n = (size_t)g->samples;
+  wanted->n = all;
+  if (!n || n >= all || g->output.kind == HSR_SEGMENTS)
+    return HSR_OK;
+  wanted->sample = malloc(n * sizeof *wanted->sample);
+  if (!wanted->sample)
+    return hsr_fail_nomem(err);
+  unsigned short random[3] = {(unsigned short)(g->number[k] + 1),
+                              (unsigned short)view->m, (unsigned short)view->n};
+  wanted->n = 0;
+  for (size_t s = 0; wanted->n < n; s++)
+    if (erand48(random) * (double)(all - s) < (double)(n - wanted->n))
+      wanted->sample[wanted->n++] = (uint32_t)s;
+  return HSR_OK;
+}
+
+/* One sample at a time, each a window of its own. */
+static enum hsr_status ask_samples(const struct hsr_setup *oracle,
+                                   const struct hsr_view *all,
+                                   struct wanted *wanted,
+                                   struct hsr_tally *tally,
+                                   struct hsr_error *err) {
+  struct crew *crew = crew_new(1);
+  enum hsr_status status = crew ? HSR_OK : hsr_fail_nomem(err);
+  struct hsr_view view = *all;
+  for (size_t k = 0; k < wanted->n && !status; k++) {
+    int i = (int)(wanted->sample[k] % (uint32_t)all->m);
+    int j = (int)(wanted->sample[k] / (uint32_t)all->m);
+    view.window = (struct hsr_window){i, j, i + 1, j + 1};
+    status = crew_render(crew, oracle, &view, &wanted->answer, tally, err);
+  }
+  crew_free(crew);
+  return status;
+}
+
+/* An answer that shows what was not written. */
+static enum hsr_status clean_answer(struct answer *answer,
+                                    const struct hsr_setup *setup,
+                                    const struct hsr_view *view,
+                                    struct hsr_error *err) {
+  enum hsr_status status =
+      answer_init(answer, setup->algorithm, &setup->choice, view, err);
+  if (!status && answer->ids)
+    memset(answer->ids, 0xfe,
+           (size_t)view->m * (size_t)view->n * sizeof *answer->ids);
+  return status;
+}
+
+/* The pixels, and what the sub-samples that reach them add up to. */
+static enum hsr_status ask_pixels(const struct hsr_setup *oracle,
+                                  const struct hsr_filtering *filtering,
+                                  const struct hsr_view *view,
+                                  struct wanted *wanted,
+                                  struct hsr_error *err) {
+  size_t n = (size_t)view->m * (size_t)view->n;
+  bool *chosen = wanted->sample ? calloc(n, sizeof *chosen) : NULL;
+  wanted->answer.sums = malloc(3 * n * sizeof *wanted->answer.sums);
+  enum hsr_status status = wanted->answer.sums && (chosen || !wanted->sample)
+                               ? HSR_OK
+                               : hsr_fail_nomem(err);
+  for (size_t k = 0; k < wanted->n && chosen; k++)
+    chosen[wanted->sample[k]] = true;
+  if (!status)
+    status =
+        judge_sums(oracle, filtering, view, chosen, wanted->answer.sums, err);
+  free(chosen);
+  return status;
+}
+
+static enum hsr_status ask_view(const struct group *g,
+                                const struct hsr_setup *oracle, int k,
+                                struct wanted *wanted, struct hsr_error *err) {
+  struct hsr_tally tally = {.out_of_memory = false};
+  const struct hsr_view *view = &g->view[k];
+  enum hsr_status status = choose_samples(g, k, wanted, err);
+  if (!status && g->output.kind == HSR_FILTERED)
+    return ask_pixels(oracle, &g->output.filtering, view, wanted, err);
+  if (!status)
+    status = clean_answer(&wanted->answer, oracle, view, err);
+  if (status)
+    return status;
+  return wanted->sample
+             ? ask_samples(oracle, view, wanted, &tally, err)
+             : render_view(oracle, view, 1, &wanted->answer, &tally, NULL, err);
+}
+
+/* All views of the group. To be freed also after a failure. */
+static enum hsr_status ask_oracle(const struct group *g,
+                                  const struct hsr_algorithm *oracle,
+                                  struct wanted *wanted,
+                                  struct hsr_error *err) {
+  struct hsr_setup setup;
+  enum hsr_status status = hsr_setup_init(&setup, oracle, NULL, g->world, err);
+  for (int k = 0; k < g->n_views && !status; k++)
+    status = ask_view(g, &setup, k, &wanted[k], err);
+  hsr_setup_free(&setup);
+  return status;
+}
+
+static void free_wanted(const struct group *g, struct wanted *wanted) {
+  for (int k = 0; wanted && k < g->n_views; k++) {
+    answer_free(&wanted[k].answer);
+    free(wanted[k].sample);
+  }
+  free(wanted);
+}
+
+/* --- Comparing -------------------------------------------------------------
+ */
+
+static void compare_ids(const struct hsr_view *view, const uint32_t *got,
+                        const struct wanted *wanted, struct cell *cell) {
+  cell->compared = wanted->n;
+  for (size_t k = 0; k < wanted->n; k++) {
+    size_t s = wanted->sample ? wanted->sample[k] : k;
+    if (got[s] != wanted->answer.ids[s] && !cell->mismatches++) {
+      cell->first.i = (int)(s % (size_t)view->m);
+      cell->first.j = (int)(s / (size_t)view->m);
+      cell->first.got = got[s];
+      cell->first.wanted = wanted->answer.ids[s];
+    }
+  }
+}
+
+static void compare_sums(const struct hsr_view *view, const uint32_t *got,
+                         const struct wanted *wanted, struct cell *cell) {
+  cell->compared = wanted->n;
+  for (size_t k = 0; k < wanted->n; k++) {
+    size_t s = wanted->sample ? wanted->sample[k] : k;
+    const uint32_t *right = wanted->answer.sums + 3 * s;
+    if (memcmp(got + 3 * s, right, 3 * sizeof *got) && !cell->mismatches++) {
+      cell->first.i = (int)(s % (size_t)view->m);
+      cell->first.j = (int)(s / (size_t)view->m);
+      memcpy(cell->first.sums, got + 3 * s, sizeof cell->first.sums);
+      memcpy(cell->first.wanted_sums, right, sizeof cell->first.wanted_sums);
+    }
+  }
+}
+
+static void compare_drawings(const struct hsr_drawing *got,
+                             const struct hsr_drawing *wanted,
+                             bool visible_only, struct cell *cell) {
+  struct hsr_drawing_difference difference;
+  hsr_drawing_compare(got, wanted, visible_only, &difference);
+  if (!cell->mismatches)
+    cell->first.edge = difference.first;
+  cell->compared = difference.edges;
+  cell->mismatches += difference.differing;
+}
+
+static void compare(const struct group *g, const struct hsr_algorithm *a, int k,
+                    const struct answer *got, const struct wanted *wanted,
+                    struct cell *cell) {
+  if (g->output.kind == HSR_SEGMENTS)
+    compare_drawings(&got->drawing, &wanted->answer.drawing,
+                     a->flags & HSR_VISIBLE_ONLY, cell);
+  else if (g->output.kind == HSR_FILTERED)
+    compare_sums(&g->view[k], got->sums, wanted, cell);
+  else
+    compare_ids(&g->view[k], got->ids, wanted, cell);
+}
+
+/* --- Judging one algorithm -------------------------------------------------
+ */
+
+static struct cell *cell_of(const struct group *g, int view, int number) {
+  return &g->cells[view * g->n_algorithms + number];
+}
+
+/* The picture of one view, by an algorithm made ready. */
+static enum hsr_status judge_view(const struct group *g,
+                                  const struct hsr_setup *setup, int k,
+                                  long threads, const struct wanted *wanted,
+                                  struct cell *cell, struct hsr_error *err) {
+  const struct hsr_algorithm *a = setup->algorithm;
+  struct hsr_tally tally = {.out_of_memory = false};
+  struct answer got;
+  enum hsr_status status = clean_answer(&got, setup, &g->view[k], err);
+  if (!status)
+    status = render_view(setup, &g->view[k], threads, &got, &tally, NULL, err);
+  if (!status && !(a->flags & HSR_NO_PICTURE))
+    compare(g, a, k, &got, wanted, cell);
+  memcpy(cell->count, tally.count, sizeof cell->count);
+  if (g->output.kind != HSR_SEGMENTS) { /* at samples; told by the counting
+                                           build */
+    cell->depths_compared = tally.depths_compared;
+    cell->depths_exact = tally.exact[HSR_ASK_DEPTH];
+  }
+  cell->builds += !status;
+  answer_free(&got);
+  return status;
+}
+
+static void note_refusal(const struct group *g, int number, const char *why) {
+  for (int k = 0; k < g->n_views; k++) {
+    struct cell *cell = cell_of(g, k, number);
+    snprintf(cell->refusal, sizeof cell->refusal, "refused by %s: %s",
+             g->algorithm[number].listed->plain->name, why);
+  }
+}
+
+/* All views, in order, by one prepared object. In a process of its own. */
+static enum hsr_status judge(const struct group *g, int number,
+                             const struct hsr_algorithm *a, long threads,
+                             const struct wanted *wanted) {
+  struct hsr_error err;
+  struct hsr_setup setup;
+  alarm((unsigned)g->timeout);
+  enum hsr_status status =
+      hsr_setup_init(&setup, a, &g->algorithm[number].choice, g->world, &err);
+  for (int k = 0; k < g->n_views; k++) {
+    struct cell *cell = cell_of(g, k, number);
+    cell->n_adaptations = setup.n_adaptations;
+    for (int i = 0; i < setup.n_adaptations; i++)
+      cell->adapted[i] = setup.adaptation[i].name; /* lasts: it is a constant */
+  }
+  for (int k = 0; k < g->n_views && !status; k++) {
+    status = judge_view(g, &setup, k, threads, &wanted[k],
+                        cell_of(g, k, number), &err);
+    alarm((unsigned)g->timeout);
+  }
+  if (status == HSR_E_REFUSED)
+    note_refusal(g, number, err.text);
+  hsr_setup_free(&setup);
+  alarm(0);
+  return status;
+}
+
+/* Is more to be done than the time that a picture may take lets one do? What
+ * takes no outline will refuse it. */
+static bool is_too_much(const struct group *g, const struct hsr_algorithm *a) {
+  if (!a->expense || (hsr_is_outline(g->world) && !(a->flags & HSR_INSTANCED)))
+    return false;
+  double pictures = 1;
+  if (g->output.kind == HSR_FILTERED)
+    pictures = HSR_SUB * HSR_SUB * fmax(1, g->output.filtering.patterns);
+  for (int k = 0; k < g->n_views; k++)
+    if (pictures * a->expense(g->world, &g->view[k]) > 5e8 * (double)g->timeout)
+      return true;
+  return false;
+}
+
+/* Of this process. */
+static void limit_process(const struct group *g) {
+  if (!g->memory_mb)
+    return;
+  struct rlimit limit = {.rlim_cur = (rlim_t)g->memory_mb << 20,
+                         .rlim_max = (rlim_t)g->memory_mb << 20};
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
+/* The verdict of all views of an algorithm. */
+static void set_verdict(const struct group *g, int number, enum verdict verdict,
+                        const char *refusal) {
+  for (int k = 0; k < g->n_views; k++) {
+    struct cell *cell = cell_of(g, k, number);
+    cell->verdict = verdict;
+    snprintf(cell->refusal, sizeof cell->refusal, "%s", refusal);
+  }
+}
+
+/* What the end of its process says of a picture that it did not complete. */
+static enum verdict verdict_of_end(pid_t ended, int end) {
+  if (ended < 0)
+    return CRASH;
+  if (WIFSIGNALED(end))
+    return WTERMSIG(end) == SIGALRM ? TIMEOUT : CRASH;
+  return WEXITSTATUS(end) == HSR_E_REFUSED ? REFUSED : CRASH;
+}
+
+/* The process may have failed when all pictures were complete. */
+static void set_verdicts(const struct group *g, int number, pid_t ended,
+                         int end, long peak_kb) {
+  bool failed = ended < 0 || !WIFEXITED(end) || WEXITSTATUS(end);
+  for (int k = 0; k < g->n_views; k++) {
+    struct cell *cell = cell_of(g, k, number);
+    bool complete = cell->builds == 2 && !(failed && k == g->n_views - 1);
+    cell->peak_kb = peak_kb;
+    cell->verdict = !complete          ? verdict_of_end(ended, end)
+                    : cell->mismatches ? WRONG
+                                       : RIGHT;
+    if (cell->verdict != CRASH)
+      continue;
+    cell->failure = ended < 0        ? HSR_E_NOMEM
+                    : WIFEXITED(end) ? (enum hsr_status)WEXITSTATUS(end)
+                                     : HSR_OK;
+  }
+}
+
+/* Runs the algorithm in a new process and waits for it. */
+static void judge_apart(const struct group *g, int number,
+                        const struct wanted *wanted) {
+  const struct hsr_listed *listed = g->algorithm[number].listed;
+  if (is_too_much(g, listed->plain)) {
+    char refusal[200];
+    snprintf(refusal, sizeof refusal, "refused: %s would take more than %ld s",
+             listed->plain->name, g->timeout);
+    set_verdict(g, number, REFUSED, refusal);
+    return;
+  }
+  fflush(NULL);
+  pid_t parent = getpid(), child = fork();
+  if (child == 0) {
+    end_with_parent(parent);
+    limit_process(g);
+    long threads = g->threads ? g->threads[number] : 1;
+    enum hsr_status status = judge(g, number, listed->plain, threads, wanted);
+    if (!status)
+      status = judge(g, number, listed->counting, 1, wanted);
+    end_process((int)status);
+  }
+  int end = 0;
+  struct rusage usage = {.ru_maxrss = 0};
+  pid_t ended = child < 0 ? -1 : wait4(child, &end, 0, &usage);
+  set_verdicts(g, number, ended, end, usage.ru_maxrss);
+}
+
+/* --- Judging a group -------------------------------------------------------
+ */
+
+static bool is_judged(const struct group *g, int number) {
+  const struct hsr_variant *v = &g->algorithm[number];
+  const struct hsr_algorithm *a = v->listed->plain;
+  return is_same_output(output_of(a, &v->choice), g->output) &&
+         (hsr_choice_flags(a, &v->choice) & g->mask) == g->flags;
+}
+
+/* That no picture can be judged, for the oracle's sake; "": they can. */
+static void set_all(const struct group *g, enum verdict verdict,
+                    const char *why) {
+  for (int a = 0; a < g->n_algorithms; a++) {
+    char refusal[500] = "";
+    if (*why)
+      snprintf(refusal, sizeof refusal, "refused, %s cannot be judged: %.300s",
+               g->algorithm[a].listed->plain->name, why);
+    if (is_judged(g, a))
+      set_verdict(g, a, verdict, refusal);
+  }
+}
+
+/* With its time limited, if it draws lines. */
+static enum hsr_status ask_in_time(const struct group *g,
+                                   const struct hsr_algorithm *oracle,
+                                   struct wanted *wanted,
+                                   struct hsr_error *err) {
+  if (g->output.kind != HSR_SEGMENTS)
+    return ask_oracle(g, oracle, wanted, err);
+  char why[100];
+  snprintf(why, sizeof why, "%s takes more than %ld s", oracle->name,
+           g->timeout);
+  set_all(g, REFUSED, why);
+  if (is_too_much(g, oracle))
+    return hsr_fail(err, HSR_E_REFUSED, "%s", why);
+  alarm((unsigned)g->timeout * (unsigned)g->n_views);
+  enum hsr_status status = ask_oracle(g, oracle, wanted, err);
+  alarm(0);
+  set_all(g, PENDING, "");
+  return status;
+}
+
+enum hsr_status judge_group(const struct group *g) {
+  const struct hsr_algorithm *oracle = oracle_of(g->output.kind);
+  struct hsr_error err;
+  struct wanted *wanted = calloc((size_t)g->n_views, sizeof *wanted);
+  enum hsr_status status =
+      wanted ? ask_in_time(g, oracle, wanted, &err) : HSR_E_NOMEM;
+  if (!status && g->picture && wanted[0].answer.ids)
+    memcpy(g->picture, wanted[0].answer.ids,
+           (size_t)g->view->m * (size_t)g->view->n * sizeof *g->picture);
+  for (int a = 0; a < g->n_algorithms && !status; a++)
+    if (is_judged(g, a))
+      judge_apart(g, a, wanted);
+  free_wanted(g, wanted);
+  if (status == HSR_E_REFUSED) { /* it does not take the scene */
+    set_all(g, REFUSED, err.text);
+    return HSR_OK;
+  }
+  return status;
+}

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Judging algorithms by their oracle: all of a kind on one scene and size, and
+ * one view or a sequence of them, each in a process of its own. */
+#ifndef HSR_BENCH_JUDGE_H
+#define HSR_BENCH_JUDGE_H
+
+#include "bench/command.h"
+
+enum { N_KINDS = HSR_FILTERED + 1 };
+
+/* What an algorithm makes; only like outputs are compared. */
+struct output {
+  enum hsr_kind kind;
+  struct hsr_filtering filtering; /* HSR_FILTERED: how */
+};
+struct output output_of(const struct hsr_algorithm *algorithm,
+                        const struct hsr_choice *choice);
+bool is_same_output(struct output a, struct output b);
+
+/* The oracle of a kind; NULL if there is none. That of filtered pictures draws
+ * ids, which the judge filters (bench/judge/judge_filtered.h). */
+const struct hsr_algorithm *oracle_of(enum hsr_kind kind);
+
+enum verdict { PENDING, RIGHT, WRONG, REFUSED, TIMEOUT, CRASH };
+
+/* "ok", "wrong", "refused", "timeout", "crash"; what is PENDING has crashed. */
+const char *verdict_name(enum verdict verdict);
+
+/* What became of one algorithm's picture; in memory shared between the
+ * processes. */
+struct cell {
+  enum verdict verdict;
+  int builds;              /* that drew it and were compared, of two */
+  enum hsr_status failure; /* why the process stopped, if not HSR_OK */
+  uint64_t compared;       /* samples, edges or filtered pixels, in the build
+                              that is timed */
+  uint64_t mismatches;     /* of those in both builds */
+  struct {                 /* the first of them */
+    int i, j;
+    uint32_t got, wanted;             /* ids */
+    uint32_t sums[3], wanted_sums[3]; /* of a filtered pixel */
+    struct hsr_edge_name edge;        /* of a line drawing */
+  } first;
+  uint64_t count[HSR_MAX_COUNTERS]; /* by the counting build */
+  uint64_t depths_compared, depths_exact;
+  long peak_kb; /* the most memory that its process held */
+  const char
+      *adapted[HSR_MAX_ADAPTATIONS]; /* adapters that changed the scene */
+  int n_adaptations;
+  char refusal[560]; /* who refused and why */
+};
+
+/* All algorithms of one output on one scene and size. All borrowed. */
+struct group {
+  const struct hsr_variant *algorithm; /* also those of other outputs */
+  int n_algorithms;
+  const long *threads; /* an algorithm, for the build that is timed; NULL: 1 */
+  long timeout;        /* seconds that a picture may take */
+  long memory_mb;      /* of data that a process may hold; 0: any */
+  long samples; /* or pixels, of each picture that are compared; 0: all */
+  const struct hsr_world *world;
+  struct output output;
+
+  /* Algorithms for which flags & mask == flags are judged: 0, 0: all. */
+  unsigned mask, flags;
+
+  /* An algorithm draws all views in this order from one prepared object. */
+  const struct hsr_view *view;
+  const int *number; /* of each view, from 0: some samples are chosen by it */
+  int n_views;
+
+  struct cell *cells; /* a view and algorithm */
+  uint32_t *picture; /* where the oracle leaves its ids of the only view, m * n,
+                        NOT_DRAWN where it was not asked; or NULL */
+};
+
+/* Where nothing was written. */
+#define NOT_DRAWN 0xfefefefeu
+
+/* How many samples, or filtered pixels, of each picture to compare, 0: all.
+ * Unless the user wants a number, all, but of scenes whose faces are too many
+ * to be laid out. */
+enum { SAMPLES_OF_MANY_FACES = 20000, MOST_SAMPLES = 1 << 28 };
+long samples_to_compare(const struct hsr_world *world, enum hsr_kind kind,
+                        long wanted);
+
+/* To be called in a process of its own. Where the oracle of line drawings takes
+ * longer than a picture may, that ends by SIGALRM, and the cells are refused.
+ * Any failure is the oracle's. */
+enum hsr_status judge_group(const struct group *group);
+
+/* Zeroed memory that processes forked later share; NULL if there is none. */
+void *shared_memory(size_t size);
+
+#endif

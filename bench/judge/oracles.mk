@@ -1,0 +1,5 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The oracles are algorithms, too: compiled with them.
+algorithm_files += \
+  %D%/line_oracle.cc \
+  %D%/oracle.cc

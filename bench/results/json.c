@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/results/json.h"
+
+#include <math.h>
+#include <stdio.h>
+
+json_t *number_or_null(double x) {
+  return isfinite(x) ? json_real(x) : json_null();
+}
+
+void json_append(json_t **array, json_t *value) {
+  /* Both functions take NULL for an error and free the value. */
+  if (json_array_append_new(*array, value)) {
+    json_decref(*array);
+    *array = NULL;
+  }
+}
+
+enum hsr_status json_print(json_t *value, struct hsr_error *err) {
+  if (!value)
+    return hsr_fail_nomem(err);
+  int failed = json_dumpf(value, stdout, JSON_INDENT(1) | JSON_ENSURE_ASCII);
+  json_decref(value);
+  if (failed)
+    return ferror(stdout) ? hsr_fail(err, HSR_E_INPUT,
+                                     "standard output: cannot be written")
+                          : hsr_fail_nomem(err);
+  putchar('\n');
+  return HSR_OK;
+}

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One scene and one of its views, opened by name: what a picture is made of. */
+#ifndef HSR_BENCH_STAGE_H
+#define HSR_BENCH_STAGE_H
+
+#include "scenes/scenes.h"
+
+#include "common/view/view.h"
+#include "common/scene/world.h"
+
+struct stage {
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  struct hsr_view view;
+  double import_seconds; /* to open the scene and make the world */
+};
+
+/* Opens the scene that a user names and looks at it from its view `view`, from
+ * 1; a scene that has fewer gets further ones on an orbit. Its faces are laid
+ * out as hsr_world_open says. To be closed also
+ * after a failure: whatever hsr_scene_open and hsr_view_init fail with. */
+enum hsr_status stage_open(struct stage *stage, const char *scene,
+                           uint32_t most, long view, int m, int n,
+                           struct hsr_error *err);
+void stage_close(struct stage *stage);
+
+/* `n` views of an open stage from view `first` on, of the size of its own,
+ * which none of them is behind. Whatever hsr_view_init fails with. */
+enum hsr_status stage_walk(const struct stage *stage, long first, int n,
+                           struct hsr_view *view, struct hsr_error *err);
+
+#endif

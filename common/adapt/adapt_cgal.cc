@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The adapters, over CGAL.
+//
+// Triangles   A convex polygon is a fan of triangles; any other goes through
+//             CGAL's constrained Delaunay triangulation, whose predicates are
+//             exact, on the coordinate plane that it faces most; of the
+//             triangles, those are kept whose inside is inside the polygon by
+//             parity, which is decided in exact numbers. Of a polygon that is
+//             not flat, corners may fall together on that plane, or sides cross
+//             there; where the triangles would then cover other samples than
+//             the polygon does, it is a fan too, whose triangles overlap.
+//             parity, which is decided in exact numbers.
+//             Of a polygon that is not flat, it depends on the eye what is
+//             convex, and its triangles may overlap as seen; it is not divided
+//             to be convex.
+// Penetration Of every pair of faces whose interiors meet (penetration.cc), one
+//             is cut by the plane of the other, wherever that plane passes
+//             through it near the other.
+// Outlines    A piece's outline is clipped by its cuts moved outwards by a
+//             margin well above every rounding, so that it holds the piece. A
+//             plane that it misses by more than the margin misses the piece. Of
+//             a face that is not flat, what lies on its plane before a vertex
+//             depends on the eye; its pieces' outlines are not handed on, and
+//             they are divided as the mean of it would be.
+
+#include "common/adapt/adapt.h"
+#include "common/adapt/division.h"
+#include "common/statistics/penetration.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace hsr;
+using Triangle = std::array<uint32_t, 3>;
+
+// --- Polygons into triangles -----------------------------------------------
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Flat_point = Kernel::Point_2;
+
+// The corners of face f on the coordinate plane that it faces most, which is
+// turned as the face is: counterclockwise stays counterclockwise.
+std::vector<Flat_point> flatten(const hsr_world &world, uint32_t f) {
+  const double n[3] = {world.nx[f], world.ny[f], world.nz[f]};
+  const double a[3] = {std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])};
+  const size_t drop = a[0] >= a[1] && a[0] >= a[2] ? 0 : a[1] >= a[2] ? 1 : 2;
+  const size_t right = (drop + (n[drop] > 0 ? 1 : 2)) % 3;
+  std::vector<Flat_point> points;
+  for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++) {
+    const Point p = point_of(world, world.vertex[k]);
+    points.emplace_back(p[right], p[3 - drop - right]);
+  }
+  return points;
+}
+
+// Convex: it turns to one side only, and once around.
+bool is_convex(const std::vector<Flat_point> &p) {
+  const size_t n = p.size();
+  bool left = false, right = false;
+  int changes = 0;
+  CGAL::Comparison_result last = CGAL::EQUAL, first = CGAL::EQUAL;
+  for (size_t k = 0; k < n; k++) {
+    const Flat_point &a = p[k], &b = p[(k + 1) % n], &c = p[(k + 2) % n];
+    const CGAL::Orientation turn = CGAL::orientation(a, b, c);
+    left |= turn == CGAL::LEFT_TURN;
+    right |= turn == CGAL::RIGHT_TURN;
+    /* Turning back on itself is no turn that orientation sees. */
+    if (turn == CGAL::COLLINEAR && CGAL::angle(a, b, c) == CGAL::ACUTE)
+      return false;
+    const CGAL::Comparison_result way = CGAL::compare_xy(a, b);
+    if (way == CGAL::EQUAL)
+      return false;
+    if (first == CGAL::EQUAL)
+      first = way;
+    changes += last != CGAL::EQUAL && way != last;
+    last = way;
+  }
+  changes += last != first;
+  return !(left && right) && changes == 2;
+}
+
+// Whether the middle of a triangle is inside the polygon by parity.
+bool holds_middle(const std::vector<Flat_point> &polygon, const Flat_point &a,
+                  const Flat_point &b, const Flat_point &c) {
+  using T = CGAL::Exact_rational;
+  const T x = (T(a.x()) + T(b.x()) + T(c.x())) / T(3);
+  const T y = (T(a.y()) + T(b.y()) + T(c.y())) / T(3);
+  bool inside = false;
+  for (size_t k = 0, l = polygon.size() - 1; k < polygon.size(); l = k++) {
+    const T px = polygon[k].x(), py = polygon[k].y();
+    const T qx = polygon[l].x(), qy = polygon[l].y();
+    if ((py > y) == (qy > y))
+      continue;
+    const bool left = (x - px) * (qy - py) < (y - py) * (qx - px);
+    inside ^= left == (qy > py);
+  }
+  return inside;
+}
+
+using Vertex_base =
+    CGAL::Triangulation_vertex_base_with_info_2<uint32_t, Kernel>;
+using Face_base = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>,
+    CGAL::No_constraint_intersection_tag>;
+
+void add_triangle(const Piece &whole, const Triangle &corners, List &list) {
+  Piece piece = whole;
+  piece.loop.assign(corners.begin(), corners.end());
+  list.add(piece, false);
+}
+
+void add_fan(const Piece &whole, List &list) {
+  for (size_t k = 2; k < whole.loop.size(); k++)
+    add_triangle(whole, {whole.loop[0], whole.loop[k - 1], whole.loop[k]},
+                 list);
+}
+
+// Whether every side of the loop is one of an odd number of triangles, and any
+// other of an even number. Then these cover by parity what the loop covers,
+// from wherever they are seen.
+bool border(const std::vector<Triangle> &triangles,
+            const std::vector<uint32_t> &loop) {
+  std::set<std::pair<uint32_t, uint32_t>> odd;
+  const auto toggle = [&](uint32_t a, uint32_t b) {
+    const auto side = std::minmax(a, b);
+    if (a != b && !odd.erase(side))
+      odd.insert(side);
+  };
+  for (const Triangle &t : triangles)
+    for (size_t k = 0; k < 3; k++)
+      toggle(t[k], t[(k + 1) % 3]);
+  for (size_t k = 0; k < loop.size(); k++)
+    toggle(loop[k], loop[(k + 1) % loop.size()]);
+  return odd.empty();
+}
+
+// The triangles of a polygon, by the corners on a coordinate plane. False if it
+// crosses itself there.
+bool triangulate_loop(const std::vector<uint32_t> &loop,
+                      const std::vector<Flat_point> &corners,
+                      std::vector<Triangle> &triangles) {
+  Triangulation triangulation;
+  std::vector<Triangulation::Vertex_handle> at;
+  for (size_t k = 0; k < corners.size(); k++) {
+    at.push_back(triangulation.insert(corners[k]));
+    at.back()->info() = loop[k];
+  }
+  try {
+    for (size_t k = 0, l = at.size() - 1; k < at.size(); l = k++)
+      if (at[k] != at[l])
+        triangulation.insert_constraint(at[l], at[k]);
+  } catch (const Triangulation::Intersection_of_constraints_exception &) {
+    return false;
+  }
+  for (auto t = triangulation.finite_faces_begin();
+       t != triangulation.finite_faces_end(); ++t)
+    if (holds_middle(corners, t->vertex(0)->point(), t->vertex(1)->point(),
+                     t->vertex(2)->point()))
+      triangles.push_back(
+          {t->vertex(0)->info(), t->vertex(1)->info(), t->vertex(2)->info()});
+  return true;
+}
+
+// Adds the triangles of face f, which is not convex.
+void add_triangulation(const hsr_world &world, uint32_t f, const Piece &whole,
+                       const std::vector<Flat_point> &corners, List &list) {
+  std::vector<Triangle> triangles;
+  const bool simple = triangulate_loop(whole.loop, corners, triangles);
+  if (world.deviation[f] > 0 && !(simple && border(triangles, whole.loop))) {
+    add_fan(whole, list);
+    return;
+  }
+  if (!simple)
+    throw Refused{HSR_CF, hsr_world_parent(&world, f), "crosses itself"};
+  for (const Triangle &t : triangles)
+    add_triangle(whole, t, list);
+}
+
+// Divides the polygons, all but triangles, or only those that are not convex.
+hsr_status divide_polygons(const hsr_world *in, bool keep_convex,
+                           hsr_world *out, bool *changed, hsr_error *err) {
+  return guarded(err, [&]() -> hsr_status {
+    *changed = false;
+    if (in->all_triangles)
+      return HSR_OK;
+    List list;
+    for (uint32_t f = 0; f < in->n_faces; f++) {
+      const Piece whole = piece_of(*in, f);
+      if (whole.loop.size() == 3) {
+        list.add(whole, true);
+        continue;
+      }
+      const std::vector<Flat_point> corners = flatten(*in, f);
+      const bool convex = is_convex(corners);
+      const bool keep = keep_convex && (convex || in->deviation[f] > 0);
+      const size_t before = list.size();
+      if (keep)
+        list.add(whole, true);
+      else if (convex)
+        add_fan(whole, list);
+      else
+        add_triangulation(*in, f, whole, corners, list);
+      *changed |= !keep;
+      if (list.size() == before) /* it has no inside, but it is a face */
+        list.add(whole, true);
+    }
+    return *changed ? list.make(out, whole_of(*in), err) : HSR_OK;
+  });
+}
+
+hsr_status triangulate(const hsr_world *in, hsr_world *out, bool *changed,
+                       hsr_error *err) {
+  return divide_polygons(in, false, out, changed, err);
+}
+
+hsr_status make_convex(const hsr_world *in, hsr_world *out, bool *changed,
+                       hsr_error *err) {
+  return divide_polygons(in, true, out, changed, err);
+}
+
+// --- Division at penetrations ------------------------------------------------
+
+// More pieces than this are no help to anyone.
+const size_t MOST_PIECES = 4000000;
+
+// The plane of a face in doubles, with a margin above every rounding of it and
+// above what the vertices of the face that it cuts are out of plane.
+struct Cutter {
+  uint32_t face;
+  Point n, p;
+  double margin;
+
+  Cutter(const hsr_world &world, uint32_t g, uint32_t cut_face)
+      : face(g), n{world.nx[g], world.ny[g], world.nz[g]}, p{world.px[g],
+                                                             world.py[g],
+                                                             world.pz[g]} {
+    const double n1 = std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]);
+    double reach = 0;
+    for (uint32_t h : {g, cut_face})
+      for (uint32_t k = world.start[h]; k < world.start[h + 1]; k++)
+        for (double c : point_of(world, world.vertex[k]))
+          reach = std::fmax(reach, std::fabs(c));
+    const double scale = std::fmax(std::fabs(world.nx[cut_face]),
+                                   std::fmax(std::fabs(world.ny[cut_face]),
+                                             std::fabs(world.nz[cut_face])));
+    margin = 4 * (world.n_error[g] * 6 * reach + world.anchor_error[g] * n1) +
+             0x1p-40 * n1 * reach + 2 * world.deviation[g] +
+             2 * n1 * world.deviation[cut_face] / scale;
+  }
+
+  double height(const Point &v) const {
+    return n[0] * (v[0] - p[0]) + n[1] * (v[1] - p[1]) + n[2] * (v[2] - p[2]);
+  }
+};
+
+// The part of an outline on one side of the plane, or within the margin of it.
+std::vector<Point> clip(const std::vector<Point> &outline, const Cutter &plane,
+                        int side) {
+  std::vector<Point> kept;
+  for (size_t k = 0, l = outline.size() - 1; k < outline.size(); l = k++) {
+    const Point &a = outline[l], &b = outline[k];
+    const double ha = side * plane.height(a) + plane.margin;
+    const double hb = side * plane.height(b) + plane.margin;
+    if ((ha >= 0) != (hb >= 0)) {
+      const double t = ha / (ha - hb);
+      kept.push_back({a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]),
+                      a[2] + t * (b[2] - a[2])});
+    }
+    if (hb >= 0)
+      kept.push_back(b);
+  }
+  return kept;
+}
+
+bool reaches_both_sides(const std::vector<Point> &outline,
+                        const Cutter &plane) {
+  bool front = false, behind = false;
+  for (const Point &p : outline) {
+    const double h = plane.height(p);
+    front |= h > -plane.margin;
+    behind |= h < plane.margin;
+  }
+  return front && behind;
+}
+
+// Whether the boxes of an outline and of face g meet, with some room.
+bool near_face(const std::vector<Point> &outline, const hsr_world &world,
+               uint32_t g) {
+  for (size_t c = 0; c < 3; c++) {
+    double lo = INFINITY, hi = -INFINITY, from = INFINITY, to = -INFINITY;
+    for (const Point &p : outline) {
+      lo = std::fmin(lo, p[c]);
+      hi = std::fmax(hi, p[c]);
+    }
+    for (uint32_t k = world.start[g]; k < world.start[g + 1]; k++) {
+      const double v = point_of(world, world.vertex[k])[c];
+      from = std::fmin(from, v);
+      to = std::fmax(to, v);
+    }
+    const double room = 0x1p-40 * (std::fabs(lo) + std::fabs(hi) +
+                                   std::fabs(from) + std::fabs(to));
+    if (lo > to + room || from > hi + room)
+      return false;
+  }
+  return true;
+}
+
+// Replaces every piece that the plane of g may pass through, near g, by two.
+void cut_pieces(const hsr_world &whole, uint32_t g,
+                std::vector<Piece> &pieces) {
+  const size_t n = pieces.size();
+  for (size_t k = 0; k < n; k++) {
+    const Cutter plane(whole, g, pieces[k].parent);
+    if (!reaches_both_sides(pieces[k].outline, plane) ||
+        !near_face(pieces[k].outline, whole, g))
+      continue;
+    Piece behind = pieces[k];
+    behind.outline = clip(pieces[k].outline, plane, -1);
+    behind.cuts.push_back({g, -1});
+    pieces[k].outline = clip(pieces[k].outline, plane, +1);
+    pieces[k].cuts.push_back({g, +1});
+    pieces.push_back(std::move(behind));
+  }
+}
+
+// Of each pair that penetrates, the face that is cut by the other's plane: the
+// one that has fewer cuts so far.
+std::vector<std::vector<uint32_t>> choose_cuts(const hsr_world &whole,
+                                               bool *any) {
+  std::vector<uint32_t> faces(whole.n_faces);
+  for (uint32_t f = 0; f < whole.n_faces; f++)
+    faces[f] = f;
+  std::vector<std::vector<uint32_t>> cuts(whole.n_faces);
+  hsr::for_each_penetration(&whole, faces.data(), faces.size(),
+                            [&](uint32_t f, uint32_t g) {
+                              if (cuts[f].size() > cuts[g].size())
+                                std::swap(f, g);
+                              cuts[f].push_back(g);
+                              *any = true;
+                            });
+  return cuts;
+}
+
+hsr_status divide(const hsr_world *in, hsr_world *out, bool *changed,
+                  hsr_error *err) {
+  return guarded(err, [&]() -> hsr_status {
+    const hsr_world &whole = whole_of(*in);
+    *changed = false;
+    const std::vector<std::vector<uint32_t>> cuts = choose_cuts(whole, changed);
+    if (!*changed)
+      return HSR_OK;
+    List list;
+    std::vector<Piece> pieces;
+    for (uint32_t f = 0; f < in->n_faces; f++) {
+      pieces.assign(1, piece_of(*in, f));
+      const uint32_t parent = pieces[0].parent;
+      const bool known = !pieces[0].outline.empty();
+      if (!known)
+        for (uint32_t v : pieces[0].loop)
+          pieces[0].outline.push_back(point_of(whole, v));
+      for (uint32_t g : cuts[parent]) {
+        cut_pieces(whole, g, pieces);
+        if (list.size() + pieces.size() > MOST_PIECES)
+          throw Refused{HSR_NP, parent, "is penetrated by too many others"};
+      }
+      const bool divided = pieces.size() > 1 || known;
+      for (const Piece &piece : pieces)
+        list.add(piece, divided && whole.deviation[parent] == 0);
+    }
+    return list.make(out, whole, err);
+  });
+}
+
+} // namespace
+
+std::vector<std::vector<uint32_t>> hsr::convex_loops(const hsr_world &world,
+                                                     uint32_t f) {
+  const Piece whole = piece_of(world, f);
+  if (whole.loop.size() == 3)
+    return {whole.loop};
+  const std::vector<Flat_point> corners = flatten(world, f);
+  if (is_convex(corners))
+    return {whole.loop};
+  std::vector<Triangle> triangles;
+  std::vector<std::vector<uint32_t>> loops;
+  triangulate_loop(whole.loop, corners, triangles);
+  for (const Triangle &t : triangles)
+    loops.emplace_back(t.begin(), t.end());
+  return loops;
+}
+
+const struct hsr_adapter hsr_adapters[] = {
+    {"triangulate", HSR_TR, "divides polygons into triangles", triangulate},
+    {"convex-parts", HSR_CF, "divides polygons that are not convex",
+     make_convex},
+    {"divide", HSR_NP, "divides faces where they penetrate", divide},
+    {"cluster", HSR_LS,
+     "makes clusters of faces, with planes that separate them", cluster},
+    {"priorities", HSR_LS | HSR_TP,
+     "gives the faces of a cluster priorities that hold from everywhere",
+     give_priorities},
+    {nullptr, 0, nullptr, nullptr}};
+
+const char *hsr_restriction_code(unsigned restriction) {
+  static const char *const code[] = {"CC", "CF", "TR", "LS", "NP",
+                                     "TP", "PF", "OF", "BE"};
+  for (unsigned k = 0; k < sizeof code / sizeof *code; k++)
+    if (restriction == 1u << k)
+      return code[k];
+  return "";
+}
+
+enum hsr_status hsr_check_unadapted(const struct hsr_world *world,
+                                    const char *what, struct hsr_error *err) {
+  hsr_world parts = {};
+  bool divided = false;
+  hsr_status status = make_convex(world, &parts, &divided, err);
+  if (divided)
+    hsr_world_free(&parts);
+  if (status || divided)
+    return status ? status
+                  : hsr_fail(err, HSR_E_REFUSED,
+                             "CF: %s, which is not laid out, has faces that "
+                             "are not convex",
+                             what);
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    if (world->deviation[f] > 0)
+      return hsr_fail(err, HSR_E_REFUSED,
+                      "PF: %s, which is not laid out, has faces that are not "
+                      "flat",
+                      what);
+  return HSR_OK;
+}

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/adapt/convex.h"
+#include "common/exact/exact_plane.h"
+#include "common/exact/predicates.h"
+
+#include <CGAL/Exact_rational.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+namespace {
+
+using namespace hsr;
+
+const double U = DBL_EPSILON / 2;
+const double TINY = 0x1p-960;
+
+double largest_normal(const hsr_world &w, uint32_t f) {
+  return std::fmax(std::fabs(w.nx[f]),
+                   std::fmax(std::fabs(w.ny[f]), std::fabs(w.nz[f])));
+}
+
+// Whether the normals of two faces of one plane point one way.
+bool same_way(const hsr_world &w, uint32_t f, uint32_t g) {
+  const double a[3] = {w.nx[f], w.ny[f], w.nz[f]};
+  const double b[3] = {w.nx[g], w.ny[g], w.nz[g]};
+  for (size_t c = 0; c < 3; c++)
+    if (std::fabs(a[c]) > w.n_error[f] && std::fabs(b[c]) > w.n_error[g])
+      return (a[c] > 0) == (b[c] > 0);
+  const Exact product = Plane<Exact>(&w, f).normal * Plane<Exact>(&w, g).normal;
+  return product > Exact(0);
+}
+
+// The widest extent of a face.
+double size_of(const hsr_world &w, uint32_t f) {
+  double size = 0;
+  for (const double *x : {w.x, w.y, w.z}) {
+    double lo = INFINITY, hi = -INFINITY;
+    for (uint32_t k = w.start[f]; k < w.start[f + 1]; k++) {
+      lo = std::fmin(lo, x[w.vertex[k]]);
+      hi = std::fmax(hi, x[w.vertex[k]]);
+    }
+    size = std::fmax(size, hi - lo);
+  }
+  return size;
+}
+
+// The plane of face f, if it lies across an axis.
+Level level_of(const hsr_world &w, uint32_t f) {
+  const double *const x[3] = {w.x, w.y, w.z};
+  const double n[3] = {w.nx[f], w.ny[f], w.nz[f]};
+  for (size_t axis = 0; axis < 3; axis++) {
+    const double at = x[axis][w.vertex[w.start[f]]];
+    bool across = std::fabs(n[axis]) > w.n_error[f];
+    for (uint32_t k = w.start[f]; k < w.start[f + 1] && across; k++)
+      across = x[axis][w.vertex[k]] == at;
+    if (across)
+      return {axis, at, n[axis] > 0 ? 1 : -1};
+  }
+  return {0, 0, 0};
+}
+
+// --- Corners in homogeneous numbers -----------------------------------------
+
+template <class T> struct Homogeneous {
+  Vector<T> p;
+  T w;
+};
+
+// Of the edge from a to b with a plane. It is one number, however the edge
+// runs.
+template <class T>
+Homogeneous<T> meet(const hsr_world *w, uint32_t a, uint32_t b,
+                    const Plane<T> &plane) {
+  const Vector<T> from = point<T>(w, std::min(a, b)),
+                  to = point<T>(w, std::max(a, b));
+  const T h_from = plane.height(from), h_to = plane.height(to);
+  return {h_from * to - h_to * from, h_from - h_to};
+}
+
+// Cramer's rule on k N . P = N . S.
+template <class T>
+Homogeneous<T> meet(const Plane<T> &f, const Plane<T> &g, const Plane<T> &h) {
+  const Vector<T> n = f.k * f.normal, o = g.k * g.normal, p = h.k * h.normal;
+  const Vector<T> gh = CGAL::cross_product(o, p);
+  return {f.offset * gh + g.offset * CGAL::cross_product(p, n) +
+              h.offset * CGAL::cross_product(n, o),
+          n * gh};
+}
+
+// Whether a vertex is known to lie in the plane of face f.
+bool is_on(const hsr_world &w, uint32_t f, uint32_t v) {
+  const uint32_t *first = w.vertex + w.start[f],
+                 *last = w.vertex + w.start[f + 1];
+  return w.deviation[f] == 0 && std::find(first, last, v) != last;
+}
+
+// The two sides that meet in corner k.
+struct Meeting {
+  const Corner &before, &after;
+  Meeting(const Convex &piece, size_t k)
+      : before(piece.corners[k ? k - 1 : piece.corners.size() - 1]),
+        after(piece.corners[k]) {}
+  bool is_vertex() const {
+    return before.b != NO_VERTEX && after.b != NO_VERTEX;
+  }
+};
+
+template <class T>
+Plane<T> plane_of(const Convex_pieces &pieces, const hsr_world *whole,
+                  uint32_t plane) {
+  const Level &level = pieces.level(plane);
+  return level.front ? Plane<T>(level.axis, level.at, level.front)
+                     : Plane<T>(whole, pieces.face_of(plane));
+}
+
+template <class T>
+Homogeneous<T> corner_of(const Convex_pieces &pieces, const hsr_world *whole,
+                         const Convex &piece, size_t k) {
+  const Meeting m(piece, k);
+  const auto plane = [&](uint32_t p) { return plane_of<T>(pieces, whole, p); };
+  if (m.before.b != NO_VERTEX)
+    return meet<T>(whole, m.before.a, m.before.b, plane(m.after.a));
+  if (m.after.b != NO_VERTEX)
+    return meet<T>(whole, m.after.a, m.after.b, plane(m.before.a));
+  return meet<T>(plane(piece.plane), plane(std::min(m.before.a, m.after.a)),
+                 plane(std::max(m.before.a, m.after.a)));
+}
+
+template <class T>
+int side_of(const Homogeneous<T> &corner, const Plane<T> &plane) {
+  const T height =
+      plane.k * (plane.normal * corner.p) - plane.offset * corner.w;
+  const CGAL::Sign h = CGAL::sign(height), w = CGAL::sign(corner.w);
+  return int(h) * int(w);
+}
+
+} // namespace
+
+namespace hsr {
+
+Convex_pieces::Convex_pieces(const hsr_world &world)
+    : world_(world), whole_(whole_of(world)),
+      face_of_(whole_.n_planes, UINT32_MAX), turned_(whole_.n_faces),
+      reach_(whole_.n_faces), level_(whole_.n_planes) {
+  for (uint32_t f = 0; f < whole_.n_faces; f++) {
+    uint32_t &first = face_of_[whole_.plane[f]];
+    if (first == UINT32_MAX) {
+      first = f;
+      level_[whole_.plane[f]] = level_of(whole_, f);
+    }
+    turned_[f] = first == f || same_way(whole_, first, f) ? 1 : -1;
+    if (whole_.deviation[f] == 0)
+      continue;
+    const double off = whole_.deviation[f] / largest_normal(whole_, f);
+    reach_[f] = std::sqrt(off * size_of(whole_, f));
+  }
+}
+
+// --- On which side ----------------------------------------------------------
+
+// The height of a corner over a plane, and a bound of its error: that of
+// order.c, and the corner's own. Over a plane across an axis the sign is exact
+// but for the corner's own error.
+double Convex_pieces::height(uint32_t plane, const Corner &corner,
+                             double &error) const {
+  const Level &level = level_[plane];
+  if (level.front) {
+    error = corner.error;
+    return level.front * (corner.at[level.axis] - level.at);
+  }
+  const uint32_t g = face_of_[plane];
+  const double n[3] = {whole_.nx[g], whole_.ny[g], whole_.nz[g]};
+  const double r[3] = {corner.at[0] - whole_.px[g], corner.at[1] - whole_.py[g],
+                       corner.at[2] - whole_.pz[g]};
+  const double n1 = std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]);
+  const double r1 = std::fabs(r[0]) + std::fabs(r[1]) + std::fabs(r[2]);
+  error = 2 * (whole_.n_error[g] * r1 + whole_.anchor_error[g] * n1) +
+          16 * U * n1 * r1 + TINY +
+          2 * (n1 + 3 * whole_.n_error[g]) * corner.error;
+  return n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
+}
+
+// Whether a side is known to lie in a plane.
+bool Convex_pieces::is_within(const Corner &side, uint32_t plane) const {
+  const Level &level = level_[plane];
+  if (side.b == NO_VERTEX) {
+    const Level &other = level_[side.a];
+    return side.a == plane ||
+           (level.front && other.front && level.axis == other.axis &&
+            level.at == other.at);
+  }
+  if (!level.front)
+    return is_on(whole_, face_of_[plane], side.a) &&
+           is_on(whole_, face_of_[plane], side.b);
+  return point_of(whole_, side.a)[level.axis] == level.at &&
+         point_of(whole_, side.b)[level.axis] == level.at;
+}
+
+int Convex_pieces::exact_side(const Convex &piece, size_t k,
+                              uint32_t plane) const {
+  const Meeting m(piece, k);
+  if (is_within(m.before, plane) || is_within(m.after, plane))
+    return 0;
+  if (m.after.error == 0) { // a vertex, and the plane is none across an axis
+    const uint32_t g = face_of_[plane];
+    if (m.is_vertex() && is_on(whole_, g, m.after.a))
+      return 0;
+    bool out_of_memory = false;
+    const int side = hsr_exact_plane_side(hsr_face_loop(&whole_, g),
+                                          m.after.at.data(), &out_of_memory);
+    if (out_of_memory)
+      throw std::bad_alloc();
+    return side;
+  }
+  try {
+    CGAL::Protect_FPU_rounding<true> upwards;
+    return side_of(corner_of<Interval>(*this, &whole_, piece, k),
+                   plane_of<Interval>(*this, &whole_, plane));
+  } catch (const CGAL::Uncertain_conversion_exception &) {
+    // Below, with the rounding mode restored.
+  }
+  return side_of(corner_of<Exact>(*this, &whole_, piece, k),
+                 plane_of<Exact>(*this, &whole_, plane));
+}
+
+// -1, 0 or +1: corner k behind a plane, on it, or in front; of a piece that is
+// not flat, 0 and not sure if it may be on either side.
+int Convex_pieces::side(const Convex &piece, size_t k, uint32_t plane,
+                        bool &sure) const {
+  double error;
+  const double h = height(plane, piece.corners[k], error);
+  if (std::fabs(h) > error)
+    return h > 0 ? 1 : -1;
+  if (error == 0)
+    return 0;
+  if (is_flat(piece))
+    return exact_side(piece, k, plane);
+  sure = false;
+  return 0;
+}
+
+unsigned Convex_pieces::about(const Convex &piece, uint32_t plane) const {
+  if (piece.plane == plane)
+    return 0;
+  for (const hsr_cut &cut : piece.cuts)
+    if (cut.face == plane)
+      return cut.side > 0 ? FRONT : BEHIND;
+  unsigned where = 0;
+  bool sure = true;
+  for (size_t k = 0; k < piece.corners.size(); k++) {
+    const int s = side(piece, k, plane, sure);
+    where |= s > 0 ? FRONT : s < 0 ? BEHIND : 0u;
+  }
+  return sure || where == (FRONT | BEHIND) ? where : where | UNSURE;
+}
+
+// --- Division ---------------------------------------------------------------
+
+// The coordinates of corner k, which is no vertex.
+void Convex_pieces::locate(const Convex &piece, size_t k,
+                           Corner &corner) const {
+  corner.error = TINY;
+  const auto set = [&](size_t c, double lo, double hi) {
+    corner.at[c] = lo + (hi - lo) / 2;
+    corner.error = std::fmax(corner.error,
+                             std::fmax(corner.at[c] - lo, hi - corner.at[c]));
+  };
+  {
+    CGAL::Protect_FPU_rounding<true> upwards;
+    const Homogeneous<Interval> h =
+        corner_of<Interval>(*this, &whole_, piece, k);
+    if (h.w.inf() > 0 || h.w.sup() < 0) {
+      for (int c = 0; c < 3; c++) {
+        const Interval x = h.p[c] / h.w;
+        set(size_t(c), x.inf(), x.sup());
+      }
+      return;
+    }
+  }
+  using Rational = CGAL::Exact_rational;
+  const Homogeneous<Rational> h = corner_of<Rational>(*this, &whole_, piece, k);
+  for (int c = 0; c < 3; c++) {
+    const std::pair<double, double> x =
+        CGAL::to_interval(Rational(h.p[c] / h.w));
+    CGAL::Protect_FPU_rounding<true> upwards;
+    set(size_t(c), x.first, x.second);
+  }
+}
+
+void Convex_pieces::clip(Convex &piece, uint32_t plane, int keep) const {
+  const size_t n = piece.corners.size();
+  std::vector<int> sides(n);
+  bool sure = true;
+  for (size_t k = 0; k < n; k++)
+    sides[k] = keep * side(piece, k, plane, sure);
+  std::vector<Corner> kept;
+  std::vector<size_t> fresh;
+  for (size_t k = 0; k < n; k++) {
+    const size_t l = k + 1 < n ? k + 1 : 0;
+    if (sides[k] >= 0)
+      kept.push_back(piece.corners[k]);
+    if (sides[k] > 0 && sides[l] < 0) {
+      fresh.push_back(kept.size());
+      kept.push_back({piece.corners[l].at, 0, plane, NO_VERTEX});
+    } else if (sides[k] == 0 && sides[l] < 0) {
+      kept.back().a = plane;
+      kept.back().b = NO_VERTEX;
+    } else if (sides[k] < 0 && sides[l] > 0) {
+      fresh.push_back(kept.size());
+      kept.push_back(piece.corners[k]);
+    }
+  }
+  piece.corners = std::move(kept);
+  for (size_t k : fresh)
+    locate(piece, k, piece.corners[k]);
+}
+
+Convex Convex_pieces::part(const Convex &piece, uint32_t plane,
+                           int side) const {
+  Convex part = piece;
+  part.cuts.push_back({plane, side});
+  if (is_flat(piece))
+    clip(part, plane, side);
+  return part;
+}
+
+bool Convex_pieces::make(uint32_t f, Convex &piece) const {
+  const Piece given = piece_of(world_, f);
+  const double reach = reach_[given.parent];
+  piece = {f, given.parent, whole_.plane[given.parent], {}, {}};
+  for (size_t k = 0, n = given.loop.size(); k < n; k++)
+    piece.corners.push_back({point_of(whole_, given.loop[k]), reach,
+                             given.loop[k], given.loop[(k + 1) % n]});
+  for (const hsr_cut &cut : given.cuts) {
+    const uint32_t plane = whole_.plane[cut.face];
+    const int side = cut.side * turned_[cut.face];
+    const unsigned where = about(piece, plane);
+    if (!(where & UNSURE) && !(where & (side > 0 ? FRONT : BEHIND)))
+      return false;
+    if (!is_flat(piece) || (where & (side > 0 ? BEHIND : FRONT)))
+      piece = part(piece, plane, side);
+  }
+  return true;
+}
+
+// Only those cuts count that a flat piece has a side on.
+Piece Convex_pieces::finished(const Convex &piece, bool &with_outline) const {
+  Piece made = piece_of(world_, piece.from);
+  made.cuts.clear();
+  made.outline.clear();
+  double largest = 0, error = 0;
+  for (const Corner &corner : piece.corners) {
+    made.outline.push_back(corner.at);
+    error = std::fmax(error, corner.error);
+    for (double c : corner.at)
+      largest = std::fmax(largest, std::fabs(c));
+  }
+  for (const hsr_cut &cut : piece.cuts) {
+    bool counts = !is_flat(piece);
+    for (const Corner &corner : piece.corners)
+      counts |= corner.b == NO_VERTEX && corner.a == cut.face;
+    if (counts)
+      made.cuts.push_back({face_of_[cut.face], cut.side});
+  }
+  // As exact as an outline of a world of pieces must be (pieces.c).
+  with_outline =
+      is_flat(piece) && !made.cuts.empty() && error <= 0x1p-44 * largest;
+  return made;
+}
+
+} // namespace hsr

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Convex pieces of faces, and on which side of a plane they lie, in exact
+// terms.
+//
+// Source      A polygon is known by the planes of its sides: J. Bernstein, D.
+//             Fussell, "Fast, exact, linear booleans", Symposium on Geometry
+//             Processing, 2009.
+// Corner      where two sides meet: a vertex of the face, or where an edge of
+//             the face or a cut meets another cut. So every corner is known
+//             exactly by planes of the scene, however often a piece is cut. Its
+//             coordinates are approximate, within `error`.
+// Planes      are numbered by their class (common/scene/world.h); each is turned as
+//             the first face is that lies in it. Many lie across an axis: there
+//             one subtraction, whose sign is exact, gives the side of a vertex.
+//             Further planes across an axis may be added; of those, too, cuts
+//             are made.
+// Not flat    of a face that is not flat, the corners stay those of the whole,
+//             however it is cut; they are off by as much as what is seen of it
+//             may be (common/scene/clusters.h). What is not certain within that is
+//             asked no further.
+#ifndef HSR_COMMON_CONVEX_H
+#define HSR_COMMON_CONVEX_H
+
+#include "common/adapt/division.h"
+
+namespace hsr {
+
+// The side from a corner to the next: on the edge from vertex a to b; or, if b
+// is NO_VERTEX, in the plane a.
+const uint32_t NO_VERTEX = UINT32_MAX;
+struct Corner {
+  Point at;
+  double error; // of each coordinate
+  uint32_t a, b;
+};
+
+struct Convex {
+  uint32_t from;   // a face of the world that it is, or is a piece of
+  uint32_t parent; // that face's parent
+  uint32_t plane;  // its class
+  std::vector<Corner> corners;
+  std::vector<hsr_cut> cuts; // `face` is a plane here
+};
+
+// Where a piece lies about a plane: whether it has points strictly in front of
+// it, and behind; or, of a piece that is not flat, whether that is not certain.
+enum : unsigned { FRONT = 1, BEHIND = 2, UNSURE = 4 };
+
+// A plane across an axis: x, y or z = at, and the side that is its front.
+struct Level {
+  size_t axis;
+  double at;
+  int front; // +1 where x, y or z is greater; 0: the plane is another
+};
+
+class Convex_pieces {
+public:
+  // Of the faces of a world, which is borrowed.
+  explicit Convex_pieces(const hsr_world &world);
+
+  // The number of the plane x, y or z = at, in front where it is greater.
+  uint32_t add_level(size_t axis, double at) {
+    level_.push_back({axis, at, 1});
+    return uint32_t(level_.size() - 1);
+  }
+
+  // Face f as a piece: false if it has no point.
+  bool make(uint32_t f, Convex &piece) const;
+
+  unsigned about(const Convex &piece, uint32_t plane) const;
+
+  // The part of a piece, which has points on both sides of a plane, on one side
+  // of it.
+  Convex part(const Convex &piece, uint32_t plane, int side) const;
+
+  // The piece as a piece of its face, with an outline if it is to have one.
+  // All its cuts are by planes of faces.
+  Piece finished(const Convex &piece, bool &with_outline) const;
+
+  const Level &level(uint32_t plane) const { return level_[plane]; }
+  // Of the planes of faces.
+  uint32_t face_of(uint32_t plane) const { return face_of_[plane]; }
+  // +1 if the face is turned as its plane is, -1 if the other way.
+  int turned(uint32_t parent) const { return turned_[parent]; }
+  double reach(uint32_t parent) const { return reach_[parent]; }
+  bool is_flat(const Convex &piece) const {
+    return whole_.deviation[piece.parent] == 0;
+  }
+
+private:
+  const hsr_world &world_, &whole_;
+  std::vector<uint32_t> face_of_;   // a plane: the first face in it
+  std::vector<signed char> turned_; // a face of whole_
+  std::vector<double> reach_;       // a face of whole_
+  std::vector<Level> level_;        // a plane
+
+  double height(uint32_t plane, const Corner &corner, double &error) const;
+  int side(const Convex &piece, size_t k, uint32_t plane, bool &sure) const;
+  bool is_within(const Corner &side, uint32_t plane) const;
+  int exact_side(const Convex &piece, size_t k, uint32_t plane) const;
+  void locate(const Convex &piece, size_t k, Corner &corner) const;
+  void clip(Convex &piece, uint32_t plane, int side) const;
+};
+
+} // namespace hsr
+
+#endif

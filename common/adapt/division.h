@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces in the making: what the adapters share.
+#ifndef HSR_COMMON_DIVISION_H
+#define HSR_COMMON_DIVISION_H
+
+#include "common/adapt/adapt.h"
+
+#include <array>
+#include <new>
+#include <vector>
+
+namespace hsr {
+
+using Point = std::array<double, 3>;
+
+struct Piece {
+  uint32_t parent;
+  std::vector<uint32_t> loop;
+  std::vector<hsr_cut> cuts;  // by the parents of the cutting planes
+  std::vector<Point> outline; // empty: the loop
+};
+
+// A face that cannot be mended.
+struct Refused {
+  unsigned restriction;
+  uint32_t face;
+  const char *why;
+};
+
+inline const hsr_world &whole_of(const hsr_world &world) {
+  return world.pieces ? *world.pieces->whole : world;
+}
+
+inline Point point_of(const hsr_world &world, uint32_t v) {
+  return {world.x[v], world.y[v], world.z[v]};
+}
+
+// Face f of any world as a piece of the scene's.
+inline Piece piece_of(const hsr_world &world, uint32_t f) {
+  Piece piece;
+  piece.parent = hsr_world_parent(&world, f);
+  piece.loop.assign(world.vertex + world.start[f],
+                    world.vertex + world.start[f + 1]);
+  if (const hsr_pieces *p = world.pieces) {
+    for (uint32_t c = p->cut_start[f]; c < p->cut_start[f + 1]; c++)
+      piece.cuts.push_back({p->parent[p->cut[c].face], p->cut[c].side});
+    for (uint32_t k = p->outline_start[f]; k < p->outline_start[f + 1]; k++)
+      piece.outline.push_back(point_of(world, p->outline[k]));
+  }
+  return piece;
+}
+
+// Pieces in flat arrays, as a world of them is made of.
+class List {
+public:
+  void add(const Piece &piece, bool with_outline) {
+    parent_.push_back(piece.parent);
+    vertex_.insert(vertex_.end(), piece.loop.begin(), piece.loop.end());
+    start_.push_back(uint32_t(vertex_.size()));
+    cut_.insert(cut_.end(), piece.cuts.begin(), piece.cuts.end());
+    cut_start_.push_back(uint32_t(cut_.size()));
+    if (with_outline)
+      for (const Point &p : piece.outline)
+        outline_.insert(outline_.end(), p.begin(), p.end());
+    outline_start_.push_back(uint32_t(outline_.size() / 3));
+  }
+
+  size_t size() const { return parent_.size(); }
+
+  hsr_status make(hsr_world *out, const hsr_world &whole,
+                  hsr_error *err) const {
+    const hsr_piece_list list = {
+        uint32_t(parent_.size()), parent_.data(),    start_.data(),
+        vertex_.data(),           cut_start_.data(), cut_.data(),
+        outline_start_.data(),    outline_.data()};
+    return hsr_world_of_pieces(out, &whole, &list, err);
+  }
+
+private:
+  std::vector<uint32_t> parent_, start_{0}, vertex_, cut_start_{0},
+      outline_start_{0};
+  std::vector<hsr_cut> cut_;
+  std::vector<double> outline_;
+};
+
+// Runs an adapter's body, which throws.
+template <class Body> hsr_status guarded(hsr_error *err, const Body &body) {
+  try {
+    return body();
+  } catch (const Refused &refused) {
+    return hsr_fail(err, HSR_E_REFUSED, "%s: face id %u %s",
+                    hsr_restriction_code(refused.restriction), refused.face,
+                    refused.why);
+  } catch (const std::bad_alloc &) {
+    return hsr_fail_nomem(err);
+  } catch (...) {
+    return hsr_fail(err, HSR_E_INTERNAL, "adapting the scene failed");
+  }
+}
+
+// Face f of a scene, which is flat and does not cross itself, as convex
+// polygons through its corners: itself, or triangles.
+std::vector<std::vector<uint32_t>> convex_loops(const hsr_world &world,
+                                                uint32_t f);
+
+// The adapters of clusters.
+hsr_status cluster(const hsr_world *in, hsr_world *out, bool *changed,
+                   hsr_error *err);
+hsr_status give_priorities(const hsr_world *in, hsr_world *out, bool *changed,
+                           hsr_error *err);
+
+} // namespace hsr
+
+#endif

@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+nobase_pkginclude_HEADERS += \
+  %D%/adapt.h
+libhsr_a_SOURCES += \
+  %D%/adapt_cgal.cc \
+  %D%/cluster_cgal.cc \
+  %D%/convex.cc \
+  %D%/convex.h \
+  %D%/division.h

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/answers/picture.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const float BACKGROUND[3] = {0.055f, 0.07f, 0.10f};
+
+/* 1/t of the face's plane at screen point (sx, sy), in doubles: good to float
+ * precision, which is all that a picture holds. */
+static double reciprocal_depth(const struct hsr_world *world,
+                               const struct hsr_view *view, uint32_t f,
+                               double sx, double sy) {
+  const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
+  const double p[3] = {world->px[f], world->py[f], world->pz[f]};
+  double along = 0, distance = 0;
+  for (int k = 0; k < 3; k++) {
+    along +=
+        n[k] * (view->ray[0][k] + sx * view->ray[1][k] + sy * view->ray[2][k]);
+    distance += n[k] * (p[k] - view->E[k]);
+  }
+  return along / distance;
+}
+
+void hsr_picture_depth(const struct hsr_world *world,
+                       const struct hsr_view *view, const uint32_t *ids,
+                       float *depth) {
+  for (int j = 0; j < view->n; j++)
+    for (int i = 0; i < view->m; i++) {
+      size_t k = (size_t)j * (size_t)view->m + (size_t)i;
+      depth[k] = ids[k] == HSR_BACKGROUND
+                     ? INFINITY
+                     : (float)(1 / reciprocal_depth(world, view, ids[k],
+                                                    hsr_sample_x(view, i),
+                                                    hsr_sample_y(view, j)));
+    }
+}
+
+/* A colour that neighbouring ids do not share: bits of the id scattered over
+ * hue by a multiplicative hash. */
+static void id_colour(uint32_t id, float rgb[3]) {
+  uint32_t h = id * 2654435761u;
+  h ^= h >> 15;
+  h *= 2246822519u;
+  h ^= h >> 13;
+  for (int k = 0; k < 3; k++)
+    rgb[k] = 0.15f + 0.8f * (float)(h >> (8 * k) & 255) / 255;
+}
+
+static uint32_t scene_id(const struct hsr_world *world, uint32_t f) {
+  return world->id ? world->id[f] : f;
+}
+
+static void face_colour(const struct hsr_world *world, uint32_t f,
+                        float rgb[3]) {
+  const struct hsr_object *object = &world->scene->objects[world->object[f]];
+  const float *colour = object->colour;
+  if (object->rgb)
+    colour = object->rgb + 3 * (size_t)(scene_id(world, f) -
+                                        world->first[world->instance[f]]);
+  for (int k = 0; k < 3; k++)
+    rgb[k] = colour[k];
+}
+
+float hsr_picture_light(const struct hsr_view *view, const double n[3],
+                        const double p[3]) {
+  double length = 0, light_length = 0, facing = 0, lit = 0;
+  for (int k = 0; k < 3; k++) {
+    double l = -view->F[k] - 0.5 * view->R[k] + 0.9 * view->U[k];
+    length += n[k] * n[k];
+    light_length += l * l;
+    facing += n[k] * (view->E[k] - p[k]);
+    lit += n[k] * l;
+  }
+  double cosine = lit / sqrt(length * light_length);
+  if (facing < 0)
+    cosine = -cosine;
+  return (float)(cosine > 0 ? 0.25 + 0.75 * cosine : 0.25);
+}
+
+static float lambert(const struct hsr_world *world, const struct hsr_view *view,
+                     uint32_t f) {
+  return hsr_picture_light(
+      view, (double[]){world->nx[f], world->ny[f], world->nz[f]},
+      (double[]){world->px[f], world->py[f], world->pz[f]});
+}
+
+void hsr_picture_colour(const struct hsr_world *world,
+                        const struct hsr_view *view, uint32_t id,
+                        enum hsr_shading shading, float rgb[3]) {
+  if (id == HSR_BACKGROUND) {
+    for (int c = 0; c < 3; c++)
+      rgb[c] = BACKGROUND[c];
+  } else if (shading == HSR_SHADE_IDS) {
+    id_colour(scene_id(world, id), rgb);
+  } else {
+    float light = shading == HSR_SHADE_LAMBERT ? lambert(world, view, id) : 1;
+    face_colour(world, id, rgb);
+    for (int c = 0; c < 3; c++)
+      rgb[c] *= light;
+  }
+}
+
+void hsr_picture_shade(const struct hsr_world *world,
+                       const struct hsr_view *view, const uint32_t *ids,
+                       enum hsr_shading shading, float *rgb) {
+  size_t n = (size_t)view->m * (size_t)view->n;
+  uint32_t last = HSR_BACKGROUND;
+  float colour[3] = {BACKGROUND[0], BACKGROUND[1], BACKGROUND[2]};
+  for (size_t k = 0; k < n; k++) {
+    if (ids[k] != last) {
+      last = ids[k];
+      hsr_picture_colour(world, view, last, shading, colour);
+    }
+    for (int c = 0; c < 3; c++)
+      rgb[3 * k + (size_t)c] = colour[c];
+  }
+}
+
+/* --- Of an outline ------------------------------------------------------- */
+
+/* The faces that are in a picture, laid out, and the picture by their numbers
+ * there. */
+struct seen {
+  struct hsr_world world;
+  uint32_t *id;  /* the scene's ids of the faces, ascending */
+  uint32_t *ids; /* the picture */
+};
+
+static int compare_ids(const void *a, const void *b) {
+  uint32_t f = *(const uint32_t *)a, g = *(const uint32_t *)b;
+  return (f > g) - (f < g);
+}
+
+/* The different faces of a picture, ascending, into id[]; how many. */
+static uint32_t find_seen(const uint32_t *ids, size_t n, uint32_t *id) {
+  memcpy(id, ids, n * sizeof *id);
+  qsort(id, n, sizeof *id, compare_ids);
+  uint32_t kept = 0;
+  for (size_t k = 0; k < n && id[k] != HSR_BACKGROUND; k++)
+    if (!kept || id[k] != id[kept - 1])
+      id[kept++] = id[k];
+  return kept;
+}
+
+static enum hsr_status seen_init(struct seen *seen,
+                                 const struct hsr_world *world,
+                                 const uint32_t *ids, size_t n,
+                                 struct hsr_error *err) {
+  seen->id = malloc(n * sizeof *seen->id);
+  seen->ids = malloc(n * sizeof *seen->ids);
+  if (!seen->id || !seen->ids)
+    return hsr_fail_nomem(err);
+  uint32_t n_seen = find_seen(ids, n, seen->id);
+  for (size_t k = 0; k < n; k++) {
+    const uint32_t *place =
+        bsearch(&ids[k], seen->id, n_seen, sizeof *seen->id, compare_ids);
+    seen->ids[k] = place ? (uint32_t)(place - seen->id) : HSR_BACKGROUND;
+  }
+  return hsr_world_extract(&seen->world, world, seen->id, n_seen, err);
+}
+
+static void seen_free(struct seen *seen) {
+  hsr_world_free(&seen->world);
+  free(seen->id);
+  free(seen->ids);
+}
+
+enum hsr_status hsr_picture_finish(const struct hsr_world *world,
+                                   const struct hsr_view *view,
+                                   const uint32_t *ids,
+                                   enum hsr_shading shading, float *depth,
+                                   float *rgb, struct hsr_error *err) {
+  struct seen seen = {.ids = NULL};
+  enum hsr_status status = HSR_OK;
+  if (hsr_is_outline(world)) {
+    status =
+        seen_init(&seen, world, ids, (size_t)view->m * (size_t)view->n, err);
+    world = &seen.world;
+    ids = seen.ids;
+  }
+  if (!status && depth)
+    hsr_picture_depth(world, view, ids, depth);
+  if (!status && rgb)
+    hsr_picture_shade(world, view, ids, shading, rgb);
+  seen_free(&seen);
+  return status;
+}

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+nobase_pkginclude_HEADERS += \
+  %D%/arena.h \
+  %D%/count.h \
+  %D%/status.h
+libhsr_a_SOURCES += \
+  %D%/arena.c \
+  %D%/bits.h \
+  %D%/count.c \
+  %D%/status.c \
+  %D%/vector.h

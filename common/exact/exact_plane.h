@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plane of a face in numbers of any type: intervals, which may leave a
+// comparison open, and exact ones.
+#ifndef HSR_COMMON_EXACT_PLANE_H
+#define HSR_COMMON_EXACT_PLANE_H
+
+#include "common/scene/world.h"
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/MP_Float.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+
+namespace hsr {
+
+using Interval = CGAL::Interval_nt<false>;
+using Exact = CGAL::MP_Float;
+template <class T> using Vector = typename CGAL::Simple_cartesian<T>::Vector_3;
+
+template <class T> Vector<T> point(const hsr_world *w, uint32_t v) {
+  return {T(w->x[v]), T(w->y[v]), T(w->z[v])};
+}
+
+// N . (k P - S) = 0, as in docs/correct-picture.md; `offset` is N . S.
+template <class T> struct Plane {
+  Vector<T> normal;
+  T k, offset;
+
+  Plane(const hsr_world *w, uint32_t f)
+      : normal(T(0), T(0), T(0)), k(double(hsr_face_size(w, f))) {
+    const uint32_t *vertex = w->vertex + w->start[f], n = hsr_face_size(w, f);
+    Vector<T> first = point<T>(w, vertex[0]), sum = first;
+    for (uint32_t i = 1; i < n; i++) {
+      Vector<T> a = point<T>(w, vertex[i]);
+      sum = sum + a;
+      if (i + 1 < n)
+        normal = normal + CGAL::cross_product(
+                              a - first, point<T>(w, vertex[i + 1]) - first);
+    }
+    offset = normal * sum;
+  }
+
+  // Across an axis: x, y or z = at, in front (+1) where it is greater.
+  Plane(size_t axis, double at, int front)
+      : normal(T(axis == 0 ? front : 0), T(axis == 1 ? front : 0),
+               T(axis == 2 ? front : 0)),
+        k(1), offset(T(front) * T(at)) {}
+
+  T height(const Vector<T> &p) const { return k * (normal * p) - offset; }
+};
+
+// The side of the plane of face f on which vertex v is, by the rounded plane,
+// if that is certain; else 0. The bound is that of order.c.
+inline int rough_side(const hsr_world *w, uint32_t f, uint32_t v) {
+  const double n[3] = {w->nx[f], w->ny[f], w->nz[f]};
+  const double r[3] = {w->x[v] - w->px[f], w->y[v] - w->py[f],
+                       w->z[v] - w->pz[f]};
+  const double n1 = std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]);
+  const double r1 = std::fabs(r[0]) + std::fabs(r[1]) + std::fabs(r[2]);
+  const double error = 2 * (w->n_error[f] * r1 + w->anchor_error[f] * n1) +
+                       0x1p-49 * n1 * r1 + 0x1p-960;
+  const double height = n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
+  return height > error ? 1 : height < -error ? -1 : 0;
+}
+
+// The same, exactly: +1 in front, -1 behind, 0 on it.
+inline int side_of_plane(const hsr_world *w, uint32_t f, uint32_t v) {
+  if (hsr_on_plane(w, f, v))
+    return 0;
+  if (const int side = rough_side(w, f, v))
+    return side;
+  return CGAL::sign(Plane<Exact>(w, f).height(point<Exact>(w, v)));
+}
+
+} // namespace hsr
+
+#endif

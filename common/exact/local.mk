@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+nobase_pkginclude_HEADERS += \
+  %D%/order.h \
+  %D%/predicates.h \
+  %D%/screen.h
+libhsr_a_SOURCES += \
+  %D%/exact_plane.h \
+  %D%/order.c \
+  %D%/pair.c \
+  %D%/pair.h \
+  %D%/predicates_cgal.cc \
+  %D%/screen.c

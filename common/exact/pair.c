@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/exact/pair.h"
+
+uint32_t hsr_largest_face(const struct hsr_scene *scene) {
+  uint32_t largest = 3;
+  for (uint32_t o = 0; o < scene->n_objects; o++) {
+    const struct hsr_object *object = &scene->objects[o];
+    for (uint32_t f = 0; f < object->n_faces; f++)
+      if (largest < object->start[f + 1] - object->start[f])
+        largest = object->start[f + 1] - object->start[f];
+  }
+  return largest;
+}
+
+enum hsr_status hsr_pair_init(struct hsr_pair *pair,
+                              const struct hsr_world *scene,
+                              const struct hsr_view *view,
+                              struct hsr_arena *arena) {
+  uint32_t corners = 2 * hsr_largest_face(scene->scene);
+  pair->world = (struct hsr_world){.scene = scene->scene,
+                                   .n_vertices = corners,
+                                   .n_faces = 2,
+                                   .n_corners = corners,
+                                   .first = scene->first,
+                                   .id = pair->id};
+  return hsr_world_allocate(&pair->world, arena) ||
+                 hsr_screen_init(&pair->screen, &pair->world, view, arena)
+             ? HSR_E_NOMEM
+             : HSR_OK;
+}
+
+bool hsr_pair_nearer(struct hsr_pair *pair, uint32_t f, uint32_t g, int i,
+                     int j, struct hsr_tally *tally) {
+  struct hsr_world *world = &pair->world;
+  pair->id[0] = f < g ? f : g;
+  pair->id[1] = f < g ? g : f;
+  world->start[0] = 0;
+  for (uint32_t k = 0; k < 2; k++) {
+    hsr_world_lay_out(world, k);
+    hsr_world_find_plane(world, k, &tally->out_of_memory);
+    world->plane[k] = k; /* whether they are the same, shows */
+    hsr_screen_plane(&pair->screen, k);
+  }
+  /* Of equal planes neither is nearer than the other: the lower id wins. */
+  bool higher = hsr_nearer(&pair->screen, 1, 0, i, j, tally);
+  return higher == (f > g);
+}

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The exact predicates of the correct picture, over CGAL's number types.
+ *
+ * Each is the sign of a polynomial in the input doubles: first in CGAL's
+ * interval arithmetic, then, where the interval holds zero, in its exact
+ * arithmetic. They are what the filters of common/exact/screen.h fall back to; an
+ * algorithm calls those, not these. docs/correct-picture.md has the
+ * definitions, and the words used here.
+ *
+ * All return -1, 0 or +1 and none fails but for lack of memory: then
+ * *out_of_memory is set and the answer is meaningless. They must run with the
+ * rounding mode to nearest, and leave it so. */
+#ifndef HSR_COMMON_PREDICATES_H
+#define HSR_COMMON_PREDICATES_H
+
+#include "common/scene/pieces.h"
+#include "common/view/view.h"
+#include "common/scene/world.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A polygon in arrays of coordinates: corner k has the coordinates
+ * x[stride * vertex[k]], likewise y and z. All borrowed. */
+struct hsr_loop {
+  const double *x, *y, *z;
+  size_t stride;
+  const uint32_t *vertex;
+  uint32_t n;
+};
+
+/* The corners of face f. */
+static inline struct hsr_loop hsr_face_loop(const struct hsr_world *world,
+                                            uint32_t f) {
+  struct hsr_loop loop = {world->x,
+                          world->y,
+                          world->z,
+                          1,
+                          world->vertex + world->start[f],
+                          hsr_face_size(world, f)};
+  return loop;
+}
+
+/* A polygon on the same plane as face f, by which the plane is defined: its own
+ * corners, or of a piece its parent's. */
+static inline struct hsr_loop hsr_plane_loop(const struct hsr_world *world,
+                                             uint32_t f) {
+  const struct hsr_pieces *pieces = world->pieces;
+  return pieces ? hsr_face_loop(pieces->whole, pieces->parent[f])
+                : hsr_face_loop(world, f);
+}
+
+/* Whether all three components of Newell's normal are zero: 0 if so, else 1. */
+int hsr_exact_has_normal(struct hsr_loop face, bool *out_of_memory);
+
+/* Whether all corners are on the plane of the face (common/scene/world.h). */
+bool hsr_is_flat(struct hsr_loop face, bool *out_of_memory);
+
+/* Whether two faces lie on one plane, in either orientation: 1 if so. */
+int hsr_exact_same_plane(struct hsr_loop f, struct hsr_loop g,
+                         bool *out_of_memory);
+
+/* +1 if `point` is strictly in front of the face's plane (on the side that its
+ * normal points to), -1 if behind, 0 if on it. */
+int hsr_exact_plane_side(struct hsr_loop face, const double point[3],
+                         bool *out_of_memory);
+
+/* The same, of the face moved by `shift`. */
+int hsr_exact_moved_plane_side(struct hsr_loop face, const double shift[3],
+                               const double point[3], bool *out_of_memory);
+
+/* The same of the face as it stands and a point displaced by (e, e^2, e^3), e
+ * infinitesimal: never 0. */
+int hsr_exact_displaced_plane_side(struct hsr_loop face, const double point[3],
+                                   bool *out_of_memory);
+
+/* row(v) of a vertex against the scan plane through screen height sy,
+ * perturbed: for a vertex before the eye, +1 if it lies below the line. */
+int hsr_exact_row_side(const struct hsr_view *view, const double vertex[3],
+                       double sy, bool *out_of_memory);
+
+/* edge(a, b) at screen point (sx, sy), perturbed. For an edge before the eye
+ * that goes from a, above, to b, below: +1 if the point lies to the left of the
+ * edge on the screen. 0 only if a, b and the eye are on a line. */
+int hsr_exact_edge_side(const struct hsr_view *view, const double a[3],
+                        const double b[3], double sx, double sy,
+                        bool *out_of_memory);
+
+/* det(a, b, R): the sign that edge(a, b) takes far enough to the right on
+ * every scan plane. */
+int hsr_exact_edge_slope(const struct hsr_view *view, const double a[3],
+                         const double b[3], bool *out_of_memory);
+
+/* The two halves of t > near on the face's plane at (sx, sy), perturbed; on a
+ * scan line each holds on one side of one point.
+ * ahead:     +1 if 1/t > 0, so that the ray meets the plane before the eye;
+ * past near: +1 if near / t < 1.
+ * Else -1; both are -1 if the plane holds the eye. */
+int hsr_exact_ahead(const struct hsr_view *view, struct hsr_loop face,
+                    double sx, double sy, bool *out_of_memory);
+int hsr_exact_past_near(const struct hsr_view *view, struct hsr_loop face,
+                        double sx, double sy, bool *out_of_memory);
+
+/* Compares 1/t of the planes of f and g at (sx, sy), perturbed: +1 if f is
+ * nearer, -1 if g is, 0 only if the planes are the same. Neither plane may hold
+ * the eye. */
+int hsr_exact_nearer(const struct hsr_view *view, struct hsr_loop f,
+                     struct hsr_loop g, double sx, double sy,
+                     bool *out_of_memory);
+
+/* The same on the ray through a point, and not perturbed: 0 if the planes meet
+ * there. */
+int hsr_exact_nearer_towards(const struct hsr_view *view, struct hsr_loop f,
+                             struct hsr_loop g, const double point[3],
+                             bool *out_of_memory);
+
+/* On which side of g's plane the ray of (sx, sy), perturbed, meets the plane of
+ * f: +1 in front, -1 behind, 0 only if the planes are the same. f's plane does
+ * not hold the eye, and is ahead of it there; g's may hold it. */
+int hsr_exact_cut_side(const struct hsr_view *view, struct hsr_loop f,
+                       struct hsr_loop g, double sx, double sy,
+                       bool *out_of_memory);
+
+/* The matrices of hsr_view from its E, F, R, U, m, n, each entry the exact
+ * value with a relative error of at most 2^-52. False if F, R, U are dependent.
+ */
+bool hsr_exact_view_matrices(const struct hsr_view *view, double ray[3][3],
+                             double screen[3][3], bool *out_of_memory);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,939 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The perspective transform, and the proofs of the filters.
+ *
+ * Notation    u = 2^-53; a hat marks a computed value; |.|_1 a sum of absolute
+ *             components, |.|inf the largest; v = V - E; delta = HSR_DELTA =
+ *             2^-26; G = HSR_GUARD = 2^15. Everything is in doubles, rounded to
+ *             nearest, nothing contracted. Coordinates are at most 1e30 in size
+ *             (common/scene/scene.c), so that nothing overflows; underflow is covered
+ *             where it can matter by adding 2^-960.
+ *
+ * Vertices. v^ carries one rounding in each component; an entry M of the screen
+ * matrix a relative error of 2u; a product of the two one rounding more, and
+ * the sum of three at most two: a homogeneous coordinate is within 7u |M_row|_1
+ * |v|inf to first order. With r = |v^|inf, 8u |M_row|_1 r holds all orders.
+ * Then sx = (w sx)/w is within (8u |M_x|_1 r + |sx| 8u |M_w|_1 r)/w of the true
+ * one, plus two roundings of the division (a reciprocal and a product), at most
+ * 3u G = 2^-36. A vertex is called safe if |sx|, |sy| <= G and
+ *     w >= kappa r,  kappa = 8u (max(|M_x|_1, |M_y|_1) + G |M_w|_1) * 4/delta,
+ * so that the first part is at most delta/4 (1 + small) and the whole below
+ * delta. It also gives w > 0 for the true w. (r >= 2^-500 excludes underflow.)
+ *
+ * Depth planes. On the plane N.(X - P) = 0, 1/t = N.D / c with c = N.(P - E).
+ * With r = P^ - E, c^ is within e_c = 2 (n_error |r|_1 + anchor_error |N|_1) +
+ * 16u sum|N_k r_k| + 2^-960. N.D = N.ray0 + sx N.ray1 + sy N.ray2. With D_k =
+ * |ray0_k| + m |ray1_k| + n |ray2_k|, which bounds every |D_k| in the picture,
+ * and S = sum |N_k| D_k, each evaluation of it is within e_n = n_error |D|_1 +
+ * 16u S + 2^-960. So |q^ - q| <= (e_n + Q e_c)/(|c^| - e_c) + 16u Q,  Q =
+ * S/|c^|, where the last term covers the divisions by c^ and the sums of a sx +
+ * b sy + c, each term of which is at most Q (1 + small).
+ *
+ * Depth at a vertex. Of a safe vertex |sx|, |sy| <= G, and there |D| is at most
+ * max(1, G/m, G/n) times what it is in the picture. All terms of the error of
+ * |q^ - q| grow with |D| by that factor at most, those of rounding included. To
+ * this comes delta times the slopes of q, which differ from a^ and b^ by less
+ * than that error over G. `outside` = 2 + G/m + G/n and 2 delta hold it all.
+ * The same goes for the difference of two planes' q. Of a whole face, the
+ * screen points of whose vertices have q_f >= q_g, every point within their
+ * convex hull has q_f >= q_g, since the difference is affine, and every point
+ * inside it has q_f > q_g, unless they are one function and the planes one. The
+ * displaced sample that the face covers is inside.
+ *
+ * Facing. c < 0 means that the eye is in front. If |c^| > e_c + deviation, the
+ * sign is certain, and every point X of the face's convex hull has N.(X - E) of
+ * the sign of c too, since |N.(X - P)| <= deviation. A ray from the eye that
+ * passes the hull at E + s D and the plane at E + t D then has s and t of one
+ * sign: what the ray covers by parity lies ahead of the eye on the plane if and
+ * only if it does in the hull. This is what lets faces be culled, and called
+ * whole, by their vertices although a face may be a little out of plane.
+ *
+ * Row sides. sy of a safe vertex is within delta; the sample's is exact.
+ *
+ * Edge sides. With d = b - a and h = s - a on the screen, e = dx hy - dy hx. d^
+ * is within 2 delta + 2^-37 of d in each component, h^ within delta + 2^-37,
+ * and the products and their difference round by at most 2u (|dx hy| + |dy hx|)
+ * <= 2^-36 (|hx| + |hy|), since |d| <= 2^16: in all within 2.1 delta (|dx| +
+ * |dy| + |hx| + |hy|) + 4.2 delta^2. The filter takes 4 and 8. sign e is sign
+ * edge(a, b), since that is e times w_a w_b det(F, R, U) times a negative
+ * constant; both w are positive, and det(F, R, U) < 0 in a right-handed world.
+ *
+ * Behind the eye, or beside it, a vertex still has homogeneous coordinates A =
+ * S v, S the screen matrix, as computed within e_k = 8u |S_k|_1 |v|inf; then
+ * |A_k|
+ * <= (1 + 8u) e_k / 8u. row(v) has the sign of A_1 - sy A_2, and edge(a, b)
+ * that of det(A, B, (sx, sy, 1)), as before the division. The first is within
+ * e_1 + |sy| e_2 and the rounding of the product and the difference, at most a
+ * quarter of that each; the filter takes three times it. A product A_k B_l
+ * carries e_k |B_l| + f_l |A_k| <= 2.1 e_k f_l / 8u and a rounding of e_k f_l /
+ * 64u; with further roundings of the sums, of four times that, the sum of all
+ * is within 0.4 e f / u, for which the filter takes e f / u.
+ *
+ * Edge columns. For |dy| >= 16 delta the parameter of the crossing,
+ * (y - ay)/dy in [0, 1], is within 3.5 delta/|dy|; the crossing ax + dx t
+ * within delta + 2.1 delta + 3.5 delta |dx/dy|. Rounding of x + slope sy adds
+ * at most 4u (G + 2 G |slope|) <= 2^-35 (1 + |slope|). The filter takes 4 delta
+ * (1 + |slope|). */
+#include "common/exact/screen.h"
+#include "common/view/clip.h"
+#include "common/exact/predicates.h"
+#include "common/base/vector.h"
+
+#include <float.h>
+#include <string.h>
+
+static const double U = DBL_EPSILON / 2;
+static const double TINY = 0x1p-960;
+
+/* --- Making the screen coordinates --------------------------------------- */
+
+enum hsr_status hsr_screen_init(struct hsr_screen *screen,
+                                const struct hsr_world *world,
+                                const struct hsr_view *view,
+                                struct hsr_arena *arena) {
+  size_t nv = world->n_vertices, nf = world->n_faces;
+  *screen = (struct hsr_screen){.world = world, .view = view};
+  for (int k = 0; k < 3; k++)
+    screen->reach[k] = fabs(view->ray[0][k]) + view->m * fabs(view->ray[1][k]) +
+                       view->n * fabs(view->ray[2][k]);
+  screen->outside = 2 + HSR_GUARD / view->m + HSR_GUARD / view->n;
+  screen->sx = HSR_NEW(arena, double, nv);
+  screen->sy = HSR_NEW(arena, double, nv);
+  screen->q = HSR_NEW(arena, double, nv);
+  screen->plane = HSR_NEW(arena, struct hsr_depth_plane, nf);
+  screen->facing = HSR_NEW(arena, signed char, nf);
+  screen->relevant = HSR_NEW(arena, uint32_t, nf);
+  screen->bounds = HSR_NEW(arena, struct hsr_bounds, nf);
+  screen->whole = HSR_NEW(arena, bool, nf);
+  return screen->sx && screen->sy && screen->q && screen->plane &&
+                 screen->facing && screen->relevant && screen->bounds &&
+                 screen->whole
+             ? HSR_OK
+             : HSR_E_NOMEM;
+}
+
+static double sum_of_sizes(const double v[3]) {
+  return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
+}
+
+static double max(double a, double b) {
+  return a > b ? a : b;
+}
+
+/* kappa of the proof above. */
+static double safe_cosine(const struct hsr_view *view) {
+  double x = sum_of_sizes(view->screen[0]), y = sum_of_sizes(view->screen[1]);
+  double w = sum_of_sizes(view->screen[2]);
+  return 8 * U * (max(x, y) + HSR_GUARD * w) * (4 / HSR_DELTA);
+}
+
+HSR_VECTOR static void transform(size_t n, const double *restrict x,
+                                 const double *restrict y,
+                                 const double *restrict z, const double E[3],
+                                 const double M[3][3], double kappa,
+                                 double *restrict sx, double *restrict sy,
+                                 double *restrict q) {
+  const double e0 = E[0], e1 = E[1], e2 = E[2];
+  const double m00 = M[0][0], m01 = M[0][1], m02 = M[0][2];
+  const double m10 = M[1][0], m11 = M[1][1], m12 = M[1][2];
+  const double m20 = M[2][0], m21 = M[2][1], m22 = M[2][2];
+  for (size_t v = 0; v < n; v++) {
+    double vx = x[v] - e0, vy = y[v] - e1, vz = z[v] - e2;
+    double ax = fabs(vx), ay = fabs(vy), az = fabs(vz);
+    double r = ax > ay ? ax : ay;
+    r = r > az ? r : az;
+    double w = m20 * vx + m21 * vy + m22 * vz;
+    double reciprocal = 1 / w;
+    double px = (m00 * vx + m01 * vy + m02 * vz) * reciprocal;
+    double py = (m10 * vx + m11 * vy + m12 * vz) * reciprocal;
+    int safe = (w >= kappa * r) & (r >= 0x1p-500) & (fabs(px) <= HSR_GUARD) &
+               (fabs(py) <= HSR_GUARD);
+    sx[v] = safe ? px : NAN;
+    sy[v] = safe ? py : NAN;
+    q[v] = reciprocal;
+  }
+}
+
+void hsr_screen_vertices(struct hsr_screen *screen) {
+  const struct hsr_world *world = screen->world;
+  const struct hsr_view *view = screen->view;
+  transform(world->n_vertices, world->x, world->y, world->z, view->E,
+            view->screen, safe_cosine(view), screen->sx, screen->sy, screen->q);
+}
+
+/* What all faces of a view share: see hsr_screen and the proof above. */
+struct plane_frame {
+  double e0, e1, e2;    /* E */
+  double r[3][3];       /* the rays */
+  double D0, D1, D2, D; /* reach, and the sum of it */
+};
+
+static struct plane_frame plane_frame(const struct hsr_screen *screen) {
+  const struct hsr_view *view = screen->view;
+  struct plane_frame frame = {.e0 = view->E[0],
+                              .e1 = view->E[1],
+                              .e2 = view->E[2],
+                              .D0 = screen->reach[0],
+                              .D1 = screen->reach[1],
+                              .D2 = screen->reach[2]};
+  frame.D = frame.D0 + frame.D1 + frame.D2;
+  memcpy(frame.r, view->ray, sizeof frame.r);
+  return frame;
+}
+
+static inline void depth_plane(const struct hsr_world *world,
+                               const struct plane_frame *v, size_t f,
+                               struct hsr_depth_plane *plane,
+                               signed char *facing) {
+  double n0 = world->nx[f], n1 = world->ny[f], n2 = world->nz[f];
+  double r0 = world->px[f] - v->e0, r1 = world->py[f] - v->e1,
+         r2 = world->pz[f] - v->e2;
+  double c0 = n0 * r0, c1 = n1 * r1, c2 = n2 * r2;
+  double c = c0 + c1 + c2;
+  double n_size = fabs(n0) + fabs(n1) + fabs(n2);
+  double e_c = 2 * (world->n_error[f] * (fabs(r0) + fabs(r1) + fabs(r2)) +
+                    world->anchor_error[f] * n_size) +
+               16 * U * (fabs(c0) + fabs(c1) + fabs(c2)) + TINY;
+  double c_size = fabs(c);
+  double S = fabs(n0) * v->D0 + fabs(n1) * v->D1 + fabs(n2) * v->D2;
+  double e_n = world->n_error[f] * v->D + 16 * U * S + TINY;
+  double inverse = 1 / c, Q = S * fabs(inverse);
+  double error = (e_n + Q * e_c) / (c_size - e_c) + 16 * U * Q;
+  int known = c_size > 2 * e_c;
+  double a = (n0 * v->r[1][0] + n1 * v->r[1][1] + n2 * v->r[1][2]) * inverse;
+  double b = (n0 * v->r[2][0] + n1 * v->r[2][1] + n2 * v->r[2][2]) * inverse;
+  double d = (n0 * v->r[0][0] + n1 * v->r[0][1] + n2 * v->r[0][2]) * inverse;
+  plane->a = known ? a : 0;
+  plane->b = known ? b : 0;
+  plane->c = known ? d : 0;
+  plane->error = known ? error : INFINITY;
+  int certain = c_size > e_c + world->deviation[f];
+  *facing = (signed char)(certain ? (c < 0 ? 1 : -1) : 0);
+}
+
+HSR_VECTOR static void depth_planes(size_t n, const struct hsr_world *world,
+                                    struct plane_frame frame,
+                                    struct hsr_depth_plane *restrict plane,
+                                    signed char *restrict facing) {
+  const struct hsr_world w = *world; /* its pointers do not change */
+  for (size_t f = 0; f < n; f++)
+    depth_plane(&w, &frame, f, &plane[f], &facing[f]);
+}
+
+void hsr_screen_planes(struct hsr_screen *screen) {
+  depth_planes(screen->world->n_faces, screen->world, plane_frame(screen),
+               screen->plane, screen->facing);
+}
+
+void hsr_screen_plane(struct hsr_screen *screen, uint32_t f) {
+  struct plane_frame frame = plane_frame(screen);
+  depth_plane(screen->world, &frame, f, &screen->plane[f], &screen->facing[f]);
+}
+
+/* --- Pieces ----------------------------------------------------------------
+ */
+
+struct cuts {
+  const struct hsr_cut *cut;
+  size_t n;
+};
+
+/* The cuts of a face that is a piece. */
+static struct cuts own_cuts(const struct hsr_world *world, uint32_t f) {
+  const struct hsr_pieces *p = world->pieces;
+  if (!p)
+    return (struct cuts){NULL, 0};
+  return (struct cuts){p->cut + p->cut_start[f],
+                       p->cut_start[f + 1] - p->cut_start[f]};
+}
+
+/* --- The culls ----------------------------------------------------------- */
+
+bool hsr_face_exists(const struct hsr_screen *screen, uint32_t f,
+                     struct hsr_tally *tally) {
+  int facing = screen->facing[f];
+  if (!facing) {
+    tally->exact[HSR_ASK_FACING]++;
+    facing = hsr_exact_plane_side(hsr_plane_loop(screen->world, f),
+                                  screen->view->E, &tally->out_of_memory);
+  }
+  return facing > 0 || (facing < 0 && !screen->world->one_sided[f]);
+}
+
+/* The window's samples within [lo, hi] of screen coordinates, closed. */
+static void sample_range(double lo, double hi, double first, int from, int to,
+                         int *begin, int *end) {
+  double a = ceil(lo - first), b = floor(hi - first) + 1;
+  *begin = a <= from ? from : a >= to ? to : (int)a;
+  *end = b >= to ? to : b <= from ? from : (int)b;
+}
+
+static struct hsr_bounds sample_bounds(const struct hsr_view *view, double x0,
+                                       double y0, double x1, double y1) {
+  struct hsr_bounds b;
+  const struct hsr_window *w = &view->window;
+  sample_range(x0, x1, hsr_sample_x(view, 0), w->x0, w->x1, &b.x0, &b.x1);
+  sample_range(y0, y1, hsr_sample_y(view, 0), w->y0, w->y1, &b.y0, &b.y1);
+  return b;
+}
+
+/* Bounds of a face by its vertices: false if one of them is not safe. */
+static bool vertex_bounds(const struct hsr_screen *screen, uint32_t f,
+                          struct hsr_bounds *bounds) {
+  const struct hsr_world *world = screen->world;
+  double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
+  bool safe = true;
+  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
+    double x = screen->sx[world->vertex[k]], y = screen->sy[world->vertex[k]];
+    safe &= x == x;
+    x0 = x < x0 ? x : x0;
+    x1 = x > x1 ? x : x1;
+    y0 = y < y0 ? y : y0;
+    y1 = y > y1 ? y : y1;
+  }
+  if (safe)
+    *bounds = sample_bounds(screen->view, x0 - HSR_DELTA, y0 - HSR_DELTA,
+                            x1 + HSR_DELTA, y1 + HSR_DELTA);
+  return safe;
+}
+
+/* Homogeneous screen coordinates of vertex v, and a bound of their errors. */
+static void homogeneous(const struct hsr_screen *screen, uint32_t v,
+                        double p[3], double error[3]) {
+  const struct hsr_world *world = screen->world;
+  const struct hsr_view *view = screen->view;
+  double d[3] = {world->x[v] - view->E[0], world->y[v] - view->E[1],
+                 world->z[v] - view->E[2]};
+  double r = max(fabs(d[0]), max(fabs(d[1]), fabs(d[2])));
+  for (int k = 0; k < 3; k++) {
+    const double *row = view->screen[k];
+    p[k] = row[0] * d[0] + row[1] * d[1] + row[2] * d[2];
+    error[k] = max(error[k], 8 * U * sum_of_sizes(row) * r + TINY);
+  }
+}
+
+/* Bounds of a triangle or quadrilateral that reaches behind the eye: clip it,
+ * before the division, to what lies ahead and within a pixel of the window. The
+ * clipping planes are moved out by what the coordinates may be off, so that no
+ * true point of the face in the window is lost. Whatever is left near the eye,
+ * where the division would magnify the errors to half a pixel, is taken to be
+ * anywhere. */
+static struct hsr_bounds clipped_bounds(const struct hsr_screen *screen,
+                                        uint32_t f) {
+  const struct hsr_world *world = screen->world;
+  const struct hsr_view *view = screen->view;
+  const struct hsr_window *window = &view->window;
+  const struct hsr_bounds all = {window->x0, window->y0, window->x1,
+                                 window->y1};
+  const struct hsr_bounds none = {window->x0, window->y0, window->x0,
+                                  window->y0};
+  uint32_t size = hsr_face_size(world, f);
+  if (size > 4)
+    return all;
+  double a[32][3], b[32][3], error[3] = {0}; /* 4 grows to 31 at the most */
+  int n = (int)size;
+  for (uint32_t k = 0; k < size; k++)
+    homogeneous(screen, world->vertex[world->start[f] + k], a[k], error);
+
+  double x0 = window->x0 - 1, x1 = window->x1 + 1, y0 = window->y0 - 1,
+         y1 = window->y1 + 1;
+  const double planes[5][3] = {
+      {0, 0, 1}, {1, 0, -x0}, {-1, 0, x1}, {0, 1, -y0}, {0, -1, y1}};
+  for (int side = 0; side < 5 && n; side++) {
+    const double *plane = planes[side];
+    double margin = 2 * (fabs(plane[0]) * error[0] + fabs(plane[1]) * error[1] +
+                         fabs(plane[2]) * error[2]);
+    n = hsr_clip((const double(*)[3])a, n, plane, margin, b);
+    memcpy(a, b, sizeof a);
+  }
+  if (!n)
+    return none;
+
+  double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+  double least = 4 * (max(error[0], error[1]) + HSR_GUARD * error[2]);
+  for (int k = 0; k < n; k++) {
+    if (!(a[k][2] > least))
+      return all;
+    for (int c = 0; c < 2; c++) {
+      double s = a[k][c] / a[k][2];
+      lo[c] = s < lo[c] ? s : lo[c];
+      hi[c] = s > hi[c] ? s : hi[c];
+    }
+  }
+  return sample_bounds(view, lo[0] - 1, lo[1] - 1, hi[0] + 1, hi[1] + 1);
+}
+
+/* All of the face's vertices certainly not before the eye. */
+static bool wholly_behind(const struct hsr_screen *screen, uint32_t f) {
+  const struct hsr_world *world = screen->world;
+  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
+    double p[3], error[3] = {0};
+    if (screen->sx[world->vertex[k]] == screen->sx[world->vertex[k]])
+      return false;
+    homogeneous(screen, world->vertex[k], p, error);
+    if (!(p[2] < -error[2]))
+      return false;
+  }
+  return true;
+}
+
+/* 0 < near q < 1 certainly holds on the face's plane within its bounds. */
+static bool clear_of_near(const struct hsr_screen *screen, uint32_t f) {
+  const struct hsr_bounds *b = &screen->bounds[f];
+  double near = screen->view->near, error = screen->plane[f].error;
+  for (int corner = 0; corner < 4; corner++) {
+    double q = hsr_depth(screen, f, corner & 1 ? b->x1 - 1 : b->x0,
+                         corner & 2 ? b->y1 - 1 : b->y0);
+    if (!(q > error && near * (q + error) < 1 - 8 * U))
+      return false;
+  }
+  return true;
+}
+
+/* Bounds of a divided face: narrowed to its outline's, where that is safely
+ * before the eye. Its points are off by outline_error, which the matrix
+ * magnifies as it does in the proof above. */
+static void narrow_to_outline(const struct hsr_screen *screen, uint32_t f,
+                              struct hsr_bounds *b) {
+  const struct hsr_pieces *p = screen->world->pieces;
+  const double(*M)[3] = screen->view->screen;
+  double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY, q = 0;
+  bool safe = p->outline_start[f] < p->outline_start[f + 1];
+  for (uint32_t k = p->outline_start[f]; k < p->outline_start[f + 1]; k++) {
+    uint32_t v = p->outline[k];
+    safe &= screen->sx[v] == screen->sx[v];
+    x0 = fmin(x0, screen->sx[v]);
+    x1 = fmax(x1, screen->sx[v]);
+    y0 = fmin(y0, screen->sy[v]);
+    y1 = fmax(y1, screen->sy[v]);
+    q = fmax(q, screen->q[v]);
+  }
+  if (!safe)
+    return;
+  double off = 1 + 2 * p->outline_error * q *
+                       (max(sum_of_sizes(M[0]), sum_of_sizes(M[1])) +
+                        HSR_GUARD * sum_of_sizes(M[2]));
+  struct hsr_bounds o =
+      sample_bounds(screen->view, x0 - off, y0 - off, x1 + off, y1 + off);
+  b->x0 = o.x0 > b->x0 ? o.x0 : b->x0;
+  b->y0 = o.y0 > b->y0 ? o.y0 : b->y0;
+  b->x1 = o.x1 < b->x1 ? o.x1 : b->x1;
+  b->y1 = o.y1 < b->y1 ? o.y1 : b->y1;
+}
+
+bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
+                      struct hsr_tally *tally) {
+  if (!hsr_face_exists(screen, f, tally))
+    return false;
+  struct hsr_bounds *b = &screen->bounds[f];
+  bool certain = screen->facing[f] != 0;
+  bool safe = vertex_bounds(screen, f, b);
+  if (!safe) {
+    const struct hsr_window *w = &screen->view->window;
+    *b = (struct hsr_bounds){w->x0, w->y0, w->x1, w->y1};
+    if (certain && wholly_behind(screen, f))
+      return false;
+    if (certain)
+      *b = clipped_bounds(screen, f);
+  }
+  if (screen->world->pieces)
+    narrow_to_outline(screen, f, b);
+  if (b->x0 >= b->x1 || b->y0 >= b->y1)
+    return false;
+  /* A face of uncertain plane may still be whole: a flat one before the eye is
+   * hit before the eye. */
+  bool ahead = certain || screen->world->deviation[f] == 0;
+  screen->whole[f] =
+      safe && !own_cuts(screen->world, f).n &&
+      ((ahead && screen->view->near == 0) || clear_of_near(screen, f));
+  return true;
+}
+
+void hsr_screen_cull(struct hsr_screen *screen, struct hsr_tally *tally) {
+  uint32_t n = 0;
+  for (uint32_t f = 0; f < screen->world->n_faces; f++)
+    if (hsr_screen_place(screen, f, tally))
+      screen->relevant[n++] = f;
+  screen->n_relevant = n;
+}
+
+enum hsr_status hsr_screen_make(struct hsr_screen *screen,
+                                const struct hsr_world *world,
+                                const struct hsr_view *view,
+                                struct hsr_arena *arena,
+                                struct hsr_tally *tally) {
+  enum hsr_status status = hsr_screen_init(screen, world, view, arena);
+  if (status)
+    return status;
+  hsr_screen_vertices(screen);
+  hsr_screen_planes(screen);
+  hsr_screen_cull(screen, tally);
+  return HSR_OK;
+}
+
+/* --- The exact ends of the filters ---------------------------------------- */
+
+static void vertex_point(const struct hsr_world *world, uint32_t v,
+                         double p[3]) {
+  p[0] = world->x[v];
+  p[1] = world->y[v];
+  p[2] = world->z[v];
+}
+
+bool hsr_nearer_exact(const struct hsr_screen *screen, uint32_t f, uint32_t g,
+                      int i, int j, struct hsr_tally *tally) {
+  tally->exact[HSR_ASK_DEPTH]++;
+  return hsr_exact_nearer(
+             screen->view, hsr_plane_loop(screen->world, f),
+             hsr_plane_loop(screen->world, g), hsr_sample_x(screen->view, i),
+             hsr_sample_y(screen->view, j), &tally->out_of_memory) > 0;
+}
+
+int hsr_vertex_nearer_exact(const struct hsr_screen *screen, uint32_t f,
+                            uint32_t g, uint32_t v, struct hsr_tally *tally) {
+  /* Faces that share a vertex meet there. */
+  if (hsr_on_plane(screen->world, f, v) && hsr_on_plane(screen->world, g, v))
+    return 0;
+  double p[3];
+  vertex_point(screen->world, v, p);
+  struct hsr_loop loop_f = hsr_plane_loop(screen->world, f);
+  struct hsr_loop loop_g = hsr_plane_loop(screen->world, g);
+  bool *out_of_memory = &tally->out_of_memory;
+  tally->exact[HSR_ASK_VERTEX]++;
+  /* Mostly it lies in both planes, of faces that touch: that is soon told. */
+  if (!hsr_exact_plane_side(loop_g, p, out_of_memory) &&
+      !hsr_exact_plane_side(loop_f, p, out_of_memory))
+    return 0;
+  return hsr_exact_nearer_towards(screen->view, loop_f, loop_g, p,
+                                  out_of_memory);
+}
+
+/* The sign of a number that is within `error` of the truth; 0 if in doubt. */
+static int certain_sign(double value, double error) {
+  return (value > error) - (value < -error);
+}
+
+static int homogeneous_row(const struct hsr_screen *screen, uint32_t v,
+                           double sy) {
+  double a[3], error[3] = {0, 0, 0};
+  homogeneous(screen, v, a, error);
+  return certain_sign(a[1] - sy * a[2], 3 * (error[1] + fabs(sy) * error[2]));
+}
+
+/* det(A, B, (sx, sy, 1)) along a row, as sx across + rest, with the errors of
+ * these. */
+struct row_edge {
+  double across, rest, across_error, rest_error;
+};
+
+static struct row_edge row_edge(const struct hsr_screen *screen, uint32_t va,
+                                uint32_t vb, double sy) {
+  double a[3], b[3], e[3] = {0, 0, 0}, f[3] = {0, 0, 0};
+  homogeneous(screen, va, a, e);
+  homogeneous(screen, vb, b, f);
+  return (struct row_edge){
+      a[1] * b[2] - a[2] * b[1],
+      sy * (a[2] * b[0] - a[0] * b[2]) + (a[0] * b[1] - a[1] * b[0]),
+      (e[1] * f[2] + e[2] * f[1]) / U,
+      (fabs(sy) * (e[2] * f[0] + e[0] * f[2]) + (e[0] * f[1] + e[1] * f[0])) /
+          U};
+}
+
+static inline int row_edge_side(const struct row_edge *edge, double sx) {
+  return certain_sign(sx * edge->across + edge->rest,
+                      fabs(sx) * edge->across_error + edge->rest_error + TINY);
+}
+
+int hsr_edge_side_exact(const struct hsr_screen *screen, uint32_t a, uint32_t b,
+                        int i, int j, struct hsr_tally *tally) {
+  double p[3], q[3];
+  vertex_point(screen->world, a, p);
+  vertex_point(screen->world, b, q);
+  double sx = hsr_sample_x(screen->view, i), sy = hsr_sample_y(screen->view, j);
+  struct row_edge edge = row_edge(screen, a, b, sy);
+  int sign = row_edge_side(&edge, sx);
+  if (sign)
+    return sign;
+  tally->exact[HSR_ASK_EDGE]++;
+  return hsr_exact_edge_side(screen->view, p, q, sx, sy, &tally->out_of_memory);
+}
+
+int hsr_row_side_exact(const struct hsr_screen *screen, uint32_t v, int j,
+                       struct hsr_tally *tally) {
+  double p[3];
+  vertex_point(screen->world, v, p);
+  double sy = hsr_sample_y(screen->view, j);
+  int sign = homogeneous_row(screen, v, sy);
+  if (sign)
+    return sign;
+  tally->exact[HSR_ASK_ROW]++;
+  return hsr_exact_row_side(screen->view, p, sy, &tally->out_of_memory);
+}
+
+/* t > near on the plane of a cut face. */
+static bool beyond_near(const struct hsr_screen *screen, uint32_t f, int i,
+                        int j, struct hsr_tally *tally) {
+  const struct hsr_view *view = screen->view;
+  double q = hsr_depth(screen, f, i, j), error = screen->plane[f].error;
+  if (q < -error || view->near * (q - error) > 1 + 8 * U)
+    return false;
+  if (q > error && view->near * (q + error) < 1 - 8 * U)
+    return true;
+  tally->exact[HSR_ASK_NEAR]++;
+  struct hsr_loop loop = hsr_plane_loop(screen->world, f);
+  double sx = hsr_sample_x(view, i), sy = hsr_sample_y(view, j);
+  return hsr_exact_ahead(view, loop, sx, sy, &tally->out_of_memory) > 0 &&
+         hsr_exact_past_near(view, loop, sx, sy, &tally->out_of_memory) > 0;
+}
+
+/* --- Cuts -------------------------------------------------------------------
+ */
+
+int hsr_cut_side(const struct hsr_screen *screen, uint32_t f, uint32_t g, int i,
+                 int j, struct hsr_tally *tally) {
+  double bound = screen->plane[f].error + screen->plane[g].error;
+  double by = hsr_depth(screen, f, i, j) - hsr_depth(screen, g, i, j);
+  if (fabs(by) > bound && screen->facing[g])
+    return by > 0 ? screen->facing[g] : -screen->facing[g];
+  const struct hsr_view *view = screen->view;
+  tally->exact[HSR_ASK_CUT]++;
+  return hsr_exact_cut_side(
+      view, hsr_plane_loop(screen->world, f), hsr_plane_loop(screen->world, g),
+      hsr_sample_x(view, i), hsr_sample_y(view, j), &tally->out_of_memory);
+}
+
+static bool within_cuts(const struct hsr_screen *screen, uint32_t f,
+                        struct cuts cuts, int i, int j,
+                        struct hsr_tally *tally) {
+  for (size_t k = 0; k < cuts.n; k++)
+    if (hsr_cut_side(screen, f, cuts.cut[k].face, i, j, tally) !=
+        cuts.cut[k].side)
+      return false;
+  return true;
+}
+
+/* --- Surround test and sample spans ----------------------------------------
+ */
+
+/* Whether the edge from a to b, which crosses row j with a on side `row`,
+ * crosses it to the right of sample (i, j). An edge in line with the eye
+ * crosses nothing. */
+static bool crosses_right(const struct hsr_screen *screen, uint32_t a,
+                          uint32_t b, int row, int i, int j,
+                          struct hsr_tally *tally) {
+  return hsr_edge_side(screen, a, b, i, j, tally) == -row;
+}
+
+/* The surround test of the paper, by counting crossings of a half line. */
+bool hsr_covers(const struct hsr_screen *screen, uint32_t f, int i, int j,
+                struct hsr_tally *tally) {
+  const struct hsr_world *world = screen->world;
+  const uint32_t *vertex = world->vertex + world->start[f];
+  uint32_t n = hsr_face_size(world, f), a = vertex[n - 1];
+  int row_a = hsr_row_side(screen, a, j, tally);
+  bool inside = false;
+  for (uint32_t k = 0; k < n; k++) {
+    uint32_t b = vertex[k];
+    int row_b = hsr_row_side(screen, b, j, tally);
+    if (row_a != row_b)
+      inside ^= crosses_right(screen, a, b, row_a, i, j, tally);
+    a = b;
+    row_a = row_b;
+  }
+  if (!inside || screen->whole[f])
+    return inside;
+  return beyond_near(screen, f, i, j, tally) &&
+         within_cuts(screen, f, own_cuts(screen->world, f), i, j, tally);
+}
+
+bool hsr_piece_covers(const struct hsr_screen *screen, uint32_t f,
+                      const struct hsr_cut *cut, size_t n, int i, int j,
+                      struct hsr_tally *tally) {
+  return hsr_covers(screen, f, i, j, tally) &&
+         within_cuts(screen, f, (struct cuts){cut, n}, i, j, tally);
+}
+
+int hsr_vertex_row(const struct hsr_screen *screen, uint32_t v,
+                   struct hsr_tally *tally) {
+  int n = screen->view->n;
+  double row = screen->sy[v] - hsr_sample_y(screen->view, 0);
+  double next = ceil(row);
+  if (next - row > HSR_DELTA && row - next + 1 > HSR_DELTA)
+    return next <= 0 ? 0 : next >= n ? n : (int)next;
+  /* Only the nearest row's line may pass through the vertex. */
+  double nearest = nearbyint(row);
+  if (nearest < 0 || nearest >= n)
+    return nearest < 0 ? 0 : n;
+  int j = (int)nearest;
+  return hsr_row_side_exact(screen, v, j, tally) < 0 ? j : j + 1;
+}
+
+void hsr_edge_init(struct hsr_edge *edge, const struct hsr_screen *screen,
+                   uint32_t a, uint32_t b) {
+  double dx = screen->sx[b] - screen->sx[a];
+  double dy = screen->sy[b] - screen->sy[a];
+  edge->a = a;
+  edge->b = b;
+  edge->slope = 0;
+  edge->x = screen->sx[a];
+  edge->tolerance = INFINITY;
+  if (dy >= 16 * HSR_DELTA) {
+    edge->slope = dx / dy;
+    edge->x = screen->sx[a] - edge->slope * screen->sy[a];
+    edge->tolerance = 4 * HSR_DELTA * (1 + fabs(edge->slope));
+  }
+}
+
+int hsr_edge_column_exact(const struct hsr_screen *screen,
+                          const struct hsr_edge *edge, int j,
+                          struct hsr_tally *tally) {
+  /* Samples left of lo are left of the edge, those from hi on are not. */
+  int lo = 0, hi = screen->view->m;
+  if (edge->tolerance < 0.25) {
+    double x = edge->x + edge->slope * hsr_sample_y(screen->view, j);
+    double nearest = nearbyint(x - hsr_sample_x(screen->view, 0));
+    if (nearest < lo || nearest >= hi)
+      return nearest < lo ? lo : hi;
+    lo = (int)nearest;
+    hi = lo + 1;
+  }
+  while (lo < hi) {
+    int middle = lo + (hi - lo) / 2;
+    if (hsr_edge_side(screen, edge->a, edge->b, middle, j, tally) > 0)
+      lo = middle + 1;
+    else
+      hi = middle;
+  }
+  return lo;
+}
+
+static void insert_column(int *columns, int n, int column) {
+  while (n && columns[n - 1] > column) {
+    columns[n] = columns[n - 1];
+    n--;
+  }
+  columns[n] = column;
+}
+
+/* Columns of a whole face's edges on row j. */
+static int whole_spans(const struct hsr_screen *screen, uint32_t f, int j,
+                       int *columns, struct hsr_tally *tally) {
+  const struct hsr_world *world = screen->world;
+  const uint32_t *vertex = world->vertex + world->start[f];
+  uint32_t n = hsr_face_size(world, f), a = vertex[n - 1];
+  int row_a = hsr_row_side(screen, a, j, tally), n_columns = 0;
+  for (uint32_t k = 0; k < n; k++) {
+    uint32_t b = vertex[k];
+    int row_b = hsr_row_side(screen, b, j, tally);
+    if (row_a != row_b) {
+      struct hsr_edge edge;
+      hsr_edge_init(&edge, screen, row_a < 0 ? a : b, row_a < 0 ? b : a);
+      insert_column(columns, n_columns++,
+                    hsr_edge_column(screen, &edge, j, tally));
+    }
+    a = b;
+    row_a = row_b;
+  }
+  return n_columns;
+}
+
+/* The first column in [lo, hi) for which holds(column) differs from its value
+ * at lo; a question that changes at most once along a row. */
+struct question {
+  const struct hsr_screen *screen;
+  struct hsr_tally *tally;
+  uint32_t a, b, face; /* an edge and a face; or a cutting face a */
+  int row, j;          /* the row; on which side of it a is, or of the cut */
+  bool (*holds)(const struct question *question, int i);
+};
+
+static bool ask_crosses(const struct question *q, int i) {
+  return crosses_right(q->screen, q->a, q->b, q->row, i, q->j, q->tally);
+}
+
+static bool ask_ahead(const struct question *q, int i) {
+  const struct hsr_screen *screen = q->screen;
+  double depth = hsr_depth(screen, q->face, i, q->j);
+  if (fabs(depth) > screen->plane[q->face].error)
+    return depth > 0;
+  q->tally->exact[HSR_ASK_NEAR]++;
+  return hsr_exact_ahead(screen->view, hsr_plane_loop(screen->world, q->face),
+                         hsr_sample_x(screen->view, i),
+                         hsr_sample_y(screen->view, q->j),
+                         &q->tally->out_of_memory) > 0;
+}
+
+static bool ask_past_near(const struct question *q, int i) {
+  const struct hsr_screen *screen = q->screen;
+  double depth = hsr_depth(screen, q->face, i, q->j);
+  double by = 1 - screen->view->near * depth;
+  if (fabs(by) > 2 * screen->view->near * screen->plane[q->face].error +
+                     8 * U * (1 + screen->view->near * fabs(depth)))
+    return by > 0;
+  q->tally->exact[HSR_ASK_NEAR]++;
+  return hsr_exact_past_near(
+             screen->view, hsr_plane_loop(screen->world, q->face),
+             hsr_sample_x(screen->view, i), hsr_sample_y(screen->view, q->j),
+             &q->tally->out_of_memory) > 0;
+}
+
+static int change(const struct question *q, bool at_lo, int lo, int hi) {
+  while (hi - lo > 1) { /* as at_lo at lo, not so at hi */
+    int middle = lo + (hi - lo) / 2;
+    if (q->holds(q, middle) == at_lo)
+      lo = middle;
+    else
+      hi = middle;
+  }
+  return hi;
+}
+
+/* The columns [*lo, *hi) narrowed to where a half of t > near holds. */
+static void narrow(const struct question *q, int *lo, int *hi) {
+  if (*lo >= *hi)
+    return;
+  bool first = q->holds(q, *lo), last = q->holds(q, *hi - 1);
+  if (!first && !last)
+    *hi = *lo;
+  else if (!first)
+    *lo = change(q, false, *lo, *hi - 1);
+  else if (!last)
+    *hi = change(q, true, *lo, *hi - 1);
+}
+
+/* Whether the edge crosses to the right of the first and of the last of some
+ * columns, and the column where that changes, if it does. */
+struct crossing {
+  bool first, last;
+  int column;
+};
+
+/* About where an edge crosses the row, wherever its ends are; any number where
+ * that cannot be told. */
+static int guess_column(const struct question *q, const struct row_edge *edge) {
+  double column =
+      ceil(-edge->rest / edge->across - hsr_sample_x(q->screen->view, 0));
+  return fabs(column) < HSR_GUARD ? (int)column : 0;
+}
+
+/* ask_crosses, quickly. */
+static bool crosses_at(const struct question *q, const struct row_edge *edge,
+                       int i) {
+  int side = row_edge_side(edge, hsr_sample_x(q->screen->view, i));
+  return side ? side == -q->row : q->holds(q, i);
+}
+
+static struct crossing find_crossing(const struct question *q, int lo, int hi) {
+  const struct hsr_screen *screen = q->screen;
+  if (screen->sx[q->a] == screen->sx[q->a] &&
+      screen->sx[q->b] == screen->sx[q->b]) {
+    struct hsr_edge edge;
+    hsr_edge_init(&edge, screen, q->row < 0 ? q->a : q->b,
+                  q->row < 0 ? q->b : q->a);
+    int column = hsr_edge_column(screen, &edge, q->j, q->tally);
+    return (struct crossing){column > lo, column >= hi, column};
+  }
+  struct row_edge edge =
+      row_edge(screen, q->a, q->b, hsr_sample_y(screen->view, q->j));
+  bool first = crosses_at(q, &edge, lo), last = crosses_at(q, &edge, hi - 1);
+  if (first == last)
+    return (struct crossing){first, last, hi};
+  int guess = guess_column(q, &edge);
+  if (guess > lo && guess < hi - 1) { /* mostly it is right */
+    if (crosses_at(q, &edge, guess) == first)
+      lo = guess;
+    else
+      hi = guess + 1;
+    if (lo < guess && crosses_at(q, &edge, guess - 1) == first)
+      lo = guess - 1;
+    else if (lo == guess && guess + 2 < hi &&
+             crosses_at(q, &edge, guess + 1) != first)
+      hi = guess + 2;
+  }
+  return (struct crossing){first, last, change(q, first, lo, hi - 1)};
+}
+
+/* Columns of a cut face: by parity of the crossings to the right of a sample,
+ * each of which ends or begins at most once along the row, where the plane is
+ * ahead of the eye and past near. */
+static int cut_spans(const struct hsr_screen *screen, uint32_t f, int j,
+                     int *columns, struct hsr_tally *tally) {
+  const struct hsr_world *world = screen->world;
+  struct question q = {.screen = screen, .tally = tally, .face = f, .j = j};
+  int lo = 0, hi = screen->view->m;
+  q.holds = ask_ahead;
+  narrow(&q, &lo, &hi);
+  if (screen->view->near > 0) {
+    q.holds = ask_past_near;
+    narrow(&q, &lo, &hi);
+  }
+  if (lo == hi)
+    return 0;
+
+  const uint32_t *vertex = world->vertex + world->start[f];
+  uint32_t n = hsr_face_size(world, f);
+  int n_columns = 0;
+  bool inside = false;
+  q.holds = ask_crosses;
+  q.a = vertex[n - 1];
+  q.row = hsr_row_side(screen, q.a, j, tally);
+  for (uint32_t k = 0; k < n; k++) {
+    q.b = vertex[k];
+    int row_b = hsr_row_side(screen, q.b, j, tally);
+    if (q.row != row_b) {
+      struct crossing crossing = find_crossing(&q, lo, hi);
+      inside ^= crossing.first;
+      if (crossing.first != crossing.last)
+        insert_column(columns, n_columns++, crossing.column);
+    }
+    q.a = q.b;
+    q.row = row_b;
+  }
+  if (inside)
+    insert_column(columns, n_columns++, lo);
+  if (n_columns & 1)
+    insert_column(columns, n_columns++, hi);
+  return n_columns;
+}
+
+static bool ask_side(const struct question *q, int i) {
+  return hsr_cut_side(q->screen, q->face, q->a, i, q->j, q->tally) == q->row;
+}
+
+/* Spans narrowed to what the cuts leave of them. */
+static int narrow_by_cuts(const struct hsr_screen *screen, uint32_t f,
+                          struct cuts cuts, int j, int *columns, int n,
+                          struct hsr_tally *tally) {
+  struct question q = {
+      .screen = screen, .tally = tally, .face = f, .j = j, .holds = ask_side};
+  int kept = 0;
+  for (int k = 0; k < n; k += 2) {
+    int lo = columns[k], hi = columns[k + 1];
+    for (size_t c = 0; c < cuts.n && lo < hi; c++) {
+      q.a = cuts.cut[c].face;
+      q.row = cuts.cut[c].side;
+      narrow(&q, &lo, &hi);
+    }
+    if (lo < hi) {
+      columns[kept++] = lo;
+      columns[kept++] = hi;
+    }
+  }
+  return kept;
+}
+
+int hsr_face_spans(const struct hsr_screen *screen, uint32_t f, int j,
+                   int *columns, struct hsr_tally *tally) {
+  if (screen->whole[f])
+    return whole_spans(screen, f, j, columns, tally);
+  int n = cut_spans(screen, f, j, columns, tally);
+  return narrow_by_cuts(screen, f, own_cuts(screen->world, f), j, columns, n,
+                        tally);
+}
+
+int hsr_piece_spans(const struct hsr_screen *screen, uint32_t f,
+                    const struct hsr_cut *cut, size_t n, int j, int *columns,
+                    struct hsr_tally *tally) {
+  int n_columns = hsr_face_spans(screen, f, j, columns, tally);
+  return narrow_by_cuts(screen, f, (struct cuts){cut, n}, j, columns, n_columns,
+                        tally);
+}

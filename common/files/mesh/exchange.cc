@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mesh files through CGAL's readers; .vtp through common/files/vtk/exchange_vtk.cc.
+//
+// Safety      see common/files/mesh/mesh_file.h: CGAL sees only what a scan has passed,
+//             and must find in it what the scan found.
+// Memory      at once: the file, and what CGAL makes of it, 24 bytes a vertex
+//             and 4 a face and a corner; then, the file gone, that and the
+//             object. STL: also a search tree of about 80 bytes a vertex.
+#include "common/files/mesh/exchange.h"
+#include "common/files/mesh/mesh_file.h"
+#include "common/files/srgb.h"
+
+#include <CGAL/IO/OBJ.h>
+#include <CGAL/IO/OFF.h>
+#include <CGAL/IO/PLY.h>
+#include <CGAL/IO/STL.h>
+#include <CGAL/MP_Float.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cfloat>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <istream>
+#include <new>
+#include <utility>
+
+namespace {
+
+using hsr::Mesh_builder;
+using hsr::Mesh_extent;
+using hsr::Mesh_file;
+using hsr::Refused;
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Triangle = std::array<uint32_t, 3>;
+
+/* Polygons as CGAL's readers fill them, one after the other, in two arrays. */
+class Polygons {
+public:
+  class Polygon {
+  public:
+    explicit Polygon(std::vector<uint32_t> &corners) : corners_(corners) {}
+    void start() { start_ = corners_.size(); }
+    size_t size() const { return corners_.size() - start_; }
+    void resize(size_t n) { corners_.resize(start_ + n); }
+    uint32_t &operator[](size_t k) { return corners_[start_ + k]; }
+
+  private:
+    std::vector<uint32_t> &corners_;
+    size_t start_ = 0;
+  };
+  using value_type = Polygon;
+  using iterator = Polygon *;
+  using const_iterator = const Polygon *;
+
+  Polygons() : last_(corners_) {}
+  Polygons(const Polygons &) = delete;
+  Polygons &operator=(const Polygons &) = delete;
+
+  void reserve(const Mesh_extent &extent) {
+    starts_.reserve(extent.n_faces);
+    corners_.reserve(extent.n_corners);
+  }
+  bool empty() const { return starts_.empty(); }
+  size_t size() const { return starts_.size(); }
+  void resize(size_t) {} /* the polygons come when they are filled */
+  void emplace_back() {
+    starts_.push_back(static_cast<uint32_t>(corners_.size()));
+    last_.start();
+  }
+  Polygon &back() { return last_; }
+  /* The last polygon, or the one after it, which is the last then. */
+  Polygon &operator[](size_t f) {
+    if (f == starts_.size())
+      emplace_back();
+    return last_;
+  }
+
+  const uint32_t *corners(size_t f) const {
+    return corners_.data() + starts_[f];
+  }
+  size_t n_corners(size_t f) const {
+    return (f + 1 < size() ? starts_[f + 1] : corners_.size()) - starts_[f];
+  }
+
+private:
+  std::vector<uint32_t> starts_, corners_;
+  Polygon last_;
+};
+
+/* What CGAL made of a file. */
+struct Soup {
+  std::vector<Point> points;
+  Polygons polygons;               /* except of STL */
+  std::vector<Triangle> triangles; /* of STL */
+};
+
+/* After the scan of a file and before CGAL has it. */
+void prepare(Soup &soup, const Mesh_extent &extent, const Mesh_file &file) {
+  if (!extent.n_faces)
+    file.refuse(0, "holds no face");
+  if (extent.n_corners >= UINT32_MAX)
+    file.refuse(0, "its faces have %zu corners in all, more than can be held",
+                extent.n_corners);
+  soup.points.reserve(extent.n_vertices);
+  soup.polygons.reserve(extent);
+}
+
+void check_read(const Mesh_file &file, bool read, size_t n_faces,
+                const Mesh_extent &extent) {
+  if (read && n_faces == extent.n_faces)
+    return;
+  if (errno == ENOMEM)
+    throw std::bad_alloc();
+  file.refuse(0, "CGAL reads only %zu of its %zu faces", n_faces,
+              extent.n_faces);
+}
+
+void read_off(Mesh_file &file, bool drop, Soup &soup, Mesh_extent &extent) {
+  extent = hsr::scan_off(file, drop);
+  prepare(soup, extent, file);
+  hsr::Memory_buffer buffer(file.begin, file.end);
+  std::istream stream(&buffer);
+  errno = 0; /* where lack of memory shows */
+  const bool read = CGAL::IO::read_OFF(stream, soup.points, soup.polygons,
+                                       CGAL::parameters::verbose(false));
+  check_read(file, read, soup.polygons.size(), extent);
+}
+
+void read_obj(Mesh_file &file, bool drop, Soup &soup, Mesh_extent &extent) {
+  extent = hsr::scan_obj(file, drop);
+  prepare(soup, extent, file);
+  hsr::Memory_buffer buffer(file.begin, file.end);
+  std::istream stream(&buffer);
+  errno = 0; /* where lack of memory shows */
+  const bool read = CGAL::IO::read_OBJ(stream, soup.points, soup.polygons,
+                                       CGAL::parameters::verbose(false));
+  check_read(file, read, soup.polygons.size(), extent);
+}
+
+void read_ply(Mesh_file &file, bool drop, Soup &soup, Mesh_extent &extent) {
+  extent = hsr::scan_ply(file, drop);
+  prepare(soup, extent, file);
+  hsr::Memory_buffer buffer(file.begin, file.end);
+  std::istream stream(&buffer);
+  errno = 0; /* where lack of memory shows */
+  std::vector<CGAL::IO::Color> of_faces, of_vertices;
+  const bool read = CGAL::IO::read_PLY(stream, soup.points, soup.polygons,
+                                       of_faces, of_vertices, false);
+  check_read(file, read, soup.polygons.size(), extent);
+  if (of_faces.size() != extent.n_faces)
+    return;
+  extent.rgb.reserve(3 * extent.n_faces);
+  for (const CGAL::IO::Color &colour : of_faces)
+    for (size_t k = 0; k < 3; k++)
+      extent.rgb.push_back(hsr_srgb_decode(colour[k] / 255.0f));
+}
+
+void read_stl(Mesh_file &file, bool, Soup &soup, Mesh_extent &extent) {
+  extent = hsr::scan_stl(file);
+  prepare(soup, extent, file);
+  soup.triangles.reserve(extent.n_faces);
+  hsr::Memory_buffer buffer(file.begin, file.end);
+  std::istream stream(&buffer);
+  errno = 0; /* where lack of memory shows */
+  const bool read = CGAL::IO::read_STL(stream, soup.points, soup.triangles,
+                                       CGAL::parameters::verbose(false));
+  check_read(file, read, soup.triangles.size(), extent);
+}
+
+void build(const Soup &soup, const Mesh_extent &extent, Mesh_builder &builder) {
+  for (const Point &point : soup.points)
+    builder.vertex(point.x(), point.y(), point.z());
+  for (size_t f = 0; f < extent.n_faces; f++) {
+    const float *rgb = extent.rgb.empty() ? nullptr : &extent.rgb[3 * f];
+    if (soup.triangles.empty())
+      builder.face(soup.polygons.corners(f), soup.polygons.n_corners(f), rgb);
+    else
+      builder.face(soup.triangles[f].data(), 3, rgb);
+  }
+}
+
+/* ---- By suffix ---- */
+
+using Reader = void (*)(Mesh_file &, bool, Soup &, Mesh_extent &);
+
+struct Suffix {
+  const char *text;
+  Reader reader; /* NULL: VTK */
+};
+
+constexpr Suffix SUFFIXES[] = {{".off", read_off},
+                               {".obj", read_obj},
+                               {".ply", read_ply},
+                               {".stl", read_stl},
+                               {".vtp", nullptr}};
+
+const char *file_name(const char *path) {
+  const char *slash = std::strrchr(path, '/');
+  return slash ? slash + 1 : path;
+}
+
+/* Where the suffix of a file name starts: its last dot, or its end. */
+const char *suffix_of(const char *name) {
+  const char *dot = std::strrchr(name, '.');
+  return dot ? dot : name + std::strlen(name);
+}
+
+const Suffix &find_suffix(const Mesh_file &file) {
+  std::string text = suffix_of(file_name(file.path));
+  for (char &c : text)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const Suffix &suffix : SUFFIXES)
+    if (text == suffix.text)
+      return suffix;
+  file.refuse(0,
+              "'%s' is not the suffix of a mesh file (.off .obj .ply .stl "
+              ".vtp)",
+              hsr::shown_word(text).c_str());
+}
+
+/* ---- The new object ---- */
+
+/* A scene of one object, which is made here and then moved, so that a failure
+ * leaves the caller's scene as it was. */
+class Workshop {
+public:
+  explicit Workshop(const std::string &name) : scene_(hsr_scene_new("")) {
+    object = scene_ ? hsr_scene_object(scene_, name.c_str()) : nullptr;
+    if (!object) {
+      hsr_scene_delete(scene_);
+      throw std::bad_alloc();
+    }
+  }
+  ~Workshop() { hsr_scene_delete(scene_); }
+  Workshop(const Workshop &) = delete;
+  Workshop &operator=(const Workshop &) = delete;
+
+  void deliver(struct hsr_scene *scene) {
+    struct hsr_object *place = hsr_scene_object(scene, "");
+    if (!place)
+      throw std::bad_alloc();
+    std::swap(*place, *object);
+  }
+
+  struct hsr_object *object;
+
+private:
+  struct hsr_scene *scene_;
+};
+
+void read_into(Mesh_file &file, Reader reader, bool drop,
+               Mesh_builder &builder) {
+  if (!reader) {
+    hsr::vtp_read(file, builder);
+    return;
+  }
+  Soup soup;
+  Mesh_extent extent;
+  reader(file, drop, soup, extent);
+  file.memory.reset();
+  build(soup, extent, builder);
+}
+
+void mesh_read(struct hsr_scene *scene, const char *path,
+               struct hsr_import *import) {
+  const bool drop = import && import->drop_degenerate;
+  const Suffix &suffix = find_suffix({path, nullptr, nullptr, nullptr});
+  Mesh_file file = hsr::load_mesh_file(path);
+  const char *name = file_name(path);
+  Workshop workshop(std::string(name, suffix_of(name)));
+  Mesh_builder builder(workshop.object, path, drop);
+  read_into(file, suffix.reader, drop, builder);
+  if (!builder.n_given())
+    file.refuse(0, "holds no face");
+  if (!workshop.object->n_faces)
+    file.refuse(0, "all of its %llu faces are degenerate",
+                static_cast<unsigned long long>(builder.n_given()));
+  bool solid = false;
+  if (hsr_object_is_solid(workshop.object, &solid))
+    throw std::bad_alloc();
+  workshop.object->one_sided = solid;
+  workshop.deliver(scene);
+  if (import)
+    import->n_dropped = builder.n_dropped();
+}
+
+/* ---- Solids ---- */
+
+/* Whether every edge is run exactly once in each direction. */
+bool is_closed_and_oriented(const struct hsr_object &object) {
+  std::vector<uint64_t> edges;
+  edges.reserve(object.start[object.n_faces]);
+  for (uint32_t f = 0; f < object.n_faces; f++) {
+    const uint32_t *face = object.vertex + object.start[f];
+    const uint32_t n = object.start[f + 1] - object.start[f];
+    for (uint32_t k = 0; k < n; k++)
+      edges.push_back(uint64_t{face[k]} << 32 | face[k + 1 < n ? k + 1 : 0]);
+  }
+  std::sort(edges.begin(), edges.end());
+  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
+    return false;
+  return std::all_of(edges.begin(), edges.end(), [&edges](uint64_t edge) {
+    return std::binary_search(edges.begin(), edges.end(),
+                              edge << 32 | edge >> 32);
+  });
+}
+
+template <class Number> struct Volume {
+  Number sum = 0;       /* six times the volume */
+  Number magnitude = 0; /* the products that were added, all made positive */
+};
+
+/* Of a closed object: the sum, over the triangles a b c of a fan in each face,
+ * of det(a - o, b - o, c - o), which does not depend on o. */
+template <class Number, class Size>
+Volume<Number> volume(const struct hsr_object &object, Size size) {
+  Volume<Number> result;
+  std::array<Number, 3> corner[3];
+  const double *origin = object.xyz + 3 * size_t{object.vertex[0]};
+  const auto take = [&](std::array<Number, 3> &to, uint32_t v) {
+    for (size_t k = 0; k < 3; k++)
+      to[k] = Number(object.xyz[3 * size_t{v} + k]) - Number(origin[k]);
+  };
+  for (uint32_t f = 0; f < object.n_faces; f++) {
+    const uint32_t *face = object.vertex + object.start[f];
+    const uint32_t n = object.start[f + 1] - object.start[f];
+    take(corner[0], face[0]);
+    take(corner[2], face[1]);
+    for (uint32_t i = 2; i < n; i++) {
+      corner[1] = corner[2];
+      take(corner[2], face[i]);
+      for (size_t k = 0; k < 3; k++) {
+        const size_t l = (k + 1) % 3, m = (k + 2) % 3;
+        const Number left = corner[0][k] * corner[1][l] * corner[2][m];
+        const Number right = corner[0][k] * corner[1][m] * corner[2][l];
+        result.sum += left - right;
+        result.magnitude += size(left) + size(right);
+      }
+    }
+  }
+  return result;
+}
+
+/* In doubles if they can tell the sign, else exactly. A product has a relative
+ * error of less than 6 u (three differences, two multiplications), the sum of
+ * n differences of products one of n + 1 of u more, in terms of the
+ * magnitude; 2 u = DBL_EPSILON leaves room for the higher orders, and for the
+ * rounding of the magnitude itself. */
+bool is_outward(const struct hsr_object &object) {
+  const Volume<double> rough =
+      volume<double>(object, [](double x) { return std::fabs(x); });
+  const double n = 3.0 * object.start[object.n_faces];
+  const double bound = (n + 8) * DBL_EPSILON * rough.magnitude;
+  const bool in_range = rough.magnitude < DBL_MAX && bound > n * DBL_MIN;
+  if (in_range && std::fabs(rough.sum) > bound)
+    return rough.sum > 0;
+  using Exact = CGAL::MP_Float;
+  return volume<Exact>(object, [](const Exact &) { return Exact(0); }).sum > 0;
+}
+
+/* Runs `body`; what it throws becomes a status. */
+template <class Body>
+enum hsr_status guarded(const char *path, struct hsr_error *err,
+                        const Body &body) noexcept {
+  try {
+    body();
+    return HSR_OK;
+  } catch (const Refused &refused) {
+    if (err)
+      *err = refused.error;
+    return refused.error.status;
+  } catch (const std::bad_alloc &) {
+    return hsr_fail_nomem(err);
+  } catch (const std::exception &fault) {
+    return hsr_fail(err, HSR_E_INTERNAL, "%s: %.150s", hsr::shown_path(path),
+                    fault.what());
+  } catch (...) {
+    return hsr_fail(err, HSR_E_INTERNAL, "%s: a reader failed",
+                    hsr::shown_path(path));
+  }
+}
+
+} // namespace
+
+enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
+                              struct hsr_import *import,
+                              struct hsr_error *err) {
+  if (import)
+    import->n_dropped = 0;
+  return guarded(path, err, [&] { mesh_read(scene, path, import); });
+}
+
+enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
+                                    bool *answer) {
+  return guarded("", nullptr, [&] {
+    *answer = object->n_faces && is_closed_and_oriented(*object) &&
+              is_outward(*object);
+  });
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// In place of exchange_vtk.cc, drawing_vtk.cc and voxels_vtk.cc in a build
+// without VTK.
+#include "common/files/mesh/exchange.h"
+#include "common/files/mesh/mesh_file.h"
+
+bool hsr_exchange_has_vtk(void) {
+  return false;
+}
+
+enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *,
+                                      const char *path, struct hsr_error *err) {
+  return hsr_fail(err, HSR_E_INPUT,
+                  "%s: this build of hsr, without VTK, does not write .vtp",
+                  path);
+}
+
+enum hsr_status hsr_voxels_write_vti(const struct hsr_voxel_solids *,
+                                     const char *path, struct hsr_error *err) {
+  return hsr_fail(err, HSR_E_INPUT,
+                  "%s: this build of hsr, without VTK, does not write .vti",
+                  path);
+}
+
+void hsr::vtp_read(Mesh_file &file, Mesh_builder &) {
+  file.refuse(0, "this build of hsr, without VTK, does not read .vtp");
+}

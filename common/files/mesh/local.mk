@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+nobase_pkginclude_HEADERS += \
+  %D%/exchange.h
+libhsr_a_SOURCES += \
+  %D%/exchange.cc \
+  %D%/mesh_file.cc \
+  %D%/mesh_file.h \
+  %D%/mesh_scan_obj.cc \
+  %D%/mesh_scan_off.cc \
+  %D%/mesh_scan_ply.cc \
+  %D%/mesh_scan_stl.cc \
+  %D%/mesh_text.cc \
+  %D%/mesh_text.h

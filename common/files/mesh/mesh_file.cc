@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/files/mesh/mesh_file.h"
+#include "common/exact/predicates.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <new>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace hsr {
+
+const char *shown_path(const char *path) {
+  const size_t most = 256, length = std::strlen(path);
+  return length > most ? path + (length - most) : path;
+}
+
+std::string shown_word(std::string_view word) {
+  const size_t most = 24;
+  std::string shown(word.substr(0, most));
+  for (char &c : shown)
+    if (c < 0x20 || c > 0x7e)
+      c = '?';
+  return word.size() > most ? shown + "..." : shown;
+}
+
+void Mesh_file::refuse(size_t line, const char *format, ...) const {
+  char what[200];
+  va_list args;
+  va_start(args, format);
+  std::vsnprintf(what, sizeof what, format, args);
+  va_end(args);
+  Refused refused;
+  if (line)
+    hsr_fail(&refused.error, HSR_E_INPUT, "%s:%zu: %s", shown_path(path), line,
+             what);
+  else
+    hsr_fail(&refused.error, HSR_E_INPUT, "%s: %s", shown_path(path), what);
+  throw refused;
+}
+
+namespace {
+
+class Descriptor {
+public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() {
+    if (fd_ >= 0)
+      close(fd_);
+  }
+  Descriptor(const Descriptor &) = delete;
+  Descriptor &operator=(const Descriptor &) = delete;
+  int fd() const { return fd_; }
+
+private:
+  int fd_;
+};
+
+/* Throws for what a failed system call left in errno. */
+[[noreturn]] void refuse_errno(const Mesh_file &file) {
+  const int reason = errno;
+  if (reason == ENOMEM)
+    throw std::bad_alloc();
+  file.refuse(0, "cannot be read: %s",
+              std::generic_category().message(reason).c_str());
+}
+
+} // namespace
+
+Mesh_file load_mesh_file(const char *path) {
+  Mesh_file file{path, nullptr, nullptr, nullptr};
+  /* Opening a pipe must not wait for its other end. */
+  const Descriptor descriptor(open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat status;
+  if (descriptor.fd() < 0 || fstat(descriptor.fd(), &status))
+    refuse_errno(file);
+  if (S_ISDIR(status.st_mode))
+    file.refuse(0, "is a directory");
+  if (!S_ISREG(status.st_mode))
+    file.refuse(0, "is not a regular file");
+
+  const size_t size = static_cast<size_t>(status.st_size);
+  file.memory.reset(new char[size + Mesh_file::SPARE]);
+  file.begin = file.end = file.memory.get() + Mesh_file::SPARE;
+  while (file.size() < size) {
+    const ssize_t n = read(descriptor.fd(), file.end, size - file.size());
+    if (n < 0 && errno == EINTR)
+      continue;
+    if (n < 0)
+      refuse_errno(file);
+    if (n == 0)
+      break;
+    file.end += n;
+  }
+  if (file.begin == file.end)
+    file.refuse(0, "is empty");
+  return file;
+}
+
+Memory_buffer::pos_type Memory_buffer::seekoff(off_type offset,
+                                               std::ios_base::seekdir from,
+                                               std::ios_base::openmode) {
+  const off_type size = egptr() - eback();
+  if (from == std::ios_base::cur)
+    offset += gptr() - eback();
+  else if (from == std::ios_base::end)
+    offset += size;
+  if (offset < 0 || offset > size)
+    return pos_type(off_type(-1));
+  setg(eback(), eback() + offset, egptr());
+  return pos_type(offset);
+}
+
+Memory_buffer::pos_type Memory_buffer::seekpos(pos_type position,
+                                               std::ios_base::openmode which) {
+  return seekoff(off_type(position), std::ios_base::beg, which);
+}
+
+namespace {
+
+[[noreturn]] void refuse_element(const char *path, const char *kind,
+                                 uint64_t number, const char *what) {
+  Refused refused;
+  hsr_fail(&refused.error, HSR_E_INPUT, "%s: %s %llu %s", shown_path(path),
+           kind, static_cast<unsigned long long>(number), what);
+  throw refused;
+}
+
+/* Whether hsr_object_face refuses a face for its vertex numbers. */
+bool is_degenerate(const uint32_t *vertices, size_t n) {
+  if (n < 3)
+    return true;
+  if (n == 3)
+    return vertices[0] == vertices[1] || vertices[1] == vertices[2] ||
+           vertices[2] == vertices[0];
+  std::vector<uint32_t> sorted(vertices, vertices + n);
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+} // namespace
+
+void Mesh_builder::vertex(double x, double y, double z) {
+  switch (hsr_object_vertex(object_, x, y, z, nullptr)) {
+  case HSR_OK:
+    return;
+  case HSR_E_NOMEM:
+    throw std::bad_alloc();
+  default:
+    refuse_element(path_, "vertex", object_->n_vertices,
+                   object_->n_vertices < UINT32_MAX - 1
+                       ? "has a coordinate that is not finite"
+                       : "is one more than an object can hold");
+  }
+}
+
+bool Mesh_builder::usable(const uint32_t *vertices, size_t n) const {
+  if (n > UINT32_MAX || is_degenerate(vertices, n))
+    return false;
+  for (size_t i = 0; i < n; i++)
+    if (vertices[i] >= object_->n_vertices)
+      return true; /* hsr_object_face says so */
+  const double *xyz = object_->xyz;
+  bool out_of_memory = false;
+  const bool has_area = hsr_exact_has_normal(
+      {xyz, xyz + 1, xyz + 2, 3, vertices, static_cast<uint32_t>(n)},
+      &out_of_memory);
+  if (out_of_memory)
+    throw std::bad_alloc();
+  return has_area;
+}
+
+void Mesh_builder::face(const uint32_t *vertices, size_t n, const float *rgb) {
+  const uint64_t number = n_given_++;
+  if (drop_ && !usable(vertices, n)) {
+    n_dropped_++;
+    return;
+  }
+  switch (hsr_object_face(object_, vertices, n, rgb)) {
+  case HSR_OK:
+    return;
+  case HSR_E_NOMEM:
+    throw std::bad_alloc();
+  default:
+    break;
+  }
+  for (size_t i = 0; i < n; i++)
+    if (vertices[i] >= object_->n_vertices)
+      refuse_element(path_, "face", number, "names a vertex that is not there");
+  refuse_element(path_, "face", number,
+                 n < 3                        ? "has fewer than 3 vertices"
+                 : is_degenerate(vertices, n) ? "has the same vertex twice"
+                                              : "is one more than can be held");
+}
+
+} // namespace hsr

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the importers of mesh files share; for common/exchange*.cc and
+// common/mesh_*.cc alone.
+//
+// CGAL's and VTK's readers trust their input: they allocate what a header
+// claims, and some stop at the first thing they do not understand as if the
+// file ended there. So a file is read into memory once, its grammar is checked
+// from first to last byte (hsr::scan_off and its like), and only
+// what passed is given to them. A failure is thrown as hsr::Refused and caught
+// in hsr_mesh_read.
+#ifndef HSR_COMMON_MESH_FILE_H
+#define HSR_COMMON_MESH_FILE_H
+
+#include "common/scene/scene.h"
+
+#include <cstdarg>
+#include <cstddef>
+#include <memory>
+#include <streambuf>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hsr {
+
+struct Refused {
+  struct hsr_error error;
+};
+
+/* A file's bytes, which may be written over. `path` is borrowed. */
+struct Mesh_file {
+  const char *path;
+  std::unique_ptr<char[]> memory; /* SPARE bytes, then the file's */
+  char *begin, *end;
+  enum : size_t { SPARE = 64 };
+
+  size_t size() const { return static_cast<size_t>(end - begin); }
+  /* Throws Refused: "path:line: ...", or "path: ..." if line is 0. */
+  [[noreturn]] void refuse(size_t line, const char *format, ...) const
+      __attribute__((format(printf, 3, 4)));
+};
+
+/* Throws Refused if the file cannot be read, is no regular file, or is empty;
+ * std::bad_alloc. */
+Mesh_file load_mesh_file(const char *path);
+
+/* The last part of a path that is too long to leave room for a message. */
+const char *shown_path(const char *path);
+
+/* At most 24 printable characters of a word, for a message. */
+std::string shown_word(std::string_view word);
+
+/* A stream over bytes in memory. */
+class Memory_buffer : public std::streambuf {
+public:
+  Memory_buffer(char *begin, char *end) { setg(begin, begin, end); }
+
+protected:
+  pos_type seekoff(off_type offset, std::ios_base::seekdir from,
+                   std::ios_base::openmode) override;
+  pos_type seekpos(pos_type position, std::ios_base::openmode) override;
+};
+
+/* What a scan found in a file, all of which the reader must find again. */
+struct Mesh_extent {
+  size_t n_vertices = 0, n_faces = 0, n_corners = 0;
+  std::vector<float> rgb; /* 3 * n_faces, linear; or empty */
+};
+
+/* Each checks the whole of a file and throws Refused at the first thing that
+ * is wrong with it. What CGAL's or VTK's reader would stumble over though it is
+ * correct (comments, tabs, names, statements it does not know) is blanked, and
+ * file.begin may be moved. Faces that are degenerate by their vertex numbers
+ * are refused unless `drop`. */
+Mesh_extent scan_off(Mesh_file &file, bool drop);
+Mesh_extent scan_obj(Mesh_file &file, bool drop);
+Mesh_extent scan_ply(Mesh_file &file, bool drop);
+Mesh_extent scan_stl(Mesh_file &file);
+Mesh_extent scan_vtp(Mesh_file &file); /* in a build with VTK */
+
+/* Builds one object, vertices before the faces they are of, checking what is
+ * given. */
+class Mesh_builder {
+public:
+  Mesh_builder(struct hsr_object *object, const char *path, bool drop)
+      : object_(object), path_(path), drop_(drop) {}
+  void vertex(double x, double y, double z);
+  void face(const uint32_t *vertices, size_t n, const float *rgb);
+  uint64_t n_dropped() const { return n_dropped_; }
+  uint64_t n_given() const { return n_given_; }
+
+private:
+  bool usable(const uint32_t *vertices, size_t n) const;
+
+  struct hsr_object *object_;
+  const char *path_;
+  bool drop_;
+  uint64_t n_given_ = 0, n_dropped_ = 0;
+};
+
+/* Reads a .vtp file; throws as above. In exchange_vtk.cc, or, in a build
+ * without VTK, exchange_no_vtk.cc, where it always throws. */
+void vtp_read(Mesh_file &file, Mesh_builder &builder);
+
+} // namespace hsr
+
+#endif

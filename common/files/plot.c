@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/files/plot.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const struct hsr_pen solid[] = {{"visible", 1.25, 0, 0}};
+static const struct hsr_pen dashed[] = {{"visible", 1.25, 0, 0},
+                                        {"hidden", 0.75, 0.35, 3}};
+static const struct hsr_pen thin[] = {{"visible", 1.25, 0, 0},
+                                      {"hidden-1", 0.8, 0.5, 0},
+                                      {"hidden-2", 0.6, 0.65, 0},
+                                      {"hidden-3", 0.45, 0.78, 0}};
+static const struct hsr_pen all[] = {{"edges", 1, 0, 0}};
+
+#define PENS(array)                                                            \
+  { array, sizeof array / sizeof *array }
+static const struct {
+  const struct hsr_pen *pen;
+  uint32_t n;
+} pens_of[] = {[HSR_HIDDEN_NONE] = PENS(solid),
+               [HSR_HIDDEN_DASHED] = PENS(dashed),
+               [HSR_HIDDEN_THIN] = PENS(thin),
+               [HSR_HIDDEN_ALL] = PENS(all)};
+
+bool hsr_plot_point(const struct hsr_view *view, const double point[3],
+                    double at[2]) {
+  double s[3] = {0, 0, 0};
+  for (int row = 0; row < 3; row++)
+    for (int k = 0; k < 3; k++)
+      s[row] += view->screen[row][k] * (point[k] - view->E[k]);
+  if (!(s[2] > 0))
+    return false;
+  at[0] = fmin(fmax(s[0] / s[2], 0), view->m);
+  at[1] = fmin(fmax(s[1] / s[2], 0), view->n);
+  return true;
+}
+
+/* The object of every vertex: that of the faces which have it. */
+static uint32_t *find_objects(const struct hsr_world *world) {
+  uint32_t *object = calloc((size_t)world->n_vertices + 1, sizeof *object);
+  if (!object)
+    return NULL;
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++)
+      object[world->vertex[k]] = world->object[f];
+  return object;
+}
+
+/* Whether a stroke was made of the interval. */
+static bool make_stroke(struct hsr_stroke *stroke, const struct hsr_plot *plot,
+                        const struct hsr_segment *segment,
+                        const struct hsr_view *view, enum hsr_hidden hidden) {
+  uint32_t pen = hidden == HSR_HIDDEN_ALL ? 0 : segment->invisibility;
+  if (pen && hidden == HSR_HIDDEN_NONE)
+    return false;
+  stroke->pen = pen < plot->n_pens ? pen : plot->n_pens - 1;
+  return hsr_plot_point(view, segment->from, stroke->from) &&
+         hsr_plot_point(view, segment->to, stroke->to);
+}
+
+static bool is_alike(const struct hsr_stroke *s, const struct hsr_stroke *t) {
+  return s->pen == t->pen && s->object == t->object;
+}
+
+static int in_order(const void *a, const void *b) {
+  const struct hsr_stroke *s = a, *t = b;
+  if (!is_alike(s, t))
+    return s->pen != t->pen ? (s->pen < t->pen) - (s->pen > t->pen)
+                            : (s->object > t->object) - (s->object < t->object);
+  return (s->number > t->number) - (s->number < t->number);
+}
+
+enum hsr_status hsr_plot_init(struct hsr_plot *plot,
+                              const struct hsr_drawing *drawing,
+                              const struct hsr_world *world,
+                              const struct hsr_view *view,
+                              enum hsr_hidden hidden, struct hsr_error *err) {
+  *plot = (struct hsr_plot){.m = view->m,
+                            .n = view->n,
+                            .pen = pens_of[hidden].pen,
+                            .n_pens = pens_of[hidden].n,
+                            .stroke =
+                                malloc((drawing->n + 1) * sizeof *plot->stroke),
+                            .scene = world->scene};
+  uint32_t *object = find_objects(world);
+  if (!plot->stroke || !object) {
+    free(object);
+    return hsr_fail_nomem(err);
+  }
+  for (size_t k = 0; k < drawing->n; k++) {
+    const struct hsr_segment *segment = &drawing->segment[k];
+    struct hsr_stroke *stroke = &plot->stroke[plot->n_strokes];
+    stroke->object = segment->edge.implied ? world->object[segment->edge.a]
+                                           : object[segment->edge.a];
+    stroke->number = k;
+    plot->n_strokes += make_stroke(stroke, plot, segment, view, hidden);
+  }
+  free(object);
+  qsort(plot->stroke, plot->n_strokes, sizeof *plot->stroke, in_order);
+  return HSR_OK;
+}
+
+void hsr_plot_free(struct hsr_plot *plot) {
+  free(plot->stroke);
+  plot->stroke = NULL;
+}
+
+size_t hsr_plot_run(const struct hsr_plot *plot, size_t k) {
+  size_t n = 1;
+  while (k + n < plot->n_strokes &&
+         is_alike(&plot->stroke[k], &plot->stroke[k + n]))
+    n++;
+  return n;
+}

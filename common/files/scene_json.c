@@ -1,0 +1,1123 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Scene files. docs/scene.schema.json says what they hold; beyond it:
+ *
+ * Numbers     are doubles, rounded to nearest, however they are written: 1, 1.0
+ *             and 1e0 are the same, -0 has its sign, an integer above 2^53 is
+ *             the double next to it. What overflows is refused.
+ * Keys        unknown and repeated ones are refused.
+ * Memory      the file's text, and the scene; jansson's tree is of one vertex,
+ *             face, instance or view at a time (some 20 times its text). Files
+ *             hold no counts to be believed. */
+#include "common/files/scene_json.h"
+#include "common/files/json_read.h"
+#include "common/exact/predicates.h"
+
+#include <jansson.h>
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char SCHEMA[] = "hsr-scene/1";
+
+/* ---- Messages ---- */
+
+/* The last part of a path that is too long to leave room for a message. */
+static const char *shown(const char *path) {
+  const size_t most = 180;
+  size_t length = strlen(path);
+  return length > most ? path + (length - most) : path;
+}
+
+static enum hsr_status fail_errno(const char *path, const char *what,
+                                  struct hsr_error *err) {
+  int reason = errno;
+  if (reason == ENOMEM)
+    return hsr_fail_nomem(err);
+  return hsr_fail(err, HSR_E_INPUT, "%s: %s: %s", shown(path), what,
+                  strerror(reason));
+}
+
+/* A place in the file: a member, or an element, of the one above it. The
+ * outermost value has no place, NULL. */
+struct place {
+  const struct place *up;
+  const char *key; /* NULL: element `index` */
+  size_t index;
+};
+
+/* Appends to a text in a buffer of `size` bytes what of a key has room, as a
+ * JSON pointer (RFC 6901) has it. */
+static void append_key(char *text, size_t size, const char *key) {
+  size_t n = strlen(text);
+  for (; *key && n + 3 < size; key++) {
+    if (*key == '~' || *key == '/')
+      text[n++] = '~';
+    text[n++] = (char)(*key == '~' ? '0' : *key == '/' ? '1' : *key);
+  }
+  text[n] = '\0';
+}
+
+static void append_pointer(char *text, size_t size, const struct place *place) {
+  if (!place)
+    return;
+  append_pointer(text, size, place->up);
+  size_t n = strlen(text);
+  if (place->key) {
+    snprintf(text + n, size - n, "/");
+    append_key(text, size, place->key);
+  } else {
+    snprintf(text + n, size - n, "/%zu", place->index);
+  }
+}
+
+struct reader {
+  struct hsr_scene *scene;
+  const char *path;
+  struct hsr_import import; /* n_dropped: so far */
+  struct hsr_error *err;
+  uint32_t *corners; /* of the face at hand */
+  size_t cap_corners;
+};
+
+/* HSR_E_INPUT: "FILE: POINTER: text". */
+static enum hsr_status refuse(const struct reader *reader,
+                              const struct place *place, const char *format,
+                              ...) __attribute__((format(printf, 3, 4)));
+
+static enum hsr_status refuse(const struct reader *reader,
+                              const struct place *place, const char *format,
+                              ...) {
+  char pointer[128] = "", text[160];
+  append_pointer(pointer, sizeof pointer, place);
+  va_list args;
+  va_start(args, format);
+  vsnprintf(text, sizeof text, format, args);
+  va_end(args);
+  return hsr_fail(reader->err, HSR_E_INPUT, "%s: %s%s%s", shown(reader->path),
+                  pointer, place ? ": " : "", text);
+}
+
+/* ---- Values of one type ---- */
+
+static const char *kind_of(const json_t *value) {
+  switch (json_typeof(value)) {
+  case JSON_OBJECT:
+    return "an object";
+  case JSON_ARRAY:
+    return "an array";
+  case JSON_STRING:
+    return "a string";
+  case JSON_TRUE:
+  case JSON_FALSE:
+    return "a truth value";
+  case JSON_NULL:
+    return "null";
+  default:
+    return "a number";
+  }
+}
+
+static enum hsr_status wrong_kind(const struct reader *reader,
+                                  const struct place *place,
+                                  const char *expected, const json_t *value) {
+  return refuse(reader, place, "must be %s, not %s", expected, kind_of(value));
+}
+
+static enum hsr_status read_bool(const struct reader *reader,
+                                 const struct place *place, const json_t *value,
+                                 bool *to) {
+  if (!json_is_boolean(value))
+    return wrong_kind(reader, place, "true or false", value);
+  *to = json_is_true(value);
+  return HSR_OK;
+}
+
+/* *to lives as long as the value. */
+static enum hsr_status read_string(const struct reader *reader,
+                                   const struct place *place,
+                                   const json_t *value, const char **to) {
+  if (!json_is_string(value))
+    return wrong_kind(reader, place, "a string", value);
+  *to = json_string_value(value);
+  return HSR_OK;
+}
+
+static enum hsr_status read_number(const struct reader *reader,
+                                   const struct place *place,
+                                   const json_t *value, double *to) {
+  if (!json_is_number(value))
+    return wrong_kind(reader, place, "a number", value);
+  *to = json_number_value(value);
+  return HSR_OK;
+}
+
+static enum hsr_status read_array(const struct reader *reader,
+                                  const struct place *place,
+                                  const json_t *value) {
+  if (!json_is_array(value))
+    return wrong_kind(reader, place, "an array", value);
+  return HSR_OK;
+}
+
+/* An array of n numbers. */
+static enum hsr_status read_numbers(const struct reader *reader,
+                                    const struct place *place,
+                                    const json_t *value, size_t n, double *to) {
+  enum hsr_status status = read_array(reader, place, value);
+  if (status)
+    return status;
+  if (json_array_size(value) != n)
+    return refuse(reader, place, "must have %zu numbers, not %zu", n,
+                  json_array_size(value));
+  for (size_t i = 0; i < n && !status; i++)
+    status = read_number(reader, &(struct place){place, NULL, i},
+                         json_array_get(value, i), &to[i]);
+  return status;
+}
+
+static enum hsr_status read_colour(const struct reader *reader,
+                                   const struct place *place,
+                                   const json_t *value, float to[3]) {
+  double rgb[3];
+  enum hsr_status status = read_numbers(reader, place, value, 3, rgb);
+  for (size_t k = 0; k < 3 && !status; k++) {
+    if (!(rgb[k] >= 0 && rgb[k] <= 1))
+      return refuse(reader, &(struct place){place, NULL, k},
+                    "%.9g is not between 0 and 1", rgb[k]);
+    to[k] = (float)rgb[k];
+  }
+  return status;
+}
+
+/* A whole number below n, which counts things called `what`. */
+static enum hsr_status read_index(const struct reader *reader,
+                                  const struct place *place,
+                                  const json_t *value, const char *what,
+                                  uint32_t n, uint32_t *to) {
+  double number = 0;
+  enum hsr_status status = read_number(reader, place, value, &number);
+  if (status)
+    return status;
+  if (!(number >= 0 && number < n))
+    return refuse(reader, place, "%s %.15g of %u", what, number, n);
+  *to = (uint32_t)number;
+  if (*to != number)
+    return refuse(reader, place, "%s %.15g, which is no whole number", what,
+                  number);
+  return HSR_OK;
+}
+
+/* ---- Members ---- */
+
+/* Refuses what is no object, or has a key that is not among `known`, which
+ * NULL ends. */
+static enum hsr_status check_keys(const struct reader *reader,
+                                  const struct place *place, json_t *value,
+                                  const char *const *known) {
+  if (!json_is_object(value))
+    return wrong_kind(reader, place, "an object", value);
+  for (void *i = json_object_iter(value); i;
+       i = json_object_iter_next(value, i)) {
+    const char *key = json_object_iter_key(i);
+    const char *const *k = known;
+    while (*k && strcmp(*k, key))
+      k++;
+    if (!*k)
+      return refuse(reader, &(struct place){place, key, 0}, "unknown key");
+  }
+  return HSR_OK;
+}
+
+static enum hsr_status require(const struct reader *reader,
+                               const struct place *place, const json_t *value,
+                               const char *key, json_t **member) {
+  *member = json_object_get(value, key);
+  return *member ? HSR_OK : refuse(reader, place, "'%s' is missing", key);
+}
+
+/* Refuses members that mean nothing where there is one called `key`. */
+static enum hsr_status exclude(const struct reader *reader,
+                               const struct place *place, const json_t *value,
+                               const char *key, const char *const *excluded) {
+  for (; *excluded; excluded++)
+    if (json_object_get(value, *excluded))
+      return refuse(reader, &(struct place){place, *excluded, 0},
+                    "cannot stand beside '%s'", key);
+  return HSR_OK;
+}
+
+/* ---- The text, and jansson's parser ---- */
+
+/* What is read an element at a time: of the file, and of an object. */
+enum { OBJECTS, INSTANCES, VIEWS, SCENE_LISTS };
+static const char *const scene_lists[] = {"objects", "instances", "views",
+                                          NULL};
+enum { VERTICES, FACES, FACE_COLOURS, OBJECT_LISTS };
+static const char *const object_lists[] = {"vertices", "faces", "face_colours",
+                                           NULL};
+
+/* Reads a file. HSR_E_INPUT also for a NUL in it, which would end it for the
+ * parser, or be overlooked. */
+static enum hsr_status read_text(int fd, const char *path, char **text,
+                                 size_t *length, struct hsr_error *err) {
+  size_t size = 1 << 16;
+  ssize_t n = 1;
+  *length = 0;
+  while (n > 0) {
+    if (!*text || size - *length < size / 4) {
+      size *= *text ? 2 : 1;
+      char *larger = realloc(*text, size);
+      if (!larger)
+        return hsr_fail_nomem(err);
+      *text = larger;
+    }
+    char *to = *text + *length;
+    do
+      n = read(fd, to, size - *length);
+    while (n < 0 && errno == EINTR);
+    if (n < 0)
+      return fail_errno(path, "cannot be read", err);
+    const char *nul = memchr(to, 0, (size_t)n);
+    if (nul)
+      return hsr_fail(err, HSR_E_INPUT, "%s:%d: a NUL byte", shown(path),
+                      1 + hsr_json_lines(*text, nul));
+    *length += (size_t)n;
+  }
+  return HSR_OK;
+}
+
+/* Into *text, which the caller frees. */
+static enum hsr_status load(const char *path, char **text, size_t *length,
+                            struct hsr_error *err) {
+  /* Opening a pipe must not wait for its other end. */
+  int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (fd < 0)
+    return fail_errno(path, "cannot be read", err);
+  struct stat about;
+  enum hsr_status status;
+  if (fstat(fd, &about))
+    status = fail_errno(path, "cannot be read", err);
+  else if (!S_ISREG(about.st_mode))
+    status = hsr_fail(err, HSR_E_INPUT, "%s: %s", shown(path),
+                      S_ISDIR(about.st_mode) ? "is a directory"
+                                             : "is not a regular file");
+  else
+    status = read_text(fd, path, text, length, err);
+  close(fd);
+  return status;
+}
+
+enum { OF_FILE, OF_OBJECT, OF_LEAF };
+static const hsr_json_levels levels[] = {scene_lists, object_lists, NULL};
+
+/* A value of some level, whose lists are in list[]: see hsr_json_read_part. */
+static enum hsr_status parse(const struct reader *reader,
+                             struct hsr_json_part part, int level,
+                             struct hsr_json_part *list, json_t **value) {
+  size_t flags = JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL;
+  bool out_of_memory;
+  json_error_t error;
+  *value =
+      hsr_json_read_part(part, flags | (level == OF_FILE ? 0 : JSON_DECODE_ANY),
+                         levels + level, list, &out_of_memory, &error);
+  if (out_of_memory)
+    return hsr_fail_nomem(reader->err);
+  return *value ? HSR_OK
+                : hsr_fail(reader->err, HSR_E_INPUT, "%s:%d: %s",
+                           shown(reader->path), error.line, error.text);
+}
+
+/* The next element of a list, which is released here: NULL after the last. */
+static enum hsr_status next(const struct reader *reader,
+                            struct hsr_json_part *list, json_t **value) {
+  struct hsr_json_part element;
+  json_decref(*value);
+  *value = NULL;
+  return hsr_json_next(list, &element)
+             ? parse(reader, element, OF_LEAF, NULL, value)
+             : HSR_OK;
+}
+
+/* ---- Objects ---- */
+
+static enum hsr_status rename_to(const struct reader *reader, char **name,
+                                 const char *text) {
+  char *copy = strdup(text);
+  if (!copy)
+    return hsr_fail_nomem(reader->err);
+  free(*name);
+  *name = copy;
+  return HSR_OK;
+}
+
+static enum hsr_status read_vertex(const struct reader *reader,
+                                   const struct place *place,
+                                   const json_t *vertex,
+                                   struct hsr_object *object) {
+  double p[3];
+  enum hsr_status status = read_numbers(reader, place, vertex, 3, p);
+  if (status)
+    return status;
+  status = hsr_object_vertex(object, p[0], p[1], p[2], NULL);
+  if (status == HSR_E_NOMEM)
+    return hsr_fail_nomem(reader->err);
+  return status
+             ? refuse(reader, place, "one more vertex than an object can hold")
+             : HSR_OK;
+}
+
+static enum hsr_status read_vertices(const struct reader *reader,
+                                     const struct place *place,
+                                     struct hsr_json_part vertices,
+                                     struct hsr_object *object) {
+  json_t *vertex = NULL;
+  enum hsr_status status = next(reader, &vertices, &vertex);
+  for (size_t v = 0; vertex && !status; v++) {
+    status =
+        read_vertex(reader, &(struct place){place, NULL, v}, vertex, object);
+    if (!status)
+      status = next(reader, &vertices, &vertex);
+  }
+  json_decref(vertex);
+  return status;
+}
+
+static enum hsr_status reserve_corners(struct reader *reader, size_t n) {
+  if (n <= reader->cap_corners)
+    return HSR_OK;
+  if (n > SIZE_MAX / 2 / sizeof *reader->corners)
+    return hsr_fail_nomem(reader->err);
+  uint32_t *corners = realloc(reader->corners, 2 * n * sizeof *corners);
+  if (!corners)
+    return hsr_fail_nomem(reader->err);
+  reader->corners = corners;
+  reader->cap_corners = 2 * n;
+  return HSR_OK;
+}
+
+static bool has_room(const struct hsr_object *object, size_t n) {
+  return n <= UINT32_MAX - 2 - object->start[object->n_faces] &&
+         object->n_faces < UINT32_MAX - 2;
+}
+
+static bool has_area(const struct hsr_object *object, const uint32_t *corners,
+                     size_t n, bool *out_of_memory) {
+  const double *xyz = object->xyz;
+  struct hsr_loop loop = {xyz, xyz + 1, xyz + 2, 3, corners, (uint32_t)n};
+  return n >= 3 && hsr_exact_has_normal(loop, out_of_memory);
+}
+
+/* Appends the face in reader->corners, or drops it. */
+static enum hsr_status add_face(struct reader *reader,
+                                const struct place *place,
+                                struct hsr_object *object, size_t n,
+                                const float *rgb) {
+  bool drop = reader->import.drop_degenerate, out_of_memory = false;
+  if (!has_room(object, n))
+    return refuse(reader, place, "is one more face than an object can hold");
+  bool wanted = !drop || has_area(object, reader->corners, n, &out_of_memory);
+  enum hsr_status status =
+      wanted ? hsr_object_face(object, reader->corners, n, rgb) : HSR_E_INPUT;
+  if (out_of_memory || status == HSR_E_NOMEM)
+    return hsr_fail_nomem(reader->err);
+  if (status && !drop)
+    return refuse(reader, place,
+                  n < 3 ? "has fewer than 3 vertices"
+                        : "has the same vertex twice");
+  reader->import.n_dropped += status != HSR_OK;
+  return HSR_OK;
+}
+
+static enum hsr_status read_face(struct reader *reader,
+                                 const struct place *place, const json_t *face,
+                                 struct hsr_object *object, const float *rgb) {
+  enum hsr_status status = read_array(reader, place, face);
+  size_t n = json_array_size(face);
+  if (!status)
+    status = reserve_corners(reader, n);
+  for (size_t i = 0; i < n && !status; i++)
+    status = read_index(reader, &(struct place){place, NULL, i},
+                        json_array_get(face, i), "vertex", object->n_vertices,
+                        &reader->corners[i]);
+  return status ? status : add_face(reader, place, object, n, rgb);
+}
+
+/* `colours` are none, or as many as the faces. */
+static enum hsr_status read_faces(struct reader *reader,
+                                  const struct place *place,
+                                  struct hsr_json_part faces,
+                                  struct hsr_json_part colours,
+                                  struct hsr_object *object) {
+  struct place at_faces = {place, "faces", 0};
+  struct place at_colours = {place, "face_colours", 0};
+  json_t *face = NULL, *colour = NULL;
+  float rgb[3];
+  enum hsr_status status = next(reader, &faces, &face);
+  for (size_t f = 0; face && !status; f++) {
+    status = next(reader, &colours, &colour);
+    if (!status && colour)
+      status = read_colour(reader, &(struct place){&at_colours, NULL, f},
+                           colour, rgb);
+    if (!status)
+      status = read_face(reader, &(struct place){&at_faces, NULL, f}, face,
+                         object, colour ? rgb : NULL);
+    if (!status)
+      status = next(reader, &faces, &face);
+  }
+  json_decref(face);
+  json_decref(colour);
+  return status;
+}
+
+static enum hsr_status check_colours(const struct reader *reader,
+                                     const struct place *place,
+                                     const json_t *colours,
+                                     struct hsr_json_part faces,
+                                     struct hsr_json_part list) {
+  struct place here = {place, "face_colours", 0};
+  enum hsr_status status = read_array(reader, &here, colours);
+  size_t n_faces = hsr_json_count(faces), n_colours = hsr_json_count(list);
+  return status || n_faces == n_colours
+             ? status
+             : refuse(reader, &here,
+                      "must have one colour for each of %zu faces, not %zu",
+                      n_faces, n_colours);
+}
+
+/* The colour comes before the faces, as hsr_object_face wants it. */
+static enum hsr_status read_geometry(
+    struct reader *reader, const struct place *place, const json_t *value,
+    const struct hsr_json_part list[OBJECT_LISTS], struct hsr_object **object) {
+  json_t *vertices, *faces, *colour = json_object_get(value, "colour");
+  json_t *colours = json_object_get(value, "face_colours");
+  enum hsr_status status = require(reader, place, value, "vertices", &vertices);
+  if (!status)
+    status = require(reader, place, value, "faces", &faces);
+  if (status)
+    return status;
+  *object = hsr_scene_object(reader->scene, "");
+  if (!*object)
+    return hsr_fail_nomem(reader->err);
+  if (colour)
+    status = read_colour(reader, &(struct place){place, "colour", 0}, colour,
+                         (*object)->colour);
+  if (!status)
+    status =
+        read_array(reader, &(struct place){place, "vertices", 0}, vertices);
+  if (!status)
+    status = read_vertices(reader, &(struct place){place, "vertices", 0},
+                           list[VERTICES], *object);
+  if (!status)
+    status = read_array(reader, &(struct place){place, "faces", 0}, faces);
+  if (!status && colours)
+    status =
+        check_colours(reader, place, colours, list[FACES], list[FACE_COLOURS]);
+  return status ? status
+                : read_faces(reader, place, list[FACES], list[FACE_COLOURS],
+                             *object);
+}
+
+/* The path of a file that the scene file names. NULL: out of memory. */
+static char *resolve(const char *path, const char *file) {
+  const char *slash = strrchr(path, '/');
+  size_t n = slash && *file != '/' ? (size_t)(slash + 1 - path) : 0;
+  char *resolved = malloc(n + strlen(file) + 1);
+  if (!resolved)
+    return NULL;
+  memcpy(resolved, path, n);
+  memcpy(resolved + n, file, strlen(file) + 1);
+  return resolved;
+}
+
+static enum hsr_status read_mesh(struct reader *reader,
+                                 const struct place *place, const json_t *value,
+                                 struct hsr_object **object) {
+  static const char *const excluded[] = {"vertices", "faces", "face_colours",
+                                         NULL};
+  const char *file = "";
+  enum hsr_status status = exclude(reader, place, value, "file", excluded);
+  if (!status)
+    status = read_string(reader, &(struct place){place, "file", 0},
+                         json_object_get(value, "file"), &file);
+  if (status)
+    return status;
+  char *path = resolve(reader->path, file);
+  if (!path)
+    return hsr_fail_nomem(reader->err);
+  struct hsr_import import = reader->import;
+  status = hsr_mesh_read(reader->scene, path, &import, reader->err);
+  free(path);
+  if (status)
+    return status;
+  reader->import.n_dropped += import.n_dropped;
+  *object = &reader->scene->objects[reader->scene->n_objects - 1];
+  json_t *colour = json_object_get(value, "colour");
+  return colour ? read_colour(reader, &(struct place){place, "colour", 0},
+                              colour, (*object)->colour)
+                : HSR_OK;
+}
+
+static enum hsr_status read_opacity(const struct reader *reader,
+                                    const struct place *place,
+                                    const json_t *value, float *to) {
+  double opacity = 1;
+  enum hsr_status status = read_number(reader, place, value, &opacity);
+  if (!status && !(opacity >= 0 && opacity <= 1))
+    return refuse(reader, place, "%.9g is not between 0 and 1", opacity);
+  *to = (float)opacity;
+  return status;
+}
+
+static enum hsr_status
+read_object(struct reader *reader, const struct place *place, json_t *value,
+            const struct hsr_json_part list[OBJECT_LISTS]) {
+  static const char *const keys[] = {"name",         "file",     "one_sided",
+                                     "colour",       "vertices", "faces",
+                                     "face_colours", "opacity",  NULL};
+  enum hsr_status status = check_keys(reader, place, value, keys);
+  if (status)
+    return status;
+  bool is_mesh = json_object_get(value, "file");
+  json_t *name = json_object_get(value, "name");
+  json_t *one_sided = json_object_get(value, "one_sided");
+  json_t *opacity = json_object_get(value, "opacity");
+  const char *text = NULL;
+  if (!is_mesh)
+    status = require(reader, place, value, "name", &name);
+  if (!status && name)
+    status =
+        read_string(reader, &(struct place){place, "name", 0}, name, &text);
+  struct hsr_object *object = NULL;
+  if (!status)
+    status = is_mesh ? read_mesh(reader, place, value, &object)
+                     : read_geometry(reader, place, value, list, &object);
+  if (!status && opacity)
+    status = read_opacity(reader, &(struct place){place, "opacity", 0}, opacity,
+                          &object->opacity);
+  if (!status && text)
+    status = rename_to(reader, &object->name, text);
+  if (!status && one_sided)
+    return read_bool(reader, &(struct place){place, "one_sided", 0}, one_sided,
+                     &object->one_sided);
+  if (!status && !is_mesh && hsr_object_is_solid(object, &object->one_sided))
+    return hsr_fail_nomem(reader->err);
+  return status;
+}
+
+/* ---- Instances ---- */
+
+/* The objects' numbers by name, AMBIGUOUS where several share one. NULL: out
+ * of memory. */
+static const json_int_t AMBIGUOUS = -1;
+
+static json_t *number_by_name(const struct hsr_scene *scene) {
+  json_t *numbers = json_object();
+  for (uint32_t o = 0; numbers && o < scene->n_objects; o++) {
+    const char *name = scene->objects[o].name;
+    json_int_t number = json_object_get(numbers, name) ? AMBIGUOUS : o;
+    if (json_object_set_new_nocheck(numbers, name, json_integer(number))) {
+      json_decref(numbers);
+      return NULL;
+    }
+  }
+  return numbers;
+}
+
+/* An object by its name or by its number. */
+static enum hsr_status read_reference(const struct reader *reader,
+                                      const struct place *place,
+                                      const json_t *value,
+                                      const json_t *numbers, uint32_t *object) {
+  if (json_is_number(value))
+    return read_index(reader, place, value, "object", reader->scene->n_objects,
+                      object);
+  if (!json_is_string(value))
+    return wrong_kind(reader, place, "a name or a number", value);
+  const char *name = json_string_value(value);
+  const json_t *number = json_object_get(numbers, name);
+  if (!number)
+    return refuse(reader, place, "there is no object '%.60s'", name);
+  if (json_integer_value(number) == AMBIGUOUS)
+    return refuse(reader, place,
+                  "several objects are called '%.60s'; give its number", name);
+  *object = (uint32_t)json_integer_value(number);
+  return HSR_OK;
+}
+
+/* One number for all axes, or one for each. */
+static enum hsr_status read_scale(const struct reader *reader,
+                                  const struct place *place,
+                                  const json_t *value, double scale[3]) {
+  if (json_is_array(value))
+    return read_numbers(reader, place, value, 3, scale);
+  if (!json_is_number(value))
+    return wrong_kind(reader, place, "a number or three", value);
+  scale[0] = scale[1] = scale[2] = json_number_value(value);
+  return HSR_OK;
+}
+
+static enum hsr_status read_matrix(const struct reader *reader,
+                                   const struct place *place,
+                                   const json_t *value, double m[12]) {
+  static const char *const excluded[] = {"translate", "scale", NULL};
+  json_t *matrix = json_object_get(value, "matrix");
+  json_t *translate = json_object_get(value, "translate");
+  json_t *scale = json_object_get(value, "scale");
+  enum hsr_status status = HSR_OK;
+  if (matrix) {
+    status = exclude(reader, place, value, "matrix", excluded);
+    return status ? status
+                  : read_numbers(reader, &(struct place){place, "matrix", 0},
+                                 matrix, 12, m);
+  }
+  double t[3] = {0, 0, 0}, s[3] = {1, 1, 1};
+  if (translate)
+    status = read_numbers(reader, &(struct place){place, "translate", 0},
+                          translate, 3, t);
+  if (!status && scale)
+    status = read_scale(reader, &(struct place){place, "scale", 0}, scale, s);
+  memset(m, 0, 12 * sizeof *m);
+  for (int k = 0; k < 3; k++) {
+    m[5 * k] = s[k];
+    m[4 * k + 3] = t[k];
+  }
+  return status;
+}
+
+static enum hsr_status read_instance(const struct reader *reader,
+                                     const struct place *place, json_t *value,
+                                     const json_t *numbers,
+                                     struct hsr_instance *instance) {
+  static const char *const keys[] = {"object", "matrix", "translate", "scale",
+                                     NULL};
+  json_t *object;
+  enum hsr_status status = check_keys(reader, place, value, keys);
+  if (!status)
+    status = require(reader, place, value, "object", &object);
+  if (!status)
+    status = read_reference(reader, &(struct place){place, "object", 0}, object,
+                            numbers, &instance->object);
+  return status ? status : read_matrix(reader, place, value, instance->m);
+}
+
+/* An instance and its place in the file, so that sorting is stable. */
+struct placed {
+  struct hsr_instance instance;
+  size_t order;
+};
+
+static int compare_placed(const void *a, const void *b) {
+  const struct placed *p = a, *q = b;
+  if (p->instance.object != q->instance.object)
+    return p->instance.object < q->instance.object ? -1 : 1;
+  return (p->order > q->order) - (p->order < q->order);
+}
+
+static enum hsr_status append_instances(const struct reader *reader,
+                                        struct placed *list, size_t n) {
+  enum hsr_status status = HSR_OK;
+  qsort(list, n, sizeof *list, compare_placed);
+  for (size_t i = 0; i < n && !status; i++)
+    status = hsr_scene_instance(reader->scene, list[i].instance.object,
+                                list[i].instance.m);
+  return status ? hsr_fail_nomem(reader->err) : HSR_OK;
+}
+
+/* Into list[], which has room for all. */
+static enum hsr_status list_instances(const struct reader *reader,
+                                      struct hsr_json_part instances,
+                                      const json_t *numbers,
+                                      struct placed *list) {
+  struct place place = {NULL, "instances", 0};
+  json_t *value = NULL;
+  enum hsr_status status = next(reader, &instances, &value);
+  for (size_t i = 0; value && !status; i++) {
+    list[i].order = i;
+    status = read_instance(reader, &(struct place){&place, NULL, i}, value,
+                           numbers, &list[i].instance);
+    if (!status)
+      status = next(reader, &instances, &value);
+  }
+  json_decref(value);
+  return status;
+}
+
+static enum hsr_status read_instances(const struct reader *reader,
+                                      struct hsr_json_part instances) {
+  size_t n = hsr_json_count(instances);
+  if (!n)
+    return HSR_OK;
+  struct placed *list = calloc(n, sizeof *list);
+  json_t *numbers = number_by_name(reader->scene);
+  enum hsr_status status =
+      list && numbers ? list_instances(reader, instances, numbers, list)
+                      : hsr_fail_nomem(reader->err);
+  if (!status)
+    status = append_instances(reader, list, n);
+  json_decref(numbers);
+  free(list);
+  return status;
+}
+
+/* ---- Views ---- */
+
+static enum hsr_status read_view(const struct reader *reader,
+                                 const struct place *place, json_t *value) {
+  static const char *const keys[] = {"eye", "at", "up", "fov", "near", NULL};
+  struct hsr_camera camera = {.up = {0, 1, 0}, .fov = 45};
+  const struct {
+    const char *key;
+    double *to;
+    size_t n; /* of an array; 0: one number */
+    bool required;
+  } members[] = {{"eye", camera.eye, 3, true},
+                 {"at", camera.at, 3, true},
+                 {"up", camera.up, 3, false},
+                 {"fov", &camera.fov, 0, false},
+                 {"near", &camera.near, 0, false}};
+  enum hsr_status status = check_keys(reader, place, value, keys);
+  for (size_t i = 0; i < sizeof members / sizeof *members && !status; i++) {
+    struct place here = {place, members[i].key, 0};
+    json_t *member = json_object_get(value, members[i].key);
+    if (!member && members[i].required)
+      return require(reader, place, value, members[i].key, &member);
+    if (member)
+      status = members[i].n ? read_numbers(reader, &here, member, members[i].n,
+                                           members[i].to)
+                            : read_number(reader, &here, member, members[i].to);
+  }
+  if (status)
+    return status;
+  struct hsr_error why;
+  if (hsr_camera_check(&camera, &why))
+    return refuse(reader, place, "%s", why.text);
+  return hsr_scene_view(reader->scene, &camera) ? hsr_fail_nomem(reader->err)
+                                                : HSR_OK;
+}
+
+/* ---- The whole file ---- */
+
+static enum hsr_status check_schema(const struct reader *reader,
+                                    const json_t *root) {
+  struct place place = {NULL, "schema", 0};
+  json_t *schema;
+  const char *text = "";
+  if (!json_is_object(root))
+    return wrong_kind(reader, NULL, "an object", root);
+  enum hsr_status status = require(reader, NULL, root, "schema", &schema);
+  if (!status)
+    status = read_string(reader, &place, schema, &text);
+  if (!status && strcmp(text, SCHEMA))
+    return refuse(reader, &place, "must be '%s', not '%.60s'", SCHEMA, text);
+  return status;
+}
+
+static enum hsr_status read_objects(struct reader *reader,
+                                    struct hsr_json_part objects) {
+  struct place place = {NULL, "objects", 0};
+  struct hsr_json_part part, list[OBJECT_LISTS];
+  enum hsr_status status = HSR_OK;
+  for (size_t o = 0; !status && hsr_json_next(&objects, &part); o++) {
+    json_t *value;
+    status = parse(reader, part, OF_OBJECT, list, &value);
+    if (!status)
+      status =
+          read_object(reader, &(struct place){&place, NULL, o}, value, list);
+    json_decref(value);
+  }
+  return status;
+}
+
+static enum hsr_status read_views(const struct reader *reader,
+                                  struct hsr_json_part views) {
+  struct place place = {NULL, "views", 0};
+  json_t *view = NULL;
+  enum hsr_status status = next(reader, &views, &view);
+  for (size_t i = 0; view && !status; i++) {
+    status = read_view(reader, &(struct place){&place, NULL, i}, view);
+    if (!status)
+      status = next(reader, &views, &view);
+  }
+  json_decref(view);
+  return status;
+}
+
+static enum hsr_status read_name(const struct reader *reader,
+                                 const json_t *name) {
+  struct place place = {NULL, "name", 0};
+  const char *text = "";
+  enum hsr_status status = read_string(reader, &place, name, &text);
+  return status ? status : rename_to(reader, &reader->scene->name, text);
+}
+
+/* Refuses members that should be lists and are not. */
+static enum hsr_status check_lists(const struct reader *reader,
+                                   const json_t *root) {
+  json_t *list;
+  enum hsr_status status = require(reader, NULL, root, "objects", &list);
+  for (int k = 0; k < SCENE_LISTS && !status; k++)
+    if ((list = json_object_get(root, scene_lists[k])))
+      status =
+          read_array(reader, &(struct place){NULL, scene_lists[k], 0}, list);
+  return status;
+}
+
+static enum hsr_status
+read_scene(struct reader *reader, json_t *root,
+           const struct hsr_json_part list[SCENE_LISTS]) {
+  static const char *const keys[] = {"schema",    "name",  "objects",
+                                     "instances", "views", NULL};
+  json_t *name = json_object_get(root, "name");
+  enum hsr_status status = check_schema(reader, root);
+  if (!status)
+    status = check_keys(reader, NULL, root, keys);
+  if (!status && name)
+    status = read_name(reader, name);
+  if (!status)
+    status = check_lists(reader, root);
+  if (!status)
+    status = read_objects(reader, list[OBJECTS]);
+  if (!status)
+    status = read_instances(reader, list[INSTANCES]);
+  return status ? status : read_views(reader, list[VIEWS]);
+}
+
+enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
+                                    struct hsr_import *import,
+                                    struct hsr_error *err) {
+  struct reader reader = {.scene = scene, .path = path, .err = err};
+  if (import)
+    reader.import.drop_degenerate = import->drop_degenerate;
+  struct hsr_json_part file = {.line = 1}, list[SCENE_LISTS];
+  char *text = NULL;
+  json_t *root = NULL;
+  enum hsr_status status = load(path, &text, &file.length, err);
+  file.text = text;
+  if (!status)
+    status = parse(&reader, file, OF_FILE, list, &root);
+  if (!status)
+    status = read_scene(&reader, root, list);
+  json_decref(root);
+  free(text);
+  free(reader.corners);
+  if (import)
+    import->n_dropped = reader.import.n_dropped;
+  return status;
+}
+
+/* ---- Writing ---- */
+
+/* Values go through jansson one by one, a vertex or a name at a time, and so
+ * take no memory to speak of; the lines around them are laid out here. After a
+ * failure nothing more is written. */
+struct writer {
+  FILE *out;
+  const char *path;
+  enum hsr_status status;
+  struct hsr_error *err;
+};
+
+/* 17 digits tell all doubles apart, 9 all floats. */
+enum { DOUBLE_DIGITS = 17, FLOAT_DIGITS = 9 };
+
+static void put_text(struct writer *writer, const char *text) {
+  if (!writer->status && fputs(text, writer->out) == EOF)
+    writer->status = fail_errno(writer->path, "cannot be written", writer->err);
+}
+
+/* Writes and releases a value; NULL: there was no memory for it. */
+static void put(struct writer *writer, json_t *value, size_t digits) {
+  size_t flags = JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(digits);
+  if (!writer->status && (!value || json_dumpf(value, writer->out, flags)))
+    writer->status =
+        ferror(writer->out)
+            ? fail_errno(writer->path, "cannot be written", writer->err)
+            : hsr_fail_nomem(writer->err);
+  json_decref(value);
+}
+
+static void put_string(struct writer *writer, const char *text) {
+  errno = 0;
+  json_t *value = json_string(text);
+  if (!value && errno != ENOMEM && !writer->status)
+    writer->status =
+        hsr_fail(writer->err, HSR_E_INPUT,
+                 "%s: cannot be written: the name '%.60s' is not UTF-8",
+                 shown(writer->path), text);
+  put(writer, value, DOUBLE_DIGITS);
+}
+
+static void put_array(struct writer *writer, const double *v, size_t n,
+                      size_t digits) {
+  json_t *array = json_array();
+  for (size_t i = 0; i < n && !writer->status; i++)
+    if (!isfinite(v[i]))
+      writer->status = hsr_fail(writer->err, HSR_E_INPUT,
+                                "%s: cannot be written: a number is not finite",
+                                shown(writer->path));
+  for (size_t i = 0; array && i < n; i++)
+    if (json_array_append_new(array, json_real(v[i]))) {
+      json_decref(array);
+      array = NULL;
+    }
+  put(writer, array, digits);
+}
+
+static void put_colour(struct writer *writer, const float rgb[3]) {
+  double v[3] = {rgb[0], rgb[1], rgb[2]};
+  put_array(writer, v, 3, FLOAT_DIGITS);
+}
+
+static void put_face(struct writer *writer, const uint32_t *vertices,
+                     size_t n) {
+  json_t *array = json_array();
+  for (size_t i = 0; array && i < n; i++)
+    if (json_array_append_new(array, json_integer(vertices[i]))) {
+      json_decref(array);
+      array = NULL;
+    }
+  put(writer, array, DOUBLE_DIGITS);
+}
+
+/* The start of line i of a list; its end is "]" on the line of the last. */
+static void put_line(struct writer *writer, uint32_t i, const char *indent) {
+  put_text(writer, i ? ",\n" : "\n");
+  put_text(writer, indent);
+}
+
+static void put_object(struct writer *writer, const struct hsr_object *object) {
+  put_text(writer, "{\"name\": ");
+  put_string(writer, object->name);
+  put_text(writer, object->one_sided ? ",\n   \"one_sided\": true"
+                                     : ",\n   \"one_sided\": false");
+  put_text(writer, ",\n   \"colour\": ");
+  put_colour(writer, object->colour);
+  if (object->opacity < 1) {
+    put_text(writer, ",\n   \"opacity\": ");
+    put(writer, json_real((double)object->opacity), FLOAT_DIGITS);
+  }
+  put_text(writer, ",\n   \"vertices\": [");
+  for (uint32_t v = 0; v < object->n_vertices && !writer->status; v++) {
+    put_line(writer, v, "    ");
+    put_array(writer, object->xyz + 3 * (size_t)v, 3, DOUBLE_DIGITS);
+  }
+  put_text(writer, "],\n   \"faces\": [");
+  for (uint32_t f = 0; f < object->n_faces && !writer->status; f++) {
+    put_line(writer, f, "    ");
+    put_face(writer, object->vertex + object->start[f],
+             object->start[f + 1] - object->start[f]);
+  }
+  if (object->rgb)
+    put_text(writer, "],\n   \"face_colours\": [");
+  for (uint32_t f = 0; object->rgb && f < object->n_faces && !writer->status;
+       f++) {
+    put_line(writer, f, "    ");
+    put_colour(writer, object->rgb + 3 * (size_t)f);
+  }
+  put_text(writer, "]}");
+}
+
+/* An object by its name, or by its number where the name is not its alone. */
+static void put_instance(struct writer *writer, const struct hsr_scene *scene,
+                         const struct hsr_instance *instance,
+                         const json_t *numbers) {
+  const char *name = scene->objects[instance->object].name;
+  put_text(writer, "{\"object\": ");
+  if (json_integer_value(json_object_get(numbers, name)) == AMBIGUOUS)
+    put(writer, json_integer(instance->object), DOUBLE_DIGITS);
+  else
+    put_string(writer, name);
+  put_text(writer, ", \"matrix\": ");
+  put_array(writer, instance->m, 12, DOUBLE_DIGITS);
+  put_text(writer, "}");
+}
+
+static void put_instances(struct writer *writer,
+                          const struct hsr_scene *scene) {
+  json_t *numbers = number_by_name(scene);
+  if (!numbers && !writer->status)
+    writer->status = hsr_fail_nomem(writer->err);
+  put_text(writer, ",\n \"instances\": [");
+  for (uint32_t i = 0; i < scene->n_instances && !writer->status; i++) {
+    put_line(writer, i, "  ");
+    put_instance(writer, scene, &scene->instances[i], numbers);
+  }
+  put_text(writer, "]");
+  json_decref(numbers);
+}
+
+static void put_view(struct writer *writer, const struct hsr_camera *camera) {
+  put_text(writer, "{\"eye\": ");
+  put_array(writer, camera->eye, 3, DOUBLE_DIGITS);
+  put_text(writer, ", \"at\": ");
+  put_array(writer, camera->at, 3, DOUBLE_DIGITS);
+  put_text(writer, ", \"up\": ");
+  put_array(writer, camera->up, 3, DOUBLE_DIGITS);
+  put_text(writer, ", \"fov\": ");
+  put(writer, json_real(camera->fov), DOUBLE_DIGITS);
+  put_text(writer, ", \"near\": ");
+  put(writer, json_real(camera->near), DOUBLE_DIGITS);
+  put_text(writer, "}");
+}
+
+static void put_scene(struct writer *writer, const struct hsr_scene *scene) {
+  put_text(writer, "{\"schema\": ");
+  put_string(writer, SCHEMA);
+  put_text(writer, ",\n \"name\": ");
+  put_string(writer, scene->name);
+  put_text(writer, ",\n \"objects\": [");
+  for (uint32_t o = 0; o < scene->n_objects && !writer->status; o++) {
+    put_line(writer, o, "  ");
+    put_object(writer, &scene->objects[o]);
+  }
+  put_text(writer, "]");
+  if (scene->n_instances)
+    put_instances(writer, scene);
+  if (scene->n_views)
+    put_text(writer, ",\n \"views\": [");
+  for (uint32_t i = 0; i < scene->n_views && !writer->status; i++) {
+    put_line(writer, i, "  ");
+    put_view(writer, &scene->views[i]);
+  }
+  put_text(writer, scene->n_views ? "]}\n" : "}\n");
+}
+
+/* Writes under the name `part`, and gives the file its own when it is whole. */
+static enum hsr_status write_part(const struct hsr_scene *scene,
+                                  const char *path, const char *part,
+                                  struct hsr_error *err) {
+  struct writer writer = {.path = path, .err = err};
+  writer.out = fopen(part, "w");
+  if (!writer.out)
+    return fail_errno(path, "cannot be written", err);
+  put_scene(&writer, scene);
+  if (fclose(writer.out) && !writer.status)
+    writer.status = fail_errno(path, "cannot be written", err);
+  if (!writer.status && rename(part, path))
+    writer.status = fail_errno(path, "cannot be written", err);
+  if (writer.status)
+    remove(part);
+  return writer.status;
+}
+
+enum hsr_status hsr_scene_json_write(const struct hsr_scene *scene,
+                                     const char *path, struct hsr_error *err) {
+  static const char suffix[] = ".part";
+  size_t n = strlen(path);
+  char *part = malloc(n + sizeof suffix);
+  if (!part)
+    return hsr_fail_nomem(err);
+  memcpy(part, path, n);
+  memcpy(part + n, suffix, sizeof suffix);
+  enum hsr_status status = write_part(scene, path, part, err);
+  free(part);
+  return status;
+}

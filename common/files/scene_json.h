@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* .scene.json files, through jansson; the format is docs/scene.schema.json. */
+#ifndef HSR_COMMON_SCENE_JSON_H
+#define HSR_COMMON_SCENE_JSON_H
+
+#include "common/files/mesh/exchange.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Appends everything in the file to an empty scene, unfinished
+ * (hsr_scene_finish is the caller's). Mesh files that the scene names are
+ * found relative to it. HSR_E_INPUT with file and line, or the JSON path of the
+ * offending value; HSR_E_NOMEM. */
+enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
+                                    struct hsr_import *import,
+                                    struct hsr_error *err);
+
+/* Writes a scene so that reading it back gives the same doubles. */
+enum hsr_status hsr_scene_json_write(const struct hsr_scene *scene,
+                                     const char *path, struct hsr_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Line drawings as .vtp files, for ParaView and the like.
+#include "common/files/mesh/exchange.h"
+#include "common/files/vtk/vtk_text.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedIntArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
+namespace {
+
+vtkIdType n_cells(const hsr_drawing &drawing) {
+  return static_cast<vtkIdType>(drawing.n);
+}
+
+/* Adds a number a cell, `get` of its interval. */
+template <class Array, class Get>
+void add_data(vtkPolyData *data, const char *name, const hsr_drawing &drawing,
+              const Get &get) {
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(n_cells(drawing));
+  for (size_t k = 0; k < drawing.n; k++)
+    array->SetValue(static_cast<vtkIdType>(k), get(drawing.segment[k]));
+  data->GetCellData()->AddArray(array);
+}
+
+void add_lines(vtkPolyData *data, const hsr_drawing &drawing) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(2 * n_cells(drawing));
+  for (size_t k = 0; k < drawing.n; k++) {
+    const vtkIdType ends[2] = {static_cast<vtkIdType>(2 * k),
+                               static_cast<vtkIdType>(2 * k + 1)};
+    points->SetPoint(ends[0], drawing.segment[k].from);
+    points->SetPoint(ends[1], drawing.segment[k].to);
+    lines->InsertNextCell(2, ends);
+  }
+  data->SetPoints(points);
+  data->SetLines(lines);
+}
+
+/* The file's text; empty if VTK cannot make it. */
+std::string text_of(const hsr_drawing &drawing) {
+  vtkNew<vtkPolyData> data;
+  add_lines(data, drawing);
+  using Interval = const hsr_segment &;
+  add_data<vtkUnsignedIntArray>(data, "invisibility", drawing,
+                                [](Interval s) { return s.invisibility; });
+  add_data<vtkUnsignedIntArray>(data, "edge_a", drawing,
+                                [](Interval s) { return s.edge.a; });
+  add_data<vtkUnsignedIntArray>(data, "edge_b", drawing,
+                                [](Interval s) { return s.edge.b; });
+  add_data<vtkUnsignedIntArray>(data, "edge_part", drawing,
+                                [](Interval s) { return s.edge.part; });
+  add_data<vtkUnsignedCharArray>(data, "implied", drawing,
+                                 [](Interval s) { return s.edge.implied; });
+  return hsr::vtk_text<vtkXMLPolyDataWriter>(data.Get());
+}
+
+} // namespace
+
+enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
+                                      const char *path, struct hsr_error *err) {
+  return hsr::write_vtk_text(
+      path, [&] { return text_of(*drawing); }, err);
+}

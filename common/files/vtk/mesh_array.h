@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The arrays of .vtp files, for common/files/vtk/mesh_scan_vtp.cc: numbers as text, or as
+// bytes, raw or in base64, compressed by zlib or not.
+#ifndef HSR_COMMON_MESH_ARRAY_H
+#define HSR_COMMON_MESH_ARRAY_H
+
+#include "common/files/vtk/mesh_markup.h"
+
+namespace hsr {
+
+/* VTK counts the values of a text in int, and doubles the room for them. */
+constexpr size_t MOST_VALUES = size_t{1} << 30;
+
+struct Array_type : Number_type {
+  Word name;
+};
+
+/* By its name in a file, "Int8" to "Float64"; NULL if there is none. */
+const Array_type *find_array_type(Word name);
+
+struct Array {
+  static constexpr size_t ANY = SIZE_MAX;
+
+  const char *what;   /* "points", "connectivity", "offsets" */
+  const char *place;  /* where its tag is, for messages */
+  size_t n_expected;  /* values, or ANY number of them but 0 */
+  double least, most; /* that a value may be */
+  bool is_rising;     /* none may be less than the one before */
+
+  const Array_type *type = nullptr;
+  enum { TEXT, BINARY, APPENDED } format = TEXT;
+  bool is_base64 = true; /* unless TEXT */
+  size_t offset = 0;     /* if APPENDED */
+  Word data = {};
+  size_t n = 0; /* values found; then, if is_rising, `least` is the last */
+};
+
+/* How a file writes arrays that are not TEXT. */
+struct Array_encoding {
+  bool is_compressed = false;
+  bool is_big_endian = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
+  Number_type header = {4, false, 0, UINT32_MAX};
+};
+
+class Array_checker {
+public:
+  Array_checker(const Markup &markup, const Array_encoding &encoding)
+      : markup_(markup), encoding_(encoding) {}
+
+  /* Decodes the whole of an array, and throws Refused at the first thing that
+   * is wrong with it. Returns where its data end. Takes no memory but zlib's.
+   */
+  const char *check(Array &array);
+
+private:
+  class Bytes;
+  struct Inflater;
+
+  void text(Array &array);
+  void plain(Array &array, Bytes &bytes);
+  void compressed(Array &array, Bytes &bytes);
+  void block(Array &array, Bytes &bytes, Inflater &inflater, size_t packed_size,
+             size_t size);
+  void read(const Array &array, Bytes &bytes, void *to, size_t n) const;
+  size_t header(const Array &array, Bytes &bytes) const;
+  void check_number(const Array &array, size_t n) const;
+  void check_size(const Array &array, size_t n_bytes) const;
+  void values(Array &array, size_t n_bytes) const;
+  void value(Array &array, const char *place, double value) const;
+
+  static constexpr size_t BUFFER = size_t{1}
+                                   << 15; /* a multiple of all sizes */
+
+  const Markup &markup_;
+  const Array_encoding &encoding_;
+  Number_reader number_;
+  unsigned char packed_[BUFFER], buffer_[BUFFER];
+};
+
+} // namespace hsr
+
+#endif

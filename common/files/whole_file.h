@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* An output file that is there whole or not at all: it is written under another
+ * name beside its own, and renamed in the end. */
+#ifndef HSR_COMMON_WHOLE_FILE_H
+#define HSR_COMMON_WHOLE_FILE_H
+
+#include "common/base/status.h"
+
+#include <stdio.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct hsr_whole_file {
+  const char *path; /* borrowed */
+  char *part;       /* the other name */
+  FILE *stream;     /* to be written to */
+};
+
+/* HSR_E_NOMEM; HSR_E_INPUT if it cannot be written, with *err naming it. */
+enum hsr_status hsr_whole_file_open(struct hsr_whole_file *file,
+                                    const char *path, struct hsr_error *err);
+
+/* Renames the file, if `status`, how the writing went, is HSR_OK and all has
+ * reached it; else removes it. Returns `status`, or HSR_E_INPUT. */
+enum hsr_status hsr_whole_file_close(struct hsr_whole_file *file,
+                                     enum hsr_status status,
+                                     struct hsr_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

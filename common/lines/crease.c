@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The sides of faces are sorted here once more, rather than taken from
+ * common/lines/edges.h, which would look for penetrations as well. */
+#include "common/lines/crease.h"
+#include "common/exact/predicates.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* A side of an existing face: the edge from a to b, a < b, which the face runs
+ * along (+1) or against (-1). */
+struct side {
+  uint32_t a, b, face;
+  signed char along;
+  signed char facing; /* +1 if the eye is in front of the face, else -1 */
+};
+
+struct sides {
+  struct side *side; /* by a, b */
+  size_t n;
+};
+
+static int order(uint32_t a, uint32_t b) {
+  return (a > b) - (a < b);
+}
+
+static int by_edge(const void *a, const void *b) {
+  const struct side *s = a, *t = b;
+  return s->a != t->a   ? order(s->a, t->a)
+         : s->b != t->b ? order(s->b, t->b)
+                        : order(s->face, t->face);
+}
+
+static void add_sides(struct sides *sides, const struct hsr_world *world,
+                      uint32_t f, int facing) {
+  uint32_t size = hsr_face_size(world, f);
+  const uint32_t *vertex = world->vertex + world->start[f];
+  for (uint32_t k = 0; k < size; k++) {
+    uint32_t a = vertex[k], b = vertex[k + 1 < size ? k + 1 : 0];
+    sides->side[sides->n++] = (struct side){.a = a < b ? a : b,
+                                            .b = a < b ? b : a,
+                                            .face = f,
+                                            .along = a < b ? 1 : -1,
+                                            .facing = (signed char)facing};
+  }
+}
+
+static enum hsr_status find_sides(struct sides *sides,
+                                  const struct hsr_world *world,
+                                  const struct hsr_view *view,
+                                  struct hsr_error *err) {
+  bool out_of_memory = false;
+  *sides = (struct sides){
+      .side = malloc(((size_t)world->n_corners + 1) * sizeof *sides->side)};
+  if (!sides->side)
+    return hsr_fail_nomem(err);
+  for (uint32_t f = 0; f < world->n_faces; f++) {
+    int facing =
+        hsr_exact_plane_side(hsr_plane_loop(world, f), view->E, &out_of_memory);
+    if (facing > 0 || (facing < 0 && !world->one_sided[f]))
+      add_sides(sides, world, f, facing);
+  }
+  if (out_of_memory)
+    return hsr_fail_nomem(err);
+  qsort(sides->side, sides->n, sizeof *sides->side, by_edge);
+  return HSR_OK;
+}
+
+/* The cosine of the angle between the normals of two faces, both taken as if
+ * they ran their common edge in opposite directions, as neighbours do. */
+static double cosine(const struct hsr_world *world, const struct side *s,
+                     const struct side *t) {
+  const double n[3] = {world->nx[s->face], world->ny[s->face],
+                       world->nz[s->face]};
+  const double m[3] = {world->nx[t->face], world->ny[t->face],
+                       world->nz[t->face]};
+  double nn = 0, mm = 0, nm = 0;
+  for (int k = 0; k < 3; k++) {
+    nn += n[k] * n[k];
+    mm += m[k] * m[k];
+    nm += n[k] * m[k];
+  }
+  return (s->along == t->along ? -nm : nm) / sqrt(nn) / sqrt(mm);
+}
+
+/* The n sides are those of one edge. */
+static bool is_shown(const struct hsr_world *world, const struct side *side,
+                     size_t n, double least_cosine) {
+  if (n != 2)
+    return true;
+  bool contour =
+      side[0].facing * side[0].along == side[1].facing * side[1].along;
+  return contour || cosine(world, &side[0], &side[1]) < least_cosine;
+}
+
+static bool is_of(const struct side *side, struct hsr_edge_name edge) {
+  return side->a == edge.a && side->b == edge.b;
+}
+
+static bool is_before(const struct side *side, struct hsr_edge_name edge) {
+  return side->a < edge.a || (side->a == edge.a && side->b < edge.b);
+}
+
+enum hsr_status hsr_drawing_crease(struct hsr_drawing *drawing,
+                                   const struct hsr_world *world,
+                                   const struct hsr_view *view, double degrees,
+                                   struct hsr_error *err) {
+  const double pi = 3.14159265358979323846;
+  struct sides sides;
+  enum hsr_status status = find_sides(&sides, world, view, err);
+  size_t kept = 0, s = 0;
+  for (size_t k = 0; k < drawing->n && !status; k++) {
+    struct hsr_edge_name edge = drawing->segment[k].edge;
+    while (!edge.implied && s < sides.n && is_before(&sides.side[s], edge))
+      s++;
+    size_t n = 0;
+    while (!edge.implied && s + n < sides.n && is_of(&sides.side[s + n], edge))
+      n++;
+    if (is_shown(world, sides.side + s, n, cos(degrees * (pi / 180))))
+      drawing->segment[kept++] = drawing->segment[k];
+  }
+  if (!status)
+    drawing->n = kept;
+  free(sides.side);
+  return status;
+}

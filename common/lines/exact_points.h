@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The points of common/lines/edges.h that are no vertices, for the core's own C++
+// files.
+#ifndef HSR_COMMON_EXACT_POINTS_H
+#define HSR_COMMON_EXACT_POINTS_H
+
+#include "common/lines/edges.h"
+#include "common/statistics/penetration.h"
+
+#include <vector>
+
+struct hsr_exact_points {
+  // Point n_vertices + k.
+  std::vector<hsr::Exact_point> points;
+
+  // A coordinate, within 2^-50 of itself.
+  static double rounded(const hsr::Exact_point &point, int axis);
+};
+
+#endif

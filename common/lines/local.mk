@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+nobase_pkginclude_HEADERS += \
+  %D%/crease.h \
+  %D%/drawing.h \
+  %D%/edges.h \
+  %D%/volumes.h
+libhsr_a_SOURCES += \
+  %D%/crease.c \
+  %D%/drawing.c \
+  %D%/edges_cgal.cc \
+  %D%/exact_points.h \
+  %D%/volumes_cgal.cc

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The filters of sight.h, and what is put together of them.
+ *
+ * Turns. With delta = HSR_DELTA, coordinates are within delta of the true ones,
+ * so each of dx, dy, hx, hy is within 2 delta, but for rounding, and the
+ * products dx hy and dy hx together within 2 delta (|dx| + |dy| + |hx| + |hy|)
+ * + 8 delta^2. All four are at most 2^17 in size, so that rounding anywhere
+ * adds at most 2^-35 of a coordinate to the factor of the other: far less than
+ * delta. The bound takes twice all that. A sign that is certain is that of the
+ * true determinant, the points being ahead; it is not zero, so that no
+ * displacement changes it.
+ *
+ * Rows. sy of two points differ by at most 2 delta from what they should. */
+#include "common/lines/sight/sight.h"
+
+bool hsr_sight_covers(const struct hsr_sight *sight, uint32_t f, uint32_t p) {
+  const struct hsr_world *w = sight->world;
+  bool inside = false;
+  uint32_t a = w->vertex[w->start[f + 1] - 1];
+  int row_a = hsr_sight_row_side(sight, p, a);
+  for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
+    uint32_t b = w->vertex[k];
+    int row_b = hsr_sight_row_side(sight, p, b);
+    if (row_a != row_b && hsr_sight_side(sight, a, b, p) == -row_a)
+      inside = !inside;
+    a = b;
+    row_a = row_b;
+  }
+  return inside;
+}

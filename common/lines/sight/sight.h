@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Edges before faces, as one eye sees them: the exact services by which the
+ * hidden-line algorithms make their comparisons.
+ *
+ * Source      Sutherland et al. 1974, "Edge Intersections", "Object-Space
+ *             Algorithms"; docs/correct-drawing.md.
+ * Displaced   an edge whose hiding is asked about is displaced as a whole by
+ * the infinitesimal of the definition: P' is point P displaced, A'B' the edge.
+ * The faces and edges that hide it are where they are. So an image never
+ * touches another, and nothing is a special case: what figure 17 shows is
+ * decided by the next sign of the same determinant. Together    what happens on
+ * A'B' at different places that are one on AB happens at once: events are
+ * compared by their place on AB. Exact       a filter in doubles, whose bound
+ * is proved in sight.c, or intervals, or else exact numbers, which tally->exact
+ * counts. Regular     a face that exists, is simple (common/lines/edges.h) and lies
+ * wholly beyond near: its edges' images and its plane say all about it. Any
+ * other that exists is loose: hsr_sight_face handles it, for one edge at a
+ * time.
+ *
+ * A sight belongs to one view and one thread, and does not move in memory. */
+#ifndef HSR_COMMON_SIGHT_H
+#define HSR_COMMON_SIGHT_H
+
+#include "common/base/count.h"
+#include "common/lines/edges.h"
+#include "common/exact/screen.h"
+#include "common/view/view.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A line of the scene: through points a and b, or, of planes, where those of
+ * faces a and b meet. */
+struct hsr_sight_line {
+  bool of_planes;
+  uint32_t a, b;
+};
+
+struct hsr_sight {
+  const struct hsr_edges *edges;
+  const struct hsr_world *world;
+  const struct hsr_view *view;
+  struct hsr_tally *tally;
+
+  const struct hsr_sight_line *line; /* of HSR_AT_LINE; borrowed, or NULL */
+
+  /* Points. */
+  double *sx, *sy; /* as in common/exact/screen.h; NaN where not known so well */
+  double *q;       /* 1/w, within 2^-42 of itself where sx is not NaN */
+  bool *ahead;     /* w > near */
+
+  /* Faces. */
+  bool *exists;
+  signed char *facing; /* +1 the eye is in front, -1 behind; 0: the face does
+                          not exist, or its plane holds the eye, so that it
+                          hides nothing */
+  bool *regular;
+  uint32_t *faces, n_faces; /* the regular ones */
+  uint32_t *loose, n_loose;
+
+  struct hsr_sight_numbers *numbers; /* of the exact services */
+};
+
+/* Readies all of the above; arrays are the arena's. Freed with hsr_sight_free,
+ * also after a failure. `edges`, `view` and `tally` are borrowed until then.
+ * HSR_E_NOMEM. */
+enum hsr_status hsr_sight_init(struct hsr_sight *sight,
+                               const struct hsr_edges *edges,
+                               const struct hsr_view *view,
+                               struct hsr_arena *arena,
+                               struct hsr_tally *tally);
+void hsr_sight_free(struct hsr_sight *sight);
+
+/* --- Where images lie -------------------------------------------------------
+ */
+
+/* The exact ends of the filters below; call those. */
+int hsr_sight_side_exact(const struct hsr_sight *sight, uint32_t c, uint32_t d,
+                         uint32_t p);
+int hsr_sight_line_side_exact(const struct hsr_sight *sight, uint32_t a,
+                              uint32_t b, uint32_t p);
+int hsr_sight_row_side_exact(const struct hsr_sight *sight, uint32_t p,
+                             uint32_t q);
+
+/* The side of point p about the line c d on the screen, and more than a bound
+ * of what can be wrong with it. NaN if not all three are known. */
+static inline double hsr_sight_turn(const struct hsr_sight *sight, uint32_t c,
+                                    uint32_t d, uint32_t p, double *bound) {
+  double dx = sight->sx[d] - sight->sx[c], dy = sight->sy[d] - sight->sy[c];
+  double hx = sight->sx[p] - sight->sx[c], hy = sight->sy[p] - sight->sy[c];
+  *bound = 4 * HSR_DELTA * (fabs(dx) + fabs(dy) + fabs(hx) + fabs(hy)) +
+           16 * HSR_DELTA * HSR_DELTA;
+  return dx * hy - dy * hx;
+}
+
+/* The side of P' about the line from point c to point d: the sign of
+ * det(C - E, D - E, P' - E). 0 only if c, d and the eye are on a line. */
+static inline int hsr_sight_side(const struct hsr_sight *sight, uint32_t c,
+                                 uint32_t d, uint32_t p) {
+  double bound, turn = hsr_sight_turn(sight, c, d, p, &bound);
+  if (turn > bound)
+    return 1;
+  if (turn < -bound)
+    return -1;
+  return hsr_sight_side_exact(sight, c, d, p);
+}
+
+/* The side of point P about the displaced line from A' to B': the sign of
+ * det(A' - E, B' - E, P - E). 0 only if a, b and the eye are on a line. */
+static inline int hsr_sight_line_side(const struct hsr_sight *sight, uint32_t a,
+                                      uint32_t b, uint32_t p) {
+  double bound, turn = hsr_sight_turn(sight, a, b, p, &bound);
+  if (turn > bound)
+    return 1;
+  if (turn < -bound)
+    return -1;
+  return hsr_sight_line_side_exact(sight, a, b, p);
+}
+
+/* On the screen, is point q below P' (+1) or above (-1)? Both are ahead. */
+static inline int hsr_sight_row_side(const struct hsr_sight *sight, uint32_t p,
+                                     uint32_t q) {
+  double below = sight->sy[q] - sight->sy[p];
+  if (below > 2 * HSR_DELTA)
+    return 1;
+  if (below < -2 * HSR_DELTA)
+    return -1;
+  return hsr_sight_row_side_exact(sight, p, q);
+}
+
+/* What holds the image of all between two corners of space, in pixels; and its
+ * 1/w. All of the plane, and of space, if it is not known. */
+struct hsr_extent {
+  double x0, y0, x1, y1;
+  double farthest, nearest;
+};
+struct hsr_extent hsr_sight_enclose(const struct hsr_sight *sight,
+                                    const double lo[3], const double hi[3]);
+
+/* --- What lies before what --------------------------------------------------
+ */
+
+/* Is P' strictly farther than the plane of face f, which can hide: beyond it
+ * from the eye? */
+bool hsr_sight_behind(const struct hsr_sight *sight, uint32_t f, uint32_t p);
+
+/* Does regular face f cover the direction of P', p being ahead? */
+bool hsr_sight_covers(const struct hsr_sight *sight, uint32_t f, uint32_t p);
+
+/* Is edge c strictly nearer than A'B' where their images cross, as they do? */
+bool hsr_sight_nearer(const struct hsr_sight *sight, uint32_t e, uint32_t c);
+
+/* The corner k of regular face f is at an end p of edge e, which is none of the
+ * face's sides. Does the face, close to this corner, hide e, close to this end?
+ * In the plane of the face e lies displaced, before it or behind. */
+bool hsr_sight_corner_hides(const struct hsr_sight *sight, uint32_t e,
+                            uint32_t p, struct hsr_corner corner);
+
+/* --- Events along an edge
+ * -----------------------------------------------------
+ */
+
+enum hsr_event_at {
+  HSR_AT_START, /* t = 0 */
+  HSR_AT_END,   /* t = 1 */
+  HSR_AT_EDGE,  /* crosses the image of edge `subject` */
+  HSR_AT_SIDE,  /* crosses the image of the side of a face that ends in corner
+                   `subject` of world->vertex */
+  HSR_AT_LINE,  /* crosses the image of line `subject` of sight->line */
+  HSR_AT_ROW,   /* is at the height of the image of vertex `subject` */
+  HSR_AT_PLANE, /* meets the plane of face `subject` */
+  HSR_AT_NEAR,  /* is where the plane of face `subject` meets that of near */
+  HSR_AT_BORDER /* is at border `subject` of what is in the picture */
+};
+
+/* Something that happens at a place of an edge. */
+struct hsr_sight_event {
+  double t;     /* in [0, 1] */
+  double error; /* of t, at most; 1e-13 of it or less */
+  enum hsr_event_at at;
+  uint32_t subject;
+  int change; /* of the number of hiding faces, as t grows */
+};
+
+/* Fills t and error of an event of edge e, whose place is on it. */
+void hsr_sight_locate(const struct hsr_sight *sight, uint32_t e,
+                      struct hsr_sight_event *event);
+
+/* The order of two events along edge e: -1, 0 (one place) or +1. */
+int hsr_sight_compare(const struct hsr_sight *sight, uint32_t e,
+                      const struct hsr_sight_event *a,
+                      const struct hsr_sight_event *b);
+
+/* The part of edge e that is in the picture: between *from and *to. False if
+ * there is none, or e has no image. */
+bool hsr_sight_picture(const struct hsr_sight *sight, uint32_t e,
+                       struct hsr_sight_event *from,
+                       struct hsr_sight_event *to);
+
+/* Does the plane of face f hold edge e? */
+bool hsr_sight_in_plane(const struct hsr_sight *sight, uint32_t e, uint32_t f);
+
+/* The side of the plane of face f on which the eye is, whether the face exists
+ * or not: +1 in front of it, -1 behind, 0 on it. */
+int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f);
+
+/* Narrows the part of edge e between two of its places, which is in the
+ * picture, to what of it is on one side of an HSR_AT_PLANE, in front (+1) or
+ * behind; or of an HSR_AT_LINE. That of a line of points is as hsr_sight_side
+ * has it; of the line where the planes of faces a and b meet, it is the sign of
+ * h_a(E) s_b(P) - h_b(E) s_a(P), h being the height of the eye, and s by how
+ * much P is higher than that. False if nothing is left. An edge in a plane is
+ * on neither side of it; whose image lies on that of a line, is displaced. */
+bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
+                      enum hsr_event_at at, uint32_t subject, int side,
+                      struct hsr_sight_event *from, struct hsr_sight_event *to);
+
+/* Where regular face f, which edge e may touch and which is none of its own
+ * faces nor has a corner in an end of it, is pierced by A'B'. False if it is
+ * not. */
+bool hsr_sight_pierces(const struct hsr_sight *sight, uint32_t e, uint32_t f,
+                       struct hsr_sight_event *event);
+
+/* Any face f that can hide, a side of e or not, in its plane or not: does it
+ * hide the edge where this begins to be ahead, and where does that change?
+ * Appends its events, whose changes are +1 and -1, to `events`, which is an
+ * array of struct hsr_sight_event in the arena. HSR_E_NOMEM. */
+enum hsr_status hsr_sight_face(const struct hsr_sight *sight, uint32_t e,
+                               uint32_t f, struct hsr_arena *arena,
+                               struct hsr_growing *events, bool *hidden);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

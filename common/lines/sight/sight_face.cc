@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any face before an edge, by the definition: for faces that are not regular,
+// and for those in whose plane the edge lies.
+//
+// Method      The hiding of an edge by one face changes at few places, each the
+//             root of a linear function along the edge; between two that follow
+//             one another it is that of any point there.
+#include "common/lines/sight/sight_numbers.h"
+
+#include <algorithm>
+#include <vector>
+
+using namespace hsr::sight;
+using hsr::Exact;
+using hsr::Interval;
+
+namespace {
+
+// P(t) of an edge, t = from / (from - to), as a point.
+template <class T>
+Point<T> point_at(const Numbers &n, uint32_t e, const T &numerator,
+                  const T &denominator) {
+  const Point<T> A = n.point<T>(n.sight->edges->a[e]);
+  const Point<T> B = n.point<T>(n.sight->edges->b[e]);
+  const T one_less = denominator - numerator;
+  return with_depth<T>(n.eye<T>(),
+                       (one_less * B.d) * A.p + (numerator * A.d) * B.p,
+                       denominator * A.d * B.d);
+}
+
+// Whether face f hides P(t), t a double or a quotient, and P ahead.
+class At_point {
+public:
+  At_point(const Numbers &n, uint32_t e, uint32_t f, double t)
+      : n_(n), e_(e), f_(f), t_(t), is_double_(true) {}
+  At_point(const Numbers &n, uint32_t e, uint32_t f, const Exact &numerator,
+           const Exact &denominator)
+      : n_(n), e_(e), f_(f), t_(0), is_double_(false), numerator_(numerator),
+        denominator_(denominator) {}
+
+  bool hides() const {
+    if (!is_before())
+      return false;
+    return has_odd_parity(
+        n_.sight->world, f_, [this](uint32_t q) { return row(q); },
+        [this](uint32_t c, uint32_t d) { return side(c, d); });
+  }
+
+private:
+  const Numbers &n_;
+  uint32_t e_, f_;
+  double t_;
+  bool is_double_;
+  Exact numerator_, denominator_;
+
+  template <class T> Point<T> point() const {
+    if (is_double_)
+      return point_at<T>(n_, e_, T(t_), T(1));
+    T numerator, denominator;
+    convert(numerator_, numerator);
+    convert(denominator_, denominator);
+    return point_at<T>(n_, e_, numerator, denominator);
+  }
+
+  int row(uint32_t q) const {
+    const int sign = displaced_sign(n_, HSR_ASK_ROW, [&](auto t, int along) {
+      using T = decltype(t);
+      return row_value(n_, point<T>(), n_.point<T>(q), along);
+    });
+    return sign ? sign : 1;
+  }
+
+  int side(uint32_t c, uint32_t d) const {
+    return displaced_sign(n_, HSR_ASK_EDGE, [&](auto t, int along) {
+      using T = decltype(t);
+      const Point<T> P = point<T>();
+      return side_value(n_, n_.point<T>(c), n_.point<T>(d), P, P.w, along);
+    });
+  }
+
+  // near < t < w on the plane: N . D and c agree in sign, c - near N . D and c
+  // do, and P' is behind.
+  bool is_before() const {
+    const int c = -n_.sight->facing[f_];
+    const int slope =
+        displaced_sign(n_, HSR_ASK_FACING, [&](auto t, int along) {
+          using T = decltype(t);
+          const Point<T> P = point<T>();
+          const vec<T> kN = n_.plane<T>(f_).kN;
+          return along == VALUE ? dot(kN, P.p)
+                                : P.w * dot(kN, change<T>(n_, along));
+        });
+    if (slope != c)
+      return false;
+    const int past = displaced_sign(n_, HSR_ASK_NEAR, [&](auto t, int along) {
+      using T = decltype(t);
+      const Point<T> P = point<T>();
+      const Eye<T> &eye = n_.eye<T>();
+      const Plane<T> plane = n_.plane<T>(f_);
+      const T near = eye.near * eye.scale;
+      if (along == VALUE)
+        return plane.c * P.w - near * dot(plane.kN, P.p);
+      return -(near * P.w * dot(plane.kN, change<T>(n_, along)));
+    });
+    if (past != c)
+      return false;
+    return displaced_sign(n_, HSR_ASK_DEPTH, [&](auto t, int along) {
+             using T = decltype(t);
+             const Point<T> P = point<T>();
+             return height_value(n_, n_.plane<T>(f_), P, P.w, along);
+           }) == c;
+  }
+};
+
+// Whether face f hides e between two of its places that follow one another.
+bool hides_between(const Numbers &n, uint32_t e, uint32_t f,
+                   const hsr_sight_event &from, const hsr_sight_event &to) {
+  const double middle = from.t + (to.t - from.t) / 2;
+  if (from.t + from.error < middle && middle < to.t - to.error)
+    return At_point(n, e, f, middle).hides();
+  const Place<Exact> p = place_of<Exact>(n, e, from);
+  const Place<Exact> q = place_of<Exact>(n, e, to);
+  Exact pd = p.from - p.to, qd = q.from - q.to, pn = p.from, qn = q.from;
+  if (CGAL::sign(pd) < 0) {
+    pd = -pd;
+    pn = -pn;
+  }
+  if (CGAL::sign(qd) < 0) {
+    qd = -qd;
+    qn = -qn;
+  }
+  return At_point(n, e, f, pn * qd + qn * pd, Exact(2) * pd * qd).hides();
+}
+
+// The places where the hiding of e by f may change, between the ends of where e
+// is ahead, these included; in order.
+class Places {
+public:
+  Places(const Numbers &n, uint32_t e, uint32_t f) : n_(n), e_(e) {
+    const hsr_sight *s = n.sight;
+    const uint32_t a = s->edges->a[e], b = s->edges->b[e];
+    places.push_back(s->ahead[a] ? hsr_sight_event{0, 0, HSR_AT_START, 0, 0}
+                                 : near_border());
+    end_ =
+        s->ahead[b] ? hsr_sight_event{1, 0, HSR_AT_END, 0, 0} : near_border();
+    for (uint32_t k = s->world->start[f]; k < s->world->start[f + 1]; k++) {
+      add(HSR_AT_SIDE, k);
+      // A side that passes through the eye is no side, but its ends are where
+      // parity changes, since one is counted without the other.
+      if (!has_image(n, side_begins(s->world, k), s->world->vertex[k])) {
+        add(HSR_AT_ROW, side_begins(s->world, k));
+        add(HSR_AT_ROW, s->world->vertex[k]);
+      }
+    }
+    add(HSR_AT_PLANE, f);
+    if (s->view->near > 0)
+      add(HSR_AT_NEAR, f);
+    places.push_back(end_);
+    std::sort(places.begin(), places.end(), [&](const auto &x, const auto &y) {
+      return hsr_sight_compare(s, e, &x, &y) < 0;
+    });
+  }
+
+  std::vector<hsr_sight_event> places;
+
+private:
+  const Numbers &n_;
+  uint32_t e_;
+  hsr_sight_event end_;
+
+  hsr_sight_event near_border() const {
+    hsr_sight_event event = {0, 0, HSR_AT_BORDER, NEAR, 0};
+    hsr_sight_locate(n_.sight, e_, &event);
+    return event;
+  }
+
+  void add(enum hsr_event_at at, uint32_t subject) {
+    hsr_sight_event event = {0, 0, at, subject, 0};
+    const auto sign_at = [&](bool at_a) {
+      return sign_of(n_, HSR_ASK_PLACE, [&](auto t) {
+        using T = decltype(t);
+        const Place<T> place = place_of<T>(n_, e_, event);
+        return at_a ? place.from : place.to;
+      });
+    };
+    if (sign_at(true) * sign_at(false) >= 0)
+      return;
+    hsr_sight_locate(n_.sight, e_, &event);
+    if (hsr_sight_compare(n_.sight, e_, &places[0], &event) < 0 &&
+        hsr_sight_compare(n_.sight, e_, &event, &end_) < 0)
+      places.push_back(event);
+  }
+};
+
+} // namespace
+
+enum hsr_status hsr_sight_face(const struct hsr_sight *sight, uint32_t e,
+                               uint32_t f, struct hsr_arena *arena,
+                               struct hsr_growing *events, bool *hidden) {
+  const Numbers &n = *sight->numbers;
+  *hidden = false;
+  try {
+    const std::vector<hsr_sight_event> places = Places(n, e, f).places;
+    bool first = true, before = false;
+    for (size_t k = 0; k + 1 < places.size(); k++) {
+      if (hsr_sight_compare(sight, e, &places[k], &places[k + 1]) == 0)
+        continue;
+      const bool now = hides_between(n, e, f, places[k], places[k + 1]);
+      if (first) {
+        *hidden = now;
+      } else if (now != before) {
+        if (!hsr_arena_grow(arena, events, sizeof places[k]))
+          return HSR_E_NOMEM;
+        hsr_sight_event &event =
+            static_cast<hsr_sight_event *>(events->items)[events->n - 1];
+        event = places[k];
+        event.change = now ? 1 : -1;
+      }
+      first = false;
+      before = now;
+    }
+    return sight->tally->out_of_memory ? HSR_E_NOMEM : HSR_OK;
+  } catch (...) {
+    return HSR_E_NOMEM;
+  }
+}
+
+bool hsr_sight_in_plane(const struct hsr_sight *sight, uint32_t e, uint32_t f) {
+  const Numbers &n = *sight->numbers;
+  for (uint32_t p : {sight->edges->a[e], sight->edges->b[e]})
+    if (sign_of(n, HSR_ASK_VERTEX, [&](auto t) {
+          using T = decltype(t);
+          return n.plane<T>(f).height(n.point<T>(p));
+        }))
+      return false;
+  return true;
+}

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers behind common/lines/sight/sight.h, over CGAL's number types: for the core's
+// own C++ files.
+//
+// Notation    a point P is (p, d), P - E = p / d, d > 0: so ends of implied
+//             edges need no division. w(p) is its depth times d and a positive
+//             constant. v = e R - e^2 U is the displacement of a direction, e
+//             infinitesimal; a displaced point is p' = p + w(p) v.
+// Method      Whatever is asked is linear in v, but for coverage where an edge
+//             pierces a plane. Its sign is that of its value, else of its
+//             change along R, else along -U: each is a polynomial in the input
+//             doubles, evaluated in intervals, and in CGAL's MP_Float, which
+//             is exact, if the interval of the value holds zero.
+#ifndef HSR_COMMON_SIGHT_NUMBERS_H
+#define HSR_COMMON_SIGHT_NUMBERS_H
+
+#include "common/lines/exact_points.h"
+#include "common/lines/sight/sight.h"
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/MP_Float.h>
+
+#include <algorithm>
+
+namespace hsr {
+namespace sight {
+
+template <class T> struct vec { T x, y, z; };
+template <class T> vec<T> operator+(const vec<T> &a, const vec<T> &b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T> vec<T> operator-(const vec<T> &a, const vec<T> &b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T> vec<T> operator*(const T &s, const vec<T> &a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <class T> T dot(const vec<T> &a, const vec<T> &b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T> vec<T> cross(const vec<T> &a, const vec<T> &b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class T> T det(const vec<T> &a, const vec<T> &b, const vec<T> &c) {
+  return dot(cross(a, b), c);
+}
+template <class T> vec<T> lift(const double v[3]) {
+  return {T(v[0]), T(v[1]), T(v[2])};
+}
+
+// The eye: w(p) = s det(p, R, U), and likewise x w and y w, all times `scale`.
+template <class T> struct Eye {
+  vec<T> E, F, R, U, W, X, Y;
+  T scale, near;
+
+  void set(const hsr_view &view, int s) {
+    const T sign = T(double(s));
+    E = lift<T>(view.E);
+    F = lift<T>(view.F);
+    R = lift<T>(view.R);
+    U = lift<T>(view.U);
+    W = sign * cross(R, U);
+    X = sign * cross(U, F);
+    Y = sign * cross(F, R);
+    scale = dot(F, W);
+    near = T(view.near);
+  }
+};
+
+// (p, d), and its w.
+template <class T> struct Point {
+  vec<T> p;
+  T d, w;
+};
+
+// h(p) = N . (k p - c d), its sign +1 in front of the plane; the eye's is -c.
+template <class T> struct Plane {
+  vec<T> kN;
+  T c;
+  T height(const Point<T> &P) const { return dot(kN, P.p) - c * P.d; }
+};
+
+// What a view needs of numbers.
+struct Numbers {
+  const hsr_sight *sight;
+  Eye<Interval> rough;
+  Eye<Exact> exact;
+
+  template <class T> const Eye<T> &eye() const;
+  template <class T> Point<T> point(uint32_t p) const;
+  template <class T> Plane<T> plane(uint32_t f) const;
+};
+
+template <> inline const Eye<Interval> &Numbers::eye<Interval>() const {
+  return rough;
+}
+template <> inline const Eye<Exact> &Numbers::eye<Exact>() const {
+  return exact;
+}
+
+inline void convert(const Exact &from, Interval &to) {
+  to = Interval(CGAL::to_interval(from));
+}
+inline void convert(const Exact &from, Exact &to) {
+  to = from;
+}
+
+template <class T>
+Point<T> with_depth(const Eye<T> &eye, const vec<T> &p, const T &d) {
+  return {p, d, dot(eye.W, p)};
+}
+
+template <class T> Point<T> Numbers::point(uint32_t p) const {
+  const hsr_world *w = sight->world;
+  if (p < w->n_vertices) {
+    const double v[3] = {w->x[p], w->y[p], w->z[p]};
+    return with_depth<T>(eye<T>(), lift<T>(v) - eye<T>().E, T(1));
+  }
+  const Exact_point &from = sight->edges->exact->points[p - w->n_vertices];
+  vec<T> at;
+  T d;
+  convert(from.at[0], at.x);
+  convert(from.at[1], at.y);
+  convert(from.at[2], at.z);
+  convert(from.denominator, d);
+  return with_depth<T>(eye<T>(), at - d * eye<T>().E, d);
+}
+
+template <class T> Plane<T> Numbers::plane(uint32_t f) const {
+  const hsr::Plane<T> plane(sight->world, f);
+  const vec<T> kN = {plane.k * plane.normal[0], plane.k * plane.normal[1],
+                     plane.k * plane.normal[2]};
+  return {kN, plane.offset - dot(kN, eye<T>().E)};
+}
+
+// --- Signs -----------------------------------------------------------------
+
+enum { VALUE, ALONG_R, ALONG_MINUS_U };
+
+inline int certain_sign(const Interval &number) {
+  return number.inf() > 0 ? 1 : number.sup() < 0 ? -1 : 0;
+}
+inline int certain_sign(const Exact &number) {
+  return CGAL::sign(number);
+}
+
+// The direction of a change, or the sign with which one counts.
+template <class T> vec<T> change(const Numbers &n, int along) {
+  const Eye<T> &eye = n.eye<T>();
+  return along == ALONG_R ? eye.R : vec<T>{-eye.U.x, -eye.U.y, -eye.U.z};
+}
+
+inline void count_exact(const Numbers &n, enum hsr_question question) {
+  n.sight->tally->exact[question]++;
+}
+
+// value(T(), along) is linear in the displacement. 0 if it is zero always.
+template <class Value>
+int displaced_sign(const Numbers &n, enum hsr_question question,
+                   const Value &value) noexcept {
+  try {
+    {
+      CGAL::Protect_FPU_rounding<true> upwards;
+      if (const int sign = certain_sign(value(Interval(), VALUE)))
+        return sign;
+    }
+    count_exact(n, question);
+    for (int along : {VALUE, ALONG_R, ALONG_MINUS_U})
+      if (const int sign = certain_sign(value(Exact(), along)))
+        return sign;
+    return 0;
+  } catch (...) {
+    n.sight->tally->out_of_memory = true;
+    return 1;
+  }
+}
+
+// The sign of value(T()).
+template <class Value>
+int sign_of(const Numbers &n, enum hsr_question question,
+            const Value &value) noexcept {
+  return displaced_sign(n, question, [&](auto t, int along) {
+    using T = decltype(t);
+    return along == VALUE ? value(t) : T(0);
+  });
+}
+
+// det(c, d, p'), or its change; w is p's, or that of the end from where p is
+// looked for.
+template <class T>
+T side_value(const Numbers &n, const Point<T> &c, const Point<T> &d,
+             const Point<T> &p, const T &w, int along) {
+  if (along == VALUE)
+    return det(c.p, d.p, p.p);
+  return w * det(c.p, d.p, change<T>(n, along));
+}
+
+// Of plane f at p', or the change.
+template <class T>
+T height_value(const Numbers &n, const Plane<T> &plane, const Point<T> &p,
+               const T &w, int along) {
+  if (along == VALUE)
+    return plane.height(p);
+  return w * dot(plane.kN, change<T>(n, along));
+}
+
+// det(p', R, q), or its change.
+template <class T>
+T row_value(const Numbers &n, const Point<T> &p, const Point<T> &q, int along) {
+  const vec<T> &R = n.eye<T>().R;
+  if (along == VALUE)
+    return det(p.p, R, q.p);
+  return p.w * det(change<T>(n, along), R, q.p);
+}
+
+inline int height_sign(const Numbers &n, uint32_t f, uint32_t p) {
+  return displaced_sign(n, HSR_ASK_VERTEX, [&](auto t, int along) {
+    using T = decltype(t);
+    const Point<T> P = n.point<T>(p);
+    return height_value(n, n.plane<T>(f), P, P.w, along);
+  });
+}
+
+inline int facing_sign(const Numbers &n, uint32_t f) {
+  return -sign_of(n, HSR_ASK_FACING, [&](auto t) {
+    using T = decltype(t);
+    return n.plane<T>(f).c;
+  });
+}
+
+// --- Faces and edges ---------------------------------------------------------
+
+// Whether face f covers a direction: an odd number of its sides cross to the
+// right. row(q) is the sign of det(D, R, q), side(c, d) that of det(c, d, D).
+template <class Row, class Side>
+bool has_odd_parity(const hsr_world *w, uint32_t f, const Row &row,
+                    const Side &side) {
+  bool odd = false;
+  uint32_t p = w->vertex[w->start[f + 1] - 1];
+  int row_p = row(p);
+  for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
+    const uint32_t q = w->vertex[k];
+    const int row_q = row(q);
+    if (row_p != row_q)
+      odd ^= side(p, q) == -row_p;
+    p = q;
+    row_p = row_q;
+  }
+  return odd;
+}
+
+// Whether a and b are not on a line with the eye.
+inline bool has_image(const Numbers &n, uint32_t a, uint32_t b) {
+  const hsr_sight *sight = n.sight;
+  const double dx = sight->sx[a] - sight->sx[b];
+  const double dy = sight->sy[a] - sight->sy[b];
+  if (std::fabs(dx) > 4 * HSR_DELTA || std::fabs(dy) > 4 * HSR_DELTA)
+    return true;
+  try {
+    const vec<Exact> normal = cross(n.point<Exact>(a).p, n.point<Exact>(b).p);
+    return CGAL::sign(normal.x) || CGAL::sign(normal.y) || CGAL::sign(normal.z);
+  } catch (...) {
+    sight->tally->out_of_memory = true;
+    return false;
+  }
+}
+
+// --- Places of events --------------------------------------------------------
+
+// The borders of what is in the picture.
+enum { NEAR, LEFT, RIGHT, BOTTOM, TOP, N_BORDERS };
+
+template <class T>
+T border_value(const Eye<T> &eye, uint32_t border, const Point<T> &P) {
+  switch (border) {
+  case NEAR:
+    return P.w - eye.near * eye.scale * P.d;
+  case LEFT:
+    return P.w + dot(eye.X, P.p);
+  case RIGHT:
+    return P.w - dot(eye.X, P.p);
+  case BOTTOM:
+    return P.w + dot(eye.Y, P.p);
+  default:
+    return P.w - dot(eye.Y, P.p);
+  }
+}
+
+inline uint32_t side_begins(const hsr_world *w, uint32_t k) {
+  // The face of the corner: the last that starts at or before it.
+  const uint32_t *face =
+      std::upper_bound(w->start, w->start + w->n_faces + 1, k) - 1;
+  return w->vertex[k == face[0] ? face[1] - 1 : k - 1];
+}
+
+// Of the plane through the eye and a line. Heights of the eye are -c.
+template <class T>
+vec<T> normal_of_image(const Numbers &n, const hsr_sight_line &line) {
+  if (!line.of_planes)
+    return cross(n.point<T>(line.a).p, n.point<T>(line.b).p);
+  const Plane<T> a = n.plane<T>(line.a), b = n.plane<T>(line.b);
+  return b.c * a.kN - a.c * b.kN;
+}
+
+// Where an event is: t = from / (from - to), `from` and `to` being the values
+// at both ends of a function that is zero there.
+template <class T> struct Place { T from, to; };
+
+template <class T>
+Place<T> place_of(const Numbers &n, uint32_t e, const hsr_sight_event &event) {
+  const hsr_sight *s = n.sight;
+  const hsr_edges *edges = s->edges;
+  if (event.at == HSR_AT_START)
+    return {T(0), T(-1)};
+  if (event.at == HSR_AT_END)
+    return {T(1), T(0)};
+  const Point<T> A = n.point<T>(edges->a[e]), B = n.point<T>(edges->b[e]);
+  T from, to;
+  if (event.at == HSR_AT_LINE) {
+    const vec<T> normal = normal_of_image<T>(n, s->line[event.subject]);
+    from = dot(normal, A.p);
+    to = dot(normal, B.p);
+  } else if (event.at == HSR_AT_EDGE || event.at == HSR_AT_SIDE) {
+    const bool is_edge = event.at == HSR_AT_EDGE;
+    const uint32_t c = is_edge ? edges->a[event.subject]
+                               : side_begins(s->world, event.subject);
+    const uint32_t d =
+        is_edge ? edges->b[event.subject] : s->world->vertex[event.subject];
+    const vec<T> normal = cross(n.point<T>(c).p, n.point<T>(d).p);
+    from = dot(normal, A.p);
+    to = dot(normal, B.p);
+  } else if (event.at == HSR_AT_ROW) {
+    const vec<T> normal = cross(n.eye<T>().R, n.point<T>(event.subject).p);
+    from = dot(normal, A.p);
+    to = dot(normal, B.p);
+  } else if (event.at == HSR_AT_BORDER) {
+    from = border_value(n.eye<T>(), event.subject, A);
+    to = border_value(n.eye<T>(), event.subject, B);
+  } else {
+    const Plane<T> plane = n.plane<T>(event.subject);
+    const Eye<T> &eye = n.eye<T>();
+    if (event.at == HSR_AT_PLANE) {
+      from = plane.height(A);
+      to = plane.height(B);
+    } else {
+      const T near = eye.near * eye.scale;
+      from = plane.c * A.w - near * dot(plane.kN, A.p);
+      to = plane.c * B.w - near * dot(plane.kN, B.p);
+    }
+  }
+  return {from * B.d, to * A.d};
+}
+
+inline int border_sign(const Numbers &n, uint32_t border, uint32_t p) {
+  return sign_of(n, HSR_ASK_EDGE, [&](auto t) {
+    using T = decltype(t);
+    return border_value(n.eye<T>(), border, n.point<T>(p));
+  });
+}
+
+} // namespace sight
+} // namespace hsr
+
+struct hsr_sight_numbers : hsr::sight::Numbers {};
+
+#endif

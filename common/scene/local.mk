@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+nobase_pkginclude_HEADERS += \
+  %D%/clusters.h \
+  %D%/pieces.h \
+  %D%/scene.h \
+  %D%/world.h
+libhsr_a_SOURCES += \
+  %D%/pieces.c \
+  %D%/scene.c \
+  %D%/world.c

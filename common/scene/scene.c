@@ -1,0 +1,372 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/scene/scene.h"
+#include "common/exact/predicates.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Coordinates up to this size keep every product that the filters and the
+ * intervals form within the range of doubles; see common/exact/screen.h. */
+static const double LARGEST_COORDINATE = 1e30;
+
+struct hsr_scene *hsr_scene_new(const char *name) {
+  struct hsr_scene *scene = calloc(1, sizeof *scene);
+  if (!scene)
+    return NULL;
+  scene->name = strdup(name);
+  if (!scene->name) {
+    free(scene);
+    return NULL;
+  }
+  return scene;
+}
+
+static void object_free(struct hsr_object *object) {
+  free(object->name);
+  free(object->xyz);
+  free(object->start);
+  free(object->vertex);
+  free(object->rgb);
+}
+
+void hsr_scene_delete(struct hsr_scene *scene) {
+  if (!scene)
+    return;
+  for (uint32_t o = 0; o < scene->n_objects; o++)
+    object_free(&scene->objects[o]);
+  free(scene->objects);
+  free(scene->instances);
+  free(scene->views);
+  free(scene->name);
+  free(scene);
+}
+
+/* Makes room for `wanted` elements of `size` bytes in *array, by doubling.
+ * False if memory ran out; the array is then as it was. */
+static bool reserve(void *array, uint32_t *cap, uint32_t wanted, size_t size) {
+  if (wanted <= *cap)
+    return true;
+  uint32_t larger = *cap < 16 ? 16 : *cap;
+  while (larger < wanted)
+    larger = larger > UINT32_MAX / 2 ? UINT32_MAX : 2 * larger;
+  void *old;
+  memcpy(&old, array, sizeof old);
+  void *moved = realloc(old, (size_t)larger * size);
+  if (!moved)
+    return false;
+  memcpy(array, &moved, sizeof moved);
+  *cap = larger;
+  return true;
+}
+
+struct hsr_object *hsr_scene_object(struct hsr_scene *scene, const char *name) {
+  if (!reserve(&scene->objects, &scene->cap_objects, scene->n_objects + 1,
+               sizeof *scene->objects))
+    return NULL;
+  struct hsr_object object = {.colour = {0.6f, 0.6f, 0.6f}, .opacity = 1};
+  object.name = strdup(name);
+  object.start = malloc(16 * sizeof *object.start);
+  if (!object.name || !object.start) {
+    object_free(&object);
+    return NULL;
+  }
+  object.start[0] = 0;
+  object.cap_faces = 15;
+  scene->objects[scene->n_objects] = object;
+  return &scene->objects[scene->n_objects++];
+}
+
+enum hsr_status hsr_object_vertex(struct hsr_object *object, double x, double y,
+                                  double z, uint32_t *number) {
+  if (!isfinite(x) || !isfinite(y) || !isfinite(z) ||
+      object->n_vertices >= UINT32_MAX - 1)
+    return HSR_E_INPUT;
+  if (!reserve(&object->xyz, &object->cap_vertices, object->n_vertices + 1,
+               3 * sizeof *object->xyz))
+    return HSR_E_NOMEM;
+  double *v = object->xyz + 3 * (size_t)object->n_vertices;
+  v[0] = x;
+  v[1] = y;
+  v[2] = z;
+  if (number)
+    *number = object->n_vertices;
+  object->n_vertices++;
+  return HSR_OK;
+}
+
+/* Gives every face so far the object's colour, to make place for another. */
+static bool colour_faces(struct hsr_object *object) {
+  object->rgb = malloc(3 * ((size_t)object->cap_faces + 1) * sizeof(float));
+  if (!object->rgb)
+    return false;
+  for (uint32_t f = 0; f < object->n_faces; f++)
+    memcpy(object->rgb + 3 * (size_t)f, object->colour, 3 * sizeof(float));
+  return true;
+}
+
+/* Room for one more face, of n corners. */
+static bool reserve_face(struct hsr_object *object, uint32_t n) {
+  uint32_t n_corners = object->start[object->n_faces];
+  uint32_t cap = object->cap_faces + 1; /* of start[], one longer */
+  if (!reserve(&object->start, &cap, object->n_faces + 2,
+               sizeof *object->start))
+    return false;
+  if (object->rgb && cap - 1 > object->cap_faces) {
+    float *rgb = realloc(object->rgb, 3 * (size_t)cap * sizeof *rgb);
+    if (!rgb)
+      return false; /* start[] is longer than cap_faces says: no harm */
+    object->rgb = rgb;
+  }
+  object->cap_faces = cap - 1;
+  return reserve(&object->vertex, &object->cap_corners, n_corners + n,
+                 sizeof *object->vertex);
+}
+
+static int compare_numbers(const void *a, const void *b) {
+  uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+  return (x > y) - (x < y);
+}
+
+/* Whether a number occurs twice. Short faces are searched as they stand, long
+ * ones sorted in `room`, which holds n numbers. */
+static bool has_repeats(const uint32_t *vertices, size_t n, uint32_t *room) {
+  if (n <= 16) {
+    for (size_t i = 1; i < n; i++)
+      for (size_t k = 0; k < i; k++)
+        if (vertices[i] == vertices[k])
+          return true;
+    return false;
+  }
+  memcpy(room, vertices, n * sizeof *room);
+  qsort(room, n, sizeof *room, compare_numbers);
+  for (size_t i = 1; i < n; i++)
+    if (room[i] == room[i - 1])
+      return true;
+  return false;
+}
+
+enum hsr_status hsr_object_face(struct hsr_object *object,
+                                const uint32_t *vertices, size_t n,
+                                const float *rgb) {
+  uint32_t n_corners = object->start[object->n_faces];
+  if (n < 3 || n > UINT32_MAX - 2 - n_corners ||
+      object->n_faces >= UINT32_MAX - 2)
+    return HSR_E_INPUT;
+  for (size_t i = 0; i < n; i++)
+    if (vertices[i] >= object->n_vertices)
+      return HSR_E_INPUT;
+  if (!reserve_face(object, (uint32_t)n) ||
+      (rgb && !object->rgb && !colour_faces(object)))
+    return HSR_E_NOMEM;
+  /* The face's own place serves as room for the search. */
+  uint32_t *place = object->vertex + n_corners;
+  if (has_repeats(vertices, n, place))
+    return HSR_E_INPUT;
+  memcpy(place, vertices, n * sizeof *place);
+  if (object->rgb)
+    memcpy(object->rgb + 3 * (size_t)object->n_faces,
+           rgb ? rgb : object->colour, 3 * sizeof(float));
+  object->n_faces++;
+  object->start[object->n_faces] = n_corners + (uint32_t)n;
+  return HSR_OK;
+}
+
+enum hsr_status hsr_scene_instance(struct hsr_scene *scene, uint32_t object,
+                                   const double m[12]) {
+  static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  if (!m)
+    m = identity;
+  for (int i = 0; i < 12; i++)
+    if (!isfinite(m[i]))
+      return HSR_E_INPUT;
+  uint32_t n = scene->n_instances;
+  if (object >= scene->n_objects || n == UINT32_MAX ||
+      (n && scene->instances[n - 1].object > object))
+    return HSR_E_INPUT;
+  if (!reserve(&scene->instances, &scene->cap_instances, n + 1,
+               sizeof *scene->instances))
+    return HSR_E_NOMEM;
+  scene->instances[n].object = object;
+  memcpy(scene->instances[n].m, m, sizeof scene->instances[n].m);
+  scene->n_instances++;
+  return HSR_OK;
+}
+
+enum hsr_status hsr_scene_view(struct hsr_scene *scene,
+                               const struct hsr_camera *camera) {
+  enum hsr_status status = hsr_camera_check(camera, NULL);
+  if (status)
+    return status;
+  if (!reserve(&scene->views, &scene->cap_views, scene->n_views + 1,
+               sizeof *scene->views))
+    return HSR_E_NOMEM;
+  scene->views[scene->n_views++] = *camera;
+  return HSR_OK;
+}
+
+static bool all_finite(const double *v, int n) {
+  for (int i = 0; i < n; i++)
+    if (!(fabs(v[i]) <= LARGEST_COORDINATE))
+      return false;
+  return true;
+}
+
+enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
+                                 struct hsr_error *err) {
+  if (!all_finite(camera->eye, 3) || !all_finite(camera->at, 3) ||
+      !all_finite(camera->up, 3) || !all_finite(&camera->fov, 1) ||
+      !all_finite(&camera->near, 1))
+    return hsr_fail(err, HSR_E_INPUT,
+                    "camera: a value is not finite or above %g",
+                    LARGEST_COORDINATE);
+  if (!(camera->fov > 0 && camera->fov < 180))
+    return hsr_fail(err, HSR_E_INPUT,
+                    "camera: fov must lie between 0 and 180 degrees, not %g",
+                    camera->fov);
+  if (!(camera->near >= 0))
+    return hsr_fail(err, HSR_E_INPUT, "camera: near must not be negative");
+  double f[3], u[3], length = 0, up = 0, normal = 0;
+  for (int k = 0; k < 3; k++) {
+    f[k] = camera->at[k] - camera->eye[k];
+    u[k] = camera->up[k];
+    length = fmax(length, fabs(f[k]));
+    up = fmax(up, fabs(u[k]));
+  }
+  if (!(length > 0))
+    return hsr_fail(err, HSR_E_INPUT, "camera: eye and at are the same point");
+  if (!(up > 0))
+    return hsr_fail(err, HSR_E_INPUT, "camera: up is zero");
+  for (int k = 0; k < 3; k++)
+    normal =
+        fmax(normal, fabs(f[(k + 1) % 3] / length * (u[(k + 2) % 3] / up) -
+                          f[(k + 2) % 3] / length * (u[(k + 1) % 3] / up)));
+  if (!(normal > 1e-12))
+    return hsr_fail(err, HSR_E_INPUT, "camera: up runs along the view");
+  return HSR_OK;
+}
+
+/* The centre of the bounding box of all instances' vertices, and the greatest
+ * distance of a vertex from it. */
+static double bounding_sphere(const struct hsr_scene *scene, double centre[3]) {
+  double lo[3], hi[3], radius = 0;
+  for (int k = 0; k < 3; k++) {
+    lo[k] = INFINITY;
+    hi[k] = -INFINITY;
+  }
+  for (int pass = 0; pass < 2; pass++) {
+    for (uint32_t i = 0; i < scene->n_instances; i++) {
+      const struct hsr_instance *instance = &scene->instances[i];
+      const struct hsr_object *object = &scene->objects[instance->object];
+      for (uint32_t v = 0; v < object->n_vertices; v++) {
+        double p[3], d[3];
+        hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)v, p);
+        for (int k = 0; k < 3; k++) {
+          lo[k] = fmin(lo[k], p[k]);
+          hi[k] = fmax(hi[k], p[k]);
+          d[k] = pass ? p[k] - centre[k] : 0;
+        }
+        radius = fmax(radius, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+      }
+    }
+    for (int k = 0; k < 3; k++)
+      centre[k] = lo[k] + (hi[k] - lo[k]) / 2;
+  }
+  return radius;
+}
+
+enum hsr_status hsr_scene_add_orbit(struct hsr_scene *scene, unsigned n) {
+  double centre[3], radius = bounding_sphere(scene, centre);
+  if (!(radius > 0) || !isfinite(radius))
+    return HSR_E_INPUT;
+  for (unsigned i = 0; i < n; i++) {
+    /* Rational points of the circle, irregularly spaced. */
+    double t = (2.0 * (i % 4) + 1) / 4 - 1 + 0.07 * (i / 4 + 1);
+    double c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
+    for (unsigned quarter = i % 4; quarter; quarter--) {
+      double turned = -s;
+      s = c;
+      c = turned;
+    }
+    /* 1 / sin(45/2 degrees) is 2.613: the sphere just fits. */
+    struct hsr_camera camera = {.eye = {centre[0] + 2.46 * radius * s,
+                                        centre[1] + 0.89 * radius,
+                                        centre[2] + 2.46 * radius * c},
+                                .at = {centre[0], centre[1], centre[2]},
+                                .up = {0, 1, 0},
+                                .fov = 45};
+    enum hsr_status status = hsr_scene_view(scene, &camera);
+    if (status)
+      return status;
+  }
+  return HSR_OK;
+}
+
+static enum hsr_status check_object(const struct hsr_object *object,
+                                    struct hsr_error *err) {
+  bool out_of_memory = false;
+  for (uint32_t v = 0; v < object->n_vertices; v++)
+    if (!all_finite(object->xyz + 3 * (size_t)v, 3))
+      return hsr_fail(err, HSR_E_INPUT,
+                      "object %s: vertex %u has a coordinate above %g",
+                      object->name, v, LARGEST_COORDINATE);
+  for (uint32_t f = 0; f < object->n_faces; f++) {
+    uint32_t start = object->start[f];
+    struct hsr_loop loop = {
+        object->xyz, object->xyz + 1,        object->xyz + 2,
+        3,           object->vertex + start, object->start[f + 1] - start};
+    if (!hsr_exact_has_normal(loop, &out_of_memory))
+      return hsr_fail(err, HSR_E_INPUT,
+                      "object %s: face %u has no area (its normal is zero)",
+                      object->name, f);
+  }
+  return out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+/* Gives an identity instance to every object that has none. The list is
+ * rebuilt, since it is sorted by object. */
+static enum hsr_status place_unplaced(struct hsr_scene *scene) {
+  uint32_t n_old = scene->n_instances;
+  struct hsr_instance *old = scene->instances;
+  scene->instances = NULL;
+  scene->n_instances = scene->cap_instances = 0;
+  enum hsr_status status = HSR_OK;
+  uint32_t i = 0;
+  for (uint32_t o = 0; o < scene->n_objects && !status; o++) {
+    if (i == n_old || old[i].object != o)
+      status = hsr_scene_instance(scene, o, NULL);
+    for (; i < n_old && old[i].object == o && !status; i++)
+      status = hsr_scene_instance(scene, o, old[i].m);
+  }
+  free(old);
+  return status;
+}
+
+enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
+                                 struct hsr_error *err) {
+  enum hsr_status status = place_unplaced(scene);
+  if (status)
+    return hsr_fail_nomem(err);
+  uint64_t n_faces = 0;
+  for (uint32_t i = 0; i < scene->n_instances; i++)
+    n_faces += scene->objects[scene->instances[i].object].n_faces;
+  if (!n_faces)
+    return hsr_fail(err, HSR_E_INPUT, "the scene has no face");
+  if (n_faces > UINT32_MAX - 1)
+    return hsr_fail(err, HSR_E_INPUT,
+                    "the scene has %llu faces; at most 2^32 - 2 can be named",
+                    (unsigned long long)n_faces);
+  for (uint32_t o = 0; o < scene->n_objects; o++) {
+    status = check_object(&scene->objects[o], err);
+    if (status)
+      return status;
+  }
+  if (!scene->n_views) {
+    status = hsr_scene_add_orbit(scene, 8);
+    if (status == HSR_E_NOMEM)
+      return hsr_fail_nomem(err);
+    if (status)
+      return hsr_fail(err, status, "the scene has no extent to look at");
+  }
+  return HSR_OK;
+}

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The environment: objects made of faces, placed by instances.
+ *
+ * Source      Sutherland, Sproull and Schumacker 1974, "Object Descriptions":
+ *             a point-polygon description with a structure of references.
+ * Frame       right-handed world, any unit.
+ * Identity    faces are numbered from 0 in input order: object by object,
+ *             within an object instance by instance, within an instance face
+ *             by face. HSR_BACKGROUND is no face.
+ *
+ * A scene owns all its memory. It is built by the functions below, by a
+ * generator (scenes/) or by an importer (common/files/mesh/exchange.h,
+ * common/files/scene_json.h), and then only read. */
+#ifndef HSR_COMMON_SCENE_H
+#define HSR_COMMON_SCENE_H
+
+#include "common/base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define HSR_BACKGROUND UINT32_MAX
+
+/* Faces that share vertices. Vertex v is xyz[3v .. 3v+2]; face f is the polygon
+ * vertex[start[f]], ..., vertex[start[f+1] - 1], counter-clockwise when seen
+ * from its front. A face has at least 3 vertices, all different, and its
+ * Newell normal is not zero. */
+struct hsr_object {
+  char *name;       /* never NULL */
+  double *xyz;      /* 3 * n_vertices, finite */
+  uint32_t *start;  /* n_faces + 1 offsets into vertex[], start[0] == 0 */
+  uint32_t *vertex; /* start[n_faces] vertex numbers */
+  float *rgb;       /* 3 * n_faces, linear, 0..1; NULL: all `colour` */
+  float colour[3];  /* of every face without one of its own, linear, 0..1 */
+  uint32_t n_vertices, n_faces;
+  uint32_t cap_vertices, cap_faces, cap_corners; /* room, for the builder */
+  float opacity;  /* 0..1; 1, as by default, hides all that is behind. For
+                     algorithms that draw transparency; ids know nothing of it */
+  bool one_sided; /* back faces do not exist */
+  bool moves;     /* its instances may be moved between frames: what is prepared
+                     for a scene must not depend on where they are. Of triangles
+                     only */
+};
+
+/* A placed copy of an object: world = M * (x, y, z, 1). */
+struct hsr_instance {
+  uint32_t object; /* index into objects[] */
+  double m[12];    /* 3 rows of 4; identity: 1 0 0 0  0 1 0 0  0 0 1 0 */
+};
+
+/* A named place to look from. Angles in degrees, lengths in world units. */
+struct hsr_camera {
+  double eye[3], at[3], up[3];
+  double fov;  /* vertical angle, degrees, 0 < fov < 180 */
+  double near; /* points with t <= near do not exist; >= 0 */
+};
+
+struct hsr_scene {
+  char *name; /* as the user named it; never NULL */
+  struct hsr_object *objects;
+  struct hsr_instance *instances; /* sorted by object */
+  struct hsr_camera *views;       /* the scene's own; at least one */
+  uint32_t n_objects, n_instances, n_views;
+  uint32_t cap_objects, cap_instances, cap_views;
+};
+
+/* An empty scene, which hsr_scene_delete frees. NULL: out of memory. */
+struct hsr_scene *hsr_scene_new(const char *name);
+void hsr_scene_delete(struct hsr_scene *scene); /* NULL is allowed */
+
+/* Appends an empty two-sided grey object. NULL: out of memory. The pointer is
+ * good until the next call of this function. */
+struct hsr_object *hsr_scene_object(struct hsr_scene *scene, const char *name);
+
+/* Appends a vertex and stores its number in *number (unless NULL).
+ * HSR_E_NOMEM; HSR_E_INPUT if a coordinate is not finite or the object would
+ * pass 2^32 - 2 vertices. */
+enum hsr_status hsr_object_vertex(struct hsr_object *object, double x, double y,
+                                  double z, uint32_t *number);
+
+/* Appends a face of n vertices, vertex numbers as above, of the object's
+ * colour, or of rgb (3 floats) if not NULL. HSR_E_NOMEM; HSR_E_INPUT if n < 3,
+ * a number is out of range or occurs twice, or 2^32 - 2 faces or corners are
+ * passed. Does not look at the geometry: hsr_scene_check does. */
+enum hsr_status hsr_object_face(struct hsr_object *object,
+                                const uint32_t *vertices, size_t n,
+                                const float *rgb);
+
+/* Appends an instance of object number `object`; m is as in hsr_instance, NULL
+ * for the identity. Instances of one object must follow one another, and
+ * objects in ascending order. HSR_E_NOMEM; HSR_E_INPUT if they do not, or an
+ * entry is not finite. */
+enum hsr_status hsr_scene_instance(struct hsr_scene *scene, uint32_t object,
+                                   const double m[12]);
+
+/* Appends a view. HSR_E_NOMEM; HSR_E_INPUT if hsr_camera_check refuses it. */
+enum hsr_status hsr_scene_view(struct hsr_scene *scene,
+                               const struct hsr_camera *camera);
+
+/* Completes a scene: an object without instance gets one identity instance;
+ * a scene without view gets eight around it (hsr_scene_add_orbit). Then checks
+ * what the algorithms assume of the objects. HSR_E_INPUT with *err naming the
+ * object and face when there is no face at all, a face's Newell normal is
+ * exactly zero (all vertices on one line, for a triangle), coordinates are so
+ * large that products of them overflow (over 1e60) or the faces pass 2^32 - 2.
+ * What an instance makes of a face is looked at by hsr_world_init. */
+enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
+                                 struct hsr_error *err);
+
+/* Appends n views from a circle around the scene's bounding box, raised by 20
+ * degrees and irregularly spaced, each holding the whole scene. */
+enum hsr_status hsr_scene_add_orbit(struct hsr_scene *scene, unsigned n);
+
+/* HSR_E_INPUT, with *err saying why, unless the camera can see: finite values,
+ * eye != at, up not along the view, 0 < fov < 180, near >= 0 and finite. */
+enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
+                                 struct hsr_error *err);
+
+/* The one canonical function that computes an instanced vertex: the doubles
+ *   x' = ((m0 x + m1 y) + m2 z) + m3, and so on by rows,
+ * each operation rounded to nearest, none contracted. in and out may be the
+ * same array. */
+static inline void hsr_instance_vertex(const double m[12], const double in[3],
+                                       double out[3]) {
+  double x = in[0], y = in[1], z = in[2];
+  for (int row = 0; row < 3; row++, m += 4)
+    out[row] = ((m[0] * x + m[1] * y) + m[2] * z) + m[3];
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Octrees of BSP trees: the pieces of faces in an order for every eye.
+ *
+ * Source      H. Fuchs, Z. Kedem and B. Naylor, "On Visible Surface Generation
+ *             by A Priori Tree Structures", SIGGRAPH 1980; N. Greene,
+ *             "Hierarchical Polygon Tiling with Coverage Masks", SIGGRAPH 1996,
+ *             5.1; N. Greene, PhD thesis, UC Santa Cruz, 1995, 4.6.1.
+ * Cubes       a cube of more than a few pieces is divided into its octants, and
+ *             its pieces at the three median planes. The pieces of a cube that
+ *             is not divided, a leaf, are in a BSP tree.
+ * Planes      are numbered: first the world's plane classes (common/scene/world.h),
+ *             each turned as the first face is that lies in it, then the median
+ *             planes, whose front is where the coordinate is greater.
+ * Pieces      a face, and the sides that bound what is left of it. Whether a
+ *             sample is within a side that a cut made is the comparison of two
+ *             planes there, so pieces of a face share no sample and leave none
+ *             out (common/scene/pieces.h).
+ * Exact       on which side of a plane a piece lies is decided exactly; a piece
+ *             with points on both sides is divided.
+ * Order       whatever is on the eye's side of a node's plane hides what is in
+ *             the plane, and that what is on the other side. Pieces in one
+ *             plane are ascending by face, so that the first one is seen.
+ * Ties        a piece in a median plane goes to the lower octant.
+ * Not flat    what is seen of a face that is not flat lies on its plane, and
+ *             where, depends on the eye: within `reach` of the hull of its
+ *             vertices, unless the eye grazes it (hsr_grazes, common/exact/order.h);
+ *             then the trees have no place for it. Where it is not certain to
+ *             be on one side of a plane, it is cut and goes to both. A face of
+ *             which this makes too many pieces is loose: it is in no tree. */
+#ifndef HSR_COMMON_BSP_H
+#define HSR_COMMON_BSP_H
+
+#include "common/base/arena.h"
+#include "common/trees/box.h"
+#include "common/scene/world.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define HSR_NO_BSP UINT32_MAX
+
+/* What the side from a corner to the next lies on: the edge from vertex a to b
+ * of the world, or, if b is one of these, plane a, of which the piece is in
+ * front, or behind. */
+#define HSR_BSP_FRONT UINT32_MAX
+#define HSR_BSP_BEHIND (UINT32_MAX - 1)
+struct hsr_bsp_corner {
+  uint32_t point; /* x[point], y[point], z[point] */
+  uint32_t a, b;
+};
+
+/* Convex, but for faces that are not flat: of these it has all corners, however
+ * it is cut, and n_cuts cuts beside them, in the same terms. */
+struct hsr_bsp_piece {
+  uint32_t face; /* of the world */
+  uint32_t first_corner, n_corners;
+  uint32_t first_cut, n_cuts; /* 0 cuts if the face is flat: they are sides */
+};
+
+struct hsr_bsp_node {
+  uint32_t plane;                 /* a plane class of the world */
+  uint32_t front, behind;         /* nodes, or HSR_NO_BSP */
+  uint32_t first_piece, n_pieces; /* in the plane */
+};
+
+struct hsr_bsp_cube {
+  double centre[3], half;
+  struct hsr_box tight; /* within it, holds all that is in it; empty: lo > hi */
+  uint32_t child[8];    /* as of hsr_octree_node: bit k: above centre[k];
+                           HSR_NO_BSP: none, or nothing in it */
+  uint32_t root;        /* of a leaf: its BSP tree; HSR_NO_BSP: no piece */
+  uint32_t first_point, n_points; /* of a leaf: those of its pieces */
+  uint32_t most_corners;          /* of a leaf: that a piece has */
+};
+
+/* A median plane: plane n_planes + k of a world is median[k]. */
+struct hsr_bsp_median {
+  int axis;
+  double at;
+};
+
+/* A plane class that lies across an axis: its front is where front times the
+ * coordinate is greater. front 0: it does not. */
+struct hsr_bsp_level {
+  double at;
+  signed char axis, front;
+};
+
+struct hsr_bsp {
+  const struct hsr_world *world;
+  struct hsr_bsp_cube *cube; /* at least one: the root; parents first */
+  struct hsr_bsp_node *node;
+  struct hsr_bsp_piece *piece;
+  struct hsr_bsp_corner *corner;
+  struct hsr_bsp_corner *cut; /* .point is unused */
+  double *x, *y, *z;          /* points */
+  double *error;              /* of each of a point's coordinates; 0: it is
+                                 a vertex of the world */
+  struct hsr_bsp_median *median;
+  uint32_t *face_of; /* a plane class: the face as which it is turned */
+  struct hsr_bsp_level *level; /* a plane class */
+  signed char *turned; /* a face: +1 as its plane is, -1 the other way */
+  double *reach;       /* a face; 0: it is flat */
+  uint32_t *loose;     /* faces that are in no tree, ascending */
+  uint32_t n_cubes, n_nodes, n_pieces, n_corners, n_cuts, n_points, n_medians,
+      n_loose;
+  uint32_t most_depth; /* nodes on the longest path down a tree */
+  struct hsr_arena arena;
+};
+
+struct hsr_bsp_rule {
+  uint32_t most; /* a cube of more pieces is divided, unless that makes too many
+                    of them; 0: none is, and there is one BSP tree */
+};
+
+/* `world` is laid out, its faces convex; it is borrowed. *bsp is freed with
+ * hsr_bsp_free also after a failure: HSR_E_NOMEM; HSR_E_REFUSED, if there would
+ * be too many pieces. */
+enum hsr_status hsr_bsp_init(struct hsr_bsp *bsp, const struct hsr_world *world,
+                             const struct hsr_bsp_rule *rule,
+                             struct hsr_error *err);
+void hsr_bsp_free(struct hsr_bsp *bsp);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+nobase_pkginclude_HEADERS += \
+  %D%/box.h
+libhsr_a_SOURCES += \
+  %D%/box.c \
+  %D%/bsp.cc \
+  %D%/bsp.h \
+  %D%/grain.c \
+  %D%/grain.h \
+  %D%/octree.c \
+  %D%/octree.h

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/trees/octree.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const unsigned char hsr_octant_order[8] = {0, 1, 2, 4, 3, 5, 6, 7};
+
+/* Primitives that share a point are never parted; nor does dividing help where
+ * most of them meet most octants. */
+enum { DEEPEST = 32, MOST_COPIES = 3 };
+
+struct list {
+  uint32_t *k;
+  uint32_t n, room;
+};
+
+struct builder {
+  const struct hsr_primitives *primitives;
+  const struct hsr_octree_rule *rule;
+  struct hsr_box *bounds; /* a primitive */
+  double *area;
+  uint32_t *mark; /* a primitive: 1 + the node whose own it is known to be */
+  struct hsr_growing node, item;
+  struct hsr_arena *arena;
+};
+
+static bool append(struct list *list, uint32_t k) {
+  if (list->n == list->room) {
+    uint32_t room = list->room ? 2 * list->room : 32;
+    uint32_t *grown = realloc(list->k, room * sizeof *grown);
+    if (!grown)
+      return false;
+    list->k = grown;
+    list->room = room;
+  }
+  list->k[list->n++] = k;
+  return true;
+}
+
+struct hsr_octree_node hsr_octree_octant(const struct hsr_octree_node *cube,
+                                         int octant) {
+  struct hsr_octree_node node = {.half = cube->half / 2};
+  for (int k = 0; k < 3; k++)
+    node.centre[k] =
+        cube->centre[k] + (octant >> k & 1 ? node.half : -node.half);
+  memset(node.child, 0xff, sizeof node.child);
+  node.tight = hsr_octree_cube(&node);
+  return node;
+}
+
+int hsr_octant_that_holds(const struct hsr_octree_node *cube,
+                          const struct hsr_box *box) {
+  int octant = 0;
+  for (int k = 0; k < 3; k++)
+    if (box->lo[k] >= cube->centre[k] && box->hi[k] > cube->centre[k])
+      octant |= 1 << k;
+    else if (box->hi[k] > cube->centre[k])
+      return -1;
+  return octant;
+}
+
+/* Into every octant that it meets. */
+static bool push(const struct builder *b, const struct hsr_octree_node *cube,
+                 uint32_t k, struct list *octants) {
+  const struct hsr_primitives *p = b->primitives;
+  for (int o = 0; o < 8; o++) {
+    struct hsr_octree_node child = hsr_octree_octant(cube, o);
+    struct hsr_box box = hsr_cube_box(&child);
+    if (hsr_boxes_meet(&b->bounds[k], &box) && p->meets(p->context, k, &box) &&
+        !append(&octants[o], k))
+      return false;
+  }
+  return true;
+}
+
+/* Parts a cube's primitives: its own, and those of the octants. */
+static bool part(const struct builder *b, const struct hsr_octree_node *cube,
+                 const struct list *list, struct list *own,
+                 struct list *octants) {
+  double small = b->rule->small * 4 * cube->half * cube->half;
+  for (uint32_t i = 0; i < list->n; i++) {
+    uint32_t k = list->k[i];
+    int octant = hsr_octant_that_holds(cube, &b->bounds[k]);
+    bool good = octant >= 0          ? append(&octants[octant], k)
+                : b->area[k] < small ? push(b, cube, k, octants)
+                                     : append(own, k);
+    if (!good)
+      return false;
+  }
+  return true;
+}
+
+/* Octants of too few give them back; all do where dividing does not help. */
+static bool give_back(const struct builder *b, uint32_t node, uint32_t n,
+                      struct list *own, struct list *octants) {
+  uint64_t copies = own->n;
+  for (int o = 0; o < 8; o++)
+    copies += octants[o].n;
+  bool helps = copies <= (uint64_t)MOST_COPIES * n;
+  for (uint32_t i = 0; i < own->n; i++)
+    b->mark[own->k[i]] = node + 1;
+  for (int o = 0; o < 8; o++) {
+    if (helps && octants[o].n >= b->rule->least)
+      continue;
+    for (uint32_t i = 0; i < octants[o].n; i++) {
+      uint32_t k = octants[o].k[i];
+      if (b->mark[k] != node + 1 && !append(own, k))
+        return false;
+      b->mark[k] = node + 1;
+    }
+    octants[o].n = 0;
+  }
+  return true;
+}
+
+static struct hsr_octree_node *node_at(const struct builder *b, uint32_t node) {
+  return (struct hsr_octree_node *)b->node.items + node;
+}
+
+static bool keep_own(struct builder *b, uint32_t node, const struct list *own) {
+  node_at(b, node)->first = (uint32_t)b->item.n;
+  node_at(b, node)->n = own->n;
+  for (uint32_t i = 0; i < own->n; i++) {
+    if (!hsr_arena_grow(b->arena, &b->item, sizeof(uint32_t)))
+      return false;
+    ((uint32_t *)b->item.items)[b->item.n - 1] = own->k[i];
+  }
+  return true;
+}
+
+static bool build(struct builder *b, const struct hsr_octree_node *cube,
+                  const struct list *list, int depth, uint32_t *made);
+
+static bool divide(struct builder *b, uint32_t node,
+                   const struct hsr_octree_node *cube, const struct list *list,
+                   int depth) {
+  struct list own = {NULL, 0, 0}, octants[8] = {{NULL, 0, 0}};
+  bool good = part(b, cube, list, &own, octants) &&
+              give_back(b, node, list->n, &own, octants) &&
+              keep_own(b, node, &own);
+  free(own.k);
+  for (int o = 0; o < 8; o++) {
+    if (good && octants[o].n) {
+      struct hsr_octree_node child = hsr_octree_octant(cube, o);
+      uint32_t made;
+      good = build(b, &child, &octants[o], depth + 1, &made);
+      if (good)
+        node_at(b, node)->child[o] = made;
+    }
+    free(octants[o].k);
+  }
+  return good;
+}
+
+static bool build(struct builder *b, const struct hsr_octree_node *cube,
+                  const struct list *list, int depth, uint32_t *made) {
+  if (!hsr_arena_grow(b->arena, &b->node, sizeof *cube))
+    return false;
+  *made = (uint32_t)b->node.n - 1;
+  *node_at(b, *made) = *cube;
+  return list->n <= b->rule->most || depth == DEEPEST
+             ? keep_own(b, *made, list)
+             : divide(b, *made, cube, list, depth);
+}
+
+static bool look_at_primitives(struct builder *b, struct list *all) {
+  const struct hsr_primitives *p = b->primitives;
+  size_t n = p->n;
+  b->bounds = malloc((n + 1) * sizeof *b->bounds);
+  b->area = malloc((n + 1) * sizeof *b->area);
+  b->mark = calloc(n + 1, sizeof *b->mark);
+  if (!b->bounds || !b->area || !b->mark)
+    return false;
+  for (uint32_t k = 0; k < p->n; k++) {
+    b->bounds[k] = p->bounds(p->context, k);
+    b->area[k] = p->area(p->context, k);
+    if (!append(all, k))
+      return false;
+  }
+  return true;
+}
+
+/* What the cube holds of a box is in *all. */
+static void add_box(struct hsr_box *all, const struct hsr_box *cube,
+                    const struct hsr_box *box) {
+  for (int k = 0; k < 3; k++) {
+    double lo = box->lo[k] > cube->lo[k] ? box->lo[k] : cube->lo[k];
+    double hi = box->hi[k] < cube->hi[k] ? box->hi[k] : cube->hi[k];
+    all->lo[k] = lo < all->lo[k] ? lo : all->lo[k];
+    all->hi[k] = hi > all->hi[k] ? hi : all->hi[k];
+  }
+}
+
+/* From the children to their parents. Rounding takes the middle and the halves
+ * off by less than 2^-50 of the coordinates. */
+static void tighten(const struct builder *b, struct hsr_box *tight) {
+  for (uint32_t k = (uint32_t)b->node.n; k--;) {
+    struct hsr_octree_node *node = node_at(b, k);
+    struct hsr_box cube = hsr_cube_box(node);
+    const uint32_t *item = (const uint32_t *)b->item.items + node->first;
+    tight[k] = (struct hsr_box){{INFINITY, INFINITY, INFINITY},
+                                {-INFINITY, -INFINITY, -INFINITY}};
+    for (uint32_t i = 0; i < node->n; i++)
+      add_box(&tight[k], &cube, &b->bounds[item[i]]);
+    for (int o = 0; o < 8; o++)
+      if (node->child[o] != HSR_NO_NODE)
+        add_box(&tight[k], &cube, &tight[node->child[o]]);
+    if (!(tight[k].lo[0] <= tight[k].hi[0]))
+      tight[k] = cube;
+    for (int a = 0; a < 3; a++) {
+      node->tight.centre[a] = 0.5 * (tight[k].lo[a] + tight[k].hi[a]);
+      node->tight.half[a] = 0.5 * (tight[k].hi[a] - tight[k].lo[a]);
+    }
+  }
+}
+
+enum hsr_status hsr_octree_init(struct hsr_octree *octree,
+                                const struct hsr_primitives *primitives,
+                                const struct hsr_octree_rule *rule,
+                                const double lo[3], double side,
+                                struct hsr_arena *arena) {
+  struct builder b = {.primitives = primitives, .rule = rule, .arena = arena};
+  struct hsr_octree_node root = {.half = side / 2};
+  for (int k = 0; k < 3; k++)
+    root.centre[k] = lo[k] + side / 2;
+  memset(root.child, 0xff, sizeof root.child);
+  struct list all = {NULL, 0, 0};
+  uint32_t made;
+  bool good = look_at_primitives(&b, &all) && build(&b, &root, &all, 0, &made);
+  struct hsr_box *tight = good ? malloc(b.node.n * sizeof *tight) : NULL;
+  good = tight;
+  if (good)
+    tighten(&b, tight);
+  free(tight);
+  free(all.k);
+  free(b.bounds);
+  free(b.area);
+  free(b.mark);
+  *octree = (struct hsr_octree){b.node.items, b.item.items, (uint32_t)b.node.n,
+                                (uint32_t)b.item.n};
+  return good ? HSR_OK : HSR_E_NOMEM;
+}

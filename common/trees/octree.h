@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Octrees: primitives in nested cubes.
+ *
+ * Source      N. Greene, "Hierarchical Rendering of Complex Environments", PhD
+ *             thesis, UC Santa Cruz, 1995, 3.3.1 and 3.5.
+ * Placement   a primitive that fits into an octant goes there. One that crosses
+ *             a median plane stays with the cube (the smallest enclosing one),
+ *             or, if it is small, goes into every octant that it meets.
+ * Invariant   the cubes that a primitive is placed in cover it.
+ * Ties        what lies on a median plane fits into either side; it goes to the
+ *             lower one. */
+#ifndef HSR_COMMON_OCTREE_H
+#define HSR_COMMON_OCTREE_H
+
+#include "common/base/arena.h"
+#include "common/trees/box.h"
+#include "common/base/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define HSR_NO_NODE UINT32_MAX
+
+/* A box by its middle. */
+struct hsr_octree_box {
+  double centre[3], half[3];
+};
+
+struct hsr_octree_node {
+  double centre[3], half;      /* the cube */
+  struct hsr_octree_box tight; /* within it, what is in it and its octants; the
+                                  cube, if there is nothing */
+  uint32_t child[8]; /* bit k of the octant's number: above centre[k] */
+  uint32_t first, n; /* its primitives: item[first] and so on */
+};
+
+struct hsr_octree {
+  struct hsr_octree_node *node; /* the first is the root; parents before
+                                   children */
+  uint32_t *item;               /* numbers of primitives */
+  uint32_t n_nodes, n_items;
+};
+
+/* What is put into cubes: primitives 0 .. n-1. `area` is compared with that of
+ * a face of a cube; `meets` may say yes in doubt. */
+struct hsr_primitives {
+  uint32_t n;
+  const void *context;
+  struct hsr_box (*bounds)(const void *context, uint32_t k);
+  double (*area)(const void *context, uint32_t k);
+  bool (*meets)(const void *context, uint32_t k, const struct hsr_box *cube);
+};
+
+struct hsr_octree_rule {
+  double small;   /* goes into the octants that it meets, if its area is less
+                     than this times a cube's face; 0: nothing does */
+  uint32_t most;  /* a cube of no more primitives is not divided */
+  uint32_t least; /* an octant of fewer gives them back to its parent */
+};
+
+/* The cube with corner lo, of `side`, holds all primitives. The arrays are the
+ * arena's. HSR_E_NOMEM. */
+enum hsr_status hsr_octree_init(struct hsr_octree *octree,
+                                const struct hsr_primitives *primitives,
+                                const struct hsr_octree_rule *rule,
+                                const double lo[3], double side,
+                                struct hsr_arena *arena);
+
+static inline struct hsr_box hsr_cube_box(const struct hsr_octree_node *node) {
+  struct hsr_box box;
+  for (int k = 0; k < 3; k++) {
+    box.lo[k] = node->centre[k] - node->half;
+    box.hi[k] = node->centre[k] + node->half;
+  }
+  return box;
+}
+
+static inline struct hsr_octree_box
+hsr_octree_cube(const struct hsr_octree_node *node) {
+  struct hsr_octree_box cube = {
+      {node->centre[0], node->centre[1], node->centre[2]},
+      {node->half, node->half, node->half}};
+  return cube;
+}
+
+/* A cube's octant, without octants or primitives of its own. */
+struct hsr_octree_node hsr_octree_octant(const struct hsr_octree_node *cube,
+                                         int octant);
+
+/* The octant that holds the box; -1: it crosses a median plane. The box is
+ * within the cube. */
+int hsr_octant_that_holds(const struct hsr_octree_node *cube,
+                          const struct hsr_box *box);
+
+/* The order in which octants are visited from front to back, of an eye in
+ * octant `nearest`: octant nearest ^ hsr_octant_order[0], then [1], and so on.
+ * First the nearest one, then those that share a face with it, then those that
+ * share a face with the farthest, then that. */
+extern const unsigned char hsr_octant_order[8];
+
+#ifdef __cplusplus
+}
+#endif
+#endif

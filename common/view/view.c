@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/view/view.h"
+#include "common/exact/predicates.h"
+
+#include <math.h>
+
+static void cross(const double a[3], const double b[3], double out[3]) {
+  out[0] = a[1] * b[2] - a[2] * b[1];
+  out[1] = a[2] * b[0] - a[0] * b[2];
+  out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* v / |v|, scaled first so that no square over- or underflows. */
+static void normalise(double v[3]) {
+  double largest = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+  double length = 0;
+  for (int k = 0; k < 3; k++) {
+    v[k] /= largest;
+    length += v[k] * v[k];
+  }
+  length = sqrt(length);
+  for (int k = 0; k < 3; k++)
+    v[k] /= length;
+}
+
+/* tan(fov/2). The right angle, which ties are made with, is exact. */
+static double half_tangent(double fov_degrees) {
+  const double pi = 3.14159265358979323846;
+  return fov_degrees == 90 ? 1 : tan(fov_degrees * (pi / 360));
+}
+
+enum hsr_status hsr_view_init(struct hsr_view *view,
+                              const struct hsr_camera *camera, int m, int n,
+                              struct hsr_error *err) {
+  enum hsr_status status = hsr_camera_check(camera, err);
+  if (status)
+    return status;
+  if (m < 1 || n < 1 || m > HSR_MAX_SIZE || n > HSR_MAX_SIZE)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "a picture of %d x %d samples: each side must be 1 to %d",
+                    m, n, HSR_MAX_SIZE);
+
+  *view = (struct hsr_view){.camera = *camera,
+                            .m = m,
+                            .n = n,
+                            .window = {0, 0, m, n},
+                            .near = camera->near};
+  double tangent = half_tangent(camera->fov), right[3], up[3];
+  for (int k = 0; k < 3; k++) {
+    view->E[k] = camera->eye[k];
+    view->F[k] = camera->at[k] - camera->eye[k];
+  }
+  normalise(view->F);
+  cross(view->F, camera->up, right);
+  normalise(right);
+  cross(right, view->F, up);
+  for (int k = 0; k < 3; k++) {
+    view->U[k] = tangent * up[k];
+    view->R[k] = (double)m / n * tangent * right[k];
+  }
+
+  bool out_of_memory = false;
+  if (!hsr_exact_view_matrices(view, view->ray, view->screen, &out_of_memory))
+    return out_of_memory
+               ? hsr_fail_nomem(err)
+               : hsr_fail(err, HSR_E_INPUT,
+                          "camera: its forward, right and up are dependent");
+  return HSR_OK;
+}

@@ -1,0 +1,765 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What Greene's thesis (3.3.1 to 3.3.3) and the paper of 1993 claim of
+ * hierarchical z-buffer visibility.
+ *
+ * Nodes       Visited are the visible ones, their children and the root, no
+ *             more, and none twice.
+ * Tiled       What is tiled is in visible cubes, or loose; what is seen, is
+ *             tiled; and nothing is tiled twice in a frame.
+ * Final       What is said of a cube when it is tested is right of the finished
+ *             picture: a cube that is hidden has no sample where a side of it
+ *             is before the picture. Where cubes are tested definitively and
+ *             each instance has its own, one that is visible has a sample, or
+ *             the doubt about where its sides are, where one is not behind.
+ * Coherence   Along a walk, with a cut and back in time, the picture is that of
+ *             every frame for itself; few faces are tiled that were not in the
+ *             frame before; the lists do not grow.
+ *
+ * The algorithm is included, so that its steps can be taken one by one: the
+ * walk through the octrees is written again here, noting what each step said,
+ * and counts the same as the true one, counter by counter. */
+#define HSR_COUNTING 1
+#include "algorithms/algorithm.h"
+#undef HSR_ALGORITHM
+#define HSR_ALGORITHM(name) own_##name
+#include "algorithms/hierarchical/hzbuffer.c"
+
+#include "scenes/scenes.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include "algorithms/variant.h"
+
+enum { M = 64, N = 48, SAMPLES = M * N };
+
+static void stop(const char *name, const char *text) {
+  printf("Bail out! %s: %s\n", name, text);
+  exit(99);
+}
+
+/* --- Pictures ---------------------------------------------------------------
+ */
+
+/* One prepared object and the memory of its frames. */
+struct run {
+  struct hsr_setup setup;
+  struct hsr_arena scratch;
+  struct hsr_tally tally;
+  struct hsr_view view;
+  struct hsr_job job;
+  uint32_t ids[SAMPLES];
+};
+
+static void begin_run(struct run *r, const struct both_worlds *s,
+                      const char *text) {
+  struct hsr_variant variant;
+  struct hsr_error err;
+  memset(r, 0, sizeof *r);
+  if (hsr_variant_parse(text, &variant, &err) ||
+      hsr_setup_init(&r->setup, variant.listed->counting, &variant.choice,
+                     &s->outline, &err))
+    stop(text, err.text);
+}
+
+static void end_run(struct run *r) {
+  hsr_setup_free(&r->setup);
+  hsr_arena_free(&r->scratch);
+}
+
+/* Makes the job of a view ready. */
+static void set_view(struct run *r, const struct both_worlds *s,
+                     uint32_t view) {
+  struct hsr_error err;
+  if (hsr_view_init(&r->view, &s->scene->views[view], M, N, &err))
+    stop(s->scene->name, err.text);
+  hsr_arena_reset(&r->scratch);
+  memset(&r->tally, 0, sizeof r->tally);
+  memset(r->ids, 0xfe, sizeof r->ids);
+  r->job = (struct hsr_job){.world = r->setup.world,
+                            .view = &r->view,
+                            .prepared = r->setup.prepared,
+                            .option = r->setup.choice.option,
+                            .scratch = &r->scratch,
+                            .tally = &r->tally,
+                            .ids = r->ids,
+                            .ids_stride = M};
+}
+
+static void draw_run(struct run *r) {
+  struct hsr_error err;
+  if (hsr_setup_render(&r->setup, &r->job, &err))
+    stop(r->setup.algorithm->name, err.text);
+}
+
+/* By the z-buffer, of the scene laid out. */
+static void draw_right(const struct both_worlds *s, const struct hsr_view *view,
+                       uint32_t *ids) {
+  draw_ids(hsr_algorithm_find("zbuffer")->plain, &s->world, view, ids, NULL);
+}
+
+/* --- A walk that takes notes ------------------------------------------------
+ */
+
+enum said { IS_OUT, IS_HIDDEN, IS_UNTESTED, IS_VISIBLE };
+
+/* A node that was visited; of the instances' octree if there is no instance. */
+struct note {
+  uint32_t instance, node;
+  enum said said;
+};
+#define NO_INSTANCE UINT32_MAX
+
+struct notes {
+  struct walk walk;
+  struct note *note;
+  size_t n, room;
+  long strays; /* that are out of the frustum, and not found to be, or else */
+};
+
+static bool visit(struct notes *ns, const struct hsr_placing *placing,
+                  const struct hsr_octree_node *node, uint32_t instance,
+                  uint32_t k, bool *inside) {
+  struct walk *w = &ns->walk;
+  const uint64_t *count = w->tally->count;
+  uint64_t out = count[OUT], tested = count[CUBES_TESTED];
+  struct hsr_octree_box cube = hsr_octree_cube(node);
+  bool truly_out = HSR_OF_BUILD(hsr_cube_classify)(&w->frame, placing, &cube,
+                                                   NULL) == HSR_BOX_OUT;
+  bool visible = is_cube_visible(w, placing, node, inside);
+  enum said said = count[OUT] > out               ? IS_OUT
+                   : !visible                     ? IS_HIDDEN
+                   : count[CUBES_TESTED] > tested ? IS_VISIBLE
+                                                  : IS_UNTESTED;
+  ns->strays += (said == IS_OUT) != truly_out;
+  if (ns->n == ns->room) {
+    ns->room = 2 * ns->room + 1000;
+    ns->note = realloc(ns->note, ns->room * sizeof *ns->note);
+    if (!ns->note)
+      stop("notes", "out of memory");
+  }
+  ns->note[ns->n++] = (struct note){instance, k, said};
+  HSR_COUNT(w->tally, CUBES_VISIBLE, visible);
+  return visible;
+}
+
+static void visit_cube(struct notes *ns, uint32_t k, bool inside) {
+  struct walk *w = &ns->walk;
+  const struct hsr_octree_node *node = &w->frame.object->octree.node[k];
+  if (!visit(ns, &w->frame.placing, node, w->frame.instance, k, &inside))
+    return;
+  tile_cell(w, k);
+  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.placing, node);
+  for (int o = 0; o < 8; o++) {
+    uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
+    if (child != HSR_NO_NODE)
+      visit_cube(ns, child, inside);
+  }
+}
+
+static void visit_instances(struct notes *ns, uint32_t k, bool inside) {
+  struct walk *w = &ns->walk;
+  const struct hsr_octree *octree = &w->frame.cubes->octree;
+  const struct hsr_octree_node *node = &octree->node[k];
+  bool single = node->n == 1 && is_leaf(node);
+  if (!single && !visit(ns, &w->frame.as_it_is, node, NO_INSTANCE, k, &inside))
+    return;
+  for (uint32_t i = 0; i < node->n; i++)
+    if (HSR_OF_BUILD(hsr_cube_is_new)(&w->frame,
+                                      octree->item[node->first + i])) {
+      take_in_hand(w, octree->item[node->first + i]);
+      visit_cube(ns, 0, false);
+    }
+  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.as_it_is, node);
+  for (int o = 0; o < 8; o++) {
+    uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
+    if (child != HSR_NO_NODE)
+      visit_instances(ns, child, inside);
+  }
+}
+
+/* A frame, whose z-buffer and pyramid are left as they are at its end. */
+static void take_notes(struct notes *ns, struct run *r) {
+  memset(ns, 0, sizeof *ns);
+  if (begin(&ns->walk, &r->job) || render_loose(&ns->walk))
+    stop("notes", "out of memory");
+  visit_instances(ns, 0, false);
+}
+
+/* --- Nodes ------------------------------------------------------------------
+ */
+
+static int compare_notes(const void *a, const void *b) {
+  const struct note *m = a, *n = b;
+  if (m->instance != n->instance)
+    return m->instance < n->instance ? -1 : 1;
+  return (m->node > n->node) - (m->node < n->node);
+}
+
+static bool was_visible(const struct notes *ns, uint32_t instance,
+                        uint32_t node) {
+  struct note key = {instance, node, IS_OUT};
+  const struct note *found =
+      bsearch(&key, ns->note, ns->n, sizeof key, compare_notes);
+  return found && found->said >= IS_UNTESTED;
+}
+
+/* Sorted notes: none of a node twice. */
+static bool none_twice(struct notes *ns) {
+  qsort(ns->note, ns->n, sizeof *ns->note, compare_notes);
+  for (size_t k = 1; k < ns->n; k++)
+    if (!compare_notes(&ns->note[k - 1], &ns->note[k]))
+      return false;
+  return true;
+}
+
+/* The visible nodes of an instance's octree and their children, and its root;
+ * from the octree as it stands. */
+static uint64_t count_family(const struct notes *ns, uint32_t i) {
+  const struct hsr_cubes *cubes = ns->walk.frame.cubes;
+  const struct hsr_octree *octree =
+      &cubes->object[cubes->scene->instances[i].object].octree;
+  uint64_t n = 1;
+  for (uint32_t k = 0; k < octree->n_nodes; k++)
+    for (int o = 0; o < 8 && was_visible(ns, i, k); o++)
+      n += octree->node[k].child[o] != HSR_NO_NODE;
+  return n;
+}
+
+/* The same of the octree of instances, in which a single instance's node is
+ * not visited; and the families of the instances in the cubes that are. */
+static uint64_t count_families(const struct notes *ns) {
+  const struct hsr_cubes *cubes = ns->walk.frame.cubes;
+  const struct hsr_octree *octree = &cubes->octree;
+  bool *reached = calloc(octree->n_nodes, sizeof *reached),
+       *met = calloc(cubes->scene->n_instances, sizeof *met);
+  uint64_t n = 0;
+  if (!reached || !met)
+    stop("nodes", "out of memory");
+  reached[0] = true;
+  for (uint32_t k = 0; k < octree->n_nodes; k++) { /* parents come first */
+    const struct hsr_octree_node *node = &octree->node[k];
+    bool single = node->n == 1 && is_leaf(node);
+    if (!reached[k])
+      continue;
+    n += !single;
+    if (!single && !was_visible(ns, NO_INSTANCE, k))
+      continue;
+    for (int o = 0; o < 8; o++)
+      if (node->child[o] != HSR_NO_NODE)
+        reached[node->child[o]] = true;
+    for (uint32_t i = 0; i < node->n; i++)
+      met[octree->item[node->first + i]] = true;
+  }
+  for (uint32_t i = 0; i < cubes->scene->n_instances; i++)
+    n += met[i] ? count_family(ns, i) : 0;
+  free(reached);
+  free(met);
+  return n;
+}
+
+/* --- Final ------------------------------------------------------------------
+ */
+
+/* A side of a cube in the world: corner + s u + t v, s and t in [0, 1]. */
+struct side {
+  double corner[3], u[3], v[3];
+};
+
+static void to_world_point(const double m[12], const double *p, double *q) {
+  hsr_instance_vertex(m, p, q);
+}
+
+static struct side side_of_cube(const double m[12],
+                                const struct hsr_octree_node *node, int side) {
+  int k = side % 3, a = (k + 1) % 3, b = (k + 2) % 3;
+  double p[3], q[3], r[3];
+  struct side s;
+  for (int c = 0; c < 3; c++)
+    p[c] = node->centre[c] - node->half;
+  if (side >= 3)
+    p[k] += 2 * node->half;
+  memcpy(q, p, sizeof q);
+  memcpy(r, p, sizeof r);
+  q[a] += 2 * node->half;
+  r[b] += 2 * node->half;
+  to_world_point(m, p, s.corner);
+  to_world_point(m, q, s.u);
+  to_world_point(m, r, s.v);
+  for (int c = 0; c < 3; c++) {
+    s.u[c] -= s.corner[c];
+    s.v[c] -= s.corner[c];
+  }
+  return s;
+}
+
+static void cross(const double a[3], const double b[3], double c[3]) {
+  for (int k = 0, l = 1, m = 2; k < 3; k++, l = (l + 1) % 3, m = (m + 1) % 3)
+    c[k] = a[l] * b[m] - a[m] * b[l];
+}
+
+static double dot(const double a[3], const double b[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Where the ray of a screen point meets the plane of a side: 1/t, s and t. */
+static double meet(const struct hsr_view *view, const struct side *side,
+                   double sx, double sy, double *s, double *t) {
+  double D[3], O[3], n[3], c[3];
+  for (int k = 0; k < 3; k++) {
+    D[k] = view->ray[0][k] + sx * view->ray[1][k] + sy * view->ray[2][k];
+    O[k] = side->corner[k] - view->E[k];
+  }
+  cross(side->u, side->v, n);
+  double q = dot(n, D) / dot(n, O), P[3];
+  for (int k = 0; k < 3; k++)
+    P[k] = D[k] / q - O[k];
+  cross(P, side->v, c);
+  *s = dot(n, c) / dot(n, n);
+  cross(side->u, P, c);
+  *t = dot(n, c) / dot(n, n);
+  return q;
+}
+
+/* The finished picture: 1/t of what is seen, 0 where nothing is. */
+static void find_depths(const struct both_worlds *st, struct run *r,
+                        double *depth) {
+  struct hsr_arena arena = HSR_ARENA_EMPTY;
+  struct hsr_screen screen;
+  if (hsr_screen_make(&screen, &st->world, &r->view, &arena, &r->tally))
+    stop("depths", "out of memory");
+  for (int j = 0; j < N; j++)
+    for (int i = 0; i < M; i++) {
+      uint32_t id = r->ids[j * M + i];
+      depth[j * M + i] =
+          id == HSR_BACKGROUND ? 0 : hsr_depth(&screen, id, i, j);
+    }
+  hsr_arena_free(&arena);
+}
+
+/* A side at the samples: is it before the picture, for certain; is it not
+ * behind; or is that in doubt, since it comes within half a sample? */
+struct seen {
+  bool before, not_behind, in_doubt;
+};
+
+static void to_screen(const struct hsr_view *view, const struct side *side,
+                      double s, double t, double p[3]) {
+  double V[3];
+  for (int k = 0; k < 3; k++)
+    V[k] = side->corner[k] + s * side->u[k] + t * side->v[k] - view->E[k];
+  double w = dot(view->screen[2], V);
+  p[0] = dot(view->screen[0], V) / w;
+  p[1] = dot(view->screen[1], V) / w;
+  p[2] = 1 / w;
+}
+
+/* The samples around a side; it is before the eye, as all that are tested. */
+static struct hsr_bounds samples_of(const struct hsr_view *view,
+                                    const struct side *side) {
+  double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+  for (int c = 0; c < 4; c++) {
+    double p[3];
+    to_screen(view, side, c & 1, c >> 1, p);
+    for (int k = 0; k < 2; k++) {
+      lo[k] = fmin(lo[k], p[k]);
+      hi[k] = fmax(hi[k], p[k]);
+    }
+  }
+  return (struct hsr_bounds){
+      (int)fmin(fmax(lo[0] - 1, 0), M), (int)fmin(fmax(lo[1] - 1, 0), N),
+      (int)fmin(fmax(hi[0] + 1, 0), M), (int)fmin(fmax(hi[1] + 1, 0), N)};
+}
+
+static void look_at_side(const struct hsr_view *view, const struct side *side,
+                         const double *depth, struct seen *seen) {
+  struct hsr_bounds box = samples_of(view, side);
+  for (int j = box.y0; j < box.y1; j++)
+    for (int i = box.x0; i < box.x1; i++) {
+      double picture = depth[j * M + i], s, t;
+      double q = meet(view, side, i + 0.5, j + 0.5, &s, &t);
+      double in = fmin(fmin(s, 1 - s), fmin(t, 1 - t));
+      seen->not_behind |= q > 0 && in > -1e-9 && q * (1 + 1e-9) >= picture;
+      seen->before |= q > 0 && in > 1e-9 && q * (1 - 1e-9) > picture;
+    }
+}
+
+/* Points all over a side, each against the sample of the pixel in which it is:
+ * none is farther away than half a sample in both directions. There the plane
+ * of the side counts, up to the cube's nearest corner. */
+static void doubt_side(const struct hsr_view *view, const struct side *side,
+                       double nearest, const double *depth, struct seen *seen) {
+  struct hsr_bounds box = samples_of(view, side);
+  int width = box.x1 - box.x0, height = box.y1 - box.y0;
+  int n = 4 * (width > height ? width : height) + 4;
+  for (int k = 0; k <= n && !seen->in_doubt; k++)
+    for (int l = 0; l <= n && !seen->in_doubt; l++) {
+      double p[3], s, t;
+      to_screen(view, side, (double)k / n, (double)l / n, p);
+      if (!(p[0] > 0 && p[0] < M && p[1] > 0 && p[1] < N))
+        continue;
+      int i = (int)p[0], j = (int)p[1];
+      double q = fmin(meet(view, side, i + 0.5, j + 0.5, &s, &t), nearest);
+      seen->in_doubt |= fmax(p[2], q) * (1 + 1e-4) >= depth[j * M + i];
+    }
+}
+
+/* The largest 1/t of a cube, at one of its corners. */
+static double nearest_corner(const struct hsr_view *view, const double m[12],
+                             const struct hsr_octree_node *node) {
+  double nearest = 0;
+  for (int k = 0; k < 6; k++)
+    for (int c = 0; c < 4; c++) {
+      struct side side = side_of_cube(m, node, k);
+      double p[3];
+      to_screen(view, &side, c & 1, c >> 1, p);
+      nearest = fmax(nearest, p[2]);
+    }
+  return nearest;
+}
+
+static struct seen look_at_cube(const struct notes *ns, const struct note *note,
+                                const double *depth) {
+  static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  const struct hsr_cubes *cubes = ns->walk.frame.cubes;
+  const struct hsr_view *view = ns->walk.frame.job->view;
+  struct seen seen = {false, false, false};
+  const struct hsr_octree_node *node = &cubes->octree.node[note->node];
+  const double *m = identity;
+  if (note->instance != NO_INSTANCE) {
+    const struct hsr_instance *instance =
+        &cubes->scene->instances[note->instance];
+    m = instance->m;
+    node = &cubes->object[instance->object].octree.node[note->node];
+  }
+  for (int k = 0; k < 6; k++) {
+    struct side side = side_of_cube(m, node, k);
+    look_at_side(view, &side, depth, &seen);
+  }
+  for (int k = 0; k < 6 && !seen.not_behind; k++) {
+    struct side side = side_of_cube(m, node, k);
+    doubt_side(view, &side, nearest_corner(view, m, node), depth, &seen);
+  }
+  return seen;
+}
+
+struct final {
+  long hidden, visible; /* cubes that were tested */
+  long wrongly_hidden, covered, in_doubt;
+};
+
+static void retest(const struct notes *ns, const double *depth,
+                   struct final *f) {
+  for (size_t k = 0; k < ns->n; k++) {
+    enum said said = ns->note[k].said;
+    if (said != IS_HIDDEN && said != IS_VISIBLE)
+      continue;
+    struct seen seen = look_at_cube(ns, &ns->note[k], depth);
+    f->hidden += said == IS_HIDDEN;
+    f->visible += said == IS_VISIBLE;
+    f->wrongly_hidden += said == IS_HIDDEN && seen.before;
+    f->covered += said == IS_VISIBLE && !seen.not_behind && !seen.in_doubt;
+    f->in_doubt += said == IS_VISIBLE && !seen.not_behind && seen.in_doubt;
+  }
+}
+
+/* --- What is tiled ----------------------------------------------------------
+ */
+
+/* Comparisons of a face at a sample, and faces that were written. */
+struct watched {
+  uint64_t *compared;
+  size_t n, room;
+  bool *written;
+};
+
+static void watch(void *context, const struct hsr_event *event) {
+  struct watched *w = context;
+  if (event->kind == HSR_ACCEPT)
+    w->written[event->a] = true;
+  if (event->kind != HSR_COMPARE)
+    return;
+  if (w->n == w->room) {
+    w->room = 2 * w->room + 1000;
+    w->compared = realloc(w->compared, w->room * sizeof *w->compared);
+    if (!w->compared)
+      stop("events", "out of memory");
+  }
+  w->compared[w->n++] =
+      (uint64_t)event->a << 32 | (uint64_t)(event->y0 * M + event->x0);
+}
+
+static int compare_numbers(const void *a, const void *b) {
+  const uint64_t *m = a, *n = b;
+  return (*m > *n) - (*m < *n);
+}
+
+/* Faces compared at a sample that they were compared at before. */
+static long count_twice(struct watched *w) {
+  long twice = 0;
+  qsort(w->compared, w->n, sizeof *w->compared, compare_numbers);
+  for (size_t k = 1; k < w->n; k++)
+    twice += w->compared[k] == w->compared[k - 1];
+  return twice;
+}
+
+/* Marks the faces that are in visible cubes, or loose. */
+static void mark_in_visible(const struct notes *ns, bool *in) {
+  const struct hsr_cubes *cubes = ns->walk.frame.cubes;
+  const uint32_t *first = ns->walk.frame.job->world->first;
+  for (uint32_t k = 0; k < cubes->loose.n_faces; k++)
+    in[cubes->loose_id[k]] = true;
+  for (size_t k = 0; k < ns->n; k++) {
+    const struct note *note = &ns->note[k];
+    if (note->instance == NO_INSTANCE || note->said < IS_UNTESTED)
+      continue;
+    const struct hsr_cubes_object *object =
+        &cubes->object[cubes->scene->instances[note->instance].object];
+    const struct hsr_cell *cell = &object->cell[note->node];
+    for (uint32_t f = 0; f < cell->n_faces; f++)
+      in[first[note->instance] + object->face[cell->first_face + f]] = true;
+  }
+}
+
+/* --- One picture, all claims ------------------------------------------------
+ */
+
+struct found {
+  long pictures, nodes, visible, differ;
+  long not_alike, strays, families, twice, outside, unseen, again;
+  struct final final;
+};
+
+/* The true run and the noted one count the same. */
+static bool count_alike(const struct run *a, const struct run *b) {
+  return !memcmp(a->tally.count, b->tally.count, sizeof a->tally.count);
+}
+
+static void try_view(const struct both_worlds *s, struct run *r,
+                     struct run *noted, const uint32_t *right, uint32_t view,
+                     struct found *f) {
+  static struct notes ns;
+  static double depth[SAMPLES];
+  struct watched watched = {NULL, 0, 0, calloc(s->world.n_faces, sizeof(bool))};
+  bool *in = calloc(s->world.n_faces, sizeof *in);
+  if (!watched.written || !in)
+    stop(s->scene->name, "out of memory");
+  set_view(r, s, view);
+  r->tally.trace = watch;
+  r->tally.trace_context = &watched;
+  draw_run(r);
+  set_view(noted, s, view);
+  take_notes(&ns, noted);
+  f->pictures++;
+  f->differ += count_differences(&r->view, r->ids, right) +
+               count_differences(&r->view, noted->ids, right);
+  f->not_alike += !count_alike(r, noted);
+
+  const uint64_t *count = r->tally.count;
+  f->nodes += (long)count[NODES];
+  f->visible += (long)count[CUBES_VISIBLE];
+  f->strays += ns.strays;
+  f->twice += !none_twice(&ns);
+  f->families +=
+      count[NODES] != count_families(&ns) ||
+      count[NODES] != count[CUBES_VISIBLE] + count[CUBES_CULLED] + count[OUT];
+  mark_in_visible(&ns, in);
+  for (uint32_t g = 0; g < s->world.n_faces; g++)
+    f->outside += watched.written[g] && !in[g];
+  for (int k = 0; k < SAMPLES; k++)
+    f->unseen += right[k] != HSR_BACKGROUND && !watched.written[right[k]];
+  f->again += count_twice(&watched);
+  find_depths(s, noted, depth);
+  retest(&ns, depth, &f->final);
+  free(ns.note);
+  free(in);
+  free(watched.written);
+  free(watched.compared);
+}
+
+static void try_claims(struct tap *tap, const struct both_worlds *s,
+                       const char *text, int n_views) {
+  static struct run r, noted;
+  static uint32_t right[SAMPLES];
+  struct found f;
+  memset(&f, 0, sizeof f);
+  begin_run(&r, s, text);
+  begin_run(&noted, s, text);
+  for (int v = 0; v < n_views; v++) {
+    uint32_t view = (uint32_t)v * (s->scene->n_views / (uint32_t)n_views);
+    set_view(&r, s, view);
+    draw_right(s, &r.view, right);
+    try_view(s, &r, &noted, right, view, &f);
+  }
+  const struct prepared *prepared = r.setup.prepared;
+  bool sides = r.setup.choice.option[CUBES] == SIDES;
+  ok(tap, !f.differ && !f.not_alike,
+     "%s, %s: %ld pictures as the z-buffer's, and as the noted ones",
+     s->scene->name, text, f.pictures);
+  ok(tap, !f.families && !f.twice && !f.strays && f.visible > 0,
+     "%ld nodes visited are the root, %ld visible nodes and their hidden "
+     "children, each once",
+     f.nodes, f.visible);
+  ok(tap, !f.outside && !f.unseen && !f.again,
+     "what is tiled is in visible cubes, and is tiled once (%ld are not, %ld "
+     "samples lack theirs, %ld twice)",
+     f.outside, f.unseen, f.again);
+  ok(tap,
+     !f.final.wrongly_hidden && f.final.hidden + f.final.visible > 10 &&
+         (!sides || !prepared->cubes.apart || !f.final.covered),
+     "%ld hidden cubes are hidden in the end (%ld are not); of %ld visible "
+     "ones%s %ld are covered and %ld nearly",
+     f.final.hidden, f.final.wrongly_hidden, f.final.visible,
+     prepared->cubes.apart ? "" : ", in instances that are not apart,",
+     f.final.covered, f.final.in_doubt);
+  end_run(&r);
+  end_run(&noted);
+}
+
+/* --- Temporal coherence -----------------------------------------------------
+ */
+
+/* Views 1 to 50 with a cut to 120 and back, then back in time. */
+enum { STEPS = 50, CUT = 25, CUT_TO = 120, FRAMES = 2 * STEPS + 1 };
+
+static uint32_t view_of_frame(int k) {
+  if (k > STEPS)
+    return (uint32_t)(2 * STEPS + 1 - k);
+  return k < CUT ? (uint32_t)(k + 1) : k == CUT ? CUT_TO : (uint32_t)k;
+}
+
+/* What two passes tile of a frame. */
+struct passes {
+  uint64_t first, second, again, listed;
+};
+
+/* A frame as `render` makes it, with a look at what the first pass did. */
+static struct passes draw_in_passes(struct run *r) {
+  struct walk w = {.visit = 0};
+  const uint64_t *count = r->tally.count;
+  struct passes p = {0, 0, 0, 0};
+  if (begin(&w, &r->job) || render_loose(&w) || render_last(&w))
+    stop("passes", "out of memory");
+  p.first = count[FACES_TILED];
+  p.again = count[CUBES_AGAIN];
+  if (render_octrees(&w))
+    stop("passes", "out of memory");
+  p.second = count[FACES_TILED] - p.first;
+  end_coherence(&w);
+  const struct prepared *prepared = r->setup.prepared;
+  p.listed = prepared->list[prepared->last].cube.n;
+  return p;
+}
+
+/* A view for itself: the right picture, and what it takes without coherence. */
+struct cold {
+  uint32_t right[SAMPLES];
+  uint64_t tiled, visible;
+  long differ;
+};
+
+static void draw_cold(const struct both_worlds *s, struct run *plain,
+                      uint32_t view, struct cold *cold) {
+  set_view(plain, s, view);
+  draw_right(s, &plain->view, cold->right);
+  draw_run(plain);
+  cold->differ = count_differences(&plain->view, plain->ids, cold->right);
+  cold->tiled = plain->tally.count[FACES_TILED];
+  cold->visible = plain->tally.count[CUBES_VISIBLE];
+}
+
+struct walked {
+  long differ, unlike;
+  uint64_t visible, listed, most_listed;
+  uint64_t cut, cut_cold, smooth, smooth_cold; /* faces tiled: newly exposed; of
+                                                  all; after cuts, and else */
+  size_t halfway, peak;                        /* bytes of the lists */
+};
+
+static size_t bytes_of_lists(const struct run *r) {
+  const struct prepared *prepared = r->setup.prepared;
+  return prepared->list[0].arena.peak_bytes +
+         prepared->list[1].arena.peak_bytes;
+}
+
+static void walk_frame(const struct both_worlds *s, struct run *stepped,
+                       struct run *whole, const struct cold *cold, int k,
+                       struct walked *t) {
+  set_view(stepped, s, view_of_frame(k));
+  set_view(whole, s, view_of_frame(k));
+  struct passes p = draw_in_passes(stepped);
+  draw_run(whole);
+  t->differ += cold->differ +
+               count_differences(&whole->view, stepped->ids, cold->right) +
+               count_differences(&whole->view, whole->ids, cold->right);
+  t->unlike += !count_alike(stepped, whole);
+  bool cut = k == 0 || k == CUT || k == CUT + 1;
+  *(cut ? &t->cut : &t->smooth) += p.second;
+  *(cut ? &t->cut_cold : &t->smooth_cold) += cold->tiled;
+  t->visible += cold->visible;
+  t->listed += p.listed;
+  t->most_listed = p.listed > t->most_listed ? p.listed : t->most_listed;
+  if (k == STEPS)
+    t->halfway = bytes_of_lists(stepped);
+  t->peak = bytes_of_lists(stepped);
+}
+
+static void try_walk(struct tap *tap, const struct both_worlds *s,
+                     const struct cold *cold, const char *text) {
+  static struct run stepped, whole;
+  struct walked t;
+  memset(&t, 0, sizeof t);
+  begin_run(&stepped, s, text);
+  begin_run(&whole, s, text);
+  for (int k = 0; k < FRAMES; k++)
+    walk_frame(s, &stepped, &whole, &cold[view_of_frame(k)], k, &t);
+  ok(tap, !t.differ && !t.unlike,
+     "%s: %d frames, with a cut and back in time: %ld samples differ", text,
+     (int)FRAMES, t.differ);
+  ok(tap, 20 * t.smooth < t.smooth_cold && 2 * t.cut > t.cut_cold,
+     "of %llu faces %llu are newly exposed; of %llu in the three frames after "
+     "cuts %llu",
+     (unsigned long long)t.smooth_cold, (unsigned long long)t.smooth,
+     (unsigned long long)t.cut_cold, (unsigned long long)t.cut);
+  ok(tap, t.listed > 0 && t.listed <= t.visible && t.peak <= 2 * t.halfway,
+     "%llu cubes are listed, of %llu visible in frames for themselves; at most "
+     "%llu; lists of %zu bytes, halfway %zu",
+     (unsigned long long)t.listed, (unsigned long long)t.visible,
+     (unsigned long long)t.most_listed, t.peak, t.halfway);
+  end_run(&stepped);
+  end_run(&whole);
+}
+
+static void try_walks(struct tap *tap) {
+  static struct cold cold[CUT_TO + 1];
+  static struct run plain;
+  struct both_worlds s;
+  open_worlds(&s, "office:3");
+  begin_run(&plain, &s, "hzbuffer");
+  for (uint32_t v = 1; v <= STEPS; v++)
+    draw_cold(&s, &plain, v, &cold[v]);
+  draw_cold(&s, &plain, CUT_TO, &cold[CUT_TO]);
+  end_run(&plain);
+  try_walk(tap, &s, cold, "hzbuffer:coherence=list");
+  try_walk(tap, &s, cold, "hzbuffer:coherence=passes");
+  close_worlds(&s);
+}
+
+int main(void) {
+  static const struct {
+    const char *scene;
+    int views;
+  } stages[] = {{"office:1", 5},      {"office:2", 4},    {"harbor", 3},
+                {"terrain:16:12", 3}, {"house", 9},       {"soup:500:3", 4},
+                {"twist:5", 3},       {"color-cube:4", 3}};
+  enum { STAGES = sizeof stages / sizeof *stages };
+  struct tap tap = plan(4 * 2 * STAGES + 6);
+  for (int k = 0; k < STAGES; k++) {
+    struct both_worlds s;
+    open_worlds(&s, stages[k].scene);
+    try_claims(&tap, &s, "hzbuffer", stages[k].views);
+    try_claims(&tap, &s, "hzbuffer:cubes=sides", stages[k].views);
+    close_worlds(&s);
+  }
+  try_walks(&tap);
+  return finish(&tap);
+}

@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Line drawings against pictures: points of each interval of a drawing are put
+ * to the surface oracle. At a point of a visible one it must see nothing nearer
+ * than the edge; at a point of a hidden one, something nearer.
+ *
+ * Beside     a sample cannot lie on an edge, nor does the definition's: it is
+ *            displaced by a little to the right and by less down. Here it is by
+ *            BESIDE and BESIDE^2 pixels, and only intervals much longer than
+ *            that are asked about.
+ * Own        a face on whose plane the edge lies does not hide it, and may be
+ *            what the sample sees. Where an edge is off the plane of that face
+ * by roundings only, it may hide the edge exactly, and not be before it at the
+ * sample: such points are not decided, and counted.
+ *
+ * usage: lines_and_surfaces_test [SCENE...] */
+#include "common/exact/predicates.h"
+#include "scenes/scenes.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { M = 512, N = 384, POINTS = 100 };
+static const double BESIDE = 0x1p-14;         /* pixels */
+static const double SHORTEST = 400 * 0x1p-14; /* pixels */
+static const double SAME_DEPTH = 1e-6;        /* of the depth */
+
+static const char *const standard[] = {
+    "house",           "penetration",   "cyclic-overlap", "coplanar",
+    "nested-solids",   "one-sided",     "t-junction",     "shared-edges",
+    "collinear-edges", "non-convex",    "behind-eye",     "near-plane",
+    "eye-in-plane",    "sub-pixel-gap", "soup:40:1"};
+
+struct asked {
+  const struct hsr_world *world;
+  const struct hsr_setup *oracle;
+  struct hsr_view view;
+  struct hsr_arena scratch;
+  struct hsr_tally tally;
+  uint32_t *ids;
+  uint64_t points, wrong, undecided;
+};
+
+/* Where on the screen a point is; w is its depth. */
+static void project(const struct hsr_view *view, const double p[3], double *sx,
+                    double *sy, double *w) {
+  double h[3];
+  for (int row = 0; row < 3; row++) {
+    h[row] = 0;
+    for (int k = 0; k < 3; k++)
+      h[row] += view->screen[row][k] * (p[k] - view->E[k]);
+  }
+  *sx = h[0] / h[2];
+  *sy = h[1] / h[2];
+  *w = h[2];
+}
+
+/* The sample at a screen point. */
+static uint32_t look(struct asked *q, double sx, double sy) {
+  struct hsr_view view = q->view;
+  int i = (int)floor(sx), j = (int)floor(sy);
+  struct hsr_error err;
+  view.offset_x = sx - (i + 0.5);
+  view.offset_y = sy - (j + 0.5);
+  view.window = (struct hsr_window){i, j, i + 1, j + 1};
+  hsr_arena_reset(&q->scratch);
+  struct hsr_job job = {.view = &view,
+                        .scratch = &q->scratch,
+                        .tally = &q->tally,
+                        .ids = q->ids,
+                        .ids_stride = M};
+  if (hsr_setup_render(q->oracle, &job, &err)) {
+    printf("Bail out! %s\n", err.text);
+    exit(99);
+  }
+  return q->ids[(size_t)j * M + (size_t)i];
+}
+
+/* How far in front of face f's plane a point is, by its normal's length. */
+static double height(const struct hsr_world *w, uint32_t f, const double p[3]) {
+  return (w->nx[f] * (p[0] - w->px[f]) + w->ny[f] * (p[1] - w->py[f]) +
+          w->nz[f] * (p[2] - w->pz[f])) /
+         sqrt(w->nx[f] * w->nx[f] + w->ny[f] * w->ny[f] + w->nz[f] * w->nz[f]);
+}
+
+enum relation { APART, OWN, NEARLY };
+
+/* OWN: the edge is one of the face's sides, or lies exactly in its plane;
+ * NEARLY: it is off that plane by roundings only. */
+static enum relation relation(const struct asked *q,
+                              const struct hsr_segment *s, uint32_t f) {
+  const struct hsr_world *w = q->world;
+  if (s->edge.implied && (s->edge.a == f || s->edge.b == f))
+    return OWN;
+  uint32_t before = w->vertex[w->start[f + 1] - 1];
+  for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
+    uint32_t v = w->vertex[k];
+    if (!s->edge.implied && ((before == s->edge.a && v == s->edge.b) ||
+                             (before == s->edge.b && v == s->edge.a)))
+      return OWN;
+    before = v;
+  }
+  double size = fabs(s->from[0]) + fabs(s->from[1]) + fabs(s->from[2]) +
+                fabs(s->to[0]) + fabs(s->to[1]) + fabs(s->to[2]);
+  if (fabs(height(w, f, s->from)) > 1e-12 * size ||
+      fabs(height(w, f, s->to)) > 1e-12 * size)
+    return APART;
+  if (s->edge.implied)
+    return NEARLY;
+  bool out_of_memory = false;
+  struct hsr_loop face = hsr_face_loop(w, f);
+  const double a[3] = {w->x[s->edge.a], w->y[s->edge.a], w->z[s->edge.a]};
+  const double b[3] = {w->x[s->edge.b], w->y[s->edge.b], w->z[s->edge.b]};
+  return hsr_exact_plane_side(face, a, &out_of_memory) ||
+                 hsr_exact_plane_side(face, b, &out_of_memory)
+             ? NEARLY
+             : OWN;
+}
+
+/* The depth of face f's plane at a screen point. */
+static double depth(const struct asked *q, uint32_t f, double sx, double sy) {
+  const struct hsr_world *w = q->world;
+  const struct hsr_view *v = &q->view;
+  double n[3] = {w->nx[f], w->ny[f], w->nz[f]};
+  double p[3] = {w->px[f], w->py[f], w->pz[f]};
+  double along = 0, offset = 0;
+  for (int k = 0; k < 3; k++) {
+    along += n[k] * (v->ray[0][k] + sx * v->ray[1][k] + sy * v->ray[2][k]);
+    offset += n[k] * (p[k] - v->E[k]);
+  }
+  return offset / along;
+}
+
+static bool is_long_enough(const struct hsr_view *view,
+                           const struct hsr_segment *s) {
+  double x0, y0, x1, y1, w0, w1;
+  project(view, s->from, &x0, &y0, &w0);
+  project(view, s->to, &x1, &y1, &w1);
+  return hypot(x1 - x0, y1 - y0) >= SHORTEST;
+}
+
+static void ask_segment(struct asked *q, const struct hsr_segment *s) {
+  if (!is_long_enough(&q->view, s))
+    return;
+  for (int k = 0; k < POINTS; k++) {
+    double t = (k + 0.5) / POINTS, p[3], sx, sy, w;
+    for (int c = 0; c < 3; c++)
+      p[c] = s->from[c] + t * (s->to[c] - s->from[c]);
+    project(&q->view, p, &sx, &sy, &w);
+    sx += BESIDE;
+    sy += BESIDE * BESIDE;
+    if (!(sx >= 0 && sx < M && sy >= 0 && sy < N))
+      continue;
+    uint32_t seen = look(q, sx, sy);
+    enum relation to_seen =
+        seen == HSR_BACKGROUND ? APART : relation(q, s, seen);
+    q->points++;
+    q->undecided += to_seen == NEARLY;
+    if (to_seen == NEARLY)
+      continue;
+    bool hidden = seen != HSR_BACKGROUND && to_seen == APART &&
+                  depth(q, seen, sx, sy) < w * (1 - SAME_DEPTH);
+    if (hidden != (s->invisibility > 0) && q->wrong++ < 3)
+      printf("# edge %u %u %u, t %g in [%g, %g], invisibility %u: sees face %u "
+             "at %.9g, the edge is at %.9g\n",
+             s->edge.a, s->edge.b, s->edge.part, t, s->t0, s->t1,
+             s->invisibility, seen,
+             seen == HSR_BACKGROUND ? 0 : depth(q, seen, sx, sy), w);
+  }
+}
+
+static void ask_view(struct asked *q, const struct hsr_setup *lines) {
+  struct hsr_drawing drawing = {.n = 0};
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_error err;
+  struct hsr_job job = {.view = &q->view,
+                        .scratch = &scratch,
+                        .tally = &q->tally,
+                        .drawing = &drawing};
+  if (hsr_setup_render(lines, &job, &err)) {
+    printf("Bail out! %s\n", err.text);
+    exit(99);
+  }
+  for (size_t k = 0; k < drawing.n; k++)
+    ask_segment(q, &drawing.segment[k]);
+  hsr_drawing_free(&drawing);
+  hsr_arena_free(&scratch);
+}
+
+static void ask_scene(struct tap *tap, const char *name) {
+  struct hsr_import import = {.drop_degenerate = false};
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  struct hsr_setup oracle, lines;
+  struct hsr_error err;
+  if (hsr_scene_open(name, &import, &scene, &err) ||
+      hsr_world_init(&world, scene, &err) ||
+      hsr_setup_init(&oracle, hsr_algorithm_find("oracle")->plain, NULL, &world,
+                     &err) ||
+      hsr_setup_init(&lines, hsr_algorithm_find("line-oracle")->plain, NULL,
+                     &world, &err)) {
+    printf("Bail out! %s\n", err.text);
+    exit(99);
+  }
+  struct asked q = {.world = &world, .oracle = &oracle};
+  q.ids = malloc((size_t)M * N * sizeof *q.ids);
+  if (!q.ids || hsr_view_init(&q.view, &scene->views[0], M, N, &err)) {
+    puts("Bail out! no view");
+    exit(99);
+  }
+  ask_view(&q, &lines);
+  ok(tap, !q.wrong && q.undecided < q.points / 10,
+     "%s: %llu points of lines are hidden just where a face is nearer", name,
+     (unsigned long long)q.points);
+  if (q.wrong || q.undecided)
+    printf("# %llu points are wrong, %llu are not decided\n",
+           (unsigned long long)q.wrong, (unsigned long long)q.undecided);
+  free(q.ids);
+  hsr_arena_free(&q.scratch);
+  hsr_setup_free(&lines);
+  hsr_setup_free(&oracle);
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+}
+
+int main(int argc, char **argv) {
+  int n = argc > 1 ? argc - 1 : (int)(sizeof standard / sizeof *standard);
+  struct tap tap = plan(n);
+  for (int k = 0; k < n; k++)
+    ask_scene(&tap, argc > 1 ? argv[k + 1] : standard[k]);
+  return finish(&tap);
+}

@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What Sutherland et al. 1974 say of Schumacker's algorithm: within a cluster,
+ * priorities hold from every viewpoint once back faces are removed. One object
+ * is prepared for a scene; then it is seen from anywhere, inside and outside,
+ * in planes of faces, on vertices and along axes, and must show what the oracle
+ * shows, while clusters and separators stay as they were. */
+#include "common/exact/screen.h"
+#include "scenes/scenes.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Odd, so that some samples lie exactly on axes. */
+enum { M = 25, N = 17, EYES = 1000 };
+
+static const char *const scenes[] = {
+    "house",      "color-cube:3", "harbor:100",  "nested-solids",
+    "sphere:200", "non-planar",   "lattice:25:3"};
+enum { SCENES = sizeof scenes / sizeof *scenes };
+
+struct fixture {
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  struct hsr_setup oracle, schumacker;
+  double lo[3], hi[3]; /* what the scene takes up */
+  struct hsr_arena scratch;
+};
+
+static void fail(const struct hsr_error *err) {
+  printf("Bail out! %s\n", err->text);
+  exit(99);
+}
+
+static void prepare(struct fixture *x, struct hsr_scene *scene) {
+  struct hsr_error err = {.text = ""};
+  *x = (struct fixture){.scene = scene, .scratch = HSR_ARENA_EMPTY};
+  if (hsr_world_init(&x->world, x->scene, &err) ||
+      hsr_setup_init(&x->oracle, hsr_algorithm_find("oracle")->plain, NULL,
+                     &x->world, &err) ||
+      hsr_setup_init(&x->schumacker, hsr_algorithm_find("schumacker")->plain,
+                     NULL, &x->world, &err))
+    fail(&err);
+  const double *axis[3] = {x->world.x, x->world.y, x->world.z};
+  for (int k = 0; k < 3; k++) {
+    x->lo[k] = x->hi[k] = axis[k][0];
+    for (uint32_t v = 1; v < x->world.n_vertices; v++) {
+      x->lo[k] = fmin(x->lo[k], axis[k][v]);
+      x->hi[k] = fmax(x->hi[k], axis[k][v]);
+    }
+  }
+}
+
+static void open_scene(struct fixture *x, const char *name) {
+  struct hsr_error err = {.text = ""};
+  struct hsr_scene *scene;
+  if (hsr_scene_open(name, NULL, &scene, &err))
+    fail(&err);
+  prepare(x, scene);
+}
+
+static void close_scene(struct fixture *x) {
+  hsr_setup_free(&x->schumacker);
+  hsr_setup_free(&x->oracle);
+  hsr_world_free(&x->world);
+  hsr_scene_delete(x->scene);
+  hsr_arena_free(&x->scratch);
+}
+
+/* --- Viewpoints ----------------------------------------------------------- */
+
+static double draw_between(uint64_t *seed, double lo, double hi) {
+  return lo + (hi - lo) * (double)draw_integer(seed, 0, 1 << 20) / (1 << 20);
+}
+
+static uint32_t draw_vertex(uint64_t *seed, const struct fixture *x,
+                            uint32_t f) {
+  const struct hsr_world *w = &x->world;
+  return w->vertex[w->start[f] +
+                   (uint32_t)draw_integer(seed, 0, hsr_face_size(w, f) - 1)];
+}
+
+/* A vertex; or a point on the plane of a face, as exactly as a double is. */
+static void draw_on_face(uint64_t *seed, const struct fixture *x, bool vertex,
+                         double eye[3]) {
+  const struct hsr_world *w = &x->world;
+  uint32_t f = (uint32_t)draw_integer(seed, 0, w->n_faces - 1);
+  uint32_t a = draw_vertex(seed, x, f), b = draw_vertex(seed, x, f),
+           c = draw_vertex(seed, x, f);
+  double s = vertex ? 0 : (double)draw_integer(seed, -8, 8) / 4;
+  double t = vertex ? 0 : (double)draw_integer(seed, -8, 8) / 4;
+  const double *axis[3] = {w->x, w->y, w->z};
+  for (int k = 0; k < 3; k++)
+    eye[k] = axis[k][a] + s * (axis[k][b] - axis[k][a]) +
+             t * (axis[k][c] - axis[k][a]);
+}
+
+static struct hsr_camera draw_camera(uint64_t *seed, const struct fixture *x) {
+  struct hsr_camera camera = {.up = {0, 1, 0}};
+  int kind = (int)draw_integer(seed, 0, 4);
+  double reach = kind == 0 ? 1.5 : 0; /* outside too */
+  for (int k = 0; k < 3; k++) {
+    double size = x->hi[k] - x->lo[k];
+    camera.eye[k] =
+        draw_between(seed, x->lo[k] - reach * size, x->hi[k] + reach * size);
+    camera.at[k] = draw_between(seed, x->lo[k], x->hi[k]);
+    if (kind == 2)
+      camera.eye[k] = rint(camera.eye[k]);
+  }
+  if (kind >= 3)
+    draw_on_face(seed, x, kind == 4, camera.eye);
+  if (draw_integer(seed, 0, 1)) { /* along an axis */
+    int axis = (int)draw_integer(seed, 0, 2);
+    memcpy(camera.at, camera.eye, sizeof camera.at);
+    camera.at[axis] += draw_integer(seed, 0, 1) ? 1 : -1;
+    camera.up[0] = axis == 1;
+    camera.up[1] = axis != 1;
+  }
+  camera.fov = draw_integer(seed, 0, 1) ? 90 : 60;
+  camera.near = draw_integer(seed, 0, 3) ? 0 : 0.25;
+  return camera;
+}
+
+/* --- The comparison ------------------------------------------------------ */
+
+static void draw(struct fixture *x, const struct hsr_setup *setup,
+                 const struct hsr_view *view, uint32_t *ids) {
+  struct hsr_error err = {.text = ""};
+  struct hsr_tally tally = {.out_of_memory = false};
+  struct hsr_job job = {.view = view,
+                        .scratch = &x->scratch,
+                        .tally = &tally,
+                        .ids = ids,
+                        .ids_stride = M};
+  hsr_arena_reset(&x->scratch);
+  memset(ids, 0xfe, M * N * sizeof *ids);
+  if (hsr_setup_render(setup, &job, &err))
+    fail(&err);
+}
+
+static uint64_t mixed(uint64_t sum, const void *bytes, size_t n) {
+  const unsigned char *byte = bytes;
+  for (size_t k = 0; k < n; k++)
+    sum = (sum ^ byte[k]) * 0x100000001b3u;
+  return sum;
+}
+
+/* Priorities, clusters and separators in one number. */
+static uint64_t sum_of_clusters(const struct hsr_world *world) {
+  const struct hsr_clusters *c = world->clusters;
+  uint64_t sum = mixed(0, c->start, (c->n_clusters + 1) * sizeof *c->start);
+  sum = mixed(sum, c->order, c->start[c->n_clusters] * sizeof *c->order);
+  for (uint32_t s = 0; s < c->n_separators; s++) {
+    const struct hsr_separator *separator = &c->separator[s];
+    sum = mixed(sum, &separator->face, sizeof separator->face);
+    sum = mixed(sum, &separator->axis, sizeof separator->axis);
+    sum = mixed(sum, &separator->at, sizeof separator->at);
+    sum = mixed(sum, &separator->front, sizeof separator->front);
+    sum = mixed(sum, &separator->behind, sizeof separator->behind);
+  }
+  return sum;
+}
+
+static void check_scene(struct tap *tap, const char *name, uint64_t *seed) {
+  static uint32_t wanted[M * N], got[M * N];
+  struct fixture x;
+  open_scene(&x, name);
+  const struct hsr_world *world = x.schumacker.world;
+  uint64_t sum = sum_of_clusters(world);
+  long differences = 0, visible = 0;
+  for (int eyes = 0; eyes < EYES;) {
+    struct hsr_camera camera = draw_camera(seed, &x);
+    struct hsr_view view;
+    if (hsr_view_init(&view, &camera, M, N, NULL))
+      continue;
+    eyes++;
+    draw(&x, &x.oracle, &view, wanted);
+    draw(&x, &x.schumacker, &view, got);
+    long here = count_differences(&view, wanted, got);
+    if (here)
+      printf("# %s, eye %.17g,%.17g,%.17g at %.17g,%.17g,%.17g: %ld\n", name,
+             camera.eye[0], camera.eye[1], camera.eye[2], camera.at[0],
+             camera.at[1], camera.at[2], here);
+    differences += here;
+    for (int k = 0; k < M * N; k++)
+      visible += wanted[k] != HSR_BACKGROUND;
+  }
+  ok(tap, !differences && visible > EYES * M * N / 10,
+     "%s: %ld differences from %d viewpoints, %ld samples show a face", name,
+     differences, EYES, visible);
+  ok(tap, sum_of_clusters(world) == sum,
+     "%s: %u clusters and their priorities are as they were", name,
+     world->clusters->n_clusters);
+  close_scene(&x);
+}
+
+/* --- A grazed face -------------------------------------------------------- */
+
+static void add_quad(struct hsr_object *object, const double corner[4][3]) {
+  uint32_t vertex[4];
+  for (int k = 0; k < 4; k++)
+    hsr_object_vertex(object, corner[k][0], corner[k][1], corner[k][2],
+                      &vertex[k]);
+  hsr_object_face(object, vertex, 4, NULL);
+}
+
+/* A floor with one corner lifted by very little, before a wall. An eye that is
+ * as little above it looks along it. There is a sample between the lifted
+ * corner and the others, so that the floor covers it; but the ray meets the
+ * floor's plane beyond the wall. */
+static void check_grazed(struct tap *tap) {
+  static uint32_t wanted[M * N], got[M * N];
+  const double lift = 0x1p-40;
+  const double floor[4][3] = {{0, 0, -2}, {4, 0, -2}, {4, lift, 2}, {0, 0, 2}};
+  const double wall[4][3] = {
+      {4.0625, -4, -4}, {4.0625, -4, 4}, {4.0625, 4, 4}, {4.0625, 4, -4}};
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_scene *scene = hsr_scene_new("grazed");
+  struct hsr_object *object = hsr_scene_object(scene, "floor and wall");
+  add_quad(object, floor);
+  add_quad(object, wall);
+  if (hsr_scene_finish(scene, &err))
+    fail(&err);
+  struct hsr_camera camera = {.eye = {-4, 0.75 * lift, 0},
+                              .at = {-3, 0.75 * lift, 0},
+                              .up = {0, 1, 0},
+                              .fov = 90};
+  struct hsr_view view;
+  struct fixture x;
+  prepare(&x, scene);
+  if (hsr_view_init(&view, &camera, M, N, &err))
+    fail(&err);
+  draw(&x, &x.oracle, &view, wanted);
+  draw(&x, &x.schumacker, &view, got);
+  struct hsr_arena arena = HSR_ARENA_EMPTY;
+  struct hsr_screen screen;
+  struct hsr_tally tally = {.out_of_memory = false};
+  if (hsr_screen_make(&screen, &x.world, &view, &arena, &tally))
+    fail(&err);
+  bool covers = hsr_covers(&screen, 0, 14, N / 2, &tally);
+  ok(tap,
+     covers && wanted[N / 2 * M + 14] == 1 &&
+         !count_differences(&view, wanted, got),
+     "a floor covers a sample and is met beyond the wall: the wall is seen");
+  hsr_arena_free(&arena);
+  close_scene(&x);
+}
+
+int main(void) {
+  struct tap tap = plan(2 * SCENES + 1);
+  uint64_t seed = 1969;
+  for (int s = 0; s < SCENES; s++)
+    check_scene(&tap, scenes[s], &seed);
+  check_grazed(&tap);
+  return finish(&tap);
+}

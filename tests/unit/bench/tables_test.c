@@ -1,0 +1,555 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The tables of Sutherland et al. 1974 and what is concluded from them, on
+ * results made up here: worlds in which every count is known; and Greene's. */
+#include "bench/tables/claims.h"
+#include "bench/tables/greene.h"
+#include "bench/results/json.h"
+#include "tests/tap.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool near(double a, double b) {
+  return fabs(a - b) <= 1e-6 * fabs(b);
+}
+
+static void must(bool good) {
+  if (good)
+    return;
+  puts("Bail out! results could not be made up");
+  exit(1);
+}
+
+/* --- Growth ----------------------------------------------------------------
+ */
+
+static void test_growth(struct tap *tap) {
+  double x[5] = {1, 10, 100, 1000, 10000}, y[5];
+  for (int k = 0; k < 5; k++)
+    y[k] = 7 * pow(x[k], 1.5);
+  struct growth g = growth_fit(x, y, 5);
+  ok(tap, near(g.exponent, 1.5) && fabs(g.high - g.low) < 1e-6 && g.n == 5,
+     "an exact power: its exponent, and next to no interval");
+
+  /* Logarithms (0, 0), (1, 1.2), (2, 1.8): slope 0.9, residuals -0.1, 0.2,
+   * -0.1, so its standard error is (0.06 / 2)^1/2; t of one degree 12.7062. */
+  double u[3] = {1, exp(1), exp(2)}, v[3] = {1, exp(1.2), exp(1.8)};
+  g = growth_fit(u, v, 3);
+  ok(tap,
+     near(g.exponent, 0.9) &&
+         fabs(g.high - 0.9 - 12.7062047 * sqrt(0.03)) < 1e-5 &&
+         fabs(g.low - 0.9 + 12.7062047 * sqrt(0.03)) < 1e-5,
+     "three points off a line: slope and interval by hand");
+
+  y[1] = 0;
+  y[2] = NAN;
+  g = growth_fit(x, y, 5);
+  ok(tap, g.n == 3 && near(g.exponent, 1.5), "no count, no point");
+  g = growth_fit(x, y, 3);
+  ok(tap, g.n == 1 && isnan(g.exponent), "one point grows not");
+  g = growth_fit(u, v, 2);
+  ok(tap, near(g.exponent, 1.2) && isnan(g.low) && isnan(g.high),
+     "two points leave the interval open");
+  double same[3] = {5, 5, 5};
+  ok(tap, isnan(growth_fit(same, v, 3).exponent), "nor does one size alone");
+}
+
+/* --- Worlds ----------------------------------------------------------------
+ */
+
+/* What a world is made by: 0 is the survey's own, where Table II's rules hold
+ * and every count is what Table III foretells; those that it has no formula
+ * for are as any that it has one for. */
+struct world {
+  double wildness; /* decades by which coefficients stray */
+  double bend;     /* by which exponents do */
+  uint64_t random;
+};
+
+/* From -1 to 1. */
+static double stray(struct world *w) {
+  w->random = w->random * 6364136223846793005u + 1442695040888963407u;
+  return (double)(w->random >> 11) / (double)(1ull << 52) - 1;
+}
+
+static const double faces[] = {100,  2500,  60000, 100,  500,
+                               2500, 10000, 30000, 60000};
+static const double per_cluster[] = {10, 25, 200, 8, 16, 25, 65, 120, 200};
+
+static struct hsr_table1 table1_of(struct world *w, int scene,
+                                   const double *coefficient) {
+  struct hsr_table1 t = {.n = 500,
+                         .m = 500,
+                         .F_r = faces[scene],
+                         .F_c = per_cluster[scene],
+                         .D_c = 3};
+  hsr_statistics_rules(&t, &t);
+  t.C_r = t.C_t;
+  t.X_f = 0;
+  if (w->wildness == 0)
+    return t;
+  double *entry = (double *)&t;
+  for (size_t k = 0; k < sizeof t / sizeof *entry; k++)
+    entry[k] *= pow(10, coefficient[2 * k] / 2) *
+                pow(faces[scene] / 2500, coefficient[2 * k + 1] * w->bend);
+  t.n = t.m = 500;
+  t.F_r = faces[scene];
+  return t;
+}
+
+static json_t *view_record(int scene, const struct hsr_table1 *t) {
+  json_t *table1 = json_object();
+#define X(field, symbol, meaning)                                              \
+  must(!json_object_set_new(table1, symbol, number_or_null(t->field)));
+  HSR_TABLE1(X)
+#undef X
+  return json_pack("{ss ss ss si si si so}", "record", "view", "run", "x",
+                   "scene", tables_scenes[scene], "view", 1, "width", 500,
+                   "height", 500, "table1", table1);
+}
+
+static json_t *cell_record(int scene, const char *algorithm, json_t *counts) {
+  return json_pack("{ss ss ss si si si ss si ss so s[]}", "record", "cell",
+                   "run", "x", "scene", tables_scenes[scene], "view", 1,
+                   "width", 500, "height", 500, "algorithm", algorithm,
+                   "threads", 1, "status", "ok", "counts", counts, "starts");
+}
+
+static void give(struct results *results, json_t *record) {
+  struct hsr_error err;
+  must(record && !results_add(results, record, &err));
+  json_decref(record);
+}
+
+static const struct hsr_step *step_of(const struct hsr_algorithm *a,
+                                      int counter, struct world *w) {
+  const struct hsr_step *foretold[MOST_STEPS];
+  int n = 0;
+  for (const struct hsr_step *s = a->steps; s->label; s++) {
+    if (s->predict && s->counter == counter)
+      return s;
+    if (s->predict)
+      foretold[n++] = s;
+  }
+  return foretold[(int)(fabs(stray(w)) * n)];
+}
+
+/* Of all scenes at once, so that a step strays alike on all of them. */
+static void give_algorithm(struct results *results,
+                           const struct hsr_algorithm *a, struct world *w,
+                           const struct hsr_table1 *table1) {
+  json_t *counts[9];
+  for (int s = 0; s < 9; s++)
+    counts[s] = json_object();
+  for (int c = 0; a->counters[c].name; c++) {
+    double decades = w->wildness * stray(w), exponent = w->bend * stray(w);
+    const struct hsr_step *step = step_of(a, c, w);
+    for (int s = 0; s < 9; s++) {
+      double count = step->predict(&table1[s]) / step->factor *
+                     pow(10, decades) * pow(faces[s] / 2500, exponent);
+      must(!json_object_set_new(counts[s], a->counters[c].name,
+                                json_integer((json_int_t)ceil(count))));
+    }
+  }
+  for (int s = 0; s < 9; s++)
+    give(results, cell_record(s, a->name, counts[s]));
+}
+
+static struct results make(struct world *w) {
+  struct results results = {.headers = NULL};
+  struct hsr_table1 table1[9];
+  double coefficient[2 * sizeof *table1 / sizeof(double)];
+  for (size_t k = 0; k < sizeof coefficient / sizeof *coefficient; k++)
+    coefficient[k] = w->wildness * stray(w);
+  for (int s = 0; s < 9; s++) {
+    table1[s] = table1_of(w, s, coefficient);
+    give(&results, view_record(s, &table1[s]));
+  }
+  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+    if (l->plain->steps)
+      give_algorithm(&results, l->plain, w, table1);
+  return results;
+}
+
+static struct tables *tables_of(const struct results *results) {
+  struct tables *t;
+  struct hsr_error err;
+  must(!tables_new(&t, results, &err));
+  return t;
+}
+
+/* A count set anew. */
+static void set(struct results *results, int scene, const char *algorithm,
+                const char *counter, double count) {
+  char key[RESULTS_KEY];
+  snprintf(key, sizeof key, "%s 1 500x500 %s 1", tables_scenes[scene],
+           algorithm);
+  json_t *counts = json_object_get(results_cell(results, key), "counts");
+  must(!json_object_set_new(counts, counter, json_integer((json_int_t)count)));
+}
+
+/* The finding on the claim of which this is a part. */
+static struct conclusion find(const struct tables *t, const char *part) {
+  for (int k = 0; k < claims_count(); k++) {
+    struct conclusion c = claims_judge(t, k);
+    if (strstr(c.claim, part))
+      return c;
+  }
+  must(false);
+  return (struct conclusion){.claim = NULL};
+}
+
+/* --- The tables ------------------------------------------------------------
+ */
+
+static void test_survey(struct tap *tap) {
+  struct world survey = {0, 0, 1};
+  struct results results = make(&survey);
+  struct tables *t = tables_of(&results);
+
+  ok(tap,
+     t->n_scenes == 9 && !strcmp(t->scene[HARBOR].name, "harbor") &&
+         !strcmp(t->scene[3].name, "harbor:100") &&
+         !strcmp(t->scene[8].name, "harbor:60000"),
+     "the environments, then the ladder");
+  const struct series *merge = tables_cost(t, "watkins", "X merge");
+  double E_r = 400, S_l = sqrt(300);
+  ok(tap,
+     near(merge->predicted[HOUSE], E_r * S_l / 2) &&
+         merge->measured[HOUSE] == ceil(E_r * S_l / 2),
+     "Watkins' X merge in the house: E_r S_l / 2");
+  ok(tap, fabs(merge->growth.exponent - 1.5) < 0.01,
+     "it grows by 3/2, E_r by 1 and S_l by 1/2");
+
+  /* Every figure that the survey prints is what its formulas yield: within
+   * half a unit of its second digit, and what rounded entries of Table II add
+   * to that. */
+  int n = 0, good = 0;
+  for (int a = 0; a < t->n_algorithms; a++)
+    for (int k = 0; k < t->algorithm[a].n_steps; k++)
+      for (int e = 0; t->algorithm[a].step[k].paper && e < ENVIRONMENTS; e++) {
+        double paper = t->algorithm[a].step[k].paper->figure[e];
+        double ours = t->algorithm[a].step[k].cost.predicted[e];
+        n++;
+        good += fabs(paper / ours - 1) < 0.45;
+        if (fabs(paper / ours - 1) >= 0.45)
+          printf("# %s, %s: %g, not %g\n", t->algorithm[a].algorithm->name,
+                 t->algorithm[a].step[k].step->label, ours, paper);
+      }
+  ok(tap, n >= 100 && good == n, "the survey's figures are its formulas': %d",
+     n);
+
+  const struct table_algorithm *s = tables_algorithm(t, "schumacker");
+  double sum = 0;
+  for (int k = 1; k < s->n_steps; k++)
+    sum += s->step[k].cost.measured[HARBOR];
+  ok(tap, s->step[0].paper->once && near(s->total.measured[HARBOR], sum),
+     "what is not charged in each frame is not in its total");
+  ok(tap,
+     !strcmp(s->paper->name, "Schumacker et al") &&
+         !tables_algorithm(t, "warnock-newell")->paper,
+     "the survey's algorithms have its figures, the others none");
+
+  set(&results, HOUSE, "raycast", "surround tests", 12345);
+  ok(tap,
+     tables_count(t, "raycast", "surround tests", HOUSE) == 12345 &&
+         isnan(tables_count(t, "raycast", "no such counter", HOUSE)) &&
+         isnan(tables_count(t, "no such algorithm", "x", HOUSE)),
+     "counters are found by name, if they are there");
+  tables_delete(t);
+  results_free(&results);
+}
+
+static void test_missing(struct tap *tap) {
+  struct world survey = {0, 0, 1};
+  struct results results = make(&survey);
+  json_t *cell = cell_record(HOUSE, "watkins", json_object());
+  json_object_set_new(cell, "status", json_string("wrong"));
+  json_object_set_new(json_object_get(cell, "counts"), "X merge",
+                      json_integer(1));
+  give(&results, cell);
+  for (int e = 0; e < ENVIRONMENTS; e++) {
+    set(&results, e, "bouknight", "spans", 100);
+    set(&results, e, "watkins", "spans", 200);
+  }
+  struct tables *t = tables_of(&results);
+  const struct table_algorithm *watkins = tables_algorithm(t, "watkins");
+  ok(tap,
+     isnan(tables_cost(t, "watkins", "X merge")->measured[HOUSE]) &&
+         isnan(watkins->total.measured[HOUSE]) &&
+         !isnan(watkins->total.measured[HARBOR]),
+     "a picture that is wrong has no costs");
+  ok(tap,
+     !strcmp(tables_missing(watkins, HOUSE), "wrong") &&
+         !tables_missing(watkins, HARBOR),
+     "and it is told why");
+  ok(tap,
+     find(t, "depth searches lead in Romney and").finding == NOT_MEASURED &&
+         find(t, "fewer sample spans").finding == NOT_BORNE_OUT &&
+         strstr(find(t, "fewer sample spans").evidence, "house: not measured"),
+     "nor can it bear out a claim");
+  tables_delete(t);
+  results_free(&results);
+
+  results = (struct results){.headers = NULL};
+  struct hsr_error err;
+  ok(tap,
+     tables_new(&t, &results, &err) == HSR_E_INPUT && !t &&
+         strstr(err.text, "none of house"),
+     "no results, no tables");
+  struct hsr_table1 table1 = {.n = 500, .m = 500, .F_r = 9};
+  json_t *view = view_record(HOUSE, &table1);
+  json_object_set_new(view, "width", json_integer(512));
+  give(&results, view);
+  ok(tap, tables_new(&t, &results, &err) == HSR_E_INPUT,
+     "nor from those of another size");
+  for (int k = 0; k < MOST_SCENES; k++) {
+    char name[20];
+    snprintf(name, sizeof name, "harbor:%d", k + 1);
+    view = view_record(HOUSE, &table1);
+    json_object_set_new(view, "scene", json_string(name));
+    give(&results, view);
+  }
+  ok(tap,
+     tables_new(&t, &results, &err) == HSR_E_INPUT &&
+         strstr(err.text, "more than 29"),
+     "a ladder can be too long");
+  results_free(&results);
+}
+
+/* --- The claims ------------------------------------------------------------
+ */
+
+static void test_known(struct tap *tap) {
+  struct world survey = {0, 0, 1};
+  struct results results = make(&survey);
+  for (int e = 0; e < ENVIRONMENTS; e++) {
+    set(&results, e, "bouknight", "spans", 200);
+    set(&results, e, "watkins", "spans", 100);
+    set(&results, e, "galimberti", "edge intersection", 1000);
+    set(&results, e, "galimberti", "contour pairs", 800);
+  }
+  struct tables *t = tables_of(&results);
+  struct conclusion c = find(t, "fewer sample spans");
+  ok(tap,
+     c.finding == BORNE_OUT &&
+         !strcmp(c.criterion, "spans / Bouknight's: at most 0.95") &&
+         !strcmp(c.evidence, "house: 0.500; harbor: 0.500; big-harbor: 0.500"),
+     "half of Bouknight's spans are fewer");
+  ok(tap, find(t, "saves about 20 %").finding == BORNE_OUT,
+     "800 of 1000 pairs save 20 %%");
+  tables_delete(t);
+  set(&results, HARBOR, "watkins", "spans", 300);
+  set(&results, HOUSE, "galimberti", "contour pairs", 500);
+  t = tables_of(&results);
+  c = find(t, "fewer sample spans");
+  ok(tap, c.finding == NOT_BORNE_OUT && strstr(c.evidence, "harbor: 1.50;"),
+     "half as many again on one scene are not");
+  ok(tap, find(t, "saves about 20 %").finding == NOT_BORNE_OUT,
+     "nor do 500 of them save 20 %%");
+  tables_delete(t);
+
+  /* A square law but for one size: the interval holds other exponents. */
+  for (int s = 3; s < 9; s++)
+    set(&results, s, "watkins", "X merge", faces[s] * faces[s]);
+  t = tables_of(&results);
+  ok(tap, find(t, "Watkins' X merge grows").finding == BORNE_OUT,
+     "F_r^2 is a square law");
+  tables_delete(t);
+  set(&results, 5, "watkins", "X merge", 2500.0 * 2500 * 100);
+  t = tables_of(&results);
+  ok(tap, find(t, "Watkins' X merge grows").finding == UNDECIDED,
+     "one point far off leaves it undecided");
+  tables_delete(t);
+  for (int s = 3; s < 9; s++)
+    set(&results, s, "watkins", "X merge", faces[s]);
+  t = tables_of(&results);
+  ok(tap, find(t, "Watkins' X merge grows").finding == NOT_BORNE_OUT,
+     "F_r is none");
+  tables_delete(t);
+  results_free(&results);
+}
+
+/* Worlds as the survey has it, near to it, and wild ones, until each claim was
+ * seen to be borne out and not. */
+static void test_flips(struct tap *tap) {
+  enum { MOST = 100 };
+  bool seen[MOST][2] = {{false}};
+  int n = claims_count(), left = 2 * n;
+  must(n <= MOST);
+  for (int trial = 0; trial < 4000 && left; trial++) {
+    static const double wildness[] = {0.1, 0.5, 1, 3};
+    struct world w = {trial ? wildness[trial % 4] : 0,
+                      trial ? 0.25 * (trial % 5) : 0, (uint64_t)trial};
+    struct results results = make(&w);
+    struct tables *t = tables_of(&results);
+    for (int k = 0; k < n; k++) {
+      enum finding f = claims_judge(t, k).finding;
+      if ((f == BORNE_OUT || f == NOT_BORNE_OUT) && !seen[k][f == BORNE_OUT]) {
+        seen[k][f == BORNE_OUT] = true;
+        left--;
+      }
+    }
+    tables_delete(t);
+    results_free(&results);
+  }
+  for (int k = 0; k < n; k++)
+    if (!seen[k][0] || !seen[k][1]) {
+      struct results empty = {.headers = NULL};
+      struct hsr_table1 table1 = {.n = 500};
+      give(&empty, view_record(HOUSE, &table1));
+      struct tables *t = tables_of(&empty);
+      printf("# never %s: %s\n", seen[k][0] ? "borne out" : "contradicted",
+             claims_judge(t, k).claim);
+      tables_delete(t);
+      results_free(&empty);
+    }
+  ok(tap, n >= 15 && left == 0, "each of %d claims can be borne out, and not",
+     n);
+}
+
+static void test_unmeasured(struct tap *tap) {
+  struct results results = {.headers = NULL};
+  struct hsr_table1 table1;
+  double *entry = (double *)&table1;
+  for (size_t k = 0; k < sizeof table1 / sizeof *entry; k++)
+    entry[k] = NAN;
+  give(&results, view_record(HARBOR, &table1));
+  struct tables *t = tables_of(&results);
+  int n = 0;
+  for (int k = 0; k < claims_count(); k++)
+    n += claims_judge(t, k).finding == NOT_MEASURED;
+  ok(tap, n == claims_count(), "without a count nothing is measured");
+  ok(tap, !greene_is_measured(&results), "nor of Greene's figures");
+  tables_delete(t);
+  results_free(&results);
+}
+
+/* --- Greene ----------------------------------------------------------------
+ */
+
+static json_t *cell_of_office(const char *algorithm, json_t *counts) {
+  json_t *cell = cell_record(HOUSE, algorithm, counts);
+  json_object_set_new(cell, "scene", json_string("office:33"));
+  json_object_set_new(cell, "width", json_integer(8));
+  json_object_set_new(cell, "height", json_integer(4));
+  return cell;
+}
+
+static double measure(const struct results *results, struct greene_term over,
+                      struct greene_term under, double factor) {
+  struct greene_figure f = {
+      .what = "", .source = "", .over = over, .under = under, .factor = factor};
+  return greene_measured(&f, results);
+}
+
+#define AT "office:33 1 8x4 "
+#define OF(cell, what) ((struct greene_term){cell, what})
+#define ONE ((struct greene_term){NULL, NULL})
+
+static void test_terms(struct tap *tap) {
+  struct results results = {.headers = NULL};
+  json_t *cell = cell_of_office(
+      "a", json_pack("{si si si}", "reads", 90, "depth tests", 6, "writes", 3));
+  give(&results, cell);
+  ok(tap, measure(&results, OF(AT "a 1", "reads"), ONE, 0) == 90, "a count");
+  ok(tap,
+     near(measure(&results, OF(AT "a 1", "reads+depth tests"),
+                  OF(AT "a 1", "samples"), 0),
+          96.0 / 32),
+     "a sum of counts, a sample");
+  ok(tap,
+     near(measure(&results, OF(AT "a 1", "writes"), OF(AT "a 1", "depth tests"),
+                  1e3),
+          500),
+     "of a thousand");
+  cell = cell_of_office("a", json_pack("{si}", "reads", 640));
+  json_object_set_new(cell, "walk", json_integer(10));
+  json_object_set_new(cell, "starts",
+                      json_pack("[{s[fff]},{s[ff]}]", "seconds", 9.0, .5, 7.0,
+                                "seconds", .25, .75));
+  give(&results, cell);
+  ok(tap,
+     near(measure(&results, OF("office:33 1-10 8x4 a 1", "reads"),
+                  OF("office:33 1-10 8x4 a 1", "samples"), 0),
+          2),
+     "a walk has the samples of all its frames, and is a cell of its own");
+  ok(tap,
+     near(measure(&results, OF("office:33 1-10 8x4 a 1", "seconds"), ONE, 8),
+          2),
+     "the least time of all starts");
+  ok(tap,
+     isnan(measure(&results, OF(AT "a 1", "seconds"), ONE, 0)) &&
+         isnan(measure(&results, OF(AT "a 1", "reads+none"), ONE, 0)) &&
+         isnan(measure(&results, OF(AT "a 1", "read"), ONE, 0)) &&
+         isnan(measure(&results, OF(AT "b 1", "reads"), ONE, 0)) &&
+         isnan(measure(&results, OF(AT "a 1", "reads"), OF(AT "b 1", "samples"),
+                       0)),
+     "what is not there is not measured");
+  cell = cell_of_office("b", json_pack("{si}", "reads", 90));
+  json_object_set_new(cell, "status", json_string("wrong"));
+  give(&results, cell);
+  ok(tap, isnan(measure(&results, OF(AT "b 1", "reads"), ONE, 0)),
+     "nor is what is wrong");
+  ok(tap, !greene_is_measured(&results), "nor all that he does not tell of");
+  results_free(&results);
+}
+
+static bool is(const char *text, const char *wanted) {
+  return text && !strcmp(text, wanted);
+}
+
+static void test_reasons(struct tap *tap) {
+  struct greene_figure f = {.printed = 10, .less = "small", .more = "large"};
+  ok(tap,
+     is(greene_reason(&f, 4.9), "small") && is(greene_reason(&f, 21), "large"),
+     "a reason each way");
+  ok(tap,
+     !greene_reason(&f, 5) && !greene_reason(&f, 20) && !greene_reason(&f, NAN),
+     "none up to a factor of 2, nor of what was not measured");
+  f.more = NULL;
+  ok(tap, is(greene_reason(&f, 21), "not explained"),
+     "nor where none is known");
+  f.printed = NAN;
+  ok(tap, !greene_reason(&f, 21), "nor without a figure of his");
+}
+
+/* The results that stand beside the tables in reports/greene. */
+static void test_report(struct tap *tap) {
+  const char *source = getenv("HSR_SOURCE");
+  char path[4096];
+  struct hsr_error err;
+  must(source != NULL);
+  snprintf(path, sizeof path, "%s/reports/greene/results.ndjson", source);
+  struct results results = {.headers = NULL};
+  must(!results_read(&results, path, &err));
+  int n = 0, measured = 0, explained = 0;
+  for (const struct greene_figure *f = greene_figures; f->what; f++) {
+    double ours = greene_measured(f, &results);
+    if (!f->source)
+      continue;
+    n++;
+    measured += !isnan(ours);
+    explained += !is(greene_reason(f, ours), "not explained");
+    if (isnan(ours) || is(greene_reason(f, ours), "not explained"))
+      printf("# %s: %g, his %g\n", f->what, ours, f->printed);
+  }
+  ok(tap, n > 50 && measured == n, "all %d of his figures are measured", n);
+  ok(tap, explained == n, "and explained, where ours are far off");
+  results_free(&results);
+}
+
+int main(void) {
+  struct tap tap = plan(43);
+  test_growth(&tap);
+  test_survey(&tap);
+  test_missing(&tap);
+  test_known(&tap);
+  test_flips(&tap);
+  test_unmeasured(&tap);
+  test_terms(&tap);
+  test_reasons(&tap);
+  test_report(&tap);
+  return finish(&tap);
+}

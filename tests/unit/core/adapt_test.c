@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The adapters: of a scene adapted in every way, algorithms that demand nothing
+ * make the same picture as the oracle makes of the scene itself; and the pieces
+ * of a face, be it flat or not, cover by parity what it covers. */
+#include "common/exact/screen.h"
+#include "scenes/scenes.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { M = 97, N = 61, VIEWS = 3 };
+
+static const unsigned demands[] = {HSR_TR,
+                                   HSR_CF,
+                                   HSR_NP,
+                                   HSR_TR | HSR_NP,
+                                   HSR_CF | HSR_NP,
+                                   HSR_LS,
+                                   HSR_CF | HSR_NP | HSR_LS | HSR_TP,
+                                   HSR_TR | HSR_NP | HSR_LS | HSR_TP};
+enum { DEMANDS = sizeof demands / sizeof *demands };
+
+static const char *const scenes[] = {
+    "house",      "penetration",  "cyclic-overlap", "non-convex",
+    "behind-eye", "coplanar",     "t-junction",     "color-cube",
+    "soup:200:3", "lattice:40:5", "non-planar"};
+enum { SCENES = sizeof scenes / sizeof *scenes };
+
+struct fixture {
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  uint32_t wanted[M * N], got[M * N];
+};
+
+static void fail(const struct hsr_error *err) {
+  printf("Bail out! %s\n", err->text);
+  exit(99);
+}
+
+static void open_scene(struct fixture *x, const char *name) {
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_import import = {.drop_degenerate = false};
+  if (hsr_scene_open(name, &import, &x->scene, &err) ||
+      hsr_scene_add_orbit(x->scene, VIEWS) ||
+      hsr_world_init(&x->world, x->scene, &err))
+    fail(&err);
+}
+
+static void close_scene(struct fixture *x) {
+  hsr_world_free(&x->world);
+  hsr_scene_delete(x->scene);
+  free(x);
+}
+
+/* Samples that differ from `wanted`, by an algorithm that is told to demand
+ * what the adapters give. */
+static long differences(struct fixture *x, const struct hsr_view *view,
+                        const char *name, unsigned demanded) {
+  struct hsr_algorithm algorithm = *hsr_algorithm_find(name)->plain;
+  algorithm.restrictions = demanded;
+  draw_ids(&algorithm, &x->world, view, x->got, NULL);
+  return count_differences(view, x->got, x->wanted);
+}
+
+static void check_pictures(struct tap *tap, struct fixture *x,
+                           const char *name) {
+  static const char *const algorithms[] = {"raycast", "watkins"};
+  long wrong = 0;
+  bool flat = true; /* the triangles of other polygons overlap from some eyes */
+  for (uint32_t f = 0; f < x->world.n_faces; f++)
+    flat &= x->world.deviation[f] == 0;
+  for (uint32_t v = 0; v < VIEWS; v++) {
+    struct hsr_view view;
+    struct hsr_error err = {.text = ""};
+    if (hsr_view_init(&view, &x->scene->views[v], M, N, &err))
+      fail(&err);
+    draw_ids(hsr_algorithm_find("oracle")->plain, &x->world, &view, x->wanted,
+             NULL);
+    for (int d = 0; d < DEMANDS; d++)
+      for (int a = 0; a < 2 && (flat || !(demands[d] & HSR_TR)); a++) {
+        long w = differences(x, &view, algorithms[a], demands[d]);
+        wrong += w;
+        if (w)
+          printf("# v%u %s demand %u: %ld\n", v, algorithms[a], demands[d], w);
+      }
+  }
+  ok(tap, !wrong, "%s: the adapted scene's pictures are the scene's (%ld off)",
+     name, wrong);
+}
+
+/* What the adapters promise of the faces. */
+static void check_faces(struct tap *tap, struct fixture *x, const char *name) {
+  struct hsr_error err = {.text = ""};
+  struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
+  algorithm.restrictions = HSR_TR | HSR_NP;
+  struct hsr_setup setup;
+  if (hsr_setup_init(&setup, &algorithm, NULL, &x->world, &err))
+    fail(&err);
+  bool good = setup.world->all_triangles;
+  for (uint32_t f = 0; f + 1 < setup.world->n_faces; f++)
+    good &= hsr_world_parent(setup.world, f) <=
+            hsr_world_parent(setup.world, f + 1);
+  ok(tap, good, "%s: triangles, in the order of their parents (%u of %u)", name,
+     setup.world->n_faces, x->world.n_faces);
+  hsr_setup_free(&setup);
+}
+
+/* How often the tree has each cluster; false if it has no end. */
+static bool walk_tree(const struct hsr_clusters *c, uint32_t *found) {
+  static uint32_t open[1 << 16];
+  uint32_t n_open = 1, n_separators = 0;
+  open[0] = c->root;
+  while (n_open) {
+    uint32_t next = open[--n_open];
+    if (next & HSR_IS_CLUSTER) {
+      found[next & ~HSR_IS_CLUSTER]++;
+      continue;
+    }
+    if (++n_separators > c->n_separators || n_separators >= (1 << 15))
+      return false;
+    open[n_open++] = c->separator[next].front;
+    open[n_open++] = c->separator[next].behind;
+  }
+  return n_separators == c->n_separators;
+}
+
+/* Every cluster is in the tree once, and every oriented face in one cluster, or
+ * thick. */
+static void check_clusters(struct tap *tap, struct fixture *x, const char *name,
+                           unsigned demanded) {
+  struct hsr_error err = {.text = ""};
+  struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
+  algorithm.restrictions = demanded;
+  struct hsr_setup setup;
+  if (hsr_setup_init(&setup, &algorithm, NULL, &x->world, &err))
+    fail(&err);
+  const struct hsr_world *world = setup.world;
+  const struct hsr_clusters *c = world->clusters;
+  uint32_t *times =
+      calloc(2 * (size_t)world->n_faces + c->n_clusters, sizeof *times);
+  uint32_t *found = times + 2 * (size_t)world->n_faces;
+  bool good = walk_tree(c, found);
+  for (uint32_t k = 0; k < c->n_clusters; k++)
+    good &= found[k] == 1 && c->start[k] <= c->start[k + 1];
+  for (uint32_t k = 0; k < c->start[c->n_clusters]; k++)
+    times[c->order[k]]++;
+  for (uint32_t k = 0; k < c->n_thick; k++)
+    times[c->thick[k]]++;
+  uint32_t n_empty = 0;
+  for (uint32_t f = 0; f < world->n_faces; f++) {
+    good &= times[2 * f] <= 1;
+    good &= times[2 * f + 1] == (world->one_sided[f] ? 0 : times[2 * f]);
+    n_empty += !times[2 * f];
+  }
+  ok(tap, good && n_empty == 0, "%s: %u faces in %u clusters%s, %u without",
+     name, world->n_faces, c->n_clusters,
+     demanded & HSR_TP ? " with priorities" : "", n_empty);
+  free(times);
+  hsr_setup_free(&setup);
+}
+
+/* --- Covering by parity ----------------------------------------------------
+ */
+
+/* Turns, in odd[], the faces of the scene that faces of a world cover (i, j).
+ */
+static void turn(const struct hsr_screen *screen, int i, int j, bool *odd,
+                 struct hsr_tally *tally) {
+  for (uint32_t r = 0; r < screen->n_relevant; r++) {
+    uint32_t f = screen->relevant[r];
+    const struct hsr_bounds *b = &screen->bounds[f];
+    if (i >= b->x0 && i < b->x1 && j >= b->y0 && j < b->y1)
+      odd[hsr_world_parent(screen->world, f)] ^=
+          hsr_covers(screen, f, i, j, tally);
+  }
+}
+
+/* Samples of faces that their pieces do not cover as they do. */
+static long uncovered(const struct hsr_world *world,
+                      const struct hsr_world *adapted,
+                      const struct hsr_view *view, long *covered) {
+  struct hsr_arena arena = HSR_ARENA_EMPTY;
+  struct hsr_tally tally = {.out_of_memory = false};
+  struct hsr_screen whole, pieces;
+  struct hsr_error err = {.text = "out of memory"};
+  bool *odd = HSR_NEW_ZEROED(&arena, bool, world->n_faces);
+  if (!odd || hsr_screen_make(&whole, world, view, &arena, &tally) ||
+      hsr_screen_make(&pieces, adapted, view, &arena, &tally))
+    fail(&err);
+  long n = 0;
+  for (int j = 0; j < view->n; j++)
+    for (int i = 0; i < view->m; i++) {
+      turn(&whole, i, j, odd, &tally);
+      for (uint32_t f = 0; f < world->n_faces; f++)
+        *covered += odd[f];
+      turn(&pieces, i, j, odd, &tally);
+      for (uint32_t f = 0; f < world->n_faces; f++) {
+        n += odd[f];
+        odd[f] = false;
+      }
+    }
+  hsr_arena_free(&arena);
+  return n;
+}
+
+static void check_parity(struct tap *tap, struct fixture *x, const char *name) {
+  long wrong = 0, covered = 0;
+  for (int d = 0; d < DEMANDS; d++) {
+    struct hsr_error err = {.text = ""};
+    struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
+    algorithm.restrictions = demands[d];
+    struct hsr_setup setup;
+    if (hsr_setup_init(&setup, &algorithm, NULL, &x->world, &err))
+      fail(&err);
+    for (uint32_t v = 0; v < x->scene->n_views; v++) {
+      struct hsr_view view;
+      if (hsr_view_init(&view, &x->scene->views[v], M / 2, N / 2, &err))
+        fail(&err);
+      wrong += uncovered(&x->world, setup.world, &view, &covered);
+    }
+    hsr_setup_free(&setup);
+  }
+  ok(tap, !wrong && covered, "%s: pieces cover what faces do (%ld off in %ld)",
+     name, wrong, covered);
+}
+
+int main(void) {
+  static const char *const warped[] = {"non-planar", "non-convex", "behind-eye",
+                                       "lattice:40:6"};
+  enum { WARPED = sizeof warped / sizeof *warped };
+  struct tap tap = plan(4 * SCENES + WARPED);
+  for (int s = 0; s < SCENES; s++) {
+    struct fixture *x = calloc(1, sizeof *x);
+    if (!x)
+      return 99;
+    open_scene(x, scenes[s]);
+    check_pictures(&tap, x, scenes[s]);
+    check_faces(&tap, x, scenes[s]);
+    check_clusters(&tap, x, scenes[s], HSR_LS);
+    check_clusters(&tap, x, scenes[s], HSR_CF | HSR_NP | HSR_LS | HSR_TP);
+    close_scene(x);
+  }
+  for (int s = 0; s < WARPED; s++) {
+    struct fixture *x = calloc(1, sizeof *x);
+    if (!x)
+      return 99;
+    open_scene(x, warped[s]);
+    check_parity(&tap, x, warped[s]);
+    close_scene(x);
+  }
+  return finish(&tap);
+}

@@ -1,0 +1,343 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the filtered picture is made of (docs/filtered-picture.md): weights,
+ * jitter, views of sub-samples, colours and sums. */
+#include "common/answers/filter.h"
+#include "common/answers/picture.h"
+#include "scenes/scenes.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BITS = 64, COLUMNS = 11, ROWS = 7, PIXELS = COLUMNS * ROWS };
+
+static void stop(const char *name, const char *text) {
+  printf("Bail out! %s: %s\n", name, text);
+  exit(99);
+}
+
+/* --- Weights -------------------------------------------------------------- */
+
+/* The kernel as one square of 24 x 24 sub-samples about the pixel that gets:
+ * what lies in the pixel to its left adds to the one at its own right. */
+static uint32_t at(const struct hsr_kernel *kernel, int x, int y) {
+  return kernel->weight[2 - y / 8][2 - x / 8][8 * (y % 8) + x % 8];
+}
+
+static double hump(int x, int y) {
+  double r = hypot(x - 11.5, y - 11.5) / 8;
+  return r < 1 ? (1 + cos(3.14159265358979323846 * r)) / 2 : 0;
+}
+
+static void test_weights(struct tap *tap, enum hsr_filter filter,
+                         const char *name) {
+  struct hsr_kernel kernel;
+  hsr_kernel_init(&kernel, filter);
+  uint64_t sum = 0;
+  bool symmetric = true, as_defined = true, rows = true, outside = false;
+  double whole = 0, nearest_half = 1;
+  for (int k = 0; k < 24 * 24; k++)
+    whole += hump(k % 24, k / 24);
+  for (int k = 0; k < 24 * 24; k++) {
+    int x = k % 24, y = k / 24;
+    uint32_t weight = at(&kernel, x, y);
+    sum += weight;
+    symmetric &= weight == at(&kernel, 23 - x, y) &&
+                 weight == at(&kernel, x, 23 - y) &&
+                 weight == at(&kernel, y, x);
+    bool inside = x / 8 == 1 && y / 8 == 1;
+    bool middle = (x == 11 || x == 12) && (y == 11 || y == 12);
+    double exact = 65536 * hump(x, y) / whole, rest = exact - floor(exact);
+    nearest_half = fmin(nearest_half, fabs(rest - 0.5));
+    outside |= !inside && weight;
+    as_defined &= filter == HSR_FILTER_BOX
+                      ? weight == (inside ? 1024u : 0u)
+                      : weight == (uint32_t)lround(exact) + 3u * middle;
+  }
+  for (int k = 0; k < 9 * 8 * 256; k++) {
+    int place = k / 8 / 256, b = k / 256 % 8, byte = k % 256;
+    uint32_t few = 0;
+    for (int a = 0; a < 8; a++)
+      few += (uint32_t)(byte >> a & 1) *
+             kernel.weight[place / 3][place % 3][8 * b + a];
+    rows &= few == kernel.row[place / 3][place % 3][b][byte];
+  }
+  ok(tap, sum == HSR_WHOLE_WEIGHT, "%s: all weights are %u", name,
+     HSR_WHOLE_WEIGHT);
+  ok(tap, symmetric && as_defined && nearest_half > 0.03,
+     "%s: they are as defined, symmetric, and none is near a half", name);
+  ok(tap, rows && outside == (kernel.reach == 1),
+     "%s: bytes of a mask weigh what their bits do", name);
+}
+
+/* --- Jitter --------------------------------------------------------------- */
+
+static bool is_place(double v) {
+  double sixteenth = (v * 32 + 15) / 2;
+  return sixteenth == floor(sixteenth) && sixteenth >= 0 && sixteenth < 16;
+}
+
+static void test_jitter(struct tap *tap) {
+  bool good = true;
+  int used[2][16] = {{0}};
+  struct hsr_jitter jitter[HSR_MOST_PATTERNS];
+  for (int p = 0; p < HSR_MOST_PATTERNS; p++) {
+    hsr_jitter_init(&jitter[p], p);
+    for (int bit = 0; bit < BITS; bit++) {
+      good &= is_place(jitter[p].x[bit]) && is_place(jitter[p].y[bit]);
+      used[0][(int)(jitter[p].x[bit] * 16 + 7.5) & 15]++;
+      used[1][(int)(jitter[p].y[bit] * 16 + 7.5) & 15]++;
+    }
+    for (int q = 0; q < p; q++)
+      good &= memcmp(&jitter[p], &jitter[q], sizeof jitter[p]) != 0;
+  }
+  for (int k = 0; k < 32; k++) /* 64 each, if they were all alike */
+    good &= used[k / 16][k % 16] > 32 && used[k / 16][k % 16] < 96;
+  ok(tap, good, "jitter: odd 32nds within the sub-sample, in 16 patterns");
+  ok(tap, jitter[0].x[0] == -1 / 32.0 && jitter[0].y[0] == 13 / 32.0,
+     "jitter: the first place is the one of the definition");
+}
+
+static void test_patterns(struct tap *tap) {
+  enum { SIDE = 400 };
+  bool good = true;
+  for (int n = 0; n <= HSR_MOST_PATTERNS; n++) {
+    struct hsr_filtering filtering = {HSR_FILTER_BOX, n};
+    long used[HSR_MOST_PATTERNS] = {0}, same = 0, all = (long)SIDE * SIDE;
+    for (int k = 0; k < SIDE * SIDE; k++) {
+      int i = k % SIDE, j = k / SIDE;
+      int p = hsr_jitter_pattern(&filtering, i, j);
+      good &= n ? p >= 0 && p < n : p == -1;
+      if (n && p >= 0)
+        used[p]++;
+      same += p == hsr_jitter_pattern(&filtering, i + 1, j);
+      same += p == hsr_jitter_pattern(&filtering, i, j + 1);
+    }
+    for (int p = 0; p < n; p++) /* within a tenth of what chance gives */
+      good &= labs(used[p] * n - all) < all / 10;
+    good &= n < 2 || labs(same * n - 2 * all) < all / 5;
+  }
+  ok(tap, good, "jitter: patterns are used alike, by neighbours as by chance");
+}
+
+/* --- Views ---------------------------------------------------------------- */
+
+struct stage {
+  struct hsr_scene *scene;
+  struct hsr_world world, outline;
+  struct hsr_view pixels, fine; /* m x n, 8 m x 8 n */
+};
+
+static void open_stage(struct stage *stage, const char *name) {
+  struct hsr_error err = {.text = "out of memory"};
+  if (hsr_scene_open(name, NULL, &stage->scene, &err) ||
+      hsr_world_init(&stage->world, stage->scene, &err) ||
+      hsr_world_outline(&stage->outline, stage->scene, &err) ||
+      hsr_view_init(&stage->pixels, &stage->scene->views[0], COLUMNS, ROWS,
+                    &err) ||
+      hsr_view_init(&stage->fine, &stage->scene->views[0], 8 * COLUMNS,
+                    8 * ROWS, &err))
+    stop(name, err.text);
+}
+
+static void close_stage(struct stage *stage) {
+  hsr_world_free(&stage->world);
+  hsr_world_free(&stage->outline);
+  hsr_scene_delete(stage->scene);
+}
+
+/* Is x = (2 s - m)/m the same number in both? The products are exact. */
+static bool same_place(double s, int m, double fine) {
+  return 8 * (2 * s - m) == 2 * fine - 8 * m;
+}
+
+static void test_rays(struct tap *tap, const struct stage *stage) {
+  const struct hsr_view *fine = &stage->fine;
+  bool good = true;
+  for (int bit = 0; bit < BITS; bit++) {
+    struct hsr_view view = hsr_subsample_view(&stage->pixels, -1, bit);
+    good &= !memcmp(view.E, fine->E, sizeof view.E) &&
+            !memcmp(view.F, fine->F, sizeof view.F) &&
+            !memcmp(view.R, fine->R, sizeof view.R) &&
+            !memcmp(view.U, fine->U, sizeof view.U);
+    for (int i = 0; i < COLUMNS; i++)
+      good &= same_place(hsr_sample_x(&view, i), COLUMNS,
+                         hsr_sample_x(fine, 8 * i + bit % 8));
+    for (int j = 0; j < ROWS; j++)
+      good &= same_place(hsr_sample_y(&view, j), ROWS,
+                         hsr_sample_y(fine, 8 * j + bit / 8));
+  }
+  ok(tap, good, "a sub-sample has the ray of a sample of the finer picture");
+}
+
+static void test_offsets(struct tap *tap, const struct stage *stage) {
+  bool good = true;
+  for (int k = 0; k < HSR_MOST_PATTERNS * BITS; k++) {
+    int p = k / BITS, bit = k % BITS;
+    struct hsr_jitter jitter;
+    hsr_jitter_init(&jitter, p);
+    struct hsr_view view = hsr_subsample_view(&stage->pixels, p, bit);
+    /* 256 times the offset: an exact integer, in the sub-sample's square. */
+    double x = 256 * view.offset_x + 128, y = 256 * view.offset_y + 128;
+    good &= x == 32 * (bit % 8) + 16 + 32 * jitter.x[bit] &&
+            y == 32 * (bit / 8) + 16 + 32 * jitter.y[bit] && x > 0 && x < 256 &&
+            y > 0 && y < 256;
+  }
+  ok(tap, good, "a jittered sub-sample is exactly where the pattern says");
+}
+
+/* --- Colours -------------------------------------------------------------- */
+
+/* Of every face: the same from a world that is laid out, an outline, an extract
+ * and, where it is given, of pieces; and near that of the unfiltered picture.
+ */
+static void test_colours(struct tap *tap, const struct stage *stage,
+                         const struct hsr_world *pieces) {
+  const struct hsr_world *world = &stage->world;
+  struct hsr_world extract;
+  struct hsr_error err = {.text = "out of memory"};
+  const uint32_t id[] = {world->n_faces - 1};
+  if (hsr_world_extract(&extract, &stage->outline, id, 1, &err))
+    stop("extract", err.text);
+  const struct hsr_world *others[] = {&stage->outline, &extract, pieces};
+  bool same = true, near = true, none = true;
+  long different = 0;
+  for (uint32_t f = 0; f <= world->n_faces; f++) {
+    uint32_t face = f < world->n_faces ? f : HSR_BACKGROUND;
+    uint16_t rgb[3], other[3];
+    float wanted[3];
+    hsr_filter_colour(world, &stage->pixels, world->n_faces + f, rgb);
+    none &= !rgb[0] && !rgb[1] && !rgb[2];
+    hsr_filter_colour(world, &stage->pixels, face, rgb);
+    hsr_picture_colour(world, &stage->pixels, face, HSR_SHADE_LAMBERT, wanted);
+    for (int k = 0; k < 3 && others[k]; k++) {
+      hsr_filter_colour(others[k], &stage->pixels, face, other);
+      same &= !memcmp(rgb, other, sizeof rgb);
+    }
+    for (int c = 0; c < 3; c++) {
+      near &= fabs(rgb[c] - 65535.0 * (double)wanted[c]) <= 0.5;
+      different += c && rgb[c] != rgb[0];
+    }
+  }
+  ok(tap, same && near && none && different > 0,
+     "%s: %u faces have one colour, however they are held%s",
+     stage->scene->name, world->n_faces, pieces ? ", in pieces too" : "");
+  hsr_world_free(&extract);
+}
+
+static void test_pieces(struct tap *tap) {
+  struct stage stage;
+  open_stage(&stage, "penetration");
+  struct hsr_setup setup;
+  struct hsr_error err = {.text = "out of memory"};
+  if (hsr_setup_init(&setup, hsr_algorithm_find("romney")->plain, NULL,
+                     &stage.world, &err))
+    stop("penetration", err.text);
+  if (!setup.world->pieces || setup.world->n_faces <= stage.world.n_faces)
+    stop("penetration", "nothing is divided");
+  test_colours(tap, &stage, setup.world);
+  hsr_setup_free(&setup);
+  close_stage(&stage);
+}
+
+/* --- Sums ----------------------------------------------------------------- */
+
+/* A picture of one colour is of that colour up to its borders. */
+static void test_borders(struct tap *tap, enum hsr_filter filter,
+                         const char *name) {
+  static const int sizes[][2] = {{1, 1}, {1, 4}, {3, 1}, {5, 4}};
+  const uint16_t colour[3] = {65535, 1, 30000};
+  struct hsr_kernel kernel;
+  hsr_kernel_init(&kernel, filter);
+  bool good = true, full = false;
+  for (int s = 0; s < 4; s++) {
+    int m = sizes[s][0], n = sizes[s][1];
+    uint32_t sums[3 * 20] = {0};
+    float rgb[3 * 20];
+    for (int k = 0; k < m * n; k++)
+      hsr_filter_add(&kernel, m, n, k % m, k / m, UINT64_MAX, colour, sums);
+    struct hsr_filtering filtering = {filter, 0};
+    hsr_filter_finish(&filtering, m, n, sums, rgb);
+    for (int k = 0; k < 3 * m * n; k++) {
+      good &= rgb[k] == (float)(colour[k % 3] / 65535.0);
+      full |= sums[k] == 65535 * HSR_WHOLE_WEIGHT;
+    }
+  }
+  ok(tap, good && full,
+     "%s: one colour stays that at the borders, and white does not overflow",
+     name);
+}
+
+/* The definition, at the pixel that gets. */
+static void define_sums(const struct stage *stage, enum hsr_filter filter,
+                        const uint32_t *ids, uint32_t *sums) {
+  struct hsr_kernel kernel;
+  hsr_kernel_init(&kernel, filter);
+  memset(sums, 0, 3 * PIXELS * sizeof *sums);
+  for (int k = 0; k < 64 * PIXELS; k++) {
+    int x = k % (8 * COLUMNS), y = k / (8 * COLUMNS);
+    uint16_t rgb[3];
+    hsr_filter_colour(&stage->world, &stage->pixels, ids[k], rgb);
+    for (int p = 0; p < PIXELS; p++) {
+      int u = x - 8 * (p % COLUMNS - 1), v = y - 8 * (p / COLUMNS - 1);
+      bool reaches = u >= 0 && u < 24 && v >= 0 && v < 24;
+      for (int c = 0; reaches && c < 3; c++)
+        sums[3 * p + c] += at(&kernel, u, v) * rgb[c];
+    }
+  }
+}
+
+/* All ways of adding give the sums of the definition. */
+static void test_sums(struct tap *tap, const struct stage *stage,
+                      enum hsr_filter filter, const char *name) {
+  static uint32_t ids[64 * PIXELS], few[PIXELS], defined[3 * PIXELS],
+      picture[3 * PIXELS], parts[3 * PIXELS];
+  const struct hsr_algorithm *a = hsr_algorithm_find("zbuffer")->plain;
+  struct hsr_filtering filtering = {filter, 0};
+  struct hsr_kernel kernel;
+  hsr_kernel_init(&kernel, filter);
+  memset(picture, 0, sizeof picture);
+  memset(parts, 0, sizeof parts);
+  draw_ids(a, &stage->world, &stage->fine, ids, NULL);
+  define_sums(stage, filter, ids, defined);
+  hsr_filter_add_picture(&kernel, &stage->outline, &stage->pixels, ids,
+                         picture);
+  for (int bit = BITS - 1; bit >= 0; bit--) {
+    struct hsr_view view = hsr_subsample_view(&stage->pixels, -1, bit);
+    draw_ids(a, &stage->world, &view, few, NULL);
+    hsr_filter_add_subsample(&kernel, &filtering, &stage->world, &stage->pixels,
+                             -1, bit, few, parts);
+  }
+  ok(tap, !memcmp(picture, defined, sizeof defined),
+     "%s: a picture of 8 x 8 samples a pixel gives the sums", name);
+  ok(tap, !memcmp(parts, defined, sizeof defined),
+     "%s: and so do 64 pictures of one sub-sample each", name);
+}
+
+int main(void) {
+  struct tap tap = plan(21);
+  test_weights(&tap, HSR_FILTER_BOX, "box");
+  test_weights(&tap, HSR_FILTER_COSINE, "cosine");
+  test_jitter(&tap);
+  test_patterns(&tap);
+  struct stage stage;
+  open_stage(&stage, "house");
+  test_rays(&tap, &stage);
+  test_offsets(&tap, &stage);
+  test_colours(&tap, &stage, NULL);
+  test_borders(&tap, HSR_FILTER_BOX, "box");
+  test_borders(&tap, HSR_FILTER_COSINE, "cosine");
+  test_sums(&tap, &stage, HSR_FILTER_BOX, "box");
+  test_sums(&tap, &stage, HSR_FILTER_COSINE, "cosine");
+  close_stage(&stage);
+  open_stage(&stage, "office:2");
+  test_colours(&tap, &stage, NULL);
+  close_stage(&stage);
+  open_stage(&stage, "non-planar");
+  test_colours(&tap, &stage, NULL);
+  close_stage(&stage);
+  test_pieces(&tap);
+  return finish(&tap);
+}

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mesh files: the same cube in every format, its solidity, and what is dropped.
+#include "common/files/mesh/exchange.h"
+#include "tests/tap.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <unistd.h>
+
+namespace {
+
+/*     7----6
+ *    /|   /|     six quadrilaterals, counter-clockwise from outside;
+ *   4----5 |     0.1 has no exact double, so that a reader's rounding shows
+ *   | 3--|-2
+ *   |/   |/
+ *   0----1      */
+const double CUBE[8][3] = {{0, 0, 0},       {0.1, 0, 0},  {0.1, 0, 0.1},
+                           {0, 0, 0.1},     {0, 0.1, 0},  {0.1, 0.1, 0},
+                           {0.1, 0.1, 0.1}, {0, 0.1, 0.1}};
+const int FACES[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1},
+                         {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
+
+std::string directory;
+
+std::string file(const std::string &name, const std::string &text) {
+  const std::string path = directory + "/" + name;
+  std::FILE *out = std::fopen(path.c_str(), "wb");
+  if (!out || std::fwrite(text.data(), 1, text.size(), out) != text.size() ||
+      std::fclose(out))
+    std::exit(99);
+  return path;
+}
+
+std::string numbers(const double *p) {
+  char text[100];
+  std::snprintf(text, sizeof text, "%.17g %.17g %.17g\n", p[0], p[1], p[2]);
+  return text;
+}
+
+std::string corners(const int *face, int first) {
+  char text[100];
+  std::snprintf(text, sizeof text, "%d %d %d %d", face[0] + first,
+                face[1] + first, face[2] + first, face[3] + first);
+  return text;
+}
+
+std::string points() {
+  std::string text;
+  for (const auto &p : CUBE)
+    text += numbers(p);
+  return text;
+}
+
+std::string cube_off(int n_faces = 6) {
+  std::string text = "OFF\n8 " + std::to_string(n_faces) + " 0\n" + points();
+  for (int f = 0; f < n_faces; f++)
+    text += "4 " + corners(FACES[f], 0) + "\n";
+  return text;
+}
+
+std::string cube_obj() {
+  std::string text;
+  for (const auto &p : CUBE)
+    text += "v " + numbers(p);
+  for (const auto &f : FACES)
+    text += "f " + corners(f, 1) + "\n";
+  return text;
+}
+
+std::string cube_ply() {
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 8\n"
+                     "property double x\nproperty double y\nproperty double z\n"
+                     "element face 6\nproperty list uchar int vertex_indices\n"
+                     "end_header\n" +
+                     points();
+  for (const auto &f : FACES)
+    text += "4 " + corners(f, 0) + "\n";
+  return text;
+}
+
+std::string cube_vtp() {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\"><PolyData><Piece NumberOfPoints=\"8\" "
+      "NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+      "NumberOfPolys=\"6\"><Points><DataArray type=\"Float64\" "
+      "NumberOfComponents=\"3\" format=\"ascii\">" +
+      points() +
+      "</DataArray></Points><Polys><DataArray type=\"Int64\" "
+      "Name=\"connectivity\" format=\"ascii\">";
+  for (const auto &f : FACES)
+    text += corners(f, 0) + " ";
+  return text + "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" "
+                "format=\"ascii\">4 8 12 16 20 24</DataArray></Polys></Piece>"
+                "</PolyData></VTKFile>\n";
+}
+
+/* Two triangles for each face, every corner written out. */
+std::string cube_stl() {
+  std::string text = "solid cube\n";
+  for (const auto &f : FACES)
+    for (int half = 0; half < 2; half++) {
+      text += "facet normal 0 0 0\nouter loop\n";
+      for (int k : {0, 1 + half, 2 + half})
+        text += "vertex " + numbers(CUBE[f[k]]);
+      text += "endloop\nendfacet\n";
+    }
+  return text + "endsolid cube\n";
+}
+
+/* The one object of a file, or NULL. The scene is the caller's. */
+struct hsr_object *read(struct hsr_scene *scene, const std::string &path,
+                        struct hsr_import *import) {
+  struct hsr_error err = {HSR_OK, ""};
+  if (hsr_mesh_read(scene, path.c_str(), import, &err)) {
+    std::printf("# %s\n", err.text);
+    return nullptr;
+  }
+  return &scene->objects[0];
+}
+
+/* The cube as it was written: every bit of it, polygons as polygons. */
+void try_cube(tap *t, const std::string &path) {
+  struct hsr_scene *scene = hsr_scene_new("");
+  const struct hsr_object *o = read(scene, path, nullptr);
+  bool same = o && o->n_vertices == 8 && o->n_faces == 6 &&
+              !std::memcmp(o->xyz, CUBE, sizeof CUBE);
+  for (uint32_t f = 0; same && f < 6; f++)
+    for (uint32_t k = 0; k < 4; k++)
+      same = same && o->start[f + 1] - o->start[f] == 4 &&
+             o->vertex[o->start[f] + k] == uint32_t(FACES[f][k]);
+  ok(t, same, "%s: the cube, bit for bit", path.c_str());
+  ok(t, o && o->one_sided, "a solid, so one-sided");
+  ok(t, o && !std::strcmp(o->name, "cube"), "named after the file");
+  hsr_scene_delete(scene);
+}
+
+void try_stl(tap *t) {
+  struct hsr_scene *scene = hsr_scene_new("");
+  const struct hsr_object *o =
+      read(scene, file("cube.stl", cube_stl()), nullptr);
+  ok(t, o && o->n_faces == 12 && o->n_vertices == 8,
+     "equal corners of an .stl are one vertex");
+  ok(t, o && o->one_sided, "so that it is a solid");
+  hsr_scene_delete(scene);
+}
+
+void try_solidity(tap *t) {
+  struct hsr_scene *scene = hsr_scene_new("");
+  const struct hsr_object *open =
+      read(scene, file("open.off", cube_off(5)), nullptr);
+  ok(t, open && !open->one_sided, "an open mesh is two-sided");
+  hsr_scene_delete(scene);
+
+  std::string inward = "OFF\n8 6 0\n" + points();
+  for (const auto &f : FACES) {
+    const int turned[4] = {f[3], f[2], f[1], f[0]};
+    inward += "4 " + corners(turned, 0) + "\n";
+  }
+  scene = hsr_scene_new("");
+  const struct hsr_object *inside =
+      read(scene, file("inside.off", inward), nullptr);
+  ok(t, inside && !inside->one_sided, "a mesh inside out is two-sided");
+  hsr_scene_delete(scene);
+}
+
+/* Of four faces one repeats a vertex and one has no area. */
+void try_degenerate(tap *t) {
+  const std::string path =
+      file("poor.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n"
+                       "3 0 1 2\n3 0 0 2\n3 0 1 4\n4 0 1 2 3\n");
+  struct hsr_scene *scene = hsr_scene_new("");
+  struct hsr_error err = {HSR_OK, ""};
+  ok(t,
+     hsr_mesh_read(scene, path.c_str(), nullptr, &err) == HSR_E_INPUT &&
+         scene->n_objects == 0,
+     "degenerate faces are refused, and nothing is left: %s", err.text);
+  struct hsr_import import = {true, 0};
+  const struct hsr_object *o = read(scene, path, &import);
+  ok(t, o && o->n_faces == 2 && import.n_dropped == 2,
+     "or dropped and counted: %llu", (unsigned long long)import.n_dropped);
+  hsr_scene_delete(scene);
+}
+
+void try_colours(tap *t) {
+  struct hsr_scene *scene = hsr_scene_new("");
+  const struct hsr_object *o = read(
+      scene,
+      file("red.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"),
+      nullptr);
+  ok(t, o && o->rgb && o->rgb[0] == 1 && o->rgb[1] == 0,
+     "the colour of a face is kept");
+  hsr_scene_delete(scene);
+}
+
+} // namespace
+
+int main() {
+  char name[] = "/tmp/hsr-exchange-XXXXXX";
+  if (!mkdtemp(name))
+    return 99;
+  directory = name;
+  const bool vtk = hsr_exchange_has_vtk();
+  struct tap t = plan(3 * 3 + (vtk ? 3 : 0) + 2 + 2 + 2 + 1);
+  try_cube(&t, file("cube.off", cube_off()));
+  try_cube(&t, file("cube.obj", cube_obj()));
+  try_cube(&t, file("cube.ply", cube_ply()));
+  if (vtk)
+    try_cube(&t, file("cube.vtp", cube_vtp()));
+  try_stl(&t);
+  try_solidity(&t);
+  try_degenerate(&t);
+  try_colours(&t);
+  const std::string clean = "rm -rf '" + directory + "'";
+  return finish(&t) | (std::system(clean.c_str()) != 0);
+}
