@@ -62,14 +62,32 @@ struct hsr_sort {
   const char *often;  /* "once a frame" */
 };
 
-/* A cost step, as in Table III: cost = factor * count. */
+/* What a count costs: factor * count; factor is the complexity factor of
+ * appendix B. */
+struct hsr_term {
+  int counter; /* index into the algorithm's counters */
+  double factor;
+};
+
+/* A cost step, as in Table III: cost = factor * count, and likewise for `more`.
+ */
+#define HSR_MORE_TERMS 4
 struct hsr_step {
-  const char *label;   /* "X merge" */
-  int counter;         /* index into the algorithm's counters */
-  double factor;       /* complexity factor, appendix B */
+  const char *label; /* "X merge" */
+  int counter;
+  double factor;
   const char *formula; /* the paper's prediction of the cost, or NULL */
   double (*predict)(const struct hsr_table1 *); /* the same; NULL: none made */
+  struct hsr_term more[HSR_MORE_TERMS];         /* ended by .factor == 0 */
 };
+
+/* A line of an algorithm's outline: its pseudocode, in the paper's words. */
+struct hsr_line {
+  const char *text;  /* two blanks before it for each level of nesting */
+  uint64_t counters; /* HSR_RAISES(k): steps of counter k are taken here; each
+                        counter belongs to one line */
+};
+#define HSR_RAISES(counter) (UINT64_C(1) << (counter))
 
 /* A word that an option may be. */
 struct hsr_word {
@@ -144,13 +162,15 @@ struct hsr_algorithm {
   enum hsr_branch taxonomy;
   const char *sort_order; /* "YXZ"; NULL if it has none */
   const char *coherence;  /* what it bets on; NULL if nothing */
-  unsigned restrictions;  /* HSR_CC ... (common/adapt/adapt.h): the world that prepare
+  unsigned
+      restrictions; /* HSR_CC ... (common/adapt/adapt.h): the world that prepare
                              and render get is adapted to these */
   enum hsr_kind kind;
   unsigned flags;
   const struct hsr_sort *sorts;       /* ended by .what == NULL; NULL: none */
   const struct hsr_counter *counters; /* ended by .name == NULL; NULL: none */
   const struct hsr_step *steps;       /* ended by .label == NULL; NULL: none */
+  const struct hsr_line *outline;     /* ended by .text == NULL */
   const struct hsr_option *options;   /* ended by .name == NULL; NULL: none */
 
   /* About how many elementary comparisons a view takes, by which a harness
@@ -202,6 +222,15 @@ enum hsr_kind hsr_choice_kind(const struct hsr_algorithm *algorithm,
 #endif
 #endif
 #define HSR_OF_BUILD(name) HSR_ALGORITHM_PASTE(name, HSR_BUILD)
+
+/* The line of the outline that a counter belongs to, from 1; 0: none. */
+static inline int hsr_line_of(const struct hsr_algorithm *algorithm,
+                              int counter) {
+  for (int k = 0; algorithm->outline && algorithm->outline[k].text; k++)
+    if (algorithm->outline[k].counters & HSR_RAISES(counter))
+      return k + 1;
+  return 0;
+}
 
 /* Both builds of one algorithm. */
 struct hsr_listed {

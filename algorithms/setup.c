@@ -70,12 +70,47 @@ static void name_parents(const struct hsr_pieces *pieces,
   }
 }
 
+static void name_parent(const struct hsr_world *world, uint32_t *face) {
+  if (*face != HSR_BACKGROUND)
+    *face = hsr_world_parent(world, *face);
+}
+
+/* The faces of a step that is traced. A vertex of a face has the number that it
+ * has in the scene laid out. */
+static void name_subject(const struct hsr_world *world,
+                         struct hsr_subject *subject) {
+  switch (subject->kind) {
+  case HSR_OF_FACE:
+  case HSR_OF_PIECE:
+    name_parent(world, &subject->id[0]);
+    break;
+  case HSR_OF_EDGE:
+    name_parent(world, &subject->id[2]);
+    break;
+  case HSR_OF_IMPLIED:
+    name_parent(world, &subject->id[0]);
+    name_parent(world, &subject->id[1]);
+    break;
+  default:
+    break;
+  }
+}
+
+static void name_subjects(const void *names, struct hsr_event *event) {
+  name_subject(names, &event->a);
+  name_subject(names, &event->b);
+}
+
 enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
                                  struct hsr_job *job, struct hsr_error *err) {
   job->world = setup->world;
   job->prepared = setup->prepared;
   job->option = setup->choice.option;
   job->paint = setup->paint;
+  if (job->tally->trace) {
+    job->tally->trace->name = name_subjects;
+    job->tally->trace->names = setup->world;
+  }
   enum hsr_status status = setup->algorithm->render(job, err);
   if (!status && job->tally->out_of_memory)
     status = hsr_fail_nomem(err);

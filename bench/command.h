@@ -33,8 +33,7 @@ enum hsr_status command_report(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_voxels(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err);
 
-/* --- Options ---------------------------------------------------------------
- */
+/* --- Options -------------------------------------------------------------- */
 
 /* Parses argv with an argp parser, which reports its own findings by
  * option_fail; any other fault of the command line becomes one line as well.
@@ -125,8 +124,7 @@ enum hsr_status choose_camera(const struct view_options *options,
 
 const char *kind_name(enum hsr_kind kind); /* "ids", "segments", "filtered" */
 
-/* --- Running ---------------------------------------------------------------
- */
+/* --- Running -------------------------------------------------------------- */
 
 double seconds_now(void); /* monotonic */
 long processors(void);    /* available to this process; at least 1 */

@@ -12,14 +12,14 @@ extern "C" {
 #define HSR_MAX_PARAMETERS 4
 
 struct hsr_builtin {
-  const char *name;     /* "soup" */
-  const char *usage;    /* "soup:N:SEED", or the name where there is no
+  const char *name;  /* "soup" */
+  const char *usage; /* "soup:N:SEED", or the name where there is no
                            parameter */
-  const char *about;    /* one sentence; for a failure case: what it breaks */
-  bool failure_case;    /* one of the hand-made pathological scenes */
-  bool only_by_name;    /* too large to be tried by every algorithm where no
+  const char *about; /* one sentence; for a failure case: what it breaks */
+  bool failure_case; /* one of the hand-made pathological scenes */
+  bool only_by_name; /* too large to be tried by every algorithm where no
                            scene is named */
-  int n_parameters;     /* at most HSR_MAX_PARAMETERS */
+  int n_parameters;  /* at most HSR_MAX_PARAMETERS */
   long long standard[HSR_MAX_PARAMETERS]; /* defaults */
   long long least[HSR_MAX_PARAMETERS], most[HSR_MAX_PARAMETERS];
 
@@ -36,14 +36,12 @@ extern const struct hsr_builtin hsr_builtins[];
  * libcgal-demo ("mesh:elephant"), a .scene.json, or a mesh file. *scene is the
  * caller's to delete, NULL on failure. HSR_E_INPUT, HSR_E_NOMEM. */
 enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
-                               struct hsr_scene **scene,
-                               struct hsr_error *err);
+                               struct hsr_scene **scene, struct hsr_error *err);
 
 /* The real meshes at hand, sorted by name, without suffix. *names is one
  * malloc'ed array of *n malloc'ed strings, the caller's. No mesh package
  * installed: HSR_OK and *n == 0. */
-enum hsr_status hsr_mesh_names(char ***names, size_t *n,
-                               struct hsr_error *err);
+enum hsr_status hsr_mesh_names(char ***names, size_t *n, struct hsr_error *err);
 
 #ifdef __cplusplus
 }

@@ -28,6 +28,7 @@ tap_programs = \
   %D%/unit/core/world_test \
   %D%/conformance/lattice_test \
   %D%/conformance/line_lattice_test \
+  %D%/conformance/trace_test \
   %D%/properties/tiling/baselines_test \
   %D%/properties/hierarchical/boxes_test \
   %D%/properties/surfaces/combinations_test \
@@ -120,6 +121,8 @@ nodist_EXTRA_%C%_unit_core_world_test_SOURCES = force_cxx_link.cc
 %C%_unit_files_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_conformance_lattice_test_SOURCES = %D%/conformance/lattice_test.c
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
+%C%_conformance_trace_test_SOURCES = %D%/conformance/trace_test.c
+nodist_EXTRA_%C%_conformance_trace_test_SOURCES = force_cxx_link.cc
 %C%_conformance_line_lattice_test_SOURCES = %D%/conformance/line_lattice_test.c
 nodist_EXTRA_%C%_conformance_line_lattice_test_SOURCES = force_cxx_link.cc
 %C%_properties_tiling_baselines_test_SOURCES = %D%/properties/tiling/baselines_test.c

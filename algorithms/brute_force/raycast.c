@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Brute force without memory: at every raster element, search all faces.
  *
- * Source      Sutherland, Sproull and Schumacker 1974, appendix B,
- *             "Brute-Force Image-Space": the cost of finding the visible face
- * at each element by examining every face; in form, the ray casting of A.
- * Appel, "Some techniques for shading machine renderings of solids", AFIPS SJCC
- * 1968. Notation    raster element -> sample (i, j); minimax box ->
- * screen.bounds Invariant   nearest is the visible one of the faces seen so far
+ * Source      Sutherland, Sproull and Schumacker 1974, appendix B, "Brute-Force
+ *             Image-Space": the cost of finding the visible face at each
+ *             element by examining every face. In form it is the ray casting of
+ *             A. Appel, "Some techniques for shading machine renderings of
+ *             solids", AFIPS SJCC 1968.
+ * Notation    raster element -> sample (i, j); minimax box -> screen.bounds
+ * Invariant   nearest is the visible one of the faces seen so far
  * Ties        by hsr_nearer: the picture's order
  * Departures  the culls that the paper calls universally applicable come first;
  *             the minimax test precedes the surround test
@@ -14,13 +15,29 @@
 #include "algorithms/algorithm.h"
 #include "common/exact/screen.h"
 
-enum { MINIMAX, SURROUND, DEPTH };
+enum { MINIMAX, SURROUND, DEPTH, SHOWN };
 
 static const struct hsr_counter counters[] = {
-    [MINIMAX] = {"minimax tests", "faces whose box was compared with a sample"},
-    [SURROUND] = {"surround tests", "faces tested for surrounding a sample"},
-    [DEPTH] = {"depth tests", "depths compared"},
-    {NULL, NULL}};
+    [MINIMAX] = {"minimax tests", "faces whose box was compared with a sample",
+                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "outside|inside"},
+    [SURROUND] = {"surround tests", "faces tested for surrounding a sample",
+                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW,
+                  "does not surround|surrounds"},
+    [DEPTH] = {"depth tests", "depths compared", HSR_COMPARE, HSR_OF_FACE,
+               HSR_OF_FACE, "farther|nearer"},
+    [SHOWN] = {"samples shown", "samples at which a face is visible",
+               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each raster element"},
+    {"  for each relevant face"},
+    {"    minimax test: is the element inside the face's box?",
+     HSR_RAISES(MINIMAX)},
+    {"    does the face surround the element?", HSR_RAISES(SURROUND)},
+    {"    is it nearer than the nearest face so far?", HSR_RAISES(DEPTH)},
+    {"  show the nearest face", HSR_RAISES(SHOWN)},
+    {NULL}};
 
 static double predict_search(const struct hsr_table1 *t) {
   return 100 * t->n * t->m * t->F_r;
@@ -28,7 +45,7 @@ static double predict_search(const struct hsr_table1 *t) {
 
 static const struct hsr_step steps[] = {
     {"search of all faces", MINIMAX, 100, "100 n m F_r", predict_search},
-    {NULL, 0, 0, NULL, NULL}};
+    {NULL}};
 
 static uint32_t visible_face(const struct hsr_screen *screen, int i, int j,
                              struct hsr_tally *tally) {
@@ -36,20 +53,27 @@ static uint32_t visible_face(const struct hsr_screen *screen, int i, int j,
   for (uint32_t r = 0; r < screen->n_relevant; r++) {
     uint32_t f = screen->relevant[r];
     const struct hsr_bounds *box = &screen->bounds[f];
-    HSR_STEP(tally, MINIMAX, HSR_COMPARE, f, HSR_NOTHING, i, j, i + 1, j + 1);
-    if (i < box->x0 || i >= box->x1 || j < box->y0 || j >= box->y1)
+    bool inside = i >= box->x0 && i < box->x1 && j >= box->y0 && j < box->y1;
+    HSR_STEP(tally, MINIMAX, HSR_FACE(f), HSR_THE_WINDOW, HSR_AT(i, j), inside);
+    if (!inside)
       continue;
     HSR_TOUCH(tally, i, j);
-    HSR_STEP(tally, SURROUND, HSR_SAMPLE, f, HSR_NOTHING, i, j, i + 1, j + 1);
-    if (!hsr_covers(screen, f, i, j, tally))
+    bool surrounds = hsr_covers(screen, f, i, j, tally);
+    HSR_STEP(tally, SURROUND, HSR_FACE(f), HSR_THE_WINDOW, HSR_AT(i, j),
+             surrounds);
+    if (!surrounds)
       continue;
     if (nearest != HSR_BACKGROUND) {
-      HSR_STEP(tally, DEPTH, HSR_COMPARE, f, nearest, i, j, i + 1, j + 1);
-      if (!hsr_nearer(screen, f, nearest, i, j, tally))
+      bool nearer = hsr_nearer(screen, f, nearest, i, j, tally);
+      HSR_STEP(tally, DEPTH, HSR_FACE(f), HSR_FACE(nearest), HSR_AT(i, j),
+               nearer);
+      if (!nearer)
         continue;
     }
     nearest = f;
   }
+  if (nearest != HSR_BACKGROUND)
+    HSR_STEP(tally, SHOWN, HSR_FACE(nearest), HSR_THE_WINDOW, HSR_AT(i, j), 0);
   return nearest;
 }
 
@@ -84,5 +108,6 @@ const struct hsr_algorithm HSR_ALGORITHM(raycast) = {
     .kind = HSR_IDS,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .expense = expense,
     .render = render};

@@ -80,8 +80,7 @@ struct hsr_twin {
   void (*write_back)(const struct hsr_tiler *, const struct hsr_job *);
 };
 
-/* --- What floats cannot tell
- * -------------------------------------------------- */
+/* --- What floats cannot tell ---------------------------------------------- */
 
 /* Has the screen's vertices transformed. */
 static inline void need_screen(struct hsr_tiler *t) {
@@ -130,13 +129,13 @@ static inline void settle(struct hsr_tiler *t, uint32_t f, uint32_t id, float q,
   if (!sure && !covers(t, f, i, j))
     return;
   HSR_TOUCH(t->tally, i, j);
-  HSR_STEP(t->tally, HSR_DEPTH_TESTS, HSR_COMPARE, id, *held, i, j, i + 1,
-           j + 1);
+  HSR_STEP9(t->tally, HSR_DEPTH_TESTS, HSR_COMPARE, id, *held, i, j, i + 1,
+            j + 1);
   bool clear = q > *z * HSR_CLEAR || q * HSR_CLEAR < *z;
   HSR_COUNT_DEPTHS(t->tally, clear && *held != HSR_BACKGROUND);
   if (clear ? q < *z : !is_nearer(t, id, *held, i, j))
     return;
-  HSR_STEP(t->tally, HSR_WRITES, HSR_ACCEPT, id, *held, i, j, i + 1, j + 1);
+  HSR_STEP9(t->tally, HSR_WRITES, HSR_ACCEPT, id, *held, i, j, i + 1, j + 1);
   HSR_COUNT(t->tally, HSR_OVERWRITES, *held != HSR_BACKGROUND);
   *z = q;
   *held = id;
@@ -148,8 +147,7 @@ static inline uint32_t called(const struct hsr_tiler *t, uint32_t f) {
   return t->id ? t->first_id + t->id[f] : f;
 }
 
-/* --- Looking at a batch
- * ---------------------------------------------------------- */
+/* --- Looking at a batch --------------------------------------------------- */
 
 /* The corners of the faces from the k-th on. */
 static void gather_from(const struct hsr_tiler *t, struct hsr_batch *batch,
@@ -455,8 +453,7 @@ struct hsr_triangle HSR_OF_BUILD(hsr_tiler_take)(const struct hsr_batch *b,
       r->id[k],    false};
 }
 
-/* --- The general way
- * --------------------------------------------------------------- */
+/* --- The general way ------------------------------------------------------ */
 
 /* The samples that a box and the part being tiled have in common. */
 static inline struct hsr_window clip(const struct hsr_tiler *t, int x0, int y0,
@@ -606,8 +603,7 @@ void HSR_OF_BUILD(hsr_tiler_tile_generally)(struct hsr_tiler *t, uint32_t f) {
   }
 }
 
-/* --- Tiling triangles
- * ---------------------------------------------------------- */
+/* --- Tiling triangles ----------------------------------------------------- */
 
 /* What a triangle has at a sample: its depth; whether it covers it perhaps, and
  * for certain. */
@@ -651,8 +647,8 @@ void HSR_OF_BUILD(hsr_tiler_tile_before)(struct hsr_tiler *t,
       size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
       uint32_t *held = &t->ids[y * t->ids_stride + x];
       HSR_TOUCH(t->tally, i, j);
-      HSR_STEP(t->tally, HSR_WRITES, HSR_ACCEPT, tri->id, *held, i, j, i + 1,
-               j + 1);
+      HSR_STEP9(t->tally, HSR_WRITES, HSR_ACCEPT, tri->id, *held, i, j, i + 1,
+                j + 1);
       HSR_COUNT(t->tally, HSR_OVERWRITES, *held != HSR_BACKGROUND);
       t->z[y * t->z_stride + x] = at.q;
       *held = tri->id;
@@ -799,7 +795,7 @@ static void compare_queue(struct hsr_tiler *t, struct queue *queue) {
       z[place] = q;
       ids[y * ids_stride + x] = queue->id[k];
     } else if (__builtin_expect(!(q * HSR_CLEAR < held), 0)) {
-      settle(t, HSR_NOTHING, queue->id[k], q, true, w->x0 + (int)x,
+      settle(t, HSR_NO_ID, queue->id[k], q, true, w->x0 + (int)x,
              w->y0 + (int)y);
     }
   }
@@ -941,8 +937,7 @@ static const struct hsr_twin *choose_twin(void) {
   return &portable;
 }
 
-/* --- For whoever tiles -----------------------------------------------------
- */
+/* --- For whoever tiles ---------------------------------------------------- */
 
 HSR_VECTOR static void snap(size_t n, const double *restrict sx,
                             const double *restrict sy, const double *restrict q,

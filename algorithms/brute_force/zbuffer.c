@@ -39,8 +39,7 @@ struct frame {
   size_t n_kept;
 };
 
-/* --- Parts -----------------------------------------------------------------
- */
+/* --- Parts ---------------------------------------------------------------- */
 
 /* Keeps what a batch has to be tiled. */
 static void keep_batch(struct frame *t, const struct hsr_batch *b) {
@@ -135,8 +134,7 @@ static enum hsr_status tile_parts(struct frame *t) {
   return HSR_OK;
 }
 
-/* --- The algorithm
- * ------------------------------------------------------------------- */
+/* --- The algorithm -------------------------------------------------------- */
 
 /* The memory of depths, of the picture; or of depths and ids, of a part. */
 static enum hsr_status make_memory(struct frame *t) {

@@ -35,8 +35,7 @@
 
 static const double U = DBL_EPSILON / 2;
 
-/* --- Placing ----------------------------------------------------------------
- */
+/* --- Placing -------------------------------------------------------------- */
 
 /* The eye in the object's coordinates. */
 static void place_eye(struct hsr_placing *p, const struct hsr_view *view) {
@@ -134,8 +133,7 @@ bool HSR_OF_BUILD(hsr_cube_is_new)(struct hsr_cube_frame *frame, uint32_t i) {
   return !(met & bit);
 }
 
-/* --- Cubes ------------------------------------------------------------------
- */
+/* --- Cubes ---------------------------------------------------------------- */
 
 enum hsr_box_verdict HSR_OF_BUILD(hsr_cube_classify)(
     const struct hsr_cube_frame *frame, const struct hsr_placing *p,
@@ -261,8 +259,7 @@ int HSR_OF_BUILD(hsr_cube_nearest)(const struct hsr_placing *p,
          (p->eye[2] > node->centre[2]) << 2;
 }
 
-/* --- Cells ------------------------------------------------------------------
- */
+/* --- Cells ---------------------------------------------------------------- */
 
 /* hsr_instance_vertex of many, rounded alike. */
 HSR_VECTOR static void to_world(size_t n, const double *restrict m,
@@ -315,8 +312,7 @@ const struct hsr_cell *HSR_OF_BUILD(hsr_cube_cell)(struct hsr_cube_frame *frame,
   return cell;
 }
 
-/* --- A frame ----------------------------------------------------------------
- */
+/* --- A frame -------------------------------------------------------------- */
 
 /* How far away, in units of |D| > F, the farthest point of a box is, and more.
  */

@@ -54,8 +54,7 @@ static uint32_t part_loose(const struct hsr_cubes *cubes, uint32_t o,
   return kept;
 }
 
-/* --- An object's octree -----------------------------------------------------
- */
+/* --- An object's octree --------------------------------------------------- */
 
 struct faces {
   const struct hsr_object *object;
@@ -123,8 +122,7 @@ static double longest_side(const struct hsr_box *box) {
               fmax(box->hi[1] - box->lo[1], box->hi[2] - box->lo[2]));
 }
 
-/* --- Cells ------------------------------------------------------------------
- */
+/* --- Cells ---------------------------------------------------------------- */
 
 /* Where the next cell begins, and the cell's number of an object's vertex, good
  * where mark[] is 1 + the cell's. */
@@ -273,8 +271,7 @@ static enum hsr_status make_object(struct hsr_cubes *cubes, uint32_t o,
   return status;
 }
 
-/* --- The octree of instances ------------------------------------------------
- */
+/* --- The octree of instances ---------------------------------------------- */
 
 struct hsr_box hsr_cubes_bounds(const struct hsr_cubes *cubes, uint32_t i) {
   const struct hsr_instance *instance = &cubes->scene->instances[i];
@@ -406,8 +403,7 @@ static enum hsr_status make_instances(struct hsr_cubes *cubes) {
   return good ? HSR_OK : HSR_E_NOMEM;
 }
 
-/* --- Loose faces ------------------------------------------------------------
- */
+/* --- Loose faces ---------------------------------------------------------- */
 
 /* Their ids, into id[] unless it is NULL: how many. */
 static size_t list_loose(const struct hsr_cubes *cubes,

@@ -200,8 +200,7 @@ static void touch_for(struct walk *w, int kind) {
   w->tally->work = wanted == WORK_ALL || wanted == kind ? w->work : NULL;
 }
 
-/* --- Is a cube visible? -----------------------------------------------------
- */
+/* --- Is a cube visible? --------------------------------------------------- */
 
 /* Adds the pyramid's reads since `before` to a counter. */
 static void count_reads(struct walk *w, int counter, uint64_t before) {
@@ -393,8 +392,7 @@ static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
   return visible;
 }
 
-/* --- Tiling what is in a cube -----------------------------------------------
- */
+/* --- Tiling what is in a cube --------------------------------------------- */
 
 /* Was the face met before in this visit? */
 static bool is_repeated(struct walk *w, uint32_t f) {
@@ -539,8 +537,7 @@ static void tile_cell(struct walk *w, uint32_t place) {
       tile_generally(w, f);
 }
 
-/* --- The octrees, from front to back ----------------------------------------
- */
+/* --- The octrees, from front to back -------------------------------------- */
 
 /* Lists a cube of the object at hand as visible. */
 static void list_cube(struct walk *w, uint32_t k) {
@@ -677,8 +674,7 @@ static void render_all(struct walk *w) {
   }
 }
 
-/* --- Temporal coherence -----------------------------------------------------
- */
+/* --- Temporal coherence --------------------------------------------------- */
 
 /* The cubes that were visible in the last frame, into the plain z-buffer; then
  * the pyramid is built. */
@@ -734,8 +730,7 @@ static enum hsr_status render_loose(struct walk *w) {
   return HSR_OK;
 }
 
-/* --- A frame ----------------------------------------------------------------
- */
+/* --- A frame -------------------------------------------------------------- */
 
 static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
   struct prepared *prepared = job->prepared;

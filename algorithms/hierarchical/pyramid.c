@@ -55,8 +55,7 @@ void HSR_OF_BUILD(hsr_pyramid_clear)(struct hsr_pyramid *p) {
   }
 }
 
-/* --- Update -----------------------------------------------------------------
- */
+/* --- Update --------------------------------------------------------------- */
 
 /* NaN is the background's depth. */
 static inline float known(float z) {
@@ -131,8 +130,7 @@ void HSR_OF_BUILD(hsr_pyramid_update)(struct hsr_pyramid *p,
   }
 }
 
-/* --- Tests ------------------------------------------------------------------
- */
+/* --- Tests ---------------------------------------------------------------- */
 
 /* Inclusive columns and rows of cells of level 0. */
 struct rectangle {

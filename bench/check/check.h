@@ -29,8 +29,7 @@ struct check_options {
   struct hsr_import import;
 };
 
-/* --- All cells of a scene ----------------------------------------------------
- */
+/* --- All cells of a scene ------------------------------------------------- */
 
 struct scene_run {
   const struct check_options *options;
@@ -48,8 +47,7 @@ static inline struct cell *cell_at(const struct scene_run *run, int size,
   return &run->cells[picture * run->options->n_algorithms + algorithm];
 }
 
-/* --- The report --------------------------------------------------------------
- */
+/* --- The report ----------------------------------------------------------- */
 
 struct totals {
   uint64_t compared[N_KINDS], mismatches, depths, depths_exact;

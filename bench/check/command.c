@@ -18,8 +18,7 @@
 
 enum { DROP = 0x200, ORDER, SAMPLES };
 
-/* --- Options ---------------------------------------------------------------
- */
+/* --- Options -------------------------------------------------------------- */
 
 static error_t add_sizes(struct check_options *o, char *arg) {
   for (char *size = strtok(arg, ","); size; size = strtok(NULL, ",")) {
@@ -209,8 +208,7 @@ static void set_standards(struct check_options *o) {
         o->algorithm[o->n_algorithms++] = hsr_variant_standard(a);
 }
 
-/* --- All groups of a scene --------------------------------------------------
- */
+/* --- All groups of a scene ------------------------------------------------ */
 
 static bool keeps_state(const struct hsr_variant *v) {
   return hsr_choice_flags(v->listed->plain, &v->choice) & HSR_FRAME_STATE;

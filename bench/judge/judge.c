@@ -51,8 +51,7 @@ const struct hsr_algorithm *oracle_of(enum hsr_kind kind) {
   return NULL;
 }
 
-/* --- What is right ---------------------------------------------------------
- */
+/* --- What is right -------------------------------------------------------- */
 
 /* What the oracle makes of a view. */
 struct wanted {
@@ -185,8 +184,7 @@ static void free_wanted(const struct group *g, struct wanted *wanted) {
   free(wanted);
 }
 
-/* --- Comparing -------------------------------------------------------------
- */
+/* --- Comparing ------------------------------------------------------------ */
 
 static void compare_ids(const struct hsr_view *view, const uint32_t *got,
                         const struct wanted *wanted, struct cell *cell) {
@@ -240,8 +238,7 @@ static void compare(const struct group *g, const struct hsr_algorithm *a, int k,
     compare_ids(&g->view[k], got->ids, wanted, cell);
 }
 
-/* --- Judging one algorithm -------------------------------------------------
- */
+/* --- Judging one algorithm ------------------------------------------------ */
 
 static struct cell *cell_of(const struct group *g, int view, int number) {
   return &g->cells[view * g->n_algorithms + number];
@@ -395,8 +392,7 @@ static void judge_apart(const struct group *g, int number,
   set_verdicts(g, number, ended, end, usage.ru_maxrss);
 }
 
-/* --- Judging a group -------------------------------------------------------
- */
+/* --- Judging a group ------------------------------------------------------ */
 
 static bool is_judged(const struct group *g, int number) {
   const struct hsr_variant *v = &g->algorithm[number];

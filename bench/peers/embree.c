@@ -197,8 +197,7 @@ static enum hsr_status embree_setup(const struct peer *peer,
   return build(embree, err);
 }
 
-/* --- What is hit -----------------------------------------------------------
- */
+/* --- What is hit ---------------------------------------------------------- */
 
 /* The face of the scene that triangle k of an instance is, or is a piece of. */
 static uint32_t name_in_instance(const struct embree *embree, uint32_t k,
@@ -221,8 +220,7 @@ static uint32_t name_hit(const struct embree *embree, uint32_t triangle,
                          : hsr_world_parent(embree->triangles, triangle);
 }
 
-/* --- Single rays -----------------------------------------------------------
- */
+/* --- Single rays ---------------------------------------------------------- */
 
 static uint32_t trace_ray(const struct embree *embree,
                           struct RTCIntersectContext *context,
@@ -245,8 +243,7 @@ static uint32_t trace_ray(const struct embree *embree,
   return name_hit(embree, one.hit.primID, one.hit.instID[0]);
 }
 
-/* --- Packets ---------------------------------------------------------------
- */
+/* --- Packets -------------------------------------------------------------- */
 
 /* The rays of the packet whose first sample is (x, y). */
 HSR_VECTOR static void aim(struct RTCRayHit16 *packet,
@@ -297,8 +294,7 @@ static void trace_packet(const struct embree *embree,
                    packet->hit.instID[0][SIDE * k + i]);
 }
 
-/* --- A frame ---------------------------------------------------------------
- */
+/* --- A frame -------------------------------------------------------------- */
 
 /* The rows [y, y + SIDE), as far as they are in the picture. */
 static void trace_band(const struct embree *embree, const struct hsr_view *view,
@@ -356,8 +352,7 @@ static void embree_release(void *state) {
   free(embree);
 }
 
-/* --- The peers -------------------------------------------------------------
- */
+/* --- The peers ------------------------------------------------------------ */
 
 static void embree_version(char *text) {
   RTCDevice device = rtcNewDevice("threads=1");

@@ -36,8 +36,7 @@ struct lines {
   size_t length;
 };
 
-/* --- Setting up ------------------------------------------------------------
- */
+/* --- Setting up ----------------------------------------------------------- */
 
 static enum hsr_status lines_setup(const struct peer *peer,
                                    const struct peer_canvas *canvas,
@@ -65,8 +64,7 @@ static enum hsr_status lines_setup(const struct peer *peer,
   return lines->file ? HSR_OK : hsr_fail_nomem(err);
 }
 
-/* --- A frame ---------------------------------------------------------------
- */
+/* --- A frame -------------------------------------------------------------- */
 
 /* For a file, whose first row is the top one as it should be. */
 static void set_camera(const struct lines *lines, const struct hsr_view *view) {
@@ -145,8 +143,7 @@ static enum hsr_status lines_draw(void *state, const struct hsr_view *view,
   }
 }
 
-/* --- Judging ---------------------------------------------------------------
- */
+/* --- Judging -------------------------------------------------------------- */
 
 struct verdict {
   size_t edges, hidden_kept, visible_dropped;
@@ -265,8 +262,7 @@ static void lines_release(void *state) {
   free(lines);
 }
 
-/* --- The peer --------------------------------------------------------------
- */
+/* --- The peer ------------------------------------------------------------- */
 
 static void lines_version(char *text) {
   snprintf(text, PEER_VERSION, "%d.%d.%d", GL2PS_MAJOR_VERSION,

@@ -34,8 +34,7 @@ struct llvmpipe {
   uint32_t *ids;
 };
 
-/* --- Vertices and triangles ------------------------------------------------
- */
+/* --- Vertices and triangles ----------------------------------------------- */
 
 struct vertex {
   float xyz[3];
@@ -159,8 +158,7 @@ static enum hsr_status make_mesh(struct llvmpipe *llvmpipe,
   return status;
 }
 
-/* --- Shaders ---------------------------------------------------------------
- */
+/* --- Shaders -------------------------------------------------------------- */
 
 static GLuint shader(GLenum kind, const char *text) {
   GLuint made = glCreateShader(kind);
@@ -198,8 +196,7 @@ static enum hsr_status make_program(struct llvmpipe *llvmpipe,
   return HSR_OK;
 }
 
-/* --- Setting up ------------------------------------------------------------
- */
+/* --- Setting up ----------------------------------------------------------- */
 
 static void set_modes(void) {
   glFrontFace(GL_CW);
@@ -236,8 +233,7 @@ static enum hsr_status llvmpipe_setup(const struct peer *peer,
   return status;
 }
 
-/* --- Drawing ---------------------------------------------------------------
- */
+/* --- Drawing -------------------------------------------------------------- */
 
 static void set_matrix(const struct llvmpipe *llvmpipe,
                        const struct hsr_view *view) {
@@ -285,8 +281,7 @@ static void llvmpipe_release(void *state) {
   free(llvmpipe);
 }
 
-/* --- The peers -------------------------------------------------------------
- */
+/* --- The peers ------------------------------------------------------------ */
 
 static void llvmpipe_version(char *text) {
   offscreen_version(text, PEER_VERSION);

@@ -51,8 +51,7 @@ static enum hsr_status choose_peer(const char *name, const struct peer **chosen,
                   names);
 }
 
-/* --- hsr-peers list --------------------------------------------------------
- */
+/* --- hsr-peers list ------------------------------------------------------- */
 
 static json_t *peer_json(const struct peer *peer) {
   char version[PEER_VERSION] = "";
@@ -75,8 +74,7 @@ static enum hsr_status command_peers(int argc, char **argv,
   return json_print(all, err);
 }
 
-/* --- One peer, one view ----------------------------------------------------
- */
+/* --- One peer, one view --------------------------------------------------- */
 
 /* All that one run takes. */
 struct run {
@@ -205,8 +203,7 @@ run_peer(const struct peer *peer, const struct serve_request *request,
   return status;
 }
 
-/* --- hsr-peers worker, hsr-peers judge -------------------------------------
- */
+/* --- hsr-peers worker, hsr-peers judge ------------------------------------ */
 
 static enum hsr_status command_work(int argc, char **argv,
                                     struct hsr_error *err) {
@@ -232,8 +229,7 @@ static enum hsr_status command_judge(int argc, char **argv,
   return status ? status : run_peer(peer, &request, judge_run, err);
 }
 
-/* --- The program -----------------------------------------------------------
- */
+/* --- The program ---------------------------------------------------------- */
 
 static const struct hsr_command commands[] = {{"list", NULL, command_peers},
                                               {"worker", NULL, command_work},

@@ -12,8 +12,7 @@ static void own_version(char *text) {
   strcpy(text, PACKAGE_VERSION);
 }
 
-/* --- zbuffer, inexact ------------------------------------------------------
- */
+/* --- zbuffer, inexact ----------------------------------------------------- */
 
 struct inexact {
   const struct hsr_setup *setup;
@@ -67,8 +66,7 @@ const struct peer peer_zbuffer_inexact = {
     .draw = inexact_draw,
     .release = inexact_release};
 
-/* --- memset: an id and a depth a sample ------------------------------------
- */
+/* --- memset: an id and a depth a sample ----------------------------------- */
 
 struct fill {
   uint32_t *ids;

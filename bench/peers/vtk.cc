@@ -99,8 +99,7 @@ struct State {
   Scene *scene = nullptr; /* goes before the context does */
 };
 
-/* --- Setting up ------------------------------------------------------------
- */
+/* --- Setting up ----------------------------------------------------------- */
 
 void note_failure(vtkObject *, unsigned long, void *scene, void *) {
   static_cast<Scene *>(scene)->failed = true;
@@ -218,8 +217,7 @@ enum hsr_status vtk_setup(const struct peer *peer,
   return vtk_fail(err);
 }
 
-/* --- A frame ---------------------------------------------------------------
- */
+/* --- A frame -------------------------------------------------------------- */
 
 void set_camera(const State *state, const struct hsr_view *view) {
   vtkCamera *camera = state->scene->renderer->GetActiveCamera();
@@ -275,8 +273,7 @@ void vtk_release(void *opaque) {
   delete state;
 }
 
-/* --- The peers -------------------------------------------------------------
- */
+/* --- The peers ------------------------------------------------------------ */
 
 void vtk_version(char *text) {
   char mesa[PEER_VERSION / 2];

@@ -20,8 +20,7 @@ struct options {
   long most, timeout;
 };
 
-/* --- Options ---------------------------------------------------------------
- */
+/* --- Options -------------------------------------------------------------- */
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
@@ -78,8 +77,7 @@ static const struct argp argp = {
     NULL,
     NULL};
 
-/* --- The folder --------------------------------------------------------------
- */
+/* --- The folder ----------------------------------------------------------- */
 
 static enum hsr_status cannot_write(const char *path, struct hsr_error *err) {
   return hsr_fail(err, HSR_E_INPUT, "%s: %s", path, strerror(errno));
@@ -150,8 +148,7 @@ static enum hsr_status join_files(const char *const *from, int n,
   return status;
 }
 
-/* --- The page ----------------------------------------------------------------
- */
+/* --- The page ------------------------------------------------------------- */
 
 /* Where the built page is: in the build tree beside this program, or
  * installed. */
@@ -182,8 +179,7 @@ static enum hsr_status copy_page(const char *folder, struct hsr_error *err) {
   return status;
 }
 
-/* --- The report --------------------------------------------------------------
- */
+/* --- The report ----------------------------------------------------------- */
 
 static enum hsr_status write_report(const struct report *report,
                                     struct hsr_error *err) {

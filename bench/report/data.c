@@ -15,8 +15,7 @@
 
 enum { MOST_POINTS = 64, LEAST_POINTS = 3 };
 
-/* --- Cells -------------------------------------------------------------------
- */
+/* --- Cells ---------------------------------------------------------------- */
 
 static json_t *seconds_json(const struct times *times) {
   struct figure median;
@@ -125,8 +124,7 @@ static enum hsr_status add_cells(const struct report *report, json_t *cells,
   return status;
 }
 
-/* --- Growth ------------------------------------------------------------------
- */
+/* --- Growth --------------------------------------------------------------- */
 
 /* Cells of one algorithm that differ in one thing only. */
 struct ladder {
@@ -286,8 +284,7 @@ static json_t *growth_json(const struct report *report, const json_t *cells) {
   return all;
 }
 
-/* --- Geometric means ---------------------------------------------------------
- */
+/* --- Geometric means ------------------------------------------------------ */
 
 /* Of an algorithm's ratios, over the cells that both solved. */
 static json_t *mean_json(const json_t *cells, const char *algorithm,
@@ -332,8 +329,7 @@ static json_t *geometric_json(const json_t *cells, const char *to) {
   return means;
 }
 
-/* --- All ---------------------------------------------------------------------
- */
+/* --- All ------------------------------------------------------------------ */
 
 /* Greene's alone where the results have none of the scenes of 1974. */
 static json_t *all_tables(const struct report *report) {

@@ -39,9 +39,7 @@ static void path_of(const struct view_picture *p, const char *name,
   snprintf(path, PATH, "%.4096s/%.200s", p->report->folder, name);
 }
 
-/* --- Drawing in a process of its own
- * ------------------------------------------
- */
+/* --- Drawing in a process of its own -------------------------------------- */
 
 static enum hsr_status write_work(const struct view_picture *p,
                                   const char *name, const float *work,
@@ -117,8 +115,7 @@ static bool draw_apart(struct view_picture *p, const struct hsr_algorithm *a,
   return child > 0 && WIFEXITED(end) && !WEXITSTATUS(end);
 }
 
-/* --- Differences -------------------------------------------------------------
- */
+/* --- Differences ---------------------------------------------------------- */
 
 /* [sample, id, depth] of every sample that differs; depths by p->rgb, which is
  * scratch here. */
@@ -156,8 +153,7 @@ static enum hsr_status write_difference(struct view_picture *p,
   return hsr_image_write(path, &picture, NULL, err);
 }
 
-/* --- One algorithm -----------------------------------------------------------
- */
+/* --- One algorithm -------------------------------------------------------- */
 
 /* The cell of this scene and view, of any size, that has a picture; or NULL. */
 static const json_t *cell_with_picture(const struct view_picture *p,
@@ -226,8 +222,7 @@ static enum hsr_status add_entries(struct view_picture *p, const json_t *view,
   return status;
 }
 
-/* --- The probe ---------------------------------------------------------------
- */
+/* --- The probe ------------------------------------------------------------ */
 
 /* RFC 4648. */
 static json_t *base64_json(const void *bytes, size_t n) {
@@ -297,8 +292,7 @@ static enum hsr_status write_probe(struct view_picture *p, const char *name,
                       ");\n", err);
 }
 
-/* --- One scene and view ------------------------------------------------------
- */
+/* --- One scene and view --------------------------------------------------- */
 
 static enum hsr_status write_oracle(struct view_picture *p, const char *name,
                                     struct hsr_error *err) {
@@ -384,8 +378,7 @@ static void close_view(struct view_picture *p) {
   stage_close(&p->stage);
 }
 
-/* --- All ---------------------------------------------------------------------
- */
+/* --- All ------------------------------------------------------------------ */
 
 /* Whether no earlier record is of the same scene and view. */
 static bool is_first(const json_t *views, size_t k) {

@@ -31,8 +31,7 @@ double figure_least(const struct samples *s) {
   return gsl_stats_min(s->seconds, 1, (size_t)(s->starts * s->each));
 }
 
-/* --- Medians ---------------------------------------------------------------
- */
+/* --- Medians -------------------------------------------------------------- */
 
 static void draw_resample(const struct samples *s, const gsl_rng *random,
                           double *out) {
@@ -82,8 +81,7 @@ bool figure_median(const struct samples *s, struct figure *median) {
   return good;
 }
 
-/* --- Ratios ----------------------------------------------------------------
- */
+/* --- Ratios --------------------------------------------------------------- */
 
 bool figure_logs(const struct samples *s, double *logs) {
   double *values = malloc((size_t)s->each * sizeof *values);

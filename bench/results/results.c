@@ -66,8 +66,7 @@ const json_t *results_cell(const struct results *results, const char *key) {
   return find(results, results->cells, key);
 }
 
-/* --- Reading ---------------------------------------------------------------
- */
+/* --- Reading -------------------------------------------------------------- */
 
 /* Adds a record, or puts it where an earlier one of its key stands. Takes no
  * reference. False for lack of memory. */

@@ -171,8 +171,7 @@ static void start(struct worker *worker, struct parts *parts,
   worker->status = HSR_OK;
   worker->tally = (struct hsr_tally){.work = tally->work,
                                      .work_stride = tally->work_stride,
-                                     .trace = tally->trace,
-                                     .trace_context = tally->trace_context};
+                                     .trace = tally->trace};
   worker->started =
       in_thread && !pthread_create(&worker->thread, NULL, work, worker);
 }
@@ -215,8 +214,7 @@ static enum hsr_status draw(struct crew *crew, const struct task *task,
   return status;
 }
 
-/* --- Filtered --------------------------------------------------------------
- */
+/* --- Filtered ------------------------------------------------------------- */
 
 /* One picture of 8 m x 8 n samples. */
 static enum hsr_status filter_fine(struct crew *crew, const struct task *task,

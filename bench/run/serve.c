@@ -48,8 +48,7 @@ enum hsr_status serve_parse(int argc, char **argv,
   return HSR_OK;
 }
 
-/* --- Memory ----------------------------------------------------------------
- */
+/* --- Memory --------------------------------------------------------------- */
 
 long memory_kb(void) {
   long all = 0, resident = 0;
@@ -69,8 +68,7 @@ static long peak_kb(long before) {
   return peak > before ? peak : before;
 }
 
-/* --- Frames ----------------------------------------------------------------
- */
+/* --- Frames --------------------------------------------------------------- */
 
 /* How a sample is taken. */
 struct pace {
@@ -133,8 +131,7 @@ static enum hsr_status write_ids(const struct served *served,
               : hsr_fail(err, HSR_E_INPUT, "%s: cannot be written", path);
 }
 
-/* --- Shading and writing ----------------------------------------------------
- */
+/* --- Shading and writing -------------------------------------------------- */
 
 /* A file of our own in the folder for such; false where there can be none. */
 static bool make_file(char *path, size_t size) {
@@ -197,8 +194,7 @@ static enum hsr_status finish_picture(const struct served *served,
   return status;
 }
 
-/* --- The conversation -------------------------------------------------------
- */
+/* --- The conversation ----------------------------------------------------- */
 
 static enum hsr_status answer_byte(const struct served *served, int byte,
                                    const struct pace *pace,

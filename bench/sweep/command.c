@@ -28,8 +28,7 @@ enum {
   BASELINE
 };
 
-/* --- Options ---------------------------------------------------------------
- */
+/* --- Options -------------------------------------------------------------- */
 
 static error_t add_names(struct sweep_options *o, char *arg, const char **name,
                          int *n, int most) {
@@ -241,8 +240,7 @@ static const struct argp argp = {
     NULL,
     NULL};
 
-/* --- The file ----------------------------------------------------------------
- */
+/* --- The file ------------------------------------------------------------- */
 
 /* What a process that was killed left of its last line must not stand before
  * the next. */
@@ -321,8 +319,7 @@ static enum hsr_status open_file(struct sweep *sweep, struct hsr_error *err) {
   return cut_last_line(sweep->file, path, err);
 }
 
-/* --- The sweep ---------------------------------------------------------------
- */
+/* --- The sweep ------------------------------------------------------------ */
 
 static void print_list(const struct plan *plan) {
   for (size_t k = 0; k < plan_places(plan); k++) {

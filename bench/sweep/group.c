@@ -43,8 +43,7 @@ static size_t picture_size(const struct place_run *run) {
   return (size_t)run->place.m * (size_t)run->place.n * sizeof *run->picture;
 }
 
-/* --- Recording ---------------------------------------------------------------
- */
+/* --- Recording ------------------------------------------------------------ */
 
 /* At once, where the file takes it at once. */
 static bool write_all(int file, const char *text, size_t length) {
@@ -76,8 +75,7 @@ enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
   return status;
 }
 
-/* --- Judging -----------------------------------------------------------------
- */
+/* --- Judging -------------------------------------------------------------- */
 
 static void judge_output(const struct place_run *run, struct output output) {
   const struct sweep_options *o = run->sweep->plan->options;
@@ -190,8 +188,7 @@ static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
   return good ? HSR_OK : hsr_fail_nomem(err);
 }
 
-/* --- Timing ------------------------------------------------------------------
- */
+/* --- Timing --------------------------------------------------------------- */
 
 /* Peers are timed whatever they draw, and leave their picture in a file. */
 static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
@@ -274,8 +271,7 @@ static enum hsr_status time_all(struct place_run *run, struct hsr_error *err) {
   return status;
 }
 
-/* --- Records -----------------------------------------------------------------
- */
+/* --- Records -------------------------------------------------------------- */
 
 static json_t *table1_json(const struct shared *shared) {
   json_t *table = json_object();
@@ -411,8 +407,7 @@ static enum hsr_status record_all(struct place_run *run,
   return status;
 }
 
-/* --- A place -----------------------------------------------------------------
- */
+/* --- A place -------------------------------------------------------------- */
 
 /* Whether a recorded cell says all that is asked for: where it was only
  * counted, its times may be missing. */

@@ -10,8 +10,7 @@
 #include <sys/utsname.h>
 #include <time.h>
 
-/* --- Hashes ------------------------------------------------------------------
- */
+/* --- Hashes --------------------------------------------------------------- */
 
 /* FNV-1a, 64 bits: G. Fowler, L. C. Noll and K.-P. Vo, RFC 9923. */
 #define HASH_EMPTY 0xcbf29ce484222325u
@@ -59,8 +58,7 @@ void hash_scene(const struct hsr_scene *scene, char hash[17]) {
   print_hash(sum, hash);
 }
 
-/* --- The machine -------------------------------------------------------------
- */
+/* --- The machine ---------------------------------------------------------- */
 
 static json_t *caches_json(hwloc_topology_t topology) {
   static const hwloc_obj_type_t level[] = {HWLOC_OBJ_L1CACHE, HWLOC_OBJ_L2CACHE,
@@ -127,8 +125,7 @@ static json_t *machine_json(void) {
   return machine;
 }
 
-/* --- The header --------------------------------------------------------------
- */
+/* --- The header ----------------------------------------------------------- */
 
 /* Words need not be UTF-8; what is not ASCII gives way in one that is not. */
 static json_t *word_json(char *word) {

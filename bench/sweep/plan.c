@@ -8,8 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* --- Scenes ----------------------------------------------------------------
- */
+/* --- Scenes --------------------------------------------------------------- */
 
 /* A file's name may look like one. */
 static bool is_pattern(const char *text) {
@@ -93,8 +92,7 @@ static enum hsr_status add_scenes(struct plan *plan, struct hsr_error *err) {
   return status;
 }
 
-/* --- Entrants --------------------------------------------------------------
- */
+/* --- Entrants ------------------------------------------------------------- */
 
 static bool is_there(const struct plan *plan, const char *name, long threads) {
   for (int k = 0; k < plan->n_entrants; k++)
@@ -211,8 +209,7 @@ static enum hsr_status check_reference(const struct plan *plan,
   return hsr_variant_parse(name, &variant, err);
 }
 
-/* --- The plan --------------------------------------------------------------
- */
+/* --- The plan ------------------------------------------------------------- */
 
 enum hsr_status plan_init(struct plan *plan,
                           const struct sweep_options *options,

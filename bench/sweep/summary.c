@@ -7,8 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* --- The table ---------------------------------------------------------------
- */
+/* --- The table ------------------------------------------------------------ */
 
 static void print_seconds(double seconds) {
   if (seconds < 1e-3)
@@ -112,8 +111,7 @@ enum hsr_status print_summary(const struct results *results,
   return status;
 }
 
-/* --- Changes -----------------------------------------------------------------
- */
+/* --- Changes -------------------------------------------------------------- */
 
 struct changes {
   int compared, slower, faster, worse; /* cells */

@@ -74,8 +74,7 @@ struct place {
   int m, n;
 };
 
-/* --- plan.c ------------------------------------------------------------------
- */
+/* --- plan.c --------------------------------------------------------------- */
 
 /* Resolves the patterns of scenes and algorithms. To be freed also after a
  * failure: HSR_E_USAGE for a name or pattern that matches nothing, or a name
@@ -96,8 +95,7 @@ void plan_key(const struct place *place, const struct entrant *entrant,
 bool plan_wants(const struct plan *plan, size_t place,
                 const struct entrant *entrant);
 
-/* --- peers.c -----------------------------------------------------------------
- */
+/* --- peers.c -------------------------------------------------------------- */
 
 /* Finds hsr-peers and what it lists, for the plan. HSR_E_USAGE if there is
  * none; HSR_E_NOMEM. */
@@ -108,8 +106,7 @@ enum hsr_status peers_open(struct plan *plan, struct hsr_error *err);
 void peers_judge(const struct plan *plan, const struct place *place,
                  const char *name, struct cell *cell);
 
-/* --- machine.c --------------------------------------------------------------
- */
+/* --- machine.c ------------------------------------------------------------ */
 
 /* The header record of this run; NULL for lack of memory. */
 json_t *sweep_header(const struct sweep_options *options, const char *run,
@@ -119,8 +116,7 @@ json_t *sweep_header(const struct sweep_options *options, const char *run,
 void hash_program(char hash[17]);
 void hash_scene(const struct hsr_scene *scene, char hash[17]);
 
-/* --- turns.c ----------------------------------------------------------------
- */
+/* --- turns.c -------------------------------------------------------------- */
 
 /* What one process start of an entrant gave. */
 struct start {
@@ -148,8 +144,7 @@ enum hsr_status take_turns(const struct plan *plan, const struct place *place,
                            struct turn_taker *taker, int n, uint64_t random,
                            struct hsr_error *err);
 
-/* --- group.c ----------------------------------------------------------------
- */
+/* --- group.c -------------------------------------------------------------- */
 
 struct sweep {
   const struct plan *plan;
@@ -168,8 +163,7 @@ enum hsr_status sweep_place(struct sweep *sweep, size_t place,
 enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
                              struct hsr_error *err);
 
-/* --- command.c ---------------------------------------------------------------
- */
+/* --- command.c ------------------------------------------------------------ */
 
 /* Runs the plan, into the file that its options name, if they do. *results are
  * its records, after those that the file had; to be freed also after a
@@ -177,8 +171,7 @@ enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
 enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
                           struct results *results, struct hsr_error *err);
 
-/* --- summary.c --------------------------------------------------------------
- */
+/* --- summary.c ------------------------------------------------------------ */
 
 /* Prints the table of the results' cells with the ratios to the reference. */
 enum hsr_status print_summary(const struct results *results,

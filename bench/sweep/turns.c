@@ -29,8 +29,7 @@ struct process {
   bool starved; /* this program had no memory to understand it */
 };
 
-/* --- One process -------------------------------------------------------------
- */
+/* --- One process ---------------------------------------------------------- */
 
 /* In the new process. */
 static void become_worker(const struct plan *plan, const struct place *place,
@@ -174,8 +173,7 @@ static json_t *ask(struct process *process, char byte, double seconds) {
   return NULL;
 }
 
-/* --- One start of all --------------------------------------------------------
- */
+/* --- One start of all ----------------------------------------------------- */
 
 /* Seconds that a round may take. */
 static double patience(const struct plan *plan) {
@@ -263,8 +261,7 @@ static enum hsr_status run_lot(const struct plan *plan,
   return HSR_OK;
 }
 
-/* --- All starts --------------------------------------------------------------
- */
+/* --- All starts ----------------------------------------------------------- */
 
 /* As many of those still in the race, from *next on, as have room together; at
  * least one, if there is any. */

@@ -80,8 +80,7 @@ static double factor_between(double a, double b) {
                      const char *algorithm, int scene, struct text remark)
 #define UNUSED (void)claim, (void)algorithm, (void)remark
 
-/* --- Numbers of all the ten ------------------------------------------------
- */
+/* --- Numbers of all the ten ----------------------------------------------- */
 
 /* Of the totals of ten[first], ..., but one. NAN if one of them is. */
 struct range {
@@ -223,8 +222,7 @@ NUMBER(one_step_preponderates) {
   return n ? (double)many / n : NAN;
 }
 
-/* --- Numbers of an algorithm -----------------------------------------------
- */
+/* --- Numbers of an algorithm ---------------------------------------------- */
 
 NUMBER(against_largest_step) {
   const struct table_algorithm *a = tables_algorithm(t, algorithm);
@@ -283,8 +281,7 @@ NUMBER(newell_against_watkins) {
   return factor_between(total(t, "newell", scene), total(t, "watkins", scene));
 }
 
-/* --- Numbers of Table I, and of counters -----------------------------------
- */
+/* --- Numbers of Table I, and of counters ---------------------------------- */
 
 NUMBER(worst_rule) {
   UNUSED;
@@ -367,8 +364,7 @@ NUMBER(divisions_a_comparison) {
          tables_count(t, "watkins", "depth search", scene);
 }
 
-/* --- Judging ---------------------------------------------------------------
- */
+/* --- Judging -------------------------------------------------------------- */
 
 #define EXPONENT(e) "exponent", (e)-QUARTER, (e) + QUARTER
 #define AT_MOST(x) -INFINITY, (x)

@@ -18,8 +18,7 @@ struct options {
   bool json, greene;
 };
 
-/* --- Options ---------------------------------------------------------------
- */
+/* --- Options -------------------------------------------------------------- */
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
@@ -82,8 +81,7 @@ static const struct argp argp = {
     NULL,
     NULL};
 
-/* --- Counting --------------------------------------------------------------
- */
+/* --- Counting ------------------------------------------------------------- */
 
 /* What hsr bench --counts would be asked for. */
 static void ask(const struct options *o, struct sweep_options *ask) {

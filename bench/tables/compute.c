@@ -10,8 +10,7 @@ const char *const tables_scenes[] = {
     "house",       "harbor",       "big-harbor",   "harbor:100",   "harbor:500",
     "harbor:2500", "harbor:10000", "harbor:30000", "harbor:60000", NULL};
 
-/* --- Scenes ----------------------------------------------------------------
- */
+/* --- Scenes --------------------------------------------------------------- */
 
 /* X(field, symbol, meaning) */
 static struct hsr_table1 read_table1(const json_t *view) {
@@ -83,8 +82,7 @@ static enum hsr_status find_scenes(struct tables *t, struct hsr_error *err) {
   return HSR_OK;
 }
 
-/* --- Costs -----------------------------------------------------------------
- */
+/* --- Costs ---------------------------------------------------------------- */
 
 struct growth tables_growth(const struct tables *t, const double *values) {
   double faces[MOST_SCENES];
@@ -118,13 +116,24 @@ static void find_cells(const struct tables *t, struct table_algorithm *a) {
   }
 }
 
+/* Of all terms of a step, in scene s. */
+static double cost_of(const struct table_algorithm *a,
+                      const struct hsr_step *step, int s) {
+  const struct hsr_counter *counters = a->algorithm->counters;
+  double cost =
+      step->factor * count_in(a->cell[s], counters[step->counter].name);
+  for (int k = 0; k < HSR_MORE_TERMS && step->more[k].factor > 0; k++)
+    cost += step->more[k].factor *
+            count_in(a->cell[s], counters[step->more[k].counter].name);
+  return cost;
+}
+
 static void fill_step(const struct tables *t, const struct table_algorithm *a,
                       struct table_step *row, const struct hsr_step *step) {
-  const char *counter = a->algorithm->counters[step->counter].name;
   row->step = step;
   row->paper = paper_step(a->paper, step->label);
   for (int s = 0; s < t->n_scenes; s++) {
-    row->cost.measured[s] = step->factor * count_in(a->cell[s], counter);
+    row->cost.measured[s] = cost_of(a, step, s);
     row->cost.predicted[s] =
         step->predict ? step->predict(&t->scene[s].measured) : NAN;
   }
@@ -196,8 +205,7 @@ void tables_delete(struct tables *tables) {
   free(tables);
 }
 
-/* --- Looking things up -----------------------------------------------------
- */
+/* --- Looking things up ---------------------------------------------------- */
 
 const struct table_algorithm *tables_algorithm(const struct tables *t,
                                                const char *name) {

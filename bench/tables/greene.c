@@ -9,8 +9,7 @@ const struct greene_figure greene_figures[] = {
 #include "bench/tables/greene.def"
     {.what = NULL}};
 
-/* --- Ours --------------------------------------------------------------------
- */
+/* --- Ours ----------------------------------------------------------------- */
 
 /* The least that a frame took: what else the machine does only adds to it. */
 static double least_seconds(const json_t *cell) {

@@ -8,8 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/* --- Pieces ----------------------------------------------------------------
- */
+/* --- Pieces --------------------------------------------------------------- */
 
 /* Of the three environments. */
 static json_t *three(const double *x) {
@@ -35,8 +34,7 @@ static json_t *name_of(const struct paper_group *group) {
   return group ? json_string(group->name) : json_null();
 }
 
-/* --- Tables I to III -------------------------------------------------------
- */
+/* --- Tables I to III ------------------------------------------------------ */
 
 static json_t *environments_json(void) {
   json_t *array = json_array();
@@ -119,8 +117,7 @@ static json_t *table3_json(const struct tables *t) {
   return array;
 }
 
-/* --- Tables IV to VII ------------------------------------------------------
- */
+/* --- Tables IV to VII ----------------------------------------------------- */
 
 static json_t *column_json(const struct table_algorithm *a, int e) {
   json_t *steps = json_array();
@@ -170,8 +167,7 @@ static json_t *table7_json(const struct tables *t) {
   return array;
 }
 
-/* --- The taxonomy ----------------------------------------------------------
- */
+/* --- The taxonomy --------------------------------------------------------- */
 
 static json_t *figure13_json(void) {
   json_t *array = json_array();
@@ -240,8 +236,7 @@ static json_t *orders_json(void) {
   return array;
 }
 
-/* --- Greene ----------------------------------------------------------------
- */
+/* --- Greene --------------------------------------------------------------- */
 
 static json_t *figure_json(const struct greene_figure *f, const char *table,
                            double ours) {
@@ -263,8 +258,7 @@ json_t *greene_json(const struct results *results) {
   return array;
 }
 
-/* --- Conclusions -----------------------------------------------------------
- */
+/* --- Conclusions ---------------------------------------------------------- */
 
 static json_t *conclusions_json(const struct tables *t) {
   json_t *array = json_array();

@@ -65,8 +65,7 @@ enum hsr_status tables_new(struct tables **tables,
                            struct hsr_error *err);
 void tables_delete(struct tables *tables); /* NULL is allowed */
 
-/* --- Looking things up -----------------------------------------------------
- */
+/* --- Looking things up ---------------------------------------------------- */
 
 const struct table_algorithm *tables_algorithm(const struct tables *t,
                                                const char *name);
@@ -91,8 +90,7 @@ struct short_number {
 };
 struct short_number short_number(double x);
 
-/* --- Printing --------------------------------------------------------------
- */
+/* --- Printing ------------------------------------------------------------- */
 
 void tables_print(const struct tables *t);
 

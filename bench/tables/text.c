@@ -9,8 +9,7 @@
 
 enum { WIDTH = 100 };
 
-/* --- Pieces ----------------------------------------------------------------
- */
+/* --- Pieces --------------------------------------------------------------- */
 
 static void title(const char *text) {
   printf("\n%s\n", text);
@@ -93,8 +92,7 @@ static void print_four(const double *paper, const double *predicted,
 }
 #define FOUR "  paper pred. meas. ratio"
 
-/* --- Tables I to III -------------------------------------------------------
- */
+/* --- Tables I to III ------------------------------------------------------ */
 
 static void print_table1(void) {
   title("Table I. Environment statistics");
@@ -194,8 +192,7 @@ static void print_table3(const struct tables *t) {
   }
 }
 
-/* --- Tables IV to VII ------------------------------------------------------
- */
+/* --- Tables IV to VII ----------------------------------------------------- */
 
 /* "#####": a part of all. */
 static void print_bar(double part) {
@@ -259,8 +256,7 @@ static void print_table7(const struct tables *t) {
           "cost alone.");
 }
 
-/* --- The taxonomy ----------------------------------------------------------
- */
+/* --- The taxonomy --------------------------------------------------------- */
 
 static bool is_yardstick(const struct hsr_algorithm *a) {
   return a->taxonomy == HSR_YARDSTICK;
@@ -384,8 +380,7 @@ static void print_figure29b(void) {
   }
 }
 
-/* --- Conclusions -----------------------------------------------------------
- */
+/* --- Conclusions ---------------------------------------------------------- */
 
 static void print_conclusions(const struct tables *t) {
   title("The survey's conclusions, and whether the counts bear them out");
@@ -430,8 +425,7 @@ void tables_print(const struct tables *t) {
   print_conclusions(t);
 }
 
-/* --- Greene ------------------------------------------------------------------
- */
+/* --- Greene --------------------------------------------------------------- */
 
 /* A reason that is the last one's again is not told again. */
 static void print_reason(const char *reason, int indent, const char **last) {

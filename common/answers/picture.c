@@ -118,7 +118,7 @@ void hsr_picture_shade(const struct hsr_world *world,
   }
 }
 
-/* --- Of an outline ------------------------------------------------------- */
+/* --- Of an outline -------------------------------------------------------- */
 
 /* The faces that are in a picture, laid out, and the picture by their numbers
  * there. */

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/base/count.h"
 
-const char *const hsr_question_name[HSR_N_QUESTIONS] = {
-#define X(id, name) [HSR_ASK_##id] = name,
-    HSR_QUESTIONS(X)
+#define X(id, name) name,
+const char *const hsr_step_kind_name[HSR_N_STEP_KINDS] = {HSR_STEP_KINDS(X)};
+const char *const hsr_subject_kind_name[HSR_N_SUBJECT_KINDS] = {
+    HSR_SUBJECT_KINDS(X)};
+const char *const hsr_question_name[HSR_N_QUESTIONS] = {HSR_QUESTIONS(X)};
 #undef X
-};
 
 void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from) {
   for (int k = 0; k < HSR_MAX_COUNTERS; k++)
@@ -14,4 +15,20 @@ void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from) {
     to->exact[q] += from->exact[q];
   to->depths_compared += from->depths_compared;
   to->out_of_memory |= from->out_of_memory;
+}
+
+void hsr_tally_tell(struct hsr_tally *tally, int counter, struct hsr_subject a,
+                    struct hsr_subject b, struct hsr_window window, int outcome,
+                    const void *part) {
+  struct hsr_trace *trace = tally->trace;
+  struct hsr_event event = {.number = trace->n++,
+                            .counter = tally->first + counter,
+                            .a = a,
+                            .b = b,
+                            .window = window,
+                            .outcome = outcome,
+                            .part = part};
+  if (trace->name)
+    trace->name(trace->names, &event);
+  trace->listen(trace->context, &event);
 }

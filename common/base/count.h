@@ -1,10 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Counting what an algorithm does, and tracing it.
+/* Counting what an algorithm does, and tracing it: one layer for both.
  *
- * HSR_COUNT and HSR_STEP compile to nothing unless HSR_COUNTING is 1. Their
- * arguments must not have side effects. */
-#ifndef HSR_COMMON_COUNT_H
-#define HSR_COMMON_COUNT_H
+ * A step of an algorithm is counted by HSR_STEP. It adds one to a counter and,
+ * when someone listens, it emits one event. So the number of events of a
+ * counter is always its count.
+ *
+ * Both compile to nothing unless HSR_COUNTING is 1. Then the compiler only
+ * looks at their arguments, which must have no side effects. */
+#ifndef HSR_COMMON_BASE_COUNT_H
+#define HSR_COMMON_BASE_COUNT_H
+
+#include "common/base/window.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -14,19 +20,75 @@
 extern "C" {
 #endif
 
+/* --- Counters ------------------------------------------------------------- */
+
+/* The kind of step that a counter counts: one vocabulary for all algorithms. */
+#define HSR_STEP_KINDS(X)                                                      \
+  X(SORT, "sort")           /* a thing is put into its place */                \
+  X(COMPARE, "compare")     /* two things are compared */                      \
+  X(SPLIT, "split")         /* a face or an edge is divided */                 \
+  X(SUBDIVIDE, "subdivide") /* a window, a cell or a span is divided */        \
+  X(ACTIVATE, "activate")   /* a thing begins to matter */                     \
+  X(RETIRE, "retire")       /* a thing ceases to matter */                     \
+  X(SPAN, "span")           /* a stretch of a scan line is looked at */        \
+  X(SAMPLE, "sample")       /* a sample is looked at */                        \
+  X(REJECT, "reject")       /* a thing is found not to be visible */           \
+  X(ACCEPT, "accept")       /* a part of the answer is written */
+
+enum hsr_step_kind {
+#define X(id, name) HSR_##id,
+  HSR_STEP_KINDS(X)
+#undef X
+      HSR_N_STEP_KINDS
+};
+extern const char *const hsr_step_kind_name[HSR_N_STEP_KINDS];
+
+/* What the subjects of a step are, and what the numbers id[0], id[1], id[2] of
+ * one mean. */
+#define HSR_SUBJECT_KINDS(X)                                                   \
+  X(NOTHING, "nothing")                                                        \
+  X(FACE, "face")   /* face */                                                 \
+  X(PIECE, "piece") /* face, number of the piece */                            \
+  X(EDGE, "edge")   /* vertex, vertex, face; HSR_NO_ID: of several faces */    \
+  X(IMPLIED, "implied edge") /* face, face, part: where two faces penetrate */ \
+  X(VERTEX, "vertex")        /* vertex */                                      \
+  X(VOLUME, "volume")        /* number */                                      \
+  X(CELL, "cell")     /* of a tree or a pyramid: number, or level, x, y */     \
+  X(WINDOW, "window") /* the event's own window */
+
+enum hsr_subject_kind {
+#define X(id, name) HSR_OF_##id,
+  HSR_SUBJECT_KINDS(X)
+#undef X
+      HSR_N_SUBJECT_KINDS
+};
+extern const char *const hsr_subject_kind_name[HSR_N_SUBJECT_KINDS];
+
+#define HSR_NO_ID UINT32_MAX
+struct hsr_subject {
+  enum hsr_subject_kind kind;
+  uint32_t id[3];
+};
+
 /* What a counter of an algorithm counts. Every algorithm numbers its own, from
- * 0, with an enumeration in its file, and describes them in its descriptor;
- * what is not described there is not kept, which is not the same as 0. Like
+ * 0, with an enumeration in its file, and describes them in its descriptor.
+ * What is not described there is not kept, which is not the same as 0. Like
  * counters of different algorithms bear the same name. */
-#define HSR_MAX_COUNTERS 32
+#define HSR_MAX_COUNTERS 48
 struct hsr_counter {
   const char *name;    /* "X merge" */
   const char *meaning; /* "comparisons to merge entering edges into the list" */
+  enum hsr_step_kind kind;
+  enum hsr_subject_kind a, b; /* of its events */
+  const char *outcomes; /* what a step may decide, a word for each outcome from
+                           0, "farther|nearer"; NULL: nothing is decided */
+  bool computed; /* added in bulk by HSR_COMPUTED: what hardware would do, found
+                    by arithmetic and not performed; has no events */
 };
 
-/* The questions put to the services of common/exact/screen.h. Each is decided by a
- * filter in doubles, whose bound is proved, or else by the exact path, which is
- * rare and counted in both builds. */
+/* The questions put to the services of common/exact/screen.h. Each is decided
+ * by a filter in doubles, whose bound is proved, or else by the exact path,
+ * which is rare and counted in both builds. */
 #define HSR_QUESTIONS(X)                                                       \
   X(DEPTH, "depth comparisons")                                                \
   X(CUT, "sides of cuts")                                                      \
@@ -45,31 +107,36 @@ enum hsr_question {
 };
 extern const char *const hsr_question_name[HSR_N_QUESTIONS];
 
-/* What a run traces: one vocabulary for all algorithms. */
-enum hsr_event_kind {
-  HSR_SORT,
-  HSR_COMPARE,
-  HSR_SPLIT,
-  HSR_SUBDIVIDE,
-  HSR_ACTIVATE,
-  HSR_RETIRE,
-  HSR_SPAN,
-  HSR_SAMPLE,
-  HSR_REJECT,
-  HSR_ACCEPT
-};
+/* --- Events --------------------------------------------------------------- */
 
-/* Subjects are face ids or edge numbers as the kind and counter tell, or
- * HSR_NOTHING; the window is in samples. */
-#define HSR_NOTHING UINT32_MAX
+/* One step of a run. */
 struct hsr_event {
-  enum hsr_event_kind kind;
-  int counter; /* the algorithm's own number */
-  uint32_t a, b;
-  int x0, y0, x1, y1;
+  uint64_t number; /* in the run, from 0 */
+  int counter;     /* the algorithm's own number */
+  struct hsr_subject a, b;
+  struct hsr_window window; /* in samples; empty: the whole picture, or none */
+  int outcome;              /* which of the counter's outcomes; or 0 */
+  const void *part; /* HSR_ACCEPT of an answer that is not ids: what is added to
+                       it, as its kind of answer says; else NULL */
 };
 
-/* What one render counted. All zero to begin with. */
+/* Who listens to a run. One listener at a time: a run that is traced is on one
+ * thread, so that its events are in order. */
+struct hsr_trace {
+  /* Called for every event. Borrowed for the call. */
+  void (*listen)(void *context, const struct hsr_event *event);
+  void *context;
+  uint64_t n; /* events so far */
+
+  /* Brings the subjects of an event from an algorithm's own numbers to those of
+   * the scene, before listen; NULL: they are the scene's. */
+  void (*name)(const void *names, struct hsr_event *event);
+  const void *names;
+};
+
+/* --- What one render counted ---------------------------------------------- */
+
+/* All zero to begin with. */
 struct hsr_tally {
   uint64_t count[HSR_MAX_COUNTERS];
   int first; /* where one algorithm works inside another: the number that the
@@ -83,37 +150,78 @@ struct hsr_tally {
   float *work;
   size_t work_stride;
 
-  /* Called for every event; NULL when not asked for. */
-  void (*trace)(void *context, const struct hsr_event *event);
-  void *trace_context;
+  struct hsr_trace *trace; /* borrowed; NULL when nobody listens */
 };
 
 /* Adds `from` to `to`: counts and questions. */
 void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);
 
+/* What HSR_STEP does when someone listens. */
+void hsr_tally_tell(struct hsr_tally *tally, int counter, struct hsr_subject a,
+                    struct hsr_subject b, struct hsr_window window, int outcome,
+                    const void *part);
+
+/* --- Subjects and windows, to be written in a step ------------------------ */
+
+static inline struct hsr_subject hsr_subject_make(enum hsr_subject_kind kind,
+                                                  uint32_t x, uint32_t y,
+                                                  uint32_t z) {
+  struct hsr_subject subject = {kind, {x, y, z}};
+  return subject;
+}
+#define HSR_NOTHING hsr_subject_make(HSR_OF_NOTHING, 0, 0, 0)
+/* HSR_BACKGROUND, too, which is a face that is not there. */
+#define HSR_FACE(f) hsr_subject_make(HSR_OF_FACE, f, 0, 0)
+#define HSR_PIECE(f, number) hsr_subject_make(HSR_OF_PIECE, f, number, 0)
+#define HSR_EDGE(a, b, f) hsr_subject_make(HSR_OF_EDGE, a, b, f)
+#define HSR_IMPLIED(f, g, part) hsr_subject_make(HSR_OF_IMPLIED, f, g, part)
+#define HSR_VERTEX(v) hsr_subject_make(HSR_OF_VERTEX, v, 0, 0)
+#define HSR_VOLUME(number) hsr_subject_make(HSR_OF_VOLUME, number, 0, 0)
+#define HSR_CELL(level, x, y)                                                  \
+  hsr_subject_make(HSR_OF_CELL, (uint32_t)(level), (uint32_t)(x), (uint32_t)(y))
+#define HSR_THE_WINDOW hsr_subject_make(HSR_OF_WINDOW, 0, 0, 0)
+
+static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
+                                                int y1) {
+  struct hsr_window window = {x0, y0, x1, y1};
+  return window;
+}
+/* One sample; the columns [x0, x1) of row j; nowhere in particular. */
+#define HSR_AT(i, j) hsr_window_make(i, j, (i) + 1, (j) + 1)
+#define HSR_ON(x0, x1, j) hsr_window_make(x0, j, x1, (j) + 1)
+#define HSR_NOWHERE hsr_window_make(0, 0, 0, 0)
+
+/* --- Counting ------------------------------------------------------------- */
+
 #ifndef HSR_COUNTING
 #define HSR_COUNTING 0
 #endif
 
-/* HSR_COUNT(tally, X_SORT, n): n more. */
-/* HSR_STEP(tally, X_SORT, HSR_COMPARE, a, b, x0, y0, x1, y1): one more, and an
- * event when someone listens. */
-/* HSR_TOUCH(tally, i, j): the sample was touched. */
-/* HSR_TOUCH_SPAN(tally, x0, x1, j): the samples [x0, x1) of row j were touched
- * all at once: each by its share. */
-/* HSR_COUNT_DEPTHS(tally, n): n more comparisons of two faces' depths. */
+/* HSR_STEP(tally, X_MERGE, HSR_EDGE(...), HSR_EDGE(...), HSR_ON(...), outcome):
+ * one step. Subjects are in the numbers of the world that the algorithm got.
+ * HSR_ACCEPTED(tally, DRAWN, a, b, window, part): a step of kind HSR_ACCEPT that
+ * adds `part` to an answer that is not ids. A step of kind HSR_ACCEPT of ids
+ * writes face a, HSR_BACKGROUND too, to all samples of the window.
+ * HSR_COMPUTED(tally, Y_CULL, n): n more of a counter that is computed.
+ * HSR_TOUCH(tally, i, j): the sample was touched.
+ * HSR_TOUCH_SPAN(tally, x0, x1, j): the samples [x0, x1) of row j were touched
+ * all at once: each by its share.
+ * HSR_COUNT_DEPTHS(tally, n): n more comparisons of two faces' depths. */
 #if HSR_COUNTING
-#define HSR_COUNT(tally, counter, n)                                           \
-  ((void)((tally)->count[(tally)->first + (counter)] += (uint64_t)(n)))
-#define HSR_STEP(tally, counter, event_kind, a_, b_, x0_, y0_, x1_, y1_)       \
+#define HSR_ACCEPTED(tally, counter_, a, b, window, part)                      \
   do {                                                                         \
-    int counter_ = (tally)->first + (counter);                                 \
-    (tally)->count[counter_]++;                                                \
+    (tally)->count[(tally)->first + (counter_)]++;                             \
     if ((tally)->trace)                                                        \
-      (tally)->trace((tally)->trace_context,                                   \
-                     &(struct hsr_event){(event_kind), counter_, (a_), (b_),   \
-                                         (x0_), (y0_), (x1_), (y1_)});         \
+      hsr_tally_tell(tally, counter_, a, b, window, 0, part);                  \
   } while (0)
+#define HSR_STEP(tally, counter_, a, b, window, outcome)                       \
+  do {                                                                         \
+    (tally)->count[(tally)->first + (counter_)]++;                             \
+    if ((tally)->trace)                                                        \
+      hsr_tally_tell(tally, counter_, a, b, window, outcome, NULL);            \
+  } while (0)
+#define HSR_COMPUTED(tally, counter, n)                                        \
+  ((void)((tally)->count[(tally)->first + (counter)] += (uint64_t)(n)))
 #define HSR_TOUCH(tally, i, j)                                                 \
   do {                                                                         \
     if ((tally)->work)                                                         \
@@ -129,15 +237,25 @@ void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);
   ((void)((tally)->depths_compared += (uint64_t)(n)))
 #else
 /* sizeof: looked at by the compiler, not evaluated. */
-#define HSR_COUNT(tally, counter, n) ((void)sizeof((tally) + (counter) + (n)))
-#define HSR_STEP(tally, counter, event_kind, a_, b_, x0_, y0_, x1_, y1_)       \
-  ((void)sizeof((tally) + (counter) + (event_kind) + (a_) + (b_) + (x0_) +     \
-                (y0_) + (x1_) + (y1_)))
+#define HSR_ACCEPTED(tally, counter, a, b, window, part)                       \
+  ((void)sizeof((tally) + (counter)), (void)sizeof(a), (void)sizeof(b),        \
+   (void)sizeof(window), (void)sizeof(part))
+#define HSR_STEP(tally, counter, a, b, window, outcome)                        \
+  ((void)sizeof((tally) + (counter) + (outcome)), (void)sizeof(a),             \
+   (void)sizeof(b), (void)sizeof(window))
+#define HSR_COMPUTED(tally, counter, n)                                        \
+  ((void)sizeof((tally) + (counter) + (n)))
 #define HSR_TOUCH(tally, i, j) ((void)sizeof((tally) + (i) + (j)))
 #define HSR_TOUCH_SPAN(tally, x0_, x1_, j_)                                    \
   ((void)sizeof((tally) + (x0_) + (x1_) + (j_)))
 #define HSR_COUNT_DEPTHS(tally, n) ((void)sizeof((tally) + (n)))
 #endif
+
+/* Only until every module counts by steps: the ways of before. */
+#define HSR_COUNT(tally, counter, n) HSR_COMPUTED(tally, counter, n)
+#define HSR_STEP9(tally, counter, event_kind, a_, b_, x0_, y0_, x1_, y1_)      \
+  HSR_STEP(tally, counter, HSR_FACE(a_), HSR_FACE(b_),                         \
+           hsr_window_make(x0_, y0_, x1_, y1_), (int)(event_kind))
 
 #ifdef __cplusplus
 }

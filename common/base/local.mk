@@ -2,7 +2,8 @@
 nobase_pkginclude_HEADERS += \
   %D%/arena.h \
   %D%/count.h \
-  %D%/status.h
+  %D%/status.h \
+  %D%/window.h
 libhsr_a_SOURCES += \
   %D%/arena.c \
   %D%/bits.h \

@@ -17,8 +17,7 @@
 static const double U = DBL_EPSILON / 2;
 static const double TINY = 0x1p-960;
 
-/* --- Heights ---------------------------------------------------------------
- */
+/* --- Heights -------------------------------------------------------------- */
 
 static double sum_of_sizes(const double v[3]) {
   return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
@@ -76,20 +75,19 @@ bool hsr_grazes(const struct hsr_screen *screen, uint32_t f, double reach) {
   return !(clear > 0 && farthest * deviation <= reach * clear);
 }
 
-/* --- Before and beyond -----------------------------------------------------
- */
+/* --- Before and beyond ---------------------------------------------------- */
 
 static uint32_t n_points(const struct hsr_world *world, struct hsr_polygon p) {
   return p.outline ? p.n : hsr_face_size(world, p.face);
 }
 
-/* Point k of a polygon; returns its vertex, or HSR_NOTHING. */
+/* Point k of a polygon; returns its vertex, or HSR_NO_ID. */
 static uint32_t point_of(const struct hsr_world *world,
                          struct hsr_polygon polygon, uint32_t k, double p[3]) {
   if (polygon.outline) {
     for (int c = 0; c < 3; c++)
       p[c] = polygon.outline[k][c];
-    return HSR_NOTHING;
+    return HSR_NO_ID;
   }
   uint32_t v = world->vertex[world->start[polygon.face] + k];
   p[0] = world->x[v];
@@ -108,7 +106,7 @@ static enum hsr_certainty on_side(const struct hsr_screen *screen,
   for (uint32_t k = 0; k < n_points(world, polygon); k++) {
     double p[3], error;
     uint32_t v = point_of(world, polygon, k, p);
-    if (thick == 0 && v != HSR_NOTHING && hsr_on_plane(world, g, v))
+    if (thick == 0 && v != HSR_NO_ID && hsr_on_plane(world, g, v))
       continue; /* a vertex that they share */
     double off = side * height(world, g, p, !polygon.outline, &error);
     if (off > thick + error)
@@ -147,8 +145,7 @@ enum hsr_certainty hsr_before(const struct hsr_screen *screen,
   return on_side(screen, polygon, g, hsr_eye_side(screen, g, tally), tally);
 }
 
-/* --- Outlines ---------------------------------------------------------------
- */
+/* --- Outlines ------------------------------------------------------------- */
 
 uint32_t hsr_divide_outline(const struct hsr_screen *screen,
                             struct hsr_polygon polygon, struct hsr_cut cut,

@@ -84,7 +84,7 @@
 static const double U = DBL_EPSILON / 2;
 static const double TINY = 0x1p-960;
 
-/* --- Making the screen coordinates --------------------------------------- */
+/* --- Making the screen coordinates ---------------------------------------- */
 
 enum hsr_status hsr_screen_init(struct hsr_screen *screen,
                                 const struct hsr_world *world,
@@ -229,8 +229,7 @@ void hsr_screen_plane(struct hsr_screen *screen, uint32_t f) {
   depth_plane(screen->world, &frame, f, &screen->plane[f], &screen->facing[f]);
 }
 
-/* --- Pieces ----------------------------------------------------------------
- */
+/* --- Pieces --------------------------------------------------------------- */
 
 struct cuts {
   const struct hsr_cut *cut;
@@ -246,7 +245,7 @@ static struct cuts own_cuts(const struct hsr_world *world, uint32_t f) {
                        p->cut_start[f + 1] - p->cut_start[f]};
 }
 
-/* --- The culls ----------------------------------------------------------- */
+/* --- The culls ------------------------------------------------------------ */
 
 bool hsr_face_exists(const struct hsr_screen *screen, uint32_t f,
                      struct hsr_tally *tally) {
@@ -585,8 +584,7 @@ static bool beyond_near(const struct hsr_screen *screen, uint32_t f, int i,
          hsr_exact_past_near(view, loop, sx, sy, &tally->out_of_memory) > 0;
 }
 
-/* --- Cuts -------------------------------------------------------------------
- */
+/* --- Cuts ----------------------------------------------------------------- */
 
 int hsr_cut_side(const struct hsr_screen *screen, uint32_t f, uint32_t g, int i,
                  int j, struct hsr_tally *tally) {
@@ -611,8 +609,7 @@ static bool within_cuts(const struct hsr_screen *screen, uint32_t f,
   return true;
 }
 
-/* --- Surround test and sample spans ----------------------------------------
- */
+/* --- Surround test and sample spans --------------------------------------- */
 
 /* Whether the edge from a to b, which crosses row j with a on side `row`,
  * crosses it to the right of sample (i, j). An edge in line with the eye

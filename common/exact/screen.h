@@ -251,8 +251,7 @@ static inline int hsr_edge_column(const struct hsr_screen *screen,
 int hsr_face_spans(const struct hsr_screen *screen, uint32_t f, int j,
                    int *columns, struct hsr_tally *tally);
 
-/* --- Cut faces (common/scene/pieces.h) -------------------------------------------
- */
+/* --- Cut faces (common/scene/pieces.h) ------------------------------------ */
 
 /* What n_cuts cuts leave of a face; no sample of it is out of its bounds. */
 struct hsr_piece {

@@ -96,8 +96,7 @@ json_t *hsr_json_read_text(const char *text, size_t length, size_t flags,
                        out_of_memory, error);
 }
 
-/* --- Parts ------------------------------------------------------------------
- */
+/* --- Parts ---------------------------------------------------------------- */
 
 static bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';

@@ -66,8 +66,7 @@ void hsr_plot_free(struct hsr_plot *plot);
 /* The strokes from number k on that share the pen and object of stroke k. */
 size_t hsr_plot_run(const struct hsr_plot *plot, size_t k);
 
-/* --- Paper -------------------------------------------------------------------
- */
+/* --- Paper ---------------------------------------------------------------- */
 
 /* Files, whole or not at all. HSR_E_INPUT: cannot be written; HSR_E_NOMEM.
  * In .svg each object has a <path> of its own for each pen. */

@@ -63,8 +63,7 @@ static uint64_t *finest_of(const struct hsr_voxels *p,
   return &p->level[cell->level].finest[number_of(p, cell)];
 }
 
-/* --- The grid --------------------------------------------------------------
- */
+/* --- The grid ------------------------------------------------------------- */
 
 static void extend(double lo[3], double hi[3], const struct hsr_world *world,
                    uint32_t v) {
@@ -96,8 +95,7 @@ enum hsr_status hsr_voxel_grid_init(struct hsr_voxel_grid *grid,
   return HSR_OK;
 }
 
-/* --- Clearing --------------------------------------------------------------
- */
+/* --- Clearing ------------------------------------------------------------- */
 
 /* The first n subcells of four along an axis that begin before the end. */
 static int subcells(int extent, int size) {
@@ -124,8 +122,7 @@ static void clear(const struct hsr_voxels *p, const struct cell *cell) {
     *coarse_of(p, cell) = (struct hsr_triage){~vacant, vacant};
 }
 
-/* --- Beginning -------------------------------------------------------------
- */
+/* --- Beginning ------------------------------------------------------------ */
 
 static uint32_t most_planes(const struct hsr_volumes *volumes) {
   uint32_t most = 0;
@@ -184,8 +181,7 @@ void hsr_voxels_free(struct hsr_voxels *p) {
   hsr_arena_free(&p->arena);
 }
 
-/* --- Planes before voxels --------------------------------------------------
- */
+/* --- Planes before voxels ------------------------------------------------- */
 
 static const struct hsr_world *world_of(const struct hsr_voxels *p) {
   return p->volumes->edges->world;
@@ -223,8 +219,7 @@ static bool is_inside_plane(struct hsr_voxels *p, uint32_t k,
                                         centre, &p->out_of_memory) == half.side;
 }
 
-/* --- Planes before cells ---------------------------------------------------
- */
+/* --- Planes before cells -------------------------------------------------- */
 
 /* The planes that cross a cell, of those in list[]: into the level's active[],
  * each with the subcells that it leaves surely inside. The polyhedron's masks;
@@ -260,8 +255,7 @@ static uint32_t choose(const struct hsr_voxel_level *level, int bit) {
   return n;
 }
 
-/* --- Tiling ----------------------------------------------------------------
- */
+/* --- Tiling --------------------------------------------------------------- */
 
 /* Of a finest cell the subcells are voxels, and those that are active are
  * decided exactly. */

@@ -36,8 +36,7 @@ enum hsr_status hsr_drawing_add(struct hsr_drawing *drawing,
   return HSR_OK;
 }
 
-/* --- Order -----------------------------------------------------------------
- */
+/* --- Order ---------------------------------------------------------------- */
 
 static int order(uint32_t a, uint32_t b) {
   return (a > b) - (a < b);
@@ -95,8 +94,7 @@ enum hsr_status hsr_drawing_sort(struct hsr_drawing *drawing) {
   return HSR_OK;
 }
 
-/* --- Comparison ------------------------------------------------------------
- */
+/* --- Comparison ----------------------------------------------------------- */
 
 static uint32_t wanted_invisibility(const struct hsr_segment *segment,
                                     bool visible_only) {

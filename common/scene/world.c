@@ -263,7 +263,7 @@ static enum hsr_status check(const struct hsr_world *world,
   return out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }
 
-/* --- Equal planes ------------------------------------------------------- */
+/* --- Equal planes --------------------------------------------------------- */
 
 /* A number that equal planes share: a fixed generic linear form in the unit
  * normal and the distance, without its sign, known to lie in [lo, hi]. */
@@ -392,7 +392,7 @@ void hsr_world_free(struct hsr_world *world) {
   hsr_arena_free(&world->arena);
 }
 
-/* --- Outlines ------------------------------------------------------------ */
+/* --- Outlines ------------------------------------------------------------- */
 
 enum hsr_status hsr_world_outline(struct hsr_world *world,
                                   const struct hsr_scene *scene,

@@ -61,7 +61,7 @@ struct survey {
   size_t n_edges;
 };
 
-/* --- The picture on the screen ------------------------------------------ */
+/* --- The picture on the screen -------------------------------------------- */
 
 static void find_sides(struct survey *s) {
   const double m = s->view.m, n = s->view.n;
@@ -118,7 +118,7 @@ static bool project(const struct survey *s, const double p[3], double *x,
   return true;
 }
 
-/* --- Faces -------------------------------------------------------------- */
+/* --- Faces ---------------------------------------------------------------- */
 
 /* How many points a face of n vertices may have after five clippings. */
 static size_t clipped_size(size_t n) {
@@ -200,7 +200,7 @@ static void measure_clusters(struct survey *s) {
   s->table->F_c = s->table->F_t / total;
 }
 
-/* --- Segments ----------------------------------------------------------- */
+/* --- Segments ------------------------------------------------------------- */
 
 /* D_c    the relevant faces that cover a sample, averaged over all samples of
  *        the picture, whose rays stand for the "arbitrary" ones. The paper
@@ -253,7 +253,7 @@ static enum hsr_status measure_visible_segments(struct survey *s,
   return HSR_OK;
 }
 
-/* --- Edges -------------------------------------------------------------- */
+/* --- Edges ---------------------------------------------------------------- */
 
 static int compare_uses(const void *p, const void *q) {
   const struct use *u = p, *v = q;
@@ -360,7 +360,7 @@ static enum hsr_status measure_edges(struct survey *s) {
   return HSR_OK;
 }
 
-/* --- Visible edges ------------------------------------------------------ */
+/* --- Visible edges -------------------------------------------------------- */
 
 /* By how much, relative, a depth must be nearer to hide another: a face does
  * not hide the edges of what stands on it. */
@@ -439,7 +439,7 @@ static void measure_visible_edges(struct survey *s) {
   s->table->L_v = sum;
 }
 
-/* --- Crossings ---------------------------------------------------------- */
+/* --- Crossings ------------------------------------------------------------ */
 
 /* Edges whose ends lie within this of another edge, in pixels, touch it and do
  * not cross it. It is above what projection and clipping round, and so far
@@ -612,7 +612,7 @@ static enum hsr_status measure_crossings(struct survey *s) {
   return HSR_OK;
 }
 
-/* --- All of it ---------------------------------------------------------- */
+/* --- All of it ------------------------------------------------------------ */
 
 static enum hsr_status set_up(struct survey *s) {
   size_t n_vertices = s->world->n_vertices, n_faces = s->world->n_faces;
@@ -666,7 +666,7 @@ enum hsr_status hsr_statistics_measure(const struct hsr_world *world,
   return status;
 }
 
-/* --- Table II ----------------------------------------------------------- */
+/* --- Table II ------------------------------------------------------------- */
 
 void hsr_statistics_rules(const struct hsr_table1 *given,
                           struct hsr_table1 *rules) {

@@ -91,7 +91,7 @@ static void hold(struct hsr_box *box, const double p[3], double radius) {
   }
 }
 
-/* --- Making a polyhedron ready ------------------------------------------- */
+/* --- Making a polyhedron ready -------------------------------------------- */
 
 /* The arguments of hsr_polyhedron_init. */
 struct solid {
@@ -251,7 +251,7 @@ void hsr_polyhedron_init(struct hsr_polyhedron *poly, int n_vertices,
     find_lines(poly, &solid, u, middle);
 }
 
-/* --- The frustum of a window --------------------------------------------- */
+/* --- The frustum of a window ---------------------------------------------- */
 
 /* The point at depth t on the ray of screen point (sx, sy), and its radius. */
 static double ray_point(const struct hsr_view *view, double sx, double sy,

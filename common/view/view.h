@@ -21,6 +21,7 @@
 #ifndef HSR_COMMON_VIEW_H
 #define HSR_COMMON_VIEW_H
 
+#include "common/base/window.h"
 #include "common/scene/scene.h"
 
 #ifdef __cplusplus
@@ -28,11 +29,6 @@ extern "C" {
 #endif
 
 #define HSR_MAX_SIZE 16384 /* samples a side */
-
-/* A rectangle of samples: columns [x0, x1), rows [y0, y1). */
-struct hsr_window {
-  int x0, y0, x1, y1;
-};
 
 struct hsr_view {
   struct hsr_camera camera;

@@ -38,8 +38,7 @@ static void bar(struct hsr_pen *pen, int x0, int x1, int low, int high, int z0,
   hsr_pen_loft(pen, 4, 2, (const double(*)[3])p, false);
 }
 
-/* --- The building: 56 hexahedra a storey ------------------------------------
- */
+/* --- The building: 56 hexahedra a storey ---------------------------------- */
 
 static void slab(struct hsr_pen *pen) {
   hsr_pen_paint(pen, CONCRETE);

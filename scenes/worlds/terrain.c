@@ -14,8 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-/* --- The landscape ----------------------------------------------------------
- */
+/* --- The landscape -------------------------------------------------------- */
 
 /* A value in [0, 1) for each point of a lattice. */
 static double lattice_value(int x, int z, int octave) {

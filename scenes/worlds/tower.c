@@ -30,8 +30,7 @@ static const unsigned LIMESTONE = 0xd9cfba, STEEL = 0xaab2b8,
                       SPANDREL = 0x59605f, GRAVEL = 0x9a958b,
                       PAVEMENT = 0xb7b1a5, ASPHALT = 0x5d6063, VENT = 0x8b9499;
 
-/* --- The plan ---------------------------------------------------------------
- */
+/* --- The plan ------------------------------------------------------------- */
 
 enum { LAYERS = 102 };
 
@@ -156,8 +155,7 @@ static void posts(struct tower *tower) {
   }
 }
 
-/* --- Roofs, crown and ground ------------------------------------------------
- */
+/* --- Roofs, crown and ground ---------------------------------------------- */
 
 /* A strip of a roof in its own frame: before what rises from it, with a parapet
  * along its outer edge, and at its ends, if so wanted; rows of vents on the
@@ -288,8 +286,7 @@ static void shell(struct tower *tower) {
   crown(tower);
 }
 
-/* --- The views --------------------------------------------------------------
- */
+/* --- The views ------------------------------------------------------------ */
 
 /* From `eye` towards `heading` degrees, from +x to +z, and up or down by so
  * many metres in one. */

@@ -18,8 +18,7 @@ static void stop(const char *text) {
   exit(99);
 }
 
-/* --- Scenes ----------------------------------------------------------------
- */
+/* --- Scenes --------------------------------------------------------------- */
 
 /* In lattice steps, counter-clockwise: a wedge, a step, a cross, a U. */
 struct section {
@@ -126,8 +125,7 @@ static struct hsr_scene *draw_scene(uint64_t *seed, uint32_t *view) {
   return scene;
 }
 
-/* --- Comparison ------------------------------------------------------------
- */
+/* --- Comparison ----------------------------------------------------------- */
 
 struct comparison {
   long scene;

@@ -99,8 +99,7 @@ static void toy_draw(const struct hsr_algorithm *algorithm,
   hsr_scene_delete(scene);
 }
 
-/* --- The changes ------------------------------------------------------------
- */
+/* --- The changes ---------------------------------------------------------- */
 
 /* Each makes `to` from `from`, which it may not change. */
 
@@ -216,8 +215,7 @@ static void add_hidden(uint64_t *seed, const struct toy *from, struct toy *to) {
   toy_add(to, corner, n, MOST_FACES);
 }
 
-/* --- The comparison
- * ----------------------------------------------------------- */
+/* --- The comparison ------------------------------------------------------- */
 
 struct property {
   const char *name;

@@ -25,8 +25,7 @@ static enum hsr_status zbuffer(const struct hsr_job *job,
   return hsr_algorithm_zbuffer.render(job, err);
 }
 
-/* --- Wrong -------------------------------------------------------------------
- */
+/* --- Wrong ---------------------------------------------------------------- */
 
 static enum hsr_status broken(const struct hsr_job *job,
                               struct hsr_error *err) {
@@ -63,8 +62,7 @@ static void forgotten(void *prepared) {
   (void)prepared;
 }
 
-/* --- Failing at once ---------------------------------------------------------
- */
+/* --- Failing at once ------------------------------------------------------ */
 
 static enum hsr_status crasher(const struct hsr_job *job,
                                struct hsr_error *err) {
@@ -135,8 +133,7 @@ static void stall_at_last(void *prepared) {
     sleep_ms(100);
 }
 
-/* --- Good --------------------------------------------------------------------
- */
+/* --- Good ----------------------------------------------------------------- */
 
 static enum hsr_status sleeper(const struct hsr_job *job,
                                struct hsr_error *err) {
@@ -215,8 +212,7 @@ static enum hsr_status off_by_one(const struct hsr_job *job,
   return status;
 }
 
-/* --- The list ----------------------------------------------------------------
- */
+/* --- The list ------------------------------------------------------------- */
 
 #define FIXTURE(id, text, ...)                                                 \
   static const struct hsr_algorithm fixture_##id = {.name = text,              \

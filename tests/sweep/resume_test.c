@@ -46,8 +46,7 @@ static bool is_whole(const char *path) {
   return whole;
 }
 
-/* --- The same in the end -----------------------------------------------------
- */
+/* --- The same in the end -------------------------------------------------- */
 
 static size_t cells_in(const char *path) {
   struct results r = read_results(path);
@@ -150,8 +149,7 @@ static void test_shards(struct tap *tap) {
      "one behind the other they are the whole");
 }
 
-/* --- The file ----------------------------------------------------------------
- */
+/* --- The file ------------------------------------------------------------- */
 
 #define ONE "house --size 20x14 -a zbuffer --starts 2 --repetitions 1 "
 
@@ -238,8 +236,7 @@ static void test_limit(struct tap *tap) {
   ok(tap, !status && cells_in("few.ndjson") == 7, "and can be made up for");
 }
 
-/* --- Scenes ------------------------------------------------------------------
- */
+/* --- Scenes --------------------------------------------------------------- */
 
 #define OFF(z) "OFF\n3 1 0\n0 0 " z "\n1 0 0\n0 1 0\n3 0 1 2\n"
 

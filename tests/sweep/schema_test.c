@@ -156,8 +156,7 @@ static bool is_valid(const json_t *rule, const json_t *value) {
   return true;
 }
 
-/* --- Records -----------------------------------------------------------------
- */
+/* --- Records -------------------------------------------------------------- */
 
 /* How many lines of the file are records; *others, those that are not. */
 static long count_records(const char *path, const char *kind, long *others) {

@@ -16,8 +16,7 @@
 
 #define SMALL "house --size 64x48 --starts 2 "
 
-/* --- Verdicts ----------------------------------------------------------------
- */
+/* --- Verdicts ------------------------------------------------------------- */
 
 static const struct {
   const char *algorithm, *verdict;
@@ -104,8 +103,7 @@ static void test_filters(struct tap *tap) {
   results_free(&r);
 }
 
-/* --- Walks -------------------------------------------------------------------
- */
+/* --- Walks ---------------------------------------------------------------- */
 
 static json_int_t depth_tests(const struct results *r, const char *key) {
   json_t *counts = json_object_get(results_cell(r, key), "counts");
@@ -198,8 +196,7 @@ static void test_surroundings(struct tap *tap) {
   results_free(&r);
 }
 
-/* --- Times -------------------------------------------------------------------
- */
+/* --- Times ---------------------------------------------------------------- */
 
 /* The machine may be busy with other things: three tries. */
 static void test_sleeper(struct tap *tap) {
@@ -245,8 +242,7 @@ static void test_orders(struct tap *tap) {
   free(other);
 }
 
-/* --- Earlier results ---------------------------------------------------------
- */
+/* --- Earlier results ------------------------------------------------------ */
 
 /* Writes `results` anew, all times multiplied, one verdict changed. */
 static void doctor(const char *from, const char *to, double factor,

@@ -23,8 +23,7 @@ void must(bool done) {
   }
 }
 
-/* --- The folder --------------------------------------------------------------
- */
+/* --- The folder ----------------------------------------------------------- */
 
 static void remove_folder(void) {
   char command[64];
@@ -46,8 +45,7 @@ void enter_folder(void) {
   must(!prctl(PR_SET_CHILD_SUBREAPER, 1));
 }
 
-/* --- The command -------------------------------------------------------------
- */
+/* --- The command ---------------------------------------------------------- */
 
 static pid_t begin(const char *subcommand, const char *format, va_list words) {
   char command[8192];
@@ -111,8 +109,7 @@ bool is_group_gone(pid_t id) {
   return false;
 }
 
-/* --- What it says ------------------------------------------------------------
- */
+/* --- What it says --------------------------------------------------------- */
 
 char *read_text(const char *path) {
   FILE *file = fopen(path, "r");
@@ -172,8 +169,7 @@ bool is_silent(void) {
   return good;
 }
 
-/* --- What it wrote -----------------------------------------------------------
- */
+/* --- What it wrote -------------------------------------------------------- */
 
 struct results read_results(const char *path) {
   struct results results = {.headers = NULL};

@@ -36,8 +36,7 @@ bool is_copy = false;
 long tried = 0;
 std::FILE *log_file = nullptr;
 
-/* --- Copies ------------------------------------------------------------------
- */
+/* --- Copies --------------------------------------------------------------- */
 
 /* Goes on in a copy, silent but for its words. */
 void become_copy() {

@@ -152,8 +152,8 @@ static void sort_by_digit(struct state *s, const struct listed *from,
     start[digit + 1] += start[digit];
   for (uint32_t k = 0; k < n; k++) {
     to[start[RADIX - 1 - (from[k].z >> shift) % RADIX]++] = from[k];
-    HSR_STEP(s->tally, HSR_WARNOCK_Z_SORT, HSR_SORT, from[k].id, HSR_NOTHING,
-             from[k].x0, from[k].y0, from[k].x1, from[k].y1);
+    HSR_STEP9(s->tally, HSR_WARNOCK_Z_SORT, HSR_SORT, from[k].id, HSR_NO_ID,
+              from[k].x0, from[k].y0, from[k].x1, from[k].y1);
   }
 }
 
@@ -333,9 +333,9 @@ static uint32_t farthest(const struct state *s, uint32_t f,
  * comes, with all others after it, that lies behind all of a surrounder.
  * Returns the place of that face, or n. */
 static uint32_t cull(struct state *s, const struct window *w, uint32_t n) {
-  static const enum hsr_event_kind event[] = {[DISJOINT] = HSR_REJECT,
-                                              [INTERSECTER] = HSR_COMPARE,
-                                              [SURROUNDER] = HSR_ACCEPT};
+  static const enum hsr_step_kind event[] = {[DISJOINT] = HSR_REJECT,
+                                             [INTERSECTER] = HSR_COMPARE,
+                                             [SURROUNDER] = HSR_ACCEPT};
   uint32_t z_end = 0, k;
   for (k = 0; k < n && s->list[k].z >= z_end; k++) {
     struct listed *f = &s->list[k];
@@ -345,8 +345,8 @@ static uint32_t cull(struct state *s, const struct window *w, uint32_t n) {
     } else {
       f->relation = (uint8_t)relate(s, f, w);
       f->since = f->relation == SURROUNDER ? (uint8_t)w->level : NEVER;
-      HSR_STEP(s->tally, HSR_WARNOCK_SPECIAL, event[f->relation], f->id,
-               HSR_NOTHING, w->x0, w->y0, w->x1, w->y1);
+      HSR_STEP9(s->tally, HSR_WARNOCK_SPECIAL, event[f->relation], f->id,
+                HSR_NO_ID, w->x0, w->y0, w->x1, w->y1);
     }
     if (f->relation == SURROUNDER) {
       uint32_t z = farthest(s, f->id, w);
@@ -370,8 +370,8 @@ static struct listed *nearest_surrounder(struct state *s,
     if (f->relation != SURROUNDER)
       continue;
     if (nearest) {
-      HSR_STEP(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_COMPARE, f->id,
-               nearest->id, w->x0, w->y0, w->x1, w->y1);
+      HSR_STEP9(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_COMPARE, f->id,
+                nearest->id, w->x0, w->y0, w->x1, w->y1);
       if (!hsr_nearer(s->screen, f->id, nearest->id, w->x0, w->y0, s->tally))
         continue;
     }
@@ -418,8 +418,8 @@ static struct remains search_depth(struct state *s, const struct window *w,
     int order = -1;
     if (remains.surrounder) {
       struct depths depths = depths_of(s, f->id, w);
-      HSR_STEP(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_COMPARE, critical.id,
-               f->id, w->x0, w->y0, w->x1, w->y1);
+      HSR_STEP9(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_COMPARE, critical.id,
+                f->id, w->x0, w->y0, w->x1, w->y1);
       order = order_in_depth(s, &critical, &depths);
     }
     if (order > 0) {
@@ -488,8 +488,8 @@ static bool decide(struct state *s, const struct window *w,
         remains->surrounder ? HSR_WARNOCK_ONE_IN_FRONT : HSR_WARNOCK_ONE_FACE;
   else
     return false;
-  HSR_STEP(s->tally, counter, HSR_ACCEPT, id,
-           one ? remains->other->id : HSR_NOTHING, w->x0, w->y0, w->x1, w->y1);
+  HSR_STEP9(s->tally, counter, HSR_ACCEPT, id,
+            one ? remains->other->id : HSR_NO_ID, w->x0, w->y0, w->x1, w->y1);
   paint(s, w, id);
   if (one)
     paint_face(s, w, remains->other->id);
@@ -578,8 +578,8 @@ static void subdivide(struct state *s, const struct window *w, uint32_t n) {
   struct division at = at_centre(w);
   if (s->at_vertices && w->level < LAST_VERTEX_LEVEL && at_vertex(s, w, n, &at))
     HSR_COUNT(s->tally, AT_VERTEX, 1);
-  HSR_STEP(s->tally, HSR_WARNOCK_SUBDIVISIONS, HSR_SUBDIVIDE, HSR_NOTHING,
-           HSR_NOTHING, w->x0, w->y0, w->x1, w->y1);
+  HSR_STEP9(s->tally, HSR_WARNOCK_SUBDIVISIONS, HSR_SUBDIVIDE, HSR_NO_ID,
+            HSR_NO_ID, w->x0, w->y0, w->x1, w->y1);
   for (int quarter = 0; quarter < 4; quarter++) {
     struct hsr_window part = {w->x0, w->y0, w->x1, w->y1};
     *(quarter & 1 ? &part.x0 : &part.x1) = at.column;
@@ -602,8 +602,8 @@ static bool are_few(const struct state *s, uint32_t n) {
 
 static void finish(struct state *s, const struct window *w, uint32_t n) {
   struct hsr_window window = {w->x0, w->y0, w->x1, w->y1};
-  HSR_STEP(s->tally, HSR_WARNOCK_FINISHED, HSR_ACCEPT, HSR_NOTHING, HSR_NOTHING,
-           w->x0, w->y0, w->x1, w->y1);
+  HSR_STEP9(s->tally, HSR_WARNOCK_FINISHED, HSR_ACCEPT, HSR_NO_ID, HSR_NO_ID,
+            w->x0, w->y0, w->x1, w->y1);
   for (uint32_t k = 0; k < n; k++)
     s->open[k] = s->list[k].id;
   s->tally->first = HSR_WARNOCK_FINISHER;

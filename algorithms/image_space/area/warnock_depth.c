@@ -37,7 +37,7 @@ enum { LEVELS = 32 };
 enum state { VACANT, PARTLY, OCCUPIED };
 
 /* A side of the polygon: the edge from vertex a to b, inside where
- * hsr_edge_side is `inside`; or, if b is HSR_NOTHING, the plane of face a. */
+ * hsr_edge_side is `inside`; or, if b is HSR_NO_ID, the plane of face a. */
 struct side {
   uint32_t a, b;
   int inside;
@@ -77,8 +77,7 @@ static enum state gather(const struct warnock *s, int level, int x, int y) {
   return n_occupied == 4 ? OCCUPIED : n_vacant == 4 ? VACANT : PARTLY;
 }
 
-/* --- Cells ------------------------------------------------------------------
- */
+/* --- Cells ---------------------------------------------------------------- */
 
 /* The samples of a cell that are in the window. */
 static struct hsr_bounds samples_of(const struct warnock *s, int level, int x,
@@ -96,7 +95,7 @@ static bool is_inside(struct warnock *s, const struct side *side, int i,
   struct hsr_tally *tally = s->frame.job->tally;
   const struct hsr_screen *screen = &s->frame.screen;
   return side->inside ==
-         (side->b == HSR_NOTHING
+         (side->b == HSR_NO_ID
               ? hsr_cut_side(screen, s->piece.face, side->a, i, j, tally)
               : hsr_edge_side(screen, side->a, side->b, i, j, tally));
 }
@@ -131,8 +130,7 @@ static bool misses(const struct hsr_bounds *a, const struct hsr_bounds *b) {
   return a->x0 >= b->x1 || b->x0 >= a->x1 || a->y0 >= b->y1 || b->y0 >= a->y1;
 }
 
-/* --- The algorithm ----------------------------------------------------------
- */
+/* --- The algorithm -------------------------------------------------------- */
 
 /* Inserts the polygon into a cell, which n of its sides may cross. After these
  * there is room for those that cross its quadrants. */
@@ -143,8 +141,8 @@ static void insert(struct warnock *s, int level, int x, int y,
   if (*state == OCCUPIED)
     return;
   struct hsr_bounds samples = samples_of(s, level, x, y);
-  HSR_STEP(tally, CELLS, HSR_SAMPLE, s->piece.face, HSR_NOTHING, samples.x0,
-           samples.y0, samples.x1, samples.y1);
+  HSR_STEP9(tally, CELLS, HSR_SAMPLE, s->piece.face, HSR_NO_ID, samples.x0,
+            samples.y0, samples.x1, samples.y1);
   if (HSR_COUNTING && s->visits[level])
     s->visits[level][cell_of(s, level, x, y)]++;
   if (misses(&samples, &s->piece.bounds))
@@ -193,7 +191,7 @@ static uint32_t find_sides(struct warnock *s, const struct hsr_bsp_piece *piece,
   for (uint32_t k = 0; k < piece->n_corners; k++) {
     if (corner[k].b == HSR_BSP_FRONT || corner[k].b == HSR_BSP_BEHIND) {
       const struct hsr_cut *cut = &s->piece.cuts[n_cuts++];
-      s->side[k] = (struct side){cut->face, HSR_NOTHING, cut->side};
+      s->side[k] = (struct side){cut->face, HSR_NO_ID, cut->side};
     } else {
       s->side[k] = (struct side){corner[k].a, corner[k].b, -around};
     }

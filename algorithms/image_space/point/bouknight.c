@@ -62,14 +62,13 @@ struct scan {
   uint32_t *place; /* a face: where it stands in visible[] */
 };
 
-/* --- Span cull --------------------------------------------------------------
- */
+/* --- Span cull ------------------------------------------------------------ */
 
 /* Turns the visible bit of a face on or off, as the span passes its edge. */
 static void turn_bit(struct scan *s, uint32_t f) {
-  HSR_STEP(s->edges.tally, SPAN_CULL,
-           s->place[f] == NONE ? HSR_ACTIVATE : HSR_RETIRE, f, HSR_NOTHING, 0,
-           s->j, 0, s->j + 1);
+  HSR_STEP9(s->edges.tally, SPAN_CULL,
+            s->place[f] == NONE ? HSR_ACTIVATE : HSR_RETIRE, f, HSR_NO_ID, 0,
+            s->j, 0, s->j + 1);
   if (s->place[f] == NONE) {
     s->place[f] = s->n_visible;
     s->visible[s->n_visible++] = f;
@@ -81,8 +80,7 @@ static void turn_bit(struct scan *s, uint32_t f) {
   }
 }
 
-/* --- Depth search -----------------------------------------------------------
- */
+/* --- Depth search --------------------------------------------------------- */
 
 /* The nearest of the visible faces at sample i; `nearest` is one of them. */
 static uint32_t search_depth(struct scan *s, uint32_t nearest, int i) {
@@ -91,20 +89,19 @@ static uint32_t search_depth(struct scan *s, uint32_t nearest, int i) {
     if (f == nearest)
       continue;
     HSR_TOUCH(s->edges.tally, i, s->j);
-    HSR_STEP(s->edges.tally, DEPTH_SEARCH, HSR_COMPARE, f, nearest, i, s->j,
-             i + 1, s->j + 1);
+    HSR_STEP9(s->edges.tally, DEPTH_SEARCH, HSR_COMPARE, f, nearest, i, s->j,
+              i + 1, s->j + 1);
     if (hsr_nearer(&s->edges.screen, f, nearest, i, s->j, s->edges.tally))
       nearest = f;
   }
   return nearest;
 }
 
-/* --- Sample spans -----------------------------------------------------------
- */
+/* --- Sample spans --------------------------------------------------------- */
 
 static void write_span(struct scan *s, uint32_t id, int left, int right) {
-  HSR_STEP(s->edges.tally, SPANS, HSR_SPAN, id, HSR_NOTHING, left, s->j, right,
-           s->j + 1);
+  HSR_STEP9(s->edges.tally, SPANS, HSR_SPAN, id, HSR_NO_ID, left, s->j, right,
+            s->j + 1);
   HSR_TOUCH_SPAN(s->edges.tally, left, right, s->j);
   for (int i = left; i < right; i++)
     s->ids[i] = id;
@@ -114,8 +111,8 @@ static void write_span(struct scan *s, uint32_t id, int left, int right) {
 static void show_span(struct scan *s, uint32_t first, uint32_t last, int left,
                       int right) {
   while (first != last) {
-    HSR_STEP(s->edges.tally, DIVISIONS, HSR_SUBDIVIDE, first, last, left, s->j,
-             right, s->j + 1);
+    HSR_STEP9(s->edges.tally, DIVISIONS, HSR_SUBDIVIDE, first, last, left, s->j,
+              right, s->j + 1);
     int middle = hsr_scan_crossing(&s->edges, first, last, true, left, right,
                                    s->j, DEPTH_SEARCH);
     uint32_t before = search_depth(s, first, middle - 1);
@@ -154,8 +151,7 @@ static void scan_row(struct scan *s) {
     decide_span(s, left, w->x1);
 }
 
-/* --- The algorithm ----------------------------------------------------------
- */
+/* --- The algorithm -------------------------------------------------------- */
 
 static enum hsr_status allocate(struct scan *s) {
   const struct hsr_job *job = s->edges.job;

@@ -166,8 +166,7 @@ struct scan {
   uint32_t n_thick; /* of them, not flat */
 };
 
-/* --- Y sort ----------------------------------------------------------------
- */
+/* --- Y sort --------------------------------------------------------------- */
 
 static void put_into_y_bucket(struct scan *s, struct face face, int row) {
   const struct hsr_window *w = s->window;
@@ -182,8 +181,8 @@ static void put_into_y_bucket(struct scan *s, struct face face, int row) {
     s->intercept[s->n_intercepts++] = (struct intercept){.face = s->n_faces};
   *bucket = s->n_faces;
   s->face[s->n_faces++] = face;
-  HSR_STEP(s->tally, Y_SORT, HSR_SORT, face.id, HSR_NOTHING, w->x0, row, w->x1,
-           face.end_row);
+  HSR_STEP9(s->tally, Y_SORT, HSR_SORT, face.id, HSR_NO_ID, w->x0, row, w->x1,
+            face.end_row);
 }
 
 /* A triangle meets the rows from its uppermost corner's to its lowest's. */
@@ -245,8 +244,7 @@ static void update_y_occupied(struct scan *s, int j) {
   s->n_y_occupied = kept;
 }
 
-/* --- X sort ----------------------------------------------------------------
- */
+/* --- X sort --------------------------------------------------------------- */
 
 static void set_column(struct scan *s, uint32_t intercept, int column) {
   const struct hsr_window *w = s->window;
@@ -277,8 +275,8 @@ static void find_triangle_intercepts(struct scan *s, struct face *face,
 static void find_intercepts(struct scan *s, int j) {
   for (uint32_t k = 0; k < s->n_y_occupied; k++) {
     struct face *face = &s->face[s->y_occupied[k]];
-    HSR_STEP(s->tally, X_SORT, HSR_SORT, face->id, HSR_NOTHING, s->window->x0,
-             j, s->window->x1, j + 1);
+    HSR_STEP9(s->tally, X_SORT, HSR_SORT, face->id, HSR_NO_ID, s->window->x0, j,
+              s->window->x1, j + 1);
     if (face->whole_triangle) {
       find_triangle_intercepts(s, face, k >= s->n_stayed, j);
       continue;
@@ -317,8 +315,7 @@ static void sort_x(struct scan *s, int j) {
   }
 }
 
-/* --- X priority search -------------------------------------------------------
- */
+/* --- X priority search ---------------------------------------------------- */
 
 /* A piece of a face begins or ends: from here on an odd number of the face's
  * pieces hold the raster element, or no longer. */
@@ -359,8 +356,7 @@ static void clear_x_occupied(struct scan *s) {
   s->n_x_occupied = s->n_thick = 0;
 }
 
-/* --- Depth search ------------------------------------------------------------
- */
+/* --- Depth search --------------------------------------------------------- */
 
 /* The nearest face of the X occupied table, which is not empty, at a sample. */
 static uint32_t search_depth(struct scan *s, int i, int j) {
@@ -368,8 +364,8 @@ static uint32_t search_depth(struct scan *s, int i, int j) {
   for (uint32_t k = 0; k < s->n_x_occupied; k++) {
     uint32_t f = s->x_occupied[k];
     HSR_TOUCH(s->tally, i, j);
-    HSR_STEP(s->tally, DEPTH_SEARCH, HSR_COMPARE, f, visible, i, j, i + 1,
-             j + 1);
+    HSR_STEP9(s->tally, DEPTH_SEARCH, HSR_COMPARE, f, visible, i, j, i + 1,
+              j + 1);
     if (k && hsr_nearer(&s->screen, f, visible, i, j, s->tally))
       visible = f;
   }
@@ -379,12 +375,12 @@ static uint32_t search_depth(struct scan *s, int i, int j) {
 /* How far what is nearest at `left` is so, where faces are thick. */
 static int check_thickness(struct scan *s, uint32_t visible, int left,
                            int right, int j) {
-  HSR_STEP(s->tally, THICKNESS_CHECKS, HSR_COMPARE, visible, HSR_NOTHING, left,
-           j, right, j + 1);
+  HSR_STEP9(s->tally, THICKNESS_CHECKS, HSR_COMPARE, visible, HSR_NO_ID, left,
+            j, right, j + 1);
   if (search_depth(s, right - 1, j) == visible)
     return right;
-  HSR_STEP(s->tally, THICKNESS_DIVISIONS, HSR_SUBDIVIDE, visible, HSR_NOTHING,
-           left, j, right, j + 1);
+  HSR_STEP9(s->tally, THICKNESS_DIVISIONS, HSR_SUBDIVIDE, visible, HSR_NO_ID,
+            left, j, right, j + 1);
   int lo = left, hi = right - 1; /* visible at lo, not at hi nor after it */
   while (hi - lo > 1) {
     int middle = lo + (hi - lo) / 2;
@@ -398,7 +394,7 @@ static int check_thickness(struct scan *s, uint32_t visible, int left,
 
 static void show(struct scan *s, uint32_t id, int left, int right, int j) {
   uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-  HSR_STEP(s->tally, SPANS, HSR_SPAN, id, HSR_NOTHING, left, j, right, j + 1);
+  HSR_STEP9(s->tally, SPANS, HSR_SPAN, id, HSR_NO_ID, left, j, right, j + 1);
   HSR_TOUCH_SPAN(s->tally, left, right, j);
   for (int i = left; i < right; i++)
     row[i] = id;
@@ -419,8 +415,7 @@ static uint32_t search_span(struct scan *s, int left, int right, int j) {
   return thick ? UNKNOWN : visible;
 }
 
-/* --- A scan line -------------------------------------------------------------
- */
+/* --- A scan line ---------------------------------------------------------- */
 
 /* Scans the X buckets of row j: those with intercepts begin sample spans. */
 static void scan_line(struct scan *s, int j) {
@@ -443,8 +438,8 @@ static void scan_line(struct scan *s, int j) {
       last->visible = search_span(s, left, right, j);
       searched = true;
     } else {
-      HSR_STEP(s->tally, SPANS_REUSED, HSR_ACCEPT, last->visible, HSR_NOTHING,
-               left, j, right, j + 1);
+      HSR_STEP9(s->tally, SPANS_REUSED, HSR_ACCEPT, last->visible, HSR_NO_ID,
+                left, j, right, j + 1);
       show(s, last->visible, left, right, j);
       reused = true;
     }
@@ -453,12 +448,11 @@ static void scan_line(struct scan *s, int j) {
   s->n_order = s->n_passed;
   clear_x_occupied(s);
   if (reused && !searched)
-    HSR_STEP(s->tally, LINES_REUSED, HSR_ACCEPT, HSR_NOTHING, HSR_NOTHING,
-             s->window->x0, j, x1, j + 1);
+    HSR_STEP9(s->tally, LINES_REUSED, HSR_ACCEPT, HSR_NO_ID, HSR_NO_ID,
+              s->window->x0, j, x1, j + 1);
 }
 
-/* --- The algorithm -----------------------------------------------------------
- */
+/* --- The algorithm -------------------------------------------------------- */
 
 static enum hsr_status allocate(struct scan *s) {
   const struct hsr_world *world = s->job->world;

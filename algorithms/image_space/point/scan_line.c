@@ -5,8 +5,7 @@
 /* No more edges in a bucket. */
 static const uint32_t NONE = UINT32_MAX;
 
-/* --- Y sort ----------------------------------------------------------------
- */
+/* --- Y sort --------------------------------------------------------------- */
 
 static void put_into_bucket(struct hsr_scan *s, struct hsr_scan_edge edge,
                             int row) {
@@ -21,8 +20,8 @@ static void put_into_bucket(struct hsr_scan *s, struct hsr_scan_edge edge,
   edge.next = *bucket;
   *bucket = s->n_edges;
   s->edge[s->n_edges++] = edge;
-  HSR_STEP(s->tally, HSR_Y_SORT, HSR_SORT, edge.face, *bucket, w->x0, row,
-           w->x1, edge.end_row);
+  HSR_STEP9(s->tally, HSR_Y_SORT, HSR_SORT, edge.face, *bucket, w->x0, row,
+            w->x1, edge.end_row);
 }
 
 static void sort_edges(struct hsr_scan *s, const struct hsr_piece *piece,
@@ -111,8 +110,7 @@ void hsr_scan_sort(struct hsr_scan *s, const struct hsr_window *window,
   }
 }
 
-/* --- X sort ----------------------------------------------------------------
- */
+/* --- X sort --------------------------------------------------------------- */
 
 /* Of all ends of a piece, the first time that one is asked for on the row. */
 static void find_cut_columns(struct hsr_scan *s, struct hsr_scan_cut *cut,
@@ -155,8 +153,8 @@ static void take_bucket(struct hsr_scan *s, int j) {
     find_column(s, &s->edge[e], j);
     uint32_t k = s->n_entering++;
     for (; k; k--) {
-      HSR_STEP(s->tally, HSR_X_MERGE, HSR_COMPARE, e, s->entering[k - 1], 0, j,
-               0, j + 1);
+      HSR_STEP9(s->tally, HSR_X_MERGE, HSR_COMPARE, e, s->entering[k - 1], 0, j,
+                0, j + 1);
       if (s->edge[s->entering[k - 1]].column <= s->edge[e].column)
         break;
       s->entering[k] = s->entering[k - 1];
@@ -173,8 +171,8 @@ static void merge_x(struct hsr_scan *s, int j) {
     uint32_t e = s->entering[entering - 1];
     bool stays = false;
     if (from) {
-      HSR_STEP(s->tally, HSR_X_MERGE, HSR_COMPARE, e, s->list[from - 1], 0, j,
-               0, j + 1);
+      HSR_STEP9(s->tally, HSR_X_MERGE, HSR_COMPARE, e, s->list[from - 1], 0, j,
+                0, j + 1);
       stays = s->edge[s->list[from - 1]].column > s->edge[e].column;
     }
     s->list[--to] = stays ? s->list[--from] : e;
@@ -190,8 +188,8 @@ static void sort_x(struct hsr_scan *s, int j) {
     uint32_t e = list[n], k = n;
     int column = edge[e].column;
     for (; k; k--) {
-      HSR_STEP(s->tally, HSR_X_SORT, HSR_COMPARE, e, list[k - 1], 0, j, 0,
-               j + 1);
+      HSR_STEP9(s->tally, HSR_X_SORT, HSR_COMPARE, e, list[k - 1], 0, j, 0,
+                j + 1);
       if (edge[list[k - 1]].column <= column)
         break;
       HSR_COUNT(s->tally, HSR_X_SORT, 10);
@@ -201,8 +199,7 @@ static void sort_x(struct hsr_scan *s, int j) {
   }
 }
 
-/* --- Penetration -----------------------------------------------------------
- */
+/* --- Penetration ---------------------------------------------------------- */
 
 /* Looks first on both sides of where the two planes meet by their coefficients,
  * then halves. */
@@ -220,7 +217,8 @@ int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
     if (n > 1 || look <= lo || look >= hi)
       look = lo + (hi - lo) / 2;
     HSR_TOUCH(scan->tally, look, j);
-    HSR_STEP(scan->tally, counter, HSR_COMPARE, f, g, look, j, look + 1, j + 1);
+    HSR_STEP9(scan->tally, counter, HSR_COMPARE, f, g, look, j, look + 1,
+              j + 1);
     if (hsr_nearer(&scan->screen, f, g, look, j, scan->tally) == f_first)
       lo = look++;
     else
@@ -229,8 +227,7 @@ int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
   return hi;
 }
 
-/* --- The row ----------------------------------------------------------------
- */
+/* --- The row -------------------------------------------------------------- */
 
 void hsr_scan_make_room(struct hsr_scan_room *room,
                         const struct hsr_screen *screen,

@@ -28,8 +28,7 @@ static const struct hsr_sort sorts[] = {HSR_WATKINS_SORTS,
 /* No segment. */
 static const uint32_t NONE = UINT32_MAX;
 
-/* --- Segments ---------------------------------------------------------------
- */
+/* --- Segments ------------------------------------------------------------- */
 
 static void close_segment(struct hsr_watkins *s, uint32_t number, int x1,
                           int j) {
@@ -70,8 +69,7 @@ static void find_segments(struct hsr_watkins *s, int j) {
   }
 }
 
-/* --- Depth search ------------------------------------------------------------
- */
+/* --- Depth search --------------------------------------------------------- */
 
 /* A part of a segment between two points of the row, in columns, with its
  * depths there. */
@@ -124,8 +122,8 @@ static bool first_is_nearer(struct hsr_watkins *s,
   double margin = f->error + g->error;
   for (;;) {
     HSR_TOUCH_SPAN(s->tally, l, r, j);
-    HSR_STEP(s->tally, HSR_DEPTH_SEARCH, HSR_COMPARE, f->face, g->face, l, j, r,
-             j + 1);
+    HSR_STEP9(s->tally, HSR_DEPTH_SEARCH, HSR_COMPARE, f->face, g->face, l, j,
+              r, j + 1);
     *end = r;
     if (farthest(pf) - nearest(pg) > margin)
       return true;
@@ -133,8 +131,8 @@ static bool first_is_nearer(struct hsr_watkins *s,
       return false;
     if (r - l == 1)
       return hsr_nearer(&s->edges.screen, f->face, g->face, l, j, s->tally);
-    HSR_STEP(s->tally, HSR_DEPTH_DIVISIONS, HSR_SUBDIVIDE, f->face, g->face, l,
-             j, r, j + 1);
+    HSR_STEP9(s->tally, HSR_DEPTH_DIVISIONS, HSR_SUBDIVIDE, f->face, g->face, l,
+              j, r, j + 1);
     bool f_is_longer = pf.x1 - pf.x0 >= pg.x1 - pg.x0;
     if (!narrow(f_is_longer ? &pf : &pg, l, r) &&
         !narrow(f_is_longer ? &pg : &pf, l, r))
@@ -168,8 +166,7 @@ static bool is_nearer(struct hsr_watkins *s,
   return first_is_nearer(s, f, whole_part(f), g, whole_part(g), l, r, j, end);
 }
 
-/* --- Sample spans ------------------------------------------------------------
- */
+/* --- Sample spans --------------------------------------------------------- */
 
 static int least(int a, int b) {
   return a < b ? a : b;
@@ -205,8 +202,8 @@ static void float_right(struct hsr_watkins *s,
                         uint32_t next, int *right, int j) {
   for (uint32_t k = next; k < s->n_segments; k++) {
     const struct hsr_watkins_segment *segment = &s->segment[k];
-    HSR_STEP(s->tally, HSR_SPAN_CULL, HSR_COMPARE, segment->face, HSR_NOTHING,
-             segment->x0, j, *right, j + 1);
+    HSR_STEP9(s->tally, HSR_SPAN_CULL, HSR_COMPARE, segment->face, HSR_NO_ID,
+              segment->x0, j, *right, j + 1);
     if (segment->x0 >= *right)
       return;
     if (segment->x0 == segment->x1)
@@ -224,15 +221,16 @@ static uint32_t enter_span(struct hsr_watkins *s, int left, uint32_t next,
                            int j) {
   uint32_t kept = 0;
   for (uint32_t k = 0; k < s->n_under; k++) {
-    HSR_STEP(s->tally, HSR_SPAN_CULL, HSR_COMPARE, s->segment[s->under[k]].face,
-             HSR_NOTHING, left, j, left + 1, j + 1);
+    HSR_STEP9(s->tally, HSR_SPAN_CULL, HSR_COMPARE,
+              s->segment[s->under[k]].face, HSR_NO_ID, left, j, left + 1,
+              j + 1);
     if (s->segment[s->under[k]].x1 > left)
       s->under[kept++] = s->under[k];
   }
   s->n_under = kept;
   for (; next < s->n_segments && s->segment[next].x0 <= left; next++) {
-    HSR_STEP(s->tally, HSR_SPAN_CULL, HSR_ACTIVATE, s->segment[next].face,
-             HSR_NOTHING, left, j, left + 1, j + 1);
+    HSR_STEP9(s->tally, HSR_SPAN_CULL, HSR_ACTIVATE, s->segment[next].face,
+              HSR_NO_ID, left, j, left + 1, j + 1);
     if (s->segment[next].x1 > left)
       s->under[s->n_under++] = next;
   }
@@ -251,16 +249,15 @@ static void scan_row(struct hsr_watkins *s, int j) {
         search_depth(s, left, &right, j);
     float_right(s, visible, next, &right, j);
     uint32_t id = visible ? visible->face : HSR_BACKGROUND;
-    HSR_STEP(s->tally, HSR_SPANS, HSR_SPAN, id, HSR_NOTHING, left, j, right,
-             j + 1);
+    HSR_STEP9(s->tally, HSR_SPANS, HSR_SPAN, id, HSR_NO_ID, left, j, right,
+              j + 1);
     HSR_TOUCH_SPAN(s->tally, left, right, j);
     for (int i = left; i < right; i++)
       row[i] = id;
   }
 }
 
-/* --- The algorithm -----------------------------------------------------------
- */
+/* --- The algorithm -------------------------------------------------------- */
 
 enum hsr_status hsr_watkins_reserve(struct hsr_watkins *s,
                                     const struct hsr_job *job,

@@ -222,8 +222,7 @@ static int most(int a, int b) {
   return a > b ? a : b;
 }
 
-/* --- Memory -----------------------------------------------------------------
- */
+/* --- Memory --------------------------------------------------------------- */
 
 static struct segment *new_segment(struct scan *s) {
   enum { AT_ONCE = 64 };
@@ -280,8 +279,7 @@ static void insert_end(struct scan *s, struct segment *segment, int key) {
   line->end[k] = (struct end){key, segment};
 }
 
-/* --- The two lists ----------------------------------------------------------
- */
+/* --- The two lists -------------------------------------------------------- */
 
 static void empty_lists(struct scan *s) {
   for (int list = 0; list < 2; list++)
@@ -301,8 +299,7 @@ static void take_out(struct segment *segment, enum list list) {
   segment->far[list]->near[list] = segment->near[list];
 }
 
-/* --- Segments of the row ----------------------------------------------------
- */
+/* --- Segments of the row -------------------------------------------------- */
 
 /* Pairs the edges of the X sort list: the first of a face opens a segment, the
  * second closes it. */
@@ -340,7 +337,7 @@ static void find_crossings(struct scan *s) {
 
 static bool is_nearer(const struct scan *s, uint32_t f, uint32_t g, int i) {
   HSR_TOUCH(s->tally, i, s->j);
-  HSR_STEP(s->tally, IMPLIED, HSR_COMPARE, f, g, i, s->j, i + 1, s->j + 1);
+  HSR_STEP9(s->tally, IMPLIED, HSR_COMPARE, f, g, i, s->j, i + 1, s->j + 1);
   return hsr_nearer(s->screen, f, g, i, s->j, s->tally);
 }
 
@@ -444,8 +441,7 @@ static void compare_lines(struct scan *s) {
   free_doomed(s);
 }
 
-/* --- Z sort: the order of two faces -----------------------------------------
- */
+/* --- Z sort: the order of two faces --------------------------------------- */
 
 static void include_depth(struct extent *extent, double q) {
   if (extent->nearest < q)
@@ -475,7 +471,7 @@ static struct extent find_extent(const struct scan *s, uint32_t f) {
 /* Newell's test 1: +1 if all of f is nearer than all of g, -1 if all of g than
  * all of f, else 0. */
 static int compare_extents(const struct scan *s, uint32_t f, uint32_t g) {
-  HSR_STEP(s->tally, MINIMAX, HSR_COMPARE, f, g, 0, s->j, 0, s->j + 1);
+  HSR_STEP9(s->tally, MINIMAX, HSR_COMPARE, f, g, 0, s->j, 0, s->j + 1);
   return (s->extent[f].farthest > s->extent[g].nearest) -
          (s->extent[g].farthest > s->extent[f].nearest);
 }
@@ -489,7 +485,7 @@ static int side_of_plane(const struct scan *s, uint32_t f, uint32_t g) {
   bool in_front = true, behind = true;
   for (uint32_t k = world->start[f];
        k < world->start[f + 1] && (in_front || behind); k++) {
-    HSR_STEP(s->tally, Z_SORT, HSR_COMPARE, f, g, 0, s->j, 0, s->j + 1);
+    HSR_STEP9(s->tally, Z_SORT, HSR_COMPARE, f, g, 0, s->j, 0, s->j + 1);
     int nearer = hsr_vertex_nearer(s->screen, f, g, world->vertex[k], s->tally);
     in_front &= nearer >= 0;
     behind &= nearer <= 0;
@@ -541,8 +537,8 @@ static int settle(const struct scan *s, const struct segment *a,
  * what follows does. */
 static void divide(struct scan *s, struct segment *segment, uint32_t by,
                    int middle, bool in_front) {
-  HSR_STEP(s->tally, DIVISIONS, HSR_SPLIT, segment->face, by, segment->x0, s->j,
-           segment->x1, s->j + 1);
+  HSR_STEP9(s->tally, DIVISIONS, HSR_SPLIT, segment->face, by, segment->x0,
+            s->j, segment->x1, s->j + 1);
   struct segment *whole = new_segment(s), *rest = new_segment(s);
   if (!whole || !rest)
     return;
@@ -589,8 +585,7 @@ static bool is_in_front(struct scan *s, struct segment *involved,
   return in_front == sooner;
 }
 
-/* --- Z sort: the place of a segment -----------------------------------------
- */
+/* --- Z sort: the place of a segment --------------------------------------- */
 
 /* Did they overlap on the line before? */
 static bool met_before(const struct segment *a, const struct segment *b) {
@@ -608,8 +603,8 @@ static struct segment *find_place(struct scan *s, struct segment *segment) {
     if (!met_before(a, segment)) {
       behind = !is_in_front(s, a, segment);
     } else if (!behind) {
-      HSR_STEP(s->tally, PRIORITY, HSR_COMPARE, a->face, segment->face,
-               segment->x0, s->j, segment->x0 + 1, s->j + 1);
+      HSR_STEP9(s->tally, PRIORITY, HSR_COMPARE, a->face, segment->face,
+                segment->x0, s->j, segment->x0 + 1, s->j + 1);
       behind = a->number > segment->number;
     }
     if (!behind)
@@ -629,8 +624,8 @@ static bool place_is_kept(const struct scan *s, const struct segment *segment) {
 }
 
 static void enter(struct scan *s, struct segment *segment) {
-  HSR_STEP(s->tally, SEGMENTS, HSR_ACTIVATE, segment->face, HSR_NOTHING,
-           segment->x0, s->j, segment->x1, s->j + 1);
+  HSR_STEP9(s->tally, SEGMENTS, HSR_ACTIVATE, segment->face, HSR_NO_ID,
+            segment->x0, s->j, segment->x1, s->j + 1);
   if (place_is_kept(s, segment))
     HSR_COUNT(s->tally, KEPT, 1);
   else
@@ -643,8 +638,7 @@ static void enter(struct scan *s, struct segment *segment) {
   insert_behind(segment->place, segment, INVOLVED);
 }
 
-/* --- X sort -----------------------------------------------------------------
- */
+/* --- X sort --------------------------------------------------------------- */
 
 static void pass_end(struct scan *s, struct end end) {
   bool left = end.key & 1;
@@ -664,8 +658,8 @@ static void pass_end(struct scan *s, struct end end) {
 }
 
 static void write_span(struct scan *s, uint32_t id, int left, int right) {
-  HSR_STEP(s->tally, SPANS, HSR_SPAN, id, HSR_NOTHING, left, s->j, right,
-           s->j + 1);
+  HSR_STEP9(s->tally, SPANS, HSR_SPAN, id, HSR_NO_ID, left, s->j, right,
+            s->j + 1);
   HSR_TOUCH_SPAN(s->tally, left, right, s->j);
   for (int i = left; i < right; i++)
     s->ids[i] = id;
@@ -699,8 +693,7 @@ static void scan_row(struct scan *s) {
     z->number = number++;
 }
 
-/* --- The algorithm ----------------------------------------------------------
- */
+/* --- The algorithm -------------------------------------------------------- */
 
 static enum hsr_status allocate(struct scan *s) {
   const struct hsr_world *world = s->edges.job->world;

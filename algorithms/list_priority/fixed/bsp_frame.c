@@ -4,8 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* --- Once ------------------------------------------------------------------
- */
+/* --- Once ----------------------------------------------------------------- */
 
 struct prepared {
   struct hsr_bsp bsp;
@@ -44,8 +43,7 @@ enum hsr_status HSR_OF_BUILD(hsr_bsp_prepare)(const struct hsr_world *world,
   return status;
 }
 
-/* --- A frame ----------------------------------------------------------------
- */
+/* --- A frame -------------------------------------------------------------- */
 
 static void clear(const struct hsr_job *job) {
   const struct hsr_window *w = &job->view->window;
@@ -110,8 +108,7 @@ void HSR_OF_BUILD(hsr_bsp_frame_walk)(
   HSR_OF_BUILD(hsr_bsp_walk)(&walk);
 }
 
-/* --- Pieces -----------------------------------------------------------------
- */
+/* --- Pieces --------------------------------------------------------------- */
 
 /* The cuts among n sides. All are by planes of faces. */
 static uint32_t take_cuts(struct hsr_bsp_frame *frame,
@@ -167,13 +164,12 @@ bool HSR_OF_BUILD(hsr_bsp_frame_piece)(struct hsr_bsp_frame *frame,
   const struct hsr_bounds *b = &out->bounds;
   if (b->x0 >= b->x1 || b->y0 >= b->y1)
     return false;
-  HSR_STEP(frame->job->tally, HSR_BSP_PIECES, HSR_ACTIVATE, piece->face,
-           HSR_NOTHING, b->x0, b->y0, b->x1, b->y1);
+  HSR_STEP9(frame->job->tally, HSR_BSP_PIECES, HSR_ACTIVATE, piece->face,
+            HSR_NO_ID, b->x0, b->y0, b->x1, b->y1);
   return true;
 }
 
-/* --- Loose faces ------------------------------------------------------------
- */
+/* --- Loose faces ---------------------------------------------------------- */
 
 /* Writes a sample that a loose face covers, if it is nearer there. */
 static void write_loose(struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
@@ -181,7 +177,8 @@ static void write_loose(struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
   struct hsr_tally *tally = frame->job->tally;
   HSR_TOUCH(tally, i, j);
   if (*id != HSR_BACKGROUND) {
-    HSR_STEP(tally, HSR_BSP_THICKNESS, HSR_COMPARE, f, *id, i, j, i + 1, j + 1);
+    HSR_STEP9(tally, HSR_BSP_THICKNESS, HSR_COMPARE, f, *id, i, j, i + 1,
+              j + 1);
     if (!hsr_nearer(&frame->screen, f, *id, i, j, tally))
       return;
   }

@@ -42,8 +42,7 @@ static const struct hsr_sort front_sorts[] = {
     {"samples", "XY", "frame buffer", "once a piece"},
     {NULL, NULL, NULL, NULL}};
 
-/* --- Samples ----------------------------------------------------------------
- */
+/* --- Samples -------------------------------------------------------------- */
 
 static void paint(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
                   int i, int j) {
@@ -66,8 +65,7 @@ static void fill(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
   *id = f;
 }
 
-/* --- Pieces -----------------------------------------------------------------
- */
+/* --- Pieces --------------------------------------------------------------- */
 
 typedef void write_sample(const struct hsr_bsp_frame *frame, uint32_t f,
                           uint32_t *id, int i, int j);

@@ -23,8 +23,7 @@ static double sum_of_sizes(const double v[3]) {
   return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
 }
 
-/* --- The eye's side ---------------------------------------------------------
- */
+/* --- The eye's side ------------------------------------------------------- */
 
 static int side_of_median(const struct hsr_bsp_walk *walk, int axis,
                           double at) {
@@ -60,8 +59,7 @@ static int side_of_plane(const struct hsr_bsp_walk *walk, uint32_t plane) {
                                     &walk->tally->out_of_memory);
 }
 
-/* --- Trees ------------------------------------------------------------------
- */
+/* --- Trees ---------------------------------------------------------------- */
 
 static void tell_pieces(const struct hsr_bsp_walk *walk,
                         const struct hsr_bsp_node *node, int eye_side) {
@@ -101,8 +99,7 @@ static void walk_tree(const struct hsr_bsp_walk *walk, uint32_t root) {
   }
 }
 
-/* --- Cubes ------------------------------------------------------------------
- */
+/* --- Cubes ---------------------------------------------------------------- */
 
 /* As deep as the octree: at most 20 levels (common/trees/bsp.cc). */
 static void walk_cube(const struct hsr_bsp_walk *walk,

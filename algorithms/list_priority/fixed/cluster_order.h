@@ -40,8 +40,8 @@ hsr_cluster_order_init(struct hsr_cluster_order *order,
 static inline int hsr_separator_side(const struct hsr_cluster_order *order,
                                      uint32_t number) {
   const struct hsr_separator *s = &order->clusters->separator[number];
-  HSR_STEP(order->tally, order->counter, HSR_COMPARE, s->face, number, 0, 0, 0,
-           0);
+  HSR_STEP9(order->tally, order->counter, HSR_COMPARE, s->face, number, 0, 0, 0,
+            0);
   if (s->face != HSR_NO_FACE)
     return hsr_eye_side(order->screen, s->face, order->tally);
   double eye = order->screen->view->E[s->axis];

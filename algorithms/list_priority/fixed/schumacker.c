@@ -150,7 +150,7 @@ static void list_face(struct schumacker *s, uint32_t oriented, bool is_thick,
                       struct listed *thick) {
   uint32_t f = oriented / 2;
   int side = oriented % 2 ? -1 : 1;
-  HSR_STEP(s->tally, BACK_FACES, HSR_COMPARE, f, HSR_NOTHING, 0, 0, 0, 0);
+  HSR_STEP9(s->tally, BACK_FACES, HSR_COMPARE, f, HSR_NO_ID, 0, 0, 0, 0);
   if (hsr_eye_side(&s->screen, f, s->tally) != side ||
       !hsr_screen_place(&s->screen, f, s->tally))
     return;
@@ -185,7 +185,7 @@ static enum hsr_status make_list(struct schumacker *s) {
   return HSR_OK;
 }
 
-/* --- Edges --------------------------------------------------------------- */
+/* --- Edges ---------------------------------------------------------------- */
 
 /* The edges of a face that can be followed. */
 static void find_edges(struct schumacker *s, struct listed *listed) {
@@ -236,7 +236,7 @@ static enum hsr_status make_edges(struct schumacker *s) {
   return HSR_OK;
 }
 
-/* --- Y cull -------------------------------------------------------------- */
+/* --- Y cull --------------------------------------------------------------- */
 
 /* Brings the active faces up to date for scan line j: those that begin are
  * merged with those that have not ended. */
@@ -260,7 +260,7 @@ static void cull_y(struct schumacker *s, int j) {
   s->n_active = n;
 }
 
-/* --- Intercepts, loaded into the counters -------------------------------- */
+/* --- Intercepts, loaded into the counters --------------------------------- */
 
 static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
                       int j) {
@@ -269,8 +269,7 @@ static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
   right = right < w->x1 ? right : w->x1;
   if (left >= right)
     return;
-  HSR_STEP(s->tally, PAIRS, HSR_ACTIVATE, f, HSR_NOTHING, left, j, right,
-           j + 1);
+  HSR_STEP9(s->tally, PAIRS, HSR_ACTIVATE, f, HSR_NO_ID, left, j, right, j + 1);
   uint32_t *begins = &s->begins[left - w->x0], *ends = &s->ends[right - w->x0];
   s->pair[s->n_pairs] = (struct pair){f, *begins, *ends};
   *begins = *ends = s->n_pairs++;
@@ -312,7 +311,7 @@ static void load_counters(struct schumacker *s, int j) {
   }
 }
 
-/* --- Priority search ----------------------------------------------------- */
+/* --- Priority search ------------------------------------------------------ */
 
 static void start_pair(struct schumacker *s, uint32_t k) {
   s->running[k / 64] |= UINT64_C(1) << k % 64;
@@ -366,7 +365,7 @@ static uint32_t search_thick(struct schumacker *s, uint32_t visible, uint32_t k,
       visible = f;
       continue;
     }
-    HSR_STEP(s->tally, THICKNESS, HSR_COMPARE, f, visible, i, j, i + 1, j + 1);
+    HSR_STEP9(s->tally, THICKNESS, HSR_COMPARE, f, visible, i, j, i + 1, j + 1);
     if (hsr_nearer(&s->screen, f, visible, i, j, s->tally))
       visible = f;
   }
@@ -392,8 +391,8 @@ static void search_row(struct schumacker *s, int j) {
     row[i] = search_thick(s, visible, thick, i, j);
     if (s->n_pairs) {
       HSR_COUNT(s->tally, PRIORITY, s->n_pairs - 1);
-      HSR_STEP(s->tally, PRIORITY, HSR_SAMPLE, row[i], HSR_NOTHING, i, j, i + 1,
-               j + 1);
+      HSR_STEP9(s->tally, PRIORITY, HSR_SAMPLE, row[i], HSR_NO_ID, i, j, i + 1,
+                j + 1);
     }
     HSR_TOUCH(s->tally, i, j);
   }
@@ -401,7 +400,7 @@ static void search_row(struct schumacker *s, int j) {
     stop_pair(s, k);
 }
 
-/* --- The algorithm ------------------------------------------------------- */
+/* --- The algorithm -------------------------------------------------------- */
 
 static enum hsr_status allocate_counters(struct schumacker *s) {
   const struct hsr_world *world = s->job->world;

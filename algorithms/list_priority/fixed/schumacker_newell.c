@@ -59,8 +59,7 @@ struct schumacker_newell {
   uint32_t *loose, n_loose; /* in no cluster, or not for this eye */
 };
 
-/* --- Clusters --------------------------------------------------------------
- */
+/* --- Clusters ------------------------------------------------------------- */
 
 /* The faces of a cluster that are in the picture. A face of two sides is in the
  * cluster twice. */
@@ -86,8 +85,7 @@ static void take_thick(struct schumacker_newell *s) {
       s->loose[s->n_loose++] = c->thick[k] / 2;
 }
 
-/* --- The algorithm ----------------------------------------------------------
- */
+/* --- The algorithm -------------------------------------------------------- */
 
 static enum hsr_status reserve(struct schumacker_newell *s,
                                const struct hsr_job *job) {

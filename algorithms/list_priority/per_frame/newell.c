@@ -60,8 +60,7 @@ static struct bead *bead_at(const struct hsr_newell *s, uint32_t b) {
   return (struct bead *)s->beads.items + b;
 }
 
-/* --- Beads ------------------------------------------------------------------
- */
+/* --- Beads ---------------------------------------------------------------- */
 
 static uint32_t new_bead(struct hsr_newell *s, struct bead bead) {
   uint32_t b = s->free_bead;
@@ -220,8 +219,8 @@ static bool is_thick(const struct hsr_newell *s, uint32_t f) {
 /* Whether f is nearer than g at (i, j). */
 static bool ask_sample(struct hsr_newell *s, uint32_t f, uint32_t g, int i,
                        int j) {
-  HSR_STEP(s->tally, HSR_NEWELL_THICKNESS, HSR_COMPARE, f, g, i, j, i + 1,
-           j + 1);
+  HSR_STEP9(s->tally, HSR_NEWELL_THICKNESS, HSR_COMPARE, f, g, i, j, i + 1,
+            j + 1);
   return f == g || hsr_nearer(s->list.screen, f, g, i, j, s->tally);
 }
 
@@ -269,8 +268,8 @@ static void paint(struct hsr_newell *s, const struct hsr_piece *piece) {
       int x1 = columns[k + 1] < w->x1 ? columns[k + 1] : w->x1;
       if (x0 >= x1)
         continue;
-      HSR_STEP(s->tally, HSR_NEWELL_SEGMENTS, HSR_SPAN, f, HSR_NOTHING, x0, j,
-               x1, j + 1);
+      HSR_STEP9(s->tally, HSR_NEWELL_SEGMENTS, HSR_SPAN, f, HSR_NO_ID, x0, j,
+                x1, j + 1);
       HSR_TOUCH_SPAN(s->tally, x0, x1, j);
       if (is_thick(s, f))
         overwrite_thick(s, f, x0, x1, j);
@@ -298,8 +297,7 @@ static void show_beads(struct hsr_newell *s) {
   }
 }
 
-/* --- The algorithm ----------------------------------------------------------
- */
+/* --- The algorithm -------------------------------------------------------- */
 
 enum hsr_status hsr_newell_reserve(struct hsr_newell *s,
                                    const struct hsr_job *job,
@@ -373,8 +371,7 @@ static enum hsr_status render_frame_buffer(const struct hsr_job *job,
   return run(job, true, NULL, err);
 }
 
-/* --- From the previous frame's order ---------------------------------------
- */
+/* --- From the previous frame's order -------------------------------------- */
 
 static enum hsr_status prepare_previous(const struct hsr_world *world,
                                         const long *option, void **prepared,

@@ -59,8 +59,7 @@ struct newell_watkins {
   struct hsr_watkins watkins;
 };
 
-/* --- Newell: priority -------------------------------------------------------
- */
+/* --- Newell: priority ----------------------------------------------------- */
 
 /* All pieces in the order of priority, and the room that Watkins needs. */
 static enum hsr_status order_pieces(struct newell_watkins *s,
@@ -78,13 +77,12 @@ static enum hsr_status order_pieces(struct newell_watkins *s,
   return s->list.out_of_memory ? HSR_E_NOMEM : HSR_OK;
 }
 
-/* --- Watkins: visibility ----------------------------------------------------
- */
+/* --- Watkins: visibility -------------------------------------------------- */
 
 /* Whether f is nearer than g at (i, j). */
 static bool ask_sample(const struct newell_watkins *s, uint32_t f, uint32_t g,
                        int i, int j) {
-  HSR_STEP(s->list.tally, THICKNESS, HSR_COMPARE, f, g, i, j, i + 1, j + 1);
+  HSR_STEP9(s->list.tally, THICKNESS, HSR_COMPARE, f, g, i, j, i + 1, j + 1);
   return hsr_nearer(s->list.screen, f, g, i, j, s->list.tally);
 }
 
@@ -96,8 +94,8 @@ static bool is_prior(void *context, const struct hsr_watkins_segment *f,
   const bool *thick = s->list.thick;
   *end = r;
   if (!thick[f->face] || !thick[g->face]) {
-    HSR_STEP(s->list.tally, PRIORITY_SEARCH, HSR_COMPARE, f->face, g->face, l,
-             j, r, j + 1);
+    HSR_STEP9(s->list.tally, PRIORITY_SEARCH, HSR_COMPARE, f->face, g->face, l,
+              j, r, j + 1);
     return f->piece > g->piece;
   }
   bool nearer = ask_sample(s, f->face, g->face, l, j);
@@ -107,8 +105,7 @@ static bool is_prior(void *context, const struct hsr_watkins_segment *f,
   return nearer;
 }
 
-/* --- The algorithm ----------------------------------------------------------
- */
+/* --- The algorithm -------------------------------------------------------- */
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {

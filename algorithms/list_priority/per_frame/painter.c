@@ -36,7 +36,7 @@ struct painter {
 };
 
 static bool goes_first(const struct painter *s, uint32_t f, uint32_t g) {
-  HSR_STEP(s->job->tally, Z_SORT, HSR_COMPARE, f, g, 0, 0, 0, 0);
+  HSR_STEP9(s->job->tally, Z_SORT, HSR_COMPARE, f, g, 0, 0, 0, 0);
   if (s->farthest[f] != s->farthest[g])
     return s->farthest[f] > s->farthest[g];
   return f > g;

@@ -25,8 +25,7 @@ static struct piece *piece_at(const struct hsr_priority_list *s, uint32_t p) {
   return (struct piece *)s->pieces.items + p;
 }
 
-/* --- Z sort ----------------------------------------------------------------
- */
+/* --- Z sort --------------------------------------------------------------- */
 
 /* Samples of the bounds that are in the window. */
 static struct hsr_bounds clip_bounds(struct hsr_bounds b,
@@ -92,8 +91,8 @@ static void sort_digit(struct hsr_priority_list *s, int digit,
   for (uint32_t k = 0; k < s->pieces.n; k++) {
     uint32_t p = from[k];
     to[begin[(piece_at(s, p)->bucket >> shift) % RADIX]++] = p;
-    HSR_STEP(s->tally, HSR_LIST_Z_SORT, HSR_SORT, piece_at(s, p)->part.face,
-             HSR_NOTHING, 0, 0, 0, 0);
+    HSR_STEP9(s->tally, HSR_LIST_Z_SORT, HSR_SORT, piece_at(s, p)->part.face,
+              HSR_NO_ID, 0, 0, 0, 0);
   }
 }
 
@@ -116,9 +115,9 @@ static void sort_previous(struct hsr_priority_list *s) {
     uint32_t p = s->order[k], to = k;
     piece_at(s, p)->marker = 0;
     for (; to; to--) {
-      HSR_STEP(s->tally, HSR_LIST_Z_SORT, HSR_COMPARE,
-               piece_at(s, p)->part.face,
-               piece_at(s, s->order[to - 1])->part.face, 0, 0, 0, 0);
+      HSR_STEP9(s->tally, HSR_LIST_Z_SORT, HSR_COMPARE,
+                piece_at(s, p)->part.face,
+                piece_at(s, s->order[to - 1])->part.face, 0, 0, 0, 0);
       if (piece_at(s, s->order[to - 1])->bucket <= piece_at(s, p)->bucket)
         break;
       s->order[to] = s->order[to - 1];
@@ -163,8 +162,7 @@ void hsr_list_sort(struct hsr_priority_list *s, const struct hsr_window *window,
     s->previous->n = 0;
 }
 
-/* --- The tests: may P obscure Q? --------------------------------------------
- */
+/* --- The tests: may P obscure Q? ------------------------------------------ */
 
 static bool same_plane(const struct hsr_priority_list *s, uint32_t f,
                        uint32_t g) {
@@ -302,7 +300,7 @@ static bool minimax(int a0, int a1, int b0, int b1) {
 static bool may_obscure(struct hsr_priority_list *s, struct piece *p,
                         struct piece *q) {
   uint32_t f = p->part.face, g = q->part.face;
-  HSR_STEP(s->tally, HSR_LIST_SPECIAL, HSR_COMPARE, f, g, 0, 0, 0, 0);
+  HSR_STEP9(s->tally, HSR_LIST_SPECIAL, HSR_COMPARE, f, g, 0, 0, 0, 0);
   if (p->nearest > q->farthest)
     return false;
   HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 1);
@@ -345,8 +343,7 @@ static uint32_t find_obscured(struct hsr_priority_list *s, uint32_t p,
   return NONE;
 }
 
-/* --- Dividing ---------------------------------------------------------------
- */
+/* --- Dividing ------------------------------------------------------------- */
 
 /* Puts a piece where its farthest vertex belongs, after those with markers. */
 static void insert(struct hsr_priority_list *s, uint32_t p) {
@@ -424,8 +421,8 @@ static void take_out(struct hsr_priority_list *s, uint32_t p) {
 static void divide(struct hsr_priority_list *s, uint32_t p, uint32_t g) {
   take_out(s, p);
   struct piece whole = *piece_at(s, p);
-  HSR_STEP(s->tally, HSR_LIST_DIVISIONS, HSR_SPLIT, whole.part.face, g, 0, 0, 0,
-           0);
+  HSR_STEP9(s->tally, HSR_LIST_DIVISIONS, HSR_SPLIT, whole.part.face, g, 0, 0,
+            0, 0);
   HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 100);
   s->attempt++;
   add_half(s, &whole, (struct hsr_cut){g, -1});
@@ -449,8 +446,8 @@ static bool try_to_divide(struct hsr_priority_list *s, uint32_t p,
 static void interchange(struct hsr_priority_list *s, uint32_t before,
                         uint32_t q) {
   struct piece *offending = piece_at(s, q);
-  HSR_STEP(s->tally, HSR_LIST_INTERCHANGES, HSR_SORT,
-           piece_at(s, s->head)->part.face, offending->part.face, 0, 0, 0, 0);
+  HSR_STEP9(s->tally, HSR_LIST_INTERCHANGES, HSR_SORT,
+            piece_at(s, s->head)->part.face, offending->part.face, 0, 0, 0, 0);
   piece_at(s, before)->next = offending->next;
   offending->next = s->head;
   offending->marker = s->attempt;
@@ -483,8 +480,7 @@ static void resolve(struct hsr_priority_list *s, uint32_t before, uint32_t q) {
     piece_at(s, s->head)->forced = true;
 }
 
-/* --- The list ---------------------------------------------------------------
- */
+/* --- The list ------------------------------------------------------------- */
 
 enum hsr_status hsr_list_reserve(struct hsr_priority_list *s,
                                  const struct hsr_job *job,

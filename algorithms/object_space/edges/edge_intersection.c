@@ -12,8 +12,7 @@ double hsr_network_expense(const struct hsr_world *world,
   return 4 * edges * edges;
 }
 
-/* --- Preparation -----------------------------------------------------------
- */
+/* --- Preparation ---------------------------------------------------------- */
 
 enum hsr_status hsr_network_prepare(const struct hsr_world *world,
                                     const long *option, void **prepared,
@@ -37,8 +36,7 @@ void hsr_network_release(void *prepared) {
   free(prepared);
 }
 
-/* --- Relevant and contour edges ----------------------------------------------
- */
+/* --- Relevant and contour edges ------------------------------------------- */
 
 /* What is known of where a point's image is. */
 static void enclose(struct hsr_image_box *box, const struct hsr_sight *sight,
@@ -115,8 +113,7 @@ enum hsr_status hsr_network_init(struct hsr_network *network,
   return HSR_OK;
 }
 
-/* --- Events ------------------------------------------------------------------
- */
+/* --- Events --------------------------------------------------------------- */
 
 static struct hsr_sight_event *events_of(const struct hsr_network *network) {
   return network->events.items;
@@ -174,8 +171,7 @@ enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e) {
   return HSR_OK;
 }
 
-/* --- The sort along an edge ------------------------------------------------
- */
+/* --- The sort along an edge ----------------------------------------------- */
 
 static bool is_before(const struct hsr_network *network, uint32_t e,
                       const struct hsr_sight_event *a,
@@ -231,8 +227,7 @@ void hsr_network_sort_along(const struct hsr_network *network, uint32_t e) {
     sort_by_heap(network, e, events_of(network), n);
 }
 
-/* --- Drawing an edge -------------------------------------------------------
- */
+/* --- Drawing an edge ------------------------------------------------------ */
 
 enum hsr_status hsr_network_interval(struct hsr_network *network, uint32_t e,
                                      double t0, double t1,
@@ -350,8 +345,7 @@ static enum hsr_status draw_edge(struct hsr_network *network, uint32_t e,
   return draw_part(network, e, count, visible_only);
 }
 
-/* --- Promotion -------------------------------------------------------------
- */
+/* --- Promotion ------------------------------------------------------------ */
 
 /* How many faces that have a corner at the end p of edge e hide it there. */
 static int64_t correction(const struct hsr_network *network, uint32_t e,
@@ -450,8 +444,7 @@ enum hsr_status hsr_network_promote(struct hsr_network *network,
              : HSR_OK;
 }
 
-/* --- Promotion of a number ---------------------------------------------------
- */
+/* --- Promotion of a number ------------------------------------------------ */
 
 /* network->invisibility is always at hand. */
 static enum hsr_status search_faces(void *context, struct hsr_network *network,

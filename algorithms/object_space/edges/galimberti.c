@@ -52,8 +52,7 @@ struct state {
   size_t *from;               /* where that of network->waiting[k] begins */
 };
 
-/* --- The nature along an edge ----------------------------------------------
- */
+/* --- The nature along an edge --------------------------------------------- */
 
 static struct member *touch(struct state *s, uint32_t f) {
   struct member *member = &s->member[f];
@@ -109,8 +108,7 @@ static void pass(struct state *s, const struct hsr_network *network,
   }
 }
 
-/* --- Natures of vertices -----------------------------------------------------
- */
+/* --- Natures of vertices -------------------------------------------------- */
 
 static enum hsr_status search(void *context, struct hsr_network *network,
                               uint32_t p) {
@@ -154,8 +152,7 @@ static enum hsr_status leave(struct state *s, struct hsr_network *network,
   return HSR_OK;
 }
 
-/* --- Along an edge -----------------------------------------------------------
- */
+/* --- Along an edge -------------------------------------------------------- */
 
 /* The crossings with all nearer edges. */
 static enum hsr_status cross(const struct state *s, struct hsr_network *network,
@@ -281,8 +278,7 @@ static enum hsr_status follow(void *context, struct hsr_network *network,
   return HSR_OK;
 }
 
-/* --- The frame ---------------------------------------------------------------
- */
+/* --- The frame ------------------------------------------------------------ */
 
 /* All edges where something can be entered or left. */
 static void collect_edges(struct state *s, const struct hsr_network *network) {

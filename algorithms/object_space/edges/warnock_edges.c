@@ -87,8 +87,7 @@ static bool is_placed(const struct hsr_network *network, uint32_t e) {
   return network->box[e].x0 > -INFINITY;
 }
 
-/* --- The bucket sort by northmost Y ----------------------------------------
- */
+/* --- The bucket sort by northmost Y --------------------------------------- */
 
 /* Sifts item k of a heap of n, the greatest key on top; keys are the items'. */
 static void sift(const double *key, uint32_t *item, uint32_t k, uint32_t n) {
@@ -142,8 +141,7 @@ static enum hsr_status sort_by_y(const struct sweep *s, const double *key,
   return HSR_OK;
 }
 
-/* --- Covers ------------------------------------------------------------------
- */
+/* --- Covers --------------------------------------------------------------- */
 
 static struct active activate(const struct sweep *s, uint32_t e) {
   const struct hsr_sight *sight = &s->network->sight;
@@ -171,8 +169,7 @@ static bool have_met(const struct active *a, const struct active *b) {
   return a->was_left <= b->was_right && b->was_left <= a->was_right;
 }
 
-/* --- Notes -------------------------------------------------------------------
- */
+/* --- Notes ---------------------------------------------------------------- */
 
 static bool note_one(struct sweep *s, uint32_t e, uint32_t c) {
   const struct hsr_network *network = s->network;
@@ -191,8 +188,7 @@ static bool note(struct sweep *s, uint32_t e, uint32_t c) {
          (note_one(s, e, c) && note_one(s, c, e));
 }
 
-/* --- The active edge list ----------------------------------------------------
- */
+/* --- The active edge list ------------------------------------------------- */
 
 /* Exchanges entry k with its neighbours to the left until it is in order. False
  * if memory ran out. */
@@ -296,8 +292,7 @@ static bool sweep_down(struct sweep *s) {
   return true;
 }
 
-/* --- Noted crossings ---------------------------------------------------------
- */
+/* --- Noted crossings ------------------------------------------------------ */
 
 /* Collects the notes of every edge. HSR_E_NOMEM. */
 static enum hsr_status collect_notes(struct sweep *s) {
@@ -350,8 +345,7 @@ static enum hsr_status cross(void *context, struct hsr_network *network,
   return HSR_OK;
 }
 
-/* --- The frame ---------------------------------------------------------------
- */
+/* --- The frame ------------------------------------------------------------ */
 
 static enum hsr_status allocate(struct sweep *s) {
   struct hsr_arena *arena = s->network->job->scratch;
@@ -374,7 +368,7 @@ static enum hsr_status allocate(struct sweep *s) {
 static void choose_edges(struct sweep *s) {
   const struct hsr_network *network = s->network;
   for (uint32_t e = 0; e < network->edges->n; e++) {
-    s->tried[e] = HSR_NOTHING;
+    s->tried[e] = HSR_NO_ID;
     if (!network->part[e].relevant && !network->net[e])
       continue;
     if (is_placed(network, e)) { /* a box is HSR_DELTA wider than the image */

@@ -117,8 +117,7 @@ static bool push(const struct frame *frame, struct hsr_growing *list,
   return true;
 }
 
-/* --- Preparation -----------------------------------------------------------
- */
+/* --- Preparation ---------------------------------------------------------- */
 
 static void release(void *prepared) {
   struct environment *environment = prepared;
@@ -144,9 +143,7 @@ static enum hsr_status prepare(const struct hsr_world *world,
   return status;
 }
 
-/* --- Minimax tests
- * ------------------------------------------------------------
- */
+/* --- Minimax tests -------------------------------------------------------- */
 
 static const struct hsr_extent nowhere = {INFINITY,  INFINITY, -INFINITY,
                                           -INFINITY, INFINITY, 0};
@@ -188,9 +185,7 @@ static bool is_out_of_the_way(const struct hsr_extent *edge,
          object->nearest < edge->farthest;
 }
 
-/* --- What is in the way
- * -------------------------------------------------------
- */
+/* --- What is in the way --------------------------------------------------- */
 
 static bool add_condition(struct frame *frame, struct hsr_growing *list,
                           uint32_t subject, int side) {
@@ -315,8 +310,7 @@ static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   return begin_volume(frame, &nowhere) ? HSR_OK : HSR_E_NOMEM;
 }
 
-/* --- The edge/volume test ----------------------------------------------------
- */
+/* --- The edge/volume test ------------------------------------------------- */
 
 /* Whether one of the edge's own faces lies in a front plane of the volume. */
 static bool is_own(const struct frame *frame, uint32_t e,
@@ -376,7 +370,7 @@ static bool solve(const struct frame *frame, uint32_t e,
 static int test(const struct frame *frame, uint32_t e,
                 const struct volume *volume, const struct fragment *fragment,
                 struct fragment left[2]) {
-  HSR_STEP(frame->tally, TEST, HSR_COMPARE, e, volume->collection, 0, 0, 0, 0);
+  HSR_STEP9(frame->tally, TEST, HSR_COMPARE, e, volume->collection, 0, 0, 0, 0);
   struct fragment hidden = *fragment;
   int outcome = solve(frame, e, volume, &hidden)
                     ? take_out(fragment, &hidden, left)
@@ -385,9 +379,7 @@ static int test(const struct frame *frame, uint32_t e,
   return outcome;
 }
 
-/* --- An edge
- * ------------------------------------------------------------------------
- */
+/* --- An edge -------------------------------------------------------------- */
 
 /* The first volume from v on that the edge may be behind, by minimax tests, and
  * that is not its own. */
@@ -577,9 +569,7 @@ static enum hsr_status render(const struct hsr_job *job,
   return status || job->tally->out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }
 
-/* --- The descriptor
- * -------------------------------------------------------------------
- */
+/* --- The descriptor ------------------------------------------------------- */
 
 /* Every edge against every volume, of which there are not many more than
  * faces. */

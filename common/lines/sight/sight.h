@@ -46,9 +46,10 @@ struct hsr_sight {
   const struct hsr_sight_line *line; /* of HSR_AT_LINE; borrowed, or NULL */
 
   /* Points. */
-  double *sx, *sy; /* as in common/exact/screen.h; NaN where not known so well */
-  double *q;       /* 1/w, within 2^-42 of itself where sx is not NaN */
-  bool *ahead;     /* w > near */
+  double *sx,
+      *sy;     /* as in common/exact/screen.h; NaN where not known so well */
+  double *q;   /* 1/w, within 2^-42 of itself where sx is not NaN */
+  bool *ahead; /* w > near */
 
   /* Faces. */
   bool *exists;
@@ -72,8 +73,7 @@ enum hsr_status hsr_sight_init(struct hsr_sight *sight,
                                struct hsr_tally *tally);
 void hsr_sight_free(struct hsr_sight *sight);
 
-/* --- Where images lie -------------------------------------------------------
- */
+/* --- Where images lie ----------------------------------------------------- */
 
 /* The exact ends of the filters below; call those. */
 int hsr_sight_side_exact(const struct hsr_sight *sight, uint32_t c, uint32_t d,
@@ -138,8 +138,7 @@ struct hsr_extent {
 struct hsr_extent hsr_sight_enclose(const struct hsr_sight *sight,
                                     const double lo[3], const double hi[3]);
 
-/* --- What lies before what --------------------------------------------------
- */
+/* --- What lies before what ------------------------------------------------ */
 
 /* Is P' strictly farther than the plane of face f, which can hide: beyond it
  * from the eye? */
@@ -157,9 +156,7 @@ bool hsr_sight_nearer(const struct hsr_sight *sight, uint32_t e, uint32_t c);
 bool hsr_sight_corner_hides(const struct hsr_sight *sight, uint32_t e,
                             uint32_t p, struct hsr_corner corner);
 
-/* --- Events along an edge
- * -----------------------------------------------------
- */
+/* --- Events along an edge ------------------------------------------------- */
 
 enum hsr_event_at {
   HSR_AT_START, /* t = 0 */

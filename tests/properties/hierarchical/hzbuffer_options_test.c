@@ -63,8 +63,7 @@ static struct known *open_known(const char *name) {
   return &k;
 }
 
-/* --- Options ----------------------------------------------------------------
- */
+/* --- Options -------------------------------------------------------------- */
 
 /* The next combination of words, of all options but `work`, numbers staying as
  * they are; false after the last. */
@@ -164,8 +163,7 @@ static void test_options(struct tap *tap, const char *name) {
   forget(k);
 }
 
-/* --- Random instances -------------------------------------------------------
- */
+/* --- Random instances ----------------------------------------------------- */
 
 /* Boxes and triangles in a box of the given size; a leaning quadrilateral, here
  * and there, that no instance but the first leaves flat. */
@@ -282,8 +280,7 @@ static void test_instances(struct tap *tap, uint64_t *seed) {
      "%d scenes of instances: %ld samples differ", (int)RANDOM_SCENES, wrong);
 }
 
-/* --- Completed samples ------------------------------------------------------
- */
+/* --- Completed samples ---------------------------------------------------- */
 
 /* Samples beside a side of a cube, by less than is known of where it lies, are
  * not behind it: its plane may even be behind the eye there. */
@@ -368,8 +365,7 @@ static void test_overhang(struct tap *tap) {
   forget(&k);
 }
 
-/* --- Ties -------------------------------------------------------------------
- */
+/* --- Ties ----------------------------------------------------------------- */
 
 /* Rooms in a row that have their two walls on the sides of their cubes, and so
  * on those of the next. Where two lie on one another the first one is seen,
@@ -428,8 +424,7 @@ static void test_ties(struct tap *tap) {
      "walls on the sides of cubes: %ld samples differ", wrong);
 }
 
-/* --- Windows ----------------------------------------------------------------
- */
+/* --- Windows -------------------------------------------------------------- */
 
 /* The windows of a picture, of which each thread takes every so manieth. */
 struct share {

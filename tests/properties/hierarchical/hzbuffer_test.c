@@ -37,8 +37,7 @@ static void stop(const char *name, const char *text) {
   exit(99);
 }
 
-/* --- Pictures ---------------------------------------------------------------
- */
+/* --- Pictures ------------------------------------------------------------- */
 
 /* One prepared object and the memory of its frames. */
 struct run {
@@ -97,8 +96,7 @@ static void draw_right(const struct both_worlds *s, const struct hsr_view *view,
   draw_ids(hsr_algorithm_find("zbuffer")->plain, &s->world, view, ids, NULL);
 }
 
-/* --- A walk that takes notes ------------------------------------------------
- */
+/* --- A walk that takes notes ---------------------------------------------- */
 
 enum said { IS_OUT, IS_HIDDEN, IS_UNTESTED, IS_VISIBLE };
 
@@ -185,8 +183,7 @@ static void take_notes(struct notes *ns, struct run *r) {
   visit_instances(ns, 0, false);
 }
 
-/* --- Nodes ------------------------------------------------------------------
- */
+/* --- Nodes ---------------------------------------------------------------- */
 
 static int compare_notes(const void *a, const void *b) {
   const struct note *m = a, *n = b;
@@ -257,8 +254,7 @@ static uint64_t count_families(const struct notes *ns) {
   return n;
 }
 
-/* --- Final ------------------------------------------------------------------
- */
+/* --- Final ---------------------------------------------------------------- */
 
 /* A side of a cube in the world: corner + s u + t v, s and t in [0, 1]. */
 struct side {
@@ -462,8 +458,7 @@ static void retest(const struct notes *ns, const double *depth,
   }
 }
 
-/* --- What is tiled ----------------------------------------------------------
- */
+/* --- What is tiled -------------------------------------------------------- */
 
 /* Comparisons of a face at a sample, and faces that were written. */
 struct watched {
@@ -474,9 +469,9 @@ struct watched {
 
 static void watch(void *context, const struct hsr_event *event) {
   struct watched *w = context;
-  if (event->kind == HSR_ACCEPT)
-    w->written[event->a] = true;
-  if (event->kind != HSR_COMPARE)
+  if ((enum hsr_step_kind)event->outcome == HSR_ACCEPT)
+    w->written[event->a.id[0]] = true;
+  if ((enum hsr_step_kind)event->outcome != HSR_COMPARE)
     return;
   if (w->n == w->room) {
     w->room = 2 * w->room + 1000;
@@ -484,8 +479,8 @@ static void watch(void *context, const struct hsr_event *event) {
     if (!w->compared)
       stop("events", "out of memory");
   }
-  w->compared[w->n++] =
-      (uint64_t)event->a << 32 | (uint64_t)(event->y0 * M + event->x0);
+  w->compared[w->n++] = (uint64_t)event->a.id[0] << 32 |
+                        (uint64_t)(event->window.y0 * M + event->window.x0);
 }
 
 static int compare_numbers(const void *a, const void *b) {
@@ -520,8 +515,7 @@ static void mark_in_visible(const struct notes *ns, bool *in) {
   }
 }
 
-/* --- One picture, all claims ------------------------------------------------
- */
+/* --- One picture, all claims ---------------------------------------------- */
 
 struct found {
   long pictures, nodes, visible, differ;
@@ -544,8 +538,8 @@ static void try_view(const struct both_worlds *s, struct run *r,
   if (!watched.written || !in)
     stop(s->scene->name, "out of memory");
   set_view(r, s, view);
-  r->tally.trace = watch;
-  r->tally.trace_context = &watched;
+  struct hsr_trace trace = {.listen = watch, .context = &watched};
+  r->tally.trace = &trace;
   draw_run(r);
   set_view(noted, s, view);
   take_notes(&ns, noted);
@@ -615,8 +609,7 @@ static void try_claims(struct tap *tap, const struct both_worlds *s,
   end_run(&noted);
 }
 
-/* --- Temporal coherence -----------------------------------------------------
- */
+/* --- Temporal coherence --------------------------------------------------- */
 
 /* Views 1 to 50 with a cut to 120 and back, then back in time. */
 enum { STEPS = 50, CUT = 25, CUT_TO = 120, FRAMES = 2 * STEPS + 1 };

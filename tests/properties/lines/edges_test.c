@@ -57,8 +57,7 @@ static uint64_t of(const struct count *count, const char *counter) {
   return 0;
 }
 
-/* --- Promotion -------------------------------------------------------------
- */
+/* --- Promotion ------------------------------------------------------------ */
 
 /* Convex solids on a row of lots, some before others in the picture. */
 static struct hsr_scene *solids_apart(int n, uint64_t *seed) {
@@ -135,8 +134,7 @@ static void try_promotion(struct tap *tap) {
   ok(tap, s.agree, "a search a solid, of 1 to %d solids", (int)MOST_SOLIDS);
 }
 
-/* --- Natures, crossings ------------------------------------------------------
- */
+/* --- Natures, crossings --------------------------------------------------- */
 
 struct totals {
   uint64_t pairs, contour_pairs; /* of closed solids */
@@ -238,8 +236,7 @@ static void try_all_scenes(struct tap *tap) {
      100 * saved, 100 * totals.saved_least, 100 * totals.saved_most);
 }
 
-/* --- Sorting ---------------------------------------------------------------
- */
+/* --- Sorting -------------------------------------------------------------- */
 
 struct effort {
   double edges, appel, sorted;

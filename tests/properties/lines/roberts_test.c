@@ -25,7 +25,7 @@ static void fail(const struct hsr_error *err) {
   exit(99);
 }
 
-/* --- Drawings ------------------------------------------------------------ */
+/* --- Drawings ------------------------------------------------------------- */
 
 struct fixture {
   struct hsr_scene *scene;

@@ -113,11 +113,11 @@ struct pairs {
 
 static void watch_pair(void *context, const struct hsr_event *event) {
   struct pairs *pairs = context;
-  uint32_t a = event->a, b = event->b;
-  if (event->counter == 0 || a == HSR_NOTHING || b == HSR_NOTHING)
+  uint32_t a = event->a.id[0], b = event->b.id[0];
+  if (event->counter == 0 || a == HSR_NO_ID || b == HSR_NO_ID)
     return; /* of a plane, or of one face */
-  pairs->compared += event->kind == HSR_COMPARE;
-  pairs->divided += event->kind == HSR_SPLIT;
+  pairs->compared += (enum hsr_step_kind)event->outcome == HSR_COMPARE;
+  pairs->divided += (enum hsr_step_kind)event->outcome == HSR_SPLIT;
   pairs->of_two += pairs->cluster[a] != pairs->cluster[b];
 }
 
@@ -142,8 +142,8 @@ static void check_clusters(struct tap *tap, const char *name, bool is_ring) {
   for (uint32_t k = 0; k < c->n_clusters; k++)
     for (uint32_t o = c->start[k]; o < c->start[k + 1]; o++)
       pairs.cluster[c->order[o] / 2] = k;
-  count.tally.trace = watch_pair;
-  count.tally.trace_context = &pairs;
+  struct hsr_trace trace = {.listen = watch_pair, .context = &pairs};
+  count.tally.trace = &trace;
   struct hsr_job job = {.view = &view,
                         .scratch = &scratch,
                         .tally = &count.tally,

@@ -11,8 +11,7 @@
 
 enum { M = 80, N = 60, SCENES = 100, MOST_CROSSINGS = 400 };
 
-/* --- Scenes -----------------------------------------------------------------
- */
+/* --- Scenes --------------------------------------------------------------- */
 
 struct picture {
   struct hsr_scene *scene;
@@ -97,8 +96,7 @@ static void draw_plates(struct picture *x, uint64_t *seed) {
   picture_finish(x, eye, (double[]){0, 0, 0});
 }
 
-/* --- Romney's picture, and what it took -----------------------------------
- */
+/* --- Romney's picture, and what it took ----------------------------------- */
 
 static int counter(const char *name) {
   const struct hsr_algorithm *romney = hsr_algorithm_find("romney")->counting;
@@ -116,9 +114,9 @@ struct watch {
 
 static void note(void *context, const struct hsr_event *event) {
   struct watch *watch = context;
-  int *first = &watch->first[event->y0];
-  if (event->counter == watch->depth_search && event->x0 < *first)
-    *first = event->x0;
+  int *first = &watch->first[event->window.y0];
+  if (event->counter == watch->depth_search && event->window.x0 < *first)
+    *first = event->window.x0;
 }
 
 /* Samples that differ from the oracle's. */
@@ -133,8 +131,7 @@ static long draw_romney(const struct picture *x, struct hsr_tally *tally) {
   return differences + count_differences(&x->view, got, wanted);
 }
 
-/* --- Unchanged lines --------------------------------------------------------
- */
+/* --- Unchanged lines ------------------------------------------------------ */
 
 struct crossing {
   int column;
@@ -164,7 +161,7 @@ static void find_line(const struct hsr_screen *screen, int j,
       if (columns[k] < M)
         line->crossing[line->n++] = (struct crossing){columns[k], f};
   }
-  line->crossing[line->n++] = (struct crossing){M, HSR_NOTHING};
+  line->crossing[line->n++] = (struct crossing){M, HSR_NO_ID};
   qsort(line->crossing, (size_t)line->n, sizeof *line->crossing, by_column);
 }
 
@@ -190,7 +187,8 @@ static void check_lines(const struct picture *x, struct findings *findings) {
   struct watch watch = {.depth_search = counter("depth search")};
   for (int j = 0; j < N; j++)
     watch.first[j] = M;
-  struct hsr_tally tally = {.trace = note, .trace_context = &watch};
+  struct hsr_trace trace = {.listen = note, .context = &watch};
+  struct hsr_tally tally = {.trace = &trace};
   findings->differences += draw_romney(x, &tally);
   findings->lines_reused += tally.count[counter("lines reused")];
 
@@ -237,8 +235,7 @@ static void test_lines(struct tap *tap) {
      (unsigned long)f.lines_reused);
 }
 
-/* --- Faces that are not flat ------------------------------------------------
- */
+/* --- Faces that are not flat ---------------------------------------------- */
 
 static void test_thickness(struct tap *tap) {
   long differences = 0;

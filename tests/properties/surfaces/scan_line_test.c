@@ -80,8 +80,7 @@ static uint64_t of(const struct count *count, const char *counter) {
   return 0;
 }
 
-/* --- Sample spans ----------------------------------------------------------
- */
+/* --- Sample spans --------------------------------------------------------- */
 
 /* Stretches of one id in the rows of the picture drawn last. */
 static uint64_t count_runs(const struct hsr_view *view) {
@@ -97,8 +96,7 @@ static uint64_t count_runs(const struct hsr_view *view) {
 /* Where no end is hidden in the views looked at. */
 static bool shows_all(const char *scene) {
   return !strcmp(scene, "sphere") || !strcmp(scene, "t-junction") ||
-         !strcmp(scene, "sub-pixel-gap") ||
-         !strcmp(scene, "color-sides");
+         !strcmp(scene, "sub-pixel-gap") || !strcmp(scene, "color-sides");
 }
 
 struct searches {
@@ -156,8 +154,7 @@ static void try_all_scenes(struct tap *tap) {
      (unsigned long long)searches.comparisons);
 }
 
-/* --- Lines -----------------------------------------------------------------
- */
+/* --- Lines ---------------------------------------------------------------- */
 
 static const char *const tall[] = {
     "house",      "cyclic-overlap",  "penetration",   "coplanar",
@@ -192,8 +189,7 @@ static void try_lines(struct tap *tap, const char *name) {
   close_picture(&p);
 }
 
-/* --- Coherence -------------------------------------------------------------
- */
+/* --- Coherence ------------------------------------------------------------ */
 
 /* Upright rectangles behind one another, of the same height on the screen, so
  * that all begin and end on the same lines and no ends cross:

@@ -123,7 +123,7 @@ static struct hsr_camera draw_camera(uint64_t *seed, const struct fixture *x) {
   return camera;
 }
 
-/* --- The comparison ------------------------------------------------------ */
+/* --- The comparison ------------------------------------------------------- */
 
 static void draw(struct fixture *x, const struct hsr_setup *setup,
                  const struct hsr_view *view, uint32_t *ids) {

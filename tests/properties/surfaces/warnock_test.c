@@ -66,20 +66,22 @@ struct watch {
 };
 
 static void watch_test(struct watch *w, const struct hsr_event *event) {
-  struct hsr_window window = {event->x0, event->y0, event->x1, event->y1};
-  for (size_t k = w->of_face[event->a]; k; k = w->settled[k].next)
+  struct hsr_window window = {event->window.x0, event->window.y0,
+                              event->window.x1, event->window.y1};
+  for (size_t k = w->of_face[event->a.id[0]]; k; k = w->settled[k].next)
     if (is_within(window, w->settled[k].window)) {
       w->n_repeated++;
       return;
     }
-  if (event->kind == HSR_COMPARE)
+  if ((enum hsr_step_kind)event->outcome == HSR_COMPARE)
     return;
   if (++w->n_settled >= w->room) {
     w->room = 2 * w->n_settled;
     w->settled = grown(w->settled, w->room * sizeof *w->settled);
   }
-  w->settled[w->n_settled] = (struct settled){window, w->of_face[event->a]};
-  w->of_face[event->a] = w->n_settled;
+  w->settled[w->n_settled] =
+      (struct settled){window, w->of_face[event->a.id[0]]};
+  w->of_face[event->a.id[0]] = w->n_settled;
 }
 
 /* Finishes the innermost open window. */
@@ -91,7 +93,8 @@ static void close_window(struct watch *w) {
 }
 
 static void watch_window(struct watch *w, const struct hsr_event *event) {
-  struct hsr_window window = {event->x0, event->y0, event->x1, event->y1};
+  struct hsr_window window = {event->window.x0, event->window.y0,
+                              event->window.x1, event->window.y1};
   while (w->n_open && !is_within(window, w->open[w->n_open - 1].window))
     close_window(w);
   w->open[w->n_open++] = (struct open_window){window, 0};
@@ -140,7 +143,8 @@ static void watch_scene(const struct hsr_algorithm *algorithm, const char *name,
                     .last_decision = counter_of(algorithm, "samples"),
                     .of_face = grown(NULL, world.n_faces * sizeof *w.of_face)};
   memset(w.of_face, 0, world.n_faces * sizeof *w.of_face);
-  struct hsr_tally tally = {.trace = watch_event, .trace_context = &w};
+  struct hsr_trace trace = {.listen = watch_event, .context = &w};
+  struct hsr_tally tally = {.trace = &trace};
   draw_ids(algorithm, &world, &view, ids, &tally);
   while (w.n_open)
     close_window(&w);

@@ -42,8 +42,7 @@ static uint64_t count_covered(const uint32_t *ids) {
   return n;
 }
 
-/* --- Samples ----------------------------------------------------------------
- */
+/* --- Samples -------------------------------------------------------------- */
 
 /* Whether the picture is the same in windows. */
 static bool same_in_windows(const struct hsr_world *world,
@@ -107,8 +106,7 @@ static void check_samples(struct tap *tap, const char *name) {
   hsr_scene_delete(scene);
 }
 
-/* --- Cells ------------------------------------------------------------------
- */
+/* --- Cells ---------------------------------------------------------------- */
 
 /* A square on z = depth, turned a little, about the axis of sight. */
 static void add_square(struct hsr_scene *scene, double depth, double half) {

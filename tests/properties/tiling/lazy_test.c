@@ -62,8 +62,7 @@ static struct hsr_view view_of(const struct stage *stage, uint32_t v, int m,
   return view;
 }
 
-/* --- Drawing ----------------------------------------------------------------
- */
+/* --- Drawing -------------------------------------------------------------- */
 
 struct drawn {
   const struct hsr_algorithm *algorithm;
@@ -124,8 +123,7 @@ static uint64_t of(const struct drawn *drawn, const char *counter) {
   return 0;
 }
 
-/* --- The same picture for any order -----------------------------------------
- */
+/* --- The same picture for any order --------------------------------------- */
 
 /* Samples that differ from the oracle's, of all orders, in both builds. */
 static long differences(const struct stage *stage,
@@ -185,8 +183,7 @@ static void check_lattices(struct tap *tap) {
      samples, wrong);
 }
 
-/* --- Filtered ---------------------------------------------------------------
- */
+/* --- Filtered ------------------------------------------------------------- */
 
 enum { PIXELS_M = 24, PIXELS_N = 17 };
 
@@ -227,8 +224,7 @@ static void check_filtered(struct tap *tap, const char *name,
   close_stage(&stage);
 }
 
-/* --- Exact order ------------------------------------------------------------
- */
+/* --- Exact order ---------------------------------------------------------- */
 
 static uint32_t large[LARGEST * LARGEST];
 
@@ -249,8 +245,7 @@ static void check_exact(struct tap *tap, const char *name) {
   close_stage(&stage);
 }
 
-/* --- Disorder ---------------------------------------------------------------
- */
+/* --- Disorder ------------------------------------------------------------- */
 
 static void check_disorder(struct tap *tap, const char *name) {
   static const int per_cent[] = {0, 1, 10, 50, 100};

@@ -27,8 +27,7 @@ static void must(enum hsr_status status, const struct hsr_error *err) {
     stop(err->text);
 }
 
-/* --- An algorithm made ready ------------------------------------------------
- */
+/* --- An algorithm made ready ---------------------------------------------- */
 
 struct ready {
   struct hsr_variant variant;
@@ -75,8 +74,7 @@ static uint64_t counted(const struct ready *r, const char *name) {
   return 0;
 }
 
-/* --- Bodies -----------------------------------------------------------------
- */
+/* --- Bodies --------------------------------------------------------------- */
 
 static double unit(uint64_t *seed) {
   return (double)draw_integer(seed, 0, 1 << 20) / (1 << 20);
@@ -269,8 +267,7 @@ static void check_bodies(struct tap *tap) {
      LATTICES, wrong, (unsigned long long)merges);
 }
 
-/* --- Traffic ----------------------------------------------------------------
- */
+/* --- Traffic -------------------------------------------------------------- */
 
 static struct hsr_scene *open_traffic(int per_cent, int frame) {
   char name[40];

@@ -25,8 +25,7 @@ static void stop(const char *name, const char *text) {
   exit(99);
 }
 
-/* --- Drawing ----------------------------------------------------------------
- */
+/* --- Drawing -------------------------------------------------------------- */
 
 /* An algorithm as chosen, ready for a world. */
 struct run {
@@ -97,8 +96,7 @@ static uint32_t *wanted_ids(const struct both_worlds *s, const char *judge,
   return ids;
 }
 
-/* --- Pictures ---------------------------------------------------------------
- */
+/* --- Pictures ------------------------------------------------------------- */
 
 struct found {
   long pictures, wrong, samples, written;
@@ -185,8 +183,7 @@ static void test_pictures(struct tap *tap, const char *name) {
   close_worlds(&s);
 }
 
-/* --- Filtered ---------------------------------------------------------------
- */
+/* --- Filtered ------------------------------------------------------------- */
 
 static void find_sums(const struct both_worlds *s, const char *text,
                       const struct hsr_view *view, uint32_t *sums) {
@@ -246,8 +243,7 @@ static void test_filtered(struct tap *tap, const char *name, bool may_refuse) {
   close_worlds(&s);
 }
 
-/* --- Tables -----------------------------------------------------------------
- */
+/* --- Tables --------------------------------------------------------------- */
 
 /* The per cent of samples that the tables have wrong, beside what the paper's
  * method did in an independent program, of 400 polygons. */
@@ -282,8 +278,7 @@ static void test_tables(struct tap *tap, struct both_worlds *s, int side,
      side, side, 100 * share[0], 100 * share[3]);
 }
 
-/* --- Ties -------------------------------------------------------------------
- */
+/* --- Ties ----------------------------------------------------------------- */
 
 static void test_ties(struct tap *tap) {
   enum { SCENES = 500 };

@@ -36,8 +36,7 @@ static void free_all(struct laid_out *l) {
   hsr_scene_delete(l->scene);
 }
 
-/* --- A scene of all kinds of faces ------------------------------------------
- */
+/* --- A scene of all kinds of faces ---------------------------------------- */
 
 /* Triangles, flat polygons and bent ones, small integers. */
 static void add_faces(struct hsr_object *object, int n, uint64_t *seed) {
@@ -102,8 +101,7 @@ static struct hsr_scene *all_kinds(uint64_t *seed) {
   return scene;
 }
 
-/* --- Loose faces ------------------------------------------------------------
- */
+/* --- Loose faces ---------------------------------------------------------- */
 
 /* Is the object's face flat in every instance? */
 static bool is_flat_everywhere(const struct laid_out *l, uint32_t object,
@@ -157,8 +155,7 @@ static void test_loose_world(struct tap *tap, const struct laid_out *l,
      "all %u loose faces are laid out, in order", (unsigned)n);
 }
 
-/* --- Cells ------------------------------------------------------------------
- */
+/* --- Cells ---------------------------------------------------------------- */
 
 /* A frame of the whole picture. */
 struct frame {
@@ -251,8 +248,7 @@ static void test_cells(struct tap *tap, struct frame *f,
   free(times);
 }
 
-/* --- The octree of instances ------------------------------------------------
- */
+/* --- The octree of instances ---------------------------------------------- */
 
 /* Is the point of the instance in a cube that holds the instance? */
 static bool is_in_its_cubes(const struct hsr_octree *octree, uint32_t k,
@@ -297,8 +293,7 @@ static void test_bounds(struct tap *tap, const struct laid_out *l,
      l->scene->name, looked, out, astray);
 }
 
-/* --- Cubes in the world and on the screen -----------------------------------
- */
+/* --- Cubes in the world and on the screen --------------------------------- */
 
 struct held {
   long vertices, images, out, wrong;
@@ -386,8 +381,7 @@ static void test_images(struct tap *tap, const struct laid_out *l,
      l->scene->name, held.vertices, held.images, held.out, held.wrong);
 }
 
-/* --- Pairs ------------------------------------------------------------------
- */
+/* --- Pairs ---------------------------------------------------------------- */
 
 /* Pairs of faces that exist, at samples where neither need be. */
 static void test_pairs(struct tap *tap, const struct laid_out *l,

@@ -19,8 +19,7 @@ static void stop(const char *name, const char *text) {
   exit(99);
 }
 
-/* --- Scenes -----------------------------------------------------------------
- */
+/* --- Scenes --------------------------------------------------------------- */
 
 struct box {
   double lo[3], hi[3];
@@ -87,8 +86,7 @@ static void close_stage(struct stage *s) {
   hsr_scene_delete(s->scene);
 }
 
-/* --- Order ------------------------------------------------------------------
- */
+/* --- Order ---------------------------------------------------------------- */
 
 struct order {
   uint32_t place[MOST_INSTANCES]; /* an instance: in the order */
@@ -259,8 +257,7 @@ static void test_order(struct tap *tap, const char *name, int kind) {
      looked.rays, looked.met, looked.wrong);
 }
 
-/* --- Pictures ---------------------------------------------------------------
- */
+/* --- Pictures ------------------------------------------------------------- */
 
 enum fit { IN_ORDER, ONE_TREE };
 

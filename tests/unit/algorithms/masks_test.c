@@ -72,8 +72,7 @@ static void stop(const char *text) {
   exit(99);
 }
 
-/* --- Polygons ---------------------------------------------------------------
- */
+/* --- Polygons ------------------------------------------------------------- */
 
 struct point {
   int64_t x, y;
@@ -270,8 +269,7 @@ static struct hsr_bounds box_of(const struct polygon *p,
   return box;
 }
 
-/* --- A picture of both kinds ------------------------------------------------
- */
+/* --- A picture of both kinds ---------------------------------------------- */
 
 struct picture {
   const struct build *build;
@@ -427,8 +425,7 @@ static long count_wrong(const struct picture *p) {
   return wrong;
 }
 
-/* --- Cells ------------------------------------------------------------------
- */
+/* --- Cells ---------------------------------------------------------------- */
 
 /* Samples of a square that are in the window, and covered. */
 struct census {
@@ -491,8 +488,7 @@ static void follow_all(const struct picture *p, struct path *path) {
   follow(p, path, 0, 0, p->window.x0, p->window.y0, size);
 }
 
-/* --- Sequences --------------------------------------------------------------
- */
+/* --- Sequences ------------------------------------------------------------ */
 
 struct sequence {
   long differ, twice, outside, said_wrong, unseen_said_seen, hidden, unsure,
@@ -612,8 +608,7 @@ static void test_sequences(struct tap *tap, struct picture *p,
      (unsigned long long)cells[0], (unsigned long long)cells[1]);
 }
 
-/* --- The nine cases ---------------------------------------------------------
- */
+/* --- The nine cases ------------------------------------------------------- */
 
 /* All of x < at, or of y < at, in the window of 64 x 64. */
 static struct polygon half(bool of_rows, int64_t at) {
@@ -675,8 +670,7 @@ static void test_cases(struct tap *tap, struct picture *p) {
   end(p);
 }
 
-/* --- Costs ------------------------------------------------------------------
- */
+/* --- Costs ---------------------------------------------------------------- */
 
 /* Behind what fills the window. */
 static void test_occluder(struct tap *tap, struct picture *p) {

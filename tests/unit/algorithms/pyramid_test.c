@@ -48,8 +48,7 @@ static struct hsr_window random_window(int k, uint64_t *seed) {
   return (struct hsr_window){b.x0, b.y0, b.x1, b.y1};
 }
 
-/* --- A pyramid by its definition --------------------------------------------
- */
+/* --- A pyramid by its definition ------------------------------------------ */
 
 /* The depth recorded at a sample of the window. */
 static float depth_at(const struct hsr_pyramid *p, int i, int j) {
@@ -107,8 +106,7 @@ static long count_wrong(const struct hsr_pyramid *p) {
   return wrong;
 }
 
-/* --- Writing and updating ---------------------------------------------------
- */
+/* --- Writing and updating ------------------------------------------------- */
 
 struct memory {
   struct hsr_pyramid pyramid;
@@ -185,8 +183,7 @@ static void test_early_stop(struct tap *tap) {
   hsr_arena_free(&m.arena);
 }
 
-/* --- Tests of boxes ---------------------------------------------------------
- */
+/* --- Tests of boxes ------------------------------------------------------- */
 
 /* The smallest entry that encloses a box. */
 static struct hsr_bounds enclosing(const struct hsr_pyramid *p,
@@ -294,8 +291,7 @@ static void test_work(struct tap *tap, uint64_t *seed) {
   hsr_arena_free(&m.arena);
 }
 
-/* --- The definitive test ----------------------------------------------------
- */
+/* --- The definitive test -------------------------------------------------- */
 
 struct definitive {
   struct hsr_world world;

@@ -38,8 +38,7 @@ static bool holds(const struct figure *f, double truth) {
   return f->low <= truth && truth <= f->high;
 }
 
-/* --- Plain values ------------------------------------------------------------
- */
+/* --- Plain values --------------------------------------------------------- */
 
 static void test_values(struct tap *tap) {
   const double seconds[] = {5, 1, 3, 2, 8, 4};
@@ -90,8 +89,7 @@ static void test_intervals(struct tap *tap) {
      "nor one without spread");
 }
 
-/* --- How often they are right ------------------------------------------------
- */
+/* --- How often they are right --------------------------------------------- */
 
 static double median_coverage(int starts) {
   int held = 0;

@@ -21,8 +21,7 @@ static void must(bool good) {
   exit(1);
 }
 
-/* --- Growth ----------------------------------------------------------------
- */
+/* --- Growth --------------------------------------------------------------- */
 
 static void test_growth(struct tap *tap) {
   double x[5] = {1, 10, 100, 1000, 10000}, y[5];
@@ -55,8 +54,7 @@ static void test_growth(struct tap *tap) {
   ok(tap, isnan(growth_fit(same, v, 3).exponent), "nor does one size alone");
 }
 
-/* --- Worlds ----------------------------------------------------------------
- */
+/* --- Worlds --------------------------------------------------------------- */
 
 /* What a world is made by: 0 is the survey's own, where Table II's rules hold
  * and every count is what Table III foretells; those that it has no formula
@@ -200,8 +198,7 @@ static struct conclusion find(const struct tables *t, const char *part) {
   return (struct conclusion){.claim = NULL};
 }
 
-/* --- The tables ------------------------------------------------------------
- */
+/* --- The tables ----------------------------------------------------------- */
 
 static void test_survey(struct tap *tap) {
   struct world survey = {0, 0, 1};
@@ -318,8 +315,7 @@ static void test_missing(struct tap *tap) {
   results_free(&results);
 }
 
-/* --- The claims ------------------------------------------------------------
- */
+/* --- The claims ----------------------------------------------------------- */
 
 static void test_known(struct tap *tap) {
   struct world survey = {0, 0, 1};
@@ -426,8 +422,7 @@ static void test_unmeasured(struct tap *tap) {
   results_free(&results);
 }
 
-/* --- Greene ----------------------------------------------------------------
- */
+/* --- Greene --------------------------------------------------------------- */
 
 static json_t *cell_of_office(const char *algorithm, json_t *counts) {
   json_t *cell = cell_record(HOUSE, algorithm, counts);

@@ -161,8 +161,7 @@ static void check_clusters(struct tap *tap, struct fixture *x, const char *name,
   hsr_setup_free(&setup);
 }
 
-/* --- Covering by parity ----------------------------------------------------
- */
+/* --- Covering by parity --------------------------------------------------- */
 
 /* Turns, in odd[], the faces of the scene that faces of a world cover (i, j).
  */

@@ -259,8 +259,7 @@ static void test_far_from_origin(struct tap *tap) {
   ok(tap, behind, "but what is behind is");
 }
 
-/* --- Polygons --------------------------------------------------------------
- */
+/* --- Polygons ------------------------------------------------------------- */
 
 static bool meets(struct hsr_box b, const double *xyz, uint32_t n_corners,
                   double slack) {

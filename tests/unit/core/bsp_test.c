@@ -44,8 +44,7 @@ static void fail(const struct hsr_error *err) {
   exit(99);
 }
 
-/* --- The form of the trees --------------------------------------------------
- */
+/* --- The form of the trees ------------------------------------------------ */
 
 /* Three points on a median plane, which go around as its front is turned. */
 struct median_loop {
@@ -250,8 +249,7 @@ static void check_form(struct tap *tap, struct fixture *x, uint32_t most) {
   free(used);
 }
 
-/* --- What a sample is in ----------------------------------------------------
- */
+/* --- What a sample is in -------------------------------------------------- */
 
 static bool within(struct fixture *x, uint32_t f,
                    const struct hsr_bsp_corner *side, int i, int j) {
@@ -278,8 +276,7 @@ static bool holds(struct fixture *x, const struct hsr_bsp_piece *piece, int i,
   return true;
 }
 
-/* --- Front to back ----------------------------------------------------------
- */
+/* --- Front to back -------------------------------------------------------- */
 
 static int eye_side(struct fixture *x, struct hsr_loop plane) {
   return hsr_exact_moved_plane_side(plane, x->shift, x->view.E,
@@ -314,8 +311,7 @@ static void order_cube(struct fixture *x, uint32_t number) {
   }
 }
 
-/* --- The samples of a view --------------------------------------------------
- */
+/* --- The samples of a view ------------------------------------------------ */
 
 /* Which faces cover the sample: 1 in times[]; how many. */
 static long cover(struct fixture *x, int i, int j) {
@@ -419,8 +415,7 @@ static void check_samples(struct tap *tap, struct fixture *x, uint32_t most) {
      x->name, most, wrong, grazed);
 }
 
-/* --- The walk ---------------------------------------------------------------
- */
+/* --- The walk ------------------------------------------------------------- */
 
 enum { EYES = 24 };
 
@@ -524,8 +519,7 @@ static void check_walks(struct tap *tap, struct fixture *x, uint32_t most) {
      told_of);
 }
 
-/* --- Scenes -----------------------------------------------------------------
- */
+/* --- Scenes --------------------------------------------------------------- */
 
 static bool open_scene(struct fixture *x, const char *name) {
   struct hsr_error err = {.text = "out of memory"};

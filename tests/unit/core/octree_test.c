@@ -138,8 +138,7 @@ static const uint32_t *items_of(const struct hsr_octree *octree, uint32_t k) {
   return octree->item + octree->node[k].first;
 }
 
-/* --- The smallest enclosing cube -------------------------------------------
- */
+/* --- The smallest enclosing cube ------------------------------------------ */
 
 /* How small the cube is that encloses a triangle: its side is SIDE / 2^depth.
  * In cubes of that side the one in which it ends, in every coordinate, is the
@@ -195,8 +194,7 @@ static void test_enclosing(struct tap *tap, uint64_t *seed) {
   ok(tap, once, "enclosing: each is in one cube, once");
 }
 
-/* --- Pushed into the octants that it meets ----------------------------------
- */
+/* --- Pushed into the octants that it meets -------------------------------- */
 
 struct found {
   bool meets, distinct, cut;    /* what each cube holds; how it is divided */
@@ -303,8 +301,7 @@ static void try_pushed(struct tap *tap, uint64_t *seed, int64_t largest,
   hsr_arena_free(&arena);
 }
 
-/* --- What cannot be parted --------------------------------------------------
- */
+/* --- What cannot be parted ------------------------------------------------ */
 
 static struct hsr_box here(const void *context, uint32_t k) {
   (void)k;
@@ -354,8 +351,7 @@ static void test_fan(struct tap *tap, uint64_t *seed) {
   hsr_arena_free(&arena);
 }
 
-/* --- From front to back -----------------------------------------------------
- */
+/* --- From front to back --------------------------------------------------- */
 
 /* The middle of what a ray has in an octant of the cube; NaN: nothing. */
 static double middle_of(const double eye[3], const double ray[3],

@@ -26,8 +26,7 @@ static void fail(const char *what, const struct hsr_error *err) {
   exit(99);
 }
 
-/* --- A hundred million faces ------------------------------------------------
- */
+/* --- A hundred million faces ---------------------------------------------- */
 
 /* The one object of a built-in scene. */
 static void copy_object(struct hsr_scene *to, const char *name) {
@@ -140,8 +139,7 @@ static void test_large(struct tap *tap) {
   free(ids);
 }
 
-/* --- The same picture -------------------------------------------------------
- */
+/* --- The same picture ----------------------------------------------------- */
 
 struct found {
   long samples, faces, different;
@@ -198,8 +196,7 @@ static void test_builtins(struct tap *tap) {
   }
 }
 
-/* --- Random instances -------------------------------------------------------
- */
+/* --- Random instances ----------------------------------------------------- */
 
 /* In [-1, 1]; every other time one that often comes again. */
 static double draw_number(uint64_t *seed) {

@@ -82,8 +82,7 @@ static long count_wrong(const struct line *line, struct hsr_triage mask) {
   return wrong;
 }
 
-/* --- Lines ------------------------------------------------------------------
- */
+/* --- Lines ---------------------------------------------------------------- */
 
 /* A line crosses the square if corners of it are on both sides; then it has an
  * entry, and a line on none has not. */
@@ -129,8 +128,7 @@ static void test_lines(struct tap *tap, const struct hsr_triage_tables *tables,
      k, unlike);
 }
 
-/* --- Entries ----------------------------------------------------------------
- */
+/* --- Entries -------------------------------------------------------------- */
 
 static const int SIDES[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
@@ -240,8 +238,7 @@ static double test_figures(struct tap *tap,
   return mean;
 }
 
-/* --- Samples ----------------------------------------------------------------
- */
+/* --- Samples -------------------------------------------------------------- */
 
 /* Whether all lines of an entry have a point strictly on one side. */
 static bool is_decided(int entry, int intervals, int64_t x, int64_t y) {

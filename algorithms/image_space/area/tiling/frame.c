@@ -3,8 +3,7 @@
 
 enum { SPARE_LINES = 8 }; /* of a silhouette; or near, and clips */
 
-/* --- Where the samples are --------------------------------------------------
- */
+/* --- Where the samples are ------------------------------------------------ */
 
 static struct hsr_mask_places places_of(const struct hsr_jitter *jitter) {
   struct hsr_mask_places places;
@@ -64,8 +63,7 @@ static struct hsr_mask_places *displaced(const struct hsr_job *job,
   return places;
 }
 
-/* --- A frame ---------------------------------------------------------------
- */
+/* --- A frame -------------------------------------------------------------- */
 
 static struct hsr_masks masks_of(struct hsr_tiling *t) {
   const struct hsr_job *job = t->job;

@@ -16,8 +16,7 @@
 extern "C" {
 #endif
 
-/* --- Once ------------------------------------------------------------------
- */
+/* --- Once ----------------------------------------------------------------- */
 
 enum { HSR_PATTERNS = HSR_MOST_PATTERNS + 1 }; /* the last one is no jitter */
 
@@ -41,8 +40,7 @@ void HSR_OF_BUILD(hsr_sampling_free)(struct hsr_sampling *sampling);
     .least = 1, .most = HSR_TRIAGE_MOST, .standard = 64                        \
   }
 
-/* --- A frame ---------------------------------------------------------------
- */
+/* --- A frame -------------------------------------------------------------- */
 
 struct hsr_tiling {
   const struct hsr_job *job;
@@ -76,8 +74,7 @@ bool HSR_OF_BUILD(hsr_tiling_shows)(struct hsr_tiling *tiling,
 /* Tiles whatever is vacant still, and of no polygon. */
 void HSR_OF_BUILD(hsr_tiling_background)(struct hsr_tiling *tiling);
 
-/* --- Counters --------------------------------------------------------------
- */
+/* --- Counters ------------------------------------------------------------- */
 
 /* The first counters of each module; its own begin at HSR_TILING_COUNTERS. */
 enum {

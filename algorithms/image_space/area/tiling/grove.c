@@ -9,8 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- Whether an instance may be in the grove -------------------------------
- */
+/* --- Whether an instance may be in the grove ------------------------------ */
 
 static bool is_moved_only(const struct hsr_instance *instance) {
   const double *m = instance->m;
@@ -75,8 +74,7 @@ static bool is_closed_off(const struct hsr_object *object) {
   return true;
 }
 
-/* --- The order of instances ------------------------------------------------
- */
+/* --- The order of instances ----------------------------------------------- */
 
 enum { MOST_DEPTH = 500 };
 
@@ -223,8 +221,7 @@ static enum hsr_status order_instances(struct hsr_grove *g, bool *fit) {
   return status;
 }
 
-/* --- Trees -----------------------------------------------------------------
- */
+/* --- Trees ---------------------------------------------------------------- */
 
 static void note_sizes(struct hsr_grove *g, const struct hsr_bsp *bsp) {
   for (uint32_t k = 0; k < bsp->n_cubes; k++) {

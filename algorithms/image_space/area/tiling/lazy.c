@@ -43,8 +43,7 @@ enum {
   COMPARED
 };
 
-/* --- Once ------------------------------------------------------------------
- */
+/* --- Once ----------------------------------------------------------------- */
 
 struct prepared {
   struct hsr_sampling sampling;
@@ -145,8 +144,7 @@ static enum hsr_status prepare(const struct hsr_world *world,
   return HSR_OK;
 }
 
-/* --- A frame ---------------------------------------------------------------
- */
+/* --- A frame -------------------------------------------------------------- */
 
 /* A polygon that waits for its turn. */
 struct turn {
@@ -195,8 +193,8 @@ static void tile_piece(struct frame *f, const struct hsr_bsp_piece *piece,
   if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
     return;
   HSR_OF_BUILD(hsr_pieces_outline)(pieces);
-  HSR_STEP(f->job->tally, POLYGONS, HSR_ACTIVATE, piece->face, HSR_NOTHING,
-           pieces->box.x0, pieces->box.y0, pieces->box.x1, pieces->box.y1);
+  HSR_STEP9(f->job->tally, POLYGONS, HSR_ACTIVATE, piece->face, HSR_NO_ID,
+            pieces->box.x0, pieces->box.y0, pieces->box.x1, pieces->box.y1);
   if (!HSR_OF_BUILD(hsr_lazy_tile)(&f->pyramid, piece->face, &pieces->polygon,
                                    pieces->box))
     HSR_COUNT(f->job->tally, POLYGONS_HIDDEN, 1);
@@ -217,8 +215,7 @@ static void tile_face(struct frame *f, uint32_t face) {
     tile_piece(f, &f->prepared->separate.piece[face], facing);
 }
 
-/* --- An octree, from front to back -----------------------------------------
- */
+/* --- An octree, from front to back ---------------------------------------- */
 
 /* The corners of a cube's box, and a little more for what is rounded: an
  * octree's boxes are within 2^-50 of the coordinates (common/trees/octree.c). */
@@ -299,8 +296,7 @@ static void tile_octree(struct frame *f) {
     tile_cube(f, 0);
 }
 
-/* --- Other orders ----------------------------------------------------------
- */
+/* --- Other orders --------------------------------------------------------- */
 
 static void wait_for_turn(void *context, const struct hsr_bsp_piece *piece,
                           int facing) {
@@ -390,8 +386,7 @@ static void tile_tree(struct frame *f) {
     tile_face(f, bsp->loose[k]);
 }
 
-/* --- The picture -----------------------------------------------------------
- */
+/* --- The picture ---------------------------------------------------------- */
 
 static void take_face(void *context, uint32_t face) {
   struct frame *f = context;
@@ -436,8 +431,7 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
-/* --- The descriptor --------------------------------------------------------
- */
+/* --- The descriptor ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
     HSR_TILING_COUNTER_NAMES,

@@ -21,8 +21,7 @@ static const double U = DBL_EPSILON / 2;
 #define COUNT(counter, n) ((void)sizeof((counter) + (uint64_t)(n)))
 #endif
 
-/* --- Depth -----------------------------------------------------------------
- */
+/* --- Depth ---------------------------------------------------------------- */
 
 static const struct hsr_lazy_depth NOTHING = {INFINITY, 0};
 
@@ -96,8 +95,7 @@ static bool is_nearer(struct hsr_lazy_pyramid *p, uint32_t f, uint32_t g,
                           &p->tally->out_of_memory) > 0;
 }
 
-/* --- Fragments -------------------------------------------------------------
- */
+/* --- Fragments ------------------------------------------------------------ */
 
 static struct hsr_lazy_fragment *fragment(const struct hsr_lazy_pyramid *p,
                                           uint32_t index) {
@@ -142,8 +140,7 @@ static void cache_fragment(struct hsr_lazy_pyramid *p,
   pixel->fragments = index;
 }
 
-/* --- Pixels ----------------------------------------------------------------
- */
+/* --- Pixels --------------------------------------------------------------- */
 
 /* Where sample `bit` of a pixel is. */
 static void place_of(const struct hsr_masks *masks,
@@ -246,8 +243,7 @@ static void z_buffer(struct hsr_lazy_pyramid *p,
   }
 }
 
-/* --- Cells -----------------------------------------------------------------
- */
+/* --- Cells ---------------------------------------------------------------- */
 
 static bool is_finest(const struct hsr_lazy_pyramid *p,
                       const struct hsr_mask_cell *cell) {
@@ -318,8 +314,7 @@ static void find_depth(const struct hsr_lazy_pyramid *p,
   }
 }
 
-/* --- Once a frame ----------------------------------------------------------
- */
+/* --- Once a frame --------------------------------------------------------- */
 
 enum hsr_status HSR_OF_BUILD(hsr_lazy_begin)(struct hsr_lazy_pyramid *p,
                                              struct hsr_masks *masks,
@@ -350,8 +345,7 @@ enum hsr_status HSR_OF_BUILD(hsr_lazy_begin)(struct hsr_lazy_pyramid *p,
   return HSR_OK;
 }
 
-/* --- Tiling ----------------------------------------------------------------
- */
+/* --- Tiling --------------------------------------------------------------- */
 
 static uint64_t enter_pixel(struct hsr_lazy_pyramid *p,
                             const struct hsr_mask_cell *cell) {
@@ -459,8 +453,7 @@ bool HSR_OF_BUILD(hsr_lazy_tile)(struct hsr_lazy_pyramid *p, uint32_t face,
   return HSR_OF_BUILD(hsr_masks_visit)(p->masks, polygon, box, &visitor);
 }
 
-/* --- Asking ----------------------------------------------------------------
- */
+/* --- Asking --------------------------------------------------------------- */
 
 static uint64_t look(void *context, const struct hsr_mask_cell *cell,
                      struct hsr_triage polygon) {
@@ -513,8 +506,7 @@ bool HSR_OF_BUILD(hsr_lazy_shows)(struct hsr_lazy_pyramid *p,
   return p->shows;
 }
 
-/* --- The picture -----------------------------------------------------------
- */
+/* --- The picture ---------------------------------------------------------- */
 
 struct resolving {
   struct hsr_lazy_pyramid *pyramid;

@@ -55,8 +55,7 @@ enum {
   LOOSE
 };
 
-/* --- Once ------------------------------------------------------------------
- */
+/* --- Once ----------------------------------------------------------------- */
 
 struct prepared {
   struct hsr_sampling sampling;
@@ -137,8 +136,7 @@ static enum hsr_status prepare(const struct hsr_world *world,
   return status ? status : plant(p, world, &rule, err);
 }
 
-/* --- A frame ---------------------------------------------------------------
- */
+/* --- A frame -------------------------------------------------------------- */
 
 /* A tree that can be tiled; that of a body that moves, or of several, is the
  * frame's own. */
@@ -230,8 +228,7 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job,
   return f->status;
 }
 
-/* --- Trees -----------------------------------------------------------------
- */
+/* --- Trees ---------------------------------------------------------------- */
 
 static void free_own(struct body *body) {
   hsr_bsp_free(&body->own_tree);
@@ -273,8 +270,7 @@ static uint32_t name_of(const struct frame *f, const struct hsr_world *world,
   return f->job->filtering ? hsr_world_parent(world, face) : face;
 }
 
-/* --- Tiling one tree -------------------------------------------------------
- */
+/* --- Tiling one tree ------------------------------------------------------ */
 
 /* Whether anything within the box, in the region, may be seen. */
 static bool is_visible(struct frame *f, const struct hsr_region *region,
@@ -322,8 +318,8 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   if (!polygon)
     return;
   uint32_t id = name_of(f, f->body->tree->world, piece->face);
-  HSR_STEP(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NOTHING, pieces->box.x0,
-           pieces->box.y0, pieces->box.x1, pieces->box.y1);
+  HSR_STEP9(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NO_ID, pieces->box.x0,
+            pieces->box.y0, pieces->box.x1, pieces->box.y1);
   HSR_COUNT(f->job->tally, PIECES_CLIPPED, polygon != &pieces->polygon);
   HSR_OF_BUILD(hsr_canvas_face)(&t->canvas, id);
   HSR_OF_BUILD(hsr_masks_tile)(&t->masks, polygon, pieces->box, &t->sink);
@@ -348,8 +344,7 @@ static void tile_tree(struct frame *f, struct body *body, uint32_t cube,
   HSR_OF_BUILD(hsr_bsp_walk_cube)(&walk, cube);
 }
 
-/* --- Merging ---------------------------------------------------------------
- */
+/* --- Merging -------------------------------------------------------------- */
 
 struct gathering {
   struct frame *frame;
@@ -458,8 +453,7 @@ static void merge(struct frame *f, const struct hsr_region *region,
   free_own(&f->merged);
 }
 
-/* --- Regions, from front to back -------------------------------------------
- */
+/* --- Regions, from front to back ------------------------------------------ */
 
 struct key {
   double lo, hi;
@@ -640,8 +634,7 @@ static void tile_region(struct frame *f, const struct hsr_region *region,
     merge(f, region, node, n);
 }
 
-/* --- The picture -----------------------------------------------------------
- */
+/* --- The picture ---------------------------------------------------------- */
 
 /* Holds an instance, exactly. */
 static struct hsr_box box_of_instance(const struct hsr_scene *scene,
@@ -699,8 +692,7 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
-/* --- The descriptor --------------------------------------------------------
- */
+/* --- The descriptor ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
     HSR_TILING_COUNTER_NAMES,

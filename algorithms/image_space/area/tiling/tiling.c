@@ -31,8 +31,7 @@ enum { CUBES_TESTED, CUBES_DRAWN };
 
 enum { PIECES = HSR_TILING_COUNTERS, PIECES_HIDDEN, LOOSE };
 
-/* --- Once ------------------------------------------------------------------
- */
+/* --- Once ----------------------------------------------------------------- */
 
 struct prepared {
   struct hsr_grove grove;
@@ -86,8 +85,7 @@ static enum hsr_status prepare(const struct hsr_world *world,
   return status;
 }
 
-/* --- A frame ---------------------------------------------------------------
- */
+/* --- A frame -------------------------------------------------------------- */
 
 struct frame {
   const struct hsr_job *job;
@@ -146,8 +144,8 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
     return;
   if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
     return;
-  HSR_STEP(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NOTHING, pieces->box.x0,
-           pieces->box.y0, pieces->box.x1, pieces->box.y1);
+  HSR_STEP9(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NO_ID, pieces->box.x0,
+            pieces->box.y0, pieces->box.x1, pieces->box.y1);
   if (f->job->filtering)
     id = hsr_world_parent(f->job->world, id);
   HSR_OF_BUILD(hsr_canvas_face)(&t->canvas, id);
@@ -217,8 +215,7 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
-/* --- The descriptor --------------------------------------------------------
- */
+/* --- The descriptor ------------------------------------------------------- */
 
 static const struct hsr_counter counters[] = {
     HSR_TILING_COUNTER_NAMES,

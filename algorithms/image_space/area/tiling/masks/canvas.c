@@ -15,8 +15,7 @@ static void count_samples(struct hsr_canvas *c, uint64_t n) {
 #endif
 }
 
-/* --- Ids -------------------------------------------------------------------
- */
+/* --- Ids ------------------------------------------------------------------ */
 
 static void put_samples(void *context, int x, int y, uint64_t mask) {
   struct hsr_canvas *c = context;
@@ -39,8 +38,7 @@ static void put_square(void *context, int x, int y, int size) {
   }
 }
 
-/* --- Sums ------------------------------------------------------------------
- */
+/* --- Sums ----------------------------------------------------------------- */
 
 /* Shading is put off until something of the face is seen. */
 static void shade(struct hsr_canvas *c) {
@@ -119,8 +117,7 @@ static void cosine_square(void *context, int x, int y, int size) {
       spread(c, i, j, c->whole);
 }
 
-/* --- The sink --------------------------------------------------------------
- */
+/* --- The sink ------------------------------------------------------------- */
 
 void HSR_OF_BUILD(hsr_canvas_begin)(struct hsr_canvas *c,
                                     const struct hsr_job *job,

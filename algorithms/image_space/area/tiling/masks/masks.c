@@ -37,8 +37,7 @@ static struct hsr_mask_cell root_of(const struct hsr_masks *p) {
   return root;
 }
 
-/* --- Clearing --------------------------------------------------------------
- */
+/* --- Clearing ------------------------------------------------------------- */
 
 /* The subcells of columns [c0, c1) and rows [r0, r1), within 0 .. 8. */
 static uint64_t rectangle(int c0, int r0, int c1, int r1) {
@@ -146,8 +145,7 @@ int HSR_OF_BUILD(hsr_masks_extent)(const struct hsr_masks *p) {
   return root_of(p).size;
 }
 
-/* --- Lines before cells ----------------------------------------------------
- */
+/* --- Lines before cells --------------------------------------------------- */
 
 enum where { OUTSIDE, INSIDE, CROSSING };
 
@@ -227,8 +225,7 @@ static uint32_t choose(const struct hsr_mask_lines *active, int bit) {
   return n;
 }
 
-/* --- Counting --------------------------------------------------------------
- */
+/* --- Counting ------------------------------------------------------------- */
 
 #if HSR_COUNTING
 static void count_cell(struct hsr_masks *p, const struct hsr_mask_cell *cell) {
@@ -253,8 +250,7 @@ static void count_cell(const struct hsr_masks *p,
 }
 #endif
 
-/* --- The finest level ------------------------------------------------------
- */
+/* --- The finest level ----------------------------------------------------- */
 
 /* Of the samples of a finest cell, those surely inside a line that is f at the
  * cell's corner, and those surely outside. */
@@ -364,8 +360,7 @@ static uint64_t covered_samples(struct hsr_masks *p,
   return mask;
 }
 
-/* --- Tiling ----------------------------------------------------------------
- */
+/* --- Tiling --------------------------------------------------------------- */
 
 struct task {
   struct hsr_masks *masks;
@@ -615,8 +610,7 @@ static bool shows(const struct task *t, const struct hsr_mask_cell *cell,
   return false;
 }
 
-/* --- Where to begin --------------------------------------------------------
- */
+/* --- Where to begin ------------------------------------------------------- */
 
 /* Cells on the way are cleared if they are to be. */
 bool HSR_OF_BUILD(hsr_masks_find)(struct hsr_masks *p, struct hsr_bounds box) {
@@ -689,8 +683,7 @@ bool HSR_OF_BUILD(hsr_masks_show_found)(
   return shows(&task, &p->way[p->n_way - 1], p->all, polygon->n);
 }
 
-/* --- For those who go through the pyramid by themselves ---------------------
- */
+/* --- For those who go through the pyramid by themselves ------------------- */
 
 struct visit {
   struct hsr_masks *masks;

@@ -107,8 +107,7 @@ void HSR_OF_BUILD(hsr_pieces_tree)(struct hsr_pieces_view *p,
     p->shift[k] = shift[k];
 }
 
-/* --- The transform ---------------------------------------------------------
- */
+/* --- The transform -------------------------------------------------------- */
 
 /* Errors of points within a box that is moved. */
 static void find_errors(const struct hsr_pieces_view *p,
@@ -189,8 +188,7 @@ void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *p,
   find_places(p, leaf);
 }
 
-/* --- Lines -----------------------------------------------------------------
- */
+/* --- Lines ---------------------------------------------------------------- */
 
 struct point {
   double x, y, w;
@@ -240,8 +238,7 @@ static struct point corner_point(const struct hsr_pieces_view *p,
   return point;
 }
 
-/* --- The box of samples ----------------------------------------------------
- */
+/* --- The box of samples --------------------------------------------------- */
 
 /* What holds points of the screen; and which borders of the window all points
  * so far are beyond, as homogeneous coordinates tell wherever they are. */
@@ -302,8 +299,7 @@ static bool box_of(const struct hull *hull, const struct hsr_window *w,
   return box->x0 < box->x1 && box->y0 < box->y1;
 }
 
-/* --- Exact questions -------------------------------------------------------
- */
+/* --- Exact questions ------------------------------------------------------ */
 
 /* Vertex v of the world, moved. */
 static void moved_vertex(const struct hsr_pieces_view *p,
@@ -436,8 +432,7 @@ static bool within_box(void *context, uint32_t k, double sx, double sy) {
                   : sy < box->y1;
 }
 
-/* --- Pieces ----------------------------------------------------------------
- */
+/* --- Pieces --------------------------------------------------------------- */
 
 /* A polygon that is all of the box, and of it what `covers` says. */
 static void take_box(struct hsr_pieces_view *p) {
@@ -568,8 +563,7 @@ void HSR_OF_BUILD(hsr_pieces_outline)(struct hsr_pieces_view *p) {
     cut_at_near(p);
 }
 
-/* --- Boxes -----------------------------------------------------------------
- */
+/* --- Boxes ---------------------------------------------------------------- */
 
 /* A moved box, and a little more: the sums are rounded. */
 static struct hsr_box moved_box(const struct hsr_box *box,
