@@ -7,6 +7,7 @@ tap_programs = \
   %D%/unit/algorithms/cubes_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/exchange_test \
+  %D%/unit/bench/crew_test \
   %D%/unit/bench/figures_test \
   %D%/unit/core/filter_test \
   %D%/unit/files/image_test \
@@ -163,6 +164,9 @@ nodist_EXTRA_%C%_properties_surfaces_newell_test_SOURCES = force_cxx_link.cc
 %C%_properties_surfaces_scan_line_test_SOURCES = %D%/properties/surfaces/scan_line_test.c
 nodist_EXTRA_%C%_properties_surfaces_scan_line_test_SOURCES = force_cxx_link.cc
 
+%C%_unit_bench_crew_test_SOURCES = %D%/unit/bench/crew_test.c
+%C%_unit_bench_crew_test_LDADD = libdraw.a $(BENCH_LIBS)
+nodist_EXTRA_%C%_unit_bench_crew_test_SOURCES = force_cxx_link.cc
 %C%_unit_bench_figures_test_SOURCES = %D%/unit/bench/figures_test.c
 %C%_unit_bench_figures_test_LDADD = $(BENCH_LIBS)
 nodist_EXTRA_%C%_unit_bench_figures_test_SOURCES = force_cxx_link.cc

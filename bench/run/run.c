@@ -192,7 +192,8 @@ static void divide(struct parts *parts, long threads) {
 static enum hsr_status draw(struct crew *crew, const struct task *task,
                             const struct hsr_view *view,
                             struct hsr_tally *tally, struct hsr_error *err) {
-  bool whole = task->setup->flags & HSR_FRAME_STATE || !task->ids;
+  bool whole = task->setup->flags & HSR_FRAME_STATE || !task->ids ||
+               tally->trace; /* its events are in order */
   long threads = whole ? 1 : crew->n;
   struct parts parts = {.task = task, .view = view};
   divide(&parts, threads);
