@@ -30,6 +30,7 @@ tap_programs = \
   %D%/conformance/lattice_test \
   %D%/conformance/line_lattice_test \
   %D%/conformance/trace_test \
+  %D%/counts/golden_test \
   %D%/properties/tiling/baselines_test \
   %D%/properties/hierarchical/boxes_test \
   %D%/properties/surfaces/combinations_test \
@@ -122,6 +123,8 @@ nodist_EXTRA_%C%_unit_core_world_test_SOURCES = force_cxx_link.cc
 %C%_unit_files_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_conformance_lattice_test_SOURCES = %D%/conformance/lattice_test.c
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
+%C%_counts_golden_test_SOURCES = %D%/counts/golden_test.c
+nodist_EXTRA_%C%_counts_golden_test_SOURCES = force_cxx_link.cc
 %C%_conformance_trace_test_SOURCES = %D%/conformance/trace_test.c
 nodist_EXTRA_%C%_conformance_trace_test_SOURCES = force_cxx_link.cc
 %C%_conformance_line_lattice_test_SOURCES = %D%/conformance/line_lattice_test.c
@@ -189,4 +192,4 @@ nodist_EXTRA_%C%_sweep_schema_test_SOURCES = force_cxx_link.cc
 %C%_sweep_sweep_test_LDADD = $(BENCH_LIBS)
 nodist_EXTRA_%C%_sweep_sweep_test_SOURCES = force_cxx_link.cc
 
-EXTRA_DIST += %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/report/browse.mjs %D%/report/sample.mjs %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict
+EXTRA_DIST += %D%/mutants/run %D%/mutants/core.mutants %D%/counts/golden %D%/counts/rewrite %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/report/browse.mjs %D%/report/sample.mjs %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict

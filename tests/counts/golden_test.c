@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The counts of every module on small scenes, as they were when a person last
+ * looked at them: golden/NAME.txt, a line for each scene, view and counter.
+ *
+ *   golden_test [NAME...]            compares: all, or those modules
+ *   golden_test --write [NAME...]    writes the files anew; see `rewrite`
+ *
+ * A change that alters a count fails here, until its commit has the new figure
+ * and says why. */
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const scenes[] = {
+    "house",        "cyclic-overlap", "penetration", "coplanar",
+    "shared-edges", "lattice:40:3",   "near-plane",  "non-convex",
+    "deep-stack",   "color-cube:2"};
+enum { N_SCENES = sizeof scenes / sizeof *scenes, M = 41, N = 29, VIEWS = 2 };
+
+/* The counts of one view, a line each. */
+static void count_view(const struct hsr_algorithm *a,
+                       const struct both_worlds *worlds, const char *scene,
+                       uint32_t number, FILE *out) {
+  static uint32_t ids[M * N];
+  struct hsr_view view;
+  struct hsr_drawing drawing = {.n = 0};
+  struct hsr_tally tally = {.first = 0};
+  if (hsr_view_init(&view, &worlds->scene->views[number], M, N, NULL))
+    abort();
+  if (a->kind == HSR_SEGMENTS)
+    draw_lines(a, &worlds->world, &view, &drawing, &tally);
+  else
+    draw_ids(a, &worlds->world, &view, ids, &tally);
+  hsr_drawing_free(&drawing);
+  for (int k = 0; a->counters && a->counters[k].name; k++)
+    fprintf(out, "%s\tview %u\t%s\t%llu\n", scene, number + 1,
+            a->counters[k].name, (unsigned long long)tally.count[k]);
+}
+
+/* All scenes, as the file should be. Owned by the caller. */
+static char *count_all(const struct hsr_algorithm *a) {
+  char *text = NULL;
+  size_t size = 0;
+  FILE *out = open_memstream(&text, &size);
+  for (int s = 0; out && s < N_SCENES; s++) {
+    struct both_worlds worlds;
+    open_worlds(&worlds, scenes[s]);
+    for (uint32_t v = 0; v < VIEWS && v < worlds.scene->n_views; v++)
+      count_view(a, &worlds, scenes[s], v, out);
+    close_worlds(&worlds);
+  }
+  if (!out || fclose(out))
+    abort();
+  return text;
+}
+
+static FILE *open_golden(const struct hsr_algorithm *a, const char *mode) {
+  char path[4096];
+  const char *source = getenv("HSR_SOURCE");
+  snprintf(path, sizeof path, "%s/tests/counts/golden/%s.txt",
+           source ? source : ".", a->name);
+  FILE *file = fopen(path, mode);
+  if (!file)
+    printf("# %s: %s\n", path, strerror(errno));
+  return file;
+}
+
+/* The next line of a text, without its end; NULL behind the last one. */
+static const char *next_line(char **at) {
+  char *line = *at, *end = strchr(line, '\n');
+  if (!end)
+    return NULL;
+  *end = '\0';
+  *at = end + 1;
+  return line;
+}
+
+/* How many lines differ; the first ones are told. */
+static long compare(const struct hsr_algorithm *a, char *counted) {
+  FILE *file = open_golden(a, "r");
+  if (!file)
+    return 1;
+  char *line = NULL;
+  size_t room = 0;
+  long differ = 0;
+  ssize_t length;
+  do {
+    length = getline(&line, &room, file);
+    if (length > 0 && line[length - 1] == '\n')
+      line[length - 1] = '\0';
+    const char *wanted = length < 0 ? "no such line" : line;
+    const char *got = next_line(&counted);
+    if (!got && length < 0)
+      break;
+    if ((!got || strcmp(got, wanted)) && ++differ <= 5)
+      printf("# %s: counted: %s; golden: %s\n", a->name, got ? got : "nothing",
+             wanted);
+    if (!got)
+      break;
+  } while (true);
+  free(line);
+  fclose(file);
+  return differ;
+}
+
+static void write_golden(const struct hsr_algorithm *a, const char *counted) {
+  FILE *file = open_golden(a, "w");
+  if (!file || fputs(counted, file) < 0 || fclose(file))
+    exit(99);
+}
+
+static bool is_player(const struct hsr_algorithm *a) {
+  return !(a->flags & (HSR_JUDGE | HSR_NO_PICTURE));
+}
+
+static bool is_asked(const struct hsr_algorithm *a, int argc, char **argv) {
+  bool asked = argc == 0;
+  for (int k = 0; k < argc; k++)
+    asked |= !strcmp(argv[k], a->name);
+  return is_player(a) && asked;
+}
+
+int main(int argc, char **argv) {
+  bool write = argc > 1 && !strcmp(argv[1], "--write");
+  argc -= 1 + write;
+  argv += 1 + write;
+  int n = 0;
+  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+    n += is_asked(l->counting, argc, argv);
+  struct tap tap = plan(n);
+  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
+    const struct hsr_algorithm *a = l->counting;
+    if (!is_asked(a, argc, argv))
+      continue;
+    char *counted = count_all(a);
+    if (write)
+      write_golden(a, counted);
+    long differ = compare(a, counted);
+    ok(&tap, !differ, "%s: counts as they were (%ld differ)", a->name, differ);
+    free(counted);
+  }
+  return finish(&tap);
+}
