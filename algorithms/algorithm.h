@@ -16,7 +16,7 @@
 #include "common/base/arena.h"
 #include "common/base/count.h"
 #include "common/lines/drawing.h"
-#include "common/answers/filter.h"
+#include "common/answers/answer.h"
 #include "common/statistics/statistics.h"
 #include "common/view/view.h"
 #include "common/scene/world.h"
@@ -36,9 +36,6 @@ enum hsr_branch {
   HSR_BRUTE_FORCE, /* the paper's two yardsticks, and what grew out of them */
   HSR_YARDSTICK    /* no algorithm of the field: the oracle, null */
 };
-
-/* What an algorithm produces; only like kinds are compared. */
-enum hsr_kind { HSR_IDS, HSR_SEGMENTS, HSR_FILTERED };
 
 /* Flags. */
 enum {
@@ -89,30 +86,13 @@ struct hsr_line {
 };
 #define HSR_RAISES(counter) (UINT64_C(1) << (counter))
 
-/* A word that an option may be. */
-struct hsr_word {
-  const char *name;    /* [a-z0-9-]+, "faces"; NULL ends a list */
-  const char *meaning; /* "scan-converted, as in 1993" */
-  unsigned
-      flags; /* what choosing it adds to the algorithm's: HSR_FRAME_STATE */
-};
-
-/* A choice that the algorithm leaves. */
-struct hsr_option {
-  const char *name;             /* [a-z0-9-]+, "cubes" */
-  const char *meaning;          /* "how the faces of a cube are tested" */
-  const struct hsr_word *words; /* what it may be; NULL: a number, */
-  long least, most;             /* from least to most */
-  long standard;                /* the number, or which word */
-};
-
-/* What was chosen: the number of each option's word, or its number. */
-#define HSR_MAX_OPTIONS 16
+/* What was chosen of an algorithm. */
 struct hsr_choice {
-  long option[HSR_MAX_OPTIONS];
+  struct hsr_values values; /* of its own options */
   long window; /* samples a side of the squares in which the picture is drawn;
                   0: as it suits the harness */
-  struct hsr_filtering filtering; /* makes the kind HSR_FILTERED */
+  struct hsr_form form; /* of the answer: the algorithm's own kind, or one that
+                           is folded from it */
 };
 
 /* Colours, for an algorithm that draws transparency. All borrowed. */
@@ -128,6 +108,7 @@ struct hsr_job {
   const struct hsr_view *view; /* its window says which samples */
   void *prepared;              /* what prepare made, or NULL */
   const long *option;          /* what was chosen, an option of the algorithm */
+  const double *real;          /* the same, of options that are real */
   struct hsr_arena *scratch;   /* reset before the call; no other memory is
                                   taken inside a frame */
   struct hsr_tally *tally;     /* what was counted is added here */
@@ -150,6 +131,10 @@ struct hsr_job {
   /* Answer of HSR_SEGMENTS, which have no ids: the drawing of the whole
    * picture, whatever the window; empty before the call. Grows by itself. */
   struct hsr_drawing *drawing;
+
+  /* The answer itself, of whatever kind. ids, sums and drawing are its body, of
+   * these kinds. NULL: the caller has only those. */
+  struct hsr_answer *answer;
 };
 
 struct hsr_algorithm {
@@ -165,7 +150,7 @@ struct hsr_algorithm {
   unsigned
       restrictions; /* HSR_CC ... (common/adapt/adapt.h): the world that prepare
                              and render get is adapted to these */
-  enum hsr_kind kind;
+  const struct hsr_answer_type *kind; /* what it makes: HSR_IDS ... */
   unsigned flags;
   const struct hsr_sort *sorts;       /* ended by .what == NULL; NULL: none */
   const struct hsr_counter *counters; /* ended by .name == NULL; NULL: none */
@@ -198,12 +183,15 @@ static inline uint32_t hsr_most_laid_out(const struct hsr_algorithm *a) {
                                           : 0;
 }
 
-/* The standard choice; and the flags and the kind of an algorithm so chosen. */
+/* The standard choice; and the flags of an algorithm so chosen. */
 struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *algorithm);
 unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
                           const struct hsr_choice *choice);
-enum hsr_kind hsr_choice_kind(const struct hsr_algorithm *algorithm,
-                              const struct hsr_choice *choice);
+
+/* Whether the chosen answer is folded from pictures that the algorithm draws,
+ * instead of by the algorithm itself. */
+bool hsr_choice_folds(const struct hsr_algorithm *algorithm,
+                      const struct hsr_choice *choice);
 
 /* HSR_ALGORITHM(watkins) is the name of the descriptor of this build, and
  * HSR_OF_BUILD(hsr_scan_begin) that of a function which several share. A build

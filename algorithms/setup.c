@@ -40,6 +40,7 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
   *setup = (struct hsr_setup){.algorithm = algorithm, .world = world};
   setup->choice = choice ? *choice : hsr_choice_standard(algorithm);
   setup->flags = hsr_choice_flags(algorithm, &setup->choice);
+  setup->filtering = hsr_form_filtering(&setup->choice.form);
   if (hsr_is_outline(world) && !(algorithm->flags & HSR_INSTANCED))
     return hsr_fail(err, HSR_E_REFUSED,
                     "%u faces are too many to be laid out, as it needs them",
@@ -52,7 +53,7 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
   if (status || !algorithm->prepare)
     return status;
   double begin = seconds_now();
-  status = algorithm->prepare(setup->world, setup->choice.option,
+  status = algorithm->prepare(setup->world, setup->choice.values.option,
                               &setup->prepared, err);
   setup->prepare_seconds = seconds_now() - begin;
   return status;
@@ -101,12 +102,25 @@ static void name_subjects(const void *names, struct hsr_event *event) {
   name_subject(names, &event->b);
 }
 
+/* Gives the job the body of its answer, by the kinds that have a place of their
+ * own in a job. */
+static void open_answer(const struct hsr_setup *setup, struct hsr_job *job) {
+  job->ids = hsr_answer_ids_of(job->answer);
+  job->ids_stride = (size_t)job->answer->m;
+  job->drawing = hsr_answer_drawing_of(job->answer);
+  job->sums = hsr_answer_sums_of(job->answer);
+  job->filtering = job->sums ? &setup->filtering : NULL;
+}
+
 enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
                                  struct hsr_job *job, struct hsr_error *err) {
   job->world = setup->world;
   job->prepared = setup->prepared;
-  job->option = setup->choice.option;
+  job->option = setup->choice.values.option;
+  job->real = setup->choice.values.real;
   job->paint = setup->paint;
+  if (job->answer)
+    open_answer(setup, job);
   if (job->tally->trace) {
     job->tally->trace->name = name_subjects;
     job->tally->trace->names = setup->world;

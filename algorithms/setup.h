@@ -21,8 +21,9 @@ struct hsr_adaptation {
 
 struct hsr_setup {
   const struct hsr_algorithm *algorithm;
-  struct hsr_choice choice;      /* of its options */
-  unsigned flags;                /* of the algorithm so chosen */
+  struct hsr_choice choice;       /* of its options */
+  unsigned flags;                 /* of the algorithm so chosen */
+  struct hsr_filtering filtering; /* if what is chosen is a filtered picture */
   const struct hsr_world *world; /* what the algorithm gets: the scene's own, or
                                     `adapted` */
   struct hsr_world adapted;
@@ -45,10 +46,10 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                                const struct hsr_world *world,
                                struct hsr_error *err);
 
-/* Renders job->view; the job's world, prepared object and paint are set
- * here. The ids
- * are those of the scene's faces; the edges of a drawing, and the faces that it
- * filters, the algorithm names by itself. HSR_E_NOMEM. */
+/* Renders job->view. The job's world, prepared object, paint and options are
+ * set here, and where it has an answer, the body of that. Ids are those of the
+ * scene's faces; the edges of a drawing, and the faces that it filters, the
+ * algorithm names by itself. HSR_E_NOMEM. */
 enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
                                  struct hsr_job *job, struct hsr_error *err);
 

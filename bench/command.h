@@ -122,30 +122,17 @@ enum hsr_status choose_camera(const struct view_options *options,
                               const struct hsr_scene *scene,
                               struct hsr_camera *camera, struct hsr_error *err);
 
-const char *kind_name(enum hsr_kind kind); /* "ids", "segments", "filtered" */
-
 /* --- Running -------------------------------------------------------------- */
 
 double seconds_now(void); /* monotonic */
 long processors(void);    /* available to this process; at least 1 */
 
-/* What an algorithm answers a view with, by its kind. Owned by the caller. */
-struct answer {
-  uint32_t *ids;              /* HSR_IDS: view->m * view->n, no padding */
-  struct hsr_drawing drawing; /* HSR_SEGMENTS */
-  uint32_t *sums;             /* HSR_FILTERED: 3 * view->m * view->n */
-  uint32_t *sub_samples; /* the ids that are filtered, where the algorithm does
-                            not do it itself */
-};
-
-/* An answer without a face or an edge, to be freed also after a failure:
- * HSR_E_NOMEM; HSR_E_REFUSED where a picture to be filtered were too large.
- * `choice` is NULL for the standard one. */
-enum hsr_status answer_init(struct answer *answer,
-                            const struct hsr_algorithm *algorithm,
-                            const struct hsr_choice *choice,
+/* An answer of what is chosen, in which nothing is drawn, to be freed with
+ * hsr_answer_free also after a failure: HSR_E_NOMEM; HSR_E_REFUSED where a
+ * picture to be folded were too large. */
+enum hsr_status answer_init(struct hsr_answer *answer,
+                            const struct hsr_setup *setup,
                             const struct hsr_view *view, struct hsr_error *err);
-void answer_free(struct answer *answer);
 
 /* Threads with a memory of their own each, which lasts from frame to frame. At
  * least one and at most 64; NULL for lack of memory. */
@@ -153,22 +140,21 @@ struct crew *crew_new(long threads);
 void crew_free(struct crew *crew); /* NULL is allowed */
 
 /* Renders the view's whole window with an algorithm made ready, and adds what
- * was counted to *tally. Ids are rendered by the whole crew (by one if the
- * algorithm keeps frame state), each a band of rows at a time, or a square as
- * the setup's choice says; a line drawing, which is whole, by one. A filtered
- * picture is drawn whole, by one, by an algorithm that filters itself; of any
- * other, the crew draws the ids of all sub-samples: in one picture of 8 x 8
- * times as many samples or, where they are jittered, in 64 pictures a pattern
- * (Haeberli and Akeley 1990); and one adds them up. */
+ * was counted to *tally. What can be made by windows is made by the whole crew:
+ * each takes a band of rows at a time, or a square as the setup's choice says.
+ * One makes it alone if the algorithm keeps frame state, if the kind of answer
+ * is made as a whole, or if somebody listens. Where the answer is folded from
+ * pictures, the crew draws those and one folds them. */
 enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
-                            const struct hsr_view *view, struct answer *answer,
-                            struct hsr_tally *tally, struct hsr_error *err);
+                            const struct hsr_view *view,
+                            struct hsr_answer *answer, struct hsr_tally *tally,
+                            struct hsr_error *err);
 
 /* The same by a crew for this one frame. *seconds, unless NULL, is the time of
  * the rendering alone. */
 enum hsr_status render_view(const struct hsr_setup *setup,
                             const struct hsr_view *view, long threads,
-                            struct answer *answer, struct hsr_tally *tally,
+                            struct hsr_answer *answer, struct hsr_tally *tally,
                             double *seconds, struct hsr_error *err);
 
 /* Measures Table I of a view, drawing its picture for what is visible. */

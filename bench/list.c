@@ -19,13 +19,6 @@ struct taxonomy taxonomy(enum hsr_branch branch) {
   return place[branch];
 }
 
-const char *kind_name(enum hsr_kind kind) {
-  static const char *const name[] = {[HSR_IDS] = "ids",
-                                     [HSR_SEGMENTS] = "segments",
-                                     [HSR_FILTERED] = "filtered"};
-  return name[kind];
-}
-
 static const char about[] =
     "Lists the algorithms: name, year, place in the taxonomy of Sutherland, "
     "Sproull and Schumacker, sorting order, environment restrictions; and the "
@@ -33,7 +26,7 @@ static const char about[] =
 
 json_t *restrictions_json(const struct hsr_algorithm *a) {
   json_t *codes = json_array();
-  for (int k = 0; k < 9; k++)
+  for (int k = 0; k < HSR_N_RESTRICTIONS; k++)
     if (a->restrictions & 1u << k)
       json_append(&codes, json_string(hsr_restriction_code(1u << k)));
   return codes;
@@ -66,6 +59,10 @@ static json_t *steps_json(const struct hsr_algorithm *a) {
 }
 
 static json_t *option_json(const struct hsr_option *o) {
+  if (o->real)
+    return json_pack("{ss ss sf sf sf}", "name", o->name, "meaning", o->meaning,
+                     "least", o->real_least, "most", o->real_most, "standard",
+                     o->real_standard);
   if (!o->words)
     return json_pack("{ss ss sI sI sI}", "name", o->name, "meaning", o->meaning,
                      "least", (json_int_t)o->least, "most", (json_int_t)o->most,
@@ -95,7 +92,7 @@ static json_t *algorithm_json(const struct hsr_algorithm *a) {
       a->name, "title", a->title, "authors", a->authors, "year", year_json(a),
       "source", a->source, "taxonomy", taxonomy(a->taxonomy).class, "branch",
       taxonomy(a->taxonomy).branch, "sort_order", a->sort_order, "coherence",
-      a->coherence, "kind", kind_name(a->kind), "known_wrong",
+      a->coherence, "kind", a->kind->name, "known_wrong",
       (a->flags & HSR_KNOWN_WRONG) != 0, "visible_only",
       (a->flags & HSR_VISIBLE_ONLY) != 0, "restrictions", restrictions_json(a),
       "sorts", sorts_json(a), "counters", counters_json(a), "steps",
@@ -117,7 +114,7 @@ static enum hsr_status print_json(struct hsr_error *err) {
 
 static void print_restrictions(const struct hsr_algorithm *a) {
   bool any = false;
-  for (int k = 0; k < 9; k++)
+  for (int k = 0; k < HSR_N_RESTRICTIONS; k++)
     if (a->restrictions & 1u << k) {
       printf("%s%s", any ? " " : "", hsr_restriction_code(1u << k));
       any = true;
@@ -127,6 +124,11 @@ static void print_restrictions(const struct hsr_algorithm *a) {
 }
 
 static void print_option(const struct hsr_option *o) {
+  if (o->real) {
+    printf("    %s=X  %s, %g to %g (standard: %g)\n", o->name, o->meaning,
+           o->real_least, o->real_most, o->real_standard);
+    return;
+  }
   if (!o->words) {
     printf("    %s=N  %s, %ld to %ld (standard: %ld)\n", o->name, o->meaning,
            o->least, o->most, o->standard);
@@ -138,15 +140,30 @@ static void print_option(const struct hsr_option *o) {
            w == &o->words[o->standard] ? " (standard)" : "");
 }
 
+/* What all can be asked for that draw a kind of answer. */
+static void print_kind_options(const struct hsr_answer_type *kind) {
+  bool folds = false;
+  for (int k = 0; hsr_answer_types[k]; k++)
+    folds |= hsr_answer_types[k]->fold && hsr_answer_types[k]->fold->of == kind;
+  if (!kind->by_windows && !folds)
+    return;
+  printf("  all that draw %s\n", kind->name);
+  if (kind->by_windows)
+    puts("    window=N  in squares of N x N samples, each a job of its own");
+  for (int k = 0; hsr_answer_types[k]; k++) {
+    const struct hsr_answer_type *type = hsr_answer_types[k];
+    if (!type->fold || type->fold->of != kind)
+      continue;
+    for (const struct hsr_option *o = type->options; o->name; o++)
+      print_option(o);
+  }
+}
+
 /* Behind the table: what can be chosen, as NAME:OPTION=VALUE. */
 static void print_options(void) {
-  puts("\nOptions, as in zbuffer:window=64:\n"
-       "  all that draw ids\n"
-       "    window=N  in squares of N x N samples, each a job of its own\n"
-       "    filter=F  the filtered picture of 8 x 8 samples a pixel: box or "
-       "cosine\n"
-       "    jitter=N  with filter: the samples jittered in N patterns, 0 to 16 "
-       "(standard: 0)");
+  puts("\nOptions, as in zbuffer:window=64:");
+  for (int k = 0; hsr_answer_types[k]; k++)
+    print_kind_options(hsr_answer_types[k]);
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
     if (a->plain->options)
       printf("  %s\n", a->plain->name);
@@ -174,7 +191,7 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
              place.branch);
     printf("%-20s %4s  %-35s %-9s %-9s ", a->plain->name, year, where,
            a->plain->sort_order ? a->plain->sort_order : "-",
-           kind_name(a->plain->kind));
+           a->plain->kind->name);
     print_restrictions(a->plain);
     puts(a->plain->flags & HSR_KNOWN_WRONG ? "  known to be wrong" : "");
   }

@@ -12,12 +12,11 @@ libbench_a_SOURCES = \
   %D%/results/figures.h \
   %D%/results/json.c \
   %D%/results/json.h \
+  %D%/judge/folded.def \
   %D%/judge/judge.c \
   %D%/judge/judge.h \
   %D%/judge/judge_filtered.c \
   %D%/judge/judge_filtered.h \
-  %D%/lines.c \
-  %D%/lines.h \
   %D%/list.c \
   %D%/list.h \
   %D%/options.c \

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr render: one picture, or one line drawing, by one algorithm. */
 #include "bench/command.h"
-#include "bench/lines.h"
-#include "common/lines/crease.h"
 #include "common/files/image.h"
 
 #include <stdlib.h>
@@ -21,9 +19,9 @@ struct options {
   enum hsr_shading shading;
   enum hsr_hidden hidden;
   double crease; /* degrees; negative: all edges */
-  /* An option that was given and is only for pictures of faces, for those of
-   * samples that are not filtered, or for line drawings. */
-  const char *of_faces, *of_samples, *of_lines;
+  /* The last option that was given of those which only some kinds of answers
+   * take account of, by HSR_SHADING, ... */
+  const char *given[HSR_N_TAKES];
   long threads, supersamples;
 };
 
@@ -35,7 +33,7 @@ static int choose_word(const char *word, const char *const *words) {
   return -1;
 }
 
-/* Options that are only for pictures of faces. */
+/* Options that are for pictures of faces. */
 static error_t parse_face_option(struct options *o, int key, char *arg) {
   static const char *const shadings[] = {[HSR_SHADE_LAMBERT] = "lambert",
                                          [HSR_SHADE_FLAT] = "flat",
@@ -44,12 +42,12 @@ static error_t parse_face_option(struct options *o, int key, char *arg) {
   int shading;
   switch (key) {
   case 'S':
-    o->of_faces = o->of_samples = "--supersample";
+    o->given[HSR_SUPERSAMPLES] = "--supersample";
     if (!parse_count(arg, 1, 16, &o->supersamples))
       return option_fail(&o->base, "--supersample %s: must be 1 to 16", arg);
     return 0;
   case SHADE:
-    o->of_faces = o->of_samples = "--shade";
+    o->given[HSR_SHADING] = "--shade";
     shading = choose_word(arg, shadings);
     if (shading < 0)
       return option_fail(&o->base, "--shade %s: must be lambert, flat or ids",
@@ -57,7 +55,6 @@ static error_t parse_face_option(struct options *o, int key, char *arg) {
     o->shading = (enum hsr_shading)shading;
     return 0;
   case WORK:
-    o->of_faces = "--work";
     o->work = arg;
     return 0;
   default:
@@ -75,7 +72,7 @@ static error_t parse_line_option(struct options *o, int key, char *arg) {
   int way;
   switch (key) {
   case HIDDEN:
-    o->of_lines = "--hidden";
+    o->given[HSR_LINES] = "--hidden";
     way = choose_word(arg, ways);
     if (way < 0)
       return option_fail(&o->base,
@@ -83,7 +80,7 @@ static error_t parse_line_option(struct options *o, int key, char *arg) {
     o->hidden = (enum hsr_hidden)way;
     return 0;
   case CREASE:
-    o->of_lines = "--crease";
+    o->given[HSR_LINES] = "--crease";
     if (!parse_number(arg, &o->crease) || o->crease < 0 || o->crease > 180)
       return option_fail(&o->base, "--crease %s: must be degrees, 0 to 180",
                          arg);
@@ -184,10 +181,11 @@ struct render {
   struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_setup setup;
-  struct hsr_view view; /* of the samples; of filtered ones, of the pixels */
-  enum hsr_kind kind;
-  struct answer answer;
-  float *depth, *rgb, *face_rgb, *work;
+  struct hsr_view view; /* of the answer's m x n */
+  const struct hsr_answer_type *kind;
+  struct hsr_answer answer;
+  struct hsr_shaded shaded;
+  float *rgb, *face_rgb, *work;
   struct hsr_paint paint; /* of an algorithm that draws transparency */
   struct hsr_tally tally;
   double import, build, draw, shade, write; /* seconds */
@@ -245,9 +243,6 @@ static enum hsr_status ask_for_colours(struct render *r,
 static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
                             const struct hsr_choice *choice,
                             struct hsr_error *err) {
-  enum hsr_status status = answer_init(&r->answer, a, choice, &r->view, err);
-  if (status)
-    return status;
   if (r->options->work) {
     size_t n = (size_t)r->view.m * (size_t)r->view.n;
     r->work = calloc(n, sizeof *r->work);
@@ -256,8 +251,10 @@ static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
     r->tally.work = r->work;
     r->tally.work_stride = (size_t)r->view.m;
   }
-  status = hsr_setup_init(&r->setup, a, choice, &r->world, err);
-  if (!status && r->kind == HSR_IDS && a->flags & HSR_TRANSPARENCY &&
+  enum hsr_status status = hsr_setup_init(&r->setup, a, choice, &r->world, err);
+  if (!status)
+    status = answer_init(&r->answer, &r->setup, &r->view, err);
+  if (!status && r->kind == a->kind && a->flags & HSR_TRANSPARENCY &&
       is_transparent(r->scene))
     status = ask_for_colours(r, err);
   if (!status)
@@ -266,127 +263,65 @@ static enum hsr_status draw(struct render *r, const struct hsr_algorithm *a,
   return status;
 }
 
-static enum hsr_status shade_filtered(struct render *r, struct hsr_error *err) {
-  double begin = seconds_now();
-  r->rgb = malloc(3 * (size_t)r->view.m * (size_t)r->view.n * sizeof *r->rgb);
-  if (!r->rgb)
-    return hsr_fail_nomem(err);
-  hsr_filter_finish(&r->setup.choice.filtering, r->view.m, r->view.n,
-                    r->answer.sums, r->rgb);
-  r->shade = seconds_now() - begin;
-  return HSR_OK;
+/* --- Showing and writing -------------------------------------------------- */
+
+static struct hsr_showing showing_of(const struct render *r) {
+  const struct options *o = r->options;
+  return (struct hsr_showing){.world = &r->world,
+                              .view = &r->view,
+                              .scene = o->scene.name,
+                              .shading = o->shading,
+                              .depth = true,
+                              .rgb = r->rgb,
+                              .supersamples = (int)o->supersamples,
+                              .hidden = o->hidden,
+                              .crease = o->crease};
 }
 
-static enum hsr_status shade(struct render *r, struct hsr_error *err) {
-  size_t n = (size_t)r->view.m * (size_t)r->view.n;
+/* What there is to do between drawing and writing. */
+static enum hsr_status finish(struct render *r, struct hsr_error *err) {
+  struct hsr_showing showing = showing_of(r);
   double begin = seconds_now();
-  bool by_ids = !r->rgb;
-  r->depth = malloc(n * sizeof *r->depth);
-  if (by_ids)
-    r->rgb = malloc(3 * n * sizeof *r->rgb);
-  if (!r->depth || !r->rgb)
-    return hsr_fail_nomem(err);
-  enum hsr_status status = hsr_picture_finish(
-      &r->world, &r->view, r->answer.ids, r->options->shading, r->depth,
-      by_ids ? r->rgb : NULL, err);
+  enum hsr_status status =
+      r->kind->trim ? r->kind->trim(&r->answer, &showing, err) : HSR_OK;
+  if (!status && r->kind->shade && (r->options->n_outputs || r->options->work))
+    status = r->kind->shade(&r->answer, &showing, &r->shaded, err);
   r->shade = seconds_now() - begin;
   return status;
-}
-
-/* Averages the colours of s x s samples, in place. */
-static void average(const struct hsr_view *view, int s, float *rgb) {
-  int m = view->m / s, n = view->n / s;
-  for (int j = 0; j < n; j++)
-    for (int i = 0; i < m; i++)
-      for (int c = 0; c < 3; c++) {
-        double sum = 0;
-        for (int k = 0; k < s * s; k++)
-          sum += (double)rgb[3 * ((size_t)(j * s + k / s) * (size_t)view->m +
-                                  (size_t)(i * s + k % s)) +
-                             (size_t)c];
-        rgb[3 * ((size_t)j * (size_t)m + (size_t)i) + (size_t)c] =
-            (float)(sum / (s * s));
-      }
-}
-
-static enum hsr_status write_faces(struct render *r, const char *text,
-                                   struct hsr_error *err) {
-  const struct options *o = r->options;
-  struct hsr_picture picture = {r->view.m, r->view.n, r->answer.ids, r->depth,
-                                r->rgb};
-  if (o->supersamples > 1) {
-    average(&r->view, (int)o->supersamples, r->rgb);
-    picture = (struct hsr_picture){o->view.m, o->view.n, NULL, NULL, r->rgb};
-  }
-  enum hsr_status status = HSR_OK;
-  for (int k = 0; k < o->n_outputs && !status; k++)
-    status = hsr_image_write(o->output[k], &picture, text, err);
-  if (o->work && !status)
-    status = hsr_image_write_work(o->work, r->view.m, r->view.n, r->work, err);
-  return status;
-}
-
-static enum hsr_status write_drawing(const struct render *r,
-                                     const struct hsr_algorithm *a,
-                                     const char *text, struct hsr_error *err) {
-  const struct options *o = r->options;
-  char title[200], description[200];
-  snprintf(title, sizeof title, "%s, view %ld", o->scene.name, o->view.view);
-  snprintf(description, sizeof description,
-           "A line drawing by hsr " PACKAGE_VERSION ", %s", a->title);
-  struct line_picture picture = {.drawing = &r->answer.drawing,
-                                 .world = &r->world,
-                                 .view = &r->view,
-                                 .hidden = o->hidden,
-                                 .title = title,
-                                 .description = description,
-                                 .text = text};
-  return write_lines(&picture, o->output, o->n_outputs, err);
 }
 
 static enum hsr_status write_outputs(struct render *r,
                                      const struct hsr_algorithm *a,
                                      struct hsr_error *err) {
-  double begin = seconds_now();
-  char text[300];
+  const struct options *o = r->options;
+  char text[300], title[200], description[200];
   snprintf(text, sizeof text, "Software=hsr\nScene=%s\nAlgorithm=%s\n",
-           r->options->scene.name, a->name);
+           o->scene.name, a->name);
+  snprintf(title, sizeof title, "%s, view %ld", o->scene.name, o->view.view);
+  snprintf(description, sizeof description,
+           "A line drawing by hsr " PACKAGE_VERSION ", %s", a->title);
+  struct hsr_showing showing = showing_of(r);
+  showing.text = text;
+  showing.title = title;
+  showing.description = description;
+  double begin = seconds_now();
   enum hsr_status status = HSR_OK;
-  if (r->kind != HSR_SEGMENTS)
-    status = write_faces(r, text, err);
-  else if (r->options->n_outputs)
-    status = write_drawing(r, a, text, err);
+  for (int k = 0; k < o->n_outputs && !status; k++)
+    status =
+        r->kind->write(&r->answer, &showing, &r->shaded, o->output[k], err);
+  if (o->work && !status)
+    status = hsr_image_write_work(o->work, r->view.m, r->view.n, r->work, err);
   r->write = seconds_now() - begin;
   return status;
-}
-
-static void print_faces(const struct render *r) {
-  size_t n = (size_t)r->view.m * (size_t)r->view.n, covered = 0;
-  for (size_t k = 0; k < n; k++)
-    covered += r->answer.ids[k] != HSR_BACKGROUND;
-  printf("%.1f %% covered\n", 100.0 * (double)covered / (double)n);
-}
-
-static void print_filtered(const struct hsr_filtering *filtering) {
-  printf("%d x %d samples a pixel, %s", HSR_SUB, HSR_SUB,
-         filtering->filter == HSR_FILTER_BOX ? "box" : "cosine");
-  if (filtering->patterns)
-    printf(", jittered in %d patterns", filtering->patterns);
-  putchar('\n');
 }
 
 static void print_report(const struct render *r,
                          const struct hsr_algorithm *a) {
   printf("%s, view %ld, %d x %d %s, %u faces, by %s: ", r->options->scene.name,
-         r->options->view.view, r->view.m, r->view.n,
-         r->kind == HSR_FILTERED ? "pixels" : "samples", r->world.n_faces,
-         a->name);
-  if (r->kind == HSR_SEGMENTS)
-    print_lines(&r->answer.drawing, &r->view);
-  else if (r->kind == HSR_FILTERED)
-    print_filtered(&r->setup.choice.filtering);
-  else
-    print_faces(r);
+         r->options->view.view, r->view.m, r->view.n, r->kind->grains,
+         r->world.n_faces, a->name);
+  struct hsr_showing showing = showing_of(r);
+  r->kind->print(&r->answer, &showing, stdout);
   for (int k = 0; k < r->setup.n_adaptations; k++) {
     const struct hsr_adaptation *adaptation = &r->setup.adaptation[k];
     printf("adapted: %s, %u faces, %.1f ms\n", adaptation->name,
@@ -409,42 +344,21 @@ static enum hsr_status check_kind(const struct options *o,
                                   const struct hsr_variant *variant,
                                   struct hsr_error *err) {
   const struct hsr_algorithm *a = variant->listed->plain;
-  enum hsr_kind kind = hsr_choice_kind(a, &variant->choice);
-  bool lines = kind == HSR_SEGMENTS;
-  if (kind == HSR_FILTERED && o->of_samples)
-    return hsr_fail(err, HSR_E_USAGE, "%s is for samples; %s is filtered",
-                    o->of_samples, variant->name);
-  if (kind == HSR_FILTERED && o->work && !(a->flags & HSR_FILTERS))
+  const struct hsr_answer_type *kind = variant->choice.form.type;
+  for (int k = 0; k < HSR_N_TAKES; k++)
+    if (o->given[k] && !(kind->takes & 1u << k))
+      return hsr_fail(err, HSR_E_USAGE, "%s is not for %s, which %s draws",
+                      o->given[k], kind->draws, variant->name);
+  if (o->work && (!kind->by_places || hsr_choice_folds(a, &variant->choice)))
     return hsr_fail(err, HSR_E_USAGE,
-                    "--work is for samples; those of %s are filtered only when "
-                    "all are drawn",
-                    variant->name);
-  if (lines && o->of_faces)
-    return hsr_fail(err, HSR_E_USAGE,
-                    "%s is for pictures of faces; %s draws lines", o->of_faces,
-                    a->name);
-  if (!lines && o->of_lines)
-    return hsr_fail(err, HSR_E_USAGE, "%s is for line drawings; %s draws faces",
-                    o->of_lines, a->name);
-  for (int k = 0; k < o->n_outputs && !lines; k++)
-    if (is_line_file(o->output[k]))
-      return hsr_fail(err, HSR_E_USAGE,
-                      "%s: only a line drawing is written so; %s draws faces",
-                      o->output[k], a->name);
+                    "--work is for samples that are drawn in one picture; %s "
+                    "draws %s",
+                    variant->name, kind->draws);
+  for (int k = 0; k < o->n_outputs; k++)
+    if (!kind->fits(o->output[k]))
+      return hsr_fail(err, HSR_E_USAGE, "%s: cannot hold %s, which %s draws",
+                      o->output[k], kind->draws, a->name);
   return HSR_OK;
-}
-
-/* What there is to do between drawing and writing. */
-static enum hsr_status finish(struct render *r, struct hsr_error *err) {
-  const struct options *o = r->options;
-  if (r->kind == HSR_FILTERED)
-    return o->n_outputs ? shade_filtered(r, err) : HSR_OK;
-  if (r->kind == HSR_IDS)
-    return o->n_outputs || o->work ? shade(r, err) : HSR_OK;
-  if (o->crease < 0)
-    return HSR_OK;
-  return hsr_drawing_crease(&r->answer.drawing, &r->world, &r->view, o->crease,
-                            err);
 }
 
 enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
@@ -465,8 +379,7 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   const struct hsr_algorithm *a =
       options.work ? variant.listed->counting : variant.listed->plain;
 
-  struct render r = {.options = &options,
-                     .kind = hsr_choice_kind(a, &variant.choice)};
+  struct render r = {.options = &options, .kind = variant.choice.form.type};
   status = open_place(&r, hsr_most_laid_out(a), err);
   if (!status)
     status = draw(&r, a, &variant.choice, err);
@@ -480,8 +393,8 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
     hsr_setup_free(&r.setup);
   hsr_world_free(&r.world);
   hsr_scene_delete(r.scene);
-  answer_free(&r.answer);
-  free(r.depth);
+  hsr_answer_free(&r.answer);
+  hsr_shaded_free(&r.shaded);
   free(r.rgb);
   free(r.face_rgb);
   free(r.work);

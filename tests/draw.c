@@ -84,7 +84,7 @@ int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi) {
   return lo + (int64_t)(z % (uint64_t)(hi - lo + 1));
 }
 
-static void for_each_of_kind(enum hsr_kind kind,
+static void for_each_of_kind(const struct hsr_answer_type *kind,
                              void (*check)(const struct hsr_algorithm *,
                                            void *),
                              void *context) {

@@ -50,7 +50,8 @@ static inline struct cell *cell_at(const struct scene_run *run, int size,
 /* --- The report ----------------------------------------------------------- */
 
 struct totals {
-  uint64_t compared[N_KINDS], mismatches, depths, depths_exact;
+  uint64_t compared[HSR_MOST_ANSWER_TYPES]; /* by the kind's number */
+  uint64_t mismatches, depths, depths_exact;
   uint64_t expected; /* mismatches of algorithms that are known to be wrong */
   int failures;      /* cells that are neither ok nor refused */
   struct json_t *cells;

@@ -43,8 +43,7 @@ static error_t add_algorithms(struct check_options *o, char *arg) {
       return EINVAL;
     }
     const struct hsr_algorithm *a = variant->listed->plain;
-    if (a->flags & HSR_NO_PICTURE ||
-        !oracle_of(hsr_choice_kind(a, &variant->choice)))
+    if (a->flags & HSR_NO_PICTURE || !oracle_of(variant->choice.form.type))
       return option_fail(&o->base, "check: %s draws nothing to compare", name);
   }
   return 0;
@@ -215,13 +214,12 @@ static bool keeps_state(const struct hsr_variant *v) {
 }
 
 /* Whether algorithm k is the first of those that are judged together: of one
- * output, and all keep a state, or none does. */
+ * form, and all keep a state, or none does. */
 static bool is_first(const struct check_options *o, int k) {
   const struct hsr_variant *v = &o->algorithm[k];
-  struct output output = output_of(v->listed->plain, &v->choice);
   for (const struct hsr_variant *w = o->algorithm; w < v; w++)
     if (keeps_state(w) == keeps_state(v) &&
-        is_same_output(output_of(w->listed->plain, &w->choice), output))
+        hsr_same_form(&w->choice.form, &v->choice.form))
       return false;
   return true;
 }
@@ -270,23 +268,22 @@ static struct group group_of(const struct scene_run *run,
                              int view) {
   const struct check_options *o = run->options;
   bool sequence = keeps_state(first);
-  struct output output = output_of(first->listed->plain, &first->choice);
-  return (struct group){
-      .algorithm = o->algorithm,
-      .n_algorithms = o->n_algorithms,
-      .timeout = o->timeout,
-      .samples = samples_to_compare(&run->world, output.kind, o->samples),
-      .world = &run->world,
-      .output = output,
-      .mask = HSR_FRAME_STATE,
-      .flags = sequence ? HSR_FRAME_STATE : 0,
-      .view = &run->view[size * o->n_views + view],
-      .number = &o->view[view],
-      .n_views = sequence ? o->n_views : 1,
-      .cells = cell_at(run, size, view, 0)};
+  return (struct group){.algorithm = o->algorithm,
+                        .n_algorithms = o->n_algorithms,
+                        .timeout = o->timeout,
+                        .samples = samples_to_compare(
+                            &run->world, &first->choice.form, o->samples),
+                        .world = &run->world,
+                        .form = first->choice.form,
+                        .mask = HSR_FRAME_STATE,
+                        .flags = sequence ? HSR_FRAME_STATE : 0,
+                        .view = &run->view[size * o->n_views + view],
+                        .number = &o->view[view],
+                        .n_views = sequence ? o->n_views : 1,
+                        .cells = cell_at(run, size, view, 0)};
 }
 
-/* The groups of all outputs, sizes and views: how many, and into group[] unless
+/* The groups of all forms, sizes and views: how many, and into group[] unless
  * that is NULL. The longest first. */
 static int list_groups(const struct scene_run *run, struct group *group) {
   const struct check_options *o = run->options;

@@ -5,9 +5,9 @@
 
 #include <string.h>
 
-static enum hsr_kind kind_of(const struct check_options *o, int algorithm) {
-  const struct hsr_variant *v = &o->algorithm[algorithm];
-  return hsr_choice_kind(v->listed->plain, &v->choice);
+static const struct hsr_answer_type *kind_of(const struct check_options *o,
+                                             int algorithm) {
+  return o->algorithm[algorithm].choice.form.type;
 }
 
 static void print_header(const struct check_options *o) {
@@ -49,39 +49,16 @@ static void print_scene(const struct scene_run *run) {
   }
 }
 
-static void print_edge(struct hsr_edge_name edge) {
-  if (edge.implied)
-    printf("the implied one of faces %u and %u, number %u\n", edge.a, edge.b,
-           edge.part);
-  else
-    printf("from vertex %u to %u\n", edge.a, edge.b);
-}
-
 static void print_difference(const struct scene_run *run, int size, int view,
                              int a) {
   const struct check_options *o = run->options;
   const struct cell *c = cell_at(run, size, view, a);
-  const uint32_t *sums = c->first.sums, *wanted = c->first.wanted_sums;
   if (c->verdict != WRONG ||
       o->algorithm[a].listed->plain->flags & HSR_KNOWN_WRONG)
     return;
-  printf("  wrong: %s, view %d, %dx%d, %s: %llu ", run->name, o->view[view] + 1,
-         o->m[size], o->n[size], o->algorithm[a].name,
-         (unsigned long long)c->mismatches);
-  switch (kind_of(o, a)) {
-  case HSR_SEGMENTS:
-    printf("edges, the first ");
-    print_edge(c->first.edge);
-    break;
-  case HSR_IDS:
-    printf("samples, the first (%d, %d): face %u, not %u\n", c->first.i,
-           c->first.j, c->first.got, c->first.wanted);
-    break;
-  default:
-    printf("pixels, the first (%d, %d): sums %u %u %u, not %u %u %u\n",
-           c->first.i, c->first.j, sums[0], sums[1], sums[2], wanted[0],
-           wanted[1], wanted[2]);
-  }
+  printf("  wrong: %s, view %d, %dx%d, %s: %llu %s\n", run->name,
+         o->view[view] + 1, o->m[size], o->n[size], o->algorithm[a].name,
+         (unsigned long long)c->mismatches, c->first);
 }
 
 /* The first reason, as it is often the same for all of an algorithm's views. */
@@ -98,21 +75,22 @@ static void print_refusal(const struct scene_run *run, int a) {
 }
 
 /* Where pictures of a kind were not compared wholly. */
-static void print_compared(const struct scene_run *run, enum hsr_kind kind,
-                           const char *what) {
+static void print_compared(const struct scene_run *run,
+                           const struct hsr_answer_type *kind) {
   const struct check_options *o = run->options;
-  long n = samples_to_compare(&run->world, kind, o->samples);
+  struct hsr_form form = hsr_form_standard(kind);
+  long n = samples_to_compare(&run->world, &form, o->samples);
   bool any = false;
   for (int a = 0; a < o->n_algorithms; a++)
     any |= kind_of(o, a) == kind;
-  if (n && any)
-    printf("  compared: %ld random %s of each picture\n", n, what);
+  if (n && any && kind->by_places)
+    printf("  compared: %ld random %s of each picture\n", n, kind->places);
 }
 
 static void print_differences(const struct scene_run *run) {
   const struct check_options *o = run->options;
-  print_compared(run, HSR_IDS, "samples");
-  print_compared(run, HSR_FILTERED, "filtered pixels");
+  for (int k = 0; hsr_answer_types[k]; k++)
+    print_compared(run, hsr_answer_types[k]);
   for (int a = 0; a < o->n_algorithms; a++)
     print_refusal(run, a);
   for (int size = 0; size < o->n_sizes; size++)
@@ -136,7 +114,7 @@ static json_t *cell_json(const struct scene_run *run, int size, int view,
   return json_pack(
       "{ss si si si ss ss ss sI sI sb ss* so}", "scene", run->name, "view",
       o->view[view] + 1, "width", o->m[size], "height", o->n[size], "algorithm",
-      o->algorithm[a].name, "kind", kind_name(kind_of(o, a)), "status",
+      o->algorithm[a].name, "kind", kind_of(o, a)->name, "status",
       verdict_name(c->verdict), "mismatches", (json_int_t)c->mismatches,
       "compared", (json_int_t)c->compared, "known_wrong",
       (algorithm->flags & HSR_KNOWN_WRONG) != 0, "refusal",
@@ -153,7 +131,7 @@ static enum hsr_status add_up(const struct scene_run *run,
         if (c->failure == HSR_E_NOMEM)
           return HSR_E_NOMEM;
         if (c->verdict == RIGHT || c->verdict == WRONG)
-          totals->compared[kind_of(o, a)] += c->compared;
+          totals->compared[hsr_answer_number(kind_of(o, a))] += c->compared;
         totals->depths += c->depths_compared;
         totals->depths_exact += c->depths_exact;
         if (o->algorithm[a].listed->plain->flags & HSR_KNOWN_WRONG &&
@@ -169,25 +147,53 @@ static enum hsr_status add_up(const struct scene_run *run,
   return HSR_OK;
 }
 
+/* What was compared of each kind, under the name of its places. */
+static json_t *totals_json(const struct totals *totals) {
+  json_t *json = json_pack("{ss}", "schema", "hsr-check/1");
+  for (int k = 0; json && hsr_answer_types[k]; k++)
+    json_object_set_new(json, hsr_answer_types[k]->places,
+                        json_integer((json_int_t)totals->compared[k]));
+  return json;
+}
+
+static enum hsr_status print_json(struct totals *totals,
+                                  struct hsr_error *err) {
+  json_t *all = totals_json(totals);
+  json_t *rest =
+      json_pack("{sI sI sI so}", "mismatches", (json_int_t)totals->mismatches,
+                "depths_compared", (json_int_t)totals->depths, "depths_exact",
+                (json_int_t)totals->depths_exact, "cells", totals->cells);
+  if (!all || !rest || json_object_update(all, rest)) {
+    json_decref(all);
+    all = NULL;
+  }
+  json_decref(rest);
+  return json_print(all, err);
+}
+
+/* "3 samples and 2 edges": of each kind of which anything was compared. */
+static void print_totals(const struct totals *totals) {
+  int n = 0, said = 0;
+  for (int k = 0; hsr_answer_types[k]; k++)
+    n += totals->compared[k] > 0;
+  putchar('\n');
+  for (int k = 0; hsr_answer_types[k]; k++)
+    if (totals->compared[k] && ++said)
+      printf("%s%llu %s",
+             said == 1   ? ""
+             : said == n ? " and "
+                         : ", ",
+             (unsigned long long)totals->compared[k],
+             hsr_answer_types[k]->places);
+  printf("%s compared, %llu mismatches\n", n ? "" : "nothing",
+         (unsigned long long)totals->mismatches);
+}
+
 enum hsr_status report_end(const struct check_options *o, struct totals *totals,
                            struct hsr_error *err) {
-  uint64_t samples = totals->compared[HSR_IDS];
-  uint64_t edges = totals->compared[HSR_SEGMENTS];
-  uint64_t pixels = totals->compared[HSR_FILTERED];
   if (o->json)
-    return json_print(
-        json_pack("{ss sI sI sI sI sI sI so}", "schema", "hsr-check/1",
-                  "samples", (json_int_t)samples, "edges", (json_int_t)edges,
-                  "pixels", (json_int_t)pixels, "mismatches",
-                  (json_int_t)totals->mismatches, "depths_compared",
-                  (json_int_t)totals->depths, "depths_exact",
-                  (json_int_t)totals->depths_exact, "cells", totals->cells),
-        err);
-  printf("\n%llu samples and %llu edges compared", (unsigned long long)samples,
-         (unsigned long long)edges);
-  if (pixels)
-    printf(", %llu filtered pixels", (unsigned long long)pixels);
-  printf(", %llu mismatches\n", (unsigned long long)totals->mismatches);
+    return print_json(totals, err);
+  print_totals(totals);
   if (totals->expected)
     printf("%llu more of algorithms that are known to be wrong\n",
            (unsigned long long)totals->expected);

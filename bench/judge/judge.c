@@ -10,7 +10,6 @@
 #include "bench/judge/judge_filtered.h"
 #include "bench/run/terminate.h"
 
-#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,19 +31,31 @@ void *shared_memory(size_t size) {
   return memory == MAP_FAILED ? NULL : memory;
 }
 
-struct output output_of(const struct hsr_algorithm *a,
-                        const struct hsr_choice *choice) {
-  return (struct output){hsr_choice_kind(a, choice), choice->filtering};
+/* How the right answer of a kind that is folded is found: by a loop of its own
+ * over what the oracle draws. Of the places that `wanted` has, or all if that is
+ * NULL. */
+struct folded {
+  const struct hsr_answer_type *type;
+  enum hsr_status (*judge)(const struct hsr_setup *oracle,
+                           const struct hsr_view *view, const bool *wanted,
+                           struct hsr_answer *answer, struct hsr_error *err);
+};
+static const struct folded folded[] = {
+#define HSR_JUDGED(type, judge) {&hsr_answer_##type, judge},
+#include "bench/judge/folded.def"
+#undef HSR_JUDGED
+    {NULL, NULL}};
+
+static const struct folded *folded_of(const struct hsr_answer_type *type) {
+  const struct folded *f = folded;
+  while (f->type && f->type != type)
+    f++;
+  return f->type ? f : NULL;
 }
 
-bool is_same_output(struct output a, struct output b) {
-  return a.kind == b.kind && a.filtering.filter == b.filtering.filter &&
-         a.filtering.patterns == b.filtering.patterns;
-}
-
-const struct hsr_algorithm *oracle_of(enum hsr_kind kind) {
-  if (kind == HSR_FILTERED)
-    kind = HSR_IDS;
+const struct hsr_algorithm *oracle_of(const struct hsr_answer_type *kind) {
+  if (kind->fold && folded_of(kind))
+    kind = kind->fold->of;
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
     if (a->plain->kind == kind && a->plain->flags & HSR_JUDGE)
       return a->plain;
@@ -55,21 +66,21 @@ const struct hsr_algorithm *oracle_of(enum hsr_kind kind) {
 
 /* What the oracle makes of a view. */
 struct wanted {
-  struct answer answer;
+  struct hsr_answer answer;
   uint32_t *sample; /* those that it was asked for, number j * m + i, ascending;
                        NULL: all */
   size_t n;         /* how many */
 };
 
-/* So many pixels as have about so many sub-samples. */
-long samples_to_compare(const struct hsr_world *world, enum hsr_kind kind,
-                        long wanted) {
+/* So many places as have about so many samples. */
+long samples_to_compare(const struct hsr_world *world,
+                        const struct hsr_form *form, long wanted) {
   if (wanted)
     return wanted;
   if (!hsr_is_outline(world) || world->n_faces <= HSR_MOST_LAID_OUT)
     return 0;
-  return kind == HSR_FILTERED ? SAMPLES_OF_MANY_FACES / (HSR_SUB * HSR_SUB)
-                              : SAMPLES_OF_MANY_FACES;
+  return form->type->fold ? SAMPLES_OF_MANY_FACES / (HSR_SUB * HSR_SUB)
+                          : SAMPLES_OF_MANY_FACES;
 }
 
 /* The same ones for all algorithms: chosen by the view's number and size. */
@@ -79,7 +90,7 @@ static enum hsr_status choose_samples(const struct group *g, int k,
   const struct hsr_view *view = &g->view[k];
   size_t all = (size_t)view->m * (size_t)view->n, n = (size_t)g->samples;
   wanted->n = all;
-  if (!n || n >= all || g->output.kind == HSR_SEGMENTS)
+  if (!n || n >= all || !g->form.type->by_places)
     return HSR_OK;
   wanted->sample = malloc(n * sizeof *wanted->sample);
   if (!wanted->sample)
@@ -113,35 +124,33 @@ static enum hsr_status ask_samples(const struct hsr_setup *oracle,
 }
 
 /* An answer that shows what was not written. */
-static enum hsr_status clean_answer(struct answer *answer,
+static enum hsr_status clean_answer(struct hsr_answer *answer,
                                     const struct hsr_setup *setup,
                                     const struct hsr_view *view,
                                     struct hsr_error *err) {
-  enum hsr_status status =
-      answer_init(answer, setup->algorithm, &setup->choice, view, err);
-  if (!status && answer->ids)
-    memset(answer->ids, 0xfe,
-           (size_t)view->m * (size_t)view->n * sizeof *answer->ids);
+  enum hsr_status status = answer_init(answer, setup, view, err);
+  if (!status && answer->form.type->unset)
+    answer->form.type->unset(answer);
   return status;
 }
 
-/* The pixels, and what the sub-samples that reach them add up to. */
-static enum hsr_status ask_pixels(const struct hsr_setup *oracle,
-                                  const struct hsr_filtering *filtering,
+/* The places of a kind that is folded, by its judge. */
+static enum hsr_status ask_folded(const struct group *g,
+                                  const struct hsr_setup *oracle,
                                   const struct hsr_view *view,
                                   struct wanted *wanted,
                                   struct hsr_error *err) {
   size_t n = (size_t)view->m * (size_t)view->n;
   bool *chosen = wanted->sample ? calloc(n, sizeof *chosen) : NULL;
-  wanted->answer.sums = malloc(3 * n * sizeof *wanted->answer.sums);
-  enum hsr_status status = wanted->answer.sums && (chosen || !wanted->sample)
-                               ? HSR_OK
-                               : hsr_fail_nomem(err);
+  enum hsr_status status =
+      hsr_answer_make(&wanted->answer, &g->form, view, false, err);
+  if (!status && wanted->sample && !chosen)
+    status = hsr_fail_nomem(err);
   for (size_t k = 0; k < wanted->n && chosen; k++)
     chosen[wanted->sample[k]] = true;
   if (!status)
-    status =
-        judge_sums(oracle, filtering, view, chosen, wanted->answer.sums, err);
+    status = folded_of(g->form.type)
+                 ->judge(oracle, view, chosen, &wanted->answer, err);
   free(chosen);
   return status;
 }
@@ -152,8 +161,8 @@ static enum hsr_status ask_view(const struct group *g,
   struct hsr_tally tally = {.out_of_memory = false};
   const struct hsr_view *view = &g->view[k];
   enum hsr_status status = choose_samples(g, k, wanted, err);
-  if (!status && g->output.kind == HSR_FILTERED)
-    return ask_pixels(oracle, &g->output.filtering, view, wanted, err);
+  if (!status && g->form.type->fold)
+    return ask_folded(g, oracle, view, wanted, err);
   if (!status)
     status = clean_answer(&wanted->answer, oracle, view, err);
   if (status)
@@ -178,7 +187,7 @@ static enum hsr_status ask_oracle(const struct group *g,
 
 static void free_wanted(const struct group *g, struct wanted *wanted) {
   for (int k = 0; wanted && k < g->n_views; k++) {
-    answer_free(&wanted[k].answer);
+    hsr_answer_free(&wanted[k].answer);
     free(wanted[k].sample);
   }
   free(wanted);
@@ -186,56 +195,21 @@ static void free_wanted(const struct group *g, struct wanted *wanted) {
 
 /* --- Comparing ------------------------------------------------------------ */
 
-static void compare_ids(const struct hsr_view *view, const uint32_t *got,
-                        const struct wanted *wanted, struct cell *cell) {
-  cell->compared = wanted->n;
-  for (size_t k = 0; k < wanted->n; k++) {
-    size_t s = wanted->sample ? wanted->sample[k] : k;
-    if (got[s] != wanted->answer.ids[s] && !cell->mismatches++) {
-      cell->first.i = (int)(s % (size_t)view->m);
-      cell->first.j = (int)(s / (size_t)view->m);
-      cell->first.got = got[s];
-      cell->first.wanted = wanted->answer.ids[s];
-    }
-  }
-}
-
-static void compare_sums(const struct hsr_view *view, const uint32_t *got,
-                         const struct wanted *wanted, struct cell *cell) {
-  cell->compared = wanted->n;
-  for (size_t k = 0; k < wanted->n; k++) {
-    size_t s = wanted->sample ? wanted->sample[k] : k;
-    const uint32_t *right = wanted->answer.sums + 3 * s;
-    if (memcmp(got + 3 * s, right, 3 * sizeof *got) && !cell->mismatches++) {
-      cell->first.i = (int)(s % (size_t)view->m);
-      cell->first.j = (int)(s / (size_t)view->m);
-      memcpy(cell->first.sums, got + 3 * s, sizeof cell->first.sums);
-      memcpy(cell->first.wanted_sums, right, sizeof cell->first.wanted_sums);
-    }
-  }
-}
-
-static void compare_drawings(const struct hsr_drawing *got,
-                             const struct hsr_drawing *wanted,
-                             bool visible_only, struct cell *cell) {
-  struct hsr_drawing_difference difference;
-  hsr_drawing_compare(got, wanted, visible_only, &difference);
-  if (!cell->mismatches)
-    cell->first.edge = difference.first;
-  cell->compared = difference.edges;
-  cell->mismatches += difference.differing;
-}
-
 static void compare(const struct group *g, const struct hsr_algorithm *a, int k,
-                    const struct answer *got, const struct wanted *wanted,
+                    const struct hsr_answer *got, const struct wanted *wanted,
                     struct cell *cell) {
-  if (g->output.kind == HSR_SEGMENTS)
-    compare_drawings(&got->drawing, &wanted->answer.drawing,
-                     a->flags & HSR_VISIBLE_ONLY, cell);
-  else if (g->output.kind == HSR_FILTERED)
-    compare_sums(&g->view[k], got->sums, wanted, cell);
-  else
-    compare_ids(&g->view[k], got->ids, wanted, cell);
+  struct hsr_comparison comparison = {.view = &g->view[k],
+                                      .got = got,
+                                      .wanted = &wanted->answer,
+                                      .place = wanted->sample,
+                                      .n = wanted->n,
+                                      .coarse = a->flags & HSR_VISIBLE_ONLY};
+  struct hsr_difference difference = {.first = ""};
+  g->form.type->compare(&comparison, &difference);
+  if (!cell->mismatches)
+    memcpy(cell->first, difference.first, sizeof cell->first);
+  cell->compared = difference.compared;
+  cell->mismatches += difference.differing;
 }
 
 /* --- Judging one algorithm ------------------------------------------------ */
@@ -251,20 +225,19 @@ static enum hsr_status judge_view(const struct group *g,
                                   struct cell *cell, struct hsr_error *err) {
   const struct hsr_algorithm *a = setup->algorithm;
   struct hsr_tally tally = {.out_of_memory = false};
-  struct answer got;
+  struct hsr_answer got;
   enum hsr_status status = clean_answer(&got, setup, &g->view[k], err);
   if (!status)
     status = render_view(setup, &g->view[k], threads, &got, &tally, NULL, err);
   if (!status && !(a->flags & HSR_NO_PICTURE))
     compare(g, a, k, &got, wanted, cell);
   memcpy(cell->count, tally.count, sizeof cell->count);
-  if (g->output.kind != HSR_SEGMENTS) { /* at samples; told by the counting
-                                           build */
+  if (g->form.type->by_places) { /* at samples; told by the counting build */
     cell->depths_compared = tally.depths_compared;
     cell->depths_exact = tally.exact[HSR_ASK_DEPTH];
   }
   cell->builds += !status;
-  answer_free(&got);
+  hsr_answer_free(&got);
   return status;
 }
 
@@ -308,11 +281,10 @@ static enum hsr_status judge(const struct group *g, int number,
 static bool is_too_much(const struct group *g, const struct hsr_algorithm *a) {
   if (!a->expense || (hsr_is_outline(g->world) && !(a->flags & HSR_INSTANCED)))
     return false;
-  double pictures = 1;
-  if (g->output.kind == HSR_FILTERED)
-    pictures = HSR_SUB * HSR_SUB * fmax(1, g->output.filtering.patterns);
   for (int k = 0; k < g->n_views; k++)
-    if (pictures * a->expense(g->world, &g->view[k]) > 5e8 * (double)g->timeout)
+    if (hsr_form_pictures(&g->form, &g->view[k]) *
+            a->expense(g->world, &g->view[k]) >
+        5e8 * (double)g->timeout)
       return true;
   return false;
 }
@@ -397,7 +369,7 @@ static void judge_apart(const struct group *g, int number,
 static bool is_judged(const struct group *g, int number) {
   const struct hsr_variant *v = &g->algorithm[number];
   const struct hsr_algorithm *a = v->listed->plain;
-  return is_same_output(output_of(a, &v->choice), g->output) &&
+  return hsr_same_form(&v->choice.form, &g->form) &&
          (hsr_choice_flags(a, &v->choice) & g->mask) == g->flags;
 }
 
@@ -414,12 +386,12 @@ static void set_all(const struct group *g, enum verdict verdict,
   }
 }
 
-/* With its time limited, if it draws lines. */
+/* With its time limited, if it answers as a whole. */
 static enum hsr_status ask_in_time(const struct group *g,
                                    const struct hsr_algorithm *oracle,
                                    struct wanted *wanted,
                                    struct hsr_error *err) {
-  if (g->output.kind != HSR_SEGMENTS)
+  if (g->form.type->by_places)
     return ask_oracle(g, oracle, wanted, err);
   char why[100];
   snprintf(why, sizeof why, "%s takes more than %ld s", oracle->name,
@@ -435,13 +407,14 @@ static enum hsr_status ask_in_time(const struct group *g,
 }
 
 enum hsr_status judge_group(const struct group *g) {
-  const struct hsr_algorithm *oracle = oracle_of(g->output.kind);
+  const struct hsr_algorithm *oracle = oracle_of(g->form.type);
   struct hsr_error err;
   struct wanted *wanted = calloc((size_t)g->n_views, sizeof *wanted);
   enum hsr_status status =
       wanted ? ask_in_time(g, oracle, wanted, &err) : HSR_E_NOMEM;
-  if (!status && g->picture && wanted[0].answer.ids)
-    memcpy(g->picture, wanted[0].answer.ids,
+  const uint32_t *ids = status ? NULL : hsr_answer_ids_of(&wanted[0].answer);
+  if (g->picture && ids)
+    memcpy(g->picture, ids,
            (size_t)g->view->m * (size_t)g->view->n * sizeof *g->picture);
   for (int a = 0; a < g->n_algorithms && !status; a++)
     if (is_judged(g, a))

@@ -6,20 +6,9 @@
 
 #include "bench/command.h"
 
-enum { N_KINDS = HSR_FILTERED + 1 };
-
-/* What an algorithm makes; only like outputs are compared. */
-struct output {
-  enum hsr_kind kind;
-  struct hsr_filtering filtering; /* HSR_FILTERED: how */
-};
-struct output output_of(const struct hsr_algorithm *algorithm,
-                        const struct hsr_choice *choice);
-bool is_same_output(struct output a, struct output b);
-
-/* The oracle of a kind; NULL if there is none. That of filtered pictures draws
- * ids, which the judge filters (bench/judge/judge_filtered.h). */
-const struct hsr_algorithm *oracle_of(enum hsr_kind kind);
+/* The oracle of a kind of answer; NULL if there is none. That of a kind which is
+ * folded draws the pictures that its judge folds (bench/judge/folded.def). */
+const struct hsr_algorithm *oracle_of(const struct hsr_answer_type *kind);
 
 enum verdict { PENDING, RIGHT, WRONG, REFUSED, TIMEOUT, CRASH };
 
@@ -32,15 +21,10 @@ struct cell {
   enum verdict verdict;
   int builds;              /* that drew it and were compared, of two */
   enum hsr_status failure; /* why the process stopped, if not HSR_OK */
-  uint64_t compared;       /* samples, edges or filtered pixels, in the build
-                              that is timed */
+  uint64_t compared;       /* samples, edges, ...: places of its kind of answer,
+                              in the build that is timed */
   uint64_t mismatches;     /* of those in both builds */
-  struct {                 /* the first of them */
-    int i, j;
-    uint32_t got, wanted;             /* ids */
-    uint32_t sums[3], wanted_sums[3]; /* of a filtered pixel */
-    struct hsr_edge_name edge;        /* of a line drawing */
-  } first;
+  char first[200]; /* the first of them in words, as in struct hsr_difference */
   uint64_t count[HSR_MAX_COUNTERS]; /* by the counting build */
   uint64_t depths_compared, depths_exact;
   long peak_kb; /* the most memory that its process held */
@@ -50,16 +34,16 @@ struct cell {
   char refusal[560]; /* who refused and why */
 };
 
-/* All algorithms of one output on one scene and size. All borrowed. */
+/* All algorithms of one form of answer on one scene and size. All borrowed. */
 struct group {
-  const struct hsr_variant *algorithm; /* also those of other outputs */
+  const struct hsr_variant *algorithm; /* also those of other forms */
   int n_algorithms;
   const long *threads; /* an algorithm, for the build that is timed; NULL: 1 */
   long timeout;        /* seconds that a picture may take */
   long memory_mb;      /* of data that a process may hold; 0: any */
-  long samples; /* or pixels, of each picture that are compared; 0: all */
+  long samples;        /* places of each picture that are compared; 0: all */
   const struct hsr_world *world;
-  struct output output;
+  struct hsr_form form;
 
   /* Algorithms for which flags & mask == flags are judged: 0, 0: all. */
   unsigned mask, flags;
@@ -77,12 +61,11 @@ struct group {
 /* Where nothing was written. */
 #define NOT_DRAWN 0xfefefefeu
 
-/* How many samples, or filtered pixels, of each picture to compare, 0: all.
- * Unless the user wants a number, all, but of scenes whose faces are too many
- * to be laid out. */
+/* How many places of each picture to compare, 0: all. Unless the user wants a
+ * number, all, but of scenes whose faces are too many to be laid out. */
 enum { SAMPLES_OF_MANY_FACES = 20000, MOST_SAMPLES = 1 << 28 };
-long samples_to_compare(const struct hsr_world *world, enum hsr_kind kind,
-                        long wanted);
+long samples_to_compare(const struct hsr_world *world,
+                        const struct hsr_form *form, long wanted);
 
 /* To be called in a process of its own. Where the oracle of line drawings takes
  * longer than a picture may, that ends by SIGALRM, and the cells are refused.

@@ -14,7 +14,7 @@ struct loop {
   struct hsr_kernel kernel;
   struct crew *crew;
   struct hsr_tally tally;
-  struct answer drawn; /* one sub-sample of the pixels */
+  struct hsr_answer drawn; /* ids: one sub-sample of the pixels */
   uint32_t *sums;
 };
 
@@ -73,7 +73,8 @@ static enum hsr_status ask_subsample(struct loop *loop, int pattern, int bit,
         status = ask(loop, &view, err);
       if (!status)
         add(loop, i, j, bit,
-            loop->drawn.ids[(size_t)j * (size_t)view.m + (size_t)i]);
+            hsr_answer_ids_of(
+                &loop->drawn)[(size_t)j * (size_t)view.m + (size_t)i]);
     }
   return status;
 }
@@ -90,8 +91,7 @@ enum hsr_status judge_sums(const struct hsr_setup *oracle,
                       .crew = crew_new(1),
                       .sums = sums};
   hsr_kernel_init(&loop.kernel, filtering->filter);
-  enum hsr_status status =
-      answer_init(&loop.drawn, oracle->algorithm, NULL, view, err);
+  enum hsr_status status = answer_init(&loop.drawn, oracle, view, err);
   if (!status && !loop.crew)
     status = hsr_fail_nomem(err);
   int first = filtering->patterns ? 0 : -1;
@@ -99,7 +99,16 @@ enum hsr_status judge_sums(const struct hsr_setup *oracle,
   for (int pattern = first; pattern <= last; pattern++)
     for (int bit = 0; bit < BITS && !status; bit++)
       status = ask_subsample(&loop, pattern, bit, err);
-  answer_free(&loop.drawn);
+  hsr_answer_free(&loop.drawn);
   crew_free(loop.crew);
   return status;
+}
+
+enum hsr_status judge_filtered(const struct hsr_setup *oracle,
+                               const struct hsr_view *view, const bool *wanted,
+                               struct hsr_answer *answer,
+                               struct hsr_error *err) {
+  struct hsr_filtering filtering = hsr_form_filtering(&answer->form);
+  return judge_sums(oracle, &filtering, view, wanted,
+                    hsr_answer_sums_of(answer), err);
 }

@@ -15,4 +15,10 @@ enum hsr_status judge_sums(const struct hsr_setup *oracle,
                            const struct hsr_view *view, const bool *wanted,
                            uint32_t *sums, struct hsr_error *err);
 
+/* The same into an answer, whose form says how it is filtered. */
+enum hsr_status judge_filtered(const struct hsr_setup *oracle,
+                               const struct hsr_view *view, const bool *wanted,
+                               struct hsr_answer *answer,
+                               struct hsr_error *err);
+
 #endif

@@ -97,6 +97,8 @@ static enum hsr_status draw_frame(void *state, struct hsr_error *err) {
 
 static enum hsr_status serve_run(struct run *run, struct hsr_error *err) {
   bool draws_ids = !strcmp(run->peer->kind, "ids");
+  struct hsr_answer answer =
+      hsr_answer_of_ids(run->canvas.ids, run->canvas.m, run->canvas.n);
   struct served served = {.request = run->request,
                           .stage = &run->stage,
                           .adapt_seconds = run->setup.adapt_seconds,
@@ -104,7 +106,7 @@ static enum hsr_status serve_run(struct run *run, struct hsr_error *err) {
                           .before_kb = run->before_kb,
                           .round = draw_frame,
                           .state = run,
-                          .ids = draws_ids ? run->canvas.ids : NULL};
+                          .answer = draws_ids ? &answer : NULL};
   return serve(&served, err);
 }
 

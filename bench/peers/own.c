@@ -17,7 +17,7 @@ static void own_version(char *text) {
 struct inexact {
   const struct hsr_setup *setup;
   struct crew *crew;
-  struct answer answer; /* its ids are the canvas' */
+  struct hsr_answer answer; /* its ids are the canvas' */
 };
 
 static enum hsr_status inexact_setup(const struct peer *peer,
@@ -29,7 +29,7 @@ static enum hsr_status inexact_setup(const struct peer *peer,
   if (!inexact)
     return hsr_fail_nomem(err);
   inexact->setup = canvas->setup;
-  inexact->answer.ids = canvas->ids;
+  inexact->answer = hsr_answer_of_ids(canvas->ids, canvas->m, canvas->n);
   inexact->crew = crew_new(canvas->threads);
   return inexact->crew ? HSR_OK : hsr_fail_nomem(err);
 }

@@ -4,13 +4,13 @@
  * the page's probe shows at a pixel. */
 #include "bench/results/json.h"
 #include "bench/judge/judge.h"
-#include "bench/lines.h"
 #include "bench/report/report.h"
 #include "bench/run/stage.h"
 #include "bench/run/terminate.h"
 
+#include "common/answers/answer.h"
 #include "common/files/image.h"
-#include "common/answers/picture.h"
+#include "common/view/picture.h"
 
 #include <errno.h>
 #include <math.h>
@@ -50,24 +50,34 @@ static enum hsr_status write_work(const struct view_picture *p,
                               err);
 }
 
-static enum hsr_status write_lines_file(const struct view_picture *p,
-                                        const struct hsr_algorithm *a,
-                                        const struct hsr_drawing *drawing,
-                                        const char *name,
-                                        struct hsr_error *err) {
+/* The answer itself, as a file of its own kind. */
+static enum hsr_status write_answer(const struct view_picture *p,
+                                    const struct hsr_algorithm *a,
+                                    const struct hsr_answer *answer,
+                                    const char *name, struct hsr_error *err) {
   char path[PATH], description[200];
+  const struct hsr_drawing *drawing = hsr_answer_drawing_of(answer);
+  bool many = drawing && drawing->n > MANY_LINES;
   path_of(p, name, path);
   snprintf(description, sizeof description, "A line drawing by %.150s",
            a->title);
-  const char *file[] = {path};
-  struct line_picture picture = {
-      .drawing = drawing,
-      .world = &p->stage.world,
-      .view = &p->stage.view,
-      .hidden = drawing->n > MANY_LINES ? HSR_HIDDEN_NONE : HSR_HIDDEN_THIN,
-      .title = p->stage.scene->name,
-      .description = description};
-  return write_lines(&picture, file, 1, err);
+  struct hsr_showing showing = {.world = &p->stage.world,
+                                .view = &p->stage.view,
+                                .scene = p->stage.scene->name,
+                                .title = p->stage.scene->name,
+                                .description = description,
+                                .supersamples = 1,
+                                .hidden =
+                                    many ? HSR_HIDDEN_NONE : HSR_HIDDEN_THIN,
+                                .crease = -1};
+  struct hsr_shaded shaded = {.rgb = NULL};
+  const struct hsr_answer_type *kind = answer->form.type;
+  enum hsr_status status =
+      kind->shade ? kind->shade(answer, &showing, &shaded, err) : HSR_OK;
+  if (!status)
+    status = kind->write(answer, &showing, &shaded, path, err);
+  hsr_shaded_free(&shaded);
+  return status;
 }
 
 /* The counting build draws: it alone touches the work picture. */
@@ -75,26 +85,27 @@ static enum hsr_status draw(struct view_picture *p,
                             const struct hsr_algorithm *a, const char *work,
                             const char *drawing, struct hsr_error *err) {
   struct hsr_setup setup;
-  struct answer answer = {.ids = NULL};
+  struct hsr_answer answer = {.body = NULL};
   struct hsr_tally tally = {.work = calloc(p->n, sizeof(float)),
                             .work_stride = (size_t)p->stage.view.m};
   enum hsr_status status = tally.work ? HSR_OK : hsr_fail_nomem(err);
-  if (!status)
-    status = answer_init(&answer, a, NULL, &p->stage.view, err);
   if (!status) {
     status = hsr_setup_init(&setup, a, NULL, &p->stage.world, err);
+    if (!status)
+      status = answer_init(&answer, &setup, &p->stage.view, err);
     if (!status)
       status =
           render_view(&setup, &p->stage.view, 1, &answer, &tally, NULL, err);
     hsr_setup_free(&setup);
   }
-  if (!status && answer.ids)
-    memcpy(p->got, answer.ids, p->n * sizeof *p->got);
+  const uint32_t *ids = status ? NULL : hsr_answer_ids_of(&answer);
+  if (ids)
+    memcpy(p->got, ids, p->n * sizeof *p->got);
   if (!status && work)
     status = write_work(p, work, tally.work, err);
   if (!status && drawing)
-    status = write_lines_file(p, a, &answer.drawing, drawing, err);
-  answer_free(&answer);
+    status = write_answer(p, a, &answer, drawing, err);
+  hsr_answer_free(&answer);
   free(tally.work);
   return status;
 }
@@ -135,22 +146,23 @@ static json_t *differences_json(struct view_picture *p, long *n) {
   return list;
 }
 
-/* The oracle's picture, dim, with what differs in a bright orange. */
+/* Where the picture differs from the oracle's. */
 static enum hsr_status write_difference(struct view_picture *p,
                                         const char *name,
                                         struct hsr_error *err) {
-  static const float mark[3] = {1.0f, .35f, 0.0f};
-  hsr_picture_shade(&p->stage.world, &p->stage.view, p->wanted,
-                    HSR_SHADE_LAMBERT, p->rgb);
-  for (size_t k = 0; k < p->n; k++)
-    for (size_t c = 0; c < 3; c++)
-      p->rgb[3 * k + c] =
-          p->got[k] != p->wanted[k] ? mark[c] : .25f * p->rgb[3 * k + c];
+  int m = p->stage.view.m, n = p->stage.view.n;
+  struct hsr_answer got = hsr_answer_of_ids(p->got, m, n);
+  struct hsr_answer wanted = hsr_answer_of_ids(p->wanted, m, n);
+  struct hsr_comparison comparison = {
+      .view = &p->stage.view, .got = &got, .wanted = &wanted, .n = p->n};
+  struct hsr_showing showing = {.world = &p->stage.world,
+                                .view = &p->stage.view};
+  enum hsr_status status =
+      got.form.type->show_difference(&comparison, &showing, p->rgb, err);
   char path[PATH];
   path_of(p, name, path);
-  struct hsr_picture picture = {
-      .m = p->stage.view.m, .n = p->stage.view.n, .ids = p->got, .rgb = p->rgb};
-  return hsr_image_write(path, &picture, NULL, err);
+  struct hsr_picture picture = {m, n, p->got, NULL, p->rgb};
+  return status ? status : hsr_image_write(path, &picture, NULL, err);
 }
 
 /* --- One algorithm -------------------------------------------------------- */
@@ -185,12 +197,11 @@ static enum hsr_status add_faces(struct view_picture *p,
   json_object_set_new(p->differences, a->name, differences_json(p, &n));
   enum hsr_status status = n ? write_difference(p, difference, err) : HSR_OK;
   if (!status)
-    json_array_append_new(entries,
-                          json_pack("{ss ss ss sI ss sn ss?}", "algorithm",
-                                    a->name, "kind", kind_name(a->kind),
-                                    "status", n ? "wrong" : "ok", "mismatches",
-                                    (json_int_t)n, "work", work, "drawing",
-                                    "difference", n ? difference : NULL));
+    json_array_append_new(
+        entries, json_pack("{ss ss ss sI ss sn ss?}", "algorithm", a->name,
+                           "kind", a->kind->name, "status", n ? "wrong" : "ok",
+                           "mismatches", (json_int_t)n, "work", work, "drawing",
+                           "difference", n ? difference : NULL));
   return status;
 }
 
@@ -202,7 +213,7 @@ static void add_drawing(struct view_picture *p, const struct hsr_algorithm *a,
     json_array_append_new(
         entries,
         json_pack("{ss ss ss sI sn ss sn}", "algorithm", a->name, "kind",
-                  kind_name(a->kind), "status", results_text(cell, "status"),
+                  a->kind->name, "status", results_text(cell, "status"),
                   "mismatches", (json_int_t)results_number(cell, "mismatches"),
                   "work", "drawing", drawing, "difference"));
 }
@@ -214,9 +225,9 @@ static enum hsr_status add_entries(struct view_picture *p, const json_t *view,
     const json_t *cell = cell_with_picture(p, view, a->plain->name);
     if (!cell || a->plain->flags & HSR_NO_PICTURE)
       continue;
-    if (a->counting->kind == HSR_IDS)
+    if (a->counting->kind->show_difference)
       status = add_faces(p, a->counting, entries, err);
-    else if (a->counting->kind == HSR_SEGMENTS)
+    else
       add_drawing(p, a->counting, cell, entries);
   }
   return status;
@@ -296,7 +307,7 @@ static enum hsr_status write_probe(struct view_picture *p, const char *name,
 
 static enum hsr_status write_oracle(struct view_picture *p, const char *name,
                                     struct hsr_error *err) {
-  if (!draw_apart(p, oracle_of(HSR_IDS), NULL, NULL))
+  if (!draw_apart(p, oracle_of(&hsr_answer_ids), NULL, NULL))
     return hsr_fail(err, HSR_E_INTERNAL, "%s: the oracle failed",
                     p->stage.scene->name);
   memcpy(p->wanted, p->got, p->n * sizeof *p->wanted);

@@ -25,66 +25,10 @@ long processors(void) {
   return 1;
 }
 
-/* The ids of n samples of an empty scene; NULL for lack of memory. */
-static uint32_t *background(size_t n) {
-  uint32_t *ids = malloc(n * sizeof *ids);
-  for (size_t k = 0; ids && k < n; k++)
-    ids[k] = HSR_BACKGROUND;
-  return ids;
-}
-
-static enum hsr_status init_filtered(struct answer *answer,
-                                     const struct hsr_algorithm *algorithm,
-                                     const struct hsr_filtering *filtering,
-                                     const struct hsr_view *view,
-                                     struct hsr_error *err) {
-  size_t n = (size_t)view->m * (size_t)view->n;
-  bool jittered = filtering->patterns, filters = algorithm->flags & HSR_FILTERS;
-  if (!jittered && !filters &&
-      (view->m > HSR_MAX_SIZE / HSR_SUB || view->n > HSR_MAX_SIZE / HSR_SUB))
-    return hsr_fail(err, HSR_E_REFUSED,
-                    "%d x %d pixels of %d x %d samples, without jitter: each "
-                    "side must be 1 to %d",
-                    view->m, view->n, HSR_SUB, HSR_SUB, HSR_MAX_SIZE / HSR_SUB);
-  answer->sums = calloc(3 * n, sizeof *answer->sums);
-  if (!filters)
-    answer->sub_samples = background(jittered ? n : HSR_SUB * HSR_SUB * n);
-  return answer->sums && (filters || answer->sub_samples) ? HSR_OK
-                                                          : hsr_fail_nomem(err);
-}
-
-enum hsr_status answer_init(struct answer *answer,
-                            const struct hsr_algorithm *algorithm,
-                            const struct hsr_choice *choice,
-                            const struct hsr_view *view,
-                            struct hsr_error *err) {
-  struct hsr_choice standard = hsr_choice_standard(algorithm);
-  if (!choice)
-    choice = &standard;
-  *answer = (struct answer){.ids = NULL};
-  switch (hsr_choice_kind(algorithm, choice)) {
-  case HSR_SEGMENTS:
-    return HSR_OK;
-  case HSR_IDS:
-    answer->ids = background((size_t)view->m * (size_t)view->n);
-    return answer->ids ? HSR_OK : hsr_fail_nomem(err);
-  default:
-    return init_filtered(answer, algorithm, &choice->filtering, view, err);
-  }
-}
-
-void answer_free(struct answer *answer) {
-  free(answer->ids);
-  free(answer->sums);
-  free(answer->sub_samples);
-  hsr_drawing_free(&answer->drawing);
-}
-
 /* Who draws, and into what. */
 struct task {
   const struct hsr_setup *setup;
-  uint32_t *ids, *sums;
-  struct hsr_drawing *drawing;
+  struct hsr_answer *answer;
 };
 
 /* The picture in parts, bands of rows or squares, taken by whoever is free. */
@@ -151,12 +95,7 @@ static void *work(void *argument) {
     struct hsr_job job = {.view = &view,
                           .scratch = &worker->scratch,
                           .tally = &worker->tally,
-                          .ids = task->ids,
-                          .ids_stride = (size_t)view.m,
-                          .sums = task->sums,
-                          .drawing = task->drawing};
-    if (task->sums)
-      job.filtering = &task->setup->choice.filtering;
+                          .answer = task->answer};
     worker->status = hsr_setup_render(task->setup, &job, &worker->err);
     if (worker->status)
       break;
@@ -192,7 +131,8 @@ static void divide(struct parts *parts, long threads) {
 static enum hsr_status draw(struct crew *crew, const struct task *task,
                             const struct hsr_view *view,
                             struct hsr_tally *tally, struct hsr_error *err) {
-  bool whole = task->setup->flags & HSR_FRAME_STATE || !task->ids ||
+  bool whole = task->setup->flags & HSR_FRAME_STATE ||
+               !task->answer->form.type->by_windows ||
                tally->trace; /* its events are in order */
   long threads = whole ? 1 : crew->n;
   struct parts parts = {.task = task, .view = view};
@@ -215,76 +155,50 @@ static enum hsr_status draw(struct crew *crew, const struct task *task,
   return status;
 }
 
-/* --- Filtered ------------------------------------------------------------- */
+/* --- Answers that are folded from pictures -------------------------------- */
 
-/* One picture of 8 m x 8 n samples. */
-static enum hsr_status filter_fine(struct crew *crew, const struct task *task,
-                                   const struct hsr_view *pixels,
-                                   const struct hsr_kernel *kernel,
-                                   uint32_t *sums, struct hsr_tally *tally,
-                                   struct hsr_error *err) {
-  struct hsr_view fine;
-  enum hsr_status status = hsr_view_init(
-      &fine, &pixels->camera, HSR_SUB * pixels->m, HSR_SUB * pixels->n, err);
-  if (!status)
-    status = draw(crew, task, &fine, tally, err);
-  if (!status)
-    hsr_filter_add_picture(kernel, task->setup->world, pixels, task->ids, sums);
-  return status;
-}
-
-/* A picture of m x n samples for each pattern and sub-sample. */
-static enum hsr_status filter_jittered(struct crew *crew,
-                                       const struct task *task,
-                                       const struct hsr_view *pixels,
-                                       const struct hsr_kernel *kernel,
-                                       uint32_t *sums, struct hsr_tally *tally,
-                                       struct hsr_error *err) {
-  const struct hsr_filtering *filtering = &task->setup->choice.filtering;
+static enum hsr_status fold(struct crew *crew, const struct hsr_setup *setup,
+                            const struct hsr_view *view,
+                            struct hsr_answer *answer, struct hsr_tally *tally,
+                            struct hsr_error *err) {
+  const struct hsr_fold *how = answer->form.type->fold;
+  struct task task = {.setup = setup, .answer = answer->picture};
   enum hsr_status status = HSR_OK;
-  for (int k = 0; k < filtering->patterns * HSR_SUB * HSR_SUB && !status; k++) {
-    int pattern = k / (HSR_SUB * HSR_SUB), bit = k % (HSR_SUB * HSR_SUB);
-    struct hsr_view view = hsr_subsample_view(pixels, pattern, bit);
-    status = draw(crew, task, &view, tally, err);
+  for (long k = 0; k < how->n(&answer->form) && !status; k++) {
+    struct hsr_view picture;
+    status = how->view(&answer->form, view, k, &picture, err);
     if (!status)
-      hsr_filter_add_subsample(kernel, filtering, task->setup->world, pixels,
-                               pattern, bit, task->ids, sums);
+      status = draw(crew, &task, &picture, tally, err);
+    if (!status)
+      how->add(answer, setup->world, view, k);
   }
   return status;
-}
-
-static enum hsr_status filter(struct crew *crew, const struct hsr_setup *setup,
-                              const struct hsr_view *view,
-                              struct answer *answer, struct hsr_tally *tally,
-                              struct hsr_error *err) {
-  uint32_t *sums = answer->sums;
-  memset(sums, 0, 3 * (size_t)view->m * (size_t)view->n * sizeof *sums);
-  struct task task = {.setup = setup, .ids = answer->sub_samples};
-  if (!task.ids) {
-    task.sums = sums;
-    return draw(crew, &task, view, tally, err);
-  }
-  struct hsr_kernel kernel;
-  hsr_kernel_init(&kernel, setup->choice.filtering.filter);
-  return setup->choice.filtering.patterns
-             ? filter_jittered(crew, &task, view, &kernel, sums, tally, err)
-             : filter_fine(crew, &task, view, &kernel, sums, tally, err);
 }
 
 enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
-                            const struct hsr_view *view, struct answer *answer,
-                            struct hsr_tally *tally, struct hsr_error *err) {
-  if (answer->sums)
-    return filter(crew, setup, view, answer, tally, err);
-  struct task task = {
-      .setup = setup, .ids = answer->ids, .drawing = &answer->drawing};
-  hsr_drawing_clear(&answer->drawing);
+                            const struct hsr_view *view,
+                            struct hsr_answer *answer, struct hsr_tally *tally,
+                            struct hsr_error *err) {
+  if (answer->form.type->clear)
+    answer->form.type->clear(answer);
+  if (answer->picture)
+    return fold(crew, setup, view, answer, tally, err);
+  struct task task = {.setup = setup, .answer = answer};
   return draw(crew, &task, view, tally, err);
+}
+
+enum hsr_status answer_init(struct hsr_answer *answer,
+                            const struct hsr_setup *setup,
+                            const struct hsr_view *view,
+                            struct hsr_error *err) {
+  return hsr_answer_make(answer, &setup->choice.form, view,
+                         hsr_choice_folds(setup->algorithm, &setup->choice),
+                         err);
 }
 
 enum hsr_status render_view(const struct hsr_setup *setup,
                             const struct hsr_view *view, long threads,
-                            struct answer *answer, struct hsr_tally *tally,
+                            struct hsr_answer *answer, struct hsr_tally *tally,
                             double *seconds, struct hsr_error *err) {
   struct crew *crew = crew_new(threads);
   if (!crew)

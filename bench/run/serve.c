@@ -3,9 +3,6 @@
 
 #include "bench/command.h"
 
-#include "common/files/image.h"
-#include "common/answers/picture.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -120,11 +117,13 @@ static enum hsr_status draw_sample(const struct served *served,
 static enum hsr_status write_ids(const struct served *served,
                                  struct hsr_error *err) {
   const char *path = served->request->ids_file;
-  if (!path || !served->ids)
+  const uint32_t *ids =
+      served->answer ? hsr_answer_ids_of(served->answer) : NULL;
+  if (!path || !ids)
     return HSR_OK;
   size_t n = (size_t)served->request->m * (size_t)served->request->n;
   FILE *file = fopen(path, "wb");
-  bool good = file && fwrite(served->ids, sizeof *served->ids, n, file) == n;
+  bool good = file && fwrite(ids, sizeof *ids, n, file) == n;
   if (file && fclose(file))
     good = false;
   return good ? HSR_OK
@@ -144,27 +143,23 @@ static bool make_file(char *path, size_t size) {
 }
 
 /* That there is no room for the picture is no fault of whoever drew it. */
-static enum hsr_status shade_and_write(const struct served *served, float *rgb,
+static enum hsr_status shade_and_write(const struct served *served,
+                                       struct hsr_shaded *shaded,
                                        struct hsr_error *err) {
-  const struct stage *stage = served->stage;
+  const struct hsr_answer_type *kind = served->answer->form.type;
+  struct hsr_showing showing = {.world = &served->stage->world,
+                                .view = &served->stage->view,
+                                .supersamples = 1};
   double begin = seconds_now();
-  enum hsr_status status = HSR_OK;
-  if (served->sums)
-    hsr_filter_finish(served->filtering, stage->view.m, stage->view.n,
-                      served->sums, rgb);
-  else
-    status = hsr_picture_finish(&stage->world, &stage->view, served->ids,
-                                HSR_SHADE_LAMBERT, NULL, rgb, err);
+  enum hsr_status status = kind->shade(served->answer, &showing, shaded, err);
   if (status)
     return status;
   printf("{\"shade\": %.9g, \"write\": ", seconds_now() - begin);
-  struct hsr_picture picture = {
-      .m = stage->view.m, .n = stage->view.n, .ids = served->ids, .rgb = rgb};
   char path[4096];
   status = HSR_E_INPUT;
   if (make_file(path, sizeof path)) {
     begin = seconds_now();
-    status = hsr_image_write(path, &picture, NULL, err);
+    status = kind->write(served->answer, &showing, shaded, path, err);
     double seconds = seconds_now() - begin;
     unlink(path);
     if (!status)
@@ -180,17 +175,13 @@ static enum hsr_status shade_and_write(const struct served *served, float *rgb,
 /* The two phases behind the picture, where there is one. */
 static enum hsr_status finish_picture(const struct served *served,
                                       struct hsr_error *err) {
-  if (!served->ids && !served->sums) {
+  if (!served->answer || !served->answer->form.type->shade) {
     puts("{\"shade\": null, \"write\": null}");
     return HSR_OK;
   }
-  const struct serve_request *request = served->request;
-  float *rgb =
-      malloc(3 * sizeof *rgb * (size_t)request->m * (size_t)request->n);
-  if (!rgb)
-    return hsr_fail_nomem(err);
-  enum hsr_status status = shade_and_write(served, rgb, err);
-  free(rgb);
+  struct hsr_shaded shaded = {.rgb = NULL};
+  enum hsr_status status = shade_and_write(served, &shaded, err);
+  hsr_shaded_free(&shaded);
   return status;
 }
 

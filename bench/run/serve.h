@@ -23,7 +23,7 @@
 
 #include "bench/run/stage.h"
 
-#include "common/answers/filter.h"
+#include "common/answers/answer.h"
 
 /* What the command line asked for. Strings are borrowed from argv. */
 struct serve_request {
@@ -49,10 +49,8 @@ struct served {
   /* A round of whole frames. */
   enum hsr_status (*round)(void *state, struct hsr_error *err);
   void *state;
-  const uint32_t *ids; /* the last picture, m * n, once a round is drawn; NULL:
-                          it makes none */
-  const struct hsr_filtering *filtering;
-  const uint32_t *sums; /* likewise, 3 * m * n; NULL: it does not filter */
+  const struct hsr_answer *answer; /* the last one, once a round is drawn; NULL:
+                                      it makes none */
 };
 
 long memory_kb(void); /* that this process holds now */

@@ -11,7 +11,7 @@ struct round {
   const struct hsr_view *view; /* the walk's, n of them */
   int n;
   struct crew *crew;
-  struct answer answer;
+  struct hsr_answer answer;
 };
 
 static enum hsr_status draw_round(void *state, struct hsr_error *err) {
@@ -34,10 +34,9 @@ static enum hsr_status serve_walk(const struct serve_request *request,
                         .view = view,
                         .n = request->walk,
                         .crew = crew_new(request->threads)};
-  enum hsr_status status = round.crew
-                               ? answer_init(&round.answer, algorithm,
-                                             &setup->choice, &stage->view, err)
-                               : hsr_fail_nomem(err);
+  enum hsr_status status =
+      round.crew ? answer_init(&round.answer, setup, &stage->view, err)
+                 : hsr_fail_nomem(err);
   struct served served = {
       .request = request,
       .stage = stage,
@@ -46,12 +45,10 @@ static enum hsr_status serve_walk(const struct serve_request *request,
       .before_kb = before,
       .round = draw_round,
       .state = &round,
-      .ids = algorithm->flags & HSR_NO_PICTURE ? NULL : round.answer.ids,
-      .filtering = &setup->choice.filtering,
-      .sums = algorithm->flags & HSR_NO_PICTURE ? NULL : round.answer.sums};
+      .answer = algorithm->flags & HSR_NO_PICTURE ? NULL : &round.answer};
   if (!status)
     status = serve(&served, err);
-  answer_free(&round.answer);
+  hsr_answer_free(&round.answer);
   crew_free(round.crew);
   return status;
 }

@@ -77,7 +77,7 @@ enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
 
 /* --- Judging -------------------------------------------------------------- */
 
-static void judge_output(const struct place_run *run, struct output output) {
+static void judge_form(const struct place_run *run, struct hsr_form form) {
   const struct sweep_options *o = run->sweep->plan->options;
   struct hsr_variant algorithm[SWEEP_MOST_ENTRANTS];
   long threads[SWEEP_MOST_ENTRANTS];
@@ -86,14 +86,14 @@ static void judge_output(const struct place_run *run, struct output output) {
       .threads = threads,
       .timeout = o->timeout,
       .memory_mb = o->memory_mb,
-      .samples = samples_to_compare(&run->stage.world, output.kind, o->samples),
+      .samples = samples_to_compare(&run->stage.world, &form, o->samples),
       .world = &run->stage.world,
-      .output = output,
+      .form = form,
       .view = run->view,
       .number = run->view_number,
       .n_views = run->place.walk,
       .cells = run->shared->cells,
-      .picture = output.kind == HSR_IDS ? run->picture : NULL};
+      .picture = run->picture};
   /* Peers stand behind all algorithms. */
   for (int k = 0; k < run->n && run->entrant[k]->listed; k++) {
     algorithm[k].listed = run->entrant[k]->listed;
@@ -114,20 +114,19 @@ static void judge_statistics(const struct place_run *run) {
   end_process((int)status);
 }
 
-/* What is judged: of each output one. Peers are judged by ids. */
-static int list_outputs(const struct place_run *run,
-                        struct output output[SWEEP_MOST_ENTRANTS + 1]) {
+/* What is judged: of each form one. Peers are judged by ids. */
+static int list_forms(const struct place_run *run,
+                      struct hsr_form form[SWEEP_MOST_ENTRANTS + 1]) {
   int n = 0;
   if (run->picture)
-    output[n++] = (struct output){.kind = HSR_IDS};
+    form[n++] = hsr_form_standard(&hsr_answer_ids);
   for (int k = 0; k < run->n && run->entrant[k]->listed; k++) {
-    struct output its =
-        output_of(run->entrant[k]->listed->plain, &run->entrant[k]->choice);
-    bool known = !oracle_of(its.kind);
+    const struct hsr_form *its = &run->entrant[k]->choice.form;
+    bool known = !oracle_of(its->type);
     for (int i = 0; i < n; i++)
-      known |= is_same_output(output[i], its);
+      known |= hsr_same_form(&form[i], its);
     if (!known)
-      output[n++] = its;
+      form[n++] = *its;
   }
   return n;
 }
@@ -153,7 +152,7 @@ static void add_walk(const struct place_run *run, int k) {
     add_cell(&run->shared->cells[k], &run->shared->cells[view * run->n + k]);
 }
 
-/* Table I and the judges of all outputs, each in a process, at the same time:
+/* Table I and the judges of all forms, each in a process, at the same time:
  * nothing is timed yet. */
 static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
   fflush(NULL);
@@ -163,13 +162,13 @@ static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
     judge_statistics(run);
   }
   bool good = child > 0;
-  struct output output[SWEEP_MOST_ENTRANTS + 1];
-  int n_outputs = list_outputs(run, output);
-  for (int k = 0; k < n_outputs && good; k++) {
+  struct hsr_form form[SWEEP_MOST_ENTRANTS + 1];
+  int n_forms = list_forms(run, form);
+  for (int k = 0; k < n_forms && good; k++) {
     child = fork();
     if (child == 0) {
       end_with_parent(parent);
-      judge_output(run, output[k]);
+      judge_form(run, form[k]);
     }
     good = child > 0;
   }

@@ -130,12 +130,11 @@ static enum hsr_status add_algorithm(struct plan *plan, const char *name,
                                      struct hsr_error *err) {
   const struct hsr_algorithm *a = variant->listed->plain;
   unsigned flags = hsr_choice_flags(a, &variant->choice);
-  enum hsr_kind kind = hsr_choice_kind(a, &variant->choice);
-  bool single = flags & HSR_FRAME_STATE || kind == HSR_SEGMENTS ||
-                (kind == HSR_FILTERED && flags & HSR_FILTERS);
+  const struct hsr_answer_type *kind = variant->choice.form.type;
+  bool single = flags & HSR_FRAME_STATE ||
+                !(kind->by_windows || hsr_choice_folds(a, &variant->choice));
   return add_entrant(plan, name, variant,
-                     flags & HSR_NO_PICTURE ? "none" : kind_name(kind), single,
-                     err);
+                     flags & HSR_NO_PICTURE ? "none" : kind->name, single, err);
 }
 
 static enum hsr_status add_standard(struct plan *plan,

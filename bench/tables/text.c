@@ -344,14 +344,14 @@ static void print_figure29a(void) {
        "                                          BE  no faces behind the "
        "observer\n");
   printf("%-20s", "");
-  for (int k = 0; k < 9; k++)
+  for (int k = 0; k < HSR_N_RESTRICTIONS; k++)
     printf(" %s", hsr_restriction_code(1u << k));
   putchar('\n');
   for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
     if (is_yardstick(l->plain))
       continue;
     char row[2 + 9 * 3] = "";
-    for (int k = 0; k < 9; k++)
+    for (int k = 0; k < HSR_N_RESTRICTIONS; k++)
       strcat(row, l->plain->restrictions & 1u << k ? "  x" : "  .");
     printf("%-20s%s\n", l->plain->name, row);
   }

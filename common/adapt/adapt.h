@@ -28,6 +28,7 @@ enum {
   HSR_OF = 1 << 7, /* no faces outside the field of view */
   HSR_BE = 1 << 8  /* no faces behind the observer */
 };
+enum { HSR_N_RESTRICTIONS = 9 };
 
 /* "TR", ...: the code of one restriction. */
 const char *hsr_restriction_code(unsigned restriction);

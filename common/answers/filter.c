@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/answers/filter.h"
-#include "common/answers/picture.h"
+#include "common/view/picture.h"
 #include "common/scene/pieces.h"
 
 #include <math.h>

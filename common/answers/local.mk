@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 nobase_pkginclude_HEADERS += \
+  %D%/answer.h \
   %D%/filter.h \
-  %D%/picture.h
+  %D%/list.def
 libhsr_a_SOURCES += \
+  %D%/answer.c \
   %D%/filter.c \
-  %D%/picture.c
+  %D%/filtered.c \
+  %D%/ids.c \
+  %D%/segments.c

@@ -2,11 +2,13 @@
 nobase_pkginclude_HEADERS += \
   %D%/arena.h \
   %D%/count.h \
+  %D%/option.h \
   %D%/status.h \
   %D%/window.h
 libhsr_a_SOURCES += \
   %D%/arena.c \
   %D%/bits.h \
   %D%/count.c \
+  %D%/option.c \
   %D%/status.c \
   %D%/vector.h

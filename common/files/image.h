@@ -3,7 +3,7 @@
 #ifndef HSR_COMMON_IMAGE_H
 #define HSR_COMMON_IMAGE_H
 
-#include "common/answers/picture.h"
+#include "common/view/picture.h"
 
 #ifdef __cplusplus
 extern "C" {

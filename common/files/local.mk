@@ -13,4 +13,5 @@ libhsr_a_SOURCES += \
   %D%/plot_svg.c \
   %D%/scene_json.c \
   %D%/srgb.h \
+  %D%/suffix.h \
   %D%/whole_file.c

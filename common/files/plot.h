@@ -16,14 +16,6 @@
 extern "C" {
 #endif
 
-/* What becomes of the hidden parts of edges. */
-enum hsr_hidden {
-  HSR_HIDDEN_NONE,   /* left out */
-  HSR_HIDDEN_DASHED, /* dashed */
-  HSR_HIDDEN_THIN,   /* thinner and lighter, the more faces hide them */
-  HSR_HIDDEN_ALL     /* like the visible ones */
-};
-
 struct hsr_pen {
   const char *name; /* [a-z0-9-]+ */
   double width;     /* pixels */

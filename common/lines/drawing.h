@@ -36,6 +36,14 @@ struct hsr_drawing {
   size_t n, room;
 };
 
+/* What becomes of the hidden parts of edges where a drawing is shown. */
+enum hsr_hidden {
+  HSR_HIDDEN_NONE,   /* left out */
+  HSR_HIDDEN_DASHED, /* dashed */
+  HSR_HIDDEN_THIN,   /* thinner and lighter, the more faces hide them */
+  HSR_HIDDEN_ALL     /* like the visible ones */
+};
+
 /* Empties the drawing and keeps its memory. */
 static inline void hsr_drawing_clear(struct hsr_drawing *drawing) {
   drawing->n = 0;

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 nobase_pkginclude_HEADERS += \
   %D%/clip.h \
+  %D%/picture.h \
   %D%/view.h
 libhsr_a_SOURCES += \
   %D%/clip.c \
+  %D%/picture.c \
   %D%/view.c

@@ -115,9 +115,10 @@ static void report(const struct known *k, const struct hsr_option *option,
   printf("# %s: %ld samples differ:", k->scene->name, wrong);
   for (int o = 0; option[o].name; o++)
     if (option[o].words)
-      printf(" %s=%s", option[o].name, option[o].words[choice->option[o]].name);
+      printf(" %s=%s", option[o].name,
+             option[o].words[choice->values.option[o]].name);
     else
-      printf(" %s=%ld", option[o].name, choice->option[o]);
+      printf(" %s=%ld", option[o].name, choice->values.option[o]);
   putchar('\n');
 }
 
@@ -142,15 +143,15 @@ static int try_all(const struct known *k, long *wrong) {
   struct hsr_choice choice = hsr_choice_standard(hz->plain);
   int n = 0, reported = 0;
   for (int o = 0; option[o].name; o++)
-    choice.option[o] = option[o].words ? 0 : choice.option[o];
-  set_number(option, choice.option, "least", 4);
+    choice.values.option[o] = option[o].words ? 0 : choice.values.option[o];
+  set_number(option, choice.values.option, "least", 4);
   do {
     const struct hsr_algorithm *a = n++ % 2 ? hz->plain : hz->counting;
     long bad = try_choice(k, a, &choice);
     if (bad && reported++ < 5)
       report(k, option, &choice, bad);
     *wrong += bad;
-  } while (next_choice(option, moves(k->scene), choice.option));
+  } while (next_choice(option, moves(k->scene), choice.values.option));
   return n;
 }
 

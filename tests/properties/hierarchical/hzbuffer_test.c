@@ -77,7 +77,7 @@ static void set_view(struct run *r, const struct both_worlds *s,
   r->job = (struct hsr_job){.world = r->setup.world,
                             .view = &r->view,
                             .prepared = r->setup.prepared,
-                            .option = r->setup.choice.option,
+                            .option = r->setup.choice.values.option,
                             .scratch = &r->scratch,
                             .tally = &r->tally,
                             .ids = r->ids,
@@ -585,7 +585,7 @@ static void try_claims(struct tap *tap, const struct both_worlds *s,
     try_view(s, &r, &noted, right, view, &f);
   }
   const struct prepared *prepared = r.setup.prepared;
-  bool sides = r.setup.choice.option[CUBES] == SIDES;
+  bool sides = r.setup.choice.values.option[CUBES] == SIDES;
   ok(tap, !f.differ && !f.not_alike,
      "%s, %s: %ld pictures as the z-buffer's, and as the noted ones",
      s->scene->name, text, f.pictures);

@@ -87,8 +87,8 @@ static struct drawn draw(const char *name, bool counting,
   if (hsr_setup_init(&setup, drawn.algorithm, &variant.choice, &stage->world,
                      &err))
     stop(name, err.text);
-  const struct hsr_filtering *filtering =
-      sums ? &variant.choice.filtering : NULL;
+  struct hsr_filtering own = hsr_form_filtering(&variant.choice.form);
+  const struct hsr_filtering *filtering = sums ? &own : NULL;
   for (int time = 0; time < 2 - counting; time++) {
     struct timespec from, to;
     struct hsr_job job = {.view = view,

@@ -30,7 +30,7 @@ static void stop(const char *name, const char *text) {
 /* An algorithm as chosen, ready for a world. */
 struct run {
   struct hsr_setup setup;
-  struct answer answer;
+  struct hsr_answer answer;
   uint64_t samples; /* written, as counted */
 };
 
@@ -60,11 +60,11 @@ static uint64_t count_of(const struct hsr_algorithm *a,
 static bool draw(struct run *r, const struct hsr_view *view, long threads) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_tally tally = {.out_of_memory = false};
-  if (answer_init(&r->answer, r->setup.algorithm, &r->setup.choice, view, &err))
+  if (answer_init(&r->answer, &r->setup, view, &err))
     stop(r->setup.algorithm->name, err.text);
-  if (r->answer.ids)
-    memset(r->answer.ids, 0xfe,
-           sizeof *r->answer.ids * (size_t)view->m * (size_t)view->n);
+  if (hsr_answer_ids_of(&r->answer))
+    memset(hsr_answer_ids_of(&r->answer), 0xfe,
+           sizeof(uint32_t) * (size_t)view->m * (size_t)view->n);
   enum hsr_status status =
       render_view(&r->setup, view, threads, &r->answer, &tally, NULL, &err);
   if (status && status != HSR_E_REFUSED)
@@ -120,8 +120,8 @@ static void try(const struct right *right, const struct hsr_world *world,
   for (uint32_t v = 0; v < right->n; v++) {
     if (!draw(&r, &right->view[v], threads))
       stop(name, "is refused");
-    long wrong =
-        count_differences(&right->view[v], r.answer.ids, right->ids[v]);
+    long wrong = count_differences(&right->view[v],
+                                   hsr_answer_ids_of(&r.answer), right->ids[v]);
     if (wrong)
       printf("# %s, view %u, %s, %ld threads: %ld wrong\n", name, v, text,
              threads, wrong);
@@ -131,7 +131,7 @@ static void try(const struct right *right, const struct hsr_world *world,
       found->samples += (long)M * N;
       found->written += (long)r.samples;
     }
-    answer_free(&r.answer);
+    hsr_answer_free(&r.answer);
   }
   hsr_setup_free(&r.setup);
 }
@@ -197,11 +197,12 @@ static void find_sums(const struct both_worlds *s, const char *text,
     snprintf(other, sizeof other, "zbuffer%s", strchr(text, ':'));
     if (!begin_run(&r, &s->world, other, false) || !draw(&r, view, 1))
       stop(other, "is refused");
-    memcpy(sums, r.answer.sums, 3 * sizeof *sums * COLUMNS * ROWS);
-    answer_free(&r.answer);
+    memcpy(sums, hsr_answer_sums_of(&r.answer),
+           3 * sizeof *sums * COLUMNS * ROWS);
+    hsr_answer_free(&r.answer);
   } else {
     if (!begin_run(&r, &s->world, "oracle", false) ||
-        judge_sums(&r.setup, &variant.choice.filtering, view, NULL, sums, &err))
+        judge_sums(&r.setup, &r.setup.filtering, view, NULL, sums, &err))
       stop("oracle", err.text);
   }
   hsr_setup_free(&r.setup);
@@ -227,14 +228,14 @@ static void test_filtered(struct tap *tap, const char *name, bool may_refuse) {
       long differ = 0;
       find_sums(&s, texts[k], &view, wanted);
       for (int p = 0; p < 3 * COLUMNS * ROWS; p++)
-        differ += r.answer.sums[p] != wanted[p];
+        differ += hsr_answer_sums_of(&r.answer)[p] != wanted[p];
       if (differ)
         printf("# %s, %s: %ld sums differ\n", name, texts[k], differ);
       wrong += differ;
       wrong += r.samples != 64 * COLUMNS * ROWS;
       pictures++;
     }
-    answer_free(&r.answer);
+    hsr_answer_free(&r.answer);
     hsr_setup_free(&r.setup);
   }
   ok(tap, !wrong && pictures + refused == 4 && (may_refuse || !refused),
@@ -262,13 +263,14 @@ static void test_tables(struct tap *tap, struct both_worlds *s, int side,
     if (!begin_run(&r, &s->world, text, true) || !draw(&r, &view, 1))
       stop(text, "is refused");
     share[k] =
-        (double)count_differences(&view, r.answer.ids, wanted) / side / side;
+        (double)count_differences(&view, hsr_answer_ids_of(&r.answer), wanted) /
+        side / side;
     falls &= share[k] > 0 && share[k] < 0.75 * before &&
              r.samples == (uint64_t)side * (uint64_t)side;
     before = share[k];
     printf("# %d x %d, K = %d: %.3f %% of samples wrong (%s)\n", side, side,
            intervals[k], 100 * share[k], noted[k]);
-    answer_free(&r.answer);
+    hsr_answer_free(&r.answer);
     hsr_setup_free(&r.setup);
   }
   free(wanted);
@@ -305,13 +307,14 @@ static void test_ties(struct tap *tap) {
       struct run r;
       if (!begin_run(&r, &s.world, text, false) || !draw(&r, &view, 1))
         stop(name, "is refused");
-      long differ = count_differences(&view, r.answer.ids, wanted);
+      long differ =
+          count_differences(&view, hsr_answer_ids_of(&r.answer), wanted);
       if (differ)
         printf("# %s, %d x %d, %s: %ld wrong\n", name, view.m, view.n, text,
                differ);
       wrong += differ;
       samples += (long)view.m * view.n;
-      answer_free(&r.answer);
+      hsr_answer_free(&r.answer);
       hsr_setup_free(&r.setup);
     }
     free(wanted);

@@ -21,7 +21,7 @@ static long chosen(const char *name) {
   const struct hsr_option *option = variant.listed->plain->options;
   for (int k = 0; option[k].name; k++)
     if (!strcmp(option[k].name, name))
-      return variant.choice.option[k];
+      return variant.choice.values.option[k];
   return -1;
 }
 
@@ -41,13 +41,13 @@ static bool all_parse(void) {
         snprintf(text, sizeof text, "%s:%s=%s", a->plain->name, option[k].name,
                  option[k].words[w].name);
         good &= parses(text) && variant.listed == a &&
-                variant.choice.option[k] == w;
+                variant.choice.values.option[k] == w;
       }
       for (int end = 0; !option[k].words && end < 2; end++) {
         long number = end ? option[k].most : option[k].least;
         snprintf(text, sizeof text, "%s:%s=%ld", a->plain->name, option[k].name,
                  number);
-        good &= parses(text) && variant.choice.option[k] == number;
+        good &= parses(text) && variant.choice.values.option[k] == number;
       }
     }
   }
@@ -71,21 +71,19 @@ static void test_good(struct tap *tap) {
      "a window, of any algorithm that draws faces");
   ok(tap,
      parses("zbuffer:filter=box") &&
-         variant.choice.filtering.filter == HSR_FILTER_BOX &&
-         !variant.choice.filtering.patterns &&
-         hsr_choice_kind(variant.listed->plain, &variant.choice) ==
-             HSR_FILTERED,
+         hsr_form_filtering(&variant.choice.form).filter == HSR_FILTER_BOX &&
+         !hsr_form_filtering(&variant.choice.form).patterns &&
+         variant.choice.form.type == &hsr_answer_filtered,
      "a filter makes another kind of picture");
   ok(tap,
      parses("hzbuffer:jitter=16:coherence=list:filter=cosine") &&
-         variant.choice.filtering.filter == HSR_FILTER_COSINE &&
-         variant.choice.filtering.patterns == 16,
+         hsr_form_filtering(&variant.choice.form).filter == HSR_FILTER_COSINE &&
+         hsr_form_filtering(&variant.choice.form).patterns == 16,
      "and jitter, in any order");
   ok(tap,
      parses("zbuffer:jitter=0:filter=box") &&
-         !variant.choice.filtering.patterns && parses("roberts") &&
-         hsr_choice_kind(variant.listed->plain, &variant.choice) ==
-             HSR_SEGMENTS,
+         !hsr_form_filtering(&variant.choice.form).patterns &&
+         parses("roberts") && variant.choice.form.type == HSR_SEGMENTS,
      "or none");
   ok(tap, all_parse(),
      "every word, and the ends of every number, of every "

@@ -28,12 +28,12 @@ int main(void) {
       hsr_setup_init(&setup, a, NULL, &worlds.world, NULL))
     abort();
   for (int threads = 1; threads <= 3; threads += 2) {
-    struct answer answer;
+    struct hsr_answer answer;
     struct ear ear = {0};
     static float work[M * N];
     struct hsr_trace trace = {.listen = listen, .context = &ear};
     struct hsr_tally tally = {.trace = &trace, .work = work, .work_stride = M};
-    if (answer_init(&answer, a, NULL, &view, NULL))
+    if (answer_init(&answer, &setup, &view, NULL))
       abort();
     struct crew *crew = crew_new(threads);
     ok(&tap, !crew_render(crew, &setup, &view, &answer, &tally, NULL),
@@ -52,7 +52,7 @@ int main(void) {
     if (threads == 1)
       ok(&tap, touched > 0, "the work picture: %g touches", touched);
     crew_free(crew);
-    answer_free(&answer);
+    hsr_answer_free(&answer);
   }
   hsr_setup_free(&setup);
   close_worlds(&worlds);

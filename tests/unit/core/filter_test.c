@@ -2,7 +2,7 @@
 /* What the filtered picture is made of (docs/filtered-picture.md): weights,
  * jitter, views of sub-samples, colours and sums. */
 #include "common/answers/filter.h"
-#include "common/answers/picture.h"
+#include "common/view/picture.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/answers/picture.h"
+#include "common/view/picture.h"
 
 #include <math.h>
 #include <stdlib.h>

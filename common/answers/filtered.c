@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Weighted sums of 8 x 8 samples a pixel: docs/filtered-picture.md. Two answers
+ * are equal if their sums are, to the last bit.
+ *
+ * Folded from ids: without jitter, from one picture of 8 m x 8 n samples; with
+ * it, from 64 pictures of m x n samples for each pattern (Haeberli and Akeley
+ * 1990). */
+#include "common/answers/answer.h"
+#include "common/files/image.h"
+#include "common/files/suffix.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The options of a form. */
+enum { FILTER, JITTER };
+
+static const struct hsr_word filters[] = {
+    {"box", "all of the pixel, alike", 0},
+    {"cosine", "a hump of one pixel's radius", 0},
+    {NULL}};
+
+static const struct hsr_option options[] = {
+    [FILTER] = {"filter", "the filtered picture of 8 x 8 samples a pixel",
+                .words = filters},
+    [JITTER] = {"jitter", "with filter: the samples jittered in N patterns",
+                .least = 0, .most = HSR_MOST_PATTERNS, .standard = 0},
+    {NULL}};
+
+struct hsr_filtering hsr_form_filtering(const struct hsr_form *form) {
+  static const enum hsr_filter filter[] = {HSR_FILTER_BOX, HSR_FILTER_COSINE};
+  if (form->type != &hsr_answer_filtered)
+    return (struct hsr_filtering){HSR_FILTER_NONE, 0};
+  return (struct hsr_filtering){filter[form->values.option[FILTER]],
+                                (int)form->values.option[JITTER]};
+}
+
+struct body {
+  struct hsr_kernel kernel;
+  uint32_t sums[]; /* 3 m n */
+};
+
+static size_t size_of_sums(const struct hsr_answer *answer) {
+  return 3 * (size_t)answer->m * (size_t)answer->n * sizeof(uint32_t);
+}
+
+uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer) {
+  struct body *body = answer->body;
+  return body && answer->form.type == &hsr_answer_filtered ? body->sums : NULL;
+}
+
+static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
+  struct body *body = calloc(1, sizeof *body + size_of_sums(answer));
+  answer->body = body;
+  if (!body)
+    return hsr_fail_nomem(err);
+  hsr_kernel_init(&body->kernel, hsr_form_filtering(&answer->form).filter);
+  return HSR_OK;
+}
+
+static void clear(struct hsr_answer *answer) {
+  memset(hsr_answer_sums_of(answer), 0, size_of_sums(answer));
+}
+
+static void free_body(struct hsr_answer *answer) {
+  free(answer->body);
+}
+
+/* --- Folding -------------------------------------------------------------- */
+
+enum { BITS = HSR_SUB * HSR_SUB };
+
+static long count_pictures(const struct hsr_form *form) {
+  int patterns = hsr_form_filtering(form).patterns;
+  return patterns ? (long)patterns * BITS : 1;
+}
+
+static enum hsr_status picture_view(const struct hsr_form *form,
+                                    const struct hsr_view *view, long k,
+                                    struct hsr_view *picture,
+                                    struct hsr_error *err) {
+  if (hsr_form_filtering(form).patterns) {
+    *picture = hsr_subsample_view(view, (int)(k / BITS), (int)(k % BITS));
+    return HSR_OK;
+  }
+  if (view->m > HSR_MAX_SIZE / HSR_SUB || view->n > HSR_MAX_SIZE / HSR_SUB)
+    return hsr_fail(err, HSR_E_REFUSED,
+                    "%d x %d pixels of %d x %d samples, without jitter: each "
+                    "side must be 1 to %d",
+                    view->m, view->n, HSR_SUB, HSR_SUB, HSR_MAX_SIZE / HSR_SUB);
+  return hsr_view_init(picture, &view->camera, HSR_SUB * view->m,
+                       HSR_SUB * view->n, err);
+}
+
+static void add(struct hsr_answer *answer, const struct hsr_world *world,
+                const struct hsr_view *view, long k) {
+  struct hsr_filtering filtering = hsr_form_filtering(&answer->form);
+  struct body *body = answer->body;
+  const uint32_t *ids = answer->picture->body;
+  if (filtering.patterns)
+    hsr_filter_add_subsample(&body->kernel, &filtering, world, view,
+                             (int)(k / BITS), (int)(k % BITS), ids, body->sums);
+  else
+    hsr_filter_add_picture(&body->kernel, world, view, ids, body->sums);
+}
+
+static const struct hsr_fold fold = {.of = &hsr_answer_ids,
+                                     .n = count_pictures,
+                                     .view = picture_view,
+                                     .add = add};
+
+/* --- Comparing ------------------------------------------------------------ */
+
+static void compare(const struct hsr_comparison *c,
+                    struct hsr_difference *difference) {
+  const uint32_t *got = hsr_answer_sums_of(c->got);
+  const uint32_t *wanted = hsr_answer_sums_of(c->wanted);
+  difference->compared = c->n;
+  for (size_t k = 0; k < c->n; k++) {
+    size_t s = c->place ? c->place[k] : k, m = (size_t)c->got->m;
+    const uint32_t *g = got + 3 * s, *w = wanted + 3 * s;
+    if (memcmp(g, w, 3 * sizeof *g) && !difference->differing++)
+      snprintf(difference->first, sizeof difference->first,
+               "pixels, the first (%zu, %zu): sums %u %u %u, not %u %u %u",
+               s % m, s / m, g[0], g[1], g[2], w[0], w[1], w[2]);
+  }
+}
+
+/* --- Showing -------------------------------------------------------------- */
+
+static enum hsr_status shade(const struct hsr_answer *answer,
+                             const struct hsr_showing *showing,
+                             struct hsr_shaded *shaded, struct hsr_error *err) {
+  struct hsr_filtering filtering = hsr_form_filtering(&answer->form);
+  (void)showing;
+  shaded->rgb =
+      malloc(3 * (size_t)answer->m * (size_t)answer->n * sizeof *shaded->rgb);
+  if (!shaded->rgb)
+    return hsr_fail_nomem(err);
+  hsr_filter_finish(&filtering, answer->m, answer->n,
+                    hsr_answer_sums_of(answer), shaded->rgb);
+  return HSR_OK;
+}
+
+static enum hsr_status write(const struct hsr_answer *answer,
+                             const struct hsr_showing *showing,
+                             struct hsr_shaded *shaded, const char *path,
+                             struct hsr_error *err) {
+  struct hsr_picture picture = {
+      .m = answer->m, .n = answer->n, .rgb = shaded->rgb};
+  return hsr_image_write(path, &picture, showing->text, err);
+}
+
+static bool fits(const char *path) {
+  return !hsr_is_line_file(path);
+}
+
+static void print(const struct hsr_answer *answer,
+                  const struct hsr_showing *showing, FILE *out) {
+  struct hsr_filtering filtering = hsr_form_filtering(&answer->form);
+  (void)showing;
+  fprintf(out, "%d x %d samples a pixel, %s", HSR_SUB, HSR_SUB,
+          filters[answer->form.values.option[FILTER]].name);
+  if (filtering.patterns)
+    fprintf(out, ", jittered in %d patterns", filtering.patterns);
+  putc('\n', out);
+}
+
+const struct hsr_answer_type hsr_answer_filtered = {
+    .name = "filtered",
+    .meaning = "weighted integer sums of 8 x 8 samples a pixel",
+    .draws = "filtered pixels",
+    .places = "pixels",
+    .grains = "pixels",
+    .options = options,
+    .fold = &fold,
+    .by_places = true,
+    .make = make,
+    .clear = clear,
+    .free = free_body,
+    .compare = compare,
+    .shade = shade,
+    .fits = fits,
+    .write = write,
+    .print = print};

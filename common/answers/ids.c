@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The visible face of every sample: docs/correct-picture.md. Two answers are
+ * equal if they are, sample for sample. */
+#include "common/answers/answer.h"
+#include "common/files/image.h"
+#include "common/files/suffix.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static size_t count_samples(const struct hsr_answer *answer) {
+  return (size_t)answer->m * (size_t)answer->n;
+}
+
+uint32_t *hsr_answer_ids_of(const struct hsr_answer *answer) {
+  return answer->form.type == &hsr_answer_ids ? answer->body : NULL;
+}
+
+struct hsr_answer hsr_answer_of_ids(uint32_t *ids, int m, int n) {
+  return (struct hsr_answer){
+      .form = hsr_form_standard(&hsr_answer_ids), .m = m, .n = n, .body = ids};
+}
+
+static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
+  size_t n = count_samples(answer);
+  uint32_t *ids = malloc(n * sizeof *ids);
+  for (size_t k = 0; ids && k < n; k++)
+    ids[k] = HSR_BACKGROUND;
+  answer->body = ids;
+  return ids ? HSR_OK : hsr_fail_nomem(err);
+}
+
+static void unset(struct hsr_answer *answer) {
+  memset(answer->body, 0xfe, count_samples(answer) * sizeof(uint32_t));
+}
+
+static void free_body(struct hsr_answer *answer) {
+  free(answer->body);
+}
+
+static void merge(struct hsr_answer *into, const struct hsr_answer *from,
+                  const struct hsr_window *w) {
+  uint32_t *to = into->body;
+  const uint32_t *ids = from->body;
+  for (int j = w->y0; j < w->y1; j++) {
+    size_t at = (size_t)j * (size_t)into->m + (size_t)w->x0;
+    memcpy(to + at, ids + at, (size_t)(w->x1 - w->x0) * sizeof *to);
+  }
+}
+
+/* --- Comparing ------------------------------------------------------------ */
+
+static void compare(const struct hsr_comparison *c,
+                    struct hsr_difference *difference) {
+  const uint32_t *got = c->got->body, *wanted = c->wanted->body;
+  difference->compared = c->n;
+  for (size_t k = 0; k < c->n; k++) {
+    size_t s = c->place ? c->place[k] : k, m = (size_t)c->got->m;
+    if (got[s] != wanted[s] && !difference->differing++)
+      snprintf(difference->first, sizeof difference->first,
+               "samples, the first (%zu, %zu): face %u, not %u", s % m, s / m,
+               got[s], wanted[s]);
+  }
+}
+
+/* The wanted picture, dim, with what differs in a bright orange. */
+static enum hsr_status show_difference(const struct hsr_comparison *c,
+                                       const struct hsr_showing *showing,
+                                       float *rgb, struct hsr_error *err) {
+  static const float mark[3] = {1.0f, .35f, 0.0f};
+  const uint32_t *got = c->got->body, *wanted = c->wanted->body;
+  (void)err;
+  hsr_picture_shade(showing->world, showing->view, wanted, HSR_SHADE_LAMBERT,
+                    rgb);
+  for (size_t k = 0; k < count_samples(c->got); k++)
+    for (size_t channel = 0; channel < 3; channel++)
+      rgb[3 * k + channel] =
+          got[k] != wanted[k] ? mark[channel] : .25f * rgb[3 * k + channel];
+  return HSR_OK;
+}
+
+/* --- Showing -------------------------------------------------------------- */
+
+static enum hsr_status shade(const struct hsr_answer *answer,
+                             const struct hsr_showing *showing,
+                             struct hsr_shaded *shaded, struct hsr_error *err) {
+  size_t n = count_samples(answer);
+  if (showing->depth)
+    shaded->depth = malloc(n * sizeof *shaded->depth);
+  shaded->rgb = malloc(3 * n * sizeof *shaded->rgb);
+  if ((showing->depth && !shaded->depth) || !shaded->rgb)
+    return hsr_fail_nomem(err);
+  if (showing->rgb)
+    memcpy(shaded->rgb, showing->rgb, 3 * n * sizeof *shaded->rgb);
+  return hsr_picture_finish(showing->world, showing->view, answer->body,
+                            showing->shading, shaded->depth,
+                            showing->rgb ? NULL : shaded->rgb, err);
+}
+
+/* The colours of s x s samples, averaged. */
+static void average(const struct hsr_answer *answer, int s, const float *rgb,
+                    float *averaged) {
+  int m = answer->m / s, n = answer->n / s;
+  for (int j = 0; j < n; j++)
+    for (int i = 0; i < m; i++)
+      for (int c = 0; c < 3; c++) {
+        double sum = 0;
+        for (int k = 0; k < s * s; k++)
+          sum += (double)rgb[3 * ((size_t)(j * s + k / s) * (size_t)answer->m +
+                                  (size_t)(i * s + k % s)) +
+                             (size_t)c];
+        averaged[3 * ((size_t)j * (size_t)m + (size_t)i) + (size_t)c] =
+            (float)(sum / (s * s));
+      }
+}
+
+static enum hsr_status write_averaged(const struct hsr_answer *answer,
+                                      const struct hsr_showing *showing,
+                                      const struct hsr_shaded *shaded,
+                                      const char *path, struct hsr_error *err) {
+  int s = showing->supersamples, m = answer->m / s, n = answer->n / s;
+  float *rgb = malloc(3 * (size_t)m * (size_t)n * sizeof *rgb);
+  if (!rgb)
+    return hsr_fail_nomem(err);
+  average(answer, s, shaded->rgb, rgb);
+  struct hsr_picture picture = {m, n, NULL, NULL, rgb};
+  enum hsr_status status = hsr_image_write(path, &picture, showing->text, err);
+  free(rgb);
+  return status;
+}
+
+static enum hsr_status write(const struct hsr_answer *answer,
+                             const struct hsr_showing *showing,
+                             struct hsr_shaded *shaded, const char *path,
+                             struct hsr_error *err) {
+  if (showing->supersamples > 1)
+    return write_averaged(answer, showing, shaded, path, err);
+  struct hsr_picture picture = {answer->m, answer->n, answer->body,
+                                shaded->depth, shaded->rgb};
+  return hsr_image_write(path, &picture, showing->text, err);
+}
+
+static bool fits(const char *path) {
+  return !hsr_is_line_file(path);
+}
+
+static void print(const struct hsr_answer *answer,
+                  const struct hsr_showing *showing, FILE *out) {
+  const uint32_t *ids = answer->body;
+  size_t n = count_samples(answer), covered = 0;
+  (void)showing;
+  for (size_t k = 0; k < n; k++)
+    covered += ids[k] != HSR_BACKGROUND;
+  fprintf(out, "%.1f %% covered\n", 100.0 * (double)covered / (double)n);
+}
+
+const struct hsr_answer_type hsr_answer_ids = {
+    .name = "ids",
+    .meaning = "the visible face of every sample",
+    .draws = "faces",
+    .places = "samples",
+    .grains = "samples",
+    .by_windows = true,
+    .by_places = true,
+    .takes = 1 << HSR_SHADING | 1 << HSR_SUPERSAMPLES,
+    .make = make,
+    .unset = unset,
+    .free = free_body,
+    .merge = merge,
+    .compare = compare,
+    .show_difference = show_difference,
+    .shade = shade,
+    .fits = fits,
+    .write = write,
+    .print = print};

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Every edge in intervals of one quantitative invisibility:
+ * docs/correct-drawing.md. Two answers are equal if they are, edge for edge. */
+#include "common/answers/answer.h"
+#include "common/files/image.h"
+#include "common/files/mesh/exchange.h"
+#include "common/files/plot.h"
+#include "common/files/suffix.h"
+#include "common/lines/crease.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer) {
+  return answer->form.type == &hsr_answer_segments ? answer->body : NULL;
+}
+
+static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
+  answer->body = calloc(1, sizeof(struct hsr_drawing));
+  return answer->body ? HSR_OK : hsr_fail_nomem(err);
+}
+
+static void clear(struct hsr_answer *answer) {
+  hsr_drawing_clear(answer->body);
+}
+
+static void free_body(struct hsr_answer *answer) {
+  hsr_drawing_free(answer->body);
+  free(answer->body);
+}
+
+/* --- Comparing ------------------------------------------------------------ */
+
+static void compare(const struct hsr_comparison *c,
+                    struct hsr_difference *difference) {
+  struct hsr_drawing_difference found;
+  hsr_drawing_compare(c->got->body, c->wanted->body, c->coarse, &found);
+  difference->compared = found.edges;
+  difference->differing = found.differing;
+  const struct hsr_edge_name *e = &found.first;
+  if (found.differing && e->implied)
+    snprintf(difference->first, sizeof difference->first,
+             "edges, the first the implied one of faces %u and %u, number %u",
+             e->a, e->b, e->part);
+  else if (found.differing)
+    snprintf(difference->first, sizeof difference->first,
+             "edges, the first from vertex %u to %u", e->a, e->b);
+}
+
+/* --- Showing -------------------------------------------------------------- */
+
+static enum hsr_status trim(struct hsr_answer *answer,
+                            const struct hsr_showing *showing,
+                            struct hsr_error *err) {
+  if (showing->crease < 0)
+    return HSR_OK;
+  return hsr_drawing_crease(answer->body, showing->world, showing->view,
+                            showing->crease, err);
+}
+
+static enum hsr_status write_image(const struct hsr_plot *plot,
+                                   const char *path, const char *text,
+                                   struct hsr_error *err) {
+  struct hsr_picture image = {plot->m, plot->n, NULL, NULL, NULL};
+  float *rgb = malloc(3 * (size_t)plot->m * (size_t)plot->n * sizeof *rgb);
+  if (!rgb)
+    return hsr_fail_nomem(err);
+  image.rgb = rgb;
+  enum hsr_status status = hsr_plot_raster(plot, rgb, err);
+  if (!status)
+    status = hsr_image_write(path, &image, text, err);
+  free(rgb);
+  return status;
+}
+
+static enum hsr_status write_plot(const struct hsr_plot *plot, const char *path,
+                                  const char *text, struct hsr_error *err) {
+  if (hsr_ends_in(path, ".svg"))
+    return hsr_plot_write_svg(plot, path, err);
+  if (hsr_ends_in(path, ".pdf"))
+    return hsr_plot_write_pdf(plot, path, err);
+  return write_image(plot, path, text, err);
+}
+
+/* .vtp holds all intervals, in world space; the others are paper. */
+static enum hsr_status write(const struct hsr_answer *answer,
+                             const struct hsr_showing *showing,
+                             struct hsr_shaded *shaded, const char *path,
+                             struct hsr_error *err) {
+  (void)shaded;
+  if (hsr_ends_in(path, ".vtp"))
+    return hsr_drawing_write_vtp(answer->body, path, err);
+  struct hsr_plot plot;
+  enum hsr_status status = hsr_plot_init(&plot, answer->body, showing->world,
+                                         showing->view, showing->hidden, err);
+  plot.title = showing->title;
+  plot.description = showing->description;
+  if (!status)
+    status = write_plot(&plot, path, showing->text, err);
+  hsr_plot_free(&plot);
+  return status;
+}
+
+static bool fits(const char *path) {
+  (void)path;
+  return true;
+}
+
+/* On the paper, pixels. */
+static double length(const struct hsr_segment *segment,
+                     const struct hsr_view *view) {
+  double from[2], to[2];
+  return hsr_plot_point(view, segment->from, from) &&
+                 hsr_plot_point(view, segment->to, to)
+             ? hypot(to[0] - from[0], to[1] - from[1])
+             : 0;
+}
+
+static void print(const struct hsr_answer *answer,
+                  const struct hsr_showing *showing, FILE *out) {
+  const struct hsr_drawing *drawing = answer->body;
+  size_t edges = 0;
+  double visible = 0, all = 0;
+  for (size_t k = 0; k < drawing->n; k++) {
+    const struct hsr_segment *segment = &drawing->segment[k];
+    double part = length(segment, showing->view);
+    all += part;
+    visible += segment->invisibility ? 0 : part;
+    edges += !k || hsr_edge_name_compare(&segment->edge, &segment[-1].edge);
+  }
+  fprintf(out, "%zu edges, %zu intervals, %.1f %% of their length visible\n",
+          edges, drawing->n, all > 0 ? 100 * visible / all : 0);
+}
+
+const struct hsr_answer_type hsr_answer_segments = {
+    .name = "segments",
+    .meaning = "every edge in intervals of one quantitative invisibility",
+    .draws = "lines",
+    .places = "edges",
+    .grains = "samples",
+    .takes = 1 << HSR_LINES,
+    .make = make,
+    .clear = clear,
+    .free = free_body,
+    .compare = compare,
+    .trim = trim,
+    .fits = fits,
+    .write = write,
+    .print = print};

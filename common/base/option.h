@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Choices that an algorithm, or a kind of answer, leaves to its user. */
+#ifndef HSR_COMMON_BASE_OPTION_H
+#define HSR_COMMON_BASE_OPTION_H
+
+#include "common/base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A word that an option may be. */
+struct hsr_word {
+  const char *name;    /* [a-z0-9-]+, "faces"; NULL ends a list */
+  const char *meaning; /* "scan-converted, as in 1993" */
+  unsigned flags;      /* of an algorithm's option: what choosing it adds to the
+                     algorithm's flags */
+};
+
+/* One choice: a word of a list, a whole number, or a real number. */
+struct hsr_option {
+  const char *name;             /* [a-z0-9-]+, "cubes" */
+  const char *meaning;          /* "how the faces of a cube are tested" */
+  const struct hsr_word *words; /* what it may be; NULL: a whole number, */
+  long least, most;             /* from least to most */
+  long standard;                /* the whole number, or which word */
+  bool real; /* instead, a real number from real_least to real_most */
+  double real_least, real_most, real_standard;
+};
+
+/* What was chosen, for each option: the number of its word, or its number. */
+#define HSR_MAX_OPTIONS 24
+struct hsr_values {
+  long option[HSR_MAX_OPTIONS];
+  double real[HSR_MAX_OPTIONS]; /* of options that are real */
+};
+
+/* The standard values of a list of options, which NULL or a name NULL ends. */
+struct hsr_values hsr_values_standard(const struct hsr_option *options);
+
+/* A stretch of a user's text. */
+struct hsr_stretch {
+  const char *text;
+  size_t n;
+};
+bool hsr_is_word(struct hsr_stretch stretch, const char *word);
+
+/* The whole decimal number from 0 on that fills the stretch; false if it is
+ * none. */
+bool hsr_parse_whole(struct hsr_stretch stretch, long *number);
+
+/* Chooses option k of the list by a user's words. `text` is what an error
+ * begins with. HSR_E_USAGE: the option cannot be that. */
+enum hsr_status hsr_values_choose(struct hsr_values *values,
+                                  const struct hsr_option *options, int k,
+                                  struct hsr_stretch value, const char *text,
+                                  struct hsr_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

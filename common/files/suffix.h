@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a file's name says of its format. */
+#ifndef HSR_COMMON_FILES_SUFFIX_H
+#define HSR_COMMON_FILES_SUFFIX_H
+
+#include <stdbool.h>
+#include <string.h>
+#include <strings.h>
+
+/* Whether `path` ends in `suffix`, ".svg", whatever the case of its letters. */
+static inline bool hsr_ends_in(const char *path, const char *suffix) {
+  const char *dot = strrchr(path, '.');
+  return dot && !strcasecmp(dot, suffix);
+}
+
+/* Whether only a line drawing is written to a file of this name. */
+static inline bool hsr_is_line_file(const char *path) {
+  return hsr_ends_in(path, ".svg") || hsr_ends_in(path, ".pdf") ||
+         hsr_ends_in(path, ".vtp");
+}
+
+#endif
