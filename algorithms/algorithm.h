@@ -225,7 +225,8 @@ struct hsr_listed {
   const struct hsr_algorithm *plain, *counting;
 };
 
-/* All algorithms in the order of list.def, ended by .plain == NULL. */
+/* All that can be named, ended by .plain == NULL: the program's own list, or that
+ * of bench/registry.c, the oracles before the algorithms of list.def. */
 extern const struct hsr_listed hsr_algorithms[];
 
 /* The listed algorithm of that name, or NULL. */

@@ -55,6 +55,7 @@ tap_programs = \
   %D%/sweep/schema_test \
   %D%/sweep/sweep_test
 tap_scripts = \
+  %D%/answers/layers.test \
   %D%/command.test \
   %D%/peers.test \
   %D%/bad/bad_input.test \
@@ -67,7 +68,7 @@ if WITH_VTK
 tap_programs += %D%/unit/files/vtp_test
 endif
 
-check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures
+check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers
 dist_check_SCRIPTS += $(tap_scripts)
 TESTS += $(tap_programs) $(tap_scripts)
 
@@ -178,6 +179,11 @@ nodist_EXTRA_%C%_unit_bench_figures_test_SOURCES = force_cxx_link.cc
 %C%_sweep_hsr_fixtures_SOURCES = bench/hsr.c %D%/sweep/fixtures.c
 %C%_sweep_hsr_fixtures_LDADD = $(BENCH_LIBS)
 nodist_EXTRA_%C%_sweep_hsr_fixtures_SOURCES = force_cxx_link.cc
+# The command with a kind of answer of its own.
+%C%_answers_hsr_layers_SOURCES = bench/hsr.c %D%/answers/layers.c \
+  %D%/answers/lists.c
+%C%_answers_hsr_layers_LDADD = $(BENCH_LIBS)
+nodist_EXTRA_%C%_answers_hsr_layers_SOURCES = force_cxx_link.cc
 sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
 %C%_sweep_check_test_SOURCES = %D%/sweep/check_test.c $(sweeping)
 %C%_sweep_check_test_LDADD = $(BENCH_LIBS)

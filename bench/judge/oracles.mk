@@ -3,3 +3,4 @@
 algorithm_files += \
   %D%/line_oracle.cc \
   %D%/oracle.cc
+libhsr_a_SOURCES += bench/registry.c %D%/list.def

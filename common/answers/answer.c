@@ -4,12 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct hsr_answer_type *const hsr_answer_types[] = {
-#define HSR_ANSWER(id) &hsr_answer_##id,
-#include "common/answers/list.def"
-#undef HSR_ANSWER
-    NULL};
-
 int hsr_answer_number(const struct hsr_answer_type *type) {
   int k = 0;
   while (hsr_answer_types[k] && hsr_answer_types[k] != type)

@@ -166,7 +166,7 @@ struct hsr_answer_type {
 #include "common/answers/list.def"
 #undef HSR_ANSWER
 
-/* All kinds in the order of list.def, ended by NULL. */
+/* All kinds, ended by NULL: the program's own list, or that of list.def. */
 extern const struct hsr_answer_type *const hsr_answer_types[];
 
 /* The number of a kind among them. */

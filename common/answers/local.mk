@@ -8,4 +8,5 @@ libhsr_a_SOURCES += \
   %D%/filter.c \
   %D%/filtered.c \
   %D%/ids.c \
+  %D%/list.c \
   %D%/segments.c

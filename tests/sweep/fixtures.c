@@ -281,10 +281,3 @@ const struct hsr_listed hsr_algorithms[] = {
     BOTH(same_3),
     BOTH(same_4),
     {NULL, NULL}};
-
-const struct hsr_listed *hsr_algorithm_find(const char *name) {
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
-    if (!strcmp(a->plain->name, name))
-      return a;
-  return NULL;
-}

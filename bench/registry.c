@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* All that can be named: the oracles, then the algorithms. */
+#include "algorithms/algorithm.h"
+
+#define HSR_LISTED(id)                                                         \
+  extern const struct hsr_algorithm hsr_algorithm_##id, hsr_counting_##id;
+#include "bench/judge/list.def"
+#include "algorithms/list.def"
+#undef HSR_LISTED
+
+const struct hsr_listed hsr_algorithms[] = {
+#define HSR_LISTED(id) {&hsr_algorithm_##id, &hsr_counting_##id},
+#include "bench/judge/list.def"
+#include "algorithms/list.def"
+#undef HSR_LISTED
+    {NULL, NULL}};
