@@ -20,8 +20,8 @@ static void put_into_bucket(struct hsr_scan *s, struct hsr_scan_edge edge,
   edge.next = *bucket;
   *bucket = s->n_edges;
   s->edge[s->n_edges++] = edge;
-  HSR_STEP9(s->tally, HSR_Y_SORT, HSR_SORT, edge.face, *bucket, w->x0, row,
-            w->x1, edge.end_row);
+  HSR_STEP(s->tally, HSR_Y_SORT, hsr_scan_subject(&edge), HSR_NOTHING,
+           hsr_window_make(w->x0, row, w->x1, edge.end_row), 0);
 }
 
 static void sort_edges(struct hsr_scan *s, const struct hsr_piece *piece,
@@ -112,7 +112,16 @@ void hsr_scan_sort(struct hsr_scan *s, const struct hsr_window *window,
 
 /* --- X sort --------------------------------------------------------------- */
 
-/* Of all ends of a piece, the first time that one is asked for on the row. */
+/* A step on row j with two edges. */
+static inline void step(const struct hsr_scan *s, int counter,
+                        const struct hsr_scan_edge *a,
+                        const struct hsr_scan_edge *b, int outcome, int j) {
+  HSR_STEP(s->tally, counter, hsr_scan_subject(a), hsr_scan_subject(b),
+           HSR_ON(s->window->x0, s->window->x1, j), outcome);
+}
+
+/* Finds the columns of all ends of a piece, when the first of them is asked for
+ * on the row. */
 static void find_cut_columns(struct hsr_scan *s, struct hsr_scan_cut *cut,
                              int j) {
   if (cut->row == j)
@@ -153,9 +162,10 @@ static void take_bucket(struct hsr_scan *s, int j) {
     find_column(s, &s->edge[e], j);
     uint32_t k = s->n_entering++;
     for (; k; k--) {
-      HSR_STEP9(s->tally, HSR_X_MERGE, HSR_COMPARE, e, s->entering[k - 1], 0, j,
-                0, j + 1);
-      if (s->edge[s->entering[k - 1]].column <= s->edge[e].column)
+      const struct hsr_scan_edge *other = &s->edge[s->entering[k - 1]];
+      bool left = other->column > s->edge[e].column;
+      step(s, HSR_X_MERGE, &s->edge[e], other, left, j);
+      if (!left)
         break;
       s->entering[k] = s->entering[k - 1];
     }
@@ -169,18 +179,18 @@ static void merge_x(struct hsr_scan *s, int j) {
   uint32_t to = s->n_list += s->n_entering;
   while (entering) {
     uint32_t e = s->entering[entering - 1];
-    bool stays = false;
+    bool left = false;
     if (from) {
-      HSR_STEP9(s->tally, HSR_X_MERGE, HSR_COMPARE, e, s->list[from - 1], 0, j,
-                0, j + 1);
-      stays = s->edge[s->list[from - 1]].column > s->edge[e].column;
+      const struct hsr_scan_edge *other = &s->edge[s->list[from - 1]];
+      left = other->column > s->edge[e].column;
+      step(s, HSR_X_MERGE, &s->edge[e], other, left, j);
     }
-    s->list[--to] = stays ? s->list[--from] : e;
-    entering -= !stays;
+    s->list[--to] = left ? s->list[--from] : e;
+    entering -= !left;
   }
 }
 
-/* Bubble sort, each edge sinking to its place among those before it. */
+/* Bubble sort: each edge moves to the left, past the edges right of it. */
 static void sort_x(struct hsr_scan *s, int j) {
   const struct hsr_scan_edge *edge = s->edge;
   uint32_t *list = s->list, n_list = s->n_list;
@@ -188,11 +198,12 @@ static void sort_x(struct hsr_scan *s, int j) {
     uint32_t e = list[n], k = n;
     int column = edge[e].column;
     for (; k; k--) {
-      HSR_STEP9(s->tally, HSR_X_SORT, HSR_COMPARE, e, list[k - 1], 0, j, 0,
-                j + 1);
-      if (edge[list[k - 1]].column <= column)
+      const struct hsr_scan_edge *other = &edge[list[k - 1]];
+      bool left = other->column > column;
+      step(s, HSR_X_SORT, &edge[e], other, left, j);
+      if (!left)
         break;
-      HSR_COUNT(s->tally, HSR_X_SORT, 10);
+      step(s, HSR_X_INTERCHANGES, &edge[e], other, 0, j);
       list[k] = list[k - 1];
     }
     list[k] = e;
@@ -201,8 +212,8 @@ static void sort_x(struct hsr_scan *s, int j) {
 
 /* --- Penetration ---------------------------------------------------------- */
 
-/* Looks first on both sides of where the two planes meet by their coefficients,
- * then halves. */
+/* The first two looks are on both sides of the place where the planes meet, as
+ * their coefficients say; the further ones halve what is left. */
 int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
                       bool f_first, int left, int right, int j, int counter) {
   const struct hsr_view *view = scan->job->view;
@@ -217,9 +228,10 @@ int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
     if (n > 1 || look <= lo || look >= hi)
       look = lo + (hi - lo) / 2;
     HSR_TOUCH(scan->tally, look, j);
-    HSR_STEP9(scan->tally, counter, HSR_COMPARE, f, g, look, j, look + 1,
-              j + 1);
-    if (hsr_nearer(&scan->screen, f, g, look, j, scan->tally) == f_first)
+    bool nearer = hsr_nearer(&scan->screen, f, g, look, j, scan->tally);
+    HSR_STEP(scan->tally, counter, HSR_FACE(f), HSR_FACE(g), HSR_AT(look, j),
+             nearer);
+    if (nearer == f_first)
       lo = look++;
     else
       hi = look--;

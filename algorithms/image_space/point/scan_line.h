@@ -126,32 +126,60 @@ void hsr_scan_add(struct hsr_scan *scan, const struct hsr_piece *piece,
 void hsr_scan_advance(struct hsr_scan *scan, int j);
 
 /* Where two faces penetrate on row j: the first of the samples [left, right)
- * at which the order of their planes is not that of the sample `left`; at the
+ * at which the order of their planes is not that of the sample `left`. At the
  * last one it is not. f_first: f is nearer at `left`. 1/t is linear along the
- * row, so that there is one such place. Each comparison of depths adds one to
- * the counter. */
+ * row, so there is one such place. Each comparison of depths is a step of
+ * `counter`, with f and g as subjects; outcome 1: f is nearer. */
 int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
                       bool f_first, int left, int right, int j, int counter);
+
+/* --- Counters ------------------------------------------------------------- */
+
+/* An edge as the subject of a step. An edge that stands for an end of a cut
+ * face, or of a piece of a face, has no vertices. */
+static inline struct hsr_subject
+hsr_scan_subject(const struct hsr_scan_edge *edge) {
+  return edge->cut == HSR_NOT_CUT
+             ? HSR_EDGE(edge->line.a, edge->line.b, edge->face)
+             : HSR_EDGE(HSR_NO_ID, HSR_NO_ID, edge->face);
+}
 
 /* The counters that these keep, in their order; an algorithm's own begin at
  * HSR_N_SCAN_COUNTERS. Inside another algorithm they begin at `first`, and bear
  * the prefix `of`. */
-enum { HSR_Y_SORT, HSR_X_MERGE, HSR_X_SORT, HSR_N_SCAN_COUNTERS };
+enum {
+  HSR_Y_SORT,
+  HSR_X_MERGE,
+  HSR_X_SORT,
+  HSR_X_INTERCHANGES,
+  HSR_N_SCAN_COUNTERS
+};
 #define HSR_SCAN_COUNTERS_IN(of)                                               \
-  {of "Y sort", "edges put into Y buckets"},                                   \
-      {of "X merge", "comparisons to merge entering edges into the list"}, {   \
-    of "X sort", "comparisons, and ten more for each interchange"              \
+  {of "Y sort", "edges put into Y buckets", HSR_SORT, HSR_OF_EDGE,             \
+   HSR_OF_NOTHING},                                                            \
+      {of "X merge", "comparisons to merge entering edges into the list",      \
+       HSR_COMPARE,  HSR_OF_EDGE,                                              \
+       HSR_OF_EDGE,  "to the right|to the left"},                              \
+      {of "X sort", "comparisons of an edge with the one before it",           \
+       HSR_COMPARE, HSR_OF_EDGE,                                               \
+       HSR_OF_EDGE, "to the right|to the left"},                               \
+  {                                                                            \
+    of "X interchanges", "interchanges of two neighbours in the list",         \
+        HSR_SORT, HSR_OF_EDGE, HSR_OF_EDGE                                     \
   }
 #define HSR_SCAN_COUNTERS HSR_SCAN_COUNTERS_IN("")
 
-/* The same for the arrays of steps and sorts. */
+/* The same for the arrays of steps and sorts. An interchange costs as much as
+ * ten comparisons. */
 #define HSR_SCAN_STEPS_IN(first, of)                                           \
-  {of "Y sort", first + HSR_Y_SORT, 1, "E_r", hsr_predict_y_sort},             \
-      {of "X merge", first + HSR_X_MERGE, 1, "E_r S_l / 2",                    \
+  {of "Y sort", (first) + HSR_Y_SORT, 1, "E_r", hsr_predict_y_sort},           \
+      {of "X merge", (first) + HSR_X_MERGE, 1, "E_r S_l / 2",                  \
        hsr_predict_x_merge},                                                   \
   {                                                                            \
-    of "X sort", first + HSR_X_SORT, 1, "n (S_l + 10 X_r / (n S_l))",          \
-        hsr_predict_x_sort                                                     \
+    of "X sort", (first) + HSR_X_SORT, 1, "n (S_l + 10 X_r / (n S_l))",        \
+        hsr_predict_x_sort, {                                                  \
+      { (first) + HSR_X_INTERCHANGES, 10 }                                     \
+    }                                                                          \
   }
 #define HSR_SCAN_STEPS HSR_SCAN_STEPS_IN(0, "")
 #define HSR_SCAN_SORTS                                                         \
@@ -159,6 +187,25 @@ enum { HSR_Y_SORT, HSR_X_MERGE, HSR_X_SORT, HSR_N_SCAN_COUNTERS };
       {"edges", "X", "merge", "as they enter"}, {                              \
     "edges", "X", "bubble sort", "once a scan line"                            \
   }
+
+/* And for the outline: its first lines, `in` blanks deep. What follows is done
+ * on each scan line. */
+#define HSR_SCAN_LINES_IN(first, in)                                           \
+  {in "put each edge into the Y bucket of its first scan line",                \
+   HSR_RAISES((first) + HSR_Y_SORT)},                                          \
+      {in "for each scan line"},                                               \
+      {in "  delete the edges that exit from the X sort list"},                \
+      {in "  merge the edges of the Y bucket into the X sort list",            \
+       HSR_RAISES((first) + HSR_X_MERGE)},                                     \
+      {in "  bubble sort: compare each edge with the one before it",           \
+       HSR_RAISES((first) + HSR_X_SORT)},                                      \
+  {                                                                            \
+    in "    interchange them if they are out of order",                        \
+        HSR_RAISES((first) + HSR_X_INTERCHANGES)                               \
+  }
+#define HSR_SCAN_LINES HSR_SCAN_LINES_IN(0, "")
+
+/* --- Predictions ---------------------------------------------------------- */
 
 static inline double hsr_predict_y_sort(const struct hsr_table1 *t) {
   return t->E_r;

@@ -16,14 +16,13 @@
  *             of scan_line.h */
 #include "algorithms/image_space/point/watkins.h"
 
-static const struct hsr_counter counters[] = {HSR_WATKINS_COUNTERS(""),
-                                              {NULL, NULL}};
+static const struct hsr_counter counters[] = {HSR_WATKINS_COUNTERS(""), {NULL}};
 
-static const struct hsr_step steps[] = {HSR_WATKINS_STEPS(0, ""),
-                                        {NULL, 0, 0, NULL, NULL}};
+static const struct hsr_step steps[] = {HSR_WATKINS_STEPS(0, ""), {NULL}};
 
-static const struct hsr_sort sorts[] = {HSR_WATKINS_SORTS,
-                                        {NULL, NULL, NULL, NULL}};
+static const struct hsr_sort sorts[] = {HSR_WATKINS_SORTS, {NULL}};
+
+static const struct hsr_line outline[] = {HSR_WATKINS_LINES(0, ""), {NULL}};
 
 /* No segment. */
 static const uint32_t NONE = UINT32_MAX;
@@ -109,12 +108,14 @@ static bool narrow(struct part *p, int l, int r) {
   return true;
 }
 
-/* Which of two segments is nearer at the first sample of [l, r), and how far
- * that holds: the answer is true for [l, *end). Where the farthest end of one
- * part is nearer than the nearest end of the other, no more need be known; else
- * the longer part is divided at its midpoint, and the samples with them once
- * they straddle both midpoints. A single sample is left to the exact
- * comparison. */
+/* Outcomes of a comparison of two segments, as HSR_DEPTH_SEARCH names them. */
+enum order { UNDECIDED, FARTHER, NEARER };
+
+/* Is f nearer than g at the first sample of [l, r)? The answer holds for
+ * [l, *end). If the farthest end of one part is nearer than the nearest end of
+ * the other, that decides. Otherwise the longer part is divided at its
+ * midpoint. If the samples lie on both sides of both midpoints, they are
+ * divided too. A single sample is left to the exact comparison. */
 static bool first_is_nearer(struct hsr_watkins *s,
                             const struct hsr_watkins_segment *f, struct part pf,
                             const struct hsr_watkins_segment *g, struct part pg,
@@ -122,18 +123,22 @@ static bool first_is_nearer(struct hsr_watkins *s,
   double margin = f->error + g->error;
   for (;;) {
     HSR_TOUCH_SPAN(s->tally, l, r, j);
-    HSR_STEP9(s->tally, HSR_DEPTH_SEARCH, HSR_COMPARE, f->face, g->face, l, j,
-              r, j + 1);
     *end = r;
-    if (farthest(pf) - nearest(pg) > margin)
-      return true;
-    if (farthest(pg) - nearest(pf) > margin)
-      return false;
-    if (r - l == 1)
-      return hsr_nearer(&s->edges.screen, f->face, g->face, l, j, s->tally);
-    HSR_STEP9(s->tally, HSR_DEPTH_DIVISIONS, HSR_SUBDIVIDE, f->face, g->face, l,
-              j, r, j + 1);
+    enum order order =
+        farthest(pf) - nearest(pg) > margin   ? NEARER
+        : farthest(pg) - nearest(pf) > margin ? FARTHER
+        : r - l > 1                           ? UNDECIDED
+        : hsr_nearer(&s->edges.screen, f->face, g->face, l, j, s->tally)
+            ? NEARER
+            : FARTHER;
+    HSR_STEP(s->tally, HSR_DEPTH_SEARCH, HSR_FACE(f->face), HSR_FACE(g->face),
+             HSR_ON(l, r, j), (int)order);
+    if (order != UNDECIDED)
+      return order == NEARER;
     bool f_is_longer = pf.x1 - pf.x0 >= pg.x1 - pg.x0;
+    HSR_STEP(s->tally, HSR_DEPTH_DIVISIONS,
+             HSR_FACE((f_is_longer ? f : g)->face),
+             HSR_FACE((f_is_longer ? g : f)->face), HSR_ON(l, r, j), 0);
     if (!narrow(f_is_longer ? &pf : &pg, l, r) &&
         !narrow(f_is_longer ? &pg : &pf, l, r))
       break;
@@ -151,7 +156,7 @@ static bool first_is_nearer(struct hsr_watkins *s,
   return nearer;
 }
 
-/* The last step, for whole segments; faces of one plane need no search. */
+/* The last step, for whole segments. Faces of one plane need no search. */
 static bool is_nearer(struct hsr_watkins *s,
                       const struct hsr_watkins_segment *f,
                       const struct hsr_watkins_segment *g, int l, int r, int j,
@@ -172,8 +177,9 @@ static int least(int a, int b) {
   return a < b ? a : b;
 }
 
-/* The visible one of the segments that reach over `left`; none, if there is
- * none. *right is moved to where that, or its segment, ends. */
+/* The visible one of the segments that reach over `left`; NULL if there is
+ * none. *right moves to the left, as far as the segment is known to be visible.
+ */
 static const struct hsr_watkins_segment *
 search_depth(struct hsr_watkins *s, int left, int *right, int j) {
   const struct hsr_watkins_segment *visible = NULL;
@@ -187,7 +193,7 @@ search_depth(struct hsr_watkins *s, int left, int *right, int j) {
     int both = least(*right, segment->x1), end;
     if (is_nearer(s, segment, visible, left, both, j, &end))
       visible = segment;
-    /* Beyond the segment's own end the old one is visible still. */
+    /* Beyond the segment's own end the old one is still visible. */
     if (visible == segment || end < both)
       *right = end;
   }
@@ -195,16 +201,18 @@ search_depth(struct hsr_watkins *s, int left, int *right, int j) {
 }
 
 /* Moves *right to the left end of the first segment that begins within the span
- * and does not lie behind the visible one. *next is the first segment not yet
- * under the span. */
+ * and is not behind the visible one. `next` is the first segment that is not yet
+ * in under[]. */
 static void float_right(struct hsr_watkins *s,
                         const struct hsr_watkins_segment *visible,
-                        uint32_t next, int *right, int j) {
+                        uint32_t next, int left, int *right, int j) {
+  (void)left; /* where the span begins: for the trace */
   for (uint32_t k = next; k < s->n_segments; k++) {
     const struct hsr_watkins_segment *segment = &s->segment[k];
-    HSR_STEP9(s->tally, HSR_SPAN_CULL, HSR_COMPARE, segment->face, HSR_NO_ID,
-              segment->x0, j, *right, j + 1);
-    if (segment->x0 >= *right)
+    bool begins_inside = segment->x0 < *right;
+    HSR_STEP(s->tally, HSR_SPAN_CULL, HSR_FACE(segment->face), HSR_THE_WINDOW,
+             HSR_ON(left, *right, j), begins_inside);
+    if (!begins_inside)
       return;
     if (segment->x0 == segment->x1)
       continue;
@@ -216,22 +224,25 @@ static void float_right(struct hsr_watkins *s,
   }
 }
 
-/* Brings under[] up to date for a span that begins at `left`. */
+/* Brings under[] up to date for a span that begins at `left`. Returns the first
+ * segment that is not in it yet. */
 static uint32_t enter_span(struct hsr_watkins *s, int left, uint32_t next,
                            int j) {
   uint32_t kept = 0;
   for (uint32_t k = 0; k < s->n_under; k++) {
-    HSR_STEP9(s->tally, HSR_SPAN_CULL, HSR_COMPARE,
-              s->segment[s->under[k]].face, HSR_NO_ID, left, j, left + 1,
-              j + 1);
-    if (s->segment[s->under[k]].x1 > left)
+    const struct hsr_watkins_segment *segment = &s->segment[s->under[k]];
+    bool inside = segment->x1 > left;
+    HSR_STEP(s->tally, HSR_SPAN_CULL, HSR_FACE(segment->face), HSR_THE_WINDOW,
+             HSR_AT(left, j), inside);
+    if (inside)
       s->under[kept++] = s->under[k];
   }
   s->n_under = kept;
   for (; next < s->n_segments && s->segment[next].x0 <= left; next++) {
-    HSR_STEP9(s->tally, HSR_SPAN_CULL, HSR_ACTIVATE, s->segment[next].face,
-              HSR_NO_ID, left, j, left + 1, j + 1);
-    if (s->segment[next].x1 > left)
+    bool inside = s->segment[next].x1 > left;
+    HSR_STEP(s->tally, HSR_SPAN_CULL, HSR_FACE(s->segment[next].face),
+             HSR_THE_WINDOW, HSR_AT(left, j), inside);
+    if (inside)
       s->under[s->n_under++] = next;
   }
   return next;
@@ -247,10 +258,10 @@ static void scan_row(struct hsr_watkins *s, int j) {
     next = enter_span(s, left, next, j);
     const struct hsr_watkins_segment *visible =
         search_depth(s, left, &right, j);
-    float_right(s, visible, next, &right, j);
+    float_right(s, visible, next, left, &right, j);
     uint32_t id = visible ? visible->face : HSR_BACKGROUND;
-    HSR_STEP9(s->tally, HSR_SPANS, HSR_SPAN, id, HSR_NO_ID, left, j, right,
-              j + 1);
+    HSR_STEP(s->tally, HSR_SPANS, HSR_FACE(id), HSR_THE_WINDOW,
+             HSR_ON(left, right, j), 0);
     HSR_TOUCH_SPAN(s->tally, left, right, j);
     for (int i = left; i < right; i++)
       row[i] = id;
@@ -321,4 +332,5 @@ const struct hsr_algorithm HSR_ALGORITHM(watkins) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .render = render};

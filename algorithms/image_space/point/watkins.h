@@ -70,24 +70,60 @@ enum {
 };
 #define HSR_SPAN_COUNTERS(of)                                                  \
   HSR_SCAN_COUNTERS_IN(of),                                                    \
-      {of "span cull", "segments tested against a sample span"}, {             \
-    of "spans", "sample spans decided"                                         \
+      {of "span cull", "segments tested against a sample span",                \
+       HSR_COMPARE,    HSR_OF_FACE,                                            \
+       HSR_OF_WINDOW,  "outside|inside"},                                      \
+  {                                                                            \
+    of "spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW   \
   }
 #define HSR_WATKINS_COUNTERS(of)                                               \
   HSR_SPAN_COUNTERS(of),                                                       \
-      {of "depth search", "comparisons of two segments in depth"}, {           \
-    of "depth divisions", "segments divided at their midpoint"                 \
+      {of "depth search",                                                      \
+       "comparisons of two segments in depth",                                 \
+       HSR_COMPARE,                                                            \
+       HSR_OF_FACE,                                                            \
+       HSR_OF_FACE,                                                            \
+       "undecided|"                                                            \
+       "farther|"                                                              \
+       "nearer"},                                                              \
+  {                                                                            \
+    of "depth divisions", "segments divided at their midpoint", HSR_SUBDIVIDE, \
+        HSR_OF_FACE, HSR_OF_FACE                                               \
   }
 
 #define HSR_SPAN_STEPS(first, of)                                              \
   HSR_SCAN_STEPS_IN(first, of), {                                              \
-    of "span cull", first + HSR_SPAN_CULL, 1, "n S_l", hsr_predict_span_cull   \
+    of "span cull", (first) + HSR_SPAN_CULL, 1, "n S_l", hsr_predict_span_cull \
   }
 #define HSR_WATKINS_STEPS(first, of)                                           \
   HSR_SPAN_STEPS(first, of), {                                                 \
-    of "depth search", first + HSR_DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)", \
-        hsr_predict_depth_search                                               \
+    of "depth search", (first) + HSR_DEPTH_SEARCH, 30,                         \
+        "30 n D_c min(m, 2 S_v)", hsr_predict_depth_search                     \
   }
+
+/* Of the outline, `in` blanks deep. The lines of the last step follow `in`;
+ * they are four blanks deeper. */
+#define HSR_SPAN_LINES(first, in, ...)                                         \
+  HSR_SCAN_LINES_IN(first, in),                                                \
+      {in "  pair the edges of each face: they bound its segment"},            \
+      {in "  for each sample span, from the left: it begins where the last "   \
+          "one ended"},                                                        \
+      {in "    cull: which segments are inside the span?",                     \
+       HSR_RAISES((first) + HSR_SPAN_CULL)},                                   \
+      __VA_ARGS__,                                                             \
+      {in "    move the span's right end to the left, to where another "       \
+          "segment comes into view"},                                          \
+  {                                                                            \
+    in "    show the visible segment in the span",                             \
+        HSR_RAISES((first) + HSR_SPANS)                                        \
+  }
+#define HSR_WATKINS_LINES(first, in)                                           \
+  HSR_SPAN_LINES(                                                              \
+      first, in,                                                               \
+      {in "    search the segments inside for the nearest one: compare two",   \
+       HSR_RAISES((first) + HSR_DEPTH_SEARCH)},                                \
+      {in "      if their ends do not tell, divide one at its midpoint",       \
+       HSR_RAISES((first) + HSR_DEPTH_DIVISIONS)})
 
 #define HSR_SPAN_SORTS                                                         \
   HSR_SCAN_SORTS, {                                                            \
