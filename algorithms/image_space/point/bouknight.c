@@ -20,8 +20,9 @@
  *             of a plane is linear, ties included: a face that is nearest at
  *             both limits is so in between.
  * Ties        by hsr_nearer
- * Departures  those of scan_line.h; a span without a sample is passed over, and
- *             one with a single face or none is not searched
+ * Departures  those of scan_line.h; a span without a sample is passed over; one
+ *             with a single face or none is not searched; at the second limit
+ *             the search begins with the face found at the first
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
  *             of scan_line.h: Table III has one column for Watkins and
  *             Bouknight, though the latter's spans are up to 2 S_l a line */
@@ -31,24 +32,40 @@ enum { SPAN_CULL = HSR_N_SCAN_COUNTERS, DEPTH_SEARCH, DIVISIONS, SPANS };
 
 static const struct hsr_counter counters[] = {
     HSR_SCAN_COUNTERS,
-    [SPAN_CULL] = {"span cull", "visible bits turned on or off"},
-    [DEPTH_SEARCH] = {"depth search", "comparisons of two faces in depth"},
-    [DIVISIONS] = {"span divisions", "spans divided where two faces penetrate"},
-    [SPANS] = {"spans", "sample spans decided"},
-    {NULL, NULL}};
+    [SPAN_CULL] = {"span cull", "visible bits turned on or off", HSR_ACTIVATE,
+                   HSR_OF_FACE, HSR_OF_EDGE, "turned off|turned on"},
+    [DEPTH_SEARCH] = {"depth search", "comparisons of two faces in depth",
+                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [DIVISIONS] = {"span divisions", "spans divided where two faces penetrate",
+                   HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE},
+    [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
+               HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    HSR_SCAN_LINES,
+    {"  for each sample span: from one edge of the list to the next"},
+    {"    turn the visible bit of the edge's face on or off",
+     HSR_RAISES(SPAN_CULL)},
+    {"    search the faces whose bit is on for the nearest at both limits",
+     HSR_RAISES(DEPTH_SEARCH)},
+    {"    if these are two faces, divide the span where they penetrate",
+     HSR_RAISES(DIVISIONS)},
+    {"    show the nearest face in the span", HSR_RAISES(SPANS)},
+    {NULL}};
 
 static const struct hsr_step steps[] = {
     HSR_SCAN_STEPS,
     {"span cull", SPAN_CULL, 1, "n S_l", hsr_predict_span_cull},
     {"depth search", DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)",
      hsr_predict_depth_search},
-    {NULL, 0, 0, NULL, NULL}};
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {
     HSR_SCAN_SORTS,
     {"faces", "X", "cull by visible bits", "once an edge crossing"},
     {"faces", "Z", "exhaustive search", "at both limits of a sample span"},
-    {NULL, NULL, NULL, NULL}};
+    {NULL}};
 
 /* No place: the visible bit is off. */
 static const uint32_t NONE = UINT32_MAX;
@@ -64,11 +81,14 @@ struct scan {
 
 /* --- Span cull ------------------------------------------------------------ */
 
-/* Turns the visible bit of a face on or off, as the span passes its edge. */
-static void turn_bit(struct scan *s, uint32_t f) {
-  HSR_STEP9(s->edges.tally, SPAN_CULL,
-            s->place[f] == NONE ? HSR_ACTIVATE : HSR_RETIRE, f, HSR_NO_ID, 0,
-            s->j, 0, s->j + 1);
+/* Turns the visible bit of an edge's face on or off. `left`: where the next span
+ * begins. */
+static void turn_bit(struct scan *s, const struct hsr_scan_edge *edge,
+                     int left) {
+  uint32_t f = edge->face;
+  (void)left; /* for the trace */
+  HSR_STEP(s->edges.tally, SPAN_CULL, HSR_FACE(f), hsr_scan_subject(edge),
+           HSR_ON(left, s->edges.window->x1, s->j), s->place[f] == NONE);
   if (s->place[f] == NONE) {
     s->place[f] = s->n_visible;
     s->visible[s->n_visible++] = f;
@@ -89,9 +109,11 @@ static uint32_t search_depth(struct scan *s, uint32_t nearest, int i) {
     if (f == nearest)
       continue;
     HSR_TOUCH(s->edges.tally, i, s->j);
-    HSR_STEP9(s->edges.tally, DEPTH_SEARCH, HSR_COMPARE, f, nearest, i, s->j,
-              i + 1, s->j + 1);
-    if (hsr_nearer(&s->edges.screen, f, nearest, i, s->j, s->edges.tally))
+    bool nearer =
+        hsr_nearer(&s->edges.screen, f, nearest, i, s->j, s->edges.tally);
+    HSR_STEP(s->edges.tally, DEPTH_SEARCH, HSR_FACE(f), HSR_FACE(nearest),
+             HSR_AT(i, s->j), nearer);
+    if (nearer)
       nearest = f;
   }
   return nearest;
@@ -100,8 +122,8 @@ static uint32_t search_depth(struct scan *s, uint32_t nearest, int i) {
 /* --- Sample spans --------------------------------------------------------- */
 
 static void write_span(struct scan *s, uint32_t id, int left, int right) {
-  HSR_STEP9(s->edges.tally, SPANS, HSR_SPAN, id, HSR_NO_ID, left, s->j, right,
-            s->j + 1);
+  HSR_STEP(s->edges.tally, SPANS, HSR_FACE(id), HSR_THE_WINDOW,
+           HSR_ON(left, right, s->j), 0);
   HSR_TOUCH_SPAN(s->edges.tally, left, right, s->j);
   for (int i = left; i < right; i++)
     s->ids[i] = id;
@@ -111,8 +133,8 @@ static void write_span(struct scan *s, uint32_t id, int left, int right) {
 static void show_span(struct scan *s, uint32_t first, uint32_t last, int left,
                       int right) {
   while (first != last) {
-    HSR_STEP9(s->edges.tally, DIVISIONS, HSR_SUBDIVIDE, first, last, left, s->j,
-              right, s->j + 1);
+    HSR_STEP(s->edges.tally, DIVISIONS, HSR_FACE(first), HSR_FACE(last),
+             HSR_ON(left, right, s->j), 0);
     int middle = hsr_scan_crossing(&s->edges, first, last, true, left, right,
                                    s->j, DEPTH_SEARCH);
     uint32_t before = search_depth(s, first, middle - 1);
@@ -145,7 +167,7 @@ static void scan_row(struct scan *s) {
       decide_span(s, left, right);
       left = right;
     }
-    turn_bit(s, edge->face);
+    turn_bit(s, edge, left);
   }
   if (left < w->x1)
     decide_span(s, left, w->x1);
@@ -196,4 +218,5 @@ const struct hsr_algorithm HSR_ALGORITHM(bouknight) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .render = render};
