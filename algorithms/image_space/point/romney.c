@@ -17,30 +17,34 @@
  *             columns; of one column, in the order they had on the last line;
  *             x_occupied[] holds the faces of which an odd number of pieces
  *             hold the raster element, as parity would have it.
- * Reuse       of two convex faces that do not penetrate, one is nearer wherever
- *             both hold a sample: were it not so, there would be a point on the
- *             line between two such samples where they meet, inside both. So
- *             the visible one depends on nothing but the set of faces that hold
- *             the sample, be it of this line or another; and that set on
- *             nothing but the intercepts to the left, which are the same ones
- *             as on the last line from the left end up to the first place where
- *             a face has entered or left, or edges have crossed. Up to there
- *             the visible face is taken over, whatever the columns. A span that
- *             had no sample when its intercepts first stood so has none to
- *             hand down; it is searched once it has one.
- * Thick       faces, whose vertices are a little out of their plane, may
- *             penetrate by as much without being divided. A span with such a
- *             face among others is searched on every line, and searched at its
- *             last sample too: depth is linear along a row, so what is nearest
- *             at both ends is nearest in between. If it is not the same, the
- *             span is divided where the visible face changes.
+ * Reuse       The paper reuses a line that is crossed by the same edges in the
+ *             same order as the last one ("Scan-line Algorithms"), and also "a
+ *             correspondingly unchanged left part" of a line ("Existing Uses
+ *             of Coherence"). So does this module. Why it is right: of two
+ *             convex faces that do not penetrate, one is nearer at all samples
+ *             that both hold. (Otherwise they would meet between two such
+ *             samples.) So the visible face depends only on the set of faces
+ *             that hold the sample. That set depends only on the intercepts to
+ *             the left. They are the same as on the last line up to the first
+ *             place where a face has entered or left, or edges have crossed. Up
+ *             to there the visible face is taken over, whatever the columns. A
+ *             span that had no sample on the last line was not searched there.
+ *             It is searched on the first line on which it has one.
+ * Thick       A face whose vertices are a little out of its plane may penetrate
+ *             others by as much, and is not divided for it. A span that holds
+ *             such a face and others is searched on every line, at its first
+ *             and at its last sample. Depth is linear along a row, so a face
+ *             that is nearest at both is nearest in between. If two faces are
+ *             found, the span is divided where the visible face changes.
  * Ties        columns: intercepts of one column have no sample between them, in
  *             any order; depth: one plane, lower id; all else by hsr_nearer
  * Departures  one Y bucket a row where the paper sorts in two passes; an
  *             intercept is found from its line anew on every row instead of by
  *             adding increments, whose roundings add up; X is kept as the
  *             column of the first sample to the right; a face that is cut gives
- *             its columns a row at a time (hsr_face_spans)
+ *             its columns a row at a time (hsr_face_spans). Where left parts
+ *             are reused and not only lines, the depth search may take less
+ *             than the f = 1/2 of the cost formula.
  * Cost        Y sort 2 F_r, X sort n S_l, X priority search n m, depth search
  *             20 n (2 S_l) D_c / 2 */
 #include "algorithms/algorithm.h"
@@ -59,22 +63,53 @@ enum {
 };
 
 static const struct hsr_counter counters[] = {
-    [Y_SORT] = {"Y sort", "faces put into Y buckets"},
-    [X_SORT] = {"X sort", "faces whose intercepts are put into X buckets"},
-    [X_PRIORITY_SEARCH] = {"X priority search", "X buckets scanned"},
+    [Y_SORT] = {"Y sort", "faces put into Y buckets", HSR_SORT, HSR_OF_FACE},
+    [X_SORT] = {"X sort", "faces whose intercepts are put into X buckets",
+                HSR_SORT, HSR_OF_FACE},
+    [X_PRIORITY_SEARCH] = {"X priority search", "X buckets scanned", HSR_SAMPLE,
+                           HSR_OF_WINDOW, HSR_OF_NOTHING,
+                           "empty|holds intercepts"},
     [DEPTH_SEARCH] = {"depth search",
                       "faces of the X occupied table looked at for the "
-                      "nearest"},
-    [SPANS] = {"spans", "sample spans decided"},
+                      "nearest",
+                      HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
+               HSR_OF_WINDOW},
     [SPANS_REUSED] = {"spans reused",
-                      "of these, decided as on the last line, unsearched"},
-    [LINES_REUSED] = {"lines reused", "lines with faces, but no depth search"},
+                      "of these, shown as on the last line, unsearched",
+                      HSR_SPAN, HSR_OF_FACE, HSR_OF_WINDOW},
+    [LINES_REUSED] = {"lines reused", "lines with faces, but no depth search",
+                      HSR_SPAN, HSR_OF_WINDOW},
     [THICKNESS_CHECKS] = {"thickness checks",
-                          "spans confirmed at their last sample, as a face of "
-                          "theirs is not flat"},
+                          "spans searched at their last sample too, as a face "
+                          "of theirs is not flat",
+                          HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                          "another face|the same face"},
     [THICKNESS_DIVISIONS] = {"thickness divisions",
-                             "of these, spans that had to be divided"},
-    {NULL, NULL}};
+                             "of these, spans that had to be divided",
+                             HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"put each face into the Y bucket of its uppermost vertex",
+     HSR_RAISES(Y_SORT)},
+    {"for each scan line"},
+    {"  update the Y occupied table by the line's bucket"},
+    {"  put the intercepts of its faces into X buckets", HSR_RAISES(X_SORT)},
+    {"  for each X bucket, from the left", HSR_RAISES(X_PRIORITY_SEARCH)},
+    {"    enter faces that begin there into the X occupied table, delete those "
+     "that end"},
+    {"    if all intercepts so far are in the order of the last line"},
+    {"      show what was visible there", HSR_RAISES(SPANS_REUSED)},
+    {"    else search the X occupied table for the nearest face",
+     HSR_RAISES(DEPTH_SEARCH)},
+    {"      not flat: is it the nearest at the span's end, too?",
+     HSR_RAISES(THICKNESS_CHECKS)},
+    {"      if not, divide the span", HSR_RAISES(THICKNESS_DIVISIONS)},
+    {"    show the visible face up to the next change", HSR_RAISES(SPANS)},
+    {"  if nothing was searched, the line was reused",
+     HSR_RAISES(LINES_REUSED)},
+    {NULL}};
 
 static double predict_y_sort(const struct hsr_table1 *t) {
   return 2 * t->F_r;
@@ -96,7 +131,7 @@ static const struct hsr_step steps[] = {
      predict_x_priority_search},
     {"depth search", DEPTH_SEARCH, 20, "20 n (2 S_l) D_c f, f = 1/2",
      predict_depth_search},
-    {NULL, 0, 0, NULL, NULL}};
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {
     {"faces", "Y", "bucket sort", "once a frame"},
@@ -104,7 +139,7 @@ static const struct hsr_sort sorts[] = {
     {"faces", "X", "priority search", "once a raster element"},
     {"faces", "Z", "exhaustive search",
      "at every edge crossing, unless as on the last line"},
-    {NULL, NULL, NULL, NULL}};
+    {NULL}};
 
 /* No more in a bucket; not in the table. */
 static const uint32_t NONE = UINT32_MAX;
@@ -181,8 +216,10 @@ static void put_into_y_bucket(struct scan *s, struct face face, int row) {
     s->intercept[s->n_intercepts++] = (struct intercept){.face = s->n_faces};
   *bucket = s->n_faces;
   s->face[s->n_faces++] = face;
-  HSR_STEP9(s->tally, Y_SORT, HSR_SORT, face.id, HSR_NO_ID, w->x0, row, w->x1,
-            face.end_row);
+  HSR_STEP(s->tally, Y_SORT, HSR_FACE(face.id), HSR_NOTHING,
+           hsr_window_make(w->x0, row, w->x1,
+                           face.end_row < w->y1 ? face.end_row : w->y1),
+           0);
 }
 
 /* A triangle meets the rows from its uppermost corner's to its lowest's. */
@@ -230,8 +267,8 @@ static void sort_y(struct scan *s) {
   }
 }
 
-/* The Y occupied table of row j: those that reach down to it, and its bucket.
- */
+/* The Y occupied table of row j: the faces that were in it and reach down to the
+ * row, and those of the row's bucket. */
 static void update_y_occupied(struct scan *s, int j) {
   uint32_t kept = 0;
   for (uint32_t k = 0; k < s->n_y_occupied; k++)
@@ -275,8 +312,8 @@ static void find_triangle_intercepts(struct scan *s, struct face *face,
 static void find_intercepts(struct scan *s, int j) {
   for (uint32_t k = 0; k < s->n_y_occupied; k++) {
     struct face *face = &s->face[s->y_occupied[k]];
-    HSR_STEP9(s->tally, X_SORT, HSR_SORT, face->id, HSR_NO_ID, s->window->x0, j,
-              s->window->x1, j + 1);
+    HSR_STEP(s->tally, X_SORT, HSR_FACE(face->id), HSR_NOTHING,
+             HSR_ON(s->window->x0, s->window->x1, j), 0);
     if (face->whole_triangle) {
       find_triangle_intercepts(s, face, k >= s->n_stayed, j);
       continue;
@@ -297,9 +334,9 @@ static void put_into_x_bucket(struct scan *s, uint32_t intercept) {
   *bucket = intercept;
 }
 
-/* The bucket sort of row j. It goes back through the last line's order, so that
- * no two intercepts of one column change places; those of entering faces come
- * behind them. */
+/* The bucket sort of row j. It goes through the last line's order from the
+ * right, so that intercepts of one column keep their order. Those of entering
+ * faces come behind them. */
 static void sort_x(struct scan *s, int j) {
   for (int column = s->window->x0; column <= s->window->x1; column++)
     s->x_bucket[column - s->window->x0] = NONE;
@@ -317,8 +354,8 @@ static void sort_x(struct scan *s, int j) {
 
 /* --- X priority search ---------------------------------------------------- */
 
-/* A piece of a face begins or ends: from here on an odd number of the face's
- * pieces hold the raster element, or no longer. */
+/* A piece of a face begins or ends here. The face is in the table if an odd
+ * number of its pieces hold the raster element. */
 static void update_x_occupied(struct scan *s, uint32_t piece) {
   const struct hsr_world *world = s->job->world;
   uint32_t *place = &s->place[hsr_world_parent(world, piece)];
@@ -337,7 +374,7 @@ static void update_x_occupied(struct scan *s, uint32_t piece) {
 }
 
 /* Passes the intercepts of a bucket. As long as they are those of the last
- * line, what was visible right of them is known still. */
+ * line, it is still known what is visible to the right of them. */
 static void pass_bucket(struct scan *s, int column) {
   for (uint32_t i = s->x_bucket[column - s->window->x0]; i != NONE;
        i = s->intercept[i].next) {
@@ -361,26 +398,32 @@ static void clear_x_occupied(struct scan *s) {
 /* The nearest face of the X occupied table, which is not empty, at a sample. */
 static uint32_t search_depth(struct scan *s, int i, int j) {
   uint32_t visible = s->x_occupied[0];
-  for (uint32_t k = 0; k < s->n_x_occupied; k++) {
+  HSR_TOUCH(s->tally, i, j);
+  HSR_STEP(s->tally, DEPTH_SEARCH, HSR_FACE(visible), HSR_NOTHING, HSR_AT(i, j),
+           1);
+  for (uint32_t k = 1; k < s->n_x_occupied; k++) {
     uint32_t f = s->x_occupied[k];
     HSR_TOUCH(s->tally, i, j);
-    HSR_STEP9(s->tally, DEPTH_SEARCH, HSR_COMPARE, f, visible, i, j, i + 1,
-              j + 1);
-    if (k && hsr_nearer(&s->screen, f, visible, i, j, s->tally))
+    bool nearer = hsr_nearer(&s->screen, f, visible, i, j, s->tally);
+    HSR_STEP(s->tally, DEPTH_SEARCH, HSR_FACE(f), HSR_FACE(visible),
+             HSR_AT(i, j), nearer);
+    if (nearer)
       visible = f;
   }
   return visible;
 }
 
-/* How far what is nearest at `left` is so, where faces are thick. */
+/* Returns up to which sample the face that is nearest at `left` is so, where
+ * faces are thick. */
 static int check_thickness(struct scan *s, uint32_t visible, int left,
                            int right, int j) {
-  HSR_STEP9(s->tally, THICKNESS_CHECKS, HSR_COMPARE, visible, HSR_NO_ID, left,
-            j, right, j + 1);
-  if (search_depth(s, right - 1, j) == visible)
+  uint32_t at_end = search_depth(s, right - 1, j);
+  HSR_STEP(s->tally, THICKNESS_CHECKS, HSR_FACE(visible), HSR_FACE(at_end),
+           HSR_ON(left, right, j), at_end == visible);
+  if (at_end == visible)
     return right;
-  HSR_STEP9(s->tally, THICKNESS_DIVISIONS, HSR_SUBDIVIDE, visible, HSR_NO_ID,
-            left, j, right, j + 1);
+  HSR_STEP(s->tally, THICKNESS_DIVISIONS, HSR_FACE(visible), HSR_FACE(at_end),
+           HSR_ON(left, right, j), 0);
   int lo = left, hi = right - 1; /* visible at lo, not at hi nor after it */
   while (hi - lo > 1) {
     int middle = lo + (hi - lo) / 2;
@@ -394,14 +437,16 @@ static int check_thickness(struct scan *s, uint32_t visible, int left,
 
 static void show(struct scan *s, uint32_t id, int left, int right, int j) {
   uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-  HSR_STEP9(s->tally, SPANS, HSR_SPAN, id, HSR_NO_ID, left, j, right, j + 1);
+  HSR_STEP(s->tally, SPANS, HSR_FACE(id), HSR_THE_WINDOW,
+           HSR_ON(left, right, j), 0);
   HSR_TOUCH_SPAN(s->tally, left, right, j);
   for (int i = left; i < right; i++)
     row[i] = id;
 }
 
 /* Searches the sample span [left, right). Returns the face that is visible in
- * all of it, on this line and while the faces there are the same. */
+ * all of it, on this line and as long as the same faces are there; or UNKNOWN.
+ */
 static uint32_t search_span(struct scan *s, int left, int right, int j) {
   bool thick = s->n_thick && s->n_x_occupied > 1;
   uint32_t visible = UNKNOWN;
@@ -417,18 +462,21 @@ static uint32_t search_span(struct scan *s, int left, int right, int j) {
 
 /* --- A scan line ---------------------------------------------------------- */
 
-/* Scans the X buckets of row j: those with intercepts begin sample spans. */
+/* Scans the X buckets of row j. A bucket with intercepts begins a sample span.
+ */
 static void scan_line(struct scan *s, int j) {
   const int x1 = s->window->x1;
   bool searched = false, reused = false;
   s->unchanged = true;
   s->n_passed = 0;
   for (int left = s->window->x0, right; left < x1; left = right) {
+    HSR_STEP(s->tally, X_PRIORITY_SEARCH, HSR_THE_WINDOW, HSR_NOTHING,
+             HSR_AT(left, j), s->x_bucket[left - s->window->x0] != NONE);
     pass_bucket(s, left);
-    right = left + 1;
-    while (right < x1 && s->x_bucket[right - s->window->x0] == NONE)
-      right++;
-    HSR_COUNT(s->tally, X_PRIORITY_SEARCH, right - left);
+    for (right = left + 1;
+         right < x1 && s->x_bucket[right - s->window->x0] == NONE; right++)
+      HSR_STEP(s->tally, X_PRIORITY_SEARCH, HSR_THE_WINDOW, HSR_NOTHING,
+               HSR_AT(right, j), 0);
     if (!s->n_x_occupied) {
       show(s, HSR_BACKGROUND, left, right, j);
       continue;
@@ -438,8 +486,8 @@ static void scan_line(struct scan *s, int j) {
       last->visible = search_span(s, left, right, j);
       searched = true;
     } else {
-      HSR_STEP9(s->tally, SPANS_REUSED, HSR_ACCEPT, last->visible, HSR_NO_ID,
-                left, j, right, j + 1);
+      HSR_STEP(s->tally, SPANS_REUSED, HSR_FACE(last->visible), HSR_THE_WINDOW,
+               HSR_ON(left, right, j), 0);
       show(s, last->visible, left, right, j);
       reused = true;
     }
@@ -448,8 +496,8 @@ static void scan_line(struct scan *s, int j) {
   s->n_order = s->n_passed;
   clear_x_occupied(s);
   if (reused && !searched)
-    HSR_STEP9(s->tally, LINES_REUSED, HSR_ACCEPT, HSR_NO_ID, HSR_NO_ID,
-              s->window->x0, j, x1, j + 1);
+    HSR_STEP(s->tally, LINES_REUSED, HSR_THE_WINDOW, HSR_NOTHING,
+             HSR_ON(s->window->x0, x1, j), 0);
 }
 
 /* --- The algorithm -------------------------------------------------------- */
@@ -521,4 +569,5 @@ const struct hsr_algorithm HSR_ALGORITHM(romney) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .render = render};
