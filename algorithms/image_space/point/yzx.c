@@ -85,18 +85,52 @@ enum {
 
 static const struct hsr_counter counters[] = {
     HSR_SCAN_COUNTERS,
-    [MINIMAX] = {"Z minimax", "extents in depth compared, of faces that begin "
-                              "to overlap"},
-    [Z_SORT] = {"Z sort", "vertices compared with another face's plane"},
-    [DIVISIONS] = {"divisions", "faces divided by another's plane"},
-    [IMPLIED] = {"implied edges", "depths compared to find where the parts of "
-                                  "a face meet on a line"},
-    [SEGMENTS] = {"segments", "segments entered into the involved list"},
-    [KEPT] = {"places kept", "of these, without a test, where they stood on "
-                             "the line before"},
-    [PRIORITY] = {"priority tests", "priority numbers compared"},
-    [SPANS] = {"spans", "sample spans decided"},
-    {NULL, NULL}};
+    [MINIMAX] = {"Z minimax",
+                 "extents in depth compared, of faces that begin to overlap",
+                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                 "overlap|nearer|farther"},
+    [Z_SORT] = {"Z sort", "vertices compared with another face's plane",
+                HSR_COMPARE, HSR_OF_VERTEX, HSR_OF_FACE,
+                "on the plane|in front|behind"},
+    [DIVISIONS] = {"divisions", "faces divided by another's plane", HSR_SPLIT,
+                   HSR_OF_FACE, HSR_OF_FACE},
+    [IMPLIED] = {"implied edges",
+                 "depths compared to find where the parts of a face meet on a "
+                 "line",
+                 HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [SEGMENTS] = {"segments", "segments entered into the involved list",
+                  HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
+    [KEPT] = {"places kept",
+              "of these, without a test, where they stood on the line before",
+              HSR_SORT, HSR_OF_FACE, HSR_OF_FACE},
+    [PRIORITY] = {"priority tests", "priority numbers compared", HSR_COMPARE,
+                  HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
+               HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    HSR_SCAN_LINES,
+    {"  pair the edges of each face into segments; find implied edges of those "
+     "divided",
+     HSR_RAISES(IMPLIED)},
+    {"  for each end of a segment, from the left"},
+    {"    a left end: enter the segment into the list of those involved",
+     HSR_RAISES(SEGMENTS)},
+    {"      the same ones as on the line before: it keeps its place",
+     HSR_RAISES(KEPT)},
+    {"      else for each of them: overlapped before? compare priority numbers",
+     HSR_RAISES(PRIORITY)},
+    {"        if not: do the extents in depth overlap?", HSR_RAISES(MINIMAX)},
+    {"          if so: vertices of one against the plane of the other",
+     HSR_RAISES(Z_SORT)},
+    {"            if none tells: divide the face that ends sooner",
+     HSR_RAISES(DIVISIONS)},
+    {"    a right end: delete the segment from the list"},
+    {"    show the first of those involved where another begins to be it",
+     HSR_RAISES(SPANS)},
+    {"  number the segments in the order of the Z list"},
+    {NULL}};
 
 /* f of the header. */
 static double overlap_chance(const struct hsr_table1 *t) {
@@ -116,7 +150,7 @@ static const struct hsr_step steps[] = {
     {"Z sort", Z_SORT, 1, "4 F_r^2 f^3, f = 2 H_f/n (ours)", predict_z_sort},
     {"implied edges", IMPLIED, 1, NULL, NULL},
     {"priority tests", PRIORITY, 1, NULL, NULL},
-    {NULL, 0, 0, NULL, NULL}};
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {
     {"edges", "Y", "bucket sort", "once a frame"},
@@ -124,7 +158,7 @@ static const struct hsr_sort sorts[] = {
     {"segments", "Z", "insertion by priority number", "once a scan line"},
     {"edges", "X", "merge", "as they enter"},
     {"edges", "X", "bubble sort", "once a scan line"},
-    {NULL, NULL, NULL, NULL}};
+    {NULL}};
 
 /* Not on the line before; not divided. */
 static const uint32_t NONE = UINT32_MAX;
@@ -335,10 +369,16 @@ static void find_crossings(struct scan *s) {
   s->n_crossings = n;
 }
 
+static inline struct hsr_window the_row(const struct scan *s) {
+  return HSR_ON(s->edges.window->x0, s->edges.window->x1, s->j);
+}
+
 static bool is_nearer(const struct scan *s, uint32_t f, uint32_t g, int i) {
   HSR_TOUCH(s->tally, i, s->j);
-  HSR_STEP9(s->tally, IMPLIED, HSR_COMPARE, f, g, i, s->j, i + 1, s->j + 1);
-  return hsr_nearer(s->screen, f, g, i, s->j, s->tally);
+  bool nearer = hsr_nearer(s->screen, f, g, i, s->j, s->tally);
+  HSR_STEP(s->tally, IMPLIED, HSR_FACE(f), HSR_FACE(g), HSR_AT(i, s->j),
+           nearer);
+  return nearer;
 }
 
 /* The first sample of [x0, x1) at which the planes of f and g are not in the
@@ -388,7 +428,7 @@ static struct segment *segment_of(struct scan *s, uint32_t number) {
   return strip->segment;
 }
 
-/* The ends of all segments, those of the parts last. */
+/* Finds the ends of all segments. Those of divided ones are inserted last. */
 static void find_segments(struct scan *s) {
   struct line line = s->before;
   s->before = s->now;
@@ -418,8 +458,8 @@ static void find_segments(struct scan *s) {
   }
 }
 
-/* Numbers the ends of segments that are on both lines, and frees what has gone.
- */
+/* Numbers the ends of the segments that are on both lines, and frees the
+ * segments that are gone. */
 static void compare_lines(struct scan *s) {
   uint32_t n = 0, n_gone = 0;
   for (size_t k = 0; k < s->before.n; k++) {
@@ -450,8 +490,8 @@ static void include_depth(struct extent *extent, double q) {
     extent->farthest = q;
 }
 
-/* A face's samples lie between its vertices; those of a cut face within its
- * bounds. */
+/* The samples of a whole face lie between its vertices, those of a cut face
+ * within its bounds. */
 static struct extent find_extent(const struct scan *s, uint32_t f) {
   const struct hsr_world *world = s->edges.job->world;
   const struct hsr_bounds *b = &s->screen->bounds[f];
@@ -468,12 +508,19 @@ static struct extent find_extent(const struct scan *s, uint32_t f) {
   return (struct extent){extent.nearest + error, extent.farthest - error};
 }
 
+/* The outcomes overlap, nearer, farther; and on the plane, in front, behind. */
+static inline int outcome_of(int side) {
+  return side < 0 ? 2 : side;
+}
+
 /* Newell's test 1: +1 if all of f is nearer than all of g, -1 if all of g than
  * all of f, else 0. */
 static int compare_extents(const struct scan *s, uint32_t f, uint32_t g) {
-  HSR_STEP9(s->tally, MINIMAX, HSR_COMPARE, f, g, 0, s->j, 0, s->j + 1);
-  return (s->extent[f].farthest > s->extent[g].nearest) -
-         (s->extent[g].farthest > s->extent[f].nearest);
+  int side = (s->extent[f].farthest > s->extent[g].nearest) -
+             (s->extent[g].farthest > s->extent[f].nearest);
+  HSR_STEP(s->tally, MINIMAX, HSR_FACE(f), HSR_FACE(g), the_row(s),
+           outcome_of(side));
+  return side;
 }
 
 /* Newell's tests 4 and 5: +1 if all of f lies in front of g's plane, -1 if all
@@ -485,16 +532,17 @@ static int side_of_plane(const struct scan *s, uint32_t f, uint32_t g) {
   bool in_front = true, behind = true;
   for (uint32_t k = world->start[f];
        k < world->start[f + 1] && (in_front || behind); k++) {
-    HSR_STEP9(s->tally, Z_SORT, HSR_COMPARE, f, g, 0, s->j, 0, s->j + 1);
     int nearer = hsr_vertex_nearer(s->screen, f, g, world->vertex[k], s->tally);
+    HSR_STEP(s->tally, Z_SORT, HSR_VERTEX(world->vertex[k]), HSR_FACE(g),
+             the_row(s), outcome_of(nearer));
     in_front &= nearer >= 0;
     behind &= nearer <= 0;
   }
   return in_front - behind;
 }
 
-/* +1 if `a` is part of what is in front of the plane of b, by a division, -1 if
- * of what is behind it, else 0. */
+/* Has `a` been divided by the plane of b before? +1 if it belongs to the part in
+ * front of that plane, -1 if to the part behind, 0 if it was not divided. */
 static int side_by_division(const struct scan *s, const struct segment *a,
                             const struct segment *b) {
   const uint32_t *plane = s->edges.job->world->plane;
@@ -511,8 +559,8 @@ static bool ends_sooner(const struct scan *s, const struct segment *a,
 }
 
 /* The order of two segments on all lines to come: +1 if a is in front, -1 if b
- * is, 0 if the tests do not tell. The smaller face is the likelier one to lie
- * on one side. */
+ * is, 0 if the tests do not tell. The face that ends sooner is tested first: it
+ * is smaller, and so more likely to lie on one side. */
 static int settle(const struct scan *s, const struct segment *a,
                   const struct segment *b) {
   uint32_t f = a->face, g = b->face;
@@ -532,13 +580,13 @@ static int settle(const struct scan *s, const struct segment *a,
   return side;
 }
 
-/* Divides a segment by the plane of a face: it keeps the samples up to
- * `middle`, which lie in front of that plane or not, and becomes a part, as
- * what follows does. */
+/* Divides a segment by the plane of a face. The segment keeps the samples up to
+ * `middle`, which are in front of the plane or behind it, and becomes one part.
+ * The samples from `middle` on become the other. */
 static void divide(struct scan *s, struct segment *segment, uint32_t by,
                    int middle, bool in_front) {
-  HSR_STEP9(s->tally, DIVISIONS, HSR_SPLIT, segment->face, by, segment->x0,
-            s->j, segment->x1, s->j + 1);
+  HSR_STEP(s->tally, DIVISIONS, HSR_FACE(segment->face), HSR_FACE(by),
+           HSR_ON(segment->x0, segment->x1, s->j), 0);
   struct segment *whole = new_segment(s), *rest = new_segment(s);
   if (!whole || !rest)
     return;
@@ -565,11 +613,12 @@ static void divide(struct scan *s, struct segment *segment, uint32_t by,
   insert_end(s, rest, 2 * middle + 1);
 }
 
-/* Of a segment that is involved and one that enters, and overlaps it for the
- * first time: is the former in front? If that cannot be told for good, the face
- * that ends sooner is divided: of an involved one, what is still to come on the
- * row. What has been passed may lie on the wrong side of the plane, where it
- * met no face of that plane but such as it need not be divided for. */
+/* Is the involved segment in front of the entering one, which overlaps it for
+ * the first time? If their order cannot be settled for all lines to come, the
+ * face that ends sooner is divided by the plane of the other. An involved
+ * segment is divided from the first sample of the entering one on. Its samples
+ * to the left stay in the first part, even if they lie on the other side of the
+ * plane: the two segments do not overlap there. */
 static bool is_in_front(struct scan *s, struct segment *involved,
                         struct segment *entering) {
   int side = settle(s, involved, entering);
@@ -593,8 +642,9 @@ static bool met_before(const struct segment *a, const struct segment *b) {
          a->was_left < b->was_right && b->was_left < a->was_right;
 }
 
-/* The last involved segment in front of one that enters. As all of them cover
- * its first sample, those in front come before those behind. */
+/* The last of the involved segments that are in front of the entering one. All
+ * of them cover its first sample, so those in front come before those behind.
+ */
 static struct segment *find_place(struct scan *s, struct segment *segment) {
   struct segment *place = &s->lists;
   bool behind = false;
@@ -603,9 +653,9 @@ static struct segment *find_place(struct scan *s, struct segment *segment) {
     if (!met_before(a, segment)) {
       behind = !is_in_front(s, a, segment);
     } else if (!behind) {
-      HSR_STEP9(s->tally, PRIORITY, HSR_COMPARE, a->face, segment->face,
-                segment->x0, s->j, segment->x0 + 1, s->j + 1);
       behind = a->number > segment->number;
+      HSR_STEP(s->tally, PRIORITY, HSR_FACE(a->face), HSR_FACE(segment->face),
+               HSR_AT(segment->x0, s->j), !behind);
     }
     if (!behind)
       place = a;
@@ -613,10 +663,11 @@ static struct segment *find_place(struct scan *s, struct segment *segment) {
   return place;
 }
 
-/* Are the same segments involved as when it entered on the line before? So it
- * is if, of the ends with numbers, just those before its own have been passed,
- * and nothing that was only there, or is only here, covers it. All those
- * involved overlapped there, so their order is the same too. */
+/* Are the same segments involved as when it entered on the line before? They are
+ * if three things hold: of the ends with numbers, exactly those before its own
+ * have been passed; no segment that is new on this line covers its left end;
+ * and none that is gone covered it there. All of them overlapped on the line
+ * before, so their order is the same too. */
 static bool place_is_kept(const struct scan *s, const struct segment *segment) {
   return segment->was_left != NONE && s->n_known == segment->was_left &&
          s->latest == segment->was_left && !s->n_new &&
@@ -624,10 +675,12 @@ static bool place_is_kept(const struct scan *s, const struct segment *segment) {
 }
 
 static void enter(struct scan *s, struct segment *segment) {
-  HSR_STEP9(s->tally, SEGMENTS, HSR_ACTIVATE, segment->face, HSR_NO_ID,
-            segment->x0, s->j, segment->x1, s->j + 1);
+  HSR_STEP(s->tally, SEGMENTS, HSR_FACE(segment->face), HSR_THE_WINDOW,
+           HSR_ON(segment->x0, segment->x1, s->j), 0);
   if (place_is_kept(s, segment))
-    HSR_COUNT(s->tally, KEPT, 1);
+    HSR_STEP(s->tally, KEPT, HSR_FACE(segment->face),
+             HSR_FACE(segment->place->face),
+             HSR_ON(segment->x0, segment->x1, s->j), 0);
   else
     segment->place = find_place(s, segment);
 
@@ -658,15 +711,15 @@ static void pass_end(struct scan *s, struct end end) {
 }
 
 static void write_span(struct scan *s, uint32_t id, int left, int right) {
-  HSR_STEP9(s->tally, SPANS, HSR_SPAN, id, HSR_NO_ID, left, s->j, right,
-            s->j + 1);
+  HSR_STEP(s->tally, SPANS, HSR_FACE(id), HSR_THE_WINDOW,
+           HSR_ON(left, right, s->j), 0);
   HSR_TOUCH_SPAN(s->tally, left, right, s->j);
   for (int i = left; i < right; i++)
     s->ids[i] = id;
 }
 
-/* Passes the ends from left to right; between two of them the first of the
- * involved segments is visible. At last the Z list is numbered. */
+/* Passes the ends from left to right. Between two of them the first of the
+ * involved segments is visible. In the end the Z list is numbered. */
 static void scan_row(struct scan *s) {
   const struct hsr_window *w = s->edges.window;
   empty_lists(s);
@@ -759,4 +812,5 @@ const struct hsr_algorithm HSR_ALGORITHM(yzx) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .render = render};
