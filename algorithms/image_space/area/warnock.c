@@ -20,13 +20,13 @@
  *             the lower id, all else by depths farther apart than their errors
  * Departures  the corners of a window are samples, and the raster element is a
  *             sample, since the picture is one of samples;
- *             a face found behind a surrounder is hidden in all sub-windows
- *             too, and left out of them like one that is disjoint;
+ *             a face that is behind a surrounder is hidden in all sub-windows
+ *             too: it is left out of them, as a disjoint one is;
  *             a window one sample wide or high is divided into two
  * Cost        Z sort 2 F_r, Warnock special 100 L_v D_c, depth search L_v D_c
  *
- * Relations are proved for all samples of the window, or else the face is taken
- * for an intersecter, which costs a subdivision and no more. Let H be the
+ * A relation is proved for all samples of the window. If it cannot be proved the
+ * face is taken for an intersecter, which costs a subdivision and no more. Let H be the
  * rectangle of the window's corner samples. If no edge of a face meets H then H
  * lies wholly inside the face or wholly outside, and one corner tells which. An
  * edge does not meet H if both its ends lie beyond the same side of H, or if
@@ -57,19 +57,25 @@
 /* Of the variant that divides at vertices. */
 enum { AT_VERTEX = HSR_N_WARNOCK_COUNTERS };
 
-static const struct hsr_counter counters[] = {HSR_WARNOCK_COUNTERS,
-                                              {NULL, NULL}};
+static const struct hsr_counter counters[] = {HSR_WARNOCK_COUNTERS, {NULL}};
+
+static const struct hsr_line outline[] = {HSR_WARNOCK_LINES, {NULL}};
 
 static const struct hsr_counter counters_at_vertices[] = {
     HSR_WARNOCK_COUNTERS,
-    [AT_VERTEX] = {"at vertices", "windows divided at a vertex"},
-    {NULL, NULL}};
+    [AT_VERTEX] = {"at vertices", "windows divided at a vertex", HSR_SUBDIVIDE,
+                   HSR_OF_WINDOW, HSR_OF_VERTEX},
+    {NULL}};
 
-static const struct hsr_step steps[] = {HSR_WARNOCK_STEPS,
-                                        {NULL, 0, 0, NULL, NULL}};
+static const struct hsr_line outline_at_vertices[] = {
+    HSR_WARNOCK_LINES,
+    {"    at the vertex nearest to its centre, if one is in the window",
+     HSR_RAISES(AT_VERTEX)},
+    {NULL}};
 
-static const struct hsr_sort sorts[] = {HSR_WARNOCK_SORTS,
-                                        {NULL, NULL, NULL, NULL}};
+static const struct hsr_step steps[] = {HSR_WARNOCK_STEPS, {NULL}};
+
+static const struct hsr_sort sorts[] = {HSR_WARNOCK_SORTS, {NULL}};
 
 /* The Z sort: two passes of 9 bits. */
 enum { DIGIT_BITS = 9, RADIX = 1 << DIGIT_BITS };
@@ -152,8 +158,9 @@ static void sort_by_digit(struct state *s, const struct listed *from,
     start[digit + 1] += start[digit];
   for (uint32_t k = 0; k < n; k++) {
     to[start[RADIX - 1 - (from[k].z >> shift) % RADIX]++] = from[k];
-    HSR_STEP9(s->tally, HSR_WARNOCK_Z_SORT, HSR_SORT, from[k].id, HSR_NO_ID,
-              from[k].x0, from[k].y0, from[k].x1, from[k].y1);
+    HSR_STEP(s->tally, HSR_WARNOCK_Z_SORT, HSR_FACE(from[k].id), HSR_NOTHING,
+             hsr_window_make(from[k].x0, from[k].y0, from[k].x1, from[k].y1),
+             0);
   }
 }
 
@@ -189,6 +196,10 @@ static bool is_sample(const struct window *w) {
   return w->x1 - w->x0 == 1 && w->y1 - w->y0 == 1;
 }
 
+static inline struct hsr_window samples_of(const struct window *w) {
+  return hsr_window_make(w->x0, w->y0, w->x1, w->y1);
+}
+
 /* Corner 0, 1, 2, 3 of a window: a sample. */
 static int corner_column(const struct window *w, int corner) {
   return corner & 1 ? w->x1 - 1 : w->x0;
@@ -197,7 +208,7 @@ static int corner_row(const struct window *w, int corner) {
   return corner & 2 ? w->y1 - 1 : w->y0;
 }
 
-/* The edge's ends lie both above the window, or both below. */
+/* Both ends of the edge lie above the window, or both below. */
 static bool passes_by_rows(const struct state *s, uint32_t a, uint32_t b,
                            const struct window *w) {
   int side = hsr_row_side(s->screen, a, w->y0, s->tally);
@@ -288,8 +299,10 @@ static enum relation relate(const struct state *s, const struct listed *f,
   bool contained =
       f->x0 >= w->x0 && f->x1 <= w->x1 && f->y0 >= w->y0 && f->y1 <= w->y1;
   if (apart || (contained && !reaches_over)) {
-    HSR_COUNT(s->tally, HSR_WARNOCK_MINIMAX, 1);
-    return apart ? DISJOINT : INTERSECTER;
+    enum relation relation = apart ? DISJOINT : INTERSECTER;
+    HSR_STEP(s->tally, HSR_WARNOCK_MINIMAX, HSR_FACE(f->id), HSR_THE_WINDOW,
+             samples_of(w), (int)relation);
+    return relation;
   }
   if (!is_sample(w)) {
     if (edges_meet(s, f->id, w))
@@ -319,7 +332,7 @@ static struct depths depths_of(const struct state *s, uint32_t f,
   return depths;
 }
 
-/* The z_key of the farthest sample that surrounder f has in the window. */
+/* The z_key of the farthest sample of surrounder f in the window. */
 static uint32_t farthest(const struct state *s, uint32_t f,
                          const struct window *w) {
   struct depths depths = depths_of(s, f, w);
@@ -329,39 +342,41 @@ static uint32_t farthest(const struct state *s, uint32_t f,
   return z_key(q - 2 * depths.error);
 }
 
-/* Finds the relations to the window of list[0, n), until in Z order a face
- * comes, with all others after it, that lies behind all of a surrounder.
- * Returns the place of that face, or n. */
+/* Finds the relations of the faces in list[0, n) to the window. Stops at the
+ * first face in Z order that is behind all of a surrounder, since all later ones
+ * are too. Returns the place of that face, or n. */
 static uint32_t cull(struct state *s, const struct window *w, uint32_t n) {
-  static const enum hsr_step_kind event[] = {[DISJOINT] = HSR_REJECT,
-                                             [INTERSECTER] = HSR_COMPARE,
-                                             [SURROUNDER] = HSR_ACCEPT};
   uint32_t z_end = 0, k;
   for (k = 0; k < n && s->list[k].z >= z_end; k++) {
     struct listed *f = &s->list[k];
     if (f->since < w->level) {
-      HSR_COUNT(s->tally, HSR_WARNOCK_OLD_SURROUNDERS, 1);
+      HSR_STEP(s->tally, HSR_WARNOCK_OLD_SURROUNDERS, HSR_FACE(f->id),
+               HSR_THE_WINDOW, samples_of(w), 0);
       f->relation = SURROUNDER;
     } else {
       f->relation = (uint8_t)relate(s, f, w);
       f->since = f->relation == SURROUNDER ? (uint8_t)w->level : NEVER;
-      HSR_STEP9(s->tally, HSR_WARNOCK_SPECIAL, event[f->relation], f->id,
-                HSR_NO_ID, w->x0, w->y0, w->x1, w->y1);
+      HSR_STEP(s->tally, HSR_WARNOCK_SPECIAL, HSR_FACE(f->id), HSR_THE_WINDOW,
+               samples_of(w), f->relation);
     }
     if (f->relation == SURROUNDER) {
       uint32_t z = farthest(s, f->id, w);
       z_end = z > z_end ? z : z_end;
     }
   }
-  HSR_COUNT(s->tally, HSR_WARNOCK_OLD_DISJOINTS, s->n_disjoint);
-  HSR_COUNT(s->tally, HSR_WARNOCK_HIDDEN_FACES, s->n_hidden + n - k);
+  HSR_COMPUTED(s->tally, HSR_WARNOCK_OLD_DISJOINTS, s->n_disjoint);
+  HSR_COMPUTED(s->tally, HSR_WARNOCK_HIDDEN_FACES, s->n_hidden + n - k);
   return k;
 }
 
 /* --- Depth search --------------------------------------------------------- */
 
-/* The nearest of the surrounders at the first corner, which alone can be the
- * critical one; NULL: none. */
+/* Outcomes of a comparison in depth with a surrounder, as
+ * HSR_WARNOCK_DEPTH_SEARCH names them. */
+enum { UNDECIDED, BEHIND, IN_FRONT };
+
+/* The surrounder that is nearest at the first corner: no other can be the
+ * critical one. NULL: there is none. */
 static struct listed *nearest_surrounder(struct state *s,
                                          const struct window *w, uint32_t n) {
   struct listed *nearest = NULL;
@@ -370,9 +385,12 @@ static struct listed *nearest_surrounder(struct state *s,
     if (f->relation != SURROUNDER)
       continue;
     if (nearest) {
-      HSR_STEP9(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_COMPARE, f->id,
-                nearest->id, w->x0, w->y0, w->x1, w->y1);
-      if (!hsr_nearer(s->screen, f->id, nearest->id, w->x0, w->y0, s->tally))
+      bool nearer =
+          hsr_nearer(s->screen, f->id, nearest->id, w->x0, w->y0, s->tally);
+      HSR_STEP(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_FACE(f->id),
+               HSR_FACE(nearest->id), samples_of(w),
+               nearer ? IN_FRONT : BEHIND);
+      if (!nearer)
         continue;
     }
     nearest = f;
@@ -397,7 +415,7 @@ static int order_in_depth(const struct state *s, const struct depths *f,
   return n_nearer == 4 ? 1 : n_farther == 4 ? -1 : 0;
 }
 
-/* What is left of a window's faces to be seen. */
+/* Which of a window's faces may be visible. */
 struct remains {
   const struct listed *surrounder; /* the nearest; NULL: none */
   const struct listed *other;      /* one of the others; NULL: none */
@@ -418,9 +436,12 @@ static struct remains search_depth(struct state *s, const struct window *w,
     int order = -1;
     if (remains.surrounder) {
       struct depths depths = depths_of(s, f->id, w);
-      HSR_STEP9(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_COMPARE, critical.id,
-                f->id, w->x0, w->y0, w->x1, w->y1);
       order = order_in_depth(s, &critical, &depths);
+      HSR_STEP(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_FACE(f->id),
+               HSR_FACE(critical.id), samples_of(w),
+               order > 0   ? BEHIND
+               : order < 0 ? IN_FRONT
+                           : UNDECIDED);
     }
     if (order > 0) {
       f->relation = HIDDEN;
@@ -452,8 +473,13 @@ static void paint_face(struct state *s, const struct window *w, uint32_t f) {
     uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
     int n = hsr_face_spans(s->screen, f, j, s->columns, s->tally);
     for (int k = 0; k < n; k += 2) {
-      int x0 = s->columns[k], x1 = s->columns[k + 1];
-      for (int i = x0 > w->x0 ? x0 : w->x0; i < x1 && i < w->x1; i++)
+      int x0 = s->columns[k] > w->x0 ? s->columns[k] : w->x0;
+      int x1 = s->columns[k + 1] < w->x1 ? s->columns[k + 1] : w->x1;
+      if (x0 >= x1)
+        continue;
+      HSR_STEP(s->tally, HSR_WARNOCK_RUNS, HSR_FACE(f), HSR_THE_WINDOW,
+               HSR_ON(x0, x1, j), 0);
+      for (int i = x0; i < x1; i++)
         row[i] = f;
     }
   }
@@ -470,9 +496,9 @@ static void touch(struct state *s, const struct window *w, uint32_t n) {
       work[(size_t)j * s->tally->work_stride + (size_t)i] += share;
 }
 
-/* Paints the window if it is homogeneous or one of the simple cases: a single
- * face, or a single one in front of the critical surround, both intersecters. A
- * window of one sample always is homogeneous, having no intersecters. */
+/* Paints the window if it is homogeneous, or if one intersecter is left, alone
+ * or in front of the critical surround. A window of one sample has no
+ * intersecters and so is always homogeneous. */
 static bool decide(struct state *s, const struct window *w,
                    const struct remains *remains) {
   uint32_t id = remains->surrounder ? remains->surrounder->id : HSR_BACKGROUND;
@@ -488,8 +514,9 @@ static bool decide(struct state *s, const struct window *w,
         remains->surrounder ? HSR_WARNOCK_ONE_IN_FRONT : HSR_WARNOCK_ONE_FACE;
   else
     return false;
-  HSR_STEP9(s->tally, counter, HSR_ACCEPT, id,
-            one ? remains->other->id : HSR_NO_ID, w->x0, w->y0, w->x1, w->y1);
+  HSR_STEP(s->tally, counter, HSR_FACE(id),
+           one ? HSR_FACE(remains->other->id) : HSR_THE_WINDOW, samples_of(w),
+           0);
   paint(s, w, id);
   if (one)
     paint_face(s, w, remains->other->id);
@@ -515,7 +542,7 @@ static uint32_t set_aside(struct state *s, uint32_t n) {
   return n_kept;
 }
 
-/* Undoes that: merges the two parts of list[0, n) by Z. */
+/* Undoes set_aside: merges the two parts of list[0, n) by Z. */
 static void take_back(struct state *s, uint32_t n_kept, uint32_t n) {
   uint32_t n_aside = n - n_kept;
   memcpy(s->aside, s->list + n_kept, n_aside * sizeof *s->aside);
@@ -536,15 +563,16 @@ static void take_back(struct state *s, uint32_t n_kept, uint32_t n) {
  * lower parts. */
 struct division {
   int column, row;
+  uint32_t vertex; /* where it is divided; HSR_NO_ID: at the centre */
 };
 
 static struct division at_centre(const struct window *w) {
   return (struct division){w->x0 + (w->x1 - w->x0 + 1) / 2,
-                           w->y0 + (w->y1 - w->y0 + 1) / 2};
+                           w->y0 + (w->y1 - w->y0 + 1) / 2, HSR_NO_ID};
 }
 
-/* At a vertex of list[0, n) that lies among the window's samples: the one
- * nearest to the centre. False if there is none. (The first in Z order instead
+/* Finds the vertex of list[0, n) among the window's samples that is nearest to
+ * the centre. False if there is none. (To take the first in Z order instead
  * makes a quarter more windows in house and harbor, in twice the levels.) */
 static bool at_vertex(const struct state *s, const struct window *w, uint32_t n,
                       struct division *at) {
@@ -563,7 +591,7 @@ static bool at_vertex(const struct state *s, const struct window *w, uint32_t n,
       double away = fmax(fabs(column - centre.column), fabs(row - centre.row));
       if (away < least) {
         least = away;
-        *at = (struct division){(int)column, (int)row};
+        *at = (struct division){(int)column, (int)row, world->vertex[c]};
       }
     }
   }
@@ -577,9 +605,10 @@ static void examine(struct state *s, struct hsr_window samples, int level,
 static void subdivide(struct state *s, const struct window *w, uint32_t n) {
   struct division at = at_centre(w);
   if (s->at_vertices && w->level < LAST_VERTEX_LEVEL && at_vertex(s, w, n, &at))
-    HSR_COUNT(s->tally, AT_VERTEX, 1);
-  HSR_STEP9(s->tally, HSR_WARNOCK_SUBDIVISIONS, HSR_SUBDIVIDE, HSR_NO_ID,
-            HSR_NO_ID, w->x0, w->y0, w->x1, w->y1);
+    HSR_STEP(s->tally, AT_VERTEX, HSR_THE_WINDOW, HSR_VERTEX(at.vertex),
+             samples_of(w), 0);
+  HSR_STEP(s->tally, HSR_WARNOCK_SUBDIVISIONS, HSR_THE_WINDOW, HSR_NOTHING,
+           samples_of(w), 0);
   for (int quarter = 0; quarter < 4; quarter++) {
     struct hsr_window part = {w->x0, w->y0, w->x1, w->y1};
     *(quarter & 1 ? &part.x0 : &part.x1) = at.column;
@@ -589,7 +618,7 @@ static void subdivide(struct state *s, const struct window *w, uint32_t n) {
   }
 }
 
-/* Whether list[0, n) is what the finisher has room for. */
+/* Does the finisher have room for list[0, n)? */
 static bool are_few(const struct state *s, uint32_t n) {
   const struct hsr_finisher *finisher = s->finisher;
   if (!finisher || n > finisher->most_faces)
@@ -601,9 +630,9 @@ static bool are_few(const struct state *s, uint32_t n) {
 }
 
 static void finish(struct state *s, const struct window *w, uint32_t n) {
-  struct hsr_window window = {w->x0, w->y0, w->x1, w->y1};
-  HSR_STEP9(s->tally, HSR_WARNOCK_FINISHED, HSR_ACCEPT, HSR_NO_ID, HSR_NO_ID,
-            w->x0, w->y0, w->x1, w->y1);
+  struct hsr_window window = samples_of(w);
+  HSR_STEP(s->tally, HSR_WARNOCK_FINISHED, HSR_THE_WINDOW, HSR_NOTHING, window,
+           0);
   for (uint32_t k = 0; k < n; k++)
     s->open[k] = s->list[k].id;
   s->tally->first = HSR_WARNOCK_FINISHER;
@@ -623,7 +652,8 @@ static void solve(struct state *s, const struct window *w, uint32_t n) {
 /* One window. list[0, n): the faces that the enclosing window leaves open. */
 static void examine(struct state *s, struct hsr_window samples, int level,
                     uint32_t n) {
-  HSR_COUNT(s->tally, HSR_WARNOCK_WINDOWS, 1);
+  HSR_STEP(s->tally, HSR_WARNOCK_WINDOWS, HSR_THE_WINDOW, HSR_NOTHING, samples,
+           0);
   struct window w = make_window(s, samples, level);
   uint32_t n_reached = cull(s, &w, n);
   touch(s, &w, n_reached);
@@ -708,6 +738,7 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock) = {
     .name = "warnock",
     .title = "Warnock's area subdivision",
     .counters = counters,
+    .outline = outline,
     .render = render,
     DESCRIPTION};
 
@@ -715,5 +746,6 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_vertices) = {
     .name = "warnock-vertices",
     .title = "Warnock's area subdivision, at vertices",
     .counters = counters_at_vertices,
+    .outline = outline_at_vertices,
     .render = render_at_vertices,
     DESCRIPTION};

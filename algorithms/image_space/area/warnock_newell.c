@@ -11,24 +11,23 @@
  * Departures  those of all three; the depths of a piece, by which the list is
  *             sorted, are those that it has in the window, as though it had
  *             been clipped to it
- * Cost        the steps of both, beside the predictions for each alone: here
- *             Warnock special ends early, and Newell's steps are made without
- *             the faces that a surrounder hides, but of others once a window */
+ * Cost        the steps of both, with the predictions for each alone. Here
+ *             Warnock special ends early. Newell's steps leave out the faces
+ *             that a surrounder hides, but take a face once for each window
+ *             that it is in */
 #include "algorithms/list_priority/per_frame/newell.h"
 #include "algorithms/image_space/area/warnock.h"
 
 static const struct hsr_counter counters[] = {
-    HSR_FINISHED_COUNTERS, HSR_NEWELL_COUNTERS("Newell: "), {NULL, NULL}};
+    HSR_FINISHED_COUNTERS, HSR_NEWELL_COUNTERS("Newell: "), {NULL}};
 
 static const struct hsr_step steps[] = {
     HSR_WARNOCK_STEPS,
     HSR_NEWELL_STEPS(HSR_WARNOCK_FINISHER, "Newell: "),
-    {NULL, 0, 0, NULL, NULL}};
+    {NULL}};
 
-static const struct hsr_sort sorts[] = {HSR_WARNOCK_SORTS,
-                                        HSR_LIST_SORTS,
-                                        HSR_BEAD_SORTS,
-                                        {NULL, NULL, NULL, NULL}};
+static const struct hsr_sort sorts[] = {
+    HSR_WARNOCK_SORTS, HSR_LIST_SORTS, HSR_BEAD_SORTS, {NULL}};
 
 static void finish(void *newell, const struct hsr_window *window,
                    const uint32_t *faces, uint32_t n) {

@@ -7,24 +7,30 @@
  *             a partial sort.
  * Notation    that of warnock.c and of watkins.c; how few faces: warnock.h
  * Ties        those of watkins.c
- * Departures  those of warnock.c and of scan_line.h; an edge beyond the
- * window's sides stays in the X sort list, since it ends a segment Cost the
- * steps of both, beside the predictions for each alone: here Warnock special
- * ends early, and Watkins' steps are made without the faces that a surrounder
- * hides, but of others once a window */
+ * Departures  those of warnock.c and of scan_line.h; an edge beyond the window's
+ *             sides stays in the X sort list, since it ends a segment
+ * Cost        the steps of both, with the predictions for each alone. Here
+ *             Warnock special ends early. Watkins' steps leave out the faces
+ *             that a surrounder hides, but take a face once for each window
+ *             that it is in */
 #include "algorithms/image_space/area/warnock.h"
 #include "algorithms/image_space/point/watkins.h"
 
 static const struct hsr_counter counters[] = {
-    HSR_FINISHED_COUNTERS, HSR_WATKINS_COUNTERS("Watkins: "), {NULL, NULL}};
+    HSR_FINISHED_COUNTERS, HSR_WATKINS_COUNTERS("Watkins: "), {NULL}};
 
 static const struct hsr_step steps[] = {
     HSR_WARNOCK_STEPS,
     HSR_WATKINS_STEPS(HSR_WARNOCK_FINISHER, "Watkins: "),
-    {NULL, 0, 0, NULL, NULL}};
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {
-    HSR_WARNOCK_SORTS, HSR_WATKINS_SORTS, {NULL, NULL, NULL, NULL}};
+    HSR_WARNOCK_SORTS, HSR_WATKINS_SORTS, {NULL}};
+
+static const struct hsr_line outline[] = {
+    HSR_FINISHED_LINES,
+    HSR_WATKINS_LINES(HSR_WARNOCK_FINISHER, "    "),
+    {NULL}};
 
 static void finish(void *watkins, const struct hsr_window *window,
                    const uint32_t *faces, uint32_t n) {
@@ -65,4 +71,5 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_watkins) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .render = render};

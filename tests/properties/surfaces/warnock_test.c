@@ -73,7 +73,8 @@ static void watch_test(struct watch *w, const struct hsr_event *event) {
       w->n_repeated++;
       return;
     }
-  if ((enum hsr_step_kind)event->outcome == HSR_COMPARE)
+  enum { DISJOINT, INTERSECTER, SURROUNDER }; /* outcomes of Warnock special */
+  if (event->outcome == INTERSECTER)
     return;
   if (++w->n_settled >= w->room) {
     w->room = 2 * w->n_settled;
