@@ -11,33 +11,58 @@
  *             occupied just when all its samples are written, or outside the
  *             window
  * Ties        pieces in one plane: the lowest face comes first
- * Departures  a cell that has no sample in the polygon's box is outside, too.
- *             Faces for which the tree has no place are compared in depth
- *             (bsp_frame.h).
- * Cost        of cells that edges cross which are visible */
+ * Departures  A cell is also outside the polygon if the polygon's box holds none
+ *             of its samples. Faces for which the tree has no place are
+ *             compared in depth (bsp_frame.h).
+ * Cost        The work grows with the number of cells that visible edges cross.
+ */
 #include "algorithms/list_priority/fixed/bsp_frame.h"
 
 enum { CELLS = HSR_BSP_N_COUNTERS, SUBDIVISIONS, SIDES };
 
 static const struct hsr_counter counters[] = {
     HSR_BSP_COUNTERS,
-    [CELLS] = {"cells", "cells visited that were not occupied"},
-    [SUBDIVISIONS] = {"subdivisions", "of these, those that were subdivided"},
-    [SIDES] = {"side tests", "sides of polygons compared with cells"},
-    {NULL, NULL}};
+    [CELLS] = {"cells", "cells visited that were not occupied", HSR_COMPARE,
+               HSR_OF_FACE, HSR_OF_CELL, "outside the box|in the box"},
+    [SUBDIVISIONS] = {"subdivisions", "of these, those that were subdivided",
+                      HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_CELL},
+    [SIDES] = {"side tests", "sides of polygons compared with cells",
+               HSR_COMPARE, HSR_OF_EDGE, HSR_OF_CELL,
+               "outside|intersecting|inside"},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each piece of a polygon, in the order of the BSP tree, from the "
+     "front",
+     HSR_RAISES(HSR_BSP_PIECES)},
+    {"  insert it into a cell, unless that is occupied: the root first",
+     HSR_RAISES(CELLS)},
+    {"    compare each side that crosses the enclosing cell with the cell",
+     HSR_RAISES(SIDES)},
+    {"      if the cell is outside of one, it has nothing of the polygon"},
+    {"    if the cell is vacant, and inside of all, write its samples",
+     HSR_RAISES(HSR_BSP_SAMPLES)},
+    {"    else insert the polygon into its four quadrants",
+     HSR_RAISES(SUBDIVISIONS)},
+    {"      the cell is occupied if all of these are"},
+    {"for each face without a place in the tree: compare it in depth at its "
+     "samples",
+     HSR_RAISES(HSR_BSP_THICKNESS)},
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {
     {"faces", "Z", "BSP tree", "once for all frames"},
     {"pieces", "Z", "walk of the tree, from front to back", "once a frame"},
     {"windows", "XY", "quadtree", "once a piece"},
-    {NULL, NULL, NULL, NULL}};
+    {NULL}};
 
 enum { LEVELS = 32 };
 
 enum state { VACANT, PARTLY, OCCUPIED };
 
 /* A side of the polygon: the edge from vertex a to b, inside where
- * hsr_edge_side is `inside`; or, if b is HSR_NO_ID, the plane of face a. */
+ * hsr_edge_side is `inside`; or, if b is HSR_NO_ID, the plane of face a. As the
+ * subject of a step, the latter is an edge of face a without vertices. */
 struct side {
   uint32_t a, b;
   int inside;
@@ -66,7 +91,7 @@ static unsigned char *state_of(const struct warnock *s, int level, int x,
   return &s->state[level][cell_of(s, level, x, y)];
 }
 
-/* What its four quadrants make of a cell. */
+/* The state of a cell, from those of its four quadrants. */
 static enum state gather(const struct warnock *s, int level, int x, int y) {
   int n_occupied = 0, n_vacant = 0;
   for (int q = 0; q < 4; q++) {
@@ -100,13 +125,12 @@ static bool is_inside(struct warnock *s, const struct side *side, int i,
               : hsr_edge_side(screen, side->a, side->b, i, j, tally));
 }
 
-/* A side is a line on the screen: all samples between four are on the side of
- * it on which these are. */
+/* A side is a line on the screen. So if the four corner samples of a cell are on
+ * one side of it, all of its samples are. */
 enum where { OUTSIDE, INTERSECTING, INSIDE };
 static enum where side_of_cell(struct warnock *s, const struct side *side,
                                const struct hsr_bounds *b) {
   int n = is_inside(s, side, b->x0, b->y0);
-  HSR_COUNT(s->frame.job->tally, SIDES, 1);
   if (b->x1 - b->x0 > 1 || b->y1 - b->y0 > 1) {
     n += is_inside(s, side, b->x1 - 1, b->y0);
     if (n == 1)
@@ -119,11 +143,22 @@ static enum where side_of_cell(struct warnock *s, const struct side *side,
 }
 
 static void write_cell(struct warnock *s, const struct hsr_bounds *b) {
-  HSR_COUNT(s->frame.job->tally, HSR_BSP_SAMPLES,
-            (b->x1 - b->x0) * (b->y1 - b->y0));
   for (int j = b->y0; j < b->y1; j++)
-    for (int i = b->x0; i < b->x1; i++)
+    for (int i = b->x0; i < b->x1; i++) {
+      HSR_STEP(s->frame.job->tally, HSR_BSP_SAMPLES, HSR_FACE(s->piece.face),
+               HSR_NOTHING, HSR_AT(i, j), 0);
       hsr_bsp_frame_row(&s->frame, j)[i] = s->piece.face;
+    }
+}
+
+static inline struct hsr_window window_of(const struct hsr_bounds *b) {
+  return hsr_window_make(b->x0, b->y0, b->x1, b->y1);
+}
+
+static inline struct hsr_subject subject_of(const struct warnock *s,
+                                            const struct side *side) {
+  return side->b == HSR_NO_ID ? HSR_EDGE(HSR_NO_ID, HSR_NO_ID, side->a)
+                              : HSR_EDGE(side->a, side->b, s->piece.face);
 }
 
 static bool misses(const struct hsr_bounds *a, const struct hsr_bounds *b) {
@@ -132,8 +167,8 @@ static bool misses(const struct hsr_bounds *a, const struct hsr_bounds *b) {
 
 /* --- The algorithm -------------------------------------------------------- */
 
-/* Inserts the polygon into a cell, which n of its sides may cross. After these
- * there is room for those that cross its quadrants. */
+/* Inserts the polygon into a cell, which n of the polygon's sides may cross.
+ * Behind these n there is room for those that cross the cell's quadrants. */
 static void insert(struct warnock *s, int level, int x, int y,
                    const struct side *side, uint32_t n) {
   struct hsr_tally *tally = s->frame.job->tally;
@@ -141,16 +176,19 @@ static void insert(struct warnock *s, int level, int x, int y,
   if (*state == OCCUPIED)
     return;
   struct hsr_bounds samples = samples_of(s, level, x, y);
-  HSR_STEP9(tally, CELLS, HSR_SAMPLE, s->piece.face, HSR_NO_ID, samples.x0,
-            samples.y0, samples.x1, samples.y1);
+  bool outside = misses(&samples, &s->piece.bounds);
+  HSR_STEP(tally, CELLS, HSR_FACE(s->piece.face), HSR_CELL(level, x, y),
+           window_of(&samples), !outside);
   if (HSR_COUNTING && s->visits[level])
     s->visits[level][cell_of(s, level, x, y)]++;
-  if (misses(&samples, &s->piece.bounds))
+  if (outside)
     return;
   struct side *crossing = s->side + (side - s->side) + n;
   uint32_t n_crossing = 0;
   for (uint32_t k = 0; k < n; k++) {
     enum where where = side_of_cell(s, &side[k], &samples);
+    HSR_STEP(tally, SIDES, subject_of(s, &side[k]), HSR_CELL(level, x, y),
+             window_of(&samples), (int)where);
     if (where == OUTSIDE)
       return;
     if (where == INTERSECTING)
@@ -165,7 +203,8 @@ static void insert(struct warnock *s, int level, int x, int y,
     *state = OCCUPIED;
     return;
   }
-  HSR_COUNT(tally, SUBDIVISIONS, 1);
+  HSR_STEP(tally, SUBDIVISIONS, HSR_FACE(s->piece.face), HSR_CELL(level, x, y),
+           window_of(&samples), 0);
   for (int q = 0; q < 4; q++)
     insert(s, level - 1, 2 * x + q % 2, 2 * y + q / 2, crossing, n_crossing);
   *state = (unsigned char)gather(s, level, x, y);
@@ -180,8 +219,8 @@ static int side_of_loop(const struct warnock *s, uint32_t f, int facing) {
              : facing;
 }
 
-/* The sides of a flat piece. From the eye it fills the cone that they bound,
- * however much of it is behind the eye. */
+/* The sides of a flat piece. They bound the cone from the eye that the piece
+ * fills, even where part of the piece is behind the eye. */
 static uint32_t find_sides(struct warnock *s, const struct hsr_bsp_piece *piece,
                            int facing) {
   const struct hsr_bsp *bsp = s->frame.bsp;
@@ -291,6 +330,7 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_depth) = {
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,
+    .outline = outline,
     .prepare = HSR_OF_BUILD(hsr_bsp_prepare),
     .render = render,
     .release = HSR_OF_BUILD(hsr_bsp_release)};
