@@ -82,7 +82,12 @@ struct hsr_twin {
 
 /* --- What floats cannot tell ---------------------------------------------- */
 
-/* Has the screen's vertices transformed. */
+/* What face f of the world at hand is called. */
+static inline uint32_t called(const struct hsr_tiler *t, uint32_t f) {
+  return t->id ? t->first_id + t->id[f] : f;
+}
+
+/* Makes sure that the screen's vertices are transformed. */
 static inline void need_screen(struct hsr_tiler *t) {
   void (*lay_out)(void *) = t->lay_out;
   t->lay_out = NULL;
@@ -91,18 +96,17 @@ static inline void need_screen(struct hsr_tiler *t) {
 }
 
 static bool covers(struct hsr_tiler *t, uint32_t f, int i, int j) {
-  HSR_COUNT(t->tally, HSR_UNSURE_COVER, 1);
   need_screen(t);
   t->screen.whole[f] = true;
-  return hsr_covers(&t->screen, f, i, j, t->tally);
+  bool covered = hsr_covers(&t->screen, f, i, j, t->tally);
+  HSR_STEP(t->tally, HSR_UNSURE_COVER, HSR_FACE(called(t, f)), HSR_THE_WINDOW,
+           HSR_AT(i, j), covered);
+  return covered;
 }
 
-/* Is the face called id nearer than what the sample holds? */
-static bool is_nearer(struct hsr_tiler *t, uint32_t id, uint32_t held, int i,
-                      int j) {
-  if (held == HSR_BACKGROUND || held == id)
-    return held != id;
-  HSR_COUNT(t->tally, HSR_UNSURE_DEPTH, 1);
+/* Decided exactly: the faces of two names, at a sample. */
+static bool is_nearer_exactly(struct hsr_tiler *t, uint32_t id, uint32_t held,
+                              int i, int j) {
   if (t->pair)
     return hsr_pair_nearer(t->pair, id, held, i, j, t->tally);
   hsr_screen_plane(&t->screen, id);
@@ -110,8 +114,28 @@ static bool is_nearer(struct hsr_tiler *t, uint32_t id, uint32_t held, int i,
   return hsr_nearer(&t->screen, id, held, i, j, t->tally);
 }
 
-/* Decides sample (i, j) for face f, called id, of depth q there; `sure` if it
- * covers it for certain: then f does not matter. */
+/* Is the face called id nearer than what the sample holds? */
+static bool is_nearer(struct hsr_tiler *t, uint32_t id, uint32_t held, int i,
+                      int j) {
+  if (held == HSR_BACKGROUND || held == id)
+    return held != id;
+  bool nearer = is_nearer_exactly(t, id, held, i, j);
+  HSR_STEP(t->tally, HSR_UNSURE_DEPTH, HSR_FACE(id), HSR_FACE(held),
+           HSR_AT(i, j), nearer);
+  return nearer;
+}
+
+/* The face is written to the sample. */
+static inline void tell_write(const struct hsr_tiler *t, uint32_t id,
+                              uint32_t held, int i, int j) {
+  HSR_STEP(t->tally, HSR_WRITES, HSR_FACE(id), HSR_FACE(held), HSR_AT(i, j), 0);
+  if (held != HSR_BACKGROUND)
+    HSR_STEP(t->tally, HSR_OVERWRITES, HSR_FACE(held), HSR_FACE(id),
+             HSR_AT(i, j), 0);
+}
+
+/* Decides sample (i, j) for face f, called id, which has depth q there. `sure`:
+ * it certainly covers the sample, and f is not used. */
 static inline void settle(struct hsr_tiler *t, uint32_t f, uint32_t id, float q,
                           bool sure, int i, int j) {
   size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
@@ -129,22 +153,17 @@ static inline void settle(struct hsr_tiler *t, uint32_t f, uint32_t id, float q,
   if (!sure && !covers(t, f, i, j))
     return;
   HSR_TOUCH(t->tally, i, j);
-  HSR_STEP9(t->tally, HSR_DEPTH_TESTS, HSR_COMPARE, id, *held, i, j, i + 1,
-            j + 1);
   bool clear = q > *z * HSR_CLEAR || q * HSR_CLEAR < *z;
   HSR_COUNT_DEPTHS(t->tally, clear && *held != HSR_BACKGROUND);
-  if (clear ? q < *z : !is_nearer(t, id, *held, i, j))
+  bool nearer = clear ? q > *z : is_nearer(t, id, *held, i, j);
+  HSR_STEP(t->tally, HSR_DEPTH_TESTS, HSR_FACE(id), HSR_FACE(*held),
+           HSR_AT(i, j), nearer);
+  if (!nearer)
     return;
-  HSR_STEP9(t->tally, HSR_WRITES, HSR_ACCEPT, id, *held, i, j, i + 1, j + 1);
-  HSR_COUNT(t->tally, HSR_OVERWRITES, *held != HSR_BACKGROUND);
+  tell_write(t, id, *held, i, j);
   *z = q;
   *held = id;
 #endif
-}
-
-/* What face f of the world at hand is called. */
-static inline uint32_t called(const struct hsr_tiler *t, uint32_t f) {
-  return t->id ? t->first_id + t->id[f] : f;
 }
 
 /* --- Looking at a batch --------------------------------------------------- */
@@ -433,8 +452,12 @@ void HSR_OF_BUILD(hsr_tiler_set_up)(const struct hsr_tiler *t,
                                     struct hsr_batch *b) {
   set_up(t, &b->corners, b->n_fast, &b->triangles, b->good);
   for (int k = 0; k < b->n_fast; k++) {
-    HSR_COUNT(t->tally, HSR_FAST, b->good[k]);
-    if (!b->good[k])
+    if (b->good[k])
+      HSR_STEP(t->tally, HSR_FAST, HSR_FACE(b->corners.id[k]), HSR_NOTHING,
+               hsr_window_make(b->corners.x0[k], b->corners.y0[k],
+                               b->corners.x1[k], b->corners.y1[k]),
+               0);
+    else
       b->general = b->fate[b->place[k]] = HSR_GENERALLY;
   }
 }
@@ -522,7 +545,8 @@ AVX512 static void tile_span_avx512(struct hsr_tiler *t, const struct span *s) {
 
 #endif
 
-/* Where a depth of the face is within HSR_RHO / 2. */
+/* A row of a face. A depth is recorded where it is within HSR_RHO / 2 of the
+ * truth. */
 static void tile_span(struct hsr_tiler *t, uint32_t f, int j, int x0, int x1) {
   const struct hsr_depth_plane *p = &t->screen.plane[f];
   struct span span = {.f = f,
@@ -538,8 +562,7 @@ static void tile_span(struct hsr_tiler *t, uint32_t f, int j, int x0, int x1) {
     t->twin->tile_span(t, &span);
 }
 
-/* The rows from j on that an edge crosses, up to row `end`: those that the
- * other edge crosses too. */
+/* The rows from j up to `end`, which both edges cross. */
 static void tile_between(struct hsr_tiler *t, uint32_t f,
                          const struct hsr_edge *e, const struct hsr_edge *g,
                          int j, int end) {
@@ -584,7 +607,10 @@ bool HSR_OF_BUILD(hsr_tiler_place)(struct hsr_tiler *t, uint32_t f) {
   hsr_screen_plane(&t->screen, f);
   if (!hsr_screen_place(&t->screen, f, t->tally))
     return false;
-  HSR_COUNT(t->tally, HSR_GENERAL, 1);
+  HSR_STEP(t->tally, HSR_GENERAL, HSR_FACE(called(t, f)), HSR_NOTHING,
+           hsr_window_make(t->screen.bounds[f].x0, t->screen.bounds[f].y0,
+                           t->screen.bounds[f].x1, t->screen.bounds[f].y1),
+           0);
   return true;
 }
 
@@ -605,8 +631,8 @@ void HSR_OF_BUILD(hsr_tiler_tile_generally)(struct hsr_tiler *t, uint32_t f) {
 
 /* --- Tiling triangles ----------------------------------------------------- */
 
-/* What a triangle has at a sample: its depth; whether it covers it perhaps, and
- * for certain. */
+/* A triangle at a sample: its depth; does it perhaps cover the sample, and does
+ * it certainly? */
 struct at {
   float q;
   bool maybe, sure;
@@ -647,9 +673,7 @@ void HSR_OF_BUILD(hsr_tiler_tile_before)(struct hsr_tiler *t,
       size_t x = (size_t)(i - t->part.x0), y = (size_t)(j - t->part.y0);
       uint32_t *held = &t->ids[y * t->ids_stride + x];
       HSR_TOUCH(t->tally, i, j);
-      HSR_STEP9(t->tally, HSR_WRITES, HSR_ACCEPT, tri->id, *held, i, j, i + 1,
-                j + 1);
-      HSR_COUNT(t->tally, HSR_OVERWRITES, *held != HSR_BACKGROUND);
+      tell_write(t, tri->id, *held, i, j);
       t->z[y * t->z_stride + x] = at.q;
       *held = tri->id;
     }

@@ -3,16 +3,26 @@
  *
  * Source      Sutherland, Sproull and Schumacker 1974, appendix B, "Brute-Force
  *             Image-Space"; E. Catmull, PhD thesis, University of Utah, 1974.
- * Notation    as in tiler.h, which does the tiling
- * Departures  none in what is compared
+ * Notation    that of tiler.h, which does the tiling
+ * Invariant   that of tiler.h
+ * Ties        those of tiler.h
+ * Departures  none in what is compared: the culls that the paper calls
+ *             universally applicable come first
  * Cost        10 H_f^2 F_r predicted
  *
  * A large picture is cut into parts, which are tiled one after the other in one
- * small memory of depths and ids: its triangles are set up once and sorted into
+ * small memory of depths and ids. The triangles are set up once and sorted into
  * the parts. */
 #include "algorithms/brute_force/tiler.h"
 
-static const struct hsr_counter counters[] = {HSR_TILER_COUNTERS, {NULL, NULL}};
+static const struct hsr_counter counters[] = {HSR_TILER_COUNTERS, {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"clear the memory: at each raster element, no face"},
+    {"for each face"},
+    HSR_TILER_LINES("  "),
+    {"show the recorded ids"},
+    {NULL}};
 
 static double predict_tiling(const struct hsr_table1 *t) {
   return 10 * t->H_f * t->H_f * t->F_r;
@@ -20,7 +30,7 @@ static double predict_tiling(const struct hsr_table1 *t) {
 
 static const struct hsr_step steps[] = {
     {"depth comparison", HSR_DEPTH_TESTS, 10, "10 H_f^2 F_r", predict_tiling},
-    {NULL, 0, 0, NULL, NULL}};
+    {NULL}};
 
 enum {
   ONE_PART = 1 << 20, /* samples of a picture that is not cut into parts */
@@ -236,4 +246,5 @@ const struct hsr_algorithm HSR_ALGORITHM(zbuffer) = {
     .kind = HSR_IDS,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .render = render};

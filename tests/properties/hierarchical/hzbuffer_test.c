@@ -469,9 +469,9 @@ struct watched {
 
 static void watch(void *context, const struct hsr_event *event) {
   struct watched *w = context;
-  if ((enum hsr_step_kind)event->outcome == HSR_ACCEPT)
+  if (event->counter == HSR_WRITES)
     w->written[event->a.id[0]] = true;
-  if ((enum hsr_step_kind)event->outcome != HSR_COMPARE)
+  if (event->counter != HSR_DEPTH_TESTS)
     return;
   if (w->n == w->room) {
     w->room = 2 * w->room + 1000;
