@@ -31,6 +31,11 @@ tap_programs = \
   %D%/conformance/line_lattice_test \
   %D%/conformance/trace_test \
   %D%/counts/golden_test \
+  %D%/counts/by_hand/bouknight_test \
+  %D%/counts/by_hand/romney_test \
+  %D%/counts/by_hand/scan_line_test \
+  %D%/counts/by_hand/warnock_test \
+  %D%/counts/by_hand/watkins_test \
   %D%/properties/tiling/baselines_test \
   %D%/properties/hierarchical/boxes_test \
   %D%/properties/surfaces/combinations_test \
@@ -126,6 +131,16 @@ nodist_EXTRA_%C%_unit_core_world_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
 %C%_counts_golden_test_SOURCES = %D%/counts/golden_test.c
 nodist_EXTRA_%C%_counts_golden_test_SOURCES = force_cxx_link.cc
+%C%_counts_by_hand_bouknight_test_SOURCES = %D%/counts/by_hand/bouknight_test.c %D%/counts/by_hand/pixels.h
+nodist_EXTRA_%C%_counts_by_hand_bouknight_test_SOURCES = force_cxx_link.cc
+%C%_counts_by_hand_romney_test_SOURCES = %D%/counts/by_hand/romney_test.c %D%/counts/by_hand/pixels.h
+nodist_EXTRA_%C%_counts_by_hand_romney_test_SOURCES = force_cxx_link.cc
+%C%_counts_by_hand_scan_line_test_SOURCES = %D%/counts/by_hand/scan_line_test.c %D%/counts/by_hand/pixels.h
+nodist_EXTRA_%C%_counts_by_hand_scan_line_test_SOURCES = force_cxx_link.cc
+%C%_counts_by_hand_warnock_test_SOURCES = %D%/counts/by_hand/warnock_test.c %D%/counts/by_hand/pixels.h
+nodist_EXTRA_%C%_counts_by_hand_warnock_test_SOURCES = force_cxx_link.cc
+%C%_counts_by_hand_watkins_test_SOURCES = %D%/counts/by_hand/watkins_test.c %D%/counts/by_hand/pixels.h
+nodist_EXTRA_%C%_counts_by_hand_watkins_test_SOURCES = force_cxx_link.cc
 %C%_conformance_trace_test_SOURCES = %D%/conformance/trace_test.c
 nodist_EXTRA_%C%_conformance_trace_test_SOURCES = force_cxx_link.cc
 %C%_conformance_line_lattice_test_SOURCES = %D%/conformance/line_lattice_test.c

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Romney's counts, derived by hand from Sutherland et al. 1974, "Scan-line
+ * Algorithms" and "Existing Uses of Coherence". */
+#include "tests/counts/by_hand/pixels.h"
+
+enum { M = 16, N = 8 };
+
+/* Two triangles, A behind B, each with an upright edge on the left:
+ *  row   A       B
+ *  1     2-13
+ *  2     2-11    4-9
+ *  3     2-9     4-7
+ *  4     2-7     4-5
+ *  5     2-5
+ *  6     2-3 */
+static const struct pixel_face triangles[] = {
+    {3, {{2, 1, 8}, {14, 1, 8}, {2, 7, 8}}},
+    {3, {{4, 2, 4}, {10, 2, 4}, {4, 5, 4}}}};
+
+/* Y sort: 2 faces. X sort: the faces of each row: 1 + 2 + 2 + 2 + 1 + 1 = 9.
+ * X priority search: every X bucket of every row: 16 * 8 = 128.
+ *
+ * A span that is searched takes a look at each face of the X occupied table.
+ *   row  spans                        searched            reused
+ *   0    1
+ *   1    3: -, A, -                   A: 1 face
+ *   2    5: -, A, B, A, -             B: 2; A behind: 1   A before B enters
+ *   3    5                                                A, B, A: the line
+ *   4    5                                                A, B, A: the line
+ *   5    3: -, A, -                                       A: no span is left
+ *                                                         to be searched
+ *   6    3                                                A: the line
+ *   7    1
+ * Spans: 26. Depth search: 1 + 3 = 4. Spans reused: 1 + 3 + 3 + 1 + 1 = 9.
+ * Lines without a search, but with faces: rows 3 to 6. Both faces are flat. */
+static const struct pixel_count derived[] = {{"Y sort", 2},
+                                             {"X sort", 9},
+                                             {"X priority search", 128},
+                                             {"depth search", 4},
+                                             {"spans", 26},
+                                             {"spans reused", 9},
+                                             {"lines reused", 4},
+                                             {"thickness checks", 0},
+                                             {"thickness divisions", 0},
+                                             {NULL, 0}};
+
+int main(void) {
+  struct tap tap = plan(1);
+  struct pixel_picture p;
+  pixel_open(&p, triangles, 2, M, N);
+  ok(&tap, pixel_check(&p, "romney", derived, true), "two triangles");
+  pixel_close(&p);
+  return finish(&tap);
+}

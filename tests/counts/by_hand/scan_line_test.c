@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The Y sort, X merge and X sort of the scan-line algorithms, derived by hand.
+ *
+ * The bubble sort repairs what the merge misplaces, so that the picture stays
+ * right. But then it makes interchanges. In the first scene no two edges change
+ * places from line to line: any interchange is a fault of the merge. */
+#include "tests/counts/by_hand/pixels.h"
+
+enum { M = 16, N = 8 };
+
+/* --- Edges that enter between others -------------------------------------- */
+
+/* Rows 1 to 5:            list after the row's merge
+ *  1   2.........12        2 12
+ *  2   2..6==9...12        2 6 9 12
+ *  3   2..6==9.10====14    2 6 9 10 12 14
+ *  4   2......10====14     2 10 12 14
+ *  5          10====14     10 14 */
+static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
+                                         PIXEL_RECTANGLE(6, 2, 9, 4, 4),
+                                         PIXEL_RECTANGLE(10, 3, 14, 6, 4)};
+
+/* Y sort: two edges of each rectangle are not horizontal: 6.
+ *
+ * X merge, first the bucket, last in first out: a right edge, then the left one,
+ * which is compared with it: 1 a bucket. Then the merge from the right ends:
+ *   row 1: the list is empty                                        0
+ *   row 2: 9 with 12, with 2; 6 with 2                              3
+ *   row 3: 14 with 12; 10 with 12, with 9                           3
+ * That is 3 + 6 = 9.
+ *
+ * X sort: every edge but the first is compared with the one before it:
+ * 1 + 3 + 5 + 3 + 1 = 13. No two are out of order: 0 interchanges. */
+static const struct pixel_count of_deck[] = {{"Y sort", 6},
+                                             {"X merge", 9},
+                                             {"X sort", 13},
+                                             {"X interchanges", 0},
+                                             {NULL, 0}};
+
+/* --- Edges that cross ----------------------------------------------------- */
+
+/* A, upright, and B, two columns further to the right on each row:
+ *  row       1     2     3     4
+ *  A        4-8   4-8   4-8   4-8
+ *  B        2-4   4-6   6-8   8-10 */
+static const struct pixel_face slant[] = {
+    PIXEL_RECTANGLE(4, 1, 8, 5, 8),
+    {4, {{1, 1, 4}, {3, 1, 4}, {11, 5, 4}, {9, 5, 4}}}};
+
+/* Y sort: 4. All edges enter on row 1.
+ *
+ * X merge: the bucket, last in first out, is B right 4, B left 2, A right 8,
+ * A left 4. B left with B right: 1. A right with B right: 1. A left with A
+ * right, then with B right, which is at the same column and stays: 2. That is
+ * 4; the list is empty, so nothing is merged.
+ *
+ * X sort: comparisons, and interchanges:
+ *   row 1: Bl 2, Br 4, Al 4, Ar 8: in order                   3
+ *   row 2: Bl 4, Br 6, Al 4, Ar 8: Al passes Br, not Bl       4, 1
+ *   row 3: Bl 6, Al 4, Br 8, Ar 8: Al passes Bl               3, 1
+ *   row 4: Al 4, Bl 8, Br 10, Ar 8: Ar passes Br, not Bl      4, 1 */
+static const struct pixel_count of_slant[] = {{"Y sort", 4},
+                                              {"X merge", 4},
+                                              {"X sort", 14},
+                                              {"X interchanges", 3},
+                                              {NULL, 0}};
+
+int main(void) {
+  static const char *const names[] = {"watkins", "bouknight", "yzx"};
+  struct tap tap = plan(6);
+  struct pixel_picture p, q;
+  pixel_open(&p, deck, 3, M, N);
+  pixel_open(&q, slant, 2, M, N);
+  for (int k = 0; k < 3; k++) {
+    ok(&tap, pixel_check(&p, names[k], of_deck, false),
+       "%s: edges that enter between others", names[k]);
+    ok(&tap, pixel_check(&q, names[k], of_slant, false), "%s: edges that cross",
+       names[k]);
+  }
+  pixel_close(&p);
+  pixel_close(&q);
+  return finish(&tap);
+}

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Warnock's counts, derived by hand from Sutherland et al. 1974, "J. E.
+ * Warnock", and from the module's own rule that a face behind a surrounder is
+ * inherited as hidden. */
+#include "tests/counts/by_hand/pixels.h"
+
+enum { SIZE = 8 };
+
+/*      0 1 2 3 4 5 6 7
+ *    0 A A A A . . . .      A fills columns 0 to 3 and reaches beyond the
+ *    1 A A A A B E B .        picture above, below and to the left
+ *    2 A A A A B B B .      B is the farthest: columns 1 to 6, rows 1 and 2
+ *    3 A A A A . . . .      C, D and E are the nearest
+ *    4 A A A A . . . .
+ *    5 A C C A . . . .
+ *    6 A A D A . . . .
+ *    7 A A A A . . . . */
+static const struct pixel_face faces[] = {
+    PIXEL_RECTANGLE(-1, -1, 4, 9, 8), PIXEL_RECTANGLE(1, 1, 7, 3, 16),
+    PIXEL_RECTANGLE(1, 5, 3, 6, 4), PIXEL_RECTANGLE(2, 6, 3, 7, 4),
+    PIXEL_RECTANGLE(5, 1, 6, 2, 4)};
+
+/* Z sort: 5 faces in 2 passes: 10. The order is C, D, E, A, B.
+ *
+ * In the table: tests, and those of them that boxes decide; old surrounders,
+ * old disjoints; hidden faces; depth comparisons. A box decides if it is apart
+ * from the window, or contained in it and not as large.
+ *
+ *   window                 tests box  surr disj  hidden  depth
+ *   0-8, 0-8                 5    5     0    0     0       0   five intersecters
+ *   0-4, 0-4                 4    3     0    0     1       0   homogeneous: A
+ *     (C, D and E are apart, A surrounds it, B is behind A)
+ *   4-8, 0-4                 5    4     0    0     0       0   E and B intersect
+ *     (B is decided by its edges; C, D and A are disjoint from all parts)
+ *     4-6, 0-2               2    1     0    3     0       0   E and B intersect
+ *       sample 4, 0          2    2     0    3     0       0   background
+ *       sample 5, 0          2    2     0    3     0       0   background
+ *       sample 4, 1          2    1     0    3     0       0   B
+ *       sample 5, 1          1    0     0    3     1       0   E, which hides B
+ *     6-8, 0-2               2    1     0    3     0       0   one face: B, 1 run
+ *     4-6, 2-4               2    1     0    3     0       0   one face: B, 1 run
+ *     6-8, 2-4               2    1     0    3     0       0   one face: B, 1 run
+ *   0-4, 4-8                 4    3     0    0     1       2   C and D before A
+ *     (E is apart; B is behind A)
+ *     0-2, 4-6               2    1     1    1     1       1   C before A, 1 run
+ *     2-4, 4-6               2    1     1    1     1       1   C before A, 1 run
+ *     0-2, 6-8               2    2     1    1     1       0   homogeneous: A
+ *     2-4, 6-8               2    2     1    1     1       1   D before A, 1 run
+ *   4-8, 4-8                 5    5     0    0     0       0   empty
+ *   sum                     46   35     4   28     7       5
+ *
+ * There are 17 windows, 4 of which are divided; and indeed of 17 times 5 faces
+ * 46 are tested, 4 and 28 are inherited, and 7 are hidden. */
+static const struct pixel_count derived[] = {{"Z sort", 10},
+                                             {"Warnock special", 46},
+                                             {"depth search", 5},
+                                             {"windows", 17},
+                                             {"subdivisions", 4},
+                                             {"minimax culls", 35},
+                                             {"inherited surrounders", 4},
+                                             {"inherited disjoints", 28},
+                                             {"hidden faces", 7},
+                                             {"empty windows", 1},
+                                             {"homogeneous windows", 2},
+                                             {"one face", 3},
+                                             {"one in front", 3},
+                                             {"samples", 4},
+                                             {"runs", 6},
+                                             {NULL, 0}};
+
+int main(void) {
+  struct tap tap = plan(1);
+  struct pixel_picture p;
+  pixel_open(&p, faces, 5, SIZE, SIZE);
+  ok(&tap, pixel_check(&p, "warnock", derived, true), "five rectangles");
+  pixel_close(&p);
+  return finish(&tap);
+}

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Watkins' counts, derived by hand from Sutherland et al. 1974, "Scan-line
+ * Algorithms", and from the module's own rules for sample spans. The Y sort, X
+ * merge and X sort of the first scene are derived in scan_line_test.c. */
+#include "tests/counts/by_hand/pixels.h"
+
+enum { M = 16, N = 8 };
+
+/* --- Faces before one another --------------------------------------------- */
+
+/* A is far, B and C are near. Rows 1 to 5, columns:
+ *  1   A 2-12
+ *  2   A 2-12, B 6-9
+ *  3   A 2-12, B 6-9, C 10-14
+ *  4   A 2-12,        C 10-14
+ *  5                  C 10-14 */
+static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
+                                         PIXEL_RECTANGLE(6, 2, 9, 4, 4),
+                                         PIXEL_RECTANGLE(10, 3, 14, 6, 4)};
+
+/* Span cull: when a span begins, each segment under the last one is tested for
+ * its right end, and each that begins there is tested as it enters. Then the
+ * segments not yet under the span are tested until one begins right of it.
+ * Depth search: under the span, each segment but the first with the visible
+ * one; and each that begins within the span with the visible one. All depths
+ * are constant, so that one comparison tells and nothing is divided.
+ *
+ *   span       shows  culls                                    comparisons
+ *   row 1
+ *    0-2       -      A begins within                     1
+ *    2-12      A      A enters                            1
+ *   12-16      -      A ends                              1    3 spans, 3 culls
+ *   row 2
+ *    0-2       -      A begins within, B is outside       2
+ *    2-6       A      A enters, B begins within           2    B A
+ *    6-9       B      A stays, B enters                   2    B A
+ *    9-12      A      A stays, B ends                     2
+ *   12-16      -      A ends                              1    5, 9, 2
+ *   row 3
+ *    0-2       -      A begins within, B is outside       2
+ *    2-6       A      A enters, B begins within, C not    3    B A
+ *    6-9       B      A stays, B enters, C is outside     3    B A
+ *    9-10      A      A stays, B ends, C begins within    3    C A
+ *   10-12      C      A stays, C enters                   2    C A
+ *   12-14      C      A ends, C stays                     2
+ *   14-16      -      C ends                              1    7, 16, 4
+ *   row 4
+ *    0-2       -      A begins within, C is outside       2
+ *    2-10      A      A enters, C begins within           2    C A
+ *   10-12      C      A stays, C enters                   2    C A
+ *   12-14      C      A ends, C stays                     2
+ *   14-16      -      C ends                              1    5, 9, 2
+ *   row 5      as row 1                                        3, 3
+ *   rows 0, 6 and 7: one span each                             3 */
+static const struct pixel_count of_deck[] = {{"Y sort", 6},
+                                             {"X merge", 9},
+                                             {"X sort", 13},
+                                             {"X interchanges", 0},
+                                             {"span cull", 3 + 9 + 16 + 9 + 3},
+                                             {"spans", 3 + 5 + 7 + 5 + 3 + 3},
+                                             {"depth search", 2 + 4 + 2},
+                                             {"depth divisions", 0},
+                                             {NULL, 0}};
+
+/* --- Faces that penetrate ------------------------------------------------- */
+
+/* On row 3, both have the columns 4-12. With q = 1/depth in units of 1/128, S
+ * has q = 8 + (x - 4) at x, and P has 13 everywhere: S comes to the front at
+ * x = 9. Column c is at x = c + 0.5. */
+static const struct pixel_face crossing[] = {
+    {4, {{4, 3, 16}, {12, 3, 8}, {12, 4, 8}, {4, 4, 16}}},
+    PIXEL_RECTANGLE(4, 3, 12, 4, 128.0 / 13)};
+
+/* Y sort: 4. X merge: the bucket is P right 12, P left 4, S right 12, S left 4.
+ * P left with P right: 1. S right with P right: 1. S left with S right, P right,
+ * P left: 3. That is 5. The list is P left, S left, P right, S right. X sort: 3.
+ *
+ * Span cull:
+ *    0-4    P begins within, S is outside     2
+ *    4-9    both enter                        2
+ *    9-12   both stay                         2
+ *   12-16   both end                          2
+ *
+ * Depth search, S against P, in the span that begins at 4. Parts are given by
+ * their ends in columns, beginning with 4-11 of both. (The first one is divided
+ * if both are of one length.)
+ *   samples  S                 P      decided
+ *   4-12     4-11: 8.5 .. 15.5 4-11   no: the samples straddle 7.5: divide them
+ *                                     at 8
+ *   4-8      4-11              4-11   no: halve S
+ *            4-7.5: 8.5 .. 12  4-11   farther
+ *   8-12     4-11              4-11   no: halve S
+ *            7.5-11: 12 .. 15.5 4-11  no: halve P
+ *            7.5-11            7.5-11 no: the samples straddle 9.25: divide them
+ *                                     at 10
+ *   8-10     7.5-11            7.5-11 no: halve S
+ *            7.5-9.25: 12 .. 13.75    no: halve P
+ *            7.5-9.25        7.5-9.25 no: the samples straddle 8.375: divide
+ *                                     them at 9
+ *   8-9                               farther, by the exact comparison
+ *   9-10                              nearer, by the exact comparison
+ * These are 11 comparisons; 8 of them say no, and divide. P is visible up to 9.
+ * In the span that begins at 9:
+ *   9-12     4-11              4-11   no: halve S
+ *            7.5-11            4-11   no: halve P
+ *            7.5-11            7.5-11 no: the samples straddle 9.25: divide them
+ *                                     at 10
+ *   9-10                              nearer, by the exact comparison
+ *   10-12    7.5-11            7.5-11 no: halve S
+ *            9.25-11: 13.75 .. 15.5   nearer
+ * These are 6 comparisons, and 4 divisions. S is visible up to 12. */
+static const struct pixel_count of_crossing[] = {{"Y sort", 4},
+                                                 {"X merge", 5},
+                                                 {"X sort", 3},
+                                                 {"X interchanges", 0},
+                                                 {"span cull", 8},
+                                                 {"spans", 4 + 7},
+                                                 {"depth search", 11 + 6},
+                                                 {"depth divisions", 8 + 4},
+                                                 {NULL, 0}};
+
+int main(void) {
+  struct tap tap = plan(2);
+  struct pixel_picture p;
+  pixel_open(&p, deck, 3, M, N);
+  ok(&tap, pixel_check(&p, "watkins", of_deck, true),
+     "faces before one another");
+  pixel_close(&p);
+  pixel_open(&p, crossing, 2, M, N);
+  ok(&tap, pixel_check(&p, "watkins", of_crossing, true),
+     "faces that penetrate");
+  pixel_close(&p);
+  return finish(&tap);
+}
