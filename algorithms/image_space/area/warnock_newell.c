@@ -29,6 +29,13 @@ static const struct hsr_step steps[] = {
 static const struct hsr_sort sorts[] = {
     HSR_WARNOCK_SORTS, HSR_LIST_SORTS, HSR_BEAD_SORTS, {NULL}};
 
+static const struct hsr_line outline[] = {
+    HSR_FINISHED_LINES,
+#ifdef HSR_NEWELL_OUTLINE
+    HSR_NEWELL_OUTLINE(HSR_WARNOCK_FINISHER, "    "),
+#endif
+    {NULL}};
+
 static void finish(void *newell, const struct hsr_window *window,
                    const uint32_t *faces, uint32_t n) {
   hsr_newell_solve(newell, window, faces, n);
@@ -65,4 +72,5 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_newell) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .render = render};
