@@ -49,6 +49,7 @@ tap_programs = \
   %D%/properties/metamorphic_test \
   %D%/properties/surfaces/newell_test \
   %D%/properties/lines/roberts_test \
+  %D%/properties/surfaces/outcomes_test \
   %D%/properties/surfaces/romney_test \
   %D%/properties/surfaces/scan_line_test \
   %D%/properties/surfaces/schumacker_test \
@@ -168,6 +169,8 @@ nodist_EXTRA_%C%_properties_tiling_merged_test_SOURCES = force_cxx_link.cc
 nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
 %C%_properties_lines_roberts_test_SOURCES = %D%/properties/lines/roberts_test.c
 nodist_EXTRA_%C%_properties_lines_roberts_test_SOURCES = force_cxx_link.cc
+%C%_properties_surfaces_outcomes_test_SOURCES = %D%/properties/surfaces/outcomes_test.c
+nodist_EXTRA_%C%_properties_surfaces_outcomes_test_SOURCES = force_cxx_link.cc
 %C%_properties_surfaces_romney_test_SOURCES = %D%/properties/surfaces/romney_test.c
 nodist_EXTRA_%C%_properties_surfaces_romney_test_SOURCES = force_cxx_link.cc
 %C%_properties_surfaces_schumacker_test_SOURCES = %D%/properties/surfaces/schumacker_test.c
