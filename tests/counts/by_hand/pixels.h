@@ -77,18 +77,62 @@ static inline void pixel_close(struct pixel_picture *p) {
   hsr_scene_delete(p->scene);
 }
 
-/* What a counter must be. */
+/* What a counter must be; or how many of its events must have an outcome. */
 struct pixel_count {
   const char *counter;
   uint64_t derived;
+  const char *outcome; /* NULL: all */
 };
+
+enum { PIXEL_OUTCOMES = 8 };
+
+struct pixel_heard {
+  uint64_t n[HSR_MAX_COUNTERS][PIXEL_OUTCOMES];
+};
+
+static inline void pixel_listen(void *context, const struct hsr_event *event) {
+  struct pixel_heard *heard = context;
+  heard->n[event->counter][event->outcome]++;
+}
+
+/* The number of an outcome among a counter's; it must be there. */
+static inline int pixel_outcome(const struct hsr_counter *counter,
+                                const char *outcome) {
+  const char *at = counter->outcomes;
+  size_t length = strlen(outcome);
+  for (int k = 0; at; k++) {
+    const char *end = strchr(at, '|');
+    if (strlen(at) >= length && !strncmp(at, outcome, length) &&
+        (at[length] == '|' || !at[length]))
+      return k;
+    at = end ? end + 1 : NULL;
+  }
+  pixel_stop(outcome);
+  return 0;
+}
+
+static inline bool pixel_check_one(const struct hsr_algorithm *a, int k,
+                                   const struct hsr_tally *tally,
+                                   const struct pixel_heard *heard,
+                                   const struct pixel_count *d) {
+  uint64_t counted =
+      d->outcome ? heard->n[k][pixel_outcome(&a->counters[k], d->outcome)]
+                 : tally->count[k];
+  if (counted == d->derived)
+    return true;
+  printf("# %s: %s: %s: counted %" PRIu64 ", derived %" PRIu64 "\n", a->name,
+         d->counter, d->outcome ? d->outcome : "all", counted, d->derived);
+  return false;
+}
 
 /* Draws the picture; says which counters differ from what was derived; `all`:
  * and which were not derived. */
 static inline bool pixel_check(const struct pixel_picture *p, const char *name,
                                const struct pixel_count *derived, bool all) {
   const struct hsr_algorithm *a = hsr_algorithm_find(name)->counting;
-  struct hsr_tally tally = {.first = 0};
+  struct pixel_heard heard = {.n = {{0}}};
+  struct hsr_trace trace = {.listen = pixel_listen, .context = &heard};
+  struct hsr_tally tally = {.trace = &trace};
   uint32_t *ids = calloc((size_t)(p->view.m * p->view.n), sizeof *ids);
   if (!ids)
     pixel_stop("out of memory");
@@ -99,19 +143,17 @@ static inline bool pixel_check(const struct pixel_picture *p, const char *name,
   while (derived[n_derived].counter)
     n_derived++;
   for (int k = 0; a->counters[k].name; k++) {
-    const struct pixel_count *d = derived;
-    while (d->counter && strcmp(d->counter, a->counters[k].name))
-      d++;
-    n_found += d->counter != NULL;
-    if (d->counter ? d->derived == tally.count[k] : !all)
-      continue;
-    printf("# %s: %s: counted %" PRIu64 ", ", name, a->counters[k].name,
-           tally.count[k]);
-    if (d->counter)
-      printf("derived %" PRIu64 "\n", d->derived);
-    else
-      puts("not derived");
-    good = false;
+    bool found = false;
+    for (const struct pixel_count *d = derived; d->counter; d++)
+      if (!strcmp(d->counter, a->counters[k].name)) {
+        n_found++;
+        found |= !d->outcome;
+        good &= pixel_check_one(a, k, &tally, &heard, d);
+      }
+    if (!found && all) {
+      printf("# %s: %s: not derived\n", name, a->counters[k].name);
+      good = false;
+    }
   }
   return good && n_found == n_derived;
 }

@@ -18,7 +18,8 @@ static const struct pixel_face triangles[] = {
     {3, {{4, 2, 4}, {10, 2, 4}, {4, 5, 4}}}};
 
 /* Y sort: 2 faces. X sort: the faces of each row: 1 + 2 + 2 + 2 + 1 + 1 = 9.
- * X priority search: every X bucket of every row: 16 * 8 = 128.
+ * X priority search: every X bucket of every row: 16 * 8 = 128; two for each
+ * face on a row hold intercepts: 18.
  *
  * A span that is searched takes a look at each face of the X occupied table.
  *   row  spans                        searched            reused
@@ -32,17 +33,22 @@ static const struct pixel_face triangles[] = {
  *   6    3                                                A: the line
  *   7    1
  * Spans: 26. Depth search: 1 + 3 = 4. Spans reused: 1 + 3 + 3 + 1 + 1 = 9.
+ * A is in the table before B, so that each look finds the nearest face so far.
  * Lines without a search, but with faces: rows 3 to 6. Both faces are flat. */
-static const struct pixel_count derived[] = {{"Y sort", 2},
-                                             {"X sort", 9},
-                                             {"X priority search", 128},
-                                             {"depth search", 4},
-                                             {"spans", 26},
-                                             {"spans reused", 9},
-                                             {"lines reused", 4},
-                                             {"thickness checks", 0},
-                                             {"thickness divisions", 0},
-                                             {NULL, 0}};
+static const struct pixel_count derived[] = {
+    {"Y sort", 2},
+    {"X sort", 9},
+    {"X priority search", 128},
+    {"X priority search", 18, "holds intercepts"},
+    {"X priority search", 110, "empty"},
+    {"depth search", 4},
+    {"depth search", 4, "nearer"},
+    {"spans", 26},
+    {"spans reused", 9},
+    {"lines reused", 4},
+    {"thickness checks", 0},
+    {"thickness divisions", 0},
+    {NULL}};
 
 int main(void) {
   struct tap tap = plan(1);

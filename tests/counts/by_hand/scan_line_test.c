@@ -35,7 +35,7 @@ static const struct pixel_count of_deck[] = {{"Y sort", 6},
                                              {"X merge", 9},
                                              {"X sort", 13},
                                              {"X interchanges", 0},
-                                             {NULL, 0}};
+                                             {NULL}};
 
 /* --- Edges that cross ----------------------------------------------------- */
 
@@ -59,11 +59,10 @@ static const struct pixel_face slant[] = {
  *   row 2: Bl 4, Br 6, Al 4, Ar 8: Al passes Br, not Bl       4, 1
  *   row 3: Bl 6, Al 4, Br 8, Ar 8: Al passes Bl               3, 1
  *   row 4: Al 4, Bl 8, Br 10, Ar 8: Ar passes Br, not Bl      4, 1 */
-static const struct pixel_count of_slant[] = {{"Y sort", 4},
-                                              {"X merge", 4},
-                                              {"X sort", 14},
-                                              {"X interchanges", 3},
-                                              {NULL, 0}};
+static const struct pixel_count of_slant[] = {
+    {"Y sort", 4},         {"X merge", 4},
+    {"X sort", 14},        {"X sort", 3, "to the left"},
+    {"X interchanges", 3}, {NULL}};
 
 int main(void) {
   static const char *const names[] = {"watkins", "bouknight", "yzx"};

@@ -49,24 +49,35 @@ static const struct pixel_face faces[] = {
  *   4-8, 4-8                 5    5     0    0     0       0   empty
  *   sum                     46   35     4   28     7       5
  *
+ * The tests find 25 disjoint faces, all by their boxes; 17 intersecters, 10 of
+ * them by their boxes, being contained; and 4 surrounders. All comparisons in
+ * depth find a face in front of A.
+ *
  * There are 17 windows, 4 of which are divided; and indeed of 17 times 5 faces
  * 46 are tested, 4 and 28 are inherited, and 7 are hidden. */
-static const struct pixel_count derived[] = {{"Z sort", 10},
-                                             {"Warnock special", 46},
-                                             {"depth search", 5},
-                                             {"windows", 17},
-                                             {"subdivisions", 4},
-                                             {"minimax culls", 35},
-                                             {"inherited surrounders", 4},
-                                             {"inherited disjoints", 28},
-                                             {"hidden faces", 7},
-                                             {"empty windows", 1},
-                                             {"homogeneous windows", 2},
-                                             {"one face", 3},
-                                             {"one in front", 3},
-                                             {"samples", 4},
-                                             {"runs", 6},
-                                             {NULL, 0}};
+static const struct pixel_count derived[] = {
+    {"Z sort", 10},
+    {"Warnock special", 46},
+    {"Warnock special", 25, "disjoint"},
+    {"Warnock special", 17, "intersecter"},
+    {"Warnock special", 4, "surrounder"},
+    {"depth search", 5},
+    {"depth search", 5, "in front"},
+    {"windows", 17},
+    {"subdivisions", 4},
+    {"minimax culls", 35},
+    {"minimax culls", 25, "disjoint"},
+    {"minimax culls", 10, "intersecter"},
+    {"inherited surrounders", 4},
+    {"inherited disjoints", 28},
+    {"hidden faces", 7},
+    {"empty windows", 1},
+    {"homogeneous windows", 2},
+    {"one face", 3},
+    {"one in front", 3},
+    {"samples", 4},
+    {"runs", 6},
+    {NULL}};
 
 int main(void) {
   struct tap tap = plan(1);

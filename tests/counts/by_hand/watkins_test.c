@@ -51,16 +51,22 @@ static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
  *   12-14      C      A ends, C stays                     2
  *   14-16      -      C ends                              1    5, 9, 2
  *   row 5      as row 1                                        3, 3
- *   rows 0, 6 and 7: one span each                             3 */
+ *   rows 0, 6 and 7: one span each                             3
+ *
+ * Where a segment begins within the span, enters or stays, it is inside:
+ * 2 + 6 + 10 + 6 + 2 = 26 of 40. All comparisons find the later face nearer. */
 static const struct pixel_count of_deck[] = {{"Y sort", 6},
                                              {"X merge", 9},
                                              {"X sort", 13},
                                              {"X interchanges", 0},
                                              {"span cull", 3 + 9 + 16 + 9 + 3},
+                                             {"span cull", 26, "inside"},
+                                             {"span cull", 14, "outside"},
                                              {"spans", 3 + 5 + 7 + 5 + 3 + 3},
                                              {"depth search", 2 + 4 + 2},
+                                             {"depth search", 8, "nearer"},
                                              {"depth divisions", 0},
-                                             {NULL, 0}};
+                                             {NULL}};
 
 /* --- Faces that penetrate ------------------------------------------------- */
 
@@ -109,15 +115,19 @@ static const struct pixel_face crossing[] = {
  *   10-12    7.5-11            7.5-11 no: halve S
  *            9.25-11: 13.75 .. 15.5   nearer
  * These are 6 comparisons, and 4 divisions. S is visible up to 12. */
-static const struct pixel_count of_crossing[] = {{"Y sort", 4},
-                                                 {"X merge", 5},
-                                                 {"X sort", 3},
-                                                 {"X interchanges", 0},
-                                                 {"span cull", 8},
-                                                 {"spans", 4 + 7},
-                                                 {"depth search", 11 + 6},
-                                                 {"depth divisions", 8 + 4},
-                                                 {NULL, 0}};
+static const struct pixel_count of_crossing[] = {
+    {"Y sort", 4},
+    {"X merge", 5},
+    {"X sort", 3},
+    {"X interchanges", 0},
+    {"span cull", 8},
+    {"spans", 4 + 7},
+    {"depth search", 11 + 6},
+    {"depth search", 8 + 4, "undecided"},
+    {"depth search", 2, "farther"},
+    {"depth search", 1 + 2, "nearer"},
+    {"depth divisions", 8 + 4},
+    {NULL}};
 
 int main(void) {
   struct tap tap = plan(2);
