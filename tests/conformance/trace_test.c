@@ -14,7 +14,8 @@
 static const char *const scenes[] = {
     "house",      "cyclic-overlap", "penetration",  "coplanar",
     "one-sided",  "t-junction",     "shared-edges", "near-plane",
-    "non-convex", "eye-in-plane",   "color-cube:2", "nested-solids"};
+    "non-convex", "eye-in-plane",   "color-cube:2", "nested-solids",
+    "sphere:200"};
 enum { N_SCENES = sizeof scenes / sizeof *scenes, M = 33, N = 24 };
 
 /* What one run told. */
