@@ -216,4 +216,4 @@ nodist_EXTRA_%C%_sweep_schema_test_SOURCES = force_cxx_link.cc
 %C%_sweep_sweep_test_LDADD = $(BENCH_LIBS)
 nodist_EXTRA_%C%_sweep_sweep_test_SOURCES = force_cxx_link.cc
 
-EXTRA_DIST += %D%/mutants/run %D%/mutants/core.mutants %D%/counts/golden %D%/counts/rewrite %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/report/browse.mjs %D%/report/sample.mjs %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict
+EXTRA_DIST += %D%/mutants/run %D%/mutants/core.mutants %D%/mutants/image_space.mutants %D%/counts/golden %D%/counts/rewrite %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/report/browse.mjs %D%/report/sample.mjs %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict
