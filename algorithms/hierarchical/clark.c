@@ -50,7 +50,7 @@ static void tile_batch(struct hsr_tiler *t, uint32_t first, int n) {
 static void tile_cell(struct walk *w, uint32_t place) {
   if (!w->frame.object->cell[place].n_faces)
     return;
-  const struct hsr_cell *cell = HSR_OF_BUILD(hsr_cube_cell)(&w->frame, place);
+  const struct hsr_cell *cell = hsr_cube_cell(&w->frame, place);
   struct hsr_tiler *t = &w->frame.tiler;
   uint32_t n = t->on_grid ? cell->n_triangles : 0;
   HSR_COUNT(w->tally, FACES, cell->n_faces);
@@ -67,7 +67,7 @@ static bool classify(struct walk *w, const struct hsr_placing *placing,
   if (!*inside) {
     struct hsr_box_work work = {0, 0};
     struct hsr_octree_box cube = hsr_octree_cube(node);
-    enum hsr_box_verdict verdict = HSR_OF_BUILD(hsr_cube_classify)(
+    enum hsr_box_verdict verdict = hsr_cube_classify(
         &w->frame, placing, &cube, HSR_COUNTING ? &work : NULL);
     HSR_COUNT(w->tally, INEQUALITIES, work.deciding);
     HSR_COUNT(w->tally, NODES_OUT, verdict == HSR_BOX_OUT);
@@ -96,9 +96,9 @@ static void cull_instances(struct walk *w, uint32_t k, bool inside) {
     return;
   for (uint32_t p = 0; p < node->n; p++) {
     uint32_t i = octree->item[node->first + p];
-    if (!HSR_OF_BUILD(hsr_cube_is_new)(&w->frame, i))
+    if (!hsr_cube_is_new(&w->frame, i))
       continue;
-    HSR_OF_BUILD(hsr_cube_instance)(&w->frame, i);
+    hsr_cube_instance(&w->frame, i);
     cull_cube(w, 0,
               false); /* `inside` is of the node: the instance may not be */
   }
@@ -112,7 +112,7 @@ static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
   const struct hsr_window *window = &job->view->window;
   size_t width = (size_t)(window->x1 - window->x0);
   w->tally = job->tally;
-  if (HSR_OF_BUILD(hsr_cube_frame_begin)(&w->frame, job, job->prepared))
+  if (hsr_cube_frame_begin(&w->frame, job, job->prepared))
     return HSR_E_NOMEM;
   t->z = HSR_NEW(job->scratch, float, width *(size_t)(window->y1 - window->y0));
   t->z_stride = width;
@@ -128,14 +128,14 @@ static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct walk w;
   struct hsr_tiler loose;
-  if (begin(&w, job) || HSR_OF_BUILD(hsr_cube_loose)(&w.frame, &loose))
+  if (begin(&w, job) || hsr_cube_loose(&w.frame, &loose))
     return hsr_fail_nomem(err);
   for (uint32_t k = 0; k < loose.screen.n_relevant; k++)
     HSR_OF_BUILD(hsr_tiler_tile_generally)(&loose, loose.screen.relevant[k]);
   cull_instances(&w, 0, false);
   const struct hsr_cubes *cubes = w.frame.cubes;
   for (uint32_t k = 0; k < cubes->n_movers; k++) {
-    HSR_OF_BUILD(hsr_cube_instance)(&w.frame, cubes->mover[k]);
+    hsr_cube_instance(&w.frame, cubes->mover[k]);
     cull_cube(&w, 0, false);
   }
   return HSR_OK;

@@ -103,7 +103,7 @@ static void place(struct hsr_placing *p, const struct hsr_view *view,
   place_eye(p, view);
 }
 
-void HSR_OF_BUILD(hsr_cube_instance)(struct hsr_cube_frame *frame, uint32_t i) {
+void hsr_cube_instance(struct hsr_cube_frame *frame, uint32_t i) {
   const struct hsr_scene *scene = frame->cubes->scene;
   const struct hsr_instance *instance = &scene->instances[i];
   frame->instance = i;
@@ -115,8 +115,8 @@ void HSR_OF_BUILD(hsr_cube_instance)(struct hsr_cube_frame *frame, uint32_t i) {
   place(&frame->placing, frame->job->view, instance->m, frame->object->reach);
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_cube_loose)(const struct hsr_cube_frame *frame,
-                                             struct hsr_tiler *tiler) {
+enum hsr_status hsr_cube_loose(const struct hsr_cube_frame *frame,
+                               struct hsr_tiler *tiler) {
   const struct hsr_job *job = frame->job;
   *tiler = frame->tiler;
   tiler->few = NULL;
@@ -127,7 +127,7 @@ enum hsr_status HSR_OF_BUILD(hsr_cube_loose)(const struct hsr_cube_frame *frame,
                          job->scratch, job->tally);
 }
 
-bool HSR_OF_BUILD(hsr_cube_is_new)(struct hsr_cube_frame *frame, uint32_t i) {
+bool hsr_cube_is_new(struct hsr_cube_frame *frame, uint32_t i) {
   uint32_t bit = 1u << i % 32, met = frame->met[i / 32];
   frame->met[i / 32] = met | bit;
   return !(met & bit);
@@ -135,9 +135,10 @@ bool HSR_OF_BUILD(hsr_cube_is_new)(struct hsr_cube_frame *frame, uint32_t i) {
 
 /* --- Cubes ---------------------------------------------------------------- */
 
-enum hsr_box_verdict HSR_OF_BUILD(hsr_cube_classify)(
-    const struct hsr_cube_frame *frame, const struct hsr_placing *p,
-    const struct hsr_octree_box *box, struct hsr_box_work *work) {
+enum hsr_box_verdict hsr_cube_classify(const struct hsr_cube_frame *frame,
+                                       const struct hsr_placing *p,
+                                       const struct hsr_octree_box *box,
+                                       struct hsr_box_work *work) {
   struct hsr_box grown;
   for (int k = 0; k < 3; k++) {
     const double *row = p->m + 4 * k;
@@ -178,10 +179,10 @@ HSR_VECTOR static void corners(const double *restrict base,
   }
 }
 
-bool HSR_OF_BUILD(hsr_cube_project)(const struct hsr_cube_frame *frame,
-                                    const struct hsr_placing *p,
-                                    const struct hsr_octree_box *box,
-                                    struct hsr_cube_image *image) {
+bool hsr_cube_project(const struct hsr_cube_frame *frame,
+                      const struct hsr_placing *p,
+                      const struct hsr_octree_box *box,
+                      struct hsr_cube_image *image) {
   double base[3], step[3][3];
   for (int k = 0; k < 3; k++) {
     const double *row = p->rows[k];
@@ -202,9 +203,9 @@ bool HSR_OF_BUILD(hsr_cube_project)(const struct hsr_cube_frame *frame,
   return true;
 }
 
-const unsigned char HSR_OF_BUILD(hsr_cube_side)[6][4] = {
-    {0, 2, 6, 4}, {0, 1, 5, 4}, {0, 1, 3, 2},
-    {1, 3, 7, 5}, {2, 3, 7, 6}, {4, 5, 7, 6}};
+const unsigned char hsr_cube_side[6][4] = {{0, 2, 6, 4}, {0, 1, 5, 4},
+                                           {0, 1, 3, 2}, {1, 3, 7, 5},
+                                           {2, 3, 7, 6}, {4, 5, 7, 6}};
 
 /* The samples from lo to hi, of those in [first, end). */
 static bool samples_between(double lo, double hi, double sample0, int *first,
@@ -220,10 +221,10 @@ static bool samples_between(double lo, double hi, double sample0, int *first,
   return true;
 }
 
-bool HSR_OF_BUILD(hsr_cube_bounds)(const struct hsr_cube_frame *frame,
-                                   const struct hsr_cube_image *image,
-                                   const unsigned char *corner, int n_corners,
-                                   struct hsr_bounds *b) {
+bool hsr_cube_bounds(const struct hsr_cube_frame *frame,
+                     const struct hsr_cube_image *image,
+                     const unsigned char *corner, int n_corners,
+                     struct hsr_bounds *b) {
   const struct hsr_view *view = frame->job->view;
   double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
   for (int k = 0; k < n_corners; k++) {
@@ -239,9 +240,10 @@ bool HSR_OF_BUILD(hsr_cube_bounds)(const struct hsr_cube_frame *frame,
          samples_between(y0, y1, hsr_sample_y(view, 0), &b->y0, &b->y1);
 }
 
-struct hsr_side_depth HSR_OF_BUILD(hsr_cube_side_depth)(
-    const struct hsr_placing *p, const struct hsr_octree_box *box,
-    const struct hsr_cube_image *image, int side) {
+struct hsr_side_depth hsr_cube_side_depth(const struct hsr_placing *p,
+                                          const struct hsr_octree_box *box,
+                                          const struct hsr_cube_image *image,
+                                          int side) {
   int k = side % 3;
   double at = box->centre[k] + (side < 3 ? -box->half[k] : box->half[k]);
   double away = at - p->eye[k];
@@ -253,8 +255,8 @@ struct hsr_side_depth HSR_OF_BUILD(hsr_cube_side_depth)(
       p->across[k][0] * inverse + p->across_error[k] * fabs(inverse)};
 }
 
-int HSR_OF_BUILD(hsr_cube_nearest)(const struct hsr_placing *p,
-                                   const struct hsr_octree_node *node) {
+int hsr_cube_nearest(const struct hsr_placing *p,
+                     const struct hsr_octree_node *node) {
   return (p->eye[0] > node->centre[0]) | (p->eye[1] > node->centre[1]) << 1 |
          (p->eye[2] > node->centre[2]) << 2;
 }
@@ -286,8 +288,8 @@ static void lay_out(void *context) {
 }
 
 /* Most cells are so far away that their vertices need not be laid out. */
-const struct hsr_cell *HSR_OF_BUILD(hsr_cube_cell)(struct hsr_cube_frame *frame,
-                                                   uint32_t place) {
+const struct hsr_cell *hsr_cube_cell(struct hsr_cube_frame *frame,
+                                     uint32_t place) {
   const struct hsr_cubes_object *object = frame->object;
   const struct hsr_cell *cell = &object->cell[place];
   struct hsr_world *world = &frame->world;
@@ -324,10 +326,9 @@ static double farthest(const struct hsr_view *view,
   return 2 * far + 2 * view->near;
 }
 
-enum hsr_status
-HSR_OF_BUILD(hsr_cube_frame_begin)(struct hsr_cube_frame *frame,
-                                   const struct hsr_job *job,
-                                   const struct hsr_cubes *cubes) {
+enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
+                                     const struct hsr_job *job,
+                                     const struct hsr_cubes *cubes) {
   static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   struct hsr_arena *arena = job->scratch;
   struct hsr_tiler *tiler = &frame->tiler;

@@ -21,6 +21,19 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_cube_frame_begin HSR_OF_BUILD(hsr_cube_frame_begin)
+#define hsr_cube_loose HSR_OF_BUILD(hsr_cube_loose)
+#define hsr_cube_is_new HSR_OF_BUILD(hsr_cube_is_new)
+#define hsr_cube_instance HSR_OF_BUILD(hsr_cube_instance)
+#define hsr_cube_classify HSR_OF_BUILD(hsr_cube_classify)
+#define hsr_cube_project HSR_OF_BUILD(hsr_cube_project)
+#define hsr_cube_side HSR_OF_BUILD(hsr_cube_side)
+#define hsr_cube_bounds HSR_OF_BUILD(hsr_cube_bounds)
+#define hsr_cube_side_depth HSR_OF_BUILD(hsr_cube_side_depth)
+#define hsr_cube_nearest HSR_OF_BUILD(hsr_cube_nearest)
+#define hsr_cube_cell HSR_OF_BUILD(hsr_cube_cell)
+
 struct hsr_placing {
   double m[12];                 /* as in hsr_instance */
   double grow[3];               /* in the world, for what is rounded */
@@ -65,46 +78,44 @@ struct hsr_cube_frame {
 
 /* Makes ready for job->view's window, whose memory of depths is left to be
  * made. HSR_E_NOMEM. */
-enum hsr_status
-    HSR_OF_BUILD(hsr_cube_frame_begin)(struct hsr_cube_frame *frame,
-                                       const struct hsr_job *job,
-                                       const struct hsr_cubes *cubes);
+enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
+                                     const struct hsr_job *job,
+                                     const struct hsr_cubes *cubes);
 
 /* A tiler of the scene's loose faces, once the frame's has its memory: those
  * that are relevant of its screen are to be tiled generally, before any cell.
  * HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_cube_loose)(const struct hsr_cube_frame *frame,
-                                             struct hsr_tiler *tiler);
+enum hsr_status hsr_cube_loose(const struct hsr_cube_frame *frame,
+                               struct hsr_tiler *tiler);
 
 /* Whether the instance, which may be in several cubes, was not met before. */
-bool HSR_OF_BUILD(hsr_cube_is_new)(struct hsr_cube_frame *frame,
-                                   uint32_t instance);
+bool hsr_cube_is_new(struct hsr_cube_frame *frame, uint32_t instance);
 
 /* Takes an instance in hand. */
-void HSR_OF_BUILD(hsr_cube_instance)(struct hsr_cube_frame *frame,
-                                     uint32_t instance);
+void hsr_cube_instance(struct hsr_cube_frame *frame, uint32_t instance);
 
 /* Where a cube lies, as of hsr_box_classify. */
-enum hsr_box_verdict HSR_OF_BUILD(hsr_cube_classify)(
-    const struct hsr_cube_frame *frame, const struct hsr_placing *placing,
-    const struct hsr_octree_box *box, struct hsr_box_work *work);
+enum hsr_box_verdict hsr_cube_classify(const struct hsr_cube_frame *frame,
+                                       const struct hsr_placing *placing,
+                                       const struct hsr_octree_box *box,
+                                       struct hsr_box_work *work);
 
 /* The image of a cube; false if it is not safely before the eye and past near,
  * and has none. */
-bool HSR_OF_BUILD(hsr_cube_project)(const struct hsr_cube_frame *frame,
-                                    const struct hsr_placing *placing,
-                                    const struct hsr_octree_box *box,
-                                    struct hsr_cube_image *image);
+bool hsr_cube_project(const struct hsr_cube_frame *frame,
+                      const struct hsr_placing *placing,
+                      const struct hsr_octree_box *box,
+                      struct hsr_cube_image *image);
 
 /* The corners of side k of a cube, in order around it. */
-extern const unsigned char HSR_OF_BUILD(hsr_cube_side)[6][4];
+extern const unsigned char hsr_cube_side[6][4];
 
 /* The samples of the window that a side, or a cube, may cover: false if there
  * are none. */
-bool HSR_OF_BUILD(hsr_cube_bounds)(const struct hsr_cube_frame *frame,
-                                   const struct hsr_cube_image *image,
-                                   const unsigned char *corner, int n_corners,
-                                   struct hsr_bounds *bounds);
+bool hsr_cube_bounds(const struct hsr_cube_frame *frame,
+                     const struct hsr_cube_image *image,
+                     const unsigned char *corner, int n_corners,
+                     struct hsr_bounds *bounds);
 
 /* 1/t on side k of a cube, linear on the screen: q = c + a sx + b sy, and
  * nowhere in the picture less than the truth. Where too little is known of it,
@@ -112,18 +123,19 @@ bool HSR_OF_BUILD(hsr_cube_bounds)(const struct hsr_cube_frame *frame,
 struct hsr_side_depth {
   double a, b, c;
 };
-struct hsr_side_depth HSR_OF_BUILD(hsr_cube_side_depth)(
-    const struct hsr_placing *placing, const struct hsr_octree_box *box,
-    const struct hsr_cube_image *image, int side);
+struct hsr_side_depth hsr_cube_side_depth(const struct hsr_placing *placing,
+                                          const struct hsr_octree_box *box,
+                                          const struct hsr_cube_image *image,
+                                          int side);
 
 /* The octant of a cube that is nearest to the eye. */
-int HSR_OF_BUILD(hsr_cube_nearest)(const struct hsr_placing *placing,
-                                   const struct hsr_octree_node *node);
+int hsr_cube_nearest(const struct hsr_placing *placing,
+                     const struct hsr_octree_node *node);
 
 /* Lays out cell `place` of the object at hand: then faces 0 .. n-1 of
  * frame->world are those of the cell, and the tiler is ready for them. */
-const struct hsr_cell *HSR_OF_BUILD(hsr_cube_cell)(struct hsr_cube_frame *frame,
-                                                   uint32_t place);
+const struct hsr_cell *hsr_cube_cell(struct hsr_cube_frame *frame,
+                                     uint32_t place);
 
 #ifdef __cplusplus
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/hierarchical/cube_list.h"
 
-void HSR_OF_BUILD(hsr_cube_list_clear)(struct hsr_cube_list *list) {
+void hsr_cube_list_clear(struct hsr_cube_list *list) {
   hsr_arena_reset(&list->arena);
   list->group = list->cube = (struct hsr_growing){.items = NULL};
 }
 
-bool HSR_OF_BUILD(hsr_cube_list_add)(struct hsr_cube_list *list,
-                                     uint32_t instance, uint32_t cube) {
+bool hsr_cube_list_add(struct hsr_cube_list *list, uint32_t instance,
+                       uint32_t cube) {
   struct hsr_listed_instance *last = list->group.items;
   if (list->group.n)
     last += list->group.n - 1;
@@ -29,9 +29,10 @@ static size_t words_of(const struct hsr_cubes *cubes, uint32_t instance) {
   return cubes->object[object].octree.n_nodes / 32 + 1;
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_cube_marks_init)(
-    struct hsr_cube_marks *marks, const struct hsr_cube_list *list,
-    const struct hsr_cubes *cubes, struct hsr_arena *arena) {
+enum hsr_status hsr_cube_marks_init(struct hsr_cube_marks *marks,
+                                    const struct hsr_cube_list *list,
+                                    const struct hsr_cubes *cubes,
+                                    struct hsr_arena *arena) {
   size_t n = list->group.n, words = 0;
   marks->list = list;
   marks->group = HSR_NEW_ZEROED(arena, uint32_t, cubes->scene->n_instances);

@@ -12,6 +12,11 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_cube_list_clear HSR_OF_BUILD(hsr_cube_list_clear)
+#define hsr_cube_list_add HSR_OF_BUILD(hsr_cube_list_add)
+#define hsr_cube_marks_init HSR_OF_BUILD(hsr_cube_marks_init)
+
 /* Of one instance: cubes cube[first] to cube[first + n - 1]. */
 struct hsr_listed_instance {
   uint32_t instance, first, n;
@@ -24,12 +29,12 @@ struct hsr_cube_list {
   struct hsr_arena arena;
 };
 
-void HSR_OF_BUILD(hsr_cube_list_clear)(struct hsr_cube_list *list);
+void hsr_cube_list_clear(struct hsr_cube_list *list);
 
 /* Adds a cube; those of one instance follow one another. False for lack of
  * memory. */
-bool HSR_OF_BUILD(hsr_cube_list_add)(struct hsr_cube_list *list,
-                                     uint32_t instance, uint32_t cube);
+bool hsr_cube_list_add(struct hsr_cube_list *list, uint32_t instance,
+                       uint32_t cube);
 
 static inline const struct hsr_listed_instance *
 hsr_cube_list_group(const struct hsr_cube_list *list, size_t k) {
@@ -51,9 +56,10 @@ struct hsr_cube_marks {
 };
 
 /* The arrays are the arena's. HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_cube_marks_init)(
-    struct hsr_cube_marks *marks, const struct hsr_cube_list *list,
-    const struct hsr_cubes *cubes, struct hsr_arena *arena);
+enum hsr_status hsr_cube_marks_init(struct hsr_cube_marks *marks,
+                                    const struct hsr_cube_list *list,
+                                    const struct hsr_cubes *cubes,
+                                    struct hsr_arena *arena);
 
 /* The group of an instance, or NULL. */
 static inline const struct hsr_listed_instance *

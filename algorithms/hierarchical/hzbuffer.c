@@ -240,8 +240,7 @@ static void complete(struct walk *w, float *z, int i, int j) {
     return;
   *z = HUGE_VALF;
   HSR_COUNT(w->tally, COMPLETED, 1);
-  HSR_OF_BUILD(hsr_pyramid_update)
-  (&w->pyramid, (struct hsr_bounds){i, j, i + 1, j + 1});
+  hsr_pyramid_update(&w->pyramid, (struct hsr_bounds){i, j, i + 1, j + 1});
 }
 
 /* Is a point on the screen within a side, whatever HSR_CUBE_MARGIN leaves open?
@@ -268,14 +267,13 @@ static bool scan_side(struct walk *w, const struct hsr_placing *placing,
                       const struct hsr_bounds *box) {
   const struct hsr_view *view = w->frame.job->view;
   const struct hsr_tiler *t = &w->frame.tiler;
-  struct hsr_side_depth depth =
-      HSR_OF_BUILD(hsr_cube_side_depth)(placing, cube, image, side);
+  struct hsr_side_depth depth = hsr_cube_side_depth(placing, cube, image, side);
   bool tags = w->option[COMPLETED_SAMPLES] && w->frame.cubes->apart;
   HSR_COUNT(w->tally, SIDES_SCANNED, 1);
   touch_for(w, WORK_BOXES);
   for (int j = box->y0; j < box->y1; j++) {
     double y = hsr_sample_y(view, j), lo, hi;
-    if (!row_of_side(image, HSR_OF_BUILD(hsr_cube_side)[side], y, &lo, &hi))
+    if (!row_of_side(image, hsr_cube_side[side], y, &lo, &hi))
       continue;
     float *z = t->z + (size_t)(j - t->part.y0) * t->z_stride;
     for (int i = box->x0; i < box->x1; i++) {
@@ -288,7 +286,7 @@ static bool scan_side(struct walk *w, const struct hsr_placing *placing,
       q = q < image->nearest ? q : image->nearest;
       if (!(q * HSR_CLEAR < z[i - t->part.x0]))
         return true;
-      if (tags && is_within(image, HSR_OF_BUILD(hsr_cube_side)[side], x, y))
+      if (tags && is_within(image, hsr_cube_side[side], x, y))
         complete(w, &z[i - t->part.x0], i, j);
     }
   }
@@ -310,9 +308,8 @@ static bool is_rectangle_hidden(struct walk *w, struct hsr_bounds box, float q,
                                 bool *visible) {
   uint64_t before = w->pyramid.reads;
   *visible = w->option[NEAR] && w->option[CUBES] != SIDES &&
-             HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q);
-  bool hidden =
-      !*visible && HSR_OF_BUILD(hsr_pyramid_hides)(&w->pyramid, box, q);
+             hsr_pyramid_before(&w->pyramid, box, q);
+  bool hidden = !*visible && hsr_pyramid_hides(&w->pyramid, box, q);
   count_reads(w, CUBE_READS, before);
   return hidden;
 }
@@ -321,18 +318,16 @@ static bool is_rectangle_hidden(struct walk *w, struct hsr_bounds box, float q,
 static bool is_side_visible(struct walk *w, const struct hsr_placing *placing,
                             const struct hsr_octree_box *cube,
                             const struct hsr_cube_image *image, int side) {
-  const unsigned char *corner = HSR_OF_BUILD(hsr_cube_side)[side];
+  const unsigned char *corner = hsr_cube_side[side];
   struct hsr_bounds box;
-  if (!HSR_OF_BUILD(hsr_cube_bounds)(&w->frame, image, corner, 4, &box))
+  if (!hsr_cube_bounds(&w->frame, image, corner, 4, &box))
     return false;
   if (w->option[PYRAMID]) {
     float q = nearest_of(image, corner);
     uint64_t before = w->pyramid.reads;
-    bool visible = w->option[NEAR] &&
-                   HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q) &&
+    bool visible = w->option[NEAR] && hsr_pyramid_before(&w->pyramid, box, q) &&
                    w->option[CUBES] == RECTANGLE;
-    bool hidden =
-        !visible && HSR_OF_BUILD(hsr_pyramid_hides)(&w->pyramid, box, q);
+    bool hidden = !visible && hsr_pyramid_hides(&w->pyramid, box, q);
     count_reads(w, CUBE_READS, before);
     if (visible || hidden)
       return visible;
@@ -347,7 +342,7 @@ static bool is_whole_visible(struct walk *w,
   static const unsigned char all[8] = {0, 1, 2, 3, 4, 5, 6, 7};
   struct hsr_bounds box;
   bool visible;
-  return HSR_OF_BUILD(hsr_cube_bounds)(&w->frame, image, all, 8, &box) &&
+  return hsr_cube_bounds(&w->frame, image, all, 8, &box) &&
          !(w->option[PYRAMID] &&
            is_rectangle_hidden(w, box, image->nearest, &visible));
 }
@@ -372,7 +367,7 @@ static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
   HSR_COUNT(w->tally, NODES, 1);
   if (!*inside) {
     struct hsr_box_work work = {0, 0};
-    enum hsr_box_verdict verdict = HSR_OF_BUILD(hsr_cube_classify)(
+    enum hsr_box_verdict verdict = hsr_cube_classify(
         &w->frame, placing, &cube, HSR_COUNTING ? &work : NULL);
     HSR_COUNT(w->tally, INEQUALITIES, work.deciding);
     if (verdict == HSR_BOX_OUT) {
@@ -382,7 +377,7 @@ static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
     *inside = verdict == HSR_BOX_IN;
   }
   struct hsr_cube_image image;
-  if (!HSR_OF_BUILD(hsr_cube_project)(&w->frame, placing, &cube, &image))
+  if (!hsr_cube_project(&w->frame, placing, &cube, &image))
     return true; /* the eye may be inside, or the near plane meet it */
   HSR_COUNT(w->tally, CUBES_TESTED, 1);
   bool visible = w->option[CUBES] == WHOLE
@@ -417,14 +412,13 @@ static void find_hidden(struct walk *w, const struct hsr_batch *b,
                         int *hidden) {
   const struct hsr_corners *r = &b->corners;
   if (w->option[POLYGONS] != BASIC) {
-    HSR_OF_BUILD(hsr_pyramid_hides_triangles)
-    (&w->pyramid, b->n_fast, r, hidden);
+    hsr_pyramid_hides_triangles(&w->pyramid, b->n_fast, r, hidden);
     return;
   }
   for (int k = 0; k < b->n_fast; k++) {
     struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
     float q = hsr_nearest_corner(r, k);
-    hidden[k] = HSR_OF_BUILD(hsr_pyramid_basic)(&w->pyramid, box, q);
+    hidden[k] = hsr_pyramid_basic(&w->pyramid, box, q);
   }
 }
 
@@ -452,7 +446,7 @@ static void tile_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
   HSR_COUNT(w->tally, FACES_TILED, 1);
   HSR_OF_BUILD(hsr_tiler_tile_generally)(t, f);
   if (w->option[PYRAMID] && !w->plain)
-    HSR_OF_BUILD(hsr_pyramid_update)(&w->pyramid, t->screen.bounds[f]);
+    hsr_pyramid_update(&w->pyramid, t->screen.bounds[f]);
 }
 
 static void tile_generally(struct walk *w, uint32_t f) {
@@ -465,8 +459,8 @@ static void filter_definitively(struct walk *w, struct hsr_batch *b) {
   uint64_t before = w->pyramid.reads;
   for (int k = 0; k < b->n_fast; k++) {
     struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
-    if (b->good[k] && HSR_OF_BUILD(hsr_pyramid_hides_triangle)(
-                          &w->pyramid, &w->frame.tiler, &triangle)) {
+    if (b->good[k] &&
+        hsr_pyramid_hides_triangle(&w->pyramid, &w->frame.tiler, &triangle)) {
       HSR_COUNT(w->tally, FACES_CULLED, 1);
       b->good[k] = 0;
     }
@@ -482,11 +476,11 @@ static void tile_before_all(struct walk *w, struct hsr_batch *b) {
     struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
     float q = r->qa[k] < r->qb[k] ? r->qa[k] : r->qb[k];
     q = r->qc[k] < q ? r->qc[k] : q;
-    if (!b->good[k] || !HSR_OF_BUILD(hsr_pyramid_before)(&w->pyramid, box, q))
+    if (!b->good[k] || !hsr_pyramid_before(&w->pyramid, box, q))
       continue;
     struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
     HSR_OF_BUILD(hsr_tiler_tile_before)(&w->frame.tiler, &triangle);
-    HSR_OF_BUILD(hsr_pyramid_update)(&w->pyramid, box);
+    hsr_pyramid_update(&w->pyramid, box);
     HSR_COUNT(w->tally, FACES_TILED, 1);
     HSR_COUNT(w->tally, FACES_BEFORE, 1);
     b->good[k] = 0;
@@ -505,8 +499,8 @@ static void tile_batch(struct walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++) {
     HSR_COUNT(w->tally, FACES_TILED, b->good[k]);
     if (b->good[k] && tests)
-      HSR_OF_BUILD(hsr_pyramid_update)
-    (&w->pyramid, (struct hsr_bounds){r->x0[k], r->y0[k], r->x1[k], r->y1[k]});
+      hsr_pyramid_update(&w->pyramid, (struct hsr_bounds){r->x0[k], r->y0[k],
+                                                          r->x1[k], r->y1[k]});
   }
   for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY)
@@ -517,7 +511,7 @@ static void tile_batch(struct walk *w, struct hsr_batch *b) {
 static void tile_cell(struct walk *w, uint32_t place) {
   if (!w->frame.object->cell[place].n_faces)
     return;
-  const struct hsr_cell *cell = HSR_OF_BUILD(hsr_cube_cell)(&w->frame, place);
+  const struct hsr_cell *cell = hsr_cube_cell(&w->frame, place);
   struct hsr_tiler *t = &w->frame.tiler;
   uint32_t n = t->on_grid ? cell->n_triangles : 0;
   struct hsr_batch batch;
@@ -541,7 +535,7 @@ static void tile_cell(struct walk *w, uint32_t place) {
 
 /* Lists a cube of the object at hand as visible. */
 static void list_cube(struct walk *w, uint32_t k) {
-  if (!HSR_OF_BUILD(hsr_cube_list_add)(w->next, w->frame.instance, k))
+  if (!hsr_cube_list_add(w->next, w->frame.instance, k))
     w->out_of_memory = true;
 }
 
@@ -560,7 +554,7 @@ static void render_cube(struct walk *w, uint32_t k, bool inside) {
     list_cube(w, k);
   if (!rendered)
     tile_cell(w, k);
-  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.placing, node);
+  int nearest = hsr_cube_nearest(&w->frame.placing, node);
   for (int o = 0; o < 8; o++) {
     uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
     if (child != HSR_NO_NODE)
@@ -570,7 +564,7 @@ static void render_cube(struct walk *w, uint32_t k, bool inside) {
 
 /* What was rendered of it already, is met again. */
 static void take_in_hand(struct walk *w, uint32_t instance) {
-  HSR_OF_BUILD(hsr_cube_instance)(&w->frame, instance);
+  hsr_cube_instance(&w->frame, instance);
   w->visit++;
   const struct hsr_listed_instance *group =
       w->rendered.list ? hsr_cube_marks_group(&w->rendered, instance) : NULL;
@@ -585,7 +579,7 @@ static void take_in_hand(struct walk *w, uint32_t instance) {
 
 /* Once a frame. The instance may reach out of the cube in which it is met. */
 static void render_instance(struct walk *w, uint32_t i) {
-  if (!HSR_OF_BUILD(hsr_cube_is_new)(&w->frame, i))
+  if (!hsr_cube_is_new(&w->frame, i))
     return;
   take_in_hand(w, i);
   render_cube(w, 0, false);
@@ -595,7 +589,7 @@ static void render_instance(struct walk *w, uint32_t i) {
  * so late. */
 static bool render_movers(struct walk *w, uint32_t node,
                           const struct hsr_octree_node *cube) {
-  if (!HSR_OF_BUILD(hsr_movers_divide)(&w->movers, node, cube)) {
+  if (!hsr_movers_divide(&w->movers, node, cube)) {
     w->out_of_memory = true;
     return false;
   }
@@ -630,7 +624,7 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
     render_instance(w, octree->item[node->first + i]);
   if (moving != HSR_NO_NODE && !render_movers(w, moving, cube))
     return;
-  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.as_it_is, cube);
+  int nearest = hsr_cube_nearest(&w->frame.as_it_is, cube);
   for (int k = 0; k < 8; k++) {
     int o = nearest ^ hsr_octant_order[k];
     uint32_t child = node ? node->child[o] : HSR_NO_NODE;
@@ -649,9 +643,9 @@ static enum hsr_status render_octrees(struct walk *w) {
   const struct hsr_octree_node *root = &cubes->octree.node[0];
   struct hsr_movers *movers = &w->movers;
   long how = w->option[MOVERS];
-  if (HSR_OF_BUILD(hsr_movers_init)(movers, cubes, w->frame.job->scratch))
+  if (hsr_movers_init(movers, cubes, w->frame.job->scratch))
     return HSR_E_NOMEM;
-  if (how == FRESH && !HSR_OF_BUILD(hsr_movers_divide_all)(movers, 0, root))
+  if (how == FRESH && !hsr_movers_divide_all(movers, 0, root))
     return HSR_E_NOMEM;
   bool together = movers->n && how != BEHIND;
   render_instances(w, root, 0, together ? 0 : HSR_NO_NODE, false);
@@ -691,11 +685,10 @@ static enum hsr_status render_last(struct walk *w) {
     HSR_COUNT(w->tally, CUBES_AGAIN, group->n);
   }
   w->plain = false;
-  HSR_OF_BUILD(hsr_pyramid_update)
-  (&w->pyramid,
-   (struct hsr_bounds){window->x0, window->y0, window->x1, window->y1});
-  return HSR_OF_BUILD(hsr_cube_marks_init)(&w->rendered, w->last, cubes,
-                                           w->frame.job->scratch);
+  hsr_pyramid_update(&w->pyramid, (struct hsr_bounds){window->x0, window->y0,
+                                                      window->x1, window->y1});
+  return hsr_cube_marks_init(&w->rendered, w->last, cubes,
+                             w->frame.job->scratch);
 }
 
 /* 1993: of the listed cubes, those stay that the finished pyramid does not
@@ -705,7 +698,7 @@ static void prune(struct walk *w) {
   struct hsr_cube_list *kept = w->last;
   const struct hsr_cube_list *all = w->next;
   w->rendered.list = NULL;
-  HSR_OF_BUILD(hsr_cube_list_clear)(kept);
+  hsr_cube_list_clear(kept);
   for (size_t g = 0; g < all->group.n; g++) {
     const struct hsr_listed_instance *group = hsr_cube_list_group(all, g);
     const uint32_t *cube = hsr_cube_list_cubes(all, group);
@@ -714,7 +707,7 @@ static void prune(struct walk *w) {
       bool inside = false;
       if (is_cube_visible(w, &w->frame.placing,
                           &w->frame.object->octree.node[cube[k]], &inside) &&
-          !HSR_OF_BUILD(hsr_cube_list_add)(kept, group->instance, cube[k]))
+          !hsr_cube_list_add(kept, group->instance, cube[k]))
         w->out_of_memory = true;
     }
   }
@@ -722,7 +715,7 @@ static void prune(struct walk *w) {
 
 static enum hsr_status render_loose(struct walk *w) {
   struct hsr_tiler t;
-  if (HSR_OF_BUILD(hsr_cube_loose)(&w->frame, &t))
+  if (hsr_cube_loose(&w->frame, &t))
     return HSR_E_NOMEM;
   touch_for(w, WORK_POLYGONS);
   for (uint32_t k = 0; k < t.screen.n_relevant; k++)
@@ -744,12 +737,12 @@ static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
   if (w->option[COHERENCE]) {
     w->last = &prepared->list[prepared->last];
     w->next = &prepared->list[prepared->last ^ 1];
-    HSR_OF_BUILD(hsr_cube_list_clear)(w->next);
+    hsr_cube_list_clear(w->next);
   }
   w->tiled = HSR_NEW_ZEROED(arena, uint32_t, cubes->most_object_faces);
-  if (!w->tiled || HSR_OF_BUILD(hsr_cube_frame_begin)(&w->frame, job, cubes) ||
-      HSR_OF_BUILD(hsr_pyramid_init)(&w->pyramid, window, job->option[NEAR],
-                                     &t->z_stride, arena))
+  if (!w->tiled || hsr_cube_frame_begin(&w->frame, job, cubes) ||
+      hsr_pyramid_init(&w->pyramid, window, job->option[NEAR], &t->z_stride,
+                       arena))
     return HSR_E_NOMEM;
   touch_for(w, WORK_PYRAMID);
   w->pyramid.work = job->tally->work;
@@ -758,7 +751,7 @@ static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
   t->ids_stride = job->ids_stride;
   t->ids = job->ids + (size_t)window->y0 * job->ids_stride + window->x0;
   HSR_OF_BUILD(hsr_tiler_begin_part)(t, *window);
-  HSR_OF_BUILD(hsr_pyramid_clear)(&w->pyramid);
+  hsr_pyramid_clear(&w->pyramid);
   return HSR_OK;
 }
 
@@ -770,7 +763,7 @@ static void end_coherence(struct walk *w) {
   else
     prepared->last ^= 1;
   if (w->out_of_memory)
-    HSR_OF_BUILD(hsr_cube_list_clear)(&prepared->list[prepared->last]);
+    hsr_cube_list_clear(&prepared->list[prepared->last]);
 }
 
 static enum hsr_status render(const struct hsr_job *job,

@@ -19,9 +19,9 @@ static void put(struct hsr_movers *m, uint32_t *first, uint32_t k) {
   *first = k;
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_movers_init)(struct hsr_movers *m,
-                                              const struct hsr_cubes *cubes,
-                                              struct hsr_arena *arena) {
+enum hsr_status hsr_movers_init(struct hsr_movers *m,
+                                const struct hsr_cubes *cubes,
+                                struct hsr_arena *arena) {
   uint32_t root;
   struct hsr_box box = hsr_cube_box(&cubes->octree.node[0]);
   *m = (struct hsr_movers){
@@ -43,8 +43,8 @@ enum hsr_status HSR_OF_BUILD(hsr_movers_init)(struct hsr_movers *m,
   return HSR_OK;
 }
 
-bool HSR_OF_BUILD(hsr_movers_divide)(struct hsr_movers *m, uint32_t node,
-                                     const struct hsr_octree_node *cube) {
+bool hsr_movers_divide(struct hsr_movers *m, uint32_t node,
+                       const struct hsr_octree_node *cube) {
   if (hsr_mover_node(m, node)->divided)
     return true;
   uint32_t k = hsr_mover_node(m, node)->first;
@@ -71,15 +71,14 @@ bool HSR_OF_BUILD(hsr_movers_divide)(struct hsr_movers *m, uint32_t node,
   return true;
 }
 
-bool HSR_OF_BUILD(hsr_movers_divide_all)(struct hsr_movers *m, uint32_t node,
-                                         const struct hsr_octree_node *cube) {
-  if (!HSR_OF_BUILD(hsr_movers_divide)(m, node, cube))
+bool hsr_movers_divide_all(struct hsr_movers *m, uint32_t node,
+                           const struct hsr_octree_node *cube) {
+  if (!hsr_movers_divide(m, node, cube))
     return false;
   for (int o = 0; o < 8; o++) {
     uint32_t child = hsr_mover_node(m, node)->child[o];
     struct hsr_octree_node octant = hsr_octree_octant(cube, o);
-    if (child != HSR_NO_NODE &&
-        !HSR_OF_BUILD(hsr_movers_divide_all)(m, child, &octant))
+    if (child != HSR_NO_NODE && !hsr_movers_divide_all(m, child, &octant))
       return false;
   }
   return true;

@@ -18,6 +18,11 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_movers_init HSR_OF_BUILD(hsr_movers_init)
+#define hsr_movers_divide HSR_OF_BUILD(hsr_movers_divide)
+#define hsr_movers_divide_all HSR_OF_BUILD(hsr_movers_divide_all)
+
 #define HSR_NO_MOVER UINT32_MAX
 
 struct hsr_mover {
@@ -39,9 +44,9 @@ struct hsr_movers {
 };
 
 /* All in the root, or outside. The arrays are the arena's. HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_movers_init)(struct hsr_movers *movers,
-                                              const struct hsr_cubes *cubes,
-                                              struct hsr_arena *arena);
+enum hsr_status hsr_movers_init(struct hsr_movers *movers,
+                                const struct hsr_cubes *cubes,
+                                struct hsr_arena *arena);
 
 static inline struct hsr_mover_node *
 hsr_mover_node(const struct hsr_movers *movers, uint32_t k) {
@@ -50,13 +55,12 @@ hsr_mover_node(const struct hsr_movers *movers, uint32_t k) {
 
 /* Divides a node, whose cube is given, if it is not yet. False for lack of
  * memory. */
-bool HSR_OF_BUILD(hsr_movers_divide)(struct hsr_movers *movers, uint32_t node,
-                                     const struct hsr_octree_node *cube);
+bool hsr_movers_divide(struct hsr_movers *movers, uint32_t node,
+                       const struct hsr_octree_node *cube);
 
 /* And all nodes below. */
-bool HSR_OF_BUILD(hsr_movers_divide_all)(struct hsr_movers *movers,
-                                         uint32_t node,
-                                         const struct hsr_octree_node *cube);
+bool hsr_movers_divide_all(struct hsr_movers *movers, uint32_t node,
+                           const struct hsr_octree_node *cube);
 
 #ifdef __cplusplus
 }

@@ -13,10 +13,9 @@ static inline int offset_of(int n_levels, int level) {
   return (int)(((1u << 2 * n_levels) - (1u << 2 * (n_levels - level))) / 3);
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_pyramid_init)(struct hsr_pyramid *p,
-                                               const struct hsr_window *window,
-                                               bool near, size_t *stride,
-                                               struct hsr_arena *arena) {
+enum hsr_status hsr_pyramid_init(struct hsr_pyramid *p,
+                                 const struct hsr_window *window, bool near,
+                                 size_t *stride, struct hsr_arena *arena) {
   int width = window->x1 - window->x0, height = window->y1 - window->y0;
   int side = width > height ? width : height;
   *p = (struct hsr_pyramid){.window = *window, .n_levels = 1};
@@ -37,7 +36,7 @@ enum hsr_status HSR_OF_BUILD(hsr_pyramid_init)(struct hsr_pyramid *p,
   return HSR_OK;
 }
 
-void HSR_OF_BUILD(hsr_pyramid_clear)(struct hsr_pyramid *p) {
+void hsr_pyramid_clear(struct hsr_pyramid *p) {
   int width = p->window.x1 - p->window.x0, height = p->window.y1 - p->window.y0;
   for (int level = 0; level < p->n_levels; level++) {
     int side = side_of(p, level);
@@ -107,8 +106,7 @@ static int reduce_near(const float *row0, const float *row1, float *to, int n) {
   return changed;
 }
 
-void HSR_OF_BUILD(hsr_pyramid_update)(struct hsr_pyramid *p,
-                                      struct hsr_bounds box) {
+void hsr_pyramid_update(struct hsr_pyramid *p, struct hsr_bounds box) {
   int x0 = box.x0 - p->window.x0, y0 = box.y0 - p->window.y0;
   int x1 = box.x1 - p->window.x0 - 1, y1 = box.y1 - p->window.y0 - 1;
   for (int level = 1, changed = 1; level < p->n_levels && changed; level++) {
@@ -176,8 +174,7 @@ static inline float read_entry(struct hsr_pyramid *p, float *const *levels,
   return levels[level][((size_t)y << (p->n_levels - 1 - level)) + (size_t)x];
 }
 
-bool HSR_OF_BUILD(hsr_pyramid_basic)(struct hsr_pyramid *p,
-                                     struct hsr_bounds box, float q) {
+bool hsr_pyramid_basic(struct hsr_pyramid *p, struct hsr_bounds box, float q) {
   struct rectangle r = rectangle_of(p, box);
   int level = enclosing_level(&r);
   return q * HSR_CLEAR <
@@ -208,8 +205,7 @@ static bool hide(struct hsr_pyramid *p, const struct rectangle *r, float q,
   return true;
 }
 
-bool HSR_OF_BUILD(hsr_pyramid_hides)(struct hsr_pyramid *p,
-                                     struct hsr_bounds box, float q) {
+bool hsr_pyramid_hides(struct hsr_pyramid *p, struct hsr_bounds box, float q) {
   struct rectangle r = rectangle_of(p, box);
   int level = covering_level(&r);
   struct rectangle e = {r.x0 >> level, r.y0 >> level, r.x1 >> level,
@@ -254,15 +250,14 @@ HSR_VECTOR static void try_four(const struct hsr_pyramid *p, int n,
   }
 }
 
-void HSR_OF_BUILD(hsr_pyramid_hides_triangles)(struct hsr_pyramid *p, int n,
-                                               const struct hsr_corners *r,
-                                               int *hidden) {
+void hsr_pyramid_hides_triangles(struct hsr_pyramid *p, int n,
+                                 const struct hsr_corners *r, int *hidden) {
   try_four(p, n, r, hidden);
   for (int k = 0; k < n; k++) {
     if (hidden[k] && !HSR_COUNTING)
       continue;
     float q = hsr_nearest_corner(r, k);
-    hidden[k] = HSR_OF_BUILD(hsr_pyramid_hides)(
+    hidden[k] = hsr_pyramid_hides(
         p, (struct hsr_bounds){r->x0[k], r->y0[k], r->x1[k], r->y1[k]}, q);
   }
 }
@@ -299,17 +294,15 @@ static bool hides_triangle(struct hsr_pyramid *p, struct hsr_tiler *t,
   return true;
 }
 
-bool HSR_OF_BUILD(hsr_pyramid_hides_triangle)(struct hsr_pyramid *p,
-                                              struct hsr_tiler *t,
-                                              const struct hsr_triangle *tri) {
+bool hsr_pyramid_hides_triangle(struct hsr_pyramid *p, struct hsr_tiler *t,
+                                const struct hsr_triangle *tri) {
   struct rectangle r =
       rectangle_of(p, (struct hsr_bounds){tri->x0, tri->y0, tri->x1, tri->y1});
   int level = enclosing_level(&r);
   return hides_triangle(p, t, tri, &r, level, r.x0 >> level, r.y0 >> level);
 }
 
-bool HSR_OF_BUILD(hsr_pyramid_before)(struct hsr_pyramid *p,
-                                      struct hsr_bounds box, float q) {
+bool hsr_pyramid_before(struct hsr_pyramid *p, struct hsr_bounds box, float q) {
   struct rectangle r = rectangle_of(p, box);
   int level = enclosing_level(&r);
   return q > HSR_CLEAR *

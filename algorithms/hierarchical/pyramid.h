@@ -22,6 +22,16 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_pyramid_init HSR_OF_BUILD(hsr_pyramid_init)
+#define hsr_pyramid_clear HSR_OF_BUILD(hsr_pyramid_clear)
+#define hsr_pyramid_update HSR_OF_BUILD(hsr_pyramid_update)
+#define hsr_pyramid_basic HSR_OF_BUILD(hsr_pyramid_basic)
+#define hsr_pyramid_hides HSR_OF_BUILD(hsr_pyramid_hides)
+#define hsr_pyramid_hides_triangles HSR_OF_BUILD(hsr_pyramid_hides_triangles)
+#define hsr_pyramid_hides_triangle HSR_OF_BUILD(hsr_pyramid_hides_triangle)
+#define hsr_pyramid_before HSR_OF_BUILD(hsr_pyramid_before)
+
 enum { HSR_PYRAMID_LEVELS = 15 }; /* of 2^14 samples a side */
 
 struct hsr_pyramid {
@@ -38,44 +48,42 @@ struct hsr_pyramid {
 
 /* A pyramid for the window, its arrays the arena's, and a z-buffer as a tiler
  * has it, `stride` floats a row. HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_pyramid_init)(struct hsr_pyramid *pyramid,
-                                               const struct hsr_window *window,
-                                               bool near, size_t *stride,
-                                               struct hsr_arena *arena);
+enum hsr_status hsr_pyramid_init(struct hsr_pyramid *pyramid,
+                                 const struct hsr_window *window, bool near,
+                                 size_t *stride, struct hsr_arena *arena);
 
 /* All samples are the background. */
-void HSR_OF_BUILD(hsr_pyramid_clear)(struct hsr_pyramid *pyramid);
+void hsr_pyramid_clear(struct hsr_pyramid *pyramid);
 
 /* What was written within a box of samples goes up, to where it changes nothing
  * any more. */
-void HSR_OF_BUILD(hsr_pyramid_update)(struct hsr_pyramid *pyramid,
-                                      struct hsr_bounds box);
+void hsr_pyramid_update(struct hsr_pyramid *pyramid, struct hsr_bounds box);
 
 /* The basic test: the smallest entry that encloses the box, and nothing else.
  */
-bool HSR_OF_BUILD(hsr_pyramid_basic)(struct hsr_pyramid *pyramid,
-                                     struct hsr_bounds box, float q);
+bool hsr_pyramid_basic(struct hsr_pyramid *pyramid, struct hsr_bounds box,
+                       float q);
 
 /* The fast test: is all within a box of samples, which is within the window and
  * not empty, of depth q or farther, hidden? */
-bool HSR_OF_BUILD(hsr_pyramid_hides)(struct hsr_pyramid *pyramid,
-                                     struct hsr_bounds box, float q);
+bool hsr_pyramid_hides(struct hsr_pyramid *pyramid, struct hsr_bounds box,
+                       float q);
 
 /* The fast test of n triangles, whose boxes are not empty: hidden[k] tells. */
-void HSR_OF_BUILD(hsr_pyramid_hides_triangles)(
-    struct hsr_pyramid *pyramid, int n, const struct hsr_corners *corners,
-    int *hidden);
+void hsr_pyramid_hides_triangles(struct hsr_pyramid *pyramid, int n,
+                                 const struct hsr_corners *corners,
+                                 int *hidden);
 
 /* The definitive test: is a triangle that is set up hidden? Within each entry,
  * by the nearest that it has there; at a sample, by what tiling it would do. */
-bool HSR_OF_BUILD(hsr_pyramid_hides_triangle)(
-    struct hsr_pyramid *pyramid, struct hsr_tiler *tiler,
-    const struct hsr_triangle *triangle);
+bool hsr_pyramid_hides_triangle(struct hsr_pyramid *pyramid,
+                                struct hsr_tiler *tiler,
+                                const struct hsr_triangle *triangle);
 
 /* By the pyramid of the nearest: is q nearer than anything in the smallest
  * entry that encloses the box? */
-bool HSR_OF_BUILD(hsr_pyramid_before)(struct hsr_pyramid *pyramid,
-                                      struct hsr_bounds box, float q);
+bool hsr_pyramid_before(struct hsr_pyramid *pyramid, struct hsr_bounds box,
+                        float q);
 
 #ifdef __cplusplus
 }

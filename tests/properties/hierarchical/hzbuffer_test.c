@@ -121,8 +121,8 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
   const uint64_t *count = w->tally->count;
   uint64_t out = count[OUT], tested = count[CUBES_TESTED];
   struct hsr_octree_box cube = hsr_octree_cube(node);
-  bool truly_out = HSR_OF_BUILD(hsr_cube_classify)(&w->frame, placing, &cube,
-                                                   NULL) == HSR_BOX_OUT;
+  bool truly_out =
+      hsr_cube_classify(&w->frame, placing, &cube, NULL) == HSR_BOX_OUT;
   bool visible = is_cube_visible(w, placing, node, inside);
   enum said said = count[OUT] > out               ? IS_OUT
                    : !visible                     ? IS_HIDDEN
@@ -146,7 +146,7 @@ static void visit_cube(struct notes *ns, uint32_t k, bool inside) {
   if (!visit(ns, &w->frame.placing, node, w->frame.instance, k, &inside))
     return;
   tile_cell(w, k);
-  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.placing, node);
+  int nearest = hsr_cube_nearest(&w->frame.placing, node);
   for (int o = 0; o < 8; o++) {
     uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
     if (child != HSR_NO_NODE)
@@ -162,12 +162,11 @@ static void visit_instances(struct notes *ns, uint32_t k, bool inside) {
   if (!single && !visit(ns, &w->frame.as_it_is, node, NO_INSTANCE, k, &inside))
     return;
   for (uint32_t i = 0; i < node->n; i++)
-    if (HSR_OF_BUILD(hsr_cube_is_new)(&w->frame,
-                                      octree->item[node->first + i])) {
+    if (hsr_cube_is_new(&w->frame, octree->item[node->first + i])) {
       take_in_hand(w, octree->item[node->first + i]);
       visit_cube(ns, 0, false);
     }
-  int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&w->frame.as_it_is, node);
+  int nearest = hsr_cube_nearest(&w->frame.as_it_is, node);
   for (int o = 0; o < 8; o++) {
     uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
     if (child != HSR_NO_NODE)

@@ -177,7 +177,7 @@ static void begin_frame(struct frame *f, const struct laid_out *l,
                             .view = &f->view,
                             .scratch = &f->scratch,
                             .tally = &f->tally};
-  if (HSR_OF_BUILD(hsr_cube_frame_begin)(&f->frame, &f->job, cubes))
+  if (hsr_cube_frame_begin(&f->frame, &f->job, cubes))
     stop(l->scene->name, "out of memory");
 }
 
@@ -198,7 +198,7 @@ static bool is_face(const struct hsr_world *cell, uint32_t k,
 /* The cell's vertices are laid out even where that could be put off. */
 static const struct hsr_cell *lay_out_cell(struct hsr_cube_frame *frame,
                                            uint32_t k) {
-  const struct hsr_cell *cell = HSR_OF_BUILD(hsr_cube_cell)(frame, k);
+  const struct hsr_cell *cell = hsr_cube_cell(frame, k);
   if (frame->tiler.lay_out)
     frame->tiler.lay_out(frame->tiler.context);
   frame->tiler.lay_out = NULL;
@@ -211,7 +211,7 @@ static bool match_cells(struct frame *f, const struct laid_out *l,
   struct hsr_cube_frame *frame = &f->frame;
   bool good = true;
   for (uint32_t i = 0; i < l->scene->n_instances; i++) {
-    HSR_OF_BUILD(hsr_cube_instance)(frame, i);
+    hsr_cube_instance(frame, i);
     for (uint32_t k = 0; k < frame->object->octree.n_nodes; k++) {
       const struct hsr_cell *cell = lay_out_cell(frame, k);
       for (uint32_t n = 0; n < cell->n_faces; n++) {
@@ -321,8 +321,8 @@ static bool is_in_image(const struct frame *f,
   struct hsr_octree_box cube = hsr_octree_cube(node);
   for (int side = 0; side < 6; side++)
     if (image->front >> side & 1) {
-      struct hsr_side_depth d = HSR_OF_BUILD(hsr_cube_side_depth)(
-          &f->frame.placing, &cube, image, side);
+      struct hsr_side_depth d =
+          hsr_cube_side_depth(&f->frame.placing, &cube, image, side);
       good &= q <= d.c + d.a * x + d.b * y;
     }
   return good;
@@ -334,10 +334,9 @@ static void look_at_cube(struct frame *f, uint32_t k, struct held *held) {
   const struct hsr_cell *cell = lay_out_cell(frame, k);
   struct hsr_octree_box cube = hsr_octree_cube(node);
   struct hsr_cube_image image;
-  bool out = HSR_OF_BUILD(hsr_cube_classify)(frame, &frame->placing, &cube,
-                                             NULL) == HSR_BOX_OUT;
-  bool has_image =
-      HSR_OF_BUILD(hsr_cube_project)(frame, &frame->placing, &cube, &image);
+  bool out =
+      hsr_cube_classify(frame, &frame->placing, &cube, NULL) == HSR_BOX_OUT;
+  bool has_image = hsr_cube_project(frame, &frame->placing, &cube, &image);
   held->out += out;
   held->images += has_image;
   for (uint32_t v = 0; v < cell->n_vertices; v++) {
@@ -368,7 +367,7 @@ static void test_images(struct tap *tap, const struct laid_out *l,
     }
     begin_frame(&f, l, cubes, &camera);
     for (uint32_t i = 0; i < l->scene->n_instances; i++) {
-      HSR_OF_BUILD(hsr_cube_instance)(&f.frame, i);
+      hsr_cube_instance(&f.frame, i);
       for (uint32_t k = 0; k < f.frame.object->octree.n_nodes; k++)
         look_at_cube(&f, k, &held);
     }

@@ -117,10 +117,9 @@ struct memory {
 static void begin(struct memory *m, const struct hsr_window *window,
                   bool near) {
   m->arena = (struct hsr_arena)HSR_ARENA_EMPTY;
-  if (HSR_OF_BUILD(hsr_pyramid_init)(&m->pyramid, window, near, &m->stride,
-                                     &m->arena))
+  if (hsr_pyramid_init(&m->pyramid, window, near, &m->stride, &m->arena))
     stop("out of memory");
-  HSR_OF_BUILD(hsr_pyramid_clear)(&m->pyramid);
+  hsr_pyramid_clear(&m->pyramid);
 }
 
 static float *sample_of(struct memory *m, int i, int j) {
@@ -158,7 +157,7 @@ static void test_updates(struct tap *tap, bool near, uint64_t *seed) {
       for (int b = 0; b < n; b++)
         write_some(&m, box[b] = random_box(&window, seed), seed);
       for (int b = 0; b < n; b++)
-        HSR_OF_BUILD(hsr_pyramid_update)(&m.pyramid, box[b]);
+        hsr_pyramid_update(&m.pyramid, box[b]);
       wrong += count_wrong(&m.pyramid);
       looked++;
     }
@@ -177,7 +176,7 @@ static void test_early_stop(struct tap *tap) {
   begin(&m, &window, false);
   m.pyramid.far[6][0] = 0.25f; /* as no update would have it */
   *sample_of(&m, 0, 0) = 0.5f;
-  HSR_OF_BUILD(hsr_pyramid_update)(&m.pyramid, box);
+  hsr_pyramid_update(&m.pyramid, box);
   ok(tap, m.pyramid.far[6][0] == 0.25f,
      "an update stops where it changes nothing");
   hsr_arena_free(&m.arena);
@@ -207,11 +206,11 @@ static void ask(struct hsr_pyramid *p, struct hsr_bounds box, float q,
                   around = extremes_in(p, enclosing(p, box));
   uint64_t reads = p->reads,
            area = (uint64_t)(box.x1 - box.x0) * (uint64_t)(box.y1 - box.y0);
-  bool hidden = HSR_OF_BUILD(hsr_pyramid_hides)(p, box, q);
+  bool hidden = hsr_pyramid_hides(p, box, q);
   s->wrong += p->reads == reads ||
               p->reads > reads + 8 * (uint64_t)p->n_levels + 2 * area;
   reads = p->reads;
-  bool basic = HSR_OF_BUILD(hsr_pyramid_basic)(p, box, q);
+  bool basic = hsr_pyramid_basic(p, box, q);
   s->wrong += p->reads != reads + 1;
   s->wrong += hidden != (q * HSR_CLEAR < in.far);
   s->wrong += basic != (q * HSR_CLEAR < around.far) || (basic && !hidden);
@@ -220,7 +219,7 @@ static void ask(struct hsr_pyramid *p, struct hsr_bounds box, float q,
   s->basic += basic;
   if (!p->near[0])
     return;
-  bool before = HSR_OF_BUILD(hsr_pyramid_before)(p, box, q);
+  bool before = hsr_pyramid_before(p, box, q);
   bool truly = q > HSR_CLEAR * around.near;
   s->wrong += p->reads != reads + 2 || (before && !truly) ||
               (around.inside && before != truly);
@@ -242,7 +241,7 @@ static void test_boxes(struct tap *tap, uint64_t *seed) {
           for (int i = box.x0; i < box.x1; i++)
             *sample_of(&m, i, j) = q;
         *sample_of(&m, box.x0, box.y0) = n % 32 ? q : NAN;
-        HSR_OF_BUILD(hsr_pyramid_update)(&m.pyramid, box);
+        hsr_pyramid_update(&m.pyramid, box);
       }
       struct hsr_bounds look = random_box(&w, seed);
       float near = extremes_in(&m.pyramid, look).far;
@@ -253,7 +252,7 @@ static void test_boxes(struct tap *tap, uint64_t *seed) {
         ask(&m.pyramid, look, near, &s);
       }
     }
-    HSR_OF_BUILD(hsr_pyramid_update)(&m.pyramid, all);
+    hsr_pyramid_update(&m.pyramid, all);
     s.wrong += count_wrong(&m.pyramid);
     hsr_arena_free(&m.arena);
   }
@@ -279,9 +278,9 @@ static void test_work(struct tap *tap, uint64_t *seed) {
   for (int k = 0; k < 200; k++) {
     struct hsr_bounds box = random_box(&window, seed);
     write_some(&m, box, seed);
-    HSR_OF_BUILD(hsr_pyramid_update)(&m.pyramid, box);
-    HSR_OF_BUILD(hsr_pyramid_hides)
-    (&m.pyramid, random_box(&window, seed), random_depth(seed));
+    hsr_pyramid_update(&m.pyramid, box);
+    hsr_pyramid_hides(&m.pyramid, random_box(&window, seed),
+                      random_depth(seed));
   }
   for (int k = 0; k < 64 * 64; k++)
     sum += (double)work[k];
@@ -320,7 +319,7 @@ static void begin_definitive(struct definitive *d) {
     stop("out of memory");
   HSR_OF_BUILD(hsr_tiler_snap)(t);
   HSR_OF_BUILD(hsr_tiler_begin_part)(t, d->view.window);
-  HSR_OF_BUILD(hsr_pyramid_clear)(&d->memory.pyramid);
+  hsr_pyramid_clear(&d->memory.pyramid);
 }
 
 /* Would the face be written to any sample, exactly? */
@@ -343,9 +342,9 @@ static bool is_hidden(struct definitive *d, uint32_t f,
 static void forget_some(struct definitive *d, uint64_t *seed) {
   struct hsr_bounds box = random_box(&d->view.window, seed);
   *sample_of(&d->memory, box.x0, box.y0) = NAN;
-  HSR_OF_BUILD(hsr_pyramid_update)
-  (&d->memory.pyramid,
-   (struct hsr_bounds){box.x0, box.y0, box.x0 + 1, box.y0 + 1});
+  hsr_pyramid_update(
+      &d->memory.pyramid,
+      (struct hsr_bounds){box.x0, box.y0, box.x0 + 1, box.y0 + 1});
 }
 
 static void try_triangle(struct definitive *d, const struct hsr_batch *batch,
@@ -355,8 +354,8 @@ static void try_triangle(struct definitive *d, const struct hsr_batch *batch,
   struct hsr_triangle tri = HSR_OF_BUILD(hsr_tiler_take)(batch, k);
   struct hsr_bounds box = {tri.x0, tri.y0, tri.x1, tri.y1};
   float q = fmaxf(r->qa[k], fmaxf(r->qb[k], r->qc[k]));
-  bool fast = HSR_OF_BUILD(hsr_pyramid_hides)(p, box, q);
-  bool hidden = HSR_OF_BUILD(hsr_pyramid_hides_triangle)(p, &d->tiler, &tri);
+  bool fast = hsr_pyramid_hides(p, box, q);
+  bool hidden = hsr_pyramid_hides_triangle(p, &d->tiler, &tri);
   d->asked++;
   d->fast += fast;
   d->hidden += hidden;
@@ -364,7 +363,7 @@ static void try_triangle(struct definitive *d, const struct hsr_batch *batch,
   if (d->asked % 3)
     return; /* nor all are tiled: what is hidden would all be behind */
   HSR_OF_BUILD(hsr_tiler_tile)(&d->tiler, &tri);
-  HSR_OF_BUILD(hsr_pyramid_update)(p, box);
+  hsr_pyramid_update(p, box);
 }
 
 static void try_batch(struct definitive *d, uint32_t first, int n,

@@ -383,7 +383,7 @@ static void test_order(struct tap *tap, uint64_t *seed) {
       /* to somewhere in the cube */
       ray[a] = cube.centre[a] + unit(seed) - placing.eye[a];
     }
-    int nearest = HSR_OF_BUILD(hsr_cube_nearest)(&placing, &cube), seen = 0;
+    int nearest = hsr_cube_nearest(&placing, &cube), seen = 0;
     for (int o = 0; o < 8; o++) {
       int octant = nearest ^ hsr_octant_order[o];
       double at = middle_of(placing.eye, ray, &cube, octant);

@@ -13,8 +13,7 @@
 
 static const double U = DBL_EPSILON / 2;
 
-bool HSR_OF_BUILD(hsr_region_clip)(const struct hsr_region *region,
-                                   struct hsr_box *box) {
+bool hsr_region_clip(const struct hsr_region *region, struct hsr_box *box) {
   bool some = true;
   for (int k = 0; k < 3; k++) {
     some =
@@ -107,12 +106,12 @@ static void add_plane(struct hsr_clip *clip, int axis, bool is_above,
   clip->pieces->line[clip->n_own + k] = line_of(clip, axis, is_above, at);
 }
 
-const struct hsr_mask_polygon *
-HSR_OF_BUILD(hsr_clip_piece)(struct hsr_clip *clip, struct hsr_pieces_view *p,
-                             struct hsr_screen *screen,
-                             const struct hsr_region *region) {
+const struct hsr_mask_polygon *hsr_clip_piece(struct hsr_clip *clip,
+                                              struct hsr_pieces_view *p,
+                                              struct hsr_screen *screen,
+                                              const struct hsr_region *region) {
   struct hsr_box box = box_of(p), clipped = box;
-  if (!HSR_OF_BUILD(hsr_region_clip)(region, &clipped))
+  if (!hsr_region_clip(region, &clipped))
     return NULL;
   *clip = (struct hsr_clip){.pieces = p,
                             .screen = screen,

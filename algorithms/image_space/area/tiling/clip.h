@@ -17,13 +17,16 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_region_clip HSR_OF_BUILD(hsr_region_clip)
+#define hsr_clip_piece HSR_OF_BUILD(hsr_clip_piece)
+
 struct hsr_region {
   double above[3], below[3]; /* infinite: no plane */
 };
 
 /* What of a box is in a region, or touches it; false if that is nothing. */
-bool HSR_OF_BUILD(hsr_region_clip)(const struct hsr_region *region,
-                                   struct hsr_box *box);
+bool hsr_region_clip(const struct hsr_region *region, struct hsr_box *box);
 
 enum { HSR_MOST_CLIPS = 6 };
 
@@ -42,9 +45,10 @@ struct hsr_clip {
 
 /* The polygon of the piece that `pieces` has at hand, in the region: NULL if
  * none of it is. It is good until the next one. */
-const struct hsr_mask_polygon *HSR_OF_BUILD(hsr_clip_piece)(
-    struct hsr_clip *clip, struct hsr_pieces_view *pieces,
-    struct hsr_screen *screen, const struct hsr_region *region);
+const struct hsr_mask_polygon *hsr_clip_piece(struct hsr_clip *clip,
+                                              struct hsr_pieces_view *pieces,
+                                              struct hsr_screen *screen,
+                                              const struct hsr_region *region);
 
 #ifdef __cplusplus
 }

@@ -14,9 +14,8 @@ static struct hsr_mask_places places_of(const struct hsr_jitter *jitter) {
   return places;
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_sampling_init)(struct hsr_sampling *s,
-                                                int intervals,
-                                                struct hsr_error *err) {
+enum hsr_status hsr_sampling_init(struct hsr_sampling *s, int intervals,
+                                  struct hsr_error *err) {
   for (int pattern = 0; pattern < HSR_PATTERNS; pattern++) {
     struct hsr_jitter jitter = {{0}, {0}};
     if (pattern < HSR_MOST_PATTERNS)
@@ -27,7 +26,7 @@ enum hsr_status HSR_OF_BUILD(hsr_sampling_init)(struct hsr_sampling *s,
   return hsr_triage_init(&s->tables, intervals, err);
 }
 
-void HSR_OF_BUILD(hsr_sampling_free)(struct hsr_sampling *s) {
+void hsr_sampling_free(struct hsr_sampling *s) {
   hsr_triage_free(&s->tables);
 }
 
@@ -47,7 +46,7 @@ static struct hsr_view view_of(const struct hsr_job *job) {
   return view;
 }
 
-int HSR_OF_BUILD(hsr_tiling_pattern)(const struct hsr_job *job) {
+int hsr_tiling_pattern(const struct hsr_job *job) {
   return job->filtering && job->filtering->patterns ? 0 : HSR_MOST_PATTERNS;
 }
 
@@ -70,7 +69,7 @@ static struct hsr_masks masks_of(struct hsr_tiling *t) {
   const struct hsr_filtering *filtering = job->filtering;
   bool jittered = filtering && filtering->patterns;
   bool moved = !filtering && (t->view.offset_x != 0 || t->view.offset_y != 0);
-  int pattern = HSR_OF_BUILD(hsr_tiling_pattern)(job);
+  int pattern = hsr_tiling_pattern(job);
   return (struct hsr_masks){.tables = &t->sampling->tables,
                             .places = moved ? displaced(job, &t->view)
                                             : t->sampling->places + pattern,
@@ -82,58 +81,55 @@ static struct hsr_masks masks_of(struct hsr_tiling *t) {
                             .pixel = filtering ? HSR_SUB : 1};
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_tiling_begin)(
-    struct hsr_tiling *t, const struct hsr_sampling *sampling,
-    const struct hsr_job *job, struct hsr_pieces_room room) {
+enum hsr_status hsr_tiling_begin(struct hsr_tiling *t,
+                                 const struct hsr_sampling *sampling,
+                                 const struct hsr_job *job,
+                                 struct hsr_pieces_room room) {
   *t = (struct hsr_tiling){
       .job = job, .sampling = sampling, .view = view_of(job)};
   t->masks = masks_of(t);
-  HSR_OF_BUILD(hsr_canvas_begin)
-  (&t->canvas, job, t->view.window, &sampling->cosine);
-  t->sink = HSR_OF_BUILD(hsr_canvas_sink)(&t->canvas);
+  hsr_canvas_begin(&t->canvas, job, t->view.window, &sampling->cosine);
+  t->sink = hsr_canvas_sink(&t->canvas);
   if (!t->masks.places ||
-      HSR_OF_BUILD(hsr_masks_init)(&t->masks, &t->view.window,
-                                   room.corners + SPARE_LINES, job->scratch))
+      hsr_masks_init(&t->masks, &t->view.window, room.corners + SPARE_LINES,
+                     job->scratch))
     return HSR_E_NOMEM;
-  return HSR_OF_BUILD(hsr_pieces_begin)(&t->pieces, room, &t->view, &t->masks,
-                                        job->tally, job->scratch);
+  return hsr_pieces_begin(&t->pieces, room, &t->view, &t->masks, job->tally,
+                          job->scratch);
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_tiling_room)(struct hsr_tiling *t,
-                                              struct hsr_pieces_room room) {
+enum hsr_status hsr_tiling_room(struct hsr_tiling *t,
+                                struct hsr_pieces_room room) {
   const struct hsr_job *job = t->job;
-  if (HSR_OF_BUILD(hsr_masks_room)(&t->masks, room.corners + SPARE_LINES,
-                                   job->scratch))
+  if (hsr_masks_room(&t->masks, room.corners + SPARE_LINES, job->scratch))
     return HSR_E_NOMEM;
-  return HSR_OF_BUILD(hsr_pieces_begin)(&t->pieces, room, &t->view, &t->masks,
-                                        job->tally, job->scratch);
+  return hsr_pieces_begin(&t->pieces, room, &t->view, &t->masks, job->tally,
+                          job->scratch);
 }
 
-bool HSR_OF_BUILD(hsr_tiling_shows)(struct hsr_tiling *t,
-                                    const struct hsr_box *box,
-                                    const double shift[3], bool tested) {
+bool hsr_tiling_shows(struct hsr_tiling *t, const struct hsr_box *box,
+                      const double shift[3], bool tested) {
   bool known;
   const struct hsr_mask_polygon *silhouette =
-      HSR_OF_BUILD(hsr_pieces_silhouette)(&t->pieces, box, shift, &known);
+      hsr_pieces_silhouette(&t->pieces, box, shift, &known);
   if (!known)
     return true;
   if (!silhouette || !tested)
     return silhouette;
   HSR_COUNT(t->job->tally, HSR_CUBES_ASKED, 1);
   t->masks.work = &t->cubes;
-  bool visible =
-      HSR_OF_BUILD(hsr_masks_show)(&t->masks, silhouette, t->pieces.box);
+  bool visible = hsr_masks_show(&t->masks, silhouette, t->pieces.box);
   t->masks.work = &t->polygons;
   HSR_COUNT(t->job->tally, HSR_CUBES_HIDDEN, !visible);
   return visible;
 }
 
-void HSR_OF_BUILD(hsr_tiling_background)(struct hsr_tiling *t) {
-  HSR_OF_BUILD(hsr_canvas_face)(&t->canvas, HSR_BACKGROUND);
-  HSR_OF_BUILD(hsr_masks_tile_rest)(&t->masks, &t->sink);
+void hsr_tiling_background(struct hsr_tiling *t) {
+  hsr_canvas_face(&t->canvas, HSR_BACKGROUND);
+  hsr_masks_tile_rest(&t->masks, &t->sink);
 }
 
-void HSR_OF_BUILD(hsr_tiling_count)(const struct hsr_tiling *t) {
+void hsr_tiling_count(const struct hsr_tiling *t) {
   struct hsr_tally *tally = t->job->tally;
   HSR_COUNT(tally, HSR_CUBE_CELLS, t->cubes.cells);
   HSR_COUNT(tally, HSR_POLYGON_CELLS, t->polygons.cells);

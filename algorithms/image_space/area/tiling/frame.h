@@ -16,6 +16,16 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_sampling_init HSR_OF_BUILD(hsr_sampling_init)
+#define hsr_sampling_free HSR_OF_BUILD(hsr_sampling_free)
+#define hsr_tiling_begin HSR_OF_BUILD(hsr_tiling_begin)
+#define hsr_tiling_room HSR_OF_BUILD(hsr_tiling_room)
+#define hsr_tiling_pattern HSR_OF_BUILD(hsr_tiling_pattern)
+#define hsr_tiling_shows HSR_OF_BUILD(hsr_tiling_shows)
+#define hsr_tiling_background HSR_OF_BUILD(hsr_tiling_background)
+#define hsr_tiling_count HSR_OF_BUILD(hsr_tiling_count)
+
 /* --- Once ----------------------------------------------------------------- */
 
 enum { HSR_PATTERNS = HSR_MOST_PATTERNS + 1 }; /* the last one is no jitter */
@@ -27,10 +37,9 @@ struct hsr_sampling {
 };
 
 /* HSR_E_NOMEM; freed with hsr_sampling_free also then. */
-enum hsr_status HSR_OF_BUILD(hsr_sampling_init)(struct hsr_sampling *sampling,
-                                                int intervals,
-                                                struct hsr_error *err);
-void HSR_OF_BUILD(hsr_sampling_free)(struct hsr_sampling *sampling);
+enum hsr_status hsr_sampling_init(struct hsr_sampling *sampling, int intervals,
+                                  struct hsr_error *err);
+void hsr_sampling_free(struct hsr_sampling *sampling);
 
 /* The option of all modules from which `intervals` comes. */
 #define HSR_INTERVALS_OPTION                                                   \
@@ -54,25 +63,25 @@ struct hsr_tiling {
 };
 
 /* With room for such trees; `tiling` must stay where it is. HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_tiling_begin)(
-    struct hsr_tiling *tiling, const struct hsr_sampling *sampling,
-    const struct hsr_job *job, struct hsr_pieces_room room);
+enum hsr_status hsr_tiling_begin(struct hsr_tiling *tiling,
+                                 const struct hsr_sampling *sampling,
+                                 const struct hsr_job *job,
+                                 struct hsr_pieces_room room);
 
 /* Makes other room. HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_tiling_room)(struct hsr_tiling *tiling,
-                                              struct hsr_pieces_room room);
+enum hsr_status hsr_tiling_room(struct hsr_tiling *tiling,
+                                struct hsr_pieces_room room);
 
 /* The first of the patterns that a job needs. */
-int HSR_OF_BUILD(hsr_tiling_pattern)(const struct hsr_job *job);
+int hsr_tiling_pattern(const struct hsr_job *job);
 
 /* Whether anything within a box that is moved may be seen; if `tested`, the
  * masks are asked, and not the window alone. */
-bool HSR_OF_BUILD(hsr_tiling_shows)(struct hsr_tiling *tiling,
-                                    const struct hsr_box *box,
-                                    const double shift[3], bool tested);
+bool hsr_tiling_shows(struct hsr_tiling *tiling, const struct hsr_box *box,
+                      const double shift[3], bool tested);
 
 /* Tiles whatever is vacant still, and of no polygon. */
-void HSR_OF_BUILD(hsr_tiling_background)(struct hsr_tiling *tiling);
+void hsr_tiling_background(struct hsr_tiling *tiling);
 
 /* --- Counters ------------------------------------------------------------- */
 
@@ -107,7 +116,7 @@ enum {
   [HSR_SAMPLES_UNSURE] = {"unsure samples", "put to the exact predicates"}
 
 /* Adds up what the masks and the canvas have counted. */
-void HSR_OF_BUILD(hsr_tiling_count)(const struct hsr_tiling *tiling);
+void hsr_tiling_count(const struct hsr_tiling *tiling);
 
 #ifdef __cplusplus
 }

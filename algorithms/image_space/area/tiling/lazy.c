@@ -99,7 +99,7 @@ static enum hsr_status make_octree(struct prepared *p,
   struct hsr_primitives faces = {world->n_faces, world, bounds_of, area_of,
                                  meets};
   struct hsr_octree_rule rule = {0.1, (uint32_t)leaf, 1};
-  struct hsr_box box = HSR_OF_BUILD(hsr_all_points)(&p->separate).tight;
+  struct hsr_box box = hsr_all_points(&p->separate).tight;
   double side = 0;
   for (int k = 0; k < 3; k++)
     side = fmax(side, box.hi[k] - box.lo[k]);
@@ -110,7 +110,7 @@ static enum hsr_status make_octree(struct prepared *p,
 
 static void release(void *prepared) {
   struct prepared *p = prepared;
-  HSR_OF_BUILD(hsr_sampling_free)(&p->sampling);
+  hsr_sampling_free(&p->sampling);
   hsr_bsp_free(&p->separate);
   hsr_bsp_free(&p->tree);
   hsr_arena_free(&p->arena);
@@ -125,9 +125,9 @@ static enum hsr_status prepare(const struct hsr_world *world,
   if (!p)
     return hsr_fail_nomem(err);
   struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
-  enum hsr_status status = HSR_OF_BUILD(hsr_sampling_init)(
-      &p->sampling, (int)option[INTERVALS], err);
-  if (!status && HSR_OF_BUILD(hsr_separate_init)(&p->separate, world))
+  enum hsr_status status =
+      hsr_sampling_init(&p->sampling, (int)option[INTERVALS], err);
+  if (!status && hsr_separate_init(&p->separate, world))
     status = hsr_fail_nomem(err);
   if (!status && option[ORDER] == ORDER_TREE && world->n_faces &&
       make_octree(p, world, option[LEAF]))
@@ -173,37 +173,36 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
                       .has_colour = HSR_NEW_ZEROED(arena, bool, colours),
                       .met = HSR_NEW_ZEROED(arena, bool, job->world->n_faces)};
   if (!f->rgb || !f->has_colour || !f->met ||
-      HSR_OF_BUILD(hsr_tiling_begin)(&f->tiling, &p->sampling, job, p->room))
+      hsr_tiling_begin(&f->tiling, &p->sampling, job, p->room))
     return HSR_E_NOMEM;
-  return HSR_OF_BUILD(hsr_lazy_begin)(&f->pyramid, &f->tiling.masks, job->world,
-                                      &f->tiling.view, job->tally, arena);
+  return hsr_lazy_begin(&f->pyramid, &f->tiling.masks, job->world,
+                        &f->tiling.view, job->tally, arena);
 }
 
 /* Takes in hand a tree with all of its points. */
 static void take_tree(struct frame *f, const struct hsr_bsp *bsp) {
   static const double still[3] = {0, 0, 0};
-  struct hsr_bsp_cube all = HSR_OF_BUILD(hsr_all_points)(bsp);
-  HSR_OF_BUILD(hsr_pieces_tree)(&f->tiling.pieces, bsp, still);
-  HSR_OF_BUILD(hsr_pieces_leaf)(&f->tiling.pieces, &all);
+  struct hsr_bsp_cube all = hsr_all_points(bsp);
+  hsr_pieces_tree(&f->tiling.pieces, bsp, still);
+  hsr_pieces_leaf(&f->tiling.pieces, &all);
 }
 
 static void tile_piece(struct frame *f, const struct hsr_bsp_piece *piece,
                        int facing) {
   struct hsr_pieces_view *pieces = &f->tiling.pieces;
-  if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
+  if (!hsr_pieces_take(pieces, piece, facing))
     return;
-  HSR_OF_BUILD(hsr_pieces_outline)(pieces);
+  hsr_pieces_outline(pieces);
   HSR_STEP9(f->job->tally, POLYGONS, HSR_ACTIVATE, piece->face, HSR_NO_ID,
             pieces->box.x0, pieces->box.y0, pieces->box.x1, pieces->box.y1);
-  if (!HSR_OF_BUILD(hsr_lazy_tile)(&f->pyramid, piece->face, &pieces->polygon,
-                                   pieces->box))
+  if (!hsr_lazy_tile(&f->pyramid, piece->face, &pieces->polygon, pieces->box))
     HSR_COUNT(f->job->tally, POLYGONS_HIDDEN, 1);
 }
 
 /* On which side of a face the eye is; 0 if the face does not exist. */
 static int facing_of(struct frame *f, uint32_t face) {
   struct hsr_screen *screen = &f->pyramid.screen;
-  HSR_OF_BUILD(hsr_lazy_face)(&f->pyramid, face);
+  hsr_lazy_face(&f->pyramid, face);
   return hsr_face_exists(screen, face, f->job->tally)
              ? hsr_eye_side(screen, face, f->job->tally)
              : 0;
@@ -246,8 +245,8 @@ static bool is_visible(struct frame *f, const struct hsr_octree_box *cube) {
   static const double still[3] = {0, 0, 0};
   struct hsr_box box = corners_of(cube);
   bool known;
-  const struct hsr_mask_polygon *silhouette = HSR_OF_BUILD(
-      hsr_pieces_silhouette)(&f->tiling.pieces, &box, still, &known);
+  const struct hsr_mask_polygon *silhouette =
+      hsr_pieces_silhouette(&f->tiling.pieces, &box, still, &known);
   if (!known)
     return true;
   if (!silhouette)
@@ -256,8 +255,8 @@ static bool is_visible(struct frame *f, const struct hsr_octree_box *cube) {
     return true;
   HSR_COUNT(f->job->tally, HSR_CUBES_ASKED, 1);
   f->tiling.masks.work = &f->tiling.cubes;
-  bool visible = HSR_OF_BUILD(hsr_lazy_shows)(
-      &f->pyramid, silhouette, f->tiling.pieces.box, nearest_of(f, &box));
+  bool visible = hsr_lazy_shows(&f->pyramid, silhouette, f->tiling.pieces.box,
+                                nearest_of(f, &box));
   f->tiling.masks.work = &f->tiling.polygons;
   HSR_COUNT(f->job->tally, HSR_CUBES_HIDDEN, !visible);
   return visible;
@@ -399,13 +398,13 @@ static void take_face(void *context, uint32_t face) {
                       face < n ? hsr_world_parent(f->job->world, face) : face,
                       f->rgb[k]);
   f->has_colour[k] = true;
-  HSR_OF_BUILD(hsr_canvas_colour)(&f->tiling.canvas, f->rgb[k]);
+  hsr_canvas_colour(&f->tiling.canvas, f->rgb[k]);
 }
 
 static void count_work(const struct frame *f) {
   struct hsr_tally *tally = f->job->tally;
   const struct hsr_lazy_work *work = &f->pyramid.work;
-  HSR_OF_BUILD(hsr_tiling_count)(&f->tiling);
+  hsr_tiling_count(&f->tiling);
   HSR_COUNT(tally, FRAGMENTS, work->fragments);
   HSR_COUNT(tally, DEMOTED, work->demoted);
   HSR_COUNT(tally, ENTERED, work->pixels);
@@ -426,7 +425,7 @@ static enum hsr_status render(const struct hsr_job *job,
     tile_tree(&f);
   if (f.pyramid.out_of_memory)
     return hsr_fail_nomem(err);
-  HSR_OF_BUILD(hsr_lazy_resolve)(&f.pyramid, &f.tiling.sink, &f, take_face);
+  hsr_lazy_resolve(&f.pyramid, &f.tiling.sink, &f, take_face);
   count_work(&f);
   return HSR_OK;
 }

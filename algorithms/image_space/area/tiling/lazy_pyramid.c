@@ -50,7 +50,7 @@ static struct hsr_lazy_depth depth_at_vertices(const struct hsr_screen *s,
   return depth;
 }
 
-void HSR_OF_BUILD(hsr_lazy_face)(struct hsr_lazy_pyramid *p, uint32_t f) {
+void hsr_lazy_face(struct hsr_lazy_pyramid *p, uint32_t f) {
   if (p->known[f])
     return;
   p->known[f] = true;
@@ -147,7 +147,7 @@ static void place_of(const struct hsr_masks *masks,
                      const struct hsr_mask_cell *cell, int bit, double *sx,
                      double *sy) {
   const struct hsr_mask_places *places =
-      &masks->places[HSR_OF_BUILD(hsr_masks_pattern)(masks, cell)];
+      &masks->places[hsr_masks_pattern(masks, cell)];
   *sx = cell->x + places->x[bit];
   *sy = cell->y + places->y[bit];
 }
@@ -158,8 +158,7 @@ static void clear_pixel(struct hsr_lazy_pyramid *p,
   discard_fragments(p, pixel);
   pixel->depth = NOTHING;
   pixel->z_buffered = false;
-  p->masks->finest[cell->number] =
-      ~HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  p->masks->finest[cell->number] = ~hsr_masks_in_window(p->masks, cell);
 }
 
 static void tile_pixel(struct hsr_lazy_pyramid *p,
@@ -225,7 +224,7 @@ static void z_buffer(struct hsr_lazy_pyramid *p,
   struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
   uint32_t *face = samples_of(p, pixel)->face;
   uint64_t *covered = &p->masks->finest[cell->number];
-  uint64_t in_window = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  uint64_t in_window = hsr_masks_in_window(p->masks, cell);
   for (uint64_t ask = mask & *covered; ask; ask &= ask - 1) {
     double sx, sy;
     int bit = hsr_first_bit(ask);
@@ -252,7 +251,7 @@ static bool is_finest(const struct hsr_lazy_pyramid *p,
 
 static void clear(struct hsr_lazy_pyramid *p,
                   const struct hsr_mask_cell *cell) {
-  uint64_t vacant = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  uint64_t vacant = hsr_masks_in_window(p->masks, cell);
   if (is_finest(p, cell)) {
     clear_pixel(p, cell);
     return;
@@ -265,7 +264,7 @@ static void clear(struct hsr_lazy_pyramid *p,
 /* A face that hides all that was there makes the cell whole. */
 static void make_whole(struct hsr_lazy_pyramid *p,
                        const struct hsr_mask_cell *cell, uint32_t face) {
-  uint64_t all = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  uint64_t all = hsr_masks_in_window(p->masks, cell);
   if (is_finest(p, cell)) {
     clear_pixel(p, cell);
     tile_pixel(p, cell, face, all);
@@ -304,43 +303,38 @@ static void find_depth(const struct hsr_lazy_pyramid *p,
                        const struct hsr_mask_cell *cell) {
   const struct hsr_triage *mask = &p->masks->coarse[cell->level][cell->number];
   struct hsr_lazy_cell *own = &p->cell[cell->level][cell->number];
-  uint64_t some = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell) & ~mask->v &
-                  ~own->whole;
+  uint64_t some = hsr_masks_in_window(p->masks, cell) & ~mask->v & ~own->whole;
   own->depth = own->whole ? depth_in(p, own->face, cell) : NOTHING;
   for (; some; some &= some - 1) {
-    struct hsr_mask_cell sub =
-        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(some));
+    struct hsr_mask_cell sub = hsr_masks_subcell(cell, hsr_first_bit(some));
     include(&own->depth, depth_of(p, own, &sub));
   }
 }
 
 /* --- Once a frame --------------------------------------------------------- */
 
-enum hsr_status HSR_OF_BUILD(hsr_lazy_begin)(struct hsr_lazy_pyramid *p,
-                                             struct hsr_masks *masks,
-                                             const struct hsr_world *world,
-                                             const struct hsr_view *view,
-                                             struct hsr_tally *tally,
-                                             struct hsr_arena *arena) {
+enum hsr_status
+hsr_lazy_begin(struct hsr_lazy_pyramid *p, struct hsr_masks *masks,
+               const struct hsr_world *world, const struct hsr_view *view,
+               struct hsr_tally *tally, struct hsr_arena *arena) {
   int finest = masks->n_levels - 1;
   *p =
       (struct hsr_lazy_pyramid){.masks = masks, .arena = arena, .tally = tally};
   for (int level = 0; level < finest; level++) {
-    p->cell[level] =
-        HSR_NEW_ZEROED(arena, struct hsr_lazy_cell,
-                       HSR_OF_BUILD(hsr_masks_cells)(masks, level));
+    p->cell[level] = HSR_NEW_ZEROED(arena, struct hsr_lazy_cell,
+                                    hsr_masks_cells(masks, level));
     if (!p->cell[level])
       return HSR_E_NOMEM;
   }
   p->pixel = HSR_NEW_ZEROED(arena, struct hsr_lazy_pixel,
-                            HSR_OF_BUILD(hsr_masks_cells)(masks, finest));
+                            hsr_masks_cells(masks, finest));
   p->depth = HSR_NEW(arena, struct hsr_lazy_depth, world->n_faces);
   p->known = HSR_NEW_ZEROED(arena, bool, world->n_faces);
   if (!p->pixel || !p->depth || !p->known ||
       hsr_screen_init(&p->screen, world, view, arena))
     return HSR_E_NOMEM;
   hsr_screen_vertices(&p->screen);
-  struct hsr_mask_cell root = HSR_OF_BUILD(hsr_masks_root)(masks);
+  struct hsr_mask_cell root = hsr_masks_root(masks);
   clear(p, &root);
   return HSR_OK;
 }
@@ -352,7 +346,7 @@ static uint64_t enter_pixel(struct hsr_lazy_pyramid *p,
   p->own = depth_in(p, p->face, cell);
   if (is_behind(p->own, p->pixel[cell->number].depth))
     return ~p->masks->finest[cell->number];
-  return HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  return hsr_masks_in_window(p->masks, cell);
 }
 
 /* Subcells that are hidden are left out; those that the polygon makes whole,
@@ -365,12 +359,11 @@ static uint64_t enter(void *context, const struct hsr_mask_cell *cell,
   struct hsr_triage *mask = &p->masks->coarse[cell->level][cell->number];
   struct hsr_lazy_cell *own = &p->cell[cell->level][cell->number];
   uint64_t entered = 0;
-  uint64_t ask = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell) & ~polygon.v;
+  uint64_t ask = hsr_masks_in_window(p->masks, cell) & ~polygon.v;
   p->changed[cell->level] = false;
   for (; ask; ask &= ask - 1) {
     uint64_t bit = ask & (~ask + 1);
-    struct hsr_mask_cell sub =
-        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(ask));
+    struct hsr_mask_cell sub = hsr_masks_subcell(cell, hsr_first_bit(ask));
     bool hides = polygon.c & bit;
     if (!(mask->v & bit)) {
       struct hsr_lazy_depth here = depth_in(p, p->face, &sub);
@@ -398,7 +391,7 @@ static void take_samples(void *context, const struct hsr_mask_cell *cell,
   struct hsr_lazy_pyramid *p = context;
   struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
   uint64_t covered = p->masks->finest[cell->number];
-  uint64_t all = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  uint64_t all = hsr_masks_in_window(p->masks, cell);
   if (mask == all && is_behind(pixel->depth, p->own))
     make_whole(p, cell, p->face);
   else if (!pixel->z_buffered && is_behind_fragments(p, cell, mask & covered)) {
@@ -423,9 +416,8 @@ static void leave(void *context, const struct hsr_mask_cell *cell,
     return;
   for (; entered; entered &= entered - 1) {
     uint64_t bit = entered & (~entered + 1), covered;
-    struct hsr_mask_cell sub =
-        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(entered));
-    uint64_t in = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, &sub);
+    struct hsr_mask_cell sub = hsr_masks_subcell(cell, hsr_first_bit(entered));
+    uint64_t in = hsr_masks_in_window(p->masks, &sub);
     bool vacant;
     if (is_finest(p, &sub)) {
       covered = p->masks->finest[sub.number];
@@ -444,13 +436,13 @@ static void leave(void *context, const struct hsr_mask_cell *cell,
     p->changed[cell->level - 1] = true;
 }
 
-bool HSR_OF_BUILD(hsr_lazy_tile)(struct hsr_lazy_pyramid *p, uint32_t face,
-                                 const struct hsr_mask_polygon *polygon,
-                                 struct hsr_bounds box) {
+bool hsr_lazy_tile(struct hsr_lazy_pyramid *p, uint32_t face,
+                   const struct hsr_mask_polygon *polygon,
+                   struct hsr_bounds box) {
   struct hsr_mask_visitor visitor = {enter, take_samples, leave, p};
-  HSR_OF_BUILD(hsr_lazy_face)(p, face);
+  hsr_lazy_face(p, face);
   p->face = face;
-  return HSR_OF_BUILD(hsr_masks_visit)(p->masks, polygon, box, &visitor);
+  return hsr_masks_visit(p->masks, polygon, box, &visitor);
 }
 
 /* --- Asking --------------------------------------------------------------- */
@@ -462,7 +454,7 @@ static uint64_t look(void *context, const struct hsr_mask_cell *cell,
   uint64_t entered = 0;
   if (p->shows)
     return 0;
-  uint64_t ask = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell) & ~polygon.v;
+  uint64_t ask = hsr_masks_in_window(p->masks, cell) & ~polygon.v;
   if (is_finest(p, cell))
     return is_behind(box, p->pixel[cell->number].depth)
                ? ~p->masks->finest[cell->number]
@@ -472,8 +464,7 @@ static uint64_t look(void *context, const struct hsr_mask_cell *cell,
   p->shows = ask & polygon.c & mask->v;
   for (; ask && !p->shows; ask &= ask - 1) {
     uint64_t bit = ask & (~ask + 1);
-    struct hsr_mask_cell sub =
-        HSR_OF_BUILD(hsr_masks_subcell)(cell, hsr_first_bit(ask));
+    struct hsr_mask_cell sub = hsr_masks_subcell(cell, hsr_first_bit(ask));
     if (mask->c & bit && is_behind(box, depth_of(p, own, &sub)))
       continue;
     open(p, mask, own, &sub);
@@ -496,13 +487,13 @@ static void go_on(void *context, const struct hsr_mask_cell *cell,
   (void)entered;
 }
 
-bool HSR_OF_BUILD(hsr_lazy_shows)(struct hsr_lazy_pyramid *p,
-                                  const struct hsr_mask_polygon *polygon,
-                                  struct hsr_bounds box, double nearest) {
+bool hsr_lazy_shows(struct hsr_lazy_pyramid *p,
+                    const struct hsr_mask_polygon *polygon,
+                    struct hsr_bounds box, double nearest) {
   struct hsr_mask_visitor visitor = {look, see_samples, go_on, p};
   p->shows = false;
   p->nearest = nearest;
-  HSR_OF_BUILD(hsr_masks_visit)(p->masks, polygon, box, &visitor);
+  hsr_masks_visit(p->masks, polygon, box, &visitor);
   return p->shows;
 }
 
@@ -526,7 +517,7 @@ static void resolve_pixel(const struct resolving *r,
                           const struct hsr_mask_cell *cell) {
   struct hsr_lazy_pyramid *p = r->pyramid;
   const struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
-  uint64_t in_window = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  uint64_t in_window = hsr_masks_in_window(p->masks, cell);
   uint64_t covered = p->masks->finest[cell->number] & in_window;
   COUNT(p->work.pixels, 1);
   COUNT(p->work.z_buffered, pixel->z_buffered);
@@ -552,10 +543,10 @@ static void resolve(const struct resolving *r,
   }
   const struct hsr_triage *mask = &p->masks->coarse[cell->level][cell->number];
   const struct hsr_lazy_cell *own = &p->cell[cell->level][cell->number];
-  uint64_t all = HSR_OF_BUILD(hsr_masks_in_window)(p->masks, cell);
+  uint64_t all = hsr_masks_in_window(p->masks, cell);
   for (; all; all &= all - 1) {
     int bit = hsr_first_bit(all);
-    struct hsr_mask_cell sub = HSR_OF_BUILD(hsr_masks_subcell)(cell, bit);
+    struct hsr_mask_cell sub = hsr_masks_subcell(cell, bit);
     bool vacant = mask->v >> bit & 1, whole = own->whole >> bit & 1;
     if (vacant || whole) {
       r->take(r->context, vacant ? HSR_BACKGROUND : own->face);
@@ -566,10 +557,10 @@ static void resolve(const struct resolving *r,
   }
 }
 
-void HSR_OF_BUILD(hsr_lazy_resolve)(
-    struct hsr_lazy_pyramid *p, const struct hsr_mask_sink *sink, void *context,
-    void (*take)(void *context, uint32_t face)) {
+void hsr_lazy_resolve(struct hsr_lazy_pyramid *p,
+                      const struct hsr_mask_sink *sink, void *context,
+                      void (*take)(void *context, uint32_t face)) {
   struct resolving resolving = {p, sink, context, take};
-  struct hsr_mask_cell root = HSR_OF_BUILD(hsr_masks_root)(p->masks);
+  struct hsr_mask_cell root = hsr_masks_root(p->masks);
   resolve(&resolving, &root);
 }

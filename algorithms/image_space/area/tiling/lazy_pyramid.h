@@ -28,6 +28,13 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_lazy_begin HSR_OF_BUILD(hsr_lazy_begin)
+#define hsr_lazy_face HSR_OF_BUILD(hsr_lazy_face)
+#define hsr_lazy_tile HSR_OF_BUILD(hsr_lazy_tile)
+#define hsr_lazy_shows HSR_OF_BUILD(hsr_lazy_shows)
+#define hsr_lazy_resolve HSR_OF_BUILD(hsr_lazy_resolve)
+
 /* Bounds of q = 1/t; far > near: of nothing. */
 struct hsr_lazy_depth {
   double far, near;
@@ -89,36 +96,31 @@ struct hsr_lazy_pyramid {
 };
 
 /* All of it vacant. `masks` is made ready, and vacant. HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_lazy_begin)(struct hsr_lazy_pyramid *pyramid,
-                                             struct hsr_masks *masks,
-                                             const struct hsr_world *world,
-                                             const struct hsr_view *view,
-                                             struct hsr_tally *tally,
-                                             struct hsr_arena *arena);
+enum hsr_status
+hsr_lazy_begin(struct hsr_lazy_pyramid *pyramid, struct hsr_masks *masks,
+               const struct hsr_world *world, const struct hsr_view *view,
+               struct hsr_tally *tally, struct hsr_arena *arena);
 
 /* Finds the plane of a face of the screen's. */
-void HSR_OF_BUILD(hsr_lazy_face)(struct hsr_lazy_pyramid *pyramid,
-                                 uint32_t face);
+void hsr_lazy_face(struct hsr_lazy_pyramid *pyramid, uint32_t face);
 
 /* Tiles a polygon of a face, that is within the box of samples. Returns false
  * if its box is hidden. */
-bool HSR_OF_BUILD(hsr_lazy_tile)(struct hsr_lazy_pyramid *pyramid,
-                                 uint32_t face,
-                                 const struct hsr_mask_polygon *polygon,
-                                 struct hsr_bounds box);
+bool hsr_lazy_tile(struct hsr_lazy_pyramid *pyramid, uint32_t face,
+                   const struct hsr_mask_polygon *polygon,
+                   struct hsr_bounds box);
 
 /* Whether anything may be seen within the polygon, of which the lines leave
  * open what is not surely outside, that has no q greater than `nearest`. */
-bool HSR_OF_BUILD(hsr_lazy_shows)(struct hsr_lazy_pyramid *pyramid,
-                                  const struct hsr_mask_polygon *polygon,
-                                  struct hsr_bounds box, double nearest);
+bool hsr_lazy_shows(struct hsr_lazy_pyramid *pyramid,
+                    const struct hsr_mask_polygon *polygon,
+                    struct hsr_bounds box, double nearest);
 
 /* Tells of all samples of the window: `take` of the face that the next ones
  * are of, or HSR_BACKGROUND. */
-void HSR_OF_BUILD(hsr_lazy_resolve)(struct hsr_lazy_pyramid *pyramid,
-                                    const struct hsr_mask_sink *sink,
-                                    void *context,
-                                    void (*take)(void *context, uint32_t face));
+void hsr_lazy_resolve(struct hsr_lazy_pyramid *pyramid,
+                      const struct hsr_mask_sink *sink, void *context,
+                      void (*take)(void *context, uint32_t face));
 
 #ifdef __cplusplus
 }

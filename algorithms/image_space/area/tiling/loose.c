@@ -11,11 +11,10 @@ static bool has_any(const struct hsr_bsp *bsp) {
   return bsp->n_loose > 0;
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_loose_begin)(struct hsr_loose *l,
-                                              const struct hsr_bsp *bsp,
-                                              const struct hsr_view *view,
-                                              struct hsr_tally *tally,
-                                              struct hsr_arena *arena) {
+enum hsr_status hsr_loose_begin(struct hsr_loose *l, const struct hsr_bsp *bsp,
+                                const struct hsr_view *view,
+                                struct hsr_tally *tally,
+                                struct hsr_arena *arena) {
   uint32_t n = bsp->world->n_faces;
   *l = (struct hsr_loose){.tally = tally};
   if (!has_any(bsp))
@@ -39,9 +38,9 @@ enum hsr_status HSR_OF_BUILD(hsr_loose_begin)(struct hsr_loose *l,
   return HSR_OK;
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_loose_refuse)(const struct hsr_loose *l,
-                                               const struct hsr_world *world,
-                                               struct hsr_error *err) {
+enum hsr_status hsr_loose_refuse(const struct hsr_loose *l,
+                                 const struct hsr_world *world,
+                                 struct hsr_error *err) {
   return hsr_fail(err, HSR_E_REFUSED,
                   "PF: face id %u is not flat, and its place in the order is "
                   "not certain, as a filtered picture needs it",
@@ -73,8 +72,7 @@ static bool is_nearer(struct hsr_loose *l, uint32_t f, uint32_t g, int i,
   return hsr_nearer(&l->screen, f, g, i, j, l->tally);
 }
 
-void HSR_OF_BUILD(hsr_loose_draw)(struct hsr_loose *l, uint32_t *ids,
-                                  size_t stride) {
+void hsr_loose_draw(struct hsr_loose *l, uint32_t *ids, size_t stride) {
   for (uint32_t k = 0; k < l->n; k++) {
     uint32_t f = l->face[k];
     find_planes(l, f);

@@ -13,6 +13,11 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_loose_begin HSR_OF_BUILD(hsr_loose_begin)
+#define hsr_loose_refuse HSR_OF_BUILD(hsr_loose_refuse)
+#define hsr_loose_draw HSR_OF_BUILD(hsr_loose_draw)
+
 struct hsr_loose {
   struct hsr_screen screen;
   uint32_t *face, n; /* ascending */
@@ -23,21 +28,20 @@ struct hsr_loose {
 };
 
 /* Finds them. HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_loose_begin)(struct hsr_loose *loose,
-                                              const struct hsr_bsp *bsp,
-                                              const struct hsr_view *view,
-                                              struct hsr_tally *tally,
-                                              struct hsr_arena *arena);
+enum hsr_status hsr_loose_begin(struct hsr_loose *loose,
+                                const struct hsr_bsp *bsp,
+                                const struct hsr_view *view,
+                                struct hsr_tally *tally,
+                                struct hsr_arena *arena);
 
 /* That a filtered picture cannot have them: HSR_E_REFUSED. There is one at
  * least. */
-enum hsr_status HSR_OF_BUILD(hsr_loose_refuse)(const struct hsr_loose *loose,
-                                               const struct hsr_world *world,
-                                               struct hsr_error *err);
+enum hsr_status hsr_loose_refuse(const struct hsr_loose *loose,
+                                 const struct hsr_world *world,
+                                 struct hsr_error *err);
 
 /* Draws them over a picture of ids. */
-void HSR_OF_BUILD(hsr_loose_draw)(struct hsr_loose *loose, uint32_t *ids,
-                                  size_t stride);
+void hsr_loose_draw(struct hsr_loose *loose, uint32_t *ids, size_t stride);
 
 #ifdef __cplusplus
 }

@@ -116,7 +116,7 @@ static enum hsr_status plant(struct prepared *p, const struct hsr_world *world,
 
 static void release(void *prepared) {
   struct prepared *p = prepared;
-  HSR_OF_BUILD(hsr_sampling_free)(&p->sampling);
+  hsr_sampling_free(&p->sampling);
   hsr_bsp_free(&p->tree);
   hsr_world_free(&p->still);
   hsr_arena_free(&p->arena);
@@ -131,8 +131,8 @@ static enum hsr_status prepare(const struct hsr_world *world,
   if (!p)
     return hsr_fail_nomem(err);
   struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
-  enum hsr_status status = HSR_OF_BUILD(hsr_sampling_init)(
-      &p->sampling, (int)option[INTERVALS], err);
+  enum hsr_status status =
+      hsr_sampling_init(&p->sampling, (int)option[INTERVALS], err);
   return status ? status : plant(p, world, &rule, err);
 }
 
@@ -206,7 +206,7 @@ static void make_room(struct frame *f, const struct hsr_bsp *tree) {
     return;
   f->room = (struct hsr_pieces_room){2 * room.points, 2 * room.corners,
                                      2 * room.face};
-  if (HSR_OF_BUILD(hsr_tiling_room)(&f->tiling, f->room))
+  if (hsr_tiling_room(&f->tiling, f->room))
     fail(f, HSR_E_NOMEM);
 }
 
@@ -218,12 +218,12 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job,
                       .room = {8, 8, 8},
                       .still = {.tree = &p->tree},
                       .err = err};
-  if (HSR_OF_BUILD(hsr_tiling_begin)(&f->tiling, &p->sampling, job, f->room))
+  if (hsr_tiling_begin(&f->tiling, &p->sampling, job, f->room))
     return hsr_fail_nomem(err);
   make_room(f, &p->tree);
   if (!f->status && p->is_whole &&
-      HSR_OF_BUILD(hsr_loose_begin)(&f->loose, &p->tree, &f->tiling.view,
-                                    job->tally, job->scratch))
+      hsr_loose_begin(&f->loose, &p->tree, &f->tiling.view, job->tally,
+                      job->scratch))
     fail(f, HSR_E_NOMEM);
   return f->status;
 }
@@ -276,8 +276,8 @@ static uint32_t name_of(const struct frame *f, const struct hsr_world *world,
 static bool is_visible(struct frame *f, const struct hsr_region *region,
                        struct hsr_box box) {
   static const double still[3] = {0, 0, 0};
-  return HSR_OF_BUILD(hsr_region_clip)(region, &box) &&
-         HSR_OF_BUILD(hsr_tiling_shows)(&f->tiling, &box, still, true);
+  return hsr_region_clip(region, &box) &&
+         hsr_tiling_shows(&f->tiling, &box, still, true);
 }
 
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
@@ -285,7 +285,7 @@ static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   if (f->status || !is_visible(f, f->region, cube->tight))
     return false;
   if (cube->root != HSR_NO_BSP)
-    HSR_OF_BUILD(hsr_pieces_leaf)(&f->tiling.pieces, cube);
+    hsr_pieces_leaf(&f->tiling.pieces, cube);
   return true;
 }
 
@@ -308,21 +308,20 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   struct hsr_pieces_view *pieces = &t->pieces;
   if (f->status || (f->loose.is_loose && f->loose.is_loose[piece->face]))
     return;
-  if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
+  if (!hsr_pieces_take(pieces, piece, facing))
     return;
-  HSR_OF_BUILD(hsr_pieces_outline)(pieces);
+  hsr_pieces_outline(pieces);
   struct hsr_screen *screen = screen_of(f);
   const struct hsr_mask_polygon *polygon =
-      screen ? HSR_OF_BUILD(hsr_clip_piece)(&f->clip, pieces, screen, f->region)
-             : NULL;
+      screen ? hsr_clip_piece(&f->clip, pieces, screen, f->region) : NULL;
   if (!polygon)
     return;
   uint32_t id = name_of(f, f->body->tree->world, piece->face);
   HSR_STEP9(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NO_ID, pieces->box.x0,
             pieces->box.y0, pieces->box.x1, pieces->box.y1);
   HSR_COUNT(f->job->tally, PIECES_CLIPPED, polygon != &pieces->polygon);
-  HSR_OF_BUILD(hsr_canvas_face)(&t->canvas, id);
-  HSR_OF_BUILD(hsr_masks_tile)(&t->masks, polygon, pieces->box, &t->sink);
+  hsr_canvas_face(&t->canvas, id);
+  hsr_masks_tile(&t->masks, polygon, pieces->box, &t->sink);
 }
 
 static void tile_tree(struct frame *f, struct body *body, uint32_t cube,
@@ -340,7 +339,7 @@ static void tile_tree(struct frame *f, struct body *body, uint32_t cube,
     return;
   f->body = body;
   f->region = region;
-  HSR_OF_BUILD(hsr_pieces_tree)(&f->tiling.pieces, body->tree, still);
+  hsr_pieces_tree(&f->tiling.pieces, body->tree, still);
   HSR_OF_BUILD(hsr_bsp_walk_cube)(&walk, cube);
 }
 
@@ -377,7 +376,7 @@ static struct hsr_box box_of_face(const struct hsr_world *world, uint32_t id) {
 
 static void gather_face(struct gathering *g, uint32_t id) {
   struct hsr_box box = box_of_face(g->frame->job->world, id);
-  if (!HSR_OF_BUILD(hsr_region_clip)(g->region, &box))
+  if (!hsr_region_clip(g->region, &box))
     return;
   if (!hsr_arena_grow(g->frame->job->scratch, &g->id, sizeof id)) {
     fail(g->frame, HSR_E_NOMEM);
@@ -601,7 +600,7 @@ static size_t look_at(struct frame *f, const struct hsr_region *region,
   size_t n = 0, touching = 0;
   for (size_t k = 0; k < n_all; k++) {
     struct hsr_box box = all[k].box;
-    touching += HSR_OF_BUILD(hsr_region_clip)(region, &box);
+    touching += hsr_region_clip(region, &box);
   }
   *node = HSR_NEW(f->job->scratch, struct node, touching);
   if (!*node)
@@ -609,7 +608,7 @@ static size_t look_at(struct frame *f, const struct hsr_region *region,
   for (size_t k = 0; k < n_all && !f->status; k++)
     if (is_visible(f, region, all[k].box)) {
       (*node)[n] = all[k];
-      HSR_OF_BUILD(hsr_region_clip)(region, &(*node)[n++].box);
+      hsr_region_clip(region, &(*node)[n++].box);
     }
   return f->status ? 0 : n;
 }
@@ -681,13 +680,13 @@ static enum hsr_status render(const struct hsr_job *job,
   if (begin(&f, job, err))
     return f.status ? f.status : HSR_E_NOMEM;
   if (f.loose.n && job->filtering)
-    return HSR_OF_BUILD(hsr_loose_refuse)(&f.loose, job->world, err);
+    return hsr_loose_refuse(&f.loose, job->world, err);
   tile_bodies(&f);
   if (f.status)
     return f.status;
-  HSR_OF_BUILD(hsr_tiling_background)(&f.tiling);
-  HSR_OF_BUILD(hsr_loose_draw)(&f.loose, job->ids, job->ids_stride);
-  HSR_OF_BUILD(hsr_tiling_count)(&f.tiling);
+  hsr_tiling_background(&f.tiling);
+  hsr_loose_draw(&f.loose, job->ids, job->ids_stride);
+  hsr_tiling_count(&f.tiling);
   HSR_COUNT(job->tally, LOOSE, f.loose.compared);
   return HSR_OK;
 }

@@ -13,8 +13,8 @@ static void take_face(struct hsr_bsp *bsp, uint32_t f) {
         vertex[k], vertex[k], vertex[k + 1 < n ? k + 1 : 0]};
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_separate_init)(struct hsr_bsp *bsp,
-                                                const struct hsr_world *world) {
+enum hsr_status hsr_separate_init(struct hsr_bsp *bsp,
+                                  const struct hsr_world *world) {
   struct hsr_arena *arena = &bsp->arena;
   *bsp = (struct hsr_bsp){.world = world,
                           .x = world->x,
@@ -33,7 +33,7 @@ enum hsr_status HSR_OF_BUILD(hsr_separate_init)(struct hsr_bsp *bsp,
   return HSR_OK;
 }
 
-struct hsr_bsp_cube HSR_OF_BUILD(hsr_all_points)(const struct hsr_bsp *bsp) {
+struct hsr_bsp_cube hsr_all_points(const struct hsr_bsp *bsp) {
   struct hsr_bsp_cube all = {.n_points = bsp->n_points};
   const double *at[3] = {bsp->x, bsp->y, bsp->z};
   for (int k = 0; k < 3; k++) {

@@ -62,7 +62,7 @@ static enum hsr_status make_sample_tables(struct prepared *p, int intervals) {
 static void release(void *prepared) {
   struct prepared *p = prepared;
   hsr_grove_free(&p->grove);
-  HSR_OF_BUILD(hsr_sampling_free)(&p->sampling);
+  hsr_sampling_free(&p->sampling);
   free(p->samples);
   free(p);
 }
@@ -75,8 +75,8 @@ static enum hsr_status prepare(const struct hsr_world *world,
   if (!p)
     return hsr_fail_nomem(err);
   struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
-  enum hsr_status status = HSR_OF_BUILD(hsr_sampling_init)(
-      &p->sampling, (int)option[INTERVALS], err);
+  enum hsr_status status =
+      hsr_sampling_init(&p->sampling, (int)option[INTERVALS], err);
   if (!status && option[MASKS] == MASKS_TABLE &&
       make_sample_tables(p, (int)option[INTERVALS]))
     status = hsr_fail_nomem(err);
@@ -102,26 +102,24 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
   const struct hsr_pieces_room room = {grove->most_points, grove->most_corners,
                                        grove->most_face};
   *f = (struct frame){.job = job, .prepared = p};
-  if (HSR_OF_BUILD(hsr_tiling_begin)(&f->tiling, &p->sampling, job, room))
+  if (hsr_tiling_begin(&f->tiling, &p->sampling, job, room))
     return HSR_E_NOMEM;
   if (p->samples)
-    f->tiling.masks.sample_tables =
-        p->sample_tables + HSR_OF_BUILD(hsr_tiling_pattern)(job);
+    f->tiling.masks.sample_tables = p->sample_tables + hsr_tiling_pattern(job);
   f->waiting = HSR_NEW(job->scratch, struct hsr_bsp_waiting,
                        hsr_bsp_most_waiting(grove->most_depth));
   if (!f->waiting)
     return HSR_E_NOMEM;
   return grove->is_whole
-             ? HSR_OF_BUILD(hsr_loose_begin)(&f->loose, &grove->whole,
-                                             &f->tiling.view, job->tally,
-                                             job->scratch)
+             ? hsr_loose_begin(&f->loose, &grove->whole, &f->tiling.view,
+                               job->tally, job->scratch)
              : HSR_OK;
 }
 
 static bool is_visible(struct frame *f, const struct hsr_box *box,
                        const double shift[3]) {
-  return HSR_OF_BUILD(hsr_tiling_shows)(&f->tiling, box, shift,
-                                        f->job->option[CUBES] == CUBES_TESTED);
+  return hsr_tiling_shows(&f->tiling, box, shift,
+                          f->job->option[CUBES] == CUBES_TESTED);
 }
 
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
@@ -130,7 +128,7 @@ static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   if (!is_visible(f, &cube->tight, pieces->shift))
     return false;
   if (cube->root != HSR_NO_BSP)
-    HSR_OF_BUILD(hsr_pieces_leaf)(pieces, cube);
+    hsr_pieces_leaf(pieces, cube);
   return true;
 }
 
@@ -142,19 +140,19 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   uint32_t id = f->first_id + piece->face;
   if (f->loose.is_loose && f->loose.is_loose[piece->face])
     return;
-  if (!HSR_OF_BUILD(hsr_pieces_take)(pieces, piece, facing))
+  if (!hsr_pieces_take(pieces, piece, facing))
     return;
   HSR_STEP9(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NO_ID, pieces->box.x0,
             pieces->box.y0, pieces->box.x1, pieces->box.y1);
   if (f->job->filtering)
     id = hsr_world_parent(f->job->world, id);
-  HSR_OF_BUILD(hsr_canvas_face)(&t->canvas, id);
+  hsr_canvas_face(&t->canvas, id);
   if (f->job->option[START] == START_ROOT) {
-    HSR_OF_BUILD(hsr_pieces_outline)(pieces);
-    HSR_OF_BUILD(hsr_masks_tile_root)(&t->masks, &pieces->polygon, &t->sink);
-  } else if (HSR_OF_BUILD(hsr_masks_find)(&t->masks, pieces->box)) {
-    HSR_OF_BUILD(hsr_pieces_outline)(pieces);
-    HSR_OF_BUILD(hsr_masks_tile_found)(&t->masks, &pieces->polygon, &t->sink);
+    hsr_pieces_outline(pieces);
+    hsr_masks_tile_root(&t->masks, &pieces->polygon, &t->sink);
+  } else if (hsr_masks_find(&t->masks, pieces->box)) {
+    hsr_pieces_outline(pieces);
+    hsr_masks_tile_found(&t->masks, &pieces->polygon, &t->sink);
   } else {
     HSR_COUNT(f->job->tally, PIECES_HIDDEN, 1);
   }
@@ -171,7 +169,7 @@ static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
                               .enter = enter_cube,
                               .piece = tile_piece};
   f->first_id = first_id;
-  HSR_OF_BUILD(hsr_pieces_tree)(&f->tiling.pieces, bsp, shift);
+  hsr_pieces_tree(&f->tiling.pieces, bsp, shift);
   HSR_OF_BUILD(hsr_bsp_walk)(&walk);
 }
 
@@ -203,14 +201,14 @@ static enum hsr_status render(const struct hsr_job *job,
   if (begin(&f, job))
     return hsr_fail_nomem(err);
   if (f.loose.n && job->filtering)
-    return HSR_OF_BUILD(hsr_loose_refuse)(&f.loose, job->world, err);
+    return hsr_loose_refuse(&f.loose, job->world, err);
   if (p->grove.is_whole)
     tile_tree(&f, &p->grove.whole, still, 0);
   else
     tile_instances(&f, 0);
-  HSR_OF_BUILD(hsr_tiling_background)(&f.tiling);
-  HSR_OF_BUILD(hsr_loose_draw)(&f.loose, job->ids, job->ids_stride);
-  HSR_OF_BUILD(hsr_tiling_count)(&f.tiling);
+  hsr_tiling_background(&f.tiling);
+  hsr_loose_draw(&f.loose, job->ids, job->ids_stride);
+  hsr_tiling_count(&f.tiling);
   HSR_COUNT(job->tally, LOOSE, f.loose.compared);
   return HSR_OK;
 }

@@ -119,10 +119,9 @@ static void cosine_square(void *context, int x, int y, int size) {
 
 /* --- The sink ------------------------------------------------------------- */
 
-void HSR_OF_BUILD(hsr_canvas_begin)(struct hsr_canvas *c,
-                                    const struct hsr_job *job,
-                                    struct hsr_window window,
-                                    const struct hsr_kernel *cosine) {
+void hsr_canvas_begin(struct hsr_canvas *c, const struct hsr_job *job,
+                      struct hsr_window window,
+                      const struct hsr_kernel *cosine) {
   *c = (struct hsr_canvas){
       .job = job, .window = window, .world = job->world, .kernel = cosine};
   for (int k = 0; k < 9; k++)
@@ -130,19 +129,18 @@ void HSR_OF_BUILD(hsr_canvas_begin)(struct hsr_canvas *c,
       c->whole[k / 3][k % 3] += cosine->row[k / 3][k % 3][byte][255];
 }
 
-void HSR_OF_BUILD(hsr_canvas_face)(struct hsr_canvas *c, uint32_t id) {
+void hsr_canvas_face(struct hsr_canvas *c, uint32_t id) {
   c->id = id;
   c->has_colour = false;
 }
 
-void HSR_OF_BUILD(hsr_canvas_colour)(struct hsr_canvas *c,
-                                     const uint16_t rgb[3]) {
+void hsr_canvas_colour(struct hsr_canvas *c, const uint16_t rgb[3]) {
   for (int k = 0; k < 3; k++)
     c->rgb[k] = rgb[k];
   c->has_colour = true;
 }
 
-struct hsr_mask_sink HSR_OF_BUILD(hsr_canvas_sink)(struct hsr_canvas *c) {
+struct hsr_mask_sink hsr_canvas_sink(struct hsr_canvas *c) {
   struct hsr_mask_sink ids = {put_samples, put_square, c};
   struct hsr_mask_sink box = {box_samples, box_square, c};
   struct hsr_mask_sink cosine = {cosine_samples, cosine_square, c};

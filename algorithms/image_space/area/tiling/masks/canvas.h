@@ -17,6 +17,12 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_canvas_begin HSR_OF_BUILD(hsr_canvas_begin)
+#define hsr_canvas_face HSR_OF_BUILD(hsr_canvas_face)
+#define hsr_canvas_colour HSR_OF_BUILD(hsr_canvas_colour)
+#define hsr_canvas_sink HSR_OF_BUILD(hsr_canvas_sink)
+
 struct hsr_canvas {
   const struct hsr_job *job;
   struct hsr_window window; /* of samples */
@@ -33,19 +39,17 @@ struct hsr_canvas {
 };
 
 /* `cosine` is that filter's kernel; borrowed. */
-void HSR_OF_BUILD(hsr_canvas_begin)(struct hsr_canvas *canvas,
-                                    const struct hsr_job *job,
-                                    struct hsr_window window,
-                                    const struct hsr_kernel *cosine);
+void hsr_canvas_begin(struct hsr_canvas *canvas, const struct hsr_job *job,
+                      struct hsr_window window,
+                      const struct hsr_kernel *cosine);
 
 /* Takes a face in hand: what is tiled next is of this. */
-void HSR_OF_BUILD(hsr_canvas_face)(struct hsr_canvas *canvas, uint32_t id);
+void hsr_canvas_face(struct hsr_canvas *canvas, uint32_t id);
 
 /* The same of a filtered picture, whose colour is known. */
-void HSR_OF_BUILD(hsr_canvas_colour)(struct hsr_canvas *canvas,
-                                     const uint16_t rgb[3]);
+void hsr_canvas_colour(struct hsr_canvas *canvas, const uint16_t rgb[3]);
 
-struct hsr_mask_sink HSR_OF_BUILD(hsr_canvas_sink)(struct hsr_canvas *canvas);
+struct hsr_mask_sink hsr_canvas_sink(struct hsr_canvas *canvas);
 
 #ifdef __cplusplus
 }

@@ -92,8 +92,8 @@ static bool allocate_lines(struct hsr_mask_lines *lines, uint32_t most,
   return lines->number && lines->inside && lines->list;
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_masks_room)(struct hsr_masks *p, uint32_t most,
-                                             struct hsr_arena *arena) {
+enum hsr_status hsr_masks_room(struct hsr_masks *p, uint32_t most,
+                               struct hsr_arena *arena) {
   bool allocated = true;
   for (int k = 0; k < p->n_levels; k++)
     allocated = allocated && allocate_lines(&p->lines[k], most, arena);
@@ -107,7 +107,7 @@ enum hsr_status HSR_OF_BUILD(hsr_masks_room)(struct hsr_masks *p, uint32_t most,
 
 /* The last one is that of the window's last sample: the greatest digits, in
  * base 64, are there first. */
-size_t HSR_OF_BUILD(hsr_masks_cells)(const struct hsr_masks *p, int level) {
+size_t hsr_masks_cells(const struct hsr_masks *p, int level) {
   struct hsr_mask_cell cell = root_of(p);
   struct hsr_bounds last = {p->window.x1 - 1, p->window.y1 - 1, p->window.x1,
                             p->window.y1};
@@ -116,10 +116,9 @@ size_t HSR_OF_BUILD(hsr_masks_cells)(const struct hsr_masks *p, int level) {
   return (size_t)cell.number + 1;
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *p,
-                                             const struct hsr_window *window,
-                                             uint32_t most,
-                                             struct hsr_arena *arena) {
+enum hsr_status hsr_masks_init(struct hsr_masks *p,
+                               const struct hsr_window *window, uint32_t most,
+                               struct hsr_arena *arena) {
   int width = window->x1 - window->x0, height = window->y1 - window->y0;
   p->window = *window;
   p->n_levels = 1;
@@ -127,21 +126,20 @@ enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *p,
   for (int size = 8; size < width || size < height; size *= 8)
     p->n_levels++;
   for (int level = 0; level + 1 < p->n_levels; level++) {
-    p->coarse[level] = HSR_NEW(arena, struct hsr_triage,
-                               HSR_OF_BUILD(hsr_masks_cells)(p, level));
+    p->coarse[level] =
+        HSR_NEW(arena, struct hsr_triage, hsr_masks_cells(p, level));
     if (!p->coarse[level])
       return HSR_E_NOMEM;
   }
-  p->finest = HSR_NEW(arena, uint64_t,
-                      HSR_OF_BUILD(hsr_masks_cells)(p, p->n_levels - 1));
-  if (!p->finest || HSR_OF_BUILD(hsr_masks_room)(p, most, arena))
+  p->finest = HSR_NEW(arena, uint64_t, hsr_masks_cells(p, p->n_levels - 1));
+  if (!p->finest || hsr_masks_room(p, most, arena))
     return HSR_E_NOMEM;
   struct hsr_mask_cell root = root_of(p);
   clear(p, &root);
   return HSR_OK;
 }
 
-int HSR_OF_BUILD(hsr_masks_extent)(const struct hsr_masks *p) {
+int hsr_masks_extent(const struct hsr_masks *p) {
   return root_of(p).size;
 }
 
@@ -613,7 +611,7 @@ static bool shows(const struct task *t, const struct hsr_mask_cell *cell,
 /* --- Where to begin ------------------------------------------------------- */
 
 /* Cells on the way are cleared if they are to be. */
-bool HSR_OF_BUILD(hsr_masks_find)(struct hsr_masks *p, struct hsr_bounds box) {
+bool hsr_masks_find(struct hsr_masks *p, struct hsr_bounds box) {
   struct hsr_mask_cell *way = p->way;
   p->box = box;
   way[0] = root_of(p);
@@ -634,9 +632,9 @@ bool HSR_OF_BUILD(hsr_masks_find)(struct hsr_masks *p, struct hsr_bounds box) {
   }
 }
 
-void HSR_OF_BUILD(hsr_masks_tile_found)(struct hsr_masks *p,
-                                        const struct hsr_mask_polygon *polygon,
-                                        const struct hsr_mask_sink *sink) {
+void hsr_masks_tile_found(struct hsr_masks *p,
+                          const struct hsr_mask_polygon *polygon,
+                          const struct hsr_mask_sink *sink) {
   struct task task = {p, polygon, sink, p->box};
   int k = p->n_way - 1;
   tile(&task, &p->way[k], p->all, polygon->n);
@@ -644,41 +642,38 @@ void HSR_OF_BUILD(hsr_masks_tile_found)(struct hsr_masks *p,
     propagate(p, &p->way[k], &p->coarse[k - 1][p->way[k - 1].number]);
 }
 
-bool HSR_OF_BUILD(hsr_masks_tile)(struct hsr_masks *p,
-                                  const struct hsr_mask_polygon *polygon,
-                                  struct hsr_bounds box,
-                                  const struct hsr_mask_sink *sink) {
-  if (!HSR_OF_BUILD(hsr_masks_find)(p, box))
+bool hsr_masks_tile(struct hsr_masks *p, const struct hsr_mask_polygon *polygon,
+                    struct hsr_bounds box, const struct hsr_mask_sink *sink) {
+  if (!hsr_masks_find(p, box))
     return false;
-  HSR_OF_BUILD(hsr_masks_tile_found)(p, polygon, sink);
+  hsr_masks_tile_found(p, polygon, sink);
   return true;
 }
 
-void HSR_OF_BUILD(hsr_masks_tile_root)(struct hsr_masks *p,
-                                       const struct hsr_mask_polygon *polygon,
-                                       const struct hsr_mask_sink *sink) {
+void hsr_masks_tile_root(struct hsr_masks *p,
+                         const struct hsr_mask_polygon *polygon,
+                         const struct hsr_mask_sink *sink) {
   const struct hsr_window *w = &p->window;
   struct task task = {p, polygon, sink, {w->x0, w->y0, w->x1, w->y1}};
   struct hsr_mask_cell root = root_of(p);
   tile(&task, &root, p->all, polygon->n);
 }
 
-void HSR_OF_BUILD(hsr_masks_tile_rest)(struct hsr_masks *p,
-                                       const struct hsr_mask_sink *sink) {
+void hsr_masks_tile_rest(struct hsr_masks *p,
+                         const struct hsr_mask_sink *sink) {
   struct hsr_mask_polygon all = {NULL, 0, NULL, NULL, NULL};
-  HSR_OF_BUILD(hsr_masks_tile_root)(p, &all, sink);
+  hsr_masks_tile_root(p, &all, sink);
 }
 
-bool HSR_OF_BUILD(hsr_masks_show)(struct hsr_masks *p,
-                                  const struct hsr_mask_polygon *polygon,
-                                  struct hsr_bounds box) {
-  if (!HSR_OF_BUILD(hsr_masks_find)(p, box))
+bool hsr_masks_show(struct hsr_masks *p, const struct hsr_mask_polygon *polygon,
+                    struct hsr_bounds box) {
+  if (!hsr_masks_find(p, box))
     return false;
-  return HSR_OF_BUILD(hsr_masks_show_found)(p, polygon);
+  return hsr_masks_show_found(p, polygon);
 }
 
-bool HSR_OF_BUILD(hsr_masks_show_found)(
-    struct hsr_masks *p, const struct hsr_mask_polygon *polygon) {
+bool hsr_masks_show_found(struct hsr_masks *p,
+                          const struct hsr_mask_polygon *polygon) {
   struct task task = {p, polygon, NULL, p->box};
   return shows(&task, &p->way[p->n_way - 1], p->all, polygon->n);
 }
@@ -734,10 +729,10 @@ static void visit(const struct visit *v, const struct hsr_mask_cell *cell,
   v->visitor->leave(v->visitor->context, cell, entered);
 }
 
-bool HSR_OF_BUILD(hsr_masks_visit)(struct hsr_masks *p,
-                                   const struct hsr_mask_polygon *polygon,
-                                   struct hsr_bounds box,
-                                   const struct hsr_mask_visitor *visitor) {
+bool hsr_masks_visit(struct hsr_masks *p,
+                     const struct hsr_mask_polygon *polygon,
+                     struct hsr_bounds box,
+                     const struct hsr_mask_visitor *visitor) {
   struct visit v = {p, polygon, visitor, box};
   struct hsr_mask_cell way[HSR_MASK_LEVELS];
   uint64_t in[HSR_MASK_LEVELS];
@@ -761,21 +756,21 @@ bool HSR_OF_BUILD(hsr_masks_visit)(struct hsr_masks *p,
   return met;
 }
 
-uint64_t HSR_OF_BUILD(hsr_masks_in_window)(const struct hsr_masks *p,
-                                           const struct hsr_mask_cell *cell) {
+uint64_t hsr_masks_in_window(const struct hsr_masks *p,
+                             const struct hsr_mask_cell *cell) {
   return in_window(p, cell);
 }
 
-struct hsr_mask_cell
-HSR_OF_BUILD(hsr_masks_subcell)(const struct hsr_mask_cell *cell, int bit) {
+struct hsr_mask_cell hsr_masks_subcell(const struct hsr_mask_cell *cell,
+                                       int bit) {
   return subcell(cell, bit);
 }
 
-struct hsr_mask_cell HSR_OF_BUILD(hsr_masks_root)(const struct hsr_masks *p) {
+struct hsr_mask_cell hsr_masks_root(const struct hsr_masks *p) {
   return root_of(p);
 }
 
-int HSR_OF_BUILD(hsr_masks_pattern)(const struct hsr_masks *p,
-                                    const struct hsr_mask_cell *cell) {
+int hsr_masks_pattern(const struct hsr_masks *p,
+                      const struct hsr_mask_cell *cell) {
   return pattern_of(p, cell);
 }

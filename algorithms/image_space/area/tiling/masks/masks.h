@@ -29,6 +29,24 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_masks_init HSR_OF_BUILD(hsr_masks_init)
+#define hsr_masks_cells HSR_OF_BUILD(hsr_masks_cells)
+#define hsr_masks_room HSR_OF_BUILD(hsr_masks_room)
+#define hsr_masks_extent HSR_OF_BUILD(hsr_masks_extent)
+#define hsr_masks_find HSR_OF_BUILD(hsr_masks_find)
+#define hsr_masks_tile_found HSR_OF_BUILD(hsr_masks_tile_found)
+#define hsr_masks_tile HSR_OF_BUILD(hsr_masks_tile)
+#define hsr_masks_tile_root HSR_OF_BUILD(hsr_masks_tile_root)
+#define hsr_masks_tile_rest HSR_OF_BUILD(hsr_masks_tile_rest)
+#define hsr_masks_show HSR_OF_BUILD(hsr_masks_show)
+#define hsr_masks_show_found HSR_OF_BUILD(hsr_masks_show_found)
+#define hsr_masks_visit HSR_OF_BUILD(hsr_masks_visit)
+#define hsr_masks_root HSR_OF_BUILD(hsr_masks_root)
+#define hsr_masks_subcell HSR_OF_BUILD(hsr_masks_subcell)
+#define hsr_masks_in_window HSR_OF_BUILD(hsr_masks_in_window)
+#define hsr_masks_pattern HSR_OF_BUILD(hsr_masks_pattern)
+
 /* An edge, as a line of the screen: f = a sx + b sy + c, computed anywhere in
  * the picture, is off by less than `error`; inside it is positive. An error
  * that is not finite says that nothing is known. */
@@ -131,73 +149,68 @@ struct hsr_masks {
 /* For the window of a view, all of it vacant; `most` lines a polygon. Tables,
  * places, work and pixel are set by the caller, who has zeroed all.
  * HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_masks_init)(struct hsr_masks *masks,
-                                             const struct hsr_window *window,
-                                             uint32_t most,
-                                             struct hsr_arena *arena);
+enum hsr_status hsr_masks_init(struct hsr_masks *masks,
+                               const struct hsr_window *window, uint32_t most,
+                               struct hsr_arena *arena);
 
 /* The numbers of the cells of a level that are in the window are less. */
-size_t HSR_OF_BUILD(hsr_masks_cells)(const struct hsr_masks *masks, int level);
+size_t hsr_masks_cells(const struct hsr_masks *masks, int level);
 
 /* Makes room for other than `most` lines a polygon. HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_masks_room)(struct hsr_masks *masks,
-                                             uint32_t most,
-                                             struct hsr_arena *arena);
+enum hsr_status hsr_masks_room(struct hsr_masks *masks, uint32_t most,
+                               struct hsr_arena *arena);
 
 /* Samples a side of the root cell: lines hold in it and not only in the window.
  */
-int HSR_OF_BUILD(hsr_masks_extent)(const struct hsr_masks *masks);
+int hsr_masks_extent(const struct hsr_masks *masks);
 
 /* Finds the smallest cell that encloses a box of samples of the window, which
  * is not empty: false if the box is seen to be hidden. */
-bool HSR_OF_BUILD(hsr_masks_find)(struct hsr_masks *masks,
-                                  struct hsr_bounds box);
+bool hsr_masks_find(struct hsr_masks *masks, struct hsr_bounds box);
 
 /* Tiles a polygon that is within the box, from the cell found. */
-void HSR_OF_BUILD(hsr_masks_tile_found)(struct hsr_masks *masks,
-                                        const struct hsr_mask_polygon *polygon,
-                                        const struct hsr_mask_sink *sink);
+void hsr_masks_tile_found(struct hsr_masks *masks,
+                          const struct hsr_mask_polygon *polygon,
+                          const struct hsr_mask_sink *sink);
 
 /* Both: false if the box is hidden. Or from the root, whatever the box. */
-bool HSR_OF_BUILD(hsr_masks_tile)(struct hsr_masks *masks,
-                                  const struct hsr_mask_polygon *polygon,
-                                  struct hsr_bounds box,
-                                  const struct hsr_mask_sink *sink);
-void HSR_OF_BUILD(hsr_masks_tile_root)(struct hsr_masks *masks,
-                                       const struct hsr_mask_polygon *polygon,
-                                       const struct hsr_mask_sink *sink);
+bool hsr_masks_tile(struct hsr_masks *masks,
+                    const struct hsr_mask_polygon *polygon,
+                    struct hsr_bounds box, const struct hsr_mask_sink *sink);
+void hsr_masks_tile_root(struct hsr_masks *masks,
+                         const struct hsr_mask_polygon *polygon,
+                         const struct hsr_mask_sink *sink);
 
 /* Tiles whatever is vacant still: the background. */
-void HSR_OF_BUILD(hsr_masks_tile_rest)(struct hsr_masks *masks,
-                                       const struct hsr_mask_sink *sink);
+void hsr_masks_tile_rest(struct hsr_masks *masks,
+                         const struct hsr_mask_sink *sink);
 
 /* Whether any sample within the box that the polygon may cover is not covered;
  * what the lines leave open counts as inside. */
-bool HSR_OF_BUILD(hsr_masks_show)(struct hsr_masks *masks,
-                                  const struct hsr_mask_polygon *polygon,
-                                  struct hsr_bounds box);
-bool HSR_OF_BUILD(hsr_masks_show_found)(struct hsr_masks *masks,
-                                        const struct hsr_mask_polygon *polygon);
+bool hsr_masks_show(struct hsr_masks *masks,
+                    const struct hsr_mask_polygon *polygon,
+                    struct hsr_bounds box);
+bool hsr_masks_show_found(struct hsr_masks *masks,
+                          const struct hsr_mask_polygon *polygon);
 
 /* Takes a visitor to the cells of a polygon that is within the box, from the
  * root down; on the way to the smallest cell that encloses the box, he is told
  * of no more than the box. Returns false if he did not get there. What masks
  * the cells have is left to him. */
-bool HSR_OF_BUILD(hsr_masks_visit)(struct hsr_masks *masks,
-                                   const struct hsr_mask_polygon *polygon,
-                                   struct hsr_bounds box,
-                                   const struct hsr_mask_visitor *visitor);
+bool hsr_masks_visit(struct hsr_masks *masks,
+                     const struct hsr_mask_polygon *polygon,
+                     struct hsr_bounds box,
+                     const struct hsr_mask_visitor *visitor);
 
 /* The root; a subcell; the subcells, or samples, that are in the window; the
  * pattern of a finest cell, its number in places[]. */
-struct hsr_mask_cell
-    HSR_OF_BUILD(hsr_masks_root)(const struct hsr_masks *masks);
-struct hsr_mask_cell
-    HSR_OF_BUILD(hsr_masks_subcell)(const struct hsr_mask_cell *cell, int bit);
-uint64_t HSR_OF_BUILD(hsr_masks_in_window)(const struct hsr_masks *masks,
-                                           const struct hsr_mask_cell *cell);
-int HSR_OF_BUILD(hsr_masks_pattern)(const struct hsr_masks *masks,
-                                    const struct hsr_mask_cell *cell);
+struct hsr_mask_cell hsr_masks_root(const struct hsr_masks *masks);
+struct hsr_mask_cell hsr_masks_subcell(const struct hsr_mask_cell *cell,
+                                       int bit);
+uint64_t hsr_masks_in_window(const struct hsr_masks *masks,
+                             const struct hsr_mask_cell *cell);
+int hsr_masks_pattern(const struct hsr_masks *masks,
+                      const struct hsr_mask_cell *cell);
 
 #ifdef __cplusplus
 }

@@ -66,18 +66,16 @@ static struct hsr_silhouette find_silhouette(const int place[3]) {
   return silhouette;
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *p,
-                                               struct hsr_pieces_room room,
-                                               const struct hsr_view *view,
-                                               const struct hsr_masks *masks,
-                                               struct hsr_tally *tally,
-                                               struct hsr_arena *arena) {
+enum hsr_status
+hsr_pieces_begin(struct hsr_pieces_view *p, struct hsr_pieces_room room,
+                 const struct hsr_view *view, const struct hsr_masks *masks,
+                 struct hsr_tally *tally, struct hsr_arena *arena) {
   *p = (struct hsr_pieces_view){.view = view,
                                 .tally = tally,
                                 .anywhere = masks->anywhere,
                                 .most_face = room.face};
   int x0 = view->window.x0, y0 = view->window.y0;
-  p->reach = HSR_OF_BUILD(hsr_masks_extent)(masks) + (x0 > y0 ? x0 : y0);
+  p->reach = hsr_masks_extent(masks) + (x0 > y0 ? x0 : y0);
   p->x = HSR_NEW(arena, double, room.points);
   p->y = HSR_NEW(arena, double, room.points);
   p->w = HSR_NEW(arena, double, room.points);
@@ -99,9 +97,8 @@ enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *p,
   return HSR_OK;
 }
 
-void HSR_OF_BUILD(hsr_pieces_tree)(struct hsr_pieces_view *p,
-                                   const struct hsr_bsp *bsp,
-                                   const double shift[3]) {
+void hsr_pieces_tree(struct hsr_pieces_view *p, const struct hsr_bsp *bsp,
+                     const double shift[3]) {
   p->bsp = bsp;
   for (int k = 0; k < 3; k++)
     p->shift[k] = shift[k];
@@ -171,8 +168,8 @@ transform(size_t n, const double *restrict x, const double *restrict y,
   }
 }
 
-void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *p,
-                                   const struct hsr_bsp_cube *leaf) {
+void hsr_pieces_leaf(struct hsr_pieces_view *p,
+                     const struct hsr_bsp_cube *leaf) {
   size_t first = leaf->first_point;
   p->first_point = leaf->first_point;
   find_errors(p, &leaf->tight, p->shift, p->error);
@@ -521,9 +518,8 @@ static bool find_box_around(struct hsr_pieces_view *p) {
   return !before_near && box_of(&hull, &p->view->window, p->anywhere, &p->box);
 }
 
-bool HSR_OF_BUILD(hsr_pieces_take)(struct hsr_pieces_view *p,
-                                   const struct hsr_bsp_piece *piece,
-                                   int facing) {
+bool hsr_pieces_take(struct hsr_pieces_view *p,
+                     const struct hsr_bsp_piece *piece, int facing) {
   p->piece = piece;
   p->facing = facing;
   return p->ahead && p->past_near ? find_box(p) : find_box_around(p);
@@ -544,7 +540,7 @@ static void cut_at_near(struct hsr_pieces_view *p) {
     p->polygon.covers = past_near;
 }
 
-void HSR_OF_BUILD(hsr_pieces_outline)(struct hsr_pieces_view *p) {
+void hsr_pieces_outline(struct hsr_pieces_view *p) {
   const struct hsr_bsp_piece *piece = p->piece;
   const struct hsr_bsp_corner *corner = p->bsp->corner + piece->first_corner;
   uint32_t n = piece->n_corners;
@@ -637,10 +633,10 @@ static struct hull hull_of(const struct hsr_pieces_view *p,
   return hull;
 }
 
-const struct hsr_mask_polygon *
-HSR_OF_BUILD(hsr_pieces_silhouette)(struct hsr_pieces_view *p,
-                                    const struct hsr_box *box,
-                                    const double shift[3], bool *known) {
+const struct hsr_mask_polygon *hsr_pieces_silhouette(struct hsr_pieces_view *p,
+                                                     const struct hsr_box *box,
+                                                     const double shift[3],
+                                                     bool *known) {
   struct hsr_box moved = moved_box(box, shift);
   struct point point[8];
   int place = 0;

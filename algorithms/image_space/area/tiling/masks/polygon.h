@@ -22,6 +22,14 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_pieces_begin HSR_OF_BUILD(hsr_pieces_begin)
+#define hsr_pieces_tree HSR_OF_BUILD(hsr_pieces_tree)
+#define hsr_pieces_leaf HSR_OF_BUILD(hsr_pieces_leaf)
+#define hsr_pieces_take HSR_OF_BUILD(hsr_pieces_take)
+#define hsr_pieces_outline HSR_OF_BUILD(hsr_pieces_outline)
+#define hsr_pieces_silhouette HSR_OF_BUILD(hsr_pieces_silhouette)
+
 /* The corners of a box that are on its silhouette, in order; none if the eye is
  * within. */
 struct hsr_silhouette {
@@ -71,37 +79,32 @@ struct hsr_pieces_room {
 };
 
 /* `masks` is where the pieces will go. HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_pieces_begin)(struct hsr_pieces_view *pieces,
-                                               struct hsr_pieces_room room,
-                                               const struct hsr_view *view,
-                                               const struct hsr_masks *masks,
-                                               struct hsr_tally *tally,
-                                               struct hsr_arena *arena);
+enum hsr_status
+hsr_pieces_begin(struct hsr_pieces_view *pieces, struct hsr_pieces_room room,
+                 const struct hsr_view *view, const struct hsr_masks *masks,
+                 struct hsr_tally *tally, struct hsr_arena *arena);
 
 /* Takes in hand a tree, and a leaf of it, whose points are transformed. */
-void HSR_OF_BUILD(hsr_pieces_tree)(struct hsr_pieces_view *pieces,
-                                   const struct hsr_bsp *bsp,
-                                   const double shift[3]);
-void HSR_OF_BUILD(hsr_pieces_leaf)(struct hsr_pieces_view *pieces,
-                                   const struct hsr_bsp_cube *leaf);
+void hsr_pieces_tree(struct hsr_pieces_view *pieces, const struct hsr_bsp *bsp,
+                     const double shift[3]);
+void hsr_pieces_leaf(struct hsr_pieces_view *pieces,
+                     const struct hsr_bsp_cube *leaf);
 
 /* Takes in hand a piece of that leaf, of whose face the eye is on the side
  * `facing`, and finds the box of the samples that it may cover: false if there
  * are none in the window. */
-bool HSR_OF_BUILD(hsr_pieces_take)(struct hsr_pieces_view *pieces,
-                                   const struct hsr_bsp_piece *piece,
-                                   int facing);
+bool hsr_pieces_take(struct hsr_pieces_view *pieces,
+                     const struct hsr_bsp_piece *piece, int facing);
 
 /* Makes the polygon of the piece. */
-void HSR_OF_BUILD(hsr_pieces_outline)(struct hsr_pieces_view *pieces);
+void hsr_pieces_outline(struct hsr_pieces_view *pieces);
 
 /* What may be seen of a box that is moved, as a polygon whose lines leave
  * nothing of it outside, and its box of samples: NULL if that is nothing. Where
  * it is not wholly ahead, *known is false: it may be seen, and NULL, too. */
 const struct hsr_mask_polygon *
-    HSR_OF_BUILD(hsr_pieces_silhouette)(struct hsr_pieces_view *pieces,
-                                        const struct hsr_box *box,
-                                        const double shift[3], bool *known);
+hsr_pieces_silhouette(struct hsr_pieces_view *pieces, const struct hsr_box *box,
+                      const double shift[3], bool *known);
 
 #ifdef __cplusplus
 }
