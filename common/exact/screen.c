@@ -479,12 +479,11 @@ static void vertex_point(const struct hsr_world *world, uint32_t v,
 }
 
 bool hsr_nearer_exact(const struct hsr_screen *screen, uint32_t f, uint32_t g,
-                      int i, int j, struct hsr_tally *tally) {
+                      double sx, double sy, struct hsr_tally *tally) {
   tally->exact[HSR_ASK_DEPTH]++;
-  return hsr_exact_nearer(
-             screen->view, hsr_plane_loop(screen->world, f),
-             hsr_plane_loop(screen->world, g), hsr_sample_x(screen->view, i),
-             hsr_sample_y(screen->view, j), &tally->out_of_memory) > 0;
+  return hsr_exact_nearer(screen->view, hsr_plane_loop(screen->world, f),
+                          hsr_plane_loop(screen->world, g), sx, sy,
+                          &tally->out_of_memory) > 0;
 }
 
 int hsr_vertex_nearer_exact(const struct hsr_screen *screen, uint32_t f,
@@ -648,6 +647,66 @@ bool hsr_piece_covers(const struct hsr_screen *screen, uint32_t f,
   return hsr_covers(screen, f, i, j, tally) &&
          within_cuts(screen, f, (struct cuts){cut, n}, i, j, tally);
 }
+
+/* --- Polygons that are in no screen --------------------------------------- */
+
+int hsr_loop_edge_side(const struct hsr_view *view, const double a[3],
+                       const double b[3], double sx, double sy,
+                       struct hsr_tally *tally) {
+  tally->exact[HSR_ASK_EDGE]++;
+  return hsr_exact_edge_side(view, a, b, sx, sy, &tally->out_of_memory);
+}
+
+int hsr_loop_cut_side(const struct hsr_view *view, struct hsr_loop f,
+                      struct hsr_loop g, double sx, double sy,
+                      struct hsr_tally *tally) {
+  tally->exact[HSR_ASK_CUT]++;
+  return hsr_exact_cut_side(view, f, g, sx, sy, &tally->out_of_memory);
+}
+
+bool hsr_loop_past_near(const struct hsr_view *view, struct hsr_loop plane,
+                        double sx, double sy, struct hsr_tally *tally) {
+  tally->exact[HSR_ASK_NEAR]++;
+  return hsr_exact_past_near(view, plane, sx, sy, &tally->out_of_memory) > 0;
+}
+
+bool hsr_loop_beyond_near(const struct hsr_view *view, struct hsr_loop plane,
+                          double sx, double sy, struct hsr_tally *tally) {
+  return hsr_loop_past_near(view, plane, sx, sy, tally) &&
+         hsr_exact_ahead(view, plane, sx, sy, &tally->out_of_memory) > 0;
+}
+
+static void corner_of(struct hsr_loop polygon, uint32_t k, double p[3]) {
+  size_t at = polygon.stride * polygon.vertex[k];
+  p[0] = polygon.x[at];
+  p[1] = polygon.y[at];
+  p[2] = polygon.z[at];
+}
+
+static int row_side(const struct hsr_view *view, const double p[3], double sy,
+                    struct hsr_tally *tally) {
+  tally->exact[HSR_ASK_ROW]++;
+  return hsr_exact_row_side(view, p, sy, &tally->out_of_memory);
+}
+
+bool hsr_loop_surrounds(const struct hsr_view *view, struct hsr_loop polygon,
+                        double sx, double sy, struct hsr_tally *tally) {
+  double a[3], b[3];
+  bool inside = false;
+  corner_of(polygon, polygon.n - 1, a);
+  int row_a = row_side(view, a, sy, tally);
+  for (uint32_t k = 0; k < polygon.n; k++) {
+    corner_of(polygon, k, b);
+    int row_b = row_side(view, b, sy, tally);
+    if (row_a != row_b)
+      inside ^= hsr_loop_edge_side(view, a, b, sx, sy, tally) == -row_a;
+    memcpy(a, b, sizeof a);
+    row_a = row_b;
+  }
+  return inside;
+}
+
+/* --- Rows and columns ----------------------------------------------------- */
 
 int hsr_vertex_row(const struct hsr_screen *screen, uint32_t v,
                    struct hsr_tally *tally) {

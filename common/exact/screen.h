@@ -109,7 +109,7 @@ bool hsr_face_exists(const struct hsr_screen *screen, uint32_t f,
 
 /* The exact ends of the filters below; call those. */
 bool hsr_nearer_exact(const struct hsr_screen *screen, uint32_t f, uint32_t g,
-                      int i, int j, struct hsr_tally *tally);
+                      double sx, double sy, struct hsr_tally *tally);
 int hsr_vertex_nearer_exact(const struct hsr_screen *screen, uint32_t f,
                             uint32_t g, uint32_t v, struct hsr_tally *tally);
 int hsr_edge_side_exact(const struct hsr_screen *screen, uint32_t a, uint32_t b,
@@ -117,31 +117,44 @@ int hsr_edge_side_exact(const struct hsr_screen *screen, uint32_t a, uint32_t b,
 int hsr_row_side_exact(const struct hsr_screen *screen, uint32_t v, int j,
                        struct hsr_tally *tally);
 
-/* q of face f at sample (i, j), within plane[f].error. */
+/* q of face f at a point (sx, sy) of the picture, and at sample (i, j): within
+ * plane[f].error. */
+static inline double hsr_depth_at(const struct hsr_screen *screen, uint32_t f,
+                                  double sx, double sy) {
+  const struct hsr_depth_plane *p = &screen->plane[f];
+  return p->a * sx + p->b * sy + p->c;
+}
 static inline double hsr_depth(const struct hsr_screen *screen, uint32_t f,
                                int i, int j) {
-  const struct hsr_depth_plane *p = &screen->plane[f];
-  return p->a * hsr_sample_x(screen->view, i) +
-         p->b * hsr_sample_y(screen->view, j) + p->c;
+  return hsr_depth_at(screen, f, hsr_sample_x(screen->view, i),
+                      hsr_sample_y(screen->view, j));
 }
 
-/* Is f nearer than g on the ray of sample (i, j), by their planes: the order of
- * the picture, ties included. Both exist; f != g. Where a plane is met behind
- * the eye its 1/t is negative, and compared as that: so the order of two planes
- * changes at most at one place of a row. */
-static inline bool hsr_nearer(const struct hsr_screen *screen, uint32_t f,
-                              uint32_t g, int i, int j,
-                              struct hsr_tally *tally) {
+/* Is f nearer than g on the ray of a sample at (sx, sy), or of sample (i, j),
+ * by their planes: the order of the picture, ties included. Both exist; f != g.
+ * (sx, sy) is any point of the picture, 0 <= sx <= m and 0 <= sy <= n, for all
+ * of which the bound of the planes' errors is proved. Where a plane is met
+ * behind the eye its 1/t is negative, and compared as that: so the order of two
+ * planes changes at most at one place of a row. */
+static inline bool hsr_nearer_at(const struct hsr_screen *screen, uint32_t f,
+                                 uint32_t g, double sx, double sy,
+                                 struct hsr_tally *tally) {
   HSR_COUNT_DEPTHS(tally, 1);
   if (screen->world->plane[f] == screen->world->plane[g])
     return f < g;
   double bound = screen->plane[f].error + screen->plane[g].error;
-  double by = hsr_depth(screen, f, i, j) - hsr_depth(screen, g, i, j);
+  double by = hsr_depth_at(screen, f, sx, sy) - hsr_depth_at(screen, g, sx, sy);
   if (by > bound)
     return true;
   if (by < -bound)
     return false;
-  return hsr_nearer_exact(screen, f, g, i, j, tally);
+  return hsr_nearer_exact(screen, f, g, sx, sy, tally);
+}
+static inline bool hsr_nearer(const struct hsr_screen *screen, uint32_t f,
+                              uint32_t g, int i, int j,
+                              struct hsr_tally *tally) {
+  return hsr_nearer_at(screen, f, g, hsr_sample_x(screen->view, i),
+                       hsr_sample_y(screen->view, j), tally);
 }
 
 /* q of face f's plane at vertex v, which is safely before the eye, within
@@ -284,6 +297,36 @@ bool hsr_piece_covers(const struct hsr_screen *screen, uint32_t f,
 int hsr_piece_spans(const struct hsr_screen *screen, uint32_t f,
                     const struct hsr_cut *cut, size_t n, int j, int *columns,
                     struct hsr_tally *tally);
+
+/* --- Polygons that are in no screen --------------------------------------- */
+
+/* The same questions about polygons given by their corners, at any (sx, sy):
+ * faces that move with their instance, and planes across an axis. There is no
+ * filter: whoever asks has one of his own, and asks about what that leaves
+ * open. tally->exact counts each. */
+struct hsr_loop; /* common/exact/predicates.h */
+
+/* The sign of edge(a, b), as of hsr_edge_side. */
+int hsr_loop_edge_side(const struct hsr_view *view, const double a[3],
+                       const double b[3], double sx, double sy,
+                       struct hsr_tally *tally);
+
+/* hsr_cut_side, of two planes. */
+int hsr_loop_cut_side(const struct hsr_view *view, struct hsr_loop f,
+                      struct hsr_loop g, double sx, double sy,
+                      struct hsr_tally *tally);
+
+/* Is 1/t of the plane less than 1/near? That is t > near where the plane is met
+ * before the eye. And: is it met before the eye, and beyond near? */
+bool hsr_loop_past_near(const struct hsr_view *view, struct hsr_loop plane,
+                        double sx, double sy, struct hsr_tally *tally);
+bool hsr_loop_beyond_near(const struct hsr_view *view, struct hsr_loop plane,
+                          double sx, double sy, struct hsr_tally *tally);
+
+/* Is (sx, sy) within the polygon: the parity of its edges that cross the row to
+ * the right (docs/correct-picture.md)? */
+bool hsr_loop_surrounds(const struct hsr_view *view, struct hsr_loop polygon,
+                        double sx, double sy, struct hsr_tally *tally);
 
 #ifdef __cplusplus
 }
