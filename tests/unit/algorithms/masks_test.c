@@ -59,6 +59,9 @@ static const struct build {
      hsr_masks_tile_root_plain, hsr_masks_show_plain},
 };
 
+/* The counters that the masks raise. */
+enum { CELLS, FINEST, PIXEL_CELLS, UNSURE };
+
 enum {
   UNIT = 32, /* a sample, of the grid; jitter is in odd ones */
   MOST_LINES = 12,
@@ -274,7 +277,7 @@ static struct hsr_bounds box_of(const struct polygon *p,
 struct picture {
   const struct build *build;
   struct hsr_masks masks;
-  struct hsr_mask_work work;
+  struct hsr_tally tally;
   struct hsr_filtering filtering;
   struct hsr_mask_places places[PATTERNS];
   struct hsr_triage_tables tables;
@@ -326,7 +329,7 @@ static void begin(struct picture *p, const struct build *build,
   struct hsr_error err;
   p->build = build;
   p->window = window;
-  p->work = (struct hsr_mask_work){0, 0, 0};
+  p->tally = (struct hsr_tally){.first = 0};
   p->twice = p->outside = p->written = 0;
   p->filtering = (struct hsr_filtering){HSR_FILTER_BOX, patterns};
   for (int k = 0; k < PATTERNS; k++) {
@@ -338,12 +341,13 @@ static void begin(struct picture *p, const struct build *build,
       p->places[k].y[bit] = bit / 8 + 0.5 + jitter.y[bit];
     }
   }
-  p->masks = (struct hsr_masks){.tables = &p->tables,
-                                .places = p->places,
-                                .filtering = patterns ? &p->filtering : NULL,
-                                .anywhere = patterns > 0,
-                                .work = &p->work,
-                                .pixel = 8};
+  p->masks = (struct hsr_masks){
+      .tables = &p->tables,
+      .places = p->places,
+      .filtering = patterns ? &p->filtering : NULL,
+      .anywhere = patterns > 0,
+      .count = {&p->tally, CELLS, FINEST, PIXEL_CELLS, UNSURE, HSR_NOTHING},
+      .pixel = 8};
   p->arena = (struct hsr_arena)HSR_ARENA_EMPTY;
   dirty(&p->arena, 4 << 20);
   memset(p->ids, 0xfe, sizeof p->ids);
@@ -500,11 +504,11 @@ struct sequence {
 static void ask(struct picture *p, const struct polygon *polygon,
                 struct seen seen, struct sequence *s) {
   struct hsr_bounds box = box_of(polygon, &p->window, p->masks.anywhere);
-  struct hsr_mask_work work = p->work;
+  struct hsr_tally before = p->tally;
   if (box.x0 >= box.x1 || box.y0 >= box.y1)
     return;
   bool shows = p->build->show(&p->masks, &polygon->told, box);
-  p->work = work;
+  p->tally = before;
   s->seen += shows;
   s->said_wrong += !shows && seen.within;
   s->unseen_said_seen += polygon->telling == SURE && shows && !seen.closed;
@@ -517,9 +521,7 @@ static void tile_sequence(struct picture *p, int n, bool from_root,
     bool hidden;
     random_polygon(&polygon, &p->window, &seed);
     p->id = (uint32_t)k;
-    struct hsr_mask_work work = p->work;
     struct seen seen = want(p, &polygon);
-    p->work = work;
     ask(p, &polygon, seen, s);
     tile(p, &polygon, from_root, &hidden);
     s->said_wrong += hidden && seen.within;
@@ -539,8 +541,8 @@ static void tile_sequence(struct picture *p, int n, bool from_root,
   s->unwritten +=
       (long)(p->window.x1 - p->window.x0) * (p->window.y1 - p->window.y0) -
       p->written;
-  s->unsure += (long)p->masks.unsure;
-  s->cells += p->work.cells;
+  s->unsure += (long)p->tally.count[UNSURE];
+  s->cells += p->tally.count[CELLS];
 }
 
 /* Every sample of the window is covered: nothing is seen. */
@@ -648,7 +650,7 @@ static void test_cases(struct tap *tap, struct picture *p) {
   tile(p, &screen, true, &hidden);
   struct hsr_triage before = p->masks.coarse[0][0];
   long written = p->written;
-  p->work = (struct hsr_mask_work){0, 0, 0};
+  p->tally = (struct hsr_tally){.first = 0};
   p->id = 2;
   want(p, &polygon);
   tile(p, &polygon, true, &hidden);
@@ -656,10 +658,10 @@ static void test_cases(struct tap *tap, struct picture *p) {
   ok(tap, before.c == columns(0, 3) && before.v == columns(4, 8),
      "the nine cases: a screen of covered, active and vacant columns");
   ok(tap,
-     p->work.cells == 1 + 3 + 1 + 4 && p->work.finest == 8 &&
+     p->tally.count[CELLS] == 1 + 3 + 1 + 4 && p->tally.count[FINEST] == 8 &&
          p->written - written == (64 - 28) * 28,
      "cases 4, 5 and 8 visit a cell each: %llu; %ld samples",
-     (unsigned long long)p->work.cells, p->written - written);
+     (unsigned long long)p->tally.count[CELLS], p->written - written);
   ok(tap,
      after.c == (columns(0, 3) | (columns(0, 8) & rows(0, 3))) &&
          after.v == (columns(4, 8) & rows(4, 8)) && !count_wrong(p) &&
@@ -683,17 +685,17 @@ static void test_occluder(struct tap *tap, struct picture *p) {
   set_polygon(&all, &seed);
   p->id = 1;
   tile(p, &all, true, &hidden);
-  bool filled = p->written == 600 * 300 && p->work.finest == 0;
+  bool filled = p->written == 600 * 300 && p->tally.count[FINEST] == 0;
   for (int k = 0; k < BEHIND; k++) {
     struct polygon polygon;
     random_polygon(&polygon, &p->window, &seed);
     struct hsr_bounds box = box_of(&polygon, &p->window, false);
-    p->work = (struct hsr_mask_work){0, 0, 0};
+    p->tally = (struct hsr_tally){.first = 0};
     tile(p, &polygon, k & 1, &hidden);
     bool in = k & 1 || (box.x0 < box.x1 && box.y0 < box.y1);
     outside += !in;
-    right += p->work.cells == (uint64_t)in && p->work.finest == 0 &&
-             hidden == (in && !(k & 1));
+    right += p->tally.count[CELLS] == (uint64_t)in &&
+             p->tally.count[FINEST] == 0 && hidden == (in && !(k & 1));
   }
   ok(tap, filled && p->written == 600 * 300,
      "an occluder of the window takes no finest cell, and what is behind it no "

@@ -62,7 +62,9 @@ static struct hsr_mask_line line_of(const struct hsr_clip *clip, int axis,
   return line;
 }
 
-/* A triangle in the plane, its front where the coordinate is greater. */
+/* On which side of the plane across an axis the ray of (sx, sy) meets the face:
+ * +1 where the coordinate is greater. The plane is given by a triangle in it
+ * whose front is on that side. */
 static int side_of_plane(const struct hsr_clip *clip, int axis, double at,
                          double sx, double sy) {
   static const uint32_t number[3] = {0, 1, 2};
@@ -73,10 +75,9 @@ static int side_of_plane(const struct hsr_clip *clip, int axis, double at,
   corner[3 + (axis + 1) % 3] = 1;
   corner[6 + (axis + 2) % 3] = 1;
   struct hsr_loop plane = {corner, corner + 1, corner + 2, 3, number, 3};
-  p->tally->exact[HSR_ASK_CUT]++;
-  return hsr_exact_cut_side(p->view,
-                            hsr_plane_loop(p->bsp->world, p->piece->face),
-                            plane, sx, sy, &p->tally->out_of_memory);
+  return hsr_loop_cut_side(p->view,
+                           hsr_plane_loop(p->bsp->world, p->piece->face), plane,
+                           sx, sy, p->tally);
 }
 
 static bool within(void *context, uint32_t k, double sx, double sy) {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/image_space/area/tiling/frame.h"
 
+#include <stdlib.h>
+
 enum { SPARE_LINES = 8 }; /* of a silhouette; or near, and clips */
 
 /* --- Where the samples are ------------------------------------------------ */
@@ -14,8 +16,8 @@ static struct hsr_mask_places places_of(const struct hsr_jitter *jitter) {
   return places;
 }
 
-enum hsr_status hsr_sampling_init(struct hsr_sampling *s, int intervals,
-                                  struct hsr_error *err) {
+static enum hsr_status make_sampling(struct hsr_sampling *s, long intervals,
+                                     struct hsr_error *err) {
   for (int pattern = 0; pattern < HSR_PATTERNS; pattern++) {
     struct hsr_jitter jitter = {{0}, {0}};
     if (pattern < HSR_MOST_PATTERNS)
@@ -23,7 +25,14 @@ enum hsr_status hsr_sampling_init(struct hsr_sampling *s, int intervals,
     s->places[pattern] = places_of(&jitter);
   }
   hsr_kernel_init(&s->cosine, HSR_FILTER_COSINE);
-  return hsr_triage_init(&s->tables, intervals, err);
+  return hsr_triage_init(&s->tables, (int)intervals, err);
+}
+
+enum hsr_status hsr_tiling_prepare(size_t size, long intervals, void **prepared,
+                                   struct hsr_error *err) {
+  *prepared = calloc(1, size);
+  return *prepared ? make_sampling(*prepared, intervals, err)
+                   : hsr_fail_nomem(err);
 }
 
 void hsr_sampling_free(struct hsr_sampling *s) {
@@ -75,9 +84,11 @@ static struct hsr_masks masks_of(struct hsr_tiling *t) {
                                             : t->sampling->places + pattern,
                             .filtering = jittered ? filtering : NULL,
                             .anywhere = jittered || moved,
-                            .work = &t->polygons,
-                            .touched = job->tally->work,
-                            .touched_stride = job->tally->work_stride,
+                            .count = {.tally = job->tally,
+                                      .cells = HSR_POLYGON_CELLS,
+                                      .finest = HSR_FINEST_CELLS,
+                                      .pixels = HSR_PIXEL_CELLS,
+                                      .unsure = HSR_SAMPLES_UNSURE},
                             .pixel = filtering ? HSR_SUB : 1};
 }
 
@@ -88,7 +99,8 @@ enum hsr_status hsr_tiling_begin(struct hsr_tiling *t,
   *t = (struct hsr_tiling){
       .job = job, .sampling = sampling, .view = view_of(job)};
   t->masks = masks_of(t);
-  hsr_canvas_begin(&t->canvas, job, t->view.window, &sampling->cosine);
+  hsr_canvas_begin(&t->canvas, job, t->view.window, &sampling->cosine,
+                   HSR_SAMPLES_WRITTEN);
   t->sink = hsr_canvas_sink(&t->canvas);
   if (!t->masks.places ||
       hsr_masks_init(&t->masks, &t->view.window, room.corners + SPARE_LINES,
@@ -116,25 +128,13 @@ bool hsr_tiling_shows(struct hsr_tiling *t, const struct hsr_box *box,
     return true;
   if (!silhouette || !tested)
     return silhouette;
-  HSR_COUNT(t->job->tally, HSR_CUBES_ASKED, 1);
-  t->masks.work = &t->cubes;
   bool visible = hsr_masks_show(&t->masks, silhouette, t->pieces.box);
-  t->masks.work = &t->polygons;
-  HSR_COUNT(t->job->tally, HSR_CUBES_HIDDEN, !visible);
+  hsr_tiling_asked(t, visible);
   return visible;
 }
 
 void hsr_tiling_background(struct hsr_tiling *t) {
+  hsr_tiling_whom(t, HSR_FACE(HSR_BACKGROUND));
   hsr_canvas_face(&t->canvas, HSR_BACKGROUND);
   hsr_masks_tile_rest(&t->masks, &t->sink);
-}
-
-void hsr_tiling_count(const struct hsr_tiling *t) {
-  struct hsr_tally *tally = t->job->tally;
-  HSR_COUNT(tally, HSR_CUBE_CELLS, t->cubes.cells);
-  HSR_COUNT(tally, HSR_POLYGON_CELLS, t->polygons.cells);
-  HSR_COUNT(tally, HSR_FINEST_CELLS, t->cubes.finest + t->polygons.finest);
-  HSR_COUNT(tally, HSR_PIXEL_CELLS, t->cubes.pixels + t->polygons.pixels);
-  HSR_COUNT(tally, HSR_SAMPLES_WRITTEN, t->canvas.samples);
-  HSR_COUNT(tally, HSR_SAMPLES_UNSURE, t->masks.unsure);
 }

@@ -1,11 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What all that tile with masks have in common: where the samples of a picture
- * are, filtered or not; what a frame begins with; the test of cubes; and what
- * is counted.
+/* What the modules that tile with masks share: where the samples of a picture
+ * are, filtered or not; how a module and a frame begin; the test of cubes; and
+ * the counters.
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
- *             SIGGRAPH 1996, 3.3, 4.5 and 5.
- * Cubes       one is hidden if the mask pyramid has its silhouette covered */
+ *             SIGGRAPH 1996, 3.1, 4.3, 4.5 and 5.
+ * Notation    a cube is the subject HSR_CELL(number, instance, 0): its number
+ *             in the tree of that instance, or HSR_NO_ID where there is one
+ *             tree for all. A cell of the mask pyramid is HSR_CELL(level,
+ *             column, row); level 0 is the root.
+ * Invariant   a cube is hidden if the mask pyramid has its silhouette covered
+ */
 #ifndef HSR_ALGORITHMS_TILING_FRAME_H
 #define HSR_ALGORITHMS_TILING_FRAME_H
 
@@ -17,14 +22,13 @@ extern "C" {
 #endif
 
 /* Compiled twice, as the algorithms are. */
-#define hsr_sampling_init HSR_OF_BUILD(hsr_sampling_init)
+#define hsr_tiling_prepare HSR_OF_BUILD(hsr_tiling_prepare)
 #define hsr_sampling_free HSR_OF_BUILD(hsr_sampling_free)
 #define hsr_tiling_begin HSR_OF_BUILD(hsr_tiling_begin)
 #define hsr_tiling_room HSR_OF_BUILD(hsr_tiling_room)
 #define hsr_tiling_pattern HSR_OF_BUILD(hsr_tiling_pattern)
 #define hsr_tiling_shows HSR_OF_BUILD(hsr_tiling_shows)
 #define hsr_tiling_background HSR_OF_BUILD(hsr_tiling_background)
-#define hsr_tiling_count HSR_OF_BUILD(hsr_tiling_count)
 
 /* --- Once ----------------------------------------------------------------- */
 
@@ -36,9 +40,11 @@ struct hsr_sampling {
   struct hsr_kernel cosine;
 };
 
-/* HSR_E_NOMEM; freed with hsr_sampling_free also then. */
-enum hsr_status hsr_sampling_init(struct hsr_sampling *sampling, int intervals,
-                                  struct hsr_error *err);
+/* Makes what a module keeps from frame to frame: `size` bytes that begin with a
+ * struct hsr_sampling; all the others are 0. HSR_E_NOMEM: then, too, *prepared
+ * is the module's to release, which frees the sampling. */
+enum hsr_status hsr_tiling_prepare(size_t size, long intervals, void **prepared,
+                                   struct hsr_error *err);
 void hsr_sampling_free(struct hsr_sampling *sampling);
 
 /* The option of all modules from which `intervals` comes. */
@@ -56,7 +62,6 @@ struct hsr_tiling {
   const struct hsr_sampling *sampling;
   struct hsr_view view; /* of the samples: the sub-samples, if filtered */
   struct hsr_masks masks;
-  struct hsr_mask_work cubes, polygons; /* masks.work is that of polygons */
   struct hsr_pieces_view pieces;
   struct hsr_canvas canvas;
   struct hsr_mask_sink sink; /* to the canvas */
@@ -76,7 +81,8 @@ enum hsr_status hsr_tiling_room(struct hsr_tiling *tiling,
 int hsr_tiling_pattern(const struct hsr_job *job);
 
 /* Whether anything within a box that is moved may be seen; if `tested`, the
- * masks are asked, and not the window alone. */
+ * masks are asked, and not the window alone. hsr_tiling_whom has named the
+ * cube. */
 bool hsr_tiling_shows(struct hsr_tiling *tiling, const struct hsr_box *box,
                       const double shift[3], bool tested);
 
@@ -101,22 +107,98 @@ enum {
 #define HSR_TILING_COUNTER_NAMES                                               \
   [HSR_CUBES_ASKED] = {"cubes asked",                                          \
                        "cubes, and boxes of instances, whose silhouettes "     \
-                       "were tiled"},                                          \
-  [HSR_CUBES_HIDDEN] = {"cubes hidden", "of these, those that are hidden"},    \
+                       "were tiled",                                           \
+                       HSR_COMPARE,                                            \
+                       HSR_OF_CELL,                                            \
+                       HSR_OF_WINDOW,                                          \
+                       "hidden|visible"},                                      \
+  [HSR_CUBES_HIDDEN] = {"cubes hidden", "of these, those that are hidden",     \
+                        HSR_REJECT, HSR_OF_CELL, HSR_OF_WINDOW},               \
   [HSR_CUBE_CELLS] = {"cube cells",                                            \
-                      "cells of the mask pyramid visited for them"},           \
+                      "cells of the mask pyramid visited for them",            \
+                      HSR_COMPARE,                                             \
+                      HSR_OF_CELL,                                             \
+                      HSR_OF_CELL,                                             \
+                      HSR_MASK_VISIT_OUTCOMES},                                \
   [HSR_POLYGON_CELLS] = {"polygon cells",                                      \
                          "cells of the mask pyramid visited for polygons, "    \
-                         "and the background"},                                \
+                         "and the background",                                 \
+                         HSR_COMPARE,                                          \
+                         HSR_OF_CELL,                                          \
+                         HSR_OF_FACE,                                          \
+                         HSR_MASK_VISIT_OUTCOMES},                             \
   [HSR_FINEST_CELLS] = {"finest cells",                                        \
-                        "of all these, those of the finest level"},            \
+                        "of all these, those of the finest level",             \
+                        HSR_COMPARE,                                           \
+                        HSR_OF_CELL,                                           \
+                        HSR_OF_NOTHING,                                        \
+                        HSR_MASK_VISIT_OUTCOMES},                              \
   [HSR_PIXEL_CELLS] = {"pixel cells",                                          \
-                       "of all these, those as large as a pixel or larger"},   \
-  [HSR_SAMPLES_WRITTEN] = {"samples", "written, each once"},                   \
-  [HSR_SAMPLES_UNSURE] = {"unsure samples", "put to the exact predicates"}
+                       "of all these, those as large as a pixel or larger",    \
+                       HSR_COMPARE,                                            \
+                       HSR_OF_CELL,                                            \
+                       HSR_OF_NOTHING,                                         \
+                       HSR_MASK_VISIT_OUTCOMES},                               \
+  [HSR_SAMPLES_WRITTEN] = {"samples",                                          \
+                           "written by masks, each once; of a filtered "       \
+                           "picture, 64 a pixel",                              \
+                           HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},            \
+  [HSR_SAMPLES_UNSURE] = {"unsure samples", "put to the exact predicates",     \
+                          HSR_SAMPLE,       HSR_OF_FACE,                       \
+                          HSR_OF_WINDOW,    "not covered|covered"}
 
-/* Adds up what the masks and the canvas have counted. */
-void hsr_tiling_count(const struct hsr_tiling *tiling);
+/* For whom cells are visited from now on: a face, or a cube. */
+static inline void hsr_tiling_whom(struct hsr_tiling *tiling,
+                                   struct hsr_subject whom) {
+  if (!HSR_COUNTING)
+    return;
+  tiling->masks.count.cells =
+      whom.kind == HSR_OF_CELL ? HSR_CUBE_CELLS : HSR_POLYGON_CELLS;
+  tiling->masks.count.whom = whom;
+}
+
+/* Counts a cube whose silhouette has been tiled: hsr_tiling_whom has named it,
+ * and the silhouette is that of the pieces at hand. */
+static inline void hsr_tiling_asked(const struct hsr_tiling *tiling,
+                                    bool visible) {
+  struct hsr_tally *tally = tiling->job->tally;
+  struct hsr_subject cube = tiling->masks.count.whom;
+  const struct hsr_bounds *b = &tiling->pieces.box;
+  struct hsr_window window = hsr_window_make(b->x0, b->y0, b->x1, b->y1);
+  HSR_STEP(tally, HSR_CUBES_ASKED, cube, HSR_THE_WINDOW, window, visible);
+  if (!visible)
+    HSR_STEP(tally, HSR_CUBES_HIDDEN, cube, HSR_THE_WINDOW, window, 0);
+}
+
+/* Lines of an outline: the test of a cube; listing 1 and its samples. */
+#define HSR_TILING_CUBE_LINES                                                  \
+  {"  is a vacant sample within the cube's silhouette?",                       \
+   HSR_RAISES(HSR_CUBES_ASKED)},                                               \
+      {"    tile_poly the silhouette, to look and not to write",               \
+       HSR_RAISES(HSR_CUBE_CELLS)},                                            \
+  {                                                                            \
+    "  if not, cull the cube", HSR_RAISES(HSR_CUBES_HIDDEN)                    \
+  }
+
+#define HSR_TILING_CELL_LINES                                                  \
+  {"    tile_poly(mask): build the polygon's mask; W = Cv & Pc, A = ~(W | Pv " \
+   "| Cc)",                                                                    \
+   HSR_RAISES(HSR_POLYGON_CELLS)},                                             \
+      {"      of a square of one or more pixels",                              \
+       HSR_RAISES(HSR_PIXEL_CELLS)},                                           \
+      {"      of the finest level: W is a mask of samples",                    \
+       HSR_RAISES(HSR_FINEST_CELLS)},                                          \
+      {"        ask exactly about samples too close to an edge",               \
+       HSR_RAISES(HSR_SAMPLES_UNSURE)},                                        \
+  {                                                                            \
+    "      for each TRUE bit in A: tile_poly(the subcell's mask), propagate"   \
+  }
+
+#define HSR_TILING_SAMPLE_LINE                                                 \
+  {                                                                            \
+    "    for each TRUE bit in W: display its samples",                         \
+        HSR_RAISES(HSR_SAMPLES_WRITTEN)                                        \
+  }
 
 #ifdef __cplusplus
 }

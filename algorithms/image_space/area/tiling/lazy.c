@@ -1,20 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Hierarchical polygon tiling with lazy z-buffering: of polygons that come
- * from front to back only by and large.
+/* Hierarchical polygon tiling with lazy z-buffering, of polygons that come
+ * nearly from front to back.
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 6.1.
+ * Notation    visit the cubes of an octree from front to back, the polygons of
+ *             a cube in any order -> order=tree, the standard
  * Invariant   the picture is the same for any order (lazy_pyramid.h)
- * Ties        faces in one plane: the lower one is seen; what is too close to
- *             an edge is decided exactly (polygon.h)
- * Order       that which the paper wants it for is that of an octree whose
- *             cubes come from front to back, and the faces of a cube as they
- *             are; it is made of the faces as they are laid out in a frame, and
- *             so needs nothing for those that move. The others are there to be
- *             compared.
- * Not flat    faces that are not flat are seen on their planes, and not within
- *             their cubes: they come first.
- * Departures  see lazy_pyramid.h
+ * Ties        of faces in one plane the lowest number is seen; a sample that is
+ *             too close to an edge is decided exactly (polygon.h)
+ * Departures  the octree is made of the faces as they are laid out in a frame,
+ *             so faces that move need no care. Other orders can be chosen, to
+ *             be compared with that one. A face that is not flat is seen on its
+ *             plane, which may lie outside its cubes: these come first. See
+ *             lazy_pyramid.h, too.
  * Cost        that of tiling, where the order is exact and cells are not deep
  */
 #include "algorithms/algorithm.h"
@@ -33,24 +32,16 @@ enum { ORDER, LEAF, DISORDER, CUBES, INTERVALS };
 enum { ORDER_TREE, ORDER_FRONT, ORDER_BACK, ORDER_INPUT };
 enum { CUBES_TESTED, CUBES_DRAWN };
 
-enum {
-  POLYGONS = HSR_TILING_COUNTERS,
-  POLYGONS_HIDDEN,
-  FRAGMENTS,
-  DEMOTED,
-  ENTERED,
-  Z_BUFFERED,
-  COMPARED
-};
+enum { POLYGONS = HSR_LAZY_COUNTERS, POLYGONS_HIDDEN };
 
 /* --- Once ----------------------------------------------------------------- */
 
 struct prepared {
-  struct hsr_sampling sampling;
-  struct hsr_bsp separate;  /* the faces as they are */
-  struct hsr_bsp tree;      /* their pieces in order; of some orders only */
-  struct hsr_octree octree; /* of the faces that are flat; else */
-  struct hsr_arena arena;   /* holds the octree */
+  struct hsr_sampling sampling; /* first: hsr_tiling_prepare */
+  struct hsr_bsp separate;      /* the faces as they are */
+  struct hsr_bsp tree;          /* their pieces in order; of some orders only */
+  struct hsr_octree octree;     /* of the faces that are flat; else */
+  struct hsr_arena arena;       /* holds the octree */
   struct hsr_pieces_room room;
 };
 
@@ -120,13 +111,10 @@ static void release(void *prepared) {
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
-  struct prepared *p = calloc(1, sizeof *p);
-  *prepared = p;
-  if (!p)
-    return hsr_fail_nomem(err);
   struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
-  enum hsr_status status =
-      hsr_sampling_init(&p->sampling, (int)option[INTERVALS], err);
+  enum hsr_status status = hsr_tiling_prepare(sizeof(struct prepared),
+                                              option[INTERVALS], prepared, err);
+  struct prepared *p = *prepared;
   if (!status && hsr_separate_init(&p->separate, world))
     status = hsr_fail_nomem(err);
   if (!status && option[ORDER] == ORDER_TREE && world->n_faces &&
@@ -193,10 +181,15 @@ static void tile_piece(struct frame *f, const struct hsr_bsp_piece *piece,
   if (!hsr_pieces_take(pieces, piece, facing))
     return;
   hsr_pieces_outline(pieces);
-  HSR_STEP9(f->job->tally, POLYGONS, HSR_ACTIVATE, piece->face, HSR_NO_ID,
-            pieces->box.x0, pieces->box.y0, pieces->box.x1, pieces->box.y1);
+  struct hsr_subject subject =
+      HSR_PIECE(piece->face, (uint32_t)(piece - pieces->bsp->piece));
+  struct hsr_window window = hsr_window_make(pieces->box.x0, pieces->box.y0,
+                                             pieces->box.x1, pieces->box.y1);
+  HSR_STEP(f->job->tally, POLYGONS, subject, HSR_THE_WINDOW, window, 0);
+  hsr_tiling_whom(&f->tiling, HSR_FACE(piece->face));
   if (!hsr_lazy_tile(&f->pyramid, piece->face, &pieces->polygon, pieces->box))
-    HSR_COUNT(f->job->tally, POLYGONS_HIDDEN, 1);
+    HSR_STEP(f->job->tally, POLYGONS_HIDDEN, subject, HSR_THE_WINDOW, window,
+             0);
 }
 
 /* On which side of a face the eye is; 0 if the face does not exist. */
@@ -241,6 +234,7 @@ static double nearest_of(const struct frame *f, const struct hsr_box *box) {
   return w > 0 ? (1 + 0x1p-50) / w : INFINITY;
 }
 
+/* hsr_tiling_whom has named the cube. */
 static bool is_visible(struct frame *f, const struct hsr_octree_box *cube) {
   static const double still[3] = {0, 0, 0};
   struct hsr_box box = corners_of(cube);
@@ -253,12 +247,9 @@ static bool is_visible(struct frame *f, const struct hsr_octree_box *cube) {
     return false;
   if (f->job->option[CUBES] == CUBES_DRAWN)
     return true;
-  HSR_COUNT(f->job->tally, HSR_CUBES_ASKED, 1);
-  f->tiling.masks.work = &f->tiling.cubes;
   bool visible = hsr_lazy_shows(&f->pyramid, silhouette, f->tiling.pieces.box,
                                 nearest_of(f, &box));
-  f->tiling.masks.work = &f->tiling.polygons;
-  HSR_COUNT(f->job->tally, HSR_CUBES_HIDDEN, !visible);
+  hsr_tiling_asked(&f->tiling, visible);
   return visible;
 }
 
@@ -266,6 +257,7 @@ static void tile_cube(struct frame *f, uint32_t number) {
   const struct hsr_octree *octree = &f->prepared->octree;
   const struct hsr_octree_node *node = &octree->node[number];
   unsigned nearest = 0;
+  hsr_tiling_whom(&f->tiling, HSR_CELL(number, HSR_NO_ID, 0));
   if (!is_visible(f, &node->tight))
     return;
   for (uint32_t k = 0; k < node->n; k++) {
@@ -401,17 +393,6 @@ static void take_face(void *context, uint32_t face) {
   hsr_canvas_colour(&f->tiling.canvas, f->rgb[k]);
 }
 
-static void count_work(const struct frame *f) {
-  struct hsr_tally *tally = f->job->tally;
-  const struct hsr_lazy_work *work = &f->pyramid.work;
-  hsr_tiling_count(&f->tiling);
-  HSR_COUNT(tally, FRAGMENTS, work->fragments);
-  HSR_COUNT(tally, DEMOTED, work->demoted);
-  HSR_COUNT(tally, ENTERED, work->pixels);
-  HSR_COUNT(tally, Z_BUFFERED, work->z_buffered);
-  HSR_COUNT(tally, COMPARED, work->compared);
-}
-
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct frame f;
@@ -426,7 +407,6 @@ static enum hsr_status render(const struct hsr_job *job,
   if (f.pyramid.out_of_memory)
     return hsr_fail_nomem(err);
   hsr_lazy_resolve(&f.pyramid, &f.tiling.sink, &f, take_face);
-  count_work(&f);
   return HSR_OK;
 }
 
@@ -434,17 +414,28 @@ static enum hsr_status render(const struct hsr_job *job,
 
 static const struct hsr_counter counters[] = {
     HSR_TILING_COUNTER_NAMES,
-    [POLYGONS] = {"polygons", "faces, or pieces of them, in visible cubes, "
-                              "with a sample in their box"},
+    HSR_LAZY_COUNTER_NAMES,
+    [POLYGONS] = {"polygons",
+                  "faces, or pieces of them, in visible cubes, with a sample "
+                  "in their box",
+                  HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
     [POLYGONS_HIDDEN] = {"polygons hidden",
-                         "of these, those whose box is hidden"},
-    [FRAGMENTS] = {"fragments", "of polygons, cached in pixels"},
-    [DEMOTED] = {"pixels demoted", "from tiling to z-buffering"},
-    [ENTERED] = {"pixels entered", "that are not of one face as all about them "
-                                   "in the end, or vacant"},
-    [Z_BUFFERED] = {"pixels z-buffered", "of these, in the end"},
-    [COMPARED] = {"samples compared", "by depth"},
-    {NULL, NULL}};
+                         "of these, those whose box is hidden", HSR_REJECT,
+                         HSR_OF_PIECE, HSR_OF_WINDOW},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each octree cube, from front to back"},
+    HSR_TILING_CUBE_LINES,
+    {"  for each polygon in it, in any order", HSR_RAISES(POLYGONS)},
+    {"    if it is behind zfar of the cell that encloses its box: skip it",
+     HSR_RAISES(POLYGONS_HIDDEN)},
+    HSR_TILING_CELL_LINES,
+    HSR_LAZY_PIXEL_LINES,
+    {"    update znear and zfar of the coarser cells"},
+    HSR_LAZY_END_LINES,
+    HSR_TILING_SAMPLE_LINE,
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {
     {"cubes", "distance", "octree, from front to back", "once a frame"},
@@ -503,6 +494,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_lazy) = {
     .flags = HSR_FILTERS,
     .sorts = sorts,
     .counters = counters,
+    .outline = outline,
     .options = options,
     .prepare = prepare,
     .render = render,

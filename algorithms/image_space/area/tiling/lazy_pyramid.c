@@ -8,18 +8,11 @@
  * behind the eye nothing is seen, so it is not negative. */
 #include "algorithms/image_space/area/tiling/lazy_pyramid.h"
 #include "common/base/bits.h"
-#include "common/exact/predicates.h"
 
 #include <float.h>
 
 static const uint64_t ALL = UINT64_MAX;
 static const double U = DBL_EPSILON / 2;
-
-#if HSR_COUNTING
-#define COUNT(counter, n) ((counter) += (uint64_t)(n))
-#else
-#define COUNT(counter, n) ((void)sizeof((counter) + (uint64_t)(n)))
-#endif
 
 /* --- Depth ---------------------------------------------------------------- */
 
@@ -58,6 +51,22 @@ void hsr_lazy_face(struct hsr_lazy_pyramid *p, uint32_t f) {
   p->depth[f] = depth_at_vertices(&p->screen, f);
 }
 
+/* A finest cell, and its samples of the window, as a step's subject. */
+static struct hsr_subject subject_of(const struct hsr_lazy_pyramid *p,
+                                     const struct hsr_mask_cell *cell) {
+  const struct hsr_window *w = &p->masks->window;
+  return HSR_CELL(cell->level, (cell->x - w->x0) / cell->size,
+                  (cell->y - w->y0) / cell->size);
+}
+
+static struct hsr_window samples_in(const struct hsr_lazy_pyramid *p,
+                                    const struct hsr_mask_cell *cell) {
+  const struct hsr_window *w = &p->masks->window;
+  int x1 = cell->x + cell->size, y1 = cell->y + cell->size;
+  return hsr_window_make(cell->x, cell->y, x1 < w->x1 ? x1 : w->x1,
+                         y1 < w->y1 ? y1 : w->y1);
+}
+
 static struct hsr_lazy_depth depth_in(const struct hsr_lazy_pyramid *p,
                                       uint32_t f,
                                       const struct hsr_mask_cell *cell) {
@@ -73,26 +82,17 @@ static struct hsr_lazy_depth depth_in(const struct hsr_lazy_pyramid *p,
   return depth;
 }
 
-/* Whether face f is nearer than g at a sample that both cover. */
-static bool is_nearer(struct hsr_lazy_pyramid *p, uint32_t f, uint32_t g,
-                      double sx, double sy) {
-  const struct hsr_world *world = p->screen.world;
-  const struct hsr_depth_plane *a = &p->screen.plane[f],
-                               *b = &p->screen.plane[g];
-  COUNT(p->work.compared, 1);
-  HSR_COUNT_DEPTHS(p->tally, 1);
-  if (world->plane[f] == world->plane[g])
-    return f < g;
-  double by = (a->a * sx + a->b * sy + a->c) - (b->a * sx + b->b * sy + b->c);
-  double bound = a->error + b->error;
-  if (by > bound)
-    return true;
-  if (by < -bound)
-    return false;
-  p->tally->exact[HSR_ASK_DEPTH]++;
-  return hsr_exact_nearer(p->screen.view, hsr_plane_loop(world, f),
-                          hsr_plane_loop(world, g), sx, sy,
-                          &p->tally->out_of_memory) > 0;
+/* Is the face at hand nearer than face g at sample `bit` of a pixel, which both
+ * cover? */
+static bool is_nearer(struct hsr_lazy_pyramid *p, uint32_t g,
+                      const struct hsr_mask_cell *cell, int bit) {
+  const struct hsr_mask_places *places =
+      &p->masks->places[hsr_masks_pattern(p->masks, cell)];
+  bool nearer = hsr_nearer_at(&p->screen, p->face, g, cell->x + places->x[bit],
+                              cell->y + places->y[bit], p->tally);
+  HSR_STEP(p->tally, HSR_LAZY_COMPARED, HSR_FACE(p->face), HSR_FACE(g),
+           HSR_AT(cell->x + bit % 8, cell->y + bit / 8), nearer);
+  return nearer;
 }
 
 /* --- Fragments ------------------------------------------------------------ */
@@ -120,10 +120,12 @@ static void discard_fragments(struct hsr_lazy_pyramid *p,
 }
 
 static void cache_fragment(struct hsr_lazy_pyramid *p,
-                           struct hsr_lazy_pixel *pixel, uint32_t face,
+                           const struct hsr_mask_cell *cell, uint32_t face,
                            uint64_t mask) {
+  struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
   uint32_t index = p->vacant_fragment;
-  COUNT(p->work.fragments, 1);
+  HSR_STEP(p->tally, HSR_LAZY_FRAGMENTS, HSR_FACE(face), subject_of(p, cell),
+           samples_in(p, cell), 0);
   if (!index) {
     if (p->fragment.n == UINT32_MAX ||
         !hsr_arena_grow(p->arena, &p->fragment,
@@ -142,16 +144,6 @@ static void cache_fragment(struct hsr_lazy_pyramid *p,
 
 /* --- Pixels --------------------------------------------------------------- */
 
-/* Where sample `bit` of a pixel is. */
-static void place_of(const struct hsr_masks *masks,
-                     const struct hsr_mask_cell *cell, int bit, double *sx,
-                     double *sy) {
-  const struct hsr_mask_places *places =
-      &masks->places[hsr_masks_pattern(masks, cell)];
-  *sx = cell->x + places->x[bit];
-  *sy = cell->y + places->y[bit];
-}
-
 static void clear_pixel(struct hsr_lazy_pyramid *p,
                         const struct hsr_mask_cell *cell) {
   struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
@@ -165,7 +157,7 @@ static void tile_pixel(struct hsr_lazy_pyramid *p,
                        const struct hsr_mask_cell *cell, uint32_t face,
                        uint64_t mask) {
   struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
-  cache_fragment(p, pixel, face, mask);
+  cache_fragment(p, cell, face, mask);
   p->masks->finest[cell->number] |= mask;
   include(&pixel->depth, depth_in(p, face, cell));
 }
@@ -179,19 +171,19 @@ static bool is_behind_fragments(struct hsr_lazy_pyramid *p,
   for (; index; index = fragment(p, index)->next) {
     uint32_t face = fragment(p, index)->face;
     uint64_t shared = mask & fragment(p, index)->mask;
-    for (; shared; shared &= shared - 1) {
-      double sx, sy;
-      place_of(p->masks, cell, hsr_first_bit(shared), &sx, &sy);
-      if (is_nearer(p, p->face, face, sx, sy))
+    for (; shared; shared &= shared - 1)
+      if (is_nearer(p, face, cell, hsr_first_bit(shared)))
         return false;
-    }
   }
   return true;
 }
 
 /* To ordinary z-buffering. */
-static void demote(struct hsr_lazy_pyramid *p, struct hsr_lazy_pixel *pixel) {
-  COUNT(p->work.demoted, 1);
+static void demote(struct hsr_lazy_pyramid *p,
+                   const struct hsr_mask_cell *cell) {
+  struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
+  HSR_STEP(p->tally, HSR_LAZY_DEMOTED, subject_of(p, cell), HSR_FACE(p->face),
+           samples_in(p, cell), 0);
   if (!pixel->samples) {
     if (!hsr_arena_grow(p->arena, &p->samples,
                         sizeof(struct hsr_lazy_samples))) {
@@ -210,7 +202,7 @@ static void demote(struct hsr_lazy_pyramid *p, struct hsr_lazy_pixel *pixel) {
   pixel->z_buffered = true;
 }
 
-/* The samples of one face, which is that of the first, of those in the mask. */
+/* The samples of the mask that show the same face as its first sample. */
 static uint64_t same_face(const uint32_t face[64], uint64_t mask) {
   uint32_t wanted = face[hsr_first_bit(mask)];
   uint64_t same = 0;
@@ -226,10 +218,8 @@ static void z_buffer(struct hsr_lazy_pyramid *p,
   uint64_t *covered = &p->masks->finest[cell->number];
   uint64_t in_window = hsr_masks_in_window(p->masks, cell);
   for (uint64_t ask = mask & *covered; ask; ask &= ask - 1) {
-    double sx, sy;
     int bit = hsr_first_bit(ask);
-    place_of(p->masks, cell, bit, &sx, &sy);
-    if (is_nearer(p, p->face, face[bit], sx, sy))
+    if (is_nearer(p, face[bit], cell, bit))
       face[bit] = p->face;
   }
   for (uint64_t put = mask & ~*covered; put; put &= put - 1)
@@ -400,7 +390,7 @@ static void take_samples(void *context, const struct hsr_mask_cell *cell,
     tile_pixel(p, cell, p->face, mask & ~covered);
   } else {
     if (!pixel->z_buffered)
-      demote(p, pixel);
+      demote(p, cell);
     if (pixel->z_buffered)
       z_buffer(p, cell, mask);
   }
@@ -519,8 +509,11 @@ static void resolve_pixel(const struct resolving *r,
   const struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
   uint64_t in_window = hsr_masks_in_window(p->masks, cell);
   uint64_t covered = p->masks->finest[cell->number] & in_window;
-  COUNT(p->work.pixels, 1);
-  COUNT(p->work.z_buffered, pixel->z_buffered);
+  HSR_STEP(p->tally, HSR_LAZY_ENTERED, subject_of(p, cell), HSR_THE_WINDOW,
+           samples_in(p, cell), pixel->z_buffered);
+  if (pixel->z_buffered)
+    HSR_STEP(p->tally, HSR_LAZY_Z_BUFFERED, subject_of(p, cell), HSR_THE_WINDOW,
+             samples_in(p, cell), 0);
   if (pixel->z_buffered) {
     const uint32_t *face = samples_of(p, pixel)->face;
     for (uint64_t rest = covered, same; rest; rest &= ~same) {

@@ -13,10 +13,10 @@ static bool has_any(const struct hsr_bsp *bsp) {
 
 enum hsr_status hsr_loose_begin(struct hsr_loose *l, const struct hsr_bsp *bsp,
                                 const struct hsr_view *view,
-                                struct hsr_tally *tally,
-                                struct hsr_arena *arena) {
+                                struct hsr_tally *tally, int compared,
+                                int shown, struct hsr_arena *arena) {
   uint32_t n = bsp->world->n_faces;
-  *l = (struct hsr_loose){.tally = tally};
+  *l = (struct hsr_loose){.tally = tally, .compared = compared, .shown = shown};
   if (!has_any(bsp))
     return HSR_OK;
   l->is_loose = HSR_NEW_ZEROED(arena, bool, n);
@@ -53,8 +53,8 @@ static void find_plane(struct hsr_loose *l, uint32_t f) {
   l->has_plane[f] = true;
 }
 
-/* Those that are cut are pieces of other faces, and their cutting planes are to
- * be known. */
+/* The plane of a face, and if it is a piece of another face the planes that
+ * cut it. */
 static void find_planes(struct hsr_loose *l, uint32_t f) {
   const struct hsr_pieces *pieces = l->screen.world->pieces;
   find_plane(l, f);
@@ -68,8 +68,10 @@ static bool is_nearer(struct hsr_loose *l, uint32_t f, uint32_t g, int i,
   if (g == HSR_BACKGROUND)
     return true;
   find_plane(l, g);
-  l->compared++;
-  return hsr_nearer(&l->screen, f, g, i, j, l->tally);
+  bool nearer = hsr_nearer(&l->screen, f, g, i, j, l->tally);
+  HSR_STEP(l->tally, l->compared, HSR_FACE(f), HSR_FACE(g), HSR_AT(i, j),
+           nearer);
+  return nearer;
 }
 
 void hsr_loose_draw(struct hsr_loose *l, uint32_t *ids, size_t stride) {
@@ -83,8 +85,11 @@ void hsr_loose_draw(struct hsr_loose *l, uint32_t *ids, size_t stride) {
       for (int i = b->x0; i < b->x1; i++) {
         uint32_t *id = &ids[(size_t)j * stride + (size_t)i];
         if (*id != f && hsr_covers(&l->screen, f, i, j, l->tally) &&
-            is_nearer(l, f, *id, i, j))
+            is_nearer(l, f, *id, i, j)) {
+          HSR_STEP(l->tally, l->shown, HSR_FACE(f), HSR_THE_WINDOW,
+                   HSR_AT(i, j), 0);
           *id = f;
+        }
       }
   }
 }

@@ -40,10 +40,9 @@
 #include <string.h>
 
 enum { LEAF, INTERVALS };
-enum {
-  SMALL = 8
-}; /* a body of so many leaves' faces is not divided
-      before it is merged */
+/* A body that has no more faces than so many leaves may have is merged as a
+ * whole. */
+enum { SMALL = 8 };
 
 enum {
   REGIONS = HSR_TILING_COUNTERS,
@@ -52,13 +51,14 @@ enum {
   MERGED_FACES,
   PIECES,
   PIECES_CLIPPED,
-  LOOSE
+  LOOSE,
+  LOOSE_SHOWN
 };
 
 /* --- Once ----------------------------------------------------------------- */
 
 struct prepared {
-  struct hsr_sampling sampling;
+  struct hsr_sampling sampling; /* first: hsr_tiling_prepare */
   bool is_whole;
   uint32_t *id, n_still;  /* faces that do not move; unless whole */
   struct hsr_world still; /* these; unless whole */
@@ -126,14 +126,10 @@ static void release(void *prepared) {
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
-  struct prepared *p = calloc(1, sizeof *p);
-  *prepared = p;
-  if (!p)
-    return hsr_fail_nomem(err);
   struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
-  enum hsr_status status =
-      hsr_sampling_init(&p->sampling, (int)option[INTERVALS], err);
-  return status ? status : plant(p, world, &rule, err);
+  enum hsr_status status = hsr_tiling_prepare(sizeof(struct prepared),
+                                              option[INTERVALS], prepared, err);
+  return status ? status : plant(*prepared, world, &rule, err);
 }
 
 /* --- A frame -------------------------------------------------------------- */
@@ -141,6 +137,7 @@ static enum hsr_status prepare(const struct hsr_world *world,
 /* A tree that can be tiled; that of a body that moves, or of several, is the
  * frame's own. */
 struct body {
+  uint32_t instance;          /* HSR_NO_ID: of several, or that do not move */
   uint32_t first, n;          /* of one that moves: its faces */
   const struct hsr_bsp *tree; /* NULL: not made yet */
   struct hsr_screen screen;   /* for what is clipped */
@@ -216,14 +213,14 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job,
   *f = (struct frame){.job = job,
                       .prepared = p,
                       .room = {8, 8, 8},
-                      .still = {.tree = &p->tree},
+                      .still = {.instance = HSR_NO_ID, .tree = &p->tree},
                       .err = err};
   if (hsr_tiling_begin(&f->tiling, &p->sampling, job, f->room))
     return hsr_fail_nomem(err);
   make_room(f, &p->tree);
   if (!f->status && p->is_whole &&
-      hsr_loose_begin(&f->loose, &p->tree, &f->tiling.view, job->tally,
-                      job->scratch))
+      hsr_loose_begin(&f->loose, &p->tree, &f->tiling.view, job->tally, LOOSE,
+                      LOOSE_SHOWN, job->scratch))
     fail(f, HSR_E_NOMEM);
   return f->status;
 }
@@ -252,7 +249,8 @@ static void make_tree(struct frame *f, struct body *body, const uint32_t *id,
 
 static void make_body(struct frame *f, struct body *body) {
   uint32_t *id = HSR_NEW(f->job->scratch, uint32_t, body->n);
-  HSR_COUNT(f->job->tally, TREES, 1);
+  HSR_STEP(f->job->tally, TREES, HSR_VOLUME(body->instance), HSR_NOTHING,
+           HSR_NOWHERE, 0);
   if (!id) {
     fail(f, HSR_E_NOMEM);
     return;
@@ -262,12 +260,15 @@ static void make_body(struct frame *f, struct body *body) {
   make_tree(f, body, id, body->n, f->job->option[LEAF]);
 }
 
-/* What a face is called in the answer. */
-static uint32_t name_of(const struct frame *f, const struct hsr_world *world,
-                        uint32_t face) {
-  if (world->id)
-    return world->id[face];
-  return f->job->filtering ? hsr_world_parent(world, face) : face;
+/* What a face of a body is called in the frame's world. */
+static uint32_t name_of(const struct hsr_world *world, uint32_t face) {
+  return world->id ? world->id[face] : face;
+}
+
+/* Names a cube of a body as that for which cells are visited; HSR_NO_BSP: the
+ * whole body. */
+static void name_cube(struct frame *f, const struct body *body, uint32_t cube) {
+  hsr_tiling_whom(&f->tiling, HSR_CELL(cube, body->instance, 0));
 }
 
 /* --- Tiling one tree ------------------------------------------------------ */
@@ -282,6 +283,7 @@ static bool is_visible(struct frame *f, const struct hsr_region *region,
 
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   struct frame *f = context;
+  name_cube(f, f->body, (uint32_t)(cube - f->body->tree->cube));
   if (f->status || !is_visible(f, f->region, cube->tight))
     return false;
   if (cube->root != HSR_NO_BSP)
@@ -316,10 +318,15 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
       screen ? hsr_clip_piece(&f->clip, pieces, screen, f->region) : NULL;
   if (!polygon)
     return;
-  uint32_t id = name_of(f, f->body->tree->world, piece->face);
-  HSR_STEP9(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NO_ID, pieces->box.x0,
-            pieces->box.y0, pieces->box.x1, pieces->box.y1);
-  HSR_COUNT(f->job->tally, PIECES_CLIPPED, polygon != &pieces->polygon);
+  uint32_t id = name_of(f->body->tree->world, piece->face);
+  struct hsr_subject subject =
+      HSR_PIECE(id, (uint32_t)(piece - pieces->bsp->piece));
+  struct hsr_window window = hsr_window_make(pieces->box.x0, pieces->box.y0,
+                                             pieces->box.x1, pieces->box.y1);
+  HSR_STEP(f->job->tally, PIECES, subject, HSR_THE_WINDOW, window, 0);
+  if (polygon != &pieces->polygon)
+    HSR_STEP(f->job->tally, PIECES_CLIPPED, subject, HSR_THE_WINDOW, window, 0);
+  hsr_tiling_whom(t, HSR_FACE(id));
   hsr_canvas_face(&t->canvas, id);
   hsr_masks_tile(&t->masks, polygon, pieces->box, &t->sink);
 }
@@ -444,9 +451,12 @@ static void merge(struct frame *f, const struct hsr_region *region,
     return;
   }
   uint32_t faces = sort_ids(g.id.items, g.id.n);
-  HSR_COUNT(f->job->tally, MERGES, 1);
-  HSR_COUNT(f->job->tally, MERGED_FACES, faces);
-  f->merged = (struct body){.n = 0};
+  HSR_STEP(f->job->tally, MERGES, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
+  for (uint32_t k = 0; HSR_COUNTING && k < faces; k++)
+    HSR_STEP(f->job->tally, MERGED_FACES,
+             HSR_FACE(((const uint32_t *)g.id.items)[k]), HSR_NOTHING,
+             HSR_NOWHERE, 0);
+  f->merged = (struct body){.instance = HSR_NO_ID};
   make_tree(f, &f->merged, g.id.items, faces, 0);
   tile_tree(f, &f->merged, 0, region);
   free_own(&f->merged);
@@ -498,6 +508,10 @@ static bool find_plane(struct frame *f, const struct node *node, size_t n,
   }
   return most;
 }
+
+/* What is done with a region: its one cube is tiled, or a plane divides it, or
+ * a cube, or all that is in it is merged. */
+enum choice { ALONE, SEPARATED, OPENED, MERGED };
 
 static void tile_region(struct frame *f, const struct hsr_region *region,
                         const struct node *node, size_t n);
@@ -593,6 +607,12 @@ static void tile_alone(struct frame *f, const struct hsr_region *region,
   tile_tree(f, node->body, node->cube == HSR_NO_BSP ? 0 : node->cube, region);
 }
 
+static bool is_visible_in(struct frame *f, const struct hsr_region *region,
+                          const struct node *node) {
+  name_cube(f, node->body, node->cube);
+  return is_visible(f, region, node->box);
+}
+
 /* The nodes that may be seen in a region, their boxes clipped to it. */
 static size_t look_at(struct frame *f, const struct hsr_region *region,
                       const struct node *all, size_t n_all,
@@ -606,7 +626,7 @@ static size_t look_at(struct frame *f, const struct hsr_region *region,
   if (!*node)
     fail(f, HSR_E_NOMEM);
   for (size_t k = 0; k < n_all && !f->status; k++)
-    if (is_visible(f, region, all[k].box)) {
+    if (is_visible_in(f, region, &all[k])) {
       (*node)[n] = all[k];
       hsr_region_clip(region, &(*node)[n++].box);
     }
@@ -617,17 +637,23 @@ static size_t look_at(struct frame *f, const struct hsr_region *region,
 static void tile_region(struct frame *f, const struct hsr_region *region,
                         const struct node *all, size_t n_all) {
   struct node *node;
-  size_t n = look_at(f, region, all, n_all, &node), openable;
+  size_t n = look_at(f, region, all, n_all, &node), openable = n;
   int axis = 0;
   double at = 0;
   if (!n)
     return;
-  HSR_COUNT(f->job->tally, REGIONS, 1);
-  if (n == 1)
+  enum choice choice = n == 1                                       ? ALONE
+                       : find_plane(f, node, n, &axis, &at)         ? SEPARATED
+                       : (openable = find_openable(f, node, n)) < n ? OPENED
+                                                                    : MERGED;
+  HSR_STEP(f->job->tally, REGIONS,
+           HSR_CELL(node[0].cube, node[0].body->instance, 0), HSR_NOTHING,
+           HSR_NOWHERE, choice);
+  if (choice == ALONE)
     tile_alone(f, region, node);
-  else if (find_plane(f, node, n, &axis, &at))
+  else if (choice == SEPARATED)
     tile_sides(f, region, node, n, axis, at);
-  else if ((openable = find_openable(f, node, n)) < n)
+  else if (choice == OPENED)
     open_node(f, region, node, n, openable);
   else
     merge(f, region, node, n);
@@ -664,6 +690,7 @@ static void tile_bodies(struct frame *f) {
     node[n++] = root_of(&f->still);
   for (uint32_t k = 0; k < p->n_movers; k++) {
     uint32_t i = p->mover[k];
+    f->mover[k].instance = i;
     f->mover[k].first = world->first[i];
     f->mover[k].n = world->first[i + 1] - world->first[i];
     node[n++] = (struct node){&f->mover[k], HSR_NO_BSP,
@@ -686,8 +713,6 @@ static enum hsr_status render(const struct hsr_job *job,
     return f.status;
   hsr_tiling_background(&f.tiling);
   hsr_loose_draw(&f.loose, job->ids, job->ids_stride);
-  hsr_tiling_count(&f.tiling);
-  HSR_COUNT(job->tally, LOOSE, f.loose.compared);
   return HSR_OK;
 }
 
@@ -695,17 +720,41 @@ static enum hsr_status render(const struct hsr_job *job,
 
 static const struct hsr_counter counters[] = {
     HSR_TILING_COUNTER_NAMES,
-    [REGIONS] = {"regions", "of space, with cubes that may be visible"},
-    [TREES] = {"trees", "made of bodies that move"},
-    [MERGES] = {"merges", "trees made of leaves of several bodies"},
-    [MERGED_FACES] = {"merged faces", "in these"},
-    [PIECES] = {"pieces", "pieces of faces in visible cubes, with a sample in "
-                          "their box"},
-    [PIECES_CLIPPED] = {"pieces clipped", "of these, to a region"},
-    [LOOSE] = {"thickness checks",
-               "comparisons in depth with faces that are not flat and have no "
-               "place in the trees"},
-    {NULL, NULL}};
+    [REGIONS] = {"regions",
+                 "of space, with cubes that may be visible; the first of them",
+                 HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING,
+                 "of one cube|separated by a plane|a cube opened|merged"},
+    [TREES] = {"trees", "made of bodies that move", HSR_SORT, HSR_OF_VOLUME,
+               HSR_OF_NOTHING},
+    [MERGES] = {"merges", "trees made of leaves of several bodies", HSR_SORT,
+                HSR_OF_NOTHING, HSR_OF_NOTHING},
+    [MERGED_FACES] = {"merged faces", "in these", HSR_SORT, HSR_OF_FACE,
+                      HSR_OF_NOTHING},
+    [PIECES] = {"pieces",
+                "pieces of faces in visible cubes, with a sample in their box",
+                HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
+    [PIECES_CLIPPED] = {"pieces clipped", "of these, to a region", HSR_SPLIT,
+                        HSR_OF_PIECE, HSR_OF_WINDOW},
+    HSR_LOOSE_COUNTERS(LOOSE, LOOSE_SHOWN),
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each region of space, from front to back: merge all octrees in it",
+     HSR_RAISES(REGIONS)},
+    {"  if a body that moves is to be opened: make its octree of BSP trees",
+     HSR_RAISES(TREES)},
+    {"  if leaves of several bodies meet: merge them into one BSP tree",
+     HSR_RAISES(MERGES)},
+    {"    insert a face of theirs", HSR_RAISES(MERGED_FACES)},
+    HSR_TILING_CUBE_LINES,
+    {"  for each polygon of a leaf's BSP tree, from front to back",
+     HSR_RAISES(PIECES)},
+    {"    clip it to the region", HSR_RAISES(PIECES_CLIPPED)},
+    HSR_TILING_CELL_LINES,
+    HSR_TILING_SAMPLE_LINE,
+    {"display the background in what is vacant"},
+    HSR_LOOSE_LINES(LOOSE, LOOSE_SHOWN),
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {
     {"faces", "priority", "BSP trees", "once for all frames"},
@@ -740,6 +789,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_merged) = {
     .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS,
     .sorts = sorts,
     .counters = counters,
+    .outline = outline,
     .options = options,
     .prepare = prepare,
     .render = render,

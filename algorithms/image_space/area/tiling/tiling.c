@@ -29,13 +29,13 @@ enum { MASKS_EXACT, MASKS_TABLE };
 enum { START_BOX, START_ROOT };
 enum { CUBES_TESTED, CUBES_DRAWN };
 
-enum { PIECES = HSR_TILING_COUNTERS, PIECES_HIDDEN, LOOSE };
+enum { PIECES = HSR_TILING_COUNTERS, PIECES_HIDDEN, LOOSE, LOOSE_SHOWN };
 
 /* --- Once ----------------------------------------------------------------- */
 
 struct prepared {
+  struct hsr_sampling sampling; /* first: hsr_tiling_prepare */
   struct hsr_grove grove;
-  struct hsr_sampling sampling;
   uint64_t *samples; /* masks of the finest level, of all patterns; or NULL */
   const uint64_t *sample_tables[HSR_PATTERNS];
 };
@@ -70,13 +70,10 @@ static void release(void *prepared) {
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
-  struct prepared *p = calloc(1, sizeof *p);
-  *prepared = p;
-  if (!p)
-    return hsr_fail_nomem(err);
   struct hsr_bsp_rule rule = {.most = (uint32_t)option[LEAF]};
-  enum hsr_status status =
-      hsr_sampling_init(&p->sampling, (int)option[INTERVALS], err);
+  enum hsr_status status = hsr_tiling_prepare(sizeof(struct prepared),
+                                              option[INTERVALS], prepared, err);
+  struct prepared *p = *prepared;
   if (!status && option[MASKS] == MASKS_TABLE &&
       make_sample_tables(p, (int)option[INTERVALS]))
     status = hsr_fail_nomem(err);
@@ -94,6 +91,7 @@ struct frame {
   struct hsr_bsp_waiting *waiting;
   struct hsr_loose loose;
   uint32_t first_id; /* of the tree at hand */
+  uint32_t instance; /* it is that one's tree, or HSR_NO_ID */
 };
 
 static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
@@ -112,12 +110,13 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
     return HSR_E_NOMEM;
   return grove->is_whole
              ? hsr_loose_begin(&f->loose, &grove->whole, &f->tiling.view,
-                               job->tally, job->scratch)
+                               job->tally, LOOSE, LOOSE_SHOWN, job->scratch)
              : HSR_OK;
 }
 
 static bool is_visible(struct frame *f, const struct hsr_box *box,
-                       const double shift[3]) {
+                       const double shift[3], struct hsr_subject cube) {
+  hsr_tiling_whom(&f->tiling, cube);
   return hsr_tiling_shows(&f->tiling, box, shift,
                           f->job->option[CUBES] == CUBES_TESTED);
 }
@@ -125,7 +124,9 @@ static bool is_visible(struct frame *f, const struct hsr_box *box,
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   struct frame *f = context;
   struct hsr_pieces_view *pieces = &f->tiling.pieces;
-  if (!is_visible(f, &cube->tight, pieces->shift))
+  uint32_t number = (uint32_t)(cube - pieces->bsp->cube);
+  if (!is_visible(f, &cube->tight, pieces->shift,
+                  HSR_CELL(number, f->instance, 0)))
     return false;
   if (cube->root != HSR_NO_BSP)
     hsr_pieces_leaf(pieces, cube);
@@ -142,10 +143,12 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
     return;
   if (!hsr_pieces_take(pieces, piece, facing))
     return;
-  HSR_STEP9(f->job->tally, PIECES, HSR_ACTIVATE, id, HSR_NO_ID, pieces->box.x0,
-            pieces->box.y0, pieces->box.x1, pieces->box.y1);
-  if (f->job->filtering)
-    id = hsr_world_parent(f->job->world, id);
+  struct hsr_subject subject =
+      HSR_PIECE(id, (uint32_t)(piece - pieces->bsp->piece));
+  struct hsr_window window = hsr_window_make(pieces->box.x0, pieces->box.y0,
+                                             pieces->box.x1, pieces->box.y1);
+  HSR_STEP(f->job->tally, PIECES, subject, HSR_THE_WINDOW, window, 0);
+  hsr_tiling_whom(t, HSR_FACE(id));
   hsr_canvas_face(&t->canvas, id);
   if (f->job->option[START] == START_ROOT) {
     hsr_pieces_outline(pieces);
@@ -154,12 +157,13 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
     hsr_pieces_outline(pieces);
     hsr_masks_tile_found(&t->masks, &pieces->polygon, &t->sink);
   } else {
-    HSR_COUNT(f->job->tally, PIECES_HIDDEN, 1);
+    HSR_STEP(f->job->tally, PIECES_HIDDEN, subject, HSR_THE_WINDOW, window, 0);
   }
 }
 
 static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
-                      const double shift[3], uint32_t first_id) {
+                      const double shift[3], uint32_t first_id,
+                      uint32_t instance) {
   struct hsr_bsp_walk walk = {.bsp = bsp,
                               .eye = f->tiling.view.E,
                               .shift = shift,
@@ -169,6 +173,7 @@ static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
                               .enter = enter_cube,
                               .piece = tile_piece};
   f->first_id = first_id;
+  f->instance = instance;
   hsr_pieces_tree(&f->tiling.pieces, bsp, shift);
   HSR_OF_BUILD(hsr_bsp_walk)(&walk);
 }
@@ -179,7 +184,7 @@ static void tile_instances(struct frame *f, uint32_t number) {
   const struct hsr_grove *grove = &f->prepared->grove;
   const struct hsr_grove_node *node = &grove->node[number];
   if (node->axis >= 0) {
-    if (!is_visible(f, &node->box, still))
+    if (!is_visible(f, &node->box, still, HSR_CELL(number, HSR_NO_ID, 0)))
       return;
     bool above = f->tiling.view.E[node->axis] > node->at;
     tile_instances(f, above ? node->above : node->below);
@@ -190,7 +195,7 @@ static void tile_instances(struct frame *f, uint32_t number) {
       &grove->world->scene->instances[node->instance];
   const double shift[3] = {instance->m[3], instance->m[7], instance->m[11]};
   tile_tree(f, &grove->tree[instance->object].bsp, shift,
-            grove->world->first[node->instance]);
+            grove->world->first[node->instance], node->instance);
 }
 
 static enum hsr_status render(const struct hsr_job *job,
@@ -203,13 +208,11 @@ static enum hsr_status render(const struct hsr_job *job,
   if (f.loose.n && job->filtering)
     return hsr_loose_refuse(&f.loose, job->world, err);
   if (p->grove.is_whole)
-    tile_tree(&f, &p->grove.whole, still, 0);
+    tile_tree(&f, &p->grove.whole, still, 0, HSR_NO_ID);
   else
     tile_instances(&f, 0);
   hsr_tiling_background(&f.tiling);
   hsr_loose_draw(&f.loose, job->ids, job->ids_stride);
-  hsr_tiling_count(&f.tiling);
-  HSR_COUNT(job->tally, LOOSE, f.loose.compared);
   return HSR_OK;
 }
 
@@ -217,13 +220,26 @@ static enum hsr_status render(const struct hsr_job *job,
 
 static const struct hsr_counter counters[] = {
     HSR_TILING_COUNTER_NAMES,
-    [PIECES] = {"pieces", "pieces of faces in visible cubes, with a sample in "
-                          "their box"},
-    [PIECES_HIDDEN] = {"pieces hidden", "of these, those whose box is hidden"},
-    [LOOSE] = {"thickness checks",
-               "comparisons in depth with faces that are not flat and have no "
-               "place in the trees"},
-    {NULL, NULL}};
+    [PIECES] = {"pieces",
+                "pieces of faces in visible cubes, with a sample in their box",
+                HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
+    [PIECES_HIDDEN] = {"pieces hidden", "of these, those whose box is hidden",
+                       HSR_REJECT, HSR_OF_PIECE, HSR_OF_WINDOW},
+    HSR_LOOSE_COUNTERS(LOOSE, LOOSE_SHOWN),
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each octree cube, from front to back"},
+    HSR_TILING_CUBE_LINES,
+    {"  for each polygon of its BSP tree, from front to back",
+     HSR_RAISES(PIECES)},
+    {"    if the box is hidden in the cell that encloses it: skip the polygon",
+     HSR_RAISES(PIECES_HIDDEN)},
+    HSR_TILING_CELL_LINES,
+    HSR_TILING_SAMPLE_LINE,
+    {"display the background in what is vacant"},
+    HSR_LOOSE_LINES(LOOSE, LOOSE_SHOWN),
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {
     {"faces", "priority", "BSP trees", "once for all frames"},
@@ -285,6 +301,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling) = {
     .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS,
     .sorts = sorts,
     .counters = counters,
+    .outline = outline,
     .options = options,
     .prepare = prepare,
     .render = render,

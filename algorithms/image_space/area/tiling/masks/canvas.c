@@ -6,13 +6,24 @@ static int least(int a, int b) {
   return a < b ? a : b;
 }
 
-static void count_samples(struct hsr_canvas *c, uint64_t n) {
-#if HSR_COUNTING
-  c->samples += n;
-#else
-  (void)c;
-  (void)n;
-#endif
+/* Samples of the face in hand are written: of the 8 x 8 samples from (x, y) on,
+ * those of a mask; and those of a square that are in the window. A step is one
+ * sample. */
+static void count_samples(const struct hsr_canvas *c, int x, int y,
+                          uint64_t mask) {
+  for (uint64_t rest = HSR_COUNTING ? mask : 0; rest; rest &= rest - 1) {
+    int bit = hsr_first_bit(rest);
+    HSR_STEP(c->job->tally, c->counter, HSR_FACE(c->id), HSR_THE_WINDOW,
+             HSR_AT(x + bit % 8, y + bit / 8), 0);
+  }
+}
+
+static void count_square(const struct hsr_canvas *c, int x, int y, int size) {
+  int x1 = least(x + size, c->window.x1), y1 = least(y + size, c->window.y1);
+  for (int j = y; HSR_COUNTING && j < y1; j++)
+    for (int i = x; i < x1; i++)
+      HSR_STEP(c->job->tally, c->counter, HSR_FACE(c->id), HSR_THE_WINDOW,
+               HSR_AT(i, j), 0);
 }
 
 /* --- Ids ------------------------------------------------------------------ */
@@ -20,7 +31,7 @@ static void count_samples(struct hsr_canvas *c, uint64_t n) {
 static void put_samples(void *context, int x, int y, uint64_t mask) {
   struct hsr_canvas *c = context;
   uint32_t *row = c->job->ids + (size_t)y * c->job->ids_stride + x;
-  count_samples(c, hsr_count_bits(mask));
+  count_samples(c, x, y, mask);
   for (; mask; mask >>= 8, row += c->job->ids_stride)
     for (int i = 0; i < 8; i++)
       if (mask >> i & 1)
@@ -30,7 +41,7 @@ static void put_samples(void *context, int x, int y, uint64_t mask) {
 static void put_square(void *context, int x, int y, int size) {
   struct hsr_canvas *c = context;
   int x1 = least(x + size, c->window.x1), y1 = least(y + size, c->window.y1);
-  count_samples(c, (uint64_t)(x1 - x) * (uint64_t)(y1 - y));
+  count_square(c, x, y, size);
   for (int j = y; j < y1; j++) {
     uint32_t *row = c->job->ids + (size_t)j * c->job->ids_stride;
     for (int i = x; i < x1; i++)
@@ -42,8 +53,12 @@ static void put_square(void *context, int x, int y, int size) {
 
 /* Shading is put off until something of the face is seen. */
 static void shade(struct hsr_canvas *c) {
-  if (!c->has_colour)
-    hsr_filter_colour(c->world, c->job->view, c->id, c->rgb);
+  const struct hsr_world *world = c->job->world;
+  if (c->has_colour)
+    return;
+  hsr_filter_colour(
+      world, c->job->view,
+      c->id == HSR_BACKGROUND ? c->id : hsr_world_parent(world, c->id), c->rgb);
   c->has_colour = true;
 }
 
@@ -61,7 +76,7 @@ static void box_samples(void *context, int x, int y, uint64_t mask) {
   struct hsr_canvas *c = context;
   unsigned n = hsr_count_bits(mask);
   shade(c);
-  count_samples(c, n);
+  count_samples(c, x, y, mask);
   add(c, x / HSR_SUB, y / HSR_SUB, n * (HSR_WHOLE_WEIGHT / 64));
 }
 
@@ -74,8 +89,7 @@ static void box_square(void *context, int x, int y, int size) {
     whole[k] = HSR_WHOLE_WEIGHT * c->rgb[k];
   int i1 = least(x + size, c->window.x1) / HSR_SUB;
   int j1 = least(y + size, c->window.y1) / HSR_SUB;
-  count_samples(c, 64 * (uint64_t)(i1 - x / HSR_SUB) *
-                       (uint64_t)(j1 - y / HSR_SUB));
+  count_square(c, x, y, size);
   for (int j = y / HSR_SUB; j < j1; j++) {
     uint32_t *sum = pixel(c, x / HSR_SUB, j);
     for (int i = x / HSR_SUB; i < i1; i++, sum += 3)
@@ -98,7 +112,7 @@ static void cosine_samples(void *context, int x, int y, uint64_t mask) {
   struct hsr_canvas *c = context;
   uint32_t weight[3][3] = {{0}};
   shade(c);
-  count_samples(c, hsr_count_bits(mask));
+  count_samples(c, x, y, mask);
   for (int byte = 0; mask; byte++, mask >>= 8)
     for (int k = 0; mask & 255 && k < 9; k++)
       weight[k / 3][k % 3] += c->kernel->row[k / 3][k % 3][byte][mask & 255];
@@ -110,8 +124,7 @@ static void cosine_square(void *context, int x, int y, int size) {
   shade(c);
   int i1 = least(x + size, c->window.x1) / HSR_SUB;
   int j1 = least(y + size, c->window.y1) / HSR_SUB;
-  count_samples(c, 64 * (uint64_t)(i1 - x / HSR_SUB) *
-                       (uint64_t)(j1 - y / HSR_SUB));
+  count_square(c, x, y, size);
   for (int j = y / HSR_SUB; j < j1; j++)
     for (int i = x / HSR_SUB; i < i1; i++)
       spread(c, i, j, c->whole);
@@ -120,10 +133,10 @@ static void cosine_square(void *context, int x, int y, int size) {
 /* --- The sink ------------------------------------------------------------- */
 
 void hsr_canvas_begin(struct hsr_canvas *c, const struct hsr_job *job,
-                      struct hsr_window window,
-                      const struct hsr_kernel *cosine) {
+                      struct hsr_window window, const struct hsr_kernel *cosine,
+                      int counter) {
   *c = (struct hsr_canvas){
-      .job = job, .window = window, .world = job->world, .kernel = cosine};
+      .job = job, .window = window, .kernel = cosine, .counter = counter};
   for (int k = 0; k < 9; k++)
     for (int byte = 0; byte < 8; byte++)
       c->whole[k / 3][k % 3] += cosine->row[k / 3][k % 3][byte][255];

@@ -26,22 +26,21 @@ extern "C" {
 struct hsr_canvas {
   const struct hsr_job *job;
   struct hsr_window window; /* of samples */
-  uint32_t id;              /* of the face in hand */
+  uint32_t id;              /* of the face in hand: of job->world */
+  int counter;              /* raised for each sample that is written */
 
   /* Of a filtered picture. */
-  const struct hsr_world *world; /* of the scene */
-  bool has_colour;               /* rgb is that of the face in hand */
+  bool has_colour; /* rgb is that of the face in hand */
   uint16_t rgb[3];
   const struct hsr_kernel *kernel;
   uint32_t whole[3][3]; /* what a whole pixel adds to those about it */
-
-  uint64_t samples; /* written, in the counting build */
 };
 
-/* `cosine` is that filter's kernel; borrowed. */
+/* `cosine` is that filter's kernel; borrowed. `counter` is of kind HSR_ACCEPT:
+ * each sample that is written raises it. */
 void hsr_canvas_begin(struct hsr_canvas *canvas, const struct hsr_job *job,
-                      struct hsr_window window,
-                      const struct hsr_kernel *cosine);
+                      struct hsr_window window, const struct hsr_kernel *cosine,
+                      int counter);
 
 /* Takes a face in hand: what is tiled next is of this. */
 void hsr_canvas_face(struct hsr_canvas *canvas, uint32_t id);

@@ -225,28 +225,45 @@ static uint32_t choose(const struct hsr_mask_lines *active, int bit) {
 
 /* --- Counting ------------------------------------------------------------- */
 
-#if HSR_COUNTING
-static void count_cell(struct hsr_masks *p, const struct hsr_mask_cell *cell) {
-  p->work->cells++;
-  p->work->finest += is_finest(p, cell);
+/* The samples of a cell that are in the window. */
+static struct hsr_window window_of(const struct hsr_masks *p,
+                                   const struct hsr_mask_cell *cell) {
+  const struct hsr_window *w = &p->window;
+  int x1 = cell->x + cell->size, y1 = cell->y + cell->size;
+  return hsr_window_make(cell->x, cell->y, x1 < w->x1 ? x1 : w->x1,
+                         y1 < w->y1 ? y1 : w->y1);
+}
+
+/* A cell of one or more pixels touches each of them by its share. */
+static void touch(const struct hsr_masks *p, const struct hsr_mask_cell *cell) {
+  const struct hsr_tally *tally = p->count.tally;
+  struct hsr_window w = window_of(p, cell);
+  int pixels = cell->size / p->pixel;
+  float share = 1.0f / (float)(pixels * pixels);
+  for (int j = w.y0 / p->pixel; j < w.y1 / p->pixel; j++)
+    for (int i = w.x0 / p->pixel; i < w.x1 / p->pixel; i++)
+      tally->work[(size_t)j * tally->work_stride + (size_t)i] += share;
+}
+
+/* A visit to a cell. active: something of the polygon may be visible in it. */
+static inline void count_visit(const struct hsr_masks *p,
+                               const struct hsr_mask_cell *cell, bool active) {
+  const struct hsr_mask_count *c = &p->count;
+  if (!HSR_COUNTING)
+    return;
+  struct hsr_subject at =
+      HSR_CELL(cell->level, (cell->x - p->window.x0) / cell->size,
+               (cell->y - p->window.y0) / cell->size);
+  struct hsr_window window = window_of(p, cell);
+  HSR_STEP(c->tally, c->cells, at, c->whom, window, active);
+  if (is_finest(p, cell))
+    HSR_STEP(c->tally, c->finest, at, HSR_NOTHING, window, active);
   if (cell->size < p->pixel)
     return;
-  int x0 = cell->x / p->pixel, y0 = cell->y / p->pixel;
-  int x1 = x0 + cell->size / p->pixel, y1 = y0 + cell->size / p->pixel;
-  int m = p->window.x1 / p->pixel, n = p->window.y1 / p->pixel;
-  float share = 1.0f / (float)((x1 - x0) * (y1 - y0));
-  p->work->pixels++;
-  for (int j = y0; p->touched && j < y1 && j < n; j++)
-    for (int i = x0; i < x1 && i < m; i++)
-      p->touched[(size_t)j * p->touched_stride + (size_t)i] += share;
+  HSR_STEP(c->tally, c->pixels, at, HSR_NOTHING, window, active);
+  if (c->tally->work)
+    touch(p, cell);
 }
-#else
-static void count_cell(const struct hsr_masks *p,
-                       const struct hsr_mask_cell *cell) {
-  (void)p;
-  (void)cell;
-}
-#endif
 
 /* --- The finest level ----------------------------------------------------- */
 
@@ -327,7 +344,6 @@ static bool is_covered(struct hsr_masks *p,
                        uint32_t n, int pattern, int bit, bool lines_unsure) {
   const struct hsr_mask_places *places = &p->places[pattern];
   double sx = cell->x + places->x[bit], sy = cell->y + places->y[bit];
-  p->unsure++;
   for (uint32_t k = 0; lines_unsure && k < n; k++) {
     const struct hsr_mask_line *line = &polygon->line[list[k]];
     double f = line->a * cell->x + line->b * cell->y + line->c;
@@ -352,7 +368,11 @@ static uint64_t covered_samples(struct hsr_masks *p,
   uint64_t ask = mask & (polygon->covers ? ALL : unsure);
   for (; ask; ask &= ask - 1) {
     int bit = hsr_first_bit(ask);
-    if (!is_covered(p, polygon, cell, list, n, pattern, bit, unsure >> bit & 1))
+    bool covered =
+        is_covered(p, polygon, cell, list, n, pattern, bit, unsure >> bit & 1);
+    HSR_STEP(p->count.tally, p->count.unsure, p->count.whom, HSR_THE_WINDOW,
+             HSR_AT(cell->x + bit % 8, cell->y + bit / 8), covered);
+    if (!covered)
       mask &= ~((uint64_t)1 << bit);
   }
   return mask;
@@ -363,8 +383,10 @@ static uint64_t covered_samples(struct hsr_masks *p,
 struct task {
   struct hsr_masks *masks;
   const struct hsr_mask_polygon *polygon;
-  const struct hsr_mask_sink *sink;
-  struct hsr_bounds box; /* of its samples */
+  struct hsr_bounds box;                  /* of its samples */
+  const struct hsr_mask_sink *sink;       /* who is told what is tiled, */
+  const struct hsr_mask_visitor *visitor; /* or who decides for himself */
+  bool at_once; /* subcells of the finest level are tiled together */
 };
 
 /* The steps that are written twice, for every machine and for AVX-512. */
@@ -381,15 +403,22 @@ struct hsr_mask_twin {
                        const uint32_t *list, uint32_t n);
 };
 
-static void tile_finest(const struct task *t, const struct hsr_mask_cell *cell,
+/* The masks of a cell above the finest level. */
+static struct hsr_triage *mask_of(const struct hsr_masks *p,
+                                  const struct hsr_mask_cell *cell) {
+  return &p->coarse[cell->level][cell->number];
+}
+
+static bool tile_finest(const struct task *t, const struct hsr_mask_cell *cell,
                         const uint32_t *list, uint32_t n) {
   uint64_t w = covered_samples(t->masks, t->polygon, cell, list, n,
                                ~t->masks->finest[cell->number]);
-  count_cell(t->masks, cell);
+  count_visit(t->masks, cell, w);
   if (!w)
-    return;
+    return false;
   t->masks->finest[cell->number] |= w;
   t->sink->samples(t->sink->context, cell->x, cell->y, w);
+  return false;
 }
 
 /* What was tiled in a subcell goes up to its cell. */
@@ -402,8 +431,8 @@ static void propagate(const struct hsr_masks *p,
     covered = p->finest[sub->number];
     vacant = ~covered;
   } else {
-    covered = p->coarse[sub->level][sub->number].c;
-    vacant = p->coarse[sub->level][sub->number].v;
+    covered = mask_of(p, sub)->c;
+    vacant = mask_of(p, sub)->v;
   }
   if (covered == ALL)
     mask->c |= bit;
@@ -450,7 +479,7 @@ tile_pixels(const struct task *t, const struct hsr_mask_cell *cell,
       propagate(p, &sub, mask);
       continue;
     }
-    count_cell(p, &sub);
+    count_visit(p, &sub, w);
     if (!w)
       continue;
     mask->v &= ~((uint64_t)1 << bit);
@@ -520,14 +549,33 @@ static const struct hsr_mask_twin *choose_twin(void) {
   return &portable;
 }
 
-/* Few enough to be asked about one by one, without the polygon's masks. */
+/* --- Listing 1 ------------------------------------------------------------ */
+
+/* What is done in a cell that listing 1 comes to. Each says whether that is
+ * enough, and the traversal ends. */
+struct purpose {
+  bool (*finest)(const struct task *t, const struct hsr_mask_cell *cell,
+                 const uint32_t *list, uint32_t n);
+  /* Of a cell of which the polygon's masks are known and of which the subcells
+   * `in` meet the box: makes W and gives A. */
+  bool (*coarse)(const struct task *t, const struct hsr_mask_cell *cell,
+                 struct hsr_triage polygon, uint64_t in, uint64_t *a);
+  void (*before)(const struct task *t, const struct hsr_mask_cell *cell,
+                 const struct hsr_mask_cell *sub);
+  void (*after)(const struct task *t, const struct hsr_mask_cell *cell,
+                const struct hsr_mask_cell *sub);
+  void (*leave)(const struct task *t, const struct hsr_mask_cell *cell,
+                uint64_t a);
+};
+
+/* Subcells of the finest level that are few are put to all lines at once: then
+ * nothing is known of the cell's masks. */
 static bool is_few(uint64_t subcells) {
   for (int k = 0; k < FEW; k++)
     subcells &= subcells - 1;
   return !subcells;
 }
 
-/* All lines, as far as nothing is known of them. */
 static void take_all(struct hsr_mask_lines *active, const uint32_t *list,
                      uint32_t n) {
   active->n = n;
@@ -537,75 +585,177 @@ static void take_all(struct hsr_mask_lines *active, const uint32_t *list,
   }
 }
 
-/* Listing 1. */
-static void tile(const struct task *t, const struct hsr_mask_cell *cell,
-                 const uint32_t *list, uint32_t n) {
+/* The polygon's masks of a cell, and the active lines; false if it is outside.
+ */
+static inline bool build_mask(const struct task *t,
+                              const struct hsr_mask_cell *cell,
+                              const uint32_t *list, uint32_t n, uint64_t in,
+                              bool of_pixels, struct hsr_triage *polygon) {
   struct hsr_masks *p = t->masks;
-  if (is_finest(p, cell)) {
-    tile_finest(t, cell, list, n);
-    return;
-  }
   struct hsr_mask_lines *active = &p->lines[cell->level];
-  struct hsr_triage *mask = &p->coarse[cell->level][cell->number], polygon;
-  uint64_t in = subcells_of(cell, &t->box);
-  bool of_finest = cell->level == p->n_levels - 2 && !p->sample_tables &&
-                   !t->polygon->covers;
-  count_cell(p, cell);
-  if (of_finest && in & ~mask->c && is_few(in)) {
+  if (of_pixels && is_few(in)) {
     take_all(active, list, n);
-    p->twin->tile_pixels(t, cell, active, mask, in & ~mask->c);
-    return;
+    *polygon = (struct hsr_triage){0, 0};
+    return true;
   }
-  if (!p->twin->compose(p, t->polygon, cell, list, n, active, &polygon))
-    return;
+  if (!p->twin->compose(p, t->polygon, cell, list, n, active, polygon))
+    return false;
   if (t->polygon->covers)
-    polygon.c = 0;
+    polygon->c = 0;
+  return true;
+}
+
+/* Listing 1, for a purpose: `again` is the same for the subcells. */
+static inline __attribute__((always_inline)) bool
+tile_poly(const struct task *t, const struct hsr_mask_cell *cell,
+          const uint32_t *list, uint32_t n, const struct purpose *purpose,
+          bool (*again)(const struct task *, const struct hsr_mask_cell *,
+                        const uint32_t *, uint32_t)) {
+  struct hsr_masks *p = t->masks;
+  struct hsr_mask_lines *active = &p->lines[cell->level];
+  struct hsr_triage polygon;
+  uint64_t a;
+  if (is_finest(p, cell))
+    return purpose->finest(t, cell, list, n);
+  uint64_t in = subcells_of(cell, &t->box);
+  bool of_pixels = t->at_once && cell->level == p->n_levels - 2;
+  if (!build_mask(t, cell, list, n, in, of_pixels, &polygon)) {
+    count_visit(p, cell, false);
+    return false;
+  }
+  if (purpose->coarse(t, cell, polygon, in, &a))
+    return true;
+  if (of_pixels) {
+    p->twin->tile_pixels(t, cell, active, mask_of(p, cell), a);
+    return false;
+  }
+  for (uint64_t rest = a; rest; rest &= rest - 1) {
+    int bit = hsr_first_bit(rest);
+    struct hsr_mask_cell sub = subcell(cell, bit);
+    purpose->before(t, cell, &sub);
+    uint32_t n_sub = choose(active, bit);
+    if (again(t, &sub, active->list, n_sub))
+      return true;
+    purpose->after(t, cell, &sub);
+  }
+  purpose->leave(t, cell, a);
+  return false;
+}
+
+/* Lazy clearing. */
+static void clear_vacant(const struct task *t, const struct hsr_mask_cell *cell,
+                         const struct hsr_mask_cell *sub) {
+  if (mask_of(t->masks, cell)->v >> (sub->number & 63) & 1)
+    clear(t->masks, sub);
+}
+
+static void pass_by(const struct task *t, const struct hsr_mask_cell *cell,
+                    const struct hsr_mask_cell *sub) {
+  (void)t;
+  (void)cell;
+  (void)sub;
+}
+
+static void go_away(const struct task *t, const struct hsr_mask_cell *cell,
+                    uint64_t a) {
+  (void)t;
+  (void)cell;
+  (void)a;
+}
+
+/* To tile. */
+
+static inline bool tile_coarse(const struct task *t,
+                               const struct hsr_mask_cell *cell,
+                               struct hsr_triage polygon, uint64_t in,
+                               uint64_t *a) {
+  struct hsr_triage *mask = mask_of(t->masks, cell);
   uint64_t w = mask->v & polygon.c;
   mask->c |= w;
   mask->v &= ~w;
+  *a = ~(w | polygon.v | mask->c) & in;
+  count_visit(t->masks, cell, w | *a);
   write_squares(t, cell, w);
-  uint64_t a = ~(w | polygon.v | mask->c) & in;
-  if (of_finest) {
-    p->twin->tile_pixels(t, cell, active, mask, a);
-    return;
-  }
-  for (; a; a &= a - 1) {
-    int bit = hsr_first_bit(a);
-    struct hsr_mask_cell sub = subcell(cell, bit);
-    if (mask->v >> bit & 1)
-      clear(p, &sub);
-    uint32_t n_sub = choose(active, bit);
-    tile(t, &sub, active->list, n_sub);
-    propagate(p, &sub, mask);
-  }
+  return false;
 }
 
-/* Whether the polygon, of which the lines leave open what is not surely
- * outside, covers a sample that is not covered. */
+static inline void go_up(const struct task *t, const struct hsr_mask_cell *cell,
+                         const struct hsr_mask_cell *sub) {
+  propagate(t->masks, sub, mask_of(t->masks, cell));
+}
+
+static bool tile(const struct task *t, const struct hsr_mask_cell *cell,
+                 const uint32_t *list, uint32_t n) {
+  static const struct purpose tiling = {tile_finest, tile_coarse, clear_vacant,
+                                        go_up, go_away};
+  return tile_poly(t, cell, list, n, &tiling, tile);
+}
+
+/* To ask whether the polygon covers a sample that is not covered. What the
+ * lines do not place surely outside counts as inside. */
+
+static bool look_finest(const struct task *t, const struct hsr_mask_cell *cell,
+                        const uint32_t *list, uint32_t n) {
+  bool shows = t->masks->twin->shows_finest(t, cell, list, n);
+  count_visit(t->masks, cell, shows);
+  return shows;
+}
+
+static inline bool look_coarse(const struct task *t,
+                               const struct hsr_mask_cell *cell,
+                               struct hsr_triage polygon, uint64_t in,
+                               uint64_t *a) {
+  uint64_t open = in & ~mask_of(t->masks, cell)->c & ~polygon.v;
+  count_visit(t->masks, cell, open);
+  *a = open & ~polygon.c;
+  return open & polygon.c;
+}
+
 static bool shows(const struct task *t, const struct hsr_mask_cell *cell,
                   const uint32_t *list, uint32_t n) {
+  static const struct purpose asking = {look_finest, look_coarse, clear_vacant,
+                                        pass_by, go_away};
+  return tile_poly(t, cell, list, n, &asking, shows);
+}
+
+/* To take a visitor along. */
+
+static bool visit_finest(const struct task *t, const struct hsr_mask_cell *cell,
+                         const uint32_t *list, uint32_t n) {
   struct hsr_masks *p = t->masks;
-  count_cell(p, cell);
-  if (is_finest(p, cell))
-    return p->twin->shows_finest(t, cell, list, n);
-  struct hsr_mask_lines *active = &p->lines[cell->level];
-  struct hsr_triage *mask = &p->coarse[cell->level][cell->number], polygon;
-  if (!p->twin->compose(p, t->polygon, cell, list, n, active, &polygon))
-    return false;
-  if (polygon.c & ~mask->c & subcells_of(cell, &t->box))
-    return true;
-  for (uint64_t a =
-           ~(polygon.c | polygon.v | mask->c) & subcells_of(cell, &t->box);
-       a; a &= a - 1) {
-    int bit = hsr_first_bit(a);
-    struct hsr_mask_cell sub = subcell(cell, bit);
-    if (mask->v >> bit & 1)
-      clear(p, &sub);
-    uint32_t n_sub = choose(active, bit);
-    if (shows(t, &sub, active->list, n_sub))
-      return true;
-  }
+  const struct hsr_mask_visitor *visitor = t->visitor;
+  struct hsr_triage unknown = {0, 0};
+  uint64_t mask = visitor->enter(visitor->context, cell, unknown), unsure;
+  count_visit(p, cell, mask);
+  if (mask && t->polygon->inside)
+    mask = covered_samples(p, t->polygon, cell, list, n, mask);
+  else if (mask)
+    mask &=
+        candidates(p, t->polygon, cell, list, n, pattern_of(p, cell), &unsure);
+  if (mask)
+    visitor->samples(visitor->context, cell, mask);
   return false;
+}
+
+static bool visit_coarse(const struct task *t, const struct hsr_mask_cell *cell,
+                         struct hsr_triage polygon, uint64_t in, uint64_t *a) {
+  polygon.v |= ~in;
+  polygon.c &= ~polygon.v;
+  *a = t->visitor->enter(t->visitor->context, cell, polygon);
+  count_visit(t->masks, cell, *a);
+  return false;
+}
+
+static void visit_left(const struct task *t, const struct hsr_mask_cell *cell,
+                       uint64_t a) {
+  t->visitor->leave(t->visitor->context, cell, a);
+}
+
+static bool visit(const struct task *t, const struct hsr_mask_cell *cell,
+                  const uint32_t *list, uint32_t n) {
+  static const struct purpose visiting = {visit_finest, visit_coarse, pass_by,
+                                          pass_by, visit_left};
+  return tile_poly(t, cell, list, n, &visiting, visit);
 }
 
 /* --- Where to begin ------------------------------------------------------- */
@@ -623,7 +773,7 @@ bool hsr_masks_find(struct hsr_masks *p, struct hsr_bounds box) {
     bool hidden = !(in & ~(finest ? p->finest[way->number] : mask->c));
     if (!hidden && (finest || in & (in - 1)))
       return true;
-    count_cell(p, way);
+    count_visit(p, way, !hidden);
     if (hidden)
       return false;
     way[1] = subcell(way, hsr_first_bit(in));
@@ -632,14 +782,28 @@ bool hsr_masks_find(struct hsr_masks *p, struct hsr_bounds box) {
   }
 }
 
+/* Subcells of the finest level can be tiled together where no sample is found
+ * by a table, and lines say all. */
+static struct task task_of(struct hsr_masks *p,
+                           const struct hsr_mask_polygon *polygon,
+                           struct hsr_bounds box,
+                           const struct hsr_mask_sink *sink) {
+  struct task task = {.masks = p,
+                      .polygon = polygon,
+                      .box = box,
+                      .sink = sink,
+                      .at_once = !p->sample_tables && !polygon->covers};
+  return task;
+}
+
 void hsr_masks_tile_found(struct hsr_masks *p,
                           const struct hsr_mask_polygon *polygon,
                           const struct hsr_mask_sink *sink) {
-  struct task task = {p, polygon, sink, p->box};
+  struct task task = task_of(p, polygon, p->box, sink);
   int k = p->n_way - 1;
   tile(&task, &p->way[k], p->all, polygon->n);
   for (; k > 0; k--)
-    propagate(p, &p->way[k], &p->coarse[k - 1][p->way[k - 1].number]);
+    propagate(p, &p->way[k], mask_of(p, &p->way[k - 1]));
 }
 
 bool hsr_masks_tile(struct hsr_masks *p, const struct hsr_mask_polygon *polygon,
@@ -654,7 +818,8 @@ void hsr_masks_tile_root(struct hsr_masks *p,
                          const struct hsr_mask_polygon *polygon,
                          const struct hsr_mask_sink *sink) {
   const struct hsr_window *w = &p->window;
-  struct task task = {p, polygon, sink, {w->x0, w->y0, w->x1, w->y1}};
+  struct hsr_bounds box = {w->x0, w->y0, w->x1, w->y1};
+  struct task task = task_of(p, polygon, box, sink);
   struct hsr_mask_cell root = root_of(p);
   tile(&task, &root, p->all, polygon->n);
 }
@@ -674,66 +839,18 @@ bool hsr_masks_show(struct hsr_masks *p, const struct hsr_mask_polygon *polygon,
 
 bool hsr_masks_show_found(struct hsr_masks *p,
                           const struct hsr_mask_polygon *polygon) {
-  struct task task = {p, polygon, NULL, p->box};
+  struct task task = {.masks = p, .polygon = polygon, .box = p->box};
   return shows(&task, &p->way[p->n_way - 1], p->all, polygon->n);
 }
 
 /* --- For those who go through the pyramid by themselves ------------------- */
 
-struct visit {
-  struct hsr_masks *masks;
-  const struct hsr_mask_polygon *polygon;
-  const struct hsr_mask_visitor *visitor;
-  struct hsr_bounds box;
-};
-
-static void visit_finest(const struct visit *v,
-                         const struct hsr_mask_cell *cell, const uint32_t *list,
-                         uint32_t n) {
-  struct hsr_masks *p = v->masks;
-  void *context = v->visitor->context;
-  struct hsr_triage unknown = {0, 0};
-  uint64_t mask = v->visitor->enter(context, cell, unknown), unsure;
-  if (mask && v->polygon->inside)
-    mask = covered_samples(p, v->polygon, cell, list, n, mask);
-  else if (mask)
-    mask &=
-        candidates(p, v->polygon, cell, list, n, pattern_of(p, cell), &unsure);
-  if (mask)
-    v->visitor->samples(context, cell, mask);
-}
-
-static void visit(const struct visit *v, const struct hsr_mask_cell *cell,
-                  const uint32_t *list, uint32_t n) {
-  struct hsr_masks *p = v->masks;
-  struct hsr_triage polygon;
-  count_cell(p, cell);
-  if (is_finest(p, cell)) {
-    visit_finest(v, cell, list, n);
-    return;
-  }
-  struct hsr_mask_lines *active = &p->lines[cell->level];
-  if (!p->twin->compose(p, v->polygon, cell, list, n, active, &polygon))
-    return;
-  if (v->polygon->covers)
-    polygon.c = 0;
-  polygon.v |= ~subcells_of(cell, &v->box);
-  polygon.c &= ~polygon.v;
-  uint64_t entered = v->visitor->enter(v->visitor->context, cell, polygon);
-  for (uint64_t a = entered; a; a &= a - 1) {
-    int bit = hsr_first_bit(a);
-    struct hsr_mask_cell sub = subcell(cell, bit);
-    uint32_t n_sub = choose(active, bit);
-    visit(v, &sub, active->list, n_sub);
-  }
-  v->visitor->leave(v->visitor->context, cell, entered);
-}
-
 bool hsr_masks_visit(struct hsr_masks *p,
                      const struct hsr_mask_polygon *polygon,
                      struct hsr_bounds box,
                      const struct hsr_mask_visitor *visitor) {
-  struct visit v = {p, polygon, visitor, box};
+  struct task task = {
+      .masks = p, .polygon = polygon, .box = box, .visitor = visitor};
   struct hsr_mask_cell way[HSR_MASK_LEVELS];
   uint64_t in[HSR_MASK_LEVELS];
   int k = 0;
@@ -742,15 +859,16 @@ bool hsr_masks_visit(struct hsr_masks *p,
     in[k] = subcells_of(&way[k], &box);
     if (is_finest(p, &way[k]) || in[k] & (in[k] - 1))
       break;
-    count_cell(p, &way[k]);
     struct hsr_triage polygon_there = {0, ~in[k]};
-    if (!visitor->enter(visitor->context, &way[k], polygon_there))
+    bool entered = visitor->enter(visitor->context, &way[k], polygon_there);
+    count_visit(p, &way[k], entered);
+    if (!entered)
       break;
     way[k + 1] = subcell(&way[k], hsr_first_bit(in[k]));
   }
   bool met = is_finest(p, &way[k]) || in[k] & (in[k] - 1);
   if (met)
-    visit(&v, &way[k], p->all, polygon->n);
+    visit(&task, &way[k], p->all, polygon->n);
   for (k--; k >= 0; k--)
     visitor->leave(visitor->context, &way[k], in[k]);
   return met;

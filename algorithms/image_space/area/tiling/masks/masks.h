@@ -106,11 +106,20 @@ struct hsr_mask_places {
   double x[64], y[64];
 };
 
-/* What is counted of one kind of work, in the counting build. */
-struct hsr_mask_work {
-  uint64_t cells, finest; /* visited; those of the finest level */
-  uint64_t pixels;        /* those of a pixel or more */
+/* What the steps taken here raise, in the counting build: counters of the
+ * tally. `whom` is the face or the cube for which cells are visited. */
+struct hsr_mask_count {
+  struct hsr_tally *tally;
+  int cells;  /* a cell is visited */
+  int finest; /* a cell of the finest level is, too */
+  int pixels; /* a cell of one or more pixels is, too */
+  int unsure; /* a sample is put to the exact predicates */
+  struct hsr_subject whom;
 };
+
+/* The events of a visit: the cell (level, column, row), for whom, the samples
+ * of it that are in the window. Active: something there is left to be done. */
+#define HSR_MASK_VISIT_OUTCOMES "done|active"
 
 enum { HSR_MASK_LEVELS = 6 };
 
@@ -135,19 +144,14 @@ struct hsr_masks {
   struct hsr_bounds box; /* the box that was looked for, */
   struct hsr_mask_cell way[HSR_MASK_LEVELS + 1]; /* from the root to it */
   int n_way;
-  bool anywhere;   /* a sample may be anywhere in its square, by jitter */
-  uint64_t unsure; /* samples left to the exact predicates */
-  struct hsr_mask_work *work;
+  bool anywhere; /* a sample may be anywhere in its square, by jitter */
   const struct hsr_mask_twin *twin;
-
-  /* The work picture, a pixel being `pixel` samples wide; or NULL. */
-  float *touched;
-  size_t touched_stride;
-  int pixel;
+  struct hsr_mask_count count;
+  int pixel; /* samples a side of a pixel of the work picture */
 };
 
 /* For the window of a view, all of it vacant; `most` lines a polygon. Tables,
- * places, work and pixel are set by the caller, who has zeroed all.
+ * places, count and pixel are set by the caller, who has zeroed all.
  * HSR_E_NOMEM. */
 enum hsr_status hsr_masks_init(struct hsr_masks *masks,
                                const struct hsr_window *window, uint32_t most,
@@ -193,10 +197,10 @@ bool hsr_masks_show(struct hsr_masks *masks,
 bool hsr_masks_show_found(struct hsr_masks *masks,
                           const struct hsr_mask_polygon *polygon);
 
-/* Takes a visitor to the cells of a polygon that is within the box, from the
- * root down; on the way to the smallest cell that encloses the box, he is told
- * of no more than the box. Returns false if he did not get there. What masks
- * the cells have is left to him. */
+/* Takes a visitor to the cells of a polygon that lies within the box, from the
+ * root down. Above the smallest cell that encloses the box he is told the box's
+ * subcells only. Returns false if he entered none of them before he came to
+ * that cell. The visitor keeps the masks of the cells. */
 bool hsr_masks_visit(struct hsr_masks *masks,
                      const struct hsr_mask_polygon *polygon,
                      struct hsr_bounds box,

@@ -346,33 +346,29 @@ static bool within_cut(struct hsr_pieces_view *p,
       cut->a < bsp->world->n_planes
           ? moved_plane(p, bsp->face_of[cut->a], 1)
           : median_loop(p, &bsp->median[cut->a - bsp->world->n_planes]);
-  p->tally->exact[HSR_ASK_CUT]++;
-  int side = hsr_exact_cut_side(p->view, face, plane, sx, sy,
-                                &p->tally->out_of_memory);
+  int side = hsr_loop_cut_side(p->view, face, plane, sx, sy, p->tally);
   return side == (cut->b == HSR_BSP_FRONT ? 1 : -1);
 }
 
-/* An edge that is seen as a point bounds nothing. */
+/* Is the sample inside an edge of the face? An edge in line with the eye bounds
+ * nothing. */
 static bool within_edge(struct hsr_pieces_view *p,
                         const struct hsr_bsp_corner *edge, double sx,
                         double sy) {
   double a[3], b[3];
   moved_vertex(p, p->bsp->world, edge->a, a);
   moved_vertex(p, p->bsp->world, edge->b, b);
-  p->tally->exact[HSR_ASK_EDGE]++;
-  return hsr_exact_edge_side(p->view, a, b, sx, sy, &p->tally->out_of_memory) !=
-         p->facing;
+  return hsr_loop_edge_side(p->view, a, b, sx, sy, p->tally) != p->facing;
 }
 
 static bool past_near(void *context, double sx, double sy) {
   struct hsr_pieces_view *p = context;
   struct hsr_loop face = moved_plane(p, p->piece->face, 0);
-  p->tally->exact[HSR_ASK_NEAR]++;
-  return hsr_exact_past_near(p->view, face, sx, sy, &p->tally->out_of_memory) >
-         0;
+  return hsr_loop_past_near(p->view, face, sx, sy, p->tally);
 }
 
-/* The last line, after those of the sides, may be that of near. */
+/* Is the sample inside line k? The lines of the sides come first; near may have
+ * added one more (cut_at_near). */
 static bool within_side(void *context, uint32_t k, double sx, double sy) {
   struct hsr_pieces_view *p = context;
   if (k == p->piece->n_corners)
@@ -383,36 +379,15 @@ static bool within_side(void *context, uint32_t k, double sx, double sy) {
                                   : within_cut(p, side, sx, sy);
 }
 
-/* By the definition: the parity of edges that cross the row to the right
- * (docs/correct-picture.md). */
-static bool within_loop(struct hsr_pieces_view *p, double sx, double sy) {
-  const struct hsr_world *world = p->bsp->world;
-  uint32_t f = p->piece->face, n = hsr_face_size(world, f);
-  const uint32_t *vertex = world->vertex + world->start[f];
-  bool *out_of_memory = &p->tally->out_of_memory, covered = false;
-  for (uint32_t k = 0; k < n; k++) {
-    double a[3], b[3];
-    moved_vertex(p, world, vertex[k], a);
-    moved_vertex(p, world, vertex[k + 1 < n ? k + 1 : 0], b);
-    int row = hsr_exact_row_side(p->view, a, sy, out_of_memory);
-    if (row == hsr_exact_row_side(p->view, b, sy, out_of_memory))
-      continue;
-    covered ^=
-        hsr_exact_edge_side(p->view, a, b, sx, sy, out_of_memory) == -row;
-  }
-  return covered;
-}
-
 /* A face that is not flat, and its cuts. */
 static bool covers(void *context, double sx, double sy) {
   struct hsr_pieces_view *p = context;
   const struct hsr_bsp_piece *piece = p->piece;
-  p->tally->exact[HSR_ASK_EDGE]++;
-  if (!within_loop(p, sx, sy))
-    return false;
-  struct hsr_loop face = moved_plane(p, piece->face, 0);
-  if (hsr_exact_ahead(p->view, face, sx, sy, &p->tally->out_of_memory) < 0 ||
-      hsr_exact_past_near(p->view, face, sx, sy, &p->tally->out_of_memory) < 0)
+  struct hsr_loop face =
+      moved_loop(p, hsr_face_loop(p->bsp->world, piece->face), 0);
+  if (!hsr_loop_surrounds(p->view, face, sx, sy, p->tally) ||
+      !hsr_loop_beyond_near(p->view, moved_plane(p, piece->face, 0), sx, sy,
+                            p->tally))
     return false;
   for (uint32_t k = 0; k < piece->n_cuts; k++)
     if (!within_cut(p, &p->bsp->cut[piece->first_cut + k], sx, sy))

@@ -48,8 +48,8 @@ struct hsr_pieces_view {
   const struct hsr_bsp *bsp;
   double shift[3];
 
-  /* The leaf at hand: its points, and what each may be off by beside what the
-   * point's own error makes of it. */
+  /* The leaf at hand and its points on the screen. error[] bounds the rounding
+   * of X, Y and W; the error that a point has in the world comes on top. */
   uint32_t first_point;
   double *x, *y, *w;
   double error[3];
