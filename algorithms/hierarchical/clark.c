@@ -19,12 +19,27 @@ enum { NODES = HSR_N_TILER_COUNTERS, INEQUALITIES, NODES_OUT, NODES_IN, FACES };
 
 static const struct hsr_counter counters[] = {
     HSR_TILER_COUNTERS,
-    [NODES] = {"nodes visited", "octree nodes come to"},
-    [INEQUALITIES] = {"inequalities", "of appendix A, to tell where nodes lie"},
-    [NODES_OUT] = {"nodes out", "outside of the frustum"},
-    [NODES_IN] = {"nodes inside", "wholly, as their subtrees are"},
-    [FACES] = {"faces met", "in nodes that are not outside"},
-    {NULL, NULL}};
+    [NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
+               HSR_OF_CELL, HSR_OF_NOTHING},
+    [INEQUALITIES] = HSR_INEQUALITIES_COUNTER,
+    [NODES_OUT] = {"nodes out", "outside of the frustum", HSR_REJECT,
+                   HSR_OF_CELL, HSR_OF_WINDOW},
+    [NODES_IN] = {"nodes inside", "wholly, as their subtrees are", HSR_ACTIVATE,
+                  HSR_OF_CELL, HSR_OF_WINDOW},
+    [FACES] = {"faces met", "in nodes that are not outside", HSR_ACTIVATE,
+               HSR_OF_FACE, HSR_OF_CELL},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each node of the octree", HSR_RAISES(NODES)},
+    {"  unless its parent is inside the frustum: where is its cube?",
+     HSR_RAISES(INEQUALITIES)},
+    {"  outside: skip the node and its subtree", HSR_RAISES(NODES_OUT)},
+    {"  inside: the whole subtree is, and is not tested", HSR_RAISES(NODES_IN)},
+    {"  for each face of the node", HSR_RAISES(FACES)},
+    HSR_TILER_LINES("    "),
+    {"  the same for its eight children"},
+    {NULL}};
 
 struct walk {
   struct hsr_cube_frame frame;
@@ -53,7 +68,10 @@ static void tile_cell(struct walk *w, uint32_t place) {
   const struct hsr_cell *cell = hsr_cube_cell(&w->frame, place);
   struct hsr_tiler *t = &w->frame.tiler;
   uint32_t n = t->on_grid ? cell->n_triangles : 0;
-  HSR_COUNT(w->tally, FACES, cell->n_faces);
+  struct hsr_subject cube = hsr_cube_subject(w->frame.instance, place);
+  for (uint32_t f = 0; HSR_COUNTING && f < cell->n_faces; f++)
+    HSR_STEP(w->tally, FACES, HSR_FACE(t->first_id + t->id[f]), cube,
+             HSR_NOWHERE, 0);
   for (uint32_t f = 0; f < n; f += HSR_BATCH)
     tile_batch(t, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
   for (uint32_t f = n; f < cell->n_faces; f++)
@@ -62,26 +80,28 @@ static void tile_cell(struct walk *w, uint32_t place) {
 
 /* Is the node not outside? *inside: it and its subtree are wholly inside. */
 static bool classify(struct walk *w, const struct hsr_placing *placing,
-                     const struct hsr_octree_node *node, bool *inside) {
-  HSR_COUNT(w->tally, NODES, 1);
+                     const struct hsr_octree_node *node,
+                     struct hsr_subject subject, bool *inside) {
+  HSR_STEP(w->tally, NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   if (!*inside) {
-    struct hsr_box_work work = {0, 0};
     struct hsr_octree_box cube = hsr_octree_cube(node);
-    enum hsr_box_verdict verdict = hsr_cube_classify(
-        &w->frame, placing, &cube, HSR_COUNTING ? &work : NULL);
-    HSR_COUNT(w->tally, INEQUALITIES, work.deciding);
-    HSR_COUNT(w->tally, NODES_OUT, verdict == HSR_BOX_OUT);
-    if (verdict == HSR_BOX_OUT)
+    enum hsr_box_verdict verdict =
+        hsr_cube_classify(&w->frame, placing, &cube, INEQUALITIES, subject);
+    if (verdict == HSR_BOX_OUT) {
+      HSR_STEP(w->tally, NODES_OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE, 0);
       return false;
+    }
     *inside = verdict == HSR_BOX_IN;
   }
-  HSR_COUNT(w->tally, NODES_IN, *inside);
+  if (*inside)
+    HSR_STEP(w->tally, NODES_IN, subject, HSR_THE_WINDOW, HSR_NOWHERE, 0);
   return true;
 }
 
 static void cull_cube(struct walk *w, uint32_t k, bool inside) {
   const struct hsr_octree_node *node = &w->frame.object->octree.node[k];
-  if (!classify(w, &w->frame.placing, node, &inside))
+  if (!classify(w, &w->frame.placing, node,
+                hsr_cube_subject(w->frame.instance, k), &inside))
     return;
   tile_cell(w, k);
   for (int o = 0; o < 8; o++)
@@ -92,15 +112,16 @@ static void cull_cube(struct walk *w, uint32_t k, bool inside) {
 static void cull_instances(struct walk *w, uint32_t k, bool inside) {
   const struct hsr_octree *octree = &w->frame.cubes->octree;
   const struct hsr_octree_node *node = &octree->node[k];
-  if (!classify(w, &w->frame.as_it_is, node, &inside))
+  if (!classify(w, &w->frame.as_it_is, node, hsr_cube_subject(HSR_NO_ID, k),
+                &inside))
     return;
   for (uint32_t p = 0; p < node->n; p++) {
     uint32_t i = octree->item[node->first + p];
     if (!hsr_cube_is_new(&w->frame, i))
       continue;
     hsr_cube_instance(&w->frame, i);
-    cull_cube(w, 0,
-              false); /* `inside` is of the node: the instance may not be */
+    /* The node may be inside and the instance not. */
+    cull_cube(w, 0, false);
   }
   for (int o = 0; o < 8; o++)
     if (node->child[o] != HSR_NO_NODE)
@@ -171,6 +192,7 @@ const struct hsr_algorithm HSR_ALGORITHM(clark) = {
     .kind = HSR_IDS,
     .flags = HSR_INSTANCED,
     .counters = counters,
+    .outline = outline,
     .prepare = prepare,
     .render = render,
     .release = release};

@@ -138,7 +138,8 @@ bool hsr_cube_is_new(struct hsr_cube_frame *frame, uint32_t i) {
 enum hsr_box_verdict hsr_cube_classify(const struct hsr_cube_frame *frame,
                                        const struct hsr_placing *p,
                                        const struct hsr_octree_box *box,
-                                       struct hsr_box_work *work) {
+                                       int counter, struct hsr_subject cube) {
+  struct hsr_box_work work = {0, 0};
   struct hsr_box grown;
   for (int k = 0; k < 3; k++) {
     const double *row = p->m + 4 * k;
@@ -149,7 +150,13 @@ enum hsr_box_verdict hsr_cube_classify(const struct hsr_cube_frame *frame,
     grown.lo[k] = centre - half;
     grown.hi[k] = centre + half;
   }
-  return hsr_box_classify(&frame->frustum, &grown, NULL, work);
+  enum hsr_box_verdict verdict = hsr_box_classify(&frame->frustum, &grown, NULL,
+                                                  HSR_COUNTING ? &work : NULL);
+  for (unsigned k = 1; HSR_COUNTING && k <= work.deciding; k++)
+    HSR_STEP(frame->job->tally, counter, cube, HSR_THE_WINDOW,
+             frame->job->view->window,
+             k == work.deciding && verdict == HSR_BOX_OUT);
+  return verdict;
 }
 
 static unsigned front_sides(const struct hsr_placing *p,

@@ -94,11 +94,25 @@ bool hsr_cube_is_new(struct hsr_cube_frame *frame, uint32_t instance);
 /* Takes an instance in hand. */
 void hsr_cube_instance(struct hsr_cube_frame *frame, uint32_t instance);
 
-/* Where a cube lies, as of hsr_box_classify. */
+/* Where a cube lies, as of hsr_box_classify. Each of the inequalities of
+ * appendix A that decide it raises a counter, which is declared as below: the
+ * last one decides that the cube is outside, if it is. `cube` is the subject. */
 enum hsr_box_verdict hsr_cube_classify(const struct hsr_cube_frame *frame,
                                        const struct hsr_placing *placing,
                                        const struct hsr_octree_box *box,
-                                       struct hsr_box_work *work);
+                                       int counter, struct hsr_subject cube);
+#define HSR_INEQUALITIES_COUNTER                                               \
+  {                                                                            \
+    "inequalities", "of appendix A, to tell where nodes lie", HSR_COMPARE,     \
+        HSR_OF_CELL, HSR_OF_WINDOW, "leaves it open|outside"                   \
+  }
+
+/* A cube as a subject: node number, of an octree of faces the instance, which
+ * is HSR_NO_ID in the octree of instances. */
+static inline struct hsr_subject hsr_cube_subject(uint32_t instance,
+                                                  uint32_t node) {
+  return HSR_CELL(node, instance, 0);
+}
 
 /* The image of a cube; false if it is not safely before the eye and past near,
  * and has none. */

@@ -55,29 +55,81 @@ enum {
 
 static const struct hsr_counter counters[] = {
     HSR_TILER_COUNTERS,
-    [NODES] = {"nodes visited", "octree nodes come to"},
-    [INEQUALITIES] = {"inequalities", "of appendix A, to tell where nodes lie"},
-    [OUT] = {"nodes out", "outside of the frustum"},
-    [CUBES_TESTED] = {"cubes tested", "whether they are hidden"},
-    [CUBES_CULLED] = {"cubes culled", "found to be hidden"},
-    [CUBES_VISIBLE] = {"cubes visible", "not known to be hidden"},
-    [CUBE_READS] = {"cube reads", "pyramid entries read to test cubes"},
-    [SIDES_SCANNED] = {"sides scanned", "sides of cubes scan-converted"},
-    [SIDE_SAMPLES] = {"side samples", "samples looked at for that"},
-    [FACES] = {"faces met", "in cubes that are not known to be hidden"},
-    [REPEATED] = {"faces repeated", "met again in the frame"},
-    [FACES_TESTED] = {"faces tested", "by the pyramid"},
-    [FACES_CULLED] = {"faces culled", "found to be hidden"},
-    [FACES_TILED] = {"faces tiled", "scan-converted"},
-    [FACE_READS] = {"face reads", "pyramid entries read to test faces"},
-    [FACES_BEFORE] = {"faces before", "nearer than anything: tiled without "
-                                      "comparisons"},
-    [COMPLETED] = {"completed", "samples known to be done"},
-    [CUBES_AGAIN] = {"cubes again", "rendered first, since they were visible "
-                                    "in the frame before"},
-    [MOVED] = {"moved down", "instances that move, from a cube to an octant"},
-    [SPLITS] = {"splits", "cubes of instances that move, divided"},
-    {NULL, NULL}};
+    [NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
+               HSR_OF_CELL, HSR_OF_NOTHING},
+    [INEQUALITIES] = HSR_INEQUALITIES_COUNTER,
+    [OUT] = {"nodes out", "outside of the frustum", HSR_REJECT, HSR_OF_CELL,
+             HSR_OF_WINDOW},
+    [CUBES_TESTED] = {"cubes tested", "whether they are hidden", HSR_COMPARE,
+                      HSR_OF_CELL, HSR_OF_NOTHING, "hidden|visible"},
+    [CUBES_CULLED] = {"cubes culled", "found to be hidden", HSR_REJECT,
+                      HSR_OF_CELL, HSR_OF_NOTHING},
+    [CUBES_VISIBLE] = {"cubes visible", "not known to be hidden", HSR_ACTIVATE,
+                       HSR_OF_CELL, HSR_OF_NOTHING},
+    [CUBE_READS] = {"cube reads", "pyramid entries read to test cubes",
+                    HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
+                    HSR_PYRAMID_READ_OUTCOMES},
+    [SIDES_SCANNED] = {"sides scanned", "sides of cubes scan-converted",
+                       HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW,
+                       "hidden|visible"},
+    [SIDE_SAMPLES] = {"side samples", "samples looked at for that", HSR_SAMPLE,
+                      HSR_OF_CELL, HSR_OF_WINDOW, "hidden|visible"},
+    [FACES] = {"faces met", "in cubes that are not known to be hidden",
+               HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
+    [REPEATED] = {"faces repeated", "met again in the frame", HSR_REJECT,
+                  HSR_OF_FACE, HSR_OF_NOTHING},
+    [FACES_TESTED] = {"faces tested", "by the pyramid", HSR_COMPARE,
+                      HSR_OF_FACE, HSR_OF_WINDOW, "hidden|visible"},
+    [FACES_CULLED] = {"faces culled", "found to be hidden", HSR_REJECT,
+                      HSR_OF_FACE, HSR_OF_WINDOW},
+    [FACES_TILED] = {"faces tiled", "scan-converted", HSR_ACTIVATE, HSR_OF_FACE,
+                     HSR_OF_WINDOW},
+    [FACE_READS] = {"face reads", "pyramid entries read to test faces",
+                    HSR_COMPARE, HSR_OF_CELL, HSR_OF_FACE,
+                    HSR_PYRAMID_READ_OUTCOMES},
+    [FACES_BEFORE] = {"faces before",
+                      "nearer than anything: tiled without comparisons",
+                      HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
+    [COMPLETED] = {"completed", "samples known to be done", HSR_RETIRE,
+                   HSR_OF_CELL, HSR_OF_WINDOW},
+    [CUBES_AGAIN] = {"cubes again",
+                     "rendered first, since they were visible in the frame "
+                     "before",
+                     HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING},
+    [MOVED] = {"moved down", "instances that move, from a cube to an octant",
+               HSR_SORT, HSR_OF_VOLUME, HSR_OF_CELL},
+    [SPLITS] = {"splits", "cubes of instances that move, divided",
+                HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"render the cubes that were visible in the last frame",
+     HSR_RAISES(CUBES_AGAIN)},
+    {"make an octree of what moves: divide a cube", HSR_RAISES(SPLITS)},
+    {"  move an instance down to an octant", HSR_RAISES(MOVED)},
+    {"process_node: for each node, from front to back", HSR_RAISES(NODES)},
+    {"  return if the cube is outside of the frustum",
+     HSR_RAISES(INEQUALITIES) | HSR_RAISES(OUT)},
+    {"  return unless cube_visible", HSR_RAISES(CUBES_TESTED) |
+                                         HSR_RAISES(CUBES_CULLED) |
+                                         HSR_RAISES(CUBES_VISIBLE)},
+    {"    for each front face of the cube: is it behind a pyramid value?",
+     HSR_RAISES(CUBE_READS)},
+    {"    or scan-convert it", HSR_RAISES(SIDES_SCANNED)},
+    {"      is a sample of it visible?", HSR_RAISES(SIDE_SAMPLES)},
+    {"      tag the sample as completed", HSR_RAISES(COMPLETED)},
+    {"  for each polygon attached to the node", HSR_RAISES(FACES)},
+    {"    skip it if it has been rendered in this frame", HSR_RAISES(REPEATED)},
+    {"    skip it if it is hidden",
+     HSR_RAISES(FACES_TESTED) | HSR_RAISES(FACES_CULLED)},
+    {"      is it behind a pyramid value?", HSR_RAISES(FACE_READS)},
+    {"    tile it", HSR_RAISES(FACES_TILED)},
+    {"      without comparisons if it is before all that is there",
+     HSR_RAISES(FACES_BEFORE)},
+    HSR_TILER_LINES("      "),
+    {"    update the z-pyramid"},
+    {"  process_node for each octant"},
+    {NULL}};
 
 enum option {
   OCTREE,
@@ -202,9 +254,13 @@ static void touch_for(struct walk *w, int kind) {
 
 /* --- Is a cube visible? --------------------------------------------------- */
 
-/* Adds the pyramid's reads since `before` to a counter. */
-static void count_reads(struct walk *w, int counter, uint64_t before) {
-  HSR_COUNT(w->tally, counter, w->pyramid.reads - before);
+/* What the pyramid is read for from now on. */
+static inline void read_for(struct walk *w, int counter,
+                            struct hsr_subject whom) {
+  if (!HSR_COUNTING)
+    return;
+  w->pyramid.count.reads = counter;
+  w->pyramid.count.whom = whom;
 }
 
 /* The columns of row j, within HSR_CUBE_MARGIN, of a convex polygon's. */
@@ -235,11 +291,12 @@ static bool row_of_side(const struct hsr_cube_image *image,
 
 /* Tags a sample behind which the side of a cube lies: nothing that is still to
  * come, from front to back, is nearer. */
-static void complete(struct walk *w, float *z, int i, int j) {
+static void complete(struct walk *w, struct hsr_subject cube, float *z, int i,
+                     int j) {
   if (*z == HUGE_VALF)
     return;
   *z = HUGE_VALF;
-  HSR_COUNT(w->tally, COMPLETED, 1);
+  HSR_STEP(w->tally, COMPLETED, cube, HSR_THE_WINDOW, HSR_AT(i, j), 0);
   hsr_pyramid_update(&w->pyramid, (struct hsr_bounds){i, j, i + 1, j + 1});
 }
 
@@ -264,12 +321,12 @@ static bool is_within(const struct hsr_cube_image *image,
 static bool scan_side(struct walk *w, const struct hsr_placing *placing,
                       const struct hsr_octree_box *cube,
                       const struct hsr_cube_image *image, int side,
-                      const struct hsr_bounds *box) {
+                      const struct hsr_bounds *box,
+                      struct hsr_subject subject) {
   const struct hsr_view *view = w->frame.job->view;
   const struct hsr_tiler *t = &w->frame.tiler;
   struct hsr_side_depth depth = hsr_cube_side_depth(placing, cube, image, side);
   bool tags = w->option[COMPLETED_SAMPLES] && w->frame.cubes->apart;
-  HSR_COUNT(w->tally, SIDES_SCANNED, 1);
   touch_for(w, WORK_BOXES);
   for (int j = box->y0; j < box->y1; j++) {
     double y = hsr_sample_y(view, j), lo, hi;
@@ -280,14 +337,16 @@ static bool scan_side(struct walk *w, const struct hsr_placing *placing,
       double x = hsr_sample_x(view, i);
       if (x < lo || x > hi)
         continue;
-      HSR_COUNT(w->tally, SIDE_SAMPLES, 1);
       HSR_TOUCH(w->tally, i, j);
       float q = (float)(depth.c + depth.a * x + depth.b * y);
       q = q < image->nearest ? q : image->nearest;
-      if (!(q * HSR_CLEAR < z[i - t->part.x0]))
+      bool visible = !(q * HSR_CLEAR < z[i - t->part.x0]);
+      HSR_STEP(w->tally, SIDE_SAMPLES, subject, HSR_THE_WINDOW, HSR_AT(i, j),
+               visible);
+      if (visible)
         return true;
       if (tags && is_within(image, hsr_cube_side[side], x, y))
-        complete(w, &z[i - t->part.x0], i, j);
+        complete(w, subject, &z[i - t->part.x0], i, j);
     }
   }
   return false;
@@ -302,38 +361,34 @@ static float nearest_of(const struct hsr_cube_image *image,
   return q;
 }
 
-/* Does the pyramid hide a rectangle of the cube's, of depth q? Or, by the other
- * one, not. Sets *visible where that is known. */
+/* Does the pyramid hide a rectangle of a cube, whose depth is q? *visible: the
+ * pyramid of the nearest tells that it is visible. */
 static bool is_rectangle_hidden(struct walk *w, struct hsr_bounds box, float q,
                                 bool *visible) {
-  uint64_t before = w->pyramid.reads;
   *visible = w->option[NEAR] && w->option[CUBES] != SIDES &&
              hsr_pyramid_before(&w->pyramid, box, q);
-  bool hidden = !*visible && hsr_pyramid_hides(&w->pyramid, box, q);
-  count_reads(w, CUBE_READS, before);
-  return hidden;
+  return !*visible && hsr_pyramid_hides(&w->pyramid, box, q);
 }
 
 /* Is a front side not known to be hidden? */
 static bool is_side_visible(struct walk *w, const struct hsr_placing *placing,
                             const struct hsr_octree_box *cube,
-                            const struct hsr_cube_image *image, int side) {
+                            const struct hsr_cube_image *image, int side,
+                            struct hsr_subject subject) {
   const unsigned char *corner = hsr_cube_side[side];
   struct hsr_bounds box;
   if (!hsr_cube_bounds(&w->frame, image, corner, 4, &box))
     return false;
-  if (w->option[PYRAMID]) {
-    float q = nearest_of(image, corner);
-    uint64_t before = w->pyramid.reads;
-    bool visible = w->option[NEAR] && hsr_pyramid_before(&w->pyramid, box, q) &&
-                   w->option[CUBES] == RECTANGLE;
-    bool hidden = !visible && hsr_pyramid_hides(&w->pyramid, box, q);
-    count_reads(w, CUBE_READS, before);
-    if (visible || hidden)
-      return visible;
-  }
-  return w->option[CUBES] != SIDES ||
-         scan_side(w, placing, cube, image, side, &box);
+  bool visible = false;
+  if (w->option[PYRAMID] &&
+      is_rectangle_hidden(w, box, nearest_of(image, corner), &visible))
+    return false;
+  if (visible || w->option[CUBES] != SIDES)
+    return true;
+  visible = scan_side(w, placing, cube, image, side, &box, subject);
+  HSR_STEP(w->tally, SIDES_SCANNED, subject, HSR_THE_WINDOW,
+           hsr_window_make(box.x0, box.y0, box.x1, box.y1), visible);
+  return visible;
 }
 
 /* The same of the cube as a whole. */
@@ -350,10 +405,11 @@ static bool is_whole_visible(struct walk *w,
 static bool is_any_side_visible(struct walk *w,
                                 const struct hsr_placing *placing,
                                 const struct hsr_octree_box *cube,
-                                const struct hsr_cube_image *image) {
+                                const struct hsr_cube_image *image,
+                                struct hsr_subject subject) {
   for (int side = 0; side < 6; side++)
     if (image->front >> side & 1 &&
-        is_side_visible(w, placing, cube, image, side))
+        is_side_visible(w, placing, cube, image, side, subject))
       return true;
   return false;
 }
@@ -361,17 +417,16 @@ static bool is_any_side_visible(struct walk *w,
 /* cube_visible of the thesis. *inside: it is all inside of the frustum, and so
  * are the cubes in it. */
 static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
-                            const struct hsr_octree_node *node, bool *inside) {
+                            const struct hsr_octree_node *node,
+                            struct hsr_subject subject, bool *inside) {
   struct hsr_octree_box cube =
       w->option[VOLUMES] == TIGHT ? node->tight : hsr_octree_cube(node);
-  HSR_COUNT(w->tally, NODES, 1);
+  HSR_STEP(w->tally, NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   if (!*inside) {
-    struct hsr_box_work work = {0, 0};
-    enum hsr_box_verdict verdict = hsr_cube_classify(
-        &w->frame, placing, &cube, HSR_COUNTING ? &work : NULL);
-    HSR_COUNT(w->tally, INEQUALITIES, work.deciding);
+    enum hsr_box_verdict verdict =
+        hsr_cube_classify(&w->frame, placing, &cube, INEQUALITIES, subject);
     if (verdict == HSR_BOX_OUT) {
-      HSR_COUNT(w->tally, OUT, 1);
+      HSR_STEP(w->tally, OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE, 0);
       return false;
     }
     *inside = verdict == HSR_BOX_IN;
@@ -379,32 +434,50 @@ static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
   struct hsr_cube_image image;
   if (!hsr_cube_project(&w->frame, placing, &cube, &image))
     return true; /* the eye may be inside, or the near plane meet it */
-  HSR_COUNT(w->tally, CUBES_TESTED, 1);
+  read_for(w, CUBE_READS, subject);
   bool visible = w->option[CUBES] == WHOLE
                      ? is_whole_visible(w, &image)
-                     : is_any_side_visible(w, placing, &cube, &image);
-  HSR_COUNT(w->tally, CUBES_CULLED, !visible);
+                     : is_any_side_visible(w, placing, &cube, &image, subject);
+  HSR_STEP(w->tally, CUBES_TESTED, subject, HSR_NOTHING, HSR_NOWHERE, visible);
+  if (!visible)
+    HSR_STEP(w->tally, CUBES_CULLED, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   return visible;
 }
 
 /* --- Tiling what is in a cube --------------------------------------------- */
 
+/* What a face of a tiler's world is called. */
+static uint32_t name_of(const struct hsr_tiler *t, uint32_t f) {
+  return t->id ? t->first_id + t->id[f] : f;
+}
+
+/* The box of the k-th of a batch's triangles. */
+static struct hsr_bounds box_of(const struct hsr_corners *r, int k) {
+  struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
+  return box;
+}
+
+static struct hsr_window window_of(struct hsr_bounds box) {
+  return hsr_window_make(box.x0, box.y0, box.x1, box.y1);
+}
+
 /* Was the face met before in this visit? */
 static bool is_repeated(struct walk *w, uint32_t f) {
   uint32_t *tiled = &w->tiled[w->frame.tiler.id[f]];
-  if (*tiled == w->visit)
-    return true;
-  *tiled = w->visit;
-  return false;
+  if (*tiled != w->visit) {
+    *tiled = w->visit;
+    return false;
+  }
+  HSR_STEP(w->tally, REPEATED, HSR_FACE(name_of(&w->frame.tiler, f)),
+           HSR_NOTHING, HSR_NOWHERE, 0);
+  return true;
 }
 
 /* Of those that go the general way. */
 static void drop_repeated(struct walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n && b->general; k++)
-    if (b->fate[k] == HSR_GENERALLY && is_repeated(w, b->first + (uint32_t)k)) {
-      HSR_COUNT(w->tally, REPEATED, 1);
+    if (b->fate[k] == HSR_GENERALLY && is_repeated(w, b->first + (uint32_t)k))
       b->fate[k] = HSR_DROP;
-    }
 }
 
 /* Which of the triangles to be tiled are hidden. */
@@ -416,34 +489,40 @@ static void find_hidden(struct walk *w, const struct hsr_batch *b,
     return;
   }
   for (int k = 0; k < b->n_fast; k++) {
-    struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
-    float q = hsr_nearest_corner(r, k);
-    hidden[k] = hsr_pyramid_basic(&w->pyramid, box, q);
+    read_for(w, FACE_READS, HSR_FACE(r->id[k]));
+    hidden[k] =
+        hsr_pyramid_basic(&w->pyramid, box_of(r, k), hsr_nearest_corner(r, k));
   }
+}
+
+static void count_tested(const struct walk *w, const struct hsr_corners *r,
+                         int k, bool hidden) {
+  HSR_STEP(w->tally, FACES_TESTED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
+           window_of(box_of(r, k)), !hidden);
+  if (hidden)
+    HSR_STEP(w->tally, FACES_CULLED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
+             window_of(box_of(r, k)), 0);
 }
 
 /* Leaves out of a batch what was met before, and what is hidden. */
 static void filter(struct walk *w, struct hsr_batch *b) {
   int drop[HSR_BATCH];
-  for (int k = 0; k < b->n_fast; k++) {
+  for (int k = 0; k < b->n_fast; k++)
     drop[k] = is_repeated(w, b->first + (uint32_t)b->place[k]);
-    HSR_COUNT(w->tally, REPEATED, drop[k]);
-  }
   HSR_OF_BUILD(hsr_tiler_drop)(b, drop);
   if (!w->option[PYRAMID] || w->option[POLYGONS] == NONE || w->plain)
     return;
-  uint64_t before = w->pyramid.reads;
+  read_for(w, FACE_READS, HSR_NOTHING);
   find_hidden(w, b, drop);
-  int tested = b->n_fast;
+  for (int k = 0; HSR_COUNTING && k < b->n_fast; k++)
+    count_tested(w, &b->corners, k, drop[k]);
   HSR_OF_BUILD(hsr_tiler_drop)(b, drop);
-  HSR_COUNT(w->tally, FACES_TESTED, tested);
-  HSR_COUNT(w->tally, FACES_CULLED, tested - b->n_fast);
-  count_reads(w, FACE_READS, before);
 }
 
 /* A face that is placed on the tiler's screen. */
 static void tile_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
-  HSR_COUNT(w->tally, FACES_TILED, 1);
+  HSR_STEP(w->tally, FACES_TILED, HSR_FACE(name_of(t, f)), HSR_THE_WINDOW,
+           window_of(t->screen.bounds[f]), 0);
   HSR_OF_BUILD(hsr_tiler_tile_generally)(t, f);
   if (w->option[PYRAMID] && !w->plain)
     hsr_pyramid_update(&w->pyramid, t->screen.bounds[f]);
@@ -456,16 +535,17 @@ static void tile_generally(struct walk *w, uint32_t f) {
 
 /* The definitive test, of those that are set up and that the fast one left. */
 static void filter_definitively(struct walk *w, struct hsr_batch *b) {
-  uint64_t before = w->pyramid.reads;
   for (int k = 0; k < b->n_fast; k++) {
     struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
+    struct hsr_subject face = HSR_FACE(b->corners.id[k]);
+    read_for(w, FACE_READS, face);
     if (b->good[k] &&
         hsr_pyramid_hides_triangle(&w->pyramid, &w->frame.tiler, &triangle)) {
-      HSR_COUNT(w->tally, FACES_CULLED, 1);
+      HSR_STEP(w->tally, FACES_CULLED, face, HSR_THE_WINDOW,
+               window_of(box_of(&b->corners, k)), 0);
       b->good[k] = 0;
     }
   }
-  count_reads(w, FACE_READS, before);
 }
 
 /* Those that are nearer than anything where they are, by the pyramid of the
@@ -473,7 +553,9 @@ static void filter_definitively(struct walk *w, struct hsr_batch *b) {
 static void tile_before_all(struct walk *w, struct hsr_batch *b) {
   const struct hsr_corners *r = &b->corners;
   for (int k = 0; k < b->n_fast; k++) {
-    struct hsr_bounds box = {r->x0[k], r->y0[k], r->x1[k], r->y1[k]};
+    struct hsr_bounds box = box_of(r, k);
+    struct hsr_subject face = HSR_FACE(r->id[k]);
+    read_for(w, FACE_READS, face);
     float q = r->qa[k] < r->qb[k] ? r->qa[k] : r->qb[k];
     q = r->qc[k] < q ? r->qc[k] : q;
     if (!b->good[k] || !hsr_pyramid_before(&w->pyramid, box, q))
@@ -481,8 +563,8 @@ static void tile_before_all(struct walk *w, struct hsr_batch *b) {
     struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
     HSR_OF_BUILD(hsr_tiler_tile_before)(&w->frame.tiler, &triangle);
     hsr_pyramid_update(&w->pyramid, box);
-    HSR_COUNT(w->tally, FACES_TILED, 1);
-    HSR_COUNT(w->tally, FACES_BEFORE, 1);
+    HSR_STEP(w->tally, FACES_TILED, face, HSR_THE_WINDOW, window_of(box), 0);
+    HSR_STEP(w->tally, FACES_BEFORE, face, HSR_THE_WINDOW, window_of(box), 0);
     b->good[k] = 0;
   }
 }
@@ -497,10 +579,12 @@ static void tile_batch(struct walk *w, struct hsr_batch *b) {
     tile_before_all(w, b);
   HSR_OF_BUILD(hsr_tiler_tile_batch)(&w->frame.tiler, b);
   for (int k = 0; k < b->n_fast; k++) {
-    HSR_COUNT(w->tally, FACES_TILED, b->good[k]);
-    if (b->good[k] && tests)
-      hsr_pyramid_update(&w->pyramid, (struct hsr_bounds){r->x0[k], r->y0[k],
-                                                          r->x1[k], r->y1[k]});
+    if (!b->good[k])
+      continue;
+    HSR_STEP(w->tally, FACES_TILED, HSR_FACE(r->id[k]), HSR_THE_WINDOW,
+             window_of(box_of(r, k)), 0);
+    if (tests)
+      hsr_pyramid_update(&w->pyramid, box_of(r, k));
   }
   for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY)
@@ -515,7 +599,9 @@ static void tile_cell(struct walk *w, uint32_t place) {
   struct hsr_tiler *t = &w->frame.tiler;
   uint32_t n = t->on_grid ? cell->n_triangles : 0;
   struct hsr_batch batch;
-  HSR_COUNT(w->tally, FACES, cell->n_faces);
+  struct hsr_subject cube = hsr_cube_subject(w->frame.instance, place);
+  for (uint32_t f = 0; HSR_COUNTING && f < cell->n_faces; f++)
+    HSR_STEP(w->tally, FACES, HSR_FACE(name_of(t, f)), cube, HSR_NOWHERE, 0);
   for (uint32_t f = 0; f < n; f += HSR_BATCH) {
     HSR_OF_BUILD(hsr_tiler_look)
     (t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
@@ -546,10 +632,11 @@ static void render_cube(struct walk *w, uint32_t k, bool inside) {
   const struct hsr_octree_node *node = &octree->node[k];
   bool rendered =
       w->last && hsr_cube_is_marked(&w->rendered, w->frame.instance, k);
+  struct hsr_subject subject = hsr_cube_subject(w->frame.instance, k);
   if (!(rendered && w->option[COHERENCE] == LIST) &&
-      !is_cube_visible(w, &w->frame.placing, node, &inside))
+      !is_cube_visible(w, &w->frame.placing, node, subject, &inside))
     return;
-  HSR_COUNT(w->tally, CUBES_VISIBLE, 1);
+  HSR_STEP(w->tally, CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   if (w->next)
     list_cube(w, k);
   if (!rendered)
@@ -615,10 +702,12 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
       still != HSR_NO_NODE ? &octree->node[still] : NULL;
   bool single = moving == HSR_NO_NODE && node && node->n == 1 && is_leaf(node);
   if (!single) {
+    struct hsr_subject subject =
+        node ? hsr_cube_subject(HSR_NO_ID, still) : HSR_MOVERS_CUBE(moving);
     if (!is_cube_visible(w, &w->frame.as_it_is,
-                         moving == HSR_NO_NODE ? node : cube, &inside))
+                         moving == HSR_NO_NODE ? node : cube, subject, &inside))
       return;
-    HSR_COUNT(w->tally, CUBES_VISIBLE, 1);
+    HSR_STEP(w->tally, CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   }
   for (uint32_t i = 0; node && i < node->n; i++)
     render_instance(w, octree->item[node->first + i]);
@@ -643,7 +732,8 @@ static enum hsr_status render_octrees(struct walk *w) {
   const struct hsr_octree_node *root = &cubes->octree.node[0];
   struct hsr_movers *movers = &w->movers;
   long how = w->option[MOVERS];
-  if (hsr_movers_init(movers, cubes, w->frame.job->scratch))
+  if (hsr_movers_init(movers, cubes, w->tally, MOVED, SPLITS,
+                      w->frame.job->scratch))
     return HSR_E_NOMEM;
   if (how == FRESH && !hsr_movers_divide_all(movers, 0, root))
     return HSR_E_NOMEM;
@@ -654,8 +744,6 @@ static enum hsr_status render_octrees(struct walk *w) {
   for (uint32_t k = movers->outside; k != HSR_NO_MOVER;
        k = movers->mover[k].next)
     render_instance(w, movers->mover[k].instance);
-  HSR_COUNT(w->tally, MOVED, movers->moved);
-  HSR_COUNT(w->tally, SPLITS, movers->splits);
   return HSR_OK;
 }
 
@@ -680,9 +768,12 @@ static enum hsr_status render_last(struct walk *w) {
     const struct hsr_listed_instance *group = hsr_cube_list_group(w->last, g);
     const uint32_t *cube = hsr_cube_list_cubes(w->last, group);
     take_in_hand(w, group->instance);
-    for (uint32_t k = 0; k < group->n; k++)
+    for (uint32_t k = 0; k < group->n; k++) {
+      HSR_STEP(w->tally, CUBES_AGAIN,
+               hsr_cube_subject(group->instance, cube[k]), HSR_NOTHING,
+               HSR_NOWHERE, 0);
       tile_cell(w, cube[k]);
-    HSR_COUNT(w->tally, CUBES_AGAIN, group->n);
+    }
   }
   w->plain = false;
   hsr_pyramid_update(&w->pyramid, (struct hsr_bounds){window->x0, window->y0,
@@ -705,8 +796,9 @@ static void prune(struct walk *w) {
     take_in_hand(w, group->instance);
     for (uint32_t k = 0; k < group->n; k++) {
       bool inside = false;
-      if (is_cube_visible(w, &w->frame.placing,
-                          &w->frame.object->octree.node[cube[k]], &inside) &&
+      if (is_cube_visible(
+              w, &w->frame.placing, &w->frame.object->octree.node[cube[k]],
+              hsr_cube_subject(group->instance, cube[k]), &inside) &&
           !hsr_cube_list_add(kept, group->instance, cube[k]))
         w->out_of_memory = true;
     }
@@ -745,8 +837,10 @@ static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
                        arena))
     return HSR_E_NOMEM;
   touch_for(w, WORK_PYRAMID);
-  w->pyramid.work = job->tally->work;
-  w->pyramid.work_stride = job->tally->work_stride;
+  w->pyramid.count =
+      (struct hsr_pyramid_count){.tally = job->tally,
+                                 .work = job->tally->work,
+                                 .work_stride = job->tally->work_stride};
   t->z = w->pyramid.far[0];
   t->ids_stride = job->ids_stride;
   t->ids = job->ids + (size_t)window->y0 * job->ids_stride + window->x0;
@@ -820,6 +914,7 @@ const struct hsr_algorithm HSR_ALGORITHM(hzbuffer) = {
     .kind = HSR_IDS,
     .flags = HSR_INSTANCED,
     .counters = counters,
+    .outline = outline,
     .options = options,
     .prepare = prepare,
     .render = render,

@@ -21,6 +21,7 @@ static void put(struct hsr_movers *m, uint32_t *first, uint32_t k) {
 
 enum hsr_status hsr_movers_init(struct hsr_movers *m,
                                 const struct hsr_cubes *cubes,
+                                struct hsr_tally *tally, int moved, int splits,
                                 struct hsr_arena *arena) {
   uint32_t root;
   struct hsr_box box = hsr_cube_box(&cubes->octree.node[0]);
@@ -28,6 +29,9 @@ enum hsr_status hsr_movers_init(struct hsr_movers *m,
       .mover = HSR_NEW(arena, struct hsr_mover, cubes->n_movers),
       .n = cubes->n_movers,
       .outside = HSR_NO_MOVER,
+      .tally = tally,
+      .moved = moved,
+      .splits = splits,
       .arena = arena};
   if (!m->mover || !new_node(m, &root))
     return HSR_E_NOMEM;
@@ -52,7 +56,8 @@ bool hsr_movers_divide(struct hsr_movers *m, uint32_t node,
   hsr_mover_node(m, node)->divided = true;
   if (single)
     return true;
-  m->splits++;
+  HSR_STEP(m->tally, m->splits, HSR_MOVERS_CUBE(node), HSR_NOTHING, HSR_NOWHERE,
+           0);
   hsr_mover_node(m, node)->first = HSR_NO_MOVER;
   for (uint32_t next; k != HSR_NO_MOVER; k = next) {
     next = m->mover[k].next;
@@ -66,7 +71,8 @@ bool hsr_movers_divide(struct hsr_movers *m, uint32_t node,
       return false;
     hsr_mover_node(m, node)->child[o] = child;
     put(m, &hsr_mover_node(m, child)->first, k);
-    m->moved++;
+    HSR_STEP(m->tally, m->moved, HSR_VOLUME(m->mover[k].instance),
+             HSR_MOVERS_CUBE(child), HSR_NOWHERE, 0);
   }
   return true;
 }

@@ -39,14 +39,21 @@ struct hsr_movers {
   struct hsr_mover *mover;
   uint32_t n, outside; /* the first of those outside the root */
   struct hsr_growing node;
-  uint64_t moved, splits; /* from a cube to an octant; nodes divided */
+  struct hsr_tally *tally;
+  int moved, splits; /* counters: an instance is moved from a cube to an octant;
+                        a cube is divided */
   struct hsr_arena *arena;
 };
 
-/* All in the root, or outside. The arrays are the arena's. HSR_E_NOMEM. */
+/* All in the root, or outside. The counters are those of struct hsr_movers; the
+ * arrays are the arena's. HSR_E_NOMEM. */
 enum hsr_status hsr_movers_init(struct hsr_movers *movers,
                                 const struct hsr_cubes *cubes,
+                                struct hsr_tally *tally, int moved, int splits,
                                 struct hsr_arena *arena);
+
+/* A cube of the movers' octree as a subject. */
+#define HSR_MOVERS_CUBE(node) HSR_CELL(node, HSR_NO_ID, 1)
 
 static inline struct hsr_mover_node *
 hsr_mover_node(const struct hsr_movers *movers, uint32_t k) {

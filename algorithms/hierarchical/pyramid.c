@@ -155,30 +155,53 @@ static int covering_level(const struct rectangle *r) {
   return side > 1 ? 32 - __builtin_clz(side - 1) : 0;
 }
 
-/* An entry stands for a square of samples, each of which it touches by its
- * share. */
-static void touch(const struct hsr_pyramid *p, int level, int x, int y) {
+/* The samples that an entry stands for, which are in the window. */
+static struct hsr_window samples_of(const struct hsr_pyramid *p, int level,
+                                    int x, int y) {
   const struct hsr_window *w = &p->window;
-  float share = 1.0f / (float)(1 << level) / (float)(1 << level);
-  for (int j = w->y0 + (y << level); j < w->y0 + ((y + 1) << level); j++)
-    for (int i = w->x0 + (x << level); i < w->x0 + ((x + 1) << level); i++)
-      if (i < w->x1 && j < w->y1)
-        p->work[(size_t)j * p->work_stride + (size_t)i] += share;
+  int x1 = w->x0 + ((x + 1) << level), y1 = w->y0 + ((y + 1) << level);
+  return hsr_window_make(w->x0 + (x << level), w->y0 + (y << level),
+                         x1 < w->x1 ? x1 : w->x1, y1 < w->y1 ? y1 : w->y1);
 }
 
-static inline float read_entry(struct hsr_pyramid *p, float *const *levels,
-                               int level, int x, int y) {
-  p->reads += HSR_COUNTING;
-  if (HSR_COUNTING && p->work)
-    touch(p, level, x, y);
+/* An entry touches each of its samples by its share. */
+static void touch(const struct hsr_pyramid *p, int level,
+                  const struct hsr_window *w) {
+  const struct hsr_pyramid_count *c = &p->count;
+  float share = 1.0f / (float)(1 << level) / (float)(1 << level);
+  for (int j = w->y0; j < w->y1; j++)
+    for (int i = w->x0; i < w->x1; i++)
+      c->work[(size_t)j * c->work_stride + (size_t)i] += share;
+}
+
+static inline void count_read(const struct hsr_pyramid *p, int level, int x,
+                              int y, bool decides) {
+  const struct hsr_pyramid_count *c = &p->count;
+  if (!HSR_COUNTING)
+    return;
+  struct hsr_window window = samples_of(p, level, x, y);
+  HSR_STEP(c->tally, c->reads, HSR_CELL(level, x, y), c->whom, window, decides);
+  if (c->work)
+    touch(p, level, &window);
+}
+
+static inline float entry(const struct hsr_pyramid *p, float *const *levels,
+                          int level, int x, int y) {
   return levels[level][((size_t)y << (p->n_levels - 1 - level)) + (size_t)x];
+}
+
+/* Is depth q, HSR_CLEAR times, farther than an entry? */
+static inline bool is_behind(const struct hsr_pyramid *p, int level, int x,
+                             int y, float q) {
+  bool behind = q < entry(p, p->far, level, x, y);
+  count_read(p, level, x, y, behind);
+  return behind;
 }
 
 bool hsr_pyramid_basic(struct hsr_pyramid *p, struct hsr_bounds box, float q) {
   struct rectangle r = rectangle_of(p, box);
   int level = enclosing_level(&r);
-  return q * HSR_CLEAR <
-         read_entry(p, p->far, level, r.x0 >> level, r.y0 >> level);
+  return is_behind(p, level, r.x0 >> level, r.y0 >> level, q * HSR_CLEAR);
 }
 
 /* The part of a rectangle that an entry of a level covers, in entries of that
@@ -199,7 +222,7 @@ static bool hide(struct hsr_pyramid *p, const struct rectangle *r, float q,
                  int level, struct rectangle e) {
   for (int y = e.y0; y <= e.y1; y++)
     for (int x = e.x0; x <= e.x1; x++)
-      if (!(q < read_entry(p, p->far, level, x, y)) &&
+      if (!is_behind(p, level, x, y, q) &&
           (!level || !hide(p, r, q, level - 1, below(r, level - 1, x, y))))
         return false;
   return true;
@@ -257,6 +280,8 @@ void hsr_pyramid_hides_triangles(struct hsr_pyramid *p, int n,
     if (hidden[k] && !HSR_COUNTING)
       continue;
     float q = hsr_nearest_corner(r, k);
+    if (HSR_COUNTING)
+      p->count.whom = HSR_FACE(r->id[k]);
     hidden[k] = hsr_pyramid_hides(
         p, (struct hsr_bounds){r->x0[k], r->y0[k], r->x1[k], r->y1[k]}, q);
   }
@@ -280,7 +305,7 @@ static bool hides_triangle(struct hsr_pyramid *p, struct hsr_tiler *t,
       largest(tri->e2, tri->ex2, tri->ey2, &b) < -tri->bound)
     return true; /* it is not there */
   float q = largest(tri->q, tri->qx, tri->qy, &b) * (1 + HSR_RHO);
-  if (q * HSR_CLEAR < read_entry(p, p->far, level, x, y))
+  if (is_behind(p, level, x, y, q * HSR_CLEAR))
     return true;
   if (!level--)
     return !HSR_OF_BUILD(hsr_tiler_shows)(t, tri, x + p->window.x0,
@@ -305,6 +330,8 @@ bool hsr_pyramid_hides_triangle(struct hsr_pyramid *p, struct hsr_tiler *t,
 bool hsr_pyramid_before(struct hsr_pyramid *p, struct hsr_bounds box, float q) {
   struct rectangle r = rectangle_of(p, box);
   int level = enclosing_level(&r);
-  return q > HSR_CLEAR *
-                 read_entry(p, p->near, level, r.x0 >> level, r.y0 >> level);
+  int x = r.x0 >> level, y = r.y0 >> level;
+  bool before = q > HSR_CLEAR * entry(p, p->near, level, x, y);
+  count_read(p, level, x, y, before);
+  return before;
 }

@@ -34,16 +34,28 @@ extern "C" {
 
 enum { HSR_PYRAMID_LEVELS = 15 }; /* of 2^14 samples a side */
 
+/* What the tests below raise, in the counting build: a counter of the tally for
+ * each entry that is read. */
+struct hsr_pyramid_count {
+  struct hsr_tally *tally;
+  int reads;
+  struct hsr_subject whom; /* the face or the cube that is tested */
+  float *work; /* sample (i, j), at work[j * work_stride + i], by its share of
+                  every entry read; or NULL */
+  size_t work_stride;
+};
+
+/* The events of a read: the entry (level, column, row), for whom, the samples
+ * that it stands for. It decides if the test goes into no entry below it. */
+#define HSR_PYRAMID_READ_OUTCOMES "leaves it open|decides"
+
 struct hsr_pyramid {
   struct hsr_window
       window;   /* sample (i, j) is cell (i - x0, j - y0) of level 0 */
   int n_levels; /* the last one is one cell, the apex */
   float *far[HSR_PYRAMID_LEVELS];  /* 2^(n_levels - 1 - level) cells a side */
   float *near[HSR_PYRAMID_LEVELS]; /* NULL: not kept. near[0] is far[0] */
-  uint64_t reads; /* entries read by the tests below, in the counting build */
-  float *work; /* sample (i, j), at work[j * work_stride + i], by its share of
-                  every entry read, if not NULL; in the counting build */
-  size_t work_stride;
+  struct hsr_pyramid_count count;
 };
 
 /* A pyramid for the window, its arrays the arena's, and a z-buffer as a tiler

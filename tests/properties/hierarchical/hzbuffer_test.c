@@ -121,9 +121,12 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
   const uint64_t *count = w->tally->count;
   uint64_t out = count[OUT], tested = count[CUBES_TESTED];
   struct hsr_octree_box cube = hsr_octree_cube(node);
-  bool truly_out =
-      hsr_cube_classify(&w->frame, placing, &cube, NULL) == HSR_BOX_OUT;
-  bool visible = is_cube_visible(w, placing, node, inside);
+  struct hsr_subject subject = hsr_cube_subject(instance, k);
+  struct hsr_tally before = *w->tally;
+  bool truly_out = hsr_cube_classify(&w->frame, placing, &cube, INEQUALITIES,
+                                     subject) == HSR_BOX_OUT;
+  *w->tally = before;
+  bool visible = is_cube_visible(w, placing, node, subject, inside);
   enum said said = count[OUT] > out               ? IS_OUT
                    : !visible                     ? IS_HIDDEN
                    : count[CUBES_TESTED] > tested ? IS_VISIBLE
@@ -136,7 +139,8 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
       stop("notes", "out of memory");
   }
   ns->note[ns->n++] = (struct note){instance, k, said};
-  HSR_COUNT(w->tally, CUBES_VISIBLE, visible);
+  if (visible)
+    HSR_STEP(w->tally, CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   return visible;
 }
 

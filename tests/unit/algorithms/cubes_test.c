@@ -334,8 +334,8 @@ static void look_at_cube(struct frame *f, uint32_t k, struct held *held) {
   const struct hsr_cell *cell = lay_out_cell(frame, k);
   struct hsr_octree_box cube = hsr_octree_cube(node);
   struct hsr_cube_image image;
-  bool out =
-      hsr_cube_classify(frame, &frame->placing, &cube, NULL) == HSR_BOX_OUT;
+  bool out = hsr_cube_classify(frame, &frame->placing, &cube, 0, HSR_NOTHING) ==
+             HSR_BOX_OUT;
   bool has_image = hsr_cube_project(frame, &frame->placing, &cube, &image);
   held->out += out;
   held->images += has_image;
