@@ -44,7 +44,7 @@ enum hsr_step_kind {
 extern const char *const hsr_step_kind_name[HSR_N_STEP_KINDS];
 
 /* What the subjects of a step are, and what the numbers id[0], id[1], id[2] of
- * one mean. */
+ * one mean. A counter of edges may count implied edges, too. */
 #define HSR_SUBJECT_KINDS(X)                                                   \
   X(NOTHING, "nothing")                                                        \
   X(FACE, "face")   /* face */                                                 \

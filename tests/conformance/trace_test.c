@@ -34,8 +34,10 @@ static int n_counters(const struct hsr_algorithm *a) {
   return n;
 }
 
+/* A counter of edges counts implied edges, too. */
 static bool is_subject(struct hsr_subject subject, enum hsr_subject_kind kind) {
-  return subject.kind == kind || subject.kind == HSR_OF_NOTHING;
+  return subject.kind == kind || subject.kind == HSR_OF_NOTHING ||
+         (kind == HSR_OF_EDGE && subject.kind == HSR_OF_IMPLIED);
 }
 
 static int n_outcomes(const struct hsr_counter *counter) {

@@ -73,6 +73,19 @@ enum hsr_status hsr_sight_init(struct hsr_sight *sight,
                                struct hsr_tally *tally);
 void hsr_sight_free(struct hsr_sight *sight);
 
+/* Edge e, and point p, as subjects of a step. An edge of several faces is named
+ * without them. An end of an implied edge is no vertex, and has no number. */
+static inline struct hsr_subject hsr_edge_subject(const struct hsr_edges *edges,
+                                                  uint32_t e) {
+  const struct hsr_edge_name *name = &edges->name[e];
+  return name->implied ? HSR_IMPLIED(name->a, name->b, name->part)
+                       : HSR_EDGE(edges->a[e], edges->b[e], HSR_NO_ID);
+}
+static inline struct hsr_subject
+hsr_point_subject(const struct hsr_edges *edges, uint32_t p) {
+  return p < edges->world->n_vertices ? HSR_VERTEX(p) : HSR_NOTHING;
+}
+
 /* --- Where images lie ----------------------------------------------------- */
 
 /* The exact ends of the filters below; call those. */
