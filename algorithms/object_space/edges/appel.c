@@ -11,8 +11,8 @@
  * Invariants  those of edge_intersection.h. A contour edge changes the
  *             invisibility of a material edge just where it pierces the
  *             triangle of the eye and that edge.
- * Ties        the material edge is displaced (common/lines/sight/sight.h): a contour edge
- *             meets no side of its triangle
+ * Ties        the material edge is displaced (common/lines/sight/sight.h), so that
+ *             no contour edge meets a side of its triangle
  * Departures  the change is the number of faces that the contour edge gains or
  *             loses, which is 2 at a fold of a two-sided surface
  * Cost        that of edge_intersection.h; the edge intersection grows as the
@@ -20,34 +20,38 @@
 #include "algorithms/object_space/edges/edge_intersection.h"
 
 /* Does contour edge c pierce the triangle E A' B'? */
-static bool pierces_triangle(const struct hsr_sight *sight, uint32_t e,
-                             uint32_t c) {
-  const struct hsr_edges *edges = sight->edges;
+static enum hsr_crossing pierce_triangle(const struct hsr_network *network,
+                                         uint32_t e, uint32_t c) {
+  const struct hsr_edges *edges = network->edges;
+  const struct hsr_sight *sight = &network->sight;
   uint32_t A = edges->a[e], B = edges->b[e];
   uint32_t C = edges->a[c], D = edges->b[c];
-  /* Its ends are on both sides of the triangle's plane, */
+  if (!hsr_boxes_overlap(&network->box[e], &network->box[c]))
+    return HSR_BOXES_APART;
+  if (hsr_edges_meet(edges, e, c))
+    return HSR_SHARE_A_VERTEX;
+  /* Its ends must be on different sides of the triangle's plane. */
   if (hsr_sight_line_side(sight, A, B, C) ==
       hsr_sight_line_side(sight, A, B, D))
-    return false;
-  /* and the three directed edges of the triangle have one vorticity about it:
-   * E A and B E, */
+    return HSR_DO_NOT_CROSS;
+  /* The three directed edges of the triangle must have one vorticity about it:
+   * first E A and B E, */
   if (hsr_sight_side(sight, C, D, A) == hsr_sight_side(sight, C, D, B))
-    return false;
-  /* and A B, which it passes on the side of the eye. */
-  return hsr_sight_nearer(sight, e, c);
+    return HSR_DO_NOT_CROSS;
+  /* then A B, which c must pass on the side of the eye. */
+  return hsr_sight_nearer(sight, e, c) ? HSR_CROSSES_NEARER
+                                       : HSR_CROSSES_FARTHER;
 }
 
 static enum hsr_status cross(void *context, struct hsr_network *network,
                              uint32_t e) {
   (void)context;
-  const struct hsr_image_box *box = &network->box[e];
-  HSR_COUNT(network->tally, HSR_INTERSECT, network->n_contour);
   for (uint32_t k = 0; k < network->n_contour; k++) {
     uint32_t c = network->contour[k];
-    if (!hsr_boxes_overlap(box, &network->box[c]) ||
-        hsr_edges_meet(network->edges, e, c))
-      continue;
-    if (pierces_triangle(&network->sight, e, c) &&
+    enum hsr_crossing found = pierce_triangle(network, e, c);
+    HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
+             hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
+    if (found == HSR_CROSSES_NEARER &&
         hsr_network_cross(network, e, c, network->net[c]))
       return HSR_E_NOMEM;
   }
@@ -67,7 +71,14 @@ static enum hsr_status render_visible(const struct hsr_job *job,
       err);
 }
 
-static const struct hsr_counter counters[] = {HSR_NETWORK_COUNTERS, {0}};
+static const struct hsr_counter counters[] = {HSR_NETWORK_COUNTERS(true), {0}};
+static const struct hsr_line outline[] = {
+    HSR_NETWORK_OUTLINE_BEFORE,
+    {"    for each contour edge: does it pierce the triangle of the eye and "
+     "the edge?",
+     HSR_RAISES(HSR_INTERSECT)},
+    HSR_NETWORK_OUTLINE_AFTER,
+    {0}};
 static const struct hsr_step steps[] = {HSR_NETWORK_STEPS, {0}};
 static const struct hsr_sort sorts[] = {
     {"edges", "back-facing, contour", "cull", "once a frame"},
@@ -86,8 +97,9 @@ static const struct hsr_sort sorts[] = {
   .taxonomy = HSR_OBJECT_SPACE_EDGES,                                          \
   .coherence = "edge: visibility is promoted along edges that share a vertex", \
   .restrictions = HSR_TP, .kind = HSR_SEGMENTS, .sorts = sorts,                \
-  .counters = counters, .steps = steps, .prepare = hsr_network_prepare,        \
-  .release = hsr_network_release, .expense = hsr_network_expense
+  .counters = counters, .steps = steps, .outline = outline,                    \
+  .prepare = hsr_network_prepare, .release = hsr_network_release,              \
+  .expense = hsr_network_expense
 
 const struct hsr_algorithm HSR_ALGORITHM(appel) = {
     .name = "appel",

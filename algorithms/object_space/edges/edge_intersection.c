@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The edge-intersection algorithms' common part: see edge_intersection.h. */
 #include "algorithms/object_space/edges/edge_intersection.h"
 
 #include <math.h>
@@ -38,7 +39,7 @@ void hsr_network_release(void *prepared) {
 
 /* --- Relevant and contour edges ------------------------------------------- */
 
-/* What is known of where a point's image is. */
+/* Widens the box by a point's image, as far as that is known. */
 static void enclose(struct hsr_image_box *box, const struct hsr_sight *sight,
                     uint32_t p) {
   double x = sight->sx[p], y = sight->sy[p];
@@ -64,7 +65,8 @@ static void cull_edge(struct hsr_network *network, uint32_t e) {
   network->net[e] = 0;
   for (uint32_t k = edges->side_start[e]; k < edges->side_start[e + 1]; k++) {
     const struct hsr_side *side = &edges->side[k];
-    HSR_COUNT(network->tally, HSR_EDGE_CULL, 1);
+    HSR_STEP(network->tally, HSR_EDGE_CULL, hsr_edge_subject(edges, e),
+             HSR_FACE(side->face), HSR_NOWHERE, sight->exists[side->face]);
     existing += sight->exists[side->face];
     if (sight->regular[side->face])
       network->net[e] += hsr_inside(sight, side);
@@ -151,7 +153,8 @@ enum hsr_status hsr_network_cross(struct hsr_network *network, uint32_t e,
   hsr_sight_locate(sight, e, &event);
   if (!crosses_ahead(network, e, &event))
     return HSR_OK;
-  HSR_COUNT(network->tally, HSR_CROSSINGS, 1);
+  HSR_STEP(network->tally, HSR_CROSSINGS, hsr_edge_subject(edges, e),
+           hsr_edge_subject(edges, c), HSR_NOWHERE, 0);
   return add_event(network, &event);
 }
 
@@ -163,9 +166,10 @@ enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e) {
     if (!network->sight.regular[f] || hsr_is_corner(edges, edges->a[e], f) ||
         hsr_is_corner(edges, edges->b[e], f))
       continue;
-    HSR_COUNT(network->tally, HSR_PIERCED, 1);
-    if (hsr_sight_pierces(&network->sight, e, f, &event) &&
-        add_event(network, &event))
+    bool pierces = hsr_sight_pierces(&network->sight, e, f, &event);
+    HSR_STEP(network->tally, HSR_PIERCED, hsr_edge_subject(edges, e),
+             HSR_FACE(f), HSR_NOWHERE, pierces);
+    if (pierces && add_event(network, &event))
       return HSR_E_NOMEM;
   }
   return HSR_OK;
@@ -176,11 +180,13 @@ enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e) {
 static bool is_before(const struct hsr_network *network, uint32_t e,
                       const struct hsr_sight_event *a,
                       const struct hsr_sight_event *b) {
-  HSR_COUNT(network->tally, HSR_SORT_ALONG, 1);
-  return hsr_sight_compare(&network->sight, e, a, b) < 0;
+  bool before = hsr_sight_compare(&network->sight, e, a, b) < 0;
+  HSR_STEP(network->tally, HSR_SORT_ALONG, hsr_event_subject(network, a),
+           hsr_event_subject(network, b), HSR_NOWHERE, before);
+  return before;
 }
 
-/* Few events, as there mostly are. */
+/* For few events, which is the usual case. */
 static void sort_by_insertion(const struct hsr_network *network, uint32_t e,
                               struct hsr_sight_event *event, size_t n) {
   for (size_t k = 1; k < n; k++) {
@@ -238,6 +244,8 @@ enum hsr_status hsr_network_interval(struct hsr_network *network, uint32_t e,
                                 .t1 = fmax(t0, t1)};
   hsr_edge_point(network->edges, e, segment.t0, segment.from);
   hsr_edge_point(network->edges, e, segment.t1, segment.to);
+  HSR_ACCEPTED(network->tally, HSR_DRAWN, hsr_edge_subject(network->edges, e),
+               HSR_NOTHING, HSR_NOWHERE, &segment);
   return hsr_drawing_add(network->job->drawing, &segment);
 }
 
@@ -263,7 +271,7 @@ static enum hsr_status draw_part(struct hsr_network *network, uint32_t e,
   double t = part->from.t;
   while (k < n &&
          hsr_sight_compare(&network->sight, e, &event[k], &part->to) < 0) {
-    /* What falls together happens at once. */
+    /* Events at one place happen at once. */
     size_t first = k;
     int change = event[k++].change;
     for (; k < n &&
@@ -280,13 +288,14 @@ static enum hsr_status draw_part(struct hsr_network *network, uint32_t e,
   return add_interval(network, e, t, part->to.t, count, visible_only);
 }
 
-/* Counts face f apart: with sign -1 takes it away where it is counted, with +1
- * adds it. */
+/* Puts face f to the edge by itself: takes it away where it was counted (sign
+ * -1), or adds it (+1). */
 static enum hsr_status count_apart(struct hsr_network *network, uint32_t e,
                                    uint32_t f, int sign, int64_t *count) {
   bool hidden;
   size_t first = network->events.n;
-  HSR_COUNT(network->tally, HSR_APART, 1);
+  HSR_STEP(network->tally, HSR_APART, hsr_edge_subject(network->edges, e),
+           HSR_FACE(f), HSR_NOWHERE, sign > 0);
   if (hsr_sight_face(&network->sight, e, f, network->job->scratch,
                      &network->events, &hidden))
     return HSR_E_NOMEM;
@@ -322,7 +331,7 @@ static enum hsr_status count_faces_apart(struct hsr_network *network,
   return HSR_OK;
 }
 
-/* Whether no place of the edge can be visible: there are not enough crossings
+/* Whether no place of the edge can be visible, because its crossings are too few
  * to bring the invisibility down to zero. */
 static bool is_hidden_throughout(const struct hsr_network *network,
                                  int64_t count) {
@@ -337,7 +346,8 @@ static enum hsr_status draw_edge(struct hsr_network *network, uint32_t e,
   if (count_faces_apart(network, e, &count))
     return HSR_E_NOMEM;
   if (is_hidden_throughout(network, count)) {
-    HSR_COUNT(network->tally, HSR_SAVED, 1);
+    HSR_STEP(network->tally, HSR_SAVED, hsr_edge_subject(network->edges, e),
+             HSR_NOTHING, HSR_NOWHERE, 0);
     if (visible_only)
       return add_interval(network, e, network->part[e].from.t,
                           network->part[e].to.t, 1, true);
@@ -347,7 +357,7 @@ static enum hsr_status draw_edge(struct hsr_network *network, uint32_t e,
 
 /* --- Promotion ------------------------------------------------------------ */
 
-/* How many faces that have a corner at the end p of edge e hide it there. */
+/* How many of the faces with a corner at the end p of edge e hide it there. */
 static int64_t correction(const struct hsr_network *network, uint32_t e,
                           uint32_t p) {
   const struct hsr_edges *edges = network->edges;
@@ -360,8 +370,10 @@ static int64_t correction(const struct hsr_network *network, uint32_t e,
     if (!network->sight.regular[corner.face] ||
         hsr_is_own(edges, e, corner.face))
       continue;
-    HSR_COUNT(network->tally, HSR_CORRECT, 1);
-    hiding += hsr_sight_corner_hides(&network->sight, e, p, corner);
+    bool hides = hsr_sight_corner_hides(&network->sight, e, p, corner);
+    HSR_STEP(network->tally, HSR_CORRECT, hsr_edge_subject(edges, e),
+             HSR_FACE(corner.face), HSR_NOWHERE, hides);
+    hiding += hides;
   }
   return hiding;
 }
@@ -379,9 +391,9 @@ bool hsr_network_hides(const struct hsr_network *network, uint32_t f,
          hsr_sight_covers(sight, f, p) && hsr_sight_behind(sight, f, p);
 }
 
-void hsr_network_wait(struct hsr_network *network, uint32_t p, int64_t hiding) {
-  HSR_COUNT(network->tally, HSR_PROMOTED, 1);
-  HSR_COUNT(network->tally, HSR_HIDING, hiding);
+void hsr_network_wait(struct hsr_network *network, uint32_t p, uint32_t e) {
+  HSR_STEP(network->tally, HSR_PROMOTED, hsr_point_subject(network->edges, p),
+           hsr_edge_subject(network->edges, e), HSR_NOWHERE, 0);
   network->known[p] = true;
   network->waiting[network->n_waiting++] = p;
 }
@@ -411,8 +423,8 @@ static enum hsr_status draw_cluster(struct hsr_network *network,
                                     uint32_t e) {
   const struct hsr_edges *edges = network->edges;
   uint32_t p = network->sight.ahead[edges->a[e]] ? edges->a[e] : edges->b[e];
-  HSR_COUNT(network->tally, HSR_SEARCHES, 1);
-  HSR_COUNT(network->tally, HSR_INITIAL, network->sight.n_faces);
+  HSR_STEP(network->tally, HSR_SEARCHES, hsr_edge_subject(edges, e),
+           hsr_point_subject(edges, p), HSR_NOWHERE, 0);
   network->known[p] = true;
   if (promotion->search(promotion->context, network, p))
     return HSR_E_NOMEM;
@@ -446,14 +458,18 @@ enum hsr_status hsr_network_promote(struct hsr_network *network,
 
 /* --- Promotion of a number ------------------------------------------------ */
 
-/* network->invisibility is always at hand. */
+/* What hides a vertex is a number, which network->invisibility keeps. */
 static enum hsr_status search_faces(void *context, struct hsr_network *network,
                                     uint32_t p) {
   (void)context;
   const struct hsr_sight *sight = &network->sight;
   int64_t hiding = 0;
-  for (uint32_t k = 0; k < sight->n_faces; k++)
-    hiding += hsr_network_hides(network, sight->faces[k], p);
+  for (uint32_t k = 0; k < sight->n_faces; k++) {
+    bool hides = hsr_network_hides(network, sight->faces[k], p);
+    HSR_STEP(network->tally, HSR_INITIAL, hsr_point_subject(network->edges, p),
+             HSR_FACE(sight->faces[k]), HSR_NOWHERE, hides);
+    hiding += hides;
+  }
   network->invisibility[p] = hiding;
   return HSR_OK;
 }
@@ -479,7 +495,8 @@ static enum hsr_status follow(void *context, struct hsr_network *network,
   int64_t there = p == edges->a[e] ? here + change : here - change;
   if (hsr_network_wants(network, other)) {
     network->invisibility[other] = there - correction(network, e, other);
-    hsr_network_wait(network, other, network->invisibility[other]);
+    HSR_COMPUTED(network->tally, HSR_HIDING, network->invisibility[other]);
+    hsr_network_wait(network, other, e);
   }
   return draw_edge(network, e, p == edges->a[e] ? here : there,
                    intersector->visible_only);

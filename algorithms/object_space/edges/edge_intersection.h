@@ -7,24 +7,24 @@
  *             "The Notion of Quantitative Invisibility and the Machine
  *             Rendering of Solids", Proc. ACM National Conference, 1967.
  * Notation    relevant edge -> an edge with something in the picture;
- *             contour edge -> contour[]: more of its faces lie on one side of
- *             its image than on the other, by net[]; quantitative invisibility
- *             of a vertex -> known[] and invisibility[]; cluster -> the edges
- *             that one search of all faces was enough for
- * Invariant   the invisibility of a vertex counts the faces that hide it,
- *             displaced, those that have a corner there left out: it is the
- *             same for all edges that end there. That of an edge's beginning
- *             adds those, each as it hides this edge: the invisibility
- *             correction. Along the edge it changes at contour edges, and at
- *             faces that the edge pierces, and nowhere else.
- * Ties        crossings that fall together happen at once
- * Departures  edges may pierce faces, and implied edges are drawn: the papers'
+ *             contour edge -> contour[]: by net[], more of its faces lie on one
+ *             side of its image than on the other; quantitative invisibility of
+ *             a vertex -> known[] and invisibility[]; cluster -> the edges that
+ *             one search of all faces serves
+ * Invariant   the invisibility of a vertex is the number of faces that hide the
+ *             displaced vertex. Faces that have a corner there do not count.
+ *             So the number is the same for all edges that end there. The
+ *             invisibility of an edge where it begins adds those of the left
+ *             out faces that hide this edge: the invisibility correction. Along
+ *             the edge it changes at contour edges and at faces that the edge
+ *             pierces, and nowhere else.
+ * Ties        crossings at one place happen at once
+ * Departures  Edges may pierce faces, and implied edges are drawn; the papers'
  *             environments have neither. A face in whose plane an edge lies is
- *             counted like any other along the edge, displaced as this is, and
- *             taken away at the end. Faces that are not flat, or cut by the
- *             near plane, are added at the end, each for itself. Crossings are
- *             compared at once with all contour edges, none being sorted out
- *             before but by minimax: what the papers do.
+ *             counted like any other along the displaced edge, and is taken
+ *             away at the end. Faces that are not flat, or that the near plane
+ *             cuts, are each added at the end. Each edge is put to all contour
+ *             edges; only a minimax test comes before, as in the papers.
  * Cost        Table III: back and contour cull E_t, initial visibility
  *             100 C_t F_r, edge intersection 30 E_s E_c, invisibility
  *             correction 30 (2 E_s 3), sort along the edge E_s */
@@ -38,15 +38,15 @@
 extern "C" {
 #endif
 
-/* The image of an edge or face lies within; all of the plane, if that is not
- * known. */
+/* What the image of an edge or of a face lies within: the whole plane, if the
+ * image is not known. */
 struct hsr_image_box {
   double x0, y0, x1, y1;
 };
 
-/* What of an edge is in the picture: between two places. */
+/* The part of an edge that is in the picture lies between two places. */
 struct hsr_edge_part {
-  bool relevant; /* anything at all */
+  bool relevant; /* there is such a part */
   struct hsr_sight_event from, to;
 };
 
@@ -56,33 +56,30 @@ struct hsr_network {
   struct hsr_tally *tally;
   struct hsr_sight sight;
 
-  int *net; /* an edge: how many more faces hide what lies on
-               its positive side (hsr_sight_side) than on its
-               negative one */
+  int *net; /* by edge: how many more of its faces lie on its positive side
+               (hsr_sight_side) than on its negative one */
   uint32_t *contour, n_contour;
-  struct hsr_image_box *box;      /* an edge */
-  struct hsr_image_box *face_box; /* a regular face */
-  struct hsr_edge_part *part;     /* an edge */
-  bool *drawn;                    /* an edge: done */
+  struct hsr_image_box *box;      /* by edge */
+  struct hsr_image_box *face_box; /* by face, of the regular ones */
+  struct hsr_edge_part *part;     /* by edge */
+  bool *drawn;                    /* by edge: it is done */
 
-  bool *known;                  /* a point */
-  int64_t *invisibility;        /* a point, where known */
-  uint32_t *waiting, n_waiting; /* vertices to be promoted from */
+  bool *known;                  /* by point */
+  int64_t *invisibility;        /* by point, where known */
+  uint32_t *waiting, n_waiting; /* vertices from which to promote */
 
   struct hsr_growing events; /* along the current edge */
 };
 
-/* How visibility is promoted from vertex to vertex: in the one way of those
- * that count hiding faces, or in an algorithm's own. What hides the vertex
- * whose turn it is is at hand, where the algorithm keeps it. */
+/* How an algorithm promotes visibility from vertex to vertex. It keeps at hand
+ * what hides the vertex whose turn it is. */
 struct hsr_promotion {
-  /* The search of all faces: brings what hides point p to hand. HSR_E_NOMEM. */
+  /* The search of all faces: brings to hand what hides point p. HSR_E_NOMEM. */
   enum hsr_status (*search)(void *context, struct hsr_network *network,
                             uint32_t p);
-  /* Brings to hand what was left with p: of all that wait, the last to begin.
-   */
+  /* Brings to hand what was left with p, the last of all that wait. */
   void (*resume)(void *context, struct hsr_network *network, uint32_t p);
-  /* Draws relevant edge e from its end p, whose turn it is; where
+  /* Draws relevant edge e from its end p, whose turn it is. If
    * hsr_network_wants the other end, leaves what hides that with
    * hsr_network_wait. network->events are empty. HSR_E_NOMEM. */
   enum hsr_status (*follow)(void *context, struct hsr_network *network,
@@ -90,15 +87,16 @@ struct hsr_promotion {
   void *context;
 };
 
-/* What an algorithm that counts hiding faces does its own way. */
+/* What differs among the algorithms that count hiding faces. */
 struct hsr_intersector {
-  /* Appends to network->events, by hsr_network_cross, the crossings of
-   * A'B' with nearer contour edges that share no vertex with e. HSR_E_NOMEM. */
+  /* Finds the crossings of A'B' with nearer contour edges that share no vertex
+   * with e, and appends them to network->events by hsr_network_cross.
+   * HSR_E_NOMEM. */
   enum hsr_status (*cross)(void *context, struct hsr_network *network,
                            uint32_t e);
   void *context;
-  bool visible_only; /* where nothing can be visible along an edge, it is drawn
-                        as hidden once, and nothing is sorted */
+  bool visible_only; /* an edge of which nothing can be visible is drawn as one
+                        hidden interval, and its crossings are not sorted */
 };
 
 /* Compiled twice, as the algorithms are. */
@@ -116,8 +114,8 @@ struct hsr_intersector {
 #define hsr_network_render HSR_OF_BUILD(hsr_network_render)
 #define hsr_network_expense HSR_OF_BUILD(hsr_network_expense)
 
-/* `expense` of those that compare every edge with every other: the comparisons
- * of their boxes. About one side of three is that of an edge in the picture. */
+/* `expense` of those that compare every edge with every other: the minimax
+ * tests. About one of three sides is that of an edge in the picture. */
 double hsr_network_expense(const struct hsr_world *world,
                            const struct hsr_view *view);
 
@@ -132,16 +130,16 @@ void hsr_network_release(void *prepared);
 enum hsr_status hsr_network_init(struct hsr_network *network,
                                  const struct hsr_job *job);
 
-/* A'B' crosses edge c, which is nearer, where `gained` more faces lie on the
- * positive side than on the negative one: an event. HSR_E_NOMEM. */
+/* Adds the event that A'B' crosses edge c, which is nearer, and of which
+ * `gained` more faces lie on the positive side than on the negative one.
+ * HSR_E_NOMEM. */
 enum hsr_status hsr_network_cross(struct hsr_network *network, uint32_t e,
                                   uint32_t c, int gained);
 
-/* The events of the regular faces that A'B' pierces. HSR_E_NOMEM. */
+/* Adds the events of the regular faces that A'B' pierces. HSR_E_NOMEM. */
 enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e);
 
-/* Sorts network->events by their places along edge e, counting the
- * comparisons. */
+/* Sorts network->events by their places along edge e. */
 void hsr_network_sort_along(const struct hsr_network *network, uint32_t e);
 
 /* Draws edge e from t0 to t1. HSR_E_NOMEM. */
@@ -149,19 +147,20 @@ enum hsr_status hsr_network_interval(struct hsr_network *network, uint32_t e,
                                      double t0, double t1,
                                      uint32_t invisibility);
 
-/* Does regular face f, if it has no corner there, hide point p, displaced? */
+/* Does regular face f hide point p, displaced? Never, if it has a corner there.
+ */
 bool hsr_network_hides(const struct hsr_network *network, uint32_t f,
                        uint32_t p);
 
-/* Whether point p is a vertex from which visibility is still to be promoted. */
+/* Whether visibility is still to be promoted to point p. */
 static inline bool hsr_network_wants(const struct hsr_network *network,
                                      uint32_t p) {
   return network->sight.ahead[p] && !network->known[p];
 }
 
-/* Point p, which `hiding` faces hide, is known from now on, and waits for its
- * turn: the last to wait is the first. */
-void hsr_network_wait(struct hsr_network *network, uint32_t p, int64_t hiding);
+/* Point p, an end of edge e, is known from now on. It waits for its turn; the
+ * last to wait is the first to be taken. */
+void hsr_network_wait(struct hsr_network *network, uint32_t p, uint32_t e);
 
 /* Draws all relevant edges into job->drawing. HSR_E_NOMEM. */
 enum hsr_status hsr_network_promote(struct hsr_network *network,
@@ -171,13 +170,13 @@ enum hsr_status hsr_network_promote(struct hsr_network *network,
 enum hsr_status hsr_network_draw(struct hsr_network *network,
                                  const struct hsr_intersector *intersector);
 
-/* `render` of an algorithm that needs no more than the above. */
+/* `render` of an algorithm that is its intersector and no more. */
 enum hsr_status hsr_network_render(const struct hsr_job *job,
                                    const struct hsr_intersector *intersector,
                                    struct hsr_error *err);
 
-/* The side of face f's edge on which the face is, as its image: a face seen
- * from its front runs around it so that the inside has sign -1. */
+/* On which side of the image of its edge a face lies. Seen from its front, a
+ * face runs around its inside so that the inside has sign -1. */
 static inline int hsr_inside(const struct hsr_sight *sight,
                              const struct hsr_side *side) {
   return -sight->facing[side->face] * side->turn;
@@ -203,8 +202,8 @@ static inline bool hsr_is_own(const struct hsr_edges *edges, uint32_t e,
   return false;
 }
 
-/* Do the images of A'B' and of edge c cross? The ends of each are on both sides
- * of the other. */
+/* Do the images of A'B' and of edge c cross? They do if the ends of each are on
+ * different sides of the other. */
 static inline bool hsr_images_cross(const struct hsr_sight *sight, uint32_t e,
                                     uint32_t c) {
   uint32_t A = sight->edges->a[e], B = sight->edges->b[e];
@@ -227,8 +226,59 @@ static inline bool hsr_boxes_overlap(const struct hsr_image_box *a,
   return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1;
 }
 
+/* What the edge intersection may find of an edge and a contour edge. */
+enum hsr_crossing {
+  HSR_BOXES_APART,
+  HSR_SHARE_A_VERTEX,
+  HSR_DO_NOT_CROSS,
+  HSR_CROSSES_FARTHER, /* the contour edge is the farther one */
+  HSR_CROSSES_NEARER
+};
+#define HSR_CROSSING_OUTCOMES                                                  \
+  "boxes apart|share a vertex|do not cross|farther|nearer"
+
+/* The face that has corner k of world->vertex[]. */
+static inline uint32_t hsr_face_of_corner(const struct hsr_world *world,
+                                          uint32_t k) {
+  uint32_t f = 0, beyond = world->n_faces;
+  while (beyond - f > 1) {
+    uint32_t middle = f + (beyond - f) / 2;
+    if (world->start[middle] <= k)
+      f = middle;
+    else
+      beyond = middle;
+  }
+  return f;
+}
+
+/* What is at an event along an edge, as a subject: an edge; a side of a face;
+ * or only a face, as an edge without vertices. */
+static inline struct hsr_subject
+hsr_event_subject(const struct hsr_network *network,
+                  const struct hsr_sight_event *event) {
+  const struct hsr_edges *edges = network->edges;
+  const struct hsr_world *world = edges->world;
+  uint32_t k = event->subject;
+  switch (event->at) {
+  case HSR_AT_EDGE:
+    return hsr_edge_subject(edges, k);
+  case HSR_AT_SIDE: {
+    uint32_t f = hsr_face_of_corner(world, k);
+    uint32_t before = k > world->start[f] ? k : world->start[f + 1];
+    return HSR_EDGE(world->vertex[before - 1], world->vertex[k], f);
+  }
+  case HSR_AT_PLANE:
+  case HSR_AT_NEAR:
+    return HSR_EDGE(HSR_NO_ID, HSR_NO_ID, k);
+  default:
+    return HSR_NOTHING;
+  }
+}
+
 /* The counters that these keep, in their order; an algorithm's own begin at
- * HSR_N_NETWORK_COUNTERS. */
+ * HSR_N_NETWORK_COUNTERS. Where visibility is promoted as a number, `hiding` is
+ * the sum of those numbers, and computed; where it is promoted as a set, it has
+ * the steps that keep its members. */
 enum {
   HSR_EDGE_CULL,
   HSR_INITIAL,
@@ -242,21 +292,87 @@ enum {
   HSR_APART,
   HSR_PROMOTED,
   HSR_HIDING,
+  HSR_DRAWN,
   HSR_N_NETWORK_COUNTERS
 };
-#define HSR_NETWORK_COUNTERS                                                   \
-  {"edge cull", "sides of faces looked at for relevant and contour edges"},    \
-      {"initial visibility", "faces put to a vertex in the searches"},         \
-      {"edge intersection", "pairs of edges that were compared"},              \
-      {"correction", "faces with a corner at an edge's end put to the edge"},  \
-      {"sort along edge", "comparisons of places along an edge"},              \
-      {"searches", "searches of all faces: clusters"},                         \
-      {"crossings", "nearer contour edges that an edge crosses"},              \
-      {"pierced faces", "faces put to an edge that touches them"},             \
-      {"sorts to save", "edges that cannot be visible anywhere"},              \
-      {"faces apart", "faces in whose plane an edge lies, and loose ones"},    \
-      {"promoted", "vertices to which visibility is promoted"}, {              \
-    "hiding", "faces that hide those vertices, in all"                         \
+#define HSR_NETWORK_COUNTERS(hiding_is_a_number)                               \
+  [HSR_EDGE_CULL] = {"edge cull",                                              \
+                     "sides of faces looked at for relevant and contour "      \
+                     "edges",                                                  \
+                     HSR_COMPARE,                                              \
+                     HSR_OF_EDGE,                                              \
+                     HSR_OF_FACE,                                              \
+                     "does not exist|exists"},                                 \
+  [HSR_INITIAL] = {"initial visibility",                                       \
+                   "faces put to a vertex in the searches",                    \
+                   HSR_COMPARE,                                                \
+                   HSR_OF_VERTEX,                                              \
+                   HSR_OF_FACE,                                                \
+                   "does not hide|hides"},                                     \
+  [HSR_INTERSECT] = {"edge intersection", "pairs of edges that were compared", \
+                     HSR_COMPARE,         HSR_OF_EDGE,                         \
+                     HSR_OF_EDGE,         HSR_CROSSING_OUTCOMES},              \
+  [HSR_CORRECT] = {"correction",                                               \
+                   "faces with a corner at an edge's end put to the edge",     \
+                   HSR_COMPARE,                                                \
+                   HSR_OF_EDGE,                                                \
+                   HSR_OF_FACE,                                                \
+                   "does not hide|hides"},                                     \
+  [HSR_SORT_ALONG] =                                                           \
+      {"sort along edge", "comparisons of places along an edge",               \
+       HSR_COMPARE,       HSR_OF_EDGE,                                         \
+       HSR_OF_EDGE,       "not before|before"},                                \
+  [HSR_SEARCHES] = {"searches", "searches of all faces: clusters",             \
+                    HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_VERTEX},                 \
+  [HSR_CROSSINGS] = {"crossings", "nearer contour edges that an edge crosses", \
+                     HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_EDGE},                  \
+  [HSR_PIERCED] = {"pierced faces", "faces put to an edge that touches them",  \
+                   HSR_COMPARE,     HSR_OF_EDGE,                               \
+                   HSR_OF_FACE,     "does not pierce|pierces"},                \
+  [HSR_SAVED] = {"sorts to save", "edges that cannot be visible anywhere",     \
+                 HSR_REJECT, HSR_OF_EDGE, HSR_OF_NOTHING},                     \
+  [HSR_APART] = {"faces apart",                                                \
+                 "faces in whose plane an edge lies, and loose ones",          \
+                 HSR_COMPARE,                                                  \
+                 HSR_OF_EDGE,                                                  \
+                 HSR_OF_FACE,                                                  \
+                 "taken away|added"},                                          \
+  [HSR_PROMOTED] = {"promoted", "vertices to which visibility is promoted",    \
+                    HSR_ACTIVATE, HSR_OF_VERTEX, HSR_OF_EDGE},                 \
+  [HSR_HIDING] = {"hiding",     "faces that hide those vertices, in all",      \
+                  HSR_ACTIVATE, HSR_OF_VERTEX,                                 \
+                  HSR_OF_FACE,  .computed = hiding_is_a_number},               \
+  [HSR_DRAWN] = {"intervals drawn", "intervals of edges added to the drawing", \
+                 HSR_ACCEPT, HSR_OF_EDGE, HSR_OF_NOTHING}
+
+/* The lines of an outline before those that find an edge's crossings, which are
+ * at the third level and take HSR_INTERSECT; and the lines after them. */
+#define HSR_NETWORK_OUTLINE_BEFORE                                             \
+  {"for each side of a face: cull back edges, mark contour edges",             \
+   HSR_RAISES(HSR_EDGE_CULL)},                                                 \
+      {"for each cluster of edges that can be reached from one another"},      \
+      {"  take a vertex of one of its edges", HSR_RAISES(HSR_SEARCHES)},       \
+      {"  initial visibility: for each face, does it hide the vertex?",        \
+       HSR_RAISES(HSR_INITIAL)},                                               \
+  {                                                                            \
+    "  for each relevant edge that ends at a vertex whose visibility is known" \
+  }
+#define HSR_NETWORK_OUTLINE_AFTER                                              \
+  {"      note the crossing", HSR_RAISES(HSR_CROSSINGS)},                      \
+      {"    for each face that it touches: does it pierce the face?",          \
+       HSR_RAISES(HSR_PIERCED)},                                               \
+      {"    invisibility correction: for each face with a corner at its end, " \
+       "does it hide the edge?",                                               \
+       HSR_RAISES(HSR_CORRECT)},                                               \
+      {"    promote visibility to the vertex at its other end",                \
+       HSR_RAISES(HSR_PROMOTED)},                                              \
+      {"      with what hides it there", HSR_RAISES(HSR_HIDING)},              \
+      {"    put faces to it whose plane holds it, and loose ones",             \
+       HSR_RAISES(HSR_APART)},                                                 \
+      {"    can it be visible anywhere?", HSR_RAISES(HSR_SAVED)},              \
+      {"    sort the crossings along the edge", HSR_RAISES(HSR_SORT_ALONG)}, { \
+    "    draw an interval up to each change of invisibility",                  \
+        HSR_RAISES(HSR_DRAWN)                                                  \
   }
 
 #define HSR_NETWORK_STEPS                                                      \

@@ -5,28 +5,29 @@
  * Source      R. Galimberti, U. Montanari, "An Algorithm for Hidden Line
  *             Elimination", Comm. ACM 12(4), 1969; Sutherland et al. 1974,
  *             "Edge-Intersection Algorithms".
- * Notation    nature of a point -> the faces that hide it: nature[] of the
- *             vertex whose turn it is, natures of those that wait, and along
- *             the edge the faces whose member[].times is over 0
- * Invariants  the nature of a vertex holds the regular faces that hide it,
- *             displaced, those that have a corner there left out: it is the
- *             same for all edges that end there, but for those corners. An
- *             edge c between faces alpha and beta that is nearer where the
- *             images cross takes away the one that lies on the side that is
- *             left, and adds the other. The last natures[] are those of
- *             network->waiting[], one after another, from from[] on.
- * Ties        what falls together along an edge happens at once: in between, a
+ * Notation    nature of a point -> the faces that hide it. It is nature[] for
+ *             the vertex whose turn it is, and natures for the vertices that
+ *             wait; along the edge it is the faces whose member[].times is more
+ *             than 0.
+ * Invariants  The nature of a vertex holds the regular faces that hide the
+ *             displaced vertex, without those that have a corner there. So it
+ *             is the same for all edges that end there. An edge c between faces
+ *             alpha and beta that is nearer where the images cross takes away
+ *             the face on the side that is left, and adds the other one. The
+ *             last natures[] are those of network->waiting[], one after
+ *             another, each from its from[] on.
+ * Ties        Events at one place of an edge happen at once. Between them a
  *             face may be entered twice, or left before it is entered. So
- *             membership is counted, and looked at after all of it.
- * Departures  those of edge_intersection.h, as sets: a face in whose plane the
- *             edge lies is carried but does not count; loose faces are put to
- *             each edge, and are not carried. At the end of an edge nothing is
- *             tested to correct its nature: the faces with a corner there are
- *             left out.
- * Cost        that of edge_intersection.h, but that all edges are compared
- *             with all, contour edges or not, that the sort is never saved,
- *             and that sets take more to change than numbers. Natures are kept
- *             only of vertices that wait. */
+ *             membership is counted, and is looked at after all of them.
+ * Departures  Those of edge_intersection.h, with sets for numbers: a face in
+ *             whose plane the edge lies is carried but does not count; loose
+ *             faces are put to each edge, and are not carried. The nature at
+ *             the end of an edge is not corrected by tests: the faces with a
+ *             corner there are left out.
+ * Cost        That of edge_intersection.h, except that all edges are compared
+ *             with all, not only with contour edges, that the sort is never
+ *             saved, and that a set takes more to change than a number. Only
+ *             the natures of vertices that wait are kept. */
 #include "algorithms/object_space/edges/edge_intersection.h"
 
 #include <string.h>
@@ -43,7 +44,7 @@ struct member {
 struct state {
   uint32_t *with_faces, n_with_faces; /* edges of regular faces */
 
-  struct member *member;        /* a face */
+  struct member *member;        /* by face */
   uint32_t *touched, n_touched; /* faces whose member[] is not all zero */
   uint32_t n_hiding;            /* the size of the nature along the edge */
 
@@ -78,32 +79,22 @@ static void forget(struct state *s) {
   s->n_hiding = 0;
 }
 
-static uint32_t face_of_corner(const struct hsr_world *w, uint32_t corner) {
-  uint32_t f = 0, beyond = w->n_faces;
-  while (beyond - f > 1) {
-    uint32_t middle = f + (beyond - f) / 2;
-    if (w->start[middle] <= corner)
-      f = middle;
-    else
-      beyond = middle;
-  }
-  return f;
-}
-
-/* What happens at an event, or the reverse (times = -1). */
+/* Passes an event forwards, or backwards (times = -1). */
 static void pass(struct state *s, const struct hsr_network *network,
                  const struct hsr_sight_event *event, int times) {
   const struct hsr_edges *edges = network->edges;
   const struct hsr_sight *sight = &network->sight;
   uint32_t c = event->subject;
-  HSR_COUNT(network->tally, CHANGED, 1);
+  HSR_STEP(network->tally, CHANGED, hsr_event_subject(network, event),
+           HSR_NOTHING, HSR_NOWHERE, times < 0);
   if (event->at == HSR_AT_EDGE) {
     for (uint32_t k = edges->side_start[c]; k < edges->side_start[c + 1]; k++)
       if (sight->regular[edges->side[k].face])
         enter(s, edges->side[k].face,
               times * event->change * hsr_inside(sight, &edges->side[k]));
   } else {
-    uint32_t f = event->at == HSR_AT_SIDE ? face_of_corner(sight->world, c) : c;
+    uint32_t f =
+        event->at == HSR_AT_SIDE ? hsr_face_of_corner(sight->world, c) : c;
     enter(s, f, times * event->change);
   }
 }
@@ -115,9 +106,13 @@ static enum hsr_status search(void *context, struct hsr_network *network,
   struct state *s = context;
   const struct hsr_sight *sight = &network->sight;
   s->n_nature = 0;
-  for (uint32_t k = 0; k < sight->n_faces; k++)
-    if (hsr_network_hides(network, sight->faces[k], p))
+  for (uint32_t k = 0; k < sight->n_faces; k++) {
+    bool hides = hsr_network_hides(network, sight->faces[k], p);
+    HSR_STEP(network->tally, HSR_INITIAL, hsr_point_subject(network->edges, p),
+             HSR_FACE(sight->faces[k]), HSR_NOWHERE, hides);
+    if (hides)
       s->nature[s->n_nature++] = sight->faces[k];
+  }
   return HSR_OK;
 }
 
@@ -132,9 +127,9 @@ static void resume(void *context, struct hsr_network *network, uint32_t p) {
   s->natures.n = from;
 }
 
-/* Leaves with vertex p the nature of the edge there. */
+/* Leaves the nature of edge e at its end p with that vertex. */
 static enum hsr_status leave(struct state *s, struct hsr_network *network,
-                             uint32_t p) {
+                             uint32_t e, uint32_t p) {
   if (!hsr_network_wants(network, p))
     return HSR_OK;
   size_t from = s->natures.n;
@@ -146,27 +141,39 @@ static enum hsr_status leave(struct state *s, struct hsr_network *network,
     if (!hsr_arena_grow(network->job->scratch, &s->natures, sizeof f))
       return HSR_E_NOMEM;
     ((uint32_t *)s->natures.items)[s->natures.n - 1] = f;
+    HSR_STEP(network->tally, HSR_HIDING, hsr_point_subject(network->edges, p),
+             HSR_FACE(f), HSR_NOWHERE, 0);
   }
   s->from[network->n_waiting] = from;
-  hsr_network_wait(network, p, (int64_t)(s->natures.n - from));
+  hsr_network_wait(network, p, e);
   return HSR_OK;
 }
 
 /* --- Along an edge -------------------------------------------------------- */
 
-/* The crossings with all nearer edges. */
+static enum hsr_crossing compare(const struct hsr_network *network, uint32_t e,
+                                 uint32_t c) {
+  const struct hsr_sight *sight = &network->sight;
+  if (!hsr_boxes_overlap(&network->box[e], &network->box[c]))
+    return HSR_BOXES_APART;
+  if (hsr_edges_meet(network->edges, e, c))
+    return HSR_SHARE_A_VERTEX;
+  if (!hsr_images_cross(sight, e, c))
+    return HSR_DO_NOT_CROSS;
+  return hsr_sight_nearer(sight, e, c) ? HSR_CROSSES_NEARER
+                                       : HSR_CROSSES_FARTHER;
+}
+
+/* Finds the crossings with all nearer edges. */
 static enum hsr_status cross(const struct state *s, struct hsr_network *network,
                              uint32_t e) {
-  const struct hsr_image_box *box = &network->box[e];
-  HSR_COUNT(network->tally, HSR_INTERSECT, s->n_with_faces);
-  HSR_COUNT(network->tally, OF_CONTOUR, network->n_contour);
+  HSR_COMPUTED(network->tally, OF_CONTOUR, network->n_contour);
   for (uint32_t k = 0; k < s->n_with_faces; k++) {
     uint32_t c = s->with_faces[k];
-    if (hsr_boxes_overlap(box, &network->box[c]) &&
-        !hsr_edges_meet(network->edges, e, c) &&
-        hsr_images_cross(&network->sight, e, c) &&
-        hsr_sight_nearer(&network->sight, e, c) &&
-        hsr_network_cross(network, e, c, 1))
+    enum hsr_crossing found = compare(network, e, c);
+    HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
+             hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
+    if (found == HSR_CROSSES_NEARER && hsr_network_cross(network, e, c, 1))
       return HSR_E_NOMEM;
   }
   return HSR_OK;
@@ -180,13 +187,14 @@ static void set_apart(struct state *s, const struct hsr_network *network,
     touch(s, edges->side[k].face)->apart = true;
   for (uint32_t k = edges->touch_start[e]; k < edges->touch_start[e + 1]; k++)
     if (edges->touch[k].in_plane) {
-      HSR_COUNT(network->tally, HSR_APART, 1);
+      HSR_STEP(network->tally, HSR_APART, hsr_edge_subject(edges, e),
+               HSR_FACE(edges->touch[k].face), HSR_NOWHERE, 0);
       touch(s, edges->touch[k].face)->apart = true;
     }
 }
 
-/* The nature where the edge begins, or ends, at vertex p: that of p, and those
- * faces with a corner there that hide the edge. */
+/* Takes up the nature of the edge at its end p: that of vertex p, and those of
+ * the faces with a corner there that hide the edge. */
 static void begin(struct state *s, const struct hsr_network *network,
                   uint32_t e, uint32_t p) {
   const struct hsr_edges *edges = network->edges;
@@ -200,13 +208,15 @@ static void begin(struct state *s, const struct hsr_network *network,
     if (!network->sight.regular[corner.face] ||
         hsr_is_own(edges, e, corner.face))
       continue;
-    HSR_COUNT(network->tally, HSR_CORRECT, 1);
-    if (hsr_sight_corner_hides(&network->sight, e, p, corner))
+    bool hides = hsr_sight_corner_hides(&network->sight, e, p, corner);
+    HSR_STEP(network->tally, HSR_CORRECT, hsr_edge_subject(edges, e),
+             HSR_FACE(corner.face), HSR_NOWHERE, hides);
+    if (hides)
       enter(s, corner.face, 1);
   }
 }
 
-/* Loose faces, which are not carried. */
+/* Puts the loose faces to the edge, since they are not carried. */
 static enum hsr_status
 add_loose_faces(struct state *s, struct hsr_network *network, uint32_t e) {
   const struct hsr_sight *sight = &network->sight;
@@ -215,7 +225,8 @@ add_loose_faces(struct state *s, struct hsr_network *network, uint32_t e) {
     bool hidden;
     if (s->member[f].apart || hsr_sight_in_plane(sight, e, f))
       continue;
-    HSR_COUNT(network->tally, HSR_APART, 1);
+    HSR_STEP(network->tally, HSR_APART, hsr_edge_subject(network->edges, e),
+             HSR_FACE(f), HSR_NOWHERE, 1);
     if (hsr_sight_face(sight, e, f, network->job->scratch, &network->events,
                        &hidden))
       return HSR_E_NOMEM;
@@ -262,17 +273,17 @@ static enum hsr_status follow(void *context, struct hsr_network *network,
     return HSR_E_NOMEM;
   set_apart(s, network, e);
   begin(s, network, e, p);
-  if (p == b) { /* backwards to a, from where the edge is drawn */
+  if (p == b) { /* go backwards to a, since the edge is drawn from there */
     const struct hsr_sight_event *event = network->events.items;
     for (size_t k = 0; k < network->events.n; k++)
       pass(s, network, &event[k], -1);
-    if (leave(s, network, a))
+    if (leave(s, network, e, a))
       return HSR_E_NOMEM;
   }
   if (add_loose_faces(s, network, e))
     return HSR_E_NOMEM;
   hsr_network_sort_along(network, e);
-  if (move_along(s, network, e) || (p == a && leave(s, network, b)))
+  if (move_along(s, network, e) || (p == a && leave(s, network, e, b)))
     return HSR_E_NOMEM;
   forget(s);
   return HSR_OK;
@@ -280,7 +291,7 @@ static enum hsr_status follow(void *context, struct hsr_network *network,
 
 /* --- The frame ------------------------------------------------------------ */
 
-/* All edges where something can be entered or left. */
+/* Collects all edges where a face can be entered or left. */
 static void collect_edges(struct state *s, const struct hsr_network *network) {
   const struct hsr_edges *edges = network->edges;
   for (uint32_t e = 0; e < edges->n; e++) {
@@ -322,9 +333,21 @@ static enum hsr_status render(const struct hsr_job *job,
 }
 
 static const struct hsr_counter counters[] = {
-    HSR_NETWORK_COUNTERS,
-    {"contour pairs", "pairs there would be with contour edges only"},
-    {"nature changes", "events at which faces are entered and left"},
+    HSR_NETWORK_COUNTERS(false),
+    [OF_CONTOUR] = {"contour pairs",
+                    "pairs there would be with contour edges only", HSR_COMPARE,
+                    HSR_OF_EDGE, HSR_OF_EDGE, .computed = true},
+    [CHANGED] = {"nature changes", "events at which faces are entered and left",
+                 HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_NOTHING,
+                 "forwards|backwards"},
+    {0}};
+static const struct hsr_line outline[] = {
+    HSR_NETWORK_OUTLINE_BEFORE,
+    {"    for each edge: does it cross the image of this one, and is it "
+     "nearer?",
+     HSR_RAISES(HSR_INTERSECT) | HSR_RAISES(OF_CONTOUR)},
+    HSR_NETWORK_OUTLINE_AFTER,
+    {"    change the nature at each crossing", HSR_RAISES(CHANGED)},
     {0}};
 static const struct hsr_step steps[] = {HSR_NETWORK_STEPS, {0}};
 static const struct hsr_sort sorts[] = {
@@ -351,6 +374,7 @@ const struct hsr_algorithm HSR_ALGORITHM(galimberti) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .prepare = hsr_network_prepare,
     .render = render,
     .expense = hsr_network_expense,

@@ -11,39 +11,56 @@
  * Invariants  those of edge_intersection.h. A boundary edge changes the order
  *             of invisibility of an edge just where their images cross and it
  *             is the nearer one.
- * Ties        the edge e is displaced (common/lines/sight/sight.h): an end of one image
- *             never lies on the other, nor do images overlap
- * Departures  whether images cross is told by the sides of the ends of each
- *             about the other, the signs of what the intersection's
- *             coordinates are the quotients of. Where it is along the edge is
- *             computed for those only that are nearer.
+ * Ties        the edge e is displaced (common/lines/sight/sight.h), so that
+ *             no end of one image lies on the other, and images do not overlap
+ * Departures  Whether images cross is told by the sides of the ends of each
+ *             about the other: these are the signs of the determinants whose
+ *             quotients are the intersection's coordinates. The place along the
+ *             edge is computed only for boundary edges that are nearer.
  * Cost        that of edge_intersection.h; the edge intersection grows as the
  *             square of the edges. Most pairs end at the minimax test; depths
  *             are compared once an intersection in the plane, where Appel
- *             compares at most as many: the two differ in the order of their
+ *             compares at most as many. The two differ in the order of their
  *             tests, not in what they find. */
 #include "algorithms/object_space/edges/edge_intersection.h"
 
 enum { MINIMAX = HSR_N_NETWORK_COUNTERS, PLANE, DEPTH };
 
-/* The boundary edges that change the order of invisibility along e. */
+static enum hsr_crossing compare(const struct hsr_network *network, uint32_t e,
+                                 uint32_t c) {
+  const struct hsr_sight *sight = &network->sight;
+  if (!hsr_boxes_overlap(&network->box[e], &network->box[c]))
+    return HSR_BOXES_APART;
+  if (hsr_edges_meet(network->edges, e, c))
+    return HSR_SHARE_A_VERTEX;
+  if (!hsr_images_cross(sight, e, c))
+    return HSR_DO_NOT_CROSS;
+  return hsr_sight_nearer(sight, e, c) ? HSR_CROSSES_NEARER
+                                       : HSR_CROSSES_FARTHER;
+}
+
+/* Finds the boundary edges that change the order of invisibility along e. */
 static enum hsr_status cross(void *context, struct hsr_network *network,
                              uint32_t e) {
   (void)context;
-  const struct hsr_sight *sight = &network->sight;
-  HSR_COUNT(network->tally, HSR_INTERSECT, network->n_contour);
+  struct hsr_tally *tally = network->tally;
+  struct hsr_subject of_e = hsr_edge_subject(network->edges, e);
   for (uint32_t k = 0; k < network->n_contour; k++) {
     uint32_t c = network->contour[k];
-    if (!hsr_boxes_overlap(&network->box[e], &network->box[c]))
-      continue;
-    HSR_COUNT(network->tally, MINIMAX, 1);
-    if (hsr_edges_meet(network->edges, e, c) || !hsr_images_cross(sight, e, c))
-      continue;
-    HSR_COUNT(network->tally, PLANE, 1);
-    if (!hsr_sight_nearer(sight, e, c))
-      continue;
-    HSR_COUNT(network->tally, DEPTH, 1);
-    if (hsr_network_cross(network, e, c, network->net[c]))
+    enum hsr_crossing found = compare(network, e, c);
+    if (HSR_COUNTING) {
+      struct hsr_subject of_c = hsr_edge_subject(network->edges, c);
+      HSR_STEP(tally, HSR_INTERSECT, of_e, of_c, HSR_NOWHERE, found);
+      if (found != HSR_BOXES_APART)
+        HSR_STEP(tally, MINIMAX, of_e, of_c, HSR_NOWHERE, 0);
+      if (found >= HSR_CROSSES_FARTHER)
+        HSR_STEP(tally, PLANE, of_e, of_c, HSR_NOWHERE,
+                 found == HSR_CROSSES_NEARER);
+      if (found == HSR_CROSSES_NEARER)
+        HSR_STEP(tally, DEPTH, of_e, of_c, HSR_NOWHERE, 0);
+    }
+    if (found == HSR_CROSSES_NEARER &&
+        hsr_network_cross(network, e, c, network->net[c]))
       return HSR_E_NOMEM;
   }
   return HSR_OK;
@@ -56,10 +73,24 @@ static enum hsr_status render(const struct hsr_job *job,
 }
 
 static const struct hsr_counter counters[] = {
-    HSR_NETWORK_COUNTERS,
-    {"boxes overlap", "pairs that the minimax test leaves"},
-    {"plane intersections", "pairs whose images cross, put to the depth test"},
-    {"nearer boundary edges", "of those, where the boundary edge is nearer"},
+    HSR_NETWORK_COUNTERS(true),
+    [MINIMAX] = {"boxes overlap", "pairs that the minimax test leaves",
+                 HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE},
+    [PLANE] = {"plane intersections",
+               "pairs whose images cross, put to the depth test", HSR_COMPARE,
+               HSR_OF_EDGE, HSR_OF_EDGE, "farther|nearer"},
+    [DEPTH] = {"nearer boundary edges",
+               "of those, where the boundary edge is nearer", HSR_ACTIVATE,
+               HSR_OF_EDGE, HSR_OF_EDGE},
+    {0}};
+static const struct hsr_line outline[] = {
+    HSR_NETWORK_OUTLINE_BEFORE,
+    {"    for each boundary edge", HSR_RAISES(HSR_INTERSECT)},
+    {"      minimax test: do the boxes of the images overlap?",
+     HSR_RAISES(MINIMAX)},
+    {"      do the images intersect in the picture plane?", HSR_RAISES(PLANE)},
+    {"      is the boundary edge the nearer one there?", HSR_RAISES(DEPTH)},
+    HSR_NETWORK_OUTLINE_AFTER,
     {0}};
 static const struct hsr_step steps[] = {HSR_NETWORK_STEPS, {0}};
 static const struct hsr_sort sorts[] = {
@@ -88,6 +119,7 @@ const struct hsr_algorithm HSR_ALGORITHM(loutrel) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .prepare = hsr_network_prepare,
     .render = render,
     .expense = hsr_network_expense,

@@ -2,42 +2,44 @@
 /* Warnock's sorted edges: Appel's algorithm, its crossings found by sorting.
  *
  * Source      Sutherland et al. 1974, "Other Combinations of Sorting", which
- *             reports it of J. E. Warnock in one paragraph; the promotion is
- *             that of edge_intersection.h.
- * Notation    active edge list -> list[], sorted by the left ends of what the
- *             edges may cover of the current Y; interchange -> two neighbours
- *             that a bubble sort exchanges
- * Cover       an image known in doubles is within HSR_DELTA of the true one;
- *             displaced or not, at any Y from HSR_DELTA above its true upper
- *             end to as much below its lower one, it is in
+ *             reports in one paragraph what J. E. Warnock proposed; the
+ *             promotion is that of edge_intersection.h.
+ * Notation    active edge list -> list[], sorted by the left ends of the
+ *             edges' covers; interchange -> two neighbours that a bubble sort
+ *             exchanges
+ * Cover       The cover of an edge is where it may be at the current Y. An
+ *             image known in doubles is within HSR_DELTA of the true one. So
+ *             the edge, displaced or not, is in
  *                 [left, right] = x0 + slope (Y - y0) -+ half,
- *             half = 2 HSR_DELTA (1 + |slope|). An image that is nearly level
- *             may be anywhere between its ends. Both are linear in Y, and an
- *             edge is active from 2 HSR_DELTA above its upper end to as much
- *             below its lower one.
- * Invariants  images that meet, do so at a Y between two neighbouring entries
- *             (or exits), both active at both of them. If they cover a place
- *             in common at neither, they have changed sides, as covers are
- *             linear: the bubble sort exchanges them. So every pair of edges
- *             whose images cross or only touch is noted: at an exchange, or
- *             where covers are first found in common.
- * Rounding    coordinates are less than 2^15, widths less than 2^17: a cover
- *             is computed within 2^-33, the Y of entries within 2^-37, which
- *             moves a cover by 2^-29 where the slope is less than 2^8. Half of
- *             2 HSR_DELTA = 2^-25 is kept for these.
- * Ties        a pair noted is put to the exact test, with one edge displaced,
- *             and the other way round
- * Departures  the list is sorted again where edges leave it, too: one that
- *             begins and ends between two entries may cross others. What is
- *             not certainly in order is noted as interchanges are. Edges with
- *             an end behind the eye, before near, or known by exact numbers
- *             only (implied ones) are compared with all, as Appel's are.
- * Cost        the survey gives no formula. The list holds about as many edges
- *             as a scan line meets, which is as (E_s D_c)^1/2, and is gone
- *             through once an entry and once an exit: E_s^1.5 comparisons of
- *             two numbers each. The pairs left to the exact test are as the
- *             crossings of the picture, X_r. Of Appel's steps the initial
- *             visibility, C_t F_r, is then the one that grows fastest. */
+ *             half = 2 HSR_DELTA (1 + |slope|), at any Y from HSR_DELTA above
+ *             its true upper end to HSR_DELTA below its lower one. An image
+ *             that is nearly level may be anywhere between its ends. Both
+ *             bounds are linear in Y. An edge is active from 2 HSR_DELTA above
+ *             its upper end to 2 HSR_DELTA below its lower one.
+ * Invariants  Images that meet do so at a Y between two neighbouring entries
+ *             (or exits) at both of which both are active. If their covers have
+ *             no place in common at either, the edges have changed sides,
+ *             because covers are linear; then the bubble sort exchanges them.
+ *             So every pair of edges whose images cross or touch is noted: at
+ *             an exchange, or where their covers first have a place in common.
+ * Rounding    Coordinates are less than 2^15, widths less than 2^17. A cover is
+ *             computed within 2^-33, and the Y of entries within 2^-37, which
+ *             moves a cover by 2^-29 where the slope is less than 2^8. Half
+ *             of the 2 HSR_DELTA = 2^-25 is kept for these errors.
+ * Ties        A pair noted is put to the exact test, in which one edge is
+ *             displaced: once with each of the two.
+ * Departures  The list is sorted again where edges leave it, too, since an edge
+ *             that begins and ends between two entries may cross others. Pairs
+ *             whose order is uncertain are noted as interchanges are. Edges
+ *             with an end that is behind the eye, before near, or known by
+ *             exact numbers only (implied edges) are compared with all, as in
+ *             Appel's algorithm.
+ * Cost        The survey gives no formula. The list holds about as many edges
+ *             as a scan line meets, which grows as (E_s D_c)^1/2, and is gone
+ *             through at every entry and exit: E_s^1.5 comparisons of two
+ *             numbers. The pairs left to the exact test grow as the crossings
+ *             of the picture, X_r. Of Appel's steps the initial visibility,
+ *             C_t F_r, is then the one that grows fastest. */
 #include "algorithms/object_space/edges/edge_intersection.h"
 
 enum {
@@ -127,13 +129,16 @@ static enum hsr_status sort_by_y(const struct sweep *s, const double *key,
   uint32_t *sorted = HSR_NEW(job->scratch, uint32_t, s->n);
   if (!end || !sorted)
     return HSR_E_NOMEM;
-  HSR_COUNT(job->tally, BUCKET_SORT, s->n);
   for (uint32_t k = 0; k < s->n; k++)
     end[bucket_of(job->view, key[item[k]]) + 1]++;
   for (uint32_t b = 0; b < n_buckets; b++)
     end[b + 1] += end[b];
-  for (uint32_t k = 0; k < s->n; k++)
+  for (uint32_t k = 0; k < s->n; k++) {
+    HSR_STEP(job->tally, BUCKET_SORT,
+             hsr_edge_subject(s->network->edges, item[k]), HSR_NOTHING,
+             HSR_NOWHERE, key == s->bottom);
     sorted[end[bucket_of(job->view, key[item[k]])]++] = item[k];
+  }
   for (uint32_t b = 0, begin = 0; b < n_buckets; begin = end[b++])
     sort_bucket(key, sorted + begin, end[b] - begin);
   for (uint32_t k = 0; k < s->n; k++)
@@ -177,7 +182,8 @@ static bool note_one(struct sweep *s, uint32_t e, uint32_t c) {
     return true;
   if (!hsr_arena_grow(network->job->scratch, &s->noted, sizeof(struct note)))
     return false;
-  HSR_COUNT(network->tally, NOTED, 1);
+  HSR_STEP(network->tally, NOTED, hsr_edge_subject(network->edges, e),
+           hsr_edge_subject(network->edges, c), HSR_NOWHERE, 0);
   ((struct note *)s->noted.items)[s->noted.n - 1] = (struct note){e, c};
   return true;
 }
@@ -190,20 +196,33 @@ static bool note(struct sweep *s, uint32_t e, uint32_t c) {
 
 /* --- The active edge list ------------------------------------------------- */
 
-/* Exchanges entry k with its neighbours to the left until it is in order. False
- * if memory ran out. */
+/* Whether the entry before place k of the list is right of an edge. */
+static bool is_out_of_order(const struct sweep *s, uint32_t k,
+                            const struct active *edge) {
+  const struct active *left = &s->list[k - 1];
+  bool exchange = left->left > edge->left;
+  HSR_STEP(s->network->tally, BUBBLE_SORT,
+           hsr_edge_subject(s->network->edges, edge->e),
+           hsr_edge_subject(s->network->edges, left->e), HSR_NOWHERE, exchange);
+  return exchange;
+}
+
+/* Exchanges entry k, which is out of order, with its neighbours to the left
+ * until it is in order. False if memory ran out. */
 static bool exchange(struct sweep *s, uint32_t k) {
   struct active edge = s->list[k];
-  for (; k && s->list[k - 1].left > edge.left; k--) {
+  do {
     const struct active *left = &s->list[k - 1];
-    HSR_COUNT(s->network->tally, BUBBLE_SORT, 1);
-    HSR_COUNT(s->network->tally, INTERCHANGES, 1);
-    /* What they cover in common, now or then, is found elsewhere. */
+    HSR_STEP(s->network->tally, INTERCHANGES,
+             hsr_edge_subject(s->network->edges, edge.e),
+             hsr_edge_subject(s->network->edges, left->e), HSR_NOWHERE, 0);
+    /* Places that both cover, now or before, are found elsewhere. */
     if (left->left > edge.right && !have_met(left, &edge) &&
         !note(s, left->e, edge.e))
       return false;
     s->list[k] = *left;
-  }
+    k--;
+  } while (k && is_out_of_order(s, k, &edge));
   s->list[k] = edge;
   return true;
 }
@@ -215,8 +234,7 @@ static bool bubble_sort(struct sweep *s, double y) {
     edge->was_left = edge->left;
     edge->was_right = edge->right;
     cover(edge, y);
-    HSR_COUNT(s->network->tally, BUBBLE_SORT, 1);
-    if (k && edge[-1].left > edge->left && !exchange(s, k))
+    if (k && is_out_of_order(s, k, edge) && !exchange(s, k))
       return false;
   }
   return true;
@@ -232,8 +250,13 @@ static void merge(struct sweep *s, uint32_t *edge, uint32_t n, double y) {
   sort_bucket(s->enters_at, edge, n);
   uint32_t from = s->n_active, to = s->n_active += n;
   while (n) {
-    HSR_COUNT(s->network->tally, X_MERGE, 1);
-    if (from && s->list[from - 1].left > s->enters_at[edge[n - 1]]) {
+    bool right = from && s->list[from - 1].left > s->enters_at[edge[n - 1]];
+    if (from)
+      HSR_STEP(s->network->tally, X_MERGE,
+               hsr_edge_subject(s->network->edges, edge[n - 1]),
+               hsr_edge_subject(s->network->edges, s->list[from - 1].e),
+               HSR_NOWHERE, right);
+    if (right) {
       s->list[--to] = s->list[--from];
     } else {
       struct active *entry = &s->list[--to];
@@ -251,8 +274,12 @@ static bool compare_covers(struct sweep *s) {
     const struct active *edge = &s->list[k];
     for (uint32_t l = k + 1; l < s->n_active && s->list[l].left <= edge->right;
          l++) {
-      HSR_COUNT(s->network->tally, UNCERTAIN, 1);
-      if (!have_met(edge, &s->list[l]) && !note(s, edge->e, s->list[l].e))
+      bool met = have_met(edge, &s->list[l]);
+      HSR_STEP(s->network->tally, UNCERTAIN,
+               hsr_edge_subject(s->network->edges, edge->e),
+               hsr_edge_subject(s->network->edges, s->list[l].e), HSR_NOWHERE,
+               met);
+      if (!met && !note(s, edge->e, s->list[l].e))
         return false;
     }
   }
@@ -319,12 +346,20 @@ static enum hsr_status try_pair(struct sweep *s, uint32_t e, uint32_t c) {
   if (s->tried[c] == e) /* noted twice */
     return HSR_OK;
   s->tried[c] = e;
-  HSR_COUNT(network->tally, HSR_INTERSECT, 1);
-  if (hsr_edges_meet(network->edges, e, c) ||
-      !hsr_images_cross(&network->sight, e, c))
+  enum hsr_crossing found = HSR_DO_NOT_CROSS;
+  if (hsr_edges_meet(network->edges, e, c))
+    found = HSR_SHARE_A_VERTEX;
+  else if (hsr_images_cross(&network->sight, e, c))
+    found = hsr_sight_nearer(&network->sight, e, c) ? HSR_CROSSES_NEARER
+                                                    : HSR_CROSSES_FARTHER;
+  HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
+           hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
+  if (found < HSR_CROSSES_FARTHER)
     return HSR_OK;
-  HSR_COUNT(network->tally, CONFIRMED, 1);
-  if (!hsr_sight_nearer(&network->sight, e, c))
+  HSR_STEP(network->tally, CONFIRMED, hsr_edge_subject(network->edges, e),
+           hsr_edge_subject(network->edges, c), HSR_NOWHERE,
+           found == HSR_CROSSES_NEARER);
+  if (found != HSR_CROSSES_NEARER)
     return HSR_OK;
   return hsr_network_cross(network, e, c, network->net[c]);
 }
@@ -335,13 +370,15 @@ static enum hsr_status cross(void *context, struct hsr_network *network,
   bool placed = is_placed(network, e);
   const uint32_t *others = placed ? s->unplaced : network->contour;
   uint32_t n_others = placed ? s->n_unplaced : network->n_contour;
-  HSR_COUNT(network->tally, UNPLACED, n_others);
   for (size_t k = s->start[e]; k < s->start[e + 1]; k++)
     if (try_pair(s, e, s->c[k]))
       return HSR_E_NOMEM;
-  for (uint32_t k = 0; k < n_others; k++)
+  for (uint32_t k = 0; k < n_others; k++) {
+    HSR_STEP(network->tally, UNPLACED, hsr_edge_subject(network->edges, e),
+             hsr_edge_subject(network->edges, others[k]), HSR_NOWHERE, 0);
     if (try_pair(s, e, others[k]))
       return HSR_E_NOMEM;
+  }
   return HSR_OK;
 }
 
@@ -405,15 +442,51 @@ static enum hsr_status render(const struct hsr_job *job,
 }
 
 static const struct hsr_counter counters[] = {
-    HSR_NETWORK_COUNTERS,
-    {"bucket sort", "edges put into buckets, to enter and to leave"},
-    {"X merge", "comparisons to merge entering edges into the list"},
-    {"bubble sort", "comparisons of neighbours to sort the list again"},
-    {"interchanges", "exchanges of neighbours in the list"},
-    {"uncertain order", "comparisons of edges that cover places in common"},
-    {"crossings noted", "pairs put to the exact test: relevant, contour"},
-    {"crossings confirmed", "pairs whose images cross"},
-    {"unplaced pairs", "pairs tested since the image of one is not known"},
+    HSR_NETWORK_COUNTERS(true),
+    [BUCKET_SORT] = {"bucket sort",
+                     "edges put into buckets, to enter and to leave", HSR_SORT,
+                     HSR_OF_EDGE, HSR_OF_NOTHING, "to enter|to leave"},
+    [X_MERGE] = {"X merge", "comparisons to merge entering edges into the list",
+                 HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "goes right|goes left"},
+    [BUBBLE_SORT] = {"bubble sort",
+                     "comparisons of neighbours to sort the list again",
+                     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE,
+                     "in order|out of order"},
+    [INTERCHANGES] = {"interchanges", "exchanges of neighbours in the list",
+                      HSR_SORT, HSR_OF_EDGE, HSR_OF_EDGE},
+    [UNCERTAIN] = {"uncertain order",
+                   "pairs of edges that cover places in "
+                   "common, of which neither is the left "
+                   "one for certain",
+                   HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE,
+                   "new|already at the Y before"},
+    [NOTED] = {"crossings noted",
+               "pairs put to the exact test: relevant, contour", HSR_ACTIVATE,
+               HSR_OF_EDGE, HSR_OF_EDGE},
+    [CONFIRMED] = {"crossings confirmed", "pairs whose images cross",
+                   HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "farther|nearer"},
+    [UNPLACED] = {"unplaced pairs",
+                  "pairs tested because the image of one is not known",
+                  HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE},
+    {0}};
+static const struct hsr_line outline[] = {
+    {"sort edges by their northmost Y into buckets", HSR_RAISES(BUCKET_SORT)},
+    {"for each Y where edges enter or leave"},
+    {"  bubble sort: compare neighbours of the active edge list in X",
+     HSR_RAISES(BUBBLE_SORT)},
+    {"    interchange them, which notes a crossing", HSR_RAISES(INTERCHANGES)},
+    {"  merge entering edges into the list", HSR_RAISES(X_MERGE)},
+    {"  for each pair whose order is uncertain: note a crossing",
+     HSR_RAISES(UNCERTAIN)},
+    {"  note a crossing if one is relevant and the other is a contour edge",
+     HSR_RAISES(NOTED)},
+    HSR_NETWORK_OUTLINE_BEFORE,
+    {"    for each crossing noted: does the contour edge cross it?",
+     HSR_RAISES(HSR_INTERSECT)},
+    {"    the same for each edge whose image is not known",
+     HSR_RAISES(UNPLACED)},
+    {"      is the contour edge the nearer one?", HSR_RAISES(CONFIRMED)},
+    HSR_NETWORK_OUTLINE_AFTER,
     {0}};
 static const struct hsr_step steps[] = {
     HSR_NETWORK_STEPS,
@@ -449,6 +522,7 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_edges) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .prepare = hsr_network_prepare,
     .render = render,
     .release = hsr_network_release};
