@@ -8,28 +8,28 @@
  *             beta -> eliminated, see below; object -> body and volume;
  *             F_ij -> planes of volume j; unobscured portions -> fragments
  * Programme   P = (1 - alpha) E1 + alpha E2 + beta (towards the eye), beta > 0,
- *             is to be inside of all planes of a convex volume. Beta drops out
- *             by Fourier's elimination: a front plane (the eye is outside of
- *             it) gives a lower bound of beta, and any other an upper one or
- *             none. Alpha is good if no lower bound is above an upper one:
- *             E1 E2 at alpha is behind every front plane; and for every pair of
- *             a front plane and another, it is on the inner side of the plane
- *             through the eye and the line where those two meet. Of these, the
- *             pairs that meet in the volume's contour imply the others. What is
- *             left are conditions linear in alpha, which narrow the fragment
- *             down to its hidden part.
- * Invariant   what is on the stack, what was found visible, and what was found
- *             hidden, is together what of the edge is in the picture; a
- *             fragment on the stack is hidden by no volume before its `next`
- * Ties        the edge is displaced (common/lines/sight/sight.h). One in a front plane of a
- *             volume is not hidden by it, so that none is by its own volume's
- *             front
- * Departures  concave solids are divided by the program (common/lines/volumes.h). Of
- *             open objects, and where the near plane or the eye is in an
- *             object, every face is a volume without thickness; one that is not
- *             flat, or that is cut, is put to the edge by itself, by
- *             hsr_sight_face. Edges may pierce volumes, and implied edges are
- *             drawn: the paper's environments have neither
+ *             is to be inside of all planes of a convex volume. Fourier's
+ *             elimination removes beta: a front plane, which has the eye
+ *             outside, gives a lower bound of beta; any other plane gives an
+ *             upper bound or none. Alpha is good if no lower bound is above an
+ *             upper one. This means two things: E1 E2 at alpha is behind every
+ *             front plane; and for every pair of a front plane and another, it
+ *             is on the inner side of the plane through the eye and the line
+ *             where the two meet. The pairs that meet in the volume's contour
+ *             imply the other pairs. What remains are conditions linear in
+ *             alpha. They narrow the fragment down to its hidden part.
+ * Invariant   The fragments on the stack, those found visible and those found
+ *             hidden are together the part of the edge that is in the picture.
+ *             No volume before its `next` hides a fragment on the stack.
+ * Ties        The edge is displaced (common/lines/sight/sight.h). A volume does
+ *             not hide an edge in one of its front planes; so no edge is hidden
+ *             by the front of its own volume.
+ * Departures  The program divides concave solids (common/lines/volumes.h). Each
+ *             face is a volume without thickness in open objects, and where the
+ *             near plane or the eye is in an object. A face that is not flat,
+ *             or that is cut, is put to the edge by itself, by hsr_sight_face.
+ *             Edges may pierce volumes, and implied edges are drawn; the
+ *             paper's environments have neither.
  * Cost        Table III: back-edge cull E_t, clipping cull 100 E_s, edge/volume
  *             test 100 E_s f C_t, f = 4; it grows as the square of the
  *             environment */
@@ -55,8 +55,12 @@ enum {
   FRAGMENTS,
   CONDITIONS,
   APART,
-  TAKEN_APART
+  TAKEN_APART,
+  DRAWN
 };
+
+/* The outcomes of a minimax test. */
+enum { BODY_IN_THE_WAY, BODY_OUT, VOLUME_IN_THE_WAY, VOLUME_OUT };
 
 /* A condition on alpha: the edge is on this side of a plane, or of a line
  * (hsr_sight_narrow). */
@@ -65,8 +69,8 @@ struct condition {
   int side;
 };
 
-/* What is in the way: a volume that an edge may be behind. Its conditions are
- * contour[first_line], ... and front[first_plane], ... up to the next one's. */
+/* A volume that an edge may be behind. Its conditions are contour[first_line],
+ * ... and front[first_plane], ... up to the next one's. */
 struct volume {
   struct hsr_extent extent;
   uint32_t first_line, first_plane;
@@ -97,10 +101,10 @@ struct frame {
   struct hsr_tally *tally;
   struct hsr_sight sight;
 
-  uint32_t *apart, n_apart;  /* faces that are no volumes in this view */
-  bool *outside;             /* a plane of a volume: the eye is outside of it */
-  struct hsr_growing volume; /* struct volume; one more, which ends the last */
-  struct hsr_growing bodies; /* struct collection; likewise */
+  uint32_t *apart, n_apart;   /* faces that are no volumes in this view */
+  bool *outside;              /* by plane of a volume: the eye is outside */
+  struct hsr_growing volume;  /* struct volume; one more ends the last one */
+  struct hsr_growing bodies;  /* struct collection; likewise */
   struct hsr_growing contour; /* struct condition */
   struct hsr_growing front;   /* struct condition */
 
@@ -206,7 +210,7 @@ static bool begin_volume(struct frame *frame, const struct hsr_extent *extent) {
   return true;
 }
 
-/* The front planes of volume v, and its contour. */
+/* Adds volume v: its front planes, and its contour. */
 static bool add_volume(struct frame *frame, uint32_t v,
                        const struct hsr_extent *extent) {
   const struct hsr_volumes *volumes = frame->volumes;
@@ -231,7 +235,7 @@ static bool add_volume(struct frame *frame, uint32_t v,
   return true;
 }
 
-/* A face as it stands, if that can be. */
+/* Adds a face as a volume without thickness, if it is regular. */
 static bool add_face(struct frame *frame, uint32_t f) {
   const struct hsr_volumes *volumes = frame->volumes;
   const struct hsr_world *world = frame->edges->world;
@@ -245,8 +249,8 @@ static bool add_face(struct frame *frame, uint32_t f) {
   return true;
 }
 
-/* A solid that is seen from outside as the volumes that it is made of; any
- * other body face by face. */
+/* Adds a body: a solid that is seen from outside as the volumes that it is made
+ * of, any other body face by face. */
 static bool add_body(struct frame *frame, uint32_t b) {
   const struct hsr_volumes *volumes = frame->volumes;
   const uint32_t *corner = volumes->corner + volumes->corner_start[b];
@@ -270,7 +274,8 @@ static bool add_body(struct frame *frame, uint32_t b) {
     }
     return true;
   }
-  HSR_COUNT(frame->tally, TAKEN_APART, 1);
+  HSR_STEP(frame->tally, TAKEN_APART, HSR_VOLUME(b), HSR_NOTHING, HSR_NOWHERE,
+           0);
   for (uint32_t k = volumes->face_start[b]; k < volumes->face_start[b + 1]; k++)
     if (!add_face(frame, volumes->face[k]))
       return false;
@@ -333,8 +338,8 @@ static bool is_same(const struct hsr_sight_event *a,
   return a->at == b->at && a->subject == b->subject;
 }
 
-/* Takes the hidden part out of a fragment; returns which of the four outcomes
- * it is. What is left is left[0], and left[1]. */
+/* Takes the hidden part out of a fragment. Returns which of the four outcomes it
+ * is; left[0] and left[1] are what is left. */
 static int take_out(const struct fragment *fragment,
                     const struct fragment *hidden, struct fragment left[2]) {
   bool before = !is_same(&hidden->from, &fragment->from);
@@ -346,40 +351,66 @@ static int take_out(const struct fragment *fragment,
   return before && after ? TWO_LEFT : before || after ? ONE_LEFT : WHOLE;
 }
 
+/* Narrows the fragment to where a condition holds. False: nowhere. */
+static bool narrow(const struct frame *frame, uint32_t e, enum hsr_event_at at,
+                   const struct condition *condition,
+                   struct fragment *fragment) {
+  bool some = hsr_sight_narrow(&frame->sight, e, at, condition->subject,
+                               condition->side, &fragment->from, &fragment->to);
+  if (HSR_COUNTING) {
+    uint32_t f = condition->subject;
+    if (at == HSR_AT_LINE) { /* the front plane of the two that meet there */
+      const struct hsr_rim *rim = &frame->volumes->rim[f];
+      uint32_t plane = condition->side < 0 ? rim->plane : rim->other;
+      f = frame->volumes->plane[plane].face;
+    }
+    HSR_STEP(frame->tally, CONDITIONS, hsr_edge_subject(frame->edges, e),
+             HSR_FACE(f), HSR_NOWHERE, 2 * (at == HSR_AT_PLANE) + some);
+  }
+  return some;
+}
+
 /* Narrows the fragment to where all conditions hold. False: nowhere. */
 static bool solve(const struct frame *frame, uint32_t e,
                   const struct volume *volume, struct fragment *fragment) {
-  const struct hsr_sight *sight = &frame->sight;
   const struct condition *contour = frame->contour.items;
   const struct condition *front = frame->front.items;
-  for (uint32_t k = volume->first_line; k < volume[1].first_line; k++) {
-    HSR_COUNT(frame->tally, CONDITIONS, 1);
-    if (!hsr_sight_narrow(sight, e, HSR_AT_LINE, contour[k].subject,
-                          contour[k].side, &fragment->from, &fragment->to))
+  for (uint32_t k = volume->first_line; k < volume[1].first_line; k++)
+    if (!narrow(frame, e, HSR_AT_LINE, &contour[k], fragment))
       return false;
-  }
-  for (uint32_t k = volume->first_plane; k < volume[1].first_plane; k++) {
-    HSR_COUNT(frame->tally, CONDITIONS, 1);
-    if (!hsr_sight_narrow(sight, e, HSR_AT_PLANE, front[k].subject,
-                          front[k].side, &fragment->from, &fragment->to))
+  for (uint32_t k = volume->first_plane; k < volume[1].first_plane; k++)
+    if (!narrow(frame, e, HSR_AT_PLANE, &front[k], fragment))
       return false;
-  }
   return true;
 }
 
-static int test(const struct frame *frame, uint32_t e,
-                const struct volume *volume, const struct fragment *fragment,
-                struct fragment left[2]) {
-  HSR_STEP9(frame->tally, TEST, HSR_COMPARE, e, volume->collection, 0, 0, 0, 0);
+/* Tests a fragment against a volume, and returns the outcome. */
+static int test(const struct frame *frame, uint32_t e, uint32_t v,
+                const struct fragment *fragment, struct fragment left[2]) {
+  const struct volume *volume = (const struct volume *)frame->volume.items + v;
   struct fragment hidden = *fragment;
   int outcome = solve(frame, e, volume, &hidden)
                     ? take_out(fragment, &hidden, left)
                     : UNTOUCHED;
-  HSR_COUNT(frame->tally, outcome, 1);
+  HSR_STEP(frame->tally, TEST, hsr_edge_subject(frame->edges, e), HSR_VOLUME(v),
+           HSR_NOWHERE, outcome - WHOLE);
+  HSR_STEP(frame->tally, outcome, hsr_edge_subject(frame->edges, e),
+           HSR_VOLUME(v), HSR_NOWHERE, 0);
   return outcome;
 }
 
 /* --- An edge -------------------------------------------------------------- */
+
+/* The minimax test of an edge with body or volume k. */
+static bool is_out(const struct frame *frame, uint32_t e,
+                   const struct hsr_extent *edge,
+                   const struct hsr_extent *object, uint32_t k,
+                   int in_the_way) {
+  bool out = is_out_of_the_way(edge, object);
+  HSR_STEP(frame->tally, MINIMAX, hsr_edge_subject(frame->edges, e),
+           HSR_VOLUME(k), HSR_NOWHERE, in_the_way + out);
+  return out;
+}
 
 /* The first volume from v on that the edge may be behind, by minimax tests, and
  * that is not its own. */
@@ -392,17 +423,20 @@ static uint32_t next_in_the_way(const struct frame *frame, uint32_t e,
            n_bodies = (uint32_t)frame->bodies.n;
   while (v < n) {
     uint32_t c = volume[v].collection;
-    HSR_COUNT(frame->tally, MINIMAX, 1);
     if (v == collection[c].first &&
-        is_out_of_the_way(extent, &collection[c].extent)) {
-      HSR_COUNT(frame->tally, COLLECTIONS, 1);
+        is_out(frame, e, extent, &collection[c].extent, c, BODY_IN_THE_WAY)) {
+      HSR_STEP(frame->tally, COLLECTIONS, hsr_edge_subject(frame->edges, e),
+               HSR_VOLUME(c), HSR_NOWHERE, 0);
       v = c + 1 < n_bodies ? collection[c + 1].first : n;
-    } else if (is_out_of_the_way(extent, &volume[v].extent)) {
-      HSR_COUNT(frame->tally, VOLUMES, 1);
+    } else if (is_out(frame, e, extent, &volume[v].extent, v,
+                      VOLUME_IN_THE_WAY)) {
+      HSR_STEP(frame->tally, VOLUMES, hsr_edge_subject(frame->edges, e),
+               HSR_VOLUME(v), HSR_NOWHERE, 0);
       v++;
     } else if (is_own(frame, e, front + volume[v].first_plane,
                       volume[v + 1].first_plane - volume[v].first_plane)) {
-      HSR_COUNT(frame->tally, OWN, 1);
+      HSR_STEP(frame->tally, OWN, hsr_edge_subject(frame->edges, e),
+               HSR_VOLUME(v), HSR_NOWHERE, 0);
       v++;
     } else {
       break;
@@ -411,16 +445,16 @@ static uint32_t next_in_the_way(const struct frame *frame, uint32_t e,
   return v;
 }
 
-/* Tests all fragments on the stack against the remaining volumes, and what is
- * left of them. */
+/* Tests the fragments on the stack, and what is left of them, against the
+ * volumes that remain. */
 static bool test_fragments(struct frame *frame, uint32_t e,
                            const struct hsr_extent *extent) {
-  const struct volume *volume = frame->volume.items;
   uint32_t n = (uint32_t)frame->volume.n - 1;
   while (frame->stack.n) {
     struct fragment fragment =
         ((struct fragment *)frame->stack.items)[--frame->stack.n];
-    HSR_COUNT(frame->tally, FRAGMENTS, 1);
+    HSR_STEP(frame->tally, FRAGMENTS, hsr_edge_subject(frame->edges, e),
+             HSR_NOTHING, HSR_NOWHERE, 0);
     int outcome = UNTOUCHED;
     for (;;) {
       struct fragment left[2];
@@ -428,7 +462,7 @@ static bool test_fragments(struct frame *frame, uint32_t e,
       if (fragment.next == n)
         break;
       uint32_t v = fragment.next++;
-      outcome = test(frame, e, &volume[v], &fragment, left);
+      outcome = test(frame, e, v, &fragment, left);
       if (outcome == WHOLE)
         break;
       if (outcome == TWO_LEFT && !push(frame, &frame->stack, left[1]))
@@ -469,8 +503,8 @@ static bool hide(struct frame *frame, uint32_t e, struct hsr_sight_event from,
   return true;
 }
 
-/* The same for faces that are no volumes: the definition of the drawing tells
- * where each of them hides the edge. */
+/* Takes out of what is visible the parts that faces hide which are no volumes.
+ * The definition of the drawing tells where each of them hides the edge. */
 static bool hide_apart(struct frame *frame, uint32_t e,
                        const struct fragment *all) {
   const struct hsr_edges *edges = frame->edges;
@@ -482,11 +516,12 @@ static bool hide_apart(struct frame *frame, uint32_t e,
       own |= edges->side[s].face == f;
     if (own || hsr_sight_in_plane(sight, e, f))
       continue;
-    HSR_COUNT(frame->tally, APART, 1);
     frame->events.n = 0;
     if (hsr_sight_face(sight, e, f, frame->job->scratch, &frame->events,
                        &hidden))
       return false;
+    HSR_STEP(frame->tally, APART, hsr_edge_subject(edges, e), HSR_FACE(f),
+             HSR_NOWHERE, hidden);
     const struct hsr_sight_event *event = frame->events.items;
     struct hsr_sight_event from = all->from;
     for (size_t i = 0; i < frame->events.n; i++) {
@@ -511,10 +546,12 @@ static enum hsr_status add_interval(const struct frame *frame, uint32_t e,
                                 .t1 = fmax(from->t, to->t)};
   hsr_edge_point(frame->edges, e, segment.t0, segment.from);
   hsr_edge_point(frame->edges, e, segment.t1, segment.to);
+  HSR_ACCEPTED(frame->tally, DRAWN, hsr_edge_subject(frame->edges, e),
+               HSR_NOTHING, HSR_NOWHERE, &segment);
   return hsr_drawing_add(frame->job->drawing, &segment);
 }
 
-/* Draws what is visible, and what is between. */
+/* Draws the visible parts, and the hidden parts between them. */
 static enum hsr_status draw(const struct frame *frame, uint32_t e,
                             const struct fragment *all) {
   const struct fragment *visible = frame->visible.items;
@@ -530,20 +567,24 @@ static enum hsr_status draw(const struct frame *frame, uint32_t e,
                                : add_interval(frame, e, at, &all->to, true);
 }
 
-/* The culls: whether anything of the edge may be drawn, and what. */
+/* The culls: whether any part of the edge may be drawn, and which. */
 static bool is_relevant(const struct frame *frame, uint32_t e,
                         struct fragment *all) {
   const struct hsr_edges *edges = frame->edges;
   uint32_t existing = 0, wanted = edges->name[e].implied ? 2 : 1;
   for (uint32_t s = edges->side_start[e]; s < edges->side_start[e + 1]; s++) {
-    HSR_COUNT(frame->tally, BACK_CULL, 1);
-    existing += frame->sight.exists[edges->side[s].face];
+    uint32_t f = edges->side[s].face;
+    HSR_STEP(frame->tally, BACK_CULL, hsr_edge_subject(edges, e), HSR_FACE(f),
+             HSR_NOWHERE, frame->sight.exists[f]);
+    existing += frame->sight.exists[f];
   }
   if (existing < wanted)
     return false;
-  HSR_COUNT(frame->tally, CLIP_CULL, 1);
   all->next = 0;
-  return hsr_sight_picture(&frame->sight, e, &all->from, &all->to);
+  bool inside = hsr_sight_picture(&frame->sight, e, &all->from, &all->to);
+  HSR_STEP(frame->tally, CLIP_CULL, hsr_edge_subject(edges, e), HSR_THE_WINDOW,
+           HSR_NOWHERE, inside);
+  return inside;
 }
 
 static enum hsr_status draw_edge(struct frame *frame, uint32_t e) {
@@ -571,8 +612,8 @@ static enum hsr_status render(const struct hsr_job *job,
 
 /* --- The descriptor ------------------------------------------------------- */
 
-/* Every edge against every volume, of which there are not many more than
- * faces. */
+/* Every edge against every volume; there are not many more volumes than faces.
+ */
 static double expense(const struct hsr_world *world,
                       const struct hsr_view *view) {
   (void)view;
@@ -591,21 +632,75 @@ static double predict_test(const struct hsr_table1 *t) {
 }
 
 static const struct hsr_counter counters[] = {
-    {"back-edge cull", "sides of faces looked at for relevant edges"},
-    {"clipping cull", "edges clipped to the picture"},
-    {"minimax", "minimax tests of edges with collections and volumes"},
-    {"collections rejected", "bodies that an edge is not behind, by minimax"},
-    {"volumes rejected", "volumes that an edge is not behind, by minimax"},
-    {"own volumes", "volumes that have an edge in a front plane"},
-    {"edge/volume test", "fragments put to a convex volume"},
-    {"hidden whole", "tests that left nothing"},
-    {"untouched", "tests that left all"},
-    {"one piece left", "tests that left one piece"},
-    {"two pieces left", "tests that left two pieces"},
-    {"fragments", "edges and what was split off them"},
-    {"conditions", "planes and contour edges put to a fragment"},
-    {"faces apart", "faces that are no volumes put to an edge"},
-    {"bodies apart", "bodies that are taken face by face"},
+    [BACK_CULL] = {"back-edge cull",
+                   "sides of faces looked at for relevant edges", HSR_COMPARE,
+                   HSR_OF_EDGE, HSR_OF_FACE, "does not exist|exists"},
+    [CLIP_CULL] = {"clipping cull", "edges clipped to the picture", HSR_COMPARE,
+                   HSR_OF_EDGE, HSR_OF_WINDOW, "outside|inside"},
+    [MINIMAX] = {"minimax",
+                 "minimax tests of edges with collections and volumes",
+                 HSR_COMPARE, HSR_OF_EDGE, HSR_OF_VOLUME,
+                 "body in the way|body out of the way|volume in the "
+                 "way|volume out of the way"},
+    [COLLECTIONS] = {"collections rejected",
+                     "bodies that an edge is not behind, by minimax",
+                     HSR_REJECT, HSR_OF_EDGE, HSR_OF_VOLUME},
+    [VOLUMES] = {"volumes rejected",
+                 "volumes that an edge is not behind, by minimax", HSR_REJECT,
+                 HSR_OF_EDGE, HSR_OF_VOLUME},
+    [OWN] = {"own volumes", "volumes that have an edge in a front plane",
+             HSR_REJECT, HSR_OF_EDGE, HSR_OF_VOLUME},
+    [TEST] = {"edge/volume test", "fragments put to a convex volume",
+              HSR_COMPARE, HSR_OF_EDGE, HSR_OF_VOLUME,
+              "hidden whole|untouched|one piece left|two pieces left"},
+    [WHOLE] = {"hidden whole", "tests that left nothing", HSR_REJECT,
+               HSR_OF_EDGE, HSR_OF_VOLUME},
+    [UNTOUCHED] = {"untouched", "tests that left all", HSR_COMPARE, HSR_OF_EDGE,
+                   HSR_OF_VOLUME},
+    [ONE_LEFT] = {"one piece left", "tests that left one piece", HSR_SPLIT,
+                  HSR_OF_EDGE, HSR_OF_VOLUME},
+    [TWO_LEFT] = {"two pieces left", "tests that left two pieces", HSR_SPLIT,
+                  HSR_OF_EDGE, HSR_OF_VOLUME},
+    [FRAGMENTS] = {"fragments", "edges and what was split off them",
+                   HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_NOTHING},
+    [CONDITIONS] = {"conditions", "planes and contour edges put to a fragment",
+                    HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,
+                    "contour: nothing left|contour: some left|plane: nothing "
+                    "left|plane: some left"},
+    [APART] = {"faces apart", "faces that are no volumes put to an edge",
+               HSR_COMPARE, HSR_OF_EDGE, HSR_OF_FACE,
+               "does not hide its beginning|hides its beginning"},
+    [TAKEN_APART] = {"bodies apart", "bodies that are taken face by face",
+                     HSR_SPLIT, HSR_OF_VOLUME, HSR_OF_NOTHING},
+    [DRAWN] = {"intervals drawn", "intervals of edges added to the drawing",
+               HSR_ACCEPT, HSR_OF_EDGE, HSR_OF_NOTHING},
+    {0}};
+
+static const struct hsr_line outline[] = {
+    {"for each object that is no closed solid before the eye: take it face by "
+     "face",
+     HSR_RAISES(TAKEN_APART)},
+    {"for each edge"},
+    {"  back-edge cull: does a front face have it?", HSR_RAISES(BACK_CULL)},
+    {"  clipping cull: is it in the picture?", HSR_RAISES(CLIP_CULL)},
+    {"  for the edge, and for each fragment that is split off",
+     HSR_RAISES(FRAGMENTS)},
+    {"    for each volume"},
+    {"      minimax test: may the volume, or its whole object, be before it?",
+     HSR_RAISES(MINIMAX)},
+    {"        no: leave the object out", HSR_RAISES(COLLECTIONS)},
+    {"        no: leave the volume out", HSR_RAISES(VOLUMES)},
+    {"      is the edge in a front plane of the volume?", HSR_RAISES(OWN)},
+    {"      edge/volume test: where does the linear programme hold?",
+     HSR_RAISES(TEST)},
+    {"        narrow the fragment by a plane or by a contour edge",
+     HSR_RAISES(CONDITIONS)},
+    {"        it is hidden whole", HSR_RAISES(WHOLE)},
+    {"        it is untouched", HSR_RAISES(UNTOUCHED)},
+    {"        one piece of it is left", HSR_RAISES(ONE_LEFT)},
+    {"        two pieces are left: put one by", HSR_RAISES(TWO_LEFT)},
+    {"  put faces that are no volumes to what is left", HSR_RAISES(APART)},
+    {"  draw the unobscured portions, and the hidden ones", HSR_RAISES(DRAWN)},
     {0}};
 
 static const struct hsr_step steps[] = {
@@ -637,6 +732,7 @@ const struct hsr_algorithm HSR_ALGORITHM(roberts) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .expense = expense,
     .prepare = prepare,
     .render = render,
