@@ -296,7 +296,7 @@ void find_touched(hsr_edges *edges) {
     of_faces.push_back(box);
   }
   const Touching touching = {edges, world};
-  Lists<hsr_touch> touched(edges->n);
+  std::vector<std::pair<uint32_t, hsr_touch>> found;
   CGAL::box_intersection_d(
       of_edges.begin(), of_edges.end(), of_faces.begin(), of_faces.end(),
       [&](const Box &e_box, const Box &f_box) {
@@ -307,8 +307,16 @@ void find_touched(hsr_edges *edges) {
             return;
         bool in_plane;
         if (touching.touch(e, f, in_plane))
-          touched.add(e, {f, in_plane});
+          found.push_back({e, {f, in_plane}});
       });
+  // The order in which CGAL reports them is random.
+  std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
+    return std::make_pair(a.first, a.second.face) <
+           std::make_pair(b.first, b.second.face);
+  });
+  Lists<hsr_touch> touched(edges->n);
+  for (const auto &pair : found)
+    touched.add(pair.first, pair.second);
   touched.store_in(edges, &edges->touch_start, &edges->touch);
 }
 
