@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Clusters in the order of their priority for one eye: Schumacker's walk of the
- * tree of separating planes, each of which is looked at once.
+ * tree of separating planes. It looks at each plane once.
  *
  * Source      R. A. Schumacker, B. Brand, M. Gilliland, W. Sharp, 1969; as
  *             described by Sutherland et al. 1974, "List-Priority Algorithms",
@@ -11,12 +11,21 @@
 #include "algorithms/algorithm.h"
 #include "common/exact/order.h"
 
+/* The counter of the planes: a is the face whose plane it is, if it is one's; b
+ * is the number of the separator. */
+#define HSR_INTER_CLUSTER_COUNTER                                              \
+  {                                                                            \
+    "inter-cluster priority",                                                  \
+        "separating planes that the eye is compared with", HSR_COMPARE,        \
+        HSR_OF_FACE, HSR_OF_CELL, "behind|on it|in front"                      \
+  }
+
 struct hsr_cluster_order {
   const struct hsr_screen *screen;
   const struct hsr_clusters *clusters;
   struct hsr_tally *tally;
-  int counter;    /* of the planes that are looked at */
-  uint32_t *open; /* separators and clusters to come, the last one first */
+  int counter;    /* HSR_INTER_CLUSTER_COUNTER */
+  uint32_t *open; /* a stack of separators and clusters to come */
   uint32_t n_open;
 };
 
@@ -40,15 +49,17 @@ hsr_cluster_order_init(struct hsr_cluster_order *order,
 static inline int hsr_separator_side(const struct hsr_cluster_order *order,
                                      uint32_t number) {
   const struct hsr_separator *s = &order->clusters->separator[number];
-  HSR_STEP9(order->tally, order->counter, HSR_COMPARE, s->face, number, 0, 0, 0,
-            0);
-  if (s->face != HSR_NO_FACE)
-    return hsr_eye_side(order->screen, s->face, order->tally);
   double eye = order->screen->view->E[s->axis];
-  return eye > s->at ? 1 : eye < s->at ? -1 : 0;
+  int side = s->face != HSR_NO_FACE
+                 ? hsr_eye_side(order->screen, s->face, order->tally)
+                 : (eye > s->at) - (eye < s->at);
+  HSR_STEP(order->tally, order->counter,
+           s->face != HSR_NO_FACE ? HSR_FACE(s->face) : HSR_NOTHING,
+           HSR_CELL(number, 0, 0), HSR_NOWHERE, side + 1);
+  return side;
 }
 
-/* The next cluster, the nearest first or else the farthest: false, if that was
+/* The next cluster, from the nearest or from the farthest on. False if that was
  * all. */
 static inline bool hsr_next_cluster(struct hsr_cluster_order *order,
                                     bool nearest_first, uint32_t *cluster) {

@@ -11,12 +11,12 @@
  *             painted so far
  * Ties        those of priority_list.h; faces of one plane that share a sample
  *             are in one cluster
- * Departures  those of priority_list.h. A face that is not quite flat may have
+ * Departures  Those of priority_list.h. A face that is not quite flat may have
  *             no place in the order of clusters, because it touches a
- *             separating plane or the eye grazes its own: it is painted after
- *             all clusters, where it is nearer than what is there; these
+ *             separating plane or the eye grazes its own plane. It is painted
+ *             after all clusters, where it is nearer than what is there; these
  *             comparisons are among the thickness checks. Faces are convex,
- *             since separating planes may cut them.
+ *             because separating planes may cut them.
  * Cost        inter-cluster priority 10 C_t; and Newell's steps beside the
  *             predictions for it alone: here each list is that of one cluster,
  *             and faces of different clusters are never compared */
@@ -26,11 +26,16 @@
 /* Newell's counters are from NEWELL on. */
 enum { INTER_CLUSTER, NEWELL };
 
-static const struct hsr_counter counters[] = {
-    [INTER_CLUSTER] = {"inter-cluster priority",
-                       "separating planes that the eye is compared with"},
-    HSR_PAINTING_COUNTERS(""),
-    {NULL, NULL}};
+static const struct hsr_counter counters[] = {[INTER_CLUSTER] =
+                                                  HSR_INTER_CLUSTER_COUNTER,
+                                              HSR_PAINTING_COUNTERS(""),
+                                              {NULL, NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each cluster, from the farthest, by the separating planes",
+     HSR_RAISES(INTER_CLUSTER)},
+    HSR_PAINTING_OUTLINE(NEWELL, "  "),
+    {NULL}};
 
 static double predict_inter_cluster(const struct hsr_table1 *t) {
   return 10 * t->C_t;
@@ -54,7 +59,7 @@ struct schumacker_newell {
   struct hsr_screen screen;
   struct hsr_cluster_order order;
   struct hsr_newell newell;
-  bool *relevant;           /* a face */
+  bool *relevant;           /* by face */
   uint32_t *faces, n_faces; /* of the cluster that is painted */
   uint32_t *loose, n_loose; /* in no cluster, or not for this eye */
 };
@@ -114,7 +119,9 @@ static enum hsr_status render(const struct hsr_job *job,
   if (reserve(s, job))
     return hsr_fail_nomem(err);
   s->newell.frame_buffer = true;
+  job->tally->first = NEWELL;
   hsr_newell_open(&s->newell, &job->view->window);
+  job->tally->first = 0;
   for (uint32_t cluster; hsr_next_cluster(&s->order, false, &cluster);) {
     take_faces(s, cluster);
     job->tally->first = NEWELL;
@@ -144,4 +151,5 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker_newell) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .render = render};

@@ -11,9 +11,10 @@
  * Invariant   at every sample the last one painted is the nearest of those
  *             painted so far
  * Ties        those of priority_list.h
- * Departures  those of priority_list.h. Where one thick face is painted over
- *             another, the samples are asked as a bead is merged; these are
- *             counted apart.
+ * Departures  Those of priority_list.h. Where one thick face is painted over
+ *             another, depths at the samples decide as a bead is merged; these
+ *             comparisons are counted apart. The picture is written at the end,
+ *             bead by bead; without beads, segment by segment.
  * Cost        segments 10 F_r H_f, X merge F_r H_f S_v / 4, and those of
  *             priority_list.h */
 #include "algorithms/list_priority/per_frame/newell.h"
@@ -26,6 +27,11 @@ static const struct hsr_counter counters[] = {HSR_NEWELL_COUNTERS(""),
 
 static const struct hsr_counter counters_frame_buffer[] = {
     HSR_PAINTING_COUNTERS(""), {NULL, NULL}};
+
+static const struct hsr_line outline[] = {HSR_NEWELL_OUTLINE(0, ""), {NULL}};
+
+static const struct hsr_line outline_frame_buffer[] = {
+    HSR_PAINTING_OUTLINE(0, ""), {NULL}};
 
 static const struct hsr_step steps[] = {HSR_NEWELL_STEPS(0, ""),
                                         {NULL, 0, 0, NULL, NULL}};
@@ -88,6 +94,13 @@ static void set_next(struct hsr_newell *s, int j, uint32_t bead,
     bead_at(s, bead)->next = next;
 }
 
+static void tell_bead(const struct hsr_newell *s, uint32_t b, int j,
+                      int covered) {
+  const struct bead *bead = bead_at(s, b);
+  HSR_STEP(s->tally, HSR_BEAD_MERGE, HSR_FACE(bead->face), HSR_THE_WINDOW,
+           HSR_ON(bead->x0, bead->x1, j), covered);
+}
+
 /* The beads of row j around column x: the first that ends after it, and the one
  * before that. */
 static uint32_t find_bead(struct hsr_newell *s, int j, int x,
@@ -95,14 +108,14 @@ static uint32_t find_bead(struct hsr_newell *s, int j, int x,
   uint32_t b = s->row[j - s->window->y0];
   *before = NONE;
   while (b != NONE && bead_at(s, b)->x1 <= x) {
-    HSR_COUNT(s->tally, HSR_BEAD_MERGE, 1);
+    tell_bead(s, b, j, 0);
     *before = b;
     b = bead_at(s, b)->next;
   }
   return b;
 }
 
-/* The samples [x0, x1) of row j become a bead; what was there is overwritten.
+/* Makes the samples [x0, x1) of row j a bead, which overwrites what was there.
  */
 static void merge_bead(struct hsr_newell *s, struct bead new, int j) {
   int x0 = new.x0, x1 = new.x1;
@@ -122,7 +135,7 @@ static void merge_bead(struct hsr_newell *s, struct bead new, int j) {
   }
   while (b != NONE && bead_at(s, b)->x1 <= x1) {
     uint32_t next = bead_at(s, b)->next;
-    HSR_COUNT(s->tally, HSR_BEAD_MERGE, 1);
+    tell_bead(s, b, j, 1);
     drop_bead(s, b);
     b = next;
   }
@@ -134,6 +147,9 @@ static void merge_bead(struct hsr_newell *s, struct bead new, int j) {
 
 static void write_samples(struct hsr_newell *s, struct bead new, int j) {
   size_t row = (size_t)j * s->job->ids_stride;
+  if (new.x0 < new.x1)
+    HSR_STEP(s->tally, HSR_NEWELL_WRITTEN, HSR_FACE(new.face), HSR_THE_WINDOW,
+             HSR_ON(new.x0, new.x1, j), 0);
   for (int i = new.x0; i < new.x1; i++)
     s->job->ids[row + (size_t)i] = new.face;
   float *rgb = s->job->paint ? s->job->paint->rgb + 3 * row : NULL;
@@ -148,8 +164,8 @@ static void overwrite_opaque(struct hsr_newell *s, struct bead new, int j) {
     merge_bead(s, new, j);
 }
 
-/* What is painted at (i, j), as a bead that ends at `most` or before; its
- * face is the background where there is nothing. */
+/* What is painted at (i, j), as a bead that ends at `most` or before. Where
+ * nothing is painted, its face is the background. */
 static struct bead painted(struct hsr_newell *s, int i, int j, int most) {
   struct bead there = {i, most, HSR_BACKGROUND, NONE, {0}};
   const struct hsr_paint *paint = s->job->paint;
@@ -181,8 +197,8 @@ static struct bead painted(struct hsr_newell *s, int i, int j, int most) {
   return there;
 }
 
-/* Partial overwriting: a transparent face that is brighter than what lies
- * under it takes its place; else the two are combined. */
+/* Partial overwriting: a transparent face that is brighter than what lies under
+ * it takes its place; otherwise the two are combined. */
 static void overwrite_partly(struct hsr_newell *s, struct bead new,
                              float opacity, int j) {
   float brightness = new.rgb[0] + new.rgb[1] + new.rgb[2];
@@ -219,13 +235,14 @@ static bool is_thick(const struct hsr_newell *s, uint32_t f) {
 /* Whether f is nearer than g at (i, j). */
 static bool ask_sample(struct hsr_newell *s, uint32_t f, uint32_t g, int i,
                        int j) {
-  HSR_STEP9(s->tally, HSR_NEWELL_THICKNESS, HSR_COMPARE, f, g, i, j, i + 1,
-            j + 1);
-  return f == g || hsr_nearer(s->list.screen, f, g, i, j, s->tally);
+  bool nearer = f == g || hsr_nearer(s->list.screen, f, g, i, j, s->tally);
+  HSR_STEP(s->tally, HSR_NEWELL_THICKNESS, HSR_FACE(f), HSR_FACE(g),
+           HSR_AT(i, j), nearer);
+  return nearer;
 }
 
-/* Overwrites those of the samples where f is not behind what is there, which is
- * asked where both touch others within their thickness. */
+/* Overwrites those of the samples at which f is not behind what is there. Depths
+ * are compared only with faces that are thick, too. */
 static void overwrite_thick(struct hsr_newell *s, uint32_t f, int x0, int x1,
                             int j) {
   for (int i = x0, end; i < x1; i = end) {
@@ -268,8 +285,8 @@ static void paint(struct hsr_newell *s, const struct hsr_piece *piece) {
       int x1 = columns[k + 1] < w->x1 ? columns[k + 1] : w->x1;
       if (x0 >= x1)
         continue;
-      HSR_STEP9(s->tally, HSR_NEWELL_SEGMENTS, HSR_SPAN, f, HSR_NO_ID, x0, j,
-                x1, j + 1);
+      HSR_STEP(s->tally, HSR_NEWELL_SEGMENTS, HSR_FACE(f), HSR_THE_WINDOW,
+               HSR_ON(x0, x1, j), 0);
       HSR_TOUCH_SPAN(s->tally, x0, x1, j);
       if (is_thick(s, f))
         overwrite_thick(s, f, x0, x1, j);
@@ -318,7 +335,7 @@ void hsr_newell_open(struct hsr_newell *s, const struct hsr_window *window) {
   for (int j = window->y0; j < window->y1; j++)
     s->row[j - window->y0] = NONE;
   if (s->frame_buffer)
-    show_beads(s); /* there are none: the background */
+    show_beads(s); /* there are none, so this writes the background */
 }
 
 void hsr_newell_paint(struct hsr_newell *s, const uint32_t *faces, uint32_t n) {
@@ -408,6 +425,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .render = render};
 
 const struct hsr_algorithm HSR_ALGORITHM(newell_frame_buffer) = {
@@ -421,6 +439,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_frame_buffer) = {
     .sorts = sorts_frame_buffer,
     .counters = counters_frame_buffer,
     .steps = steps_frame_buffer,
+    .outline = outline_frame_buffer,
     .render = render_frame_buffer};
 
 const struct hsr_algorithm HSR_ALGORITHM(newell_previous) = {
@@ -434,6 +453,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_previous) = {
     .sorts = sorts_previous,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .prepare = prepare_previous,
     .render = render_previous,
     .release = free};

@@ -45,9 +45,11 @@ void hsr_newell_solve(struct hsr_newell *newell,
                       const struct hsr_window *window, const uint32_t *faces,
                       uint32_t n);
 
-/* The same in parts: a window without beads; n faces painted over what is
- * there; one face, where it is nearer than what is there, whose samples are
- * asked, the window being the view's; the beads into the picture. */
+/* The same in parts. hsr_newell_open: a window without beads.
+ * hsr_newell_paint: paints n faces over what is there.
+ * hsr_newell_paint_unordered: paints one face where it is nearer than what is
+ * there, sample by sample; the window is the view's. hsr_newell_show: brings
+ * the beads into the picture. */
 void hsr_newell_open(struct hsr_newell *newell,
                      const struct hsr_window *window);
 void hsr_newell_paint(struct hsr_newell *newell, const uint32_t *faces,
@@ -60,17 +62,53 @@ void hsr_newell_show(struct hsr_newell *newell);
 enum {
   HSR_NEWELL_SEGMENTS = HSR_N_LIST_COUNTERS,
   HSR_NEWELL_THICKNESS,
+  HSR_NEWELL_WRITTEN,
   HSR_BEAD_MERGE,
   HSR_N_NEWELL_COUNTERS
 };
 #define HSR_PAINTING_COUNTERS(of)                                              \
-  HSR_LIST_COUNTERS(of), {of "segments", "segments generated"}, {              \
-    of "thickness checks",                                                     \
-        "comparisons in depth where faces that are not flat touch"             \
+  HSR_LIST_COUNTERS(of),                                                       \
+      {of "segments", "segments generated", HSR_SPAN, HSR_OF_FACE,             \
+       HSR_OF_WINDOW},                                                         \
+      {of "thickness checks",                                                  \
+       "comparisons in depth where faces that are not flat touch",             \
+       HSR_COMPARE,                                                            \
+       HSR_OF_FACE,                                                            \
+       HSR_OF_FACE,                                                            \
+       "farther|nearer"},                                                      \
+  {                                                                            \
+    of "spans written", "runs of samples of one face written to the picture",  \
+        HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW                                 \
   }
 #define HSR_NEWELL_COUNTERS(of)                                                \
   HSR_PAINTING_COUNTERS(of), {                                                 \
-    of "X merge", "beads passed to find the place of a segment"                \
+    of "X merge",                                                              \
+        "beads passed to find the place of a segment, or covered "             \
+        "by it",                                                               \
+        HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW, "passed|covered"              \
+  }
+
+/* Outlines as in priority_list.h. With beads, the segments are written last. */
+#define HSR_SEGMENTS_OUTLINE(first, in)                                        \
+  HSR_LIST_OUTLINE(first, in),                                                 \
+      {in "  generate the segments of P",                                      \
+       HSR_RAISES((first) + HSR_NEWELL_SEGMENTS)},                             \
+  {                                                                            \
+    in "    of thick faces: is P nearer than what is there?",                  \
+        HSR_RAISES((first) + HSR_NEWELL_THICKNESS)                             \
+  }
+#define HSR_PAINTING_OUTLINE(first, in)                                        \
+  HSR_SEGMENTS_OUTLINE(first, in), {                                           \
+    in "    paint the segment on the frame buffer",                            \
+        HSR_RAISES((first) + HSR_NEWELL_WRITTEN)                               \
+  }
+#define HSR_NEWELL_OUTLINE(first, in)                                          \
+  HSR_SEGMENTS_OUTLINE(first, in),                                             \
+      {in "    merge it among the beads of its scan line: it overwrites them", \
+       HSR_RAISES((first) + HSR_BEAD_MERGE)},                                  \
+  {                                                                            \
+    in "show the beads of every scan line",                                    \
+        HSR_RAISES((first) + HSR_NEWELL_WRITTEN)                               \
   }
 
 #define HSR_PAINTING_STEPS(first, of)                                          \

@@ -11,12 +11,12 @@
  * Invariant   of two pieces that cover a sample, the one with the greater
  *             number is the nearer one, unless both are of thick faces
  * Ties        those of priority_list.h; among thick faces, by hsr_nearer
- * Departures  those of priority_list.h and scan_line.h. A divided face gives
- *             its columns a row at a time (hsr_piece_spans), being its face and
- *             cuts. Of two segments of thick faces the samples are asked, at
- *             both ends of what they share and, where these differ, at the
- *             crossing, as depth is linear along the row; this is counted
- *             apart.
+ * Departures  Those of priority_list.h and scan_line.h. A divided face is its
+ *             face and cuts, and gives its columns a row at a time
+ *             (hsr_piece_spans). Two segments of thick faces are compared in
+ *             depth at both ends of what they share; if the answers differ,
+ *             the crossing is searched for, as depth is linear along the row.
+ *             These comparisons are counted apart.
  * Cost        those of priority_list.h; of watkins.c all but the depth search:
  *             a priority search is one comparison, where Table III has 30 */
 #include "algorithms/list_priority/per_frame/priority_list.h"
@@ -33,12 +33,14 @@ enum {
 static const struct hsr_counter counters[] = {
     HSR_LIST_COUNTERS(""),
     HSR_SPAN_COUNTERS(""),
-    [SCAN +
-        PRIORITY_SEARCH] = {"priority search",
-                            "comparisons of two segments' priority numbers"},
+    [SCAN + PRIORITY_SEARCH] = {"priority search",
+                                "comparisons of two segments' priority numbers",
+                                HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,
+                                "less|greater"},
     [SCAN + THICKNESS] =
         {"thickness checks",
-         "comparisons in depth where faces that are not flat touch"},
+         "comparisons in depth where faces that are not flat touch",
+         HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
     {NULL, NULL}};
 
 static const struct hsr_step steps[] = {
@@ -82,8 +84,10 @@ static enum hsr_status order_pieces(struct newell_watkins *s,
 /* Whether f is nearer than g at (i, j). */
 static bool ask_sample(const struct newell_watkins *s, uint32_t f, uint32_t g,
                        int i, int j) {
-  HSR_STEP9(s->list.tally, THICKNESS, HSR_COMPARE, f, g, i, j, i + 1, j + 1);
-  return hsr_nearer(s->list.screen, f, g, i, j, s->list.tally);
+  bool nearer = hsr_nearer(s->list.screen, f, g, i, j, s->list.tally);
+  HSR_STEP(s->list.tally, THICKNESS, HSR_FACE(f), HSR_FACE(g), HSR_AT(i, j),
+           nearer);
+  return nearer;
 }
 
 /* The last step of Watkins' algorithm. */
@@ -94,9 +98,10 @@ static bool is_prior(void *context, const struct hsr_watkins_segment *f,
   const bool *thick = s->list.thick;
   *end = r;
   if (!thick[f->face] || !thick[g->face]) {
-    HSR_STEP9(s->list.tally, PRIORITY_SEARCH, HSR_COMPARE, f->face, g->face, l,
-              j, r, j + 1);
-    return f->piece > g->piece;
+    bool prior = f->piece > g->piece;
+    HSR_STEP(s->list.tally, PRIORITY_SEARCH, HSR_PIECE(f->face, f->piece),
+             HSR_PIECE(g->face, g->piece), HSR_ON(l, r, j), prior);
+    return prior;
   }
   bool nearer = ask_sample(s, f->face, g->face, l, j);
   if (l + 1 < r && ask_sample(s, f->face, g->face, r - 1, j) != nearer)

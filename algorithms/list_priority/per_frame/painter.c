@@ -1,26 +1,37 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The painter's algorithm, naive: faces painted over one another in the order
- * of their farthest vertices, and nothing done where that is no priority order.
+ * of their farthest vertices. Nothing is done where that is no priority order.
  *
  * Source      the Z sort of Newell, Newell and Sancha 1972 without their
- * special sort; Sutherland et al. 1974, "List-Priority Algorithms" and figure
- *             22, where it goes wrong.
+ *             special sort; Sutherland et al. 1974, "List-Priority Algorithms"
+ *             and figure 22, where it goes wrong.
  * Notation    farthest -> farthest[]; the frame buffer -> the picture of ids
  * Invariants  order[] is sorted by farthest vertex, farthest first
  * Ties        of equal depth, the lower id is painted last
- * Departures  none: it is wrong wherever faces overlap in depth and the one
- * with the farther vertex is in front, and wherever they penetrate or overlap
- * cyclically. It is here because it is taught and used. Cost        Z sort F_r
- * log2 F_r, painting H_f^2 F_r samples */
+ * Departures  None. It is wrong wherever faces overlap in depth and the one
+ *             with the farther vertex is in front, and wherever they penetrate
+ *             or overlap cyclically. It is here because it is taught and used.
+ * Cost        Z sort F_r log2 F_r, painting H_f^2 F_r samples */
 #include "algorithms/algorithm.h"
 #include "common/exact/order.h"
 
 enum { Z_SORT, SAMPLES };
 
 static const struct hsr_counter counters[] = {
-    [Z_SORT] = {"Z sort", "comparisons of two farthest vertices"},
-    [SAMPLES] = {"samples", "samples painted"},
+    [Z_SORT] = {"Z sort", "comparisons of two farthest vertices", HSR_COMPARE,
+                HSR_OF_FACE, HSR_OF_FACE, "goes later|goes first"},
+    [SAMPLES] = {"samples", "samples painted", HSR_ACCEPT, HSR_OF_FACE,
+                 HSR_OF_WINDOW},
     {NULL, NULL}};
+
+static const struct hsr_line outline[] = {
+    {"Z sort: put the faces in order of their farthest vertices",
+     HSR_RAISES(Z_SORT)},
+    {"for each face, the farthest first"},
+    {"  for each scan line that it meets"},
+    {"    for each sample between its edges"},
+    {"      paint it, over what is there", HSR_RAISES(SAMPLES)},
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {
     {"faces", "Z", "merge sort of the farthest vertex", "once a frame"},
@@ -30,16 +41,17 @@ static const struct hsr_sort sorts[] = {
 struct painter {
   const struct hsr_job *job;
   struct hsr_screen screen;
-  double *farthest; /* a face */
+  double *farthest; /* by face */
   uint32_t *order, *other;
   int *columns;
 };
 
 static bool goes_first(const struct painter *s, uint32_t f, uint32_t g) {
-  HSR_STEP9(s->job->tally, Z_SORT, HSR_COMPARE, f, g, 0, 0, 0, 0);
-  if (s->farthest[f] != s->farthest[g])
-    return s->farthest[f] > s->farthest[g];
-  return f > g;
+  bool first = s->farthest[f] != s->farthest[g]
+                   ? s->farthest[f] > s->farthest[g]
+                   : f > g;
+  HSR_STEP(s->job->tally, Z_SORT, HSR_FACE(f), HSR_FACE(g), HSR_NOWHERE, first);
+  return first;
 }
 
 /* Merges the runs [begin, middle) and [middle, end) of order[] into other[]. */
@@ -76,7 +88,8 @@ static void paint(struct painter *s, uint32_t f) {
       int x0 = s->columns[k] > b->x0 ? s->columns[k] : b->x0;
       int x1 = s->columns[k + 1] < b->x1 ? s->columns[k + 1] : b->x1;
       for (int i = x0; i < x1; i++) {
-        HSR_COUNT(s->job->tally, SAMPLES, 1);
+        HSR_STEP(s->job->tally, SAMPLES, HSR_FACE(f), HSR_THE_WINDOW,
+                 HSR_AT(i, j), 0);
         HSR_TOUCH(s->job->tally, i, j);
         row[i] = f;
       }
@@ -135,4 +148,5 @@ const struct hsr_algorithm HSR_ALGORITHM(painter) = {
     .flags = HSR_KNOWN_WRONG,
     .sorts = sorts,
     .counters = counters,
+    .outline = outline,
     .render = render};

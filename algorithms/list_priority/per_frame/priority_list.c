@@ -18,11 +18,17 @@ struct piece {
   uint32_t bucket;          /* of the farthest; greater is nearer */
   uint32_t marker; /* the last attempt in which it was moved to the end of the
                       list; 0: never, and it is still where it was sorted */
-  bool forced;     /* could not be ordered: asks the samples */
+  bool forced;     /* no order was found: the samples decide */
 };
 
 static struct piece *piece_at(const struct hsr_priority_list *s, uint32_t p) {
   return (struct piece *)s->pieces.items + p;
+}
+
+/* A piece as the subject of a step. */
+static struct hsr_subject subject(const struct hsr_priority_list *s,
+                                  uint32_t p) {
+  return HSR_PIECE(piece_at(s, p)->part.face, p);
 }
 
 /* --- Z sort --------------------------------------------------------------- */
@@ -91,13 +97,13 @@ static void sort_digit(struct hsr_priority_list *s, int digit,
   for (uint32_t k = 0; k < s->pieces.n; k++) {
     uint32_t p = from[k];
     to[begin[(piece_at(s, p)->bucket >> shift) % RADIX]++] = p;
-    HSR_STEP9(s->tally, HSR_LIST_Z_SORT, HSR_SORT, piece_at(s, p)->part.face,
-              HSR_NO_ID, 0, 0, 0, 0);
+    HSR_STEP(s->tally, HSR_LIST_Z_SORT, subject(s, p), HSR_NOTHING, *s->window,
+             0);
   }
 }
 
-/* The order of the last frame, those in front that it did not paint, put right
- * by an insertion sort. */
+/* Takes the order of the last frame, and after it the pieces that it did not
+ * paint, and puts it right by an insertion sort. */
 static void sort_previous(struct hsr_priority_list *s) {
   const struct hsr_previous *previous = s->previous;
   uint32_t n = 0;
@@ -115,10 +121,11 @@ static void sort_previous(struct hsr_priority_list *s) {
     uint32_t p = s->order[k], to = k;
     piece_at(s, p)->marker = 0;
     for (; to; to--) {
-      HSR_STEP9(s->tally, HSR_LIST_Z_SORT, HSR_COMPARE,
-                piece_at(s, p)->part.face,
-                piece_at(s, s->order[to - 1])->part.face, 0, 0, 0, 0);
-      if (piece_at(s, s->order[to - 1])->bucket <= piece_at(s, p)->bucket)
+      uint32_t before = s->order[to - 1];
+      bool in_order = piece_at(s, before)->bucket <= piece_at(s, p)->bucket;
+      HSR_STEP(s->tally, HSR_LIST_Z_SORT, subject(s, p), subject(s, before),
+               *s->window, in_order ? 1 : 2);
+      if (in_order)
         break;
       s->order[to] = s->order[to - 1];
     }
@@ -174,7 +181,7 @@ static int cut_side(const struct hsr_priority_list *s,
                     const struct piece *piece, uint32_t g) {
   for (uint32_t c = 0; c < piece->part.n_cuts; c++)
     if (same_plane(s, piece->part.cuts[c].face, g)) {
-      /* Two faces of one plane may face two ways. */
+      /* Faces of one plane may face opposite ways. */
       int eye = hsr_eye_side(s->screen, piece->part.cuts[c].face, s->tally);
       return piece->part.cuts[c].side == eye ? 1 : -1;
     }
@@ -267,12 +274,11 @@ static bool spans_meet(const struct hsr_window *w, const int *a, int n_a,
   return false;
 }
 
-/* Test 6: no sample is in both. By a line between whole faces if there is one,
- * else by the spans of every row that both may reach. */
+/* Test 6: no sample is in both. It looks for an edge of whole faces that
+ * separates them, and then at the spans of every row that both may reach. */
 static bool are_apart(struct hsr_priority_list *s, const struct piece *p,
                       const struct piece *q) {
   uint32_t f = p->part.face, g = q->part.face;
-  HSR_COUNT(s->tally, HSR_LIST_OVERLAPS, 1);
   if (s->screen->whole[f] && s->screen->whole[g] &&
       (edge_separates(s, f, g) || edge_separates(s, g, f)))
     return true;
@@ -296,32 +302,61 @@ static bool minimax(int a0, int a1, int b0, int b1) {
   return a0 < b1 && b0 < a1;
 }
 
-/* The six tests, in order. */
-static bool may_obscure(struct hsr_priority_list *s, struct piece *p,
-                        struct piece *q) {
-  uint32_t f = p->part.face, g = q->part.face;
-  HSR_STEP9(s->tally, HSR_LIST_SPECIAL, HSR_COMPARE, f, g, 0, 0, 0, 0);
-  if (p->nearest > q->farthest)
-    return false;
-  HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 1);
-  const struct hsr_bounds *pb = &p->part.bounds, *qb = &q->part.bounds;
-  if (!minimax(pb->x0, pb->x1, qb->x0, qb->x1))
-    return false;
-  HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 1);
-  if (!minimax(pb->y0, pb->y1, qb->y0, qb->y1))
-    return false;
-  HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 100);
-  enum hsr_certainty certainty = is_deeper(s, p, q);
-  if (certainty != HSR_YES) {
-    enum hsr_certainty closer = is_closer(s, q, p);
-    certainty = closer > certainty ? closer : certainty;
+/* Tests 1 to 3: P and Q are apart in Z, X or Y. HSR_P_MAY_OBSCURE: they are
+ * not. */
+static enum hsr_special test_minimax(const struct hsr_priority_list *s,
+                                     uint32_t p, uint32_t q) {
+  const struct piece *P = piece_at(s, p), *Q = piece_at(s, q);
+  const struct hsr_bounds *pb = &P->part.bounds, *qb = &Q->part.bounds;
+  if (P->nearest > Q->farthest)
+    return HSR_APART_IN_Z;
+  bool x = minimax(pb->x0, pb->x1, qb->x0, qb->x1);
+  HSR_STEP(s->tally, HSR_LIST_MINIMAX, subject(s, p), subject(s, q), *s->window,
+           x);
+  if (!x)
+    return HSR_APART_IN_X;
+  bool y = minimax(pb->y0, pb->y1, qb->y0, qb->y1);
+  HSR_STEP(s->tally, HSR_LIST_MINIMAX, subject(s, p), subject(s, q), *s->window,
+           2 + y);
+  return y ? HSR_P_MAY_OBSCURE : HSR_APART_IN_Y;
+}
+
+/* Tests 4 to 6. */
+static enum hsr_special test_planes(struct hsr_priority_list *s, uint32_t p,
+                                    uint32_t q) {
+  const struct piece *P = piece_at(s, p), *Q = piece_at(s, q);
+  enum hsr_certainty deeper = is_deeper(s, P, Q);
+  if (deeper == HSR_YES)
+    return HSR_P_BEYOND_Q;
+  enum hsr_certainty closer = is_closer(s, Q, P);
+  if (closer == HSR_YES)
+    return HSR_Q_BEFORE_P;
+  bool apart = are_apart(s, P, Q);
+  HSR_STEP(s->tally, HSR_LIST_OVERLAPS, subject(s, p), subject(s, q),
+           *s->window, apart);
+  if (apart)
+    return HSR_NO_OVERLAP;
+  return deeper == HSR_NO && closer == HSR_NO && !P->forced ? HSR_P_MAY_OBSCURE
+                                                            : HSR_TO_SAMPLES;
+}
+
+/* The six tests, in order: may P obscure Q? */
+static bool may_obscure(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
+  enum hsr_special decided = test_minimax(s, p, q);
+  if (decided == HSR_P_MAY_OBSCURE) {
+    decided = test_planes(s, p, q);
+    HSR_STEP(s->tally, HSR_LIST_PLANES, subject(s, p), subject(s, q),
+             *s->window,
+             decided == HSR_P_MAY_OBSCURE ? 0
+             : decided == HSR_TO_SAMPLES  ? 2
+                                          : 1);
   }
-  if (certainty == HSR_YES || are_apart(s, p, q))
-    return false;
-  if (certainty == HSR_NO && !p->forced)
-    return true;
-  s->thick[f] = s->thick[g] = true;
-  return false;
+  HSR_STEP(s->tally, HSR_LIST_SPECIAL, subject(s, p), subject(s, q), *s->window,
+           decided);
+  if (decided == HSR_TO_SAMPLES)
+    s->thick[piece_at(s, p)->part.face] = s->thick[piece_at(s, q)->part.face] =
+        true;
+  return decided == HSR_P_MAY_OBSCURE;
 }
 
 /* The first of {Q} that P may obscure, or NONE; *before is the one before it in
@@ -332,12 +367,13 @@ static uint32_t find_obscured(struct hsr_priority_list *s, uint32_t p,
   *before = p;
   for (uint32_t q = piece_at(s, p)->next; q != NONE;
        *before = q, q = piece_at(s, q)->next) {
-    struct piece *piece = piece_at(s, q);
+    const struct piece *piece = piece_at(s, q);
     if (piece->bucket > bucket && !piece->marker) {
-      HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 1);
+      HSR_STEP(s->tally, HSR_LIST_SPECIAL, subject(s, p), subject(s, q),
+               *s->window, HSR_BEYOND_Q_ENDS);
       return NONE;
     }
-    if (may_obscure(s, piece_at(s, p), piece))
+    if (may_obscure(s, p, q))
       return q;
   }
   return NONE;
@@ -350,7 +386,8 @@ static void insert(struct hsr_priority_list *s, uint32_t p) {
   uint32_t bucket = piece_at(s, p)->bucket, at = s->head, before = NONE;
   while (at != NONE &&
          (piece_at(s, at)->marker || piece_at(s, at)->bucket < bucket)) {
-    HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 1);
+    HSR_STEP(s->tally, HSR_LIST_INSERTIONS, subject(s, p), subject(s, at),
+             *s->window, 0);
     before = at;
     at = piece_at(s, at)->next;
   }
@@ -377,7 +414,7 @@ static void *take_half(struct hsr_priority_list *s, size_t n, size_t size) {
   return taken;
 }
 
-/* The part of a piece on one side of a plane, into the list. */
+/* Puts the part of a piece on one side of a plane into the list. */
 static void add_half(struct hsr_priority_list *s, const struct piece *whole,
                      struct hsr_cut cut) {
   uint32_t f = whole->part.face, n_cuts = whole->part.n_cuts;
@@ -421,43 +458,49 @@ static void take_out(struct hsr_priority_list *s, uint32_t p) {
 static void divide(struct hsr_priority_list *s, uint32_t p, uint32_t g) {
   take_out(s, p);
   struct piece whole = *piece_at(s, p);
-  HSR_STEP9(s->tally, HSR_LIST_DIVISIONS, HSR_SPLIT, whole.part.face, g, 0, 0,
-            0, 0);
-  HSR_COUNT(s->tally, HSR_LIST_SPECIAL, 100);
+  HSR_STEP(s->tally, HSR_LIST_DIVISIONS, subject(s, p), HSR_FACE(g), *s->window,
+           0);
   s->attempt++;
   add_half(s, &whole, (struct hsr_cut){g, -1});
   add_half(s, &whole, (struct hsr_cut){g, +1});
 }
 
+/* Whether the plane of face g passes through a piece. */
+static bool passes_through(const struct hsr_priority_list *s,
+                           const struct piece *piece, uint32_t g) {
+  return !same_plane(s, piece->part.face, g) && !cut_side(s, piece, g) &&
+         hsr_beyond(s->screen, piece->polygon, g, s->tally) == HSR_NO &&
+         hsr_before(s->screen, piece->polygon, g, s->tally) == HSR_NO;
+}
+
 /* Divides a piece by the plane of another, if that passes through it. */
 static bool try_to_divide(struct hsr_priority_list *s, uint32_t p,
                           uint32_t by) {
-  const struct piece *piece = piece_at(s, p);
-  uint32_t f = piece->part.face, g = piece_at(s, by)->part.face;
-  if (same_plane(s, f, g) || cut_side(s, piece, g) ||
-      hsr_beyond(s->screen, piece->polygon, g, s->tally) != HSR_NO ||
-      hsr_before(s->screen, piece->polygon, g, s->tally) != HSR_NO)
-    return false;
-  divide(s, p, g);
-  return true;
+  uint32_t g = piece_at(s, by)->part.face;
+  bool passes = passes_through(s, piece_at(s, p), g);
+  HSR_STEP(s->tally, HSR_LIST_CIRCLES, subject(s, p), subject(s, by),
+           *s->window, passes);
+  if (passes)
+    divide(s, p, g);
+  return passes;
 }
 
 /* Q is moved to the end of the list, in P's place. */
 static void interchange(struct hsr_priority_list *s, uint32_t before,
                         uint32_t q) {
   struct piece *offending = piece_at(s, q);
-  HSR_STEP9(s->tally, HSR_LIST_INTERCHANGES, HSR_SORT,
-            piece_at(s, s->head)->part.face, offending->part.face, 0, 0, 0, 0);
+  HSR_STEP(s->tally, HSR_LIST_INTERCHANGES, subject(s, s->head), subject(s, q),
+           *s->window, 0);
   piece_at(s, before)->next = offending->next;
   offending->next = s->head;
   offending->marker = s->attempt;
   s->head = q;
 }
 
-/* P and Q obscure one another, or stand in a circle of such pieces, all of
- * which bear the marker of this attempt: one is divided by the plane of
- * another. There is such a one: were every piece on one side of the plane of
- * every other, those planes would put them in order. */
+/* P and Q obscure one another, or are in a circle of pieces that do, all of
+ * which bear the marker of this attempt. Divides one by the plane of another.
+ * There is such a pair: if every piece were on one side of the plane of every
+ * other, the planes would put them in order. */
 static bool break_circle(struct hsr_priority_list *s, uint32_t q) {
   uint32_t p = s->head;
   if (try_to_divide(s, q, p) || try_to_divide(s, p, q))
@@ -471,8 +514,8 @@ static bool break_circle(struct hsr_priority_list *s, uint32_t q) {
   return false;
 }
 
-/* P may obscure Q, which follows `before`: Q is tried in P's place, unless it
- * has been. */
+/* P may obscure Q, which follows `before`. Tries Q in P's place, unless that has
+ * been done. */
 static void resolve(struct hsr_priority_list *s, uint32_t before, uint32_t q) {
   if (piece_at(s, q)->marker != s->attempt)
     interchange(s, before, q);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Newell, Newell and Sancha's priority computer: faces, divided where they must
- * be, in an order in which none obscures a later one. What it is used for is
- * the affair of others: to paint in that order, as Newell does, or to compare
- * numbers instead of depths.
+/* Newell, Newell and Sancha's priority computer. It puts faces, divided where
+ * they must be, in an order in which none obscures a later one. An algorithm
+ * may paint in that order, as Newell's does, or compare the places in it
+ * instead of depths.
  *
  * Source      M. E. Newell, R. G. Newell, T. L. Sancha, "A solution to the
  *             hidden surface problem", Proc. ACM Annual Conference, 1972; as
@@ -11,20 +11,27 @@
  * Notation    the list -> pieces linked by `next`, farthest first; P -> the
  *             candidate, at the head of the list; Q -> a piece that P may
  *             obscure; {Q} -> those after P up to the first that lies wholly
- *             before P in depth
- * Invariants  the pieces that bear no marker are in the list by the bucket of
- *             their farthest depth, farthest first;
- *             a piece leaves the list when no piece still in it may be obscured
- *             by it
+ *             before P in depth; marker -> the last attempt in which the piece
+ *             was moved
+ * Invariants  The pieces without a marker are in the list by the bucket of
+ *             their farthest depth, farthest first. A piece leaves the list
+ *             when it may obscure no piece that is still there.
  * Ties        faces of one plane: the lower id obscures the higher
- * Departures  depth is that along the line of sight, which is the same for all
+ * Departures  Depth is that along the line of sight, which is the same for all
  *             pieces on a ray. A piece is its face and exact cuts; its outline
- *             serves the tests only (common/exact/order.h). Where one face touches
- *             another within the thickness of faces that are not quite flat,
- *             their order is left to the samples where they meet: such faces
- *             are said to be thick.
+ *             serves the tests only (common/exact/order.h). Where one face
+ *             touches another within the thickness of faces that are not quite
+ *             flat, the samples where they meet decide; such faces are called
+ *             thick. P or Q is divided by the plane of the other only if that
+ *             passes through it. If neither plane does, the pieces with the
+ *             attempt's marker form a circle: all pairs of them are searched
+ *             for a piece and a plane that passes through it. The paper has no
+ *             such search; it is counted as a step of its own. A divided
+ *             piece's halves are put back where they belong by a walk along the
+ *             list, which is counted too.
  * Cost        Z sort 2 F_r, Newell special F_r^2 (f + f^2 + 100 f^3), f = 2
- *             H_f / n */
+ *             H_f / n: its terms are the pairs that come to the tests in Z, in
+ *             X and Y, and of planes */
 #ifndef HSR_ALGORITHMS_PRIORITY_LIST_H
 #define HSR_ALGORITHMS_PRIORITY_LIST_H
 
@@ -46,22 +53,22 @@ struct hsr_priority_list {
   struct hsr_tally *tally;
   const struct hsr_screen *screen;
   const struct hsr_window *window;
-  bool parts; /* faces reach beyond the window: the depths of their samples in
-                 it are asked for */
+  bool parts; /* faces reach beyond the window: depths are those of their
+                 samples in the window */
   bool out_of_memory;
 
-  bool *thick;  /* a face: among two of these, the samples decide */
+  bool *thick;  /* by face: between two of these, the samples decide */
   int *columns; /* room for the spans of the largest face, twice */
   uint32_t most_corners;
 
   struct hsr_growing pieces;
   uint32_t head;
-  uint32_t attempt; /* begins anew when what the markers say has changed */
+  uint32_t attempt; /* a new one begins with each new P; see marker */
   double buckets_per_q;
-  uint32_t *order, *other; /* the Z sort's */
+  uint32_t *order, *other; /* of the Z sort */
 
   struct hsr_previous *previous; /* NULL: every frame starts anew */
-  uint32_t *piece_of;            /* for it: a face's piece */
+  uint32_t *piece_of;            /* by face, for `previous`: its piece */
 
   unsigned char *halves; /* outlines and cuts of the list's divided pieces */
   size_t halves_used, halves_room;
@@ -101,28 +108,110 @@ const struct hsr_piece *hsr_list_next(struct hsr_priority_list *list);
 enum {
   HSR_LIST_Z_SORT,
   HSR_LIST_SPECIAL,
+  HSR_LIST_MINIMAX,
+  HSR_LIST_PLANES,
+  HSR_LIST_OVERLAPS,
   HSR_LIST_INTERCHANGES,
   HSR_LIST_DIVISIONS,
-  HSR_LIST_OVERLAPS,
+  HSR_LIST_INSERTIONS,
+  HSR_LIST_CIRCLES,
   HSR_N_LIST_COUNTERS
 };
+
+/* The outcomes of the special sort: which of the six tests decided that P does
+ * not obscure Q, or that none did. */
+enum hsr_special {
+  HSR_BEYOND_Q_ENDS, /* Q and all later pieces are wholly before P: {Q} ends */
+  HSR_APART_IN_Z,
+  HSR_APART_IN_X,
+  HSR_APART_IN_Y,
+  HSR_P_BEYOND_Q,   /* of the plane of Q */
+  HSR_Q_BEFORE_P,   /* of the plane of P */
+  HSR_NO_OVERLAP,   /* on the screen */
+  HSR_TO_SAMPLES,   /* of thick faces: the samples decide */
+  HSR_P_MAY_OBSCURE /* no test decided */
+};
+
 #define HSR_LIST_COUNTERS(of)                                                  \
-  {of "Z sort", "pieces put into buckets of depth; comparisons, where the "    \
-                "last frame's order is the start"},                            \
+  {of "Z sort",                                                                \
+   "pieces put into buckets of depth; comparisons, where the last frame's "    \
+   "order is the start",                                                       \
+   HSR_SORT,                                                                   \
+   HSR_OF_PIECE,                                                               \
+   HSR_OF_PIECE,                                                               \
+   "put into a bucket|in order|out of order"},                                 \
       {of "Newell special",                                                    \
-       "minimax tests in Z, X and Y, and 100 for each pair that goes on to "   \
-       "the tests of planes and of overlap"},                                  \
-      {of "interchanges", "pieces moved to the end of the list"},              \
-      {of "divisions", "pieces divided by the plane of another"}, {            \
-    of "overlap tests", "pairs tested for overlap on the screen"               \
+       "pieces that may come before P in depth, put to the six tests",         \
+       HSR_COMPARE,                                                            \
+       HSR_OF_PIECE,                                                           \
+       HSR_OF_PIECE,                                                           \
+       "end of {Q}|1: apart in Z|2: apart in X|3: apart in Y|4: P beyond Q's " \
+       "plane|5: Q before P's plane|6: no overlap|left to the samples|P may "  \
+       "obscure Q"},                                                           \
+      {of "minimax tests",                                                     \
+       "tests 2 and 3: pairs whose boxes were compared in X, or in Y",         \
+       HSR_COMPARE,                                                            \
+       HSR_OF_PIECE,                                                           \
+       HSR_OF_PIECE,                                                           \
+       "X: apart|X: overlap|Y: apart|Y: overlap"},                             \
+      {of "plane tests", "tests 4 to 6: pairs that the minimax tests left",    \
+       HSR_COMPARE,      HSR_OF_PIECE,                                         \
+       HSR_OF_PIECE,     "may obscure|does not obscure|left to the samples"},  \
+      {of "overlap tests", "test 6: pairs tested for overlap on the screen",   \
+       HSR_COMPARE,        HSR_OF_PIECE,                                       \
+       HSR_OF_PIECE,       "overlap|apart"},                                   \
+      {of "interchanges", "pieces moved to the end of the list", HSR_SORT,     \
+       HSR_OF_PIECE, HSR_OF_PIECE},                                            \
+      {of "divisions", "pieces divided by the plane of another", HSR_SPLIT,    \
+       HSR_OF_PIECE, HSR_OF_FACE},                                             \
+      {of "insertions",                                                        \
+       "pieces passed to put a divided one back into the list", HSR_SORT,      \
+       HSR_OF_PIECE, HSR_OF_PIECE},                                            \
+  {                                                                            \
+    of "circle search", "planes of other pieces tried to divide a piece",      \
+        HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE,                               \
+        "does not pass through|passes through"                                 \
+  }
+
+/* The lines of an outline, each behind the blanks `in`. */
+#define HSR_LIST_OUTLINE(first, in)                                            \
+  {in "Z sort: put the pieces in order of their farthest vertices",            \
+   HSR_RAISES((first) + HSR_LIST_Z_SORT)},                                     \
+      {in "for each piece P, the farthest first"},                             \
+      {in "  for each Q after P, up to the first wholly before P: six tests",  \
+       HSR_RAISES((first) + HSR_LIST_SPECIAL)},                                \
+      {in "    do they overlap in X, and in Y?",                               \
+       HSR_RAISES((first) + HSR_LIST_MINIMAX)},                                \
+      {in "    is P beyond the plane of Q, or Q before the plane of P?",       \
+       HSR_RAISES((first) + HSR_LIST_PLANES)},                                 \
+      {in "    do they overlap on the screen?",                                \
+       HSR_RAISES((first) + HSR_LIST_OVERLAPS)},                               \
+      {in "  if P may obscure Q, which bears no marker"},                      \
+      {in "    move Q to the end of the list, with a marker: it is the new P", \
+       HSR_RAISES((first) + HSR_LIST_INTERCHANGES)},                           \
+      {in "  if Q bears one: find a plane that passes through the other",      \
+       HSR_RAISES((first) + HSR_LIST_CIRCLES)},                                \
+      {in "    divide that piece by it",                                       \
+       HSR_RAISES((first) + HSR_LIST_DIVISIONS)},                              \
+  {                                                                            \
+    in "    put the halves where they belong in the list",                     \
+        HSR_RAISES((first) + HSR_LIST_INSERTIONS)                              \
   }
 
 /* The same for the arrays of steps and sorts. */
 #define HSR_LIST_STEPS(first, of)                                              \
   {of "Z sort", first + HSR_LIST_Z_SORT, 1, "2 F_r", hsr_predict_list_z_sort}, \
+      {of "Newell special",                                                    \
+       first + HSR_LIST_SPECIAL,                                               \
+       1,                                                                      \
+       "F_r^2 (f + f^2 + 100 f^3), f = 2 H_f / n",                             \
+       hsr_predict_list_special,                                               \
+       {{first + HSR_LIST_MINIMAX, 1},                                         \
+        {first + HSR_LIST_PLANES, 100},                                        \
+        {first + HSR_LIST_DIVISIONS, 100},                                     \
+        {first + HSR_LIST_INSERTIONS, 1}}},                                    \
   {                                                                            \
-    of "Newell special", first + HSR_LIST_SPECIAL, 1,                          \
-        "F_r^2 (f + f^2 + 100 f^3), f = 2 H_f / n", hsr_predict_list_special   \
+    of "circle search", first + HSR_LIST_CIRCLES, 100, NULL, NULL              \
   }
 #define HSR_LIST_SORTS                                                         \
   {"faces", "Z", "radix sort of the farthest vertex", "once a frame"}, {       \
