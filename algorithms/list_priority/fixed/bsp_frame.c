@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One view of a world in one BSP tree: see bsp_frame.h. */
 #include "algorithms/list_priority/fixed/bsp_frame.h"
 
 #include <math.h>
@@ -52,7 +53,7 @@ static void clear(const struct hsr_job *job) {
       job->ids[(size_t)j * job->ids_stride + (size_t)i] = HSR_BACKGROUND;
 }
 
-/* Parts the relevant faces. */
+/* Divides the relevant faces into placed and loose ones. */
 static void find_loose(struct hsr_bsp_frame *frame) {
   const struct hsr_screen *screen = &frame->screen;
   const struct hsr_bsp *bsp = frame->bsp;
@@ -123,8 +124,8 @@ static uint32_t take_cuts(struct hsr_bsp_frame *frame,
   return n_taken;
 }
 
-/* The face's bounds, narrowed by the piece's corners if these are as exact as
- * an outline must be (common/exact/order.c). */
+/* The face's bounds. They are narrowed by the piece's corners if those are as
+ * exact as an outline must be (common/exact/order.c). */
 static struct hsr_bounds bounds_of(struct hsr_bsp_frame *frame,
                                    const struct hsr_bsp_piece *piece) {
   const struct hsr_bsp *bsp = frame->bsp;
@@ -164,8 +165,9 @@ bool HSR_OF_BUILD(hsr_bsp_frame_piece)(struct hsr_bsp_frame *frame,
   const struct hsr_bounds *b = &out->bounds;
   if (b->x0 >= b->x1 || b->y0 >= b->y1)
     return false;
-  HSR_STEP9(frame->job->tally, HSR_BSP_PIECES, HSR_ACTIVATE, piece->face,
-            HSR_NO_ID, b->x0, b->y0, b->x1, b->y1);
+  HSR_STEP(frame->job->tally, HSR_BSP_PIECES,
+           HSR_PIECE(piece->face, (uint32_t)(piece - bsp->piece)),
+           HSR_THE_WINDOW, hsr_window_make(b->x0, b->y0, b->x1, b->y1), 0);
   return true;
 }
 
@@ -177,12 +179,14 @@ static void write_loose(struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
   struct hsr_tally *tally = frame->job->tally;
   HSR_TOUCH(tally, i, j);
   if (*id != HSR_BACKGROUND) {
-    HSR_STEP9(tally, HSR_BSP_THICKNESS, HSR_COMPARE, f, *id, i, j, i + 1,
-              j + 1);
-    if (!hsr_nearer(&frame->screen, f, *id, i, j, tally))
+    bool nearer = hsr_nearer(&frame->screen, f, *id, i, j, tally);
+    HSR_STEP(tally, HSR_BSP_THICKNESS, HSR_FACE(f), HSR_FACE(*id), HSR_AT(i, j),
+             nearer);
+    if (!nearer)
       return;
   }
-  HSR_COUNT(tally, HSR_BSP_SAMPLES, 1);
+  HSR_STEP(tally, HSR_BSP_SAMPLES, HSR_FACE(f), HSR_THE_WINDOW, HSR_AT(i, j),
+           0);
   *id = f;
 }
 

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One view of a world whose faces are in one BSP tree, without an octree: what
- * the algorithms share that take polygons in its order and do nothing cleverer.
+/* One view of a world whose faces are in one BSP tree, without an octree: the
+ * common part of the algorithms that take polygons in the tree's order.
  *
  * Source      H. Fuchs, Z. Kedem and B. Naylor, "On Visible Surface Generation
  *             by A Priori Tree Structures", SIGGRAPH 1980; N. Greene,
  *             "Hierarchical Polygon Tiling with Coverage Masks", SIGGRAPH 1996,
  *             2.1.
- * Loose       faces, for which the tree has no place, or none from this eye
- *             (common/trees/bsp.h), are last, and compared in depth at each sample
- *             with what is there; these comparisons are counted apart. All of
- *             them are not flat. */
+ * Loose       Faces are loose if the tree has no place for them, or none from
+ *             this eye (common/trees/bsp.h). They come last, and are compared
+ *             in depth at each sample with what is there; these comparisons are
+ *             counted apart. Only faces that are not flat are loose. */
 #ifndef HSR_ALGORITHMS_BSP_FRAME_H
 #define HSR_ALGORITHMS_BSP_FRAME_H
 
@@ -23,13 +23,20 @@ extern "C" {
 /* The counters that all have, before their own. */
 enum { HSR_BSP_PIECES, HSR_BSP_SAMPLES, HSR_BSP_THICKNESS, HSR_BSP_N_COUNTERS };
 #define HSR_BSP_COUNTERS                                                       \
-  [HSR_BSP_PIECES] = {"pieces", "pieces of faces in the order of the tree, "   \
-                                "with a sample in their box"},                 \
-  [HSR_BSP_SAMPLES] = {"samples", "samples written"},                          \
+  [HSR_BSP_PIECES] = {"pieces",                                                \
+                      "pieces of faces in the order of the tree, with a "      \
+                      "sample in their box",                                   \
+                      HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},              \
+  [HSR_BSP_SAMPLES] = {"samples", "samples written", HSR_ACCEPT, HSR_OF_FACE,  \
+                       HSR_OF_WINDOW},                                         \
   [HSR_BSP_THICKNESS] = {                                                      \
       "thickness checks",                                                      \
       "comparisons in depth with faces that are not flat and have no place "   \
-      "in the tree"}
+      "in the tree",                                                           \
+      HSR_COMPARE,                                                             \
+      HSR_OF_FACE,                                                             \
+      HSR_OF_FACE,                                                             \
+      "farther|nearer"}
 
 /* The descriptor's. */
 enum hsr_status HSR_OF_BUILD(hsr_bsp_prepare)(const struct hsr_world *world,
@@ -43,7 +50,7 @@ struct hsr_bsp_frame {
   const struct hsr_bsp *bsp;
   struct hsr_screen screen;
   struct hsr_bsp_waiting *waiting;
-  bool *placed;             /* a face: in the picture, and not loose */
+  bool *placed;             /* by face: in the picture, and not loose */
   uint32_t *loose, n_loose; /* in the picture */
   int *columns;             /* room for a face's */
   uint32_t most_corners;    /* of a piece */
@@ -57,19 +64,19 @@ struct hsr_bsp_frame {
 enum hsr_status HSR_OF_BUILD(hsr_bsp_frame_begin)(struct hsr_bsp_frame *frame,
                                                   const struct hsr_job *job);
 
-/* All pieces in order, back to front if `backwards`. */
+/* Goes through all pieces in order, from back to front if `backwards`. */
 void HSR_OF_BUILD(hsr_bsp_frame_walk)(
     const struct hsr_bsp_frame *frame, bool backwards, void *context,
     void (*piece)(void *context, const struct hsr_bsp_piece *piece,
                   int facing));
 
-/* The piece for the services of common/exact/screen.h, good until the next one; false
- * if it has no sample, or its face is loose. */
+/* The piece as the services of common/exact/screen.h take it; valid until the
+ * next call. False if it has no sample, or its face is loose. */
 bool HSR_OF_BUILD(hsr_bsp_frame_piece)(struct hsr_bsp_frame *frame,
                                        const struct hsr_bsp_piece *piece,
                                        struct hsr_piece *out);
 
-/* The loose faces, all others being drawn. */
+/* Draws the loose faces, after all others. */
 void HSR_OF_BUILD(hsr_bsp_frame_finish)(struct hsr_bsp_frame *frame);
 
 static inline uint32_t *hsr_bsp_frame_row(const struct hsr_bsp_frame *frame,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A BSP tree, and a frame buffer: painted over from back to front; or filled
- * from front to back, each sample once.
+/* A BSP tree, and a frame buffer, which is painted over from back to front, or
+ * filled from front to back, each sample once.
  *
  * Source      H. Fuchs, Z. Kedem and B. Naylor, "On Visible Surface Generation
  *             by A Priori Tree Structures", SIGGRAPH 1980; from front to back:
@@ -9,8 +9,8 @@
  *             both as N. Greene measured them, "Hierarchical Polygon Tiling
  *             with Coverage Masks", SIGGRAPH 1996, 6.
  * Notation    vacant -> HSR_BACKGROUND
- * Invariant   painting: at every sample the last one painted is the nearest so
- *             far; filling: the first one
+ * Invariant   the nearest face so far at a sample is the last one painted
+ *             there, or the first one filled in
  * Ties        pieces in one plane: the lowest face is painted last, or first
  * Departures  faces for which the tree has no place are compared in depth
  *             (bsp_frame.h)
@@ -22,13 +22,41 @@ enum { TAKEN = HSR_BSP_N_COUNTERS };
 
 static const struct hsr_counter painter_counters[] = {
     HSR_BSP_COUNTERS,
-    [OVERWRITES] = {"overwrites", "of these, over another face"},
+    [OVERWRITES] = {"overwrites", "of these, over another face", HSR_RETIRE,
+                    HSR_OF_FACE, HSR_OF_FACE},
     {NULL, NULL}};
 
 static const struct hsr_counter front_counters[] = {
     HSR_BSP_COUNTERS,
-    [TAKEN] = {"samples taken", "samples looked at that were not vacant"},
+    [TAKEN] = {"samples taken", "samples looked at that were not vacant",
+               HSR_REJECT, HSR_OF_FACE, HSR_OF_FACE},
     {NULL, NULL}};
+
+static const struct hsr_line painter_outline[] = {
+    {"walk the tree from back to front"},
+    {"  at a node: go to the side of its plane without the eye"},
+    {"  then take the pieces in its plane", HSR_RAISES(HSR_BSP_PIECES)},
+    {"    for each sample of a piece"},
+    {"      paint it", HSR_RAISES(HSR_BSP_SAMPLES)},
+    {"      this hides the face painted there", HSR_RAISES(OVERWRITES)},
+    {"  then go to the eye's side"},
+    {"for each face without a place in the tree"},
+    {"  for each sample: paint it if it is nearer",
+     HSR_RAISES(HSR_BSP_THICKNESS)},
+    {NULL}};
+
+static const struct hsr_line front_outline[] = {
+    {"walk the tree from front to back"},
+    {"  at a node: go to the eye's side of its plane"},
+    {"  then take the pieces in its plane", HSR_RAISES(HSR_BSP_PIECES)},
+    {"    for each sample of a piece"},
+    {"      is it taken? a nearer face hides it", HSR_RAISES(TAKEN)},
+    {"      it is vacant: fill it", HSR_RAISES(HSR_BSP_SAMPLES)},
+    {"  then go to the side without the eye"},
+    {"for each face without a place in the tree"},
+    {"  for each sample: fill it if it is nearer",
+     HSR_RAISES(HSR_BSP_THICKNESS)},
+    {NULL}};
 
 static const struct hsr_sort painter_sorts[] = {
     {"faces", "Z", "BSP tree", "once for all frames"},
@@ -48,8 +76,10 @@ static void paint(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
                   int i, int j) {
   struct hsr_tally *tally = frame->job->tally;
   HSR_TOUCH(tally, i, j);
-  HSR_COUNT(tally, HSR_BSP_SAMPLES, 1);
-  HSR_COUNT(tally, OVERWRITES, *id != HSR_BACKGROUND);
+  HSR_STEP(tally, HSR_BSP_SAMPLES, HSR_FACE(f), HSR_THE_WINDOW, HSR_AT(i, j),
+           0);
+  if (HSR_COUNTING && *id != HSR_BACKGROUND)
+    HSR_STEP(tally, OVERWRITES, HSR_FACE(*id), HSR_FACE(f), HSR_AT(i, j), 0);
   *id = f;
 }
 
@@ -58,10 +88,11 @@ static void fill(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
   struct hsr_tally *tally = frame->job->tally;
   HSR_TOUCH(tally, i, j);
   if (*id != HSR_BACKGROUND) {
-    HSR_COUNT(tally, TAKEN, 1);
+    HSR_STEP(tally, TAKEN, HSR_FACE(f), HSR_FACE(*id), HSR_AT(i, j), 0);
     return;
   }
-  HSR_COUNT(tally, HSR_BSP_SAMPLES, 1);
+  HSR_STEP(tally, HSR_BSP_SAMPLES, HSR_FACE(f), HSR_THE_WINDOW, HSR_AT(i, j),
+           0);
   *id = f;
 }
 
@@ -70,7 +101,7 @@ static void fill(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
 typedef void write_sample(const struct hsr_bsp_frame *frame, uint32_t f,
                           uint32_t *id, int i, int j);
 
-/* By spans, row by row. */
+/* Scan-converts a piece by its spans, row by row. */
 static inline void convert(struct hsr_bsp_frame *frame,
                            const struct hsr_bsp_piece *given,
                            write_sample *write) {
@@ -139,6 +170,7 @@ const struct hsr_algorithm HSR_ALGORITHM(bsp_painter) = {
               "Structures, SIGGRAPH 1980",
     .sorts = painter_sorts,
     .counters = painter_counters,
+    .outline = painter_outline,
     .render = render_painter};
 
 const struct hsr_algorithm HSR_ALGORITHM(bsp_front) = {
@@ -151,4 +183,5 @@ const struct hsr_algorithm HSR_ALGORITHM(bsp_front) = {
               "edition, 1990, 15.5.2",
     .sorts = front_sorts,
     .counters = front_counters,
+    .outline = front_outline,
     .render = render_front};

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Notation    u = 2^-53; N, P the stored plane and a point on it (common/
- *             world.h), E the eye, S the shift.
+/* Going through an octree of BSP trees: see bsp_walk.h. Here are the proofs of
+ * the eye's side.
  *
- * Plane. d = fl(E - S) is off by u |d|, r = fl(d - P) by that and u |r|; so r
- * is as if P were off by u |d| more, and the bound is that of order.c, with
- * 2 u |d| added to the anchor's error.
- *
- * Median planes, and others across an axis. x = at + S is rounded to X.
- * Rounding keeps order: if E < X then E < x, since x <= E would make X <= E;
- * likewise E > X. If E = X, then E - x is what was rounded off, the other way
- * round: Knuth's two-sum has it exactly. */
+ * Notation    u = 2^-53; N, P the stored plane and a point on it
+ *             (common/scene/world.h); E the eye; S the shift
+ * Plane       d = fl(E - S) is wrong by u |d|, and r = fl(d - P) by that and
+ *             u |r|. So r is as if P were wrong by u |d| more, and the bound is
+ *             that of order.c, with 2 u |d| added to the anchor's error.
+ * Median      Of median planes, and others across an axis, x = at + S is
+ *             rounded to X. Rounding keeps order: if E < X then E < x, since x
+ *             <= E would make X <= E; likewise for E > X. If E = X, the sign of
+ *             E - x is the opposite of that of the rounding error x - X, which
+ *             Knuth's two-sum gives exactly. */
 #include "algorithms/list_priority/fixed/bsp_walk.h"
 #include "common/trees/octree.h"
 

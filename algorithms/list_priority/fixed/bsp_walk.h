@@ -5,16 +5,19 @@
  *             by A Priori Tree Structures", SIGGRAPH 1980; N. Greene,
  *             "Hierarchical Polygon Tiling with Coverage Masks", SIGGRAPH 1996,
  *             5.1.
- * Order       front to back: the octant that holds the eye, and the others as
- *             of hsr_octant_order; of a tree, what is on the eye's side of the
- *             plane, what is in it, and what is on the other side. Back to
- *             front: the reverse, but for pieces in one plane: those come by
- *             descending faces, so that the lowest is painted last.
+ * Order       Front to back: the octant that holds the eye comes first, the
+ *             others as hsr_octant_order has them. In a tree, the eye's side of
+ *             the plane comes first, then what is in the plane, then the other
+ *             side. Back to front is the reverse, except for pieces in one
+ *             plane: they come by descending faces, so that the lowest is
+ *             painted last.
  * Side        of the eye: exact. Where the eye is in a plane, what is in it is
  *             not seen, and neither side hides the other.
- * Left out    pieces that are in the eye's plane, and back faces of one side.
- * Moved       the trees may be those of an object, whose instance is it, moved
- *             by `shift`: the sum of any vertex and it is exact. */
+ * Left out    pieces that are in the eye's plane, and back faces of one-sided
+ *             objects
+ * Moved       the trees may be those of an object of which the world has an
+ *             instance, moved by `shift`: the sum of any vertex and `shift` is
+ *             exact */
 #ifndef HSR_ALGORITHMS_BSP_WALK_H
 #define HSR_ALGORITHMS_BSP_WALK_H
 
@@ -25,10 +28,10 @@
 extern "C" {
 #endif
 
-/* A node that waits: to be gone into, or for its pieces to be told of. */
+/* A node that waits to be entered, or whose pieces wait to be told. */
 struct hsr_bsp_waiting {
   uint32_t node;
-  int eye_side; /* of its plane, if it is gone into */
+  int eye_side; /* of its plane, if it was entered */
   bool gone_into;
 };
 
@@ -47,8 +50,8 @@ struct hsr_bsp_walk {
   void (*piece)(void *context, const struct hsr_bsp_piece *piece, int facing);
 };
 
-/* A node that is gone into, and what comes after it: two for each level of a
- * tree; and the one that is gone into next. */
+/* Two for each level of a tree, a node that was entered and the child that comes
+ * after it; and the node that is entered next. */
 static inline size_t hsr_bsp_most_waiting(uint32_t most_depth) {
   return 2 * (size_t)most_depth + 1;
 }
