@@ -7,21 +7,28 @@
  *             AFHRL-TR-69-14, 1969; as described by Sutherland et al. 1974,
  *             "List-Priority Algorithms", figures 18 to 20, and appendix B;
  *             figure 29 reconstructed from the text.
- * Notation    cluster, separating plane, face priority -> common/scene/clusters.h;
- *             list of faces -> list[], highest priority first; pair of counters
- *             -> struct pair; those with L < 0 < R -> the bits of running[]
- * Invariants  of two faces of list[] that share a sample, the nearer is first,
- *             but for the thick ones at its end; the pairs of a scan line are
- *             in the order of list[]
+ * Notation    cluster, separating plane, face priority ->
+ *             common/scene/clusters.h; list of faces -> list[], highest
+ *             priority first; pair of down-counters -> struct pair; L and R ->
+ *             its left and right
+ * Invariants  Of two faces of list[] that share a sample, the nearer is first,
+ *             except for the thick ones at its end. The pairs of a scan line
+ *             are in the order of list[].
  * Ties        faces of one plane: the lower id has priority, in its cluster
- * Departures  the hardware is emulated, raster element by raster element. Where
- *             it looks at every edge and decrements every counter, edges that
- *             begin are taken from buckets, and counters are set where they
- *             come to zero; counted is what it does. Edges that a scan line
- *             does not cross have no intercept. A face that is not quite flat
- *             may have no place in the list, because it touches another or the
- *             eye grazes it: it is thick, and compared in depth with what is
- *             visible without it; these comparisons are counted apart.
+ * Departures  A program does what was built as hardware, one operation after
+ *             another: it looks at every edge on every scan line, and
+ *             decrements every pair of counters at every raster element. So its
+ *             counts are those of the hardware; its time is not. The search
+ *             for the priorities of a cluster is made once, by an adapter; its
+ *             comparisons are known here by their number only. Figure 20 takes
+ *             the intercepts of infinite edges: here an edge has one only on
+ *             the scan lines that it crosses, and max L < min R is asked of
+ *             those. Faces that the near plane cuts, or that are not quite
+ *             flat, give the ends of their segments by hsr_face_spans instead.
+ *             A face that is not quite flat may have no place in the list,
+ *             because it touches another or the eye grazes it. Such faces are
+ *             called thick. They are compared in depth with what is visible
+ *             without them; these comparisons are counted apart.
  * Cost        intra-cluster priority 100 F_c^2 C_t, by the adapter
  *             `priorities`, not per frame; inter-cluster priority 10 C_t, but
  *             of the clusters into which those of the scene had to be split;
@@ -29,6 +36,7 @@
  *             n m S_l */
 #include "algorithms/list_priority/fixed/cluster_order.h"
 
+#include <math.h>
 #include <string.h>
 
 enum {
@@ -38,27 +46,59 @@ enum {
   Y_CULL,
   PRIORITY,
   PAIRS,
-  THICKNESS
+  THICKNESS,
+  SHOWN
 };
 
 static const struct hsr_counter counters[] = {
     [INTRA_CLUSTER] = {"intra-cluster priority",
                        "pairs of faces compared to make the clusters; not of "
-                       "this frame, but once, before the first"},
-    [INTER_CLUSTER] = {"inter-cluster priority",
-                       "separating planes that the eye is compared with"},
-    [BACK_FACES] = {"back-face cull", "faces, as seen from either side, that "
-                                      "are tested for being back faces"},
-    [Y_CULL] = {"Y cull", "edges of listed faces, each face counting its own, "
-                          "on every scan line"},
+                       "this frame, but once, before the first",
+                       HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, .computed = true},
+    [INTER_CLUSTER] = HSR_INTER_CLUSTER_COUNTER,
+    [BACK_FACES] = {"back-face cull",
+                    "faces, as seen from either side, that are tested for "
+                    "being back faces",
+                    HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING, "back|front"},
+    [Y_CULL] = {"Y cull",
+                "edges of listed faces, each face counting its own, on every "
+                "scan line",
+                HSR_COMPARE, HSR_OF_EDGE, HSR_OF_WINDOW,
+                "does not meet it|meets it"},
     [PRIORITY] = {"priority search",
                   "pairs of counters looked at, on every raster element all of "
-                  "the scan line's"},
-    [PAIRS] = {"counter pairs", "pairs of counters loaded with intercepts"},
+                  "the scan line's",
+                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW,
+                  "not there|there|there, with the highest priority"},
+    [PAIRS] = {"counter pairs", "pairs of counters loaded with intercepts",
+               HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_WINDOW},
     [THICKNESS] = {"thickness checks",
                    "comparisons in depth with faces that are not flat and have "
-                   "no place in the list"},
+                   "no place in the list",
+                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [SHOWN] = {"samples shown", "samples at which a face is visible",
+               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
     {NULL, NULL}};
+
+static const struct hsr_line outline[] = {
+    {"once: for each cluster, compare each face with each other for a face "
+     "priority",
+     HSR_RAISES(INTRA_CLUSTER)},
+    {"for each cluster, the nearest first, by the tree of separating planes",
+     HSR_RAISES(INTER_CLUSTER)},
+    {"  for each of its faces, the highest priority first"},
+    {"    list it, unless it is a back face", HSR_RAISES(BACK_FACES)},
+    {"for each scan line"},
+    {"  for each edge of each listed face: does the scan line meet it?",
+     HSR_RAISES(Y_CULL)},
+    {"  where max L < min R, load a pair of down-counters", HSR_RAISES(PAIRS)},
+    {"  for each raster element"},
+    {"    decrement all counters; which is the first pair with L < 0 < R?",
+     HSR_RAISES(PRIORITY)},
+    {"    compare it in depth with thick faces that are there",
+     HSR_RAISES(THICKNESS)},
+    {"    show its face", HSR_RAISES(SHOWN)},
+    {NULL}};
 
 static double predict_intra_cluster(const struct hsr_table1 *t) {
   return 100 * t->F_c * t->F_c * t->C_t;
@@ -95,26 +135,29 @@ static const struct hsr_sort sorts[] = {
     {"segments", "Z", "priority search", "once a raster element"},
     {NULL, NULL, NULL, NULL}};
 
-/* No face, no pair. */
+/* No pair. */
 static const uint32_t NONE = UINT32_MAX;
 
-/* A face of the list: the scan lines [y0, y1) that it may meet, and its edges,
- * if they are followed: from edge[first_edge] to the next one's. */
+/* A face of the list. Its edges are edge[first_edge] up to the next one's. */
 struct listed {
   uint32_t face, first_edge;
-  int y0, y1;
+  int side;      /* from which it is seen: +1 its front, -1 from behind */
+  bool by_spans; /* its segments are those of hsr_face_spans */
 };
 
-/* An edge that crosses the scan lines [y0, y1). */
+/* An edge, which crosses the scan lines [y0, y1). Those of a face by spans stand
+ * for the scan lines of its box. */
 struct edge {
   struct hsr_edge line;
   int y0, y1;
+  bool left; /* the face is to its right */
 };
 
-/* The counters of a face that meets the scan line. */
+/* The down-counters of a face that intersects the scan line. It is at a raster
+ * element if L < 0 and R > 0. */
 struct pair {
   uint32_t face;
-  uint32_t next_begin, next_end; /* another whose L, or R, is the same */
+  int left, right;
 };
 
 struct schumacker {
@@ -127,18 +170,10 @@ struct schumacker {
   struct listed *list; /* by priority; then the thick faces, by nothing */
   uint32_t n_list, n_thick;
   struct edge *edge;
-  uint32_t n_edges;  /* of edge[] */
-  uint64_t n_looked; /* edges of all listed faces */
-
-  uint32_t *bucket, *bucket_end; /* listed faces by their first scan line */
-  uint32_t *active, *other, n_active; /* those on the scan line, by priority */
+  size_t n_edges; /* of all listed faces */
 
   struct pair *pair; /* by priority */
   uint32_t n_pairs, n_thick_pairs;
-  uint32_t *begins, *ends; /* a raster element of the window, or one beyond: a
-                              pair whose L, or R, it is */
-  uint64_t *running;       /* a bit for each pair: L has come to zero, R not */
-  uint64_t *words;         /* a bit for each word of running[] that is not 0 */
   int *columns;
 };
 
@@ -150,17 +185,19 @@ static void list_face(struct schumacker *s, uint32_t oriented, bool is_thick,
                       struct listed *thick) {
   uint32_t f = oriented / 2;
   int side = oriented % 2 ? -1 : 1;
-  HSR_STEP9(s->tally, BACK_FACES, HSR_COMPARE, f, HSR_NO_ID, 0, 0, 0, 0);
-  if (hsr_eye_side(&s->screen, f, s->tally) != side ||
-      !hsr_screen_place(&s->screen, f, s->tally))
+  bool front = hsr_eye_side(&s->screen, f, s->tally) == side;
+  HSR_STEP(s->tally, BACK_FACES, HSR_FACE(f), HSR_NOTHING, HSR_NOWHERE, front);
+  if (!front || !hsr_screen_place(&s->screen, f, s->tally))
     return;
-  const struct hsr_bounds *b = &s->screen.bounds[f];
-  struct listed listed = {.face = f, .y0 = b->y0, .y1 = b->y1};
+  struct listed listed = {.face = f,
+                          .side = side,
+                          .by_spans = !s->screen.whole[f] ||
+                                      s->job->world->deviation[f] > 0};
   if (is_thick || hsr_grazes(&s->screen, f, s->clusters->reach[f]))
     thick[s->n_thick++] = listed;
   else
     s->list[s->n_list++] = listed;
-  s->n_looked += hsr_face_size(s->job->world, f);
+  s->n_edges += hsr_face_size(s->job->world, f);
 }
 
 /* All clusters, the nearest first. */
@@ -187,80 +224,57 @@ static enum hsr_status make_list(struct schumacker *s) {
 
 /* --- Edges ---------------------------------------------------------------- */
 
-/* The edges of a face that can be followed. */
-static void find_edges(struct schumacker *s, struct listed *listed) {
+/* Fills in the edges of a face. Seen from its front, a face runs down on its
+ * left side and up on its right. */
+static void find_edges(struct schumacker *s, const struct listed *listed) {
   const struct hsr_world *world = s->job->world;
+  const struct hsr_bounds *bounds = &s->screen.bounds[listed->face];
   const uint32_t *vertex = world->vertex + world->start[listed->face];
-  uint32_t n = hsr_face_size(world, listed->face), a = vertex[n - 1];
-  int row_a = hsr_vertex_row(&s->screen, a, s->tally);
+  uint32_t n = hsr_face_size(world, listed->face);
   for (uint32_t k = 0; k < n; k++) {
-    uint32_t b = vertex[k];
+    struct edge *edge = &s->edge[listed->first_edge + k];
+    uint32_t a = vertex[k ? k - 1 : n - 1], b = vertex[k];
+    edge->line.a = a;
+    edge->line.b = b;
+    edge->y0 = bounds->y0;
+    edge->y1 = bounds->y1;
+    if (listed->by_spans)
+      continue;
+    int row_a = hsr_vertex_row(&s->screen, a, s->tally);
     int row_b = hsr_vertex_row(&s->screen, b, s->tally);
-    if (row_a != row_b) {
-      struct edge *edge = &s->edge[s->n_edges++];
-      bool down = row_a < row_b;
+    bool down = row_a < row_b;
+    edge->y0 = down ? row_a : row_b;
+    edge->y1 = down ? row_b : row_a;
+    edge->left = down == (listed->side > 0);
+    if (row_a != row_b)
       hsr_edge_init(&edge->line, &s->screen, down ? a : b, down ? b : a);
-      edge->y0 = down ? row_a : row_b;
-      edge->y1 = down ? row_b : row_a;
-    }
-    a = b;
-    row_a = row_b;
   }
 }
 
-/* Finds all edges, and puts the listed faces into the buckets of the scan lines
- * on which they begin. */
 static enum hsr_status make_edges(struct schumacker *s) {
-  const struct hsr_window *w = s->window;
-  struct hsr_arena *arena = s->job->scratch;
-  size_t rows = (size_t)(w->y1 - w->y0);
-  s->edge = HSR_NEW(arena, struct edge, s->n_looked);
-  s->bucket = HSR_NEW(arena, uint32_t, s->n_list);
-  s->bucket_end = HSR_NEW_ZEROED(arena, uint32_t, rows + 1);
-  s->active = HSR_NEW(arena, uint32_t, s->n_list);
-  s->other = HSR_NEW(arena, uint32_t, s->n_list);
-  if (!s->edge || !s->bucket || !s->bucket_end || !s->active || !s->other)
+  s->edge = HSR_NEW(s->job->scratch, struct edge, s->n_edges);
+  if (!s->edge)
     return HSR_E_NOMEM;
+  uint32_t n = 0;
   for (uint32_t k = 0; k < s->n_list; k++) {
-    struct listed *listed = &s->list[k];
-    listed->first_edge = s->n_edges;
-    if (s->screen.whole[listed->face])
-      find_edges(s, listed);
-    s->bucket_end[listed->y0 - w->y0 + 1]++;
+    s->list[k].first_edge = n;
+    n += hsr_face_size(s->job->world, s->list[k].face);
+    find_edges(s, &s->list[k]);
   }
-  s->list[s->n_list].first_edge = s->n_edges;
-  for (size_t j = 0; j < rows; j++)
-    s->bucket_end[j + 1] += s->bucket_end[j];
-  for (uint32_t k = 0; k < s->n_list; k++)
-    s->bucket[s->bucket_end[s->list[k].y0 - w->y0]++] = k;
+  s->list[s->n_list].first_edge = n;
   return HSR_OK;
 }
 
-/* --- Y cull --------------------------------------------------------------- */
+/* --- The Y cull, and intercepts loaded into the counters ------------------ */
 
-/* Brings the active faces up to date for scan line j: those that begin are
- * merged with those that have not ended. */
-static void cull_y(struct schumacker *s, int j) {
-  uint32_t row = (uint32_t)(j - s->window->y0);
-  uint32_t next = row ? s->bucket_end[row - 1] : 0, end = s->bucket_end[row];
-  uint32_t n = 0;
-  HSR_COUNT(s->tally, Y_CULL, s->n_looked);
-  for (uint32_t k = 0; k < s->n_active; k++) {
-    uint32_t old = s->active[k];
-    while (next < end && s->bucket[next] < old)
-      s->other[n++] = s->bucket[next++];
-    if (s->list[old].y1 > j)
-      s->other[n++] = old;
-  }
-  while (next < end)
-    s->other[n++] = s->bucket[next++];
-  uint32_t *active = s->active;
-  s->active = s->other;
-  s->other = active;
-  s->n_active = n;
+/* The Y cull of an edge: does it meet scan line j? */
+static bool meets(const struct schumacker *s, const struct edge *edge,
+                  uint32_t f, int j) {
+  bool meets = j >= edge->y0 && j < edge->y1;
+  HSR_STEP(s->tally, Y_CULL, HSR_EDGE(edge->line.a, edge->line.b, f),
+           HSR_THE_WINDOW, HSR_ON(s->window->x0, s->window->x1, j), meets);
+  return meets;
 }
-
-/* --- Intercepts, loaded into the counters --------------------------------- */
 
 static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
                       int j) {
@@ -269,104 +283,85 @@ static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
   right = right < w->x1 ? right : w->x1;
   if (left >= right)
     return;
-  HSR_STEP9(s->tally, PAIRS, HSR_ACTIVATE, f, HSR_NO_ID, left, j, right, j + 1);
-  uint32_t *begins = &s->begins[left - w->x0], *ends = &s->ends[right - w->x0];
-  s->pair[s->n_pairs] = (struct pair){f, *begins, *ends};
-  *begins = *ends = s->n_pairs++;
+  HSR_STEP(s->tally, PAIRS, HSR_FACE(f), HSR_THE_WINDOW, HSR_ON(left, right, j),
+           0);
+  s->pair[s->n_pairs++] = (struct pair){f, left - w->x0, right - w->x0 + 1};
 }
 
-/* Intercepts of a face whose edges are followed: of a convex one, one on the
- * left and one on the right. */
-static int find_intercepts(struct schumacker *s, const struct listed *listed,
+/* The Y cull of a face on scan line j, and its segment. */
+static void intersect_face(struct schumacker *s, const struct listed *listed,
                            int j) {
-  int n = 0;
+  uint32_t f = listed->face;
+  bool any = false;
+  int max_left = s->window->x0, min_right = s->window->x1;
   for (uint32_t e = listed->first_edge; e < listed[1].first_edge; e++) {
     const struct edge *edge = &s->edge[e];
-    if (j < edge->y0 || j >= edge->y1)
+    if (!meets(s, edge, f, j))
       continue;
-    int column = hsr_edge_column(&s->screen, &edge->line, j, s->tally), k = n++;
-    for (; k && s->columns[k - 1] > column; k--)
-      s->columns[k] = s->columns[k - 1];
-    s->columns[k] = column;
+    any = true;
+    if (listed->by_spans)
+      continue;
+    int column = hsr_edge_column(&s->screen, &edge->line, j, s->tally);
+    if (edge->left && column > max_left)
+      max_left = column;
+    if (!edge->left && column < min_right)
+      min_right = column;
   }
-  return n;
+  if (any && !listed->by_spans)
+    load_pair(s, f, max_left, min_right, j);
+  if (any && listed->by_spans) {
+    int n = hsr_face_spans(&s->screen, f, j, s->columns, s->tally);
+    for (int c = 0; c < n; c += 2)
+      load_pair(s, f, s->columns[c], s->columns[c + 1], j);
+  }
 }
 
 static void load_counters(struct schumacker *s, int j) {
-  size_t width = (size_t)(s->window->x1 - s->window->x0) + 1;
-  memset(s->begins, 0xff, width * sizeof *s->begins);
-  memset(s->ends, 0xff, width * sizeof *s->ends);
   s->n_pairs = s->n_thick_pairs = 0;
-  for (uint32_t k = 0; k < s->n_active; k++) {
-    const struct listed *listed = &s->list[s->active[k]];
-    uint32_t f = listed->face;
-    int n = s->screen.whole[f]
-                ? find_intercepts(s, listed, j)
-                : hsr_face_spans(&s->screen, f, j, s->columns, s->tally);
+  for (uint32_t k = 0; k < s->n_list; k++) {
     uint32_t before = s->n_pairs;
-    for (int c = 0; c < n; c += 2)
-      load_pair(s, f, s->columns[c], s->columns[c + 1], j);
-    if (s->active[k] >= s->n_list - s->n_thick)
+    intersect_face(s, &s->list[k], j);
+    if (k >= s->n_list - s->n_thick)
       s->n_thick_pairs += s->n_pairs - before;
   }
 }
 
 /* --- Priority search ------------------------------------------------------ */
 
-static void start_pair(struct schumacker *s, uint32_t k) {
-  s->running[k / 64] |= UINT64_C(1) << k % 64;
-  s->words[k / 4096] |= UINT64_C(1) << k / 64 % 64;
-}
-
-static void stop_pair(struct schumacker *s, uint32_t k) {
-  s->running[k / 64] &= ~(UINT64_C(1) << k % 64);
-  if (!s->running[k / 64])
-    s->words[k / 4096] &= ~(UINT64_C(1) << k / 64 % 64);
-}
-
-/* The lowest bit that is set. */
-static uint32_t lowest(uint64_t bits) {
-#if defined __GNUC__
-  return (uint32_t)__builtin_ctzll(bits);
-#else
-  uint32_t n = 0;
-  while (!(bits >> n & 1))
-    n++;
-  return n;
-#endif
-}
-
-/* The first running pair from k on: what the logic network does at once. */
-static uint32_t first_running(const struct schumacker *s, uint32_t k) {
-  if (k >= s->n_pairs)
-    return NONE;
-  uint64_t rest = s->running[k / 64] >> k % 64;
-  if (rest)
-    return k + lowest(rest);
-  uint32_t word = k / 64 + 1, n_words = (s->n_pairs + 63) / 64;
-  while (word < n_words) {
-    rest = s->words[word / 64] >> word % 64;
-    if (rest) {
-      word += lowest(rest);
-      return 64 * word + lowest(s->running[word]);
-    }
-    word = (word / 64 + 1) * 64;
+/* Decrements the pairs [begin, end) for raster element (i, j). The first of them
+ * that is there, or NONE: what the logic network finds. */
+static uint32_t search_pairs(struct schumacker *s, uint32_t begin, uint32_t end,
+                             int i, int j) {
+  uint32_t first = NONE;
+  for (uint32_t k = begin; k < end; k++) {
+    struct pair *pair = &s->pair[k];
+    pair->left--;
+    pair->right--;
+    bool there = pair->left < 0 && pair->right > 0;
+    if (there && first == NONE)
+      first = k;
+    HSR_STEP(s->tally, PRIORITY, HSR_FACE(pair->face), HSR_THE_WINDOW,
+             HSR_AT(i, j), there + (first == k));
   }
-  return NONE;
+  return first;
 }
 
-/* The visible one of a face and the thick ones that run at (i, j), whose first
- * is pair k. */
+/* The visible one of a face, or of none, and the thick ones at (i, j), of which
+ * the first is pair k. */
 static uint32_t search_thick(struct schumacker *s, uint32_t visible, uint32_t k,
                              int i, int j) {
-  for (; k != NONE; k = first_running(s, k + 1)) {
+  for (; k < s->n_pairs; k++) {
     uint32_t f = s->pair[k].face;
+    if (s->pair[k].left >= 0 || s->pair[k].right <= 0)
+      continue;
     if (visible == HSR_BACKGROUND) {
       visible = f;
       continue;
     }
-    HSR_STEP9(s->tally, THICKNESS, HSR_COMPARE, f, visible, i, j, i + 1, j + 1);
-    if (hsr_nearer(&s->screen, f, visible, i, j, s->tally))
+    bool nearer = hsr_nearer(&s->screen, f, visible, i, j, s->tally);
+    HSR_STEP(s->tally, THICKNESS, HSR_FACE(f), HSR_FACE(visible), HSR_AT(i, j),
+             nearer);
+    if (nearer)
       visible = f;
   }
   return visible;
@@ -375,29 +370,17 @@ static uint32_t search_thick(struct schumacker *s, uint32_t visible, uint32_t k,
 static void search_row(struct schumacker *s, int j) {
   const struct hsr_window *w = s->window;
   uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-  uint32_t visible = HSR_BACKGROUND, thick = NONE;
+  uint32_t n_ordered = s->n_pairs - s->n_thick_pairs;
   for (int i = w->x0; i < w->x1; i++) {
-    uint32_t begin = s->begins[i - w->x0], end = s->ends[i - w->x0];
-    for (uint32_t k = begin; k != NONE; k = s->pair[k].next_begin)
-      start_pair(s, k);
-    for (uint32_t k = end; k != NONE; k = s->pair[k].next_end)
-      stop_pair(s, k);
-    if (begin != NONE || end != NONE) {
-      uint32_t n_ordered = s->n_pairs - s->n_thick_pairs;
-      uint32_t k = first_running(s, 0);
-      visible = k < n_ordered ? s->pair[k].face : HSR_BACKGROUND;
-      thick = s->n_thick_pairs ? first_running(s, n_ordered) : NONE;
-    }
-    row[i] = search_thick(s, visible, thick, i, j);
-    if (s->n_pairs) {
-      HSR_COUNT(s->tally, PRIORITY, s->n_pairs - 1);
-      HSR_STEP9(s->tally, PRIORITY, HSR_SAMPLE, row[i], HSR_NO_ID, i, j, i + 1,
-                j + 1);
-    }
+    uint32_t first = search_pairs(s, 0, n_ordered, i, j);
+    uint32_t thick = search_pairs(s, n_ordered, s->n_pairs, i, j);
+    row[i] = search_thick(
+        s, first == NONE ? HSR_BACKGROUND : s->pair[first].face, thick, i, j);
+    if (row[i] != HSR_BACKGROUND)
+      HSR_STEP(s->tally, SHOWN, HSR_FACE(row[i]), HSR_THE_WINDOW, HSR_AT(i, j),
+               0);
     HSR_TOUCH(s->tally, i, j);
   }
-  for (uint32_t k = s->ends[w->x1 - w->x0]; k != NONE; k = s->pair[k].next_end)
-    stop_pair(s, k);
 }
 
 /* --- The algorithm -------------------------------------------------------- */
@@ -405,7 +388,6 @@ static void search_row(struct schumacker *s, int j) {
 static enum hsr_status allocate_counters(struct schumacker *s) {
   const struct hsr_world *world = s->job->world;
   struct hsr_arena *arena = s->job->scratch;
-  size_t width = (size_t)(s->window->x1 - s->window->x0) + 1;
   size_t n_pairs = 0, most_corners = 0;
   for (uint32_t k = 0; k < s->n_list; k++) {
     size_t n = hsr_face_size(world, s->list[k].face);
@@ -413,14 +395,16 @@ static enum hsr_status allocate_counters(struct schumacker *s) {
     most_corners = n > most_corners ? n : most_corners;
   }
   s->pair = HSR_NEW(arena, struct pair, n_pairs);
-  s->begins = HSR_NEW(arena, uint32_t, width);
-  s->ends = HSR_NEW(arena, uint32_t, width);
-  s->running = HSR_NEW_ZEROED(arena, uint64_t, n_pairs / 64 + 1);
-  s->words = HSR_NEW_ZEROED(arena, uint64_t, n_pairs / 4096 + 1);
   s->columns = HSR_NEW(arena, int, most_corners + 4);
-  return s->pair && s->begins && s->ends && s->running && s->words && s->columns
-             ? HSR_OK
-             : HSR_E_NOMEM;
+  return s->pair && s->columns ? HSR_OK : HSR_E_NOMEM;
+}
+
+/* The Y cull of all edges; and n m S_l by the rule of thumb for S_l, with D_c =
+ * 3. */
+static double expense(const struct hsr_world *world,
+                      const struct hsr_view *view) {
+  double m = view->m, n = view->n;
+  return n * world->n_corners + n * m * sqrt(1.5 * world->n_faces * m / n);
 }
 
 static enum hsr_status render(const struct hsr_job *job,
@@ -434,11 +418,10 @@ static enum hsr_status render(const struct hsr_job *job,
     return hsr_fail_nomem(err);
   hsr_screen_vertices(&s->screen);
   hsr_screen_planes(&s->screen);
-  HSR_COUNT(s->tally, INTRA_CLUSTER, s->clusters->pair_tests);
+  HSR_COMPUTED(s->tally, INTRA_CLUSTER, s->clusters->pair_tests);
   if (make_list(s) || make_edges(s) || allocate_counters(s))
     return hsr_fail_nomem(err);
   for (int j = s->window->y0; j < s->window->y1; j++) {
-    cull_y(s, j);
     load_counters(s, j);
     search_row(s, j);
   }
@@ -460,4 +443,6 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
+    .expense = expense,
     .render = render};
