@@ -50,8 +50,8 @@ struct hsr_bsp_walk {
   void (*piece)(void *context, const struct hsr_bsp_piece *piece, int facing);
 };
 
-/* Two for each level of a tree, a node that was entered and the child that comes
- * after it; and the node that is entered next. */
+/* Two for each level of a tree, a node that was entered and the child that
+ * comes after it; and the node that is entered next. */
 static inline size_t hsr_bsp_most_waiting(uint32_t most_depth) {
   return 2 * (size_t)most_depth + 1;
 }

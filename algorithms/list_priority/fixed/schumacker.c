@@ -145,8 +145,8 @@ struct listed {
   bool by_spans; /* its segments are those of hsr_face_spans */
 };
 
-/* An edge, which crosses the scan lines [y0, y1). Those of a face by spans stand
- * for the scan lines of its box. */
+/* An edge, which crosses the scan lines [y0, y1). Those of a face by spans
+ * stand for the scan lines of its box. */
 struct edge {
   struct hsr_edge line;
   int y0, y1;
@@ -328,8 +328,8 @@ static void load_counters(struct schumacker *s, int j) {
 
 /* --- Priority search ------------------------------------------------------ */
 
-/* Decrements the pairs [begin, end) for raster element (i, j). The first of them
- * that is there, or NONE: what the logic network finds. */
+/* Decrements the pairs [begin, end) for raster element (i, j). The first of
+ * them that is there, or NONE: what the logic network finds. */
 static uint32_t search_pairs(struct schumacker *s, uint32_t begin, uint32_t end,
                              int i, int j) {
   uint32_t first = NONE;

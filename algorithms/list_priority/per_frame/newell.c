@@ -241,8 +241,8 @@ static bool ask_sample(struct hsr_newell *s, uint32_t f, uint32_t g, int i,
   return nearer;
 }
 
-/* Overwrites those of the samples at which f is not behind what is there. Depths
- * are compared only with faces that are thick, too. */
+/* Overwrites those of the samples at which f is not behind what is there.
+ * Depths are compared only with faces that are thick, too. */
 static void overwrite_thick(struct hsr_newell *s, uint32_t f, int x0, int x1,
                             int j) {
   for (int i = x0, end; i < x1; i = end) {

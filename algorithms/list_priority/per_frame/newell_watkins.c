@@ -43,6 +43,19 @@ static const struct hsr_counter counters[] = {
          HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
     {NULL, NULL}};
 
+static const struct hsr_line outline[] = {
+    HSR_LIST_OUTLINE(0, ""),
+    {"  give P the next priority number"},
+#ifdef HSR_SPAN_LINES
+    HSR_SPAN_LINES(SCAN, "",
+                   {"    search the segments inside for the greatest priority "
+                    "number",
+                    HSR_RAISES(SCAN + PRIORITY_SEARCH)},
+                   {"      of thick faces: compare their depths",
+                    HSR_RAISES(SCAN + THICKNESS)}),
+#endif
+    {NULL}};
+
 static const struct hsr_step steps[] = {
     HSR_LIST_STEPS(0, ""),
     HSR_SPAN_STEPS(SCAN, ""),
@@ -152,4 +165,5 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_watkins) = {
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
+    .outline = outline,
     .render = render};

@@ -514,8 +514,8 @@ static bool break_circle(struct hsr_priority_list *s, uint32_t q) {
   return false;
 }
 
-/* P may obscure Q, which follows `before`. Tries Q in P's place, unless that has
- * been done. */
+/* P may obscure Q, which follows `before`. Tries Q in P's place, unless that
+ * has been done. */
 static void resolve(struct hsr_priority_list *s, uint32_t before, uint32_t q) {
   if (piece_at(s, q)->marker != s->attempt)
     interchange(s, before, q);

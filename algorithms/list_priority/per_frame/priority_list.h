@@ -63,7 +63,7 @@ struct hsr_priority_list {
 
   struct hsr_growing pieces;
   uint32_t head;
-  uint32_t attempt; /* a new one begins with each new P; see marker */
+  uint32_t attempt; /* a new one begins when a piece is divided or leaves */
   double buckets_per_q;
   uint32_t *order, *other; /* of the Z sort */
 

@@ -11,8 +11,8 @@
  * Invariants  those of edge_intersection.h. A contour edge changes the
  *             invisibility of a material edge just where it pierces the
  *             triangle of the eye and that edge.
- * Ties        the material edge is displaced (common/lines/sight/sight.h), so that
- *             no contour edge meets a side of its triangle
+ * Ties        the material edge is displaced (common/lines/sight/sight.h), so
+ *             that no contour edge meets a side of its triangle
  * Departures  the change is the number of faces that the contour edge gains or
  *             loses, which is 2 at a fold of a two-sided surface
  * Cost        that of edge_intersection.h; the edge intersection grows as the

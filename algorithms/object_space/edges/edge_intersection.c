@@ -331,8 +331,8 @@ static enum hsr_status count_faces_apart(struct hsr_network *network,
   return HSR_OK;
 }
 
-/* Whether no place of the edge can be visible, because its crossings are too few
- * to bring the invisibility down to zero. */
+/* Whether no place of the edge can be visible, because its crossings are too
+ * few to bring the invisibility down to zero. */
 static bool is_hidden_throughout(const struct hsr_network *network,
                                  int64_t count) {
   for (size_t k = 0; k < network->events.n; k++)

@@ -338,8 +338,8 @@ static bool is_same(const struct hsr_sight_event *a,
   return a->at == b->at && a->subject == b->subject;
 }
 
-/* Takes the hidden part out of a fragment. Returns which of the four outcomes it
- * is; left[0] and left[1] are what is left. */
+/* Takes the hidden part out of a fragment. Returns which of the four outcomes
+ * it is; left[0] and left[1] are what is left. */
 static int take_out(const struct fragment *fragment,
                     const struct fragment *hidden, struct fragment left[2]) {
   bool before = !is_same(&hidden->from, &fragment->from);
