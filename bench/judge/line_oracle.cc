@@ -619,7 +619,7 @@ int artist::decide_c(uint32_t f) {
   const int sign = sign_of(planes[f].c);
   if (sign != UNKNOWN)
     return sign;
-  HSR_COUNT(job.tally, LINE_EXACT, 1);
+  HSR_STEP(job.tally, LINE_EXACT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
   const Nearest to_nearest;
   return sign_of(plane_of<Exact>(f).c);
 }
@@ -694,7 +694,7 @@ int artist::sign_at_end(const recipe &which, const Interval &guess, int end) {
   const int sign = sign_of(guess);
   if (sign != UNKNOWN)
     return sign;
-  HSR_COUNT(job.tally, LINE_EXACT, 1);
+  HSR_STEP(job.tally, LINE_EXACT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
   const Nearest to_nearest;
   return sign_of(at(make_form<Exact>(which), exact_end(end)));
 }
@@ -716,7 +716,7 @@ place *artist::cross_zero(const recipe &which, int signs[2]) {
 
 const Exact &artist::exact_place(place *p) {
   if (!p->exact) {
-    HSR_COUNT(job.tally, LINE_EXACT, 1);
+    HSR_STEP(job.tally, LINE_EXACT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
     const Nearest to_nearest;
     if (p->zero.of == START || p->zero.of == END) {
       p->exact = Exact(p->zero.of == END);
@@ -787,7 +787,7 @@ int artist::decide(const recipe &which, const Interval &guess, point *p) {
   const int sign = sign_of(guess);
   if (sign == 1 || sign == -1)
     return sign;
-  HSR_COUNT(job.tally, LINE_EXACT, 1);
+  HSR_STEP(job.tally, LINE_EXACT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
   const Nearest to_nearest;
   const form<Exact> l = make_form<Exact>(which);
   if (const int there = sign_of(at(l, exact_point(p))))
@@ -831,7 +831,7 @@ bool artist::is_parity_odd(uint32_t f, point *p) {
  * its plane does not contain the edge. Where kN·u - c has the sign of c, so has
  * N·D. */
 bool artist::hides(uint32_t f, point *p) {
-  HSR_COUNT(job.tally, LINE_POINT, 1);
+  HSR_STEP(job.tally, LINE_POINT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
   const int side = c[f];
   return sign_at({PLANE, f, 0}, p) == side && is_parity_odd(f, p) &&
          sign_at({NEAR, f, 0}, p) == side;
@@ -895,7 +895,7 @@ void artist::add_candidate(const recipe &which) {
  * the edge. Where a side's line passes through the eye, it is skipped, and the
  * parity may change with a row; the face is then not flat, or c were 0. */
 void artist::hide(uint32_t f) {
-  HSR_COUNT(job.tally, LINE_PAIR, 1);
+  HSR_STEP(job.tally, LINE_PAIR, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
   candidates.clear();
   if (is_beside(f) || !may_hide(f))
     return;
@@ -971,7 +971,7 @@ bool artist::begin_edge() {
   across = cross(e.u[0], e.u[1]);
   int no_image = is_zero(across);
   if (no_image == UNKNOWN) {
-    HSR_COUNT(job.tally, LINE_EXACT, 1);
+    HSR_STEP(job.tally, LINE_EXACT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
     const Nearest to_nearest;
     no_image = is_zero(cross(exact_end(0), exact_end(1)));
   }
@@ -1059,7 +1059,7 @@ enum hsr_status artist::draw_edge() {
   for (const hider &h : hiders) {
     if (h.box.left > image.right)
       break;
-    HSR_COUNT(job.tally, LINE_BOX, 1);
+    HSR_STEP(job.tally, LINE_BOX, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
     if (h.box.right < image.left || h.box.low > image.high ||
         h.box.high < image.low || h.box.nearest >= image.farthest)
       continue;
@@ -1165,11 +1165,14 @@ static void release(void *prepared) {
 } /* extern "C" */
 
 constexpr struct hsr_counter counters[] = {
-    {"boxes", "boxes of faces compared with that of an edge"},
-    {"pairs", "faces compared with an edge, their boxes overlapping"},
-    {"points", "points of edges tested for whether a face hides them"},
-    {"exact", "signs and places that were sought in rational numbers"},
-    {nullptr, nullptr}};
+    {"boxes", "boxes of faces compared with that of an edge", HSR_COMPARE},
+    {"pairs", "faces compared with an edge, their boxes overlapping",
+     HSR_COMPARE},
+    {"points", "points of edges tested for whether a face hides them",
+     HSR_COMPARE},
+    {"exact", "signs and places that were sought in rational numbers",
+     HSR_COMPARE},
+    {nullptr}};
 
 constexpr struct hsr_algorithm describe() {
   struct hsr_algorithm a = {};

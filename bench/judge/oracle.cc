@@ -181,7 +181,7 @@ sample make_sample(const hsr_job &job, const hsr_world *world, memo *known,
  * it is zero along D, along R and along -U. */
 template <class Value>
 int perturbed_sign(const sample &s, enum hsr_question question, Value value) {
-  HSR_COUNT(s.tally, ORACLE_SIGN, 1);
+  HSR_STEP(s.tally, ORACLE_SIGN, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
   const Interval guess = value(s.r, s.r.along_D);
   if (guess.inf() > 0)
     return 1;
@@ -849,7 +849,7 @@ void way::take(const stop &here, uint32_t item) {
   }
   if (here.instance)
     f = faces->add(uint32_t(here.instance - instanced->instances), item);
-  HSR_COUNT(s.tally, ORACLE_FACE, 1);
+  HSR_STEP(s.tally, ORACLE_FACE, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
   hit found;
   if (covers(s, f, &found) && is_nearer(s, found, nearest)) {
     nearest = found;
@@ -879,7 +879,7 @@ void way::visit(const stop &here) {
     bounds = &moved;
     needed = needed_in(*here.instance);
   }
-  HSR_COUNT(s.tally, ORACLE_BOX, 1);
+  HSR_STEP(s.tally, ORACLE_BOX, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
   if (passes_by(s, *bounds, a.planar >= needed, farthest))
     return;
 
@@ -980,10 +980,10 @@ static void release(void *prepared) {
 } /* extern "C" */
 
 constexpr struct hsr_counter counters[] = {
-    {"boxes", "boxes of the hierarchy tested against a ray"},
-    {"faces", "faces tested for whether they cover a sample"},
-    {"signs", "signs of determinants, by intervals or exactly"},
-    {nullptr, nullptr}};
+    {"boxes", "boxes of the hierarchy tested against a ray", HSR_COMPARE},
+    {"faces", "faces tested for whether they cover a sample", HSR_COMPARE},
+    {"signs", "signs of determinants, by intervals or exactly", HSR_COMPARE},
+    {nullptr}};
 
 constexpr struct hsr_algorithm describe() {
   struct hsr_algorithm a = {};
