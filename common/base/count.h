@@ -251,12 +251,6 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
 #define HSR_COUNT_DEPTHS(tally, n) ((void)sizeof((tally) + (n)))
 #endif
 
-/* Only until every module counts by steps: the ways of before. */
-#define HSR_COUNT(tally, counter, n) HSR_COMPUTED(tally, counter, n)
-#define HSR_STEP9(tally, counter, event_kind, a_, b_, x0_, y0_, x1_, y1_)      \
-  HSR_STEP(tally, counter, HSR_FACE(a_), HSR_FACE(b_),                         \
-           hsr_window_make(x0_, y0_, x1_, y1_), (int)(event_kind))
-
 #ifdef __cplusplus
 }
 #endif
