@@ -156,7 +156,7 @@ static void check_clusters(struct tap *tap, const char *name, bool is_ring) {
   struct hsr_job job = {.world = setup.world,
                         .view = &view,
                         .prepared = setup.prepared,
-                        .option = setup.choice.option,
+                        .option = setup.choice.values.option,
                         .scratch = &scratch,
                         .tally = &count.tally,
                         .ids = ids,
