@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The core, a room at a time; what may be included from where: README.md.
 include %D%/base/local.mk
+include %D%/polygon/local.mk
 include %D%/scene/local.mk
 include %D%/view/local.mk
 include %D%/exact/local.mk

@@ -68,7 +68,8 @@ tap_scripts = \
   %D%/bad/memory.test \
   %D%/report/made.test \
   %D%/report/report.test \
-  %D%/torture/torture.test
+  %D%/torture/torture.test \
+  %D%/tree/arrows.test
 
 if WITH_VTK
 tap_programs += %D%/unit/files/vtp_test

@@ -21,60 +21,6 @@
 extern "C" {
 #endif
 
-/* A polygon in arrays of coordinates: corner k has the coordinates
- * x[stride * vertex[k]], likewise y and z. All borrowed. */
-struct hsr_loop {
-  const double *x, *y, *z;
-  size_t stride;
-  const uint32_t *vertex;
-  uint32_t n;
-};
-
-/* The corners of face f. */
-static inline struct hsr_loop hsr_face_loop(const struct hsr_world *world,
-                                            uint32_t f) {
-  struct hsr_loop loop = {world->x,
-                          world->y,
-                          world->z,
-                          1,
-                          world->vertex + world->start[f],
-                          hsr_face_size(world, f)};
-  return loop;
-}
-
-/* A polygon on the same plane as face f, by which the plane is defined: its own
- * corners, or of a piece its parent's. */
-static inline struct hsr_loop hsr_plane_loop(const struct hsr_world *world,
-                                             uint32_t f) {
-  const struct hsr_pieces *pieces = world->pieces;
-  return pieces ? hsr_face_loop(pieces->whole, pieces->parent[f])
-                : hsr_face_loop(world, f);
-}
-
-/* Whether all three components of Newell's normal are zero: 0 if so, else 1. */
-int hsr_exact_has_normal(struct hsr_loop face, bool *out_of_memory);
-
-/* Whether all corners are on the plane of the face (common/scene/world.h). */
-bool hsr_is_flat(struct hsr_loop face, bool *out_of_memory);
-
-/* Whether two faces lie on one plane, in either orientation: 1 if so. */
-int hsr_exact_same_plane(struct hsr_loop f, struct hsr_loop g,
-                         bool *out_of_memory);
-
-/* +1 if `point` is strictly in front of the face's plane (on the side that its
- * normal points to), -1 if behind, 0 if on it. */
-int hsr_exact_plane_side(struct hsr_loop face, const double point[3],
-                         bool *out_of_memory);
-
-/* The same, of the face moved by `shift`. */
-int hsr_exact_moved_plane_side(struct hsr_loop face, const double shift[3],
-                               const double point[3], bool *out_of_memory);
-
-/* The same of the face as it stands and a point displaced by (e, e^2, e^3), e
- * infinitesimal: never 0. */
-int hsr_exact_displaced_plane_side(struct hsr_loop face, const double point[3],
-                                   bool *out_of_memory);
-
 /* row(v) of a vertex against the scan plane through screen height sy,
  * perturbed: for a vertex before the eye, +1 if it lies below the line. */
 int hsr_exact_row_side(const struct hsr_view *view, const double vertex[3],
@@ -121,12 +67,6 @@ int hsr_exact_nearer_towards(const struct hsr_view *view, struct hsr_loop f,
 int hsr_exact_cut_side(const struct hsr_view *view, struct hsr_loop f,
                        struct hsr_loop g, double sx, double sy,
                        bool *out_of_memory);
-
-/* The matrices of hsr_view from its E, F, R, U, m, n, each entry the exact
- * value with a relative error of at most 2^-52. False if F, R, U are dependent.
- */
-bool hsr_exact_view_matrices(const struct hsr_view *view, double ray[3][3],
-                             double screen[3][3], bool *out_of_memory);
 
 #ifdef __cplusplus
 }

@@ -10,7 +10,7 @@
  *             hold no counts to be believed. */
 #include "common/files/scene_json.h"
 #include "common/files/json_read.h"
-#include "common/exact/predicates.h"
+#include "common/polygon/polygon.h"
 
 #include <jansson.h>
 

@@ -12,7 +12,7 @@
  * beyond that. 2^-960 covers underflow. */
 #include "common/grids/voxels.h"
 #include "common/base/bits.h"
-#include "common/exact/predicates.h"
+#include "common/scene/pieces.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
 /* The sides of faces are sorted here once more, rather than taken from
  * common/lines/edges.h, which would look for penetrations as well. */
 #include "common/lines/crease.h"
-#include "common/exact/predicates.h"
+#include "common/scene/pieces.h"
 
 #include <math.h>
 #include <stdlib.h>

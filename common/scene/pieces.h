@@ -74,6 +74,15 @@ static inline uint32_t hsr_world_parent(const struct hsr_world *world,
   return world->pieces ? world->pieces->parent[f] : f;
 }
 
+/* A polygon on the same plane as face f, by which the plane is defined: its own
+ * corners, or of a piece its parent's. */
+static inline struct hsr_loop hsr_plane_loop(const struct hsr_world *world,
+                                             uint32_t f) {
+  const struct hsr_pieces *pieces = world->pieces;
+  return pieces ? hsr_face_loop(pieces->whole, pieces->parent[f])
+                : hsr_face_loop(world, f);
+}
+
 #ifdef __cplusplus
 }
 #endif

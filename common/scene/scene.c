@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/scene/scene.h"
-#include "common/exact/predicates.h"
+#include "common/polygon/polygon.h"
 
 #include <math.h>
 #include <stdlib.h>

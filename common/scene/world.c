@@ -26,7 +26,6 @@
  * whether its four vertices are coplanar. */
 #include "common/scene/world.h"
 #include "common/scene/pieces.h"
-#include "common/exact/predicates.h"
 
 #include <float.h>
 #include <math.h>
@@ -201,19 +200,6 @@ static void find_plane(struct hsr_world *world, uint32_t f) {
   world->pz[f] = anchor[2];
   world->anchor_error[f] =
       plane.n == 3 ? 0 : 2 * (plane.n + 2.0) * U * r + TINY;
-}
-
-bool hsr_is_flat(struct hsr_loop loop, bool *out_of_memory) {
-  struct hsr_loop plane = loop;
-  if (loop.n == 4)
-    plane.n = 3;
-  for (uint32_t k = loop.n <= 4 ? 3 : 0; k < loop.n; k++) {
-    size_t v = loop.stride * loop.vertex[k];
-    const double p[3] = {loop.x[v], loop.y[v], loop.z[v]};
-    if (hsr_exact_plane_side(plane, p, out_of_memory))
-      return false;
-  }
-  return true;
 }
 
 /* An upper bound of |N . (V - P)| over the vertices of face f. */

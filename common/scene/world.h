@@ -15,6 +15,7 @@
 #define HSR_COMMON_WORLD_H
 
 #include "common/base/arena.h"
+#include "common/polygon/polygon.h"
 #include "common/scene/clusters.h"
 #include "common/scene/scene.h"
 
@@ -131,6 +132,18 @@ void hsr_world_find_plane(struct hsr_world *world, uint32_t f,
 static inline uint32_t hsr_face_size(const struct hsr_world *world,
                                      uint32_t f) {
   return world->start[f + 1] - world->start[f];
+}
+
+/* The corners of face f. */
+static inline struct hsr_loop hsr_face_loop(const struct hsr_world *world,
+                                            uint32_t f) {
+  struct hsr_loop loop = {world->x,
+                          world->y,
+                          world->z,
+                          1,
+                          world->vertex + world->start[f],
+                          hsr_face_size(world, f)};
+  return loop;
 }
 
 /* Whether vertex v is one of face f and exactly on its plane. */

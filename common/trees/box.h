@@ -19,7 +19,7 @@
 #ifndef HSR_COMMON_BOX_H
 #define HSR_COMMON_BOX_H
 
-#include "common/exact/predicates.h"
+#include "common/scene/world.h"
 
 #ifdef __cplusplus
 extern "C" {

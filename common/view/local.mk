@@ -5,5 +5,6 @@ nobase_pkginclude_HEADERS += \
   %D%/view.h
 libhsr_a_SOURCES += \
   %D%/clip.c \
+  %D%/matrices_cgal.cc \
   %D%/picture.c \
   %D%/view.c

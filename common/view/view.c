@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/view/view.h"
-#include "common/exact/predicates.h"
 
 #include <math.h>
 

@@ -53,6 +53,12 @@ enum hsr_status hsr_view_init(struct hsr_view *view,
                               const struct hsr_camera *camera, int m, int n,
                               struct hsr_error *err);
 
+/* The matrices of hsr_view from its E, F, R, U, m, n, each entry the exact
+ * value with a relative error of at most 2^-52. False if F, R, U are dependent.
+ */
+bool hsr_exact_view_matrices(const struct hsr_view *view, double ray[3][3],
+                             double screen[3][3], bool *out_of_memory);
+
 /* Screen coordinates of a sample. This is the one place that knows. */
 static inline double hsr_sample_x(const struct hsr_view *view, int i) {
   return i + (0.5 + view->offset_x);

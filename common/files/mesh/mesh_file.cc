@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/files/mesh/mesh_file.h"
-#include "common/exact/predicates.h"
+#include "common/polygon/polygon.h"
 
 #include <algorithm>
 #include <cerrno>

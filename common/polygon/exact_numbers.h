@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Exact signs over CGAL's interval and exact number types, for C++ files that
+ * write a predicate as a polynomial.
+ *
+ * Method      Each predicate is a polynomial written once as a template over
+ *             the number type. It is evaluated in intervals, whose rounding
+ *             CGAL directs; if the interval does not tell the sign, in
+ *             MP_Float, CGAL's exact floating-point numbers (integers times
+ *             powers of two), which hold sums and products of doubles exactly.
+ *             The faster Mpzf is not for us: where memory runs out within a
+ *             sum, CGAL 5.5 frees an address that it never got.
+ * Division    there is none: x = (2 sx - m)/m and y = (n - 2 sy)/n are
+ *             multiplied through by m n > 0, means by the number of vertices. */
+#ifndef HSR_COMMON_POLYGON_EXACT_NUMBERS_H
+#define HSR_COMMON_POLYGON_EXACT_NUMBERS_H
+
+#include "common/polygon/polygon.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/MP_Float.h>
+
+namespace hsr {
+
+using Interval = CGAL::Interval_nt<false>;
+using Exact = CGAL::MP_Float;
+
+/* The sign of polynomial(T()), the argument only telling the number type. */
+template <class Polynomial>
+int sign_of(const Polynomial &polynomial, bool *out_of_memory) noexcept {
+  try {
+    {
+      CGAL::Protect_FPU_rounding<true> upwards;
+      CGAL::Uncertain<CGAL::Sign> sign = CGAL::sign(polynomial(Interval()));
+      if (CGAL::is_certain(sign))
+        return CGAL::get_certain(sign);
+    }
+    return CGAL::sign(polynomial(Exact()));
+  } catch (...) {
+    *out_of_memory = true; /* the only thing that MP_Float throws */
+    return 1;
+  }
+}
+
+template <class T> struct Vector { T x, y, z; };
+
+template <class T> Vector<T> vector(const double v[3]) {
+  return {T(v[0]), T(v[1]), T(v[2])};
+}
+template <class T> Vector<T> operator-(const Vector<T> &a, const Vector<T> &b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T> Vector<T> operator+(const Vector<T> &a, const Vector<T> &b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T> Vector<T> operator*(const T &s, const Vector<T> &a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <class T> T dot(const Vector<T> &a, const Vector<T> &b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T> Vector<T> cross(const Vector<T> &a, const Vector<T> &b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class T>
+T det(const Vector<T> &a, const Vector<T> &b, const Vector<T> &c) {
+  return dot(cross(a, b), c);
+}
+
+template <class T> Vector<T> corner(const hsr_loop &face, uint32_t k) {
+  size_t v = face.stride * face.vertex[k];
+  return {T(face.x[v]), T(face.y[v]), T(face.z[v])};
+}
+
+/* Newell's normal about the first vertex, which is the same vector. */
+template <class T> Vector<T> newell_normal(const hsr_loop &face) {
+  Vector<T> first = corner<T>(face, 0);
+  Vector<T> normal = {T(0), T(0), T(0)};
+  Vector<T> previous = corner<T>(face, 1) - first;
+  for (uint32_t k = 2; k < face.n; k++) {
+    Vector<T> next = corner<T>(face, k) - first;
+    normal = normal + cross(previous, next);
+    previous = next;
+  }
+  return normal;
+}
+
+/* The plane N . (k P - S) = 0 as N and N . S, and k. */
+template <class T> struct Plane {
+  Vector<T> normal;
+  T k, offset;
+};
+
+template <class T> Plane<T> newell_plane(const hsr_loop &face) {
+  Vector<T> normal = newell_normal<T>(face);
+  if (face.n == 3) /* any corner will do */
+    return {normal, T(1), dot(normal, corner<T>(face, 0))};
+  Vector<T> sum = {T(0), T(0), T(0)};
+  for (uint32_t k = 0; k < face.n; k++)
+    sum = sum + corner<T>(face, k);
+  return {normal, T(double(face.n)), dot(normal, sum)};
+}
+
+} // namespace hsr
+
+#endif

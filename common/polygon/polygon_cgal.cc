@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact predicates of one polygon and of its plane, over CGAL's numbers.
+
+#include "common/polygon/polygon.h"
+#include "common/polygon/exact_numbers.h"
+
+using namespace hsr;
+
+namespace {
+
+/* The sign of a component of Newell's normal. */
+int normal_sign(const hsr_loop &face, int axis, bool *out_of_memory) {
+  return sign_of(
+      [&](auto t) {
+        using T = decltype(t);
+        Vector<T> n = newell_normal<T>(face);
+        return axis == 0 ? n.x : axis == 1 ? n.y : n.z;
+      },
+      out_of_memory);
+}
+
+} // namespace
+
+int hsr_exact_has_normal(struct hsr_loop face, bool *out_of_memory) {
+  for (int axis = 0; axis < 3; axis++)
+    if (normal_sign(face, axis, out_of_memory))
+      return 1;
+  return 0;
+}
+
+int hsr_exact_same_plane(struct hsr_loop f, struct hsr_loop g,
+                         bool *out_of_memory) {
+  /* Parallel normals, and the mean of one on the other. */
+  for (int axis = 0; axis < 3; axis++) {
+    int sign = sign_of(
+        [&](auto t) {
+          using T = decltype(t);
+          Vector<T> n = cross(newell_normal<T>(f), newell_normal<T>(g));
+          return axis == 0 ? n.x : axis == 1 ? n.y : n.z;
+        },
+        out_of_memory);
+    if (sign)
+      return 0;
+  }
+  return !sign_of(
+      [&](auto t) {
+        using T = decltype(t);
+        Plane<T> p = newell_plane<T>(f), q = newell_plane<T>(g);
+        /* N_f (k_g P_f's offset) against the same point measured by g, along
+         * N_f, which is parallel to N_g. */
+        return p.offset * q.k * dot(q.normal, p.normal) -
+               q.offset * p.k * dot(p.normal, p.normal);
+      },
+      out_of_memory);
+}
+
+int hsr_exact_moved_plane_side(struct hsr_loop face, const double shift[3],
+                               const double point[3], bool *out_of_memory) {
+  return sign_of(
+      [&](auto t) {
+        using T = decltype(t);
+        Plane<T> plane = newell_plane<T>(face);
+        return plane.k *
+                   dot(plane.normal, vector<T>(point) - vector<T>(shift)) -
+               plane.offset;
+      },
+      out_of_memory);
+}
+
+int hsr_exact_plane_side(struct hsr_loop face, const double point[3],
+                         bool *out_of_memory) {
+  static const double nowhere[3] = {0, 0, 0};
+  return hsr_exact_moved_plane_side(face, nowhere, point, out_of_memory);
+}
+
+int hsr_exact_displaced_plane_side(struct hsr_loop face, const double point[3],
+                                   bool *out_of_memory) {
+  int sign = hsr_exact_plane_side(face, point, out_of_memory);
+  for (int axis = 0; axis < 3 && !sign; axis++)
+    sign = normal_sign(face, axis, out_of_memory);
+  return sign;
+}
+
+bool hsr_is_flat(struct hsr_loop loop, bool *out_of_memory) {
+  struct hsr_loop plane = loop;
+  if (loop.n == 4)
+    plane.n = 3;
+  for (uint32_t k = loop.n <= 4 ? 3 : 0; k < loop.n; k++) {
+    size_t v = loop.stride * loop.vertex[k];
+    const double p[3] = {loop.x[v], loop.y[v], loop.z[v]};
+    if (hsr_exact_plane_side(plane, p, out_of_memory))
+      return false;
+  }
+  return true;
+}
