@@ -77,7 +77,6 @@ CLEANFILES += %D%/commit.h
 	echo "#define HSR_COMMIT \"$$commit\"" >$@.new; \
 	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 .PHONY: commit-always
-nodist_EXTRA_hsr_SOURCES = force_cxx_link.cc
 if TORTURE
 hsr_SOURCES += tests/torture/fail.cc
 hsr_LDFLAGS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \

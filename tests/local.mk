@@ -62,6 +62,7 @@ tap_programs = \
   %D%/sweep/sweep_test
 tap_scripts = \
   %D%/answers/layers.test \
+  %D%/example/example.test \
   %D%/command.test \
   %D%/peers.test \
   %D%/bad/bad_input.test \
@@ -75,146 +76,53 @@ if WITH_VTK
 tap_programs += %D%/unit/files/vtp_test
 endif
 
-check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers
+check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers \
+  %D%/example/hsr-example
 dist_check_SCRIPTS += $(tap_scripts)
 TESTS += $(tap_programs) $(tap_scripts)
 
 noinst_LIBRARIES += libdraw.a
 libdraw_a_SOURCES = %D%/draw.c %D%/draw.h %D%/tap.h
 LDADD = libdraw.a $(HSR_LIBS)
-%C%_unit_core_adapt_test_SOURCES = %D%/unit/core/adapt_test.c
-nodist_EXTRA_%C%_unit_core_adapt_test_SOURCES = force_cxx_link.cc
-%C%_unit_core_box_test_SOURCES = %D%/unit/core/box_test.c
-nodist_EXTRA_%C%_unit_core_box_test_SOURCES = force_cxx_link.cc
-%C%_unit_core_bsp_test_SOURCES = %D%/unit/core/bsp_test.c
-nodist_EXTRA_%C%_unit_core_bsp_test_SOURCES = force_cxx_link.cc
-%C%_unit_algorithms_cubes_test_SOURCES = %D%/unit/algorithms/cubes_test.c
-nodist_EXTRA_%C%_unit_algorithms_cubes_test_SOURCES = force_cxx_link.cc
-%C%_unit_files_drawing_test_SOURCES = %D%/unit/files/drawing_test.c
-nodist_EXTRA_%C%_unit_files_drawing_test_SOURCES = force_cxx_link.cc
 %C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc
-%C%_unit_core_filter_test_SOURCES = %D%/unit/core/filter_test.c
-nodist_EXTRA_%C%_unit_core_filter_test_SOURCES = force_cxx_link.cc
-%C%_unit_algorithms_grove_test_SOURCES = %D%/unit/algorithms/grove_test.c
-nodist_EXTRA_%C%_unit_algorithms_grove_test_SOURCES = force_cxx_link.cc
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
 %C%_unit_bench_line_oracle_test_SOURCES = %D%/unit/bench/line_oracle_test.cc
-%C%_unit_algorithms_masks_test_SOURCES = %D%/unit/algorithms/masks_test.c
-nodist_EXTRA_%C%_unit_algorithms_masks_test_SOURCES = force_cxx_link.cc
 %C%_unit_bench_oracle_test_SOURCES = %D%/unit/bench/oracle_test.cc
-%C%_unit_core_outline_test_SOURCES = %D%/unit/core/outline_test.c
-nodist_EXTRA_%C%_unit_core_outline_test_SOURCES = force_cxx_link.cc
-%C%_unit_core_octree_test_SOURCES = %D%/unit/core/octree_test.c
-nodist_EXTRA_%C%_unit_core_octree_test_SOURCES = force_cxx_link.cc
-%C%_unit_files_plot_test_SOURCES = %D%/unit/files/plot_test.c
-nodist_EXTRA_%C%_unit_files_plot_test_SOURCES = force_cxx_link.cc
-%C%_unit_algorithms_pyramid_test_SOURCES = %D%/unit/algorithms/pyramid_test.c
-nodist_EXTRA_%C%_unit_algorithms_pyramid_test_SOURCES = force_cxx_link.cc
-%C%_unit_files_scene_json_test_SOURCES = %D%/unit/files/scene_json_test.c
-nodist_EXTRA_%C%_unit_files_scene_json_test_SOURCES = force_cxx_link.cc
-%C%_unit_core_scenes_test_SOURCES = %D%/unit/core/scenes_test.c
-nodist_EXTRA_%C%_unit_core_scenes_test_SOURCES = force_cxx_link.cc
-%C%_unit_core_screen_test_SOURCES = %D%/unit/core/screen_test.c
-nodist_EXTRA_%C%_unit_core_screen_test_SOURCES = force_cxx_link.cc
-%C%_unit_core_statistics_test_SOURCES = %D%/unit/core/statistics_test.c
-nodist_EXTRA_%C%_unit_core_statistics_test_SOURCES = force_cxx_link.cc
-%C%_unit_bench_tables_test_SOURCES = %D%/unit/bench/tables_test.c
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
-nodist_EXTRA_%C%_unit_bench_tables_test_SOURCES = force_cxx_link.cc
-%C%_unit_core_triage_test_SOURCES = %D%/unit/core/triage_test.c
-nodist_EXTRA_%C%_unit_core_triage_test_SOURCES = force_cxx_link.cc
-%C%_unit_algorithms_variant_test_SOURCES = %D%/unit/algorithms/variant_test.c
-nodist_EXTRA_%C%_unit_algorithms_variant_test_SOURCES = force_cxx_link.cc
-%C%_unit_core_world_test_SOURCES = %D%/unit/core/world_test.c
-nodist_EXTRA_%C%_unit_core_world_test_SOURCES = force_cxx_link.cc
 %C%_unit_files_vtp_test_SOURCES = %D%/unit/files/vtp_test.cc
 %C%_unit_files_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
-%C%_conformance_lattice_test_SOURCES = %D%/conformance/lattice_test.c
-nodist_EXTRA_%C%_conformance_lattice_test_SOURCES = force_cxx_link.cc
-%C%_counts_golden_test_SOURCES = %D%/counts/golden_test.c
-nodist_EXTRA_%C%_counts_golden_test_SOURCES = force_cxx_link.cc
 %C%_counts_by_hand_bouknight_test_SOURCES = %D%/counts/by_hand/bouknight_test.c %D%/counts/by_hand/pixels.h
-nodist_EXTRA_%C%_counts_by_hand_bouknight_test_SOURCES = force_cxx_link.cc
 %C%_counts_by_hand_romney_test_SOURCES = %D%/counts/by_hand/romney_test.c %D%/counts/by_hand/pixels.h
-nodist_EXTRA_%C%_counts_by_hand_romney_test_SOURCES = force_cxx_link.cc
 %C%_counts_by_hand_scan_line_test_SOURCES = %D%/counts/by_hand/scan_line_test.c %D%/counts/by_hand/pixels.h
-nodist_EXTRA_%C%_counts_by_hand_scan_line_test_SOURCES = force_cxx_link.cc
 %C%_counts_by_hand_warnock_test_SOURCES = %D%/counts/by_hand/warnock_test.c %D%/counts/by_hand/pixels.h
-nodist_EXTRA_%C%_counts_by_hand_warnock_test_SOURCES = force_cxx_link.cc
 %C%_counts_by_hand_watkins_test_SOURCES = %D%/counts/by_hand/watkins_test.c %D%/counts/by_hand/pixels.h
-nodist_EXTRA_%C%_counts_by_hand_watkins_test_SOURCES = force_cxx_link.cc
-%C%_conformance_trace_test_SOURCES = %D%/conformance/trace_test.c
-nodist_EXTRA_%C%_conformance_trace_test_SOURCES = force_cxx_link.cc
-%C%_conformance_line_lattice_test_SOURCES = %D%/conformance/line_lattice_test.c
-nodist_EXTRA_%C%_conformance_line_lattice_test_SOURCES = force_cxx_link.cc
-%C%_properties_tiling_baselines_test_SOURCES = %D%/properties/tiling/baselines_test.c
-nodist_EXTRA_%C%_properties_tiling_baselines_test_SOURCES = force_cxx_link.cc
 %C%_properties_hierarchical_boxes_test_SOURCES = %D%/properties/hierarchical/boxes_test.cc
-%C%_properties_lines_edges_test_SOURCES = %D%/properties/lines/edges_test.c
-nodist_EXTRA_%C%_properties_lines_edges_test_SOURCES = force_cxx_link.cc
-%C%_properties_hierarchical_hzbuffer_options_test_SOURCES = %D%/properties/hierarchical/hzbuffer_options_test.c
-nodist_EXTRA_%C%_properties_hierarchical_hzbuffer_options_test_SOURCES = force_cxx_link.cc
-%C%_properties_hierarchical_movers_test_SOURCES = %D%/properties/hierarchical/movers_test.c
-nodist_EXTRA_%C%_properties_hierarchical_movers_test_SOURCES = force_cxx_link.cc
-%C%_properties_hierarchical_hzbuffer_test_SOURCES = %D%/properties/hierarchical/hzbuffer_test.c
-nodist_EXTRA_%C%_properties_hierarchical_hzbuffer_test_SOURCES = force_cxx_link.cc
-%C%_properties_surfaces_combinations_test_SOURCES = %D%/properties/surfaces/combinations_test.c
-nodist_EXTRA_%C%_properties_surfaces_combinations_test_SOURCES = force_cxx_link.cc
-%C%_properties_tiling_lazy_test_SOURCES = %D%/properties/tiling/lazy_test.c
-nodist_EXTRA_%C%_properties_tiling_lazy_test_SOURCES = force_cxx_link.cc
-%C%_properties_lines_lines_and_surfaces_test_SOURCES = %D%/properties/lines/lines_and_surfaces_test.c
-nodist_EXTRA_%C%_properties_lines_lines_and_surfaces_test_SOURCES = force_cxx_link.cc
-%C%_properties_tiling_merged_test_SOURCES = %D%/properties/tiling/merged_test.c
-nodist_EXTRA_%C%_properties_tiling_merged_test_SOURCES = force_cxx_link.cc
-%C%_properties_metamorphic_test_SOURCES = %D%/properties/metamorphic_test.c
-nodist_EXTRA_%C%_properties_metamorphic_test_SOURCES = force_cxx_link.cc
-%C%_properties_lines_roberts_test_SOURCES = %D%/properties/lines/roberts_test.c
-nodist_EXTRA_%C%_properties_lines_roberts_test_SOURCES = force_cxx_link.cc
-%C%_properties_surfaces_outcomes_test_SOURCES = %D%/properties/surfaces/outcomes_test.c
-nodist_EXTRA_%C%_properties_surfaces_outcomes_test_SOURCES = force_cxx_link.cc
-%C%_properties_surfaces_romney_test_SOURCES = %D%/properties/surfaces/romney_test.c
-nodist_EXTRA_%C%_properties_surfaces_romney_test_SOURCES = force_cxx_link.cc
-%C%_properties_surfaces_schumacker_test_SOURCES = %D%/properties/surfaces/schumacker_test.c
-nodist_EXTRA_%C%_properties_surfaces_schumacker_test_SOURCES = force_cxx_link.cc
 %C%_properties_tiling_voxels_test_SOURCES = %D%/properties/tiling/voxels_test.cc
-%C%_properties_tiling_tiling_test_SOURCES = %D%/properties/tiling/tiling_test.c
 %C%_properties_tiling_tiling_test_LDADD = libdraw.a $(BENCH_LIBS)
-nodist_EXTRA_%C%_properties_tiling_tiling_test_SOURCES = force_cxx_link.cc
-%C%_properties_surfaces_warnock_test_SOURCES = %D%/properties/surfaces/warnock_test.c
-nodist_EXTRA_%C%_properties_surfaces_warnock_test_SOURCES = force_cxx_link.cc
-%C%_properties_surfaces_newell_test_SOURCES = %D%/properties/surfaces/newell_test.c
-nodist_EXTRA_%C%_properties_surfaces_newell_test_SOURCES = force_cxx_link.cc
-%C%_properties_surfaces_scan_line_test_SOURCES = %D%/properties/surfaces/scan_line_test.c
-nodist_EXTRA_%C%_properties_surfaces_scan_line_test_SOURCES = force_cxx_link.cc
 
-%C%_unit_bench_crew_test_SOURCES = %D%/unit/bench/crew_test.c
 %C%_unit_bench_crew_test_LDADD = libdraw.a $(BENCH_LIBS)
-nodist_EXTRA_%C%_unit_bench_crew_test_SOURCES = force_cxx_link.cc
-%C%_unit_bench_figures_test_SOURCES = %D%/unit/bench/figures_test.c
 %C%_unit_bench_figures_test_LDADD = $(BENCH_LIBS)
-nodist_EXTRA_%C%_unit_bench_figures_test_SOURCES = force_cxx_link.cc
 
 # The command with a list of its own: algorithms that fail on purpose.
 %C%_sweep_hsr_fixtures_SOURCES = bench/hsr.c %D%/sweep/fixtures.c
 %C%_sweep_hsr_fixtures_LDADD = $(BENCH_LIBS)
-nodist_EXTRA_%C%_sweep_hsr_fixtures_SOURCES = force_cxx_link.cc
+# The command with algorithms/EXAMPLE.c on its list.
+%C%_example_hsr_example_SOURCES = bench/hsr.c %D%/example/lists.c \
+  %D%/example/plain.c %D%/example/counting.c
+%C%_example_hsr_example_LDADD = $(BENCH_LIBS)
+
 # The command with a kind of answer of its own.
 %C%_answers_hsr_layers_SOURCES = bench/hsr.c %D%/answers/layers.c \
   %D%/answers/lists.c
 %C%_answers_hsr_layers_LDADD = $(BENCH_LIBS)
-nodist_EXTRA_%C%_answers_hsr_layers_SOURCES = force_cxx_link.cc
 sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
 %C%_sweep_check_test_SOURCES = %D%/sweep/check_test.c $(sweeping)
 %C%_sweep_check_test_LDADD = $(BENCH_LIBS)
-nodist_EXTRA_%C%_sweep_check_test_SOURCES = force_cxx_link.cc
 %C%_sweep_resume_test_SOURCES = %D%/sweep/resume_test.c $(sweeping)
 %C%_sweep_resume_test_LDADD = $(BENCH_LIBS)
-nodist_EXTRA_%C%_sweep_resume_test_SOURCES = force_cxx_link.cc
 %C%_sweep_schema_test_SOURCES = %D%/sweep/schema_test.c $(sweeping)
 %C%_sweep_schema_test_LDADD = $(BENCH_LIBS)
-nodist_EXTRA_%C%_sweep_schema_test_SOURCES = force_cxx_link.cc
 %C%_sweep_sweep_test_SOURCES = %D%/sweep/sweep_test.c $(sweeping)
 %C%_sweep_sweep_test_LDADD = $(BENCH_LIBS)
-nodist_EXTRA_%C%_sweep_sweep_test_SOURCES = force_cxx_link.cc
 
-EXTRA_DIST += %D%/mutants/run %D%/mutants/core.mutants %D%/mutants/image_space.mutants %D%/counts/golden %D%/counts/rewrite %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/report/browse.mjs %D%/report/sample.mjs %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict
+EXTRA_DIST += algorithms/EXAMPLE.c %D%/mutants/run %D%/mutants/core.mutants %D%/mutants/image_space.mutants %D%/counts/golden %D%/counts/rewrite %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/report/browse.mjs %D%/report/sample.mjs %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict

@@ -7,7 +7,6 @@ hsrlibexecdir = $(libexecdir)/hsr
 hsrlibexec_PROGRAMS = %D%/hsr-peers
 %C%_hsr_peers_SOURCES = %D%/main.c %D%/own.c %D%/peers.h
 %C%_hsr_peers_LDADD = libinexact.a
-nodist_EXTRA_%C%_hsr_peers_SOURCES = force_cxx_link.cc
 if WITH_EMBREE
 noinst_LIBRARIES += libembreepeer.a
 libembreepeer_a_SOURCES = %D%/embree.c

@@ -20,6 +20,7 @@
 #define HSR_COMMON_BOX_H
 
 #include "common/scene/world.h"
+#include "common/view/view.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -5,6 +5,7 @@
  * predicates, and so is the eye's side of every plane. Then bsp_walk, which
  * must go that way, wherever the trees are moved to. */
 #include "algorithms/list_priority/fixed/bsp_walk.h"
+#include "common/exact/predicates.h"
 #include "common/trees/bsp.h"
 #include "common/trees/octree.h"
 #include "common/exact/order.h"
