@@ -76,6 +76,51 @@ if WITH_VTK
 tap_programs += %D%/unit/files/vtp_test
 endif
 
+# The quick loop: less than a minute on two cores, once all is built.
+quick_programs = \
+  %D%/unit/algorithms/cubes_test \
+  %D%/unit/algorithms/grove_test \
+  %D%/unit/algorithms/masks_test \
+  %D%/unit/algorithms/pyramid_test \
+  %D%/unit/algorithms/variant_test \
+  %D%/unit/bench/crew_test \
+  %D%/unit/bench/oracle_test \
+  %D%/unit/bench/tables_test \
+  %D%/unit/core/adapt_test \
+  %D%/unit/core/box_test \
+  %D%/unit/core/filter_test \
+  %D%/unit/core/octree_test \
+  %D%/unit/core/screen_test \
+  %D%/unit/core/statistics_test \
+  %D%/unit/core/triage_test \
+  %D%/unit/core/world_test \
+  %D%/unit/files/drawing_test \
+  %D%/unit/files/plot_test \
+  %D%/unit/files/scene_json_test \
+  %D%/conformance/trace_test \
+  %D%/counts/golden_test
+quick_scripts = %D%/tree/arrows.test %D%/answers/layers.test \
+  %D%/example/example.test
+quick_scenes = house cyclic-overlap penetration coplanar near-plane \
+  lattice:40:3 --views 2 --size 41x29
+.PHONY: check-quick check-module
+check-quick:
+	@$(MAKE) $(AM_MAKEFLAGS) -s hsr $(quick_programs) \
+	  %D%/answers/hsr-layers %D%/example/hsr-example
+	@$(MAKE) $(AM_MAKEFLAGS) -s check-TESTS \
+	  TESTS="$(quick_programs) $(quick_scripts)" >check-quick.txt 2>&1; \
+	status=$$?; grep -E '^(FAIL|ERROR|# [A-Z]+:)' check-quick.txt; exit $$status
+	@./hsr check $(quick_scenes) >check-quick.txt; \
+	status=$$?; grep -E 'wrong:|crash|timeout|compared' check-quick.txt; exit $$status
+CLEANFILES += check-quick.txt
+
+# One module: make check-module M=watkins
+check-module:
+	@$(MAKE) $(AM_MAKEFLAGS) -s hsr %D%/conformance/trace_test \
+	  %D%/counts/golden_test
+	@$(AM_TESTS_ENVIRONMENT) %D%/conformance/trace_test $(M) && \
+	  %D%/counts/golden_test $(M) && ./hsr check $(quick_scenes) -a $(M)
+
 check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers \
   %D%/example/hsr-example
 dist_check_SCRIPTS += $(tap_scripts)
