@@ -30,6 +30,7 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_check(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_report(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_trace(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_voxels(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err);
 
@@ -98,7 +99,8 @@ struct view_options {
 /* Entries for an argp option array, and their parser: ARGP_ERR_UNKNOWN if `key`
  * is not one of them. */
 enum { VIEW_EYE = 0x100, VIEW_AT, VIEW_UP, VIEW_FOV, VIEW_NEAR };
-#define VIEW_ARGP_OPTIONS                                                      \
+#define VIEW_ARGP_OPTIONS VIEW_ARGP_OPTIONS_OF("512x512")
+#define VIEW_ARGP_OPTIONS_OF(size)                                             \
   {NULL, 0, NULL, 0, "Where to look from:", 1},                                \
       {"view",                                                                 \
        'v',                                                                    \
@@ -106,7 +108,7 @@ enum { VIEW_EYE = 0x100, VIEW_AT, VIEW_UP, VIEW_FOV, VIEW_NEAR };
        0,                                                                      \
        "look from the scene's view K, from 1 (standard: 1)",                   \
        1},                                                                     \
-      {"size", 's', "MxN", 0, "samples a row x rows (standard: 512x512)", 1},  \
+      {"size", 's', "MxN", 0, "samples a row x rows (standard: " size ")", 1}, \
       {"eye", VIEW_EYE, "X,Y,Z", 0, "look from here", 1},                      \
       {"at", VIEW_AT, "X,Y,Z", 0, "look at this point", 1},                    \
       {"up", VIEW_UP, "X,Y,Z", 0, "this direction is up", 1},                  \

@@ -22,6 +22,7 @@ static const struct hsr_command commands[] = {
     {"tables", "the survey's Tables I to VII measured, and its conclusions",
      command_tables},
     {"report", "make pages of what bench found", command_report},
+    {"trace", "every step of one algorithm, as lines of JSON", command_trace},
     {"voxels", "which solid of a scene each voxel is in", command_voxels},
     {"worker", NULL, command_worker},
     {NULL, NULL, NULL}};

@@ -5,7 +5,7 @@ hsr_LDADD = $(BENCH_LIBS)
 
 # Everything but main, for programs that run other algorithms than those listed.
 noinst_LIBRARIES += libbench.a
-BENCH_LIBS = libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS)
+BENCH_LIBS = libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS) $(ZLIB_LIBS)
 libbench_a_SOURCES = \
   %D%/command.h \
   %D%/results/figures.c \

@@ -1,0 +1,367 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr trace: every step of one algorithm on one view, as lines of JSON. */
+#include "bench/trace/trace.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* The most faces that a header tells of. */
+enum { MOST_FACES = 100000 };
+
+/* --- Options -------------------------------------------------------------- */
+
+#define STANDARD_SIZE "64x48"
+enum { ROWS = 0x200, WINDOW, EVERY, COUNTERS, KEYFRAME };
+
+struct options {
+  struct option_base base;
+  struct view_options view;
+  struct scene_options scene;
+  const char *algorithm, *output;
+  const char *counters; /* names with commas between; NULL: all */
+  bool has_rows;
+  long row, last_row;
+  struct trace_filter filter; /* the window of --window alone */
+};
+
+static bool parse_rows(const char *text, long *first, long *last) {
+  char copy[32];
+  if (strlen(text) >= sizeof copy)
+    return false;
+  strcpy(copy, text);
+  char *dash = strchr(copy, '-');
+  if (dash)
+    *dash = '\0';
+  return parse_count(copy, 0, HSR_MAX_SIZE - 1, first) &&
+         parse_count(dash ? dash + 1 : copy, *first, HSR_MAX_SIZE - 1, last);
+}
+
+static bool parse_window(const char *text, struct hsr_window *w) {
+  int end = 0;
+  return sscanf(text, "%6d,%6d,%6d,%6d%n", &w->x0, &w->y0, &w->x1, &w->y1,
+                &end) == 4 &&
+         !text[end] && w->x0 >= 0 && w->y0 >= 0 && w->x1 > w->x0 &&
+         w->y1 > w->y0;
+}
+
+/* Which events are written. */
+static error_t parse_filter_option(struct options *o, int key, char *arg) {
+  struct trace_filter *filter = &o->filter;
+  switch (key) {
+  case ROWS:
+    o->has_rows = true;
+    if (!parse_rows(arg, &o->row, &o->last_row))
+      return option_fail(&o->base, "--rows %s: must be J0-J1, from 0", arg);
+    return 0;
+  case WINDOW:
+    filter->has_window = true;
+    if (!parse_window(arg, &filter->window))
+      return option_fail(&o->base,
+                         "--window %s: must be X0,Y0,X1,Y1, X0 < X1, "
+                         "Y0 < Y1",
+                         arg);
+    return 0;
+  case EVERY:
+    if (!parse_count(arg, 1, 1000000000, &filter->every))
+      return option_fail(&o->base, "--every %s: must be 1 or more", arg);
+    return 0;
+  case COUNTERS:
+    o->counters = arg;
+    return 0;
+  case KEYFRAME:
+    if (!parse_count(arg, 1, 1000000000, &filter->keyframe))
+      return option_fail(&o->base, "--keyframe %s: must be 1 or more", arg);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+/* The scene, and where to look from. */
+static error_t parse_place_option(struct options *o, int key, char *arg) {
+  error_t error = parse_scene_option(&o->scene, key, arg, "trace", &o->base);
+  return error == ARGP_ERR_UNKNOWN
+             ? parse_view_option(&o->view, key, arg, &o->base)
+             : error;
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct options *o = state->input;
+  long threads;
+  error_t error;
+  switch (key) {
+  case 'a':
+    o->algorithm = arg;
+    return 0;
+  case 'o':
+    if (o->output)
+      return option_fail(&o->base, "trace: one -o, not also '%s'", arg);
+    o->output = arg;
+    return 0;
+  case 'J':
+    if (!parse_count(arg, 1, 1, &threads))
+      return option_fail(&o->base,
+                         "--jobs %s: the events of a trace are in "
+                         "order, and so on one thread",
+                         arg);
+    return 0;
+  case ARGP_KEY_END:
+    error = parse_scene_option(&o->scene, key, arg, "trace", &o->base);
+    if (error && error != ARGP_ERR_UNKNOWN)
+      return error;
+    if (!o->algorithm)
+      return option_fail(&o->base, "trace: by which algorithm? (-a NAME)");
+    if (!o->output)
+      return option_fail(&o->base, "trace: into which file? (-o FILE)");
+    return 0;
+  default:
+    error = parse_filter_option(o, key, arg);
+    return error == ARGP_ERR_UNKNOWN ? parse_place_option(o, key, arg) : error;
+  }
+}
+
+static const struct argp argp = {
+    (const struct argp_option[]){
+        {"algorithm", 'a', "NAME", 0, "the algorithm", 0},
+        {"output", 'o', "FILE", 0,
+         "write the trace here, compressed if the name ends in .gz; - is "
+         "standard output",
+         0},
+        {"keyframe", KEYFRAME, "N", 0,
+         "a keyframe every N events that are written, or later where they take "
+         "less room than it (standard: 2000)",
+         0},
+        {"jobs", 'J', "1", 0, "threads: only 1", 0},
+        SCENE_ARGP_OPTIONS,
+        {NULL, 0, NULL, 0,
+         "Which events (accepted ones stay, but outside of "
+         "the window):",
+         2},
+        {"rows", ROWS, "J0-J1", 0,
+         "those that meet rows J0 to J1, from 0, or that have no window", 2},
+        {"window", WINDOW, "X0,Y0,X1,Y1", 0,
+         "those that meet columns X0 to X1 - 1 of rows Y0 to Y1 - 1", 2},
+        {"counters", COUNTERS, "NAME,...", 0, "those of these counters", 2},
+        {"every", EVERY, "N", 0, "of what is left, each N-th", 2},
+        VIEW_ARGP_OPTIONS_OF(STANDARD_SIZE),
+        {0}},
+    parse,
+    "SCENE",
+    "Runs the counting build of one algorithm on one view and writes each of "
+    "its steps, in order, as a line of JSON: what was done to which faces, "
+    "where, and what was decided. A keyframe now and then tells the counts and "
+    "the picture so far. The format is that of docs/trace.schema.json.\v"
+    "  hsr trace house -a raycast -o house.ndjson.gz\n"
+    "  hsr trace house -a raycast --rows 20 --every 10 -o - | less",
+    NULL,
+    NULL,
+    NULL};
+
+/* --- What is traced ------------------------------------------------------- */
+
+static enum hsr_status check_algorithm(const struct hsr_variant *variant,
+                                       struct hsr_error *err) {
+  const struct hsr_algorithm *a = variant->listed->counting;
+  const char *why = NULL;
+  if (a->flags & HSR_JUDGE)
+    why = "a judge has no steps to tell";
+  else if (a->flags & HSR_NO_PICTURE)
+    why = "it draws nothing";
+  else if (hsr_choice_folds(a, &variant->choice) ||
+           !trace_answer_is_known(variant->choice.form.type))
+    why = "what it makes is not traced, but ids and segments are";
+  else if (!a->outline)
+    why = "it has no outline yet, and cannot be traced";
+  return why ? hsr_fail(err, HSR_E_USAGE, "%s: %s", variant->name, why)
+             : HSR_OK;
+}
+
+/* The number of the counter of that name; -1: there is none. */
+static int find_counter(const struct hsr_algorithm *a, const char *name,
+                        size_t length) {
+  for (int k = 0; k < trace_n_counters(a); k++)
+    if (strlen(a->counters[k].name) == length &&
+        !memcmp(a->counters[k].name, name, length))
+      return k;
+  return -1;
+}
+
+static enum hsr_status choose_counters(struct options *o,
+                                       const struct hsr_algorithm *a,
+                                       struct hsr_error *err) {
+  const char *at = o->counters;
+  o->filter.has_counters = at != NULL;
+  while (at) {
+    size_t length = strcspn(at, ",");
+    int k = find_counter(a, at, length);
+    if (k < 0)
+      return hsr_fail(err, HSR_E_USAGE,
+                      "--counters: %s has no counter '%.*s' (see hsr list "
+                      "--json)",
+                      a->name, (int)length, at);
+    o->filter.counters |= HSR_RAISES(k);
+    at = at[length] ? at + length + 1 : NULL;
+  }
+  return HSR_OK;
+}
+
+/* Rows and window are one window, inside the picture. */
+static enum hsr_status choose_window(struct options *o, struct hsr_error *err) {
+  struct trace_filter *filter = &o->filter;
+  struct hsr_window *w = &filter->window;
+  if (!filter->has_window)
+    *w = (struct hsr_window){0, 0, o->view.m, o->view.n};
+  if (w->x1 > o->view.m)
+    w->x1 = o->view.m;
+  if (w->y1 > o->view.n)
+    w->y1 = o->view.n;
+  if (o->has_rows && w->y0 < o->row)
+    w->y0 = (int)o->row;
+  if (o->has_rows && w->y1 > o->last_row + 1)
+    w->y1 = (int)o->last_row + 1;
+  filter->has_window |= o->has_rows;
+  return w->x0 < w->x1 && w->y0 < w->y1
+             ? HSR_OK
+             : hsr_fail(err, HSR_E_USAGE, "%s: no sample of %d x %d is in it",
+                        o->has_rows ? "--rows" : "--window", o->view.m,
+                        o->view.n);
+}
+
+/* --- The run -------------------------------------------------------------- */
+
+struct run {
+  const struct options *options;
+  const struct hsr_variant *variant;
+  struct hsr_scene *scene;
+  struct hsr_world laid_out, outline; /* of which the algorithm gets one */
+  struct hsr_view view;
+  struct hsr_setup setup;
+  struct trace_answer answer;
+  struct trace_output output;
+  struct tracer tracer;
+};
+
+/* An algorithm that takes instances gets an outline, as in hsr render. */
+static enum hsr_status open_worlds(struct run *r, struct hsr_error *err) {
+  enum hsr_status status =
+      hsr_world_open(&r->laid_out, r->scene, MOST_FACES, err);
+  if (status)
+    return status;
+  if (hsr_is_outline(&r->laid_out))
+    return hsr_fail(err, HSR_E_REFUSED,
+                    "trace: %u faces are more than the %d that a trace tells "
+                    "of",
+                    r->laid_out.n_faces, (int)MOST_FACES);
+  uint32_t most = hsr_most_laid_out(r->variant->listed->counting);
+  return r->laid_out.n_faces > most
+             ? hsr_world_open(&r->outline, r->scene, most, err)
+             : HSR_OK;
+}
+
+static enum hsr_status open_run(struct run *r, struct hsr_error *err) {
+  const struct options *o = r->options;
+  enum hsr_status status =
+      open_scene(o->scene.name, o->scene.import, &r->scene, err);
+  if (status)
+    return status;
+  struct hsr_camera camera;
+  status = choose_camera(&o->view, r->scene, &camera, err);
+  if (!status)
+    status = hsr_view_init(&r->view, &camera, o->view.m, o->view.n, err);
+  if (!status)
+    status = open_worlds(r, err);
+  if (!status)
+    status = hsr_setup_init(&r->setup, r->variant->listed->counting,
+                            &r->variant->choice,
+                            r->outline.scene ? &r->outline : &r->laid_out, err);
+  if (!status)
+    status = trace_answer_init(&r->answer, &r->setup, &r->view, err);
+  return status;
+}
+
+static void close_run(struct run *r) {
+  trace_answer_free(&r->answer);
+  if (r->setup.algorithm)
+    hsr_setup_free(&r->setup);
+  hsr_world_free(&r->outline);
+  hsr_world_free(&r->laid_out);
+  hsr_scene_delete(r->scene);
+}
+
+static void write_header(struct run *r) {
+  struct trace_header header = {.scene = &r->options->scene,
+                                .view_options = &r->options->view,
+                                .view = &r->view,
+                                .world = &r->laid_out,
+                                .setup = &r->setup,
+                                .variant = r->variant->name,
+                                .filter = &r->options->filter};
+  trace_output_line(&r->output, trace_header_json(&header));
+}
+
+/* On a terminal, unless the trace goes there. */
+static bool shows_progress(const struct options *o) {
+  return isatty(STDERR_FILENO) &&
+         (strcmp(o->output, "-") || !isatty(STDOUT_FILENO));
+}
+
+static enum hsr_status write_trace(struct run *r, struct hsr_error *err) {
+  r->tracer = (struct tracer){.algorithm = r->setup.algorithm,
+                              .filter = &r->options->filter,
+                              .output = &r->output,
+                              .answer = &r->answer,
+                              .shows_progress = shows_progress(r->options)};
+  struct hsr_trace trace = {.listen = tracer_listen, .context = &r->tracer};
+  struct hsr_tally tally = {.trace = &trace};
+  write_header(r);
+  tracer_keyframe(&r->tracer, 0);
+  enum hsr_status status =
+      trace_answer_draw(&r->answer, &r->setup, &tally, err);
+  return status ? status : tracer_end(&r->tracer, &tally, err);
+}
+
+static void print_report(const struct run *r) {
+  const struct tracer *t = &r->tracer;
+  printf("%s, view %ld, %d x %d samples, %u faces, by %s: %llu events",
+         r->options->scene.name, r->options->view.view, r->view.m, r->view.n,
+         r->laid_out.n_faces, r->variant->name, (unsigned long long)t->events);
+  if (t->written < t->events)
+    printf(", %llu of them written", (unsigned long long)t->written);
+  printf(", %llu keyframe%s, %.1f MB\n", (unsigned long long)t->keyframes,
+         t->keyframes == 1 ? "" : "s", 1e-6 * (double)r->output.bytes);
+}
+
+static enum hsr_status run(const struct options *o,
+                           const struct hsr_variant *variant,
+                           struct hsr_error *err) {
+  struct run r = {.options = o, .variant = variant};
+  enum hsr_status status = open_run(&r, err);
+  if (!status)
+    status = trace_output_open(&r.output, o->output, err);
+  if (!status) {
+    status = write_trace(&r, err);
+    status = trace_output_close(&r.output, status, err);
+  }
+  if (!status && strcmp(o->output, "-"))
+    print_report(&r);
+  close_run(&r);
+  return status;
+}
+
+enum hsr_status command_trace(int argc, char **argv, struct hsr_error *err) {
+  struct options options = {.view = VIEW_OPTIONS_STANDARD,
+                            .filter = {.every = 1, .keyframe = 2000}};
+  parse_size(STANDARD_SIZE, &options.view.m, &options.view.n);
+  struct hsr_variant variant;
+  enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
+  if (!status)
+    status = hsr_variant_parse(options.algorithm, &variant, err);
+  if (!status)
+    status = check_algorithm(&variant, err);
+  if (!status)
+    status = choose_counters(&options, variant.listed->counting, err);
+  if (!status)
+    status = choose_window(&options, err);
+  return status ? status : run(&options, &variant, err);
+}

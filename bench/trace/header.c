@@ -1,0 +1,321 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/trace/trace.h"
+#include "common/view/picture.h"
+#include "common/files/srgb.h"
+#include "common/view/clip.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- Subjects ------------------------------------------------------------- */
+
+/* What the numbers of a subject are. */
+enum { MOST_IDS = 3 };
+static const char *const ids_of[HSR_N_SUBJECT_KINDS][MOST_IDS] = {
+    [HSR_OF_NOTHING] = {NULL},
+    [HSR_OF_FACE] = {"face"},
+    [HSR_OF_PIECE] = {"face", "piece"},
+    [HSR_OF_EDGE] = {"vertex", "vertex", "face"},
+    [HSR_OF_IMPLIED] = {"face", "face", "part"},
+    [HSR_OF_VERTEX] = {"vertex"},
+    [HSR_OF_VOLUME] = {"volume"},
+    [HSR_OF_CELL] = {"level", "x", "y"},
+    [HSR_OF_WINDOW] = {NULL}};
+
+json_t *trace_subject_json(struct hsr_subject subject) {
+  if (subject.kind == HSR_OF_NOTHING)
+    return json_null();
+  json_t *coded = json_array();
+  json_append(&coded, json_integer(subject.kind));
+  for (int k = 0; k < MOST_IDS && ids_of[subject.kind][k]; k++)
+    json_append(&coded, subject.id[k] == HSR_NO_ID
+                            ? json_null()
+                            : json_integer(subject.id[k]));
+  return coded;
+}
+
+static json_t *subjects_json(void) {
+  json_t *subjects = json_array();
+  for (int kind = 0; kind < HSR_N_SUBJECT_KINDS; kind++) {
+    json_t *ids = json_array();
+    for (int k = 0; k < MOST_IDS && ids_of[kind][k]; k++)
+      json_append(&ids, json_string(ids_of[kind][k]));
+    json_append(&subjects, json_pack("{ss so}", "name",
+                                     hsr_subject_kind_name[kind], "ids", ids));
+  }
+  return subjects;
+}
+
+/* A list of words that `mark` divides; null for none. */
+static json_t *words_json(const char *text, char mark) {
+  if (!text)
+    return json_null();
+  json_t *words = json_array();
+  for (const char *end; (end = strchr(text, mark)); text = end + 1)
+    json_append(&words, json_stringn(text, (size_t)(end - text)));
+  json_append(&words, json_string(text));
+  return words;
+}
+
+/* --- The algorithm -------------------------------------------------------- */
+
+int trace_n_counters(const struct hsr_algorithm *a) {
+  int n = 0;
+  while (a->counters && n < HSR_MAX_COUNTERS && a->counters[n].name)
+    n++;
+  return n;
+}
+
+static json_t *counter_json(const struct hsr_algorithm *a, int k) {
+  const struct hsr_counter *c = &a->counters[k];
+  int line = hsr_line_of(a, k);
+  return json_pack(
+      "{ss ss ss ss ss so so sb}", "name", c->name, "meaning", c->meaning,
+      "kind", hsr_step_kind_name[c->kind], "a", hsr_subject_kind_name[c->a],
+      "b", hsr_subject_kind_name[c->b], "outcomes",
+      words_json(c->outcomes, '|'), "line",
+      line ? json_integer(line) : json_null(), "computed", c->computed);
+}
+
+static json_t *counters_json(const struct hsr_algorithm *a) {
+  json_t *counters = json_array();
+  for (int k = 0; k < trace_n_counters(a); k++)
+    json_append(&counters, counter_json(a, k));
+  return counters;
+}
+
+static json_t *outline_json(const struct hsr_algorithm *a) {
+  json_t *outline = json_array();
+  for (const struct hsr_line *l = a->outline; l->text; l++)
+    json_append(&outline, json_string(l->text));
+  return outline;
+}
+
+static json_t *step_kinds_json(void) {
+  json_t *kinds = json_array();
+  for (int k = 0; k < HSR_N_STEP_KINDS; k++)
+    json_append(&kinds, json_string(hsr_step_kind_name[k]));
+  return kinds;
+}
+
+/* As json_append does, of an object. */
+static void add(json_t **object, const char *name, json_t *value) {
+  if (json_object_set_new(*object, name, value)) {
+    json_decref(*object);
+    *object = NULL;
+  }
+}
+
+/* Of every option, what was chosen. */
+static json_t *options_json(const struct hsr_algorithm *a,
+                            const struct hsr_choice *choice) {
+  json_t *options = json_object();
+  for (int k = 0; a->options && a->options[k].name; k++) {
+    const struct hsr_option *o = &a->options[k];
+    long chosen = choice->values.option[k];
+    add(&options, o->name,
+        o->words  ? json_string(o->words[chosen].name)
+        : o->real ? json_real(choice->values.real[k])
+                  : json_integer(chosen));
+  }
+  if (choice->window)
+    add(&options, "window", json_integer(choice->window));
+  return options;
+}
+
+static json_t *adaptations_json(const struct hsr_setup *setup) {
+  json_t *adaptations = json_array();
+  for (int k = 0; k < setup->n_adaptations; k++)
+    json_append(&adaptations, json_string(setup->adaptation[k].name));
+  return adaptations;
+}
+
+static json_t *algorithm_json(const struct trace_header *h) {
+  const struct hsr_algorithm *a = h->setup->algorithm;
+  return json_pack("{ss ss ss ss so ss ss so so}", "name", a->name, "variant",
+                   h->variant, "title", a->title, "authors", a->authors, "year",
+                   a->year ? json_integer(a->year) : json_null(), "source",
+                   a->source, "answer", a->kind->name, "options",
+                   options_json(a, &h->setup->choice), "adapted",
+                   adaptations_json(h->setup));
+}
+
+/* --- The view ------------------------------------------------------------- */
+
+static json_t *vector_json(const double v[3]) {
+  return json_pack("[fff]", v[0], v[1], v[2]);
+}
+
+static json_t *view_json(const struct trace_header *h) {
+  const struct hsr_camera *c = &h->view->camera;
+  const struct hsr_window *w = &h->view->window;
+  return json_pack("{si si si s[iiii] so so so sf sf}", "number",
+                   (int)h->view_options->view, "width", h->view->m, "height",
+                   h->view->n, "window", w->x0, w->y0, w->x1, w->y1, "eye",
+                   vector_json(c->eye), "at", vector_json(c->at), "up",
+                   vector_json(c->up), "fov", c->fov, "near", c->near);
+}
+
+/* (w sx, w sy, w): the one place here that knows the projection. */
+static void project(const struct hsr_view *view, const double point[3],
+                    double image[3]) {
+  for (int row = 0; row < 3; row++) {
+    image[row] = 0;
+    for (int k = 0; k < 3; k++)
+      image[row] += view->screen[row][k] * (point[k] - view->E[k]);
+  }
+}
+
+/* To the nearest 1/64 of a sample, which is exact and short in decimals. + 0
+ * makes a 0 of -0. */
+static json_t *image_json(const double image[3]) {
+  double x = rint(64 * image[0] / image[2]) / 64 + 0,
+         y = rint(64 * image[1] / image[2]) / 64 + 0;
+  return isfinite(x) && isfinite(y) ? json_pack("[ff]", x, y) : json_null();
+}
+
+json_t *trace_point_json(const struct hsr_view *view, const double point[3]) {
+  double image[3];
+  project(view, point, image);
+  return image[2] > view->near ? image_json(image) : json_null();
+}
+
+/* --- Faces ---------------------------------------------------------------- */
+
+static void vertex_of(const struct hsr_world *world, uint32_t v,
+                      double point[3]) {
+  point[0] = world->x[v];
+  point[1] = world->y[v];
+  point[2] = world->z[v];
+}
+
+/* Those that the algorithm got, where it got a scene laid out: to the scene's
+ * own, adapters add some. */
+static json_t *vertices_json(const struct trace_header *h) {
+  const struct hsr_world *world =
+      hsr_is_outline(h->setup->world) ? h->world : h->setup->world;
+  json_t *vertices = json_array();
+  for (uint32_t v = 0; v < world->n_vertices; v++) {
+    double point[3];
+    vertex_of(world, v, point);
+    json_append(&vertices, trace_point_json(h->view, point));
+  }
+  return vertices;
+}
+
+static json_t *objects_json(const struct hsr_scene *scene) {
+  json_t *objects = json_array();
+  for (uint32_t k = 0; k < scene->n_objects; k++)
+    json_append(&objects, json_string(scene->objects[k].name));
+  return objects;
+}
+
+/* "#rrggbb", in sRGB, as hsr render paints the face. */
+static json_t *colour_json(const struct trace_header *h, uint32_t face) {
+  float rgb[3];
+  hsr_picture_colour(h->world, h->view, face, HSR_SHADE_LAMBERT, rgb);
+  int byte[3];
+  for (int c = 0; c < 3; c++)
+    byte[c] = (int)lrintf(255 * hsr_srgb_encode(rgb[c]));
+  return json_sprintf("#%02x%02x%02x", byte[0], byte[1], byte[2]);
+}
+
+static json_t *corners_json(const struct hsr_world *world, uint32_t face) {
+  json_t *corners = json_array();
+  for (uint32_t k = world->start[face]; k < world->start[face + 1]; k++)
+    json_append(&corners, json_integer(world->vertex[k]));
+  return corners;
+}
+
+/* Room for one polygon, and for what is clipped of it. */
+struct room {
+  double (*in)[3], (*out)[3];
+};
+
+static int largest_face(const struct hsr_world *world) {
+  uint32_t most = 0;
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    if (hsr_face_size(world, f) > most)
+      most = hsr_face_size(world, f);
+  return (int)most;
+}
+
+/* What of the face lies beyond `near`. Where that is 0, it ends a millionth of
+ * the face's depth before the eye, as what is nearer is too far outside. */
+static json_t *polygon_json(const struct trace_header *h, uint32_t face,
+                            const struct room *room) {
+  const struct hsr_world *world = h->world;
+  int n = (int)hsr_face_size(world, face);
+  double deepest = 0;
+  for (int k = 0; k < n; k++) {
+    double point[3];
+    vertex_of(world, world->vertex[world->start[face] + (uint32_t)k], point);
+    project(h->view, point, room->in[k]);
+    deepest = fmax(deepest, room->in[k][2]);
+  }
+  static const double by_depth[3] = {0, 0, 1};
+  double near = fmax(h->view->near, 1e-6 * deepest);
+  json_t *polygon = json_array();
+  if (deepest > near)
+    n = hsr_clip((const double(*)[3])room->in, n, by_depth, -near, room->out);
+  for (int k = 0; deepest > near && k < n; k++)
+    json_append(&polygon, image_json(room->out[k]));
+  return polygon;
+}
+
+static json_t *faces_json(const struct trace_header *h) {
+  size_t most = (size_t)largest_face(h->world);
+  struct room room = {.in = malloc(most * sizeof *room.in),
+                      .out = malloc((most + most / 2 + 1) * sizeof *room.out)};
+  json_t *faces = room.in && room.out ? json_array() : NULL;
+  for (uint32_t f = 0; faces && f < h->world->n_faces; f++)
+    json_append(&faces, json_pack("[I I o o o]", (json_int_t)f,
+                                  (json_int_t)h->world->object[f],
+                                  colour_json(h, f), corners_json(h->world, f),
+                                  polygon_json(h, f, &room)));
+  free(room.in);
+  free(room.out);
+  return faces;
+}
+
+/* --- All ------------------------------------------------------------------ */
+
+static json_t *filter_json(const struct trace_filter *filter,
+                           const struct hsr_algorithm *a) {
+  json_t *window = json_null(), *counters = json_null();
+  if (filter->has_window)
+    window = json_pack("[iiii]", filter->window.x0, filter->window.y0,
+                       filter->window.x1, filter->window.y1);
+  if (filter->has_counters)
+    counters = json_array();
+  for (int k = 0; filter->has_counters && k < trace_n_counters(a); k++)
+    if (filter->counters & HSR_RAISES(k))
+      json_append(&counters, json_integer(k));
+  return json_pack("{so so si}", "window", window, "counters", counters,
+                   "every", (int)filter->every);
+}
+
+/* The places in an array: what stands where. */
+static json_t *places_json(void) {
+  return json_pack(
+      "{so so so so}", "event",
+      words_json("number counter a b window outcome segment", ' '), "segment",
+      words_json("edge invisibility t0 t1 from to image_from image_to", ' '),
+      "face", words_json("id object colour corners polygon", ' '), "window",
+      words_json("x0 y0 x1 y1", ' '));
+}
+
+json_t *trace_header_json(const struct trace_header *h) {
+  const struct hsr_algorithm *a = h->setup->algorithm;
+  return json_pack(
+      "{ss ss ss ss so so so si so so so so so so so so so}", "record",
+      "header", "schema", "hsr-trace/1", "version", PACKAGE_VERSION, "scene",
+      h->scene->name, "view", view_json(h), "algorithm", algorithm_json(h),
+      "kept", filter_json(h->filter, a), "keyframe", (int)h->filter->keyframe,
+      "outline", outline_json(a), "counters", counters_json(a), "step_kinds",
+      step_kinds_json(), "subjects", subjects_json(), "places", places_json(),
+      "background", colour_json(h, HSR_BACKGROUND), "objects",
+      objects_json(h->world->scene), "vertices", vertices_json(h), "faces",
+      faces_json(h));
+}

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr trace: what the parts of this folder share. docs/trace.schema.json
+ * describes what they write.
+ *
+ * output.c    a file of lines of JSON, plain or compressed, whole or not there
+ * header.c    the first line: the scene, the view, the algorithm
+ * answer.c    the answer, as it was drawn and as the events repaint it
+ * tracer.c    the listener: events, keyframes, the last line
+ * command.c   the options, and the run */
+#ifndef HSR_BENCH_TRACE_H
+#define HSR_BENCH_TRACE_H
+
+#include "bench/command.h"
+#include "bench/results/json.h"
+#include "common/files/whole_file.h"
+
+#include <zlib.h>
+
+/* --- Output --------------------------------------------------------------- */
+
+struct trace_output {
+  const char *path;           /* "-": standard output; borrowed */
+  struct hsr_whole_file file; /* unless it is standard output */
+  FILE *stream;
+  gzFile zipped;          /* NULL: what is written is not compressed */
+  enum hsr_status status; /* of the writing so far */
+  int why;                /* errno, where that is HSR_E_INPUT */
+  uint64_t bytes;         /* written, before they were compressed */
+};
+
+/* Opens a file; its name ends in .gz if it is to be compressed. A broken pipe
+ * and a full disk are errors from now on, and signals no longer. HSR_E_NOMEM;
+ * HSR_E_INPUT: it cannot be written. */
+enum hsr_status trace_output_open(struct trace_output *output, const char *path,
+                                  struct hsr_error *err);
+
+/* Writes one line, and gives up the caller's reference to it. NULL is a value
+ * that could not be built for lack of memory. Once a line has failed, no
+ * further one is written; closing tells. */
+void trace_output_line(struct trace_output *output, json_t *line);
+
+/* `status` is how the run went: the file stays if that is HSR_OK or
+ * HSR_E_DIFFERENCE and all has reached it; else it is removed. Returns
+ * `status`, or why the file could not be written. */
+enum hsr_status trace_output_close(struct trace_output *output,
+                                   enum hsr_status status,
+                                   struct hsr_error *err);
+
+/* --- The answer ----------------------------------------------------------- */
+
+/* Whether events can rebuild answers of this kind. Only answer.c knows of
+ * kinds. */
+bool trace_answer_is_known(const struct hsr_answer_type *type);
+
+/* An answer twice. */
+struct trace_answer {
+  const struct hsr_view *view; /* borrowed */
+  struct hsr_answer drawn;     /* by the algorithm */
+  struct hsr_answer painted;   /* by its accepted events, so far */
+  bool out_of_memory;          /* the painting failed */
+};
+
+/* Both empty. Freed also after a failure. HSR_E_NOMEM. */
+enum hsr_status trace_answer_init(struct trace_answer *answer,
+                                  const struct hsr_setup *setup,
+                                  const struct hsr_view *view,
+                                  struct hsr_error *err);
+void trace_answer_free(struct trace_answer *answer);
+
+/* Runs the algorithm, on this thread, and adds what was counted to *tally. */
+enum hsr_status trace_answer_draw(struct trace_answer *answer,
+                                  const struct hsr_setup *setup,
+                                  struct hsr_tally *tally,
+                                  struct hsr_error *err);
+
+/* Paints what an event of kind HSR_ACCEPT tells of. */
+void trace_answer_paint(struct trace_answer *answer,
+                        const struct hsr_event *event);
+
+/* Whether the events have painted what was drawn; otherwise `text` says how
+ * much differs. HSR_E_DIFFERENCE, HSR_E_NOMEM. */
+enum hsr_status trace_answer_compare(struct trace_answer *answer, char *text,
+                                     size_t size);
+
+/* New references, NULL for lack of memory: what was painted so far; what was
+ * drawn; and what an accepted event adds to an answer that is not ids. */
+json_t *trace_answer_painted_json(const struct trace_answer *answer);
+json_t *trace_answer_drawn_json(const struct trace_answer *answer);
+json_t *trace_answer_part_json(const struct trace_answer *answer,
+                               const void *part);
+
+/* The name of the first two in a record: "ids", "segments". */
+const char *trace_answer_field(const struct trace_answer *answer);
+
+/* --- The listener --------------------------------------------------------- */
+
+/* Why an event is left out. Accepted ones stay, but outside of the window. */
+enum trace_reason { TRACE_WINDOW, TRACE_COUNTERS, TRACE_EVERY, TRACE_KEPT };
+
+/* Which events are written. */
+struct trace_filter {
+  bool has_window;
+  struct hsr_window window; /* those whose window meets it, or is empty */
+  bool has_counters;
+  uint64_t counters; /* those of these, as bits */
+  long every;        /* of those, each so-many-th */
+  long keyframe;     /* a keyframe after so many events that are written */
+};
+
+struct tracer {
+  const struct hsr_algorithm *algorithm; /* all borrowed */
+  const struct trace_filter *filter;
+  struct trace_output *output;
+  struct trace_answer *answer;
+
+  uint64_t count[HSR_MAX_COUNTERS]; /* events so far */
+  uint64_t events, written, candidates, keyframes;
+  uint64_t left_out[TRACE_KEPT];
+  long since;                            /* the last keyframe: events written */
+  uint64_t keyframe_begin, keyframe_end; /* of the last: places in the output */
+  bool shows_progress;
+  double shown; /* when progress was shown */
+};
+
+/* Hears one event: the `listen` of a struct hsr_trace. */
+void tracer_listen(void *tracer, const struct hsr_event *event);
+
+/* Writes a keyframe before event number `next`. */
+void tracer_keyframe(struct tracer *tracer, uint64_t next);
+
+/* Compares what was told with what was counted and drawn, and writes the last
+ * line. HSR_E_DIFFERENCE if they differ, which it tells on standard error;
+ * HSR_E_NOMEM. */
+enum hsr_status tracer_end(struct tracer *tracer, const struct hsr_tally *tally,
+                           struct hsr_error *err);
+
+/* --- The header ----------------------------------------------------------- */
+
+/* What the first line tells of. All borrowed. */
+struct trace_header {
+  const struct scene_options *scene;
+  const struct view_options *view_options;
+  const struct hsr_view *view;
+  const struct hsr_world *world; /* the scene laid out */
+  const struct hsr_setup *setup;
+  const char *variant; /* the algorithm as the user named it */
+  const struct trace_filter *filter;
+};
+
+/* A new reference, NULL for lack of memory. */
+json_t *trace_header_json(const struct trace_header *header);
+
+/* How many counters the algorithm describes. */
+int trace_n_counters(const struct hsr_algorithm *algorithm);
+
+/* A new reference: [kind, ids...], null for nothing. */
+json_t *trace_subject_json(struct hsr_subject subject);
+
+/* Where a point of the world is on the screen, in samples: a new reference to
+ * [x, y], or null where it does not exist: not beyond `near`. */
+json_t *trace_point_json(const struct hsr_view *view, const double point[3]);
+
+#endif
