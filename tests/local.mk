@@ -59,7 +59,8 @@ tap_programs = \
   %D%/sweep/check_test \
   %D%/sweep/resume_test \
   %D%/sweep/schema_test \
-  %D%/sweep/sweep_test
+  %D%/sweep/sweep_test \
+  %D%/trace/file_test
 tap_scripts = \
   %D%/answers/layers.test \
   %D%/example/example.test \
@@ -122,7 +123,7 @@ check-module:
 	  %D%/counts/golden_test $(M) && ./hsr check $(quick_scenes) -a $(M)
 
 check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers \
-  %D%/example/hsr-example
+  %D%/example/hsr-example %D%/trace/hsr-fixtures
 dist_check_SCRIPTS += $(tap_scripts)
 TESTS += $(tap_programs) $(tap_scripts)
 
@@ -160,14 +161,41 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_answers_hsr_layers_SOURCES = bench/hsr.c %D%/answers/layers.c \
   %D%/answers/lists.c
 %C%_answers_hsr_layers_LDADD = $(BENCH_LIBS)
+schema = %D%/schema.c %D%/schema.h
 sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
 %C%_sweep_check_test_SOURCES = %D%/sweep/check_test.c $(sweeping)
 %C%_sweep_check_test_LDADD = $(BENCH_LIBS)
 %C%_sweep_resume_test_SOURCES = %D%/sweep/resume_test.c $(sweeping)
 %C%_sweep_resume_test_LDADD = $(BENCH_LIBS)
-%C%_sweep_schema_test_SOURCES = %D%/sweep/schema_test.c $(sweeping)
+%C%_sweep_schema_test_SOURCES = %D%/sweep/schema_test.c $(sweeping) $(schema)
 %C%_sweep_schema_test_LDADD = $(BENCH_LIBS)
 %C%_sweep_sweep_test_SOURCES = %D%/sweep/sweep_test.c $(sweeping)
 %C%_sweep_sweep_test_LDADD = $(BENCH_LIBS)
 
-EXTRA_DIST += algorithms/EXAMPLE.c %D%/mutants/run %D%/mutants/core.mutants %D%/mutants/image_space.mutants %D%/counts/golden %D%/counts/rewrite %D%/README.md %D%/conformance/fresh %D%/torture/fail.cc %D%/torture/leaks.supp %D%/report/browse.mjs %D%/report/sample.mjs %D%/bad/make-bad-inputs %D%/fuzz/run %D%/valgrind/run %D%/valgrind/libraries.supp %D%/fuzz/fuzz_mesh.cc %D%/fuzz/fuzz_reader.h %D%/fuzz/fuzz_scene_json.cc %D%/fuzz/vtp.dict
+# The same of hsr trace: algorithms whose events are not what they did.
+%C%_trace_hsr_fixtures_SOURCES = bench/hsr.c %D%/trace/fixtures.c
+%C%_trace_hsr_fixtures_LDADD = $(BENCH_LIBS)
+%C%_trace_file_test_SOURCES = %D%/trace/file_test.c $(sweeping) $(schema)
+%C%_trace_file_test_LDADD = $(BENCH_LIBS)
+
+EXTRA_DIST += \
+  algorithms/EXAMPLE.c \
+  %D%/mutants/run \
+  %D%/mutants/core.mutants \
+  %D%/mutants/image_space.mutants \
+  %D%/counts/golden \
+  %D%/counts/rewrite \
+  %D%/README.md \
+  %D%/conformance/fresh \
+  %D%/torture/fail.cc \
+  %D%/torture/leaks.supp \
+  %D%/report/browse.mjs \
+  %D%/report/sample.mjs \
+  %D%/bad/make-bad-inputs \
+  %D%/fuzz/run \
+  %D%/valgrind/run \
+  %D%/valgrind/libraries.supp \
+  %D%/fuzz/fuzz_mesh.cc \
+  %D%/fuzz/fuzz_reader.h \
+  %D%/fuzz/fuzz_scene_json.cc \
+  %D%/fuzz/vtp.dict

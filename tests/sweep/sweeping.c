@@ -88,6 +88,22 @@ int check(const char *format, ...) {
   return bench_end(id);
 }
 
+pid_t trace_begin(const char *format, ...) {
+  va_list words;
+  va_start(words, format);
+  pid_t id = begin("trace", format, words);
+  va_end(words);
+  return id;
+}
+
+int trace(const char *format, ...) {
+  va_list words;
+  va_start(words, format);
+  pid_t id = begin("trace", format, words);
+  va_end(words);
+  return bench_end(id);
+}
+
 int bench(const char *format, ...) {
   va_list words;
   va_start(words, format);

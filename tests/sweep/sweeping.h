@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the tests of hsr bench and check share: running hsr-fixtures, whose
- * algorithms fail on purpose, in a folder of their own, and reading what it
- * wrote. */
+/* What the tests of hsr bench, check and trace share: running hsr-fixtures of
+ * the test's own folder, whose algorithms fail on purpose, in a folder of their
+ * own, and reading what it wrote. */
 #ifndef HSR_TESTS_SWEEP_SWEEPING_H
 #define HSR_TESTS_SWEEP_SWEEPING_H
 
@@ -24,8 +24,13 @@ int bench(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* The same of "hsr-fixtures check WORDS". */
 int check(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* The same of "hsr-fixtures trace WORDS". */
+int trace(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
 /* The same, but does not wait: a process that leads a group of its own. */
 pid_t bench_begin(const char *format, ...)
+    __attribute__((format(printf, 1, 2)));
+pid_t trace_begin(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 int bench_end(pid_t id);
 
