@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The proofs of the fast way's bounds.
  *
- * Snapping moves a coordinate by at most s = 2^-16 + 2^-26 (common/exact/screen.h),
- * or 2^-24 more than 2^-16 where that is all that is known of it. With W and H
- * the width and height in pixels of the box of the samples in question, and
- * everything of the triangle within it but for 2 pixels, the sides d = b - a of
- * the triangle and the offsets h of a sample from a vertex are at most W + 2
- * and H + 2.
+ * Snapping moves a coordinate by at most s = 2^-16 + 2^-26
+ * (common/exact/screen.h), or 2^-24 more than 2^-16 where that is all that is
+ * known of it. With W and H the width and height in pixels of the box of the
+ * samples in question, and everything of the triangle within it but for 2
+ * pixels, the sides d = b - a of the triangle and the offsets h of a sample
+ * from a vertex are at most W + 2 and H + 2.
  *
  * Coverage. e = dx hy - dy hx changes by at most 2.1 s (|dx| + |dy| + |hx| +
  * |hy|) <= 4.2 s (W + H + 4). Differences of snapped coordinates are exact in
@@ -36,15 +36,16 @@
 #include <limits.h>
 #include <string.h>
 
-/* The counting build takes the portable way, so that what it counts and traces
- * is the same on every machine: triangle after triangle, sample by sample. */
+/* The counting build takes the portable way, triangle after triangle and sample
+ * by sample. So its counts and traces are the same on every machine. */
 #if defined __x86_64__ && HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
 #include <immintrin.h>
 #define HAVE_AVX512_TWIN 1
 #define AVX512 __attribute__((target("avx512f")))
 #endif
 
-/* Only to measure what exactness costs: decide by the floats alone. */
+/* 1: decide by the floats alone. This is only to measure what exactness costs.
+ */
 #ifndef HSR_INEXACT
 #define HSR_INEXACT 0
 #endif
@@ -104,7 +105,7 @@ static bool covers(struct hsr_tiler *t, uint32_t f, int i, int j) {
   return covered;
 }
 
-/* Decided exactly: the faces of two names, at a sample. */
+/* Is the face called id nearer than the face called held? By exact means. */
 static bool is_nearer_exactly(struct hsr_tiler *t, uint32_t id, uint32_t held,
                               int i, int j) {
   if (t->pair)
@@ -309,7 +310,7 @@ HSR_VECTOR static int look(const struct hsr_tiler *t, int n,
   return any & HSR_GENERALLY;
 }
 
-/* Makes the k-th triangle, which is that at `place`, the one at `to`. */
+/* Copies the k-th triangle to number `to`; it is face first + place. */
 static void move(struct hsr_batch *b, int k, int place, int to) {
   struct hsr_corners *r = &b->corners;
   r->ax[to] = r->ax[k], r->ay[to] = r->ay[k], r->qa[to] = r->qa[k];
@@ -867,8 +868,8 @@ AVX512 static __mmask16 small_ones(const struct hsr_batch *b, int k,
                                       _mm512_set1_epi32(SMALL_BOX));
 }
 
-/* Triangles k to k + 15, those that are small, each in a lane of its own: all
- * go through the samples of their boxes in step, row by row. */
+/* Those of the triangles k to k + 15 that are small. Each has a lane of its
+ * own. All go through the samples of their boxes in step, row by row. */
 AVX512 static void tile_small(struct hsr_tiler *t, const struct hsr_batch *b,
                               int k, __mmask16 small, struct queue *queue) {
   const struct hsr_corners *r = &b->corners;
@@ -928,7 +929,7 @@ AVX512 static void tile_batch_avx512(struct hsr_tiler *t,
   compare_queue(t, &queue);
 }
 
-/* Past the caches, which have better use than rows that are done. */
+/* The rows are done, so they are written past the caches. */
 AVX512 static void write_back_avx512(const struct hsr_tiler *t,
                                      const struct hsr_job *job) {
   const struct hsr_window *p = &t->part;

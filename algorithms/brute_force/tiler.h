@@ -8,17 +8,17 @@
  *             greater is nearer, 0 for the background
  * Invariant   at every sample, ids holds the nearest of the faces tiled so far,
  *             and z is NaN (unknown) or within HSR_RHO z of that face's q there
- * Ties        wherever the depths are closer than their bounds, and wherever a
- *             sample is closer to an edge than its bound: by hsr_nearer and
- *             hsr_covers
+ * Ties        depths that are closer than their bounds are compared by
+ *             hsr_nearer; a sample that is closer to an edge than its bound is
+ *             decided by hsr_covers
  *
  * Small triangles before the eye take the fast way, sixteen at a time: their
  * vertices are snapped to a grid of 2^-15 pixel, and coverage and depth are
  * computed in floats. All other faces take the general way, row by row. The
  * bounds are proved in tiler.c.
  *
- * The faces are those of tiler->screen's world, which may be exchanged from
- * batch to batch: id[] tells what they are called in the picture. */
+ * The faces are those of the world of tiler->screen. That world may be another
+ * one for each batch. id[] tells what its faces are called in the picture. */
 #ifndef HSR_ALGORITHMS_TILER_H
 #define HSR_ALGORITHMS_TILER_H
 

@@ -11,11 +11,11 @@
  *             are samples; surrounder, intersecter, disjoint -> enum relation;
  *             ancestral information -> struct listed, and the window's part of
  *             list[]; critical surround -> struct depths
- * Invariants  examine() finds in list[0, n), in Z order, the faces that the
- *             enclosing window leaves open: neither disjoint from it nor hidden
- *             there by one of its surrounders; and leaves them so. Among these,
- *             a face surrounds an enclosing window if and only if its `since`
- *             is less than the level of the window examined.
+ * Invariants  when examine() begins, and when it ends, list[0, n) holds in Z
+ *             order the faces that the enclosing window leaves open: they are
+ *             neither disjoint from it nor hidden by one of its surrounders. A
+ *             face of these surrounds an enclosing window if and only if its
+ *             `since` is less than the level of the window examined.
  * Ties        by hsr_nearer at a sample; over a window, faces of one plane by
  *             the lower id, all else by depths farther apart than their errors
  * Departures  the corners of a window are samples, and the raster element is a
@@ -25,12 +25,12 @@
  *             a window one sample wide or high is divided into two
  * Cost        Z sort 2 F_r, Warnock special 100 L_v D_c, depth search L_v D_c
  *
- * A relation is proved for all samples of the window. If it cannot be proved the
- * face is taken for an intersecter, which costs a subdivision and no more. Let H be the
- * rectangle of the window's corner samples. If no edge of a face meets H then H
- * lies wholly inside the face or wholly outside, and one corner tells which. An
- * edge does not meet H if both its ends lie beyond the same side of H, or if
- * all corners lie on one side of its line.
+ * A relation is proved for all samples of the window. If it cannot be proved,
+ * the face is taken for an intersecter, which costs a subdivision and no more.
+ * Let H be the rectangle of the window's corner samples. If no edge of a face
+ * meets H then H lies wholly inside the face or wholly outside, and one corner
+ * tells which. An edge does not meet H if both its ends lie beyond the same
+ * side of H, or if all corners lie on one side of its line.
  *
  * Edges in doubles, delta = HSR_DELTA: measured from the centre of H, the ends
  * a and b of an edge are within delta + 2^-37 of the true ones (screen.c). With
@@ -42,13 +42,13 @@
  * of hw, hh and r included, each no more than 2^-8 delta of that; the filter
  * takes 4 and 8.
  *
- * Faces that are cut by the eye or the near plane cover where the parity of
- * their edges says so and their plane lies past near. The parity is that of the
- * lines through the eye that meet the polygon; so it too is constant on H if no
- * edge has a point on such a line, for which the same two tests are good, by
- * the row sides and edge sides of the definition. On H the plane lies past near
- * if it does at the corners, both conditions, q > 0 and near q < 1, being
- * linear in the depth q; and nowhere if one of them fails at all corners. */
+ * A face that is cut by the eye or the near plane covers a sample if the parity
+ * of its edges says so and its plane lies past near there. The parity is that
+ * of the lines through the eye that meet the polygon. It, too, is constant on H
+ * if no edge has a point on such a line. The same two tests prove this, by the
+ * row sides and edge sides of the definition. On H the plane lies past near if
+ * it does at the corners, both conditions, q > 0 and near q < 1, being linear
+ * in the depth q; and nowhere if one of them fails at all corners. */
 #include "algorithms/image_space/area/warnock.h"
 
 #include <float.h>
@@ -267,7 +267,7 @@ static bool edges_meet(const struct state *s, uint32_t f,
   return false;
 }
 
-/* The relation of a cut face no edge of which meets the window. Twice the error
+/* The relation of a cut face of which no edge meets the window. Twice the error
  * of its depths leaves room for rounding here. */
 static enum relation relate_cut(const struct state *s, uint32_t f,
                                 const struct window *w) {
@@ -278,7 +278,7 @@ static enum relation relate_cut(const struct state *s, uint32_t f,
     int i = corner_column(w, corner), j = corner_row(w, corner);
     double q = hsr_depth(screen, f, i, j);
     bool covered = hsr_covers(screen, f, i, j, s->tally);
-    /* Past near, and yet not covered: it is the parity. */
+    /* Past near but not covered: so the parity is even, in all of H. */
     if (!covered && q > error && near * (q + error) < 1)
       return DISJOINT;
     n_covered += covered;
@@ -343,8 +343,8 @@ static uint32_t farthest(const struct state *s, uint32_t f,
 }
 
 /* Finds the relations of the faces in list[0, n) to the window. Stops at the
- * first face in Z order that is behind all of a surrounder, since all later ones
- * are too. Returns the place of that face, or n. */
+ * first face in Z order that is behind all of a surrounder, since all later
+ * ones are too. Returns the place of that face, or n. */
 static uint32_t cull(struct state *s, const struct window *w, uint32_t n) {
   uint32_t z_end = 0, k;
   for (k = 0; k < n && s->list[k].z >= z_end; k++) {
@@ -485,7 +485,8 @@ static void paint_face(struct state *s, const struct window *w, uint32_t f) {
   }
 }
 
-/* Work picture: n faces were looked at in the window, whose samples share. */
+/* Work picture: n faces were looked at in the window. Each of its samples gets
+ * an equal share. */
 static void touch(struct state *s, const struct window *w, uint32_t n) {
   float *work = s->tally->work;
   if (!HSR_COUNTING || !work)
@@ -601,7 +602,7 @@ static bool at_vertex(const struct state *s, const struct window *w, uint32_t n,
 static void examine(struct state *s, struct hsr_window samples, int level,
                     uint32_t n);
 
-/* Into four, or into two where the window is one sample wide or high. */
+/* Divides a window into four, or into two if it is one sample wide or high. */
 static void subdivide(struct state *s, const struct window *w, uint32_t n) {
   struct division at = at_centre(w);
   if (s->at_vertices && w->level < LAST_VERTEX_LEVEL && at_vertex(s, w, n, &at))

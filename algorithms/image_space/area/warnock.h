@@ -18,9 +18,9 @@
  *               harbor      16    8.6    5.3    3.4      3.3           21
  *               big harbor 141    120     96     69       64          147
  *
- *             That of the harbors is Warnock special most of all, 100 a face
- *             and window; only Watkins in the house has a best number. So it is
- *             the survey's. */
+ *             In the harbors most of it is Warnock special, at 100 for each
+ *             face and window. Only with Watkins in the house is there a best
+ *             number. So the survey's number is taken. */
 #ifndef HSR_ALGORITHMS_WARNOCK_H
 #define HSR_ALGORITHMS_WARNOCK_H
 
@@ -31,9 +31,10 @@
 extern "C" {
 #endif
 
-/* Solves the windows that are neither homogeneous nor simple, and in which no
- * more than most_faces faces, with most_corners corners in all, are open:
- * surrounders and intersecters not hidden by a surrounder. */
+/* Solves windows that are neither homogeneous nor simple, once few faces are
+ * open in them: no more than most_faces, with no more than most_corners corners
+ * in all. Open faces are the surrounders and intersecters that no surrounder
+ * hides. */
 struct hsr_finisher {
   uint32_t most_faces, most_corners;
   void (*finish)(void *context, const struct hsr_window *window,

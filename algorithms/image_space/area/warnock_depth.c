@@ -11,8 +11,8 @@
  *             occupied just when all its samples are written, or outside the
  *             window
  * Ties        pieces in one plane: the lowest face comes first
- * Departures  A cell is also outside the polygon if the polygon's box holds none
- *             of its samples. Faces for which the tree has no place are
+ * Departures  A cell is also outside the polygon if the polygon's box holds
+ *             none of its samples. Faces for which the tree has no place are
  *             compared in depth (bsp_frame.h).
  * Cost        The work grows with the number of cells that visible edges cross.
  */
@@ -125,8 +125,8 @@ static bool is_inside(struct warnock *s, const struct side *side, int i,
               : hsr_edge_side(screen, side->a, side->b, i, j, tally));
 }
 
-/* A side is a line on the screen. So if the four corner samples of a cell are on
- * one side of it, all of its samples are. */
+/* A side is a line on the screen. So if the four corner samples of a cell are
+ * on one side of it, all of its samples are. */
 enum where { OUTSIDE, INTERSECTING, INSIDE };
 static enum where side_of_cell(struct warnock *s, const struct side *side,
                                const struct hsr_bounds *b) {

@@ -7,8 +7,8 @@
  *             a partial sort.
  * Notation    that of warnock.c and of watkins.c; how few faces: warnock.h
  * Ties        those of watkins.c
- * Departures  those of warnock.c and of scan_line.h; an edge beyond the window's
- *             sides stays in the X sort list, since it ends a segment
+ * Departures  those of warnock.c and of scan_line.h; an edge beyond the
+ *             window's sides stays in the X sort list, since it ends a segment
  * Cost        the steps of both, with the predictions for each alone. Here
  *             Warnock special ends early. Watkins' steps leave out the faces
  *             that a surrounder hides, but take a face once for each window

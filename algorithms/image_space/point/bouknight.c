@@ -81,8 +81,8 @@ struct scan {
 
 /* --- Span cull ------------------------------------------------------------ */
 
-/* Turns the visible bit of an edge's face on or off. `left`: where the next span
- * begins. */
+/* Turns the visible bit of an edge's face on or off. `left`: where the next
+ * span begins. */
 static void turn_bit(struct scan *s, const struct hsr_scan_edge *edge,
                      int left) {
   uint32_t f = edge->face;

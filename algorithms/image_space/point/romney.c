@@ -267,8 +267,8 @@ static void sort_y(struct scan *s) {
   }
 }
 
-/* The Y occupied table of row j: the faces that were in it and reach down to the
- * row, and those of the row's bucket. */
+/* The Y occupied table of row j: the faces that were in it and reach down to
+ * the row, and those of the row's bucket. */
 static void update_y_occupied(struct scan *s, int j) {
   uint32_t kept = 0;
   for (uint32_t k = 0; k < s->n_y_occupied; k++)

@@ -74,7 +74,7 @@ static void sort_ends(struct hsr_scan *s, const struct hsr_piece *piece,
   struct hsr_scan_edge edge = {
       .face = piece->face, .piece = number, .cut = s->n_cut};
   int row = piece->bounds.y0, end_row = piece->bounds.y1;
-  if (piece->n_cuts) { /* whose bounds are wide */
+  if (piece->n_cuts) { /* its bounds are wider than it is */
     while (row < end_row && !find_spans(s, piece, row))
       row++;
     while (row < end_row && !find_spans(s, piece, end_row - 1))
@@ -141,7 +141,8 @@ static inline void find_column(struct hsr_scan *s, struct hsr_scan_edge *edge,
     find_cut_columns(s, &s->cut[edge->cut], j);
 }
 
-/* Deletes the edges that end above row j, and moves the others on to it. */
+/* Deletes the edges that end above row j, and finds the columns of the others
+ * on it. */
 static void retire_and_advance(struct hsr_scan *s, int j) {
   uint32_t *list = s->list, n = s->n_list, kept = 0;
   for (uint32_t k = 0; k < n; k++) {
@@ -154,7 +155,7 @@ static void retire_and_advance(struct hsr_scan *s, int j) {
   s->n_list = kept;
 }
 
-/* The row's bucket, sorted by column, into entering[]. */
+/* Puts the edges of the row's bucket into entering[], sorted by column. */
 static void take_bucket(struct hsr_scan *s, int j) {
   s->n_entering = 0;
   for (uint32_t e = s->bucket[j - s->window->y0]; e != NONE;

@@ -7,15 +7,14 @@
  * Notation    scan line -> row j; Y bucket -> bucket[]; X sort list -> list[];
  *             X intercept -> column, that of the first sample to the right
  * Invariant   after hsr_scan_advance(scan, j), list[] holds the edges that
- *             cross row j in ascending columns, so that each face's edges pair
- *             up, first with second, as the ends of its segments
- * Ties        edges of one column have no sample between them, in any order
- * Departures  an edge's crossing is found from its line anew on every row
- *             instead of by adding increments, whose roundings add up; X is
- *             kept as a column, which is all that a picture of samples can
- *             tell; a face that is cut by the near plane, or divided, gives its
- *             columns a row at a time (hsr_piece_spans) where the paper would
- *             have clipped it
+ *             cross row j, in ascending columns. The edges of each face pair
+ *             up, first with second: they are the ends of its segments
+ * Ties        edges of one column are in any order: no sample is between them
+ * Departures  the crossing of an edge is found from its line anew on every row,
+ *             not by adding increments, whose roundings add up; X is kept as a
+ *             column, since the picture is one of samples; a face that is
+ *             divided, or cut by the near plane, gives its columns row by row
+ *             (hsr_piece_spans), where the paper clips it
  * Cost        Y sort E_r, X merge E_r S_l / 2, X sort n (S_l + 10 X_r / (n
  *             S_l)) */
 #ifndef HSR_ALGORITHMS_SCAN_LINE_H
@@ -31,9 +30,9 @@
 extern "C" {
 #endif
 
-/* An edge that crosses the rows from its bucket's to end_row. The edges of a
- * cut face, or of a piece of a face, stand for whatever ends its segments have
- * on a row. */
+/* An edge that crosses the rows from that of its bucket to end_row. An edge of
+ * a cut face, or of a piece of a face, stands for an end of one of its
+ * segments, a different one on each row if need be. */
 struct hsr_scan_edge {
   struct hsr_edge line;
   uint32_t face;
@@ -46,7 +45,8 @@ struct hsr_scan_edge {
 
 #define HSR_NOT_CUT UINT32_MAX
 
-/* The column of an edge of a cut face that ends no segment on the row. */
+/* The column of an edge that stands for an end of a cut face, on a row on which
+ * the face has fewer ends. */
 #define HSR_NO_COLUMN INT_MAX
 
 /* A cut face, or a piece of a face, and the edges that stand for its ends. */
@@ -54,15 +54,15 @@ struct hsr_scan_cut {
   struct hsr_piece piece;
   uint32_t first_edge;
   int n_edges;
-  int row; /* that its columns are those of */
+  int row; /* for which its columns have been found */
 };
 
-/* What there must be memory for, in the window that needs most of it. */
+/* How much memory is needed, in the window that needs most. */
 struct hsr_scan_room {
   size_t edges, cut, columns;
 };
 
-/* One window: all of the view's, or one after another of a frame. */
+/* One window: the view's, or one of several windows of a frame in turn. */
 struct hsr_scan {
   const struct hsr_job *job;
   struct hsr_tally *tally;
@@ -70,7 +70,7 @@ struct hsr_scan {
   struct hsr_screen screen;
 
   struct hsr_scan_edge *edge;
-  uint32_t n_edges, most_edges; /* most_edges: that there is room for */
+  uint32_t n_edges, most_edges; /* there is room for most_edges */
   uint32_t *bucket;             /* a row of the window: its entering edges */
   struct hsr_scan_cut *cut;
   uint32_t n_cut;

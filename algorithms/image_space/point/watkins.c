@@ -201,8 +201,8 @@ search_depth(struct hsr_watkins *s, int left, int *right, int j) {
 }
 
 /* Moves *right to the left end of the first segment that begins within the span
- * and is not behind the visible one. `next` is the first segment that is not yet
- * in under[]. */
+ * and is not behind the visible one. `next` is the first segment that is not
+ * yet in under[]. */
 static void float_right(struct hsr_watkins *s,
                         const struct hsr_watkins_segment *visible,
                         uint32_t next, int left, int *right, int j) {

@@ -3,8 +3,8 @@
  *
  * Source      Sutherland et al. 1974, "An Untried Sorting Order", and what "New
  *             Uses of Coherence" says of scan lines and depth: a proposal of a
- *             page, no algorithm. Nobody has published one as far as we know,
- *             for which the year stands at 0.
+ *             page, no algorithm. As far as we know nobody has published one,
+ *             so the year is 0.
  *
  * The paper's
  *   Y         A bucket sort gives the faces in order of appearance.
@@ -14,46 +14,48 @@
  *             for entire faces.
  *   X         Intercepts are kept in order by a bubble sort. Where depth is
  *             asked for, priority numbers are compared. The segments involved
- *             in a span are kept in a list, which each enters where it stood on
- *             the line before. What is visible is repeated where no edge has
- *             crossed.
+ *             in a span are kept in a list. Each enters it at the place that it
+ *             had on the line before. Where no edges have crossed, the visible
+ *             segments are those of the line before.
  *
  * Decided here, and why
  *   List      The Z list orders the segments of the line. Whole faces can
- *             overlap cyclically, and Newell must divide them then. Segments of
- *             one line cannot, unless they penetrate: take them by their left
- *             ends; those that a segment meets all cover its first sample, and
- *             have an order in depth there, so that it has a place among them;
- *             those that ended before do not matter.
+ *             overlap cyclically, and then Newell must divide them. Segments of
+ *             one line cannot, unless they penetrate. To see this, take them by
+ *             their left ends. When a segment enters, the segments that it
+ *             meets all cover its first sample. They have an order in depth
+ *             there, and it has a place in that order. Segments that ended
+ *             before do not matter.
  *   When      Two faces are compared in depth when they begin to overlap on a
- *             line, not when one of them enters. So Newell's tests 2, 3 and 6,
- *             whether two faces overlap on the screen, are answered by the X
- *             list, and nothing is asked of two that never do.
- *   Tests     Newell's 1, the extents in depth, and 4 and 5, the vertices of
- *             one against the plane of the other, tell the order of two faces
- *             for all lines to come.
+ *             line, not when one of them enters. So the X list answers Newell's
+ *             tests 2, 3 and 6, whether two faces overlap on the screen. Two
+ *             faces that never overlap are never compared.
+ *   Tests     Newell's test 1 compares the extents in depth, his tests 4 and 5
+ *             the vertices of one face with the plane of the other. They tell
+ *             the order of two faces for all lines to come.
  *   Division  If they do not, each face has vertices on both sides of the
  *             other's plane, or one is cut by the near plane. Then, as with
- *             Newell, one is divided by the plane of the other: that which ends
- *             sooner, so that no division outlives its reason. The parts are
- *             found on every line, between the face's edges and the implied
- *             one.
- *   Kept      A segment enters the involved list without a test where it stood
- *             on the line before, if since then no end of a segment, visible or
- *             hidden, has crossed its left end, and nothing that covers it has
- *             come or gone. The paper asks that of visible edges only; but what
- *             is hidden must keep its place too, for it may come into view.
- *   One pass  The place of a segment depends on those which it overlaps. So the
- *             Z list of a line is made out of the one before in the same pass,
- *             from left to right, that finds what is visible; of segments that
- *             overlapped on the line before, the numbers of that line decide.
+ *             Newell, one face is divided by the plane of the other. It is the
+ *             face that ends sooner, so that no division lasts longer than it
+ *             is needed. The parts are found anew on every line. They meet at
+ *             the implied edge.
+ *   Kept      A segment keeps the place that it had in the involved list on the
+ *             line before, without a test, if no end of another segment has
+ *             crossed its left end since, and no segment that covers its left
+ *             end has come or gone. The paper asks this of visible edges only.
+ *             But hidden segments must keep their places too, since they may
+ *             come into view.
+ *   One pass  The place of a segment depends on the segments that it overlaps.
+ *             So one pass over the line, from left to right, both finds what is
+ *             visible and makes the new Z list out of the old one. For segments
+ *             that overlapped on the line before, the old numbers decide.
  *
  * What came of it
  *             Depths are not compared line by line, but for implied edges: the
  *             comparisons of the Z sort depend on the faces and hardly on the
- *             number of lines (tests/properties/surfaces/scan_line_test.c). That pays
- *             where faces are many lines tall. Where most last for a line or
- *             two, as in the big harbor, Watkins compares less.
+ *             number of lines (surfaces/scan_line_test.c of the tests). That
+ *             pays where faces are many lines tall. Where most faces are one or
+ *             two lines tall, as in the big harbor, Watkins compares less.
  *
  * Notation    scan line -> row j; Y buckets and X sort list -> scan_line.h;
  *             segment -> struct segment, samples [x0, x1) of a face or of a
@@ -63,11 +65,11 @@
  *             column, in that order
  * Ties        one plane: lower id; all else by hsr_nearer
  * Departures  those of scan_line.h
- * Cost        the paper gives none. With its f = 2 H_f/n, the chance that two
- *             faces overlap in one dimension (Newell special, appendix B),
- *             F_r^2 f^2 / 2 pairs overlap on the screen, and each is tested for
- *             its extents once; f of them overlap in depth too, and take at
- *             most the eight vertices of two rectangles */
+ * Cost        the paper gives none. Its f = 2 H_f/n is the chance that two
+ *             faces overlap in one dimension (Newell special, appendix B). So
+ *             F_r^2 f^2 / 2 pairs overlap on the screen, and the extents of
+ *             each are compared once. A fraction f of them overlap in depth
+ *             too, and take at most the eight vertices of two rectangles */
 #include "algorithms/image_space/point/scan_line.h"
 
 #include <string.h>
@@ -166,8 +168,8 @@ static const uint32_t NONE = UINT32_MAX;
 /* The lists that a segment of the row is in. */
 enum list { Z_LIST, INVOLVED };
 
-/* What a face, or a part of it, covers on a row; or what has been divided into
- * two parts, and is in no list itself. */
+/* What a face, or a part of it, covers on a row. A segment that has been
+ * divided into two parts is in no list itself. */
 struct segment {
   uint32_t face, strip;
   int row;    /* the last one on which it covered a sample; -1: none */
@@ -203,19 +205,20 @@ struct strips {
   bool open; /* the n-th has been met, its right end has not */
 };
 
-/* No sample of a face is nearer, none farther away, as q = 1/t. */
+/* The extent in depth of a face, as q = 1/t: no sample of it is nearer than
+ * `nearest` or farther than `farthest`. */
 struct extent {
   double nearest, farthest;
 };
 
-/* An edge of a strip: 2 column + 1 if it is a left one, so that right ones come
- * first in order: no sample lies between. */
+/* An edge of a strip. The key is 2 column, and 1 more for a left edge: so of
+ * one column, right edges come first. */
 struct crossing {
   int key;
   uint32_t strip;
 };
 
-/* The same of a segment. */
+/* An end of a segment; the key likewise. */
 struct end {
   int key;
   struct segment *segment;
@@ -541,8 +544,8 @@ static int side_of_plane(const struct scan *s, uint32_t f, uint32_t g) {
   return in_front - behind;
 }
 
-/* Has `a` been divided by the plane of b before? +1 if it belongs to the part in
- * front of that plane, -1 if to the part behind, 0 if it was not divided. */
+/* Has `a` been divided by the plane of b before? +1 if it belongs to the part
+ * in front of that plane, -1 if to the part behind, 0 if it was not divided. */
 static int side_by_division(const struct scan *s, const struct segment *a,
                             const struct segment *b) {
   const uint32_t *plane = s->edges.job->world->plane;
@@ -663,11 +666,11 @@ static struct segment *find_place(struct scan *s, struct segment *segment) {
   return place;
 }
 
-/* Are the same segments involved as when it entered on the line before? They are
- * if three things hold: of the ends with numbers, exactly those before its own
- * have been passed; no segment that is new on this line covers its left end;
- * and none that is gone covered it there. All of them overlapped on the line
- * before, so their order is the same too. */
+/* Are the same segments involved as when it entered on the line before? They
+ * are if three things hold: of the ends with numbers, exactly those before its
+ * own have been passed; no segment that is new on this line covers its left
+ * end; and none that is gone covered it there. All of them overlapped on the
+ * line before, so their order is the same too. */
 static bool place_is_kept(const struct scan *s, const struct segment *segment) {
   return segment->was_left != NONE && s->n_known == segment->was_left &&
          s->latest == segment->was_left && !s->n_new &&

@@ -22,8 +22,8 @@ static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
 
 /* Y sort: two edges of each rectangle are not horizontal: 6.
  *
- * X merge, first the bucket, last in first out: a right edge, then the left one,
- * which is compared with it: 1 a bucket. Then the merge from the right ends:
+ * X merge, first the bucket, last in first out: a right edge, then the left
+ * one, which is compared with it: 1 a bucket. Then the merge, from the right:
  *   row 1: the list is empty                                        0
  *   row 2: 9 with 12, with 2; 6 with 2                              3
  *   row 3: 14 with 12; 10 with 12, with 9                           3

@@ -26,28 +26,28 @@ static const struct pixel_face faces[] = {
  * old disjoints; hidden faces; depth comparisons. A box decides if it is apart
  * from the window, or contained in it and not as large.
  *
- *   window                 tests box  surr disj  hidden  depth
- *   0-8, 0-8                 5    5     0    0     0       0   five intersecters
- *   0-4, 0-4                 4    3     0    0     1       0   homogeneous: A
+ *   window                 tests box  surr disj  hidden depth
+ *   0-8, 0-8                 5    5     0    0     0     0   five intersecters
+ *   0-4, 0-4                 4    3     0    0     1     0   homogeneous: A
  *     (C, D and E are apart, A surrounds it, B is behind A)
- *   4-8, 0-4                 5    4     0    0     0       0   E and B intersect
+ *   4-8, 0-4                 5    4     0    0     0     0   E and B intersect
  *     (B is decided by its edges; C, D and A are disjoint from all parts)
- *     4-6, 0-2               2    1     0    3     0       0   E and B intersect
- *       sample 4, 0          2    2     0    3     0       0   background
- *       sample 5, 0          2    2     0    3     0       0   background
- *       sample 4, 1          2    1     0    3     0       0   B
- *       sample 5, 1          1    0     0    3     1       0   E, which hides B
- *     6-8, 0-2               2    1     0    3     0       0   one face: B, 1 run
- *     4-6, 2-4               2    1     0    3     0       0   one face: B, 1 run
- *     6-8, 2-4               2    1     0    3     0       0   one face: B, 1 run
- *   0-4, 4-8                 4    3     0    0     1       2   C and D before A
+ *     4-6, 0-2               2    1     0    3     0     0   E and B intersect
+ *       sample 4, 0          2    2     0    3     0     0   background
+ *       sample 5, 0          2    2     0    3     0     0   background
+ *       sample 4, 1          2    1     0    3     0     0   B
+ *       sample 5, 1          1    0     0    3     1     0   E, which hides B
+ *     6-8, 0-2               2    1     0    3     0     0   one face: B, 1 run
+ *     4-6, 2-4               2    1     0    3     0     0   one face: B, 1 run
+ *     6-8, 2-4               2    1     0    3     0     0   one face: B, 1 run
+ *   0-4, 4-8                 4    3     0    0     1     2   C and D before A
  *     (E is apart; B is behind A)
- *     0-2, 4-6               2    1     1    1     1       1   C before A, 1 run
- *     2-4, 4-6               2    1     1    1     1       1   C before A, 1 run
- *     0-2, 6-8               2    2     1    1     1       0   homogeneous: A
- *     2-4, 6-8               2    2     1    1     1       1   D before A, 1 run
- *   4-8, 4-8                 5    5     0    0     0       0   empty
- *   sum                     46   35     4   28     7       5
+ *     0-2, 4-6               2    1     1    1     1     1   C before A, 1 run
+ *     2-4, 4-6               2    1     1    1     1     1   C before A, 1 run
+ *     0-2, 6-8               2    2     1    1     1     0   homogeneous: A
+ *     2-4, 6-8               2    2     1    1     1     1   D before A, 1 run
+ *   4-8, 4-8                 5    5     0    0     0     0   empty
+ *   sum                     46   35     4   28     7     5
  *
  * The tests find 25 disjoint faces, all by their boxes; 17 intersecters, 10 of
  * them by their boxes, being contained; and 4 surrounders. All comparisons in

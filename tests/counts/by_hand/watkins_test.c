@@ -78,8 +78,9 @@ static const struct pixel_face crossing[] = {
     PIXEL_RECTANGLE(4, 3, 12, 4, 128.0 / 13)};
 
 /* Y sort: 4. X merge: the bucket is P right 12, P left 4, S right 12, S left 4.
- * P left with P right: 1. S right with P right: 1. S left with S right, P right,
- * P left: 3. That is 5. The list is P left, S left, P right, S right. X sort: 3.
+ * P left with P right: 1. S right with P right: 1. S left with S right, P
+ * right, P left: 3. That is 5. The list is P left, S left, P right, S right. X
+ * sort: 3.
  *
  * Span cull:
  *    0-4    P begins within, S is outside     2
@@ -91,14 +92,14 @@ static const struct pixel_face crossing[] = {
  * their ends in columns, beginning with 4-11 of both. (The first one is divided
  * if both are of one length.)
  *   samples  S                 P      decided
- *   4-12     4-11: 8.5 .. 15.5 4-11   no: the samples straddle 7.5: divide them
- *                                     at 8
+ *   4-12     4-11: 8.5 .. 15.5 4-11   no: the samples straddle 7.5: divide
+ *                                     them at 8
  *   4-8      4-11              4-11   no: halve S
  *            4-7.5: 8.5 .. 12  4-11   farther
  *   8-12     4-11              4-11   no: halve S
  *            7.5-11: 12 .. 15.5 4-11  no: halve P
- *            7.5-11            7.5-11 no: the samples straddle 9.25: divide them
- *                                     at 10
+ *            7.5-11            7.5-11 no: the samples straddle 9.25: divide
+ *                                     them at 10
  *   8-10     7.5-11            7.5-11 no: halve S
  *            7.5-9.25: 12 .. 13.75    no: halve P
  *            7.5-9.25        7.5-9.25 no: the samples straddle 8.375: divide
@@ -109,8 +110,8 @@ static const struct pixel_face crossing[] = {
  * In the span that begins at 9:
  *   9-12     4-11              4-11   no: halve S
  *            7.5-11            4-11   no: halve P
- *            7.5-11            7.5-11 no: the samples straddle 9.25: divide them
- *                                     at 10
+ *            7.5-11            7.5-11 no: the samples straddle 9.25: divide
+ *                                     them at 10
  *   9-10                              nearer, by the exact comparison
  *   10-12    7.5-11            7.5-11 no: halve S
  *            9.25-11: 13.75 .. 15.5   nearer

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Events of the image-space algorithms tell the truth: what an event says of its
- * subjects in its window is asked anew of common/exact/screen.h.
+/* Events of the image-space algorithms tell the truth: what an event says of
+ * its subjects in its window is asked anew of common/exact/screen.h.
  *
- * Depths      "nearer" and "in front": a is nearer than b at the first sample of
- *             the window; "farther" and "behind": it is not. Watkins' "undecided"
- *             says nothing.
+ * Depths      "nearer" and "in front": a is nearer than b at the first sample
+ *             of the window; "farther" and "behind": it is not. Watkins'
+ *             "undecided" says nothing.
  * Covers      a covers the window's one sample, if the outcome says so.
  * Relations   a surrounder covers all samples of the window, a disjoint face
  *             none.
