@@ -62,7 +62,7 @@ enum state { VACANT, PARTLY, OCCUPIED };
 
 /* A side of the polygon: the edge from vertex a to b, inside where
  * hsr_edge_side is `inside`; or, if b is HSR_NO_ID, the plane of face a. As the
- * subject of a step, the latter is an edge of face a without vertices. */
+ * subject of a step, the latter is the implied edge of both faces. */
 struct side {
   uint32_t a, b;
   int inside;
@@ -157,7 +157,7 @@ static inline struct hsr_window window_of(const struct hsr_bounds *b) {
 
 static inline struct hsr_subject subject_of(const struct warnock *s,
                                             const struct side *side) {
-  return side->b == HSR_NO_ID ? HSR_EDGE(HSR_NO_ID, HSR_NO_ID, side->a)
+  return side->b == HSR_NO_ID ? HSR_IMPLIED(s->piece.face, side->a, 0)
                               : HSR_EDGE(side->a, side->b, s->piece.face);
 }
 

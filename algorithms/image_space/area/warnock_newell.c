@@ -31,9 +31,7 @@ static const struct hsr_sort sorts[] = {
 
 static const struct hsr_line outline[] = {
     HSR_FINISHED_LINES,
-#ifdef HSR_NEWELL_OUTLINE
     HSR_NEWELL_OUTLINE(HSR_WARNOCK_FINISHER, "    "),
-#endif
     {NULL}};
 
 static void finish(void *newell, const struct hsr_window *window,
