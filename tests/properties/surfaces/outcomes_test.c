@@ -11,6 +11,7 @@
  * Edges       "to the left": on the window's row, the column of edge a is less
  *             than that of b. An edge is sorted by Y into its first row in the
  *             picture, up to its last.
+ * Bits        what is turned on was off, and at first all are.
  * Vertices    "in front", "behind", "on the plane": as the vertex is, seen from
  *             the eye. */
 #include "tests/draw.h"
@@ -21,7 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { M = 41, N = 29 };
+enum { M = 41, N = 29, MOST_FACES = 1 << 14 };
 
 static const char *const scenes[] = {
     "house",       "cyclic-overlap", "lattice:40:3", "coplanar",
@@ -43,7 +44,9 @@ enum claim {
   SORTED,
   VERTEX_ON,
   VERTEX_BEFORE,
-  VERTEX_BEHIND
+  VERTEX_BEHIND,
+  TURNED_OFF,
+  TURNED_ON
 };
 
 static const struct rule {
@@ -61,6 +64,7 @@ static const struct rule {
     {"watkins", "X interchanges", {LEFT}},
     {"watkins", "depth search", {NOTHING_SAID, NOT_NEARER, NEARER}},
     {"bouknight", "depth search", {NOT_NEARER, NEARER}},
+    {"bouknight", "span cull", {TURNED_OFF, TURNED_ON}},
     {"romney", "depth search", {NOT_NEARER, NEARER}},
     {"yzx", "implied edges", {NOT_NEARER, NEARER}},
     {"yzx", "priority tests", {NOT_NEARER, NEARER}},
@@ -79,6 +83,7 @@ struct watch {
   int counter;
   long events, wrong;
   long said[3]; /* events of each outcome */
+  bool on[MOST_FACES];
 };
 
 /* --- Asking anew ---------------------------------------------------------- */
@@ -154,6 +159,10 @@ static bool is_true(struct watch *w, const struct hsr_event *e) {
     return claim == VERTEX_ON       ? !nearer
            : claim == VERTEX_BEFORE ? nearer > 0
                                     : nearer < 0;
+  case TURNED_OFF:
+  case TURNED_ON:
+    w->on[f] = !w->on[f];
+    return w->on[f] == (claim == TURNED_ON);
   default:
     return true;
   }
@@ -191,6 +200,8 @@ static void watch_scene(struct watch *w, const char *name) {
   if (hsr_view_init(&view, &worlds.scene->views[0], M, N, NULL) ||
       hsr_screen_make(&screen, &worlds.world, &view, &arena, &w->own))
     abort();
+  if (worlds.world.n_faces > MOST_FACES)
+    abort();
   w->screen = &screen;
   struct hsr_trace trace = {.listen = listen, .context = w};
   struct hsr_tally tally = {.trace = &trace};
@@ -203,7 +214,8 @@ static void watch_scene(struct watch *w, const char *name) {
 int main(void) {
   struct tap tap = plan(N_RULES);
   for (int r = 0; r < N_RULES; r++) {
-    struct watch w = {.rule = &rules[r], .counter = counter_of(&rules[r])};
+    static struct watch w;
+    w = (struct watch){.rule = &rules[r], .counter = counter_of(&rules[r])};
     for (int s = 0; s < N_SCENES; s++)
       watch_scene(&w, scenes[s]);
     ok(&tap, w.events && !w.wrong,
