@@ -36,6 +36,7 @@ tap_programs = \
   %D%/counts/by_hand/scan_line_test \
   %D%/counts/by_hand/warnock_test \
   %D%/counts/by_hand/watkins_test \
+  %D%/counts/by_hand/zbuffer_test \
   %D%/properties/tiling/baselines_test \
   %D%/properties/hierarchical/boxes_test \
   %D%/properties/surfaces/combinations_test \
@@ -142,6 +143,7 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_counts_by_hand_scan_line_test_SOURCES = %D%/counts/by_hand/scan_line_test.c %D%/counts/by_hand/pixels.h
 %C%_counts_by_hand_warnock_test_SOURCES = %D%/counts/by_hand/warnock_test.c %D%/counts/by_hand/pixels.h
 %C%_counts_by_hand_watkins_test_SOURCES = %D%/counts/by_hand/watkins_test.c %D%/counts/by_hand/pixels.h
+%C%_counts_by_hand_zbuffer_test_SOURCES = %D%/counts/by_hand/zbuffer_test.c %D%/counts/by_hand/pixels.h
 %C%_properties_hierarchical_boxes_test_SOURCES = %D%/properties/hierarchical/boxes_test.cc
 %C%_properties_tiling_voxels_test_SOURCES = %D%/properties/tiling/voxels_test.cc
 %C%_properties_tiling_tiling_test_LDADD = libdraw.a $(BENCH_LIBS)

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The z-buffer's counts, derived by hand from Sutherland et al. 1974, appendix
+ * B, and from the tiler's rule for what floats can hold. */
+#include "tests/counts/by_hand/pixels.h"
+
+enum { M = 16, N = 8 };
+
+/* A is far, B is near, and C falls off steeply to the left; each has an upright
+ * edge on the left:
+ *  row   A       B      C
+ *  1     2-13
+ *  2     2-11    4-9
+ *  3     2-9     4-7
+ *  4     2-7     4-5    10-14
+ *  5     2-5            10-13
+ *  6     2-3            10-12
+ *  7                    10-11 */
+static const struct pixel_face triangles[] = {
+    {3, {{2, 1, 8}, {14, 1, 8}, {2, 7, 8}}},
+    {3, {{4, 2, 4}, {10, 2, 4}, {4, 5, 4}}},
+    {3, {{10, 4, 16}, {15, 4, 2}, {10, 8, 16}}}};
+
+/* Samples: A 11 + 9 + 7 + 5 + 3 + 1 = 36, B 5 + 3 + 1 = 9, C 4 + 3 + 2 + 1 = 10.
+ * Each is a depth test, against the background or, for B, against A. All find
+ * the face nearer: 55 writes, of which B's 9 overwrite A.
+ *
+ * A and B are tiled in floats. C has 1/t from 1/16 to 1/2: these differ by more
+ * than the least of them, so that it goes the general way. All edges pass the
+ * samples at a distance, and 1/t of A and B differ by a factor of two. */
+static const struct pixel_count derived[] = {
+    {"depth tests", 55},  {"depth tests", 55, "nearer"}, {"writes", 55},
+    {"overwrites", 9},    {"fast triangles", 2},         {"general faces", 1},
+    {"unsure covers", 0}, {"unsure depths", 0},          {NULL}};
+
+int main(void) {
+  struct tap tap = plan(1);
+  struct pixel_picture p;
+  pixel_open(&p, triangles, 3, M, N);
+  ok(&tap, pixel_check(&p, "zbuffer", derived, true), "three triangles");
+  pixel_close(&p);
+  return finish(&tap);
+}
