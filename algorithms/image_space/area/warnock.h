@@ -129,8 +129,8 @@ enum {
         HSR_OF_WINDOW                                                          \
   }
 
-/* The lines of the outline. */
-#define HSR_WARNOCK_LINES                                                      \
+/* The lines of the outline: of a window, and of what remains of one. */
+#define HSR_WARNOCK_WINDOW_LINES                                               \
   {"Z sort: put the faces into buckets by depth, in two passes",               \
    HSR_RAISES(HSR_WARNOCK_Z_SORT)},                                            \
       {"for each window, of which the picture is the first",                   \
@@ -150,13 +150,19 @@ enum {
       {"  if one intersecter is left, show what is behind it",                 \
        HSR_RAISES(HSR_WARNOCK_ONE_FACE) |                                      \
            HSR_RAISES(HSR_WARNOCK_ONE_IN_FRONT)},                              \
-      {"    and then the intersecter", HSR_RAISES(HSR_WARNOCK_RUNS)}, {        \
+  {                                                                            \
+    "    and then the intersecter", HSR_RAISES(HSR_WARNOCK_RUNS)               \
+  }
+#define HSR_WARNOCK_LINES                                                      \
+  HSR_WARNOCK_WINDOW_LINES, {                                                  \
     "  else divide the window into four", HSR_RAISES(HSR_WARNOCK_SUBDIVISIONS) \
   }
 #define HSR_FINISHED_LINES                                                     \
-  HSR_WARNOCK_LINES, {                                                         \
-    "  but if few faces are left, leave it to the other algorithm:",           \
-        HSR_RAISES(HSR_WARNOCK_FINISHED)                                       \
+  HSR_WARNOCK_WINDOW_LINES, {                                                  \
+    "  else divide the window into four; but leave few faces to the other "    \
+    "algorithm:",                                                              \
+        HSR_RAISES(HSR_WARNOCK_SUBDIVISIONS) |                                 \
+            HSR_RAISES(HSR_WARNOCK_FINISHED)                                   \
   }
 
 /* The same for the arrays of steps and sorts. Figure 29b being lost, the sorts
