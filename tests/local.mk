@@ -37,6 +37,12 @@ tap_programs = \
   %D%/counts/by_hand/warnock_test \
   %D%/counts/by_hand/watkins_test \
   %D%/counts/by_hand/zbuffer_test \
+  %D%/counts/by_hand/appel_test \
+  %D%/counts/by_hand/galimberti_test \
+  %D%/counts/by_hand/loutrel_test \
+  %D%/counts/by_hand/newell_test \
+  %D%/counts/by_hand/roberts_test \
+  %D%/counts/by_hand/schumacker_test \
   %D%/properties/tiling/baselines_test \
   %D%/properties/hierarchical/boxes_test \
   %D%/properties/surfaces/combinations_test \
@@ -144,6 +150,12 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_counts_by_hand_warnock_test_SOURCES = %D%/counts/by_hand/warnock_test.c %D%/counts/by_hand/pixels.h
 %C%_counts_by_hand_watkins_test_SOURCES = %D%/counts/by_hand/watkins_test.c %D%/counts/by_hand/pixels.h
 %C%_counts_by_hand_zbuffer_test_SOURCES = %D%/counts/by_hand/zbuffer_test.c %D%/counts/by_hand/pixels.h
+%C%_counts_by_hand_appel_test_SOURCES = %D%/counts/by_hand/appel_test.c %D%/counts/by_hand/objects.h %D%/counts/by_hand/lines.h
+%C%_counts_by_hand_galimberti_test_SOURCES = %D%/counts/by_hand/galimberti_test.c %D%/counts/by_hand/objects.h %D%/counts/by_hand/lines.h
+%C%_counts_by_hand_loutrel_test_SOURCES = %D%/counts/by_hand/loutrel_test.c %D%/counts/by_hand/objects.h %D%/counts/by_hand/lines.h
+%C%_counts_by_hand_newell_test_SOURCES = %D%/counts/by_hand/newell_test.c %D%/counts/by_hand/objects.h
+%C%_counts_by_hand_roberts_test_SOURCES = %D%/counts/by_hand/roberts_test.c %D%/counts/by_hand/objects.h %D%/counts/by_hand/lines.h
+%C%_counts_by_hand_schumacker_test_SOURCES = %D%/counts/by_hand/schumacker_test.c %D%/counts/by_hand/objects.h
 %C%_properties_hierarchical_boxes_test_SOURCES = %D%/properties/hierarchical/boxes_test.cc
 %C%_properties_tiling_voxels_test_SOURCES = %D%/properties/tiling/voxels_test.cc
 %C%_properties_tiling_tiling_test_LDADD = libdraw.a $(BENCH_LIBS)

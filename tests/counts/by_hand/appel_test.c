@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Appel's counts, derived by hand from Sutherland et al. 1974, "Edge-
+ * Intersection Algorithms". */
+#include "tests/counts/by_hand/lines.h"
+
+/* Edge cull: 8 edges, each a side of one face.
+ * All 8 are contour edges, having a face on one side only.
+ * Searches: F and N share no vertex: one each. Initial visibility: the 2 faces
+ *   for each of the 2 vertices (2, 2) and (4, 1): neither is hidden.
+ * Edge intersection: each of 8 edges with 8 contour edges.
+ *   Within a rectangle: an edge shares vertices with itself and its 2
+ *   neighbours, and its box is apart from that of the opposite edge:
+ *                                      24 share a vertex, 8 apart
+ *   F upper and lower, N left and right cross: 4 pairs. N is nearer: F's edges
+ *   find nearer contour edges, N's edges farther ones:  4 nearer, 4 farther
+ *   the 12 other pairs of F and N are apart, both ways: 24 apart
+ * Crossings: the 4 nearer ones.
+ * No edge touches another's face; no vertex belongs to two faces: no pierced
+ *   faces, no correction, no faces apart.
+ * Promoted: from one vertex of a rectangle to its 3 others. None is hidden.
+ * Sort along edge: F upper and F lower have two crossings: 1 comparison each.
+ * Sorts to save: no edge is hidden from end to end.
+ * Intervals: F upper and F lower 3 each, the 6 others 1 each. */
+static const struct hand_count of_bar[] = {
+    {"edge cull", 8},
+    {"edge cull", 8, "exists"},
+    {"searches", 2},
+    {"initial visibility", 4},
+    {"initial visibility", 0, "hides"},
+    {"edge intersection", 64},
+    {"edge intersection", 32, "boxes apart"},
+    {"edge intersection", 24, "share a vertex"},
+    {"edge intersection", 0, "do not cross"},
+    {"edge intersection", 4, "farther"},
+    {"edge intersection", 4, "nearer"},
+    {"crossings", 4},
+    {"pierced faces", 0},
+    {"correction", 0},
+    {"faces apart", 0},
+    {"promoted", 6},
+    {"hiding", 0},
+    {"sort along edge", 2},
+    {"sorts to save", 0},
+    {"intervals drawn", 3 + 3 + 6},
+    {NULL}};
+
+/* As above, but: only N's right edge crosses F's upper and lower ones: 2 pairs;
+ *   14 others are apart, both ways.
+ * Initial visibility: F's first vertex (2, 2) is hidden by N: 1 of 4.
+ * Promoted from it: to (10, 2), where the crossing is behind: hidden by 0; to
+ *   (2, 6): by 1; from there to (10, 6): by 0. Of N none is hidden: 1 in all.
+ * No edge has two crossings: no comparison.
+ * Sorts to save: F's left edge.
+ * Intervals: F upper and F lower 2 each, the 6 others 1 each. */
+static const struct hand_count of_corner[] = {
+    {"edge cull", 8},
+    {"searches", 2},
+    {"initial visibility", 4},
+    {"initial visibility", 1, "hides"},
+    {"edge intersection", 64},
+    {"edge intersection", 8 + 28, "boxes apart"},
+    {"edge intersection", 24, "share a vertex"},
+    {"edge intersection", 0, "do not cross"},
+    {"edge intersection", 2, "farther"},
+    {"edge intersection", 2, "nearer"},
+    {"crossings", 2},
+    {"pierced faces", 0},
+    {"correction", 0},
+    {"faces apart", 0},
+    {"promoted", 6},
+    {"hiding", 1},
+    {"sort along edge", 0},
+    {"sorts to save", 1},
+    {"intervals drawn", 2 + 2 + 6},
+    {NULL}};
+
+/* Edge cull: 12 edges, each a side of two faces: 24.
+ * Contour edges: of a front edge, the front and a side face lie on the same
+ *   side in the picture: the 4 front edges are contours. Of the 8 others the
+ *   two faces lie on both sides.
+ * One search, of 6 faces, for vertex 0: they all have a corner there, or do not
+ *   cover it.
+ * Edge intersection: 12 edges with 4 contour edges:
+ *   4 front edges: 3 share a vertex, 1 apart              12, 4
+ *   4 edges from front to back: 2 share, 2 apart           8, 8
+ *   4 back edges: all apart                                0, 16
+ * Promotion, the last vertex to wait being the first to be taken:
+ *   from 0 along 0-1, 0-3, 0-4 to 1, 3, 4;
+ *   from 4 along 4-5, 4-7 to 5, 7;
+ *   from 7 along 3-7, 6-7 to 6; from 6 along 2-6, 5-6 to 2;
+ *   from 2 along 1-2, 2-3; from 5 along 1-5: 7 vertices in all.
+ * Hiding: 4, 5, 6, 7 are hidden by the front: 1 each. At 1, 2, 3: 0.
+ * Correction: at a vertex of three faces an edge has one that is not its own.
+ *   It is put to each edge at the end from which it is followed, and at its
+ *   other end if visibility is promoted there: 12 + 7. It hides the edge where
+ *   an edge to the back begins, behind the front: at 0 of 0-4, and at 2 of 2-6.
+ *   At 3 of 3-7 and at 1 of 1-5, which are known already, it is not tested.
+ * Sorts to save: all 8 edges but the front's are hidden from end to end.
+ * Intervals: 1 for each edge. */
+static const struct hand_count of_box[] = {
+    {"edge cull", 24},
+    {"searches", 1},
+    {"initial visibility", 6},
+    {"initial visibility", 0, "hides"},
+    {"edge intersection", 48},
+    {"edge intersection", 4 + 8 + 16, "boxes apart"},
+    {"edge intersection", 12 + 8, "share a vertex"},
+    {"crossings", 0},
+    {"pierced faces", 0},
+    {"correction", 12 + 7},
+    {"correction", 2, "hides"},
+    {"faces apart", 0},
+    {"promoted", 7},
+    {"hiding", 4},
+    {"sort along edge", 0},
+    {"sorts to save", 8},
+    {"intervals drawn", 12},
+    {NULL}};
+
+int main(void) {
+  struct tap tap = plan(4);
+  ok(&tap, hand_check("appel", bar, 2, of_bar), "a bar before a rectangle");
+  ok(&tap, hand_check("appel", corner, 2, of_corner),
+     "a rectangle before a corner");
+  ok(&tap, hand_check("appel", box, 1, of_box), "a box");
+  ok(&tap, hand_check("appel-visible", box, 1, of_box),
+     "a box: an edge that is hidden throughout is one interval either way");
+  return finish(&tap);
+}

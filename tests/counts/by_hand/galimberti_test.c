@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Galimberti and Montanari's counts, derived by hand from Sutherland et al.
+ * 1974, "Edge-Intersection Algorithms". What is not explained here is derived
+ * in appel_test.c. */
+#include "tests/counts/by_hand/lines.h"
+
+/* All 8 edges are contour edges: as many pairs with them as with all.
+ * Nature changes: F upper is followed from (2, 2), its beginning: it passes its
+ *   2 crossings forwards. F lower runs from (10, 6) to (2, 6), and is followed
+ *   from (2, 6): it passes the 2 backwards, to the nature of (10, 6), and then
+ *   forwards as it is drawn. */
+static const struct hand_count of_bar[] = {
+    {"edge cull", 8},
+    {"searches", 2},
+    {"initial visibility", 4},
+    {"initial visibility", 0, "hides"},
+    {"edge intersection", 64},
+    {"edge intersection", 32, "boxes apart"},
+    {"edge intersection", 24, "share a vertex"},
+    {"edge intersection", 4, "farther"},
+    {"edge intersection", 4, "nearer"},
+    {"contour pairs", 64},
+    {"crossings", 4},
+    {"pierced faces", 0},
+    {"correction", 0},
+    {"faces apart", 0},
+    {"promoted", 6},
+    {"hiding", 0},
+    {"nature changes", 6},
+    {"nature changes", 4, "forwards"},
+    {"nature changes", 2, "backwards"},
+    {"sort along edge", 2},
+    {"sorts to save", 0},
+    {"intervals drawn", 12},
+    {NULL}};
+
+/* The nature of (2, 2), which is N, is left with (2, 6) too. */
+static const struct hand_count of_corner[] = {
+    {"edge cull", 8},
+    {"searches", 2},
+    {"initial visibility", 4},
+    {"initial visibility", 1, "hides"},
+    {"edge intersection", 64},
+    {"edge intersection", 36, "boxes apart"},
+    {"contour pairs", 64},
+    {"crossings", 2},
+    {"pierced faces", 0},
+    {"correction", 0},
+    {"faces apart", 0},
+    {"promoted", 6},
+    {"hiding", 1},
+    {"nature changes", 3},
+    {"nature changes", 2, "forwards"},
+    {"nature changes", 1, "backwards"},
+    {"sort along edge", 0},
+    {"sorts to save", 0},
+    {"intervals drawn", 10},
+    {NULL}};
+
+/* Edge intersection: 12 edges with all 12.
+ *   front with front, back with back: 12 share a vertex, 4 apart, each
+ *   front with back, both ways: 32 apart
+ *   from front to back, with one another: 4 share (itself), 12 apart
+ *   these with front or back, both ways: 2 of 4 share, 2 are apart: 32, 32
+ * Contour pairs: 12 edges with 4.
+ * Correction: only at the end from which an edge is followed: 12. The front
+ *   hides 0-4 at 0; the other three edges to the back are followed from there.
+ * No nature changes along an edge, and none is left unsorted to save. */
+static const struct hand_count of_box[] = {
+    {"edge cull", 24},
+    {"searches", 1},
+    {"initial visibility", 6},
+    {"initial visibility", 0, "hides"},
+    {"edge intersection", 144},
+    {"edge intersection", 4 + 4 + 32 + 12 + 32, "boxes apart"},
+    {"edge intersection", 12 + 12 + 4 + 32, "share a vertex"},
+    {"contour pairs", 48},
+    {"crossings", 0},
+    {"pierced faces", 0},
+    {"correction", 12},
+    {"correction", 1, "hides"},
+    {"faces apart", 0},
+    {"promoted", 7},
+    {"hiding", 4},
+    {"nature changes", 0},
+    {"sort along edge", 0},
+    {"sorts to save", 0},
+    {"intervals drawn", 12},
+    {NULL}};
+
+int main(void) {
+  struct tap tap = plan(3);
+  ok(&tap, hand_check("galimberti", bar, 2, of_bar),
+     "a bar before a rectangle");
+  ok(&tap, hand_check("galimberti", corner, 2, of_corner),
+     "a rectangle before a corner");
+  ok(&tap, hand_check("galimberti", box, 1, of_box), "a box");
+  return finish(&tap);
+}

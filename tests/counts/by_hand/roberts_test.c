@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Roberts' counts, derived by hand from Sutherland et al. 1974, "L. G. Roberts
+ * (1963)". */
+#include "tests/counts/by_hand/lines.h"
+
+/* Back-edge cull: 8 edges, each a side of one face. Clipping cull: all 8 are in
+ * the picture.
+ * Bodies apart: F and N are open: a volume without thickness each.
+ * Minimax tests, of the body and, unless it is out of the way, of its volume:
+ *   F's edges with F: 2 each           8    they lie in its front plane: own
+ *   F upper and lower with N: 2 each   4
+ *   F left and right with N: 1 each    2    out of the way: rejected
+ *   N's edges with F: 1 each           4    F is farther: rejected
+ *   N's edges with N: 2 each           8    own
+ * Edge/volume tests: F upper and lower with N. Each leaves two pieces.
+ * Fragments: 8 edges, and 2 pieces that are put by.
+ * Conditions: of each test the 4 edges of N and its plane: something is left at
+ *   each.
+ * Intervals: F upper and lower 3 each, the 6 others 1 each. */
+static const struct hand_count of_bar[] = {
+    {"back-edge cull", 8},
+    {"back-edge cull", 8, "exists"},
+    {"clipping cull", 8},
+    {"clipping cull", 8, "inside"},
+    {"minimax", 26},
+    {"minimax", 4 + 2 + 4, "body in the way"},
+    {"minimax", 2 + 4, "body out of the way"},
+    {"minimax", 4 + 2 + 4, "volume in the way"},
+    {"minimax", 0, "volume out of the way"},
+    {"collections rejected", 6},
+    {"volumes rejected", 0},
+    {"own volumes", 8},
+    {"edge/volume test", 2},
+    {"edge/volume test", 2, "two pieces left"},
+    {"hidden whole", 0},
+    {"untouched", 0},
+    {"one piece left", 0},
+    {"two pieces left", 2},
+    {"fragments", 10},
+    {"conditions", 10},
+    {"conditions", 8, "contour: some left"},
+    {"conditions", 2, "plane: some left"},
+    {"faces apart", 0},
+    {"bodies apart", 2},
+    {"intervals drawn", 12},
+    {NULL}};
+
+/* As above, but: F left comes to N's volume too, F right does not. F upper and
+ * lower leave one piece each, F left is hidden whole. */
+static const struct hand_count of_corner[] = {{"back-edge cull", 8},
+                                              {"clipping cull", 8},
+                                              {"minimax", 8 + 6 + 1 + 4 + 8},
+                                              {"collections rejected", 5},
+                                              {"volumes rejected", 0},
+                                              {"own volumes", 8},
+                                              {"edge/volume test", 3},
+                                              {"hidden whole", 1},
+                                              {"untouched", 0},
+                                              {"one piece left", 2},
+                                              {"two pieces left", 0},
+                                              {"fragments", 8},
+                                              {"conditions", 15},
+                                              {"faces apart", 0},
+                                              {"bodies apart", 2},
+                                              {"intervals drawn", 10},
+                                              {NULL}};
+
+/* A triangle, near, whose box overlaps the lower left corner of F: the corner
+ * is above its long side. */
+static const struct hand_object beside[] = {
+    HAND_RECTANGLE(4, 1, 10, 4, 8),
+    {3, 1, {{1, 3, 4}, {5, 7, 4}, {1, 7, 4}}, {{3, {0, 1, 2}}}}};
+
+/* Minimax: F's edges with F 8; F left and lower with the triangle 2 each, F
+ *   upper and right 1 each; the triangle's edges with F 1 each, with itself 2.
+ * Edge/volume tests: F left and lower: untouched.
+ * Conditions: a face's edges begin with that to its first vertex. So the edge
+ *   x = 1 comes first, which leaves all, and then the long side, which leaves
+ *   nothing. */
+static const struct hand_count of_beside[] = {
+    {"back-edge cull", 7},
+    {"clipping cull", 7},
+    {"minimax", 8 + 4 + 2 + 3 + 6},
+    {"collections rejected", 2 + 3},
+    {"volumes rejected", 0},
+    {"own volumes", 7},
+    {"edge/volume test", 2},
+    {"hidden whole", 0},
+    {"untouched", 2},
+    {"one piece left", 0},
+    {"two pieces left", 0},
+    {"fragments", 7},
+    {"conditions", 4},
+    {"conditions", 2, "contour: nothing left"},
+    {"conditions", 2, "contour: some left"},
+    {"faces apart", 0},
+    {"bodies apart", 2},
+    {"intervals drawn", 7},
+    {NULL}};
+
+/* One convex solid, 12 edges, each a side of two faces.
+ * Minimax: 2 for each edge. The front is the only front plane: its 4 edges are
+ *   in it. The 8 others are hidden whole, after the 4 conditions of the
+ *   contour, which is the front's rim, and that of the front plane. */
+static const struct hand_count of_box[] = {{"back-edge cull", 24},
+                                           {"clipping cull", 12},
+                                           {"minimax", 24},
+                                           {"collections rejected", 0},
+                                           {"volumes rejected", 0},
+                                           {"own volumes", 4},
+                                           {"edge/volume test", 8},
+                                           {"hidden whole", 8},
+                                           {"untouched", 0},
+                                           {"one piece left", 0},
+                                           {"two pieces left", 0},
+                                           {"fragments", 12},
+                                           {"conditions", 40},
+                                           {"faces apart", 0},
+                                           {"bodies apart", 0},
+                                           {"intervals drawn", 12},
+                                           {NULL}};
+
+int main(void) {
+  struct tap tap = plan(4);
+  ok(&tap, hand_check("roberts", bar, 2, of_bar), "a bar before a rectangle");
+  ok(&tap, hand_check("roberts", corner, 2, of_corner),
+     "a rectangle before a corner");
+  ok(&tap, hand_check("roberts", beside, 2, of_beside),
+     "a triangle beside a corner");
+  ok(&tap, hand_check("roberts", box, 1, of_box), "a box");
+  return finish(&tap);
+}
