@@ -46,14 +46,12 @@ static const struct hsr_counter counters[] = {
 static const struct hsr_line outline[] = {
     HSR_LIST_OUTLINE(0, ""),
     {"  give P the next priority number"},
-#ifdef HSR_SPAN_LINES
     HSR_SPAN_LINES(SCAN, "",
                    {"    search the segments inside for the greatest priority "
                     "number",
                     HSR_RAISES(SCAN + PRIORITY_SEARCH)},
                    {"      of thick faces: compare their depths",
                     HSR_RAISES(SCAN + THICKNESS)}),
-#endif
     {NULL}};
 
 static const struct hsr_step steps[] = {
