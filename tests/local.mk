@@ -47,6 +47,7 @@ tap_programs = \
   %D%/properties/hierarchical/boxes_test \
   %D%/properties/surfaces/combinations_test \
   %D%/properties/lines/edges_test \
+  %D%/properties/lines/line_outcomes_test \
   %D%/properties/hierarchical/hzbuffer_options_test \
   %D%/properties/hierarchical/movers_test \
   %D%/properties/hierarchical/hzbuffer_test \
@@ -56,6 +57,7 @@ tap_programs = \
   %D%/properties/metamorphic_test \
   %D%/properties/surfaces/newell_test \
   %D%/properties/lines/roberts_test \
+  %D%/properties/surfaces/list_outcomes_test \
   %D%/properties/surfaces/outcomes_test \
   %D%/properties/surfaces/romney_test \
   %D%/properties/surfaces/scan_line_test \
