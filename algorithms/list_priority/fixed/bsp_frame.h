@@ -38,7 +38,7 @@ enum { HSR_BSP_PIECES, HSR_BSP_SAMPLES, HSR_BSP_THICKNESS, HSR_BSP_N_COUNTERS };
       HSR_OF_FACE,                                                             \
       "farther|nearer"}
 
-/* The descriptor's. */
+/* `prepare` and `release` of these algorithms. */
 enum hsr_status HSR_OF_BUILD(hsr_bsp_prepare)(const struct hsr_world *world,
                                               const long *option,
                                               void **prepared,
@@ -52,7 +52,7 @@ struct hsr_bsp_frame {
   struct hsr_bsp_waiting *waiting;
   bool *placed;             /* by face: in the picture, and not loose */
   uint32_t *loose, n_loose; /* in the picture */
-  int *columns;             /* room for a face's */
+  int *columns;             /* room for the columns of a face */
   uint32_t most_corners;    /* of a piece */
 
   /* Of the piece at hand. */
@@ -60,7 +60,7 @@ struct hsr_bsp_frame {
   struct hsr_cut *cut;
 };
 
-/* Makes ready for a job, whose picture is cleared. HSR_E_NOMEM. */
+/* Makes a frame ready for a job, and clears the picture. HSR_E_NOMEM. */
 enum hsr_status HSR_OF_BUILD(hsr_bsp_frame_begin)(struct hsr_bsp_frame *frame,
                                                   const struct hsr_job *job);
 

@@ -103,7 +103,7 @@ static void walk_tree(const struct hsr_bsp_walk *walk, uint32_t root) {
 
 /* --- Cubes ---------------------------------------------------------------- */
 
-/* As deep as the octree: at most 20 levels (common/trees/bsp.cc). */
+/* Recurses as deep as the octree: at most 20 levels (common/trees/bsp.cc). */
 static void walk_cube(const struct hsr_bsp_walk *walk,
                       const struct hsr_bsp_cube *cube) {
   unsigned nearest = 0;

@@ -44,7 +44,7 @@ struct hsr_bsp_walk {
   struct hsr_bsp_waiting *waiting; /* room for hsr_bsp_most_waiting */
 
   void *context;
-  /* Whether to enter a cube, which holds something; NULL: always. */
+  /* Whether to enter a cube, which is not empty; NULL: always. */
   bool (*enter)(void *context, const struct hsr_bsp_cube *cube);
   /* A piece; facing: +1 if the eye is in front of its face, -1 behind. */
   void (*piece)(void *context, const struct hsr_bsp_piece *piece, int facing);
@@ -56,11 +56,11 @@ static inline size_t hsr_bsp_most_waiting(uint32_t most_depth) {
   return 2 * (size_t)most_depth + 1;
 }
 
-/* From a cube. */
+/* Walks from a cube on. */
 void HSR_OF_BUILD(hsr_bsp_walk_cube)(const struct hsr_bsp_walk *walk,
                                      uint32_t cube);
 
-/* From the root. */
+/* Walks from the root on. */
 void HSR_OF_BUILD(hsr_bsp_walk)(const struct hsr_bsp_walk *walk);
 
 #ifdef __cplusplus

@@ -167,7 +167,7 @@ struct schumacker {
   const struct hsr_window *window;
   struct hsr_screen screen;
 
-  struct listed *list; /* by priority; then the thick faces, by nothing */
+  struct listed *list; /* by priority; then the thick faces, in no order */
   uint32_t n_list, n_thick;
   struct edge *edge;
   size_t n_edges; /* of all listed faces */
@@ -346,8 +346,8 @@ static uint32_t search_pairs(struct schumacker *s, uint32_t begin, uint32_t end,
   return first;
 }
 
-/* The visible one of a face, or of none, and the thick ones at (i, j), of which
- * the first is pair k. */
+/* The face that is visible at (i, j): the given one, or the background, or a
+ * thick face. Pair k is the first of those that are there. */
 static uint32_t search_thick(struct schumacker *s, uint32_t visible, uint32_t k,
                              int i, int j) {
   for (; k < s->n_pairs; k++) {

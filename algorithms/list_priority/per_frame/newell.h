@@ -39,8 +39,8 @@ enum hsr_status hsr_newell_reserve(struct hsr_newell *newell,
                                    struct hsr_previous *previous,
                                    size_t most_faces);
 
-/* A window, which lies within the view's, and of whose samples no face covers
- * one but these n. If memory runs out, list.out_of_memory is set. */
+/* Solves a window, which lies within the view's. No face covers any of its
+ * samples but these n. If memory runs out, list.out_of_memory is set. */
 void hsr_newell_solve(struct hsr_newell *newell,
                       const struct hsr_window *window, const uint32_t *faces,
                       uint32_t n);

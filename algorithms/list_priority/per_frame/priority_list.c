@@ -33,7 +33,7 @@ static struct hsr_subject subject(const struct hsr_priority_list *s,
 
 /* --- Z sort --------------------------------------------------------------- */
 
-/* Samples of the bounds that are in the window. */
+/* The part of the bounds that is in the window. */
 static struct hsr_bounds clip_bounds(struct hsr_bounds b,
                                      const struct hsr_window *w) {
   return (struct hsr_bounds){
@@ -65,7 +65,8 @@ static uint32_t add_piece(struct hsr_priority_list *s, struct piece piece) {
   return p;
 }
 
-/* The bucket of a depth: greater, nearer; it never decreases as depth does. */
+/* The bucket of a depth. It never decreases as the depth decreases: a greater
+ * bucket is nearer. */
 static uint32_t bucket_of(const struct hsr_priority_list *s, double depth) {
   double q = depth > 0 ? 1 / depth : INFINITY;
   double bucket = q * s->buckets_per_q;
@@ -73,7 +74,8 @@ static uint32_t bucket_of(const struct hsr_priority_list *s, double depth) {
   return (uint32_t)(bucket < most ? bucket : most);
 }
 
-/* Buckets evenly over 1/depth, up to that of the nearest farthest vertex. */
+/* Divides 1/depth evenly into buckets, up to the greatest 1/depth of a farthest
+ * vertex. */
 static void choose_buckets(struct hsr_priority_list *s) {
   double q_max = 0;
   for (uint32_t p = 0; p < s->pieces.n; p++)

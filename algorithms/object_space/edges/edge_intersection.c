@@ -256,8 +256,8 @@ static enum hsr_status add_interval(struct hsr_network *network, uint32_t e,
                               visible_only ? count > 0 : (uint32_t)count);
 }
 
-/* Draws what of the edge is in the picture; `count` is its invisibility before
- * the first event. */
+/* Draws the part of the edge that is in the picture. `count` is its
+ * invisibility before the first event. */
 static enum hsr_status draw_part(struct hsr_network *network, uint32_t e,
                                  int64_t count, bool visible_only) {
   const struct hsr_edge_part *part = &network->part[e];
@@ -428,7 +428,7 @@ static enum hsr_status draw_cluster(struct hsr_network *network,
   network->known[p] = true;
   if (promotion->search(promotion->context, network, p))
     return HSR_E_NOMEM;
-  if (edges->name[e].implied) { /* on its own: no other edge ends there */
+  if (edges->name[e].implied) { /* alone: no other edge ends there */
     network->drawn[e] = true;
     network->events.n = 0;
     if (promotion->follow(promotion->context, network, e, p))

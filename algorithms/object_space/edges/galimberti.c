@@ -36,7 +36,8 @@ enum { OF_CONTOUR = HSR_N_NETWORK_COUNTERS, CHANGED };
 
 /* How a face stands to the current edge. */
 struct member {
-  int times;   /* entered more often than left: 0 or 1, if not in between */
+  int times;   /* how often entered, less how often left: 0 or 1, except
+                between events at one place */
   bool listed; /* in touched[] */
   bool apart;  /* one whose plane holds the edge: does not hide it */
 };
@@ -253,7 +254,7 @@ static enum hsr_status move_along(struct state *s, struct hsr_network *network,
       pass(s, network, &event[k++], 1);
     while (k < n && hsr_sight_compare(sight, e, &event[first], &event[k]) == 0);
     if (s->n_hiding == n_hiding)
-      continue; /* hidden by others, but by as many */
+      continue; /* other faces hide it, but as many */
     if (hsr_network_interval(network, e, t, event[first].t, n_hiding))
       return HSR_E_NOMEM;
     t = event[first].t > t ? event[first].t : t;

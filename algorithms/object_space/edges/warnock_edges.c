@@ -71,16 +71,16 @@ struct sweep {
 
   /* The edges whose images are known: as they enter, and as they leave. */
   uint32_t *entering, *leaving, n;
-  double *top, *bottom; /* an edge */
+  double *top, *bottom; /* by edge */
 
   struct active *list;
   uint32_t n_active;
-  double *enters_at; /* an edge: left when it enters */
+  double *enters_at; /* by edge: left when it enters */
 
   struct hsr_growing noted; /* of struct note */
-  size_t *start;            /* an edge: where its own begin in */
+  size_t *start;            /* by edge: where its own begin in */
   uint32_t *c;              /* the contour edges noted */
-  uint32_t *tried;          /* an edge: the last e that it was tried with */
+  uint32_t *tried;          /* by edge: the last e that it was tried with */
 
   uint32_t *unplaced, n_unplaced; /* contour edges whose images are not known */
 };
@@ -115,12 +115,13 @@ static void sort_bucket(const double *key, uint32_t *item, uint32_t n) {
   }
 }
 
-/* The bucket of y: a row each, and one for all above, one for all below. */
+/* The bucket of y. There is one for each row, one for all above the picture and
+ * one for all below. */
 static uint32_t bucket_of(const struct hsr_view *view, double y) {
   return y < 0 ? 0 : y >= view->n ? (uint32_t)view->n + 1 : (uint32_t)y + 1;
 }
 
-/* Sorts the n items by key, which is an edge's. HSR_E_NOMEM. */
+/* Sorts the n edges by their keys. HSR_E_NOMEM. */
 static enum hsr_status sort_by_y(const struct sweep *s, const double *key,
                                  uint32_t *item) {
   const struct hsr_job *job = s->network->job;
@@ -268,7 +269,8 @@ static void merge(struct sweep *s, uint32_t *edge, uint32_t n, double y) {
   }
 }
 
-/* Notes what has come to cover places in common. False if memory ran out. */
+/* Notes the pairs whose covers have a place in common for the first time. False
+ * if memory ran out. */
 static bool compare_covers(struct sweep *s) {
   for (uint32_t k = 0; k < s->n_active; k++) {
     const struct active *edge = &s->list[k];
@@ -295,8 +297,8 @@ static void retire(struct sweep *s, double y) {
   s->n_active = n;
 }
 
-/* Down the screen, from one Y where edges enter or leave to the next. False if
- * memory ran out. */
+/* Moves down the screen, from one Y where edges enter or leave to the next.
+ * False if memory ran out. */
 static bool sweep_down(struct sweep *s) {
   uint32_t in = 0, out = 0;
   while (out < s->n) {
@@ -401,7 +403,8 @@ static enum hsr_status allocate(struct sweep *s) {
              : HSR_E_NOMEM;
 }
 
-/* The relevant and contour edges: those to sort, and those that cannot be. */
+/* Chooses the relevant and contour edges: those to sort, and those whose images
+ * are not known. */
 static void choose_edges(struct sweep *s) {
   const struct hsr_network *network = s->network;
   for (uint32_t e = 0; e < network->edges->n; e++) {

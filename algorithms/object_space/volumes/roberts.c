@@ -282,7 +282,7 @@ static bool add_body(struct frame *frame, uint32_t b) {
   return true;
 }
 
-/* Whether nothing of face f is ahead: it is flat, and no corner of it is. */
+/* Whether face f is not ahead: it is flat, and none of its corners is ahead. */
 static bool is_behind(const struct frame *frame, uint32_t f) {
   const struct hsr_world *world = frame->edges->world;
   bool is_ahead = world->deviation[f] > 0;
