@@ -199,6 +199,7 @@ EXTRA_DIST += \
   %D%/mutants/run \
   %D%/mutants/core.mutants \
   %D%/mutants/image_space.mutants \
+  %D%/mutants/lines_and_lists.mutants \
   %D%/counts/golden \
   %D%/counts/rewrite \
   %D%/README.md \
