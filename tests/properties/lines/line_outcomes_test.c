@@ -3,13 +3,13 @@
  * subjects is asked anew of common/lines.
  *
  * Side         face b is one that edge a bounds
- * Corner       face b has a corner at an end of edge a, and is none of its faces
+ * Corner       face b has a corner at an end of edge a, and is not one of its
+ *              faces
  * End          vertex b, or a, is an end of the edge
  * Related      edges a and b cross in the picture, or share a vertex, as the
  *              outcome says; and b is nearer there, or farther
  * Hides        face b hides vertex a, or does not */
-#include "tests/draw.h"
-#include "tests/tap.h"
+#include "tests/counts/by_hand/objects.h"
 
 #include "algorithms/object_space/edges/edge_intersection.h"
 
@@ -199,8 +199,38 @@ static void watch_scene(struct watch *w, const char *name) {
   close_worlds(&worlds);
 }
 
+/* --- Edges whose images are not known ------------------------------------- */
+
+/* The left ends of N are so far away that its long edges have no coordinates:
+ * warnock-edges cannot sort them. Its upper edge crosses those of F. */
+static const struct hand_object far_away[] = {
+    HAND_RECTANGLE(2, 2, 10, 6, 8), HAND_RECTANGLE(-1e6, 4, 12, 7, 4)};
+
+static void draw_far_away(const char *name, const struct hand_picture *p,
+                          struct hsr_drawing *drawing) {
+  const struct hsr_algorithm *a = hsr_algorithm_find(name)->counting;
+  *drawing = (struct hsr_drawing){.n = 0};
+  draw_lines(a, &p->world, &p->view, drawing, NULL);
+}
+
+static void check_far_away(struct tap *tap) {
+  struct hand_picture p;
+  struct hsr_drawing got, wanted;
+  struct hsr_drawing_difference found;
+  hand_open(&p, far_away, 2);
+  draw_far_away("appel", &p, &wanted);
+  draw_far_away("warnock-edges", &p, &got);
+  hsr_drawing_compare(&got, &wanted, false, &found);
+  ok(tap, found.edges == 7 && !found.differing,
+     "warnock-edges: edges without coordinates, as appel draws them");
+  hsr_drawing_free(&got);
+  hsr_drawing_free(&wanted);
+  hand_close(&p);
+}
+
 int main(void) {
-  struct tap tap = plan(N_RULES);
+  struct tap tap = plan(N_RULES + 1);
+  check_far_away(&tap);
   for (int r = 0; r < N_RULES; r++) {
     struct watch w = {.rule = &rules[r], .counter = counter_of(&rules[r])};
     for (int s = 0; s < N_SCENES; s++)
