@@ -257,9 +257,10 @@ static void check_loose(struct tap *tap, const char *name) {
 }
 
 int main(void) {
-  struct tap tap = plan(N_RULES + 2);
+  struct tap tap = plan(N_RULES + 3);
   check_loose(&tap, "schumacker");
   check_loose(&tap, "schumacker-newell");
+  check_loose(&tap, "bsp-painter");
   for (int r = 0; r < N_RULES; r++) {
     struct watch w = {.rule = &rules[r], .counter = counter_of(&rules[r])};
     for (int s = 0; s < N_SCENES; s++)
