@@ -66,7 +66,7 @@ static json_t *event_json(const struct tracer *tracer,
 
 static void show_progress(struct tracer *tracer) {
   double now = seconds_now();
-  if (!tracer->shown)
+  if (tracer->shown <= 0)
     tracer->shown = now;
   if (now - tracer->shown < 0.5)
     return;
@@ -198,7 +198,7 @@ static json_t *end_json(const struct tracer *tracer,
 
 enum hsr_status tracer_end(struct tracer *tracer, const struct hsr_tally *tally,
                            struct hsr_error *err) {
-  if (tracer->shown)
+  if (tracer->shown > 0)
     fprintf(stderr, "\r\033[K");
   if (tracer->output->status) /* which closing tells */
     return HSR_OK;

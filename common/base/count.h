@@ -208,17 +208,11 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
  * all at once: each by its share.
  * HSR_COUNT_DEPTHS(tally, n): n more comparisons of two faces' depths. */
 #if HSR_COUNTING
-#define HSR_ACCEPTED(tally, counter_, a, b, window, part)                      \
+#define HSR_TOLD(tally, counter_, a, b, window, outcome, part)                 \
   do {                                                                         \
     (tally)->count[(tally)->first + (counter_)]++;                             \
     if ((tally)->trace)                                                        \
-      hsr_tally_tell(tally, counter_, a, b, window, 0, part);                  \
-  } while (0)
-#define HSR_STEP(tally, counter_, a, b, window, outcome)                       \
-  do {                                                                         \
-    (tally)->count[(tally)->first + (counter_)]++;                             \
-    if ((tally)->trace)                                                        \
-      hsr_tally_tell(tally, counter_, a, b, window, outcome, NULL);            \
+      hsr_tally_tell(tally, counter_, a, b, window, (int)(outcome), part);     \
   } while (0)
 #define HSR_COMPUTED(tally, counter, n)                                        \
   ((void)((tally)->count[(tally)->first + (counter)] += (uint64_t)(n)))
@@ -236,13 +230,12 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
 #define HSR_COUNT_DEPTHS(tally, n)                                             \
   ((void)((tally)->depths_compared += (uint64_t)(n)))
 #else
-/* sizeof: looked at by the compiler, not evaluated. */
-#define HSR_ACCEPTED(tally, counter, a, b, window, part)                       \
-  ((void)sizeof((tally) + (counter)), (void)sizeof(a), (void)sizeof(b),        \
-   (void)sizeof(window), (void)sizeof(part))
-#define HSR_STEP(tally, counter, a, b, window, outcome)                        \
-  ((void)sizeof((tally) + (counter) + (outcome)), (void)sizeof(a),             \
-   (void)sizeof(b), (void)sizeof(window))
+/* Seen by the compiler, and left out by it. */
+#define HSR_TOLD(tally, counter, a, b, window, outcome, part)                  \
+  do {                                                                         \
+    if (0)                                                                     \
+      hsr_tally_tell(tally, counter, a, b, window, (int)(outcome), part);      \
+  } while (0)
 #define HSR_COMPUTED(tally, counter, n)                                        \
   ((void)sizeof((tally) + (counter) + (n)))
 #define HSR_TOUCH(tally, i, j) ((void)sizeof((tally) + (i) + (j)))
@@ -250,6 +243,10 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
   ((void)sizeof((tally) + (x0_) + (x1_) + (j_)))
 #define HSR_COUNT_DEPTHS(tally, n) ((void)sizeof((tally) + (n)))
 #endif
+#define HSR_STEP(tally, counter, a, b, window, outcome)                        \
+  HSR_TOLD(tally, counter, a, b, window, outcome, NULL)
+#define HSR_ACCEPTED(tally, counter, a, b, window, part)                       \
+  HSR_TOLD(tally, counter, a, b, window, 0, part)
 
 #ifdef __cplusplus
 }

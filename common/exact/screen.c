@@ -126,12 +126,11 @@ static double safe_cosine(const struct hsr_view *view) {
   return 8 * U * (max(x, y) + HSR_GUARD * w) * (4 / HSR_DELTA);
 }
 
-HSR_VECTOR static void transform(size_t n, const double *restrict x,
-                                 const double *restrict y,
-                                 const double *restrict z, const double E[3],
-                                 const double M[3][3], double kappa,
-                                 double *restrict sx, double *restrict sy,
-                                 double *restrict q) {
+HSR_VECTOR static void
+transform_points(size_t n, const double *restrict x, const double *restrict y,
+                 const double *restrict z, const double E[3],
+                 const double M[3][3], double kappa, double *restrict sx,
+                 double *restrict sy, double *restrict q) {
   const double e0 = E[0], e1 = E[1], e2 = E[2];
   const double m00 = M[0][0], m01 = M[0][1], m02 = M[0][2];
   const double m10 = M[1][0], m11 = M[1][1], m12 = M[1][2];
@@ -156,8 +155,9 @@ HSR_VECTOR static void transform(size_t n, const double *restrict x,
 void hsr_screen_vertices(struct hsr_screen *screen) {
   const struct hsr_world *world = screen->world;
   const struct hsr_view *view = screen->view;
-  transform(world->n_vertices, world->x, world->y, world->z, view->E,
-            view->screen, safe_cosine(view), screen->sx, screen->sy, screen->q);
+  transform_points(world->n_vertices, world->x, world->y, world->z, view->E,
+                   view->screen, safe_cosine(view), screen->sx, screen->sy,
+                   screen->q);
 }
 
 /* What all faces of a view share: see hsr_screen and the proof above. */
