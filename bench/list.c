@@ -15,6 +15,7 @@ struct taxonomy taxonomy(enum hsr_branch branch) {
       [HSR_IMAGE_SPACE_AREA] = {"image space", "area sampling"},
       [HSR_IMAGE_SPACE_POINT] = {"image space", "point sampling"},
       [HSR_BRUTE_FORCE] = {"brute force", NULL},
+      [HSR_HIERARCHICAL] = {"hierarchical", NULL},
       [HSR_YARDSTICK] = {"yardstick", NULL}};
   return place[branch];
 }

@@ -186,7 +186,7 @@ const struct hsr_algorithm HSR_ALGORITHM(clark) = {
     .year = 1976,
     .source = "Clark, Communications of the ACM 19(10), 1976; Garlick, Baum "
               "and Winget, SIGGRAPH course notes, 1990",
-    .taxonomy = HSR_BRUTE_FORCE,
+    .taxonomy = HSR_HIERARCHICAL,
     .sort_order = "Z(XY)",
     .coherence = "of objects, in space",
     .kind = HSR_IDS,

@@ -908,7 +908,7 @@ const struct hsr_algorithm HSR_ALGORITHM(hzbuffer) = {
     .year = 1993,
     .source = "Greene, Kass and Miller, SIGGRAPH 1993; Greene, PhD thesis, UC "
               "Santa Cruz, 1995, chapter 3",
-    .taxonomy = HSR_BRUTE_FORCE,
+    .taxonomy = HSR_HIERARCHICAL,
     .sort_order = "Z(XY)",
     .coherence = "of hidden regions, in space and on the screen",
     .kind = HSR_IDS,

@@ -295,16 +295,17 @@ static void print_figure13(void) {
   for (int b = 0; b < HSR_YARDSTICK; b++) {
     struct taxonomy place = taxonomy((enum hsr_branch)b);
     struct taxonomy next = taxonomy((enum hsr_branch)(b + 1));
-    bool last_class = b >= HSR_BRUTE_FORCE;
+    bool last_class = b + 1 == HSR_YARDSTICK;
     if (strcmp(class, place.class))
       printf("%s-- %s\n", last_class ? "`" : "|", place.class);
     class = place.class;
     bool last = strcmp(next.class, place.class) != 0;
     if (place.branch)
       printf("|   %s-- %s\n", last ? "`" : "|", place.branch);
-    print_branch((enum hsr_branch)b, last_class ? "    "
-                                     : last     ? "|       "
-                                                : "|   |   ");
+    print_branch((enum hsr_branch)b, last_class      ? "    "
+                                     : !place.branch ? "|   "
+                                     : last          ? "|       "
+                                                     : "|   |   ");
   }
 }
 

@@ -6,7 +6,7 @@ import { href } from "./address.js";
 import { key } from "./looks.js";
 import { PEER, unique } from "./model.js";
 
-const APART = ["brute force", "yardstick", PEER];
+const APART = ["brute force", "hierarchical", "yardstick", PEER];
 
 export function tree(report) {
   const branches = branchesOf(report);
@@ -52,7 +52,8 @@ function branchesOf(report) {
   return branches;
 }
 
-// Brute force, yardsticks and peers, which have no place in the tree.
+// Brute force, hierarchies, yardsticks and peers, which have no place in the
+// tree.
 export function apart(report) {
   const groups = unique(report.algorithms.map((a) => a.taxonomy))
     .filter((name) => APART.includes(name));
