@@ -153,6 +153,11 @@ struct node {
   struct hsr_box box;
 };
 
+/* Lower and upper end of a box in one coordinate. */
+struct key {
+  double lo, hi;
+};
+
 struct frame {
   const struct hsr_job *job;
   const struct prepared *prepared;
@@ -164,6 +169,10 @@ struct frame {
   struct hsr_clip clip;
 
   struct body still, *mover, merged;
+  struct hsr_growing stack;    /* struct node: of the regions at hand */
+  struct hsr_growing gathered; /* uint32_t: the faces of the last merge */
+  struct key *key;             /* room for `most_keys` */
+  size_t most_keys;
 
   /* The tree at hand. */
   struct body *body;
@@ -355,7 +364,6 @@ static void tile_tree(struct frame *f, struct body *body, uint32_t cube,
 struct gathering {
   struct frame *frame;
   const struct hsr_region *region;
-  struct hsr_growing id; /* uint32_t */
 };
 
 static void add_vertex(struct hsr_box *box, const struct hsr_object *object,
@@ -385,11 +393,11 @@ static void gather_face(struct gathering *g, uint32_t id) {
   struct hsr_box box = box_of_face(g->frame->job->world, id);
   if (!hsr_region_clip(g->region, &box))
     return;
-  if (!hsr_arena_grow(g->frame->job->scratch, &g->id, sizeof id)) {
+  struct hsr_growing *ids = &g->frame->gathered;
+  if (hsr_arena_grow(g->frame->job->scratch, ids, sizeof id))
+    ((uint32_t *)ids->items)[ids->n - 1] = id;
+  else
     fail(g->frame, HSR_E_NOMEM);
-    return;
-  }
-  ((uint32_t *)g->id.items)[g->id.n - 1] = id;
 }
 
 static void gather_tree(struct gathering *g, const struct hsr_bsp *tree,
@@ -434,12 +442,13 @@ static void tile_alone(struct frame *f, const struct hsr_region *region,
  * not of one of them alone. */
 static void merge(struct frame *f, const struct hsr_region *region,
                   const struct node *node, size_t n) {
-  struct gathering g = {f, region, {NULL, 0, 0}};
+  struct gathering g = {f, region};
   size_t some = 0, last = 0;
+  f->gathered.n = 0;
   for (size_t k = 0; k < n; k++) {
-    size_t before = g.id.n;
+    size_t before = f->gathered.n;
     gather_node(&g, &node[k]);
-    if (g.id.n > before) {
+    if (f->gathered.n > before) {
       some++;
       last = k;
     }
@@ -450,23 +459,19 @@ static void merge(struct frame *f, const struct hsr_region *region,
     tile_alone(f, region, &node[last]);
     return;
   }
-  uint32_t faces = sort_ids(g.id.items, g.id.n);
+  uint32_t *id = f->gathered.items;
+  uint32_t faces = sort_ids(id, f->gathered.n);
   HSR_STEP(f->job->tally, MERGES, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
   for (uint32_t k = 0; HSR_COUNTING && k < faces; k++)
-    HSR_STEP(f->job->tally, MERGED_FACES,
-             HSR_FACE(((const uint32_t *)g.id.items)[k]), HSR_NOTHING,
+    HSR_STEP(f->job->tally, MERGED_FACES, HSR_FACE(id[k]), HSR_NOTHING,
              HSR_NOWHERE, 0);
   f->merged = (struct body){.instance = HSR_NO_ID};
-  make_tree(f, &f->merged, g.id.items, faces, 0);
+  make_tree(f, &f->merged, id, faces, 0);
   tile_tree(f, &f->merged, 0, region);
   free_own(&f->merged);
 }
 
 /* --- Regions, from front to back ------------------------------------------ */
-
-struct key {
-  double lo, hi;
-};
 
 static int compare_keys(const void *a, const void *b) {
   double k = ((const struct key *)a)->lo, l = ((const struct key *)b)->lo;
@@ -495,12 +500,17 @@ static size_t find_plane_across(const struct node *node, size_t n, int axis,
 
 static bool find_plane(struct frame *f, const struct node *node, size_t n,
                        int *axis, double *at) {
-  struct key *key = HSR_NEW(f->job->scratch, struct key, n);
   size_t most = 0;
-  if (!key)
+  if (n > f->most_keys) {
+    f->most_keys = 2 * n;
+    f->key = HSR_NEW(f->job->scratch, struct key, f->most_keys);
+  }
+  if (!f->key) {
     fail(f, HSR_E_NOMEM);
-  for (int k = 0; k < 3 && key; k++) {
-    size_t lesser = find_plane_across(node, n, k, most, key, at);
+    return false;
+  }
+  for (int k = 0; k < 3; k++) {
+    size_t lesser = find_plane_across(node, n, k, most, f->key, at);
     if (lesser > most) {
       most = lesser;
       *axis = k;
@@ -613,30 +623,35 @@ static bool is_visible_in(struct frame *f, const struct hsr_region *region,
   return is_visible(f, region, node->box);
 }
 
-/* The nodes that may be seen in a region, their boxes clipped to it. */
+/* Puts the nodes that may be seen in a region on the stack, their boxes clipped
+ * to it. Where they are stays good when the stack grows: what it grew out of
+ * stays where it was. */
 static size_t look_at(struct frame *f, const struct hsr_region *region,
                       const struct node *all, size_t n_all,
                       struct node **node) {
-  size_t n = 0, touching = 0;
-  for (size_t k = 0; k < n_all; k++) {
-    struct hsr_box box = all[k].box;
-    touching += hsr_region_clip(region, &box);
-  }
-  *node = HSR_NEW(f->job->scratch, struct node, touching);
-  if (!*node)
-    fail(f, HSR_E_NOMEM);
-  for (size_t k = 0; k < n_all && !f->status; k++)
-    if (is_visible_in(f, region, &all[k])) {
-      (*node)[n] = all[k];
-      hsr_region_clip(region, &(*node)[n++].box);
+  size_t first = f->stack.n;
+  for (size_t k = 0; k < n_all && !f->status; k++) {
+    if (!is_visible_in(f, region, &all[k]))
+      continue;
+    if (!hsr_arena_grow(f->job->scratch, &f->stack, sizeof **node)) {
+      fail(f, HSR_E_NOMEM);
+      break;
     }
-  return f->status ? 0 : n;
+    struct node *put = (struct node *)f->stack.items + f->stack.n - 1;
+    *put = all[k];
+    hsr_region_clip(region, &put->box);
+  }
+  if (f->status || f->stack.n == first)
+    return 0;
+  *node = (struct node *)f->stack.items + first;
+  return f->stack.n - first;
 }
 
 /* All that the nodes have in a region. */
 static void tile_region(struct frame *f, const struct hsr_region *region,
                         const struct node *all, size_t n_all) {
-  struct node *node;
+  struct node *node = NULL;
+  size_t first = f->stack.n;
   size_t n = look_at(f, region, all, n_all, &node), openable = n;
   int axis = 0;
   double at = 0;
@@ -657,6 +672,7 @@ static void tile_region(struct frame *f, const struct hsr_region *region,
     open_node(f, region, node, n, openable);
   else
     merge(f, region, node, n);
+  f->stack.n = first;
 }
 
 /* --- The picture ---------------------------------------------------------- */
