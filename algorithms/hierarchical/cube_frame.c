@@ -4,8 +4,9 @@
  *             (its root cube is as long as its longest side); |.| by entries.
  *
  * Error. What a cube holds lies, in the world, within 16 u (|M| r + |m|) of the
- * cube as an exact transformation has it (algorithms/hierarchical/cubes.c). grow is 2^-45 (|M| r
- * + |m|), which holds that and the rounding of the transformed box, by far.
+ * cube as an exact transformation has it (algorithms/hierarchical/cubes.c).
+ * grow is 2^-45 (|M| r + |m|), which holds that and the rounding of the
+ * transformed box, by far.
  *
  * In (w sx, w sy, w), rows = S M and origin = S (m - E) carry a few roundings,
  * S itself 2u; a corner's sums a few more: all is within e = 2^-44 |S| (|M| r +

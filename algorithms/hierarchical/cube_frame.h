@@ -4,13 +4,14 @@
  *
  * Source      N. Greene, PhD thesis, UC Santa Cruz, 1995, 3.3.1, 3.5 and
  *             appendix A.
- * Placing     how an instance takes its object to the world and to the screen;
- *             cubes of the instances' own octree are placed as they are.
- * Cell        of the instance at hand, one cell at a time is laid out in the
- *             world and on the screen, to be tiled.
- * Certain     a cube that is out, or has an image, is, and has, for all that it
- *             holds of faces that are not loose, rounded as they are; see
- *             cube_frame.c. */
+ * Notation    a placing is how an instance takes its object to the world and to
+ *             the screen. The cubes of the octree of instances are placed as
+ *             they are. One cell at a time is laid out, of the instance at
+ *             hand.
+ * Invariant   if a cube is outside of the frustum, then so are all faces that
+ *             it holds; if it has an image, they lie within it. That is true of
+ *             the faces as they are rounded, but not of loose ones; the proof
+ *             is in cube_frame.c. */
 #ifndef HSR_ALGORITHMS_CUBE_FRAME_H
 #define HSR_ALGORITHMS_CUBE_FRAME_H
 
@@ -96,7 +97,7 @@ void hsr_cube_instance(struct hsr_cube_frame *frame, uint32_t instance);
 
 /* Where a cube lies, as of hsr_box_classify. Each of the inequalities of
  * appendix A that decide it raises a counter, which is declared as below: the
- * last one decides that the cube is outside, if it is. `cube` is the subject. */
+ * last one decides that the cube is outside, if it is. */
 enum hsr_box_verdict hsr_cube_classify(const struct hsr_cube_frame *frame,
                                        const struct hsr_placing *placing,
                                        const struct hsr_octree_box *box,

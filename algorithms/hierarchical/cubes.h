@@ -3,14 +3,16 @@
  * of its faces; the octree of octrees of Greene's thesis, 3.5. What is known of
  * an object is kept once, however many instances it has.
  *
- * Cells       the faces of one cube are a cell: a small mesh of its own,
- * vertices and all, in plain arrays, triangles first, ready to be transformed
- * at once. Loose       a face whose vertices are not exactly on one plane, or
- * may not be in some instance, is visible where that plane is, and not just
- *             where its vertices are: it is in no cube, but laid out for
- * itself. Triangles never are loose. Invariant   whatever of a face that is not
- * loose is in the world lies within `slack` of its face in the object, as an
- * exact transformation has it, and that lies in the cubes that hold it. */
+ * Notation    the faces of one cube are a cell: a small mesh with vertices of
+ *             its own, in plain arrays, triangles first, so that all of it can
+ *             be transformed at once. A loose face is one whose vertices are
+ *             not exactly on one plane, in the object or in some instance. It
+ *             is visible where its plane is, which may be outside of the cubes
+ *             of its vertices; so it is in no cube, but laid out in the world.
+ *             Triangles are never loose.
+ * Invariant   a face that is not loose lies in the cubes that hold it, when the
+ *             instance's transformation is exact; as it is rounded, it lies
+ *             within `slack` of there. */
 #ifndef HSR_COMMON_CUBES_H
 #define HSR_COMMON_CUBES_H
 

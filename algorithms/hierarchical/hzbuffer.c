@@ -8,19 +8,19 @@
  * Notation    octree cube -> node; z-pyramid -> far[]; z -> q = 1/t, greater is
  *             nearer; primitive -> face
  * Invariants  a face that is tiled lies in a cube that is not known to be
- *             hidden, or is loose (algorithms/hierarchical/cubes.h); z-buffer and pyramid agree
- *             whenever a cube or a face is tested
+ *             hidden, or is loose (algorithms/hierarchical/cubes.h). Whenever a
+ *             cube or a face is tested, the pyramid agrees with the z-buffer.
  * Ties        a cube or a face that is as near as what hides it is not hidden;
- *             which face wins, tiler.h decides
- * Departures  a cell's faces are all tested, then all tiled, many at a time,
- *             where the paper tests and tiles one after the other. Loose faces
+ *             which face wins at a sample, tiler.h decides
+ * Departures  the faces of a cell are all tested, then all tiled, many at a
+ *             time; the paper tests and tiles one after the other. Loose faces
  *             are tiled first. The octree of instances has no cube around a
- *             single instance, whose own root is tested instead. The fast test
- *             begins where the rectangle meets at most four entries. What is
- *             chosen by standard is Greene's;
- * cubes=whole:volumes=tight:least=80 finds the same picture in less time, by
- * fewer and tighter tests. Cost        proportional to what is visible, and to
- * the cubes around it */
+ *             single instance: the root of its own octree is tested instead.
+ *             The fast test begins where the rectangle meets at most four
+ *             entries. The standard choice of options is Greene's;
+ *             cubes=whole:volumes=tight:least=80 makes the same picture in less
+ *             time, by fewer and tighter tests.
+ * Cost        proportional to what is visible, and to the cubes around it */
 #include "algorithms/hierarchical/cube_frame.h"
 #include "algorithms/hierarchical/cube_list.h"
 #include "algorithms/hierarchical/movers.h"
@@ -246,7 +246,7 @@ struct walk {
   uint32_t visit;
 };
 
-/* What is touched from now on is of that kind. */
+/* Samples that are touched from now on are touched by work of that kind. */
 static void touch_for(struct walk *w, int kind) {
   long wanted = w->option[WORK];
   w->tally->work = wanted == WORK_ALL || wanted == kind ? w->work : NULL;
@@ -289,8 +289,8 @@ static bool row_of_side(const struct hsr_cube_image *image,
   return *lo <= *hi;
 }
 
-/* Tags a sample behind which the side of a cube lies: nothing that is still to
- * come, from front to back, is nearer. */
+/* Tags a sample that is before the side of a cube. Cubes come from front to
+ * back, so nothing that is still to come is nearer there. */
 static void complete(struct walk *w, struct hsr_subject cube, float *z, int i,
                      int j) {
   if (*z == HUGE_VALF)
@@ -300,8 +300,8 @@ static void complete(struct walk *w, struct hsr_subject cube, float *z, int i,
   hsr_pyramid_update(&w->pyramid, (struct hsr_bounds){i, j, i + 1, j + 1});
 }
 
-/* Is a point on the screen within a side, whatever HSR_CUBE_MARGIN leaves open?
- */
+/* Is a point on the screen within a side, wherever its corners are within
+ * HSR_CUBE_MARGIN? */
 static bool is_within(const struct hsr_cube_image *image,
                       const unsigned char *corner, double x, double y) {
   int turns = 0;
@@ -473,7 +473,7 @@ static bool is_repeated(struct walk *w, uint32_t f) {
   return true;
 }
 
-/* Of those that go the general way. */
+/* Drops the faces that go the general way and were met before. */
 static void drop_repeated(struct walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY && is_repeated(w, b->first + (uint32_t)k))
@@ -625,8 +625,8 @@ static void list_cube(struct walk *w, uint32_t k) {
     w->out_of_memory = true;
 }
 
-/* A cube of the object at hand. One on the list of 1993 is not tested any more
- * before the list is pruned. */
+/* A cube of the object at hand. One on the list of 1993 is not tested before
+ * the list is pruned. */
 static void render_cube(struct walk *w, uint32_t k, bool inside) {
   const struct hsr_octree *octree = &w->frame.object->octree;
   const struct hsr_octree_node *node = &octree->node[k];
@@ -649,7 +649,7 @@ static void render_cube(struct walk *w, uint32_t k, bool inside) {
   }
 }
 
-/* What was rendered of it already, is met again. */
+/* Its faces that have been rendered in this frame count as met. */
 static void take_in_hand(struct walk *w, uint32_t instance) {
   hsr_cube_instance(&w->frame, instance);
   w->visit++;
@@ -672,8 +672,8 @@ static void render_instance(struct walk *w, uint32_t i) {
   render_cube(w, 0, false);
 }
 
-/* The movers of a cube, which are divided among its octants before, if they are
- * so late. */
+/* The movers of a cube. Those that fit into octants are moved there first, if
+ * that has not been done yet. */
 static bool render_movers(struct walk *w, uint32_t node,
                           const struct hsr_octree_node *cube) {
   if (!hsr_movers_divide(&w->movers, node, cube)) {
@@ -726,7 +726,8 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
   }
 }
 
-/* Those that move, as the option says; then all octrees from front to back. */
+/* The octrees from front to back; what moves is among them, or behind them, as
+ * the option says. */
 static enum hsr_status render_octrees(struct walk *w) {
   const struct hsr_cubes *cubes = w->frame.cubes;
   const struct hsr_octree_node *root = &cubes->octree.node[0];
@@ -782,9 +783,7 @@ static enum hsr_status render_last(struct walk *w) {
                              w->frame.job->scratch);
 }
 
-/* 1993: of the listed cubes, those stay that the finished pyramid does not
- * hide.
- */
+/* 1993: the listed cubes stay unless the finished pyramid hides them. */
 static void prune(struct walk *w) {
   struct hsr_cube_list *kept = w->last;
   const struct hsr_cube_list *all = w->next;

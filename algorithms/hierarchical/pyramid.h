@@ -11,8 +11,8 @@
  *             the farthest (nearest) of the four below it. What is outside of
  *             the window is nearer than anything; an unknown depth (NaN) is the
  *             background's in far[], nearer than anything in near[].
- * Certain     "hidden" is certain, for depths that are exact within HSR_RHO;
- *             what rounding leaves in doubt is not hidden. */
+ * Ties        what is called hidden is hidden, where depths are exact within
+ *             HSR_RHO; where rounding leaves it open, it is not hidden */
 #ifndef HSR_ALGORITHMS_PYRAMID_H
 #define HSR_ALGORITHMS_PYRAMID_H
 
@@ -67,8 +67,8 @@ enum hsr_status hsr_pyramid_init(struct hsr_pyramid *pyramid,
 /* All samples are the background. */
 void hsr_pyramid_clear(struct hsr_pyramid *pyramid);
 
-/* What was written within a box of samples goes up, to where it changes nothing
- * any more. */
+/* Brings the entries above a box of samples up to date, level by level, until
+ * one does not change. */
 void hsr_pyramid_update(struct hsr_pyramid *pyramid, struct hsr_bounds box);
 
 /* The basic test: the smallest entry that encloses the box, and nothing else.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A scene as a grove of trees: for each object a tree of its faces
- * (common/trees/bsp.h), kept once however many instances it has, and the instances in
- * an order for every eye.
+ * (common/trees/bsp.h), kept once however many instances it has, and the
+ * instances in an order for every eye.
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 9: an octree of BSP trees, replicated; the

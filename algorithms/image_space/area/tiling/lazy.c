@@ -210,7 +210,8 @@ static void tile_face(struct frame *f, uint32_t face) {
 /* --- An octree, from front to back ---------------------------------------- */
 
 /* The corners of a cube's box, and a little more for what is rounded: an
- * octree's boxes are within 2^-50 of the coordinates (common/trees/octree.c). */
+ * octree's boxes are within 2^-50 of the coordinates (common/trees/octree.c).
+ * */
 static struct hsr_box corners_of(const struct hsr_octree_box *box) {
   struct hsr_box corners;
   for (int k = 0; k < 3; k++) {

@@ -2,10 +2,10 @@
 /* Depth in a cell; u = 2^-53. On the plane of a face q is affine: at the
  * samples of a square it is within |a| half + |b| half of what it is in the
  * middle, and a sx + b sy + c is within the plane's error of it
- * (common/exact/screen.h). Middle and half differ from that sum by roundings, at most
- * five of its terms' sizes and half's: 8 u of these are added. Of a face that
- * is safely before the eye, it is within its extremes at the vertices, too;
- * behind the eye nothing is seen, so it is not negative. */
+ * (common/exact/screen.h). Middle and half differ from that sum by roundings,
+ * at most five of its terms' sizes and half's: 8 u of these are added. Of a
+ * face that is safely before the eye, it is within its extremes at the
+ * vertices, too; behind the eye nothing is seen, so it is not negative. */
 #include "algorithms/image_space/area/tiling/lazy_pyramid.h"
 #include "common/base/bits.h"
 

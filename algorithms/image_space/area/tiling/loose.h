@@ -50,7 +50,7 @@ enum hsr_status hsr_loose_refuse(const struct hsr_loose *loose,
                 HSR_OF_FACE,                                                   \
                 HSR_OF_FACE,                                                   \
                 "farther|nearer"},                                             \
-  [shown] = {"loose samples",                                               \
+  [shown] = {"loose samples",                                                  \
              "where such a face is the nearest so far: written", HSR_ACCEPT,   \
              HSR_OF_FACE, HSR_OF_WINDOW}
 

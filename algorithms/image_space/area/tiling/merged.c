@@ -5,27 +5,28 @@
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 6.2.
- * Bodies      all that does not move is one, made ready once; each instance of
- *             an object that moves is one, laid out in the world in every
- *             frame, and made an octree when it is known that it may be seen
- *             and stands by itself.
- * Order       a region of space is divided by planes across the axes: one that
- *             separates the cubes in it, else those of the largest cube, whose
- *             octants take its place. The eye's side of a plane comes first.
- *             Polygons of cubes that a plane goes through are clipped to both
- *             sides (clip.h).
- * Merged      leaves of several bodies that no plane separates: all of their
- *             faces in the region are made one BSP tree. As all of a region is
- *             tiled before what it hides, faces are taken whole.
- * Whole       a scene in which nothing moves, or that has been adapted, or
- *             whose faces are not all flat, is one body.
- * Ties        faces in one plane, of whatever bodies, are on one side of all
- *             planes wherever they meet, and so in one tree, where the lower
- *             comes first
+ * Notation    body: all that does not move, whose octree is made once; or an
+ *             instance of an object that moves, which is laid out in the world
+ *             in every frame, and is made an octree when it may be seen and
+ *             stands by itself. Region: a part of space between planes across
+ *             the axes.
+ * Invariants  all of a region is tiled before what it hides. A region is
+ *             divided by a plane that separates the cubes in it, or if there is
+ *             none by the planes of the largest cube, whose octants take its
+ *             place; the eye's side of a plane comes first. Polygons of a cube
+ *             that a plane crosses are clipped to both sides (clip.h). Leaves
+ *             of several bodies that no plane separates are merged: one BSP
+ *             tree is made of all of their faces in the region, which are taken
+ *             whole.
+ * Ties        faces in one plane are on one side of all planes wherever they
+ *             meet, whatever their bodies; so they are in one tree, where the
+ *             lower comes first
  * Departures  the paper takes the frontmost cube of all octrees, and clips to
  *             it what meets it; but a cube that meets it may reach before it.
  *             Cubes are across the axes of the world, not of the body. Memory
- *             is taken inside a frame, for trees.
+ *             is taken inside a frame, for trees. A scene is one body if
+ *             nothing moves in it, if it has been adapted, or if not all of its
+ *             faces are flat.
  * Cost        that of tiling, and of trees where bodies are visible and meet */
 #include "algorithms/algorithm.h"
 #include "algorithms/list_priority/fixed/bsp_walk.h"

@@ -5,17 +5,16 @@
  *             SIGGRAPH 1996; N. Greene, PhD thesis, UC Santa Cruz, 1995, 4.4 to
  *             4.6.
  * Notation    coverage pyramid, or mask pyramid -> masks (masks.h); the model,
- *             an octree of BSP trees -> grove (algorithms/image_space/area/tiling/grove.h)
+ *             an octree of BSP trees -> grove (grove.h)
  * Invariant   all that has been tiled hides what is tiled next: a sample is
  *             written once, and never compared by depth
  * Ties        pieces in one plane come by ascending face; what is too close to
  *             an edge is decided exactly (polygon.h)
- * Departures  the finest masks are exact, not those of the table, unless so
- *             chosen. Nothing is clipped. Instances are in a tree of planes
- *             that separate them, above the octrees. A polygon of few cells of
- *             the finest level is put to these at once.
- * Cost        of cells crossed by edges that are visible; of cubes that are
- *             visible and their children */
+ * Departures  the masks of samples are exact; those of the table can be chosen.
+ *             Nothing is clipped. Above the octrees, instances are in a tree of
+ *             planes that separate them. See masks.h, too.
+ * Cost        grows with the cells that visible edges cross, and with the
+ *             visible cubes and their children */
 #include "algorithms/algorithm.h"
 #include "algorithms/list_priority/fixed/bsp_walk.h"
 #include "algorithms/image_space/area/tiling/frame.h"

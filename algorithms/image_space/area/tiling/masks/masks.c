@@ -105,8 +105,8 @@ enum hsr_status hsr_masks_room(struct hsr_masks *p, uint32_t most,
   return HSR_OK;
 }
 
-/* The last one is that of the window's last sample: the greatest digits, in
- * base 64, are there first. */
+/* The cell that holds the window's last sample has the greatest number: its
+ * digits in base 64 are the greatest, from the first on. */
 size_t hsr_masks_cells(const struct hsr_masks *p, int level) {
   struct hsr_mask_cell cell = root_of(p);
   struct hsr_bounds last = {p->window.x1 - 1, p->window.y1 - 1, p->window.x1,
@@ -147,8 +147,8 @@ int hsr_masks_extent(const struct hsr_masks *p) {
 
 enum where { OUTSIDE, INSIDE, CROSSING };
 
-/* The samples of a cell about a line. Those that are not jittered keep half a
- * sample away from the cell's border. */
+/* Where the samples of a cell lie with regard to a line. Samples that are not
+ * jittered are at least half a sample away from the cell's border. */
 static enum where classify(const struct hsr_masks *p,
                            const struct hsr_mask_line *line,
                            const struct hsr_mask_cell *cell, double *corner) {
@@ -162,8 +162,8 @@ static enum where classify(const struct hsr_masks *p,
   return middle - reach > line->error ? INSIDE : CROSSING;
 }
 
-/* A line that crosses a cell, in the tables: -1 unless it crosses the sides at
- * places that are known within half the tables' slack. */
+/* The entry of the tables for a line that crosses a cell; -1 unless the places
+ * where it crosses the sides are known within half the tables' slack. */
 static int entry_of(const struct hsr_masks *p, const struct hsr_mask_line *line,
                     double corner, int size, bool *inside) {
   double side = size, per_side = 1 / side; /* a power of two */
@@ -213,8 +213,7 @@ static bool compose(const struct hsr_masks *p,
   return true;
 }
 
-/* Of the active lines of a cell, those that are not surely inside in a subcell.
- */
+/* The active lines of a cell within which a subcell does not surely lie. */
 static uint32_t choose(const struct hsr_mask_lines *active, int bit) {
   uint32_t n = 0;
   for (uint32_t k = 0; k < active->n; k++)
@@ -267,8 +266,8 @@ static inline void count_visit(const struct hsr_masks *p,
 
 /* --- The finest level ----------------------------------------------------- */
 
-/* Of the samples of a finest cell, those surely inside a line that is f at the
- * cell's corner, and those surely outside. */
+/* Which samples of a finest cell are surely inside a line, and which are surely
+ * outside? f is the line's value at the cell's corner 0. */
 typedef void (*splitter)(const struct hsr_mask_line *line, double f,
                          const struct hsr_mask_places *places, uint64_t *inside,
                          uint64_t *outside);
@@ -312,7 +311,8 @@ static uint64_t candidates(const struct hsr_masks *p,
   return mask;
 }
 
-/* The same by the tables: certain, and sometimes wrong. */
+/* The same by the tables: nothing is left unsure, and some samples are wrong.
+ * */
 static uint64_t tabled(const struct hsr_masks *p,
                        const struct hsr_mask_polygon *polygon,
                        const struct hsr_mask_cell *cell, const uint32_t *list,
@@ -450,8 +450,9 @@ static void write_squares(const struct task *t,
   }
 }
 
-/* The finest subcells a of a cell, as tile_finest has them one by one. What is
- * left open there is left to that. */
+/* The loop of listing 1 over the subcells A of a cell, if these are of the
+ * finest level. A subcell of which the lines leave samples open goes to
+ * tile_finest. */
 static inline __attribute__((always_inline)) void
 tile_pixels(const struct task *t, const struct hsr_mask_cell *cell,
             const struct hsr_mask_lines *active, struct hsr_triage *mask,

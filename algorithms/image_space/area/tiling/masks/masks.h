@@ -15,9 +15,13 @@
  *             is entered (lazy clearing); below a covered one it is stale.
  * Ties        where rounding leaves open on which side of an edge a sample is,
  *             the exact predicates say.
- * Departures  the table of active edges is made for each subcell from the
- *             masks themselves; intercepts are found from the edge's equation
- *             and not from those of the cell above. */
+ * Departures  the lines that cross a subcell are chosen by the masks of the
+ *             lines; intercepts are found from a line's equation, and not from
+ *             those in the cell above. Where at most four subcells of the
+ *             finest level meet the polygon's box, they are put to all lines at
+ *             once, and the polygon's masks of their cell are not built.
+ *             Subcells of the finest level are tiled by one loop instead of a
+ *             call each. Both are there to save time. */
 #ifndef HSR_ALGORITHMS_TILING_MASKS_H
 #define HSR_ALGORITHMS_TILING_MASKS_H
 
@@ -83,15 +87,15 @@ struct hsr_mask_cell {
   int x, y, size;
 };
 
-/* Who goes through the pyramid in a way of his own. */
+/* Whoever goes through the pyramid in his own way. */
 struct hsr_mask_visitor {
-  /* A cell: the polygon surely covers all of the subcells polygon.c, and none
-   * of polygon.v. Which are to be entered; of a finest cell, of which nothing
-   * is known, which samples are to be asked about. */
+  /* A cell: the polygon surely covers all of the subcells polygon.c and none of
+   * the subcells polygon.v. Returns the subcells to enter. Of a finest cell
+   * nothing is known: returns the samples to ask about. */
   uint64_t (*enter)(void *context, const struct hsr_mask_cell *cell,
                     struct hsr_triage polygon);
-  /* Of those, the samples that the polygon covers, if there are any; exactly,
-   * unless it cannot be asked whether a sample is inside. */
+  /* The samples asked about that the polygon covers, if there are any; and
+   * those that it may cover, if the polygon has no function `inside`. */
   void (*samples)(void *context, const struct hsr_mask_cell *cell,
                   uint64_t mask);
   /* A cell that is not of the finest level, after all that was entered. */
