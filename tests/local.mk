@@ -51,6 +51,7 @@ tap_programs = \
   %D%/properties/hierarchical/hzbuffer_options_test \
   %D%/properties/hierarchical/movers_test \
   %D%/properties/hierarchical/hzbuffer_test \
+  %D%/properties/hierarchical/steps_test \
   %D%/properties/tiling/lazy_test \
   %D%/properties/lines/lines_and_surfaces_test \
   %D%/properties/tiling/merged_test \

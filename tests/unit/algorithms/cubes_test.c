@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A scene in cubes, and one view of it, against the same scene laid out: cells
  * hold its faces, bit for bit; cubes hold what is in them, in the world and on
- * the screen; pairs compare faces as they compare there. */
+ * the screen; each inequality that tells where a cube lies is a step; pairs
+ * compare faces as they compare there. */
+#define HSR_COUNTING 1
 #include "algorithms/hierarchical/cube_frame.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -296,7 +298,7 @@ static void test_bounds(struct tap *tap, const struct laid_out *l,
 /* --- Cubes in the world and on the screen --------------------------------- */
 
 struct held {
-  long vertices, images, out, wrong;
+  long vertices, images, out, wrong, miscounted;
 };
 
 /* What a vertex has on the screen lies in the cube's image, and not before its
@@ -328,14 +330,48 @@ static bool is_in_image(const struct frame *f,
   return good;
 }
 
+/* The inequalities of one cube, as they are told. */
+struct told {
+  long n, outside, wrong;
+  struct hsr_subject cube;
+  bool last;
+};
+
+enum { INEQUALITIES = 5 };
+
+static void listen(void *context, const struct hsr_event *event) {
+  struct told *t = context;
+  t->n++;
+  t->last = event->outcome;
+  t->outside += event->outcome;
+  t->wrong += event->counter != INEQUALITIES ||
+              memcmp(&event->a, &t->cube, sizeof t->cube) != 0;
+}
+
+/* Is a cube outside of the frustum? Six planes are told apart by one to thirty
+ * inequalities, and by the last one alone if the cube is outside. */
+static bool is_out(struct frame *f, const struct hsr_octree_box *cube,
+                   uint32_t k, struct held *held) {
+  struct told told = {.cube = hsr_cube_subject(f->frame.instance, k)};
+  struct hsr_trace trace = {.listen = listen, .context = &told};
+  uint64_t before = f->tally.count[INEQUALITIES];
+  f->tally.trace = &trace;
+  bool out = hsr_cube_classify(&f->frame, &f->frame.placing, cube, INEQUALITIES,
+                               told.cube) == HSR_BOX_OUT;
+  f->tally.trace = NULL;
+  held->miscounted += told.wrong || told.outside != out || told.last != out ||
+                      told.n < 1 || told.n > 30 ||
+                      f->tally.count[INEQUALITIES] != before + (uint64_t)told.n;
+  return out;
+}
+
 static void look_at_cube(struct frame *f, uint32_t k, struct held *held) {
   struct hsr_cube_frame *frame = &f->frame;
   const struct hsr_octree_node *node = &frame->object->octree.node[k];
   const struct hsr_cell *cell = lay_out_cell(frame, k);
   struct hsr_octree_box cube = hsr_octree_cube(node);
   struct hsr_cube_image image;
-  bool out = hsr_cube_classify(frame, &frame->placing, &cube, 0, HSR_NOTHING) ==
-             HSR_BOX_OUT;
+  bool out = is_out(f, &cube, k, held);
   bool has_image = hsr_cube_project(frame, &frame->placing, &cube, &image);
   held->out += out;
   held->images += has_image;
@@ -353,7 +389,7 @@ static void look_at_cube(struct frame *f, uint32_t k, struct held *held) {
 /* Cameras at the scene's places, and amid it. */
 static void test_images(struct tap *tap, const struct laid_out *l,
                         const struct hsr_cubes *cubes, uint64_t *seed) {
-  struct held held = {0, 0, 0, 0};
+  struct held held = {.wrong = 0};
   const struct hsr_world *world = &l->world;
   for (int c = 0; c < 24; c++) {
     struct hsr_camera camera = l->scene->views[(uint32_t)c % l->scene->n_views];
@@ -378,6 +414,9 @@ static void test_images(struct tap *tap, const struct laid_out *l,
      "%s: %ld vertices are where their cubes are, in %ld images; %ld cubes are "
      "out; %ld wrong",
      l->scene->name, held.vertices, held.images, held.out, held.wrong);
+  ok(tap, !held.miscounted,
+     "each inequality is a step, of which the last decides: of %ld cubes not",
+     held.miscounted);
 }
 
 /* --- Pairs ---------------------------------------------------------------- */
@@ -475,7 +514,7 @@ int main(void) {
   static const char *const scenes[] = {"office:1", "terrain:16:3", "twist:3",
                                        "house"};
   enum { SCENES = sizeof scenes / sizeof *scenes };
-  struct tap tap = plan(3 + 4 * (SCENES + 1) + 3);
+  struct tap tap = plan(3 + 5 * (SCENES + 1) + 3);
   uint64_t seed = 1995;
   struct laid_out l = {.scene = all_kinds(&seed)};
   struct hsr_cubes cubes;

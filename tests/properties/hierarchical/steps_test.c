@@ -1,0 +1,538 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the events of the hierarchical modules tell, over their options: those of
+ * the hierarchical z-buffer, of Clark's culling, and of tiling with masks.
+ *
+ * Counts      Each counter has as many events as it counted, also of filtered
+ *             pictures; the accepted ones repaint the picture.
+ * Depths      A comparison of two faces is decided as the exact services do.
+ * Masks       Cells are where their number says, visited for the polygon or the
+ *             cube at hand; those of the finest level are counted as such. What
+ *             is written lies in the last active cell, each sample once. A
+ *             sample that was decided exactly is written or not, as it was said.
+ * Cubes       A cube is hidden or visible as the last entry or sample read for
+ *             it says, and what is outside of the frustum as the last inequality
+ *             says.
+ * Faces       A face that is culled is not written; one that is repeated was met
+ *             before. */
+#include "algorithms/variant.h"
+#include "common/exact/screen.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { M = 45, N = 27, VIEWS = 3, SUB = 8 };
+
+static void stop(const char *name, const char *text) {
+  printf("Bail out! %s: %s\n", name, text);
+  exit(99);
+}
+
+/* --- One frame, told ------------------------------------------------------ */
+
+struct frame {
+  const struct hsr_algorithm *algorithm;
+  const struct hsr_world *world;
+  struct hsr_view view;
+  int m, n; /* samples: sub-samples, if it is filtered */
+  bool filtered;
+  struct hsr_event *event;
+  size_t n_events, room;
+  struct hsr_tally tally;
+  uint32_t ids[M * N], sums[3 * M * N];
+  const char *wrong; /* the first thing that is, or NULL */
+};
+
+static void listen(void *context, const struct hsr_event *event) {
+  struct frame *f = context;
+  if (f->n_events == f->room) {
+    f->room = 2 * f->room + 4096;
+    f->event = realloc(f->event, f->room * sizeof *f->event);
+    if (!f->event)
+      stop("events", "out of memory");
+  }
+  f->event[f->n_events++] = *event;
+}
+
+/* The first thing that is wrong is kept. */
+static void expect(struct frame *f, bool good, const char *what) {
+  if (!good && !f->wrong)
+    f->wrong = what;
+}
+
+/* The number of a counter; -1: there is none of that name. */
+static int counter(const struct frame *f, const char *name) {
+  for (int k = 0; f->algorithm->counters[k].name; k++)
+    if (!strcmp(f->algorithm->counters[k].name, name))
+      return k;
+  return -1;
+}
+
+static bool same(struct hsr_subject a, struct hsr_subject b) {
+  return a.kind == b.kind && !memcmp(a.id, b.id, sizeof a.id);
+}
+
+static bool same_window(struct hsr_window a, struct hsr_window b) {
+  return !memcmp(&a, &b, sizeof a);
+}
+
+/* The event after number k, if it is of a counter; else NULL. */
+static const struct hsr_event *next_is(const struct frame *f, size_t k,
+                                       int of) {
+  return k + 1 < f->n_events && f->event[k + 1].counter == of ? &f->event[k + 1]
+                                                              : NULL;
+}
+
+/* --- Counts and pictures -------------------------------------------------- */
+
+static void check_counts(struct frame *f) {
+  uint64_t n[HSR_MAX_COUNTERS] = {0};
+  for (size_t k = 0; k < f->n_events; k++)
+    n[f->event[k].counter]++;
+  expect(f, !memcmp(n, f->tally.count, sizeof n), "events are not the counts");
+}
+
+static void check_picture(struct frame *f) {
+  static uint32_t painted[M * N];
+  memset(painted, 0xff, sizeof painted); /* HSR_BACKGROUND */
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    if (f->algorithm->counters[e->counter].kind != HSR_ACCEPT)
+      continue;
+    for (int j = e->window.y0; j < e->window.y1; j++)
+      for (int i = e->window.x0; i < e->window.x1; i++)
+        painted[j * M + i] = e->a.id[0];
+  }
+  expect(f, !memcmp(painted, f->ids, sizeof painted),
+         "accepted events do not repaint the picture");
+}
+
+/* --- Depths --------------------------------------------------------------- */
+
+static void check_depths(struct frame *f) {
+  struct hsr_arena arena = HSR_ARENA_EMPTY;
+  struct hsr_screen screen;
+  struct hsr_tally tally = {.first = 0};
+  const int of[] = {counter(f, "depth tests"), counter(f, "unsure depths"),
+                    counter(f, "samples compared"),
+                    counter(f, "thickness checks")};
+  if (hsr_screen_make(&screen, f->world, &f->view, &arena, &tally))
+    stop("depths", "out of memory");
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    if (e->counter != of[0] && e->counter != of[1] && e->counter != of[2] &&
+        e->counter != of[3])
+      continue;
+    uint32_t a = e->a.id[0], b = e->b.id[0];
+    bool nearer = b == HSR_BACKGROUND ||
+                  (a != b && hsr_nearer(&screen, a, b, e->window.x0,
+                                        e->window.y0, &tally));
+    expect(f, e->outcome == nearer, "a depth is compared wrongly");
+  }
+  hsr_arena_free(&arena);
+}
+
+/* --- Masks ---------------------------------------------------------------- */
+
+/* Of a picture of as many samples: the levels of the pyramid. */
+static int levels_of(const struct frame *f) {
+  int n = 1;
+  for (int size = 8; size < f->m || size < f->n; size *= 8)
+    n++;
+  return n;
+}
+
+/* A visit is told as one of a cell, of a finest cell if it is one, and of a cell
+ * of a pixel or more, which all are. */
+static void check_visit(struct frame *f, size_t k) {
+  const struct hsr_event *e = &f->event[k];
+  int n = levels_of(f), level = (int)e->a.id[0], size = 1;
+  for (int l = level; l < n; l++)
+    size *= 8;
+  int x = (int)e->a.id[1] * size, y = (int)e->a.id[2] * size;
+  struct hsr_window window = {x, y, x + size < f->m ? x + size : f->m,
+                              y + size < f->n ? y + size : f->n};
+  expect(f, level < n && same_window(e->window, window),
+         "a cell is not where its number says");
+  if (level == n - 1) {
+    const struct hsr_event *finest =
+        next_is(f, k++, counter(f, "finest cells"));
+    expect(f, finest && same(finest->a, e->a) && finest->outcome == e->outcome,
+           "a finest cell is not told");
+  }
+  const struct hsr_event *pixels = next_is(f, k, counter(f, "pixel cells"));
+  expect(f, pixels && same(pixels->a, e->a) && pixels->outcome == e->outcome,
+         "a cell of a pixel or more is not told");
+}
+
+static void check_masks(struct frame *f) {
+  int cube_cells = counter(f, "cube cells"), asked = counter(f, "cubes asked");
+  int polygon_cells = counter(f, "polygon cells");
+  int hidden = counter(f, "cubes hidden"), pieces = counter(f, "pieces");
+  struct hsr_subject cube = HSR_NOTHING, face = HSR_FACE(HSR_BACKGROUND);
+  if (pieces < 0)
+    pieces = counter(f, "polygons");
+  bool visited = false;
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    if (e->counter == cube_cells || e->counter == polygon_cells)
+      check_visit(f, k);
+    if (e->counter == cube_cells) {
+      expect(f, !visited || same(cube, e->b),
+             "a cell is visited for two cubes");
+      cube = e->b;
+      visited = true;
+    } else if (e->counter == asked) {
+      const struct hsr_event *next = next_is(f, k, hidden);
+      expect(f, visited && same(cube, e->a), "another cube is asked about");
+      expect(f, e->outcome ? !next : next && same(next->a, e->a),
+             "a cube is hidden and not told so, or told so and not hidden");
+      visited = false;
+    } else if (e->counter == pieces) {
+      face = HSR_FACE(e->a.id[0]);
+    } else if (e->counter == polygon_cells) {
+      expect(f, same(e->b, face) || e->b.id[0] == HSR_BACKGROUND,
+             "a cell is visited for another face");
+      face = HSR_FACE(e->b.id[0]);
+    }
+  }
+  expect(f, !visited, "cells are visited for a cube that is not asked about");
+}
+
+/* What is written where it is decided: not by tiling-lazy, which writes in the
+ * end. */
+static void check_writing(struct frame *f) {
+  int cells = counter(f, "polygon cells"), samples = counter(f, "samples");
+  int finest = counter(f, "finest cells"), pixels = counter(f, "pixel cells");
+  int unsure = counter(f, "unsure samples");
+  size_t all = (size_t)f->m * (size_t)f->n, n_written = 0;
+  unsigned char *written = calloc(all, 1);
+  const struct hsr_event *cell = NULL;
+  if (!written)
+    stop("samples", "out of memory");
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    const struct hsr_window *w = &e->window;
+    size_t at = (size_t)w->y0 * (size_t)f->m + (size_t)w->x0;
+    if (e->counter == cells)
+      cell = e;
+    if (e->counter != samples)
+      continue;
+    expect(f,
+           cell && cell->outcome == 1 && same(cell->b, e->a) &&
+               w->x0 >= cell->window.x0 && w->x1 <= cell->window.x1 &&
+               w->y0 >= cell->window.y0 && w->y1 <= cell->window.y1,
+           "a sample is written outside of the cell at hand");
+    expect(f, !written[at], "a sample is written twice");
+    written[at] = 1;
+    n_written++;
+  }
+  expect(f, n_written == all, "a sample is not written");
+  /* Samples that are decided exactly are told before their cell, and the cell
+   * before what is written in it. */
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    if (e->counter != unsure)
+      continue;
+    size_t l = k + 1;
+    while (l < f->n_events && f->event[l].counter == unsure)
+      l++;
+    while (l < f->n_events &&
+           (f->event[l].counter == cells || f->event[l].counter == finest ||
+            f->event[l].counter == pixels))
+      l++;
+    bool found = false;
+    for (; l < f->n_events && f->event[l].counter == samples; l++)
+      found |= same_window(f->event[l].window, e->window) &&
+               same(f->event[l].a, e->a);
+    expect(f, found == (e->outcome == 1),
+           "a sample that was decided exactly is not as was said");
+  }
+  free(written);
+}
+
+static void check_lazy(struct frame *f) {
+  int entered = counter(f, "pixels entered");
+  int z_buffered = counter(f, "pixels z-buffered");
+  int demoted = counter(f, "pixels demoted"),
+      fragments = counter(f, "fragments");
+  size_t n = (size_t)((f->m + 7) / 8 * ((f->n + 7) / 8)), columns;
+  unsigned char *state = calloc(n, 1); /* of a pixel: 1 demoted */
+  columns = (size_t)((f->m + 7) / 8);
+  if (!state)
+    stop("pixels", "out of memory");
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    const struct hsr_subject *pixel = e->counter == fragments ? &e->b : &e->a;
+    if (e->counter != fragments && e->counter != demoted &&
+        e->counter != entered)
+      continue;
+    size_t at = pixel->id[2] * columns + pixel->id[1];
+    expect(f,
+           at < n && e->window.x0 == 8 * (int)pixel->id[1] &&
+               e->window.y0 == 8 * (int)pixel->id[2],
+           "a pixel is not where its number says");
+    if (e->counter != entered) {
+      state[at] = e->counter == demoted;
+      continue;
+    }
+    const struct hsr_event *next = next_is(f, k, z_buffered);
+    expect(f, e->outcome ? next && same(next->a, e->a) : !next,
+           "a pixel is z-buffered and not told so");
+    expect(f, !e->outcome || state[at], "a pixel was not demoted");
+  }
+  free(state);
+}
+
+/* --- Cubes ---------------------------------------------------------------- */
+
+/* Inequalities and what they say; the nodes that they are of. */
+static void check_frustum(struct frame *f) {
+  int nodes = counter(f, "nodes visited"), out = counter(f, "nodes out");
+  int inequalities = counter(f, "inequalities");
+  struct hsr_subject node = HSR_NOTHING;
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    if (e->counter == nodes)
+      node = e->a;
+    if (e->counter == out)
+      expect(f,
+             k && e[-1].counter == inequalities && e[-1].outcome == 1 &&
+                 same(node, e->a),
+             "a node is outside, and no inequality says so");
+    if (e->counter != inequalities)
+      continue;
+    expect(f, same(node, e->a), "an inequality is of another node");
+    expect(f, !e->outcome || next_is(f, k, out),
+           "an inequality says that a node is outside, and it is not");
+  }
+}
+
+/* Reads of the pyramid and samples of sides, and what they say of cubes. */
+static void check_cubes(struct frame *f, bool by_reads) {
+  int reads = counter(f, "cube reads"), tested = counter(f, "cubes tested");
+  int culled = counter(f, "cubes culled"),
+      visible = counter(f, "cubes visible");
+  int sides = counter(f, "sides scanned"), samples = counter(f, "side samples");
+  const struct hsr_event *read = NULL, *sample = NULL, *side = NULL;
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    if (e->counter == reads) {
+      int level = (int)e->a.id[0];
+      int x = (int)e->a.id[1] << level, y = (int)e->a.id[2] << level;
+      expect(f,
+             e->window.x0 == x && e->window.y0 == y &&
+                 e->window.x1 <= x + (1 << level) && e->window.x1 <= M &&
+                 e->window.y1 <= y + (1 << level) && e->window.y1 <= N,
+             "an entry is not where its number says");
+      expect(f, !read || same(read->b, e->b), "an entry is read for two cubes");
+      read = e;
+    } else if (e->counter == samples) {
+      expect(f, !sample || (sample->outcome == 0 && same(sample->a, e->a)),
+             "a side is looked at further than the first visible sample");
+      sample = e;
+    } else if (e->counter == sides) {
+      expect(f, e->outcome == (sample && sample->outcome),
+             "a side is not as its last sample says");
+      side = e;
+      sample = NULL;
+    } else if (e->counter == tested) {
+      const struct hsr_event *next = next_is(f, k, culled);
+      expect(f, !read || same(read->b, e->a), "entries were read for another");
+      expect(f, e->outcome ? !next : next && same(next->a, e->a),
+             "a cube is hidden and not culled");
+      if (by_reads)
+        expect(f, e->outcome == (read && read->outcome == 0),
+               "a cube is not as the last entry says");
+      else if (side)
+        expect(f, e->outcome == side->outcome,
+               "a cube is not as its last side says");
+      read = side = NULL;
+    } else if (e->counter == culled) {
+      expect(f, k && e[-1].counter == tested && e[-1].outcome == 0,
+             "a cube is culled and was not tested");
+    }
+  }
+}
+
+/* --- Faces ---------------------------------------------------------------- */
+
+/* fast: a face is tested by one read after another, of which the last says. */
+static void check_faces(struct frame *f, bool fast) {
+  int met = counter(f, "faces met"), repeated = counter(f, "faces repeated");
+  int tested = counter(f, "faces tested"), culled = counter(f, "faces culled");
+  int tiled = counter(f, "faces tiled"), before = counter(f, "faces before");
+  int reads = counter(f, "face reads"), writes = counter(f, "writes");
+  int visible = counter(f, "cubes visible");
+  struct of {
+    int met, last_read;
+    bool culled;
+  } *of = calloc(f->world->n_faces, sizeof *of);
+  struct hsr_subject cube = HSR_NOTHING;
+  if (!of)
+    stop("faces", "out of memory");
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    if (e->counter == visible)
+      cube = e->a;
+    if (e->counter == reads)
+      of[e->b.id[0]].last_read = 1 + e->outcome;
+    struct of *face = e->a.kind == HSR_OF_FACE ? &of[e->a.id[0]] : NULL;
+    if (e->counter == met) {
+      face->met++;
+      expect(f, fast ? same(e->b, cube) : true, "a face is met elsewhere");
+    } else if (e->counter == repeated) {
+      expect(f, face->met > 1, "a face is repeated and was not met before");
+    } else if (e->counter == tested) {
+      const struct hsr_event *next = next_is(f, k, culled);
+      expect(f, e->outcome ? !next : next && same(next->a, e->a),
+             "a face is hidden and not culled");
+      expect(f, !fast || e->outcome == (face->last_read == 1),
+             "a face is not as the last entry says");
+    } else if (e->counter == culled) {
+      face->culled = true;
+    } else if (e->counter == before) {
+      expect(f, k && e[-1].counter == tiled && same(e[-1].a, e->a),
+             "a face is before all and not tiled");
+    } else if (e->counter == writes || e->counter == tiled) {
+      expect(f, !face->culled, "a face that is culled is written");
+    }
+  }
+  free(of);
+}
+
+/* --- Runs ----------------------------------------------------------------- */
+
+static void check_frame(struct frame *f, const char *text) {
+  check_counts(f);
+  if (!f->filtered) {
+    check_picture(f);
+    check_depths(f);
+  }
+  if (counter(f, "polygon cells") >= 0) {
+    check_masks(f);
+    if (counter(f, "fragments") >= 0)
+      check_lazy(f);
+    else
+      check_writing(f);
+    return;
+  }
+  check_frustum(f);
+  if (counter(f, "cubes tested") < 0)
+    return;
+  bool one_by_one = !strstr(text, "coherence") && !strstr(text, "octree=off");
+  if (one_by_one) {
+    check_cubes(f, !strstr(text, "near") && !strstr(text, "sides"));
+    check_faces(f, !strstr(text, "near") && !strstr(text, "polygons") &&
+                       !strstr(text, "pyramid"));
+  }
+}
+
+static size_t try_variant(const struct both_worlds *worlds, const char *text,
+                          const char **wrong) {
+  static struct frame f;
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_variant variant;
+  struct hsr_setup setup;
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  size_t events = 0;
+  if (hsr_variant_parse(text, &variant, &err) ||
+      hsr_setup_init(&setup, variant.listed->counting, &variant.choice,
+                     &worlds->world, &err))
+    stop(text, err.text);
+  f = (struct frame){.algorithm = setup.algorithm, .world = &worlds->world};
+  f.filtered = hsr_choice_kind(setup.algorithm, &variant.choice) != HSR_IDS;
+  f.m = f.filtered ? SUB * M : M;
+  f.n = f.filtered ? SUB * N : N;
+  for (uint32_t v = 0; v < VIEWS && v < worlds->scene->n_views; v++) {
+    if (hsr_view_init(&f.view, &worlds->scene->views[v], M, N, &err))
+      stop(text, err.text);
+    struct hsr_trace trace = {.listen = listen, .context = &f};
+    f.tally = (struct hsr_tally){.trace = &trace};
+    f.n_events = 0;
+    memset(f.sums, 0, sizeof f.sums);
+    memset(f.ids, 0xfe, sizeof f.ids);
+    struct hsr_job job = {.view = &f.view,
+                          .scratch = &scratch,
+                          .tally = &f.tally,
+                          .ids = f.filtered ? NULL : f.ids,
+                          .ids_stride = M};
+    if (f.filtered) {
+      job.filtering = &variant.choice.filtering;
+      job.sums = f.sums;
+    }
+    hsr_arena_reset(&scratch);
+    if (hsr_setup_render(&setup, &job, &err))
+      stop(text, err.text);
+    check_frame(&f, text);
+    events += f.n_events;
+  }
+  *wrong = f.wrong;
+  free(f.event);
+  hsr_setup_free(&setup);
+  hsr_arena_free(&scratch);
+  return events;
+}
+
+static const char *const variants[] = {
+    "clark",
+    "hzbuffer",
+    "hzbuffer:cubes=sides:completed=on",
+    "hzbuffer:cubes=whole:volumes=tight:least=4",
+    "hzbuffer:near=on",
+    "hzbuffer:near=on:cubes=sides",
+    "hzbuffer:polygons=basic",
+    "hzbuffer:polygons=definitive",
+    "hzbuffer:polygons=none:placement=enclosing:least=2",
+    "hzbuffer:pyramid=off:cubes=sides",
+    "hzbuffer:octree=off",
+    "hzbuffer:coherence=list",
+    "hzbuffer:coherence=passes",
+    "hzbuffer:movers=lazy",
+    "hzbuffer:movers=behind",
+    "tiling",
+    "tiling:leaf=2",
+    "tiling:start=root:intervals=8",
+    "tiling:cubes=drawn:masks=table",
+    "tiling:filter=box",
+    "tiling:filter=cosine:jitter=3",
+    "tiling-merged",
+    "tiling-merged:leaf=2:filter=box",
+    "tiling-lazy",
+    "tiling-lazy:leaf=2",
+    "tiling-lazy:order=back",
+    "tiling-lazy:order=input:filter=box:jitter=2"};
+
+/* What refuses a filtered scene that is not flat is not asked to. */
+static const char *const scenes[] = {
+    "penetration",  "coplanar",   "lattice:40:3",   "deep-stack",
+    "color-cube:4", "near-plane", "cyclic-overlap", "office:1"};
+
+int main(void) {
+  enum {
+    VARIANTS = sizeof variants / sizeof *variants,
+    SCENES = sizeof scenes / sizeof *scenes
+  };
+  struct tap tap = plan(VARIANTS);
+  struct both_worlds worlds[SCENES];
+  for (int s = 0; s < SCENES; s++)
+    open_worlds(&worlds[s], scenes[s]);
+  for (int k = 0; k < VARIANTS; k++) {
+    const char *wrong = NULL, *where = "";
+    size_t events = 0;
+    for (int s = 0; s < SCENES; s++) {
+      const char *found = NULL;
+      events += try_variant(&worlds[s], variants[k], &found);
+      if (found && !wrong) {
+        wrong = found;
+        where = scenes[s];
+      }
+    }
+    ok(&tap, !wrong, "%s: %zu events%s%s%s%s", variants[k], events,
+       wrong ? "; " : "", where, wrong ? ": " : "", wrong ? wrong : "");
+  }
+  for (int s = 0; s < SCENES; s++)
+    close_worlds(&worlds[s]);
+  return finish(&tap);
+}
