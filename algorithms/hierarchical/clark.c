@@ -8,8 +8,9 @@
  * Notation    node outside, inside, partially inside the frustum: HSR_BOX_OUT,
  *             HSR_BOX_IN, HSR_BOX_PARTIAL
  * Invariant   every face of which something is in the frustum is tiled once
- * Departures  the faces of a node that is partially inside are told apart by
- *             their boxes on the screen, as those of any other are
+ * Departures  the faces of a node that is partially inside are not tested
+ *             against the frustum, but culled by their boxes on the screen, as
+ *             those of any other node
  * Cost        proportional to what is in the frustum */
 #include "algorithms/hierarchical/cube_frame.h"
 

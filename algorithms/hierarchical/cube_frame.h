@@ -77,22 +77,22 @@ struct hsr_cube_frame {
   const struct hsr_cell *cell; /* of it, the one at hand */
 };
 
-/* Makes ready for job->view's window, whose memory of depths is left to be
- * made. HSR_E_NOMEM. */
+/* Makes a frame ready for job->view's window. The tiler's memory of depths is
+ * left to the caller. HSR_E_NOMEM. */
 enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
                                      const struct hsr_job *job,
                                      const struct hsr_cubes *cubes);
 
-/* A tiler of the scene's loose faces, once the frame's has its memory: those
- * that are relevant of its screen are to be tiled generally, before any cell.
- * HSR_E_NOMEM. */
+/* Makes a tiler of the scene's loose faces, when the frame's tiler has its
+ * memory. The relevant faces of its screen are to be tiled the general way,
+ * before any cell. HSR_E_NOMEM. */
 enum hsr_status hsr_cube_loose(const struct hsr_cube_frame *frame,
                                struct hsr_tiler *tiler);
 
-/* Whether the instance, which may be in several cubes, was not met before. */
+/* Is an instance met for the first time? It may be in several cubes. */
 bool hsr_cube_is_new(struct hsr_cube_frame *frame, uint32_t instance);
 
-/* Takes an instance in hand. */
+/* Makes an instance the one at hand. */
 void hsr_cube_instance(struct hsr_cube_frame *frame, uint32_t instance);
 
 /* Where a cube lies, as of hsr_box_classify. Each of the inequalities of
@@ -115,8 +115,8 @@ static inline struct hsr_subject hsr_cube_subject(uint32_t instance,
   return HSR_CELL(node, instance, 0);
 }
 
-/* The image of a cube; false if it is not safely before the eye and past near,
- * and has none. */
+/* The image of a cube. False if it has none: it is not safely before the eye
+ * and past near. */
 bool hsr_cube_project(const struct hsr_cube_frame *frame,
                       const struct hsr_placing *placing,
                       const struct hsr_octree_box *box,
@@ -147,7 +147,7 @@ struct hsr_side_depth hsr_cube_side_depth(const struct hsr_placing *placing,
 int hsr_cube_nearest(const struct hsr_placing *placing,
                      const struct hsr_octree_node *node);
 
-/* Lays out cell `place` of the object at hand: then faces 0 .. n-1 of
+/* Lays out cell `place` of the object at hand. Then faces 0 .. n-1 of
  * frame->world are those of the cell, and the tiler is ready for them. */
 const struct hsr_cell *hsr_cube_cell(struct hsr_cube_frame *frame,
                                      uint32_t place);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cubes by instances: the temporal coherence list of Greene, Kass and Miller,
- * "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993, 3.3. Of half a billion
- * cubes it holds only those listed. */
+/* Lists of cubes by instances: the temporal coherence list of Greene, Kass and
+ * Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993, 3.3. Its size is
+ * that of the cubes listed, of which there are few, and not of all. */
 #ifndef HSR_ALGORITHMS_CUBE_LIST_H
 #define HSR_ALGORITHMS_CUBE_LIST_H
 
@@ -17,7 +17,7 @@ extern "C" {
 #define hsr_cube_list_add HSR_OF_BUILD(hsr_cube_list_add)
 #define hsr_cube_marks_init HSR_OF_BUILD(hsr_cube_marks_init)
 
-/* Of one instance: cubes cube[first] to cube[first + n - 1]. */
+/* The listed cubes of one instance: cube[first] to cube[first + n - 1]. */
 struct hsr_listed_instance {
   uint32_t instance, first, n;
 };

@@ -312,8 +312,7 @@ static void check_frustum(struct frame *f) {
 /* Reads of the pyramid and samples of sides, and what they say of cubes. */
 static void check_cubes(struct frame *f, bool by_reads) {
   int reads = counter(f, "cube reads"), tested = counter(f, "cubes tested");
-  int culled = counter(f, "cubes culled"),
-      visible = counter(f, "cubes visible");
+  int culled = counter(f, "cubes culled");
   int sides = counter(f, "sides scanned"), samples = counter(f, "side samples");
   const struct hsr_event *read = NULL, *sample = NULL, *side = NULL;
   for (size_t k = 0; k < f->n_events; k++) {

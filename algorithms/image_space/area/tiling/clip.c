@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The line of a plane x = at on a face. A ray D from the eye E meets the face
- * where t = 1/q, so x - at has there the sign of q (E - at) + D, x, at, E and D
- * standing for the coordinates of one axis. q is affine on the screen, and so
- * is D, and this. E - at is rounded once, q is within `outside` times the
- * plane's error wherever a line is asked about (common/exact/screen.h), and D's
- * coefficients are within 2 u of themselves (u = 2^-53): the sum is off by
- * |E - at| times q's error and 8 u of all terms' sizes. */
+/* The line on the screen where a face meets the plane x = at; x, at, E and D
+ * are the coordinates along one axis, u = 2^-53.
+ *
+ * A ray D from the eye E meets the face where t = 1/q. There x - at has the
+ * sign of q (E - at) + D. On the screen q and D are affine, and so is this sum.
+ * E - at is rounded once; q is within `outside` times the plane's error
+ * wherever a line is asked about (common/exact/screen.h); the coefficients of D
+ * are within 2 u of themselves. So the sum is off by at most |E - at| times the
+ * error of q, and 8 u of the sizes of all terms. */
 #include "algorithms/image_space/area/tiling/clip.h"
 
 #include <float.h>
@@ -24,7 +26,7 @@ bool hsr_region_clip(const struct hsr_region *region, struct hsr_box *box) {
   return some;
 }
 
-/* Holds the piece at hand. */
+/* A box that holds the piece at hand. */
 static struct hsr_box box_of(const struct hsr_pieces_view *p) {
   const struct hsr_bsp *bsp = p->bsp;
   const double *at[3] = {bsp->x, bsp->y, bsp->z};

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Polygons clipped to a region between planes across the axes, by lines of the
- * screen: none is divided.
+/* Polygons clipped to a region between planes across the axes. A polygon is not
+ * divided: lines on the screen are added to its own.
  *
- * Region      the points of the world with above < x <= below in each
- *             coordinate: two regions on both sides of a plane share no point,
- *             and leave none out; what lies in the plane is in the lower one.
- * Exact       what is closer to such a line than its error is asked of the
- *             planes themselves, as where a tree has cut a piece (polygon.h).
- *             All faces that meet in a point of a ray are on one side there. */
+ * Notation    a region is the points of the world with above < x <= below in
+ *             each coordinate. The two regions at a plane share no point and
+ *             leave none out: the plane belongs to the lower one.
+ * Ties        a sample that is closer to such a line than its error is decided
+ *             by the planes themselves, as where a tree has cut a piece
+ *             (polygon.h). All faces that meet in a point of a ray are on one
+ *             side there. */
 #ifndef HSR_ALGORITHMS_TILING_CLIP_H
 #define HSR_ALGORITHMS_TILING_CLIP_H
 
@@ -25,7 +26,8 @@ struct hsr_region {
   double above[3], below[3]; /* infinite: no plane */
 };
 
-/* What of a box is in a region, or touches it; false if that is nothing. */
+/* Reduces a box to its part that is in a region or touches it; false if there
+ * is none. */
 bool hsr_region_clip(const struct hsr_region *region, struct hsr_box *box);
 
 enum { HSR_MOST_CLIPS = 6 };
@@ -38,13 +40,13 @@ struct hsr_clip {
   uint32_t n_own; /* its own lines */
   struct {
     int axis;
-    bool is_above; /* within is where the coordinate is greater */
+    bool is_above; /* the region is where the coordinate is greater */
     double at;
   } plane[HSR_MOST_CLIPS];
 };
 
-/* The polygon of the piece that `pieces` has at hand, in the region: NULL if
- * none of it is. It is good until the next one. */
+/* The polygon of the piece at hand, clipped to the region; NULL if nothing of
+ * it is in the region. It is valid until the next call. */
 const struct hsr_mask_polygon *hsr_clip_piece(struct hsr_clip *clip,
                                               struct hsr_pieces_view *pieces,
                                               struct hsr_screen *screen,

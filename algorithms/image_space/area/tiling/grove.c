@@ -39,9 +39,9 @@ static bool lies_in(const struct hsr_object *object, uint32_t f, int k,
   return true;
 }
 
-/* The sign of component k of the normal of a face across that axis, by its
- * area: the turn of its corners about the first, of which for a convex face all
- * are of one sign or 0. */
+/* A number with the sign of component k of the normal of a convex face: the sum
+ * of the turns of its corners about the first, all of which have one sign or
+ * are 0. */
 static double turn(const struct hsr_object *object, uint32_t f, int k) {
   int a = (k + 1) % 3, b = (k + 2) % 3;
   const double *xyz = object->xyz;
@@ -96,8 +96,8 @@ static int compare_keys(const void *a, const void *b) {
   return (k->instance > l->instance) - (k->instance < l->instance);
 }
 
-/* Sorts n instances along an axis. Where to divide them, as evenly as can be:
- * so many are below; 0: nowhere. */
+/* Sorts n instances along an axis and finds the most even division of them by a
+ * plane. Returns how many are below; 0 if there is no such plane. */
 static uint32_t divide(const struct ordering *o, uint32_t *instance, uint32_t n,
                        int axis, struct key *key, double *at) {
   for (uint32_t k = 0; k < n; k++)
@@ -241,8 +241,8 @@ static void note_sizes(struct hsr_grove *g, const struct hsr_bsp *bsp) {
   }
 }
 
-/* Objects are not adapted: their faces must be convex as they are, and flat, so
- * that nothing is seen of them out of their box. */
+/* Objects are not adapted, so their faces must be convex; and they must be
+ * flat, so that nothing of them is seen outside of the object's box. */
 static enum hsr_status check_faces(const struct hsr_world *world,
                                    const struct hsr_object *object,
                                    struct hsr_error *err) {
@@ -251,8 +251,7 @@ static enum hsr_status check_faces(const struct hsr_world *world,
   return hsr_check_unadapted(world, what, err);
 }
 
-/* The planes that an object's cubes have beside its faces' must be moved
- * exactly, too. */
+/* The median planes of an object's cubes must be moved exactly, too. */
 static enum hsr_status check_medians(const struct hsr_grove *g, uint32_t object,
                                      const struct hsr_bsp *bsp,
                                      struct hsr_error *err) {

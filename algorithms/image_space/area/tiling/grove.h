@@ -4,17 +4,17 @@
  * instances in an order for every eye.
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
- *             SIGGRAPH 1996, 9: an octree of BSP trees, replicated; the
- *             separating planes are those of Schumacker, as Sutherland et al.
- *             1974 tell.
- * Apart       instances can be put in order if planes across the axes separate
- *             them, each from all others. Boxes may touch if no face in a side
- *             of its object's box is to be seen from within: then no two faces
- *             in one plane, of two instances, exist for one eye.
- * Exact       they must be moved only, by what rounds nothing: then what is
- *             true of the object's planes is true of the instance's
- * Whole       what does not fulfil this is one tree of all faces, if these can
- *             be laid out */
+ *             SIGGRAPH 1996, 9: an octree of BSP trees, replicated. The
+ *             separating planes are Schumacker's, as described in Sutherland et
+ *             al. 1974.
+ * Invariants  planes across the axes separate each instance from all others.
+ *             Boxes of instances may touch if no face in a side of an object's
+ *             box can be seen from within the box: then no eye sees two faces
+ *             in one plane that are of two instances. Instances are only moved,
+ *             and by sums that are exact, so that what is true of an object's
+ *             planes is true of the instance's.
+ * Departures  a scene that does not fulfil this is one tree of all its faces,
+ *             if it can be laid out */
 #ifndef HSR_COMMON_GROVE_H
 #define HSR_COMMON_GROVE_H
 
@@ -26,15 +26,15 @@ extern "C" {
 
 /* An object by itself. */
 struct hsr_grove_tree {
-  struct hsr_scene scene; /* of it and one instance, that is not moved */
+  struct hsr_scene scene; /* of this object and one instance, not moved */
   struct hsr_instance instance;
   struct hsr_world world;
   struct hsr_bsp bsp;
 };
 
-/* Instances, separated by a plane across an axis: those of one child have no
- * point where the coordinate is greater than `at`, the others none where it is
- * less. Or a single one. */
+/* Either a single instance; or instances that a plane across an axis separates.
+ * Those of `below` have no point where the coordinate is greater than `at`, and
+ * those of `above` none where it is less. */
 struct hsr_grove_node {
   struct hsr_box box; /* holds them all */
   int axis;           /* -1: a single instance */
@@ -57,9 +57,9 @@ struct hsr_grove {
   struct hsr_arena arena;
 };
 
-/* `world` is borrowed; its faces are convex, if it is laid out. *grove is freed
- * with hsr_grove_free also after a failure: HSR_E_NOMEM; HSR_E_REFUSED where it
- * is an outline and the instances cannot be put in order, or a face of an
+/* `world` is borrowed; if it is laid out, its faces are convex. *grove is freed
+ * with hsr_grove_free also after a failure: HSR_E_NOMEM; HSR_E_REFUSED if the
+ * world is an outline whose instances cannot be put in order, or a face of an
  * object is not convex. */
 enum hsr_status hsr_grove_init(struct hsr_grove *grove,
                                const struct hsr_world *world,

@@ -75,7 +75,7 @@ static double area_of(const void *context, uint32_t f) {
          sqrt(w->nx[f] * w->nx[f] + w->ny[f] * w->ny[f] + w->nz[f] * w->nz[f]);
 }
 
-/* By their boxes. */
+/* A face counts as meeting each cube that its box meets. */
 static bool meets(const void *context, uint32_t f, const struct hsr_box *cube) {
   (void)context;
   (void)f;
@@ -83,8 +83,8 @@ static bool meets(const void *context, uint32_t f, const struct hsr_box *cube) {
   return true;
 }
 
-/* A face is in the smallest cube that holds it, or if it is small in all that
- * its box meets. */
+/* A face is in the smallest cube that holds it; a small one is in all cubes
+ * that its box meets. */
 static enum hsr_status make_octree(struct prepared *p,
                                    const struct hsr_world *world, long leaf) {
   struct hsr_primitives faces = {world->n_faces, world, bounds_of, area_of,
@@ -167,7 +167,7 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
                         &f->tiling.view, job->tally, arena);
 }
 
-/* Takes in hand a tree with all of its points. */
+/* Makes a tree, with all of its points, the one whose pieces are tiled. */
 static void take_tree(struct frame *f, const struct hsr_bsp *bsp) {
   static const double still[3] = {0, 0, 0};
   struct hsr_bsp_cube all = hsr_all_points(bsp);
@@ -209,9 +209,8 @@ static void tile_face(struct frame *f, uint32_t face) {
 
 /* --- An octree, from front to back ---------------------------------------- */
 
-/* The corners of a cube's box, and a little more for what is rounded: an
- * octree's boxes are within 2^-50 of the coordinates (common/trees/octree.c).
- * */
+/* The corners of a cube's box, and a little more for the rounding: the boxes of
+ * an octree are within 2^-50 of the coordinates (common/trees/octree.c). */
 static struct hsr_box corners_of(const struct hsr_octree_box *box) {
   struct hsr_box corners;
   for (int k = 0; k < 3; k++) {
@@ -222,8 +221,8 @@ static struct hsr_box corners_of(const struct hsr_octree_box *box) {
   return corners;
 }
 
-/* No point of a box has a greater 1/t. W is a sum of three products, within 8 u
- * of their sizes as in polygon.c. */
+/* A bound of 1/t over a box. W is a sum of three products, and within 8 u of
+ * their sizes, as in polygon.c. */
 static double nearest_of(const struct frame *f, const struct hsr_box *box) {
   const double *row = f->tiling.view.screen[2], *eye = f->tiling.view.E;
   double w = -0x1p-900;
@@ -306,7 +305,8 @@ static size_t draw_number(uint64_t *seed, size_t n) {
   return (size_t)(*seed * n / 2147483647);
 }
 
-/* So many per cent, chosen at random, change places at random. */
+/* Chooses so many per cent of the polygons at random and has them change places
+ * at random. */
 static void disturb(struct frame *f, long per_cent) {
   struct turn *turn = f->turn.items;
   size_t n = f->turn.n, moved = n * (size_t)per_cent / 100;
@@ -352,7 +352,7 @@ static void tile_input(struct frame *f) {
   tile_turns(f);
 }
 
-/* Pieces, and then the faces that the tree has no place for. */
+/* The pieces of a tree, and then the faces that have no place in it. */
 static void tile_tree(struct frame *f) {
   static const double still[3] = {0, 0, 0};
   const struct hsr_bsp *bsp = &f->prepared->tree;

@@ -27,7 +27,7 @@ static bool is_behind(struct hsr_lazy_depth a, struct hsr_lazy_depth b) {
   return a.near < b.far;
 }
 
-/* Of all that is seen of a face. */
+/* The bounds of all that is seen of a face. */
 static struct hsr_lazy_depth depth_at_vertices(const struct hsr_screen *s,
                                                uint32_t f) {
   const struct hsr_world *world = s->world;
@@ -162,8 +162,8 @@ static void tile_pixel(struct hsr_lazy_pyramid *p,
   include(&pixel->depth, depth_in(p, face, cell));
 }
 
-/* Whether the face at hand is behind the fragments at all of these samples,
- * which they cover. */
+/* Is the face at hand behind the fragments at all samples of the mask that they
+ * cover? */
 static bool is_behind_fragments(struct hsr_lazy_pyramid *p,
                                 const struct hsr_mask_cell *cell,
                                 uint64_t mask) {
@@ -178,7 +178,7 @@ static bool is_behind_fragments(struct hsr_lazy_pyramid *p,
   return true;
 }
 
-/* To ordinary z-buffering. */
+/* Changes a pixel to ordinary z-buffering. */
 static void demote(struct hsr_lazy_pyramid *p,
                    const struct hsr_mask_cell *cell) {
   struct hsr_lazy_pixel *pixel = &p->pixel[cell->number];
@@ -265,7 +265,7 @@ static void make_whole(struct hsr_lazy_pyramid *p,
       (struct hsr_lazy_cell){depth_in(p, face, cell), all, face};
 }
 
-/* Of a subcell that is not vacant. */
+/* The depth of a subcell that is not vacant. */
 static struct hsr_lazy_depth depth_of(const struct hsr_lazy_pyramid *p,
                                       const struct hsr_lazy_cell *parent,
                                       const struct hsr_mask_cell *sub) {
@@ -288,7 +288,7 @@ static void open(struct hsr_lazy_pyramid *p, const struct hsr_triage *mask,
   }
 }
 
-/* Depths of the subcells make that of the cell. */
+/* Finds the depth of a cell from those of its subcells. */
 static void find_depth(const struct hsr_lazy_pyramid *p,
                        const struct hsr_mask_cell *cell) {
   const struct hsr_triage *mask = &p->masks->coarse[cell->level][cell->number];
@@ -339,8 +339,8 @@ static uint64_t enter_pixel(struct hsr_lazy_pyramid *p,
   return hsr_masks_in_window(p->masks, cell);
 }
 
-/* Subcells that are hidden are left out; those that the polygon makes whole,
- * made so; the others, entered. */
+/* Leaves out the subcells that are hidden, makes whole those that the polygon
+ * hides, and has the others entered. */
 static uint64_t enter(void *context, const struct hsr_mask_cell *cell,
                       struct hsr_triage polygon) {
   struct hsr_lazy_pyramid *p = context;

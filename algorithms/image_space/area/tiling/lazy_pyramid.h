@@ -1,24 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The mask pyramid with depths: tiling polygons in any order, by masks as long
- * as their order allows, else by a z-buffer.
+/* The mask pyramid with depths. Polygons are tiled in any order: by masks as
+ * long as the order allows it, and otherwise by a z-buffer.
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 6.1.
  * Notation    znear, zfar -> near, far, as q = 1/t, greater being nearer;
- *             fragment -> struct hsr_lazy_fragment; the pixel of the paper ->
- *             a cell of the finest level, of 8 x 8 samples
- * Invariant   what is seen so far of any sample of a cell has its q within
- *             [far, near] of the cell. A pixel is tiled, and its fragments
- *             share no sample; or z-buffered, and the face of each sample is
- *             known. A polygon that hides all that was met in a cell makes it
- *             whole: it is all that is there, and nothing is kept below.
- * Legal       tiling is, while what arrives shares no sample with what is
- *             there, or is behind it: by far, or else at every shared sample.
- * Ties        what near and far leave open is compared at the samples, exactly;
- *             of faces in one plane the lower one is nearer.
+ *             fragment -> struct hsr_lazy_fragment; the pixel of the paper -> a
+ *             cell of the finest level, of 8 x 8 samples
+ * Invariants  the q of what is seen so far at any sample of a cell lies within
+ *             [far, near] of the cell. A pixel is either tiled, and no two of
+ *             its fragments share a sample; or z-buffered, and the face of each
+ *             sample is known. A polygon that covers a cell and hides all that
+ *             was met there makes the cell whole: then the cell shows that face
+ *             alone, and nothing is kept below it. Tiling is legal while a
+ *             polygon shares no sample with the fragments of a pixel or is
+ *             behind them: by znear and zfar, or at each of these samples.
+ * Ties        what znear and zfar leave open is compared at the samples,
+ *             exactly; of faces in one plane the lower one is nearer
  * Departures  colours are added when all polygons have been met, from the
- *             fragments, which are cached anyway; so none are discarded. near
- *             and far of a cell are found anew from those of its subcells. */
+ *             fragments; so no fragment is thrown away early. near and far of a
+ *             cell are found anew from those of its subcells. */
 #ifndef HSR_ALGORITHMS_TILING_LAZY_PYRAMID_H
 #define HSR_ALGORITHMS_TILING_LAZY_PYRAMID_H
 
@@ -35,7 +36,7 @@ extern "C" {
 #define hsr_lazy_shows HSR_OF_BUILD(hsr_lazy_shows)
 #define hsr_lazy_resolve HSR_OF_BUILD(hsr_lazy_resolve)
 
-/* Bounds of q = 1/t; far > near: of nothing. */
+/* Bounds of q = 1/t. If there is nothing, far > near. */
 struct hsr_lazy_depth {
   double far, near;
 };
@@ -131,29 +132,30 @@ struct hsr_lazy_pyramid {
   bool shows;
 };
 
-/* All of it vacant. `masks` is made ready, and vacant. HSR_E_NOMEM. */
+/* Makes a vacant pyramid; `masks` is ready and vacant. HSR_E_NOMEM. */
 enum hsr_status
 hsr_lazy_begin(struct hsr_lazy_pyramid *pyramid, struct hsr_masks *masks,
                const struct hsr_world *world, const struct hsr_view *view,
                struct hsr_tally *tally, struct hsr_arena *arena);
 
-/* Finds the plane of a face of the screen's. */
+/* Makes sure that the plane of a face is known. */
 void hsr_lazy_face(struct hsr_lazy_pyramid *pyramid, uint32_t face);
 
-/* Tiles a polygon of a face, that is within the box of samples. Returns false
- * if its box is hidden. */
+/* Tiles a polygon of a face; the polygon lies within the box of samples.
+ * Returns false if the box is hidden. */
 bool hsr_lazy_tile(struct hsr_lazy_pyramid *pyramid, uint32_t face,
                    const struct hsr_mask_polygon *polygon,
                    struct hsr_bounds box);
 
-/* Whether anything may be seen within the polygon, of which the lines leave
- * open what is not surely outside, that has no q greater than `nearest`. */
+/* May anything be seen of a thing that lies within the polygon and whose q is
+ * nowhere greater than `nearest`? Samples that the lines do not place surely
+ * outside count as inside. */
 bool hsr_lazy_shows(struct hsr_lazy_pyramid *pyramid,
                     const struct hsr_mask_polygon *polygon,
                     struct hsr_bounds box, double nearest);
 
-/* Tells of all samples of the window: `take` of the face that the next ones
- * are of, or HSR_BACKGROUND. */
+/* Tells the sink all samples of the window. Before those of a face, or of
+ * HSR_BACKGROUND, it calls `take`. */
 void hsr_lazy_resolve(struct hsr_lazy_pyramid *pyramid,
                       const struct hsr_mask_sink *sink, void *context,
                       void (*take)(void *context, uint32_t face));

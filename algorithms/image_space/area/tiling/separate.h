@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whole faces as pieces, each for itself, so that they can be tiled as the
- * pieces of a tree are (polygon.h): a tree without nodes. */
+/* A tree without nodes, whose pieces are the whole faces of a world: so these
+ * can be tiled as the pieces of a tree are (polygon.h). */
 #ifndef HSR_ALGORITHMS_TILING_SEPARATE_H
 #define HSR_ALGORITHMS_TILING_SEPARATE_H
 
@@ -20,7 +20,7 @@ extern "C" {
 enum hsr_status hsr_separate_init(struct hsr_bsp *bsp,
                                   const struct hsr_world *world);
 
-/* All points of a tree as if they were those of one leaf. */
+/* A leaf that has all points of a tree. */
 struct hsr_bsp_cube hsr_all_points(const struct hsr_bsp *bsp);
 
 #ifdef __cplusplus

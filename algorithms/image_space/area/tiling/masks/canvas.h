@@ -4,10 +4,9 @@
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 4.4 and 4.5; L. Carpenter, "The A-buffer",
  *             SIGGRAPH 1984. The filters are those of common/answers/filter.h.
- * Pixel       of a filtered picture is one mask of the finest level.
- * Box         the bits of a mask are counted.
- * Cosine      what a byte of a mask adds to each of the 3 x 3 pixels about it
- *             is looked up */
+ * Notation    a pixel of a filtered picture is one mask of the finest level.
+ *             The box filter counts the bits of a mask. The cosine filter looks
+ *             up what each byte of a mask adds to the 3 x 3 pixels about it. */
 #ifndef HSR_ALGORITHMS_TILING_CANVAS_H
 #define HSR_ALGORITHMS_TILING_CANVAS_H
 
@@ -42,7 +41,7 @@ void hsr_canvas_begin(struct hsr_canvas *canvas, const struct hsr_job *job,
                       struct hsr_window window, const struct hsr_kernel *cosine,
                       int counter);
 
-/* Takes a face in hand: what is tiled next is of this. */
+/* What is tiled next is of this face. */
 void hsr_canvas_face(struct hsr_canvas *canvas, uint32_t id);
 
 /* The same of a filtered picture, whose colour is known. */

@@ -29,15 +29,16 @@ static inline double smaller(double a, double b) {
 
 enum { SILHOUETTE = 8 }; /* room for its lines */
 
-/* The corners of a side of a box, counterclockwise from outside; corner number:
- * bit k above in coordinate k. Side 2 k is the lower in coordinate k. */
+/* The corners of each side of a box, counterclockwise as seen from outside. Bit
+ * k of a corner's number says that it is the upper one in coordinate k. Side 2
+ * k is the lower one in coordinate k. */
 static const unsigned char SIDE[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5},
                                          {0, 1, 5, 4}, {2, 6, 7, 3},
                                          {0, 2, 3, 1}, {4, 5, 7, 6}};
 
-/* The silhouette of a box from an eye that is below, within or above it in each
- * coordinate, 0 to 2: it goes along the edges of which one of both sides faces
- * the eye. */
+/* The silhouette of a box for an eye that is below it, within it or above it in
+ * each coordinate: place 0, 1 or 2. It goes along the edges that have one side
+ * that faces the eye and one that does not. */
 static struct hsr_silhouette find_silhouette(const int place[3]) {
   struct hsr_silhouette silhouette = {0, {0}};
   unsigned to[8] = {0}; /* a corner: where edges go from it */
@@ -120,12 +121,15 @@ static void find_errors(const struct hsr_pieces_view *p,
   }
 }
 
-/* Where the leaf's points are on the screen, as of add_point. */
+/* Finds where the leaf's points are on the screen; the bounds are those of
+ * add_point. */
 static void find_places(struct hsr_pieces_view *p,
                         const struct hsr_bsp_cube *leaf) {
   const double *own = p->bsp->error + leaf->first_point;
   double margin = 0, nearest = INFINITY;
-  double spread = 0; /* what a point's own error of 1 makes of X, Y and W */
+  double spread =
+      0; /* what an error of 1 in a point's coordinates amounts to in
+                        X, Y and W */
   for (int c = 0; c < 3; c++) {
     double sum = 0;
     for (int k = 0; k < 3; k++)
@@ -237,8 +241,9 @@ static struct point corner_point(const struct hsr_pieces_view *p,
 
 /* --- The box of samples --------------------------------------------------- */
 
-/* What holds points of the screen; and which borders of the window all points
- * so far are beyond, as homogeneous coordinates tell wherever they are. */
+/* A rectangle that holds points of the screen; and the borders of the window
+ * that all of them are beyond, by their homogeneous coordinates, wherever they
+ * are. */
 struct hull {
   double x0, y0, x1, y1;
   bool ahead; /* all points are surely before the eye */
@@ -379,7 +384,7 @@ static bool within_side(void *context, uint32_t k, double sx, double sy) {
                                   : within_cut(p, side, sx, sy);
 }
 
-/* A face that is not flat, and its cuts. */
+/* Does a piece of a face that is not flat cover the sample? */
 static bool covers(void *context, double sx, double sy) {
   struct hsr_pieces_view *p = context;
   const struct hsr_bsp_piece *piece = p->piece;
@@ -406,7 +411,7 @@ static bool within_box(void *context, uint32_t k, double sx, double sy) {
 
 /* --- Pieces --------------------------------------------------------------- */
 
-/* A polygon that is all of the box, and of it what `covers` says. */
+/* Makes the polygon the whole box; `covers` says what of it is the face. */
 static void take_box(struct hsr_pieces_view *p) {
   const struct hsr_bounds *b = &p->box;
   const double side[4][3] = {
@@ -418,9 +423,9 @@ static void take_box(struct hsr_pieces_view *p) {
   p->polygon = (struct hsr_mask_polygon){p->line, 4, within_box, covers, p};
 }
 
-/* The point between a and b where W is near. What is done to the errors of a
- * and b is bounded by what their W, which differ by more than four times that
- * error, may be off by. */
+/* The point between a and b where W is near. Its errors follow from those of a
+ * and b and from that of the parameter t, which is bounded by the errors of W:
+ * the W of a and b differ by more than four times these. */
 static struct point at_near(const struct point *a, const struct point *b,
                             double near) {
   double step = b->w - a->w, t = (near - a->w) / step;
@@ -436,9 +441,8 @@ static struct point at_near(const struct point *a, const struct point *b,
   return point;
 }
 
-/* The line that near makes on a polygon with corners on both sides of it, or
- * none where that is not certain. It leaves the polygon's own lines as they
- * are. */
+/* The line where near cuts a polygon that has corners on both sides of it.
+ * False if a side is not certain. The polygon's own lines stay as they are. */
 static bool line_at_near(struct hsr_pieces_view *p,
                          const struct hsr_bsp_corner *corner, uint32_t n,
                          struct hsr_mask_line *line) {
@@ -480,7 +484,7 @@ static bool find_box(struct hsr_pieces_view *p) {
   return box_of(&hull, &p->view->window, p->anywhere, &p->box);
 }
 
-/* The same of any other leaf. */
+/* The same, of a leaf that is not wholly before the eye and past near. */
 static bool find_box_around(struct hsr_pieces_view *p) {
   const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
   struct hull hull = no_hull();
@@ -500,7 +504,7 @@ bool hsr_pieces_take(struct hsr_pieces_view *p,
   return p->ahead && p->past_near ? find_box(p) : find_box_around(p);
 }
 
-/* Near may cut the piece at hand. */
+/* Has the piece at hand end at near, if near may cut it. */
 static void cut_at_near(struct hsr_pieces_view *p) {
   uint32_t n = p->piece->n_corners;
   const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
@@ -548,9 +552,10 @@ static struct hsr_box moved_box(const struct hsr_box *box,
   return moved;
 }
 
-/* The corners of a box: the one of all los, and what is added along its sides.
- * Six more roundings of terms no larger than twice the sum, which the errors,
- * as of a leaf's points, do not hold. */
+/* The corners of a box: the one of its lower ends, to which the sides are
+ * added. That takes six more roundings than the bound for a leaf's points
+ * allows, of terms no larger than twice the sum; so the bound is taken three
+ * times. */
 static void find_corners(const struct hsr_pieces_view *p,
                          const struct hsr_box *box, struct point point[8]) {
   static const double still[3] = {0, 0, 0};
@@ -577,7 +582,7 @@ static void find_corners(const struct hsr_pieces_view *p,
     }
 }
 
-/* The hull of corners whose errors are all the same. */
+/* The hull of eight corners, all of which have the same errors. */
 static struct hull hull_of(const struct hsr_pieces_view *p,
                            const struct point point[8]) {
   struct hull hull = no_hull();

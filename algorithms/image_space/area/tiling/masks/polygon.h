@@ -3,14 +3,14 @@
  *
  * Notation    a point V of the world is (X, Y, W) = rows (V - E) in homogeneous
  *             coordinates of the screen; the line through two points a and b is
- *             f = det(sample, a, b), inside being where f is positive.
- * Behind      nothing is clipped: a convex polygon in space is seen just within
- *             the lines of its sides, so taken, wherever its corners are.
- * Depth       is not kept, as in the paper: only where near cuts a polygon are
- *             its samples asked about.
- * Ties        samples that are closer to a line than its error are put to the
- *             exact predicates; on a side that a cut made, planes are compared.
- * Not flat    faces whose corners are not on their plane are asked about sample
+ *             f = det(sample, a, b), and inside is where f is positive
+ * Ties        samples that are closer to a line than its error are decided
+ *             exactly; on a side that a cut has made, planes are compared
+ * Departures  nothing is clipped: a convex polygon in space is seen exactly
+ *             within the lines of its sides in homogeneous coordinates, even if
+ *             it has corners behind the eye. As in the paper, no depths are
+ *             kept; only where near cuts a polygon are its samples asked about.
+ *             A face whose corners are not on its plane is asked about sample
  *             by sample. */
 #ifndef HSR_ALGORITHMS_TILING_POLYGON_H
 #define HSR_ALGORITHMS_TILING_POLYGON_H
@@ -31,7 +31,7 @@ extern "C" {
 #define hsr_pieces_silhouette HSR_OF_BUILD(hsr_pieces_silhouette)
 
 /* The corners of a box that are on its silhouette, in order; none if the eye is
- * within. */
+ * within the box. */
 struct hsr_silhouette {
   int n;
   unsigned char corner[6];
@@ -44,7 +44,7 @@ struct hsr_pieces_view {
   bool anywhere;               /* as in struct hsr_masks */
   struct hsr_tally *tally;
 
-  /* The tree at hand, and by what it is moved. */
+  /* The tree at hand, and the shift by which it is moved. */
   const struct hsr_bsp *bsp;
   double shift[3];
 
@@ -53,11 +53,11 @@ struct hsr_pieces_view {
   uint32_t first_point;
   double *x, *y, *w;
   double error[3];
-  bool ahead;      /* all points are surely before the eye: then they are at */
-  double *sx, *sy; /* (sx, sy) on the screen, */
+  bool ahead;      /* all points are surely before the eye */
+  double *sx, *sy; /* then: where they are on the screen, */
   double margin;   /* within this */
-  bool past_near;  /* all of them are */
-  double rounding; /* of a point that is no vertex, when it is moved */
+  bool past_near;  /* all points are past near */
+  double rounding; /* of moving a point that is no vertex */
 
   /* The piece at hand. */
   const struct hsr_bsp_piece *piece;
@@ -84,24 +84,26 @@ hsr_pieces_begin(struct hsr_pieces_view *pieces, struct hsr_pieces_room room,
                  const struct hsr_view *view, const struct hsr_masks *masks,
                  struct hsr_tally *tally, struct hsr_arena *arena);
 
-/* Takes in hand a tree, and a leaf of it, whose points are transformed. */
+/* Makes a tree the one at hand; and a leaf of it, whose points are transformed.
+ */
 void hsr_pieces_tree(struct hsr_pieces_view *pieces, const struct hsr_bsp *bsp,
                      const double shift[3]);
 void hsr_pieces_leaf(struct hsr_pieces_view *pieces,
                      const struct hsr_bsp_cube *leaf);
 
-/* Takes in hand a piece of that leaf, of whose face the eye is on the side
- * `facing`, and finds the box of the samples that it may cover: false if there
- * are none in the window. */
+/* Makes a piece of that leaf the one at hand, and finds the box of the samples
+ * that it may cover; false if there are none in the window. The eye is on the
+ * side `facing` of the piece's face. */
 bool hsr_pieces_take(struct hsr_pieces_view *pieces,
                      const struct hsr_bsp_piece *piece, int facing);
 
 /* Makes the polygon of the piece. */
 void hsr_pieces_outline(struct hsr_pieces_view *pieces);
 
-/* What may be seen of a box that is moved, as a polygon whose lines leave
- * nothing of it outside, and its box of samples: NULL if that is nothing. Where
- * it is not wholly ahead, *known is false: it may be seen, and NULL, too. */
+/* The silhouette of a moved box, as a polygon whose lines leave nothing of the
+ * box outside; its box of samples is `box`. NULL if no sample of the window is
+ * within it. *known is false, and the result NULL, if the box is not wholly
+ * before the eye: then it may be seen. */
 const struct hsr_mask_polygon *
 hsr_pieces_silhouette(struct hsr_pieces_view *pieces, const struct hsr_box *box,
                       const double shift[3], bool *known);
