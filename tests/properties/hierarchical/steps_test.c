@@ -13,7 +13,11 @@
  *             it says, and what is outside of the frustum as the last inequality
  *             says.
  * Faces       A face that is culled is not written; one that is repeated was met
- *             before. */
+ *             before.
+ * Bodies      What moves is told: instances that are moved down an octree, trees
+ *             of bodies, and merges of different faces in ascending order.
+ *
+ * With words: of the variants only whose names begin with one of them. */
 #include "algorithms/variant.h"
 #include "common/exact/screen.h"
 #include "tests/draw.h"
@@ -401,6 +405,80 @@ static void check_faces(struct frame *f, bool fast) {
   free(of);
 }
 
+/* --- Bodies --------------------------------------------------------------- */
+
+/* Six boxes that move and meet, and one that stands. */
+static struct hsr_scene *make_bodies(void) {
+  static const uint32_t side[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                      {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  static const float red[3] = {0.8f, 0.3f, 0.2f};
+  static const double at[7][3] = {{0, -2, 0}, {-3, 0, 0},  {-2, 0.5, 0.25},
+                                  {3, 1, -2}, {2.5, 0, 1}, {0, 2, 3},
+                                  {0.5, 2, 2}};
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_scene *scene = hsr_scene_new("bodies");
+  for (int moves = 0; moves < 2; moves++) {
+    struct hsr_object *box = hsr_scene_object(scene, "box");
+    box->moves = moves;
+    for (int k = 0; k < 8; k++)
+      hsr_object_vertex(box, k & 1 ? 1.25 : -1.25, k & 2 ? 0.75 : -0.75,
+                        k & 4 ? 1 : -1, NULL);
+    for (int s = 0; s < 6; s++)
+      for (uint32_t k = 1; k < 3; k++) {
+        const uint32_t triangle[3] = {side[s][0], side[s][k], side[s][k + 1]};
+        hsr_object_face(box, triangle, 3, red);
+      }
+  }
+  for (int k = 0; k < 7; k++) {
+    double m[12] = {1, 0, 0, at[k][0], 0, 1, 0, at[k][1], 0, 0, 1, at[k][2]};
+    hsr_scene_instance(scene, k > 0, m);
+  }
+  struct hsr_camera camera = {
+      .eye = {3, 4, 9}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 50};
+  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err))
+    stop("bodies", err.text);
+  return scene;
+}
+
+/* Merges and moves of all runs, so that it is known that there are some. */
+static long n_merges, n_moved;
+
+static void check_merges(struct frame *f) {
+  int regions = counter(f, "regions"), merges = counter(f, "merges");
+  int trees = counter(f, "trees"), faces = counter(f, "merged faces");
+  uint64_t made = 0;
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    if (e->counter == trees) {
+      expect(f, e->a.id[0] < 32 && !(made >> e->a.id[0] & 1),
+             "a tree is made twice of one body");
+      made |= (uint64_t)1 << e->a.id[0];
+    } else if (e->counter == merges) {
+      n_merges++;
+      expect(f, k && e[-1].counter == regions && e[-1].outcome == 3,
+             "a merge is not of the region at hand");
+      size_t n = 0;
+      for (; next_is(f, k + n, faces); n++)
+        expect(f, !n || e[n].a.id[0] < e[n + 1].a.id[0],
+               "merged faces do not ascend");
+      expect(f, n > 1, "a merge is of one face");
+    }
+  }
+}
+
+/* Of an instance that is moved down a cube was divided before. */
+static void check_movers(struct frame *f) {
+  int moved = counter(f, "moved down"), splits = counter(f, "splits");
+  bool divided = false;
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    divided |= e->counter == splits;
+    n_moved += e->counter == moved;
+    expect(f, e->counter != moved || (divided && e->a.id[0] < 7),
+           "an instance is moved down from a cube that is not divided");
+  }
+}
+
 /* --- Runs ----------------------------------------------------------------- */
 
 static void check_frame(struct frame *f, const char *text) {
@@ -411,6 +489,8 @@ static void check_frame(struct frame *f, const char *text) {
   }
   if (counter(f, "polygon cells") >= 0) {
     check_masks(f);
+    if (counter(f, "merges") >= 0)
+      check_merges(f);
     if (counter(f, "fragments") >= 0)
       check_lazy(f);
     else
@@ -420,6 +500,7 @@ static void check_frame(struct frame *f, const char *text) {
   check_frustum(f);
   if (counter(f, "cubes tested") < 0)
     return;
+  check_movers(f);
   bool one_by_one = !strstr(text, "coherence") && !strstr(text, "octree=off");
   if (one_by_one) {
     check_cubes(f, !strstr(text, "near") && !strstr(text, "sides"));
@@ -497,6 +578,7 @@ static const char *const variants[] = {
     "tiling:filter=box",
     "tiling:filter=cosine:jitter=3",
     "tiling-merged",
+    "tiling-merged:leaf=1",
     "tiling-merged:leaf=2:filter=box",
     "tiling-lazy",
     "tiling-lazy:leaf=2",
@@ -508,16 +590,39 @@ static const char *const scenes[] = {
     "penetration",  "coplanar",   "lattice:40:3",   "deep-stack",
     "color-cube:4", "near-plane", "cyclic-overlap", "office:1"};
 
-int main(void) {
-  enum {
-    VARIANTS = sizeof variants / sizeof *variants,
-    SCENES = sizeof scenes / sizeof *scenes
-  };
-  struct tap tap = plan(VARIANTS);
+enum {
+  VARIANTS = sizeof variants / sizeof *variants,
+  NAMED = sizeof scenes / sizeof *scenes,
+  SCENES = NAMED + 1
+};
+
+static bool is_asked(const char *variant, int argc, char **argv) {
+  bool asked = argc == 1;
+  for (int k = 1; k < argc; k++)
+    asked |= !strncmp(variant, argv[k], strlen(argv[k]));
+  return asked;
+}
+
+int main(int argc, char **argv) {
+  static const char *name[SCENES];
   struct both_worlds worlds[SCENES];
-  for (int s = 0; s < SCENES; s++)
+  struct hsr_error err = {.text = "out of memory"};
+  int n = 0;
+  for (int k = 0; k < VARIANTS; k++)
+    n += is_asked(variants[k], argc, argv);
+  struct tap tap = plan(n + (argc == 1));
+  for (int s = 0; s < NAMED; s++) {
     open_worlds(&worlds[s], scenes[s]);
+    name[s] = scenes[s];
+  }
+  name[NAMED] = "bodies";
+  worlds[NAMED] = (struct both_worlds){.scene = make_bodies()};
+  if (hsr_world_init(&worlds[NAMED].world, worlds[NAMED].scene, &err) ||
+      hsr_world_outline(&worlds[NAMED].outline, worlds[NAMED].scene, &err))
+    stop("bodies", err.text);
   for (int k = 0; k < VARIANTS; k++) {
+    if (!is_asked(variants[k], argc, argv))
+      continue;
     const char *wrong = NULL, *where = "";
     size_t events = 0;
     for (int s = 0; s < SCENES; s++) {
@@ -525,12 +630,15 @@ int main(void) {
       events += try_variant(&worlds[s], variants[k], &found);
       if (found && !wrong) {
         wrong = found;
-        where = scenes[s];
+        where = name[s];
       }
     }
     ok(&tap, !wrong, "%s: %zu events%s%s%s%s", variants[k], events,
        wrong ? "; " : "", where, wrong ? ": " : "", wrong ? wrong : "");
   }
+  if (argc == 1)
+    ok(&tap, n_merges > 1 && n_moved > 10, "%ld merges, %ld moved down",
+       n_merges, n_moved);
   for (int s = 0; s < SCENES; s++)
     close_worlds(&worlds[s]);
   return finish(&tap);
