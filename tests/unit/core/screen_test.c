@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The services of common/exact/screen.h against the exact predicates, on scenes where
- * the filters often cannot tell; and the arena, which they are given. */
+/* The services of common/exact/screen.h against the exact predicates, on scenes
+ * where the filters often cannot tell; those that need no screen, against those
+ * that do; and the arena, which they are given. */
 #include "common/view/clip.h"
 #include "common/exact/predicates.h"
 #include "common/exact/screen.h"
@@ -84,7 +85,7 @@ static void vertex(const struct fixture *x, uint32_t v, double p[3]) {
 /* Wrong answers of each service. */
 struct wrong {
   long row, first_row, edge, column, spans, nearer, vertex, in_front, culled,
-      asked;
+      anywhere, loops, asked;
 };
 
 static void try_vertices(struct fixture *x, struct wrong *wrong) {
@@ -157,6 +158,23 @@ static void try_face(struct fixture *x, uint32_t f, bool relevant,
   }
 }
 
+static struct hsr_loop loop_of(const struct hsr_world *w, uint32_t f) {
+  return (struct hsr_loop){
+      w->x, w->y, w->z, 1, w->vertex + w->start[f], hsr_face_size(w, f)};
+}
+
+/* The surround test by corners alone. */
+static void try_loop(struct fixture *x, uint32_t f, struct wrong *wrong) {
+  struct hsr_loop loop = loop_of(&x->world, f);
+  for (int j = 0; j < N; j += 2)
+    for (int i = 0; i < M; i += 3) {
+      double sx = hsr_sample_x(&x->view, i), sy = hsr_sample_y(&x->view, j);
+      bool covers = hsr_loop_surrounds(&x->view, loop, sx, sy, &x->tally) &&
+                    hsr_loop_beyond_near(&x->view, loop, sx, sy, &x->tally);
+      wrong->loops += covers != hsr_covers(&x->screen, f, i, j, &x->tally);
+    }
+}
+
 static void try_faces(struct fixture *x, struct wrong *wrong) {
   const struct hsr_world *w = &x->world;
   uint32_t next = 0;
@@ -170,12 +188,9 @@ static void try_faces(struct fixture *x, struct wrong *wrong) {
       try_edge(x, relevant && x->screen.whole[f], a, b, wrong);
     }
     try_face(x, f, relevant, wrong);
+    if (relevant)
+      try_loop(x, f, wrong);
   }
-}
-
-static struct hsr_loop loop_of(const struct hsr_world *w, uint32_t f) {
-  return (struct hsr_loop){
-      w->x, w->y, w->z, 1, w->vertex + w->start[f], hsr_face_size(w, f)};
 }
 
 static void try_pair(struct fixture *x, uint32_t f, uint32_t g,
@@ -190,6 +205,19 @@ static void try_pair(struct fixture *x, uint32_t f, uint32_t g,
       wrong->nearer += wanted != hsr_nearer(&x->screen, f, g, i, j, &x->tally);
       wrong->nearer += (exact == 0) != (x->world.plane[f] == x->world.plane[g]);
     }
+  uint64_t seed = 64 * f + g;
+  for (int k = 0; k < 20; k++) { /* anywhere in the picture, its borders too */
+    double sx = (double)draw_integer(&seed, 0, 8 * M) / 8;
+    double sy = (double)draw_integer(&seed, 0, 8 * N) / 8;
+    int exact = hsr_exact_nearer(&x->view, loop_of(&x->world, f),
+                                 loop_of(&x->world, g), sx, sy, &out_of_memory);
+    bool wanted = exact ? exact > 0 : f < g;
+    wrong->anywhere +=
+        wanted != hsr_nearer_at(&x->screen, f, g, sx, sy, &x->tally);
+    int side = hsr_loop_cut_side(&x->view, loop_of(&x->world, f),
+                                 loop_of(&x->world, g), sx, sy, &x->tally);
+    wrong->anywhere += exact == 0 && side != 0;
+  }
 }
 
 /* At the vertices of f: against the exact predicate, and, where f is a
@@ -243,6 +271,8 @@ static void try_services(struct tap *tap) {
   ok(tap, wrong.spans == 0, "face spans: %ld wrong", wrong.spans);
   ok(tap, wrong.culled == 0, "culls: %ld covered samples lost", wrong.culled);
   ok(tap, wrong.nearer == 0, "nearer: %ld wrong", wrong.nearer);
+  ok(tap, wrong.anywhere == 0, "nearer anywhere: %ld wrong", wrong.anywhere);
+  ok(tap, wrong.loops == 0, "coverage by corners: %ld wrong", wrong.loops);
   ok(tap, wrong.vertex == 0, "nearer at vertices: %ld wrong", wrong.vertex);
   ok(tap, wrong.in_front == 0,
      "in front at all vertices, so everywhere: %ld samples wrong",
@@ -310,7 +340,7 @@ static void try_arena(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(15);
+  struct tap tap = plan(17);
   try_services(&tap);
   try_generic(&tap);
   try_clip(&tap);
