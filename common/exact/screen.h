@@ -23,6 +23,7 @@
 
 #include "common/base/arena.h"
 #include "common/base/count.h"
+#include "common/polygon/polygon.h"
 #include "common/scene/pieces.h"
 #include "common/view/view.h"
 #include "common/scene/world.h"
@@ -304,7 +305,6 @@ int hsr_piece_spans(const struct hsr_screen *screen, uint32_t f,
  * faces that move with their instance, and planes across an axis. There is no
  * filter: whoever asks has one of his own, and asks about what that leaves
  * open. tally->exact counts each. */
-struct hsr_loop; /* common/exact/predicates.h */
 
 /* The sign of edge(a, b), as of hsr_edge_side. */
 int hsr_loop_edge_side(const struct hsr_view *view, const double a[3],

@@ -522,7 +522,8 @@ static size_t try_variant(const struct both_worlds *worlds, const char *text,
                      &worlds->world, &err))
     stop(text, err.text);
   f = (struct frame){.algorithm = setup.algorithm, .world = &worlds->world};
-  f.filtered = hsr_choice_kind(setup.algorithm, &variant.choice) != HSR_IDS;
+  struct hsr_filtering filtering = hsr_form_filtering(&variant.choice.form);
+  f.filtered = strstr(text, "filter");
   f.m = f.filtered ? SUB * M : M;
   f.n = f.filtered ? SUB * N : N;
   for (uint32_t v = 0; v < VIEWS && v < worlds->scene->n_views; v++) {
@@ -539,7 +540,7 @@ static size_t try_variant(const struct both_worlds *worlds, const char *text,
                           .ids = f.filtered ? NULL : f.ids,
                           .ids_stride = M};
     if (f.filtered) {
-      job.filtering = &variant.choice.filtering;
+      job.filtering = &filtering;
       job.sums = f.sums;
     }
     hsr_arena_reset(&scratch);
