@@ -383,7 +383,7 @@ static bool is_side_visible(struct walk *w, const struct hsr_placing *placing,
   if (w->option[PYRAMID] &&
       is_rectangle_hidden(w, box, nearest_of(image, corner), &visible))
     return false;
-  if (visible || w->option[CUBES] != SIDES)
+  if (w->option[CUBES] != SIDES)
     return true;
   visible = scan_side(w, placing, cube, image, side, &box, subject);
   HSR_STEP(w->tally, SIDES_SCANNED, subject, HSR_THE_WINDOW,
@@ -730,16 +730,17 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
  * the option says. */
 static enum hsr_status render_octrees(struct walk *w) {
   const struct hsr_cubes *cubes = w->frame.cubes;
-  const struct hsr_octree_node *root = &cubes->octree.node[0];
+  struct hsr_octree_node root = cubes->octree.node[0];
   struct hsr_movers *movers = &w->movers;
   long how = w->option[MOVERS];
+  root.tight = hsr_octree_cube(&root); /* what moves may be all over it */
   if (hsr_movers_init(movers, cubes, w->tally, MOVED, SPLITS,
                       w->frame.job->scratch))
     return HSR_E_NOMEM;
-  if (how == FRESH && !hsr_movers_divide_all(movers, 0, root))
+  if (how == FRESH && !hsr_movers_divide_all(movers, 0, &root))
     return HSR_E_NOMEM;
   bool together = movers->n && how != BEHIND;
-  render_instances(w, root, 0, together ? 0 : HSR_NO_NODE, false);
+  render_instances(w, &root, 0, together ? 0 : HSR_NO_NODE, false);
   for (uint32_t k = 0; k < movers->n && how == BEHIND; k++)
     render_instance(w, movers->mover[k].instance);
   for (uint32_t k = movers->outside; k != HSR_NO_MOVER;

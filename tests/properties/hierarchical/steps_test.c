@@ -407,8 +407,9 @@ static void check_faces(struct frame *f, bool fast) {
 
 /* --- Bodies --------------------------------------------------------------- */
 
-/* Six boxes that move and meet, and one that stands. */
-static struct hsr_scene *make_bodies(void) {
+/* Six boxes that move and meet, and one that stands: among them, or behind the
+ * eye, so that all others are outside of its cube. */
+static struct hsr_scene *make_bodies(bool behind) {
   static const uint32_t side[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                       {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   static const float red[3] = {0.8f, 0.3f, 0.2f};
@@ -431,6 +432,8 @@ static struct hsr_scene *make_bodies(void) {
   }
   for (int k = 0; k < 7; k++) {
     double m[12] = {1, 0, 0, at[k][0], 0, 1, 0, at[k][1], 0, 0, 1, at[k][2]};
+    if (behind && !k)
+      m[11] = 30;
     hsr_scene_instance(scene, k > 0, m);
   }
   struct hsr_camera camera = {
@@ -509,6 +512,14 @@ static void check_frame(struct frame *f, const char *text) {
   }
 }
 
+/* The picture is the z-buffer's. */
+static void check_truth(struct frame *f) {
+  static uint32_t right[M * N];
+  draw_ids(hsr_algorithm_find("zbuffer")->plain, f->world, &f->view, right,
+           NULL);
+  expect(f, !memcmp(right, f->ids, sizeof right), "the picture is wrong");
+}
+
 static size_t try_variant(const struct both_worlds *worlds, const char *text,
                           const char **wrong) {
   static struct frame f;
@@ -547,6 +558,8 @@ static size_t try_variant(const struct both_worlds *worlds, const char *text,
     if (hsr_setup_render(&setup, &job, &err))
       stop(text, err.text);
     check_frame(&f, text);
+    if (!f.filtered && !strstr(text, "table"))
+      check_truth(&f);
     events += f.n_events;
   }
   *wrong = f.wrong;
@@ -594,7 +607,7 @@ static const char *const scenes[] = {
 enum {
   VARIANTS = sizeof variants / sizeof *variants,
   NAMED = sizeof scenes / sizeof *scenes,
-  SCENES = NAMED + 1
+  SCENES = NAMED + 2
 };
 
 static bool is_asked(const char *variant, int argc, char **argv) {
@@ -616,16 +629,22 @@ int main(int argc, char **argv) {
     open_worlds(&worlds[s], scenes[s]);
     name[s] = scenes[s];
   }
-  name[NAMED] = "bodies";
-  worlds[NAMED] = (struct both_worlds){.scene = make_bodies()};
-  if (hsr_world_init(&worlds[NAMED].world, worlds[NAMED].scene, &err) ||
-      hsr_world_outline(&worlds[NAMED].outline, worlds[NAMED].scene, &err))
-    stop("bodies", err.text);
+  for (int s = NAMED; s < SCENES; s++) {
+    name[s] = s == NAMED ? "bodies" : "bodies outside";
+    worlds[s] = (struct both_worlds){.scene = make_bodies(s > NAMED)};
+    if (hsr_world_init(&worlds[s].world, worlds[s].scene, &err) ||
+        hsr_world_outline(&worlds[s].outline, worlds[s].scene, &err))
+      stop("bodies", err.text);
+  }
   for (int k = 0; k < VARIANTS; k++) {
     if (!is_asked(variants[k], argc, argv))
       continue;
     const char *wrong = NULL, *where = "";
     size_t events = 0;
+    bool divides = !strncmp(variants[k], "hzbuffer", 8) &&
+                   !strstr(variants[k], "octree") &&
+                   !strstr(variants[k], "behind");
+    long moved = n_moved;
     for (int s = 0; s < SCENES; s++) {
       const char *found = NULL;
       events += try_variant(&worlds[s], variants[k], &found);
@@ -634,6 +653,8 @@ int main(int argc, char **argv) {
         where = name[s];
       }
     }
+    if (divides && n_moved == moved)
+      wrong = "nothing is moved down";
     ok(&tap, !wrong, "%s: %zu events%s%s%s%s", variants[k], events,
        wrong ? "; " : "", where, wrong ? ": " : "", wrong ? wrong : "");
   }
