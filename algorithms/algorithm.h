@@ -35,7 +35,7 @@ enum hsr_branch {
   HSR_IMAGE_SPACE_POINT,       /* point sampling, along scan lines */
   HSR_BRUTE_FORCE,             /* the paper's two yardsticks */
   HSR_HIERARCHICAL, /* a z-buffer behind a hierarchy of the scene's volumes */
-  HSR_YARDSTICK    /* no algorithm of the field: the oracle, null */
+  HSR_YARDSTICK     /* no algorithm of the field: the oracle, null */
 };
 
 /* Flags. */

@@ -110,11 +110,18 @@ quick_programs = \
   %D%/unit/files/scene_json_test \
   %D%/conformance/trace_test \
   %D%/counts/golden_test
+# Under the sanitizers: the same, and what runs the modules at small sizes.
+sanitized_programs = $(quick_programs) \
+  %D%/properties/hierarchical/movers_test \
+  %D%/properties/lines/roberts_test \
+  %D%/properties/surfaces/newell_test \
+  %D%/properties/surfaces/romney_test \
+  %D%/properties/surfaces/schumacker_test
 quick_scripts = %D%/tree/arrows.test %D%/answers/layers.test \
   %D%/example/example.test
 quick_scenes = house cyclic-overlap penetration coplanar near-plane \
   lattice:40:3 --views 2 --size 41x29
-.PHONY: check-quick check-module
+.PHONY: check-quick check-module check-sanitized
 check-quick:
 	@$(MAKE) $(AM_MAKEFLAGS) -s hsr $(quick_programs) \
 	  %D%/answers/hsr-layers %D%/example/hsr-example
@@ -124,6 +131,11 @@ check-quick:
 	@./hsr check $(quick_scenes) >check-quick.txt; \
 	status=$$?; grep -E 'wrong:|crash|timeout|compared' check-quick.txt; exit $$status
 CLEANFILES += check-quick.txt
+
+check-sanitized:
+	@$(MAKE) $(AM_MAKEFLAGS) -s hsr $(sanitized_programs)
+	@$(MAKE) $(AM_MAKEFLAGS) -s check-TESTS TESTS="$(sanitized_programs)"
+	./hsr check $(quick_scenes)
 
 # One module: make check-module M=watkins
 check-module:

@@ -89,7 +89,8 @@ static bool are_counts_equal(const struct heard *heard,
       continue;
     printf("# %s, %s: %s: %llu counted, %llu events\n", a->name, scene,
            known ? a->counters[k].name : "no such counter",
-           (unsigned long long)tally->count[k], (unsigned long long)heard->n[k]);
+           (unsigned long long)tally->count[k],
+           (unsigned long long)heard->n[k]);
     equal = false;
   }
   return equal;
