@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a filtered picture should be: the plain loop of
- * docs/filtered-picture.md over sub-samples that the oracle draws. Only the
- * weights, places and colours, which are the definition, are the core's. */
+/* The right filtered picture: the plain loop of docs/filtered-picture.md over
+ * sub-samples that the oracle draws. It takes from the core only what the
+ * definition fixes: weights, places and colours. */
 #ifndef HSR_BENCH_JUDGE_FILTERED_H
 #define HSR_BENCH_JUDGE_FILTERED_H
 
 #include "bench/command.h"
 
-/* The sums of pixels k, those that `wanted` has, m * n, or NULL: of all; those
- * of others are anything. `oracle` draws ids. HSR_E_NOMEM, or whatever the
- * oracle fails with. */
+/* Finds the sums of the pixels k for which wanted[k] is set, of m * n; of all
+ * pixels if `wanted` is NULL. The sums of other pixels are not defined. `oracle`
+ * draws ids. HSR_E_NOMEM, or whatever the oracle fails with. */
 enum hsr_status judge_sums(const struct hsr_setup *oracle,
                            const struct hsr_filtering *filtering,
                            const struct hsr_view *view, const bool *wanted,

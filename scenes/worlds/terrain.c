@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A landscape, and plants on it.
  *
- * Source      the plants after the outdoor scenes of N. Greene, Hierarchical
+ * Source      the plants are after the outdoor scenes of N. Greene, Hierarchical
  *             Rendering of Complex Environments, Ph.D. thesis, UC Santa Cruz,
  *             1995: a height field with instances of a plant on it, 53 million
- *             polygons where a hill hides nearly all, 5 million seen from
- * above. Frame       the landscape lies over the square from -1 to 1 in x and
- * z. Plants      three models of 5,288 triangles: wood, of closed thin prisms,
- *             one-sided, and leaves, flat and two-sided. */
+ *             polygons where a hill hides nearly all, 5 million seen from above
+ * Frame       the landscape lies over the square from -1 to 1 in x and z
+ * Plants      three models of 5,288 triangles: wood, of closed thin prisms,
+ *             one-sided, and leaves, flat and two-sided */
 #include "scenes/builders.h"
 #include "scenes/parts/shapes.h"
 

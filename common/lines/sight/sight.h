@@ -4,18 +4,20 @@
  *
  * Source      Sutherland et al. 1974, "Edge Intersections", "Object-Space
  *             Algorithms"; docs/correct-drawing.md.
- * Displaced   an edge whose hiding is asked about is displaced as a whole by
- * the infinitesimal of the definition: P' is point P displaced, A'B' the edge.
- * The faces and edges that hide it are where they are. So an image never
- * touches another, and nothing is a special case: what figure 17 shows is
- * decided by the next sign of the same determinant. Together    what happens on
- * A'B' at different places that are one on AB happens at once: events are
- * compared by their place on AB. Exact       a filter in doubles, whose bound
- * is proved in sight.c, or intervals, or else exact numbers, which tally->exact
- * counts. Regular     a face that exists, is simple (common/lines/edges.h) and lies
- * wholly beyond near: its edges' images and its plane say all about it. Any
- * other that exists is loose: hsr_sight_face handles it, for one edge at a
- * time.
+ * Displaced   an edge is displaced as a whole, by the infinitesimal of the
+ *             definition, when one asks what hides it: P' is point P displaced,
+ *             A'B' the edge. The faces and edges that hide it stay where they
+ *             are. So two images never touch, and there are no special cases:
+ *             where figure 17 shows one, the next sign of the same determinant
+ *             decides.
+ * Together    events at different places of A'B' that are one place of AB happen
+ *             at once: events are compared by their places on AB.
+ * Exact       a filter in doubles decides, whose bound is proved in sight.c; or
+ *             intervals do; or exact numbers, which tally->exact counts.
+ * Regular     a face that exists, is simple (common/lines/edges.h) and lies
+ *             wholly beyond near. The images of its edges and its plane say all
+ *             about it. Any other face that exists is loose: hsr_sight_face
+ *             handles it, for one edge at a time.
  *
  * A sight belongs to one view and one thread, and does not move in memory. */
 #ifndef HSR_COMMON_SIGHT_H
@@ -215,13 +217,17 @@ bool hsr_sight_in_plane(const struct hsr_sight *sight, uint32_t e, uint32_t f);
  * or not: +1 in front of it, -1 behind, 0 on it. */
 int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f);
 
-/* Narrows the part of edge e between two of its places, which is in the
- * picture, to what of it is on one side of an HSR_AT_PLANE, in front (+1) or
- * behind; or of an HSR_AT_LINE. That of a line of points is as hsr_sight_side
- * has it; of the line where the planes of faces a and b meet, it is the sign of
- * h_a(E) s_b(P) - h_b(E) s_a(P), h being the height of the eye, and s by how
- * much P is higher than that. False if nothing is left. An edge in a plane is
- * on neither side of it; whose image lies on that of a line, is displaced. */
+/* Keeps of the part of edge e between *from and *to, which is in the picture,
+ * what lies on one side of an event's plane or line: in front of it (+1) or
+ * behind it (-1). False if nothing is left.
+ *
+ * HSR_AT_PLANE: the plane of face `subject`. An edge in that plane is on neither
+ * side of it.
+ * HSR_AT_LINE: the image of a line. The side of a line through two points is
+ * that of hsr_sight_side. The side of the line in which the planes of faces a
+ * and b meet is the sign of h_a(E) s_b(P) - h_b(E) s_a(P): h is the height of
+ * the eye above a plane, and s is by how much P is higher than the eye. An edge
+ * whose image lies on that of the line is displaced, and so on one side. */
 bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
                       enum hsr_event_at at, uint32_t subject, int side,
                       struct hsr_sight_event *from, struct hsr_sight_event *to);

@@ -2,13 +2,16 @@
 /* What Sutherland et al. 1974 say of Roberts' algorithm:
  *
  * Outcomes    an edge/volume test finds one of four things: the edge is hidden
- *             whole, or not at all, or one piece of it is left, or two are.
- * Only the last makes a fragment more. Convex      a convex solid alone: no
- * test for what it shows, one for each edge behind it. Concave     a solid is
- * divided into convex ones; the walls in between draw nothing, and the drawing
- * is that of an algorithm which knows of no volumes. Union       what several
- * volumes hide together is hidden. Solids      of random cubes of a lattice, in
- * and about which all is seen from places where edges, planes and the eye meet.
+ *             whole, or not at all, or one piece of it is left, or two are. Only
+ *             the last makes a fragment more.
+ * Convex      a convex solid alone takes no test for the edges that it shows,
+ *             and one for each edge behind it.
+ * Concave     a solid is divided into convex ones. The walls in between draw
+ *             nothing, and the drawing is that of an algorithm which knows of no
+ *             volumes.
+ * Union       what several volumes hide together is hidden.
+ * Solids      random cubes of a lattice, from eyes in and about which edges,
+ *             planes and the eye meet.
  */
 #include "common/lines/volumes.h"
 #include "scenes/scenes.h"
