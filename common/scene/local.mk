@@ -5,6 +5,10 @@ nobase_pkginclude_HEADERS += \
   %D%/scene.h \
   %D%/world.h
 libhsr_a_SOURCES += \
+  %D%/extract.c \
+  %D%/outline.c \
   %D%/pieces.c \
+  %D%/planes.c \
+  %D%/planes.h \
   %D%/scene.c \
   %D%/world.c

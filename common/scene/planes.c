@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The planes of a world's faces, and which of them are equal.
+ *
+ * Source      Newell's plane equation: Sutherland et al. 1974, eq. 6.
+ * Notation    u = 2^-53; a hat marks a computed value; d_i = V_i - V_0.
+ *
+ * Error of N. With V_0 as origin Newell's normal is the sum of
+ * d_i x d_{i+1}, i = 1 .. k-2. A product of two differences carries three
+ * roundings (1 + u)^3; a component sums 2(k - 2) of them, in at most 2(k - 2)
+ * additions. With P the largest component of the sum of |d_iy d_{i+1}z| +
+ * |d_iz d_{i+1}y| (as computed, itself within (1 + u)^{2k} of its value) the
+ * error of every component is at most (2k + 3) u P to first order; 4(k + 1) u P
+ * is stored, which covers the higher orders for every k < 2^48. To it 2^-960 is
+ * added, which covers underflow.
+ *
+ * Error of the anchor. The plane passes through the mean of the vertices, V_0 +
+ * (sum of d_i) / k. Each d_i carries one rounding, the sum k - 2, the division
+ * and the last addition one each: at most (k + 2) u times the largest of |V_0|
+ * + sum |d_i| by components; twice that is stored. A triangle's plane passes
+ * through V_0 itself, with no error.
+ *
+ * Deviation. N.(V - P) as computed carries the error of N over |V - P|_1, the
+ * anchor's over |N|_1, and a rounding of the difference, three of the products
+ * and sums; all are added, doubled. Where that leaves it open whether every
+ * vertex is on the plane, the exact predicate tells; of a quadrilateral,
+ * whether its four vertices are coplanar. */
+#include "common/scene/planes.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double U = DBL_EPSILON / 2;
+static const double TINY = 0x1p-960;
+
+void hsr_newell_add(struct hsr_newell *plane, const double v[3]) {
+  double next[3];
+  for (int a = 0; a < 3; a++) {
+    if (!plane->n)
+      plane->first[a] = v[a];
+    next[a] = v[a] - plane->first[a];
+    plane->sum[a] += next[a];
+    plane->reach[a] += plane->n ? fabs(next[a]) : fabs(v[a]);
+  }
+  const double *previous = plane->previous;
+  for (int a = 0, b = 1, c = 2; plane->n > 1 && a < 3;
+       a++, b = (b + 1) % 3, c = (c + 1) % 3) {
+    double plus = previous[b] * next[c], minus = previous[c] * next[b];
+    plane->normal[a] += plus - minus;
+    plane->size[a] += fabs(plus) + fabs(minus);
+  }
+  memcpy(plane->previous, next, sizeof next);
+  plane->n++;
+}
+
+void hsr_newell_anchor(const struct hsr_newell *plane, double anchor[3]) {
+  for (int a = 0; a < 3; a++)
+    anchor[a] = plane->n == 3 ? plane->first[a]
+                              : plane->first[a] + plane->sum[a] / plane->n;
+}
+
+/* Newell's normal and the anchor of face f, with their errors. */
+static void find_plane(struct hsr_world *world, uint32_t f) {
+  struct hsr_newell plane = {.n = 0};
+  for (uint32_t c = world->start[f]; c < world->start[f + 1]; c++) {
+    uint32_t v = world->vertex[c];
+    hsr_newell_add(&plane, (double[]){world->x[v], world->y[v], world->z[v]});
+  }
+  double anchor[3];
+  hsr_newell_anchor(&plane, anchor);
+  double p = fmax(plane.size[0], fmax(plane.size[1], plane.size[2]));
+  double r = fmax(plane.reach[0], fmax(plane.reach[1], plane.reach[2]));
+  world->nx[f] = plane.normal[0];
+  world->ny[f] = plane.normal[1];
+  world->nz[f] = plane.normal[2];
+  world->n_error[f] = 4 * (plane.n + 1.0) * U * p + TINY;
+  world->px[f] = anchor[0];
+  world->py[f] = anchor[1];
+  world->pz[f] = anchor[2];
+  world->anchor_error[f] =
+      plane.n == 3 ? 0 : 2 * (plane.n + 2.0) * U * r + TINY;
+}
+
+/* An upper bound of |N . (V - P)| over the vertices of face f. */
+static double find_deviation(const struct hsr_world *world, uint32_t f,
+                             bool *out_of_memory) {
+  if (hsr_face_size(world, f) == 3)
+    return 0;
+  bool may_be_flat = true;
+  const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
+  double n1 = fabs(n[0]) + fabs(n[1]) + fabs(n[2]), largest = 0;
+  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
+    uint32_t v = world->vertex[k];
+    double r[3] = {world->x[v] - world->px[f], world->y[v] - world->py[f],
+                   world->z[v] - world->pz[f]};
+    double r1 = fabs(r[0]) + fabs(r[1]) + fabs(r[2]);
+    double error = 2 * (world->n_error[f] * r1 + world->anchor_error[f] * n1) +
+                   16 * U * n1 * r1 + TINY;
+    double off = fabs(n[0] * r[0] + n[1] * r[1] + n[2] * r[2]);
+    may_be_flat &= off <= error;
+    largest = fmax(largest, off + error);
+  }
+  return may_be_flat && hsr_is_flat(hsr_face_loop(world, f), out_of_memory)
+             ? 0
+             : largest;
+}
+
+static double largest_normal(const struct hsr_world *world, uint32_t f) {
+  return fmax(fabs(world->nx[f]), fmax(fabs(world->ny[f]), fabs(world->nz[f])));
+}
+
+/* What an instance made of the object's faces must still be faces. */
+static enum hsr_status check(const struct hsr_world *world,
+                             struct hsr_error *err) {
+  for (uint32_t v = 0; v < world->n_vertices; v++)
+    if (!(fabs(world->x[v]) <= 1e30 && fabs(world->y[v]) <= 1e30 &&
+          fabs(world->z[v]) <= 1e30))
+      return hsr_fail(err, HSR_E_INPUT,
+                      "an instance takes a vertex out of range (above 1e30)");
+  bool out_of_memory = false;
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    if (largest_normal(world, f) <= world->n_error[f] &&
+        !hsr_exact_has_normal(hsr_face_loop(world, f), &out_of_memory))
+      return hsr_fail(
+          err, HSR_E_INPUT,
+          "object %s: an instance takes the area of face id %u to zero",
+          world->scene->objects[world->object[f]].name, f);
+  return out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+/* --- Equal planes --------------------------------------------------------- */
+
+/* A number that equal planes share: a fixed generic linear form in the unit
+ * normal and the distance, without its sign, known to lie in [lo, hi]. */
+struct plane_key {
+  double lo, hi;
+  uint32_t face;
+};
+
+/* Error of the key: the unit normal is off by at most 2 sqrt(3) n_error/|N| +
+ * 4u in each component, the distance by that times the anchor's size plus the
+ * anchor's error and three roundings; the form's coefficients are below 1. All
+ * is doubled. */
+static struct plane_key plane_key(const struct hsr_world *world, uint32_t f) {
+  double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
+  double p[3] = {world->px[f], world->py[f], world->pz[f]};
+  double scale = largest_normal(world, f);
+  for (int k = 0; k < 3; k++)
+    n[k] /= scale;
+  double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  double reach = fabs(p[0]) + fabs(p[1]) + fabs(p[2]);
+  double d = (n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) / length;
+  double key = fabs((0.5432 * n[0] + 0.8107 * n[1] + 0.3219 * n[2]) / length +
+                    0.6173 * d);
+  double turn = 4 * (world->n_error[f] / (scale * length)) + 8 * U;
+  double error =
+      8 * (turn * (1 + reach) + world->anchor_error[f]) + 16 * U * (1 + key);
+  if (!(error < INFINITY)) /* the normal is lost: compare with all */
+    return (struct plane_key){-INFINITY, INFINITY, f};
+  return (struct plane_key){key - error, key + error, f};
+}
+
+static int compare_keys(const void *a, const void *b) {
+  const struct plane_key *k = a, *l = b;
+  if (k->lo != l->lo)
+    return k->lo < l->lo ? -1 : 1;
+  return (k->face > l->face) - (k->face < l->face);
+}
+
+/* Cheap, and certain when it says no: whether the normals may be parallel. */
+static bool maybe_parallel(const struct hsr_world *world, uint32_t f,
+                           uint32_t g) {
+  double a[3] = {world->nx[f], world->ny[f], world->nz[f]};
+  double b[3] = {world->nx[g], world->ny[g], world->nz[g]};
+  double fa = largest_normal(world, f), fb = largest_normal(world, g);
+  double error = 4 * (fa * world->n_error[g] + fb * world->n_error[f] +
+                      world->n_error[f] * world->n_error[g]) +
+                 8 * U * fa * fb;
+  for (int i = 0, j = 1; i < 3; i++, j = (j + 1) % 3)
+    if (fabs(a[i] * b[j] - a[j] * b[i]) > error)
+      return false;
+  return true;
+}
+
+/* Sweeps over the keys: a plane is compared with those whose intervals reach
+ * into its own, one representative a class. */
+static enum hsr_status classify_planes(struct hsr_world *world) {
+  uint32_t n = world->n_faces, n_open = 0;
+  struct plane_key *key = malloc(n * sizeof *key);
+  struct plane_key *open = malloc(n * sizeof *open);
+  bool out_of_memory = !key || !open;
+  for (uint32_t f = 0; f < n && !out_of_memory; f++)
+    key[f] = plane_key(world, f);
+  if (!out_of_memory)
+    qsort(key, n, sizeof *key, compare_keys);
+  world->n_planes = 0;
+  for (uint32_t i = 0; i < n && !out_of_memory; i++) {
+    uint32_t f = key[i].face, kept = 0, found = UINT32_MAX;
+    for (uint32_t o = 0; o < n_open; o++) {
+      if (open[o].hi < key[i].lo)
+        continue; /* behind the sweep for good */
+      open[kept] = open[o];
+      uint32_t g = open[kept++].face;
+      if (found == UINT32_MAX && maybe_parallel(world, f, g) &&
+          hsr_exact_same_plane(hsr_face_loop(world, f), hsr_face_loop(world, g),
+                               &out_of_memory)) {
+        found = world->plane[g];
+        open[kept - 1].hi = fmax(open[kept - 1].hi, key[i].hi);
+      }
+    }
+    n_open = kept;
+    if (found == UINT32_MAX) {
+      found = world->n_planes++;
+      open[n_open++] = key[i];
+    }
+    world->plane[f] = found;
+  }
+  free(key);
+  free(open);
+  return out_of_memory ? HSR_E_NOMEM : HSR_OK;
+}
+
+void hsr_world_find_plane(struct hsr_world *world, uint32_t f,
+                          bool *out_of_memory) {
+  find_plane(world, f);
+  world->deviation[f] = find_deviation(world, f, out_of_memory);
+}
+
+enum hsr_status hsr_world_find_planes(struct hsr_world *world,
+                                      struct hsr_error *err) {
+  bool out_of_memory = false;
+  for (uint32_t f = 0; f < world->n_faces; f++)
+    hsr_world_find_plane(world, f, &out_of_memory);
+  if (out_of_memory)
+    return hsr_fail_nomem(err);
+  enum hsr_status status = check(world, err);
+  if (status)
+    return status;
+  return classify_planes(world) ? hsr_fail_nomem(err) : HSR_OK;
+}
