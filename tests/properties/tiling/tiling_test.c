@@ -201,8 +201,9 @@ static void find_sums(const struct both_worlds *s, const char *text,
            3 * sizeof *sums * COLUMNS * ROWS);
     hsr_answer_free(&r.answer);
   } else {
+    struct hsr_filtering filtering = hsr_form_filtering(&variant.choice.form);
     if (!begin_run(&r, &s->world, "oracle", false) ||
-        judge_sums(&r.setup, &r.setup.filtering, view, NULL, sums, &err))
+        judge_sums(&r.setup, &filtering, view, NULL, sums, &err))
       stop("oracle", err.text);
   }
   hsr_setup_free(&r.setup);
