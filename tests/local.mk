@@ -211,7 +211,9 @@ EXTRA_DIST += \
   algorithms/EXAMPLE.c \
   %D%/mutants/run \
   %D%/mutants/core.mutants \
+  %D%/mutants/hierarchical.mutants \
   %D%/mutants/image_space.mutants \
+  %D%/tree/apart \
   %D%/mutants/lines_and_lists.mutants \
   %D%/counts/golden \
   %D%/counts/rewrite \
