@@ -88,7 +88,7 @@ tap_programs += %D%/unit/files/vtp_test
 endif
 
 # The quick loop: less than a minute on two cores, once all is built.
-quick_programs = \
+quick_units = \
   %D%/unit/algorithms/cubes_test \
   %D%/unit/algorithms/grove_test \
   %D%/unit/algorithms/masks_test \
@@ -108,12 +108,10 @@ quick_programs = \
   %D%/unit/files/drawing_test \
   %D%/unit/files/plot_test \
   %D%/unit/files/scene_json_test \
-  %D%/conformance/trace_test \
-  %D%/counts/golden_test
+  %D%/conformance/trace_test
+quick_programs = $(quick_units) %D%/counts/golden_test
 # Under the sanitizers: the same, and what runs the modules at small sizes.
-sanitized_programs = $(quick_programs) \
-  %D%/properties/hierarchical/movers_test \
-  %D%/properties/lines/roberts_test \
+sanitized_programs = $(quick_units) \
   %D%/properties/surfaces/newell_test \
   %D%/properties/surfaces/romney_test \
   %D%/properties/surfaces/schumacker_test
