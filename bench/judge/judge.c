@@ -31,9 +31,9 @@ void *shared_memory(size_t size) {
   return memory == MAP_FAILED ? NULL : memory;
 }
 
-/* How the right answer of a kind that is folded is found: by a loop of its own
- * over what the oracle draws. Of the places that `wanted` has, or all if that is
- * NULL. */
+/* Who finds the right answer of a kind that is folded. The judge draws pictures
+ * with the oracle and folds them by code of its own. It judges the places k for
+ * which wanted[k] is set, or all of them if `wanted` is NULL. */
 struct folded {
   const struct hsr_answer_type *type;
   enum hsr_status (*judge)(const struct hsr_setup *oracle,
@@ -72,7 +72,7 @@ struct wanted {
   size_t n;         /* how many */
 };
 
-/* So many places as have about so many samples. */
+/* A place of a kind that is folded counts as the samples that it is made of. */
 long samples_to_compare(const struct hsr_world *world,
                         const struct hsr_form *form, long wanted) {
   if (wanted)
