@@ -16,7 +16,7 @@ static double seconds_now(void) {
 static enum hsr_status apply(struct hsr_setup *setup,
                              const struct hsr_adapter *adapter,
                              struct hsr_error *err) {
-  struct hsr_world out = {.scene = NULL};
+  struct hsr_world out = {.outline.scene = NULL};
   bool changed = false;
   double begin = seconds_now();
   enum hsr_status status = adapter->adapt(setup->world, &out, &changed, err);

@@ -153,7 +153,7 @@ enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err) {
   status = open_scene(options.scene.name, options.scene.import, &scene, err);
   if (status)
     return status;
-  struct hsr_world world = {.scene = scene};
+  struct hsr_world world = {.outline.scene = scene};
   struct hsr_view view;
   struct hsr_camera camera;
   status = choose_camera(&options.view, scene, &camera, err);

@@ -172,7 +172,7 @@ enum hsr_status command_voxels(int argc, char **argv, struct hsr_error *err) {
   status = open_scene(options.scene.name, options.scene.import, &scene, err);
   if (status)
     return status;
-  struct hsr_world world = {.scene = scene};
+  struct hsr_world world = {.outline.scene = scene};
   status = hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, err);
   if (!status && hsr_is_outline(&world))
     status = hsr_fail(err, HSR_E_NOMEM,

@@ -81,7 +81,8 @@ tap_scripts = \
   %D%/report/made.test \
   %D%/report/report.test \
   %D%/torture/torture.test \
-  %D%/tree/arrows.test
+  %D%/tree/arrows.test \
+  %D%/tree/mutants.test
 
 if WITH_VTK
 tap_programs += %D%/unit/files/vtp_test
@@ -115,7 +116,7 @@ sanitized_programs = $(quick_units) \
   %D%/properties/surfaces/newell_test \
   %D%/properties/surfaces/romney_test \
   %D%/properties/surfaces/schumacker_test
-quick_scripts = %D%/tree/arrows.test %D%/answers/layers.test \
+quick_scripts = %D%/tree/arrows.test %D%/tree/mutants.test %D%/answers/layers.test \
   %D%/example/example.test
 quick_scenes = house cyclic-overlap penetration coplanar near-plane \
   lattice:40:3 --views 2 --size 41x29

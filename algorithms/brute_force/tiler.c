@@ -173,7 +173,8 @@ static inline void settle(struct hsr_tiler *t, uint32_t f, uint32_t id, float q,
 static void gather_from(const struct hsr_tiler *t, struct hsr_batch *batch,
                         int k) {
   const struct hsr_world *world = t->screen.world;
-  const uint32_t *restrict vertex = world->vertex + 3 * (size_t)batch->first;
+  const uint32_t *restrict vertex =
+      world->mesh.vertex + 3 * (size_t)batch->first;
   const struct hsr_corner *restrict corner = t->corner;
   struct hsr_corners *restrict r = &batch->corners;
   for (; k < batch->n; k++) {
@@ -182,7 +183,7 @@ static void gather_from(const struct hsr_tiler *t, struct hsr_batch *batch,
     r->ax[k] = a.x, r->ay[k] = a.y, r->qa[k] = a.q;
     r->bx[k] = b.x, r->by[k] = b.y, r->qb[k] = b.q;
     r->cx[k] = c.x, r->cy[k] = c.y, r->qc[k] = c.q;
-    batch->one_sided[k] = world->one_sided[batch->first + (uint32_t)k];
+    batch->one_sided[k] = world->mesh.one_sided[batch->first + (uint32_t)k];
   }
 }
 
@@ -223,8 +224,8 @@ AVX512 static inline void gather_corners(const struct hsr_corner *corner,
 AVX512 static void gather_avx512(const struct hsr_tiler *t,
                                  struct hsr_batch *b) {
   const struct hsr_world *world = t->screen.world;
-  const uint32_t *v = world->vertex + 3 * (size_t)b->first;
-  const void *one_sided = world->one_sided + b->first;
+  const uint32_t *v = world->mesh.vertex + 3 * (size_t)b->first;
+  const void *one_sided = world->mesh.one_sided + b->first;
   struct hsr_corners *r = &b->corners;
   int k = 0;
   for (; k + LANES <= b->n; k += LANES, v += 3 * LANES) {
@@ -582,7 +583,7 @@ static void tile_whole(struct hsr_tiler *t, uint32_t f) {
   const struct hsr_world *world = t->screen.world;
   uint32_t v[3];
   int row[3];
-  memcpy(v, world->vertex + world->start[f], sizeof v);
+  memcpy(v, world->mesh.vertex + world->mesh.start[f], sizeof v);
   for (int k = 0; k < 3; k++)
     row[k] = hsr_vertex_row(&t->screen, v[k], t->tally);
   for (int k = 0; k < 3; k++) { /* bubbles: 0 1, 1 2, 0 1 */
@@ -1021,8 +1022,8 @@ void HSR_OF_BUILD(hsr_tiler_begin)(struct hsr_tiler *t,
 }
 
 void HSR_OF_BUILD(hsr_tiler_snap)(struct hsr_tiler *t) {
-  snap(t->screen.world->n_vertices, t->screen.sx, t->screen.sy, t->screen.q,
-       t->corner);
+  snap(t->screen.world->mesh.n_vertices, t->screen.sx, t->screen.sy,
+       t->screen.q, t->corner);
 }
 
 bool HSR_OF_BUILD(hsr_tiler_snap_far)(struct hsr_tiler *t, size_t n,

@@ -175,14 +175,14 @@ static enum hsr_status begin_frame(struct frame *t) {
   struct hsr_tiler *tiler = &t->tiler;
   struct hsr_arena *arena = job->scratch;
   size_t largest = 3;
-  if (!world->all_triangles)
+  if (!world->outline.all_triangles)
     for (uint32_t f = 0; f < world->n_faces; f++)
       if (largest < hsr_face_size(world, f))
         largest = hsr_face_size(world, f);
 
   HSR_OF_BUILD(hsr_tiler_begin)(tiler, job);
-  t->fast = tiler->on_grid && world->all_triangles;
-  tiler->corner = HSR_NEW(arena, struct hsr_corner, world->n_vertices);
+  t->fast = tiler->on_grid && world->outline.all_triangles;
+  tiler->corner = HSR_NEW(arena, struct hsr_corner, world->mesh.n_vertices);
   tiler->columns = HSR_NEW(arena, int, largest + 4);
   if (!tiler->corner || !tiler->columns || make_memory(t) ||
       hsr_screen_init(&tiler->screen, world, job->view, arena))

@@ -109,10 +109,10 @@ void hsr_cube_instance(struct hsr_cube_frame *frame, uint32_t i) {
   const struct hsr_instance *instance = &scene->instances[i];
   frame->instance = i;
   frame->object = &frame->cubes->object[instance->object];
-  frame->tiler.first_id = frame->job->world->first[i];
-  frame->world.one_sided = scene->objects[instance->object].one_sided
-                               ? frame->one_sided
-                               : frame->two_sided;
+  frame->tiler.first_id = frame->job->world->outline.first[i];
+  frame->world.mesh.one_sided = scene->objects[instance->object].one_sided
+                                    ? frame->one_sided
+                                    : frame->two_sided;
   place(&frame->placing, frame->job->view, instance->m, frame->object->reach);
 }
 
@@ -290,8 +290,9 @@ static void lay_out(void *context) {
   const struct hsr_cubes_object *object = frame->object;
   struct hsr_world *world = &frame->world;
   size_t v = frame->cell->first_vertex;
-  to_world(world->n_vertices, frame->placing.m, object->x + v, object->y + v,
-           object->z + v, world->x, world->y, world->z);
+  to_world(world->mesh.n_vertices, frame->placing.m, object->x + v,
+           object->y + v, object->z + v, world->mesh.x, world->mesh.y,
+           world->mesh.z);
   hsr_screen_vertices(&frame->tiler.screen);
 }
 
@@ -305,10 +306,10 @@ const struct hsr_cell *hsr_cube_cell(struct hsr_cube_frame *frame,
   struct hsr_placing *p = &frame->placing;
   size_t v = cell->first_vertex;
   frame->cell = cell;
-  world->n_vertices = cell->n_vertices;
+  world->mesh.n_vertices = cell->n_vertices;
   world->n_faces = cell->n_faces;
-  world->start = object->start + cell->first_start;
-  world->vertex = object->vertex + cell->first_corner;
+  world->mesh.start = object->start + cell->first_start;
+  world->mesh.vertex = object->vertex + cell->first_corner;
   tiler->id = object->face + cell->first_face;
   tiler->context = frame;
   tiler->lay_out = lay_out;
@@ -349,11 +350,11 @@ enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
         fabs(root->centre[0]) + fabs(root->centre[1]) + fabs(root->centre[2]) +
             root->half);
 
-  *world = (struct hsr_world){.scene = cubes->scene,
-                              .n_vertices = cubes->most_vertices,
+  *world = (struct hsr_world){.outline.scene = cubes->scene,
+                              .mesh.n_vertices = cubes->most_vertices,
                               .n_faces = cubes->most_faces,
-                              .n_corners = cubes->most_corners,
-                              .first = job->world->first};
+                              .mesh.n_corners = cubes->most_corners,
+                              .outline.first = job->world->outline.first};
   HSR_OF_BUILD(hsr_tiler_begin)(tiler, job);
   tiler->few = world;
   tiler->pair = &frame->pair;

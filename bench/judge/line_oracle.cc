@@ -116,7 +116,7 @@ template <class T> int is_zero(const vec<T> &a) {
 /* ---- Faces ---- */
 
 template <class T> vec<T> vertex(const hsr_world &world, uint32_t v) {
-  return {T(world.x[v]), T(world.y[v]), T(world.z[v])};
+  return {T(world.mesh.x[v]), T(world.mesh.y[v]), T(world.mesh.z[v])};
 }
 
 /* N·(k P - S) = 0, P and S taken from an origin O: kN·(P - O) = c. */
@@ -127,7 +127,7 @@ template <class T> struct plane {
 
 template <class T>
 plane<T> make_plane(const hsr_world &world, uint32_t f, const vec<T> &O) {
-  const uint32_t *v = world.vertex + world.start[f];
+  const uint32_t *v = world.mesh.vertex + world.mesh.start[f];
   const uint32_t k = hsr_face_size(&world, f);
   const vec<T> V0 = vertex<T>(world, v[0]);
   vec<T> b = vertex<T>(world, v[1]) - V0;
@@ -144,7 +144,7 @@ plane<T> make_plane(const hsr_world &world, uint32_t f, const vec<T> &O) {
 
 /* Whether all vertices of a face lie in its plane, as far as T tells. */
 template <class T> int is_flat(const hsr_world &world, uint32_t f) {
-  const uint32_t *v = world.vertex + world.start[f];
+  const uint32_t *v = world.mesh.vertex + world.mesh.start[f];
   const uint32_t k = hsr_face_size(&world, f);
   const vec<T> O = vertex<T>(world, v[0]);
   const plane<T> p = make_plane<T>(world, f, O);
@@ -170,8 +170,8 @@ bool decide_flat(const hsr_world &world, uint32_t f) {
 }
 
 bool has_vertex(const hsr_world &world, uint32_t f, uint32_t v) {
-  const uint32_t *begin = world.vertex + world.start[f];
-  const uint32_t *end = world.vertex + world.start[f + 1];
+  const uint32_t *begin = world.mesh.vertex + world.mesh.start[f];
+  const uint32_t *end = world.mesh.vertex + world.mesh.start[f + 1];
   return std::find(begin, end, v) != end;
 }
 
@@ -197,9 +197,9 @@ struct shape {
 
 void find_sides(const hsr_world &world, shape *made) {
   for (uint32_t f = 0; f < world.n_faces; f++) {
-    uint32_t a = world.vertex[world.start[f + 1] - 1];
-    for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
-      const uint32_t b = world.vertex[c];
+    uint32_t a = world.mesh.vertex[world.mesh.start[f + 1] - 1];
+    for (uint32_t c = world.mesh.start[f]; c < world.mesh.start[f + 1]; c++) {
+      const uint32_t b = world.mesh.vertex[c];
       made->sides.push_back({std::min(a, b), std::max(a, b), f});
       a = b;
     }
@@ -221,9 +221,9 @@ struct box {
 box face_box(const hsr_world &world, uint32_t f) {
   box all = {
       {infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, f};
-  for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
-    const uint32_t v = world.vertex[c];
-    const double p[3] = {world.x[v], world.y[v], world.z[v]};
+  for (uint32_t c = world.mesh.start[f]; c < world.mesh.start[f + 1]; c++) {
+    const uint32_t v = world.mesh.vertex[c];
+    const double p[3] = {world.mesh.x[v], world.mesh.y[v], world.mesh.z[v]};
     for (int axis = 0; axis < 3; axis++) {
       all.low[axis] = std::min(all.low[axis], p[axis]);
       all.high[axis] = std::max(all.high[axis], p[axis]);
@@ -242,14 +242,14 @@ bool overlap(const box &a, const box &b) {
 /* Whether a flat face has vertices on both sides of another's plane. If it has
  * not, the plane meets it in its border at most. */
 bool is_astride(const hsr_world &world, uint32_t f, uint32_t g) {
-  const uint32_t O = world.vertex[world.start[g]];
+  const uint32_t O = world.mesh.vertex[world.mesh.start[g]];
   const vec<Interval> near_O = vertex<Interval>(world, O);
   const plane<Interval> p = make_plane<Interval>(world, g, near_O);
   std::optional<vec<Exact>> exact_O;
   std::optional<plane<Exact>> q;
   bool before = false, behind = false;
-  for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
-    const uint32_t v = world.vertex[c];
+  for (uint32_t c = world.mesh.start[f]; c < world.mesh.start[f + 1]; c++) {
+    const uint32_t v = world.mesh.vertex[c];
     if (has_vertex(world, g, v))
       continue;
     int sign = sign_of(dot(p.kN, vertex<Interval>(world, v) - near_O) - p.c);
@@ -299,10 +299,11 @@ bool border::is_inside(const Exact &s) const {
 border cut_border(const hsr_world &world, uint32_t f, const plane<Exact> &p,
                   const vec<Exact> &direction, std::vector<mark> *marks) {
   border cut;
-  vec<Exact> a = vertex<Exact>(world, world.vertex[world.start[f + 1] - 1]);
+  vec<Exact> a =
+      vertex<Exact>(world, world.mesh.vertex[world.mesh.start[f + 1] - 1]);
   Exact height_a = dot(p.kN, a) - p.c;
-  for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
-    const vec<Exact> b = vertex<Exact>(world, world.vertex[c]);
+  for (uint32_t c = world.mesh.start[f]; c < world.mesh.start[f + 1]; c++) {
+    const vec<Exact> b = vertex<Exact>(world, world.mesh.vertex[c]);
     const Exact height_b = dot(p.kN, b) - p.c;
     const int sign_a = sign_of(height_a), sign_b = sign_of(height_b);
     if (sign_b == 0)
@@ -599,8 +600,8 @@ artist::artist(const hsr_job &a_job, const shape &a_shape)
         return make_frame<Exact>(*job.view);
       }()),
       exact_planes(world.n_faces), c(world.n_faces) {
-  v.reserve(world.n_vertices);
-  for (uint32_t k = 0; k < world.n_vertices; k++)
+  v.reserve(world.mesh.n_vertices);
+  for (uint32_t k = 0; k < world.mesh.n_vertices; k++)
     v.push_back(vertex<Interval>(world, k) - about.E);
   planes.reserve(world.n_faces);
   for (uint32_t f = 0; f < world.n_faces; f++)
@@ -626,7 +627,7 @@ int artist::decide_c(uint32_t f) {
 
 /* The eye is in front of a plane if c < 0. */
 bool artist::exists(uint32_t f) const {
-  return !world.one_sided[f] || c[f] < 0;
+  return !world.mesh.one_sided[f] || c[f] < 0;
 }
 
 /* Adds one point. What is not finite may be anything. */
@@ -653,8 +654,8 @@ void artist::extend(screen_box *all, const vec<Interval> &u) const {
  * not at all if that would be at w <= near. */
 void artist::add_hider(uint32_t f) {
   screen_box bounds = empty_image;
-  for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++)
-    extend(&bounds, v[world.vertex[k]]);
+  for (uint32_t k = world.mesh.start[f]; k < world.mesh.start[f + 1]; k++)
+    extend(&bounds, v[world.mesh.vertex[k]]);
   const bool flat = known.flat[f];
   if (flat && bounds.farthest <= job.view->near)
     return;
@@ -811,10 +812,10 @@ int artist::row(uint32_t number, point *p) {
 
 bool artist::is_parity_odd(uint32_t f, point *p) {
   bool odd = false;
-  uint32_t a = world.vertex[world.start[f + 1] - 1];
+  uint32_t a = world.mesh.vertex[world.mesh.start[f + 1] - 1];
   int row_a = row(a, p);
-  for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++) {
-    const uint32_t b = world.vertex[k];
+  for (uint32_t k = world.mesh.start[f]; k < world.mesh.start[f + 1]; k++) {
+    const uint32_t b = world.mesh.vertex[k];
     const int row_b = row(b, p);
     if (row_a != row_b) {
       const recipe which = {SIDE, std::min(a, b), std::max(a, b)};
@@ -855,8 +856,8 @@ bool artist::is_beside(uint32_t f) {
   int n_ends = 0;
   bool right_of = false, left_of = false, open = false;
   beside.clear();
-  for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++) {
-    const uint32_t number = world.vertex[k];
+  for (uint32_t k = world.mesh.start[f]; k < world.mesh.start[f + 1]; k++) {
+    const uint32_t number = world.mesh.vertex[k];
     int sign = 0;
     if (!e.implied && (number == e.name.a || number == e.name.b)) {
       n_ends++;
@@ -901,7 +902,7 @@ void artist::hide(uint32_t f) {
     return;
   if (job.view->near > 0)
     add_candidate({NEAR, f, 0});
-  const uint32_t *corner = world.vertex + world.start[f];
+  const uint32_t *corner = world.mesh.vertex + world.mesh.start[f];
   const uint32_t n = hsr_face_size(&world, f);
   for (uint32_t i = n - 1, k = 0; k < n; i = k++) {
     if (beside[i] * beside[k] <= 0)
@@ -1015,7 +1016,7 @@ enum hsr_status artist::emit_part(place *from, place *to, int invisibility) {
       B[k] = CGAL::to_double(*of_b[k]);
     }
   } else {
-    const double *xyz[3] = {world.x, world.y, world.z};
+    const double *xyz[3] = {world.mesh.x, world.mesh.y, world.mesh.z};
     for (int k = 0; k < 3; k++) {
       A[k] = xyz[k][e.name.a];
       B[k] = xyz[k][e.name.b];
@@ -1128,7 +1129,7 @@ enum hsr_status guarded(struct hsr_error *err, Work work) noexcept {
 extern "C" {
 
 static double expense(const struct hsr_world *world, const struct hsr_view *) {
-  return 0.125 * world->n_faces * world->n_corners;
+  return 0.125 * world->n_faces * world->mesh.n_corners;
 }
 
 static enum hsr_status prepare(const struct hsr_world *world, const long *,

@@ -202,22 +202,22 @@ int perturbed_sign(const sample &s, enum hsr_question question, Value value) {
 /* v = V - P: a vertex as it lies from a point. */
 template <class T>
 vec<T> vertex_from(const vec<T> &P, const hsr_world &world, uint32_t v) {
-  return lift<T>(world.x[v], world.y[v], world.z[v]) - P;
+  return lift<T>(world.mesh.x[v], world.mesh.y[v], world.mesh.z[v]) - P;
 }
 
 /* S - kP: the sum of a face's vertices as they lie from a point. */
 template <class T>
 vec<T> sum_from(const vec<T> &P, const hsr_world &world, uint32_t f) {
   vec<T> sum = lift<T>(0, 0, 0);
-  for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++)
-    sum = sum + vertex_from(P, world, world.vertex[c]);
+  for (uint32_t c = world.mesh.start[f]; c < world.mesh.start[f + 1]; c++)
+    sum = sum + vertex_from(P, world, world.mesh.vertex[c]);
   return sum;
 }
 
 /* N, the sum of Vi x Vi+1 around the face. The sum is the same from any
  * origin, the polygon being closed; from V0 two of its terms are zero. */
 template <class T> vec<T> newell_normal(const hsr_world &world, uint32_t f) {
-  const uint32_t *v = world.vertex + world.start[f];
+  const uint32_t *v = world.mesh.vertex + world.mesh.start[f];
   const uint32_t k = hsr_face_size(&world, f);
   const vec<T> V0 = vertex_from(lift<T>(0, 0, 0), world, v[0]);
   vec<T> N = lift<T>(0, 0, 0), b = vertex_from(V0, world, v[1]);
@@ -247,8 +247,8 @@ template <class T>
 CGAL::Uncertain<bool> is_planar(const hsr_world &world, uint32_t f) {
   const vec<T> N = newell_normal<T>(world, f);
   bool all_certain = true;
-  for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
-    const vec<T> V = vertex_from(lift<T>(0, 0, 0), world, world.vertex[c]);
+  for (uint32_t c = world.mesh.start[f]; c < world.mesh.start[f + 1]; c++) {
+    const vec<T> V = vertex_from(lift<T>(0, 0, 0), world, world.mesh.vertex[c]);
     const CGAL::Uncertain<bool> on =
         CGAL::is_zero(dot(N, sum_from(V, world, f)));
     if (CGAL::certainly_not(on))
@@ -294,10 +294,10 @@ int edge(const sample &s, uint32_t a, uint32_t b) {
 bool is_parity_odd(const sample &s, uint32_t f) {
   const hsr_world &world = *s.world;
   bool odd = false;
-  uint32_t a = world.vertex[world.start[f + 1] - 1];
+  uint32_t a = world.mesh.vertex[world.mesh.start[f + 1] - 1];
   int row_a = row(s, a);
-  for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
-    const uint32_t b = world.vertex[c];
+  for (uint32_t c = world.mesh.start[f]; c < world.mesh.start[f + 1]; c++) {
+    const uint32_t b = world.mesh.vertex[c];
     const int row_b = row(s, b);
     if (row_a != row_b && edge(s, a, b) == -row_a)
       odd = !odd;
@@ -341,7 +341,7 @@ struct hit {
 /* Whether face f exists and covers the sample, as *found then tells. */
 bool covers(const sample &s, uint32_t f, hit *found) {
   const int side = sign_of_c(s, f);
-  if (side == 0 || (s.world->one_sided[f] && side > 0))
+  if (side == 0 || (s.world->mesh.one_sided[f] && side > 0))
     return false;
   if (!is_parity_odd(s, f))
     return false;
@@ -518,9 +518,9 @@ struct world_faces {
 
   box bounds(uint32_t f) const {
     box all = empty_box;
-    for (uint32_t c = world.start[f]; c < world.start[f + 1]; c++) {
-      const uint32_t v = world.vertex[c];
-      extend(&all, world.x[v], world.y[v], world.z[v]);
+    for (uint32_t c = world.mesh.start[f]; c < world.mesh.start[f + 1]; c++) {
+      const uint32_t v = world.mesh.vertex[c];
+      extend(&all, world.mesh.x[v], world.mesh.y[v], world.mesh.z[v]);
     }
     return all;
   }
@@ -724,8 +724,8 @@ faces_at_hand::faces_at_hand(const hsr_world &all, const hsr_window &asked)
   const double signs = 32.0 * (asked.x1 - asked.x0) * (asked.y1 - asked.y0);
   if (hsr_is_outline(&whole)) {
     world = {};
-  } else if (signs > world.n_vertices && signs > world.n_faces) {
-    known.row.resize(world.n_vertices);
+  } else if (signs > world.mesh.n_vertices && signs > world.n_faces) {
+    known.row.resize(world.mesh.n_vertices);
     known.c.resize(world.n_faces, memo::UNKNOWN);
   }
 }
@@ -760,24 +760,24 @@ void faces_at_hand::add_vertex(const hsr_instance &instance,
 }
 
 uint32_t faces_at_hand::add(uint32_t i, uint32_t k) {
-  const hsr_instance &instance = whole.scene->instances[i];
-  const hsr_object &object = whole.scene->objects[instance.object];
+  const hsr_instance &instance = whole.outline.scene->instances[i];
+  const hsr_object &object = whole.outline.scene->objects[instance.object];
   const object_faces faces = {object};
   const Nearest to_nearest;
   for (uint32_t c = object.start[k]; c < object.start[k + 1]; c++)
     add_vertex(instance, faces.corner(c));
   start.push_back(uint32_t(vertex.size()));
-  id.push_back(whole.first[i] + k);
+  id.push_back(whole.outline.first[i] + k);
   one_sided.push_back({object.one_sided});
   known.c.push_back(memo::UNKNOWN);
 
-  world.x = x.data();
-  world.y = y.data();
-  world.z = z.data();
-  world.start = start.data();
-  world.vertex = vertex.data();
+  world.mesh.x = x.data();
+  world.mesh.y = y.data();
+  world.mesh.z = z.data();
+  world.mesh.start = start.data();
+  world.mesh.vertex = vertex.data();
   world.id = id.data();
-  world.one_sided = one_sided.data()->data();
+  world.mesh.one_sided = one_sided.data()->data();
   return world.n_faces++;
 }
 
@@ -798,7 +798,7 @@ void build_trees(const hsr_world &world, trees *made) {
     build(world_faces{world}, world.n_faces, &made->world);
     return;
   }
-  const hsr_scene &scene = *world.scene;
+  const hsr_scene &scene = *world.outline.scene;
   made->objects.resize(scene.n_objects);
   for (uint32_t o = 0; o < scene.n_objects; o++) {
     const uint32_t n = scene.objects[o].n_faces;
@@ -908,7 +908,7 @@ void way::go() {
   const bool instanced = hsr_is_outline(job.world);
   faces->begin_sample();
   const sample s = make_sample(job, &faces->world, &faces->known, sx, sy);
-  way w(s, t, instanced ? job.world->scene : nullptr, faces);
+  way w(s, t, instanced ? job.world->outline.scene : nullptr, faces);
   w.go();
   const uint32_t f = w.nearest.face;
   return instanced && f != HSR_BACKGROUND ? id_of(s, f) : f;

@@ -64,11 +64,12 @@ static enum hsr_status fill_geometry(const struct embree *embree,
     return embree_fail(embree, "making buffers", err);
   for (size_t k = 0; k < part->n_vertices; k++) {
     size_t v = part->first_vertex + k;
-    xyz[3 * k] = (float)world->x[v];
-    xyz[3 * k + 1] = (float)world->y[v];
-    xyz[3 * k + 2] = (float)world->z[v];
+    xyz[3 * k] = (float)world->mesh.x[v];
+    xyz[3 * k + 1] = (float)world->mesh.y[v];
+    xyz[3 * k + 2] = (float)world->mesh.z[v];
   }
-  const uint32_t *vertex = world->vertex + world->start[part->first_face];
+  const uint32_t *vertex =
+      world->mesh.vertex + world->mesh.start[part->first_face];
   for (size_t c = 0; c < 3 * (size_t)part->n_faces; c++)
     corner[c] = vertex[c] - part->first_vertex;
   return HSR_OK;

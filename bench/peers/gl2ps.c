@@ -80,15 +80,15 @@ static void set_camera(const struct lines *lines, const struct hsr_view *view) {
 }
 
 static void send_corner(const struct hsr_world *world, uint32_t v) {
-  glVertex3d(world->x[v], world->y[v], world->z[v]);
+  glVertex3d(world->mesh.x[v], world->mesh.y[v], world->mesh.z[v]);
 }
 
 static bool exists(const struct hsr_world *world, const struct hsr_view *view,
                    uint32_t f) {
-  double side = world->nx[f] * (view->E[0] - world->px[f]) +
-                world->ny[f] * (view->E[1] - world->py[f]) +
-                world->nz[f] * (view->E[2] - world->pz[f]);
-  return side > 0 || !world->one_sided[f];
+  double side = world->mesh.nx[f] * (view->E[0] - world->mesh.px[f]) +
+                world->mesh.ny[f] * (view->E[1] - world->mesh.py[f]) +
+                world->mesh.nz[f] * (view->E[2] - world->mesh.pz[f]);
+  return side > 0 || !world->mesh.one_sided[f];
 }
 
 static void send_triangles(const struct hsr_world *world,
@@ -99,7 +99,7 @@ static void send_triangles(const struct hsr_world *world,
   glBegin(GL_TRIANGLES);
   for (uint32_t f = 0; f < world->n_faces; f++)
     for (uint32_t k = 0; k < 3 && exists(world, view, f); k++)
-      send_corner(world, world->vertex[world->start[f] + k]);
+      send_corner(world, world->mesh.vertex[world->mesh.start[f] + k]);
   glEnd();
   gl2psDisable(GL2PS_POLYGON_OFFSET_FILL);
 }

@@ -52,7 +52,7 @@ static uint32_t order_faces(const struct hsr_world *world, uint32_t *order) {
   uint32_t n = 0, n_one_sided = 0;
   for (int pass = 0; pass < 2; pass++) {
     for (uint32_t f = 0; f < world->n_faces; f++)
-      if (world->one_sided[f] == !pass)
+      if (world->mesh.one_sided[f] == !pass)
         order[n++] = f;
     n_one_sided = pass ? n_one_sided : n;
   }
@@ -61,22 +61,23 @@ static uint32_t order_faces(const struct hsr_world *world, uint32_t *order) {
 
 static void put_vertex(struct mesh *mesh, const struct hsr_world *world,
                        uint32_t v, uint32_t f) {
-  mesh->vertex[mesh->n_vertices++] = (struct vertex){
-      .xyz = {(float)world->x[v], (float)world->y[v], (float)world->z[v]},
-      .id = hsr_world_parent(world, f)};
+  mesh->vertex[mesh->n_vertices++] =
+      (struct vertex){.xyz = {(float)world->mesh.x[v], (float)world->mesh.y[v],
+                              (float)world->mesh.z[v]},
+                      .id = hsr_world_parent(world, f)};
 }
 
 static void lay_out_arrays(struct mesh *mesh, const struct hsr_world *world) {
   for (uint32_t n = 0; n < world->n_faces; n++)
     for (uint32_t k = 0, f = mesh->order[n]; k < 3; k++)
-      put_vertex(mesh, world, world->vertex[world->start[f] + k], f);
+      put_vertex(mesh, world, world->mesh.vertex[world->mesh.start[f] + k], f);
 }
 
 /* Turns face f so that it starts from a vertex that has no copy yet, if it can:
  * the fewer vertices are left over. */
 static void turn_face(const struct hsr_world *world, uint32_t f,
                       const uint32_t *copy, uint32_t *corner) {
-  const uint32_t *vertex = world->vertex + world->start[f];
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
   int first = 0;
   while (first < 3 && copy[vertex[first]] != HSR_BACKGROUND)
     first++;
@@ -87,7 +88,7 @@ static void turn_face(const struct hsr_world *world, uint32_t f,
 /* copy[v] is any one of the copies of vertex v. */
 static void lay_out_indexed(struct mesh *mesh, const struct hsr_world *world,
                             uint32_t *copy) {
-  memset(copy, 0xff, world->n_vertices * sizeof *copy);
+  memset(copy, 0xff, world->mesh.n_vertices * sizeof *copy);
   for (uint32_t n = 0; n < world->n_faces; n++) {
     uint32_t *corner = mesh->corner + 3 * (size_t)n;
     turn_face(world, mesh->order[n], copy, corner);
@@ -132,24 +133,24 @@ static void send_mesh(const struct mesh *mesh, uint32_t n_corners) {
 static enum hsr_status make_mesh(struct llvmpipe *llvmpipe,
                                  const struct hsr_world *world,
                                  struct hsr_error *err) {
-  size_t most = (size_t)world->n_corners + world->n_vertices;
+  size_t most = (size_t)world->mesh.n_corners + world->mesh.n_vertices;
   struct mesh mesh = {.vertex = malloc(most * sizeof *mesh.vertex),
                       .order = malloc(world->n_faces * sizeof *mesh.order)};
-  uint32_t *copy = malloc(world->n_vertices * sizeof *copy);
+  uint32_t *copy = malloc(world->mesh.n_vertices * sizeof *copy);
   if (llvmpipe->layout == INDEXED)
-    mesh.corner = malloc(world->n_corners * sizeof *mesh.corner);
+    mesh.corner = malloc(world->mesh.n_corners * sizeof *mesh.corner);
   enum hsr_status status = HSR_OK;
   if (!mesh.vertex || !mesh.order || !copy ||
       (llvmpipe->layout == INDEXED && !mesh.corner)) {
     status = hsr_fail_nomem(err);
   } else {
     llvmpipe->n_one_sided = (GLsizei)(3 * order_faces(world, mesh.order));
-    llvmpipe->n_corners = (GLsizei)world->n_corners;
+    llvmpipe->n_corners = (GLsizei)world->mesh.n_corners;
     if (llvmpipe->layout == INDEXED)
       lay_out_indexed(&mesh, world, copy);
     else
       lay_out_arrays(&mesh, world);
-    send_mesh(&mesh, world->n_corners);
+    send_mesh(&mesh, world->mesh.n_corners);
   }
   free(mesh.vertex);
   free(mesh.corner);

@@ -4,12 +4,12 @@
 #include <math.h>
 
 struct box box_of_world(const struct hsr_world *world) {
-  const double *const axis[3] = {world->x, world->y, world->z};
+  const double *const axis[3] = {world->mesh.x, world->mesh.y, world->mesh.z};
   struct box box;
   for (int k = 0; k < 3; k++) {
     box.low[k] = INFINITY;
     box.high[k] = -INFINITY;
-    for (uint32_t v = 0; v < world->n_vertices; v++) {
+    for (uint32_t v = 0; v < world->mesh.n_vertices; v++) {
       box.low[k] = fmin(box.low[k], axis[k][v]);
       box.high[k] = fmax(box.high[k], axis[k][v]);
     }

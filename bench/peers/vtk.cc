@@ -119,10 +119,10 @@ void add_triangle(const struct hsr_world *world, uint32_t f, vtkPoints *points,
                                    (unsigned char)(id >> 8 & 255),
                                    (unsigned char)(id >> 16)};
   triangles->InsertNextCell(3);
-  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
-    uint32_t v = world->vertex[k];
-    triangles->InsertCellPoint(
-        points->InsertNextPoint(world->x[v], world->y[v], world->z[v]));
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+    uint32_t v = world->mesh.vertex[k];
+    triangles->InsertCellPoint(points->InsertNextPoint(
+        world->mesh.x[v], world->mesh.y[v], world->mesh.z[v]));
     ids->InsertNextTypedTuple(colour);
   }
 }
@@ -136,7 +136,7 @@ void fill_part(Part &part, const struct hsr_world *world, bool all,
   points->SetDataTypeToDouble();
   ids->SetNumberOfComponents(3);
   for (uint32_t f = 0; f < world->n_faces; f++)
-    if (all || world->one_sided[f] == one_sided)
+    if (all || world->mesh.one_sided[f] == one_sided)
       add_triangle(world, f, points, triangles, ids);
   part.mesh->SetPoints(points);
   part.mesh->SetPolys(triangles);
@@ -166,7 +166,7 @@ void connect_part(State *state, Part &part) {
 void add_world(State *state, const struct hsr_world *world) {
   uint32_t n_one_sided = 0;
   for (uint32_t f = 0; f < world->n_faces; f++)
-    n_one_sided += world->one_sided[f];
+    n_one_sided += world->mesh.one_sided[f];
   bool mixed = n_one_sided > 0 && n_one_sided < world->n_faces;
   bool all = state->painter && mixed;
   for (bool one_sided : {false, true}) {

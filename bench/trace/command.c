@@ -234,7 +234,7 @@ struct run {
   const struct options *options;
   const struct hsr_variant *variant;
   struct hsr_scene *scene;
-  struct hsr_world laid_out, outline; /* of which the algorithm gets one */
+  struct hsr_world laid_out, instanced; /* of which the algorithm gets one */
   struct hsr_view view;
   struct hsr_setup setup;
   struct trace_answer answer;
@@ -255,7 +255,7 @@ static enum hsr_status open_worlds(struct run *r, struct hsr_error *err) {
                     r->laid_out.n_faces, (int)MOST_FACES);
   uint32_t most = hsr_most_laid_out(r->variant->listed->counting);
   return r->laid_out.n_faces > most
-             ? hsr_world_open(&r->outline, r->scene, most, err)
+             ? hsr_world_open(&r->instanced, r->scene, most, err)
              : HSR_OK;
 }
 
@@ -272,9 +272,9 @@ static enum hsr_status open_run(struct run *r, struct hsr_error *err) {
   if (!status)
     status = open_worlds(r, err);
   if (!status)
-    status = hsr_setup_init(&r->setup, r->variant->listed->counting,
-                            &r->variant->choice,
-                            r->outline.scene ? &r->outline : &r->laid_out, err);
+    status = hsr_setup_init(
+        &r->setup, r->variant->listed->counting, &r->variant->choice,
+        r->instanced.outline.scene ? &r->instanced : &r->laid_out, err);
   if (!status)
     status = trace_answer_init(&r->answer, &r->setup, &r->view, err);
   return status;
@@ -284,7 +284,7 @@ static void close_run(struct run *r) {
   trace_answer_free(&r->answer);
   if (r->setup.algorithm)
     hsr_setup_free(&r->setup);
-  hsr_world_free(&r->outline);
+  hsr_world_free(&r->instanced);
   hsr_world_free(&r->laid_out);
   hsr_scene_delete(r->scene);
 }

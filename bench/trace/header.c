@@ -185,9 +185,9 @@ json_t *trace_point_json(const struct hsr_view *view, const double point[3]) {
 
 static void vertex_of(const struct hsr_world *world, uint32_t v,
                       double point[3]) {
-  point[0] = world->x[v];
-  point[1] = world->y[v];
-  point[2] = world->z[v];
+  point[0] = world->mesh.x[v];
+  point[1] = world->mesh.y[v];
+  point[2] = world->mesh.z[v];
 }
 
 /* Those that the algorithm got, where it got a scene laid out: to the scene's
@@ -196,7 +196,7 @@ static json_t *vertices_json(const struct trace_header *h) {
   const struct hsr_world *world =
       hsr_is_outline(h->setup->world) ? h->world : h->setup->world;
   json_t *vertices = json_array();
-  for (uint32_t v = 0; v < world->n_vertices; v++) {
+  for (uint32_t v = 0; v < world->mesh.n_vertices; v++) {
     double point[3];
     vertex_of(world, v, point);
     json_append(&vertices, trace_point_json(h->view, point));
@@ -223,8 +223,9 @@ static json_t *colour_json(const struct trace_header *h, uint32_t face) {
 
 static json_t *corners_json(const struct hsr_world *world, uint32_t face) {
   json_t *corners = json_array();
-  for (uint32_t k = world->start[face]; k < world->start[face + 1]; k++)
-    json_append(&corners, json_integer(world->vertex[k]));
+  for (uint32_t k = world->mesh.start[face]; k < world->mesh.start[face + 1];
+       k++)
+    json_append(&corners, json_integer(world->mesh.vertex[k]));
   return corners;
 }
 
@@ -250,7 +251,8 @@ static json_t *polygon_json(const struct trace_header *h, uint32_t face,
   double deepest = 0;
   for (int k = 0; k < n; k++) {
     double point[3];
-    vertex_of(world, world->vertex[world->start[face] + (uint32_t)k], point);
+    vertex_of(world, world->mesh.vertex[world->mesh.start[face] + (uint32_t)k],
+              point);
     project(h->view, point, room->in[k]);
     deepest = fmax(deepest, room->in[k][2]);
   }
@@ -271,7 +273,7 @@ static json_t *faces_json(const struct trace_header *h) {
   json_t *faces = room.in && room.out ? json_array() : NULL;
   for (uint32_t f = 0; faces && f < h->world->n_faces; f++)
     json_append(&faces, json_pack("[I I o o o]", (json_int_t)f,
-                                  (json_int_t)h->world->object[f],
+                                  (json_int_t)h->world->mesh.object[f],
                                   colour_json(h, f), corners_json(h->world, f),
                                   polygon_json(h, f, &room)));
   free(room.in);
@@ -316,6 +318,6 @@ json_t *trace_header_json(const struct trace_header *h) {
       "outline", outline_json(a), "counters", counters_json(a), "step_kinds",
       step_kinds_json(), "subjects", subjects_json(), "places", places_json(),
       "background", colour_json(h, HSR_BACKGROUND), "objects",
-      objects_json(h->world->scene), "vertices", vertices_json(h), "faces",
-      faces_json(h));
+      objects_json(h->world->outline.scene), "vertices", vertices_json(h),
+      "faces", faces_json(h));
 }

@@ -54,13 +54,13 @@ using Flat_point = Kernel::Point_2;
 // The corners of face f on the coordinate plane that it faces most, which is
 // turned as the face is: counterclockwise stays counterclockwise.
 std::vector<Flat_point> flatten(const hsr_world &world, uint32_t f) {
-  const double n[3] = {world.nx[f], world.ny[f], world.nz[f]};
+  const double n[3] = {world.mesh.nx[f], world.mesh.ny[f], world.mesh.nz[f]};
   const double a[3] = {std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])};
   const size_t drop = a[0] >= a[1] && a[0] >= a[2] ? 0 : a[1] >= a[2] ? 1 : 2;
   const size_t right = (drop + (n[drop] > 0 ? 1 : 2)) % 3;
   std::vector<Flat_point> points;
-  for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++) {
-    const Point p = point_of(world, world.vertex[k]);
+  for (uint32_t k = world.mesh.start[f]; k < world.mesh.start[f + 1]; k++) {
+    const Point p = point_of(world, world.mesh.vertex[k]);
     points.emplace_back(p[right], p[3 - drop - right]);
   }
   return points;
@@ -180,7 +180,8 @@ void add_triangulation(const hsr_world &world, uint32_t f, const Piece &whole,
                        const std::vector<Flat_point> &corners, List &list) {
   std::vector<Triangle> triangles;
   const bool simple = triangulate_loop(whole.loop, corners, triangles);
-  if (world.deviation[f] > 0 && !(simple && border(triangles, whole.loop))) {
+  if (world.mesh.deviation[f] > 0 &&
+      !(simple && border(triangles, whole.loop))) {
     add_fan(whole, list);
     return;
   }
@@ -195,7 +196,7 @@ hsr_status divide_polygons(const hsr_world *in, bool keep_convex,
                            hsr_world *out, bool *changed, hsr_error *err) {
   return guarded(err, [&]() -> hsr_status {
     *changed = false;
-    if (in->all_triangles)
+    if (in->outline.all_triangles)
       return HSR_OK;
     List list;
     for (uint32_t f = 0; f < in->n_faces; f++) {
@@ -206,7 +207,7 @@ hsr_status divide_polygons(const hsr_world *in, bool keep_convex,
       }
       const std::vector<Flat_point> corners = flatten(*in, f);
       const bool convex = is_convex(corners);
-      const bool keep = keep_convex && (convex || in->deviation[f] > 0);
+      const bool keep = keep_convex && (convex || in->mesh.deviation[f] > 0);
       const size_t before = list.size();
       if (keep)
         list.add(whole, true);
@@ -245,21 +246,22 @@ struct Cutter {
   double margin;
 
   Cutter(const hsr_world &world, uint32_t g, uint32_t cut_face)
-      : face(g), n{world.nx[g], world.ny[g], world.nz[g]}, p{world.px[g],
-                                                             world.py[g],
-                                                             world.pz[g]} {
+      : face(g), n{world.mesh.nx[g], world.mesh.ny[g], world.mesh.nz[g]},
+        p{world.mesh.px[g], world.mesh.py[g], world.mesh.pz[g]} {
     const double n1 = std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]);
     double reach = 0;
     for (uint32_t h : {g, cut_face})
-      for (uint32_t k = world.start[h]; k < world.start[h + 1]; k++)
-        for (double c : point_of(world, world.vertex[k]))
+      for (uint32_t k = world.mesh.start[h]; k < world.mesh.start[h + 1]; k++)
+        for (double c : point_of(world, world.mesh.vertex[k]))
           reach = std::fmax(reach, std::fabs(c));
-    const double scale = std::fmax(std::fabs(world.nx[cut_face]),
-                                   std::fmax(std::fabs(world.ny[cut_face]),
-                                             std::fabs(world.nz[cut_face])));
-    margin = 4 * (world.n_error[g] * 6 * reach + world.anchor_error[g] * n1) +
-             0x1p-40 * n1 * reach + 2 * world.deviation[g] +
-             2 * n1 * world.deviation[cut_face] / scale;
+    const double scale =
+        std::fmax(std::fabs(world.mesh.nx[cut_face]),
+                  std::fmax(std::fabs(world.mesh.ny[cut_face]),
+                            std::fabs(world.mesh.nz[cut_face])));
+    margin = 4 * (world.mesh.n_error[g] * 6 * reach +
+                  world.mesh.anchor_error[g] * n1) +
+             0x1p-40 * n1 * reach + 2 * world.mesh.deviation[g] +
+             2 * n1 * world.mesh.deviation[cut_face] / scale;
   }
 
   double height(const Point &v) const {
@@ -306,8 +308,8 @@ bool near_face(const std::vector<Point> &outline, const hsr_world &world,
       lo = std::fmin(lo, p[c]);
       hi = std::fmax(hi, p[c]);
     }
-    for (uint32_t k = world.start[g]; k < world.start[g + 1]; k++) {
-      const double v = point_of(world, world.vertex[k])[c];
+    for (uint32_t k = world.mesh.start[g]; k < world.mesh.start[g + 1]; k++) {
+      const double v = point_of(world, world.mesh.vertex[k])[c];
       from = std::fmin(from, v);
       to = std::fmax(to, v);
     }
@@ -379,7 +381,7 @@ hsr_status divide(const hsr_world *in, hsr_world *out, bool *changed,
       }
       const bool divided = pieces.size() > 1 || known;
       for (const Piece &piece : pieces)
-        list.add(piece, divided && whole.deviation[parent] == 0);
+        list.add(piece, divided && whole.mesh.deviation[parent] == 0);
     }
     return list.make(out, whole, err);
   });
@@ -438,7 +440,7 @@ enum hsr_status hsr_check_unadapted(const struct hsr_world *world,
                              "are not convex",
                              what);
   for (uint32_t f = 0; f < world->n_faces; f++)
-    if (world->deviation[f] > 0)
+    if (world->mesh.deviation[f] > 0)
       return hsr_fail(err, HSR_E_REFUSED,
                       "PF: %s, which is not laid out, has faces that are not "
                       "flat",

@@ -74,7 +74,7 @@ public:
           size_t(std::lower_bound(planes_.begin(), planes_.end(), piece.plane) -
                  planes_.begin()));
       nodes_.push_back({k, side, true});
-      if (!world.one_sided[piece.from])
+      if (!world.mesh.one_sided[piece.from])
         nodes_.push_back({k, -side, false});
     }
     about_.assign(group.size() * planes_.size(), UNKNOWN);
@@ -194,8 +194,9 @@ struct Extent {
 
 // From which sides of its plane a face across an axis is seen.
 unsigned seen_from(const hsr_world &world, uint32_t f, size_t axis) {
-  const double *const n[3] = {world.nx, world.ny, world.nz};
-  if (!world.one_sided[f] || !(std::fabs(n[axis][f]) > world.n_error[f]))
+  const double *const n[3] = {world.mesh.nx, world.mesh.ny, world.mesh.nz};
+  if (!world.mesh.one_sided[f] ||
+      !(std::fabs(n[axis][f]) > world.mesh.n_error[f]))
     return BOTH;
   return n[axis][f] > 0 ? FRONT : BEHIND;
 }
@@ -332,7 +333,7 @@ void Tree::separate(const hsr_separator &separator, Place place, Group &&front,
 bool Tree::split_at_gap(const Group &group, Place place,
                         bool between_instances) {
   const auto owner = [&](uint32_t p) {
-    return between_instances ? world_.instance[pieces_[p].from] : p;
+    return between_instances ? world_.mesh.instance[pieces_[p].from] : p;
   };
   Gap gap;
   std::vector<Extent> extents;
@@ -434,10 +435,10 @@ uint32_t Tree::choose_plane(const Group &group, const Group &candidates) {
 size_t Tree::price_between(const Group &group, uint32_t plane) {
   size_t n[4] = {0};
   for (size_t k = 0; k < group.size();) {
-    const uint32_t instance = world_.instance[pieces_[group[k]].from];
+    const uint32_t instance = world_.mesh.instance[pieces_[group[k]].from];
     unsigned about = 0;
     for (; k < group.size() &&
-           world_.instance[pieces_[group[k]].from] == instance;
+           world_.mesh.instance[pieces_[group[k]].from] == instance;
          k++)
       about |= shapes_.about(pieces_[group[k]], plane);
     n[about & UNSURE ? BOTH : about]++;
@@ -479,7 +480,7 @@ bool Tree::find_plane(const Group &group, uint32_t &plane) {
 // A piece as seen from its sides.
 void Tree::add_oriented(uint32_t piece, Group &to) const {
   to.push_back(2 * piece);
-  if (!world_.one_sided[pieces_[piece].from])
+  if (!world_.mesh.one_sided[pieces_[piece].from])
     to.push_back(2 * piece + 1);
 }
 

@@ -17,16 +17,17 @@ const double U = DBL_EPSILON / 2;
 const double TINY = 0x1p-960;
 
 double largest_normal(const hsr_world &w, uint32_t f) {
-  return std::fmax(std::fabs(w.nx[f]),
-                   std::fmax(std::fabs(w.ny[f]), std::fabs(w.nz[f])));
+  return std::fmax(std::fabs(w.mesh.nx[f]),
+                   std::fmax(std::fabs(w.mesh.ny[f]), std::fabs(w.mesh.nz[f])));
 }
 
 // Whether the normals of two faces of one plane point one way.
 bool same_way(const hsr_world &w, uint32_t f, uint32_t g) {
-  const double a[3] = {w.nx[f], w.ny[f], w.nz[f]};
-  const double b[3] = {w.nx[g], w.ny[g], w.nz[g]};
+  const double a[3] = {w.mesh.nx[f], w.mesh.ny[f], w.mesh.nz[f]};
+  const double b[3] = {w.mesh.nx[g], w.mesh.ny[g], w.mesh.nz[g]};
   for (size_t c = 0; c < 3; c++)
-    if (std::fabs(a[c]) > w.n_error[f] && std::fabs(b[c]) > w.n_error[g])
+    if (std::fabs(a[c]) > w.mesh.n_error[f] &&
+        std::fabs(b[c]) > w.mesh.n_error[g])
       return (a[c] > 0) == (b[c] > 0);
   const Exact product = Plane<Exact>(&w, f).normal * Plane<Exact>(&w, g).normal;
   return product > Exact(0);
@@ -35,11 +36,11 @@ bool same_way(const hsr_world &w, uint32_t f, uint32_t g) {
 // The widest extent of a face.
 double size_of(const hsr_world &w, uint32_t f) {
   double size = 0;
-  for (const double *x : {w.x, w.y, w.z}) {
+  for (const double *x : {w.mesh.x, w.mesh.y, w.mesh.z}) {
     double lo = INFINITY, hi = -INFINITY;
-    for (uint32_t k = w.start[f]; k < w.start[f + 1]; k++) {
-      lo = std::fmin(lo, x[w.vertex[k]]);
-      hi = std::fmax(hi, x[w.vertex[k]]);
+    for (uint32_t k = w.mesh.start[f]; k < w.mesh.start[f + 1]; k++) {
+      lo = std::fmin(lo, x[w.mesh.vertex[k]]);
+      hi = std::fmax(hi, x[w.mesh.vertex[k]]);
     }
     size = std::fmax(size, hi - lo);
   }
@@ -48,13 +49,13 @@ double size_of(const hsr_world &w, uint32_t f) {
 
 // The plane of face f, if it lies across an axis.
 Level level_of(const hsr_world &w, uint32_t f) {
-  const double *const x[3] = {w.x, w.y, w.z};
-  const double n[3] = {w.nx[f], w.ny[f], w.nz[f]};
+  const double *const x[3] = {w.mesh.x, w.mesh.y, w.mesh.z};
+  const double n[3] = {w.mesh.nx[f], w.mesh.ny[f], w.mesh.nz[f]};
   for (size_t axis = 0; axis < 3; axis++) {
-    const double at = x[axis][w.vertex[w.start[f]]];
-    bool across = std::fabs(n[axis]) > w.n_error[f];
-    for (uint32_t k = w.start[f]; k < w.start[f + 1] && across; k++)
-      across = x[axis][w.vertex[k]] == at;
+    const double at = x[axis][w.mesh.vertex[w.mesh.start[f]]];
+    bool across = std::fabs(n[axis]) > w.mesh.n_error[f];
+    for (uint32_t k = w.mesh.start[f]; k < w.mesh.start[f + 1] && across; k++)
+      across = x[axis][w.mesh.vertex[k]] == at;
     if (across)
       return {axis, at, n[axis] > 0 ? 1 : -1};
   }
@@ -91,9 +92,9 @@ Homogeneous<T> meet(const Plane<T> &f, const Plane<T> &g, const Plane<T> &h) {
 
 // Whether a vertex is known to lie in the plane of face f.
 bool is_on(const hsr_world &w, uint32_t f, uint32_t v) {
-  const uint32_t *first = w.vertex + w.start[f],
-                 *last = w.vertex + w.start[f + 1];
-  return w.deviation[f] == 0 && std::find(first, last, v) != last;
+  const uint32_t *first = w.mesh.vertex + w.mesh.start[f],
+                 *last = w.mesh.vertex + w.mesh.start[f + 1];
+  return w.mesh.deviation[f] == 0 && std::find(first, last, v) != last;
 }
 
 // The two sides that meet in corner k.
@@ -142,18 +143,18 @@ namespace hsr {
 
 Convex_pieces::Convex_pieces(const hsr_world &world)
     : world_(world), whole_(whole_of(world)),
-      face_of_(whole_.n_planes, UINT32_MAX), turned_(whole_.n_faces),
-      reach_(whole_.n_faces), level_(whole_.n_planes) {
+      face_of_(whole_.mesh.n_planes, UINT32_MAX), turned_(whole_.n_faces),
+      reach_(whole_.n_faces), level_(whole_.mesh.n_planes) {
   for (uint32_t f = 0; f < whole_.n_faces; f++) {
-    uint32_t &first = face_of_[whole_.plane[f]];
+    uint32_t &first = face_of_[whole_.mesh.plane[f]];
     if (first == UINT32_MAX) {
       first = f;
-      level_[whole_.plane[f]] = level_of(whole_, f);
+      level_[whole_.mesh.plane[f]] = level_of(whole_, f);
     }
     turned_[f] = first == f || same_way(whole_, first, f) ? 1 : -1;
-    if (whole_.deviation[f] == 0)
+    if (whole_.mesh.deviation[f] == 0)
       continue;
-    const double off = whole_.deviation[f] / largest_normal(whole_, f);
+    const double off = whole_.mesh.deviation[f] / largest_normal(whole_, f);
     reach_[f] = std::sqrt(off * size_of(whole_, f));
   }
 }
@@ -171,14 +172,15 @@ double Convex_pieces::height(uint32_t plane, const Corner &corner,
     return level.front * (corner.at[level.axis] - level.at);
   }
   const uint32_t g = face_of_[plane];
-  const double n[3] = {whole_.nx[g], whole_.ny[g], whole_.nz[g]};
-  const double r[3] = {corner.at[0] - whole_.px[g], corner.at[1] - whole_.py[g],
-                       corner.at[2] - whole_.pz[g]};
+  const double n[3] = {whole_.mesh.nx[g], whole_.mesh.ny[g], whole_.mesh.nz[g]};
+  const double r[3] = {corner.at[0] - whole_.mesh.px[g],
+                       corner.at[1] - whole_.mesh.py[g],
+                       corner.at[2] - whole_.mesh.pz[g]};
   const double n1 = std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]);
   const double r1 = std::fabs(r[0]) + std::fabs(r[1]) + std::fabs(r[2]);
-  error = 2 * (whole_.n_error[g] * r1 + whole_.anchor_error[g] * n1) +
+  error = 2 * (whole_.mesh.n_error[g] * r1 + whole_.mesh.anchor_error[g] * n1) +
           16 * U * n1 * r1 + TINY +
-          2 * (n1 + 3 * whole_.n_error[g]) * corner.error;
+          2 * (n1 + 3 * whole_.mesh.n_error[g]) * corner.error;
   return n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
 }
 
@@ -329,12 +331,12 @@ Convex Convex_pieces::part(const Convex &piece, uint32_t plane,
 bool Convex_pieces::make(uint32_t f, Convex &piece) const {
   const Piece given = piece_of(world_, f);
   const double reach = reach_[given.parent];
-  piece = {f, given.parent, whole_.plane[given.parent], {}, {}};
+  piece = {f, given.parent, whole_.mesh.plane[given.parent], {}, {}};
   for (size_t k = 0, n = given.loop.size(); k < n; k++)
     piece.corners.push_back({point_of(whole_, given.loop[k]), reach,
                              given.loop[k], given.loop[(k + 1) % n]});
   for (const hsr_cut &cut : given.cuts) {
-    const uint32_t plane = whole_.plane[cut.face];
+    const uint32_t plane = whole_.mesh.plane[cut.face];
     const int side = cut.side * turned_[cut.face];
     const unsigned where = about(piece, plane);
     if (!(where & UNSURE) && !(where & (side > 0 ? FRONT : BEHIND)))

@@ -84,7 +84,7 @@ public:
   int turned(uint32_t parent) const { return turned_[parent]; }
   double reach(uint32_t parent) const { return reach_[parent]; }
   bool is_flat(const Convex &piece) const {
-    return whole_.deviation[piece.parent] == 0;
+    return whole_.mesh.deviation[piece.parent] == 0;
   }
 
 private:

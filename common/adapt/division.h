@@ -32,15 +32,15 @@ inline const hsr_world &whole_of(const hsr_world &world) {
 }
 
 inline Point point_of(const hsr_world &world, uint32_t v) {
-  return {world.x[v], world.y[v], world.z[v]};
+  return {world.mesh.x[v], world.mesh.y[v], world.mesh.z[v]};
 }
 
 // Face f of any world as a piece of the scene's.
 inline Piece piece_of(const hsr_world &world, uint32_t f) {
   Piece piece;
   piece.parent = hsr_world_parent(&world, f);
-  piece.loop.assign(world.vertex + world.start[f],
-                    world.vertex + world.start[f + 1]);
+  piece.loop.assign(world.mesh.vertex + world.mesh.start[f],
+                    world.mesh.vertex + world.mesh.start[f + 1]);
   if (const hsr_pieces *p = world.pieces) {
     for (uint32_t c = p->cut_start[f]; c < p->cut_start[f + 1]; c++)
       piece.cuts.push_back({p->parent[p->cut[c].face], p->cut[c].side});

@@ -120,7 +120,7 @@ static uint16_t in_16_bits(float value) {
 static bool is_face(const struct hsr_world *world, uint32_t id) {
   if (world->pieces)
     world = world->pieces->whole;
-  return id < world->first[world->scene->n_instances];
+  return id < world->outline.first[world->outline.scene->n_instances];
 }
 
 /* By the scene alone, so that no way of holding the world can differ. */

@@ -19,7 +19,7 @@ using Exact = CGAL::MP_Float;
 template <class T> using Vector = typename CGAL::Simple_cartesian<T>::Vector_3;
 
 template <class T> Vector<T> point(const hsr_world *w, uint32_t v) {
-  return {T(w->x[v]), T(w->y[v]), T(w->z[v])};
+  return {T(w->mesh.x[v]), T(w->mesh.y[v]), T(w->mesh.z[v])};
 }
 
 // N . (k P - S) = 0, as in docs/correct-picture.md; `offset` is N . S.
@@ -29,7 +29,8 @@ template <class T> struct Plane {
 
   Plane(const hsr_world *w, uint32_t f)
       : normal(T(0), T(0), T(0)), k(double(hsr_face_size(w, f))) {
-    const uint32_t *vertex = w->vertex + w->start[f], n = hsr_face_size(w, f);
+    const uint32_t *vertex = w->mesh.vertex + w->mesh.start[f],
+                   n = hsr_face_size(w, f);
     Vector<T> first = point<T>(w, vertex[0]), sum = first;
     for (uint32_t i = 1; i < n; i++) {
       Vector<T> a = point<T>(w, vertex[i]);
@@ -53,13 +54,15 @@ template <class T> struct Plane {
 // The side of the plane of face f on which vertex v is, by the rounded plane,
 // if that is certain; else 0. The bound is that of order.c.
 inline int rough_side(const hsr_world *w, uint32_t f, uint32_t v) {
-  const double n[3] = {w->nx[f], w->ny[f], w->nz[f]};
-  const double r[3] = {w->x[v] - w->px[f], w->y[v] - w->py[f],
-                       w->z[v] - w->pz[f]};
+  const double n[3] = {w->mesh.nx[f], w->mesh.ny[f], w->mesh.nz[f]};
+  const double r[3] = {w->mesh.x[v] - w->mesh.px[f],
+                       w->mesh.y[v] - w->mesh.py[f],
+                       w->mesh.z[v] - w->mesh.pz[f]};
   const double n1 = std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]);
   const double r1 = std::fabs(r[0]) + std::fabs(r[1]) + std::fabs(r[2]);
-  const double error = 2 * (w->n_error[f] * r1 + w->anchor_error[f] * n1) +
-                       0x1p-49 * n1 * r1 + 0x1p-960;
+  const double error =
+      2 * (w->mesh.n_error[f] * r1 + w->mesh.anchor_error[f] * n1) +
+      0x1p-49 * n1 * r1 + 0x1p-960;
   const double height = n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
   return height > error ? 1 : height < -error ? -1 : 0;
 }

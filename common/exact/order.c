@@ -26,10 +26,11 @@ static double sum_of_sizes(const double v[3]) {
 /* Height of a point over the plane of g, and a bound of its error. */
 static double height(const struct hsr_world *w, uint32_t g, const double p[3],
                      bool exact, double *error) {
-  const double n[3] = {w->nx[g], w->ny[g], w->nz[g]};
-  const double r[3] = {p[0] - w->px[g], p[1] - w->py[g], p[2] - w->pz[g]};
+  const double n[3] = {w->mesh.nx[g], w->mesh.ny[g], w->mesh.nz[g]};
+  const double r[3] = {p[0] - w->mesh.px[g], p[1] - w->mesh.py[g],
+                       p[2] - w->mesh.pz[g]};
   double n1 = sum_of_sizes(n), r1 = sum_of_sizes(r);
-  *error = 2 * (w->n_error[g] * r1 + w->anchor_error[g] * n1) +
+  *error = 2 * (w->mesh.n_error[g] * r1 + w->mesh.anchor_error[g] * n1) +
            16 * U * n1 * r1 + TINY;
   if (!exact)
     *error += 0x1p-43 * n1 * sum_of_sizes(p);
@@ -50,7 +51,7 @@ int hsr_eye_side(const struct hsr_screen *screen, uint32_t g,
 static double thickness(const struct hsr_screen *screen, uint32_t f,
                         uint32_t g) {
   const struct hsr_world *world = screen->world;
-  double deviation = world->deviation[f], error_f, error_g;
+  double deviation = world->mesh.deviation[f], error_f, error_g;
   if (deviation == 0)
     return 0;
   double h_f = fabs(height(world, f, screen->view->E, true, &error_f));
@@ -62,13 +63,13 @@ static double thickness(const struct hsr_screen *screen, uint32_t f,
 bool hsr_grazes(const struct hsr_screen *screen, uint32_t f, double reach) {
   const struct hsr_world *world = screen->world;
   const double *E = screen->view->E;
-  double deviation = world->deviation[f], farthest = 0, error;
+  double deviation = world->mesh.deviation[f], farthest = 0, error;
   if (deviation == 0)
     return false;
-  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
-    uint32_t v = world->vertex[k];
-    const double d[3] = {world->x[v] - E[0], world->y[v] - E[1],
-                         world->z[v] - E[2]};
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+    uint32_t v = world->mesh.vertex[k];
+    const double d[3] = {world->mesh.x[v] - E[0], world->mesh.y[v] - E[1],
+                         world->mesh.z[v] - E[2]};
     farthest = fmax(farthest, sum_of_sizes(d));
   }
   double clear = fabs(height(world, f, E, true, &error)) - error - deviation;
@@ -89,10 +90,10 @@ static uint32_t point_of(const struct hsr_world *world,
       p[c] = polygon.outline[k][c];
     return HSR_NO_ID;
   }
-  uint32_t v = world->vertex[world->start[polygon.face] + k];
-  p[0] = world->x[v];
-  p[1] = world->y[v];
-  p[2] = world->z[v];
+  uint32_t v = world->mesh.vertex[world->mesh.start[polygon.face] + k];
+  p[0] = world->mesh.x[v];
+  p[1] = world->mesh.y[v];
+  p[2] = world->mesh.z[v];
   return v;
 }
 
@@ -111,7 +112,7 @@ static enum hsr_certainty on_side(const struct hsr_screen *screen,
     double off = side * height(world, g, p, !polygon.outline, &error);
     if (off > thick + error)
       continue;
-    if (off < -(thick + error + 2 * world->deviation[g]))
+    if (off < -(thick + error + 2 * world->mesh.deviation[g]))
       return HSR_NO;
     if (polygon.outline) /* rounded: but perhaps all of the face is there */
       return on_side(screen, (struct hsr_polygon){polygon.face, NULL, 0}, g,
@@ -126,7 +127,7 @@ static enum hsr_certainty on_side(const struct hsr_screen *screen,
             side >=
         0)
       continue;
-    if (world->deviation[g] == 0)
+    if (world->mesh.deviation[g] == 0)
       return HSR_NO;
     certainty = HSR_NEARLY;
   }
@@ -152,9 +153,11 @@ uint32_t hsr_divide_outline(const struct hsr_screen *screen,
                             double (*points)[3], double (*scratch)[3]) {
   const struct hsr_world *world = screen->world;
   uint32_t g = cut.face, n = n_points(world, polygon);
-  const double anchor[3] = {world->px[g], world->py[g], world->pz[g]};
-  const double plane[3] = {cut.side * world->nx[g], cut.side * world->ny[g],
-                           cut.side * world->nz[g]};
+  const double anchor[3] = {world->mesh.px[g], world->mesh.py[g],
+                            world->mesh.pz[g]};
+  const double plane[3] = {cut.side * world->mesh.nx[g],
+                           cut.side * world->mesh.ny[g],
+                           cut.side * world->mesh.nz[g]};
   double margin = 0;
   for (uint32_t k = 0; k < n; k++) {
     double p[3], error;
@@ -218,7 +221,7 @@ void hsr_depth_range(const struct hsr_screen *screen,
                      struct hsr_polygon polygon, double *nearest,
                      double *farthest) {
   const struct hsr_world *world = screen->world;
-  double deviation = world->deviation[polygon.face], stretch = 1;
+  double deviation = world->mesh.deviation[polygon.face], stretch = 1;
   *nearest = INFINITY;
   *farthest = 0;
   for (uint32_t k = 0; k < n_points(world, polygon); k++) {

@@ -16,12 +16,12 @@ enum hsr_status hsr_pair_init(struct hsr_pair *pair,
                               const struct hsr_world *scene,
                               const struct hsr_view *view,
                               struct hsr_arena *arena) {
-  uint32_t corners = 2 * hsr_largest_face(scene->scene);
-  pair->world = (struct hsr_world){.scene = scene->scene,
-                                   .n_vertices = corners,
+  uint32_t corners = 2 * hsr_largest_face(scene->outline.scene);
+  pair->world = (struct hsr_world){.outline.scene = scene->outline.scene,
+                                   .mesh.n_vertices = corners,
                                    .n_faces = 2,
-                                   .n_corners = corners,
-                                   .first = scene->first,
+                                   .mesh.n_corners = corners,
+                                   .outline.first = scene->outline.first,
                                    .id = pair->id};
   return hsr_world_allocate(&pair->world, arena) ||
                  hsr_screen_init(&pair->screen, &pair->world, view, arena)
@@ -34,11 +34,11 @@ bool hsr_pair_nearer(struct hsr_pair *pair, uint32_t f, uint32_t g, int i,
   struct hsr_world *world = &pair->world;
   pair->id[0] = f < g ? f : g;
   pair->id[1] = f < g ? g : f;
-  world->start[0] = 0;
+  world->mesh.start[0] = 0;
   for (uint32_t k = 0; k < 2; k++) {
     hsr_world_lay_out(world, k);
     hsr_world_find_plane(world, k, &tally->out_of_memory);
-    world->plane[k] = k; /* whether they are the same, shows */
+    world->mesh.plane[k] = k; /* whether they are the same, shows */
     hsr_screen_plane(&pair->screen, k);
   }
   /* Of equal planes neither is nearer than the other: the lower id wins. */

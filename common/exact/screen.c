@@ -90,7 +90,7 @@ enum hsr_status hsr_screen_init(struct hsr_screen *screen,
                                 const struct hsr_world *world,
                                 const struct hsr_view *view,
                                 struct hsr_arena *arena) {
-  size_t nv = world->n_vertices, nf = world->n_faces;
+  size_t nv = world->mesh.n_vertices, nf = world->n_faces;
   *screen = (struct hsr_screen){.world = world, .view = view};
   for (int k = 0; k < 3; k++)
     screen->reach[k] = fabs(view->ray[0][k]) + view->m * fabs(view->ray[1][k]) +
@@ -155,9 +155,9 @@ transform_points(size_t n, const double *restrict x, const double *restrict y,
 void hsr_screen_vertices(struct hsr_screen *screen) {
   const struct hsr_world *world = screen->world;
   const struct hsr_view *view = screen->view;
-  transform_points(world->n_vertices, world->x, world->y, world->z, view->E,
-                   view->screen, safe_cosine(view), screen->sx, screen->sy,
-                   screen->q);
+  transform_points(world->mesh.n_vertices, world->mesh.x, world->mesh.y,
+                   world->mesh.z, view->E, view->screen, safe_cosine(view),
+                   screen->sx, screen->sy, screen->q);
 }
 
 /* What all faces of a view share: see hsr_screen and the proof above. */
@@ -184,18 +184,18 @@ static inline void depth_plane(const struct hsr_world *world,
                                const struct plane_frame *v, size_t f,
                                struct hsr_depth_plane *plane,
                                signed char *facing) {
-  double n0 = world->nx[f], n1 = world->ny[f], n2 = world->nz[f];
-  double r0 = world->px[f] - v->e0, r1 = world->py[f] - v->e1,
-         r2 = world->pz[f] - v->e2;
+  double n0 = world->mesh.nx[f], n1 = world->mesh.ny[f], n2 = world->mesh.nz[f];
+  double r0 = world->mesh.px[f] - v->e0, r1 = world->mesh.py[f] - v->e1,
+         r2 = world->mesh.pz[f] - v->e2;
   double c0 = n0 * r0, c1 = n1 * r1, c2 = n2 * r2;
   double c = c0 + c1 + c2;
   double n_size = fabs(n0) + fabs(n1) + fabs(n2);
-  double e_c = 2 * (world->n_error[f] * (fabs(r0) + fabs(r1) + fabs(r2)) +
-                    world->anchor_error[f] * n_size) +
+  double e_c = 2 * (world->mesh.n_error[f] * (fabs(r0) + fabs(r1) + fabs(r2)) +
+                    world->mesh.anchor_error[f] * n_size) +
                16 * U * (fabs(c0) + fabs(c1) + fabs(c2)) + TINY;
   double c_size = fabs(c);
   double S = fabs(n0) * v->D0 + fabs(n1) * v->D1 + fabs(n2) * v->D2;
-  double e_n = world->n_error[f] * v->D + 16 * U * S + TINY;
+  double e_n = world->mesh.n_error[f] * v->D + 16 * U * S + TINY;
   double inverse = 1 / c, Q = S * fabs(inverse);
   double error = (e_n + Q * e_c) / (c_size - e_c) + 16 * U * Q;
   int known = c_size > 2 * e_c;
@@ -206,7 +206,7 @@ static inline void depth_plane(const struct hsr_world *world,
   plane->b = known ? b : 0;
   plane->c = known ? d : 0;
   plane->error = known ? error : INFINITY;
-  int certain = c_size > e_c + world->deviation[f];
+  int certain = c_size > e_c + world->mesh.deviation[f];
   *facing = (signed char)(certain ? (c < 0 ? 1 : -1) : 0);
 }
 
@@ -255,7 +255,7 @@ bool hsr_face_exists(const struct hsr_screen *screen, uint32_t f,
     facing = hsr_exact_plane_side(hsr_plane_loop(screen->world, f),
                                   screen->view->E, &tally->out_of_memory);
   }
-  return facing > 0 || (facing < 0 && !screen->world->one_sided[f]);
+  return facing > 0 || (facing < 0 && !screen->world->mesh.one_sided[f]);
 }
 
 /* The window's samples within [lo, hi] of screen coordinates, closed. */
@@ -281,8 +281,9 @@ static bool vertex_bounds(const struct hsr_screen *screen, uint32_t f,
   const struct hsr_world *world = screen->world;
   double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
   bool safe = true;
-  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
-    double x = screen->sx[world->vertex[k]], y = screen->sy[world->vertex[k]];
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+    double x = screen->sx[world->mesh.vertex[k]],
+           y = screen->sy[world->mesh.vertex[k]];
     safe &= x == x;
     x0 = x < x0 ? x : x0;
     x1 = x > x1 ? x : x1;
@@ -300,8 +301,8 @@ static void homogeneous(const struct hsr_screen *screen, uint32_t v,
                         double p[3], double error[3]) {
   const struct hsr_world *world = screen->world;
   const struct hsr_view *view = screen->view;
-  double d[3] = {world->x[v] - view->E[0], world->y[v] - view->E[1],
-                 world->z[v] - view->E[2]};
+  double d[3] = {world->mesh.x[v] - view->E[0], world->mesh.y[v] - view->E[1],
+                 world->mesh.z[v] - view->E[2]};
   double r = max(fabs(d[0]), max(fabs(d[1]), fabs(d[2])));
   for (int k = 0; k < 3; k++) {
     const double *row = view->screen[k];
@@ -331,7 +332,8 @@ static struct hsr_bounds clipped_bounds(const struct hsr_screen *screen,
   double a[32][3], b[32][3], error[3] = {0}; /* 4 grows to 31 at the most */
   int n = (int)size;
   for (uint32_t k = 0; k < size; k++)
-    homogeneous(screen, world->vertex[world->start[f] + k], a[k], error);
+    homogeneous(screen, world->mesh.vertex[world->mesh.start[f] + k], a[k],
+                error);
 
   double x0 = window->x0 - 1, x1 = window->x1 + 1, y0 = window->y0 - 1,
          y1 = window->y1 + 1;
@@ -364,11 +366,11 @@ static struct hsr_bounds clipped_bounds(const struct hsr_screen *screen,
 /* All of the face's vertices certainly not before the eye. */
 static bool wholly_behind(const struct hsr_screen *screen, uint32_t f) {
   const struct hsr_world *world = screen->world;
-  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
     double p[3], error[3] = {0};
-    if (screen->sx[world->vertex[k]] == screen->sx[world->vertex[k]])
+    if (screen->sx[world->mesh.vertex[k]] == screen->sx[world->mesh.vertex[k]])
       return false;
-    homogeneous(screen, world->vertex[k], p, error);
+    homogeneous(screen, world->mesh.vertex[k], p, error);
     if (!(p[2] < -error[2]))
       return false;
   }
@@ -440,7 +442,7 @@ bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
     return false;
   /* A face of uncertain plane may still be whole: a flat one before the eye is
    * hit before the eye. */
-  bool ahead = certain || screen->world->deviation[f] == 0;
+  bool ahead = certain || screen->world->mesh.deviation[f] == 0;
   screen->whole[f] =
       safe && !own_cuts(screen->world, f).n &&
       ((ahead && screen->view->near == 0) || clear_of_near(screen, f));
@@ -473,9 +475,9 @@ enum hsr_status hsr_screen_make(struct hsr_screen *screen,
 
 static void vertex_point(const struct hsr_world *world, uint32_t v,
                          double p[3]) {
-  p[0] = world->x[v];
-  p[1] = world->y[v];
-  p[2] = world->z[v];
+  p[0] = world->mesh.x[v];
+  p[1] = world->mesh.y[v];
+  p[2] = world->mesh.z[v];
 }
 
 bool hsr_nearer_exact(const struct hsr_screen *screen, uint32_t f, uint32_t g,
@@ -623,7 +625,7 @@ static bool crosses_right(const struct hsr_screen *screen, uint32_t a,
 bool hsr_covers(const struct hsr_screen *screen, uint32_t f, int i, int j,
                 struct hsr_tally *tally) {
   const struct hsr_world *world = screen->world;
-  const uint32_t *vertex = world->vertex + world->start[f];
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
   uint32_t n = hsr_face_size(world, f), a = vertex[n - 1];
   int row_a = hsr_row_side(screen, a, j, tally);
   bool inside = false;
@@ -774,7 +776,7 @@ static void insert_column(int *columns, int n, int column) {
 static int whole_spans(const struct hsr_screen *screen, uint32_t f, int j,
                        int *columns, struct hsr_tally *tally) {
   const struct hsr_world *world = screen->world;
-  const uint32_t *vertex = world->vertex + world->start[f];
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
   uint32_t n = hsr_face_size(world, f), a = vertex[n - 1];
   int row_a = hsr_row_side(screen, a, j, tally), n_columns = 0;
   for (uint32_t k = 0; k < n; k++) {
@@ -925,7 +927,7 @@ static int cut_spans(const struct hsr_screen *screen, uint32_t f, int j,
   if (lo == hi)
     return 0;
 
-  const uint32_t *vertex = world->vertex + world->start[f];
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
   uint32_t n = hsr_face_size(world, f);
   int n_columns = 0;
   bool inside = false;

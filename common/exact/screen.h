@@ -141,7 +141,7 @@ static inline bool hsr_nearer_at(const struct hsr_screen *screen, uint32_t f,
                                  uint32_t g, double sx, double sy,
                                  struct hsr_tally *tally) {
   HSR_COUNT_DEPTHS(tally, 1);
-  if (screen->world->plane[f] == screen->world->plane[g])
+  if (screen->world->mesh.plane[f] == screen->world->mesh.plane[g])
     return f < g;
   double bound = screen->plane[f].error + screen->plane[g].error;
   double by = hsr_depth_at(screen, f, sx, sy) - hsr_depth_at(screen, g, sx, sy);

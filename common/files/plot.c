@@ -38,12 +38,12 @@ bool hsr_plot_point(const struct hsr_view *view, const double point[3],
 
 /* The object of every vertex: that of the faces which have it. */
 static uint32_t *find_objects(const struct hsr_world *world) {
-  uint32_t *object = calloc((size_t)world->n_vertices + 1, sizeof *object);
+  uint32_t *object = calloc((size_t)world->mesh.n_vertices + 1, sizeof *object);
   if (!object)
     return NULL;
   for (uint32_t f = 0; f < world->n_faces; f++)
-    for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++)
-      object[world->vertex[k]] = world->object[f];
+    for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++)
+      object[world->mesh.vertex[k]] = world->mesh.object[f];
   return object;
 }
 
@@ -82,7 +82,7 @@ enum hsr_status hsr_plot_init(struct hsr_plot *plot,
                             .n_pens = pens_of[hidden].n,
                             .stroke =
                                 malloc((drawing->n + 1) * sizeof *plot->stroke),
-                            .scene = world->scene};
+                            .scene = world->outline.scene};
   uint32_t *object = find_objects(world);
   if (!plot->stroke || !object) {
     free(object);
@@ -91,7 +91,7 @@ enum hsr_status hsr_plot_init(struct hsr_plot *plot,
   for (size_t k = 0; k < drawing->n; k++) {
     const struct hsr_segment *segment = &drawing->segment[k];
     struct hsr_stroke *stroke = &plot->stroke[plot->n_strokes];
-    stroke->object = segment->edge.implied ? world->object[segment->edge.a]
+    stroke->object = segment->edge.implied ? world->mesh.object[segment->edge.a]
                                            : object[segment->edge.a];
     stroke->number = k;
     plot->n_strokes += make_stroke(stroke, plot, segment, view, hidden);

@@ -67,7 +67,7 @@ static uint64_t *finest_of(const struct hsr_voxels *p,
 
 static void extend(double lo[3], double hi[3], const struct hsr_world *world,
                    uint32_t v) {
-  const double at[3] = {world->x[v], world->y[v], world->z[v]};
+  const double at[3] = {world->mesh.x[v], world->mesh.y[v], world->mesh.z[v]};
   for (int k = 0; k < 3; k++) {
     lo[k] = fmin(lo[k], at[k]);
     hi[k] = fmax(hi[k], at[k]);
@@ -80,8 +80,8 @@ enum hsr_status hsr_voxel_grid_init(struct hsr_voxel_grid *grid,
                                     struct hsr_error *err) {
   double lo[3] = {INFINITY, INFINITY, INFINITY};
   double hi[3] = {-INFINITY, -INFINITY, -INFINITY}, longest = 0;
-  for (uint32_t k = 0; k < world->n_corners; k++)
-    extend(lo, hi, world, world->vertex[k]);
+  for (uint32_t k = 0; k < world->mesh.n_corners; k++)
+    extend(lo, hi, world, world->mesh.vertex[k]);
   for (int k = 0; k < 3; k++)
     longest = fmax(longest, hi[k] - lo[k]);
   grid->size = longest / most;
@@ -193,8 +193,9 @@ static struct hsr_triage_plane plane_of(const struct hsr_voxels *p,
   const struct hsr_world *world = world_of(p);
   uint32_t f = half.face;
   double side = half.side, h = p->grid.size;
-  double N[3] = {side * world->nx[f], side * world->ny[f], side * world->nz[f]};
-  double P[3] = {world->px[f], world->py[f], world->pz[f]};
+  double N[3] = {side * world->mesh.nx[f], side * world->mesh.ny[f],
+                 side * world->mesh.nz[f]};
+  double P[3] = {world->mesh.px[f], world->mesh.py[f], world->mesh.pz[f]};
   double across = h * root_of(p).size, n1 = 0, r = 0, s = 0, d = 0;
   for (int k = 0; k < 3; k++) {
     double from = p->grid.lo[k] - P[k];
@@ -203,8 +204,9 @@ static struct hsr_triage_plane plane_of(const struct hsr_voxels *p,
     r = fmax(r, fabs(from) + across);
     s = fmax(s, fabs(p->grid.lo[k]) + across);
   }
-  double error = 2 * (3 * world->n_error[f] * r + world->anchor_error[f] * n1) +
-                 0x1p-47 * n1 * r + 0x1p-50 * n1 * s + 0x1p-960;
+  double error =
+      2 * (3 * world->mesh.n_error[f] * r + world->mesh.anchor_error[f] * n1) +
+      0x1p-47 * n1 * r + 0x1p-50 * n1 * s + 0x1p-960;
   return (struct hsr_triage_plane){h * N[0], h * N[1], h * N[2], d, error};
 }
 

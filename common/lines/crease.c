@@ -34,7 +34,7 @@ static int by_edge(const void *a, const void *b) {
 static void add_sides(struct sides *sides, const struct hsr_world *world,
                       uint32_t f, int facing) {
   uint32_t size = hsr_face_size(world, f);
-  const uint32_t *vertex = world->vertex + world->start[f];
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
   for (uint32_t k = 0; k < size; k++) {
     uint32_t a = vertex[k], b = vertex[k + 1 < size ? k + 1 : 0];
     sides->side[sides->n++] = (struct side){.a = a < b ? a : b,
@@ -50,14 +50,14 @@ static enum hsr_status find_sides(struct sides *sides,
                                   const struct hsr_view *view,
                                   struct hsr_error *err) {
   bool out_of_memory = false;
-  *sides = (struct sides){
-      .side = malloc(((size_t)world->n_corners + 1) * sizeof *sides->side)};
+  *sides = (struct sides){.side = malloc(((size_t)world->mesh.n_corners + 1) *
+                                         sizeof *sides->side)};
   if (!sides->side)
     return hsr_fail_nomem(err);
   for (uint32_t f = 0; f < world->n_faces; f++) {
     int facing =
         hsr_exact_plane_side(hsr_plane_loop(world, f), view->E, &out_of_memory);
-    if (facing > 0 || (facing < 0 && !world->one_sided[f]))
+    if (facing > 0 || (facing < 0 && !world->mesh.one_sided[f]))
       add_sides(sides, world, f, facing);
   }
   if (out_of_memory)
@@ -70,10 +70,10 @@ static enum hsr_status find_sides(struct sides *sides,
  * they ran their common edge in opposite directions, as neighbours do. */
 static double cosine(const struct hsr_world *world, const struct side *s,
                      const struct side *t) {
-  const double n[3] = {world->nx[s->face], world->ny[s->face],
-                       world->nz[s->face]};
-  const double m[3] = {world->nx[t->face], world->ny[t->face],
-                       world->nz[t->face]};
+  const double n[3] = {world->mesh.nx[s->face], world->mesh.ny[s->face],
+                       world->mesh.nz[s->face]};
+  const double m[3] = {world->mesh.nx[t->face], world->mesh.ny[t->face],
+                       world->mesh.nz[t->face]};
   double nn = 0, mm = 0, nm = 0;
   for (int k = 0; k < 3; k++) {
     nn += n[k] * n[k];

@@ -74,15 +74,16 @@ struct Found_side {
 };
 
 bool at_one_place(const hsr_world *w, uint32_t a, uint32_t b) {
-  return w->x[a] == w->x[b] && w->y[a] == w->y[b] && w->z[a] == w->z[b];
+  return w->mesh.x[a] == w->mesh.x[b] && w->mesh.y[a] == w->mesh.y[b] &&
+         w->mesh.z[a] == w->mesh.z[b];
 }
 
 std::vector<Found_side> find_sides(const hsr_world *world) {
   std::vector<Found_side> sides;
   for (uint32_t f = 0; f < world->n_faces; f++) {
-    uint32_t p = world->vertex[world->start[f + 1] - 1];
-    for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
-      const uint32_t q = world->vertex[k];
+    uint32_t p = world->mesh.vertex[world->mesh.start[f + 1] - 1];
+    for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+      const uint32_t q = world->mesh.vertex[k];
       if (!at_one_place(world, p, q))
         sides.push_back({std::min(p, q), std::max(p, q), {f, p < q ? 1 : -1}});
       p = q;
@@ -172,9 +173,9 @@ struct Touching {
   // A point, homogeneous.
   Vector<Interval> at(uint32_t p, Interval &scale) const {
     scale = Interval(1);
-    if (p < world->n_vertices)
+    if (p < world->mesh.n_vertices)
       return point<Interval>(world, p);
-    const Exact_point &exact = edges->exact->points[p - world->n_vertices];
+    const Exact_point &exact = edges->exact->points[p - world->mesh.n_vertices];
     scale = Interval(CGAL::to_interval(exact.denominator));
     return {Interval(CGAL::to_interval(exact.at[0])),
             Interval(CGAL::to_interval(exact.at[1])),
@@ -182,23 +183,24 @@ struct Touching {
   }
 
   bool is_corner(uint32_t p, uint32_t f) const {
-    const uint32_t *first = world->vertex + world->start[f];
-    const uint32_t *last = world->vertex + world->start[f + 1];
-    return p < world->n_vertices && std::find(first, last, p) != last;
+    const uint32_t *first = world->mesh.vertex + world->mesh.start[f];
+    const uint32_t *last = world->mesh.vertex + world->mesh.start[f + 1];
+    return p < world->mesh.n_vertices && std::find(first, last, p) != last;
   }
 
   // Whether X is certainly not in the face, seen along an axis.
   bool is_outside(uint32_t f, const Vector<Interval> &X,
                   const Interval &scale) const {
-    const double n[3] = {std::fabs(world->nx[f]), std::fabs(world->ny[f]),
-                         std::fabs(world->nz[f])};
+    const double n[3] = {std::fabs(world->mesh.nx[f]),
+                         std::fabs(world->mesh.ny[f]),
+                         std::fabs(world->mesh.nz[f])};
     const int drop = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
     const int u = (drop + 1) % 3, v = (drop + 2) % 3;
-    const double *c[3] = {world->x, world->y, world->z};
+    const double *c[3] = {world->mesh.x, world->mesh.y, world->mesh.z};
     bool inside = false;
-    uint32_t p = world->vertex[world->start[f + 1] - 1];
-    for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
-      const uint32_t q = world->vertex[k];
+    uint32_t p = world->mesh.vertex[world->mesh.start[f + 1] - 1];
+    for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+      const uint32_t q = world->mesh.vertex[k];
       const Interval pu = Interval(c[u][p]) * scale - X[u];
       const Interval pv = Interval(c[v][p]) * scale - X[v];
       const Interval qu = Interval(c[u][q]) * scale - X[u];
@@ -247,9 +249,9 @@ struct Touching {
 
   int height_sign(uint32_t p, uint32_t f) const {
     const Plane<Exact> plane(world, f);
-    if (p < world->n_vertices)
+    if (p < world->mesh.n_vertices)
       return CGAL::sign(height(plane, point<Exact>(world, p), Exact(1)));
-    const Exact_point &exact = edges->exact->points[p - world->n_vertices];
+    const Exact_point &exact = edges->exact->points[p - world->mesh.n_vertices];
     return CGAL::sign(height(plane, exact.at, exact.denominator));
   }
 };
@@ -265,7 +267,7 @@ void extend(Box &box, double x, double y, double z) {
 // The box of a point that may be rounded.
 void extend_around(Box &box, const hsr_edges *edges, uint32_t p) {
   double x[3] = {edges->x[p], edges->y[p], edges->z[p]};
-  if (p < edges->world->n_vertices) {
+  if (p < edges->world->mesh.n_vertices) {
     extend(box, x[0], x[1], x[2]);
     return;
   }
@@ -291,8 +293,8 @@ void find_touched(hsr_edges *edges) {
     if (!edges->simple[f])
       continue;
     Box box(&face[f]);
-    for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++)
-      extend_around(box, edges, world->vertex[k]);
+    for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++)
+      extend_around(box, edges, world->mesh.vertex[k]);
     of_faces.push_back(box);
   }
   const Touching touching = {edges, world};
@@ -325,33 +327,34 @@ void find_touched(hsr_edges *edges) {
 
 void find_ends_and_corners(hsr_edges *edges) {
   const hsr_world *world = edges->world;
-  Lists<uint32_t> ends(world->n_vertices);
+  Lists<uint32_t> ends(world->mesh.n_vertices);
   for (uint32_t e = 0; e < edges->n_real; e++) {
     ends.add(edges->a[e], e);
     ends.add(edges->b[e], e);
   }
   ends.store_in(edges, &edges->end_start, &edges->end);
-  Lists<hsr_corner> corners(world->n_vertices);
+  Lists<hsr_corner> corners(world->mesh.n_vertices);
   for (uint32_t f = 0; f < world->n_faces; f++)
-    for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++)
-      corners.add(world->vertex[k], {f, k});
+    for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++)
+      corners.add(world->mesh.vertex[k], {f, k});
   corners.store_in(edges, &edges->corner_start, &edges->corner);
 }
 
 bool is_simple(const hsr_world *world, uint32_t f) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  if (world->deviation[f] > 0)
+  if (world->mesh.deviation[f] > 0)
     return false;
   if (hsr_face_size(world, f) == 3)
     return true;
-  const double n[3] = {std::fabs(world->nx[f]), std::fabs(world->ny[f]),
-                       std::fabs(world->nz[f])};
+  const double n[3] = {std::fabs(world->mesh.nx[f]),
+                       std::fabs(world->mesh.ny[f]),
+                       std::fabs(world->mesh.nz[f])};
   const int drop = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
-  const double *c[3] = {world->x, world->y, world->z};
+  const double *c[3] = {world->mesh.x, world->mesh.y, world->mesh.z};
   std::vector<Kernel::Point_2> polygon;
-  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++)
-    polygon.emplace_back(c[(drop + 1) % 3][world->vertex[k]],
-                         c[(drop + 2) % 3][world->vertex[k]]);
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++)
+    polygon.emplace_back(c[(drop + 1) % 3][world->mesh.vertex[k]],
+                         c[(drop + 2) % 3][world->mesh.vertex[k]]);
   return CGAL::is_simple_2(polygon.begin(), polygon.end(), Kernel());
 }
 
@@ -365,9 +368,9 @@ void make(hsr_edges *edges) {
     edges->simple[f] = is_simple(world, f);
 
   Edges made;
-  made.x.assign(world->x, world->x + world->n_vertices);
-  made.y.assign(world->y, world->y + world->n_vertices);
-  made.z.assign(world->z, world->z + world->n_vertices);
+  made.x.assign(world->mesh.x, world->mesh.x + world->mesh.n_vertices);
+  made.y.assign(world->mesh.y, world->mesh.y + world->mesh.n_vertices);
+  made.z.assign(world->mesh.z, world->mesh.z + world->mesh.n_vertices);
   edges->exact = new hsr_exact_points;
   add_real(world, made);
   edges->n_real = uint32_t(made.name.size());

@@ -91,11 +91,12 @@ using Flat_point = Kernel::Point_2;
 class Flat {
 public:
   Flat(const hsr_world *world, uint32_t f) : world_(world), f_(f) {
-    const double n[3] = {std::fabs(world->nx[f]), std::fabs(world->ny[f]),
-                         std::fabs(world->nz[f])};
+    const double n[3] = {std::fabs(world->mesh.nx[f]),
+                         std::fabs(world->mesh.ny[f]),
+                         std::fabs(world->mesh.nz[f])};
     drop_ = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
-    for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++)
-      polygon_.push_back(at(world->vertex[k]));
+    for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++)
+      polygon_.push_back(at(world->mesh.vertex[k]));
   }
 
   // Of an edge from a to b, which is none of its sides: whether it meets the
@@ -139,17 +140,18 @@ private:
   std::vector<Flat_point> polygon_;
 
   Flat_point at(uint32_t v) const {
-    const double *c[3] = {world_->x, world_->y, world_->z};
+    const double *c[3] = {world_->mesh.x, world_->mesh.y, world_->mesh.z};
     return {c[(drop_ + 1) % 3][v], c[(drop_ + 2) % 3][v]};
   }
   uint32_t corner(size_t k) const {
-    return world_->vertex[world_->start[f_] + k];
+    return world_->mesh.vertex[world_->mesh.start[f_] + k];
   }
   // Whether the edge, whose ends are on both sides of the face, goes through it
   // or through its border: it passes all sides of a part on one side.
   bool is_pierced(uint32_t a, uint32_t b) const {
     const auto place = [&](uint32_t v) {
-      return Kernel::Point_3(world_->x[v], world_->y[v], world_->z[v]);
+      return Kernel::Point_3(world_->mesh.x[v], world_->mesh.y[v],
+                             world_->mesh.z[v]);
     };
     for (const std::vector<uint32_t> &loop : convex_loops(*world_, f_)) {
       bool left = false, right = false;
@@ -271,14 +273,15 @@ private:
     for (uint32_t f = 0; f < n; f++) {
       const uint32_t set = sets.find(f);
       const auto key =
-          std::make_pair(world_->instance[f], closed[set] ? set + 1 : 0);
+          std::make_pair(world_->mesh.instance[f], closed[set] ? set + 1 : 0);
       const auto found = number.insert({key, uint32_t(bodies.size())});
       if (found.second)
         bodies.push_back({{}, {}, closed[set]});
       Body &body = bodies[found.first->second];
       body.faces.push_back(f);
-      body.corners.insert(body.corners.end(), world_->vertex + world_->start[f],
-                          world_->vertex + world_->start[f + 1]);
+      body.corners.insert(body.corners.end(),
+                          world_->mesh.vertex + world_->mesh.start[f],
+                          world_->mesh.vertex + world_->mesh.start[f + 1]);
     }
     for (Body &body : bodies) {
       std::sort(body.corners.begin(), body.corners.end());
@@ -313,7 +316,7 @@ private:
     const Vector<T> origin = point<T>(world_, body.corners[0]);
     T sum(0);
     for (uint32_t f : body.faces) {
-      const uint32_t *v = world_->vertex + world_->start[f];
+      const uint32_t *v = world_->mesh.vertex + world_->mesh.start[f];
       const Vector<T> a = point<T>(world_, v[0]) - origin;
       for (uint32_t k = 2; k < hsr_face_size(world_, f); k++)
         sum = sum + a * CGAL::cross_product(point<T>(world_, v[k - 1]) - origin,
@@ -337,7 +340,7 @@ private:
 
   void find_volumes(const Body &body, std::vector<Volume> &volumes) {
     const int out = outward(body);
-    if (!out || (out < 0 && world_->one_sided[body.faces[0]]))
+    if (!out || (out < 0 && world_->mesh.one_sided[body.faces[0]]))
       return;
     volumes.resize(1);
     if (make_convex(body, out, volumes[0])) {
@@ -358,8 +361,8 @@ private:
     std::map<uint32_t, uint32_t> number; // of a plane class in the volume
     for (uint32_t f : body.faces) {
       const hsr_half_space half = {f, -out};
-      const auto found =
-          number.insert({world_->plane[f], uint32_t(volume.planes.size())});
+      const auto found = number.insert(
+          {world_->mesh.plane[f], uint32_t(volume.planes.size())});
       if (!found.second) {
         const uint32_t first = volume.planes[found.first->second].face;
         if (shapes_.turned(first) != shapes_.turned(f))
@@ -391,12 +394,14 @@ private:
   // and go on along it.
   void add_rims(uint32_t f, int out, const std::map<uint32_t, uint32_t> &number,
                 Volume &volume) const {
-    uint32_t p = world_->vertex[world_->start[f + 1] - 1];
-    for (uint32_t k = world_->start[f]; k < world_->start[f + 1]; k++) {
-      const uint32_t q = world_->vertex[k];
+    uint32_t p = world_->mesh.vertex[world_->mesh.start[f + 1] - 1];
+    for (uint32_t k = world_->mesh.start[f]; k < world_->mesh.start[f + 1];
+         k++) {
+      const uint32_t q = world_->mesh.vertex[k];
       const uint32_t g = p < q ? across(p, q, f) : f; // each edge once
-      if (world_->plane[f] != world_->plane[g])
-        volume.add_rim(number.at(world_->plane[f]), number.at(world_->plane[g]),
+      if (world_->mesh.plane[f] != world_->mesh.plane[g])
+        volume.add_rim(number.at(world_->mesh.plane[f]),
+                       number.at(world_->mesh.plane[g]),
                        {false, out > 0 ? p : q, out > 0 ? q : p});
       p = q;
     }
@@ -437,11 +442,11 @@ private:
     Pieces pieces;
     on_plane_.clear();
     for (uint32_t f : body.faces) {
-      std::vector<uint32_t> &on = on_plane_[world_->plane[f]];
-      on.insert(on.end(), world_->vertex + world_->start[f],
-                world_->vertex + world_->start[f + 1]);
+      std::vector<uint32_t> &on = on_plane_[world_->mesh.plane[f]];
+      on.insert(on.end(), world_->mesh.vertex + world_->mesh.start[f],
+                world_->mesh.vertex + world_->mesh.start[f + 1]);
       for (const std::vector<uint32_t> &loop : convex_loops(*world_, f)) {
-        Convex piece = {f, f, world_->plane[f], {}, {}};
+        Convex piece = {f, f, world_->mesh.plane[f], {}, {}};
         for (size_t k = 0, n = loop.size(); k < n; k++)
           piece.corners.push_back(
               {point_of(*world_, loop[k]), 0, loop[k], loop[(k + 1) % n]});

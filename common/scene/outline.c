@@ -8,37 +8,36 @@
 /* Counts the faces, and numbers them by instances. */
 static enum hsr_status number_faces(struct hsr_world *world,
                                     struct hsr_error *err) {
-  const struct hsr_scene *scene = world->scene;
-  world->first =
+  const struct hsr_scene *scene = world->outline.scene;
+  world->outline.first =
       HSR_NEW(&world->arena, uint32_t, (size_t)scene->n_instances + 1);
-  if (!world->first)
+  if (!world->outline.first)
     return hsr_fail_nomem(err);
-  world->all_triangles = true;
+  world->outline.all_triangles = true;
   for (uint32_t i = 0; i < scene->n_instances; i++) {
     const struct hsr_object *object =
         &scene->objects[scene->instances[i].object];
-    world->first[i] = world->n_faces;
+    world->outline.first[i] = world->n_faces;
     world->n_faces += object->n_faces;
     if (object->start[object->n_faces] != 3 * (uint64_t)object->n_faces)
-      world->all_triangles = false;
+      world->outline.all_triangles = false;
   }
-  world->first[scene->n_instances] = world->n_faces;
+  world->outline.first[scene->n_instances] = world->n_faces;
   return HSR_OK;
 }
 
 enum hsr_status hsr_world_outline(struct hsr_world *world,
                                   const struct hsr_scene *scene,
                                   struct hsr_error *err) {
-  *world = (struct hsr_world){.scene = scene};
+  *world = (struct hsr_world){.outline.scene = scene};
   return number_faces(world, err);
 }
 
-uint32_t hsr_instance_of(const struct hsr_world *world, uint32_t f) {
-  uint32_t lo = 0,
-           hi = world->scene->n_instances; /* first[lo] <= f < first[hi] */
-  while (hi - lo > 1) {
+uint32_t hsr_instance_of(const struct hsr_outline *outline, uint32_t f) {
+  uint32_t lo = 0, hi = outline->scene->n_instances;
+  while (hi - lo > 1) { /* first[lo] <= f < first[hi] */
     uint32_t middle = lo + (hi - lo) / 2;
-    if (world->first[middle] <= f)
+    if (outline->first[middle] <= f)
       lo = middle;
     else
       hi = middle;
@@ -47,18 +46,18 @@ uint32_t hsr_instance_of(const struct hsr_world *world, uint32_t f) {
 }
 
 struct hsr_place hsr_place_of(const struct hsr_world *world, uint32_t id) {
-  if (world->pieces)
-    world = world->pieces->whole;
-  uint32_t i = hsr_instance_of(world, id);
-  return (struct hsr_place){
-      &world->scene->objects[world->scene->instances[i].object], i,
-      id - world->first[i]};
+  const struct hsr_outline *outline =
+      world->pieces ? &world->pieces->whole->outline : &world->outline;
+  uint32_t i = hsr_instance_of(outline, id);
+  const struct hsr_scene *scene = outline->scene;
+  return (struct hsr_place){&scene->objects[scene->instances[i].object], i,
+                            id - outline->first[i]};
 }
 
 void hsr_place_plane(const struct hsr_world *world, struct hsr_place place,
                      double normal[3], double anchor[3]) {
   const struct hsr_object *object = place.object;
-  const double *m = world->scene->instances[place.instance].m;
+  const double *m = world->outline.scene->instances[place.instance].m;
   struct hsr_newell plane = {.n = 0};
   for (uint32_t c = object->start[place.face];
        c < object->start[place.face + 1]; c++) {

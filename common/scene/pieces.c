@@ -25,16 +25,16 @@ static enum hsr_status allocate(struct hsr_world *world,
 static void copy_vertices(struct hsr_world *world, struct hsr_pieces *pieces,
                           const struct hsr_piece_list *list) {
   const struct hsr_world *whole = pieces->whole;
-  uint32_t n = whole->n_vertices;
-  memcpy(world->x, whole->x, n * sizeof *world->x);
-  memcpy(world->y, whole->y, n * sizeof *world->y);
-  memcpy(world->z, whole->z, n * sizeof *world->z);
+  uint32_t n = whole->mesh.n_vertices;
+  memcpy(world->mesh.x, whole->mesh.x, n * sizeof *world->mesh.x);
+  memcpy(world->mesh.y, whole->mesh.y, n * sizeof *world->mesh.y);
+  memcpy(world->mesh.z, whole->mesh.z, n * sizeof *world->mesh.z);
   double largest = 0;
   for (uint32_t k = 0; k < list->outline_start[list->n]; k++) {
     const double *p = list->outline + 3 * (size_t)k;
-    world->x[n + k] = p[0];
-    world->y[n + k] = p[1];
-    world->z[n + k] = p[2];
+    world->mesh.x[n + k] = p[0];
+    world->mesh.y[n + k] = p[1];
+    world->mesh.z[n + k] = p[2];
     largest = fmax(largest, fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2]))));
     pieces->outline[k] = n + k;
   }
@@ -45,31 +45,31 @@ static void copy_vertices(struct hsr_world *world, struct hsr_pieces *pieces,
 
 static void copy_face(struct hsr_world *world, uint32_t f,
                       const struct hsr_world *whole, uint32_t parent) {
-  world->object[f] = whole->object[parent];
-  world->instance[f] = whole->instance[parent];
-  world->one_sided[f] = whole->one_sided[parent];
-  world->nx[f] = whole->nx[parent];
-  world->ny[f] = whole->ny[parent];
-  world->nz[f] = whole->nz[parent];
-  world->n_error[f] = whole->n_error[parent];
-  world->px[f] = whole->px[parent];
-  world->py[f] = whole->py[parent];
-  world->pz[f] = whole->pz[parent];
-  world->anchor_error[f] = whole->anchor_error[parent];
-  world->deviation[f] = whole->deviation[parent];
-  world->plane[f] = whole->plane[parent];
+  world->mesh.object[f] = whole->mesh.object[parent];
+  world->mesh.instance[f] = whole->mesh.instance[parent];
+  world->mesh.one_sided[f] = whole->mesh.one_sided[parent];
+  world->mesh.nx[f] = whole->mesh.nx[parent];
+  world->mesh.ny[f] = whole->mesh.ny[parent];
+  world->mesh.nz[f] = whole->mesh.nz[parent];
+  world->mesh.n_error[f] = whole->mesh.n_error[parent];
+  world->mesh.px[f] = whole->mesh.px[parent];
+  world->mesh.py[f] = whole->mesh.py[parent];
+  world->mesh.pz[f] = whole->mesh.pz[parent];
+  world->mesh.anchor_error[f] = whole->mesh.anchor_error[parent];
+  world->mesh.deviation[f] = whole->mesh.deviation[parent];
+  world->mesh.plane[f] = whole->mesh.plane[parent];
 }
 
 enum hsr_status hsr_world_of_pieces(struct hsr_world *world,
                                     const struct hsr_world *whole,
                                     const struct hsr_piece_list *list,
                                     struct hsr_error *err) {
-  *world = (struct hsr_world){.scene = whole->scene,
-                              .n_vertices = whole->n_vertices +
-                                            list->outline_start[list->n],
+  *world = (struct hsr_world){.outline.scene = whole->outline.scene,
+                              .mesh.n_vertices = whole->mesh.n_vertices +
+                                                 list->outline_start[list->n],
                               .n_faces = list->n,
-                              .n_corners = list->start[list->n],
-                              .n_planes = whole->n_planes};
+                              .mesh.n_corners = list->start[list->n],
+                              .mesh.n_planes = whole->mesh.n_planes};
   struct hsr_pieces *pieces =
       HSR_NEW_ZEROED(&world->arena, struct hsr_pieces, 1);
   if (!pieces)
@@ -80,14 +80,15 @@ enum hsr_status hsr_world_of_pieces(struct hsr_world *world,
     return hsr_fail_nomem(err);
 
   copy_vertices(world, pieces, list);
-  memcpy(world->start, list->start, (list->n + 1) * sizeof *list->start);
-  memcpy(world->vertex, list->vertex, world->n_corners * sizeof *list->vertex);
+  memcpy(world->mesh.start, list->start, (list->n + 1) * sizeof *list->start);
+  memcpy(world->mesh.vertex, list->vertex,
+         world->mesh.n_corners * sizeof *list->vertex);
   memcpy(pieces->parent, list->parent, list->n * sizeof *list->parent);
   memcpy(pieces->cut_start, list->cut_start,
          (list->n + 1) * sizeof *list->cut_start);
   memcpy(pieces->outline_start, list->outline_start,
          (list->n + 1) * sizeof *list->outline_start);
-  world->all_triangles = world->n_corners == 3 * (uint64_t)list->n;
+  world->outline.all_triangles = world->mesh.n_corners == 3 * (uint64_t)list->n;
 
   uint32_t parent = 0;
   for (uint32_t f = 0; f < list->n; f++) {
@@ -96,8 +97,8 @@ enum hsr_status hsr_world_of_pieces(struct hsr_world *world,
       pieces->first[parent++] = f;
   }
   pieces->first[whole->n_faces] = list->n;
-  for (uint32_t i = 0; i <= whole->scene->n_instances; i++)
-    world->first[i] = pieces->first[whole->first[i]];
+  for (uint32_t i = 0; i <= whole->outline.scene->n_instances; i++)
+    world->outline.first[i] = pieces->first[whole->outline.first[i]];
   for (uint32_t c = 0; c < list->cut_start[list->n]; c++)
     pieces->cut[c] =
         (struct hsr_cut){pieces->first[list->cut[c].face], list->cut[c].side};

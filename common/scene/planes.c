@@ -63,22 +63,23 @@ void hsr_newell_anchor(const struct hsr_newell *plane, double anchor[3]) {
 /* Newell's normal and the anchor of face f, with their errors. */
 static void find_plane(struct hsr_world *world, uint32_t f) {
   struct hsr_newell plane = {.n = 0};
-  for (uint32_t c = world->start[f]; c < world->start[f + 1]; c++) {
-    uint32_t v = world->vertex[c];
-    hsr_newell_add(&plane, (double[]){world->x[v], world->y[v], world->z[v]});
+  for (uint32_t c = world->mesh.start[f]; c < world->mesh.start[f + 1]; c++) {
+    uint32_t v = world->mesh.vertex[c];
+    hsr_newell_add(&plane, (double[]){world->mesh.x[v], world->mesh.y[v],
+                                      world->mesh.z[v]});
   }
   double anchor[3];
   hsr_newell_anchor(&plane, anchor);
   double p = fmax(plane.size[0], fmax(plane.size[1], plane.size[2]));
   double r = fmax(plane.reach[0], fmax(plane.reach[1], plane.reach[2]));
-  world->nx[f] = plane.normal[0];
-  world->ny[f] = plane.normal[1];
-  world->nz[f] = plane.normal[2];
-  world->n_error[f] = 4 * (plane.n + 1.0) * U * p + TINY;
-  world->px[f] = anchor[0];
-  world->py[f] = anchor[1];
-  world->pz[f] = anchor[2];
-  world->anchor_error[f] =
+  world->mesh.nx[f] = plane.normal[0];
+  world->mesh.ny[f] = plane.normal[1];
+  world->mesh.nz[f] = plane.normal[2];
+  world->mesh.n_error[f] = 4 * (plane.n + 1.0) * U * p + TINY;
+  world->mesh.px[f] = anchor[0];
+  world->mesh.py[f] = anchor[1];
+  world->mesh.pz[f] = anchor[2];
+  world->mesh.anchor_error[f] =
       plane.n == 3 ? 0 : 2 * (plane.n + 2.0) * U * r + TINY;
 }
 
@@ -88,15 +89,17 @@ static double find_deviation(const struct hsr_world *world, uint32_t f,
   if (hsr_face_size(world, f) == 3)
     return 0;
   bool may_be_flat = true;
-  const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
+  const double n[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
   double n1 = fabs(n[0]) + fabs(n[1]) + fabs(n[2]), largest = 0;
-  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
-    uint32_t v = world->vertex[k];
-    double r[3] = {world->x[v] - world->px[f], world->y[v] - world->py[f],
-                   world->z[v] - world->pz[f]};
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+    uint32_t v = world->mesh.vertex[k];
+    double r[3] = {world->mesh.x[v] - world->mesh.px[f],
+                   world->mesh.y[v] - world->mesh.py[f],
+                   world->mesh.z[v] - world->mesh.pz[f]};
     double r1 = fabs(r[0]) + fabs(r[1]) + fabs(r[2]);
-    double error = 2 * (world->n_error[f] * r1 + world->anchor_error[f] * n1) +
-                   16 * U * n1 * r1 + TINY;
+    double error =
+        2 * (world->mesh.n_error[f] * r1 + world->mesh.anchor_error[f] * n1) +
+        16 * U * n1 * r1 + TINY;
     double off = fabs(n[0] * r[0] + n[1] * r[1] + n[2] * r[2]);
     may_be_flat &= off <= error;
     largest = fmax(largest, off + error);
@@ -107,25 +110,26 @@ static double find_deviation(const struct hsr_world *world, uint32_t f,
 }
 
 static double largest_normal(const struct hsr_world *world, uint32_t f) {
-  return fmax(fabs(world->nx[f]), fmax(fabs(world->ny[f]), fabs(world->nz[f])));
+  return fmax(fabs(world->mesh.nx[f]),
+              fmax(fabs(world->mesh.ny[f]), fabs(world->mesh.nz[f])));
 }
 
 /* What an instance made of the object's faces must still be faces. */
 static enum hsr_status check(const struct hsr_world *world,
                              struct hsr_error *err) {
-  for (uint32_t v = 0; v < world->n_vertices; v++)
-    if (!(fabs(world->x[v]) <= 1e30 && fabs(world->y[v]) <= 1e30 &&
-          fabs(world->z[v]) <= 1e30))
+  for (uint32_t v = 0; v < world->mesh.n_vertices; v++)
+    if (!(fabs(world->mesh.x[v]) <= 1e30 && fabs(world->mesh.y[v]) <= 1e30 &&
+          fabs(world->mesh.z[v]) <= 1e30))
       return hsr_fail(err, HSR_E_INPUT,
                       "an instance takes a vertex out of range (above 1e30)");
   bool out_of_memory = false;
   for (uint32_t f = 0; f < world->n_faces; f++)
-    if (largest_normal(world, f) <= world->n_error[f] &&
+    if (largest_normal(world, f) <= world->mesh.n_error[f] &&
         !hsr_exact_has_normal(hsr_face_loop(world, f), &out_of_memory))
       return hsr_fail(
           err, HSR_E_INPUT,
           "object %s: an instance takes the area of face id %u to zero",
-          world->scene->objects[world->object[f]].name, f);
+          world->outline.scene->objects[world->mesh.object[f]].name, f);
   return out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }
 
@@ -143,8 +147,8 @@ struct plane_key {
  * anchor's error and three roundings; the form's coefficients are below 1. All
  * is doubled. */
 static struct plane_key plane_key(const struct hsr_world *world, uint32_t f) {
-  double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
-  double p[3] = {world->px[f], world->py[f], world->pz[f]};
+  double n[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
+  double p[3] = {world->mesh.px[f], world->mesh.py[f], world->mesh.pz[f]};
   double scale = largest_normal(world, f);
   for (int k = 0; k < 3; k++)
     n[k] /= scale;
@@ -153,9 +157,9 @@ static struct plane_key plane_key(const struct hsr_world *world, uint32_t f) {
   double d = (n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) / length;
   double key = fabs((0.5432 * n[0] + 0.8107 * n[1] + 0.3219 * n[2]) / length +
                     0.6173 * d);
-  double turn = 4 * (world->n_error[f] / (scale * length)) + 8 * U;
-  double error =
-      8 * (turn * (1 + reach) + world->anchor_error[f]) + 16 * U * (1 + key);
+  double turn = 4 * (world->mesh.n_error[f] / (scale * length)) + 8 * U;
+  double error = 8 * (turn * (1 + reach) + world->mesh.anchor_error[f]) +
+                 16 * U * (1 + key);
   if (!(error < INFINITY)) /* the normal is lost: compare with all */
     return (struct plane_key){-INFINITY, INFINITY, f};
   return (struct plane_key){key - error, key + error, f};
@@ -171,12 +175,13 @@ static int compare_keys(const void *a, const void *b) {
 /* Cheap, and certain when it says no: whether the normals may be parallel. */
 static bool maybe_parallel(const struct hsr_world *world, uint32_t f,
                            uint32_t g) {
-  double a[3] = {world->nx[f], world->ny[f], world->nz[f]};
-  double b[3] = {world->nx[g], world->ny[g], world->nz[g]};
+  double a[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
+  double b[3] = {world->mesh.nx[g], world->mesh.ny[g], world->mesh.nz[g]};
   double fa = largest_normal(world, f), fb = largest_normal(world, g);
-  double error = 4 * (fa * world->n_error[g] + fb * world->n_error[f] +
-                      world->n_error[f] * world->n_error[g]) +
-                 8 * U * fa * fb;
+  double error =
+      4 * (fa * world->mesh.n_error[g] + fb * world->mesh.n_error[f] +
+           world->mesh.n_error[f] * world->mesh.n_error[g]) +
+      8 * U * fa * fb;
   for (int i = 0, j = 1; i < 3; i++, j = (j + 1) % 3)
     if (fabs(a[i] * b[j] - a[j] * b[i]) > error)
       return false;
@@ -194,7 +199,7 @@ static enum hsr_status classify_planes(struct hsr_world *world) {
     key[f] = plane_key(world, f);
   if (!out_of_memory)
     qsort(key, n, sizeof *key, compare_keys);
-  world->n_planes = 0;
+  world->mesh.n_planes = 0;
   for (uint32_t i = 0; i < n && !out_of_memory; i++) {
     uint32_t f = key[i].face, kept = 0, found = UINT32_MAX;
     for (uint32_t o = 0; o < n_open; o++) {
@@ -205,16 +210,16 @@ static enum hsr_status classify_planes(struct hsr_world *world) {
       if (found == UINT32_MAX && maybe_parallel(world, f, g) &&
           hsr_exact_same_plane(hsr_face_loop(world, f), hsr_face_loop(world, g),
                                &out_of_memory)) {
-        found = world->plane[g];
+        found = world->mesh.plane[g];
         open[kept - 1].hi = fmax(open[kept - 1].hi, key[i].hi);
       }
     }
     n_open = kept;
     if (found == UINT32_MAX) {
-      found = world->n_planes++;
+      found = world->mesh.n_planes++;
       open[n_open++] = key[i];
     }
-    world->plane[f] = found;
+    world->mesh.plane[f] = found;
   }
   free(key);
   free(open);
@@ -224,7 +229,7 @@ static enum hsr_status classify_planes(struct hsr_world *world) {
 void hsr_world_find_plane(struct hsr_world *world, uint32_t f,
                           bool *out_of_memory) {
   find_plane(world, f);
-  world->deviation[f] = find_deviation(world, f, out_of_memory);
+  world->mesh.deviation[f] = find_deviation(world, f, out_of_memory);
 }
 
 enum hsr_status hsr_world_find_planes(struct hsr_world *world,

@@ -4,40 +4,42 @@
 
 enum hsr_status hsr_world_allocate(struct hsr_world *world,
                                    struct hsr_arena *arena) {
-  size_t nv = world->n_vertices, nf = world->n_faces, nc = world->n_corners;
-  world->x = HSR_NEW(arena, double, nv);
-  world->y = HSR_NEW(arena, double, nv);
-  world->z = HSR_NEW(arena, double, nv);
-  world->start = HSR_NEW(arena, uint32_t, nf + 1);
-  world->vertex = HSR_NEW(arena, uint32_t, nc);
-  world->object = HSR_NEW(arena, uint32_t, nf);
-  world->instance = HSR_NEW(arena, uint32_t, nf);
-  world->one_sided = HSR_NEW(arena, bool, nf);
-  if (!world->first)
-    world->first =
-        HSR_NEW(arena, uint32_t, (size_t)world->scene->n_instances + 1);
-  world->nx = HSR_NEW(arena, double, nf);
-  world->ny = HSR_NEW(arena, double, nf);
-  world->nz = HSR_NEW(arena, double, nf);
-  world->n_error = HSR_NEW(arena, double, nf);
-  world->px = HSR_NEW(arena, double, nf);
-  world->py = HSR_NEW(arena, double, nf);
-  world->pz = HSR_NEW(arena, double, nf);
-  world->anchor_error = HSR_NEW(arena, double, nf);
-  world->deviation = HSR_NEW(arena, double, nf);
-  world->plane = HSR_NEW(arena, uint32_t, nf);
-  bool all = world->x && world->y && world->z && world->start &&
-             world->vertex && world->object && world->instance &&
-             world->one_sided && world->first && world->nx && world->ny &&
-             world->nz && world->n_error && world->px && world->py &&
-             world->pz && world->anchor_error && world->deviation &&
-             world->plane;
+  size_t nv = world->mesh.n_vertices, nf = world->n_faces,
+         nc = world->mesh.n_corners;
+  world->mesh.x = HSR_NEW(arena, double, nv);
+  world->mesh.y = HSR_NEW(arena, double, nv);
+  world->mesh.z = HSR_NEW(arena, double, nv);
+  world->mesh.start = HSR_NEW(arena, uint32_t, nf + 1);
+  world->mesh.vertex = HSR_NEW(arena, uint32_t, nc);
+  world->mesh.object = HSR_NEW(arena, uint32_t, nf);
+  world->mesh.instance = HSR_NEW(arena, uint32_t, nf);
+  world->mesh.one_sided = HSR_NEW(arena, bool, nf);
+  if (!world->outline.first)
+    world->outline.first =
+        HSR_NEW(arena, uint32_t, (size_t)world->outline.scene->n_instances + 1);
+  world->mesh.nx = HSR_NEW(arena, double, nf);
+  world->mesh.ny = HSR_NEW(arena, double, nf);
+  world->mesh.nz = HSR_NEW(arena, double, nf);
+  world->mesh.n_error = HSR_NEW(arena, double, nf);
+  world->mesh.px = HSR_NEW(arena, double, nf);
+  world->mesh.py = HSR_NEW(arena, double, nf);
+  world->mesh.pz = HSR_NEW(arena, double, nf);
+  world->mesh.anchor_error = HSR_NEW(arena, double, nf);
+  world->mesh.deviation = HSR_NEW(arena, double, nf);
+  world->mesh.plane = HSR_NEW(arena, uint32_t, nf);
+  bool all = world->mesh.x && world->mesh.y && world->mesh.z &&
+             world->mesh.start && world->mesh.vertex && world->mesh.object &&
+             world->mesh.instance && world->mesh.one_sided &&
+             world->outline.first && world->mesh.nx && world->mesh.ny &&
+             world->mesh.nz && world->mesh.n_error && world->mesh.px &&
+             world->mesh.py && world->mesh.pz && world->mesh.anchor_error &&
+             world->mesh.deviation && world->mesh.plane;
   return all ? HSR_OK : HSR_E_NOMEM;
 }
 
 /* Counts what the faces consist of. */
 static enum hsr_status measure(struct hsr_world *world, struct hsr_error *err) {
-  const struct hsr_scene *scene = world->scene;
+  const struct hsr_scene *scene = world->outline.scene;
   uint64_t nv = 0, nc = 0;
   for (uint32_t i = 0; i < scene->n_instances; i++) {
     const struct hsr_object *object =
@@ -49,35 +51,36 @@ static enum hsr_status measure(struct hsr_world *world, struct hsr_error *err) {
     return hsr_fail(err, HSR_E_NOMEM,
                     "the scene is too large to be laid out: %u faces",
                     world->n_faces);
-  world->n_vertices = (uint32_t)nv;
-  world->n_corners = (uint32_t)nc;
+  world->mesh.n_vertices = (uint32_t)nv;
+  world->mesh.n_corners = (uint32_t)nc;
   return HSR_OK;
 }
 
 /* Puts instance i at vertex v, face f, corner c of the arrays. */
 static void expand_instance(struct hsr_world *world, uint32_t i, uint32_t v,
                             uint32_t f, uint32_t c) {
-  const struct hsr_instance *instance = &world->scene->instances[i];
-  const struct hsr_object *object = &world->scene->objects[instance->object];
+  const struct hsr_instance *instance = &world->outline.scene->instances[i];
+  const struct hsr_object *object =
+      &world->outline.scene->objects[instance->object];
   for (uint32_t k = 0; k < object->n_vertices; k++) {
     double p[3];
     hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)k, p);
-    world->x[v + k] = p[0];
-    world->y[v + k] = p[1];
-    world->z[v + k] = p[2];
+    world->mesh.x[v + k] = p[0];
+    world->mesh.y[v + k] = p[1];
+    world->mesh.z[v + k] = p[2];
   }
   for (uint32_t k = 0; k < object->n_faces; k++) {
-    world->start[f + k] = c + object->start[k];
-    world->object[f + k] = instance->object;
-    world->instance[f + k] = i;
-    world->one_sided[f + k] = object->one_sided;
+    world->mesh.start[f + k] = c + object->start[k];
+    world->mesh.object[f + k] = instance->object;
+    world->mesh.instance[f + k] = i;
+    world->mesh.one_sided[f + k] = object->one_sided;
   }
   for (uint32_t k = 0; k < object->start[object->n_faces]; k++)
-    world->vertex[c + k] = v + object->vertex[k];
+    world->mesh.vertex[c + k] = v + object->vertex[k];
 }
 
 static void expand(struct hsr_world *world) {
-  const struct hsr_scene *scene = world->scene;
+  const struct hsr_scene *scene = world->outline.scene;
   uint32_t v = 0, f = 0, c = 0;
   for (uint32_t i = 0; i < scene->n_instances; i++) {
     const struct hsr_object *object =
@@ -87,7 +90,7 @@ static void expand(struct hsr_world *world) {
     f += object->n_faces;
     c += object->start[object->n_faces];
   }
-  world->start[f] = c;
+  world->mesh.start[f] = c;
 }
 
 enum hsr_status hsr_world_init(struct hsr_world *world,

@@ -23,15 +23,17 @@
 extern "C" {
 #endif
 
-struct hsr_world {
+/* Which ids belong to which instance: of any world. */
+struct hsr_outline {
   const struct hsr_scene *scene; /* borrowed; outlives the world */
-  uint32_t n_vertices, n_faces, n_corners;
+  uint32_t *first;    /* n_instances + 1: the first face of each instance */
+  bool all_triangles; /* every face of this world */
+};
 
-  /* Of an outline there is this, and nothing below but all_triangles. */
-  uint32_t *first; /* n_instances + 1: the first face of each instance */
-
-  /* Of an extract, the scene's id of each face; else NULL: its number. */
-  const uint32_t *id;
+/* Faces laid out: vertices, corners and planes. Empty, all 0 and NULL, in a
+ * world that is only an outline. */
+struct hsr_mesh {
+  uint32_t n_vertices, n_corners;
 
   /* Vertices, world units, exact as they stand. */
   double *x, *y, *z; /* n_vertices */
@@ -42,19 +44,27 @@ struct hsr_world {
   uint32_t *object;   /* n_faces: index into scene->objects */
   uint32_t *instance; /* n_faces: index into scene->instances */
   bool *one_sided;    /* n_faces: exists only when seen from its front */
-  bool all_triangles;
 
   /* Approximate planes: N = (nx, ny, nz) +- n_error in every component;
    * the plane passes within anchor_error (in every component) of the point
    * (px, py, pz). Of a triangle that point is its first vertex and the error
    * 0. Not normalised. `deviation` bounds |N . (V - P)| over the face's
    * vertices V, P the exact mean: 0 if and only if they are all exactly on the
-   * plane, as those of a triangle are. See world.c for the proof. */
+   * plane, as those of a triangle are. See planes.c for the proof. */
   double *nx, *ny, *nz, *n_error;      /* n_faces */
   double *px, *py, *pz, *anchor_error; /* n_faces */
   double *deviation;                   /* n_faces */
   uint32_t *plane;                     /* n_faces: plane class */
   uint32_t n_planes;
+};
+
+struct hsr_world {
+  uint32_t n_faces; /* laid out; of an outline, all of the scene */
+  struct hsr_outline outline;
+  struct hsr_mesh mesh;
+
+  /* Of an extract, the scene's id of each face; else NULL: its number. */
+  const uint32_t *id;
 
   /* Of a world of pieces; else NULL, and every face is itself. */
   const struct hsr_pieces *pieces;
@@ -95,11 +105,11 @@ enum hsr_status hsr_world_extract(struct hsr_world *out,
                                   struct hsr_error *err);
 
 static inline bool hsr_is_outline(const struct hsr_world *world) {
-  return !world->start;
+  return !world->mesh.start;
 }
 
 /* The instance that face f belongs to. */
-uint32_t hsr_instance_of(const struct hsr_world *world, uint32_t f);
+uint32_t hsr_instance_of(const struct hsr_outline *outline, uint32_t f);
 
 /* Where a face of the scene stands there, by its id, whatever world it is
  * looked up in: laid out, an outline, an extract, or of pieces. */
@@ -131,17 +141,17 @@ void hsr_world_find_plane(struct hsr_world *world, uint32_t f,
 /* Number of vertices of face f. */
 static inline uint32_t hsr_face_size(const struct hsr_world *world,
                                      uint32_t f) {
-  return world->start[f + 1] - world->start[f];
+  return world->mesh.start[f + 1] - world->mesh.start[f];
 }
 
 /* The corners of face f. */
 static inline struct hsr_loop hsr_face_loop(const struct hsr_world *world,
                                             uint32_t f) {
-  struct hsr_loop loop = {world->x,
-                          world->y,
-                          world->z,
+  struct hsr_loop loop = {world->mesh.x,
+                          world->mesh.y,
+                          world->mesh.z,
                           1,
-                          world->vertex + world->start[f],
+                          world->mesh.vertex + world->mesh.start[f],
                           hsr_face_size(world, f)};
   return loop;
 }
@@ -149,10 +159,10 @@ static inline struct hsr_loop hsr_face_loop(const struct hsr_world *world,
 /* Whether vertex v is one of face f and exactly on its plane. */
 static inline bool hsr_on_plane(const struct hsr_world *world, uint32_t f,
                                 uint32_t v) {
-  if (world->deviation[f] > 0)
+  if (world->mesh.deviation[f] > 0)
     return false;
-  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++)
-    if (world->vertex[k] == v)
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++)
+    if (world->mesh.vertex[k] == v)
       return true;
   return false;
 }

@@ -51,10 +51,10 @@ struct Face {
 
   uint32_t size() const { return hsr_face_size(world, id); }
   uint32_t vertex(uint32_t k) const {
-    return world->vertex[world->start[id] + k];
+    return world->mesh.vertex[world->mesh.start[id] + k];
   }
   bool has(uint32_t v) const {
-    const uint32_t *first = world->vertex + world->start[id];
+    const uint32_t *first = world->mesh.vertex + world->mesh.start[id];
     return std::find(first, first + size(), v) != first + size();
   }
 };
@@ -65,22 +65,26 @@ struct Face {
 // that of `deviation` in world.c.
 int side(const Face &f, uint32_t v) {
   const hsr_world *w = f.world;
-  if (f.has(v) && w->deviation[f.id] == 0)
+  if (f.has(v) && w->mesh.deviation[f.id] == 0)
     return 0;
-  double n[3] = {w->nx[f.id], w->ny[f.id], w->nz[f.id]};
-  double p[3] = {w->x[v], w->y[v], w->z[v]};
-  double r[3] = {p[0] - w->px[f.id], p[1] - w->py[f.id], p[2] - w->pz[f.id]};
+  double n[3] = {w->mesh.nx[f.id], w->mesh.ny[f.id], w->mesh.nz[f.id]};
+  double p[3] = {w->mesh.x[v], w->mesh.y[v], w->mesh.z[v]};
+  double r[3] = {p[0] - w->mesh.px[f.id], p[1] - w->mesh.py[f.id],
+                 p[2] - w->mesh.pz[f.id]};
   double n1 = std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]);
   double r1 = std::fabs(r[0]) + std::fabs(r[1]) + std::fabs(r[2]);
   double off = n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
-  double error = 2 * (w->n_error[f.id] * r1 + w->anchor_error[f.id] * n1) +
-                 16 * U * n1 * r1 + TINY;
-  if (std::fabs(off) > w->deviation[f.id] + error)
+  double error =
+      2 * (w->mesh.n_error[f.id] * r1 + w->mesh.anchor_error[f.id] * n1) +
+      16 * U * n1 * r1 + TINY;
+  if (std::fabs(off) > w->mesh.deviation[f.id] + error)
     return off > 0 ? 1 : -1;
-  if (w->deviation[f.id] > 0)
+  if (w->mesh.deviation[f.id] > 0)
     return 0;
   bool out_of_memory = false;
-  hsr_loop loop = {w->x, w->y, w->z, 1, w->vertex + w->start[f.id], f.size()};
+  hsr_loop loop = {
+      w->mesh.x, w->mesh.y, w->mesh.z, 1, w->mesh.vertex + w->mesh.start[f.id],
+      f.size()};
   int exact = hsr_exact_plane_side(loop, p, &out_of_memory);
   if (out_of_memory)
     throw std::bad_alloc();
@@ -197,7 +201,7 @@ bool interiors_meet(const Face &f, const Face &g, const std::vector<int> &of_f,
 
 bool penetrate(const Face &f, const Face &g) {
   std::vector<int> of_f, of_g;
-  if (f.world->plane[f.id] == f.world->plane[g.id] ||
+  if (f.world->mesh.plane[f.id] == f.world->mesh.plane[g.id] ||
       !reaches_through(f, g, of_f) || !reaches_through(g, f, of_g))
     return false;
   try {
@@ -216,9 +220,10 @@ using Box = CGAL::Box_intersection_d::Box_with_handle_d<
 
 Box box_of(const hsr_world *world, const uint32_t *id) {
   Box box(id);
-  for (uint32_t k = world->start[*id]; k < world->start[*id + 1]; k++) {
-    uint32_t v = world->vertex[k];
-    double p[3] = {world->x[v], world->y[v], world->z[v]};
+  for (uint32_t k = world->mesh.start[*id]; k < world->mesh.start[*id + 1];
+       k++) {
+    uint32_t v = world->mesh.vertex[k];
+    double p[3] = {world->mesh.x[v], world->mesh.y[v], world->mesh.z[v]};
     box.extend(p);
   }
   return box;
@@ -246,7 +251,7 @@ void for_each_implied_edge(
     const hsr_world *world, uint32_t f, uint32_t g,
     const std::function<void(const Exact_point &, const Exact_point &)>
         &found) {
-  if (world->deviation[f] > 0 || world->deviation[g] > 0)
+  if (world->mesh.deviation[f] > 0 || world->mesh.deviation[g] > 0)
     return;
   const Face a = {world, f}, b = {world, g};
   std::vector<int> of_f, of_g;

@@ -74,9 +74,9 @@ static void find_sides(struct survey *s) {
 static void find_points(struct survey *s) {
   const struct hsr_world *world = s->world;
   const double *E = s->view.E;
-  for (uint32_t v = 0; v < world->n_vertices; v++) {
-    double x = world->x[v] - E[0], y = world->y[v] - E[1],
-           z = world->z[v] - E[2];
+  for (uint32_t v = 0; v < world->mesh.n_vertices; v++) {
+    double x = world->mesh.x[v] - E[0], y = world->mesh.y[v] - E[1],
+           z = world->mesh.z[v] - E[2];
     for (int k = 0; k < 3; k++) {
       const double *row = s->view.screen[k];
       s->point[v][k] = row[0] * x + row[1] * y + row[2] * z;
@@ -87,11 +87,11 @@ static void find_points(struct survey *s) {
 static enum hsr_status find_facings(struct survey *s) {
   const struct hsr_world *world = s->world;
   for (uint32_t f = 0; f < world->n_faces; f++) {
-    struct hsr_loop loop = {world->x,
-                            world->y,
-                            world->z,
+    struct hsr_loop loop = {world->mesh.x,
+                            world->mesh.y,
+                            world->mesh.z,
                             1,
-                            world->vertex + world->start[f],
+                            world->mesh.vertex + world->mesh.start[f],
                             hsr_face_size(world, f)};
     s->facing[f] = s->screen.facing[f];
     if (!s->facing[f])
@@ -104,7 +104,7 @@ static enum hsr_status find_facings(struct survey *s) {
 }
 
 static bool exists(const struct survey *s, uint32_t f) {
-  return s->facing[f] > 0 || (s->facing[f] < 0 && !s->world->one_sided[f]);
+  return s->facing[f] > 0 || (s->facing[f] < 0 && !s->world->mesh.one_sided[f]);
 }
 
 /* The screen point of a homogeneous point within the picture, which rounding
@@ -131,7 +131,7 @@ static size_t clipped_size(size_t n) {
  * room is two arrays of clipped_size points. */
 static double clipped_height(const struct survey *s, uint32_t f,
                              double (*room[2])[3]) {
-  const uint32_t *vertex = s->world->vertex + s->world->start[f];
+  const uint32_t *vertex = s->world->mesh.vertex + s->world->mesh.start[f];
   double(*in)[3] = room[0], (*out)[3] = room[1];
   int n = (int)hsr_face_size(s->world, f);
   for (int k = 0; k < n; k++)
@@ -190,10 +190,10 @@ static enum hsr_status measure_faces(struct survey *s) {
  * F_c    F_t / C_t, as in Table II. */
 static void measure_clusters(struct survey *s) {
   const struct hsr_world *world = s->world;
-  uint32_t total = world->scene->n_instances, n_relevant = 0;
+  uint32_t total = world->outline.scene->n_instances, n_relevant = 0;
   for (uint32_t k = 0; k < s->n_relevant; k++)
-    if (!k ||
-        world->instance[s->relevant[k]] != world->instance[s->relevant[k - 1]])
+    if (!k || world->mesh.instance[s->relevant[k]] !=
+                  world->mesh.instance[s->relevant[k - 1]])
       n_relevant++;
   s->table->C_t = total;
   s->table->C_r = n_relevant;
@@ -271,9 +271,9 @@ static void find_uses(struct survey *s) {
   for (uint32_t f = 0; f < world->n_faces; f++) {
     if (!exists(s, f))
       continue;
-    uint32_t from = world->vertex[world->start[f + 1] - 1];
-    for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
-      uint32_t to = world->vertex[k];
+    uint32_t from = world->mesh.vertex[world->mesh.start[f + 1] - 1];
+    for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+      uint32_t to = world->mesh.vertex[k];
       s->uses[s->n_uses++] = from < to
                                  ? (struct use){from, to, f, s->facing[f]}
                                  : (struct use){to, from, f, -s->facing[f]};
@@ -328,7 +328,7 @@ static bool clip_edge(const struct survey *s, const double a[3],
  *        of a single face always is one. Put so, the definition also holds
  *        where three or more faces meet. */
 static enum hsr_status measure_edges(struct survey *s) {
-  s->uses = HSR_NEW(&s->arena, struct use, s->world->n_corners);
+  s->uses = HSR_NEW(&s->arena, struct use, s->world->mesh.n_corners);
   if (!s->uses)
     return HSR_E_NOMEM;
   find_uses(s);
@@ -353,7 +353,7 @@ static enum hsr_status measure_edges(struct survey *s) {
     n_contour += side != 0;
     s->edges[s->n_edges++] = edge;
   }
-  s->table->E_t = s->world->n_corners;
+  s->table->E_t = s->world->mesh.n_corners;
   s->table->E_r = (double)n_relevant;
   s->table->E_s = (double)s->n_edges;
   s->table->E_c = (double)n_contour;
@@ -382,7 +382,7 @@ static bool before_a_face(const struct survey *s, uint32_t f, int i, int j,
   for (size_t k = 0; k < e->n_uses; k++) {
     uint32_t g = e->use[k].face;
     double error = s->screen.plane[f].error + s->screen.plane[g].error;
-    if (s->world->plane[f] == s->world->plane[g] ||
+    if (s->world->mesh.plane[f] == s->world->mesh.plane[g] ||
         (e->use[k].side == side &&
          !(q - depth(s, g, x, y) > error + CLEARLY * q)))
       return false;
@@ -615,7 +615,7 @@ static enum hsr_status measure_crossings(struct survey *s) {
 /* --- All of it ------------------------------------------------------------ */
 
 static enum hsr_status set_up(struct survey *s) {
-  size_t n_vertices = s->world->n_vertices, n_faces = s->world->n_faces;
+  size_t n_vertices = s->world->mesh.n_vertices, n_faces = s->world->n_faces;
   s->view.window = (struct hsr_window){0, 0, s->view.m, s->view.n};
   s->point = hsr_arena_array(&s->arena, n_vertices, sizeof *s->point);
   s->facing = HSR_NEW(&s->arena, signed char, n_faces);

@@ -518,13 +518,13 @@ bool hand_over(hsr_arena *arena, const std::vector<T> &from, T *&to,
 bool Maker::fill(hsr_bsp *out) const {
   hsr_arena *arena = &out->arena;
   const uint32_t n = world_.n_faces;
-  out->face_of = HSR_NEW(arena, uint32_t, world_.n_planes);
-  out->level = HSR_NEW(arena, hsr_bsp_level, world_.n_planes);
+  out->face_of = HSR_NEW(arena, uint32_t, world_.mesh.n_planes);
+  out->level = HSR_NEW(arena, hsr_bsp_level, world_.mesh.n_planes);
   out->turned = HSR_NEW(arena, signed char, n);
   out->reach = HSR_NEW(arena, double, n);
   if (!out->face_of || !out->level || !out->turned || !out->reach)
     return false;
-  for (uint32_t p = 0; p < world_.n_planes; p++) {
+  for (uint32_t p = 0; p < world_.mesh.n_planes; p++) {
     const uint32_t f = shapes_.face_of(p);
     const Level &level = shapes_.level(p);
     out->face_of[p] = world_.pieces ? world_.pieces->first[f] : f;

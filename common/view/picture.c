@@ -12,8 +12,8 @@ static const float BACKGROUND[3] = {0.055f, 0.07f, 0.10f};
 static double reciprocal_depth(const struct hsr_world *world,
                                const struct hsr_view *view, uint32_t f,
                                double sx, double sy) {
-  const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
-  const double p[3] = {world->px[f], world->py[f], world->pz[f]};
+  const double n[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
+  const double p[3] = {world->mesh.px[f], world->mesh.py[f], world->mesh.pz[f]};
   double along = 0, distance = 0;
   for (int k = 0; k < 3; k++) {
     along +=
@@ -54,11 +54,13 @@ static uint32_t scene_id(const struct hsr_world *world, uint32_t f) {
 
 static void face_colour(const struct hsr_world *world, uint32_t f,
                         float rgb[3]) {
-  const struct hsr_object *object = &world->scene->objects[world->object[f]];
+  const struct hsr_object *object =
+      &world->outline.scene->objects[world->mesh.object[f]];
   const float *colour = object->colour;
   if (object->rgb)
-    colour = object->rgb + 3 * (size_t)(scene_id(world, f) -
-                                        world->first[world->instance[f]]);
+    colour = object->rgb +
+             3 * (size_t)(scene_id(world, f) -
+                          world->outline.first[world->mesh.instance[f]]);
   for (int k = 0; k < 3; k++)
     rgb[k] = colour[k];
 }
@@ -82,8 +84,8 @@ float hsr_picture_light(const struct hsr_view *view, const double n[3],
 static float lambert(const struct hsr_world *world, const struct hsr_view *view,
                      uint32_t f) {
   return hsr_picture_light(
-      view, (double[]){world->nx[f], world->ny[f], world->nz[f]},
-      (double[]){world->px[f], world->py[f], world->pz[f]});
+      view, (double[]){world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]},
+      (double[]){world->mesh.px[f], world->mesh.py[f], world->mesh.pz[f]});
 }
 
 void hsr_picture_colour(const struct hsr_world *world,

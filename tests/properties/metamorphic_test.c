@@ -94,7 +94,7 @@ static void toy_draw(const struct hsr_algorithm *algorithm,
   }
   draw_ids(algorithm, &world, &view, ids, NULL);
   for (int f = 0; planes && f < toy->n_faces; f++)
-    planes[f] = world.plane[f];
+    planes[f] = world.mesh.plane[f];
   hsr_world_free(&world);
   hsr_scene_delete(scene);
 }

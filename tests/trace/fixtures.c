@@ -55,7 +55,7 @@ static void look_about(struct hsr_tally *tally, uint32_t f, uint32_t v,
 
 static void place(const struct hsr_world *world, uint32_t a, uint32_t b,
                   double t, double at[3]) {
-  const double *const x[3] = {world->x, world->y, world->z};
+  const double *const x[3] = {world->mesh.x, world->mesh.y, world->mesh.z};
   for (int c = 0; c < 3; c++)
     at[c] = x[c][a] + t * (x[c][b] - x[c][a]);
 }
@@ -90,7 +90,7 @@ static enum hsr_status plot(const struct hsr_job *job, struct hsr_error *err) {
   const struct hsr_world *world = job->world;
   enum hsr_status status = HSR_OK;
   for (uint32_t f = world->n_faces; f-- && !status;) {
-    const uint32_t *vertex = world->vertex + world->start[f];
+    const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
     look_about(job->tally, f, vertex[0], vertex[1]);
     status = draw_edge(job, f, vertex[0], vertex[1]);
   }

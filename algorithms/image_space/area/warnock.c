@@ -259,7 +259,7 @@ static bool passes_by(const struct state *s, uint32_t a, uint32_t b,
 static bool edges_meet(const struct state *s, uint32_t f,
                        const struct window *w) {
   const struct hsr_world *world = s->job->world;
-  const uint32_t *vertex = world->vertex + world->start[f];
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
   uint32_t n = hsr_face_size(world, f);
   for (uint32_t k = 0, last = n - 1; k < n; last = k++)
     if (!passes_by(s, vertex[last], vertex[k], w))
@@ -402,7 +402,7 @@ static struct listed *nearest_surrounder(struct state *s,
  * -1 if g is, 0 if neither or not certain. */
 static int order_in_depth(const struct state *s, const struct depths *f,
                           const struct depths *g) {
-  const uint32_t *plane = s->job->world->plane;
+  const uint32_t *plane = s->job->world->mesh.plane;
   if (plane[f->id] == plane[g->id])
     return f->id < g->id ? 1 : -1;
   double bound = f->error + g->error;
@@ -584,15 +584,15 @@ static bool at_vertex(const struct state *s, const struct window *w, uint32_t n,
   double least = INFINITY;
   for (uint32_t k = 0; k < n; k++) {
     uint32_t f = s->list[k].id;
-    for (uint32_t c = world->start[f]; c < world->start[f + 1]; c++) {
-      double column = ceil(s->screen->sx[world->vertex[c]] - first_x);
-      double row = ceil(s->screen->sy[world->vertex[c]] - first_y);
+    for (uint32_t c = world->mesh.start[f]; c < world->mesh.start[f + 1]; c++) {
+      double column = ceil(s->screen->sx[world->mesh.vertex[c]] - first_x);
+      double row = ceil(s->screen->sy[world->mesh.vertex[c]] - first_y);
       if (!(column > w->x0 && column < w->x1 && row > w->y0 && row < w->y1))
         continue;
       double away = fmax(fabs(column - centre.column), fabs(row - centre.row));
       if (away < least) {
         least = away;
-        *at = (struct division){(int)column, (int)row, world->vertex[c]};
+        *at = (struct division){(int)column, (int)row, world->mesh.vertex[c]};
       }
     }
   }

@@ -244,7 +244,7 @@ static void insert_piece(void *context, const struct hsr_bsp_piece *piece,
   if (!HSR_OF_BUILD(hsr_bsp_frame_piece)(&s->frame, piece, &s->piece))
     return;
   uint32_t f = piece->face, n = 0;
-  s->is_asked = s->frame.job->world->deviation[f] > 0 ||
+  s->is_asked = s->frame.job->world->mesh.deviation[f] > 0 ||
                 (s->frame.job->view->near > 0 && !s->frame.screen.whole[f]);
   if (!s->is_asked)
     n = find_sides(s, piece, facing);

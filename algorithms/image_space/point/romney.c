@@ -228,7 +228,7 @@ static void sort_triangle(struct scan *s, uint32_t f) {
   struct face face = {.id = f, .whole_triangle = true, .n_intercepts = 2};
   int row[3];
   for (int k = 0; k < 3; k++) {
-    uint32_t v = world->vertex[world->start[f] + (uint32_t)k];
+    uint32_t v = world->mesh.vertex[world->mesh.start[f] + (uint32_t)k];
     int row_v = hsr_vertex_row(&s->screen, v, s->tally), place = k;
     for (; place && row[place - 1] > row_v; place--) {
       row[place] = row[place - 1];
@@ -359,7 +359,7 @@ static void sort_x(struct scan *s, int j) {
 static void update_x_occupied(struct scan *s, uint32_t piece) {
   const struct hsr_world *world = s->job->world;
   uint32_t *place = &s->place[hsr_world_parent(world, piece)];
-  bool thick = world->deviation[piece] > 0;
+  bool thick = world->mesh.deviation[piece] > 0;
   if (*place == NONE) {
     *place = s->n_x_occupied;
     s->x_occupied[s->n_x_occupied++] = piece;

@@ -28,7 +28,7 @@ static void sort_edges(struct hsr_scan *s, const struct hsr_piece *piece,
                        uint32_t number) {
   const struct hsr_world *world = s->job->world;
   uint32_t f = piece->face, n = hsr_face_size(world, f);
-  const uint32_t *vertex = world->vertex + world->start[f];
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
   uint32_t a = vertex[n - 1];
   int row_a = hsr_vertex_row(&s->screen, a, s->tally);
   for (uint32_t k = 0; k < n; k++) {

@@ -163,7 +163,7 @@ static bool is_nearer(struct hsr_watkins *s,
                       int *end) {
   if (s->is_nearer)
     return s->is_nearer(s->context, f, g, l, r, j, end);
-  const uint32_t *plane = s->edges.job->world->plane;
+  const uint32_t *plane = s->edges.job->world->mesh.plane;
   if (plane[f->face] == plane[g->face]) {
     *end = r;
     return f->face < g->face;

@@ -500,8 +500,9 @@ static struct extent find_extent(const struct scan *s, uint32_t f) {
   const struct hsr_bounds *b = &s->screen->bounds[f];
   struct extent extent = {-INFINITY, INFINITY};
   if (s->screen->whole[f])
-    for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++)
-      include_depth(&extent, hsr_vertex_depth(s->screen, f, world->vertex[k]));
+    for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++)
+      include_depth(&extent,
+                    hsr_vertex_depth(s->screen, f, world->mesh.vertex[k]));
   else
     for (int corner = 0; corner < 4; corner++)
       include_depth(&extent,
@@ -533,10 +534,11 @@ static int side_of_plane(const struct scan *s, uint32_t f, uint32_t g) {
     return 0;
   const struct hsr_world *world = s->edges.job->world;
   bool in_front = true, behind = true;
-  for (uint32_t k = world->start[f];
-       k < world->start[f + 1] && (in_front || behind); k++) {
-    int nearer = hsr_vertex_nearer(s->screen, f, g, world->vertex[k], s->tally);
-    HSR_STEP(s->tally, Z_SORT, HSR_VERTEX(world->vertex[k]), HSR_FACE(g),
+  for (uint32_t k = world->mesh.start[f];
+       k < world->mesh.start[f + 1] && (in_front || behind); k++) {
+    int nearer =
+        hsr_vertex_nearer(s->screen, f, g, world->mesh.vertex[k], s->tally);
+    HSR_STEP(s->tally, Z_SORT, HSR_VERTEX(world->mesh.vertex[k]), HSR_FACE(g),
              the_row(s), outcome_of(nearer));
     in_front &= nearer >= 0;
     behind &= nearer <= 0;
@@ -548,7 +550,7 @@ static int side_of_plane(const struct scan *s, uint32_t f, uint32_t g) {
  * in front of that plane, -1 if to the part behind, 0 if it was not divided. */
 static int side_by_division(const struct scan *s, const struct segment *a,
                             const struct segment *b) {
-  const uint32_t *plane = s->edges.job->world->plane;
+  const uint32_t *plane = s->edges.job->world->mesh.plane;
   for (const struct segment *part = a; part->whole; part = part->whole)
     if (plane[part->whole->by] == plane[b->face])
       return part->whole->part[0] == part ? 1 : -1;
@@ -567,7 +569,7 @@ static bool ends_sooner(const struct scan *s, const struct segment *a,
 static int settle(const struct scan *s, const struct segment *a,
                   const struct segment *b) {
   uint32_t f = a->face, g = b->face;
-  const uint32_t *plane = s->edges.job->world->plane;
+  const uint32_t *plane = s->edges.job->world->mesh.plane;
   if (plane[f] == plane[g])
     return f < g ? 1 : -1;
   int side = side_by_division(s, a, b);

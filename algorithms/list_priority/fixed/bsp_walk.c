@@ -45,13 +45,13 @@ static int side_of_plane(const struct hsr_bsp_walk *walk, uint32_t plane) {
   const struct hsr_bsp_level *level = &walk->bsp->level[plane];
   if (level->front)
     return level->front * side_of_median(walk, level->axis, level->at);
-  const double n[3] = {world->nx[f], world->ny[f], world->nz[f]};
+  const double n[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
   const double d[3] = {E[0] - S[0], E[1] - S[1], E[2] - S[2]};
-  const double r[3] = {d[0] - world->px[f], d[1] - world->py[f],
-                       d[2] - world->pz[f]};
+  const double r[3] = {d[0] - world->mesh.px[f], d[1] - world->mesh.py[f],
+                       d[2] - world->mesh.pz[f]};
   double n1 = sum_of_sizes(n), r1 = sum_of_sizes(r);
-  double anchor_error = world->anchor_error[f] + 2 * U * sum_of_sizes(d);
-  double error = 2 * (world->n_error[f] * r1 + anchor_error * n1) +
+  double anchor_error = world->mesh.anchor_error[f] + 2 * U * sum_of_sizes(d);
+  double error = 2 * (world->mesh.n_error[f] * r1 + anchor_error * n1) +
                  16 * U * n1 * r1 + TINY;
   double height = n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
   if (fabs(height) > error)
@@ -71,7 +71,7 @@ static void tell_pieces(const struct hsr_bsp_walk *walk,
     const struct hsr_bsp_piece *piece =
         &bsp->piece[node->first_piece + (walk->backwards ? n - 1 - k : k)];
     int facing = eye_side * bsp->turned[piece->face];
-    if (facing > 0 || !bsp->world->one_sided[piece->face])
+    if (facing > 0 || !bsp->world->mesh.one_sided[piece->face])
       walk->piece(walk->context, piece, facing);
   }
 }

@@ -192,7 +192,7 @@ static void list_face(struct schumacker *s, uint32_t oriented, bool is_thick,
   struct listed listed = {.face = f,
                           .side = side,
                           .by_spans = !s->screen.whole[f] ||
-                                      s->job->world->deviation[f] > 0};
+                                      s->job->world->mesh.deviation[f] > 0};
   if (is_thick || hsr_grazes(&s->screen, f, s->clusters->reach[f]))
     thick[s->n_thick++] = listed;
   else
@@ -229,7 +229,7 @@ static enum hsr_status make_list(struct schumacker *s) {
 static void find_edges(struct schumacker *s, const struct listed *listed) {
   const struct hsr_world *world = s->job->world;
   const struct hsr_bounds *bounds = &s->screen.bounds[listed->face];
-  const uint32_t *vertex = world->vertex + world->start[listed->face];
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[listed->face];
   uint32_t n = hsr_face_size(world, listed->face);
   for (uint32_t k = 0; k < n; k++) {
     struct edge *edge = &s->edge[listed->first_edge + k];
@@ -404,7 +404,7 @@ static enum hsr_status allocate_counters(struct schumacker *s) {
 static double expense(const struct hsr_world *world,
                       const struct hsr_view *view) {
   double m = view->m, n = view->n;
-  return n * world->n_corners + n * m * sqrt(1.5 * world->n_faces * m / n);
+  return n * world->mesh.n_corners + n * m * sqrt(1.5 * world->n_faces * m / n);
 }
 
 static enum hsr_status render(const struct hsr_job *job,

@@ -221,7 +221,7 @@ static void overwrite(struct hsr_newell *s, uint32_t f, int x0, int x1, int j) {
     return;
   }
   memcpy(new.rgb, s->job->paint->face + 3 * (size_t)f, sizeof new.rgb);
-  float opacity = world->scene->objects[world->object[f]].opacity;
+  float opacity = world->outline.scene->objects[world->mesh.object[f]].opacity;
   if (opacity < 1)
     overwrite_partly(s, new, opacity, j);
   else

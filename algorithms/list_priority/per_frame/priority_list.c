@@ -175,7 +175,7 @@ void hsr_list_sort(struct hsr_priority_list *s, const struct hsr_window *window,
 
 static bool same_plane(const struct hsr_priority_list *s, uint32_t f,
                        uint32_t g) {
-  return s->job->world->plane[f] == s->job->world->plane[g];
+  return s->job->world->mesh.plane[f] == s->job->world->mesh.plane[g];
 }
 
 /* The side of the plane of g that the piece was cut to, or 0. */
@@ -234,8 +234,8 @@ static int face_side(const struct hsr_priority_list *s, uint32_t a, uint32_t b,
                      uint32_t f) {
   const struct hsr_world *world = s->job->world;
   int side = 0;
-  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
-    uint32_t v = world->vertex[k];
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+    uint32_t v = world->mesh.vertex[k];
     if (v == a || v == b)
       continue;
     int here = line_side(s->screen, a, b, v);
@@ -250,7 +250,7 @@ static int face_side(const struct hsr_priority_list *s, uint32_t a, uint32_t b,
 static bool edge_separates(const struct hsr_priority_list *s, uint32_t f,
                            uint32_t g) {
   const struct hsr_world *world = s->job->world;
-  const uint32_t *vertex = world->vertex + world->start[f];
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
   uint32_t n = hsr_face_size(world, f);
   for (uint32_t k = 0, l = n - 1; k < n; l = k++) {
     int side = face_side(s, vertex[l], vertex[k], f);

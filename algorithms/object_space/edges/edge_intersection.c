@@ -9,7 +9,7 @@
 double hsr_network_expense(const struct hsr_world *world,
                            const struct hsr_view *view) {
   (void)view;
-  double edges = world->n_corners / 3.0;
+  double edges = world->mesh.n_corners / 3.0;
   return 4 * edges * edges;
 }
 
@@ -106,9 +106,9 @@ enum hsr_status hsr_network_init(struct hsr_network *network,
     return HSR_E_NOMEM;
   for (uint32_t k = 0; k < network->sight.n_faces; k++) {
     uint32_t f = network->sight.faces[k];
-    network->face_box[f] =
-        box_of(&network->sight, job->world->vertex + job->world->start[f],
-               hsr_face_size(job->world, f));
+    network->face_box[f] = box_of(
+        &network->sight, job->world->mesh.vertex + job->world->mesh.start[f],
+        hsr_face_size(job->world, f));
   }
   for (uint32_t e = 0; e < n; e++)
     cull_edge(network, e);
@@ -362,7 +362,7 @@ static int64_t correction(const struct hsr_network *network, uint32_t e,
                           uint32_t p) {
   const struct hsr_edges *edges = network->edges;
   int64_t hiding = 0;
-  if (p >= edges->world->n_vertices)
+  if (p >= edges->world->mesh.n_vertices)
     return 0;
   for (uint32_t k = edges->corner_start[p]; k < edges->corner_start[p + 1];
        k++) {
@@ -403,7 +403,7 @@ static enum hsr_status follow_edges(struct hsr_network *network,
                                     const struct hsr_promotion *promotion,
                                     uint32_t p) {
   const struct hsr_edges *edges = network->edges;
-  if (p >= edges->world->n_vertices)
+  if (p >= edges->world->mesh.n_vertices)
     return HSR_OK;
   for (uint32_t k = edges->end_start[p]; k < edges->end_start[p + 1]; k++) {
     uint32_t e = edges->end[k];

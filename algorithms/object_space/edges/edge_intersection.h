@@ -185,7 +185,7 @@ static inline int hsr_inside(const struct hsr_sight *sight,
 /* Whether point p is a corner of face f. */
 static inline bool hsr_is_corner(const struct hsr_edges *edges, uint32_t p,
                                  uint32_t f) {
-  if (p >= edges->world->n_vertices)
+  if (p >= edges->world->mesh.n_vertices)
     return false;
   for (uint32_t k = edges->corner_start[p]; k < edges->corner_start[p + 1]; k++)
     if (edges->corner[k].face == f)
@@ -243,7 +243,7 @@ static inline uint32_t hsr_face_of_corner(const struct hsr_world *world,
   uint32_t f = 0, beyond = world->n_faces;
   while (beyond - f > 1) {
     uint32_t middle = f + (beyond - f) / 2;
-    if (world->start[middle] <= k)
+    if (world->mesh.start[middle] <= k)
       f = middle;
     else
       beyond = middle;
@@ -264,8 +264,8 @@ hsr_event_subject(const struct hsr_network *network,
     return hsr_edge_subject(edges, k);
   case HSR_AT_SIDE: {
     uint32_t f = hsr_face_of_corner(world, k);
-    uint32_t before = k > world->start[f] ? k : world->start[f + 1];
-    return HSR_EDGE(world->vertex[before - 1], world->vertex[k], f);
+    uint32_t before = k > world->mesh.start[f] ? k : world->mesh.start[f + 1];
+    return HSR_EDGE(world->mesh.vertex[before - 1], world->mesh.vertex[k], f);
   }
   case HSR_AT_PLANE:
   case HSR_AT_NEAR:

@@ -201,7 +201,7 @@ static void begin(struct state *s, const struct hsr_network *network,
   const struct hsr_edges *edges = network->edges;
   for (uint32_t k = 0; k < s->n_nature; k++)
     enter(s, s->nature[k], 1);
-  if (p >= edges->world->n_vertices)
+  if (p >= edges->world->mesh.n_vertices)
     return;
   for (uint32_t k = edges->corner_start[p]; k < edges->corner_start[p + 1];
        k++) {

@@ -241,8 +241,9 @@ static bool add_face(struct frame *frame, uint32_t f) {
   const struct hsr_world *world = frame->edges->world;
   if (!frame->sight.regular[f])
     return true;
-  struct hsr_extent extent = extent_of(
-      &frame->sight, world->vertex + world->start[f], hsr_face_size(world, f));
+  struct hsr_extent extent =
+      extent_of(&frame->sight, world->mesh.vertex + world->mesh.start[f],
+                hsr_face_size(world, f));
   for (uint32_t v = volumes->flat[f]; v < volumes->flat[f + 1]; v++)
     if (!add_volume(frame, v, &extent))
       return false;
@@ -285,9 +286,10 @@ static bool add_body(struct frame *frame, uint32_t b) {
 /* Whether face f is not ahead: it is flat, and none of its corners is ahead. */
 static bool is_behind(const struct frame *frame, uint32_t f) {
   const struct hsr_world *world = frame->edges->world;
-  bool is_ahead = world->deviation[f] > 0;
-  for (uint32_t k = world->start[f]; k < world->start[f + 1] && !is_ahead; k++)
-    is_ahead = frame->sight.ahead[world->vertex[k]];
+  bool is_ahead = world->mesh.deviation[f] > 0;
+  for (uint32_t k = world->mesh.start[f];
+       k < world->mesh.start[f + 1] && !is_ahead; k++)
+    is_ahead = frame->sight.ahead[world->mesh.vertex[k]];
   return !is_ahead;
 }
 
@@ -324,10 +326,10 @@ static bool is_own(const struct frame *frame, uint32_t e,
   const struct hsr_world *world = edges->world;
   for (uint32_t s = edges->side_start[e]; s < edges->side_start[e + 1]; s++) {
     uint32_t f = edges->side[s].face;
-    if (world->deviation[f] > 0)
+    if (world->mesh.deviation[f] > 0)
       continue;
     for (uint32_t k = 0; k < n; k++)
-      if (world->plane[f] == world->plane[front[k].subject])
+      if (world->mesh.plane[f] == world->mesh.plane[front[k].subject])
         return true;
   }
   return false;
@@ -617,7 +619,7 @@ static enum hsr_status render(const struct hsr_job *job,
 static double expense(const struct hsr_world *world,
                       const struct hsr_view *view) {
   (void)view;
-  return (double)world->n_corners / 2 * world->n_faces;
+  return (double)world->mesh.n_corners / 2 * world->n_faces;
 }
 
 static double predict_back_cull(const struct hsr_table1 *t) {

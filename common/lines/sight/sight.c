@@ -16,10 +16,10 @@
 bool hsr_sight_covers(const struct hsr_sight *sight, uint32_t f, uint32_t p) {
   const struct hsr_world *w = sight->world;
   bool inside = false;
-  uint32_t a = w->vertex[w->start[f + 1] - 1];
+  uint32_t a = w->mesh.vertex[w->mesh.start[f + 1] - 1];
   int row_a = hsr_sight_row_side(sight, p, a);
-  for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
-    uint32_t b = w->vertex[k];
+  for (uint32_t k = w->mesh.start[f]; k < w->mesh.start[f + 1]; k++) {
+    uint32_t b = w->mesh.vertex[k];
     int row_b = hsr_sight_row_side(sight, p, b);
     if (row_a != row_b && hsr_sight_side(sight, a, b, p) == -row_a)
       inside = !inside;

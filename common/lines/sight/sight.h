@@ -85,7 +85,7 @@ static inline struct hsr_subject hsr_edge_subject(const struct hsr_edges *edges,
 }
 static inline struct hsr_subject
 hsr_point_subject(const struct hsr_edges *edges, uint32_t p) {
-  return p < edges->world->n_vertices ? HSR_VERTEX(p) : HSR_NOTHING;
+  return p < edges->world->mesh.n_vertices ? HSR_VERTEX(p) : HSR_NOTHING;
 }
 
 /* --- Where images lie ----------------------------------------------------- */

@@ -104,10 +104,12 @@ bool hsr_sight_corner_hides(const struct hsr_sight *sight, uint32_t e,
                             uint32_t p, struct hsr_corner corner) {
   const Numbers &n = *sight->numbers;
   const hsr_world *w = sight->world;
-  const uint32_t f = corner.face, first = w->start[f], last = w->start[f + 1];
+  const uint32_t f = corner.face, first = w->mesh.start[f],
+                 last = w->mesh.start[f + 1];
   const uint32_t before =
-      w->vertex[corner.k == first ? last - 1 : corner.k - 1];
-  const uint32_t after = w->vertex[corner.k + 1 == last ? first : corner.k + 1];
+      w->mesh.vertex[corner.k == first ? last - 1 : corner.k - 1];
+  const uint32_t after =
+      w->mesh.vertex[corner.k + 1 == last ? first : corner.k + 1];
   const uint32_t other =
       sight->edges->a[e] == p ? sight->edges->b[e] : sight->edges->a[e];
   const int inside = -sight->facing[f];
@@ -140,13 +142,14 @@ static void find_faces(hsr_sight *sight) {
   const hsr_world *w = sight->world;
   for (uint32_t f = 0; f < w->n_faces; f++) {
     int facing = facing_sign(n, f);
-    sight->exists[f] = facing > 0 || !w->one_sided[f];
+    sight->exists[f] = facing > 0 || !w->mesh.one_sided[f];
     if (!sight->exists[f])
       facing = 0;
     sight->facing[f] = static_cast<signed char>(facing);
     bool regular = facing && sight->edges->simple[f];
-    for (uint32_t k = w->start[f]; regular && k < w->start[f + 1]; k++)
-      regular = sight->ahead[w->vertex[k]];
+    for (uint32_t k = w->mesh.start[f]; regular && k < w->mesh.start[f + 1];
+         k++)
+      regular = sight->ahead[w->mesh.vertex[k]];
     sight->regular[f] = regular;
     if (regular)
       sight->faces[sight->n_faces++] = f;
@@ -190,10 +193,10 @@ enum hsr_status hsr_sight_init(struct hsr_sight *sight,
       hsr_screen_init(&screen, edges->world, view, arena))
     return HSR_E_NOMEM;
   hsr_screen_vertices(&screen);
-  std::copy(screen.sx, screen.sx + edges->world->n_vertices, sight->sx);
-  std::copy(screen.sy, screen.sy + edges->world->n_vertices, sight->sy);
-  std::copy(screen.q, screen.q + edges->world->n_vertices, sight->q);
-  for (uint32_t p = edges->world->n_vertices; p < edges->n_points; p++)
+  std::copy(screen.sx, screen.sx + edges->world->mesh.n_vertices, sight->sx);
+  std::copy(screen.sy, screen.sy + edges->world->mesh.n_vertices, sight->sy);
+  std::copy(screen.q, screen.q + edges->world->mesh.n_vertices, sight->q);
+  for (uint32_t p = edges->world->mesh.n_vertices; p < edges->n_points; p++)
     sight->sx[p] = sight->sy[p] = sight->q[p] = NAN;
   try {
     sight->numbers = new hsr_sight_numbers();

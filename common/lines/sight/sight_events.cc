@@ -173,10 +173,10 @@ struct Pierced {
                         hb * A.w + ha * B.w};
     const hsr_world *w = n.sight->world;
     bool inside = false;
-    Point<T> P = n.point<T>(w->vertex[w->start[f + 1] - 1]);
+    Point<T> P = n.point<T>(w->mesh.vertex[w->mesh.start[f + 1] - 1]);
     int row_p = certain_sign(row_value(n, X, P, VALUE));
-    for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
-      const Point<T> Q = n.point<T>(w->vertex[k]);
+    for (uint32_t k = w->mesh.start[f]; k < w->mesh.start[f + 1]; k++) {
+      const Point<T> Q = n.point<T>(w->mesh.vertex[k]);
       const int row_q = certain_sign(row_value(n, X, Q, VALUE));
       if (!row_p || !row_q)
         return 0;

@@ -143,13 +143,14 @@ public:
                                  : near_border());
     end_ =
         s->ahead[b] ? hsr_sight_event{1, 0, HSR_AT_END, 0, 0} : near_border();
-    for (uint32_t k = s->world->start[f]; k < s->world->start[f + 1]; k++) {
+    for (uint32_t k = s->world->mesh.start[f]; k < s->world->mesh.start[f + 1];
+         k++) {
       add(HSR_AT_SIDE, k);
       // A side that passes through the eye is no side, but its ends are where
       // parity changes, since one is counted without the other.
-      if (!has_image(n, side_begins(s->world, k), s->world->vertex[k])) {
+      if (!has_image(n, side_begins(s->world, k), s->world->mesh.vertex[k])) {
         add(HSR_AT_ROW, side_begins(s->world, k));
-        add(HSR_AT_ROW, s->world->vertex[k]);
+        add(HSR_AT_ROW, s->world->mesh.vertex[k]);
       }
     }
     add(HSR_AT_PLANE, f);

@@ -112,11 +112,11 @@ Point<T> with_depth(const Eye<T> &eye, const vec<T> &p, const T &d) {
 
 template <class T> Point<T> Numbers::point(uint32_t p) const {
   const hsr_world *w = sight->world;
-  if (p < w->n_vertices) {
-    const double v[3] = {w->x[p], w->y[p], w->z[p]};
+  if (p < w->mesh.n_vertices) {
+    const double v[3] = {w->mesh.x[p], w->mesh.y[p], w->mesh.z[p]};
     return with_depth<T>(eye<T>(), lift<T>(v) - eye<T>().E, T(1));
   }
-  const Exact_point &from = sight->edges->exact->points[p - w->n_vertices];
+  const Exact_point &from = sight->edges->exact->points[p - w->mesh.n_vertices];
   vec<T> at;
   T d;
   convert(from.at[0], at.x);
@@ -236,10 +236,10 @@ template <class Row, class Side>
 bool has_odd_parity(const hsr_world *w, uint32_t f, const Row &row,
                     const Side &side) {
   bool odd = false;
-  uint32_t p = w->vertex[w->start[f + 1] - 1];
+  uint32_t p = w->mesh.vertex[w->mesh.start[f + 1] - 1];
   int row_p = row(p);
-  for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
-    const uint32_t q = w->vertex[k];
+  for (uint32_t k = w->mesh.start[f]; k < w->mesh.start[f + 1]; k++) {
+    const uint32_t q = w->mesh.vertex[k];
     const int row_q = row(q);
     if (row_p != row_q)
       odd ^= side(p, q) == -row_p;
@@ -289,8 +289,8 @@ T border_value(const Eye<T> &eye, uint32_t border, const Point<T> &P) {
 inline uint32_t side_begins(const hsr_world *w, uint32_t k) {
   // The face of the corner: the last that starts at or before it.
   const uint32_t *face =
-      std::upper_bound(w->start, w->start + w->n_faces + 1, k) - 1;
-  return w->vertex[k == face[0] ? face[1] - 1 : k - 1];
+      std::upper_bound(w->mesh.start, w->mesh.start + w->n_faces + 1, k) - 1;
+  return w->mesh.vertex[k == face[0] ? face[1] - 1 : k - 1];
 }
 
 // Of the plane through the eye and a line. Heights of the eye are -c.
@@ -324,8 +324,8 @@ Place<T> place_of(const Numbers &n, uint32_t e, const hsr_sight_event &event) {
     const bool is_edge = event.at == HSR_AT_EDGE;
     const uint32_t c = is_edge ? edges->a[event.subject]
                                : side_begins(s->world, event.subject);
-    const uint32_t d =
-        is_edge ? edges->b[event.subject] : s->world->vertex[event.subject];
+    const uint32_t d = is_edge ? edges->b[event.subject]
+                               : s->world->mesh.vertex[event.subject];
     const vec<T> normal = cross(n.point<T>(c).p, n.point<T>(d).p);
     from = dot(normal, A.p);
     to = dot(normal, B.p);

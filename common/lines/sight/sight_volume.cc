@@ -44,7 +44,7 @@ namespace {
 
 int plane_sign(const Numbers &n, uint32_t f, uint32_t p) {
   const hsr_world *w = n.sight->world;
-  if (p < w->n_vertices) {
+  if (p < w->mesh.n_vertices) {
     if (hsr_on_plane(w, f, p))
       return 0;
     if (const int sign = hsr::rough_side(w, f, p))

@@ -503,7 +503,7 @@ static long count_twice(struct watched *w) {
 /* Marks the faces that are in visible cubes, or loose. */
 static void mark_in_visible(const struct notes *ns, bool *in) {
   const struct hsr_cubes *cubes = ns->walk.frame.cubes;
-  const uint32_t *first = ns->walk.frame.job->world->first;
+  const uint32_t *first = ns->walk.frame.job->world->outline.first;
   for (uint32_t k = 0; k < cubes->loose.n_faces; k++)
     in[cubes->loose_id[k]] = true;
   for (size_t k = 0; k < ns->n; k++) {

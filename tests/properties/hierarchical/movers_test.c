@@ -84,7 +84,7 @@ static long carts_in(const struct hsr_world *world, const uint32_t *ids) {
   long n = 0;
   for (int k = 0; k < M * N; k++)
     n += ids[k] != HSR_BACKGROUND &&
-         world->scene->objects[world->object[ids[k]]].moves;
+         world->outline.scene->objects[world->mesh.object[ids[k]]].moves;
   return n;
 }
 

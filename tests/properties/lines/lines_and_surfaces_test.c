@@ -80,9 +80,11 @@ static uint32_t look(struct asked *q, double sx, double sy) {
 
 /* How far in front of face f's plane a point is, by its normal's length. */
 static double height(const struct hsr_world *w, uint32_t f, const double p[3]) {
-  return (w->nx[f] * (p[0] - w->px[f]) + w->ny[f] * (p[1] - w->py[f]) +
-          w->nz[f] * (p[2] - w->pz[f])) /
-         sqrt(w->nx[f] * w->nx[f] + w->ny[f] * w->ny[f] + w->nz[f] * w->nz[f]);
+  return (w->mesh.nx[f] * (p[0] - w->mesh.px[f]) +
+          w->mesh.ny[f] * (p[1] - w->mesh.py[f]) +
+          w->mesh.nz[f] * (p[2] - w->mesh.pz[f])) /
+         sqrt(w->mesh.nx[f] * w->mesh.nx[f] + w->mesh.ny[f] * w->mesh.ny[f] +
+              w->mesh.nz[f] * w->mesh.nz[f]);
 }
 
 enum relation { APART, OWN, NEARLY };
@@ -94,9 +96,9 @@ static enum relation relation(const struct asked *q,
   const struct hsr_world *w = q->world;
   if (s->edge.implied && (s->edge.a == f || s->edge.b == f))
     return OWN;
-  uint32_t before = w->vertex[w->start[f + 1] - 1];
-  for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
-    uint32_t v = w->vertex[k];
+  uint32_t before = w->mesh.vertex[w->mesh.start[f + 1] - 1];
+  for (uint32_t k = w->mesh.start[f]; k < w->mesh.start[f + 1]; k++) {
+    uint32_t v = w->mesh.vertex[k];
     if (!s->edge.implied && ((before == s->edge.a && v == s->edge.b) ||
                              (before == s->edge.b && v == s->edge.a)))
       return OWN;
@@ -111,8 +113,10 @@ static enum relation relation(const struct asked *q,
     return NEARLY;
   bool out_of_memory = false;
   struct hsr_loop face = hsr_face_loop(w, f);
-  const double a[3] = {w->x[s->edge.a], w->y[s->edge.a], w->z[s->edge.a]};
-  const double b[3] = {w->x[s->edge.b], w->y[s->edge.b], w->z[s->edge.b]};
+  const double a[3] = {w->mesh.x[s->edge.a], w->mesh.y[s->edge.a],
+                       w->mesh.z[s->edge.a]};
+  const double b[3] = {w->mesh.x[s->edge.b], w->mesh.y[s->edge.b],
+                       w->mesh.z[s->edge.b]};
   return hsr_exact_plane_side(face, a, &out_of_memory) ||
                  hsr_exact_plane_side(face, b, &out_of_memory)
              ? NEARLY
@@ -123,8 +127,8 @@ static enum relation relation(const struct asked *q,
 static double depth(const struct asked *q, uint32_t f, double sx, double sy) {
   const struct hsr_world *w = q->world;
   const struct hsr_view *v = &q->view;
-  double n[3] = {w->nx[f], w->ny[f], w->nz[f]};
-  double p[3] = {w->px[f], w->py[f], w->pz[f]};
+  double n[3] = {w->mesh.nx[f], w->mesh.ny[f], w->mesh.nz[f]};
+  double p[3] = {w->mesh.px[f], w->mesh.py[f], w->mesh.pz[f]};
   double along = 0, offset = 0;
   for (int k = 0; k < 3; k++) {
     along += n[k] * (v->ray[0][k] + sx * v->ray[1][k] + sy * v->ray[2][k]);

@@ -437,10 +437,10 @@ static void try_cubes(struct tap *t, int scenes, uint64_t seed) {
 }
 
 static void vertex(const struct hsr_world *w, uint64_t *seed, double at[3]) {
-  size_t v = (size_t)draw_integer(seed, 0, w->n_vertices - 1);
-  at[0] = w->x[v];
-  at[1] = w->y[v];
-  at[2] = w->z[v];
+  size_t v = (size_t)draw_integer(seed, 0, w->mesh.n_vertices - 1);
+  at[0] = w->mesh.x[v];
+  at[1] = w->mesh.y[v];
+  at[2] = w->mesh.z[v];
 }
 
 /* From between two vertices to another one: inside of solids, in planes, and

@@ -169,10 +169,10 @@ static bool is_true(struct watch *w, const struct hsr_event *e) {
   case CROSSES:
   case DOES_NOT_CROSS:
     f = e->a.id[2];
-    return !w->screen->whole[f] || w->screen->world->deviation[f] > 0 ||
+    return !w->screen->whole[f] || w->screen->world->mesh.deviation[f] > 0 ||
            crosses(w, e) == (claim == CROSSES);
   case OTHER_PLANE:
-    return w->screen->world->plane[f] != w->screen->world->plane[g];
+    return w->screen->world->mesh.plane[f] != w->screen->world->mesh.plane[g];
   default:
     return true;
   }

@@ -152,9 +152,10 @@ static bool is_true(struct watch *w, const struct hsr_event *e) {
     /* All faces with this vertex have it in their planes: any of them does. */
     nearer = 0;
     for (uint32_t h = 0; h < w->screen->world->n_faces && !nearer; h++)
-      for (uint32_t k = w->screen->world->start[h];
-           k < w->screen->world->start[h + 1]; k++)
-        if (w->screen->world->vertex[k] == f && w->screen->whole[h] && h != g)
+      for (uint32_t k = w->screen->world->mesh.start[h];
+           k < w->screen->world->mesh.start[h + 1]; k++)
+        if (w->screen->world->mesh.vertex[k] == f && w->screen->whole[h] &&
+            h != g)
           nearer = hsr_vertex_nearer(w->screen, h, g, f, &w->own);
     return claim == VERTEX_ON       ? !nearer
            : claim == VERTEX_BEFORE ? nearer > 0

@@ -43,10 +43,10 @@ static void prepare(struct fixture *x, struct hsr_scene *scene) {
       hsr_setup_init(&x->schumacker, hsr_algorithm_find("schumacker")->plain,
                      NULL, &x->world, &err))
     fail(&err);
-  const double *axis[3] = {x->world.x, x->world.y, x->world.z};
+  const double *axis[3] = {x->world.mesh.x, x->world.mesh.y, x->world.mesh.z};
   for (int k = 0; k < 3; k++) {
     x->lo[k] = x->hi[k] = axis[k][0];
-    for (uint32_t v = 1; v < x->world.n_vertices; v++) {
+    for (uint32_t v = 1; v < x->world.mesh.n_vertices; v++) {
       x->lo[k] = fmin(x->lo[k], axis[k][v]);
       x->hi[k] = fmax(x->hi[k], axis[k][v]);
     }
@@ -78,8 +78,9 @@ static double draw_between(uint64_t *seed, double lo, double hi) {
 static uint32_t draw_vertex(uint64_t *seed, const struct fixture *x,
                             uint32_t f) {
   const struct hsr_world *w = &x->world;
-  return w->vertex[w->start[f] +
-                   (uint32_t)draw_integer(seed, 0, hsr_face_size(w, f) - 1)];
+  return w->mesh
+      .vertex[w->mesh.start[f] +
+              (uint32_t)draw_integer(seed, 0, hsr_face_size(w, f) - 1)];
 }
 
 /* A vertex; or a point on the plane of a face, as exactly as a double is. */
@@ -91,7 +92,7 @@ static void draw_on_face(uint64_t *seed, const struct fixture *x, bool vertex,
            c = draw_vertex(seed, x, f);
   double s = vertex ? 0 : (double)draw_integer(seed, -8, 8) / 4;
   double t = vertex ? 0 : (double)draw_integer(seed, -8, 8) / 4;
-  const double *axis[3] = {w->x, w->y, w->z};
+  const double *axis[3] = {w->mesh.x, w->mesh.y, w->mesh.z};
   for (int k = 0; k < 3; k++)
     eye[k] = axis[k][a] + s * (axis[k][b] - axis[k][a]) +
              t * (axis[k][c] - axis[k][a]);

@@ -112,7 +112,7 @@ struct right {
 /* One choice of options, in windows and on threads or whole. */
 static void try(const struct right *right, const struct hsr_world *world,
                 const char *text, long threads, struct found *found) {
-  const char *name = world->scene->name;
+  const char *name = world->outline.scene->name;
   struct run r;
   bool counting = threads == 1;
   if (!begin_run(&r, world, text, counting))

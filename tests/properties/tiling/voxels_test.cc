@@ -116,8 +116,9 @@ struct Solid {
 
 // Faces that share a vertex are of one solid.
 std::vector<Solid> solids_of(const hsr_world &world) {
-  std::vector<uint32_t> up(world.n_vertices), number(world.n_vertices, 0);
-  for (uint32_t v = 0; v < world.n_vertices; v++)
+  std::vector<uint32_t> up(world.mesh.n_vertices),
+      number(world.mesh.n_vertices, 0);
+  for (uint32_t v = 0; v < world.mesh.n_vertices; v++)
     up[v] = v;
   const auto find = [&](uint32_t v) {
     while (up[v] != v)
@@ -125,16 +126,16 @@ std::vector<Solid> solids_of(const hsr_world &world) {
     return v;
   };
   for (uint32_t f = 0; f < world.n_faces; f++)
-    for (uint32_t k = world.start[f] + 1; k < world.start[f + 1]; k++)
-      up[find(world.vertex[k])] = find(world.vertex[k - 1]);
+    for (uint32_t k = world.mesh.start[f] + 1; k < world.mesh.start[f + 1]; k++)
+      up[find(world.mesh.vertex[k])] = find(world.mesh.vertex[k - 1]);
   std::vector<Solid> solids;
   for (uint32_t f = 0; f < world.n_faces; f++) {
     std::vector<Point> corners;
-    for (uint32_t k = world.start[f]; k < world.start[f + 1]; k++) {
-      const uint32_t v = world.vertex[k];
-      corners.emplace_back(world.x[v], world.y[v], world.z[v]);
+    for (uint32_t k = world.mesh.start[f]; k < world.mesh.start[f + 1]; k++) {
+      const uint32_t v = world.mesh.vertex[k];
+      corners.emplace_back(world.mesh.x[v], world.mesh.y[v], world.mesh.z[v]);
     }
-    uint32_t &n = number[find(world.vertex[world.start[f]])];
+    uint32_t &n = number[find(world.mesh.vertex[world.mesh.start[f]])];
     if (!n) {
       solids.emplace_back();
       n = uint32_t(solids.size());

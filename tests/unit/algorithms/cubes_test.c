@@ -110,7 +110,7 @@ static bool is_flat_everywhere(const struct laid_out *l, uint32_t object,
                                uint32_t f) {
   for (uint32_t i = 0; i < l->scene->n_instances; i++)
     if (l->scene->instances[i].object == object &&
-        l->world.deviation[l->world.first[i] + f] > 0)
+        l->world.mesh.deviation[l->world.outline.first[i] + f] > 0)
       return false;
   return true;
 }
@@ -145,12 +145,13 @@ static void test_loose_world(struct tap *tap, const struct laid_out *l,
   uint32_t n = 0;
   bool good = true;
   for (uint32_t g = 0; g < world->n_faces; g++) {
-    uint32_t f = g - world->first[world->instance[g]];
-    if (!cubes->object[world->object[g]].is_loose[f])
+    uint32_t f = g - world->outline.first[world->mesh.instance[g]];
+    if (!cubes->object[world->mesh.object[g]].is_loose[f])
       continue;
     good &= n < loose->n_faces && cubes->loose_id[n] == g &&
-            loose->nx[n] == world->nx[g] && loose->px[n] == world->px[g] &&
-            loose->deviation[n] == world->deviation[g];
+            loose->mesh.nx[n] == world->mesh.nx[g] &&
+            loose->mesh.px[n] == world->mesh.px[g] &&
+            loose->mesh.deviation[n] == world->mesh.deviation[g];
     n++;
   }
   ok(tap, good && n == loose->n_faces,
@@ -187,12 +188,13 @@ static void begin_frame(struct frame *f, const struct laid_out *l,
 static bool is_face(const struct hsr_world *cell, uint32_t k,
                     const struct hsr_world *world, uint32_t g) {
   bool same = hsr_face_size(cell, k) == hsr_face_size(world, g) &&
-              cell->one_sided[k] == world->one_sided[g];
+              cell->mesh.one_sided[k] == world->mesh.one_sided[g];
   for (uint32_t c = 0; same && c < hsr_face_size(cell, k); c++) {
-    uint32_t v = cell->vertex[cell->start[k] + c];
-    uint32_t w = world->vertex[world->start[g] + c];
-    same = cell->x[v] == world->x[w] && cell->y[v] == world->y[w] &&
-           cell->z[v] == world->z[w];
+    uint32_t v = cell->mesh.vertex[cell->mesh.start[k] + c];
+    uint32_t w = world->mesh.vertex[world->mesh.start[g] + c];
+    same = cell->mesh.x[v] == world->mesh.x[w] &&
+           cell->mesh.y[v] == world->mesh.y[w] &&
+           cell->mesh.z[v] == world->mesh.z[w];
   }
   return same;
 }
@@ -238,8 +240,8 @@ static void test_cells(struct tap *tap, struct frame *f,
   bool good = match_cells(f, l, times);
   long most = 0;
   for (uint32_t g = 0; g < world->n_faces; g++) {
-    uint32_t face = g - world->first[world->instance[g]];
-    bool loose = cubes->object[world->object[g]].is_loose[face];
+    uint32_t face = g - world->outline.first[world->mesh.instance[g]];
+    bool loose = cubes->object[world->mesh.object[g]].is_loose[face];
     good &= loose ? !times[g] : times[g] > 0;
     most = times[g] > most ? times[g] : most;
   }
@@ -276,13 +278,15 @@ static void test_bounds(struct tap *tap, const struct laid_out *l,
   const struct hsr_world *world = &l->world;
   long looked = 0, out = 0, astray = 0;
   for (uint32_t g = 0; g < world->n_faces; g++) {
-    uint32_t i = world->instance[g];
+    uint32_t i = world->mesh.instance[g];
     struct hsr_box box = hsr_cubes_bounds(cubes, i);
-    if (cubes->object[world->object[g]].is_loose[g - world->first[i]])
+    if (cubes->object[world->mesh.object[g]]
+            .is_loose[g - world->outline.first[i]])
       continue;
-    for (uint32_t c = world->start[g]; c < world->start[g + 1]; c++) {
-      uint32_t v = world->vertex[c];
-      const double p[3] = {world->x[v], world->y[v], world->z[v]};
+    for (uint32_t c = world->mesh.start[g]; c < world->mesh.start[g + 1]; c++) {
+      uint32_t v = world->mesh.vertex[c];
+      const double p[3] = {world->mesh.x[v], world->mesh.y[v],
+                           world->mesh.z[v]};
       for (int a = 0; a < 3; a++)
         out += p[a] < box.lo[a] || p[a] > box.hi[a];
       astray += !is_in_its_cubes(&cubes->octree, 0, i, p);
@@ -395,8 +399,9 @@ static void test_images(struct tap *tap, const struct laid_out *l,
     struct hsr_camera camera = l->scene->views[(uint32_t)c % l->scene->n_views];
     struct frame f;
     if (c % 3) { /* the eye is near or on something */
-      uint32_t v = (uint32_t)draw_integer(seed, 0, world->n_vertices - 1);
-      const double p[3] = {world->x[v], world->y[v], world->z[v]};
+      uint32_t v = (uint32_t)draw_integer(seed, 0, world->mesh.n_vertices - 1);
+      const double p[3] = {world->mesh.x[v], world->mesh.y[v],
+                           world->mesh.z[v]};
       for (int k = 0; k < 3; k++)
         camera.eye[k] =
             p[k] + (c % 3 - 1) * 0.1 * (camera.eye[k] - camera.at[k]);
@@ -442,7 +447,7 @@ static void test_pairs(struct tap *tap, const struct laid_out *l,
     uint32_t g = (uint32_t)draw_integer(seed, 0, world->n_faces - 1);
     for (uint32_t h = 0; k % 2 && h < world->n_faces; h++) {
       g = (g + 1) % world->n_faces; /* look for one on the same plane */
-      if (g != f && world->plane[g] == world->plane[f])
+      if (g != f && world->mesh.plane[g] == world->mesh.plane[f])
         break;
     }
     int i = (int)draw_integer(seed, 0, M - 1),
@@ -450,10 +455,10 @@ static void test_pairs(struct tap *tap, const struct laid_out *l,
     if (f == g || !hsr_face_exists(&screen, f, &tally) ||
         !hsr_face_exists(&screen, g, &tally))
       continue;
-    bool same = world->plane[f] == world->plane[g];
+    bool same = world->mesh.plane[f] == world->mesh.plane[g];
     asked++;
     coplanar += same;
-    apart += same && world->instance[f] != world->instance[g];
+    apart += same && world->mesh.instance[f] != world->mesh.instance[g];
     wrong += hsr_pair_nearer(&pair, f, g, i, j, &own) !=
              hsr_nearer(&screen, f, g, i, j, &tally);
   }

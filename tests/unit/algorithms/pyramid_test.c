@@ -320,7 +320,7 @@ static void begin_definitive(struct definitive *d) {
   struct hsr_job job = {.view = &d->view, .tally = &d->tally};
   begin(&d->memory, &d->view.window, true);
   HSR_OF_BUILD(hsr_tiler_begin)(t, &job);
-  t->corner = HSR_NEW(arena, struct hsr_corner, d->world.n_vertices);
+  t->corner = HSR_NEW(arena, struct hsr_corner, d->world.mesh.n_vertices);
   t->columns = HSR_NEW(arena, int, 8);
   t->z = d->memory.pyramid.far[0];
   t->z_stride = d->memory.stride;

@@ -69,15 +69,15 @@ struct little_world {
   struct hsr_world world() {
     static_assert(sizeof(bool) == sizeof(char), "one_sided is read as bool");
     struct hsr_world w = {};
-    w.n_vertices = uint32_t(x.size());
+    w.mesh.n_vertices = uint32_t(x.size());
     w.n_faces = n_faces();
-    w.n_corners = uint32_t(vertex.size());
-    w.x = x.data();
-    w.y = y.data();
-    w.z = z.data();
-    w.start = start.data();
-    w.vertex = vertex.data();
-    w.one_sided = reinterpret_cast<bool *>(one_sided.data());
+    w.mesh.n_corners = uint32_t(vertex.size());
+    w.mesh.x = x.data();
+    w.mesh.y = y.data();
+    w.mesh.z = z.data();
+    w.mesh.start = start.data();
+    w.mesh.vertex = vertex.data();
+    w.mesh.one_sided = reinterpret_cast<bool *>(one_sided.data());
     return w;
   }
 };

@@ -70,7 +70,7 @@ static void check_pictures(struct tap *tap, struct fixture *x,
   long wrong = 0;
   bool flat = true; /* the triangles of other polygons overlap from some eyes */
   for (uint32_t f = 0; f < x->world.n_faces; f++)
-    flat &= x->world.deviation[f] == 0;
+    flat &= x->world.mesh.deviation[f] == 0;
   for (uint32_t v = 0; v < VIEWS; v++) {
     struct hsr_view view;
     struct hsr_error err = {.text = ""};
@@ -98,7 +98,7 @@ static void check_faces(struct tap *tap, struct fixture *x, const char *name) {
   struct hsr_setup setup;
   if (hsr_setup_init(&setup, &algorithm, NULL, &x->world, &err))
     fail(&err);
-  bool good = setup.world->all_triangles;
+  bool good = setup.world->outline.all_triangles;
   for (uint32_t f = 0; f + 1 < setup.world->n_faces; f++)
     good &= hsr_world_parent(setup.world, f) <=
             hsr_world_parent(setup.world, f + 1);
@@ -151,7 +151,7 @@ static void check_clusters(struct tap *tap, struct fixture *x, const char *name,
   uint32_t n_empty = 0;
   for (uint32_t f = 0; f < world->n_faces; f++) {
     good &= times[2 * f] <= 1;
-    good &= times[2 * f + 1] == (world->one_sided[f] ? 0 : times[2 * f]);
+    good &= times[2 * f + 1] == (world->mesh.one_sided[f] ? 0 : times[2 * f]);
     n_empty += !times[2 * f];
   }
   ok(tap, good && n_empty == 0, "%s: %u faces in %u clusters%s, %u without",

@@ -67,15 +67,15 @@ static struct hsr_loop median_loop(const struct hsr_bsp_median *median,
 static struct hsr_loop plane_loop(const struct fixture *x, uint32_t plane,
                                   struct median_loop *room) {
   const struct hsr_world *world = x->setup.world;
-  return plane < world->n_planes
+  return plane < world->mesh.n_planes
              ? hsr_plane_loop(world, x->bsp.face_of[plane])
-             : median_loop(&x->bsp.median[plane - world->n_planes], room);
+             : median_loop(&x->bsp.median[plane - world->mesh.n_planes], room);
 }
 
 static bool is_edge(const struct hsr_world *world, uint32_t f, uint32_t a,
                     uint32_t b) {
   uint32_t n = hsr_face_size(world, f);
-  const uint32_t *vertex = world->vertex + world->start[f];
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
   for (uint32_t k = 0; k < n; k++)
     if (vertex[k] == a && vertex[(k + 1) % n] == b)
       return true;
@@ -85,7 +85,7 @@ static bool is_edge(const struct hsr_world *world, uint32_t f, uint32_t a,
 static bool good_side(const struct fixture *x, uint32_t f,
                       const struct hsr_bsp_corner *side) {
   if (side->b == HSR_BSP_FRONT || side->b == HSR_BSP_BEHIND)
-    return side->a < x->setup.world->n_planes + x->bsp.n_medians;
+    return side->a < x->setup.world->mesh.n_planes + x->bsp.n_medians;
   return is_edge(x->setup.world, f, side->a, side->b);
 }
 
@@ -95,7 +95,8 @@ static bool good_piece(const struct fixture *x, const struct hsr_bsp_cube *leaf,
                        const struct hsr_bsp_piece *piece) {
   const struct hsr_bsp *bsp = &x->bsp;
   const struct hsr_bsp_corner *corner = bsp->corner + piece->first_corner;
-  bool is_flat = x->setup.world->deviation[piece->face] == 0, is_cut = false;
+  bool is_flat = x->setup.world->mesh.deviation[piece->face] == 0,
+       is_cut = false;
   bool good = piece->n_corners >= 3 && piece->n_corners <= leaf->most_corners;
   for (uint32_t k = 0; k < piece->n_corners; k++) {
     good &= corner[k].point - leaf->first_point < leaf->n_points;
@@ -126,7 +127,7 @@ static void check_node(const struct fixture *x, const struct hsr_bsp_node *node,
   c->good &= node->n_pieces > 0;
   for (uint32_t k = 0; k < node->n_pieces; k++) {
     uint32_t f = piece[k].face;
-    c->good &= world->plane[f] == node->plane;
+    c->good &= world->mesh.plane[f] == node->plane;
     c->good &= !k || piece[k - 1].face <= f;
     c->good &= good_piece(x, leaf, &piece[k]);
     c->good &= !c->found[node->first_piece + k];
@@ -150,9 +151,9 @@ static void check_tree(const struct fixture *x, uint32_t root, uint32_t depth,
 
 static bool is_vertex(const struct hsr_world *world, const bool *used,
                       const double p[3]) {
-  for (uint32_t v = 0; v < world->n_vertices; v++)
-    if (used[v] && world->x[v] == p[0] && world->y[v] == p[1] &&
-        world->z[v] == p[2])
+  for (uint32_t v = 0; v < world->mesh.n_vertices; v++)
+    if (used[v] && world->mesh.x[v] == p[0] && world->mesh.y[v] == p[1] &&
+        world->mesh.z[v] == p[2])
       return true;
   return false;
 }
@@ -229,10 +230,10 @@ static void check_form(struct tap *tap, struct fixture *x, uint32_t most) {
                      0,
                      0,
                      0};
-  bool *used = calloc(world->n_vertices + (size_t)1, sizeof *used);
+  bool *used = calloc(world->mesh.n_vertices + (size_t)1, sizeof *used);
   uint32_t n_leaves = 0, n_large = 0;
-  for (uint32_t k = 0; k < world->n_corners; k++)
-    used[world->vertex[k]] = true;
+  for (uint32_t k = 0; k < world->mesh.n_corners; k++)
+    used[world->mesh.vertex[k]] = true;
   for (uint32_t k = 0; k < bsp->n_cubes; k++) {
     check_cube(x, k, most, &n_leaves, &n_large, &c);
     c.good &= good_points(x, &bsp->cube[k], used);
@@ -440,9 +441,9 @@ static void leave_seen(struct fixture *x, int *facing) {
   for (uint32_t k = 0; k < x->n_ordered; k++) {
     uint32_t f = x->bsp.piece[x->order[k]].face;
     struct median_loop room;
-    struct hsr_loop plane = plane_loop(x, world->plane[f], &room);
+    struct hsr_loop plane = plane_loop(x, world->mesh.plane[f], &room);
     int side = eye_side(x, plane) * x->bsp.turned[f];
-    if (side == 0 || (side < 0 && world->one_sided[f]))
+    if (side == 0 || (side < 0 && world->mesh.one_sided[f]))
       continue;
     facing[n] = side;
     x->order[n++] = x->order[k];
@@ -457,8 +458,8 @@ static void choose_eye(struct fixture *x, bool exact, uint64_t *seed) {
   static const double shifts[2][3] = {{1024.0 / 3, -4096.0 / 3, 12288.0 / 7},
                                       {3072, -4096.5, 12288.25}};
   const struct hsr_world *world = x->setup.world;
-  uint32_t v = (uint32_t)draw_integer(seed, 0, world->n_vertices - 1);
-  const double at[3] = {world->x[v], world->y[v], world->z[v]};
+  uint32_t v = (uint32_t)draw_integer(seed, 0, world->mesh.n_vertices - 1);
+  const double at[3] = {world->mesh.x[v], world->mesh.y[v], world->mesh.z[v]};
   for (int k = 0; k < 3; k++) {
     double off = (double)draw_integer(seed, -2, 2) *
                  ldexp(1, (int)draw_integer(seed, -20, 2));

@@ -127,8 +127,8 @@ static void test_large(struct tap *tap) {
     if (id == HSR_BACKGROUND)
       continue;
     n_faces++;
-    n_instances += hsr_instance_of(&world, id) != last;
-    last = hsr_instance_of(&world, id);
+    n_instances += hsr_instance_of(&world.outline, id) != last;
+    last = hsr_instance_of(&world.outline, id);
   }
   double all = (double)(clock() - begin) / CLOCKS_PER_SEC;
   ok(tap, n_faces > SAMPLES / 2 && n_instances > SAMPLES / 4 && all < 40,

@@ -77,9 +77,9 @@ static void tear_down(struct fixture *x) {
 }
 
 static void vertex(const struct fixture *x, uint32_t v, double p[3]) {
-  p[0] = x->world.x[v];
-  p[1] = x->world.y[v];
-  p[2] = x->world.z[v];
+  p[0] = x->world.mesh.x[v];
+  p[1] = x->world.mesh.y[v];
+  p[2] = x->world.mesh.z[v];
 }
 
 /* Wrong answers of each service. */
@@ -90,7 +90,7 @@ struct wrong {
 
 static void try_vertices(struct fixture *x, struct wrong *wrong) {
   bool out_of_memory = false;
-  for (uint32_t v = 0; v < x->world.n_vertices; v++) {
+  for (uint32_t v = 0; v < x->world.mesh.n_vertices; v++) {
     double p[3];
     int first = N;
     vertex(x, v, p);
@@ -159,8 +159,12 @@ static void try_face(struct fixture *x, uint32_t f, bool relevant,
 }
 
 static struct hsr_loop loop_of(const struct hsr_world *w, uint32_t f) {
-  return (struct hsr_loop){
-      w->x, w->y, w->z, 1, w->vertex + w->start[f], hsr_face_size(w, f)};
+  return (struct hsr_loop){w->mesh.x,
+                           w->mesh.y,
+                           w->mesh.z,
+                           1,
+                           w->mesh.vertex + w->mesh.start[f],
+                           hsr_face_size(w, f)};
 }
 
 /* The surround test by corners alone. */
@@ -182,9 +186,11 @@ static void try_faces(struct fixture *x, struct wrong *wrong) {
     bool relevant =
         next < x->screen.n_relevant && x->screen.relevant[next] == f;
     next += relevant;
-    for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
-      uint32_t a = w->vertex[k],
-               b = w->vertex[k + 1 < w->start[f + 1] ? k + 1 : w->start[f]];
+    for (uint32_t k = w->mesh.start[f]; k < w->mesh.start[f + 1]; k++) {
+      uint32_t a = w->mesh.vertex[k],
+               b = w->mesh
+                       .vertex[k + 1 < w->mesh.start[f + 1] ? k + 1
+                                                            : w->mesh.start[f]];
       try_edge(x, relevant && x->screen.whole[f], a, b, wrong);
     }
     try_face(x, f, relevant, wrong);
@@ -203,7 +209,8 @@ static void try_pair(struct fixture *x, uint32_t f, uint32_t g,
           hsr_sample_x(&x->view, i), hsr_sample_y(&x->view, j), &out_of_memory);
       bool wanted = exact ? exact > 0 : f < g;
       wrong->nearer += wanted != hsr_nearer(&x->screen, f, g, i, j, &x->tally);
-      wrong->nearer += (exact == 0) != (x->world.plane[f] == x->world.plane[g]);
+      wrong->nearer +=
+          (exact == 0) != (x->world.mesh.plane[f] == x->world.mesh.plane[g]);
     }
   uint64_t seed = 64 * f + g;
   for (int k = 0; k < 20; k++) { /* anywhere in the picture, its borders too */
@@ -227,10 +234,10 @@ static void try_pair_at_vertices(struct fixture *x, uint32_t f, uint32_t g,
   const struct hsr_world *w = &x->world;
   bool out_of_memory = false, all_in_front = true;
   int eye = hsr_exact_plane_side(loop_of(w, g), x->view.E, &out_of_memory);
-  for (uint32_t k = w->start[f]; k < w->start[f + 1]; k++) {
+  for (uint32_t k = w->mesh.start[f]; k < w->mesh.start[f + 1]; k++) {
     double p[3];
-    vertex(x, w->vertex[k], p);
-    int got = hsr_vertex_nearer(&x->screen, f, g, w->vertex[k], &x->tally);
+    vertex(x, w->mesh.vertex[k], p);
+    int got = hsr_vertex_nearer(&x->screen, f, g, w->mesh.vertex[k], &x->tally);
     wrong->vertex +=
         got != hsr_exact_nearer_towards(&x->view, loop_of(w, f), loop_of(w, g),
                                         p, &out_of_memory);
@@ -239,7 +246,8 @@ static void try_pair_at_vertices(struct fixture *x, uint32_t f, uint32_t g,
           got != eye * hsr_exact_plane_side(loop_of(w, g), p, &out_of_memory);
     all_in_front &= got >= 0;
   }
-  for (int j = 0; j < N && all_in_front && w->plane[f] != w->plane[g]; j++)
+  for (int j = 0; j < N && all_in_front && w->mesh.plane[f] != w->mesh.plane[g];
+       j++)
     for (int i = 0; i < M; i++)
       wrong->in_front += hsr_covers(&x->screen, f, i, j, &x->tally) &&
                          !hsr_nearer(&x->screen, f, g, i, j, &x->tally);

@@ -17,21 +17,24 @@ static void stop(const char *name, const char *text) {
 /* Is face f of `few` the same as face g of `all`, with vertices of its own? */
 static bool is_same(const struct hsr_world *few, uint32_t f,
                     const struct hsr_world *all, uint32_t g) {
-  bool same = few->nx[f] == all->nx[g] && few->ny[f] == all->ny[g] &&
-              few->nz[f] == all->nz[g] && few->n_error[f] == all->n_error[g] &&
-              few->px[f] == all->px[g] && few->py[f] == all->py[g] &&
-              few->pz[f] == all->pz[g] &&
-              few->anchor_error[f] == all->anchor_error[g] &&
-              few->deviation[f] == all->deviation[g] &&
-              few->object[f] == all->object[g] &&
-              few->instance[f] == all->instance[g] &&
-              few->one_sided[f] == all->one_sided[g] &&
+  bool same = few->mesh.nx[f] == all->mesh.nx[g] &&
+              few->mesh.ny[f] == all->mesh.ny[g] &&
+              few->mesh.nz[f] == all->mesh.nz[g] &&
+              few->mesh.n_error[f] == all->mesh.n_error[g] &&
+              few->mesh.px[f] == all->mesh.px[g] &&
+              few->mesh.py[f] == all->mesh.py[g] &&
+              few->mesh.pz[f] == all->mesh.pz[g] &&
+              few->mesh.anchor_error[f] == all->mesh.anchor_error[g] &&
+              few->mesh.deviation[f] == all->mesh.deviation[g] &&
+              few->mesh.object[f] == all->mesh.object[g] &&
+              few->mesh.instance[f] == all->mesh.instance[g] &&
+              few->mesh.one_sided[f] == all->mesh.one_sided[g] &&
               hsr_face_size(few, f) == hsr_face_size(all, g);
   for (uint32_t c = 0; same && c < hsr_face_size(few, f); c++) {
-    uint32_t v = few->vertex[few->start[f] + c];
-    uint32_t w = all->vertex[all->start[g] + c];
-    same = v == few->start[f] + c && few->x[v] == all->x[w] &&
-           few->y[v] == all->y[w] && few->z[v] == all->z[w];
+    uint32_t v = few->mesh.vertex[few->mesh.start[f] + c];
+    uint32_t w = all->mesh.vertex[all->mesh.start[g] + c];
+    same = v == few->mesh.start[f] + c && few->mesh.x[v] == all->mesh.x[w] &&
+           few->mesh.y[v] == all->mesh.y[w] && few->mesh.z[v] == all->mesh.z[w];
   }
   return same;
 }
@@ -39,20 +42,20 @@ static bool is_same(const struct hsr_world *few, uint32_t f,
 /* Do two faces share a plane class here if and only if they do there? */
 static bool is_classed(const struct hsr_world *few, const uint32_t *id,
                        const struct hsr_world *all) {
-  uint32_t *class_of = malloc(few->n_planes * sizeof *class_of);
-  uint32_t *seen = calloc(all->n_planes, sizeof *seen), n_seen = 0;
+  uint32_t *class_of = malloc(few->mesh.n_planes * sizeof *class_of);
+  uint32_t *seen = calloc(all->mesh.n_planes, sizeof *seen), n_seen = 0;
   bool good = class_of && seen;
-  for (uint32_t p = 0; good && p < few->n_planes; p++)
+  for (uint32_t p = 0; good && p < few->mesh.n_planes; p++)
     class_of[p] = UINT32_MAX;
   for (uint32_t f = 0; good && f < few->n_faces; f++) {
-    uint32_t here = few->plane[f], there = all->plane[id[f]];
+    uint32_t here = few->mesh.plane[f], there = all->mesh.plane[id[f]];
     if (class_of[here] == UINT32_MAX) {
       class_of[here] = there;
       n_seen += !seen[there]++;
     }
     good = class_of[here] == there;
   }
-  good = good && n_seen == few->n_planes;
+  good = good && n_seen == few->mesh.n_planes;
   free(class_of);
   free(seen);
   return good;
@@ -64,13 +67,13 @@ static bool extracts(const struct hsr_world *from, const struct hsr_world *all,
   struct hsr_error err;
   if (hsr_world_extract(&few, from, id, n, &err))
     stop("extract", err.text);
-  bool good = few.n_faces == n && few.n_vertices == few.n_corners;
+  bool good = few.n_faces == n && few.mesh.n_vertices == few.mesh.n_corners;
   bool all_triangles = true;
   for (uint32_t f = 0; f < n && good; f++) {
     good = is_same(&few, f, all, id[f]);
     all_triangles &= hsr_face_size(&few, f) == 3;
   }
-  good = good && few.all_triangles == all_triangles &&
+  good = good && few.outline.all_triangles == all_triangles &&
          is_classed(&few, id, all) && few.id == id;
   hsr_world_free(&few);
   return good;
@@ -89,16 +92,17 @@ static void try_scene(struct tap *tap, const char *name, uint64_t *seed) {
   ok(tap,
      hsr_is_outline(&outline) && !hsr_is_outline(&all) &&
          hsr_is_outline(&opened) && outline.n_faces == n &&
-         !outline.n_vertices && !outline.n_corners &&
-         outline.all_triangles == all.all_triangles &&
-         !memcmp(outline.first, all.first, (k + 1) * sizeof *all.first) &&
-         all.first[k] == n,
+         !outline.mesh.n_vertices && !outline.mesh.n_corners &&
+         outline.outline.all_triangles == all.outline.all_triangles &&
+         !memcmp(outline.outline.first, all.outline.first,
+                 (k + 1) * sizeof *all.outline.first) &&
+         all.outline.first[k] == n,
      "%s: the outline numbers %u faces of %u instances", name, (unsigned)n,
      (unsigned)k);
   long wrong = 0;
   for (uint32_t f = 0; f < n; f++)
-    wrong += hsr_instance_of(&all, f) != all.instance[f] ||
-             hsr_instance_of(&outline, f) != all.instance[f];
+    wrong += hsr_instance_of(&all.outline, f) != all.mesh.instance[f] ||
+             hsr_instance_of(&outline.outline, f) != all.mesh.instance[f];
   ok(tap, !wrong, "%s: every face is of its instance", name);
 
   enum { MOST = 4000 };
@@ -130,8 +134,9 @@ static void test_limit(struct tap *tap) {
     stop("office:14", err.text);
   uint32_t n = world.n_faces;
   bool good = hsr_is_outline(&world) && n > HSR_MOST_LAID_OUT &&
-              world.all_triangles && hsr_instance_of(&world, 0) == 0 &&
-              hsr_instance_of(&world, n - 1) == scene->n_instances - 1;
+              world.outline.all_triangles &&
+              hsr_instance_of(&world.outline, 0) == 0 &&
+              hsr_instance_of(&world.outline, n - 1) == scene->n_instances - 1;
   ok(tap, good, "%u faces are not laid out", (unsigned)n);
   hsr_world_free(&world);
   hsr_scene_delete(scene);

@@ -57,13 +57,13 @@ static void make_room(struct hsr_pieces_room *room, const struct hsr_bsp *bsp) {
 
 static struct hsr_box bounds_of(const void *context, uint32_t f) {
   const struct hsr_world *world = context;
-  const double *at[3] = {world->x, world->y, world->z};
+  const double *at[3] = {world->mesh.x, world->mesh.y, world->mesh.z};
   struct hsr_box box;
   for (int k = 0; k < 3; k++) {
-    box.lo[k] = box.hi[k] = at[k][world->vertex[world->start[f]]];
-    for (uint32_t c = world->start[f]; c < world->start[f + 1]; c++) {
-      box.lo[k] = fmin(box.lo[k], at[k][world->vertex[c]]);
-      box.hi[k] = fmax(box.hi[k], at[k][world->vertex[c]]);
+    box.lo[k] = box.hi[k] = at[k][world->mesh.vertex[world->mesh.start[f]]];
+    for (uint32_t c = world->mesh.start[f]; c < world->mesh.start[f + 1]; c++) {
+      box.lo[k] = fmin(box.lo[k], at[k][world->mesh.vertex[c]]);
+      box.hi[k] = fmax(box.hi[k], at[k][world->mesh.vertex[c]]);
     }
   }
   return box;
@@ -72,7 +72,8 @@ static struct hsr_box bounds_of(const void *context, uint32_t f) {
 static double area_of(const void *context, uint32_t f) {
   const struct hsr_world *w = context;
   return 0.5 *
-         sqrt(w->nx[f] * w->nx[f] + w->ny[f] * w->ny[f] + w->nz[f] * w->nz[f]);
+         sqrt(w->mesh.nx[f] * w->mesh.nx[f] + w->mesh.ny[f] * w->mesh.ny[f] +
+              w->mesh.nz[f] * w->mesh.nz[f]);
 }
 
 /* A face counts as meeting each cube that its box meets. */
@@ -279,7 +280,7 @@ static void tile_octree(struct frame *f) {
   const struct hsr_world *world = f->job->world;
   take_tree(f, &f->prepared->separate);
   for (uint32_t face = 0; face < world->n_faces; face++)
-    if (world->deviation[face] > 0) {
+    if (world->mesh.deviation[face] > 0) {
       tile_face(f, face);
       f->met[face] = true;
     }

@@ -33,8 +33,8 @@ static struct hsr_lazy_depth depth_at_vertices(const struct hsr_screen *s,
   const struct hsr_world *world = s->world;
   struct hsr_lazy_depth depth = NOTHING;
   double error = hsr_vertex_error(s, f);
-  for (uint32_t k = world->start[f]; k < world->start[f + 1]; k++) {
-    double q = hsr_vertex_depth(s, f, world->vertex[k]);
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+    double q = hsr_vertex_depth(s, f, world->mesh.vertex[k]);
     if (!(q - error < INFINITY)) /* not safely before the eye */
       return (struct hsr_lazy_depth){0, INFINITY};
     include(&depth, (struct hsr_lazy_depth){q - error, q + error});

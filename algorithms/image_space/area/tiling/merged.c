@@ -70,13 +70,13 @@ struct prepared {
 };
 
 static bool moves(const struct hsr_world *world, uint32_t instance) {
-  const struct hsr_scene *scene = world->scene;
+  const struct hsr_scene *scene = world->outline.scene;
   return scene->objects[scene->instances[instance].object].moves;
 }
 
 /* What moves, and what does not. */
 static enum hsr_status part(struct prepared *p, const struct hsr_world *world) {
-  uint32_t n = world->scene->n_instances;
+  uint32_t n = world->outline.scene->n_instances;
   p->mover = HSR_NEW(&p->arena, uint32_t, n);
   p->id = HSR_NEW(&p->arena, uint32_t, world->n_faces);
   if (!p->mover || !p->id)
@@ -85,14 +85,15 @@ static enum hsr_status part(struct prepared *p, const struct hsr_world *world) {
     if (moves(world, i))
       p->mover[p->n_movers++] = i;
     else
-      for (uint32_t f = world->first[i]; f < world->first[i + 1]; f++)
+      for (uint32_t f = world->outline.first[i];
+           f < world->outline.first[i + 1]; f++)
         p->id[p->n_still++] = f;
   return HSR_OK;
 }
 
 static bool is_flat(const struct hsr_world *world) {
   for (uint32_t f = 0; f < world->n_faces; f++)
-    if (world->deviation[f] > 0)
+    if (world->mesh.deviation[f] > 0)
       return false;
   return true;
 }
@@ -386,7 +387,7 @@ static struct hsr_box box_of_face(const struct hsr_world *world, uint32_t id) {
   for (uint32_t c = object->start[place.face];
        c < object->start[place.face + 1]; c++)
     add_vertex(&box, object, object->vertex[c],
-               world->scene->instances[place.instance].m);
+               world->outline.scene->instances[place.instance].m);
   return box;
 }
 
@@ -708,10 +709,10 @@ static void tile_bodies(struct frame *f) {
   for (uint32_t k = 0; k < p->n_movers; k++) {
     uint32_t i = p->mover[k];
     f->mover[k].instance = i;
-    f->mover[k].first = world->first[i];
-    f->mover[k].n = world->first[i + 1] - world->first[i];
+    f->mover[k].first = world->outline.first[i];
+    f->mover[k].n = world->outline.first[i + 1] - world->outline.first[i];
     node[n++] = (struct node){&f->mover[k], HSR_NO_BSP,
-                              box_of_instance(world->scene, i)};
+                              box_of_instance(world->outline.scene, i)};
   }
   tile_region(f, &all, node, n);
   for (uint32_t k = 0; k < p->n_movers; k++)

@@ -5,8 +5,8 @@
 
 static void take_face(struct hsr_bsp *bsp, uint32_t f) {
   const struct hsr_world *world = bsp->world;
-  uint32_t n = hsr_face_size(world, f), first = world->start[f];
-  const uint32_t *vertex = world->vertex + first;
+  uint32_t n = hsr_face_size(world, f), first = world->mesh.start[f];
+  const uint32_t *vertex = world->mesh.vertex + first;
   bsp->piece[f] = (struct hsr_bsp_piece){f, first, n, 0, 0};
   for (uint32_t k = 0; k < n; k++)
     bsp->corner[first + k] = (struct hsr_bsp_corner){
@@ -17,12 +17,12 @@ enum hsr_status hsr_separate_init(struct hsr_bsp *bsp,
                                   const struct hsr_world *world) {
   struct hsr_arena *arena = &bsp->arena;
   *bsp = (struct hsr_bsp){.world = world,
-                          .x = world->x,
-                          .y = world->y,
-                          .z = world->z,
-                          .n_points = world->n_vertices,
+                          .x = world->mesh.x,
+                          .y = world->mesh.y,
+                          .z = world->mesh.z,
+                          .n_points = world->mesh.n_vertices,
                           .n_pieces = world->n_faces,
-                          .n_corners = world->n_corners};
+                          .n_corners = world->mesh.n_corners};
   bsp->piece = HSR_NEW(arena, struct hsr_bsp_piece, bsp->n_pieces);
   bsp->corner = HSR_NEW(arena, struct hsr_bsp_corner, bsp->n_corners);
   bsp->error = HSR_NEW_ZEROED(arena, double, bsp->n_points);

@@ -307,9 +307,9 @@ static bool box_of(const struct hull *hull, const struct hsr_window *w,
 static void moved_vertex(const struct hsr_pieces_view *p,
                          const struct hsr_world *world, uint32_t v,
                          double at[3]) {
-  at[0] = world->x[v] + p->shift[0];
-  at[1] = world->y[v] + p->shift[1];
-  at[2] = world->z[v] + p->shift[2];
+  at[0] = world->mesh.x[v] + p->shift[0];
+  at[1] = world->mesh.y[v] + p->shift[1];
+  at[2] = world->mesh.z[v] + p->shift[2];
 }
 
 /* The corners of a loop, moved, in place `k` of two. */
@@ -348,9 +348,9 @@ static bool within_cut(struct hsr_pieces_view *p,
   const struct hsr_bsp *bsp = p->bsp;
   struct hsr_loop face = moved_plane(p, p->piece->face, 0);
   struct hsr_loop plane =
-      cut->a < bsp->world->n_planes
+      cut->a < bsp->world->mesh.n_planes
           ? moved_plane(p, bsp->face_of[cut->a], 1)
-          : median_loop(p, &bsp->median[cut->a - bsp->world->n_planes]);
+          : median_loop(p, &bsp->median[cut->a - bsp->world->mesh.n_planes]);
   int side = hsr_loop_cut_side(p->view, face, plane, sx, sy, p->tally);
   return side == (cut->b == HSR_BSP_FRONT ? 1 : -1);
 }
@@ -523,7 +523,7 @@ void hsr_pieces_outline(struct hsr_pieces_view *p) {
   const struct hsr_bsp_piece *piece = p->piece;
   const struct hsr_bsp_corner *corner = p->bsp->corner + piece->first_corner;
   uint32_t n = piece->n_corners;
-  if (p->bsp->world->deviation[piece->face] > 0) {
+  if (p->bsp->world->mesh.deviation[piece->face] > 0) {
     take_box(p);
     return;
   }
