@@ -29,33 +29,34 @@ json_t *restrictions_json(const struct hsr_algorithm *a) {
   json_t *codes = json_array();
   for (int k = 0; k < HSR_N_RESTRICTIONS; k++)
     if (a->restrictions & 1u << k)
-      json_append(&codes, json_string(hsr_restriction_code(1u << k)));
+      hsr_json_append(&codes, json_string(hsr_restriction_code(1u << k)));
   return codes;
 }
 
 json_t *sorts_json(const struct hsr_algorithm *a) {
   json_t *sorts = json_array();
   for (const struct hsr_sort *s = a->sorts; s && s->what; s++)
-    json_append(&sorts,
-                json_pack("{ss ss ss ss}", "what", s->what, "key", s->key,
-                          "method", s->method, "often", s->often));
+    hsr_json_append(&sorts,
+                    json_pack("{ss ss ss ss}", "what", s->what, "key", s->key,
+                              "method", s->method, "often", s->often));
   return sorts;
 }
 
 static json_t *counters_json(const struct hsr_algorithm *a) {
   json_t *counters = json_array();
   for (const struct hsr_counter *c = a->counters; c && c->name; c++)
-    json_append(&counters,
-                json_pack("{ss ss}", "name", c->name, "meaning", c->meaning));
+    hsr_json_append(&counters, json_pack("{ss ss}", "name", c->name, "meaning",
+                                         c->meaning));
   return counters;
 }
 
 static json_t *steps_json(const struct hsr_algorithm *a) {
   json_t *steps = json_array();
   for (const struct hsr_step *s = a->steps; s && s->label; s++)
-    json_append(&steps, json_pack("{ss ss sf ss?}", "label", s->label,
-                                  "counter", a->counters[s->counter].name,
-                                  "factor", s->factor, "formula", s->formula));
+    hsr_json_append(&steps,
+                    json_pack("{ss ss sf ss?}", "label", s->label, "counter",
+                              a->counters[s->counter].name, "factor", s->factor,
+                              "formula", s->formula));
   return steps;
 }
 
@@ -70,8 +71,8 @@ static json_t *option_json(const struct hsr_option *o) {
                      "standard", (json_int_t)o->standard);
   json_t *words = json_array();
   for (const struct hsr_word *w = o->words; w->name; w++)
-    json_append(&words,
-                json_pack("{ss ss}", "name", w->name, "meaning", w->meaning));
+    hsr_json_append(
+        &words, json_pack("{ss ss}", "name", w->name, "meaning", w->meaning));
   return json_pack("{ss ss so ss}", "name", o->name, "meaning", o->meaning,
                    "words", words, "standard", o->words[o->standard].name);
 }
@@ -79,7 +80,7 @@ static json_t *option_json(const struct hsr_option *o) {
 static json_t *options_json(const struct hsr_algorithm *a) {
   json_t *options = json_array();
   for (const struct hsr_option *o = a->options; o && o->name; o++)
-    json_append(&options, option_json(o));
+    hsr_json_append(&options, option_json(o));
   return options;
 }
 
@@ -103,7 +104,7 @@ static json_t *algorithm_json(const struct hsr_algorithm *a) {
 json_t *algorithms_json(void) {
   json_t *all = json_array();
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
-    json_append(&all, algorithm_json(a->plain));
+    hsr_json_append(&all, algorithm_json(a->plain));
   return all;
 }
 

@@ -28,10 +28,10 @@ static enum hsr_status measure(const char *name, uint64_t *n_faces,
 static json_t *parameters_json(const struct hsr_builtin *b) {
   json_t *all = json_array();
   for (int k = 0; k < b->n_parameters; k++)
-    json_append(&all,
-                json_pack("{sI sI sI}", "standard", (json_int_t)b->standard[k],
-                          "least", (json_int_t)b->least[k], "most",
-                          (json_int_t)b->most[k]));
+    hsr_json_append(&all, json_pack("{sI sI sI}", "standard",
+                                    (json_int_t)b->standard[k], "least",
+                                    (json_int_t)b->least[k], "most",
+                                    (json_int_t)b->most[k]));
   return all;
 }
 
@@ -47,15 +47,15 @@ static enum hsr_status print_json(char **meshes, size_t n_meshes,
       json_decref(names);
       return status;
     }
-    json_append(&scenes,
-                json_pack("{ss ss ss sb sI sI so}", "name", b->name, "usage",
-                          b->usage, "about", b->about, "failure_case",
-                          b->failure_case, "faces", (json_int_t)n_faces,
-                          "views", (json_int_t)n_views, "parameters",
-                          parameters_json(b)));
+    hsr_json_append(&scenes,
+                    json_pack("{ss ss ss sb sI sI so}", "name", b->name,
+                              "usage", b->usage, "about", b->about,
+                              "failure_case", b->failure_case, "faces",
+                              (json_int_t)n_faces, "views", (json_int_t)n_views,
+                              "parameters", parameters_json(b)));
   }
   for (size_t k = 0; k < n_meshes; k++)
-    json_append(&names, json_string(meshes[k]));
+    hsr_json_append(&names, json_string(meshes[k]));
   return json_print(json_pack("{ss so so}", "schema", "hsr-scenes/1", "scenes",
                               scenes, "meshes", names),
                     err);

@@ -66,10 +66,10 @@ static enum hsr_status print_json(const struct options *o,
                                   struct hsr_error *err) {
   json_t *table = json_array();
   for (int k = 0; k < N_ROWS; k++)
-    json_append(&table, json_pack("{ss ss so so}", "symbol", rows[k].symbol,
-                                  "meaning", rows[k].meaning, "measured",
-                                  number_or_null(cell(measured, k)), "rule",
-                                  number_or_null(cell(rules, k))));
+    hsr_json_append(&table, json_pack("{ss ss so so}", "symbol", rows[k].symbol,
+                                      "meaning", rows[k].meaning, "measured",
+                                      number_or_null(cell(measured, k)), "rule",
+                                      number_or_null(cell(rules, k))));
   return json_print(json_pack("{ss ss si si si so}", "schema", "hsr-stats/1",
                               "scene", o->scene.name, "view", (int)o->view.view,
                               "width", o->view.m, "height", o->view.n, "table",

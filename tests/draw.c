@@ -7,9 +7,9 @@
 #include <string.h>
 
 /* Runs an algorithm: job lacks only the scratch memory, and the tally if that
- * is NULL. */
-static void draw(const struct hsr_algorithm *algorithm,
-                 const struct hsr_world *world, struct hsr_job job) {
+ * is NULL. HSR_E_REFUSED; any other failure ends the test program. */
+static enum hsr_status try(const struct hsr_algorithm *algorithm,
+                           const struct hsr_world *world, struct hsr_job job) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_tally own = {.out_of_memory = false};
@@ -20,12 +20,35 @@ static void draw(const struct hsr_algorithm *algorithm,
     job.tally = &own;
   if (!status)
     status = hsr_setup_render(&setup, &job, &err);
-  if (status) {
+  if (status && status != HSR_E_REFUSED) {
     printf("Bail out! %s: %s\n", algorithm->name, err.text);
     exit(99);
   }
   hsr_setup_free(&setup);
   hsr_arena_free(&scratch);
+  return status;
+}
+
+static void draw(const struct hsr_algorithm *algorithm,
+                 const struct hsr_world *world, struct hsr_job job) {
+  if (!try(algorithm, world, job))
+    return;
+  printf("Bail out! %s refuses the scene\n", algorithm->name);
+  exit(99);
+}
+
+bool draw_answer(const struct hsr_algorithm *algorithm,
+                 const struct hsr_world *world, const struct hsr_view *view,
+                 struct hsr_answer *answer, struct hsr_tally *tally) {
+  struct hsr_form form = hsr_form_standard(algorithm->kind);
+  if (hsr_answer_make(answer, &form, view, false, NULL)) {
+    printf("Bail out! no memory for an answer\n");
+    exit(99);
+  }
+  if (form.type->unset)
+    form.type->unset(answer);
+  return !try(algorithm, world,
+              (struct hsr_job){.view = view, .tally = tally, .answer = answer});
 }
 
 void draw_ids(const struct hsr_algorithm *algorithm,

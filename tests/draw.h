@@ -23,6 +23,13 @@ void draw_lines(const struct hsr_algorithm *algorithm,
                 const struct hsr_world *world, const struct hsr_view *view,
                 struct hsr_drawing *drawing, struct hsr_tally *tally);
 
+/* Makes *answer and draws it, whatever its kind, adding to *tally unless NULL.
+ * False if the algorithm refuses the scene. To be freed in either case by
+ * hsr_answer_free. Any other failure ends the test program. */
+bool draw_answer(const struct hsr_algorithm *algorithm,
+                 const struct hsr_world *world, const struct hsr_view *view,
+                 struct hsr_answer *answer, struct hsr_tally *tally);
+
 /* The number of samples in the window that differ. */
 long count_differences(const struct hsr_view *view, const uint32_t *a,
                        const uint32_t *b);

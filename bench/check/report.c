@@ -102,7 +102,7 @@ static void print_differences(const struct scene_run *run) {
 static json_t *adapted_json(const struct cell *c) {
   json_t *names = json_array();
   for (int k = 0; k < c->n_adaptations; k++)
-    json_append(&names, json_string(c->adapted[k]));
+    hsr_json_append(&names, json_string(c->adapted[k]));
   return names;
 }
 
@@ -142,7 +142,7 @@ static enum hsr_status add_up(const struct scene_run *run,
           totals->failures += c->verdict != RIGHT && c->verdict != REFUSED;
         }
         if (o->json)
-          json_append(&totals->cells, cell_json(run, size, view, a));
+          hsr_json_append(&totals->cells, cell_json(run, size, view, a));
       }
   return HSR_OK;
 }

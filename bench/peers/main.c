@@ -70,7 +70,7 @@ static enum hsr_status command_peers(int argc, char **argv,
     return hsr_fail(err, HSR_E_USAGE, "list: takes no arguments");
   json_t *all = json_array();
   for (int k = 0; k < N_PEERS; k++)
-    json_append(&all, peer_json(peers[k]));
+    hsr_json_append(&all, peer_json(peers[k]));
   return json_print(all, err);
 }
 

@@ -25,7 +25,7 @@ static json_t *seconds_json(const struct times *times) {
     return NULL;
   json_t *all = json_array();
   for (int k = 0; k < times->samples.starts * times->samples.each; k++)
-    json_append(&all, json_real(times->seconds[k]));
+    hsr_json_append(&all, json_real(times->seconds[k]));
   return json_pack("{sf so so sf si so}", "median", median.value, "low",
                    number_or_null(median.low), "high",
                    number_or_null(median.high), "min",
@@ -214,12 +214,13 @@ static json_t *points_json(const struct ladder *ladder) {
   json_t *points = json_array();
   for (int k = 0; k < ladder->n; k++) {
     const json_t *cell = ladder->cell[k];
-    json_append(&points, json_pack("{ss si si si sf sf}", "scene",
-                                   results_text(cell, "scene"), "view",
-                                   (int)results_number(cell, "view"), "width",
-                                   (int)results_number(cell, "width"), "height",
-                                   (int)results_number(cell, "height"), "x",
-                                   ladder->x[k], "seconds", ladder->y[k]));
+    hsr_json_append(&points,
+                    json_pack("{ss si si si sf sf}", "scene",
+                              results_text(cell, "scene"), "view",
+                              (int)results_number(cell, "view"), "width",
+                              (int)results_number(cell, "width"), "height",
+                              (int)results_number(cell, "height"), "x",
+                              ladder->x[k], "seconds", ladder->y[k]));
   }
   return points;
 }
@@ -279,7 +280,7 @@ static json_t *growth_json(const struct report *report, const json_t *cells) {
       measure_rungs(report, &ladder, of_sizes);
       json_t *one = ladder_json(&ladder);
       if (one)
-        json_append(&all, one);
+        hsr_json_append(&all, one);
     }
   return all;
 }
@@ -323,7 +324,7 @@ static json_t *geometric_json(const json_t *cells, const char *to) {
     json_object_set_new(done, algorithm, json_true());
     json_t *mean = mean_json(cells, algorithm, to);
     if (mean)
-      json_append(&means, mean);
+      hsr_json_append(&means, mean);
   }
   json_decref(done);
   return means;

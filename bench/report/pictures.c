@@ -137,11 +137,11 @@ static json_t *differences_json(struct view_picture *p, long *n) {
   for (size_t k = 0; k < p->n; k++)
     if (p->got[k] != p->wanted[k]) {
       ++*n;
-      json_append(&list,
-                  json_pack("[IIo]", (json_int_t)k,
-                            p->got[k] == HSR_BACKGROUND ? (json_int_t)-1
-                                                        : (json_int_t)p->got[k],
-                            number_or_null((double)p->rgb[k])));
+      hsr_json_append(&list, json_pack("[IIo]", (json_int_t)k,
+                                       p->got[k] == HSR_BACKGROUND
+                                           ? (json_int_t)-1
+                                           : (json_int_t)p->got[k],
+                                       number_or_null((double)p->rgb[k])));
     }
   return list;
 }
@@ -265,10 +265,10 @@ static json_t *run_lengths_json(const uint32_t *ids, size_t n) {
   for (size_t k = 0, end; k < n; k = end) {
     for (end = k + 1; end < n && ids[end] == ids[k];)
       end++;
-    json_append(&runs,
-                json_integer(ids[k] == HSR_BACKGROUND ? (json_int_t)-1
-                                                      : (json_int_t)ids[k]));
-    json_append(&runs, json_integer((json_int_t)(end - k)));
+    hsr_json_append(&runs, json_integer(ids[k] == HSR_BACKGROUND
+                                            ? (json_int_t)-1
+                                            : (json_int_t)ids[k]));
+    hsr_json_append(&runs, json_integer((json_int_t)(end - k)));
   }
   return runs;
 }
@@ -280,10 +280,11 @@ static json_t *objects_json(const struct stage *stage) {
   json_t *objects = json_array();
   for (uint32_t k = 0; k < scene->n_instances; k++) {
     const char *name = scene->objects[scene->instances[k].object].name;
-    json_append(&objects, json_pack("[sII]", name ? name : "",
-                                    (json_int_t)world->outline.first[k],
-                                    (json_int_t)(world->outline.first[k + 1] -
-                                                 world->outline.first[k])));
+    hsr_json_append(&objects,
+                    json_pack("[sII]", name ? name : "",
+                              (json_int_t)world->outline.first[k],
+                              (json_int_t)(world->outline.first[k + 1] -
+                                           world->outline.first[k])));
   }
   return objects;
 }

@@ -8,14 +8,6 @@ json_t *number_or_null(double x) {
   return isfinite(x) ? json_real(x) : json_null();
 }
 
-void json_append(json_t **array, json_t *value) {
-  /* Both functions take NULL for an error and free the value. */
-  if (json_array_append_new(*array, value)) {
-    json_decref(*array);
-    *array = NULL;
-  }
-}
-
 enum hsr_status json_print(json_t *value, struct hsr_error *err) {
   if (!value)
     return hsr_fail_nomem(err);

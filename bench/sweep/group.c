@@ -309,7 +309,7 @@ static json_t *seconds_or_null(double seconds) {
 static json_t *start_json(const struct start *start, long repetitions) {
   json_t *seconds = json_array();
   for (long k = 0; k < repetitions; k++)
-    json_append(&seconds, json_real(start->seconds[k]));
+    hsr_json_append(&seconds, json_real(start->seconds[k]));
   return json_pack(
       "{s{sf sf sf so so} s{sI sI} sI so}", "phases", "import",
       start->import_seconds, "adapt", start->adapt_seconds, "prepare",
@@ -326,7 +326,7 @@ static json_t *starts_json(const struct place_run *run, int k) {
   json_t *starts = json_array();
   if (!o->counts && taker->verdict == RIGHT && taker->starts)
     for (long s = 0; s < o->starts; s++)
-      json_append(&starts, start_json(&taker->starts[s], o->repetitions));
+      hsr_json_append(&starts, start_json(&taker->starts[s], o->repetitions));
   return starts;
 }
 
@@ -353,7 +353,7 @@ static json_t *depths_json(const struct cell *cell) {
 static json_t *adapted_json(const struct cell *cell) {
   json_t *names = json_array();
   for (int k = 0; k < cell->n_adaptations; k++)
-    json_append(&names, json_string(cell->adapted[k]));
+    hsr_json_append(&names, json_string(cell->adapted[k]));
   return names;
 }
 

@@ -67,9 +67,9 @@ static json_t *caches_json(hwloc_topology_t topology) {
   for (int k = 0; k < 3; k++) {
     hwloc_obj_t cache = hwloc_get_obj_by_type(topology, level[k], 0);
     if (cache)
-      json_append(&caches,
-                  json_pack("{si sI}", "level", k + 1, "kb",
-                            (json_int_t)(cache->attr->cache.size / 1024)));
+      hsr_json_append(&caches,
+                      json_pack("{si sI}", "level", k + 1, "kb",
+                                (json_int_t)(cache->attr->cache.size / 1024)));
   }
   return caches;
 }
@@ -90,7 +90,7 @@ static json_t *load_json(void) {
   json_t *loads = json_array();
   int n = getloadavg(load, 3);
   for (int k = 0; k < n; k++)
-    json_append(&loads, json_real(load[k]));
+    hsr_json_append(&loads, json_real(load[k]));
   return loads;
 }
 
@@ -140,9 +140,9 @@ static json_t *word_json(char *word) {
 
 static json_t *command_json(int argc, char **argv) {
   json_t *command = json_array();
-  json_append(&command, json_string("hsr"));
+  hsr_json_append(&command, json_string("hsr"));
   for (int k = 0; k < argc; k++)
-    json_append(&command, word_json(argv[k]));
+    hsr_json_append(&command, word_json(argv[k]));
   return command;
 }
 

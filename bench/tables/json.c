@@ -14,7 +14,7 @@
 static json_t *three(const double *x) {
   json_t *array = json_array();
   for (int e = 0; e < ENVIRONMENTS; e++)
-    json_append(&array, number_or_null(x[e]));
+    hsr_json_append(&array, number_or_null(x[e]));
   return array;
 }
 
@@ -39,27 +39,28 @@ static json_t *name_of(const struct paper_group *group) {
 static json_t *environments_json(void) {
   json_t *array = json_array();
   for (int e = 0; e < ENVIRONMENTS; e++)
-    json_append(&array,
-                json_pack("{ss ss si si si}", "scene",
-                          paper_environments[e].scene, "title",
-                          paper_environments[e].title, "view", TABLES_VIEW,
-                          "width", TABLES_SIZE, "height", TABLES_SIZE));
+    hsr_json_append(&array,
+                    json_pack("{ss ss si si si}", "scene",
+                              paper_environments[e].scene, "title",
+                              paper_environments[e].title, "view", TABLES_VIEW,
+                              "width", TABLES_SIZE, "height", TABLES_SIZE));
   return array;
 }
 
 static json_t *ladder_json(const struct tables *t) {
   json_t *array = json_array();
   for (int s = ENVIRONMENTS; s < t->n_scenes; s++)
-    json_append(&array, json_pack("{ss so}", "scene", t->scene[s].name, "F_r",
-                                  number_or_null(t->scene[s].measured.F_r)));
+    hsr_json_append(&array,
+                    json_pack("{ss so}", "scene", t->scene[s].name, "F_r",
+                              number_or_null(t->scene[s].measured.F_r)));
   return array;
 }
 
 static json_t *table1_json(void) {
   json_t *array = json_array();
 #define X(field, symbol, meaning)                                              \
-  json_append(&array,                                                          \
-              json_pack("{ss ss}", "symbol", symbol, "meaning", meaning));
+  hsr_json_append(&array,                                                      \
+                  json_pack("{ss ss}", "symbol", symbol, "meaning", meaning));
   HSR_TABLE1(X)
 #undef X
   return array;
@@ -83,7 +84,7 @@ static json_t *table2_json(const struct tables *t) {
     rule[e] = t->scene[e].rules.field;                                         \
     measured[e] = t->scene[e].measured.field;                                  \
   }                                                                            \
-  json_append(&array, statistic_json(symbol, rule, measured));
+  hsr_json_append(&array, statistic_json(symbol, rule, measured));
   HSR_TABLE1(X)
 #undef X
   return array;
@@ -112,8 +113,8 @@ static json_t *table3_json(const struct tables *t) {
   json_t *array = json_array();
   for (int a = 0; a < t->n_algorithms; a++)
     for (int k = 0; k < t->algorithm[a].n_steps; k++)
-      json_append(&array,
-                  step_json(&t->algorithm[a], &t->algorithm[a].step[k]));
+      hsr_json_append(&array,
+                      step_json(&t->algorithm[a], &t->algorithm[a].step[k]));
   return array;
 }
 
@@ -123,7 +124,7 @@ static json_t *column_json(const struct table_algorithm *a, int e) {
   json_t *steps = json_array();
   for (int k = 0; k < a->n_steps; k++) {
     const struct table_step *row = &a->step[k];
-    json_append(
+    hsr_json_append(
         &steps,
         json_pack("{ss so so so sb}", "step", row->step->label, "paper",
                   number_or_null(row->paper ? row->paper->figure[e] : NAN),
@@ -144,10 +145,10 @@ static json_t *summary_json(const struct tables *t) {
   for (int e = 0; e < ENVIRONMENTS; e++) {
     json_t *columns = json_array();
     for (int a = 0; a < t->n_algorithms; a++)
-      json_append(&columns, column_json(&t->algorithm[a], e));
-    json_append(&array,
-                json_pack("{ss so}", "scene", paper_environments[e].scene,
-                          "columns", columns));
+      hsr_json_append(&columns, column_json(&t->algorithm[a], e));
+    hsr_json_append(&array,
+                    json_pack("{ss so}", "scene", paper_environments[e].scene,
+                              "columns", columns));
   }
   return array;
 }
@@ -156,7 +157,7 @@ static json_t *table7_json(const struct tables *t) {
   json_t *array = json_array();
   for (int k = 0; k < t->n_algorithms; k++) {
     const struct table_algorithm *a = &t->algorithm[k];
-    json_append(
+    hsr_json_append(
         &array,
         json_pack("{ss so so so so so}", "algorithm", a->algorithm->name,
                   "group", name_of(a->paper), "paper",
@@ -175,10 +176,11 @@ static json_t *figure13_json(void) {
     json_t *names = json_array();
     for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
       if (l->plain->taxonomy == (enum hsr_branch)b)
-        json_append(&names, json_string(l->plain->name));
+        hsr_json_append(&names, json_string(l->plain->name));
     struct taxonomy place = taxonomy((enum hsr_branch)b);
-    json_append(&array, json_pack("{ss ss? so}", "class", place.class, "branch",
-                                  place.branch, "algorithms", names));
+    hsr_json_append(&array,
+                    json_pack("{ss ss? so}", "class", place.class, "branch",
+                              place.branch, "algorithms", names));
   }
   return array;
 }
@@ -187,9 +189,9 @@ static json_t *figure29a_json(void) {
   json_t *array = json_array();
   for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
     if (l->plain->taxonomy != HSR_YARDSTICK)
-      json_append(&array,
-                  json_pack("{ss so}", "algorithm", l->plain->name,
-                            "restrictions", restrictions_json(l->plain)));
+      hsr_json_append(&array,
+                      json_pack("{ss so}", "algorithm", l->plain->name,
+                                "restrictions", restrictions_json(l->plain)));
   return array;
 }
 
@@ -197,11 +199,11 @@ static json_t *figure29b_json(void) {
   json_t *array = json_array();
   for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
     if (l->plain->taxonomy != HSR_YARDSTICK)
-      json_append(&array,
-                  json_pack("{ss ss? ss? so}", "algorithm", l->plain->name,
-                            "sort_order", l->plain->sort_order, "coherence",
-                            l->plain->coherence, "sorts",
-                            sorts_json(l->plain)));
+      hsr_json_append(&array,
+                      json_pack("{ss ss? ss? so}", "algorithm", l->plain->name,
+                                "sort_order", l->plain->sort_order, "coherence",
+                                l->plain->coherence, "sorts",
+                                sorts_json(l->plain)));
   return array;
 }
 
@@ -224,7 +226,8 @@ static json_t *orders_json(void) {
       continue;
     json_t *row = of_order(array, order);
     if (!row) {
-      json_append(&array, json_pack("{ss s[]}", "order", order, "algorithms"));
+      hsr_json_append(&array,
+                      json_pack("{ss s[]}", "order", order, "algorithms"));
       row = of_order(array, order);
     }
     json_t *names = json_object_get(row, "algorithms");
@@ -252,7 +255,8 @@ json_t *greene_json(const struct results *results) {
   const char *table = "";
   for (const struct greene_figure *f = greene_figures; f->what; f++)
     if (f->source)
-      json_append(&array, figure_json(f, table, greene_measured(f, results)));
+      hsr_json_append(&array,
+                      figure_json(f, table, greene_measured(f, results)));
     else
       table = f->what;
   return array;
@@ -264,10 +268,10 @@ static json_t *conclusions_json(const struct tables *t) {
   json_t *array = json_array();
   for (int k = 0; k < claims_count(); k++) {
     struct conclusion c = claims_judge(t, k);
-    json_append(&array,
-                json_pack("{ss ss ss ss ss}", "section", c.section, "claim",
-                          c.claim, "criterion", c.criterion, "verdict",
-                          finding_name(c.finding), "evidence", c.evidence));
+    hsr_json_append(&array,
+                    json_pack("{ss ss ss ss ss}", "section", c.section, "claim",
+                              c.claim, "criterion", c.criterion, "verdict",
+                              finding_name(c.finding), "evidence", c.evidence));
   }
   return array;
 }

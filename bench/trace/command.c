@@ -169,8 +169,8 @@ static enum hsr_status check_algorithm(const struct hsr_variant *variant,
   else if (a->flags & HSR_NO_PICTURE)
     why = "it draws nothing";
   else if (hsr_choice_folds(a, &variant->choice) ||
-           !trace_answer_is_known(variant->choice.form.type))
-    why = "what it makes is not traced, but ids and segments are";
+           !variant->choice.form.type->paint)
+    why = "answers of this kind are not traced";
   else if (!a->outline)
     why = "it has no outline yet, and cannot be traced";
   return why ? hsr_fail(err, HSR_E_USAGE, "%s: %s", variant->name, why)

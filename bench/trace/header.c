@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/trace/trace.h"
+#include "common/answers/coded.h"
 #include "common/view/picture.h"
 #include "common/files/srgb.h"
 #include "common/view/clip.h"
@@ -10,39 +11,15 @@
 
 /* --- Subjects ------------------------------------------------------------- */
 
-/* What the numbers of a subject are. */
-enum { MOST_IDS = 3 };
-static const char *const ids_of[HSR_N_SUBJECT_KINDS][MOST_IDS] = {
-    [HSR_OF_NOTHING] = {NULL},
-    [HSR_OF_FACE] = {"face"},
-    [HSR_OF_PIECE] = {"face", "piece"},
-    [HSR_OF_EDGE] = {"vertex", "vertex", "face"},
-    [HSR_OF_IMPLIED] = {"face", "face", "part"},
-    [HSR_OF_VERTEX] = {"vertex"},
-    [HSR_OF_VOLUME] = {"volume"},
-    [HSR_OF_CELL] = {"level", "x", "y"},
-    [HSR_OF_WINDOW] = {NULL}};
-
-json_t *trace_subject_json(struct hsr_subject subject) {
-  if (subject.kind == HSR_OF_NOTHING)
-    return json_null();
-  json_t *coded = json_array();
-  json_append(&coded, json_integer(subject.kind));
-  for (int k = 0; k < MOST_IDS && ids_of[subject.kind][k]; k++)
-    json_append(&coded, subject.id[k] == HSR_NO_ID
-                            ? json_null()
-                            : json_integer(subject.id[k]));
-  return coded;
-}
-
 static json_t *subjects_json(void) {
   json_t *subjects = json_array();
   for (int kind = 0; kind < HSR_N_SUBJECT_KINDS; kind++) {
     json_t *ids = json_array();
-    for (int k = 0; k < MOST_IDS && ids_of[kind][k]; k++)
-      json_append(&ids, json_string(ids_of[kind][k]));
-    json_append(&subjects, json_pack("{ss so}", "name",
-                                     hsr_subject_kind_name[kind], "ids", ids));
+    for (int k = 0; hsr_subject_ids[kind][k]; k++)
+      hsr_json_append(&ids, json_string(hsr_subject_ids[kind][k]));
+    hsr_json_append(
+        &subjects,
+        json_pack("{ss so}", "name", hsr_subject_kind_name[kind], "ids", ids));
   }
   return subjects;
 }
@@ -53,8 +30,8 @@ static json_t *words_json(const char *text, char mark) {
     return json_null();
   json_t *words = json_array();
   for (const char *end; (end = strchr(text, mark)); text = end + 1)
-    json_append(&words, json_stringn(text, (size_t)(end - text)));
-  json_append(&words, json_string(text));
+    hsr_json_append(&words, json_stringn(text, (size_t)(end - text)));
+  hsr_json_append(&words, json_string(text));
   return words;
 }
 
@@ -81,25 +58,25 @@ static json_t *counter_json(const struct hsr_algorithm *a, int k) {
 static json_t *counters_json(const struct hsr_algorithm *a) {
   json_t *counters = json_array();
   for (int k = 0; k < trace_n_counters(a); k++)
-    json_append(&counters, counter_json(a, k));
+    hsr_json_append(&counters, counter_json(a, k));
   return counters;
 }
 
 static json_t *outline_json(const struct hsr_algorithm *a) {
   json_t *outline = json_array();
   for (const struct hsr_line *l = a->outline; l->text; l++)
-    json_append(&outline, json_string(l->text));
+    hsr_json_append(&outline, json_string(l->text));
   return outline;
 }
 
 static json_t *step_kinds_json(void) {
   json_t *kinds = json_array();
   for (int k = 0; k < HSR_N_STEP_KINDS; k++)
-    json_append(&kinds, json_string(hsr_step_kind_name[k]));
+    hsr_json_append(&kinds, json_string(hsr_step_kind_name[k]));
   return kinds;
 }
 
-/* As json_append does, of an object. */
+/* As hsr_json_append does, of an object. */
 static void add(json_t **object, const char *name, json_t *value) {
   if (json_object_set_new(*object, name, value)) {
     json_decref(*object);
@@ -127,7 +104,7 @@ static json_t *options_json(const struct hsr_algorithm *a,
 static json_t *adaptations_json(const struct hsr_setup *setup) {
   json_t *adaptations = json_array();
   for (int k = 0; k < setup->n_adaptations; k++)
-    json_append(&adaptations, json_string(setup->adaptation[k].name));
+    hsr_json_append(&adaptations, json_string(setup->adaptation[k].name));
   return adaptations;
 }
 
@@ -157,30 +134,6 @@ static json_t *view_json(const struct trace_header *h) {
                    vector_json(c->up), "fov", c->fov, "near", c->near);
 }
 
-/* (w sx, w sy, w): the one place here that knows the projection. */
-static void project(const struct hsr_view *view, const double point[3],
-                    double image[3]) {
-  for (int row = 0; row < 3; row++) {
-    image[row] = 0;
-    for (int k = 0; k < 3; k++)
-      image[row] += view->screen[row][k] * (point[k] - view->E[k]);
-  }
-}
-
-/* To the nearest 1/64 of a sample, which is exact and short in decimals. + 0
- * makes a 0 of -0. */
-static json_t *image_json(const double image[3]) {
-  double x = rint(64 * image[0] / image[2]) / 64 + 0,
-         y = rint(64 * image[1] / image[2]) / 64 + 0;
-  return isfinite(x) && isfinite(y) ? json_pack("[ff]", x, y) : json_null();
-}
-
-json_t *trace_point_json(const struct hsr_view *view, const double point[3]) {
-  double image[3];
-  project(view, point, image);
-  return image[2] > view->near ? image_json(image) : json_null();
-}
-
 /* --- Faces ---------------------------------------------------------------- */
 
 static void vertex_of(const struct hsr_world *world, uint32_t v,
@@ -199,7 +152,7 @@ static json_t *vertices_json(const struct trace_header *h) {
   for (uint32_t v = 0; v < world->mesh.n_vertices; v++) {
     double point[3];
     vertex_of(world, v, point);
-    json_append(&vertices, trace_point_json(h->view, point));
+    hsr_json_append(&vertices, hsr_point_json(h->view, point));
   }
   return vertices;
 }
@@ -207,7 +160,7 @@ static json_t *vertices_json(const struct trace_header *h) {
 static json_t *objects_json(const struct hsr_scene *scene) {
   json_t *objects = json_array();
   for (uint32_t k = 0; k < scene->n_objects; k++)
-    json_append(&objects, json_string(scene->objects[k].name));
+    hsr_json_append(&objects, json_string(scene->objects[k].name));
   return objects;
 }
 
@@ -225,7 +178,7 @@ static json_t *corners_json(const struct hsr_world *world, uint32_t face) {
   json_t *corners = json_array();
   for (uint32_t k = world->mesh.start[face]; k < world->mesh.start[face + 1];
        k++)
-    json_append(&corners, json_integer(world->mesh.vertex[k]));
+    hsr_json_append(&corners, json_integer(world->mesh.vertex[k]));
   return corners;
 }
 
@@ -253,7 +206,7 @@ static json_t *polygon_json(const struct trace_header *h, uint32_t face,
     double point[3];
     vertex_of(world, world->mesh.vertex[world->mesh.start[face] + (uint32_t)k],
               point);
-    project(h->view, point, room->in[k]);
+    hsr_point_project(h->view, point, room->in[k]);
     deepest = fmax(deepest, room->in[k][2]);
   }
   static const double by_depth[3] = {0, 0, 1};
@@ -262,7 +215,7 @@ static json_t *polygon_json(const struct trace_header *h, uint32_t face,
   if (deepest > near)
     n = hsr_clip((const double(*)[3])room->in, n, by_depth, -near, room->out);
   for (int k = 0; deepest > near && k < n; k++)
-    json_append(&polygon, image_json(room->out[k]));
+    hsr_json_append(&polygon, hsr_image_json(room->out[k]));
   return polygon;
 }
 
@@ -272,10 +225,11 @@ static json_t *faces_json(const struct trace_header *h) {
                       .out = malloc((most + most / 2 + 1) * sizeof *room.out)};
   json_t *faces = room.in && room.out ? json_array() : NULL;
   for (uint32_t f = 0; faces && f < h->world->n_faces; f++)
-    json_append(&faces, json_pack("[I I o o o]", (json_int_t)f,
-                                  (json_int_t)h->world->mesh.object[f],
-                                  colour_json(h, f), corners_json(h->world, f),
-                                  polygon_json(h, f, &room)));
+    hsr_json_append(&faces,
+                    json_pack("[I I o o o]", (json_int_t)f,
+                              (json_int_t)h->world->mesh.object[f],
+                              colour_json(h, f), corners_json(h->world, f),
+                              polygon_json(h, f, &room)));
   free(room.in);
   free(room.out);
   return faces;
@@ -293,7 +247,7 @@ static json_t *filter_json(const struct trace_filter *filter,
     counters = json_array();
   for (int k = 0; filter->has_counters && k < trace_n_counters(a); k++)
     if (filter->counters & HSR_RAISES(k))
-      json_append(&counters, json_integer(k));
+      hsr_json_append(&counters, json_integer(k));
   return json_pack("{so so si}", "window", window, "counters", counters,
                    "every", (int)filter->every);
 }

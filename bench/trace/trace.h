@@ -48,10 +48,6 @@ enum hsr_status trace_output_close(struct trace_output *output,
 
 /* --- The answer ----------------------------------------------------------- */
 
-/* Whether events can rebuild answers of this kind. Only answer.c knows of
- * kinds. */
-bool trace_answer_is_known(const struct hsr_answer_type *type);
-
 /* An answer twice. */
 struct trace_answer {
   const struct hsr_view *view; /* borrowed */
@@ -81,16 +77,6 @@ void trace_answer_paint(struct trace_answer *answer,
  * much differs. HSR_E_DIFFERENCE, HSR_E_NOMEM. */
 enum hsr_status trace_answer_compare(struct trace_answer *answer, char *text,
                                      size_t size);
-
-/* New references, NULL for lack of memory: what was painted so far; what was
- * drawn; and what an accepted event adds to an answer that is not ids. */
-json_t *trace_answer_painted_json(const struct trace_answer *answer);
-json_t *trace_answer_drawn_json(const struct trace_answer *answer);
-json_t *trace_answer_part_json(const struct trace_answer *answer,
-                               const void *part);
-
-/* The name of the first two in a record: "ids", "segments". */
-const char *trace_answer_field(const struct trace_answer *answer);
 
 /* --- The listener --------------------------------------------------------- */
 
@@ -152,12 +138,5 @@ json_t *trace_header_json(const struct trace_header *header);
 
 /* How many counters the algorithm describes. */
 int trace_n_counters(const struct hsr_algorithm *algorithm);
-
-/* A new reference: [kind, ids...], null for nothing. */
-json_t *trace_subject_json(struct hsr_subject subject);
-
-/* Where a point of the world is on the screen, in samples: a new reference to
- * [x, y], or null where it does not exist: not beyond `near`. */
-json_t *trace_point_json(const struct hsr_view *view, const double point[3]);
 
 #endif

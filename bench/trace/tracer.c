@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/trace/trace.h"
+#include "common/answers/coded.h"
 
 #include <unistd.h>
 
@@ -37,11 +38,20 @@ static json_t *window_json(const struct hsr_window *w) {
   if (is_empty(w))
     return json_null();
   json_t *window = json_array();
-  json_append(&window, json_integer(w->x0));
-  json_append(&window, json_integer(w->y0));
-  json_append(&window, json_integer(w->x1));
-  json_append(&window, json_integer(w->y1));
+  hsr_json_append(&window, json_integer(w->x0));
+  hsr_json_append(&window, json_integer(w->y0));
+  hsr_json_append(&window, json_integer(w->x1));
+  hsr_json_append(&window, json_integer(w->y1));
   return window;
+}
+
+static const struct hsr_answer_type *kind_of(const struct tracer *tracer) {
+  return tracer->answer->drawn.form.type;
+}
+
+static json_t *answer_json(const struct tracer *tracer,
+                           const struct hsr_answer *answer) {
+  return kind_of(tracer)->json(answer, tracer->answer->view);
 }
 
 /* Nulls at the end are left out. */
@@ -50,14 +60,16 @@ static json_t *event_json(const struct tracer *tracer,
   const struct hsr_counter *counter =
       &tracer->algorithm->counters[event->counter];
   json_t *line = json_array();
-  json_append(&line, json_integer((json_int_t)event->number));
-  json_append(&line, json_integer(event->counter));
-  json_append(&line, trace_subject_json(event->a));
-  json_append(&line, trace_subject_json(event->b));
-  json_append(&line, window_json(&event->window));
-  json_append(&line,
-              counter->outcomes ? json_integer(event->outcome) : json_null());
-  json_append(&line, trace_answer_part_json(tracer->answer, event->part));
+  hsr_json_append(&line, json_integer((json_int_t)event->number));
+  hsr_json_append(&line, json_integer(event->counter));
+  hsr_json_append(&line, hsr_subject_json(event->a));
+  hsr_json_append(&line, hsr_subject_json(event->b));
+  hsr_json_append(&line, window_json(&event->window));
+  hsr_json_append(&line, counter->outcomes ? json_integer(event->outcome)
+                                           : json_null());
+  hsr_json_append(&line, event->part ? kind_of(tracer)->part_json(
+                                           event->part, tracer->answer->view)
+                                     : json_null());
   for (size_t n = json_array_size(line);
        n && json_is_null(json_array_get(line, n - 1)); n--)
     json_array_remove(line, n - 1);
@@ -115,9 +127,9 @@ static json_t *counts_json(const struct hsr_algorithm *algorithm,
                            const uint64_t *count, bool is_end) {
   json_t *counts = json_array();
   for (int k = 0; k < trace_n_counters(algorithm); k++)
-    json_append(&counts, algorithm->counters[k].computed && !is_end
-                             ? json_null()
-                             : json_integer((json_int_t)count[k]));
+    hsr_json_append(&counts, algorithm->counters[k].computed && !is_end
+                                 ? json_null()
+                                 : json_integer((json_int_t)count[k]));
   return counts;
 }
 
@@ -131,8 +143,8 @@ void tracer_keyframe(struct tracer *tracer, uint64_t next) {
       tracer->output,
       json_pack("{ss sI so so}", "record", "keyframe", "next", (json_int_t)next,
                 "counts", counts_json(tracer->algorithm, tracer->count, false),
-                trace_answer_field(tracer->answer),
-                trace_answer_painted_json(tracer->answer)));
+                kind_of(tracer)->name,
+                answer_json(tracer, &tracer->answer->painted)));
   tracer->keyframe_end = tracer->output->bytes;
 }
 
@@ -184,16 +196,15 @@ static json_t *end_json(const struct tracer *tracer,
                         const struct hsr_tally *tally,
                         const struct findings *found) {
   const uint64_t *left_out = tracer->left_out;
-  return json_pack("{ss sI sI s{sI sI sI} so sb sb so}", "record", "end",
-                   "events", (json_int_t)tracer->events, "written",
-                   (json_int_t)tracer->written, "left_out", "window",
-                   (json_int_t)left_out[TRACE_WINDOW], "counters",
-                   (json_int_t)left_out[TRACE_COUNTERS], "every",
-                   (json_int_t)left_out[TRACE_EVERY], "counts",
-                   counts_json(tracer->algorithm, tally->count, true),
-                   "counted", found->counted, "rebuilt", found->rebuilt,
-                   trace_answer_field(tracer->answer),
-                   trace_answer_drawn_json(tracer->answer));
+  return json_pack(
+      "{ss sI sI s{sI sI sI} so sb sb so}", "record", "end", "events",
+      (json_int_t)tracer->events, "written", (json_int_t)tracer->written,
+      "left_out", "window", (json_int_t)left_out[TRACE_WINDOW], "counters",
+      (json_int_t)left_out[TRACE_COUNTERS], "every",
+      (json_int_t)left_out[TRACE_EVERY], "counts",
+      counts_json(tracer->algorithm, tally->count, true), "counted",
+      found->counted, "rebuilt", found->rebuilt, kind_of(tracer)->name,
+      answer_json(tracer, &tracer->answer->drawn));
 }
 
 enum hsr_status tracer_end(struct tracer *tracer, const struct hsr_tally *tally,

@@ -11,6 +11,7 @@
 #define HSR_COMMON_ANSWERS_ANSWER_H
 
 #include "common/answers/filter.h"
+#include "common/base/count.h"
 #include "common/base/option.h"
 #include "common/lines/drawing.h"
 #include "common/scene/world.h"
@@ -24,6 +25,7 @@ extern "C" {
 #endif
 
 struct hsr_answer_type;
+struct json_t; /* of jansson */
 
 /* What exactly is asked for: a kind, and its options. Only answers of one form
  * are compared. */
@@ -158,6 +160,21 @@ struct hsr_answer_type {
   /* A line on what there is in it, with its end. */
   void (*print)(const struct hsr_answer *answer,
                 const struct hsr_showing *showing, FILE *out);
+
+  /* Its part in a trace: docs/trace.schema.json. NULL, all of them: a run that
+   * makes this kind cannot be traced. */
+
+  /* Adds what an event of kind HSR_ACCEPT tells. HSR_E_NOMEM. */
+  enum hsr_status (*paint)(struct hsr_answer *answer,
+                           const struct hsr_event *event);
+  /* Brings what was painted into the order of an answer. NULL: it has none.
+   * HSR_E_NOMEM. */
+  enum hsr_status (*settle)(struct hsr_answer *answer);
+  /* New references, or NULL for lack of memory: an answer; and the part of an
+   * event, NULL if its events have none. */
+  struct json_t *(*json)(const struct hsr_answer *answer,
+                         const struct hsr_view *view);
+  struct json_t *(*part_json)(const void *part, const struct hsr_view *view);
 };
 
 /* --- The kinds ------------------------------------------------------------- */

@@ -2,6 +2,7 @@
 /* The visible face of every sample: docs/correct-picture.md. Two answers are
  * equal if they are, sample for sample. */
 #include "common/answers/answer.h"
+#include "common/answers/coded.h"
 #include "common/files/image.h"
 #include "common/files/suffix.h"
 
@@ -154,6 +155,38 @@ static void print(const struct hsr_answer *answer,
   fprintf(out, "%.1f %% covered\n", 100.0 * (double)covered / (double)n);
 }
 
+/* --- Tracing -------------------------------------------------------------- */
+
+/* The face of an accepted event is seen all over its window. */
+static enum hsr_status paint(struct hsr_answer *answer,
+                             const struct hsr_event *event) {
+  const struct hsr_window *w = &event->window;
+  uint32_t *ids = answer->body;
+  int x0 = w->x0 > 0 ? w->x0 : 0, x1 = w->x1 < answer->m ? w->x1 : answer->m;
+  int y0 = w->y0 > 0 ? w->y0 : 0, y1 = w->y1 < answer->n ? w->y1 : answer->n;
+  for (int j = y0; j < y1; j++)
+    for (int i = x0; i < x1; i++)
+      ids[(size_t)j * (size_t)answer->m + (size_t)i] = event->a.id[0];
+  return HSR_OK;
+}
+
+/* Runs of one id, row after row: id, how often, id, how often ... */
+static json_t *ids_json(const struct hsr_answer *answer,
+                        const struct hsr_view *view) {
+  const uint32_t *ids = answer->body;
+  size_t n = count_samples(answer);
+  json_t *runs = json_array();
+  (void)view;
+  for (size_t k = 0, next; k < n; k = next) {
+    for (next = k + 1; next < n && ids[next] == ids[k];)
+      next++;
+    hsr_json_append(&runs, ids[k] == HSR_BACKGROUND ? json_null()
+                                                    : json_integer(ids[k]));
+    hsr_json_append(&runs, json_integer((json_int_t)(next - k)));
+  }
+  return runs;
+}
+
 const struct hsr_answer_type hsr_answer_ids = {
     .name = "ids",
     .meaning = "the visible face of every sample",
@@ -172,4 +205,6 @@ const struct hsr_answer_type hsr_answer_ids = {
     .shade = shade,
     .fits = fits,
     .write = write,
-    .print = print};
+    .print = print,
+    .paint = paint,
+    .json = ids_json};

@@ -5,6 +5,8 @@ nobase_pkginclude_HEADERS += \
   %D%/list.def
 libhsr_a_SOURCES += \
   %D%/answer.c \
+  %D%/coded.c \
+  %D%/coded.h \
   %D%/filter.c \
   %D%/filtered.c \
   %D%/ids.c \

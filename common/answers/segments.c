@@ -2,6 +2,7 @@
 /* Every edge in intervals of one quantitative invisibility:
  * docs/correct-drawing.md. Two answers are equal if they are, edge for edge. */
 #include "common/answers/answer.h"
+#include "common/answers/coded.h"
 #include "common/files/image.h"
 #include "common/files/mesh/exchange.h"
 #include "common/files/plot.h"
@@ -132,6 +133,43 @@ static void print(const struct hsr_answer *answer,
           edges, drawing->n, all > 0 ? 100 * visible / all : 0);
 }
 
+/* --- Tracing -------------------------------------------------------------- */
+
+/* The part of an accepted event is a struct hsr_segment. */
+static enum hsr_status paint(struct hsr_answer *answer,
+                             const struct hsr_event *event) {
+  return event->part ? hsr_drawing_add(answer->body, event->part) : HSR_OK;
+}
+
+static enum hsr_status settle(struct hsr_answer *answer) {
+  return hsr_drawing_sort(answer->body);
+}
+
+/* The edge is coded like the subject of an event. It may be an edge of several
+ * faces, so that its own face is left open. */
+static json_t *edge_json(const struct hsr_edge_name *edge) {
+  return hsr_subject_json(edge->implied
+                              ? HSR_IMPLIED(edge->a, edge->b, edge->part)
+                              : HSR_EDGE(edge->a, edge->b, HSR_NO_ID));
+}
+
+static json_t *segment_json(const void *part, const struct hsr_view *view) {
+  const struct hsr_segment *s = part;
+  return json_pack("[o I f f [fff] [fff] o o]", edge_json(&s->edge),
+                   (json_int_t)s->invisibility, s->t0, s->t1, s->from[0],
+                   s->from[1], s->from[2], s->to[0], s->to[1], s->to[2],
+                   hsr_point_json(view, s->from), hsr_point_json(view, s->to));
+}
+
+static json_t *drawing_json(const struct hsr_answer *answer,
+                            const struct hsr_view *view) {
+  const struct hsr_drawing *drawing = answer->body;
+  json_t *segments = json_array();
+  for (size_t k = 0; k < drawing->n; k++)
+    hsr_json_append(&segments, segment_json(&drawing->segment[k], view));
+  return segments;
+}
+
 const struct hsr_answer_type hsr_answer_segments = {
     .name = "segments",
     .meaning = "every edge in intervals of one quantitative invisibility",
@@ -146,4 +184,8 @@ const struct hsr_answer_type hsr_answer_segments = {
     .trim = trim,
     .fits = fits,
     .write = write,
-    .print = print};
+    .print = print,
+    .paint = paint,
+    .settle = settle,
+    .json = drawing_json,
+    .part_json = segment_json};

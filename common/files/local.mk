@@ -6,6 +6,8 @@ nobase_pkginclude_HEADERS += \
   %D%/whole_file.h
 libhsr_a_SOURCES += \
   %D%/image.cc \
+  %D%/json.c \
+  %D%/json.h \
   %D%/json_read.c \
   %D%/json_read.h \
   %D%/plot.c \

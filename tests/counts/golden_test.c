@@ -20,22 +20,20 @@ static const char *const scenes[] = {
     "deep-stack",   "color-cube:2"};
 enum { N_SCENES = sizeof scenes / sizeof *scenes, M = 41, N = 29, VIEWS = 2 };
 
-/* The counts of one view, a line each. */
+/* The counts of one view, a line each; or one line if the scene is refused. */
 static void count_view(const struct hsr_algorithm *a,
                        const struct both_worlds *worlds, const char *scene,
                        uint32_t number, FILE *out) {
-  static uint32_t ids[M * N];
   struct hsr_view view;
-  struct hsr_drawing drawing = {.n = 0};
+  struct hsr_answer answer;
   struct hsr_tally tally = {.first = 0};
   if (hsr_view_init(&view, &worlds->scene->views[number], M, N, NULL))
     abort();
-  if (a->kind == HSR_SEGMENTS)
-    draw_lines(a, &worlds->world, &view, &drawing, &tally);
-  else
-    draw_ids(a, &worlds->world, &view, ids, &tally);
-  hsr_drawing_free(&drawing);
-  for (int k = 0; a->counters && a->counters[k].name; k++)
+  bool drawn = draw_answer(a, &worlds->world, &view, &answer, &tally);
+  hsr_answer_free(&answer);
+  if (!drawn)
+    fprintf(out, "%s\tview %u\trefused\n", scene, number + 1);
+  for (int k = 0; drawn && a->counters && a->counters[k].name; k++)
     fprintf(out, "%s\tview %u\t%s\t%llu\n", scene, number + 1,
             a->counters[k].name, (unsigned long long)tally.count[k]);
 }

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/answers/coded.h"
+
+#include <math.h>
+
+const char
+    *const hsr_subject_ids[HSR_N_SUBJECT_KINDS][HSR_MOST_SUBJECT_IDS + 1] = {
+        [HSR_OF_NOTHING] = {NULL},
+        [HSR_OF_FACE] = {"face"},
+        [HSR_OF_PIECE] = {"face", "piece"},
+        [HSR_OF_EDGE] = {"vertex", "vertex", "face"},
+        [HSR_OF_IMPLIED] = {"face", "face", "part"},
+        [HSR_OF_VERTEX] = {"vertex"},
+        [HSR_OF_VOLUME] = {"volume"},
+        [HSR_OF_CELL] = {"level", "x", "y"},
+        [HSR_OF_WINDOW] = {NULL}};
+
+json_t *hsr_subject_json(struct hsr_subject subject) {
+  if (subject.kind == HSR_OF_NOTHING)
+    return json_null();
+  json_t *coded = json_array();
+  hsr_json_append(&coded, json_integer(subject.kind));
+  for (int k = 0; hsr_subject_ids[subject.kind][k]; k++)
+    hsr_json_append(&coded, subject.id[k] == HSR_NO_ID
+                                ? json_null()
+                                : json_integer(subject.id[k]));
+  return coded;
+}
+
+void hsr_point_project(const struct hsr_view *view, const double point[3],
+                       double image[3]) {
+  for (int row = 0; row < 3; row++) {
+    image[row] = 0;
+    for (int k = 0; k < 3; k++)
+      image[row] += view->screen[row][k] * (point[k] - view->E[k]);
+  }
+}
+
+/* Multiples of 1/64 are exact and short in decimals. + 0 makes a 0 of -0. */
+json_t *hsr_image_json(const double image[3]) {
+  double x = rint(64 * image[0] / image[2]) / 64 + 0,
+         y = rint(64 * image[1] / image[2]) / 64 + 0;
+  return isfinite(x) && isfinite(y) ? json_pack("[ff]", x, y) : json_null();
+}
+
+json_t *hsr_point_json(const struct hsr_view *view, const double point[3]) {
+  double image[3];
+  hsr_point_project(view, point, image);
+  return image[2] > view->near ? hsr_image_json(image) : json_null();
+}
