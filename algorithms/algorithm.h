@@ -25,7 +25,7 @@
 extern "C" {
 #endif
 
-/* The branches of figure 13 of Sutherland et al. 1974, and three beside it. */
+/* The branches of figure 13 of Sutherland et al. 1974, and four beside it. */
 enum hsr_branch {
   HSR_OBJECT_SPACE_VOLUMES,    /* edges against volumes */
   HSR_OBJECT_SPACE_EDGES,      /* edges against edges */
@@ -35,6 +35,7 @@ enum hsr_branch {
   HSR_IMAGE_SPACE_POINT,       /* point sampling, along scan lines */
   HSR_BRUTE_FORCE,             /* the paper's two yardsticks */
   HSR_HIERARCHICAL, /* a z-buffer behind a hierarchy of the scene's volumes */
+  HSR_VOLUME_SPACE, /* voxels */
   HSR_YARDSTICK     /* no algorithm of the field: the oracle, null */
 };
 

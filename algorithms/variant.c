@@ -82,22 +82,26 @@ static enum hsr_status choose_window(struct reading *r, struct hsr_stretch name,
   return HSR_OK;
 }
 
-/* The kind of answer that has an option of that name and is folded from what
- * the algorithm draws; NULL if there is none. *folded: some kind has the
- * option. */
+static bool can_make(const struct hsr_algorithm *a,
+                     const struct hsr_answer_type *type) {
+  return type == a->kind || (type->fold && type->fold->of == a->kind);
+}
+
+/* The kind of answer that has an option of that name, and that the algorithm
+ * makes or that is folded from what it makes; else any kind that has it; NULL
+ * if there is none. */
 static const struct hsr_answer_type *find_kind(const struct hsr_algorithm *a,
-                                               struct hsr_stretch name,
-                                               bool *folded) {
-  *folded = false;
+                                               struct hsr_stretch name) {
+  const struct hsr_answer_type *found = NULL;
   for (int k = 0; hsr_answer_types[k]; k++) {
     const struct hsr_answer_type *type = hsr_answer_types[k];
-    if (!type->fold || find_option(type->options, name) < 0)
+    if (find_option(type->options, name) < 0)
       continue;
-    *folded = true;
-    if (type->fold->of == a->kind)
+    if (can_make(a, type))
       return type;
+    found = type;
   }
-  return NULL;
+  return found;
 }
 
 static enum hsr_status choose_form(struct reading *r,
@@ -106,7 +110,7 @@ static enum hsr_status choose_form(struct reading *r,
                                    struct hsr_stretch value,
                                    struct hsr_error *err) {
   struct hsr_form *form = &r->choice->form;
-  if (form->type == r->algorithm->kind)
+  if (form->type == r->algorithm->kind && type != form->type)
     *form = hsr_form_standard(type);
   if (form->type != type)
     return hsr_fail(err, HSR_E_USAGE, "%s: %s and %s cannot both be", r->text,
@@ -131,13 +135,13 @@ static enum hsr_status choose(struct reading *r, struct hsr_stretch name,
                   : hsr_values_choose(&r->choice->values, a->options, k, value,
                                       r->text, err);
   }
-  bool folded;
-  const struct hsr_answer_type *type = find_kind(a, name, &folded);
-  if (type)
+  const struct hsr_answer_type *type = find_kind(a, name);
+  if (type && can_make(a, type))
     return choose_form(r, type, name, value, err);
-  if (folded)
-    return hsr_fail(err, HSR_E_USAGE, "%s: %s draws nothing to %.*s", r->text,
-                    a->name, (int)name.n, name.text);
+  if (type)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%s: %.*s is an option of %s, and %s makes %s", r->text,
+                    (int)name.n, name.text, type->name, a->name, a->kind->name);
   return hsr_fail(err, HSR_E_USAGE,
                   "%s: %s has no option '%.*s' (see hsr list)", r->text,
                   a->name, (int)name.n, name.text);

@@ -16,6 +16,7 @@ struct taxonomy taxonomy(enum hsr_branch branch) {
       [HSR_IMAGE_SPACE_POINT] = {"image space", "point sampling"},
       [HSR_BRUTE_FORCE] = {"brute force", NULL},
       [HSR_HIERARCHICAL] = {"hierarchical", NULL},
+      [HSR_VOLUME_SPACE] = {"volume", NULL},
       [HSR_YARDSTICK] = {"yardstick", NULL}};
   return place[branch];
 }
@@ -142,21 +143,26 @@ static void print_option(const struct hsr_option *o) {
            w == &o->words[o->standard] ? " (standard)" : "");
 }
 
-/* What all can be asked for that draw a kind of answer. */
+/* Whether who makes `kind` can be asked for `type`, which has options. */
+static bool can_be_asked(const struct hsr_answer_type *type,
+                         const struct hsr_answer_type *kind) {
+  return type->options && (type->fold ? type->fold->of : type) == kind;
+}
+
+/* The options of the answers that all algorithms of a kind can give. */
 static void print_kind_options(const struct hsr_answer_type *kind) {
-  bool folds = false;
+  bool any = kind->by_windows;
   for (int k = 0; hsr_answer_types[k]; k++)
-    folds |= hsr_answer_types[k]->fold && hsr_answer_types[k]->fold->of == kind;
-  if (!kind->by_windows && !folds)
+    any |= can_be_asked(hsr_answer_types[k], kind);
+  if (!any)
     return;
   printf("  all that draw %s\n", kind->name);
   if (kind->by_windows)
     puts("    window=N  in squares of N x N samples, each a job of its own");
   for (int k = 0; hsr_answer_types[k]; k++) {
     const struct hsr_answer_type *type = hsr_answer_types[k];
-    if (!type->fold || type->fold->of != kind)
-      continue;
-    for (const struct hsr_option *o = type->options; o->name; o++)
+    for (const struct hsr_option *o = type->options;
+         can_be_asked(type, kind) && o->name; o++)
       print_option(o);
   }
 }

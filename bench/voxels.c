@@ -2,15 +2,13 @@
 /* hsr voxels: the solids of a scene as voxels. */
 #include "bench/command.h"
 #include "bench/results/json.h"
-#include "common/grids/voxel_solids.h"
 
-#include <string.h>
-#include <strings.h>
+#include <stdlib.h>
 
 struct options {
   struct option_base base;
   struct scene_options scene;
-  const char *output;
+  const char *output, *algorithm;
   long size;
   bool json;
 };
@@ -18,6 +16,9 @@ struct options {
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
   switch (key) {
+  case 'a':
+    o->algorithm = arg;
+    return 0;
   case 'j':
     o->json = true;
     return 0;
@@ -38,6 +39,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 
 static const struct argp argp = {
     (const struct argp_option[]){
+        {"algorithm", 'a', "A", 0,
+         "by this algorithm (standard: tiling-solids)", 0},
         {"size", 's', "N", 0,
          "N voxels along the longest side of the scene's box (standard: 64)",
          0},
@@ -53,47 +56,107 @@ static const struct argp argp = {
     "exactly, and so that solids that touch share no voxel and leave out none. "
     "Solids are numbered from 1 in the order of their first faces; where they "
     "overlap, the first has the voxel; 0 is none. All faces must be of closed "
-    "solids, convex or not. By Greene's hierarchical tiling, which visits only "
-    "cells that faces cross.\v"
-    "  hsr voxels color-cube --size 100 -o cubes.vti",
+    "solids, convex or not.\v"
+    "  hsr voxels color-cube --size 100 -o cubes.vti\n"
+    "  hsr check color-cube -a tiling-solids:side=100",
     NULL,
     NULL,
     NULL};
 
 /* The answer, and what is told of it. */
 struct found {
-  struct hsr_voxel_solids voxels;
-  uint64_t set, surface;
-  double cells_per_surface, bits_per_voxel;
-  double prepare_seconds, tile_seconds; /* to find the solids; to tile them */
+  const struct options *options;
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  struct hsr_answer answer;
+  struct hsr_tally tally; /* of the counting build */
+  uint64_t solids, set, surface;
+  double prepare_seconds, find_seconds; /* of the build that does not count */
 };
 
-static void measure(struct found *found) {
-  const struct hsr_voxel_solids *v = &found->voxels;
-  const int *n = v->grid.n;
-  hsr_voxel_solids_count(v, &found->set, &found->surface);
-  found->cells_per_surface = (double)v->work.cells / (double)found->surface;
-  found->bits_per_voxel = 8.0 * (double)v->pyramid_bytes / n[0] / n[1] / n[2];
+/* By one build of the algorithm. */
+static enum hsr_status run(struct found *found,
+                           const struct hsr_algorithm *algorithm,
+                           const struct hsr_choice *choice,
+                           struct hsr_tally *tally, struct hsr_error *err) {
+  struct hsr_setup setup;
+  struct hsr_view view; /* of no account */
+  enum hsr_status status =
+      hsr_view_init(&view, &found->scene->views[0], 1, 1, err);
+  if (status)
+    return status;
+  status = hsr_setup_init(&setup, algorithm, choice, &found->world, err);
+  found->prepare_seconds = setup.prepare_seconds;
+  if (!status)
+    status = answer_init(&found->answer, &setup, &view, err);
+  if (!status)
+    status = render_view(&setup, &view, 1, &found->answer, tally,
+                         &found->find_seconds, err);
+  hsr_setup_free(&setup);
+  return status;
 }
 
-static enum hsr_status print_json(const char *scene, const struct found *found,
+static enum hsr_status find(struct found *found,
+                            const struct hsr_variant *variant,
+                            struct hsr_error *err) {
+  struct hsr_tally none = {.out_of_memory = false};
+  const struct hsr_listed *listed = variant->listed;
+  enum hsr_status status =
+      run(found, listed->counting, &variant->choice, &found->tally, err);
+  if (status)
+    return status;
+  hsr_answer_free(&found->answer);
+  return run(found, listed->plain, &variant->choice, &none, err);
+}
+
+/* Solids that have voxels. */
+static enum hsr_status count_solids(const struct hsr_solid_voxels *voxels,
+                                    uint64_t *solids, struct hsr_error *err) {
+  size_t n = hsr_voxel_count(&voxels->grid);
+  uint32_t most = 0;
+  for (size_t k = 0; k < n; k++)
+    most = voxels->solid[k] > most ? voxels->solid[k] : most;
+  bool *has = calloc((size_t)most + 1, sizeof *has);
+  if (!has)
+    return hsr_fail_nomem(err);
+  *solids = 0;
+  for (size_t k = 0; k < n; k++) {
+    uint32_t solid = voxels->solid[k];
+    *solids += solid && !has[solid];
+    has[solid] = true;
+  }
+  free(has);
+  return HSR_OK;
+}
+
+static enum hsr_status measure(struct found *found, struct hsr_error *err) {
+  const struct hsr_solid_voxels *v = hsr_answer_voxels_of(&found->answer);
+  hsr_solid_voxels_count(v, &found->set, &found->surface);
+  return count_solids(v, &found->solids, err);
+}
+
+static json_t *counts_json(const struct hsr_algorithm *a,
+                           const struct hsr_tally *tally) {
+  json_t *counts = json_object();
+  for (int k = 0; a->counters && a->counters[k].name; k++)
+    json_object_set_new(counts, a->counters[k].name,
+                        json_integer((json_int_t)tally->count[k]));
+  return counts;
+}
+
+static enum hsr_status print_json(const struct hsr_algorithm *a,
+                                  const struct found *found,
                                   struct hsr_error *err) {
-  const struct hsr_voxel_solids *v = &found->voxels;
-  const struct hsr_voxel_grid *g = &v->grid;
-  const struct hsr_voxel_work *w = &v->work;
+  const struct hsr_voxel_grid *g = &hsr_answer_voxels_of(&found->answer)->grid;
   return json_print(
-      json_pack(
-          "{ss ss s[iii] s[fff] sf sI sI sI sI sI sI sI sI so sf sf sf}",
-          "schema", "hsr-voxels/1", "scene", scene, "voxels", g->n[0], g->n[1],
-          g->n[2], "origin", g->lo[0], g->lo[1], g->lo[2], "voxel_size",
-          g->size, "solids", (json_int_t)v->n_solids, "convex_parts",
-          (json_int_t)v->n_volumes, "set", (json_int_t)found->set, "surface",
-          (json_int_t)found->surface, "cells", (json_int_t)w->cells,
-          "finest_cells", (json_int_t)w->finest, "plane_masks",
-          (json_int_t)w->masks, "exact_decisions", (json_int_t)w->exact,
-          "cells_per_surface_voxel", number_or_null(found->cells_per_surface),
-          "pyramid_bits_per_voxel", found->bits_per_voxel, "prepare_seconds",
-          found->prepare_seconds, "tile_seconds", found->tile_seconds),
+      json_pack("{ss ss ss s[iii] s[fff] sf sI sI sI so sf sf}", "schema",
+                "hsr-voxels/2", "scene", found->options->scene.name,
+                "algorithm", a->name, "voxels", g->n[0], g->n[1], g->n[2],
+                "origin", g->lo[0], g->lo[1], g->lo[2], "voxel_size", g->size,
+                "solids", (json_int_t)found->solids, "set",
+                (json_int_t)found->set, "surface", (json_int_t)found->surface,
+                "counts", counts_json(a, &found->tally), "prepare_seconds",
+                found->prepare_seconds, "find_seconds", found->find_seconds),
       err);
 }
 
@@ -101,91 +164,79 @@ static void print_count(uint64_t count, const char *what) {
   printf("%12llu  %s\n", (unsigned long long)count, what);
 }
 
-static void print_text(const char *scene, const struct found *found) {
-  const struct hsr_voxel_solids *v = &found->voxels;
-  printf("%s, %d x %d x %d voxels of side %g\n\n", scene, v->grid.n[0],
-         v->grid.n[1], v->grid.n[2], v->grid.size);
-  print_count(v->n_solids, "solids");
-  print_count(v->n_volumes, "convex parts of them");
+static void print_text(const struct hsr_algorithm *a,
+                       const struct found *found) {
+  const struct hsr_voxel_grid *g = &hsr_answer_voxels_of(&found->answer)->grid;
+  printf("%s, %d x %d x %d voxels of side %g, by %s\n\n",
+         found->options->scene.name, g->n[0], g->n[1], g->n[2], g->size,
+         a->name);
+  print_count(found->solids, "solids that have voxels");
   print_count(found->set, "voxels set");
   print_count(found->surface, "of them at a surface");
-  print_count(v->work.cells, "cells visited");
-  print_count(v->work.finest, "of them of the finest level");
-  if (found->surface)
-    printf("%12.4g  cells visited a voxel at a surface\n",
-           found->cells_per_surface);
-  print_count(v->work.masks, "masks of planes");
-  print_count(v->work.exact, "exact decisions");
-  printf("%12.4g  bits a voxel in the pyramid\n", found->bits_per_voxel);
-  printf("%12.4g  seconds to find the solids\n", found->prepare_seconds);
-  printf("%12.4g  seconds to tile them\n", found->tile_seconds);
+  for (int k = 0; a->counters && a->counters[k].name; k++)
+    print_count(found->tally.count[k], a->counters[k].meaning);
+  printf("%12.4g  seconds to prepare\n", found->prepare_seconds);
+  printf("%12.4g  seconds to find the voxels\n", found->find_seconds);
 }
 
-static enum hsr_status find(const struct options *o,
-                            const struct hsr_world *world, struct found *found,
+static enum hsr_status tell(const struct hsr_algorithm *a, struct found *found,
                             struct hsr_error *err) {
-  struct hsr_edges edges;
-  struct hsr_volumes volumes = {.n = 0};
-  double begin = seconds_now();
-  enum hsr_status status = hsr_edges_init(&edges, world, err);
-  if (!status)
-    status = hsr_volumes_init(&volumes, &edges, err);
-  found->prepare_seconds = seconds_now() - begin;
-  begin = seconds_now();
-  if (!status)
-    status = hsr_voxel_solids_init(&found->voxels, &volumes, (int)o->size, err);
-  found->tile_seconds = seconds_now() - begin;
-  hsr_volumes_free(&volumes);
-  hsr_edges_free(&edges);
-  return status;
-}
-
-static enum hsr_status tell(const struct options *o, struct found *found,
-                            struct hsr_error *err) {
+  const struct options *o = found->options;
+  struct hsr_showing showing = {.world = &found->world, .scene = o->scene.name};
   enum hsr_status status = HSR_OK;
   if (o->output)
-    status = hsr_voxels_write_vti(&found->voxels, o->output, err);
+    status =
+        hsr_answer_voxels.write(&found->answer, &showing, NULL, o->output, err);
+  if (!status)
+    status = measure(found, err);
   if (status)
     return status;
-  measure(found);
   if (o->json)
-    return print_json(o->scene.name, found, err);
-  print_text(o->scene.name, found);
+    return print_json(a, found, err);
+  print_text(a, found);
   return HSR_OK;
 }
 
 static enum hsr_status check_output(const char *path, struct hsr_error *err) {
-  const char *dot = path ? strrchr(path, '.') : ".vti";
-  if (dot && !strcasecmp(dot, ".vti"))
+  if (!path || hsr_answer_voxels.fits(path))
     return HSR_OK;
   return hsr_fail(err, HSR_E_INPUT, "%s: voxels are written as .vti", path);
 }
 
+static enum hsr_status choose(const struct options *o,
+                              struct hsr_variant *variant,
+                              struct hsr_error *err) {
+  enum hsr_status status = hsr_variant_parse(o->algorithm, variant, err);
+  struct hsr_form *form = &variant->choice.form;
+  if (!status && form->type != HSR_VOXELS)
+    return hsr_fail(err, HSR_E_USAGE, "%s: makes %s, not voxels", o->algorithm,
+                    form->type->name);
+  if (!status && o->size)
+    form->values.option[0] = o->size;
+  return status;
+}
+
 enum hsr_status command_voxels(int argc, char **argv, struct hsr_error *err) {
-  struct options options = {.size = 64};
+  struct options options = {.algorithm = "tiling-solids"};
+  struct hsr_variant variant;
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
   if (!status)
     status = check_output(options.output, err);
+  if (!status)
+    status = choose(&options, &variant, err);
   if (status)
     return status;
-  struct hsr_scene *scene;
-  status = open_scene(options.scene.name, options.scene.import, &scene, err);
-  if (status)
-    return status;
-  struct hsr_world world = {.outline.scene = scene};
-  status = hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, err);
-  if (!status && hsr_is_outline(&world))
-    status = hsr_fail(err, HSR_E_NOMEM,
-                      "voxels: %u faces are too many to be laid out, as solids "
-                      "need them",
-                      world.n_faces);
-  struct found found = {.voxels = {.solid = NULL}};
+  struct found found = {.options = &options};
+  status =
+      open_scene(options.scene.name, options.scene.import, &found.scene, err);
   if (!status)
-    status = find(&options, &world, &found, err);
+    status = hsr_world_open(&found.world, found.scene, HSR_MOST_LAID_OUT, err);
   if (!status)
-    status = tell(&options, &found, err);
-  hsr_voxel_solids_free(&found.voxels);
-  hsr_world_free(&world);
-  hsr_scene_delete(scene);
+    status = find(&found, &variant, err);
+  if (!status)
+    status = tell(variant.listed->counting, &found, err);
+  hsr_answer_free(&found.answer);
+  hsr_world_free(&found.world);
+  hsr_scene_delete(found.scene);
   return status;
 }

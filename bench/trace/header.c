@@ -256,7 +256,7 @@ static json_t *filter_json(const struct trace_filter *filter,
 static json_t *places_json(void) {
   return json_pack(
       "{so so so so}", "event",
-      words_json("number counter a b window outcome segment", ' '), "segment",
+      words_json("number counter a b window outcome part", ' '), "segment",
       words_json("edge invisibility t0 t1 from to image_from image_to", ' '),
       "face", words_json("id object colour corners polygon", ' '), "window",
       words_json("x0 y0 x1 y1", ' '));

@@ -13,6 +13,7 @@
 #include "common/answers/filter.h"
 #include "common/base/count.h"
 #include "common/base/option.h"
+#include "common/grids/voxels.h"
 #include "common/lines/drawing.h"
 #include "common/scene/world.h"
 #include "common/view/picture.h"
@@ -193,6 +194,7 @@ int hsr_answer_number(const struct hsr_answer_type *type);
 /* The names that algorithms give in their descriptors. */
 #define HSR_IDS (&hsr_answer_ids)
 #define HSR_SEGMENTS (&hsr_answer_segments)
+#define HSR_VOXELS (&hsr_answer_voxels)
 
 /* --- Answers --------------------------------------------------------------- */
 
@@ -216,7 +218,12 @@ double hsr_form_pictures(const struct hsr_form *form,
  * filtered picture, its sums, 3 m n. */
 uint32_t *hsr_answer_ids_of(const struct hsr_answer *answer);
 struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer);
+struct hsr_solid_voxels *hsr_answer_voxels_of(const struct hsr_answer *answer);
 uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer);
+
+/* How many voxels lie along the longest side of the scene's box, of a form of
+ * voxels. */
+int hsr_form_voxels(const struct hsr_form *form);
 
 /* An answer around ids that somebody else owns, of m x n; not to be freed. */
 struct hsr_answer hsr_answer_of_ids(uint32_t *ids, int m, int n);

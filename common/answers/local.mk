@@ -11,4 +11,5 @@ libhsr_a_SOURCES += \
   %D%/filtered.c \
   %D%/ids.c \
   %D%/list.c \
-  %D%/segments.c
+  %D%/segments.c \
+  %D%/voxels.c

@@ -1,67 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Error of a plane. Let the world have N and P for a face (common/scene/world.h), u =
- * 2^-53, lo and h be the grid's; for t in [0, T], T the root's size in voxels,
- *   f(t) = N . (lo + h t - P),  h N and N . (lo - P) being computed once.
- * With n1 = |N|_1 and R the largest of |lo_k - P_k| + h T, no partial sum is
- * greater than n1 R but for its rounding; making f in the middle of a cell
- * takes at most 4 roundings for each of 3 terms and 20 further ones, `margin`
- * another 6: together less than 2^-47 n1 R. The centre of a voxel is off by two
- * roundings, of less than 2^-51 S in each coordinate, S the largest of |lo_k| +
- * h T. The plane itself is within 2 (3 n_error R + anchor_error n1) there, as
- * in order.c, the doubling covering the products of errors; or f is nowhere
- * beyond that. 2^-960 covers underflow. */
 #include "common/grids/voxels.h"
-#include "common/base/bits.h"
-#include "common/scene/pieces.h"
 
 #include <math.h>
-
-static const uint64_t ALL = UINT64_MAX;
-
-/* A cell on the way. */
-struct cell {
-  int level;
-  int corner[3], size; /* its first voxel, and voxels a side */
-};
-
-static void corner_of(const int corner[3], int size, int bit, int of_bit[3]) {
-  of_bit[0] = corner[0] + bit % 4 * size;
-  of_bit[1] = corner[1] + bit / 4 % 4 * size;
-  of_bit[2] = corner[2] + bit / 16 * size;
-}
-
-static bool is_finest(const struct hsr_voxels *p, const struct cell *cell) {
-  return cell->level == p->n_levels - 1;
-}
-
-static struct cell subcell(const struct cell *cell, int bit) {
-  struct cell sub = {.level = cell->level + 1, .size = cell->size / 4};
-  corner_of(cell->corner, sub.size, bit, sub.corner);
-  return sub;
-}
-
-static struct cell root_of(const struct hsr_voxels *p) {
-  struct cell root = {.size = 1 << 2 * p->n_levels};
-  return root;
-}
-
-static size_t number_of(const struct hsr_voxels *p, const struct cell *cell) {
-  const int *n = p->level[cell->level].n, *at = cell->corner;
-  int size = cell->size;
-  return ((size_t)(at[2] / size) * (size_t)n[1] + (size_t)(at[1] / size)) *
-             (size_t)n[0] +
-         (size_t)(at[0] / size);
-}
-
-static struct hsr_triage *coarse_of(const struct hsr_voxels *p,
-                                    const struct cell *cell) {
-  return &p->level[cell->level].coarse[number_of(p, cell)];
-}
-
-static uint64_t *finest_of(const struct hsr_voxels *p,
-                           const struct cell *cell) {
-  return &p->level[cell->level].finest[number_of(p, cell)];
-}
+#include <stdlib.h>
+#include <string.h>
 
 /* --- The grid ------------------------------------------------------------- */
 
@@ -74,7 +16,7 @@ static void extend(double lo[3], double hi[3], const struct hsr_world *world,
   }
 }
 
-/* That of all corners: a vertex may be of no face. */
+/* Only corners of faces count: a vertex may be of no face. */
 enum hsr_status hsr_voxel_grid_init(struct hsr_voxel_grid *grid,
                                     const struct hsr_world *world, int most,
                                     struct hsr_error *err) {
@@ -95,248 +37,80 @@ enum hsr_status hsr_voxel_grid_init(struct hsr_voxel_grid *grid,
   return HSR_OK;
 }
 
-/* --- Clearing ------------------------------------------------------------- */
-
-/* The first n subcells of four along an axis that begin before the end. */
-static int subcells(int extent, int size) {
-  int n = (extent + size - 1) / size;
-  return n < 0 ? 0 : n > 4 ? 4 : n;
+static bool is_same_grid(const struct hsr_voxel_grid *a,
+                         const struct hsr_voxel_grid *b) {
+  return !memcmp(a, b, offsetof(struct hsr_voxel_grid, n) + sizeof a->n);
 }
 
-/* The subcells that have voxels of the grid. */
-static uint64_t in_grid(const struct hsr_voxels *p, const struct cell *cell) {
-  int n[3];
-  for (int k = 0; k < 3; k++)
-    n[k] = subcells(p->grid.n[k] - cell->corner[k], cell->size / 4);
-  uint64_t row = (uint64_t)((1 << n[0]) - 1);
-  uint64_t layer = row * (0x1111u & ((1u << 4 * n[1]) - 1));
-  uint64_t layers = n[2] ? 0x0001000100010001u >> (64 - 16 * n[2]) : 0;
-  return layer * layers;
-}
+/* --- Solids in voxels ----------------------------------------------------- */
 
-static void clear(const struct hsr_voxels *p, const struct cell *cell) {
-  uint64_t vacant = in_grid(p, cell);
-  if (is_finest(p, cell))
-    *finest_of(p, cell) = ~vacant;
-  else
-    *coarse_of(p, cell) = (struct hsr_triage){~vacant, vacant};
-}
-
-/* --- Beginning ------------------------------------------------------------ */
-
-static uint32_t most_planes(const struct hsr_volumes *volumes) {
-  uint32_t most = 0;
-  for (uint32_t v = 0; v < volumes->n; v++) {
-    uint32_t n = volumes->plane_start[v + 1] - volumes->plane_start[v];
-    most = n > most ? n : most;
+enum hsr_status hsr_solid_voxels_open(struct hsr_solid_voxels *voxels,
+                                      const struct hsr_voxel_grid *grid) {
+  size_t n = hsr_voxel_count(grid);
+  if (voxels->solid && is_same_grid(&voxels->grid, grid)) {
+    memset(voxels->solid, 0, n * sizeof *voxels->solid);
+    return HSR_OK;
   }
-  return most;
+  free(voxels->solid);
+  voxels->grid = *grid;
+  voxels->solid = calloc(n, sizeof *voxels->solid);
+  return voxels->solid ? HSR_OK : HSR_E_NOMEM;
 }
 
-static bool allocate_level(struct hsr_voxels *p, int k, uint32_t most) {
-  struct hsr_voxel_level *level = &p->level[k];
-  int size = 1 << 2 * (p->n_levels - k);
-  size_t cells = 1;
-  for (int axis = 0; axis < 3; axis++) {
-    level->n[axis] = (p->grid.n[axis] + size - 1) / size;
-    cells *= (size_t)level->n[axis];
-  }
-  if (k == p->n_levels - 1)
-    level->finest = HSR_NEW(&p->arena, uint64_t, cells);
-  else
-    level->coarse = HSR_NEW(&p->arena, struct hsr_triage, cells);
-  p->pyramid_bytes +=
-      cells * (level->finest ? sizeof *level->finest : sizeof *level->coarse);
-  level->active = HSR_NEW(&p->arena, uint32_t, most);
-  level->list = HSR_NEW(&p->arena, uint32_t, most);
-  level->inside = HSR_NEW(&p->arena, uint64_t, most);
-  return (level->finest || level->coarse) && level->active && level->list &&
-         level->inside;
+void hsr_solid_voxels_free(struct hsr_solid_voxels *voxels) {
+  free(voxels->solid);
+  voxels->solid = NULL;
 }
 
-enum hsr_status hsr_voxels_init(struct hsr_voxels *p,
-                                const struct hsr_voxel_grid *grid,
-                                const struct hsr_volumes *volumes,
-                                struct hsr_error *err) {
-  uint32_t most = most_planes(volumes);
-  *p = (struct hsr_voxels){.grid = *grid, .volumes = volumes, .n_levels = 1};
+/* The part of a cube that is in the grid. */
+static void put_cube(struct hsr_solid_voxels *voxels, uint32_t solid,
+                     const int corner[3], int size) {
+  const struct hsr_voxel_grid *grid = &voxels->grid;
+  int end[3];
   for (int k = 0; k < 3; k++)
-    while (1 << 2 * p->n_levels < grid->n[k])
-      p->n_levels++;
-  bool allocated = true;
-  for (int k = 0; k < p->n_levels; k++)
-    allocated = allocated && allocate_level(p, k, most);
-  p->plane = HSR_NEW(&p->arena, struct hsr_triage_plane, most);
-  p->all = HSR_NEW(&p->arena, uint32_t, most);
-  if (!allocated || !p->plane || !p->all)
-    return hsr_fail_nomem(err);
-  for (uint32_t k = 0; k < most; k++)
-    p->all[k] = k;
-  struct cell root = root_of(p);
-  clear(p, &root);
-  return HSR_OK;
+    end[k] = corner[k] + size < grid->n[k] ? corner[k] + size : grid->n[k];
+  for (int z = corner[2]; z < end[2]; z++)
+    for (int y = corner[1]; y < end[1]; y++)
+      for (int x = corner[0]; x < end[0]; x++)
+        voxels->solid[hsr_voxel_number(grid, x, y, z)] = solid;
 }
 
-void hsr_voxels_free(struct hsr_voxels *p) {
-  hsr_arena_free(&p->arena);
+void hsr_solid_voxels_put(struct hsr_solid_voxels *voxels,
+                          const struct hsr_voxel_cubes *cubes) {
+  int size = cubes->size;
+  for (int bit = 0; bit < 64; bit++) {
+    int corner[3] = {cubes->corner[0] + bit % 4 * size,
+                     cubes->corner[1] + bit / 4 % 4 * size,
+                     cubes->corner[2] + bit / 16 * size};
+    if (cubes->mask >> bit & 1)
+      put_cube(voxels, cubes->solid, corner, size);
+  }
 }
 
-/* --- Planes before voxels ------------------------------------------------- */
-
-static const struct hsr_world *world_of(const struct hsr_voxels *p) {
-  return p->volumes->edges->world;
-}
-
-/* A half space in the grid's own terms: see above. */
-static struct hsr_triage_plane plane_of(const struct hsr_voxels *p,
-                                        struct hsr_half_space half) {
-  const struct hsr_world *world = world_of(p);
-  uint32_t f = half.face;
-  double side = half.side, h = p->grid.size;
-  double N[3] = {side * world->mesh.nx[f], side * world->mesh.ny[f],
-                 side * world->mesh.nz[f]};
-  double P[3] = {world->mesh.px[f], world->mesh.py[f], world->mesh.pz[f]};
-  double across = h * root_of(p).size, n1 = 0, r = 0, s = 0, d = 0;
+static bool is_surface(const struct hsr_solid_voxels *voxels, const int at[3]) {
+  const int *n = voxels->grid.n;
+  const uint32_t *solid =
+      &voxels->solid[hsr_voxel_number(&voxels->grid, at[0], at[1], at[2])];
+  size_t step = 1;
   for (int k = 0; k < 3; k++) {
-    double from = p->grid.lo[k] - P[k];
-    d += N[k] * from;
-    n1 += fabs(N[k]);
-    r = fmax(r, fabs(from) + across);
-    s = fmax(s, fabs(p->grid.lo[k]) + across);
+    if (at[k] == 0 || at[k] == n[k] - 1 || *(solid - step) != *solid ||
+        solid[step] != *solid)
+      return true;
+    step *= (size_t)n[k];
   }
-  double error =
-      2 * (3 * world->mesh.n_error[f] * r + world->mesh.anchor_error[f] * n1) +
-      0x1p-47 * n1 * r + 0x1p-50 * n1 * s + 0x1p-960;
-  return (struct hsr_triage_plane){h * N[0], h * N[1], h * N[2], d, error};
+  return false;
 }
 
-static bool is_inside_plane(struct hsr_voxels *p, uint32_t k,
-                            const int voxel[3]) {
-  struct hsr_half_space half = p->half_space[k];
-  double centre[3];
-  for (int axis = 0; axis < 3; axis++)
-    centre[axis] = hsr_voxel_centre(&p->grid, axis, voxel[axis]);
-  p->work.exact++;
-  return hsr_exact_displaced_plane_side(hsr_plane_loop(world_of(p), half.face),
-                                        centre, &p->out_of_memory) == half.side;
-}
-
-/* --- Planes before cells -------------------------------------------------- */
-
-/* The planes that cross a cell, of those in list[]: into the level's active[],
- * each with the subcells that it leaves surely inside. The polyhedron's masks;
- * false if the cell is outside. */
-static bool compose(struct hsr_voxels *p, const struct cell *cell,
-                    const uint32_t *list, uint32_t n, struct hsr_triage *mask) {
-  struct hsr_voxel_level *level = &p->level[cell->level];
-  *mask = (struct hsr_triage){ALL, 0};
-  level->n_active = 0;
-  for (uint32_t k = 0; k < n; k++) {
-    struct hsr_triage plane =
-        hsr_solid_triage(&p->plane[list[k]], cell->corner, cell->size);
-    p->work.masks++;
-    if (plane.v == ALL)
-      return false;
-    if (plane.c == ALL)
-      continue;
-    level->active[level->n_active] = list[k];
-    level->inside[level->n_active++] = plane.c;
-    mask->c &= plane.c;
-    mask->v |= plane.v;
-  }
-  return true;
-}
-
-/* Of the active planes of a cell, those that are not surely inside in a
- * subcell. */
-static uint32_t choose(const struct hsr_voxel_level *level, int bit) {
-  uint32_t n = 0;
-  for (uint32_t k = 0; k < level->n_active; k++)
-    if (!(level->inside[k] >> bit & 1))
-      level->list[n++] = level->active[k];
-  return n;
-}
-
-/* --- Tiling --------------------------------------------------------------- */
-
-/* Of a finest cell the subcells are voxels, and those that are active are
- * decided exactly. */
-static void decide(struct hsr_voxels *p, const struct cell *cell,
-                   uint64_t active, struct hsr_triage *mask) {
-  for (; active; active &= active - 1) {
-    int bit = hsr_first_bit(active), voxel[3];
-    uint32_t n = choose(&p->level[cell->level], bit);
-    bool inside = true;
-    corner_of(cell->corner, 1, bit, voxel);
-    for (uint32_t k = 0; k < n && inside; k++)
-      inside = is_inside_plane(p, p->level[cell->level].list[k], voxel);
-    if (inside)
-      mask->c |= (uint64_t)1 << bit;
-  }
-}
-
-static void tile_finest(struct hsr_voxels *p, const struct cell *cell,
-                        struct hsr_triage *mask,
-                        const struct hsr_voxel_sink *sink) {
-  uint64_t *covered = finest_of(p, cell);
-  decide(p, cell, ~(mask->c | mask->v | *covered), mask);
-  uint64_t w = mask->c & ~*covered;
-  *covered |= w;
-  if (w)
-    sink->cubes(sink->context, cell->corner, 1, w);
-}
-
-/* What was tiled in a subcell goes up to its cell. */
-static void propagate(const struct hsr_voxels *p, const struct cell *sub,
-                      uint64_t bit, struct hsr_triage *mask) {
-  bool finest = is_finest(p, sub);
-  uint64_t c = finest ? *finest_of(p, sub) : coarse_of(p, sub)->c;
-  uint64_t v = finest ? ~c : coarse_of(p, sub)->v;
-  if (c == ALL)
-    mask->c |= bit;
-  if (v != in_grid(p, sub))
-    mask->v &= ~bit;
-}
-
-/* Listing 1. */
-static void tile(struct hsr_voxels *p, const struct cell *cell,
-                 const uint32_t *list, uint32_t n,
-                 const struct hsr_voxel_sink *sink) {
-  struct hsr_triage solid;
-  p->work.cells++;
-  p->work.finest += is_finest(p, cell);
-  if (!compose(p, cell, list, n, &solid))
-    return;
-  if (is_finest(p, cell)) {
-    tile_finest(p, cell, &solid, sink);
-    return;
-  }
-  struct hsr_triage *mask = coarse_of(p, cell);
-  uint64_t w = mask->v & solid.c;
-  mask->c |= w;
-  mask->v &= ~w;
-  if (w)
-    sink->cubes(sink->context, cell->corner, cell->size / 4, w);
-  for (uint64_t a = ~(w | solid.v | mask->c); a; a &= a - 1) {
-    int bit = hsr_first_bit(a);
-    struct cell sub = subcell(cell, bit);
-    if (mask->v >> bit & 1)
-      clear(p, &sub);
-    uint32_t n_sub = choose(&p->level[cell->level], bit);
-    tile(p, &sub, p->level[cell->level].list, n_sub, sink);
-    propagate(p, &sub, (uint64_t)1 << bit, mask);
-  }
-}
-
-enum hsr_status hsr_voxels_tile(struct hsr_voxels *p, uint32_t v,
-                                const struct hsr_voxel_sink *sink,
-                                struct hsr_error *err) {
-  uint32_t first = p->volumes->plane_start[v];
-  uint32_t n = p->volumes->plane_start[v + 1] - first;
-  struct cell root = root_of(p);
-  p->half_space = p->volumes->plane + first;
-  for (uint32_t k = 0; k < n; k++)
-    p->plane[k] = plane_of(p, p->half_space[k]);
-  tile(p, &root, p->all, n, sink);
-  return p->out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
+void hsr_solid_voxels_count(const struct hsr_solid_voxels *voxels,
+                            uint64_t *set, uint64_t *surface) {
+  const int *n = voxels->grid.n;
+  int at[3];
+  *set = *surface = 0;
+  for (at[2] = 0; at[2] < n[2]; at[2]++)
+    for (at[1] = 0; at[1] < n[1]; at[1]++)
+      for (at[0] = 0; at[0] < n[0]; at[0]++) {
+        size_t k = hsr_voxel_number(&voxels->grid, at[0], at[1], at[2]);
+        *set += voxels->solid[k] != 0;
+        *surface += voxels->solid[k] && is_surface(voxels, at);
+      }
 }

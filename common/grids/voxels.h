@@ -1,107 +1,86 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The pyramid of voxels, and tiling convex polyhedra into it.
- *
- * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
- *             SIGGRAPH 1996, 8: Warnock's subdivision in three dimensions, by
- *             listing 1; what he thought possible and did not build.
- * Notation    (C_c, C_v) -> struct hsr_triage of a cell; the finest level has
- *             C_c alone, a bit a voxel. (P_c, P_v), W and A as in listing 1.
- * Inside      a voxel is in a solid if its centre, understood as displaced by
- *             (e, e^2, e^3), e infinitesimal, is inside. So no centre lies on a
- *             plane, and solids that touch share no voxel and leave out none.
- * Centres     are the doubles that hsr_voxel_centre computes.
- * Order       any: a voxel is given to the first that it is inside of.
- * Invariant   on every path of subcells that are active: C_c is set just where
- *             all voxels of the grid are covered, C_v just where none is and
- *             there are any. What lies below a vacant subcell is cleared when
- *             it is entered; below a covered one it is stale.
- * Memory      1 bit a voxel, and 2 a subcell of every level above the finest,
- *             of cells that the grid meets. Of 4^n voxels a side, from 1 1/32
- *             bits a voxel for two levels to less than 1 2/63 for more.
- */
-#ifndef HSR_COMMON_VOXELS_H
-#define HSR_COMMON_VOXELS_H
+/* Grids of cubic voxels, and which solid of a scene each voxel is in:
+ * docs/solid-voxels.md. */
+#ifndef HSR_COMMON_GRIDS_VOXELS_H
+#define HSR_COMMON_GRIDS_VOXELS_H
 
-#include "common/grids/solid_triage.h"
-#include "common/lines/volumes.h"
+#include "common/base/status.h"
+#include "common/scene/world.h"
+
+#include <stddef.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-enum { HSR_VOXEL_LEVELS = 5, HSR_VOXELS_MOST = 1024 /* 4^5 */ };
+/* --- The grid ------------------------------------------------------------- */
 
-/* n[0] x n[1] x n[2] cubes of side `size`, the first one's corner at `lo`. */
+#define HSR_VOXELS_MOST 1024 /* along an axis */
+
+/* n[0] x n[1] x n[2] cubes of side `size`; the first one has its lowest corner
+ * at `lo`. Units of the world. */
 struct hsr_voxel_grid {
   double lo[3], size;
   int n[3];
 };
 
-/* The grid around a world, `most` voxels along its longest side. Refuses one
- * that has no such cubes: HSR_E_INPUT. */
+/* The grid around the faces of a world that is laid out: `most` voxels along
+ * the longest side of their box, 1 to HSR_VOXELS_MOST. HSR_E_INPUT: the box is
+ * too small. */
 enum hsr_status hsr_voxel_grid_init(struct hsr_voxel_grid *grid,
                                     const struct hsr_world *world, int most,
                                     struct hsr_error *err);
 
+/* Coordinate of the centres of the k-th voxels along an axis. */
 static inline double hsr_voxel_centre(const struct hsr_voxel_grid *grid,
                                       int axis, int k) {
   return grid->lo[axis] + (k + 0.5) * grid->size;
 }
 
-/* Who is told what has become covered: of the 4 x 4 x 4 cubes of size^3 voxels
- * from `corner` on, those of a mask; some of them may end outside the grid. */
-struct hsr_voxel_sink {
-  void (*cubes)(void *context, const int corner[3], int size, uint64_t mask);
-  void *context;
+static inline size_t hsr_voxel_number(const struct hsr_voxel_grid *grid, int x,
+                                      int y, int z) {
+  return ((size_t)z * (size_t)grid->n[1] + (size_t)y) * (size_t)grid->n[0] +
+         (size_t)x;
+}
+
+static inline size_t hsr_voxel_count(const struct hsr_voxel_grid *grid) {
+  return (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
+}
+
+/* --- Solids in voxels ----------------------------------------------------- */
+
+/* Some voxels that are in one solid: of the 4 x 4 x 4 cubes of size^3 voxels
+ * from `corner` on, those of `mask`; bit 16 z + 4 y + x. Cubes may end outside
+ * of the grid. */
+struct hsr_voxel_cubes {
+  const struct hsr_voxel_grid *grid; /* borrowed */
+  uint32_t solid;                    /* from 1 */
+  int corner[3], size;
+  uint64_t mask;
 };
 
-struct hsr_voxel_work {
-  uint64_t cells, finest; /* visited; those of the finest level */
-  uint64_t masks;         /* of planes, computed */
-  uint64_t exact;         /* sides of voxels left to the exact predicates */
-};
-
-/* One level of the pyramid. */
-struct hsr_voxel_level {
-  int n[3];                  /* cells along x, y, z; x is fastest */
-  struct hsr_triage *coarse; /* NULL for the finest level, which has */
-  uint64_t *finest;          /* these instead */
-
-  /* Of the cell at hand: the planes that cross it, and the subcells that
-   * each leaves surely inside; those of the subcell at hand. */
-  uint32_t n_active, *active, *list;
-  uint64_t *inside;
-};
-
-struct hsr_voxels {
+/* The solid of each voxel. All zero before it is opened. */
+struct hsr_solid_voxels {
   struct hsr_voxel_grid grid;
-  const struct hsr_volumes *volumes; /* borrowed */
-  int n_levels; /* cells of level k have 4^(n_levels - k) voxels a side */
-  size_t pyramid_bytes;
-  struct hsr_voxel_level level[HSR_VOXEL_LEVELS]; /* [0] holds the root */
-
-  /* Of the volume at hand. */
-  const struct hsr_half_space *half_space;
-  struct hsr_triage_plane *plane;
-  uint32_t *all; /* 0, 1, ... */
-
-  struct hsr_voxel_work work;
-  bool out_of_memory; /* an exact predicate has failed */
-  struct hsr_arena arena;
+  uint32_t *solid; /* by hsr_voxel_number; 0: none. NULL: not opened */
 };
 
-/* An empty pyramid, for volumes, which are borrowed and outlive it. Freed with
- * hsr_voxels_free, also after a failure. HSR_E_NOMEM. */
-enum hsr_status hsr_voxels_init(struct hsr_voxels *voxels,
-                                const struct hsr_voxel_grid *grid,
-                                const struct hsr_volumes *volumes,
-                                struct hsr_error *err);
-void hsr_voxels_free(struct hsr_voxels *voxels);
+/* Takes a grid, of which no voxel is in a solid yet. Keeps its memory if it had
+ * that grid before. HSR_E_NOMEM. */
+enum hsr_status hsr_solid_voxels_open(struct hsr_solid_voxels *voxels,
+                                      const struct hsr_voxel_grid *grid);
+void hsr_solid_voxels_free(struct hsr_solid_voxels *voxels);
 
-/* Tiles volume v of those. HSR_E_NOMEM. */
-enum hsr_status hsr_voxels_tile(struct hsr_voxels *voxels, uint32_t v,
-                                const struct hsr_voxel_sink *sink,
-                                struct hsr_error *err);
+/* Puts voxels into their solid. */
+void hsr_solid_voxels_put(struct hsr_solid_voxels *voxels,
+                          const struct hsr_voxel_cubes *cubes);
+
+/* Counts the voxels that are in a solid; and those of them that are at a
+ * surface: one of the six voxels next to it is in another solid, in none, or
+ * outside of the grid. */
+void hsr_solid_voxels_count(const struct hsr_solid_voxels *voxels,
+                            uint64_t *set, uint64_t *surface);
 
 #ifdef __cplusplus
 }

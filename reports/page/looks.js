@@ -20,7 +20,7 @@ const KNOWN = {
   appel: [0, 3], "appel-visible": [0, 4],
   warnock: [1, 0], "warnock-vertices": [1, 1], "warnock-depth": [1, 2],
   roberts: [1, 3], tiling: [1, 4], "tiling-lazy": [1, 5],
-  "tiling-merged": [1, 6],
+  "tiling-merged": [1, 6], "tiling-solids": [1, 7],
   romney: [2, 0], loutrel: [2, 3],
   newell: [3, 0], "newell-frame-buffer": [3, 1], "newell-previous": [3, 2],
   "warnock-newell": [3, 3], "schumacker-newell": [3, 4],
@@ -29,7 +29,7 @@ const KNOWN = {
   schumacker: [6, 0], "bsp-painter": [6, 1], "bsp-front": [6, 2],
   "warnock-edges": [6, 3],
   zbuffer: [7, 0], raycast: [7, 1], hzbuffer: [7, 2], oracle: [7, 3],
-  "line-oracle": [7, 4], null: [7, 5], clark: [7, 6],
+  "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5], clark: [7, 6],
 };
 
 // FNV-1a: a name that is not known keeps its looks from report to report.

@@ -84,27 +84,46 @@ struct state {
   json_int_t m, n;
   json_int_t next;
   json_int_t count[MOST_COUNTERS];
-  json_t *ids;      /* m * n: an id, or null; of line drawings NULL */
-  json_t *segments; /* or these */
+  json_t *ids;          /* m * n: an id, or null; else NULL */
+  json_t *segments;     /* of line drawings; else NULL */
+  json_t *solids;       /* of voxels: a solid each, x fastest; else NULL */
+  json_int_t voxels[3]; /* how many along each axis */
 };
 
-static struct state state_new(const json_t *header) {
+/* The numbers of voxels are told at the end. */
+static void begin_voxels(struct state *s, const json_t *end) {
+  const json_t *n = json_object_get(json_object_get(end, "voxels"), "n");
+  s->solids = json_array();
+  for (size_t k = 0; k < 3; k++)
+    s->voxels[k] = json_integer_value(json_array_get(n, k));
+  for (json_int_t k = s->voxels[0] * s->voxels[1] * s->voxels[2]; k; k--)
+    json_array_append_new(s->solids, json_integer(0));
+}
+
+static struct state state_new(const char *path, const json_t *header) {
   const json_t *view = json_object_get(header, "view"),
                *algorithm = json_object_get(header, "algorithm");
   struct state s = {.counters = json_object_get(header, "counters"),
                     .m = number(view, "width"),
                     .n = number(view, "height")};
   must(json_array_size(s.counters) <= MOST_COUNTERS);
-  if (!strcmp(json_string_value(json_object_get(algorithm, "answer")), "ids"))
+  const char *answer = json_string_value(json_object_get(algorithm, "answer"));
+  if (!strcmp(answer, "ids"))
     s.ids = json_array();
-  else
+  else if (!strcmp(answer, "segments"))
     s.segments = json_array();
+  else {
+    json_t *end = find_line(path, "end", true);
+    begin_voxels(&s, end);
+    json_decref(end);
+  }
   return s;
 }
 
 static void state_free(struct state *s) {
   json_decref(s->ids);
   json_decref(s->segments);
+  json_decref(s->solids);
 }
 
 static bool is_accepted(const struct state *s, json_int_t counter) {
@@ -112,7 +131,7 @@ static bool is_accepted(const struct state *s, json_int_t counter) {
   return !strcmp(json_string_value(json_object_get(c, "kind")), "accept");
 }
 
-/* All samples of a picture in runs. */
+/* All samples of a picture, or voxels, in runs. */
 static json_t *unfold(const json_t *runs) {
   json_t *ids = json_array();
   for (size_t k = 0; k + 1 < json_array_size(runs); k += 2)
@@ -138,15 +157,42 @@ static void add_segment(json_t *segments, json_t *segment) {
   json_array_append_new(segments, json_deep_copy(segment));
 }
 
+static void set_solid(struct state *s, json_int_t x, json_int_t y, json_int_t z,
+                      json_t *solid) {
+  const json_int_t *n = s->voxels;
+  if (x < n[0] && y < n[1] && z < n[2])
+    json_array_set(s->solids, (size_t)((z * n[1] + y) * n[0] + x), solid);
+}
+
+static void add_cubes(struct state *s, const json_t *cubes) {
+  enum { SOLID, CORNER, SIZE, LOW, HIGH };
+  json_int_t c[3], size = json_integer_value(json_array_get(cubes, SIZE));
+  for (size_t k = 0; k < 3; k++)
+    c[k] = json_integer_value(json_array_get(json_array_get(cubes, CORNER), k));
+  for (int bit = 0; bit < 64; bit++) {
+    json_int_t half =
+        json_integer_value(json_array_get(cubes, bit < 32 ? LOW : HIGH));
+    json_int_t x = c[0] + bit % 4 * size, y = c[1] + bit / 4 % 4 * size,
+               z = c[2] + bit / 16 * size;
+    for (json_int_t v = 0; half >> bit % 32 & 1 && v < size * size * size; v++)
+      set_solid(s, x + v % size, y + v / size % size, z + v / size / size,
+                json_array_get(cubes, SOLID));
+  }
+}
+
 static void apply_event(struct state *s, const json_t *event) {
-  enum { NUMBER, COUNTER, A, B, WINDOW, OUTCOME, SEGMENT };
+  enum { NUMBER, COUNTER, A, B, WINDOW, OUTCOME, PART };
   json_int_t counter = json_integer_value(json_array_get(event, COUNTER));
   s->next = json_integer_value(json_array_get(event, NUMBER)) + 1;
   s->count[counter]++;
   if (!is_accepted(s, counter))
     return;
   if (s->segments) {
-    add_segment(s->segments, json_array_get(event, SEGMENT));
+    add_segment(s->segments, json_array_get(event, PART));
+    return;
+  }
+  if (s->solids) {
+    add_cubes(s, json_array_get(event, PART));
     return;
   }
   struct window w = window_of(json_array_get(event, WINDOW), 0, 0);
@@ -163,9 +209,15 @@ static void take_keyframe(struct state *s, const json_t *keyframe) {
   json_array_foreach(json_object_get(keyframe, "counts"), k, count) {
     s->count[k] = json_integer_value(count); /* 0 for null */
   }
+  const json_t *runs =
+      json_object_get(json_object_get(keyframe, "voxels"), "solids");
+  if (s->solids && !json_array_size(runs)) /* before the first cubes */
+    return;
   state_free(s);
   if (s->ids)
     s->ids = unfold(json_object_get(keyframe, "ids"));
+  else if (s->solids)
+    s->solids = unfold(runs);
   else
     s->segments = json_deep_copy(json_object_get(keyframe, "segments"));
 }
@@ -214,7 +266,18 @@ static json_t *sort(const json_t *segments) {
   return sorted;
 }
 
+static bool are_voxels(const struct state *s, const json_t *record) {
+  json_t *wanted =
+      unfold(json_object_get(json_object_get(record, "voxels"), "solids"));
+  bool none = is(record, "keyframe") && !json_array_size(wanted);
+  bool good = none || json_equal(s->solids, wanted);
+  json_decref(wanted);
+  return good;
+}
+
 static bool is_answer(const struct state *s, const json_t *record) {
+  if (s->solids)
+    return are_voxels(s, record);
   bool is_end = is(record, "end");
   json_t *got = s->ids   ? json_incref(s->ids)
                 : is_end ? sort(s->segments)
@@ -238,7 +301,7 @@ static bool is_whole(const char *path) {
   json_t *header = read_line(file), *line;
   bool good = header && schema_admits(schema, header) && is(header, "header"),
        ended = false;
-  struct state s = state_new(header);
+  struct state s = state_new(path, header);
   json_int_t since = 0, events = 0;
   for (bool first = true; (line = read_line(file)); first = false) {
     good &= schema_admits(schema, line) && !ended;
@@ -280,7 +343,7 @@ static bool is_whole_from(const char *path, int n) {
   gzFile file = gzopen(path, "rb");
   must(file != NULL);
   json_t *header = read_line(file), *line;
-  struct state s = state_new(header);
+  struct state s = state_new(path, header);
   bool good = false;
   while ((line = read_line(file))) {
     if (is(line, "keyframe") && !n--)
@@ -354,7 +417,7 @@ static bool is_repainted(const char *path, struct window w) {
   gzFile file = gzopen(path, "rb");
   must(file != NULL);
   json_t *header = read_line(file), *line;
-  struct state s = state_new(header);
+  struct state s = state_new(path, header);
   json_t *wanted = NULL;
   bool first = true;
   while ((line = read_line(file))) {
@@ -394,6 +457,12 @@ static void test_lines(struct tap *tap) {
   ok(tap, is_whole_from("p.ndjson", 5), "from a keyframe on, too");
   ok(tap, count_of("p.ndjson", "counts", 5) == 17 * 231,
      "what is computed is in the totals");
+  ok(tap,
+     trace("color-cube:2 -a tiling-solids:side=70 --keyframe 60 "
+           "-o v.ndjson") == 0,
+     "voxels are traced");
+  ok(tap, is_whole("v.ndjson"), "whole, with cubes of several sizes");
+  ok(tap, is_whole_from("v.ndjson", 2), "from a keyframe on, too");
   ok(tap,
      trace("house -a raycast:window=9 -s 20x14 -o w.ndjson") == 0 &&
          is_whole("w.ndjson"),
@@ -613,7 +682,7 @@ static void test_files(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(9 + 4 + 7 + 15 + 5 + 15);
+  struct tap tap = plan(12 + 4 + 7 + 15 + 5 + 15);
   must(getenv("HSR") != NULL);
   schema = schema_open("trace.schema.json");
   enter_folder();

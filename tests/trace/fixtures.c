@@ -8,7 +8,7 @@
 #include <string.h>
 
 extern const struct hsr_algorithm hsr_counting_oracle, hsr_counting_null,
-    hsr_counting_zbuffer, hsr_counting_raycast;
+    hsr_counting_zbuffer, hsr_counting_raycast, hsr_counting_tiling_solids;
 
 /* --- Lines ---------------------------------------------------------------- */
 
@@ -194,14 +194,21 @@ FIXTURE(mute, .kind = HSR_IDS, .counters = painter_counters, .render = paint)
 
 #define BOTH(id)                                                               \
   { &id, &id }
-const struct hsr_listed hsr_algorithms[] = {
-    BOTH(hsr_counting_oracle),  BOTH(hsr_counting_null),
-    BOTH(hsr_counting_zbuffer), BOTH(hsr_counting_raycast),
-    BOTH(fixture_plotter),      BOTH(fixture_plotter2),
-    BOTH(fixture_paints),       BOTH(fixture_liar),
-    BOTH(fixture_bulk),         BOTH(fixture_unknown),
-    BOTH(fixture_failing),      BOTH(fixture_endless),
-    BOTH(fixture_mute),         {NULL, NULL}};
+const struct hsr_listed hsr_algorithms[] = {BOTH(hsr_counting_oracle),
+                                            BOTH(hsr_counting_null),
+                                            BOTH(hsr_counting_zbuffer),
+                                            BOTH(hsr_counting_raycast),
+                                            BOTH(hsr_counting_tiling_solids),
+                                            BOTH(fixture_plotter),
+                                            BOTH(fixture_plotter2),
+                                            BOTH(fixture_paints),
+                                            BOTH(fixture_liar),
+                                            BOTH(fixture_bulk),
+                                            BOTH(fixture_unknown),
+                                            BOTH(fixture_failing),
+                                            BOTH(fixture_endless),
+                                            BOTH(fixture_mute),
+                                            {NULL, NULL}};
 
 const struct hsr_listed *hsr_algorithm_find(const char *name) {
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)

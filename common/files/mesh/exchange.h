@@ -47,8 +47,8 @@ enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
 
 /* Writes voxels as an image, a cell each, with the solid's number as cell data
  * "solid". Fails as above. */
-struct hsr_voxel_solids;
-enum hsr_status hsr_voxels_write_vti(const struct hsr_voxel_solids *voxels,
+struct hsr_solid_voxels;
+enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *voxels,
                                      const char *path, struct hsr_error *err);
 
 /* Whether this build reads .vtp, and writes .vtp and .vti. */

@@ -15,7 +15,7 @@ enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *,
                   path);
 }
 
-enum hsr_status hsr_voxels_write_vti(const struct hsr_voxel_solids *,
+enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *,
                                      const char *path, struct hsr_error *err) {
   return hsr_fail(err, HSR_E_INPUT,
                   "%s: this build of hsr, without VTK, does not write .vti",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Voxels as .vti files, for ParaView and the like.
 #include "common/files/mesh/exchange.h"
-#include "common/grids/voxel_solids.h"
+#include "common/grids/voxels.h"
 #include "common/files/vtk/vtk_text.h"
 
 #include <vtkCellData.h>
@@ -13,7 +13,7 @@
 namespace {
 
 /* VTK only reads the array, which it does not own. */
-void add_solids(vtkImageData *data, const hsr_voxel_solids &voxels) {
+void add_solids(vtkImageData *data, const hsr_solid_voxels &voxels) {
   vtkNew<vtkUnsignedIntArray> array;
   array->SetName("solid");
   array->SetArray(voxels.solid, data->GetNumberOfCells(), 1);
@@ -21,7 +21,7 @@ void add_solids(vtkImageData *data, const hsr_voxel_solids &voxels) {
 }
 
 /* The file's text; empty if VTK cannot make it. */
-std::string text_of(const hsr_voxel_solids &voxels) {
+std::string text_of(const hsr_solid_voxels &voxels) {
   const hsr_voxel_grid &grid = voxels.grid;
   vtkNew<vtkImageData> data;
   data->SetDimensions(grid.n[0] + 1, grid.n[1] + 1, grid.n[2] + 1);
@@ -33,7 +33,7 @@ std::string text_of(const hsr_voxel_solids &voxels) {
 
 } // namespace
 
-enum hsr_status hsr_voxels_write_vti(const struct hsr_voxel_solids *voxels,
+enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *voxels,
                                      const char *path, struct hsr_error *err) {
   return hsr::write_vtk_text(
       path, [&] { return text_of(*voxels); }, err);

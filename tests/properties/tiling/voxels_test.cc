@@ -3,7 +3,9 @@
 // meets the solid's faces an odd number of times, by CGAL's exact predicates on
 // the scene's own corners, the centre being displaced by (e, e^2, e^3). That
 // knows neither planes nor convex parts.
-#include "common/grids/voxel_solids.h"
+#define HSR_COUNTING 1 // what the pyramid does is counted
+#include "algorithms/setup.h"
+#include "algorithms/volume/solid_pyramid.h"
 #include "scenes/scenes.h"
 #include "tests/tap.h"
 
@@ -319,11 +321,12 @@ struct Record {
 
   explicit Record(const Grid &of) : grid(of), solid(of.all(), 0) {}
 
-  static void cubes(void *context, const int corner[3], int size,
-                    uint64_t mask) {
+  static void cubes(void *context, const hsr_voxel_cubes *cubes) {
     Record &self = *static_cast<Record *>(context);
+    const int *corner = cubes->corner, size = cubes->size;
+    self.number = cubes->solid;
     for (int bit = 0; bit < 64; bit++)
-      if (mask >> bit & 1)
+      if (cubes->mask >> bit & 1)
         self.cube(corner[0] + bit % 4 * size, corner[1] + bit / 4 % 4 * size,
                   corner[2] + bit / 16 * size, size);
   }
@@ -340,12 +343,12 @@ struct Record {
 
 // Subcells, on paths of active ones, whose bits are not what is below them.
 struct Invariant {
-  const hsr_voxels &voxels;
+  const hsr_solid_pyramid &voxels;
   const Record &record;
   size_t wrong = 0, checked = 0;
 
   void walk(int level, const std::array<int, 3> &corner, int size) {
-    const hsr_voxel_level &here = voxels.level[level];
+    const hsr_solid_level &here = voxels.level[level];
     const int part = size / 4;
     const size_t k = (size_t(corner[2] / size) * size_t(here.n[1]) +
                       size_t(corner[1] / size)) *
@@ -439,65 +442,113 @@ struct Sums {
   size_t visited = 0, crossed = 0; // cells
 };
 
-// Tiles the bodies in an order, or in the opposite one.
-void tile(const Stage &stage, hsr_voxels &voxels, Record &record,
-          bool backwards) {
-  hsr_error err;
-  const hsr_voxel_sink sink = {Record::cubes, &record};
-  const uint32_t n = stage.volumes.n_bodies;
-  for (uint32_t k = 0; k < n; k++) {
-    const uint32_t b = backwards ? n - 1 - k : k;
-    record.number = b + 1;
-    for (uint32_t v = stage.volumes.solid_start[b];
-         v < stage.volumes.solid_start[b + 1]; v++)
-      hsr_voxels_tile(&voxels, v, &sink, &err);
+// A pyramid and what it needs.
+struct Pyramid {
+  hsr_arena arena = {};
+  hsr_solid_pyramid p = {};
+  hsr_tally tally = {};
+
+  Pyramid(const Stage &stage, const hsr_voxel_grid &grid) {
+    if (hsr_solid_pyramid_init(&p, &grid, &stage.volumes, &arena))
+      std::exit(99);
   }
-}
+  Pyramid(const Pyramid &) = delete;
+  ~Pyramid() { hsr_arena_free(&arena); }
+
+  uint64_t cells() const {
+    return tally.count[HSR_SOLID_CELL] + tally.count[HSR_SOLID_FINEST];
+  }
+
+  // Tiles the bodies in an order, or in the opposite one.
+  void tile(const hsr_volumes &volumes, Record &record, bool backwards) {
+    p.cover = Record::cubes;
+    p.context = &record;
+    const uint32_t n = volumes.n_bodies;
+    for (uint32_t k = 0; k < n; k++) {
+      const uint32_t b = backwards ? n - 1 - k : k;
+      for (uint32_t v = volumes.solid_start[b]; v < volumes.solid_start[b + 1];
+           v++)
+        hsr_solid_pyramid_tile(&p, v, b + 1, &tally);
+    }
+  }
+};
+
+// What the module makes of a stage; false if it refuses it.
+struct Answer {
+  hsr_answer answer = {};
+  hsr_setup setup = {};
+  hsr_arena scratch = {};
+  hsr_tally tally = {};
+  hsr_error err = {HSR_OK, ""};
+  hsr_status status;
+
+  Answer(const Stage &stage, int most) {
+    const hsr_algorithm *a = hsr_algorithm_find("tiling-solids")->counting;
+    hsr_choice choice = hsr_choice_standard(a);
+    hsr_view view;
+    choice.form.values.option[0] = most;
+    if (hsr_view_init(&view, &stage.scene->views[0], 1, 1, &err))
+      std::exit(99);
+    status = hsr_setup_init(&setup, a, &choice, &stage.world, &err);
+    if (!status)
+      status = hsr_answer_make(&answer, &choice.form, &view, false, &err);
+    hsr_job job = {};
+    job.view = &view;
+    job.answer = &answer;
+    job.scratch = &scratch;
+    job.tally = &tally;
+    if (!status)
+      status = hsr_setup_render(&setup, &job, &err);
+  }
+  Answer(const Answer &) = delete;
+  ~Answer() {
+    hsr_answer_free(&answer);
+    hsr_setup_free(&setup);
+    hsr_arena_free(&scratch);
+  }
+  const hsr_solid_voxels &voxels() const {
+    return *hsr_answer_voxels_of(&answer);
+  }
+  uint64_t cells() const {
+    return tally.count[HSR_SOLID_CELL] + tally.count[HSR_SOLID_FINEST];
+  }
+};
 
 void judge(const Stage &stage, int most, Sums &sums) {
-  hsr_error err;
   const std::vector<Solid> solids = solids_of(stage.world);
   const Grid grid(solids, most);
   const Truth truth = truth_of(grid, solids);
-  hsr_voxel_solids answer;
-  if (hsr_voxel_solids_init(&answer, &stage.volumes, most, &err)) {
-    std::printf("# %s\n", err.text);
+  const Answer answer(stage, most);
+  if (answer.status) {
+    std::printf("# %s\n", answer.err.text);
     sums.grids++;
-    hsr_voxel_solids_free(&answer);
     return;
   }
-  const hsr_voxel_grid &g = answer.grid;
-  bool same = g.size == grid.size && answer.n_solids == solids.size();
+  const hsr_voxel_grid &g = answer.voxels().grid;
+  bool same = g.size == grid.size && stage.volumes.n_bodies == solids.size();
   for (int k = 0; k < 3; k++)
     same &= g.lo[k] == grid.lo[k] && g.n[k] == grid.n[k];
   if (!same) {
     sums.grids++;
-    hsr_voxel_solids_free(&answer);
     return;
   }
   Record forwards(grid), backwards(grid);
-  hsr_voxels voxels;
-  if (hsr_voxels_init(&voxels, &g, &stage.volumes, &err))
-    std::exit(99);
-  tile(stage, voxels, forwards, false);
-  Invariant invariant = {voxels, forwards};
+  Pyramid first(stage, g), second(stage, g);
+  first.tile(stage.volumes, forwards, false);
+  Invariant invariant = {first.p, forwards};
   invariant.walk(0, {0, 0, 0}, root_size(grid));
   sums.wrong += invariant.wrong;
   sums.checked += invariant.checked;
-  sums.visited += voxels.work.cells;
-  sums.exact += voxels.work.exact;
+  sums.visited += first.cells();
+  sums.exact += first.tally.count[HSR_SOLID_EXACT];
   for (const Solid &solid : solids)
     sums.crossed += crossed_by(solid, grid);
-  hsr_voxels_free(&voxels);
-  if (hsr_voxels_init(&voxels, &g, &stage.volumes, &err))
-    std::exit(99);
-  tile(stage, voxels, backwards, true);
-  hsr_voxels_free(&voxels);
+  second.tile(stage.volumes, backwards, true);
 
   uint64_t set, surface;
-  hsr_voxel_solids_count(&answer, &set, &surface);
+  hsr_solid_voxels_count(&answer.voxels(), &set, &surface);
   for (size_t k = 0; k < grid.all(); k++) {
-    sums.differing += answer.solid[k] != truth.solid[k] ||
+    sums.differing += answer.voxels().solid[k] != truth.solid[k] ||
                       forwards.solid[k] != truth.solid[k];
     sums.reordered += (backwards.solid[k] != 0) != (truth.solid[k] != 0);
     sums.set += truth.solid[k] != 0;
@@ -507,7 +558,6 @@ void judge(const Stage &stage, int most, Sums &sums) {
   sums.voxels += grid.all();
   sums.shared += truth.shared;
   sums.twice += forwards.twice + backwards.twice;
-  hsr_voxel_solids_free(&answer);
 }
 
 void report(tap &t, const char *what, const Sums &s) {
@@ -608,24 +658,20 @@ void test_fill(tap &t) {
     const Triangles hull = random_hull(integer(5, 12), 16, true);
     if (hull.empty())
       continue;
-    hsr_error err;
     hsr_scene *one = hsr_scene_new("hull"), *many = hsr_scene_new("parts");
     add_solid(one, hull);
     for (const Triangles &part : fan(hull))
       add_solid(many, part);
     Stage a(one), b(many);
-    hsr_voxel_solids x, y;
-    if (hsr_voxel_solids_init(&x, &a.volumes, 8, &err) ||
-        hsr_voxel_solids_init(&y, &b.volumes, 8, &err))
+    const Answer x(a, 8), y(b, 8);
+    if (x.status || y.status)
       std::exit(99);
-    const size_t n =
-        size_t(x.grid.n[0]) * size_t(x.grid.n[1]) * size_t(x.grid.n[2]);
+    const size_t n = hsr_voxel_count(&x.voxels().grid);
     for (size_t v = 0; v < n; v++) {
-      differing += (x.solid[v] != 0) != (y.solid[v] != 0);
-      set += x.solid[v] != 0;
+      const bool has = x.voxels().solid[v] != 0;
+      differing += has != (y.voxels().solid[v] != 0);
+      set += has;
     }
-    hsr_voxel_solids_free(&x);
-    hsr_voxel_solids_free(&y);
   }
   ok(&t, set && !differing,
      "tetrahedra leave out none of %zu voxels of what they fill: %zu differ",
@@ -633,21 +679,20 @@ void test_fill(tap &t) {
 }
 
 void test_visited(tap &t, const char *name, int most) {
-  hsr_error err;
   Stage stage(name);
   const std::vector<Solid> solids = solids_of(stage.world);
   const Grid grid(solids, most);
-  hsr_voxel_solids answer;
-  if (hsr_voxel_solids_init(&answer, &stage.volumes, most, &err))
+  const Answer answer(stage, most);
+  if (answer.status)
     std::exit(99);
   size_t crossed = 0;
   for (const Solid &solid : solids)
     crossed += crossed_by(solid, grid);
   const std::string what = std::string(name) + " at " + std::to_string(most);
-  report_visited(t, what.c_str(), answer.work.cells, crossed);
-  const double planes = double(answer.work.masks) / double(answer.work.cells);
+  report_visited(t, what.c_str(), answer.cells(), crossed);
+  const double planes =
+      double(answer.tally.count[HSR_SOLID_MASK]) / double(answer.cells());
   ok(&t, planes < MOST_PLANES, "there, %.3f masks of planes a cell", planes);
-  hsr_voxel_solids_free(&answer);
 }
 
 // The bits a voxel of the pyramid of a whole cube.
@@ -656,15 +701,13 @@ void test_memory(tap &t) {
   for (int most : {16, 64, 256}) {
     hsr_error err;
     hsr_voxel_grid grid;
-    hsr_voxels voxels;
-    if (hsr_voxel_grid_init(&grid, &stage.world, most, &err) ||
-        hsr_voxels_init(&voxels, &grid, &stage.volumes, &err))
+    if (hsr_voxel_grid_init(&grid, &stage.world, most, &err))
       std::exit(99);
+    const Pyramid pyramid(stage, grid);
     const double n = most;
-    const double bits = 8. * double(voxels.pyramid_bytes) / (n * n * n);
+    const double bits = 8. * double(pyramid.p.bytes) / (n * n * n);
     ok(&t, bits >= 1 + 1 / 32. && bits < 1 + 2 / 63.,
        "the pyramid of %d^3 voxels has %.6f bits a voxel", most, bits);
-    hsr_voxels_free(&voxels);
   }
 }
 
@@ -710,14 +753,11 @@ void test_triage(tap &t) {
 void test_refused(tap &t) {
   for (const char *name : {"deep-stack", "penetration"}) {
     Stage stage(name);
-    hsr_error err = {HSR_OK, ""};
-    hsr_voxel_solids answer;
-    const hsr_status status =
-        hsr_voxel_solids_init(&answer, &stage.volumes, 8, &err);
-    hsr_voxel_solids_free(&answer);
+    const Answer answer(stage, 8);
     ok(&t,
-       status == HSR_E_REFUSED && !std::strncmp(err.text, "CC: face 0 ", 11),
-       "%s is refused: %s", name, err.text);
+       answer.status == HSR_E_REFUSED &&
+           !std::strncmp(answer.err.text, "CC: face 0 ", 11),
+       "%s is refused: %s", name, answer.err.text);
   }
 }
 

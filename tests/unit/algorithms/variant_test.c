@@ -142,7 +142,7 @@ static void test_bad(struct tap *tap) {
   bad(tap, "zbuffer:jitter=0", "jitter needs a filter");
   bad(tap, "zbuffer:filter=box:window=8", "no windows");
   bad(tap, "zbuffer:window=8:filter=box", "no windows");
-  bad(tap, "roberts:filter=box", "nothing to filter");
+  bad(tap, "roberts:filter=box", "filter is an option of filtered");
   bad(tap, "hzbuffer:cubes=sides:near=on:cubes=rectangle", "twice");
   bad(tap, "zbuffer:window=8:window=16", "twice");
   bad(tap, "appel:window=16", "appel does not draw in windows");

@@ -3,7 +3,7 @@
 // and whatever VTK's own writer makes of a mesh is read as that mesh, in every
 // encoding; what a hostile file may hold is in tests/bad.
 #include "common/files/mesh/exchange.h"
-#include "common/grids/voxel_solids.h"
+#include "common/grids/voxels.h"
 #include "tests/tap.h"
 
 #include <vtkCellArray.h>
@@ -299,7 +299,7 @@ void try_voxels(tap *t) {
   uint32_t solid[24];
   for (uint32_t k = 0; k < 24; k++)
     solid[k] = k % 5 ? 0xfffffff0u + k % 5 : 0;
-  hsr_voxel_solids voxels = {};
+  hsr_solid_voxels voxels = {};
   voxels.grid = {{-1, 1.0 / 3, 1e-9}, 0.1, {2, 3, 4}};
   voxels.solid = solid;
   const std::string path = directory + "/voxels.vti";

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/grids/solid_triage.h"
+#include "algorithms/volume/solid_triage.h"
 #include "common/base/vector.h"
 
 #include <math.h>

@@ -18,8 +18,8 @@
  *             of a random plane they leave 20.4 cells active where 16.0 are
  *             crossed, and each of them is visited in vain.
  */
-#ifndef HSR_COMMON_SOLID_TRIAGE_H
-#define HSR_COMMON_SOLID_TRIAGE_H
+#ifndef HSR_ALGORITHMS_SOLID_TRIAGE_H
+#define HSR_ALGORITHMS_SOLID_TRIAGE_H
 
 #include "common/grids/triage.h"
 

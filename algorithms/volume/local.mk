@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+algorithm_files += \
+  %D%/solid_pyramid.c \
+  %D%/solid_pyramid.h \
+  %D%/tiling_solids.c
+# Compiled once: what counts nothing.
+libhsr_a_SOURCES += \
+  %D%/solid_triage.c \
+  %D%/solid_triage.h

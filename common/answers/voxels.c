@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The solid that each voxel is in: docs/solid-voxels.md. Two answers are equal
+ * if they are, voxel for voxel. They do not depend on the view. */
+#include "common/answers/answer.h"
+#include "common/answers/coded.h"
+#include "common/files/mesh/exchange.h"
+#include "common/files/suffix.h"
+
+#include <stdlib.h>
+
+static const struct hsr_option options[] = {
+    {.name = "side",
+     .meaning = "voxels along the longest side of the scene's box",
+     .least = 1,
+     .most = HSR_VOXELS_MOST,
+     .standard = 64},
+    {.name = NULL}};
+
+struct hsr_solid_voxels *hsr_answer_voxels_of(const struct hsr_answer *answer) {
+  return answer->form.type == &hsr_answer_voxels ? answer->body : NULL;
+}
+
+int hsr_form_voxels(const struct hsr_form *form) {
+  return (int)form->values.option[0];
+}
+
+/* Whoever finds the voxels opens them, as the grid is of the scene. */
+static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
+  answer->body = calloc(1, sizeof(struct hsr_solid_voxels));
+  return answer->body ? HSR_OK : hsr_fail_nomem(err);
+}
+
+static void free_body(struct hsr_answer *answer) {
+  if (answer->body)
+    hsr_solid_voxels_free(answer->body);
+  free(answer->body);
+}
+
+/* --- Comparing ------------------------------------------------------------ */
+
+static bool is_same_grid(const struct hsr_voxel_grid *a,
+                         const struct hsr_voxel_grid *b) {
+  bool same = a->size == b->size;
+  for (int k = 0; k < 3; k++)
+    same = same && a->lo[k] == b->lo[k] && a->n[k] == b->n[k];
+  return same;
+}
+
+/* Where the grids differ, so do all voxels. */
+static void compare(const struct hsr_comparison *c,
+                    struct hsr_difference *difference) {
+  const struct hsr_solid_voxels *got = c->got->body, *wanted = c->wanted->body;
+  const struct hsr_voxel_grid *grid = &wanted->grid;
+  size_t n = hsr_voxel_count(grid), row = (size_t)grid->n[0];
+  difference->compared = n;
+  if (!got->solid || !is_same_grid(&got->grid, grid)) {
+    difference->differing = n;
+    snprintf(difference->first, sizeof difference->first,
+             "voxels: another grid, of %d x %d x %d, not %d x %d x %d",
+             got->grid.n[0], got->grid.n[1], got->grid.n[2], grid->n[0],
+             grid->n[1], grid->n[2]);
+    return;
+  }
+  for (size_t k = 0; k < n; k++)
+    if (got->solid[k] != wanted->solid[k] && !difference->differing++)
+      snprintf(difference->first, sizeof difference->first,
+               "voxels, the first (%zu, %zu, %zu): solid %u, not %u", k % row,
+               k / row % (size_t)grid->n[1], k / row / (size_t)grid->n[1],
+               got->solid[k], wanted->solid[k]);
+}
+
+/* --- Showing -------------------------------------------------------------- */
+
+static bool fits(const char *path) {
+  return hsr_ends_in(path, ".vti");
+}
+
+static enum hsr_status write(const struct hsr_answer *answer,
+                             const struct hsr_showing *showing,
+                             struct hsr_shaded *shaded, const char *path,
+                             struct hsr_error *err) {
+  (void)showing;
+  (void)shaded;
+  return hsr_voxels_write_vti(answer->body, path, err);
+}
+
+static void print(const struct hsr_answer *answer,
+                  const struct hsr_showing *showing, FILE *out) {
+  const struct hsr_solid_voxels *voxels = answer->body;
+  const int *n = voxels->grid.n;
+  uint64_t set, surface;
+  (void)showing;
+  hsr_solid_voxels_count(voxels, &set, &surface);
+  fprintf(out, "%d x %d x %d voxels, %llu of them in a solid\n", n[0], n[1],
+          n[2], (unsigned long long)set);
+}
+
+/* --- Tracing -------------------------------------------------------------- */
+
+/* The part of an accepted event is a struct hsr_voxel_cubes. */
+static enum hsr_status paint(struct hsr_answer *answer,
+                             const struct hsr_event *event) {
+  struct hsr_solid_voxels *voxels = answer->body;
+  const struct hsr_voxel_cubes *cubes = event->part;
+  if (!voxels->solid && hsr_solid_voxels_open(voxels, cubes->grid))
+    return HSR_E_NOMEM;
+  hsr_solid_voxels_put(voxels, cubes);
+  return HSR_OK;
+}
+
+static json_t *vector_json(const int v[3]) {
+  return json_pack("[iii]", v[0], v[1], v[2]);
+}
+
+/* A number of JSON holds 53 bits: the mask is two of 32, the lower first. */
+static json_t *cubes_json(const void *part, const struct hsr_view *view) {
+  const struct hsr_voxel_cubes *cubes = part;
+  (void)view;
+  return json_pack("[I o i I I]", (json_int_t)cubes->solid,
+                   vector_json(cubes->corner), cubes->size,
+                   (json_int_t)(cubes->mask & UINT32_MAX),
+                   (json_int_t)(cubes->mask >> 32));
+}
+
+/* Runs of one solid, x fastest: solid, how often, solid, how often ... */
+static json_t *runs_json(const struct hsr_solid_voxels *voxels) {
+  const uint32_t *solid = voxels->solid;
+  size_t n = solid ? hsr_voxel_count(&voxels->grid) : 0;
+  json_t *runs = json_array();
+  for (size_t k = 0, next; k < n; k = next) {
+    for (next = k + 1; next < n && solid[next] == solid[k];)
+      next++;
+    hsr_json_append(&runs, json_integer(solid[k]));
+    hsr_json_append(&runs, json_integer((json_int_t)(next - k)));
+  }
+  return runs;
+}
+
+static json_t *voxels_json(const struct hsr_answer *answer,
+                           const struct hsr_view *view) {
+  const struct hsr_solid_voxels *voxels = answer->body;
+  const struct hsr_voxel_grid *grid = &voxels->grid;
+  (void)view;
+  return json_pack("{so s[fff] sf so}", "n", vector_json(grid->n), "lo",
+                   grid->lo[0], grid->lo[1], grid->lo[2], "size", grid->size,
+                   "solids", runs_json(voxels));
+}
+
+const struct hsr_answer_type hsr_answer_voxels = {
+    .name = "voxels",
+    .meaning = "the solid that each voxel is in",
+    .draws = "solids",
+    .places = "voxels",
+    .grains = "samples",
+    .options = options,
+    .make = make,
+    .free = free_body,
+    .compare = compare,
+    .fits = fits,
+    .write = write,
+    .print = print,
+    .paint = paint,
+    .json = voxels_json,
+    .part_json = cubes_json};
