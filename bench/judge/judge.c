@@ -178,7 +178,11 @@ static enum hsr_status ask_oracle(const struct group *g,
                                   struct wanted *wanted,
                                   struct hsr_error *err) {
   struct hsr_setup setup;
-  enum hsr_status status = hsr_setup_init(&setup, oracle, NULL, g->world, err);
+  struct hsr_choice choice = hsr_choice_standard(oracle);
+  if (!g->form.type->fold)
+    choice.form = g->form;
+  enum hsr_status status =
+      hsr_setup_init(&setup, oracle, &choice, g->world, err);
   for (int k = 0; k < g->n_views && !status; k++)
     status = ask_view(g, &setup, k, &wanted[k], err);
   hsr_setup_free(&setup);
