@@ -109,6 +109,7 @@ const struct hsr_algorithm HSR_ALGORITHM(example) = {
     .taxonomy = HSR_BRUTE_FORCE,
     .sort_order = "Z(XY)",
     .coherence = "none",
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .counters = counters,
     .outline = outline,

@@ -152,6 +152,7 @@ struct hsr_algorithm {
   unsigned
       restrictions; /* HSR_CC ... (common/adapt/adapt.h): the world that prepare
                              and render get is adapted to these */
+  unsigned subjects; /* what it takes: 1 << HSR_FACES, 1 << HSR_GRID */
   const struct hsr_answer_type *kind; /* what it makes: HSR_IDS ... */
   unsigned flags;
   const struct hsr_sort *sorts;       /* ended by .what == NULL; NULL: none */

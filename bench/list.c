@@ -43,6 +43,14 @@ json_t *sorts_json(const struct hsr_algorithm *a) {
   return sorts;
 }
 
+static json_t *subjects_json(const struct hsr_algorithm *a) {
+  json_t *subjects = json_array();
+  for (int k = 0; k < HSR_N_SCENE_SUBJECTS; k++)
+    if (a->subjects & 1u << k)
+      hsr_json_append(&subjects, json_string(hsr_scene_subject_name[k]));
+  return subjects;
+}
+
 static json_t *counters_json(const struct hsr_algorithm *a) {
   json_t *counters = json_array();
   for (const struct hsr_counter *c = a->counters; c && c->name; c++)
@@ -91,12 +99,12 @@ static json_t *year_json(const struct hsr_algorithm *a) {
 
 static json_t *algorithm_json(const struct hsr_algorithm *a) {
   return json_pack(
-      "{ss ss ss so ss ss ss* ss* ss* ss sb sb so so so so so}", "name",
+      "{ss ss ss so ss ss ss* ss* ss* ss so sb sb so so so so so}", "name",
       a->name, "title", a->title, "authors", a->authors, "year", year_json(a),
       "source", a->source, "taxonomy", taxonomy(a->taxonomy).class, "branch",
       taxonomy(a->taxonomy).branch, "sort_order", a->sort_order, "coherence",
-      a->coherence, "kind", a->kind->name, "known_wrong",
-      (a->flags & HSR_KNOWN_WRONG) != 0, "visible_only",
+      a->coherence, "kind", a->kind->name, "subjects", subjects_json(a),
+      "known_wrong", (a->flags & HSR_KNOWN_WRONG) != 0, "visible_only",
       (a->flags & HSR_VISIBLE_ONLY) != 0, "restrictions", restrictions_json(a),
       "sorts", sorts_json(a), "counters", counters_json(a), "steps",
       steps_json(a), "options", options_json(a));

@@ -15,6 +15,7 @@ const struct hsr_algorithm HSR_ALGORITHM(null) = {
     .authors = "hsr",
     .source = "draws nothing; measures the harness",
     .taxonomy = HSR_YARDSTICK,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .flags = HSR_NO_PICTURE,
     .render = render};

@@ -105,6 +105,7 @@ const struct hsr_algorithm HSR_ALGORITHM(raycast) = {
     .taxonomy = HSR_BRUTE_FORCE,
     .sort_order = "(XY)Z",
     .coherence = NULL,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .counters = counters,
     .steps = steps,

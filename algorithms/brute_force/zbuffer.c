@@ -243,6 +243,7 @@ const struct hsr_algorithm HSR_ALGORITHM(zbuffer) = {
               "al., Computing Surveys 6(1), 1974, appendix B",
     .taxonomy = HSR_BRUTE_FORCE,
     .sort_order = "Z(XY)",
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .counters = counters,
     .steps = steps,

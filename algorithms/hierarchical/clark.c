@@ -190,6 +190,7 @@ const struct hsr_algorithm HSR_ALGORITHM(clark) = {
     .taxonomy = HSR_HIERARCHICAL,
     .sort_order = "Z(XY)",
     .coherence = "of objects, in space",
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .flags = HSR_INSTANCED,
     .counters = counters,

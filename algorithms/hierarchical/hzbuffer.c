@@ -911,6 +911,7 @@ const struct hsr_algorithm HSR_ALGORITHM(hzbuffer) = {
     .taxonomy = HSR_HIERARCHICAL,
     .sort_order = "Z(XY)",
     .coherence = "of hidden regions, in space and on the screen",
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .flags = HSR_INSTANCED,
     .counters = counters,

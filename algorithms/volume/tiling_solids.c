@@ -145,6 +145,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_solids) = {
     .taxonomy = HSR_VOLUME_SPACE,
     .coherence = "area coherence, in three dimensions",
     .restrictions = HSR_CC,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_VOXELS,
     .counters = counters,
     .outline = outline,

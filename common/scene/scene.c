@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const hsr_scene_subject_name[HSR_N_SCENE_SUBJECTS] = {"faces",
+                                                                  "a grid"};
+
 /* Coordinates up to this size keep every product that the filters and the
  * intervals form within the range of doubles; see common/exact/screen.h. */
 static const double LARGEST_COORDINATE = 1e30;

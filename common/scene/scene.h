@@ -26,6 +26,10 @@ extern "C" {
 
 #define HSR_BACKGROUND UINT32_MAX
 
+/* What a scene is made of: its subject. An algorithm says which it takes. */
+enum hsr_scene_subject { HSR_FACES, HSR_GRID, HSR_N_SCENE_SUBJECTS };
+extern const char *const hsr_scene_subject_name[HSR_N_SCENE_SUBJECTS];
+
 /* Faces that share vertices. Vertex v is xyz[3v .. 3v+2]; face f is the polygon
  * vertex[start[f]], ..., vertex[start[f+1] - 1], counter-clockwise when seen
  * from its front. A face has at least 3 vertices, all different, and its
@@ -62,6 +66,7 @@ struct hsr_camera {
 
 struct hsr_scene {
   char *name; /* as the user named it; never NULL */
+  enum hsr_scene_subject subject; /* HSR_FACES: all else here is of faces */
   struct hsr_object *objects;
   struct hsr_instance *instances; /* sorted by object */
   struct hsr_camera *views;       /* the scene's own; at least one */

@@ -144,6 +144,7 @@ static enum hsr_status count_some(const struct hsr_job *job,
                                                    .authors = "hsr",           \
                                                    .source = "tests",          \
                                                    .taxonomy = HSR_YARDSTICK,  \
+                                                   .subjects = 1 << HSR_FACES, \
                                                    .kind = &hsr_answer_layers, \
                                                    .flags = flags_,            \
                                                    .render = render_};

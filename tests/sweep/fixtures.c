@@ -220,6 +220,8 @@ static enum hsr_status off_by_one(const struct hsr_job *job,
                                                     .authors = "hsr",          \
                                                     .source = "tests",         \
                                                     .taxonomy = HSR_YARDSTICK, \
+                                                    .subjects = 1              \
+                                                                << HSR_FACES,  \
                                                     .kind = HSR_IDS,           \
                                                     __VA_ARGS__};
 FIXTURE(broken, "broken", .render = broken)

@@ -177,11 +177,13 @@ static enum hsr_status endless(const struct hsr_job *job,
                                                     .taxonomy = HSR_YARDSTICK, \
                                                     __VA_ARGS__};
 #define PLOTTER(id, function)                                                  \
-  FIXTURE(id, .kind = HSR_SEGMENTS, .counters = plotter_counters,              \
-          .outline = plotter_outline, .render = function)
+  FIXTURE(id, .subjects = 1 << HSR_FACES, .kind = HSR_SEGMENTS,                \
+          .counters = plotter_counters, .outline = plotter_outline,            \
+          .render = function)
 #define PAINTER(id, function)                                                  \
-  FIXTURE(id, .kind = HSR_IDS, .counters = painter_counters,                   \
-          .outline = painter_outline, .render = function)
+  FIXTURE(id, .subjects = 1 << HSR_FACES, .kind = HSR_IDS,                     \
+          .counters = painter_counters, .outline = painter_outline,            \
+          .render = function)
 PLOTTER(plotter, plot)
 PLOTTER(plotter2, plot_more)
 PAINTER(paints, paint)
@@ -190,7 +192,8 @@ PAINTER(bulk, bulk)
 PAINTER(unknown, unknown)
 PAINTER(failing, failing)
 PAINTER(endless, endless)
-FIXTURE(mute, .kind = HSR_IDS, .counters = painter_counters, .render = paint)
+FIXTURE(mute, .subjects = 1 << HSR_FACES, .kind = HSR_IDS,
+        .counters = painter_counters, .render = paint)
 
 #define BOTH(id)                                                               \
   { &id, &id }

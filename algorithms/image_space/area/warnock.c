@@ -732,8 +732,8 @@ static enum hsr_status render_at_vertices(const struct hsr_job *job,
   .source = "TR 4-15, University of Utah, 1969; Sutherland et al., Computing " \
             "Surveys 6(1), 1974, \"J. E. Warnock\"",                           \
   .taxonomy = HSR_IMAGE_SPACE_AREA, .sort_order = "(XY)Z",                     \
-  .coherence = "area", .restrictions = 0, .kind = HSR_IDS, .sorts = sorts,     \
-  .steps = steps
+  .coherence = "area", .restrictions = 0, .subjects = 1 << HSR_FACES,          \
+  .kind = HSR_IDS, .sorts = sorts, .steps = steps
 
 const struct hsr_algorithm HSR_ALGORITHM(warnock) = {
     .name = "warnock",

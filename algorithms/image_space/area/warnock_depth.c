@@ -327,6 +327,7 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_depth) = {
     .sort_order = "Z(XY)",
     .coherence = "frame; area",
     .restrictions = HSR_CF,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,

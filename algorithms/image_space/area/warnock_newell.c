@@ -66,6 +66,7 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_newell) = {
     .sort_order = "(XY)p ZYX",
     .coherence = "area; depth",
     .restrictions = 0,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,

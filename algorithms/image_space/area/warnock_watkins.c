@@ -67,6 +67,7 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_watkins) = {
     .sort_order = "(XY)p YXZ",
     .coherence = "area; scan line; edge; floating right end of the sample span",
     .restrictions = 0,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,

@@ -214,6 +214,7 @@ const struct hsr_algorithm HSR_ALGORITHM(bouknight) = {
     .sort_order = "YXZ",
     .coherence = "scan line; edge",
     .restrictions = 0,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,

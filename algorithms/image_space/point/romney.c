@@ -565,6 +565,7 @@ const struct hsr_algorithm HSR_ALGORITHM(romney) = {
     .coherence = "scan line: one that is crossed as the last one was, or its "
                  "left part, shows the same faces",
     .restrictions = HSR_TR | HSR_NP,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,

@@ -328,6 +328,7 @@ const struct hsr_algorithm HSR_ALGORITHM(watkins) = {
     .sort_order = "YXZ",
     .coherence = "scan line; edge; floating right end of the sample span",
     .restrictions = 0,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,

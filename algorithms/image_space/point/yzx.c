@@ -813,6 +813,7 @@ const struct hsr_algorithm HSR_ALGORITHM(yzx) = {
     .sort_order = "YZX",
     .coherence = "depth from line to line; scan line; edge",
     .restrictions = 0,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,

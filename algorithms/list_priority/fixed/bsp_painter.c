@@ -156,8 +156,8 @@ static enum hsr_status render_front(const struct hsr_job *job,
 
 #define OF_ONE_TREE                                                            \
   .taxonomy = HSR_LIST_PRIORITY_FIXED, .sort_order = "Z(XY)",                  \
-  .coherence = "frame", .restrictions = HSR_CF, .kind = HSR_IDS,               \
-  .prepare = HSR_OF_BUILD(hsr_bsp_prepare),                                    \
+  .coherence = "frame", .restrictions = HSR_CF, .subjects = 1 << HSR_FACES,    \
+  .kind = HSR_IDS, .prepare = HSR_OF_BUILD(hsr_bsp_prepare),                   \
   .release = HSR_OF_BUILD(hsr_bsp_release)
 
 const struct hsr_algorithm HSR_ALGORITHM(bsp_painter) = {

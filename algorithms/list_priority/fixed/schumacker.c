@@ -439,6 +439,7 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker) = {
     .sort_order = "ZYX",
     .coherence = "frame; cluster",
     .restrictions = HSR_CF | HSR_LS | HSR_NP | HSR_TP,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,

@@ -147,6 +147,7 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker_newell) = {
     .sort_order = "Zp ZYX",
     .coherence = "frame; cluster; depth",
     .restrictions = HSR_CF | HSR_LS,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,

@@ -412,7 +412,8 @@ static enum hsr_status render_previous(const struct hsr_job *job,
   .authors = "M. E. Newell, R. G. Newell, T. L. Sancha",                       \
   .source = "Proc. ACM Annual Conference, 1972, 443-450; Sutherland et al., "  \
             "Computing Surveys 6(1), 1974, \"List-Priority Algorithms\"",      \
-  .taxonomy = HSR_LIST_PRIORITY_PER_FRAME, .restrictions = 0, .kind = HSR_IDS
+  .taxonomy = HSR_LIST_PRIORITY_PER_FRAME, .restrictions = 0,                  \
+  .subjects = 1 << HSR_FACES, .kind = HSR_IDS
 
 const struct hsr_algorithm HSR_ALGORITHM(newell) = {
     NEWELL,

@@ -159,6 +159,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_watkins) = {
     .coherence = "depth; scan line; edge; floating right end of the sample "
                  "span",
     .restrictions = 0,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .sorts = sorts,
     .counters = counters,

@@ -144,6 +144,7 @@ const struct hsr_algorithm HSR_ALGORITHM(painter) = {
     .taxonomy = HSR_LIST_PRIORITY_PER_FRAME,
     .sort_order = "Z(XY)",
     .coherence = "depth",
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .flags = HSR_KNOWN_WRONG,
     .sorts = sorts,

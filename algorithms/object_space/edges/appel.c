@@ -96,8 +96,8 @@ static const struct hsr_sort sorts[] = {
             "Algorithms\"",                                                    \
   .taxonomy = HSR_OBJECT_SPACE_EDGES,                                          \
   .coherence = "edge: visibility is promoted along edges that share a vertex", \
-  .restrictions = HSR_TP, .kind = HSR_SEGMENTS, .sorts = sorts,                \
-  .counters = counters, .steps = steps, .outline = outline,                    \
+  .restrictions = HSR_TP, .subjects = 1 << HSR_FACES, .kind = HSR_SEGMENTS,    \
+  .sorts = sorts, .counters = counters, .steps = steps, .outline = outline,    \
   .prepare = hsr_network_prepare, .release = hsr_network_release,              \
   .expense = hsr_network_expense
 

@@ -371,6 +371,7 @@ const struct hsr_algorithm HSR_ALGORITHM(galimberti) = {
     .taxonomy = HSR_OBJECT_SPACE_EDGES,
     .coherence = "edge: natures are promoted along edges that share a vertex",
     .restrictions = HSR_TP,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_SEGMENTS,
     .sorts = sorts,
     .counters = counters,

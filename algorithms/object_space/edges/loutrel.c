@@ -115,6 +115,7 @@ const struct hsr_algorithm HSR_ALGORITHM(loutrel) = {
     .taxonomy = HSR_OBJECT_SPACE_EDGES,
     .coherence = "edge: visibility is promoted along edges that share a vertex",
     .restrictions = HSR_TP,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_SEGMENTS,
     .sorts = sorts,
     .counters = counters,

@@ -521,6 +521,7 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_edges) = {
     .coherence = "edge: visibility is promoted along edges that share a "
                  "vertex, and the order in X is kept from Y to Y",
     .restrictions = HSR_TP,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_SEGMENTS,
     .sorts = sorts,
     .counters = counters,

@@ -729,6 +729,7 @@ const struct hsr_algorithm HSR_ALGORITHM(roberts) = {
     .taxonomy = HSR_OBJECT_SPACE_VOLUMES,
     .coherence = "object: a volume leaves at most two pieces of an edge",
     .restrictions = HSR_CC | HSR_TP,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_SEGMENTS,
     .flags = HSR_VISIBLE_ONLY,
     .sorts = sorts,

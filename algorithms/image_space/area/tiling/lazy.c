@@ -492,6 +492,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_lazy) = {
     .coherence = "area coherence; hidden cubes hide all that is in them; faces "
                  "come nearly from front to back",
     .restrictions = HSR_CF,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .flags = HSR_FILTERS,
     .sorts = sorts,

@@ -803,6 +803,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_merged) = {
     .coherence = "area coherence; hidden cubes hide all that is in them; few "
                  "bodies move, and fewer meet",
     .restrictions = HSR_CF,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS,
     .sorts = sorts,

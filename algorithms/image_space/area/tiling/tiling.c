@@ -296,6 +296,7 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling) = {
     .sort_order = "Z(XY)",
     .coherence = "area coherence; hidden cubes hide all that is in them",
     .restrictions = HSR_CF,
+    .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS,
     .sorts = sorts,
