@@ -32,6 +32,17 @@ static enum hsr_status apply(struct hsr_setup *setup,
   return status;
 }
 
+/* Whether the scene is of what the algorithm takes. */
+static enum hsr_status check_subject(const struct hsr_algorithm *algorithm,
+                                     const struct hsr_world *world,
+                                     struct hsr_error *err) {
+  enum hsr_scene_subject subject = world->outline.scene->subject;
+  if (algorithm->subjects & 1u << subject)
+    return HSR_OK;
+  return hsr_fail(err, HSR_E_REFUSED, "the scene is %s, which it does not take",
+                  hsr_scene_subject_name[subject]);
+}
+
 enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                                const struct hsr_algorithm *algorithm,
                                const struct hsr_choice *choice,
@@ -41,11 +52,13 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
   setup->choice = choice ? *choice : hsr_choice_standard(algorithm);
   setup->flags = hsr_choice_flags(algorithm, &setup->choice);
   setup->filtering = hsr_form_filtering(&setup->choice.form);
+  enum hsr_status status = check_subject(algorithm, world, err);
+  if (status)
+    return status;
   if (hsr_is_outline(world) && !(algorithm->flags & HSR_INSTANCED))
     return hsr_fail(err, HSR_E_REFUSED,
                     "%u faces are too many to be laid out, as it needs them",
                     world->n_faces);
-  enum hsr_status status = HSR_OK;
   for (const struct hsr_adapter *a = hsr_adapters; a->name && !status; a++)
     if (!hsr_is_outline(world) &&
         (algorithm->restrictions & a->mends) == a->mends)

@@ -36,10 +36,10 @@ struct hsr_setup {
 };
 
 /* `choice` is NULL for the standard one. `world` is borrowed and outlives the
- * setup. Freed with hsr_setup_free, also
- * after a failure: HSR_E_NOMEM; HSR_E_REFUSED where the scene breaks a
- * restriction and cannot be adapted, or is an outline, which the algorithm does
- * not take. */
+ * setup. Freed with hsr_setup_free, also after a failure: HSR_E_NOMEM;
+ * HSR_E_REFUSED where the scene is of a subject that the algorithm does not
+ * take, or breaks a restriction and cannot be adapted, or is an outline and the
+ * algorithm needs it laid out. */
 enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                                const struct hsr_algorithm *algorithm,
                                const struct hsr_choice *choice,

@@ -19,6 +19,7 @@ tap_programs = \
   %D%/unit/core/outline_test \
   %D%/unit/files/plot_test \
   %D%/unit/algorithms/pyramid_test \
+  %D%/unit/algorithms/setup_test \
   %D%/unit/files/scene_json_test \
   %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \
@@ -94,6 +95,7 @@ quick_units = \
   %D%/unit/algorithms/grove_test \
   %D%/unit/algorithms/masks_test \
   %D%/unit/algorithms/pyramid_test \
+  %D%/unit/algorithms/setup_test \
   %D%/unit/algorithms/variant_test \
   %D%/unit/bench/crew_test \
   %D%/unit/bench/oracle_test \

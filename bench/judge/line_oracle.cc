@@ -1182,6 +1182,7 @@ constexpr struct hsr_algorithm describe() {
   a.authors = "hsr";
   a.source = "docs/correct-drawing.md";
   a.taxonomy = HSR_YARDSTICK;
+  a.subjects = 1 << HSR_FACES;
   a.kind = HSR_SEGMENTS;
   a.flags = HSR_JUDGE;
   a.counters = counters;

@@ -355,6 +355,7 @@ constexpr struct hsr_algorithm describe() {
   a.authors = "hsr";
   a.source = "docs/solid-voxels.md";
   a.taxonomy = HSR_YARDSTICK;
+  a.subjects = 1 << HSR_FACES;
   a.kind = HSR_VOXELS;
   a.flags = HSR_JUDGE;
   a.counters = counters;
