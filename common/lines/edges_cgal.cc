@@ -123,8 +123,7 @@ void add_real(const hsr_world *world, Edges &made) {
   }
 }
 
-// --- Implied edges
-// -------------------------------------------------------------
+// --- Implied edges ----------------------------------------------------------
 
 uint32_t add_point(Edges &made, hsr_exact_points &exact,
                    const Exact_point &point) {
@@ -158,8 +157,7 @@ void add_implied(const hsr_world *world, Edges &made, hsr_exact_points &exact) {
   }
 }
 
-// --- Faces that an edge touches
-// ------------------------------------------------
+// --- Faces that an edge touches ---------------------------------------------
 
 // Which side of a plane, in numbers of which only intervals are known.
 int certain_sign(const Interval &number) {
@@ -322,8 +320,7 @@ void find_touched(hsr_edges *edges) {
   touched.store_in(edges, &edges->touch_start, &edges->touch);
 }
 
-// --- Vertices, faces
-// --------------------------------------------------------------
+// --- Vertices, faces --------------------------------------------------------
 
 void find_ends_and_corners(hsr_edges *edges) {
   const hsr_world *world = edges->world;

@@ -61,8 +61,7 @@ struct Volume {
   }
 };
 
-// --- Sets of faces
-// --------------------------------------------------------------------
+// --- Sets of faces ----------------------------------------------------------
 
 // Sets of items that are joined two by two.
 class Sets {
@@ -81,8 +80,7 @@ private:
   std::vector<uint32_t> parent_;
 };
 
-// --- Whether an edge touches a face
-// ----------------------------------------------------
+// --- Whether an edge touches a face -----------------------------------------
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Flat_point = Kernel::Point_2;
@@ -178,8 +176,7 @@ private:
   }
 };
 
-// --- Solids
-// ------------------------------------------------------------------------------
+// --- Solids -----------------------------------------------------------------
 
 struct Body {
   std::vector<uint32_t> faces, corners;
@@ -703,8 +700,7 @@ private:
   Point place(uint32_t v) const { return point_of(*world_, v); }
 };
 
-// --- Storing
-// ----------------------------------------------------------------------------
+// --- Storing ----------------------------------------------------------------
 
 template <class T> T *store(hsr_volumes *volumes, const std::vector<T> &items) {
   T *array = static_cast<T *>(

@@ -128,8 +128,7 @@ bool hsr_sight_corner_hides(const struct hsr_sight *sight, uint32_t e,
   return height == -sight->facing[f];
 }
 
-// --- Setting up
-// ------------------------------------------------------------------------
+// --- Setting up -------------------------------------------------------------
 
 static void find_points(hsr_sight *sight) {
   const Numbers &n = *sight->numbers;

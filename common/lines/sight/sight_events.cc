@@ -70,8 +70,7 @@ int hsr_sight_compare(const struct hsr_sight *sight, uint32_t e,
   }
 }
 
-// --- What is in the picture
-// --------------------------------------------------------
+// --- What is in the picture -------------------------------------------------
 
 // Safely inside the picture and ahead.
 static bool is_inside(const hsr_sight *sight, uint32_t p) {
@@ -115,8 +114,7 @@ bool hsr_sight_picture(const struct hsr_sight *sight, uint32_t e,
   return true;
 }
 
-// --- Pierced faces
-// -------------------------------------------------------------------
+// --- Pierced faces ----------------------------------------------------------
 
 namespace {
 
