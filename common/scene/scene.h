@@ -66,7 +66,7 @@ struct hsr_camera {
 };
 
 struct hsr_scene {
-  char *name; /* as the user named it; never NULL */
+  char *name;                     /* as the user named it; never NULL */
   enum hsr_scene_subject subject; /* HSR_FACES: all else here is of faces */
   struct hsr_object *objects;
   struct hsr_instance *instances; /* sorted by object */
