@@ -6,7 +6,7 @@
  *             computed once in doubles by hsr_view_init and then exact.
  * Screen      sx to the right and sy down, in pixels, the picture being
  *             [0, m] x [0, n]. Sample (i, j), i from the left, j from the top,
- *             lies at (i + 1/2 + offset_x, j + 1/2 + offset_y), an exact double.
+ *             lies at (i + 1/2 + offset_x, j + 1/2 + offset_y): exact doubles.
  * Ray         the ray of screen point (sx, sy) starts at E and runs along
  *             D = F + x R + y U, x = (2 sx - m)/m, y = (n - 2 sy)/n, as exact
  *             numbers. A point E + t D exists if t > near.
