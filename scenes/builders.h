@@ -14,16 +14,16 @@ hsr_build hsr_build_color_cube, hsr_build_color_sides, hsr_build_sphere,
     hsr_build_terrain, hsr_build_twist, hsr_build_office, hsr_build_traffic,
     hsr_build_tower, hsr_build_bare_tower, hsr_build_soup, hsr_build_lattice;
 
-/* failures_order.c */
+/* failures/order.c */
 hsr_build hsr_build_cyclic_overlap, hsr_build_penetration, hsr_build_coplanar,
     hsr_build_nested_solids, hsr_build_one_sided, hsr_build_deep_stack;
 
-/* failures_edges.c */
+/* failures/edges.c */
 hsr_build hsr_build_t_junction, hsr_build_shared_edges,
     hsr_build_collinear_edges, hsr_build_sliver, hsr_build_sub_pixel_gap,
     hsr_build_needle_fan, hsr_build_non_convex;
 
-/* failures_eye.c */
+/* failures/eye.c */
 hsr_build hsr_build_behind_eye, hsr_build_near_plane, hsr_build_eye_in_plane,
     hsr_build_non_planar, hsr_build_huge_and_tiny;
 

@@ -17,8 +17,8 @@ struct hsr_builtin {
                            parameter */
   const char *about; /* one sentence; for a failure case: what it breaks */
   bool failure_case; /* one of the hand-made pathological scenes */
-  bool only_by_name; /* too large to be tried by every algorithm where no
-                           scene is named */
+  bool only_by_name; /* too large to be in the scenes that are meant when
+                           none is named */
   int n_parameters;  /* at most HSR_MAX_PARAMETERS */
   long long standard[HSR_MAX_PARAMETERS]; /* defaults */
   long long least[HSR_MAX_PARAMETERS], most[HSR_MAX_PARAMETERS];
@@ -38,9 +38,9 @@ extern const struct hsr_builtin hsr_builtins[];
 enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
                                struct hsr_scene **scene, struct hsr_error *err);
 
-/* The real meshes at hand, sorted by name, without suffix. *names is one
- * malloc'ed array of *n malloc'ed strings, the caller's. No mesh package
- * installed: HSR_OK and *n == 0. */
+/* The real meshes that are installed, sorted by name, without suffix. *names is
+ * a malloc'ed array of *n malloc'ed strings, the caller's. If no mesh package
+ * is installed: HSR_OK and *n == 0. */
 enum hsr_status hsr_mesh_names(char ***names, size_t *n, struct hsr_error *err);
 
 #ifdef __cplusplus

@@ -4,9 +4,9 @@
  * Source      Sutherland et al. 1974, figure 29a: what each algorithm demands
  *             of its environment.
  * Adapters    each mends one restriction by dividing faces, in exact terms
- *             (common/scene/pieces.h), once for all views. They are applied by name,
- *             in the order below, each timed apart; the ids of a picture are
- *             those of the scene's own faces still. */
+ *             (common/scene/pieces.h), once for all views. They are applied by
+ *             name, in the order below, and each is timed by itself. The ids of
+ *             a picture are still those of the scene's own faces. */
 #ifndef HSR_COMMON_ADAPT_H
 #define HSR_COMMON_ADAPT_H
 
@@ -30,18 +30,19 @@ enum {
 };
 enum { HSR_N_RESTRICTIONS = 9 };
 
-/* "TR", ...: the code of one restriction. */
+/* The code of one restriction, "TR" for HSR_TR; "" if it is none of these. */
 const char *hsr_restriction_code(unsigned restriction);
 
 struct hsr_adapter {
   const char *name;  /* "triangulate" */
-  unsigned mends;    /* HSR_TR, ...; of several, if all are demanded */
+  unsigned mends;    /* HSR_TR, ...; several: only if all are demanded */
   const char *about; /* what it does, a clause */
 
-  /* Makes *out of `in`, which is borrowed and, if *changed, may be freed before
-   * it; the world of the scene itself outlives all. If nothing need be done,
-   * *changed is false and *out is not written. HSR_E_NOMEM; HSR_E_REFUSED with
-   * the code and the face, where it cannot be mended. */
+  /* Makes *out from `in`, which is borrowed. If nothing need be done, *changed
+   * is false and *out is not written. Else *out is freed with hsr_world_free;
+   * `in` may be freed before it, but the world of the scene itself must outlive
+   * both. HSR_E_NOMEM; HSR_E_REFUSED, with the code and the face in *err, where
+   * a face cannot be mended. */
   enum hsr_status (*adapt)(const struct hsr_world *in, struct hsr_world *out,
                            bool *changed, struct hsr_error *err);
 };
@@ -49,8 +50,8 @@ struct hsr_adapter {
 /* In the order of their application, ended by .name == NULL. */
 extern const struct hsr_adapter hsr_adapters[];
 
-/* Whether a world that nobody has adapted is of convex faces, and all of them
- * flat: else HSR_E_REFUSED, in words of `what`, "object chair" or "the scene".
+/* Checks that all faces of a world that nobody has adapted are convex and flat:
+ * HSR_E_REFUSED if not, with a text about `what`: "object chair", "the scene".
  * HSR_E_NOMEM. */
 enum hsr_status hsr_check_unadapted(const struct hsr_world *world,
                                     const char *what, struct hsr_error *err);

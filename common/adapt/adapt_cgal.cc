@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The adapters, over CGAL.
 //
-// Triangles   A convex polygon is a fan of triangles; any other goes through
-//             CGAL's constrained Delaunay triangulation, whose predicates are
-//             exact, on the coordinate plane that it faces most; of the
-//             triangles, those are kept whose inside is inside the polygon by
-//             parity, which is decided in exact numbers. Of a polygon that is
-//             not flat, corners may fall together on that plane, or sides cross
-//             there; where the triangles would then cover other samples than
-//             the polygon does, it is a fan too, whose triangles overlap.
-//             parity, which is decided in exact numbers.
-//             Of a polygon that is not flat, it depends on the eye what is
-//             convex, and its triangles may overlap as seen; it is not divided
-//             to be convex.
+// Triangles   A convex polygon becomes a fan of triangles. Any other goes
+//             through CGAL's constrained Delaunay triangulation, whose
+//             predicates are exact, on the coordinate plane that it faces most.
+//             The triangles whose middle is inside the polygon by parity are
+//             kept; that is decided in exact numbers.
+// Not flat    If a polygon is not flat, corners may fall together on that
+//             coordinate plane, or sides cross there. If the triangles would
+//             then cover other samples than the polygon does, it becomes a fan
+//             too, whose triangles overlap. Whether it is convex depends on the
+//             eye, so it is not divided to be convex.
 // Penetration Of every pair of faces whose interiors meet (penetration.cc), one
 //             is cut by the plane of the other, wherever that plane passes
 //             through it near the other.
-// Outlines    A piece's outline is clipped by its cuts moved outwards by a
+// Outlines    A piece's outline is clipped by its cuts, moved outwards by a
 //             margin well above every rounding, so that it holds the piece. A
-//             plane that it misses by more than the margin misses the piece. Of
-//             a face that is not flat, what lies on its plane before a vertex
-//             depends on the eye; its pieces' outlines are not handed on, and
-//             they are divided as the mean of it would be.
+//             plane that misses the outline by more than the margin misses the
+//             piece. If a face is not flat, the place where its plane is seen
+//             before a vertex depends on the eye. So the outlines of its pieces
+//             are not handed on; they are divided as if the face lay on its
+//             plane.
 
 #include "common/adapt/adapt.h"
 #include "common/adapt/division.h"
@@ -66,7 +65,7 @@ std::vector<Flat_point> flatten(const hsr_world &world, uint32_t f) {
   return points;
 }
 
-// Convex: it turns to one side only, and once around.
+// Whether a polygon is convex: it turns to one side only, and once around.
 bool is_convex(const std::vector<Flat_point> &p) {
   const size_t n = p.size();
   bool left = false, right = false;
@@ -77,7 +76,7 @@ bool is_convex(const std::vector<Flat_point> &p) {
     const CGAL::Orientation turn = CGAL::orientation(a, b, c);
     left |= turn == CGAL::LEFT_TURN;
     right |= turn == CGAL::RIGHT_TURN;
-    /* Turning back on itself is no turn that orientation sees. */
+    /* The orientation does not show where it turns back on itself. */
     if (turn == CGAL::COLLINEAR && CGAL::angle(a, b, c) == CGAL::ACUTE)
       return false;
     const CGAL::Comparison_result way = CGAL::compare_xy(a, b);
@@ -129,9 +128,9 @@ void add_fan(const Piece &whole, List &list) {
                  list);
 }
 
-// Whether every side of the loop is one of an odd number of triangles, and any
-// other of an even number. Then these cover by parity what the loop covers,
-// from wherever they are seen.
+// Whether every side of the loop belongs to an odd number of triangles, and any
+// other side to an even number. Then the triangles cover by parity what the
+// loop covers, seen from anywhere.
 bool border(const std::vector<Triangle> &triangles,
             const std::vector<uint32_t> &loop) {
   std::set<std::pair<uint32_t, uint32_t>> odd;
@@ -148,8 +147,8 @@ bool border(const std::vector<Triangle> &triangles,
   return odd.empty();
 }
 
-// The triangles of a polygon, by the corners on a coordinate plane. False if it
-// crosses itself there.
+// Finds the triangles of a polygon, from its corners on a coordinate plane.
+// False if it crosses itself there.
 bool triangulate_loop(const std::vector<uint32_t> &loop,
                       const std::vector<Flat_point> &corners,
                       std::vector<Triangle> &triangles) {
@@ -191,7 +190,8 @@ void add_triangulation(const hsr_world &world, uint32_t f, const Piece &whole,
     add_triangle(whole, t, list);
 }
 
-// Divides the polygons, all but triangles, or only those that are not convex.
+// Divides all polygons that are not triangles, or, if keep_convex, only those
+// that are not convex.
 hsr_status divide_polygons(const hsr_world *in, bool keep_convex,
                            hsr_world *out, bool *changed, hsr_error *err) {
   return guarded(err, [&]() -> hsr_status {
@@ -216,7 +216,7 @@ hsr_status divide_polygons(const hsr_world *in, bool keep_convex,
       else
         add_triangulation(*in, f, whole, corners, list);
       *changed |= !keep;
-      if (list.size() == before) /* it has no inside, but it is a face */
+      if (list.size() == before) /* it has no inside, but must have a piece */
         list.add(whole, true);
     }
     return *changed ? list.make(out, whole_of(*in), err) : HSR_OK;
@@ -235,11 +235,12 @@ hsr_status make_convex(const hsr_world *in, hsr_world *out, bool *changed,
 
 // --- Division at penetrations ------------------------------------------------
 
-// More pieces than this are no help to anyone.
+// A scene that would have more pieces than this is refused.
 const size_t MOST_PIECES = 4000000;
 
-// The plane of a face in doubles, with a margin above every rounding of it and
-// above what the vertices of the face that it cuts are out of plane.
+// The plane of a face in doubles. The margin is above every rounding of it, and
+// above the distance by which the vertices of the face that it cuts are out of
+// their plane.
 struct Cutter {
   uint32_t face;
   Point n, p;
@@ -269,7 +270,8 @@ struct Cutter {
   }
 };
 
-// The part of an outline on one side of the plane, or within the margin of it.
+// The part of an outline on one side of the plane, or within the margin on the
+// other.
 std::vector<Point> clip(const std::vector<Point> &outline, const Cutter &plane,
                         int side) {
   std::vector<Point> kept;
@@ -339,8 +341,9 @@ void cut_pieces(const hsr_world &whole, uint32_t g,
   }
 }
 
-// Of each pair that penetrates, the face that is cut by the other's plane: the
-// one that has fewer cuts so far.
+// Chooses which face of each pair that penetrates is cut by the plane of the
+// other: the one that has fewer cuts so far. Returns the cutting faces of each
+// face.
 std::vector<std::vector<uint32_t>> choose_cuts(const hsr_world &whole,
                                                bool *any) {
   std::vector<uint32_t> faces(whole.n_faces);

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Making clusters, planes that separate them, and priorities within them.
 //
-// Source      Sutherland et al. 1974, "List-Priority Algorithms"; what was done
-//             by hand there, the splitting of clusters, is done here in the
-//             order in which it costs least.
-// Clusters    are the environment's own, its instances, as far as planes pass
-//             between them: all pieces are one group, and a group is divided by
-//             a plane x, y or z = c between instances; or else by the plane of
-//             one of its largest pieces, that leaves instances to either side
-//             and passes through few. A group that neither divides is a
-//             cluster.
-// Groups      that are to have priorities are taken one by one, the clusters
-//             being the first. One stays a cluster if its priority graph has no
-//             circuit; else it is divided: by a plane x, y or z = c between
+// Source      Sutherland et al. 1974, "List-Priority Algorithms". There
+//             clusters were split by hand; here they are split in the order in
+//             which it costs least.
+// Clusters    are the environment's own instances, where planes pass between
+//             them. At first all pieces are one group. A group is divided by a
+//             plane x, y or z = c between instances; or else by the plane of
+//             one of its largest pieces, if that leaves instances on either
+//             side and passes through few. A group that cannot be divided so is
+//             a cluster.
+// Groups      To give priorities, groups are taken one by one; the clusters
+//             come first. A group stays a cluster if its priority graph has no
+//             circuit. Else it is divided by a plane x, y or z = c between
 //             pieces; or by a piece's own plane, chosen to cut few and to leave
-//             about as many to either side.
-// Division    by a piece's plane: a piece that it passes through is cut; what
-//             lies in it goes all to one side.
-// Priority    of oriented faces: common/scene/clusters.h. Two faces that reach to
-//             both sides of each other's planes are a circuit by themselves;
-//             faces of one plane are none.
-// End         a division leaves fewer faces, or parts of them, in each group;
+//             about as many on either side.
+// Division    A piece that the plane passes through is cut. All pieces that lie
+//             in the plane go to one side.
+// Priority    of oriented faces: common/scene/clusters.h. Two faces that each
+//             reach to both sides of the other's plane are a circuit by
+//             themselves; faces of one plane are not.
+// End         A division leaves fewer faces, or parts of them, in each group,
 //             and no piece is cut by a plane twice.
-// Thick       a piece that is not certain to lie on one side of the plane of a
-//             separator, or of another in its cluster, is in no cluster.
+// Thick       A piece that is not certain to lie on one side of the plane of a
+//             separator, or of another piece in its cluster, is in no cluster.
 #include "common/scene/clusters.h"
 #include "common/adapt/convex.h"
 
@@ -34,12 +34,12 @@ namespace {
 
 using namespace hsr;
 
-// Beyond these it is no use, or takes too long: pieces; faces that are compared
-// with one another; sides of planes that are asked for.
+// Limits, beyond which it is of no use or takes too long: pieces; faces that
+// are compared with one another; questions about sides of planes.
 const size_t MOST_PIECES = 1000000, LARGEST_CLUSTER = 4096;
 const uint64_t MOST_QUESTIONS = 400000000;
 
-// Planes that are tried for a division, and how many pieces a cut is worth.
+// How many planes are tried for a division; the price of a cut, in pieces.
 const size_t TRIED_PLANES = 32, PRICE_OF_CUT = 5;
 
 const size_t PROHIBITIVE = SIZE_MAX;
@@ -80,7 +80,7 @@ public:
     about_.assign(group.size() * planes_.size(), UNKNOWN);
   }
 
-  // Compares every face with every other: false, if two hide one another.
+  // Compares every face with every other. False if two hide one another.
   bool compare(uint64_t &pair_tests) {
     for (size_t k = 0; k < group_.size(); k++)
       for (size_t l = 0; l < k; l++) {
@@ -91,8 +91,8 @@ public:
     return true;
   }
 
-  // Takes out, again and again, nodes that no other has priority over; or, if
-  // `lowest`, that have priority over no other.
+  // Repeatedly takes out nodes that no other has priority over; or, if
+  // `lowest`, that have priority over no other. Returns them in that order.
   std::vector<uint32_t> take_out(bool lowest) {
     const uint32_t n = uint32_t(nodes_.size());
     std::vector<uint32_t> degree(n), order;
@@ -120,7 +120,8 @@ public:
   size_t size() const { return nodes_.size(); }
   const Oriented &node(uint32_t number) const { return nodes_[number]; }
 
-  // What is left lies on circuits, or between two.
+  // The pieces of the nodes that are left: they lie on circuits, or between
+  // two.
   Group left_over() const {
     Group left;
     for (size_t a = 0; a < nodes_.size(); a++)
@@ -173,8 +174,8 @@ private:
 
 // --- Planes through gaps ----------------------------------------------------
 
-// What some pieces take up of an axis; and if some lie at its end, in a plane
-// across the axis, from which sides of it these are seen.
+// The extent of some pieces along an axis. flat_lo, flat_hi: if some pieces lie
+// at that end, in a plane across the axis, the sides from which these are seen.
 struct Extent {
   double lo, hi;
   unsigned flat_lo, flat_hi;
@@ -192,7 +193,7 @@ struct Extent {
   }
 };
 
-// From which sides of its plane a face across an axis is seen.
+// The sides of its plane from which a face across an axis is seen.
 unsigned seen_from(const hsr_world &world, uint32_t f, size_t axis) {
   const double *const n[3] = {world.mesh.nx, world.mesh.ny, world.mesh.nz};
   if (!world.mesh.one_sided[f] ||
@@ -214,8 +215,8 @@ Extent extent_of(const hsr_world &world, const Convex &piece, size_t axis,
   return {lo, hi, flat, flat, 1, owner};
 }
 
-// A plane axis = at, with the owners behind it; how many pieces the smaller
-// side has.
+// A plane axis = at, and the owners behind it. score: the number of pieces on
+// the smaller side.
 struct Gap {
   size_t axis = 0, score = 0;
   double at = 0;
@@ -361,9 +362,8 @@ bool Tree::split_at_gap(const Group &group, Place place,
   return true;
 }
 
-// Makes a cluster of the group, with priorities: false if its graph has
-// circuits, and `circuits` are the pieces to
-// blame.
+// Makes a cluster of the group, with priorities. False if its graph has
+// circuits; `circuits` are then the pieces to blame.
 bool Tree::order(const Group &group, Place place, Group &circuits) {
   circuits = group;
   if (group.size() > LARGEST_CLUSTER)
@@ -387,7 +387,7 @@ bool Tree::order(const Group &group, Place place, Group &circuits) {
   return true;
 }
 
-// What it costs to divide a group by a plane; PROHIBITIVE if all of it lies in
+// The price of dividing a group by a plane; PROHIBITIVE if all of it lies in
 // the plane.
 size_t Tree::price_of(const Group &group, uint32_t plane) {
   size_t n[4] = {0};
@@ -403,8 +403,8 @@ size_t Tree::price_of(const Group &group, uint32_t plane) {
   return PRICE_OF_CUT * n[BOTH] + std::max(fewer, more);
 }
 
-// The candidates' plane that divides the group best, of some; of all, if those
-// do not divide it.
+// The plane that divides the group best, among the planes of some candidates;
+// or of all candidates, if none of those divides it.
 uint32_t Tree::choose_plane(const Group &group, const Group &candidates) {
   std::vector<uint32_t> planes;
   for (uint32_t p : candidates)
@@ -430,8 +430,8 @@ uint32_t Tree::choose_plane(const Group &group, const Group &candidates) {
   }
 }
 
-// What it costs to divide a group of instances by a plane; PROHIBITIVE if it
-// does not leave whole ones to either side.
+// The price of dividing a group of instances by a plane; PROHIBITIVE unless it
+// leaves whole instances on either side.
 size_t Tree::price_between(const Group &group, uint32_t plane) {
   size_t n[4] = {0};
   for (size_t k = 0; k < group.size();) {
@@ -449,8 +449,8 @@ size_t Tree::price_between(const Group &group, uint32_t plane) {
              : PROHIBITIVE;
 }
 
-// The plane that divides a group of instances best, of those of its largest
-// pieces: false if none does.
+// Finds the plane that divides a group of instances best, among the planes of
+// its largest pieces. False if none does.
 bool Tree::find_plane(const Group &group, uint32_t &plane) {
   if (questions_ > MOST_QUESTIONS)
     return false;
@@ -477,7 +477,8 @@ bool Tree::find_plane(const Group &group, uint32_t &plane) {
   return least < PROHIBITIVE;
 }
 
-// A piece as seen from its sides.
+// Appends a piece as seen from its front, and from behind unless it is
+// one-sided.
 void Tree::add_oriented(uint32_t piece, Group &to) const {
   to.push_back(2 * piece);
   if (!world_.mesh.one_sided[pieces_[piece].from])
@@ -520,7 +521,7 @@ void Tree::split_by_plane(const Group &group, Place place, uint32_t plane) {
            std::move(behind));
 }
 
-// Face f, if it has any point.
+// Appends face f as a piece, if it has any point.
 void Tree::add_piece(uint32_t f, Group &to) {
   Convex piece;
   if (pieces_.size() >= MOST_PIECES)
@@ -553,7 +554,7 @@ void Tree::make_clusters() {
   }
 }
 
-// The tree of the world's clusters, all of which are open groups.
+// Begins with the tree of the world's clusters; all of these are open groups.
 void Tree::start_at_clusters() {
   const hsr_clusters &given = *world_.clusters;
   const auto take = [&](const uint32_t *from, const uint32_t *to) {
@@ -600,9 +601,9 @@ void Tree::give_priorities() {
   }
 }
 
-// --- The world of it --------------------------------------------------------
+// --- The new world ----------------------------------------------------------
 
-// The pieces by their faces; number[p] becomes the new face that p is.
+// Lists the pieces by their faces. number[p] is set to the new face that p is.
 void Tree::list_pieces(List &list, std::vector<uint32_t> &number) const {
   std::vector<uint32_t> order(pieces_.size());
   for (uint32_t p = 0; p < order.size(); p++)
@@ -622,7 +623,7 @@ void Tree::list_pieces(List &list, std::vector<uint32_t> &number) const {
       number[order[k]] = uint32_t(list.size());
       list.add(piece, with_outline);
     }
-    // A face without any point is a face.
+    // A face without any point must still have a piece.
     const bool last =
         f + 1 == world_.n_faces || hsr_world_parent(&world_, f + 1) != parent;
     if (last && list.size() == listed)

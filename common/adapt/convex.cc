@@ -69,8 +69,8 @@ template <class T> struct Homogeneous {
   T w;
 };
 
-// Of the edge from a to b with a plane. It is one number, however the edge
-// runs.
+// The corner of the edge from a to b with a plane. It is the same numbers
+// whichever way the edge runs.
 template <class T>
 Homogeneous<T> meet(const hsr_world *w, uint32_t a, uint32_t b,
                     const Plane<T> &plane) {
@@ -347,7 +347,7 @@ bool Convex_pieces::make(uint32_t f, Convex &piece) const {
   return true;
 }
 
-// Only those cuts count that a flat piece has a side on.
+// A flat piece keeps only the cuts that it has a side on.
 Piece Convex_pieces::finished(const Convex &piece, bool &with_outline) const {
   Piece made = piece_of(world_, piece.from);
   made.cuts.clear();

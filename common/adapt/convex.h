@@ -5,19 +5,19 @@
 // Source      A polygon is known by the planes of its sides: J. Bernstein, D.
 //             Fussell, "Fast, exact, linear booleans", Symposium on Geometry
 //             Processing, 2009.
-// Corner      where two sides meet: a vertex of the face, or where an edge of
-//             the face or a cut meets another cut. So every corner is known
-//             exactly by planes of the scene, however often a piece is cut. Its
-//             coordinates are approximate, within `error`.
-// Planes      are numbered by their class (common/scene/world.h); each is turned as
-//             the first face is that lies in it. Many lie across an axis: there
-//             one subtraction, whose sign is exact, gives the side of a vertex.
-//             Further planes across an axis may be added; of those, too, cuts
-//             are made.
-// Not flat    of a face that is not flat, the corners stay those of the whole,
-//             however it is cut; they are off by as much as what is seen of it
-//             may be (common/scene/clusters.h). What is not certain within that is
-//             asked no further.
+// Corner      where two sides meet: a vertex of the face, or the point where an
+//             edge of the face or a cut meets another cut. So every corner is
+//             known exactly by planes of the scene, however often a piece is
+//             cut. Its coordinates are approximate, within `error`.
+// Planes      are numbered by their class (common/scene/world.h). A plane faces
+//             the way of the first face that lies in it. Many planes lie across
+//             an axis: there one subtraction, whose sign is exact, gives the
+//             side of a vertex. More planes across an axis may be added, and
+//             may make cuts.
+// Not flat    a face that is not flat keeps the corners of the whole face,
+//             however it is cut. Their error is `reach`: as far as what is seen
+//             of the face may be from them (common/scene/clusters.h). If that
+//             leaves a side uncertain, it stays so.
 #ifndef HSR_COMMON_CONVEX_H
 #define HSR_COMMON_CONVEX_H
 
@@ -25,8 +25,8 @@
 
 namespace hsr {
 
-// The side from a corner to the next: on the edge from vertex a to b; or, if b
-// is NO_VERTEX, in the plane a.
+// A corner, and the side from it to the next one. The side lies on the edge
+// from vertex a to b or, if b is NO_VERTEX, in plane a.
 const uint32_t NO_VERTEX = UINT32_MAX;
 struct Corner {
   Point at;
@@ -35,15 +35,15 @@ struct Corner {
 };
 
 struct Convex {
-  uint32_t from;   // a face of the world that it is, or is a piece of
+  uint32_t from;   // the face of the world that it is, or is a piece of
   uint32_t parent; // that face's parent
   uint32_t plane;  // its class
   std::vector<Corner> corners;
   std::vector<hsr_cut> cuts; // `face` is a plane here
 };
 
-// Where a piece lies about a plane: whether it has points strictly in front of
-// it, and behind; or, of a piece that is not flat, whether that is not certain.
+// Where a piece lies about a plane: it has points strictly in front of it, or
+// strictly behind it. UNSURE: the piece is not flat, and the side is uncertain.
 enum : unsigned { FRONT = 1, BEHIND = 2, UNSURE = 4 };
 
 // A plane across an axis: x, y or z = at, and the side that is its front.
@@ -55,32 +55,33 @@ struct Level {
 
 class Convex_pieces {
 public:
-  // Of the faces of a world, which is borrowed.
+  // Pieces of the faces of `world`, which is borrowed.
   explicit Convex_pieces(const hsr_world &world);
 
-  // The number of the plane x, y or z = at, in front where it is greater.
+  // Adds the plane x, y or z = at, whose front is where the coordinate is
+  // greater. Returns its number.
   uint32_t add_level(size_t axis, double at) {
     level_.push_back({axis, at, 1});
     return uint32_t(level_.size() - 1);
   }
 
-  // Face f as a piece: false if it has no point.
+  // Makes face f a piece. False if it has no point.
   bool make(uint32_t f, Convex &piece) const;
 
   unsigned about(const Convex &piece, uint32_t plane) const;
 
-  // The part of a piece, which has points on both sides of a plane, on one side
-  // of it.
+  // The part of a piece on one side of a plane. The piece has points on both
+  // sides.
   Convex part(const Convex &piece, uint32_t plane, int side) const;
 
-  // The piece as a piece of its face, with an outline if it is to have one.
-  // All its cuts are by planes of faces.
+  // The piece in the terms of common/adapt/division.h. All its cuts must be by
+  // planes of faces. Sets with_outline to whether its outline is of use.
   Piece finished(const Convex &piece, bool &with_outline) const;
 
   const Level &level(uint32_t plane) const { return level_[plane]; }
-  // Of the planes of faces.
+  // The first face in a plane, which is no added one.
   uint32_t face_of(uint32_t plane) const { return face_of_[plane]; }
-  // +1 if the face is turned as its plane is, -1 if the other way.
+  // +1 if the face's front is its plane's front, -1 if it is the back.
   int turned(uint32_t parent) const { return turned_[parent]; }
   double reach(uint32_t parent) const { return reach_[parent]; }
   bool is_flat(const Convex &piece) const {

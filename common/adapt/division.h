@@ -16,11 +16,11 @@ using Point = std::array<double, 3>;
 struct Piece {
   uint32_t parent;
   std::vector<uint32_t> loop;
-  std::vector<hsr_cut> cuts;  // by the parents of the cutting planes
-  std::vector<Point> outline; // empty: the loop
+  std::vector<hsr_cut> cuts;  // `face` is a face of the whole world
+  std::vector<Point> outline; // empty: only the loop is known
 };
 
-// A face that cannot be mended.
+// Thrown for a face that cannot be mended.
 struct Refused {
   unsigned restriction;
   uint32_t face;
@@ -35,7 +35,7 @@ inline Point point_of(const hsr_world &world, uint32_t v) {
   return {world.mesh.x[v], world.mesh.y[v], world.mesh.z[v]};
 }
 
-// Face f of any world as a piece of the scene's.
+// Face f of any world as a piece of a face of the scene's world.
 inline Piece piece_of(const hsr_world &world, uint32_t f) {
   Piece piece;
   piece.parent = hsr_world_parent(&world, f);
@@ -50,7 +50,7 @@ inline Piece piece_of(const hsr_world &world, uint32_t f) {
   return piece;
 }
 
-// Pieces in flat arrays, as a world of them is made of.
+// Pieces in flat arrays, from which a world of them is made.
 class List {
 public:
   void add(const Piece &piece, bool with_outline) {
@@ -83,7 +83,7 @@ private:
   std::vector<double> outline_;
 };
 
-// Runs an adapter's body, which throws.
+// Runs an adapter's body, which may throw, and turns exceptions into errors.
 template <class Body> hsr_status guarded(hsr_error *err, const Body &body) {
   try {
     return body();
@@ -98,8 +98,8 @@ template <class Body> hsr_status guarded(hsr_error *err, const Body &body) {
   }
 }
 
-// Face f of a scene, which is flat and does not cross itself, as convex
-// polygons through its corners: itself, or triangles.
+// Face f of a scene as convex polygons through its corners: itself, or
+// triangles. The face is flat and does not cross itself.
 std::vector<std::vector<uint32_t>> convex_loops(const hsr_world &world,
                                                 uint32_t f);
 

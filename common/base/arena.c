@@ -16,8 +16,8 @@ struct hsr_arena_block {
   unsigned char *memory;
 };
 
-/* Large blocks lie on huge pages where the system has them: a picture's rows
- * are far apart, and pages are few in the processor's tables. */
+/* Large blocks lie on huge pages where the system has them. A picture's rows
+ * are far apart, and the processor's tables hold few pages. */
 static unsigned char *block_memory(size_t size) {
   if (size < 2 * HUGE_PAGE)
     return aligned_alloc(ALIGNMENT, size);
@@ -53,7 +53,7 @@ void *hsr_arena_array(struct hsr_arena *arena, size_t n, size_t size) {
   size_t bytes = (n * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
   struct hsr_arena_block *block = arena->blocks;
   if (!block || block->size - block->used < bytes) {
-    /* Doubling keeps the number of blocks logarithmic in what is asked. */
+    /* By doubling, the number of blocks is logarithmic in their total size. */
     size_t wanted = block ? 2 * block->size : SMALLEST_BLOCK;
     if (wanted < bytes)
       wanted = bytes;

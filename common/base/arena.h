@@ -2,9 +2,9 @@
 /* Memory that is given back all at once.
  *
  * An arena is a list of blocks from which arrays are cut one after another.
- * `hsr_arena_reset` forgets the arrays but keeps the memory, as one block
- * large enough for all that was in use: a module that asks for the same arrays
- * every frame allocates in its first frame and never again. */
+ * `hsr_arena_reset` forgets the arrays but keeps the memory, as one block large
+ * enough for all that was in use. So a module that asks for the same arrays
+ * every frame calls malloc in its first frames only. */
 #ifndef HSR_COMMON_ARENA_H
 #define HSR_COMMON_ARENA_H
 
@@ -26,31 +26,31 @@ struct hsr_arena {
 #define HSR_ARENA_EMPTY                                                        \
   { 0 }
 
-/* An array of n elements of `size` bytes, aligned for any vector register (64
- * bytes), its content undefined. NULL if memory ran out or n * size overflows;
- * never NULL otherwise, not even for n = 0. */
+/* An array of n elements of `size` bytes, aligned to 64 bytes for any vector
+ * register. Its content is undefined; the arena owns it. NULL if memory ran out
+ * or n * size overflows; never NULL otherwise, not even for n = 0. */
 void *hsr_arena_array(struct hsr_arena *arena, size_t n, size_t size);
 
-/* The same, all bytes zero. */
+/* The same, with all bytes zero. */
 void *hsr_arena_zeroed(struct hsr_arena *arena, size_t n, size_t size);
 
-/* Forgets every array, keeps the memory. If it was scattered over several
- * blocks, they are replaced by one; should that fail, they are only freed. */
+/* Forgets every array and keeps the memory. Several blocks are replaced by one;
+ * if that fails, they are only freed. */
 void hsr_arena_reset(struct hsr_arena *arena);
 
 /* Gives all memory back. The arena is empty afterwards and may be used again.
  */
 void hsr_arena_free(struct hsr_arena *arena);
 
-/* An array that grows in an arena, by doubling. Empty if all zero; what it grew
- * out of stays where it was. */
+/* An array that grows in an arena, by doubling. All zero is an empty one. After
+ * it has moved, the old copy stays in the arena until the reset. */
 struct hsr_growing {
   void *items;
   size_t n, room;
 };
 
-/* One more item of `size` bytes, undefined: the last. False if memory ran out.
- */
+/* Appends an item of `size` bytes, its content undefined. False if memory ran
+ * out. */
 bool hsr_arena_grow(struct hsr_arena *arena, struct hsr_growing *array,
                     size_t size);
 

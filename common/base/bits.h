@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-/* The number of the lowest bit that is set; there must be one. */
+/* The number, from 0, of the lowest bit that is set; there must be one. */
 static inline int hsr_first_bit(uint64_t mask) {
 #ifdef __GNUC__
   return __builtin_ctzll(mask);

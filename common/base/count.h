@@ -5,8 +5,8 @@
  * when someone listens, it emits one event. So the number of events of a
  * counter is always its count.
  *
- * Both compile to nothing unless HSR_COUNTING is 1. Then the compiler only
- * looks at their arguments, which must have no side effects. */
+ * Both compile to nothing if HSR_COUNTING is 0: the compiler checks their
+ * arguments, which must have no side effects, and leaves them out. */
 #ifndef HSR_COMMON_BASE_COUNT_H
 #define HSR_COMMON_BASE_COUNT_H
 
@@ -43,8 +43,9 @@ enum hsr_step_kind {
 };
 extern const char *const hsr_step_kind_name[HSR_N_STEP_KINDS];
 
-/* What the subjects of a step are, and what the numbers id[0], id[1], id[2] of
- * one mean. A counter of edges may count implied edges, too. */
+/* The kinds of subjects that a step may have. The comments say what the numbers
+ * id[0], id[1], id[2] of a subject mean. A counter of edges may also count
+ * implied edges. */
 #define HSR_SUBJECT_KINDS(X)                                                   \
   X(NOTHING, "nothing")                                                        \
   X(FACE, "face")   /* face */                                                 \
@@ -70,10 +71,11 @@ struct hsr_subject {
   uint32_t id[3];
 };
 
-/* What a counter of an algorithm counts. Every algorithm numbers its own, from
- * 0, with an enumeration in its file, and describes them in its descriptor.
- * What is not described there is not kept, which is not the same as 0. Like
- * counters of different algorithms bear the same name. */
+/* What a counter of an algorithm counts. Every algorithm numbers its counters
+ * from 0, with an enumeration in its file, and describes them in its
+ * descriptor. A counter that is not described there is not kept, which is not
+ * the same as 0. Counters of different algorithms that count the same have the
+ * same name. */
 #define HSR_MAX_COUNTERS 48
 struct hsr_counter {
   const char *name;    /* "X merge" */
@@ -82,13 +84,13 @@ struct hsr_counter {
   enum hsr_subject_kind a, b; /* of its events */
   const char *outcomes; /* what a step may decide, a word for each outcome from
                            0, "farther|nearer"; NULL: nothing is decided */
-  bool computed; /* added in bulk by HSR_COMPUTED: what hardware would do, found
-                    by arithmetic and not performed; has no events */
+  bool computed; /* added in bulk by HSR_COMPUTED: steps that hardware would do,
+                    computed and not performed; it has no events */
 };
 
 /* The questions put to the services of common/exact/screen.h. Each is decided
- * by a filter in doubles, whose bound is proved, or else by the exact path,
- * which is rare and counted in both builds. */
+ * by a filter in doubles with a proved bound, or else by the exact path. The
+ * exact path is rare, and is counted in both builds. */
 #define HSR_QUESTIONS(X)                                                       \
   X(DEPTH, "depth comparisons")                                                \
   X(CUT, "sides of cuts")                                                      \
@@ -117,43 +119,44 @@ struct hsr_event {
   struct hsr_window window; /* in samples; empty: the whole picture, or none */
   int outcome;              /* which of the counter's outcomes; or 0 */
   const void *part; /* HSR_ACCEPT of an answer that is not ids: what is added to
-                       it, as its kind of answer says; else NULL */
+                       it, in a form that its kind of answer defines; else NULL.
+                       Borrowed for the call of `listen` */
 };
 
-/* Who listens to a run. One listener at a time: a run that is traced is on one
- * thread, so that its events are in order. */
+/* The listener of a run. There is one at a time: a traced run is on one thread,
+ * so that its events are in order. */
 struct hsr_trace {
   /* Called for every event. Borrowed for the call. */
   void (*listen)(void *context, const struct hsr_event *event);
   void *context;
   uint64_t n; /* events so far */
 
-  /* Brings the subjects of an event from an algorithm's own numbers to those of
-   * the scene, before listen; NULL: they are the scene's. */
+  /* Called before `listen`, with `names`: turns the subjects of an event from
+   * an algorithm's own numbers into the scene's. NULL: they are the scene's. */
   void (*name)(const void *names, struct hsr_event *event);
   const void *names;
 };
 
 /* --- What one render counted ---------------------------------------------- */
 
-/* All zero to begin with. */
+/* All zero at the start. */
 struct hsr_tally {
   uint64_t count[HSR_MAX_COUNTERS];
-  int first; /* where one algorithm works inside another: the number that the
-                inner one's counter 0 has among all */
+  int first; /* the index in count[] of the running algorithm's counter 0; not 0
+                where one algorithm works inside another */
   uint64_t exact[HSR_N_QUESTIONS]; /* questions that took the exact path */
   uint64_t depths_compared; /* all of HSR_ASK_DEPTH; in the counting build */
   bool out_of_memory;       /* an exact predicate could not be decided */
 
-  /* Work picture, 1 a touch; NULL when not asked for. Sample (i, j) at
-   * work[j * work_stride + i]. */
+  /* Work picture: 1 is added for each touch of a sample. Sample (i, j) is at
+   * work[j * work_stride + i]. Borrowed; NULL when not asked for. */
   float *work;
   size_t work_stride;
 
   struct hsr_trace *trace; /* borrowed; NULL when nobody listens */
 };
 
-/* Adds `from` to `to`: counts and questions. */
+/* Adds the counts and questions of `from` to those of `to`. */
 void hsr_tally_add(struct hsr_tally *to, const struct hsr_tally *from);
 
 /* What HSR_STEP does when someone listens. */
@@ -161,7 +164,7 @@ void hsr_tally_tell(struct hsr_tally *tally, int counter, struct hsr_subject a,
                     struct hsr_subject b, struct hsr_window window, int outcome,
                     const void *part);
 
-/* --- Subjects and windows, to be written in a step ------------------------ */
+/* --- The subjects and windows of a step ----------------------------------- */
 
 static inline struct hsr_subject hsr_subject_make(enum hsr_subject_kind kind,
                                                   uint32_t x, uint32_t y,
@@ -170,7 +173,7 @@ static inline struct hsr_subject hsr_subject_make(enum hsr_subject_kind kind,
   return subject;
 }
 #define HSR_NOTHING hsr_subject_make(HSR_OF_NOTHING, 0, 0, 0)
-/* HSR_BACKGROUND, too, which is a face that is not there. */
+/* f may be HSR_BACKGROUND: no face. */
 #define HSR_FACE(f) hsr_subject_make(HSR_OF_FACE, f, 0, 0)
 #define HSR_PIECE(f, number) hsr_subject_make(HSR_OF_PIECE, f, number, 0)
 #define HSR_EDGE(a, b, f) hsr_subject_make(HSR_OF_EDGE, a, b, f)
@@ -186,7 +189,8 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
   struct hsr_window window = {x0, y0, x1, y1};
   return window;
 }
-/* One sample; the columns [x0, x1) of row j; nowhere in particular. */
+/* HSR_AT: one sample. HSR_ON: the columns [x0, x1) of row j. HSR_NOWHERE: no
+ * window. */
 #define HSR_AT(i, j) hsr_window_make(i, j, (i) + 1, (j) + 1)
 #define HSR_ON(x0, x1, j) hsr_window_make(x0, j, x1, (j) + 1)
 #define HSR_NOWHERE hsr_window_make(0, 0, 0, 0)
@@ -198,14 +202,15 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
 #endif
 
 /* HSR_STEP(tally, X_MERGE, HSR_EDGE(...), HSR_EDGE(...), HSR_ON(...), outcome):
- * one step. Subjects are in the numbers of the world that the algorithm got.
- * HSR_ACCEPTED(tally, DRAWN, a, b, window, part): a step of kind HSR_ACCEPT that
- * adds `part` to an answer that is not ids. A step of kind HSR_ACCEPT of ids
- * writes face a, HSR_BACKGROUND too, to all samples of the window.
- * HSR_COMPUTED(tally, Y_CULL, n): n more of a counter that is computed.
+ * one step. Subjects are in the numbers of the world that the algorithm got. If
+ * the answer is ids, a step of kind HSR_ACCEPT writes face a (HSR_BACKGROUND is
+ * allowed) to all samples of the window.
+ * HSR_ACCEPTED(tally, DRAWN, a, b, window, part): a step of kind HSR_ACCEPT
+ * that adds `part` to an answer that is not ids.
+ * HSR_COMPUTED(tally, Y_CULL, n): adds n to a counter that is computed.
  * HSR_TOUCH(tally, i, j): the sample was touched.
  * HSR_TOUCH_SPAN(tally, x0, x1, j): the samples [x0, x1) of row j were touched
- * all at once: each by its share.
+ * all at once; each gets its share of 1.
  * HSR_COUNT_DEPTHS(tally, n): n more comparisons of two faces' depths. */
 #if HSR_COUNTING
 #define HSR_TOLD(tally, counter_, a, b, window, outcome, part)                 \
@@ -230,7 +235,7 @@ static inline struct hsr_window hsr_window_make(int x0, int y0, int x1,
 #define HSR_COUNT_DEPTHS(tally, n)                                             \
   ((void)((tally)->depths_compared += (uint64_t)(n)))
 #else
-/* Seen by the compiler, and left out by it. */
+/* The compiler checks the arguments and leaves the code out. */
 #define HSR_TOLD(tally, counter, a, b, window, outcome, part)                  \
   do {                                                                         \
     if (0)                                                                     \

@@ -32,7 +32,8 @@ bool hsr_parse_whole(struct hsr_stretch stretch, long *number) {
   return !errno && !*end;
 }
 
-/* The finite decimal number that fills the stretch. */
+/* Reads a finite decimal number that fills the stretch. False if there is none.
+ */
 static bool parse_real(struct hsr_stretch stretch, double *number) {
   char digits[40], *end;
   if (!stretch.n || stretch.n >= sizeof digits ||

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a call that can fail says of its failure. */
+/* How a call that can fail reports its failure. */
 #ifndef HSR_COMMON_STATUS_H
 #define HSR_COMMON_STATUS_H
 
@@ -11,7 +11,7 @@ extern "C" {
 enum hsr_status {
   HSR_OK = 0,
   HSR_E_DIFFERENCE = 1, /* a picture differs, or a check failed */
-  HSR_E_USAGE = 2,      /* the caller's words are off */
+  HSR_E_USAGE = 2,      /* an argument, of a command or a call, is wrong */
   HSR_E_INPUT = 3,      /* a file or a scene cannot be used as it is */
   HSR_E_NOMEM = 4,      /* memory ran out, or a limit was met */
   HSR_E_INTERNAL = 5,   /* a fault of hsr, or of a library below it */
@@ -20,9 +20,8 @@ enum hsr_status {
 };
 
 /* One failure, as one line. Owned by the caller, who may pass NULL wherever a
- * function takes one; written only on failure. `text` has no newline and says
- * "file:line: what is wrong" where there is a file, "what is wrong" where
- * there is none. */
+ * function takes one. Written only on failure. `text` has no newline. It is
+ * "file:line: what is wrong" if a file is at fault, else "what is wrong". */
 struct hsr_error {
   enum hsr_status status;
   char text[480];

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* HSR_VECTOR before a function: compile it also for the wider vector units of
- * x86-64, and choose when the program starts. The source is plain C, the
- * portable twin; every version rounds alike, since nothing is contracted or
- * reordered. The counting build, which is never timed, is that twin alone:
- * clang gives the choice a global name, which cannot be there twice. */
+/* HSR_VECTOR before a function compiles it also for the wider vector units of
+ * x86-64; the version is chosen when the program starts. The source is plain C,
+ * the portable twin. Every version rounds alike, since nothing is contracted or
+ * reordered. The counting build, which is never timed, has that twin only:
+ * clang gives the choice a global name, which would then be defined twice. */
 #ifndef HSR_COMMON_VECTOR_H
 #define HSR_COMMON_VECTOR_H
 

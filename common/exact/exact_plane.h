@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plane of a face in numbers of any type: intervals, which may leave a
-// comparison open, and exact ones.
+// The plane of a face in numbers of any type: intervals, which may leave a sign
+// open, or exact numbers.
 #ifndef HSR_COMMON_EXACT_PLANE_H
 #define HSR_COMMON_EXACT_PLANE_H
 
@@ -42,7 +42,8 @@ template <class T> struct Plane {
     offset = normal * sum;
   }
 
-  // Across an axis: x, y or z = at, in front (+1) where it is greater.
+  // The plane x, y or z = at. front +1: its front is where the coordinate is
+  // greater; -1: where it is less.
   Plane(size_t axis, double at, int front)
       : normal(T(axis == 0 ? front : 0), T(axis == 1 ? front : 0),
                T(axis == 2 ? front : 0)),
@@ -51,8 +52,9 @@ template <class T> struct Plane {
   T height(const Vector<T> &p) const { return k * (normal * p) - offset; }
 };
 
-// The side of the plane of face f on which vertex v is, by the rounded plane,
-// if that is certain; else 0. The bound is that of order.c.
+// The side of the plane of face f that vertex v is on, +1 in front or -1
+// behind, if the rounded plane makes that certain; else 0. The bound is that of
+// order.c.
 inline int rough_side(const hsr_world *w, uint32_t f, uint32_t v) {
   const double n[3] = {w->mesh.nx[f], w->mesh.ny[f], w->mesh.nz[f]};
   const double r[3] = {w->mesh.x[v] - w->mesh.px[f],
@@ -67,7 +69,8 @@ inline int rough_side(const hsr_world *w, uint32_t f, uint32_t v) {
   return height > error ? 1 : height < -error ? -1 : 0;
 }
 
-// The same, exactly: +1 in front, -1 behind, 0 on it.
+// The exact side: +1 in front, -1 behind, 0 on the plane. May throw
+// std::bad_alloc.
 inline int side_of_plane(const hsr_world *w, uint32_t f, uint32_t v) {
   if (hsr_on_plane(w, f, v))
     return 0;

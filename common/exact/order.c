@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Notation    u = 2^-53; height of a point over the plane of g: N_g.(V - P_g),
- *             not normalised.
+/* Notation    u = 2^-53. The height of a point V over the plane of g is
+ *             N_g.(V - P_g), not normalised.
  *
- * Error of a height: that of N over |V - P|_1, the anchor's over |N|_1, and a
- * rounding of the difference, three of the products and sums, as in
- * find_deviation of world.c, all doubled. A point of an outline is itself off
- * by a few roundings for every time that it was clipped: 2^-44 of the largest
- * coordinate covers them, for pieces of fewer than two hundred cuts; so the
- * error of its height has 2^-43 |N|_1 |V|inf more. */
+ * The error of a height is the error of N times |V - P|_1, the anchor's times
+ * |N|_1, one rounding of the difference, and three of the products and sums, as
+ * in find_deviation of planes.c; all are doubled. A point of an outline is
+ * itself off by a few roundings for every time that it was clipped. 2^-44 of
+ * the largest coordinate covers them for pieces of fewer than two hundred cuts,
+ * so the error of its height has 2^-43 |N|_1 |V|inf more. */
 #include "common/exact/order.h"
 #include "common/view/clip.h"
 #include "common/exact/predicates.h"
@@ -46,8 +46,8 @@ int hsr_eye_side(const struct hsr_screen *screen, uint32_t g,
                               &tally->out_of_memory);
 }
 
-/* How far the heights over g of what is seen of f may be off those of f's
- * polygon: see Thickness. */
+/* The most by which the height over g of a seen point of f may differ from the
+ * heights of f's polygon: see Thickness. */
 static double thickness(const struct hsr_screen *screen, uint32_t f,
                         uint32_t g) {
   const struct hsr_world *world = screen->world;
@@ -108,13 +108,13 @@ static enum hsr_certainty on_side(const struct hsr_screen *screen,
     double p[3], error;
     uint32_t v = point_of(world, polygon, k, p);
     if (thick == 0 && v != HSR_NO_ID && hsr_on_plane(world, g, v))
-      continue; /* a vertex that they share */
+      continue; /* a vertex of both */
     double off = side * height(world, g, p, !polygon.outline, &error);
     if (off > thick + error)
       continue;
     if (off < -(thick + error + 2 * world->mesh.deviation[g]))
       return HSR_NO;
-    if (polygon.outline) /* rounded: but perhaps all of the face is there */
+    if (polygon.outline) /* in doubt: ask whether all of the face is there */
       return on_side(screen, (struct hsr_polygon){polygon.face, NULL, 0}, g,
                      side, tally);
     if (thick > 0) {
@@ -188,7 +188,8 @@ static void homogeneous(const struct hsr_view *view, const double p[3],
   }
 }
 
-/* Samples within [lo, hi] pixels, a pixel to spare, in [*begin, *end). */
+/* Narrows [*begin, *end) to the samples within [lo, hi] pixels, with a pixel to
+ * spare. */
 static void narrow_samples(double lo, double hi, int *begin, int *end) {
   if (lo - 1 > *begin)
     *begin = lo - 1 < *end ? (int)(lo - 1) : *end;
@@ -211,7 +212,7 @@ struct hsr_bounds hsr_outline_bounds(const struct hsr_screen *screen,
     y0 = fmin(y0, h[1] / h[2]);
     y1 = fmax(y1, h[1] / h[2]);
   }
-  /* What is seen of a face that is not flat lies on its rays all the same. */
+  /* Thickness moves points along their rays, so it does not matter here. */
   narrow_samples(x0, x1, &bounds.x0, &bounds.x1);
   narrow_samples(y0, y1, &bounds.y0, &bounds.y1);
   return bounds;
@@ -241,7 +242,7 @@ void hsr_depth_range(const struct hsr_screen *screen,
   *farthest = *farthest * stretch * (1 + 8 * U);
 }
 
-/* 1/w is linear on the screen, so that it is least and greatest at corners. */
+/* 1/w is linear on the screen, so it is least and greatest at corners. */
 void hsr_narrow_depth_range(const struct hsr_screen *screen, uint32_t f,
                             const struct hsr_bounds *bounds, double *nearest,
                             double *farthest) {

@@ -1,21 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Putting two faces in order by their planes, and dividing one by the other's:
- * what list-priority algorithms ask of a pair before they ask the samples.
+/* Putting two faces in order by their planes, and dividing one face by the
+ * plane of the other. List-priority algorithms ask these questions about a pair
+ * of faces before they ask about its samples.
  *
  * Source      Sutherland et al. 1974, "Uses of Plane Equations", and the fourth
  *             and fifth of Newell's tests.
- * Polygon     the convex hull of its points holds all of a face, or of a piece
- *             of one: the face's own vertices, exact; or an outline, which is
- *             approximate.
+ * Polygon     points whose convex hull holds all of a face, or of a piece of
+ *             one. They are the face's own vertices, which are exact, or an
+ *             outline, which is approximate.
  * Beyond      a polygon is beyond a plane if no ray of the picture meets the
- *             face's own plane, within the polygon, before it meets that plane;
- *             before a plane, if no ray meets it later. The two may touch.
- * Thickness   a face that is not exactly flat is drawn on its plane, its
- *             vertices a little off it: by how much the ray's point is off what
- *             the vertices span depends on the eye. With h the height of the
- *             eye over a plane, it is in proportion dev_f / (|h_f| - dev_f) of
- *             the distance at most, so that heights over g change by no more
- *             than |h_g| times that. Within it, nothing is certain. */
+ *             polygon, on its face's own plane, before it meets that plane. It
+ *             is before a plane if no ray meets it later. The two may touch.
+ * Thickness   a face that is not exactly flat is drawn on its plane, but its
+ *             vertices are a little off the plane. So a point that a ray sees
+ *             may be off the hull of the vertices. Let h be the height of the
+ *             eye over a plane: the point is off by at most the part
+ *             dev_f / (|h_f| - dev_f) of its distance, so that its height over
+ *             g changes by at most |h_g| times that part. A comparison that is
+ *             closer than this is not certain. */
 #ifndef HSR_COMMON_ORDER_H
 #define HSR_COMMON_ORDER_H
 
@@ -25,24 +27,24 @@
 extern "C" {
 #endif
 
-/* Of a face or a piece of one. */
+/* The polygon of a face, or of a piece of one. The outline is borrowed. */
 struct hsr_polygon {
   uint32_t face;
   const double (*outline)[3]; /* NULL: the vertices of the face */
   uint32_t n;                 /* points of the outline */
 };
 
-/* HSR_NEARLY: as far as can be told, within the thickness of faces that are not
- * flat; the samples of such a pair must be asked. */
+/* HSR_NEARLY: it may be so, but faces that are not flat are too thick to tell.
+ * The samples of such a pair must be asked. */
 enum hsr_certainty { HSR_NO, HSR_NEARLY, HSR_YES };
 
-/* On which side of the plane of g the eye is: +1 in front, -1 behind; g exists.
- */
+/* The side of the plane of g that the eye is on: +1 in front, -1 behind. g
+ * exists. */
 int hsr_eye_side(const struct hsr_screen *screen, uint32_t g,
                  struct hsr_tally *tally);
 
-/* Whether the polygon is beyond the plane of g, or before it. They are not on
- * one plane; both exist. */
+/* Whether the polygon is beyond the plane of g, or before it. Its face and g
+ * are not on one plane; both exist. */
 enum hsr_certainty hsr_beyond(const struct hsr_screen *screen,
                               struct hsr_polygon polygon, uint32_t g,
                               struct hsr_tally *tally);
@@ -50,30 +52,34 @@ enum hsr_certainty hsr_before(const struct hsr_screen *screen,
                               struct hsr_polygon polygon, uint32_t g,
                               struct hsr_tally *tally);
 
-/* An outline of what the cut at (g, side) leaves of a polygon: at most n + n/2
- * + 1 points for n of the polygon's, which `points` has room for, as scratch
- * has. Returns how many. */
+/* An outline of what a cut leaves of a polygon, in points[]. If the polygon has
+ * n points, the outline has at most n + n/2 + 1; `points` and `scratch` have
+ * room for that many. Returns how many there are. */
 uint32_t hsr_divide_outline(const struct hsr_screen *screen,
                             struct hsr_polygon polygon, struct hsr_cut cut,
                             double (*points)[3], double (*scratch)[3]);
 
-/* Bounds of a piece by its outline: those of the face, narrowed. */
+/* The bounds of the face, narrowed to the outline of the polygon, which must
+ * have one. */
 struct hsr_bounds hsr_outline_bounds(const struct hsr_screen *screen,
                                      struct hsr_polygon polygon);
 
-/* The depths w, along F, of all points where a ray meets the polygon's face
- * within it: in [*nearest, *farthest]; infinite if it cannot be told. */
+/* The depths w, along F in world units, of all points where a ray meets the
+ * polygon on its face's plane: they lie in [*nearest, *farthest]. Where that
+ * cannot be told, these are 0 and +infinity. */
 void hsr_depth_range(const struct hsr_screen *screen,
                      struct hsr_polygon polygon, double *nearest,
                      double *farthest);
 
-/* Narrows a depth range of face f to that of the samples within the bounds. */
+/* Narrows a depth range of face f to the depths of its plane at the samples
+ * within the bounds. */
 void hsr_narrow_depth_range(const struct hsr_screen *screen, uint32_t f,
                             const struct hsr_bounds *bounds, double *nearest,
                             double *farthest);
 
-/* Whether what is seen of face f may be farther than `reach` from the hull of
- * its vertices: the eye is near its plane. Never, of a face that is flat. */
+/* Whether what is seen of face f may be farther than `reach` (world units) from
+ * the hull of its vertices, because the eye is near its plane. False for a face
+ * that is flat. */
 bool hsr_grazes(const struct hsr_screen *screen, uint32_t f, double reach);
 
 #ifdef __cplusplus

@@ -38,10 +38,10 @@ bool hsr_pair_nearer(struct hsr_pair *pair, uint32_t f, uint32_t g, int i,
   for (uint32_t k = 0; k < 2; k++) {
     hsr_world_lay_out(world, k);
     hsr_world_find_plane(world, k, &tally->out_of_memory);
-    world->mesh.plane[k] = k; /* whether they are the same, shows */
+    world->mesh.plane[k] = k; /* equal planes are found out below */
     hsr_screen_plane(&pair->screen, k);
   }
-  /* Of equal planes neither is nearer than the other: the lower id wins. */
+  /* If the planes are equal neither is nearer, and the lower id wins. */
   bool higher = hsr_nearer(&pair->screen, 1, 0, i, j, tally);
   return higher == (f > g);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Comparing two faces of a scene that is not laid out: they are laid out for
- * it. Rare, where an approximate comparison leaves the two too close. */
+/* Comparing two faces of a scene that is not laid out, by laying out just those
+ * two. This is rare: an approximate comparison usually decides. */
 #ifndef HSR_COMMON_PAIR_H
 #define HSR_COMMON_PAIR_H
 
@@ -19,15 +19,15 @@ struct hsr_pair {
 /* The largest number of vertices that a face of the scene has. */
 uint32_t hsr_largest_face(const struct hsr_scene *scene);
 
-/* `scene` is the world that the ids are of, laid out or an outline. All is
- * borrowed; *pair must not be moved, and lasts as long as the arena's arrays.
- * HSR_E_NOMEM. */
+/* `scene` is the world that the ids belong to, laid out or an outline. All
+ * arguments are borrowed. *pair must not be moved, and lasts as long as the
+ * arena's arrays. HSR_E_NOMEM. */
 enum hsr_status hsr_pair_init(struct hsr_pair *pair,
                               const struct hsr_world *scene,
                               const struct hsr_view *view,
                               struct hsr_arena *arena);
 
-/* hsr_nearer for two faces by their ids in the scene, f != g. */
+/* hsr_nearer for two faces given by their ids in the scene, f != g. */
 bool hsr_pair_nearer(struct hsr_pair *pair, uint32_t f, uint32_t g, int i,
                      int j, struct hsr_tally *tally);
 

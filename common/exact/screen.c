@@ -5,13 +5,14 @@
  *             components, |.|inf the largest; v = V - E; delta = HSR_DELTA =
  *             2^-26; G = HSR_GUARD = 2^15. Everything is in doubles, rounded to
  *             nearest, nothing contracted. Coordinates are at most 1e30 in size
- *             (common/scene/scene.c), so that nothing overflows; underflow is covered
- *             where it can matter by adding 2^-960.
+ *             (common/scene/scene.c), so that nothing overflows. Where
+ *             underflow can matter, adding 2^-960 covers it.
  *
- * Vertices. v^ carries one rounding in each component; an entry M of the screen
- * matrix a relative error of 2u; a product of the two one rounding more, and
- * the sum of three at most two: a homogeneous coordinate is within 7u |M_row|_1
- * |v|inf to first order. With r = |v^|inf, 8u |M_row|_1 r holds all orders.
+ * Vertices. Each component of v^ carries one rounding, and an entry M of the
+ * screen matrix a relative error of 2u. A product of the two adds one rounding,
+ * and the sum of three products at most two. So a homogeneous coordinate is
+ * within 7u |M_row|_1 |v|inf of the true one, to first order. With r = |v^|inf,
+ * 8u |M_row|_1 r holds all orders.
  * Then sx = (w sx)/w is within (8u |M_x|_1 r + |sx| 8u |M_w|_1 r)/w of the true
  * one, plus two roundings of the division (a reciprocal and a product), at most
  * 3u G = 2^-36. A vertex is called safe if |sx|, |sy| <= G and
@@ -28,51 +29,52 @@
  * S/|c^|, where the last term covers the divisions by c^ and the sums of a sx +
  * b sy + c, each term of which is at most Q (1 + small).
  *
- * Depth at a vertex. Of a safe vertex |sx|, |sy| <= G, and there |D| is at most
- * max(1, G/m, G/n) times what it is in the picture. All terms of the error of
- * |q^ - q| grow with |D| by that factor at most, those of rounding included. To
- * this comes delta times the slopes of q, which differ from a^ and b^ by less
- * than that error over G. `outside` = 2 + G/m + G/n and 2 delta hold it all.
- * The same goes for the difference of two planes' q. Of a whole face, the
- * screen points of whose vertices have q_f >= q_g, every point within their
- * convex hull has q_f >= q_g, since the difference is affine, and every point
- * inside it has q_f > q_g, unless they are one function and the planes one. The
+ * Depth at a vertex. A safe vertex has |sx|, |sy| <= G, and there |D| is at
+ * most max(1, G/m, G/n) times what it is in the picture. All terms of the error
+ * |q^ - q| grow with |D| by that factor at most, those of rounding included.
+ * The vertex's own error adds delta times the slopes of q, which differ from a^
+ * and b^ by less than that error over G. `outside` = 2 + G/m + G/n and 2 delta
+ * hold it all. The same is true of the difference of two planes' q. Now let
+ * q_f >= q_g at all vertices of a whole face f. The difference is affine, so
+ * q_f >= q_g in the convex hull of the vertices on the screen. Inside the hull
+ * q_f > q_g, unless the two functions are the same and so are the planes. A
  * displaced sample that the face covers is inside.
  *
  * Facing. c < 0 means that the eye is in front. If |c^| > e_c + deviation, the
- * sign is certain, and every point X of the face's convex hull has N.(X - E) of
- * the sign of c too, since |N.(X - P)| <= deviation. A ray from the eye that
- * passes the hull at E + s D and the plane at E + t D then has s and t of one
- * sign: what the ray covers by parity lies ahead of the eye on the plane if and
- * only if it does in the hull. This is what lets faces be culled, and called
- * whole, by their vertices although a face may be a little out of plane.
+ * sign is certain. Every point X of the face's convex hull then has N.(X - E)
+ * of the sign of c too, since |N.(X - P)| <= deviation. Let a ray from the eye
+ * pass the hull at E + s D and the plane at E + t D: then s and t have one
+ * sign. So what the ray covers by parity lies ahead of the eye on the plane if
+ * and only if it does in the hull. That is why faces may be culled, and called
+ * whole, by their vertices, although a face may be a little out of plane.
  *
  * Row sides. sy of a safe vertex is within delta; the sample's is exact.
  *
  * Edge sides. With d = b - a and h = s - a on the screen, e = dx hy - dy hx. d^
- * is within 2 delta + 2^-37 of d in each component, h^ within delta + 2^-37,
- * and the products and their difference round by at most 2u (|dx hy| + |dy hx|)
- * <= 2^-36 (|hx| + |hy|), since |d| <= 2^16: in all within 2.1 delta (|dx| +
- * |dy| + |hx| + |hy|) + 4.2 delta^2. The filter takes 4 and 8. sign e is sign
- * edge(a, b), since that is e times w_a w_b det(F, R, U) times a negative
- * constant; both w are positive, and det(F, R, U) < 0 in a right-handed world.
+ * is within 2 delta + 2^-37 of d in each component, and h^ within delta +
+ * 2^-37. The products and their difference round by at most
+ * 2u (|dx hy| + |dy hx|) <= 2^-36 (|hx| + |hy|), since |d| <= 2^16. In all,
+ * e^ is within 2.1 delta (|dx| + |dy| + |hx| + |hy|) + 4.2 delta^2; the filter
+ * takes 4 and 8. sign e is sign edge(a, b), since that is e times
+ * w_a w_b det(F, R, U) times a negative constant; both w are positive, and
+ * det(F, R, U) < 0 in a right-handed world.
  *
- * Behind the eye, or beside it, a vertex still has homogeneous coordinates A =
- * S v, S the screen matrix, as computed within e_k = 8u |S_k|_1 |v|inf; then
- * |A_k|
- * <= (1 + 8u) e_k / 8u. row(v) has the sign of A_1 - sy A_2, and edge(a, b)
- * that of det(A, B, (sx, sy, 1)), as before the division. The first is within
- * e_1 + |sy| e_2 and the rounding of the product and the difference, at most a
- * quarter of that each; the filter takes three times it. A product A_k B_l
- * carries e_k |B_l| + f_l |A_k| <= 2.1 e_k f_l / 8u and a rounding of e_k f_l /
- * 64u; with further roundings of the sums, of four times that, the sum of all
- * is within 0.4 e f / u, for which the filter takes e f / u.
+ * Behind the eye, or beside it, a vertex still has homogeneous coordinates
+ * A = S v, where S is the screen matrix. As computed they are within
+ * e_k = 8u |S_k|_1 |v|inf, and |A_k| <= (1 + 8u) e_k / 8u. row(v) has the sign
+ * of A_1 - sy A_2, and edge(a, b) that of det(A, B, (sx, sy, 1)), as before the
+ * division. The first is within e_1 + |sy| e_2, plus the rounding of the
+ * product and of the difference, at most a quarter of that each; the filter
+ * takes three times it. A product A_k B_l carries e_k |B_l| + f_l |A_k| <= 2.1
+ * e_k f_l / 8u and a rounding of e_k f_l / 64u. The further roundings of the
+ * sums are four times that, and the sum of all is within 0.4 e f / u; the
+ * filter takes e f / u.
  *
  * Edge columns. For |dy| >= 16 delta the parameter of the crossing,
- * (y - ay)/dy in [0, 1], is within 3.5 delta/|dy|; the crossing ax + dx t
- * within delta + 2.1 delta + 3.5 delta |dx/dy|. Rounding of x + slope sy adds
- * at most 4u (G + 2 G |slope|) <= 2^-35 (1 + |slope|). The filter takes 4 delta
- * (1 + |slope|). */
+ * (y - ay)/dy in [0, 1], is within 3.5 delta/|dy|, and the crossing ax + dx t
+ * is within delta + 2.1 delta + 3.5 delta |dx/dy|. Rounding of x + slope sy
+ * adds at most 4u (G + 2 G |slope|) <= 2^-35 (1 + |slope|). The filter takes 4
+ * delta (1 + |slope|). */
 #include "common/exact/screen.h"
 #include "common/view/clip.h"
 #include "common/exact/predicates.h"
@@ -160,7 +162,8 @@ void hsr_screen_vertices(struct hsr_screen *screen) {
                    screen->sx, screen->sy, screen->q);
 }
 
-/* What all faces of a view share: see hsr_screen and the proof above. */
+/* Constants of a view, the same for all faces: see hsr_screen and the proof
+ * above. */
 struct plane_frame {
   double e0, e1, e2;    /* E */
   double r[3][3];       /* the rays */
@@ -236,7 +239,7 @@ struct cuts {
   size_t n;
 };
 
-/* The cuts of a face that is a piece. */
+/* The cuts that make face f a piece; none in a world that is not of pieces. */
 static struct cuts own_cuts(const struct hsr_world *world, uint32_t f) {
   const struct hsr_pieces *p = world->pieces;
   if (!p)
@@ -258,7 +261,8 @@ bool hsr_face_exists(const struct hsr_screen *screen, uint32_t f,
   return facing > 0 || (facing < 0 && !screen->world->mesh.one_sided[f]);
 }
 
-/* The window's samples within [lo, hi] of screen coordinates, closed. */
+/* The window's samples within screen coordinates [lo, hi], as [*begin, *end).
+ */
 static void sample_range(double lo, double hi, double first, int from, int to,
                          int *begin, int *end) {
   double a = ceil(lo - first), b = floor(hi - first) + 1;
@@ -275,7 +279,7 @@ static struct hsr_bounds sample_bounds(const struct hsr_view *view, double x0,
   return b;
 }
 
-/* Bounds of a face by its vertices: false if one of them is not safe. */
+/* The bounds of a face's vertices. False if one of them is not safe. */
 static bool vertex_bounds(const struct hsr_screen *screen, uint32_t f,
                           struct hsr_bounds *bounds) {
   const struct hsr_world *world = screen->world;
@@ -311,12 +315,12 @@ static void homogeneous(const struct hsr_screen *screen, uint32_t v,
   }
 }
 
-/* Bounds of a triangle or quadrilateral that reaches behind the eye: clip it,
- * before the division, to what lies ahead and within a pixel of the window. The
- * clipping planes are moved out by what the coordinates may be off, so that no
- * true point of the face in the window is lost. Whatever is left near the eye,
- * where the division would magnify the errors to half a pixel, is taken to be
- * anywhere. */
+/* Bounds of a triangle or quadrilateral that reaches behind the eye. It is
+ * clipped, before the division, to what lies ahead and within a pixel of the
+ * window. The clipping planes are moved out by the error of the coordinates, so
+ * that no true point of the face in the window is lost. If any of the rest is
+ * so near the eye that the division would magnify the errors to half a pixel,
+ * the bounds are the whole window. */
 static struct hsr_bounds clipped_bounds(const struct hsr_screen *screen,
                                         uint32_t f) {
   const struct hsr_world *world = screen->world;
@@ -363,7 +367,7 @@ static struct hsr_bounds clipped_bounds(const struct hsr_screen *screen,
   return sample_bounds(view, lo[0] - 1, lo[1] - 1, hi[0] + 1, hi[1] + 1);
 }
 
-/* All of the face's vertices certainly not before the eye. */
+/* Whether all of the face's vertices are certainly behind the eye. */
 static bool wholly_behind(const struct hsr_screen *screen, uint32_t f) {
   const struct hsr_world *world = screen->world;
   for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
@@ -377,7 +381,8 @@ static bool wholly_behind(const struct hsr_screen *screen, uint32_t f) {
   return true;
 }
 
-/* 0 < near q < 1 certainly holds on the face's plane within its bounds. */
+/* Whether q > 0 and near q < 1 certainly hold on the face's plane within its
+ * bounds. */
 static bool clear_of_near(const struct hsr_screen *screen, uint32_t f) {
   const struct hsr_bounds *b = &screen->bounds[f];
   double near = screen->view->near, error = screen->plane[f].error;
@@ -390,9 +395,9 @@ static bool clear_of_near(const struct hsr_screen *screen, uint32_t f) {
   return true;
 }
 
-/* Bounds of a divided face: narrowed to its outline's, where that is safely
- * before the eye. Its points are off by outline_error, which the matrix
- * magnifies as it does in the proof above. */
+/* Narrows the bounds of a divided face to those of its outline, if that is
+ * safely before the eye. The outline's points are off by outline_error, which
+ * the matrix magnifies as in the proof above. */
 static void narrow_to_outline(const struct hsr_screen *screen, uint32_t f,
                               struct hsr_bounds *b) {
   const struct hsr_pieces *p = screen->world->pieces;
@@ -440,8 +445,8 @@ bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
     narrow_to_outline(screen, f, b);
   if (b->x0 >= b->x1 || b->y0 >= b->y1)
     return false;
-  /* A face of uncertain plane may still be whole: a flat one before the eye is
-   * hit before the eye. */
+  /* A face whose facing is uncertain may still be whole: if it is flat and
+   * before the eye, rays meet it before the eye. */
   bool ahead = certain || screen->world->mesh.deviation[f] == 0;
   screen->whole[f] =
       safe && !own_cuts(screen->world, f).n &&
@@ -499,7 +504,7 @@ int hsr_vertex_nearer_exact(const struct hsr_screen *screen, uint32_t f,
   struct hsr_loop loop_g = hsr_plane_loop(screen->world, g);
   bool *out_of_memory = &tally->out_of_memory;
   tally->exact[HSR_ASK_VERTEX]++;
-  /* Mostly it lies in both planes, of faces that touch: that is soon told. */
+  /* Mostly the faces touch and the vertex lies in both planes: a quick test. */
   if (!hsr_exact_plane_side(loop_g, p, out_of_memory) &&
       !hsr_exact_plane_side(loop_f, p, out_of_memory))
     return 0;
@@ -507,7 +512,8 @@ int hsr_vertex_nearer_exact(const struct hsr_screen *screen, uint32_t f,
                                   out_of_memory);
 }
 
-/* The sign of a number that is within `error` of the truth; 0 if in doubt. */
+/* The sign of a number whose value is within `error` of the true one; 0 if that
+ * leaves it open. */
 static int certain_sign(double value, double error) {
   return (value > error) - (value < -error);
 }
@@ -519,8 +525,8 @@ static int homogeneous_row(const struct hsr_screen *screen, uint32_t v,
   return certain_sign(a[1] - sy * a[2], 3 * (error[1] + fabs(sy) * error[2]));
 }
 
-/* det(A, B, (sx, sy, 1)) along a row, as sx across + rest, with the errors of
- * these. */
+/* det(A, B, (sx, sy, 1)) along a row, as sx across + rest, and the errors of
+ * both. */
 struct row_edge {
   double across, rest, across_error, rest_error;
 };
@@ -569,7 +575,7 @@ int hsr_row_side_exact(const struct hsr_screen *screen, uint32_t v, int j,
   return hsr_exact_row_side(screen->view, p, sy, &tally->out_of_memory);
 }
 
-/* t > near on the plane of a cut face. */
+/* Whether t > near on the plane of face f at sample (i, j). */
 static bool beyond_near(const struct hsr_screen *screen, uint32_t f, int i,
                         int j, struct hsr_tally *tally) {
   const struct hsr_view *view = screen->view;
@@ -612,16 +618,16 @@ static bool within_cuts(const struct hsr_screen *screen, uint32_t f,
 
 /* --- Surround test and sample spans --------------------------------------- */
 
-/* Whether the edge from a to b, which crosses row j with a on side `row`,
- * crosses it to the right of sample (i, j). An edge in line with the eye
- * crosses nothing. */
+/* The edge from a to b crosses row j; a is on side `row` of it. Whether it
+ * crosses to the right of sample (i, j). An edge in line with the eye crosses
+ * nothing. */
 static bool crosses_right(const struct hsr_screen *screen, uint32_t a,
                           uint32_t b, int row, int i, int j,
                           struct hsr_tally *tally) {
   return hsr_edge_side(screen, a, b, i, j, tally) == -row;
 }
 
-/* The surround test of the paper, by counting crossings of a half line. */
+/* The paper's surround test: it counts crossings of a half line. */
 bool hsr_covers(const struct hsr_screen *screen, uint32_t f, int i, int j,
                 struct hsr_tally *tally) {
   const struct hsr_world *world = screen->world;
@@ -717,7 +723,7 @@ int hsr_vertex_row(const struct hsr_screen *screen, uint32_t v,
   double next = ceil(row);
   if (next - row > HSR_DELTA && row - next + 1 > HSR_DELTA)
     return next <= 0 ? 0 : next >= n ? n : (int)next;
-  /* Only the nearest row's line may pass through the vertex. */
+  /* Only the line of the nearest row may pass through the vertex. */
   double nearest = nearbyint(row);
   if (nearest < 0 || nearest >= n)
     return nearest < 0 ? 0 : n;
@@ -772,7 +778,7 @@ static void insert_column(int *columns, int n, int column) {
   columns[n] = column;
 }
 
-/* Columns of a whole face's edges on row j. */
+/* The columns where a whole face's edges cross row j, ascending. */
 static int whole_spans(const struct hsr_screen *screen, uint32_t f, int j,
                        int *columns, struct hsr_tally *tally) {
   const struct hsr_world *world = screen->world;
@@ -794,13 +800,13 @@ static int whole_spans(const struct hsr_screen *screen, uint32_t f, int j,
   return n_columns;
 }
 
-/* The first column in [lo, hi) for which holds(column) differs from its value
- * at lo; a question that changes at most once along a row. */
+/* A question whose answer holds(column) changes at most once along row j. `row`
+ * is the side of row j that a is on, or the side of a cut. */
 struct question {
   const struct hsr_screen *screen;
   struct hsr_tally *tally;
   uint32_t a, b, face; /* an edge and a face; or a cutting face a */
-  int row, j;          /* the row; on which side of it a is, or of the cut */
+  int row, j;
   bool (*holds)(const struct question *question, int i);
 };
 
@@ -834,6 +840,8 @@ static bool ask_past_near(const struct question *q, int i) {
              &q->tally->out_of_memory) > 0;
 }
 
+/* The first column in (lo, hi] where the answer is not at_lo, as it is at lo.
+ */
 static int change(const struct question *q, bool at_lo, int lo, int hi) {
   while (hi - lo > 1) { /* as at_lo at lo, not so at hi */
     int middle = lo + (hi - lo) / 2;
@@ -845,7 +853,7 @@ static int change(const struct question *q, bool at_lo, int lo, int hi) {
   return hi;
 }
 
-/* The columns [*lo, *hi) narrowed to where a half of t > near holds. */
+/* Narrows the columns [*lo, *hi) to those where the answer is yes. */
 static void narrow(const struct question *q, int *lo, int *hi) {
   if (*lo >= *hi)
     return;
@@ -858,22 +866,22 @@ static void narrow(const struct question *q, int *lo, int *hi) {
     *hi = change(q, true, *lo, *hi - 1);
 }
 
-/* Whether the edge crosses to the right of the first and of the last of some
- * columns, and the column where that changes, if it does. */
+/* For some columns: whether an edge crosses to the right of the first one and
+ * of the last one, and the column where that changes, if it does. */
 struct crossing {
   bool first, last;
   int column;
 };
 
-/* About where an edge crosses the row, wherever its ends are; any number where
- * that cannot be told. */
+/* The column near which an edge crosses the row, wherever its ends are. A
+ * guess: any number if it cannot be told. */
 static int guess_column(const struct question *q, const struct row_edge *edge) {
   double column =
       ceil(-edge->rest / edge->across - hsr_sample_x(q->screen->view, 0));
   return fabs(column) < HSR_GUARD ? (int)column : 0;
 }
 
-/* ask_crosses, quickly. */
+/* ask_crosses, with a filter before it. */
 static bool crosses_at(const struct question *q, const struct row_edge *edge,
                        int i) {
   int side = row_edge_side(edge, hsr_sample_x(q->screen->view, i));
@@ -910,9 +918,10 @@ static struct crossing find_crossing(const struct question *q, int lo, int hi) {
   return (struct crossing){first, last, change(q, first, lo, hi - 1)};
 }
 
-/* Columns of a cut face: by parity of the crossings to the right of a sample,
- * each of which ends or begins at most once along the row, where the plane is
- * ahead of the eye and past near. */
+/* The columns of a cut face. First the row is narrowed to where the plane is
+ * ahead of the eye and past near. There the parity of the edges that cross to
+ * the right tells what is covered; whether one edge does changes at most once
+ * along the row. */
 static int cut_spans(const struct hsr_screen *screen, uint32_t f, int j,
                      int *columns, struct hsr_tally *tally) {
   const struct hsr_world *world = screen->world;
@@ -957,7 +966,8 @@ static bool ask_side(const struct question *q, int i) {
   return hsr_cut_side(q->screen, q->face, q->a, i, q->j, q->tally) == q->row;
 }
 
-/* Spans narrowed to what the cuts leave of them. */
+/* Narrows each span to the part that the cuts leave. Returns how many columns
+ * are left. */
 static int narrow_by_cuts(const struct hsr_screen *screen, uint32_t f,
                           struct cuts cuts, int j, int *columns, int n,
                           struct hsr_tally *tally) {

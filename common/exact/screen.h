@@ -9,13 +9,15 @@
  *             which is linear on the screen: q = a sx + b sy + c on the plane
  *             of a face. Greater q is nearer.
  * Exact       every service answers for the input as given, not for these
- *             rounded coordinates: a filter in doubles decides when its proved
- *             error bound lets it, else the predicate of common/exact/predicates.h
- *             does, and tally->exact counts that.
- * Whole       a face is whole if it lies safely before the eye and its plane
- *             needs no test against near: then its edges on the screen are all
- *             there is to know. Any other face is cut, and is asked about by
- *             hsr_face_spans or hsr_covers, which handle both.
+ *             rounded coordinates. A filter in doubles decides where its proved
+ *             error bound lets it; else a predicate of
+ *             common/exact/predicates.h decides, and tally->exact counts that.
+ * Safe        a vertex is safely before the eye if its screen coordinates can
+ *             be computed well enough; else they are NaN.
+ * Whole       a face is whole if all its vertices are safely before the eye, it
+ *             has no cuts and its plane needs no test against near. Then its
+ *             edges on the screen tell all about it. Any other face is cut;
+ *             hsr_face_spans and hsr_covers handle both.
  *
  * The proofs of the bounds are in screen.c. */
 #ifndef HSR_COMMON_SCREEN_H
@@ -34,13 +36,13 @@
 extern "C" {
 #endif
 
-/* Every screen coordinate that is not NaN is within this of the true one, in
- * pixels, and at most HSR_GUARD in size. */
+/* Every screen coordinate that is not NaN is within HSR_DELTA pixels of the
+ * true one, and at most HSR_GUARD pixels in size. */
 #define HSR_DELTA 0x1p-26
 #define HSR_GUARD 0x1p15
 
-/* 1/t on a face's plane: |a sx + b sy + c - q| <= error as computed in doubles
- * in this order, anywhere in the picture. error is +infinity where the
+/* q = 1/t on a face's plane: |a sx + b sy + c - q| <= error anywhere in the
+ * picture, if computed in doubles in this order. error is +infinity where the
  * coefficients say nothing. */
 struct hsr_depth_plane {
   double a, b, c, error;
@@ -52,29 +54,30 @@ struct hsr_bounds {
 };
 
 struct hsr_screen {
-  const struct hsr_world *world;
-  const struct hsr_view *view;
+  const struct hsr_world *world; /* borrowed */
+  const struct hsr_view *view;   /* borrowed */
 
   double *sx, *sy; /* a vertex; NaN if not safely before the eye */
-  double *q; /* a vertex: 1/w, within 2^-42 of itself where sx is not NaN */
+  double *q;       /* a vertex: 1/w, relative error 2^-42 where sx is not NaN */
   struct hsr_depth_plane *plane; /* a face */
   signed char *facing; /* a face: +1 the eye is in front of it, -1 behind, and
-                          no vertex is as far out of its plane as the eye; 0:
-                          not certain */
+                          no vertex is as far from its plane as the eye; 0: not
+                          certain */
 
-  double reach[3]; /* no |D| in the picture is larger, by components */
-  double outside;  /* a plane's error at any vertex that is safely before the
-                      eye is at most this times its `error` */
+  double reach[3]; /* the components of |D| in the picture are at most this */
+  double outside;  /* at a vertex safely before the eye, a plane's error is at
+                      most this times its `error` */
 
-  /* The relevant faces: existing, and with a sample of the window in their
-   * bounds; ascending ids. */
+  /* The relevant faces, by ascending number: they exist, and a sample of the
+   * window is in their bounds. */
   uint32_t *relevant;
   uint32_t n_relevant;
-  struct hsr_bounds *bounds; /* a face; of the relevant ones only */
-  bool *whole;               /* a face; of the relevant ones only */
+  struct hsr_bounds *bounds; /* a face; set for relevant ones only */
+  bool *whole;               /* a face; set for relevant ones only */
 };
 
-/* Allocates what the functions below fill. HSR_E_NOMEM. */
+/* Allocates what the functions below fill, in the arena. `world` and `view` are
+ * borrowed and must outlive *screen. HSR_E_NOMEM. */
 enum hsr_status hsr_screen_init(struct hsr_screen *screen,
                                 const struct hsr_world *world,
                                 const struct hsr_view *view,
@@ -83,32 +86,33 @@ enum hsr_status hsr_screen_init(struct hsr_screen *screen,
 /* The perspective transform of all vertices: fills sx, sy, q. */
 void hsr_screen_vertices(struct hsr_screen *screen);
 
-/* The depth planes of all faces, or of one: fills plane and facing. */
+/* The depth planes of all faces, or of face f: fills plane and facing. */
 void hsr_screen_planes(struct hsr_screen *screen);
 void hsr_screen_plane(struct hsr_screen *screen, uint32_t f);
 
-/* The culls of one face, whose plane is filled in: false if it does not exist,
- * or has no sample of the window in its bounds; else fills bounds and whole. */
+/* The culls of one face, whose plane is filled in. False if the face does not
+ * exist, or no sample of the window is in its bounds; else fills bounds and
+ * whole. */
 bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
                       struct hsr_tally *tally);
 
-/* The culls that every algorithm begins with, of all faces: fills relevant,
- * bounds and whole. */
+/* Culls all faces, as every algorithm does first: fills relevant, bounds and
+ * whole. */
 void hsr_screen_cull(struct hsr_screen *screen, struct hsr_tally *tally);
 
-/* All of these. HSR_E_NOMEM. */
+/* All of the above, in their order. HSR_E_NOMEM. */
 enum hsr_status hsr_screen_make(struct hsr_screen *screen,
                                 const struct hsr_world *world,
                                 const struct hsr_view *view,
                                 struct hsr_arena *arena,
                                 struct hsr_tally *tally);
 
-/* Does the face exist for this view: not a back face of a one-sided object, and
- * its plane does not hold the eye. */
+/* Does the face exist in this view? It does unless it is a back face of a
+ * one-sided object, or its plane holds the eye. */
 bool hsr_face_exists(const struct hsr_screen *screen, uint32_t f,
                      struct hsr_tally *tally);
 
-/* The exact ends of the filters below; call those. */
+/* What the filters below fall back to; call the filters instead. */
 bool hsr_nearer_exact(const struct hsr_screen *screen, uint32_t f, uint32_t g,
                       double sx, double sy, struct hsr_tally *tally);
 int hsr_vertex_nearer_exact(const struct hsr_screen *screen, uint32_t f,
@@ -131,12 +135,12 @@ static inline double hsr_depth(const struct hsr_screen *screen, uint32_t f,
                       hsr_sample_y(screen->view, j));
 }
 
-/* Is f nearer than g on the ray of a sample at (sx, sy), or of sample (i, j),
- * by their planes: the order of the picture, ties included. Both exist; f != g.
- * (sx, sy) is any point of the picture, 0 <= sx <= m and 0 <= sy <= n, for all
- * of which the bound of the planes' errors is proved. Where a plane is met
- * behind the eye its 1/t is negative, and compared as that: so the order of two
- * planes changes at most at one place of a row. */
+/* Is the plane of f nearer than that of g on the ray of a sample at (sx, sy),
+ * or of sample (i, j)? This is the order of the picture, ties included. Both
+ * exist; f != g. (sx, sy) is any point of the picture, 0 <= sx <= m and 0 <= sy
+ * <= n: there the bound of the planes' errors is proved. Where a plane is met
+ * behind the eye its 1/t is negative, and is compared as such. So the order of
+ * two planes changes at most once along a row. */
 static inline bool hsr_nearer_at(const struct hsr_screen *screen, uint32_t f,
                                  uint32_t g, double sx, double sy,
                                  struct hsr_tally *tally) {
@@ -159,8 +163,8 @@ static inline bool hsr_nearer(const struct hsr_screen *screen, uint32_t f,
 }
 
 /* q of face f's plane at vertex v, which is safely before the eye, within
- * hsr_vertex_error. Where a face is whole, these are the extremes of what it
- * has in its samples. */
+ * hsr_vertex_error. If f is whole, q at its samples lies between the least and
+ * the greatest of these at its vertices. */
 static inline double hsr_vertex_depth(const struct hsr_screen *screen,
                                       uint32_t f, uint32_t v) {
   const struct hsr_depth_plane *p = &screen->plane[f];
@@ -173,10 +177,10 @@ static inline double hsr_vertex_error(const struct hsr_screen *screen,
 }
 
 /* Which of the planes of f and g is nearer on the ray through vertex v, which
- * is safely before the eye: +1 f's, -1 g's, 0 if they meet there; nothing is
- * perturbed. If f is whole and this is +1 or 0 at all of its vertices, then f
- * is nearer, by hsr_nearer, at every sample that it covers; or both are on one
- * plane. Both exist. */
+ * is safely before the eye: +1 that of f, -1 that of g, 0 if they meet there.
+ * Nothing is perturbed. Both exist. If f is whole and the answer is +1 or 0 at
+ * all of its vertices, then either hsr_nearer says that f is nearer at every
+ * sample that it covers, or both are on one plane. */
 static inline int hsr_vertex_nearer(const struct hsr_screen *screen, uint32_t f,
                                     uint32_t g, uint32_t v,
                                     struct hsr_tally *tally) {
@@ -191,9 +195,9 @@ static inline int hsr_vertex_nearer(const struct hsr_screen *screen, uint32_t f,
   return hsr_vertex_nearer_exact(screen, f, g, v, tally);
 }
 
-/* On which side of sample row j vertex v lies: -1 above the line, or on it;
- * +1 below. For a vertex behind the eye the sides are those of the
- * definition. */
+/* The side of sample row j that vertex v lies on: -1 above the line or on it,
+ * +1 below. For a vertex behind the eye this is the sign of row(v) in
+ * docs/correct-picture.md. */
 static inline int hsr_row_side(const struct hsr_screen *screen, uint32_t v,
                                int j, struct hsr_tally *tally) {
   double below = screen->sy[v] - hsr_sample_y(screen->view, j);
@@ -227,16 +231,17 @@ static inline int hsr_edge_side(const struct hsr_screen *screen, uint32_t a,
 bool hsr_covers(const struct hsr_screen *screen, uint32_t f, int i, int j,
                 struct hsr_tally *tally);
 
-/* The first row, in [0, n], whose line lies below vertex v or on it. v is
- * safely before the eye. An edge between vertices a and b of a whole face
- * crosses just the rows [first(a), first(b)). */
+/* The first row, in [0, n], whose line lies below vertex v or passes through
+ * it. v is safely before the eye. An edge from vertex a down to b, of a whole
+ * face, crosses exactly the rows [hsr_vertex_row(a), hsr_vertex_row(b)). */
 int hsr_vertex_row(const struct hsr_screen *screen, uint32_t v,
                    struct hsr_tally *tally);
 
-/* An edge of a whole face on the screen, to be followed from row to row. */
+/* An edge of a whole face on the screen, to be followed from row to row. It
+ * crosses the row at sy within `tolerance` pixels of x + slope * sy. */
 struct hsr_edge {
-  uint32_t a, b;              /* vertices, a above b */
-  double x, slope, tolerance; /* crossing of row j: x + slope * sy, within */
+  uint32_t a, b; /* vertices, a above b */
+  double x, slope, tolerance;
 };
 void hsr_edge_init(struct hsr_edge *edge, const struct hsr_screen *screen,
                    uint32_t a, uint32_t b);
@@ -244,9 +249,10 @@ int hsr_edge_column_exact(const struct hsr_screen *screen,
                           const struct hsr_edge *edge, int j,
                           struct hsr_tally *tally);
 
-/* The first column, in [0, m], whose sample lies right of the edge, or on it,
- * in row j, which the edge crosses. So a convex whole face covers the samples
- * from one of its edges' columns up to the other's. */
+/* The first column, in [0, m], whose sample in row j lies right of the edge or
+ * on it. The edge crosses row j. A convex whole face covers the samples of a
+ * row from the column of one of its edges up to, not including, that of
+ * another. */
 static inline int hsr_edge_column(const struct hsr_screen *screen,
                                   const struct hsr_edge *edge, int j,
                                   struct hsr_tally *tally) {
@@ -260,17 +266,18 @@ static inline int hsr_edge_column(const struct hsr_screen *screen,
 }
 
 /* The samples of row j that face f covers, as columns c[0] <= c[1] <= ...: it
- * covers [c[0], c[1]), [c[2], c[3]) and so on. Returns how many columns, an
- * even number; `columns` has room for the face's size + 4. */
+ * covers [c[0], c[1]), [c[2], c[3]) and so on. Returns the number of columns,
+ * which is even; `columns` has room for the face's size + 4. */
 int hsr_face_spans(const struct hsr_screen *screen, uint32_t f, int j,
                    int *columns, struct hsr_tally *tally);
 
 /* --- Cut faces (common/scene/pieces.h) ------------------------------------ */
 
-/* What n_cuts cuts leave of a face; no sample of it is out of its bounds. */
+/* The part of a face that n_cuts cuts leave; all its samples are in `bounds`.
+ */
 struct hsr_piece {
   uint32_t face, n_cuts;
-  const struct hsr_cut *cuts; /* NULL if there are none */
+  const struct hsr_cut *cuts; /* borrowed; NULL if there are none */
   struct hsr_bounds bounds;
 };
 
@@ -281,20 +288,20 @@ static inline struct hsr_piece hsr_uncut_face(const struct hsr_screen *screen,
   return piece;
 }
 
-/* On which side of the plane of g does the ray of sample (i, j) meet the plane
- * of f: +1 in front of it, -1 behind. f exists and is ahead there; f and g do
- * not lie on one plane. The plane of g may hold the eye; both are filled in, as
- * those of all cutting faces must be by the time that a divided one is asked
- * about. */
+/* The side of the plane of g on which the ray of sample (i, j) meets the plane
+ * of f: +1 in front, -1 behind. f exists and its plane is ahead of the eye
+ * there; f and g do not lie on one plane. The plane of g may hold the eye. Both
+ * planes are filled in (hsr_screen_plane): before a divided face is asked
+ * about, the planes of all faces that cut it must be. */
 int hsr_cut_side(const struct hsr_screen *screen, uint32_t f, uint32_t g, int i,
                  int j, struct hsr_tally *tally);
 
-/* hsr_covers for the piece of f that n cuts leave. */
+/* hsr_covers for the piece that n cuts leave of f. */
 bool hsr_piece_covers(const struct hsr_screen *screen, uint32_t f,
                       const struct hsr_cut *cut, size_t n, int i, int j,
                       struct hsr_tally *tally);
 
-/* hsr_face_spans for the piece of f that n cuts leave. */
+/* hsr_face_spans for the piece that n cuts leave of f. */
 int hsr_piece_spans(const struct hsr_screen *screen, uint32_t f,
                     const struct hsr_cut *cut, size_t n, int j, int *columns,
                     struct hsr_tally *tally);
@@ -302,29 +309,30 @@ int hsr_piece_spans(const struct hsr_screen *screen, uint32_t f,
 /* --- Polygons that are in no screen --------------------------------------- */
 
 /* The same questions about polygons given by their corners, at any (sx, sy):
- * faces that move with their instance, and planes across an axis. There is no
- * filter: whoever asks has one of his own, and asks about what that leaves
- * open. tally->exact counts each. */
+ * for faces that move with their instance, and for planes across an axis. There
+ * is no filter here. The caller has one, and asks only what it leaves open.
+ * tally->exact counts each question. */
 
-/* The sign of edge(a, b), as of hsr_edge_side. */
+/* The sign of edge(a, b), as hsr_edge_side gives it. */
 int hsr_loop_edge_side(const struct hsr_view *view, const double a[3],
                        const double b[3], double sx, double sy,
                        struct hsr_tally *tally);
 
-/* hsr_cut_side, of two planes. */
+/* hsr_cut_side for the planes of two polygons. */
 int hsr_loop_cut_side(const struct hsr_view *view, struct hsr_loop f,
                       struct hsr_loop g, double sx, double sy,
                       struct hsr_tally *tally);
 
-/* Is 1/t of the plane less than 1/near? That is t > near where the plane is met
- * before the eye. And: is it met before the eye, and beyond near? */
+/* hsr_loop_past_near: is 1/t of the plane less than 1/near? Where the plane is
+ * met in front of the eye, that means t > near. hsr_loop_beyond_near: is the
+ * plane met in front of the eye, and with t > near? */
 bool hsr_loop_past_near(const struct hsr_view *view, struct hsr_loop plane,
                         double sx, double sy, struct hsr_tally *tally);
 bool hsr_loop_beyond_near(const struct hsr_view *view, struct hsr_loop plane,
                           double sx, double sy, struct hsr_tally *tally);
 
-/* Is (sx, sy) within the polygon: the parity of its edges that cross the row to
- * the right (docs/correct-picture.md)? */
+/* Is (sx, sy) within the polygon, by the parity of its edges that cross to the
+ * right (docs/correct-picture.md)? */
 bool hsr_loop_surrounds(const struct hsr_view *view, struct hsr_loop polygon,
                         double sx, double sy, struct hsr_tally *tally);
 

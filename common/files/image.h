@@ -9,21 +9,22 @@
 extern "C" {
 #endif
 
-/* Writes by suffix:
+/* Writes a picture in the format of the suffix:
  *   .exr  channels R G B Z as float and id as 32-bit unsigned (rgb, depth and
  *         ids must all be there);
- *   any other suffix OpenImageIO writes (.png, .ppm, .tif, .jpg ...): rgb as 8
- *         bits a channel, sRGB-encoded.
- * Writes to a temporary name beside `path` and renames, so that a failure
- * leaves no half a file. `text`, NULL or "key=value" lines, goes into the
+ *   any other suffix that OpenImageIO writes (.png, .ppm, .tif, .jpg ...): rgb
+ *         as 8 bits a channel, sRGB-encoded.
+ * Writes to a temporary name beside `path` and renames it, so that a failure
+ * leaves no partial file. `text`, NULL or "key=value" lines, goes into the
  * file's metadata where the format has a place. HSR_E_INPUT: the suffix is not
  * known or the file cannot be written (*err names it); HSR_E_NOMEM. */
 enum hsr_status hsr_image_write(const char *path,
                                 const struct hsr_picture *picture,
                                 const char *text, struct hsr_error *err);
 
-/* Writes one float channel, m x n: .exr as it is (channel Y); others through a
- * perceptual colour ramp, logarithmically, the largest value brightest. */
+/* Writes one float channel, m x n. To .exr as it is (channel Y); to others
+ * through a perceptual colour ramp, logarithmically, the largest value
+ * brightest. Fails as hsr_image_write. */
 enum hsr_status hsr_image_write_work(const char *path, int m, int n,
                                      const float *work, struct hsr_error *err);
 

@@ -9,9 +9,9 @@
 extern "C" {
 #endif
 
-/* Appends a value and gives up the caller's reference to it. Where that fails,
- * or the value is NULL, *array is freed and becomes NULL: so a failure reaches
- * whoever prints the whole. */
+/* Appends a value and takes over the caller's reference to it. If that fails,
+ * or the value is NULL, *array is freed and becomes NULL. So a failure shows in
+ * the value that is printed in the end. */
 void hsr_json_append(json_t **array, json_t *value);
 
 #ifdef __cplusplus

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A line drawing on paper: the strokes of a plotter, by pens.
+/* A line drawing on paper, as the strokes of a plotter's pens.
  *
  * Paper       in pixels, sx to the right and sy down, [0, m] x [0, n], as in
  *             common/view/view.h; white.
- * Rounded     strokes are for the eye: their ends are those of the drawing's
- *             intervals, rounded, and held inside the picture. */
+ * Rounded     strokes are only looked at. Their ends are those of the drawing's
+ *             intervals, rounded and kept inside the picture. */
 #ifndef HSR_COMMON_PLOT_H
 #define HSR_COMMON_PLOT_H
 
@@ -40,14 +40,14 @@ struct hsr_plot {
   const char *title, *description; /* borrowed; NULL: none */
 };
 
-/* Where a point of the world is on the paper. False if it is not before the
- * eye. */
+/* Finds where a point of the world is on the paper, in pixels. False if it is
+ * not before the eye. */
 bool hsr_plot_point(const struct hsr_view *view, const double point[3],
                     double at[2]);
 
-/* Lays out a drawing of the whole view. An implied edge counts to the object of
- * its first face. Freed with hsr_plot_free also after a failure: HSR_E_NOMEM.
- */
+/* Lays out a drawing of the whole view. An implied edge belongs to the object
+ * of its first face. Freed with hsr_plot_free, also after a failure.
+ * HSR_E_NOMEM. */
 enum hsr_status hsr_plot_init(struct hsr_plot *plot,
                               const struct hsr_drawing *drawing,
                               const struct hsr_world *world,
@@ -55,13 +55,13 @@ enum hsr_status hsr_plot_init(struct hsr_plot *plot,
                               enum hsr_hidden hidden, struct hsr_error *err);
 void hsr_plot_free(struct hsr_plot *plot);
 
-/* The strokes from number k on that share the pen and object of stroke k. */
+/* How many strokes, from number k on, share the pen and object of stroke k. */
 size_t hsr_plot_run(const struct hsr_plot *plot, size_t k);
 
 /* --- Paper ---------------------------------------------------------------- */
 
-/* Files, whole or not at all. HSR_E_INPUT: cannot be written; HSR_E_NOMEM.
- * In .svg each object has a <path> of its own for each pen. */
+/* Write a file, whole or not at all. HSR_E_INPUT: it cannot be written;
+ * HSR_E_NOMEM. In .svg each object has a <path> of its own for each pen. */
 enum hsr_status hsr_plot_write_svg(const struct hsr_plot *plot,
                                    const char *path, struct hsr_error *err);
 enum hsr_status hsr_plot_write_pdf(const struct hsr_plot *plot,

@@ -9,10 +9,10 @@
 extern "C" {
 #endif
 
-/* Appends everything in the file to an empty scene, unfinished
- * (hsr_scene_finish is the caller's). Mesh files that the scene names are
- * found relative to it. HSR_E_INPUT with file and line, or the JSON path of the
- * offending value; HSR_E_NOMEM. */
+/* Appends everything in the file to an empty scene. The caller must call
+ * hsr_scene_finish. Paths of mesh files are relative to the scene file.
+ * HSR_E_INPUT with file and line, or the JSON path of the offending value;
+ * HSR_E_NOMEM. */
 enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
                                     struct hsr_import *import,
                                     struct hsr_error *err);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a file's name says of its format. */
+/* A file's format, by its name. */
 #ifndef HSR_COMMON_FILES_SUFFIX_H
 #define HSR_COMMON_FILES_SUFFIX_H
 
@@ -13,7 +13,7 @@ static inline bool hsr_ends_in(const char *path, const char *suffix) {
   return dot && !strcasecmp(dot, suffix);
 }
 
-/* Whether only a line drawing is written to a file of this name. */
+/* Whether a file of this name can hold only a line drawing. */
 static inline bool hsr_is_line_file(const char *path) {
   return hsr_ends_in(path, ".svg") || hsr_ends_in(path, ".pdf") ||
          hsr_ends_in(path, ".vtp");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An output file that is there whole or not at all: it is written under another
+/* An output file that exists whole or not at all: it is written under another
  * name beside its own, and renamed in the end. */
 #ifndef HSR_COMMON_WHOLE_FILE_H
 #define HSR_COMMON_WHOLE_FILE_H
@@ -18,12 +18,14 @@ struct hsr_whole_file {
   FILE *stream;     /* to be written to */
 };
 
-/* HSR_E_NOMEM; HSR_E_INPUT if it cannot be written, with *err naming it. */
+/* Opens the file under its other name. HSR_E_NOMEM; HSR_E_INPUT if it cannot be
+ * written, with *err naming it. */
 enum hsr_status hsr_whole_file_open(struct hsr_whole_file *file,
                                     const char *path, struct hsr_error *err);
 
-/* Renames the file, if `status`, how the writing went, is HSR_OK and all has
- * reached it; else removes it. Returns `status`, or HSR_E_INPUT. */
+/* Closes the file. `status` is the outcome of the writing: if it is HSR_OK and
+ * all bytes have reached the file, renames it; else removes it. Returns
+ * `status`, or HSR_E_INPUT if closing or renaming failed. */
 enum hsr_status hsr_whole_file_close(struct hsr_whole_file *file,
                                      enum hsr_status status,
                                      struct hsr_error *err);

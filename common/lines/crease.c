@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The sides of faces are sorted here once more, rather than taken from
- * common/lines/edges.h, which would look for penetrations as well. */
+/* The sides of faces are sorted here again. common/lines/edges.h has them too,
+ * but making it looks for penetrations as well. */
 #include "common/lines/crease.h"
 #include "common/scene/pieces.h"
 
@@ -66,8 +66,8 @@ static enum hsr_status find_sides(struct sides *sides,
   return HSR_OK;
 }
 
-/* The cosine of the angle between the normals of two faces, both taken as if
- * they ran their common edge in opposite directions, as neighbours do. */
+/* The cosine of the angle between the normals of two faces. If they run along
+ * their common edge in one direction, one normal is turned. */
 static double cosine(const struct hsr_world *world, const struct side *s,
                      const struct side *t) {
   const double n[3] = {world->mesh.nx[s->face], world->mesh.ny[s->face],

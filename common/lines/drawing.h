@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A line drawing: the edges of a picture, in intervals of one quantitative
- * invisibility each. docs/correct-drawing.md has the definition. */
+/* A line drawing: the edges of a picture, divided into intervals of one
+ * quantitative invisibility each. docs/correct-drawing.md has the definition.
+  */
 #ifndef HSR_COMMON_DRAWING_H
 #define HSR_COMMON_DRAWING_H
 
@@ -14,8 +15,9 @@
 extern "C" {
 #endif
 
-/* Which edge: of faces, a < b being its vertices, and part 0; or implied, a < b
- * being the faces that penetrate, and part its number among theirs. */
+/* Names an edge. An edge of faces: a < b are its vertices, part is 0. An
+ * implied edge: a < b are the faces that penetrate, part is its number among
+ * theirs. */
 struct hsr_edge_name {
   bool implied;
   uint32_t a, b, part;
@@ -29,14 +31,15 @@ struct hsr_segment {
   double from[3], to[3]; /* its ends in world space, rounded: for output */
 };
 
-/* Intervals, in the order of the definition. All zero is an empty drawing; it
- * owns its memory, which is kept from frame to frame. */
+/* Intervals, in the order of the definition. All zero is an empty drawing. It
+ * owns its memory, which is kept from frame to frame; hsr_drawing_free frees
+ * it. */
 struct hsr_drawing {
   struct hsr_segment *segment;
   size_t n, room;
 };
 
-/* What becomes of the hidden parts of edges where a drawing is shown. */
+/* How the hidden parts of edges are shown. */
 enum hsr_hidden {
   HSR_HIDDEN_NONE,   /* left out */
   HSR_HIDDEN_DASHED, /* dashed */
@@ -50,23 +53,24 @@ static inline void hsr_drawing_clear(struct hsr_drawing *drawing) {
 }
 void hsr_drawing_free(struct hsr_drawing *drawing);
 
-/* Appends an interval; or, if it begins on the same edge where the last one
- * ends and has the same invisibility, lengthens that. HSR_E_NOMEM. */
+/* Appends an interval. If it begins where the last one ends, on the same edge
+ * and with the same invisibility, lengthens that one instead. HSR_E_NOMEM. */
 enum hsr_status hsr_drawing_add(struct hsr_drawing *drawing,
                                 const struct hsr_segment *segment);
 
-/* < 0, 0 or > 0: the order of edges in a drawing. */
+/* The order of edges in a drawing: < 0, 0 or > 0 as a comes before b, is b, or
+ * comes after it. */
 int hsr_edge_name_compare(const struct hsr_edge_name *a,
                           const struct hsr_edge_name *b);
 
-/* Brings the edges into their order. The intervals of an edge, which must
- * follow one another, stay as they are. HSR_E_NOMEM. */
+/* Sorts the edges. The intervals of one edge must follow one another, and keep
+ * their order. HSR_E_NOMEM. */
 enum hsr_status hsr_drawing_sort(struct hsr_drawing *drawing);
 
-/* How two drawings of one scene and view compare: the intervals of each edge
- * must agree in number, order and invisibility, and their ends within
- * HSR_DRAWING_TOLERANCE, relatively. With `visible_only`, the intervals of
- * `wanted` are first taken together as visible and hidden ones. */
+/* Compares two drawings of one scene and view. The intervals of each edge must
+ * agree in number, order and invisibility, and their ends to a relative
+ * HSR_DRAWING_TOLERANCE. With `visible_only`, the intervals of `wanted` are
+ * first merged into visible and hidden ones. */
 #define HSR_DRAWING_TOLERANCE 1e-12
 struct hsr_drawing_difference {
   uint64_t edges;             /* in either drawing */

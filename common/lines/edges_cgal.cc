@@ -123,8 +123,7 @@ void add_real(const hsr_world *world, Edges &made) {
   }
 }
 
-// --- Implied edges
-// -------------------------------------------------------------
+// --- Implied edges ----------------------------------------------------------
 
 uint32_t add_point(Edges &made, hsr_exact_points &exact,
                    const Exact_point &point) {
@@ -158,10 +157,9 @@ void add_implied(const hsr_world *world, Edges &made, hsr_exact_points &exact) {
   }
 }
 
-// --- Faces that an edge touches
-// ------------------------------------------------
+// --- Faces that an edge touches ---------------------------------------------
 
-// Which side of a plane, in numbers of which only intervals are known.
+// The sign of a number that is known as an interval; 0 if uncertain.
 int certain_sign(const Interval &number) {
   return number.inf() > 0 ? 1 : number.sup() < 0 ? -1 : 0;
 }
@@ -217,7 +215,8 @@ struct Touching {
     return !inside;
   }
 
-  // False if certainly not. *in_plane is certain, too.
+  // Whether the edge may touch the face; false is certain. in_plane is certain,
+  // too.
   bool touch(uint32_t e, uint32_t f, bool &in_plane) const {
     in_plane = false;
     const uint32_t a = edges->a[e], b = edges->b[e];
@@ -278,7 +277,8 @@ void extend_around(Box &box, const hsr_edges *edges, uint32_t p) {
 
 void find_touched(hsr_edges *edges) {
   const hsr_world *world = edges->world;
-  // Of its own for each: boxes of one handle are taken for one box.
+  // Each box has a handle of its own: CGAL takes boxes of one handle for one
+  // box.
   std::vector<uint32_t> edge(edges->n), face(world->n_faces);
   std::iota(edge.begin(), edge.end(), 0);
   std::iota(face.begin(), face.end(), 0);
@@ -322,8 +322,7 @@ void find_touched(hsr_edges *edges) {
   touched.store_in(edges, &edges->touch_start, &edges->touch);
 }
 
-// --- Vertices, faces
-// --------------------------------------------------------------
+// --- Vertices, faces --------------------------------------------------------
 
 void find_ends_and_corners(hsr_edges *edges) {
   const hsr_world *world = edges->world;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points of common/lines/edges.h that are no vertices, for the core's own C++
-// files.
+// The points of common/lines/edges.h that are no vertices, for the core's own
+// C++ files.
 #ifndef HSR_COMMON_EXACT_POINTS_H
 #define HSR_COMMON_EXACT_POINTS_H
 
@@ -10,10 +10,10 @@
 #include <vector>
 
 struct hsr_exact_points {
-  // Point n_vertices + k.
+  // points[k] is point n_vertices + k.
   std::vector<hsr::Exact_point> points;
 
-  // A coordinate, within 2^-50 of itself.
+  // A coordinate, with a relative error of at most 2^-50.
   static double rounded(const hsr::Exact_point &point, int axis);
 };
 

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The convex volumes of a world, over CGAL.
 //
-// Solids      Faces that share an edge, which no third one has, are joined;
-//             what comes of it is a solid if every edge is such and it meets
-//             itself nowhere else: among the faces that an edge may touch
-//             (common/lines/edges.h) there is none of the solid that it does touch,
-//             by CGAL's exact predicates.
-// Convex      if no corner is outside any plane, and some are strictly inside
-//             of each. The faces then lie on the convex hull; they have no
-//             border, so they cover all of it.
-// Division    as a tree of planes divides a solid (W. C. Thibault, B. F.
-//             Naylor, "Set operations on polyhedra using binary space
-//             partitioning trees", SIGGRAPH 1987), but only as long as in a
-//             cell some piece of the surface is outside another one's plane.
-//             If none is, what is in the cell is locally convex everywhere, so
-//             it is convex: in the cell, and inside the planes of all pieces.
-// Planes      of a part are those of its pieces and of its cell, so all of them
-//             are planes of faces, and exact. Two of them have a rim if more
-//             than a point of their line is inside of all others.
+// Solids      Two faces are joined if they share an edge that no third face
+//             has. A set of joined faces is a solid if all its edges are such,
+//             and it meets itself nowhere else: no edge touches another face of
+//             the solid. Those that an edge may touch (common/lines/edges.h)
+//             are tested by CGAL's exact predicates.
+// Convex      A solid is convex if no corner is outside any plane, and some are
+//             strictly inside each. The faces then lie on the convex hull; they
+//             have no border, so they cover all of it.
+// Division    A tree of planes divides the solid (W. C. Thibault, B. F. Naylor,
+//             "Set operations on polyhedra using binary space partitioning
+//             trees", SIGGRAPH 1987), but a cell is divided only while some
+//             piece of the surface in it is outside the plane of another. When
+//             none is, the part in the cell is locally convex everywhere, and
+//             so it is convex: in the cell, and inside the planes of all
+//             pieces.
+// Planes      The planes of a part are those of its pieces and of its cell. So
+//             all of them are planes of faces, and exact. Two of them have a
+//             rim if more than a point of their line is inside all others.
 
 #include "common/adapt/convex.h"
 #include "common/exact/exact_plane.h"
@@ -37,8 +38,8 @@ namespace {
 
 using namespace hsr;
 
-// Solids of more faces, or that fall into more parts than they have faces, are
-// taken face by face, which then costs less.
+// A solid of more faces, or of more parts than faces, is taken face by face:
+// that costs less.
 const size_t LARGEST_DIVIDED = 1024;
 size_t most_parts(size_t n_faces) {
   return std::max<size_t>(16, n_faces);
@@ -61,8 +62,7 @@ struct Volume {
   }
 };
 
-// --- Sets of faces
-// --------------------------------------------------------------------
+// --- Sets of faces ----------------------------------------------------------
 
 // Sets of items that are joined two by two.
 class Sets {
@@ -81,8 +81,7 @@ private:
   std::vector<uint32_t> parent_;
 };
 
-// --- Whether an edge touches a face
-// ----------------------------------------------------
+// --- Whether an edge touches a face -----------------------------------------
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Flat_point = Kernel::Point_2;
@@ -99,8 +98,8 @@ public:
       polygon_.push_back(at(world->mesh.vertex[k]));
   }
 
-  // Of an edge from a to b, which is none of its sides: whether it meets the
-  // face, but in one common vertex.
+  // Whether the edge from a to b, which is not a side of the face, meets the
+  // face elsewhere than in one common vertex.
   bool touches(uint32_t a, uint32_t b) const {
     const int side_a = side_of_plane(world_, f_, a);
     const int side_b = side_of_plane(world_, f_, b);
@@ -146,8 +145,9 @@ private:
   uint32_t corner(size_t k) const {
     return world_->mesh.vertex[world_->mesh.start[f_] + k];
   }
-  // Whether the edge, whose ends are on both sides of the face, goes through it
-  // or through its border: it passes all sides of a part on one side.
+  // Whether the edge goes through the face or its border. Its ends are on
+  // different sides of the face; it does if it passes all sides of some convex
+  // part of the face on one side.
   bool is_pierced(uint32_t a, uint32_t b) const {
     const auto place = [&](uint32_t v) {
       return Kernel::Point_3(world_->mesh.x[v], world_->mesh.y[v],
@@ -178,8 +178,7 @@ private:
   }
 };
 
-// --- Solids
-// ------------------------------------------------------------------------------
+// --- Solids -----------------------------------------------------------------
 
 struct Body {
   std::vector<uint32_t> faces, corners;
@@ -244,7 +243,8 @@ private:
     return CGAL::sign(normal * Plane<Exact>(world_, f).normal) > 0;
   }
 
-  // Whether two simple faces share an edge, in both directions, and no third.
+  // Whether an edge has exactly two faces, both simple, which run along it in
+  // opposite directions.
   bool is_seam(uint32_t e) const {
     const uint32_t s = edges_->side_start[e];
     return edges_->side_start[e + 1] - s == 2 &&
@@ -290,7 +290,7 @@ private:
     }
   }
 
-  // What touches itself is no solid.
+  // Finds the bodies that touch themselves: these are no solids.
   void find_touching() {
     for (uint32_t e = 0; e < edges_->n; e++) {
       const uint32_t s = edges_->side_start[e];
@@ -458,7 +458,7 @@ private:
     return divide(Path(), pieces, out, most_parts(body.faces.size()), parts);
   }
 
-  // Where the pieces are, about one of their planes.
+  // Where the pieces lie about the plane of one of them.
   About about(const Pieces &pieces, uint32_t plane, int out) const {
     About found;
     for (const Convex &piece : pieces) {
@@ -475,8 +475,8 @@ private:
     return found;
   }
 
-  // Divides the solid of which these pieces of surface are in a cell; false if
-  // there would be too many parts.
+  // Divides the part of a solid in a cell, whose surface there is these pieces.
+  // False if there would be too many parts.
   bool divide(const Path &path, const Pieces &pieces, int out, size_t most,
               std::vector<Volume> &parts) const {
     std::vector<uint32_t> planes;
@@ -504,8 +504,8 @@ private:
            divide_side(path, pieces, chosen, -1, best.up, out, most, parts);
   }
 
-  // What is on one side of a plane; where there is no surface there, the solid
-  // is all of it or nothing.
+  // Divides one side of a plane. If there is no surface there, the solid is all
+  // of that side or nothing.
   bool divide_side(Path path, const Pieces &pieces, uint32_t plane, int side,
                    bool is_solid, int out, size_t most,
                    std::vector<Volume> &parts) const {
@@ -703,8 +703,7 @@ private:
   Point place(uint32_t v) const { return point_of(*world_, v); }
 };
 
-// --- Storing
-// ----------------------------------------------------------------------------
+// --- Storing ----------------------------------------------------------------
 
 template <class T> T *store(hsr_volumes *volumes, const std::vector<T> &items) {
   T *array = static_cast<T *>(

@@ -2,15 +2,16 @@
 /* Exact signs over CGAL's interval and exact number types, for C++ files that
  * write a predicate as a polynomial.
  *
- * Method      Each predicate is a polynomial written once as a template over
+ * Method      Each predicate is a polynomial, written once as a template over
  *             the number type. It is evaluated in intervals, whose rounding
- *             CGAL directs; if the interval does not tell the sign, in
- *             MP_Float, CGAL's exact floating-point numbers (integers times
- *             powers of two), which hold sums and products of doubles exactly.
- *             The faster Mpzf is not for us: where memory runs out within a
- *             sum, CGAL 5.5 frees an address that it never got.
+ *             CGAL directs. If the interval does not tell the sign, it is
+ *             evaluated in MP_Float, CGAL's exact floating-point numbers
+ *             (integers times powers of two), which hold sums and products of
+ *             doubles exactly. The faster Mpzf cannot be used: if memory runs
+ *             out within a sum, CGAL 5.5 frees an address that it never got.
  * Division    there is none: x = (2 sx - m)/m and y = (n - 2 sy)/n are
- *             multiplied through by m n > 0, means by the number of vertices. */
+ *             multiplied through by m n > 0, means by the number of vertices.
+  */
 #ifndef HSR_COMMON_POLYGON_EXACT_NUMBERS_H
 #define HSR_COMMON_POLYGON_EXACT_NUMBERS_H
 
@@ -25,7 +26,7 @@ namespace hsr {
 using Interval = CGAL::Interval_nt<false>;
 using Exact = CGAL::MP_Float;
 
-/* The sign of polynomial(T()), the argument only telling the number type. */
+/* The sign of polynomial(T()). The argument only tells the number type. */
 template <class Polynomial>
 int sign_of(const Polynomial &polynomial, bool *out_of_memory) noexcept {
   try {
@@ -72,7 +73,8 @@ template <class T> Vector<T> corner(const hsr_loop &face, uint32_t k) {
   return {T(face.x[v]), T(face.y[v]), T(face.z[v])};
 }
 
-/* Newell's normal about the first vertex, which is the same vector. */
+/* Newell's normal, summed about the first vertex: that gives the same vector.
+ */
 template <class T> Vector<T> newell_normal(const hsr_loop &face) {
   Vector<T> first = corner<T>(face, 0);
   Vector<T> normal = {T(0), T(0), T(0)};
@@ -85,7 +87,7 @@ template <class T> Vector<T> newell_normal(const hsr_loop &face) {
   return normal;
 }
 
-/* The plane N . (k P - S) = 0 as N and N . S, and k. */
+/* The plane N . (k P - S) = 0: normal is N, offset is N . S. */
 template <class T> struct Plane {
   Vector<T> normal;
   T k, offset;

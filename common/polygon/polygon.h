@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One polygon, and exact answers about its plane.
  *
- * Each is the sign of a polynomial in the polygon's doubles: first in CGAL's
- * interval arithmetic, then, where the interval holds zero, in its exact
+ * Each is the sign of a polynomial in the polygon's doubles. It is evaluated in
+ * CGAL's interval arithmetic and, if the interval holds zero, in its exact
  * arithmetic. The plane has Newell's normal (Sutherland et al. 1974, eq. 6) and
  * passes through the mean of the corners.
  *
- * All return -1, 0 or +1 unless they say otherwise, and none fails but for lack
- * of memory: then *out_of_memory is set and the answer is meaningless. They must
+ * All return -1, 0 or +1 unless they say otherwise. They fail only if memory
+ * runs out: then *out_of_memory is set and the answer is meaningless. They must
  * run with the rounding mode to nearest, and leave it so. */
 #ifndef HSR_COMMON_POLYGON_H
 #define HSR_COMMON_POLYGON_H
@@ -29,13 +29,13 @@ struct hsr_loop {
   uint32_t n;
 };
 
-/* Whether all three components of Newell's normal are zero: 0 if so, else 1. */
+/* 1 if a component of Newell's normal is not zero, else 0. */
 int hsr_exact_has_normal(struct hsr_loop face, bool *out_of_memory);
 
 /* Whether all corners are on the plane of the face (common/scene/world.h). */
 bool hsr_is_flat(struct hsr_loop face, bool *out_of_memory);
 
-/* Whether two faces lie on one plane, in either orientation: 1 if so. */
+/* 1 if two faces lie on one plane, in either orientation, else 0. */
 int hsr_exact_same_plane(struct hsr_loop f, struct hsr_loop g,
                          bool *out_of_memory);
 
@@ -44,12 +44,12 @@ int hsr_exact_same_plane(struct hsr_loop f, struct hsr_loop g,
 int hsr_exact_plane_side(struct hsr_loop face, const double point[3],
                          bool *out_of_memory);
 
-/* The same, of the face moved by `shift`. */
+/* The same for the face moved by `shift`. */
 int hsr_exact_moved_plane_side(struct hsr_loop face, const double shift[3],
                                const double point[3], bool *out_of_memory);
 
-/* The same of the face as it stands and a point displaced by (e, e^2, e^3), e
- * infinitesimal: never 0. */
+/* The same for the face where it is and a point displaced by (e, e^2, e^3),
+ * with e infinitesimal and positive. Never 0. */
 int hsr_exact_displaced_plane_side(struct hsr_loop face, const double point[3],
                                    bool *out_of_memory);
 

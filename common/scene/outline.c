@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* Counts the faces, and numbers them by instances. */
+/* Counts the faces, and finds the first id of each instance. */
 static enum hsr_status number_faces(struct hsr_world *world,
                                     struct hsr_error *err) {
   const struct hsr_scene *scene = world->outline.scene;

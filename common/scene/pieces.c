@@ -38,8 +38,8 @@ static void copy_vertices(struct hsr_world *world, struct hsr_pieces *pieces,
     largest = fmax(largest, fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2]))));
     pieces->outline[k] = n + k;
   }
-  /* An outline is clipped by a few planes, one after the other; the point where
-   * an edge is divided is off by a few roundings each time. */
+  /* An outline is clipped by a few planes, one after the other. Each time, the
+   * point where an edge is divided is off by a few roundings. */
   pieces->outline_error = 0x1p-44 * largest;
 }
 

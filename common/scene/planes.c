@@ -7,23 +7,23 @@
  * Error of N. With V_0 as origin Newell's normal is the sum of
  * d_i x d_{i+1}, i = 1 .. k-2. A product of two differences carries three
  * roundings (1 + u)^3; a component sums 2(k - 2) of them, in at most 2(k - 2)
- * additions. With P the largest component of the sum of |d_iy d_{i+1}z| +
- * |d_iz d_{i+1}y| (as computed, itself within (1 + u)^{2k} of its value) the
- * error of every component is at most (2k + 3) u P to first order; 4(k + 1) u P
- * is stored, which covers the higher orders for every k < 2^48. To it 2^-960 is
- * added, which covers underflow.
+ * additions. Let P be the largest component of the sum of |d_iy d_{i+1}z| +
+ * |d_iz d_{i+1}y|, as computed; it is itself within (1 + u)^{2k} of its value.
+ * Then the error of every component is at most (2k + 3) u P to first order.
+ * What is stored is 4(k + 1) u P, which covers the higher orders for every
+ * k < 2^48, plus 2^-960, which covers underflow.
  *
  * Error of the anchor. The plane passes through the mean of the vertices, V_0 +
- * (sum of d_i) / k. Each d_i carries one rounding, the sum k - 2, the division
- * and the last addition one each: at most (k + 2) u times the largest of |V_0|
- * + sum |d_i| by components; twice that is stored. A triangle's plane passes
- * through V_0 itself, with no error.
+ * (sum of d_i) / k. Each d_i carries one rounding, the sum k - 2, and the
+ * division and the last addition one each. Together that is at most (k + 2) u
+ * times the largest component of |V_0| + sum |d_i|; twice that is stored. A
+ * triangle's plane passes through V_0 itself, with no error.
  *
- * Deviation. N.(V - P) as computed carries the error of N over |V - P|_1, the
- * anchor's over |N|_1, and a rounding of the difference, three of the products
- * and sums; all are added, doubled. Where that leaves it open whether every
- * vertex is on the plane, the exact predicate tells; of a quadrilateral,
- * whether its four vertices are coplanar. */
+ * Deviation. N.(V - P) as computed carries the error of N times |V - P|_1, the
+ * anchor's times |N|_1, one rounding of the difference, and three of the
+ * products and sums. All are added and doubled. If that leaves open whether
+ * every vertex is on the plane, the exact predicate decides; for a
+ * quadrilateral, it decides whether the four vertices are coplanar. */
 #include "common/scene/planes.h"
 
 #include <float.h>
@@ -114,7 +114,7 @@ static double largest_normal(const struct hsr_world *world, uint32_t f) {
               fmax(fabs(world->mesh.ny[f]), fabs(world->mesh.nz[f])));
 }
 
-/* What an instance made of the object's faces must still be faces. */
+/* Checks that the faces of every instance are still valid. */
 static enum hsr_status check(const struct hsr_world *world,
                              struct hsr_error *err) {
   for (uint32_t v = 0; v < world->mesh.n_vertices; v++)
@@ -135,17 +135,17 @@ static enum hsr_status check(const struct hsr_world *world,
 
 /* --- Equal planes --------------------------------------------------------- */
 
-/* A number that equal planes share: a fixed generic linear form in the unit
- * normal and the distance, without its sign, known to lie in [lo, hi]. */
+/* A number that equal planes share: the absolute value of a fixed linear form
+ * in the unit normal and the distance. It lies in [lo, hi]. */
 struct plane_key {
   double lo, hi;
   uint32_t face;
 };
 
-/* Error of the key: the unit normal is off by at most 2 sqrt(3) n_error/|N| +
- * 4u in each component, the distance by that times the anchor's size plus the
- * anchor's error and three roundings; the form's coefficients are below 1. All
- * is doubled. */
+/* Error of the key. Each component of the unit normal is off by at most
+ * 2 sqrt(3) n_error/|N| + 4u. The distance is off by that times the anchor's
+ * size, plus the anchor's error and three roundings. The form's coefficients
+ * are below 1. All is doubled. */
 static struct plane_key plane_key(const struct hsr_world *world, uint32_t f) {
   double n[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
   double p[3] = {world->mesh.px[f], world->mesh.py[f], world->mesh.pz[f]};
@@ -160,7 +160,7 @@ static struct plane_key plane_key(const struct hsr_world *world, uint32_t f) {
   double turn = 4 * (world->mesh.n_error[f] / (scale * length)) + 8 * U;
   double error = 8 * (turn * (1 + reach) + world->mesh.anchor_error[f]) +
                  16 * U * (1 + key);
-  if (!(error < INFINITY)) /* the normal is lost: compare with all */
+  if (!(error < INFINITY)) /* the normal is unknown: compare with all */
     return (struct plane_key){-INFINITY, INFINITY, f};
   return (struct plane_key){key - error, key + error, f};
 }
@@ -172,7 +172,7 @@ static int compare_keys(const void *a, const void *b) {
   return (k->face > l->face) - (k->face < l->face);
 }
 
-/* Cheap, and certain when it says no: whether the normals may be parallel. */
+/* Whether the normals may be parallel: a cheap test. No is certain. */
 static bool maybe_parallel(const struct hsr_world *world, uint32_t f,
                            uint32_t g) {
   double a[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
@@ -188,8 +188,8 @@ static bool maybe_parallel(const struct hsr_world *world, uint32_t f,
   return true;
 }
 
-/* Sweeps over the keys: a plane is compared with those whose intervals reach
- * into its own, one representative a class. */
+/* Sweeps over the keys. A plane is compared with the planes whose key intervals
+ * overlap its own, one representative of each class. */
 static enum hsr_status classify_planes(struct hsr_world *world) {
   uint32_t n = world->n_faces, n_open = 0;
   struct plane_key *key = malloc(n * sizeof *key);

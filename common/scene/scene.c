@@ -9,8 +9,8 @@
 const char *const hsr_scene_subject_name[HSR_N_SCENE_SUBJECTS] = {"faces",
                                                                   "a grid"};
 
-/* Coordinates up to this size keep every product that the filters and the
- * intervals form within the range of doubles; see common/exact/screen.h. */
+/* With coordinates up to this size, every product that the filters and the
+ * intervals form is within the range of doubles; see common/exact/screen.h. */
 static const double LARGEST_COORDINATE = 1e30;
 
 struct hsr_scene *hsr_scene_new(const char *name) {
@@ -98,7 +98,8 @@ enum hsr_status hsr_object_vertex(struct hsr_object *object, double x, double y,
   return HSR_OK;
 }
 
-/* Gives every face so far the object's colour, to make place for another. */
+/* Gives every face so far the object's colour, so that the next one may have
+ * another. */
 static bool colour_faces(struct hsr_object *object) {
   object->rgb = malloc(3 * ((size_t)object->cap_faces + 1) * sizeof(float));
   if (!object->rgb)
@@ -131,8 +132,8 @@ static int compare_numbers(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Whether a number occurs twice. Short faces are searched as they stand, long
- * ones sorted in `room`, which holds n numbers. */
+/* Whether a number occurs twice. A short list is searched as it stands. A long
+ * one is sorted in `room`, which holds n numbers. */
 static bool has_repeats(const uint32_t *vertices, size_t n, uint32_t *room) {
   if (n <= 16) {
     for (size_t i = 1; i < n; i++)

@@ -26,14 +26,15 @@ extern "C" {
 
 #define HSR_BACKGROUND UINT32_MAX
 
-/* What a scene is made of: its subject. An algorithm says which it takes. */
+/* The subject of a scene: what it is made of. An algorithm says which it takes.
+ */
 enum hsr_scene_subject { HSR_FACES, HSR_GRID, HSR_N_SCENE_SUBJECTS };
 extern const char *const hsr_scene_subject_name[HSR_N_SCENE_SUBJECTS];
 
-/* Faces that share vertices. Vertex v is xyz[3v .. 3v+2]; face f is the polygon
- * vertex[start[f]], ..., vertex[start[f+1] - 1], counter-clockwise when seen
- * from its front. A face has at least 3 vertices, all different, and its
- * Newell normal is not zero. */
+/* Faces that share vertices, in the object's own frame. Vertex v is
+ * xyz[3v .. 3v+2]; face f is the polygon vertex[start[f]], ...,
+ * vertex[start[f+1] - 1], counter-clockwise when seen from its front. A face
+ * has at least 3 vertices, all different, and its Newell normal is not zero. */
 struct hsr_object {
   char *name;       /* never NULL */
   double *xyz;      /* 3 * n_vertices, finite */
@@ -43,12 +44,12 @@ struct hsr_object {
   float colour[3];  /* of every face without one of its own, linear, 0..1 */
   uint32_t n_vertices, n_faces;
   uint32_t cap_vertices, cap_faces, cap_corners; /* room, for the builder */
-  float opacity;  /* 0..1; 1, as by default, hides all that is behind. For
-                     algorithms that draw transparency; ids know nothing of it */
+  float opacity;  /* 0..1; 1, the default, hides all that is behind. Only for
+                     transparency: the ids of a picture ignore it */
   bool one_sided; /* back faces do not exist */
-  bool moves;     /* its instances may be moved between frames: what is prepared
-                     for a scene must not depend on where they are. Of triangles
-                     only */
+  bool moves;     /* its instances may be moved between frames, so nothing that
+                     is prepared for a scene may depend on where they are. All
+                     its faces are triangles */
 };
 
 /* A placed copy of an object: world = M * (x, y, z, 1). */
@@ -57,7 +58,7 @@ struct hsr_instance {
   double m[12];    /* 3 rows of 4; identity: 1 0 0 0  0 1 0 0  0 0 1 0 */
 };
 
-/* A named place to look from. Angles in degrees, lengths in world units. */
+/* A place to look from. Angles in degrees, lengths in world units. */
 struct hsr_camera {
   double eye[3], at[3], up[3];
   double fov;  /* vertical angle, degrees, 0 < fov < 180 */
@@ -65,7 +66,7 @@ struct hsr_camera {
 };
 
 struct hsr_scene {
-  char *name; /* as the user named it; never NULL */
+  char *name;                     /* as the user named it; never NULL */
   enum hsr_scene_subject subject; /* HSR_FACES: all else here is of faces */
   struct hsr_object *objects;
   struct hsr_instance *instances; /* sorted by object */
@@ -74,32 +75,34 @@ struct hsr_scene {
   uint32_t cap_objects, cap_instances, cap_views;
 };
 
-/* An empty scene, which hsr_scene_delete frees. NULL: out of memory. */
+/* An empty scene, which hsr_scene_delete frees. `name` is copied. NULL: out of
+ * memory. */
 struct hsr_scene *hsr_scene_new(const char *name);
 void hsr_scene_delete(struct hsr_scene *scene); /* NULL is allowed */
 
-/* Appends an empty two-sided grey object. NULL: out of memory. The pointer is
- * good until the next call of this function. */
+/* Appends an empty two-sided grey object. `name` is copied. NULL: out of
+ * memory. The scene owns the object; the pointer is good until the next call of
+ * this function. */
 struct hsr_object *hsr_scene_object(struct hsr_scene *scene, const char *name);
 
 /* Appends a vertex and stores its number in *number (unless NULL).
  * HSR_E_NOMEM; HSR_E_INPUT if a coordinate is not finite or the object would
- * pass 2^32 - 2 vertices. */
+ * have more than 2^32 - 2 vertices. */
 enum hsr_status hsr_object_vertex(struct hsr_object *object, double x, double y,
                                   double z, uint32_t *number);
 
-/* Appends a face of n vertices, vertex numbers as above, of the object's
- * colour, or of rgb (3 floats) if not NULL. HSR_E_NOMEM; HSR_E_INPUT if n < 3,
- * a number is out of range or occurs twice, or 2^32 - 2 faces or corners are
- * passed. Does not look at the geometry: hsr_scene_check does. */
+/* Appends a face of n vertices, by their numbers. Its colour is rgb (3 floats),
+ * or the object's if that is NULL. HSR_E_NOMEM; HSR_E_INPUT if n < 3, a number
+ * is out of range or occurs twice, or the object would have more than 2^32 - 2
+ * faces or corners. Does not look at the geometry: hsr_scene_finish does. */
 enum hsr_status hsr_object_face(struct hsr_object *object,
                                 const uint32_t *vertices, size_t n,
                                 const float *rgb);
 
 /* Appends an instance of object number `object`; m is as in hsr_instance, NULL
- * for the identity. Instances of one object must follow one another, and
- * objects in ascending order. HSR_E_NOMEM; HSR_E_INPUT if they do not, or an
- * entry is not finite. */
+ * for the identity. Instances must be added in ascending order of their
+ * objects. HSR_E_NOMEM; HSR_E_INPUT if they are not, there is no such object,
+ * or an entry of m is not finite. */
 enum hsr_status hsr_scene_instance(struct hsr_scene *scene, uint32_t object,
                                    const double m[12]);
 
@@ -107,22 +110,28 @@ enum hsr_status hsr_scene_instance(struct hsr_scene *scene, uint32_t object,
 enum hsr_status hsr_scene_view(struct hsr_scene *scene,
                                const struct hsr_camera *camera);
 
-/* Completes a scene: an object without instance gets one identity instance;
- * a scene without view gets eight around it (hsr_scene_add_orbit). Then checks
- * what the algorithms assume of the objects. HSR_E_INPUT with *err naming the
- * object and face when there is no face at all, a face's Newell normal is
- * exactly zero (all vertices on one line, for a triangle), coordinates are so
- * large that products of them overflow (over 1e60) or the faces pass 2^32 - 2.
- * What an instance makes of a face is looked at by hsr_world_init. */
+/* Completes a scene: an object without instance gets one identity instance; a
+ * scene without view gets eight around it (hsr_scene_add_orbit). Also checks
+ * what the algorithms assume of the objects. HSR_E_NOMEM; HSR_E_INPUT, with
+ * *err naming the object and the face or vertex where there is one, if
+ * - the scene has no face, or more than 2^32 - 2;
+ * - a face's Newell normal is exactly zero (for a triangle: all vertices on one
+ *   line);
+ * - a coordinate is above 1e30 in size, so that products of them may overflow;
+ * - there is no view, and hsr_scene_add_orbit refuses to add one.
+ * The faces of instances are checked by hsr_world_init. */
 enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
                                  struct hsr_error *err);
 
 /* Appends n views from a circle around the scene's bounding box, raised by 20
- * degrees and irregularly spaced, each holding the whole scene. */
+ * degrees and irregularly spaced. Each holds the whole scene. HSR_E_NOMEM;
+ * HSR_E_INPUT if all vertices are in one point, or so far out that
+ * hsr_camera_check refuses a view. */
 enum hsr_status hsr_scene_add_orbit(struct hsr_scene *scene, unsigned n);
 
-/* HSR_E_INPUT, with *err saying why, unless the camera can see: finite values,
- * eye != at, up not along the view, 0 < fov < 180, near >= 0 and finite. */
+/* HSR_E_INPUT, with *err saying why, unless the camera can see: values finite
+ * and at most 1e30 in size, eye != at, up not along the view, 0 < fov < 180,
+ * near >= 0. */
 enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
                                  struct hsr_error *err);
 

@@ -37,7 +37,7 @@ enum hsr_status hsr_world_allocate(struct hsr_world *world,
   return all ? HSR_OK : HSR_E_NOMEM;
 }
 
-/* Counts what the faces consist of. */
+/* Counts the vertices and corners. */
 static enum hsr_status measure(struct hsr_world *world, struct hsr_error *err) {
   const struct hsr_scene *scene = world->outline.scene;
   uint64_t nv = 0, nc = 0;

@@ -2,15 +2,16 @@
 /* The environment laid out for the algorithms: every instance expanded, every
  * face numbered by its id, one plain array for each thing.
  *
- * Plane       of face f: Newell's normal N (Sutherland et al. 1974, eq. 6)
- *             through the mean of the vertices, in exact arithmetic; what is
- *             stored is that plane in doubles, with a bound of the error.
+ * Plane       the plane of a face has Newell's normal N (Sutherland et al.
+ *             1974, eq. 6) and passes through the mean of the vertices, in
+ *             exact arithmetic. It is stored in doubles, with a bound of the
+ *             error.
  * Equal       faces on exactly the same plane share a plane class, so their
  *             ties are decided by comparing two integers.
  * Pieces      the faces of one world may be divided into those of another: see
  *             common/scene/pieces.h. A piece lies on its parent's plane.
- * Outline     of a scene with too many instances to be laid out there is only
- *             an outline: which ids belong to which instance. */
+ * Outline     a scene with too many faces to be laid out has only an outline:
+ *             which ids belong to which instance. */
 #ifndef HSR_COMMON_WORLD_H
 #define HSR_COMMON_WORLD_H
 
@@ -23,19 +24,19 @@
 extern "C" {
 #endif
 
-/* Which ids belong to which instance: of any world. */
+/* Which ids belong to which instance. Every world has this. */
 struct hsr_outline {
   const struct hsr_scene *scene; /* borrowed; outlives the world */
   uint32_t *first;    /* n_instances + 1: the first face of each instance */
   bool all_triangles; /* every face of this world */
 };
 
-/* Faces laid out: vertices, corners and planes. Empty, all 0 and NULL, in a
- * world that is only an outline. */
+/* Faces laid out: vertices, corners and planes. All 0 and NULL in a world that
+ * is only an outline. */
 struct hsr_mesh {
   uint32_t n_vertices, n_corners;
 
-  /* Vertices, world units, exact as they stand. */
+  /* Vertices in world units. These doubles are exact by definition. */
   double *x, *y, *z; /* n_vertices */
 
   /* Face f is vertex[start[f]], ..., vertex[start[f+1] - 1]. */
@@ -45,12 +46,13 @@ struct hsr_mesh {
   uint32_t *instance; /* n_faces: index into scene->instances */
   bool *one_sided;    /* n_faces: exists only when seen from its front */
 
-  /* Approximate planes: N = (nx, ny, nz) +- n_error in every component;
-   * the plane passes within anchor_error (in every component) of the point
-   * (px, py, pz). Of a triangle that point is its first vertex and the error
-   * 0. Not normalised. `deviation` bounds |N . (V - P)| over the face's
-   * vertices V, P the exact mean: 0 if and only if they are all exactly on the
-   * plane, as those of a triangle are. See planes.c for the proof. */
+  /* Approximate planes: N = (nx, ny, nz) +- n_error in every component, not
+   * normalised. The plane passes within anchor_error (in every component) of
+   * the point (px, py, pz). For a triangle that point is its first vertex, and
+   * the error is 0. `deviation` bounds |N . (V - P)| over the face's vertices
+   * V, where P is their exact mean. It is 0 if and only if all vertices are
+   * exactly on the plane, as those of a triangle are. The proof is in
+   * planes.c. */
   double *nx, *ny, *nz, *n_error;      /* n_faces */
   double *px, *py, *pz, *anchor_error; /* n_faces */
   double *deviation;                   /* n_faces */
@@ -59,46 +61,50 @@ struct hsr_mesh {
 };
 
 struct hsr_world {
-  uint32_t n_faces; /* laid out; of an outline, all of the scene */
+  uint32_t n_faces; /* laid out; in an outline, all faces of the scene */
   struct hsr_outline outline;
   struct hsr_mesh mesh;
 
-  /* Of an extract, the scene's id of each face; else NULL: its number. */
+  /* In an extract, the scene's id of each face; borrowed. Else NULL: the id is
+   * the face's number. */
   const uint32_t *id;
 
-  /* Of a world of pieces; else NULL, and every face is itself. */
+  /* In a world of pieces, what they are pieces of; else NULL. */
   const struct hsr_pieces *pieces;
 
-  /* Of a world of pieces put into clusters; else NULL. */
+  /* In a world of pieces put into clusters, the clusters; else NULL. */
   const struct hsr_clusters *clusters;
 
-  struct hsr_arena arena; /* holds all of the above */
+  struct hsr_arena arena; /* holds all of the above that is not borrowed */
 };
 
-/* Expands a finished scene. *world is written in full, and freed with
- * hsr_world_free also after a failure. HSR_E_NOMEM; HSR_E_INPUT when an
- * instance takes a face's normal to zero or a vertex out of range. */
+/* Expands a finished scene, which must outlive *world. *world is written in
+ * full, and freed with hsr_world_free also after a failure. HSR_E_NOMEM, also
+ * if there are 2^32 - 1 vertices or corners or more; HSR_E_INPUT if an instance
+ * takes a face's normal to zero or a coordinate above 1e30 in size. */
 enum hsr_status hsr_world_init(struct hsr_world *world,
                                const struct hsr_scene *scene,
                                struct hsr_error *err);
 void hsr_world_free(struct hsr_world *world);
 
-/* The outline of a finished scene; n_vertices and n_corners are 0. *world is
- * written in full, and freed with hsr_world_free also after a failure.
- * HSR_E_NOMEM. */
+/* The outline of a finished scene, which must outlive *world; its mesh is
+ * empty. *world is written in full, and freed with hsr_world_free also after a
+ * failure. HSR_E_NOMEM. */
 enum hsr_status hsr_world_outline(struct hsr_world *world,
                                   const struct hsr_scene *scene,
                                   struct hsr_error *err);
 
-/* hsr_world_init, or hsr_world_outline where the faces are more than `most`. */
+/* hsr_world_init, or hsr_world_outline if the scene has more than `most` faces.
+ */
 #define HSR_MOST_LAID_OUT (1u << 25)
 enum hsr_status hsr_world_open(struct hsr_world *world,
                                const struct hsr_scene *scene, uint32_t most,
                                struct hsr_error *err);
 
-/* Lays out n faces of a scene: face k of *out is face id[k] of `world`, an
- * outline or not, and no two share a vertex. `id` and `world` are borrowed and
- * outlive *out. HSR_E_NOMEM; HSR_E_INPUT as hsr_world_init. */
+/* Lays out n faces of a scene: face k of *out is face id[k] of `world`, which
+ * may be an outline. No two faces of *out share a vertex. `id` and `world` are
+ * borrowed and must outlive *out. *out is freed with hsr_world_free also after
+ * a failure. HSR_E_NOMEM; HSR_E_INPUT as hsr_world_init. */
 enum hsr_status hsr_world_extract(struct hsr_world *out,
                                   const struct hsr_world *world,
                                   const uint32_t *id, uint32_t n,
@@ -111,30 +117,31 @@ static inline bool hsr_is_outline(const struct hsr_world *world) {
 /* The instance that face f belongs to. */
 uint32_t hsr_instance_of(const struct hsr_outline *outline, uint32_t f);
 
-/* Where a face of the scene stands there, by its id, whatever world it is
- * looked up in: laid out, an outline, an extract, or of pieces. */
+/* Where the scene has the face with this id. The world may be of any sort: laid
+ * out, an outline, an extract, or of pieces. */
 struct hsr_place {
-  const struct hsr_object *object;
+  const struct hsr_object *object; /* the scene's */
   uint32_t instance;
   uint32_t face; /* of the object */
 };
 struct hsr_place hsr_place_of(const struct hsr_world *world, uint32_t id);
 
-/* Its normal and the point that its plane passes through: the doubles that the
- * world has for it where it is laid out. */
+/* The normal of that face, and the point that its plane passes through: the
+ * same doubles as in a world that has the face laid out. */
 void hsr_place_plane(const struct hsr_world *world, struct hsr_place place,
                      double normal[3], double anchor[3]);
 
-/* For those who make worlds: allocates every array, the sizes being set;
- * `first` only if it is NULL. HSR_E_NOMEM. */
+/* For code that makes worlds: allocates every array of the mesh, whose sizes
+ * are set, and outline.first if it is NULL. HSR_E_NOMEM. */
 enum hsr_status hsr_world_allocate(struct hsr_world *world,
                                    struct hsr_arena *arena);
 
-/* Lays out face id[f] of the scene as face f, with vertices of its own, from
- * start[f] on, and sets start[f + 1]. */
+/* Lays out face id[f] of the scene as face f. It gets vertices of its own, from
+ * start[f] on. Sets start[f + 1]. */
 void hsr_world_lay_out(struct hsr_world *world, uint32_t f);
 
-/* Finds the plane of face f, which is laid out, and its deviation. */
+/* Finds the plane of face f, which is laid out, and its deviation. Sets
+ * *out_of_memory, and else leaves it alone. */
 void hsr_world_find_plane(struct hsr_world *world, uint32_t f,
                           bool *out_of_memory);
 
@@ -156,7 +163,8 @@ static inline struct hsr_loop hsr_face_loop(const struct hsr_world *world,
   return loop;
 }
 
-/* Whether vertex v is one of face f and exactly on its plane. */
+/* Whether face f is exactly flat and v is one of its vertices. So true means
+ * that v is exactly on the plane; false says nothing. */
 static inline bool hsr_on_plane(const struct hsr_world *world, uint32_t f,
                                 uint32_t v) {
   if (world->mesh.deviation[f] > 0)

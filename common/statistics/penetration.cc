@@ -7,22 +7,21 @@
 // Definition  Two faces on different planes penetrate if their interiors meet.
 //             The planes then meet in a line; a stretch of it is inside f, a
 //             stretch of it inside g, and these overlap. Commonly an edge of
-//             one of them pierces the interior of the other; not so where both
-//             stretches end in the same points, as with two equal rectangles
-//             that cross like the blades of a paddle wheel, which is why the
-//             stretches are compared and not the edges.
-// Not one     Faces that only touch, be it along an edge; faces of one plane.
-// In
-//             X_f nor faces that share a vertex, which are neighbours and meet
-//             in what they share.
-// Method      Pairs with overlapping boxes by CGAL's box_self_intersection_d;
-//             of these, the faces that reach through each other's planes; of
-//             these, the ends of the stretches, compared in intervals and, if
-//             that does not tell, in exact numbers.
+//             one of them pierces the interior of the other. It does not if
+//             both stretches end in the same points, as with two equal
+//             rectangles that cross like the blades of a paddle wheel. So the
+//             stretches are compared, not the edges.
+// Left out    Faces that only touch, even along an edge; faces of one plane.
+//             X_f also leaves out faces that share a vertex: they are
+//             neighbours, and meet in what they share.
+// Method      CGAL's box_self_intersection_d finds the pairs with overlapping
+//             boxes. The pairs are kept whose faces reach through each other's
+//             planes. Then the ends of the stretches are compared, in intervals
+//             and, if these do not tell, in exact numbers.
 // Thickness   The plane of a polygon that is not flat passes through the mean
 //             of its vertices, which are a little off it. A vertex of another
-//             face that is no farther off than they are counts as lying on the
-//             plane. Flat faces have no thickness.
+//             face counts as lying on the plane if it is no farther off than
+//             they are. Flat faces have no thickness.
 
 #include "common/statistics/penetration.h"
 #include "common/exact/exact_plane.h"
@@ -62,7 +61,7 @@ struct Face {
 // --- The faces reach through each other's planes --------------------------
 
 // -1, 0 or +1: vertex v behind the plane of f, on it, or in front. The bound is
-// that of `deviation` in world.c.
+// that of `deviation` in planes.c.
 int side(const Face &f, uint32_t v) {
   const hsr_world *w = f.world;
   if (f.has(v) && w->mesh.deviation[f.id] == 0)
@@ -156,9 +155,9 @@ void find_ends(const Face &f, const Plane<T> &g, const std::vector<int> &sides,
   }
 }
 
-// The stretches of the line, more than a point each, that are in all of the
-// sets, as pairs of ends in the order of the line. `along`
-// gets each and says whether to go on.
+// Calls along() for the stretches of the line, more than a point each, that are
+// in all of the sets: pairs of ends in the order of the line. It returns
+// whether to go on.
 template <class T, class Along>
 void for_each_stretch(const Face &f, const Face &g,
                       const std::vector<int> &of_f,

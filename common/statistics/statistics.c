@@ -3,14 +3,14 @@
  *
  * Source      Sutherland, Sproull and Schumacker 1974, section II,
  *             "Environment Complexity Definitions", and appendix A. The paper
- *             defines in words; what is chosen to make the words measurable is
- *             said, with the reason, above each function.
+ *             defines in words. The comment above each function says what was
+ *             chosen to make the words measurable, and why.
  * Picture     the rectangle [0, m] x [0, n] of the screen, border included, of
  *             what lies at t >= near.
  * Exact       which faces exist and from which side they are seen, spans,
  *             penetrations, and the picture given.
- * In doubles  clipping, heights, lengths and crossings. Nothing is decided by
- *             these but the statistics.
+ * In doubles  clipping, heights, lengths and crossings. They decide nothing but
+ *             the statistics.
  * Cost        all but X_r, X_v and X_f is linear in the faces, the spans and
  *             the length of the edges; edges are sorted once. */
 #include "common/statistics/statistics.h"
@@ -127,8 +127,8 @@ static size_t clipped_size(size_t n) {
   return n;
 }
 
-/* The height of what is left of face f in the picture, negative if nothing is.
- * room is two arrays of clipped_size points. */
+/* The height in pixels of the part of face f in the picture; negative if there
+ * is none. `room` is two arrays of clipped_size points. */
 static double clipped_height(const struct survey *s, uint32_t f,
                              double (*room[2])[3]) {
   const uint32_t *vertex = s->world->mesh.vertex + s->world->mesh.start[f];
@@ -154,12 +154,11 @@ static double clipped_height(const struct survey *s, uint32_t f,
 }
 
 /* F_t    all faces of all instances.
- * F_r    the faces that exist for the eye (docs/correct-picture.md) and of
- *        which something is in the picture. One that only touches the border
- *        counts: it is what clipping leaves, and rounding could not tell it
- *        from one that reaches in by nothing. Faces that others hide count,
- *        and so do those too small to cover a sample: the culls of the paper
- *        know neither.
+ * F_r    the faces that exist for the eye (docs/correct-picture.md) and have a
+ *        part in the picture. A face that only touches the border counts:
+ *        clipping keeps it, and rounding could not tell it from one that
+ *        reaches in. Faces that others hide count, and so do those too small to
+ *        cover a sample: the culls of the paper remove neither.
  * H_f    the height in scan lines, a real number, of the part in the picture,
  *        averaged over the relevant faces: "as seen by the observer", who does
  *        not see the rest. */
@@ -207,8 +206,8 @@ static void measure_clusters(struct survey *s) {
  *        speaks of front faces, since its back faces are culled; two-sided
  *        faces are not, and count either way.
  * S_f    the segments: a face has, on a scan line, as many as it has runs of
- *        samples. Stretches between two samples are none, since no scan-line
- *        algorithm meets them. Two runs of one face that adjoin are two.
+ *        samples. A stretch between two samples is none, since no scan-line
+ *        algorithm meets it. Two runs of one face that adjoin are two.
  * S_l    S_f / n. */
 static enum hsr_status measure_segments(struct survey *s) {
   int *columns = HSR_NEW(&s->arena, int, (size_t)s->largest_face + 4);
@@ -401,11 +400,12 @@ static int nearest_sample(double at, double offset, int n) {
  *   is none of the edge's faces, nor in the plane of one, and
  *   is nearer, at the sample, than those of the edge's faces that lie on the
  *   sample's side of the edge.
- * The last condition tells what hides the edge from the next small face of the
- * same surface, whose plane passes in front of the edge if that is convex. To
- * ask instead for a sample beside the edge that shows one of its faces loses
- * the edges of faces too small to cover a sample: a quarter of L_v for a mesh
- * of 89,000 triangles at 512 x 512, against a hundredth so, both measured
+ * The last condition distinguishes a face that hides the edge from the next
+ * small face of the same surface: if that surface is convex, the plane of the
+ * next face passes in front of the edge too. One could ask instead for a sample
+ * beside the edge that shows one of its faces. That loses the edges of faces
+ * too small to cover a sample: a quarter of L_v for a mesh of 89,000 triangles
+ * at 512 x 512. The conditions above lose a hundredth. Both were measured
  * against pictures of 16 times the resolution. */
 static bool visible(const struct survey *s, const struct edge *e, double t) {
   double x = e->x[0] + t * (e->x[1] - e->x[0]);
@@ -441,10 +441,10 @@ static void measure_visible_edges(struct survey *s) {
 
 /* --- Crossings ------------------------------------------------------------ */
 
-/* Edges whose ends lie within this of another edge, in pixels, touch it and do
- * not cross it. It is above what projection and clipping round, and so far
- * above what the point of crossing is off its edges that it lies within both,
- * however flat they cross. */
+/* An edge whose end lies within this many pixels of another edge touches it and
+ * does not cross it. It is above the rounding of projection and clipping. It is
+ * also far above the error of a point of crossing, which therefore lies within
+ * both edges, however flat they cross. */
 #define TOUCH (4 * HSR_DELTA)
 
 /* A uniform grid over the picture's edges. A cell lists the edges that come
@@ -472,7 +472,7 @@ static struct range grid_rows(const struct grid *g, const struct edge *e) {
                         grid_index(hi + MARGIN, g->y, g->cell, g->rows)};
 }
 
-/* The columns that the edge has within MARGIN of a row. */
+/* The columns of cells that the edge comes within MARGIN of, in a row. */
 static struct range grid_columns(const struct grid *g, const struct edge *e,
                                  int row) {
   double top = g->y + row * g->cell - MARGIN;
@@ -509,8 +509,8 @@ static void grid_place(struct grid *g, const struct survey *s) {
   g->rows = (int)(height / g->cell) + 1;
 }
 
-/* Advances at[c] by one for every edge in cell c, and if g->entry is there
- * writes the edge to where at[c] stood. */
+/* Advances at[c] by one for every edge in cell c. If g->entry is there, first
+ * writes the edge to the place at[c]. */
 static void grid_list(const struct grid *g, const struct survey *s,
                       size_t *at) {
   for (uint32_t k = 0; k < s->n_edges; k++) {
@@ -527,8 +527,8 @@ static void grid_list(const struct grid *g, const struct survey *s,
   }
 }
 
-/* Lists twice, to count and to write. Written, start[c + 1] has moved from the
- * beginning of cell c to its end. */
+/* Lists the edges twice, to count and to write. Writing moves start[c + 1] from
+ * the beginning of cell c to its end. */
 static enum hsr_status grid_fill(struct grid *g, struct survey *s) {
   size_t n_cells = (size_t)g->columns * (size_t)g->rows;
   g->start = HSR_NEW_ZEROED(&s->arena, size_t, n_cells + 2);
@@ -672,8 +672,8 @@ void hsr_statistics_rules(const struct hsr_table1 *given,
                           struct hsr_table1 *rules) {
   const double n = given->n, m = given->m;
   const double F_r = given->F_r, F_c = given->F_c, D_c = given->D_c;
-  /* The rules think of a picture that is filled D_c times over, so that one
-   * D_c-th is visible. One that is not filled shows all there is. */
+  /* The rules assume a picture that is filled D_c times over, so that one
+   * D_c-th is visible. A picture that is not filled shows all faces. */
   const double layers = fmax(D_c, 1);
   struct hsr_table1 r = {.n = n, .m = m, .F_r = F_r, .F_c = F_c, .D_c = D_c};
   r.F_t = 2 * F_r;

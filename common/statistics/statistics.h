@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Table I of Sutherland et al. 1974, measured, and Table II's rules of thumb.
  *
- * Measured by the core from a world and a view, independently of any
- * algorithm. What each statistic means to the letter stands in statistics.c,
- * beside the code that measures it. */
+ * The core measures them from a world and a view, independently of any
+ * algorithm. The exact meaning of each is in statistics.c, beside the code that
+ * measures it. */
 #ifndef HSR_COMMON_STATISTICS_H
 #define HSR_COMMON_STATISTICS_H
 
@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/* X(field, symbol, meaning): one row of Table I each. */
+/* X(field, symbol, meaning): each is a row of Table I. */
 #define HSR_TABLE1(X)                                                          \
   X(n, "n", "vertical resolution, scan lines")                                 \
   X(m, "m", "horizontal resolution, elements a line")                          \
@@ -45,23 +45,24 @@ struct hsr_table1 {
 };
 
 /* Measures the whole picture of the view, whatever its window. `ids` is the
- * correct picture, sample (i, j) at ids[j * m + i]; or NULL, and S_v, L_v and
- * X_v, which are about what is visible, are NAN. H_f is NAN when there is no
- * relevant face. *table is defined on HSR_OK only. HSR_E_NOMEM; HSR_E_USAGE if
- * ids holds the id of no face. */
+ * correct picture, with sample (i, j) at ids[j * m + i]. It may be NULL: then
+ * S_v, L_v and X_v, which are about what is visible, are NAN. H_f is NAN if
+ * there is no relevant face. *table is defined on HSR_OK only. HSR_E_NOMEM;
+ * HSR_E_USAGE if an entry of ids is neither a face nor HSR_BACKGROUND. */
 enum hsr_status hsr_statistics_measure(const struct hsr_world *world,
                                        const struct hsr_view *view,
                                        const uint32_t *ids,
                                        struct hsr_table1 *table,
                                        struct hsr_error *err);
 
-/* Table II: what the rules of thumb make of the n, m, F_r, F_c and D_c of
- * `given`. C_r and X_f have no rule and are NAN. *rules may be *given. */
+/* Table II: the statistics that the rules of thumb predict from n, m, F_r, F_c
+ * and D_c of `given`. C_r and X_f have no rule and are NAN. *rules may be
+ * *given. */
 void hsr_statistics_rules(const struct hsr_table1 *given,
                           struct hsr_table1 *rules);
 
-/* X_f: how many pairs among the n faces penetrate. The ids are all different.
- * *n_pairs is written on HSR_OK. HSR_E_NOMEM. */
+/* X_f: the number of pairs among the n faces that penetrate. The faces are all
+ * different. *n_pairs is written on HSR_OK only. HSR_E_NOMEM. */
 enum hsr_status hsr_count_penetrations(const struct hsr_world *world,
                                        const uint32_t *faces, size_t n,
                                        uint64_t *n_pairs,

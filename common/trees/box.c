@@ -9,22 +9,22 @@
  *             nothing overflows; 2^-960 covers underflow.
  *
  * Apart. Two convex sets are disjoint if some vector N has max N.V < min N.X
- * over the one's vertices V and the other's corners X. N may be any vector:
- * that ours are rounded normals of faces and edge-lines decides how often this
- * finds out, not whether it is true. So only the products count. N.X^ is within
- * 3.1 u |N|_1 s of N.X, and so is N.V^. A vertex within radius r of V adds at
- * most |N|_1 r, computed within 4 u |N|_1 s, and a sum each u |N|_1 s: in all
- * below 12 u |N|_1 s. The filters take 16, which covers the rounding of the
- * comparison, too.
+ * over the one's vertices V and the other's corners X. N may be any vector.
+ * Ours are rounded normals of faces and edge-lines: the rounding affects how
+ * often the test succeeds, not whether it is right. So only the products count.
+ * N.X^ is within 3.1 u |N|_1 s of N.X, and so is N.V^. A vertex within radius r
+ * of V adds at most |N|_1 r, computed within 4 u |N|_1 s, and each sum u |N|_1
+ * s: in all below 12 u |N|_1 s. The filters take 16, which covers the rounding
+ * of the comparison, too.
  *
  * Bounds. With radii they are rounded outward by one unit in the last place.
  *
- * Normals. Newell's, with V_0 as origin, as in world.c: rounding puts each
- * component off by at most 4(k + 1) u S for a face of k vertices, S the largest
+ * Normals. Newell's, with V_0 as origin, as in planes.c: each component is off
+ * by at most 4(k + 1) u S for a face of k vertices, where S is the largest
  * component of the sum of absolute products. Radii move each of the two factors
- * d of a product, |d| <= w, by at most p = twice the largest radius, thus each
- * of 2(k - 2) products by p (2 w + p): `error` takes k times twice that, which
- * covers its own rounding.
+ * d of a product, |d| <= w, by at most p = twice the largest radius, and so
+ * each of 2(k - 2) products by p (2 w + p). `error` takes k times twice that,
+ * which covers its own rounding.
  *
  * Inner side. Let m be the least N^.V over the vertices V of a face, less |N|_1
  * times their radii. A box with N^.X < m - (16 u |N|_1 + 6 error) s at its
@@ -33,18 +33,18 @@
  * side of the exact plane, or, if the face is not quite planar, of that plane
  * through each of its vertices.
  *
- * In. Call C the set of points where N^.X < m for all faces: it is convex. A
- * face, spanned in any way within the hull of its vertices, has N^.X >= m, so
+ * In. Let C be the set of points where N^.X < m for all faces: it is convex. A
+ * face, spanned in any way within the hull of its vertices, has N^.X >= m. So
  * the closed surface of all faces does not meet C, and has one winding number
- * about all points of C. If the mean of the vertices is among them, as is
- * checked, then all faces turn outward as seen from there, and that number is
- * not 0. About points outside the hull it is 0. So all of C is in the hull, and
- * inside. A polyhedron so flat that the check fails has no inside: `inner` is
- * then -infinity.
+ * about all points of C. If the mean of the vertices is in C, which is checked,
+ * all faces turn outward as seen from there, and that number is not 0. About
+ * points outside the hull it is 0. So all of C is in the hull, and inside. A
+ * polyhedron that is too flat for the check has no inside: `inner` is then
+ * -infinity.
  *
  * Frusta. A ray's components are within 8 u of the sum of its terms' sizes, by
- * common/view/view.h, and t D adds one rounding; so does E + t D. The radius takes
- * t times 10 u, and 2 u |V|. */
+ * common/view/view.h. t D adds one rounding, and so does E + t D. The radius
+ * takes t times 10 u, and 2 u |V|. */
 #include "common/trees/box.h"
 
 #include <assert.h>
@@ -91,7 +91,7 @@ static void hold(struct hsr_box *box, const double p[3], double radius) {
   }
 }
 
-/* --- Making a polyhedron ready -------------------------------------------- */
+/* --- Preparing a polyhedron ----------------------------------------------- */
 
 /* The arguments of hsr_polyhedron_init. */
 struct solid {
@@ -207,7 +207,7 @@ static struct hsr_half_space edge_line(const struct solid *solid, int a, int b,
   return half_space(solid, normal);
 }
 
-/* The silhouette in the view along axis u: the edges between a face that looks
+/* The silhouette in the view along axis u: the edges between a face that faces
  * that way and one that does not. */
 static void find_lines(struct hsr_polyhedron *poly, const struct solid *solid,
                        int u, const double middle[3]) {
@@ -328,7 +328,7 @@ static inline bool inside(const struct hsr_polyhedron *poly, int f,
          poly->inner[f] - (poly->inner_doubt[f] * size + TINY);
 }
 
-/* How many comparisons, in turn, hsr_boxes_meet makes of them. */
+/* How many comparisons hsr_boxes_meet makes for these boxes. */
 static unsigned comparisons_to_meet(const struct hsr_box *a,
                                     const struct hsr_box *b) {
   unsigned n = 0;
@@ -343,7 +343,7 @@ static unsigned comparisons_to_meet(const struct hsr_box *a,
   return n;
 }
 
-/* The same of hsr_box_holds. */
+/* How many comparisons hsr_box_holds makes. */
 static unsigned comparisons_to_hold(const struct hsr_box *a,
                                     const struct hsr_box *b) {
   unsigned n = 0;
@@ -414,8 +414,8 @@ static void corner(const struct hsr_loop *polygon, uint32_t k, double p[3]) {
   p[2] = polygon->z[at];
 }
 
-/* Is the box certainly farther along the normal than all corners? These are
- * taken from `first` on, the one that is likely to tell that it is not. */
+/* Is the box certainly farther along the normal than all corners? The corners
+ * are tried from `first` on, which is the likeliest to show that it is not. */
 static bool beyond(const struct hsr_box *box, const struct hsr_loop *polygon,
                    uint32_t first, const double normal[3], double slack,
                    double size) {

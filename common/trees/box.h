@@ -9,10 +9,10 @@
  *             n-vertex -> the corner of R that lies farthest against a normal,
  *             p-vertex -> the corner farthest along it; edge-lines -> line[].
  * Touching    counts as meeting, and as being cut.
- * Certain     a box that is OUT, or IN, or on the inner side of a plane, or
- *             does not meet a polygon, is so in exact arithmetic. What rounding
- *             leaves in doubt is PARTIAL, cut, or meets. The proofs are in
- *             box.c.
+ * Certain     if the answer is that a box is OUT, or IN, or on the inner side
+ *             of a plane, or does not meet a polygon, that is so in exact
+ *             arithmetic. Where rounding leaves a doubt, the answer is PARTIAL,
+ *             or that the box is cut, or meets. The proofs are in box.c.
  *
  * All coordinates are finite and at most 1e30 in size, like those of a scene,
  * and no box has a lo above its hi. Nothing here allocates or fails. */
@@ -48,22 +48,23 @@ static inline bool hsr_box_holds(const struct hsr_box *a,
 #define HSR_POLYHEDRON_VERTICES 12 /* 2 F - 4, all that F faces can have */
 #define HSR_POLYHEDRON_LINES 36    /* as many in each of the three views */
 
-/* normal . X <= outer holds for all of the polyhedron. `doubt` times the size
- * of the coordinates bounds the rounding. The n-vertex of a box has the
- * coordinate lo[k] where n[k] is 0 and hi[k] where it is 1; the p-vertex is the
- * opposite one. */
+/* A half space that holds all of the polyhedron: normal . X <= outer. `doubt`
+ * times the size of the coordinates bounds the rounding. The n-vertex of a box
+ * has the coordinate lo[k] where n[k] is 0 and hi[k] where it is 1; the
+ * p-vertex is the opposite one. */
 struct hsr_half_space {
   double normal[3], outer, doubt;
   unsigned char n[3];
 };
 
-/* A convex polyhedron made ready. */
+/* A convex polyhedron, prepared for tests against boxes. */
 struct hsr_polyhedron {
   struct hsr_box bounds;
   double size; /* the largest coordinate of its bounds */
 
-  /* The face-planes, with outward normals. normal . X < inner, by more than
-   * inner_doubt times the size of the coordinates: X is on the inner side. */
+  /* The face-planes, with outward normals. X is on the inner side if
+   * normal . X < inner by more than inner_doubt times the size of the
+   * coordinates. */
   int n_planes;
   struct hsr_half_space plane[HSR_POLYHEDRON_FACES];
   double inner[HSR_POLYHEDRON_FACES], inner_doubt[HSR_POLYHEDRON_FACES];
@@ -74,12 +75,12 @@ struct hsr_polyhedron {
   struct hsr_half_space line[HSR_POLYHEDRON_LINES];
 };
 
-/* Makes ready the convex hull of n_vertices points, xyz[3 v], ...; its faces
- * are vertex[start[f]], ..., vertex[start[f+1] - 1], which are convex, go round
- * either way, and close. radius[v] tells how far, in every coordinate, vertex v
- * may be from where it is meant to be; NULL: not at all. Then the polyhedron is
- * the one that is meant. Radii are for rounding: where they are not small
- * beside the polyhedron, boxes are seldom IN. */
+/* Prepares the convex hull of n_vertices points, xyz[3 v], ... Its faces are
+ * vertex[start[f]], ..., vertex[start[f+1] - 1]: they are convex, may go round
+ * either way, and form a closed surface. All arrays are copied. radius[v]
+ * bounds the error of each coordinate of vertex v (NULL: no errors); the
+ * polyhedron is then that of the true vertices. Radii are for rounding: if they
+ * are not small beside the polyhedron, boxes are seldom IN. */
 void hsr_polyhedron_init(struct hsr_polyhedron *poly, int n_vertices,
                          const double *xyz, const double *radius, int n_faces,
                          const int *start, const int *vertex);
@@ -94,38 +95,39 @@ enum hsr_frustum_plane {
   HSR_FRUSTUM_NEAR /* there is none if near is 0 */
 };
 
-/* The frustum of the view's window: all E + t D, near <= t <= far, of screen
- * points within half a sample's distance of the window's samples. So what is
- * OUT of it cannot be seen up to depth far in the window, wherever the samples
- * are displaced to, and the samples that see what is IN it are all in the
- * window. If near is 0, it is a pyramid with the eye as its apex, and five
- * planes. far > near; the window is not empty. */
+/* The frustum of the view's window: all points E + t D, near <= t <= far, for
+ * screen points within half a pixel of the window's samples. So what is OUT of
+ * it cannot be seen in the window up to depth far, wherever the samples are
+ * displaced to. All samples that see something that is IN it are in the window.
+ * If near is 0, it is a pyramid with the eye as its apex, and has five planes.
+ * far > near, in world units; the window is not empty. */
 void hsr_frustum_init(struct hsr_polyhedron *poly, const struct hsr_view *view,
                       double far);
 
 enum hsr_box_verdict { HSR_BOX_OUT, HSR_BOX_PARTIAL, HSR_BOX_IN };
 
-/* How many inequalities were evaluated. deciding: to decide whether R and P
- * meet, which is Greene's measure, 1 to 6 + F + E a box; refining: whether R
- * holds the bounds of P, and those of the p-vertices, at most 6 + F more. */
+/* How many inequalities were evaluated. deciding: those that decide whether R
+ * and P meet, which is Greene's measure: 1 to 6 + F + E for a box. refining:
+ * those that tell whether R holds the bounds of P, and those of the p-vertices:
+ * at most 6 + F more. */
 struct hsr_box_work {
   unsigned deciding, refining;
 };
 
-/* Listing A.1. Sets *cut to the set of planes, 1 << f, that the box may cut: it
- * is on the inner side of all others. None if IN; meaningless if OUT. Adds to
- * *work. Both may be NULL. */
+/* Listing A.1. Sets bit f of *cut for every plane f that the box may cut; it is
+ * on the inner side of all others. *cut is 0 if IN, and meaningless if OUT.
+ * Adds to *work. `cut` and `work` may be NULL. */
 enum hsr_box_verdict hsr_box_classify(const struct hsr_polyhedron *poly,
                                       const struct hsr_box *box, unsigned *cut,
                                       struct hsr_box_work *work);
 
 /* Whether the box meets a planar convex polygon: section A.4, last paragraph.
- * `normal`, of any length and on the side from which the corners go
- * counterclockwise, may be rounded. Of a polygon that is not convex, all that
- * meets its convex hull is said to meet it, and perhaps more. Where a polygon
- * is not within that hull, since its corners were rounded or its plane does not
- * pass through all of them, no point of it may be farther than `slack` from the
- * hull in any coordinate. */
+ * `normal` may have any length and may be rounded; seen from its side, the
+ * corners go counterclockwise. If the polygon is not convex, the answer is yes
+ * for every box that meets its convex hull, and perhaps for more. The polygon
+ * may leave that hull, because its corners were rounded or its plane does not
+ * pass through all of them: but no point of it may be farther than `slack`
+ * (world units) from the hull in any coordinate. */
 bool hsr_box_meets_polygon(const struct hsr_box *box, struct hsr_loop polygon,
                            const double normal[3], double slack);
 

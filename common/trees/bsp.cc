@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Source      as in bsp.h; that a few planes tried are enough to find a good
-//             one: H. Fuchs, G. Abram and E. Grant, "Near Real-Time Shaded
-//             Display of Rigid Objects", SIGGRAPH 1983.
-// Medians     the root's side is a power of two, 2^s, its corner a multiple of
-//             2^(s-3), and 2^s at least 2^-30 times the largest coordinate. So
-//             the centre of a cube that is divided, 19 levels down at most, is
-//             a multiple of 2^(s-20), less than 2^52 of them: exact. Where
-//             coordinates are multiples of some power of two, so are medians,
-//             as long as they can be.
-// Division    makes more pieces of those that a median plane passes through. If
-//             s_k is what a division does to their number, and s_1 s_2 ... the
-//             product down to a cube, it is nowhere more than 16: so there are
-//             at most 16 times as many in all. A cube that holds a vertex of
-//             many faces is left as it is, too: an octant would have them all,
-//             and others some.
-// Splitters   are planes of pieces. All pieces of a group, or some, are put to
-//             each of a few of them: it costs the pieces that it cuts, and
-//             those on its larger side.
-// Loose       faces are found while trees are made; they are made again without
-//             them.
-// No stack    is as deep as a tree may be: what is to be divided is listed.
+// Source      as in bsp.h. A few tried planes are enough to find a good one: H.
+//             Fuchs, G. Abram and E. Grant, "Near Real-Time Shaded Display of
+//             Rigid Objects", SIGGRAPH 1983.
+// Medians     The root's side is a power of two, 2^s; its corner is a multiple
+//             of 2^(s-3); and 2^s is at least 2^-30 times the largest
+//             coordinate. So the centre of a cube that is divided, at most 19
+//             levels down, is a multiple of 2^(s-20), by a number below 2^52:
+//             exact. If coordinates are multiples of some power of two, so are
+//             medians, as long as they can be.
+// Division    makes more pieces out of those that a median plane passes
+//             through. Let s_k be the factor by which a division multiplies
+//             their number: the product s_1 s_2 ... down to a cube is never
+//             more than 16, so there are at most 16 times as many in all. A
+//             cube that holds a vertex of many faces is not divided either: one
+//             octant would have them all, and others some.
+// Splitters   are planes of pieces. A few are tried, each with all pieces of
+//             the group or with some. The price of a plane is the pieces that
+//             it cuts, and those on its larger side.
+// Loose       faces are found while the trees are made. The trees are then made
+//             again without them.
+// No stack    is as deep as a tree may be: the work that is left is in a list.
 #include "common/trees/bsp.h"
 #include "common/adapt/convex.h"
 
@@ -35,18 +35,19 @@ using namespace hsr;
 const int MOST_DEPTH = 20;
 const double MOST_GROWTH = 16;
 
-// Beyond these it is no use: pieces; sides of planes that are asked for.
+// Limits, beyond which it is of no use: pieces; questions about sides of
+// planes.
 const size_t MOST_PIECES = 1 << 22;
 const uint64_t MOST_QUESTIONS = 2000000000;
 
-// Planes tried for a group; pieces that are put to each; and how many pieces on
-// the larger side a cut is worth. A cut piece is one more for every picture, a
-// deep tree costs only while it is made.
+// How many planes are tried for a group; with how many pieces each; and the
+// price of a cut, in pieces on the larger side. A cut piece is one more in
+// every picture; a deep tree costs only while it is made.
 const size_t TRIED_PLANES = 12, WEIGHED_PIECES = 128;
 const size_t PRICE_OF_CUT = 8;
 
-// Of a face that is not flat. It never becomes smaller for the planes that it
-// is put to.
+// The most parts of a face that is not flat. Its parts keep all its corners, so
+// more planes would cut each of them.
 const uint32_t MOST_PARTS = 32;
 
 const unsigned BOTH = FRONT | BEHIND;
@@ -58,7 +59,7 @@ struct Too_many {};
 const hsr_box EMPTY = {{INFINITY, INFINITY, INFINITY},
                        {-INFINITY, -INFINITY, -INFINITY}};
 
-// Takes in all that is within `error` of a point.
+// Widens the box to hold all within `error` of a point.
 void grow(hsr_box &box, const Point &at, double error) {
   for (size_t c = 0; c < 3; c++) {
     const double lo = at[c] - error, hi = at[c] + error;
@@ -195,7 +196,7 @@ uint32_t Maker::median(size_t axis, double at) {
   return place.first->second;
 }
 
-// Whether the octants are better off; what the growth would be, at most.
+// Whether dividing the cube helps; and the most by which the pieces may grow.
 bool Maker::helps(const Open_cube &open, const uint32_t planes[3],
                   double &growth) {
   size_t n[8] = {0}, n_pieces = open.pieces.size();
@@ -246,7 +247,7 @@ void Maker::hand_out(Convex &&piece, const uint32_t planes[3], size_t axis,
   }
 }
 
-// False if the cube is to be a leaf.
+// Divides a cube. False if it is to be a leaf.
 bool Maker::divide(Open_cube &open) {
   const hsr_bsp_cube cube = cubes_[open.cube];
   if (!most_ || open.pieces.size() <= most_ || open.depth == MOST_DEPTH)
@@ -296,7 +297,7 @@ void Maker::start_again() {
     parts = parts > MOST_PARTS ? parts : 0;
 }
 
-// False if a face turned out to be loose.
+// Makes all cubes. False if a face turned out to be loose.
 bool Maker::make_cubes() {
   std::vector<Convex> all;
   for (uint32_t f = 0; f < world_.n_faces; f++) {
@@ -318,7 +319,8 @@ bool Maker::make_cubes() {
   return !n_new_loose_;
 }
 
-// Of the cubes that are no leaves: children come after parents.
+// Finds the tight boxes of cubes that are no leaves. Children come after
+// parents.
 void Maker::find_tight_boxes() {
   for (size_t k = cubes_.size(); k-- > 0;)
     for (uint32_t child : cubes_[k].child)
@@ -350,7 +352,7 @@ unsigned Maker::about(const Convex &piece, uint32_t plane) {
   return shapes_.about(piece, plane);
 }
 
-// What it costs to divide a group by a plane, by some of its pieces.
+// The price of dividing a group by a plane, judged by some of its pieces.
 size_t Maker::price_of(const Group &group, uint32_t plane) {
   const size_t step = std::max<size_t>(1, group.size() / WEIGHED_PIECES);
   size_t n[4] = {0};
@@ -399,8 +401,8 @@ void Maker::link(const Open_group &open, uint32_t cube) {
     nodes_[open.parent].behind = node;
 }
 
-// A node of the group's pieces that lie in the plane, and what is to either
-// side of it.
+// Makes a node of the group's pieces that lie in the plane, and divides the
+// rest into the groups on either side.
 void Maker::split(const Group &group, Open_group &front, Open_group &behind) {
   const uint32_t plane = choose_plane(group), node = size_of(nodes_.size());
   const uint32_t first = size_of(made_.size());
@@ -447,9 +449,9 @@ void Maker::make_leaf(uint32_t cube, std::vector<Convex> &&pieces) {
   place_points(cubes_[cube]);
 }
 
-// --- What is handed over ----------------------------------------------------
+// --- The result -------------------------------------------------------------
 
-// The side of a plane on which a piece was kept when it cut it.
+// The side of a plane on which a piece was kept when the plane cut it.
 int kept_side(const Convex &piece, uint32_t plane) {
   const auto cut =
       std::find_if(piece.cuts.begin(), piece.cuts.end(),

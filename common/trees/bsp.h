@@ -8,25 +8,28 @@
  * Cubes       a cube of more than a few pieces is divided into its octants, and
  *             its pieces at the three median planes. The pieces of a cube that
  *             is not divided, a leaf, are in a BSP tree.
- * Planes      are numbered: first the world's plane classes (common/scene/world.h),
- *             each turned as the first face is that lies in it, then the median
- *             planes, whose front is where the coordinate is greater.
- * Pieces      a face, and the sides that bound what is left of it. Whether a
- *             sample is within a side that a cut made is the comparison of two
- *             planes there, so pieces of a face share no sample and leave none
- *             out (common/scene/pieces.h).
- * Exact       on which side of a plane a piece lies is decided exactly; a piece
- *             with points on both sides is divided.
- * Order       whatever is on the eye's side of a node's plane hides what is in
- *             the plane, and that what is on the other side. Pieces in one
- *             plane are ascending by face, so that the first one is seen.
+ * Planes      are numbered. First come the world's plane classes
+ *             (common/scene/world.h): each faces the way of the first face that
+ *             lies in it. Then come the median planes: their front is where the
+ *             coordinate is greater.
+ * Pieces      a piece is a face and the sides that bound what is left of it.
+ *             Two planes are compared at a sample to tell whether it is within
+ *             a side that a cut made. So the pieces of a face share no sample
+ *             and leave none out (common/scene/pieces.h).
+ * Exact       the side of a plane that a piece lies on is decided exactly. A
+ *             piece with points on both sides is divided.
+ * Order       what is on the eye's side of a node's plane may hide what is in
+ *             the plane, and both may hide what is on the other side. Pieces in
+ *             one plane are in ascending order of their faces: the first one
+ *             that covers a sample is seen.
  * Ties        a piece in a median plane goes to the lower octant.
- * Not flat    what is seen of a face that is not flat lies on its plane, and
- *             where, depends on the eye: within `reach` of the hull of its
- *             vertices, unless the eye grazes it (hsr_grazes, common/exact/order.h);
- *             then the trees have no place for it. Where it is not certain to
- *             be on one side of a plane, it is cut and goes to both. A face of
- *             which this makes too many pieces is loose: it is in no tree. */
+ * Not flat    a face that is not flat is seen on its plane, at a place that
+ *             depends on the eye: within `reach` of the hull of its vertices,
+ *             unless the eye grazes it (hsr_grazes, common/exact/order.h). If
+ *             the eye does, the trees cannot order the face. If the face is not
+ *             certain to be on one side of a plane, it is cut and goes to both.
+ *             If that makes too many pieces of a face, it is loose: in no tree.
+ */
 #ifndef HSR_COMMON_BSP_H
 #define HSR_COMMON_BSP_H
 
@@ -40,9 +43,9 @@ extern "C" {
 
 #define HSR_NO_BSP UINT32_MAX
 
-/* What the side from a corner to the next lies on: the edge from vertex a to b
- * of the world, or, if b is one of these, plane a, of which the piece is in
- * front, or behind. */
+/* A corner, and the side from it to the next. The side lies on the edge from
+ * vertex a to b of the world; or, if b is one of these two, in plane a, and the
+ * piece is in front of that plane, or behind it. */
 #define HSR_BSP_FRONT UINT32_MAX
 #define HSR_BSP_BEHIND (UINT32_MAX - 1)
 struct hsr_bsp_corner {
@@ -50,8 +53,9 @@ struct hsr_bsp_corner {
   uint32_t a, b;
 };
 
-/* Convex, but for faces that are not flat: of these it has all corners, however
- * it is cut, and n_cuts cuts beside them, in the same terms. */
+/* A piece of a flat face is a convex polygon. A piece of a face that is not
+ * flat keeps all corners of the face, however it is cut, and has n_cuts cuts
+ * beside them, written as sides are. */
 struct hsr_bsp_piece {
   uint32_t face; /* of the world */
   uint32_t first_corner, n_corners;
@@ -67,11 +71,11 @@ struct hsr_bsp_node {
 struct hsr_bsp_cube {
   double centre[3], half;
   struct hsr_box tight; /* within it, holds all that is in it; empty: lo > hi */
-  uint32_t child[8];    /* as of hsr_octree_node: bit k: above centre[k];
+  uint32_t child[8];    /* bit k of the octant's number: above centre[k];
                            HSR_NO_BSP: none, or nothing in it */
   uint32_t root;        /* of a leaf: its BSP tree; HSR_NO_BSP: no piece */
   uint32_t first_point, n_points; /* of a leaf: those of its pieces */
-  uint32_t most_corners;          /* of a leaf: that a piece has */
+  uint32_t most_corners;          /* of a leaf: the most that a piece has */
 };
 
 /* A median plane: plane n_planes + k of a world is median[k]. */
@@ -80,8 +84,9 @@ struct hsr_bsp_median {
   double at;
 };
 
-/* A plane class that lies across an axis: its front is where front times the
- * coordinate is greater. front 0: it does not. */
+/* A plane class that lies across an axis: coordinate `axis` = at. Its front is
+ * where the coordinate is greater (front +1) or less (-1). front 0: it does not
+ * lie across an axis. */
 struct hsr_bsp_level {
   double at;
   signed char axis, front;
@@ -98,7 +103,7 @@ struct hsr_bsp {
   double *error;              /* of each of a point's coordinates; 0: it is
                                  a vertex of the world */
   struct hsr_bsp_median *median;
-  uint32_t *face_of; /* a plane class: the face as which it is turned */
+  uint32_t *face_of; /* a plane class: the first face in it, which turns it */
   struct hsr_bsp_level *level; /* a plane class */
   signed char *turned; /* a face: +1 as its plane is, -1 the other way */
   double *reach;       /* a face; 0: it is flat */
@@ -110,13 +115,13 @@ struct hsr_bsp {
 };
 
 struct hsr_bsp_rule {
-  uint32_t most; /* a cube of more pieces is divided, unless that makes too many
-                    of them; 0: none is, and there is one BSP tree */
+  uint32_t most; /* a cube of more pieces is divided, unless that would make too
+                    many; 0: no cube is, and there is one BSP tree */
 };
 
-/* `world` is laid out, its faces convex; it is borrowed. *bsp is freed with
- * hsr_bsp_free also after a failure: HSR_E_NOMEM; HSR_E_REFUSED, if there would
- * be too many pieces. */
+/* `world` is laid out, its faces are convex, and it must outlive *bsp. *bsp is
+ * freed with hsr_bsp_free, also after a failure. HSR_E_NOMEM; HSR_E_REFUSED if
+ * there would be too many pieces. */
 enum hsr_status hsr_bsp_init(struct hsr_bsp *bsp, const struct hsr_world *world,
                              const struct hsr_bsp_rule *rule,
                              struct hsr_error *err);

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Coordinates as multiples of a power of two, and instances that round nothing.
  *
- * If the coordinates of an object are multiples of g, every row of an
- * instance's matrix is a signed unit vector, what it adds a multiple of g too
- * and all less than 2^52 g, then every sum is exact and a plane stays one. */
+ * Let the coordinates of an object be multiples of g, every row of an
+ * instance's matrix a signed unit vector, its translation a multiple of g too,
+ * and all of these less than 2^52 g. Then every sum is exact, and a plane stays
+ * a plane. */
 #ifndef HSR_COMMON_GRAIN_H
 #define HSR_COMMON_GRAIN_H
 
@@ -13,15 +14,15 @@
 extern "C" {
 #endif
 
-enum { HSR_GRAIN_ANY = 1024 }; /* of nothing but zeros */
+enum { HSR_GRAIN_ANY = 1024 }; /* the grain of zeros alone */
 
 /* The largest k such that all n numbers are multiples of 2^k. */
 int hsr_grain(const double *x, size_t n);
 
-/* No coordinate of the object is larger in size. */
+/* The largest size of a coordinate of the object. */
 double hsr_reach(const struct hsr_object *object);
 
-/* Whether the instance rounds nothing, of an object of this grain and reach. */
+/* Whether the instance rounds nothing. Its object has this grain and reach. */
 bool hsr_instance_is_exact(const struct hsr_instance *instance, int grain,
                            double reach);
 

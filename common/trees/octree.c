@@ -7,8 +7,8 @@
 
 const unsigned char hsr_octant_order[8] = {0, 1, 2, 4, 3, 5, 6, 7};
 
-/* Primitives that share a point are never parted; nor does dividing help where
- * most of them meet most octants. */
+/* Limits of division. Primitives that share a point are never separated, and
+ * dividing does not help where most primitives meet most octants. */
 enum { DEEPEST = 32, MOST_COPIES = 3 };
 
 struct list {
@@ -61,7 +61,7 @@ int hsr_octant_that_holds(const struct hsr_octree_node *cube,
   return octant;
 }
 
-/* Into every octant that it meets. */
+/* Puts a primitive into every octant that it meets. */
 static bool push(const struct builder *b, const struct hsr_octree_node *cube,
                  uint32_t k, struct list *octants) {
   const struct hsr_primitives *p = b->primitives;
@@ -75,7 +75,7 @@ static bool push(const struct builder *b, const struct hsr_octree_node *cube,
   return true;
 }
 
-/* Parts a cube's primitives: its own, and those of the octants. */
+/* Divides a cube's primitives into its own and those of the octants. */
 static bool part(const struct builder *b, const struct hsr_octree_node *cube,
                  const struct list *list, struct list *own,
                  struct list *octants) {
@@ -92,7 +92,8 @@ static bool part(const struct builder *b, const struct hsr_octree_node *cube,
   return true;
 }
 
-/* Octants of too few give them back; all do where dividing does not help. */
+/* Octants of too few primitives give them back; all octants do if dividing does
+ * not help. */
 static bool give_back(const struct builder *b, uint32_t node, uint32_t n,
                       struct list *own, struct list *octants) {
   uint64_t copies = own->n;
@@ -182,7 +183,7 @@ static bool look_at_primitives(struct builder *b, struct list *all) {
   return true;
 }
 
-/* What the cube holds of a box is in *all. */
+/* Widens *all to hold the part of a box that is in the cube. */
 static void add_box(struct hsr_box *all, const struct hsr_box *cube,
                     const struct hsr_box *box) {
   for (int k = 0; k < 3; k++) {
@@ -193,8 +194,8 @@ static void add_box(struct hsr_box *all, const struct hsr_box *cube,
   }
 }
 
-/* From the children to their parents. Rounding takes the middle and the halves
- * off by less than 2^-50 of the coordinates. */
+/* Finds the tight boxes, from children to parents. Rounding moves the middle
+ * and the halves by less than 2^-50 of the coordinates. */
 static void tighten(const struct builder *b, struct hsr_box *tight) {
   for (uint32_t k = (uint32_t)b->node.n; k--;) {
     struct hsr_octree_node *node = node_at(b, k);

@@ -4,11 +4,11 @@
  * Source      N. Greene, "Hierarchical Rendering of Complex Environments", PhD
  *             thesis, UC Santa Cruz, 1995, 3.3.1 and 3.5.
  * Placement   a primitive that fits into an octant goes there. One that crosses
- *             a median plane stays with the cube (the smallest enclosing one),
- *             or, if it is small, goes into every octant that it meets.
+ *             a median plane stays with the cube, the smallest that encloses
+ *             it; but a small one goes into every octant that it meets.
  * Invariant   the cubes that a primitive is placed in cover it.
- * Ties        what lies on a median plane fits into either side; it goes to the
- *             lower one. */
+ * Ties        a primitive on a median plane fits into either side; it goes to
+ *             the lower one. */
 #ifndef HSR_COMMON_OCTREE_H
 #define HSR_COMMON_OCTREE_H
 
@@ -29,8 +29,8 @@ struct hsr_octree_box {
 
 struct hsr_octree_node {
   double centre[3], half;      /* the cube */
-  struct hsr_octree_box tight; /* within it, what is in it and its octants; the
-                                  cube, if there is nothing */
+  struct hsr_octree_box tight; /* within the cube; holds all that is in it and
+                                  its octants; the cube, if that is nothing */
   uint32_t child[8]; /* bit k of the octant's number: above centre[k] */
   uint32_t first, n; /* its primitives: item[first] and so on */
 };
@@ -42,8 +42,9 @@ struct hsr_octree {
   uint32_t n_nodes, n_items;
 };
 
-/* What is put into cubes: primitives 0 .. n-1. `area` is compared with that of
- * a face of a cube; `meets` may say yes in doubt. */
+/* What is put into cubes: primitives 0 .. n-1, through functions that get
+ * `context`. `area` is compared with the area of a face of a cube; `meets` may
+ * say yes in doubt. */
 struct hsr_primitives {
   uint32_t n;
   const void *context;
@@ -53,14 +54,14 @@ struct hsr_primitives {
 };
 
 struct hsr_octree_rule {
-  double small;   /* goes into the octants that it meets, if its area is less
-                     than this times a cube's face; 0: nothing does */
+  double small;   /* a primitive is small if its area is less than this times
+                     the area of a cube's face; 0: none is */
   uint32_t most;  /* a cube of no more primitives is not divided */
   uint32_t least; /* an octant of fewer gives them back to its parent */
 };
 
-/* The cube with corner lo, of `side`, holds all primitives. The arrays are the
- * arena's. HSR_E_NOMEM. */
+/* The cube with lower corner lo and edges of length `side` must hold all
+ * primitives. The arrays are in the arena. HSR_E_NOMEM. */
 enum hsr_status hsr_octree_init(struct hsr_octree *octree,
                                 const struct hsr_primitives *primitives,
                                 const struct hsr_octree_rule *rule,
@@ -84,19 +85,19 @@ hsr_octree_cube(const struct hsr_octree_node *node) {
   return cube;
 }
 
-/* A cube's octant, without octants or primitives of its own. */
+/* One octant of a cube, as a node with no octants and no primitives. */
 struct hsr_octree_node hsr_octree_octant(const struct hsr_octree_node *cube,
                                          int octant);
 
-/* The octant that holds the box; -1: it crosses a median plane. The box is
- * within the cube. */
+/* The octant that holds the box, which is within the cube; -1: the box crosses
+ * a median plane. */
 int hsr_octant_that_holds(const struct hsr_octree_node *cube,
                           const struct hsr_box *box);
 
-/* The order in which octants are visited from front to back, of an eye in
- * octant `nearest`: octant nearest ^ hsr_octant_order[0], then [1], and so on.
- * First the nearest one, then those that share a face with it, then those that
- * share a face with the farthest, then that. */
+/* The order of octants from front to back, for an eye in octant `nearest`:
+ * octant nearest ^ hsr_octant_order[0], then [1], and so on. First comes the
+ * nearest one, then those that share a face with it, then those that share a
+ * face with the farthest, then the farthest. */
 extern const unsigned char hsr_octant_order[8];
 
 #ifdef __cplusplus

@@ -7,8 +7,8 @@
 
 static const float BACKGROUND[3] = {0.055f, 0.07f, 0.10f};
 
-/* 1/t of the face's plane at screen point (sx, sy), in doubles: good to float
- * precision, which is all that a picture holds. */
+/* 1/t of the face's plane at screen point (sx, sy), in doubles. It is good to
+ * float precision, which is enough for a picture. */
 static double reciprocal_depth(const struct hsr_world *world,
                                const struct hsr_view *view, uint32_t f,
                                double sx, double sy) {
@@ -37,8 +37,8 @@ void hsr_picture_depth(const struct hsr_world *world,
     }
 }
 
-/* A colour that neighbouring ids do not share: bits of the id scattered over
- * hue by a multiplicative hash. */
+/* A colour that neighbouring ids do not share, by a multiplicative hash of the
+ * id. */
 static void id_colour(uint32_t id, float rgb[3]) {
   uint32_t h = id * 2654435761u;
   h ^= h >> 15;
@@ -120,10 +120,10 @@ void hsr_picture_shade(const struct hsr_world *world,
   }
 }
 
-/* --- Of an outline -------------------------------------------------------- */
+/* --- Pictures of an outline ----------------------------------------------- */
 
-/* The faces that are in a picture, laid out, and the picture by their numbers
- * there. */
+/* The faces that are seen in a picture, laid out in a world of their own, and
+ * the picture in the numbers of that world. */
 struct seen {
   struct hsr_world world;
   uint32_t *id;  /* the scene's ids of the faces, ascending */
@@ -135,7 +135,8 @@ static int compare_ids(const void *a, const void *b) {
   return (f > g) - (f < g);
 }
 
-/* The different faces of a picture, ascending, into id[]; how many. */
+/* Writes the different faces of a picture to id[], ascending. Returns how many.
+ */
 static uint32_t find_seen(const uint32_t *ids, size_t n, uint32_t *id) {
   memcpy(id, ids, n * sizeof *id);
   qsort(id, n, sizeof *id, compare_ids);

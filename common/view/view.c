@@ -22,7 +22,8 @@ static void normalise(double v[3]) {
     v[k] /= length;
 }
 
-/* tan(fov/2). The right angle, which ties are made with, is exact. */
+/* tan(fov/2). It is exact at 90 degrees, so that scenes can be made with exact
+ * ties. */
 static double half_tangent(double fov_degrees) {
   const double pi = 3.14159265358979323846;
   return fov_degrees == 90 ? 1 : tan(fov_degrees * (pi / 360));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What stands on one lot of the harbor: one object, drawn about the origin
- * inside |x|, |z| < 32 metres, in about so many faces.
+/* The objects of the harbor: each stands on one lot, is drawn about the origin
+ * inside |x|, |z| < 32 metres, and has about n_faces faces.
  *
  * Solids touch at most, on planes parallel to the axes, so that lots turned by
  * quarters still touch exactly. All faces are convex, and exactly plane: where

@@ -309,8 +309,8 @@ void hsr_pen_views_to(struct hsr_pen *pen, uint32_t n) {
     note(pen, hsr_scene_add_orbit(pen->scene, n - pen->scene->n_views));
 }
 
-/* tan(x), 0 <= x <= pi/8, to 3e-7: where on the circle the point lies need not
- * be exact, that it lies on the circle is what the parametrisation sees to. */
+/* tan(x), 0 <= x <= pi/8, to 3e-7. The point's place along the circle need not
+ * be exact; the parametrisation puts it on the circle. */
 static double tangent(double x) {
   double q = x * x;
   return x * (1 + q * (1.0 / 3 +

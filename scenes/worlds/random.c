@@ -10,8 +10,8 @@ static double centred(struct hsr_random *random) {
   return 2 * hsr_random_unit(random) - 1;
 }
 
-/* The triangles shrink as they become more, so that about four lie over one
- * another at any number of them. */
+/* The more triangles, the smaller they are, so that about four lie over one
+ * another at any number. */
 enum hsr_status hsr_build_soup(struct hsr_scene *scene,
                                const long long *parameter) {
   long long n = parameter[0];

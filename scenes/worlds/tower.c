@@ -117,8 +117,8 @@ static void bay(struct hsr_pen *pen, int x) {
   }
 }
 
-/* Before the south, east, north or west side of a module from (0, 0, 0) to
- * (16, 16, 16). */
+/* A panel before the south, east, north or west side of a module from (0, 0, 0)
+ * to (16, 16, 16). */
 static void panel(struct hsr_pen *pen, int side) {
   static const char *const name[4] = {"south wall", "east wall", "north wall",
                                       "west wall"};
@@ -176,9 +176,9 @@ static void strip(struct hsr_pen *pen, double half, double inner, double outer,
       hsr_pen_box(pen, x, ROOF, middle - 2, x + 6, ROOF + 3, middle + 2);
 }
 
-/* On the layer below, about what is above it: along two sides from corner to
- * corner, along the others between these; where they have any width. So planes
- * separate them. */
+/* The roof of the layer below, around the layer above: strips along two sides
+ * from corner to corner, and along the others between these, where they have
+ * any width. So planes separate them. */
 static void roof(struct tower *tower, int layer) {
   struct plan below = plan_of(tower, layer - 1), above = plan_of(tower, layer);
   struct hsr_pen *pen = &tower->pen;
@@ -255,8 +255,8 @@ static void block(struct hsr_pen *pen, int kind) {
   }
 }
 
-/* Those of one kind, where chance will have it, between the pavement and the
- * ground's end. */
+/* Places the blocks of one kind at random, between the pavement and the end of
+ * the ground. */
 static void blocks(struct tower *tower, int kind) {
   struct plan plan = plan_of(tower, 0);
   double pitch = BLOCK + STREET, reach = SIDE * tower->n_layers;

@@ -2,10 +2,10 @@
 /* The harbors of Table II of Sutherland et al. 1974: F_r faces in the picture,
  * twice as many in all, F_c of them in a cluster, D_c = 3 over one another.
  *
- * Metres; the quay runs along the x axis, the water lies to +z, the town to
- * -z. The plane is cut into square lots; those that the standard view holds
- * are built on, each with an instance of one object: a cluster. The more
- * clusters, the farther away the standard view. So the picture, and with it
+ * Lengths are in metres. The quay runs along the x axis, the water lies to +z,
+ * the town to -z. The plane is cut into square lots. Those that the standard
+ * view holds are built on, each with an instance of one object: a cluster. With
+ * more clusters the standard view is farther away. So the picture, and with it
  * the depth complexity, stays about the same at all sizes. */
 #include "scenes/builders.h"
 #include "scenes/parts/lots.h"
@@ -13,10 +13,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* What is asked for to come near Table II: its harbors are the third and the
- * last row, its house the first. Lots lack a few of the faces asked of them,
- * since they are drawn by whole boxes; finer ones hide more of themselves, and
- * are made lower for it, so that D_c is the same. */
+/* Settings that come near Table II: its harbors are the third and the last row,
+ * its house the first. Lots get a few faces fewer than they are asked for,
+ * since they are drawn in whole boxes. Finer lots hide more of themselves; they
+ * are made lower, so that D_c is the same. */
 struct setting {
   double relevant, per_cluster; /* F_r, F_c */
   double faces;                 /* asked of a lot */
@@ -109,8 +109,8 @@ static bool on_pier(int i, int k) {
   return (i + 1) % 3 == 0 && k >= 0 && k < 3;
 }
 
-/* What the lot in column i and row k is for: rows count from the quay to the
- * water. -1 where it stays empty. */
+/* The purpose of the lot in column i and row k; -1 if it stays empty. Rows
+ * count from the quay to the water. */
 static int purpose(struct plan *plan, int i, int k, double inland) {
   static const int pier[4] = {HSR_LOT_crane, HSR_LOT_containers,
                               HSR_LOT_warehouse, HSR_LOT_containers};

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The office with carts on the move, each on a straight way of its own from one
- * end of the building to the other, along x or z, turning as it goes, so that
- * so many per cent of all faces move. They go through whatever stands there. */
+/* The office with moving carts. Each has a straight way of its own from one end
+ * of the building to the other, along x or z, and turns as it goes. There are
+ * as many as make the given percentage of all faces move. They pass through
+ * whatever stands there. */
 #include "scenes/builders.h"
 #include "scenes/parts/shapes.h"
 
@@ -27,8 +28,7 @@ static void draw_cart(struct hsr_pen *pen) {
   }
 }
 
-/* Where a cart is at a frame: its way, speed and turning are the random
- * numbers'. */
+/* Places a cart at a frame. Its way, speed and turning are random. */
 static void place_cart(struct hsr_pen *pen, struct hsr_random *random,
                        double frame) {
   double start = LENGTH * hsr_random_unit(random);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files through CGAL's readers; .vtp through common/files/vtk/exchange_vtk.cc.
+// Mesh files through CGAL's readers; .vtp through
+// common/files/vtk/exchange_vtk.cc.
 //
-// Safety      see common/files/mesh/mesh_file.h: CGAL sees only what a scan has passed,
-//             and must find in it what the scan found.
+// Safety      see common/files/mesh/mesh_file.h: CGAL sees only what a scan has
+//             passed, and must find in it what the scan found.
 // Memory      at once: the file, and what CGAL makes of it, 24 bytes a vertex
 //             and 4 a face and a corner; then, the file gone, that and the
 //             object. STL: also a search tree of about 80 bytes a vertex.
@@ -348,9 +349,9 @@ Volume<Number> volume(const struct hsr_object &object, Size size) {
 }
 
 /* In doubles if they can tell the sign, else exactly. A product has a relative
- * error of less than 6 u (three differences, two multiplications), the sum of
- * n differences of products one of n + 1 of u more, in terms of the
- * magnitude; 2 u = DBL_EPSILON leaves room for the higher orders, and for the
+ * error of less than 6 u (three differences, two multiplications). The sum of n
+ * differences of products adds n + 1 times u, relative to the magnitude. Taking
+ * 2 u = DBL_EPSILON for u leaves room for the higher orders, and for the
  * rounding of the magnitude itself. */
 bool is_outward(const struct hsr_object &object) {
   const Volume<double> rough =

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mesh files: reading through CGAL (.off .obj .ply .stl) and VTK (.vtp); and
- * line drawings: writing through VTK (.vtp); voxels likewise (.vti).
+/* Mesh files, read through CGAL (.off .obj .ply .stl) and VTK (.vtp). Line
+ * drawings (.vtp) and voxels (.vti), written through VTK.
  *
  * Polygons are kept as polygons. A mesh that is closed and consistently
  * oriented outward becomes a one-sided object, any other a two-sided one. */
@@ -21,11 +21,12 @@ struct hsr_import {
 };
 
 /* Appends the mesh in `path` to the scene as one object named after the file,
- * without an instance. By suffix, in any case. Never takes more memory than a
- * small multiple of the file's own size, whatever counts the file claims (or of
- * the size of its data, inflated, if it is a compressed .vtp file).
- * `import` may be NULL: nothing is dropped. On failure the scene has no new
- * object, and *err says file, line or element, and what is wrong.
+ * without an instance. The format is that of the suffix, in upper or lower
+ * case. Never takes more memory than a small multiple of the file's size,
+ * whatever counts the file claims (for a compressed .vtp file: of the size of
+ * its inflated data). `import` may be NULL: nothing is dropped. On failure the
+ * scene has no new object, and *err says file, line or element, and what is
+ * wrong.
  * HSR_E_INPUT: unreadable, wrong suffix, malformed, truncated, a coordinate
  * not finite, an index out of range, a face with fewer than 3 vertices, a
  * repeated one, or of no area; no face at all. HSR_E_NOMEM. */
@@ -33,20 +34,20 @@ enum hsr_status hsr_mesh_read(struct hsr_scene *scene, const char *path,
                               struct hsr_import *import, struct hsr_error *err);
 
 /* Whether an object is closed (every edge has exactly two faces), consistently
- * oriented (they run it in opposite directions) and outward (its signed volume
- * is positive). *answer is written on HSR_OK. HSR_E_NOMEM. */
+ * oriented (they run along it in opposite directions) and outward (its signed
+ * volume is positive). *answer is written on HSR_OK only. HSR_E_NOMEM. */
 enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
                                     bool *answer);
 
-/* Writes a drawing in world space as lines, an interval each, in the drawing's
- * order; cell data: invisibility, edge_a, edge_b, edge_part and implied, as in
- * hsr_segment. HSR_E_INPUT: cannot be written, or this build has no VTK;
- * HSR_E_NOMEM. */
+/* Writes a drawing in world space as lines, one for each interval, in the
+ * drawing's order. The cell data are invisibility, edge_a, edge_b, edge_part
+ * and implied, as in hsr_segment. HSR_E_INPUT: it cannot be written, or this
+ * build has no VTK; HSR_E_NOMEM; HSR_E_INTERNAL: VTK failed. */
 enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
                                       const char *path, struct hsr_error *err);
 
-/* Writes voxels as an image, a cell each, with the solid's number as cell data
- * "solid". Fails as above. */
+/* Writes voxels as an image, one cell for each, with the solid's number as cell
+ * data "solid". Fails as above. */
 struct hsr_solid_voxels;
 enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *voxels,
                                      const char *path, struct hsr_error *err);

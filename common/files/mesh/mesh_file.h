@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the importers of mesh files share; for common/exchange*.cc and
-// common/mesh_*.cc alone.
+// What the importers of mesh files share; only for common/files/mesh and
+// common/files/vtk.
 //
 // CGAL's and VTK's readers trust their input: they allocate what a header
 // claims, and some stop at the first thing they do not understand as if the
 // file ended there. So a file is read into memory once, its grammar is checked
-// from first to last byte (hsr::scan_off and its like), and only
-// what passed is given to them. A failure is thrown as hsr::Refused and caught
-// in hsr_mesh_read.
+// from first to last byte (hsr::scan_off and its like), and only a text that
+// passed is given to them. A failure is thrown as hsr::Refused and caught in
+// hsr_mesh_read.
 #ifndef HSR_COMMON_MESH_FILE_H
 #define HSR_COMMON_MESH_FILE_H
 
@@ -27,7 +27,7 @@ struct Refused {
   struct hsr_error error;
 };
 
-/* A file's bytes, which may be written over. `path` is borrowed. */
+/* A file's bytes, which may be overwritten. `path` is borrowed. */
 struct Mesh_file {
   const char *path;
   std::unique_ptr<char[]> memory; /* SPARE bytes, then the file's */
@@ -61,15 +61,15 @@ protected:
   pos_type seekpos(pos_type position, std::ios_base::openmode) override;
 };
 
-/* What a scan found in a file, all of which the reader must find again. */
+/* What a scan found in a file; the reader must find exactly the same. */
 struct Mesh_extent {
   size_t n_vertices = 0, n_faces = 0, n_corners = 0;
   std::vector<float> rgb; /* 3 * n_faces, linear; or empty */
 };
 
-/* Each checks the whole of a file and throws Refused at the first thing that
- * is wrong with it. What CGAL's or VTK's reader would stumble over though it is
- * correct (comments, tabs, names, statements it does not know) is blanked, and
+/* Each checks a whole file and throws Refused at the first thing that is wrong
+ * with it. Correct text that CGAL's or VTK's reader would stumble over
+ * (comments, tabs, names, statements it does not know) is blanked, and
  * file.begin may be moved. Faces that are degenerate by their vertex numbers
  * are refused unless `drop`. */
 Mesh_extent scan_off(Mesh_file &file, bool drop);
@@ -78,8 +78,8 @@ Mesh_extent scan_ply(Mesh_file &file, bool drop);
 Mesh_extent scan_stl(Mesh_file &file);
 Mesh_extent scan_vtp(Mesh_file &file); /* in a build with VTK */
 
-/* Builds one object, vertices before the faces they are of, checking what is
- * given. */
+/* Builds one object and checks what it is given. The vertices of a face come
+ * before it. */
 class Mesh_builder {
 public:
   Mesh_builder(struct hsr_object *object, const char *path, bool drop)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words, lines and numbers of mesh files, for the scans of common/mesh_scan_*.
+// Words, lines and numbers of mesh files, for the scans in mesh_scan_*.
 #ifndef HSR_COMMON_MESH_TEXT_H
 #define HSR_COMMON_MESH_TEXT_H
 
@@ -20,11 +20,11 @@ constexpr long long MOST_ELEMENTS = INT_MAX / 4;
 
 bool read_integer(Word word, long long &number);
 
-/* A text may start with one. */
+/* A text may start with a byte order mark: moves file.begin past it. */
 void skip_byte_order_mark(Mesh_file &file);
 
-/* Reads numbers by the rules, and to the very bits, of an istream, which is
- * what CGAL reads with: no "nan", "inf", hexadecimal or overflow. */
+/* Reads numbers as an istream does, to the last bit, since CGAL reads with one:
+ * no "nan", "inf", hexadecimal or overflow. */
 class Number_reader {
 public:
   template <class Number> bool operator()(Word word, Number &number) {

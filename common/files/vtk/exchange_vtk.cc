@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // .vtp files, through VTK.
 //
-// Safety      see common/files/vtk/mesh_scan_vtp.cc: VTK sees what the scan passes, and
-//             must find in it what the scan found.
+// Safety      see common/files/vtk/mesh_scan_vtp.cc: VTK sees what the scan
+//             passes, and must find in it what the scan found.
 // Memory      at once: the file, what VTK makes of one piece, and the object.
 
 #include "common/files/mesh/exchange.h"

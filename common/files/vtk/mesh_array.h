@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arrays of .vtp files, for common/files/vtk/mesh_scan_vtp.cc: numbers as text, or as
-// bytes, raw or in base64, compressed by zlib or not.
+// The arrays of .vtp files, for common/files/vtk/mesh_scan_vtp.cc: numbers as
+// text, or as bytes, raw or in base64, compressed by zlib or not.
 #ifndef HSR_COMMON_MESH_ARRAY_H
 #define HSR_COMMON_MESH_ARRAY_H
 

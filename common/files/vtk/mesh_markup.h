@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tags of an XML file, for common/files/vtk/mesh_scan_vtp.cc: as much of XML as such
-// files are written in. Declarations (<!DOCTYPE, <![CDATA[) are refused.
+// Tags of an XML file, for common/files/vtk/mesh_scan_vtp.cc: as much of XML as
+// such files use. Declarations (<!DOCTYPE, <![CDATA[) are refused.
 #ifndef HSR_COMMON_MESH_MARKUP_H
 #define HSR_COMMON_MESH_MARKUP_H
 

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The filters of sight.h, and what is put together of them.
+/* The proofs of the filters of sight.h, and a service made of them.
  *
- * Turns. With delta = HSR_DELTA, coordinates are within delta of the true ones,
- * so each of dx, dy, hx, hy is within 2 delta, but for rounding, and the
+ * Turns. With delta = HSR_DELTA, coordinates are within delta of the true ones.
+ * So each of dx, dy, hx, hy is within 2 delta, but for rounding, and the
  * products dx hy and dy hx together within 2 delta (|dx| + |dy| + |hx| + |hy|)
- * + 8 delta^2. All four are at most 2^17 in size, so that rounding anywhere
- * adds at most 2^-35 of a coordinate to the factor of the other: far less than
- * delta. The bound takes twice all that. A sign that is certain is that of the
- * true determinant, the points being ahead; it is not zero, so that no
- * displacement changes it.
+ * + 8 delta^2. All four are at most 2^17 in size, so rounding anywhere adds at
+ * most 2^-35 of a coordinate to the factor of the other: far less than delta.
+ * The bound takes twice all that. The points are ahead, so a sign that is
+ * certain is that of the true determinant. It is not zero, so no displacement
+ * changes it.
  *
- * Rows. sy of two points differ by at most 2 delta from what they should. */
+ * Rows. The difference of the sy of two points is within 2 delta of the true
+ * one. */
 #include "common/lines/sight/sight.h"
 
 bool hsr_sight_covers(const struct hsr_sight *sight, uint32_t f, uint32_t p) {

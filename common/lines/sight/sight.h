@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Edges before faces, as one eye sees them: the exact services by which the
+/* Edges against faces, as one eye sees them: the exact services by which the
  * hidden-line algorithms make their comparisons.
  *
  * Source      Sutherland et al. 1974, "Edge Intersections", "Object-Space
  *             Algorithms"; docs/correct-drawing.md.
- * Displaced   an edge is displaced as a whole, by the infinitesimal of the
- *             definition, when one asks what hides it: P' is point P displaced,
- *             A'B' the edge. The faces and edges that hide it stay where they
- *             are. So two images never touch, and there are no special cases:
- *             where figure 17 shows one, the next sign of the same determinant
+ * Displaced   the edge that may be hidden is displaced as a whole, by the
+ *             infinitesimal of the definition: P' is point P displaced, A'B'
+ *             the edge. The faces and edges that hide it stay where they are.
+ *             So two images never touch, and there are no special cases: where
+ *             figure 17 shows one, the next sign of the same determinant
  *             decides.
- * Together    events at different places of A'B' that are one place of AB happen
- *             at once: events are compared by their places on AB.
- * Exact       a filter in doubles decides, whose bound is proved in sight.c; or
- *             intervals do; or exact numbers, which tally->exact counts.
+ * Together    events are compared by their places on AB. Events at one place of
+ *             AB happen at once, even if their places on A'B' differ.
+ * Exact       a filter in doubles decides, with a bound that is proved in
+ *             sight.c; else intervals; else exact numbers, which tally->exact
+ *             counts.
  * Regular     a face that exists, is simple (common/lines/edges.h) and lies
- *             wholly beyond near. The images of its edges and its plane say all
- *             about it. Any other face that exists is loose: hsr_sight_face
+ *             wholly beyond near. The images of its edges and its plane tell
+ *             all about it. Any other face that exists is loose: hsr_sight_face
  *             handles it, for one edge at a time.
  *
  * A sight belongs to one view and one thread, and does not move in memory. */
@@ -32,8 +33,8 @@
 extern "C" {
 #endif
 
-/* A line of the scene: through points a and b, or, of planes, where those of
- * faces a and b meet. */
+/* A line of the scene: through points a and b or, if of_planes, where the
+ * planes of faces a and b meet. */
 struct hsr_sight_line {
   bool of_planes;
   uint32_t a, b;
@@ -65,9 +66,9 @@ struct hsr_sight {
   struct hsr_sight_numbers *numbers; /* of the exact services */
 };
 
-/* Readies all of the above; arrays are the arena's. Freed with hsr_sight_free,
- * also after a failure. `edges`, `view` and `tally` are borrowed until then.
- * HSR_E_NOMEM. */
+/* Sets up all of the above, with arrays in the arena. Freed with
+ * hsr_sight_free, also after a failure. `edges`, `view` and `tally` are
+ * borrowed until then. HSR_E_NOMEM. */
 enum hsr_status hsr_sight_init(struct hsr_sight *sight,
                                const struct hsr_edges *edges,
                                const struct hsr_view *view,
@@ -75,8 +76,8 @@ enum hsr_status hsr_sight_init(struct hsr_sight *sight,
                                struct hsr_tally *tally);
 void hsr_sight_free(struct hsr_sight *sight);
 
-/* Edge e, and point p, as subjects of a step. An edge of several faces is named
- * without them. An end of an implied edge is no vertex, and has no number. */
+/* Edge e and point p as subjects of a step. An edge of faces is named without a
+ * face. An end of an implied edge is no vertex: it is HSR_NOTHING. */
 static inline struct hsr_subject hsr_edge_subject(const struct hsr_edges *edges,
                                                   uint32_t e) {
   const struct hsr_edge_name *name = &edges->name[e];
@@ -90,7 +91,7 @@ hsr_point_subject(const struct hsr_edges *edges, uint32_t p) {
 
 /* --- Where images lie ----------------------------------------------------- */
 
-/* The exact ends of the filters below; call those. */
+/* What the filters below fall back to; call the filters instead. */
 int hsr_sight_side_exact(const struct hsr_sight *sight, uint32_t c, uint32_t d,
                          uint32_t p);
 int hsr_sight_line_side_exact(const struct hsr_sight *sight, uint32_t a,
@@ -98,8 +99,8 @@ int hsr_sight_line_side_exact(const struct hsr_sight *sight, uint32_t a,
 int hsr_sight_row_side_exact(const struct hsr_sight *sight, uint32_t p,
                              uint32_t q);
 
-/* The side of point p about the line c d on the screen, and more than a bound
- * of what can be wrong with it. NaN if not all three are known. */
+/* The side of the line c d that point p is on, on the screen: a determinant,
+ * and in *bound a bound of its error. NaN if not all three points are known. */
 static inline double hsr_sight_turn(const struct hsr_sight *sight, uint32_t c,
                                     uint32_t d, uint32_t p, double *bound) {
   double dx = sight->sx[d] - sight->sx[c], dy = sight->sy[d] - sight->sy[c];
@@ -109,7 +110,7 @@ static inline double hsr_sight_turn(const struct hsr_sight *sight, uint32_t c,
   return dx * hy - dy * hx;
 }
 
-/* The side of P' about the line from point c to point d: the sign of
+/* The side of the line from point c to point d that P' is on: the sign of
  * det(C - E, D - E, P' - E). 0 only if c, d and the eye are on a line. */
 static inline int hsr_sight_side(const struct hsr_sight *sight, uint32_t c,
                                  uint32_t d, uint32_t p) {
@@ -121,7 +122,7 @@ static inline int hsr_sight_side(const struct hsr_sight *sight, uint32_t c,
   return hsr_sight_side_exact(sight, c, d, p);
 }
 
-/* The side of point P about the displaced line from A' to B': the sign of
+/* The side of the displaced line from A' to B' that point P is on: the sign of
  * det(A' - E, B' - E, P - E). 0 only if a, b and the eye are on a line. */
 static inline int hsr_sight_line_side(const struct hsr_sight *sight, uint32_t a,
                                       uint32_t b, uint32_t p) {
@@ -144,8 +145,9 @@ static inline int hsr_sight_row_side(const struct hsr_sight *sight, uint32_t p,
   return hsr_sight_row_side_exact(sight, p, q);
 }
 
-/* What holds the image of all between two corners of space, in pixels; and its
- * 1/w. All of the plane, and of space, if it is not known. */
+/* Bounds of the image of a box, in pixels, and of 1/w in the box. They are
+ * unlimited where the image is not known. hsr_sight_enclose: lo and hi are
+ * opposite corners of the box. */
 struct hsr_extent {
   double x0, y0, x1, y1;
   double farthest, nearest;
@@ -155,19 +157,19 @@ struct hsr_extent hsr_sight_enclose(const struct hsr_sight *sight,
 
 /* --- What lies before what ------------------------------------------------ */
 
-/* Is P' strictly farther than the plane of face f, which can hide: beyond it
- * from the eye? */
+/* Is P' strictly beyond the plane of face f, as the eye sees it? f can hide. */
 bool hsr_sight_behind(const struct hsr_sight *sight, uint32_t f, uint32_t p);
 
-/* Does regular face f cover the direction of P', p being ahead? */
+/* Does regular face f cover the direction of P'? p is ahead. */
 bool hsr_sight_covers(const struct hsr_sight *sight, uint32_t f, uint32_t p);
 
-/* Is edge c strictly nearer than A'B' where their images cross, as they do? */
+/* Is edge c strictly nearer than A'B', the displaced edge e, where their images
+ * cross? They do cross. */
 bool hsr_sight_nearer(const struct hsr_sight *sight, uint32_t e, uint32_t c);
 
-/* The corner k of regular face f is at an end p of edge e, which is none of the
- * face's sides. Does the face, close to this corner, hide e, close to this end?
- * In the plane of the face e lies displaced, before it or behind. */
+/* A corner of a regular face is at the end p of edge e, which is not a side of
+ * the face. Does the face hide e, both taken close to p? If e lies in the plane
+ * of the face, its displacement puts it before the face or behind. */
 bool hsr_sight_corner_hides(const struct hsr_sight *sight, uint32_t e,
                             uint32_t p, struct hsr_corner corner);
 
@@ -195,7 +197,7 @@ struct hsr_sight_event {
   int change; /* of the number of hiding faces, as t grows */
 };
 
-/* Fills t and error of an event of edge e, whose place is on it. */
+/* Fills t and error of an event, whose place is on edge e. */
 void hsr_sight_locate(const struct hsr_sight *sight, uint32_t e,
                       struct hsr_sight_event *event);
 
@@ -204,8 +206,8 @@ int hsr_sight_compare(const struct hsr_sight *sight, uint32_t e,
                       const struct hsr_sight_event *a,
                       const struct hsr_sight_event *b);
 
-/* The part of edge e that is in the picture: between *from and *to. False if
- * there is none, or e has no image. */
+/* Finds the part of edge e that is in the picture, between *from and *to. False
+ * if there is none, or e has no image. */
 bool hsr_sight_picture(const struct hsr_sight *sight, uint32_t e,
                        struct hsr_sight_event *from,
                        struct hsr_sight_event *to);
@@ -213,35 +215,36 @@ bool hsr_sight_picture(const struct hsr_sight *sight, uint32_t e,
 /* Does the plane of face f hold edge e? */
 bool hsr_sight_in_plane(const struct hsr_sight *sight, uint32_t e, uint32_t f);
 
-/* The side of the plane of face f on which the eye is, whether the face exists
- * or not: +1 in front of it, -1 behind, 0 on it. */
+/* The side of the plane of face f that the eye is on: +1 in front, -1 behind, 0
+ * on it. The face need not exist. */
 int hsr_sight_eye_side(const struct hsr_sight *sight, uint32_t f);
 
-/* Keeps of the part of edge e between *from and *to, which is in the picture,
- * what lies on one side of an event's plane or line: in front of it (+1) or
- * behind it (-1). False if nothing is left.
+/* Narrows the part of edge e between *from and *to, which is in the picture, to
+ * one side of a plane or of a line's image: in front of it (+1) or behind it
+ * (-1). False if nothing is left.
  *
- * HSR_AT_PLANE: the plane of face `subject`. An edge in that plane is on neither
- * side of it.
- * HSR_AT_LINE: the image of a line. The side of a line through two points is
- * that of hsr_sight_side. The side of the line in which the planes of faces a
- * and b meet is the sign of h_a(E) s_b(P) - h_b(E) s_a(P): h is the height of
- * the eye above a plane, and s is by how much P is higher than the eye. An edge
- * whose image lies on that of the line is displaced, and so on one side. */
+ * HSR_AT_PLANE: the plane of face `subject`. An edge in that plane is on
+ * neither side of it.
+ * HSR_AT_LINE: the image of line `subject`. The side of a line through two
+ * points is that of hsr_sight_side. The side of the line in which the planes of
+ * faces a and b meet is the sign of h_a(E) s_b(P) - h_b(E) s_a(P), where h is
+ * the height of the eye above a plane and s is the height of P minus that of
+ * the eye. An edge whose image lies on that of the line is displaced, and so is
+ * on one side. */
 bool hsr_sight_narrow(const struct hsr_sight *sight, uint32_t e,
                       enum hsr_event_at at, uint32_t subject, int side,
                       struct hsr_sight_event *from, struct hsr_sight_event *to);
 
-/* Where regular face f, which edge e may touch and which is none of its own
- * faces nor has a corner in an end of it, is pierced by A'B'. False if it is
- * not. */
+/* Finds where A'B', the displaced edge e, pierces regular face f. False if it
+ * does not. e may touch f, but is no side of f, and neither end is a corner of
+ * f. */
 bool hsr_sight_pierces(const struct hsr_sight *sight, uint32_t e, uint32_t f,
                        struct hsr_sight_event *event);
 
-/* Any face f that can hide, a side of e or not, in its plane or not: does it
- * hide the edge where this begins to be ahead, and where does that change?
- * Appends its events, whose changes are +1 and -1, to `events`, which is an
- * array of struct hsr_sight_event in the arena. HSR_E_NOMEM. */
+/* Where does face f hide edge e? f is any face that can hide: e may be a side
+ * of it or lie in its plane. Sets *hidden to whether f hides e where e begins
+ * to be ahead. Appends the events where that changes, with changes +1 and -1,
+ * to `events`, an array of struct hsr_sight_event in the arena. HSR_E_NOMEM. */
 enum hsr_status hsr_sight_face(const struct hsr_sight *sight, uint32_t e,
                                uint32_t f, struct hsr_arena *arena,
                                struct hsr_growing *events, bool *hidden);

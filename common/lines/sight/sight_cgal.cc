@@ -53,8 +53,8 @@ bool hsr_sight_nearer(const struct hsr_sight *sight, uint32_t e, uint32_t c) {
   const Numbers &n = *sight->numbers;
   const hsr_edges *edges = sight->edges;
   const uint32_t a = edges->a[e], b = edges->b[e];
-  // Scaling A'B' from the eye until it meets the edge scales this volume
-  // through zero; its sign before is that of the side on which D lies.
+  // If A'B' is scaled from the eye until it meets the edge, this volume becomes
+  // zero. Before that, its sign tells the side on which D lies.
   const int volume = displaced_sign(n, HSR_ASK_DEPTH, [&](auto t, int along) {
     using T = decltype(t);
     const Point<T> A = n.point<T>(a), B = n.point<T>(b);
@@ -70,7 +70,7 @@ bool hsr_sight_nearer(const struct hsr_sight *sight, uint32_t e, uint32_t c) {
   return volume && volume == hsr_sight_line_side(sight, a, b, edges->b[c]);
 }
 
-// The side of the line c d on which e is, close to its end p.
+// The side of the line c d that edge e is on, close to its end p.
 static int side_of_beginning(const hsr_sight *sight, uint32_t c, uint32_t d,
                              uint32_t p, uint32_t other) {
   double bound, turn = hsr_sight_turn(sight, c, d, other, &bound);
@@ -128,8 +128,7 @@ bool hsr_sight_corner_hides(const struct hsr_sight *sight, uint32_t e,
   return height == -sight->facing[f];
 }
 
-// --- Setting up
-// ------------------------------------------------------------------------
+// --- Setting up -------------------------------------------------------------
 
 static void find_points(hsr_sight *sight) {
   const Numbers &n = *sight->numbers;

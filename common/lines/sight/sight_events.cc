@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places along edges: where events are, what of an edge is in the picture, and
-// where it pierces a face.
+// Places along edges: where events are, which part of an edge is in the
+// picture, and where an edge pierces a face.
 //
-// Pierced     Where A'B' meets a plane is a quotient of two such; there a sign
-//             is that of a polynomial in e of degree 4, whose first coefficient
-//             that is not zero tells. If all are zero, the plane meets the edge
-//             in depth alone (it is parallel to R and U), and the edge counts
-//             as not behind it: as if it were a little nearer to the eye, which
+// Pierced     The point where A'B' meets a plane is a quotient of two functions
+//             that are linear in the displacement. So a sign there is that of a
+//             polynomial in e of degree 4: the sign of its first coefficient
+//             that is not zero. If all are zero, the plane meets the edge in
+//             depth alone (it is parallel to R and U), and the edge counts as
+//             not behind it: as if it were a little nearer to the eye, which
 //             moves the point towards its end that is behind.
 #include "common/lines/sight/sight_numbers.h"
 
@@ -70,10 +71,9 @@ int hsr_sight_compare(const struct hsr_sight *sight, uint32_t e,
   }
 }
 
-// --- What is in the picture
-// --------------------------------------------------------
+// --- What is in the picture -------------------------------------------------
 
-// Safely inside the picture and ahead.
+// Whether a point is safely inside the picture and ahead.
 static bool is_inside(const hsr_sight *sight, uint32_t p) {
   const double x = sight->sx[p], y = sight->sy[p];
   return sight->ahead[p] && x > HSR_DELTA && x < sight->view->m - HSR_DELTA &&
@@ -115,8 +115,7 @@ bool hsr_sight_picture(const struct hsr_sight *sight, uint32_t e,
   return true;
 }
 
-// --- Pierced faces
-// -------------------------------------------------------------------
+// --- Pierced faces ----------------------------------------------------------
 
 namespace {
 
@@ -149,15 +148,15 @@ Series combine(const Series &x, const Series &y, const Series &z,
   return sum;
 }
 
-// Where A'B' pierces the plane of a face, the heights of its ends having
-// different signs.
+// The point where A'B' pierces the plane of a face. The heights of its ends
+// have different signs.
 struct Pierced {
   const Numbers &n;
   uint32_t f, a, b;
   uint32_t behind; // a or b
 
-  // Covering by intervals, where the displacement does not matter: +1, -1, or 0
-  // if that does not tell.
+  // Whether the face covers the point, in intervals and without the
+  // displacement: +1 yes, -1 no, 0 uncertain.
   int covers_roughly() const {
     CGAL::Protect_FPU_rounding<true> upwards;
     using T = Interval;
@@ -235,7 +234,7 @@ struct Pierced {
   }
 };
 
-// Whether an event is where the edge is ahead.
+// Whether the edge is ahead at an event.
 bool is_ahead(const Numbers &n, uint32_t e, const hsr_sight_event &event) {
   const hsr_sight *s = n.sight;
   const bool a = s->ahead[s->edges->a[e]], b = s->ahead[s->edges->b[e]];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any face before an edge, by the definition: for faces that are not regular,
-// and for those in whose plane the edge lies.
+// Whether any face hides an edge, by the definition: for faces that are not
+// regular, and for those in whose plane the edge lies.
 //
-// Method      The hiding of an edge by one face changes at few places, each the
-//             root of a linear function along the edge; between two that follow
-//             one another it is that of any point there.
+// Method      Whether one face hides the edge changes at few places, each the
+//             root of a linear function along the edge. Between two successive
+//             places it is the same as at any point between them.
 #include "common/lines/sight/sight_numbers.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Point<T> point_at(const Numbers &n, uint32_t e, const T &numerator,
                        denominator * A.d * B.d);
 }
 
-// Whether face f hides P(t), t a double or a quotient, and P ahead.
+// Whether face f hides P(t), which is ahead; t is a double or a quotient.
 class At_point {
 public:
   At_point(const Numbers &n, uint32_t e, uint32_t f, double t)
@@ -78,8 +78,8 @@ private:
     });
   }
 
-  // near < t < w on the plane: N . D and c agree in sign, c - near N . D and c
-  // do, and P' is behind.
+  // Whether near < t < w on the plane: N . D and c have the same sign, so have
+  // c - near N . D and c, and P' is behind the plane.
   bool is_before() const {
     const int c = -n_.sight->facing[f_];
     const int slope =
@@ -112,7 +112,7 @@ private:
   }
 };
 
-// Whether face f hides e between two of its places that follow one another.
+// Whether face f hides e between two successive places.
 bool hides_between(const Numbers &n, uint32_t e, uint32_t f,
                    const hsr_sight_event &from, const hsr_sight_event &to) {
   const double middle = from.t + (to.t - from.t) / 2;
@@ -132,8 +132,8 @@ bool hides_between(const Numbers &n, uint32_t e, uint32_t f,
   return At_point(n, e, f, pn * qd + qn * pd, Exact(2) * pd * qd).hides();
 }
 
-// The places where the hiding of e by f may change, between the ends of where e
-// is ahead, these included; in order.
+// The places where it may change whether f hides e, in order. They are in the
+// part of e that is ahead, and include its ends.
 class Places {
 public:
   Places(const Numbers &n, uint32_t e, uint32_t f) : n_(n), e_(e) {
@@ -146,8 +146,9 @@ public:
     for (uint32_t k = s->world->mesh.start[f]; k < s->world->mesh.start[f + 1];
          k++) {
       add(HSR_AT_SIDE, k);
-      // A side that passes through the eye is no side, but its ends are where
-      // parity changes, since one is counted without the other.
+      // The line of this side passes through the eye, so the side itself does
+      // not count. Parity may change at its ends, since one may be counted
+      // without the other.
       if (!has_image(n, side_begins(s->world, k), s->world->mesh.vertex[k])) {
         add(HSR_AT_ROW, side_begins(s->world, k));
         add(HSR_AT_ROW, s->world->mesh.vertex[k]);

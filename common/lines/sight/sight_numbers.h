@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers behind common/lines/sight/sight.h, over CGAL's number types: for the core's
-// own C++ files.
+// The numbers behind common/lines/sight/sight.h, over CGAL's number types: for
+// the core's own C++ files.
 //
-// Notation    a point P is (p, d), P - E = p / d, d > 0: so ends of implied
-//             edges need no division. w(p) is its depth times d and a positive
-//             constant. v = e R - e^2 U is the displacement of a direction, e
-//             infinitesimal; a displaced point is p' = p + w(p) v.
-// Method      Whatever is asked is linear in v, but for coverage where an edge
-//             pierces a plane. Its sign is that of its value, else of its
-//             change along R, else along -U: each is a polynomial in the input
-//             doubles, evaluated in intervals, and in CGAL's MP_Float, which
-//             is exact, if the interval of the value holds zero.
+// Notation    a point P is (p, d) with P - E = p / d, d > 0, so that ends of
+//             implied edges need no division. w(p) is its depth times d and a
+//             positive constant. v = e R - e^2 U is the displacement of a
+//             direction, e infinitesimal; a displaced point is p' = p + w(p) v.
+// Method      Every question is the sign of a function that is linear in v, but
+//             for coverage where an edge pierces a plane. The sign is that of
+//             its value; if that is zero, of its change along R; if that is
+//             zero too, along -U. Each of these is a polynomial in the input
+//             doubles. The value is evaluated in intervals and, if its interval
+//             holds zero, all in CGAL's MP_Float, which is exact.
 #ifndef HSR_COMMON_SIGHT_NUMBERS_H
 #define HSR_COMMON_SIGHT_NUMBERS_H
 
@@ -67,20 +68,20 @@ template <class T> struct Eye {
   }
 };
 
-// (p, d), and its w.
+// A point as (p, d), and its w(p).
 template <class T> struct Point {
   vec<T> p;
   T d, w;
 };
 
-// h(p) = N . (k p - c d), its sign +1 in front of the plane; the eye's is -c.
+// A plane: kN . p - c d is positive in front of it. Its value at the eye is -c.
 template <class T> struct Plane {
   vec<T> kN;
   T c;
   T height(const Point<T> &P) const { return dot(kN, P.p) - c * P.d; }
 };
 
-// What a view needs of numbers.
+// The exact services' data of one view.
 struct Numbers {
   const hsr_sight *sight;
   Eye<Interval> rough;
@@ -144,7 +145,7 @@ inline int certain_sign(const Exact &number) {
   return CGAL::sign(number);
 }
 
-// The direction of a change, or the sign with which one counts.
+// The direction of a change: R or -U.
 template <class T> vec<T> change(const Numbers &n, int along) {
   const Eye<T> &eye = n.eye<T>();
   return along == ALONG_R ? eye.R : vec<T>{-eye.U.x, -eye.U.y, -eye.U.z};
@@ -154,7 +155,8 @@ inline void count_exact(const Numbers &n, enum hsr_question question) {
   n.sight->tally->exact[question]++;
 }
 
-// value(T(), along) is linear in the displacement. 0 if it is zero always.
+// The sign of value(T(), along), which is linear in the displacement. 0 if the
+// value and both changes are zero.
 template <class Value>
 int displaced_sign(const Numbers &n, enum hsr_question question,
                    const Value &value) noexcept {
@@ -185,7 +187,7 @@ int sign_of(const Numbers &n, enum hsr_question question,
   });
 }
 
-// det(c, d, p'), or its change; w is p's, or that of the end from where p is
+// det(c, d, p'), or its change. w is that of p, or of the end from where p is
 // looked for.
 template <class T>
 T side_value(const Numbers &n, const Point<T> &c, const Point<T> &d,
@@ -195,7 +197,7 @@ T side_value(const Numbers &n, const Point<T> &c, const Point<T> &d,
   return w * det(c.p, d.p, change<T>(n, along));
 }
 
-// Of plane f at p', or the change.
+// The height of p' over a plane, or its change.
 template <class T>
 T height_value(const Numbers &n, const Plane<T> &plane, const Point<T> &p,
                const T &w, int along) {
@@ -230,8 +232,9 @@ inline int facing_sign(const Numbers &n, uint32_t f) {
 
 // --- Faces and edges ---------------------------------------------------------
 
-// Whether face f covers a direction: an odd number of its sides cross to the
-// right. row(q) is the sign of det(D, R, q), side(c, d) that of det(c, d, D).
+// Whether face f covers a direction D: an odd number of its sides cross to the
+// right. row(q) is the sign of det(D, R, q); side(c, d) is that of det(c, d,
+// D).
 template <class Row, class Side>
 bool has_odd_parity(const hsr_world *w, uint32_t f, const Row &row,
                     const Side &side) {
@@ -249,7 +252,7 @@ bool has_odd_parity(const hsr_world *w, uint32_t f, const Row &row,
   return odd;
 }
 
-// Whether a and b are not on a line with the eye.
+// Whether the line through a and b has an image: it misses the eye.
 inline bool has_image(const Numbers &n, uint32_t a, uint32_t b) {
   const hsr_sight *sight = n.sight;
   const double dx = sight->sx[a] - sight->sx[b];
@@ -293,7 +296,8 @@ inline uint32_t side_begins(const hsr_world *w, uint32_t k) {
   return w->mesh.vertex[k == face[0] ? face[1] - 1 : k - 1];
 }
 
-// Of the plane through the eye and a line. Heights of the eye are -c.
+// The normal of the plane through the eye and a line. The eye's height over a
+// plane is -c.
 template <class T>
 vec<T> normal_of_image(const Numbers &n, const hsr_sight_line &line) {
   if (!line.of_planes)
@@ -302,8 +306,8 @@ vec<T> normal_of_image(const Numbers &n, const hsr_sight_line &line) {
   return b.c * a.kN - a.c * b.kN;
 }
 
-// Where an event is: t = from / (from - to), `from` and `to` being the values
-// at both ends of a function that is zero there.
+// The place of an event: t = from / (from - to). `from` and `to` are the
+// values, at both ends of the edge, of a function that is zero at the event.
 template <class T> struct Place { T from, to; };
 
 template <class T>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edges before convex volumes: the sides of planes and of lines on which an
-// edge lies, and what encloses a part of space on the screen.
+// Edges against convex volumes: the sides of planes and of lines that an edge
+// is on, and bounds of a box on the screen.
 #include "common/lines/sight/sight_numbers.h"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ int line_sign(const Numbers &n, const hsr_sight_line &line, uint32_t p) {
   });
 }
 
-// Of an edge whose image lies on that of the line.
+// The side of a line for an edge whose image lies on that of the line.
 int displaced_line_sign(const Numbers &n, const hsr_sight_line &line) {
   return displaced_sign(n, HSR_ASK_EDGE, [&](auto t, int along) {
     using T = decltype(t);
