@@ -227,10 +227,10 @@ NUMBER(one_step_preponderates) {
 NUMBER(against_largest_step) {
   const struct table_algorithm *a = tables_algorithm(t, algorithm);
   double own = cost(t, algorithm, claim->step, scene);
-  if (isnan(own))
+  double all = a ? a->total.measured[scene] : NAN;
+  if (isnan(own) || isnan(all))
     return NAN;
   const struct table_step *other = largest(a, claim->step, scene);
-  double all = a->total.measured[scene];
   add(remark, "%.0f %% of the cost; %s %.0f %%", 100 * own / all,
       other->step->label, 100 * other->cost.measured[scene] / all);
   return own / other->cost.measured[scene];

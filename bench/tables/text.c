@@ -431,7 +431,7 @@ void tables_print(const struct tables *t) {
 /* A reason that is the last one's again is not told again. */
 static void print_reason(const char *reason, int indent, const char **last) {
   printf("%*s> ", indent, "");
-  wrap(indent + 2, reason == *last ? "as above" : reason);
+  wrap(indent + 2, !strcmp(reason, *last) ? "as above" : reason);
   *last = reason;
 }
 
@@ -455,7 +455,7 @@ void greene_print(const struct results *results) {
        "with Kass and Miller, SIGGRAPH. 1995: thesis. 1996:\nSIGGRAPH. -: he "
        "prints none, or the results do not have it. >: why ours is off by more "
        "than a factor\nof 2. K = 1,000; M = 1,000,000.");
-  const char *last = NULL;
+  const char *last = "";
   for (const struct greene_figure *f = greene_figures; f->what; f++)
     if (f->source) {
       print_figure(f, greene_measured(f, results), &last);

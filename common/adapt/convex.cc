@@ -29,7 +29,8 @@ bool same_way(const hsr_world &w, uint32_t f, uint32_t g) {
     if (std::fabs(a[c]) > w.mesh.n_error[f] &&
         std::fabs(b[c]) > w.mesh.n_error[g])
       return (a[c] > 0) == (b[c] > 0);
-  const Exact product = Plane<Exact>(&w, f).normal * Plane<Exact>(&w, g).normal;
+  const Exact product =
+      FacePlane<Exact>(&w, f).normal * FacePlane<Exact>(&w, g).normal;
   return product > Exact(0);
 }
 
@@ -65,7 +66,7 @@ Level level_of(const hsr_world &w, uint32_t f) {
 // --- Corners in homogeneous numbers -----------------------------------------
 
 template <class T> struct Homogeneous {
-  Vector<T> p;
+  Vector3<T> p;
   T w;
 };
 
@@ -73,18 +74,19 @@ template <class T> struct Homogeneous {
 // whichever way the edge runs.
 template <class T>
 Homogeneous<T> meet(const hsr_world *w, uint32_t a, uint32_t b,
-                    const Plane<T> &plane) {
-  const Vector<T> from = point<T>(w, std::min(a, b)),
-                  to = point<T>(w, std::max(a, b));
+                    const FacePlane<T> &plane) {
+  const Vector3<T> from = point<T>(w, std::min(a, b)),
+                   to = point<T>(w, std::max(a, b));
   const T h_from = plane.height(from), h_to = plane.height(to);
   return {h_from * to - h_to * from, h_from - h_to};
 }
 
 // Cramer's rule on k N . P = N . S.
 template <class T>
-Homogeneous<T> meet(const Plane<T> &f, const Plane<T> &g, const Plane<T> &h) {
-  const Vector<T> n = f.k * f.normal, o = g.k * g.normal, p = h.k * h.normal;
-  const Vector<T> gh = CGAL::cross_product(o, p);
+Homogeneous<T> meet(const FacePlane<T> &f, const FacePlane<T> &g,
+                    const FacePlane<T> &h) {
+  const Vector3<T> n = f.k * f.normal, o = g.k * g.normal, p = h.k * h.normal;
+  const Vector3<T> gh = CGAL::cross_product(o, p);
   return {f.offset * gh + g.offset * CGAL::cross_product(p, n) +
               h.offset * CGAL::cross_product(n, o),
           n * gh};
@@ -109,11 +111,11 @@ struct Meeting {
 };
 
 template <class T>
-Plane<T> plane_of(const Convex_pieces &pieces, const hsr_world *whole,
-                  uint32_t plane) {
+FacePlane<T> plane_of(const Convex_pieces &pieces, const hsr_world *whole,
+                      uint32_t plane) {
   const Level &level = pieces.level(plane);
-  return level.front ? Plane<T>(level.axis, level.at, level.front)
-                     : Plane<T>(whole, pieces.face_of(plane));
+  return level.front ? FacePlane<T>(level.axis, level.at, level.front)
+                     : FacePlane<T>(whole, pieces.face_of(plane));
 }
 
 template <class T>
@@ -130,7 +132,7 @@ Homogeneous<T> corner_of(const Convex_pieces &pieces, const hsr_world *whole,
 }
 
 template <class T>
-int side_of(const Homogeneous<T> &corner, const Plane<T> &plane) {
+int side_of(const Homogeneous<T> &corner, const FacePlane<T> &plane) {
   const T height =
       plane.k * (plane.normal * corner.p) - plane.offset * corner.w;
   const CGAL::Sign h = CGAL::sign(height), w = CGAL::sign(corner.w);

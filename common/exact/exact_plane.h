@@ -16,24 +16,24 @@ namespace hsr {
 
 using Interval = CGAL::Interval_nt<false>;
 using Exact = CGAL::MP_Float;
-template <class T> using Vector = typename CGAL::Simple_cartesian<T>::Vector_3;
+template <class T> using Vector3 = typename CGAL::Simple_cartesian<T>::Vector_3;
 
-template <class T> Vector<T> point(const hsr_world *w, uint32_t v) {
+template <class T> Vector3<T> point(const hsr_world *w, uint32_t v) {
   return {T(w->mesh.x[v]), T(w->mesh.y[v]), T(w->mesh.z[v])};
 }
 
 // N . (k P - S) = 0, as in docs/correct-picture.md; `offset` is N . S.
-template <class T> struct Plane {
-  Vector<T> normal;
+template <class T> struct FacePlane {
+  Vector3<T> normal;
   T k, offset;
 
-  Plane(const hsr_world *w, uint32_t f)
+  FacePlane(const hsr_world *w, uint32_t f)
       : normal(T(0), T(0), T(0)), k(double(hsr_face_size(w, f))) {
     const uint32_t *vertex = w->mesh.vertex + w->mesh.start[f],
                    n = hsr_face_size(w, f);
-    Vector<T> first = point<T>(w, vertex[0]), sum = first;
+    Vector3<T> first = point<T>(w, vertex[0]), sum = first;
     for (uint32_t i = 1; i < n; i++) {
-      Vector<T> a = point<T>(w, vertex[i]);
+      Vector3<T> a = point<T>(w, vertex[i]);
       sum = sum + a;
       if (i + 1 < n)
         normal = normal + CGAL::cross_product(
@@ -44,12 +44,12 @@ template <class T> struct Plane {
 
   // The plane x, y or z = at. front +1: its front is where the coordinate is
   // greater; -1: where it is less.
-  Plane(size_t axis, double at, int front)
+  FacePlane(size_t axis, double at, int front)
       : normal(T(axis == 0 ? front : 0), T(axis == 1 ? front : 0),
                T(axis == 2 ? front : 0)),
         k(1), offset(T(front) * T(at)) {}
 
-  T height(const Vector<T> &p) const { return k * (normal * p) - offset; }
+  T height(const Vector3<T> &p) const { return k * (normal * p) - offset; }
 };
 
 // The side of the plane of face f that vertex v is on, +1 in front or -1
@@ -76,7 +76,7 @@ inline int side_of_plane(const hsr_world *w, uint32_t f, uint32_t v) {
     return 0;
   if (const int side = rough_side(w, f, v))
     return side;
-  return CGAL::sign(Plane<Exact>(w, f).height(point<Exact>(w, v)));
+  return CGAL::sign(FacePlane<Exact>(w, f).height(point<Exact>(w, v)));
 }
 
 } // namespace hsr

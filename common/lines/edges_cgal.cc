@@ -169,7 +169,7 @@ struct Touching {
   const hsr_world *world;
 
   // A point, homogeneous.
-  Vector<Interval> at(uint32_t p, Interval &scale) const {
+  Vector3<Interval> at(uint32_t p, Interval &scale) const {
     scale = Interval(1);
     if (p < world->mesh.n_vertices)
       return point<Interval>(world, p);
@@ -187,7 +187,7 @@ struct Touching {
   }
 
   // Whether X is certainly not in the face, seen along an axis.
-  bool is_outside(uint32_t f, const Vector<Interval> &X,
+  bool is_outside(uint32_t f, const Vector3<Interval> &X,
                   const Interval &scale) const {
     const double n[3] = {std::fabs(world->mesh.nx[f]),
                          std::fabs(world->mesh.ny[f]),
@@ -222,9 +222,9 @@ struct Touching {
     const uint32_t a = edges->a[e], b = edges->b[e];
     {
       CGAL::Protect_FPU_rounding<true> upwards;
-      const Plane<Interval> plane(world, f);
+      const FacePlane<Interval> plane(world, f);
       Interval scale_a, scale_b;
-      const Vector<Interval> A = at(a, scale_a), B = at(b, scale_b);
+      const Vector3<Interval> A = at(a, scale_a), B = at(b, scale_b);
       const Interval ha = height(plane, A, scale_a);
       const Interval hb = height(plane, B, scale_b);
       const int sa = certain_sign(ha), sb = certain_sign(hb);
@@ -242,12 +242,12 @@ struct Touching {
   }
 
   template <class T>
-  static T height(const Plane<T> &plane, const Vector<T> &P, const T &scale) {
+  static T height(const FacePlane<T> &plane, const Vector3<T> &P, const T &scale) {
     return plane.k * (plane.normal * P) - plane.offset * scale;
   }
 
   int height_sign(uint32_t p, uint32_t f) const {
-    const Plane<Exact> plane(world, f);
+    const FacePlane<Exact> plane(world, f);
     if (p < world->mesh.n_vertices)
       return CGAL::sign(height(plane, point<Exact>(world, p), Exact(1)));
     const Exact_point &exact = edges->exact->points[p - world->mesh.n_vertices];

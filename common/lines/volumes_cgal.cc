@@ -237,10 +237,10 @@ private:
 
   // Whether a triangle of face f runs around as the face does.
   bool runs_forwards(uint32_t f, const std::vector<uint32_t> &loop) const {
-    const Vector<Exact> a = point<Exact>(world_, loop[0]);
-    const Vector<Exact> normal = CGAL::cross_product(
+    const Vector3<Exact> a = point<Exact>(world_, loop[0]);
+    const Vector3<Exact> normal = CGAL::cross_product(
         point<Exact>(world_, loop[1]) - a, point<Exact>(world_, loop[2]) - a);
-    return CGAL::sign(normal * Plane<Exact>(world_, f).normal) > 0;
+    return CGAL::sign(normal * FacePlane<Exact>(world_, f).normal) > 0;
   }
 
   // Whether an edge has exactly two faces, both simple, which run along it in
@@ -313,11 +313,11 @@ private:
 
   // Six times the volume that the faces enclose.
   template <class T> T enclosed(const Body &body) const {
-    const Vector<T> origin = point<T>(world_, body.corners[0]);
+    const Vector3<T> origin = point<T>(world_, body.corners[0]);
     T sum(0);
     for (uint32_t f : body.faces) {
       const uint32_t *v = world_->mesh.vertex + world_->mesh.start[f];
-      const Vector<T> a = point<T>(world_, v[0]) - origin;
+      const Vector3<T> a = point<T>(world_, v[0]) - origin;
       for (uint32_t k = 2; k < hsr_face_size(world_, f); k++)
         sum = sum + a * CGAL::cross_product(point<T>(world_, v[k - 1]) - origin,
                                             point<T>(world_, v[k]) - origin);
@@ -576,8 +576,8 @@ private:
   private:
     const Finder &finder_;
     const Path &planes_;
-    std::vector<Plane<Interval>> rough_;
-    std::vector<Plane<Exact>> exact_;
+    std::vector<FacePlane<Interval>> rough_;
+    std::vector<FacePlane<Exact>> exact_;
 
     // Whether two planes meet in an edge, within which the space then is too.
     bool meet(uint32_t k, uint32_t l, Volume &made) const {
@@ -592,9 +592,9 @@ private:
 
     // A point P of the line of two planes, times w, and the line's direction.
     template <class T> struct Line {
-      Vector<T> P, d;
+      Vector3<T> P, d;
       T w;
-      Line(const Plane<T> &a, const Plane<T> &b)
+      Line(const FacePlane<T> &a, const FacePlane<T> &b)
           : P(T(0), T(0), T(0)),
             d(CGAL::cross_product(a.k * a.normal, b.k * b.normal)), w(d * d) {
         P = a.offset * CGAL::cross_product(b.k * b.normal, d) +
@@ -611,7 +611,7 @@ private:
     template <class T>
     static void extend(Volume &made, const Line<T> &line, const Bound<T> &at) {
       using Safe = CGAL::Interval_nt<true>;
-      const Vector<T> P = at.slope * line.P - at.value * line.d;
+      const Vector3<T> P = at.slope * line.P - at.value * line.d;
       const Safe w(CGAL::to_interval(T(at.slope * line.w)));
       for (int c = 0; c < 3; c++) {
         const Safe x = Safe(CGAL::to_interval(P[c])) / w;
@@ -622,7 +622,7 @@ private:
     // Whether more than a point of the line is in the part: inside or on each
     // other plane. P + t d is on plane m at t = -value / slope.
     template <class T>
-    bool meet(const std::vector<Plane<T>> &planes, uint32_t k, uint32_t l,
+    bool meet(const std::vector<FacePlane<T>> &planes, uint32_t k, uint32_t l,
               Volume &made) const {
       const Line<T> line(planes[k], planes[l]);
       if (CGAL::Sign(CGAL::sign(line.w)) == CGAL::ZERO)
@@ -636,7 +636,7 @@ private:
         if (m == k || m == l)
           continue;
         const T side(planes_[m].side);
-        const Plane<T> &plane = planes[m];
+        const FacePlane<T> &plane = planes[m];
         Bound<T> bound = {
             true,
             side * (plane.k * (plane.normal * line.P) - plane.offset * line.w),

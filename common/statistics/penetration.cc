@@ -115,7 +115,7 @@ bool share_vertex(const Face &f, const Face &g) {
 // Where an edge meets the line: the point at / denominator, and to which sets
 // of stretches it is an end.
 template <class T> struct End {
-  Vector<T> at;
+  Vector3<T> at;
   T denominator; // > 0
   unsigned sets;
 };
@@ -133,15 +133,16 @@ enum { F_FRONT = 1, F_BEHIND = 2, G_FRONT = 4, G_BEHIND = 8, ALL = 15 };
 // The ends that f has on the plane of g: of the stretches in front, where an
 // edge goes from strictly in front to elsewhere; of those behind, likewise.
 template <class T>
-void find_ends(const Face &f, const Plane<T> &g, const std::vector<int> &sides,
-               unsigned front, unsigned behind, std::vector<End<T>> &ends) {
+void find_ends(const Face &f, const FacePlane<T> &g,
+               const std::vector<int> &sides, unsigned front, unsigned behind,
+               std::vector<End<T>> &ends) {
   for (uint32_t l = 0, k = f.size() - 1; l < f.size(); k = l++) {
     unsigned sets = ((sides[k] > 0) != (sides[l] > 0) ? front : 0) |
                     ((sides[k] < 0) != (sides[l] < 0) ? behind : 0);
     if (!sets)
       continue;
-    Vector<T> a = point<T>(f.world, f.vertex(k));
-    Vector<T> b = point<T>(f.world, f.vertex(l));
+    Vector3<T> a = point<T>(f.world, f.vertex(k));
+    Vector3<T> b = point<T>(f.world, f.vertex(l));
     if (sides[k] == 0) {
       ends.push_back({a, T(1), sets});
     } else if (sides[l] == 0) {
@@ -162,8 +163,8 @@ template <class T, class Along>
 void for_each_stretch(const Face &f, const Face &g,
                       const std::vector<int> &of_f,
                       const std::vector<int> &of_g, const Along &along) {
-  const Plane<T> plane_f(f.world, f.id), plane_g(g.world, g.id);
-  const Vector<T> line = CGAL::cross_product(plane_f.normal, plane_g.normal);
+  const FacePlane<T> plane_f(f.world, f.id), plane_g(g.world, g.id);
+  const Vector3<T> line = CGAL::cross_product(plane_f.normal, plane_g.normal);
   int axis = 0;
   while (axis < 3 && bool(line[axis] == T(0)))
     axis++;

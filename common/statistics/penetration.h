@@ -18,7 +18,7 @@ void for_each_penetration(
 // A point whose coordinates need not be doubles: at / denominator, which is >
 // 0.
 struct Exact_point {
-  Vector<Exact> at;
+  Vector3<Exact> at;
   Exact denominator;
 };
 

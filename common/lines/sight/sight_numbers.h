@@ -128,7 +128,7 @@ template <class T> Point<T> Numbers::point(uint32_t p) const {
 }
 
 template <class T> Plane<T> Numbers::plane(uint32_t f) const {
-  const hsr::Plane<T> plane(sight->world, f);
+  const hsr::FacePlane<T> plane(sight->world, f);
   const vec<T> kN = {plane.k * plane.normal[0], plane.k * plane.normal[1],
                      plane.k * plane.normal[2]};
   return {kN, plane.offset - dot(kN, eye<T>().E)};
