@@ -6,7 +6,7 @@
 #include "common/base/status.h"
 #include "common/files/json.h"
 
-/* A number, or null for one that is not finite: not measured. */
+/* A number; or null if x is not finite, which means not measured. */
 json_t *number_or_null(double x);
 
 /* Prints a value and a newline on stdout, and gives up the caller's reference.
