@@ -175,7 +175,7 @@ static void print_kind_options(const struct hsr_answer_type *kind) {
   }
 }
 
-/* Behind the table: what can be chosen, as NAME:OPTION=VALUE. */
+/* Prints, below the table, the options that NAME:OPTION=VALUE can choose. */
 static void print_options(void) {
   puts("\nOptions, as in zbuffer:window=64:");
   for (int k = 0; hsr_answer_types[k]; k++)
