@@ -179,7 +179,7 @@ static void print_ladder(const struct tables *t) {
 static void print_table3(const struct tables *t) {
   title("Table III. Costs in the three environments, step by step");
   puts("cost = complexity factor x count. paper: as printed, for its own Table "
-       "II; pred.: its formula of\nour measured Table I; meas.: measured; "
+       "II; pred.: its formula\napplied to our Table I; meas.: measured; "
        "ratio: measured to predicted.");
   print_ladder(t);
   putchar('\n');
@@ -253,7 +253,7 @@ static void print_table7(const struct tables *t) {
   }
   putchar('\n');
   wrap(0, "Measured totals include the steps for which there is no prediction. "
-          "What is predicted of an algorithm made of two is what both would "
+          "For an algorithm made of two, the prediction is what both would "
           "cost alone.");
 }
 
@@ -452,11 +452,11 @@ static void print_figure(const struct greene_figure *f, double ours,
 }
 
 void greene_print(const struct results *results) {
-  puts("What Greene measured of hierarchical visibility, and the same of ours: "
-       "counts, and ratios of\ntimes, each the least that a frame took. 1993: "
-       "with Kass and Miller, SIGGRAPH. 1995: thesis. 1996:\nSIGGRAPH. -: he "
-       "prints none, or the results do not have it. >: why ours is off by more "
-       "than a factor\nof 2. K = 1,000; M = 1,000,000.");
+  puts("Greene's figures on hierarchical visibility beside ours: counts, and "
+       "ratios of times, each the\nleast time of a frame. 1993: with Kass and "
+       "Miller, SIGGRAPH. 1995: thesis. 1996: SIGGRAPH. -: he\nprints none, or "
+       "the results do not have it. >: why ours is off by more than a factor "
+       "of 2.\nK = 1,000; M = 1,000,000.");
   const char *last = NULL;
   for (const struct greene_figure *f = greene_figures; f->what; f++)
     if (f->source) {
