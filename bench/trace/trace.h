@@ -48,7 +48,7 @@ enum hsr_status trace_output_close(struct trace_output *output,
 
 /* --- The answer ----------------------------------------------------------- */
 
-/* An answer twice. */
+/* Two copies of an answer. */
 struct trace_answer {
   const struct hsr_view *view; /* borrowed */
   struct hsr_answer drawn;     /* by the algorithm */

@@ -54,7 +54,7 @@ static json_t *answer_json(const struct tracer *tracer,
   return kind_of(tracer)->json(answer, tracer->answer->view);
 }
 
-/* Nulls at the end are left out. */
+/* The event as an array, without the nulls at its end. */
 static json_t *event_json(const struct tracer *tracer,
                           const struct hsr_event *event) {
   const struct hsr_counter *counter =
