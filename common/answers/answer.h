@@ -165,23 +165,23 @@ struct hsr_answer_type {
   void (*print)(const struct hsr_answer *answer,
                 const struct hsr_showing *showing, FILE *out);
 
-  /* Its part in a trace: docs/trace.schema.json. NULL, all of them: a run that
+  /* For traces: docs/trace.schema.json. If all of these are NULL, a run that
    * makes this kind cannot be traced. */
 
-  /* Adds what an event of kind HSR_ACCEPT tells. HSR_E_NOMEM. */
+  /* Adds what an event of kind HSR_ACCEPT describes. HSR_E_NOMEM. */
   enum hsr_status (*paint)(struct hsr_answer *answer,
                            const struct hsr_event *event);
-  /* Brings what was painted into the order of an answer. NULL: it has none.
-   * HSR_E_NOMEM. */
+  /* Puts what was painted into the order of an answer. NULL: the kind has no
+   * order. HSR_E_NOMEM. */
   enum hsr_status (*settle)(struct hsr_answer *answer);
-  /* New references, or NULL for lack of memory: an answer; and the part of an
-   * event, NULL if its events have none. */
+  /* Return new references, or NULL for lack of memory: to an answer; and to the
+   * part of an event. part_json is NULL if events of the kind have no part. */
   struct json_t *(*json)(const struct hsr_answer *answer,
                          const struct hsr_view *view);
   struct json_t *(*part_json)(const void *part, const struct hsr_view *view);
 };
 
-/* --- The kinds ------------------------------------------------------------- */
+/* --- The kinds ------------------------------------------------------------ */
 
 #define HSR_ANSWER(id) extern const struct hsr_answer_type hsr_answer_##id;
 #include "common/answers/list.def"
@@ -199,7 +199,7 @@ int hsr_answer_number(const struct hsr_answer_type *type);
 #define HSR_SEGMENTS (&hsr_answer_segments)
 #define HSR_VOXELS (&hsr_answer_voxels)
 
-/* --- Answers --------------------------------------------------------------- */
+/* --- Answers -------------------------------------------------------------- */
 
 /* The form of a kind with its standard options. */
 struct hsr_form hsr_form_standard(const struct hsr_answer_type *type);

@@ -170,7 +170,7 @@ static enum hsr_status paint(struct hsr_answer *answer,
   return HSR_OK;
 }
 
-/* Runs of one id, row after row: id, how often, id, how often ... */
+/* Runs of one id, row after row: id, length, id, length ... */
 static json_t *ids_json(const struct hsr_answer *answer,
                         const struct hsr_view *view) {
   const uint32_t *ids = answer->body;

@@ -146,8 +146,8 @@ static enum hsr_status settle(struct hsr_answer *answer) {
   return hsr_drawing_sort(answer->body);
 }
 
-/* The edge is coded like the subject of an event. It may be an edge of several
- * faces, so that its own face is left open. */
+/* The edge, coded like the subject of an event. Its own face is left open: the
+ * edge may belong to several faces. */
 static json_t *edge_json(const struct hsr_edge_name *edge) {
   return hsr_subject_json(edge->implied
                               ? HSR_IMPLIED(edge->a, edge->b, edge->part)
