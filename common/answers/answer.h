@@ -228,7 +228,7 @@ uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer);
  * voxels. */
 int hsr_form_voxels(const struct hsr_form *form);
 
-/* An answer around ids that somebody else owns, of m x n; not to be freed. */
+/* An answer around m x n ids that the caller owns; not to be freed. */
 struct hsr_answer hsr_answer_of_ids(uint32_t *ids, int m, int n);
 
 /* How a picture of this form is filtered; the filter is HSR_FILTER_NONE if the

@@ -9,7 +9,7 @@
 
 #define SMALL "house --size 64x48 "
 
-/* Whether both builds have a line for the one sample that it draws wrong. */
+/* Whether it is reported as wrong in this view, by one sample in each build. */
 static bool is_wrong(const char *name, int view) {
   char line[100];
   snprintf(line, sizeof line, "wrong: house, view %d, 64x48, %s: 2 samples",

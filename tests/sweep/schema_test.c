@@ -11,8 +11,8 @@ static json_t *schema;
 
 /* --- Records -------------------------------------------------------------- */
 
-/* How many lines of the file are records of this kind; *others becomes the
- * number of all other lines. */
+/* How many valid records of this kind the file has; *others becomes the number
+ * of lines that are not valid. */
 static long count_records(const char *path, const char *kind, long *others) {
   FILE *file = fopen(path, "r");
   must(file != NULL);

@@ -462,7 +462,7 @@ struct Pyramid {
     return tally.count[HSR_SOLID_CELL] + tally.count[HSR_SOLID_FINEST];
   }
 
-  // Tiles the bodies in an order, or in the opposite one.
+  // Tiles the bodies in their order, or in the opposite one.
   void tile(const hsr_volumes &volumes, Record &record, bool backwards) {
     p.cover = Record::cubes;
     p.context = &record;
