@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is claimed of triage coverage masks (common/grids/triage.h): cells that
- * they have covered are wholly inside of the line, vacant ones wholly outside,
- * whatever the line; all by integers, against the sign of its equation at every
+/* The claims about triage coverage masks (common/grids/triage.h): for every
+ * line, covered cells are wholly inside the line, and vacant cells wholly
+ * outside. All by integers, against the sign of the line's equation at every
  * corner of a cell. */
 #include "common/grids/triage.h"
 #include "tests/draw.h"

@@ -591,7 +591,7 @@ static void clean_up(const char *directory) {
 
 /* ---- Memory ---- */
 
-/* What jansson holds at a time, and the most of it. */
+/* The memory that jansson holds now, and the most that it held. */
 static size_t held, most_held;
 
 static void *hold(size_t size) {
@@ -612,8 +612,8 @@ static void let_go(void *p) {
   free(size);
 }
 
-/* Whatever the length of a list, there is never a tree of all of it: neither of
- * a good file, nor of one that ends too early. */
+/* A list is never held as a whole tree, however long it is: neither in a good
+ * file nor in one that ends too early. */
 static void test_memory(struct tap *tap) {
   enum { N = 100000 };
   struct hsr_scene *scene;
