@@ -163,13 +163,12 @@ static const struct argp argp = {
          "pixels of scenes of over 33 million faces)",
          0},
         {"failure-cases", 'f', NULL, 0,
-         "where no scene is named: only the failure cases", 0},
+         "if no scene is named: only the failure cases", 0},
         {"jobs", 'J', "N", 0, "views at a time (standard: one a processor)", 0},
         {"timeout", 't', "SECONDS", 0,
-         "the most that one picture may take (standard: 60); an algorithm "
-         "whose "
-         "work for a view is known to be more is refused, and so is every line "
-         "drawing where the line oracle takes longer",
+         "the most that one picture may take (standard: 60); an algorithm that "
+         "is known to need more for a view is refused, and so is every line "
+         "drawing if the line oracle takes longer",
          0},
         {"drop-degenerate", DROP, NULL, 0,
          "leave out faces of mesh files that cannot be used", 0},

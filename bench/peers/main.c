@@ -182,7 +182,7 @@ run_peer(const struct peer *peer, const struct serve_request *request,
   if (request->threads > 1 && !peer->many_threads)
     return hsr_fail(err, HSR_E_REFUSED, "%s draws on one thread", peer->name);
   if (request->walk > 1)
-    return hsr_fail(err, HSR_E_REFUSED, "%s does not walk", peer->name);
+    return hsr_fail(err, HSR_E_REFUSED, "%s draws no walks", peer->name);
   struct run run = {.peer = peer, .request = request};
   enum hsr_status status =
       stage_open(&run.stage, request->scene,

@@ -200,7 +200,7 @@ static enum hsr_status answer_byte(const struct served *served, int byte,
   case 'w':
     return finish_picture(served, err);
   default:
-    return hsr_fail(err, HSR_E_USAGE, "worker: what is '%c'?", byte);
+    return hsr_fail(err, HSR_E_USAGE, "worker: no request '%c'", byte);
   }
 }
 
@@ -217,7 +217,7 @@ enum hsr_status serve(const struct served *served, struct hsr_error *err) {
          served->prepare_seconds, served->before_kb, frames_of(served, &pace));
   while (!status) {
     if (fflush(stdout))
-      return hsr_fail(err, HSR_E_INPUT, "worker: nobody listens");
+      return hsr_fail(err, HSR_E_INPUT, "worker: nobody reads its output");
     int byte = getchar();
     if (byte == EOF)
       break;

@@ -224,8 +224,8 @@ struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer);
 struct hsr_solid_voxels *hsr_answer_voxels_of(const struct hsr_answer *answer);
 uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer);
 
-/* How many voxels lie along the longest side of the scene's box, of a form of
- * voxels. */
+/* For a form of voxels: how many lie along the longest side of the scene's box.
+ */
 int hsr_form_voxels(const struct hsr_form *form);
 
 /* An answer around m x n ids that the caller owns; not to be freed. */

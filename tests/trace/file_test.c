@@ -85,13 +85,13 @@ struct state {
   json_int_t m, n;
   json_int_t next;
   json_int_t count[MOST_COUNTERS];
-  json_t *ids;          /* m * n: an id, or null; else NULL */
-  json_t *segments;     /* of line drawings; else NULL */
-  json_t *solids;       /* of voxels: a solid each, x fastest; else NULL */
+  json_t *ids;          /* m * n ids or nulls; NULL for other kinds */
+  json_t *segments;     /* of a line drawing; NULL for other kinds */
+  json_t *solids;       /* of each voxel, x fastest; NULL for other kinds */
   json_int_t voxels[3]; /* how many along each axis */
 };
 
-/* The numbers of voxels are told at the end. */
+/* Only the end has the numbers of voxels along each axis. */
 static void begin_voxels(struct state *s, const json_t *end) {
   const json_t *n = json_object_get(json_object_get(end, "voxels"), "n");
   s->solids = json_array();
@@ -132,7 +132,7 @@ static bool is_accepted(const struct state *s, json_int_t counter) {
   return !strcmp(json_string_value(json_object_get(c, "kind")), "accept");
 }
 
-/* All samples of a picture, or voxels, in runs. */
+/* Unfolds runs into all samples of a picture, or all voxels. */
 static json_t *unfold(const json_t *runs) {
   json_t *ids = json_array();
   for (size_t k = 0; k + 1 < json_array_size(runs); k += 2)

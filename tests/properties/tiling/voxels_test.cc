@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Voxels, judged one by one. A voxel is in a solid if a ray from its centre
-// meets the solid's faces an odd number of times: by CGAL's exact predicates on
-// the scene's own corners, the centre being displaced by (e, e^2, e^3). The
-// oracle of voxels, which goes by columns, is compared with the same.
+// meets the solid's faces an odd number of times. CGAL's exact predicates
+// decide that on the scene's own corners; the centre is displaced by (e, e^2,
+// e^3). The oracle of voxels, which goes by columns, is compared with the same
+// judge.
 #define HSR_COUNTING 1 // what the pyramid does is counted
 #include "algorithms/setup.h"
 #include "algorithms/volume/solid_pyramid.h"
@@ -445,7 +446,7 @@ struct Sums {
   size_t visited = 0, crossed = 0; // cells
 };
 
-// A pyramid and what it needs.
+// A pyramid and the memory that it needs.
 struct Pyramid {
   hsr_arena arena = {};
   hsr_solid_pyramid p = {};
@@ -476,7 +477,7 @@ struct Pyramid {
   }
 };
 
-// What an algorithm makes of a stage.
+// An algorithm's answer for a stage.
 struct Answer {
   hsr_answer answer = {};
   hsr_setup setup = {};
