@@ -152,8 +152,8 @@ static const struct argp_option render_options[] = {
      ".vtp files hold all",
      3},
     {"crease", CREASE, "DEG", 0,
-     "leave out edges whose two faces turn by at most DEG degrees, but for "
-     "contours",
+     "leave out edges whose two faces turn by at most DEG degrees, except "
+     "contour edges",
      3},
     {0}};
 

@@ -225,7 +225,7 @@ static json_t *points_json(const struct ladder *ladder) {
   return points;
 }
 
-/* What its rungs have in common: "house", or "harbor:N, 500x500". */
+/* A name for what all its rungs share: "house", or "harbor:N, 500x500". */
 static void name_ladder(const struct ladder *ladder, char *name, size_t size) {
   const json_t *cell = ladder->cell[0];
   const char *scene = results_text(cell, "scene");

@@ -39,7 +39,7 @@ static void path_of(const struct view_picture *p, const char *name,
   snprintf(path, PATH, "%.4096s/%.200s", p->report->folder, name);
 }
 
-/* --- Drawing in a process of its own -------------------------------------- */
+/* --- Drawing in another process ------------------------------------------- */
 
 static enum hsr_status write_work(const struct view_picture *p,
                                   const char *name, const float *work,

@@ -76,7 +76,7 @@ static json_t *step_kinds_json(void) {
   return kinds;
 }
 
-/* As hsr_json_append does, of an object. */
+/* Adds a member to an object, as hsr_json_append adds to an array. */
 static void add(json_t **object, const char *name, json_t *value) {
   if (json_object_set_new(*object, name, value)) {
     json_decref(*object);

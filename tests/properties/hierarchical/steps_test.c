@@ -34,7 +34,7 @@ static void stop(const char *name, const char *text) {
   exit(99);
 }
 
-/* --- One frame, told ------------------------------------------------------ */
+/* --- The events of one frame ---------------------------------------------- */
 
 struct frame {
   const struct hsr_algorithm *algorithm;

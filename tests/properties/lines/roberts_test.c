@@ -212,7 +212,7 @@ static void add_prism(struct hsr_scene *scene, const double (*at)[2],
   }
 }
 
-/* --- What is said --------------------------------------------------------- */
+/* --- The claims ----------------------------------------------------------- */
 
 static void try_outcomes(struct tap *t) {
   static const char *const scenes[] = {"house", "color-cube:4", "penetration",
