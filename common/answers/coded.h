@@ -26,8 +26,8 @@ json_t *hsr_point_json(const struct hsr_view *view, const double point[3]);
 void hsr_point_project(const struct hsr_view *view, const double point[3],
                        double image[3]);
 
-/* [x, y] of an image from hsr_point_project, in samples, to the nearest 1/64.
- */
+/* [x, y] of an image from hsr_point_project, in samples, to the nearest 1/64;
+ * or null if they are not finite. */
 json_t *hsr_image_json(const double image[3]);
 
 #endif
