@@ -14,11 +14,11 @@
 #include <stdio.h>
 
 /* A subcommand. argv[0] is its name. HSR_E_DIFFERENCE ends the program with
- * status 1 and without a message; any other failure with the message in *err.
- */
+ * status 1 and without a message. Any other failure ends it with the message in
+ * *err. */
 struct hsr_command {
   const char *name;
-  const char *about; /* for --help; NULL: not for people */
+  const char *about; /* for --help; NULL: --help does not show it */
   enum hsr_status (*run)(int argc, char **argv, struct hsr_error *err);
 };
 
@@ -36,9 +36,9 @@ enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err);
 
 /* --- Options -------------------------------------------------------------- */
 
-/* Parses argv with an argp parser, which reports its own findings by
- * option_fail; any other fault of the command line becomes one line as well.
- * --help prints and ends the program. */
+/* Parses argv with an argp parser, which reports the faults that it finds by
+ * option_fail. Any other fault of the command line becomes one line as well.
+ * --help prints and ends the program. HSR_E_USAGE. */
 enum hsr_status parse_options(const struct argp *argp, int argc, char **argv,
                               void *input, struct hsr_error *err);
 
@@ -51,12 +51,12 @@ struct option_base {
 error_t option_fail(struct option_base *base, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* For subcommands that only take --json: what --help says of them is `about`.
- */
+/* For subcommands that only take --json; --help prints `about`. */
 enum hsr_status parse_json_option(int argc, char **argv, const char *about,
                                   bool *json, struct hsr_error *err);
 
-/* "512x512"; "x,y,z"; a decimal number. False if the text is anything else. */
+/* Parse "512x512"; "x,y,z"; a decimal number; a whole number from `least` to
+ * `most`. False if the text is anything else. */
 bool parse_size(const char *text, int *m, int *n);
 bool parse_point(const char *text, double point[3]);
 bool parse_number(const char *text, double *number);
@@ -68,8 +68,9 @@ struct scene_options {
   struct hsr_import import;
 };
 
-/* An entry for an argp option array, and the parser of it and of the argument:
- * ARGP_ERR_UNKNOWN if `key` is none of them. `command` is "render", ... */
+/* An entry for an argp option array, and the parser of that option and of the
+ * argument SCENE. ARGP_ERR_UNKNOWN if `key` is neither. `command` is the name
+ * of the subcommand: "render", ... */
 enum { DROP_DEGENERATE = 0x180 };
 #define SCENE_ARGP_OPTIONS                                                     \
   {                                                                            \
@@ -82,11 +83,12 @@ error_t parse_scene_option(struct scene_options *options, int key, char *arg,
                            const char *command, struct option_base *base);
 
 /* Opens a scene, which the caller deletes, and says on stderr how many faces
- * were left out of it. Errors as of hsr_scene_open. */
+ * were left out of it. The errors are those of hsr_scene_open. */
 enum hsr_status open_scene(const char *name, struct hsr_import import,
                            struct hsr_scene **scene, struct hsr_error *err);
 
-/* Where to look from: one of the scene's views, changed by what was given. */
+/* Where to look from: one of the scene's views, changed by the options given.
+ */
 struct view_options {
   long view; /* from 1 */
   int m, n;
@@ -96,8 +98,8 @@ struct view_options {
 #define VIEW_OPTIONS_STANDARD                                                  \
   { .view = 1, .m = 512, .n = 512 }
 
-/* Entries for an argp option array, and their parser: ARGP_ERR_UNKNOWN if `key`
- * is not one of them. */
+/* Entries for an argp option array, and their parser. ARGP_ERR_UNKNOWN if `key`
+ * is none of them. */
 enum { VIEW_EYE = 0x100, VIEW_AT, VIEW_UP, VIEW_FOV, VIEW_NEAR };
 #define VIEW_ARGP_OPTIONS VIEW_ARGP_OPTIONS_OF("512x512")
 #define VIEW_ARGP_OPTIONS_OF(size)                                             \
@@ -119,7 +121,7 @@ error_t parse_view_option(struct view_options *options, int key, char *arg,
                           struct option_base *base);
 
 /* The camera that the options choose. HSR_E_USAGE if the scene has no such
- * view. */
+ * view, or if the camera is not valid. */
 enum hsr_status choose_camera(const struct view_options *options,
                               const struct hsr_scene *scene,
                               struct hsr_camera *camera, struct hsr_error *err);
@@ -129,37 +131,38 @@ enum hsr_status choose_camera(const struct view_options *options,
 double seconds_now(void); /* monotonic */
 long processors(void);    /* available to this process; at least 1 */
 
-/* An answer of what is chosen, in which nothing is drawn, to be freed with
- * hsr_answer_free also after a failure: HSR_E_NOMEM; HSR_E_REFUSED where a
- * picture to be folded were too large. */
+/* Makes an answer of the form that the setup chooses, in which nothing is
+ * drawn. It is to be freed with hsr_answer_free also after a failure.
+ * HSR_E_NOMEM; HSR_E_REFUSED if a picture to be folded would be too large. */
 enum hsr_status answer_init(struct hsr_answer *answer,
                             const struct hsr_setup *setup,
                             const struct hsr_view *view, struct hsr_error *err);
 
-/* Threads with a memory of their own each, which lasts from frame to frame. At
- * least one and at most 64; NULL for lack of memory. */
+/* Threads, each with its own memory, which lasts from frame to frame. At least
+ * one and at most 64. NULL for lack of memory. */
 struct crew *crew_new(long threads);
 void crew_free(struct crew *crew); /* NULL is allowed */
 
-/* Renders the view's whole window with an algorithm made ready, and adds what
- * was counted to *tally. What can be made by windows is made by the whole crew:
- * each takes a band of rows at a time, or a square as the setup's choice says.
- * One makes it alone if the algorithm keeps frame state, if the kind of answer
- * is made as a whole, or if somebody listens. Where the answer is folded from
- * pictures, the crew draws those and one folds them. */
+/* Renders the view's whole window with an algorithm that is prepared, and adds
+ * its counts to *tally. The whole crew makes an answer that can be made by
+ * windows: each thread takes a band of rows at a time, or a square if the
+ * setup's choice says so. One thread makes it alone if the algorithm keeps
+ * frame state, if the kind of answer is made as a whole, or if somebody
+ * listens. If the answer is folded from pictures, the crew draws these and one
+ * thread folds them. */
 enum hsr_status crew_render(struct crew *crew, const struct hsr_setup *setup,
                             const struct hsr_view *view,
                             struct hsr_answer *answer, struct hsr_tally *tally,
                             struct hsr_error *err);
 
-/* The same by a crew for this one frame. *seconds, unless NULL, is the time of
- * the rendering alone. */
+/* The same, by a crew that is made for this one frame. *seconds, unless NULL,
+ * becomes the time of the rendering alone. */
 enum hsr_status render_view(const struct hsr_setup *setup,
                             const struct hsr_view *view, long threads,
                             struct hsr_answer *answer, struct hsr_tally *tally,
                             double *seconds, struct hsr_error *err);
 
-/* Measures Table I of a view, drawing its picture for what is visible. */
+/* Measures Table I of a view. It draws the picture to learn what is visible. */
 enum hsr_status measure_table1(const struct hsr_world *world,
                                const struct hsr_view *view,
                                struct hsr_table1 *table, struct hsr_error *err);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The hsr command: which subcommand, and how it ends. */
+/* The hsr command: chooses the subcommand, and ends the program. */
 #include "bench/command.h"
 #include "bench/run/terminate.h"
 
@@ -55,7 +55,7 @@ static void print_help(FILE *out) {
       out);
 }
 
-/* Whatever went to stdout must have got there. */
+/* Makes sure that all output has reached stdout. */
 static enum hsr_status finish(enum hsr_status status, struct hsr_error *err) {
   if (fflush(stdout) || ferror(stdout))
     if (!status)
@@ -63,8 +63,8 @@ static enum hsr_status finish(enum hsr_status status, struct hsr_error *err) {
   return status;
 }
 
-/* A file that is opened must not take the place of a standard one that is
- * closed. What cannot be written to still shows in finish. */
+/* A file that is opened must not take the number of a standard file that is
+ * closed. finish still notices if stdout cannot be written. */
 static void hold_standard_files(void) {
   int file;
   do

@@ -23,8 +23,8 @@ struct taxonomy taxonomy(enum hsr_branch branch) {
 
 static const char about[] =
     "Lists the algorithms: name, year, place in the taxonomy of Sutherland, "
-    "Sproull and Schumacker, sorting order, environment restrictions; and the "
-    "options that they leave.";
+    "Sproull and Schumacker, sorting order, environment restrictions, "
+    "options.";
 
 json_t *restrictions_json(const struct hsr_algorithm *a) {
   json_t *codes = json_array();
@@ -151,13 +151,14 @@ static void print_option(const struct hsr_option *o) {
            w == &o->words[o->standard] ? " (standard)" : "");
 }
 
-/* Whether who makes `kind` can be asked for `type`, which has options. */
+/* Whether algorithms of `kind` can be asked for `type`, and that has options.
+ */
 static bool can_be_asked(const struct hsr_answer_type *type,
                          const struct hsr_answer_type *kind) {
   return type->options && (type->fold ? type->fold->of : type) == kind;
 }
 
-/* The options of the answers that all algorithms of a kind can give. */
+/* Prints the options of the answers that all algorithms of a kind can give. */
 static void print_kind_options(const struct hsr_answer_type *kind) {
   bool any = kind->by_windows;
   for (int k = 0; hsr_answer_types[k]; k++)
@@ -166,7 +167,7 @@ static void print_kind_options(const struct hsr_answer_type *kind) {
     return;
   printf("  all that draw %s\n", kind->name);
   if (kind->by_windows)
-    puts("    window=N  in squares of N x N samples, each a job of its own");
+    puts("    window=N  in squares of N x N samples, each a separate job");
   for (int k = 0; hsr_answer_types[k]; k++) {
     const struct hsr_answer_type *type = hsr_answer_types[k];
     for (const struct hsr_option *o = type->options;
@@ -175,7 +176,7 @@ static void print_kind_options(const struct hsr_answer_type *kind) {
   }
 }
 
-/* Behind the table: what can be chosen, as NAME:OPTION=VALUE. */
+/* Prints, below the table, the options that NAME:OPTION=VALUE can choose. */
 static void print_options(void) {
   puts("\nOptions, as in zbuffer:window=64:");
   for (int k = 0; hsr_answer_types[k]; k++)

@@ -7,7 +7,8 @@
 
 #include <jansson.h>
 
-/* A place in figure 13: "image space", "area sampling". No branch: NULL. */
+/* A place in figure 13: "image space", "area sampling". branch is NULL if the
+ * class has no branches. */
 struct taxonomy {
   const char *class, *branch;
 };
@@ -15,7 +16,7 @@ struct taxonomy taxonomy(enum hsr_branch branch);
 
 /* New references, or NULL for lack of memory. */
 json_t *restrictions_json(const struct hsr_algorithm *algorithm);
-json_t *algorithms_json(void); /* all that there are */
+json_t *algorithms_json(void); /* of all algorithms */
 json_t *sorts_json(const struct hsr_algorithm *algorithm);
 
 #endif

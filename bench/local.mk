@@ -3,7 +3,7 @@ bin_PROGRAMS += hsr
 hsr_SOURCES = %D%/hsr.c
 hsr_LDADD = $(BENCH_LIBS)
 
-# Everything but main, for programs that run other algorithms than those listed.
+# Everything but main, for programs that have another list of algorithms.
 noinst_LIBRARIES += libbench.a
 BENCH_LIBS = libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS) $(ZLIB_LIBS)
 libbench_a_SOURCES = \
@@ -68,7 +68,7 @@ libbench_a_SOURCES = \
   %D%/tables/text.c
 nodist_libbench_a_SOURCES = %D%/commit.h
 
-# The commit that is built, written anew only when it is another one.
+# The commit that is built. The file is rewritten only if the commit changes.
 %D%/sweep/machine.$(OBJEXT): %D%/commit.h
 CLEANFILES += %D%/commit.h
 %D%/commit.h: commit-always

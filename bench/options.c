@@ -31,7 +31,7 @@ enum hsr_status parse_options(const struct argp *argp, int argc, char **argv,
       argp_help(argp, stdout, ARGP_HELP_STD_HELP & ~ARGP_HELP_EXIT_OK, name);
       exit(fflush(stdout) ? HSR_E_INPUT : 0);
     }
-  /* Errors are ours to print; that argp is silent silences its help as well. */
+  /* We print the errors. An argp that prints none prints no help either. */
   int at = 1;
   error_t failed =
       argp_parse(argp, argc, argv, ARGP_NO_ERRS | ARGP_NO_HELP, &at, input);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* All that can be named: the oracles, then the algorithms. */
+/* Everything that -a can name: the oracles, then the algorithms. */
 #include "algorithms/algorithm.h"
 
 #define HSR_LISTED(id)                                                         \

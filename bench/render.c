@@ -19,13 +19,13 @@ struct options {
   enum hsr_shading shading;
   enum hsr_hidden hidden;
   double crease; /* degrees; negative: all edges */
-  /* The last option that was given of those which only some kinds of answers
-   * take account of, by HSR_SHADING, ... */
+  /* For each of HSR_SHADING, ...: the last option given that only kinds of
+   * answers which take account of it accept; or NULL. */
   const char *given[HSR_N_TAKES];
   long threads, supersamples;
 };
 
-/* The place of a word among `words`, which NULL ends; -1 if it is none. */
+/* The index of a word in `words`, which NULL ends; -1 if it is not there. */
 static int choose_word(const char *word, const char *const *words) {
   for (int k = 0; words[k]; k++)
     if (!strcmp(word, words[k]))
@@ -147,13 +147,13 @@ static const struct argp_option render_options[] = {
      "N x N samples a pixel, averaged (colours only)", 2},
     {NULL, 0, NULL, 0, "Where it draws lines:", 3},
     {"hidden", HIDDEN, "HOW", 0,
-     "what becomes of hidden lines: none (standard: left out), dashed, thin "
-     "(and lighter, the more faces hide them), or all (like visible ones); "
+     "how hidden lines are drawn: none (standard: left out), dashed, thin "
+     "(and lighter the more faces hide them), or all (like visible ones); "
      ".vtp files hold all",
      3},
     {"crease", CREASE, "DEG", 0,
-     "leave out edges whose two faces turn by at most DEG degrees, but for "
-     "contours",
+     "leave out edges whose two faces turn by at most DEG degrees, except "
+     "contour edges",
      3},
     {0}};
 
@@ -175,7 +175,7 @@ static const struct argp argp = {
     NULL,
     NULL};
 
-/* The picture in the making, and what it took. */
+/* The picture in the making, and its times and counts. */
 struct render {
   const struct options *options;
   struct hsr_scene *scene;
@@ -220,7 +220,8 @@ static bool is_transparent(const struct hsr_scene *scene) {
   return false;
 }
 
-/* Lets the algorithm draw the colours, as only it knows what lies behind. */
+/* Lets the algorithm draw the colours: only it knows what lies behind a
+ * transparent face. */
 static enum hsr_status ask_for_colours(struct render *r,
                                        struct hsr_error *err) {
   size_t n = (size_t)r->view.m * (size_t)r->view.n;
@@ -278,7 +279,7 @@ static struct hsr_showing showing_of(const struct render *r) {
                               .crease = o->crease};
 }
 
-/* What there is to do between drawing and writing. */
+/* Does what comes between drawing and writing. */
 static enum hsr_status finish(struct render *r, struct hsr_error *err) {
   struct hsr_showing showing = showing_of(r);
   double begin = seconds_now();
@@ -339,7 +340,7 @@ static void print_report(const struct render *r,
            (unsigned long long)r->tally.count[k], a->counters[k].meaning);
 }
 
-/* Whether what was asked for goes with what the algorithm draws. */
+/* Checks that the options fit the kind of answer that the algorithm draws. */
 static enum hsr_status check_kind(const struct options *o,
                                   const struct hsr_variant *variant,
                                   struct hsr_error *err) {
@@ -351,8 +352,8 @@ static enum hsr_status check_kind(const struct options *o,
                       o->given[k], kind->draws, variant->name);
   if (o->work && (!kind->by_places || hsr_choice_folds(a, &variant->choice)))
     return hsr_fail(err, HSR_E_USAGE,
-                    "--work is for samples that are drawn in one picture; %s "
-                    "draws %s",
+                    "--work is only for samples drawn in one picture; %s draws "
+                    "%s",
                     variant->name, kind->draws);
   for (int k = 0; k < o->n_outputs; k++)
     if (!kind->fits(o->output[k]))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr scenes: the scenes that can be named. */
+/* hsr scenes: lists the built-in scenes and the meshes. */
 #include "bench/command.h"
 #include "bench/results/json.h"
 
@@ -7,8 +7,8 @@
 
 static const char about[] =
     "Lists the built-in scenes with their standard parameters, the number of "
-    "faces and views they then have, and what each is for; and the real meshes "
-    "of Debian's libcgal-demo, if that is installed.";
+    "faces and views that these give, and what each is for; and the real "
+    "meshes of Debian's libcgal-demo, if that is installed.";
 
 /* Faces and views of a built-in scene with its standard parameters. */
 static enum hsr_status measure(const char *name, uint64_t *n_faces,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The core, a room at a time; what may be included from where: README.md.
+# The core, folder by folder. README.md says what may be included from where.
 include %D%/base/local.mk
 include %D%/polygon/local.mk
 include %D%/scene/local.mk

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// node build.mjs SOURCES MODULES OUTPUT: puts the report's scripts, and what
-// they use of npm's packages with its licences, into one classic script, since
-// a page opened from disk may load no modules.
+// node build.mjs SOURCES MODULES OUTPUT: puts the report's scripts, the parts of
+// npm's packages that they use, and the licences of these into one classic
+// script, since a page opened from disk may load no modules.
 import { readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
@@ -19,7 +19,7 @@ const options = {
 const { metafile } = await build({ ...options, write: false, metafile: true });
 await build({ ...options, footer: { js: licences(metafile) } });
 
-// The licence of every package of which something was taken.
+// The licences of all packages from which something was taken.
 function licences({ outputs }) {
   const taken = new Set();
   for (const { inputs } of Object.values(outputs))

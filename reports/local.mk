@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The page of `hsr report`: one script made of reports/page/*.js and of what
-# npm brings for them, built and installed where node and npm are.
+# The page of `hsr report`: one script made from reports/page/*.js and npm's
+# packages. It is built and installed if node and npm are there.
 report_sources = \
   %D%/page/address.js \
   %D%/page/algorithm_page.js \
@@ -34,7 +34,7 @@ nodist_report_DATA = %D%/page/index.html %D%/page/report.css %D%/page/report.js
 CLEANFILES += $(nodist_report_DATA)
 report_modules = %D%/npm/node_modules
 
-# npm's packages, in the build tree. None of them needs to run a script.
+# npm's packages, in the build tree. None of them needs to run scripts.
 %D%/npm/installed: %D%/package.json %D%/package-lock.json
 	@$(MKDIR_P) %D%/npm
 	cp $(srcdir)/%D%/package.json $(srcdir)/%D%/package-lock.json %D%/npm

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Runs an algorithm: job lacks only the scratch memory, and the tally if that
- * is NULL. HSR_E_REFUSED; any other failure ends the test program. */
+/* Runs an algorithm. The job lacks only the scratch memory; its tally may be
+ * NULL. HSR_E_REFUSED; any other failure ends the test program. */
 static enum hsr_status try(const struct hsr_algorithm *algorithm,
                            const struct hsr_world *world, struct hsr_job job) {
   struct hsr_error err = {.text = "out of memory"};

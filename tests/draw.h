@@ -11,21 +11,22 @@
 /* A value that no picture holds, for samples that were not written. */
 #define UNWRITTEN 0xfefefefeu
 
-/* Draws the window of `view` into ids (m * n, set to UNWRITTEN first), adding
- * to *tally unless NULL. Aborts the test program on failure: no test expects
- * one here. */
+/* Draws the window of `view` into ids (m * n, set to UNWRITTEN first), and adds
+ * its counts to *tally unless NULL. Aborts the test program on failure: no test
+ * expects one here. */
 void draw_ids(const struct hsr_algorithm *algorithm,
               const struct hsr_world *world, const struct hsr_view *view,
               uint32_t *ids, struct hsr_tally *tally);
 
-/* Draws lines into *drawing, adding to *tally unless NULL. Aborts likewise. */
+/* Draws lines into *drawing, and adds its counts to *tally unless NULL. Aborts
+ * the test program on failure. */
 void draw_lines(const struct hsr_algorithm *algorithm,
                 const struct hsr_world *world, const struct hsr_view *view,
                 struct hsr_drawing *drawing, struct hsr_tally *tally);
 
-/* Makes *answer and draws it, whatever its kind, adding to *tally unless NULL.
- * False if the algorithm refuses the scene. To be freed in either case by
- * hsr_answer_free. Any other failure ends the test program. */
+/* Makes *answer, of any kind, and draws it; adds its counts to *tally unless
+ * NULL. False if the algorithm refuses the scene. *answer is to be freed in
+ * either case by hsr_answer_free. Any other failure ends the test program. */
 bool draw_answer(const struct hsr_algorithm *algorithm,
                  const struct hsr_world *world, const struct hsr_view *view,
                  struct hsr_answer *answer, struct hsr_tally *tally);
@@ -34,7 +35,7 @@ bool draw_answer(const struct hsr_algorithm *algorithm,
 long count_differences(const struct hsr_view *view, const uint32_t *a,
                        const uint32_t *b);
 
-/* A scene of a name, laid out as a world, and as an outline. Opening aborts the
+/* A named scene, both laid out as a world and as an outline. Opening aborts the
  * test program on failure. */
 struct both_worlds {
   struct hsr_scene *scene;
@@ -43,11 +44,11 @@ struct both_worlds {
 void open_worlds(struct both_worlds *worlds, const char *name);
 void close_worlds(struct both_worlds *worlds);
 
-/* A number from a seed, in [lo, hi]. */
+/* A random number in [lo, hi]; advances the seed. */
 int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi);
 
-/* Runs `check` for every algorithm that must be right, in both builds: those
- * that draw pictures, and those that draw lines. */
+/* Runs `check` for every algorithm that must be right, in both builds: for
+ * those that draw pictures and for those that draw lines. */
 void for_each_judged(void (*check)(const struct hsr_algorithm *, void *),
                      void *context);
 void for_each_line_algorithm(void (*check)(const struct hsr_algorithm *,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Programs that print TAP; the scripts among them end in .test.
+# Tests print TAP. Those that are scripts end in .test.
 tap_programs = \
   %D%/unit/core/adapt_test \
   %D%/unit/core/box_test \
@@ -89,7 +89,7 @@ if WITH_VTK
 tap_programs += %D%/unit/files/vtp_test
 endif
 
-# The quick loop: less than a minute on two cores, once all is built.
+# The quick tests: less than a minute on two cores, once everything is built.
 quick_units = \
   %D%/unit/algorithms/cubes_test \
   %D%/unit/algorithms/grove_test \
@@ -113,7 +113,8 @@ quick_units = \
   %D%/unit/files/scene_json_test \
   %D%/conformance/trace_test
 quick_programs = $(quick_units) %D%/counts/golden_test
-# Under the sanitizers: the same, and what runs the modules at small sizes.
+# For the sanitizers: the quick tests, and those that run the modules at small
+# sizes.
 sanitized_programs = $(quick_units) \
   %D%/properties/surfaces/newell_test \
   %D%/properties/surfaces/romney_test \
@@ -179,7 +180,7 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_bench_crew_test_LDADD = libdraw.a $(BENCH_LIBS)
 %C%_unit_bench_figures_test_LDADD = $(BENCH_LIBS)
 
-# The command with a list of its own: algorithms that fail on purpose.
+# The command with another list: algorithms that fail on purpose.
 %C%_sweep_hsr_fixtures_SOURCES = bench/hsr.c %D%/sweep/fixtures.c
 %C%_sweep_hsr_fixtures_LDADD = $(BENCH_LIBS)
 # The command with algorithms/EXAMPLE.c on its list.
@@ -187,7 +188,7 @@ LDADD = libdraw.a $(HSR_LIBS)
   %D%/example/plain.c %D%/example/counting.c
 %C%_example_hsr_example_LDADD = $(BENCH_LIBS)
 
-# The command with a kind of answer of its own.
+# The command with another kind of answer.
 %C%_answers_hsr_layers_SOURCES = bench/hsr.c %D%/answers/layers.c \
   %D%/answers/lists.c
 %C%_answers_hsr_layers_LDADD = $(BENCH_LIBS)
@@ -202,7 +203,7 @@ sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
 %C%_sweep_sweep_test_SOURCES = %D%/sweep/sweep_test.c $(sweeping)
 %C%_sweep_sweep_test_LDADD = $(BENCH_LIBS)
 
-# The same of hsr trace: algorithms whose events are not what they did.
+# The same for hsr trace: algorithms whose events are not what they did.
 %C%_trace_hsr_fixtures_SOURCES = bench/hsr.c %D%/trace/fixtures.c
 %C%_trace_hsr_fixtures_LDADD = $(BENCH_LIBS)
 %C%_trace_file_test_SOURCES = %D%/trace/file_test.c $(sweeping) $(schema)

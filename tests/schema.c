@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* For what a test needs and does not test. */
+/* Stops the test if something that it needs, but does not test, fails. */
 static void need(bool done, const char *what) {
   if (!done) {
     printf("Bail out! docs: %s\n", what);
@@ -26,7 +26,7 @@ json_t *schema_open(const char *name) {
 
 /* --- Keywords ------------------------------------------------------------- */
 
-static const json_t *schema; /* whose rules are looked at */
+static const json_t *schema; /* the one whose rules are applied */
 
 static bool is_valid(const json_t *rule, const json_t *value);
 
@@ -97,7 +97,7 @@ static bool are_properties(const json_t *rule, const json_t *value) {
   return true;
 }
 
-/* The first items go by rules of their own, in order. */
+/* The first items have their own rules, in order. */
 static bool are_first_items(const json_t *rules, const json_t *value) {
   size_t k;
   const json_t *item;
@@ -109,7 +109,7 @@ static bool are_first_items(const json_t *rules, const json_t *value) {
   return true;
 }
 
-/* Those that follow them, by one rule. */
+/* The items after them all have one rule. */
 static bool are_items(const json_t *rule, size_t first, const json_t *value) {
   size_t k;
   const json_t *item;

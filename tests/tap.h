@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Test Anything Protocol, for the test programs: plan(n), then n times ok(),
- * and the exit status of finish(). */
+/* Test Anything Protocol, for the test programs: they call plan(n), then ok() n
+ * times, and exit with the status of finish(). */
 #ifndef HSR_TESTS_TAP_H
 #define HSR_TESTS_TAP_H
 

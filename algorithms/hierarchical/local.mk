@@ -10,7 +10,7 @@ algorithm_files += \
   %D%/movers.h \
   %D%/pyramid.c \
   %D%/pyramid.h
-# Compiled once: what counts nothing.
+# These files count nothing and are compiled once.
 libhsr_a_SOURCES += \
   %D%/cubes.c \
   %D%/cubes.h

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files of hsr check share: command.c tells which scenes, views and
- * sizes are judged, report.c what came of it. */
+/* What the files of hsr check share: command.c chooses the scenes, views and
+ * sizes to judge; report.c prints the results. */
 #ifndef HSR_BENCH_CHECK_H
 #define HSR_BENCH_CHECK_H
 
@@ -22,7 +22,7 @@ struct check_options {
   struct hsr_variant algorithm[MOST_ALGORITHMS];
   int n_algorithms;
   int view[MOST_VIEWS], n_views; /* from 0, in the order of judging */
-  long samples, jobs, timeout;   /* samples: 0: as the scene allows */
+  long samples, jobs, timeout;   /* samples 0: as many as the scene allows */
   long first_views;              /* --views; 0: not given */
   const char *order;             /* --order; or NULL */
   bool json, failures_only;
@@ -36,8 +36,8 @@ struct scene_run {
   const char *name;
   struct hsr_scene *scene;
   struct hsr_world world;
-  struct hsr_view *view; /* a size and view, in the order of judging */
-  struct cell *cells;    /* a size, view and algorithm; shared */
+  struct hsr_view *view; /* one for each size and view, in judging order */
+  struct cell *cells;    /* one for each size, view and algorithm; shared */
   size_t cells_size;
 };
 
@@ -59,7 +59,7 @@ struct totals {
 
 void report_begin(const struct check_options *options, struct totals *totals);
 
-/* Prints a scene's cells and adds them up. HSR_E_NOMEM, also where an algorithm
+/* Prints a scene's cells and adds them up. HSR_E_NOMEM, also if an algorithm
  * had too little memory. */
 enum hsr_status report_scene(const struct scene_run *run, struct totals *totals,
                              struct hsr_error *err);

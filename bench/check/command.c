@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr check: every algorithm's picture against the oracle's, and every
- * algorithm's line drawing against the line oracle's.
+/* hsr check: compares every algorithm's picture with the oracle's, and every
+ * algorithm's line drawing with the line oracle's.
  *
- * A group is one scene, view, size and kind of algorithm; or, of algorithms
- * that keep a state from frame to frame, one with all views in a row. It is
- * judged in a process of its own (bench/judge/judge.c), several at a time. */
+ * A group is one scene, view, size and kind of algorithm. Algorithms that keep
+ * a state from frame to frame form a group with all views in a row. Each group
+ * is judged in its own process (bench/judge/judge.c), several at a time. */
 #include "bench/check/check.h"
 #include "bench/run/terminate.h"
 
@@ -49,7 +49,7 @@ static error_t add_algorithms(struct check_options *o, char *arg) {
   return 0;
 }
 
-/* The views that are judged, in their order. */
+/* Lists the views to judge, in their order. */
 static error_t list_views(struct check_options *o) {
   char *end = NULL;
   for (const char *at = o->order; at; at = *end ? end + 1 : NULL) {
@@ -152,8 +152,8 @@ static const struct argp argp = {
          0},
         {"order", ORDER, "ORDER", 0,
          "the order in which an algorithm that keeps a state from frame to "
-         "frame draws the views: reverse; shuffle, always the same way; or "
-         "K,..., which names the views as well",
+         "frame draws the views: reverse; shuffle, the same in every run; or "
+         "K,..., which also chooses the views",
          0},
         {"samples", SAMPLES, "N", 0,
          "compare N random samples of each picture, or pixels of a filtered "
@@ -163,13 +163,12 @@ static const struct argp argp = {
          "pixels of scenes of over 33 million faces)",
          0},
         {"failure-cases", 'f', NULL, 0,
-         "where no scene is named: only the failure cases", 0},
+         "if no scene is named: only the failure cases", 0},
         {"jobs", 'J', "N", 0, "views at a time (standard: one a processor)", 0},
         {"timeout", 't', "SECONDS", 0,
-         "the most that one picture may take (standard: 60); an algorithm "
-         "whose "
-         "work for a view is known to be more is refused, and so is every line "
-         "drawing where the line oracle takes longer",
+         "the most that one picture may take (standard: 60); an algorithm that "
+         "is known to need more for a view is refused, and so is every line "
+         "drawing if the line oracle takes longer",
          0},
         {"drop-degenerate", DROP, NULL, 0,
          "leave out faces of mesh files that cannot be used", 0},
@@ -213,8 +212,8 @@ static bool keeps_state(const struct hsr_variant *v) {
   return hsr_choice_flags(v->listed->plain, &v->choice) & HSR_FRAME_STATE;
 }
 
-/* Whether algorithm k is the first of those that are judged together: of one
- * form, and all keep a state, or none does. */
+/* Whether algorithm k is the first of those that are judged together. These
+ * have one form, and either all of them keep a state or none does. */
 static bool is_first(const struct check_options *o, int k) {
   const struct hsr_variant *v = &o->algorithm[k];
   for (const struct hsr_variant *w = o->algorithm; w < v; w++)
@@ -224,7 +223,7 @@ static bool is_first(const struct check_options *o, int k) {
   return true;
 }
 
-/* Groups done, to be seen on a terminal. */
+/* Shows on a terminal how many groups are done. */
 static void show_progress(const struct scene_run *run, int done, int all) {
   if (!isatty(STDERR_FILENO))
     return;
@@ -235,8 +234,8 @@ static void show_progress(const struct scene_run *run, int done, int all) {
   fflush(stderr);
 }
 
-/* Waits for a group to end; *failure keeps the first failure. One that ran out
- * of time has said so in its cells. */
+/* Waits for a group to end; *failure keeps the first failure. A group that ran
+ * out of time has recorded that in its cells. */
 static void wait_for_group(enum hsr_status *failure) {
   int end;
   pid_t child;
@@ -262,7 +261,8 @@ static enum hsr_status start_group(const struct group *g,
   return child < 0 ? hsr_fail_nomem(err) : HSR_OK;
 }
 
-/* Of one view; or of all of them, for who keeps a state from one to another. */
+/* The group of one view; or of all views, if `first` keeps a state from one to
+ * the next. */
 static struct group group_of(const struct scene_run *run,
                              const struct hsr_variant *first, int size,
                              int view) {
@@ -283,8 +283,8 @@ static struct group group_of(const struct scene_run *run,
                         .cells = cell_at(run, size, view, 0)};
 }
 
-/* The groups of all forms, sizes and views: how many, and into group[] unless
- * that is NULL. The longest first. */
+/* Counts the groups of all forms, sizes and views, and writes them into group[]
+ * unless that is NULL. The longest come first. */
 static int list_groups(const struct scene_run *run, struct group *group) {
   const struct check_options *o = run->options;
   int n = 0;
@@ -327,7 +327,7 @@ static enum hsr_status run_groups(const struct scene_run *run,
   return status;
 }
 
-/* How many faces are laid out, if an algorithm takes them so. */
+/* How many faces are laid out at most; 0 if no algorithm needs that. */
 static uint32_t most_laid_out(const struct check_options *o) {
   uint32_t most = 0;
   for (int a = 0; a < o->n_algorithms; a++) {
@@ -337,7 +337,7 @@ static uint32_t most_laid_out(const struct check_options *o) {
   return most;
 }
 
-/* All views of all sizes; the scene gets as many as are asked for. */
+/* Makes the views in all sizes. A scene that has too few views gets more. */
 static enum hsr_status make_views(struct scene_run *run,
                                   struct hsr_error *err) {
   const struct check_options *o = run->options;

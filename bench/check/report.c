@@ -17,7 +17,8 @@ static void print_header(const struct check_options *o) {
   puts("   mismatches");
 }
 
-/* One line a size: mismatches over all views, or the worst verdict. */
+/* Prints one line a size: the mismatches over all views, or the worst verdict.
+ */
 static void print_scene(const struct scene_run *run) {
   const struct check_options *o = run->options;
   for (int size = 0; size < o->n_sizes; size++) {
@@ -61,7 +62,8 @@ static void print_difference(const struct scene_run *run, int size, int view,
          (unsigned long long)c->mismatches, c->first);
 }
 
-/* The first reason, as it is often the same for all of an algorithm's views. */
+/* Prints only the first reason: it is often the same for all views of an
+ * algorithm. */
 static void print_refusal(const struct scene_run *run, int a) {
   const struct check_options *o = run->options;
   for (int size = 0; size < o->n_sizes; size++)
@@ -74,7 +76,7 @@ static void print_refusal(const struct scene_run *run, int a) {
     }
 }
 
-/* Where pictures of a kind were not compared wholly. */
+/* Says how much was compared, if pictures of a kind were not compared whole. */
 static void print_compared(const struct scene_run *run,
                            const struct hsr_answer_type *kind) {
   const struct check_options *o = run->options;
@@ -147,7 +149,7 @@ static enum hsr_status add_up(const struct scene_run *run,
   return HSR_OK;
 }
 
-/* What was compared of each kind, under the name of its places. */
+/* How much was compared of each kind, under the name of its places. */
 static json_t *totals_json(const struct totals *totals) {
   json_t *json = json_pack("{ss}", "schema", "hsr-check/1");
   for (int k = 0; json && hsr_answer_types[k]; k++)
@@ -171,7 +173,7 @@ static enum hsr_status print_json(struct totals *totals,
   return json_print(all, err);
 }
 
-/* "3 samples and 2 edges": of each kind of which anything was compared. */
+/* "3 samples and 2 edges": only the kinds of which anything was compared. */
 static void print_totals(const struct totals *totals) {
   int n = 0, said = 0;
   for (int k = 0; hsr_answer_types[k]; k++)

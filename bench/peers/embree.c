@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Embree: a ray a sample, alone or in coherent packets of sixteen.
+/* Embree: one ray for each sample, alone or in coherent packets of sixteen.
  *
- * Packets     of 4 x 4 samples: of those tried on the meshes at hand they take
- *             the least time, 16 x 1 a third more; a build of high quality
- *             changes nothing.
- * Sides       both, of every face: of a closed solid before the eye no ray
- *             meets the back first.
- * Outlines    the two levels of Embree: a hierarchy of boxes for each object,
- *             and one of the instances.
- * Threads     OpenMP's, each a band of rows at a time. */
+ * Packets     4 x 4 samples. On the meshes at hand these take the least time of
+ *             all shapes tried; 16 x 1 takes a third more. A build of high
+ *             quality changes nothing.
+ * Sides       Rays hit both sides of every face. If a closed solid lies in
+ *             front of the eye, no ray meets a back first.
+ * Outlines    Embree's two levels: a hierarchy of boxes for each object, and
+ *             one of the instances.
+ * Threads     OpenMP's; each takes a band of rows at a time. */
 #include "bench/peers/peers.h"
 
 #include "common/base/vector.h"
@@ -34,7 +34,7 @@ struct embree {
   uint32_t *ids;
 };
 
-/* What becomes a geometry: a scene, or one of its objects. */
+/* A scene, or one of its objects: each becomes a geometry. */
 struct part {
   uint32_t first_vertex, n_vertices;
   uint32_t first_face, n_faces;
@@ -91,7 +91,8 @@ static enum hsr_status attach_triangles(const struct embree *embree,
   return status;
 }
 
-/* The hierarchy of triangles. *scene is NULL, or the caller's to release. */
+/* Builds the hierarchy of triangles. The caller releases *scene, which may be
+ * NULL. */
 static enum hsr_status build_part(const struct embree *embree,
                                   const struct part *part, RTCScene *scene,
                                   struct hsr_error *err) {
@@ -123,7 +124,7 @@ static enum hsr_status build_objects(const struct embree *embree,
   return status;
 }
 
-/* The hierarchy of instances; hits tell an instance by its number. */
+/* Builds the hierarchy of instances. A hit names an instance by its number. */
 static enum hsr_status place_objects(struct embree *embree,
                                      const RTCScene *object,
                                      struct hsr_error *err) {
@@ -200,7 +201,7 @@ static enum hsr_status embree_setup(const struct peer *peer,
 
 /* --- What is hit ---------------------------------------------------------- */
 
-/* The face of the scene that triangle k of an instance is, or is a piece of. */
+/* The face of the scene to which triangle k of an instance belongs. */
 static uint32_t name_in_instance(const struct embree *embree, uint32_t k,
                                  uint32_t instance) {
   const struct hsr_world *triangles = embree->triangles;
@@ -211,8 +212,8 @@ static uint32_t name_in_instance(const struct embree *embree, uint32_t k,
   return embree->outline->first[instance] + (face - faces->first[object]);
 }
 
-/* By Embree's numbers; that of the triangle is HSR_BACKGROUND still if nothing
- * was hit. */
+/* The face for Embree's numbers of a hit. The triangle's number is still
+ * HSR_BACKGROUND if nothing was hit. */
 static uint32_t name_hit(const struct embree *embree, uint32_t triangle,
                          uint32_t instance) {
   if (triangle == HSR_BACKGROUND)
@@ -260,11 +261,11 @@ HSR_VECTOR static void aim(struct RTCRayHit16 *packet,
         (float)(view->ray[0][2] + sx * view->ray[1][2] + sy * view->ray[2][2]);
     packet->ray.tfar[k] = INFINITY;
     packet->hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-    packet->hit.primID[k] = HSR_BACKGROUND; /* stays if nothing is hit */
+    packet->hit.primID[k] = HSR_BACKGROUND; /* kept if nothing is hit */
   }
 }
 
-/* What all rays have in common; Embree does not write it. */
+/* Sets what all rays have in common. Embree does not change it. */
 static void start_from_eye(struct RTCRayHit16 *packet,
                            const struct hsr_view *view) {
   memset(packet, 0, sizeof *packet);
@@ -297,7 +298,7 @@ static void trace_packet(const struct embree *embree,
 
 /* --- A frame -------------------------------------------------------------- */
 
-/* The rows [y, y + SIDE), as far as they are in the picture. */
+/* Traces those of the rows [y, y + SIDE) that are in the picture. */
 static void trace_band(const struct embree *embree, const struct hsr_view *view,
                        int y) {
   struct RTCIntersectContext context;
@@ -316,7 +317,7 @@ static void trace_band(const struct embree *embree, const struct hsr_view *view,
           trace_ray(embree, &context, view, i, j);
 }
 
-/* With denormals taken for zero, as Embree's manual advises. */
+/* The same with denormals taken as zero, as Embree's manual advises. */
 static void trace_band_fast(const struct embree *embree,
                             const struct hsr_view *view, int y) {
 #ifdef __SSE2__
@@ -382,9 +383,9 @@ static const bool singly = false, in_packets = true;
               "\"Embree: A Kernel Framework for Efficient CPU Ray Tracing\", " \
               "ACM Transactions on Graphics 33(4), 2014",                      \
     .what = what_                                                              \
-        " A frame aims and traces a ray a sample and writes the ids; set-up "  \
-        "leaves out copying the vertices, as floats, and building the "        \
-        "hierarchy of boxes.",                                                 \
+        " A frame aims and traces a ray a sample and writes the ids. Set-up, " \
+        "which is not part of a frame, copies the vertices as floats and "     \
+        "builds the hierarchy of boxes.",                                      \
     .kind = "ids", .many_threads = MANY_THREADS, .flavour = flavour_,          \
     .demands = &takes_triangles, .outlines = outlines_,                        \
     .version = embree_version, .setup = embree_setup, .draw = embree_draw,     \

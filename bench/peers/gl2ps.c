@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* gl2ps, which takes hidden primitives out of OpenGL's feedback by a BSP tree
+/* gl2ps, which removes hidden primitives from OpenGL's feedback by a BSP tree
  * and a tree of images: a hidden-line renderer of sorts.
  *
- * Asked       the edges of existing faces, each of a colour of its own, as
- *             OpenGL lines, before these faces as triangles, which are moved
- *             back a little by its polygon offset, as its manual tells.
- * Told        an edge is kept if its colour occurs in the SVG file. gl2ps does
- *             not cut lines: a kept one is drawn whole, and hidden parts are
- *             painted over. So an edge is wrong only if none of it is visible
- *             and it is kept, or if some of it is and it is not. */
+ * Input       First the edges of existing faces as OpenGL lines, each in its
+ *             own colour; then these faces as triangles, which gl2ps's polygon
+ *             offset moves back a little, as its manual advises.
+ * Output      An edge is kept if its colour occurs in the SVG file. gl2ps does
+ *             not cut lines: it draws a kept line whole, and paints over the
+ *             hidden parts. So an edge is wrong only if it is kept and none of
+ *             it is visible, or if it is not kept and some of it is visible. */
 #define GL_GLEXT_PROTOTYPES 1
 #include "bench/peers/offscreen.h"
 #include "bench/peers/peers.h"
@@ -30,7 +30,7 @@ struct lines {
   const struct hsr_world *triangles; /* of the same scene as the edges */
   struct hsr_edges edges;
   struct box box;
-  GLint feedback; /* numbers, as many as the last frame took */
+  GLint feedback; /* how many numbers the last frame took */
   FILE *file;     /* SVG, in memory: text[0 .. length), and a zero */
   char *text;
   size_t length;
@@ -66,7 +66,7 @@ static enum hsr_status lines_setup(const struct peer *peer,
 
 /* --- A frame -------------------------------------------------------------- */
 
-/* For a file, whose first row is the top one as it should be. */
+/* For a file, where the first row is already the top one. */
 static void set_camera(const struct lines *lines, const struct hsr_view *view) {
   double nearest, farthest, matrix[16];
   box_depths(&lines->box, view, &nearest, &farthest);
@@ -147,10 +147,11 @@ static enum hsr_status lines_draw(void *state, const struct hsr_view *view,
 
 struct verdict {
   size_t edges, hidden_kept, visible_dropped;
-  double longest_dropped; /* the longest visible part of one, pixels */
+  double longest_dropped; /* the longest visible part of a dropped edge,
+                             pixels */
 };
 
-/* kept[e]: its colour is in the file. */
+/* kept[e] becomes true if the colour of edge e is in the file. */
 static void find_kept(const struct lines *lines, bool *kept) {
   const char *at = lines->text;
   while ((at = strstr(at, "stroke=\"#"))) {
@@ -188,7 +189,8 @@ static void add_edge(struct verdict *verdict, bool kept, double visible) {
     verdict->longest_dropped = fmax(verdict->longest_dropped, visible);
 }
 
-/* Every real edge of the right drawing, whose intervals follow one another. */
+/* Compares every real edge of the right drawing, in which the intervals of an
+ * edge follow one another. */
 static void compare(const struct lines *lines, const bool *kept,
                     const struct hsr_view *view,
                     const struct hsr_drawing *right, struct verdict *verdict) {
@@ -275,10 +277,10 @@ const struct peer peer_gl2ps = {
     .source = "C. Geuzaine, GL2PS: an OpenGL to PostScript printing library",
     .what = "Hidden lines by painting over. A frame sends all existing "
             "triangles and their edges through OpenGL's feedback, sorts, culls "
-            "and writes SVG to memory; set-up leaves out finding the edges. "
-            "Mismatches are edges kept though they are wholly hidden, and "
-            "edges dropped though some of them is visible; parts of an edge "
-            "are not judged, as gl2ps does not cut edges.",
+            "and writes SVG to memory. Set-up, which is not part of a frame, "
+            "finds the edges. Mismatches are edges that are kept but wholly "
+            "hidden, and edges that are dropped but partly visible. Parts of "
+            "an edge are not judged, as gl2ps does not cut edges.",
     .kind = "segments",
     .demands = &takes_triangles,
     .version = lines_version,

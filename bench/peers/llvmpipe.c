@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* llvmpipe, Mesa's software renderer, driven as well as we know how.
  *
- * Ids             four bytes of a vertex, which the shaders hand on as a flat
+ * Ids             Four bytes of a vertex, which the shaders pass on as a flat
  *                 colour. gl_PrimitiveID would need no copies of vertices, but
- *                 makes llvmpipe assemble every primitive anew: half as long
- *                 again.
- * Vertices        two layouts, as neither is the faster one for all scenes.
- *                 Indexed: a vertex for each triangle, a corner of it that it
- *                 starts from (the provoking vertex) and that others share as a
- *                 corner of theirs. Arrays: three vertices a triangle.
- * Sides           one-sided faces come first and are culled, the others not.
+ *                 makes llvmpipe assemble every primitive anew, which takes
+ *                 half as long again.
+ * Vertices        Two layouts, as neither is the faster one for all scenes.
+ *                 Indexed: each triangle has a provoking vertex of its own, the
+ *                 corner that it starts from; other triangles share it as one
+ *                 of their further corners. Arrays: three vertices a triangle.
+ * Sides           One-sided faces come first and are culled; the others are
+ *                 not.
  * Depth           24 bits, between the nearest and the farthest corner of the
- *                 box of the world, as far as the eye is outside of it.
- * Time            includes the copy of the pixels to memory. */
+ *                 world's box; see box_depths if the eye is inside it.
+ * Time            Includes the copy of the pixels to memory. */
 #define GL_GLEXT_PROTOTYPES 1
 #include "bench/peers/offscreen.h"
 #include "bench/peers/peers.h"
@@ -30,7 +31,7 @@ struct llvmpipe {
   enum layout layout;
   GLint matrix; /* uniform's place */
   struct box box;
-  GLsizei n_one_sided, n_corners; /* of them, those of one-sided faces */
+  GLsizei n_one_sided, n_corners; /* corners: of one-sided faces, of all */
   uint32_t *ids;
 };
 
@@ -73,8 +74,8 @@ static void lay_out_arrays(struct mesh *mesh, const struct hsr_world *world) {
       put_vertex(mesh, world, world->mesh.vertex[world->mesh.start[f] + k], f);
 }
 
-/* Turns face f so that it starts from a vertex that has no copy yet, if it can:
- * the fewer vertices are left over. */
+/* Turns face f so that it starts from a vertex that has no copy yet, if it has
+ * one. Then fewer vertices need a copy of their own. */
 static void turn_face(const struct hsr_world *world, uint32_t f,
                       const uint32_t *copy, uint32_t *corner) {
   const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
@@ -85,7 +86,7 @@ static void turn_face(const struct hsr_world *world, uint32_t f,
     corner[k] = vertex[(first + k) % 3];
 }
 
-/* copy[v] is any one of the copies of vertex v. */
+/* copy[v] becomes one of the copies of vertex v. */
 static void lay_out_indexed(struct mesh *mesh, const struct hsr_world *world,
                             uint32_t *copy) {
   memset(copy, 0xff, world->mesh.n_vertices * sizeof *copy);
@@ -247,7 +248,7 @@ static void set_matrix(const struct llvmpipe *llvmpipe,
   glUniformMatrix4fv(llvmpipe->matrix, 1, GL_FALSE, rounded);
 }
 
-/* The triangles whose corners are [from, to). */
+/* Draws the triangles whose corners are [from, to). */
 static void draw_triangles(const struct llvmpipe *llvmpipe, GLsizei from,
                            GLsizei to) {
   if (from == to)
@@ -296,9 +297,9 @@ static const enum layout indexed = INDEXED, arrays = ARRAYS;
     .source = "Mesa 3D, src/gallium/drivers/llvmpipe",                         \
     .what = what_                                                              \
         " A frame clears, draws all triangles with a z-buffer of 24 bits and " \
-        "copies the pixels, which are ids, to memory; set-up leaves out the "  \
-        "context, the shaders and bringing the vertices, as floats, to "       \
-        "buffers.",                                                            \
+        "copies the pixels, which are ids, to memory. Set-up, which is not "   \
+        "part of a frame, makes the context and the shaders and brings the "   \
+        "vertices, as floats, to buffers.",                                    \
     .kind = "ids", .many_threads = true, .flavour = layout_,                   \
     .demands = &takes_triangles, .version = llvmpipe_version,                  \
     .setup = llvmpipe_setup, .draw = llvmpipe_draw,                            \

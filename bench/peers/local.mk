@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Other people's renderers, for hsr bench: built by configure --with-peers;
-# nothing else needs them.
+# Other people's renderers for hsr bench, built by configure --with-peers.
+# Nothing else needs them.
 EXTRA_DIST += %D%/README.md
 if WITH_PEERS
 hsrlibexecdir = $(libexecdir)/hsr
@@ -30,7 +30,7 @@ libvtkpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 endif
 %C%_hsr_peers_LDADD += $(BENCH_LIBS)
 
-# zbuffer once more, without its exact fallback and under another name.
+# zbuffer compiled again, without its exact fallback and under another name.
 noinst_LIBRARIES += libinexact.a
 libinexact_a_SOURCES = algorithms/brute_force/tiler.c algorithms/brute_force/tiler.h \
   algorithms/brute_force/zbuffer.c

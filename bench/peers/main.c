@@ -76,7 +76,7 @@ static enum hsr_status command_peers(int argc, char **argv,
 
 /* --- One peer, one view --------------------------------------------------- */
 
-/* All that one run takes. */
+/* Everything that one run uses. */
 struct run {
   const struct peer *peer;
   const struct serve_request *request;
@@ -118,7 +118,7 @@ static enum hsr_status judge_run(struct run *run, struct hsr_error *err) {
   return status ? status : json_print(verdict, err);
 }
 
-/* Every object once, in its own coordinates. */
+/* Lays out every object once, in its own coordinates. */
 static enum hsr_status lay_out_objects(struct run *run, struct hsr_error *err) {
   const struct hsr_scene *scene = run->stage.scene;
   double begin = seconds_now();
@@ -143,7 +143,7 @@ static bool is_drawn_by_objects(const struct run *run) {
          hsr_is_outline(&run->stage.world);
 }
 
-/* Ids are those of no face until they are drawn. */
+/* Until they are drawn, the ids are those of no face. */
 static enum hsr_status make_canvas(struct run *run, struct hsr_error *err) {
   const struct serve_request *request = run->request;
   size_t size =
@@ -182,7 +182,7 @@ run_peer(const struct peer *peer, const struct serve_request *request,
   if (request->threads > 1 && !peer->many_threads)
     return hsr_fail(err, HSR_E_REFUSED, "%s draws on one thread", peer->name);
   if (request->walk > 1)
-    return hsr_fail(err, HSR_E_REFUSED, "%s does not walk", peer->name);
+    return hsr_fail(err, HSR_E_REFUSED, "%s draws no walks", peer->name);
   struct run run = {.peer = peer, .request = request};
   enum hsr_status status =
       stage_open(&run.stage, request->scene,
@@ -248,8 +248,8 @@ static enum hsr_status run_command(int argc, char **argv,
                   "[IDS-FILE], or judge NAME SCENE VIEW WxH");
 }
 
-/* Memory once taken stays with the process: else page faults are nearly half of
- * the time of llvmpipe, which allocates in every frame. */
+/* Makes the process keep the memory that it has once taken. llvmpipe allocates
+ * in every frame; otherwise page faults take nearly half of its time. */
 static void keep_memory(void) {
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
   mallopt(M_TRIM_THRESHOLD, INT32_MAX);

@@ -11,7 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What Mesa reads when it starts. No threads beside the caller: 0. */
+/* Sets the variables that Mesa reads when it starts. LP_NUM_THREADS is 0 if
+ * only the caller draws. */
 static bool choose_llvmpipe(long threads) {
   char number[24];
   snprintf(number, sizeof number, "%ld", threads > 1 ? threads : 0);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The yardsticks, that need no other library: zbuffer without its exactness,
- * and memset. */
+/* The yardsticks, which need no other library: zbuffer without its exact
+ * decisions, and memset. */
 #include "bench/peers/peers.h"
 
 #include "bench/command.h"
@@ -55,9 +55,9 @@ const struct peer peer_zbuffer_inexact = {
     .name = "zbuffer-inexact",
     .title = "zbuffer without its exact fallback",
     .source = "hsr, algorithms/brute_force/zbuffer.c",
-    .what = "What exactness costs: our own zbuffer, which decides by rounded "
-            "numbers what lies within their bounds of error. A frame is all "
-            "that zbuffer does, and set-up as little.",
+    .what = "What exactness costs: our own zbuffer, but within the error "
+            "bounds it decides by the rounded numbers. Frame and set-up are "
+            "those of zbuffer.",
     .kind = "ids",
     .many_threads = true,
     .demands = &hsr_algorithm_zbuffer_inexact,

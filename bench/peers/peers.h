@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Other people's renderers, drawing the views that ours draw.
+/* Peers: other people's renderers, which draw the same views as our own.
  *
  * hsr-peers list
- *   what there is, as JSON: an array of {"name", "title", "source", "version":
+ *   prints the peers as a JSON array of {"name", "title", "source", "version":
  *   null if it cannot be started here, "kind": "ids", "segments" or "none",
- *   "threads": whether it can draw on several, "what": what a frame is and what
- *   is not in it}
+ *   "threads": whether it can draw on several, "what": what a frame contains
+ *   and what it leaves out}
  * hsr-peers worker NAME SCENE VIEW WxH THREADS [IDS-FILE]
  *   draws when told to: bench/run/serve.h
  * hsr-peers judge NAME SCENE VIEW WxH
- *   of a peer that draws lines: {"compared": edges, "mismatches": edges, ...},
- *   its drawing against the line oracle's; its "what" tells how. Pictures of
- *   ids are judged by who reads IDS-FILE. */
+ *   for a peer that draws lines: compares its drawing with the line oracle's,
+ *   and prints {"compared": edges, "mismatches": edges, ...}. The peer's "what"
+ *   tells how. A picture of ids is judged by the program that reads IDS-FILE.
+ */
 #ifndef HSR_BENCH_PEERS_PEERS_H
 #define HSR_BENCH_PEERS_PEERS_H
 
@@ -24,19 +25,19 @@
 extern "C" {
 #endif
 
-/* What a peer is set up for. All borrowed, and outlives it. */
+/* What a peer is set up with. All borrowed; it outlives the peer's state. */
 struct peer_canvas {
-  const struct hsr_setup *setup;   /* of peer->demands, for the scene; where
-                                      there is an outline, for its objects, each
-                                      once, in their own coordinates */
+  const struct hsr_setup *setup;   /* of peer->demands, for the scene; if there
+                                      is an outline, for its objects, each once,
+                                      in their own coordinates */
   const struct hsr_world *outline; /* of the scene; NULL: it is laid out */
   int m, n;
   long threads;  /* 1, unless the peer can draw on several */
-  uint32_t *ids; /* m * n: for the face of sample (i, j), at j * m + i */
+  uint32_t *ids; /* m * n; the face of sample (i, j) goes to j * m + i */
 };
 
-/* Which scenes a peer draws from an outline and the objects: none, those that
- * are too large to be laid out, or all. */
+/* Which scenes a peer draws from an outline and the objects: no scene, those
+ * that are too large to be laid out, or all scenes. */
 enum outlines { OUTLINES_REFUSED, OUTLINES_TAKEN, OUTLINES_ONLY };
 
 struct peer {
@@ -45,27 +46,28 @@ struct peer {
   bool many_threads;   /* it can draw on more than one */
   const void *flavour; /* where one set of functions serves several peers */
 
-  /* The algorithm whose demands on a scene are the peer's too. */
+  /* The peer makes the same demands on a scene as this algorithm. */
   const struct hsr_algorithm *demands;
   enum outlines outlines;
 
-  /* Writes the version, at most PEER_VERSION characters; an empty one where the
+  /* Writes the version, at most PEER_VERSION characters; an empty one if the
    * peer cannot be started. */
   void (*version)(char *text);
 
-  /* All that does not depend on the view. *state is freed by release, also
-   * after a failure. HSR_E_NOMEM, HSR_E_INTERNAL; HSR_E_REFUSED if the scene
-   * is beyond it. */
+  /* Does all work that does not depend on the view. *state is freed by release,
+   * also after a failure. HSR_E_NOMEM, HSR_E_INTERNAL; HSR_E_REFUSED if the
+   * peer cannot draw the scene. */
   enum hsr_status (*setup)(const struct peer *peer,
                            const struct peer_canvas *canvas, void **state,
                            struct hsr_error *err);
 
-  /* One whole frame: from the world's vertices to the answer in memory. */
+  /* Draws one whole frame, from the world's vertices to the answer in memory.
+   */
   enum hsr_status (*draw)(void *state, const struct hsr_view *view,
                           struct hsr_error *err);
 
-  /* Of the frame just drawn; NULL unless it draws lines. *verdict is the
-   * caller's to free; NULL for lack of memory. */
+  /* Judges the frame just drawn; NULL unless the peer draws lines. *verdict is
+   * a new reference; NULL for lack of memory. */
   enum hsr_status (*judge)(void *state, const struct hsr_view *view,
                            json_t **verdict, struct hsr_error *err);
 
@@ -74,7 +76,7 @@ struct peer {
 
 enum { PEER_VERSION = 80 };
 
-/* Nothing but a restriction: it demands triangles. */
+/* Has only a restriction: it demands triangles. */
 extern const struct hsr_algorithm takes_triangles; /* main.c */
 
 extern const struct peer peer_embree, peer_embree_packets,

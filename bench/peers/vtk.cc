@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* VTK's renderer, as a program without a display would use it.
  *
- * Context     VTK draws in one that others made (vtkGenericOpenGLRenderWindow):
- *             ours, of EGL and llvmpipe, as Debian's VTK can make its own for
- *             an X server alone.
- * Ids         colours of the points, three of its own to a triangle; no light,
- *             no smoothing, so that a pixel holds the id exactly: in 24 bits.
- *             Colours of the cells, with shared points, take as long or, on
- *             some meshes, half as long again.
- * Painter     vtkDepthSortPolyData, from back to front by the centres of the
- *             triangles' boxes, before the same renderer, which then takes
- *             every pixel that comes.
- * Sides       one-sided faces and the others are two actors; the painter, who
- *             needs all in one order, culls only if all are one-sided. */
+ * Context     VTK draws in our context, of EGL and llvmpipe, by way of
+ *             vtkGenericOpenGLRenderWindow. Debian's VTK can make a context of
+ *             its own only on an X server.
+ * Ids         Ids are colours of points; each triangle has three points of its
+ *             own. Without light and smoothing a pixel holds the id exactly, in
+ *             24 bits. Colours of cells, with shared points, take as long or,
+ *             on some meshes, half as long again.
+ * Painter     vtkDepthSortPolyData sorts from back to front by the centres of
+ *             the triangles' boxes. Then the same renderer draws every pixel
+ *             that comes, without a depth test.
+ * Sides       One-sided faces and the others are two actors. The painter needs
+ *             all faces in one order, so it culls only if all are one-sided. */
 #include "bench/peers/offscreen.h"
 #include "bench/peers/peers.h"
 #include "bench/peers/projection.h"
@@ -46,8 +46,8 @@ namespace {
 
 constexpr uint32_t MOST_FACES = 0xffffff; /* the background's colour */
 
-/* GLEW, by which VTK finds OpenGL's functions, finds them and then fails for
- * want of an X server, in every frame: let it do so once. */
+/* VTK uses GLEW to find OpenGL's functions. In every frame GLEW finds them and
+ * then fails, because there is no X server. This lets it do so only once. */
 class Window : public vtkGenericOpenGLRenderWindow {
 public:
   static Window *New();
@@ -64,7 +64,7 @@ public:
 };
 vtkStandardNewMacro(Window);
 
-/* Of whatever was thrown. */
+/* The status for whatever was thrown. */
 enum hsr_status vtk_fail(struct hsr_error *err) {
   try {
     throw;
@@ -127,7 +127,7 @@ void add_triangle(const struct hsr_world *world, uint32_t f, vtkPoints *points,
   }
 }
 
-/* The faces that are one-sided, those that are not, or all. */
+/* Takes the faces that are one-sided, those that are not, or all. */
 void fill_part(Part &part, const struct hsr_world *world, bool all,
                bool one_sided) {
   vtkNew<vtkPoints> points;
@@ -144,7 +144,7 @@ void fill_part(Part &part, const struct hsr_world *world, bool all,
   part.actor->GetProperty()->SetBackfaceCulling(one_sided);
 }
 
-/* From the mesh to the picture. */
+/* Connects the filters from the mesh to the picture. */
 void connect_part(State *state, Part &part) {
   if (state->painter) {
     part.sorter->SetInputData(part.mesh);
@@ -251,7 +251,7 @@ enum hsr_status vtk_draw(void *opaque, const struct hsr_view *view,
   set_camera(state, view);
   if (state->painter) {
     for (Part &part : scene->part)
-      part.sorter->Modified(); /* else it would sort once for all frames */
+      part.sorter->Modified(); /* otherwise it sorts only once */
     scene->window->GetState()->vtkglDepthFunc(GL_ALWAYS);
   }
   scene->window->Render();
@@ -305,12 +305,12 @@ struct peer vtk_peer(const char *name, const char *title, const char *what) {
 const struct peer peer_vtk =
     vtk_peer("vtk", "VTK's renderer, on Mesa's llvmpipe",
              "vtkPolyDataMapper and a z-buffer. A frame renders the scene and "
-             "copies the pixels to memory as ids; set-up leaves out the "
-             "context, the meshes and, in its first frame, bringing them to "
-             "buffers.");
+             "copies the pixels to memory as ids. Set-up, which is not part of "
+             "a frame, makes the context and the meshes and, in a first frame, "
+             "brings them to buffers.");
 const struct peer peer_vtk_painter = vtk_peer(
     "vtk-painter", "VTK's depth-sorted painter, on Mesa's llvmpipe",
     "vtkDepthSortPolyData and no z-buffer: known to be wrong, as painters are. "
     "A frame sorts all triangles by depth, brings them to buffers, renders "
-    "them and copies the pixels to memory as ids; set-up leaves out the "
-    "context and the meshes.");
+    "them and copies the pixels to memory as ids. Set-up, which is not part of "
+    "a frame, makes the context and the meshes.");

@@ -47,9 +47,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case ARGP_KEY_END:
     if (!o->n_files)
       return option_fail(&o->base,
-                         "report: of which results? (see hsr report --help)");
+                         "report: which results? (see hsr report --help)");
     if (!o->folder)
-      return option_fail(&o->base, "report: into which folder? (-o DIR)");
+      return option_fail(&o->base, "report: which folder? (-o DIR)");
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;
@@ -58,7 +58,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 
 static const struct argp argp = {
     (const struct argp_option[]){
-        {"output", 'o', "DIR", 0, "the folder, made where it is not there", 0},
+        {"output", 'o', "DIR", 0, "the folder; it is made if need be", 0},
         {"reference", 'r', "A", 0,
          "show times as ratios to A's (standard: zbuffer)", 0},
         {"pictures", 'p', "N", 0,
@@ -131,7 +131,7 @@ static enum hsr_status append_file(FILE *out, const char *from,
   return status;
 }
 
-/* One behind the other. */
+/* Joins the files, one after the other, into folder/name. */
 static enum hsr_status join_files(const char *const *from, int n,
                                   const char *folder, const char *name,
                                   struct hsr_error *err) {
@@ -150,8 +150,7 @@ static enum hsr_status join_files(const char *const *from, int n,
 
 /* --- The page ------------------------------------------------------------- */
 
-/* Where the built page is: in the build tree beside this program, or
- * installed. */
+/* Finds the built page: in the build tree beside this program, or installed. */
 static void find_page(char path[PATH]) {
   static const char beside[] = "/reports/page";
   ssize_t length = readlink("/proc/self/exe", path, PATH - sizeof beside);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The numbers of the report: what hsr bench recorded, with the statistics made
- * of it. */
+/* The numbers of the report: the records of hsr bench and their statistics. */
 #include "bench/tables/growth.h"
 #include "bench/results/json.h"
 #include "bench/list.h"
@@ -73,7 +72,8 @@ static void set_phases(json_t *out, const json_t *starts) {
                   json_object_get(json_array_get(starts, 0), "inner"));
 }
 
-/* The record with what its starts come to instead of them. */
+/* Copies the record, with the statistics of its starts in place of the starts.
+ */
 static enum hsr_status summarize(const struct report *report,
                                  const json_t *cell, json_t *out,
                                  struct hsr_error *err) {
@@ -162,8 +162,8 @@ static bool equal(const json_t *a, const json_t *b, const char *field) {
   return json_equal(json_object_get(a, field), json_object_get(b, field));
 }
 
-/* Whether b is on the ladder that a begins: of other sizes of the same picture,
- * or of other scenes of the same family. */
+/* Whether b is on the ladder that a begins. Then it is the same picture in
+ * another size, or another scene of the same family. */
 static bool is_rung(const json_t *a, const json_t *b, bool of_sizes) {
   if (!equal(a, b, "algorithm") || !equal(a, b, "threads") ||
       !equal(a, b, "view") ||
@@ -190,8 +190,8 @@ static double spread(const double *x, int n) {
   return high / low;
 }
 
-/* Scenes of a family grow in faces, in depth complexity, or in both: the ladder
- * is over what grows most. */
+/* Scenes of a family grow in faces, in depth complexity, or in both. The ladder
+ * is over the one that grows most. */
 static void measure_rungs(const struct report *report, struct ladder *ladder,
                           bool of_sizes) {
   double faces[MOST_POINTS], depth[MOST_POINTS];
@@ -225,7 +225,7 @@ static json_t *points_json(const struct ladder *ladder) {
   return points;
 }
 
-/* What its rungs have in common: "house", or "harbor:N, 500x500". */
+/* A name for what all its rungs share: "house", or "harbor:N, 500x500". */
 static void name_ladder(const struct ladder *ladder, char *name, size_t size) {
   const json_t *cell = ladder->cell[0];
   const char *scene = results_text(cell, "scene");
@@ -250,7 +250,7 @@ static json_t *ladder_json(const struct ladder *ladder) {
                    number_or_null(growth.high), "points", points_json(ladder));
 }
 
-/* The ladder that cell k begins: none, if an earlier cell is on it. */
+/* Makes the ladder that cell k begins; none if an earlier cell is on it. */
 static bool climb(const json_t *cells, size_t k, bool of_sizes,
                   struct ladder *ladder) {
   const json_t *first = json_array_get(cells, k);
@@ -287,7 +287,7 @@ static json_t *growth_json(const struct report *report, const json_t *cells) {
 
 /* --- Geometric means ------------------------------------------------------ */
 
-/* Of an algorithm's ratios, over the cells that both solved. */
+/* The mean of an algorithm's ratios, over the cells that both solved. */
 static json_t *mean_json(const json_t *cells, const char *algorithm,
                          const char *to) {
   size_t n = 0, k;
@@ -332,7 +332,7 @@ static json_t *geometric_json(const json_t *cells, const char *to) {
 
 /* --- All ------------------------------------------------------------------ */
 
-/* Greene's alone where the results have none of the scenes of 1974. */
+/* Only Greene's tables if the results have none of the scenes of 1974. */
 static json_t *all_tables(const struct report *report) {
   struct tables *tables;
   json_t *json = tables_new(&tables, report->results, NULL)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What there is to look at in a report: every scene and view by every
- * algorithm, with its work picture, where it differs from the oracle, and what
- * the page's probe shows at a pixel. */
+/* The pictures of a report. For every scene, view and algorithm they show the
+ * work, and where the answer differs from the oracle's. Also the data that the
+ * page's probe shows at a pixel. */
 #include "bench/results/json.h"
 #include "bench/judge/judge.h"
 #include "bench/report/report.h"
@@ -20,7 +20,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* MANY_LINES: of so many no one would see the hidden ones. */
+/* In a drawing of over MANY_LINES nobody would see the hidden ones. */
 enum { NAME = 160, PATH = 4400, MANY_LINES = 30000 };
 
 /* One scene and view. */
@@ -39,7 +39,7 @@ static void path_of(const struct view_picture *p, const char *name,
   snprintf(path, PATH, "%.4096s/%.200s", p->report->folder, name);
 }
 
-/* --- Drawing in a process of its own -------------------------------------- */
+/* --- Drawing in another process ------------------------------------------- */
 
 static enum hsr_status write_work(const struct view_picture *p,
                                   const char *name, const float *work,
@@ -80,7 +80,7 @@ static enum hsr_status write_answer(const struct view_picture *p,
   return status;
 }
 
-/* The counting build draws: it alone touches the work picture. */
+/* Draws with the counting build: only that writes the work picture. */
 static enum hsr_status draw(struct view_picture *p,
                             const struct hsr_algorithm *a, const char *work,
                             const char *drawing, struct hsr_error *err) {
@@ -110,7 +110,8 @@ static enum hsr_status draw(struct view_picture *p,
   return status;
 }
 
-/* Whether it drew, in the time that a picture may take. */
+/* Draws in another process. Whether it finished in the time that a picture may
+ * take. */
 static bool draw_apart(struct view_picture *p, const struct hsr_algorithm *a,
                        const char *work, const char *drawing) {
   fflush(NULL);
@@ -128,8 +129,8 @@ static bool draw_apart(struct view_picture *p, const struct hsr_algorithm *a,
 
 /* --- Differences ---------------------------------------------------------- */
 
-/* [sample, id, depth] of every sample that differs; depths by p->rgb, which is
- * scratch here. */
+/* [sample, id, depth] of every sample that differs. p->rgb is scratch for the
+ * depths. */
 static json_t *differences_json(struct view_picture *p, long *n) {
   json_t *list = json_array();
   *n = 0;
@@ -235,7 +236,7 @@ static enum hsr_status add_entries(struct view_picture *p, const json_t *view,
 
 /* --- The probe ------------------------------------------------------------ */
 
-/* RFC 4648. */
+/* Base64 as in RFC 4648. */
 static json_t *base64_json(const void *bytes, size_t n) {
   static const char digit[] =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -349,7 +350,8 @@ static enum hsr_status add_view(struct view_picture *p, const json_t *view,
   return status;
 }
 
-/* In the shape of the results, but not larger than is good to look at. */
+/* The size of a picture: the shape of the results, but at most report->most
+ * samples a row or column. */
 static void size_of(const struct report *report, const json_t *view, int *m,
                     int *n) {
   long width = results_number(view, "width"),
@@ -426,7 +428,7 @@ json_t *report_pictures(const struct report *report, struct hsr_error *err) {
     show_progress(k, json_array_size(views), view);
     struct view_picture p = {.report = report, .number = number++};
     status = open_view(&p, view, err);
-    if (!status && !hsr_is_outline(&p.stage.world)) /* or there is no picture */
+    if (!status && !hsr_is_outline(&p.stage.world)) /* else no picture */
       status = add_view(&p, view, pictures, err);
     close_view(&p);
   }

@@ -2,13 +2,13 @@
 /* Source: B. Efron and R. J. Tibshirani, An Introduction to the Bootstrap,
  * 1993, chapter 13 (percentile intervals) and section 8.3 (samples of two
  * levels); T. C. Hesterberg, What Teachers Should Know About the Bootstrap, The
- * American Statistician 69 (2015), for percentiles farther out, which make up
- * for there being few to draw from; B. L. Welch, Biometrika 34 (1947), for two
- * sets of unequal spread.
+ * American Statistician 69 (2015), for percentiles farther out, which correct
+ * for a small number of starts; B. L. Welch, Biometrika 34 (1947), for two sets
+ * of unequal spread.
  *
- * Ratios are judged at 99 %, not 95 %, since a table of hundreds is read at
- * once; and by t, not by the bootstrap, which is too sure of itself where there
- * are only a few starts. */
+ * Ratios are judged at 99 %, not 95 %, since a table shows hundreds at once.
+ * They are judged by t, not by the bootstrap, whose intervals are too short for
+ * only a few starts. */
 #include "bench/results/figures.h"
 
 #include <gsl/gsl_cdf.h>
@@ -22,7 +22,7 @@
 
 enum { RESAMPLES = 4000, LEAST_STARTS = 3 /* two tell nothing at 99 % */ };
 
-/* Leaves the values in another order. */
+/* The median; changes the order of the values. */
 static double median_of(double *values, int n) {
   return gsl_stats_median(values, 1, (size_t)n);
 }
@@ -43,9 +43,9 @@ static void draw_resample(const struct samples *s, const gsl_rng *random,
   }
 }
 
-/* How many of the resamples, as a share, are left out at either end of a 95 %
- * interval. The bootstrap alone leaves out .025; but the spread among n starts
- * is too small by (n - 1) / n, and known so little that Student's t stands for
+/* The share of the resamples that is left out at either end of a 95 % interval.
+ * The bootstrap alone leaves out .025. But the spread among n starts is too
+ * small by (n - 1) / n, and so uncertain that Student's t takes the place of
  * the normal distribution. */
 static double tail_share(int starts) {
   if (starts < 2)
@@ -56,7 +56,7 @@ static double tail_share(int starts) {
 
 bool figure_median(const struct samples *s, struct figure *median) {
   int n = s->starts * s->each;
-  gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937); /* always of one seed */
+  gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937); /* always the same seed */
   double *values = malloc((size_t)n * sizeof *values);
   double *medians = malloc(RESAMPLES * sizeof *medians);
   bool good = random && values && medians;

@@ -68,7 +68,7 @@ const json_t *results_cell(const struct results *results, const char *key) {
 
 /* --- Reading -------------------------------------------------------------- */
 
-/* Adds a record, or puts it where an earlier one of its key stands. Takes no
+/* Adds a record, or replaces an earlier one of the same key. Takes a new
  * reference. False for lack of memory. */
 static bool keep(struct results *results, json_t *array, json_t *record) {
   char key[RESULTS_KEY];
@@ -82,7 +82,7 @@ static bool keep(struct results *results, json_t *array, json_t *record) {
          !json_array_append(array, record);
 }
 
-/* Whether the record has a key that no other has. */
+/* Whether the name is there and fits whole into a key. */
 static bool has_name(const json_t *record, const char *field, size_t most) {
   size_t length = json_string_length(json_object_get(record, field));
   return length > 0 && length <= most;

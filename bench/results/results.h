@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What hsr bench wrote, read back: lines of JSON, of the schema hsr-bench/1
- * (docs/bench.schema.json). Several files are one when put one behind the
- * other. */
+/* Reads what hsr bench wrote: lines of JSON, of the schema hsr-bench/1
+ * (docs/bench.schema.json). Several files can be joined end to end into one. */
 #ifndef HSR_BENCH_RESULTS_H
 #define HSR_BENCH_RESULTS_H
 
@@ -9,38 +8,39 @@
 
 #include <jansson.h>
 
-/* Arrays of records, in the order of the file; of the records of one view, and
- * of one cell, the last. */
+/* Arrays of records, in the order of the file. Of several records of one view,
+ * or of one cell, only the last is kept. */
 struct results {
   json_t *headers, *views, *cells;
   json_t *places; /* key of a view or cell -> its place in the array */
 };
 
-/* Reads a file, adding to what is there; a struct of zeros is empty. A last
- * line that is cut short, as by a process killed, is left out; any other line
- * that is no record is HSR_E_INPUT, with its number. HSR_E_NOMEM. To be freed
- * also after a failure. */
+/* Reads a file and adds its records to *results; a struct of zeros is empty. If
+ * the last line is cut short, because the writer was killed, it is left out.
+ * Any other line that is no record is HSR_E_INPUT, with its number.
+ * HSR_E_NOMEM. *results is to be freed also after a failure. */
 enum hsr_status results_read(struct results *results, const char *path,
                              struct hsr_error *err);
 void results_free(struct results *results);
 
-/* Adds one record, of which it takes a reference of its own. HSR_E_INPUT: it is
- * none. HSR_E_NOMEM. */
+/* Adds one record, and takes a new reference to it. HSR_E_INPUT if it is not a
+ * record; HSR_E_NOMEM. */
 enum hsr_status results_add(struct results *results, json_t *record,
                             struct hsr_error *err);
 
-/* A field of a record: "" or 0 where it has none. */
+/* A field of a record; "" or 0 if the record does not have it. */
 const char *results_text(const json_t *record, const char *field);
 long results_number(const json_t *record, const char *field);
 
-/* The key of a view or cell record: the text by which two records are of the
- * same. "scene 1 512x512", of a walk over views 1 to 8 "scene 1-8 512x512";
- * and, of a cell, " algorithm 1": its threads. */
+/* The key of a view or cell record. Two records with one key are of the same
+ * view or cell. A view has "scene 1 512x512"; a walk over views 1 to 8 has
+ * "scene 1-8 512x512". A cell adds its algorithm and threads: " algorithm 1".
+ */
 enum { RESULTS_KEY = 512, RESULTS_MOST_SCENE = 300, RESULTS_MOST_NAME = 100 };
 void results_key(const json_t *record, char key[RESULTS_KEY]);
 
-/* What keys are made of: a view, or `walk` views in a row; the scene's picture,
- * of which it returns the length. */
+/* The parts of keys. results_view_name writes a view, or `walk` views in a row.
+ * results_picture_key writes the key of a view, and returns its length. */
 enum { RESULTS_VIEW = 48 };
 void results_view_name(long view, long walk, char name[RESULTS_VIEW]);
 int results_picture_key(const char *scene, long view, long walk, long m, long n,

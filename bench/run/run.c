@@ -25,13 +25,14 @@ long processors(void) {
   return 1;
 }
 
-/* Who draws, and into what. */
+/* What is drawn, and the answer that it goes into. */
 struct task {
   const struct hsr_setup *setup;
   struct hsr_answer *answer;
 };
 
-/* The picture in parts, bands of rows or squares, taken by whoever is free. */
+/* The picture in parts: bands of rows, or squares. A worker that is free takes
+ * the next part. */
 struct parts {
   const struct task *task;
   const struct hsr_view *view;
@@ -72,7 +73,7 @@ void crew_free(struct crew *crew) {
   free(crew);
 }
 
-/* The view of part k alone. */
+/* The view whose window is part k. */
 static struct hsr_view view_of_part(const struct parts *parts, int k) {
   struct hsr_view view = *parts->view;
   struct hsr_window *w = &view.window;
@@ -103,7 +104,7 @@ static void *work(void *argument) {
   return NULL;
 }
 
-/* Where no thread can be had, the first one does the work. */
+/* If no thread can be started, the first one does the work. */
 static void start(struct worker *worker, struct parts *parts,
                   const struct hsr_tally *tally, bool in_thread) {
   worker->parts = parts;
@@ -115,7 +116,8 @@ static void start(struct worker *worker, struct parts *parts,
       in_thread && !pthread_create(&worker->thread, NULL, work, worker);
 }
 
-/* Into squares, if so chosen; else into bands for several threads. */
+/* Divides the picture into squares if these are chosen; otherwise into bands
+ * for several threads. */
 static void divide(struct parts *parts, long threads) {
   const struct hsr_window *w = &parts->view->window;
   int columns = w->x1 - w->x0, rows = w->y1 - w->y0;

@@ -8,8 +8,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* A sample lasts this long at least, that the clock's own cost and grain do not
- * show; a warm-up this long, or so many frames. */
+/* A sample lasts at least this long, so that the clock's own cost and grain do
+ * not matter. A warm-up lasts this long, or for a number of frames. */
 #define SAMPLE_SECONDS 4e-3
 #define WARM_SECONDS 20e-3
 #define SHORT_SECONDS 100e-3
@@ -58,7 +58,8 @@ long memory_kb(void) {
   return resident * (sysconf(_SC_PAGESIZE) / 1024);
 }
 
-/* The kernel keeps the two numbers apart, and either only about. */
+/* The kernel keeps this number and that of memory_kb separately, and both only
+ * roughly. */
 static long peak_kb(long before) {
   struct rusage usage;
   long peak = getrusage(RUSAGE_SELF, &usage) ? 0 : usage.ru_maxrss;
@@ -69,9 +70,9 @@ static long peak_kb(long before) {
 
 /* How a sample is taken. */
 struct pace {
-  long rounds;     /* so many, timed together */
-  bool has_runner; /* behind one that brings the caches back, untimed: others
-                      have drawn meanwhile. Long rounds do without. */
+  long rounds;     /* how many are timed together */
+  bool has_runner; /* an untimed round comes first and refills the caches, as
+                      others have drawn meanwhile; long rounds need none */
 };
 
 /* Draws until all is warm. */
@@ -132,7 +133,7 @@ static enum hsr_status write_ids(const struct served *served,
 
 /* --- Shading and writing -------------------------------------------------- */
 
-/* A file of our own in the folder for such; false where there can be none. */
+/* Makes a temporary file; false if that fails. */
 static bool make_file(char *path, size_t size) {
   static const char suffix[] = ".png";
   const char *folder = getenv("TMPDIR");
@@ -142,7 +143,7 @@ static bool make_file(char *path, size_t size) {
   return file >= 0 && !close(file);
 }
 
-/* That there is no room for the picture is no fault of whoever drew it. */
+/* If there is no room to write the picture, the renderer has not failed. */
 static enum hsr_status shade_and_write(const struct served *served,
                                        struct hsr_shaded *shaded,
                                        struct hsr_error *err) {
@@ -172,7 +173,7 @@ static enum hsr_status shade_and_write(const struct served *served,
   return status;
 }
 
-/* The two phases behind the picture, where there is one. */
+/* The two phases after the picture, if there is one. */
 static enum hsr_status finish_picture(const struct served *served,
                                       struct hsr_error *err) {
   if (!served->answer || !served->answer->form.type->shade) {
@@ -199,7 +200,7 @@ static enum hsr_status answer_byte(const struct served *served, int byte,
   case 'w':
     return finish_picture(served, err);
   default:
-    return hsr_fail(err, HSR_E_USAGE, "worker: what is '%c'?", byte);
+    return hsr_fail(err, HSR_E_USAGE, "worker: no request '%c'", byte);
   }
 }
 
@@ -216,7 +217,7 @@ enum hsr_status serve(const struct served *served, struct hsr_error *err) {
          served->prepare_seconds, served->before_kb, frames_of(served, &pace));
   while (!status) {
     if (fflush(stdout))
-      return hsr_fail(err, HSR_E_INPUT, "worker: nobody listens");
+      return hsr_fail(err, HSR_E_INPUT, "worker: nobody reads its output");
     int byte = getchar();
     if (byte == EOF)
       break;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One scene and one of its views, opened by name: what a picture is made of. */
+/* One scene, opened by name, and one of its views. */
 #ifndef HSR_BENCH_STAGE_H
 #define HSR_BENCH_STAGE_H
 
@@ -15,17 +15,18 @@ struct stage {
   double import_seconds; /* to open the scene and make the world */
 };
 
-/* Opens the scene that a user names and looks at it from its view `view`, from
- * 1; a scene that has fewer gets further ones on an orbit. Its faces are laid
- * out as hsr_world_open says. To be closed also
- * after a failure: whatever hsr_scene_open and hsr_view_init fail with. */
+/* Opens the scene that a user names, and its view number `view`, from 1. A
+ * scene that has fewer views gets further ones on an orbit. Its faces are laid
+ * out as hsr_world_open says. *stage is to be closed also after a failure.
+ * Fails with whatever hsr_scene_open and hsr_view_init fail with. */
 enum hsr_status stage_open(struct stage *stage, const char *scene,
                            uint32_t most, long view, int m, int n,
                            struct hsr_error *err);
 void stage_close(struct stage *stage);
 
-/* `n` views of an open stage from view `first` on, of the size of its own,
- * which none of them is behind. Whatever hsr_view_init fails with. */
+/* Makes `n` views of an open stage, from view `first` on, in the size of its
+ * own view. The last of them must not come after its own view. Fails with
+ * whatever hsr_view_init fails with. */
 enum hsr_status stage_walk(const struct stage *stage, long first, int n,
                            struct hsr_view *view, struct hsr_error *err);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The end of a program whose libraries throw where they promised not to:
+// Ends a program whose libraries throw although they promise not to:
 // OpenImageIO allocates in constructors that are declared noexcept.
 #include "bench/run/terminate.h"
 #include "common/base/status.h"
@@ -13,19 +13,19 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
-/* Of the leak sanitizer, where there is one. */
+/* The leak sanitizer's function; NULL in a build without it. */
 extern "C" int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 
 namespace {
 
-/* One line, by means that need no memory. */
+/* Prints one line without taking memory, and ends. */
 [[noreturn]] void end(const char *line, size_t length, int status) {
   if (write(STDERR_FILENO, line, length) < 0)
     status = HSR_E_INTERNAL;
   _exit(status);
 }
 
-/* The parent process says it, from the status. */
+/* Whether the parent process reports it, from the status. */
 bool parent_tells = false;
 
 [[noreturn]] void end_without_memory() {
@@ -33,7 +33,7 @@ bool parent_tells = false;
   end(no_memory, parent_tells ? 0 : sizeof no_memory - 1, HSR_E_NOMEM);
 }
 
-/* For GMP, to which a failure cannot be told. */
+/* For GMP, which cannot handle a failure. */
 void *allocate(size_t size) {
   void *p = std::malloc(size);
   return p ? p : (end_without_memory(), nullptr);
@@ -69,7 +69,7 @@ void end_process(int status) {
 
 void end_with_parent(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) /* it had ended before */
+  if (getppid() != parent) /* the parent had already ended */
     _exit(HSR_E_INTERNAL);
   parent_tells = true;
 }

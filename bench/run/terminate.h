@@ -8,21 +8,22 @@
 extern "C" {
 #endif
 
-/* From now on what no caller can be told of ends the program with one line,
- * instead of an abort: an exception that nothing catches, by status 4 if it is
- * for lack of memory, or 5; and a lack of memory inside GMP, on which CGAL's
- * rational numbers stand, by status 4. */
+/* From now on, errors that cannot be returned to a caller end the program with
+ * one line instead of an abort. An exception that nothing catches ends it with
+ * status 4 if it is for lack of memory, and otherwise with status 5. A lack of
+ * memory inside GMP, which CGAL's rational numbers use, ends it with status 4.
+ */
 void end_in_one_line(void);
 
-/* Ends the process, after a search for leaks where the leak sanitizer is there,
- * but without the destructors of libraries: in a forked process they wait for
- * threads that a fork does not bring along, and after a lack of memory they may
- * find their own data broken. Does not return. */
+/* Ends the process without the destructors of libraries. In a forked process
+ * these would wait for threads that a fork does not copy; after a lack of
+ * memory they may find their own data broken. In a build with the leak
+ * sanitizer it searches for leaks first. Does not return. */
 void end_process(int status);
 
-/* Called first in a forked process: from now on it is killed when its parent,
- * of that id, ends in whatever way; and leaves it to him to say that memory was
- * lacking. */
+/* To be called first in a forked process. From now on it is killed when its
+ * parent, whose id is given, ends for any reason; and it leaves it to the
+ * parent to report a lack of memory. */
 void end_with_parent(pid_t parent);
 
 #ifdef __cplusplus

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr worker: an algorithm that draws frames for hsr bench (bench/run/serve.h). */
+/* hsr worker: an algorithm that draws frames for hsr bench (bench/run/serve.h).
+ */
 #include "bench/command.h"
 #include "bench/run/serve.h"
 
 #include <stdlib.h>
 
-/* What one round takes. */
+/* What one round needs. */
 struct round {
   const struct hsr_setup *setup;
   const struct hsr_view *view; /* the walk's, n of them */
@@ -67,8 +68,8 @@ static enum hsr_status serve_setup(const struct serve_request *request,
   return status;
 }
 
-/* The stage's own view is the walk's last, which is the picture that there is
- * once a round is drawn. */
+/* The stage's own view is the last of the walk: after a round, the answer is
+ * the picture of that view. */
 enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err) {
   struct serve_request request;
   struct hsr_variant variant;

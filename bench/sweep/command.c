@@ -97,9 +97,9 @@ static error_t complete(struct sweep_options *o) {
   if (!o->n_scenes)
     return option_fail(&o->base, "bench: which scene? (see hsr bench --help)");
   if (o->resume && !o->output)
-    return option_fail(&o->base, "--resume: of which file? (-o FILE)");
+    return option_fail(&o->base, "--resume: which file? (-o FILE)");
   if (o->walk > 1 && o->n_peers)
-    return option_fail(&o->base, "--walk: peers stand still, so not --peers");
+    return option_fail(&o->base, "--walk: peers draw no walks, so not --peers");
   if (!o->n_sizes) {
     o->m[0] = o->n[0] = 512;
     o->n_sizes = 1;
@@ -178,23 +178,23 @@ static const struct argp argp = {
     (const struct argp_option[]){
         {NULL, 0, NULL, 0, "Which cells:", 1},
         {"algorithms", 'a', "A,B,...", 0,
-         "these, names or patterns (standard: all but the judges)", 1},
+         "these: names or patterns (standard: all but the judges)", 1},
         {"peers", PEERS, "P,Q,...", 0,
-         "and these renderers of others (built by configure --with-peers)", 1},
+         "also these renderers of others (built by configure --with-peers)", 1},
         {"size", 's', "MxN,...", 0, "samples (standard: 512x512)", 1},
         {"views", 'n', "N", 0, "the first N views of each scene (standard: 1)",
          1},
         {"walk", WALK, "N", 0,
-         "draw from each of these views a walk instead, over it and the N - 1 "
-         "views that follow, again and again: frames that differ, for what is "
-         "kept from one to the next. Times are of a frame, counts of one walk",
+         "instead of each of these views, draw a walk again and again: the "
+         "view and the N - 1 views that follow. It measures what is kept from "
+         "one frame to the next. Times are of a frame, counts of one walk",
          1},
-        {"threads", 'T', "N,...", 0, "on so many threads (standard: 1)", 1},
+        {"threads", 'T', "N,...", 0, "numbers of threads (standard: 1)", 1},
         {"only", ONLY, "PATTERN", 0,
          "cells whose line in --list matches, as '* watkins *'", 1},
         {"shard", SHARD, "I/N", 0,
-         "the Ith of N parts, to spread a sweep; the files put one behind the "
-         "other are the whole",
+         "only the Ith of N parts, to spread a sweep over machines; the files "
+         "of all parts can be joined end to end",
          1},
         {"list", LIST, NULL, 0, "print the cells and end", 1},
         {NULL, 0, NULL, 0, "How:", 2},
@@ -203,33 +203,33 @@ static const struct argp argp = {
          "samples a process (standard: 9), one a round, in an order shuffled "
          "every round",
          2},
-        {"seed", SEED, "N", 0, "of the orders (standard: 1)", 2},
+        {"seed", SEED, "N", 0, "seed of these orders (standard: 1)", 2},
         {"samples", SAMPLES, "N", 0,
          "judge by N random samples of each picture, the same in every run: "
          "those that Knuth's algorithm S selects by erand48() from the state "
-         "{view, columns, rows} (standard: by all, but by 20000 of scenes of "
+         "{view, columns, rows} (standard: all samples, but 20000 of scenes of "
          "over 33 million faces)",
          2},
         {"counts", COUNTS, NULL, 0, "judge and count, but time nothing", 2},
         {"timeout", 't', "SECONDS", 0,
          "the most that a picture may take (standard: 60)", 2},
         {"memory", 'M', "MB", 0, "the most data that a process may hold", 2},
-        {NULL, 0, NULL, 0, "What comes of it:", 3},
+        {NULL, 0, NULL, 0, "Results:", 3},
         {"output", 'o', "FILE", 0,
-         "add the records to FILE, a line of JSON each", 3},
+         "write the records to FILE, a line of JSON each", 3},
         {"resume", RESUME, NULL, 0, "go on where FILE ends", 3},
         {"reference", REFERENCE, "A", 0,
          "print times as ratios to A's (standard: zbuffer)", 3},
         {"baseline", BASELINE, "FILE", 0,
-         "tell what is slower or faster than in these earlier results", 3},
+         "print what is slower or faster than in these earlier results", 3},
         {0}},
     parse,
     "SCENE...",
     "Times every algorithm on every scene (a name or a pattern, as 'mesh:*'), "
-    "view and size. An algorithm is timed only where its picture is the "
+    "view and size. An algorithm is timed only if its picture equals the "
     "oracle's; one that is wrong, refuses, crashes, takes too long or too much "
     "memory is recorded as such. All cells of one scene, view and size take "
-    "turns, each in a process of its own, so that what disturbs the machine "
+    "turns, each in its own process, so that whatever disturbs the machine "
     "disturbs all alike.\v"
     "Exit status 0: all are right, and none is slower than in the baseline. 1: "
     "one is not.\n\n"
@@ -242,8 +242,8 @@ static const struct argp argp = {
 
 /* --- The file ------------------------------------------------------------- */
 
-/* What a process that was killed left of its last line must not stand before
- * the next. */
+/* Removes a last line that is cut short because its process was killed: the
+ * next line must not follow it. */
 static enum hsr_status cut_last_line(int file, const char *path,
                                      struct hsr_error *err) {
   off_t end = lseek(file, 0, SEEK_END);
@@ -255,7 +255,7 @@ static enum hsr_status cut_last_line(int file, const char *path,
              : HSR_OK;
 }
 
-/* Results of other code are not to be mixed with these. */
+/* Results of other code must not be mixed with these. */
 static enum hsr_status check_code(const struct results *results,
                                   const char *path, struct hsr_error *err) {
   char code[17];
@@ -272,7 +272,8 @@ static enum hsr_status check_code(const struct results *results,
   return HSR_OK;
 }
 
-/* What is in the file already. One that holds something else stays as it is. */
+/* Reads what is in the file already. A file that holds something else is left
+ * as it is. */
 static enum hsr_status read_file(struct sweep *sweep, const char *path,
                                  const struct stat *about,
                                  struct hsr_error *err) {
@@ -430,7 +431,7 @@ static enum hsr_status run_and_tell(const struct plan *plan, int argc,
   return status;
 }
 
-/* As given, before the options are cut into words. */
+/* Copies the command line as given, before the options are cut into words. */
 static char **copy_words(int argc, char **argv) {
   char **copy = calloc((size_t)argc + 1, sizeof *copy);
   for (int k = 0; copy && k < argc; k++)

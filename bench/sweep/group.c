@@ -14,12 +14,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* What the processes of judges leave to be read. */
+/* Memory in which the judges' processes leave their findings. */
 struct shared {
   struct hsr_table1 table1; /* of the first view */
   bool has_table1;
-  struct cell cells[]; /* an entrant; of a walk, a view and entrant, until those
-                          of all views are added to the first one's */
+  struct cell cells[]; /* one for each entrant. Of a walk, one for each view and
+                          entrant, until add_walk adds those of all views to
+                          those of the first */
 };
 
 struct place_run {
@@ -27,8 +28,8 @@ struct place_run {
   struct place place;
   size_t number;
   struct stage stage;
-  struct hsr_view *view; /* those of the walk */
-  int *view_number;      /* of each, from 0 */
+  struct hsr_view *view; /* the views of the walk */
+  int *view_number;      /* the number of each, from 0 */
   char scene_hash[17];
   const struct entrant *entrant[SWEEP_MOST_ENTRANTS]; /* those to do */
   int n;
@@ -36,7 +37,7 @@ struct place_run {
   uint32_t *picture; /* the oracle's, shared; NULL unless peers take part */
   char folder[256];  /* for the peers' pictures */
   char ids_file[SWEEP_MOST_ENTRANTS][288];
-  struct turn_taker taker[SWEEP_MOST_ENTRANTS]; /* an entrant; those timed */
+  struct turn_taker taker[SWEEP_MOST_ENTRANTS]; /* entrants that are timed */
 };
 
 static size_t picture_size(const struct place_run *run) {
@@ -45,7 +46,7 @@ static size_t picture_size(const struct place_run *run) {
 
 /* --- Recording ------------------------------------------------------------ */
 
-/* At once, where the file takes it at once. */
+/* Writes all in one piece, if the file takes it so. */
 static bool write_all(int file, const char *text, size_t length) {
   for (size_t done = 0; done < length;) {
     ssize_t n = write(file, text + done, length - done);
@@ -63,7 +64,7 @@ enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
   enum hsr_status status = text ? HSR_OK : hsr_fail_nomem(err);
   if (!status && sweep->file >= 0) {
     size_t length = strlen(text);
-    text[length] = '\n'; /* where the end was */
+    text[length] = '\n'; /* in place of the final zero */
     if (!write_all(sweep->file, text, length + 1))
       status = hsr_fail(err, HSR_E_INPUT, "%s: %s",
                         sweep->plan->options->output, strerror(errno));
@@ -94,7 +95,7 @@ static void judge_form(const struct place_run *run, struct hsr_form form) {
       .n_views = run->place.walk,
       .cells = run->shared->cells,
       .picture = run->picture};
-  /* Peers stand behind all algorithms. */
+  /* Peers come after all algorithms. */
   for (int k = 0; k < run->n && run->entrant[k]->listed; k++) {
     algorithm[k].listed = run->entrant[k]->listed;
     algorithm[k].choice = run->entrant[k]->choice;
@@ -104,7 +105,7 @@ static void judge_form(const struct place_run *run, struct hsr_form form) {
   end_process((int)judge_group(&group));
 }
 
-/* Of faces that are laid out. */
+/* Measures Table I, if the faces are laid out. */
 static void judge_statistics(const struct place_run *run) {
   if (hsr_is_outline(&run->stage.world))
     end_process(HSR_OK);
@@ -114,7 +115,7 @@ static void judge_statistics(const struct place_run *run) {
   end_process((int)status);
 }
 
-/* What is judged: of each form one. Peers are judged by ids. */
+/* Lists the forms to judge, each once. Peers are judged by ids. */
 static int list_forms(const struct place_run *run,
                       struct hsr_form form[SWEEP_MOST_ENTRANTS + 1]) {
   int n = 0;
@@ -131,7 +132,7 @@ static int list_forms(const struct place_run *run,
   return n;
 }
 
-/* Adds what became of a later picture; the worst verdict is that of all. */
+/* Adds the findings on a later picture; the worst verdict counts for all. */
 static void add_cell(struct cell *sum, const struct cell *cell) {
   if (cell->verdict > sum->verdict) {
     sum->verdict = cell->verdict;
@@ -146,14 +147,14 @@ static void add_cell(struct cell *sum, const struct cell *cell) {
   sum->depths_exact += cell->depths_exact;
 }
 
-/* The entrant's cells of a walk; there are no peers, then. */
+/* Adds up the entrant's cells of a walk, in which peers take no part. */
 static void add_walk(const struct place_run *run, int k) {
   for (int view = 1; view < run->place.walk; view++)
     add_cell(&run->shared->cells[k], &run->shared->cells[view * run->n + k]);
 }
 
-/* Table I and the judges of all forms, each in a process, at the same time:
- * nothing is timed yet. */
+/* Runs Table I and the judges of all forms, each in a process, at the same
+ * time: nothing is timed yet. */
 static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
   fflush(NULL);
   pid_t parent = getpid(), child = fork();
@@ -189,7 +190,8 @@ static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
 
 /* --- Timing --------------------------------------------------------------- */
 
-/* Peers are timed whatever they draw, and leave their picture in a file. */
+/* Lines up those to be timed. Peers are timed whatever they draw, and leave
+ * their picture in a file. */
 static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
   const struct sweep_options *o = run->sweep->plan->options;
   for (int k = 0; k < run->n; k++) {
@@ -215,7 +217,7 @@ static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
   return HSR_OK;
 }
 
-/* With the oracle's picture, as far as there is one. */
+/* Compares a peer's picture with the oracle's, if there is one. */
 static void compare_picture(const struct place_run *run, int k,
                             struct cell *cell) {
   size_t size = picture_size(run), n = size / sizeof *run->picture;
@@ -234,8 +236,8 @@ static void compare_picture(const struct place_run *run, int k,
   unlink(run->ids_file[k]);
 }
 
-/* Times stand only beside mismatches: a peer whose answer could not be compared
- * has none. */
+/* Times are recorded only together with mismatches: a peer whose answer could
+ * not be compared has no times. */
 static void judge_peer(struct place_run *run, int k) {
   const struct entrant *peer = run->entrant[k];
   struct cell *cell = &run->shared->cells[k];
@@ -248,7 +250,7 @@ static void judge_peer(struct place_run *run, int k) {
   if (cell->verdict == RIGHT && !cell->compared && strcmp(peer->kind, "none")) {
     cell->verdict = run->taker[k].verdict = REFUSED;
     snprintf(cell->refusal, sizeof cell->refusal,
-             "refused, what %s draws could not be judged", peer->name);
+             "refused, the drawing of %s could not be judged", peer->name);
   }
 }
 
@@ -284,7 +286,8 @@ static json_t *table1_json(const struct shared *shared) {
   return table;
 }
 
-/* The record, which it takes; it tells of a walk. */
+/* Adds the walk to a record, if there is one. Takes and returns the reference.
+ */
 static json_t *with_walk(const struct place_run *run, json_t *record) {
   if (run->place.walk == 1 ||
       !json_object_set_new(record, "walk", json_integer(run->place.walk)))
@@ -319,7 +322,7 @@ static json_t *start_json(const struct start *start, long repetitions) {
       (json_int_t)start->inner, "seconds", seconds);
 }
 
-/* Times, where every start was timed to its end. */
+/* The times, if every start was timed to its end. */
 static json_t *starts_json(const struct place_run *run, int k) {
   const struct sweep_options *o = run->sweep->plan->options;
   const struct turn_taker *taker = &run->taker[k];
@@ -363,7 +366,7 @@ static const char *status_name(const struct cell *cell) {
   return verdict_name(cell->verdict);
 }
 
-/* Why there is no time, in words; *text is room for them. */
+/* Why there is no time, in words; `text` is scratch for them. */
 static const char *reason_of(const struct sweep_options *o,
                              const struct cell *cell, char text[80]) {
   if (cell->refusal[0])
@@ -408,7 +411,7 @@ static enum hsr_status record_all(struct place_run *run,
 
 /* --- A place -------------------------------------------------------------- */
 
-/* Whether a recorded cell says all that is asked for: where it was only
+/* Whether a recorded cell has everything that is asked for. If it was only
  * counted, its times may be missing. */
 static bool is_done(const json_t *cell, const struct sweep_options *o) {
   const char *status = json_string_value(json_object_get(cell, "status"));
@@ -416,8 +419,8 @@ static bool is_done(const json_t *cell, const struct sweep_options *o) {
                   json_array_size(json_object_get(cell, "starts")) > 0);
 }
 
-/* The entrants whose cells are wanted and not recorded yet; the order of the
- * plan has algorithms first. */
+/* Chooses the entrants whose cells are wanted and not yet recorded, in the
+ * order of the plan: algorithms first. */
 static void choose_entrants(struct place_run *run) {
   const struct plan *plan = run->sweep->plan;
   for (int k = 0; k < plan->n_entrants; k++) {
@@ -429,7 +432,7 @@ static void choose_entrants(struct place_run *run) {
   }
 }
 
-/* A scene may be a file. */
+/* Checks that the scene is still the same: it may be a file. */
 static enum hsr_status check_scene(const struct place_run *run,
                                    struct hsr_error *err) {
   char key[RESULTS_KEY];
@@ -447,7 +450,7 @@ static bool has_peers(const struct place_run *run) {
   return run->n && !run->entrant[run->n - 1]->listed;
 }
 
-/* How many faces are laid out, if someone takes them so. */
+/* How many faces are laid out at most; 0 if no entrant needs that. */
 static uint32_t most_laid_out(const struct place_run *run) {
   uint32_t most = 0;
   for (int k = 0; k < run->n; k++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The header of a run: what was run, on what. */
+/* The header of a run: what was run, and on which machine. */
 #include "bench/commit.h"
 #include "bench/results/json.h"
 #include "bench/sweep/sweep.h"
@@ -74,7 +74,7 @@ static json_t *caches_json(hwloc_topology_t topology) {
   return caches;
 }
 
-/* NULL where the file or its line is not there. */
+/* NULL if there is no such file, or no line in it. */
 static const char *first_line(const char *path, char *line, int size) {
   FILE *file = fopen(path, "r");
   if (!file)
@@ -127,7 +127,8 @@ static json_t *machine_json(void) {
 
 /* --- The header ----------------------------------------------------------- */
 
-/* Words need not be UTF-8; what is not ASCII gives way in one that is not. */
+/* A word of the command line. If it is not UTF-8, the bytes that are not ASCII
+ * are replaced. */
 static json_t *word_json(char *word) {
   json_t *text = json_string(word);
   if (text)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a sweep asks hsr-peers (bench/peers/peers.h), a program of its own, so
- * that hsr needs none of their libraries. */
+/* What a sweep asks hsr-peers (bench/peers/peers.h). That is a separate
+ * program, so that hsr needs none of the peers' libraries. */
 #include "bench/sweep/sweep.h"
 
 #include <errno.h>
@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* In the build tree beside this program, or installed. */
+/* Finds hsr-peers: in the build tree beside this program, or installed. */
 static char *find_program(void) {
   char self[4096];
   ssize_t length = readlink("/proc/self/exe", self, sizeof self - 64);
@@ -22,7 +22,7 @@ static char *find_program(void) {
   return strdup(access(self, X_OK) ? HSR_LIBEXECDIR "/hsr/hsr-peers" : self);
 }
 
-/* In the new process. */
+/* Runs in the new process. */
 static void become(const char *program, const char *const *words, int out,
                    long timeout) {
   int nowhere = open("/dev/null", O_RDWR);
@@ -34,7 +34,7 @@ static void become(const char *program, const char *const *words, int out,
   _exit(HSR_E_INTERNAL);
 }
 
-/* What the program answers, as JSON; NULL if it does not, or not in time. */
+/* The program's answer, as JSON; NULL if it gives none in time. */
 static json_t *ask(const char *program, const char *const *words,
                    long timeout) {
   int out[2];

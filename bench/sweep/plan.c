@@ -10,7 +10,7 @@
 
 /* --- Scenes --------------------------------------------------------------- */
 
-/* A file's name may look like one. */
+/* The name of a file may look like a pattern. */
 static bool is_pattern(const char *text) {
   return strpbrk(text, "*?[") && access(text, F_OK);
 }
@@ -102,7 +102,8 @@ static bool is_there(const struct plan *plan, const char *name, long threads) {
   return false;
 }
 
-/* One that works on one thread only takes part only so. */
+/* Adds an entrant for each number of threads; only for one thread if it cannot
+ * use more. */
 static enum hsr_status add_entrant(struct plan *plan, const char *name,
                                    const struct hsr_variant *variant,
                                    const char *kind, bool single,
@@ -144,8 +145,8 @@ static enum hsr_status add_standard(struct plan *plan,
   return add_algorithm(plan, listed->plain->name, &variant, err);
 }
 
-/* Those whose name matches, or one with options. Judges take part only where
- * they are named. */
+/* Adds the algorithms whose names match, or one with options. Judges take part
+ * only if they are named. */
 static enum hsr_status add_algorithms(struct plan *plan, const char *pattern,
                                       struct hsr_error *err) {
   enum hsr_status status = HSR_OK;
@@ -197,7 +198,8 @@ static enum hsr_status add_entrants(struct plan *plan, struct hsr_error *err) {
   return status;
 }
 
-/* One that takes part, or that results to go on from may hold. */
+/* The reference must take part, or be an algorithm that earlier results may
+ * hold. */
 static enum hsr_status check_reference(const struct plan *plan,
                                        struct hsr_error *err) {
   const char *name = plan->options->reference;
@@ -259,7 +261,7 @@ bool plan_wants(const struct plan *plan, size_t place,
   const struct sweep_options *o = plan->options;
   if ((long)(place % (size_t)o->shards) != o->shard - 1)
     return false;
-  if (o->counts && !entrant->listed) /* there is nothing else to learn */
+  if (o->counts && !entrant->listed) /* peers count nothing */
     return false;
   if (!o->only)
     return true;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a sweep found, as a table: who is right, how long they took, and against
- * whom; and what has changed since an earlier one. */
+/* The results of a sweep as a table: which entrants are right, their times, and
+ * their ratios to the reference; and what has changed since an earlier sweep.
+ */
 #include "bench/sweep/sweep.h"
 #include "bench/results/times.h"
 
@@ -68,7 +69,7 @@ static void print_cell_name(const json_t *cell) {
   printf("  %-22s %-8s", name, results_text(cell, "status"));
 }
 
-/* Where not all samples were compared. */
+/* Says how many samples were compared, if not all were. */
 static void print_samples(const json_t *cell) {
   long compared = results_number(cell, "compared");
   long walk = results_number(cell, "walk");

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files of hsr bench share. plan.c tells which cells there are;
- * machine.c, on what they run; group.c takes all cells of one scene, view and
- * size: judged first, then timed by turns.c, then recorded; summary.c tells
- * what came of it. */
+/* What the files of hsr bench share. plan.c lists the cells. machine.c
+ * describes the machine that they run on. group.c takes all cells of one scene,
+ * view and size: it judges them, has turns.c time them, and records them.
+ * summary.c prints the results. */
 #ifndef HSR_BENCH_SWEEP_SWEEP_H
 #define HSR_BENCH_SWEEP_SWEEP_H
 
@@ -30,13 +30,13 @@ struct sweep_options {
   long threads[SWEEP_MOST_THREADS];
   int n_threads;
   long views, walk, starts, repetitions, seed, timeout, memory_mb;
-  long samples; /* of each picture that are compared; 0: as the scene allows */
+  long samples; /* compared in each picture; 0: as many as the scene allows */
   long shard, shards;        /* shard from 1 */
   const char *only;          /* pattern of keys, or NULL */
-  const char *output;        /* NULL: nowhere that lasts */
-  const char *reference;     /* whose time the others' are divided by */
-  const char *baseline;      /* earlier results, or NULL */
-  bool resume, list, counts; /* counts: and no times */
+  const char *output;        /* file of results; NULL: they are not kept */
+  const char *reference;     /* by whose time the others are divided */
+  const char *baseline;      /* file of earlier results, or NULL */
+  bool resume, list, counts; /* counts: nothing is timed */
 };
 
 #define SWEEP_OPTIONS_STANDARD                                                 \
@@ -45,8 +45,8 @@ struct sweep_options {
     .timeout = 60, .shard = 1, .shards = 1, .reference = "zbuffer"             \
   }
 
-/* Who takes part in every group: an algorithm, or a peer, on so many threads.
- */
+/* What takes part in every group: an algorithm or a peer, on a number of
+ * threads. */
 struct entrant {
   const char *name;
   const struct hsr_listed *listed; /* NULL: a peer */
@@ -57,16 +57,16 @@ struct entrant {
 
 struct plan {
   const struct sweep_options *options;
-  char **scene; /* names, patterns resolved */
+  char **scene; /* names; patterns are resolved */
   size_t n_scenes;
   struct entrant entrant[SWEEP_MOST_ENTRANTS];
   int n_entrants;
   char *peers_program; /* NULL without peers */
-  json_t *peers;       /* what it lists; owns the peers' names */
+  json_t *peers;       /* its list of peers, which owns their names */
 };
 
-/* A scene, view and size: cells that are judged by the same picture and timed
- * in turn. Or a walk: so many views in a row, each of which a round draws. */
+/* A scene, view and size. Its cells are judged by the same picture, and timed
+ * in turn. Or a walk: several views in a row, all of which a round draws. */
 struct place {
   const char *scene;
   int view; /* from 1 */
@@ -76,9 +76,9 @@ struct place {
 
 /* --- plan.c --------------------------------------------------------------- */
 
-/* Resolves the patterns of scenes and algorithms. To be freed also after a
- * failure: HSR_E_USAGE for a name or pattern that matches nothing, or a name
- * that no record can hold; HSR_E_NOMEM. */
+/* Resolves the patterns of scenes and algorithms. *plan is to be freed also
+ * after a failure. HSR_E_USAGE for a name or pattern that matches nothing, or a
+ * name that is too long for a record; HSR_E_NOMEM. */
 enum hsr_status plan_init(struct plan *plan,
                           const struct sweep_options *options,
                           struct hsr_error *err);
@@ -91,18 +91,18 @@ struct place plan_place(const struct plan *plan, size_t k);
 void plan_key(const struct place *place, const struct entrant *entrant,
               char key[RESULTS_KEY]);
 
-/* Whether the cell is of this shard and asked for by --only. */
+/* Whether the cell is in this shard and --only asks for it. */
 bool plan_wants(const struct plan *plan, size_t place,
                 const struct entrant *entrant);
 
 /* --- peers.c -------------------------------------------------------------- */
 
-/* Finds hsr-peers and what it lists, for the plan. HSR_E_USAGE if there is
- * none; HSR_E_NOMEM. */
+/* Finds hsr-peers and reads its list of peers into the plan. HSR_E_USAGE if
+ * there is no hsr-peers; HSR_E_NOMEM. */
 enum hsr_status peers_open(struct plan *plan, struct hsr_error *err);
 
-/* How much of a line drawing by a peer differs from the line oracle's; nothing
- * is compared where the judge gives no answer in time. */
+/* Compares a peer's line drawing with the line oracle's, and sets the cell's
+ * numbers. Nothing is compared if the judge gives no answer in time. */
 void peers_judge(const struct plan *plan, const struct place *place,
                  const char *name, struct cell *cell);
 
@@ -112,13 +112,14 @@ void peers_judge(const struct plan *plan, const struct place *place,
 json_t *sweep_header(const struct sweep_options *options, const char *run,
                      int argc, char **argv);
 
-/* A hash of this program's file, 16 hexadecimal digits; of a scene's faces. */
+/* Hashes of this program's file and of a scene's faces: 16 hexadecimal digits.
+ */
 void hash_program(char hash[17]);
 void hash_scene(const struct hsr_scene *scene, char hash[17]);
 
 /* --- turns.c -------------------------------------------------------------- */
 
-/* What one process start of an entrant gave. */
+/* What was measured in one process start of an entrant. */
 struct start {
   double import_seconds, adapt_seconds, prepare_seconds;
   double shade_seconds, write_seconds; /* < 0: not measured */
@@ -128,18 +129,18 @@ struct start {
 
 struct turn_taker {
   const struct entrant *entrant;
-  const char *ids_file; /* where the first start leaves its picture; or NULL */
-  struct start *starts; /* as many as are asked for; owned by the caller */
-  long need_kb;         /* how much memory it takes, about */
-  enum verdict verdict; /* RIGHT as long as all goes well */
-  enum hsr_status failure; /* why its process ended, if it did by itself */
+  const char *ids_file; /* where the first start writes its picture; or NULL */
+  struct start *starts; /* one for each start; owned by the caller */
+  long need_kb;         /* roughly the memory that it takes */
+  enum verdict verdict; /* RIGHT until something goes wrong */
+  enum hsr_status failure; /* why its process ended, if it ended by itself */
 };
 
 /* Starts all takers' processes, as often as the options say, and lets them take
- * turns, in an order of its own every round. Where they have not room beside
- * each other they do it in several lots. `random` is the seed of the orders.
- * HSR_E_NOMEM, also where there can be no more processes. A taker that fails
- * is left out from there on. */
+ * turns, in a new order every round. If they do not fit into memory together,
+ * they run in several lots. `random` is the seed of the orders. A taker that
+ * fails is left out from then on. HSR_E_NOMEM, also if no more processes can be
+ * started. */
 enum hsr_status take_turns(const struct plan *plan, const struct place *place,
                            struct turn_taker *taker, int n, uint64_t random,
                            struct hsr_error *err);
@@ -149,31 +150,33 @@ enum hsr_status take_turns(const struct plan *plan, const struct place *place,
 struct sweep {
   const struct plan *plan;
   const char *run;
-  struct results results; /* what there is already, and what comes */
+  struct results results; /* earlier ones, and those of this run */
   int file;               /* -1: none */
 };
 
-/* Judges, times and records the cells of a place that are wanted and not there
- * yet. */
+/* Judges, times and records those cells of a place that are wanted and have no
+ * record yet. */
 enum hsr_status sweep_place(struct sweep *sweep, size_t place,
                             struct hsr_error *err);
 
-/* Writes a record, one line at once, and adds it to the results. Takes the
- * reference, also on failure; NULL is HSR_E_NOMEM. */
+/* Writes a record as a whole line, in one go, and adds it to the results. Takes
+ * the reference, also on failure. A record of NULL gives HSR_E_NOMEM. */
 enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
                              struct hsr_error *err);
 
 /* --- command.c ------------------------------------------------------------ */
 
-/* Runs the plan, into the file that its options name, if they do. *results are
- * its records, after those that the file had; to be freed also after a
- * failure. The words of the command line go into the header. */
+/* Runs the plan. Its records go into the file that the options name, if any,
+ * and into *results, after those that the file already had. *results is to be
+ * freed also after a failure. The words of the command line go into the
+ * header. */
 enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
                           struct results *results, struct hsr_error *err);
 
 /* --- summary.c ------------------------------------------------------------ */
 
-/* Prints the table of the results' cells with the ratios to the reference. */
+/* Prints the table of the results' cells, with their ratios to the reference.
+ */
 enum hsr_status print_summary(const struct results *results,
                               const char *reference, struct hsr_error *err);
 

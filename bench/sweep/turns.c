@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Timing in turn: every entrant is a process that draws when it is told to, and
- * none does while another does. So whatever disturbs the machine for a while
+ * only one draws at a time. So whatever disturbs the machine for a while
  * disturbs all alike. */
 #include "bench/sweep/sweep.h"
 #include "bench/run/terminate.h"
@@ -26,12 +26,12 @@ struct process {
   struct turn_taker *taker;
   pid_t id; /* 0: none */
   int in, out;
-  bool starved; /* this program had no memory to understand it */
+  bool starved; /* this program had no memory to parse its answer */
 };
 
 /* --- One process ---------------------------------------------------------- */
 
-/* In the new process. */
+/* Runs in the new process. */
 static void become_worker(const struct plan *plan, const struct place *place,
                           const struct turn_taker *taker, int in, int out) {
   const struct entrant *entrant = taker->entrant;
@@ -46,7 +46,7 @@ static void become_worker(const struct plan *plan, const struct place *place,
     setrlimit(RLIMIT_DATA, &(struct rlimit){most, most});
   }
   bool good = dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0;
-  close(in); /* there may be no number left for another file */
+  close(in); /* frees its number: there may be none left for another file */
   int nowhere = good ? open("/dev/null", O_WRONLY) : -1;
   if (nowhere < 0 || dup2(nowhere, STDERR_FILENO) < 0)
     _exit(HSR_E_INTERNAL);
@@ -86,8 +86,8 @@ static bool open_process(struct process *process, const struct plan *plan,
   return false;
 }
 
-/* Whether there is more to be read of its output, or nothing any more, before
- * the time, in seconds_now, is over. */
+/* Waits until there is more of its output to read, or its output has ended.
+ * False if neither happens before seconds_now() reaches `end`. */
 static bool is_ready(const struct process *process, double end) {
   for (;;) {
     double left = end - seconds_now();
@@ -98,7 +98,7 @@ static bool is_ready(const struct process *process, double end) {
   }
 }
 
-/* Waits until the process has closed its output, which it does by ending. */
+/* Waits until the process has closed its output: it does so when it ends. */
 static bool ends_in_time(const struct process *process, double seconds) {
   char rest[LINE];
   double end = seconds_now() + seconds;
@@ -108,8 +108,8 @@ static bool ends_in_time(const struct process *process, double seconds) {
   return false;
 }
 
-/* Ends the process, which is told to by the end of its input; it is killed
- * where that takes longer than `seconds`. */
+/* Ends the process by ending its input. Kills it if that takes longer than
+ * `seconds`. */
 static void close_process(struct process *process, double seconds) {
   struct turn_taker *taker = process->taker;
   close(process->in);
@@ -128,14 +128,14 @@ static void close_process(struct process *process, double seconds) {
     taker->failure = (enum hsr_status)WEXITSTATUS(end);
 }
 
-/* It has failed. What does not end by itself is ended soon. */
+/* The process has failed. It is killed if it does not end soon. */
 static void give_up(struct process *process, enum verdict verdict) {
   process->taker->verdict = verdict;
   close_process(process, verdict == TIMEOUT ? 0 : 10);
 }
 
-/* The next line of its output, as JSON; NULL if none comes in time, in which
- * case it is given up. */
+/* The next line of its output, as JSON. If none comes in time, the process is
+ * given up, and the answer is NULL. */
 static json_t *read_answer(struct process *process, double seconds) {
   char line[LINE];
   size_t length = 0;
@@ -165,7 +165,7 @@ static double real_of(const json_t *answer, const char *name) {
   return json_is_number(value) ? json_number_value(value) : -1;
 }
 
-/* Says a byte and returns the answer, or NULL. */
+/* Sends a byte and returns the answer, or NULL. */
 static json_t *ask(struct process *process, char byte, double seconds) {
   if (write(process->in, &byte, 1) == 1)
     return read_answer(process, seconds);
@@ -180,12 +180,13 @@ static double patience(const struct plan *plan) {
   return (double)plan->options->timeout * (double)plan->options->walk;
 }
 
-/* False if there can be no more processes, which is not the taker's failure. */
+/* Starts a process. False if there can be no more processes, which is no
+ * failure of the taker. */
 static bool begin(struct process *process, const struct plan *plan,
                   const struct place *place, int start) {
   if (!open_process(process, plan, place))
     return false;
-  /* Import, adapt, prepare and a few rounds: each may take its time. */
+  /* Import, adapt, prepare and a few rounds: each may take a full timeout. */
   json_t *ready = read_answer(process, 6 * patience(plan));
   if (!ready)
     return true;
@@ -208,7 +209,7 @@ static void draw(struct process *process, const struct plan *plan, int start,
   json_decref(answer);
 }
 
-/* What is asked once the rounds are over. */
+/* Asks what remains to be asked after the rounds. */
 static void finish(struct process *process, const struct plan *plan,
                    int start) {
   struct start *into = &process->taker->starts[start];
@@ -263,8 +264,8 @@ static enum hsr_status run_lot(const struct plan *plan,
 
 /* --- All starts ----------------------------------------------------------- */
 
-/* As many of those still in the race, from *next on, as have room together; at
- * least one, if there is any. */
+/* Takes as many takers that have not failed, from *next on, as fit into memory
+ * together; at least one, if any is left. */
 static int fill_lot(struct turn_taker *taker, const int *order, int n,
                     int *next, struct process *lot) {
   double room = .6 * (double)sysconf(_SC_PHYS_PAGES) *
@@ -305,7 +306,7 @@ enum hsr_status take_turns(const struct plan *plan, const struct place *place,
     return hsr_fail_nomem(err);
   gsl_rng_set(random, (unsigned long)seed);
   struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
-  sigaction(SIGPIPE, &ignore, &before); /* one that ended is found out so */
+  sigaction(SIGPIPE, &ignore, &before); /* a write to an ended process fails */
   enum hsr_status status = HSR_OK;
   for (int start = 0; start < plan->options->starts && !status; start++)
     status = run_start(plan, place, taker, n, start, random, err);

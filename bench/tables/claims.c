@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A claim is about numbers that the tables yield: a number for each of some
- * environments, or the exponent by which something grows with the relevant
- * faces. It is borne out if all of them lie within its limits, an exponent with
- * its whole interval.
+/* A claim is about numbers from the tables: one number for each of some
+ * environments, or the exponent with which something grows with the relevant
+ * faces. It is borne out if all these numbers lie within its limits; for an
+ * exponent, its whole interval must.
  *
  * The survey's words are rarely so exact. Its authors compare orders of
- * magnitude, so two costs are taken to differ by one if they differ by more
- * than half of one, 10^1/2; and the exponents that they name are halves, so a
- * measured one is taken to be the half that it is nearest to. */
+ * magnitude. So two costs count as an order apart if they differ by more than
+ * half an order, 10^1/2. The exponents that they name are multiples of 1/2, so
+ * a measured exponent is rounded to the nearest multiple. */
 #include "bench/tables/claims.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ enum { IN_HOUSE = 1, IN_HARBOR = 2, IN_BIG_HARBOR = 4, IN_ALL = 7 };
 #define HALF_ORDER 3.1622776601683795
 #define QUARTER 0.25
 
-/* A text of items that commas separate; what has no room is cut off. */
+/* A text of items, separated by commas. It is cut off where the room ends. */
 struct text {
   char *start;
   size_t size;
@@ -30,14 +30,15 @@ struct claim {
   const char *measure; /* what the number is */
   double low, high;    /* limits; infinite: none */
 
-  /* The number of a scene, or of one of the algorithms on it, and maybe a
-   * remark. NULL: the exponent of a growth. */
+  /* Returns the number of a scene, or of one of the algorithms on it, and may
+   * add a remark. NULL: the claim is about the exponent of a growth. */
   double (*number)(const struct tables *t, const struct claim *claim,
                    const char *algorithm, int scene, struct text remark);
   unsigned environments;                 /* IN_... */
-  const char *algorithm[MOST_NAMES + 1]; /* of each of these; none: of no one */
+  const char *algorithm[MOST_NAMES + 1]; /* each of these; may be none */
   const char *step;                      /* NULL: all steps */
-  size_t statistic; /* in struct hsr_table1: of that, not of a cost */
+  size_t statistic; /* offset in struct hsr_table1, if it is that which grows,
+                       and not a cost */
 };
 
 /* The algorithms that the survey compares. */
@@ -70,7 +71,7 @@ static double total(const struct tables *t, const char *algorithm, int scene) {
   return cost(t, algorithm, NULL, scene);
 }
 
-/* By how much the greater of two is greater. */
+/* The quotient of the greater and the smaller. */
 static double factor_between(double a, double b) {
   return isnan(a) || isnan(b) ? NAN : fmax(a / b, b / a);
 }
@@ -82,7 +83,8 @@ static double factor_between(double a, double b) {
 
 /* --- Numbers of all the ten ----------------------------------------------- */
 
-/* Of the totals of ten[first], ..., but one. NAN if one of them is. */
+/* The range of the totals of ten[first], ..., except one. NAN if one of them is
+ * NAN. */
 struct range {
   double least, most, mean; /* geometric */
 };
@@ -156,8 +158,8 @@ NUMBER(against_cheapest) {
          range_from(t, OBJECT_SPACE, algorithm, scene).least;
 }
 
-/* Of the pairs of those counted that Table VII puts `apart` times apart or
- * farther, the part that is in its order. */
+/* Takes the pairs of counted algorithms whose costs in Table VII are at least
+ * `apart` times apart. Returns the part of them that is in its order. */
 static double pairs_in_order(const struct tables *t, int first, double apart,
                              int scene, struct text remark) {
   int n = 0, good = 0;
@@ -188,7 +190,7 @@ NUMBER(rivals_in_order) {
              : pairs_in_order(t, OBJECT_SPACE, 1, scene, remark);
 }
 
-/* The costliest step of those charged in each frame, `but` one, which may be
+/* The costliest step of those charged in each frame, except `but`, which may be
  * NULL. */
 static const struct table_step *largest(const struct table_algorithm *a,
                                         const char *but, int scene) {
@@ -204,7 +206,7 @@ static const struct table_step *largest(const struct table_algorithm *a,
   return best;
 }
 
-/* Of the ten that were counted. */
+/* Considers those of the ten that were counted. */
 NUMBER(one_step_preponderates) {
   UNUSED;
   int n = 0, many = 0;
@@ -265,7 +267,7 @@ NUMBER(worst_prediction) {
   return factor;
 }
 
-/* claim->algorithm[0] against the cheapest of those after it. */
+/* Compares claim->algorithm[0] with the cheapest of those after it. */
 NUMBER(against_origins) {
   (void)algorithm, (void)remark;
   double least = INFINITY;
@@ -397,7 +399,7 @@ static void outweigh(enum finding *finding, enum finding other) {
     *finding = other;
 }
 
-/* An interval against the limits; of a single number, low == high. */
+/* Compares an interval with the limits; for a single number, low == high. */
 static enum finding within(const struct claim *claim, double low, double high) {
   if (isnan(low) || isnan(high))
     return NOT_MEASURED;
@@ -446,7 +448,8 @@ static void judge_growth(const struct tables *t, const struct claim *claim,
   judge_exponent(claim, "measured", tables_growth(t, values), c);
 }
 
-/* Of one environment, and of one algorithm unless that is NULL. */
+/* Judges the number of one environment, and of one algorithm unless that is
+ * NULL. */
 static enum finding judge_number(const struct tables *t,
                                  const struct claim *claim,
                                  const char *algorithm, int scene,
@@ -478,8 +481,8 @@ static enum finding judge_environment(const struct tables *t,
   return finding;
 }
 
-/* An environment that was not measured is told, but leaves the finding to the
- * others, if there are any. */
+/* An environment that was not measured is named. The finding then comes from
+ * the others, if there are any. */
 static void judge_numbers(const struct tables *t, const struct claim *claim,
                           struct conclusion *c) {
   bool measured = false;

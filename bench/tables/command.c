@@ -43,7 +43,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (o->greene && !o->n_files)
-      return option_fail(&o->base, "tables: --greene of which results? "
+      return option_fail(&o->base, "tables: --greene: which results? "
                                    "(reports/greene/make)");
     if (o->n_files && (o->output || o->timeout))
       return option_fail(&o->base, "tables: -o and -t are for counting, which "
@@ -58,22 +58,22 @@ static const struct argp argp = {
     (const struct argp_option[]){
         {"json", 'j', NULL, 0, "print one JSON object", 0},
         {"greene", GREENE, NULL, 0,
-         "instead, what Greene measured of hierarchical visibility, and the "
-         "same of ours, out of results that reports/greene/make makes",
+         "instead, print Greene's figures on hierarchical visibility beside "
+         "ours, from results that reports/greene/make makes",
          0},
-        {"output", 'o', "FILE", 0, "also write what is counted, as hsr bench",
+        {"output", 'o', "FILE", 0, "also write the counts, as hsr bench does",
          0},
         {"timeout", 't', "SECONDS", 0,
          "the most that a picture may take (standard: 60)", 0},
         {0}},
     parse,
     "[RESULTS.ndjson...]",
-    "Prints Tables I to VII of Sutherland, Sproull and Schumacker as measured, "
-    "each cost beside what the survey printed and what its formula makes of "
+    "Prints Tables I to VII of Sutherland, Sproull and Schumacker as measured: "
+    "each cost beside the survey's figure and beside its formula applied to "
     "the measured Table I; how each step grows; the taxonomy; and which of the "
-    "survey's conclusions the counts bear out. From results of hsr bench; "
-    "without any it first counts on the nine scenes that it is about, which "
-    "takes some minutes.\v"
+    "survey's conclusions the counts bear out. It takes them from results of "
+    "hsr bench. Without results it first counts on the nine scenes of the "
+    "tables, which takes some minutes.\v"
     "  hsr tables\n"
     "  hsr bench --counts house harbor big-harbor --size 500x500 -o c.ndjson\n"
     "  hsr tables c.ndjson",
@@ -83,7 +83,7 @@ static const struct argp argp = {
 
 /* --- Counting ------------------------------------------------------------- */
 
-/* What hsr bench --counts would be asked for. */
+/* The options of the hsr bench --counts that makes the results. */
 static void ask(const struct options *o, struct sweep_options *ask) {
   *ask = (struct sweep_options)SWEEP_OPTIONS_STANDARD;
   for (const char *const *scene = tables_scenes; *scene; scene++)

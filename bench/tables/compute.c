@@ -24,7 +24,7 @@ static struct hsr_table1 read_table1(const json_t *view) {
   return t;
 }
 
-/* view: NULL if the results have none. */
+/* `view` is NULL if the results do not have it. */
 static struct table_scene make_scene(const char *name, const json_t *view) {
   struct table_scene scene = {.name = name, .measured = read_table1(view)};
   hsr_statistics_rules(&scene.measured, &scene.rules);
@@ -38,7 +38,7 @@ static const json_t *view_of(const struct results *results, const char *scene) {
   return results_view(results, key);
 }
 
-/* The name of the view's scene if it is of the ladder, or NULL. */
+/* The name of the view's scene if that is on the ladder, or NULL. */
 static const char *rung(const struct results *results, const json_t *view) {
   const char *scene = json_string_value(json_object_get(view, "scene"));
   return scene && !strncmp(scene, "harbor:", 7) &&
@@ -97,7 +97,7 @@ static void fit(const struct tables *t, struct series *series) {
   series->predicted_growth = tables_growth(t, series->predicted);
 }
 
-/* What a picture that is right took; NAN without one. */
+/* A counter of a picture that is right; NAN if there is none. */
 static double count_in(const json_t *cell, const char *counter) {
   const char *status = json_string_value(json_object_get(cell, "status"));
   const json_t *count =
@@ -116,7 +116,7 @@ static void find_cells(const struct tables *t, struct table_algorithm *a) {
   }
 }
 
-/* Of all terms of a step, in scene s. */
+/* The cost of all terms of a step, in scene s. */
 static double cost_of(const struct table_algorithm *a,
                       const struct hsr_step *step, int s) {
   const struct hsr_counter *counters = a->algorithm->counters;
@@ -140,7 +140,7 @@ static void fill_step(const struct tables *t, const struct table_algorithm *a,
   fit(t, &row->cost);
 }
 
-/* Steps for which no prediction was made count in what is measured only. */
+/* Steps without a prediction are only in the measured total. */
 static void fill_total(const struct tables *t, struct table_algorithm *a) {
   for (int s = 0; s < t->n_scenes; s++) {
     double measured = 0, predicted = 0;

@@ -11,7 +11,7 @@ const struct greene_figure greene_figures[] = {
 
 /* --- Ours ----------------------------------------------------------------- */
 
-/* The least that a frame took: what else the machine does only adds to it. */
+/* The least time of a frame: other work of the machine can only add to it. */
 static double least_seconds(const json_t *cell) {
   double least = NAN;
   size_t s, k;
@@ -28,7 +28,7 @@ static double samples_of(const json_t *cell) {
          (double)results_number(cell, "height");
 }
 
-/* Of the counters in a list that '+' joins. */
+/* The sum of the counters in a list that '+' joins. */
 static double sum_of_counts(const json_t *cell, const char *list) {
   double sum = 0;
   for (const char *at = list; *at;) {

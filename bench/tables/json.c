@@ -10,7 +10,7 @@
 
 /* --- Pieces --------------------------------------------------------------- */
 
-/* Of the three environments. */
+/* The numbers of the three environments. */
 static json_t *three(const double *x) {
   json_t *array = json_array();
   for (int e = 0; e < ENVIRONMENTS; e++)
@@ -207,7 +207,7 @@ static json_t *figure29b_json(void) {
   return array;
 }
 
-/* The element of the array that is of the order, or NULL. */
+/* The element of the array for this sorting order, or NULL. */
 static json_t *of_order(const json_t *array, const char *order) {
   size_t k;
   json_t *row;

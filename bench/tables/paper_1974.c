@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The scans of the survey that are about have lost many a decimal point; the
- * figures here were computed anew from its formulas, and agree with those that
- * can be read, of Tables III to VII, cell by cell. Where more than a point is
- * wrong it is told. */
+/* The available scans of the survey have lost many decimal points. The figures
+ * here were computed anew from its formulas. They agree, cell by cell, with all
+ * figures of Tables III to VII that can be read. A comment says so if more than
+ * a decimal point is wrong. */
 #include "bench/tables/paper_1974.h"
 
 #include <math.h>
@@ -17,8 +17,8 @@ const struct paper_environment paper_environments[ENVIRONMENTS] = {
     {"harbor", "the middle environment"},
     {"big-harbor", "the complex environment"}};
 
-/* C_t, E_t and E_c have F_t, F_t and F_c in their rules, not F_r as printed:
- * only so do they give the figures beside them. S_f has no row of its own. */
+/* The rules of C_t, E_t and E_c have F_t, F_t and F_c, not F_r as printed: only
+ * then do they give the figures beside them. S_f has no row of its own. */
 const struct paper_statistic paper_statistics[] = {
     {"n", "given", {500, 500, 500}},
     {"m", "given", {500, 500, 500}},
@@ -47,7 +47,7 @@ const struct paper_group paper_groups[] = {
      {"roberts"},
      {{"back-edge cull", {800, 20 K, 480 K}, false},
       {"clipping cull", {29 K, 640 K, 13 M}, false},
-      /* f = 4, not 1 as printed: only so are these its figures. */
+      /* f = 4, not 1 as printed: only then does it give these figures. */
       {"edge/volume test", {2.3 M, 510 M, 31 G}, false}},
      {2.4 M, 510 M, 31 G}},
     {"Appel, Loutrel, Galimberti and Montanari",

@@ -15,21 +15,21 @@ struct paper_environment {
 };
 extern const struct paper_environment paper_environments[ENVIRONMENTS];
 
-/* Table II, a row; both 0 where it has none. */
+/* A row of Table II. A figure is NAN if the table prints none. */
 struct paper_statistic {
   const char *symbol;
   const char *rule; /* "given", a formula, or NULL: no rule */
   double figure[ENVIRONMENTS];
 };
 
-/* Table III, a row. */
+/* A row of Table III. */
 struct paper_step {
   const char *label; /* as the algorithms' descriptors have it */
   double figure[ENVIRONMENTS];
   bool once; /* not charged in each frame's cost */
 };
 
-/* Table VII, a column: the algorithms for which the survey has one estimate. */
+/* A column of Table VII: the algorithms that share one estimate. */
 enum { PAPER_ALGORITHMS = 3, PAPER_STEPS = 5 };
 struct paper_group {
   const char *name;
@@ -43,7 +43,7 @@ struct paper_group {
 extern const struct paper_statistic paper_statistics[];
 extern const struct paper_group paper_groups[];
 
-/* What of these is about a symbol, an algorithm, a step; NULL if nothing is.
+/* The entry for a symbol, for an algorithm, for a step; NULL if there is none.
  * `group` may be NULL. */
 const struct paper_statistic *paper_statistic(const char *symbol);
 const struct paper_group *paper_group(const char *algorithm);

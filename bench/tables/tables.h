@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tables of Sutherland et al. 1974, from what hsr bench counted: computed
- * once, printed as text or JSON (hsr tables).
+/* The tables of Sutherland et al. 1974, computed from the counts of hsr bench
+ * and printed as text or JSON (hsr tables).
  *
- * They are about three environments and a ladder of harbors, all looked at from
- * view 1 at 500 x 500. A number that was not measured is NAN. */
+ * They cover three environments and a ladder of harbors, all seen from view 1
+ * at 500 x 500. A number that was not measured is NAN. */
 #ifndef HSR_BENCH_TABLES_H
 #define HSR_BENCH_TABLES_H
 
@@ -14,12 +14,13 @@
 
 enum { TABLES_VIEW = 1, TABLES_SIZE = 500, MOST_SCENES = 32, MOST_STEPS = 16 };
 
-/* What is to be counted for the whole of it, ended by NULL: the environments,
- * and harbors from 100 to 60,000 relevant faces, of one depth complexity, on
- * which growth is measured. */
+/* The scenes that the tables need, ended by NULL: the environments, and the
+ * ladder on which growth is measured: harbors from 100 to 60,000 relevant
+ * faces, all of one depth complexity. */
 extern const char *const tables_scenes[];
 
-/* A scene of the results, with Table I measured and Table II's rules. */
+/* A scene of the results, with its Table I as measured, and as the rules of
+ * Table II predict it. */
 struct table_scene {
   const char *name;
   struct hsr_table1 measured, rules;
@@ -34,7 +35,7 @@ struct series {
 /* A row of Table III. */
 struct table_step {
   const struct hsr_step *step;    /* label, factor, formula */
-  const struct paper_step *paper; /* NULL: the survey has none */
+  const struct paper_step *paper; /* NULL: not in the survey */
   struct series cost;
 };
 
@@ -45,21 +46,22 @@ struct table_algorithm {
   const json_t *cell[MOST_SCENES]; /* record in the results; NULL: none */
   int n_steps;
   struct table_step step[MOST_STEPS];
-  struct series total; /* of the steps that each frame takes */
+  struct series total; /* over the steps that every frame takes */
 };
 
 struct tables {
   const struct results *results;
-  /* First the environments, in their order, measured or not; then the ladder,
-   * by relevant faces. */
+  /* First the environments in their order, whether measured or not; then the
+   * ladder, ordered by relevant faces. */
   int n_scenes;
   struct table_scene scene[MOST_SCENES];
-  int n_algorithms; /* those that have steps, in the order of the list */
+  int n_algorithms; /* only those that have steps, in the order of the list */
   struct table_algorithm *algorithm;
 };
 
-/* HSR_E_INPUT if the results hold none of the scenes. The results are borrowed
- * and outlive the tables, which are freed with tables_delete. */
+/* Computes the tables. HSR_E_INPUT if the results hold none of the scenes. The
+ * results are borrowed and must outlive the tables, which are freed with
+ * tables_delete. */
 enum hsr_status tables_new(struct tables **tables,
                            const struct results *results,
                            struct hsr_error *err);
@@ -70,21 +72,23 @@ void tables_delete(struct tables *tables); /* NULL is allowed */
 const struct table_algorithm *tables_algorithm(const struct tables *t,
                                                const char *name);
 
-/* The cost of a step, or of all if `step` is NULL; NULL: no such thing. */
+/* The cost of a step, or of all steps if `step` is NULL. Returns NULL if there
+ * is no such algorithm or step. */
 const struct series *tables_cost(const struct tables *t, const char *algorithm,
                                  const char *step);
 
-/* What a counter of an algorithm came to on a scene; NAN. */
+/* The value of an algorithm's counter on a scene; NAN if it has none. */
 double tables_count(const struct tables *t, const char *algorithm,
                     const char *counter, int scene);
 
-/* How a number of each scene, `values`, grows over the ladder. */
+/* How `values`, one for each scene, grow over the ladder. */
 struct growth tables_growth(const struct tables *t, const double *values);
 
-/* Why an algorithm has no counts on a scene: "timeout". NULL: it has. */
+/* Why an algorithm has no counts on a scene: "timeout". NULL if it has them. */
 const char *tables_missing(const struct table_algorithm *a, int scene);
 
-/* Three digits, as "12.3K"; K, M, G, T: thousands, ...; "-" for NAN. */
+/* A number in three digits, as "12.3K". K, M, G, T stand for 10^3, 10^6, 10^9,
+ * 10^12. "-" for NAN. */
 struct short_number {
   char text[16];
 };

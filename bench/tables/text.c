@@ -18,8 +18,8 @@ static void title(const char *text) {
   putchar('\n');
 }
 
-/* Words on lines that begin `indent` columns in, the first one after what
- * already stands there. */
+/* Prints words on lines that begin `indent` columns in. The first line already
+ * has a text that wide. */
 static void wrap(int indent, const char *text) {
   int column = indent;
   while (*text) {
@@ -55,7 +55,7 @@ struct short_number short_number(double x) {
   return n;
 }
 
-/* A figure of the survey's, which has two digits or three: 2.5K, 60K. */
+/* A figure of the survey, which has two or three digits: 2.5K, 60K. */
 static struct short_number printed(double x) {
   struct short_number n = short_number(x);
   char *point = strchr(n.text, '.');
@@ -68,7 +68,7 @@ static struct short_number printed(double x) {
   return n;
 }
 
-/* Of what was measured to what was foretold. */
+/* The ratio of measured to predicted. */
 static struct short_number ratio(double measured, double foretold) {
   return short_number(measured > 0 && foretold > 0 ? measured / foretold : NAN);
 }
@@ -82,7 +82,8 @@ static void print_environments(int indent, const char *columns) {
     fputs(columns, stdout);
 }
 
-/* The survey's figure, foretold by it of our Table I, measured, their ratio. */
+/* Prints the survey's figure, the prediction from our Table I, the measured
+ * figure, and the ratio of measured to predicted. */
 static void print_four(const double *paper, const double *predicted,
                        const double *measured) {
   for (int e = 0; e < ENVIRONMENTS; e++)
@@ -149,7 +150,7 @@ static void print_step(const struct table_step *row) {
   putchar('\n');
 }
 
-/* What there is no count of, and why. */
+/* Says on which scenes there are no counts, and why. */
 static void print_missing(const struct tables *t,
                           const struct table_algorithm *a) {
   for (int s = 0; s < t->n_scenes; s++) {
@@ -178,7 +179,7 @@ static void print_ladder(const struct tables *t) {
 static void print_table3(const struct tables *t) {
   title("Table III. Costs in the three environments, step by step");
   puts("cost = complexity factor x count. paper: as printed, for its own Table "
-       "II; pred.: its formula of\nour measured Table I; meas.: measured; "
+       "II; pred.: its formula\napplied to our Table I; meas.: measured; "
        "ratio: measured to predicted.");
   print_ladder(t);
   putchar('\n');
@@ -194,7 +195,7 @@ static void print_table3(const struct tables *t) {
 
 /* --- Tables IV to VII ----------------------------------------------------- */
 
-/* "#####": a part of all. */
+/* Prints a part of the whole as a bar, "#####". */
 static void print_bar(double part) {
   int length = (int)nearbyint(30 * part);
   if (length)
@@ -252,7 +253,7 @@ static void print_table7(const struct tables *t) {
   }
   putchar('\n');
   wrap(0, "Measured totals include the steps for which there is no prediction. "
-          "What is predicted of an algorithm made of two is what both would "
+          "For an algorithm made of two, the prediction is what both would "
           "cost alone.");
 }
 
@@ -270,7 +271,8 @@ static void print_leaf(const struct hsr_algorithm *a, const char *before) {
     puts("       not published");
 }
 
-/* The last of those that hang from a branch or class ends its line. */
+/* Whether more algorithms of the branch follow; after the last one the branch's
+ * line in the tree ends. */
 static bool more_of_branch(const struct hsr_listed *after, enum hsr_branch b) {
   for (after++; after->plain; after++)
     if (after->plain->taxonomy == b)
@@ -309,8 +311,8 @@ static void print_figure13(void) {
   }
 }
 
-/* One more name in a row of them, or in the next, whose columns it keeps count
- * of. */
+/* Prints one more name, in the same row or in the next. Returns the column
+ * after it. */
 static int print_next(const char *name, int column) {
   if (column + 2 + (int)strlen(name) < 100)
     return column + printf(", %s", name);
@@ -428,7 +430,7 @@ void tables_print(const struct tables *t) {
 
 /* --- Greene --------------------------------------------------------------- */
 
-/* A reason that is the last one's again is not told again. */
+/* Prints a reason; "as above" if it is the same as the last one. */
 static void print_reason(const char *reason, int indent, const char **last) {
   printf("%*s> ", indent, "");
   wrap(indent + 2, !strcmp(reason, *last) ? "as above" : reason);
@@ -450,11 +452,11 @@ static void print_figure(const struct greene_figure *f, double ours,
 }
 
 void greene_print(const struct results *results) {
-  puts("What Greene measured of hierarchical visibility, and the same of ours: "
-       "counts, and ratios of\ntimes, each the least that a frame took. 1993: "
-       "with Kass and Miller, SIGGRAPH. 1995: thesis. 1996:\nSIGGRAPH. -: he "
-       "prints none, or the results do not have it. >: why ours is off by more "
-       "than a factor\nof 2. K = 1,000; M = 1,000,000.");
+  puts("Greene's figures on hierarchical visibility beside ours: counts, and "
+       "ratios of times, each the\nleast time of a frame. 1993: with Kass and "
+       "Miller, SIGGRAPH. 1995: thesis. 1996: SIGGRAPH. -: he\nprints none, or "
+       "the results do not have it. >: why ours is off by more than a factor "
+       "of 2.\nK = 1,000; M = 1,000,000.");
   const char *last = "";
   for (const struct greene_figure *f = greene_figures; f->what; f++)
     if (f->source) {

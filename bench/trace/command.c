@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* The most faces that a header tells of. */
+/* The most faces that a header describes. */
 enum { MOST_FACES = 100000 };
 
 /* --- Options -------------------------------------------------------------- */
@@ -22,7 +22,7 @@ struct options {
   const char *counters; /* names with commas between; NULL: all */
   bool has_rows;
   long row, last_row;
-  struct trace_filter filter; /* the window of --window alone */
+  struct trace_filter filter; /* its window is that of --window only */
 };
 
 static bool parse_rows(const char *text, long *first, long *last) {
@@ -111,9 +111,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     if (error && error != ARGP_ERR_UNKNOWN)
       return error;
     if (!o->algorithm)
-      return option_fail(&o->base, "trace: by which algorithm? (-a NAME)");
+      return option_fail(&o->base, "trace: which algorithm? (-a NAME)");
     if (!o->output)
-      return option_fail(&o->base, "trace: into which file? (-o FILE)");
+      return option_fail(&o->base, "trace: which file? (-o FILE)");
     return 0;
   default:
     error = parse_filter_option(o, key, arg);
@@ -129,29 +129,30 @@ static const struct argp argp = {
          "standard output",
          0},
         {"keyframe", KEYFRAME, "N", 0,
-         "a keyframe every N events that are written, or later where they take "
-         "less room than it (standard: 2000)",
+         "a keyframe every N written events, or later if these take less room "
+         "than a keyframe (standard: 2000)",
          0},
         {"jobs", 'J', "1", 0, "threads: only 1", 0},
         SCENE_ARGP_OPTIONS,
         {NULL, 0, NULL, 0,
-         "Which events (accepted ones stay, but outside of "
+         "Which events (accepted ones are left out only if they are outside "
          "the window):",
          2},
         {"rows", ROWS, "J0-J1", 0,
-         "those that meet rows J0 to J1, from 0, or that have no window", 2},
+         "those that meet rows J0 to J1, from 0, or have no window", 2},
         {"window", WINDOW, "X0,Y0,X1,Y1", 0,
          "those that meet columns X0 to X1 - 1 of rows Y0 to Y1 - 1", 2},
         {"counters", COUNTERS, "NAME,...", 0, "those of these counters", 2},
-        {"every", EVERY, "N", 0, "of what is left, each N-th", 2},
+        {"every", EVERY, "N", 0, "of those, every N-th", 2},
         VIEW_ARGP_OPTIONS_OF(STANDARD_SIZE),
         {0}},
     parse,
     "SCENE",
     "Runs the counting build of one algorithm on one view and writes each of "
     "its steps, in order, as a line of JSON: what was done to which faces, "
-    "where, and what was decided. A keyframe now and then tells the counts and "
-    "the picture so far. The format is that of docs/trace.schema.json.\v"
+    "where, and what was decided. From time to time a keyframe gives the "
+    "counts and the picture so far. The format is that of "
+    "docs/trace.schema.json.\v"
     "  hsr trace house -a raycast -o house.ndjson.gz\n"
     "  hsr trace house -a raycast --rows 20 --every 10 -o - | less",
     NULL,
@@ -165,7 +166,7 @@ static enum hsr_status check_algorithm(const struct hsr_variant *variant,
   const struct hsr_algorithm *a = variant->listed->counting;
   const char *why = NULL;
   if (a->flags & HSR_JUDGE)
-    why = "a judge has no steps to tell";
+    why = "a judge has no steps to trace";
   else if (a->flags & HSR_NO_PICTURE)
     why = "it draws nothing";
   else if (hsr_choice_folds(a, &variant->choice) ||
@@ -206,7 +207,7 @@ static enum hsr_status choose_counters(struct options *o,
   return HSR_OK;
 }
 
-/* Rows and window are one window, inside the picture. */
+/* Combines --rows and --window into one window inside the picture. */
 static enum hsr_status choose_window(struct options *o, struct hsr_error *err) {
   struct trace_filter *filter = &o->filter;
   struct hsr_window *w = &filter->window;
@@ -234,7 +235,7 @@ struct run {
   const struct options *options;
   const struct hsr_variant *variant;
   struct hsr_scene *scene;
-  struct hsr_world laid_out, instanced; /* of which the algorithm gets one */
+  struct hsr_world laid_out, instanced; /* the algorithm gets one of them */
   struct hsr_view view;
   struct hsr_setup setup;
   struct trace_answer answer;
@@ -300,7 +301,7 @@ static void write_header(struct run *r) {
   trace_output_line(&r->output, trace_header_json(&header));
 }
 
-/* On a terminal, unless the trace goes there. */
+/* Whether progress is shown: on a terminal, unless the trace goes there. */
 static bool shows_progress(const struct options *o) {
   return isatty(STDERR_FILENO) &&
          (strcmp(o->output, "-") || !isatty(STDOUT_FILENO));

@@ -24,7 +24,7 @@ static json_t *subjects_json(void) {
   return subjects;
 }
 
-/* A list of words that `mark` divides; null for none. */
+/* An array of the words that `mark` separates; null if the text is NULL. */
 static json_t *words_json(const char *text, char mark) {
   if (!text)
     return json_null();
@@ -76,7 +76,7 @@ static json_t *step_kinds_json(void) {
   return kinds;
 }
 
-/* As hsr_json_append does, of an object. */
+/* Adds a member to an object, as hsr_json_append adds to an array. */
 static void add(json_t **object, const char *name, json_t *value) {
   if (json_object_set_new(*object, name, value)) {
     json_decref(*object);
@@ -84,7 +84,7 @@ static void add(json_t **object, const char *name, json_t *value) {
   }
 }
 
-/* Of every option, what was chosen. */
+/* The value chosen for every option. */
 static json_t *options_json(const struct hsr_algorithm *a,
                             const struct hsr_choice *choice) {
   json_t *options = json_object();
@@ -143,8 +143,8 @@ static void vertex_of(const struct hsr_world *world, uint32_t v,
   point[2] = world->mesh.z[v];
 }
 
-/* Those that the algorithm got, where it got a scene laid out: to the scene's
- * own, adapters add some. */
+/* If the algorithm got a scene laid out, these are the vertices that it got:
+ * adapters add some to the scene's own. */
 static json_t *vertices_json(const struct trace_header *h) {
   const struct hsr_world *world =
       hsr_is_outline(h->setup->world) ? h->world : h->setup->world;
@@ -182,7 +182,7 @@ static json_t *corners_json(const struct hsr_world *world, uint32_t face) {
   return corners;
 }
 
-/* Room for one polygon, and for what is clipped of it. */
+/* Room for one polygon, and for the polygon clipped. */
 struct room {
   double (*in)[3], (*out)[3];
 };
@@ -195,8 +195,9 @@ static int largest_face(const struct hsr_world *world) {
   return (int)most;
 }
 
-/* What of the face lies beyond `near`. Where that is 0, it ends a millionth of
- * the face's depth before the eye, as what is nearer is too far outside. */
+/* The part of the face that lies beyond `near`. If near is 0, it ends a
+ * millionth of the face's depth in front of the eye: on the screen, nearer
+ * parts are too far outside. */
 static json_t *polygon_json(const struct trace_header *h, uint32_t face,
                             const struct room *room) {
   const struct hsr_world *world = h->world;
@@ -252,7 +253,7 @@ static json_t *filter_json(const struct trace_filter *filter,
                    "every", (int)filter->every);
 }
 
-/* The places in an array: what stands where. */
+/* The meaning of each place in the arrays. */
 static json_t *places_json(void) {
   return json_pack(
       "{so so so so}", "event",

@@ -8,7 +8,7 @@
 
 /* --- Signals -------------------------------------------------------------- */
 
-/* What is not finished, for the handler to remove. */
+/* The unfinished file, which the handler removes. */
 static const char *volatile unfinished;
 
 static void remove_unfinished(int number) {
@@ -18,7 +18,7 @@ static void remove_unfinished(int number) {
   raise(number);
 }
 
-/* A signal that was ignored before stays so, as under nohup. */
+/* Sets a handler. A signal that is ignored, as under nohup, stays ignored. */
 static void handle(int number, void (*handler)(int)) {
   struct sigaction before, now = {.sa_handler = handler};
   if (!sigaction(number, NULL, &before) && before.sa_handler == SIG_DFL)
@@ -72,14 +72,14 @@ enum hsr_status trace_output_open(struct trace_output *output, const char *path,
 
 /* --- Lines ---------------------------------------------------------------- */
 
-/* `code` is zlib's, Z_ERRNO where the system says why. */
+/* `code` is zlib's; with Z_ERRNO, errno has the cause. */
 static void fail(struct trace_output *output, int code) {
   output->why = errno;
   output->status =
       code == Z_MEM_ERROR || output->why == ENOMEM ? HSR_E_NOMEM : HSR_E_INPUT;
 }
 
-/* How the compressed stream is, if there is one. */
+/* The state of the compressed stream, if there is one. */
 static int code_of(const struct trace_output *output) {
   int code = Z_ERRNO, why = errno;
   if (output->zipped)
@@ -88,7 +88,7 @@ static int code_of(const struct trace_output *output) {
   return code;
 }
 
-/* A piece of a line; for jansson, which stops where this returns -1. */
+/* Writes a piece of a line, for jansson, which stops if this returns -1. */
 static int write_piece(const char *text, size_t size, void *context) {
   struct trace_output *output = context;
   if (!size)
@@ -108,7 +108,7 @@ void trace_output_line(struct trace_output *output, json_t *line) {
     output->status = HSR_E_NOMEM;
   if (!output->status && json_dump_callback(line, write_piece, output, FLAGS) &&
       !output->status)
-    output->status = HSR_E_NOMEM; /* no piece failed, but jansson did */
+    output->status = HSR_E_NOMEM; /* every piece was written: jansson failed */
   if (!output->status)
     write_piece("\n", 1, output);
   json_decref(line);
@@ -116,7 +116,7 @@ void trace_output_line(struct trace_output *output, json_t *line) {
 
 /* --- The end -------------------------------------------------------------- */
 
-/* All that was written goes to the system. */
+/* Passes everything that was written to the system. */
 static void finish(struct trace_output *output) {
   int code = Z_OK;
   if (output->zipped)

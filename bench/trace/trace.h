@@ -4,7 +4,7 @@
  *
  * output.c    a file of lines of JSON, plain or compressed, whole or not there
  * header.c    the first line: the scene, the view, the algorithm
- * answer.c    the answer, as it was drawn and as the events repaint it
+ * answer.c    the answer, both as drawn and as repainted from the events
  * tracer.c    the listener: events, keyframes, the last line
  * command.c   the options, and the run */
 #ifndef HSR_BENCH_TRACE_H
@@ -28,27 +28,27 @@ struct trace_output {
   uint64_t bytes;         /* written, before they were compressed */
 };
 
-/* Opens a file; its name ends in .gz if it is to be compressed. A broken pipe
- * and a full disk are errors from now on, and signals no longer. HSR_E_NOMEM;
- * HSR_E_INPUT: it cannot be written. */
+/* Opens a file for writing. It is compressed if its name ends in .gz. From now
+ * on a broken pipe and a full disk are errors, not signals. HSR_E_NOMEM;
+ * HSR_E_INPUT if the file cannot be written. */
 enum hsr_status trace_output_open(struct trace_output *output, const char *path,
                                   struct hsr_error *err);
 
-/* Writes one line, and gives up the caller's reference to it. NULL is a value
- * that could not be built for lack of memory. Once a line has failed, no
- * further one is written; closing tells. */
+/* Writes one line, and takes the caller's reference to it. NULL is a value that
+ * could not be built for lack of memory. After a line has failed, no further
+ * one is written; trace_output_close returns the error. */
 void trace_output_line(struct trace_output *output, json_t *line);
 
-/* `status` is how the run went: the file stays if that is HSR_OK or
- * HSR_E_DIFFERENCE and all has reached it; else it is removed. Returns
- * `status`, or why the file could not be written. */
+/* `status` is the outcome of the run. The file is kept if that is HSR_OK or
+ * HSR_E_DIFFERENCE and the whole file was written; otherwise it is removed.
+ * Returns `status`, or the error of writing. */
 enum hsr_status trace_output_close(struct trace_output *output,
                                    enum hsr_status status,
                                    struct hsr_error *err);
 
 /* --- The answer ----------------------------------------------------------- */
 
-/* An answer twice. */
+/* Two copies of an answer. */
 struct trace_answer {
   const struct hsr_view *view; /* borrowed */
   struct hsr_answer drawn;     /* by the algorithm */
@@ -56,41 +56,42 @@ struct trace_answer {
   bool out_of_memory;          /* the painting failed */
 };
 
-/* Both empty. Freed also after a failure. HSR_E_NOMEM. */
+/* Makes both empty. To be freed also after a failure. HSR_E_NOMEM. */
 enum hsr_status trace_answer_init(struct trace_answer *answer,
                                   const struct hsr_setup *setup,
                                   const struct hsr_view *view,
                                   struct hsr_error *err);
 void trace_answer_free(struct trace_answer *answer);
 
-/* Runs the algorithm, on this thread, and adds what was counted to *tally. */
+/* Runs the algorithm on this thread, and adds its counts to *tally. */
 enum hsr_status trace_answer_draw(struct trace_answer *answer,
                                   const struct hsr_setup *setup,
                                   struct hsr_tally *tally,
                                   struct hsr_error *err);
 
-/* Paints what an event of kind HSR_ACCEPT tells of. */
+/* Paints what an event of kind HSR_ACCEPT adds to the answer. */
 void trace_answer_paint(struct trace_answer *answer,
                         const struct hsr_event *event);
 
-/* Whether the events have painted what was drawn; otherwise `text` says how
- * much differs. HSR_E_DIFFERENCE, HSR_E_NOMEM. */
+/* Compares the painted answer with the drawn one. HSR_E_DIFFERENCE if they
+ * differ: `text` then says how much. HSR_E_NOMEM. */
 enum hsr_status trace_answer_compare(struct trace_answer *answer, char *text,
                                      size_t size);
 
 /* --- The listener --------------------------------------------------------- */
 
-/* Why an event is left out. Accepted ones stay, but outside of the window. */
+/* Why an event is left out. An accepted event is left out only if it is outside
+ * the window. */
 enum trace_reason { TRACE_WINDOW, TRACE_COUNTERS, TRACE_EVERY, TRACE_KEPT };
 
 /* Which events are written. */
 struct trace_filter {
   bool has_window;
-  struct hsr_window window; /* those whose window meets it, or is empty */
+  struct hsr_window window; /* only events whose window meets it or is empty */
   bool has_counters;
-  uint64_t counters; /* those of these, as bits */
-  long every;        /* of those, each so-many-th */
-  long keyframe;     /* a keyframe after so many events that are written */
+  uint64_t counters; /* only events of these counters: a bit for each */
+  long every;        /* of those events, every `every`-th */
+  long keyframe;     /* written events from one keyframe to the next */
 };
 
 struct tracer {
@@ -102,10 +103,11 @@ struct tracer {
   uint64_t count[HSR_MAX_COUNTERS]; /* events so far */
   uint64_t events, written, candidates, keyframes;
   uint64_t left_out[TRACE_KEPT];
-  long since;                            /* the last keyframe: events written */
-  uint64_t keyframe_begin, keyframe_end; /* of the last: places in the output */
+  long since;                            /* events since the last keyframe */
+  uint64_t keyframe_begin, keyframe_end; /* the last one's place in the output,
+                                            bytes */
   bool shows_progress;
-  double shown; /* when progress was shown */
+  double shown; /* when progress was last shown */
 };
 
 /* Hears one event: the `listen` of a struct hsr_trace. */
@@ -114,15 +116,15 @@ void tracer_listen(void *tracer, const struct hsr_event *event);
 /* Writes a keyframe before event number `next`. */
 void tracer_keyframe(struct tracer *tracer, uint64_t next);
 
-/* Compares what was told with what was counted and drawn, and writes the last
- * line. HSR_E_DIFFERENCE if they differ, which it tells on standard error;
- * HSR_E_NOMEM. */
+/* Compares the events with the counts and with the answer drawn, and writes the
+ * last line. HSR_E_DIFFERENCE if they differ; it then says so on standard
+ * error. HSR_E_NOMEM. */
 enum hsr_status tracer_end(struct tracer *tracer, const struct hsr_tally *tally,
                            struct hsr_error *err);
 
 /* --- The header ----------------------------------------------------------- */
 
-/* What the first line tells of. All borrowed. */
+/* What the first line describes. All borrowed. */
 struct trace_header {
   const struct scene_options *scene;
   const struct view_options *view_options;

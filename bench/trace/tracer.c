@@ -14,8 +14,8 @@ static bool do_meet(const struct hsr_window *a, const struct hsr_window *b) {
   return a->x0 < b->x1 && b->x0 < a->x1 && a->y0 < b->y1 && b->y0 < a->y1;
 }
 
-/* What is accepted of a line drawing stays wherever it is, as a line may reach
- * into the window from anywhere. */
+/* Why an event is left out. An accepted event of a line drawing is always kept:
+ * a line may reach into the window from anywhere. */
 static enum trace_reason choose(struct tracer *tracer,
                                 const struct hsr_event *event) {
   const struct trace_filter *filter = tracer->filter;
@@ -54,7 +54,7 @@ static json_t *answer_json(const struct tracer *tracer,
   return kind_of(tracer)->json(answer, tracer->answer->view);
 }
 
-/* Nulls at the end are left out. */
+/* The event as an array, without the nulls at its end. */
 static json_t *event_json(const struct tracer *tracer,
                           const struct hsr_event *event) {
   const struct hsr_counter *counter =
@@ -89,8 +89,9 @@ static void show_progress(struct tracer *tracer) {
   fflush(stderr);
 }
 
-/* Not before the events since the last one take as much room as that did. So
- * keyframes never take more than half of a file, however much was drawn. */
+/* A keyframe is not due before the events since the last one take as much room
+ * as that one did. So keyframes never take more than half of a file, however
+ * much was drawn. */
 static bool is_keyframe_due(const struct tracer *tracer) {
   return tracer->since >= tracer->filter->keyframe &&
          tracer->output->bytes - tracer->keyframe_end >=
@@ -105,7 +106,7 @@ void tracer_listen(void *context, const struct hsr_event *event) {
   if (tracer->shows_progress && tracer->events % 8192 == 0)
     show_progress(tracer);
   if (event->counter >= trace_n_counters(tracer->algorithm))
-    return; /* the end will not match */
+    return; /* tracer_end will find a difference */
   tracer->count[event->counter]++;
   if (tracer->algorithm->counters[event->counter].kind == HSR_ACCEPT)
     trace_answer_paint(tracer->answer, event);
@@ -122,7 +123,7 @@ void tracer_listen(void *context, const struct hsr_event *event) {
 
 /* --- Keyframes ------------------------------------------------------------ */
 
-/* Of counters that are computed nothing is known before the end. */
+/* Counters that are computed have no value before the end. */
 static json_t *counts_json(const struct hsr_algorithm *algorithm,
                            const uint64_t *count, bool is_end) {
   json_t *counts = json_array();
@@ -150,7 +151,7 @@ void tracer_keyframe(struct tracer *tracer, uint64_t next) {
 
 /* --- The end -------------------------------------------------------------- */
 
-/* What was told, beside what was counted and drawn. */
+/* The comparison of the events with the counts and the answer. */
 struct findings {
   bool counted;   /* each counter has as many events as it counted */
   bool rebuilt;   /* the accepted events repainted the answer */
@@ -211,7 +212,7 @@ enum hsr_status tracer_end(struct tracer *tracer, const struct hsr_tally *tally,
                            struct hsr_error *err) {
   if (tracer->shown > 0)
     fprintf(stderr, "\r\033[K");
-  if (tracer->output->status) /* which closing tells */
+  if (tracer->output->status) /* trace_output_close returns it */
     return HSR_OK;
   struct findings found;
   check_counts(tracer, tally, &found);

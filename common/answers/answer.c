@@ -40,7 +40,7 @@ double hsr_form_pictures(const struct hsr_form *form,
 
 /* --- Answers -------------------------------------------------------------- */
 
-/* Room for one of the pictures that an answer is folded from. */
+/* Makes room for one of the pictures that an answer is folded from. */
 static enum hsr_status make_picture(struct hsr_answer *answer,
                                     const struct hsr_view *view,
                                     struct hsr_error *err) {

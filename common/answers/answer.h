@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Kinds of answers: what algorithms make, and all that one does with it.
+/* Kinds of answers: what algorithms make, and everything that is done with it.
  *
  * A kind is one `const struct hsr_answer_type` in a file of its own, and one
  * line in list.def. The command, the judge, the bench, the report and the crew
  * know answers only through this table.
  *
- * Some kinds an algorithm makes itself. Others are folded from pictures of
- * another kind, by whoever makes those: struct hsr_fold. */
+ * An algorithm makes some kinds itself. Other kinds are folded from pictures of
+ * another kind, which any algorithm of that kind can draw: struct hsr_fold. */
 #ifndef HSR_COMMON_ANSWERS_ANSWER_H
 #define HSR_COMMON_ANSWERS_ANSWER_H
 
@@ -28,8 +28,8 @@ extern "C" {
 struct hsr_answer_type;
 struct json_t; /* of jansson */
 
-/* What exactly is asked for: a kind, and its options. Only answers of one form
- * are compared. */
+/* What exactly is asked for: a kind and the values of its options. Two answers
+ * are compared only if they have the same form. */
 struct hsr_form {
   const struct hsr_answer_type *type;
   struct hsr_values values; /* of type->options */
@@ -40,18 +40,18 @@ bool hsr_same_form(const struct hsr_form *a, const struct hsr_form *b);
 struct hsr_answer {
   struct hsr_form form;
   int m, n;
-  void *body; /* what it is, as its type says; the type's memory */
-  struct hsr_answer *picture; /* of a kind that is folded, one picture to be
-                                 folded in; NULL where the algorithm makes the
-                                 kind itself */
+  void *body; /* the contents, in the type's own form; owned by the type */
+  struct hsr_answer *picture; /* if the kind is folded: the picture that is
+                                 folded in next; NULL if the algorithm makes
+                                 the kind itself */
 };
 
 /* How the answer to a view is folded from pictures of another kind. */
 struct hsr_fold {
   const struct hsr_answer_type *of;
 
-  /* How many pictures, and the view of picture k, from 0. HSR_E_REFUSED where
-   * it would be too large. */
+  /* How many pictures there are, and the view of picture k, from 0.
+   * HSR_E_REFUSED if that picture would be too large. */
   long (*n)(const struct hsr_form *form);
   enum hsr_status (*view)(const struct hsr_form *form,
                           const struct hsr_view *view, long k,
@@ -69,14 +69,14 @@ struct hsr_comparison {
   const uint32_t *place; /* the places to compare, j * m + i, ascending; NULL:
                             all */
   size_t n;              /* how many */
-  bool coarse; /* `got` answers as coarsely as its kind allows: of segments,
-                  whether hidden, not by how many */
+  bool coarse; /* `got` is as coarse as its kind allows: its segments say
+                  whether they are hidden, not by how many faces */
 };
 
 struct hsr_difference {
   uint64_t compared, differing; /* places, or whatever the kind compares */
-  char first[200]; /* the first difference in words, behind their number:
-                      "samples, the first (3, 4): face 5, not 6" */
+  char first[200]; /* the first difference in words, to be printed after the
+                      number: "samples, the first (3, 4): face 5, not 6" */
 };
 
 /* How an answer is to be shown. All borrowed. */
@@ -86,20 +86,20 @@ struct hsr_showing {
   const char *scene, *title, *description;
   const char *text; /* "key=value" lines for a file's metadata, or NULL */
   enum hsr_shading shading;
-  bool depth;       /* depths are wanted, too */
+  bool depth;       /* depths are wanted as well */
   const float *rgb; /* colours of the samples, if the algorithm made them */
   int supersamples; /* s: s x s samples are averaged; 1: none */
-  enum hsr_hidden hidden; /* what becomes of hidden lines */
+  enum hsr_hidden hidden; /* how hidden lines are drawn */
   double crease;          /* degrees; negative: all edges */
 };
 
 /* An answer made visible. Owned by the caller, freed by hsr_shaded_free. */
 struct hsr_shaded {
-  float *rgb, *depth; /* 3 m n and m n, as far as the kind has them; or NULL */
+  float *rgb, *depth; /* 3 m n and m n floats; NULL if the kind has none */
 };
 void hsr_shaded_free(struct hsr_shaded *shaded);
 
-/* What showing a kind can take account of. */
+/* The settings that showing a kind can take account of. */
 enum {
   HSR_SHADING,
   HSR_SUPERSAMPLES,
@@ -110,75 +110,78 @@ enum {
 struct hsr_answer_type {
   const char *name;    /* [a-z]+, "ids" */
   const char *meaning; /* "the visible face of every sample" */
-  const char *draws;   /* "faces": what who makes it is said to draw */
+  const char *draws;   /* "faces": what its algorithms are said to draw */
   const char *places;  /* "samples": what is compared */
-  const char *grains;  /* "samples": what a view of m x n has m x n of */
+  const char *grains;  /* "samples": the unit of a view's size, m x n */
 
-  const struct hsr_option *options; /* of its form; the first of them is what
-                                       asks for the kind, if it is folded */
+  const struct hsr_option *options; /* of its form; if the kind is folded, the
+                                       first option is the one that asks for
+                                       it */
   const struct hsr_fold *fold;      /* NULL: algorithms make it themselves */
   bool by_windows; /* each window of it can be made alone, and in any order */
   bool by_places;  /* m x n places are compared, and each can be asked for
-                      alone; else it is made and compared as a whole */
+                      alone; false: it is made and compared as a whole */
   unsigned takes;  /* 1 << HSR_SHADING, ... */
 
   /* Makes the body of an empty answer, of form, m and n. HSR_E_NOMEM. */
   enum hsr_status (*make)(struct hsr_answer *answer, struct hsr_error *err);
-  /* As before anything was drawn. NULL: who makes it writes all of it. */
+  /* Puts it in the state before anything is drawn. NULL: the algorithm writes
+   * every place. */
   void (*clear)(struct hsr_answer *answer);
-  /* Marks all places as not written, so that what an algorithm leaves out shows
-   * as a difference. NULL: clear does. */
+  /* Marks all places as not written, so that a place which an algorithm leaves
+   * out shows as a difference. NULL: clear does that. */
   void (*unset)(struct hsr_answer *answer);
   void (*free)(struct hsr_answer *answer);
 
-  /* Copies what `from` has in a window. NULL: not by windows. */
+  /* Copies a window of `from`. NULL: the kind is not made by windows. */
   void (*merge)(struct hsr_answer *into, const struct hsr_answer *from,
                 const struct hsr_window *window);
 
   void (*compare)(const struct hsr_comparison *comparison,
                   struct hsr_difference *difference);
-  /* 3 m n: the wanted answer, dim, with what differs marked. NULL: it cannot be
-   * shown so. HSR_E_NOMEM. */
+  /* Fills 3 m n floats: the wanted answer, dimmed, with the differences marked.
+   * NULL: the kind cannot be shown so. HSR_E_NOMEM. */
   enum hsr_status (*show_difference)(const struct hsr_comparison *comparison,
                                      const struct hsr_showing *showing,
                                      float *rgb, struct hsr_error *err);
 
-  /* What is left out of the answer for showing it. NULL: nothing. HSR_E_NOMEM.
-   */
+  /* Removes from the answer what is not to be shown. NULL: nothing is removed.
+   * HSR_E_NOMEM. */
   enum hsr_status (*trim)(struct hsr_answer *answer,
                           const struct hsr_showing *showing,
                           struct hsr_error *err);
-  /* To colours; the shaded is all NULL before. NULL: there are none. */
+  /* Makes colours; before the call, all of *shaded is NULL. NULL: the kind has
+   * no colours. */
   enum hsr_status (*shade)(const struct hsr_answer *answer,
                            const struct hsr_showing *showing,
                            struct hsr_shaded *shaded, struct hsr_error *err);
-  /* Whether a file of this name can hold it, by suffix. */
+  /* Whether the suffix of `path` is that of a file that can hold it. */
   bool (*fits)(const char *path);
   enum hsr_status (*write)(const struct hsr_answer *answer,
                            const struct hsr_showing *showing,
                            struct hsr_shaded *shaded, const char *path,
                            struct hsr_error *err);
-  /* A line on what there is in it, with its end. */
+  /* Prints one line about its contents, with the newline. */
   void (*print)(const struct hsr_answer *answer,
                 const struct hsr_showing *showing, FILE *out);
 
-  /* Its part in a trace: docs/trace.schema.json. NULL, all of them: a run that
+  /* For traces: docs/trace.schema.json. If all of these are NULL, a run that
    * makes this kind cannot be traced. */
 
-  /* Adds what an event of kind HSR_ACCEPT tells. HSR_E_NOMEM. */
+  /* Adds what an event of kind HSR_ACCEPT describes. HSR_E_NOMEM. */
   enum hsr_status (*paint)(struct hsr_answer *answer,
                            const struct hsr_event *event);
-  /* Brings what was painted into the order of an answer. NULL: it has none.
-   * HSR_E_NOMEM. */
+  /* Puts what was painted into the order of an answer. NULL: the kind has no
+   * order. HSR_E_NOMEM. */
   enum hsr_status (*settle)(struct hsr_answer *answer);
-  /* New references, or NULL for lack of memory: an answer; and the part of an
-   * event, NULL if its events have none. */
+  /* Return new references, or NULL for lack of memory: to an answer; and to the
+   * part of an event. part_json is NULL if events of the kind have no part. */
   struct json_t *(*json)(const struct hsr_answer *answer,
                          const struct hsr_view *view);
   struct json_t *(*part_json)(const void *part, const struct hsr_view *view);
 };
 
-/* --- The kinds ------------------------------------------------------------- */
+/* --- The kinds ------------------------------------------------------------ */
 
 #define HSR_ANSWER(id) extern const struct hsr_answer_type hsr_answer_##id;
 #include "common/answers/list.def"
@@ -187,7 +190,7 @@ struct hsr_answer_type {
 /* All kinds, ended by NULL: the program's own list, or that of list.def. */
 extern const struct hsr_answer_type *const hsr_answer_types[];
 
-/* The number of a kind among them. */
+/* The index of a kind in that list. */
 int hsr_answer_number(const struct hsr_answer_type *type);
 #define HSR_MOST_ANSWER_TYPES 16
 
@@ -196,40 +199,40 @@ int hsr_answer_number(const struct hsr_answer_type *type);
 #define HSR_SEGMENTS (&hsr_answer_segments)
 #define HSR_VOXELS (&hsr_answer_voxels)
 
-/* --- Answers --------------------------------------------------------------- */
+/* --- Answers -------------------------------------------------------------- */
 
 /* The form of a kind with its standard options. */
 struct hsr_form hsr_form_standard(const struct hsr_answer_type *type);
 
-/* An answer in which nothing is drawn, to be freed also after a failure.
- * `by_pictures`: the kind is folded, and from pictures. HSR_E_NOMEM;
- * HSR_E_REFUSED where such a picture would be too large. */
+/* Makes an answer in which nothing is drawn. It is to be freed also after a
+ * failure. `by_pictures`: the kind is folded, and pictures are drawn for it.
+ * HSR_E_NOMEM; HSR_E_REFUSED if such a picture would be too large. */
 enum hsr_status hsr_answer_make(struct hsr_answer *answer,
                                 const struct hsr_form *form,
                                 const struct hsr_view *view, bool by_pictures,
                                 struct hsr_error *err);
 void hsr_answer_free(struct hsr_answer *answer);
 
-/* About how many pictures of the view's size it takes to make the answer. */
+/* Roughly how many pictures of the view's size are drawn for one answer. */
 double hsr_form_pictures(const struct hsr_form *form,
                          const struct hsr_view *view);
 
-/* The body of an answer of these kinds; NULL of any other. Of ids, m * n; of a
- * filtered picture, its sums, 3 m n. */
+/* The body of an answer of each of these kinds; NULL for any other kind. Ids
+ * are m * n numbers; the sums of a filtered picture are 3 m n. */
 uint32_t *hsr_answer_ids_of(const struct hsr_answer *answer);
 struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer);
 struct hsr_solid_voxels *hsr_answer_voxels_of(const struct hsr_answer *answer);
 uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer);
 
-/* How many voxels lie along the longest side of the scene's box, of a form of
- * voxels. */
+/* For a form of voxels: how many lie along the longest side of the scene's box.
+ */
 int hsr_form_voxels(const struct hsr_form *form);
 
-/* An answer around ids that somebody else owns, of m x n; not to be freed. */
+/* An answer around m x n ids that the caller owns; not to be freed. */
 struct hsr_answer hsr_answer_of_ids(uint32_t *ids, int m, int n);
 
-/* How a picture is filtered, of a form; the filter is HSR_FILTER_NONE if it is
- * of another kind. */
+/* How a picture of this form is filtered; the filter is HSR_FILTER_NONE if the
+ * form is of another kind. */
 struct hsr_filtering hsr_form_filtering(const struct hsr_form *form);
 
 #ifdef __cplusplus

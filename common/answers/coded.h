@@ -7,18 +7,18 @@
 #include "common/files/json.h"
 #include "common/view/view.h"
 
-/* What the numbers of a subject are: "face", ..., ended by NULL. */
+/* The meaning of each number of a subject: "face", ..., ended by NULL. */
 enum { HSR_MOST_SUBJECT_IDS = 3 };
 extern const char
     *const hsr_subject_ids[HSR_N_SUBJECT_KINDS][HSR_MOST_SUBJECT_IDS + 1];
 
 /* All of these give a new reference, or NULL for lack of memory. */
 
-/* [kind, ids...], or null for nothing. */
+/* [kind, ids...], or null if there is no subject. */
 json_t *hsr_subject_json(struct hsr_subject subject);
 
 /* Where a point of the world is on the screen, in samples: [x, y], to the
- * nearest 1/64; or null where it is not beyond the view's `near`. */
+ * nearest 1/64; or null if it is not beyond the view's `near`. */
 json_t *hsr_point_json(const struct hsr_view *view, const double point[3]);
 
 /* (w sx, w sy, w) of a point: its place on the screen, in samples, and its
@@ -26,7 +26,8 @@ json_t *hsr_point_json(const struct hsr_view *view, const double point[3]);
 void hsr_point_project(const struct hsr_view *view, const double point[3],
                        double image[3]);
 
-/* [x, y] of such an image. */
+/* [x, y] of an image from hsr_point_project, in samples, to the nearest 1/64;
+ * or null if they are not finite. */
 json_t *hsr_image_json(const double image[3]);
 
 #endif

@@ -9,13 +9,13 @@ enum { BITS = HSR_SUB * HSR_SUB };
 
 /* --- Weights -------------------------------------------------------------- */
 
-/* How far a sub-sample's middle is from that of the pixel `to` pixels away, in
- * sixteenths of a pixel: odd, so never 0. */
+/* The distance of a sub-sample's middle from the middle of the pixel `to`
+ * pixels away, in sixteenths of a pixel: odd, so never 0. */
 static int sixteenths(int place, int to) {
   return 2 * place + 1 - HSR_SUB - 2 * HSR_SUB * to;
 }
 
-/* The cosine hump, r and 1 in sixteenths of a pixel. */
+/* The cosine hump, with r and its radius in sixteenths of a pixel. */
 static double hump(int x, int y) {
   const double pi = 3.14159265358979323846, one = 2 * HSR_SUB;
   double square = (double)(x * x + y * y);
@@ -26,11 +26,11 @@ static double hump_at(int dx, int dy, int bit) {
   return hump(sixteenths(bit % HSR_SUB, dx), sixteenths(bit / HSR_SUB, dy));
 }
 
-/* Scaled, no weight comes within 0.03 of a half, so that every machine rounds
- * it alike, whatever the last places of its cosine are. Neither of x and y is
- * ever 0: the weights come in fours, (+-x, +-y), and so does their rounded sum,
- * as the whole weight does. What is left of that is shared evenly by the four
- * in the middle. */
+/* After scaling, the fraction of no weight is within 0.03 of a half. So every
+ * machine rounds it alike, whatever the last places of its cosine are. x and y
+ * are never 0, so the weights come in fours, (+-x, +-y). The sum of the rounded
+ * weights is a multiple of 4, as is the whole weight. The four weights in the
+ * middle share the rest evenly. */
 static void init_cosine(struct hsr_kernel *kernel) {
   double sum = 0;
   uint32_t rounded = 0;
@@ -70,7 +70,7 @@ void hsr_kernel_init(struct hsr_kernel *kernel, enum hsr_filter filter) {
 
 /* --- Jitter --------------------------------------------------------------- */
 
-/* A number of 32 bits scattered over all numbers of 32 bits, none twice. */
+/* A permutation of the numbers of 32 bits that scatters them. */
 static uint32_t scatter(uint32_t number) {
   number = (number ^ number >> 16) * 0x85ebca6bu;
   number = (number ^ number >> 13) * 0xc2b2ae35u;
@@ -111,7 +111,7 @@ struct hsr_view hsr_subsample_view(const struct hsr_view *view, int pattern,
 
 /* --- Colours -------------------------------------------------------------- */
 
-/* Nearest, of what should be from 0 to 1. */
+/* Rounds a value to 16 bits, after clamping it to 0..1. */
 static uint16_t in_16_bits(float value) {
   double inside = fmin(fmax((double)value, 0), 1);
   return (uint16_t)floor(inside * 65535 + 0.5);
@@ -123,7 +123,8 @@ static bool is_face(const struct hsr_world *world, uint32_t id) {
   return id < world->outline.first[world->outline.scene->n_instances];
 }
 
-/* By the scene alone, so that no way of holding the world can differ. */
+/* Depends on the scene alone, so that every form of the world gives the same
+ * colour. */
 void hsr_filter_colour(const struct hsr_world *world,
                        const struct hsr_view *view, uint32_t id,
                        uint16_t rgb[3]) {
@@ -144,7 +145,7 @@ void hsr_filter_colour(const struct hsr_world *world,
     rgb[c] = in_16_bits(colour[c]);
 }
 
-/* The colours of the faces that were asked for lately. */
+/* A cache of the colours of faces. */
 enum { KEPT = 1024 };
 struct colours {
   const struct hsr_world *world;
@@ -152,10 +153,11 @@ struct colours {
   struct {
     uint32_t id;
     uint16_t rgb[3];
-  } kept[KEPT]; /* that of face id at id % KEPT */
+  } kept[KEPT]; /* face id is at id % KEPT */
 };
 
-/* None yet: at every place stands a face that has another one. */
+/* Empties the cache: every place gets the id of a face that belongs to another
+ * place. */
 static void colours_init(struct colours *colours, const struct hsr_world *world,
                          const struct hsr_view *view) {
   colours->world = world;
@@ -186,7 +188,7 @@ static bool is_within(int m, int n, int i, int j) {
   return i >= 0 && i < m && j >= 0 && j < n;
 }
 
-/* Adds to pixel (i, j), if there is one. */
+/* Adds a weighted colour to pixel (i, j), if there is such a pixel. */
 static void add(int m, int n, int i, int j, uint32_t weight,
                 const uint16_t rgb[3], uint32_t *sums) {
   if (!weight || !is_within(m, n, i, j))
@@ -204,8 +206,8 @@ void hsr_filter_add(const struct hsr_kernel *kernel, int m, int n, int i, int j,
           rgb, sums);
 }
 
-/* The ids of the pixel whose first sub-sample is at `corner`, by their bits;
- * whether it is of one face, as most are. */
+/* Copies the ids of the pixel whose first sub-sample is at `corner`, in the
+ * order of their bits. Whether they are all one face, as in most pixels. */
 static bool gather(const uint32_t *corner, size_t stride, uint32_t id[BITS]) {
   uint32_t differ = 0;
   for (int b = 0; b < HSR_SUB; b++)
@@ -217,7 +219,7 @@ static bool gather(const uint32_t *corner, size_t stride, uint32_t id[BITS]) {
   return !differ;
 }
 
-/* Where the pixel shows a face. */
+/* The mask of the sub-samples that show a face. */
 static uint64_t mask_of(const uint32_t id[BITS], uint32_t face) {
   uint64_t mask = 0;
   for (int bit = 0; bit < BITS; bit++)
@@ -271,7 +273,8 @@ void hsr_filter_add_subsample(const struct hsr_kernel *kernel,
     }
 }
 
-/* The weight of what of a picture reaches its pixel (i, j). */
+/* The sum of the weights of all sub-samples of a picture that reach its pixel
+ * (i, j). */
 static uint32_t weight_within(const struct hsr_kernel *kernel, int m, int n,
                               int i, int j) {
   uint32_t weight = 0;

@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The filtered picture: what a pixel is, of 8 x 8 samples each
+/* The filtered picture, whose pixels have 8 x 8 samples each
  * (docs/filtered-picture.md).
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 4.4; P. Haeberli and K. Akeley, "The Accumulation
  *             Buffer", SIGGRAPH 1990.
- * Sub-sample  (a, b) of pixel (i, j), a and b from 0 to 7, is sample (i, j) of
- *             the view whose offset is ((a + 1/2 + jx)/8 - 1/2, (b + 1/2 +
- *             jy)/8 - 1/2), jx and jy being 0 or what the pixel's pattern of
- *             jitter has for (a, b). Where they are 0, it is sample (8 i + a,
- *             8 j + b) of the picture of 8 m x 8 n samples.
- * Bit         8 b + a in the masks of 64 bits.
- * Colour      of a face: that of hsr_picture_colour, by N.L, in 16 bits a
+ * Sub-sample  Sub-sample (a, b) of pixel (i, j), a and b from 0 to 7, is sample
+ *             (i, j) of the view whose offset is ((a + 1/2 + jx)/8 - 1/2,
+ *             (b + 1/2 + jy)/8 - 1/2). The pixel's pattern of jitter gives jx
+ *             and jy; without jitter they are 0. Where they are 0, the
+ *             sub-sample is sample (8 i + a, 8 j + b) of the picture of
+ *             8 m x 8 n samples.
+ * Bit         Sub-sample (a, b) is bit 8 b + a of a mask of 64 bits.
+ * Colour      A face has the colour of hsr_picture_colour, by N.L, in 16 bits a
  *             channel, linear.
- * Sum         what a pixel holds: of colour times weight, over all sub-samples
- *             of the picture that the filter's kernel reaches; in integers, so
- *             that no order of adding differs from another. At most 65535 times
- *             65536, so 32 bits hold it. */
+ * Sum         A pixel holds a sum of colour times weight, over all sub-samples
+ *             of the picture that the filter's kernel reaches. It is an
+ *             integer, so the order of adding does not matter. It is at most
+ *             65535 times 65536, so 32 bits hold it. */
 #ifndef HSR_COMMON_FILTER_H
 #define HSR_COMMON_FILTER_H
 
@@ -27,11 +28,11 @@
 extern "C" {
 #endif
 
-enum { HSR_SUB = 8 }; /* sub-samples a side of a pixel */
+enum { HSR_SUB = 8 }; /* sub-samples along a side of a pixel */
 
 enum hsr_filter {
   HSR_FILTER_NONE,
-  HSR_FILTER_BOX,   /* area sampling: all of the pixel, alike */
+  HSR_FILTER_BOX,   /* area sampling: all of the pixel has one weight */
   HSR_FILTER_COSINE /* a hump of one pixel's radius, (1 + cos pi r) / 2 */
 };
 
@@ -45,18 +46,18 @@ struct hsr_filtering {
 /* The weights of one filter. */
 #define HSR_WHOLE_WEIGHT 65536u /* of all within a kernel's reach */
 struct hsr_kernel {
-  /* What sub-sample `bit` of a pixel adds to the pixel that is dx to the right
-   * and dy below of it: weight[dy + 1][dx + 1][bit]. */
+  /* The weight with which sub-sample `bit` of a pixel counts in the pixel dx to
+   * its right and dy below it: weight[dy + 1][dx + 1][bit]. */
   uint32_t weight[3][3][64];
-  /* The same, of those in row b of the pixel whose bits are set in `byte`:
-   * row[dy + 1][dx + 1][b][byte]. */
+  /* The sum of these weights over the sub-samples in row b of the pixel whose
+   * bits are set in `byte`: row[dy + 1][dx + 1][b][byte]. */
   uint32_t row[3][3][HSR_SUB][256];
-  int reach; /* pixels to each side that a pixel adds to: 0 or 1 */
+  int reach; /* how many pixels to each side a pixel adds to: 0 or 1 */
 };
 void hsr_kernel_init(struct hsr_kernel *kernel, enum hsr_filter filter);
 
-/* Jitter: a sub-sample of pixel (i, j) is moved by this, in parts of its own
- * square: odd multiples of 1/32, in (-1/2, 1/2). */
+/* Jitter: how far each sub-sample of a pixel is moved, where 1 is the side of
+ * the sub-sample's own square. Odd multiples of 1/32, in (-1/2, 1/2). */
 struct hsr_jitter {
   double x[64], y[64];
 };
@@ -65,39 +66,40 @@ void hsr_jitter_init(struct hsr_jitter *jitter, int pattern);
 /* Which pattern a pixel has, 0 to patterns - 1; -1 where there is no jitter. */
 int hsr_jitter_pattern(const struct hsr_filtering *filtering, int i, int j);
 
-/* The view of which sub-sample `bit` of the pixels of a pattern is a sample;
- * pattern -1: without jitter. */
+/* The view whose sample (i, j) is sub-sample `bit` of pixel (i, j), for pixels
+ * of this pattern; pattern -1: without jitter. */
 struct hsr_view hsr_subsample_view(const struct hsr_view *view, int pattern,
                                    int bit);
 
-/* The colour of a face by its id in the scene, or of HSR_BACKGROUND; of any
- * world, laid out or not. Black where there is no such face. */
+/* The colour of a face by its id in the scene, or of HSR_BACKGROUND. The world
+ * may be laid out or not. Black if there is no such face. */
 void hsr_filter_colour(const struct hsr_world *world,
                        const struct hsr_view *view, uint32_t id,
                        uint16_t rgb[3]);
 
-/* Adds a colour, where the mask of pixel (i, j) is set, to the sums of the
- * pixels of an m x n picture that it reaches. */
+/* Adds the colour of the sub-samples whose bits are set in the mask of pixel
+ * (i, j) to the sums of all pixels of an m x n picture that they reach. */
 void hsr_filter_add(const struct hsr_kernel *kernel, int m, int n, int i, int j,
                     uint64_t mask, const uint16_t rgb[3], uint32_t *sums);
 
-/* Adds a whole picture without jitter: ids[] of 8 m x 8 n samples, m x n being
- * the size of `view`. */
+/* Adds a whole picture without jitter: ids[] of 8 m x 8 n samples, where m x n
+ * is the size of `view`. */
 void hsr_filter_add_picture(const struct hsr_kernel *kernel,
                             const struct hsr_world *world,
                             const struct hsr_view *view, const uint32_t *ids,
                             uint32_t *sums);
 
-/* Adds one sub-sample of all pixels of a pattern: ids[] of m x n samples of its
- * view. */
+/* Adds one sub-sample of every pixel that has this pattern: ids[] are the m x n
+ * samples of the view of hsr_subsample_view. */
 void hsr_filter_add_subsample(const struct hsr_kernel *kernel,
                               const struct hsr_filtering *filtering,
                               const struct hsr_world *world,
                               const struct hsr_view *view, int pattern, int bit,
                               const uint32_t *ids, uint32_t *sums);
 
-/* Sums to linear colours 0..1: divided by the weights that are within the
- * picture. Three a pixel, m * n, no padding. */
+/* Makes linear colours 0..1 of the sums: it divides each by the sum of the
+ * weights that lie within the picture. Three floats a pixel, m * n pixels, no
+ * padding. */
 void hsr_filter_finish(const struct hsr_filtering *filtering, int m, int n,
                        const uint32_t *sums, float *rgb);
 

@@ -2,9 +2,9 @@
 /* Weighted sums of 8 x 8 samples a pixel: docs/filtered-picture.md. Two answers
  * are equal if their sums are, to the last bit.
  *
- * Folded from ids: without jitter, from one picture of 8 m x 8 n samples; with
- * it, from 64 pictures of m x n samples for each pattern (Haeberli and Akeley
- * 1990). */
+ * The kind is folded from ids: without jitter, from one picture of 8 m x 8 n
+ * samples; with jitter, from 64 pictures of m x n samples for each pattern
+ * (Haeberli and Akeley 1990). */
 #include "common/answers/answer.h"
 #include "common/files/image.h"
 #include "common/files/suffix.h"
@@ -16,7 +16,7 @@
 enum { FILTER, JITTER };
 
 static const struct hsr_word filters[] = {
-    {"box", "all of the pixel, alike", 0},
+    {"box", "all of the pixel, with one weight", 0},
     {"cosine", "a hump of one pixel's radius", 0},
     {NULL}};
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The visible face of every sample: docs/correct-picture.md. Two answers are
- * equal if they are, sample for sample. */
+ * equal if they agree in every sample. */
 #include "common/answers/answer.h"
 #include "common/answers/coded.h"
 #include "common/files/image.h"
@@ -64,7 +64,7 @@ static void compare(const struct hsr_comparison *c,
   }
 }
 
-/* The wanted picture, dim, with what differs in a bright orange. */
+/* The wanted picture, dimmed, with the differences in bright orange. */
 static enum hsr_status show_difference(const struct hsr_comparison *c,
                                        const struct hsr_showing *showing,
                                        float *rgb, struct hsr_error *err) {
@@ -170,7 +170,7 @@ static enum hsr_status paint(struct hsr_answer *answer,
   return HSR_OK;
 }
 
-/* Runs of one id, row after row: id, how often, id, how often ... */
+/* Runs of one id, row after row: id, length, id, length ... */
 static json_t *ids_json(const struct hsr_answer *answer,
                         const struct hsr_view *view) {
   const uint32_t *ids = answer->body;

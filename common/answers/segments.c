@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every edge in intervals of one quantitative invisibility:
- * docs/correct-drawing.md. Two answers are equal if they are, edge for edge. */
+ * docs/correct-drawing.md. Two answers are equal if all edges agree. */
 #include "common/answers/answer.h"
 #include "common/answers/coded.h"
 #include "common/files/image.h"
@@ -83,7 +83,8 @@ static enum hsr_status write_plot(const struct hsr_plot *plot, const char *path,
   return write_image(plot, path, text, err);
 }
 
-/* .vtp holds all intervals, in world space; the others are paper. */
+/* A .vtp file holds all intervals, in world space. The other files are drawings
+ * on paper. */
 static enum hsr_status write(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
                              struct hsr_shaded *shaded, const char *path,
@@ -107,7 +108,7 @@ static bool fits(const char *path) {
   return true;
 }
 
-/* On the paper, pixels. */
+/* The length on the paper, in pixels. */
 static double length(const struct hsr_segment *segment,
                      const struct hsr_view *view) {
   double from[2], to[2];
@@ -145,8 +146,8 @@ static enum hsr_status settle(struct hsr_answer *answer) {
   return hsr_drawing_sort(answer->body);
 }
 
-/* The edge is coded like the subject of an event. It may be an edge of several
- * faces, so that its own face is left open. */
+/* The edge, coded like the subject of an event. Its own face is left open: the
+ * edge may belong to several faces. */
 static json_t *edge_json(const struct hsr_edge_name *edge) {
   return hsr_subject_json(edge->implied
                               ? HSR_IMPLIED(edge->a, edge->b, edge->part)

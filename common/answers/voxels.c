@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The solid that each voxel is in: docs/solid-voxels.md. Two answers are equal
- * if they are, voxel for voxel. They do not depend on the view. */
+ * if they agree in every voxel. They do not depend on the view. */
 #include "common/answers/answer.h"
 #include "common/answers/coded.h"
 #include "common/files/mesh/exchange.h"
@@ -24,7 +24,8 @@ int hsr_form_voxels(const struct hsr_form *form) {
   return (int)form->values.option[0];
 }
 
-/* Whoever finds the voxels opens them, as the grid is of the scene. */
+/* The voxels are opened by the algorithm that finds them: the grid depends on
+ * the scene. */
 static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
   answer->body = calloc(1, sizeof(struct hsr_solid_voxels));
   return answer->body ? HSR_OK : hsr_fail_nomem(err);
@@ -46,7 +47,7 @@ static bool is_same_grid(const struct hsr_voxel_grid *a,
   return same;
 }
 
-/* Where the grids differ, so do all voxels. */
+/* If the grids differ, all voxels do. */
 static void compare(const struct hsr_comparison *c,
                     struct hsr_difference *difference) {
   const struct hsr_solid_voxels *got = c->got->body, *wanted = c->wanted->body;
@@ -112,7 +113,8 @@ static json_t *vector_json(const int v[3]) {
   return json_pack("[iii]", v[0], v[1], v[2]);
 }
 
-/* A number of JSON holds 53 bits: the mask is two of 32, the lower first. */
+/* A number in JSON holds 53 bits, so the mask is written as two numbers of 32
+ * bits, the lower half first. */
 static json_t *cubes_json(const void *part, const struct hsr_view *view) {
   const struct hsr_voxel_cubes *cubes = part;
   (void)view;
@@ -122,7 +124,7 @@ static json_t *cubes_json(const void *part, const struct hsr_view *view) {
                    (json_int_t)(cubes->mask >> 32));
 }
 
-/* Runs of one solid, x fastest: solid, how often, solid, how often ... */
+/* Runs of one solid, x fastest: solid, length, solid, length ... */
 static json_t *runs_json(const struct hsr_solid_voxels *voxels) {
   const uint32_t *solid = voxels->solid;
   size_t n = solid ? hsr_voxel_count(&voxels->grid) : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The address tells what is shown: #/page/argument?name=value&...
+// The address says what is shown: #/page/argument?name=value&...
 
 export function read() {
   const [path, query] = split(location.hash.replace(/^#\/?/, ""), "?");
@@ -26,7 +26,7 @@ export function href(page, argument = "", params = {}) {
   return `#/${path.join("/")}${query && `?${query}`}`;
 }
 
-// Puts what the reader chose into the address, without a step of the history.
+// Puts the reader's choice into the address, without a new entry in the history.
 export function set(changes) {
   const { page, argument, params } = read();
   for (const [name, value] of Object.entries(changes)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All that is known of one algorithm, and another one beside it if wanted.
+// Everything about one algorithm, and another one beside it if wanted.
 import { facts, h, link, section } from "./dom.js";
 import { href, read } from "./address.js";
 import { placeColumns } from "./filters.js";
@@ -27,17 +27,17 @@ export function algorithmPage(report, name) {
     .get("with") && a !== algorithm);
   return { title: algorithm.title, body: [
     h("p", { class: "kicker" }, key(name), h("code", {}, name),
-      algorithm.known_wrong && " · known to be wrong sometimes, and shown so"),
+      algorithm.known_wrong && " · known to be wrong sometimes"),
     compareForm(report, algorithm, other),
     other ? sideBySide(report, algorithm, other)
       : [facts(descriptor(report, algorithm)),
         section("The sorts it makes", "sorts", sorts(algorithm))],
-    section("What it costs, and what was predicted", "steps",
+    section("What it costs, and the prediction", "steps",
       steps(report, algorithm)),
     section("Its pictures", "pictures", pictures(report, algorithm)),
     section("What it counted", "counters", counters(report, algorithm)),
     section("How long it took", "timings", timings(report, algorithm)),
-    section("What came of its cells", "cells", outcomes(report, algorithm)),
+    section("The outcome of its cells", "cells", outcomes(report, algorithm)),
   ] };
 }
 
@@ -47,9 +47,9 @@ function descriptor(report, a) {
     ["Year", a.year],
     ["Source", a.source],
     ["Class", a.taxonomy === PEER
-      ? "a peer: a renderer of others on the same bench" : a.taxonomy],
+      ? "a peer: another renderer on the same bench" : a.taxonomy],
     ["Makes", KINDS[a.kind] && KINDS[a.kind] + (a.visible_only
-      ? ", of which it tells what is visible, not how often the rest is hidden"
+      ? " that tells what is visible, not how many faces hide the rest"
       : "")],
     ["Sorting order", a.sort_order],
     ["Coherence", a.coherence],
@@ -80,7 +80,7 @@ function sorts(a) {
     h("b", {}, s.what), " by ", h("b", {}, s.key), `: ${s.method}, ${s.often}`)));
 }
 
-// Two algorithms, a row a property.
+// Two algorithms, one property in each row.
 function sideBySide(report, a, b) {
   const [left, right] = [a, b].map((x) => [...descriptor(report, x),
     ["Sorts", sorts(x)], ["Steps", stepList(report, x)]]);
@@ -181,8 +181,8 @@ function steps(report, a) {
   const drawable = plotted.some((r) => r.measured > 0 || r.predicted > 0);
   return drawable ? figure({
     caption: `The steps of ${a.name} on ${measured.map(([e]) => e.scene)
-      .join(", ")}: the ring is what the paper’s formula predicts from the ` +
-      "scene’s statistics, the disk what was counted.",
+      .join(", ")}: the ring is the prediction of the paper’s formula from the ` +
+      "scene’s statistics, the disk is the count.",
     draw: (width) => stepPlot(plotted, a.name, width), numbers }) : numbers;
 }
 
@@ -204,7 +204,7 @@ function pictures(report, a) {
       image(entry.difference, p, `where ${a.name} differs on ${p.scene}`,
         "differences"),
       image(entry.work, p, `work picture of ${a.name} on ${p.scene}`,
-        "work: the lighter, the more often touched")),
+        "work: lighter samples were touched more often")),
       h("p", {}, verdict(entry), p.probe && [" · ",
         link(href("probe", pictureId(p), { module: a.name }), "probe")])))) : null;
 }
@@ -222,8 +222,8 @@ function verdict({ status, mismatches, kind }) {
     : `${symbol} ${status}`;
 }
 
-// Counts on the environments of 1974, or where those were not run, on the first
-// scenes that were; all others behind.
+// Counts on the environments of 1974, or, if those were not run, on the first
+// scenes that were. All other scenes are folded away.
 function counters(report, a) {
   const counted = report.cellsOf(a.name).filter((c) => c.counts);
   if (!counted.length || !a.counters?.length) return null;
@@ -302,7 +302,7 @@ function outcomes(report, a) {
 
 export function outcomeColumns(rows) {
   return [
-    { name: "status", label: "came of it", value: (r) => r.status,
+    { name: "status", label: "outcome", value: (r) => r.status,
       show: (r) => `${STATUSES[r.status]?.symbol ?? ""} ${r.status}` },
     rows.some((r) => r.mismatches) && { name: "mismatches", label: "differing",
       number: true, value: (r) => r.mismatches ?? null,

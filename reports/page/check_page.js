@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who agrees with the oracle where: a row a view, a column an algorithm.
+// Which algorithms agree with the oracle: a row for each view, a column for each
+// algorithm.
 import { h, link, section } from "./dom.js";
 import { href } from "./address.js";
 import { chosen, filterForm, placeColumns } from "./filters.js";
@@ -18,8 +19,8 @@ export function checkPage(report) {
   update();
   return { title: "Do they agree?", body: [
     h("p", { class: "lead" }, "Every picture is compared with the oracle’s, " +
-      "sample for sample, every line drawing with the line oracle’s, edge by " +
-      "edge. A cell leads to its pixels, where there is a picture."),
+      "sample for sample, and every line drawing with the line oracle’s, edge " +
+      "by edge. A cell links to its pixels if there is a picture."),
     h("ul", { class: "statuses" }, Object.entries(STATUSES).map(
       ([name, { symbol, meaning }]) => h("li", {}, mark(name, symbol),
         h("span", {}, h("b", {}, name), `: ${meaning}`)))),
@@ -30,14 +31,14 @@ export function checkPage(report) {
 
 function show(report) {
   const cells = chosen(report, report.cells, FILTERS);
-  if (!cells.length) return [h("p", {}, "Nothing is left by these filters.")];
+  if (!cells.length) return [h("p", {}, "These filters leave nothing.")];
   const modules = cells.filter((c) => !c.peer && report.draws(c.algorithm));
   const failed = cells.filter((c) => c.status !== "ok");
   return [
     matrix(report, "Surfaces", modules.filter((c) => c.kind !== "segments")),
     matrix(report, "Line drawings", modules.filter((c) => c.kind === "segments")),
     matrix(report, "Peers", cells.filter((c) => c.peer)),
-    failed.length ? section("What did not pass", "failed",
+    failed.length ? section("Cells that did not pass", "failed",
       table({ id: "failed", caption: "Cells that are not ok, and why",
         rows: failed, columns: [
           { name: "algorithm", label: "algorithm", value: (c) => c.algorithm,

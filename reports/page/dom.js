@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements. Whatever is not an element becomes text, never markup: names of
-// scenes may hold any character.
+// Elements. Anything that is not an element becomes text, never markup, because
+// names of scenes may hold any character.
 
 export function h(name, attributes, ...children) {
   const element = document.createElement(name);
@@ -25,13 +25,13 @@ export function link(href, ...children) {
   return h("a", { href }, children);
 }
 
-// A heading and what belongs to it; nothing at all if that is nothing.
+// A heading and its content; nothing at all if there is no content.
 export function section(title, id, ...children) {
   const there = children.flat(Infinity).filter(Boolean);
   return there.length ? h("section", { id }, h("h2", {}, title), there) : null;
 }
 
-// Pairs of a term and what it is; pairs without a value are left out.
+// Pairs of a term and its value; pairs without a value are left out.
 export function facts(pairs) {
   const there = pairs.filter(([, value]) => value !== null && value !== "" &&
     value !== undefined && !(Array.isArray(value) && !value.length));

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is shown of the numbers. Every choice stands in the address, so that a
-// page can be reloaded, kept and sent.
+// Chooses which numbers are shown. Every choice is in the address, so that a page
+// can be reloaded, kept and sent.
 import { read, set } from "./address.js";
 import { h } from "./dom.js";
 import { key } from "./looks.js";
 import { size, views, where } from "./format.js";
 import { unique } from "./model.js";
 
-// What can be chosen: its name in the address, its label, what a record is
-// sorted under. A record is a cell or a point of a sweep.
+// The choices: for each its name in the address, its label, and the value of a
+// record. A record is a cell or a point of a sweep.
 const CHOICES = {
   scene: { label: "Scene", of: (r) => r.scene },
   view: { label: "Scene and view", of: (r) => `${r.scene}, view ${views(r)}` },
   size: { label: "Size", of: (r) => size(r) },
-  status: { label: "What came of it", of: (r) => r.status },
+  status: { label: "Outcome", of: (r) => r.status },
   class: { label: "Class", of: (r, report) =>
     report.algorithm(r.algorithm).taxonomy },
 };
@@ -62,7 +62,7 @@ function algorithmBoxes(report, records, changed) {
   tell();
   return h("details", { class: "choice" }, summary,
     h("fieldset", { onchange: choose },
-      h("legend", {}, "Show only those that are ticked; none ticked shows all"),
+      h("legend", {}, "Show only those ticked; if none is ticked, show all"),
       h("div", { class: "boxes" }, boxes.map((box) =>
         h("label", {}, box, key(box.value), box.value)))),
     h("button", { type: "button", onclick: () => {
@@ -76,7 +76,7 @@ export function chosenAlgorithms() {
     .filter(Boolean));
 }
 
-// Those records that the address asks for.
+// The records that the address asks for.
 export function chosen(report, records, names) {
   const { params } = read();
   const algorithms = chosenAlgorithms();
@@ -86,7 +86,7 @@ export function chosen(report, records, names) {
       CHOICES[name].of(r, report) === params.get(name)));
 }
 
-// Columns that tell where a cell was measured.
+// Columns that say where a cell was measured.
 export const placeColumns = [
   { name: "scene", label: "scene", value: (r) => r.scene },
   { name: "view", label: "view", value: (r) => r.view, number: true,

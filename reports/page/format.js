@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as people read them. What was not measured is a dash.
+// Numbers as people read them. A number that was not measured is a dash.
 
 export const NOTHING = "–";
 

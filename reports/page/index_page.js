@@ -10,16 +10,16 @@ import { apart, tree } from "./tree.js";
 export function indexPage(report) {
   return { title: report.title, body: [
     h("p", { class: "lead" },
-      "In 1974 Sutherland, Sproull and Schumacker laid ten ways of deciding " +
-      "what is visible side by side and estimated what each would cost. Here " +
-      "each of them, and what grew out of them, is a program; all must draw " +
-      "the same one correct picture, sample for sample, and what they did for " +
-      "it is counted and timed."),
+      "In 1974 Sutherland, Sproull and Schumacker compared ten " +
+      "hidden-surface algorithms and estimated the cost of each. Here each of " +
+      "them is a program, and so are algorithms that grew out of them. All " +
+      "must draw the same correct picture, sample for sample, and their work " +
+      "is counted and timed."),
     h("p", {}, "Begin with an algorithm in the tree; or see ",
       link(href("check"), "whether their pictures agree"), ", ",
       link(href("sweeps"), "how they grow"), ", ",
       link(href("timings"), "how fast they are"), " and ",
-      link(href("tables"), "the tables of 1974 with what was measured"), "."),
+      link(href("tables"), "the tables of 1974 beside our counts"), "."),
     section("The algorithms", "tree", tree(report), apart(report)),
     section("What was run", "run", summary(report)),
     section("Where and when", "machine", report.headers.map(header)),
@@ -37,10 +37,10 @@ function summary(report) {
   const of = (row, status) => row.cells.filter((c) => c.status === status);
   const places = unique(report.cells.map((c) => `${c.scene} ${c.view}`)).length;
   return [
-    h("p", {}, `${whole(report.cells.length)} cells: each one algorithm on one ` +
-      `scene, view and size; ${places} views in all. A cell is timed only if its ` +
-      "picture is the oracle's."),
-    table({ id: "cells", caption: "Cells by what came of them", rows, columns: [
+    h("p", {}, `${whole(report.cells.length)} cells: each is one algorithm on ` +
+      `one scene, view and size; ${places} views in all. A cell is timed only if ` +
+      "its picture equals the oracle's."),
+    table({ id: "cells", caption: "Cells by outcome", rows, columns: [
       { name: "algorithm", label: "algorithm", value: (r) => r.name,
         show: (r) => link(href("algorithm", r.name), key(r.name), r.name) },
       { name: "class", label: "class", whole: true,

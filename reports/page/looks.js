@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an algorithm looks like in every plot, whatever else is drawn: one of
-// eight colours that stay apart without colour vision (style.css has their
-// light and dark forms), one of eight symbols, and the symbol's dash.
+// The looks of an algorithm, the same in every plot: one of eight colours that
+// can be told apart without colour vision (style.css has their light and dark
+// forms), one of eight symbols, and the symbol's dash.
 import {
   symbol, symbolCircle, symbolSquare, symbolTriangle, symbolDiamond, symbolStar,
   symbolCross, symbolWye, symbolSquare2,
@@ -32,7 +32,7 @@ const KNOWN = {
   "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5], clark: [7, 6],
 };
 
-// FNV-1a: a name that is not known keeps its looks from report to report.
+// FNV-1a: an unknown name has the same looks in every report.
 function hash(name) {
   let value = 0x811c9dc5;
   for (const c of new TextEncoder().encode(name))
@@ -48,7 +48,7 @@ export function looks(name) {
   return { colour: `var(--hue-${colour})`, symbol: type, dash };
 }
 
-// The symbol with a bit of the line, as a plot shows them.
+// The symbol on a piece of the line, as in a plot.
 export function key(name) {
   const { colour, symbol: type, dash } = looks(name);
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");

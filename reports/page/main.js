@@ -27,7 +27,7 @@ const main = document.querySelector("main");
 function start(data) {
   if (data?.schema !== SCHEMA) {
     main.replaceChildren(h("h1", {}, "Nothing to show"), h("p", {},
-      data ? `data.js is of another form, ${data.schema}; this page reads ${
+      data ? `data.js has another form, ${data.schema}; this page reads ${
         SCHEMA}.` : "data.js is missing beside this page, or is damaged."));
     return;
   }
@@ -43,7 +43,7 @@ function start(data) {
       : `${title} · ${report.title}`;
     return { heading, part: known === "tables" && argument };
   };
-  // To another page: as if it were one, from its top or the part asked for.
+  // Another page begins at its top, or at the part asked for.
   const turn = () => {
     const { heading, part } = show();
     const at = part ? document.getElementById(part) : null;
@@ -68,7 +68,8 @@ function navigation(page) {
         "aria-current": name === here ? "page" : null }, label)))));
 }
 
-// The address is taken, so the link that skips the header cannot use it.
+// The address says what is shown, so the link that skips the header cannot use
+// it.
 document.querySelector(".skip").addEventListener("click", (event) => {
   event.preventDefault();
   main.focus();

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of data.js, with what may be missing filled in as empty, and the
-// ways in which pages look things up.
+// The numbers of data.js, with empty values for those that may be missing; and
+// functions with which pages look things up.
 
 export const STATUSES = {
   ok: { symbol: "✓", meaning: "no sample differs from the oracle's" },
   wrong: { symbol: "✗", meaning: "samples differ from the oracle's" },
   refused: { symbol: "∅",
-    meaning: "the scene breaks a restriction, or is too much" },
-  timeout: { symbol: "◷", meaning: "took longer than it was given" },
+    meaning: "the scene breaks a restriction, or is too large" },
+  timeout: { symbol: "◷", meaning: "took longer than its limit" },
   crash: { symbol: "!", meaning: "ended without an answer" },
-  memory: { symbol: "▤", meaning: "needed more memory than it was given" },
+  memory: { symbol: "▤", meaning: "needed more memory than its limit" },
 };
 
 // Sutherland et al. 1974, figure 29a, in our own words.
@@ -17,10 +17,10 @@ export const RESTRICTIONS = {
   CC: "clusters are closed convex polyhedra",
   CF: "faces are convex polygons",
   TR: "faces are triangles",
-  LS: "clusters can be parted by planes",
-  NP: "no face goes through another",
+  LS: "planes can separate the clusters",
+  NP: "no face penetrates another",
   TP: "it must be known which faces and edges meet, and in which cluster",
-  PF: "faces are plane",
+  PF: "faces are planar",
   OF: "no face lies outside the field of view",
   BE: "no face lies behind the eye",
 };
@@ -31,7 +31,7 @@ export function model(data) {
   const cells = data.cells ?? [];
   const listed = data.algorithms ?? [];
   const names = new Set(listed.map((a) => a.name));
-  // Peers, and algorithms of which only numbers are known.
+  // Peers, and algorithms that have numbers but no description.
   const others = [...new Set(cells.map((c) => c.algorithm))]
     .filter((name) => !names.has(name))
     .map((name) => {
@@ -40,7 +40,7 @@ export function model(data) {
     });
   const algorithms = [...listed, ...others];
   const byName = new Map(algorithms.map((a) => [a.name, a]));
-  // Where several thread counts were timed, the fewest threads stand for all.
+  // If several numbers of threads were timed, only the smallest is shown.
   const byKey = new Map([...cells]
     .sort((a, b) => (b.threads ?? 1) - (a.threads ?? 1))
     .map((c) => [cellKey(c, c.algorithm), c]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plots, all by Observable Plot; each has its numbers in a table behind it.
+// Plots, all by Observable Plot. Each has its numbers in a folded table.
 import * as Plot from "@observablehq/plot";
 import { h, link } from "./dom.js";
 import { count, digits, seconds, where } from "./format.js";
@@ -7,8 +7,8 @@ import { href } from "./address.js";
 import { key, looks } from "./looks.js";
 import { unique } from "./model.js";
 
-// A plot that fits the width it is given, what it says in a sentence, the
-// meaning of its lines, and its table.
+// A plot in the width given, with a caption of one sentence, the meaning of its
+// lines, and its table.
 export function figure({ caption, draw, algorithms = [], numbers }) {
   const box = h("div", { class: "plot" });
   let drawn = 0;
@@ -63,7 +63,7 @@ export function sweepPlot(points, label, width) {
   });
 }
 
-// Powers of ten, as many as have room; where there are too few, steps between.
+// As many powers of ten as have room; if there are too few, steps between them.
 function decades(values, width = 600) {
   const there = values.filter((v) => v > 0);
   const low = Math.min(...there), high = Math.max(...there);
@@ -85,7 +85,7 @@ function marginFor(labels) {
   return 16 + 6.8 * Math.max(...labels.map((label) => label.length));
 }
 
-// One row an algorithm: every cell's median as a dot, its interval as a bar.
+// A row for each algorithm: every cell's median as a dot, its interval as a bar.
 export function stripPlot(rows, label, width, show, reference = null) {
   const names = unique(rows.map((r) => r.algorithm));
   const margin = marginFor(names);
@@ -116,8 +116,8 @@ export function stripPlot(rows, label, width, show, reference = null) {
   });
 }
 
-// What was predicted (ring) and what was measured (filled), a row a step, a
-// field an environment. rows: { environment, step, predicted, measured }.
+// The prediction (ring) and the measurement (filled): a row for each step, a
+// field for each environment. rows: { environment, step, predicted, measured }.
 export function stepPlot(rows, name, width) {
   const { colour } = looks(name);
   const pairs = rows.filter((r) => r.predicted > 0 && r.measured > 0);

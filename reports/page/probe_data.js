@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pixels of one picture: what the oracle saw, and where others differ.
-// They come in a file of their own, a call of hsrProbe, loaded when wanted.
+// The pixels of one picture: what the oracle saw, and where others differ. They
+// are in a separate file, a call of hsrProbe, which is loaded when needed.
 
 const loaded = new Map();
 

@@ -14,7 +14,7 @@ export function probePage(report, id) {
   const picture = report.pictures.find((p) => pictureId(p) === id);
   if (!picture?.probe)
     return { title: "No such picture", body: [h("p", {}, `There is no probe “${
-      id}”; see `, link(href("check"), "the pictures that there are"), ".")] };
+      id}”; see `, link(href("check"), "all pictures"), ".")] };
   const place = h("div", {}, h("p", {}, "Reading the pixels …"));
   loadProbe(id, picture.probe).then(
     (pixels) => place.replaceChildren(...probe(picture, pixels)),
@@ -38,7 +38,7 @@ function others(report, id) {
       `${p.scene}, view ${p.view}`)))));
 }
 
-// What is shown of the module: the layers of which there are files.
+// The layers that can be shown of the module: those that have files.
 function layersOf(picture, entry) {
   return [["picture", picture.picture], ["differences", entry?.difference],
     ["work", entry?.work], ["drawing", entry?.drawing]]
@@ -53,7 +53,7 @@ function probe(picture, pixels) {
     const x = text === null || text === "" ? standard : Number(text);
     return Number.isFinite(x) ? Math.min(Math.max(Math.round(x), 0), n - 1) : 0;
   };
-  // The state of the page; what is pinned stands in the address.
+  // The state of the page; what is pinned is in the address.
   const state = {
     i: bounded(params.get("i"), width, width >> 1),
     j: bounded(params.get("j"), height, height >> 1),
@@ -143,7 +143,7 @@ function probe(picture, pixels) {
     }));
     point(state.i, state.j);
   };
-  // In whole multiples, so that every pixel is as large as its neighbour.
+  // Enlarged by a whole number, so that all pixels are equally large.
   const zoom = () => {
     const room = box.clientWidth;
     const fit = Math.max(1, Math.floor(room / width));
@@ -181,7 +181,7 @@ function probe(picture, pixels) {
   ];
 }
 
-// The address is written when the hand rests: browsers allow only so many
+// The address is written when the pointer rests: browsers limit the number of
 // changes a second.
 let waiting = 0;
 function later(write) {
@@ -252,7 +252,7 @@ function readoutOf(entries, pixels, i, j, module) {
       }))));
 }
 
-// Seven digits are all that the file holds.
+// The file holds only seven digits.
 function depthOf(t) {
   return t === null || !Number.isFinite(t) ? "–" : t.toPrecision(7);
 }

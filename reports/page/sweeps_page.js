@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How seconds grow with what is drawn.
+// How the seconds a frame grow with the scene and the picture.
 import { h, link, section } from "./dom.js";
 import { href } from "./address.js";
 import { chosen, filterForm, placeColumns } from "./filters.js";
@@ -12,12 +12,12 @@ import { behind, table } from "./table.js";
 const FILTERS = ["scene", "class"];
 const OVER = {
   faces: { title: "Over faces", label: "faces →",
-    grows: "Twice the faces take 2 to the exponent times as long." },
+    grows: "Twice the faces take 2^exponent times as long." },
   samples: { title: "Over samples", label: "samples in the picture →",
-    grows: "An exponent of 1: as many samples more, so much longer." },
+    grows: "With an exponent of 1 the time is proportional to the samples." },
   depth: { title: "Over depth complexity",
     label: "depth complexity D_c →",
-    grows: "An exponent near 0: what is hidden costs nothing." },
+    grows: "With an exponent near 0 hidden faces cost nothing." },
 };
 
 export function sweepsPage(report) {
@@ -28,7 +28,7 @@ export function sweepsPage(report) {
     const shown = chosen(report, points, FILTERS);
     results.replaceChildren(...shown.length
       ? Object.keys(OVER).map((over) => sweep(report, over, shown)).filter(Boolean)
-      : [h("p", {}, "Nothing is left by these filters.")]);
+      : [h("p", {}, "These filters leave nothing.")]);
   };
   update();
   return { title: "How they grow", body: [
@@ -65,7 +65,7 @@ function sweep(report, over, shown) {
         (p) => p.scene.split(":")[0])).join(", ")}.`,
       draw: (width) => sweepPlot(points, label, width), algorithms: names,
       numbers: behind(pointsTable(over, points, label)) }),
-    h("p", {}, grows, " The exponents are those of every ladder by itself, whatever is chosen above."),
+    h("p", {}, grows, " Every ladder has its own exponent, whatever is chosen above."),
     exponents(over, fits));
 }
 

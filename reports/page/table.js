@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A table in a box of its own that scrolls when the table is too wide. Its
-// columns sort it; the order stands in the address.
+// A table in a box that scrolls if the table is too wide. Its columns sort it;
+// the order is in the address.
 import { read, set } from "./address.js";
 import { h } from "./dom.js";
 
-const MANY = 100; // rows, above which a table is shown in part at first
+const MANY = 100; // a table with more rows is at first shown in part
 
-// columns: { name, label, value(row): what it is sorted by, show(row): what is
-// seen (standard: the value), title(row), number: true if aligned as one,
-// whole: true if its lines are not broken, prose: true if it holds sentences,
-// group: a heading over several columns }. Without an id it is not sorted.
+// columns: { name, label, value(row): the key of sorting, show(row): the text
+// shown (standard: the value), title(row), number: true if it is aligned as a
+// number, whole: true if its lines are not broken, prose: true if it holds
+// sentences, group: a heading over several columns }. A table without an id is
+// not sorted.
 export function table({ id, caption, columns, rows }) {
   const body = h("tbody");
   const heads = columns.map((column) => headOf(id, column, () => fill()));
@@ -63,7 +64,7 @@ function mark(head, column, sort) {
   else head.removeAttribute("aria-sort");
 }
 
-// Equal rows keep their order; rows without a value come last either way.
+// Equal rows keep their order; rows without a value come last in both orders.
 function sortRows(rows, columns, { name, down }) {
   const column = columns.find((c) => c.name === name);
   if (!column) return rows;
@@ -97,7 +98,7 @@ function rowOf(columns, row) {
     }, (column.show ?? column.value)(row))));
 }
 
-// A plot's numbers, folded away behind it.
+// A plot's numbers, in a table that is folded at first.
 export function behind(...children) {
   return h("details", { class: "behind" },
     h("summary", {}, "The numbers as a table"), children);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables and figures of Sutherland, Sproull and Schumacker 1974, with what
-// was measured, and Greene's.
+// The tables and figures of Sutherland, Sproull and Schumacker 1974 beside our
+// measurements; and Greene's.
 import { h, link, section } from "./dom.js";
 import { href } from "./address.js";
 import { growth } from "./algorithm_page.js";
@@ -34,7 +34,7 @@ export function tablesPage(report) {
       "comparisons: a step’s count times its complexity factor."),
     all.length ? h("nav", { "aria-label": "Tables" }, h("ul", { class: "toc" },
       all.map(([id, title]) => h("li", {}, link(href("tables", id), title)))))
-      : h("p", {}, "The tables were not made."),
+      : h("p", {}, "There are no tables."),
     ...all.map(([id, title, content]) => section(title, id, content)),
   ] };
 }
@@ -83,7 +83,7 @@ function table1(report, t) {
 
 function table2(report, t) {
   return t.table2?.length ? table({ id: "rules",
-    caption: "The paper’s rules, and what was measured", rows: t.table2,
+    caption: "The paper’s rules, and our measurements", rows: t.table2,
     columns: [
       { name: "symbol", label: "symbol", value: (r) => r.symbol,
         show: (r) => formula(r.symbol) },
@@ -126,8 +126,8 @@ function table3(report, t) {
     ...growthColumns] }) : null;
 }
 
-// Tables IV to VI: an environment each, a column an algorithm in the paper; on
-// a page that must be narrow, a row each.
+// Tables IV to VI, one for each environment. In the paper an algorithm is a
+// column; here it is a row, since a page must be narrow.
 function summary(report, { scene, columns }) {
   const rows = (columns ?? []).flatMap((c) => [
     ...c.steps.map((s) => ({ ...s, algorithm: c.algorithm })),
@@ -161,7 +161,7 @@ function figure29a(t) {
     ...rows.flatMap((r) => r.restrictions)])
     .filter((code) => rows.some((r) => r.restrictions.includes(code)));
   return rows.length ? [
-    table({ id: "demands", caption: "What the scene must be like", rows,
+    table({ id: "demands", caption: "Demands on the scene", rows,
       columns: [algorithmColumn, ...codes.map((code) => ({
         name: code, label: code, title: () => RESTRICTIONS[code],
         value: (r) => r.restrictions.includes(code) ? 0 : null,
@@ -188,7 +188,8 @@ function figure29b(t) {
 
 function orders(t) {
   return t.sorting_orders?.length ? table({ id: "order",
-    caption: "Which sorts first by what", rows: t.sorting_orders, columns: [
+    caption: "The algorithms of each sorting order", rows: t.sorting_orders,
+    columns: [
       { name: "order", label: "order", value: (o) => o.order },
       { name: "algorithms", label: "algorithms",
         value: (o) => o.algorithms.join(" "),
@@ -201,7 +202,7 @@ const VERDICTS = { "borne out": "✓", "not borne out": "✗", undecided: "?",
 
 function conclusions(t) {
   return t.conclusions?.length ? table({ id: "claims",
-    caption: "Claims of the paper, judged by what was measured",
+    caption: "Claims of the paper, judged by our measurements",
     rows: t.conclusions, columns: [
       { name: "claim", label: "claim", prose: true, value: (c) => c.claim },
       { name: "section", label: "where", value: (c) => c.section ?? "" },

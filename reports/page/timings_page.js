@@ -19,7 +19,7 @@ export function timingsPage(report) {
   update();
   return { title: "How fast they are", body: [
     h("p", { class: "lead" }, "Seconds a frame, from the scene in memory to " +
-      "the last face id; only where the picture is the oracle’s. Medians, " +
+      "the last face id, only for pictures that equal the oracle’s. Medians, " +
       "with 95 % intervals by bootstrap."),
     timed.length ? filterForm(report, timed, FILTERS, update)
       : h("p", {}, "Nothing was timed."),
@@ -28,7 +28,7 @@ export function timingsPage(report) {
 }
 
 function show(report, cells) {
-  if (!cells.length) return [h("p", {}, "Nothing is left by these filters.")];
+  if (!cells.length) return [h("p", {}, "These filters leave nothing.")];
   const modules = cells.filter((c) => !c.peer);
   const peers = cells.filter((c) => c.peer);
   const plotted = drawing(report, cells).map((c) => ({ ...c, ...c.seconds,
@@ -36,7 +36,7 @@ function show(report, cells) {
       interval(c.seconds.median, c.seconds.low, c.seconds.high, seconds)}` }));
   return [
     plotted.length ? figure({
-      caption: "Seconds a frame; a mark a cell, its bar the 95 % interval.",
+      caption: "Seconds a frame: a mark for each cell, a bar for its 95 % interval.",
       draw: (width) =>
         stripPlot(plotted, "seconds a frame →", width, seconds) }) : null,
     modules.length ? section("The algorithms", "modules",
@@ -44,8 +44,8 @@ function show(report, cells) {
         rows: modules, columns: [algorithmColumn, ...placeColumns,
           ...timeColumns(report, modules)] })) : null,
     peers.length ? section("Peers", "peers",
-      h("p", {}, "Renderers of others, which need not draw the correct " +
-        "picture: how many samples differ stands beside their times."),
+      h("p", {}, "Other people’s renderers, which need not draw the correct " +
+        "picture. The number of samples that differ is beside their times."),
       table({ id: "peers", caption: "Seconds a frame of peers", rows: peers,
         columns: [algorithmColumn, ...placeColumns,
           { name: "mismatches", label: "samples that differ", number: true,
@@ -56,8 +56,8 @@ function show(report, cells) {
   ];
 }
 
-// In the order of the algorithms; without the one that draws nothing, beside
-// which all others would stand in a heap.
+// In the order of the algorithms, without the one that draws nothing: it would
+// squeeze all others together.
 function drawing(report, cells) {
   const names = report.algorithms.map((a) => a.name);
   return cells.filter((c) => report.draws(c.algorithm)).sort((a, b) =>
@@ -69,7 +69,7 @@ const algorithmColumn = { name: "algorithm", label: "algorithm",
   show: (r) => link(href("algorithm", r.algorithm), key(r.algorithm),
     r.algorithm) };
 
-// Over all cells, whatever is filtered, for those algorithms that are shown.
+// Over all cells, whatever the filters choose, but only for algorithms shown.
 function means(report, names) {
   const rows = report.geometric.filter((g) => names.has(g.algorithm));
   if (!rows.length) return null;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tree of figure 13: nested lists, which the style sheet draws as a tree,
-// from left to right where there is room.
+// The tree of figure 13: nested lists, which the style sheet draws as a tree; it
+// runs from left to right if there is room.
 import { h, link } from "./dom.js";
 import { href } from "./address.js";
 import { key } from "./looks.js";
@@ -35,8 +35,8 @@ function leafOf({ name, authors, year }) {
     h("small", {}, [authors, year].filter(Boolean).join(", ")));
 }
 
-// What figure 13 names, and whatever else is listed, by its class: a branch
-// follows in it after a comma.
+// The classes of figure 13 and of all other algorithms listed. In the name of a
+// class, a branch follows after a comma.
 function branchesOf(report) {
   const branches = (report.tables.figure13 ?? [])
     .filter((b) => !APART.includes(b.class))
@@ -58,7 +58,7 @@ export function apart(report) {
   const groups = unique(report.algorithms.map((a) => a.taxonomy))
     .filter((name) => APART.includes(name));
   return groups.length ? h("div", { class: "apart" }, groups.map((name) =>
-    h("section", {}, h("h3", {}, name === PEER ? "peers: renderers of others"
+    h("section", {}, h("h3", {}, name === PEER ? "peers: other people’s renderers"
       : name),
     h("ul", {}, report.algorithms.filter((a) => a.taxonomy === name)
       .map((a) => h("li", {}, leafOf(a))))))) : null;

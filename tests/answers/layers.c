@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A kind of answer that hsr does not have: how many faces lie over each sample.
- * This file is all that it takes, and its line in lists.c: the kind, an oracle,
+/* A kind of answer that hsr does not have: how many faces cover each sample. It
+ * takes only this file and a line in lists.c. The file has the kind, an oracle,
  * and two algorithms that make it, one of them wrong. */
 #include "algorithms/algorithm.h"
 #include "common/exact/screen.h"
@@ -108,7 +108,7 @@ const struct hsr_answer_type hsr_answer_layers = {
 
 /* --- Who makes it --------------------------------------------------------- */
 
-/* Asks each relevant face at each sample; all but the last `without` faces. */
+/* Asks each relevant face at each sample, except the last `without` faces. */
 static enum hsr_status count(const struct hsr_job *job, uint32_t without,
                              struct hsr_error *err) {
   struct hsr_screen screen;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command's lists with a line more: the kind of answer of layers.c. */
+/* The command's lists with one more line: the kind of answer of layers.c. */
 #include "algorithms/algorithm.h"
 
 extern const struct hsr_answer_type hsr_answer_layers;

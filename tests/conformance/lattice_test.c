@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scenes of small integer coordinates, seen by cameras aligned with them, so
- * that ties abound: every algorithm against the oracle, sample for sample.
+/* Every algorithm against the oracle, sample for sample, on scenes of small
+ * integer coordinates. The cameras are aligned with them, so there are many
+ * ties.
  *
  * usage: lattice_test [SCENES [SEED]]      standard: 2000 scenes, seed 1 */
 #include "common/exact/predicates.h"
@@ -33,9 +34,9 @@ static void compare(const struct hsr_algorithm *algorithm, void *context) {
   c->differences += differences;
 }
 
-/* The scene with every face cut into triangles from its first corner, those of
- * no area left out: such scenes are drawn in other ways. NULL if nothing is
- * left. */
+/* The scene with every face cut into triangles from its first corner. Triangles
+ * of no area are left out. Modules draw such scenes in other ways. NULL if
+ * nothing is left. */
 static struct hsr_scene *triangulated(const struct hsr_scene *scene) {
   struct hsr_scene *copy = hsr_scene_new(scene->name);
   struct hsr_error err;

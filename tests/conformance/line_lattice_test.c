@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Solids of small integer coordinates, seen by cameras aligned with them, so
- * that images of vertices and edges fall together everywhere: every algorithm
- * that draws lines against the line oracle, interval for interval.
+/* Every algorithm that draws lines against the line oracle, interval for
+ * interval, on solids of small integer coordinates. The cameras are aligned
+ * with them, so images of vertices and edges coincide everywhere.
  *
  * usage: line_lattice_test [SCENES [SEED]]      standard: 500 scenes, seed 1 */
 #include "scenes/scenes.h"
@@ -109,7 +109,7 @@ static struct hsr_scene *solids(uint64_t *seed) {
   return scene;
 }
 
-/* Of four scenes three are of solids, the other of polygons of all kinds. */
+/* Three scenes of four have solids, the fourth has polygons of all kinds. */
 static struct hsr_scene *draw_scene(uint64_t *seed, uint32_t *view) {
   *view = 0;
   if (draw_integer(seed, 0, 3))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What every module's trace must hold, on small scenes full of ties:
+/* The trace of every module, on small scenes full of ties:
  *
  *  - each counter has as many events as it counted;
  *  - the subjects and the outcome of an event are those that its counter
@@ -19,7 +19,7 @@ static const char *const scenes[] = {
     "sphere:200"};
 enum { N_SCENES = sizeof scenes / sizeof *scenes, M = 33, N = 24 };
 
-/* What one run told. */
+/* The events of one run. */
 struct heard {
   const struct hsr_algorithm *algorithm;
   uint64_t n[HSR_MAX_COUNTERS];
@@ -34,7 +34,7 @@ static int n_counters(const struct hsr_algorithm *a) {
   return n;
 }
 
-/* A counter of edges counts implied edges, too. */
+/* A counter of edges also counts implied edges. */
 static bool is_subject(struct hsr_subject subject, enum hsr_subject_kind kind) {
   return subject.kind == kind || subject.kind == HSR_OF_NOTHING ||
          (kind == HSR_OF_EDGE && subject.kind == HSR_OF_IMPLIED);
@@ -85,7 +85,7 @@ static bool are_counts_equal(const struct heard *heard,
   return equal;
 }
 
-/* Whether nothing differs, either way: a drawing may lack edges. */
+/* Compares both ways round, since one drawing may lack edges. */
 static bool is_equal(const struct hsr_answer *got,
                      const struct hsr_answer *wanted,
                      const struct hsr_view *view, const char *who) {
@@ -144,7 +144,7 @@ static bool check_scene(const struct hsr_algorithm *a, const char *name,
   return good;
 }
 
-/* Each counter belongs to one line, and no line to a counter that is not. */
+/* Each counter belongs to one line, and every line's counters exist. */
 static bool has_outline(const struct hsr_algorithm *a) {
   int lines[HSR_MAX_COUNTERS] = {0};
   for (const struct hsr_line *l = a->outline; l && l->text; l++)
@@ -164,7 +164,7 @@ static bool is_player(const struct hsr_algorithm *a) {
   return !(a->flags & (HSR_JUDGE | HSR_NO_PICTURE));
 }
 
-/* With names: of those only. */
+/* usage: trace_test [NAME...]      only these algorithms; standard: all */
 int main(int argc, char **argv) {
   int n = 0;
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The counts of every module on small scenes, as they were when a person last
- * looked at them: golden/NAME.txt, a line for each scene, view and counter.
+/* The counts of every module on small scenes, against those that a person last
+ * looked at: golden/NAME.txt, a line for each scene, view and counter.
  *
  *   golden_test [NAME...]            compares: all, or those modules
  *   golden_test --write [NAME...]    writes the files anew; see `rewrite`
@@ -38,7 +38,8 @@ static void count_view(const struct hsr_algorithm *a,
             a->counters[k].name, (unsigned long long)tally.count[k]);
 }
 
-/* All scenes, as the file should be. Owned by the caller. */
+/* The counts of all scenes, as the file should have them. Owned by the caller.
+ */
 static char *count_all(const struct hsr_algorithm *a) {
   char *text = NULL;
   size_t size = 0;
@@ -66,7 +67,7 @@ static FILE *open_golden(const struct hsr_algorithm *a, const char *mode) {
   return file;
 }
 
-/* The next line of a text, without its end; NULL behind the last one. */
+/* The next line of a text, without its newline; NULL after the last one. */
 static const char *next_line(char **at) {
   char *line = *at, *end = strchr(line, '\n');
   if (!end)
@@ -76,7 +77,7 @@ static const char *next_line(char **at) {
   return line;
 }
 
-/* How many lines differ; the first ones are told. */
+/* How many lines differ. Prints the first ones. */
 static long compare(const struct hsr_algorithm *a, char *counted) {
   FILE *file = open_golden(a, "r");
   if (!file)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the fuzz targets of the readers share: the bytes as a file, read by
- * `read`, must give a scene or one line. */
+/* Shared by the fuzz targets of the readers. They write the bytes to a file;
+ * `read` must then give a scene or an error of one line. */
 #ifndef HSR_TESTS_FUZZ_READER_H
 #define HSR_TESTS_FUZZ_READER_H
 
@@ -13,7 +13,7 @@
 #include <string>
 #include <unistd.h>
 
-/* A file of this process's own. */
+/* The path of a file that only this process uses. */
 inline std::string fuzz_path(const char *name) {
   char directory[] = "/tmp/hsr-fuzz-XXXXXX";
   if (!mkdtemp(directory))

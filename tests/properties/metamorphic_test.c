@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Changes of a scene that must not change its picture, or change it in a known
- * way: for every algorithm, without the oracle. */
+/* Changes of a scene that must not change its picture, or must change it in a
+ * known way: for every algorithm, without the oracle. */
 #include "common/exact/predicates.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -11,8 +11,8 @@
 
 enum { M = 40, N = 33, SCENES = 60, MOST_FACES = 200, MOST_CORNERS = 1000 };
 
-/* A small scene in plain arrays, easy to change. Face f has the corners
- * start[f] .. start[f+1] of corner[], each with a point of its own. */
+/* A small scene in plain arrays, easy to change. Face f has the corners from
+ * start[f] up to start[f+1] in corner[]; each corner has its own point. */
 struct toy {
   int n_faces, start[MOST_FACES + 1];
   double corner[MOST_CORNERS][3];
@@ -40,7 +40,7 @@ static bool toy_add(struct toy *toy, double (*corner)[3], int n, int parent) {
   return true;
 }
 
-/* Triangles and parallelograms, exactly planar, on small integers; or, where
+/* Triangles and parallelograms, exactly planar, on small integers; or, if
  * `generic`, triangles of arbitrary doubles. */
 static struct toy toy_make(uint64_t *seed, bool generic) {
   struct toy toy = {.n_faces = 0};
@@ -101,7 +101,7 @@ static void toy_draw(const struct hsr_algorithm *algorithm,
 
 /* --- The changes ---------------------------------------------------------- */
 
-/* Each makes `to` from `from`, which it may not change. */
+/* Each function makes `to` from `from`, and does not change `from`. */
 
 static void permute(uint64_t *seed, const struct toy *from, struct toy *to) {
   int order[MOST_FACES];
@@ -142,7 +142,7 @@ static void reverse(uint64_t *seed, const struct toy *from, struct toy *to) {
              from->corner[from->start[f] + n - 1 - k], sizeof to->corner[0]);
 }
 
-/* point = factor * point + by, of all there is. */
+/* point = factor * point + by, for faces and camera. */
 static void move(struct toy *toy, double factor, const double by[3]) {
   for (int k = 0; k < 3; k++) {
     for (int c = 0; c < toy->start[toy->n_faces]; c++)
@@ -181,7 +181,7 @@ static void mirror(uint64_t *seed, const struct toy *from, struct toy *to) {
   to->camera.at[0] = -to->camera.at[0];
 }
 
-/* Every face divided from the midpoint of its first side, an exact point. */
+/* Divides every face at the midpoint of its first side, an exact point. */
 static void divide(uint64_t *seed, const struct toy *from, struct toy *to) {
   (void)seed;
   *to = *from;
@@ -201,7 +201,8 @@ static void divide(uint64_t *seed, const struct toy *from, struct toy *to) {
   }
 }
 
-/* A face's image twice as far from the eye is hidden by it. */
+/* Adds the image of a face at twice the distance from the eye: the face hides
+ * it. */
 static void add_hidden(uint64_t *seed, const struct toy *from, struct toy *to) {
   *to = *from;
   int f = (int)draw_integer(seed, 0, from->n_faces - 1), n = toy_size(from, f);
@@ -210,7 +211,7 @@ static void add_hidden(uint64_t *seed, const struct toy *from, struct toy *to) {
     for (int x = 0; x < 3; x++)
       corner[k][x] =
           2 * from->corner[from->start[f] + k][x] - from->camera.eye[x];
-  /* A far face may hide nothing, but near may spare it alone. */
+  /* With near > 0 the original may not exist while its image does. */
   to->camera.near = 0;
   toy_add(to, corner, n, MOST_FACES);
 }
@@ -221,7 +222,7 @@ struct property {
   const char *name;
   void (*change)(uint64_t *seed, const struct toy *from, struct toy *to);
   bool generic;  /* on scenes without ties */
-  bool by_plane; /* faces of one plane may stand for each other */
+  bool by_plane; /* faces of one plane count as equal */
   bool mirrored;
   bool no_near;
 };

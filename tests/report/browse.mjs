@@ -24,7 +24,7 @@ async function test(what, body) {
   }
 }
 
-// A window on a report. What goes wrong in it is gathered in .faults.
+// Opens a window on a report. Its errors are collected in .faults.
 async function open(folder, options = {}) {
   const context = await browser.newContext({
     viewport: { width: 1280, height: 900 }, ...options });
@@ -45,15 +45,15 @@ async function open(folder, options = {}) {
   return { page, faults, go, close: () => context.close() };
 }
 
-// Plots are drawn when their width is known, two frames after the rest.
+// Plots are drawn two frames after the rest, when their width is known.
 function settle(page) {
   return page.evaluate(() => new Promise((done) =>
     requestAnimationFrame(() => requestAnimationFrame(done))));
 }
 
-// --- what holds of every page of every report ---
+// --- checks that hold for every page of every report ---
 
-// Runs in the page; tells what is wrong with it.
+// Runs in the page; returns what is wrong with it.
 function blemishes() {
   const bad = [];
   const root = document.documentElement;
@@ -136,7 +136,7 @@ async function any(folder) {
   });
 }
 
-// --- what holds of the sample ---
+// --- checks of the sample ---
 
 const column = (page, table, n) => page.$$eval(`#${table}-table tbody tr`,
   (rows, k) => rows.map((row) => row.children[k].textContent), n);

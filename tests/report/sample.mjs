@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// node sample.mjs LIST DIR: a report's data of the form that `hsr report`
-// writes, on the algorithms of LIST, made up but always the same. It holds
-// every status, peers, an algorithm that nobody knows, and odd names.
+// node sample.mjs LIST DIR: writes a report's data in the form of `hsr report`,
+// on the algorithms of LIST. The data are made up but always the same. They
+// hold every status, peers, an unknown algorithm, and odd names.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { deflateSync } from "node:zlib";
@@ -16,7 +16,7 @@ const algorithms = [...JSON.parse(readFileSync(list, "utf8")).algorithms, {
 }];
 const ODD = "odd <b>&\"name'/50%";
 
-// --- chance that is always the same ---
+// --- random numbers, always the same ---
 let state = 1;
 function chance() {
   state = Math.imul(state, 1664525) + 1013904223 >>> 0;
@@ -95,7 +95,7 @@ const cells = places.flatMap((where) => [
   ...drawing.map((a) => cellOf(where, a, false)),
   ...peers.map((name) => cellOf(where, { name, kind: "ids" }, true))]);
 
-// --- what is worked out of them ---
+// --- figures computed from them ---
 function growthOf(over, x, chosen) {
   return drawing.map(({ name }) => {
     const points = places.filter(chosen).map((where) => {

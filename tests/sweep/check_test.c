@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr check on algorithms that fail on purpose: those that are wrong only after
- * some frames are found out where they keep a state, in whatever order; of some
- * samples no others are looked at; and filtered pictures are right to the last
- * bit of their sums. */
+/* hsr check on algorithms that fail on purpose. It finds those that are wrong
+ * only after some frames, if they keep a state, in every order of views. With
+ * --samples it looks at no other samples. Filtered pictures must be right to
+ * the last bit of their sums. */
 #include "tests/sweep/sweeping.h"
 
 #include <string.h>
 
 #define SMALL "house --size 64x48 "
 
-/* The one sample that it draws wrong, in either build, makes a line each. */
+/* Whether it is reported as wrong in this view, by one sample in each build. */
 static bool is_wrong(const char *name, int view) {
   char line[100];
   snprintf(line, sizeof line, "wrong: house, view %d, 64x48, %s: 2 samples",
@@ -24,7 +24,7 @@ static bool sums_up(long samples, long mismatches) {
   return printed(line);
 }
 
-/* Some of the views are wrong: from the third that is drawn. */
+/* Some views are wrong: the third one drawn, and all later ones. */
 static void test_sequence(struct tap *tap) {
   int status = check(SMALL "-a stale,zbuffer --views 4");
   ok(tap, status == 1 && is_silent(), "what is wrong in the third frame fails");

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of a command of their own, hsr-fixtures: algorithms that fail in
- * every way there is, of which hsr bench must never show a time; and good ones
- * that they are measured by. */
+/* The list of a separate command, hsr-fixtures: algorithms that fail in every
+ * possible way, for which hsr bench must never show a time; and good ones to
+ * compare them with. */
 #include "algorithms/algorithm.h"
 
 #include <stdio.h>
@@ -35,15 +35,14 @@ static enum hsr_status broken(const struct hsr_job *job,
   return status;
 }
 
-/* Right where one thread draws all, wrong where several do. */
+/* Right if one thread draws all, wrong if several do. */
 static enum hsr_status banded(const struct hsr_job *job,
                               struct hsr_error *err) {
   const struct hsr_window *w = &job->view->window;
   return w->y1 - w->y0 < job->view->n ? broken(job, err) : zbuffer(job, err);
 }
 
-/* Right in the first two frames after it was prepared, and wrong from then on.
- */
+/* Right in the first two frames after it was prepared, and then wrong. */
 static enum hsr_status forget(const struct hsr_world *world, const long *option,
                               void **prepared, struct hsr_error *err) {
   (void)option;
@@ -79,7 +78,7 @@ static enum hsr_status staller(const struct hsr_job *job,
   return HSR_OK;
 }
 
-/* Takes memory until it gets none; 2 GB at most, for the machine's sake. */
+/* Takes memory until it gets no more; at most 2 GB, to spare the machine. */
 static enum hsr_status hog(const struct hsr_job *job, struct hsr_error *err) {
   for (int k = 0; k < 2048; k++)
     if (!HSR_NEW(job->scratch, char, 1 << 20))
@@ -88,8 +87,8 @@ static enum hsr_status hog(const struct hsr_job *job, struct hsr_error *err) {
 }
 
 /* --- Failing later -----------------------------------------------------------
- * Where they are judged they draw two frames; where they are timed, about 10
- * before the first round, and some three a round.
+ * To be judged they draw two frames. To be timed they draw about 10 before the
+ * first round, and about three a round.
  */
 
 static bool is_late(void) {
@@ -141,7 +140,7 @@ static enum hsr_status sleeper(const struct hsr_job *job,
   return zbuffer(job, err);
 }
 
-/* Leaves its name in the file that HSR_WITNESS names, with every frame. */
+/* In every frame, appends its name to the file that HSR_WITNESS names. */
 static enum hsr_status witness(const struct hsr_job *job, const char *name,
                                struct hsr_error *err) {
   const char *path = getenv("HSR_WITNESS");
@@ -150,11 +149,11 @@ static enum hsr_status witness(const struct hsr_job *job, const char *name,
     fprintf(file, "%s\n", name);
     fclose(file);
   }
-  sleep_ms(5); /* so that it draws few */
+  sleep_ms(5); /* so that it draws few frames */
   return zbuffer(job, err);
 }
 
-/* The same, but of where it looks from. */
+/* The same, with the place that it looks from. */
 static enum hsr_status walker(const struct hsr_job *job,
                               struct hsr_error *err) {
   const double *eye = job->view->camera.eye;
@@ -176,7 +175,7 @@ static enum hsr_status witness_c(const struct hsr_job *job,
   return witness(job, "c", err);
 }
 
-/* Filters itself, if asked to; sub-sample by sub-sample. */
+/* Filters its picture itself if asked to, sub-sample by sub-sample. */
 static enum hsr_status own_filter(const struct hsr_job *job,
                                   struct hsr_error *err) {
   if (!job->sums)
@@ -203,7 +202,7 @@ static enum hsr_status own_filter(const struct hsr_job *job,
   return status;
 }
 
-/* Wrong by the least that a sum can be, the green one of pixel (5, 0). */
+/* Wrong by the least possible amount, in the green sum of pixel (5, 0). */
 static enum hsr_status off_by_one(const struct hsr_job *job,
                                   struct hsr_error *err) {
   enum hsr_status status = own_filter(job, err);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr bench, disturbed: killed, interrupted, its file full, cut, of other hands
- * or written by two. What is there stays, and --resume comes to the same. */
+/* hsr bench is disturbed: it is killed or interrupted; its file is full, cut
+ * short, not its own, or written by two. Records that are there stay, and
+ * --resume gives the same results. */
 #include "tests/sweep/sweeping.h"
 
 #include <errno.h>
@@ -32,7 +33,7 @@ static bool is_same_text(const char *path, const char *text) {
   return same;
 }
 
-/* Whether each line is a record, the last one too. */
+/* Whether each line is a record, including the last one. */
 static bool is_whole(const char *path) {
   struct results r = {.headers = NULL};
   struct hsr_error err = {.text = ""};
@@ -55,8 +56,8 @@ static size_t cells_in(const char *path) {
   return n;
 }
 
-/* The same cells, verdicts, mismatches and counts, and times where there are
- * some. */
+/* Whether both files have the same cells, verdicts, mismatches and counts, and
+ * times for the same cells. */
 static bool is_same(const char *path, const char *other) {
   static const char *const fields[] = {"status", "mismatches", "compared",
                                        "counts", "adapted",    "depths"};
@@ -84,7 +85,7 @@ static bool is_same(const char *path, const char *other) {
   return same;
 }
 
-/* Goes on until it ends by itself, killed again and again before. */
+/* It is killed several times, and continues until it ends by itself. */
 static void test_kill(struct tap *tap) {
   bool gone = true;
   int killed = 0, between = 0;
@@ -93,7 +94,7 @@ static void test_kill(struct tap *tap) {
     long lines = count_lines("k.ndjson");
     for (int i = 0; i < 3000 && count_lines("k.ndjson") < lines + 3; i++)
       wait_ms(10);
-    wait_ms(150 * k); /* judged, started or timed */
+    wait_ms(150 * k); /* while it judges, starts or times */
     kill(id, SIGKILL);
     killed += bench_end(id) == 128 + SIGKILL;
     gone = is_group_gone(id) && gone;
@@ -127,7 +128,7 @@ static void test_interrupt(struct tap *tap) {
   ok(tap, is_group_gone(id), "and no process");
 }
 
-/* While the oracle draws, nobody reads a pipe that could tell of the end. */
+/* While the oracle draws, nobody reads a pipe that could show the end. */
 static void test_kill_while_judged(struct tap *tap) {
   pid_t id = bench_begin("soup:20000:1 --size 2000x2000 -a zbuffer");
   wait_ms(1500);
@@ -210,7 +211,7 @@ static void test_two(struct tap *tap) {
   is_group_gone(id);
 }
 
-/* Closed files must not be mistaken for those that are opened. */
+/* Files that it opens must not take the numbers of closed standard files. */
 static void test_closed(struct tap *tap) {
   int status = bench(ONE "-o closed.ndjson <&- 2>&-");
   ok(tap,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What hsr bench writes is what docs/bench.schema.json says, and that says
- * enough: a record that is spoilt anywhere is none. */
+/* The records of hsr bench obey docs/bench.schema.json. The schema is strict: a
+ * record that is spoilt anywhere does not obey it. */
 #include "tests/schema.h"
 #include "tests/sweep/sweeping.h"
 
@@ -11,7 +11,8 @@ static json_t *schema;
 
 /* --- Records -------------------------------------------------------------- */
 
-/* How many lines of the file are records; *others, those that are not. */
+/* How many valid records of this kind the file has; *others becomes the number
+ * of lines that are not valid. */
 static long count_records(const char *path, const char *kind, long *others) {
   FILE *file = fopen(path, "r");
   must(file != NULL);
@@ -53,7 +54,7 @@ static json_t *find_record(const char *path, const char *kind,
   return copy;
 }
 
-/* A cell that shows a time. */
+/* Whether a cell of this status may have times. */
 static bool may_have_times(const char *status, bool peer) {
   json_t *cell = find_record("f.ndjson", "cell", "zbuffer");
   json_object_set_new(cell, "status", json_string(status));
@@ -63,7 +64,7 @@ static bool may_have_times(const char *status, bool peer) {
   return valid;
 }
 
-/* A walk is told of by cells and views alike: two views at least. */
+/* Both cells and views record a walk, of at least two views. */
 static bool is_walk(const char *path, const char *kind) {
   json_t *record = find_record(path, kind, NULL);
   bool good = schema_admits(schema, record) &&

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr bench on algorithms that fail on purpose: each is recorded for what it
- * is, none with a time; and the times of the others are true. */
+/* hsr bench on algorithms that fail on purpose: each is recorded with its
+ * failure and without a time. The times of the others are true. */
 #include "tests/sweep/sweeping.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #if defined __SANITIZE_ADDRESS__
-#define SANITIZED true /* takes more memory than any limit allows */
+#define SANITIZED true /* such a build takes more memory than any limit */
 #else
 #define SANITIZED false
 #endif
@@ -64,7 +64,7 @@ static void test_memory(struct tap *tap) {
   results_free(&r);
 }
 
-/* What is timed on two threads is judged on two. */
+/* Algorithms that are timed on two threads are judged on two. */
 static void test_threads(struct tap *tap) {
   bench(SMALL "-a zbuffer,banded,still -T 1,2 --repetitions 1 -o t.ndjson");
   struct results r = read_results("t.ndjson");
@@ -110,8 +110,8 @@ static json_int_t depth_tests(const struct results *r, const char *key) {
   return json_integer_value(json_object_get(counts, "depth tests"));
 }
 
-/* Whether line k of the file is line k - n; *differ: the first n are no two the
- * same. */
+/* Whether each line k of the file equals line k - n; *differ: whether no two of
+ * the first n are equal. */
 static bool repeats(const char *path, int n, bool *differ) {
   char *text = read_text(path), *line[10];
   bool good = true;
@@ -174,7 +174,7 @@ static void test_walk(struct tap *tap) {
   results_free(&r);
 }
 
-/* What is nobody's fault. */
+/* Failures that are not the algorithms' fault. */
 static void test_surroundings(struct tap *tap) {
   setenv("TMPDIR", "/nowhere", 1);
   int status = bench(SMALL "-a zbuffer --repetitions 1 -o n.ndjson");
@@ -198,7 +198,7 @@ static void test_surroundings(struct tap *tap) {
 
 /* --- Times ---------------------------------------------------------------- */
 
-/* The machine may be busy with other things: three tries. */
+/* The machine may be busy with other things, so there are three tries. */
 static void test_sleeper(struct tap *tap) {
   double slept = 0;
   for (int k = 0; k < 3 && fabs(slept - 20e-3) > .05 * 20e-3; k++) {
@@ -213,7 +213,7 @@ static void test_sleeper(struct tap *tap) {
      "a frame that sleeps 20 ms takes %.4g ms longer", 1e3 * slept);
 }
 
-/* The names in the file of the witnesses, each run of one name once. */
+/* The names in the witnesses' file; a run of one name counts once. */
 static char *read_order(const char *seed) {
   unlink("witness");
   setenv("HSR_WITNESS", "witness", 1);
@@ -244,7 +244,7 @@ static void test_orders(struct tap *tap) {
 
 /* --- Earlier results ------------------------------------------------------ */
 
-/* Writes `results` anew, all times multiplied, one verdict changed. */
+/* Copies results, with all times multiplied and one verdict changed. */
 static void doctor(const char *from, const char *to, double factor,
                    const char *algorithm, const char *status) {
   struct results r = read_results(from);

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 static char folder[] = "/tmp/hsr-sweep-XXXXXX";
-static char fixtures[4096]; /* the program's file */
+static char fixtures[4096]; /* the path of hsr-fixtures */
 
 void must(bool done) {
   if (!done) {
@@ -41,7 +41,8 @@ void enter_folder(void) {
   must(mkdtemp(folder) != NULL);
   must(!atexit(remove_folder));
   must(!chdir(folder));
-  /* Whoever loses its parent becomes a child of the test, which sees it end. */
+  /* A process whose parent ends becomes a child of the test, which can then
+   * wait for it. */
   must(!prctl(PR_SET_CHILD_SUBREAPER, 1));
 }
 
@@ -58,7 +59,7 @@ static pid_t begin(const char *subcommand, const char *format, va_list words) {
   must(id >= 0);
   if (id == 0) {
     setpgid(0, 0);
-    signal(SIGINT, SIG_DFL); /* ignored in what a shell runs in background */
+    signal(SIGINT, SIG_DFL); /* a shell ignores it in background jobs */
     execl("/bin/sh", "sh", "-c", command, (char *)NULL);
     _exit(127);
   }
@@ -158,8 +159,8 @@ bool printed(const char *text) {
   return found;
 }
 
-/* What it says on standard error, but for words of sanitizers: of threads that
- * a fork leaves behind, and of CGAL's own shifts. */
+/* What it printed on standard error, without the sanitizers' words about
+ * threads that a fork leaves behind and about CGAL's own shifts. */
 static char *read_words(void) {
   must(!system("sed -i -e '/was not suspended. False leaks/d' "
                "-e '/CGAL.*runtime error: left shift/d' err"));

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fails one allocation. Linked into hsr by configure --enable-torture, with the
-// linker's --wrap for the C functions; operator new is replaced, and jansson is
+// Fails one allocation. configure --enable-torture links this into hsr. The
+// linker's --wrap catches the C functions; operator new is replaced; jansson is
 // given these functions. Allocations are counted from 1 after main began.
 //
-// HSR_FAIL_AT=N      fails the Nth. If the program ends before, it says so in
-//                    the file that HSR_FAIL_LOG names.
-// HSR_FAIL_EVERY=N   fails the first, the (N + 1)th, the (2N + 1)th, ... each
-// in a
-//                    copy of the process, forked where it happens, so that all
-//                    take one run; for programs of one thread that do not fork
-//                    themselves. How each copy ended is judged here, its words
-//                    being in the file HSR_FAIL_WORDS: status 0, or 4 with one
-//                    line. HSR_FAIL_LOG then gets what was wrong and, as the
-//                    last line, how many were tried.
+// HSR_FAIL_AT=N      fails the Nth. If the program ends before that, it says so
+//                    in the file that HSR_FAIL_LOG names.
+// HSR_FAIL_EVERY=N   fails the first, the (N + 1)th, the (2N + 1)th, ... Each
+//                    fails in a copy of the process, which is forked at that
+//                    point, so that all of them take one run. Only for programs
+//                    of one thread that do not fork themselves. The end of each
+//                    copy is judged here: it must have status 0, or status 4
+//                    with one line in the file HSR_FAIL_WORDS. HSR_FAIL_LOG
+//                    then gets what was wrong and, as its last line, how many
+//                    were tried.
 #include "bench/run/terminate.h"
 
 #include <fcntl.h>
@@ -31,14 +31,14 @@ namespace {
 
 std::atomic<long> count{0};
 long fail_at = 0;    /* 0: not yet, or never */
-long fail_every = 0; /* 0: not so */
+long fail_every = 0; /* 0: off */
 bool is_copy = false;
 long tried = 0;
 std::FILE *log_file = nullptr;
 
 /* --- Copies --------------------------------------------------------------- */
 
-/* Goes on in a copy, silent but for its words. */
+/* Continues as a copy, which prints nothing but its words. */
 void become_copy() {
   is_copy = true;
   const int null = open("/dev/null", O_WRONLY);
@@ -49,8 +49,8 @@ void become_copy() {
     _exit(99);
 }
 
-/* What a copy said, but for a word of the leak sanitizer about threads that a
- * fork leaves behind; returns how many lines. */
+/* Reads the words of a copy, without those of the leak sanitizer about threads
+ * that a fork leaves behind. Returns the number of lines. */
 int read_words(char *words, size_t size) {
   int lines = 0;
   size_t used = 0;
@@ -85,7 +85,7 @@ bool fails_in_copy(long number) {
   if (number % fail_every != 1 % fail_every)
     return false;
   const long every = fail_every;
-  fail_every = 0; /* to judge allocates as well */
+  fail_every = 0; /* judging allocates as well */
   std::fflush(log_file);
   int end = -1;
   const pid_t copy = fork();

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What hsr trace writes: as docs/trace.schema.json says; whole, from the start
- * and from any keyframe on; as much as was asked for; and never a part of it.
+/* The files of hsr trace obey docs/trace.schema.json. They can be read from the
+ * start and from every keyframe on. They hold what was asked for. A file is
+ * complete, or not there.
  */
 #include "tests/schema.h"
 #include "tests/sweep/sweeping.h"
@@ -80,17 +81,17 @@ static struct window window_of(const json_t *window, json_int_t m,
 /* --- How a run stands ----------------------------------------------------- */
 
 struct state {
-  const json_t *counters; /* the header's */
+  const json_t *counters; /* of the header */
   json_int_t m, n;
   json_int_t next;
   json_int_t count[MOST_COUNTERS];
-  json_t *ids;          /* m * n: an id, or null; else NULL */
-  json_t *segments;     /* of line drawings; else NULL */
-  json_t *solids;       /* of voxels: a solid each, x fastest; else NULL */
+  json_t *ids;          /* m * n ids or nulls; NULL for other kinds */
+  json_t *segments;     /* of a line drawing; NULL for other kinds */
+  json_t *solids;       /* of each voxel, x fastest; NULL for other kinds */
   json_int_t voxels[3]; /* how many along each axis */
 };
 
-/* The numbers of voxels are told at the end. */
+/* Only the end has the numbers of voxels along each axis. */
 static void begin_voxels(struct state *s, const json_t *end) {
   const json_t *n = json_object_get(json_object_get(end, "voxels"), "n");
   s->solids = json_array();
@@ -131,7 +132,7 @@ static bool is_accepted(const struct state *s, json_int_t counter) {
   return !strcmp(json_string_value(json_object_get(c, "kind")), "accept");
 }
 
-/* All samples of a picture, or voxels, in runs. */
+/* Unfolds runs into all samples of a picture, or all voxels. */
 static json_t *unfold(const json_t *runs) {
   json_t *ids = json_array();
   for (size_t k = 0; k + 1 < json_array_size(runs); k += 2)
@@ -227,8 +228,8 @@ static bool is_computed(const struct state *s, size_t k) {
       json_object_get(json_array_get(s->counters, k), "computed"));
 }
 
-/* Whether the run stands as a keyframe, or the end, has it. Counters that are
- * computed have no events. */
+/* Whether the counts so far are those of a keyframe, or of the end. Counters
+ * that are computed have no events. */
 static bool are_counts(const struct state *s, const json_t *record) {
   size_t k;
   const json_t *count;
@@ -240,8 +241,8 @@ static bool are_counts(const struct state *s, const json_t *record) {
   return good && k == json_array_size(s->counters);
 }
 
-/* In the order of a drawing: edges of faces by their vertices, then implied
- * ones, which have the higher code. Parts of one edge stay in order. */
+/* The order of a drawing: edges of faces by their vertices, then implied edges,
+ * which have the higher code. Parts of one edge stay in order. */
 static bool is_before(const json_t *a, const json_t *b) {
   const json_t *e = json_array_get(a, 0), *f = json_array_get(b, 0);
   for (size_t k = 0; k < 4; k++) {
@@ -293,8 +294,8 @@ static bool is_answer(const struct state *s, const json_t *record) {
 
 /* --- A whole trace -------------------------------------------------------- */
 
-/* Whether all lines are valid, in their order, and each keyframe and the end
- * are what the lines before have come to. */
+/* Whether all lines are valid and in order, and each keyframe and the end agree
+ * with the lines before them. */
 static bool is_whole(const char *path) {
   gzFile file = gzopen(path, "rb");
   must(file != NULL);
@@ -338,7 +339,7 @@ static bool is_whole(const char *path) {
   return good && ended;
 }
 
-/* Whether a reader who starts at the nth keyframe comes to the same end. */
+/* Whether a reader who starts at the nth keyframe reaches the same end. */
 static bool is_whole_from(const char *path, int n) {
   gzFile file = gzopen(path, "rb");
   must(file != NULL);
@@ -362,7 +363,7 @@ static bool is_whole_from(const char *path, int n) {
 
 /* --- Parts of a trace ----------------------------------------------------- */
 
-/* What is the same, though events are left out: totals and the answer. */
+/* Whether totals and answer are the same, although events are left out. */
 static bool have_same_end(const char *path, const char *other) {
   json_t *a = find_line(path, "end", true), *b = find_line(other, "end", true);
   json_t *left_out = json_object_get(a, "left_out");
@@ -379,8 +380,8 @@ static bool have_same_end(const char *path, const char *other) {
   return good;
 }
 
-/* How many events there are of a counter, -1 for all; and *bad, those that do
- * not meet the window. */
+/* The number of events of a counter, or of all counters if it is -1; *bad
+ * becomes the number of those that do not meet the window. */
 static json_int_t count_events(const char *path, json_int_t counter,
                                struct window window, json_int_t *bad) {
   gzFile file = gzopen(path, "rb");
@@ -563,7 +564,7 @@ static void test_refusals(struct tap *tap) {
   ok(tap, trace("house -o no.ndjson") == 2 && says("-a NAME"), "no algorithm");
 }
 
-/* Whether it ends with status 1 and one line, and the trace says so, too. */
+/* Whether it ends with status 1 and one line, and the trace also says so. */
 static bool is_found_out(const char *name, const char *text,
                          const char *field) {
   bool good =
@@ -600,7 +601,7 @@ static bool shell(const char *words) {
   return !system(command);
 }
 
-/* Whether only the file of before is there, untouched. */
+/* Whether the earlier file, unchanged, is the only one there. */
 static bool is_untouched(const char *path) {
   char part[64];
   snprintf(part, sizeof part, "%s.part", path);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of a command of their own, hsr-fixtures: one algorithm that draws
- * lines and tells of every kind of subject; and some whose events are not what
- * they did, or that fail. */
+/* The list of a separate command, hsr-fixtures: one algorithm that draws lines
+ * and has events of every kind of subject; and some that fail, or whose events
+ * are not what they did. */
 #define HSR_COUNTING 1
 #include "algorithms/algorithm.h"
 
@@ -60,8 +60,8 @@ static void place(const struct hsr_world *world, uint32_t a, uint32_t b,
     at[c] = x[c][a] + t * (x[c][b] - x[c][a]);
 }
 
-/* Faces that share an edge go along it in different directions: the name is of
- * no other face. */
+/* Faces that share an edge go along it in different directions, so no other
+ * face gives this name. */
 static struct hsr_edge_name name_edge(uint32_t f, uint32_t a, uint32_t b) {
   return a < b ? (struct hsr_edge_name){false, a, b, 0}
                : (struct hsr_edge_name){true, f, f + 1, 2};
@@ -99,7 +99,7 @@ static enum hsr_status plot(const struct hsr_job *job, struct hsr_error *err) {
   return status ? hsr_fail_nomem(err) : HSR_OK;
 }
 
-/* Draws one interval more than it tells. */
+/* Draws one interval more than its events say. */
 static enum hsr_status plot_more(const struct hsr_job *job,
                                  struct hsr_error *err) {
   const struct hsr_segment one = {.edge = {true, 0, 1, 0}, .t1 = 1};
@@ -132,21 +132,21 @@ static enum hsr_status paint(const struct hsr_job *job, struct hsr_error *err) {
   return HSR_OK;
 }
 
-/* Paints a sample that it does not tell of. */
+/* Paints a sample without an event. */
 static enum hsr_status liar(const struct hsr_job *job, struct hsr_error *err) {
   enum hsr_status status = paint(job, err);
   job->ids[job->ids_stride + 1] = 4;
   return status;
 }
 
-/* Counts what it does not tell of. */
+/* Counts without an event. */
 static enum hsr_status bulk(const struct hsr_job *job, struct hsr_error *err) {
   HSR_STEP(job->tally, MORE, HSR_THE_WINDOW, HSR_NOTHING, HSR_NOWHERE, 0);
   HSR_COMPUTED(job->tally, MORE, 6);
   return paint(job, err);
 }
 
-/* Tells of a counter that it does not describe. */
+/* Has an event of a counter that it does not describe. */
 static enum hsr_status unknown(const struct hsr_job *job,
                                struct hsr_error *err) {
   HSR_STEP(job->tally, 7, HSR_THE_WINDOW, HSR_NOTHING, HSR_NOWHERE, 0);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Over VTK.
+# The files that use VTK.
 if WITH_VTK
 libhsr_a_LIBADD += $(libvtkshim_a_OBJECTS)
 noinst_LIBRARIES += libvtkshim.a

@@ -4,9 +4,9 @@
 #include "tests/counts/by_hand/lines.h"
 
 /* Edge cull: 8 edges, each a side of one face.
- * All 8 are contour edges, having a face on one side only.
- * Searches: F and N share no vertex: one each. Initial visibility: the 2 faces
- *   for each of the 2 vertices (2, 2) and (4, 1): neither is hidden.
+ * All 8 are contour edges, since they have a face on one side only.
+ * Searches: F and N share no vertex, so each has one. Initial visibility: 2
+ *   faces for each of the 2 vertices (2, 2) and (4, 1), which are not hidden.
  * Edge intersection: each of 8 edges with 8 contour edges.
  *   Within a rectangle: an edge shares vertices with itself and its 2
  *   neighbours, and its box is apart from that of the opposite edge:
@@ -17,7 +17,7 @@
  * Crossings: the 4 nearer ones.
  * No edge touches another's face; no vertex belongs to two faces: no pierced
  *   faces, no correction, no faces apart.
- * Promoted: from one vertex of a rectangle to its 3 others. None is hidden.
+ * Promoted: from one vertex of a rectangle to the 3 others. None is hidden.
  * Sort along edge: F upper and F lower have two crossings: 1 comparison each.
  * Sorts to save: no edge is hidden from end to end.
  * Intervals: F upper and F lower 3 each, the 6 others 1 each. */
@@ -44,11 +44,12 @@ static const struct hand_count of_bar[] = {
     {"intervals drawn", 3 + 3 + 6},
     {NULL}};
 
-/* As above, but: only N's right edge crosses F's upper and lower ones: 2 pairs;
- *   14 others are apart, both ways.
- * Initial visibility: F's first vertex (2, 2) is hidden by N: 1 of 4.
- * Promoted from it: to (10, 2), where the crossing is behind: hidden by 0; to
- *   (2, 6): by 1; from there to (10, 6): by 0. Of N none is hidden: 1 in all.
+/* As above, with these differences. Only N's right edge crosses F's upper and
+ *   lower edges: 2 pairs; the 14 others are apart, both ways.
+ * Initial visibility: N hides F's first vertex (2, 2): 1 of 4.
+ * Promoted from it: to (10, 2), past the crossing: hidden by 0; to (2, 6):
+ *   hidden by 1; from there to (10, 6): hidden by 0. No vertex of N is hidden:
+ *   1 in all.
  * No edge has two crossings: no comparison.
  * Sorts to save: F's left edge.
  * Intervals: F upper and F lower 2 each, the 6 others 1 each. */
@@ -75,27 +76,28 @@ static const struct hand_count of_corner[] = {
     {NULL}};
 
 /* Edge cull: 12 edges, each a side of two faces: 24.
- * Contour edges: of a front edge, the front and a side face lie on the same
- *   side in the picture: the 4 front edges are contours. Of the 8 others the
- *   two faces lie on both sides.
- * One search, of 6 faces, for vertex 0: they all have a corner there, or do not
- *   cover it.
+ * Contour edges: the two faces of a front edge, the front and a side face, lie
+ *   on the same side of it in the picture. So the 4 front edges are contours.
+ *   The two faces of each of the 8 other edges lie on opposite sides.
+ * One search, of 6 faces, for vertex 0: each face has a corner there, or does
+ *   not cover it.
  * Edge intersection: 12 edges with 4 contour edges:
  *   4 front edges: 3 share a vertex, 1 apart              12, 4
  *   4 edges from front to back: 2 share, 2 apart           8, 8
  *   4 back edges: all apart                                0, 16
- * Promotion, the last vertex to wait being the first to be taken:
+ * Promotion, where the vertex that has waited least is taken first:
  *   from 0 along 0-1, 0-3, 0-4 to 1, 3, 4;
  *   from 4 along 4-5, 4-7 to 5, 7;
  *   from 7 along 3-7, 6-7 to 6; from 6 along 2-6, 5-6 to 2;
  *   from 2 along 1-2, 2-3; from 5 along 1-5: 7 vertices in all.
  * Hiding: 4, 5, 6, 7 are hidden by the front: 1 each. At 1, 2, 3: 0.
- * Correction: at a vertex of three faces an edge has one that is not its own.
- *   It is put to each edge at the end from which it is followed, and at its
- *   other end if visibility is promoted there: 12 + 7. It hides the edge where
- *   an edge to the back begins, behind the front: at 0 of 0-4, and at 2 of 2-6.
- *   At 3 of 3-7 and at 1 of 1-5, which are known already, it is not tested.
- * Sorts to save: all 8 edges but the front's are hidden from end to end.
+ * Correction: at a vertex of three faces, one face is not the edge's own. This
+ *   face is tested for each edge at the end from which the edge is followed,
+ *   and at its other end if visibility is promoted there: 12 + 7. It hides an
+ *   edge that begins there and runs to the back, behind the front: 0-4 at 0,
+ *   and 2-6 at 2. It is not tested for 3-7 at 3 and 1-5 at 1, which are known
+ *   already.
+ * Sorts to save: all edges but the front's, 8, are hidden from end to end.
  * Intervals: 1 for each edge. */
 static const struct hand_count of_box[] = {
     {"edge cull", 24},

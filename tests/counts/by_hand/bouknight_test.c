@@ -16,9 +16,9 @@ static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
                                          PIXEL_RECTANGLE(6, 2, 9, 4, 4),
                                          PIXEL_RECTANGLE(10, 3, 14, 6, 4)};
 
-/* Span cull: each edge on the list of a row turns a bit: 2 + 4 + 6 + 4 + 2.
- * Spans: between the edges, and to both sides: one more than edges on each row:
- * 3 + 5 + 7 + 5 + 3; and one on each of the rows 0, 6 and 7.
+/* Span cull: each edge on the list of a row changes a bit: 2 + 4 + 6 + 4 + 2.
+ * Spans lie between the edges, and to both sides of them, so each row has one
+ * more than edges: 3 + 5 + 7 + 5 + 3; and rows 0, 6 and 7 have one each.
  * Depth search: in a span with two faces, one comparison at each of its limits:
  *   row 2: 6-9                    2
  *   row 3: 6-9, 10-12             4
@@ -39,18 +39,18 @@ static const struct pixel_count of_deck[] = {{"Y sort", 6},
                                              {"spans", 26},
                                              {NULL}};
 
-/* On row 3, both have the columns 4-12; S comes to the front of P at x = 9. */
+/* On row 3 both have the columns 4-12; S comes in front of P at x = 9. */
 static const struct pixel_face crossing[] = {
     {4, {{4, 3, 16}, {12, 3, 8}, {12, 4, 8}, {4, 4, 16}}},
     PIXEL_RECTANGLE(4, 3, 12, 4, 128.0 / 13)};
 
 /* Span cull: 4 edges. Depth search:
  *   the limits of 4-12: P is nearest at 4, S at 11           2
- *   the crossing of P and S: it is computed as the column 9:
- *     9 is behind it, 8 before it                            2
- *   the part 4-9: still P at 8?                              1
+ *   the crossing of P and S is computed as column 9:
+ *     9 is after it, 8 before it                             2
+ *   the part 4-9: is P still nearest at 8?                   1
  *   the part 9-12: is S nearest at 9?                        1
- * Nearer are S than P at 11, and P than S at 8.
+ * S is nearer than P at 11, and P is nearer than S at 8.
  * One division. Spans: 0-4, 4-9, 9-12, 12-16, and one on each other row. */
 static const struct pixel_count of_crossing[] = {{"Y sort", 4},
                                                  {"X merge", 5},

@@ -4,11 +4,11 @@
  * in appel_test.c. */
 #include "tests/counts/by_hand/lines.h"
 
-/* All 8 edges are contour edges: as many pairs with them as with all.
- * Nature changes: F upper is followed from (2, 2), its beginning: it passes its
- *   2 crossings forwards. F lower runs from (10, 6) to (2, 6), and is followed
- *   from (2, 6): it passes the 2 backwards, to the nature of (10, 6), and then
- *   forwards as it is drawn. */
+/* All 8 edges are contour edges: there are as many pairs with them as with all.
+ * Nature changes: F upper is followed from (2, 2), its beginning, and passes
+ *   its 2 crossings forwards. F lower runs from (10, 6) to (2, 6), and is
+ *   followed from (2, 6). It passes its 2 crossings backwards, which gives the
+ *   nature of (10, 6), and then forwards as it is drawn. */
 static const struct hand_count of_bar[] = {
     {"edge cull", 8},
     {"searches", 2},
@@ -34,7 +34,7 @@ static const struct hand_count of_bar[] = {
     {"intervals drawn", 12},
     {NULL}};
 
-/* The nature of (2, 2), which is N, is left with (2, 6) too. */
+/* The nature of (2, 2), which is N, remains that of (2, 6). */
 static const struct hand_count of_corner[] = {
     {"edge cull", 8},
     {"searches", 2},
@@ -65,7 +65,7 @@ static const struct hand_count of_corner[] = {
  * Contour pairs: 12 edges with 4.
  * Correction: only at the end from which an edge is followed: 12. The front
  *   hides 0-4 at 0; the other three edges to the back are followed from there.
- * No nature changes along an edge, and none is left unsorted to save. */
+ * No nature changes along an edge, and no sort can be saved. */
 static const struct hand_count of_box[] = {
     {"edge cull", 24},
     {"searches", 1},

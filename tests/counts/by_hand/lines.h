@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The scenes from which the counts of the line algorithms are derived by hand.
  *
- * bar: a tall rectangle N, near, before a wide one F, far. N covers F from x =
- * 4 to 6: the upper and the lower edge of F have a hidden part in the middle.
+ * bar: a tall rectangle N, near, in front of a wide one F, far. N covers F from
+ * x = 4 to 6: the upper and the lower edge of F have a hidden part in the
+ * middle.
  *
  * corner: N covers the left part of F up to x = 5: the left edge of F is
  * hidden, and the beginning of the upper and of the lower one.
  *
  * box: a box, seen from the front. Vertices 0 to 3 are its front, 4 to 7 its
- * back, clockwise from the upper left. From the front only the front is seen:
- * in the picture the back lies within it. */
+ * back, clockwise from the upper left. Only the front is seen: in the picture
+ * the back lies within it. */
 #ifndef HSR_TESTS_COUNTS_LINES_H
 #define HSR_TESTS_COUNTS_LINES_H
 

@@ -4,10 +4,10 @@
  * algorithm: they are derived in appel_test.c. */
 #include "tests/counts/by_hand/lines.h"
 
-/* Boxes overlap: of 64 pairs 32 are apart.
+/* Boxes overlap: 32 of 64 pairs are apart.
  * Plane intersections: 4 pairs of an upper or lower and a left or right edge,
- * each put to the test twice, once along each of its edges.
- * Of these, the boundary edge is the nearer one along F's edges. */
+ * each tested twice, once along each of its edges.
+ * Along F's edges the boundary edge is the nearer one. */
 static const struct hand_count of_bar[] = {
     {"edge cull", 8},
     {"searches", 2},

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Newell's counts, derived by hand from Sutherland et al. 1974, "List-Priority
- * Algorithms": scenes of two faces, each of which ends at another of the six
- * tests.
+ * Algorithms". Each scene has two faces, and another of the six tests decides
+ * it.
  *
- * Of all: the Z sort puts each face into a bucket twice, once for each of two
- * digits. A span is written for each bead of a row, and for each gap between
- * beads and beside them. */
+ * For all scenes: the Z sort puts each face into a bucket twice, once for each
+ * of two digits. A span is written for each bead of a row, and for each gap
+ * between beads and beside them. */
 #include "tests/counts/by_hand/objects.h"
 
-/* F at depth 8, columns 2-10, rows 2-5; N at depth 4, columns 4-6, rows 1-6. P
- * = F: N is wholly before it, and ends {Q}. P = N: nothing is left.
- * Segments: 4 and 6. X merge: N lies within F's bead: none is passed, or
+/* F at depth 8, columns 2-10, rows 2-5; N at depth 4, columns 4-6, rows 1-6. If
+ * P = F, N is wholly in front of it, and ends {Q}. If P = N, no face is left.
+ * Segments: 4 and 6. X merge: N lies within F's bead, so no bead is passed or
  * covered. Spans: row 0: 1; rows 1 and 6: 3; rows 2 to 5: gap, F, N, F, gap;
  * row 7: 1. */
 static const struct hand_object ahead[] = {HAND_RECTANGLE(2, 2, 10, 6, 8),
@@ -103,9 +103,9 @@ static const struct hand_count of_beyond[] = {
     {"spans written", 14},
     {NULL}};
 
-/* D at depth 4.5 on columns 2-4 of row 2. A's right edge, at depth 4, is before
- * D's plane, so test 4 fails. But up to x = 4 A is at depth 64 / 13 or more: D
- * is before A's plane, test 5.
+/* D at depth 4.5 on columns 2-4 of row 2. A's right edge, at depth 4, is in
+ * front of D's plane, so test 4 fails. But up to x = 4 A is at depth 64 / 13 or
+ * more: D is in front of A's plane, test 5.
  * Spans: 3 on rows 1 and 3; gap, A, D, A, gap on row 2; 1 on 5 rows. */
 static const struct hand_object before[] = {HAND_SLANT(1, 1, 5, 4, 16, 4),
                                             HAND_RECTANGLE(2, 2, 4, 3, 4.5)};
@@ -153,8 +153,8 @@ static const struct hand_count of_aside[] = {
     {"spans written", 20},
     {NULL}};
 
-/* Figure 22: P, from depth 16 to 2 on columns 1-5, has the farther vertex, but
- * is before Q, at depth 8 on columns 4-7, where they overlap.
+/* Figure 22: P, from depth 16 to 2 on columns 1-5, has the farther vertex. But
+ * where they overlap, it is in front of Q, at depth 8 on columns 4-7.
  *   P, Q: all tests fail; Q bears no marker: interchange
  *   Q, P: Q is beyond P's plane: test 4
  * Q is painted, then P. Spans: gap, P, Q, gap on 3 rows; 1 on 5. */
@@ -181,24 +181,24 @@ static const struct hand_count of_in_front[] = {
     {NULL}};
 
 /* P, from depth 16 to 4, and Q, from 4 to 15, in one place, columns 1-5 and
- * rows 1-3. They penetrate at x = 3.02. The steps are, with Z, X and Y
- * overlapping unless it is said:
+ * rows 1-3. They penetrate at x = 3.02. These are the steps; Z, X and Y overlap
+ * unless the step says otherwise:
  *   P, Q     may obscure; Q bears no marker: interchange
  *   Q, P     may obscure; P bears none: interchange
- *   P, Q     may obscure; Q bears one: does P's plane pass through Q? It does:
- *            Q is divided. P's vertices run clockwise, so the eye is behind its
- *            plane: the first half is what is nearer, columns 1-3. It is put
- *            behind P, which bears a marker: P is passed. The second, n, on
- *            columns 3-5, is at 15 at most and is put before the first: P is
- *            passed.
+ *   P, Q     may obscure; Q bears one: does P's plane pass through Q? It does,
+ *            so Q is divided. P's vertices run clockwise, so the eye is behind
+ *            its plane: the first half is the nearer one, columns 1-3. It is
+ *            put behind P, which bears a marker: P is passed. The second half,
+ *            n, on columns 3-5, is at 15 at most and is put before the first
+ *            half: P is passed.
  *   P, n     may obscure: interchange. The new attempt is one of n.
  *   n, P     n is beyond P's plane, by its cut: test 4
- *   n, first half: a divided piece's box may be a sample wider than what it
- *            covers, as its outline is approximate: no test before 4 decides.
+ *   n, first half: the box of a divided piece may be a sample wider than the
+ *            piece, since its outline is approximate: no test before 4 decides.
  *            Pieces of one plane do not obscure one another: test 4. n is
  *            painted.
- *   P, first half: it is before P's plane, by its cut: test 5. P is painted,
- *            and then the first half.
+ *   P, first half: the half is in front of P's plane, by its cut: test 5. P is
+ *            painted, and then the first half.
  * Segments: 3 each. X merge: P covers n's bead on 3 rows. Spans: gap, first
  * half, P, gap on 3 rows; 1 on 5. */
 static const struct hand_object penetrate[] = {HAND_SLANT(1, 1, 5, 4, 16, 4),

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenes whose counts can be derived by hand: objects whose vertices are given
- * in pixels of the picture, at a depth each.
+ * in pixels of the picture, each with a depth.
  *
  * The eye is at the origin and looks along -z with an angle of 90 degrees. The
  * picture is 16 wide and 8 high; pixel (0, 0) is its upper left corner, and
@@ -152,8 +152,8 @@ static inline bool hand_check_one(const struct hsr_algorithm *a, int k,
   return false;
 }
 
-/* Draws the objects. Says which counters are not as derived, and which were not
- * derived: true if there are none. */
+/* Draws the objects. Prints the counters that differ from the derived values,
+ * or have none; true if there are no such counters. */
 static inline bool hand_check(const char *name,
                               const struct hand_object *object, int n,
                               const struct hand_count *derived) {

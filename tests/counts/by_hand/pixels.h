@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenes whose counts can be derived by hand: faces whose corners are given in
- * pixels of the picture, at a depth each.
+ * pixels of the picture, each with a depth.
  *
  * The eye is at the origin and looks along -z with an angle of 90 degrees. The
  * picture is m wide and n high; pixel (0, 0) is its upper left corner, and
@@ -125,8 +125,8 @@ static inline bool pixel_check_one(const struct hsr_algorithm *a, int k,
   return false;
 }
 
-/* Draws the picture; says which counters differ from what was derived; `all`:
- * and which were not derived. */
+/* Draws the picture. Prints the counters that differ from the derived values
+ * and, if `all`, those that have none; true if there are no such counters. */
 static inline bool pixel_check(const struct pixel_picture *p, const char *name,
                                const struct pixel_count *derived, bool all) {
   const struct hsr_algorithm *a = hsr_algorithm_find(name)->counting;

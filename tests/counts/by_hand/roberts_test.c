@@ -5,17 +5,17 @@
 
 /* Back-edge cull: 8 edges, each a side of one face. Clipping cull: all 8 are in
  * the picture.
- * Bodies apart: F and N are open: a volume without thickness each.
- * Minimax tests, of the body and, unless it is out of the way, of its volume:
+ * Bodies apart: F and N are open, so each is a volume without thickness.
+ * Minimax tests, of the body and, unless that is out of the way, of its volume:
  *   F's edges with F: 2 each           8    they lie in its front plane: own
  *   F upper and lower with N: 2 each   4
  *   F left and right with N: 1 each    2    out of the way: rejected
  *   N's edges with F: 1 each           4    F is farther: rejected
  *   N's edges with N: 2 each           8    own
  * Edge/volume tests: F upper and lower with N. Each leaves two pieces.
- * Fragments: 8 edges, and 2 pieces that are put by.
- * Conditions: of each test the 4 edges of N and its plane: something is left at
- *   each.
+ * Fragments: 8 edges, and 2 pieces that wait.
+ * Conditions: each test has the 4 edges of N and its plane; something is left
+ *   after each of these.
  * Intervals: F upper and lower 3 each, the 6 others 1 each. */
 static const struct hand_count of_bar[] = {
     {"back-edge cull", 8},
@@ -45,8 +45,8 @@ static const struct hand_count of_bar[] = {
     {"intervals drawn", 12},
     {NULL}};
 
-/* As above, but: F left comes to N's volume too, F right does not. F upper and
- * lower leave one piece each, F left is hidden whole. */
+/* As above, except that F left is also tested with N's volume; F right is not.
+ * F upper and lower leave one piece each, F left is wholly hidden. */
 static const struct hand_count of_corner[] = {{"back-edge cull", 8},
                                               {"clipping cull", 8},
                                               {"minimax", 8 + 6 + 1 + 4 + 8},
@@ -74,9 +74,9 @@ static const struct hand_object beside[] = {
 /* Minimax: F's edges with F 8; F left and lower with the triangle 2 each, F
  *   upper and right 1 each; the triangle's edges with F 1 each, with itself 2.
  * Edge/volume tests: F left and lower: untouched.
- * Conditions: a face's edges begin with that to its first vertex. So the edge
- *   x = 1 comes first, which leaves all, and then the long side, which leaves
- *   nothing. */
+ * Conditions: the first edge of a face is the one that ends at its first
+ *   vertex. So the edge x = 1 comes first, which leaves all; then the long
+ *   side, which leaves nothing. */
 static const struct hand_count of_beside[] = {
     {"back-edge cull", 7},
     {"clipping cull", 7},
@@ -99,9 +99,9 @@ static const struct hand_count of_beside[] = {
     {NULL}};
 
 /* One convex solid, 12 edges, each a side of two faces.
- * Minimax: 2 for each edge. The front is the only front plane: its 4 edges are
- *   in it. The 8 others are hidden whole, after the 4 conditions of the
- *   contour, which is the front's rim, and that of the front plane. */
+ * Minimax: 2 for each edge. The front is the only front plane, and its 4 edges
+ *   lie in it. The 8 others are wholly hidden, after the 4 conditions of the
+ *   contour, which is the front's rim, and the condition of the front plane. */
 static const struct hand_count of_box[] = {{"back-edge cull", 24},
                                            {"clipping cull", 12},
                                            {"minimax", 24},

@@ -18,10 +18,10 @@ static const struct pixel_face triangles[] = {
     {3, {{4, 2, 4}, {10, 2, 4}, {4, 5, 4}}}};
 
 /* Y sort: 2 faces. X sort: the faces of each row: 1 + 2 + 2 + 2 + 1 + 1 = 9.
- * X priority search: every X bucket of every row: 16 * 8 = 128; two for each
- * face on a row hold intercepts: 18.
+ * X priority search: every X bucket of every row: 16 * 8 = 128; each face on a
+ * row has intercepts in two: 18.
  *
- * A span that is searched takes a look at each face of the X occupied table.
+ * A search of a span looks at each face of the X occupied table.
  *   row  spans                        searched            reused
  *   0    1
  *   1    3: -, A, -                   A: 1 face
@@ -33,8 +33,8 @@ static const struct pixel_face triangles[] = {
  *   6    3                                                A: the line
  *   7    1
  * Spans: 26. Depth search: 1 + 3 = 4. Spans reused: 1 + 3 + 3 + 1 + 1 = 9.
- * A is in the table before B, so that each look finds the nearest face so far.
- * Lines without a search, but with faces: rows 3 to 6. Both faces are flat. */
+ * A is in the table before B, so each look finds a face nearer than all before.
+ * Lines with faces but without a search: rows 3 to 6. Both faces are flat. */
 static const struct pixel_count derived[] = {
     {"Y sort", 2},
     {"X sort", 9},

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The Y sort, X merge and X sort of the scan-line algorithms, derived by hand.
  *
- * The bubble sort repairs what the merge misplaces, so that the picture stays
- * right. But then it makes interchanges. In the first scene no two edges change
- * places from line to line: any interchange is a fault of the merge. */
+ * If the merge misplaces an edge, the bubble sort repairs the order and the
+ * picture stays right. But then the sort makes interchanges. In the first scene
+ * no two edges change places from line to line, so any interchange is a fault
+ * of the merge. */
 #include "tests/counts/by_hand/pixels.h"
 
 enum { M = 16, N = 8 };
@@ -22,8 +23,9 @@ static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
 
 /* Y sort: two edges of each rectangle are not horizontal: 6.
  *
- * X merge, first the bucket, last in first out: a right edge, then the left
- * one, which is compared with it: 1 a bucket. Then the merge, from the right:
+ * X merge: first the bucket is ordered, last in first out: a right edge, then
+ * the left one, which is compared with it: 1 a bucket. Then it is merged, from
+ * the right:
  *   row 1: the list is empty                                        0
  *   row 2: 9 with 12, with 2; 6 with 2                              3
  *   row 3: 14 with 12; 10 with 12, with 9                           3

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Warnock's counts, derived by hand from Sutherland et al. 1974, "J. E.
- * Warnock", and from the module's own rule that a face behind a surrounder is
- * inherited as hidden. */
+ * Warnock", and from the module's own rule: sub-windows inherit that a face
+ * behind a surrounder is hidden. */
 #include "tests/counts/by_hand/pixels.h"
 
 enum { SIZE = 8 };
@@ -22,9 +22,9 @@ static const struct pixel_face faces[] = {
 
 /* Z sort: 5 faces in 2 passes: 10. The order is C, D, E, A, B.
  *
- * In the table: tests, and those of them that boxes decide; old surrounders,
- * old disjoints; hidden faces; depth comparisons. A box decides if it is apart
- * from the window, or contained in it and not as large.
+ * The columns of the table are: tests, and those that boxes decide; surrounders
+ * and disjoints that are inherited; hidden faces; depth comparisons. A box
+ * decides if it is apart from the window, or lies in it and is smaller.
  *
  *   window                 tests box  surr disj  hidden depth
  *   0-8, 0-8                 5    5     0    0     0     0   five intersecters
@@ -50,11 +50,11 @@ static const struct pixel_face faces[] = {
  *   sum                     46   35     4   28     7     5
  *
  * The tests find 25 disjoint faces, all by their boxes; 17 intersecters, 10 of
- * them by their boxes, being contained; and 4 surrounders. All comparisons in
- * depth find a face in front of A.
+ * them by their boxes, which are contained; and 4 surrounders. All comparisons
+ * in depth find a face in front of A.
  *
- * There are 17 windows, 4 of which are divided; and indeed of 17 times 5 faces
- * 46 are tested, 4 and 28 are inherited, and 7 are hidden. */
+ * There are 17 windows, 4 of which are divided. Check: of 17 times 5 faces, 46
+ * are tested, 4 + 28 are inherited, and 7 are hidden. */
 static const struct pixel_count derived[] = {
     {"Z sort", 10},
     {"Warnock special", 46},

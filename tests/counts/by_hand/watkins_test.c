@@ -18,12 +18,13 @@ static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
                                          PIXEL_RECTANGLE(6, 2, 9, 4, 4),
                                          PIXEL_RECTANGLE(10, 3, 14, 6, 4)};
 
-/* Span cull: when a span begins, each segment under the last one is tested for
- * its right end, and each that begins there is tested as it enters. Then the
- * segments not yet under the span are tested until one begins right of it.
- * Depth search: under the span, each segment but the first with the visible
- * one; and each that begins within the span with the visible one. All depths
- * are constant, so that one comparison tells and nothing is divided.
+/* Span cull: when a span begins, each segment under the last span is tested for
+ * its right end, and each segment that begins there is tested as it enters.
+ * Then the segments not yet under the span are tested until one begins right of
+ * it.
+ * Depth search: each segment under the span but the first is compared with the
+ * visible one, and so is each segment that begins within the span. All depths
+ * are constant, so one comparison decides and nothing is divided.
  *
  *   span       shows  culls                                    comparisons
  *   row 1
@@ -53,7 +54,7 @@ static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
  *   row 5      as row 1                                        3, 3
  *   rows 0, 6 and 7: one span each                             3
  *
- * Where a segment begins within the span, enters or stays, it is inside:
+ * A segment that begins within the span, enters or stays, is inside:
  * 2 + 6 + 10 + 6 + 2 = 26 of 40. All comparisons find the later face nearer. */
 static const struct pixel_count of_deck[] = {{"Y sort", 6},
                                              {"X merge", 9},
@@ -70,9 +71,9 @@ static const struct pixel_count of_deck[] = {{"Y sort", 6},
 
 /* --- Faces that penetrate ------------------------------------------------- */
 
-/* On row 3, both have the columns 4-12. With q = 1/depth in units of 1/128, S
- * has q = 8 + (x - 4) at x, and P has 13 everywhere: S comes to the front at
- * x = 9. Column c is at x = c + 0.5. */
+/* On row 3 both have the columns 4-12. With q = 1/depth in units of 1/128, S
+ * has q = 8 + (x - 4) at x, and P has 13 everywhere: S comes to the front at x
+ * = 9. Column c is at x = c + 0.5. */
 static const struct pixel_face crossing[] = {
     {4, {{4, 3, 16}, {12, 3, 8}, {12, 4, 8}, {4, 4, 16}}},
     PIXEL_RECTANGLE(4, 3, 12, 4, 128.0 / 13)};

@@ -20,13 +20,13 @@ static const struct pixel_face triangles[] = {
     {3, {{4, 2, 4}, {10, 2, 4}, {4, 5, 4}}},
     {3, {{10, 4, 16}, {15, 4, 2}, {10, 8, 16}}}};
 
-/* Samples: A 11 + 9 + 7 + 5 + 3 + 1 = 36, B 5 + 3 + 1 = 9, C 4 + 3 + 2 + 1 = 10.
- * Each is a depth test, against the background or, for B, against A. All find
- * the face nearer: 55 writes, of which B's 9 overwrite A.
+/* Samples: A 11 + 9 + 7 + 5 + 3 + 1 = 36, B 5 + 3 + 1 = 9, C 4 + 3 + 2 + 1 =
+ * 10. Each is a depth test, against the background or, for B, against A. All
+ * find the face nearer: 55 writes, 9 of which are B's over A.
  *
- * A and B are tiled in floats. C has 1/t from 1/16 to 1/2: these differ by more
- * than the least of them, so that it goes the general way. All edges pass the
- * samples at a distance, and 1/t of A and B differ by a factor of two. */
+ * A and B are tiled in floats. C has 1/t from 1/16 to 1/2. This range is longer
+ * than its lower end, so C goes the general way. All edges keep a distance from
+ * the samples, and 1/t of A and B differ by a factor of two. */
 static const struct pixel_count derived[] = {
     {"depth tests", 55},  {"depth tests", 55, "nearer"}, {"writes", 55},
     {"overwrites", 9},    {"fast triangles", 2},         {"general faces", 1},

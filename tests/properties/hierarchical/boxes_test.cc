@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Boxes against convex polyhedra and polygons, judged by clipping in exact
-// arithmetic: a polygon meets a box if anything is left when the box's six half
-// spaces have cut it; a solid, if one of its faces meets the box, or if the box
-// lies inside. The clipping is done in intervals, and where these leave a
-// comparison open, in rational numbers.
+// arithmetic. A polygon meets a box if the box's six half spaces leave some of
+// it. A solid meets a box if one of its faces does, or if the box lies inside.
+// The clipping uses intervals; if these leave a comparison open, it uses
+// rational numbers.
 //
-// Two kinds of error are told apart. Wrong: OUT but meeting, IN but not inside,
-// on a plane's inner side but cut. That may never happen. Doubtful: PARTIAL or
-// cut without need, which the proved bounds allow, but only to within rounding
-// of a tie; so there should be none, neither on random input nor among small
-// integers, where everything is exact and touching abounds.
+// There are two kinds of error. Wrong: OUT but meeting, IN but not inside, on a
+// plane's inner side but cut. That may never happen. Doubtful: PARTIAL or cut
+// without need. The proved bounds allow that only within rounding of a tie. So
+// there should be none, neither on random input nor among small integers, where
+// everything is exact and there are many ties.
 #include "common/trees/box.h"
 #include "tests/tap.h"
 
@@ -45,8 +45,8 @@ int integer(int lo, int hi) {
 double real(double lo, double hi) {
   return lo + (hi - lo) * (double(bits() >> 11) * 0x1p-53);
 }
-// A coordinate in [-size, size]: an integer on the lattice, else a multiple of
-// 2^-12, so that a few sums and products of them are exact.
+// A coordinate in [-size, size]: an integer on the lattice, otherwise a
+// multiple of 2^-12. So a few sums and products of coordinates are exact.
 double coordinate(int size, bool lattice) {
   return lattice ? integer(-size, size)
                  : integer(-size << 12, size << 12) / 4096.;
@@ -77,7 +77,7 @@ template <class T> Point<T> minus(const Point<T> &a, const Point<T> &b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// What is left of the polygon where sign * x[axis] >= sign * at.
+// The part of the polygon where sign * x[axis] >= sign * at.
 template <class T>
 void clip(Polygon<T> &polygon, size_t axis, const T &at, int sign) {
   Polygon<T> kept;
@@ -139,7 +139,7 @@ template <class T> Point<T> box_corner(const hsr_box &box, unsigned c) {
 
 struct Truth {
   bool meets;
-  unsigned cut; // planes of which not all of the box is on the inner side
+  unsigned cut; // planes that do not have the whole box on their inner side
 };
 
 template <class T> Truth judge(const Solid<T> &solid, const hsr_box &box) {
@@ -160,8 +160,7 @@ template <class T> Truth judge(const Solid<T> &solid, const hsr_box &box) {
   return truth;
 }
 
-// Calls `question` with an Interval's argument, or, if that does not settle it,
-// a Rational's.
+// Calls `question` with Intervals; if these do not settle it, with Rationals.
 template <class Question> auto exactly(const Question &question) {
   try {
     const Interval::Protector rounding;
@@ -222,7 +221,7 @@ void try_box(Score &score, const hsr_polyhedron &poly, const hsr_box &box,
   score.in += verdict == HSR_BOX_IN;
   score.partial += verdict == HSR_BOX_PARTIAL;
   score.wrong += (truth.cut & ~cut) != 0 || (verdict == HSR_BOX_IN) != !cut;
-  // Of a box that holds the whole polyhedron, listing A.1 takes all for cut.
+  // If a box holds the whole polyhedron, listing A.1 takes all planes as cut.
   score.doubtful += !truth.meets || (!hsr_box_holds(&box, &poly.bounds) &&
                                      (cut & ~truth.cut) != 0);
 }
@@ -364,7 +363,7 @@ hsr_box box_on(const Solid<double> &solid) {
   return box;
 }
 
-// Vertices that are out of place, each by up to a radius of its own.
+// Vertices that are out of place, each by up to its own radius.
 void test_radii(struct tap *tap) {
   Score with, without;
   for (int i = 0; i < 10000; i++) {
@@ -561,8 +560,8 @@ void test_convex_polygons(struct tap *tap) {
   }
 }
 
-// Of a dart more may be said to meet than does; the two triangles at its reflex
-// corner tell what does.
+// The test may report more boxes to meet a dart than do. The two triangles at
+// the dart's reflex corner give the right answer.
 void test_darts(struct tap *tap) {
   long wrong = 0, more = 0, apart = 0;
   for (int i = 0; i < 50000; i++) {
@@ -580,7 +579,7 @@ void test_darts(struct tap *tap) {
      "of a polygon that is not convex no part is missed");
 }
 
-// Corners off their places by up to the slack, and any normal at all.
+// Corners that are out of place by up to the slack, and arbitrary normals.
 void test_slack(struct tap *tap) {
   long wrong = 0, apart = 0, without = 0;
   const double slack = .125;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whatever is chosen of hzbuffer's options, its picture is that of the z-buffer
- * of the scene laid out, sample for sample: thesis, 3.3, claim 1.
+/* With all options of hzbuffer its picture is the z-buffer's of the scene laid
+ * out, sample for sample: thesis, 3.3, claim 1.
  *
- * Options     every combination, on small scenes; coherence over views that
- *             come again.
- * Windows     of 1, 7 and 32 samples, and several threads at them.
- * Instances   random scenes of a few modules, flat or long, apart or not, near
- *             one another or nearly: what the order of cubes is good for, and
- *             what it is not. */
+ * Options     Every combination, on small scenes; coherence over views that
+ *             repeat.
+ * Windows     Of 1, 7 and 32 samples, also by several threads.
+ * Instances   Random scenes of a few modules, flat or long, apart or not, close
+ *             together or nearly so: cases in which the order of cubes
+ *             suffices, and cases in which it does not. */
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -26,7 +26,7 @@ static void stop(const char *name, const char *text) {
   exit(99);
 }
 
-/* A scene with its right pictures. */
+/* A scene and its right pictures. */
 struct known {
   struct hsr_scene *scene;
   struct hsr_world world, outline;
@@ -65,8 +65,8 @@ static struct known *open_known(const char *name) {
 
 /* --- Options -------------------------------------------------------------- */
 
-/* The next combination of words, of all options but `work`, numbers staying as
- * they are; false after the last. */
+/* The next combination of words of all options except `work`; numbers stay as
+ * they are. False after the last. */
 static bool next_choice(const struct hsr_option *option, bool movers,
                         long *chosen) {
   for (int k = 0; option[k].name; k++) {
@@ -80,7 +80,7 @@ static bool next_choice(const struct hsr_option *option, bool movers,
   return false;
 }
 
-/* Wrong samples of FRAMES frames of one prepared object. */
+/* The number of wrong samples in FRAMES frames of one prepared object. */
 static long try_choice(const struct known *k, const struct hsr_algorithm *a,
                        const struct hsr_choice *choice) {
   struct hsr_error err = {.text = "out of memory"};
@@ -109,7 +109,7 @@ static long try_choice(const struct known *k, const struct hsr_algorithm *a,
   return wrong;
 }
 
-/* Says which, of a choice that is wrong. */
+/* Prints a choice that is wrong. */
 static void report(const struct known *k, const struct hsr_option *option,
                    const struct hsr_choice *choice, long wrong) {
   printf("# %s: %ld samples differ:", k->scene->name, wrong);
@@ -136,7 +136,7 @@ static void set_number(const struct hsr_option *option, long *chosen,
       chosen[k] = number;
 }
 
-/* All combinations, in both builds by turns; how many. */
+/* Tries all combinations, in the two builds by turns. Returns how many. */
 static int try_all(const struct known *k, long *wrong) {
   const struct hsr_listed *hz = hsr_algorithm_find("hzbuffer");
   const struct hsr_option *option = hz->plain->options;
@@ -166,8 +166,8 @@ static void test_options(struct tap *tap, const char *name) {
 
 /* --- Random instances ----------------------------------------------------- */
 
-/* Boxes and triangles in a box of the given size; a leaning quadrilateral, here
- * and there, that no instance but the first leaves flat. */
+/* Boxes and triangles in a box of the given size; sometimes a leaning
+ * quadrilateral, which only the first instance leaves flat. */
 static void fill_module(struct hsr_object *object, const double *size,
                         int n_faces, uint64_t *seed) {
   for (int f = 0; f < n_faces; f++) {
@@ -193,8 +193,8 @@ static void fill_module(struct hsr_object *object, const double *size,
   }
 }
 
-/* Modules on a grid of cells, few in each direction, shifted a little or not,
- * and a view from within or from somewhere near. */
+/* Modules on a grid of a few cells in each direction, perhaps shifted a little;
+ * and a view from inside or from nearby. */
 static struct hsr_scene *random_modules(uint64_t *seed) {
   struct hsr_scene *scene = hsr_scene_new("modules");
   struct hsr_error err = {.text = "out of memory"};
@@ -242,7 +242,7 @@ static const char *const choices[] = {
     "hzbuffer:least=1:near=on",
     "clark"};
 
-/* Wrong samples with each of these choices. */
+/* The number of wrong samples with all of these choices. */
 static long try_choices(const struct known *k) {
   long wrong = 0;
   for (size_t c = 0; c < sizeof choices / sizeof *choices; c++) {
@@ -258,7 +258,7 @@ static long try_choices(const struct known *k) {
   return wrong;
 }
 
-/* Samples that show a face. */
+/* The number of samples that show a face. */
 static long count_faces(const struct known *k) {
   long faces = 0;
   for (int v = 0; v < VIEWS; v++)
@@ -283,8 +283,9 @@ static void test_instances(struct tap *tap, uint64_t *seed) {
 
 /* --- Completed samples ---------------------------------------------------- */
 
-/* Samples beside a side of a cube, by less than is known of where it lies, are
- * not behind it: its plane may even be behind the eye there. */
+/* A sample that is beside a side of a cube, by less than the error of the
+ * side's place, is not behind it: there its plane may even be behind the eye.
+ */
 static void test_beside(struct tap *tap) {
   static struct known k;
   uint64_t seed = 0x94ab092bf31e31b4u;
@@ -304,7 +305,7 @@ static void add_triangle(struct hsr_scene *scene, const double xyz[3][3]) {
   hsr_object_face(object, vertex, 3, NULL);
 }
 
-/* Across x: flat, of two triangles, or bent, and so loose. */
+/* A screen across x: flat, of two triangles; or bent, and so loose. */
 static void add_screen(struct hsr_scene *scene, double x, const double y[2],
                        const double z[2], double bent) {
   struct hsr_object *object = hsr_scene_object(scene, "screen");
@@ -318,9 +319,9 @@ static void add_screen(struct hsr_scene *scene, double x, const double y[2],
     hsr_object_face(object, half, 3, NULL);
 }
 
-/* A beam along the upper edge of its cell, whose own cube reaches into the cell
- * above; there a screen is seen before that cube, though its cell comes later,
- * and a bent one, drawn first, between the two:
+/* A beam lies along the upper edge of its cell, and its own cube reaches into
+ * the cell above. There a screen is in front of that cube, although its cell
+ * comes later. A bent screen, which is drawn first, is between the two:
  *
  *       z  +-----------+-----------+
  *          |           |           |
@@ -368,9 +369,9 @@ static void test_overhang(struct tap *tap) {
 
 /* --- Ties ----------------------------------------------------------------- */
 
-/* Rooms in a row that have their two walls on the sides of their cubes, and so
- * on those of the next. Where two lie on one another the first one is seen,
- * from either end, though its cube may come last. */
+/* Rooms in a row. Their two walls are on the sides of their cubes, and so on
+ * those of the next cubes. Where two walls coincide, the first one is seen from
+ * both ends, although its cube may come last. */
 static struct hsr_scene *rooms(int axis, double aside) {
   struct hsr_scene *scene = hsr_scene_new("rooms");
   struct hsr_object *room = hsr_scene_object(scene, "room");
@@ -427,7 +428,7 @@ static void test_ties(struct tap *tap) {
 
 /* --- Windows -------------------------------------------------------------- */
 
-/* The windows of a picture, of which each thread takes every so manieth. */
+/* The windows of a picture. Of n threads, each takes every n-th. */
 struct share {
   const struct hsr_setup *setup;
   const struct hsr_view *view;

@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What Greene's thesis (3.3.1 to 3.3.3) and the paper of 1993 claim of
+/* What Greene's thesis (3.3.1 to 3.3.3) and the paper of 1993 claim about
  * hierarchical z-buffer visibility.
  *
- * Nodes       Visited are the visible ones, their children and the root, no
- *             more, and none twice.
- * Tiled       What is tiled is in visible cubes, or loose; what is seen, is
- *             tiled; and nothing is tiled twice in a frame.
- * Final       What is said of a cube when it is tested is right of the finished
- *             picture: a cube that is hidden has no sample where a side of it
- *             is before the picture. Where cubes are tested definitively and
- *             each instance has its own, one that is visible has a sample, or
- *             the doubt about where its sides are, where one is not behind.
- * Coherence   Along a walk, with a cut and back in time, the picture is that of
- *             every frame for itself; few faces are tiled that were not in the
- *             frame before; the lists do not grow.
+ * Nodes       The nodes visited are the visible ones, their children and the
+ *             root, and no others; none is visited twice.
+ * Tiled       Every face that is tiled is in a visible cube, or loose. Every
+ *             face that is seen is tiled. No face is tiled twice in a frame.
+ * Final       The result of a cube's test holds for the finished picture. A
+ *             hidden cube has no sample where one of its sides is in front of
+ *             the picture. If cubes are tested definitively and each instance
+ *             has its own, a visible cube has a sample where one of its sides
+ *             is not behind the picture, or may not be, as the side's place has
+ *             an error.
+ * Coherence   Along a walk, with a cut and back in time, every picture equals
+ *             that of the frame drawn alone. Few faces are tiled that were not
+ *             in the frame before. The lists do not grow.
  *
- * The algorithm is included, so that its steps can be taken one by one: the
- * walk through the octrees is written again here, noting what each step said,
- * and counts the same as the true one, counter by counter. */
+ * The algorithm is included, so that its steps can be taken one by one. The
+ * walk through the octrees is written again here; it notes the result of each
+ * step, and must count the same as the true one, counter by counter. */
 #define HSR_COUNTING 1
 #include "algorithms/algorithm.h"
 #undef HSR_ALGORITHM
@@ -65,7 +66,7 @@ static void end_run(struct run *r) {
   hsr_arena_free(&r->scratch);
 }
 
-/* Makes the job of a view ready. */
+/* Prepares the job of a view. */
 static void set_view(struct run *r, const struct both_worlds *s,
                      uint32_t view) {
   struct hsr_error err;
@@ -90,7 +91,7 @@ static void draw_run(struct run *r) {
     stop(r->setup.algorithm->name, err.text);
 }
 
-/* By the z-buffer, of the scene laid out. */
+/* Draws the scene, laid out, with the z-buffer. */
 static void draw_right(const struct both_worlds *s, const struct hsr_view *view,
                        uint32_t *ids) {
   draw_ids(hsr_algorithm_find("zbuffer")->plain, &s->world, view, ids, NULL);
@@ -100,7 +101,8 @@ static void draw_right(const struct both_worlds *s, const struct hsr_view *view,
 
 enum said { IS_OUT, IS_HIDDEN, IS_UNTESTED, IS_VISIBLE };
 
-/* A node that was visited; of the instances' octree if there is no instance. */
+/* A node that was visited. If it has no instance, it is of the octree of
+ * instances. */
 struct note {
   uint32_t instance, node;
   enum said said;
@@ -111,7 +113,7 @@ struct notes {
   struct walk walk;
   struct note *note;
   size_t n, room;
-  long strays; /* that are out of the frustum, and not found to be, or else */
+  long strays; /* outside the frustum but not found to be, or the reverse */
 };
 
 static bool visit(struct notes *ns, const struct hsr_placing *placing,
@@ -178,7 +180,7 @@ static void visit_instances(struct notes *ns, uint32_t k, bool inside) {
   }
 }
 
-/* A frame, whose z-buffer and pyramid are left as they are at its end. */
+/* Draws a frame; its z-buffer and pyramid are left as they are at its end. */
 static void take_notes(struct notes *ns, struct run *r) {
   memset(ns, 0, sizeof *ns);
   if (begin(&ns->walk, &r->job) || render_loose(&ns->walk))
@@ -203,7 +205,7 @@ static bool was_visible(const struct notes *ns, uint32_t instance,
   return found && found->said >= IS_UNTESTED;
 }
 
-/* Sorted notes: none of a node twice. */
+/* Sorts the notes; false if two are of one node. */
 static bool none_twice(struct notes *ns) {
   qsort(ns->note, ns->n, sizeof *ns->note, compare_notes);
   for (size_t k = 1; k < ns->n; k++)
@@ -212,8 +214,8 @@ static bool none_twice(struct notes *ns) {
   return true;
 }
 
-/* The visible nodes of an instance's octree and their children, and its root;
- * from the octree as it stands. */
+/* Counts the visible nodes of an instance's octree, their children, and the
+ * root, from the octree itself. */
 static uint64_t count_family(const struct notes *ns, uint32_t i) {
   const struct hsr_cubes *cubes = ns->walk.frame.cubes;
   const struct hsr_octree *octree =
@@ -225,8 +227,8 @@ static uint64_t count_family(const struct notes *ns, uint32_t i) {
   return n;
 }
 
-/* The same of the octree of instances, in which a single instance's node is
- * not visited; and the families of the instances in the cubes that are. */
+/* The same for the octree of instances, in which the node of a single instance
+ * is not visited; plus the families of the instances in the visited cubes. */
 static uint64_t count_families(const struct notes *ns) {
   const struct hsr_cubes *cubes = ns->walk.frame.cubes;
   const struct hsr_octree *octree = &cubes->octree;
@@ -300,7 +302,8 @@ static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Where the ray of a screen point meets the plane of a side: 1/t, s and t. */
+/* Where the ray of a screen point meets the plane of a side. Returns 1/t of the
+ * ray, and s and t of the side. */
 static double meet(const struct hsr_view *view, const struct side *side,
                    double sx, double sy, double *s, double *t) {
   double D[3], O[3], n[3], c[3];
@@ -319,7 +322,7 @@ static double meet(const struct hsr_view *view, const struct side *side,
   return q;
 }
 
-/* The finished picture: 1/t of what is seen, 0 where nothing is. */
+/* The finished picture: 1/t of the visible face, 0 where there is none. */
 static void find_depths(const struct both_worlds *st, struct run *r,
                         double *depth) {
   struct hsr_arena arena = HSR_ARENA_EMPTY;
@@ -335,7 +338,7 @@ static void find_depths(const struct both_worlds *st, struct run *r,
   hsr_arena_free(&arena);
 }
 
-/* A side at the samples: is it before the picture, for certain; is it not
+/* A side at the samples: is it certainly in front of the picture; is it not
  * behind; or is that in doubt, since it comes within half a sample? */
 struct seen {
   bool before, not_behind, in_doubt;
@@ -352,7 +355,8 @@ static void to_screen(const struct hsr_view *view, const struct side *side,
   p[2] = 1 / w;
 }
 
-/* The samples around a side; it is before the eye, as all that are tested. */
+/* The samples around a side, which is in front of the eye like all sides that
+ * are tested. */
 static struct hsr_bounds samples_of(const struct hsr_view *view,
                                     const struct side *side) {
   double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
@@ -382,9 +386,9 @@ static void look_at_side(const struct hsr_view *view, const struct side *side,
     }
 }
 
-/* Points all over a side, each against the sample of the pixel in which it is:
- * none is farther away than half a sample in both directions. There the plane
- * of the side counts, up to the cube's nearest corner. */
+/* Compares points all over a side with the samples of their pixels. Each sample
+ * is at most half a sample away in both directions. There the plane of the side
+ * is taken, but no nearer than the cube's nearest corner. */
 static void doubt_side(const struct hsr_view *view, const struct side *side,
                        double nearest, const double *depth, struct seen *seen) {
   struct hsr_bounds box = samples_of(view, side);
@@ -463,7 +467,7 @@ static void retest(const struct notes *ns, const double *depth,
 
 /* --- What is tiled -------------------------------------------------------- */
 
-/* Comparisons of a face at a sample, and faces that were written. */
+/* Which faces were compared at a sample, and which were written. */
 struct watched {
   uint64_t *compared;
   size_t n, room;
@@ -491,7 +495,7 @@ static int compare_numbers(const void *a, const void *b) {
   return (*m > *n) - (*m < *n);
 }
 
-/* Faces compared at a sample that they were compared at before. */
+/* How often a face was compared again at the same sample. */
 static long count_twice(struct watched *w) {
   long twice = 0;
   qsort(w->compared, w->n, sizeof *w->compared, compare_numbers);
@@ -526,7 +530,7 @@ struct found {
   struct final final;
 };
 
-/* The true run and the noted one count the same. */
+/* Whether the true run and the noted one count the same. */
 static bool count_alike(const struct run *a, const struct run *b) {
   return !memcmp(a->tally.count, b->tally.count, sizeof a->tally.count);
 }
@@ -623,12 +627,12 @@ static uint32_t view_of_frame(int k) {
   return k < CUT ? (uint32_t)(k + 1) : k == CUT ? CUT_TO : (uint32_t)k;
 }
 
-/* What two passes tile of a frame. */
+/* What the two passes of a frame tile. */
 struct passes {
   uint64_t first, second, again, listed;
 };
 
-/* A frame as `render` makes it, with a look at what the first pass did. */
+/* Draws a frame as `render` does, and looks at what the first pass did. */
 static struct passes draw_in_passes(struct run *r) {
   struct walk w = {.visit = 0};
   const uint64_t *count = r->tally.count;
@@ -646,7 +650,7 @@ static struct passes draw_in_passes(struct run *r) {
   return p;
 }
 
-/* A view for itself: the right picture, and what it takes without coherence. */
+/* A view alone: the right picture, and its work without coherence. */
 struct cold {
   uint32_t right[SAMPLES];
   uint64_t tiled, visible;

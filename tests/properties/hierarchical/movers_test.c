@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Objects that move between frames: hzbuffer and clark, made ready once, draw
- * what the z-buffer draws of the scene laid out anew in every frame. Carts
- * drive through the office; some frames throw them out of the building, or back
- * in time. Greene's thesis, 3.4. */
+/* Objects that move between frames: hzbuffer and clark are prepared once, and
+ * must draw the same as the z-buffer, for which the scene is laid out anew in
+ * every frame. Carts drive through the office; some frames move them out of the
+ * building, or back in time. Greene's thesis, 3.4. */
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -14,7 +14,7 @@
 
 enum { M = 120, N = 90, FRAMES = 6 };
 
-/* What time it is in a frame: forth, far ahead, and back. */
+/* The time in each frame: it goes forth, far ahead, and back. */
 static const int moment[FRAMES] = {0, 1, 2, 500, 501, 1};
 
 static const char *const variants[] = {"clark",
@@ -43,7 +43,8 @@ static struct hsr_scene *open_scene(int per_cent, int frame) {
   return scene;
 }
 
-/* Where the instances are in a frame; in some, the first cart is far off. */
+/* Moves the instances to their places in a frame; in some frames the first cart
+ * is far off. */
 static void move_to(struct hsr_scene *scene, int per_cent, int frame) {
   struct hsr_scene *then = open_scene(per_cent, moment[frame]);
   memcpy(scene->instances, then->instances,

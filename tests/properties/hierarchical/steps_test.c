@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the events of the hierarchical modules tell, over their options: those of
- * the hierarchical z-buffer, of Clark's culling, and of tiling with masks.
+/* The events of the hierarchical modules, with many options: of the
+ * hierarchical z-buffer, of Clark's culling, and of tiling with masks.
  *
- * Counts      Each counter has as many events as it counted, also of filtered
- *             pictures; the accepted ones repaint the picture.
- * Depths      A comparison of two faces is decided as the exact services do.
- * Masks       Cells are where their number says, visited for the polygon or the
- *             cube at hand; those of the finest level are counted as such. What
- *             is written lies in the last active cell, each sample once. A
- *             sample that was decided exactly is written or not, as it was said.
+ * Counts      Each counter has as many events as it counted, also for filtered
+ *             pictures. The accepted ones repaint the picture.
+ * Depths      A comparison of two faces has the outcome of the exact services.
+ * Masks       Cells are where their number says, and are visited for the
+ *             current polygon or cube. Those of the finest level are counted as
+ *             such. Samples are written in the last active cell, each once. A
+ *             sample that was decided exactly is written if, and only if, the
+ *             event says so.
  * Cubes       A cube is hidden or visible as the last entry or sample read for
- *             it says, and what is outside of the frustum as the last inequality
- *             says.
- * Faces       A face that is culled is not written; one that is repeated was met
- *             before.
- * Bodies      What moves is told: instances that are moved down an octree, trees
- *             of bodies, and merges of different faces in ascending order.
+ *             it says; it is outside the frustum as the last inequality says.
+ * Faces       A face that is culled is not written. A face that is repeated was
+ *             met before.
+ * Bodies      There are events for what moves: instances that move down an
+ *             octree, trees of bodies, and merges of different faces, in
+ *             ascending order.
  *
- * With words: of the variants only whose names begin with one of them. */
+ * usage: steps_test [WORD...]    only variants whose names begin with a WORD */
 #include "algorithms/variant.h"
 #include "common/exact/screen.h"
 #include "tests/draw.h"
@@ -33,7 +34,7 @@ static void stop(const char *name, const char *text) {
   exit(99);
 }
 
-/* --- One frame, told ------------------------------------------------------ */
+/* --- The events of one frame ---------------------------------------------- */
 
 struct frame {
   const struct hsr_algorithm *algorithm;
@@ -45,7 +46,7 @@ struct frame {
   size_t n_events, room;
   struct hsr_tally tally;
   uint32_t ids[M * N], sums[3 * M * N];
-  const char *wrong; /* the first thing that is, or NULL */
+  const char *wrong; /* the first thing that is wrong, or NULL */
 };
 
 static void listen(void *context, const struct hsr_event *event) {
@@ -59,7 +60,7 @@ static void listen(void *context, const struct hsr_event *event) {
   f->event[f->n_events++] = *event;
 }
 
-/* The first thing that is wrong is kept. */
+/* Keeps the first thing that is wrong. */
 static void expect(struct frame *f, bool good, const char *what) {
   if (!good && !f->wrong)
     f->wrong = what;
@@ -81,7 +82,7 @@ static bool same_window(struct hsr_window a, struct hsr_window b) {
   return !memcmp(&a, &b, sizeof a);
 }
 
-/* The event after number k, if it is of a counter; else NULL. */
+/* The event after number k if it is of this counter, otherwise NULL. */
 static const struct hsr_event *next_is(const struct frame *f, size_t k,
                                        int of) {
   return k + 1 < f->n_events && f->event[k + 1].counter == of ? &f->event[k + 1]
@@ -139,7 +140,7 @@ static void check_depths(struct frame *f) {
 
 /* --- Masks ---------------------------------------------------------------- */
 
-/* Of a picture of as many samples: the levels of the pyramid. */
+/* The levels of the pyramid for a picture of this size. */
 static int levels_of(const struct frame *f) {
   int n = 1;
   for (int size = 8; size < f->m || size < f->n; size *= 8)
@@ -147,8 +148,8 @@ static int levels_of(const struct frame *f) {
   return n;
 }
 
-/* A visit is told as one of a cell, of a finest cell if it is one, and of a cell
- * of a pixel or more, which all are. */
+/* A visit has an event as a cell, as a finest cell if it is one, and as a cell
+ * of a pixel or more, which all cells are. */
 static void check_visit(struct frame *f, size_t k) {
   const struct hsr_event *e = &f->event[k];
   int n = levels_of(f), level = (int)e->a.id[0], size = 1;
@@ -204,8 +205,8 @@ static void check_masks(struct frame *f) {
   expect(f, !visited, "cells are visited for a cube that is not asked about");
 }
 
-/* What is written where it is decided: not by tiling-lazy, which writes in the
- * end. */
+/* Samples are written where they are decided. Not for tiling-lazy, which writes
+ * at the end. */
 static void check_writing(struct frame *f) {
   int cells = counter(f, "polygon cells"), samples = counter(f, "samples");
   int finest = counter(f, "finest cells"), pixels = counter(f, "pixel cells");
@@ -233,8 +234,8 @@ static void check_writing(struct frame *f) {
     n_written++;
   }
   expect(f, n_written == all, "a sample is not written");
-  /* Samples that are decided exactly are told before their cell, and the cell
-   * before what is written in it. */
+  /* The events of samples that are decided exactly come before that of their
+   * cell, and that comes before those of the samples written in it. */
   for (size_t k = 0; k < f->n_events; k++) {
     const struct hsr_event *e = &f->event[k];
     if (e->counter != unsure)
@@ -262,7 +263,7 @@ static void check_lazy(struct frame *f) {
   int demoted = counter(f, "pixels demoted"),
       fragments = counter(f, "fragments");
   size_t n = (size_t)((f->m + 7) / 8 * ((f->n + 7) / 8)), columns;
-  unsigned char *state = calloc(n, 1); /* of a pixel: 1 demoted */
+  unsigned char *state = calloc(n, 1); /* of each pixel; 1: demoted */
   columns = (size_t)((f->m + 7) / 8);
   if (!state)
     stop("pixels", "out of memory");
@@ -291,7 +292,7 @@ static void check_lazy(struct frame *f) {
 
 /* --- Cubes ---------------------------------------------------------------- */
 
-/* Inequalities and what they say; the nodes that they are of. */
+/* Inequalities agree with the outcome for their nodes. */
 static void check_frustum(struct frame *f) {
   int nodes = counter(f, "nodes visited"), out = counter(f, "nodes out");
   int inequalities = counter(f, "inequalities");
@@ -313,7 +314,8 @@ static void check_frustum(struct frame *f) {
   }
 }
 
-/* Reads of the pyramid and samples of sides, and what they say of cubes. */
+/* Reads of the pyramid and samples of sides agree with the outcome for cubes.
+ */
 static void check_cubes(struct frame *f, bool by_reads) {
   int reads = counter(f, "cube reads"), tested = counter(f, "cubes tested");
   int culled = counter(f, "cubes culled");
@@ -361,7 +363,8 @@ static void check_cubes(struct frame *f, bool by_reads) {
 
 /* --- Faces ---------------------------------------------------------------- */
 
-/* fast: a face is tested by one read after another, of which the last says. */
+/* fast: a face is tested by one read after another, and the last one decides.
+ */
 static void check_faces(struct frame *f, bool fast) {
   int met = counter(f, "faces met"), repeated = counter(f, "faces repeated");
   int tested = counter(f, "faces tested"), culled = counter(f, "faces culled");
@@ -407,8 +410,8 @@ static void check_faces(struct frame *f, bool fast) {
 
 /* --- Bodies --------------------------------------------------------------- */
 
-/* Six boxes that move and meet, and one that stands: among them, or behind the
- * eye, so that all others are outside of its cube. */
+/* Six boxes that move and meet, and one that stands still. It stands among
+ * them, or behind the eye, so that all others are outside its cube. */
 static struct hsr_scene *make_bodies(bool behind) {
   static const uint32_t side[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                       {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
@@ -443,7 +446,7 @@ static struct hsr_scene *make_bodies(bool behind) {
   return scene;
 }
 
-/* Merges and moves of all runs, so that it is known that there are some. */
+/* Merges and moves of all runs: there must be some. */
 static long n_merges, n_moved;
 
 static void check_merges(struct frame *f) {
@@ -469,7 +472,7 @@ static void check_merges(struct frame *f) {
   }
 }
 
-/* Of an instance that is moved down a cube was divided before. */
+/* Before an instance moves down, its cube was divided. */
 static void check_movers(struct frame *f) {
   int moved = counter(f, "moved down"), splits = counter(f, "splits");
   bool divided = false;
@@ -512,7 +515,7 @@ static void check_frame(struct frame *f, const char *text) {
   }
 }
 
-/* The picture is the z-buffer's. */
+/* The picture equals the z-buffer's. */
 static void check_truth(struct frame *f) {
   static uint32_t right[M * N];
   draw_ids(hsr_algorithm_find("zbuffer")->plain, f->world, &f->view, right,
@@ -599,7 +602,7 @@ static const char *const variants[] = {
     "tiling-lazy:order=back",
     "tiling-lazy:order=input:filter=box:jitter=2"};
 
-/* What refuses a filtered scene that is not flat is not asked to. */
+/* Variants that refuse filtered scenes that are not flat are not asked. */
 static const char *const scenes[] = {
     "penetration",  "coplanar",   "lattice:40:3",   "deep-stack",
     "color-cube:4", "near-plane", "cyclic-overlap", "office:1"};

@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What Sutherland et al. 1974 say of the algorithms that intersect edges, by
- * their counts: "Edge-Intersection Algorithms", "Edge Coherence", "Other
- * Combinations of Sorting".
+/* What Sutherland et al. 1974 say about the algorithms that intersect edges,
+ * checked by their counts: "Edge-Intersection Algorithms", "Edge Coherence",
+ * "Other Combinations of Sorting".
  *
- * Promotion   Where k solids that are apart lie wholly in the picture, there
- *             are k searches of all faces.
+ * Promotion   If k solids that are apart lie wholly in the picture, there are k
+ *             searches of all faces.
  * Natures     Vertex by vertex and interval by interval, the set of Galimberti
  *             and Montanari is as large as Appel's number. Their drawings
  *             agree.
- * Crossings   Loutrel's algorithm, and Warnock's sorted edges, confirm the
- *             crossings with nearer contour edges that Appel's finds, and no
- *             others; and both find as many images that cross in the plane.
+ * Crossings   Loutrel's algorithm and Warnock's sorted edges confirm the same
+ *             crossings with nearer contour edges as Appel's algorithm, and no
+ *             others. Both find the same number of crossings in the plane.
  * Contours    With contour edges alone there are fewer pairs. The survey says
- *             that this saves about a fifth of the effort; its own rules of
- *             thumb make more of it: by those, E_c / E_s is 0.6, 0.4 and 0.2
- *             on its three scenes.
+ *             that this saves about a fifth of the effort. Its own rules of
+ *             thumb predict more: by these, E_c / E_s is 0.6, 0.4 and 0.2 on
+ *             its three scenes.
  * Sorting     The comparisons that sort Warnock's edges grow less than with
- *             the square of the edges, Appel's pairs as the square.
+ *             the square of the edges; Appel's pairs grow with the square.
  */
 #include "scenes/scenes.h"
 #include "scenes/parts/shapes.h"
@@ -59,7 +59,7 @@ static uint64_t of(const struct count *count, const char *counter) {
 
 /* --- Promotion ------------------------------------------------------------ */
 
-/* Convex solids on a row of lots, some before others in the picture. */
+/* Convex solids on a row of lots, some in front of others in the picture. */
 static struct hsr_scene *solids_apart(int n, uint64_t *seed) {
   struct hsr_scene *scene = hsr_scene_new("solids apart");
   struct hsr_pen pen;
@@ -203,7 +203,8 @@ static void try_scene(struct tap *tap, const char *name,
   hsr_scene_delete(scene);
 }
 
-/* What takes long is tried smaller or not at all; big-harbor is the harbor. */
+/* The form in which a scene is tried: those that take long are smaller or left
+ * out, as is big-harbor, which is the harbor. */
 static const char *tried(const struct hsr_builtin *builtin) {
   static const char *const smaller[][2] = {{"harbor", "harbor:1500"},
                                            {"twist", "twist:4"},

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Events of the line algorithms tell the truth: what an event says of its
- * subjects is asked anew of common/lines.
+/* Events of the line algorithms are true: what an event says about its subjects
+ * is checked by common/lines.
  *
- * Side         face b is one that edge a bounds
- * Corner       face b has a corner at an end of edge a, and is not one of its
- *              faces
+ * Side         edge a bounds face b
+ * Corner       face b has a corner at an end of edge a, which does not bound it
  * End          vertex b, or a, is an end of the edge
  * Related      edges a and b cross in the picture, or share a vertex, as the
  *              outcome says; and b is nearer there, or farther
@@ -201,8 +200,8 @@ static void watch_scene(struct watch *w, const char *name) {
 
 /* --- Edges whose images are not known ------------------------------------- */
 
-/* The left ends of N are so far away that its long edges have no coordinates:
- * warnock-edges cannot sort them. Its upper edge crosses those of F. */
+/* The left ends of N are so far away that its long edges have no coordinates,
+ * so warnock-edges cannot sort them. Its upper edge crosses those of F. */
 static const struct hand_object far_away[] = {
     HAND_RECTANGLE(2, 2, 10, 6, 8), HAND_RECTANGLE(-1e6, 4, 12, 7, 4)};
 

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Line drawings against pictures: points of each interval of a drawing are put
- * to the surface oracle. At a point of a visible one it must see nothing nearer
- * than the edge; at a point of a hidden one, something nearer.
+/* Line drawings against pictures: the surface oracle is asked about points of
+ * each interval of a drawing. At a point of a visible interval it must see
+ * nothing nearer than the edge; at a point of a hidden one, something nearer.
  *
- * Beside     a sample cannot lie on an edge, nor does the definition's: it is
- *            displaced by a little to the right and by less down. Here it is by
- *            BESIDE and BESIDE^2 pixels, and only intervals much longer than
- *            that are asked about.
- * Own        a face on whose plane the edge lies does not hide it, and may be
- *            what the sample sees. Where an edge is off the plane of that face
- * by roundings only, it may hide the edge exactly, and not be before it at the
- * sample: such points are not decided, and counted.
+ * Beside     A sample cannot lie on an edge. In the definition it is displaced
+ *            by a little to the right and by less down. Here the displacement
+ *            is BESIDE and BESIDE^2 pixels, and only intervals much longer than
+ *            that are checked.
+ * Own        If the edge lies in a face's plane, that face does not hide it,
+ *            and the sample may see that face. If the edge is off that plane by
+ *            roundings only, the face may exactly hide the edge, and yet not be
+ *            in front of it at the sample. Such points are not decided; they
+ *            are counted.
  *
  * usage: lines_and_surfaces_test [SCENE...] */
 #include "common/exact/predicates.h"
@@ -43,7 +44,7 @@ struct asked {
   uint64_t points, wrong, undecided;
 };
 
-/* Where on the screen a point is; w is its depth. */
+/* The place of a point on the screen; w is its depth. */
 static void project(const struct hsr_view *view, const double p[3], double *sx,
                     double *sy, double *w) {
   double h[3];
@@ -78,7 +79,7 @@ static uint32_t look(struct asked *q, double sx, double sy) {
   return q->ids[(size_t)j * M + (size_t)i];
 }
 
-/* How far in front of face f's plane a point is, by its normal's length. */
+/* The distance of a point in front of face f's plane. */
 static double height(const struct hsr_world *w, uint32_t f, const double p[3]) {
   return (w->mesh.nx[f] * (p[0] - w->mesh.px[f]) +
           w->mesh.ny[f] * (p[1] - w->mesh.py[f]) +

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What Sutherland et al. 1974 say of Roberts' algorithm:
+/* What Sutherland et al. 1974 say about Roberts' algorithm:
  *
- * Outcomes    an edge/volume test finds one of four things: the edge is hidden
- *             whole, or not at all, or one piece of it is left, or two are. Only
- *             the last makes a fragment more.
- * Convex      a convex solid alone takes no test for the edges that it shows,
+ * Outcomes    An edge/volume test has one of four outcomes: the edge is wholly
+ *             hidden, or not hidden at all, or one piece of it is left, or two
+ *             are. Only the last outcome adds a fragment.
+ * Convex      A single convex solid takes no test for the edges that it shows,
  *             and one for each edge behind it.
- * Concave     a solid is divided into convex ones. The walls in between draw
- *             nothing, and the drawing is that of an algorithm which knows of no
+ * Concave     A concave solid is divided into convex ones. The walls in between
+ *             draw nothing. The drawing equals that of an algorithm without
  *             volumes.
- * Union       what several volumes hide together is hidden.
- * Solids      random cubes of a lattice, from eyes in and about which edges,
- *             planes and the eye meet.
+ * Union       An edge is hidden where several volumes together hide it.
+ * Solids      Random cubes of a lattice, seen from eyes for which edges, planes
+ *             and the eye coincide.
  */
 #include "common/lines/volumes.h"
 #include "scenes/scenes.h"
@@ -90,7 +90,7 @@ static void draw(struct fixture *x, const struct hsr_setup *setup,
     fail(&err);
 }
 
-/* Draws a view by Roberts, adding what that counts to *tally. */
+/* Draws a view by Roberts, and adds its counts to *tally. */
 static void draw_view(struct fixture *x, const struct hsr_camera *camera,
                       struct hsr_view *view, struct hsr_tally *tally) {
   struct hsr_error err = {.text = ""};
@@ -99,7 +99,7 @@ static void draw_view(struct fixture *x, const struct hsr_camera *camera,
   draw(x, &x->roberts, view, &x->got, tally);
 }
 
-/* The edges of the last drawing that are not as they should be. */
+/* The number of edges of the last drawing that are wrong. */
 static uint64_t differing(struct fixture *x, const struct hsr_setup *judge,
                           const struct hsr_view *view) {
   struct hsr_tally ignored = {.out_of_memory = false};
@@ -191,7 +191,7 @@ static struct hsr_scene *finished(struct hsr_scene *scene) {
   return scene;
 }
 
-/* A prism over a polygon, bottom and top being one face each. */
+/* A prism over a polygon; its bottom and its top are one face each. */
 static void add_prism(struct hsr_scene *scene, const double (*at)[2],
                       uint32_t n, bool one_sided) {
   struct hsr_object *object = hsr_scene_object(scene, "prism");
@@ -212,7 +212,7 @@ static void add_prism(struct hsr_scene *scene, const double (*at)[2],
   }
 }
 
-/* --- What is said --------------------------------------------------------- */
+/* --- The claims ----------------------------------------------------------- */
 
 static void try_outcomes(struct tap *t) {
   static const char *const scenes[] = {"house", "color-cube:4", "penetration",
@@ -354,7 +354,7 @@ static bool touches_itself(const struct cubes *cubes) {
   return false;
 }
 
-/* Adds n cubes, or as many as fit in so many trials. */
+/* Adds n cubes, or fewer if too many trials fail. */
 static void grow(struct cubes *cubes, uint64_t *seed, int n) {
   cubes->is[1][1][1] = true;
   for (int trial = 0; trial < 400 && n > 1; trial++) {
@@ -372,9 +372,7 @@ static void grow(struct cubes *cubes, uint64_t *seed, int n) {
   }
 }
 
-/* A skewed copy of the object, perhaps a mirrored one: then its front is
- * inside.
- */
+/* Adds a skewed instance. It may be mirrored; then its fronts are inside. */
 static void skew(struct hsr_scene *scene, uint64_t *seed) {
   double m[12], det;
   do {
@@ -443,8 +441,8 @@ static void vertex(const struct hsr_world *w, uint64_t *seed, double at[3]) {
   at[2] = w->mesh.z[v];
 }
 
-/* From between two vertices to another one: inside of solids, in planes, and
- * with much behind the eye. */
+/* Looks from between two vertices to another one: from inside solids, from
+ * their planes, and with much behind the eye. */
 static void try_inside(struct tap *t, int views, uint64_t seed) {
   static const char *const scenes[] = {"house", "harbor:100", "nested-solids",
                                        "sphere:200", "non-planar"};

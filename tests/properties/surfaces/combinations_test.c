@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What Sutherland et al. 1974 expect of the combinations of whole algorithms,
- * "Other Combinations of Sorting", by their counts.
+/* What Sutherland et al. 1974 expect of combinations of whole algorithms,
+ * "Other Combinations of Sorting", checked by their counts.
  *
  * Depths      Priority numbers save the depth computations of Watkins' last
- *             step: newell-watkins makes none where faces are flat.
- * Few faces   Where fewer than 100 faces are in a picture, Warnock's part of a
+ *             step: newell-watkins makes none if faces are flat.
+ * Few faces   If a picture has fewer than 100 faces, Warnock's part of a
  *             combination divides no window, and leaves one.
  * Areas       Warnock's algorithm considers too many areas: in the harbor the
  *             combinations examine less than a hundredth of its windows.
- * Clusters    Schumacker's order of clusters needs a look at each separating
- *             plane and no more: schumacker-newell compares no faces of two
- *             clusters, and no depths. Within a cluster priorities need not be
- *             fixed: a ring of faces is divided.
- * Thickness   Faces that are flat but for rounding, and touch, are drawn right,
- *             their samples being asked. */
+ * Clusters    Schumacker's order of clusters looks once at each separating
+ *             plane: schumacker-newell compares no faces of two clusters, and
+ *             no depths. Within a cluster priorities need not be fixed: a ring
+ *             of faces is divided.
+ * Thickness   Faces that touch and are flat except for rounding are drawn
+ *             right, by asking at their samples. */
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -108,7 +108,7 @@ static void check_areas(struct tap *tap) {
  * two. */
 struct pairs {
   const struct hsr_algorithm *algorithm;
-  uint32_t *cluster; /* a face */
+  uint32_t *cluster; /* of each face */
   long compared, divided, of_two;
 };
 
@@ -120,7 +120,7 @@ static void watch_pair(void *context, const struct hsr_event *event) {
   struct pairs *pairs = context;
   uint32_t a = event->a.id[0], b = event->b.id[0];
   if (!is_of_face(&event->a) || !is_of_face(&event->b))
-    return; /* of a plane, or of one face */
+    return; /* the event is of a plane, or of one face */
   enum hsr_step_kind kind = pairs->algorithm->counters[event->counter].kind;
   pairs->compared += kind == HSR_COMPARE;
   pairs->divided += kind == HSR_SPLIT;
@@ -151,8 +151,8 @@ static void check_clusters(struct tap *tap, const char *name, bool is_ring) {
       pairs.cluster[c->order[o] / 2] = k;
   struct hsr_trace trace = {.listen = watch_pair, .context = &pairs};
   count.tally.trace = &trace;
-  /* Not by hsr_setup_render, which names the faces that the scene's are cut
-   * from: clusters are of the faces after the cuts. */
+  /* Not by hsr_setup_render, which names the scene's faces: clusters are of the
+   * faces after the cuts. */
   struct hsr_job job = {.world = setup.world,
                         .view = &view,
                         .prepared = setup.prepared,
@@ -180,7 +180,8 @@ static void check_clusters(struct tap *tap, const char *name, bool is_ring) {
   hsr_scene_delete(scene);
 }
 
-/* A torus of trapezoids: each is flat, but for the rounding of its vertices. */
+/* A torus of trapezoids: each is flat except for the rounding of its vertices.
+ */
 static struct hsr_scene *make_torus(void) {
   static const float grey[3] = {0.5f, 0.5f, 0.5f};
   struct hsr_error err = {.text = "out of memory"};

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Events of the list-priority algorithms tell the truth: what an event says of
- * its subjects is asked anew of common/exact/screen.h, sample by sample. Faces
- * are those of the adapted world.
+/* Events of the list-priority algorithms are true: what an event says about its
+ * subjects is checked by common/exact/screen.h, sample by sample. Faces are
+ * those of the adapted world.
  *
- * Never before  face a is nowhere nearer than b, where both are seen: asked of
- *               whole faces, not of pieces of divided ones
- * Apart, meet   no sample is in both, or one is: likewise
- * Covers        a covers the window's one sample, or all of them, or not it
- * Depths        a is nearer than b at the window's first sample, or not
- * Sorted        the farthest vertex of a is farther than that of b; or it is
- *               not
- * Crosses       edge a crosses the window's row, or does not; of whole faces */
+ * Never before  at no sample of both is face a nearer than b; only for whole
+ *               faces, not for pieces of divided ones
+ * Apart, meet   no sample is in both, or one is; also only for whole faces
+ * Covers        a covers the window's one sample, or all samples, or does not
+ * Depths        a is nearer than b at the window's first sample, or is not
+ * Sorted        the farthest vertex of a is farther than that of b, or is not
+ * Crosses       edge a crosses the window's row, or does not; only for whole
+ *               faces */
 #include "tests/draw.h"
 #include "tests/tap.h"
 
@@ -27,7 +27,7 @@ static const char *const scenes[] = {
     "deep-stack", "one-sided",      "non-planar",   "near-plane"};
 enum { N_SCENES = sizeof scenes / sizeof *scenes };
 
-/* What the outcomes of a counter say, in their order. */
+/* The claims that the outcomes of a counter make, in their order. */
 enum claim {
   NOTHING_SAID,
   NEVER_BEFORE,
@@ -38,7 +38,7 @@ enum claim {
   ALL_COVERED,
   NEARER,
   NOT_NEARER,
-  BEHIND_B, /* a covers the sample, and so does b, which is the nearer one */
+  BEHIND_B, /* a covers the sample, and so does b, which is nearer */
   SORTED,
   NOT_SORTED,
   CROSSES,
@@ -99,13 +99,13 @@ static bool covers_all(struct watch *w, const struct hsr_event *e) {
   return all;
 }
 
-/* A face as it is, or its piece before any division. */
+/* A whole face, or the piece that it is before any division. */
 static bool is_whole(const struct watch *w, const struct hsr_subject *s) {
   return s->kind == HSR_OF_FACE ||
          (s->kind == HSR_OF_PIECE && s->id[1] < w->screen->n_relevant);
 }
 
-/* The samples that are in a and in b: how many, and at how many a is nearer. */
+/* Counts the samples that are in a and in b, and those where a is nearer. */
 static void share(struct watch *w, uint32_t a, uint32_t b, long *both,
                   long *nearer) {
   *both = *nearer = 0;
@@ -236,8 +236,8 @@ static void watch_scene(struct watch *w, const char *name) {
 
 /* --- Faces without a place in the order ----------------------------------- */
 
-/* Faces that are not flat and have no place in the order of clusters are
- * painted last: the picture is right, and they are in it. */
+/* Faces that are not flat have no place in the order of clusters and are
+ * painted last. The picture is right, and they are in it. */
 static void check_loose(struct tap *tap, const char *name) {
   static uint32_t got[M * N], wanted[M * N];
   struct both_worlds worlds;

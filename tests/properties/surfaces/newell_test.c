@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is claimed of Newell's algorithm: Sutherland et al. 1974, "List-Priority
+/* What Sutherland et al. 1974 claim about Newell's algorithm: "List-Priority
  * Algorithms" and "New Uses of Coherence". */
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -16,7 +16,7 @@ static void fail(const struct hsr_error *err) {
   exit(99);
 }
 
-/* What a counter of that name counted. */
+/* The value of the counter of that name. */
 static uint64_t counted(const struct hsr_algorithm *a,
                         const struct hsr_tally *tally, const char *name) {
   for (int k = 0; a->counters[k].name; k++)
@@ -30,7 +30,7 @@ static const struct hsr_algorithm *counting(const char *name) {
   return hsr_algorithm_find(name)->counting;
 }
 
-/* A square on z = depth, of half the side `half` about (x, y). */
+/* A square on z = depth with the centre (x, y) and half a side of `half`. */
 static struct hsr_object *add_square(struct hsr_scene *scene, double x,
                                      double y, double depth, double half,
                                      const float rgb[3]) {
@@ -54,7 +54,7 @@ static void look_down_z(struct hsr_scene *scene, struct hsr_world *world,
     fail(&err);
 }
 
-/* A list that the Z sort leaves in order of priority. */
+/* A list that is in order of priority after the Z sort. */
 static void check_sorted(struct tap *tap) {
   static const float grey[3] = {0.5f, 0.5f, 0.5f};
   static uint32_t ids[M * N];
@@ -156,8 +156,8 @@ static bool same_colour(const float *a, float r, float g, float b) {
          fabsf(a[2] - b) < 1e-6f;
 }
 
-/* Partial overwriting: a dark pane before a bright wall is combined with it, a
- * bright pane before a dark one takes its place. */
+/* Partial overwriting: a dark pane in front of a bright wall is combined with
+ * it; a bright pane in front of a dark one replaces it. */
 static void check_transparency(struct tap *tap, const char *name) {
   static const float bright[3] = {0.75f, 0.5f, 1}, dark[3] = {0.25f, 0, 0.125f};
   static uint32_t ids[M * N], opaque[M * N];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Events of the image-space algorithms tell the truth: what an event says of
- * its subjects in its window is asked anew of common/exact/screen.h.
+/* Events of the image-space algorithms are true: what an event says about its
+ * subjects in its window is checked by common/exact/screen.h.
  *
  * Depths      "nearer" and "in front": a is nearer than b at the first sample
  *             of the window; "farther" and "behind": it is not. Watkins'
@@ -11,7 +11,7 @@
  * Edges       "to the left": on the window's row, the column of edge a is less
  *             than that of b. An edge is sorted by Y into its first row in the
  *             picture, up to its last.
- * Bits        what is turned on was off, and at first all are.
+ * Bits        a bit that is turned on was off; at first all bits are off.
  * Vertices    "in front", "behind", "on the plane": as the vertex is, seen from
  *             the eye. */
 #include "tests/draw.h"
@@ -30,7 +30,7 @@ static const char *const scenes[] = {
     "needle-fan",  "sphere",         "soup:4000:1",  "terrain:32"};
 enum { N_SCENES = sizeof scenes / sizeof *scenes };
 
-/* What the outcomes of a counter say, in their order. */
+/* The claims that the outcomes of a counter make, in their order. */
 enum claim {
   NOTHING_SAID,
   NEARER,
@@ -100,7 +100,7 @@ static bool covers_all(struct watch *w, const struct hsr_event *e, bool all) {
   return true;
 }
 
-/* The column of an edge on row j; false: it is of a cut face. */
+/* The column of an edge on row j; false if it belongs to a cut face. */
 static bool find_column(struct watch *w, const struct hsr_subject *edge, int j,
                         int *column) {
   struct hsr_edge line;
@@ -149,7 +149,7 @@ static bool is_true(struct watch *w, const struct hsr_event *e) {
   case VERTEX_ON:
   case VERTEX_BEFORE:
   case VERTEX_BEHIND:
-    /* All faces with this vertex have it in their planes: any of them does. */
+    /* The vertex is in the planes of all its faces, so any of them will do. */
     nearer = 0;
     for (uint32_t h = 0; h < w->screen->world->n_faces && !nearer; h++)
       for (uint32_t k = w->screen->world->mesh.start[h];

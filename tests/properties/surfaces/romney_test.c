@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Romney's algorithm: what a line shows as the last one did is not searched for
- * in depth; and faces that are not quite flat are drawn right although they
- * penetrate a little. */
+/* Romney's algorithm: the part of a line that shows the same as the last line
+ * is not searched in depth; and faces that are not quite flat are drawn right
+ * although they penetrate a little. */
 #include "common/exact/screen.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -77,8 +77,8 @@ static void draw_layers(struct picture *x, uint64_t *seed) {
   picture_finish(x, (double[]){0, 0, 10}, (double[]){0.1, 0, 0});
 }
 
-/* Squares with a corner a little out of plane, about one plane, and among them
- * triangles that cross it within that little. */
+/* Squares near one plane, each with a corner a little out of it; among them
+ * triangles that cross the plane no farther out. */
 static void draw_plates(struct picture *x, uint64_t *seed) {
   picture_begin(x);
   for (int f = (int)draw_integer(seed, 2, 8); f--;) {
@@ -107,7 +107,7 @@ static int counter(const char *name) {
   exit(99);
 }
 
-/* A row: the leftmost sample that was searched, or M. */
+/* For each row the leftmost sample that was searched, or M. */
 struct watch {
   int depth_search, first[N];
 };
@@ -119,7 +119,7 @@ static void note(void *context, const struct hsr_event *event) {
     *first = event->window.x0;
 }
 
-/* Samples that differ from the oracle's. */
+/* The number of samples that differ from the oracle's. */
 static long draw_romney(const struct picture *x, struct hsr_tally *tally) {
   static uint32_t wanted[M * N], got[M * N];
   draw_ids(hsr_algorithm_find("oracle")->plain, &x->world, &x->view, wanted,
@@ -165,8 +165,8 @@ static void find_line(const struct hsr_screen *screen, int j,
   qsort(line->crossing, (size_t)line->n, sizeof *line->crossing, by_column);
 }
 
-/* How many of its crossings a line has in common with the last one, from the
- * left, with a sample between each of them and the next on both. */
+/* How many crossings, from the left, a line has in common with the last line.
+ * On both lines there is a sample between each of them and the next. */
 static int common_part(const struct line *last, const struct line *line) {
   int n = 0;
   while (n + 1 < last->n && n + 1 < line->n &&
@@ -179,7 +179,7 @@ static int common_part(const struct line *last, const struct line *line) {
 
 struct findings {
   long differences, lines, parts; /* unchanged lines; left parts of others */
-  long wrong_lines, wrong_parts;  /* of these, searched */
+  long wrong_lines, wrong_parts;  /* those of them that were searched */
   uint64_t lines_reused;
 };
 

@@ -1,23 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What Sutherland et al. 1974 claim of the scan-line algorithms, by their
- * counts: "Scan-line Algorithms" of Bouknight and Watkins, "An Untried Sorting
- * Order" of yzx.
+/* What Sutherland et al. 1974 claim about the scan-line algorithms, checked by
+ * their counts: "Scan-line Algorithms" for Bouknight and Watkins, "An Untried
+ * Sorting Order" for yzx.
  *
- * Spans       In no view of any built-in scene has Watkins more sample spans
- *             than Bouknight; and he has fewer, over the views of a scene, in
- *             each scene in which a segment hides an end of another. Where no
- *             end is hidden both have as many (the sphere). The sample spans of
- *             yzx are the visible segments, the fewest that there can be.
+ * Spans       Watkins has more sample spans than Bouknight in no view of any
+ *             built-in scene. He has fewer, over the views of a scene, in each
+ *             scene where a segment hides an end of another. If no end is
+ *             hidden (the sphere), both have the same number. The sample spans
+ *             of yzx are the visible segments, the fewest possible.
  * Divisions   Watkins' logarithmic search seldom computes a depth that was not
- *             given: over all of these pictures less than a third of its
+ *             given: over all these pictures less than a third of its
  *             comparisons are followed by a division.
- * Lines       In a scene of faces many lines tall, four times as many lines of
- *             four times as many samples leave yzx with about as many
- *             comparisons in depth to sort faces, and with less than twice as
- *             many segments whose place must be sought; Watkins' depth search
- *             grows threefold at least.
- * Coherence   Where no ends cross, yzx makes no comparison at all beyond the
- *             first line. */
+ * Lines       Take a scene whose faces are many lines tall, with four times as
+ *             many lines of four times as many samples. Then yzx makes about as
+ *             many comparisons in depth to sort faces, and seeks a place for
+ *             less than twice as many segments. Watkins' depth search grows at
+ *             least threefold.
+ * Coherence   If no ends cross, yzx makes no comparison after the first line.
+ */
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -82,7 +82,7 @@ static uint64_t of(const struct count *count, const char *counter) {
 
 /* --- Sample spans --------------------------------------------------------- */
 
-/* Stretches of one id in the rows of the picture drawn last. */
+/* The number of runs of one id in the rows of the picture drawn last. */
 static uint64_t count_runs(const struct hsr_view *view) {
   uint64_t runs = 0;
   for (int j = 0; j < view->n; j++)
@@ -93,7 +93,7 @@ static uint64_t count_runs(const struct hsr_view *view) {
   return runs;
 }
 
-/* Where no end is hidden in the views looked at. */
+/* Whether no end is hidden in the views of a scene. */
 static bool shows_all(const char *scene) {
   return !strcmp(scene, "sphere") || !strcmp(scene, "t-junction") ||
          !strcmp(scene, "sub-pixel-gap") || !strcmp(scene, "color-sides");
@@ -127,8 +127,8 @@ static void try_spans(struct tap *tap, const struct hsr_builtin *builtin,
   close_picture(&p);
 }
 
-/* big-harbor is the harbor, and takes long; the towers are too large to be laid
- * out. */
+/* Not big-harbor, which is the harbor and takes long; nor the towers, which are
+ * too large to be laid out. */
 static bool is_tried(const struct hsr_builtin *builtin) {
   return strcmp(builtin->name, "big-harbor") != 0 &&
          strncmp(builtin->name, "tower", 5) != 0;
@@ -237,7 +237,7 @@ static void try_deck(struct tap *tap) {
   close_picture(&p);
 }
 
-/* No two faces of a convex solid overlap that are seen from their fronts. */
+/* No two faces of a convex solid that are seen from their fronts overlap. */
 static void try_sphere(struct tap *tap) {
   struct picture p;
   open_picture(&p, "sphere");

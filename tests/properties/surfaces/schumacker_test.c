@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What Sutherland et al. 1974 say of Schumacker's algorithm: within a cluster,
- * priorities hold from every viewpoint once back faces are removed. One object
- * is prepared for a scene; then it is seen from anywhere, inside and outside,
- * in planes of faces, on vertices and along axes, and must show what the oracle
- * shows, while clusters and separators stay as they were. */
+/* What Sutherland et al. 1974 say about Schumacker's algorithm: within a
+ * cluster, priorities hold from every viewpoint once back faces are removed.
+ * One object is prepared for a scene. Then it is seen from everywhere: from
+ * inside and outside, from planes of faces, from vertices and along axes. It
+ * must show what the oracle shows, and clusters and separators must not change.
+ */
 #include "common/exact/screen.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -25,7 +26,7 @@ struct fixture {
   struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_setup oracle, schumacker;
-  double lo[3], hi[3]; /* what the scene takes up */
+  double lo[3], hi[3]; /* the scene's box */
   struct hsr_arena scratch;
 };
 
@@ -83,7 +84,7 @@ static uint32_t draw_vertex(uint64_t *seed, const struct fixture *x,
               (uint32_t)draw_integer(seed, 0, hsr_face_size(w, f) - 1)];
 }
 
-/* A vertex; or a point on the plane of a face, as exactly as a double is. */
+/* A vertex; or a point on the plane of a face, rounded to doubles. */
 static void draw_on_face(uint64_t *seed, const struct fixture *x, bool vertex,
                          double eye[3]) {
   const struct hsr_world *w = &x->world;
@@ -207,9 +208,9 @@ static void add_quad(struct hsr_object *object, const double corner[4][3]) {
   hsr_object_face(object, vertex, 4, NULL);
 }
 
-/* A floor with one corner lifted by very little, before a wall. An eye that is
- * as little above it looks along it. There is a sample between the lifted
- * corner and the others, so that the floor covers it; but the ray meets the
+/* A floor with one corner lifted very little, in front of a wall. The eye is as
+ * little above the floor and looks along it. A sample lies between the lifted
+ * corner and the others, so the floor covers it. But the sample's ray meets the
  * floor's plane beyond the wall. */
 static void check_grazed(struct tap *tap) {
   static uint32_t wanted[M * N], got[M * N];

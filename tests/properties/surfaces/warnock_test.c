@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What Sutherland et al. 1974 say of Warnock's algorithm, watched in its trace:
- * surrounders and disjoints are inherited by sub-windows, and most windows lie
+/* What Sutherland et al. 1974 say about Warnock's algorithm, checked in its
+ * trace: sub-windows inherit surrounders and disjoints, and most windows lie
  * near the leaves of the tree, so that about L_v of them are examined. */
 #include "common/statistics/statistics.h"
 #include "scenes/scenes.h"
@@ -47,7 +47,7 @@ struct settled {
   size_t next; /* of the same face; 0: none */
 };
 
-/* A window that was divided, and is not known to be finished. */
+/* A window that was divided, and may not be finished yet. */
 struct open_window {
   struct hsr_window window;
   int height; /* of the tree below it, so far */
@@ -59,10 +59,10 @@ struct watch {
   struct settled *settled; /* from 1 */
   size_t n_settled, room;
   size_t *of_face;
-  long n_repeated; /* tests whose result could have been inherited */
+  long n_repeated; /* tests whose result was there to inherit */
   struct open_window open[MOST_LEVELS];
   int n_open, deepest;
-  long n_windows[MOST_LEVELS]; /* by their height over the leaves */
+  long n_windows[MOST_LEVELS]; /* by their height above the leaves */
 };
 
 static void watch_test(struct watch *w, const struct hsr_event *event) {
@@ -119,9 +119,9 @@ static void watch_event(void *context, const struct hsr_event *event) {
 
 struct findings {
   long n_tests;          /* of a face against a window */
-  long n_repeated;       /* of a relation that was known already */
+  long n_repeated;       /* tests of a relation that was known already */
   long n_unaccounted;    /* faces neither tested, nor inherited, nor hidden */
-  long n_windows_amiss;  /* not both examined and either decided or divided */
+  long n_windows_amiss;  /* not examined, or neither decided nor divided */
   long n_windows, n_low; /* all, and those at most one level above a leaf */
 };
 

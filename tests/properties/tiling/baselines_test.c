@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is claimed of the baselines of N. Greene, "Hierarchical Polygon Tiling
- * with Coverage Masks", SIGGRAPH 1996, 2.1 and 6: from front to back no sample
- * is written twice; from back to front all samples of all faces are. */
+/* What N. Greene, "Hierarchical Polygon Tiling with Coverage Masks", SIGGRAPH
+ * 1996, 2.1 and 6, claims about his baselines: from front to back no sample is
+ * written twice; from back to front all samples of all faces are written. */
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -24,7 +24,7 @@ static const struct hsr_algorithm *counting(int number) {
   return hsr_algorithm_find(names[number])->counting;
 }
 
-/* What a counter of that name counted. */
+/* The value of the counter of that name. */
 static uint64_t counted(int number, const struct hsr_tally *tally,
                         const char *name) {
   const struct hsr_algorithm *a = counting(number);
@@ -120,8 +120,8 @@ static void add_square(struct hsr_scene *scene, double depth, double half) {
   hsr_object_face(object, v, 4, grey);
 }
 
-/* The cells that depth-priority Warnock visits for squares, the half side of
- * the k-th being half[k], on planes one behind the other. */
+/* The number of cells that depth-priority Warnock visits for squares on planes
+ * one behind the other. Half a side of the k-th is half[k]. */
 static uint64_t cells_of(const double *half, int n) {
   static uint32_t ids[M * N];
   struct hsr_error err = {.text = "out of memory"};

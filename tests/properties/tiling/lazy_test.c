@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is claimed of lazy z-buffering in N. Greene, "Hierarchical Polygon
- * Tiling with Coverage Masks", SIGGRAPH 1996, 6.1:
+/* What N. Greene, "Hierarchical Polygon Tiling with Coverage Masks", SIGGRAPH
+ * 1996, 6.1, claims about lazy z-buffering:
  *
  * Order       The picture is the same for any order; here it is the oracle's,
  *             filtered or not.
  * Exact       If polygons come from front to back, no pixel is z-buffered, and
- *             the cells visited are hardly more than those of tiling.
- * Nearly      The less disorder, the fewer pixels are z-buffered.
+ *             hardly more cells are visited than by tiling.
+ * Nearly      With less disorder fewer pixels are z-buffered.
  * Worst       From back to front it does little more than a z-buffer. */
 #include "algorithms/variant.h"
 #include "scenes/scenes.h"
@@ -70,8 +70,8 @@ struct drawn {
   double seconds;
 };
 
-/* By a variant, into ids or, if it is filtered, sums; a second time for the
- * seconds, unless it counts. */
+/* Draws with a variant, into ids or, if it is filtered, into sums. Unless it
+ * counts, it draws a second time, for the seconds. */
 static struct drawn draw(const char *name, bool counting,
                          const struct stage *stage, const struct hsr_view *view,
                          uint32_t *ids, uint32_t *sums) {
@@ -125,7 +125,8 @@ static uint64_t of(const struct drawn *drawn, const char *counter) {
 
 /* --- The same picture for any order --------------------------------------- */
 
-/* Samples that differ from the oracle's, of all orders, in both builds. */
+/* The number of samples that differ from the oracle's, over all orders and both
+ * builds. */
 static long differences(const struct stage *stage,
                         const struct hsr_view *view) {
   static uint32_t right[M * N], ids[M * N];
@@ -156,7 +157,7 @@ static void check_scene(struct tap *tap, const char *name) {
   close_stage(&stage);
 }
 
-/* Where ties abound; displaced samples, and windows. */
+/* Scenes full of ties; displaced samples, and windows. */
 static void check_lattices(struct tap *tap) {
   uint64_t seed = 1996;
   long wrong = 0, samples = 0;
@@ -187,7 +188,7 @@ static void check_lattices(struct tap *tap) {
 
 enum { PIXELS_M = 24, PIXELS_N = 17 };
 
-/* By its definition, from the z-buffer's samples. */
+/* Filters the z-buffer's samples, by the definition. */
 static void filter(const struct stage *stage, const struct hsr_view *view,
                    const struct hsr_filtering *filtering, uint32_t *sums) {
   static uint32_t ids[PIXELS_M * PIXELS_N];

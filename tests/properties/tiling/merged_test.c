@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Merged octrees (N. Greene, "Hierarchical Polygon Tiling with Coverage
- * Masks", SIGGRAPH 1996, 6.2): rigid bodies that move by themselves, through
- * one another and through what stands still, give the oracle's picture; bodies
- * that are apart are not merged; and carts drive through the office, made ready
- * once. */
+/* Merged octrees (N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
+ * SIGGRAPH 1996, 6.2). Rigid bodies that move through one another and through
+ * standing ones give the oracle's picture. Bodies that are apart are not
+ * merged. Carts drive through the office, which is prepared once. */
 #include "algorithms/variant.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -124,7 +123,7 @@ static struct hsr_object *add_ball(struct hsr_scene *scene, double radius) {
   return object;
 }
 
-/* Turned at random: a rotation by a quaternion, rounded. */
+/* A random rotation, by a quaternion, rounded. */
 static void turn(uint64_t *seed, double m[12]) {
   double q[4], size = 0;
   for (int k = 0; k < 4; k++) {
@@ -144,9 +143,9 @@ static void turn(uint64_t *seed, double m[12]) {
 
 struct bodies {
   int boxes, balls;
-  double spread; /* they are within so much of the origin */
-  bool still;    /* something stands there, too */
-  bool lattice;  /* whole numbers, and not turned */
+  double spread; /* the farthest that one is from the origin */
+  bool still;    /* there is also a standing one */
+  bool lattice;  /* whole numbers, no rotation */
 };
 
 static void place(struct hsr_scene *scene, uint32_t object, uint64_t *seed,
@@ -201,7 +200,7 @@ static struct hsr_scene *make_scene(uint64_t *seed,
   return scene;
 }
 
-/* One in so many scenes is drawn. */
+/* One scene in `part` is drawn. */
 static int part = 1;
 
 /* Draws some scenes; returns how many samples are wrong. */
@@ -281,7 +280,7 @@ static struct hsr_scene *open_traffic(int per_cent, int frame) {
   return scene;
 }
 
-/* What the oracle has in this frame. */
+/* Draws this frame by the oracle. */
 static void draw_oracle(const struct hsr_scene *scene,
                         const struct hsr_view *view) {
   struct hsr_error err = {.text = "out of memory"};
@@ -291,7 +290,7 @@ static void draw_oracle(const struct hsr_scene *scene,
   hsr_world_free(&world);
 }
 
-/* From beside a cart, or from one of the scene's own places. */
+/* A camera beside a cart, or one of the scene's own. */
 static struct hsr_camera look(const struct hsr_scene *scene, int frame) {
   struct hsr_camera camera = scene->views[frame];
   uint32_t carts = 0;
@@ -349,7 +348,7 @@ static void check_traffic(struct tap *tap, int per_cent) {
   hsr_scene_delete(scene);
 }
 
-/* With a word: some of the bodies, and no traffic. */
+/* usage: merged_test [WORD]      with a word: only some bodies, no traffic */
 int main(int argc, char **argv) {
   (void)argv;
   if (argc > 1) {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is claimed of hierarchical polygon tiling (N. Greene, "Hierarchical
- * Polygon Tiling with Coverage Masks", SIGGRAPH 1996; thesis, 1995, 4.5).
+/* What N. Greene ("Hierarchical Polygon Tiling with Coverage Masks", SIGGRAPH
+ * 1996; thesis, 1995, 4.5) claims about hierarchical polygon tiling.
  *
- * Pictures    However its options are chosen, in windows and on threads, they
- *             are the oracle's, and filtered sums those of the judge's loop.
- * Once        Samples are written once each, the background's too.
- * Tables      Finest masks from tables are wrong in few samples, in half as
- *             many when intervals are half as long.
+ * Pictures    With all options, in windows and on threads, they equal the
+ *             oracle's; filtered sums equal those of the judge's loop.
+ * Once        Every sample is written once, also those of the background.
+ * Tables      Finest masks from tables are wrong in few samples, and in half as
+ *             many if intervals are half as long.
  * Ties        Where vertices, edges and planes meet samples, nothing is wrong.
  */
 #include "algorithms/variant.h"
@@ -27,11 +27,11 @@ static void stop(const char *name, const char *text) {
 
 /* --- Drawing -------------------------------------------------------------- */
 
-/* An algorithm as chosen, ready for a world. */
+/* An algorithm with its options, prepared for a world. */
 struct run {
   struct hsr_setup setup;
   struct hsr_answer answer;
-  uint64_t samples; /* written, as counted */
+  uint64_t samples; /* written, by its counter */
 };
 
 static bool begin_run(struct run *r, const struct hsr_world *world,
@@ -82,7 +82,7 @@ static struct hsr_view view_of(const struct both_worlds *s, uint32_t v, int m,
   return view;
 }
 
-/* Who knows: the oracle, or where that were slow the z-buffer. */
+/* The judge: the oracle; or the z-buffer if the oracle would be slow. */
 static const char *judge_of(const struct both_worlds *s) {
   return s->world.n_faces < FEW_FACES ? "oracle" : "zbuffer";
 }
@@ -102,14 +102,14 @@ struct found {
   long pictures, wrong, samples, written;
 };
 
-/* What is right, of each view. */
+/* The right answer of each view. */
 struct right {
   struct hsr_view view[VIEWS];
   uint32_t *ids[VIEWS];
   uint32_t n;
 };
 
-/* One choice of options, in windows and on threads or whole. */
+/* Tries one choice of options, in windows and on threads, or whole. */
 static void try(const struct right *right, const struct hsr_world *world,
                 const char *text, long threads, struct found *found) {
   const char *name = world->outline.scene->name;
@@ -136,7 +136,7 @@ static void try(const struct right *right, const struct hsr_world *world,
   hsr_setup_free(&r.setup);
 }
 
-/* Of all combinations so many that each two values of two options meet. */
+/* Enough combinations that any two values of two options occur together. */
 static const struct {
   const char *text;
   long threads;
@@ -170,7 +170,7 @@ static void test_pictures(struct tap *tap, const char *name) {
   for (int k = 0; k < CHOICES; k++) {
     if (many && k >= 4 && k != 6)
       continue;
-    bool as_outline = many && k != 6; /* whose instances are apart, or one */
+    bool as_outline = many && k != 6; /* instances are apart, or only one */
     try(&right, as_outline ? &s.outline : &s.world, choices[k].text,
         choices[k].threads, &found);
   }
@@ -193,7 +193,7 @@ static void find_sums(const struct both_worlds *s, const char *text,
   char other[HSR_MOST_VARIANT];
   if (hsr_variant_parse(text, &variant, &err))
     stop(text, err.text);
-  if (s->world.n_faces >= FEW_FACES) { /* by 64 pictures a pattern */
+  if (s->world.n_faces >= FEW_FACES) { /* from 64 pictures a pattern */
     snprintf(other, sizeof other, "zbuffer%s", strchr(text, ':'));
     if (!begin_run(&r, &s->world, other, false) || !draw(&r, view, 1))
       stop(other, "is refused");
@@ -209,7 +209,7 @@ static void find_sums(const struct both_worlds *s, const char *text,
   hsr_setup_free(&r.setup);
 }
 
-/* Refused may be faces that are not flat, whose place is not certain. */
+/* Faces that are not flat may be refused: their place is not certain. */
 static void test_filtered(struct tap *tap, const char *name, bool may_refuse) {
   static const char *const texts[] = {
       "tiling:filter=box", "tiling:filter=cosine", "tiling:filter=box:jitter=3",
@@ -247,8 +247,8 @@ static void test_filtered(struct tap *tap, const char *name, bool may_refuse) {
 
 /* --- Tables --------------------------------------------------------------- */
 
-/* The per cent of samples that the tables have wrong, beside what the paper's
- * method did in an independent program, of 400 polygons. */
+/* The percentage of samples of 400 polygons that the tables have wrong, beside
+ * that of the paper's method in an independent program. */
 static void test_tables(struct tap *tap, struct both_worlds *s, int side,
                         const char *const noted[4]) {
   static const int intervals[4] = {16, 32, 64, 128};

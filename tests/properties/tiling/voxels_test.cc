@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Voxels, judged one by one. A voxel is in a solid if a ray from its centre
-// meets the solid's faces an odd number of times: by CGAL's exact predicates on
-// the scene's own corners, the centre being displaced by (e, e^2, e^3). The
-// oracle of voxels, which goes by columns, is compared with the same.
+// meets the solid's faces an odd number of times. CGAL's exact predicates
+// decide that on the scene's own corners; the centre is displaced by (e, e^2,
+// e^3). The oracle of voxels, which goes by columns, is compared with the same
+// judge.
 #define HSR_COUNTING 1 // what the pyramid does is counted
 #include "algorithms/setup.h"
 #include "algorithms/volume/solid_pyramid.h"
@@ -58,7 +59,7 @@ struct Face {
         plane = {corner[0], corner[1], corner[k]};
   }
 
-  // The plane's normal, but for its length, along an axis: its sign.
+  // The sign of the plane's normal along an axis.
   int normal(int axis) const {
     const auto flat = [&](const Point &p) {
       return Flat(p[(axis + 1) % 3], p[(axis + 2) % 3]);
@@ -76,14 +77,15 @@ struct Face {
         continue;
       if (a->y() > b->y())
         std::swap(a, b);
-      // On its left if the side goes up; what is on it is displaced right.
+      // On its left if the side goes up. A point on it is displaced to the
+      // right.
       odd ^= CGAL::orientation(Flat(a->x(), a->y()), Flat(b->x(), b->y()),
                                Flat(p.x(), p.y())) == CGAL::POSITIVE;
     }
     return odd;
   }
 
-  // Whether the displaced point, which it holds, is below it.
+  // Whether the displaced point, which the face holds, is below the face.
   bool is_above(const Point &p) const {
     int side = CGAL::orientation(plane[0], plane[1], plane[2], p);
     for (int axis = 0; axis < 3 && !side; axis++)
@@ -175,8 +177,8 @@ struct Grid {
 };
 
 struct Truth {
-  std::vector<uint32_t> solid; // a voxel
-  size_t shared = 0;           // voxels in more than one
+  std::vector<uint32_t> solid; // of each voxel
+  size_t shared = 0;           // voxels in more than one solid
 };
 
 Truth truth_of(const Grid &grid, const std::vector<Solid> &solids) {
@@ -297,8 +299,8 @@ void add_solid(hsr_scene *scene, const Triangles &triangles) {
   }
 }
 
-// The tetrahedra from a corner of a hull to its triangles that are not at it:
-// they touch, and fill it.
+// The tetrahedra from a corner of a hull to the triangles that do not meet the
+// corner: they touch one another, and fill the hull.
 std::vector<Triangles> fan(const Triangles &hull) {
   std::vector<Triangles> all;
   const Point o = hull[0][0];
@@ -315,8 +317,8 @@ std::vector<Triangles> fan(const Triangles &hull) {
 
 struct Record {
   const Grid &grid;
-  std::vector<uint32_t> solid; // a voxel
-  uint32_t number = 0;         // of the solid in hand
+  std::vector<uint32_t> solid; // of each voxel
+  uint32_t number = 0;         // of the current solid
   size_t twice = 0;            // voxels written a second time
 
   explicit Record(const Grid &of) : grid(of), solid(of.all(), 0) {}
@@ -341,7 +343,8 @@ struct Record {
   }
 };
 
-// Subcells, on paths of active ones, whose bits are not what is below them.
+// Counts subcells, on paths of active ones, whose bits do not agree with the
+// cells below.
 struct Invariant {
   const hsr_solid_pyramid &voxels;
   const Record &record;
@@ -378,7 +381,7 @@ struct Invariant {
   }
 };
 
-// Cells, of all levels, that faces of a solid meet.
+// The cells of all levels that faces of a solid meet.
 struct Crossed {
   const Grid &grid;
   size_t cells = 0;
@@ -427,13 +430,14 @@ size_t crossed_by(const Solid &solid, const Grid &grid) {
   return crossed.cells;
 }
 
-// ---- What is summed over many ----
+// ---- Sums over many ----
 
-// Cells visited for each that a face meets, at most. That it may be below 1:
-// what is visited is asked about its outermost centres, and not its corners.
+// The most cells that may be visited for each cell that a face meets. It may be
+// below 1, since a visit asks about a cell's outermost centres, not its
+// corners.
 const double MOST_VISITED = 1;
 
-// And masks of planes in each: of those that cross the cell above about there.
+// The most masks of planes in each: of planes that cross the cell above nearby.
 const double MOST_PLANES = 10;
 
 struct Sums {
@@ -442,7 +446,7 @@ struct Sums {
   size_t visited = 0, crossed = 0; // cells
 };
 
-// A pyramid and what it needs.
+// A pyramid and the memory that it needs.
 struct Pyramid {
   hsr_arena arena = {};
   hsr_solid_pyramid p = {};
@@ -459,7 +463,7 @@ struct Pyramid {
     return tally.count[HSR_SOLID_CELL] + tally.count[HSR_SOLID_FINEST];
   }
 
-  // Tiles the bodies in an order, or in the opposite one.
+  // Tiles the bodies in their order, or in the opposite one.
   void tile(const hsr_volumes &volumes, Record &record, bool backwards) {
     p.cover = Record::cubes;
     p.context = &record;
@@ -473,7 +477,7 @@ struct Pyramid {
   }
 };
 
-// What an algorithm makes of a stage.
+// An algorithm's answer for a stage.
 struct Answer {
   hsr_answer answer = {};
   hsr_setup setup = {};
@@ -572,7 +576,7 @@ void report(tap &t, const char *what, const Sums &s) {
      s.wrong, s.checked, s.grids, s.exact);
 }
 
-// Cells are visited where faces cross them, or nearly.
+// Only cells that faces cross, or nearly cross, are visited.
 void report_visited(tap &t, const char *what, size_t visited, size_t crossed) {
   const double ratio = double(visited) / double(crossed);
   ok(&t, ratio <= MOST_VISITED && ratio > .2,
@@ -594,7 +598,7 @@ void test_scene(tap &t, const char *name, bool overlap) {
     ok(&t, !sums.shared, "%s: no voxel is in two solids", name);
 }
 
-// A leaning prism over a U, which is divided into convex parts.
+// A leaning prism over a U: it is divided into convex parts.
 void test_parts(tap &t) {
   static const int U[8][2] = {{0, 0}, {6, 0}, {6, 6}, {4, 6},
                               {4, 2}, {2, 2}, {2, 6}, {0, 6}};
@@ -621,8 +625,8 @@ void test_parts(tap &t) {
      stage.volumes.n_parts);
 }
 
-// Solids of integer corners, so sized that centres fall on corners, edges and
-// faces; every second one as tetrahedra that touch.
+// Solids of integer corners, in sizes for which centres fall on corners, edges
+// and faces. Every second one is made of tetrahedra that touch.
 void test_random(tap &t) {
   Sums whole, parts, rough;
   for (int k = 0; k < 600;) {
@@ -654,7 +658,7 @@ void test_random(tap &t) {
   report_visited(t, "doubles", rough.visited, rough.crossed);
 }
 
-// The tetrahedra of a hull together have the hull's voxels.
+// Together the tetrahedra of a hull have the hull's voxels.
 void test_fill(tap &t) {
   size_t differing = 0, set = 0;
   for (int k = 0; k < 100; k++) {
@@ -698,7 +702,7 @@ void test_visited(tap &t, const char *name, int most) {
   ok(&t, planes < MOST_PLANES, "there, %.3f masks of planes a cell", planes);
 }
 
-// The bits a voxel of the pyramid of a whole cube.
+// How many bits a voxel the pyramid of a whole cube takes.
 void test_memory(tap &t) {
   Stage stage("color-cube:2");
   for (int most : {16, 64, 256}) {
@@ -714,8 +718,8 @@ void test_memory(tap &t) {
   }
 }
 
-// The masks of planes of integers, so that nothing is rounded: inside and
-// outside are all cells that are, and no others.
+// The masks of planes of integers, so that nothing is rounded: exactly the
+// cells that are inside or outside are marked as such.
 void test_triage(tap &t) {
   size_t wrong = 0, active = 0, n = 0;
   for (int k = 0; k < 20000; k++) {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A scene in cubes, and one view of it, against the same scene laid out: cells
- * hold its faces, bit for bit; cubes hold what is in them, in the world and on
- * the screen; each inequality that tells where a cube lies is a step; pairs
- * compare faces as they compare there. */
+/* A scene in cubes, and one view of it, against the same scene laid out. Cells
+ * hold its faces, bit for bit. Cubes enclose what is in them, in the world and
+ * on the screen. Each inequality that locates a cube is a step. Pairs of faces
+ * compare as they do in the scene laid out. */
 #define HSR_COUNTING 1
 #include "algorithms/hierarchical/cube_frame.h"
 #include "scenes/scenes.h"
@@ -66,8 +66,9 @@ static void add_faces(struct hsr_object *object, int n, uint64_t *seed) {
 
 enum { OBJECTS = 4, FACES = 300 };
 
-/* Object 0 is placed exactly, turned and mirrored; 1 by fractions that are
- * exact; 2 once turned by an angle; 3 squashed to almost nothing, too. */
+/* Object 0 is placed exactly, turned and mirrored; object 1 by exact fractions;
+ * object 2 also turned by an angle; object 3 also squashed to almost nothing.
+ */
 static void place_object(struct hsr_scene *scene, uint32_t o) {
   static const double exact[3][12] = {
       {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0},
@@ -115,8 +116,8 @@ static bool is_flat_everywhere(const struct laid_out *l, uint32_t object,
   return true;
 }
 
-/* What is not flat somewhere is loose; and nothing else where instances round
- * nothing. */
+/* A face that is not flat in some instance is loose. If instances round
+ * nothing, no other face is. */
 static void test_loose(struct tap *tap, const struct laid_out *l,
                        const struct hsr_cubes *cubes) {
   bool needed = true, only = true;
@@ -184,7 +185,7 @@ static void begin_frame(struct frame *f, const struct laid_out *l,
     stop(l->scene->name, "out of memory");
 }
 
-/* Is face k of the cell at hand face g of the world? */
+/* Is face k of the current cell face g of the world? */
 static bool is_face(const struct hsr_world *cell, uint32_t k,
                     const struct hsr_world *world, uint32_t g) {
   bool same = hsr_face_size(cell, k) == hsr_face_size(world, g) &&
@@ -199,7 +200,7 @@ static bool is_face(const struct hsr_world *cell, uint32_t k,
   return same;
 }
 
-/* The cell's vertices are laid out even where that could be put off. */
+/* The cell with its vertices laid out, even if that could be put off. */
 static const struct hsr_cell *lay_out_cell(struct hsr_cube_frame *frame,
                                            uint32_t k) {
   const struct hsr_cell *cell = hsr_cube_cell(frame, k);
@@ -272,7 +273,7 @@ static bool is_in_its_cubes(const struct hsr_octree *octree, uint32_t k,
   return false;
 }
 
-/* All vertices, but of loose faces. */
+/* All vertices except those of loose faces are in their cubes. */
 static void test_bounds(struct tap *tap, const struct laid_out *l,
                         const struct hsr_cubes *cubes) {
   const struct hsr_world *world = &l->world;
@@ -305,8 +306,8 @@ struct held {
   long vertices, images, out, wrong, miscounted;
 };
 
-/* What a vertex has on the screen lies in the cube's image, and not before its
- * front sides. */
+/* A vertex on the screen lies in the cube's image, and not in front of the
+ * cube's front sides. */
 static bool is_in_image(const struct frame *f,
                         const struct hsr_cube_image *image,
                         const struct hsr_octree_node *node, uint32_t v) {
@@ -323,7 +324,7 @@ static bool is_in_image(const struct frame *f,
               y >= y0 - HSR_CUBE_MARGIN && y <= y1 + HSR_CUBE_MARGIN &&
               q <= (double)image->nearest;
   if (x < 0 || x > M || y < 0 || y > N)
-    return good; /* depths are of the picture */
+    return good; /* depths are only for the picture */
   struct hsr_octree_box cube = hsr_octree_cube(node);
   for (int side = 0; side < 6; side++)
     if (image->front >> side & 1) {
@@ -334,7 +335,7 @@ static bool is_in_image(const struct frame *f,
   return good;
 }
 
-/* The inequalities of one cube, as they are told. */
+/* The inequalities of one cube, from their events. */
 struct told {
   long n, outside, wrong;
   struct hsr_subject cube;
@@ -352,8 +353,8 @@ static void listen(void *context, const struct hsr_event *event) {
               memcmp(&event->a, &t->cube, sizeof t->cube) != 0;
 }
 
-/* Is a cube outside of the frustum? Six planes are told apart by one to thirty
- * inequalities, and by the last one alone if the cube is outside. */
+/* Is a cube outside the frustum? Its place against six planes takes one to
+ * thirty inequalities; if the cube is outside, only the last one says so. */
 static bool is_out(struct frame *f, const struct hsr_octree_box *cube,
                    uint32_t k, struct held *held) {
   struct told told = {.cube = hsr_cube_subject(f->frame.instance, k)};
@@ -390,7 +391,7 @@ static void look_at_cube(struct frame *f, uint32_t k, struct held *held) {
   }
 }
 
-/* Cameras at the scene's places, and amid it. */
+/* Cameras at the scene's own places, and inside the scene. */
 static void test_images(struct tap *tap, const struct laid_out *l,
                         const struct hsr_cubes *cubes, uint64_t *seed) {
   struct held held = {.wrong = 0};
@@ -426,7 +427,7 @@ static void test_images(struct tap *tap, const struct laid_out *l,
 
 /* --- Pairs ---------------------------------------------------------------- */
 
-/* Pairs of faces that exist, at samples where neither need be. */
+/* Pairs of faces that exist, at samples that they need not cover. */
 static void test_pairs(struct tap *tap, const struct laid_out *l,
                        uint64_t *seed) {
   const struct hsr_world *world = &l->world;
@@ -446,7 +447,7 @@ static void test_pairs(struct tap *tap, const struct laid_out *l,
     uint32_t f = (uint32_t)draw_integer(seed, 0, world->n_faces - 1);
     uint32_t g = (uint32_t)draw_integer(seed, 0, world->n_faces - 1);
     for (uint32_t h = 0; k % 2 && h < world->n_faces; h++) {
-      g = (g + 1) % world->n_faces; /* look for one on the same plane */
+      g = (g + 1) % world->n_faces; /* seeks one on the same plane */
       if (g != f && world->mesh.plane[g] == world->mesh.plane[f])
         break;
     }
@@ -470,7 +471,7 @@ static void test_pairs(struct tap *tap, const struct laid_out *l,
   hsr_arena_free(&arena);
 }
 
-/* One object in many places that put its faces on one another. */
+/* One object in many places where its faces coincide. */
 static struct hsr_scene *mirrors(uint64_t *seed) {
   struct hsr_scene *scene = hsr_scene_new("mirrors");
   struct hsr_object *object = hsr_scene_object(scene, "faces");

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Groves (algorithms/image_space/area/tiling/grove.h): the order of instances for any eye, against rays
- * from it through their boxes; which scenes are put in order, which are one
- * tree, which are refused; and the pictures of all of them. */
+/* Groves (algorithms/image_space/area/tiling/grove.h): the order of instances
+ * for any eye, against rays from the eye through their boxes; which scenes are
+ * put in order, become one tree, or are refused; and the pictures of all of
+ * them. */
 #include "algorithms/variant.h"
 #include "algorithms/image_space/area/tiling/grove.h"
 #include "scenes/scenes.h"
@@ -25,12 +26,12 @@ struct box {
   double lo[3], hi[3];
 };
 
-/* The sides of a box, counterclockwise from outside; bit k of a corner's
- * number: it is above in coordinate k. */
+/* The sides of a box, counter-clockwise from outside. If bit k of a corner's
+ * number is set, the corner is at the upper end of coordinate k. */
 static const unsigned SIDE[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                     {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
-/* Its sides, those of which the bit is set. */
+/* Adds the sides of a box whose bits are set. */
 static struct hsr_object *add_box(struct hsr_scene *scene, struct box box,
                                   unsigned sides, bool one_sided) {
   struct hsr_object *object = hsr_scene_object(scene, "box");
@@ -89,11 +90,11 @@ static void close_stage(struct stage *s) {
 /* --- Order ---------------------------------------------------------------- */
 
 struct order {
-  uint32_t place[MOST_INSTANCES]; /* an instance: in the order */
+  uint32_t place[MOST_INSTANCES]; /* of each instance in the order */
   uint32_t n;
 };
 
-/* As it is gone through from front to back. */
+/* Walks through the grove from front to back. */
 static void put_in_order(const struct hsr_grove *grove, uint32_t number,
                          const double eye[3], struct order *order) {
   const struct hsr_grove_node *node = &grove->node[number];
@@ -106,7 +107,7 @@ static void put_in_order(const struct hsr_grove *grove, uint32_t number,
   put_in_order(grove, above ? node->below : node->above, eye, order);
 }
 
-/* Where a ray from the eye enters a box; negative: nowhere. */
+/* Where a ray from the eye enters a box; negative if it misses it. */
 static double enter(const struct box *box, const double eye[3],
                     const double along[3]) {
   double from = 0, to = INFINITY;
@@ -124,7 +125,7 @@ static double enter(const struct box *box, const double eye[3],
   return from + 1e-9 < to ? from : -1;
 }
 
-/* Boxes that are seen before others which come earlier in the order. */
+/* Boxes that a ray meets before others that are earlier in the order. */
 struct looked {
   long rays, met, wrong;
 };
@@ -169,7 +170,7 @@ static void look_around(const struct hsr_grove *grove, const struct box *box,
   }
 }
 
-/* Divides a box by planes, down to small ones; each shrinks by `gap`. */
+/* Divides a box by planes into small ones, and shrinks each by `gap`. */
 static uint32_t divide(struct box whole, int depth, double gap,
                        struct box *into, uint64_t *seed) {
   int axis = (int)draw_integer(seed, 0, 2);
@@ -190,7 +191,7 @@ static uint32_t divide(struct box whole, int depth, double gap,
   return n + divide(above, depth - 1, gap, into + n, seed);
 }
 
-/* A grid of n x n x n, of a few kinds of boxes, which are in their cells. */
+/* A grid of n x n x n cells, with boxes of a few kinds in them. */
 static uint32_t make_grid(int n, int gap, struct box *into, uint64_t *seed) {
   uint32_t count = 0;
   for (int k = 0; k < n * n * n; k++) {
@@ -207,7 +208,8 @@ static uint32_t make_grid(int n, int gap, struct box *into, uint64_t *seed) {
   return count;
 }
 
-/* An object and an instance of each box, told where it lies by either. */
+/* An object and an instance for each box; its place is in the object or in the
+ * instance. */
 static struct hsr_scene *scene_of(const struct box *box, uint32_t n,
                                   bool one_sided) {
   struct hsr_scene *scene = hsr_scene_new("boxes");
@@ -261,8 +263,8 @@ static void test_order(struct tap *tap, const char *name, int kind) {
 
 enum fit { IN_ORDER, ONE_TREE };
 
-/* Samples of all views that a world of the scene has wrong; -1 if it is
- * refused, with its text. */
+/* The number of wrong samples in all views of a world of the scene; -1, and the
+ * text, if it is refused. */
 static long count_wrong(const struct stage *s, const struct hsr_world *world,
                         const char *algorithm, const char *name, char *text) {
   static uint32_t wanted[M * N], got[M * N];
@@ -315,8 +317,8 @@ static long count_seen(const struct stage *s) {
   return seen;
 }
 
-/* What fits is drawn right, laid out or not; what does not is one tree, or
- * refused in one clear line. */
+/* A scene that can be ordered is drawn right, laid out or not. Any other
+ * becomes one tree, or is refused in one clear line. */
 static void test_picture(struct tap *tap, struct hsr_scene *scene,
                          const char *name, enum fit fit) {
   char text[sizeof((struct hsr_error *)0)->text];
@@ -383,8 +385,8 @@ static struct hsr_scene *make_row(bool one_sided) {
   return scene;
 }
 
-/* Sheets in the planes of boxes' sides, which overlap them and face down or up.
- */
+/* Sheets in the planes of the sides of boxes. They overlap the sides, and face
+ * down or up. */
 enum { LOW = 1 << 4, HIGH = 1 << 5 };
 
 static struct hsr_scene *make_sheets(unsigned side, bool one_sided,
@@ -405,7 +407,7 @@ static struct hsr_scene *make_sheets(unsigned side, bool one_sided,
   return scene;
 }
 
-/* Boxes apart, each moved so. */
+/* Boxes that are apart, each moved by m. */
 static struct hsr_scene *make_moved(const double m[12], bool moves) {
   struct hsr_scene *scene = hsr_scene_new("moved");
   static const uint32_t corner[4][3] = {
@@ -445,8 +447,9 @@ static struct hsr_scene *make_not_flat(void) {
   return scene;
 }
 
-/* Two stars of triangles through one another, so that they are cut at places
- * that are no doubles; far out, where these are rounded when they are moved. */
+/* Two stars of triangles through one another: they are cut at places that are
+ * not doubles. They are far out, so these places are rounded when they are
+ * moved. */
 static struct hsr_scene *make_far(double far) {
   struct hsr_scene *scene = hsr_scene_new("far");
   struct hsr_object *object = hsr_scene_object(scene, "star");

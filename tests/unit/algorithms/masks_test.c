@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The mask pyramid by itself (algorithms/image_space/area/tiling/masks/masks.h): random convex
- * polygons with corners on a fine grid, tiled from front to back, against a
- * loop over all samples; everything in integers.
+/* The mask pyramid alone (algorithms/image_space/area/tiling/masks/masks.h):
+ * random convex polygons with corners on a fine grid, tiled from front to back,
+ * against a loop over all samples; everything in integers.
  *
- * Once        A sample is written when the first polygon covers it, after the
- *             background exactly once, and never twice.
- * Cells       Wherever a path of active subcells goes: covered are those whose
- *             samples all are, vacant those of which none is.
+ * Once        A sample is written when the first polygon covers it, and never
+ *             again. With the background every sample is written exactly once.
+ * Cells       On all paths of active subcells, a subcell is covered if all of
+ *             its samples are, and vacant if none is.
  * Cases       The nine of table 4.1 of Greene's thesis.
- * Hidden      Whether anything of a polygon is to be seen is said rightly, and
- *             what is behind an occluder costs one cell.
+ * Hidden      The test whether any of a polygon is visible is right. A polygon
+ *             behind an occluder costs one cell.
  *
- * Mutants of masks.c that were tried, and told: descend() without its look at
+ * These mutants of masks.c were tried and found: descend() without its look at
  * covered subcells on the way, or without clearing; A of listing 1 with the
  * polygon's covered subcells instead of the screen's, as the thesis prints it;
- * tile() and shows() without clearing, or with samples outside of the window
+ * tile() and shows() without clearing, or with samples outside the window
  * vacant; no propagate() on the way up, or half of it; look_up() that does not
  * exchange C and V, or complements them; choose() that loses lines; classify()
- * and the finest level without the error of lines, tables without the slack,
- * and jittered samples taken for others; shows() that forgets what is active,
- * or covered. choose() may keep lines that are inside: that costs time alone.
+ * and the finest level without the error of lines; tables without the slack;
+ * jittered samples taken as others; shows() that forgets what is active, or
+ * covered. choose() may keep lines that are inside: that only costs time.
  */
 #define HSR_COUNTING 1
 #include "algorithms/image_space/area/tiling/masks/masks.h"
@@ -63,10 +63,10 @@ static const struct build {
 enum { CELLS, FINEST, PIXEL_CELLS, UNSURE };
 
 enum {
-  UNIT = 32, /* a sample, of the grid; jitter is in odd ones */
+  UNIT = 32, /* grid units a sample; jitter is an odd number of them */
   MOST_LINES = 12,
   LARGEST = 640,
-  EXTENT = 4096, /* of the largest root */
+  EXTENT = 4096, /* samples along a side of the largest root */
   PATTERNS = 3
 };
 
@@ -81,8 +81,8 @@ struct point {
   int64_t x, y;
 };
 
-/* How the lines are told: as they are; off by something that is less than their
- * error; or not at all. */
+/* How the lines are given: exactly; off by less than their error; or not at
+ * all. */
 enum telling { SURE, OFF, UNKNOWN };
 
 struct polygon {
@@ -90,7 +90,7 @@ struct polygon {
   struct point corner[MOST_LINES];
   int64_t a[MOST_LINES], b[MOST_LINES], c[MOST_LINES];
   enum telling telling;
-  int64_t near; /* what is covered ends there in x + y; or INT64_MAX */
+  int64_t near; /* the covered part ends at this x + y; or INT64_MAX */
   struct hsr_mask_line line[MOST_LINES];
   struct hsr_mask_polygon told;
 };
@@ -106,8 +106,8 @@ static int compare_points(const void *a, const void *b) {
   return (p->y > q->y) - (p->y < q->y);
 }
 
-/* Andrew's monotone chain: the convex hull of n points, to the left of its
- * sides. */
+/* Andrew's monotone chain: the convex hull of n points. It lies to the left of
+ * its sides. */
 static int find_hull(struct point *p, int n, struct point *hull) {
   int h = 0;
   qsort(p, (size_t)n, sizeof *p, compare_points);
@@ -129,7 +129,8 @@ static int64_t height(const struct polygon *p, int k, int64_t x, int64_t y) {
   return p->a[k] * x + p->b[k] * y + p->c[k];
 }
 
-/* Perturbed a little to the right, and less so down. */
+/* Whether a point, displaced a little to the right and less down, is inside
+ * line k. */
 static bool is_inside(const struct polygon *p, int k, int64_t x, int64_t y) {
   int64_t f = height(p, k, x, y);
   return f ? f > 0 : p->a[k] ? p->a[k] > 0 : p->b[k] > 0;
@@ -179,7 +180,7 @@ static void tell_line(struct polygon *p, int k, uint64_t *seed) {
       (struct hsr_mask_line){a, b, c, error, fabs(a) + fabs(b), 1 / a, 1 / b};
 }
 
-/* Of corners. */
+/* Sets the lines from the corners. */
 static void set_polygon(struct polygon *p, uint64_t *seed) {
   for (int k = 0; k < p->n; k++) {
     struct point q = p->corner[k], r = p->corner[k + 1 < p->n ? k + 1 : 0];
@@ -192,7 +193,7 @@ static void set_polygon(struct polygon *p, uint64_t *seed) {
                                       p->near < INT64_MAX ? covers : NULL, p};
 }
 
-/* A rectangle whose sides are within a sample of borders of cells, or on them.
+/* A rectangle whose sides are on borders of cells, or within a sample of them.
  */
 static void random_rectangle(struct polygon *p, const struct hsr_window *w,
                              uint64_t *seed) {
@@ -315,7 +316,7 @@ static void put_square(void *context, int x, int y, int size) {
       put(context, i, j);
 }
 
-/* Memory is full of old cells. */
+/* Fills memory with old cells. */
 static void dirty(struct hsr_arena *arena, size_t size) {
   void *old = hsr_arena_array(arena, size, 1);
   if (!old)
@@ -390,8 +391,8 @@ static struct point sample_at(const struct picture *p, int i, int j) {
                         (int64_t)(UNIT * (j - y % 8 + places->y[bit]))};
 }
 
-/* What a loop over all samples makes of it; whether any sample of what the
- * lines enclose was not covered: by its interior, or by all of it. */
+/* The result of a loop over all samples: whether any sample inside the lines
+ * was not covered yet, in the interior, or in the whole. */
 struct seen {
   bool within, closed;
 };
@@ -431,7 +432,8 @@ static long count_wrong(const struct picture *p) {
 
 /* --- Cells ---------------------------------------------------------------- */
 
-/* Samples of a square that are in the window, and covered. */
+/* The samples of a square that are in the window, and those that are covered.
+ */
 struct census {
   long all, covered;
 };
@@ -447,8 +449,8 @@ static struct census count_square(const struct picture *p, int x, int y,
   return c;
 }
 
-/* Whether what is kept of a square is so. What is outside of the window counts
- * as covered once its cell has been entered. */
+/* Whether the bits of a square are right. Samples outside the window count as
+ * covered once their cell has been entered. */
 static bool is_right(struct census c, int size, bool covered, bool vacant) {
   long size_2 = (long)size * size;
   if (covered && vacant)
@@ -545,7 +547,7 @@ static void tile_sequence(struct picture *p, int n, bool from_root,
   s->cells += p->tally.count[CELLS];
 }
 
-/* Every sample of the window is covered: nothing is seen. */
+/* When every sample of the window is covered, nothing is visible. */
 static bool hides_all(struct picture *p, uint64_t seed) {
   for (int k = 0; k < 50; k++) {
     struct polygon polygon;
@@ -612,7 +614,7 @@ static void test_sequences(struct tap *tap, struct picture *p,
 
 /* --- The nine cases ------------------------------------------------------- */
 
-/* All of x < at, or of y < at, in the window of 64 x 64. */
+/* The part x < at, or y < at, of the window of 64 x 64. */
 static struct polygon half(bool of_rows, int64_t at) {
   struct polygon p = {.n = 4, .near = INT64_MAX};
   int64_t x1 = of_rows ? 100 : at, y1 = of_rows ? at : 100;
@@ -674,7 +676,7 @@ static void test_cases(struct tap *tap, struct picture *p) {
 
 /* --- Costs ---------------------------------------------------------------- */
 
-/* Behind what fills the window. */
+/* Polygons behind one that fills the window. */
 static void test_occluder(struct tap *tap, struct picture *p) {
   enum { BEHIND = 300 };
   struct polygon all = half(true, 600);
@@ -706,7 +708,7 @@ static void test_occluder(struct tap *tap, struct picture *p) {
   end(p);
 }
 
-/* Bits a sample, but for what aligns so many arrays: from 1 1/32 to 1 2/63. */
+/* Bits a sample, without those that align the arrays: from 1 1/32 to 1 2/63. */
 static void test_memory(struct tap *tap) {
   bool good = true;
   double bits = 0;
@@ -727,8 +729,8 @@ static void test_memory(struct tap *tap) {
   ok(tap, good, "memory: %.4f bits a sample of 4096 x 4096", bits);
 }
 
-/* The number of the cell of a level, of cells of `size` samples, that holds a
- * sample: a digit of base 64 a level. */
+/* The number of the cell that holds a sample, on the level whose cells have
+ * `size` samples a side. Each level adds a digit of base 64. */
 static size_t number_of(int x, int y, int root, int size) {
   size_t number = 0;
   for (int side = root / 8; side >= size; side /= 8)
@@ -763,7 +765,7 @@ static void test_cells(struct tap *tap) {
      "the cells of windows, as many as are needed: %d", good);
 }
 
-/* What is filtered: of each pixel all 64 samples are told of, once. */
+/* Filtered pictures: all 64 samples of each pixel are reported, once. */
 struct popcounts {
   int of[64][64];
   int m;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The z-pyramid, in windows of any size and place: after any writes it is what
- * rebuilding it gives, and its tests say what looking at every sample says. */
+/* The z-pyramid, in windows of any size and place: after any writes it equals a
+ * rebuilt one, and its tests agree with a look at every sample. */
 #define HSR_COUNTING 1
 #include "algorithms/hierarchical/pyramid.h"
 #include "scenes/scenes.h"
@@ -57,8 +57,8 @@ static float depth_at(const struct hsr_pyramid *p, int i, int j) {
                    (size_t)(i - w->x0)];
 }
 
-/* What lies in a box, looked at sample by sample. Is all of it in the window?
- * What is outside hides nothing that is inside. */
+/* The extremes of the samples in a box, found one by one; and whether all of it
+ * is in the window. Samples outside hide nothing that is inside. */
 struct extremes {
   float far, near;
   bool inside;
@@ -84,13 +84,13 @@ static struct hsr_bounds entry_box(const struct hsr_pyramid *p, int level,
   return (struct hsr_bounds){x0, y0, x0 + size, y0 + size};
 }
 
-/* Is it the nearest? Where an entry reaches out of the window, it may be nearer
- * than that. */
+/* Is it the nearest depth? An entry that reaches beyond the window may be
+ * nearer. */
 static bool is_near(float near, const struct extremes *e) {
   return near == e->near || (!e->inside && near > e->near);
 }
 
-/* Entries that are not the extremes of what lies in them. */
+/* The number of entries that are not the extremes of their samples. */
 static long count_wrong(const struct hsr_pyramid *p) {
   long wrong = 0;
   for (int level = 1; level < p->n_levels; level++) {
@@ -138,7 +138,8 @@ static float *sample_of(struct memory *m, int i, int j) {
               .far[0][(size_t)(j - w->y0) * m->stride + (size_t)(i - w->x0)];
 }
 
-/* Into some samples of a box: nearer as a rule, or unknown, or completed. */
+/* Writes into some samples of a box: mostly nearer depths, or unknown ones, or
+ * completes them. */
 static void write_some(struct memory *m, struct hsr_bounds box,
                        uint64_t *seed) {
   for (int j = box.y0; j < box.y1; j++)
@@ -177,14 +178,14 @@ static void test_updates(struct tap *tap, bool near, uint64_t *seed) {
      looked, near ? ", with the nearest" : "", wrong);
 }
 
-/* Goes up no farther than it must: what is above an entry that did not change
- * is left as it is. */
+/* An update goes up no farther than it must: nothing above an entry that did
+ * not change is written. */
 static void test_early_stop(struct tap *tap) {
   struct hsr_window window = {0, 0, 64, 64};
   struct hsr_bounds box = {0, 0, 1, 1};
   struct memory m;
   begin(&m, &window, false);
-  m.pyramid.far[6][0] = 0.25f; /* as no update would have it */
+  m.pyramid.far[6][0] = 0.25f; /* no update would give this */
   *sample_of(&m, 0, 0) = 0.5f;
   hsr_pyramid_update(&m.pyramid, box);
   ok(tap, m.pyramid.far[6][0] == 0.25f,
@@ -246,7 +247,7 @@ static void test_boxes(struct tap *tap, uint64_t *seed) {
     for (int n = 0; n < 400; n++) {
       struct hsr_bounds box = random_box(&w, seed);
       float q = random_depth(seed);
-      if (n % 4 == 0) { /* most of it, so that something is hidden */
+      if (n % 4 == 0) { /* most of the window, so that something is hidden */
         for (int j = box.y0; j < box.y1; j++)
           for (int i = box.x0; i < box.x1; i++)
             *sample_of(&m, i, j) = q;
@@ -256,7 +257,7 @@ static void test_boxes(struct tap *tap, uint64_t *seed) {
       struct hsr_bounds look = random_box(&w, seed);
       float near = extremes_in(&m.pyramid, look).far;
       ask(&m.pyramid, look, random_depth(seed) * q, &s);
-      if (near > 0 && near < HUGE_VALF) { /* just before, and just behind */
+      if (near > 0 && near < HUGE_VALF) { /* just in front, and just behind */
         ask(&m.pyramid, look, near * (1 - 0x1p-15f), &s);
         ask(&m.pyramid, look, near * (1 - 0x1p-16f), &s);
         ask(&m.pyramid, look, near, &s);
@@ -350,7 +351,7 @@ static bool is_hidden(struct definitive *d, uint32_t f,
   return true;
 }
 
-/* Depths here and there are unknown, as where faces are seen edge-on. */
+/* Makes some depths unknown, as they are where faces are seen edge-on. */
 static void forget_some(struct definitive *d, uint64_t *seed) {
   struct hsr_bounds box = random_box(&d->view.window, seed);
   *sample_of(&d->memory, box.x0, box.y0) = NAN;
@@ -373,7 +374,7 @@ static void try_triangle(struct definitive *d, const struct hsr_batch *batch,
   d->hidden += hidden;
   d->wrong += (fast && !hidden) || hidden != is_hidden(d, tri.face, &tri);
   if (d->asked % 3)
-    return; /* nor all are tiled: what is hidden would all be behind */
+    return; /* if all were tiled, all hidden faces would be behind */
   HSR_OF_BUILD(hsr_tiler_tile)(&d->tiler, &tri);
   hsr_pyramid_update(p, box);
 }

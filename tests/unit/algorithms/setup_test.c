@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What algorithms say that they take is what they are given. */
+/* Algorithms take the subjects of scenes that they name, and refuse others. */
 #include "tests/draw.h"
 #include "tests/tap.h"
 
 #include <string.h>
 
-/* A scene of faces is not refused for its subject; a grid is, in these words. */
+/* A scene of faces is not refused for its subject. A grid is refused, with
+ * these words, unless the algorithm takes grids. */
 static bool is_faithful(const struct hsr_algorithm *a,
                         struct both_worlds *worlds) {
   struct hsr_error err = {.text = ""};

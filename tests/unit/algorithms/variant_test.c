@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a user may write for an algorithm with its options, and what not. */
+/* Which texts for an algorithm with options are valid, and which are not. */
 #include "algorithms/variant.h"
 #include "tests/tap.h"
 
@@ -8,7 +8,7 @@
 static struct hsr_variant variant;
 static struct hsr_error err;
 
-/* Is it refused, saying so? */
+/* Checks that the text is refused with this message. */
 static void bad(struct tap *tap, const char *text, const char *says) {
   err.text[0] = '\0';
   enum hsr_status status = hsr_variant_parse(text, &variant, &err);
@@ -16,7 +16,8 @@ static void bad(struct tap *tap, const char *text, const char *says) {
      "'%.40s' is refused: %s", text, err.text);
 }
 
-/* The number chosen of the algorithm's option; -1: it has none of that name. */
+/* The number chosen for the algorithm's option; -1 if there is no such option.
+ */
 static long chosen(const char *name) {
   const struct hsr_option *option = variant.listed->plain->options;
   for (int k = 0; option[k].name; k++)
@@ -30,7 +31,8 @@ static bool parses(const char *text) {
          !strcmp(variant.name, text);
 }
 
-/* Every word of every option of every algorithm; the ends of every number. */
+/* Every word of every option of every algorithm is valid, and so are the ends
+ * of every number's range. */
 static bool all_parse(void) {
   bool good = true;
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {

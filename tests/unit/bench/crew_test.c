@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What reaches whom through a crew: counts, the work picture, the trace. */
+/* Counts, work picture and trace pass through a crew. */
 #include "bench/command.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is made of samples, on samples of which the truth is known: times of a
- * median of 1, spread log-normally within a start and, as starts have luck of
- * their own, between them. */
+/* Statistics of samples whose truth is known: times with a median of 1, spread
+ * log-normally within each start and also between starts. */
 #include "bench/results/figures.h"
 #include "tests/tap.h"
 
@@ -59,7 +58,7 @@ static void test_values(struct tap *tap) {
      "the medians of starts, as logarithms");
 }
 
-/* By hand: t(.995) is 4.6041 of 4 degrees of freedom. */
+/* By hand: t(.995) is 4.6041 for 4 degrees of freedom. */
 static void test_intervals(struct tap *tap) {
   const double five[] = {-.02, -.01, 0, .01, .02};
   struct figure f = figure_of_logs(five, 2),
@@ -72,7 +71,7 @@ static void test_intervals(struct tap *tap) {
   f = figure_of_logs(five, 5);
   ok(tap, fabs(f.high - exp(4.6041 * sqrt(.00025 / 5))) < 1e-5,
      "five tell something");
-  /* Equal spread and number: twice the freedom, 8: 3.3554. */
+  /* Equal spread and number: twice the degrees of freedom, 8: t is 3.3554. */
   const double more[] = {.98, .99, 1, 1.01, 1.02};
   f = figure_quotient(more, 5, five, 5);
   ok(tap,
@@ -115,8 +114,7 @@ static double logs_coverage(int starts) {
   return (double)held / TRIALS;
 }
 
-/* The share of pairs that are distinguishable, and told to be so the right way
- * round. */
+/* The share of pairs that are found distinguishable, in the right direction. */
 static double distinguished(int starts, double ratio) {
   int told = 0;
   for (int k = 0; k < TRIALS; k++) {
@@ -134,7 +132,7 @@ static bool is_between(double low, double x, double high) {
   return low <= x && x <= high;
 }
 
-/* Of 500 and 2000 trials, .01 and .002 are a standard deviation. */
+/* With 500 and 2000 trials a standard deviation is .01 and .002. */
 static void test_coverage(struct tap *tap) {
   double two = median_coverage(2), five = median_coverage(5),
          twenty = median_coverage(20);

@@ -47,7 +47,7 @@ struct spot {
   double x, y, z;
 };
 
-/* The fields of hsr_world that the oracle may look at; the others are NULL. */
+/* Has the fields of hsr_world that the oracle may read; the others are NULL. */
 struct little_world {
   std::vector<double> x, y, z;
   std::vector<uint32_t> start = {0}, vertex;
@@ -60,7 +60,7 @@ struct little_world {
     return uint32_t(x.size() - 1);
   }
 
-  /* A face of vertices that there are. */
+  /* A face of existing vertices. */
   little_world &join(const std::vector<uint32_t> &corners, bool one = false) {
     vertex.insert(vertex.end(), corners.begin(), corners.end());
     start.push_back(uint32_t(vertex.size()));
@@ -159,8 +159,8 @@ hsr_edge_name side(uint32_t a, uint32_t b) {
   return {false, a, b, 0};
 }
 
-/* A triangle whose side from vertex 0 to 1 is looked at; its third vertex is
- * above all pictures, w apart. */
+/* A triangle whose side from vertex 0 to 1 is tested. Its third vertex is above
+ * all pictures, w apart. */
 std::vector<spot> bearer(const spot &a, const spot &b) {
   return {a, b, {(a.x + b.x) / 2, 99, (a.z + b.z) / 2 - 1}};
 }
@@ -183,8 +183,8 @@ little_world cube(bool one_sided) {
   return w;
 }
 
-/* Vertex 7 is the hidden one. Each edge there passes behind two of the three
- * sides that are seen, from one to the other at a point that is no change. */
+/* Vertex 7 is the hidden one. Each of its edges passes behind two of the three
+ * visible sides. The point where it goes from one to the other is no change. */
 void test_cube() {
   little_world w = cube(true);
   const drawing seen = draw(w, plain_view());
@@ -207,8 +207,8 @@ void test_cube() {
      "a two-sided cube: three hidden edges more");
 }
 
-/* The image of the square is |x|, |y| <= 1/2; the edge's runs on y = 0 from
- * x = -3/4 to 5/4. */
+/* The image of the square is |x|, |y| <= 1/2; that of the edge is on y = 0,
+ * from x = -3/4 to 5/4. */
 void test_before() {
   little_world w;
   w.face(bearer({-6, 0, -8}, {10, 0, -8})).face(rectangle(-2, -2, 2, 2, -4));
@@ -311,7 +311,7 @@ void test_picture() {
       {{1, 0, -2}, {1, 0, -2}, "", "no two places"}};
   for (const auto &c : cases) {
     little_world w;
-    w.face({c.a, c.b, {0, 50, -1}}); /* not an own face of what it may hide */
+    w.face({c.a, c.b, {0, 50, -1}}); /* does not own the edge it may hide */
     ok_edge(w, plain_view(), side(0, 1), c.expected, c.what);
   }
 }
@@ -323,7 +323,7 @@ void test_behind() {
           "an edge that leads behind the eye");
   ok_edge(w, plain_view(2), side(0, 1), "0..0.25=0", "a nearer end: near");
 
-  /* Of a floor at y = -1 each ray hits the half of that to the edge. */
+  /* Each ray hits a floor at y = -1 half-way to the edge. */
   little_world floor;
   floor.face({{-2, -2, -4}, {2, -2, -4}, {0, -3, -4}});
   floor.face({{-10, -1, -10}, {10, -1, -10}, {10, -1, 10}, {-10, -1, 10}});
@@ -501,8 +501,8 @@ bool is_on_border(const naive_face &f, const vec &P) {
   return false;
 }
 
-/* Whether P, of the face's plane and not on its border, is inside: in two of
- * the coordinates, how many sides are crossed to the right. */
+/* Whether P is inside the face; it is in the face's plane and not on a side.
+ * Counts the sides to its right, in two of the coordinates. */
 bool is_inside(const naive_face &f, const vec &P) {
   const auto two = [&](const vec &a) {
     return f.N.z != 0   ? std::pair(a.x, a.y)
@@ -520,15 +520,15 @@ bool is_inside(const naive_face &f, const vec &P) {
   return odd;
 }
 
-/* Along the line of both planes, wherever the plane through a side and across
- * its face is met, something may end. */
+/* Follows the line that both planes share. Something may end wherever it meets
+ * the plane that goes through a side and across the side's face. */
 void naive::find_implied(uint32_t f, uint32_t g) {
   const naive_face *pair[2] = {&faces[f], &faces[g]};
   const vec direction = cross(pair[0]->N, pair[1]->N);
   if (is_null(direction))
     return;
 
-  /* N·P = N·S / k for both, direction·P = 0. */
+  /* N·P = N·S / k for both planes, direction·P = 0. */
   const Q p = pair[0]->c / pair[0]->k, q = pair[1]->c / pair[1]->k;
   const vec O =
       Q(1) / dot(direction, direction) *
@@ -634,7 +634,7 @@ struct dice {
     const double x = from_to(-size, size), y = from_to(-size, size);
     return {x, y, double(from_to(-size, size))};
   }
-  Q part() { /* in (0, 1), and no place where anything happens */
+  Q part() { /* in (0, 1), at a place where nothing happens */
     return Q(from_to(1, 2147483646)) / Q(2147483647);
   }
 };
@@ -653,7 +653,7 @@ bool has_normal(const little_world &w, const std::vector<uint32_t> &corners) {
   return !is_null(N);
 }
 
-/* O + a u + b v: flat in integers, convex and not. */
+/* O + a u + b v: exactly flat in integers, convex or not. */
 std::vector<spot> planar_polygon(dice &d, int size) {
   static const std::vector<std::array<int, 2>> shapes[] = {
       {{0, 0}, {2, 0}, {2, 1}, {0, 1}},
@@ -667,7 +667,8 @@ std::vector<spot> planar_polygon(dice &d, int size) {
   return corners;
 }
 
-/* Vertices that faces share by number, and others of the same places. */
+/* A world with vertices that faces share by number, and others at the same
+ * places. */
 little_world random_world(dice &d, int n_faces, int size) {
   little_world w;
   while (int(w.n_faces()) < n_faces) {
@@ -688,8 +689,8 @@ little_world random_world(dice &d, int n_faces, int size) {
   return w;
 }
 
-/* A view towards the middle with any independent F, R, U; some from the middle
- * or an end of a side. */
+/* A view towards the middle with any independent F, R, U. Some views are from
+ * the middle or an end of a side. */
 struct hsr_view random_view(const little_world &w, dice &d, int size) {
   struct hsr_view v = plain_view(d.once_in(2) ? 0 : d.from_to(1, 6) / 8.0);
   spot E = d.lattice(size);
@@ -722,8 +723,7 @@ struct hsr_view random_view(const little_world &w, dice &d, int size) {
   return v;
 }
 
-/* Makes the scene one of rounded numbers: nearly degenerate where it was
- * exactly so. */
+/* Rounds the scene's numbers: what was exactly degenerate is then nearly so. */
 void roughen(little_world &w, struct hsr_view &v) {
   for (std::vector<double> *a : {&w.x, &w.y, &w.z})
     for (double &value : *a)
@@ -752,8 +752,8 @@ struct tally {
 };
 
 /* The intervals of one edge against single points: anywhere in each interval,
- * within some 1e-12 of its ends, and outside of all; not where it is too short
- * for that. */
+ * within about 1e-12 of its ends, and outside all intervals. Not if an interval
+ * is too short for that. */
 void compare_edge(naive &slow, const naive_edge &e, const drawing &part,
                   dice &d, tally *count) {
   const auto check = [&](const Q &t, int expected) {
@@ -823,7 +823,7 @@ void compare(little_world &w, const struct hsr_view &v, dice &d, tally *count) {
     count->implied += e.name.implied && !part.empty();
     compare_edge(slow, e, part, d, count);
   }
-  if (k < got.size()) { /* not in order, or no edge */
+  if (k < got.size()) { /* not in order, or of no edge */
     std::printf("# interval %zu is of another edge\n", k);
     count->wrong++;
   }
@@ -852,8 +852,8 @@ void ok_naive(const std::string &what, unsigned seed, int n_scenes, int n_faces,
     if (count.wrong != wrong)
       std::printf("# seed %u\n", seed + unsigned(scene));
 
-    /* A power of two changes nothing, even where products leave the range of
-     * doubles. */
+    /* A power of two as a factor changes nothing, even if products leave the
+     * range of doubles. */
     if (scene % 4 < 2) {
       const drawing expected = draw(w, v);
       scale(w, v, scene % 4 == 0 ? -300 : 300);
@@ -867,8 +867,8 @@ void ok_naive(const std::string &what, unsigned seed, int n_scenes, int n_faces,
   ok(scale_holds, "the same 2^300 times as large and as small");
 }
 
-/* A side through the eye, of a polygon that is mostly not flat: where it is,
- * the parity changes with a row. */
+/* A polygon, mostly not flat, with a side through the eye. If it is flat, the
+ * parity changes with a row. */
 void ok_through_eye(unsigned seed, int n_scenes) {
   tally count = {};
   for (int scene = 0; scene < n_scenes; scene++) {
@@ -887,9 +887,9 @@ void ok_through_eye(unsigned seed, int n_scenes) {
   ok(count.wrong == 0 && count.intervals > 0, "a side through the eye");
 }
 
-/* Quadrilaterals out of plane whose depth is w to w + 4, and edges whose depth
- * is about `far`: a plane may be hit before all vertices of its face, and even
- * where they are behind the eye. */
+/* Quadrilaterals out of plane at depths from w to w + 4, and edges at a depth
+ * of about `far`. A ray may hit a face's plane in front of all its vertices,
+ * and even if these are behind the eye. */
 void ok_warped(unsigned seed, int n_scenes, int w, int far,
                const std::string &what) {
   tally count = {};

@@ -6,8 +6,8 @@
  * F = (0, 0, -1), R = (1, 0, 0) and U = (0, 1, 0). Sample (i, j) then looks
  * through the point (2i + 1 - n, n - 1 - 2j) of the plane z = -n, so that for
  * n = 8 the columns are at X = -7, -5, ..., 7 and the rows at Y = 7, 5, ...,
- * -7. What a face of that plane covers can be read off: a sample on an edge
- * counts as a little to its right and, much less, below it. */
+ * -7. So the samples that a face of that plane covers can be read off: a sample
+ * on an edge counts as a little to its right and, much less, below it. */
 #include "algorithms/algorithm.h"
 
 #include <CGAL/Exact_rational.h>
@@ -46,7 +46,7 @@ struct point {
   double x, y, z;
 };
 
-/* The fields of hsr_world that the oracle may look at; the others are NULL. */
+/* Has the fields of hsr_world that the oracle may read; the others are NULL. */
 struct little_world {
   std::vector<double> x, y, z;
   std::vector<uint32_t> start = {0}, vertex;
@@ -95,7 +95,7 @@ struct hsr_view plain_view(int n, double near = 0) {
 
 using picture = std::vector<uint32_t>;
 
-/* An id that no picture holds, for what is not to be written. */
+/* An id that no picture holds, for samples that must not be written. */
 constexpr uint32_t UNTOUCHED = 0xDEADBEEF;
 
 /* Renders the view's window on a prepared object. */
@@ -129,7 +129,7 @@ picture see(little_world &little, const struct hsr_view &view) {
   return ids;
 }
 
-/* A picture as text: a digit for each of the faces 0 to 9, '.' where there is
+/* A picture as text: a digit for each of the faces 0 to 9, '.' for the
  * background, '?' for anything else. */
 std::string text(const picture &ids, int m) {
   std::string out;
@@ -169,9 +169,9 @@ std::string rows(int n, const std::string &row) {
 const point NW = {-5, 5, -8}, SW = {-5, -5, -8}, SE = {5, -5, -8},
             NE = {5, 5, -8};
 
-/* Left edge X = -5, top edge Y = 5: samples on them are displaced inwards.
- * Diagonal X = Y, the face above it: samples on it are displaced outwards. So
- * -5 <= X < Y <= 5. */
+/* The left edge is X = -5, the top edge Y = 5: samples on them are displaced
+ * inwards. The diagonal is X = Y, with the face above it: samples on it are
+ * displaced outwards. So the face covers -5 <= X < Y <= 5. */
 const char *const upper_half = "........\n"
                                ".00000..\n"
                                ".0000...\n"
@@ -201,7 +201,8 @@ void test_triangle() {
       little_world().face({NW, {2 * SW.x, 2 * SW.y, 2 * SW.z}, {15, 15, -24}}),
       plain_view(8), upper_half, "the same triangle in an oblique plane");
 
-  /* F, R, U may have any length that doubles have, even where D has not. */
+  /* F, R, U may have any length that a double can be, even if D's length is not
+   * a double. */
   for (int exponent : {-1040, 1020}) {
     struct hsr_view view = plain_view(8);
     view.F[2] = std::ldexp(view.F[2], exponent);
@@ -212,7 +213,7 @@ void test_triangle() {
   }
 }
 
-/* Below the diagonal: -5 < Y <= X < 5, right and bottom edges lost. Together
+/* Below the diagonal: -5 < Y <= X < 5, without right and bottom edges. Together
  * the halves have each sample of the square, -5 <= X < 5 and -5 < Y <= 5,
  * exactly once. */
 void test_shared_edge() {
@@ -307,8 +308,8 @@ void test_coplanar() {
                  .face({whole[2], whole[1], whole[0]}),
              plain_view(8), upper_half, "duplicates, turned and reversed");
 
-  /* A polygon's plane is the same whatever its number of vertices: one more
-   * on an edge. */
+  /* A polygon's plane does not depend on the number of its vertices: here one
+   * more is on an edge. */
   ok_picture(little_world()
                  .face({NW, {-7.5, -2.5, -12}, {-10, -10, -16}, {15, 15, -24}})
                  .face(whole),
@@ -336,8 +337,9 @@ void test_one_sided() {
              "a back face that does not exist hides nothing");
 }
 
-/* For n = 7 the samples are at even X and Y, the middle column at X = 0; in the
- * plane x = 0 lies the eye and a triangle across all rows of that column. */
+/* For n = 7 the samples are at even X and Y, and the middle column is at X = 0.
+ * The eye lies in the plane x = 0, with a triangle across all rows of that
+ * column. */
 void test_eye_in_plane() {
   const point far_square[4] = {
       {-20, 20, -14}, {-20, -20, -14}, {20, -20, -14}, {20, 20, -14}};
@@ -379,10 +381,10 @@ void test_non_convex() {
              expected, "a non-convex polygon, reversed");
 }
 
-/* A floor y = -2 and a ceiling y = 2 around the eye, which end so far away that
- * they reach the middle line: at the lowest slope, 1/8, the ray has come to
- * z = -16 and to |x| = 14 at most. Each one's plane is hit behind the eye by
- * the other half of the rays. */
+/* A floor y = -2 and a ceiling y = 2 around the eye. They end so far away that
+ * they reach the middle line: at the lowest slope, 1/8, the ray meets them at
+ * z = -16 and |x| <= 14. The other half of the rays hits each plane behind the
+ * eye. */
 void test_behind() {
   const std::vector<point> floor = {
       {-20, -2, 20}, {20, -2, 20}, {20, -2, -20}, {-20, -2, -20}};
@@ -406,11 +408,12 @@ void test_behind() {
   ok_picture(little_world().face({{9, 9, 8}, {-9, 9, 8}, {0, -9, 8}}),
              plain_view(8), rows(8, "........"), "a triangle all behind");
 
-  /* One sample, looking along -z. The quadrilateral is warped and all behind,
-   * and the ray's line passes it, at x = y = 0. Its plane goes through the mean
-   * of its vertices, (4, 4, 103/4), parallel to its diagonals, (10, 10, 99) and
-   * (-10, 10, 0): there it is at z = 103/4 - 4/10 99 < 0, before the eye. So
-   * the definition has it. */
+  /* One sample, looking along -z. The quadrilateral is warped and wholly behind
+   * the eye, and the ray's line goes through it, at x = y = 0. Its plane goes
+   * through the mean of its vertices, (4, 4, 103/4), parallel to its diagonals,
+   * (10, 10, 99) and (-10, 10, 0). At x = y = 0 the plane is at
+   * z = 103/4 - 4/10 99 < 0, in front of the eye. So by the definition the face
+   * is seen. */
   ok_picture(
       little_world().face({{-1, -1, 1}, {9, -1, 1}, {9, 9, 100}, {-1, 9, 1}}),
       plain_view(1), "0\n",
@@ -516,8 +519,8 @@ poly dot(const vec &a, const displaced &D) {
   return {{dot(a, D.d[0]), dot(a, D.d[1]), dot(a, D.d[2])}};
 }
 
-/* What the definition says of one face, before any sample. Of vertex i and the
- * edge to the next: row(v) = (R x v)·D, edge(a, b) = (a x b)·D. */
+/* What the definition says about one face, before any sample. For vertex i and
+ * the edge to the next one: row(v) = (R x v)·D, edge(a, b) = (a x b)·D. */
 struct naive_face {
   std::vector<vec> row, edge;
   vec N;
@@ -586,7 +589,7 @@ bool naive::covers(const naive_face &f, const displaced &D) {
     if (row[i] != row[(i + 1) % n] && edge[i] != 0 && edge[i] == -row[i])
       odd = !odd;
 
-  /* A line goes through a triangle if it has all edges on the same side. */
+  /* A line goes through a triangle if all edges are on the same side of it. */
   if (n == 3 && f.c != 0) {
     const bool through = edge[0] == edge[1] && edge[1] == edge[2];
     triangles_agree = triangles_agree && odd == through;
@@ -649,7 +652,7 @@ bool has_normal(const std::vector<point> &corners) {
   return N.x != 0 || N.y != 0 || N.z != 0;
 }
 
-/* Two simple polygons of the plane, convex and not, put there by O + a u + b v:
+/* One of three simple plane polygons, convex or not, placed by O + a u + b v:
  * exactly planar in integers. */
 std::vector<point> planar_polygon(dice &d, int size) {
   static const std::vector<std::array<int, 2>> shapes[] = {
@@ -664,7 +667,8 @@ std::vector<point> planar_polygon(dice &d, int size) {
   return corners;
 }
 
-/* A rectangle along two axes: its box is flat, and it is coplanar with many. */
+/* A rectangle along two axes: its box is flat, and it is coplanar with many
+ * others. */
 std::vector<point> flat_rectangle(dice &d, int size) {
   const point a = d.lattice(size), b = d.lattice(size);
   const int axis = d.below(3);
@@ -741,8 +745,7 @@ struct hsr_view random_view(dice &d, int size) {
   return v;
 }
 
-/* Makes the scene one of rounded numbers: nearly degenerate where it was
- * exactly so. */
+/* Rounds the scene's numbers: what was exactly degenerate is then nearly so. */
 void roughen(little_world &w, struct hsr_view &v) {
   for (std::vector<double> *a : {&w.x, &w.y, &w.z})
     for (double &value : *a)
@@ -785,8 +788,8 @@ void ok_naive(const std::string &what, unsigned seed, int n_scenes, int n_faces,
       std::printf("# seed %u\n", seed + unsigned(scene));
     }
 
-    /* A power of two changes nothing, even where products leave the range of
-     * doubles. */
+    /* A power of two as a factor changes nothing, even if products leave the
+     * range of doubles. */
     if (scene % 4 < 2) {
       scale(w, v, scene % 4 == 0 ? -300 : 300);
       scale_holds = scale_holds && see(w, v) == expected;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tables of Sutherland et al. 1974 and what is concluded from them, on
- * results made up here: worlds in which every count is known; and Greene's. */
+/* The tables of Sutherland et al. 1974 and the conclusions from them, on
+ * made-up results: worlds in which every count is known; and Greene's tables.
+ */
 #include "bench/tables/claims.h"
 #include "bench/tables/greene.h"
 #include "bench/results/json.h"
@@ -56,16 +57,16 @@ static void test_growth(struct tap *tap) {
 
 /* --- Worlds --------------------------------------------------------------- */
 
-/* What a world is made by: 0 is the survey's own, where Table II's rules hold
- * and every count is what Table III foretells; those that it has no formula
- * for are as any that it has one for. */
+/* How a world is made. With zeros it is the survey's own: Table II's rules
+ * hold, and every count is what Table III predicts. A count without a formula
+ * is like those that have one. */
 struct world {
-  double wildness; /* decades by which coefficients stray */
-  double bend;     /* by which exponents do */
+  double wildness; /* how far coefficients stray, decades */
+  double bend;     /* how far exponents stray */
   uint64_t random;
 };
 
-/* From -1 to 1. */
+/* A random number from -1 to 1. */
 static double stray(struct world *w) {
   w->random = w->random * 6364136223846793005u + 1442695040888963407u;
   return (double)(w->random >> 11) / (double)(1ull << 52) - 1;
@@ -133,7 +134,8 @@ static const struct hsr_step *step_of(const struct hsr_algorithm *a,
   return foretold[(int)(fabs(stray(w)) * n)];
 }
 
-/* Of all scenes at once, so that a step strays alike on all of them. */
+/* Adds an algorithm on all scenes at once, so that a step strays alike on all
+ * of them. */
 static void give_algorithm(struct results *results,
                            const struct hsr_algorithm *a, struct world *w,
                            const struct hsr_table1 *table1) {
@@ -177,7 +179,7 @@ static struct tables *tables_of(const struct results *results) {
   return t;
 }
 
-/* A count set anew. */
+/* Changes a count. */
 static void set(struct results *results, int scene, const char *algorithm,
                 const char *counter, double count) {
   char key[RESULTS_KEY];
@@ -187,7 +189,7 @@ static void set(struct results *results, int scene, const char *algorithm,
   must(!json_object_set_new(counts, counter, json_integer((json_int_t)count)));
 }
 
-/* The finding on the claim of which this is a part. */
+/* The conclusion on the claim whose text contains `part`. */
 static struct conclusion find(const struct tables *t, const char *part) {
   for (int k = 0; k < claims_count(); k++) {
     struct conclusion c = claims_judge(t, k);
@@ -219,9 +221,8 @@ static void test_survey(struct tap *tap) {
   ok(tap, fabs(merge->growth.exponent - 1.5) < 0.01,
      "it grows by 3/2, E_r by 1 and S_l by 1/2");
 
-  /* Every figure that the survey prints is what its formulas yield: within
-   * half a unit of its second digit, and what rounded entries of Table II add
-   * to that. */
+  /* Every figure that the survey prints agrees with its formulas, within half a
+   * unit of its second digit plus what rounded entries of Table II add. */
   int n = 0, good = 0;
   for (int a = 0; a < t->n_algorithms; a++)
     for (int k = 0; k < t->algorithm[a].n_steps; k++)
@@ -346,7 +347,7 @@ static void test_known(struct tap *tap) {
      "nor do 500 of them save 20 %%");
   tables_delete(t);
 
-  /* A square law but for one size: the interval holds other exponents. */
+  /* A square law except for one size: the interval holds other exponents. */
   for (int s = 3; s < 9; s++)
     set(&results, s, "watkins", "X merge", faces[s] * faces[s]);
   t = tables_of(&results);
@@ -367,8 +368,8 @@ static void test_known(struct tap *tap) {
   results_free(&results);
 }
 
-/* Worlds as the survey has it, near to it, and wild ones, until each claim was
- * seen to be borne out and not. */
+/* Worlds like the survey's, near it, and wild ones, until each claim was both
+ * borne out and not borne out. */
 static void test_flips(struct tap *tap) {
   enum { MOST = 100 };
   bool seen[MOST][2] = {{false}};
@@ -510,7 +511,7 @@ static void test_reasons(struct tap *tap) {
   ok(tap, !greene_reason(&f, 21), "nor without a figure of his");
 }
 
-/* The results that stand beside the tables in reports/greene. */
+/* The results beside the tables in reports/greene. */
 static void test_report(struct tap *tap) {
   const char *source = getenv("HSR_SOURCE");
   char path[4096];

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The adapters: of a scene adapted in every way, algorithms that demand nothing
- * make the same picture as the oracle makes of the scene itself; and the pieces
- * of a face, be it flat or not, cover by parity what it covers. */
+/* The adapters: from a scene adapted in every way, algorithms that demand
+ * nothing make the same picture as the oracle makes from the scene itself. The
+ * pieces of a face, flat or not, cover by parity the same samples as the face.
+ */
 #include "common/exact/screen.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -54,8 +55,8 @@ static void close_scene(struct fixture *x) {
   free(x);
 }
 
-/* Samples that differ from `wanted`, by an algorithm that is told to demand
- * what the adapters give. */
+/* The number of samples that differ from `wanted`, drawn by an algorithm that
+ * is made to demand what the adapters give. */
 static long differences(struct fixture *x, const struct hsr_view *view,
                         const char *name, unsigned demanded) {
   struct hsr_algorithm algorithm = *hsr_algorithm_find(name)->plain;
@@ -107,7 +108,8 @@ static void check_faces(struct tap *tap, struct fixture *x, const char *name) {
   hsr_setup_free(&setup);
 }
 
-/* How often the tree has each cluster; false if it has no end. */
+/* Counts how often each cluster is in the tree; false if the tree has a loop.
+ */
 static bool walk_tree(const struct hsr_clusters *c, uint32_t *found) {
   static uint32_t open[1 << 16];
   uint32_t n_open = 1, n_separators = 0;
@@ -126,7 +128,7 @@ static bool walk_tree(const struct hsr_clusters *c, uint32_t *found) {
   return n_separators == c->n_separators;
 }
 
-/* Every cluster is in the tree once, and every oriented face in one cluster, or
+/* Every cluster is in the tree once; every oriented face is in one cluster, or
  * thick. */
 static void check_clusters(struct tap *tap, struct fixture *x, const char *name,
                            unsigned demanded) {
@@ -163,7 +165,7 @@ static void check_clusters(struct tap *tap, struct fixture *x, const char *name,
 
 /* --- Covering by parity --------------------------------------------------- */
 
-/* Turns, in odd[], the faces of the scene that faces of a world cover (i, j).
+/* For each face of a world that covers (i, j), flips its scene face in odd[].
  */
 static void turn(const struct hsr_screen *screen, int i, int j, bool *odd,
                  struct hsr_tally *tally) {
@@ -176,7 +178,7 @@ static void turn(const struct hsr_screen *screen, int i, int j, bool *odd,
   }
 }
 
-/* Samples of faces that their pieces do not cover as they do. */
+/* The number of samples that a face and its pieces do not cover alike. */
 static long uncovered(const struct hsr_world *world,
                       const struct hsr_world *adapted,
                       const struct hsr_view *view, long *covered) {

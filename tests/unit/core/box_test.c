@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Boxes against polyhedra and polygons: each stage of the test on an example of
- * its own, with what it costs. tests/properties/hierarchical/boxes_test.cc has the many. */
+/* Boxes against polyhedra and polygons: each stage of the test on its own
+ * example, with its cost. tests/properties/hierarchical/boxes_test.cc has
+ * random ones. */
 #include "common/trees/box.h"
 #include "tests/tap.h"
 
@@ -21,7 +22,7 @@ static enum hsr_box_verdict classify(const struct hsr_polyhedron *poly,
   return verdict;
 }
 
-/* Of four vertices; face f lacks vertex f. */
+/* A tetrahedron of four vertices; face f does not have vertex f. */
 static struct hsr_polyhedron tetrahedron(const double *xyz) {
   static const int start[] = {0, 3, 6, 9, 12};
   static const int faces[] = {1, 2, 3, 0, 2, 3, 0, 1, 3, 0, 1, 2};
@@ -108,8 +109,9 @@ static void test_edge_lines(struct tap *tap) {
      "by the planes alone it would be taken to meet");
 }
 
-/* A triangle, and three about a point of it: a solid that is flat. All normals
- * are (1, 1, 1), so that the half spaces alone would hold what is below. */
+/* A triangle, and three triangles around a point of it: a flat solid. All
+ * normals are (1, 1, 1), so the half spaces alone would also hold everything
+ * below. */
 static void test_flat(struct tap *tap) {
   static const double xyz[] = {4, 0, 0, 0, 4, 0, 0, 0, 4, 2, 1, 1};
   static const int start[] = {0, 3, 6, 9, 12};

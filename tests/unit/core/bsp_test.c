@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Octrees of BSP trees, sample by sample: a sample that a face covers is in one
- * of its pieces; and of the pieces that a sample is in, front to back, the
- * first is of the face that the oracle sees. Both are asked of the exact
- * predicates, and so is the eye's side of every plane. Then bsp_walk, which
- * must go that way, wherever the trees are moved to. */
+/* Octrees of BSP trees, sample by sample. A sample that a face covers is in one
+ * of its pieces. From front to back, the first piece that a sample is in is of
+ * the face that the oracle sees. The exact predicates decide both, and also the
+ * eye's side of every plane. Then bsp_walk must go in that order, wherever the
+ * trees are moved to. */
 #include "algorithms/list_priority/fixed/bsp_walk.h"
 #include "common/exact/predicates.h"
 #include "common/trees/bsp.h"
@@ -29,15 +29,15 @@ struct fixture {
   bool out_of_memory;
 
   struct hsr_view view;
-  double shift[3]; /* what the trees are moved by */
+  double shift[3]; /* by which the trees are moved */
   struct hsr_screen screen;
   struct hsr_arena arena;
   struct hsr_tally tally;
   uint32_t seen[M * N]; /* by the oracle */
   uint32_t *order;      /* pieces front to back */
   uint32_t n_ordered;
-  bool *is_loose;  /* a face: the trees have no place for it */
-  uint32_t *times; /* a face: pieces that a sample is in */
+  bool *is_loose;  /* of a face: it has no place in the trees */
+  uint32_t *times; /* of a face: its pieces that a sample is in */
 };
 
 static void fail(const struct hsr_error *err) {
@@ -47,7 +47,7 @@ static void fail(const struct hsr_error *err) {
 
 /* --- The form of the trees ------------------------------------------------ */
 
-/* Three points on a median plane, which go around as its front is turned. */
+/* Three points on a median plane; their order says which side is its front. */
 struct median_loop {
   double x[3], y[3], z[3];
 };
@@ -109,16 +109,16 @@ static bool good_piece(const struct fixture *x, const struct hsr_bsp_cube *leaf,
   return good && (is_flat ? !piece->n_cuts : !is_cut);
 }
 
-/* What is found in leaves. */
+/* What was found in the leaves. */
 struct census {
   bool good;
-  bool *found;                /* a piece */
-  uint32_t *last_in;          /* a face: the last leaf that it is in, + 1 */
-  uint32_t leaf;              /* + 1 */
-  uint32_t n_pieces, n_faces; /* of the leaf */
+  bool *found;                /* of each piece */
+  uint32_t *last_in;          /* of each face: its last leaf, + 1 */
+  uint32_t leaf;              /* the current one, + 1 */
+  uint32_t n_pieces, n_faces; /* of the current leaf */
 };
 
-/* A node's pieces lie in its plane, by ascending faces. */
+/* A node's pieces lie in its plane, ordered by faces. */
 static void check_node(const struct fixture *x, const struct hsr_bsp_node *node,
                        struct census *c) {
   const struct hsr_world *world = x->setup.world;
@@ -158,8 +158,8 @@ static bool is_vertex(const struct hsr_world *world, const bool *used,
   return false;
 }
 
-/* A leaf's points: in its box but for their error, or out of its cube; no two
- * are one; without error, they are vertices. */
+/* A leaf's points lie in its box within their error, or outside its cube. No
+ * two are equal. Those without error are vertices. */
 static bool good_points(const struct fixture *x,
                         const struct hsr_bsp_cube *leaf, const bool *used) {
   const struct hsr_bsp *bsp = &x->bsp;
@@ -195,7 +195,7 @@ static bool good_child(const struct hsr_bsp *bsp, uint32_t parent, int octant) {
   return good;
 }
 
-/* Counts leaves, and those of more faces than are asked for. */
+/* Counts the leaves, and those with more faces than `most`. */
 static void check_cube(const struct fixture *x, uint32_t number, uint32_t most,
                        uint32_t *n_leaves, uint32_t *n_large,
                        struct census *c) {
@@ -214,7 +214,7 @@ static void check_cube(const struct fixture *x, uint32_t number, uint32_t most,
   *n_large += most && c->n_faces > most;
 }
 
-/* Of these, all can be divided as far as is asked for. */
+/* Whether all leaves of a scene can be divided down to `most` faces. */
 static bool divides(const char *name, uint32_t most) {
   return strcmp(name, "color-cube:3") == 0 || strcmp(name, "t-junction") == 0 ||
          (strcmp(name, "house") == 0 && most == 30) ||
@@ -315,7 +315,7 @@ static void order_cube(struct fixture *x, uint32_t number) {
 
 /* --- The samples of a view ------------------------------------------------ */
 
-/* Which faces cover the sample: 1 in times[]; how many. */
+/* Sets times[] to 1 for the faces that cover the sample. Returns how many. */
 static long cover(struct fixture *x, int i, int j) {
   long n = 0;
   memset(x->times, 0, x->setup.world->n_faces * sizeof *x->times);
@@ -331,7 +331,7 @@ static long cover(struct fixture *x, int i, int j) {
   return n;
 }
 
-/* Of two faces that cover the sample, the one that is seen. */
+/* The visible one of two faces that cover the sample. */
 static uint32_t nearer(struct fixture *x, uint32_t f, uint32_t g, int i,
                        int j) {
   if (f == HSR_NO_FACE || g == HSR_NO_FACE)
@@ -339,9 +339,9 @@ static uint32_t nearer(struct fixture *x, uint32_t f, uint32_t g, int i,
   return f != g && hsr_nearer(&x->screen, g, f, i, j, &x->tally) ? g : f;
 }
 
-/* Counts in *twice the faces that a sample is not once in the pieces of, and in
- * *wrong the samples where the first piece is not of the visible face. Faces
- * that the trees have no place for are compared with that in depth. */
+/* Counts in *twice the faces in whose pieces a sample is not exactly once, and
+ * in *wrong the samples whose first piece is not of the visible face. Faces
+ * that have no place in the trees are compared with that face in depth. */
 static void check_sample(struct fixture *x, int i, int j, long *covered,
                          long *twice, long *wrong) {
   uint32_t first = HSR_NO_FACE, n = x->setup.world->n_faces;
@@ -367,8 +367,8 @@ static void check_sample(struct fixture *x, int i, int j, long *covered,
   *wrong += first != x->seen[j * M + i];
 }
 
-/* The faces that have no place in the trees; counts those that have in other
- * views. */
+/* Finds the faces that have no place in the trees; counts those that have one
+ * in other views. */
 static void find_loose(struct fixture *x, long *grazed) {
   for (uint32_t r = 0; r < x->screen.n_relevant; r++) {
     uint32_t f = x->screen.relevant[r];
@@ -421,7 +421,7 @@ static void check_samples(struct tap *tap, struct fixture *x, uint32_t most) {
 
 enum { EYES = 24 };
 
-/* The pieces that a walk tells of. */
+/* The pieces that a walk visits. */
 struct told {
   const struct hsr_bsp *bsp;
   uint32_t *piece, n;
@@ -434,7 +434,7 @@ static void tell(void *context, const struct hsr_bsp_piece *piece, int facing) {
   told->piece[told->n++] = (uint32_t)(piece - told->bsp->piece);
 }
 
-/* Leaves of the order those pieces that are seen; their facings. */
+/* Keeps in the order only the pieces that are visible, with their facings. */
 static void leave_seen(struct fixture *x, int *facing) {
   const struct hsr_world *world = x->setup.world;
   uint32_t n = 0;
@@ -451,9 +451,9 @@ static void leave_seen(struct fixture *x, int *facing) {
   x->n_ordered = n;
 }
 
-/* The eye in the moved trees: near a vertex, or in a median plane too, so that
- * it is in planes, or nearly. What they are moved by is added to vertices
- * without rounding, or not. */
+/* Chooses the eye in the moved trees: near a vertex, or also in a median plane,
+ * so that it is in planes, or nearly. The shift is added to vertices without
+ * rounding if `exact`. */
 static void choose_eye(struct fixture *x, bool exact, uint64_t *seed) {
   static const double shifts[2][3] = {{1024.0 / 3, -4096.0 / 3, 12288.0 / 7},
                                       {3072, -4096.5, 12288.25}};
@@ -473,7 +473,7 @@ static void choose_eye(struct fixture *x, bool exact, uint64_t *seed) {
   }
 }
 
-/* Whether the walk is that of the exact order. */
+/* Whether the walk follows the exact order. */
 static bool check_walk(struct fixture *x, bool backwards, struct told *told,
                        const int *facing) {
   struct hsr_bsp_waiting *waiting =

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the filtered picture is made of (docs/filtered-picture.md): weights,
+/* The parts of the filtered picture (docs/filtered-picture.md): weights,
  * jitter, views of sub-samples, colours and sums. */
 #include "common/answers/filter.h"
 #include "common/view/picture.h"
@@ -20,8 +20,8 @@ static void stop(const char *name, const char *text) {
 
 /* --- Weights -------------------------------------------------------------- */
 
-/* The kernel as one square of 24 x 24 sub-samples about the pixel that gets:
- * what lies in the pixel to its left adds to the one at its own right. */
+/* The kernel as one square of 24 x 24 sub-samples around the receiving pixel:
+ * sub-samples of the pixel to its left add to the pixel at their own right. */
 static uint32_t at(const struct hsr_kernel *kernel, int x, int y) {
   return kernel->weight[2 - y / 8][2 - x / 8][8 * (y % 8) + x % 8];
 }
@@ -93,7 +93,7 @@ static void test_jitter(struct tap *tap) {
     for (int q = 0; q < p; q++)
       good &= memcmp(&jitter[p], &jitter[q], sizeof jitter[p]) != 0;
   }
-  for (int k = 0; k < 32; k++) /* 64 each, if they were all alike */
+  for (int k = 0; k < 32; k++) /* about 64 each */
     good &= used[k / 16][k % 16] > 32 && used[k / 16][k % 16] < 96;
   ok(tap, good, "jitter: odd 32nds within the sub-sample, in 16 patterns");
   ok(tap, jitter[0].x[0] == -1 / 32.0 && jitter[0].y[0] == 13 / 32.0,
@@ -115,7 +115,7 @@ static void test_patterns(struct tap *tap) {
       same += p == hsr_jitter_pattern(&filtering, i + 1, j);
       same += p == hsr_jitter_pattern(&filtering, i, j + 1);
     }
-    for (int p = 0; p < n; p++) /* within a tenth of what chance gives */
+    for (int p = 0; p < n; p++) /* within a tenth of the expected number */
       good &= labs(used[p] * n - all) < all / 10;
     good &= n < 2 || labs(same * n - 2 * all) < all / 5;
   }
@@ -190,9 +190,9 @@ static void test_offsets(struct tap *tap, const struct stage *stage) {
 
 /* --- Colours -------------------------------------------------------------- */
 
-/* Of every face: the same from a world that is laid out, an outline, an extract
- * and, where it is given, of pieces; and near that of the unfiltered picture.
- */
+/* The colour of every face is the same from a world laid out, an outline, an
+ * extract and, if given, a world of pieces. It is near the colour of the
+ * unfiltered picture. */
 static void test_colours(struct tap *tap, const struct stage *stage,
                          const struct hsr_world *pieces) {
   const struct hsr_world *world = &stage->world;
@@ -244,7 +244,7 @@ static void test_pieces(struct tap *tap) {
 
 /* --- Sums ----------------------------------------------------------------- */
 
-/* A picture of one colour is of that colour up to its borders. */
+/* A picture of one colour has that colour up to its borders. */
 static void test_borders(struct tap *tap, enum hsr_filter filter,
                          const char *name) {
   static const int sizes[][2] = {{1, 1}, {1, 4}, {3, 1}, {5, 4}};
@@ -270,7 +270,7 @@ static void test_borders(struct tap *tap, enum hsr_filter filter,
      name);
 }
 
-/* The definition, at the pixel that gets. */
+/* The definition, from the receiving pixel. */
 static void define_sums(const struct stage *stage, enum hsr_filter filter,
                         const uint32_t *ids, uint32_t *sums) {
   struct hsr_kernel kernel;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Octrees of random triangles, against what section 3.3.1 of Greene's thesis
- * says of them. All coordinates are integers, so that nothing is rounded: what
- * a triangle meets is told by separating axes in integers, which has nothing in
- * common with common/trees/box.h. */
+/* Octrees of random triangles, against section 3.3.1 of Greene's thesis. All
+ * coordinates are integers, so nothing is rounded: separating axes in integers
+ * decide what a triangle meets. That has nothing in common with
+ * common/trees/box.h. */
 #include "algorithms/hierarchical/cube_frame.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -57,7 +57,7 @@ static bool meets(const void *context, uint32_t k, const struct hsr_box *cube) {
 static const struct hsr_primitives triangles = {N, NULL, bounds_of, area_of,
                                                 meets};
 
-/* Does the axis part the triangle from the box of that centre and half? */
+/* Does the axis separate the triangle from the box of that centre and half? */
 static bool parts(const int64_t axis[3], const int64_t t[3][3],
                   const int64_t half[3]) {
   int64_t reach = 0, lo = INT64_MAX, hi = INT64_MIN;
@@ -115,7 +115,7 @@ static void draw_triangles(uint64_t *seed, int64_t largest) {
             (double)(STEP *
                      (lo + (a == flat ? 0 : draw_integer(seed, 0, size))));
     }
-    /* No point is among them: it would have no smallest cube. */
+    /* No triangle is a point: that would have no smallest cube. */
     int wide = flat == 0;
     corner[k][1][wide] =
         corner[k][0][wide] + (corner[k][0][wide] < SIDE / 2 ? STEP : -STEP);
@@ -140,9 +140,9 @@ static const uint32_t *items_of(const struct hsr_octree *octree, uint32_t k) {
 
 /* --- The smallest enclosing cube ------------------------------------------ */
 
-/* How small the cube is that encloses a triangle: its side is SIDE / 2^depth.
- * In cubes of that side the one in which it ends, in every coordinate, is the
- * one in which it begins. */
+/* The depth of the smallest cube that encloses a triangle; the cube's side is
+ * SIDE / 2^depth. Among cubes of that side the triangle begins and ends in the
+ * same one, in every coordinate. */
 static int smallest_depth(uint32_t k) {
   struct hsr_box box = bounds_of(NULL, k);
   int depth = -1;
@@ -154,8 +154,8 @@ static int smallest_depth(uint32_t k) {
   return depth;
 }
 
-/* Does every triangle of the subtree at depth d, stored once, have the smallest
- * cube, or the smallest that is divided? */
+/* Is every triangle of the subtree at depth d, stored once, in its smallest
+ * cube, or in the smallest that is divided? */
 static bool is_enclosing(const struct hsr_octree *octree, uint32_t k, int depth,
                          uint32_t *stored) {
   const struct hsr_octree_node *node = &octree->node[k];
@@ -202,7 +202,7 @@ struct found {
                                    in a leaf; all */
 };
 
-/* The triangles in a subtree, each once, into in[]. */
+/* Marks in in[] the triangles in a subtree. */
 static uint32_t mark_subtree(const struct hsr_octree *octree, uint32_t k,
                              bool *in) {
   const struct hsr_octree_node *node = &octree->node[k];
@@ -263,7 +263,7 @@ static bool is_in_its_cubes(const struct hsr_octree *octree, uint32_t k,
   return false;
 }
 
-/* Points of each triangle, its corners among them. */
+/* Points of each triangle, including its corners, are in its cubes. */
 static bool is_covered(const struct hsr_octree *octree, uint64_t *seed) {
   for (uint32_t t = 0; t < N; t++)
     for (int point = 0; point < 12; point++) {
@@ -334,7 +334,8 @@ static void try_points(struct tap *tap, double x, const char *where) {
   ok(tap, good, "a hundred times the same point, %s: it ends", where);
 }
 
-/* Small triangles that share a corner: every cube with it holds them all. */
+/* Small triangles that share a corner: every cube with the corner holds them
+ * all. */
 static void test_fan(struct tap *tap, uint64_t *seed) {
   static const struct hsr_octree_rule rule = {0.1, 20, 20};
   struct hsr_arena arena = HSR_ARENA_EMPTY;
@@ -353,7 +354,7 @@ static void test_fan(struct tap *tap, uint64_t *seed) {
 
 /* --- From front to back --------------------------------------------------- */
 
-/* The middle of what a ray has in an octant of the cube; NaN: nothing. */
+/* The middle of a ray's part in an octant of the cube; NaN if there is none. */
 static double middle_of(const double eye[3], const double ray[3],
                         const struct hsr_octree_node *cube, int octant) {
   double from = 0, to = INFINITY;

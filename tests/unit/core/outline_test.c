@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Outlines: the oracle makes the same picture of a scene's outline as of its
- * faces laid out, whatever its instances make of its objects; and of a hundred
+/* Outlines: the oracle makes the same picture from a scene's outline as from
+ * its faces laid out, however the instances place the objects. Of a hundred
  * million faces it asks for a few, in little memory. */
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -16,9 +16,9 @@ enum {
   M = 32,
   N = 24,
   RANDOM_SCENES = 100,
-  MOST_FACES = 30000,  /* of built-in scenes, for the time it takes */
-  MODULES = 20,        /* a side of the large scene, */
-  MODULE_FACES = 15000 /* each of about so many faces */
+  MOST_FACES = 30000,  /* of built-in scenes, to save time */
+  MODULES = 20,        /* along a side of the large scene */
+  MODULE_FACES = 15000 /* of each module, roughly */
 };
 
 static void fail(const char *what, const struct hsr_error *err) {
@@ -76,7 +76,7 @@ static struct hsr_scene *make_modules(void) {
   return scene;
 }
 
-/* The sample alone. */
+/* Asks for one sample. */
 static uint32_t ask(const struct hsr_setup *oracle, struct hsr_view *view,
                     uint32_t *ids, int i, int j) {
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
@@ -152,8 +152,8 @@ struct found {
   long samples, faces, different;
 };
 
-/* Adds what the scene's views show. False if its faces cannot be laid out, an
- * instance taking one's area to zero. */
+/* Adds the findings on the scene's views. False if its faces cannot be laid
+ * out, since an instance takes the area of one to zero. */
 static bool compare(const struct hsr_scene *scene, struct found *found) {
   const struct hsr_listed *oracle = hsr_algorithm_find("oracle");
   struct hsr_error err = {.text = "out of memory"};
@@ -205,7 +205,7 @@ static void test_builtins(struct tap *tap) {
 
 /* --- Random instances ----------------------------------------------------- */
 
-/* In [-1, 1]; every other time one that often comes again. */
+/* A random number in [-1, 1]; every other time one of a few. */
 static double draw_number(uint64_t *seed) {
   if (draw_integer(seed, 0, 1))
     return (double)draw_integer(seed, -2, 2) / 2;
@@ -252,7 +252,7 @@ static void draw_matrix(double m[12], enum matrix kind, uint64_t *seed) {
     else if (kind == FLAT || kind == ANY)
       m[k] = kind == FLAT && row == turn ? 0.1 * m[(k + 4) % 12]
                                          : draw_number(seed);
-    else if (kind == FOLDED) /* two coordinates of one */
+    else if (kind == FOLDED) /* two coordinates from one */
       m[k] = column == row / 2 ? size[row] : 0;
     else if (kind == THIN)
       m[k] *= row == turn ? 1e-13 : 1;
@@ -273,9 +273,10 @@ static void add_echo(struct hsr_scene *scene, const struct hsr_object *object,
                     object->start[f + 1] - object->start[f], NULL);
 }
 
-/* An object in some instances, all of them different; and once more as some
- * place it, before or after: on the same planes if, and only if, every vertex
- * is rounded as it should. NULL if that leaves a face without area. */
+/* An object in several different instances. Some of these are also added as
+ * objects of their own, before or after. They lie on the same planes if, and
+ * only if, every vertex is rounded as it should be. NULL if a face then has no
+ * area. */
 static struct hsr_scene *draw_scene(enum matrix kind, uint64_t *seed) {
   struct hsr_scene *scene = hsr_scene_new("random");
   struct hsr_scene *shelf = hsr_scene_new("shelf");

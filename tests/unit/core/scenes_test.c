@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The built-in scenes: that they are what they were, and what they claim to
+/* The built-in scenes: they have not changed, and they are what they claim to
  * be; and the words by which a user names a scene.
  *
- * Where a hash differs the test prints the one it found. A change on purpose is
- * entered in the table below; any other is a defect, since every reference
- * picture goes with it. */
+ * If a hash differs, the test prints the one that it found. A change on purpose
+ * is entered in the table below. Any other change is a defect, since every
+ * reference picture changes with it. */
 #ifndef _POSIX_C_SOURCE
 #define _POSIX_C_SOURCE 200809L
 #endif
@@ -78,7 +78,7 @@ static void mix(uint64_t *hash, uint64_t word) {
 
 static void mix_doubles(uint64_t *hash, const double *v, size_t n) {
   for (size_t i = 0; i < n; i++) {
-    double value = v[i] + 0.0; /* both zeros alike */
+    double value = v[i] + 0.0; /* -0 and 0 count as equal */
     uint64_t word;
     memcpy(&word, &value, sizeof word);
     mix(hash, word);
@@ -145,7 +145,7 @@ static void check_known(struct tap *tap, int i) {
   hsr_scene_delete(scene);
 }
 
-/* The table itself. */
+/* Whether the scene is in the table. */
 static bool is_known(const char *name) {
   for (int i = 0; i < COUNT(known); i++)
     if (!strcmp(known[i].name, name))
@@ -178,7 +178,7 @@ static bool refused(const char *name, const char *because) {
   return good;
 }
 
-/* One beyond each bound is refused, and the least is not. */
+/* A value one beyond each bound is refused, and the least value is not. */
 static bool bounds_hold(const struct hsr_builtin *b) {
   char name[128];
   snprintf(name, sizeof name, "%s:%lld", b->name, b->least[0] - 1);
@@ -206,7 +206,7 @@ static void check_table(struct tap *tap) {
   ok(tap, bounded, "parameters out of range are refused, the least are not");
 }
 
-/* Names that are none, and a part of what is said of them. */
+/* Bad names, each with a part of its error message. */
 static const char *const bad_names[][2] = {
     {"", "no scene"},
     {"habor", "did you mean harbor"},
@@ -338,7 +338,7 @@ static double volume(const struct hsr_object *object) {
   return sum;
 }
 
-/* Whether all faces of an instance are exactly plane where it stands. */
+/* Whether all faces of an instance are exactly planar where it is placed. */
 static bool stands_plane(const struct hsr_scene *scene,
                          const struct hsr_instance *instance) {
   struct hsr_object placed = scene->objects[instance->object];
@@ -354,7 +354,7 @@ static bool stands_plane(const struct hsr_scene *scene,
   return good;
 }
 
-/* Solids: one-sided, closed, outward, and of exactly plane faces. */
+/* Solids: one-sided, closed, facing outward, and of exactly planar faces. */
 static bool is_of_solids(const struct hsr_scene *scene) {
   bool good = true;
   for (uint32_t o = 0; o < scene->n_objects; o++) {
@@ -366,7 +366,7 @@ static bool is_of_solids(const struct hsr_scene *scene) {
   return good;
 }
 
-/* The corner where a bar of the ring crosses the next, on the next. */
+/* Where a bar of the ring crosses the next one, its corner lies on that one. */
 static bool is_cyclic(const struct hsr_scene *scene) {
   static const double crossing[3][3] = {{6, -4, -3}, {0, 8, -3}, {-6, -4, -3}};
   const struct hsr_object *ring = find(scene, "ring of three");
@@ -400,7 +400,7 @@ static bool is_coplanar(const struct hsr_scene *scene) {
          is_closed(find(scene, "box"));
 }
 
-/* Each of the first row's cubes has three planes of the first. */
+/* Each cube of the first row shares three planes with the first cube. */
 static bool is_nested(const struct hsr_scene *scene) {
   for (uint32_t o = 1; o < 4; o++) {
     int shared = 0;
@@ -451,8 +451,8 @@ static bool all_on(const struct hsr_object *object, double z, int parity,
   return true;
 }
 
-/* Offsets that are odd multiples of depth / side meet an even number of
- * samples a side, even ones an odd number. */
+/* Offsets that are odd multiples of depth / side meet samples if their number a
+ * side is even; even multiples do so if it is odd. */
 static bool meets_samples(const struct hsr_scene *scene) {
   return all_on(find(scene, "for 64 x 64"), -64, 1, 2) &&
          all_on(find(scene, "for 512 x 512"), -512, 1, 2) &&
@@ -478,7 +478,7 @@ static bool is_sliver(const struct hsr_scene *scene) {
   return finest == 1;
 }
 
-/* The first row's gaps hold an odd x, which is a sample, between them. */
+/* The gaps of the first row have an odd x, which is a sample, between them. */
 static bool has_gaps(const struct hsr_scene *scene) {
   const struct hsr_object *fence = find(scene, "fence");
   double least = 1;
@@ -537,7 +537,8 @@ static bool is_huge_and_tiny(const struct hsr_scene *scene) {
   return least <= 1e-6 && most >= 1e6;
 }
 
-/* Faces with corners before and behind the first view's eye: all but one. */
+/* All faces but one have corners in front of and behind the first view's eye.
+ */
 static bool is_behind(const struct hsr_scene *scene) {
   const struct hsr_object *triangles = find(scene, "triangles");
   int across = 0;
@@ -552,7 +553,7 @@ static bool is_behind(const struct hsr_scene *scene) {
   return across == (int)triangles->n_faces - 1;
 }
 
-/* Plates on the near plane of the first view, and next to it. */
+/* There are plates on the near plane of the first view, and next to it. */
 static bool is_at_near(const struct hsr_scene *scene) {
   const struct hsr_object *plates = find(scene, "plates");
   return scene->views[0].near == 4 && corner(plates, 0, 0)[2] == -4 &&
@@ -572,7 +573,7 @@ static bool eye_is_in_planes(const struct hsr_scene *scene) {
   return true;
 }
 
-/* Small integers, plane faces, and eyes in the first face's plane. */
+/* Small integers, planar faces, and eyes in the first face's plane. */
 static bool is_on_lattice(const struct hsr_scene *scene) {
   for (uint32_t o = 0; o < scene->n_objects; o++) {
     const struct hsr_object *object = &scene->objects[o];
@@ -588,7 +589,7 @@ static bool is_on_lattice(const struct hsr_scene *scene) {
          !side_of(first, 0, scene->views[scene->n_views - 2].eye);
 }
 
-/* Within a tolerance of what Table II has; twice that for the clusters. */
+/* Within a tolerance of Table II's figures; within twice that for clusters. */
 static bool has_faces(const struct hsr_scene *scene, double wanted,
                       double clusters, double tolerance) {
   double n = 0;
@@ -628,9 +629,9 @@ static void extent(const struct hsr_object *module, uint32_t i,
   }
 }
 
-/* All solids are boxes or bars along the stairs, which rise by 2 in 3: they
- * are apart, or touch, where one of four directions says so. On the lattice of
- * 64ths all is exact. */
+/* All solids are boxes, or bars along the stairs, which rise by 2 in 3. Two of
+ * them are apart, or touch, if they are so along one of four directions. On the
+ * lattice of 64ths all is exact. */
 static bool are_apart(const struct hsr_object *module, uint32_t i, uint32_t k) {
   static const double normal[4][3] = {
       {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-2, 3, 0}};
@@ -644,9 +645,9 @@ static bool are_apart(const struct hsr_object *module, uint32_t i, uint32_t k) {
   return false;
 }
 
-/* Whether solids of 8 vertices are apart and on the lattice. Solids outward
- * that do not overlap have no two coplanar faces to be seen from one side where
- * they overlap. */
+/* Whether solids of 8 vertices are apart and on the lattice. If solids face
+ * outward and do not overlap, no two coplanar faces that overlap are visible
+ * from the same side. */
 static bool touch_at_most(const struct hsr_object *object) {
   uint32_t n = object->n_vertices / 8;
   bool good = object->n_vertices == 8 * n && object->one_sided &&
@@ -670,7 +671,7 @@ static bool is_office(const struct hsr_scene *scene) {
   return good && touch_at_most(module);
 }
 
-/* The number of the solid within which the eye is, or n. */
+/* The number of the solid that the eye is in, or n. */
 static uint32_t solid_about(const struct hsr_object *module,
                             const double eye[3]) {
   uint32_t n = module->n_vertices / 8;
@@ -689,8 +690,8 @@ static double distance(const double a[3], const double b[3]) {
               (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/* In small steps, within the module, through nothing solid: between views, at
- * four points each. */
+/* The walk goes in small steps, stays in the module, and passes through nothing
+ * solid, at four points between each two views. */
 static bool is_walked(const struct hsr_scene *scene) {
   const struct hsr_object *module = &scene->objects[0];
   uint32_t n = module->n_vertices / 8;
@@ -714,7 +715,7 @@ static bool is_walked(const struct hsr_scene *scene) {
   return good;
 }
 
-/* The modules differ by multiples of 16 m, and are 538 million faces. */
+/* The modules are placed at multiples of 16 m, and have 538 million faces. */
 static bool is_half_a_billion(const struct hsr_scene *scene) {
   static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   bool good =
@@ -764,7 +765,7 @@ static bool boxes_are_apart(struct box *box, uint32_t n) {
   return true;
 }
 
-/* Moved by multiples of 1/64, and no more than moved. */
+/* Whether an instance is only moved, by multiples of 1/64. */
 static bool is_moved(const struct hsr_instance *instance) {
   static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   bool good = true;
@@ -804,7 +805,7 @@ static bool is_stacked(const struct hsr_scene *scene) {
   return good;
 }
 
-/* 21,836 modules in 102 layers, and what stands about them. */
+/* 21,836 modules in 102 layers, and what is around them. */
 static bool is_tower(const struct hsr_scene *scene) {
   uint32_t n_modules = 0;
   for (uint32_t i = 0; i < scene->n_instances; i++)
@@ -813,7 +814,7 @@ static bool is_tower(const struct hsr_scene *scene) {
          scene->objects[0].n_faces == 7488 && is_stacked(scene);
 }
 
-/* Three models: closed wood, and leaves that are seen from both sides. */
+/* Three models: closed wood, and leaves that are two-sided. */
 static bool has_plants(const struct hsr_scene *scene) {
   uint32_t n_wood = 0, n_leaves = 0;
   bool good = scene->n_objects == 7 && scene->n_views == 10;
@@ -882,7 +883,7 @@ static void check_claims(struct tap *tap) {
   }
 }
 
-/* Meshes: a folder of the user's own, and the archive. */
+/* Meshes: the user's own folder, and the archive. */
 static void write_file(const char *folder, const char *name) {
   char path[512];
   snprintf(path, sizeof path, "%s/%s", folder, name);

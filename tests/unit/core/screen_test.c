@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The services of common/exact/screen.h against the exact predicates, on scenes
- * where the filters often cannot tell; those that need no screen, against those
- * that do; and the arena, which they are given. */
+ * where the filters often cannot decide; services that need no screen against
+ * those that do; and the arena that they use. */
 #include "common/view/clip.h"
 #include "common/exact/predicates.h"
 #include "common/exact/screen.h"
@@ -82,7 +82,7 @@ static void vertex(const struct fixture *x, uint32_t v, double p[3]) {
   p[2] = x->world.mesh.z[v];
 }
 
-/* Wrong answers of each service. */
+/* The number of wrong answers of each service. */
 struct wrong {
   long row, first_row, edge, column, spans, nearer, vertex, in_front, culled,
       anywhere, loops, asked;
@@ -132,15 +132,15 @@ static void try_edge(struct fixture *x, bool whole, uint32_t a, uint32_t b,
   }
 }
 
-/* Spans against the surround test, sample by sample; and whatever the culls
- * leave out must cover nothing. */
+/* Spans against the surround test, sample by sample. Faces that the culls leave
+ * out must cover no sample. */
 static void try_face(struct fixture *x, uint32_t f, bool relevant,
                      struct wrong *wrong) {
   int columns[16];
   if (!relevant) {
     if (!hsr_face_exists(&x->screen, f, &x->tally))
       return;
-    x->screen.whole[f] = false; /* whole is not known: ask for everything */
+    x->screen.whole[f] = false; /* not known to be whole: ask everything */
   }
   const struct hsr_bounds *box = &x->screen.bounds[f];
   for (int j = 0; j < N; j++) {
@@ -167,7 +167,7 @@ static struct hsr_loop loop_of(const struct hsr_world *w, uint32_t f) {
                            hsr_face_size(w, f)};
 }
 
-/* The surround test by corners alone. */
+/* The surround test from corners alone. */
 static void try_loop(struct fixture *x, uint32_t f, struct wrong *wrong) {
   struct hsr_loop loop = loop_of(&x->world, f);
   for (int j = 0; j < N; j += 2)
@@ -213,7 +213,7 @@ static void try_pair(struct fixture *x, uint32_t f, uint32_t g,
           (exact == 0) != (x->world.mesh.plane[f] == x->world.mesh.plane[g]);
     }
   uint64_t seed = 64 * f + g;
-  for (int k = 0; k < 20; k++) { /* anywhere in the picture, its borders too */
+  for (int k = 0; k < 20; k++) { /* anywhere in the picture, also on borders */
     double sx = (double)draw_integer(&seed, 0, 8 * M) / 8;
     double sy = (double)draw_integer(&seed, 0, 8 * N) / 8;
     int exact = hsr_exact_nearer(&x->view, loop_of(&x->world, f),
@@ -227,8 +227,8 @@ static void try_pair(struct fixture *x, uint32_t f, uint32_t g,
   }
 }
 
-/* At the vertices of f: against the exact predicate, and, where f is a
- * triangle, which holds its vertices, against the sides of g's plane. */
+/* At the vertices of f: against the exact predicate; and, if f is a triangle
+ * and so has its vertices in its plane, against the sides of g's plane. */
 static void try_pair_at_vertices(struct fixture *x, uint32_t f, uint32_t g,
                                  struct wrong *wrong) {
   const struct hsr_world *w = &x->world;

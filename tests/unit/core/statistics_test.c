@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Table I against figures derived by hand, and against counts made without grid
- * or boxes.
+/* Table I against figures derived by hand, and against counts without a grid or
+ * boxes.
  *
  * By hand the eye is the origin and looks along -z with a field of 90 degrees,
  * so that in a picture of 32 x 32 the point at depth d seen at the pixel (x, y)
@@ -24,7 +24,7 @@ static void ok(bool good, const char *what) {
   n_failed += !good;
 }
 
-/* Equal but for what projecting rounds. */
+/* Equal except for the rounding of projections. */
 static void is(double got, double expected, const char *what) {
   bool good = fabs(got - expected) <= 1e-9 * (1 + fabs(expected));
   ok(good, what);
@@ -32,7 +32,7 @@ static void is(double got, double expected, const char *what) {
     printf("# got %.17g, expected %.17g\n", got, expected);
 }
 
-/* Equal but for a part of it. */
+/* Equal within a part of the expected value. */
 static void is_about(double got, double expected, double part,
                      const char *what) {
   bool good = fabs(got - expected) <= part * expected;
@@ -82,7 +82,7 @@ static void polygon(struct hsr_scene *scene, const struct point *p, size_t n) {
   face(scene, v, n);
 }
 
-/* Its front to the eye: counter-clockwise as seen. */
+/* Its front faces the eye: it is counter-clockwise in the picture. */
 static void rectangle(struct hsr_scene *scene, double x0, double y0, double x1,
                       double y1, double depth) {
   const struct point p[4] = {at(x0, y1, depth), at(x1, y1, depth),
@@ -140,7 +140,7 @@ static struct hsr_table1 measure(struct hsr_scene *scene,
   must(!hsr_scene_finish(scene, NULL) && !hsr_world_init(&world, scene, NULL) &&
        !hsr_view_init(&view, camera, size, size, NULL));
   uint32_t *ids = picture(&world, &view);
-  view.window = (struct hsr_window){3, 4, 5, 6}; /* not to be looked at */
+  view.window = (struct hsr_window){3, 4, 5, 6}; /* must have no effect */
   must(!hsr_statistics_measure(&world, &view, ids, &table, NULL));
   free(ids);
   hsr_world_free(&world);
@@ -188,19 +188,19 @@ static void test_box_front(void) {
   is(t.X_f, 0, "box: X_f");
 }
 
-/* Two-sided, all faces exist; the four sides appear as trapezoids between the
+/* Two-sided, all faces exist. The four sides appear as trapezoids between the
  * front's square and the back's.
  * E_c  The front is seen from its front, all others from their backs: the folds
  *      are the four edges of the front.
  * D_c  The front covers 16^2 samples, the back 8^2, the sides the ring between
  *      the two, 16^2 - 8^2.
  * H_f  front 16, back 8, left and right 16, top and bottom 4.
- * S_f  front 16, back 8, top and bottom 4 each. Left and right reach over 16
- *      rows, on the corners' diagonals through samples, which count as a little
- *      to the right and, much less, below. So right of the box the diagonals'
- *      samples are inside, 16 rows; left of it they are outside, and the first
- *      and the last row have no other: 14 rows.
- * L_v  Only the front is to be seen. */
+ * S_f  front 16, back 8, top and bottom 4 each. Left and right extend over 16
+ *      rows. Their diagonals from the corners go through samples, which count
+ *      as a little to the right and, much less, below. So the right side has
+ *      the samples on its diagonals inside: 16 rows. The left side has them
+ *      outside, and its first and last row have no other samples: 14 rows.
+ * L_v  Only the front is visible. */
 static void test_box_all(void) {
   struct hsr_table1 t = look(box_ahead(false));
   is(t.F_r, 6, "two-sided box: F_r");
@@ -217,12 +217,12 @@ static void test_box_all(void) {
 
 /* ---- A cube seen from a corner ---- */
 
-/* Three faces to the front about the near corner, their 9 edges, and the
- * hexagon of 6 that is the outline. With the back faces there are the three
- * edges of the far corner too. The far corner appears within one of the front
- * faces; of its edges one leads to that face's corner on the hexagon without
- * crossing anything, and each other one crosses one edge of the near corner,
- * which is nearer and visible. The hexagon stays the only fold. */
+/* Three front faces around the near corner with 9 edges, 6 of which are the
+ * hexagon of the outline. With the back faces there are also the three edges of
+ * the far corner. The far corner appears within one of the front faces. One of
+ * its edges leads to that face's corner on the hexagon and crosses nothing.
+ * Each of the two others crosses one edge of the near corner, which is nearer
+ * and visible. The hexagon remains the only fold. */
 static void test_corner(void) {
   const struct hsr_camera camera = {
       .eye = {5, 4, 3}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 40};
@@ -243,9 +243,9 @@ static void test_corner(void) {
 
 /* ---- Rectangles before one another ---- */
 
-/* A lies before B like the bar of a cross before its post: the two long sides
- * of each cross those of the other. A shows all of its outline, B loses twice
- * the height of A. B is narrower, so that the rows of A show A alone. */
+/* A lies in front of B like the bar of a cross in front of its post: the two
+ * long sides of each cross those of the other. A shows all of its outline; B
+ * loses twice the height of A. B is narrower, so the rows of A show only A. */
 static void cross(struct hsr_scene *scene) {
   rectangle(scene, 4, 8, 20, 16, 2);
   rectangle(scene, 8, 4, 14, 24, 4);
@@ -267,11 +267,11 @@ static void test_cross(void) {
   is(t.X_f, 0, "cross: X_f");
 }
 
-/* C, nearest, over the corner of A and B at (8, 8), from (6, 6) to (10, 10).
- * Its two upright sides cross the top of A, its two level ones the left side of
- * B; the crossing at (8, 8) is hidden. Hidden by C are 4 of A's outline, and of
- * B's 2, from 6 to 8, where A had not hidden it. Rows 6 and 7 show C and B, one
- * more than before; rows 8 and 9 A, C and A, two more. */
+/* C is nearest and lies over the corner of A and B at (8, 8), from (6, 6) to
+ * (10, 10). Its two upright sides cross the top of A, its two level sides the
+ * left side of B; the crossing at (8, 8) is hidden. C hides 4 of A's outline,
+ * and 2 of B's, from 6 to 8, where A did not hide it. Rows 6 and 7 show C and
+ * B, one more than before; rows 8 and 9 show A, C and A, two more. */
 static void test_hidden_crossing(void) {
   struct hsr_scene *scene = new_scene();
   cross(scene);
@@ -283,9 +283,9 @@ static void test_hidden_crossing(void) {
   is(t.S_v, (20 + 2 * 1 + 2 * 2) / 32.0, "hidden crossing: S_v");
 }
 
-/* Edges that only touch do not cross: a small rectangle that stands with its
- * foot on the upper side of a large one, and one whose corner does. Nor do two
- * with one outline, and of these both are visible if their plane is one. */
+/* Edges that only touch do not cross: a small rectangle that stands with a side
+ * on the upper side of a large one, or with a corner. Nor do two rectangles
+ * with one outline; both of these are visible if they are in one plane. */
 static void test_touching(void) {
   struct hsr_scene *scene = new_scene();
   rectangle(scene, 4, 16, 28, 24, 4);
@@ -310,8 +310,8 @@ static void test_touching(void) {
 
 /* ---- Faces too small to be seen ---- */
 
-/* A ball of 24 x 48 faces, many of which cover no sample. Of a convex solid all
- * relevant edges are visible, at any resolution: L_v grows with it. */
+/* A ball of 24 x 48 faces, many of which cover no sample. All relevant edges of
+ * a convex solid are visible at any resolution, so L_v grows with it. */
 static struct hsr_scene *ball(void) {
   enum { BELTS = 24, SECTORS = 48 };
   const double pi = 3.14159265358979;
@@ -354,9 +354,9 @@ static void test_ball(void) {
 
 /* ---- Clipping ---- */
 
-/* A floor one unit below the eye, far to both sides and to behind the eye. It
- * ends at depth 4, row 16 + 16/4, its only edge in the picture. With near = 2
- * it begins at row 16 + 16/2. */
+/* A floor one unit below the eye. It extends far to both sides and behind the
+ * eye, and ends at depth 4, row 16 + 16/4; that is its only edge in the
+ * picture. With near = 2 it begins at row 16 + 16/2. */
 static void test_floor(void) {
   const struct point p[4] = {
       {-90, -1, 9}, {90, -1, 9}, {90, -1, -4}, {-90, -1, -4}};
@@ -377,9 +377,9 @@ static void test_floor(void) {
   }
 }
 
-/* Half out of the picture; wholly out; behind the eye; too small for a sample.
- * The first and the last are relevant, with 3 and 4 edges. Of the first a
- * length of 16 + 16 + 10 is in the picture. */
+/* Four faces: half out of the picture; wholly out; behind the eye; too small
+ * for a sample. The first and the last are relevant, with 3 and 4 edges. A
+ * length of 16 + 16 + 10 of the first is in the picture. */
 static void test_out(void) {
   struct hsr_scene *scene = new_scene();
   rectangle(scene, 16, 4, 48, 14, 3);
@@ -413,11 +413,11 @@ static void test_clusters(void) {
 
 /* ---- Contour edges ---- */
 
-/* Two rectangles share the upright edge at pixel 16. The second goes on to
- * pixel 24, or folds back to pixel 10, farther off; it may be wound either way.
- * The six other edges are borders; the shared one is a contour in the fold. A
- * third face there makes it one, since a ray that passes meets more faces on
- * one side. */
+/* Two rectangles share the upright edge at pixel 16. The second one continues
+ * to pixel 24, or folds back to pixel 10, farther away; it may be wound either
+ * way. The six other edges are borders. The shared edge is a contour edge if
+ * the second rectangle folds back, or if there is a third face: then a ray
+ * meets more faces on one side of it than on the other. */
 static void test_contour(void) {
   for (int k = 0; k < 8; k++) {
     bool fold = k & 1, reversed = k & 2, third = k & 4;
@@ -487,8 +487,8 @@ static void test_triangles(void) {
   is(penetrations(scene), 0, "faces that share a vertex are not asked about");
 }
 
-/* The tip of a triangle on the plane x = y, in a face of it, and then through
- * it by the least that doubles can tell. */
+/* The tip of a triangle is on the plane x = y, in a face of that plane; and
+ * then through it by the least that doubles can represent. */
 static void test_tip(void) {
   const struct point f[3] = {{-2, -2, -2}, {2, 2, -2}, {0, 0, 2}};
   struct point g[3] = {{0.3, 0.3, 0}, {2, -1, 0.1}, {2, -1.5, -0.1}};
@@ -497,9 +497,9 @@ static void test_tip(void) {
   is(penetrate(f, 3, g, 3, stay), 1, "a tip a little through a face");
 }
 
-/* Equal rectangles across each other, whose edges meet but pierce nothing; then
- * one moved along the line that they have in common, half as far as would part
- * them and just as far; then standing on the other. */
+/* Equal rectangles across each other: their edges meet but pierce nothing. Then
+ * one is moved along their common line, half as far as would separate them, and
+ * just as far; then it stands on the other. */
 static void test_paddle_wheel(void) {
   const struct point f[4] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
   const struct point g[4] = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
@@ -510,9 +510,9 @@ static void test_paddle_wheel(void) {
   is(penetrate(f, 4, g, 4, (struct point){0, 1, 0}), 0, "edge through an edge");
 }
 
-/* In the plane z = 0 a U: arms -3 <= x <= -1 and 1 <= x <= 3. The triangle is
- * in that plane for -1/4 <= x <= 1/4, at y = 5/4; the wide one for |x| <= 5/2.
- */
+/* A U in the plane z = 0 has the arms -3 <= x <= -1 and 1 <= x <= 3. The
+ * triangle meets that plane for -1/4 <= x <= 1/4, at y = 5/4; the wide one for
+ * |x| <= 5/2. */
 static void test_notch(void) {
   const struct point u[8] = {{-3, -3, 0}, {3, -3, 0},  {3, 3, 0},  {1, 3, 0},
                              {1, -1, 0},  {-1, -1, 0}, {-1, 3, 0}, {-3, 3, 0}};
@@ -660,8 +660,8 @@ static int count_penetrations(const struct soup *soup) {
   return n;
 }
 
-/* What is counted agrees to the one; what is estimated from the picture, by a
- * few parts in a hundred. */
+/* Counts agree exactly. Estimates from the picture agree within a few per cent.
+ */
 static void test_soup(void) {
   for (uint64_t seed = 1; seed <= 3; seed++) {
     struct soup soup;
@@ -721,8 +721,8 @@ static void test_pictures(void) {
 
 /* ---- Table II ---- */
 
-/* The paper's three columns, which are rounded down or to the nearest, to one
- * figure or two. */
+/* The paper's three columns. They are rounded down or to the nearest, to one
+ * digit or two. */
 static void test_rules(void) {
   static const struct hsr_table1 table2[3] = {{.F_r = 100,
                                                .F_c = 10,

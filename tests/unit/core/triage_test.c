@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is claimed of triage coverage masks (common/grids/triage.h): cells that they
- * have covered are wholly inside of the line, vacant ones wholly outside,
- * whatever the line; all by integers, against the sign of its equation at every
+/* The claims about triage coverage masks (common/grids/triage.h): for every
+ * line, covered cells are wholly inside the line, and vacant cells wholly
+ * outside. All by integers, against the sign of the line's equation at every
  * corner of a cell. */
 #include "common/grids/triage.h"
 #include "tests/draw.h"
@@ -66,7 +66,7 @@ static struct hsr_triage turned(struct hsr_triage mask, bool inside) {
   return inside ? mask : (struct hsr_triage){mask.v, mask.c};
 }
 
-/* Cells that a mask is wrong about, or says two things of. */
+/* The number of cells that a mask has wrong, or marks twice. */
 static long count_wrong(const struct line *line, struct hsr_triage mask) {
   long wrong = (mask.c & mask.v) != 0;
   int64_t f[9][9];
@@ -84,8 +84,8 @@ static long count_wrong(const struct line *line, struct hsr_triage mask) {
 
 /* --- Lines ---------------------------------------------------------------- */
 
-/* A line crosses the square if corners of it are on both sides; then it has an
- * entry, and a line on none has not. */
+/* A line crosses the square if corners of it are on both sides. Only then does
+ * the line have an entry. */
 static bool crosses(const struct line *line) {
   int n = (at(line, 0, 0) > 0) + (at(line, UNIT, 0) > 0) +
           (at(line, UNIT, UNIT) > 0) + (at(line, 0, UNIT) > 0);
@@ -116,7 +116,7 @@ static void test_lines(struct tap *tap, const struct hsr_triage_tables *tables,
     if (entry_of_other >= 0)
       wrong +=
           count_wrong(&other, turned(tables->mask[entry_of_other], of_other));
-    if (!meets_corner(&line)) /* what a neighbour looks up is the same */
+    if (!meets_corner(&line)) /* a neighbour looks up the same */
       unlike += entry_of_other != entry || of_other == inside;
   }
   ok(tap, !wrong && both > LINES / 2,
@@ -145,8 +145,8 @@ static struct point on_side(int side, int64_t t) {
   }
 }
 
-/* From a point of one side to one of the other, turned so that corner 0 is
- * inside if the points are not beyond the corners. */
+/* The line through a point on each of two sides. It is turned so that corner 0
+ * is inside if the points are not beyond the corners. */
 static struct line line_of_pair(int pair, int64_t t, int64_t u) {
   const int *side = SIDES[pair];
   struct line middle =
@@ -155,7 +155,7 @@ static struct line line_of_pair(int pair, int64_t t, int64_t u) {
   return at(&middle, 0, 0) > 0 ? line : reversed(line);
 }
 
-/* In an interval or within the slack of it, often at an end. */
+/* A place in an interval, or within the slack of it; often at an end. */
 static int64_t random_place(int i, int intervals, uint64_t *seed) {
   int64_t lo = (int64_t)i * UNIT / intervals - SLACK;
   int64_t hi = (int64_t)(i + 1) * UNIT / intervals + SLACK;
@@ -163,8 +163,8 @@ static int64_t random_place(int i, int intervals, uint64_t *seed) {
   return kind == 0 ? lo : kind == 1 ? hi : draw_integer(seed, lo, hi);
 }
 
-/* Every entry is right of lines through both of its intervals, and within the
- * slack of them. */
+/* Every entry is right for all lines through both of its intervals, or within
+ * the slack of them. */
 static void test_entries(struct tap *tap,
                          const struct hsr_triage_tables *tables,
                          uint64_t *seed) {
@@ -185,11 +185,11 @@ static void test_entries(struct tap *tap,
      wrong);
 }
 
-/* One by hand: of the line x + y = 7/16, which is as all lines from 3/8 .. 4/8
- * of the upper side to 3/8 .. 4/8 of the left one.
+/* One entry by hand: that of the line x + y = 7/16, and of all lines from
+ * 3/8 .. 4/8 of the upper side to 3/8 .. 4/8 of the left one.
  *
- *       c a a a a v v v      what lines touch at a corner is active, by the
- *       a a a a v v v v      slack
+ *       c a a a a v v v      cells that lines touch at a corner are active, by
+ *       a a a a v v v v      the slack
  *       a a a v v v v v
  */
 static void test_one(struct tap *tap, const struct hsr_triage_tables *tables) {
@@ -210,10 +210,10 @@ static int count_bits(uint64_t mask) {
   return n;
 }
 
-/* The active cells of an entry, beside what an independent program found
- * without a slack. Ends of intervals are on borders of cells, so that some
- * cells are active by the slack alone; and of lines that cut off a corner
- * within an interval of it nothing is known, but in so many entries. */
+/* The mean number of active cells of an entry, beside that of an independent
+ * program without a slack. Ends of intervals are on borders of cells, so some
+ * cells are active only by the slack. In some entries lines cut off a corner
+ * within an interval of it, and nothing is known. */
 static double test_figures(struct tap *tap,
                            const struct hsr_triage_tables *tables,
                            double wanted) {
@@ -254,7 +254,7 @@ static bool is_decided(int entry, int intervals, int64_t x, int64_t y) {
   return inside == 4 || outside == 4;
 }
 
-/* The share of samples that the table has wrong. */
+/* The share of samples that the tables have wrong. */
 static double test_samples(struct tap *tap, int k, uint64_t *seed) {
   double x[64], y[64];
   uint64_t *mask = malloc(6 * (size_t)k * (size_t)k * sizeof *mask);

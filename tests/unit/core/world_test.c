@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Outlines, and what is laid out of them: the same faces that hsr_world_init
- * lays out, bit for bit. */
+/* Outlines, and the faces that are laid out from them: the same, bit for bit,
+ * as those that hsr_world_init lays out. */
 #include "common/scene/world.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -14,7 +14,7 @@ static void stop(const char *name, const char *text) {
   exit(99);
 }
 
-/* Is face f of `few` the same as face g of `all`, with vertices of its own? */
+/* Is face f of `few`, with its own vertices, the same as face g of `all`? */
 static bool is_same(const struct hsr_world *few, uint32_t f,
                     const struct hsr_world *all, uint32_t g) {
   bool same = few->mesh.nx[f] == all->mesh.nx[g] &&
@@ -39,7 +39,7 @@ static bool is_same(const struct hsr_world *few, uint32_t f,
   return same;
 }
 
-/* Do two faces share a plane class here if and only if they do there? */
+/* Do two faces share a plane class in `few` if and only if they do in `all`? */
 static bool is_classed(const struct hsr_world *few, const uint32_t *id,
                        const struct hsr_world *all) {
   uint32_t *class_of = malloc(few->mesh.n_planes * sizeof *class_of);
@@ -124,7 +124,7 @@ static void try_scene(struct tap *tap, const char *name, uint64_t *seed) {
   hsr_scene_delete(scene);
 }
 
-/* Above a size scenes are not laid out even if asked for. */
+/* Scenes above a certain size are not laid out, even if that is asked for. */
 static void test_limit(struct tap *tap) {
   struct hsr_scene *scene;
   struct hsr_world world;

@@ -88,8 +88,8 @@ static void try_order(struct tap *t) {
 
 /* ---- Comparison ---- */
 
-/* Compares drawings of up to four intervals; the differing edges, or -1 if the
- * drawings are said to have another number of edges than `edges`. */
+/* Compares drawings of up to four intervals. Returns the number of edges that
+ * differ, or -1 if the number of edges compared is not `edges`. */
 static int differing(struct hsr_segment *got, size_t n_got,
                      struct hsr_segment *wanted, size_t n_wanted,
                      bool visible_only, uint64_t edges) {

@@ -13,7 +13,7 @@ namespace {
 
 /*     7----6
  *    /|   /|     six quadrilaterals, counter-clockwise from outside;
- *   4----5 |     0.1 has no exact double, so that a reader's rounding shows
+ *   4----5 |     0.1 is not a double, so a reader's rounding shows
  *   | 3--|-2
  *   |/   |/
  *   0----1      */
@@ -98,7 +98,7 @@ std::string cube_vtp() {
                 "</PolyData></VTKFile>\n";
 }
 
-/* Two triangles for each face, every corner written out. */
+/* Two triangles for each face, with every corner written out. */
 std::string cube_stl() {
   std::string text = "solid cube\n";
   for (const auto &f : FACES)
@@ -122,7 +122,7 @@ struct hsr_object *read(struct hsr_scene *scene, const std::string &path,
   return &scene->objects[0];
 }
 
-/* The cube as it was written: every bit of it, polygons as polygons. */
+/* Reads the cube as it was written, bit for bit, with polygons as polygons. */
 void try_cube(tap *t, const std::string &path) {
   struct hsr_scene *scene = hsr_scene_new("");
   const struct hsr_object *o = read(scene, path, nullptr);
@@ -167,7 +167,7 @@ void try_solidity(tap *t) {
   hsr_scene_delete(scene);
 }
 
-/* Of four faces one repeats a vertex and one has no area. */
+/* Four faces: one repeats a vertex and one has no area. */
 void try_degenerate(tap *t) {
   const std::string path =
       file("poor.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Line drawings on paper: which strokes, what the files hold, which edges are
- * creases.
+/* Line drawings on paper: the strokes, the contents of files, the edges that
+ * are creases.
  *
  * The eye is the origin and looks along -z with a field of 90 degrees, so that
  * in a picture of 32 x 32 the point at depth d seen at the pixel (x, y) is
@@ -164,8 +164,8 @@ static char *text_of(const char *path) {
   return text;
 }
 
-/* Whether every element ends, in order, all attributes are quoted, and every &
- * begins one of the entities that XML knows. */
+/* Whether all elements end in the right order, all attributes are quoted, and
+ * every & begins one of XML's entities. */
 static bool is_well_formed(const char *text) {
   char open[16][16];
   int depth = 0;
@@ -296,10 +296,10 @@ static void try_raster(struct tap *t) {
 
 /* ---- Creases ---- */
 
-/* A roof of two triangles over the edge from vertex 0 to 1, seen from above,
- * its sides sloping by so many degrees; the second one turned round if asked
- * for. The edge is drawn; and 1 to 2, a border. Returns which are left: 1 for
- * the ridge, 2 for the border. */
+/* A roof of two triangles over the edge from vertex 0 to 1, seen from above.
+ * Its sides slope by `slope` degrees; if `turned`, the second one is turned
+ * round. The drawing has the ridge, and 1 to 2, a border. Returns which of them
+ * are left: 1 for the ridge, 2 for the border. */
 static int edges_left(double slope, bool turned, bool one_sided,
                       double degrees) {
   const double fall = tan(slope * 3.14159265358979323846 / 180);
@@ -332,7 +332,7 @@ static void try_creases(struct tap *t) {
   ok(t, edges_left(0, false, false, 0) == 2, "a flat seam never is");
   ok(t, edges_left(85, false, false, 180) == 2, "180 leaves no crease");
   ok(t, edges_left(-85, false, false, 180) == 2, "nor a valley");
-  /* Turned and one-sided, one of the two faces does not exist. */
+  /* If turned and one-sided, one of the two faces does not exist. */
   ok(t, edges_left(20, true, true, 180) & 1,
      "beside a face that does not exist, an edge is a contour");
 }

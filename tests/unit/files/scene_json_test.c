@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scene files: what is written is read back bit for bit, what is left out has
- * its default, and what is wrong is refused at the right place. */
+/* Scene files: a scene is read back bit for bit as it was written; members left
+ * out have their defaults; faults are refused at the right place. */
 #include "common/files/scene_json.h"
 #include "tests/tap.h"
 
@@ -17,7 +17,7 @@
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
-/* For what a test needs and does not test. */
+/* Ends the program if a step that a test needs, but does not test, fails. */
 static void must(bool done) {
   if (!done) {
     puts("Bail out! The test cannot be set up.");
@@ -65,7 +65,7 @@ static bool same_object(const struct hsr_object *a,
          (!a->rgb || same(a->rgb, b->rgb, 3 * sizeof(float) * a->n_faces));
 }
 
-/* In terms of bits, so that -0 is not 0. */
+/* Compares bits, so that -0 is not 0. */
 static bool same_scene(const struct hsr_scene *a, const struct hsr_scene *b) {
   if (strcmp(a->name, b->name) != 0 || a->n_objects != b->n_objects ||
       a->n_instances != b->n_instances || a->n_views != b->n_views)
@@ -87,7 +87,7 @@ static uint64_t random_word(uint64_t *state) {
   return x ^ x >> 31;
 }
 
-/* Any finite double, all exponents alike. */
+/* Any finite double; all exponents are equally likely. */
 static double random_double(uint64_t *state) {
   uint64_t word = random_word(state);
   if ((word >> 52 & 0x7ff) == 0x7ff)
@@ -357,7 +357,7 @@ static void test_drop(struct tap *tap) {
 
 /* ---- Bad input ---- */
 
-/* What stands around the texts below. */
+/* The parts around the texts below. */
 #define HEAD "{\"schema\": \"hsr-scene/1\",\n\"objects\": ["
 #define TRIANGLE "\"vertices\": [[0,0,0],[1,0,0],[0,1,0]], \"faces\": [[0,1,2]]"
 #define OBJECT "{\"name\": \"a\", " TRIANGLE "}"
@@ -365,7 +365,7 @@ static void test_drop(struct tap *tap) {
 #define VIEW(text) HEAD OBJECT "], \"views\": [" text "]}"
 
 static const struct {
-  const char *text, *message; /* the message's beginning after the path */
+  const char *text, *message; /* the message begins so after the path */
 } bad[] = {
     /* No JSON */
     {"", ":1: '[' or '{' expected near end of file"},
@@ -591,7 +591,7 @@ static void clean_up(const char *directory) {
 
 /* ---- Memory ---- */
 
-/* What jansson holds at a time, and the most of it. */
+/* The memory that jansson holds now, and the most that it held. */
 static size_t held, most_held;
 
 static void *hold(size_t size) {
@@ -612,8 +612,8 @@ static void let_go(void *p) {
   free(size);
 }
 
-/* Whatever the length of a list, there is never a tree of all of it: neither of
- * a good file, nor of one that ends too early. */
+/* A list is never held as a whole tree, however long it is: neither in a good
+ * file nor in one that ends too early. */
 static void test_memory(struct tap *tap) {
   enum { N = 100000 };
   struct hsr_scene *scene;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// .vtp and .vti files: line drawings and voxels are written as VTK reads them,
-// and whatever VTK's own writer makes of a mesh is read as that mesh, in every
-// encoding; what a hostile file may hold is in tests/bad.
+// .vtp and .vti files: line drawings and voxels are written as VTK reads them.
+// A mesh that VTK's own writer wrote, in any encoding, is read as that mesh.
+// Hostile files are in tests/bad.
 #include "common/files/mesh/exchange.h"
 #include "common/grids/voxels.h"
 #include "tests/tap.h"
@@ -46,10 +46,10 @@ const struct hsr_object *read(struct hsr_scene *scene,
   return nullptr;
 }
 
-/* ---- What VTK writes ---- */
+/* ---- Files written by VTK ---- */
 
-/* A wavy sheet of N x N squares, its first half as squares, its second as
- * strips; and arrays of all kinds that are not to be read. */
+/* A wavy sheet of N x N squares: its first half as squares, its second half as
+ * strips; and arrays of all kinds, which must not be read. */
 constexpr int N = 40;
 
 struct Way {
@@ -149,7 +149,7 @@ bool is_sheet(const struct hsr_object *object, bool doubles) {
   const uint32_t n_squares = N / 2 * N;
   for (uint32_t f = 0; f < object->n_faces; f++) {
     const bool square = f < n_squares;
-    const uint32_t t = (f - n_squares) % (2 * N); /* triangle of a strip */
+    const uint32_t t = (f - n_squares) % (2 * N); /* triangle in its strip */
     const uint32_t i =
         square ? f / N : N / 2 + (f - n_squares) / (2 * N) + t % 2;
     const uint32_t j = square ? f % N : t / 2;
@@ -185,8 +185,8 @@ void try_ways(tap *t) {
     }
 }
 
-/* VTK reads the tags 4096 bytes at a time: here the one of the appended data
- * lies at every place about such a border. */
+/* VTK reads the tags 4096 bytes at a time. Here the tag of the appended data
+ * lies at every place around such a border. */
 void try_borders(tap *t) {
   const Way way = {Way::RAW, true, true, true, false, false};
   vtkNew<vtkPolyData> sheet;
@@ -230,7 +230,7 @@ std::string file(const std::string &pieces) {
          "</PolyData></VTKFile>";
 }
 
-/* VTK 9.1 itself gives the polygon the strip's points. */
+/* VTK 9.1 itself wrongly gives the polygon the strip's points. */
 void try_pieces(tap *t) {
   const std::string empty = "<Piece NumberOfPoints='0'><Points/></Piece>";
   struct hsr_scene *scene = hsr_scene_new("");

@@ -13,7 +13,7 @@ algorithm_files += \
   %D%/separate.c \
   %D%/separate.h \
   %D%/tiling.c
-# Compiled once: what counts nothing.
+# These files count nothing and are compiled once.
 libhsr_a_SOURCES += \
   %D%/grove.c \
   %D%/grove.h
