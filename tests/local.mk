@@ -32,6 +32,7 @@ tap_programs = \
   %D%/conformance/line_lattice_test \
   %D%/conformance/trace_test \
   %D%/counts/golden_test \
+  %D%/counts/recorded_test \
   %D%/counts/by_hand/bouknight_test \
   %D%/counts/by_hand/romney_test \
   %D%/counts/by_hand/scan_line_test \
@@ -159,6 +160,7 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_bench_line_oracle_test_SOURCES = %D%/unit/bench/line_oracle_test.cc
 %C%_unit_bench_oracle_test_SOURCES = %D%/unit/bench/oracle_test.cc
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
+%C%_counts_recorded_test_LDADD = libdraw.a $(BENCH_LIBS)
 %C%_unit_files_vtp_test_SOURCES = %D%/unit/files/vtp_test.cc
 %C%_unit_files_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_counts_by_hand_bouknight_test_SOURCES = %D%/counts/by_hand/bouknight_test.c %D%/counts/by_hand/pixels.h
