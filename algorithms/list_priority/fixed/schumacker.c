@@ -35,6 +35,7 @@
  *             back-face cull F_r, Y cull n E_s, X sort and priority search
  *             n m S_l */
 #include "algorithms/list_priority/fixed/cluster_order.h"
+#include "common/base/vector.h"
 
 #include <math.h>
 #include <string.h>
@@ -135,9 +136,6 @@ static const struct hsr_sort sorts[] = {
     {"segments", "Z", "priority search", "once a raster element"},
     {NULL, NULL, NULL, NULL}};
 
-/* No pair. */
-static const uint32_t NONE = UINT32_MAX;
-
 /* A face of the list. Its edges are edge[first_edge] up to the next one's. */
 struct listed {
   uint32_t face, first_edge;
@@ -145,19 +143,25 @@ struct listed {
   bool by_spans; /* its segments are those of hsr_face_spans */
 };
 
-/* An edge, which crosses the scan lines [y0, y1). Those of a face by spans
- * stand for the scan lines of its box. */
+/* The edges of all listed faces, face after face. Edge e meets the scan lines
+ * [y0, y1). Those of a face by spans stand for the scan lines of its box. */
 struct edge {
   struct hsr_edge line;
-  int y0, y1;
-  bool left; /* the face is to its right */
+  uint32_t owner; /* its face, in the list */
+  bool left;      /* the face is to its right */
+};
+struct edges {
+  struct edge *edge;
+  int *y0, *y1;
+  uint8_t *meets; /* the scan line in hand; zeros up to a multiple of 8 */
+  uint32_t n;
 };
 
-/* The down-counters of a face that intersects the scan line. It is at a raster
- * element if L < 0 and R > 0. */
-struct pair {
-  uint32_t face;
-  int left, right;
+/* The pairs of down-counters of the faces that intersect the scan line, by
+ * priority. A face is at a raster element if L < 0 and R > 0. */
+struct pairs {
+  uint32_t n, *face;
+  int *left, *right;
 };
 
 struct schumacker {
@@ -169,11 +173,10 @@ struct schumacker {
 
   struct listed *list; /* by priority; then the thick faces, in no order */
   uint32_t n_list, n_thick;
-  struct edge *edge;
-  size_t n_edges; /* of all listed faces */
+  struct edges edges;
 
-  struct pair *pair; /* by priority */
-  uint32_t n_pairs, n_thick_pairs;
+  struct pairs pairs;
+  uint32_t n_thick_pairs; /* the last ones */
   int *columns;
 };
 
@@ -197,7 +200,7 @@ static void list_face(struct schumacker *s, uint32_t oriented, bool is_thick,
     thick[s->n_thick++] = listed;
   else
     s->list[s->n_list++] = listed;
-  s->n_edges += hsr_face_size(s->job->world, f);
+  s->edges.n += hsr_face_size(s->job->world, f);
 }
 
 /* All clusters, the nearest first. */
@@ -224,27 +227,28 @@ static enum hsr_status make_list(struct schumacker *s) {
 
 /* --- Edges ---------------------------------------------------------------- */
 
-/* Fills in the edges of a face. Seen from its front, a face runs down on its
- * left side and up on its right. */
-static void find_edges(struct schumacker *s, const struct listed *listed) {
+/* Fills in the edges of face k of the list. Seen from its front, a face runs
+ * down on its left side and up on its right. */
+static void find_edges(struct schumacker *s, uint32_t k) {
   const struct hsr_world *world = s->job->world;
+  const struct listed *listed = &s->list[k];
   const struct hsr_bounds *bounds = &s->screen.bounds[listed->face];
   const uint32_t *vertex = world->mesh.vertex + world->mesh.start[listed->face];
   uint32_t n = hsr_face_size(world, listed->face);
-  for (uint32_t k = 0; k < n; k++) {
-    struct edge *edge = &s->edge[listed->first_edge + k];
-    uint32_t a = vertex[k ? k - 1 : n - 1], b = vertex[k];
-    edge->line.a = a;
-    edge->line.b = b;
-    edge->y0 = bounds->y0;
-    edge->y1 = bounds->y1;
+  for (uint32_t c = 0; c < n; c++) {
+    uint32_t a = vertex[c ? c - 1 : n - 1], b = vertex[c];
+    uint32_t e = listed->first_edge + c;
+    struct edge *edge = &s->edges.edge[e];
+    *edge = (struct edge){.line = {.a = a, .b = b}, .owner = k};
+    s->edges.y0[e] = bounds->y0;
+    s->edges.y1[e] = bounds->y1;
     if (listed->by_spans)
       continue;
     int row_a = hsr_vertex_row(&s->screen, a, s->tally);
     int row_b = hsr_vertex_row(&s->screen, b, s->tally);
     bool down = row_a < row_b;
-    edge->y0 = down ? row_a : row_b;
-    edge->y1 = down ? row_b : row_a;
+    s->edges.y0[e] = down ? row_a : row_b;
+    s->edges.y1[e] = down ? row_b : row_a;
     edge->left = down == (listed->side > 0);
     if (row_a != row_b)
       hsr_edge_init(&edge->line, &s->screen, down ? a : b, down ? b : a);
@@ -252,28 +256,56 @@ static void find_edges(struct schumacker *s, const struct listed *listed) {
 }
 
 static enum hsr_status make_edges(struct schumacker *s) {
-  s->edge = HSR_NEW(s->job->scratch, struct edge, s->n_edges);
-  if (!s->edge)
+  struct hsr_arena *arena = s->job->scratch;
+  struct edges *edges = &s->edges;
+  size_t n = edges->n;
+  edges->edge = HSR_NEW(arena, struct edge, n);
+  edges->y0 = HSR_NEW(arena, int, n);
+  edges->y1 = HSR_NEW(arena, int, n);
+  edges->meets = HSR_NEW(arena, uint8_t, n + 8);
+  if (!edges->edge || !edges->y0 || !edges->y1 || !edges->meets)
     return HSR_E_NOMEM;
-  uint32_t n = 0;
+  memset(edges->meets + n, 0, 8);
+  uint32_t first = 0;
   for (uint32_t k = 0; k < s->n_list; k++) {
-    s->list[k].first_edge = n;
-    n += hsr_face_size(s->job->world, s->list[k].face);
-    find_edges(s, &s->list[k]);
+    s->list[k].first_edge = first;
+    first += hsr_face_size(s->job->world, s->list[k].face);
+    find_edges(s, k);
   }
-  s->list[s->n_list].first_edge = n;
+  s->list[s->n_list].first_edge = first;
   return HSR_OK;
 }
 
 /* --- The Y cull, and intercepts loaded into the counters ------------------ */
 
-/* The Y cull of an edge: does it meet scan line j? */
-static bool meets(const struct schumacker *s, const struct edge *edge,
-                  uint32_t f, int j) {
-  bool meets = j >= edge->y0 && j < edge->y1;
-  HSR_STEP(s->tally, Y_CULL, HSR_EDGE(edge->line.a, edge->line.b, f),
-           HSR_THE_WINDOW, HSR_ON(s->window->x0, s->window->x1, j), meets);
-  return meets;
+/* Which of n edges meet scan line j. */
+HSR_VECTOR static void cull(const int *y0, const int *y1, uint32_t n, int j,
+                            uint8_t *meets) {
+  for (uint32_t e = 0; e < n; e++)
+    meets[e] = j >= y0[e] && j < y1[e];
+}
+
+/* The Y cull: which edges meet scan line j? */
+static void cull_edges(struct schumacker *s, int j) {
+  const struct edges *edges = &s->edges;
+  const struct hsr_window *w = s->window;
+  cull(edges->y0, edges->y1, edges->n, j, edges->meets);
+  for (uint32_t e = 0; HSR_COUNTING && e < edges->n; e++) {
+    const struct edge *edge = &edges->edge[e];
+    HSR_STEP(s->tally, Y_CULL,
+             HSR_EDGE(edge->line.a, edge->line.b, s->list[edge->owner].face),
+             HSR_THE_WINDOW, HSR_ON(w->x0, w->x1, j), edges->meets[e]);
+  }
+}
+
+/* The next edge from edge e on that meets the scan line, or edges->n. */
+static uint32_t next_met(const struct edges *edges, uint32_t e) {
+  while (e < edges->n && !edges->meets[e]) {
+    uint64_t eight;
+    memcpy(&eight, edges->meets + e, sizeof eight);
+    e += eight ? 1 : 8;
+  }
+  return e < edges->n ? e : edges->n;
 }
 
 static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
@@ -285,64 +317,79 @@ static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
     return;
   HSR_STEP(s->tally, PAIRS, HSR_FACE(f), HSR_THE_WINDOW, HSR_ON(left, right, j),
            0);
-  s->pair[s->n_pairs++] = (struct pair){f, left - w->x0, right - w->x0 + 1};
+  struct pairs *pairs = &s->pairs;
+  pairs->face[pairs->n] = f;
+  pairs->left[pairs->n] = left - w->x0;
+  pairs->right[pairs->n++] = right - w->x0 + 1;
 }
 
-/* The Y cull of a face on scan line j, and its segment. */
-static void intersect_face(struct schumacker *s, const struct listed *listed,
-                           int j) {
-  uint32_t f = listed->face;
-  bool any = false;
+/* The segment of a face, of which some edge meets scan line j: between its
+ * greatest left intercept and its least right one. */
+static void load_segment(struct schumacker *s, const struct listed *listed,
+                         int j) {
   int max_left = s->window->x0, min_right = s->window->x1;
   for (uint32_t e = listed->first_edge; e < listed[1].first_edge; e++) {
-    const struct edge *edge = &s->edge[e];
-    if (!meets(s, edge, f, j))
+    if (!s->edges.meets[e])
       continue;
-    any = true;
-    if (listed->by_spans)
-      continue;
+    const struct edge *edge = &s->edges.edge[e];
     int column = hsr_edge_column(&s->screen, &edge->line, j, s->tally);
     if (edge->left && column > max_left)
       max_left = column;
     if (!edge->left && column < min_right)
       min_right = column;
   }
-  if (any && !listed->by_spans)
-    load_pair(s, f, max_left, min_right, j);
-  if (any && listed->by_spans) {
-    int n = hsr_face_spans(&s->screen, f, j, s->columns, s->tally);
-    for (int c = 0; c < n; c += 2)
-      load_pair(s, f, s->columns[c], s->columns[c + 1], j);
-  }
+  load_pair(s, listed->face, max_left, min_right, j);
+}
+
+static void load_spans(struct schumacker *s, uint32_t f, int j) {
+  int n = hsr_face_spans(&s->screen, f, j, s->columns, s->tally);
+  for (int c = 0; c < n; c += 2)
+    load_pair(s, f, s->columns[c], s->columns[c + 1], j);
 }
 
 static void load_counters(struct schumacker *s, int j) {
-  s->n_pairs = s->n_thick_pairs = 0;
-  for (uint32_t k = 0; k < s->n_list; k++) {
-    uint32_t before = s->n_pairs;
-    intersect_face(s, &s->list[k], j);
+  const struct edges *edges = &s->edges;
+  s->pairs.n = s->n_thick_pairs = 0;
+  cull_edges(s, j);
+  for (uint32_t e = next_met(edges, 0); e < edges->n;) {
+    uint32_t k = edges->edge[e].owner, before = s->pairs.n;
+    const struct listed *listed = &s->list[k];
+    if (listed->by_spans)
+      load_spans(s, listed->face, j);
+    else
+      load_segment(s, listed, j);
     if (k >= s->n_list - s->n_thick)
-      s->n_thick_pairs += s->n_pairs - before;
+      s->n_thick_pairs += s->pairs.n - before;
+    e = next_met(edges, listed[1].first_edge);
   }
 }
 
 /* --- Priority search ------------------------------------------------------ */
 
+/* Decrements n pairs. The first of them that is there, or `none`: what the logic
+ * network finds. */
+HSR_VECTOR static uint32_t decrement(int *left, int *right, uint32_t n,
+                                     uint32_t none) {
+  uint32_t first = none;
+  for (uint32_t k = 0; k < n; k++) {
+    left[k]--;
+    right[k]--;
+    uint32_t found = left[k] < 0 && right[k] > 0 ? k : none;
+    first = found < first ? found : first;
+  }
+  return first;
+}
+
 /* Decrements the pairs [begin, end) for raster element (i, j). The first of
- * them that is there, or NONE: what the logic network finds. */
+ * them that is there, or `end`. */
 static uint32_t search_pairs(struct schumacker *s, uint32_t begin, uint32_t end,
                              int i, int j) {
-  uint32_t first = NONE;
-  for (uint32_t k = begin; k < end; k++) {
-    struct pair *pair = &s->pair[k];
-    pair->left--;
-    pair->right--;
-    bool there = pair->left < 0 && pair->right > 0;
-    if (there && first == NONE)
-      first = k;
-    HSR_STEP(s->tally, PRIORITY, HSR_FACE(pair->face), HSR_THE_WINDOW,
-             HSR_AT(i, j), there + (first == k));
-  }
+  int *left = s->pairs.left, *right = s->pairs.right;
+  uint32_t n = end - begin;
+  uint32_t first = begin + decrement(left + begin, right + begin, n, n);
+  for (uint32_t k = begin; HSR_COUNTING && k < end; k++)
+    HSR_STEP(s->tally, PRIORITY, HSR_FACE(s->pairs.face[k]), HSR_THE_WINDOW,
+             HSR_AT(i, j), (left[k] < 0 && right[k] > 0) + (first == k));
   return first;
 }
 
@@ -350,9 +397,9 @@ static uint32_t search_pairs(struct schumacker *s, uint32_t begin, uint32_t end,
  * thick face. Pair k is the first of those that are there. */
 static uint32_t search_thick(struct schumacker *s, uint32_t visible, uint32_t k,
                              int i, int j) {
-  for (; k < s->n_pairs; k++) {
-    uint32_t f = s->pair[k].face;
-    if (s->pair[k].left >= 0 || s->pair[k].right <= 0)
+  for (; k < s->pairs.n; k++) {
+    uint32_t f = s->pairs.face[k];
+    if (s->pairs.left[k] >= 0 || s->pairs.right[k] <= 0)
       continue;
     if (visible == HSR_BACKGROUND) {
       visible = f;
@@ -370,12 +417,13 @@ static uint32_t search_thick(struct schumacker *s, uint32_t visible, uint32_t k,
 static void search_row(struct schumacker *s, int j) {
   const struct hsr_window *w = s->window;
   uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-  uint32_t n_ordered = s->n_pairs - s->n_thick_pairs;
+  uint32_t n_ordered = s->pairs.n - s->n_thick_pairs;
   for (int i = w->x0; i < w->x1; i++) {
     uint32_t first = search_pairs(s, 0, n_ordered, i, j);
-    uint32_t thick = search_pairs(s, n_ordered, s->n_pairs, i, j);
-    row[i] = search_thick(
-        s, first == NONE ? HSR_BACKGROUND : s->pair[first].face, thick, i, j);
+    uint32_t thick = search_pairs(s, n_ordered, s->pairs.n, i, j);
+    uint32_t visible =
+        first < n_ordered ? s->pairs.face[first] : HSR_BACKGROUND;
+    row[i] = search_thick(s, visible, thick, i, j);
     if (row[i] != HSR_BACKGROUND)
       HSR_STEP(s->tally, SHOWN, HSR_FACE(row[i]), HSR_THE_WINDOW, HSR_AT(i, j),
                0);
@@ -394,9 +442,13 @@ static enum hsr_status allocate_counters(struct schumacker *s) {
     n_pairs += n / 2 + 2;
     most_corners = n > most_corners ? n : most_corners;
   }
-  s->pair = HSR_NEW(arena, struct pair, n_pairs);
+  struct pairs *pairs = &s->pairs;
+  pairs->face = HSR_NEW(arena, uint32_t, n_pairs);
+  pairs->left = HSR_NEW(arena, int, n_pairs);
+  pairs->right = HSR_NEW(arena, int, n_pairs);
   s->columns = HSR_NEW(arena, int, most_corners + 4);
-  return s->pair && s->columns ? HSR_OK : HSR_E_NOMEM;
+  return pairs->face && pairs->left && pairs->right && s->columns ? HSR_OK
+                                                                  : HSR_E_NOMEM;
 }
 
 /* The Y cull of all edges; and n m S_l by the rule of thumb for S_l, with D_c =
