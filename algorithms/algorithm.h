@@ -196,9 +196,10 @@ unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
 bool hsr_choice_folds(const struct hsr_algorithm *algorithm,
                       const struct hsr_choice *choice);
 
-/* HSR_ALGORITHM(watkins) is the name of the descriptor of this build, and
- * HSR_OF_BUILD(hsr_scan_begin) that of a function which several share. A build
- * of some files for another end defines HSR_BUILD. */
+/* HSR_ALGORITHM(watkins) is the name of the descriptor in this build. A function
+ * that several modules share is compiled twice, too: its header gives it the
+ * name of this build, by #define hsr_f HSR_OF_BUILD(hsr_f). A third build of
+ * some files defines HSR_BUILD. */
 #define HSR_ALGORITHM_PASTE2(a, b) a##b
 #define HSR_ALGORITHM_PASTE(a, b) HSR_ALGORITHM_PASTE2(a, b)
 #if HSR_COUNTING

@@ -424,22 +424,21 @@ HSR_VECTOR static void set_up(const struct hsr_tiler *t,
   }
 }
 
-void HSR_OF_BUILD(hsr_tiler_look)(const struct hsr_tiler *t,
-                                  struct hsr_batch *b, uint32_t first, int n) {
+void hsr_tiler_look(const struct hsr_tiler *t, struct hsr_batch *b,
+                    uint32_t first, int n) {
   b->first = first;
   b->n = n;
   t->twin->gather(t, b);
   b->general = look(t, n, &b->corners, b->one_sided, b->fate);
 }
 
-void HSR_OF_BUILD(hsr_tiler_compact)(const struct hsr_tiler *t,
-                                     struct hsr_batch *b) {
+void hsr_tiler_compact(const struct hsr_tiler *t, struct hsr_batch *b) {
   t->twin->compact(b);
   for (int k = 0; k < b->n_fast; k++)
     b->corners.id[k] = called(t, b->first + (uint32_t)b->place[k]);
 }
 
-void HSR_OF_BUILD(hsr_tiler_drop)(struct hsr_batch *b, const int *drop) {
+void hsr_tiler_drop(struct hsr_batch *b, const int *drop) {
   int kept = 0;
   for (int k = 0; k < b->n_fast; k++) {
     if (drop[k])
@@ -450,8 +449,7 @@ void HSR_OF_BUILD(hsr_tiler_drop)(struct hsr_batch *b, const int *drop) {
   b->n_fast = kept;
 }
 
-void HSR_OF_BUILD(hsr_tiler_set_up)(const struct hsr_tiler *t,
-                                    struct hsr_batch *b) {
+void hsr_tiler_set_up(const struct hsr_tiler *t, struct hsr_batch *b) {
   set_up(t, &b->corners, b->n_fast, &b->triangles, b->good);
   for (int k = 0; k < b->n_fast; k++) {
     if (b->good[k])
@@ -464,8 +462,7 @@ void HSR_OF_BUILD(hsr_tiler_set_up)(const struct hsr_tiler *t,
   }
 }
 
-struct hsr_triangle HSR_OF_BUILD(hsr_tiler_take)(const struct hsr_batch *b,
-                                                 int k) {
+struct hsr_triangle hsr_tiler_take(const struct hsr_batch *b, int k) {
   const struct hsr_triangles *s = &b->triangles;
   const struct hsr_corners *r = &b->corners;
   return (struct hsr_triangle){
@@ -602,7 +599,7 @@ static void tile_whole(struct hsr_tiler *t, uint32_t f) {
   tile_between(t, f, &all, &lower, row[1], row[2]);
 }
 
-bool HSR_OF_BUILD(hsr_tiler_place)(struct hsr_tiler *t, uint32_t f) {
+bool hsr_tiler_place(struct hsr_tiler *t, uint32_t f) {
   need_screen(t);
   if (t->few)
     hsr_world_find_plane(t->few, f, &t->tally->out_of_memory);
@@ -616,7 +613,7 @@ bool HSR_OF_BUILD(hsr_tiler_place)(struct hsr_tiler *t, uint32_t f) {
   return true;
 }
 
-void HSR_OF_BUILD(hsr_tiler_tile_generally)(struct hsr_tiler *t, uint32_t f) {
+void hsr_tiler_tile_generally(struct hsr_tiler *t, uint32_t f) {
   if (t->screen.whole[f] && hsr_face_size(t->screen.world, f) == 3) {
     tile_whole(t, f);
     return;
@@ -651,9 +648,8 @@ static inline struct at look_at(const struct hsr_triangle *tri, int i, int j) {
                      d >= -tri->bound, d > tri->bound};
 }
 
-bool HSR_OF_BUILD(hsr_tiler_shows)(struct hsr_tiler *t,
-                                   const struct hsr_triangle *tri, int i,
-                                   int j) {
+bool hsr_tiler_shows(struct hsr_tiler *t, const struct hsr_triangle *tri, int i,
+                     int j) {
   struct at at = look_at(tri, i, j);
   if (!at.maybe || !(at.sure || covers(t, tri->face, i, j)))
     return false;
@@ -664,8 +660,8 @@ bool HSR_OF_BUILD(hsr_tiler_shows)(struct hsr_tiler *t,
                : is_nearer(t, tri->id, t->ids[y * t->ids_stride + x], i, j);
 }
 
-void HSR_OF_BUILD(hsr_tiler_tile_before)(struct hsr_tiler *t,
-                                         const struct hsr_triangle *tri) {
+void hsr_tiler_tile_before(struct hsr_tiler *t,
+                           const struct hsr_triangle *tri) {
   struct hsr_window box = clip(t, tri->x0, tri->y0, tri->x1, tri->y1);
   for (int j = box.y0; j < box.y1; j++)
     for (int i = box.x0; i < box.x1; i++) {
@@ -697,7 +693,7 @@ static void tile_batch_portable(struct hsr_tiler *t,
   for (int k = 0; k < b->n_fast; k++) {
     if (!b->good[k])
       continue;
-    struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
+    struct hsr_triangle triangle = hsr_tiler_take(b, k);
     tile_portable(t, &triangle);
   }
 }
@@ -923,7 +919,7 @@ AVX512 static void tile_batch_avx512(struct hsr_tiler *t,
     tile_small(t, b, k, small, &queue);
     for (unsigned large = good & ~(unsigned)small; large; large &= large - 1) {
       struct hsr_triangle triangle =
-          HSR_OF_BUILD(hsr_tiler_take)(b, k + __builtin_ctz(large));
+          hsr_tiler_take(b, k + __builtin_ctz(large));
       tile_avx512(t, &triangle);
     }
   }
@@ -1012,8 +1008,7 @@ static bool find_grid(struct hsr_tiler *t) {
   return first_x == t->first_x && first_y == t->first_y;
 }
 
-void HSR_OF_BUILD(hsr_tiler_begin)(struct hsr_tiler *t,
-                                   const struct hsr_job *job) {
+void hsr_tiler_begin(struct hsr_tiler *t, const struct hsr_job *job) {
   *t = (struct hsr_tiler){.view = job->view,
                           .tally = job->tally,
                           .window = job->view->window,
@@ -1021,20 +1016,18 @@ void HSR_OF_BUILD(hsr_tiler_begin)(struct hsr_tiler *t,
   t->on_grid = find_grid(t);
 }
 
-void HSR_OF_BUILD(hsr_tiler_snap)(struct hsr_tiler *t) {
+void hsr_tiler_snap(struct hsr_tiler *t) {
   snap(t->screen.world->mesh.n_vertices, t->screen.sx, t->screen.sy,
        t->screen.q, t->corner);
 }
 
-bool HSR_OF_BUILD(hsr_tiler_snap_far)(struct hsr_tiler *t, size_t n,
-                                      const double *x, const double *y,
-                                      const double *z, double rows[3][3],
-                                      const double origin[3], double sure) {
+bool hsr_tiler_snap_far(struct hsr_tiler *t, size_t n, const double *x,
+                        const double *y, const double *z, double rows[3][3],
+                        const double origin[3], double sure) {
   return snap_far(n, x, y, z, rows, origin, sure, t->corner);
 }
 
-void HSR_OF_BUILD(hsr_tiler_begin_part)(struct hsr_tiler *t,
-                                        struct hsr_window part) {
+void hsr_tiler_begin_part(struct hsr_tiler *t, struct hsr_window part) {
   size_t width = (size_t)(part.x1 - part.x0);
   t->part = part;
   for (int j = 0; j < part.y1 - part.y0; j++) {
@@ -1043,17 +1036,15 @@ void HSR_OF_BUILD(hsr_tiler_begin_part)(struct hsr_tiler *t,
   }
 }
 
-void HSR_OF_BUILD(hsr_tiler_tile_batch)(struct hsr_tiler *t,
-                                        const struct hsr_batch *b) {
+void hsr_tiler_tile_batch(struct hsr_tiler *t, const struct hsr_batch *b) {
   t->twin->tile_batch(t, b);
 }
 
-void HSR_OF_BUILD(hsr_tiler_tile)(struct hsr_tiler *t,
-                                  const struct hsr_triangle *triangle) {
+void hsr_tiler_tile(struct hsr_tiler *t, const struct hsr_triangle *triangle) {
   t->twin->tile(t, triangle);
 }
 
-void HSR_OF_BUILD(hsr_tiler_write_back)(const struct hsr_tiler *t,
-                                        const struct hsr_job *job) {
+void hsr_tiler_write_back(const struct hsr_tiler *t,
+                          const struct hsr_job *job) {
   t->twin->write_back(t, job);
 }

@@ -29,6 +29,24 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_tiler_begin HSR_OF_BUILD(hsr_tiler_begin)
+#define hsr_tiler_begin_part HSR_OF_BUILD(hsr_tiler_begin_part)
+#define hsr_tiler_compact HSR_OF_BUILD(hsr_tiler_compact)
+#define hsr_tiler_drop HSR_OF_BUILD(hsr_tiler_drop)
+#define hsr_tiler_look HSR_OF_BUILD(hsr_tiler_look)
+#define hsr_tiler_place HSR_OF_BUILD(hsr_tiler_place)
+#define hsr_tiler_set_up HSR_OF_BUILD(hsr_tiler_set_up)
+#define hsr_tiler_shows HSR_OF_BUILD(hsr_tiler_shows)
+#define hsr_tiler_snap HSR_OF_BUILD(hsr_tiler_snap)
+#define hsr_tiler_snap_far HSR_OF_BUILD(hsr_tiler_snap_far)
+#define hsr_tiler_take HSR_OF_BUILD(hsr_tiler_take)
+#define hsr_tiler_tile HSR_OF_BUILD(hsr_tiler_tile)
+#define hsr_tiler_tile_batch HSR_OF_BUILD(hsr_tiler_tile_batch)
+#define hsr_tiler_tile_before HSR_OF_BUILD(hsr_tiler_tile_before)
+#define hsr_tiler_tile_generally HSR_OF_BUILD(hsr_tiler_tile_generally)
+#define hsr_tiler_write_back HSR_OF_BUILD(hsr_tiler_write_back)
+
 /* The counters of a module that tiles begin with these. The subjects are called
  * as in the picture; HSR_BACKGROUND is a sample without a face. */
 enum {
@@ -175,70 +193,61 @@ struct hsr_tiler {
 };
 
 /* Sets all that depends on the job's view and machine; the rest is 0. */
-void HSR_OF_BUILD(hsr_tiler_begin)(struct hsr_tiler *tiler,
-                                   const struct hsr_job *job);
+void hsr_tiler_begin(struct hsr_tiler *tiler, const struct hsr_job *job);
 
 /* Snaps the vertices of the screen's world, once they are transformed. */
-void HSR_OF_BUILD(hsr_tiler_snap)(struct hsr_tiler *tiler);
+void hsr_tiler_snap(struct hsr_tiler *tiler);
 
 /* Snaps n vertices right away, those that rows X + origin = (w sx, w sy, w)
  * takes within 2^-24 pixel where w > sure. False if one of them is not that
  * far, or not on the screen: then they are to be snapped by the other way. */
-bool HSR_OF_BUILD(hsr_tiler_snap_far)(struct hsr_tiler *tiler, size_t n,
-                                      const double *x, const double *y,
-                                      const double *z, double rows[3][3],
-                                      const double origin[3], double sure);
+bool hsr_tiler_snap_far(struct hsr_tiler *tiler, size_t n, const double *x,
+                        const double *y, const double *z, double rows[3][3],
+                        const double origin[3], double sure);
 
 /* Clears the samples of a part, which is the next to be tiled. */
-void HSR_OF_BUILD(hsr_tiler_begin_part)(struct hsr_tiler *tiler,
-                                        struct hsr_window part);
+void hsr_tiler_begin_part(struct hsr_tiler *tiler, struct hsr_window part);
 
 /* Looks at the n triangles from face `first` on: finds their boxes within the
  * window, turns them so that their area is positive and says what becomes of
  * them. */
-void HSR_OF_BUILD(hsr_tiler_look)(const struct hsr_tiler *tiler,
-                                  struct hsr_batch *batch, uint32_t first,
-                                  int n);
+void hsr_tiler_look(const struct hsr_tiler *tiler, struct hsr_batch *batch,
+                    uint32_t first, int n);
 
 /* Moves those whose fate is to be tiled to the front, where they are the n_fast
  * ones; and leaves out of these where drop[k] is not 0. */
-void HSR_OF_BUILD(hsr_tiler_compact)(const struct hsr_tiler *tiler,
-                                     struct hsr_batch *batch);
-void HSR_OF_BUILD(hsr_tiler_drop)(struct hsr_batch *batch, const int *drop);
+void hsr_tiler_compact(const struct hsr_tiler *tiler, struct hsr_batch *batch);
+void hsr_tiler_drop(struct hsr_batch *batch, const int *drop);
 
 /* Sets up the fast ones; what floats do not hold is to go the general way. */
-void HSR_OF_BUILD(hsr_tiler_set_up)(const struct hsr_tiler *tiler,
-                                    struct hsr_batch *batch);
+void hsr_tiler_set_up(const struct hsr_tiler *tiler, struct hsr_batch *batch);
 
 /* Tiles the fast ones. The window is the only part. */
-void HSR_OF_BUILD(hsr_tiler_tile_batch)(struct hsr_tiler *tiler,
-                                        const struct hsr_batch *batch);
+void hsr_tiler_tile_batch(struct hsr_tiler *tiler,
+                          const struct hsr_batch *batch);
 
 /* The k-th of the fast ones; and what of it lies in the part, tiled. */
-struct hsr_triangle HSR_OF_BUILD(hsr_tiler_take)(const struct hsr_batch *batch,
-                                                 int k);
-void HSR_OF_BUILD(hsr_tiler_tile)(struct hsr_tiler *tiler,
-                                  const struct hsr_triangle *triangle);
+struct hsr_triangle hsr_tiler_take(const struct hsr_batch *batch, int k);
+void hsr_tiler_tile(struct hsr_tiler *tiler,
+                    const struct hsr_triangle *triangle);
 
 /* Would the triangle be written to sample (i, j), if it were tiled? */
-bool HSR_OF_BUILD(hsr_tiler_shows)(struct hsr_tiler *tiler,
-                                   const struct hsr_triangle *triangle, int i,
-                                   int j);
+bool hsr_tiler_shows(struct hsr_tiler *tiler,
+                     const struct hsr_triangle *triangle, int i, int j);
 
 /* The same as hsr_tiler_tile for one that is known to be nearer than what is
  * there: no depths are compared. */
-void HSR_OF_BUILD(hsr_tiler_tile_before)(struct hsr_tiler *tiler,
-                                         const struct hsr_triangle *triangle);
+void hsr_tiler_tile_before(struct hsr_tiler *tiler,
+                           const struct hsr_triangle *triangle);
 
 /* The general way: is there anything of a face to be tiled; and what of it lies
  * in the part, tiled. */
-bool HSR_OF_BUILD(hsr_tiler_place)(struct hsr_tiler *tiler, uint32_t f);
-void HSR_OF_BUILD(hsr_tiler_tile_generally)(struct hsr_tiler *tiler,
-                                            uint32_t f);
+bool hsr_tiler_place(struct hsr_tiler *tiler, uint32_t f);
+void hsr_tiler_tile_generally(struct hsr_tiler *tiler, uint32_t f);
 
 /* Copies the part's ids to the picture's. */
-void HSR_OF_BUILD(hsr_tiler_write_back)(const struct hsr_tiler *tiler,
-                                        const struct hsr_job *job);
+void hsr_tiler_write_back(const struct hsr_tiler *tiler,
+                          const struct hsr_job *job);
 
 #ifdef __cplusplus
 }

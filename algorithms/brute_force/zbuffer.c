@@ -55,11 +55,10 @@ struct frame {
 static void keep_batch(struct frame *t, const struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++)
     if (b->good[k])
-      t->kept[t->n_kept++] = HSR_OF_BUILD(hsr_tiler_take)(b, k);
+      t->kept[t->n_kept++] = hsr_tiler_take(b, k);
   for (int k = 0; k < b->n; k++) {
     uint32_t f = b->first + (uint32_t)k;
-    if (b->fate[k] != HSR_GENERALLY ||
-        !HSR_OF_BUILD(hsr_tiler_place)(&t->tiler, f))
+    if (b->fate[k] != HSR_GENERALLY || !hsr_tiler_place(&t->tiler, f))
       continue;
     const struct hsr_bounds *box = &t->tiler.screen.bounds[f];
     t->kept[t->n_kept++] = (struct hsr_triangle){.x0 = box->x0,
@@ -130,16 +129,16 @@ static enum hsr_status tile_parts(struct frame *t) {
   if (sort_into_parts(t, &start, &order))
     return HSR_E_NOMEM;
   for (int p = 0; p < t->parts_across * t->parts_down; p++) {
-    HSR_OF_BUILD(hsr_tiler_begin_part)
-    (&t->tiler, part_at(t, p % t->parts_across, p / t->parts_across));
+    hsr_tiler_begin_part(&t->tiler,
+                         part_at(t, p % t->parts_across, p / t->parts_across));
     for (size_t k = start[p]; k < start[p + 1]; k++) {
       const struct hsr_triangle *triangle = &t->kept[order[k]];
       if (triangle->generally)
-        HSR_OF_BUILD(hsr_tiler_tile_generally)(&t->tiler, triangle->face);
+        hsr_tiler_tile_generally(&t->tiler, triangle->face);
       else
-        HSR_OF_BUILD(hsr_tiler_tile)(&t->tiler, triangle);
+        hsr_tiler_tile(&t->tiler, triangle);
     }
-    HSR_OF_BUILD(hsr_tiler_write_back)(&t->tiler, t->job);
+    hsr_tiler_write_back(&t->tiler, t->job);
   }
   return HSR_OK;
 }
@@ -180,7 +179,7 @@ static enum hsr_status begin_frame(struct frame *t) {
       if (largest < hsr_face_size(world, f))
         largest = hsr_face_size(world, f);
 
-  HSR_OF_BUILD(hsr_tiler_begin)(tiler, job);
+  hsr_tiler_begin(tiler, job);
   t->fast = tiler->on_grid && world->outline.all_triangles;
   tiler->corner = HSR_NEW(arena, struct hsr_corner, world->mesh.n_vertices);
   tiler->columns = HSR_NEW(arena, int, largest + 4);
@@ -188,17 +187,17 @@ static enum hsr_status begin_frame(struct frame *t) {
       hsr_screen_init(&tiler->screen, world, job->view, arena))
     return HSR_E_NOMEM;
   hsr_screen_vertices(&tiler->screen);
-  HSR_OF_BUILD(hsr_tiler_snap)(tiler);
+  hsr_tiler_snap(tiler);
   return HSR_OK;
 }
 
 static void tile_face_generally(struct hsr_tiler *tiler, uint32_t f) {
-  if (HSR_OF_BUILD(hsr_tiler_place)(tiler, f))
-    HSR_OF_BUILD(hsr_tiler_tile_generally)(tiler, f);
+  if (hsr_tiler_place(tiler, f))
+    hsr_tiler_tile_generally(tiler, f);
 }
 
 static void tile_batch(struct hsr_tiler *tiler, const struct hsr_batch *b) {
-  HSR_OF_BUILD(hsr_tiler_tile_batch)(tiler, b);
+  hsr_tiler_tile_batch(tiler, b);
   for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY)
       tile_face_generally(tiler, b->first + (uint32_t)k);
@@ -208,10 +207,10 @@ static enum hsr_status tile_triangles(struct frame *t) {
   uint32_t n = t->job->world->n_faces;
   struct hsr_batch batch;
   for (uint32_t f = 0; f < n; f += HSR_BATCH) {
-    HSR_OF_BUILD(hsr_tiler_look)
-    (&t->tiler, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
-    HSR_OF_BUILD(hsr_tiler_compact)(&t->tiler, &batch);
-    HSR_OF_BUILD(hsr_tiler_set_up)(&t->tiler, &batch);
+    hsr_tiler_look(&t->tiler, &batch, f,
+                   n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
+    hsr_tiler_compact(&t->tiler, &batch);
+    hsr_tiler_set_up(&t->tiler, &batch);
     if (t->kept)
       keep_batch(t, &batch);
     else
@@ -226,7 +225,7 @@ static enum hsr_status render(const struct hsr_job *job,
   if (begin_frame(&t))
     return hsr_fail_nomem(err);
   if (!t.kept)
-    HSR_OF_BUILD(hsr_tiler_begin_part)(&t.tiler, t.tiler.window);
+    hsr_tiler_begin_part(&t.tiler, t.tiler.window);
   if (t.fast)
     return tile_triangles(&t) ? hsr_fail_nomem(err) : HSR_OK;
   for (uint32_t f = 0; f < job->world->n_faces; f++)

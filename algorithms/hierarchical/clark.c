@@ -48,16 +48,16 @@ struct walk {
 };
 
 static void tile_face(struct hsr_tiler *t, uint32_t f) {
-  if (HSR_OF_BUILD(hsr_tiler_place)(t, f))
-    HSR_OF_BUILD(hsr_tiler_tile_generally)(t, f);
+  if (hsr_tiler_place(t, f))
+    hsr_tiler_tile_generally(t, f);
 }
 
 static void tile_batch(struct hsr_tiler *t, uint32_t first, int n) {
   struct hsr_batch batch;
-  HSR_OF_BUILD(hsr_tiler_look)(t, &batch, first, n);
-  HSR_OF_BUILD(hsr_tiler_compact)(t, &batch);
-  HSR_OF_BUILD(hsr_tiler_set_up)(t, &batch);
-  HSR_OF_BUILD(hsr_tiler_tile_batch)(t, &batch);
+  hsr_tiler_look(t, &batch, first, n);
+  hsr_tiler_compact(t, &batch);
+  hsr_tiler_set_up(t, &batch);
+  hsr_tiler_tile_batch(t, &batch);
   for (int k = 0; k < n && batch.general; k++)
     if (batch.fate[k] == HSR_GENERALLY)
       tile_face(t, first + (uint32_t)k);
@@ -142,7 +142,7 @@ static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
   t->ids = job->ids + (size_t)window->y0 * job->ids_stride + window->x0;
   if (!t->z)
     return HSR_E_NOMEM;
-  HSR_OF_BUILD(hsr_tiler_begin_part)(t, *window);
+  hsr_tiler_begin_part(t, *window);
   return HSR_OK;
 }
 
@@ -153,7 +153,7 @@ static enum hsr_status render(const struct hsr_job *job,
   if (begin(&w, job) || hsr_cube_loose(&w.frame, &loose))
     return hsr_fail_nomem(err);
   for (uint32_t k = 0; k < loose.screen.n_relevant; k++)
-    HSR_OF_BUILD(hsr_tiler_tile_generally)(&loose, loose.screen.relevant[k]);
+    hsr_tiler_tile_generally(&loose, loose.screen.relevant[k]);
   cull_instances(&w, 0, false);
   const struct hsr_cubes *cubes = w.frame.cubes;
   for (uint32_t k = 0; k < cubes->n_movers; k++) {

@@ -313,12 +313,11 @@ const struct hsr_cell *hsr_cube_cell(struct hsr_cube_frame *frame,
   tiler->id = object->face + cell->first_face;
   tiler->context = frame;
   tiler->lay_out = lay_out;
-  if (!HSR_OF_BUILD(hsr_tiler_snap_far)(tiler, cell->n_vertices, object->x + v,
-                                        object->y + v, object->z + v, p->rows,
-                                        p->origin, p->sure)) {
+  if (!hsr_tiler_snap_far(tiler, cell->n_vertices, object->x + v, object->y + v,
+                          object->z + v, p->rows, p->origin, p->sure)) {
     tiler->lay_out = NULL;
     lay_out(frame);
-    HSR_OF_BUILD(hsr_tiler_snap)(tiler);
+    hsr_tiler_snap(tiler);
   }
   return cell;
 }
@@ -355,7 +354,7 @@ enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
                               .n_faces = cubes->most_faces,
                               .mesh.n_corners = cubes->most_corners,
                               .outline.first = job->world->outline.first};
-  HSR_OF_BUILD(hsr_tiler_begin)(tiler, job);
+  hsr_tiler_begin(tiler, job);
   tiler->few = world;
   tiler->pair = &frame->pair;
   tiler->corner = HSR_NEW(arena, struct hsr_corner, cubes->most_vertices);

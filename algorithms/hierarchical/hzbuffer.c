@@ -509,34 +509,34 @@ static void filter(struct walk *w, struct hsr_batch *b) {
   int drop[HSR_BATCH];
   for (int k = 0; k < b->n_fast; k++)
     drop[k] = is_repeated(w, b->first + (uint32_t)b->place[k]);
-  HSR_OF_BUILD(hsr_tiler_drop)(b, drop);
+  hsr_tiler_drop(b, drop);
   if (!w->option[PYRAMID] || w->option[POLYGONS] == NONE || w->plain)
     return;
   read_for(w, FACE_READS, HSR_NOTHING);
   find_hidden(w, b, drop);
   for (int k = 0; HSR_COUNTING && k < b->n_fast; k++)
     count_tested(w, &b->corners, k, drop[k]);
-  HSR_OF_BUILD(hsr_tiler_drop)(b, drop);
+  hsr_tiler_drop(b, drop);
 }
 
 /* A face that is placed on the tiler's screen. */
 static void tile_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
   HSR_STEP(w->tally, FACES_TILED, HSR_FACE(name_of(t, f)), HSR_THE_WINDOW,
            window_of(t->screen.bounds[f]), 0);
-  HSR_OF_BUILD(hsr_tiler_tile_generally)(t, f);
+  hsr_tiler_tile_generally(t, f);
   if (w->option[PYRAMID] && !w->plain)
     hsr_pyramid_update(&w->pyramid, t->screen.bounds[f]);
 }
 
 static void tile_generally(struct walk *w, uint32_t f) {
-  if (HSR_OF_BUILD(hsr_tiler_place)(&w->frame.tiler, f))
+  if (hsr_tiler_place(&w->frame.tiler, f))
     tile_face(w, &w->frame.tiler, f);
 }
 
 /* The definitive test, of those that are set up and that the fast one left. */
 static void filter_definitively(struct walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++) {
-    struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
+    struct hsr_triangle triangle = hsr_tiler_take(b, k);
     struct hsr_subject face = HSR_FACE(b->corners.id[k]);
     read_for(w, FACE_READS, face);
     if (b->good[k] &&
@@ -560,8 +560,8 @@ static void tile_before_all(struct walk *w, struct hsr_batch *b) {
     q = r->qc[k] < q ? r->qc[k] : q;
     if (!b->good[k] || !hsr_pyramid_before(&w->pyramid, box, q))
       continue;
-    struct hsr_triangle triangle = HSR_OF_BUILD(hsr_tiler_take)(b, k);
-    HSR_OF_BUILD(hsr_tiler_tile_before)(&w->frame.tiler, &triangle);
+    struct hsr_triangle triangle = hsr_tiler_take(b, k);
+    hsr_tiler_tile_before(&w->frame.tiler, &triangle);
     hsr_pyramid_update(&w->pyramid, box);
     HSR_STEP(w->tally, FACES_TILED, face, HSR_THE_WINDOW, window_of(box), 0);
     HSR_STEP(w->tally, FACES_BEFORE, face, HSR_THE_WINDOW, window_of(box), 0);
@@ -577,7 +577,7 @@ static void tile_batch(struct walk *w, struct hsr_batch *b) {
   touch_for(w, WORK_POLYGONS);
   if (tests && w->option[NEAR])
     tile_before_all(w, b);
-  HSR_OF_BUILD(hsr_tiler_tile_batch)(&w->frame.tiler, b);
+  hsr_tiler_tile_batch(&w->frame.tiler, b);
   for (int k = 0; k < b->n_fast; k++) {
     if (!b->good[k])
       continue;
@@ -603,12 +603,11 @@ static void tile_cell(struct walk *w, uint32_t place) {
   for (uint32_t f = 0; HSR_COUNTING && f < cell->n_faces; f++)
     HSR_STEP(w->tally, FACES, HSR_FACE(name_of(t, f)), cube, HSR_NOWHERE, 0);
   for (uint32_t f = 0; f < n; f += HSR_BATCH) {
-    HSR_OF_BUILD(hsr_tiler_look)
-    (t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
+    hsr_tiler_look(t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
     drop_repeated(w, &batch);
-    HSR_OF_BUILD(hsr_tiler_compact)(t, &batch);
+    hsr_tiler_compact(t, &batch);
     filter(w, &batch);
-    HSR_OF_BUILD(hsr_tiler_set_up)(t, &batch);
+    hsr_tiler_set_up(t, &batch);
     tile_batch(w, &batch);
   }
   touch_for(w, WORK_POLYGONS);
@@ -844,7 +843,7 @@ static enum hsr_status begin(struct walk *w, const struct hsr_job *job) {
   t->z = w->pyramid.far[0];
   t->ids_stride = job->ids_stride;
   t->ids = job->ids + (size_t)window->y0 * job->ids_stride + window->x0;
-  HSR_OF_BUILD(hsr_tiler_begin_part)(t, *window);
+  hsr_tiler_begin_part(t, *window);
   hsr_pyramid_clear(&w->pyramid);
   return HSR_OK;
 }

@@ -308,8 +308,7 @@ static bool hides_triangle(struct hsr_pyramid *p, struct hsr_tiler *t,
   if (is_behind(p, level, x, y, q * HSR_CLEAR))
     return true;
   if (!level--)
-    return !HSR_OF_BUILD(hsr_tiler_shows)(t, tri, x + p->window.x0,
-                                          y + p->window.y0);
+    return !hsr_tiler_shows(t, tri, x + p->window.x0, y + p->window.y0);
   for (int k = 0; k < 4; k++) {
     int cx = 2 * x + k % 2, cy = 2 * y + k / 2;
     if (cx >= r->x0 >> level && cx <= r->x1 >> level && cy >= r->y0 >> level &&

@@ -241,7 +241,7 @@ static uint32_t find_sides(struct warnock *s, const struct hsr_bsp_piece *piece,
 static void insert_piece(void *context, const struct hsr_bsp_piece *piece,
                          int facing) {
   struct warnock *s = context;
-  if (!HSR_OF_BUILD(hsr_bsp_frame_piece)(&s->frame, piece, &s->piece))
+  if (!hsr_bsp_frame_piece(&s->frame, piece, &s->piece))
     return;
   uint32_t f = piece->face, n = 0;
   s->is_asked = s->frame.job->world->mesh.deviation[f] > 0 ||
@@ -303,16 +303,16 @@ static void share_visits(const struct warnock *s) {
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct warnock warnock = {.window = &job->view->window}, *s = &warnock;
-  if (HSR_OF_BUILD(hsr_bsp_frame_begin)(&s->frame, job) || make_quadtree(s) ||
+  if (hsr_bsp_frame_begin(&s->frame, job) || make_quadtree(s) ||
       begin_visits(s))
     return hsr_fail_nomem(err);
   s->side = HSR_NEW(job->scratch, struct side,
                     (size_t)s->frame.most_corners * ((size_t)s->n_levels + 1));
   if (!s->side)
     return hsr_fail_nomem(err);
-  HSR_OF_BUILD(hsr_bsp_frame_walk)(&s->frame, false, s, insert_piece);
+  hsr_bsp_frame_walk(&s->frame, false, s, insert_piece);
   share_visits(s);
-  HSR_OF_BUILD(hsr_bsp_frame_finish)(&s->frame);
+  hsr_bsp_frame_finish(&s->frame);
   return HSR_OK;
 }
 
@@ -332,6 +332,6 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_depth) = {
     .sorts = sorts,
     .counters = counters,
     .outline = outline,
-    .prepare = HSR_OF_BUILD(hsr_bsp_prepare),
+    .prepare = hsr_bsp_prepare,
     .render = render,
-    .release = HSR_OF_BUILD(hsr_bsp_release)};
+    .release = hsr_bsp_release};

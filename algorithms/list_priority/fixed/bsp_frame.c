@@ -17,16 +17,15 @@ static uint32_t larger(uint32_t a, uint32_t b) {
   return a > b ? a : b;
 }
 
-void HSR_OF_BUILD(hsr_bsp_release)(void *prepared) {
+void hsr_bsp_release(void *prepared) {
   struct prepared *p = prepared;
   hsr_bsp_free(&p->bsp);
   free(p);
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_bsp_prepare)(const struct hsr_world *world,
-                                              const long *option,
-                                              void **prepared,
-                                              struct hsr_error *err) {
+enum hsr_status hsr_bsp_prepare(const struct hsr_world *world,
+                                const long *option, void **prepared,
+                                struct hsr_error *err) {
   struct hsr_bsp_rule one_tree = {.most = 0};
   struct prepared *p = calloc(1, sizeof *p);
   (void)option;
@@ -69,8 +68,8 @@ static void find_loose(struct hsr_bsp_frame *frame) {
   }
 }
 
-enum hsr_status HSR_OF_BUILD(hsr_bsp_frame_begin)(struct hsr_bsp_frame *frame,
-                                                  const struct hsr_job *job) {
+enum hsr_status hsr_bsp_frame_begin(struct hsr_bsp_frame *frame,
+                                    const struct hsr_job *job) {
   const struct prepared *p = job->prepared;
   struct hsr_arena *arena = job->scratch;
   *frame = (struct hsr_bsp_frame){
@@ -93,10 +92,11 @@ enum hsr_status HSR_OF_BUILD(hsr_bsp_frame_begin)(struct hsr_bsp_frame *frame,
   return HSR_OK;
 }
 
-void HSR_OF_BUILD(hsr_bsp_frame_walk)(
-    const struct hsr_bsp_frame *frame, bool backwards, void *context,
-    void (*piece)(void *context, const struct hsr_bsp_piece *piece,
-                  int facing)) {
+void hsr_bsp_frame_walk(const struct hsr_bsp_frame *frame, bool backwards,
+                        void *context,
+                        void (*piece)(void *context,
+                                      const struct hsr_bsp_piece *piece,
+                                      int facing)) {
   static const double still[3] = {0, 0, 0};
   struct hsr_bsp_walk walk = {.bsp = frame->bsp,
                               .eye = frame->job->view->E,
@@ -106,7 +106,7 @@ void HSR_OF_BUILD(hsr_bsp_frame_walk)(
                               .waiting = frame->waiting,
                               .context = context,
                               .piece = piece};
-  HSR_OF_BUILD(hsr_bsp_walk)(&walk);
+  hsr_bsp_walk_tree(&walk);
 }
 
 /* --- Pieces --------------------------------------------------------------- */
@@ -148,9 +148,9 @@ static struct hsr_bounds bounds_of(struct hsr_bsp_frame *frame,
                : frame->screen.bounds[piece->face];
 }
 
-bool HSR_OF_BUILD(hsr_bsp_frame_piece)(struct hsr_bsp_frame *frame,
-                                       const struct hsr_bsp_piece *piece,
-                                       struct hsr_piece *out) {
+bool hsr_bsp_frame_piece(struct hsr_bsp_frame *frame,
+                         const struct hsr_bsp_piece *piece,
+                         struct hsr_piece *out) {
   const struct hsr_bsp *bsp = frame->bsp;
   if (!frame->placed[piece->face])
     return false;
@@ -190,7 +190,7 @@ static void write_loose(struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
   *id = f;
 }
 
-void HSR_OF_BUILD(hsr_bsp_frame_finish)(struct hsr_bsp_frame *frame) {
+void hsr_bsp_frame_finish(struct hsr_bsp_frame *frame) {
   for (uint32_t k = 0; k < frame->n_loose; k++) {
     uint32_t f = frame->loose[k];
     const struct hsr_bounds *b = &frame->screen.bounds[f];

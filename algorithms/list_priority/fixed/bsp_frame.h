@@ -20,6 +20,14 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_bsp_frame_begin HSR_OF_BUILD(hsr_bsp_frame_begin)
+#define hsr_bsp_frame_finish HSR_OF_BUILD(hsr_bsp_frame_finish)
+#define hsr_bsp_frame_piece HSR_OF_BUILD(hsr_bsp_frame_piece)
+#define hsr_bsp_frame_walk HSR_OF_BUILD(hsr_bsp_frame_walk)
+#define hsr_bsp_prepare HSR_OF_BUILD(hsr_bsp_prepare)
+#define hsr_bsp_release HSR_OF_BUILD(hsr_bsp_release)
+
 /* The counters that all have, before their own. */
 enum { HSR_BSP_PIECES, HSR_BSP_SAMPLES, HSR_BSP_THICKNESS, HSR_BSP_N_COUNTERS };
 #define HSR_BSP_COUNTERS                                                       \
@@ -39,11 +47,10 @@ enum { HSR_BSP_PIECES, HSR_BSP_SAMPLES, HSR_BSP_THICKNESS, HSR_BSP_N_COUNTERS };
       "farther|nearer"}
 
 /* `prepare` and `release` of these algorithms. */
-enum hsr_status HSR_OF_BUILD(hsr_bsp_prepare)(const struct hsr_world *world,
-                                              const long *option,
-                                              void **prepared,
-                                              struct hsr_error *err);
-void HSR_OF_BUILD(hsr_bsp_release)(void *prepared);
+enum hsr_status hsr_bsp_prepare(const struct hsr_world *world,
+                                const long *option, void **prepared,
+                                struct hsr_error *err);
+void hsr_bsp_release(void *prepared);
 
 struct hsr_bsp_frame {
   const struct hsr_job *job;
@@ -61,23 +68,24 @@ struct hsr_bsp_frame {
 };
 
 /* Makes a frame ready for a job, and clears the picture. HSR_E_NOMEM. */
-enum hsr_status HSR_OF_BUILD(hsr_bsp_frame_begin)(struct hsr_bsp_frame *frame,
-                                                  const struct hsr_job *job);
+enum hsr_status hsr_bsp_frame_begin(struct hsr_bsp_frame *frame,
+                                    const struct hsr_job *job);
 
 /* Goes through all pieces in order, from back to front if `backwards`. */
-void HSR_OF_BUILD(hsr_bsp_frame_walk)(
-    const struct hsr_bsp_frame *frame, bool backwards, void *context,
-    void (*piece)(void *context, const struct hsr_bsp_piece *piece,
-                  int facing));
+void hsr_bsp_frame_walk(const struct hsr_bsp_frame *frame, bool backwards,
+                        void *context,
+                        void (*piece)(void *context,
+                                      const struct hsr_bsp_piece *piece,
+                                      int facing));
 
 /* The piece as the services of common/exact/screen.h take it; valid until the
  * next call. False if it has no sample, or its face is loose. */
-bool HSR_OF_BUILD(hsr_bsp_frame_piece)(struct hsr_bsp_frame *frame,
-                                       const struct hsr_bsp_piece *piece,
-                                       struct hsr_piece *out);
+bool hsr_bsp_frame_piece(struct hsr_bsp_frame *frame,
+                         const struct hsr_bsp_piece *piece,
+                         struct hsr_piece *out);
 
 /* Draws the loose faces, after all others. */
-void HSR_OF_BUILD(hsr_bsp_frame_finish)(struct hsr_bsp_frame *frame);
+void hsr_bsp_frame_finish(struct hsr_bsp_frame *frame);
 
 static inline uint32_t *hsr_bsp_frame_row(const struct hsr_bsp_frame *frame,
                                           int j) {

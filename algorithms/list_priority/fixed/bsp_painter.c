@@ -106,7 +106,7 @@ static inline void convert(struct hsr_bsp_frame *frame,
                            const struct hsr_bsp_piece *given,
                            write_sample *write) {
   struct hsr_piece piece;
-  if (!HSR_OF_BUILD(hsr_bsp_frame_piece)(frame, given, &piece))
+  if (!hsr_bsp_frame_piece(frame, given, &piece))
     return;
   const struct hsr_bounds *b = &piece.bounds;
   for (int j = b->y0; j < b->y1; j++) {
@@ -137,28 +137,27 @@ static void fill_piece(void *context, const struct hsr_bsp_piece *piece,
 static enum hsr_status render_painter(const struct hsr_job *job,
                                       struct hsr_error *err) {
   struct hsr_bsp_frame frame;
-  if (HSR_OF_BUILD(hsr_bsp_frame_begin)(&frame, job))
+  if (hsr_bsp_frame_begin(&frame, job))
     return hsr_fail_nomem(err);
-  HSR_OF_BUILD(hsr_bsp_frame_walk)(&frame, true, &frame, paint_piece);
-  HSR_OF_BUILD(hsr_bsp_frame_finish)(&frame);
+  hsr_bsp_frame_walk(&frame, true, &frame, paint_piece);
+  hsr_bsp_frame_finish(&frame);
   return HSR_OK;
 }
 
 static enum hsr_status render_front(const struct hsr_job *job,
                                     struct hsr_error *err) {
   struct hsr_bsp_frame frame;
-  if (HSR_OF_BUILD(hsr_bsp_frame_begin)(&frame, job))
+  if (hsr_bsp_frame_begin(&frame, job))
     return hsr_fail_nomem(err);
-  HSR_OF_BUILD(hsr_bsp_frame_walk)(&frame, false, &frame, fill_piece);
-  HSR_OF_BUILD(hsr_bsp_frame_finish)(&frame);
+  hsr_bsp_frame_walk(&frame, false, &frame, fill_piece);
+  hsr_bsp_frame_finish(&frame);
   return HSR_OK;
 }
 
 #define OF_ONE_TREE                                                            \
   .taxonomy = HSR_LIST_PRIORITY_FIXED, .sort_order = "Z(XY)",                  \
   .coherence = "frame", .restrictions = HSR_CF, .subjects = 1 << HSR_FACES,    \
-  .kind = HSR_IDS, .prepare = HSR_OF_BUILD(hsr_bsp_prepare),                   \
-  .release = HSR_OF_BUILD(hsr_bsp_release)
+  .kind = HSR_IDS, .prepare = hsr_bsp_prepare, .release = hsr_bsp_release
 
 const struct hsr_algorithm HSR_ALGORITHM(bsp_painter) = {
     OF_ONE_TREE,

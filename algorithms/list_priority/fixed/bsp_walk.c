@@ -124,12 +124,11 @@ static void walk_cube(const struct hsr_bsp_walk *walk,
   }
 }
 
-void HSR_OF_BUILD(hsr_bsp_walk_cube)(const struct hsr_bsp_walk *walk,
-                                     uint32_t cube) {
+void hsr_bsp_walk_cube(const struct hsr_bsp_walk *walk, uint32_t cube) {
   if (walk->bsp->n_pieces)
     walk_cube(walk, &walk->bsp->cube[cube]);
 }
 
-void HSR_OF_BUILD(hsr_bsp_walk)(const struct hsr_bsp_walk *walk) {
-  HSR_OF_BUILD(hsr_bsp_walk_cube)(walk, 0);
+void hsr_bsp_walk_tree(const struct hsr_bsp_walk *walk) {
+  hsr_bsp_walk_cube(walk, 0);
 }

@@ -28,6 +28,10 @@
 extern "C" {
 #endif
 
+/* Compiled twice, as the algorithms are. */
+#define hsr_bsp_walk_tree HSR_OF_BUILD(hsr_bsp_walk_tree)
+#define hsr_bsp_walk_cube HSR_OF_BUILD(hsr_bsp_walk_cube)
+
 /* A node that waits to be entered, or whose pieces wait to be told. */
 struct hsr_bsp_waiting {
   uint32_t node;
@@ -57,11 +61,10 @@ static inline size_t hsr_bsp_most_waiting(uint32_t most_depth) {
 }
 
 /* Walks from a cube on. */
-void HSR_OF_BUILD(hsr_bsp_walk_cube)(const struct hsr_bsp_walk *walk,
-                                     uint32_t cube);
+void hsr_bsp_walk_cube(const struct hsr_bsp_walk *walk, uint32_t cube);
 
 /* Walks from the root on. */
-void HSR_OF_BUILD(hsr_bsp_walk)(const struct hsr_bsp_walk *walk);
+void hsr_bsp_walk_tree(const struct hsr_bsp_walk *walk);
 
 #ifdef __cplusplus
 }

@@ -320,7 +320,7 @@ static void begin_definitive(struct definitive *d) {
   struct hsr_tiler *t = &d->tiler;
   struct hsr_job job = {.view = &d->view, .tally = &d->tally};
   begin(&d->memory, &d->view.window, true);
-  HSR_OF_BUILD(hsr_tiler_begin)(t, &job);
+  hsr_tiler_begin(t, &job);
   t->corner = HSR_NEW(arena, struct hsr_corner, d->world.mesh.n_vertices);
   t->columns = HSR_NEW(arena, int, 8);
   t->z = d->memory.pyramid.far[0];
@@ -330,8 +330,8 @@ static void begin_definitive(struct definitive *d) {
   if (!t->corner || !t->columns || !t->ids ||
       hsr_screen_make(&t->screen, &d->world, &d->view, arena, &d->tally))
     stop("out of memory");
-  HSR_OF_BUILD(hsr_tiler_snap)(t);
-  HSR_OF_BUILD(hsr_tiler_begin_part)(t, d->view.window);
+  hsr_tiler_snap(t);
+  hsr_tiler_begin_part(t, d->view.window);
   hsr_pyramid_clear(&d->memory.pyramid);
 }
 
@@ -364,7 +364,7 @@ static void try_triangle(struct definitive *d, const struct hsr_batch *batch,
                          int k) {
   struct hsr_pyramid *p = &d->memory.pyramid;
   const struct hsr_corners *r = &batch->corners;
-  struct hsr_triangle tri = HSR_OF_BUILD(hsr_tiler_take)(batch, k);
+  struct hsr_triangle tri = hsr_tiler_take(batch, k);
   struct hsr_bounds box = {tri.x0, tri.y0, tri.x1, tri.y1};
   float q = fmaxf(r->qa[k], fmaxf(r->qb[k], r->qc[k]));
   bool fast = hsr_pyramid_hides(p, box, q);
@@ -375,16 +375,16 @@ static void try_triangle(struct definitive *d, const struct hsr_batch *batch,
   d->wrong += (fast && !hidden) || hidden != is_hidden(d, tri.face, &tri);
   if (d->asked % 3)
     return; /* if all were tiled, all hidden faces would be behind */
-  HSR_OF_BUILD(hsr_tiler_tile)(&d->tiler, &tri);
+  hsr_tiler_tile(&d->tiler, &tri);
   hsr_pyramid_update(p, box);
 }
 
 static void try_batch(struct definitive *d, uint32_t first, int n,
                       uint64_t *seed) {
   static struct hsr_batch batch;
-  HSR_OF_BUILD(hsr_tiler_look)(&d->tiler, &batch, first, n);
-  HSR_OF_BUILD(hsr_tiler_compact)(&d->tiler, &batch);
-  HSR_OF_BUILD(hsr_tiler_set_up)(&d->tiler, &batch);
+  hsr_tiler_look(&d->tiler, &batch, first, n);
+  hsr_tiler_compact(&d->tiler, &batch);
+  hsr_tiler_set_up(&d->tiler, &batch);
   for (int k = 0; k < batch.n_fast; k++) {
     if (!batch.good[k])
       continue;

@@ -488,7 +488,7 @@ static bool check_walk(struct fixture *x, bool backwards, struct told *told,
                               .context = told,
                               .piece = tell};
   told->n = 0;
-  HSR_OF_BUILD(hsr_bsp_walk)(&walk);
+  hsr_bsp_walk_tree(&walk);
   bool good = told->n == x->n_ordered;
   for (uint32_t k = 0; k < told->n && good; k++) {
     uint32_t l = backwards ? told->n - 1 - k : k;

@@ -371,7 +371,7 @@ static void tile_tree(struct frame *f) {
     f->pyramid.out_of_memory = true;
     return;
   }
-  HSR_OF_BUILD(hsr_bsp_walk)(&walk);
+  hsr_bsp_walk_tree(&walk);
   take_tree(f, bsp);
   tile_turns(f);
   take_tree(f, &f->prepared->separate);

@@ -358,7 +358,7 @@ static void tile_tree(struct frame *f, struct body *body, uint32_t cube,
   f->body = body;
   f->region = region;
   hsr_pieces_tree(&f->tiling.pieces, body->tree, still);
-  HSR_OF_BUILD(hsr_bsp_walk_cube)(&walk, cube);
+  hsr_bsp_walk_cube(&walk, cube);
 }
 
 /* --- Merging -------------------------------------------------------------- */

@@ -174,7 +174,7 @@ static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
   f->first_id = first_id;
   f->instance = instance;
   hsr_pieces_tree(&f->tiling.pieces, bsp, shift);
-  HSR_OF_BUILD(hsr_bsp_walk)(&walk);
+  hsr_bsp_walk_tree(&walk);
 }
 
 /* Instances in order, the nearer side of each plane first. */
