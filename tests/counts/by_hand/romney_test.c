@@ -35,7 +35,7 @@ static const struct pixel_face triangles[] = {
  * Spans: 26. Depth search: 1 + 3 = 4. Spans reused: 1 + 3 + 3 + 1 + 1 = 9.
  * A is in the table before B, so each look finds a face nearer than all before.
  * Lines with faces but without a search: rows 3 to 6. Both faces are flat. */
-static const struct pixel_count derived[] = {
+static const struct hand_count derived[] = {
     {"Y sort", 2},
     {"X sort", 9},
     {"X priority search", 128},
@@ -52,9 +52,9 @@ static const struct pixel_count derived[] = {
 
 int main(void) {
   struct tap tap = plan(1);
-  struct pixel_picture p;
+  struct hand_picture p;
   pixel_open(&p, triangles, 2, M, N);
-  ok(&tap, pixel_check(&p, "romney", derived, true), "two triangles");
-  pixel_close(&p);
+  ok(&tap, hand_compare(&p, "romney", derived, true), "two triangles");
+  hand_close(&p);
   return finish(&tap);
 }

@@ -33,11 +33,11 @@ static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
  *
  * X sort: every edge but the first is compared with the one before it:
  * 1 + 3 + 5 + 3 + 1 = 13. No two are out of order: 0 interchanges. */
-static const struct pixel_count of_deck[] = {{"Y sort", 6},
-                                             {"X merge", 9},
-                                             {"X sort", 13},
-                                             {"X interchanges", 0},
-                                             {NULL}};
+static const struct hand_count of_deck[] = {{"Y sort", 6},
+                                            {"X merge", 9},
+                                            {"X sort", 13},
+                                            {"X interchanges", 0},
+                                            {NULL}};
 
 /* --- Edges that cross ----------------------------------------------------- */
 
@@ -61,7 +61,7 @@ static const struct pixel_face slant[] = {
  *   row 2: Bl 4, Br 6, Al 4, Ar 8: Al passes Br, not Bl       4, 1
  *   row 3: Bl 6, Al 4, Br 8, Ar 8: Al passes Bl               3, 1
  *   row 4: Al 4, Bl 8, Br 10, Ar 8: Ar passes Br, not Bl      4, 1 */
-static const struct pixel_count of_slant[] = {
+static const struct hand_count of_slant[] = {
     {"Y sort", 4},         {"X merge", 4},
     {"X sort", 14},        {"X sort", 3, "to the left"},
     {"X interchanges", 3}, {NULL}};
@@ -69,16 +69,16 @@ static const struct pixel_count of_slant[] = {
 int main(void) {
   static const char *const names[] = {"watkins", "bouknight", "yzx"};
   struct tap tap = plan(6);
-  struct pixel_picture p, q;
+  struct hand_picture p, q;
   pixel_open(&p, deck, 3, M, N);
   pixel_open(&q, slant, 2, M, N);
   for (int k = 0; k < 3; k++) {
-    ok(&tap, pixel_check(&p, names[k], of_deck, false),
+    ok(&tap, hand_compare(&p, names[k], of_deck, false),
        "%s: edges that enter between others", names[k]);
-    ok(&tap, pixel_check(&q, names[k], of_slant, false), "%s: edges that cross",
-       names[k]);
+    ok(&tap, hand_compare(&q, names[k], of_slant, false),
+       "%s: edges that cross", names[k]);
   }
-  pixel_close(&p);
-  pixel_close(&q);
+  hand_close(&p);
+  hand_close(&q);
   return finish(&tap);
 }

@@ -55,7 +55,7 @@ static const struct pixel_face faces[] = {
  *
  * There are 17 windows, 4 of which are divided. Check: of 17 times 5 faces, 46
  * are tested, 4 + 28 are inherited, and 7 are hidden. */
-static const struct pixel_count derived[] = {
+static const struct hand_count derived[] = {
     {"Z sort", 10},
     {"Warnock special", 46},
     {"Warnock special", 25, "disjoint"},
@@ -81,9 +81,9 @@ static const struct pixel_count derived[] = {
 
 int main(void) {
   struct tap tap = plan(1);
-  struct pixel_picture p;
+  struct hand_picture p;
   pixel_open(&p, faces, 5, SIZE, SIZE);
-  ok(&tap, pixel_check(&p, "warnock", derived, true), "five rectangles");
-  pixel_close(&p);
+  ok(&tap, hand_compare(&p, "warnock", derived, true), "five rectangles");
+  hand_close(&p);
   return finish(&tap);
 }

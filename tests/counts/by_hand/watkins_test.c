@@ -56,18 +56,18 @@ static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
  *
  * A segment that begins within the span, enters or stays, is inside:
  * 2 + 6 + 10 + 6 + 2 = 26 of 40. All comparisons find the later face nearer. */
-static const struct pixel_count of_deck[] = {{"Y sort", 6},
-                                             {"X merge", 9},
-                                             {"X sort", 13},
-                                             {"X interchanges", 0},
-                                             {"span cull", 3 + 9 + 16 + 9 + 3},
-                                             {"span cull", 26, "inside"},
-                                             {"span cull", 14, "outside"},
-                                             {"spans", 3 + 5 + 7 + 5 + 3 + 3},
-                                             {"depth search", 2 + 4 + 2},
-                                             {"depth search", 8, "nearer"},
-                                             {"depth divisions", 0},
-                                             {NULL}};
+static const struct hand_count of_deck[] = {{"Y sort", 6},
+                                            {"X merge", 9},
+                                            {"X sort", 13},
+                                            {"X interchanges", 0},
+                                            {"span cull", 3 + 9 + 16 + 9 + 3},
+                                            {"span cull", 26, "inside"},
+                                            {"span cull", 14, "outside"},
+                                            {"spans", 3 + 5 + 7 + 5 + 3 + 3},
+                                            {"depth search", 2 + 4 + 2},
+                                            {"depth search", 8, "nearer"},
+                                            {"depth divisions", 0},
+                                            {NULL}};
 
 /* --- Faces that penetrate ------------------------------------------------- */
 
@@ -117,7 +117,7 @@ static const struct pixel_face crossing[] = {
  *   10-12    7.5-11            7.5-11 no: halve S
  *            9.25-11: 13.75 .. 15.5   nearer
  * These are 6 comparisons, and 4 divisions. S is visible up to 12. */
-static const struct pixel_count of_crossing[] = {
+static const struct hand_count of_crossing[] = {
     {"Y sort", 4},
     {"X merge", 5},
     {"X sort", 3},
@@ -133,14 +133,14 @@ static const struct pixel_count of_crossing[] = {
 
 int main(void) {
   struct tap tap = plan(2);
-  struct pixel_picture p;
+  struct hand_picture p;
   pixel_open(&p, deck, 3, M, N);
-  ok(&tap, pixel_check(&p, "watkins", of_deck, true),
+  ok(&tap, hand_compare(&p, "watkins", of_deck, true),
      "faces before one another");
-  pixel_close(&p);
+  hand_close(&p);
   pixel_open(&p, crossing, 2, M, N);
-  ok(&tap, pixel_check(&p, "watkins", of_crossing, true),
+  ok(&tap, hand_compare(&p, "watkins", of_crossing, true),
      "faces that penetrate");
-  pixel_close(&p);
+  hand_close(&p);
   return finish(&tap);
 }

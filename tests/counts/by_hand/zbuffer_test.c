@@ -27,16 +27,16 @@ static const struct pixel_face triangles[] = {
  * A and B are tiled in floats. C has 1/t from 1/16 to 1/2. This range is longer
  * than its lower end, so C goes the general way. All edges keep a distance from
  * the samples, and 1/t of A and B differ by a factor of two. */
-static const struct pixel_count derived[] = {
+static const struct hand_count derived[] = {
     {"depth tests", 55},  {"depth tests", 55, "nearer"}, {"writes", 55},
     {"overwrites", 9},    {"fast triangles", 2},         {"general faces", 1},
     {"unsure covers", 0}, {"unsure depths", 0},          {NULL}};
 
 int main(void) {
   struct tap tap = plan(1);
-  struct pixel_picture p;
+  struct hand_picture p;
   pixel_open(&p, triangles, 3, M, N);
-  ok(&tap, pixel_check(&p, "zbuffer", derived, true), "three triangles");
-  pixel_close(&p);
+  ok(&tap, hand_compare(&p, "zbuffer", derived, true), "three triangles");
+  hand_close(&p);
   return finish(&tap);
 }
