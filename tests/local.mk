@@ -219,6 +219,7 @@ EXTRA_DIST += \
   %D%/mutants/image_space.mutants \
   %D%/tree/apart \
   %D%/mutants/lines_and_lists.mutants \
+  %D%/mutants/volume.mutants \
   %D%/counts/golden \
   %D%/counts/rewrite \
   %D%/README.md \
