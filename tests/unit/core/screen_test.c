@@ -3,6 +3,7 @@
  * where the filters often cannot tell; those that need no screen, against those
  * that do; and the arena, which they are given. */
 #include "common/view/clip.h"
+#include "common/exact/order.h"
 #include "common/exact/predicates.h"
 #include "common/exact/screen.h"
 #include "tests/draw.h"
@@ -289,6 +290,281 @@ static void try_services(struct tap *tap) {
      (unsigned long long)exact);
 }
 
+/* --- Near ties ------------------------------------------------------------ */
+
+/* All but a tie: vertices about a sample's row, edges about the sample, faces
+ * about a point of its ray or about the eye. Doubles put each a few roundings
+ * to either side. So every filter is asked where it is hard to tell. */
+enum { NEAR_ROUNDS = 600, NEAR_ROWS = 6, NEAR_EDGES = 6, NEAR_FACES = 10 };
+
+struct near {
+  struct fixture f;
+  int i, j;
+  double point[3];              /* on the sample's ray */
+  uint32_t row[NEAR_ROWS];      /* vertices */
+  uint32_t edge[NEAR_EDGES][2]; /* their ends */
+};
+
+static double draw_real(uint64_t *seed, double lo, double hi) {
+  return lo + (hi - lo) * ((double)draw_integer(seed, 0, 1ll << 52) * 0x1p-52);
+}
+
+/* Of any size between two powers of two, and of either sign. */
+static double draw_size(uint64_t *seed, double lo, double hi) {
+  double size = exp2(draw_real(seed, lo, hi));
+  return draw_integer(seed, 0, 1) ? size : -size;
+}
+
+static void draw_vector(uint64_t *seed, double size, double v[3]) {
+  for (int k = 0; k < 3; k++)
+    v[k] = draw_real(seed, -size, size);
+}
+
+static void along_ray(const struct hsr_view *view, double sx, double sy,
+                      double t, double p[3]) {
+  for (int k = 0; k < 3; k++)
+    p[k] = view->E[k] +
+           t * (view->ray[0][k] + sx * view->ray[1][k] + sy * view->ray[2][k]);
+}
+
+static uint32_t near_vertex(struct near *x, const double p[3]) {
+  uint32_t v = 0;
+  hsr_object_vertex(&x->f.scene->objects[0], p[0], p[1], p[2], &v);
+  return v;
+}
+
+static bool near_view(struct near *x, uint64_t *seed) {
+  static const int sizes[][2] = {{3, 2}, {19, 14}, {512, 384}};
+  static const double fovs[] = {20, 90, 150, 176};
+  static const double far[] = {0, 1, 1000, 1e6};
+  const int *size = sizes[draw_integer(seed, 0, 2)];
+  struct hsr_camera camera = {.fov = fovs[draw_integer(seed, 0, 3)]};
+  double towards[3];
+  draw_vector(seed, far[draw_integer(seed, 0, 3)], camera.eye);
+  draw_vector(seed, 1, towards);
+  draw_vector(seed, 1, camera.up);
+  for (int k = 0; k < 3; k++)
+    camera.at[k] = camera.eye[k] + towards[k];
+  return !hsr_view_init(&x->f.view, &camera, size[0], size[1], NULL);
+}
+
+static void near_rows(struct near *x, uint64_t *seed) {
+  double sy = hsr_sample_y(&x->f.view, x->j);
+  for (int k = 0; k < NEAR_ROWS; k++) {
+    double p[3];
+    along_ray(&x->f.view, draw_size(seed, 0, 15), sy,
+              draw_integer(seed, 0, 3) ? fabs(draw_size(seed, -3, 3))
+                                       : draw_size(seed, -3, 3),
+              p);
+    x->row[k] = near_vertex(x, p);
+  }
+}
+
+static void near_edges(struct near *x, uint64_t *seed) {
+  double sx = hsr_sample_x(&x->f.view, x->i);
+  double sy = hsr_sample_y(&x->f.view, x->j);
+  for (int k = 0; k < NEAR_EDGES; k++) {
+    double dx = draw_size(seed, -8, 14), dy = draw_size(seed, -8, 14);
+    bool behind = !draw_integer(seed, 0, 2);
+    for (int end = 0; end < 2; end++) {
+      double along = (end ? 1 : -1) * draw_real(seed, 0, 1), p[3];
+      along_ray(&x->f.view, sx + along * dx, sy + along * dy,
+                behind ? draw_size(seed, -3, 3) : fabs(draw_size(seed, -3, 3)),
+                p);
+      x->edge[k][end] = near_vertex(x, p);
+    }
+  }
+}
+
+/* Faces of three or four corners in a plane about p, p within them or, to a
+ * rounding, a corner. */
+static void near_face(struct near *x, uint64_t *seed, const double p[3],
+                      bool is_corner) {
+  uint32_t vertex[4], n = is_corner || draw_integer(seed, 0, 2) ? 3 : 4;
+  double u[3], v[3], size = fabs(draw_size(seed, -4, 2));
+  double a = draw_real(seed, .3, 1), b = draw_real(seed, .3, 1);
+  draw_vector(seed, size, u);
+  draw_vector(seed, size, v);
+  for (uint32_t c = 0; c < n; c++) {
+    double by_u = c == 0 ? 1 : c == 2 ? -a : 0;
+    double by_v = c == 1 ? 1 : c == n - 1 ? -b : 0, corner[3];
+    if (is_corner && c == 2)
+      by_u = by_v = 0;
+    for (int k = 0; k < 3; k++)
+      corner[k] = p[k] + by_u * u[k] + by_v * v[k];
+    vertex[c] = near_vertex(x, corner);
+  }
+  hsr_object_face(&x->f.scene->objects[0], vertex, n, NULL);
+}
+
+/* False if there is no such scene, a face being without area. */
+static bool near_make(struct near *x, uint64_t *seed) {
+  *x = (struct near){.f.scene = hsr_scene_new("near")};
+  struct hsr_object *object = hsr_scene_object(x->f.scene, "faces");
+  object->one_sided = draw_integer(seed, 0, 1);
+  if (!near_view(x, seed))
+    return false;
+  x->i = (int)draw_integer(seed, 0, x->f.view.m - 1);
+  x->j = (int)draw_integer(seed, 0, x->f.view.n - 1);
+  along_ray(&x->f.view, hsr_sample_x(&x->f.view, x->i),
+            hsr_sample_y(&x->f.view, x->j), exp2(draw_real(seed, -2, 3)),
+            x->point);
+  near_rows(x, seed);
+  near_edges(x, seed);
+  for (int k = 0; k < NEAR_FACES; k++)
+    near_face(x, seed, k < 2 ? x->f.view.E : x->point, k >= 7);
+  return !hsr_scene_finish(x->f.scene, NULL) &&
+         !hsr_world_init(&x->f.world, x->f.scene, NULL) &&
+         !hsr_screen_make(&x->f.screen, &x->f.world, &x->f.view, &x->f.arena,
+                          &x->f.tally);
+}
+
+/* Wrong answers of each service, and how many were asked. */
+struct near_wrong {
+  long row, edge, column, facing, nearer, vertex, cut, order, plane, flat;
+  long asked;
+};
+
+static void try_near_edges(struct near *x, struct near_wrong *wrong) {
+  struct fixture *f = &x->f;
+  bool out_of_memory = false;
+  for (int k = 0; k < NEAR_ROWS; k++) {
+    double p[3];
+    vertex(f, x->row[k], p);
+    wrong->row += hsr_exact_row_side(&f->view, p, hsr_sample_y(&f->view, x->j),
+                                     &out_of_memory) !=
+                  hsr_row_side(&f->screen, x->row[k], x->j, &f->tally);
+  }
+  for (int k = 0; k < NEAR_EDGES; k++) {
+    uint32_t a = x->edge[k][0], b = x->edge[k][1];
+    double p[3], q[3], sy = hsr_sample_y(&f->view, x->j);
+    int first = 0;
+    vertex(f, a, p);
+    vertex(f, b, q);
+    for (int i = x->f.view.m - 1; i >= 0; i--) {
+      int side = hsr_exact_edge_side(&f->view, p, q, hsr_sample_x(&f->view, i),
+                                     sy, &out_of_memory);
+      wrong->edge +=
+          side != hsr_edge_side(&f->screen, a, b, i, x->j, &f->tally);
+      first += side > 0;
+    }
+    if (isnan(f->screen.sx[a]) || isnan(f->screen.sx[b]) ||
+        hsr_exact_row_side(&f->view, p, sy, &out_of_memory) > 0 ||
+        hsr_exact_row_side(&f->view, q, sy, &out_of_memory) < 0)
+      continue;
+    struct hsr_edge edge;
+    hsr_edge_init(&edge, &f->screen, a, b);
+    wrong->column +=
+        first != hsr_edge_column(&f->screen, &edge, x->j, &f->tally);
+    wrong->asked++;
+  }
+}
+
+static bool all_on_side(const struct hsr_world *w, uint32_t f, uint32_t g,
+                        int side) {
+  bool all = true, out_of_memory = false;
+  for (uint32_t k = w->mesh.start[f]; k < w->mesh.start[f + 1]; k++) {
+    uint32_t v = w->mesh.vertex[k];
+    double p[3] = {w->mesh.x[v], w->mesh.y[v], w->mesh.z[v]};
+    all &= side * hsr_exact_plane_side(loop_of(w, g), p, &out_of_memory) >= 0;
+  }
+  return all;
+}
+
+static void try_near_pair(struct near *x, uint32_t g, uint32_t h,
+                          struct near_wrong *wrong) {
+  struct fixture *f = &x->f;
+  const struct hsr_world *w = &f->world;
+  struct hsr_loop at_g = loop_of(w, g), at_h = loop_of(w, h);
+  bool out_of_memory = false, same = w->mesh.plane[g] == w->mesh.plane[h];
+  double sx = hsr_sample_x(&f->view, x->i), sy = hsr_sample_y(&f->view, x->j);
+  wrong->plane += same != hsr_exact_same_plane(at_g, at_h, &out_of_memory);
+  if (same)
+    return;
+  int exact = hsr_exact_nearer(&f->view, at_g, at_h, sx, sy, &out_of_memory);
+  wrong->nearer +=
+      (exact > 0) != hsr_nearer(&f->screen, g, h, x->i, x->j, &f->tally);
+  if (hsr_exact_ahead(&f->view, at_g, sx, sy, &out_of_memory) > 0)
+    wrong->cut +=
+        hsr_exact_cut_side(&f->view, at_g, at_h, sx, sy, &out_of_memory) !=
+        hsr_cut_side(&f->screen, g, h, x->i, x->j, &f->tally);
+  for (uint32_t k = w->mesh.start[g]; k < w->mesh.start[g + 1]; k++) {
+    uint32_t v = w->mesh.vertex[k];
+    double p[3];
+    vertex(f, v, p);
+    if (isnan(f->screen.sx[v]))
+      continue;
+    wrong->vertex +=
+        hsr_vertex_nearer(&f->screen, g, h, v, &f->tally) !=
+        hsr_exact_nearer_towards(&f->view, at_g, at_h, p, &out_of_memory);
+  }
+  if (at_g.n > 3 || at_h.n > 3)
+    return;
+  struct hsr_polygon polygon = {.face = g};
+  int eye = hsr_exact_plane_side(at_h, f->view.E, &out_of_memory);
+  wrong->order += hsr_before(&f->screen, polygon, h, &f->tally) !=
+                  (all_on_side(w, g, h, eye) ? HSR_YES : HSR_NO);
+  wrong->order += hsr_beyond(&f->screen, polygon, h, &f->tally) !=
+                  (all_on_side(w, g, h, -eye) ? HSR_YES : HSR_NO);
+}
+
+static void try_near_faces(struct near *x, struct near_wrong *wrong) {
+  struct fixture *f = &x->f;
+  const struct hsr_world *w = &f->world;
+  bool out_of_memory = false, exists[NEAR_FACES];
+  for (uint32_t g = 0; g < w->n_faces; g++) {
+    int eye = hsr_exact_plane_side(loop_of(w, g), f->view.E, &out_of_memory);
+    exists[g] = eye > 0 || (eye < 0 && !w->mesh.one_sided[g]);
+    wrong->facing += (f->screen.facing[g] && f->screen.facing[g] != eye) ||
+                     exists[g] != hsr_face_exists(&f->screen, g, &f->tally);
+    wrong->flat += (w->mesh.deviation[g] == 0) !=
+                   hsr_is_flat(loop_of(w, g), &out_of_memory);
+  }
+  for (uint32_t g = 0; g < w->n_faces; g++)
+    for (uint32_t h = 0; h < w->n_faces; h++)
+      if (g != h && exists[g] && exists[h])
+        try_near_pair(x, g, h, wrong);
+}
+
+static void try_near(struct tap *tap) {
+  struct near_wrong wrong = {.asked = 0};
+  uint64_t seed = 11, exact[HSR_N_QUESTIONS] = {0};
+  int n_made = 0;
+  for (int round = 0; round < NEAR_ROUNDS; round++) {
+    struct near x;
+    if (near_make(&x, &seed)) {
+      n_made++;
+      try_near_edges(&x, &wrong);
+      try_near_faces(&x, &wrong);
+    }
+    for (int q = 0; q < HSR_N_QUESTIONS; q++)
+      exact[q] += x.f.tally.exact[q];
+    hsr_arena_free(&x.f.arena);
+    hsr_world_free(&x.f.world);
+    hsr_scene_delete(x.f.scene);
+  }
+  ok(tap, wrong.row == 0, "near ties: row sides: %ld wrong", wrong.row);
+  ok(tap, wrong.edge == 0, "near ties: edge sides: %ld wrong", wrong.edge);
+  ok(tap, wrong.column == 0 && wrong.asked > NEAR_ROUNDS,
+     "near ties: edge columns: %ld of %ld wrong", wrong.column, wrong.asked);
+  ok(tap, wrong.facing == 0, "near ties: facings: %ld wrong", wrong.facing);
+  ok(tap, wrong.nearer == 0, "near ties: nearer: %ld wrong", wrong.nearer);
+  ok(tap, wrong.vertex == 0, "near ties: nearer at vertices: %ld wrong",
+     wrong.vertex);
+  ok(tap, wrong.cut == 0, "near ties: sides of cuts: %ld wrong", wrong.cut);
+  ok(tap, wrong.order == 0, "near ties: before and beyond: %ld wrong",
+     wrong.order);
+  ok(tap, wrong.plane == 0, "near ties: equal planes: %ld wrong", wrong.plane);
+  ok(tap, wrong.flat == 0, "near ties: flat or not: %ld wrong", wrong.flat);
+  bool asked = n_made > NEAR_ROUNDS / 2;
+  const int asks[] = {HSR_ASK_ROW,    HSR_ASK_EDGE,  HSR_ASK_FACING,
+                      HSR_ASK_VERTEX, HSR_ASK_DEPTH, HSR_ASK_CUT};
+  for (size_t k = 0; k < sizeof asks / sizeof *asks; k++)
+    asked &= exact[asks[k]] > NEAR_ROUNDS;
+  ok(tap, asked, "near ties: exact answers are asked for, in %d scenes",
+     n_made);
+}
+
 /* The filters must not be so cautious that they never decide. */
 static void try_generic(struct tap *tap) {
   uint64_t seed = 3;
@@ -348,8 +624,9 @@ static void try_arena(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(17);
+  struct tap tap = plan(28);
   try_services(&tap);
+  try_near(&tap);
   try_generic(&tap);
   try_clip(&tap);
   try_arena(&tap);
