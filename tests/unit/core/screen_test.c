@@ -776,6 +776,31 @@ static void try_clip(struct tap *tap) {
   ok(tap, n == 4 && least == 1, "a square clipped: %d corners from x = %g", n,
      least);
   ok(tap, hsr_clip(square, 4, right_of_5, 0, out) == 0, "clipped away");
+  const double upright[3][3] = {{4, 0, 1}, {4, 4, 1}, {4, 0, 2}};
+  const double across[3] = {1, 0, 0}, right_of_4[3] = {-1, 0, 0};
+  ok(tap,
+     hsr_clip(upright, 3, across, -4, out) == 3 &&
+         hsr_clip(upright, 3, right_of_4, 4, out) == 3,
+     "what lies in the plane is kept on either side");
+}
+
+static void try_view(struct tap *tap) {
+  struct hsr_camera camera = {.at = {0, 0, -1}, .up = {0, 1, 0}, .fov = 90};
+  struct hsr_view view;
+  bool right = !hsr_view_init(&view, &camera, M, M, NULL) && view.U[1] == 1 &&
+               view.R[0] == 1 && view.F[2] == -1;
+  ok(tap,
+     right &&
+         !hsr_view_init(&view, &camera, HSR_MAX_SIZE, HSR_MAX_SIZE, NULL) &&
+         hsr_view_init(&view, &camera, HSR_MAX_SIZE + 1, 1, NULL) &&
+         hsr_view_init(&view, &camera, 1, 0, NULL),
+     "a right angle is exact, and the largest picture is no larger");
+  camera.at[2] = -1e-200;
+  camera.up[1] = 1e-200;
+  ok(tap,
+     !hsr_view_init(&view, &camera, M, M, NULL) && view.F[2] == -1 &&
+         view.U[1] == 1,
+     "a camera may look at what is very near");
 }
 
 static void try_arena(struct tap *tap) {
@@ -794,18 +819,24 @@ static void try_arena(struct tap *tap) {
       ok(tap, aligned && arena.n_blocks_taken == blocks,
          "an arena that was reset takes no more memory");
   }
+  bool zeroed = true;
+  unsigned char *bytes = hsr_arena_zeroed(&arena, 1000, 8);
+  for (int k = 0; k < 8000 && bytes; k++)
+    zeroed &= !bytes[k];
+  ok(tap, bytes && zeroed, "what is asked for zeroed is");
   ok(tap, !hsr_arena_array(&arena, SIZE_MAX / 2, 16), "an overflow is refused");
   hsr_arena_free(&arena);
 }
 
 int main(void) {
-  struct tap tap = plan(34);
+  struct tap tap = plan(38);
   try_services(&tap);
   try_near(&tap);
   try_polygons(&tap);
   try_beside(&tap);
   try_generic(&tap);
   try_clip(&tap);
+  try_view(&tap);
   try_arena(&tap);
   return finish(&tap);
 }
