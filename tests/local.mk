@@ -214,6 +214,7 @@ EXTRA_DIST += \
   %D%/mutants/image_space.mutants \
   %D%/tree/apart \
   %D%/mutants/lines_and_lists.mutants \
+  %D%/mutants/services.mutants \
   %D%/counts/golden \
   %D%/counts/rewrite \
   %D%/README.md \

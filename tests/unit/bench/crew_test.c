@@ -52,6 +52,27 @@ static void test_windows(struct tap *tap, const struct both_worlds *worlds) {
   ok(tap, !different, "windows: %ld differences", different);
 }
 
+/* Two pictures that differ in their last sample. */
+static void test_difference(struct tap *tap) {
+  static const uint32_t place[] = {1, M * N - 1};
+  uint32_t ids[2][M * N] = {{0}};
+  ids[0][M * N - 1] = 7;
+  struct hsr_answer got = hsr_answer_of_ids(ids[0], M, N);
+  struct hsr_answer wanted = hsr_answer_of_ids(ids[1], M, N);
+  struct hsr_comparison c = {.got = &got, .wanted = &wanted, .n = M * N};
+  struct hsr_difference all = {0}, few = {0}, one = {0};
+  got.form.type->compare(&c, &all);
+  c.place = place;
+  c.n = 2;
+  got.form.type->compare(&c, &few);
+  c.n = 1;
+  got.form.type->compare(&c, &one);
+  ok(tap,
+     all.differing == 1 && all.compared == M * N && few.differing == 1 &&
+         few.compared == 2 && !one.differing,
+     "the last sample differs: %s", few.first);
+}
+
 static void test_sum(struct tap *tap) {
   struct hsr_tally to = {.depths_compared = 5}, one = {.depths_compared = 2};
   bool good = true;
@@ -71,7 +92,7 @@ static void test_sum(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(9);
+  struct tap tap = plan(10);
   struct both_worlds worlds;
   open_worlds(&worlds, "house");
   struct hsr_view view;
@@ -110,6 +131,7 @@ int main(void) {
   hsr_setup_free(&setup);
   test_windows(&tap, &worlds);
   test_sum(&tap);
+  test_difference(&tap);
   close_worlds(&worlds);
   return finish(&tap);
 }

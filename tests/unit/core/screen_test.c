@@ -455,6 +455,11 @@ static void near_faces(struct near *x, uint64_t *seed) {
     double u[3], v[3], size = fabs(draw_size(seed, -4, 2));
     draw_vector(seed, size, u);
     draw_vector(seed, size, v);
+    if (k % 3 == 1) { /* thin: of its normal less is certain */
+      double thin = exp2(draw_real(seed, -30, -4));
+      for (int c = 0; c < 3; c++)
+        v[c] = -.8 * u[c] + thin * v[c];
+    }
     near_face(x, seed, k < 2 ? x->f.view.E : x->point, u, v, k >= 6);
   }
   near_across(x, seed, x->t, 1);
