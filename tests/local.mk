@@ -210,6 +210,7 @@ EXTRA_DIST += \
   algorithms/EXAMPLE.c \
   %D%/mutants/run \
   %D%/mutants/core.mutants \
+  %D%/mutants/exact.mutants \
   %D%/mutants/hierarchical.mutants \
   %D%/mutants/image_space.mutants \
   %D%/tree/apart \
