@@ -20,7 +20,7 @@ static void listen(void *context, const struct hsr_event *event) {
 /* The same picture, and the same sum of counts, in any windows by any crew. */
 static void test_windows(struct tap *tap, const struct both_worlds *worlds) {
   static uint32_t wanted[M * N];
-  const struct hsr_algorithm *a = hsr_algorithm_find("raycast")->plain;
+  const struct hsr_algorithm *a = hsr_algorithm_find("raycast")->counting;
   struct hsr_view view;
   uint64_t asked = 0;
   long different = 0;

@@ -226,7 +226,9 @@ void try_numbers(tap *t) {
          is_refused("n.off", off + "3 0 1 4\n", "names vertex 4 of 4") &&
          is_refused("n.off", off + "3 -1 1 2\n", "names vertex -1 of 4"),
      "but neither format has others");
-  ok(t, is_refused("twice.off", off + "4 2 0 1 2\n", "the same vertex twice"),
+  ok(t,
+     is_refused("twice.off", off + "4 2 0 1 2\n",
+                ":7: face 0 has the same vertex twice"),
      "a vertex is found again wherever it stands");
 }
 
