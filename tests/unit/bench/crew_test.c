@@ -73,6 +73,32 @@ static void test_difference(struct tap *tap) {
      "the last sample differs: %s", few.first);
 }
 
+/* A picture large enough that every worker has a part in it. */
+static void test_shares(struct tap *tap, const struct both_worlds *worlds) {
+  const struct hsr_algorithm *a = hsr_algorithm_find("raycast")->counting;
+  struct hsr_view view;
+  struct hsr_setup setup;
+  uint64_t count[2] = {0, 0}, depths[2];
+  if (hsr_view_init(&view, &worlds->scene->views[0], 4 * M, 4 * N, NULL) ||
+      hsr_setup_init(&setup, a, NULL, &worlds->world, NULL))
+    abort();
+  for (int k = 0; k < 2; k++) {
+    struct hsr_answer answer;
+    struct hsr_tally tally = {.first = 0};
+    if (answer_init(&answer, &setup, &view, NULL) ||
+        render_view(&setup, &view, k ? 4 : 1, &answer, &tally, NULL, NULL))
+      abort();
+    for (int c = 0; c < HSR_MAX_COUNTERS; c++)
+      count[k] += tally.count[c];
+    depths[k] = tally.depths_compared;
+    hsr_answer_free(&answer);
+  }
+  ok(tap, count[0] && count[0] == count[1] && depths[0] == depths[1],
+     "by one and by four: %llu and %llu steps", (unsigned long long)count[0],
+     (unsigned long long)count[1]);
+  hsr_setup_free(&setup);
+}
+
 static void test_sum(struct tap *tap) {
   struct hsr_tally to = {.depths_compared = 5}, one = {.depths_compared = 2};
   bool good = true;
@@ -92,7 +118,7 @@ static void test_sum(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(10);
+  struct tap tap = plan(11);
   struct both_worlds worlds;
   open_worlds(&worlds, "house");
   struct hsr_view view;
@@ -130,6 +156,7 @@ int main(void) {
   }
   hsr_setup_free(&setup);
   test_windows(&tap, &worlds);
+  test_shares(&tap, &worlds);
   test_sum(&tap);
   test_difference(&tap);
   close_worlds(&worlds);
