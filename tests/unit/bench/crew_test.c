@@ -79,8 +79,10 @@ static void test_shares(struct tap *tap, const struct both_worlds *worlds) {
   struct hsr_view view;
   struct hsr_setup setup;
   uint64_t count[2] = {0, 0}, depths[2];
+  struct hsr_choice choice = hsr_choice_standard(a);
+  choice.window = 16;
   if (hsr_view_init(&view, &worlds->scene->views[0], 4 * M, 4 * N, NULL) ||
-      hsr_setup_init(&setup, a, NULL, &worlds->world, NULL))
+      hsr_setup_init(&setup, a, &choice, &worlds->world, NULL))
     abort();
   for (int k = 0; k < 2; k++) {
     struct hsr_answer answer;
