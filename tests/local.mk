@@ -215,10 +215,12 @@ EXTRA_DIST += \
   algorithms/EXAMPLE.c \
   %D%/mutants/run \
   %D%/mutants/core.mutants \
+  %D%/mutants/exact.mutants \
   %D%/mutants/hierarchical.mutants \
   %D%/mutants/image_space.mutants \
   %D%/tree/apart \
   %D%/mutants/lines_and_lists.mutants \
+  %D%/mutants/services.mutants \
   %D%/mutants/volume.mutants \
   %D%/counts/golden \
   %D%/counts/rewrite \

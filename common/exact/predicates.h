@@ -35,11 +35,6 @@ int hsr_exact_edge_side(const struct hsr_view *view, const double a[3],
                         const double b[3], double sx, double sy,
                         bool *out_of_memory);
 
-/* det(a, b, R): the sign that edge(a, b) takes far enough to the right on
- * every scan plane. */
-int hsr_exact_edge_slope(const struct hsr_view *view, const double a[3],
-                         const double b[3], bool *out_of_memory);
-
 /* The two halves of t > near on the face's plane at (sx, sy), perturbed. Along
  * a scan line each of them changes at most once.
  * ahead:     +1 if 1/t > 0: the ray meets the plane in front of the eye;

@@ -84,17 +84,6 @@ int hsr_exact_edge_side(const struct hsr_view *view, const double a[3],
       out_of_memory);
 }
 
-int hsr_exact_edge_slope(const struct hsr_view *view, const double a[3],
-                         const double b[3], bool *out_of_memory) {
-  return sign_of(
-      [&](auto t) {
-        using T = decltype(t);
-        return det(from_eye<T>(*view, a), from_eye<T>(*view, b),
-                   vector<T>(view->R));
-      },
-      out_of_memory);
-}
-
 int hsr_exact_ahead(const struct hsr_view *view, struct hsr_loop face,
                     double sx, double sy, bool *out_of_memory) {
   /* N.D has the sign of c = N . (S - k E). */

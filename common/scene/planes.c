@@ -209,10 +209,8 @@ static enum hsr_status classify_planes(struct hsr_world *world) {
       uint32_t g = open[kept++].face;
       if (found == UINT32_MAX && maybe_parallel(world, f, g) &&
           hsr_exact_same_plane(hsr_face_loop(world, f), hsr_face_loop(world, g),
-                               &out_of_memory)) {
+                               &out_of_memory))
         found = world->mesh.plane[g];
-        open[kept - 1].hi = fmax(open[kept - 1].hi, key[i].hi);
-      }
     }
     n_open = kept;
     if (found == UINT32_MAX) {

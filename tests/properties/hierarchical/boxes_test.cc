@@ -394,6 +394,36 @@ void test_radii(struct tap *tap) {
   ok(tap, without.wrong > 0, "but if the radii are not told, some are");
 }
 
+// Boxes with a corner on a face, as far as rounding lets it be, of tetrahedra
+// far from the origin, whose normals are rounded.
+void test_touching(struct tap *tap) {
+  Score score;
+  for (int i = 0; i < 2000; i++) {
+    Solid<double> solid = random_tetrahedron(false);
+    for (Point<double> &p : solid.vertices)
+      for (double &x : p)
+        x = x / 3 + 1000 / 7.;
+    const hsr_polyhedron poly = ready(solid);
+    for (int k = 0; k < 10; k++) {
+      const Point<double> p = somewhere_in(
+          solid.face(size_t(integer(0, int(solid.faces.size()) - 1))));
+      hsr_box box;
+      for (size_t c = 0; c < 3; c++) {
+        const double width = real(0, .5);
+        const bool below = integer(0, 1);
+        box.lo[c] = below ? p[c] - width : p[c];
+        box.hi[c] = below ? p[c] : p[c] + width;
+      }
+      try_box(score, poly, box, exactly([&](const auto zero) {
+                return judge(convert<std::decay_t<decltype(zero)>>(solid), box);
+              }));
+    }
+  }
+  score.print("boxes with a corner on a face");
+  ok(tap, score.wrong == 0 && score.doubtful > 100,
+     "a corner about on a face: no verdict is wrong");
+}
+
 // ---- The frusta of views ----
 
 // The corners as common/view/view.h defines them.
@@ -606,10 +636,11 @@ void test_slack(struct tap *tap) {
 } // namespace
 
 int main() {
-  struct tap tap = plan(20);
+  struct tap tap = plan(20 + 1);
   state = 6;
   test_solids(&tap);
   test_radii(&tap);
+  test_touching(&tap);
   test_views(&tap);
   test_convex_polygons(&tap);
   test_darts(&tap);

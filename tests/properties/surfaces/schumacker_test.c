@@ -250,11 +250,48 @@ static void check_grazed(struct tap *tap) {
   close_scene(&x);
 }
 
+/* --- Two instances in one plane ------------------------------------------- */
+
+/* No plane between them tells which one is seen: the lower id, from both sides.
+ */
+static void check_coplanar(struct tap *tap) {
+  static uint32_t wanted[M * N], got[M * N];
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_scene *scene = hsr_scene_new("coplanar");
+  for (int k = 0; k < 4; k++) {
+    double x = k % 2, y = k / 2;
+    const double corner[4][3] = {
+        {x, y, 0}, {x + 3, y, 0}, {x + 3, y + 3, 0}, {x, y + 3, 0}};
+    add_quad(hsr_scene_object(scene, "quad"), corner);
+  }
+  if (hsr_scene_finish(scene, &err))
+    fail(&err);
+  struct fixture x;
+  prepare(&x, scene);
+  long differences = 0, seen = 0;
+  for (int side = -1; side <= 1; side += 2) {
+    struct hsr_camera camera = {
+        .eye = {2, 2, 4 * side}, .at = {2, 2, 0}, .up = {0, 1, 0}, .fov = 60};
+    struct hsr_view view;
+    if (hsr_view_init(&view, &camera, M, N, &err))
+      fail(&err);
+    draw(&x, &x.oracle, &view, wanted);
+    draw(&x, &x.schumacker, &view, got);
+    differences += count_differences(&view, wanted, got);
+    for (int k = 0; k < M * N; k++)
+      seen += wanted[k] == 0;
+  }
+  ok(tap, !differences && seen > M * N / 10,
+     "instances in one plane: %ld samples differ", differences);
+  close_scene(&x);
+}
+
 int main(void) {
-  struct tap tap = plan(2 * SCENES + 1);
+  struct tap tap = plan(2 * SCENES + 2);
   uint64_t seed = 1969;
   for (int s = 0; s < SCENES; s++)
     check_scene(&tap, scenes[s], &seed);
   check_grazed(&tap);
+  check_coplanar(&tap);
   return finish(&tap);
 }

@@ -152,9 +152,36 @@ static void test_bad(struct tap *tap) {
   bad(tap, "hzbuffer:window=32:coherence=passes", "no windows");
 }
 
+/* A real number, which no algorithm has yet, from 0.5 to 2. */
+static enum hsr_status choose_real(const char *text, double *real) {
+  static const struct hsr_option options[] = {
+      {"size", "a real number", .real = true, .real_least = .5, .real_most = 2,
+       .real_standard = 1},
+      {NULL}};
+  struct hsr_values values = hsr_values_standard(options);
+  *real = values.real[0];
+  if (hsr_values_choose(&values, options, 0,
+                        (struct hsr_stretch){text, strlen(text)}, "test", &err))
+    return HSR_E_USAGE;
+  *real = values.real[0];
+  return HSR_OK;
+}
+
+static void test_real(struct tap *tap) {
+  static const char *const bad[] = {"", "2.1", "0.49", "nan", "1x", "-1"};
+  double real;
+  bool good = !choose_real("0.5", &real) && real == .5 &&
+              !choose_real("2", &real) && real == 2 &&
+              !choose_real("1.25e0", &real) && real == 1.25;
+  for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
+    good &= choose_real(bad[k], &real) && real == 1;
+  ok(tap, good, "real numbers, their ends, and what is none of them");
+}
+
 int main(void) {
-  struct tap tap = plan(11 + 48);
+  struct tap tap = plan(12 + 48);
   test_good(&tap);
   test_bad(&tap);
+  test_real(&tap);
   return finish(&tap);
 }

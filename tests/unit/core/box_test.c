@@ -48,6 +48,21 @@ static void test_boxes(struct tap *tap) {
      "a box holds its corners and itself");
 }
 
+/* The inequalities that refine: whether the box holds the bounds, and the
+ * p-vertices. */
+static void test_refining(struct tap *tap) {
+  struct hsr_polyhedron poly = tetrahedron(corner);
+  struct hsr_box_work all = {0, 0}, some = {0, 0}, none = {0, 0};
+  struct hsr_box bounds = box(0, 0, 0, 4, 4, 4), half = box(0, 0, 1, 4, 4, 5),
+                 apart = box(0, 0, 5, 1, 1, 6);
+  hsr_box_classify(&poly, &bounds, NULL, &all);
+  hsr_box_classify(&poly, &half, NULL, &some);
+  hsr_box_classify(&poly, &apart, NULL, &none);
+  ok(tap, all.refining == 6 && some.refining == 5 + 4 && !none.refining,
+     "6, 5 + 4 and 0 inequalities refine: %u, %u, %u", all.refining,
+     some.refining, none.refining);
+}
+
 static void test_verdicts(struct tap *tap) {
   struct hsr_polyhedron poly = tetrahedron(corner);
   unsigned cut = 0, n;
@@ -300,8 +315,9 @@ static void test_polygon(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(36);
+  struct tap tap = plan(37);
   test_boxes(&tap);
+  test_refining(&tap);
   test_verdicts(&tap);
   test_views_alone(&tap);
   test_edge_lines(&tap);

@@ -242,6 +242,75 @@ static void test_pieces(struct tap *tap) {
   close_stage(&stage);
 }
 
+/* --- Pictures ------------------------------------------------------------- */
+
+/* Of the faces in some order, and background: an outline's picture is that of
+ * its faces laid out, and every depth is on the plane of the sample's face. */
+static void test_pictures(struct tap *tap, const struct stage *stage) {
+  enum { SAMPLES = COLUMNS * ROWS };
+  static uint32_t ids[SAMPLES];
+  static float depth[2][SAMPLES], rgb[2][3 * SAMPLES];
+  const struct hsr_world *world = &stage->world;
+  const struct hsr_view *view = &stage->pixels;
+  struct hsr_error err = {.text = "out of memory"};
+  bool same = true, on_plane = true;
+  for (uint32_t k = 0; k < SAMPLES; k++)
+    ids[k] = k % 7 ? 1000003 * k % world->n_faces : HSR_BACKGROUND;
+  for (int shading = 0; shading <= HSR_SHADE_IDS; shading++) {
+    if (hsr_picture_finish(world, view, ids, (enum hsr_shading)shading,
+                           depth[0], rgb[0], &err) ||
+        hsr_picture_finish(&stage->outline, view, ids,
+                           (enum hsr_shading)shading, depth[1], rgb[1], &err))
+      stop("picture", err.text);
+    same &= !memcmp(depth[0], depth[1], sizeof depth[0]) &&
+            !memcmp(rgb[0], rgb[1], sizeof rgb[0]);
+  }
+  for (int k = 0; k < SAMPLES; k++) {
+    double off = 0, size = 0;
+    uint32_t f = ids[k];
+    double sx = hsr_sample_x(view, k % COLUMNS);
+    double sy = hsr_sample_y(view, k / COLUMNS);
+    for (int a = 0; a < 3 && f != HSR_BACKGROUND; a++) {
+      const double *n[] = {world->mesh.nx, world->mesh.ny, world->mesh.nz};
+      const double *p[] = {world->mesh.px, world->mesh.py, world->mesh.pz};
+      double along =
+          (double)depth[0][k] *
+          (view->ray[0][a] + sx * view->ray[1][a] + sy * view->ray[2][a]);
+      off += n[a][f] * (view->E[a] + along - p[a][f]);
+      size += fabs(n[a][f]) * (fabs(view->E[a]) + fabs(along) + fabs(p[a][f]));
+    }
+    on_plane &= f == HSR_BACKGROUND ? isinf(depth[0][k]) && depth[0][k] > 0
+                                    : fabs(off) <= 1e-6 * size;
+  }
+  ok(tap, same, "%s: an outline's picture is that of its faces",
+     stage->scene->name);
+  ok(tap, on_plane, "%s: depths are those of the planes", stage->scene->name);
+}
+
+/* The sum of s F, u U and the origin. */
+static void from(const struct hsr_view *view, const double origin[3], double s,
+                 double u, double to[3]) {
+  for (int k = 0; k < 3; k++)
+    to[k] = (origin ? origin[k] : 0) + s * view->F[k] + u * view->U[k];
+}
+
+/* Light falls on the side that is seen, and a face that has its back to it is
+ * not black. */
+static void test_light(struct tap *tap, const struct stage *stage) {
+  const struct hsr_view *view = &stage->pixels;
+  double front[3], back[3], below[3], ahead[3], above[3];
+  from(view, NULL, -1, 0, front);
+  from(view, NULL, 1, 0, back);
+  from(view, NULL, 0, -1, below);
+  from(view, view->E, 5, 0, ahead);
+  from(view, view->E, 5, 10, above);
+  float lit = hsr_picture_light(view, front, ahead);
+  ok(tap, lit > 0.5f && lit == hsr_picture_light(view, back, ahead),
+     "both sides of a face are lit alike");
+  ok(tap, hsr_picture_light(view, below, above) == 0.25f,
+     "and a quarter of the light is everywhere");
+}
+
 /* --- Sums ----------------------------------------------------------------- */
 
 /* A picture of one colour has that colour up to its borders. */
@@ -317,7 +386,7 @@ static void test_sums(struct tap *tap, const struct stage *stage,
 }
 
 int main(void) {
-  struct tap tap = plan(21);
+  struct tap tap = plan(25);
   test_weights(&tap, HSR_FILTER_BOX, "box");
   test_weights(&tap, HSR_FILTER_COSINE, "cosine");
   test_jitter(&tap);
@@ -331,6 +400,8 @@ int main(void) {
   test_borders(&tap, HSR_FILTER_COSINE, "cosine");
   test_sums(&tap, &stage, HSR_FILTER_BOX, "box");
   test_sums(&tap, &stage, HSR_FILTER_COSINE, "cosine");
+  test_pictures(&tap, &stage);
+  test_light(&tap, &stage);
   close_stage(&stage);
   open_stage(&stage, "office:2");
   test_colours(&tap, &stage, NULL);

@@ -4,6 +4,7 @@
  * decide what a triangle meets. That has nothing in common with
  * common/trees/box.h. */
 #include "algorithms/hierarchical/cube_frame.h"
+#include "common/trees/grain.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 
@@ -218,6 +219,20 @@ static uint32_t mark_subtree(const struct hsr_octree *octree, uint32_t k,
   return n;
 }
 
+/* Does a node's tight box hold a box, as far as the node's cube does? */
+static bool is_tight(const struct hsr_octree_node *node,
+                     const struct hsr_box *box) {
+  struct hsr_box cube = hsr_cube_box(node);
+  bool holds = true;
+  for (int a = 0; a < 3; a++) {
+    double lo = fmax(box->lo[a], cube.lo[a]), hi = fmin(box->hi[a], cube.hi[a]);
+    double middle = node->tight.centre[a], half = node->tight.half[a];
+    holds &= middle - half <= lo && hi <= middle + half &&
+             cube.lo[a] <= middle - half && middle + half <= cube.hi[a];
+  }
+  return holds;
+}
+
 static struct found look(const struct hsr_octree *octree) {
   struct found f = {true, true, true, UINT32_MAX, 0, octree->n_items};
   for (uint32_t k = 0; k < octree->n_nodes; k++) {
@@ -225,7 +240,9 @@ static struct found look(const struct hsr_octree *octree) {
     bool own[N] = {false}, all[N] = {false}, leaf = true;
     for (uint32_t i = 0; i < node->n; i++) {
       uint32_t t = items_of(octree, k)[i];
+      struct hsr_box bounds = bounds_of(NULL, t);
       f.meets &= truly_meets(t, node);
+      f.cut &= is_tight(node, &bounds);
       f.distinct &= !own[t];
       own[t] = true;
     }
@@ -234,6 +251,12 @@ static struct found look(const struct hsr_octree *octree) {
     for (int o = 0; o < 8; o++)
       if (node->child[o] != HSR_NO_NODE) {
         const struct hsr_octree_node *child = &octree->node[node->child[o]];
+        struct hsr_box tight;
+        for (int a = 0; a < 3; a++) {
+          tight.lo[a] = child->tight.centre[a] - child->tight.half[a];
+          tight.hi[a] = child->tight.centre[a] + child->tight.half[a];
+        }
+        f.cut &= is_tight(node, &tight);
         leaf = false;
         f.cut &= child->half == node->half / 2 && node->child[o] > k;
         for (int a = 0; a < 3; a++)
@@ -403,8 +426,41 @@ static void test_order(struct tap *tap, uint64_t *seed) {
      wrong, met);
 }
 
+/* Coordinates as multiples of a power of two, and instances that round nothing.
+ */
+static void test_grain(struct tap *tap) {
+  static const double some[] = {4, -1.5, 0, 0x1p20}, none[] = {0, -0.0},
+                      fine[] = {0x1p-1074, 1}, one[] = {-12};
+  ok(tap,
+     hsr_grain(some, 4) == -1 && hsr_grain(none, 2) == HSR_GRAIN_ANY &&
+         hsr_grain(fine, 2) == -1074 && hsr_grain(one, 1) == 2 &&
+         hsr_grain(some, 0) == HSR_GRAIN_ANY,
+     "the grain of some numbers");
+  struct hsr_instance turned = {0, {0, -1, 0, 3, 0, 0, 1, 0, 1, 0, 0, -8}};
+  struct hsr_instance fitting = turned, beyond = turned, sheared = turned,
+                      halved = turned, shifted = turned, flat = turned;
+  fitting.m[3] = 0x1p51 - 1;
+  beyond.m[3] = 0x1p51;
+  sheared.m[0] = 1;
+  halved.m[1] = -.5;
+  shifted.m[7] = .25;
+  flat.m[8] = 0;
+  ok(tap,
+     hsr_instance_is_exact(&turned, 0, 1000) &&
+         hsr_instance_is_exact(&fitting, 0, 0x1p51) &&
+         !hsr_instance_is_exact(&beyond, 0, 0x1p51) &&
+         hsr_instance_is_exact(&shifted, 0, 0x1p50 - 9) &&
+         !hsr_instance_is_exact(&shifted, 0, 0x1p50),
+     "an instance that turns and moves is exact as far as the grain reaches");
+  ok(tap,
+     !hsr_instance_is_exact(&sheared, 0, 1) &&
+         !hsr_instance_is_exact(&halved, 0, 1) &&
+         !hsr_instance_is_exact(&flat, 0, 1),
+     "one that does anything else is not");
+}
+
 int main(void) {
-  struct tap tap = plan(2 + 2 * 4 + 2 + 1 + 1);
+  struct tap tap = plan(2 + 2 * 4 + 2 + 1 + 1 + 3);
   uint64_t seed = 6;
   test_enclosing(&tap, &seed);
   try_pushed(&tap, &seed, 16, 0.1, 20);
@@ -415,5 +471,6 @@ int main(void) {
   try_points(&tap, SIDE / 3.0, "elsewhere");
   test_fan(&tap, &seed);
   test_order(&tap, &seed);
+  test_grain(&tap);
   return finish(&tap);
 }

@@ -308,6 +308,17 @@ static void test_touching(void) {
   is(t.S_v, 8 / 32.0, "doubled: S_v");
 }
 
+/* Below the picture, and touching its border with a side, or not. */
+static void test_border(void) {
+  struct hsr_scene *scene = new_scene();
+  rectangle(scene, 4, 32, 28, 40, 4);
+  rectangle(scene, 4, 33, 28, 40, 4);
+  rectangle(scene, 4, 31, 28, 40, 4);
+  struct hsr_table1 t = look(scene);
+  is(t.F_r, 2, "border: F_r");
+  is(t.H_f, 0.5, "border: H_f");
+}
+
 /* ---- Faces too small to be seen ---- */
 
 /* A ball of 24 x 48 faces, many of which cover no sample. All relevant edges of
@@ -799,6 +810,7 @@ int main(void) {
   test_cross();
   test_hidden_crossing();
   test_touching();
+  test_border();
   test_ball();
   test_floor();
   test_out();

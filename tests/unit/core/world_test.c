@@ -6,6 +6,7 @@
 #include "tests/draw.h"
 #include "tests/tap.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -142,15 +143,140 @@ static void test_limit(struct tap *tap) {
   hsr_scene_delete(scene);
 }
 
+/* Triangles of two parallel planes, so large, and some so thin, that rounding
+ * takes much of their normals. */
+static void test_classes(struct tap *tap, uint64_t *seed) {
+  bool good = true;
+  for (int round = 0; round < 40; round++) {
+    struct hsr_scene *scene = hsr_scene_new("planes");
+    struct hsr_object *object = hsr_scene_object(scene, "planes");
+    struct hsr_world world;
+    struct hsr_error err = {.text = "out of memory"};
+    int64_t u[3], v[3];
+    for (int k = 0; k < 3; k++) {
+      u[k] = draw_integer(seed, -100000000, 100000000);
+      v[k] = draw_integer(seed, -100000000, 100000000);
+    }
+    for (int f = 0; f < 40; f++) {
+      uint32_t vertex[3];
+      int64_t a = draw_integer(seed, -50, 50), b = draw_integer(seed, -50, 50);
+      const int64_t by[3][2] = {
+          {a, b}, {a + 89, b + 55}, {a + 144, b + 89 + f % 3}};
+      for (int c = 0; c < 3; c++) {
+        double p[3];
+        for (int k = 0; k < 3; k++)
+          p[k] = (double)(by[c][0] * u[k] + by[c][1] * v[k] +
+                          (k == 2 ? f % 2 : 0));
+        hsr_object_vertex(object, p[0], p[1], p[2], &vertex[c]);
+      }
+      hsr_object_face(object, vertex, 3, NULL);
+    }
+    if (hsr_scene_finish(scene, &err) || hsr_world_init(&world, scene, &err))
+      stop("planes", err.text);
+    good &= world.mesh.n_planes == 2;
+    for (uint32_t f = 0; f < world.n_faces; f++)
+      good &= world.mesh.plane[f] == world.mesh.plane[f % 2];
+    hsr_world_free(&world);
+    hsr_scene_delete(scene);
+  }
+  ok(tap, good, "large triangles of a plane are of one class");
+}
+
+/* Pentagons of small integers, in which all is exact: the deviation is that of
+ * the vertex that is farthest out of the plane. */
+static void test_deviation(struct tap *tap, uint64_t *seed) {
+  enum { FACES = 200 };
+  struct hsr_scene *scene = hsr_scene_new("pentagons");
+  struct hsr_object *object = hsr_scene_object(scene, "pentagons");
+  struct hsr_world world;
+  struct hsr_error err = {.text = "out of memory"};
+  while (object->n_faces < FACES) {
+    static const int around[5][2] = {
+        {4, 0}, {3, 3}, {-2, 4}, {-4, -1}, {1, -4}};
+    uint32_t vertex[5];
+    for (int c = 0; c < 5; c++)
+      hsr_object_vertex(object, around[c][0], around[c][1],
+                        (double)draw_integer(seed, -2, 2), &vertex[c]);
+    hsr_object_face(object, vertex, 5, NULL);
+  }
+  if (hsr_scene_finish(scene, &err) || hsr_world_init(&world, scene, &err))
+    stop("pentagons", err.text);
+  bool good = true;
+  for (uint32_t f = 0; f < FACES; f++) {
+    double largest = 0;
+    for (uint32_t k = world.mesh.start[f]; k < world.mesh.start[f + 1]; k++) {
+      uint32_t v = world.mesh.vertex[k];
+      double off = world.mesh.nx[f] * (world.mesh.x[v] - world.mesh.px[f]) +
+                   world.mesh.ny[f] * (world.mesh.y[v] - world.mesh.py[f]) +
+                   world.mesh.nz[f] * (world.mesh.z[v] - world.mesh.pz[f]);
+      largest = fmax(largest, fabs(off));
+    }
+    double deviation = world.mesh.deviation[f];
+    good &= deviation == 0 ? largest < 1e-9
+                           : deviation >= largest && deviation < largest + 1e-9;
+  }
+  ok(tap, good, "a face deviates as its farthest vertex does");
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+}
+
+/* What cannot be in a scene; what is there without being said; and how large a
+ * scene may be to be laid out. */
+static void test_scene(struct tap *tap) {
+  static const double flat[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0};
+  struct hsr_scene *scene = hsr_scene_new("scene");
+  struct hsr_error err = {.text = ""};
+  struct hsr_world world;
+  uint32_t loop[20];
+  for (int o = 0; o < 3; o++) {
+    struct hsr_object *object = hsr_scene_object(scene, "object");
+    for (uint32_t k = 0; k < 20; k++)
+      hsr_object_vertex(object, o, k, k * k, &loop[k]);
+    hsr_object_face(object, loop, 20, NULL);
+  }
+  struct hsr_object *first = &scene->objects[0];
+  uint32_t beyond[] = {0, 1, 20};
+  loop[19] = loop[3];
+  ok(tap,
+     hsr_object_face(first, loop, 20, NULL) == HSR_E_INPUT &&
+         hsr_object_face(first, loop, 19, NULL) == HSR_OK &&
+         hsr_object_face(first, beyond, 3, NULL) == HSR_E_INPUT,
+     "a long face has no vertex twice, and only those that there are");
+  ok(tap,
+     !hsr_scene_instance(scene, 1, NULL) &&
+         !hsr_scene_instance(scene, 1, NULL) &&
+         hsr_scene_instance(scene, 0, NULL) == HSR_E_INPUT &&
+         !hsr_scene_finish(scene, &err) && scene->n_instances == 4 &&
+         scene->instances[0].object == 0 && scene->instances[1].object == 1 &&
+         scene->instances[2].object == 1 && scene->instances[3].object == 2,
+     "an object without instances has one, in its place: %s", err.text);
+  bool laid_out = !hsr_world_open(&world, scene, 5, &err) &&
+                  !hsr_is_outline(&world) && world.n_faces == 5;
+  hsr_world_free(&world);
+  ok(tap,
+     laid_out && !hsr_world_open(&world, scene, 4, &err) &&
+         hsr_is_outline(&world),
+     "as many faces as may be are laid out, more are not");
+  hsr_world_free(&world);
+  memcpy(scene->instances[3].m, flat, sizeof flat);
+  ok(tap, hsr_world_init(&world, scene, &err) == HSR_E_INPUT,
+     "an instance may not leave a face without area: %s", err.text);
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+}
+
 int main(void) {
   static const char *const scenes[] = {"house",        "twist:3",  "non-planar",
                                        "lattice:80:1", "coplanar", "office:2",
                                        "terrain:8:6",  "one-sided"};
   enum { SCENES = sizeof scenes / sizeof *scenes };
-  struct tap tap = plan(3 * SCENES + 1);
+  struct tap tap = plan(3 * SCENES + 7);
   uint64_t seed = 3;
   for (int k = 0; k < SCENES; k++)
     try_scene(&tap, scenes[k], &seed);
   test_limit(&tap);
+  test_classes(&tap, &seed);
+  test_deviation(&tap, &seed);
+  test_scene(&tap);
   return finish(&tap);
 }

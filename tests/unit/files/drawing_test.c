@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Line drawings: how intervals are added, ordered and compared. */
+/* Line drawings: how intervals are added, ordered and compared; and what has no
+ * length or lies on a border. */
 #include "common/lines/drawing.h"
+#include "common/lines/edges.h"
+#include "tests/draw.h"
 #include "tests/tap.h"
 
 #include <stdlib.h>
@@ -112,6 +115,7 @@ static void try_compare(struct tap *t) {
   ok(t, differing(g, 3, w, 2, false, 2) == 1, "and one that should not be");
   ok(t, differing(g, 0, w, 3, false, 2) == 2, "nothing differs in every edge");
   ok(t, differing(g, 1, w, 2, false, 1) == 1, "a missing interval differs");
+  ok(t, differing(g, 2, w, 1, false, 1) == 1, "or one too many");
   g[1].invisibility = 1;
   ok(t, differing(g, 3, w, 3, false, 2) == 1, "so does another invisibility");
   RESET();
@@ -159,11 +163,77 @@ static void try_visible_only(struct tap *t) {
      "visible only: a missing hidden part after a gap differs");
 }
 
+/* ---- Edges ---- */
+
+/* One face, seen by an eye at the origin that looks along -z. */
+static struct hsr_scene *one_face(const double xyz[][3], uint32_t n) {
+  struct hsr_scene *scene = hsr_scene_new("face");
+  struct hsr_object *object = hsr_scene_object(scene, "face");
+  uint32_t vertex[5];
+  for (uint32_t k = 0; k < n; k++)
+    hsr_object_vertex(object, xyz[k][0], xyz[k][1], xyz[k][2], &vertex[k]);
+  hsr_object_face(object, vertex, n, NULL);
+  if (hsr_scene_finish(scene, NULL))
+    abort();
+  return scene;
+}
+
+static void try_no_length(struct tap *t) {
+  static const double xyz[4][3] = {
+      {0, 0, -2}, {1, 0, -2}, {1, 0, -2}, {0, 1, -2}};
+  struct hsr_scene *scene = one_face(xyz, 4);
+  struct hsr_world world;
+  struct hsr_edges edges;
+  if (hsr_world_init(&world, scene, NULL) ||
+      hsr_edges_init(&edges, &world, NULL))
+    abort();
+  ok(t, edges.n == 3, "between two vertices at one place there is no edge");
+  hsr_edges_free(&edges);
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+}
+
+/* Edges that lie on a border of the picture, of 90 degrees: those on the left
+ * and on the upper one are in it, as samples there would be. */
+static void try_borders(struct tap *t) {
+  static const double at[4][3][3] = {{{-4, 1, -4}, {-2, -1, -2}, {-9, 0, -4}},
+                                     {{4, 1, -4}, {2, -1, -2}, {9, 0, -4}},
+                                     {{1, 4, -4}, {-1, 2, -2}, {0, 9, -4}},
+                                     {{1, -4, -4}, {-1, -2, -2}, {0, -9, -4}}};
+  static const size_t wanted[4] = {1, 0, 1, 0};
+  struct hsr_camera camera = {.at = {0, 0, -1}, .up = {0, 1, 0}, .fov = 90};
+  size_t got[4], oracles[4];
+  bool good = true;
+  for (int k = 0; k < 4; k++) {
+    struct hsr_scene *scene = one_face(at[k], 3);
+    struct hsr_world world;
+    struct hsr_view view;
+    struct hsr_drawing drawing = {.n = 0};
+    if (hsr_world_init(&world, scene, NULL) ||
+        hsr_view_init(&view, &camera, 16, 16, NULL))
+      abort();
+    draw_lines(hsr_algorithm_find("appel")->plain, &world, &view, &drawing,
+               NULL);
+    got[k] = drawing.n;
+    draw_lines(hsr_algorithm_find("line-oracle")->plain, &world, &view,
+               &drawing, NULL);
+    oracles[k] = drawing.n;
+    good &= got[k] == wanted[k] && oracles[k] == wanted[k];
+    hsr_drawing_free(&drawing);
+    hsr_world_free(&world);
+    hsr_scene_delete(scene);
+  }
+  ok(t, good, "on the left and the upper border: %zu %zu %zu %zu edges", got[0],
+     got[1], got[2], got[3]);
+}
+
 int main(void) {
-  struct tap t = plan(29);
+  struct tap t = plan(32);
   try_add(&t);
   try_order(&t);
   try_compare(&t);
   try_visible_only(&t);
+  try_no_length(&t);
+  try_borders(&t);
   return finish(&t);
 }

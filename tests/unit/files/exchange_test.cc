@@ -196,6 +196,59 @@ void try_colours(tap *t) {
   hsr_scene_delete(scene);
 }
 
+bool is_refused(const std::string &name, const std::string &text,
+                const char *says) {
+  struct hsr_scene *scene = hsr_scene_new("");
+  struct hsr_error err = {HSR_OK, ""};
+  const bool refused = hsr_mesh_read(scene, file(name, text).c_str(), nullptr,
+                                     &err) == HSR_E_INPUT &&
+                       std::strstr(err.text, says);
+  if (!refused)
+    std::printf("# %s: %s\n", name.c_str(), err.text);
+  hsr_scene_delete(scene);
+  return refused;
+}
+
+/* Numbers of vertices, one beyond what there is on either side. */
+void try_numbers(tap *t) {
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::string off = "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  struct hsr_scene *scene = hsr_scene_new("");
+  const struct hsr_object *o =
+      read(scene, file("back.obj", three + "f -3 -2 3\n"), nullptr);
+  ok(t, o && o->n_faces == 1 && o->vertex[0] == 0 && o->vertex[2] == 2,
+     "an .obj may count from its end, and names its last vertex");
+  hsr_scene_delete(scene);
+  ok(t,
+     is_refused("n.obj", three + "f -4 -2 -1\n", "names vertex -4 of 3") &&
+         is_refused("n.obj", three + "f 1 2 4\n", "names vertex 4 of 3") &&
+         is_refused("n.obj", three + "f 0 1 2\n", "names vertex 0 of 3") &&
+         is_refused("n.off", off + "3 0 1 4\n", "names vertex 4 of 4") &&
+         is_refused("n.off", off + "3 -1 1 2\n", "names vertex -1 of 4"),
+     "but neither format has others");
+  ok(t,
+     is_refused("twice.off", off + "4 2 0 1 2\n",
+                ":7: face 0 has the same vertex twice"),
+     "a vertex is found again wherever it stands");
+}
+
+/* One triangle: a header, its number of triangles, 50 bytes. */
+void try_binary_stl(tap *t) {
+  const float corner[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  std::string bytes(84 + 50, '\0');
+  bytes[80] = 1;
+  std::memcpy(&bytes[84 + 12], corner, sizeof corner);
+  struct hsr_scene *scene = hsr_scene_new("");
+  const struct hsr_object *o = read(scene, file("one.stl", bytes), nullptr);
+  ok(t, o && o->n_faces == 1 && o->n_vertices == 3 && o->xyz[3] == 1,
+     "a binary .stl");
+  hsr_scene_delete(scene);
+  ok(t,
+     is_refused("long.stl", bytes + '\0', "is no STL") &&
+         is_refused("short.stl", bytes.substr(0, 133), "is no STL"),
+     "one of another length is none");
+}
+
 } // namespace
 
 int main() {
@@ -204,7 +257,7 @@ int main() {
     return 99;
   directory = name;
   const bool vtk = hsr_exchange_has_vtk();
-  struct tap t = plan(3 * 3 + (vtk ? 3 : 0) + 2 + 2 + 2 + 1);
+  struct tap t = plan(3 * 3 + (vtk ? 3 : 0) + 2 + 2 + 2 + 1 + 3 + 2);
   try_cube(&t, file("cube.off", cube_off()));
   try_cube(&t, file("cube.obj", cube_obj()));
   try_cube(&t, file("cube.ply", cube_ply()));
@@ -214,6 +267,8 @@ int main() {
   try_solidity(&t);
   try_degenerate(&t);
   try_colours(&t);
+  try_numbers(&t);
+  try_binary_stl(&t);
   const std::string clean = "rm -rf '" + directory + "'";
   return finish(&t) | (std::system(clean.c_str()) != 0);
 }

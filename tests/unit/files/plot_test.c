@@ -356,8 +356,23 @@ static void try_contour(struct tap *t) {
   free_setting(&s);
 }
 
+/* Two triangles in one plane, and a third one that stands on their seam. */
+static void try_three(struct tap *t) {
+  const double xyz[5][3] = {
+      {0, 0, -5}, {0, 1, -5}, {-1, 0, -5}, {1, 0, -5}, {1, 0, -4}};
+  const uint32_t triangle[3][3] = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+  struct setting s = {.scene = hsr_scene_new("fin")};
+  must(s.scene);
+  add_object(&s, "fin", 5, xyz, 3, triangle, false);
+  complete(&s);
+  add(&s, (struct hsr_edge_name){false, 0, 1, 0}, 0, 1, 1, 2, 2);
+  must(!hsr_drawing_crease(&s.drawing, &s.world, &s.view, 180, NULL));
+  ok(t, s.drawing.n == 1, "an edge of three faces stays");
+  free_setting(&s);
+}
+
 int main(void) {
-  struct tap t = plan(36);
+  struct tap t = plan(37);
   must(mkdtemp(directory));
   try_strokes(&t);
   try_svg(&t);
@@ -365,6 +380,7 @@ int main(void) {
   try_raster(&t);
   try_creases(&t);
   try_contour(&t);
+  try_three(&t);
   remove(path_of("a.svg"));
   remove(path_of("a.pdf"));
   rmdir(directory);

@@ -447,6 +447,8 @@ static const struct {
      ": /objects/0/vertices: must be an array, not a number"},
     {HEAD "{\"name\": \"a\", \"vertices\": [[0,0,0],[0,0]], \"faces\": []}]}",
      ": /objects/0/vertices/1: must have 3 numbers, not 2"},
+    {HEAD "{\"name\": \"a\", \"vertices\": [[0,0,0,1]], \"faces\": []}]}",
+     ": /objects/0/vertices/0: must have 3 numbers, not 4"},
     {HEAD "{\"name\": \"a\", \"vertices\": [[0,true,0]], \"faces\": []}]}",
      ": /objects/0/vertices/0/1: must be a number, not a truth value"},
     {HEAD "{\"name\": \"a\", \"vertices\": [], \"faces\": {}}]}",
