@@ -242,7 +242,8 @@ struct Touching {
   }
 
   template <class T>
-  static T height(const FacePlane<T> &plane, const Vector3<T> &P, const T &scale) {
+  static T height(const FacePlane<T> &plane, const Vector3<T> &P,
+                  const T &scale) {
     return plane.k * (plane.normal * P) - plane.offset * scale;
   }
 
