@@ -125,10 +125,13 @@ quick_scripts = %D%/tree/arrows.test %D%/tree/mutants.test %D%/answers/layers.te
 quick_scenes = house cyclic-overlap penetration coplanar near-plane \
   lattice:40:3 --views 2 --size 41x29
 .PHONY: check-quick check-module check-sanitized
+# As many jobs as there are processors, unless make was told a number.
+quick_make = $(MAKE) $(AM_MAKEFLAGS) -s \
+  $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$$(nproc))
 check-quick:
-	@$(MAKE) $(AM_MAKEFLAGS) -s hsr $(quick_programs) \
+	@$(quick_make) hsr $(quick_programs) \
 	  %D%/answers/hsr-layers %D%/example/hsr-example
-	@$(MAKE) $(AM_MAKEFLAGS) -s check-TESTS \
+	@$(quick_make) check-TESTS \
 	  TESTS="$(quick_programs) $(quick_scripts)" >check-quick.txt 2>&1; \
 	status=$$?; grep -E '^(FAIL|ERROR|# [A-Z]+:)' check-quick.txt; exit $$status
 	@./hsr check $(quick_scenes) >check-quick.txt; \
