@@ -126,8 +126,9 @@ quick_scenes = house cyclic-overlap penetration coplanar near-plane \
   lattice:40:3 --views 2 --size 41x29
 .PHONY: check-quick check-module check-sanitized
 # As many jobs as there are processors, unless make was told a number.
-quick_make = $(MAKE) $(AM_MAKEFLAGS) -s \
-  $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$$(nproc))
+quick_jobs = case " $$MAKEFLAGS" in *\ -j*|*--jobserver*) ;; \
+  *) echo "-j$$(nproc)" ;; esac
+quick_make = $(MAKE) $(AM_MAKEFLAGS) -s `$(quick_jobs)`
 check-quick:
 	@$(quick_make) hsr $(quick_programs) \
 	  %D%/answers/hsr-layers %D%/example/hsr-example
