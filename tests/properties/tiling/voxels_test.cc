@@ -757,6 +757,26 @@ void test_triage(tap &t) {
      n, active);
 }
 
+// A cube of 3 x 3 x 3 voxels in the middle of 5 x 5 x 5: all but its own middle
+// are at its surface. In the same cube of two solids that meet, all are.
+void test_surface(tap &t) {
+  const hsr_voxel_grid grid = {{0, 0, 0}, 1, {5, 5, 5}};
+  hsr_solid_voxels voxels = {};
+  uint64_t set[2], surface[2];
+  if (hsr_solid_voxels_open(&voxels, &grid))
+    std::exit(99);
+  for (int z = 1; z < 4; z++)
+    for (int y = 1; y < 4; y++)
+      for (int x = 1; x < 4; x++)
+        voxels.solid[hsr_voxel_number(&grid, x, y, z)] = 1;
+  hsr_solid_voxels_count(&voxels, &set[0], &surface[0]);
+  voxels.solid[hsr_voxel_number(&grid, 2, 2, 3)] = 2;
+  hsr_solid_voxels_count(&voxels, &set[1], &surface[1]);
+  hsr_solid_voxels_free(&voxels);
+  ok(&t, set[0] == 27 && surface[0] == 26 && set[1] == 27 && surface[1] == 27,
+     "of a cube of 27 voxels 26 are at the surface; of two solids, 27");
+}
+
 void test_refused(tap &t) {
   for (const char *name : {"deep-stack", "penetration"}) {
     Stage stage(name);
@@ -771,7 +791,7 @@ void test_refused(tap &t) {
 } // namespace
 
 int main() {
-  tap t = plan(33);
+  tap t = plan(34);
   test_triage(t);
   test_scene(t, "color-cube", false);
   test_scene(t, "house", true);
@@ -787,6 +807,7 @@ int main() {
   test_visited(t, "sphere:200", 256);
   test_visited(t, "house", 256);
   test_memory(t);
+  test_surface(t);
   test_refused(t);
   return finish(&t);
 }
