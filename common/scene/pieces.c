@@ -45,19 +45,21 @@ static void copy_vertices(struct hsr_world *world, struct hsr_pieces *pieces,
 
 static void copy_face(struct hsr_world *world, uint32_t f,
                       const struct hsr_world *whole, uint32_t parent) {
-  world->mesh.object[f] = whole->mesh.object[parent];
-  world->mesh.instance[f] = whole->mesh.instance[parent];
-  world->mesh.one_sided[f] = whole->mesh.one_sided[parent];
-  world->mesh.nx[f] = whole->mesh.nx[parent];
-  world->mesh.ny[f] = whole->mesh.ny[parent];
-  world->mesh.nz[f] = whole->mesh.nz[parent];
-  world->mesh.n_error[f] = whole->mesh.n_error[parent];
-  world->mesh.px[f] = whole->mesh.px[parent];
-  world->mesh.py[f] = whole->mesh.py[parent];
-  world->mesh.pz[f] = whole->mesh.pz[parent];
-  world->mesh.anchor_error[f] = whole->mesh.anchor_error[parent];
-  world->mesh.deviation[f] = whole->mesh.deviation[parent];
-  world->mesh.plane[f] = whole->mesh.plane[parent];
+  struct hsr_mesh *to = &world->mesh;
+  const struct hsr_mesh *from = &whole->mesh;
+  to->object[f] = from->object[parent];
+  to->instance[f] = from->instance[parent];
+  to->one_sided[f] = from->one_sided[parent];
+  to->nx[f] = from->nx[parent];
+  to->ny[f] = from->ny[parent];
+  to->nz[f] = from->nz[parent];
+  to->n_error[f] = from->n_error[parent];
+  to->px[f] = from->px[parent];
+  to->py[f] = from->py[parent];
+  to->pz[f] = from->pz[parent];
+  to->anchor_error[f] = from->anchor_error[parent];
+  to->deviation[f] = from->deviation[parent];
+  to->plane[f] = from->plane[parent];
 }
 
 enum hsr_status hsr_world_of_pieces(struct hsr_world *world,

@@ -15,10 +15,10 @@
  *             except for the thick ones at its end. The pairs of a scan line
  *             are in the order of list[].
  * Ties        faces of one plane: the lower id has priority, in its cluster
- * Departures  A program does what was built as hardware, one operation after
- *             another: it looks at every edge on every scan line, and
- *             decrements every pair of counters at every raster element. So its
- *             counts are those of the hardware; its time is not. The search
+ * Departures  A program does what was built as hardware: it looks at every edge
+ *             on every scan line, and decrements every pair of counters at every
+ *             raster element, several at once in a vector. So its counts are
+ *             those of the hardware; its time is not. The search
  *             for the priorities of a cluster is made once, by an adapter; its
  *             comparisons are known here by their number only. Figure 20 takes
  *             the intercepts of infinite edges: here an edge has one only on
