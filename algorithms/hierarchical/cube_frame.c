@@ -23,6 +23,10 @@
  * off by less than 2^-26 + 2^-26 and roundings of 2^-36, so by less than 2^-24.
  * `sure` is the larger of these.
  *
+ * Range. 2^-960 more covers what underflows in grow, e and slack, and what of
+ * such a size is left of 1e30 times an entry that underflows. Where something
+ * overflows, a comparison with it does not hold, and nothing is culled.
+ *
  * The eye. By Cramer's rule, E' = adj(M) (E - m) / det M, with an error of at
  * most 32 u |adj(M)| (|E| + |m|) / |det M|, as long as det M itself is 2^-20
  * exact; slack is 2^10 times that. A side that may face the eye is tested, so
@@ -35,6 +39,7 @@
 #include <string.h>
 
 static const double U = DBL_EPSILON / 2;
+static const double TINY = 0x1p-960;
 
 /* --- Placing -------------------------------------------------------------- */
 
@@ -58,7 +63,7 @@ static void place_eye(struct hsr_placing *p, const struct hsr_view *view) {
     det += p->m[4 * c] * adj[0][c];
     det_size += fabs(p->m[4 * c] * adj[0][c]);
   }
-  p->slack = 0;
+  p->slack = TINY;
   for (int k = 0; k < 3; k++) {
     p->eye[k] = (adj[k][0] * v[0] + adj[k][1] * v[1] + adj[k][2] * v[2]) / det;
     p->slack = fmax(p->slack, 0x1p15 * U * size[k] / fabs(det));
@@ -87,7 +92,7 @@ static void place(struct hsr_placing *p, const struct hsr_view *view,
     const double *row = m + 4 * k;
     double size =
         (fabs(row[0]) + fabs(row[1]) + fabs(row[2])) * 3 * reach + fabs(row[3]);
-    p->grow[k] = 0x1p-45 * size;
+    p->grow[k] = 0x1p-45 * size + TINY;
     far[k] = size + fabs(view->E[k]);
     offset[k] = row[3] - view->E[k];
   }
@@ -97,7 +102,8 @@ static void place(struct hsr_placing *p, const struct hsr_view *view,
       p->rows[k][l] = s[0] * m[l] + s[1] * m[4 + l] + s[2] * m[8 + l];
     p->origin[k] = s[0] * offset[0] + s[1] * offset[1] + s[2] * offset[2];
     error[k] = 0x1p-44 * (fabs(s[0]) * far[0] + fabs(s[1]) * far[1] +
-                          fabs(s[2]) * far[2]);
+                          fabs(s[2]) * far[2]) +
+               TINY * (1 + fabs(s[0]) + fabs(s[1]) + fabs(s[2]));
   }
   p->sure = fmax(0x1p36 * error[2], 0x1p21 * fmax(error[0], error[1]));
   p->least = fmax(0x1p20 * error[2], 0x1p4 * fmax(error[0], error[1]));

@@ -287,7 +287,7 @@ struct hsr_box hsr_cubes_bounds(const struct hsr_cubes *cubes, uint32_t i) {
       hi += fmax(a, b);
       size += fabs(row[l]) * c->reach;
     }
-    double slack = exact ? 0 : 32 * U * size;
+    double slack = exact ? 0 : 32 * U * size + 0x1p-960; /* underflow */
     box.lo[k] = lo - slack;
     box.hi[k] = hi + slack;
   }

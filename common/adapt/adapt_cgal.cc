@@ -24,6 +24,7 @@
 
 #include "common/adapt/adapt.h"
 #include "common/adapt/division.h"
+#include "common/exact/exact_plane.h"
 #include "common/statistics/penetration.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -53,10 +54,9 @@ using Flat_point = Kernel::Point_2;
 // The corners of face f on the coordinate plane that it faces most, which is
 // turned as the face is: counterclockwise stays counterclockwise.
 std::vector<Flat_point> flatten(const hsr_world &world, uint32_t f) {
-  const double n[3] = {world.mesh.nx[f], world.mesh.ny[f], world.mesh.nz[f]};
-  const double a[3] = {std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])};
-  const size_t drop = a[0] >= a[1] && a[0] >= a[2] ? 0 : a[1] >= a[2] ? 1 : 2;
-  const size_t right = (drop + (n[drop] > 0 ? 1 : 2)) % 3;
+  const Projection along = projection_of(&world, f);
+  const size_t drop = size_t(along.axis);
+  const size_t right = (drop + (along.sign > 0 ? 1 : 2)) % 3;
   std::vector<Flat_point> points;
   for (uint32_t k = world.mesh.start[f]; k < world.mesh.start[f + 1]; k++) {
     const Point p = point_of(world, world.mesh.vertex[k]);
@@ -238,6 +238,9 @@ hsr_status make_convex(const hsr_world *in, hsr_world *out, bool *changed,
 // A scene that would have more pieces than this is refused.
 const size_t MOST_PIECES = 4000000;
 
+// Covers what underflows in a height, as in common/exact/order.c.
+const double TINY = 0x1p-960;
+
 // The plane of a face in doubles. The margin is above every rounding of it, and
 // above the distance by which the vertices of the face that it cuts are out of
 // their plane.
@@ -245,12 +248,12 @@ struct Cutter {
   uint32_t face;
   Point n, p;
   double margin;
+  double reach = 0; // the largest coordinate of both faces
 
   Cutter(const hsr_world &world, uint32_t g, uint32_t cut_face)
       : face(g), n{world.mesh.nx[g], world.mesh.ny[g], world.mesh.nz[g]},
         p{world.mesh.px[g], world.mesh.py[g], world.mesh.pz[g]} {
     const double n1 = std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]);
-    double reach = 0;
     for (uint32_t h : {g, cut_face})
       for (uint32_t k = world.mesh.start[h]; k < world.mesh.start[h + 1]; k++)
         for (double c : point_of(world, world.mesh.vertex[k]))
@@ -261,8 +264,10 @@ struct Cutter {
                             std::fabs(world.mesh.nz[cut_face])));
     margin = 4 * (world.mesh.n_error[g] * 6 * reach +
                   world.mesh.anchor_error[g] * n1) +
-             0x1p-40 * n1 * reach + 2 * world.mesh.deviation[g] +
-             2 * n1 * world.mesh.deviation[cut_face] / scale;
+             0x1p-40 * n1 * reach + 2 * world.mesh.deviation[g] + TINY;
+    // Infinite where the normal is too small for doubles.
+    if (world.mesh.deviation[cut_face] > 0)
+      margin += 2 * n1 * (world.mesh.deviation[cut_face] / scale);
   }
 
   double height(const Point &v) const {
@@ -301,9 +306,11 @@ bool reaches_both_sides(const std::vector<Point> &outline,
   return front && behind;
 }
 
-// Whether the boxes of an outline and of face g meet, with some room.
+// Whether the boxes of an outline and of face g meet, with some room: an
+// outline's point is off by a few roundings of the largest coordinate, `reach`,
+// of the vertices that it lies between.
 bool near_face(const std::vector<Point> &outline, const hsr_world &world,
-               uint32_t g) {
+               uint32_t g, double reach) {
   for (size_t c = 0; c < 3; c++) {
     double lo = INFINITY, hi = -INFINITY, from = INFINITY, to = -INFINITY;
     for (const Point &p : outline) {
@@ -315,8 +322,7 @@ bool near_face(const std::vector<Point> &outline, const hsr_world &world,
       from = std::fmin(from, v);
       to = std::fmax(to, v);
     }
-    const double room = 0x1p-40 * (std::fabs(lo) + std::fabs(hi) +
-                                   std::fabs(from) + std::fabs(to));
+    const double room = 0x1p-40 * reach;
     if (lo > to + room || from > hi + room)
       return false;
   }
@@ -330,7 +336,7 @@ void cut_pieces(const hsr_world &whole, uint32_t g,
   for (size_t k = 0; k < n; k++) {
     const Cutter plane(whole, g, pieces[k].parent);
     if (!reaches_both_sides(pieces[k].outline, plane) ||
-        !near_face(pieces[k].outline, whole, g))
+        !near_face(pieces[k].outline, whole, g, plane.reach))
       continue;
     Piece behind = pieces[k];
     behind.outline = clip(pieces[k].outline, plane, -1);

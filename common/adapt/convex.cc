@@ -156,8 +156,11 @@ Convex_pieces::Convex_pieces(const hsr_world &world)
     turned_[f] = first == f || same_way(whole_, first, f) ? 1 : -1;
     if (whole_.mesh.deviation[f] == 0)
       continue;
+    // Any number will do: whether what is seen is within it is asked for each
+    // eye (hsr_grazes). It may be infinite or not a number where the normal is
+    // too small for doubles, and must not be 0, which says that a face is flat.
     const double off = whole_.mesh.deviation[f] / largest_normal(whole_, f);
-    reach_[f] = std::sqrt(off * size_of(whole_, f));
+    reach_[f] = std::fmax(std::sqrt(off * size_of(whole_, f)), TINY);
   }
 }
 

@@ -4,6 +4,7 @@
 #ifndef HSR_COMMON_EXACT_PLANE_H
 #define HSR_COMMON_EXACT_PLANE_H
 
+#include "common/scene/pieces.h"
 #include "common/scene/world.h"
 
 #include <CGAL/Interval_nt.h>
@@ -11,6 +12,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
+#include <new>
 
 namespace hsr {
 
@@ -20,6 +22,36 @@ template <class T> using Vector3 = typename CGAL::Simple_cartesian<T>::Vector_3;
 
 template <class T> Vector3<T> point(const hsr_world *w, uint32_t v) {
   return {T(w->mesh.x[v]), T(w->mesh.y[v]), T(w->mesh.z[v])};
+}
+
+// x times 2^exponent, or the next double towards `to` if that has too few digits.
+inline double scaled(double x, double exponent, double to) {
+  const double y =
+      std::ldexp(x, int(std::fmax(-3000, std::fmin(exponent, 3000))));
+  return x == 0 || (std::fabs(y) >= 0x1p-1022 && std::isfinite(y))
+             ? y
+             : std::nextafter(y, to);
+}
+
+// An interval that holds a / b. Exact numbers have no least exponent, but doubles
+// have: the product of a few coordinates below 2^-300 is no double. So each
+// number is first divided by a power of two, which makes its exponent small.
+inline CGAL::Interval_nt<true> quotient(Exact a, Exact b) {
+  using Safe = CGAL::Interval_nt<true>;
+  const double scale_a = double(a.find_scale()),
+               scale_b = double(b.find_scale());
+  const double log_base = 16; // of MP_Float
+  a.rescale(a.find_scale());
+  b.rescale(b.find_scale());
+  const Safe part = Safe(CGAL::to_interval(a)) / Safe(CGAL::to_interval(b));
+  const double exponent = log_base * (scale_a - scale_b);
+  return {scaled(part.inf(), exponent, -INFINITY),
+          scaled(part.sup(), exponent, INFINITY)};
+}
+
+inline CGAL::Interval_nt<true> quotient(const Interval &a, const Interval &b) {
+  using Safe = CGAL::Interval_nt<true>;
+  return Safe(a.inf(), a.sup()) / Safe(b.inf(), b.sup());
 }
 
 // N . (k P - S) = 0, as in docs/correct-picture.md; `offset` is N . S.
@@ -77,6 +109,29 @@ inline int side_of_plane(const hsr_world *w, uint32_t f, uint32_t v) {
   if (const int side = rough_side(w, f, v))
     return side;
   return CGAL::sign(FacePlane<Exact>(w, f).height(point<Exact>(w, v)));
+}
+
+// An axis along which face f may be projected, and the sign of the normal's
+// component there, which is certainly not 0. It is that of the largest component
+// of the rounded normal, unless that may be 0: products of coordinates below
+// 2^-480 underflow, and a sliver's normal may be all rounding. May throw
+// std::bad_alloc.
+struct Projection {
+  int axis, sign;
+};
+inline Projection projection_of(const hsr_world *w, uint32_t f) {
+  const double n[3] = {w->mesh.nx[f], w->mesh.ny[f], w->mesh.nz[f]};
+  const double a[3] = {std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])};
+  const int drop = a[0] >= a[1] && a[0] >= a[2] ? 0 : a[1] >= a[2] ? 1 : 2;
+  if (a[drop] > w->mesh.n_error[f])
+    return {drop, n[drop] > 0 ? 1 : -1};
+  bool out_of_memory = false;
+  for (int axis = 0; axis < 3; axis++)
+    if (const int sign =
+            hsr_exact_normal_sign(hsr_plane_loop(w, f), axis, &out_of_memory))
+      if (!out_of_memory)
+        return {axis, sign};
+  throw std::bad_alloc(); // a face has a normal
 }
 
 } // namespace hsr

@@ -5,14 +5,21 @@
  * The error of a height is the error of N times |V - P|_1, the anchor's times
  * |N|_1, one rounding of the difference, and three of the products and sums, as
  * in find_deviation of planes.c; all are doubled. A point of an outline is
- * itself off by a few roundings for every time that it was clipped. 2^-44 of
- * the largest coordinate covers them for pieces of fewer than two hundred cuts,
- * so the error of its height has 2^-43 |N|_1 |V|inf more. */
+ * itself off by a few roundings for every time that its face was cut. The point
+ * lies between two others, and they may be much farther out than it is. So the
+ * roundings are those of the face's largest vertex, whose size (the sum of its
+ * coordinates' sizes) is S: a cut adds at most 6 u S. An outline starts with
+ * 2^-44 S, and each cut adds 8 u S. The error of a point's height has 2 |N|_1
+ * times that more.
+ *
+ * Range. Coordinates are at most 1e30 and the normals 1e62, so no product
+ * overflows. 2^-960 covers what underflows in a sum of products: each term of
+ * it is a double within 2^-1074 of the true one, times 1e62 at most. */
 #include "common/exact/order.h"
-#include "common/view/clip.h"
 #include "common/exact/predicates.h"
 
 #include <float.h>
+#include <string.h>
 
 static const double U = DBL_EPSILON / 2;
 static const double TINY = 0x1p-960;
@@ -23,17 +30,18 @@ static double sum_of_sizes(const double v[3]) {
   return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
 }
 
-/* Height of a point over the plane of g, and a bound of its error. */
+/* Height of a point over the plane of g, and a bound of its error. The point's
+ * coordinates are within `off` of the true ones. */
 static double height(const struct hsr_world *w, uint32_t g, const double p[3],
-                     bool exact, double *error) {
+                     double off, double *error) {
   const double n[3] = {w->mesh.nx[g], w->mesh.ny[g], w->mesh.nz[g]};
   const double r[3] = {p[0] - w->mesh.px[g], p[1] - w->mesh.py[g],
                        p[2] - w->mesh.pz[g]};
   double n1 = sum_of_sizes(n), r1 = sum_of_sizes(r);
   *error = 2 * (w->mesh.n_error[g] * r1 + w->mesh.anchor_error[g] * n1) +
            16 * U * n1 * r1 + TINY;
-  if (!exact)
-    *error += 0x1p-43 * n1 * sum_of_sizes(p);
+  if (off > 0)
+    *error += 2 * (n1 + 3 * w->mesh.n_error[g]) * off;
   return n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
 }
 
@@ -54,8 +62,8 @@ static double thickness(const struct hsr_screen *screen, uint32_t f,
   double deviation = world->mesh.deviation[f], error_f, error_g;
   if (deviation == 0)
     return 0;
-  double h_f = fabs(height(world, f, screen->view->E, true, &error_f));
-  double h_g = fabs(height(world, g, screen->view->E, true, &error_g));
+  double h_f = fabs(height(world, f, screen->view->E, 0, &error_f));
+  double h_g = fabs(height(world, g, screen->view->E, 0, &error_g));
   double clear = h_f - error_f - deviation;
   return clear > deviation ? 2 * (h_g + error_g) * deviation / clear : INFINITY;
 }
@@ -72,8 +80,9 @@ bool hsr_grazes(const struct hsr_screen *screen, uint32_t f, double reach) {
                          world->mesh.z[v] - E[2]};
     farthest = fmax(farthest, sum_of_sizes(d));
   }
-  double clear = fabs(height(world, f, E, true, &error)) - error - deviation;
-  return !(clear > 0 && farthest * deviation <= reach * clear);
+  double clear = fabs(height(world, f, E, 0, &error)) - error - deviation;
+  /* The quotient may be infinite; a product might be 0 on both sides. */
+  return !(clear > 0 && farthest * (deviation / clear) <= reach);
 }
 
 /* --- Before and beyond ---------------------------------------------------- */
@@ -109,13 +118,13 @@ static enum hsr_certainty on_side(const struct hsr_screen *screen,
     uint32_t v = point_of(world, polygon, k, p);
     if (thick == 0 && v != HSR_NO_ID && hsr_on_plane(world, g, v))
       continue; /* a vertex of both */
-    double off = side * height(world, g, p, !polygon.outline, &error);
+    double off = side * height(world, g, p, polygon.off, &error);
     if (off > thick + error)
       continue;
     if (off < -(thick + error + 2 * world->mesh.deviation[g]))
       return HSR_NO;
     if (polygon.outline) /* in doubt: ask whether all of the face is there */
-      return on_side(screen, (struct hsr_polygon){polygon.face, NULL, 0}, g,
+      return on_side(screen, (struct hsr_polygon){.face = polygon.face}, g,
                      side, tally);
     if (thick > 0) {
       certainty = HSR_NEARLY;
@@ -148,39 +157,60 @@ enum hsr_certainty hsr_before(const struct hsr_screen *screen,
 
 /* --- Outlines ------------------------------------------------------------- */
 
-uint32_t hsr_divide_outline(const struct hsr_screen *screen,
-                            struct hsr_polygon polygon, struct hsr_cut cut,
-                            double (*points)[3], double (*scratch)[3]) {
+/* S of the proof above. */
+static double size_of_face(const struct hsr_world *world, uint32_t f) {
+  double size = 0;
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+    uint32_t v = world->mesh.vertex[k];
+    const double p[3] = {world->mesh.x[v], world->mesh.y[v], world->mesh.z[v]};
+    size = fmax(size, sum_of_sizes(p));
+  }
+  return size;
+}
+
+struct hsr_polygon hsr_divide_outline(const struct hsr_screen *screen,
+                                      struct hsr_polygon polygon,
+                                      struct hsr_cut cut, double (*points)[3],
+                                      double (*scratch)[3]) {
   const struct hsr_world *world = screen->world;
   uint32_t g = cut.face, n = n_points(world, polygon);
-  const double anchor[3] = {world->mesh.px[g], world->mesh.py[g],
-                            world->mesh.pz[g]};
-  const double plane[3] = {cut.side * world->mesh.nx[g],
-                           cut.side * world->mesh.ny[g],
-                           cut.side * world->mesh.nz[g]};
-  double margin = 0;
+  double size = size_of_face(world, polygon.face), margin = 0;
+  if (!polygon.outline)
+    polygon.off = 0x1p-44 * size + TINY;
   for (uint32_t k = 0; k < n; k++) {
     double p[3], error;
     point_of(world, polygon, k, p);
-    height(world, g, p, false, &error);
+    scratch[k][0] = cut.side * height(world, g, p, polygon.off, &error);
     margin = fmax(margin, error);
-    for (int c = 0; c < 3; c++)
-      scratch[k][c] = p[c] - anchor[c];
   }
   margin = 2 * margin + thickness(screen, polygon.face, g);
-  int left =
-      hsr_clip((const double(*)[3])scratch, (int)n, plane, margin, points);
-  for (int k = 0; k < left; k++)
+  uint32_t left = 0;
+  for (uint32_t k = 0; k < n; k++) {
+    uint32_t l = k + 1 < n ? k + 1 : 0;
+    double a[3], b[3], ha = scratch[k][0] + margin, hb = scratch[l][0] + margin;
+    point_of(world, polygon, k, a);
+    point_of(world, polygon, l, b);
+    if (ha >= 0)
+      memcpy(points[left++], a, sizeof a);
+    if ((ha < 0) == (hb < 0))
+      continue;
+    double t = ha / (ha - hb);
     for (int c = 0; c < 3; c++)
-      points[k][c] += anchor[c];
-  return (uint32_t)left;
+      points[left][c] = a[c] + t * (b[c] - a[c]);
+    left++;
+  }
+  return (struct hsr_polygon){polygon.face, (const double(*)[3])points, left,
+                              polygon.off + 8 * U * size};
 }
 
-/* w sx, w sy, w of a point, and a bound of their errors. */
+/* w sx, w sy, w of a point, and a bound of their errors. The point's
+ * coordinates are within `own` of the true ones. Everything may be infinite or
+ * not a number where the view is so narrow that a product overflows. */
 static void homogeneous(const struct hsr_view *view, const double p[3],
-                        double h[3], double error[3]) {
+                        double own, double h[3], double error[3]) {
   const double d[3] = {p[0] - view->E[0], p[1] - view->E[1], p[2] - view->E[2]};
-  double off = 16 * U * sum_of_sizes(d) + 0x1p-44 * sum_of_sizes(p) + TINY;
+  double off =
+      16 * U * sum_of_sizes(d) + fmax(0x1p-44 * sum_of_sizes(p), own) + TINY;
   for (int k = 0; k < 3; k++) {
     const double *row = view->screen[k];
     h[k] = row[0] * d[0] + row[1] * d[1] + row[2] * d[2];
@@ -203,7 +233,7 @@ struct hsr_bounds hsr_outline_bounds(const struct hsr_screen *screen,
   double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
   for (uint32_t k = 0; k < polygon.n; k++) {
     double h[3], error[3];
-    homogeneous(screen->view, polygon.outline[k], h, error);
+    homogeneous(screen->view, polygon.outline[k], polygon.off, h, error);
     /* The division by w leaves errors of less than a quarter of a pixel. */
     if (!(h[2] > 8 * (error[0] + error[1] + HSR_GUARD * error[2])))
       return bounds;
@@ -228,15 +258,20 @@ void hsr_depth_range(const struct hsr_screen *screen,
   for (uint32_t k = 0; k < n_points(world, polygon); k++) {
     double p[3], h[3], error[3];
     point_of(world, polygon, k, p);
-    homogeneous(screen->view, p, h, error);
+    homogeneous(screen->view, p, polygon.off, h, error);
     *nearest = fmin(*nearest, h[2] - error[2]);
     *farthest = fmax(*farthest, h[2] + error[2]);
   }
   if (deviation > 0) {
     double error;
-    double h = fabs(height(world, polygon.face, screen->view->E, true, &error));
+    double h = fabs(height(world, polygon.face, screen->view->E, 0, &error));
     double clear = h - error - deviation;
-    stretch = clear > deviation ? 1 + 2 * deviation / clear : INFINITY;
+    if (!(clear > deviation)) { /* the plane may be met anywhere */
+      *nearest = 0;
+      *farthest = INFINITY;
+      return;
+    }
+    stretch = 1 + 2 * (deviation / clear);
   }
   *nearest = *nearest > 0 ? *nearest / stretch * (1 - 8 * U) : 0;
   *farthest = *farthest * stretch * (1 + 8 * U);

@@ -31,7 +31,9 @@ extern "C" {
 struct hsr_polygon {
   uint32_t face;
   const double (*outline)[3]; /* NULL: the vertices of the face */
-  uint32_t n;                 /* points of the outline */
+  uint32_t n;                 /* points of the outline; */
+  double off;                 /* each of their coordinates is within this of the
+                                 true one (world units) */
 };
 
 /* HSR_NEARLY: it may be so, but faces that are not flat are too thick to tell.
@@ -52,12 +54,13 @@ enum hsr_certainty hsr_before(const struct hsr_screen *screen,
                               struct hsr_polygon polygon, uint32_t g,
                               struct hsr_tally *tally);
 
-/* An outline of what a cut leaves of a polygon, in points[]. If the polygon has
- * n points, the outline has at most n + n/2 + 1; `points` and `scratch` have
- * room for that many. Returns how many there are. */
-uint32_t hsr_divide_outline(const struct hsr_screen *screen,
-                            struct hsr_polygon polygon, struct hsr_cut cut,
-                            double (*points)[3], double (*scratch)[3]);
+/* What a cut leaves of a polygon, as one whose outline is in points[]. If the
+ * polygon has n points, the outline has at most n + n/2 + 1; `points` has room
+ * for that many, and `scratch` for n. */
+struct hsr_polygon hsr_divide_outline(const struct hsr_screen *screen,
+                                      struct hsr_polygon polygon,
+                                      struct hsr_cut cut, double (*points)[3],
+                                      double (*scratch)[3]);
 
 /* The bounds of the face, narrowed to the outline of the polygon, which must
  * have one. */

@@ -5,8 +5,12 @@
  *             components, |.|inf the largest; v = V - E; delta = HSR_DELTA =
  *             2^-26; G = HSR_GUARD = 2^15. Everything is in doubles, rounded to
  *             nearest, nothing contracted. Coordinates are at most 1e30 in size
- *             (common/scene/scene.c), so that nothing overflows. Where
- *             underflow can matter, adding 2^-960 covers it.
+ *             (common/scene/scene.c), so that normals and heights do not
+ *             overflow. Where underflow can matter, adding 2^-960 covers it: a
+ *             product is off by 2^-1074 more, at most, or by that times a
+ *             factor below 2^102. The screen matrix is large in a narrow view.
+ *             What overflows there is infinite or not a number: no comparison
+ *             with it decides anything.
  *
  * Vertices. Each component of v^ carries one rounding, and an entry M of the
  * screen matrix a relative error of 2u. A product of the two adds one rounding,
@@ -68,7 +72,8 @@
  * takes three times it. A product A_k B_l carries e_k |B_l| + f_l |A_k| <= 2.1
  * e_k f_l / 8u and a rounding of e_k f_l / 64u. The further roundings of the
  * sums are four times that, and the sum of all is within 0.4 e f / u; the
- * filter takes e f / u.
+ * filter takes e f / u. That holds unless a product overflows; none does if
+ * every e_k and f_k is at most 2^400, for then every |A_k| is below 2^460.
  *
  * Edge columns. For |dy| >= 16 delta the parameter of the crossing,
  * (y - ay)/dy in [0, 1], is within 3.5 delta/|dy|, and the crossing ax + dx t
@@ -315,6 +320,11 @@ static void homogeneous(const struct hsr_screen *screen, uint32_t v,
   }
 }
 
+/* Whether no product of two coordinates of such errors overflows. */
+static bool within_range(const double error[3]) {
+  return error[0] <= 0x1p400 && error[1] <= 0x1p400 && error[2] <= 0x1p400;
+}
+
 /* Bounds of a triangle or quadrilateral that reaches behind the eye. It is
  * clipped, before the division, to what lies ahead and within a pixel of the
  * window. The clipping planes are moved out by the error of the coordinates, so
@@ -338,6 +348,9 @@ static struct hsr_bounds clipped_bounds(const struct hsr_screen *screen,
   for (uint32_t k = 0; k < size; k++)
     homogeneous(screen, world->mesh.vertex[world->mesh.start[f] + k], a[k],
                 error);
+
+  if (!within_range(error))
+    return all;
 
   double x0 = window->x0 - 1, x1 = window->x1 + 1, y0 = window->y0 - 1,
          y1 = window->y1 + 1;
@@ -536,6 +549,8 @@ static struct row_edge row_edge(const struct hsr_screen *screen, uint32_t va,
   double a[3], b[3], e[3] = {0, 0, 0}, f[3] = {0, 0, 0};
   homogeneous(screen, va, a, e);
   homogeneous(screen, vb, b, f);
+  if (!within_range(e) || !within_range(f))
+    return (struct row_edge){0, 0, INFINITY, INFINITY};
   return (struct row_edge){
       a[1] * b[2] - a[2] * b[1],
       sy * (a[2] * b[0] - a[0] * b[2]) + (a[0] * b[1] - a[1] * b[0]),

@@ -11,6 +11,7 @@
 // Simple      By CGAL's is_simple_2, whose predicates are exact, on the
 //             coordinate plane that the face faces most.
 
+#include "common/exact/exact_plane.h"
 #include "common/lines/edges.h"
 #include "common/lines/exact_points.h"
 
@@ -189,6 +190,8 @@ struct Touching {
   // Whether X is certainly not in the face, seen along an axis.
   bool is_outside(uint32_t f, const Vector3<Interval> &X,
                   const Interval &scale) const {
+    // Any axis will do: where the face has no width along it, no turn below is
+    // certain.
     const double n[3] = {std::fabs(world->mesh.nx[f]),
                          std::fabs(world->mesh.ny[f]),
                          std::fabs(world->mesh.nz[f])};
@@ -264,16 +267,18 @@ void extend(Box &box, double x, double y, double z) {
   box.extend(p);
 }
 
-// The box of a point that may be rounded.
+// The box of a point that may be rounded: by a part of it, or by less than
+// 2^-1000 where it has fewer digits.
 void extend_around(Box &box, const hsr_edges *edges, uint32_t p) {
   double x[3] = {edges->x[p], edges->y[p], edges->z[p]};
   if (p < edges->world->mesh.n_vertices) {
     extend(box, x[0], x[1], x[2]);
     return;
   }
-  for (double by : {-0x1p-48, 0x1p-48})
-    extend(box, x[0] + by * std::fabs(x[0]), x[1] + by * std::fabs(x[1]),
-           x[2] + by * std::fabs(x[2]));
+  for (double by : {-1, 1})
+    extend(box, x[0] + by * (0x1p-48 * std::fabs(x[0]) + 0x1p-1000),
+           x[1] + by * (0x1p-48 * std::fabs(x[1]) + 0x1p-1000),
+           x[2] + by * (0x1p-48 * std::fabs(x[2]) + 0x1p-1000));
 }
 
 void find_touched(hsr_edges *edges) {
@@ -346,10 +351,7 @@ bool is_simple(const hsr_world *world, uint32_t f) {
     return false;
   if (hsr_face_size(world, f) == 3)
     return true;
-  const double n[3] = {std::fabs(world->mesh.nx[f]),
-                       std::fabs(world->mesh.ny[f]),
-                       std::fabs(world->mesh.nz[f])};
-  const int drop = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
+  const int drop = projection_of(world, f).axis;
   const double *c[3] = {world->mesh.x, world->mesh.y, world->mesh.z};
   std::vector<Kernel::Point_2> polygon;
   for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++)
@@ -392,10 +394,8 @@ void make(hsr_edges *edges) {
 } // namespace
 
 double hsr_exact_points::rounded(const Exact_point &point, int axis) {
-  using Safe = CGAL::Interval_nt<true>;
-  const Safe quotient = Safe(CGAL::to_interval(point.at[axis])) /
-                        Safe(CGAL::to_interval(point.denominator));
-  return quotient.inf() + (quotient.sup() - quotient.inf()) / 2;
+  const auto x = quotient(point.at[axis], point.denominator);
+  return x.inf() + (x.sup() - x.inf()) / 2;
 }
 
 enum hsr_status hsr_edges_init(struct hsr_edges *edges,

@@ -90,10 +90,7 @@ using Flat_point = Kernel::Point_2;
 class Flat {
 public:
   Flat(const hsr_world *world, uint32_t f) : world_(world), f_(f) {
-    const double n[3] = {std::fabs(world->mesh.nx[f]),
-                         std::fabs(world->mesh.ny[f]),
-                         std::fabs(world->mesh.nz[f])};
-    drop_ = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
+    drop_ = projection_of(world, f).axis;
     for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++)
       polygon_.push_back(at(world->mesh.vertex[k]));
   }
@@ -610,11 +607,10 @@ private:
 
     template <class T>
     static void extend(Volume &made, const Line<T> &line, const Bound<T> &at) {
-      using Safe = CGAL::Interval_nt<true>;
       const Vector3<T> P = at.slope * line.P - at.value * line.d;
-      const Safe w(CGAL::to_interval(T(at.slope * line.w)));
+      const T w = at.slope * line.w;
       for (int c = 0; c < 3; c++) {
-        const Safe x = Safe(CGAL::to_interval(P[c])) / w;
+        const auto x = quotient(P[c], w);
         made.extend(size_t(c), x.inf(), x.sup());
       }
     }

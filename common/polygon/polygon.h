@@ -32,6 +32,9 @@ struct hsr_loop {
 /* 1 if a component of Newell's normal is not zero, else 0. */
 int hsr_exact_has_normal(struct hsr_loop face, bool *out_of_memory);
 
+/* The sign of a component of Newell's normal; axis 0, 1 or 2. */
+int hsr_exact_normal_sign(struct hsr_loop face, int axis, bool *out_of_memory);
+
 /* Whether all corners are on the plane of the face (common/scene/world.h). */
 bool hsr_is_flat(struct hsr_loop face, bool *out_of_memory);
 

@@ -6,10 +6,7 @@
 
 using namespace hsr;
 
-namespace {
-
-/* The sign of a component of Newell's normal. */
-int normal_sign(const hsr_loop &face, int axis, bool *out_of_memory) {
+int hsr_exact_normal_sign(struct hsr_loop face, int axis, bool *out_of_memory) {
   return sign_of(
       [&](auto t) {
         using T = decltype(t);
@@ -19,11 +16,9 @@ int normal_sign(const hsr_loop &face, int axis, bool *out_of_memory) {
       out_of_memory);
 }
 
-} // namespace
-
 int hsr_exact_has_normal(struct hsr_loop face, bool *out_of_memory) {
   for (int axis = 0; axis < 3; axis++)
-    if (normal_sign(face, axis, out_of_memory))
+    if (hsr_exact_normal_sign(face, axis, out_of_memory))
       return 1;
   return 0;
 }
@@ -77,19 +72,53 @@ int hsr_exact_displaced_plane_side(struct hsr_loop face, const double point[3],
                                    bool *out_of_memory) {
   int sign = hsr_exact_plane_side(face, point, out_of_memory);
   for (int axis = 0; axis < 3 && !sign; axis++)
-    sign = normal_sign(face, axis, out_of_memory);
+    sign = hsr_exact_normal_sign(face, axis, out_of_memory);
   return sign;
 }
 
-bool hsr_is_flat(struct hsr_loop loop, bool *out_of_memory) {
-  struct hsr_loop plane = loop;
-  if (loop.n == 4)
-    plane.n = 3;
+namespace {
+
+/* The height of corner k over a plane, times the plane's k. */
+template <class T>
+T height_of(const Plane<T> &plane, const hsr_loop &loop, uint32_t k) {
+  return plane.k * dot(plane.normal, corner<T>(loop, k)) - plane.offset;
+}
+
+enum answer { NO, YES, UNCERTAIN };
+
+/* The plane is found once, and not for each corner: faces may have a million. */
+answer is_flat_roughly(const hsr_loop &loop, const hsr_loop &of_plane) {
+  CGAL::Protect_FPU_rounding<true> upwards;
+  const Plane<Interval> plane = newell_plane<Interval>(of_plane);
+  answer flat = YES;
   for (uint32_t k = loop.n <= 4 ? 3 : 0; k < loop.n; k++) {
-    size_t v = loop.stride * loop.vertex[k];
-    const double p[3] = {loop.x[v], loop.y[v], loop.z[v]};
-    if (hsr_exact_plane_side(plane, p, out_of_memory))
-      return false;
+    const CGAL::Uncertain<CGAL::Sign> sign =
+        CGAL::sign(height_of(plane, loop, k));
+    if (!CGAL::is_certain(sign))
+      flat = UNCERTAIN;
+    else if (CGAL::get_certain(sign) != CGAL::ZERO)
+      return NO;
   }
-  return true;
+  return flat;
+}
+
+} // namespace
+
+bool hsr_is_flat(struct hsr_loop loop, bool *out_of_memory) {
+  struct hsr_loop of_plane = loop;
+  if (loop.n == 4)
+    of_plane.n = 3;
+  try {
+    const answer flat = is_flat_roughly(loop, of_plane);
+    if (flat != UNCERTAIN)
+      return flat == YES;
+    const Plane<Exact> plane = newell_plane<Exact>(of_plane);
+    for (uint32_t k = loop.n <= 4 ? 3 : 0; k < loop.n; k++)
+      if (CGAL::sign(height_of(plane, loop, k)) != CGAL::ZERO)
+        return false;
+    return true;
+  } catch (...) {
+    *out_of_memory = true; /* the only thing that MP_Float throws */
+    return true;
+  }
 }

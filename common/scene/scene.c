@@ -250,6 +250,12 @@ enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
   return HSR_OK;
 }
 
+/* |d|, also where squares underflow. */
+static double length_of(const double d[3]) {
+  double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  return length >= 0x1p-500 ? length : hypot(hypot(d[0], d[1]), d[2]);
+}
+
 /* The centre of the bounding box of all instances' vertices, and the greatest
  * distance of a vertex from it. */
 static double bounding_sphere(const struct hsr_scene *scene, double centre[3]) {
@@ -270,7 +276,7 @@ static double bounding_sphere(const struct hsr_scene *scene, double centre[3]) {
           hi[k] = fmax(hi[k], p[k]);
           d[k] = pass ? p[k] - centre[k] : 0;
         }
-        radius = fmax(radius, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+        radius = fmax(radius, length_of(d));
       }
     }
     for (int k = 0; k < 3; k++)

@@ -73,7 +73,12 @@ void grow(hsr_box &box, const Point &at, double error) {
 class Maker {
 public:
   Maker(const hsr_world &world, uint32_t most)
-      : world_(world), most_(most), shapes_(world), parts_(world.n_faces) {}
+      : world_(world), most_(most), shapes_(world), parts_(world.n_faces) {
+    // What is seen of such a face may be anywhere: it is loose from the start.
+    for (uint32_t f = 0; f < world.n_faces; f++)
+      if (!std::isfinite(shapes_.reach(hsr_world_parent(&world, f))))
+        parts_[f] = MOST_PARTS + 1;
+  }
   void make();
   bool fill(hsr_bsp *out) const;
 

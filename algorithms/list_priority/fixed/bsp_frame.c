@@ -124,27 +124,29 @@ static uint32_t take_cuts(struct hsr_bsp_frame *frame,
   return n_taken;
 }
 
-/* The face's bounds. They are narrowed by the piece's corners if those are as
- * exact as an outline must be (common/exact/order.c). */
+/* The face's bounds. They are narrowed by the piece's corners if those are about
+ * as exact as the outlines of common/exact/order.c. */
 static struct hsr_bounds bounds_of(struct hsr_bsp_frame *frame,
                                    const struct hsr_bsp_piece *piece) {
   const struct hsr_bsp *bsp = frame->bsp;
   const struct hsr_bsp_corner *corner = bsp->corner + piece->first_corner;
   bool exact = true;
+  double off = 0;
   for (uint32_t k = 0; k < piece->n_corners; k++) {
     uint32_t p = corner[k].point;
     double *at = frame->outline[k];
     at[0] = bsp->x[p];
     at[1] = bsp->y[p];
     at[2] = bsp->z[p];
-    exact &=
-        bsp->error[p] <= 0x1p-44 * (fabs(at[0]) + fabs(at[1]) + fabs(at[2]));
+    double size = 0x1p-44 * (fabs(at[0]) + fabs(at[1]) + fabs(at[2]));
+    exact &= bsp->error[p] <= size;
+    off = fmax(off, size);
   }
   return exact ? hsr_outline_bounds(
                      &frame->screen,
                      (struct hsr_polygon){piece->face,
                                           (const double(*)[3])frame->outline,
-                                          piece->n_corners})
+                                          piece->n_corners, off})
                : frame->screen.bounds[piece->face];
 }
 

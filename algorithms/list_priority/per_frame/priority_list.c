@@ -436,12 +436,12 @@ static void add_half(struct hsr_priority_list *s, const struct piece *whole,
   if (n_cuts)
     memcpy(cuts, whole->part.cuts, n_cuts * sizeof *cuts);
   cuts[n_cuts] = cut;
-  uint32_t left =
+  struct hsr_polygon left =
       hsr_divide_outline(s->screen, whole->polygon, cut, outline, s->scratch);
-  s->halves_used -= (room - left) * sizeof *outline;
+  s->halves_used -= (room - left.n) * sizeof *outline;
   uint32_t p = add_piece(
       s, (struct piece){.part = {.face = f, .n_cuts = n_cuts + 1, .cuts = cuts},
-                        .polygon = {f, (const double(*)[3])outline, left}});
+                        .polygon = left});
   if (p == NONE)
     return;
   piece_at(s, p)->bucket = bucket_of(s, piece_at(s, p)->farthest);

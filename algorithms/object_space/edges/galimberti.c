@@ -94,9 +94,7 @@ static void pass(struct state *s, const struct hsr_network *network,
         enter(s, edges->side[k].face,
               times * event->change * hsr_inside(sight, &edges->side[k]));
   } else {
-    uint32_t f =
-        event->at == HSR_AT_SIDE ? hsr_face_of_corner(sight->world, c) : c;
-    enter(s, f, times * event->change);
+    enter(s, event->face, times * event->change);
   }
 }
 

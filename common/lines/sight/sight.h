@@ -194,7 +194,9 @@ struct hsr_sight_event {
   double error; /* of t, at most; 1e-13 of it or less */
   enum hsr_event_at at;
   uint32_t subject;
-  int change; /* of the number of hiding faces, as t grows */
+  int change;    /* of the number of hiding faces, as t grows */
+  uint32_t face; /* that begins or ceases to hide the edge, if it is one face:
+                    by hsr_sight_face or hsr_sight_pierces */
 };
 
 /* Fills t and error of an event, whose place is on edge e. */

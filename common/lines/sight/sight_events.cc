@@ -18,7 +18,6 @@
 using namespace hsr::sight;
 using hsr::Exact;
 using hsr::Interval;
-using Safe = CGAL::Interval_nt<true>;
 
 // --- Places ------------------------------------------------------------------
 
@@ -36,9 +35,8 @@ void hsr_sight_locate(const struct hsr_sight *sight, uint32_t e,
     if (!(t.sup() - t.inf() <= 0x1p-44 * t.inf())) {
       count_exact(n, HSR_ASK_PLACE);
       const Place<Exact> place = place_of<Exact>(n, e, *event);
-      const Safe quotient = Safe(CGAL::to_interval(place.from)) /
-                            Safe(CGAL::to_interval(place.from - place.to));
-      t = Interval(quotient.inf(), quotient.sup());
+      const auto part = hsr::quotient(place.from, place.from - place.to);
+      t = Interval(part.inf(), part.sup());
     }
     event->error = t.sup() - t.inf();
     event->t = std::min(1.0, std::max(0.0, t.inf() + event->error / 2));
@@ -258,7 +256,7 @@ bool hsr_sight_pierces(const struct hsr_sight *sight, uint32_t e, uint32_t f,
   const bool b_behind = height_sign(n, f, b) == far;
   if (a_behind == b_behind)
     return false;
-  *event = hsr_sight_event{0, 0, HSR_AT_PLANE, f, b_behind ? 1 : -1};
+  *event = hsr_sight_event{0, 0, HSR_AT_PLANE, f, b_behind ? 1 : -1, f};
   try {
     const Pierced pierced = {n, f, a, b, b_behind ? b : a};
     int covers = pierced.covers_roughly();

@@ -217,6 +217,7 @@ enum hsr_status hsr_sight_face(const struct hsr_sight *sight, uint32_t e,
             static_cast<hsr_sight_event *>(events->items)[events->n - 1];
         event = places[k];
         event.change = now ? 1 : -1;
+        event.face = f;
       }
       first = false;
       before = now;

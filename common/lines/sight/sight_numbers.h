@@ -22,6 +22,9 @@
 #include <CGAL/MP_Float.h>
 
 #include <algorithm>
+#include <memory>
+#include <type_traits>
+#include <vector>
 
 namespace hsr {
 namespace sight {
@@ -88,8 +91,37 @@ struct Numbers {
   Eye<Exact> exact;
 
   template <class T> const Eye<T> &eye() const;
-  template <class T> Point<T> point(uint32_t p) const;
-  template <class T> Plane<T> plane(uint32_t f) const;
+  template <class T> Point<T> point(uint32_t p) const {
+    return kept<Point<T>, T>(exact_point, p, [&] { return found_point<T>(p); });
+  }
+  template <class T> Plane<T> plane(uint32_t f) const {
+    return kept<Plane<T>, T>(exact_plane, f, [&] { return found_plane<T>(f); });
+  }
+
+  // Exact points and planes are kept, some thousands of them. They take long to
+  // find where coordinates are of very different scales: an exact number then
+  // has as many digits as there are between its first and its last.
+  mutable std::vector<std::unique_ptr<const Point<Exact>>> exact_point;
+  mutable std::vector<std::unique_ptr<const Plane<Exact>>> exact_plane;
+
+private:
+  enum { MOST_KEPT = 4096 };
+  mutable unsigned n_kept = 0;
+
+  template <class Item, class T, class List, class Find>
+  Item kept(List &list, uint32_t number, const Find &find) const {
+    if constexpr (std::is_same<T, Exact>::value) {
+      if (!list[number] && n_kept < MOST_KEPT) {
+        list[number].reset(new Item(find()));
+        n_kept++;
+      }
+      if (list[number])
+        return *list[number];
+    }
+    return find();
+  }
+  template <class T> Point<T> found_point(uint32_t p) const;
+  template <class T> Plane<T> found_plane(uint32_t f) const;
 };
 
 template <> inline const Eye<Interval> &Numbers::eye<Interval>() const {
@@ -111,7 +143,7 @@ Point<T> with_depth(const Eye<T> &eye, const vec<T> &p, const T &d) {
   return {p, d, dot(eye.W, p)};
 }
 
-template <class T> Point<T> Numbers::point(uint32_t p) const {
+template <class T> Point<T> Numbers::found_point(uint32_t p) const {
   const hsr_world *w = sight->world;
   if (p < w->mesh.n_vertices) {
     const double v[3] = {w->mesh.x[p], w->mesh.y[p], w->mesh.z[p]};
@@ -127,7 +159,7 @@ template <class T> Point<T> Numbers::point(uint32_t p) const {
   return with_depth<T>(eye<T>(), at - d * eye<T>().E, d);
 }
 
-template <class T> Plane<T> Numbers::plane(uint32_t f) const {
+template <class T> Plane<T> Numbers::found_plane(uint32_t f) const {
   const hsr::FacePlane<T> plane(sight->world, f);
   const vec<T> kN = {plane.k * plane.normal[0], plane.k * plane.normal[1],
                      plane.k * plane.normal[2]};

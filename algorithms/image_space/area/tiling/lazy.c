@@ -147,7 +147,7 @@ struct frame {
   struct hsr_tiling tiling;
   struct hsr_lazy_pyramid pyramid;
   struct hsr_growing turn; /* struct turn */
-  bool *met;               /* a face, in a cube */
+  bool *met;               /* a face, in a cube; or it has no turn */
   uint16_t (*rgb)[3];      /* of a filtered picture: a face, */
   bool *has_colour;        /* if it has been found; the last is background */
 };
@@ -293,6 +293,8 @@ static void tile_octree(struct frame *f) {
 static void wait_for_turn(void *context, const struct hsr_bsp_piece *piece,
                           int facing) {
   struct frame *f = context;
+  if (f->met[piece->face])
+    return;
   if (!hsr_arena_grow(f->job->scratch, &f->turn, sizeof(struct turn))) {
     f->pyramid.out_of_memory = true;
     return;
@@ -353,7 +355,8 @@ static void tile_input(struct frame *f) {
   tile_turns(f);
 }
 
-/* The pieces of a tree, and then the faces that have no place in it. */
+/* The pieces of a tree, and then the faces that have no place in it, or none
+ * from this eye (common/trees/bsp.h, Not flat). */
 static void tile_tree(struct frame *f) {
   static const double still[3] = {0, 0, 0};
   const struct hsr_bsp *bsp = &f->prepared->tree;
@@ -371,12 +374,18 @@ static void tile_tree(struct frame *f) {
     f->pyramid.out_of_memory = true;
     return;
   }
+  for (uint32_t face = 0; face < bsp->world->n_faces; face++)
+    f->met[face] = bsp->reach[face] > 0 &&
+                   hsr_grazes(&f->pyramid.screen, face, bsp->reach[face]);
+  for (uint32_t k = 0; k < bsp->n_loose; k++)
+    f->met[bsp->loose[k]] = true;
   hsr_bsp_walk_tree(&walk);
   take_tree(f, bsp);
   tile_turns(f);
   take_tree(f, &f->prepared->separate);
-  for (uint32_t k = 0; k < bsp->n_loose; k++)
-    tile_face(f, bsp->loose[k]);
+  for (uint32_t face = 0; face < bsp->world->n_faces; face++)
+    if (f->met[face])
+      tile_face(f, face);
 }
 
 /* --- The picture ---------------------------------------------------------- */

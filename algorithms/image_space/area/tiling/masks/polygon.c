@@ -11,9 +11,26 @@
  * e_w (|Y_a| + |Y_b|) + 2 e_y e_w, and its rounding 2 u (|Y_a W_b| + |W_a
  * Y_b|); b and c likewise. f at coordinates of size r is off by r (e_a + e_b) +
  * e_c, and its rounding 5 u (r |a| + r |b| + |c|). Twice all this holds the
- * terms of second order, and what masks.c adds and subtracts. */
+ * terms of second order, and what masks.c adds and subtracts.
+ *
+ * Range. 2^-960 more covers what underflows in a point: an entry of a row may be
+ * off by 2^-1074 if it is that small, and |V - E| is at most 2^102. 2^-1000 more
+ * covers it in a line: there only products underflow. Nothing overflows in a
+ * leaf whose error is at most 2^400, for then X, Y and W are below 2^460. Only
+ * views of less than 1e-80 degrees have any other. Of such a leaf nothing is
+ * known: each piece has the window as its box and lines without bound, so every
+ * sample is decided exactly.
+ *
+ * Not flat. A ray meets the plane of such a face elsewhere than the hull of its
+ * corners. Which samples the corners surround is told by their places on the
+ * screen if all of them are before the eye. Else it is told by their homogeneous
+ * coordinates, but only if the eye is farther from the plane than the corners
+ * are (common/exact/screen.c, Facing): otherwise the plane may be met before the
+ * eye although the corners are behind it. Their depths tell nothing about near,
+ * unless the points of the tree have the face's `reach` as their error. */
 #include "algorithms/image_space/area/tiling/masks/polygon.h"
 #include "common/base/vector.h"
+#include "common/exact/order.h"
 
 #include <float.h>
 #include <math.h>
@@ -117,8 +134,13 @@ static void find_errors(const struct hsr_pieces_view *p,
       sum += fabs(p->view->screen[c][k]) *
              larger(fabs(box->lo[k] + shift[k] - p->view->E[k]),
                     fabs(box->hi[k] + shift[k] - p->view->E[k]));
-    error[c] = 8 * U * sum + 0x1p-1000;
+    error[c] = 8 * U * sum + 0x1p-960;
   }
+}
+
+/* Whether a product of points of such errors may overflow: see Range. */
+static bool is_wild(const double error[3]) {
+  return !(error[0] <= 0x1p400 && error[1] <= 0x1p400 && error[2] <= 0x1p400);
 }
 
 /* Finds where the leaf's points are on the screen; the bounds are those of
@@ -148,7 +170,7 @@ static void find_places(struct hsr_pieces_view *p,
     nearest = smaller(nearest, p->w[k] - 4 * e);
   }
   p->margin = margin;
-  p->ahead = nearest > 0 && margin < INFINITY;
+  p->ahead = !p->is_wild && nearest > 0 && margin < INFINITY;
   p->past_near = nearest > p->view->near;
 }
 
@@ -177,6 +199,7 @@ void hsr_pieces_leaf(struct hsr_pieces_view *p,
   size_t first = leaf->first_point;
   p->first_point = leaf->first_point;
   find_errors(p, &leaf->tight, p->shift, p->error);
+  p->is_wild = is_wild(p->error);
   p->rounding = 0;
   for (int k = 0; k < 3; k++)
     if (p->shift[k] != 0)
@@ -484,16 +507,36 @@ static bool find_box(struct hsr_pieces_view *p) {
   return box_of(&hull, &p->view->window, p->anywhere, &p->box);
 }
 
+static bool take_window(struct hsr_pieces_view *p) {
+  const struct hsr_window *w = &p->view->window;
+  p->box = (struct hsr_bounds){w->x0, w->y0, w->x1, w->y1};
+  return w->x0 < w->x1 && w->y0 < w->y1;
+}
+
+/* Whether the eye is no farther from the plane of the face at hand than its
+ * corners are. */
+static bool is_grazed(const struct hsr_pieces_view *p) {
+  /* All that hsr_grazes reads. Pieces that are moved are flat. */
+  const struct hsr_screen screen = {.world = p->bsp->world, .view = p->view};
+  return hsr_grazes(&screen, p->piece->face, INFINITY);
+}
+
 /* The same, of a leaf that is not wholly before the eye and past near. */
 static bool find_box_around(struct hsr_pieces_view *p) {
   const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
   struct hull hull = no_hull();
-  bool before_near = p->view->near > 0;
+  bool is_flat = p->bsp->world->mesh.deviation[p->piece->face] == 0;
+  bool has_reach = p->bsp->error[corner->point] > 0;
+  bool before_near = p->view->near > 0 && (is_flat || has_reach);
+  if (p->is_wild)
+    return take_window(p);
   for (uint32_t k = 0; k < p->piece->n_corners; k++) {
     struct point point = corner_point(p, &corner[k]);
     add_point(&hull, &point, &p->view->window);
     before_near &= point.w + point.ew < p->view->near;
   }
+  if (!is_flat && !hull.ahead && is_grazed(p))
+    return take_window(p);
   return !before_near && box_of(&hull, &p->view->window, p->anywhere, &p->box);
 }
 
@@ -528,13 +571,17 @@ void hsr_pieces_outline(struct hsr_pieces_view *p) {
     return;
   }
   struct point from = corner_point(p, &corner[0]), first = from;
-  for (uint32_t k = 0; k < n; k++) {
+  for (uint32_t k = 0; k < n && p->is_wild; k++)
+    p->line[k] = (struct hsr_mask_line){.error = INFINITY};
+  for (uint32_t k = 0; k < n && !p->is_wild; k++) {
     struct point to = k + 1 < n ? corner_point(p, &corner[k + 1]) : first;
     p->line[k] = line_through(p->reach, &from, &to, -p->facing);
     from = to;
   }
   p->polygon = (struct hsr_mask_polygon){p->line, n, within_side, NULL, p};
-  if (p->view->near > 0 && !p->past_near)
+  if (p->view->near > 0 && p->is_wild)
+    p->polygon.covers = past_near;
+  else if (p->view->near > 0 && !p->past_near)
     cut_at_near(p);
 }
 
@@ -621,8 +668,10 @@ const struct hsr_mask_polygon *hsr_pieces_silhouette(struct hsr_pieces_view *p,
   struct point point[8];
   int place = 0;
   find_corners(p, &moved, point);
+  *known = !is_wild((double[]){point->ex, point->ey, point->ew});
+  if (!*known)
+    return NULL;
   struct hull hull = hull_of(p, point);
-  *known = true;
   if (!box_of(&hull, &p->view->window, p->anywhere, &p->box))
     return NULL;
   for (int c = 2; c >= 0; c--)

@@ -53,6 +53,7 @@ struct hsr_pieces_view {
   uint32_t first_point;
   double *x, *y, *w;
   double error[3];
+  bool is_wild;    /* nothing is known of them: polygon.c, Range */
   bool ahead;      /* all points are surely before the eye */
   double *sx, *sy; /* then: where they are on the screen, */
   double margin;   /* within this */
