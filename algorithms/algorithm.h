@@ -224,7 +224,8 @@ static inline int hsr_line_of(const struct hsr_algorithm *algorithm,
   return 0;
 }
 
-/* Both builds of one algorithm. */
+/* Both builds of one algorithm. An oracle has one build, which counts: it is
+ * never timed. */
 struct hsr_listed {
   const struct hsr_algorithm *plain, *counting;
 };

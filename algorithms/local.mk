@@ -20,6 +20,20 @@ include bench/judge/oracles.mk
 noinst_LIBRARIES += libplain.a libcounting.a
 libplain_a_SOURCES = $(algorithm_files)
 libplain_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=0
-libcounting_a_SOURCES = $(algorithm_files)
+libcounting_a_SOURCES = $(algorithm_files) $(oracle_files)
 libcounting_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=1
 libhsr_a_LIBADD += $(libplain_a_OBJECTS) $(libcounting_a_OBJECTS)
+
+# No two algorithms have one name: the library is not built.
+libhsr_a_DEPENDENCIES += %D%/names-once
+%D%/names-once: $(algorithm_files) $(oracle_files)
+	@$(MKDIR_P) %D%; (cd $(srcdir) && $(AWK) ' \
+	  FNR == 1 { found = 0 } \
+	  /struct hsr_algorithm HSR_ALGORITHM/ { found = 1 } \
+	  found && match($$0, /\.name = "[^"]*"/) { found = 0; \
+	    name = substr($$0, RSTART + 9, RLENGTH - 10); \
+	    if (name in file) { bad = 1; print FILENAME ": the name " name \
+	      " is that of " file[name] > "/dev/stderr" } \
+	    file[name] = FILENAME } \
+	  END { exit bad }' $(algorithm_files) $(oracle_files)) && : >$@
+CLEANFILES += %D%/names-once

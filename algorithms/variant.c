@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/variant.h"
+#include "common/base/names.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -82,11 +83,6 @@ static enum hsr_status choose_window(struct reading *r, struct hsr_stretch name,
   return HSR_OK;
 }
 
-static bool can_make(const struct hsr_algorithm *a,
-                     const struct hsr_answer_type *type) {
-  return type == a->kind || (type->fold && type->fold->of == a->kind);
-}
-
 /* The kind of answer that has an option of that name, and that the algorithm
  * makes or that is folded from what it makes; else any kind that has it; NULL
  * if there is none. */
@@ -97,7 +93,7 @@ static const struct hsr_answer_type *find_kind(const struct hsr_algorithm *a,
     const struct hsr_answer_type *type = hsr_answer_types[k];
     if (find_option(type->options, name) < 0)
       continue;
-    if (can_make(a, type))
+    if (hsr_is_asked_of(type, a->kind))
       return type;
     found = type;
   }
@@ -122,6 +118,24 @@ static enum hsr_status choose_form(struct reading *r,
                                     r->text, err);
 }
 
+/* That the algorithm has no option of that name, and which one it may be. */
+static enum hsr_status no_option(const struct reading *r,
+                                 struct hsr_stretch name,
+                                 struct hsr_error *err) {
+  const struct hsr_option *options = r->algorithm->options;
+  struct hsr_names list = {0};
+  char word[64], hint[256] = "";
+  snprintf(word, sizeof word, "%.*s", (int)name.n, name.text);
+  for (int k = 0; options && options[k].name; k++)
+    if (hsr_names_add(&list, options[k].name, strlen(options[k].name)))
+      break; /* there is no hint without memory */
+  hsr_names_like(&list, word, hint, sizeof hint);
+  hsr_names_free(&list);
+  return hsr_fail(err, HSR_E_USAGE, "%s: %s has no option '%.*s'%s", r->text,
+                  r->algorithm->name, (int)name.n, name.text,
+                  *hint ? hint : " (see hsr list)");
+}
+
 /* One OPTION=VALUE. */
 static enum hsr_status choose(struct reading *r, struct hsr_stretch name,
                               struct hsr_stretch value, struct hsr_error *err) {
@@ -136,15 +150,13 @@ static enum hsr_status choose(struct reading *r, struct hsr_stretch name,
                                       r->text, err);
   }
   const struct hsr_answer_type *type = find_kind(a, name);
-  if (type && can_make(a, type))
+  if (type && hsr_is_asked_of(type, a->kind))
     return choose_form(r, type, name, value, err);
   if (type)
     return hsr_fail(err, HSR_E_USAGE,
                     "%s: %.*s is an option of %s, and %s makes %s", r->text,
                     (int)name.n, name.text, type->name, a->name, a->kind->name);
-  return hsr_fail(err, HSR_E_USAGE,
-                  "%s: %s has no option '%.*s' (see hsr list)", r->text,
-                  a->name, (int)name.n, name.text);
+  return no_option(r, name, err);
 }
 
 /* What does not go together. */
@@ -171,18 +183,32 @@ static enum hsr_status check(const struct reading *r, struct hsr_error *err) {
                   options[k].name, options[0].name);
 }
 
+static enum hsr_status no_algorithm(const char *name, struct hsr_error *err) {
+  struct hsr_names list = {0};
+  char hint[256] = "";
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+    if (hsr_names_add(&list, a->plain->name, strlen(a->plain->name)))
+      break; /* there is no hint without memory */
+  hsr_names_like(&list, name, hint, sizeof hint);
+  hsr_names_free(&list);
+  return hsr_fail(err, HSR_E_USAGE, "no algorithm '%.100s'%s", name,
+                  *hint ? hint : " (see hsr list)");
+}
+
 enum hsr_status hsr_variant_parse(const char *text, struct hsr_variant *variant,
                                   struct hsr_error *err) {
   char name[HSR_MOST_VARIANT + 1];
   size_t n = strcspn(text, ":");
   if (strlen(text) > HSR_MOST_VARIANT)
-    return hsr_fail(err, HSR_E_USAGE, "no algorithm '%.40s...' (see hsr list)",
-                    text);
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%.40s...: an algorithm with options has at most %d "
+                    "characters",
+                    text, HSR_MOST_VARIANT);
   memcpy(name, text, n);
   name[n] = '\0';
   const struct hsr_listed *listed = hsr_algorithm_find(name);
   if (!listed)
-    return hsr_fail(err, HSR_E_USAGE, "no algorithm '%s' (see hsr list)", name);
+    return no_algorithm(name, err);
   *variant = hsr_variant_standard(listed);
   memcpy(variant->name, text, strlen(text) + 1);
   struct reading reading = {

@@ -16,7 +16,9 @@
 extern "C" {
 #endif
 
-#define HSR_MOST_VARIANT 100 /* bytes of its text */
+#define HSR_MOST_VARIANT                                                       \
+  1000 /* bytes of its text: more than all options of an
+                                 algorithm take */
 
 struct hsr_variant {
   const struct hsr_listed *listed;

@@ -25,6 +25,7 @@ struct hsr_command {
 enum hsr_status command_list(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_scenes(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_times(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_tables(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_render(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_check(int argc, char **argv, struct hsr_error *err);

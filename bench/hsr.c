@@ -2,6 +2,8 @@
 /* The hsr command: chooses the subcommand, and ends the program. */
 #include "bench/command.h"
 #include "bench/run/terminate.h"
+#include "bench/terminal/terminal.h"
+#include "common/base/names.h"
 
 #include <fcntl.h>
 #include <locale.h>
@@ -19,6 +21,8 @@ static const struct hsr_command commands[] = {
     {"check", "every algorithm against the oracle, sample for sample",
      command_check},
     {"bench", "time the algorithms that are right, in turn", command_bench},
+    {"times", "the table of what bench recorded, as text, CSV, JSON or a plot",
+     command_times},
     {"tables", "the survey's Tables I to VII measured, and its conclusions",
      command_tables},
     {"report", "make pages of what bench found", command_report},
@@ -40,7 +44,7 @@ static void print_help(FILE *out) {
       fprintf(out, "  hsr %-8s %s\n", c->name, c->about);
   fputs(
       "\n"
-      "  hsr COMMAND --help explains each; hsr --version tells the version.\n"
+      "  hsr help COMMAND explains each; hsr --version tells the version.\n"
       "\n"
       "A scene is a built-in name with parameters (house, soup:1000:7), a\n"
       "real mesh of Debian's libcgal-demo (mesh:elephant), a mesh file (.off\n"
@@ -74,7 +78,46 @@ static void hold_standard_files(void) {
     close(file);
 }
 
+static const struct hsr_command *find_command(const char *name) {
+  const struct hsr_command *c = commands;
+  while (c->name && strcmp(name, c->name))
+    c++;
+  return c->name ? c : NULL;
+}
+
+static int no_command(const char *name) {
+  struct hsr_names list = {0};
+  char hint[256] = "", plain[TERMINAL_NAME];
+  for (const struct hsr_command *c = commands; c->name; c++)
+    if (c->about && hsr_names_add(&list, c->name, strlen(c->name)))
+      break; /* there is no hint without memory */
+  hsr_names_like(&list, name, hint, sizeof hint);
+  hsr_names_free(&list);
+  fprintf(stderr, "hsr: no command '%s'%s\n",
+          terminal_plain(name, plain, sizeof plain),
+          *hint ? hint : " (see hsr --help)");
+  return HSR_E_USAGE;
+}
+
+static int run(const struct hsr_command *command, int argc, char **argv) {
+  char plain[TERMINAL_NAME];
+  struct hsr_error err = {.text = "unexplained failure"};
+  enum hsr_status status = finish(command->run(argc, argv, &err), &err);
+  if (status && status != HSR_E_DIFFERENCE)
+    fprintf(stderr, "hsr: %s\n", terminal_plain(err.text, plain, sizeof plain));
+  if (status == HSR_E_NOMEM)
+    end_process((int)status);
+  return status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status;
+}
+
+static bool is_any(const char *word, const char *const *words) {
+  while (*words && strcmp(word, *words))
+    words++;
+  return *words;
+}
+
 int main(int argc, char **argv) {
+  static const char *const help[] = {"--help", "-h", "-?", "help", NULL};
   hold_standard_files();
   setlocale(LC_CTYPE, "");
   end_in_one_line();
@@ -82,26 +125,21 @@ int main(int argc, char **argv) {
     fputs("hsr: a command is needed (see hsr --help)\n", stderr);
     return HSR_E_USAGE;
   }
-  if (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-?") ||
-      !strcmp(argv[1], "help")) {
-    print_help(stdout);
-    return 0;
-  }
-  if (!strcmp(argv[1], "--version")) {
+  if (!strcmp(argv[1], "--version") || !strcmp(argv[1], "-V")) {
     puts("hsr " PACKAGE_VERSION);
     return 0;
   }
-  for (const struct hsr_command *c = commands; c->name; c++) {
-    if (strcmp(argv[1], c->name))
-      continue;
-    struct hsr_error err = {.text = "unexplained failure"};
-    enum hsr_status status = finish(c->run(argc - 1, argv + 1, &err), &err);
-    if (status && status != HSR_E_DIFFERENCE)
-      fprintf(stderr, "hsr: %s\n", err.text);
-    if (status == HSR_E_NOMEM)
-      end_process((int)status);
-    return status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status;
+  bool wants_help = is_any(argv[1], help);
+  if (wants_help && (argc == 2 || is_any(argv[2], help))) {
+    print_help(stdout);
+    return 0;
   }
-  fprintf(stderr, "hsr: no command '%s' (see hsr --help)\n", argv[1]);
-  return HSR_E_USAGE;
+  const char *name = argv[wants_help ? 2 : 1];
+  const struct hsr_command *command = find_command(name);
+  if (!command)
+    return no_command(name);
+  if (wants_help) /* hsr help COMMAND */
+    return run(command, 2,
+               (char *[]){(char *)command->name, (char *)"--help", NULL});
+  return run(command, argc - 1, argv + 1);
 }

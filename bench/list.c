@@ -3,6 +3,7 @@
 #include "bench/list.h"
 #include "bench/command.h"
 #include "bench/results/json.h"
+#include "bench/terminal/terminal.h"
 
 #include <string.h>
 
@@ -123,55 +124,78 @@ static enum hsr_status print_json(struct hsr_error *err) {
                     err);
 }
 
-static void print_restrictions(const struct hsr_algorithm *a) {
-  bool any = false;
-  for (int k = 0; k < HSR_N_RESTRICTIONS; k++)
-    if (a->restrictions & 1u << k) {
-      printf("%s%s", any ? " " : "", hsr_restriction_code(1u << k));
-      any = true;
-    }
-  if (!any)
-    putchar('-');
+/* "; CC TP": the codes of what the algorithm does not take. */
+static void say_restrictions(const struct hsr_algorithm *a, char *text,
+                             size_t n) {
+  int length = 0;
+  for (int k = 0; k < HSR_N_RESTRICTIONS && length < (int)n; k++)
+    if (a->restrictions & 1u << k)
+      length += snprintf(text + length, n - (size_t)length, "%s%s",
+                         length ? " " : "; ", hsr_restriction_code(1u << k));
+}
+
+static void print_algorithm(const struct hsr_algorithm *a) {
+  struct taxonomy place = taxonomy(a->taxonomy);
+  char year[12] = "-", restrictions[60] = "", text[200];
+  if (a->year)
+    snprintf(year, sizeof year, "%d", a->year);
+  say_restrictions(a, restrictions, sizeof restrictions);
+  snprintf(text, sizeof text, "%s%s%s%s%s", place.class,
+           place.branch ? ", " : "", place.branch ? place.branch : "",
+           restrictions,
+           a->flags & HSR_KNOWN_WRONG ? "; known to be wrong" : "");
+  int used = printf("%-19s %4s  %-8s %-8s  ", a->name, year,
+                    a->sort_order ? a->sort_order : "-", a->kind->name);
+  terminal_wrap(stdout, used, used, text);
+}
+
+/* One word of an option, or an option of numbers. */
+static void print_choice(const char *what, const char *meaning) {
+  int used = printf("    %-22s  ", what);
+  terminal_wrap(stdout, used, 28, meaning);
 }
 
 static void print_option(const struct hsr_option *o) {
+  char what[60], meaning[300];
+  snprintf(what, sizeof what, "%s=%s", o->name, o->real ? "X" : "N");
   if (o->real) {
-    printf("    %s=X  %s, %g to %g (standard: %g)\n", o->name, o->meaning,
-           o->real_least, o->real_most, o->real_standard);
+    snprintf(meaning, sizeof meaning, "%s, %g to %g (standard: %g)", o->meaning,
+             o->real_least, o->real_most, o->real_standard);
+    print_choice(what, meaning);
     return;
   }
   if (!o->words) {
-    printf("    %s=N  %s, %ld to %ld (standard: %ld)\n", o->name, o->meaning,
-           o->least, o->most, o->standard);
+    snprintf(meaning, sizeof meaning, "%s, %ld to %ld (standard: %ld)",
+             o->meaning, o->least, o->most, o->standard);
+    print_choice(what, meaning);
     return;
   }
-  printf("    %s  %s\n", o->name, o->meaning);
-  for (const struct hsr_word *w = o->words; w->name; w++)
-    printf("      %s=%-12s %s%s\n", o->name, w->name, w->meaning,
-           w == &o->words[o->standard] ? " (standard)" : "");
-}
-
-/* Whether algorithms of `kind` can be asked for `type`, and that has options.
- */
-static bool can_be_asked(const struct hsr_answer_type *type,
-                         const struct hsr_answer_type *kind) {
-  return type->options && (type->fold ? type->fold->of : type) == kind;
+  print_choice(o->name, o->meaning);
+  for (const struct hsr_word *w = o->words; w->name; w++) {
+    snprintf(what, sizeof what, "  %s=%s", o->name, w->name);
+    snprintf(meaning, sizeof meaning, "%s%s", w->meaning,
+             w == &o->words[o->standard] ? " (standard)" : "");
+    print_choice(what, meaning);
+  }
 }
 
 /* Prints the options of the answers that all algorithms of a kind can give. */
 static void print_kind_options(const struct hsr_answer_type *kind) {
   bool any = kind->by_windows;
   for (int k = 0; hsr_answer_types[k]; k++)
-    any |= can_be_asked(hsr_answer_types[k], kind);
-  if (!any)
+    any |= hsr_answer_types[k]->options &&
+           hsr_is_asked_of(hsr_answer_types[k], kind);
+  if (!any || kind->fold)
     return;
   printf("  all that draw %s\n", kind->name);
   if (kind->by_windows)
-    puts("    window=N  in squares of N x N samples, each a separate job");
+    print_choice("window=N",
+                 "in squares of N x N samples, each a separate job");
   for (int k = 0; hsr_answer_types[k]; k++) {
     const struct hsr_answer_type *type = hsr_answer_types[k];
-    for (const struct hsr_option *o = type->options;
-         can_be_asked(type, kind) && o->name; o++)
+    if (!hsr_is_asked_of(type, kind))
+      continue;
+    for (const struct hsr_option *o = type->options; o && o->name; o++)
       print_option(o);
   }
 }
@@ -196,22 +220,10 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
     return status;
   if (json)
     return print_json(err);
-  printf("%-20s %4s  %-35s %-9s %-9s %s\n", "name", "year", "taxonomy", "sorts",
-         "kind", "restrictions");
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
-    char year[12] = "-";
-    if (a->plain->year)
-      snprintf(year, sizeof year, "%d", a->plain->year);
-    struct taxonomy place = taxonomy(a->plain->taxonomy);
-    char where[40];
-    snprintf(where, sizeof where, place.branch ? "%s, %s" : "%s", place.class,
-             place.branch);
-    printf("%-20s %4s  %-35s %-9s %-9s ", a->plain->name, year, where,
-           a->plain->sort_order ? a->plain->sort_order : "-",
-           a->plain->kind->name);
-    print_restrictions(a->plain);
-    puts(a->plain->flags & HSR_KNOWN_WRONG ? "  known to be wrong" : "");
-  }
+  printf("%-19s %4s  %-8s %-8s  %s\n", "name", "year", "sorts", "kind",
+         "taxonomy; restrictions");
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+    print_algorithm(a->plain);
   print_options();
   return HSR_OK;
 }

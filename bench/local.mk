@@ -2,6 +2,9 @@
 bin_PROGRAMS += hsr
 hsr_SOURCES = %D%/hsr.c
 hsr_LDADD = $(BENCH_LIBS)
+hsr_LDFLAGS = -Wl,-rpath,'$$ORIGIN'
+# What hsr loads is there when hsr is.
+EXTRA_hsr_DEPENDENCIES = $(pkglibexec_PROGRAMS)
 
 # Everything but main, for programs that have another list of algorithms.
 noinst_LIBRARIES += libbench.a
@@ -12,6 +15,8 @@ libbench_a_SOURCES = \
   %D%/results/figures.h \
   %D%/results/json.c \
   %D%/results/json.h \
+  %D%/judge/differences.c \
+  %D%/judge/differences.h \
   %D%/judge/folded.def \
   %D%/judge/judge.c \
   %D%/judge/judge.h \
@@ -30,25 +35,43 @@ libbench_a_SOURCES = \
   %D%/run/stage.c \
   %D%/run/stage.h \
   %D%/stats.c \
+  %D%/terminal/terminal.c \
+  %D%/terminal/terminal.h \
   %D%/run/terminate.cc \
   %D%/run/terminate.h \
   %D%/results/times.c \
   %D%/results/times.h \
+  %D%/times/command.c \
+  %D%/times/files.c \
+  %D%/times/plot.c \
+  %D%/times/rows.c \
+  %D%/times/rows.h \
+  %D%/times/table.c \
   %D%/voxels.c \
   %D%/run/worker.c \
   %D%/check/check.h \
   %D%/check/command.c \
+  %D%/check/json.c \
+  %D%/check/matrix.c \
   %D%/check/report.c \
+  %D%/report/cells.c \
   %D%/report/command.c \
   %D%/report/data.c \
+  %D%/report/data.h \
+  %D%/report/drawings.c \
+  %D%/report/ladders.c \
   %D%/report/pictures.c \
+  %D%/report/pictures.h \
+  %D%/report/probe.c \
   %D%/report/report.h \
+  %D%/sweep/changes.c \
   %D%/sweep/command.c \
   %D%/sweep/group.c \
+  %D%/sweep/journal.c \
+  %D%/sweep/journal.h \
   %D%/sweep/machine.c \
   %D%/sweep/peers.c \
   %D%/sweep/plan.c \
-  %D%/sweep/summary.c \
   %D%/sweep/sweep.h \
   %D%/sweep/turns.c \
   %D%/tables/claims.c \
@@ -79,7 +102,19 @@ CLEANFILES += %D%/commit.h
 .PHONY: commit-always
 if TORTURE
 hsr_SOURCES += tests/torture/fail.cc
-hsr_LDFLAGS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
+hsr_LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
   -Wl,--wrap=aligned_alloc,--wrap=strdup,--wrap=main
 endif
 dist_man_MANS += %D%/hsr.1
+
+# Completion for shells.
+bashcompletiondir = $(datadir)/bash-completion/completions
+zshcompletiondir = $(datadir)/zsh/site-functions
+dist_zshcompletion_DATA = %D%/completion/_hsr
+EXTRA_DIST += %D%/completion/hsr.bash
+install-data-local:
+	$(MKDIR_P) "$(DESTDIR)$(bashcompletiondir)"
+	$(INSTALL_DATA) $(srcdir)/bench/completion/hsr.bash \
+	  "$(DESTDIR)$(bashcompletiondir)/hsr"
+uninstall-local:
+	rm -f "$(DESTDIR)$(bashcompletiondir)/hsr"

@@ -9,8 +9,10 @@
 #undef HSR_LISTED
 
 const struct hsr_listed hsr_algorithms[] = {
-#define HSR_LISTED(id) {&hsr_algorithm_##id, &hsr_counting_##id},
+#define HSR_LISTED(id) {&hsr_counting_##id, &hsr_counting_##id},
 #include "bench/judge/list.def"
+#undef HSR_LISTED
+#define HSR_LISTED(id) {&hsr_algorithm_##id, &hsr_counting_##id},
 #include "algorithms/list.def"
 #undef HSR_LISTED
     {NULL, NULL}};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr render: one picture, or one line drawing, by one algorithm. */
 #include "bench/command.h"
+#include "bench/terminal/terminal.h"
 #include "common/files/image.h"
 
 #include <stdlib.h>
@@ -318,7 +319,9 @@ static enum hsr_status write_outputs(struct render *r,
 
 static void print_report(const struct render *r,
                          const struct hsr_algorithm *a) {
-  printf("%s, view %ld, %d x %d %s, %u faces, by %s: ", r->options->scene.name,
+  char name[TERMINAL_NAME];
+  printf("%s, view %ld, %d x %d %s, %u faces, by %s: ",
+         terminal_plain(r->options->scene.name, name, sizeof name),
          r->options->view.view, r->view.m, r->view.n, r->kind->grains,
          r->world.n_faces, a->name);
   struct hsr_showing showing = showing_of(r);
@@ -328,16 +331,23 @@ static void print_report(const struct render *r,
     printf("adapted: %s, %u faces, %.1f ms\n", adaptation->name,
            adaptation->n_faces, 1e3 * adaptation->seconds);
   }
-  printf("ms: import %.1f, build %.1f, adapt %.1f, prepare %.1f, render %.2f, "
-         "shade %.1f, write %.1f\n",
-         1e3 * r->import, 1e3 * r->build, 1e3 * r->setup.adapt_seconds,
-         1e3 * r->setup.prepare_seconds, 1e3 * r->draw, 1e3 * r->shade,
-         1e3 * r->write);
+  char times[300];
+  snprintf(times, sizeof times,
+           "ms: import %.1f, build %.1f, adapt %.1f, prepare %.1f, render "
+           "%.2f, shade %.1f, write %.1f",
+           1e3 * r->import, 1e3 * r->build, 1e3 * r->setup.adapt_seconds,
+           1e3 * r->setup.prepare_seconds, 1e3 * r->draw, 1e3 * r->shade,
+           1e3 * r->write);
+  terminal_wrap(stdout, 0, 4, times);
+  if (!r->options->n_outputs && !r->options->work)
+    puts("nothing was written: -o FILE writes the picture");
   if (!r->options->work)
     return;
-  for (int k = 0; a->counters && a->counters[k].name; k++)
-    printf("%-18s %14llu  %s\n", a->counters[k].name,
-           (unsigned long long)r->tally.count[k], a->counters[k].meaning);
+  for (int k = 0; a->counters && a->counters[k].name; k++) {
+    int used = printf("%-18s %14llu  ", a->counters[k].name,
+                      (unsigned long long)r->tally.count[k]);
+    terminal_wrap(stdout, used, 35, a->counters[k].meaning);
+  }
 }
 
 /* Checks that the options fit the kind of answer that the algorithm draws. */

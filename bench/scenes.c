@@ -2,6 +2,7 @@
 /* hsr scenes: lists the built-in scenes and the meshes. */
 #include "bench/command.h"
 #include "bench/results/json.h"
+#include "bench/terminal/terminal.h"
 
 #include <stdlib.h>
 
@@ -70,8 +71,9 @@ static enum hsr_status print_text(char **meshes, size_t n_meshes,
     enum hsr_status status = measure(b->name, &n_faces, &n_views, err);
     if (status)
       return status;
-    printf("%-18s %8llu %5u  %s\n", b->usage, (unsigned long long)n_faces,
-           n_views, b->about);
+    int used = printf("%-18s %8llu %5u  ", b->usage,
+                      (unsigned long long)n_faces, n_views);
+    terminal_wrap(stdout, used, 35, b->about);
   }
   if (!n_meshes)
     puts("\nno real meshes at hand: on Debian, apt-get install libcgal-demo");
@@ -81,7 +83,7 @@ static enum hsr_status print_text(char **meshes, size_t n_meshes,
   for (size_t k = 0; k < n_meshes; k++) {
     int width = printf("  mesh:%s", meshes[k]);
     column += width;
-    if (column > 60 || k + 1 == n_meshes) {
+    if (column > 50 || k + 1 == n_meshes) {
       putchar('\n');
       column = 0;
     }

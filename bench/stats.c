@@ -2,6 +2,7 @@
 /* hsr stats: Table I of Sutherland et al. 1974, measured. */
 #include "bench/command.h"
 #include "bench/results/json.h"
+#include "bench/terminal/terminal.h"
 #include "common/statistics/statistics.h"
 
 #include <math.h>
@@ -89,10 +90,12 @@ static void print_number(double x) {
 static void print_text(const struct options *o,
                        const struct hsr_table1 *measured,
                        const struct hsr_table1 *rules) {
-  printf("%s, view %ld, %d x %d\n\n", o->scene.name, o->view.view, o->view.m,
-         o->view.n);
+  char name[TERMINAL_NAME];
+  printf("%s, view %ld, %d x %d\n\n",
+         terminal_plain(o->scene.name, name, sizeof name), o->view.view,
+         o->view.m, o->view.n);
   printf("%-4s %12s %12s %8s  %s\n", "", "measured", "rule", "ratio",
-         "Table I of Sutherland, Sproull and Schumacker 1974");
+         "Table I of the 1974 survey");
   for (int k = 0; k < N_ROWS; k++) {
     double a = cell(measured, k), b = cell(rules, k);
     printf("%-4s", rows[k].symbol);
@@ -102,7 +105,8 @@ static void print_text(const struct options *o,
       printf(" %8.3g", a / b);
     else
       printf(" %8s", "-");
-    printf("  %s\n", rows[k].meaning);
+    fputs("  ", stdout);
+    terminal_wrap(stdout, 41, 41, rows[k].meaning);
   }
 }
 

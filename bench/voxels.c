@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr voxels: the solids of a scene as voxels. */
 #include "bench/command.h"
+#include "bench/terminal/terminal.h"
 #include "bench/results/json.h"
 
 #include <stdlib.h>
@@ -167,9 +168,10 @@ static void print_count(uint64_t count, const char *what) {
 static void print_text(const struct hsr_algorithm *a,
                        const struct found *found) {
   const struct hsr_voxel_grid *g = &hsr_answer_voxels_of(&found->answer)->grid;
+  char name[TERMINAL_NAME];
   printf("%s, %d x %d x %d voxels of side %g, by %s\n\n",
-         found->options->scene.name, g->n[0], g->n[1], g->n[2], g->size,
-         a->name);
+         terminal_plain(found->options->scene.name, name, sizeof name), g->n[0],
+         g->n[1], g->n[2], g->size, a->name);
   print_count(found->solids, "solids that have voxels");
   print_count(found->set, "voxels set");
   print_count(found->surface, "of them at a surface");

@@ -1,26 +1,32 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The page of `hsr report`: one script made from reports/page/*.js and npm's
+# The page of `hsr report`: one script made from reports/page and npm's
 # packages. It is built and installed if node and npm are there.
 report_sources = \
-  %D%/page/address.js \
-  %D%/page/algorithm_page.js \
-  %D%/page/check_page.js \
-  %D%/page/dom.js \
-  %D%/page/filters.js \
-  %D%/page/format.js \
-  %D%/page/index_page.js \
-  %D%/page/looks.js \
   %D%/page/main.js \
-  %D%/page/model.js \
-  %D%/page/plots.js \
-  %D%/page/probe_data.js \
-  %D%/page/probe_page.js \
-  %D%/page/sweeps_page.js \
-  %D%/page/symbols.js \
-  %D%/page/table.js \
-  %D%/page/tables_page.js \
-  %D%/page/timings_page.js \
-  %D%/page/tree.js
+  %D%/page/data/address.js \
+  %D%/page/data/clean.js \
+  %D%/page/data/format.js \
+  %D%/page/data/looks.js \
+  %D%/page/data/model.js \
+  %D%/page/data/probe_data.js \
+  %D%/page/pages/algorithm.js \
+  %D%/page/pages/beside.js \
+  %D%/page/pages/check.js \
+  %D%/page/pages/index.js \
+  %D%/page/pages/probe.js \
+  %D%/page/pages/sweeps.js \
+  %D%/page/pages/tables.js \
+  %D%/page/pages/timings.js \
+  %D%/page/parts/columns.js \
+  %D%/page/parts/dom.js \
+  %D%/page/parts/filters.js \
+  %D%/page/parts/plots.js \
+  %D%/page/parts/print.js \
+  %D%/page/parts/save.js \
+  %D%/page/parts/symbols.js \
+  %D%/page/parts/table.js \
+  %D%/page/parts/tree.js \
+  %D%/page/parts/work_scale.js
 EXTRA_DIST += %D%/peers/README.md %D%/peers/results.ndjson %D%/peers/times.txt \
   %D%/1974/README.md %D%/1974/counts.ndjson %D%/1974/tables.txt \
   %D%/greene/README.md %D%/greene/make %D%/greene/results.ndjson \

@@ -4,7 +4,6 @@ libhsr_a_SOURCES += \
   %D%/builders.h \
   %D%/meshes.c \
   %D%/meshes.h \
-  %D%/names.c \
   %D%/registry.c \
   %D%/failures/edges.c \
   %D%/failures/eye.c \

@@ -8,6 +8,7 @@
 #ifndef HSR_SCENES_MESHES_H
 #define HSR_SCENES_MESHES_H
 
+#include "common/base/names.h"
 #include "scenes/scenes.h"
 
 /* Stores the path of a mesh file in *path, malloc'ed and the caller's. The name
@@ -15,21 +16,5 @@
  * such mesh, or the mesh cannot be read; HSR_E_NOMEM. */
 enum hsr_status hsr_mesh_find(const char *name, char **path,
                               struct hsr_error *err);
-
-/* A list of names that grows; .names is as in hsr_mesh_names. */
-struct hsr_names {
-  char **names;
-  size_t n, cap;
-};
-
-/* Appends a copy of the first `length` characters. */
-enum hsr_status hsr_names_add(struct hsr_names *list, const char *name,
-                              size_t length);
-void hsr_names_free(struct hsr_names *list);
-
-/* Appends to `text`, which holds size bytes, the names that resemble `word`:
- * ": did you mean a, b?", or nothing. */
-void hsr_names_like(const struct hsr_names *list, const char *word, char *text,
-                    size_t size);
 
 #endif

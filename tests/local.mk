@@ -69,6 +69,7 @@ tap_programs = \
   %D%/properties/tiling/tiling_test \
   %D%/properties/surfaces/warnock_test \
   %D%/sweep/check_test \
+  %D%/sweep/mismatch_test \
   %D%/sweep/resume_test \
   %D%/sweep/schema_test \
   %D%/sweep/sweep_test \
@@ -80,6 +81,7 @@ tap_scripts = \
   %D%/peers.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
+  %D%/report/hostile.test \
   %D%/report/made.test \
   %D%/report/report.test \
   %D%/torture/torture.test \
@@ -151,7 +153,8 @@ check-module:
 	@$(AM_TESTS_ENVIRONMENT) %D%/conformance/trace_test $(M) && \
 	  %D%/counts/golden_test $(M) && ./hsr check $(quick_scenes) -a $(M)
 
-check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers \
+# hard_test is run by hand: some of its scenes still take minutes.
+check_PROGRAMS += $(tap_programs) %D%/conformance/hard_test %D%/sweep/hsr-fixtures %D%/answers/hsr-layers \
   %D%/example/hsr-example %D%/trace/hsr-fixtures
 dist_check_SCRIPTS += $(tap_scripts)
 TESTS += $(tap_programs) $(tap_scripts)
@@ -166,6 +169,8 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
 %C%_counts_recorded_test_LDADD = libdraw.a $(BENCH_LIBS)
 %C%_unit_files_vtp_test_SOURCES = %D%/unit/files/vtp_test.cc
+%C%_unit_files_image_test_LDADD = libdraw.a $(HSR_LIBS) $(OIIO_LIBS)
+%C%_unit_files_vtp_test_LDADD = libdraw.a $(HSR_LIBS) $(VTK_LIBS)
 %C%_unit_files_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_counts_by_hand_bouknight_test_SOURCES = %D%/counts/by_hand/bouknight_test.c %D%/counts/by_hand/pixels.h %D%/counts/by_hand/hand.h
 %C%_counts_by_hand_romney_test_SOURCES = %D%/counts/by_hand/romney_test.c %D%/counts/by_hand/pixels.h %D%/counts/by_hand/hand.h
@@ -200,6 +205,9 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_answers_hsr_layers_LDADD = $(BENCH_LIBS)
 schema = %D%/schema.c %D%/schema.h
 sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
+%C%_sweep_mismatch_test_SOURCES = %D%/sweep/mismatch_test.cc
+%C%_sweep_mismatch_test_CPPFLAGS = $(AM_CPPFLAGS) $(OIIO_CFLAGS)
+%C%_sweep_mismatch_test_LDADD = libdraw.a $(HSR_LIBS) $(OIIO_LIBS)
 %C%_sweep_check_test_SOURCES = %D%/sweep/check_test.c $(sweeping)
 %C%_sweep_check_test_LDADD = $(BENCH_LIBS)
 %C%_sweep_resume_test_SOURCES = %D%/sweep/resume_test.c $(sweeping)
@@ -233,6 +241,7 @@ EXTRA_DIST += \
   %D%/torture/fail.cc \
   %D%/torture/leaks.supp \
   %D%/report/browse.mjs \
+  %D%/report/hostile.mjs \
   %D%/report/sample.mjs \
   %D%/bad/make-bad-inputs \
   %D%/fuzz/run \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of hsr check share: command.c chooses the scenes, views and
- * sizes to judge; report.c prints the results. */
+ * sizes to judge; report.c prints the results as lines or, by matrix.c and
+ * json.c, as a table or as JSON. */
 #ifndef HSR_BENCH_CHECK_H
 #define HSR_BENCH_CHECK_H
 
@@ -25,7 +26,8 @@ struct check_options {
   long samples, jobs, timeout;   /* samples 0: as many as the scene allows */
   long first_views;              /* --views; 0: not given */
   const char *order;             /* --order; or NULL */
-  bool json, failures_only;
+  bool json, matrix, failures_only;
+  const char *differences; /* a folder, or NULL */
   struct hsr_import import;
 };
 
@@ -33,7 +35,9 @@ struct check_options {
 
 struct scene_run {
   const struct check_options *options;
+  int number; /* in the options */
   const char *name;
+  struct progress *progress;
   struct hsr_scene *scene;
   struct hsr_world world;
   struct hsr_view *view; /* one for each size and view, in judging order */
@@ -47,13 +51,34 @@ static inline struct cell *cell_at(const struct scene_run *run, int size,
   return &run->cells[picture * run->options->n_algorithms + algorithm];
 }
 
+static inline const struct hsr_answer_type *
+kind_of(const struct check_options *options, int algorithm) {
+  return options->algorithm[algorithm].choice.form.type;
+}
+
+/* Whether it is known that the algorithm draws wrong pictures at times. */
+static inline bool is_known_wrong(const struct check_options *options,
+                                  int algorithm) {
+  return options->algorithm[algorithm].listed->plain->flags & HSR_KNOWN_WRONG;
+}
+
+/* What became of an algorithm over all views of a size. */
+struct outcome {
+  enum verdict worst;
+  uint64_t mismatches; /* of the build that is timed */
+};
+struct outcome outcome_of(const struct scene_run *run, int size, int algorithm);
+
 /* --- The report ----------------------------------------------------------- */
 
 struct totals {
   uint64_t compared[HSR_MOST_ANSWER_TYPES]; /* by the kind's number */
   uint64_t mismatches, depths, depths_exact;
+  uint64_t counting; /* mismatches of builds that count, where they differ from
+                        those of the build that is timed */
   uint64_t expected; /* mismatches of algorithms that are known to be wrong */
   int failures;      /* cells that are neither ok nor refused */
+  int crashed, late; /* of these */
   struct json_t *cells;
 };
 
@@ -67,5 +92,19 @@ enum hsr_status report_scene(const struct scene_run *run, struct totals *totals,
 enum hsr_status report_end(const struct check_options *options,
                            struct totals *totals, struct hsr_error *err);
 void report_abandon(struct totals *totals);
+
+/* --- matrix.c ------------------------------------------------------------- */
+
+/* A row for each scene and size, with a column for each algorithm: the
+ * mismatches over all views, or the worst verdict. */
+void matrix_begin(const struct check_options *options);
+void matrix_scene(const struct scene_run *run);
+
+/* --- json.c --------------------------------------------------------------- */
+
+/* New references, or NULL for lack of memory. */
+struct json_t *cell_json(const struct scene_run *run, int size, int view,
+                         int algorithm);
+struct json_t *totals_json(const struct totals *totals);
 
 #endif

@@ -7,16 +7,18 @@
  * is judged in its own process (bench/judge/judge.c), several at a time. */
 #include "bench/check/check.h"
 #include "bench/run/terminate.h"
+#include "bench/terminal/terminal.h"
 
 #include <errno.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { DROP = 0x200, ORDER, SAMPLES };
+enum { DROP = 0x200, ORDER, SAMPLES, MATRIX, DIFFERENCES };
 
 /* --- Options -------------------------------------------------------------- */
 
@@ -125,6 +127,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 'f':
     o->failures_only = true;
     return 0;
+  case MATRIX:
+    o->matrix = true;
+    return 0;
+  case DIFFERENCES:
+    o->differences = arg;
+    return 0;
   case DROP:
     o->import.drop_degenerate = true;
     return 0;
@@ -172,6 +180,12 @@ static const struct argp argp = {
          0},
         {"drop-degenerate", DROP, NULL, 0,
          "leave out faces of mesh files that cannot be used", 0},
+        {"differences", DIFFERENCES, "DIR", 0,
+         "write a picture of what differs, or both line drawings, into this "
+         "folder",
+         0},
+        {"matrix", MATRIX, NULL, 0,
+         "print a wide table instead: a column for each algorithm", 0},
         {"json", 'j', NULL, 0, "print one JSON object", 0},
         {0}},
     parse,
@@ -223,15 +237,11 @@ static bool is_first(const struct check_options *o, int k) {
   return true;
 }
 
-/* Shows on a terminal how many groups are done. */
+/* Tells how many groups are done: of this scene, and of those before it. */
 static void show_progress(const struct scene_run *run, int done, int all) {
-  if (!isatty(STDERR_FILENO))
-    return;
-  if (done == all)
-    fprintf(stderr, "\r\033[K");
-  else
-    fprintf(stderr, "\r\033[K%s: %d of %d", run->name, done, all);
-  fflush(stderr);
+  const struct check_options *o = run->options;
+  progress_tell(run->progress, (size_t)(run->number * all + done),
+                (size_t)(o->n_scenes * all), "groups of pictures", run->name);
 }
 
 /* Waits for a group to end; *failure keeps the first failure. A group that ran
@@ -280,7 +290,8 @@ static struct group group_of(const struct scene_run *run,
                         .view = &run->view[size * o->n_views + view],
                         .number = &o->view[view],
                         .n_views = sequence ? o->n_views : 1,
-                        .cells = cell_at(run, size, view, 0)};
+                        .cells = cell_at(run, size, view, 0),
+                        .differences = o->differences};
 }
 
 /* Counts the groups of all forms, sizes and views, and writes them into group[]
@@ -299,6 +310,12 @@ static int list_groups(const struct scene_run *run, struct group *group) {
             group[n] = group_of(run, first, size, view);
     }
   return n;
+}
+
+static enum hsr_status make_folder(const char *path, struct hsr_error *err) {
+  if (!path || !mkdir(path, 0777) || errno == EEXIST)
+    return HSR_OK;
+  return hsr_fail(err, HSR_E_INPUT, "%s: %s", path, strerror(errno));
 }
 
 static enum hsr_status run_groups(const struct scene_run *run,
@@ -380,10 +397,14 @@ static void close_run(struct scene_run *run) {
   hsr_scene_delete(run->scene);
 }
 
-static enum hsr_status check_scene(const struct check_options *o,
-                                   const char *name, struct totals *totals,
+static enum hsr_status check_scene(const struct check_options *o, int number,
+                                   struct progress *progress,
+                                   struct totals *totals,
                                    struct hsr_error *err) {
-  struct scene_run run = {.options = o, .name = name};
+  struct scene_run run = {.options = o,
+                          .number = number,
+                          .name = o->scene[number],
+                          .progress = progress};
   struct group *group = NULL;
   enum hsr_status status = open_run(&run, err);
   if (!status) {
@@ -393,6 +414,7 @@ static enum hsr_status check_scene(const struct check_options *o,
     if (!status)
       status = run_groups(&run, group, list_groups(&run, group), err);
   }
+  progress_end(progress);
   if (!status)
     status = report_scene(&run, totals, err);
   free(group);
@@ -410,10 +432,13 @@ enum hsr_status command_check(int argc, char **argv, struct hsr_error *err) {
   enum hsr_status status = parse_options(&argp, argc, argv, o, err);
   if (!status) {
     set_standards(o);
-    report_begin(o, &totals);
+    status = make_folder(o->differences, err);
   }
+  if (!status)
+    report_begin(o, &totals);
+  struct progress progress = progress_begin(stderr);
   for (int k = 0; k < o->n_scenes && !status; k++)
-    status = check_scene(o, o->scene[k], &totals, err);
+    status = check_scene(o, k, &progress, &totals, err);
   if (!status)
     status = report_end(o, &totals, err);
   else

@@ -1,79 +1,179 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What hsr check prints: a table, or one JSON object. */
+/* What hsr check prints: a line for each scene and size, and below it what is
+ * wrong, was refused, crashed or came too late. */
 #include "bench/check/check.h"
 #include "bench/results/json.h"
+#include "bench/terminal/terminal.h"
 
+#include <signal.h>
 #include <string.h>
 
-static const struct hsr_answer_type *kind_of(const struct check_options *o,
-                                             int algorithm) {
-  return o->algorithm[algorithm].choice.form.type;
+struct outcome outcome_of(const struct scene_run *run, int size, int a) {
+  struct outcome outcome = {.worst = RIGHT};
+  for (int view = 0; view < run->options->n_views; view++) {
+    const struct cell *cell = cell_at(run, size, view, a);
+    enum verdict verdict = cell->verdict == PENDING ? CRASH : cell->verdict;
+    outcome.mismatches += cell->mismatches;
+    if (verdict > outcome.worst)
+      outcome.worst = verdict;
+  }
+  return outcome;
 }
 
-static void print_header(const struct check_options *o) {
-  printf("%-22s %8s %9s %5s ", "scene", "faces", "samples", "views");
-  for (int a = 0; a < o->n_algorithms; a++)
-    printf(" %9s", o->algorithm[a].name);
-  puts("   mismatches");
-}
+/* --- A line for a scene --------------------------------------------------- */
 
-/* Prints one line a size: the mismatches over all views, or the worst verdict.
- */
-static void print_scene(const struct scene_run *run) {
+/* "31 of 32 right, 4 refused". Those that are known to be wrong are counted
+ * apart. */
+static void say_outcomes(const struct scene_run *run, int size, char *text,
+                         size_t n) {
   const struct check_options *o = run->options;
-  for (int size = 0; size < o->n_sizes; size++) {
-    char samples[24];
-    snprintf(samples, sizeof samples, "%dx%d", o->m[size], o->n[size]);
-    printf("%-22s %8u %9s %5d ", run->name, run->world.n_faces, samples,
-           o->n_views);
-    for (int a = 0; a < o->n_algorithms; a++) {
-      uint64_t mismatches = 0;
-      enum verdict worst = RIGHT;
-      for (int view = 0; view < o->n_views; view++) {
-        const struct cell *cell = cell_at(run, size, view, a);
-        mismatches += cell->mismatches;
-        if (cell->verdict > worst || cell->verdict == PENDING)
-          worst = cell->verdict;
-      }
-      int width = (int)strlen(o->algorithm[a].name);
-      width = width > 9 ? width : 9;
-      bool known = o->algorithm[a].listed->plain->flags & HSR_KNOWN_WRONG;
-      char cell[32];
-      snprintf(cell, sizeof cell, known && mismatches ? "(%llu)" : "%llu",
-               (unsigned long long)mismatches);
-      if (worst == RIGHT || worst == WRONG)
-        printf(" %*s", width, cell);
-      else
-        printf(" %*s", width, verdict_name(worst));
+  int right = 0, refused = 0, known = 0;
+  for (int a = 0; a < o->n_algorithms; a++) {
+    enum verdict worst = outcome_of(run, size, a).worst;
+    right += worst == RIGHT;
+    refused += worst == REFUSED;
+    known += worst == WRONG && is_known_wrong(o, a);
+  }
+  int length = snprintf(text, n, "%d of %d right", right,
+                        o->n_algorithms - refused - known);
+  if (known)
+    length +=
+        snprintf(text + length, n - (size_t)length, ", %d known wrong", known);
+  if (refused)
+    snprintf(text + length, n - (size_t)length, ", %d refused", refused);
+}
+
+static void print_scene(const struct scene_run *run, int size) {
+  const struct check_options *o = run->options;
+  char name[TERMINAL_NAME], samples[24], outcomes[80];
+  snprintf(samples, sizeof samples, "%dx%d", o->m[size], o->n[size]);
+  say_outcomes(run, size, outcomes, sizeof outcomes);
+  printf("%-20s %8u faces %9s  %s\n",
+         terminal_plain(run->name, name, sizeof name), run->world.n_faces,
+         samples, outcomes);
+}
+
+/* --- What is not right ---------------------------------------------------- */
+
+/* "watkins, view 3, 97x61" */
+static int say_cell(const struct scene_run *run, int size, int view, int a,
+                    char *text, size_t n) {
+  const struct check_options *o = run->options;
+  return snprintf(text, n, "%s, view %d, %dx%d", o->algorithm[a].name,
+                  o->view[view] + 1, o->m[size], o->n[size]);
+}
+
+enum { LINE = 3000 };
+
+static void print_wrong(const struct scene_run *run, int size, int view,
+                        int a) {
+  const struct cell *c = cell_at(run, size, view, a);
+  if (c->verdict != WRONG || is_known_wrong(run->options, a))
+    return;
+  char text[LINE], number[TERMINAL_NUMBER];
+  bool counting = !c->mismatches;
+  uint64_t n = counting ? c->counting_mismatches : c->mismatches;
+  int length = say_cell(run, size, view, a, text, sizeof text);
+  length +=
+      snprintf(text + length, sizeof text - (size_t)length, "%s: %s, %s%s",
+               counting ? ", only the build that counts" : "",
+               terminal_number(n, kind_of(run->options, a)->places, number),
+               n == 1 ? "" : "the first ", c->first);
+  if (!counting && c->counting_mismatches != c->mismatches)
+    snprintf(text + length, sizeof text - (size_t)length,
+             "; of the build that counts, %llu",
+             (unsigned long long)c->counting_mismatches);
+  terminal_wrap(stdout, printf("  wrong: "), 4, text);
+}
+
+/* The command that judges one cell again. */
+static void say_again(const struct scene_run *run, int size, int view, int a,
+                      char *text, size_t n) {
+  const struct check_options *o = run->options;
+  char scene[TERMINAL_NAME];
+  snprintf(text, n, "again: hsr check %s -a %s --order %d --size %dx%d%s",
+           terminal_word(run->name, scene, sizeof scene), o->algorithm[a].name,
+           o->view[view] + 1, o->m[size], o->n[size],
+           o->import.drop_degenerate ? " --drop-degenerate" : "");
+}
+
+static void print_crash(const struct scene_run *run, int size, int view,
+                        int a) {
+  const struct cell *c = cell_at(run, size, view, a);
+  char text[LINE];
+  int length = say_cell(run, size, view, a, text, sizeof text);
+  if (c->signal)
+    snprintf(text + length, sizeof text - (size_t)length, ": signal %d, %s",
+             c->signal, strsignal(c->signal));
+  else
+    snprintf(text + length, sizeof text - (size_t)length,
+             ": ended with status %d", (int)c->failure);
+  terminal_wrap(stdout, printf("  crashed: "), 4, text);
+}
+
+/* A crash, or a picture that came too late. Later views of the algorithm have
+ * the same verdict, and are not told. */
+static void print_failure(const struct scene_run *run, int size, int a) {
+  const struct check_options *o = run->options;
+  for (int view = 0; view < o->n_views; view++) {
+    enum verdict verdict = cell_at(run, size, view, a)->verdict;
+    char text[LINE];
+    if (verdict == RIGHT || verdict == WRONG || verdict == REFUSED)
+      continue;
+    if (verdict == TIMEOUT) {
+      int length = say_cell(run, size, view, a, text, sizeof text);
+      snprintf(text + length, sizeof text - (size_t)length,
+               ": took longer than %ld s", o->timeout);
+      terminal_wrap(stdout, printf("  late: "), 4, text);
+    } else {
+      print_crash(run, size, view, a);
     }
-    putchar('\n');
+    say_again(run, size, view, a, text, sizeof text);
+    terminal_wrap(stdout, printf("    "), 6, text);
+    return;
   }
 }
 
-static void print_difference(const struct scene_run *run, int size, int view,
-                             int a) {
-  const struct check_options *o = run->options;
-  const struct cell *c = cell_at(run, size, view, a);
-  if (c->verdict != WRONG ||
-      o->algorithm[a].listed->plain->flags & HSR_KNOWN_WRONG)
-    return;
-  printf("  wrong: %s, view %d, %dx%d, %s: %llu %s\n", run->name,
-         o->view[view] + 1, o->m[size], o->n[size], o->algorithm[a].name,
-         (unsigned long long)c->mismatches, c->first);
-}
-
-/* Prints only the first reason: it is often the same for all views of an
- * algorithm. */
-static void print_refusal(const struct scene_run *run, int a) {
+/* The first reason for which an algorithm refused a picture, without its name,
+ * which is often the same for all views; or NULL. */
+static const char *refusal_of(const struct scene_run *run, int a) {
   const struct check_options *o = run->options;
   for (int size = 0; size < o->n_sizes; size++)
     for (int view = 0; view < o->n_views; view++) {
-      const struct cell *c = cell_at(run, size, view, a);
-      if (c->refusal[0]) {
-        printf("  %s\n", c->refusal);
-        return;
-      }
+      const char *refusal = cell_at(run, size, view, a)->refusal;
+      const char *why = strchr(refusal, ':');
+      if (refusal[0])
+        return !strncmp(refusal, "refused by ", 11) && why ? why + 2 : refusal;
     }
+  return NULL;
+}
+
+/* Whether an algorithm before a refused for the same reason. */
+static bool is_told(const struct scene_run *run, int a) {
+  for (int b = 0; b < a; b++) {
+    const char *other = refusal_of(run, b);
+    if (other && !strcmp(other, refusal_of(run, a)))
+      return true;
+  }
+  return false;
+}
+
+/* A reason once, with all who give it. */
+static void print_refusal(const struct scene_run *run, int a) {
+  const struct check_options *o = run->options;
+  const char *why = refusal_of(run, a);
+  if (!why || is_told(run, a))
+    return;
+  char text[LINE];
+  int length = 0;
+  for (int b = a; b < o->n_algorithms && length < LINE / 2; b++) {
+    const char *other = refusal_of(run, b);
+    if (other && !strcmp(other, why))
+      length += snprintf(text + length, sizeof text - (size_t)length, "%s%s",
+                         length ? ", " : "", o->algorithm[b].name);
+  }
+  snprintf(text + length, sizeof text - (size_t)length, ": %s", why);
+  terminal_wrap(stdout, printf("  refused: "), 4, text);
 }
 
 /* Says how much was compared, if pictures of a kind were not compared whole. */
@@ -89,38 +189,39 @@ static void print_compared(const struct scene_run *run,
     printf("  compared: %ld random %s of each picture\n", n, kind->places);
 }
 
-static void print_differences(const struct scene_run *run) {
+static void print_details(const struct scene_run *run) {
   const struct check_options *o = run->options;
   for (int k = 0; hsr_answer_types[k]; k++)
     print_compared(run, hsr_answer_types[k]);
+  for (int size = 0; size < o->n_sizes; size++)
+    for (int a = 0; a < o->n_algorithms; a++) {
+      for (int view = 0; view < o->n_views; view++)
+        print_wrong(run, size, view, a);
+      print_failure(run, size, a);
+    }
   for (int a = 0; a < o->n_algorithms; a++)
     print_refusal(run, a);
-  for (int size = 0; size < o->n_sizes; size++)
-    for (int view = 0; view < o->n_views; view++)
-      for (int a = 0; a < o->n_algorithms; a++)
-        print_difference(run, size, view, a);
 }
 
-static json_t *adapted_json(const struct cell *c) {
-  json_t *names = json_array();
-  for (int k = 0; k < c->n_adaptations; k++)
-    hsr_json_append(&names, json_string(c->adapted[k]));
-  return names;
-}
+/* --- Totals --------------------------------------------------------------- */
 
-static json_t *cell_json(const struct scene_run *run, int size, int view,
-                         int a) {
-  const struct check_options *o = run->options;
-  const struct cell *c = cell_at(run, size, view, a);
-  const struct hsr_algorithm *algorithm = o->algorithm[a].listed->plain;
-  return json_pack(
-      "{ss si si si ss ss ss sI sI sb ss* so}", "scene", run->name, "view",
-      o->view[view] + 1, "width", o->m[size], "height", o->n[size], "algorithm",
-      o->algorithm[a].name, "kind", kind_of(o, a)->name, "status",
-      verdict_name(c->verdict), "mismatches", (json_int_t)c->mismatches,
-      "compared", (json_int_t)c->compared, "known_wrong",
-      (algorithm->flags & HSR_KNOWN_WRONG) != 0, "refusal",
-      c->refusal[0] ? c->refusal : NULL, "adapted", adapted_json(c));
+static void add_cell(const struct check_options *o, int a, const struct cell *c,
+                     struct totals *totals) {
+  enum verdict verdict = c->verdict == PENDING ? CRASH : c->verdict;
+  if (verdict == RIGHT || verdict == WRONG)
+    totals->compared[hsr_answer_number(kind_of(o, a))] += c->compared;
+  totals->depths += c->depths_compared;
+  totals->depths_exact += c->depths_exact;
+  totals->crashed += verdict == CRASH;
+  totals->late += verdict == TIMEOUT;
+  if (verdict == WRONG && is_known_wrong(o, a)) {
+    totals->expected += c->mismatches;
+    return;
+  }
+  totals->mismatches += c->mismatches;
+  if (verdict == WRONG && c->counting_mismatches != c->mismatches)
+    totals->counting += c->counting_mismatches;
+  totals->failures += verdict != RIGHT && verdict != REFUSED;
 }
 
 static enum hsr_status add_up(const struct scene_run *run,
@@ -132,75 +233,46 @@ static enum hsr_status add_up(const struct scene_run *run,
         const struct cell *c = cell_at(run, size, view, a);
         if (c->failure == HSR_E_NOMEM)
           return HSR_E_NOMEM;
-        if (c->verdict == RIGHT || c->verdict == WRONG)
-          totals->compared[hsr_answer_number(kind_of(o, a))] += c->compared;
-        totals->depths += c->depths_compared;
-        totals->depths_exact += c->depths_exact;
-        if (o->algorithm[a].listed->plain->flags & HSR_KNOWN_WRONG &&
-            c->verdict == WRONG) {
-          totals->expected += c->mismatches;
-        } else {
-          totals->mismatches += c->mismatches;
-          totals->failures += c->verdict != RIGHT && c->verdict != REFUSED;
-        }
+        add_cell(o, a, c, totals);
         if (o->json)
           hsr_json_append(&totals->cells, cell_json(run, size, view, a));
       }
   return HSR_OK;
 }
 
-/* How much was compared of each kind, under the name of its places. */
-static json_t *totals_json(const struct totals *totals) {
-  json_t *json = json_pack("{ss}", "schema", "hsr-check/1");
-  for (int k = 0; json && hsr_answer_types[k]; k++)
-    json_object_set_new(json, hsr_answer_types[k]->places,
-                        json_integer((json_int_t)totals->compared[k]));
-  return json;
-}
-
-static enum hsr_status print_json(struct totals *totals,
-                                  struct hsr_error *err) {
-  json_t *all = totals_json(totals);
-  json_t *rest =
-      json_pack("{sI sI sI so}", "mismatches", (json_int_t)totals->mismatches,
-                "depths_compared", (json_int_t)totals->depths, "depths_exact",
-                (json_int_t)totals->depths_exact, "cells", totals->cells);
-  if (!all || !rest || json_object_update(all, rest)) {
-    json_decref(all);
-    all = NULL;
-  }
-  json_decref(rest);
-  return json_print(all, err);
-}
-
 /* "3 samples and 2 edges": only the kinds of which anything was compared. */
-static void print_totals(const struct totals *totals) {
+static void print_compared_totals(const struct totals *totals) {
+  char number[TERMINAL_NUMBER];
   int n = 0, said = 0;
   for (int k = 0; hsr_answer_types[k]; k++)
     n += totals->compared[k] > 0;
-  putchar('\n');
   for (int k = 0; hsr_answer_types[k]; k++)
     if (totals->compared[k] && ++said)
-      printf("%s%llu %s",
+      printf("%s%s",
              said == 1   ? ""
              : said == n ? " and "
                          : ", ",
-             (unsigned long long)totals->compared[k],
-             hsr_answer_types[k]->places);
-  printf("%s compared, %llu mismatches\n", n ? "" : "nothing",
-         (unsigned long long)totals->mismatches);
+             terminal_number(totals->compared[k], hsr_answer_types[k]->places,
+                             number));
+  printf("%s compared, ", n ? "" : "nothing");
 }
 
-enum hsr_status report_end(const struct check_options *o, struct totals *totals,
-                           struct hsr_error *err) {
-  if (o->json)
-    return print_json(totals, err);
-  print_totals(totals);
+static void print_totals(const struct totals *totals) {
+  char number[TERMINAL_NUMBER];
+  putchar('\n');
+  print_compared_totals(totals);
+  printf("%s\n", terminal_number(totals->mismatches, "mismatches", number));
+  if (totals->counting)
+    printf("%s in builds that count\n",
+           terminal_number(totals->counting, "mismatches", number));
   if (totals->expected)
     printf("%llu more of algorithms that are known to be wrong\n",
            (unsigned long long)totals->expected);
+  if (totals->crashed || totals->late)
+    printf("NOT all was compared: %d crashed, %d late\n", totals->crashed,
+           totals->late);
   if (!totals->depths)
-    return HSR_OK;
+    return;
   printf("%llu depth comparisons, %llu by the exact path",
          (unsigned long long)totals->depths,
          (unsigned long long)totals->depths_exact);
@@ -208,26 +280,62 @@ enum hsr_status report_end(const struct check_options *o, struct totals *totals,
     printf(" (1 in %.0f)",
            (double)totals->depths / (double)totals->depths_exact);
   putchar('\n');
-  return HSR_OK;
+}
+
+/* --- The report ----------------------------------------------------------- */
+
+/* "watkins, zbuffer; 8 views of each scene" */
+static void print_what(const struct check_options *o) {
+  enum { MOST_NAMES = 5 };
+  char text[LINE], number[TERMINAL_NUMBER];
+  int length = 0;
+  for (int a = 0; a < o->n_algorithms && o->n_algorithms <= MOST_NAMES; a++)
+    length += snprintf(text + length, sizeof text - (size_t)length, "%s%.500s",
+                       a ? ", " : "", o->algorithm[a].name);
+  if (!length)
+    length = snprintf(text, sizeof text, "%d algorithms", o->n_algorithms);
+  snprintf(text + length, sizeof text - (size_t)length, "; %s of each scene",
+           terminal_number((uint64_t)o->n_views, "views", number));
+  terminal_wrap(stdout, 0, 2, text);
 }
 
 void report_begin(const struct check_options *o, struct totals *totals) {
-  if (o->json)
+  if (o->json) {
     totals->cells = json_array();
-  else
-    print_header(o);
+    return;
+  }
+  print_what(o);
+  if (o->matrix)
+    matrix_begin(o);
+  fflush(stdout);
 }
 
 enum hsr_status report_scene(const struct scene_run *run, struct totals *totals,
                              struct hsr_error *err) {
-  if (!run->options->json) {
-    print_scene(run);
-    print_differences(run);
+  const struct check_options *o = run->options;
+  if (o->matrix && !o->json)
+    matrix_scene(run);
+  for (int size = 0; size < o->n_sizes && !o->matrix && !o->json; size++)
+    print_scene(run, size);
+  if (!o->json) {
+    print_details(run);
     fflush(stdout);
   }
   return add_up(run, totals) ? hsr_fail_nomem(err) : HSR_OK;
 }
 
+enum hsr_status report_end(const struct check_options *o, struct totals *totals,
+                           struct hsr_error *err) {
+  if (!o->json) {
+    print_totals(totals);
+    return HSR_OK;
+  }
+  enum hsr_status status = json_print(totals_json(totals), err);
+  report_abandon(totals);
+  return status;
+}
+
 void report_abandon(struct totals *totals) {
   json_decref(totals->cells);
+  totals->cells = NULL;
 }

@@ -7,6 +7,7 @@
  * technique of Knuth, The Art of Computer Programming, volume 2, 3.4.2,
  * algorithm S. */
 #include "bench/judge/judge.h"
+#include "bench/judge/differences.h"
 #include "bench/judge/judge_filtered.h"
 #include "bench/run/terminate.h"
 
@@ -60,6 +61,18 @@ const struct hsr_algorithm *oracle_of(const struct hsr_answer_type *kind) {
     if (a->plain->kind == kind && a->plain->flags & HSR_JUDGE)
       return a->plain;
   return NULL;
+}
+
+/* Who is judged: one of the two builds of an algorithm of the group. */
+struct player {
+  int number;
+  const struct hsr_algorithm *algorithm;
+  bool counts;
+  long threads;
+};
+
+static bool is_wrong(const struct cell *cell) {
+  return cell->mismatches || cell->counting_mismatches;
 }
 
 /* --- What is right -------------------------------------------------------- */
@@ -199,21 +212,34 @@ static void free_wanted(const struct group *g, struct wanted *wanted) {
 
 /* --- Comparing ------------------------------------------------------------ */
 
-static void compare(const struct group *g, const struct hsr_algorithm *a, int k,
-                    const struct hsr_answer *got, const struct wanted *wanted,
-                    struct cell *cell) {
+/* Compares a picture of view k, and notes what differs. */
+static enum hsr_status compare(const struct group *g,
+                               const struct player *player, int k,
+                               const struct hsr_answer *got,
+                               const struct wanted *wanted, struct cell *cell,
+                               struct hsr_error *err) {
   struct hsr_comparison comparison = {.view = &g->view[k],
                                       .got = got,
                                       .wanted = &wanted->answer,
                                       .place = wanted->sample,
                                       .n = wanted->n,
-                                      .coarse = a->flags & HSR_VISIBLE_ONLY};
+                                      .coarse = player->algorithm->flags &
+                                                HSR_VISIBLE_ONLY};
   struct hsr_difference difference = {.first = ""};
   g->form.type->compare(&comparison, &difference);
-  if (!cell->mismatches)
+  if (!is_wrong(cell))
     memcpy(cell->first, difference.first, sizeof cell->first);
   cell->compared = difference.compared;
-  cell->mismatches += difference.differing;
+  *(player->counts ? &cell->counting_mismatches : &cell->mismatches) =
+      difference.differing;
+  if (!difference.differing || !g->differences)
+    return HSR_OK;
+  struct compared_files files = {.folder = g->differences,
+                                 .world = g->world,
+                                 .view = g->number[k] + 1,
+                                 .algorithm = g->algorithm[player->number].name,
+                                 .counts = player->counts};
+  return write_difference(&files, &comparison, err);
 }
 
 /* --- Judging one algorithm ------------------------------------------------ */
@@ -224,17 +250,18 @@ static struct cell *cell_of(const struct group *g, int view, int number) {
 
 /* The picture of one view, by an algorithm made ready. */
 static enum hsr_status judge_view(const struct group *g,
+                                  const struct player *player,
                                   const struct hsr_setup *setup, int k,
-                                  long threads, const struct wanted *wanted,
+                                  const struct wanted *wanted,
                                   struct cell *cell, struct hsr_error *err) {
-  const struct hsr_algorithm *a = setup->algorithm;
   struct hsr_tally tally = {.out_of_memory = false};
   struct hsr_answer got;
   enum hsr_status status = clean_answer(&got, setup, &g->view[k], err);
   if (!status)
-    status = render_view(setup, &g->view[k], threads, &got, &tally, NULL, err);
-  if (!status && !(a->flags & HSR_NO_PICTURE))
-    compare(g, a, k, &got, wanted, cell);
+    status = render_view(setup, &g->view[k], player->threads, &got, &tally,
+                         NULL, err);
+  if (!status && !(player->algorithm->flags & HSR_NO_PICTURE))
+    status = compare(g, player, k, &got, wanted, cell, err);
   memcpy(cell->count, tally.count, sizeof cell->count);
   if (g->form.type->by_places) { /* at samples; told by the counting build */
     cell->depths_compared = tally.depths_compared;
@@ -254,23 +281,24 @@ static void note_refusal(const struct group *g, int number, const char *why) {
 }
 
 /* All views, in order, by one prepared object. In a process of its own. */
-static enum hsr_status judge(const struct group *g, int number,
-                             const struct hsr_algorithm *a, long threads,
+static enum hsr_status judge(const struct group *g, const struct player *player,
                              const struct wanted *wanted) {
+  int number = player->number;
   struct hsr_error err;
   struct hsr_setup setup;
   alarm((unsigned)g->timeout);
-  enum hsr_status status =
-      hsr_setup_init(&setup, a, &g->algorithm[number].choice, g->world, &err);
+  enum hsr_status status = hsr_setup_init(
+      &setup, player->algorithm, &g->algorithm[number].choice, g->world, &err);
   for (int k = 0; k < g->n_views; k++) {
     struct cell *cell = cell_of(g, k, number);
     cell->n_adaptations = setup.n_adaptations;
     for (int i = 0; i < setup.n_adaptations; i++)
-      cell->adapted[i] = setup.adaptation[i].name; /* lasts: it is a constant */
+      snprintf(cell->adapted[i], HSR_ADAPTER_NAME, "%s",
+               setup.adaptation[i].name);
   }
   for (int k = 0; k < g->n_views && !status; k++) {
-    status = judge_view(g, &setup, k, threads, &wanted[k],
-                        cell_of(g, k, number), &err);
+    status = judge_view(g, player, &setup, k, &wanted[k], cell_of(g, k, number),
+                        &err);
     alarm((unsigned)g->timeout);
   }
   if (status == HSR_E_REFUSED)
@@ -329,15 +357,22 @@ static void set_verdicts(const struct group *g, int number, pid_t ended,
     struct cell *cell = cell_of(g, k, number);
     bool complete = cell->builds == 2 && !(failed && k == g->n_views - 1);
     cell->peak_kb = peak_kb;
-    cell->verdict = !complete          ? verdict_of_end(ended, end)
-                    : cell->mismatches ? WRONG
-                                       : RIGHT;
+    cell->verdict = !complete        ? verdict_of_end(ended, end)
+                    : is_wrong(cell) ? WRONG
+                                     : RIGHT;
     if (cell->verdict != CRASH)
       continue;
+    cell->signal = ended > 0 && WIFSIGNALED(end) ? WTERMSIG(end) : 0;
     cell->failure = ended < 0        ? HSR_E_NOMEM
                     : WIFEXITED(end) ? (enum hsr_status)WEXITSTATUS(end)
                                      : HSR_OK;
   }
+}
+
+/* Tells other processes that the algorithm's cells are complete. */
+static void set_done(const struct group *g, int number) {
+  for (int k = 0; k < g->n_views; k++)
+    __atomic_store_n(&cell_of(g, k, number)->done, true, __ATOMIC_RELEASE);
 }
 
 /* Runs the algorithm in a new process and waits for it. */
@@ -349,6 +384,7 @@ static void judge_apart(const struct group *g, int number,
     snprintf(refusal, sizeof refusal, "refused: %s would take more than %ld s",
              listed->plain->name, g->timeout);
     set_verdict(g, number, REFUSED, refusal);
+    set_done(g, number);
     return;
   }
   fflush(NULL);
@@ -356,16 +392,19 @@ static void judge_apart(const struct group *g, int number,
   if (child == 0) {
     end_with_parent(parent);
     limit_process(g);
-    long threads = g->threads ? g->threads[number] : 1;
-    enum hsr_status status = judge(g, number, listed->plain, threads, wanted);
+    struct player timed = {number, listed->plain, false,
+                           g->threads ? g->threads[number] : 1};
+    struct player counting = {number, listed->counting, true, 1};
+    enum hsr_status status = judge(g, &timed, wanted);
     if (!status)
-      status = judge(g, number, listed->counting, 1, wanted);
+      status = judge(g, &counting, wanted);
     end_process((int)status);
   }
   int end = 0;
   struct rusage usage = {.ru_maxrss = 0};
   pid_t ended = child < 0 ? -1 : wait4(child, &end, 0, &usage);
   set_verdicts(g, number, ended, end, usage.ru_maxrss);
+  set_done(g, number);
 }
 
 /* --- Judging a group ------------------------------------------------------ */
@@ -373,7 +412,8 @@ static void judge_apart(const struct group *g, int number,
 static bool is_judged(const struct group *g, int number) {
   const struct hsr_variant *v = &g->algorithm[number];
   const struct hsr_algorithm *a = v->listed->plain;
-  return hsr_same_form(&v->choice.form, &g->form) &&
+  return !(g->left_out && g->left_out[number]) &&
+         hsr_same_form(&v->choice.form, &g->form) &&
          (hsr_choice_flags(a, &v->choice) & g->mask) == g->flags;
 }
 

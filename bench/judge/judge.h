@@ -15,21 +15,25 @@ enum verdict { PENDING, RIGHT, WRONG, REFUSED, TIMEOUT, CRASH };
 /* "ok", "wrong", "refused", "timeout", "crash"; what is PENDING has crashed. */
 const char *verdict_name(enum verdict verdict);
 
+enum { HSR_ADAPTER_NAME = 32 };
+
 /* What became of one algorithm's picture; in memory shared between the
  * processes. */
 struct cell {
   enum verdict verdict;
+  bool done;               /* the verdict is the last one; set after the rest */
   int builds;              /* that drew it and were compared, of two */
   enum hsr_status failure; /* why the process stopped, if not HSR_OK */
-  uint64_t compared;       /* samples, edges, ...: places of its kind of answer,
-                              in the build that is timed */
-  uint64_t mismatches;     /* of those in both builds */
+  int signal;              /* that ended the process, or 0 */
+  uint64_t compared;   /* samples, edges, ...: places of its kind of answer */
+  uint64_t mismatches; /* of those, in the build that is timed */
+  uint64_t counting_mismatches; /* and in the one that counts */
   char first[200]; /* the first of them in words, as in struct hsr_difference */
   uint64_t count[HSR_MAX_COUNTERS]; /* by the counting build */
   uint64_t depths_compared, depths_exact;
   long peak_kb; /* the most memory that its process held */
-  const char
-      *adapted[HSR_MAX_ADAPTATIONS]; /* adapters that changed the scene */
+  char adapted[HSR_MAX_ADAPTATIONS][HSR_ADAPTER_NAME]; /* adapters that changed
+                                                          the scene */
   int n_adaptations;
   char refusal[560]; /* who refused and why */
 };
@@ -45,21 +49,22 @@ struct group {
   const struct hsr_world *world;
   struct hsr_form form;
 
-  /* Algorithms for which flags & mask == flags are judged: 0, 0: all. */
+  /* Algorithms for which flags & mask == flags are judged: 0, 0: all. Of these,
+   * not those for which left_out is set; NULL: none. */
   unsigned mask, flags;
+  const bool *left_out;
 
   /* An algorithm draws all views in this order from one prepared object. */
   const struct hsr_view *view;
   const int *number; /* of each view, from 0: some samples are chosen by it */
   int n_views;
 
-  struct cell *cells; /* a view and algorithm */
+  struct cell *cells;      /* a view and algorithm */
+  const char *differences; /* a folder for what is wrong, beside what is right;
+                              or NULL */
   uint32_t *picture; /* where the oracle leaves its ids of the only view, m * n,
-                        NOT_DRAWN where it was not asked; or NULL */
+                        HSR_NOT_WRITTEN where it was not asked; or NULL */
 };
-
-/* Where nothing was written. */
-#define NOT_DRAWN 0xfefefefeu
 
 /* How many places of each picture to compare, 0: all. Unless the user wants a
  * number, all, but of scenes whose faces are too many to be laid out. */

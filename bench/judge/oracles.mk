@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The oracles are algorithms, too: compiled with them.
-algorithm_files += \
+# The oracles have one build, which counts. They are never timed.
+oracle_files = \
   %D%/line_oracle.cc \
   %D%/oracle.cc \
   %D%/voxel_oracle.cc

@@ -11,13 +11,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { MOST_FILES = 4096, PATH = 4400 };
+/* DIGITS of a number are enough for a page, and half as long as all. */
+enum { MOST_FILES = 4096, PATH = 4400, DIGITS = 9 };
 
 struct options {
   struct option_base base;
   const char *file[MOST_FILES], *folder, *reference;
   int n_files;
-  long most, timeout;
+  long most, timeout, budget;
 };
 
 /* --- Options -------------------------------------------------------------- */
@@ -38,6 +39,13 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 't':
     if (!parse_count(arg, 1, 100000, &o->timeout))
       return option_fail(&o->base, "--timeout %s: must be 1 to 100000", arg);
+    return 0;
+  case 'b':
+    if (!parse_count(arg, 1, 1000000, &o->budget))
+      return option_fail(&o->base, "--budget %s: must be 1 to 1000000", arg);
+    return 0;
+  case 'n':
+    o->budget = 0;
     return 0;
   case ARGP_KEY_ARG:
     if (o->n_files == MOST_FILES)
@@ -63,8 +71,13 @@ static const struct argp argp = {
          "show times as ratios to A's (standard: zbuffer)", 0},
         {"pictures", 'p', "N", 0,
          "samples a row or column of a picture, at most (standard: 256)", 0},
+        {"no-pictures", 'n', NULL, 0, "make no pictures", 0},
+        {"budget", 'b', "SECONDS", 0,
+         "the most that all pictures may take, scenes of few faces first "
+         "(standard: 20)",
+         0},
         {"timeout", 't', "SECONDS", 0,
-         "the most that one picture may take (standard: 60)", 0},
+         "the most that one picture may take (standard: 5)", 0},
         {0}},
     parse,
     "RESULTS.ndjson...",
@@ -72,7 +85,8 @@ static const struct argp argp = {
     "index.html. It needs no server and no network. The pictures are drawn "
     "anew, by every algorithm.\v"
     "  hsr bench house harbor -o results.ndjson\n"
-    "  hsr report results.ndjson -o report",
+    "  hsr report results.ndjson -o report\n"
+    "  hsr report results.ndjson -o report --budget 3600 --timeout 600",
     NULL,
     NULL,
     NULL};
@@ -98,17 +112,30 @@ static enum hsr_status make_folders(const char *folder, struct hsr_error *err) {
   return HSR_OK;
 }
 
+/* Writes a part of a JSON text into a string of JavaScript in single quotes. */
+static int write_quoted(const char *text, size_t n, void *file) {
+  bool good = true;
+  for (size_t k = 0; k < n; k++) {
+    if (text[k] == '\'' || text[k] == '\\')
+      good = good && putc_unlocked('\\', file) != EOF;
+    good = good && putc_unlocked(text[k], file) != EOF;
+  }
+  return good ? 0 : -1;
+}
+
 enum hsr_status report_write(const struct report *report, const char *name,
                              const char *before, json_t *value,
                              const char *after, struct hsr_error *err) {
+  static const size_t flags =
+      JSON_COMPACT | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(DIGITS);
   if (!value)
     return hsr_fail_nomem(err);
   char path[PATH];
   snprintf(path, sizeof path, "%.4096s/%.200s", report->folder, name);
   FILE *file = fopen(path, "w");
-  bool good = file && fputs(before, file) >= 0 &&
-              !json_dumpf(value, file, JSON_COMPACT | JSON_ENSURE_ASCII) &&
-              fputs(after, file) >= 0;
+  bool good = file && fprintf(file, "%sJSON.parse('", before) > 0 &&
+              !json_dump_callback(value, write_quoted, file, flags) &&
+              fprintf(file, "')%s", after) > 0;
   if (file && fclose(file))
     good = false;
   json_decref(value);
@@ -185,14 +212,10 @@ static enum hsr_status write_report(const struct report *report,
   json_t *data = report_data(report, err);
   if (!data)
     return HSR_E_NOMEM;
-  json_t *pictures = report_pictures(report, err);
-  if (!pictures) {
+  enum hsr_status status = report_pictures(report, data, err);
+  if (status) {
     json_decref(data);
-    return err->status;
-  }
-  if (json_object_set_new(data, "pictures", pictures)) {
-    json_decref(data);
-    return hsr_fail_nomem(err);
+    return status;
   }
   return report_write(report, "data.js", "window.hsr = ", data, ";\n", err);
 }
@@ -215,7 +238,8 @@ static enum hsr_status make_report(const struct options *o,
                           .folder = o->folder,
                           .reference = o->reference,
                           .most = o->most,
-                          .timeout = o->timeout};
+                          .timeout = o->timeout,
+                          .budget = o->budget};
   if (!status)
     status = write_report(&report, err);
   if (!status)
@@ -227,7 +251,8 @@ enum hsr_status command_report(int argc, char **argv, struct hsr_error *err) {
   struct options *o = calloc(1, sizeof *o);
   if (!o)
     return hsr_fail_nomem(err);
-  *o = (struct options){.reference = "zbuffer", .most = 256, .timeout = 60};
+  *o = (struct options){
+      .reference = "zbuffer", .most = 256, .timeout = 5, .budget = 20};
   enum hsr_status status = parse_options(&argp, argc, argv, o, err);
   if (!status && !HSR_HAVE_REPORT)
     status = hsr_fail(err, HSR_E_USAGE,

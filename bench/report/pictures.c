@@ -1,440 +1,310 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The pictures of a report. For every scene, view and algorithm they show the
- * work, and where the answer differs from the oracle's. Also the data that the
- * page's probe shows at a pixel. */
+/* The pictures of a report. Scenes of few faces come first; what comes when the
+ * time is over is left out, and the page says so.
+ *
+ * Each scene and view is drawn by another process. A scene is a name out of a
+ * file of results: opening it may take long, or never end. */
+#include "bench/report/pictures.h"
 #include "bench/results/json.h"
-#include "bench/judge/judge.h"
-#include "bench/report/report.h"
-#include "bench/run/stage.h"
 #include "bench/run/terminate.h"
-
-#include "common/answers/answer.h"
-#include "common/files/image.h"
-#include "common/view/picture.h"
+#include "bench/terminal/terminal.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* In a drawing of over MANY_LINES nobody would see the hidden ones. */
-enum { NAME = 160, PATH = 4400, MANY_LINES = 30000 };
+enum { KEY = RESULTS_MOST_SCENE + 32, TELL_MS = 500 };
 
-/* One scene and view. */
-struct view_picture {
+/* All scenes and views, and how far the work is. */
+struct gallery {
   const struct report *report;
-  int number; /* from 0; names its files */
-  struct stage stage;
-  uint32_t *wanted, *got; /* ids of the oracle, of an algorithm; shared */
-  float *depth, *rgb;     /* of `wanted`; a colour picture */
-  size_t n;               /* samples */
-  json_t *differences;    /* for the probe, by algorithm */
+  json_t *cells; /* key of a scene and view -> algorithm -> its cell */
+  struct subject *subject;
+  size_t n, drawings; /* subjects; drawings of all */
+  size_t done;        /* drawings made, or left out with their subject */
+  double end;
+  struct progress progress;
+  json_t *slow; /* algorithms that took too long; of larger scenes they make
+                   no drawing */
+  json_t *pictures, *left_out;
 };
 
-static void path_of(const struct view_picture *p, const char *name,
-                    char path[PATH]) {
-  snprintf(path, PATH, "%.4096s/%.200s", p->report->folder, name);
+/* --- What there is to draw ------------------------------------------------ */
+
+static void key_of(const json_t *record, char key[KEY]) {
+  snprintf(key, KEY, "%ld %.*s", results_number(record, "view"),
+           (int)RESULTS_MOST_SCENE, results_text(record, "scene"));
 }
 
-/* --- Drawing in another process ------------------------------------------- */
-
-static enum hsr_status write_work(const struct view_picture *p,
-                                  const char *name, const float *work,
-                                  struct hsr_error *err) {
-  char path[PATH];
-  path_of(p, name, path);
-  return hsr_image_write_work(path, p->stage.view.m, p->stage.view.n, work,
-                              err);
+static bool has_picture(const json_t *cell) {
+  const char *status = results_text(cell, "status");
+  const struct hsr_listed *listed =
+      hsr_algorithm_find(results_text(cell, "algorithm"));
+  return listed && is_shown(listed->plain) &&
+         (!strcmp(status, "ok") || !strcmp(status, "wrong"));
 }
 
-/* The answer itself, as a file of its own kind. */
-static enum hsr_status write_answer(const struct view_picture *p,
-                                    const struct hsr_algorithm *a,
-                                    const struct hsr_answer *answer,
-                                    const char *name, struct hsr_error *err) {
-  char path[PATH], description[200];
-  const struct hsr_drawing *drawing = hsr_answer_drawing_of(answer);
-  bool many = drawing && drawing->n > MANY_LINES;
-  path_of(p, name, path);
-  snprintf(description, sizeof description, "A line drawing by %.150s",
-           a->title);
-  struct hsr_showing showing = {.world = &p->stage.world,
-                                .view = &p->stage.view,
-                                .scene = p->stage.scene->name,
-                                .title = p->stage.scene->name,
-                                .description = description,
-                                .supersamples = 1,
-                                .hidden =
-                                    many ? HSR_HIDDEN_NONE : HSR_HIDDEN_THIN,
-                                .crease = -1};
-  struct hsr_shaded shaded = {.rgb = NULL};
-  const struct hsr_answer_type *kind = answer->form.type;
-  enum hsr_status status =
-      kind->shade ? kind->shade(answer, &showing, &shaded, err) : HSR_OK;
-  if (!status)
-    status = kind->write(answer, &showing, &shaded, path, err);
-  hsr_shaded_free(&shaded);
-  return status;
-}
-
-/* Draws with the counting build: only that writes the work picture. */
-static enum hsr_status draw(struct view_picture *p,
-                            const struct hsr_algorithm *a, const char *work,
-                            const char *drawing, struct hsr_error *err) {
-  struct hsr_setup setup;
-  struct hsr_answer answer = {.body = NULL};
-  struct hsr_tally tally = {.work = calloc(p->n, sizeof(float)),
-                            .work_stride = (size_t)p->stage.view.m};
-  enum hsr_status status = tally.work ? HSR_OK : hsr_fail_nomem(err);
-  if (!status) {
-    status = hsr_setup_init(&setup, a, NULL, &p->stage.world, err);
-    if (!status)
-      status = answer_init(&answer, &setup, &p->stage.view, err);
-    if (!status)
-      status =
-          render_view(&setup, &p->stage.view, 1, &answer, &tally, NULL, err);
-    hsr_setup_free(&setup);
-  }
-  const uint32_t *ids = status ? NULL : hsr_answer_ids_of(&answer);
-  if (ids)
-    memcpy(p->got, ids, p->n * sizeof *p->got);
-  if (!status && work)
-    status = write_work(p, work, tally.work, err);
-  if (!status && drawing)
-    status = write_answer(p, a, &answer, drawing, err);
-  hsr_answer_free(&answer);
-  free(tally.work);
-  return status;
-}
-
-/* Draws in another process. Whether it finished in the time that a picture may
- * take. */
-static bool draw_apart(struct view_picture *p, const struct hsr_algorithm *a,
-                       const char *work, const char *drawing) {
-  fflush(NULL);
-  pid_t parent = getpid(), child = fork();
-  if (child == 0) {
-    end_with_parent(parent);
-    alarm((unsigned)p->report->timeout);
-    end_process((int)draw(p, a, work, drawing, NULL));
-  }
-  int end = 1;
-  while (child > 0 && waitpid(child, &end, 0) < 0 && errno == EINTR) {
-  }
-  return child > 0 && WIFEXITED(end) && !WEXITSTATUS(end);
-}
-
-/* --- Differences ---------------------------------------------------------- */
-
-/* [sample, id, depth] of every sample that differs. p->rgb is scratch for the
- * depths. */
-static json_t *differences_json(struct view_picture *p, long *n) {
-  json_t *list = json_array();
-  *n = 0;
-  hsr_picture_depth(&p->stage.world, &p->stage.view, p->got, p->rgb);
-  for (size_t k = 0; k < p->n; k++)
-    if (p->got[k] != p->wanted[k]) {
-      ++*n;
-      hsr_json_append(&list, json_pack("[IIo]", (json_int_t)k,
-                                       p->got[k] == HSR_BACKGROUND
-                                           ? (json_int_t)-1
-                                           : (json_int_t)p->got[k],
-                                       number_or_null((double)p->rgb[k])));
-    }
-  return list;
-}
-
-/* Where the picture differs from the oracle's. */
-static enum hsr_status write_difference(struct view_picture *p,
-                                        const char *name,
-                                        struct hsr_error *err) {
-  int m = p->stage.view.m, n = p->stage.view.n;
-  struct hsr_answer got = hsr_answer_of_ids(p->got, m, n);
-  struct hsr_answer wanted = hsr_answer_of_ids(p->wanted, m, n);
-  struct hsr_comparison comparison = {
-      .view = &p->stage.view, .got = &got, .wanted = &wanted, .n = p->n};
-  struct hsr_showing showing = {.world = &p->stage.world,
-                                .view = &p->stage.view};
-  enum hsr_status status =
-      got.form.type->show_difference(&comparison, &showing, p->rgb, err);
-  char path[PATH];
-  path_of(p, name, path);
-  struct hsr_picture picture = {m, n, p->got, NULL, p->rgb};
-  return status ? status : hsr_image_write(path, &picture, NULL, err);
-}
-
-/* --- One algorithm -------------------------------------------------------- */
-
-/* The cell of this scene and view, of any size, that has a picture; or NULL. */
-static const json_t *cell_with_picture(const struct view_picture *p,
-                                       const json_t *view,
-                                       const char *algorithm) {
+/* Of every scene, view and algorithm the first cell that has a picture. Of a
+ * view without any, an empty object. */
+static bool find_cells(struct gallery *g) {
+  char key[KEY];
   size_t k;
-  const json_t *cell;
-  json_array_foreach(p->report->results->cells, k, cell) {
-    const char *status = results_text(cell, "status");
-    if (!strcmp(results_text(cell, "algorithm"), algorithm) &&
-        !strcmp(results_text(cell, "scene"), results_text(view, "scene")) &&
-        results_number(cell, "view") == results_number(view, "view") &&
-        (!strcmp(status, "ok") || !strcmp(status, "wrong")))
-      return cell;
+  json_t *record;
+  g->cells = json_object();
+  json_array_foreach(g->report->results->views, k, record) {
+    key_of(record, key);
+    if (!json_object_get(g->cells, key))
+      json_object_set_new(g->cells, key, json_object());
   }
-  return NULL;
-}
-
-static enum hsr_status add_faces(struct view_picture *p,
-                                 const struct hsr_algorithm *a, json_t *entries,
-                                 struct hsr_error *err) {
-  char work[NAME], difference[NAME];
-  snprintf(work, sizeof work, "work/p%d-%s.png", p->number, a->name);
-  snprintf(difference, sizeof difference, "difference/p%d-%s.png", p->number,
-           a->name);
-  if (!draw_apart(p, a, work, NULL))
-    return HSR_OK;
-  long n = 0;
-  json_object_set_new(p->differences, a->name, differences_json(p, &n));
-  enum hsr_status status = n ? write_difference(p, difference, err) : HSR_OK;
-  if (!status)
-    json_array_append_new(
-        entries, json_pack("{ss ss ss sI ss sn ss?}", "algorithm", a->name,
-                           "kind", a->kind->name, "status", n ? "wrong" : "ok",
-                           "mismatches", (json_int_t)n, "work", work, "drawing",
-                           "difference", n ? difference : NULL));
-  return status;
-}
-
-static void add_drawing(struct view_picture *p, const struct hsr_algorithm *a,
-                        const json_t *cell, json_t *entries) {
-  char drawing[NAME];
-  snprintf(drawing, sizeof drawing, "drawings/p%d-%s.svg", p->number, a->name);
-  if (draw_apart(p, a, NULL, drawing))
-    json_array_append_new(
-        entries,
-        json_pack("{ss ss ss sI sn ss sn}", "algorithm", a->name, "kind",
-                  a->kind->name, "status", results_text(cell, "status"),
-                  "mismatches", (json_int_t)results_number(cell, "mismatches"),
-                  "work", "drawing", drawing, "difference"));
-}
-
-static enum hsr_status add_entries(struct view_picture *p, const json_t *view,
-                                   json_t *entries, struct hsr_error *err) {
-  enum hsr_status status = HSR_OK;
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain && !status; a++) {
-    const json_t *cell = cell_with_picture(p, view, a->plain->name);
-    if (!cell || a->plain->flags & HSR_NO_PICTURE)
+  json_array_foreach(g->report->results->cells, k, record) {
+    if (!has_picture(record))
       continue;
-    if (a->counting->kind->show_difference)
-      status = add_faces(p, a->counting, entries, err);
-    else
-      add_drawing(p, a->counting, cell, entries);
+    key_of(record, key);
+    json_t *own = json_object_get(g->cells, key);
+    const char *algorithm = results_text(record, "algorithm");
+    if (own && !json_object_get(own, algorithm))
+      json_object_set(own, algorithm, record);
   }
-  return status;
+  return g->cells;
 }
 
-/* --- The probe ------------------------------------------------------------ */
-
-/* Base64 as in RFC 4648. */
-static json_t *base64_json(const void *bytes, size_t n) {
-  static const char digit[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const unsigned char *byte = bytes;
-  char *text = malloc((n + 2) / 3 * 4 + 1), *at = text;
-  if (!text)
-    return NULL;
-  for (size_t k = 0; k < n; k += 3) {
-    size_t left = n - k;
-    unsigned group = (unsigned)byte[k] << 16 |
-                     (left > 1 ? (unsigned)byte[k + 1] << 8 : 0) |
-                     (left > 2 ? (unsigned)byte[k + 2] : 0);
-    *at++ = digit[group >> 18];
-    *at++ = digit[group >> 12 & 63];
-    *at++ = left > 1 ? digit[group >> 6 & 63] : '=';
-    *at++ = left > 2 ? digit[group & 63] : '=';
-  }
-  *at = '\0';
-  json_t *json = json_string(text);
-  free(text);
-  return json;
+static int by_faces(const void *a, const void *b) {
+  const struct subject *one = a, *other = b;
+  if (one->faces != other->faces)
+    return one->faces < other->faces ? -1 : 1;
+  return one->number - other->number;
 }
 
-/* id, how often, id, how often, ... row by row. */
-static json_t *run_lengths_json(const uint32_t *ids, size_t n) {
-  json_t *runs = json_array();
-  for (size_t k = 0, end; k < n; k = end) {
-    for (end = k + 1; end < n && ids[end] == ids[k];)
-      end++;
-    hsr_json_append(&runs, json_integer(ids[k] == HSR_BACKGROUND
-                                            ? (json_int_t)-1
-                                            : (json_int_t)ids[k]));
-    hsr_json_append(&runs, json_integer((json_int_t)(end - k)));
-  }
-  return runs;
+static double faces_of(const json_t *view) {
+  const json_t *faces = json_object_get(json_object_get(view, "table1"), "F_t");
+  return json_is_number(faces) ? json_number_value(faces) : INFINITY;
 }
 
-/* name, first face, number of faces, of every instance. */
-static json_t *objects_json(const struct stage *stage) {
-  const struct hsr_world *world = &stage->world;
-  const struct hsr_scene *scene = stage->scene;
-  json_t *objects = json_array();
-  for (uint32_t k = 0; k < scene->n_instances; k++) {
-    const char *name = scene->objects[scene->instances[k].object].name;
-    hsr_json_append(&objects,
-                    json_pack("[sII]", name ? name : "",
-                              (json_int_t)world->outline.first[k],
-                              (json_int_t)(world->outline.first[k + 1] -
-                                           world->outline.first[k])));
+/* A scene that another name has made already is not drawn again. */
+static void add_subject(struct gallery *g, json_t *numbers,
+                        const json_t *view) {
+  char own[KEY], key[KEY];
+  key_of(view, own);
+  json_t *cells = json_object_get(g->cells, own);
+  if (json_object_get(numbers, own))
+    return; /* the same in another size */
+  snprintf(key, KEY, "%.64s %ld %ldx%ld", results_text(view, "scene_hash"),
+           results_number(view, "view"), results_number(view, "width"),
+           results_number(view, "height"));
+  const json_t *number = json_object_get(numbers, key);
+  size_t k = number ? (size_t)json_integer_value(number) : g->n;
+  json_object_set_new(numbers, own, json_integer((json_int_t)k));
+  json_object_set_new(numbers, key, json_integer((json_int_t)k));
+  if (number) {
+    json_array_append(g->subject[k].twins, json_object_get(view, "scene"));
+    json_object_update_missing(g->subject[k].cells, cells);
+    return;
   }
-  return objects;
+  g->subject[g->n++] = (struct subject){.view = view,
+                                        .cells = cells,
+                                        .twins = json_array(),
+                                        .faces = faces_of(view),
+                                        .number = (int)k};
 }
 
-static enum hsr_status write_probe(struct view_picture *p, const char *name,
-                                   struct hsr_error *err) {
-  char before[64];
-  snprintf(before, sizeof before, "hsrProbe(\"p%d\", ", p->number);
-  hsr_picture_depth(&p->stage.world, &p->stage.view, p->wanted, p->depth);
-  return report_write(p->report, name, before,
-                      json_pack("{si si so so so sO}", "width", p->stage.view.m,
-                                "height", p->stage.view.n, "ids",
-                                run_lengths_json(p->wanted, p->n), "depth",
-                                base64_json(p->depth, p->n * sizeof *p->depth),
-                                "objects", objects_json(&p->stage),
-                                "differences", p->differences),
-                      ");\n", err);
+static bool find_subjects(struct gallery *g) {
+  const json_t *views = g->report->results->views;
+  json_t *numbers = json_object();
+  g->subject = calloc(json_array_size(views) + 1, sizeof *g->subject);
+  size_t k;
+  json_t *view;
+  if (g->subject)
+    json_array_foreach(views, k, view) add_subject(g, numbers, view);
+  for (k = 0; k < g->n; k++)
+    g->drawings += json_object_size(g->subject[k].cells);
+  json_decref(numbers);
+  if (g->subject)
+    qsort(g->subject, g->n, sizeof *g->subject, by_faces);
+  return g->subject;
 }
 
 /* --- One scene and view --------------------------------------------------- */
 
-static enum hsr_status write_oracle(struct view_picture *p, const char *name,
+static void leave_out(struct gallery *g, const struct subject *s, size_t n,
+                      const char *why) {
+  hsr_json_append(&g->left_out,
+                  json_pack("{ss si sI ss}", "scene",
+                            results_text(s->view, "scene"), "view",
+                            (int)results_number(s->view, "view"), "drawings",
+                            (json_int_t)n, "why", why));
+}
+
+/* A scene gets half of the time that is left, so that all get some; the last
+ * one gets all. */
+static double share_of(const struct gallery *g, const struct subject *s) {
+  double left = fmax(0, g->end - seconds_now());
+  return s == &g->subject[g->n - 1] ? left : left / 2;
+}
+
+/* In the other process. Writes the page's entry; or, if there is none, why. */
+static void draw_and_end(const struct gallery *g, const struct subject *s,
+                         pid_t parent, int out) {
+  end_with_parent(parent);
+  struct hsr_error err = {.text = ""};
+  FILE *file = fdopen(out, "w");
+  enum hsr_status status =
+      file ? subject_draw(g->report, s, share_of(g, s), file, &err)
+           : hsr_fail_nomem(&err);
+  if (file && status)
+    fputs(err.text, file);
+  end_process((int)status);
+}
+
+/* What the other process writes, while its progress is told; NULL for lack of
+ * memory. */
+static char *listen_to(struct gallery *g, const struct subject *s, int from) {
+  char *text = NULL;
+  size_t size = 0;
+  FILE *all = open_memstream(&text, &size);
+  ssize_t n = 1;
+  while (all && n > 0) {
+    struct pollfd ready = {.fd = from, .events = POLLIN};
+    char block[1 << 12];
+    progress_tell(&g->progress, g->done, g->drawings, "drawings",
+                  results_text(s->view, "scene"));
+    if (poll(&ready, 1, TELL_MS) <= 0)
+      continue;
+    n = read(from, block, sizeof block);
+    for (ssize_t k = 0; k < n; k++)
+      g->done += block[k] == '\n';
+    if (n > 0)
+      fwrite(block, 1, (size_t)n, all);
+  }
+  if (!all || fclose(all)) {
+    free(text);
+    return NULL;
+  }
+  return text;
+}
+
+static void note_slow(struct gallery *g, const struct subject *s,
+                      const json_t *entries) {
+  const char *name;
+  json_t *value;
+  json_object_foreach(s->cells, name, value)
+      json_object_set_new(g->slow, name, json_true());
+  size_t k;
+  json_array_foreach(entries, k, value)
+      json_object_del(g->slow, results_text(value, "algorithm"));
+}
+
+static void leave_out_slow(struct gallery *g, const struct subject *s) {
+  const char *name;
+  json_t *slow;
+  json_object_foreach(g->slow, name, slow) json_object_del(s->cells, name);
+}
+
+/* Adds the entry that the other process wrote. */
+static enum hsr_status add_entry(struct gallery *g, const struct subject *s,
+                                 size_t wanted, const char *text) {
+  json_t *entry = json_loads(text, 0, NULL);
+  if (!entry)
+    return HSR_E_INTERNAL;
+  const json_t *entries = json_object_get(entry, "entries");
+  if (json_array_size(entries) < wanted)
+    leave_out(g, s, wanted - json_array_size(entries), "not drawn in time");
+  note_slow(g, s, entries);
+  hsr_json_append(&g->pictures, entry);
+  return HSR_OK;
+}
+
+static enum hsr_status end_of(pid_t child) {
+  int end = 1;
+  while (waitpid(child, &end, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(end) ? (enum hsr_status)WEXITSTATUS(end) : HSR_E_REFUSED;
+}
+
+/* A scene that cannot be drawn is left out. Only a lack of memory ends the
+ * report. */
+static enum hsr_status draw_subject(struct gallery *g, const struct subject *s,
                                     struct hsr_error *err) {
-  if (!draw_apart(p, oracle_of(&hsr_answer_ids), NULL, NULL))
-    return hsr_fail(err, HSR_E_INTERNAL, "%s: the oracle failed",
-                    p->stage.scene->name);
-  memcpy(p->wanted, p->got, p->n * sizeof *p->wanted);
-  hsr_picture_shade(&p->stage.world, &p->stage.view, p->wanted,
-                    HSR_SHADE_LAMBERT, p->rgb);
-  char path[PATH];
-  path_of(p, name, path);
-  struct hsr_picture picture = {.m = p->stage.view.m,
-                                .n = p->stage.view.n,
-                                .ids = p->wanted,
-                                .rgb = p->rgb};
-  return hsr_image_write(path, &picture, NULL, err);
-}
-
-static enum hsr_status add_view(struct view_picture *p, const json_t *view,
-                                json_t *pictures, struct hsr_error *err) {
-  char key[NAME], picture[NAME], probe[NAME];
-  snprintf(key, sizeof key, "p%d", p->number);
-  snprintf(picture, sizeof picture, "pictures/p%d.png", p->number);
-  snprintf(probe, sizeof probe, "probe/p%d.js", p->number);
-  json_t *entries = json_array();
-  enum hsr_status status =
-      entries ? write_oracle(p, picture, err) : hsr_fail_nomem(err);
+  int pipe[2];
+  if (pipe2(pipe, O_CLOEXEC))
+    return hsr_fail(err, HSR_E_INTERNAL, "pictures: %s", strerror(errno));
+  size_t before = g->done, wanted = json_object_size(s->cells);
+  leave_out_slow(g, s);
+  fflush(NULL);
+  pid_t parent = getpid(), child = fork();
+  if (child == 0)
+    draw_and_end(g, s, parent, pipe[1]);
+  close(pipe[1]);
+  char *text = listen_to(g, s, pipe[0]);
+  close(pipe[0]);
+  enum hsr_status status = child > 0 ? end_of(child) : HSR_E_NOMEM;
+  g->done = before + wanted;
   if (!status)
-    status = add_entries(p, view, entries, err);
-  if (!status)
-    status = write_probe(p, probe, err);
-  if (!status &&
-      json_array_append_new(pictures,
-                            json_pack("{ss ss si si si ss ss sO}", "key", key,
-                                      "scene", results_text(view, "scene"),
-                                      "view", (int)results_number(view, "view"),
-                                      "width", p->stage.view.m, "height",
-                                      p->stage.view.n, "picture", picture,
-                                      "probe", probe, "entries", entries)))
-    status = hsr_fail_nomem(err);
-  json_decref(entries);
-  return status;
-}
-
-/* The size of a picture: the shape of the results, but at most report->most
- * samples a row or column. */
-static void size_of(const struct report *report, const json_t *view, int *m,
-                    int *n) {
-  long width = results_number(view, "width"),
-       height = results_number(view, "height");
-  double scale =
-      fmin(1, (double)report->most / fmax((double)width, (double)height));
-  *m = (int)fmax(1, nearbyint(scale * (double)width));
-  *n = (int)fmax(1, nearbyint(scale * (double)height));
-}
-
-static enum hsr_status open_view(struct view_picture *p, const json_t *view,
-                                 struct hsr_error *err) {
-  int m, n;
-  size_of(p->report, view, &m, &n);
-  enum hsr_status status =
-      stage_open(&p->stage, results_text(view, "scene"), HSR_MOST_LAID_OUT,
-                 results_number(view, "view"), m, n, err);
-  if (status)
-    return status;
-  p->n = (size_t)m * (size_t)n;
-  p->wanted = malloc(p->n * sizeof *p->wanted);
-  p->got = shared_memory(p->n * sizeof *p->got);
-  p->depth = malloc(p->n * sizeof *p->depth);
-  p->rgb = malloc(3 * p->n * sizeof *p->rgb);
-  p->differences = json_object();
-  return p->wanted && p->got && p->depth && p->rgb && p->differences
-             ? HSR_OK
-             : hsr_fail_nomem(err);
-}
-
-static void close_view(struct view_picture *p) {
-  json_decref(p->differences);
-  free(p->rgb);
-  free(p->depth);
-  if (p->got)
-    munmap(p->got, p->n * sizeof *p->got);
-  free(p->wanted);
-  stage_close(&p->stage);
+    status = text ? add_entry(g, s, wanted, text) : HSR_E_NOMEM;
+  const char *why = text ? text + strspn(text, "\n") : "";
+  if (status && status != HSR_E_NOMEM)
+    leave_out(g, s, wanted, *why ? why : "it could not be opened in time");
+  free(text);
+  return status == HSR_E_NOMEM ? hsr_fail_nomem(err) : HSR_OK;
 }
 
 /* --- All ------------------------------------------------------------------ */
 
-/* Whether no earlier record is of the same scene and view. */
-static bool is_first(const json_t *views, size_t k) {
-  const json_t *view = json_array_get(views, k);
-  for (size_t i = 0; i < k; i++) {
-    const json_t *other = json_array_get(views, i);
-    if (!strcmp(results_text(view, "scene"), results_text(other, "scene")) &&
-        results_number(view, "view") == results_number(other, "view"))
-      return false;
+static enum hsr_status draw_subjects(struct gallery *g, struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  g->progress = progress_begin(stderr);
+  for (size_t k = 0; k < g->n && !status; k++) {
+    const struct subject *s = &g->subject[k];
+    if (seconds_now() < g->end) {
+      status = draw_subject(g, s, err);
+    } else {
+      g->done += json_object_size(s->cells);
+      leave_out(g, s, json_object_size(s->cells), "no time was left");
+    }
   }
-  return true;
+  progress_end(&g->progress);
+  return status;
 }
 
-static void show_progress(size_t k, size_t all, const json_t *view) {
-  if (!isatty(STDERR_FILENO))
-    return;
-  fprintf(stderr, "\r\033[K");
-  if (view)
-    fprintf(stderr, "pictures, %zu of %zu: %s", k + 1, all,
-            results_text(view, "scene"));
-  fflush(stderr);
+/* What is missing, and how to get it. */
+static void say_what_is_missing(const struct gallery *g) {
+  size_t n = 0, k;
+  const json_t *one;
+  json_array_foreach(g->left_out, k, one) n +=
+      (size_t)results_number(one, "drawings");
+  if (json_array_size(g->left_out))
+    printf("%zu of %zu drawings are left out (index.html says which); more "
+           "time for them: --budget SECONDS, --timeout SECONDS\n",
+           n, g->drawings);
 }
 
-json_t *report_pictures(const struct report *report, struct hsr_error *err) {
-  const json_t *views = report->results->views;
-  json_t *pictures = json_array();
-  enum hsr_status status = pictures ? HSR_OK : hsr_fail_nomem(err);
-  int number = 0;
-  for (size_t k = 0; k < json_array_size(views) && !status; k++) {
-    const json_t *view = json_array_get(views, k);
-    if (!is_first(views, k))
-      continue;
-    show_progress(k, json_array_size(views), view);
-    struct view_picture p = {.report = report, .number = number++};
-    status = open_view(&p, view, err);
-    if (!status && !hsr_is_outline(&p.stage.world)) /* else no picture */
-      status = add_view(&p, view, pictures, err);
-    close_view(&p);
-  }
-  show_progress(0, 0, NULL);
+enum hsr_status report_pictures(const struct report *report, json_t *data,
+                                struct hsr_error *err) {
+  struct gallery g = {.report = report,
+                      .end = seconds_now() + (double)report->budget,
+                      .slow = json_object(),
+                      .pictures = json_array(),
+                      .left_out = json_array()};
+  enum hsr_status status = HSR_OK;
+  if (report->budget && find_cells(&g) && find_subjects(&g))
+    status = draw_subjects(&g, err);
+  if (!status && report->budget && !g.subject)
+    status = hsr_fail_nomem(err);
   if (!status)
-    return pictures;
-  json_decref(pictures);
-  return NULL;
+    say_what_is_missing(&g);
+  if (json_object_set(data, "pictures", g.pictures) ||
+      json_object_set(data, "left_out", g.left_out))
+    status = status ? status : hsr_fail_nomem(err);
+  for (size_t k = 0; k < g.n; k++)
+    json_decref(g.subject[k].twins);
+  json_decref(g.left_out);
+  json_decref(g.pictures);
+  json_decref(g.slow);
+  json_decref(g.cells);
+  free(g.subject);
+  return status;
 }

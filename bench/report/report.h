@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of hsr report share: data.c makes the numbers of the page,
- * pictures.c makes its pictures. The page itself is under reports/. */
+ * from cells.c and ladders.c; pictures.c makes its pictures. The page itself is
+ * under reports/. */
 #ifndef HSR_BENCH_REPORT_REPORT_H
 #define HSR_BENCH_REPORT_REPORT_H
 
@@ -13,22 +14,25 @@ struct report {
   const char *reference; /* the algorithm by whose time others are divided */
   long most;             /* the most samples in a picture's row or column */
   long timeout;          /* seconds that a picture may take */
+  long budget;           /* that all may take together; 0: none are made */
 };
 
-/* All members of window.hsr except "pictures", as a new reference; or NULL and
- * *err: HSR_E_NOMEM. */
+/* All members of window.hsr except those of report_pictures, as a new
+ * reference; or NULL and *err: HSR_E_NOMEM. */
 json_t *report_data(const struct report *report, struct hsr_error *err);
 
-/* Draws the pictures of every scene and view of the results, by every algorithm
- * whose cells have a picture. Writes them under the folder, with the data for
- * the page's probe. Returns "pictures" as a new reference, or NULL and *err:
- * HSR_E_NOMEM, HSR_E_INPUT (a scene is no longer there, or a file cannot be
- * written). */
-json_t *report_pictures(const struct report *report, struct hsr_error *err);
+/* Draws the scenes and views of the results, by every algorithm whose cells
+ * have a picture, as long as there is time. Writes the pictures under the
+ * folder, with the data for the page's probe. Sets "pictures" and "left_out" of
+ * the data. HSR_E_NOMEM; HSR_E_INTERNAL if no process can be started. */
+enum hsr_status report_pictures(const struct report *report, json_t *data,
+                                struct hsr_error *err);
 
-/* Writes three things into folder/name: `before`, the value as compact JSON,
- * and `after`. Takes the reference to the value. HSR_E_INPUT if the file cannot
- * be written; HSR_E_NOMEM if the value is NULL. */
+/* Writes a script into folder/name: `before`, the value, `after`. The value is
+ * a text that the script parses: a browser reads that twice as fast as the same
+ * value written as a literal, and takes no name in it for one of its own. Takes
+ * the reference to the value. HSR_E_INPUT if the file cannot be written;
+ * HSR_E_NOMEM if the value is NULL. */
 enum hsr_status report_write(const struct report *report, const char *name,
                              const char *before, json_t *value,
                              const char *after, struct hsr_error *err);

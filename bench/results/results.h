@@ -36,7 +36,7 @@ long results_number(const json_t *record, const char *field);
  * view or cell. A view has "scene 1 512x512"; a walk over views 1 to 8 has
  * "scene 1-8 512x512". A cell adds its algorithm and threads: " algorithm 1".
  */
-enum { RESULTS_KEY = 512, RESULTS_MOST_SCENE = 300, RESULTS_MOST_NAME = 100 };
+enum { RESULTS_KEY = 1400, RESULTS_MOST_SCENE = 300, RESULTS_MOST_NAME = 1000 };
 void results_key(const json_t *record, char key[RESULTS_KEY]);
 
 /* The parts of keys. results_view_name writes a view, or `walk` views in a row.

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr bench: timings of the algorithms that are right, and the counts of their
  * work, as lines of JSON. */
-#include "bench/sweep/sweep.h"
+#include "bench/sweep/journal.h"
+#include "bench/times/rows.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <fnmatch.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -25,7 +27,8 @@ enum {
   ONLY,
   PEERS,
   REFERENCE,
-  BASELINE
+  BASELINE,
+  BUDGET
 };
 
 /* --- Options -------------------------------------------------------------- */
@@ -129,7 +132,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return set_count(o, "--timeout", arg, 1, 100000, &o->timeout);
   case 'M':
     return set_count(o, "--memory", arg, 1, 1 << 30, &o->memory_mb);
+  case BUDGET:
+    if (!o->starts_given)
+      o->starts = SWEEP_MOST_STARTS;
+    return set_count(o, "--budget", arg, 1, 10000000, &o->budget);
   case STARTS:
+    o->starts_given = true;
     return set_count(o, "--starts", arg, 2, SWEEP_MOST_STARTS, &o->starts);
   case REPETITIONS:
     return set_count(o, "--repetitions", arg, 1, SWEEP_MOST_REPETITIONS,
@@ -199,6 +207,10 @@ static const struct argp argp = {
         {"list", LIST, NULL, 0, "print the cells and end", 1},
         {NULL, 0, NULL, 0, "How:", 2},
         {"starts", STARTS, "N", 0, "processes a cell (standard: 5)", 2},
+        {"budget", BUDGET, "SECONDS", 0,
+         "end after about this time: at least two starts a cell, and no more "
+         "than are needed to know all medians to 2 %",
+         2},
         {"repetitions", REPETITIONS, "N", 0,
          "samples a process (standard: 9), one a round, in an order shuffled "
          "every round",
@@ -257,9 +269,8 @@ static enum hsr_status cut_last_line(int file, const char *path,
 
 /* Results of other code must not be mixed with these. */
 static enum hsr_status check_code(const struct results *results,
-                                  const char *path, struct hsr_error *err) {
-  char code[17];
-  hash_program(code);
+                                  const char *code, const char *path,
+                                  struct hsr_error *err) {
   size_t k;
   const json_t *header;
   json_array_foreach(results->headers, k, header) {
@@ -283,7 +294,7 @@ static enum hsr_status read_file(struct sweep *sweep, const char *path,
   if (!status && about->st_size && !json_array_size(sweep->results.headers))
     return hsr_fail(err, HSR_E_INPUT, "%s: holds no results to go on from",
                     path);
-  return status ? status : check_code(&sweep->results, path, err);
+  return status ? status : check_code(&sweep->results, sweep->code, path, err);
 }
 
 /* Two runs in one file would cut each other's lines. */
@@ -317,7 +328,10 @@ static enum hsr_status open_file(struct sweep *sweep, struct hsr_error *err) {
   if (is_locked_by_another(sweep->file))
     return hsr_fail(err, HSR_E_USAGE, "%s: another hsr bench writes to it",
                     path);
-  return cut_last_line(sweep->file, path, err);
+  status = cut_last_line(sweep->file, path, err);
+  return status
+             ? status
+             : journal_open(&sweep->journal, path, sweep->code, o->resume, err);
 }
 
 /* --- The sweep ------------------------------------------------------------ */
@@ -334,33 +348,12 @@ static void print_list(const struct plan *plan) {
   }
 }
 
-static void show_progress(const struct plan *plan, size_t k, double begin) {
-  if (!isatty(STDERR_FILENO))
-    return;
-  size_t all = plan_places(plan);
-  if (k == all) {
-    fprintf(stderr, "\r\033[K");
-    return;
-  }
-  struct place place = plan_place(plan, k);
-  char key[RESULTS_KEY];
-  plan_key(&place, NULL, key);
-  fprintf(stderr, "\r\033[K%zu of %zu: %s", k + 1, all, key);
-  if (k)
-    fprintf(stderr, ", about %.0f s left",
-            (seconds_now() - begin) / (double)k * (double)(all - k));
-  fflush(stderr);
-}
-
 static enum hsr_status sweep_all(struct sweep *sweep, struct hsr_error *err) {
-  double begin = seconds_now();
+  sweep->begin = seconds_now();
   enum hsr_status status = HSR_OK;
   size_t all = plan_places(sweep->plan);
-  for (size_t k = 0; k < all && !status; k++) {
-    show_progress(sweep->plan, k, begin);
+  for (size_t k = 0; k < all && !status; k++)
     status = sweep_place(sweep, k, err);
-  }
-  show_progress(sweep->plan, all, begin);
   return status;
 }
 
@@ -382,7 +375,11 @@ static enum hsr_status tell(const struct sweep_options *o,
                             const struct results *results,
                             const struct results *baseline,
                             struct hsr_error *err) {
-  enum hsr_status status = print_summary(results, o->reference, err);
+  struct rows rows;
+  enum hsr_status status = rows_make(&rows, results, o->reference, err);
+  if (!status)
+    rows_print(&rows);
+  rows_free(&rows);
   if (!status && o->baseline)
     status = print_changes(results, baseline, o->reference, err);
   if (!status && has_failures(results))
@@ -402,13 +399,16 @@ enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
                           struct results *results, struct hsr_error *err) {
   char run[17];
   name_run(run);
-  struct sweep sweep = {.plan = plan, .run = run, .file = -1};
+  struct sweep sweep = {
+      .plan = plan, .run = run, .file = -1, .journal.file = -1};
+  hash_program(sweep.code);
   enum hsr_status status = open_file(&sweep, err);
   if (!status)
-    status =
-        sweep_record(&sweep, sweep_header(plan->options, run, argc, argv), err);
+    status = sweep_record(
+        &sweep, sweep_header(plan->options, run, sweep.code, argc, argv), err);
   if (!status)
     status = sweep_all(&sweep, err);
+  journal_close(&sweep.journal, !status);
   if (sweep.file >= 0 && close(sweep.file) && !status)
     status = hsr_fail(err, HSR_E_INPUT, "%s: %s", plan->options->output,
                       strerror(errno));
@@ -450,6 +450,17 @@ static void free_words(char **words) {
   free(words);
 }
 
+/* Ctrl-C: what is recorded stays, and what is not is in the journal. */
+static void tell_of_interrupt(int number) {
+  static const char text[] =
+      "\nhsr: interrupted; the same command with --resume goes on\n";
+  if (write(STDERR_FILENO, text, sizeof text - 1) < 0) {
+    /* there is nobody to tell */
+  }
+  signal(number, SIG_DFL);
+  raise(number);
+}
+
 enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err) {
   struct sweep_options *o = calloc(1, sizeof *o);
   struct plan *plan = calloc(1, sizeof *plan);
@@ -463,8 +474,11 @@ enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err) {
     status = plan_init(plan, o, err);
   if (!status && o->list)
     print_list(plan);
-  else if (!status)
+  else if (!status) {
+    if (o->output)
+      signal(SIGINT, tell_of_interrupt);
     status = run_and_tell(plan, argc, words, err);
+  }
   if (plan)
     plan_free(plan);
   free_words(words);

@@ -2,8 +2,9 @@
 /* The cells of one scene, view and size: judged, timed, recorded. */
 #include "bench/results/json.h"
 #include "bench/run/stage.h"
-#include "bench/sweep/sweep.h"
 #include "bench/run/terminate.h"
+#include "bench/sweep/journal.h"
+#include "bench/terminal/terminal.h"
 
 #include <errno.h>
 #include <gsl/gsl_rng.h>
@@ -12,6 +13,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 /* Memory in which the judges' processes leave their findings. */
@@ -34,6 +36,8 @@ struct place_run {
   const struct entrant *entrant[SWEEP_MOST_ENTRANTS]; /* those to do */
   int n;
   struct shared *shared;
+  bool kept[SWEEP_MOST_ENTRANTS];  /* judged before: by the journal */
+  bool noted[SWEEP_MOST_ENTRANTS]; /* in the journal */
   uint32_t *picture; /* the oracle's, shared; NULL unless peers take part */
   char folder[256];  /* for the peers' pictures */
   char ids_file[SWEEP_MOST_ENTRANTS][288];
@@ -92,6 +96,7 @@ static void judge_form(const struct place_run *run, struct hsr_form form) {
       .form = form,
       .view = run->view,
       .number = run->view_number,
+      .left_out = run->kept,
       .n_views = run->place.walk,
       .cells = run->shared->cells,
       .picture = run->picture};
@@ -122,6 +127,8 @@ static int list_forms(const struct place_run *run,
   if (run->picture)
     form[n++] = hsr_form_standard(&hsr_answer_ids);
   for (int k = 0; k < run->n && run->entrant[k]->listed; k++) {
+    if (run->kept[k])
+      continue;
     const struct hsr_form *its = &run->entrant[k]->choice.form;
     bool known = !oracle_of(its->type);
     for (int i = 0; i < n; i++)
@@ -141,6 +148,7 @@ static void add_cell(struct cell *sum, const struct cell *cell) {
   }
   sum->compared += cell->compared;
   sum->mismatches += cell->mismatches;
+  sum->counting_mismatches += cell->counting_mismatches;
   for (int c = 0; c < HSR_MAX_COUNTERS; c++)
     sum->count[c] += cell->count[c];
   sum->depths_compared += cell->depths_compared;
@@ -151,6 +159,120 @@ static void add_cell(struct cell *sum, const struct cell *cell) {
 static void add_walk(const struct place_run *run, int k) {
   for (int view = 1; view < run->place.walk; view++)
     add_cell(&run->shared->cells[k], &run->shared->cells[view * run->n + k]);
+}
+
+/* --- The journal ---------------------------------------------------------- */
+
+static void key_of(const struct place_run *run, int k, char key[RESULTS_KEY]) {
+  plan_key(&run->place, run->entrant[k], key);
+}
+
+/* Whether all views of an algorithm are judged. */
+static bool is_judged(const struct place_run *run, int k) {
+  for (int view = 0; view < run->place.walk; view++)
+    if (!__atomic_load_n(&run->shared->cells[view * run->n + k].done,
+                         __ATOMIC_ACQUIRE))
+      return false;
+  return run->entrant[k]->listed;
+}
+
+/* Notes what is judged and not noted yet. */
+static bool note_judged(struct place_run *run) {
+  for (int k = 0; k < run->n; k++) {
+    char key[RESULTS_KEY];
+    if (run->noted[k] || !is_judged(run, k))
+      continue;
+    run->noted[k] = true;
+    add_walk(run, k);
+    key_of(run, k, key);
+    if (!journal_judged(&run->sweep->journal, key, run->scene_hash,
+                        &run->shared->cells[k]))
+      return false;
+  }
+  return true;
+}
+
+static bool note_timed(void *data, const struct turn_taker *taker, int start) {
+  struct place_run *run = data;
+  char key[RESULTS_KEY];
+  plan_key(&run->place, taker->entrant, key);
+  return !taker->entrant->listed ||
+         journal_timed(&run->sweep->journal, key, run->scene_hash, start,
+                       &taker->starts[start]);
+}
+
+/* The entrant that a note is about; -1: none of them, or of another scene. */
+static int find_entrant(const struct place_run *run, const struct note *note) {
+  if (strcmp(note->scene_hash, run->scene_hash))
+    return -1;
+  for (int k = 0; k < run->n; k++) {
+    char key[RESULTS_KEY];
+    key_of(run, k, key);
+    if (!strcmp(key, note->key))
+      return k;
+  }
+  return -1;
+}
+
+/* Takes over what the journal says was judged. */
+static void read_judged(struct place_run *run) {
+  struct note note;
+  journal_rewind(&run->sweep->journal);
+  while (journal_next(&run->sweep->journal, &note)) {
+    int k = note.start < 0 ? find_entrant(run, &note) : -1;
+    if (k < 0)
+      continue;
+    run->shared->cells[k] = note.cell;
+    run->kept[k] = run->noted[k] = true;
+  }
+}
+
+/* Takes over the starts that were timed. */
+static void read_timed(struct place_run *run) {
+  struct note note;
+  journal_rewind(&run->sweep->journal);
+  while (journal_next(&run->sweep->journal, &note)) {
+    int k = note.start < 0 ? -1 : find_entrant(run, &note);
+    if (k < 0 || !run->taker[k].starts ||
+        note.start >= run->sweep->plan->options->starts ||
+        note.times.repetitions != run->sweep->plan->options->repetitions)
+      continue;
+    run->taker[k].starts[note.start] = note.times;
+    run->taker[k].has[note.start] = true;
+  }
+}
+
+/* "1 of 2, house 1 512x512" */
+static void name_place(const struct place_run *run,
+                       char name[RESULTS_KEY + 40]) {
+  char key[RESULTS_KEY];
+  plan_key(&run->place, NULL, key);
+  snprintf(name, RESULTS_KEY + 40, "%zu of %zu, %s", run->number + 1,
+           plan_places(run->sweep->plan), key);
+}
+
+/* --- Judging all ---------------------------------------------------------- */
+
+/* Waits for all processes, and notes what they have judged. */
+static bool wait_and_note(struct place_run *run) {
+  char name[RESULTS_KEY + 40];
+  name_place(run, name);
+  struct progress progress = progress_begin(stderr);
+  bool good = true;
+  pid_t ended;
+  while ((ended = waitpid(-1, NULL, WNOHANG)) >= 0 || errno == EINTR) {
+    if (ended)
+      continue;
+    int judged = 0;
+    good = note_judged(run) && good;
+    for (int k = 0; k < run->n; k++)
+      judged += run->noted[k];
+    progress_tell(&progress, (size_t)judged, (size_t)run->n,
+                  "algorithms judged", name);
+    nanosleep(&(struct timespec){0, 5000000}, NULL);
+  }
+  progress_end(&progress);
+  return note_judged(run) && good;
 }
 
 /* Runs Table I and the judges of all forms, each in a process, at the same
@@ -173,11 +295,13 @@ static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
     }
     good = child > 0;
   }
-  while (waitpid(-1, NULL, 0) > 0 || errno == EINTR) {
-  }
+  if (!wait_and_note(run))
+    return hsr_fail(err, HSR_E_INPUT, "the journal cannot be written: %s",
+                    strerror(errno));
   for (int k = 0; k < run->n; k++) {
     struct cell *cell = &run->shared->cells[k];
-    add_walk(run, k);
+    if (!run->noted[k])
+      add_walk(run, k);
     if (!run->entrant[k]->listed || cell->verdict != PENDING)
       continue;
     cell->verdict = REFUSED;
@@ -189,6 +313,11 @@ static enum hsr_status judge_all(struct place_run *run, struct hsr_error *err) {
 }
 
 /* --- Timing --------------------------------------------------------------- */
+
+/* An oracle has no build that does not count. */
+static bool is_oracle(const struct entrant *entrant) {
+  return entrant->listed && entrant->listed->plain->flags & HSR_JUDGE;
+}
 
 /* Lines up those to be timed. Peers are timed whatever they draw, and leave
  * their picture in a file. */
@@ -208,7 +337,9 @@ static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
                k);
       taker->ids_file = run->ids_file[k];
     }
-    if (cell->verdict == RIGHT) {
+    if (is_oracle(taker->entrant))
+      taker->verdict = REFUSED;
+    else if (cell->verdict == RIGHT) {
       taker->starts = calloc((size_t)o->starts, sizeof *taker->starts);
       if (!taker->starts)
         return hsr_fail_nomem(err);
@@ -225,7 +356,7 @@ static void compare_picture(const struct place_run *run, int k,
   FILE *file = ids ? fopen(run->ids_file[k], "rb") : NULL;
   if (file && fread(ids, 1, size, file) == size) {
     for (size_t s = 0; s < n; s++)
-      if (run->picture[s] != NOT_DRAWN) {
+      if (run->picture[s] != HSR_NOT_WRITTEN) {
         cell->compared++;
         cell->mismatches += ids[s] != run->picture[s];
       }
@@ -254,15 +385,31 @@ static void judge_peer(struct place_run *run, int k) {
   }
 }
 
+/* When the place should be done, if the sweep has a budget. */
+static double end_of(const struct place_run *run) {
+  const struct plan *plan = run->sweep->plan;
+  if (!plan->options->budget)
+    return INFINITY;
+  return run->sweep->begin + (double)plan->options->budget *
+                                 (double)(run->number + 1) /
+                                 (double)plan_places(plan);
+}
+
 static enum hsr_status time_all(struct place_run *run, struct hsr_error *err) {
   const struct sweep_options *o = run->sweep->plan->options;
   enum hsr_status status = line_up(run, err);
+  if (!status)
+    read_timed(run);
+  char name[RESULTS_KEY + 40];
+  name_place(run, name);
+  struct turn_listener listener = {note_timed, run, name, end_of(run)};
   if (!status && o->starts && !o->counts)
-    status = take_turns(run->sweep->plan, &run->place, run->taker, run->n,
-                        (uint64_t)o->seed * 1000003u + run->number, err);
+    status =
+        take_turns(run->sweep->plan, &run->place, run->taker, run->n,
+                   (uint64_t)o->seed * 1000003u + run->number, &listener, err);
   for (int k = 0; k < run->n; k++) {
     struct cell *cell = &run->shared->cells[k];
-    if (cell->verdict == RIGHT) {
+    if (cell->verdict == RIGHT && !is_oracle(run->entrant[k])) {
       cell->verdict = run->taker[k].verdict;
       cell->failure = run->taker[k].failure;
     }
@@ -328,7 +475,7 @@ static json_t *starts_json(const struct place_run *run, int k) {
   const struct turn_taker *taker = &run->taker[k];
   json_t *starts = json_array();
   if (!o->counts && taker->verdict == RIGHT && taker->starts)
-    for (long s = 0; s < o->starts; s++)
+    for (long s = 0; s < taker->n_starts; s++)
       hsr_json_append(&starts, start_json(&taker->starts[s], o->repetitions));
   return starts;
 }
@@ -360,6 +507,13 @@ static json_t *adapted_json(const struct cell *cell) {
   return names;
 }
 
+/* Told only where the counting build differs from the one that is timed. */
+static json_t *counting_json(const struct cell *cell) {
+  return cell->counting_mismatches == cell->mismatches
+             ? NULL
+             : json_integer((json_int_t)cell->counting_mismatches);
+}
+
 static const char *status_name(const struct cell *cell) {
   if (cell->verdict == CRASH && cell->failure == HSR_E_NOMEM)
     return "memory";
@@ -386,12 +540,13 @@ static json_t *cell_record(const struct place_run *run, int k) {
   char reason[80];
   bool known_wrong = e->listed && e->listed->plain->flags & HSR_KNOWN_WRONG;
   json_t *record = json_pack(
-      "{ss ss ss si si si ss sb sb ss sI ss sI sI ss? so so so so}", "record",
-      "cell", "run", run->sweep->run, "scene", run->place.scene, "view",
-      run->place.view, "width", run->place.m, "height", run->place.n,
+      "{ss ss ss si si si ss sb sb ss sI ss sI so* sI ss? so so so so}",
+      "record", "cell", "run", run->sweep->run, "scene", run->place.scene,
+      "view", run->place.view, "width", run->place.m, "height", run->place.n,
       "algorithm", e->name, "peer", !e->listed, "known_wrong", known_wrong,
       "kind", e->kind, "threads", (json_int_t)e->threads, "status",
-      status_name(cell), "mismatches", (json_int_t)cell->mismatches, "compared",
+      status_name(cell), "mismatches", (json_int_t)cell->mismatches,
+      "counting_mismatches", counting_json(cell), "compared",
       (json_int_t)cell->compared, "reason",
       reason_of(run->sweep->plan->options, cell, reason), "adapted",
       adapted_json(cell), "counts", counts_json(run, k), "depths",
@@ -413,9 +568,11 @@ static enum hsr_status record_all(struct place_run *run,
 
 /* Whether a recorded cell has everything that is asked for. If it was only
  * counted, its times may be missing. */
-static bool is_done(const json_t *cell, const struct sweep_options *o) {
+static bool is_done(const json_t *cell, const struct entrant *entrant,
+                    const struct sweep_options *o) {
   const char *status = json_string_value(json_object_get(cell, "status"));
-  return cell && (o->counts || !status || strcmp(status, "ok") != 0 ||
+  return cell && (o->counts || is_oracle(entrant) || !status ||
+                  strcmp(status, "ok") != 0 ||
                   json_array_size(json_object_get(cell, "starts")) > 0);
 }
 
@@ -427,7 +584,8 @@ static void choose_entrants(struct place_run *run) {
     char key[RESULTS_KEY];
     plan_key(&run->place, &plan->entrant[k], key);
     if (plan_wants(plan, run->number, &plan->entrant[k]) &&
-        !is_done(results_cell(&run->sweep->results, key), plan->options))
+        !is_done(results_cell(&run->sweep->results, key), &plan->entrant[k],
+                 plan->options))
       run->entrant[run->n++] = &plan->entrant[k];
   }
 }
@@ -495,6 +653,7 @@ static enum hsr_status open_place(struct place_run *run,
   run->shared = shared_memory(shared_size(run));
   if (!run->shared)
     return hsr_fail_nomem(err);
+  read_judged(run);
   if (!has_peers(run))
     return HSR_OK;
   run->picture = shared_memory(picture_size(run));
@@ -541,6 +700,8 @@ enum hsr_status sweep_place(struct sweep *sweep, size_t number,
       status = time_all(run, err);
     if (!status)
       status = record_all(run, err);
+    if (!status)
+      journal_clear(&sweep->journal);
   }
   close_place(run);
   return status;

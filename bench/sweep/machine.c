@@ -147,14 +147,13 @@ static json_t *command_json(int argc, char **argv) {
   return command;
 }
 
-json_t *sweep_header(const struct sweep_options *o, const char *run, int argc,
-                     char **argv) {
+json_t *sweep_header(const struct sweep_options *o, const char *run,
+                     const char *code, int argc, char **argv) {
   time_t now = time(NULL);
   struct tm utc;
-  char date[32] = "", code[17];
+  char date[32] = "";
   if (gmtime_r(&now, &utc))
     strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  hash_program(code);
   return json_pack(
       "{ss ss ss ss so ss ss? ss ss ss so sI sI sI sI sI}", "schema",
       "hsr-bench/1", "record", "header", "run", run, "date", date, "command",

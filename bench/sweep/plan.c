@@ -252,8 +252,8 @@ void plan_key(const struct place *place, const struct entrant *entrant,
   int length = results_picture_key(place->scene, place->view, place->walk,
                                    place->m, place->n, key);
   if (entrant)
-    snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.100s %ld",
-             entrant->name, entrant->threads);
+    snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.*s %ld",
+             (int)RESULTS_MOST_NAME, entrant->name, entrant->threads);
 }
 
 bool plan_wants(const struct plan *plan, size_t place,

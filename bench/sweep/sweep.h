@@ -2,7 +2,7 @@
 /* What the files of hsr bench share. plan.c lists the cells. machine.c
  * describes the machine that they run on. group.c takes all cells of one scene,
  * view and size: it judges them, has turns.c time them, and records them.
- * summary.c prints the results. */
+ * changes.c compares the results with earlier ones. */
 #ifndef HSR_BENCH_SWEEP_SWEEP_H
 #define HSR_BENCH_SWEEP_SWEEP_H
 
@@ -30,6 +30,9 @@ struct sweep_options {
   long threads[SWEEP_MOST_THREADS];
   int n_threads;
   long views, walk, starts, repetitions, seed, timeout, memory_mb;
+  long budget;  /* seconds that the sweep should take; 0: any. Then there are as
+                   many starts as there is time for, up to `starts`, but no more
+                   than the times need to be known well */
   long samples; /* compared in each picture; 0: as many as the scene allows */
   long shard, shards;        /* shard from 1 */
   const char *only;          /* pattern of keys, or NULL */
@@ -37,6 +40,7 @@ struct sweep_options {
   const char *reference;     /* by whose time the others are divided */
   const char *baseline;      /* file of earlier results, or NULL */
   bool resume, list, counts; /* counts: nothing is timed */
+  bool starts_given;
 };
 
 #define SWEEP_OPTIONS_STANDARD                                                 \
@@ -110,7 +114,7 @@ void peers_judge(const struct plan *plan, const struct place *place,
 
 /* The header record of this run; NULL for lack of memory. */
 json_t *sweep_header(const struct sweep_options *options, const char *run,
-                     int argc, char **argv);
+                     const char *code, int argc, char **argv);
 
 /* Hashes of this program's file and of a scene's faces: 16 hexadecimal digits.
  */
@@ -124,6 +128,7 @@ struct start {
   double import_seconds, adapt_seconds, prepare_seconds;
   double shade_seconds, write_seconds; /* < 0: not measured */
   long before_kb, peak_kb, inner;
+  long repetitions; /* how many seconds follow */
   double seconds[SWEEP_MOST_REPETITIONS];
 };
 
@@ -131,27 +136,50 @@ struct turn_taker {
   const struct entrant *entrant;
   const char *ids_file; /* where the first start writes its picture; or NULL */
   struct start *starts; /* one for each start; owned by the caller */
-  long need_kb;         /* roughly the memory that it takes */
-  enum verdict verdict; /* RIGHT until something goes wrong */
+  bool has[SWEEP_MOST_STARTS]; /* the starts that are timed */
+  int n_starts;                /* to be recorded */
+  long need_kb;                /* roughly the memory that it takes */
+  enum verdict verdict;        /* RIGHT until something goes wrong */
   enum hsr_status failure; /* why its process ended, if it ended by itself */
 };
 
+/* Who hears of a start that is timed, by a function that returns false to end
+ * the turns with HSR_E_INPUT; and how long they last. */
+struct turn_listener {
+  bool (*timed)(void *data, const struct turn_taker *taker, int start);
+  void *data;
+  const char *name; /* of what is timed, for progress */
+  double end;       /* no start is begun after this time, but for the first two;
+                       INFINITY: all starts are wanted */
+};
+
 /* Starts all takers' processes, as often as the options say, and lets them take
- * turns, in a new order every round. If they do not fit into memory together,
+ * turns, in a new order every round. Starts that a taker has are left out. If they do not fit into memory together,
  * they run in several lots. `random` is the seed of the orders. A taker that
  * fails is left out from then on. HSR_E_NOMEM, also if no more processes can be
  * started. */
 enum hsr_status take_turns(const struct plan *plan, const struct place *place,
                            struct turn_taker *taker, int n, uint64_t random,
+                           const struct turn_listener *listener,
                            struct hsr_error *err);
 
 /* --- group.c -------------------------------------------------------------- */
 
+/* Notes of what is not recorded yet: journal.h. */
+struct journal {
+  int file; /* -1: none */
+  char *path;
+  off_t at; /* the note to be read next */
+};
+
 struct sweep {
   const struct plan *plan;
+  struct journal journal;
   const char *run;
+  char code[17];          /* hash_program */
   struct results results; /* earlier ones, and those of this run */
   int file;               /* -1: none */
+  double begin;           /* seconds_now() */
 };
 
 /* Judges, times and records those cells of a place that are wanted and have no
@@ -173,12 +201,7 @@ enum hsr_status sweep_record(struct sweep *sweep, json_t *record,
 enum hsr_status sweep_run(const struct plan *plan, int argc, char **argv,
                           struct results *results, struct hsr_error *err);
 
-/* --- summary.c ------------------------------------------------------------ */
-
-/* Prints the table of the results' cells, with their ratios to the reference.
- */
-enum hsr_status print_summary(const struct results *results,
-                              const char *reference, struct hsr_error *err);
+/* --- changes.c ------------------------------------------------------------ */
 
 /* Prints how the cells differ from those of the same keys in `old`.
  * HSR_E_DIFFERENCE if any is slower, or is no longer right. */

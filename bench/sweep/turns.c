@@ -3,7 +3,9 @@
  * only one draws at a time. So whatever disturbs the machine for a while
  * disturbs all alike. */
 #include "bench/sweep/sweep.h"
+#include "bench/results/figures.h"
 #include "bench/run/terminate.h"
+#include "bench/terminal/terminal.h"
 #include "common/files/json_read.h"
 
 #include <errno.h>
@@ -11,6 +13,7 @@
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
 #include <jansson.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -197,6 +200,7 @@ static bool begin(struct process *process, const struct plan *plan,
   into->before_kb = (long)real_of(ready, "before_kb");
   into->inner = (long)real_of(ready, "inner");
   into->shade_seconds = into->write_seconds = -1;
+  into->repetitions = plan->options->repetitions;
   json_decref(ready);
   return true;
 }
@@ -233,10 +237,31 @@ static void end_all(struct process *process, int n) {
       close_process(&process[k], 0);
 }
 
-static enum hsr_status run_lot(const struct plan *plan,
-                               const struct place *place,
-                               struct process *process, int n, int start,
-                               const gsl_rng *random, struct hsr_error *err) {
+/* Asks the rest of a lot whose rounds are over. */
+static enum hsr_status finish_lot(const struct plan *plan,
+                                  struct process *process, int n, int start,
+                                  const struct turn_listener *listener,
+                                  struct hsr_error *err) {
+  for (int k = 0; k < n; k++)
+    if (process[k].id > 0)
+      finish(&process[k], plan, start);
+  for (int k = 0; k < n; k++)
+    if (process[k].starved)
+      return hsr_fail_nomem(err);
+  for (int k = 0; k < n; k++) {
+    struct turn_taker *taker = process[k].taker;
+    taker->has[start] = taker->verdict == RIGHT;
+    if (taker->has[start] && !listener->timed(listener->data, taker, start))
+      return hsr_fail(err, HSR_E_INPUT, "the journal cannot be written: %s",
+                      strerror(errno));
+  }
+  return HSR_OK;
+}
+
+static enum hsr_status
+run_lot(const struct plan *plan, const struct place *place,
+        struct process *process, int n, int start, const gsl_rng *random,
+        const struct turn_listener *listener, struct hsr_error *err) {
   for (int k = 0; k < n; k++)
     if (!begin(&process[k], plan, place, start)) {
       hsr_fail(err, HSR_E_NOMEM, "bench: %d processes at a time: %s", n,
@@ -253,13 +278,7 @@ static enum hsr_status run_lot(const struct plan *plan,
       if (process[order[k]].id > 0)
         draw(&process[order[k]], plan, start, round);
   }
-  for (int k = 0; k < n; k++)
-    if (process[k].id > 0)
-      finish(&process[k], plan, start);
-  for (int k = 0; k < n; k++)
-    if (process[k].starved)
-      return hsr_fail_nomem(err);
-  return HSR_OK;
+  return finish_lot(plan, process, n, start, listener, err);
 }
 
 /* --- All starts ----------------------------------------------------------- */
@@ -267,13 +286,13 @@ static enum hsr_status run_lot(const struct plan *plan,
 /* Takes as many takers that have not failed, from *next on, as fit into memory
  * together; at least one, if any is left. */
 static int fill_lot(struct turn_taker *taker, const int *order, int n,
-                    int *next, struct process *lot) {
+                    int start, int *next, struct process *lot) {
   double room = .6 * (double)sysconf(_SC_PHYS_PAGES) *
                 (double)sysconf(_SC_PAGESIZE) / 1024;
   int size = 0;
   for (; *next < n; ++*next) {
     struct turn_taker *t = &taker[order[*next]];
-    if (t->verdict != RIGHT)
+    if (t->verdict != RIGHT || t->has[start])
       continue;
     if (size && (double)t->need_kb > room)
       break;
@@ -283,23 +302,48 @@ static int fill_lot(struct turn_taker *taker, const int *order, int n,
   return size;
 }
 
-static enum hsr_status run_start(const struct plan *plan,
-                                 const struct place *place,
-                                 struct turn_taker *taker, int n, int start,
-                                 const gsl_rng *random, struct hsr_error *err) {
+static enum hsr_status
+run_start(const struct plan *plan, const struct place *place,
+          struct turn_taker *taker, int n, int start, const gsl_rng *random,
+          const struct turn_listener *listener, struct hsr_error *err) {
   struct process lot[SWEEP_MOST_ENTRANTS];
   int order[SWEEP_MOST_ENTRANTS], next = 0, size;
   for (int k = 0; k < n; k++)
     order[k] = k;
   gsl_ran_shuffle(random, order, (size_t)n, sizeof *order);
   enum hsr_status status = HSR_OK;
-  while (!status && (size = fill_lot(taker, order, n, &next, lot)) > 0)
-    status = run_lot(plan, place, lot, size, start, random, err);
+  while (!status && (size = fill_lot(taker, order, n, start, &next, lot)) > 0)
+    status = run_lot(plan, place, lot, size, start, random, listener, err);
   return status;
+}
+
+/* Whether the median of a taker's first n starts is known to 2 %. *good becomes
+ * false for lack of memory. */
+static bool is_well_known(const struct turn_taker *taker, int n, bool *good) {
+  int each = (int)taker->starts[0].repetitions;
+  double *seconds = malloc((size_t)(n * each) * sizeof *seconds);
+  struct samples samples = {seconds, n, each};
+  struct figure median = {0};
+  for (int s = 0; s < n && seconds; s++)
+    memcpy(seconds + s * each, taker->starts[s].seconds,
+           (size_t)each * sizeof *seconds);
+  *good = seconds && figure_median(&samples, &median);
+  free(seconds);
+  return *good && median.high - median.low <= 2 * .02 * median.value;
+}
+
+/* Whether the first n starts are enough. */
+static bool is_enough(const struct turn_taker *taker, int n_takers, int n,
+                      bool *good) {
+  for (int k = 0; k < n_takers; k++)
+    if (taker[k].verdict == RIGHT && !is_well_known(&taker[k], n, good))
+      return false;
+  return true;
 }
 
 enum hsr_status take_turns(const struct plan *plan, const struct place *place,
                            struct turn_taker *taker, int n, uint64_t seed,
+                           const struct turn_listener *listener,
                            struct hsr_error *err) {
   gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
   if (!random)
@@ -308,8 +352,23 @@ enum hsr_status take_turns(const struct plan *plan, const struct place *place,
   struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
   sigaction(SIGPIPE, &ignore, &before); /* a write to an ended process fails */
   enum hsr_status status = HSR_OK;
-  for (int start = 0; start < plan->options->starts && !status; start++)
-    status = run_start(plan, place, taker, n, start, random, err);
+  struct progress progress = progress_begin(stderr);
+  int start = 0, all = (int)plan->options->starts;
+  for (bool enough = false; start < all && !enough && !status; start++) {
+    progress_tell(&progress, (size_t)start,
+                  isfinite(listener->end) ? 0 : (size_t)all, "starts timed",
+                  listener->name);
+    status = run_start(plan, place, taker, n, start, random, listener, err);
+    bool good = true;
+    if (!status && start > 0 && isfinite(listener->end))
+      enough = seconds_now() > listener->end ||
+               is_enough(taker, n, start + 1, &good);
+    if (!good)
+      status = hsr_fail_nomem(err);
+  }
+  for (int k = 0; k < n; k++)
+    taker[k].n_starts = start;
+  progress_end(&progress);
   sigaction(SIGPIPE, &before, NULL);
   gsl_rng_free(random);
   return status;

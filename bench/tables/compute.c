@@ -116,15 +116,30 @@ static void find_cells(const struct tables *t, struct table_algorithm *a) {
   }
 }
 
-/* The cost of all terms of a step, in scene s. */
-static double cost_of(const struct table_algorithm *a,
-                      const struct hsr_step *step, int s) {
-  const struct hsr_counter *counters = a->algorithm->counters;
-  double cost =
-      step->factor * count_in(a->cell[s], counters[step->counter].name);
+/* The cost of all terms of a step, in a cell. */
+static double cost_of(const struct hsr_algorithm *a,
+                      const struct hsr_step *step, const json_t *cell) {
+  double cost = step->factor * count_in(cell, a->counters[step->counter].name);
   for (int k = 0; k < HSR_MORE_TERMS && step->more[k].factor > 0; k++)
     cost += step->more[k].factor *
-            count_in(a->cell[s], counters[step->more[k].counter].name);
+            count_in(cell, a->counters[step->more[k].counter].name);
+  return cost;
+}
+
+double tables_frame_cost(const json_t *cell) {
+  char name[RESULTS_MOST_NAME + 1];
+  const char *variant = results_text(cell, "algorithm");
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(variant, ":"), variant);
+  const struct hsr_listed *listed = hsr_algorithm_find(name);
+  if (!listed || !listed->plain->steps)
+    return NAN;
+  const struct paper_group *group = paper_group(name);
+  double cost = 0;
+  for (const struct hsr_step *s = listed->plain->steps; s->label; s++) {
+    const struct paper_step *paper = paper_step(group, s->label);
+    if (!paper || !paper->once)
+      cost += cost_of(listed->plain, s, cell);
+  }
   return cost;
 }
 
@@ -133,7 +148,7 @@ static void fill_step(const struct tables *t, const struct table_algorithm *a,
   row->step = step;
   row->paper = paper_step(a->paper, step->label);
   for (int s = 0; s < t->n_scenes; s++) {
-    row->cost.measured[s] = cost_of(a, step, s);
+    row->cost.measured[s] = cost_of(a->algorithm, step, a->cell[s]);
     row->cost.predicted[s] =
         step->predict ? step->predict(&t->scene[s].measured) : NAN;
   }

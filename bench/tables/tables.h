@@ -81,6 +81,11 @@ const struct series *tables_cost(const struct tables *t, const char *algorithm,
 double tables_count(const struct tables *t, const char *algorithm,
                     const char *counter, int scene);
 
+/* The comparisons of a frame that a cell of the results counted: the costs of
+ * all steps that every frame takes. NAN if its picture is not right, or if its
+ * algorithm has no steps. */
+double tables_frame_cost(const json_t *cell);
+
 /* How `values`, one for each scene, grow over the ladder. */
 struct growth tables_growth(const struct tables *t, const double *values);
 

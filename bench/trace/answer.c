@@ -42,7 +42,8 @@ enum hsr_status trace_answer_compare(struct trace_answer *answer, char *text,
                                       .n = (size_t)view->m * (size_t)view->n};
   struct hsr_difference found = {.differing = 0};
   type->compare(&comparison, &found);
-  snprintf(text, size, "%llu of %llu %s", (unsigned long long)found.differing,
-           (unsigned long long)found.compared, found.first);
+  snprintf(text, size, "%llu of %llu %s, the first %s",
+           (unsigned long long)found.differing,
+           (unsigned long long)found.compared, type->places, found.first);
   return found.differing ? HSR_E_DIFFERENCE : HSR_OK;
 }

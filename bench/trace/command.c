@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr trace: every step of one algorithm on one view, as lines of JSON. */
 #include "bench/trace/trace.h"
+#include "bench/terminal/terminal.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -324,9 +325,11 @@ static enum hsr_status write_trace(struct run *r, struct hsr_error *err) {
 
 static void print_report(const struct run *r) {
   const struct tracer *t = &r->tracer;
+  char name[TERMINAL_NAME];
   printf("%s, view %ld, %d x %d samples, %u faces, by %s: %llu events",
-         r->options->scene.name, r->options->view.view, r->view.m, r->view.n,
-         r->laid_out.n_faces, r->variant->name, (unsigned long long)t->events);
+         terminal_plain(r->options->scene.name, name, sizeof name),
+         r->options->view.view, r->view.m, r->view.n, r->laid_out.n_faces,
+         r->variant->name, (unsigned long long)t->events);
   if (t->written < t->events)
     printf(", %llu of them written", (unsigned long long)t->written);
   printf(", %llu keyframe%s, %.1f MB\n", (unsigned long long)t->keyframes,

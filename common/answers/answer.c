@@ -11,6 +11,11 @@ int hsr_answer_number(const struct hsr_answer_type *type) {
   return k;
 }
 
+bool hsr_is_asked_of(const struct hsr_answer_type *type,
+                     const struct hsr_answer_type *made) {
+  return type == made || (type->fold && type->fold->of == made);
+}
+
 /* --- Forms ---------------------------------------------------------------- */
 
 struct hsr_form hsr_form_standard(const struct hsr_answer_type *type) {

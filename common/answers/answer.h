@@ -75,8 +75,8 @@ struct hsr_comparison {
 
 struct hsr_difference {
   uint64_t compared, differing; /* places, or whatever the kind compares */
-  char first[200]; /* the first difference in words, to be printed after the
-                      number: "samples, the first (3, 4): face 5, not 6" */
+  char first[200]; /* the place of the first difference, and what is there:
+                      "(3, 4): face 5, not background" */
 };
 
 /* How an answer is to be shown. All borrowed. */
@@ -111,7 +111,7 @@ struct hsr_answer_type {
   const char *name;    /* [a-z]+, "ids" */
   const char *meaning; /* "the visible face of every sample" */
   const char *draws;   /* "faces": what its algorithms are said to draw */
-  const char *places;  /* "samples": what is compared */
+  const char *places;  /* "samples": what is compared; a plural in s */
   const char *grains;  /* "samples": the unit of a view's size, m x n */
 
   const struct hsr_option *options; /* of its form; if the kind is folded, the
@@ -199,6 +199,11 @@ int hsr_answer_number(const struct hsr_answer_type *type);
 #define HSR_SEGMENTS (&hsr_answer_segments)
 #define HSR_VOXELS (&hsr_answer_voxels)
 
+/* Whether algorithms that make `made` can be asked for `type`: it is what they
+ * make, or it is folded from that. */
+bool hsr_is_asked_of(const struct hsr_answer_type *type,
+                     const struct hsr_answer_type *made);
+
 /* --- Answers -------------------------------------------------------------- */
 
 /* The form of a kind with its standard options. */
@@ -227,6 +232,9 @@ uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer);
 /* For a form of voxels: how many lie along the longest side of the scene's box.
  */
 int hsr_form_voxels(const struct hsr_form *form);
+
+/* In the ids of an answer that is unset, where nothing is written. */
+#define HSR_NOT_WRITTEN 0xfefefefeu
 
 /* An answer around m x n ids that the caller owns; not to be freed. */
 struct hsr_answer hsr_answer_of_ids(uint32_t *ids, int m, int n);

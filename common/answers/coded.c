@@ -15,6 +15,18 @@ const char
         [HSR_OF_CELL] = {"level", "x", "y"},
         [HSR_OF_WINDOW] = {NULL}};
 
+json_t *hsr_runs_json(const uint32_t *value, size_t n, uint32_t none) {
+  json_t *runs = json_array();
+  for (size_t k = 0, next; k < n; k = next) {
+    for (next = k + 1; next < n && value[next] == value[k];)
+      next++;
+    hsr_json_append(&runs,
+                    value[k] == none ? json_null() : json_integer(value[k]));
+    hsr_json_append(&runs, json_integer((json_int_t)(next - k)));
+  }
+  return runs;
+}
+
 json_t *hsr_subject_json(struct hsr_subject subject) {
   if (subject.kind == HSR_OF_NOTHING)
     return json_null();

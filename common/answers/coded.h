@@ -14,6 +14,9 @@ extern const char
 
 /* All of these give a new reference, or NULL for lack of memory. */
 
+/* Runs of one value: value, length, value, length ...; null for `none`. */
+json_t *hsr_runs_json(const uint32_t *value, size_t n, uint32_t none);
+
 /* [kind, ids...], or null if there is no subject. */
 json_t *hsr_subject_json(struct hsr_subject subject);
 

@@ -121,8 +121,8 @@ static void compare(const struct hsr_comparison *c,
     const uint32_t *g = got + 3 * s, *w = wanted + 3 * s;
     if (memcmp(g, w, 3 * sizeof *g) && !difference->differing++)
       snprintf(difference->first, sizeof difference->first,
-               "pixels, the first (%zu, %zu): sums %u %u %u, not %u %u %u",
-               s % m, s / m, g[0], g[1], g[2], w[0], w[1], w[2]);
+               "(%zu, %zu): sums %u %u %u, not %u %u %u", s % m, s / m, g[0],
+               g[1], g[2], w[0], w[1], w[2]);
   }
 }
 

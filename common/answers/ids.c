@@ -32,7 +32,9 @@ static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
 }
 
 static void unset(struct hsr_answer *answer) {
-  memset(answer->body, 0xfe, count_samples(answer) * sizeof(uint32_t));
+  uint32_t *ids = answer->body;
+  for (size_t k = 0; k < count_samples(answer); k++)
+    ids[k] = HSR_NOT_WRITTEN;
 }
 
 static void free_body(struct hsr_answer *answer) {
@@ -51,16 +53,27 @@ static void merge(struct hsr_answer *into, const struct hsr_answer *from,
 
 /* --- Comparing ------------------------------------------------------------ */
 
+/* "face 5". Returns `text`. */
+static const char *say_id(uint32_t id, char text[24]) {
+  if (id == HSR_BACKGROUND)
+    return "background";
+  if (id == HSR_NOT_WRITTEN)
+    return "nothing written";
+  snprintf(text, 24, "face %u", id);
+  return text;
+}
+
 static void compare(const struct hsr_comparison *c,
                     struct hsr_difference *difference) {
   const uint32_t *got = c->got->body, *wanted = c->wanted->body;
+  char one[24], other[24];
   difference->compared = c->n;
   for (size_t k = 0; k < c->n; k++) {
     size_t s = c->place ? c->place[k] : k, m = (size_t)c->got->m;
     if (got[s] != wanted[s] && !difference->differing++)
       snprintf(difference->first, sizeof difference->first,
-               "samples, the first (%zu, %zu): face %u, not %u", s % m, s / m,
-               got[s], wanted[s]);
+               "(%zu, %zu): %s, not %s", s % m, s / m, say_id(got[s], one),
+               say_id(wanted[s], other));
   }
 }
 
@@ -173,18 +186,8 @@ static enum hsr_status paint(struct hsr_answer *answer,
 /* Runs of one id, row after row: id, length, id, length ... */
 static json_t *ids_json(const struct hsr_answer *answer,
                         const struct hsr_view *view) {
-  const uint32_t *ids = answer->body;
-  size_t n = count_samples(answer);
-  json_t *runs = json_array();
   (void)view;
-  for (size_t k = 0, next; k < n; k = next) {
-    for (next = k + 1; next < n && ids[next] == ids[k];)
-      next++;
-    hsr_json_append(&runs, ids[k] == HSR_BACKGROUND ? json_null()
-                                                    : json_integer(ids[k]));
-    hsr_json_append(&runs, json_integer((json_int_t)(next - k)));
-  }
-  return runs;
+  return hsr_runs_json(answer->body, count_samples(answer), HSR_BACKGROUND);
 }
 
 const struct hsr_answer_type hsr_answer_ids = {

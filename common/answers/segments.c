@@ -41,11 +41,11 @@ static void compare(const struct hsr_comparison *c,
   const struct hsr_edge_name *e = &found.first;
   if (found.differing && e->implied)
     snprintf(difference->first, sizeof difference->first,
-             "edges, the first the implied one of faces %u and %u, number %u",
-             e->a, e->b, e->part);
+             "the implied one of faces %u and %u, number %u", e->a, e->b,
+             e->part);
   else if (found.differing)
     snprintf(difference->first, sizeof difference->first,
-             "edges, the first from vertex %u to %u", e->a, e->b);
+             "from vertex %u to %u", e->a, e->b);
 }
 
 /* --- Showing -------------------------------------------------------------- */

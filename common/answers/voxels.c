@@ -39,14 +39,6 @@ static void free_body(struct hsr_answer *answer) {
 
 /* --- Comparing ------------------------------------------------------------ */
 
-static bool is_same_grid(const struct hsr_voxel_grid *a,
-                         const struct hsr_voxel_grid *b) {
-  bool same = a->size == b->size;
-  for (int k = 0; k < 3; k++)
-    same = same && a->lo[k] == b->lo[k] && a->n[k] == b->n[k];
-  return same;
-}
-
 /* If the grids differ, all voxels do. */
 static void compare(const struct hsr_comparison *c,
                     struct hsr_difference *difference) {
@@ -54,18 +46,18 @@ static void compare(const struct hsr_comparison *c,
   const struct hsr_voxel_grid *grid = &wanted->grid;
   size_t n = hsr_voxel_count(grid), row = (size_t)grid->n[0];
   difference->compared = n;
-  if (!got->solid || !is_same_grid(&got->grid, grid)) {
+  if (!got->solid || !hsr_same_voxel_grid(&got->grid, grid)) {
     difference->differing = n;
     snprintf(difference->first, sizeof difference->first,
-             "voxels: another grid, of %d x %d x %d, not %d x %d x %d",
-             got->grid.n[0], got->grid.n[1], got->grid.n[2], grid->n[0],
-             grid->n[1], grid->n[2]);
+             "the grid is of %d x %d x %d, not %d x %d x %d", got->grid.n[0],
+             got->grid.n[1], got->grid.n[2], grid->n[0], grid->n[1],
+             grid->n[2]);
     return;
   }
   for (size_t k = 0; k < n; k++)
     if (got->solid[k] != wanted->solid[k] && !difference->differing++)
       snprintf(difference->first, sizeof difference->first,
-               "voxels, the first (%zu, %zu, %zu): solid %u, not %u", k % row,
+               "(%zu, %zu, %zu): solid %u, not %u", k % row,
                k / row % (size_t)grid->n[1], k / row / (size_t)grid->n[1],
                got->solid[k], wanted->solid[k]);
 }
@@ -126,16 +118,8 @@ static json_t *cubes_json(const void *part, const struct hsr_view *view) {
 
 /* Runs of one solid, x fastest: solid, length, solid, length ... */
 static json_t *runs_json(const struct hsr_solid_voxels *voxels) {
-  const uint32_t *solid = voxels->solid;
-  size_t n = solid ? hsr_voxel_count(&voxels->grid) : 0;
-  json_t *runs = json_array();
-  for (size_t k = 0, next; k < n; k = next) {
-    for (next = k + 1; next < n && solid[next] == solid[k];)
-      next++;
-    hsr_json_append(&runs, json_integer(solid[k]));
-    hsr_json_append(&runs, json_integer((json_int_t)(next - k)));
-  }
-  return runs;
+  size_t n = voxels->solid ? hsr_voxel_count(&voxels->grid) : 0;
+  return hsr_runs_json(voxels->solid, n, HSR_NO_ID);
 }
 
 static json_t *voxels_json(const struct hsr_answer *answer,

@@ -9,6 +9,8 @@ libhsr_a_SOURCES += \
   %D%/arena.c \
   %D%/bits.h \
   %D%/count.c \
+  %D%/names.c \
+  %D%/names.h \
   %D%/option.c \
   %D%/status.c \
   %D%/vector.h

@@ -68,19 +68,22 @@ enum hsr_status hsr_values_choose(struct hsr_values *values,
                                   struct hsr_stretch value, const char *text,
                                   struct hsr_error *err) {
   const struct hsr_option *option = &options[k];
-  long *whole = &values->option[k];
-  double *real = &values->real[k];
   if (option->words)
-    return choose_word(option, value, text, whole, err);
-  if (option->real && parse_real(value, real) && *real >= option->real_least &&
-      *real <= option->real_most)
+    return choose_word(option, value, text, &values->option[k], err);
+  long whole;
+  double real;
+  if (option->real) {
+    if (!parse_real(value, &real) || !(real >= option->real_least) ||
+        !(real <= option->real_most))
+      return hsr_fail(err, HSR_E_USAGE, "%s: %s must be %g to %g", text,
+                      option->name, option->real_least, option->real_most);
+    values->real[k] = real;
     return HSR_OK;
-  if (option->real)
-    return hsr_fail(err, HSR_E_USAGE, "%s: %s must be %g to %g", text,
-                    option->name, option->real_least, option->real_most);
-  if (hsr_parse_whole(value, whole) && *whole >= option->least &&
-      *whole <= option->most)
-    return HSR_OK;
-  return hsr_fail(err, HSR_E_USAGE, "%s: %s must be %ld to %ld", text,
-                  option->name, option->least, option->most);
+  }
+  if (!hsr_parse_whole(value, &whole) || whole < option->least ||
+      whole > option->most)
+    return hsr_fail(err, HSR_E_USAGE, "%s: %s must be %ld to %ld", text,
+                    option->name, option->least, option->most);
+  values->option[k] = whole;
+  return HSR_OK;
 }

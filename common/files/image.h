@@ -22,9 +22,13 @@ enum hsr_status hsr_image_write(const char *path,
                                 const struct hsr_picture *picture,
                                 const char *text, struct hsr_error *err);
 
+/* Writes values from 0 to 1, m x n, through a perceptual colour ramp, dark to
+ * bright. Not to .exr. Fails as hsr_image_write. */
+enum hsr_status hsr_image_write_ramp(const char *path, int m, int n,
+                                     const float *x, struct hsr_error *err);
+
 /* Writes one float channel, m x n. To .exr as it is (channel Y); to others
- * through a perceptual colour ramp, logarithmically, the largest value
- * brightest. Fails as hsr_image_write. */
+ * through that ramp, logarithmically, the largest value brightest. Fails as hsr_image_write. */
 enum hsr_status hsr_image_write_work(const char *path, int m, int n,
                                      const float *work, struct hsr_error *err);
 

@@ -5,11 +5,14 @@ nobase_pkginclude_HEADERS += \
   %D%/scene_json.h \
   %D%/whole_file.h
 libhsr_a_SOURCES += \
-  %D%/image.cc \
+  %D%/image.c \
+  %D%/image_library.h \
   %D%/json.c \
   %D%/json.h \
   %D%/json_read.c \
   %D%/json_read.h \
+  %D%/library.c \
+  %D%/library.h \
   %D%/plot.c \
   %D%/plot_cairo.c \
   %D%/plot_svg.c \
@@ -17,3 +20,12 @@ libhsr_a_SOURCES += \
   %D%/srgb.h \
   %D%/suffix.h \
   %D%/whole_file.c
+
+# Loaded by hsr when a picture is written.
+pkglibexec_PROGRAMS += hsr-images.so
+hsr_images_so_SOURCES = %D%/image_oiio.cc %D%/image_library.h common/base/status.c
+hsr_images_so_CPPFLAGS = $(AM_CPPFLAGS) $(OIIO_CFLAGS)
+hsr_images_so_CFLAGS = $(AM_CFLAGS) -fPIC
+hsr_images_so_CXXFLAGS = $(AM_CXXFLAGS) -fPIC
+hsr_images_so_LDFLAGS = -shared
+hsr_images_so_LDADD = $(OIIO_LIBS)

@@ -85,6 +85,18 @@ struct reader {
   struct hsr_error *err;
   uint32_t *corners; /* of the face at hand */
   size_t cap_corners;
+  struct mesh *mesh; /* the latest that was read */
+};
+
+/* A mesh file that has been read, so that it is read once however many objects
+ * are made of it. Kept are what a scene file may change in the object. */
+struct mesh {
+  struct mesh *before;
+  char *path, *name;
+  uint32_t object; /* of the scene */
+  uint64_t n_dropped;
+  float colour[3];
+  bool one_sided;
 };
 
 /* HSR_E_INPUT: "FILE: POINTER: text". */
@@ -537,6 +549,60 @@ static char *resolve(const char *path, const char *file) {
   return resolved;
 }
 
+static void forget_meshes(struct reader *reader) {
+  while (reader->mesh) {
+    struct mesh *mesh = reader->mesh;
+    reader->mesh = mesh->before;
+    free(mesh->path);
+    free(mesh->name);
+    free(mesh);
+  }
+}
+
+/* Reads a mesh file, and keeps note of it. Takes `path`. */
+static enum hsr_status read_new_mesh(struct reader *reader, char *path) {
+  struct mesh *mesh = calloc(1, sizeof *mesh);
+  if (!mesh) {
+    free(path);
+    return hsr_fail_nomem(reader->err);
+  }
+  *mesh = (struct mesh){.before = reader->mesh, .path = path};
+  reader->mesh = mesh;
+  struct hsr_import import = reader->import;
+  enum hsr_status status =
+      hsr_mesh_read(reader->scene, path, &import, reader->err);
+  if (status)
+    return status;
+  mesh->object = reader->scene->n_objects - 1;
+  mesh->n_dropped = import.n_dropped;
+  const struct hsr_object *object = &reader->scene->objects[mesh->object];
+  mesh->name = strdup(object->name);
+  mesh->one_sided = object->one_sided;
+  memcpy(mesh->colour, object->colour, sizeof mesh->colour);
+  return mesh->name ? HSR_OK : hsr_fail_nomem(reader->err);
+}
+
+/* Appends another object that is as the mesh was when it was read. */
+static enum hsr_status copy_mesh(struct reader *reader,
+                                 const struct mesh *mesh) {
+  struct hsr_object *to = hsr_scene_object(reader->scene, mesh->name);
+  if (!to)
+    return hsr_fail_nomem(reader->err);
+  const struct hsr_object *from = &reader->scene->objects[mesh->object];
+  enum hsr_status status = HSR_OK;
+  to->one_sided = mesh->one_sided;
+  memcpy(to->colour, mesh->colour, sizeof to->colour);
+  for (uint32_t v = 0; v < from->n_vertices && !status; v++) {
+    const double *p = from->xyz + 3 * (size_t)v;
+    status = hsr_object_vertex(to, p[0], p[1], p[2], NULL);
+  }
+  for (uint32_t f = 0; f < from->n_faces && !status; f++)
+    status = hsr_object_face(to, from->vertex + from->start[f],
+                             from->start[f + 1] - from->start[f],
+                             from->rgb ? from->rgb + 3 * (size_t)f : NULL);
+  return status ? hsr_fail_nomem(reader->err) : HSR_OK;
+}
+
 static enum hsr_status read_mesh(struct reader *reader,
                                  const struct place *place, const json_t *value,
                                  struct hsr_object **object) {
@@ -552,12 +618,19 @@ static enum hsr_status read_mesh(struct reader *reader,
   char *path = resolve(reader->path, file);
   if (!path)
     return hsr_fail_nomem(reader->err);
-  struct hsr_import import = reader->import;
-  status = hsr_mesh_read(reader->scene, path, &import, reader->err);
-  free(path);
+  const struct mesh *mesh = reader->mesh;
+  while (mesh && strcmp(mesh->path, path))
+    mesh = mesh->before;
+  if (mesh) {
+    free(path);
+    status = copy_mesh(reader, mesh);
+  } else {
+    status = read_new_mesh(reader, path);
+    mesh = reader->mesh;
+  }
   if (status)
     return status;
-  reader->import.n_dropped += import.n_dropped;
+  reader->import.n_dropped += mesh->n_dropped;
   *object = &reader->scene->objects[reader->scene->n_objects - 1];
   json_t *colour = json_object_get(value, "colour");
   return colour ? read_colour(reader, &(struct place){place, "colour", 0},
@@ -908,6 +981,7 @@ enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
   json_decref(root);
   free(text);
   free(reader.corners);
+  forget_meshes(&reader);
   if (import)
     import->n_dropped = reader.import.n_dropped;
   return status;

@@ -37,9 +37,12 @@ enum hsr_status hsr_voxel_grid_init(struct hsr_voxel_grid *grid,
   return HSR_OK;
 }
 
-static bool is_same_grid(const struct hsr_voxel_grid *a,
+bool hsr_same_voxel_grid(const struct hsr_voxel_grid *a,
                          const struct hsr_voxel_grid *b) {
-  return !memcmp(a, b, offsetof(struct hsr_voxel_grid, n) + sizeof a->n);
+  bool same = a->size == b->size;
+  for (int k = 0; k < 3; k++)
+    same = same && a->lo[k] == b->lo[k] && a->n[k] == b->n[k];
+  return same;
 }
 
 /* --- Solids in voxels ----------------------------------------------------- */
@@ -47,7 +50,7 @@ static bool is_same_grid(const struct hsr_voxel_grid *a,
 enum hsr_status hsr_solid_voxels_open(struct hsr_solid_voxels *voxels,
                                       const struct hsr_voxel_grid *grid) {
   size_t n = hsr_voxel_count(grid);
-  if (voxels->solid && is_same_grid(&voxels->grid, grid)) {
+  if (voxels->solid && hsr_same_voxel_grid(&voxels->grid, grid)) {
     memset(voxels->solid, 0, n * sizeof *voxels->solid);
     return HSR_OK;
   }

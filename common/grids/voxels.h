@@ -32,6 +32,10 @@ enum hsr_status hsr_voxel_grid_init(struct hsr_voxel_grid *grid,
                                     const struct hsr_world *world, int most,
                                     struct hsr_error *err);
 
+/* Whether two grids have the same voxels. */
+bool hsr_same_voxel_grid(const struct hsr_voxel_grid *a,
+                         const struct hsr_voxel_grid *b);
+
 /* Coordinate of the centres of the k-th voxels along an axis. */
 static inline double hsr_voxel_centre(const struct hsr_voxel_grid *grid,
                                       int axis, int k) {

@@ -101,8 +101,11 @@ static uint32_t wanted_invisibility(const struct hsr_segment *segment,
   return visible_only ? segment->invisibility > 0 : segment->invisibility;
 }
 
+/* Doubles below 2^-1022 are multiples of 2^-1074 and have no relative error to
+ * speak of. Each of the two is within one such step of the true number. */
 static bool is_close(double got, double wanted) {
-  return fabs(got - wanted) <= HSR_DRAWING_TOLERANCE * fabs(wanted);
+  double steps = 2 * 0x1p-1074;
+  return fabs(got - wanted) <= HSR_DRAWING_TOLERANCE * fabs(wanted) + steps;
 }
 
 static bool agree(struct stretch got, struct stretch wanted,

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The report of a bench: one page that shows what its address asks for.
-import { algorithmPage } from "./algorithm_page.js";
-import { checkPage } from "./check_page.js";
-import { h, link } from "./dom.js";
-import { href, read } from "./address.js";
-import { indexPage } from "./index_page.js";
-import { model } from "./model.js";
-import { probePage } from "./probe_page.js";
-import { sweepsPage } from "./sweeps_page.js";
-import { tablesPage } from "./tables_page.js";
-import { timingsPage } from "./timings_page.js";
+import { href, read } from "./data/address.js";
+import { model } from "./data/model.js";
+import { algorithmPage } from "./pages/algorithm.js";
+import { checkPage } from "./pages/check.js";
+import { indexPage } from "./pages/index.js";
+import { probePage } from "./pages/probe.js";
+import { sweepsPage } from "./pages/sweeps.js";
+import { tablesPage } from "./pages/tables.js";
+import { timingsPage } from "./pages/timings.js";
+import { h, link } from "./parts/dom.js";
+import { fitTablesOnPaper } from "./parts/print.js";
 
 const PAGES = {
   "": { label: "Algorithms", show: indexPage },
@@ -20,7 +21,7 @@ const PAGES = {
   algorithm: { under: "", show: algorithmPage },
   probe: { under: "check", show: probePage },
 };
-const SCHEMA = "hsr-report/1";
+const SCHEMA = "hsr-report/2";
 
 const main = document.querySelector("main");
 
@@ -75,4 +76,5 @@ document.querySelector(".skip").addEventListener("click", (event) => {
   main.focus();
 });
 
+fitTablesOnPaper();
 start(window.hsr);

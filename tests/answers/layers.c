@@ -46,8 +46,7 @@ static void compare(const struct hsr_comparison *c,
     size_t s = c->place ? c->place[k] : k, m = (size_t)c->got->m;
     if (got[s] != wanted[s] && !difference->differing++)
       snprintf(difference->first, sizeof difference->first,
-               "layers, the first (%zu, %zu): %u, not %u", s % m, s / m, got[s],
-               wanted[s]);
+               "(%zu, %zu): %u, not %u", s % m, s / m, got[s], wanted[s]);
   }
 }
 

@@ -5,8 +5,8 @@
 extern const struct hsr_answer_type hsr_answer_layers;
 extern const struct hsr_algorithm hsr_algorithm_layer_oracle,
     hsr_algorithm_layer_count, hsr_algorithm_layer_half;
-extern const struct hsr_algorithm hsr_algorithm_oracle, hsr_counting_oracle,
-    hsr_algorithm_zbuffer, hsr_counting_zbuffer;
+extern const struct hsr_algorithm hsr_counting_oracle, hsr_algorithm_zbuffer,
+    hsr_counting_zbuffer;
 
 const struct hsr_answer_type *const hsr_answer_types[] = {
 #define HSR_ANSWER(id) &hsr_answer_##id,
@@ -18,7 +18,7 @@ const struct hsr_answer_type *const hsr_answer_types[] = {
 #define BOTH(id)                                                               \
   { &hsr_algorithm_layer_##id, &hsr_algorithm_layer_##id }
 const struct hsr_listed hsr_algorithms[] = {
-    {&hsr_algorithm_oracle, &hsr_counting_oracle},
+    {&hsr_counting_oracle, &hsr_counting_oracle},
     {&hsr_algorithm_zbuffer, &hsr_counting_zbuffer},
     BOTH(oracle),
     BOTH(count),

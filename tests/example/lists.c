@@ -2,13 +2,11 @@
 /* The command's list with algorithms/EXAMPLE.c on it. */
 #include "algorithms/algorithm.h"
 
-#define HSR_LISTED(id)                                                         \
-  extern const struct hsr_algorithm hsr_algorithm_##id, hsr_counting_##id;
-HSR_LISTED(oracle)
-HSR_LISTED(zbuffer)
-HSR_LISTED(example)
-#undef HSR_LISTED
+extern const struct hsr_algorithm hsr_counting_oracle, hsr_algorithm_zbuffer,
+    hsr_counting_zbuffer, hsr_algorithm_example, hsr_counting_example;
 
-#define HSR_LISTED(id) {&hsr_algorithm_##id, &hsr_counting_##id},
 const struct hsr_listed hsr_algorithms[] = {
-    HSR_LISTED(oracle) HSR_LISTED(zbuffer) HSR_LISTED(example){NULL, NULL}};
+    {&hsr_counting_oracle, &hsr_counting_oracle},
+    {&hsr_algorithm_zbuffer, &hsr_counting_zbuffer},
+    {&hsr_algorithm_example, &hsr_counting_example},
+    {NULL, NULL}};

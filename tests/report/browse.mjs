@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // node browse.mjs MODULES BROWSER sample SAMPLE BARE DAMAGED
 // node browse.mjs MODULES BROWSER any REPORT
+// node browse.mjs MODULES BROWSER hostile REPORT SAID
 // Opens reports from disk as a reader would, and prints TAP.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -242,8 +244,9 @@ async function sampled(folder) {
   await test("tables sort by any column, and the address keeps it", async () => {
     await go("#/timings?view=house%2C+view+1");
     const medians = () => page.evaluate(() => {
-      const of = new Map(window.hsr.cells.filter((c) => c.scene === "house" &&
-        c.view === 1 && c.seconds).map((c) => [c.algorithm, c.seconds.median]));
+      const { cells, places } = window.hsr;
+      const house = places.findIndex((p) => p.scene === "house" && p.view === 1);
+      const of = new Map(cells.filter((c) => c.place === house && c.seconds).map((c) => [c.algorithm, c.seconds[0]]));
       return [...document.querySelectorAll("#modules-table tbody tr")].map((row) =>
         of.get(row.children[0].textContent));
     });
@@ -266,7 +269,7 @@ async function sampled(folder) {
     assert.match(await page.textContent("#modules"), /not distinguishable/);
   });
 
-  // Row of a module at the pixel that is chosen: verdict, face, object, depth.
+  // Row of a module at the pixel that is chosen: verdict, face, depth, object.
   const seen = (name) => page.$$eval("#readout tbody tr", (rows, n) =>
     [...rows.find((r) => r.children[0].textContent === n).children].slice(1)
       .map((td) => td.textContent), name);
@@ -283,17 +286,17 @@ async function sampled(folder) {
       await page.waitForSelector("#readout table");
       await pixel(45, 30);
       assert.deepEqual(await seen("oracle"),
-        ["✓", "2", "box B, face 1", "3.203125"]);
+        ["✓", "2", "3.203125", "box B, face 1"]);
       assert.deepEqual(await seen("watkins"), await seen("oracle"));
       assert.deepEqual(await seen("painter"),
-        ["✗ differs", "1", "box <A>, face 1", "3.500000"]);
+        ["✗ differs", "1", "3.500000", "box <A>, face 1"]);
       assert.equal(await page.textContent("[role=status]"),
-        "i = 45, j = 30: box B, face 1; otherwise by painter");
+        "i = 45, j = 30: box B, face 1, depth 3.203125; otherwise by painter");
       await pixel(20, 20);
       assert.deepEqual(await seen("painter"),
-        ["✓", "1", "box <A>, face 1", "3.500000"]);
+        ["✓", "1", "3.500000", "box <A>, face 1"]);
       await pixel(96, 0);
-      assert.deepEqual(await seen("zbuffer"), ["✓", "none", "background", "–"]);
+      assert.deepEqual(await seen("zbuffer"), ["✓", "none", "–", "background"]);
     });
 
   await test("keys, pointer and the next difference choose a pixel",
@@ -362,6 +365,60 @@ async function sampled(folder) {
     assert.equal(await heading(), "A made-up report");
   });
 
+  await test("tables and plots are saved as files that stand alone", async () => {
+    const saved = async (selector) => {
+      const [download] = await Promise.all([page.waitForEvent("download"),
+        page.click(selector)]);
+      return [download.suggestedFilename(),
+        readFileSync(await download.path(), "utf8")];
+    };
+    await go("#/timings");
+    const [name, rows] = await saved("#modules .save");
+    assert.equal(name, "seconds-a-frame-of-the-algorithms.csv");
+    assert.match(rows, /^algorithm,scene,view,size,median,/);
+    assert.match(rows, /\r\nwatkins,"odd <b>&""name'\/50%",1,97 × 61,[\d.e-]+,/);
+    const [file, svg] = await saved("figure .save");
+    assert.match(file, /^seconds-a-frame-a-mark-.*\.svg$/);
+    assert.match(svg, /^<svg [^>]*xmlns="http/);
+    assert.match(svg, /soup:100:7, view 1/);
+    assert.doesNotMatch(svg, /var\(/);
+  });
+
+  await test("every algorithm has looks of its own", async () => {
+    await go("");
+    const keys = await page.$$eval("#tree .leaf a:has(.key)", (all) =>
+      all.map((a) => [a.textContent, a.querySelector(".key").innerHTML]));
+    const own = keys.filter(([n]) => n !== "newcomer" && n !== "embree" &&
+      n !== "llvmpipe").map(([, look]) => look);
+    assert.equal(new Set(own).size, own.length);
+  });
+
+  await test("the timings' rows are sorted, and their marks are of scenes",
+    async () => {
+      await go("#/timings?view=house%2C+view+1&algorithms=watkins,zbuffer,yzx");
+      const rows = await (await page.$("figure .plot")).$$eval("text", (all) =>
+        all.map((e) => e.textContent));
+      const named = rows.filter((r) => ["watkins", "zbuffer", "yzx"].includes(r));
+      const median = await page.evaluate(() => {
+        const { cells } = window.hsr;
+        return Object.fromEntries(cells.filter((c) => c.place === 0 && c.seconds)
+          .map((c) => [c.algorithm, c.seconds[0]]));
+      });
+      assert.deepEqual(named, [...named].sort((a, b) => median[a] - median[b]));
+      assert.match(await page.textContent("figure .legend"), /house, view 1/);
+    });
+
+  await test("a wide table prints whole", async () => {
+    await go("#/check");
+    await page.emulateMedia({ media: "print" });
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    const wide = await page.$$eval(".scroll table", (all) =>
+      all.map((e) => e.getBoundingClientRect().width));
+    assert.ok(wide.every((w) => w <= 1020), String(wide));
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    await page.emulateMedia({ media: "screen" });
+  });
+
   await test("nothing went wrong on the way", async () =>
     assert.deepEqual(faults, []));
   await close();
@@ -377,7 +434,32 @@ async function lacking(bare, damaged) {
   });
 }
 
+// Of results that try to break the page. said: what the command printed.
+async function hostile(folder, said) {
+  await test("names are text on every page, and no script of theirs runs",
+    async () => {
+      const { page, faults, go, close } = await open(folder);
+      page.on("dialog", (dialog) => faults.push(`dialog: ${dialog.message()}`));
+      for (const hash of ["", "#/check", "#/sweeps", "#/timings", "#/tables",
+        "#/algorithm/watkins", "#/algorithm/__proto__", "#/probe/constructor"]) {
+        await go(hash);
+        assert.equal(await page.evaluate(() => window.attacked), undefined);
+        assert.equal(await page.$("main script, main [onerror], main [onload], " +
+          "main iframe, main a[href^='javascript']"), null, hash);
+        assert.deepEqual(faults, [], hash);
+      }
+      await go("#/check");
+      const text = await page.textContent("main");
+      assert.ok(text.includes("</script><script>window.attacked"));
+      await close();
+    });
+
+  await test("the command prints no control character", () =>
+    assert.doesNotMatch(readFileSync(said, "utf8"), /[^\n\x20-\x7e]/));
+}
+
 await any(folders[0]);
+if (kind === "hostile") await hostile(...folders);
 if (kind === "sample") {
   await sampled(folders[0]);
   await lacking(folders[1], folders[2]);

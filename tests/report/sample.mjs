@@ -9,7 +9,8 @@ import { deflateSync } from "node:zlib";
 const [list, dir] = process.argv.slice(2);
 const algorithms = [...JSON.parse(readFileSync(list, "utf8")).algorithms, {
   name: "newcomer", title: "An algorithm that nobody knows", authors: "A. Nonym",
-  year: 2031, source: "unpublished", taxonomy: "image space, point sampling",
+  year: 2031, source: "unpublished", taxonomy: "image space",
+  branch: "point sampling",
   sort_order: "XYZ", coherence: null, kind: "ids", known_wrong: false,
   visible_only: false, restrictions: ["TR"], counters: [], steps: [],
   sorts: [{ what: "faces", key: "X", method: "guess", often: "once" }],
@@ -47,21 +48,25 @@ function cellOf(where, { name, kind, counters = [] }, peer) {
     2e-7 * faces ** (1 + (name.length % 3) / 4);
   const timed = status === "ok" || (peer && drawn);
   return {
-    record: "cell", run: "5a", scene, view, width, height, algorithm: name,
-    peer, kind, threads: 1, status,
+    place: places.indexOf(where), algorithm: name, peer, kind, threads: 1, status,
     mismatches: status === "wrong" ? (peer ? 17 : 341) : drawn ? 0 : null,
     compared: drawn ? samples : null,
     reason: { refused: "NP: face 17 goes through face 4",
       timeout: "longer than 60 s", crash: "signal 11",
       memory: "more than 2048 MB" }[status] ?? null,
     adapted: name === "romney" ? ["triangulate"] : [],
-    counts: drawn && !peer && counters.length ? Object.fromEntries(
-      counters.map((c, k) => [c.name, Math.round(about(faces * (k + 1) * 9))]))
-      : null,
-    depths: null,
-    ...(timed ? timesOf(name, base) : { seconds: null, ratio: null,
-      phases: null, memory_kb: null, inner: null }),
+    ...drawn && !peer && counters.length && { counts: [namesOf(counters),
+      ...counters.map((c, k) => Math.round(about(faces * (k + 1) * 9)))] },
+    ...timed && timesOf(name, base),
   };
+}
+
+// The number of a list of counters' names.
+const counterLists = [];
+function namesOf(counters) {
+  const names = counters.map((c) => c.name);
+  const there = counterLists.findIndex((list) => `${list}` === `${names}`);
+  return there < 0 ? counterLists.push(names) - 1 : there;
 }
 
 function statusOf(name, { scene, view, faces }) {
@@ -78,14 +83,11 @@ function timesOf(name, base) {
   const median = about(base);
   const value = median / base;
   return {
-    seconds: { median, low: 0.97 * median, high: 1.04 * median,
-      min: 0.96 * median, samples: Array.from({ length: 18 },
-        () => about(median, 0.03)) },
-    ratio: { to: "zbuffer", value, low: 0.95 * value, high: 1.05 * value,
-      distinguishable: Math.abs(value - 1) > 0.05 },
+    seconds: [median, 0.97 * median, 1.04 * median, 0.96 * median],
+    ratio: [value, 0.95 * value, 1.05 * value],
     phases: { import: about(1e-3), adapt: about(1e-4), prepare: about(2e-4),
-      shade: about(8e-3), write: null },
-    memory_kb: { before: 21000, peak: Math.round(about(31000)) }, inner: 3,
+      shade: about(8e-3) },
+    peak_kb: Math.round(about(31000)),
   };
 }
 
@@ -96,25 +98,30 @@ const cells = places.flatMap((where) => [
   ...peers.map((name) => cellOf(where, { name, kind: "ids" }, true))]);
 
 // --- figures computed from them ---
-function growthOf(over, x, chosen) {
-  return drawing.map(({ name }) => {
+function growthOf(measure, over, x, chosen) {
+  return drawing.map(({ name, steps = [] }) => {
     const points = places.filter(chosen).map((where) => {
       const cell = cells.find((c) => c.algorithm === name &&
-        c.scene === where.scene && c.width === where.width);
-      return cell.seconds && { scene: where.scene, view: where.view,
-        width: where.width, height: where.height, x: x(where),
-        seconds: cell.seconds.median };
+        places[c.place] === where);
+      const y = measure === "seconds" ? cell.seconds?.[0]
+        : steps.length && about(40 * where.faces);
+      return y && { scene: where.scene, view: where.view, width: where.width,
+        height: where.height, x: x(where), y };
     }).filter(Boolean);
     const e = about(1, 0.4);
-    return { algorithm: name, over, exponent: e, low: e - 0.1, high: e + 0.1,
-      points };
+    return { algorithm: name, measure, of: "a ladder", over, exponent: e,
+      low: e - 0.1, high: e + 0.1, points };
   }).filter((g) => g.points.length > 1);
 }
 
+const soups = (p) => p.scene.startsWith("soup");
 const growth = [
-  ...growthOf("faces", (p) => p.faces, (p) => p.scene.startsWith("soup")),
-  ...growthOf("samples", (p) => p.width * p.height, (p) => p.scene === "twist"),
-  ...growthOf("depth", (p) => p.depth, (p) => p.scene.startsWith("layers")),
+  ...growthOf("seconds", "faces", (p) => p.faces, soups),
+  ...growthOf("seconds", "samples", (p) => p.width * p.height,
+    (p) => p.scene === "twist"),
+  ...growthOf("seconds", "depth", (p) => p.depth,
+    (p) => p.scene.startsWith("layers")),
+  ...growthOf("comparisons", "faces", (p) => p.faces, soups),
 ];
 const geometric = drawing.map(({ name }, k) => {
   const ratio = name === "zbuffer" ? 1 : 1 + k / 3;
@@ -168,15 +175,6 @@ const tables = {
   table7: stepping.map(({ name }) => ({ algorithm: name,
     paper: totals(name, "paper"), predicted: totals(name, "predicted"),
     measured: totals(name, "measured") })),
-  figure13: [
-    ["object space", "edges against volumes", /^roberts/],
-    ["object space", "edges against edges", /appel|loutrel|galimb|-edges/],
-    ["list priority", "a priori", /^schumacker/],
-    ["list priority", "each frame", /^newell/],
-    ["image space", "area sampling", /^warnock(?!-edges)/],
-    ["image space", "point sampling", /^(romney|bouknight|watkins|yzx)/],
-  ].map(([name, branch, which]) => ({ class: name, branch,
-    algorithms: algorithms.map((a) => a.name).filter((n) => which.test(n)) })),
   figure29a: algorithms.filter((a) => a.sorts.length)
     .map(({ name, restrictions }) => ({ algorithm: name, restrictions })),
   figure29b: algorithms.filter((a) => a.sorts.length).map((a) => ({
@@ -202,10 +200,10 @@ const tables = {
       evidence: null }],
 };
 
-const views = places.map(({ scene, view, width, height }, k) => ({
+const views = places.map(({ scene, view, width, height, faces: F_r }, k) => ({
   record: "view", run: "5a", scene, scene_hash: "0f", view, width, height,
-  table1: Object.fromEntries(symbols.map(([s]) =>
-    [s, measuredSymbols[s][Math.min(k, 2)]])) }));
+  table1: { ...Object.fromEntries(symbols.map(([s]) =>
+    [s, measuredSymbols[s][Math.min(k, 2)]])), F_r } }));
 
 // --- the house, pixel by pixel: a floor and two boxes that overlap; the
 //     painter has the wrong one in front ---
@@ -246,7 +244,7 @@ const probe = {
 
 const painted = (id) => id === "house-1"; // where the painter is wrong
 const picture = (id, scene, view) => ({
-  scene, view, width: W, height: H, picture: `pictures/${id}.png`,
+  key: id, scene, view, width: W, height: H, picture: `pictures/${id}.png`,
   probe: `probe/${id}.js`,
   entries: drawing.map(({ name, kind }) => ({ algorithm: name, kind,
     status: name === "painter" && painted(id) ? "wrong" : "ok",
@@ -306,7 +304,7 @@ for (const id of ["house-1", "house-2", "odd-1"]) {
 write("difference/house-1.png", png((i, j) => inside(i, j, A) &&
   inside(i, j, B) ? [255, 0, 0] : [40, 40, 40]));
 write("data.js", `window.hsr = ${JSON.stringify({
-  schema: "hsr-report/1", title: "A made-up report",
+  schema: "hsr-report/2", title: "A made-up report",
   headers: [{ schema: "hsr-bench/1", record: "header", run: "5a",
     date: "2026-11-21T12:00:00Z", command: ["hsr", "bench", "house", "harbor"],
     version: "0.1.0", commit: "82d8f52", code: "0123abcd",
@@ -315,7 +313,13 @@ write("data.js", `window.hsr = ${JSON.stringify({
     machine: { cpu: "A made-up processor", cores: 2, threads: 2,
       memory_kb: 8062000, caches: [{ level: 1, kb: 48 }, { level: 2, kb: 2048 }],
       os: "Linux 6.1 x86_64", governor: null, load: [0.1, 0.2, 0.3] } }],
-  algorithms, views, cells, baseline: "zbuffer", growth, geometric, tables,
+  algorithms, kinds: [{ name: "ids", meaning: "the visible face of every sample",
+    places: "samples" }, { name: "segments", meaning: "every edge in intervals",
+    places: "edges" }],
+  views, places: places.map(({ scene, view, width, height }) =>
+    ({ scene, view, walk: 1, width, height })), counters: counterLists, cells,
+  baseline: "zbuffer", growth, geometric, tables,
+  left_out: [{ scene: "big-harbor", view: 1, drawings: 30, why: "no time" }],
   pictures: [picture("house-1", "house", 1), picture("house-2", "house", 2),
     picture("odd-1", ODD, 1)],
 })};\n`);

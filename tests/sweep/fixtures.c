@@ -9,7 +9,7 @@
 #include <string.h>
 #include <time.h>
 
-extern const struct hsr_algorithm hsr_algorithm_oracle, hsr_counting_oracle;
+extern const struct hsr_algorithm hsr_counting_oracle;
 extern const struct hsr_algorithm hsr_algorithm_null, hsr_counting_null;
 extern const struct hsr_algorithm hsr_algorithm_zbuffer, hsr_counting_zbuffer;
 extern const struct hsr_algorithm hsr_algorithm_watkins, hsr_counting_watkins;
@@ -254,7 +254,7 @@ FIXTURE(same_4, "same-4", .render = zbuffer)
 #define BOTH(id)                                                               \
   { &fixture_##id, &fixture_##id }
 const struct hsr_listed hsr_algorithms[] = {
-    {&hsr_algorithm_oracle, &hsr_counting_oracle},
+    {&hsr_counting_oracle, &hsr_counting_oracle},
     {&hsr_algorithm_null, &hsr_counting_null},
     {&hsr_algorithm_zbuffer, &hsr_counting_zbuffer},
     {&hsr_algorithm_watkins, &hsr_counting_watkins},

@@ -580,7 +580,8 @@ static void test_liars(struct tap *tap) {
   ok(tap, trace("house -a paints -o l.ndjson") == 0 && is_whole("l.ndjson"),
      "one event that paints all");
   ok(tap,
-     is_found_out("liar", "1 of 280 samples, the first (1, 1): face 3, not 4",
+     is_found_out("liar",
+                  "1 of 280 samples, the first (1, 1): face 3, not face 4",
                   "rebuilt"),
      "a sample that no event tells of");
   ok(tap,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of exchange_vtk.cc, drawing_vtk.cc and voxels_vtk.cc in a build
-// without VTK.
+// In place of common/files/vtk/vtk.cc in a build without VTK.
 #include "common/files/mesh/exchange.h"
 #include "common/files/mesh/mesh_file.h"
 

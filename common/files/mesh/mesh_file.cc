@@ -102,25 +102,6 @@ Mesh_file load_mesh_file(const char *path) {
   return file;
 }
 
-Memory_buffer::pos_type Memory_buffer::seekoff(off_type offset,
-                                               std::ios_base::seekdir from,
-                                               std::ios_base::openmode) {
-  const off_type size = egptr() - eback();
-  if (from == std::ios_base::cur)
-    offset += gptr() - eback();
-  else if (from == std::ios_base::end)
-    offset += size;
-  if (offset < 0 || offset > size)
-    return pos_type(off_type(-1));
-  setg(eback(), eback() + offset, egptr());
-  return pos_type(offset);
-}
-
-Memory_buffer::pos_type Memory_buffer::seekpos(pos_type position,
-                                               std::ios_base::openmode which) {
-  return seekoff(off_type(position), std::ios_base::beg, which);
-}
-
 namespace {
 
 [[noreturn]] void refuse_element(const char *path, const char *kind,

@@ -57,8 +57,20 @@ public:
 
 protected:
   pos_type seekoff(off_type offset, std::ios_base::seekdir from,
-                   std::ios_base::openmode) override;
-  pos_type seekpos(pos_type position, std::ios_base::openmode) override;
+                   std::ios_base::openmode) override {
+    const off_type size = egptr() - eback();
+    if (from == std::ios_base::cur)
+      offset += gptr() - eback();
+    else if (from == std::ios_base::end)
+      offset += size;
+    if (offset < 0 || offset > size)
+      return pos_type(off_type(-1));
+    setg(eback(), eback() + offset, egptr());
+    return pos_type(offset);
+  }
+  pos_type seekpos(pos_type position, std::ios_base::openmode which) override {
+    return seekoff(off_type(position), std::ios_base::beg, which);
+  }
 };
 
 /* What a scan found in a file; the reader must find exactly the same. */
@@ -98,7 +110,7 @@ private:
   uint64_t n_given_ = 0, n_dropped_ = 0;
 };
 
-/* Reads a .vtp file; throws as above. In exchange_vtk.cc, or, in a build
+/* Reads a .vtp file; throws as above. In common/files/vtk/vtk.cc, or, in a build
  * without VTK, exchange_no_vtk.cc, where it always throws. */
 void vtp_read(Mesh_file &file, Mesh_builder &builder);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Line drawings as .vtp files, for ParaView and the like.
-#include "common/files/mesh/exchange.h"
+#include "common/files/vtk/vtk_parts.h"
 #include "common/files/vtk/vtk_text.h"
 
 #include <vtkCellArray.h>
@@ -66,8 +66,8 @@ std::string text_of(const hsr_drawing &drawing) {
 
 } // namespace
 
-enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
-                                      const char *path, struct hsr_error *err) {
-  return hsr::write_vtk_text(
+enum hsr_status hsr::write_vtp(const struct hsr_drawing *drawing,
+                               const char *path, struct hsr_error *err) {
+  return write_vtk_text(
       path, [&] { return text_of(*drawing); }, err);
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// .vtp files, through VTK.
+// .vtp files, through VTK. A part of hsr-vtk.so.
 //
 // Safety      see common/files/vtk/mesh_scan_vtp.cc: VTK sees what the scan
 //             passes, and must find in it what the scan found.
 // Memory      at once: the file, what VTK makes of one piece, and the object.
 
-#include "common/files/mesh/exchange.h"
 #include "common/files/mesh/mesh_file.h"
+#include "common/files/vtk/vtk_library.h"
+#include "common/files/vtk/vtk_parts.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
@@ -27,7 +28,8 @@
 #include <memory>
 #include <new>
 
-namespace hsr {
+using hsr::Memory_buffer;
+using hsr::Mesh_extent;
 
 namespace {
 
@@ -81,20 +83,18 @@ private:
 /* What VTK reads, piece by piece, must be what the scan found. */
 class Piece_builder {
 public:
-  Piece_builder(const Mesh_file &file, Mesh_builder &builder)
-      : file_(file), builder_(builder) {}
+  explicit Piece_builder(hsr::Vtk_sink &sink) : sink_(sink) {}
   void add(vtkPolyData *data);
   void check(const Mesh_extent &extent) const;
 
 private:
   void add_cells(vtkCellArray *cells, bool strips);
   void add_strip();
-  [[noreturn]] void refuse() const {
-    file_.refuse(0, "VTK does not read what the file holds");
+  void refuse() const { /* throws */
+    sink_.refuse("VTK does not read what the file holds");
   }
 
-  const Mesh_file &file_;
-  Mesh_builder &builder_;
+  hsr::Vtk_sink &sink_;
   Mesh_extent found_;
   size_t first_ = 0; /* vertex of the piece */
   std::vector<uint32_t> corners_;
@@ -107,7 +107,7 @@ void Piece_builder::add(vtkPolyData *data) {
   for (vtkIdType v = 0; v < n; v++) {
     double p[3];
     points->GetPoint(v, p);
-    builder_.vertex(p[0], p[1], p[2]);
+    sink_.vertex(p);
     found_.n_vertices++;
   }
   add_cells(data->GetPolys(), false);
@@ -135,7 +135,7 @@ void Piece_builder::add_cells(vtkCellArray *cells, bool strips) {
     if (strips)
       add_strip();
     else
-      builder_.face(corners_.data(), corners_.size(), nullptr);
+      sink_.face(corners_.data(), corners_.size());
   }
 }
 
@@ -144,7 +144,7 @@ void Piece_builder::add_strip() {
   for (size_t k = 2; k < corners_.size(); k++) {
     const uint32_t triangle[3] = {corners_[k - 2], corners_[k - 1 + k % 2],
                                   corners_[k - k % 2]};
-    builder_.face(triangle, 3, nullptr);
+    sink_.face(triangle, 3);
   }
 }
 
@@ -158,9 +158,8 @@ void Piece_builder::check(const Mesh_extent &extent) const {
 
 /* A piece at a time: VTK 9.1 numbers the corners of a piece's faces wrongly if
  * it is the first that has faces of the kind, but not the first piece. */
-void vtp_read(Mesh_file &file, Mesh_builder &builder) {
-  const Mesh_extent extent = scan_vtp(file);
-
+void hsr::read_vtp(char *begin, char *end, const Mesh_extent &extent,
+                   Vtk_sink &sink) {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   Complaint complaint;
   vtkNew<vtkCallbackCommand> listener;
@@ -172,20 +171,19 @@ void vtp_read(Mesh_file &file, Mesh_builder &builder) {
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);
   reader->SetReaderErrorObserver(listener);
   reader->SetParserErrorObserver(listener);
-  reader->set_input(file.begin, file.end);
+  reader->set_input(begin, end);
   const auto check = [&] {
     if (complaint.text.empty() && !reader->GetErrorCode())
       return;
     if (errno == ENOMEM)
       throw std::bad_alloc();
-    file.refuse(0, "%.180s",
-                complaint.text.empty() ? "VTK cannot read it"
+    sink.refuse(complaint.text.empty() ? "VTK cannot read it"
                                        : complaint.text.c_str());
   };
   errno = 0; /* where lack of memory shows */
   reader->UpdateInformation();
   check();
-  Piece_builder pieces(file, builder);
+  Piece_builder pieces(sink);
   const int n_pieces = static_cast<int>(reader->GetNumberOfPieces());
   for (int piece = 0; piece < n_pieces; piece++) {
     reader->UpdatePiece(piece, n_pieces, 0);
@@ -195,8 +193,8 @@ void vtp_read(Mesh_file &file, Mesh_builder &builder) {
   pieces.check(extent);
 }
 
-} // namespace hsr
-
-bool hsr_exchange_has_vtk(void) {
-  return true;
+extern "C" {
+extern const struct hsr_vtk_library hsr_vtk;
+const struct hsr_vtk_library hsr_vtk = {hsr::read_vtp, hsr::write_vtp,
+                                        hsr::write_vti};
 }

@@ -1,19 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The files that use VTK.
+# The formats of VTK. VTK itself is in hsr-vtk.so, which hsr loads when such a
+# file is read or written.
+libhsr_a_SOURCES += %D%/vtk_library.h
 if WITH_VTK
-libhsr_a_LIBADD += $(libvtkshim_a_OBJECTS)
-noinst_LIBRARIES += libvtkshim.a
-libvtkshim_a_SOURCES = \
-  %D%/drawing_vtk.cc \
-  %D%/exchange_vtk.cc \
+libhsr_a_SOURCES += \
   %D%/mesh_array.cc \
   %D%/mesh_array.h \
   %D%/mesh_markup.cc \
   %D%/mesh_markup.h \
   %D%/mesh_scan_vtp.cc \
+  %D%/vtk.cc
+pkglibexec_PROGRAMS += hsr-vtk.so
+hsr_vtk_so_SOURCES = \
+  %D%/drawing_vtk.cc \
+  %D%/exchange_vtk.cc \
   %D%/voxels_vtk.cc \
-  %D%/vtk_text.h
-libvtkshim_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS) $(ZLIB_CFLAGS)
+  %D%/vtk_library.h \
+  %D%/vtk_parts.h \
+  %D%/vtk_text.h \
+  common/base/status.c \
+  common/files/whole_file.c
+hsr_vtk_so_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
+hsr_vtk_so_CFLAGS = $(AM_CFLAGS) -fPIC
+hsr_vtk_so_CXXFLAGS = $(AM_CXXFLAGS) -fPIC
+hsr_vtk_so_LDFLAGS = -shared
+hsr_vtk_so_LDADD = $(VTK_LIBS)
 else
 libhsr_a_SOURCES += common/files/mesh/exchange_no_vtk.cc
 endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Voxels as .vti files, for ParaView and the like.
-#include "common/files/mesh/exchange.h"
-#include "common/grids/voxels.h"
+#include "common/files/vtk/vtk_parts.h"
 #include "common/files/vtk/vtk_text.h"
 
 #include <vtkCellData.h>
@@ -33,8 +32,8 @@ std::string text_of(const hsr_solid_voxels &voxels) {
 
 } // namespace
 
-enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *voxels,
-                                     const char *path, struct hsr_error *err) {
-  return hsr::write_vtk_text(
+enum hsr_status hsr::write_vti(const struct hsr_solid_voxels *voxels,
+                               const char *path, struct hsr_error *err) {
+  return write_vtk_text(
       path, [&] { return text_of(*voxels); }, err);
 }

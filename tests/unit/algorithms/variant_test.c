@@ -107,7 +107,7 @@ static void test_bad(struct tap *tap) {
   bad(tap, "hzbuffe", "no algorithm");
   bad(tap, ":cubes=sides", "no algorithm ''");
   bad(tap, "hzbuffer=2", "no algorithm");
-  bad(tap, longest, "no algorithm");
+  bad(tap, longest, "at most 1000 characters");
   bad(tap, "hzbuffer:", "no option ''");
   bad(tap, "hzbuffer::cubes=sides", "no option ''");
   bad(tap, "hzbuffer:=sides", "no option ''");

@@ -25,11 +25,11 @@
 #include <utility>
 #include <vector>
 
-extern "C" const struct hsr_algorithm HSR_ALGORITHM(line_oracle);
+extern "C" const struct hsr_algorithm hsr_counting_line_oracle;
 
 namespace {
 
-const struct hsr_algorithm &oracle = HSR_ALGORITHM(line_oracle);
+const struct hsr_algorithm &oracle = hsr_counting_line_oracle;
 
 /* ---- TAP ---- */
 

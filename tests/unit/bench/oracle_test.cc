@@ -25,11 +25,11 @@
 #include <tuple>
 #include <vector>
 
-extern "C" const struct hsr_algorithm HSR_ALGORITHM(oracle);
+extern "C" const struct hsr_algorithm hsr_counting_oracle;
 
 namespace {
 
-const struct hsr_algorithm &oracle = HSR_ALGORITHM(oracle);
+const struct hsr_algorithm &oracle = hsr_counting_oracle;
 
 /* ---- TAP ---- */
 

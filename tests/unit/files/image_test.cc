@@ -96,6 +96,14 @@ void try_work(tap *t, const std::string &dir) {
         rising && bytes[3 * k] + bytes[3 * k + 1] + bytes[3 * k + 2] >
                       bytes[3 * k - 3] + bytes[3 * k - 2] + bytes[3 * k - 1];
   ok(t, rising, "gets brighter with the work");
+  const float half[M * N] = {0.5};
+  ok(t, !hsr_image_write_ramp((dir + "/r.png").c_str(), M, N, half, &err),
+     "a ramp as .png");
+  auto ramp = OIIO::ImageInput::open(dir + "/r.png");
+  ok(t,
+     ramp && ramp->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, bytes) &&
+         bytes[0] == 188 && bytes[1] == 55 && bytes[2] == 84,
+     "its middle is inferno's #bc3754: %d %d %d", bytes[0], bytes[1], bytes[2]);
 }
 
 void try_failures(tap *t, const std::string &dir) {
@@ -116,7 +124,7 @@ void try_failures(tap *t, const std::string &dir) {
 } // namespace
 
 int main() {
-  struct tap t = plan(20);
+  struct tap t = plan(22);
   const std::string dir = directory();
   try_exr(&t, dir);
   try_png(&t, dir);

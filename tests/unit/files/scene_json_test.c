@@ -289,7 +289,8 @@ static const char *const MESH_SCENE =
     "{\"schema\": \"hsr-scene/1\", \"name\": \"own\", \"objects\": ["
     "{\"file\": \"meshes/tetra.off\"},"
     "{\"name\": \"b\", \"file\": \"meshes/tetra.off\", \"one_sided\": false,"
-    " \"colour\": [0, 0.5, 1]}],"
+    " \"colour\": [0, 0.5, 1]},"
+    "{\"name\": \"c\", \"file\": \"meshes/tetra.off\"}],"
     "\"instances\": [{\"object\": \"b\"}, {\"object\": \"tetra\"}]}";
 
 static void test_meshes(struct tap *tap) {
@@ -301,9 +302,9 @@ static void test_meshes(struct tap *tap) {
   struct hsr_error err;
   ok(tap,
      !read_file(&scene, "sub/m.scene.json", NULL, &err) &&
-         scene->n_objects == 2,
+         scene->n_objects == 3,
      "mesh files are found beside the scene file: %s", err.text);
-  must(scene->n_objects == 2);
+  must(scene->n_objects == 3);
   const struct hsr_object *o = scene->objects;
   ok(tap, !strcmp(scene->name, "own"), "the scene has its own name");
   ok(tap,
@@ -314,6 +315,12 @@ static void test_meshes(struct tap *tap) {
      !strcmp(o[1].name, "b") && o[1].n_faces == 4 && !o[1].one_sided &&
          o[1].colour[1] == 0.5f,
      "the scene file overrides them");
+  ok(tap,
+     !strcmp(o[2].name, "c") && o[2].n_faces == 4 && o[2].one_sided &&
+         o[2].colour[0] == 0.6f && o[2].n_vertices == 4 &&
+         same(o[2].xyz, o[0].xyz, 12 * sizeof(double)) &&
+         same(o[2].vertex, o[0].vertex, 12 * sizeof(uint32_t)),
+     "a file that is named again gives the mesh as it was");
   ok(tap, scene->n_instances == 2 && scene->instances[1].object == 1,
      "instances name meshes");
   hsr_scene_delete(scene);
@@ -644,7 +651,7 @@ int main(void) {
   json_set_alloc_funcs(hold, let_go);
   char directory[] = "/tmp/hsr-scene-json-XXXXXX";
   must(mkdtemp(directory) && !chdir(directory));
-  struct tap tap = plan(5 + 4 + 11 + 6 + 2 + COUNT(bad) + 7 + 2);
+  struct tap tap = plan(5 + 4 + 11 + 7 + 2 + COUNT(bad) + 7 + 2);
   test_round_trip(&tap);
   test_bad_writes(&tap);
   test_defaults(&tap);

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The pixels of one scene and view, for the page's probe. */
+#include "bench/report/pictures.h"
+#include "bench/results/json.h"
+
+#include <stdlib.h>
+
+/* Base64 as in RFC 4648. */
+static json_t *base64_json(const void *bytes, size_t n) {
+  static const char digit[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const unsigned char *byte = bytes;
+  char *text = malloc((n + 2) / 3 * 4 + 1), *at = text;
+  if (!text)
+    return NULL;
+  for (size_t k = 0; k < n; k += 3) {
+    size_t left = n - k;
+    unsigned group = (unsigned)byte[k] << 16 |
+                     (left > 1 ? (unsigned)byte[k + 1] << 8 : 0) |
+                     (left > 2 ? (unsigned)byte[k + 2] : 0);
+    *at++ = digit[group >> 18];
+    *at++ = digit[group >> 12 & 63];
+    *at++ = left > 1 ? digit[group >> 6 & 63] : '=';
+    *at++ = left > 2 ? digit[group & 63] : '=';
+  }
+  *at = '\0';
+  json_t *json = json_string(text);
+  free(text);
+  return json;
+}
+
+/* id, how often, id, how often, ... row by row. */
+static json_t *run_lengths_json(const uint32_t *ids, size_t n) {
+  json_t *runs = json_array();
+  for (size_t k = 0, end; k < n; k = end) {
+    for (end = k + 1; end < n && ids[end] == ids[k];)
+      end++;
+    hsr_json_append(&runs, json_integer(ids[k] == HSR_BACKGROUND
+                                            ? (json_int_t)-1
+                                            : (json_int_t)ids[k]));
+    hsr_json_append(&runs, json_integer((json_int_t)(end - k)));
+  }
+  return runs;
+}
+
+/* name, first face, number of faces, of every instance. */
+static json_t *objects_json(const struct stage *stage) {
+  const struct hsr_world *world = &stage->world;
+  const struct hsr_scene *scene = stage->scene;
+  json_t *objects = json_array();
+  for (uint32_t k = 0; k < scene->n_instances; k++) {
+    const char *name = scene->objects[scene->instances[k].object].name;
+    hsr_json_append(&objects,
+                    json_pack("[sII]", name ? name : "",
+                              (json_int_t)world->outline.first[k],
+                              (json_int_t)(world->outline.first[k + 1] -
+                                           world->outline.first[k])));
+  }
+  return objects;
+}
+
+enum hsr_status probe_write(const struct report *report,
+                            const struct pixels *pixels, const char *key,
+                            const char *name, struct hsr_error *err) {
+  const struct hsr_view *view = &pixels->stage->view;
+  size_t n = (size_t)view->m * (size_t)view->n;
+  char before[64];
+  snprintf(before, sizeof before, "hsrProbe(\"%.40s\", ", key);
+  return report_write(
+      report, name, before,
+      json_pack("{si si so so so sO}", "width", view->m, "height", view->n,
+                "ids", run_lengths_json(pixels->ids, n), "depth",
+                base64_json(pixels->depth, n * sizeof *pixels->depth),
+                "objects", objects_json(pixels->stage), "differences",
+                pixels->differences),
+      ");\n", err);
+}

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr times: the table of a results file again, or its figures for other
+ * programs. */
+#include "bench/command.h"
+#include "bench/times/rows.h"
+
+enum { MOST_FILES = 64, CSV = 0x200, PLOT, REFERENCE };
+
+struct options {
+  struct option_base base;
+  const char *file[MOST_FILES];
+  int n_files;
+  const char *reference, *plot;
+  bool csv, json;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct options *o = state->input;
+  switch (key) {
+  case CSV:
+    o->csv = true;
+    return 0;
+  case 'j':
+    o->json = true;
+    return 0;
+  case PLOT:
+    o->plot = arg;
+    return rows_plot_fits(arg)
+               ? 0
+               : option_fail(&o->base,
+                             "--plot %s: must end in .svg, .pdf or "
+                             ".png",
+                             arg);
+  case REFERENCE:
+    o->reference = arg;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (o->n_files == MOST_FILES)
+      return option_fail(&o->base, "times: at most %d files", (int)MOST_FILES);
+    o->file[o->n_files++] = arg;
+    return 0;
+  case ARGP_KEY_END:
+    return o->n_files ? 0
+                      : option_fail(&o->base, "times: which file of results? "
+                                              "(see hsr help times)");
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static const struct argp argp = {
+    (const struct argp_option[]){
+        {"csv", CSV, NULL, 0, "print the figures as CSV, times in seconds", 0},
+        {"json", 'j', NULL, 0, "print the figures as one JSON object", 0},
+        {"plot", PLOT, "FILE", 0,
+         "write a plot of the times: .svg, .pdf or .png", 0},
+        {"reference", REFERENCE, "A", 0,
+         "give times as ratios to A's (standard: zbuffer)", 0},
+        {0}},
+    parse,
+    "FILE...",
+    "Prints the times of what hsr bench recorded: medians with their 95 % "
+    "intervals, and ratios to a reference with their 99 % intervals.\v"
+    "  hsr times results.ndjson\n"
+    "  hsr times results.ndjson --csv >times.csv\n"
+    "  hsr times results.ndjson --plot times.svg",
+    NULL,
+    NULL,
+    NULL};
+
+static enum hsr_status tell(const struct options *o, const struct rows *rows,
+                            struct hsr_error *err) {
+  if (o->plot) {
+    enum hsr_status status = rows_plot(rows, o->plot, err);
+    if (status || !(o->csv || o->json))
+      return status;
+  }
+  if (o->json)
+    return rows_print_json(rows, err);
+  if (o->csv)
+    rows_print_csv(rows);
+  else
+    rows_print(rows);
+  return HSR_OK;
+}
+
+enum hsr_status command_times(int argc, char **argv, struct hsr_error *err) {
+  struct options options = {.reference = "zbuffer"};
+  struct results results = {.headers = NULL};
+  struct rows rows = {.row = NULL};
+  enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
+  for (int k = 0; k < options.n_files && !status; k++)
+    status = results_read(&results, options.file[k], err);
+  if (!status)
+    status = rows_make(&rows, &results, options.reference, err);
+  if (!status)
+    status = tell(&options, &rows, err);
+  rows_free(&rows);
+  results_free(&results);
+  return status;
+}

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The table that hsr bench and hsr times print. */
+#include "bench/terminal/terminal.h"
+#include "bench/times/rows.h"
+#include "common/answers/answer.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Whether there is room for two columns more. */
+static bool is_wide(void) {
+  int columns = terminal_columns(stdout);
+  return !columns || columns >= 102;
+}
+
+/* "[1.231, 1.240]", in a column; empty where there is no interval. */
+static void print_interval(double low, double high, double scale) {
+  char text[40] = "";
+  if (!isnan(low))
+    snprintf(text, sizeof text, "[%.4g, %.4g]", low * scale, high * scale);
+  printf(" %-17s", text);
+}
+
+static double scale_of(double seconds) {
+  return seconds < 1e-3 ? 1e6 : seconds < 1 ? 1e3 : 1;
+}
+
+static void print_heading(const struct rows *rows, const struct row *row) {
+  char key[RESULTS_KEY], plain[TERMINAL_NAME], title[TERMINAL_NAME];
+  results_picture_key(
+      results_text(row->cell, "scene"), results_number(row->cell, "view"),
+      results_number(row->cell, "walk"), results_number(row->cell, "width"),
+      results_number(row->cell, "height"), key);
+  snprintf(title, sizeof title, "%s", terminal_plain(key, plain, sizeof plain));
+  printf("%s%-24s", row == rows->row ? "" : "\n", title);
+  if (strlen(title) > 24)
+    printf("\n%24s", "");
+  printf(" %10s %-17s %7s %-13s", "median", "95 % interval", "ratio",
+         "99 % interval");
+  if (is_wide())
+    printf("  %10s %9s", "least", "memory");
+  putchar('\n');
+}
+
+static void print_name(const json_t *cell) {
+  char name[RESULTS_MOST_NAME + 40];
+  long threads = results_number(cell, "threads");
+  int length =
+      snprintf(name, sizeof name, "%s", results_text(cell, "algorithm"));
+  if (threads > 1)
+    snprintf(name + length, sizeof name - (size_t)length, " (%ld threads)",
+             threads);
+  printf("  %-22s", name);
+  if (strlen(name) > 22)
+    printf("\n%24s", "");
+}
+
+static void print_times(const struct rows *rows, const struct row *row) {
+  char text[ROWS_TIME];
+  printf(" %10s", rows_time(row->median.value, text));
+  print_interval(row->median.low, row->median.high,
+                 scale_of(row->median.value));
+  if (!row->has_ratio)
+    return;
+  bool reference =
+      !strcmp(results_text(row->cell, "algorithm"), rows->reference);
+  printf(" %6.3g%c", row->ratio.value,
+         reference || figure_distinguishable(&row->ratio) ? ' ' : '~');
+  print_interval(reference ? NAN : row->ratio.low, row->ratio.high, 1);
+}
+
+static void print_more(const struct row *row) {
+  char text[ROWS_TIME];
+  printf("%*s%10s", row->has_ratio ? 0 : 26, "", rows_time(row->least, text));
+  if (row->memory_kb >= 0)
+    printf(" %6.1f MB", (double)row->memory_kb / 1024);
+}
+
+/* What there is to say besides times: "wrong: 417 samples", "refused: ...". */
+static void say_status(const json_t *cell, char *text, size_t n) {
+  const char *status = results_text(cell, "status"),
+             *reason = results_text(cell, "reason");
+  long wrong = results_number(cell, "mismatches");
+  long compared = results_number(cell, "compared");
+  int length = 0;
+  if (strcmp(status, "ok") && strncmp(reason, status, strlen(status)))
+    length = snprintf(text, n, "%s%s", status, *reason || wrong ? ": " : "");
+  if (wrong)
+    length += snprintf(text + length, n - (size_t)length, "%ld of %ld differ%s",
+                       wrong, compared, *reason ? ", " : "");
+  snprintf(text + length, n - (size_t)length, "%s", reason);
+}
+
+/* The kind of answer of that name; NULL: there is none. */
+static const struct hsr_answer_type *find_kind(const char *name) {
+  int k = 0;
+  while (hsr_answer_types[k] && strcmp(hsr_answer_types[k]->name, name))
+    k++;
+  return hsr_answer_types[k];
+}
+
+/* Says how many places were compared, if not all were. */
+static void say_compared(const json_t *cell, char text[60]) {
+  const struct hsr_answer_type *kind = find_kind(results_text(cell, "kind"));
+  long compared = results_number(cell, "compared");
+  long walk = results_number(cell, "walk");
+  long all = results_number(cell, "width") * results_number(cell, "height") *
+             (walk ? walk : 1);
+  text[0] = '\0';
+  if (compared && compared < all && kind && kind->by_places)
+    snprintf(text, 60, " (judged at %ld %s)", compared, kind->places);
+}
+
+static void print_row(const struct rows *rows, const struct row *row) {
+  char status[900], compared[60];
+  print_name(row->cell);
+  say_status(row->cell, status, sizeof status - sizeof compared);
+  say_compared(row->cell, compared);
+  if (row->timed)
+    print_times(rows, row);
+  if (row->timed && is_wide())
+    print_more(row);
+  strcat(status, compared);
+  if (!*status && !row->timed)
+    snprintf(status, sizeof status, "%s, not timed",
+             results_text(row->cell, "status"));
+  if (!*status)
+    putchar('\n');
+  else if (row->timed)
+    terminal_wrap(stdout, printf("\n%24s", "") - 1, 26, status);
+  else
+    terminal_wrap(stdout, 24 + printf("  "), 26, status);
+}
+
+/* --- Noise ---------------------------------------------------------------- */
+
+static int compare_doubles(const void *a, const void *b) {
+  const double *x = a, *y = b;
+  return (*x > *y) - (*x < *y);
+}
+
+/* The median over all rows of half the width of an interval, as a part of its
+ * median; NAN if there are none. */
+static double noise_of(const struct rows *rows) {
+  double *part = malloc((rows->n + 1) * sizeof *part), noise = NAN;
+  size_t n = 0;
+  for (size_t k = 0; part && k < rows->n; k++) {
+    const struct figure *m = &rows->row[k].median;
+    if (rows->row[k].timed && !isnan(m->low))
+      part[n++] = (m->high - m->low) / (2 * m->value);
+  }
+  if (n) {
+    qsort(part, n, sizeof *part, compare_doubles);
+    noise = part[n / 2];
+  }
+  free(part);
+  return noise;
+}
+
+static void print_notes(const struct rows *rows) {
+  bool any = false, marked = false;
+  for (size_t k = 0; k < rows->n; k++) {
+    const struct row *row = &rows->row[k];
+    any |= row->has_ratio;
+    marked |= row->has_ratio && !figure_distinguishable(&row->ratio) &&
+              strcmp(results_text(row->cell, "algorithm"), rows->reference);
+  }
+  char text[300];
+  snprintf(text, sizeof text, "ratio: to the time of %s%s", rows->reference,
+           marked ? "; ~: not distinguishable from it" : "");
+  if (any) {
+    putchar('\n');
+    terminal_wrap(stdout, 0, 2, text);
+  }
+  double noise = noise_of(rows);
+  if (isnan(noise))
+    return;
+  snprintf(text, sizeof text,
+           "noise: half of the medians are known to +-%.1f %%%s", 100 * noise,
+           noise > .03
+               ? ". To know them better, end other programs, or ask for "
+                 "more --starts"
+               : "");
+  terminal_wrap(stdout, 0, 2, text);
+}
+
+void rows_print(const struct rows *rows) {
+  for (size_t k = 0; k < rows->n; k++) {
+    const struct row *row = &rows->row[k];
+    if (!k || !rows_same_place(row - 1, row))
+      print_heading(rows, row);
+    print_row(rows, row);
+  }
+  print_notes(rows);
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/files/image_library.h"
+#include "common/files/library.h"
+
+static const struct hsr_image_library *load(struct hsr_error *err) {
+  return hsr_library_table("hsr-images.so", "hsr_images", err);
+}
+
+enum hsr_status hsr_image_write(const char *path,
+                                const struct hsr_picture *picture,
+                                const char *text, struct hsr_error *err) {
+  const struct hsr_image_library *images = load(err);
+  return images ? images->write(path, picture, text, err) : HSR_E_INPUT;
+}
+
+enum hsr_status hsr_image_write_work(const char *path, int m, int n,
+                                     const float *work, struct hsr_error *err) {
+  const struct hsr_image_library *images = load(err);
+  return images ? images->write_work(path, m, n, work, err) : HSR_E_INPUT;
+}
+
+enum hsr_status hsr_image_write_ramp(const char *path, int m, int n,
+                                     const float *x, struct hsr_error *err) {
+  const struct hsr_image_library *images = load(err);
+  return images ? images->write_ramp(path, m, n, x, err) : HSR_E_INPUT;
+}

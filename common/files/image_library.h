@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What hsr-images.so offers; only for image.c and image_oiio.cc. */
+#ifndef HSR_COMMON_IMAGE_LIBRARY_H
+#define HSR_COMMON_IMAGE_LIBRARY_H
+
+#include "common/files/image.h"
+
+/* As the functions of image.h. */
+struct hsr_image_library {
+  enum hsr_status (*write)(const char *path, const struct hsr_picture *picture,
+                           const char *text, struct hsr_error *err);
+  enum hsr_status (*write_work)(const char *path, int m, int n,
+                                const float *work, struct hsr_error *err);
+  enum hsr_status (*write_ramp)(const char *path, int m, int n, const float *x,
+                                struct hsr_error *err);
+};
+
+#endif

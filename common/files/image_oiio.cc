@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Image files, through OpenImageIO. This file is hsr-images.so.
+
+#include "common/files/image_library.h"
+#include "common/files/srgb.h"
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace {
+
+using OIIO::ImageOutput;
+using OIIO::ImageSpec;
+using OIIO::TypeDesc;
+
+struct Failure {
+  enum hsr_status status;
+  std::string text;
+};
+
+std::string suffix_of(const std::string &path) {
+  size_t slash = path.find_last_of('/'), dot = path.find_last_of('.');
+  if (dot == std::string::npos || (slash != std::string::npos && dot < slash))
+    return "";
+  std::string suffix = path.substr(dot);
+  for (char &c : suffix)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return suffix;
+}
+
+/* What a library says, on one line. Lack of memory shows in errno, which was
+ * cleared before the call. */
+Failure failure(const std::string &path, std::string text) {
+  if (errno == ENOMEM)
+    return {HSR_E_NOMEM, "out of memory"};
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return {HSR_E_INPUT, path + ": cannot be written: " + text};
+}
+
+/* Writes pixels of `type` (UNKNOWN: as the spec lays them out) under a
+ * temporary name that ends in the same suffix, and renames. */
+void write_file(const std::string &path, const ImageSpec &spec, TypeDesc type,
+                const void *pixels) {
+  const std::string suffix = suffix_of(path), part = path + ".part" + suffix;
+  if (suffix.empty())
+    throw Failure{HSR_E_INPUT,
+                  path + ": a picture's name ends in .png, .exr or the like"};
+  /* OpenEXR waits for its threads for ever if it has no memory for a task. */
+  OIIO::attribute("exr_threads", -1);
+  errno = 0;
+  std::unique_ptr<ImageOutput> out = ImageOutput::create(suffix.substr(1));
+  if (!out) {
+    OIIO::geterror(); /* takes the message away */
+    if (errno == ENOMEM)
+      throw Failure{HSR_E_NOMEM, "out of memory"};
+    throw Failure{HSR_E_INPUT,
+                  path + ": '" + suffix + "' is not a picture format"};
+  }
+  out->threads(1);
+  errno = 0;
+  bool good = out->open(part, spec) && out->write_image(type, pixels);
+  good = out->close() && good;
+  if (good && std::rename(part.c_str(), path.c_str()) != 0) {
+    std::remove(part.c_str());
+    throw failure(path, std::strerror(errno));
+  }
+  if (!good) {
+    Failure f = failure(path, out->geterror());
+    std::remove(part.c_str());
+    throw f;
+  }
+}
+
+/* "key=value" lines into the file's metadata. */
+void annotate(ImageSpec &spec, const char *text) {
+  for (const char *line = text; line && *line;) {
+    const char *end = std::strchr(line, '\n');
+    const std::string entry(line, end ? size_t(end - line) : std::strlen(line));
+    const size_t equals = entry.find('=');
+    if (equals != std::string::npos)
+      spec.attribute(entry.substr(0, equals), entry.substr(equals + 1));
+    line = end ? end + 1 : nullptr;
+  }
+}
+
+size_t n_pixels(const hsr_picture &picture) {
+  return size_t(picture.m) * size_t(picture.n);
+}
+
+/* R G B Z id; only R G B where the pixels are no samples. */
+void write_exr(const std::string &path, const hsr_picture &picture,
+               const char *text) {
+  const bool samples = picture.ids && picture.depth;
+  ImageSpec spec(picture.m, picture.n, samples ? 5 : 3, TypeDesc::FLOAT);
+  spec.channelnames = {"R", "G", "B"};
+  spec.attribute("compression", "zip");
+  annotate(spec, text);
+  if (!samples) {
+    write_file(path, spec, TypeDesc::FLOAT, picture.rgb);
+    return;
+  }
+  spec.channelnames.insert(spec.channelnames.end(), {"Z", "id"});
+  spec.channelformats.assign(4, TypeDesc::FLOAT);
+  spec.channelformats.push_back(TypeDesc::UINT32);
+  spec.z_channel = 3;
+  struct Pixel {
+    float r, g, b, z;
+    uint32_t id;
+  };
+  std::vector<Pixel> pixels(n_pixels(picture));
+  for (size_t k = 0; k < pixels.size(); k++)
+    pixels[k] = {picture.rgb[3 * k], picture.rgb[3 * k + 1],
+                 picture.rgb[3 * k + 2], picture.depth[k], picture.ids[k]};
+  write_file(path, spec, TypeDesc::UNKNOWN, pixels.data());
+}
+
+unsigned char byte_of(float encoded) {
+  return static_cast<unsigned char>(
+      std::min(255.0f, std::max(0.0f, encoded * 255 + 0.5f)));
+}
+
+/* Colours as 8 bits, sRGB-encoded. */
+void write_colours(const std::string &path, const hsr_picture &picture,
+                   const char *text) {
+  ImageSpec spec(picture.m, picture.n, 3, TypeDesc::UINT8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  annotate(spec, text);
+  std::vector<unsigned char> bytes(3 * n_pixels(picture));
+  for (size_t k = 0; k < bytes.size(); k++)
+    bytes[k] = byte_of(hsr_srgb_encode(picture.rgb[k]));
+  write_file(path, spec, TypeDesc::UINT8, bytes.data());
+}
+
+/* Logarithmically to 1, over a factor of 256, since work is spread as unevenly
+ * as that. */
+std::vector<float> to_its_most(int m, int n, const float *work) {
+  const size_t size = size_t(m) * size_t(n);
+  const float most = *std::max_element(work, work + size);
+  std::vector<float> scaled(work, work + size);
+  for (float &x : scaled)
+    x = most > 0 ? std::log2(1 + 255 * x / most) / 8 : 0;
+  return scaled;
+}
+
+/* From 0 to 1 through a ramp of even steps to the eye, dark to bright. */
+void write_ramp(const std::string &path, int m, int n, const float *x) {
+  const size_t size = size_t(m) * size_t(n);
+  const OIIO::ImageBuf source(ImageSpec(m, n, 1, TypeDesc::FLOAT),
+                              const_cast<float *>(x));
+  /* Into memory of our own: where an image that it makes itself finds none,
+   * OpenImageIO divides by 0. */
+  std::vector<float> rgb(3 * size); /* linear, as OpenImageIO has its ramps */
+  OIIO::ImageBuf ramp(ImageSpec(m, n, 3, TypeDesc::FLOAT), rgb.data());
+  errno = 0;
+  if (!OIIO::ImageBufAlgo::color_map(ramp, source, 0, "inferno", OIIO::ROI(),
+                                     1))
+    throw failure(path, ramp.geterror());
+  write_colours(path, {m, n, nullptr, nullptr, rgb.data()}, nullptr);
+}
+
+/* Runs `write`, turning whatever it throws into a status. */
+template <class Write>
+enum hsr_status guarded(const Write &write, struct hsr_error *err) noexcept {
+  try {
+    write();
+    return HSR_OK;
+  } catch (const Failure &f) {
+    return hsr_fail(err, f.status, "%s", f.text.c_str());
+  } catch (const std::bad_alloc &) {
+    return hsr_fail_nomem(err);
+  } catch (const std::exception &e) {
+    return hsr_fail(err, HSR_E_INTERNAL, "OpenImageIO: %s", e.what());
+  } catch (...) {
+    return hsr_fail(err, HSR_E_INTERNAL, "OpenImageIO: failed");
+  }
+}
+
+enum hsr_status write(const char *path, const struct hsr_picture *picture,
+                      const char *text, struct hsr_error *err) {
+  return guarded(
+      [&] {
+        if (suffix_of(path) == ".exr")
+          write_exr(path, *picture, text);
+        else
+          write_colours(path, *picture, text);
+      },
+      err);
+}
+
+enum hsr_status write_bright(const char *path, int m, int n, const float *x,
+                             struct hsr_error *err) {
+  return guarded([&] { write_ramp(path, m, n, x); }, err);
+}
+
+enum hsr_status write_work(const char *path, int m, int n, const float *work,
+                           struct hsr_error *err) {
+  return guarded(
+      [&] {
+        if (suffix_of(path) == ".exr") {
+          ImageSpec spec(m, n, 1, TypeDesc::FLOAT);
+          spec.channelnames = {"Y"};
+          write_file(path, spec, TypeDesc::FLOAT, work);
+        } else {
+          write_ramp(path, m, n, to_its_most(m, n, work).data());
+        }
+      },
+      err);
+}
+
+} // namespace
+
+extern "C" {
+extern const struct hsr_image_library hsr_images;
+const struct hsr_image_library hsr_images = {write, write_work, write_bright};
+}

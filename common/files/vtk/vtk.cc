@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads and writes files through hsr-vtk.so.
+#include "common/files/library.h"
+#include "common/files/mesh/mesh_file.h"
+#include "common/files/vtk/vtk_library.h"
+
+namespace {
+
+const hsr_vtk_library *load(struct hsr_error *err) {
+  return static_cast<const hsr_vtk_library *>(
+      hsr_library_table("hsr-vtk.so", "hsr_vtk", err));
+}
+
+/* Builds the object; refuses in the name of the file. */
+class Object_sink : public hsr::Vtk_sink {
+public:
+  Object_sink(const hsr::Mesh_file &file, hsr::Mesh_builder &builder)
+      : file_(file), builder_(builder) {}
+  void vertex(const double p[3]) override { builder_.vertex(p[0], p[1], p[2]); }
+  void face(const uint32_t *vertices, size_t n) override {
+    builder_.face(vertices, n, nullptr);
+  }
+  [[noreturn]] void refuse(const char *why) override {
+    file_.refuse(0, "%.180s", why);
+  }
+
+private:
+  const hsr::Mesh_file &file_;
+  hsr::Mesh_builder &builder_;
+};
+
+} // namespace
+
+void hsr::vtp_read(Mesh_file &file, Mesh_builder &builder) {
+  const Mesh_extent extent = scan_vtp(file);
+  struct hsr_error err;
+  const hsr_vtk_library *vtk = load(&err);
+  if (!vtk)
+    throw Refused{err};
+  Object_sink sink(file, builder);
+  vtk->read_vtp(file.begin, file.end, extent, sink);
+}
+
+bool hsr_exchange_has_vtk(void) {
+  return true;
+}
+
+enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
+                                      const char *path, struct hsr_error *err) {
+  const hsr_vtk_library *vtk = load(err);
+  return vtk ? vtk->write_vtp(drawing, path, err) : HSR_E_INPUT;
+}
+
+enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *voxels,
+                                     const char *path, struct hsr_error *err) {
+  const hsr_vtk_library *vtk = load(err);
+  return vtk ? vtk->write_vti(voxels, path, err) : HSR_E_INPUT;
+}

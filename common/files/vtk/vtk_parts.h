@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The functions of hsr-vtk.so, a file each: see vtk_library.h.
+#ifndef HSR_COMMON_VTK_PARTS_H
+#define HSR_COMMON_VTK_PARTS_H
+
+#include "common/files/vtk/vtk_library.h"
+
+namespace hsr {
+
+void read_vtp(char *begin, char *end, const Mesh_extent &extent,
+              Vtk_sink &sink);
+enum hsr_status write_vtp(const struct hsr_drawing *drawing, const char *path,
+                          struct hsr_error *err);
+enum hsr_status write_vti(const struct hsr_solid_voxels *voxels,
+                          const char *path, struct hsr_error *err);
+
+} // namespace hsr
+
+#endif

@@ -1,0 +1,551 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Algorithms against the oracles, on random scenes that are hard on floating
+ * point numbers: coordinates from denormal to 1e20 in one scene, neighbours by
+ * nextafter, integers near 2^52 and their halves, quadrilaterals that are not
+ * flat, eyes and near planes on vertices, very wide and very narrow views,
+ * instances that mirror and shear, pictures from 1 x 1 on. Options of the
+ * algorithms are chosen at random, too.
+ *
+ * usage: hard_test [SCENES [SEED [SHARE [FILE]]]]
+ *
+ * Standard: 300 scenes, seed 1, and of every SHARE = 6 algorithms one in each
+ * scene. Scene k of a run is made from the seed SEED + k - 1 alone. If FILE is
+ * given, the last scene is written to it, for hsr check. */
+#include "algorithms/setup.h"
+#include "common/exact/predicates.h"
+#include "scenes/scenes.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { MOST_SIDE = 32, MOST_CORNERS = 8, MOST_SECONDS = 20 };
+
+static void stop(const char *text) {
+  printf("Bail out! %s\n", text);
+  exit(99);
+}
+
+/* --- Coordinates ---------------------------------------------------------- */
+
+enum scale {
+  SMALL,      /* integers from -8 to 8 */
+  POWER,      /* these times one power of two, from 2^-1070 to 2^90 */
+  VERTICES,   /* these times a power of two for each vertex */
+  MIXED,      /* these times a power of ten for each coordinate */
+  LARGE,      /* integers near 2^52, and their halves */
+  NEIGHBOURS, /* integers and the doubles next to them */
+  LATTICE,    /* from -1 to 1 in steps of a half */
+  REAL,       /* doubles from -4 to 4 */
+  N_SCALES
+};
+static const char *const scale_name[N_SCALES] = {
+    "small", "power",      "vertices", "mixed",
+    "large", "neighbours", "lattice",  "real"};
+
+struct maker {
+  uint64_t seed;
+  enum scale scale;
+  int exponent; /* of POWER */
+  double unit;  /* the size of the scene, for the camera */
+  struct hsr_scene *scene;
+};
+
+static int whole(struct maker *m, int lo, int hi) {
+  return (int)draw_integer(&m->seed, lo, hi);
+}
+
+static bool one_in(struct maker *m, int n) {
+  return whole(m, 1, n) == 1;
+}
+
+static double coordinate(struct maker *m, int exponent) {
+  static const double powers[] = {1e-320, 1e-300, 1e-160, 1e-20,
+                                  1e-3,   1,      1e10,   1e20};
+  double k = whole(m, -8, 8);
+  switch (m->scale) {
+  case POWER:
+  case VERTICES:
+    return ldexp(k, exponent);
+  case MIXED:
+    return k * (one_in(m, 2) ? 1 : powers[whole(m, 0, 7)]);
+  case LARGE:
+    return (one_in(m, 2) ? 0x1p52 : -0x1p51) + k / (one_in(m, 2) ? 1 : 2);
+  case NEIGHBOURS:
+    for (int steps = whole(m, 0, 2); steps; steps--)
+      k = nextafter(k, one_in(m, 2) ? INFINITY : -INFINITY);
+    return k;
+  case LATTICE:
+    return whole(m, -2, 2) / 2.0;
+  case REAL:
+    return (double)draw_integer(&m->seed, -(1LL << 50), 1LL << 50) * 0x1p-48;
+  default:
+    return k;
+  }
+}
+
+static void point(struct maker *m, double p[3]) {
+  int exponent = m->scale == VERTICES ? whole(m, -1070, 60) : m->exponent;
+  for (int k = 0; k < 3; k++)
+    p[k] = coordinate(m, exponent);
+}
+
+/* --- Objects -------------------------------------------------------------- */
+
+static void add_face(struct hsr_object *object, const uint32_t *corner,
+                     uint32_t n) {
+  struct hsr_loop loop = {object->xyz, object->xyz + 1, object->xyz + 2,
+                          3,           corner,          n};
+  bool out_of_memory = false;
+  if (hsr_exact_has_normal(loop, &out_of_memory))
+    hsr_object_face(object, corner, n, NULL);
+}
+
+static uint32_t add_vertex(struct maker *m, struct hsr_object *object) {
+  double p[3];
+  uint32_t number = object->n_vertices;
+  if (number && one_in(m, 6)) /* one that is there already */
+    return (uint32_t)whole(m, 0, (int)number - 1);
+  point(m, p);
+  hsr_object_vertex(object, p[0], p[1], p[2], NULL);
+  return number;
+}
+
+/* A star around a point of a plane, which is flat where nothing is rounded. */
+static void add_star(struct maker *m, struct hsr_object *object) {
+  static const int way[8][2] = {{2, 0},  {1, 1},   {0, 2},  {-1, 1},
+                                {-2, 0}, {-1, -1}, {0, -2}, {1, -1}};
+  double o[3], u[3], v[3];
+  uint32_t corner[MOST_CORNERS], n = 0;
+  point(m, o);
+  point(m, u);
+  point(m, v);
+  for (int k = 0; k < 8; k++) {
+    double far = whole(m, 0, 3);
+    if (!(far > 0) || n == MOST_CORNERS)
+      continue;
+    double p[3];
+    for (int c = 0; c < 3; c++)
+      p[c] = o[c] + far * (way[k][0] * u[c] + way[k][1] * v[c]);
+    corner[n++] = object->n_vertices;
+    hsr_object_vertex(object, p[0], p[1], p[2], NULL);
+  }
+  if (n >= 3)
+    add_face(object, corner, n);
+}
+
+static void add_tetrahedron(struct maker *m, struct hsr_object *object) {
+  static const int side[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+  uint32_t first = object->n_vertices;
+  for (int k = 0; k < 4; k++) {
+    double p[3];
+    point(m, p);
+    hsr_object_vertex(object, p[0], p[1], p[2], NULL);
+  }
+  for (int k = 0; k < 4; k++) {
+    uint32_t corner[3];
+    for (int c = 0; c < 3; c++)
+      corner[c] = first + (uint32_t)side[k][c];
+    add_face(object, corner, 3);
+  }
+}
+
+static void add_object(struct maker *m) {
+  struct hsr_object *object = hsr_scene_object(m->scene, "o");
+  object->one_sided = one_in(m, 4);
+  for (int n = whole(m, 1, 10); n; n--) {
+    uint32_t corner[4];
+    int kind = whole(m, 0, 9);
+    if (kind == 0) {
+      add_tetrahedron(m, object);
+    } else if (kind <= 2) {
+      add_star(m, object);
+    } else {
+      uint32_t size = kind <= 5 ? 4 : 3;
+      bool differ = true;
+      for (uint32_t k = 0; k < size; k++) {
+        corner[k] = add_vertex(m, object);
+        for (uint32_t l = 0; l < k; l++)
+          differ &= corner[l] != corner[k];
+      }
+      if (differ)
+        add_face(object, corner, size);
+    }
+  }
+}
+
+/* Moved, mirrored, sheared or scaled by small numbers. */
+static void add_instance(struct maker *m, uint32_t object) {
+  double t[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  if (one_in(m, 3))
+    t[5 * whole(m, 0, 2)] = one_in(m, 2) ? -1 : 0.5;
+  if (one_in(m, 3))
+    t[4 * whole(m, 0, 2) + whole(m, 0, 2)] += whole(m, 1, 3);
+  if (one_in(m, 2))
+    for (int k = 0; k < 3; k++)
+      t[4 * k + 3] = coordinate(m, m->exponent);
+  hsr_scene_instance(m->scene, object, t);
+}
+
+/* --- Cameras -------------------------------------------------------------- */
+
+static void any_vertex(struct maker *m, double p[3]) {
+  const struct hsr_scene *scene = m->scene;
+  const struct hsr_object *o =
+      &scene->objects[whole(m, 0, (int)scene->n_objects - 1)];
+  if (!o->n_vertices) {
+    point(m, p);
+    return;
+  }
+  int v = whole(m, 0, (int)o->n_vertices - 1);
+  memcpy(p, o->xyz + 3 * v, 3 * sizeof *p);
+}
+
+/* On a vertex, between two, or elsewhere. */
+static void place(struct maker *m, double p[3]) {
+  double q[3];
+  any_vertex(m, p);
+  switch (whole(m, 0, 5)) {
+  case 0:
+    return;
+  case 1:
+    any_vertex(m, q);
+    for (int k = 0; k < 3; k++)
+      p[k] = p[k] / 2 + q[k] / 2;
+    return;
+  case 2:
+    point(m, p);
+    return;
+  default:
+    for (int k = 0; k < 3; k++)
+      p[k] = m->unit * whole(m, -16, 16);
+  }
+}
+
+static bool camera(struct maker *m, struct hsr_camera *camera) {
+  static const double fovs[] = {90,  90,  90,         60,   45,   53.13010235,
+                                120, 160, 179.999999, 1e-3, 1e-9, 1e-90};
+  for (int tries = 0; tries < 50; tries++) {
+    *camera = (struct hsr_camera){.fov = fovs[whole(m, 0, 11)]};
+    place(m, camera->eye);
+    if (one_in(m, 2))
+      any_vertex(m, camera->at);
+    else
+      place(m, camera->at);
+    for (int k = 0; k < 3; k++)
+      camera->up[k] = one_in(m, 2) ? k == 1 : whole(m, -2, 2);
+    if (hsr_camera_check(camera, NULL))
+      continue;
+    double v[3], length = 0, depth = 0;
+    any_vertex(m, v);
+    for (int k = 0; k < 3; k++)
+      length = hypot(length, camera->at[k] - camera->eye[k]);
+    for (int k = 0; k < 3; k++)
+      depth +=
+          (camera->at[k] - camera->eye[k]) / length * (v[k] - camera->eye[k]);
+    double near[4] = {0, 0, fabs(depth), m->unit * whole(m, 0, 4)};
+    camera->near = near[whole(m, 0, 3)];
+    if (!hsr_camera_check(camera, NULL))
+      return true;
+  }
+  return false;
+}
+
+/* NULL if the scene is not valid. */
+static struct hsr_scene *make_scene(uint64_t seed, struct hsr_camera *c,
+                                    enum scale *scale) {
+  struct maker m = {.seed = seed * 7919};
+  struct hsr_error err;
+  m.scale = (enum scale)whole(&m, 0, N_SCALES - 1);
+  *scale = m.scale;
+  m.exponent = one_in(&m, 3) ? whole(&m, -1074, -1020) : whole(&m, -1070, 90);
+  m.unit = m.scale == POWER                    ? ldexp(1, m.exponent)
+           : m.scale == LARGE                  ? 0x1p50
+           : m.scale == LATTICE                ? 0.25
+           : m.scale == VERTICES               ? ldexp(1, whole(&m, -1070, 60))
+           : m.scale == MIXED && one_in(&m, 3) ? 1e20
+                                               : 1;
+  m.scene = hsr_scene_new("hard");
+  for (int n = whole(&m, 1, 3); n; n--)
+    add_object(&m);
+  bool placed = one_in(&m, 2);
+  for (uint32_t o = 0; o < m.scene->n_objects && placed; o++)
+    for (int n = whole(&m, 1, 2); n; n--)
+      add_instance(&m, o);
+  if (!camera(&m, c) || hsr_scene_view(m.scene, c) ||
+      hsr_scene_finish(m.scene, &err)) {
+    hsr_scene_delete(m.scene);
+    return NULL;
+  }
+  return m.scene;
+}
+
+static void make_view(uint64_t *seed, const struct hsr_camera *camera,
+                      struct hsr_view *view, struct hsr_error *err) {
+  int most = draw_integer(seed, 0, 2) ? 12 : MOST_SIDE;
+  int columns = (int)draw_integer(seed, 1, most);
+  int rows = (int)draw_integer(seed, 1, most);
+  if (hsr_view_init(view, camera, columns, rows, err)) {
+    view->m = 0;
+    return;
+  }
+  if (draw_integer(seed, 0, 3) == 0) { /* jittered */
+    view->offset_x = (double)draw_integer(seed, -7, 7) / 16;
+    view->offset_y = (double)draw_integer(seed, -7, 7) / 16;
+  }
+  if (draw_integer(seed, 0, 3) == 0) { /* a part of the picture */
+    view->window.x0 = (int)draw_integer(seed, 0, view->m - 1);
+    view->window.x1 = (int)draw_integer(seed, view->window.x0 + 1, view->m);
+    view->window.y0 = (int)draw_integer(seed, 0, view->n - 1);
+    view->window.y1 = (int)draw_integer(seed, view->window.y0 + 1, view->n);
+  }
+}
+
+static void write_scene(FILE *file, const struct hsr_scene *scene) {
+  const struct hsr_camera *c = &scene->views[0];
+  fprintf(file, "{\"schema\": \"hsr-scene/1\", \"objects\": [");
+  for (uint32_t o = 0; o < scene->n_objects; o++) {
+    const struct hsr_object *object = &scene->objects[o];
+    fprintf(file, "%s\n{\"name\": \"o%u\", \"one_sided\": %s, \"vertices\": [",
+            o ? "," : "", o, object->one_sided ? "true" : "false");
+    for (uint32_t v = 0; v < object->n_vertices; v++)
+      fprintf(file, "%s[%.17g, %.17g, %.17g]", v ? ", " : "",
+              object->xyz[3 * v], object->xyz[3 * v + 1],
+              object->xyz[3 * v + 2]);
+    fprintf(file, "], \"faces\": [");
+    for (uint32_t f = 0; f < object->n_faces; f++)
+      for (uint32_t k = object->start[f]; k < object->start[f + 1]; k++)
+        fprintf(file, "%s%u%s",
+                k > object->start[f] ? ", "
+                : f                  ? ", ["
+                                     : "[",
+                object->vertex[k], k + 1 < object->start[f + 1] ? "" : "]");
+    fprintf(file, "]}");
+  }
+  fprintf(file, "], \"instances\": [");
+  for (uint32_t i = 0; i < scene->n_instances; i++) {
+    fprintf(file, "%s\n{\"object\": %u, \"matrix\": [", i ? "," : "",
+            scene->instances[i].object);
+    for (int k = 0; k < 12; k++)
+      fprintf(file, "%s%.17g", k ? ", " : "", scene->instances[i].m[k]);
+    fprintf(file, "]}");
+  }
+  fprintf(file,
+          "], \"views\": [\n{\"eye\": [%.17g, %.17g, %.17g], \"at\": [%.17g, "
+          "%.17g, %.17g], \"up\": [%g, %g, %g], \"fov\": %.17g, \"near\": "
+          "%.17g}]}\n",
+          c->eye[0], c->eye[1], c->eye[2], c->at[0], c->at[1], c->at[2],
+          c->up[0], c->up[1], c->up[2], c->fov, c->near);
+}
+
+/* --- Pictures ------------------------------------------------------------- */
+
+struct comparison {
+  uint64_t scene_seed, seed;
+  int share;
+  const struct hsr_world *world;
+  const struct hsr_view *view;
+  char name[80];
+  uint32_t wanted[MOST_SIDE * MOST_SIDE], got[MOST_SIDE * MOST_SIDE];
+  struct hsr_drawing wanted_lines, got_lines;
+  long compared, wrong, refused, slow;
+  double slowest;
+};
+
+/* What is drawn at the moment, for the alarm. */
+static char at_work[200];
+
+static void ring(int signal) {
+  (void)signal;
+  static const char text[] = "Bail out! it takes too long: ";
+  if (write(STDOUT_FILENO, text, sizeof text - 1) < 0 ||
+      write(STDOUT_FILENO, at_work, strlen(at_work)) < 0)
+    _exit(98);
+  _exit(99);
+}
+
+static struct hsr_choice choose(struct comparison *c,
+                                const struct hsr_algorithm *a) {
+  struct hsr_choice choice = hsr_choice_standard(a);
+  for (int k = 0; a->options && a->options[k].name; k++) {
+    const struct hsr_option *o = &a->options[k];
+    int words = 0;
+    while (o->words && o->words[words].name)
+      words++;
+    long most = 2 * o->standard + 8 < o->most ? 2 * o->standard + 8 : o->most;
+    if (draw_integer(&c->seed, 0, 1))
+      continue;
+    if (o->real)
+      choice.values.real[k] =
+          o->real_least + (o->real_most - o->real_least) *
+                              (double)draw_integer(&c->seed, 0, 64) / 64;
+    else
+      choice.values.option[k] =
+          o->words ? (long)draw_integer(&c->seed, 0, words - 1)
+                   : (long)draw_integer(&c->seed, o->least, most);
+  }
+  return choice;
+}
+
+static void tell(const struct comparison *c, const struct hsr_algorithm *a,
+                 const struct hsr_choice *choice, const char *what) {
+  printf("# %s: %s", c->name, a->name);
+  for (int k = 0; a->options && a->options[k].name; k++) {
+    const struct hsr_option *o = &a->options[k];
+    long value = choice->values.option[k];
+    if (o->real)
+      printf(":%s=%g", o->name, choice->values.real[k]);
+    else if (value != o->standard && o->words)
+      printf(":%s=%s", o->name, o->words[value].name);
+    else if (value != o->standard)
+      printf(":%s=%ld", o->name, value);
+  }
+  printf(" %s\n", what);
+  fflush(stdout);
+}
+
+/* Draws with these options. False if the scene is refused. */
+static bool draw(struct comparison *c, const struct hsr_algorithm *a,
+                 const struct hsr_choice *choice, bool lines, uint32_t *ids,
+                 struct hsr_drawing *drawing) {
+  struct hsr_error err = {.text = ""};
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_tally tally = {.out_of_memory = false};
+  struct hsr_setup setup;
+  struct hsr_job job = {.view = c->view, .scratch = &scratch, .tally = &tally};
+  if (lines) {
+    hsr_drawing_clear(drawing);
+    job.drawing = drawing;
+  } else {
+    memset(ids, 0xfe, sizeof c->got);
+    job.ids = ids;
+    job.ids_stride = (size_t)c->view->m;
+  }
+  snprintf(at_work, sizeof at_work, "%s, %s\n", c->name, a->name);
+  alarm(6 * MOST_SECONDS);
+  clock_t from = clock();
+  enum hsr_status status = hsr_setup_init(&setup, a, choice, c->world, &err);
+  if (!status)
+    status = hsr_setup_render(&setup, &job, &err);
+  double seconds = (double)(clock() - from) / CLOCKS_PER_SEC;
+  alarm(0);
+  if (seconds > c->slowest)
+    c->slowest = seconds;
+  if (seconds > MOST_SECONDS) {
+    c->slow++;
+    tell(c, a, choice, "is slow");
+  }
+  if (status && status != HSR_E_REFUSED) {
+    tell(c, a, choice, err.text);
+    c->wrong++;
+  }
+  hsr_setup_free(&setup);
+  hsr_arena_free(&scratch);
+  c->refused += status == HSR_E_REFUSED;
+  return !status;
+}
+
+static void compare(struct comparison *c, const struct hsr_algorithm *a,
+                    bool lines) {
+  if (draw_integer(&c->seed, 1, c->share) != 1)
+    return;
+  struct hsr_choice choice = choose(c, a);
+  if (hsr_choice_flags(a, &choice) & (HSR_KNOWN_WRONG | HSR_NO_PICTURE))
+    choice = hsr_choice_standard(a);
+  if (hsr_choice_flags(a, &choice) &
+          (HSR_KNOWN_WRONG | HSR_NO_PICTURE | HSR_JUDGE) ||
+      !draw(c, a, &choice, lines, c->got, &c->got_lines))
+    return;
+  long differing;
+  if (lines) {
+    struct hsr_drawing_difference difference;
+    hsr_drawing_compare(&c->got_lines, &c->wanted_lines,
+                        a->flags & HSR_VISIBLE_ONLY, &difference);
+    differing = (long)difference.differing;
+  } else {
+    differing = count_differences(c->view, c->got, c->wanted);
+  }
+  c->compared++;
+  c->wrong += differing > 0;
+  if (differing)
+    tell(c, a, &choice, "is wrong");
+}
+
+/* Both oracles, and then the algorithms. False if the scene is not valid. */
+static bool check_scene(struct comparison *c, const char *file) {
+  struct hsr_camera camera;
+  enum scale scale;
+  struct hsr_scene *scene = make_scene(c->scene_seed, &camera, &scale);
+  if (!scene)
+    return false;
+  if (file) {
+    FILE *out = fopen(file, "w");
+    if (!out)
+      stop("cannot write the scene");
+    write_scene(out, scene);
+    fclose(out);
+  }
+  struct hsr_error err;
+  struct hsr_world world;
+  struct hsr_view view;
+  c->seed = c->scene_seed;
+  make_view(&c->seed, &camera, &view, &err);
+  bool valid = !hsr_world_init(&world, scene, &err) && view.m;
+  if (valid) {
+    const char *const oracle[2] = {"oracle", "line-oracle"};
+    c->world = &world;
+    c->view = &view;
+    snprintf(c->name, sizeof c->name, "seed %llu (%s, %u faces), %d x %d",
+             (unsigned long long)c->scene_seed, scale_name[scale],
+             world.n_faces, view.m, view.n);
+    for (int lines = 0; lines < 2; lines++) {
+      const struct hsr_algorithm *judge =
+          hsr_algorithm_find(oracle[lines])->plain;
+      struct hsr_choice standard = hsr_choice_standard(judge);
+      if (!draw(c, judge, &standard, lines, c->wanted, &c->wanted_lines))
+        continue;
+      for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+        if (l->plain->kind == (lines ? HSR_SEGMENTS : HSR_IDS) &&
+            !(l->plain->flags & HSR_JUDGE))
+          compare(c, draw_integer(&c->seed, 0, 1) ? l->plain : l->counting,
+                  lines);
+    }
+  }
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+  return valid;
+}
+
+int main(int argc, char **argv) {
+  static struct comparison c;
+  long n = argc > 1 ? atol(argv[1]) : 300, done = 0;
+  uint64_t seed = argc > 2 ? strtoull(argv[2], NULL, 10) : 1;
+  c.share = argc > 3 ? atoi(argv[3]) : 6;
+  enum { PARTS = 10 };
+  struct tap tap = plan(PARTS);
+  if (n < 1 || c.share < 1)
+    stop("usage: hard_test [SCENES [SEED [SHARE [FILE]]]]");
+  signal(SIGALRM, ring);
+  for (long part = 0, k = 0; part < PARTS; part++) {
+    long first = k;
+    c.wrong = c.slow = 0;
+    for (; k < n * (part + 1) / PARTS; k++) {
+      c.scene_seed = seed + (uint64_t)k;
+      done += check_scene(&c, k + 1 == n && argc > 4 ? argv[4] : NULL);
+    }
+    ok(&tap, !c.wrong && !c.slow, "seeds %llu to %llu: %ld wrong, %ld slow",
+       (unsigned long long)seed + (unsigned long long)first,
+       (unsigned long long)seed + (unsigned long long)k - 1, c.wrong, c.slow);
+  }
+  hsr_drawing_free(&c.wanted_lines);
+  hsr_drawing_free(&c.got_lines);
+  printf("# %ld of %ld scenes valid, %ld answers compared, %ld refused, the "
+         "slowest %.1f s\n",
+         done, n, c.compared, c.refused, c.slowest);
+  return finish(&tap);
+}
