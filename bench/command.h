@@ -63,10 +63,50 @@ bool parse_point(const char *text, double point[3]);
 bool parse_number(const char *text, double *number);
 bool parse_count(const char *text, long least, long most, long *count);
 
+/* The cameras that the options describe. They become a part of the scene's name
+ * (scenes/cameras.h), so that whoever gets the name looks from there. */
+enum { CAMERA_WORDS = 5, MOST_AIMED_NAME = 1024 };
+struct camera_options {
+  const char *file;               /* of --camera, or NULL */
+  const char *word[CAMERA_WORDS]; /* of --eye, --at, --up, --fov, --near */
+};
+
+/* Entries for an argp option array, and their parser. ARGP_ERR_UNKNOWN if `key`
+ * is none of them. */
+enum { CAMERA_EYE = 0x100, CAMERA_FILE = CAMERA_EYE + CAMERA_WORDS };
+#define CAMERA_ARGP_OPTIONS                                                     \
+  {NULL, 0, NULL, 0, "Where to look from:", 10},                                \
+      {"eye", CAMERA_EYE, "X,Y,Z", 0, "look from here", 10},                    \
+      {"at", CAMERA_EYE + 1, "X,Y,Z", 0, "look at this point", 10},             \
+      {"up", CAMERA_EYE + 2, "X,Y,Z", 0, "this direction is up", 10},           \
+      {"fov", CAMERA_EYE + 3, "DEG", 0, "vertical angle of view, degrees", 10}, \
+      {"near", CAMERA_EYE + 4, "T", 0, "nothing exists up to this distance",    \
+       10},                                                                     \
+  {                                                                             \
+    "camera", CAMERA_FILE, "FILE", 0,                                           \
+        "look from the views of this file, not from those of the scene", 10     \
+  }
+error_t parse_camera_option(struct camera_options *options, int key, char *arg,
+                            struct option_base *base);
+
+/* Whether there is any word: then the scene has one view. */
+bool has_camera_words(const struct camera_options *options);
+
+/* How many views the file of --camera has. HSR_E_INPUT; HSR_E_NOMEM. */
+enum hsr_status count_cameras(const char *file, long *n, struct hsr_error *err);
+
+/* Adds the cameras to a scene's name. Words change the scene's view number
+ * `view`, from 1. HSR_E_USAGE if the name becomes too long. */
+enum hsr_status aim_name(const struct camera_options *options, long view,
+                         const char *scene, char aimed[MOST_AIMED_NAME],
+                         struct hsr_error *err);
+
 /* The one scene of a subcommand. */
 struct scene_options {
   const char *name;
   struct hsr_import import;
+  char aimed[MOST_AIMED_NAME]; /* the name with its cameras, once aim_scene has
+                                  added them */
 };
 
 /* An entry for an argp option array, and the parser of that option and of the
@@ -88,41 +128,37 @@ error_t parse_scene_option(struct scene_options *options, int key, char *arg,
 enum hsr_status open_scene(const char *name, struct hsr_import import,
                            struct hsr_scene **scene, struct hsr_error *err);
 
-/* Where to look from: one of the scene's views, changed by the options given.
- */
+/* Where to look from: one of the scene's views, changed by the options given,
+ * and how many samples. */
 struct view_options {
   long view; /* from 1 */
   int m, n;
-  bool has_eye, has_at, has_up, has_fov, has_near;
-  struct hsr_camera camera;
+  struct camera_options camera;
 };
 #define VIEW_OPTIONS_STANDARD                                                  \
   { .view = 1, .m = 512, .n = 512 }
 
 /* Entries for an argp option array, and their parser. ARGP_ERR_UNKNOWN if `key`
  * is none of them. */
-enum { VIEW_EYE = 0x100, VIEW_AT, VIEW_UP, VIEW_FOV, VIEW_NEAR };
 #define VIEW_ARGP_OPTIONS VIEW_ARGP_OPTIONS_OF("512x512")
 #define VIEW_ARGP_OPTIONS_OF(size)                                             \
-  {NULL, 0, NULL, 0, "Where to look from:", 1},                                \
+  {"size", 's', "MxN", 0, "samples a row x rows (standard: " size ")", 0},     \
       {"view",                                                                 \
        'v',                                                                    \
        "K",                                                                    \
        0,                                                                      \
        "look from the scene's view K, from 1 (standard: 1)",                   \
-       1},                                                                     \
-      {"size", 's', "MxN", 0, "samples a row x rows (standard: " size ")", 1}, \
-      {"eye", VIEW_EYE, "X,Y,Z", 0, "look from here", 1},                      \
-      {"at", VIEW_AT, "X,Y,Z", 0, "look at this point", 1},                    \
-      {"up", VIEW_UP, "X,Y,Z", 0, "this direction is up", 1},                  \
-      {"fov", VIEW_FOV, "DEG", 0, "vertical angle of view, degrees", 1}, {     \
-    "near", VIEW_NEAR, "T", 0, "nothing exists up to this distance", 1         \
-  }
+       10},                                                                    \
+      CAMERA_ARGP_OPTIONS
 error_t parse_view_option(struct view_options *options, int key, char *arg,
                           struct option_base *base);
 
-/* The camera that the options choose. HSR_E_USAGE if the scene has no such
- * view, or if the camera is not valid. */
+/* Adds the cameras to the scene's name. If there are words, the scene's only
+ * view is the one that they describe, and view->view becomes 1. HSR_E_USAGE. */
+enum hsr_status aim_scene(struct scene_options *scene,
+                          struct view_options *view, struct hsr_error *err);
+
+/* The view that is chosen of a scene. HSR_E_USAGE if it has no such view. */
 enum hsr_status choose_camera(const struct view_options *options,
                               const struct hsr_scene *scene,
                               struct hsr_camera *camera, struct hsr_error *err);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/command.h"
 #include "common/base/names.h"
+#include "common/files/scene_json.h"
 
 #include <errno.h>
 #include <math.h>
@@ -228,6 +229,68 @@ bool parse_point(const char *text, double point[3]) {
   return true;
 }
 
+static const char *const camera_keys[CAMERA_WORDS] = {"eye", "at", "up", "fov",
+                                                      "near"};
+
+error_t parse_camera_option(struct camera_options *o, int key, char *arg,
+                            struct option_base *base) {
+  if (key == CAMERA_FILE) {
+    o->file = arg;
+    return 0;
+  }
+  int k = key - CAMERA_EYE;
+  if (k < 0 || k >= CAMERA_WORDS)
+    return ARGP_ERR_UNKNOWN;
+  double number[3];
+  if (k < 3 ? !parse_point(arg, number) : !parse_number(arg, number))
+    return option_fail(base, "--%s %s: must be %s", camera_keys[k], arg,
+                       k < 3 ? "a point, X,Y,Z" : "a number");
+  o->word[k] = arg;
+  return 0;
+}
+
+bool has_camera_words(const struct camera_options *o) {
+  for (int k = 0; k < CAMERA_WORDS; k++)
+    if (o->word[k])
+      return true;
+  return false;
+}
+
+enum hsr_status count_cameras(const char *file, long *n,
+                              struct hsr_error *err) {
+  struct hsr_scene *scene = hsr_scene_new("");
+  if (!scene)
+    return hsr_fail_nomem(err);
+  enum hsr_status status = hsr_cameras_json_read(scene, file, err);
+  *n = scene->n_views;
+  hsr_scene_delete(scene);
+  return status;
+}
+
+enum hsr_status aim_name(const struct camera_options *o, long view,
+                         const char *scene, char aimed[MOST_AIMED_NAME],
+                         struct hsr_error *err) {
+  size_t size = MOST_AIMED_NAME;
+  size_t n = (size_t)snprintf(aimed, size, "%s%s%s", scene, o->file ? "@" : "",
+                              o->file ? o->file : "");
+  char between = '@';
+  if (view > 1 && has_camera_words(o) && n < size) {
+    n += (size_t)snprintf(aimed + n, size - n, "@view=%ld", view);
+    between = ':';
+  }
+  for (int k = 0; k < CAMERA_WORDS && n < size; k++) {
+    if (!o->word[k])
+      continue;
+    n += (size_t)snprintf(aimed + n, size - n, "%c%s=%s", between,
+                          camera_keys[k], o->word[k]);
+    between = ':';
+  }
+  return n < size ? HSR_OK
+                  : hsr_fail(err, HSR_E_USAGE,
+                             "%.100s...: the name is longer than %d bytes",
+                             scene, MOST_AIMED_NAME - 1);
+}
+
 error_t parse_scene_option(struct scene_options *o, int key, char *arg,
                            const char *command, struct option_base *base) {
   switch (key) {
@@ -271,30 +334,19 @@ error_t parse_view_option(struct view_options *o, int key, char *arg,
       return option_fail(base, "--size %s: must be MxN, each 1 to %d", arg,
                          HSR_MAX_SIZE);
     return 0;
-  case VIEW_EYE:
-  case VIEW_AT:
-  case VIEW_UP: {
-    double *point = key == VIEW_EYE  ? o->camera.eye
-                    : key == VIEW_AT ? o->camera.at
-                                     : o->camera.up;
-    if (!parse_point(arg, point))
-      return option_fail(base, "'%s': a point is three numbers, X,Y,Z", arg);
-    o->has_eye |= key == VIEW_EYE;
-    o->has_at |= key == VIEW_AT;
-    o->has_up |= key == VIEW_UP;
-    return 0;
-  }
-  case VIEW_FOV:
-  case VIEW_NEAR: {
-    if (!parse_number(arg, key == VIEW_FOV ? &o->camera.fov : &o->camera.near))
-      return option_fail(base, "'%s' is not a number", arg);
-    o->has_fov |= key == VIEW_FOV;
-    o->has_near |= key == VIEW_NEAR;
-    return 0;
-  }
   default:
-    return ARGP_ERR_UNKNOWN;
+    return parse_camera_option(&o->camera, key, arg, base);
   }
+}
+
+enum hsr_status aim_scene(struct scene_options *scene,
+                          struct view_options *view, struct hsr_error *err) {
+  enum hsr_status status =
+      aim_name(&view->camera, view->view, scene->name, scene->aimed, err);
+  scene->name = scene->aimed;
+  if (has_camera_words(&view->camera))
+    view->view = 1;
+  return status;
 }
 
 enum hsr_status choose_camera(const struct view_options *o,
@@ -305,17 +357,5 @@ enum hsr_status choose_camera(const struct view_options *o,
     return hsr_fail(err, HSR_E_USAGE, "%s has %u views; there is no view %ld",
                     scene->name, scene->n_views, o->view);
   *camera = scene->views[o->view - 1];
-  for (int k = 0; k < 3; k++) {
-    if (o->has_eye)
-      camera->eye[k] = o->camera.eye[k];
-    if (o->has_at)
-      camera->at[k] = o->camera.at[k];
-    if (o->has_up)
-      camera->up[k] = o->camera.up[k];
-  }
-  if (o->has_fov)
-    camera->fov = o->camera.fov;
-  if (o->has_near)
-    camera->near = o->camera.near;
-  return hsr_camera_check(camera, err) ? HSR_E_USAGE : HSR_OK;
+  return HSR_OK;
 }

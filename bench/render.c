@@ -384,6 +384,8 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   struct hsr_variant variant;
   status = hsr_variant_parse(options.algorithm, &variant, err);
   if (!status)
+    status = aim_scene(&options.scene, &options.view, err);
+  if (!status)
     status = check_kind(&options, &variant, err);
   if (status)
     return status;

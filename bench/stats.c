@@ -151,6 +151,8 @@ static enum hsr_status measure(const struct options *o,
 enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err) {
   struct options options = {.view = VIEW_OPTIONS_STANDARD};
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
+  if (!status)
+    status = aim_scene(&options.scene, &options.view, err);
   if (status)
     return status;
   struct hsr_scene *scene;

@@ -2,6 +2,8 @@
 nobase_pkginclude_HEADERS += %D%/scenes.h
 libhsr_a_SOURCES += \
   %D%/builders.h \
+  %D%/cameras.c \
+  %D%/cameras.h \
   %D%/meshes.c \
   %D%/meshes.h \
   %D%/registry.c \

@@ -5,6 +5,7 @@
 #endif
 
 #include "scenes/builders.h"
+#include "scenes/cameras.h"
 #include "scenes/meshes.h"
 
 #include "common/files/scene_json.h"
@@ -286,23 +287,36 @@ static enum hsr_status fill(struct hsr_scene *scene, const char *name,
   return open_builtin(scene, name, err);
 }
 
+/* Opens a scene without cameras in its name. */
+static enum hsr_status open_plain(struct hsr_scene *scene, const char *name,
+                                  struct hsr_import *import,
+                                  struct hsr_error *err) {
+  enum hsr_status status = fill(scene, name, import, err);
+  if (status)
+    return status;
+  struct hsr_error unfit;
+  status = hsr_scene_finish(scene, &unfit);
+  if (status == HSR_E_INPUT)
+    return hsr_fail(err, status, "%.150s: %.300s", name, unfit.text);
+  if (status && err)
+    *err = unfit;
+  return status;
+}
+
 enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
                                struct hsr_scene **scene,
                                struct hsr_error *err) {
   if (import)
     import->n_dropped = 0;
+  size_t n = hsr_name_before_cameras(name);
+  char *plain = strndup(name, n);
   *scene = hsr_scene_new(name);
-  if (!*scene)
-    return hsr_fail_nomem(err);
-  enum hsr_status status = fill(*scene, name, import, err);
-  struct hsr_error unfit;
-  if (!status) {
-    status = hsr_scene_finish(*scene, &unfit);
-    if (status == HSR_E_INPUT)
-      hsr_fail(err, status, "%.150s: %.300s", name, unfit.text);
-    else if (status && err)
-      *err = unfit;
-  }
+  enum hsr_status status = plain && *scene ? HSR_OK : hsr_fail_nomem(err);
+  if (!status)
+    status = open_plain(*scene, plain, import, err);
+  if (!status)
+    status = hsr_scene_aim(*scene, name + n, err);
+  free(plain);
   if (status) {
     hsr_scene_delete(*scene);
     *scene = NULL;

@@ -19,6 +19,7 @@ struct check_options {
   struct option_base base;
   const char *scene[MOST_SCENES];
   int n_scenes;
+  struct camera_options camera;
   int m[MOST_SIZES], n[MOST_SIZES], n_sizes;
   struct hsr_variant algorithm[MOST_ALGORITHMS];
   int n_algorithms;
@@ -36,7 +37,7 @@ struct check_options {
 struct scene_run {
   const struct check_options *options;
   int number; /* in the options */
-  const char *name;
+  char name[MOST_AIMED_NAME];
   struct progress *progress;
   struct hsr_scene *scene;
   struct hsr_world world;

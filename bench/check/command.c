@@ -84,7 +84,15 @@ static error_t order_views(struct check_options *o) {
   bool shuffle = o->order && !strcmp(o->order, "shuffle");
   if (o->order && !reverse && !shuffle)
     return list_views(o);
-  o->n_views = o->first_views ? (int)o->first_views : 8;
+  long n_views = o->first_views ? o->first_views : 8;
+  if (!o->first_views && has_camera_words(&o->camera))
+    n_views = 1;
+  else if (!o->first_views && o->camera.file &&
+           count_cameras(o->camera.file, &n_views, o->base.err)) {
+    o->base.failed = true;
+    return EINVAL;
+  }
+  o->n_views = n_views < MOST_VIEWS ? (int)n_views : MOST_VIEWS;
   for (int k = 0; k < o->n_views; k++)
     o->view[k] = reverse ? o->n_views - 1 - k : k;
   unsigned short random[3] = {(unsigned short)o->n_views};
@@ -145,7 +153,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case ARGP_KEY_END:
     return order_views(o);
   default:
-    return ARGP_ERR_UNKNOWN;
+    return parse_camera_option(&o->camera, key, arg, &o->base);
   }
 }
 
@@ -156,7 +164,7 @@ static const struct argp argp = {
         {"size", 's', "MxN,...", 0, "samples (standard: 97x61)", 0},
         {"views", 'n', "N", 0,
          "the first N views of each scene; more are made up if it has fewer "
-         "(standard: 8)",
+         "(standard: 8; those of --camera; 1 if --eye or the like is given)",
          0},
         {"order", ORDER, "ORDER", 0,
          "the order in which an algorithm that keeps a state from frame to "
@@ -187,6 +195,7 @@ static const struct argp argp = {
         {"matrix", MATRIX, NULL, 0,
          "print a wide table instead: a column for each algorithm", 0},
         {"json", 'j', NULL, 0, "print one JSON object", 0},
+        CAMERA_ARGP_OPTIONS,
         {0}},
     parse,
     "[SCENE...]",
@@ -401,12 +410,12 @@ static enum hsr_status check_scene(const struct check_options *o, int number,
                                    struct progress *progress,
                                    struct totals *totals,
                                    struct hsr_error *err) {
-  struct scene_run run = {.options = o,
-                          .number = number,
-                          .name = o->scene[number],
-                          .progress = progress};
+  struct scene_run run = {.options = o, .number = number, .progress = progress};
   struct group *group = NULL;
-  enum hsr_status status = open_run(&run, err);
+  enum hsr_status status =
+      aim_name(&o->camera, 1, o->scene[number], run.name, err);
+  if (!status)
+    status = open_run(&run, err);
   if (!status) {
     int n = list_groups(&run, NULL);
     group = calloc((size_t)n, sizeof *group);

@@ -96,6 +96,17 @@ static error_t set_count(struct sweep_options *o, const char *name, char *arg,
                      most);
 }
 
+/* As many views as the file of --camera has. */
+static error_t count_views(struct sweep_options *o) {
+  if (count_cameras(o->camera.file, &o->views, o->base.err)) {
+    o->base.failed = true;
+    return EINVAL;
+  }
+  if (o->views > SWEEP_MOST_VIEWS)
+    o->views = SWEEP_MOST_VIEWS;
+  return 0;
+}
+
 static error_t complete(struct sweep_options *o) {
   if (!o->n_scenes)
     return option_fail(&o->base, "bench: which scene? (see hsr bench --help)");
@@ -107,6 +118,9 @@ static error_t complete(struct sweep_options *o) {
     o->m[0] = o->n[0] = 512;
     o->n_sizes = 1;
   }
+  if (o->camera.file && !o->views_given && !has_camera_words(&o->camera) &&
+      count_views(o))
+    return EINVAL;
   if (!o->n_threads)
     o->threads[o->n_threads++] = 1;
   return 0;
@@ -125,6 +139,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 'T':
     return add_threads(o, arg);
   case 'n':
+    o->views_given = true;
     return set_count(o, "--views", arg, 1, SWEEP_MOST_VIEWS, &o->views);
   case WALK:
     return set_count(o, "--walk", arg, 1, SWEEP_MOST_VIEWS, &o->walk);
@@ -178,7 +193,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case ARGP_KEY_END:
     return complete(o);
   default:
-    return ARGP_ERR_UNKNOWN;
+    return parse_camera_option(&o->camera, key, arg, &o->base);
   }
 }
 
@@ -234,6 +249,7 @@ static const struct argp argp = {
          "print times as ratios to A's (standard: zbuffer)", 3},
         {"baseline", BASELINE, "FILE", 0,
          "print what is slower or faster than in these earlier results", 3},
+        CAMERA_ARGP_OPTIONS,
         {0}},
     parse,
     "SCENE...",
@@ -246,6 +262,7 @@ static const struct argp argp = {
     "Exit status 0: all are right, and none is slower than in the baseline. 1: "
     "one is not.\n\n"
     "  hsr bench house harbor -o results.ndjson\n"
+    "  hsr bench house --eye 9,5,9 --fov 30\n"
     "  hsr bench 'mesh:*' -a 'zbuffer,*watkins*' --size 512x512,4096x4096 -o "
     "meshes.ndjson",
     NULL,

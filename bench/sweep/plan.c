@@ -36,9 +36,13 @@ static enum hsr_status check_scene_name(const char *name,
              : hsr_fail_nomem(err);
 }
 
-static enum hsr_status add_scene(struct plan *plan, const char *name,
+static enum hsr_status add_scene(struct plan *plan, const char *plain,
                                  struct hsr_error *err) {
-  enum hsr_status status = check_scene_name(name, err);
+  char name[MOST_AIMED_NAME];
+  enum hsr_status status =
+      aim_name(&plan->options->camera, 1, plain, name, err);
+  if (!status)
+    status = check_scene_name(name, err);
   if (status)
     return status;
   for (size_t k = 0; k < plan->n_scenes; k++)

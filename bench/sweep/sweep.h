@@ -24,6 +24,7 @@ struct sweep_options {
   struct option_base base;
   const char *scene[SWEEP_MOST_NAMES];
   int n_scenes;
+  struct camera_options camera;
   const char *algorithm[SWEEP_MOST_ENTRANTS], *peer[SWEEP_MOST_ENTRANTS];
   int n_algorithms, n_peers;
   int m[SWEEP_MOST_SIZES], n[SWEEP_MOST_SIZES], n_sizes;
@@ -40,7 +41,7 @@ struct sweep_options {
   const char *reference;     /* by whose time the others are divided */
   const char *baseline;      /* file of earlier results, or NULL */
   bool resume, list, counts; /* counts: nothing is timed */
-  bool starts_given;
+  bool starts_given, views_given;
 };
 
 #define SWEEP_OPTIONS_STANDARD                                                 \

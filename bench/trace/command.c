@@ -360,6 +360,8 @@ enum hsr_status command_trace(int argc, char **argv, struct hsr_error *err) {
   struct hsr_variant variant;
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
   if (!status)
+    status = aim_scene(&options.scene, &options.view, err);
+  if (!status)
     status = hsr_variant_parse(options.algorithm, &variant, err);
   if (!status)
     status = check_algorithm(&variant, err);

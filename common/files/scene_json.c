@@ -25,7 +25,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static const char SCHEMA[] = "hsr-scene/1";
+static const char SCHEMA[] = "hsr-scene/1", CAMERA_SCHEMA[] = "hsr-camera/1";
 
 /* ---- Messages ---- */
 
@@ -879,7 +879,7 @@ static enum hsr_status read_view(const struct reader *reader,
 /* ---- The whole file ---- */
 
 static enum hsr_status check_schema(const struct reader *reader,
-                                    const json_t *root) {
+                                    const json_t *root, const char *known) {
   struct place place = {NULL, "schema", 0};
   json_t *schema;
   const char *text = "";
@@ -888,8 +888,8 @@ static enum hsr_status check_schema(const struct reader *reader,
   enum hsr_status status = require(reader, NULL, root, "schema", &schema);
   if (!status)
     status = read_string(reader, &place, schema, &text);
-  if (!status && strcmp(text, SCHEMA))
-    return refuse(reader, &place, "must be '%s', not '%.60s'", SCHEMA, text);
+  if (!status && strcmp(text, known))
+    return refuse(reader, &place, "must be '%s', not '%.60s'", known, text);
   return status;
 }
 
@@ -949,7 +949,7 @@ read_scene(struct reader *reader, json_t *root,
   static const char *const keys[] = {"schema",    "name",  "objects",
                                      "instances", "views", NULL};
   json_t *name = json_object_get(root, "name");
-  enum hsr_status status = check_schema(reader, root);
+  enum hsr_status status = check_schema(reader, root, SCHEMA);
   if (!status)
     status = check_keys(reader, NULL, root, keys);
   if (!status && name)
@@ -963,28 +963,65 @@ read_scene(struct reader *reader, json_t *root,
   return status ? status : read_views(reader, list[VIEWS]);
 }
 
+/* Parses the file and has it read. */
+static enum hsr_status
+read_file(struct reader *reader,
+          enum hsr_status (*read)(struct reader *reader, json_t *root,
+                                  const struct hsr_json_part *list)) {
+  struct hsr_json_part file = {.line = 1}, list[SCENE_LISTS];
+  char *text = NULL;
+  json_t *root = NULL;
+  enum hsr_status status = load(reader->path, &text, &file.length, reader->err);
+  file.text = text;
+  if (!status)
+    status = parse(reader, file, OF_FILE, list, &root);
+  if (!status)
+    status = read(reader, root, list);
+  json_decref(root);
+  free(text);
+  return status;
+}
+
 enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
                                     struct hsr_import *import,
                                     struct hsr_error *err) {
   struct reader reader = {.scene = scene, .path = path, .err = err};
   if (import)
     reader.import.drop_degenerate = import->drop_degenerate;
-  struct hsr_json_part file = {.line = 1}, list[SCENE_LISTS];
-  char *text = NULL;
-  json_t *root = NULL;
-  enum hsr_status status = load(path, &text, &file.length, err);
-  file.text = text;
-  if (!status)
-    status = parse(&reader, file, OF_FILE, list, &root);
-  if (!status)
-    status = read_scene(&reader, root, list);
-  json_decref(root);
-  free(text);
+  enum hsr_status status = read_file(&reader, read_scene);
   free(reader.corners);
   forget_meshes(&reader);
   if (import)
     import->n_dropped = reader.import.n_dropped;
   return status;
+}
+
+/* ---- Cameras ---- */
+
+static enum hsr_status
+read_cameras(struct reader *reader, json_t *root,
+             const struct hsr_json_part list[SCENE_LISTS]) {
+  static const char *const keys[] = {"schema", "views", NULL};
+  json_t *views;
+  enum hsr_status status = check_schema(reader, root, CAMERA_SCHEMA);
+  if (!status)
+    status = check_keys(reader, NULL, root, keys);
+  if (!status)
+    status = require(reader, NULL, root, "views", &views);
+  if (!status)
+    status = read_array(reader, &(struct place){NULL, "views", 0}, views);
+  uint32_t before = reader->scene->n_views;
+  if (!status)
+    status = read_views(reader, list[VIEWS]);
+  if (!status && reader->scene->n_views == before)
+    return refuse(reader, &(struct place){NULL, "views", 0}, "is empty");
+  return status;
+}
+
+enum hsr_status hsr_cameras_json_read(struct hsr_scene *scene, const char *path,
+                                      struct hsr_error *err) {
+  struct reader reader = {.scene = scene, .path = path, .err = err};
+  return read_file(&reader, read_cameras);
 }
 
 /* ---- Writing ---- */

@@ -17,6 +17,12 @@ enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
                                     struct hsr_import *import,
                                     struct hsr_error *err);
 
+/* Appends the views of a file of cameras, {"schema": "hsr-camera/1", "views":
+ * [...]}, to a scene. Each view is as in a scene file, and there is at least
+ * one. HSR_E_INPUT, HSR_E_NOMEM. */
+enum hsr_status hsr_cameras_json_read(struct hsr_scene *scene, const char *path,
+                                      struct hsr_error *err);
+
 /* Writes a scene so that reading it back gives the same doubles. */
 enum hsr_status hsr_scene_json_write(const struct hsr_scene *scene,
                                      const char *path, struct hsr_error *err);

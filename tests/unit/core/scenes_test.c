@@ -10,6 +10,7 @@
 #endif
 
 #include "common/exact/predicates.h"
+#include "scenes/cameras.h"
 #include "scenes/meshes.h"
 #include "scenes/scenes.h"
 #include "tests/tap.h"
@@ -166,16 +167,21 @@ static bool entry_is_sound(const struct hsr_builtin *b) {
   return good && is_known(b->name);
 }
 
-static bool refused(const char *name, const char *because) {
+static bool refused_as(enum hsr_status as, const char *name,
+                       const char *because) {
   struct hsr_scene *scene;
   struct hsr_error err = {HSR_OK, ""};
   enum hsr_status status = hsr_scene_open(name, NULL, &scene, &err);
-  bool good = status == HSR_E_INPUT && err.status == status && !scene &&
+  bool good = status == as && err.status == status && !scene &&
               strstr(err.text, because);
   if (!good)
     printf("# \"%s\": status %d, \"%s\"\n", name, (int)status, err.text);
   hsr_scene_delete(scene);
   return good;
+}
+
+static bool refused(const char *name, const char *because) {
+  return refused_as(HSR_E_INPUT, name, because);
 }
 
 /* A value one beyond each bound is refused, and the least value is not. */
@@ -190,6 +196,81 @@ static bool bounds_hold(const struct hsr_builtin *b) {
   good = good && scene->n_views >= 8;
   hsr_scene_delete(scene);
   return good;
+}
+
+/* --- Cameras in the name -------------------------------------------------- */
+
+static bool is_near(const struct hsr_camera *camera, double eye, double at,
+                    double fov) {
+  return camera->eye[0] == eye && camera->at[0] == at && camera->fov == fov;
+}
+
+static void write_cameras(const char *path) {
+  FILE *file = fopen(path, "w");
+  if (!file)
+    exit(99);
+  fputs("{\"schema\": \"hsr-camera/1\", \"views\": [\n"
+        " {\"eye\": [1, 2, 3], \"at\": [4, 5, 6]},\n"
+        " {\"eye\": [7, 8, 9], \"at\": [0, 0, 0], \"fov\": 30}]}\n",
+        file);
+  fclose(file);
+}
+
+/* The only view of the scene of this name. */
+static struct hsr_camera view_of(const char *name) {
+  struct hsr_scene *scene = open_scene(name);
+  struct hsr_camera camera = scene->views[0];
+  if (scene->n_views != 1 || strcmp(scene->name, name))
+    camera.fov = -1;
+  hsr_scene_delete(scene);
+  return camera;
+}
+
+static void check_cameras(struct tap *tap) {
+  static const char path[] = "cameras_of_a@test.json";
+  struct hsr_scene *house = open_scene("house");
+  struct hsr_camera first = house->views[0], third = house->views[2];
+  hsr_scene_delete(house);
+  struct hsr_camera camera = view_of("house@eye=9,5,-1e1:fov=20.5");
+  ok(tap,
+     is_near(&camera, 9, first.at[0], 20.5) && camera.eye[2] == -10 &&
+         camera.near == first.near,
+     "words change the scene's first view");
+  camera = view_of("house@view=3:near=0.5");
+  ok(tap,
+     is_near(&camera, third.eye[0], third.at[0], third.fov) &&
+         camera.near == .5,
+     "or the view that they name");
+  camera = view_of("house@eye=1,2,3:eye=4,5,6@at=7,8,9");
+  ok(tap, is_near(&camera, 4, 7, first.fov), "the last word counts");
+  ok(tap,
+     refused_as(HSR_E_USAGE, "house@view=99", "no view 99") &&
+         refused_as(HSR_E_USAGE, "house@view=0:fov=3", "from 1") &&
+         refused_as(HSR_E_USAGE, "house@fov=3:view=2", "says nothing") &&
+         refused_as(HSR_E_USAGE, "house@eye=1,2", "X,Y,Z") &&
+         refused_as(HSR_E_USAGE, "house@eye=1,2,3,4", "X,Y,Z") &&
+         refused_as(HSR_E_USAGE, "house@eye=1,2,nan", "X,Y,Z") &&
+         refused_as(HSR_E_USAGE, "house@fov=40:", "says nothing") &&
+         refused_as(HSR_E_USAGE, "house@fov=181", "180") &&
+         refused_as(HSR_E_INPUT, "house@", "cannot be read") &&
+         refused_as(HSR_E_INPUT, "house@none.json", "none.json") &&
+         refused_as(HSR_E_INPUT, "@fov=30", "no scene") &&
+         refused_as(HSR_E_INPUT, "horse@fov=30", "did you mean house"),
+     "bad cameras are refused");
+  write_cameras("cameras.json");
+  house = open_scene("house@cameras.json");
+  ok(tap, house->n_views == 2 && is_near(&house->views[1], 7, 0, 30),
+     "a file replaces all views");
+  hsr_scene_delete(house);
+  camera = view_of("house@cameras.json@view=2:fov=15");
+  ok(tap, is_near(&camera, 7, 0, 15), "and words change the file's");
+  write_cameras(path);
+  ok(tap,
+     hsr_name_before_cameras(path) == strlen(path) &&
+         hsr_name_before_cameras("a@b@c") == 1,
+     "a file may have an @ in its name");
+  remove("cameras.json");
+  remove(path);
 }
 
 static void check_table(struct tap *tap) {
@@ -997,10 +1078,11 @@ static void check_meshes(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 * COUNT(known) + 3 + COUNT(claims) + 9);
+  struct tap tap = plan(2 * COUNT(known) + 3 + 7 + COUNT(claims) + 9);
   for (int i = 0; i < COUNT(known); i++)
     check_known(&tap, i);
   check_table(&tap);
+  check_cameras(&tap);
   check_bad_names(&tap);
   check_claims(&tap);
   check_meshes(&tap);

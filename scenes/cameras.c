@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+
+#include "scenes/cameras.h"
+
+#include "common/files/scene_json.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const struct {
+  const char *key;
+  size_t place; /* in a struct hsr_camera */
+  int n;        /* how many numbers */
+} words[] = {{"eye", offsetof(struct hsr_camera, eye), 3},
+             {"at", offsetof(struct hsr_camera, at), 3},
+             {"up", offsetof(struct hsr_camera, up), 3},
+             {"fov", offsetof(struct hsr_camera, fov), 1},
+             {"near", offsetof(struct hsr_camera, near), 1}};
+enum { N_WORDS = sizeof words / sizeof *words };
+
+static bool is_file(const char *name, size_t n) {
+  char *path = strndup(name, n);
+  bool found = path && !access(path, F_OK);
+  free(path);
+  return found;
+}
+
+size_t hsr_name_before_cameras(const char *name) {
+  size_t n = strlen(name);
+  while (n && !is_file(name, n))
+    for (n--; n && name[n] != '@'; n--)
+      ;
+  return n ? n : strcspn(name, "@");
+}
+
+/* --- Words ---------------------------------------------------------------- */
+
+/* n numbers with commas between them, and nothing else. */
+static bool read_numbers(const char *text, size_t length, int n, double *to) {
+  const char *last = text + length;
+  for (int k = 0; k < n; k++) {
+    char *end;
+    to[k] = strtod(text, &end);
+    if (end == text || end > last || !isfinite(to[k]) ||
+        (k < n - 1 ? *end != ',' : end != last))
+      return false;
+    text = end + 1;
+  }
+  return true;
+}
+
+static bool is_key(const char *word, const char *key) {
+  size_t n = strlen(key);
+  return !strncmp(word, key, n) && word[n] == '=';
+}
+
+static enum hsr_status read_word(const char *word, size_t length,
+                                 struct hsr_camera *camera,
+                                 struct hsr_error *err) {
+  for (int k = 0; k < N_WORDS; k++) {
+    if (!is_key(word, words[k].key))
+      continue;
+    size_t key = strlen(words[k].key) + 1;
+    double number[3];
+    if (!read_numbers(word + key, length - key, words[k].n, number))
+      return hsr_fail(err, HSR_E_USAGE, "%s: '%.*s' must be %s", words[k].key,
+                      (int)(length - key), word + key,
+                      words[k].n == 3 ? "a point, X,Y,Z" : "a number");
+    memcpy((char *)camera + words[k].place, number,
+           (size_t)words[k].n * sizeof *number);
+    return HSR_OK;
+  }
+  return hsr_fail(err, HSR_E_USAGE,
+                  "'%.*s' says nothing of a camera: view=K, eye=X,Y,Z, "
+                  "at=X,Y,Z, up=X,Y,Z, fov=DEG or near=T",
+                  (int)length, word);
+}
+
+/* view=K, which may stand first: the number from 0. */
+static enum hsr_status choose_view(const struct hsr_scene *scene,
+                                   const char *word, size_t length,
+                                   uint32_t *view, struct hsr_error *err) {
+  char *end;
+  unsigned long number = strtoul(word, &end, 10);
+  if (*word < '0' || *word > '9' || end != word + length || !number)
+    return hsr_fail(err, HSR_E_USAGE, "view: '%.*s' must be a number from 1",
+                    (int)length, word);
+  if (number > scene->n_views)
+    return hsr_fail(err, HSR_E_USAGE, "%s has %u views; there is no view %.*s",
+                    scene->name, scene->n_views, (int)length, word);
+  *view = (uint32_t)(number - 1);
+  return HSR_OK;
+}
+
+static enum hsr_status aim_by_words(struct hsr_scene *scene, const char *text,
+                                    size_t length, struct hsr_error *err) {
+  const char *last = text + length;
+  uint32_t view = 0;
+  enum hsr_status status = HSR_OK;
+  if (is_key(text, "view")) {
+    size_t n = strcspn(text, ":@");
+    status = choose_view(scene, text + 5, n - 5, &view, err);
+    text += n;
+  }
+  struct hsr_camera camera = scene->views[view];
+  while (text < last && !status) {
+    text += *text == ':';
+    size_t n = strcspn(text, ":@");
+    status = read_word(text, n, &camera, err);
+    text += n;
+  }
+  struct hsr_error why;
+  if (!status && hsr_camera_check(&camera, &why))
+    return hsr_fail(err, HSR_E_USAGE, "%s", why.text);
+  if (status)
+    return status;
+  scene->n_views = 0;
+  return hsr_scene_view(scene, &camera) ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+/* --- Files ---------------------------------------------------------------- */
+
+static enum hsr_status aim_by_file(struct hsr_scene *scene, const char *text,
+                                   size_t length, struct hsr_error *err) {
+  char *path = strndup(text, length);
+  if (!path)
+    return hsr_fail_nomem(err);
+  scene->n_views = 0;
+  enum hsr_status status = hsr_cameras_json_read(scene, path, err);
+  free(path);
+  return status;
+}
+
+static bool has_words(const char *text) {
+  bool found = is_key(text, "view");
+  for (int k = 0; k < N_WORDS; k++)
+    found |= is_key(text, words[k].key);
+  return found;
+}
+
+enum hsr_status hsr_scene_aim(struct hsr_scene *scene, const char *cameras,
+                              struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  while (*cameras && !status) {
+    const char *text = cameras + 1; /* after the '@' */
+    size_t n = strcspn(text, "@");
+    status = has_words(text) ? aim_by_words(scene, text, n, err)
+                             : aim_by_file(scene, text, n, err);
+    cameras = text + n;
+  }
+  return status;
+}
