@@ -3,7 +3,10 @@
  * drawings (.vtp) and voxels (.vti), written through VTK.
  *
  * Polygons are kept as polygons. A mesh that is closed and consistently
- * oriented outward becomes a one-sided object, any other a two-sided one. */
+ * oriented outward becomes a one-sided object, any other a two-sided one.
+ *
+ * A face has its own colour (.off .ply), or that of its material (.obj with its
+ * .mtl), or the mean of its vertices' (.ply .obj), or else the object's. */
 #ifndef HSR_COMMON_EXCHANGE_H
 #define HSR_COMMON_EXCHANGE_H
 

@@ -5,6 +5,8 @@ libhsr_a_SOURCES += \
   %D%/exchange.cc \
   %D%/mesh_file.cc \
   %D%/mesh_file.h \
+  %D%/mesh_materials.cc \
+  %D%/mesh_materials.h \
   %D%/mesh_scan_obj.cc \
   %D%/mesh_scan_off.cc \
   %D%/mesh_scan_ply.cc \

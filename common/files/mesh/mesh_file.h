@@ -76,7 +76,10 @@ protected:
 /* What a scan found in a file; the reader must find exactly the same. */
 struct Mesh_extent {
   size_t n_vertices = 0, n_faces = 0, n_corners = 0;
-  std::vector<float> rgb; /* 3 * n_faces, linear; or empty */
+  std::vector<float> rgb; /* 3 * n_faces, linear; or empty. A face without a
+                             colour has NO_COLOUR */
+  std::vector<float> vertex_rgb; /* 3 * n_vertices, linear; or empty */
+  static constexpr float NO_COLOUR = -1;
 };
 
 /* Each checks a whole file and throws Refused at the first thing that is wrong

@@ -3,7 +3,10 @@
 //
 // Source      Wavefront Advanced Visualizer manual, appendix B1
 // Departures  of geometry only vertices and faces are read; free-form surfaces,
-//             lines, points, groups and materials are passed over.
+//             lines, points and groups are passed over. Of materials only the
+//             colours are read. Vertices may have a colour, "v x y z r g b", as
+//             many programs write it: 0..1, or 0..255 if any is above 1.
+#include "common/files/mesh/mesh_materials.h"
 #include "common/files/mesh/mesh_text.h"
 
 #include <algorithm>
@@ -15,12 +18,13 @@ namespace {
 
 /* Statements that are passed over. CGAL knows some of them. */
 constexpr Word PASSED_OVER[] = {
-    "vt",     "vn",     "vp",     "p",          "l",         "curv",  "curv2",
-    "surf",   "cstype", "deg",    "bmat",       "step",      "parm",  "trim",
-    "hole",   "scrv",   "sp",     "end",        "con",       "g",     "s",
-    "mg",     "o",      "bevel",  "c_interp",   "d_interp",  "lod",   "usemtl",
-    "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj", "ctech", "stech",
-    "call",   "csh",    "bsp",    "bzp",        "cdc",       "cdp",   "res"};
+    "vt",        "vn",       "vp",     "p",      "l",      "curv",
+    "curv2",     "surf",     "cstype", "deg",    "bmat",   "step",
+    "parm",      "trim",     "hole",   "scrv",   "sp",     "end",
+    "con",       "g",        "s",      "mg",     "o",      "bevel",
+    "c_interp",  "d_interp", "lod",    "usemap", "maplib", "shadow_obj",
+    "trace_obj", "ctech",    "stech",  "call",   "csh",    "bsp",
+    "bzp",       "cdc",      "cdp",    "res"};
 
 class Obj_scan {
 public:
@@ -31,6 +35,7 @@ public:
 private:
   void statement();
   void vertex();
+  void end_colours();
   void face();
   size_t corner(Word word);
   void check_parts(Word word, Word parts) const;
@@ -39,6 +44,9 @@ private:
   Lines lines_;
   Face_checker checker_;
   Mesh_extent extent_;
+  Materials materials_;
+  const Rgb *material_ = nullptr;  /* of the faces that follow */
+  std::vector<double> vertex_rgb_; /* of the first vertices, as they stand */
   /* Faces may name vertices that follow them: the highest number, and where it
    * stood. */
   struct {
@@ -49,12 +57,18 @@ private:
 
 void Obj_scan::vertex() {
   size_t n = 0;
-  for (Word word = lines_.word(); !word.empty(); word = lines_.word(), n++)
-    lines_.real(word, "vertex", extent_.n_vertices + 1);
+  double value[7];
+  for (Word word = lines_.word(); !word.empty(); word = lines_.word(), n++) {
+    const double number = lines_.real(word, "vertex", extent_.n_vertices + 1);
+    if (n < 7)
+      value[n] = number;
+  }
   /* With a weight, with a colour, or with both. */
   if (n != 3 && n != 4 && n != 6 && n != 7)
     lines_.refuse("vertex %zu has %zu numbers, not 3", extent_.n_vertices + 1,
                   n);
+  if (n >= 6 && vertex_rgb_.size() == 3 * extent_.n_vertices)
+    vertex_rgb_.insert(vertex_rgb_.end(), value + n - 3, value + n);
   extent_.n_vertices++;
 }
 
@@ -97,6 +111,12 @@ void Obj_scan::face() {
   }
   if (const char *fault = checker_.fault())
     lines_.refuse("face %zu %s", extent_.n_faces, fault);
+  if (material_ && extent_.rgb.empty())
+    extent_.rgb.assign(3 * extent_.n_faces, Mesh_extent::NO_COLOUR);
+  if (material_)
+    extent_.rgb.insert(extent_.rgb.end(), material_->begin(), material_->end());
+  else if (!extent_.rgb.empty())
+    extent_.rgb.insert(extent_.rgb.end(), 3, Mesh_extent::NO_COLOUR);
   extent_.n_faces++;
 }
 
@@ -106,12 +126,34 @@ void Obj_scan::statement() {
     vertex();
   } else if (name == "f") {
     face();
+  } else if (name == "mtllib" || name == "usemtl") {
+    if (name == "mtllib")
+      materials_.read(file_.path, lines_.rest());
+    else
+      material_ = materials_.find(lines_.rest());
+    Lines::blank(name);
+    lines_.blank_rest();
   } else {
     if (std::find(std::begin(PASSED_OVER), std::end(PASSED_OVER), name) ==
         std::end(PASSED_OVER))
       lines_.refuse("'%s' is not a statement", shown_word(name).c_str());
     Lines::blank(name);
     lines_.blank_rest();
+  }
+}
+
+/* Colours of vertices are kept if all have one. */
+void Obj_scan::end_colours() {
+  if (vertex_rgb_.size() != 3 * extent_.n_vertices)
+    return;
+  const double most =
+      *std::max_element(vertex_rgb_.begin(), vertex_rgb_.end()) > 1 ? 255 : 1;
+  extent_.vertex_rgb.reserve(vertex_rgb_.size());
+  for (size_t k = 0; k < vertex_rgb_.size(); k += 3) {
+    const double encoded[3] = {vertex_rgb_[k] / most, vertex_rgb_[k + 1] / most,
+                               vertex_rgb_[k + 2] / most};
+    const Rgb rgb = rgb_of_file(encoded);
+    extent_.vertex_rgb.insert(extent_.vertex_rgb.end(), rgb.begin(), rgb.end());
   }
 }
 
@@ -127,6 +169,8 @@ Mesh_extent Obj_scan::scan() {
   if (highest_.vertex > static_cast<long long>(extent_.n_vertices))
     file_.refuse(highest_.line, "face %zu names vertex %lld of %zu",
                  highest_.face, highest_.vertex, extent_.n_vertices);
+  if (!vertex_rgb_.empty())
+    end_colours();
   return std::move(extent_);
 }
 

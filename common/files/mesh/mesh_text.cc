@@ -123,6 +123,13 @@ Word Lines::word_of_any_line() {
   return taken;
 }
 
+std::string Lines::rest() const {
+  const char *start = std::find_if(at_, end_, is_not_blank), *end = end_;
+  while (end > start && end[-1] == ' ')
+    end--;
+  return std::string(start, end);
+}
+
 void Lines::blank(Word word) {
   /* Words are views of the file's bytes, which are ours to write. */
   std::fill_n(const_cast<char *>(word.data()), word.size(), ' ');

@@ -69,6 +69,9 @@ public:
   /* Takes the next word of the file, empty at its end. */
   Word word_of_any_line();
 
+  /* The rest of the line, without spaces at its ends; the line is not taken. */
+  std::string rest() const;
+
   /* The bytes of a word, or of the rest of the line, become spaces. */
   static void blank(Word word);
   void blank_rest();

@@ -3,6 +3,7 @@
 #include "common/files/mesh/exchange.h"
 #include "tests/tap.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -196,6 +197,86 @@ void try_colours(tap *t) {
   hsr_scene_delete(scene);
 }
 
+bool is_linear(const float *rgb, double r, double g, double b) {
+  const double want[3] = {r, g, b};
+  for (int k = 0; k < 3; k++) {
+    const double light = want[k] <= .04045
+                             ? want[k] / 12.92
+                             : std::pow((want[k] + .055) / 1.055, 2.4);
+    if (!(std::fabs(rgb[k] - light) < 1e-5))
+      return false;
+  }
+  return true;
+}
+
+/* The second face of two is of these colours, and the first of the others. */
+void try_face_colours(tap *t, const std::string &path, const double first[3],
+                      const double second[3], const char *what) {
+  struct hsr_scene *scene = hsr_scene_new("");
+  const struct hsr_object *o = read(scene, path, nullptr);
+  if (!ok(t,
+          o && o->rgb && is_linear(o->rgb, first[0], first[1], first[2]) &&
+              is_linear(o->rgb + 3, second[0], second[1], second[2]),
+          "%s", what) &&
+      o && o->rgb)
+    std::printf("# %g %g %g, %g %g %g\n", o->rgb[0], o->rgb[1], o->rgb[2],
+                o->rgb[3], o->rgb[4], o->rgb[5]);
+  hsr_scene_delete(scene);
+}
+
+void try_more_colours(tap *t) {
+  const double red[3] = {1, 0, 0}, green[3] = {0, 1, 0}, grey[3] = {.5, .5, .5};
+  const double none[3] = {.797738, .797738, .797738}; /* linear .6 */
+  file("a b.mtl", "# two\nnewmtl red one\nKa 1 1 1\nKd 1 0 0\n"
+                  "newmtl grey\nKd 0.5\nnewmtl odd\nKd spectral x.rfl 1\n");
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  struct hsr_scene *scene = hsr_scene_new("");
+  const struct hsr_object *o =
+      read(scene,
+           file("none.obj",
+                "mtllib none.mtl\n" + points + "usemtl red one\nf 1 2 3\n"),
+           nullptr);
+  ok(t, o && !o->rgb, "a library that is not there is passed over");
+  hsr_scene_delete(scene);
+  try_face_colours(t,
+                   file("mtl.obj", "mtllib a b.mtl\n" + points +
+                                       "usemtl red one\nf 1 2 3\n"
+                                       "usemtl grey\nf 3 2 1\n"),
+                   red, grey, "materials colour their faces");
+  try_face_colours(t,
+                   file("part.obj", "mtllib a b.mtl\n" + points +
+                                        "f 1 2 3\nusemtl red one\nf 3 2 1\n"
+                                        "usemtl odd\nf 2 3 1\n"),
+                   none, red,
+                   "a face without material has the object's colour");
+  try_face_colours(t,
+                   file("v.obj", "v 0 0 0 0 1 0\nv 1 0 0 0 1 0\n"
+                                 "v 0 1 0 0 1 0\nf 1 2 3\nf 3 2 1\n"),
+                   green, green, "vertices colour their faces in .obj");
+  try_face_colours(t,
+                   file("w.obj", "v 0 0 0 1 255 0 0\nv 1 0 0 1 255 0 0\n"
+                                 "v 0 1 0 1 255 0 0\nf 1 2 3\nf 3 2 1\n"),
+                   red, red, "up to 255, behind weights");
+  const std::string head = "ply\nformat ascii 1.0\nelement vertex 3\n"
+                           "property float x\nproperty float y\n"
+                           "property float z\nproperty uchar red\n"
+                           "property uchar green\nproperty uchar blue\n"
+                           "element face 2\n"
+                           "property list uchar int vertex_indices\n";
+  const std::string vertices = "0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n";
+  try_face_colours(
+      t, file("v.ply", head + "end_header\n" + vertices + "3 0 1 2\n3 2 1 0\n"),
+      red, red, "vertices colour their faces in .ply");
+  try_face_colours(t,
+                   file("f.ply", head +
+                                     "property uchar red\n"
+                                     "property uchar green\n"
+                                     "property uchar blue\nend_header\n" +
+                                     vertices +
+                                     "3 0 1 2 0 255 0\n3 2 1 0 255 0 0\n"),
+                   green, red, "but a face's own colour comes first");
+}
+
 bool is_refused(const std::string &name, const std::string &text,
                 const char *says) {
   struct hsr_scene *scene = hsr_scene_new("");
@@ -257,7 +338,7 @@ int main() {
     return 99;
   directory = name;
   const bool vtk = hsr_exchange_has_vtk();
-  struct tap t = plan(3 * 3 + (vtk ? 3 : 0) + 2 + 2 + 2 + 1 + 3 + 2);
+  struct tap t = plan(3 * 3 + (vtk ? 3 : 0) + 2 + 2 + 2 + 1 + 8 + 3 + 2);
   try_cube(&t, file("cube.off", cube_off()));
   try_cube(&t, file("cube.obj", cube_obj()));
   try_cube(&t, file("cube.ply", cube_ply()));
@@ -267,6 +348,10 @@ int main() {
   try_solidity(&t);
   try_degenerate(&t);
   try_colours(&t);
+  try_more_colours(&t);
+  file("bad.mtl", "newmtl a\nKd 1 x 1\n");
+  ok(&t, is_refused("bad.obj", "mtllib bad.mtl\nv 0 0 0\n", "bad.mtl:2"),
+     "a material that is malformed is refused");
   try_numbers(&t);
   try_binary_stl(&t);
   const std::string clean = "rm -rf '" + directory + "'";

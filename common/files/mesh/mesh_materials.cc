@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/files/mesh/mesh_materials.h"
+#include "common/files/mesh/mesh_text.h"
+#include "common/files/srgb.h"
+
+#include <algorithm>
+#include <sstream>
+#include <unistd.h>
+
+namespace hsr {
+
+Rgb rgb_of_file(const double encoded[3]) {
+  Rgb rgb;
+  for (size_t k = 0; k < 3; k++)
+    rgb[k] = hsr_srgb_decode(
+        static_cast<float>(std::min(std::max(encoded[k], 0.0), 1.0)));
+  return rgb;
+}
+
+namespace {
+
+/* Kd r, which stands for r r r, or Kd r g b. False: in other words. */
+bool read_diffuse(Lines &lines, size_t material, Rgb &rgb) {
+  double value[3];
+  size_t n = 0;
+  for (Word word = lines.word(); !word.empty(); word = lines.word(), n++) {
+    if (!n && (word == "spectral" || word == "xyz"))
+      return false;
+    if (n == 3)
+      lines.refuse("Kd has more than 3 numbers");
+    value[n] = lines.real(word, "material", material);
+  }
+  if (n != 1 && n != 3)
+    lines.refuse("Kd has %zu numbers, not 3", n);
+  if (n == 1)
+    value[1] = value[2] = value[0];
+  rgb = rgb_of_file(value);
+  return true;
+}
+
+std::string folder_of(const char *path) {
+  const std::string text = path;
+  const size_t slash = text.rfind('/');
+  return slash == std::string::npos ? "" : text.substr(0, slash + 1);
+}
+
+bool is_there(const std::string &path) {
+  return !access(path.c_str(), F_OK);
+}
+
+} // namespace
+
+void Materials::read_file(const std::string &path) {
+  Mesh_file file = load_mesh_file(path.c_str());
+  skip_byte_order_mark(file);
+  Lines lines(file, {'#', true});
+  std::string name;
+  for (size_t n = 0; lines.next_line();) {
+    const Word statement = lines.word();
+    Rgb rgb;
+    if (statement == "newmtl") {
+      name = lines.rest();
+      n++;
+    } else if (statement == "Kd" && read_diffuse(lines, n, rgb)) {
+      colours_[name] = rgb;
+    }
+  }
+}
+
+/* A name may hold spaces, or there may be several. */
+void Materials::read(const char *obj_path, const std::string &names) {
+  const std::string folder = folder_of(obj_path);
+  if (is_there(folder + names)) {
+    read_file(folder + names);
+    return;
+  }
+  std::istringstream words(names);
+  for (std::string name; words >> name;)
+    if (is_there(folder + name))
+      read_file(folder + name);
+}
+
+const Rgb *Materials::find(const std::string &name) const {
+  const auto found = colours_.find(name);
+  return found == colours_.end() ? nullptr : &found->second;
+}
+
+} // namespace hsr
