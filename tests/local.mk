@@ -247,7 +247,10 @@ EXTRA_DIST += \
   %D%/fuzz/run \
   %D%/valgrind/run \
   %D%/valgrind/libraries.supp \
+  %D%/fuzz/fuzz_cameras.cc \
   %D%/fuzz/fuzz_mesh.cc \
+  %D%/fuzz/fuzz_mtl.cc \
   %D%/fuzz/fuzz_reader.h \
   %D%/fuzz/fuzz_scene_json.cc \
+  %D%/fuzz/library.cc \
   %D%/fuzz/vtp.dict

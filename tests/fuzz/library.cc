@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fuzz targets hold the code of hsr-vtk.so, so that it is sanitized too.
+#include "common/files/library.h"
+#include "common/files/vtk/vtk_library.h"
+
+extern "C" const struct hsr_vtk_library hsr_vtk;
+
+const void *hsr_library_table(const char *, const char *, struct hsr_error *) {
+  return &hsr_vtk;
+}
