@@ -319,6 +319,11 @@ enum hsr_status open_scene(const char *name, struct hsr_import import,
   if (!status && import.n_dropped)
     fprintf(stderr, "hsr: %s: %llu degenerate faces left out\n", name,
             (unsigned long long)import.n_dropped);
+  if (!status && (*scene)->enlarged)
+    fprintf(stderr,
+            "hsr: %s: tiny, so it is drawn 2^%d times as large; depths and "
+            "coordinates are told so\n",
+            name, (*scene)->enlarged);
   return status;
 }
 

@@ -316,6 +316,8 @@ enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
     status = open_plain(*scene, plain, import, err);
   if (!status)
     status = hsr_scene_aim(*scene, name + n, err);
+  if (!status)
+    hsr_scene_enlarge(*scene);
   free(plain);
   if (status) {
     hsr_scene_delete(*scene);

@@ -34,7 +34,8 @@ extern const struct hsr_builtin hsr_builtins[];
 /* Opens, finishes and returns the scene that a user names: a built-in scene
  * with parameters ("harbor", "soup:1000:7"), a real mesh of Debian's
  * libcgal-demo ("mesh:elephant"), a .scene.json, or a mesh file; each may have
- * cameras after it ("house@eye=9,5,9", scenes/cameras.h). *scene is the caller's
+ * cameras after it ("house@eye=9,5,9", scenes/cameras.h). A tiny scene is
+ * enlarged (hsr_scene_enlarge). *scene is the caller's
  * to delete, NULL on failure. HSR_E_INPUT, HSR_E_NOMEM; HSR_E_USAGE for cameras.
  */
 enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tests print TAP. Those that are scripts end in .test.
 tap_programs = \
+  %D%/conformance/hard_test \
   %D%/unit/core/adapt_test \
   %D%/unit/core/box_test \
   %D%/unit/core/bsp_test \
@@ -153,8 +154,7 @@ check-module:
 	@$(AM_TESTS_ENVIRONMENT) %D%/conformance/trace_test $(M) && \
 	  %D%/counts/golden_test $(M) && ./hsr check $(quick_scenes) -a $(M)
 
-# hard_test is run by hand: some of its scenes still take minutes.
-check_PROGRAMS += $(tap_programs) %D%/conformance/hard_test %D%/sweep/hsr-fixtures %D%/answers/hsr-layers \
+check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers \
   %D%/example/hsr-example %D%/trace/hsr-fixtures
 dist_check_SCRIPTS += $(tap_scripts)
 TESTS += $(tap_programs) $(tap_scripts)

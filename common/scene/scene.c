@@ -380,3 +380,63 @@ enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
   }
   return HSR_OK;
 }
+
+/* --- Tiny scenes ---------------------------------------------------------- */
+
+static double largest(const double *v, size_t n) {
+  double most = 0;
+  for (size_t k = 0; k < n; k++)
+    most = fmax(most, fabs(v[k]));
+  return most;
+}
+
+static double largest_vertex(const struct hsr_object *object) {
+  return largest(object->xyz, 3 * (size_t)object->n_vertices);
+}
+
+/* A bound of all coordinates in the world, and of what a matrix adds and
+ * multiplies to make them. */
+static double extent(const struct hsr_scene *scene) {
+  double most = 0;
+  for (uint32_t o = 0, i = 0; o < scene->n_objects; o++) {
+    double vertex = largest_vertex(&scene->objects[o]);
+    most = fmax(most, vertex);
+    for (; i < scene->n_instances && scene->instances[i].object == o; i++) {
+      const double *m = scene->instances[i].m;
+      for (int row = 0; row < 12; row += 4)
+        most = fmax(most, 3 * largest(m + row, 3) * vertex + fabs(m[row + 3]));
+    }
+  }
+  for (uint32_t k = 0; k < scene->n_views; k++) {
+    const struct hsr_camera *view = &scene->views[k];
+    most = fmax(most, fmax(largest(view->eye, 3), largest(view->at, 3)));
+    most = fmax(most, view->near);
+  }
+  return most;
+}
+
+static void enlarge(double *v, size_t n, int exponent) {
+  for (size_t k = 0; k < n; k++)
+    v[k] = ldexp(v[k], exponent);
+}
+
+void hsr_scene_enlarge(struct hsr_scene *scene) {
+  int exponent;
+  double size = extent(scene);
+  if (!(size > 0 && size < 0x1p-100))
+    return;
+  frexp(size, &exponent);
+  scene->enlarged -= exponent;
+  for (uint32_t o = 0; o < scene->n_objects; o++)
+    enlarge(scene->objects[o].xyz, 3 * (size_t)scene->objects[o].n_vertices,
+            -exponent);
+  for (uint32_t i = 0; i < scene->n_instances; i++)
+    for (int row = 0; row < 12; row += 4)
+      enlarge(scene->instances[i].m + row + 3, 1, -exponent);
+  for (uint32_t k = 0; k < scene->n_views; k++) {
+    struct hsr_camera *view = &scene->views[k];
+    enlarge(view->eye, 3, -exponent);
+    enlarge(view->at, 3, -exponent);
+    enlarge(&view->near, 1, -exponent);
+  }
+}

@@ -73,6 +73,7 @@ struct hsr_scene {
   struct hsr_camera *views;       /* the scene's own; at least one */
   uint32_t n_objects, n_instances, n_views;
   uint32_t cap_objects, cap_instances, cap_views;
+  int enlarged; /* it is 2^enlarged times as large as it was given */
 };
 
 /* An empty scene, which hsr_scene_delete frees. `name` is copied. NULL: out of
@@ -122,6 +123,13 @@ enum hsr_status hsr_scene_view(struct hsr_scene *scene,
  * The faces of instances are checked by hsr_world_init. */
 enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
                                  struct hsr_error *err);
+
+/* Enlarges a finished scene, views and all, by a power of two if all of it is
+ * within 2^-100 of the origin, so that its size is about 1. The picture stays
+ * the same. In a scene of 1e-99 the products of four coordinates are below the
+ * least double: intervals tell nothing then, and every comparison would be made
+ * in exact numbers. scene->enlarged becomes the exponent. */
+void hsr_scene_enlarge(struct hsr_scene *scene);
 
 /* Appends n views from a circle around the scene's bounding box, raised by 20
  * degrees and irregularly spaced. Each holds the whole scene. HSR_E_NOMEM;

@@ -282,6 +282,8 @@ static struct hsr_scene *make_scene(uint64_t seed, struct hsr_camera *c,
     hsr_scene_delete(m.scene);
     return NULL;
   }
+  hsr_scene_enlarge(m.scene);
+  *c = m.scene->views[0];
   return m.scene;
 }
 

@@ -273,6 +273,70 @@ static void check_cameras(struct tap *tap) {
   remove(path);
 }
 
+/* --- Tiny scenes ---------------------------------------------------------- */
+
+/* Two instances of a triangle as seen from one place, all 2^exponent as large as
+ * the first. */
+static struct hsr_scene *sized_scene(int exponent) {
+  static const double corner[3][3] = {{0, 0.1, 3}, {1, 0, 3}, {0, 1, 0x1p-20}};
+  static const uint32_t face[3] = {0, 1, 2};
+  struct hsr_scene *scene = hsr_scene_new("sized");
+  struct hsr_object *object = hsr_scene_object(scene, "triangle");
+  for (int k = 0; k < 3; k++)
+    hsr_object_vertex(object, ldexp(corner[k][0], exponent),
+                      ldexp(corner[k][1], exponent),
+                      ldexp(corner[k][2], exponent), NULL);
+  hsr_object_face(object, face, 3, NULL);
+  double m[12] = {1, 2, 0, 0, 0, 1, 0, 0, 0, 0, 1, ldexp(7, exponent)};
+  hsr_scene_instance(scene, 0, NULL);
+  hsr_scene_instance(scene, 0, m);
+  struct hsr_camera camera = {.eye = {0, 0, ldexp(9, exponent)},
+                              .at = {ldexp(0.3, exponent), 0, 0},
+                              .up = {0, 1, 0},
+                              .fov = 40,
+                              .near = ldexp(0.2, exponent)};
+  hsr_scene_view(scene, &camera);
+  struct hsr_error err;
+  if (hsr_scene_finish(scene, &err))
+    exit(99);
+  return scene;
+}
+
+/* Whether a is 2^exponent as large as b, bit for bit. */
+static bool is_larger(const struct hsr_scene *a, const struct hsr_scene *b,
+                      int exponent) {
+  const struct hsr_camera *v = a->views, *w = b->views;
+  bool same = v->fov == w->fov && v->up[1] == w->up[1] &&
+              v->near == ldexp(w->near, exponent);
+  for (int k = 0; k < 9; k++)
+    same &= a->objects[0].xyz[k] == ldexp(b->objects[0].xyz[k], exponent);
+  for (int k = 0; k < 3; k++)
+    same &= v->eye[k] == ldexp(w->eye[k], exponent) &&
+            v->at[k] == ldexp(w->at[k], exponent);
+  for (int k = 0; k < 12; k++)
+    same &= a->instances[1].m[k] == (k % 4 == 3
+                                         ? ldexp(b->instances[1].m[k], exponent)
+                                         : b->instances[1].m[k]);
+  return same;
+}
+
+static void check_tiny(struct tap *tap) {
+  struct hsr_scene *one = sized_scene(0), *tiny = sized_scene(-900),
+                   *small = sized_scene(-80);
+  hsr_scene_enlarge(one);
+  hsr_scene_enlarge(small);
+  ok(tap, !one->enlarged && !small->enlarged && is_larger(one, small, 80),
+     "a scene of some size is not enlarged");
+  hsr_scene_enlarge(tiny);
+  ok(tap,
+     tiny->enlarged > 890 && tiny->enlarged < 900 &&
+         is_larger(one, tiny, 900 - tiny->enlarged),
+     "a tiny one is, by 2^%d", tiny->enlarged);
+  hsr_scene_delete(one);
+  hsr_scene_delete(tiny);
+  hsr_scene_delete(small);
+}
+
 static void check_table(struct tap *tap) {
   bool sound = true, bounded = true;
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++) {
@@ -1078,11 +1142,12 @@ static void check_meshes(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 * COUNT(known) + 3 + 7 + COUNT(claims) + 9);
+  struct tap tap = plan(2 * COUNT(known) + 3 + 7 + 2 + COUNT(claims) + 9);
   for (int i = 0; i < COUNT(known); i++)
     check_known(&tap, i);
   check_table(&tap);
   check_cameras(&tap);
+  check_tiny(&tap);
   check_bad_names(&tap);
   check_claims(&tap);
   check_meshes(&tap);
