@@ -246,6 +246,34 @@ static void check_exact(struct tap *tap, const char *name) {
   close_stage(&stage);
 }
 
+/* --- Hidden faces --------------------------------------------------------- */
+
+/* A face that is behind what is drawn already is hidden as a whole, and none
+ * that is seen is counted as such. */
+static void check_hidden(struct tap *tap, const char *name) {
+  struct stage stage = open_stage(name);
+  struct hsr_view view = view_of(&stage, 0, LARGEST, LARGEST);
+  struct drawn lazy =
+      draw("tiling-lazy:order=front", true, &stage, &view, large, NULL);
+  bool *seen = calloc(stage.world.n_faces, sizeof *seen);
+  if (!seen)
+    stop(name, "out of memory");
+  uint64_t n_seen = 0;
+  for (int k = 0; k < LARGEST * LARGEST; k++)
+    if (large[k] != HSR_BACKGROUND && !seen[large[k]]) {
+      seen[large[k]] = true;
+      n_seen++;
+    }
+  free(seen);
+  uint64_t polygons = of(&lazy, "polygons");
+  uint64_t hidden = of(&lazy, "polygons hidden");
+  ok(tap, hidden > 0 && n_seen <= polygons - hidden,
+     "%s: of %llu polygons %llu are hidden and %llu are seen", name,
+     (unsigned long long)polygons, (unsigned long long)hidden,
+     (unsigned long long)n_seen);
+  close_stage(&stage);
+}
+
 /* --- Disorder ------------------------------------------------------------- */
 
 static void check_disorder(struct tap *tap, const char *name) {
@@ -320,7 +348,7 @@ int main(void) {
     DEEP = sizeof deep / sizeof *deep,
     FILTERED = sizeof filtered / sizeof *filtered
   };
-  struct tap tap = plan(SCENES + 1 + FILTERED + 2 * DEEP + 2 + 2);
+  struct tap tap = plan(SCENES + 1 + FILTERED + 2 * DEEP + 1 + 2 + 2);
   for (int s = 0; s < SCENES; s++)
     check_scene(&tap, scenes[s]);
   check_lattices(&tap);
@@ -329,6 +357,7 @@ int main(void) {
                    filtered[k].filtering);
   for (int s = 0; s < DEEP; s++)
     check_exact(&tap, deep[s]);
+  check_hidden(&tap, "color-cube:8");
   for (int s = 0; s < 2; s++)
     check_disorder(&tap, deep[s]);
   for (int s = 0; s < 2; s++)
