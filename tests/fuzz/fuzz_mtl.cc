@@ -7,9 +7,10 @@
 static std::string mesh_beside(const std::string &materials) {
   const std::string path = materials + ".obj";
   std::FILE *file = std::fopen(path.c_str(), "w");
-  if (!file || std::fputs("mtllib mesh.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
-                          "usemtl a\nf 1 2 3\n",
-                          file) < 0 ||
+  if (!file ||
+      std::fputs("mtllib mesh.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+                 "usemtl a\nf 1 2 3\n",
+                 file) < 0 ||
       std::fclose(file))
     std::abort();
   return path;
