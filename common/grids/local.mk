@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 nobase_pkginclude_HEADERS += \
+  %D%/order.h \
   %D%/triage.h \
   %D%/voxels.h
 libhsr_a_SOURCES += \
+  %D%/order.c \
   %D%/triage.c \
   %D%/voxels.c
