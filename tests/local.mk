@@ -15,6 +15,7 @@ tap_programs = \
   %D%/unit/algorithms/grove_test \
   %D%/unit/bench/line_oracle_test \
   %D%/unit/algorithms/masks_test \
+  %D%/unit/core/grid_test \
   %D%/unit/core/octree_test \
   %D%/unit/bench/oracle_test \
   %D%/unit/core/outline_test \
@@ -108,6 +109,7 @@ quick_units = \
   %D%/unit/core/adapt_test \
   %D%/unit/core/box_test \
   %D%/unit/core/filter_test \
+  %D%/unit/core/grid_test \
   %D%/unit/core/octree_test \
   %D%/unit/core/screen_test \
   %D%/unit/core/statistics_test \
