@@ -14,6 +14,9 @@ hsr_build hsr_build_color_cube, hsr_build_color_sides, hsr_build_sphere,
     hsr_build_terrain, hsr_build_twist, hsr_build_office, hsr_build_traffic,
     hsr_build_tower, hsr_build_bare_tower, hsr_build_soup, hsr_build_lattice;
 
+/* worlds/cells.c */
+hsr_build hsr_build_checker_cube, hsr_build_grid;
+
 /* failures/order.c */
 hsr_build hsr_build_cyclic_overlap, hsr_build_penetration, hsr_build_coplanar,
     hsr_build_nested_solids, hsr_build_one_sided, hsr_build_deep_stack;

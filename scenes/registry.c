@@ -99,6 +99,13 @@ const struct hsr_builtin hsr_builtins[] = {
     SEEDED("lattice", hsr_build_lattice, 200, 1, 1000000,
            "N random polygons with small integer coordinates, seen so that "
            "vertices, edges and planes meet the samples"),
+    SIZED("checker-cube", hsr_build_checker_cube, 12, 3, 200,
+          "a hollow cube of N x N x N cells in red and white blocks, after "
+          "Swan: 40 and 60 in his figures"),
+    SEEDED(
+        "grid", hsr_build_grid, 6, 2, 200,
+        "a grid of N x N x N cells of random sizes, of which two of five are "
+        "kept"),
 
     FAILURE("cyclic-overlap", hsr_build_cyclic_overlap,
             "faces and solids in rings, each over the next: no order of "

@@ -129,7 +129,7 @@ sanitized_programs = $(quick_units) \
 quick_scripts = %D%/tree/arrows.test %D%/tree/mutants.test %D%/answers/layers.test \
   %D%/example/example.test
 quick_scenes = house cyclic-overlap penetration coplanar near-plane \
-  lattice:40:3 --views 2 --size 41x29
+  lattice:40:3 grid:4 --views 2 --size 41x29
 .PHONY: check-quick check-module check-sanitized
 # As many jobs as there are processors, unless make was told a number.
 quick_jobs = case " $$MAKEFLAGS" in *\ -j*|*--jobserver*) ;; \

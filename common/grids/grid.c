@@ -294,15 +294,24 @@ void hsr_grid_face(const struct hsr_grid *g, uint32_t face, uint32_t *cell,
     ;
 }
 
-void hsr_grid_corners(const struct hsr_grid *g, const uint32_t at[3], int side,
-                      double corner[4][3]) {
+void hsr_grid_corner_places(const uint32_t at[3], int side,
+                            uint32_t corner[4][3]) {
   /* Around axis a the other two follow in turn, b and then c; seen from where a
    * is higher they run counter-clockwise. */
   int a = side / 2, b = (a + 1) % 3, c = (a + 2) % 3, high = side & 1;
   for (int k = 0; k < 4; k++) {
     int turn = high ? k : 3 - k;
-    corner[k][a] = g->bound[a][at[a] + (uint32_t)high];
-    corner[k][b] = g->bound[b][at[b] + (turn == 1 || turn == 2)];
-    corner[k][c] = g->bound[c][at[c] + (turn >= 2)];
+    corner[k][a] = at[a] + (uint32_t)high;
+    corner[k][b] = at[b] + (turn == 1 || turn == 2);
+    corner[k][c] = at[c] + (turn >= 2);
   }
+}
+
+void hsr_grid_corners(const struct hsr_grid *g, const uint32_t at[3], int side,
+                      double corner[4][3]) {
+  uint32_t place[4][3];
+  hsr_grid_corner_places(at, side, place);
+  for (int k = 0; k < 4; k++)
+    for (int a = 0; a < 3; a++)
+      corner[k][a] = g->bound[a][place[k][a]];
 }

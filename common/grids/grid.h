@@ -78,6 +78,11 @@ uint32_t hsr_grid_first_face(const struct hsr_grid *grid, uint32_t cell);
 void hsr_grid_face(const struct hsr_grid *grid, uint32_t face, uint32_t *cell,
                    int *side);
 
+/* The corners of a side as indices of bounds, counter-clockwise as seen from
+ * outside the cell. */
+void hsr_grid_corner_places(const uint32_t at[3], int side,
+                            uint32_t corner[4][3]);
+
 /* The corners of a side, counter-clockwise as seen from outside the cell. */
 void hsr_grid_corners(const struct hsr_grid *grid, const uint32_t at[3],
                       int side, double corner[4][3]);

@@ -50,6 +50,10 @@ static const struct {
              {"soup:100:7", 0x258c9a8fbb04398c, 0xa91990140ef9c1f1},
              {"lattice", 0x3177b0ca5e6c6b16, 0xad865c6288d8bd3e},
              {"lattice:40:7", 0xa0429647d8f2faef, 0x42a4ee8855f24723},
+             {"checker-cube", 0xa4ac3151d18e6bfa, 0xa2460a99869e48eb},
+             {"checker-cube:40", 0xbd89b094ec7e9167, 0x16dce8a92f509781},
+             {"grid", 0x42b18085200e92ac, 0x806716fdf435209e},
+             {"grid:9:7", 0x757ef353abca7262, 0x9bc5c9e885091f39},
              {"cyclic-overlap", 0x21769e1614807276, 0xd936af14550fd029},
              {"penetration", 0xf52c450824a57ce6, 0x910ad37b16c545b5},
              {"coplanar", 0x3fd4c3eff437a466, 0xa0bab23422d6a9cc},
@@ -761,6 +765,41 @@ static bool is_sphere(const struct hsr_scene *scene) {
   return sphere->n_faces == 2048 && is_closed(sphere) && volume(sphere) > 24;
 }
 
+/* --- Cells --- */
+
+static bool is_hollow_cube(const struct hsr_scene *scene) {
+  uint32_t n = (uint32_t)strtoul(strchr(scene->name, ':') + 1, NULL, 10);
+  const struct hsr_object *cells = &scene->objects[0];
+  uint32_t outside = 6 * n * n, inside = 6 * (n - 2) * (n - 2);
+  return is_closed(cells) && cells->n_faces == outside + inside &&
+         volume(cells) == 6 * (n * n * n - (n - 2.0) * (n - 2) * (n - 2));
+}
+
+/* Whether a face is a rectangle across an axis. */
+static bool is_side(const struct hsr_object *object, uint32_t f) {
+  const uint32_t *v = object->vertex + object->start[f];
+  int across = 0;
+  for (int a = 0; a < 3; a++) {
+    double x[4];
+    for (int k = 0; k < 4; k++)
+      x[k] = object->xyz[3 * (size_t)v[k] + (size_t)a];
+    if (x[0] == x[1] && x[1] == x[2] && x[2] == x[3])
+      across++;
+    else if (!((x[0] == x[1] && x[2] == x[3]) ||
+               (x[1] == x[2] && x[3] == x[0])))
+      return false;
+  }
+  return across == 1 && object->start[f + 1] - object->start[f] == 4;
+}
+
+static bool is_of_cells(const struct hsr_scene *scene) {
+  const struct hsr_object *cells = &scene->objects[0];
+  for (uint32_t f = 0; f < cells->n_faces; f++)
+    if (!is_side(cells, f))
+      return false;
+  return cells->one_sided && volume(cells) > 0;
+}
+
 /* The least and greatest a x + b y + c z over the 8 vertices of solid i. */
 static void extent(const struct hsr_object *module, uint32_t i,
                    const double n[3], double *low, double *high) {
@@ -1001,6 +1040,10 @@ static const struct {
      has_plants},
     {"lattice", "small integers, plane faces", is_on_lattice},
     {"lattice:50:99", "small integers, plane faces", is_on_lattice},
+    {"checker-cube:3", "a hollow cube of cells", is_hollow_cube},
+    {"checker-cube:40", "a hollow cube of cells", is_hollow_cube},
+    {"grid", "sides of cells, outwards", is_of_cells},
+    {"grid:30:2", "sides of cells, outwards", is_of_cells},
     {"cyclic-overlap", "each bar lies over the next", is_cyclic},
     {"penetration", "faces are on both sides of others", penetrates},
     {"coplanar", "all faces of a sheet have one plane", is_coplanar},
