@@ -67,6 +67,7 @@ tap_programs = \
   %D%/properties/surfaces/romney_test \
   %D%/properties/surfaces/scan_line_test \
   %D%/properties/surfaces/schumacker_test \
+  %D%/properties/volume/cells_test \
   %D%/properties/volume/orders_test \
   %D%/properties/tiling/voxels_test \
   %D%/properties/tiling/tiling_test \
