@@ -94,6 +94,23 @@ static void check_once(struct tap *tap, enum hsr_grid_order order) {
      hsr_grid_order_name[order]);
 }
 
+/* By ippbtf the cells of an axis come by their distance from the eye's, whichever
+ * side they are on. */
+static void check_interleaved(struct tap *tap) {
+  static int when[MOST_CELLS];
+  bool by_distance = true;
+  for (int q = -1; q < MOST; q++) {
+    struct hsr_grid_seen seen = {.n = {1, MOST, 1}, .q = {0, q, 0}};
+    int at[MOST];
+    visit(HSR_IPPBTF, 0, true, &seen, when);
+    for (int k = 0; k < MOST; k++)
+      at[when[k]] = k;
+    for (int k = 1; k < MOST; k++)
+      by_distance &= abs(at[k - 1] - q) <= abs(at[k] - q);
+  }
+  ok(tap, by_distance, "ippbtf takes the cells of both sides by distance");
+}
+
 /* --- Points --------------------------------------------------------------- */
 
 /* Samples at whole numbers, and an eye at one: all else is a scale. */
@@ -544,9 +561,10 @@ int main(void) {
       {"H", {20.3, 30.2, 40.1}, {.1, .2, 1}, 45, 90000, {0, 0, 0, 0}}};
   enum { CAMERAS = sizeof cameras / sizeof *cameras };
   struct tap tap =
-      plan(2 * HSR_GRID_ORDERS + 7 + 7 + HSR_GRID_ORDERS + 2 + 2 * CAMERAS);
+      plan(2 * HSR_GRID_ORDERS + 1 + 7 + 7 + HSR_GRID_ORDERS + 2 + 2 * CAMERAS);
   for (enum hsr_grid_order order = 0; order < HSR_GRID_ORDERS; order++)
     check_once(&tap, order);
+  check_interleaved(&tap);
   check_points(&tap);
   check_cells(&tap);
   for (enum hsr_grid_order order = 0; order < HSR_GRID_ORDERS; order++)
