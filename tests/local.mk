@@ -112,6 +112,7 @@ quick_units = \
   %D%/unit/core/filter_test \
   %D%/unit/core/grid_test \
   %D%/unit/core/octree_test \
+  %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \
   %D%/unit/core/statistics_test \
   %D%/unit/core/triage_test \

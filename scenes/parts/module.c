@@ -142,9 +142,9 @@ static void shelf(struct hsr_pen *pen, struct hsr_random *random) {
   for (int i = 0; i < 5; i++) {
     int thick = hsr_random_int(random, 3, 9);
     hsr_pen_palette(pen, (uint32_t)hsr_random_int(random, 0, 11));
-    hsr_pen_block(pen, x, SHELF, 4, x + thick,
-                  SHELF + hsr_random_int(random, 12, 19),
-                  hsr_random_int(random, 14, 19));
+    int deep = hsr_random_int(random, 14, 19);
+    int high = hsr_random_int(random, 12, 19);
+    hsr_pen_block(pen, x, SHELF, 4, x + thick, SHELF + high, deep);
     x += thick + hsr_random_int(random, 0, 3);
   }
 }
@@ -191,8 +191,8 @@ static void cubicle(struct hsr_pen *pen, int x, int y, int z, int quarters,
   drawers(pen, random);
   shelf(pen, random);
   computer(pen, random);
-  double place[3] = {hsr_random_int(random, 68, 128) / 64.0, 0,
-                     hsr_random_int(random, 88, 136) / 64.0};
+  double place[3] = {hsr_random_int(random, 68, 128) / 64.0};
+  place[2] = hsr_random_int(random, 88, 136) / 64.0;
   hsr_instance_vertex(pen->m, place, place);
   hsr_pen_frame(pen, place[0], place[1], place[2],
                 quarters + hsr_random_int(random, 0, 3));
