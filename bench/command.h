@@ -92,8 +92,11 @@ error_t parse_camera_option(struct camera_options *options, int key, char *arg,
 /* Whether there is any word: then the scene has one view. */
 bool has_camera_words(const struct camera_options *options);
 
-/* How many views the file of --camera has. HSR_E_INPUT; HSR_E_NOMEM. */
-enum hsr_status count_cameras(const char *file, long *n, struct hsr_error *err);
+/* How many views are meant if --views does not say so: one if there are words,
+ * those of the file of --camera, or else `standard`; `most` at most. HSR_E_INPUT,
+ * HSR_E_NOMEM: the file cannot be read. */
+enum hsr_status count_views(const struct camera_options *options, long standard,
+                            long most, long *n, struct hsr_error *err);
 
 /* Adds the cameras to a scene's name. Words change the scene's view number
  * `view`, from 1. HSR_E_USAGE if the name becomes too long. */

@@ -256,13 +256,16 @@ bool has_camera_words(const struct camera_options *o) {
   return false;
 }
 
-enum hsr_status count_cameras(const char *file, long *n,
-                              struct hsr_error *err) {
+enum hsr_status count_views(const struct camera_options *o, long standard,
+                            long most, long *n, struct hsr_error *err) {
+  *n = has_camera_words(o) ? 1 : standard;
+  if (!o->file || has_camera_words(o))
+    return HSR_OK;
   struct hsr_scene *scene = hsr_scene_new("");
   if (!scene)
     return hsr_fail_nomem(err);
-  enum hsr_status status = hsr_cameras_json_read(scene, file, err);
-  *n = scene->n_views;
+  enum hsr_status status = hsr_cameras_json_read(scene, o->file, err);
+  *n = scene->n_views < most ? (long)scene->n_views : most;
   hsr_scene_delete(scene);
   return status;
 }
@@ -321,8 +324,8 @@ enum hsr_status open_scene(const char *name, struct hsr_import import,
             (unsigned long long)import.n_dropped);
   if (!status && (*scene)->enlarged)
     fprintf(stderr,
-            "hsr: %s: tiny, so it is drawn 2^%d times as large; depths and "
-            "coordinates are told so\n",
+            "hsr: %s: too small to compute with, so it is drawn 2^%d times as "
+            "large; depths and coordinates are those of the larger scene\n",
             name, (*scene)->enlarged);
   return status;
 }

@@ -84,15 +84,13 @@ static error_t order_views(struct check_options *o) {
   bool shuffle = o->order && !strcmp(o->order, "shuffle");
   if (o->order && !reverse && !shuffle)
     return list_views(o);
-  long n_views = o->first_views ? o->first_views : 8;
-  if (!o->first_views && has_camera_words(&o->camera))
-    n_views = 1;
-  else if (!o->first_views && o->camera.file &&
-           count_cameras(o->camera.file, &n_views, o->base.err)) {
+  long n_views = o->first_views;
+  if (!n_views &&
+      count_views(&o->camera, 8, MOST_VIEWS, &n_views, o->base.err)) {
     o->base.failed = true;
     return EINVAL;
   }
-  o->n_views = n_views < MOST_VIEWS ? (int)n_views : MOST_VIEWS;
+  o->n_views = (int)n_views;
   for (int k = 0; k < o->n_views; k++)
     o->view[k] = reverse ? o->n_views - 1 - k : k;
   unsigned short random[3] = {(unsigned short)o->n_views};

@@ -96,17 +96,6 @@ static error_t set_count(struct sweep_options *o, const char *name, char *arg,
                      most);
 }
 
-/* As many views as the file of --camera has. */
-static error_t count_views(struct sweep_options *o) {
-  if (count_cameras(o->camera.file, &o->views, o->base.err)) {
-    o->base.failed = true;
-    return EINVAL;
-  }
-  if (o->views > SWEEP_MOST_VIEWS)
-    o->views = SWEEP_MOST_VIEWS;
-  return 0;
-}
-
 static error_t complete(struct sweep_options *o) {
   if (!o->n_scenes)
     return option_fail(&o->base, "bench: which scene? (see hsr bench --help)");
@@ -118,9 +107,11 @@ static error_t complete(struct sweep_options *o) {
     o->m[0] = o->n[0] = 512;
     o->n_sizes = 1;
   }
-  if (o->camera.file && !o->views_given && !has_camera_words(&o->camera) &&
-      count_views(o))
+  if (!o->views_given &&
+      count_views(&o->camera, 1, SWEEP_MOST_VIEWS, &o->views, o->base.err)) {
+    o->base.failed = true;
     return EINVAL;
+  }
   if (!o->n_threads)
     o->threads[o->n_threads++] = 1;
   return 0;
