@@ -152,7 +152,8 @@ struct hsr_algorithm {
   unsigned
       restrictions; /* HSR_CC ... (common/adapt/adapt.h): the world that prepare
                              and render get is adapted to these */
-  unsigned subjects; /* what it takes: 1 << HSR_FACES, 1 << HSR_GRID */
+  unsigned subjects; /* what it takes: 1 << HSR_FACES, 1 << HSR_GRID. What takes
+                        faces draws a grid by the faces of its cells */
   const struct hsr_answer_type *kind; /* what it makes: HSR_IDS ... */
   unsigned flags;
   const struct hsr_sort *sorts;       /* ended by .what == NULL; NULL: none */
@@ -196,10 +197,10 @@ unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
 bool hsr_choice_folds(const struct hsr_algorithm *algorithm,
                       const struct hsr_choice *choice);
 
-/* HSR_ALGORITHM(watkins) is the name of the descriptor in this build. A function
- * that several modules share is compiled twice, too: its header gives it the
- * name of this build, by #define hsr_f HSR_OF_BUILD(hsr_f). A third build of
- * some files defines HSR_BUILD. */
+/* HSR_ALGORITHM(watkins) is the name of the descriptor in this build. A
+ * function that several modules share is compiled twice, too: its header gives
+ * it the name of this build, by #define hsr_f HSR_OF_BUILD(hsr_f). A third
+ * build of some files defines HSR_BUILD. */
 #define HSR_ALGORITHM_PASTE2(a, b) a##b
 #define HSR_ALGORITHM_PASTE(a, b) HSR_ALGORITHM_PASTE2(a, b)
 #if HSR_COUNTING
@@ -230,8 +231,8 @@ struct hsr_listed {
   const struct hsr_algorithm *plain, *counting;
 };
 
-/* All that can be named, ended by .plain == NULL: the program's own list, or that
- * of bench/registry.c, the oracles before the algorithms of list.def. */
+/* All that can be named, ended by .plain == NULL: the program's own list, or
+ * that of bench/registry.c, the oracles before the algorithms of list.def. */
 extern const struct hsr_listed hsr_algorithms[];
 
 /* The listed algorithm of that name, or NULL. */

@@ -7,6 +7,7 @@ algorithm_files =
 include %D%/object_space/volumes/local.mk
 include %D%/object_space/edges/local.mk
 include %D%/list_priority/fixed/local.mk
+include %D%/list_priority/fixed/cells/local.mk
 include %D%/list_priority/per_frame/local.mk
 include %D%/image_space/area/local.mk
 include %D%/image_space/area/tiling/local.mk

@@ -32,13 +32,37 @@ static enum hsr_status apply(struct hsr_setup *setup,
   return status;
 }
 
-/* Whether the scene is of what the algorithm takes. */
+static enum hsr_status too_many_faces(const struct hsr_world *world,
+                                      struct hsr_error *err) {
+  return hsr_fail(err, HSR_E_REFUSED,
+                  "%u faces are too many to be laid out, as it needs them",
+                  world->n_faces);
+}
+
+static bool takes(const struct hsr_algorithm *algorithm,
+                  enum hsr_scene_subject subject) {
+  return algorithm->subjects & 1u << subject;
+}
+
+enum hsr_status hsr_setup_world(struct hsr_world *world,
+                                const struct hsr_algorithm *algorithm,
+                                struct hsr_scene *scene,
+                                struct hsr_error *err) {
+  return scene->grid && takes(algorithm, HSR_GRID)
+             ? hsr_world_outline(world, scene, err)
+             : hsr_world_open(world, scene, hsr_most_laid_out(algorithm), err);
+}
+
+/* Whether the scene is of what the algorithm takes. A grid has faces, too. */
 static enum hsr_status check_subject(const struct hsr_algorithm *algorithm,
                                      const struct hsr_world *world,
                                      struct hsr_error *err) {
-  enum hsr_scene_subject subject = world->outline.scene->subject;
-  if (algorithm->subjects & 1u << subject)
+  const struct hsr_scene *scene = world->outline.scene;
+  enum hsr_scene_subject subject = scene->subject;
+  if (takes(algorithm, subject))
     return HSR_OK;
+  if (subject == HSR_GRID && takes(algorithm, HSR_FACES))
+    return hsr_scene_lacks_faces(scene) ? too_many_faces(world, err) : HSR_OK;
   return hsr_fail(err, HSR_E_REFUSED, "the scene is %s, which it does not take",
                   hsr_scene_subject_name[subject]);
 }
@@ -56,9 +80,7 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
   if (status)
     return status;
   if (hsr_is_outline(world) && !(algorithm->flags & HSR_INSTANCED))
-    return hsr_fail(err, HSR_E_REFUSED,
-                    "%u faces are too many to be laid out, as it needs them",
-                    world->n_faces);
+    return too_many_faces(world, err);
   for (const struct hsr_adapter *a = hsr_adapters; a->name && !status; a++)
     if (!hsr_is_outline(world) &&
         (algorithm->restrictions & a->mends) == a->mends)

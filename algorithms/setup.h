@@ -35,6 +35,12 @@ struct hsr_setup {
   const struct hsr_paint *paint; /* for every job; NULL unless set */
 };
 
+/* Opens the world of a scene as this algorithm takes it best: laid out, or an
+ * outline, which of a grid that it takes has no faces. As hsr_world_open. */
+enum hsr_status hsr_setup_world(struct hsr_world *world,
+                                const struct hsr_algorithm *algorithm,
+                                struct hsr_scene *scene, struct hsr_error *err);
+
 /* `choice` is NULL for the standard one. `world` is borrowed and outlives the
  * setup. Freed with hsr_setup_free, also after a failure: HSR_E_NOMEM;
  * HSR_E_REFUSED where the scene is of a subject that the algorithm does not

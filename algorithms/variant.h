@@ -16,9 +16,8 @@
 extern "C" {
 #endif
 
-#define HSR_MOST_VARIANT                                                       \
-  1000 /* bytes of its text: more than all options of an
-                                 algorithm take */
+/* Bytes of its text: more than all options of an algorithm take. */
+#define HSR_MOST_VARIANT 1000
 
 struct hsr_variant {
   const struct hsr_listed *listed;

@@ -65,10 +65,11 @@ bool parse_count(const char *text, long least, long most, long *count);
 
 /* The cameras that the options describe. They become a part of the scene's name
  * (scenes/cameras.h), so that whoever gets the name looks from there. */
-enum { CAMERA_WORDS = 5, MOST_AIMED_NAME = 1024 };
+enum { CAMERA_WORDS = 6, CAMERA_PLACES = 3, MOST_AIMED_NAME = 1024 };
 struct camera_options {
   const char *file;               /* of --camera, or NULL */
-  const char *word[CAMERA_WORDS]; /* of --eye, --at, --up, --fov, --near */
+  const char *word[CAMERA_WORDS]; /* of --eye, --at, --up, --fov, --near,
+                                     --parallel */
 };
 
 /* Entries for an argp option array, and their parser. ARGP_ERR_UNKNOWN if `key`
@@ -82,6 +83,13 @@ enum { CAMERA_EYE = 0x100, CAMERA_FILE = CAMERA_EYE + CAMERA_WORDS };
       {"fov", CAMERA_EYE + 3, "DEG", 0, "vertical angle of view, degrees", 10}, \
       {"near", CAMERA_EYE + 4, "T", 0, "nothing exists up to this distance",    \
        10},                                                                     \
+      {"parallel",                                                              \
+       CAMERA_EYE + 5,                                                          \
+       "HEIGHT",                                                                \
+       0,                                                                       \
+       "in parallel projection, the picture so high; fit: as high as what is "  \
+       "in perspective around the point looked at",                             \
+       10},                                                                     \
   {                                                                             \
     "camera", CAMERA_FILE, "FILE", 0,                                           \
         "look from the views of this file, not from those of the scene", 10     \
@@ -89,12 +97,14 @@ enum { CAMERA_EYE = 0x100, CAMERA_FILE = CAMERA_EYE + CAMERA_WORDS };
 error_t parse_camera_option(struct camera_options *options, int key, char *arg,
                             struct option_base *base);
 
-/* Whether there is any word: then the scene has one view. */
+/* Whether there is any word; and one that says where to look from, to, or what
+ * is up: then the scene has one view. */
 bool has_camera_words(const struct camera_options *options);
+bool names_a_place(const struct camera_options *options);
 
-/* How many views are meant if --views does not say so: one if there are words,
- * those of the file of --camera, or else `standard`; `most` at most. HSR_E_INPUT,
- * HSR_E_NOMEM: the file cannot be read. */
+/* How many views are meant if --views does not say so: one if a place is named,
+ * those of the file of --camera, or else `standard`; `most` at most.
+ * HSR_E_INPUT, HSR_E_NOMEM: the file cannot be read. */
 enum hsr_status count_views(const struct camera_options *options, long standard,
                             long most, long *n, struct hsr_error *err);
 

@@ -134,17 +134,28 @@ static void say_restrictions(const struct hsr_algorithm *a, char *text,
                          length ? " " : "; ", hsr_restriction_code(1u << k));
 }
 
-static void print_algorithm(const struct hsr_algorithm *a) {
+/* The width of the column of sorting orders. */
+static int sorts_width(void) {
+  int width = 5;
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
+    const char *order = a->plain->sort_order;
+    if (order && (int)strlen(order) > width)
+      width = (int)strlen(order);
+  }
+  return width;
+}
+
+static void print_algorithm(const struct hsr_algorithm *a, int sorts) {
   struct taxonomy place = taxonomy(a->taxonomy);
   char year[12] = "-", restrictions[60] = "", text[200];
   if (a->year)
     snprintf(year, sizeof year, "%d", a->year);
   say_restrictions(a, restrictions, sizeof restrictions);
-  snprintf(text, sizeof text, "%s%s%s%s%s", place.class,
+  snprintf(text, sizeof text, "%s%s%s%s%s%s", place.class,
            place.branch ? ", " : "", place.branch ? place.branch : "",
-           restrictions,
+           restrictions, a->subjects & 1u << HSR_FACES ? "" : "; of grids only",
            a->flags & HSR_KNOWN_WRONG ? "; known to be wrong" : "");
-  int used = printf("%-19s %4s  %-8s %-8s  ", a->name, year,
+  int used = printf("%-19s %4s  %-*s %-8s  ", a->name, year, sorts,
                     a->sort_order ? a->sort_order : "-", a->kind->name);
   terminal_wrap(stdout, used, used, text);
 }
@@ -220,10 +231,11 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
     return status;
   if (json)
     return print_json(err);
-  printf("%-19s %4s  %-8s %-8s  %s\n", "name", "year", "sorts", "kind",
+  int sorts = sorts_width();
+  printf("%-19s %4s  %-*s %-8s  %s\n", "name", "year", sorts, "sorts", "kind",
          "taxonomy; restrictions");
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
-    print_algorithm(a->plain);
+    print_algorithm(a->plain, sorts);
   print_options();
   return HSR_OK;
 }

@@ -229,8 +229,9 @@ bool parse_point(const char *text, double point[3]) {
   return true;
 }
 
-static const char *const camera_keys[CAMERA_WORDS] = {"eye", "at", "up", "fov",
-                                                      "near"};
+static const char *const camera_keys[CAMERA_WORDS] = {
+    "eye", "at", "up", "fov", "near", "parallel"};
+enum { PARALLEL = 5 };
 
 error_t parse_camera_option(struct camera_options *o, int key, char *arg,
                             struct option_base *base) {
@@ -242,24 +243,36 @@ error_t parse_camera_option(struct camera_options *o, int key, char *arg,
   if (k < 0 || k >= CAMERA_WORDS)
     return ARGP_ERR_UNKNOWN;
   double number[3];
-  if (k < 3 ? !parse_point(arg, number) : !parse_number(arg, number))
+  bool is_fit = k == PARALLEL && !strcmp(arg, "fit");
+  if (!is_fit && (k < CAMERA_PLACES ? !parse_point(arg, number)
+                                    : !parse_number(arg, number)))
     return option_fail(base, "--%s %s: must be %s", camera_keys[k], arg,
-                       k < 3 ? "a point, X,Y,Z" : "a number");
+                       k < CAMERA_PLACES ? "a point, X,Y,Z"
+                       : k == PARALLEL   ? "a number, or fit"
+                                         : "a number");
   o->word[k] = arg;
   return 0;
 }
 
-bool has_camera_words(const struct camera_options *o) {
-  for (int k = 0; k < CAMERA_WORDS; k++)
+static bool has_any(const struct camera_options *o, int n) {
+  for (int k = 0; k < n; k++)
     if (o->word[k])
       return true;
   return false;
 }
 
+bool has_camera_words(const struct camera_options *o) {
+  return has_any(o, CAMERA_WORDS);
+}
+
+bool names_a_place(const struct camera_options *o) {
+  return has_any(o, CAMERA_PLACES);
+}
+
 enum hsr_status count_views(const struct camera_options *o, long standard,
                             long most, long *n, struct hsr_error *err) {
-  *n = has_camera_words(o) ? 1 : standard;
-  if (!o->file || has_camera_words(o))
+  *n = names_a_place(o) ? 1 : standard;
+  if (!o->file || names_a_place(o))
     return HSR_OK;
   struct hsr_scene *scene = hsr_scene_new("");
   if (!scene)

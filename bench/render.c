@@ -192,7 +192,8 @@ struct render {
   double import, build, draw, shade, write; /* seconds */
 };
 
-static enum hsr_status open_place(struct render *r, uint32_t most,
+static enum hsr_status open_place(struct render *r,
+                                  const struct hsr_algorithm *a,
                                   struct hsr_error *err) {
   const struct options *o = r->options;
   double begin = seconds_now();
@@ -209,7 +210,7 @@ static enum hsr_status open_place(struct render *r, uint32_t most,
     status = hsr_view_init(&r->view, &camera, o->view.m * (int)o->supersamples,
                            o->view.n * (int)o->supersamples, err);
   if (!status)
-    status = hsr_world_open(&r->world, r->scene, most, err);
+    status = hsr_setup_world(&r->world, a, r->scene, err);
   r->build = seconds_now() - begin;
   return status;
 }
@@ -393,7 +394,7 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
       options.work ? variant.listed->counting : variant.listed->plain;
 
   struct render r = {.options = &options, .kind = variant.choice.form.type};
-  status = open_place(&r, hsr_most_laid_out(a), err);
+  status = open_place(&r, a, err);
   if (!status)
     status = draw(&r, a, &variant.choice, err);
   if (!status)

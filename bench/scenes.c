@@ -5,22 +5,26 @@
 #include "bench/terminal/terminal.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static const char about[] =
     "Lists the built-in scenes with their standard parameters, the number of "
     "faces and views that these give, and what each is for; and the real "
     "meshes of Debian's libcgal-demo, if that is installed.";
 
-/* Faces and views of a built-in scene with its standard parameters. */
-static enum hsr_status measure(const char *name, uint64_t *n_faces,
-                               uint32_t *n_views, struct hsr_error *err) {
+/* Faces and views of a built-in scene with its standard parameters; 0 if its
+ * package is missing. */
+static enum hsr_status measure(const struct hsr_builtin *builtin,
+                               uint64_t *n_faces, uint32_t *n_views,
+                               struct hsr_error *err) {
   struct hsr_scene *scene;
-  enum hsr_status status = hsr_scene_open(name, NULL, &scene, err);
+  *n_faces = *n_views = 0;
+  if (!hsr_builtin_is_there(builtin))
+    return HSR_OK;
+  enum hsr_status status = hsr_scene_open(builtin->name, NULL, &scene, err);
   if (status)
     return status;
-  *n_faces = 0;
-  for (uint32_t i = 0; i < scene->n_instances; i++)
-    *n_faces += scene->objects[scene->instances[i].object].n_faces;
+  *n_faces = hsr_scene_faces(scene);
   *n_views = scene->n_views;
   hsr_scene_delete(scene);
   return HSR_OK;
@@ -42,7 +46,7 @@ static enum hsr_status print_json(char **meshes, size_t n_meshes,
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++) {
     uint64_t n_faces;
     uint32_t n_views;
-    enum hsr_status status = measure(b->name, &n_faces, &n_views, err);
+    enum hsr_status status = measure(b, &n_faces, &n_views, err);
     if (status) {
       json_decref(scenes);
       json_decref(names);
@@ -62,31 +66,41 @@ static enum hsr_status print_json(char **meshes, size_t n_meshes,
                     err);
 }
 
+static void print_meshes(char **meshes, size_t n_meshes) {
+  int columns = terminal_columns(stdout), used = 0;
+  for (size_t k = 0; k < n_meshes; k++) {
+    int width = (int)strlen(meshes[k]) + 7;
+    if (used && used + width > (columns ? columns : 80)) {
+      putchar('\n');
+      used = 0;
+    }
+    used += printf("  mesh:%s", meshes[k]);
+  }
+  putchar('\n');
+}
+
 static enum hsr_status print_text(char **meshes, size_t n_meshes,
                                   struct hsr_error *err) {
-  printf("%-18s %8s %5s  %s\n", "scene", "faces", "views", "about");
+  int wide = 0;
+  for (const struct hsr_builtin *b = hsr_builtins; b->name; b++)
+    if ((int)strlen(b->usage) > wide)
+      wide = (int)strlen(b->usage);
+  printf("%-*s %9s %5s  %s\n", wide, "scene", "faces", "views", "about");
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++) {
     uint64_t n_faces;
     uint32_t n_views;
-    enum hsr_status status = measure(b->name, &n_faces, &n_views, err);
+    enum hsr_status status = measure(b, &n_faces, &n_views, err);
     if (status)
       return status;
-    int used = printf("%-18s %8llu %5u  ", b->usage,
+    int used = printf("%-*s %9llu %5u  ", wide, b->usage,
                       (unsigned long long)n_faces, n_views);
-    terminal_wrap(stdout, used, 35, b->about);
+    terminal_wrap(stdout, used, used, b->about);
   }
-  if (!n_meshes)
-    puts("\nno real meshes at hand: on Debian, apt-get install libcgal-demo");
-  else
+  if (n_meshes) {
     printf("\n%zu real meshes:\n", n_meshes);
-  int column = 0;
-  for (size_t k = 0; k < n_meshes; k++) {
-    int width = printf("  mesh:%s", meshes[k]);
-    column += width;
-    if (column > 50 || k + 1 == n_meshes) {
-      putchar('\n');
-      column = 0;
-    }
+    print_meshes(meshes, n_meshes);
+  } else {
+    puts("\nno real meshes at hand: on Debian, apt-get install libcgal-demo");
   }
   return HSR_OK;
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The core, folder by folder. README.md says what may be included from where.
 include %D%/base/local.mk
+include %D%/grids/local.mk
 include %D%/polygon/local.mk
 include %D%/scene/local.mk
 include %D%/view/local.mk
@@ -10,8 +11,9 @@ include %D%/adapt/local.mk
 include %D%/trees/local.mk
 include %D%/lines/local.mk
 include %D%/lines/sight/local.mk
-include %D%/grids/local.mk
+include %D%/voxels/local.mk
 include %D%/answers/local.mk
 include %D%/files/local.mk
 include %D%/files/mesh/local.mk
+include %D%/files/volume/local.mk
 include %D%/files/vtk/local.mk

@@ -30,7 +30,7 @@ report_sources = \
 EXTRA_DIST += %D%/peers/README.md %D%/peers/results.ndjson %D%/peers/times.txt \
   %D%/1974/README.md %D%/1974/counts.ndjson %D%/1974/tables.txt \
   %D%/greene/README.md %D%/greene/make %D%/greene/results.ndjson \
-  %D%/greene/tables.txt \
+  %D%/greene/tables.txt %D%/swan/README.md %D%/swan/make \
   $(report_sources) %D%/build.mjs %D%/package.json \
   %D%/package-lock.json %D%/page/page.html %D%/page/style.css
 

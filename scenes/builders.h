@@ -17,6 +17,13 @@ hsr_build hsr_build_color_cube, hsr_build_color_sides, hsr_build_sphere,
 /* worlds/cells.c */
 hsr_build hsr_build_checker_cube, hsr_build_grid;
 
+/* worlds/volumes.c; and the files of packages that it reads. */
+#define HSR_COLORADO_FILE "/usr/share/dx/samples/data/colorado_elev.vit"
+#define HSR_BRAIN_FILE "/usr/share/doc/libvolpack1-dev/examples/brainsmall.den"
+#define HSR_COLIN27_FILE "/usr/share/mricron/templates/ch2.nii.gz"
+hsr_build hsr_build_checker_plane, hsr_build_heights, hsr_build_colorado,
+    hsr_build_tubules, hsr_build_brain, hsr_build_colin27;
+
 /* failures/order.c */
 hsr_build hsr_build_cyclic_overlap, hsr_build_penetration, hsr_build_coplanar,
     hsr_build_nested_solids, hsr_build_one_sided, hsr_build_deep_stack;

@@ -22,8 +22,9 @@ static const struct {
              {"at", offsetof(struct hsr_camera, at), 3},
              {"up", offsetof(struct hsr_camera, up), 3},
              {"fov", offsetof(struct hsr_camera, fov), 1},
-             {"near", offsetof(struct hsr_camera, near), 1}};
-enum { N_WORDS = sizeof words / sizeof *words };
+             {"near", offsetof(struct hsr_camera, near), 1},
+             {"parallel", offsetof(struct hsr_camera, parallel), 1}};
+enum { N_WORDS = sizeof words / sizeof *words, N_PLACES = 3, FOV = 3 };
 
 static bool is_file(const char *name, size_t n) {
   char *path = strndup(name, n);
@@ -61,9 +62,22 @@ static bool is_key(const char *word, const char *key) {
   return !strncmp(word, key, n) && word[n] == '=';
 }
 
+/* The height at which, around the point `at`, as much is seen as in
+ * perspective. */
+static double fitting_height(const struct hsr_camera *c) {
+  const double degree = 3.14159265358979323846 / 180;
+  double distance = hypot(hypot(c->at[0] - c->eye[0], c->at[1] - c->eye[1]),
+                          c->at[2] - c->eye[2]);
+  return 2 * tan(c->fov / 2 * degree) * distance;
+}
+
 static enum hsr_status read_word(const char *word, size_t length,
                                  struct hsr_camera *camera,
                                  struct hsr_error *err) {
+  if (length == 12 && !strncmp(word, "parallel=fit", length)) {
+    camera->parallel = fitting_height(camera);
+    return HSR_OK;
+  }
   for (int k = 0; k < N_WORDS; k++) {
     if (!is_key(word, words[k].key))
       continue;
@@ -75,11 +89,13 @@ static enum hsr_status read_word(const char *word, size_t length,
                       words[k].n == 3 ? "a point, X,Y,Z" : "a number");
     memcpy((char *)camera + words[k].place, number,
            (size_t)words[k].n * sizeof *number);
+    if (k == FOV)
+      camera->parallel = 0;
     return HSR_OK;
   }
   return hsr_fail(err, HSR_E_USAGE,
                   "'%.*s' says nothing of a camera: view=K, eye=X,Y,Z, "
-                  "at=X,Y,Z, up=X,Y,Z, fov=DEG or near=T",
+                  "at=X,Y,Z, up=X,Y,Z, fov=DEG, near=T or parallel=HEIGHT",
                   (int)length, word);
 }
 
@@ -99,30 +115,53 @@ static enum hsr_status choose_view(const struct hsr_scene *scene,
   return HSR_OK;
 }
 
+/* Changes a camera as the words from text on say. */
+static enum hsr_status read_words(const char *text, const char *last,
+                                  struct hsr_camera *camera,
+                                  struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  while (text < last && !status) {
+    text += *text == ':';
+    size_t n = strcspn(text, ":@");
+    status = read_word(text, n, camera, err);
+    text += n;
+  }
+  struct hsr_error why;
+  if (!status && hsr_camera_check(camera, &why))
+    return hsr_fail(err, HSR_E_USAGE, "%s", why.text);
+  return status;
+}
+
+/* Whether a word says where one looks from, to, or what is up. */
+static bool name_a_place(const char *text, const char *last) {
+  for (; text < last; text += strcspn(text, ":@")) {
+    text += *text == ':';
+    for (int k = 0; k < N_PLACES; k++)
+      if (is_key(text, words[k].key))
+        return true;
+  }
+  return false;
+}
+
 static enum hsr_status aim_by_words(struct hsr_scene *scene, const char *text,
                                     size_t length, struct hsr_error *err) {
   const char *last = text + length;
   uint32_t view = 0;
   enum hsr_status status = HSR_OK;
+  bool is_one = name_a_place(text, last);
   if (is_key(text, "view")) {
     size_t n = strcspn(text, ":@");
     status = choose_view(scene, text + 5, n - 5, &view, err);
     text += n;
+    is_one = true;
   }
-  struct hsr_camera camera = scene->views[view];
-  while (text < last && !status) {
-    text += *text == ':';
-    size_t n = strcspn(text, ":@");
-    status = read_word(text, n, &camera, err);
-    text += n;
+  if (is_one && !status) {
+    scene->views[0] = scene->views[view];
+    scene->n_views = 1;
   }
-  struct hsr_error why;
-  if (!status && hsr_camera_check(&camera, &why))
-    return hsr_fail(err, HSR_E_USAGE, "%s", why.text);
-  if (status)
-    return status;
-  scene->n_views = 0;
-  return hsr_scene_view(scene, &camera) ? hsr_fail_nomem(err) : HSR_OK;
+  for (uint32_t k = 0; k < scene->n_views && !status; k++)
+    status = read_words(text, last, &scene->views[k], err);
+  return status;
 }
 
 /* --- Files ---------------------------------------------------------------- */

@@ -24,5 +24,6 @@ libhsr_a_SOURCES += \
   %D%/worlds/terrain.c \
   %D%/worlds/tower.c \
   %D%/worlds/town.c \
-  %D%/worlds/traffic.c
+  %D%/worlds/traffic.c \
+  %D%/worlds/volumes.c
 EXTRA_DIST += %D%/README.md

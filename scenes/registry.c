@@ -9,12 +9,14 @@
 #include "scenes/meshes.h"
 
 #include "common/files/scene_json.h"
+#include "common/files/volume/volume.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 #define PLAIN(scene, function, sentence)                                       \
   { .name = scene, .usage = scene, .about = sentence, .build = function }
@@ -40,6 +42,13 @@
     .name = scene, .usage = scene ":STOREYS", .about = sentence,               \
     .only_by_name = true, .n_parameters = 1, .standard = {408}, .least = {1},  \
     .most = {408}, .build = function                                           \
+  }
+
+#define PACKAGED(scene, words, n, function, of, path, sentence)                \
+  {                                                                            \
+    .name = scene, .usage = words, .about = sentence, .only_by_name = true,    \
+    .package = of, .file = path, .n_parameters = n, .standard = {60},          \
+    .least = {0}, .most = {255}, .build = function                             \
   }
 
 const struct hsr_builtin hsr_builtins[] = {
@@ -99,13 +108,39 @@ const struct hsr_builtin hsr_builtins[] = {
     SEEDED("lattice", hsr_build_lattice, 200, 1, 1000000,
            "N random polygons with small integer coordinates, seen so that "
            "vertices, edges and planes meet the samples"),
-    SIZED("checker-cube", hsr_build_checker_cube, 12, 3, 200,
+    SIZED("checker-cube", hsr_build_checker_cube, 12, 3, 256,
           "a hollow cube of N x N x N cells in red and white blocks, after "
           "Swan: 40 and 60 in his figures"),
     SEEDED(
         "grid", hsr_build_grid, 6, 2, 200,
         "a grid of N x N x N cells of random sizes, of which two of five are "
         "kept"),
+    SEEDED("heights", hsr_build_heights, 64, 2, 1024,
+           "terrain of N x N columns of cells, by diamonds and squares, after "
+           "Swan: 256 and 512 in his figures"),
+    {.name = "checker-plane",
+     .usage = "checker-plane",
+     .about = "a plane of 498 x 398 cells in squares of 10 x 10, after Swan",
+     .only_by_name = true,
+     .build = hsr_build_checker_plane},
+    {.name = "tubules",
+     .usage = "tubules",
+     .about = "50 winding tubes in 420 x 468 x 62 samples, after the "
+              "microtubules of Swan",
+     .only_by_name = true,
+     .build = hsr_build_tubules},
+    PACKAGED("colorado", "colorado", 0, hsr_build_colorado, "dxsamples",
+             HSR_COLORADO_FILE,
+             "terrain of Colorado, 400 x 400 columns in the colours of a "
+             "photograph"),
+    PACKAGED("brain", "brain:LEAST", 1, hsr_build_brain, "libvolpack1-dev",
+             HSR_BRAIN_FILE,
+             "a head in 128 x 128 x 84 samples, of which those of a density "
+             "of LEAST and more are kept"),
+    PACKAGED("colin27", "colin27:LEAST", 1, hsr_build_colin27, "mricron-data",
+             HSR_COLIN27_FILE,
+             "a head in 181 x 217 x 181 samples, of which those of a density "
+             "of LEAST and more are kept"),
 
     FAILURE("cyclic-overlap", hsr_build_cyclic_overlap,
             "faces and solids in rings, each over the next: no order of "
@@ -163,6 +198,10 @@ const struct hsr_builtin hsr_builtins[] = {
             "of facing that know no zero"),
     {.name = NULL}};
 
+bool hsr_builtin_is_there(const struct hsr_builtin *builtin) {
+  return !builtin->file || !access(builtin->file, R_OK);
+}
+
 static bool has_suffix(const char *name, const char *suffix) {
   size_t n = strlen(name), k = strlen(suffix);
   return n > k && !strcasecmp(name + n - k, suffix);
@@ -209,7 +248,8 @@ static enum hsr_status unknown(const char *name, struct hsr_error *err) {
   if (strpbrk(name, "./"))
     return hsr_fail(err, HSR_E_INPUT,
                     "%.200s: not a scene: files end in .scene.json, .off, "
-                    ".obj, .ply, .stl or .vtp",
+                    ".obj, .ply, .stl or .vtp; volumes in .nii, .nii.gz, "
+                    ".mhd, .mha or .vtk",
                     name);
   return hsr_fail(err, HSR_E_INPUT, "there is no scene \"%.100s\"%s", name,
                   hint);
@@ -276,6 +316,10 @@ static enum hsr_status open_builtin(struct hsr_scene *scene, const char *name,
   enum hsr_status status = parse_parameters(builtin, name + n, parameter, err);
   if (status)
     return status;
+  if (!hsr_builtin_is_there(builtin))
+    return hsr_fail(err, HSR_E_INPUT,
+                    "%s: %s is missing; on Debian: apt-get install %s",
+                    builtin->name, builtin->file, builtin->package);
   status = builtin->build(scene, parameter);
   if (status == HSR_E_NOMEM)
     return hsr_fail_nomem(err);
@@ -291,6 +335,8 @@ static enum hsr_status fill(struct hsr_scene *scene, const char *name,
     return hsr_scene_json_read(scene, name, import, err);
   if (is_mesh_file(name))
     return hsr_mesh_read(scene, name, import, err);
+  if (hsr_is_volume_name(name))
+    return hsr_volume_read(scene, name, err);
   return open_builtin(scene, name, err);
 }
 

@@ -19,7 +19,9 @@ struct hsr_builtin {
   bool failure_case; /* one of the hand-made pathological scenes */
   bool only_by_name; /* too large to be in the scenes that are meant when
                            none is named */
-  int n_parameters;  /* at most HSR_MAX_PARAMETERS */
+  const char *package, *file; /* the Debian package that it needs, and one of
+                                 its files; NULL if it needs none */
+  int n_parameters;           /* at most HSR_MAX_PARAMETERS */
   long long standard[HSR_MAX_PARAMETERS]; /* defaults */
   long long least[HSR_MAX_PARAMETERS], most[HSR_MAX_PARAMETERS];
 
@@ -31,13 +33,17 @@ struct hsr_builtin {
 /* All of them, in the order of tables, ended by .name == NULL. */
 extern const struct hsr_builtin hsr_builtins[];
 
+/* Whether the package that a scene needs is installed, if it needs one. */
+bool hsr_builtin_is_there(const struct hsr_builtin *builtin);
+
 /* Opens, finishes and returns the scene that a user names: a built-in scene
  * with parameters ("harbor", "soup:1000:7"), a real mesh of Debian's
- * libcgal-demo ("mesh:elephant"), a .scene.json, or a mesh file; each may have
+ * libcgal-demo ("mesh:elephant"), a .scene.json, a mesh file, or a volume with
+ * its words (common/files/volume/volume.h); each may have
  * cameras after it ("house@eye=9,5,9", scenes/cameras.h). A tiny scene is
  * enlarged (hsr_scene_enlarge). *scene is the caller's
- * to delete, NULL on failure. HSR_E_INPUT, HSR_E_NOMEM; HSR_E_USAGE for cameras.
- */
+ * to delete, NULL on failure. HSR_E_INPUT, HSR_E_NOMEM; HSR_E_USAGE for
+ * cameras. */
 enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
                                struct hsr_scene **scene, struct hsr_error *err);
 

@@ -2,6 +2,7 @@
 #include "tests/draw.h"
 #include "scenes/scenes.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -107,12 +108,31 @@ int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi) {
   return lo + (int64_t)(z % (uint64_t)(hi - lo + 1));
 }
 
+void draw_parallel(uint64_t *seed, struct hsr_camera *camera, int n) {
+  static const double forward[][3] = {
+      {0, 0, -1},  {1, 0, 0},  {0, -1, 0},   {-1, -1, -1}, {1, -1, 1},
+      {0, -1, -1}, {-1, 0, 1}, {-1, -2, -2}, {2, -1, 0},   {3, -4, 0}};
+  enum { FORWARDS = sizeof forward / sizeof *forward };
+  if (draw_integer(seed, 0, 1))
+    return;
+  const double *f = forward[draw_integer(seed, 0, FORWARDS - 1)];
+  double back = (double)draw_integer(seed, 0, 12);
+  for (int k = 0; k < 3; k++) {
+    camera->at[k] = (double)draw_integer(seed, -4, 4);
+    camera->eye[k] = camera->at[k] - back * f[k];
+    camera->at[k] = camera->eye[k] + f[k];
+    camera->up[k] = k == (f[0] == 0 && f[2] == 0 ? 2 : 1);
+  }
+  camera->near = (double)draw_integer(seed, 0, 3) / 2;
+  camera->parallel = n * ldexp(1, (int)-draw_integer(seed, 0, 3));
+}
+
 static void for_each_of_kind(const struct hsr_answer_type *kind,
                              void (*check)(const struct hsr_algorithm *,
                                            void *),
                              void *context) {
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
-    if (a->plain->kind == kind &&
+    if (a->plain->kind == kind && a->plain->subjects & 1 << HSR_FACES &&
         !(a->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE | HSR_KNOWN_WRONG))) {
       check(a->plain, context);
       check(a->counting, context);

@@ -47,8 +47,13 @@ void close_worlds(struct both_worlds *worlds);
 /* A random number in [lo, hi]; advances the seed. */
 int64_t draw_integer(uint64_t *seed, int64_t lo, int64_t hi);
 
-/* Runs `check` for every algorithm that must be right, in both builds: for
- * those that draw pictures and for those that draw lines. */
+/* One camera of two becomes a parallel one, for a picture of n rows: along an
+ * axis, isometric or dimetric, at a corner of the lattice of whole numbers, and
+ * so high that samples lie on that lattice, or on halves and quarters of it. */
+void draw_parallel(uint64_t *seed, struct hsr_camera *camera, int n);
+
+/* Runs `check` for every algorithm that takes faces and must be right, in both
+ * builds: for those that draw pictures and for those that draw lines. */
 void for_each_judged(void (*check)(const struct hsr_algorithm *, void *),
                      void *context);
 void for_each_line_algorithm(void (*check)(const struct hsr_algorithm *,

@@ -12,6 +12,7 @@ tap_programs = \
   %D%/unit/bench/figures_test \
   %D%/unit/core/filter_test \
   %D%/unit/files/image_test \
+  %D%/unit/files/volume_test \
   %D%/unit/algorithms/grove_test \
   %D%/unit/bench/line_oracle_test \
   %D%/unit/algorithms/masks_test \
@@ -19,6 +20,7 @@ tap_programs = \
   %D%/unit/core/octree_test \
   %D%/unit/bench/oracle_test \
   %D%/unit/core/outline_test \
+  %D%/unit/core/quotient_test \
   %D%/unit/files/plot_test \
   %D%/unit/algorithms/pyramid_test \
   %D%/unit/algorithms/setup_test \
@@ -82,6 +84,7 @@ tap_scripts = \
   %D%/answers/layers.test \
   %D%/example/example.test \
   %D%/command.test \
+  %D%/completion.test \
   %D%/peers.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
@@ -171,6 +174,8 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
 %C%_unit_bench_line_oracle_test_SOURCES = %D%/unit/bench/line_oracle_test.cc
 %C%_unit_bench_oracle_test_SOURCES = %D%/unit/bench/oracle_test.cc
+%C%_unit_core_quotient_test_SOURCES = %D%/unit/core/quotient_test.cc
+%C%_unit_core_quotient_test_LDADD =
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
 %C%_counts_recorded_test_LDADD = libdraw.a $(BENCH_LIBS)
 %C%_unit_files_vtp_test_SOURCES = %D%/unit/files/vtp_test.cc
@@ -257,5 +262,6 @@ EXTRA_DIST += \
   %D%/fuzz/fuzz_mtl.cc \
   %D%/fuzz/fuzz_reader.h \
   %D%/fuzz/fuzz_scene_json.cc \
+  %D%/fuzz/fuzz_volume.cc \
   %D%/fuzz/library.cc \
   %D%/fuzz/vtp.dict

@@ -29,7 +29,15 @@
  * M (k + 2) <= 16 q_min, |g|_1 <= 0.3 q_min, the sum is at most
  *     (2^-23 + 0.3 * 2^-16) 17/16 + 2^-24 (48 + 24) < 0.7 * 2^-16
  * of q, and HSR_RHO = 2^-16 holds it. A triangle that does not fulfil all this
- * takes the general way. */
+ * takes the general way.
+ *
+ * Parallel. q is far - t, with far = t_max + range, where range is t_max -
+ * t_min or 2^-20 of the size of the coordinates, whichever is more. t is within
+ * 8u of that size, which is 2^-30 of the range, and q is at least the range: so
+ * q is within 2^-29 of itself before it is rounded to a float. From here on
+ * only q > 0 and its relative error matter, and all of the above holds. In the
+ * general way far is added to the constant of a depth plane; least has what
+ * that rounds. */
 #include "algorithms/brute_force/tiler.h"
 #include "common/base/vector.h"
 
@@ -63,7 +71,7 @@ enum {
 static const double FARTHEST = 32767.9;
 static const float SNAP = 0x1.01p-16f; /* s */
 
-/* A row of a face that covers all of it: 1/t = a sx + (b sy) + c. */
+/* A row of a face that covers all of it: q = a sx + (b sy) + c. */
 struct span {
   uint32_t f, id;
   double a, by, c;
@@ -249,7 +257,7 @@ HSR_VECTOR static int look(const struct hsr_tiler *t, int n,
   const int fx = t->first_x, fy = t->first_y;
   const int wx0 = t->window.x0, wx1 = t->window.x1, wy0 = t->window.y0,
             wy1 = t->window.y1;
-  const float near = (float)t->view->near, unit = 1.0f / GRID;
+  const float past = t->nearest, unit = 1.0f / GRID;
   for (int k = 0; k < n; k++) {
     int ax = r->ax[k], bx = r->bx[k], cx = r->cx[k];
     int ay = r->ay[k], by = r->by[k], cy = r->cy[k];
@@ -289,7 +297,7 @@ HSR_VECTOR static int look(const struct hsr_tiler *t, int n,
     int thick = (area > least) | (area < -least);
     float nearest = qa > qb ? qa : qb;
     nearest = qc > nearest ? qc : nearest;
-    int past_near = near * nearest < 0.99f;
+    int past_near = nearest < past;
 
     int turned = area < 0;
     r->bx[k] = turned ? cx : bx;
@@ -548,12 +556,13 @@ AVX512 static void tile_span_avx512(struct hsr_tiler *t, const struct span *s) {
  * truth. */
 static void tile_span(struct hsr_tiler *t, uint32_t f, int j, int x0, int x1) {
   const struct hsr_depth_plane *p = &t->screen.plane[f];
+  double error = p->error + 0x1p-51 * (fabs(p->c) + t->far);
   struct span span = {.f = f,
                       .id = called(t, f),
                       .a = p->a,
                       .by = p->b * hsr_sample_y(t->view, j),
-                      .c = p->c,
-                      .least = (float)p->error / (0.5f * HSR_RHO),
+                      .c = p->c + t->far,
+                      .least = (float)error / (0.5f * HSR_RHO),
                       .j = j,
                       .x0 = x0 < t->part.x0 ? t->part.x0 : x0,
                       .x1 = x1 > t->part.x1 ? t->part.x1 : x1};
@@ -973,11 +982,54 @@ HSR_VECTOR static void snap(size_t n, const double *restrict sx,
   }
 }
 
+/* In parallel: the depths of n vertices, once they are snapped. */
+HSR_VECTOR static void snap_depths(size_t n, const double *restrict x,
+                                   const double *restrict y,
+                                   const double *restrict z, const double *E,
+                                   const double *depth, double far,
+                                   struct hsr_corner *restrict corner) {
+  const double e0 = E[0], e1 = E[1], e2 = E[2];
+  const double d0 = depth[0], d1 = depth[1], d2 = depth[2];
+  for (size_t v = 0; v < n; v++) {
+    double q = far - (d0 * (x[v] - e0) + d1 * (y[v] - e1) + d2 * (z[v] - e2));
+    corner[v].x = q > 0 ? corner[v].x : UNSAFE;
+    corner[v].q = (float)q;
+  }
+}
+
+HSR_VECTOR static int
+snap_far_parallel(size_t n, const double *restrict x, const double *restrict y,
+                  const double *restrict z, const struct hsr_way_to_screen *way,
+                  double far, struct hsr_corner *restrict corner) {
+  const double(*const rows)[3] = way->rows;
+  const double a0 = rows[0][0], a1 = rows[0][1], a2 = rows[0][2],
+               a3 = way->origin[0];
+  const double b0 = rows[1][0], b1 = rows[1][1], b2 = rows[1][2],
+               b3 = way->origin[1];
+  const double c0 = rows[2][0], c1 = rows[2][1], c2 = rows[2][2],
+               c3 = way->origin[2];
+  int all = way->sure < 1;
+  for (size_t v = 0; v < n; v++) {
+    double q = far - (c0 * x[v] + c1 * y[v] + c2 * z[v] + c3);
+    double sx = a0 * x[v] + a1 * y[v] + a2 * z[v] + a3;
+    double sy = b0 * x[v] + b1 * y[v] + b2 * z[v] + b3;
+    int safe = (q > 0) & (fabs(sx) < FARTHEST) & (fabs(sy) < FARTHEST);
+    all &= safe;
+    corner[v].x = safe ? (int)floor(sx * GRID + 0.5) : UNSAFE;
+    corner[v].y = safe ? (int)floor(sy * GRID + 0.5) : UNSAFE;
+    corner[v].q = (float)q;
+    corner[v].unused = 0;
+  }
+  return all;
+}
+
 HSR_VECTOR static int snap_far(size_t n, const double *restrict x,
                                const double *restrict y,
-                               const double *restrict z, double rows[3][3],
-                               const double *origin, double sure,
+                               const double *restrict z,
+                               const struct hsr_way_to_screen *way,
                                struct hsr_corner *restrict corner) {
+  const double(*const rows)[3] = way->rows;
+  const double *const origin = way->origin, sure = way->sure;
   const double a0 = rows[0][0], a1 = rows[0][1], a2 = rows[0][2],
                a3 = origin[0];
   const double b0 = rows[1][0], b1 = rows[1][1], b2 = rows[1][2],
@@ -1014,17 +1066,32 @@ void hsr_tiler_begin(struct hsr_tiler *t, const struct hsr_job *job) {
                           .window = job->view->window,
                           .twin = choose_twin()};
   t->on_grid = find_grid(t);
+  double near = job->view->near;
+  t->nearest = near > 0 ? (float)(0.99 / near) : INFINITY;
+}
+
+void hsr_tiler_set_range(struct hsr_tiler *t, double nearest, double farthest,
+                         double size) {
+  const struct hsr_view *view = t->view;
+  t->far = farthest + fmax(farthest - nearest, 0x1p-20 * size);
+  t->nearest = (float)((t->far - view->near) * (1 - 0x1p-16));
 }
 
 void hsr_tiler_snap(struct hsr_tiler *t) {
-  snap(t->screen.world->mesh.n_vertices, t->screen.sx, t->screen.sy,
-       t->screen.q, t->corner);
+  const struct hsr_mesh *mesh = &t->screen.world->mesh;
+  size_t n = mesh->n_vertices;
+  snap(n, t->screen.sx, t->screen.sy, t->screen.q, t->corner);
+  if (t->view->parallel)
+    snap_depths(n, mesh->x, mesh->y, mesh->z, t->view->E, t->view->depth,
+                t->far, t->corner);
 }
 
 bool hsr_tiler_snap_far(struct hsr_tiler *t, size_t n, const double *x,
-                        const double *y, const double *z, double rows[3][3],
-                        const double origin[3], double sure) {
-  return snap_far(n, x, y, z, rows, origin, sure, t->corner);
+                        const double *y, const double *z,
+                        const struct hsr_way_to_screen *way) {
+  return t->view->parallel
+             ? snap_far_parallel(n, x, y, z, way, t->far, t->corner)
+             : snap_far(n, x, y, z, way, t->corner);
 }
 
 void hsr_tiler_begin_part(struct hsr_tiler *t, struct hsr_window part) {

@@ -5,7 +5,8 @@
  * Source      Sutherland, Sproull and Schumacker 1974, appendix B, "Brute-Force
  *             Image-Space"; E. Catmull, PhD thesis, University of Utah, 1974.
  * Notation    raster element -> sample (i, j); recorded depth -> z, as q = 1/t,
- *             greater is nearer, 0 for the background
+ *             or in parallel projection as far - t, where nothing is as far as
+ *             `far`; greater is nearer, 0 for the background
  * Invariant   at every sample, ids holds the nearest of the faces tiled so far,
  *             and z is NaN (unknown) or within HSR_RHO z of that face's q there
  * Ties        depths that are closer than their bounds are compared by
@@ -36,6 +37,7 @@ extern "C" {
 #define hsr_tiler_drop HSR_OF_BUILD(hsr_tiler_drop)
 #define hsr_tiler_look HSR_OF_BUILD(hsr_tiler_look)
 #define hsr_tiler_place HSR_OF_BUILD(hsr_tiler_place)
+#define hsr_tiler_set_range HSR_OF_BUILD(hsr_tiler_set_range)
 #define hsr_tiler_set_up HSR_OF_BUILD(hsr_tiler_set_up)
 #define hsr_tiler_shows HSR_OF_BUILD(hsr_tiler_shows)
 #define hsr_tiler_snap HSR_OF_BUILD(hsr_tiler_snap)
@@ -187,6 +189,9 @@ struct hsr_tiler {
   uint32_t *ids;          /* likewise */
   size_t z_stride, ids_stride;
 
+  double far;    /* in parallel, of all recorded depths */
+  float nearest; /* a q that is less is certainly past near */
+
   int first_x, first_y; /* of sample (0, 0), grid units */
   bool on_grid;         /* the samples lie on the grid: triangles may be fast */
   const struct hsr_twin *twin;
@@ -195,15 +200,28 @@ struct hsr_tiler {
 /* Sets all that depends on the job's view and machine; the rest is 0. */
 void hsr_tiler_begin(struct hsr_tiler *tiler, const struct hsr_job *job);
 
+/* In parallel, before anything is snapped: the depths t along F of what is
+ * tiled are about nearest to farthest. What lies outside of that is tiled as
+ * well, but the general way. `size` is how far from the eye it may be. */
+void hsr_tiler_set_range(struct hsr_tiler *tiler, double nearest,
+                         double farthest, double size);
+
 /* Snaps the vertices of the screen's world, once they are transformed. */
 void hsr_tiler_snap(struct hsr_tiler *tiler);
 
-/* Snaps n vertices right away, those that rows X + origin = (w sx, w sy, w)
- * takes within 2^-24 pixel where w > sure. False if one of them is not that
- * far, or not on the screen: then they are to be snapped by the other way. */
+/* How vertices are taken to the screen: rows X + origin = (w sx, w sy, w),
+ * within 2^-24 pixel where w > sure. In parallel w is 1, row 2 and its origin
+ * make t instead, within 2^-26 of the range of depths, and `sure` is below 1 if
+ * that is so. */
+struct hsr_way_to_screen {
+  double rows[3][3], origin[3], sure;
+};
+
+/* Snaps n vertices right away. False if one of them is not sure, or not on the
+ * screen: then they are to be snapped by the other way. */
 bool hsr_tiler_snap_far(struct hsr_tiler *tiler, size_t n, const double *x,
-                        const double *y, const double *z, double rows[3][3],
-                        const double origin[3], double sure);
+                        const double *y, const double *z,
+                        const struct hsr_way_to_screen *way);
 
 /* Clears the samples of a part, which is the next to be tiled. */
 void hsr_tiler_begin_part(struct hsr_tiler *tiler, struct hsr_window part);

@@ -168,6 +168,21 @@ static enum hsr_status make_memory(struct frame *t) {
   return tiler->z && tiler->ids && t->kept ? HSR_OK : HSR_E_NOMEM;
 }
 
+/* In parallel: how far the vertices lie along F. */
+static void find_range(struct hsr_tiler *tiler, const struct hsr_mesh *mesh) {
+  const double *E = tiler->view->E, *d = tiler->view->depth;
+  double nearest = INFINITY, farthest = -INFINITY, size = 0;
+  for (size_t v = 0; v < mesh->n_vertices; v++) {
+    double x = d[0] * (mesh->x[v] - E[0]), y = d[1] * (mesh->y[v] - E[1]),
+           z = d[2] * (mesh->z[v] - E[2]);
+    double t = x + y + z, sizes = fabs(x) + fabs(y) + fabs(z);
+    nearest = t < nearest ? t : nearest;
+    farthest = t > farthest ? t : farthest;
+    size = sizes > size ? sizes : size;
+  }
+  hsr_tiler_set_range(tiler, nearest, farthest, size);
+}
+
 static enum hsr_status begin_frame(struct frame *t) {
   const struct hsr_job *job = t->job;
   const struct hsr_world *world = job->world;
@@ -187,6 +202,8 @@ static enum hsr_status begin_frame(struct frame *t) {
       hsr_screen_init(&tiler->screen, world, job->view, arena))
     return HSR_E_NOMEM;
   hsr_screen_vertices(&tiler->screen);
+  if (job->view->parallel)
+    find_range(tiler, &world->mesh);
   hsr_tiler_snap(tiler);
   return HSR_OK;
 }

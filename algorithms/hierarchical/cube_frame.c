@@ -27,6 +27,13 @@
  * such a size is left of 1e30 times an entry that underflows. Where something
  * overflows, a comparison with it does not hold, and nothing is culled.
  *
+ * Parallel. w is 1. A corner's sx is within e_x, since the origin's m/2 and n/2
+ * add less than 2^-52 of themselves; there is an image if 2^4 e_x < 1. Row 2
+ * makes t, within e_t = 2^-44 |depth| (|M| r + |m| + |E|). q is far - t, taken
+ * e_t and 2^-18 of itself larger. The range of depths is that of the root cube,
+ * so e_t is below 2^-24 of q. A vertex is sure if e_x is below 2^-21, as above,
+ * and its t within 2^-26 of the range.
+ *
  * The eye. By Cramer's rule, E' = adj(M) (E - m) / det M, with an error of at
  * most 32 u |adj(M)| (|E| + |m|) / |det M|, as long as det M itself is 2^-20
  * exact; slack is 2^10 times that. A side that may face the eye is tested, so
@@ -59,6 +66,7 @@ static void place_eye(struct hsr_placing *p, const struct hsr_view *view) {
     }
     v[k] = view->E[k] - p->m[4 * k + 3];
   }
+  const double *F = view->F;
   for (int c = 0; c < 3; c++) {
     det += p->m[4 * c] * adj[0][c];
     det_size += fabs(p->m[4 * c] * adj[0][c]);
@@ -70,6 +78,19 @@ static void place_eye(struct hsr_placing *p, const struct hsr_view *view) {
   }
   if (!(fabs(det) > 0x1p-24 * det_size && p->slack < INFINITY))
     p->eye[0] = p->eye[1] = p->eye[2] = NAN;
+  for (int k = 0; k < 3 && view->parallel; k++) {
+    p->from[k] = p->eye[k];
+    p->along[k] =
+        (adj[k][0] * F[0] + adj[k][1] * F[1] + adj[k][2] * F[2]) / det;
+    p->along_error[k] = 0;
+    for (int c = 0; c < 3; c++)
+      p->along_error[k] += 0x1p-24 * fabs(F[c]) * (adj_size[k][c] / fabs(det));
+    p->eye[k] = p->along[k] > p->along_error[k]    ? -INFINITY
+                : p->along[k] < -p->along_error[k] ? INFINITY
+                                                   : NAN;
+    if (p->from[k] != p->from[k])
+      p->eye[k] = NAN;
+  }
   const double reach[3] = {1, view->m, view->n};
   for (int k = 0; k < 3; k++) {
     p->across_error[k] = 0;
@@ -84,8 +105,9 @@ static void place_eye(struct hsr_placing *p, const struct hsr_view *view) {
   }
 }
 
+/* `range` is that of the depths, in parallel. */
 static void place(struct hsr_placing *p, const struct hsr_view *view,
-                  const double m[12], double reach) {
+                  const double m[12], double reach, double range) {
   double offset[3], far[3], error[3];
   memcpy(p->m, m, sizeof p->m);
   for (int k = 0; k < 3; k++) {
@@ -97,16 +119,23 @@ static void place(struct hsr_placing *p, const struct hsr_view *view,
     offset[k] = row[3] - view->E[k];
   }
   for (int k = 0; k < 3; k++) {
-    const double *s = view->screen[k];
+    const double *s = k < 2 ? view->screen[k] : view->depth;
     for (int l = 0; l < 3; l++)
-      p->rows[k][l] = s[0] * m[l] + s[1] * m[4 + l] + s[2] * m[8 + l];
-    p->origin[k] = s[0] * offset[0] + s[1] * offset[1] + s[2] * offset[2];
+      p->way.rows[k][l] = s[0] * m[l] + s[1] * m[4 + l] + s[2] * m[8 + l];
+    p->way.origin[k] = s[0] * offset[0] + s[1] * offset[1] + s[2] * offset[2];
     error[k] = 0x1p-44 * (fabs(s[0]) * far[0] + fabs(s[1]) * far[1] +
                           fabs(s[2]) * far[2]) +
                TINY * (1 + fabs(s[0]) + fabs(s[1]) + fabs(s[2]));
+    if (k < 2)
+      p->way.origin[k] += view->origin[k];
   }
-  p->sure = fmax(0x1p36 * error[2], 0x1p21 * fmax(error[0], error[1]));
-  p->least = fmax(0x1p20 * error[2], 0x1p4 * fmax(error[0], error[1]));
+  double e_x = fmax(error[0], error[1]);
+  p->way.sure = fmax(0x1p36 * error[2], 0x1p21 * e_x);
+  p->least = fmax(0x1p20 * error[2], 0x1p4 * e_x);
+  if (view->parallel) {
+    p->way.sure = fmax(0x1p26 * error[2] / range, 0x1p21 * e_x);
+    p->least = 0x1p4 * e_x < 1 ? error[2] : INFINITY;
+  }
   place_eye(p, view);
 }
 
@@ -119,7 +148,8 @@ void hsr_cube_instance(struct hsr_cube_frame *frame, uint32_t i) {
   frame->world.mesh.one_sided = scene->objects[instance->object].one_sided
                                     ? frame->one_sided
                                     : frame->two_sided;
-  place(&frame->placing, frame->job->view, instance->m, frame->object->reach);
+  place(&frame->placing, frame->job->view, instance->m, frame->object->reach,
+        frame->range);
 }
 
 enum hsr_status hsr_cube_loose(const struct hsr_cube_frame *frame,
@@ -177,6 +207,18 @@ static unsigned front_sides(const struct hsr_placing *p,
   return front;
 }
 
+/* In parallel: base and step make sx, sy and t. `more` is the error of t. */
+static void parallel_corners(const double *base, double step[3][3], double far,
+                             double more, struct hsr_cube_image *image) {
+  for (int o = 0; o < 8; o++) {
+    double i = o & 1 ? 1 : -1, j = o & 2 ? 1 : -1, k = o & 4 ? 1 : -1;
+    double t = base[2] + i * step[2][0] + j * step[2][1] + k * step[2][2];
+    image->x[o] = base[0] + i * step[0][0] + j * step[0][1] + k * step[0][2];
+    image->y[o] = base[1] + i * step[1][0] + j * step[1][1] + k * step[1][2];
+    image->q[o] = fmaxf((float)((far - t + more) * (1 + 0x1p-18)), FLT_MIN);
+  }
+}
+
 HSR_VECTOR static void corners(const double *restrict base,
                                double step[restrict 3][3], double *restrict x,
                                double *restrict y, float *restrict q) {
@@ -199,16 +241,22 @@ bool hsr_cube_project(const struct hsr_cube_frame *frame,
                       struct hsr_cube_image *image) {
   double base[3], step[3][3];
   for (int k = 0; k < 3; k++) {
-    const double *row = p->rows[k];
+    const double *row = p->way.rows[k];
     base[k] = row[0] * box->centre[0] + row[1] * box->centre[1] +
-              row[2] * box->centre[2] + p->origin[k];
+              row[2] * box->centre[2] + p->way.origin[k];
     for (int l = 0; l < 3; l++)
       step[k][l] = row[l] * box->half[l];
   }
+  const struct hsr_view *view = frame->job->view;
   double w = base[2] - fabs(step[2][0]) - fabs(step[2][1]) - fabs(step[2][2]);
-  if (!(w > p->least && w > frame->job->view->near * (1 + 0x1p-16)))
+  double least = view->parallel ? view->near + p->least
+                                : fmax(p->least, view->near * (1 + 0x1p-16));
+  if (!(w > least))
     return false;
-  corners(base, step, image->x, image->y, image->q);
+  if (view->parallel)
+    parallel_corners(base, step, frame->tiler.far, p->least, image);
+  else
+    corners(base, step, image->x, image->y, image->q);
   image->nearest = image->q[0];
   for (int o = 1; o < 8; o++)
     if (image->q[o] > image->nearest)
@@ -254,12 +302,31 @@ bool hsr_cube_bounds(const struct hsr_cube_frame *frame,
          samples_between(y0, y1, hsr_sample_y(view, 0), &b->y0, &b->y1);
 }
 
-struct hsr_side_depth hsr_cube_side_depth(const struct hsr_placing *p,
+/* In parallel: the ray is at `at` where along t = at - from - across (1, sx,
+ * sy). */
+static struct hsr_side_depth parallel_depth(const struct hsr_placing *p, int k,
+                                            double at, double far,
+                                            float nearest) {
+  if (!(fabs(p->along[k]) > 0x1p20 * p->along_error[k]))
+    return (struct hsr_side_depth){0, 0, nearest};
+  double inverse = 1 / p->along[k], t = (at - p->from[k] - p->across[k][0]);
+  double error = p->slack + 0x1p6 * p->across_error[k] +
+                 0x1p-19 * (fabs(at) + fabs(p->from[k]));
+  return (struct hsr_side_depth){p->across[k][1] * inverse,
+                                 p->across[k][2] * inverse,
+                                 far - t * inverse + error * fabs(inverse)};
+}
+
+struct hsr_side_depth hsr_cube_side_depth(const struct hsr_cube_frame *frame,
+                                          const struct hsr_placing *p,
                                           const struct hsr_octree_box *box,
                                           const struct hsr_cube_image *image,
                                           int side) {
   int k = side % 3;
+  double far = frame->tiler.far;
   double at = box->centre[k] + (side < 3 ? -box->half[k] : box->half[k]);
+  if (frame->job->view->parallel)
+    return parallel_depth(p, k, at, far, image->nearest);
   double away = at - p->eye[k];
   if (!(fabs(away) > 0x1p20 * p->slack))
     return (struct hsr_side_depth){0, 0, image->nearest};
@@ -320,7 +387,7 @@ const struct hsr_cell *hsr_cube_cell(struct hsr_cube_frame *frame,
   tiler->context = frame;
   tiler->lay_out = lay_out;
   if (!hsr_tiler_snap_far(tiler, cell->n_vertices, object->x + v, object->y + v,
-                          object->z + v, p->rows, p->origin, p->sure)) {
+                          object->z + v, &p->way)) {
     tiler->lay_out = NULL;
     lay_out(frame);
     hsr_tiler_snap(tiler);
@@ -340,6 +407,21 @@ static double farthest(const struct hsr_view *view,
   return 2 * far + 2 * view->near;
 }
 
+/* In parallel: how far all that is in the root cube may lie along F. */
+static void set_range(struct hsr_cube_frame *frame,
+                      const struct hsr_octree_node *root) {
+  const struct hsr_view *view = frame->job->view;
+  double centre = 0, half = 0, size = 0;
+  for (int k = 0; k < 3; k++) {
+    double along = view->depth[k], from = root->centre[k] - view->E[k];
+    centre += along * from;
+    half += fabs(along) * root->half * (1 + 0x1p-20);
+    size += fabs(along) * (fabs(from) + root->half);
+  }
+  hsr_tiler_set_range(&frame->tiler, centre - half, centre + half, size);
+  frame->range = frame->tiler.far - (centre + half);
+}
+
 enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
                                      const struct hsr_job *job,
                                      const struct hsr_cubes *cubes) {
@@ -351,16 +433,19 @@ enum hsr_status hsr_cube_frame_begin(struct hsr_cube_frame *frame,
   frame->job = job;
   frame->cubes = cubes;
   hsr_frustum_init(&frame->frustum, job->view, farthest(job->view, root));
+  hsr_tiler_begin(tiler, job);
+  if (job->view->parallel)
+    set_range(frame, root);
   place(&frame->as_it_is, job->view, identity,
         fabs(root->centre[0]) + fabs(root->centre[1]) + fabs(root->centre[2]) +
-            root->half);
+            root->half,
+        frame->range);
 
   *world = (struct hsr_world){.outline.scene = cubes->scene,
                               .mesh.n_vertices = cubes->most_vertices,
                               .n_faces = cubes->most_faces,
                               .mesh.n_corners = cubes->most_corners,
                               .outline.first = job->world->outline.first};
-  hsr_tiler_begin(tiler, job);
   tiler->few = world;
   tiler->pair = &frame->pair;
   tiler->corner = HSR_NEW(arena, struct hsr_corner, cubes->most_vertices);

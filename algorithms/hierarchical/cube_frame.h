@@ -36,17 +36,23 @@ extern "C" {
 #define hsr_cube_cell HSR_OF_BUILD(hsr_cube_cell)
 
 struct hsr_placing {
-  double m[12];                 /* as in hsr_instance */
-  double grow[3];               /* in the world, for what is rounded */
-  double rows[3][3], origin[3]; /* (w sx, w sy, w) = rows X + origin */
-  double least;                 /* w of what is safely before the eye */
-  double sure; /* w of vertices that rows and origin take within 2^-24 pixel */
-  double eye[3], slack; /* in the object's coordinates, within slack; NaN: the
-                           instance is flat, and has no such */
+  double m[12];   /* as in hsr_instance */
+  double grow[3]; /* in the world, for what is rounded */
+  struct hsr_way_to_screen way;
+  double least; /* w of what is safely before the eye; in parallel t, if the
+                   cube's corners are certain on the screen */
+  double eye[3], slack; /* C in the object's coordinates, within slack; NaN: the
+                           instance is flat, and has no such. In parallel it is
+                           infinite or NaN: NaN where F is uncertain */
   double across[3]
                [3]; /* what a ray D, from the eye, gains in coordinate k while
                        its t grows by 1: across[k] (1, sx, sy), within */
   double across_error[3];
+
+  /* In parallel: coordinate k of the point at t on the ray P + t F is from[k] +
+   * across[k] (1, sx, sy) + along[k] t, with errors of slack, across_error[k]
+   * and along_error[k] t. */
+  double from[3], along[3], along_error[3];
 };
 
 /* The corners of a cube on the screen: corner o as octant o. */
@@ -65,6 +71,7 @@ struct hsr_cube_frame {
   struct hsr_polyhedron frustum;
   struct hsr_placing as_it_is; /* of the cubes of instances */
   struct hsr_tiler tiler;
+  double range;           /* of the depths, in parallel: as in tiler.c */
   struct hsr_world world; /* of the cell at hand */
   struct hsr_pair pair;
   bool *two_sided, *one_sided; /* of all faces of a cell */
@@ -132,13 +139,14 @@ bool hsr_cube_bounds(const struct hsr_cube_frame *frame,
                      const unsigned char *corner, int n_corners,
                      struct hsr_bounds *bounds);
 
-/* 1/t on side k of a cube, linear on the screen: q = c + a sx + b sy, and
- * nowhere in the picture less than the truth. Where too little is known of it,
- * it is the same all over: the image's nearest. */
+/* The tiler's q on side k of a cube, linear on the screen: q = c + a sx + b sy,
+ * and nowhere in the picture less than the truth. Where too little is known of
+ * it, it is the same all over: the image's nearest. */
 struct hsr_side_depth {
   double a, b, c;
 };
-struct hsr_side_depth hsr_cube_side_depth(const struct hsr_placing *placing,
+struct hsr_side_depth hsr_cube_side_depth(const struct hsr_cube_frame *frame,
+                                          const struct hsr_placing *placing,
                                           const struct hsr_octree_box *box,
                                           const struct hsr_cube_image *image,
                                           int side);

@@ -325,7 +325,8 @@ static bool scan_side(struct walk *w, const struct hsr_placing *placing,
                       struct hsr_subject subject) {
   const struct hsr_view *view = w->frame.job->view;
   const struct hsr_tiler *t = &w->frame.tiler;
-  struct hsr_side_depth depth = hsr_cube_side_depth(placing, cube, image, side);
+  struct hsr_side_depth depth =
+      hsr_cube_side_depth(&w->frame, placing, cube, image, side);
   bool tags = w->option[COMPLETED_SAMPLES] && w->frame.cubes->apart;
   touch_for(w, WORK_BOXES);
   for (int j = box->y0; j < box->y1; j++) {
@@ -340,6 +341,7 @@ static bool scan_side(struct walk *w, const struct hsr_placing *placing,
       HSR_TOUCH(w->tally, i, j);
       float q = (float)(depth.c + depth.a * x + depth.b * y);
       q = q < image->nearest ? q : image->nearest;
+      q = q > 0 ? q : 0;
       bool visible = !(q * HSR_CLEAR < z[i - t->part.x0]);
       HSR_STEP(w->tally, SIDE_SAMPLES, subject, HSR_THE_WINDOW, HSR_AT(i, j),
                visible);

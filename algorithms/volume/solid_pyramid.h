@@ -23,7 +23,7 @@
 
 #include "algorithms/algorithm.h"
 #include "algorithms/volume/solid_triage.h"
-#include "common/grids/voxels.h"
+#include "common/voxels/voxels.h"
 #include "common/lines/volumes.h"
 
 #ifdef __cplusplus

@@ -21,7 +21,7 @@
 #ifndef HSR_ALGORITHMS_SOLID_TRIAGE_H
 #define HSR_ALGORITHMS_SOLID_TRIAGE_H
 
-#include "common/grids/triage.h"
+#include "common/voxels/triage.h"
 
 #ifdef __cplusplus
 extern "C" {

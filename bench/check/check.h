@@ -23,6 +23,7 @@ struct check_options {
   int m[MOST_SIZES], n[MOST_SIZES], n_sizes;
   struct hsr_variant algorithm[MOST_ALGORITHMS];
   int n_algorithms;
+  bool all_algorithms;           /* nobody chose them */
   int view[MOST_VIEWS], n_views; /* from 0, in the order of judging */
   long samples, jobs, timeout;   /* samples 0: as many as the scene allows */
   long first_views;              /* --views; 0: not given */
@@ -61,6 +62,15 @@ kind_of(const struct check_options *options, int algorithm) {
 static inline bool is_known_wrong(const struct check_options *options,
                                   int algorithm) {
   return options->algorithm[algorithm].listed->plain->flags & HSR_KNOWN_WRONG;
+}
+
+/* Whether the algorithm draws grids alone, the scene is none, and nobody asked
+ * for the algorithm. Its refusal is not told then. */
+static inline bool is_left_out(const struct scene_run *run, int algorithm) {
+  const struct check_options *o = run->options;
+  unsigned subjects = o->algorithm[algorithm].listed->plain->subjects;
+  return o->all_algorithms && run->scene->subject == HSR_FACES &&
+         !(subjects & 1u << HSR_FACES);
 }
 
 /* What became of an algorithm over all views of a size. */

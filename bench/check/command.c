@@ -220,7 +220,8 @@ static void set_standards(struct check_options *o) {
     o->n[0] = 61;
     o->n_sizes = 1;
   }
-  if (!o->n_algorithms)
+  o->all_algorithms = !o->n_algorithms;
+  if (o->all_algorithms)
     for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
       if (oracle_of(a->plain->kind) &&
           !(a->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE)))

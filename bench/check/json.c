@@ -3,13 +3,6 @@
 #include "bench/check/check.h"
 #include "bench/results/json.h"
 
-static json_t *adapted_json(const struct cell *c) {
-  json_t *names = json_array();
-  for (int k = 0; k < c->n_adaptations; k++)
-    hsr_json_append(&names, json_string(c->adapted[k]));
-  return names;
-}
-
 /* Fields that are there only where there is something to tell. */
 static json_t *told_json(const struct cell *c) {
   json_t *told = json_object();

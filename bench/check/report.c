@@ -27,15 +27,18 @@ struct outcome outcome_of(const struct scene_run *run, int size, int a) {
 static void say_outcomes(const struct scene_run *run, int size, char *text,
                          size_t n) {
   const struct check_options *o = run->options;
-  int right = 0, refused = 0, known = 0;
+  int all = 0, right = 0, refused = 0, known = 0;
   for (int a = 0; a < o->n_algorithms; a++) {
+    if (is_left_out(run, a))
+      continue;
+    all++;
     enum verdict worst = outcome_of(run, size, a).worst;
     right += worst == RIGHT;
     refused += worst == REFUSED;
     known += worst == WRONG && is_known_wrong(o, a);
   }
-  int length = snprintf(text, n, "%d of %d right", right,
-                        o->n_algorithms - refused - known);
+  int length =
+      snprintf(text, n, "%d of %d right", right, all - refused - known);
   if (known)
     length +=
         snprintf(text + length, n - (size_t)length, ", %d known wrong", known);
@@ -48,9 +51,10 @@ static void print_scene(const struct scene_run *run, int size) {
   char name[TERMINAL_NAME], samples[24], outcomes[80];
   snprintf(samples, sizeof samples, "%dx%d", o->m[size], o->n[size]);
   say_outcomes(run, size, outcomes, sizeof outcomes);
-  printf("%-20s %8u faces %9s  %s\n",
-         terminal_plain(run->name, name, sizeof name), run->world.n_faces,
-         samples, outcomes);
+  int used = printf("%-20s %8u faces %9s  ",
+                    terminal_plain(run->name, name, sizeof name),
+                    run->world.n_faces, samples);
+  terminal_wrap(stdout, used, 4, outcomes);
 }
 
 /* --- What is not right ---------------------------------------------------- */
@@ -91,9 +95,10 @@ static void say_again(const struct scene_run *run, int size, int view, int a,
                       char *text, size_t n) {
   const struct check_options *o = run->options;
   char scene[TERMINAL_NAME];
-  snprintf(text, n, "again: hsr check %s -a %s --order %d --size %dx%d%s",
+  snprintf(text, n,
+           "again: hsr check %s -a %s --order %d --size %dx%d --timeout %ld%s",
            terminal_word(run->name, scene, sizeof scene), o->algorithm[a].name,
-           o->view[view] + 1, o->m[size], o->n[size],
+           o->view[view] + 1, o->m[size], o->n[size], o->timeout,
            o->import.drop_degenerate ? " --drop-degenerate" : "");
 }
 
@@ -134,16 +139,25 @@ static void print_failure(const struct scene_run *run, int size, int a) {
   }
 }
 
-/* The first reason for which an algorithm refused a picture, without its name,
- * which is often the same for all views; or NULL. */
+/* The reason that a refusal gives: what follows the name in "refused by NAME:
+ * why", "refused, NAME cannot be judged". */
+static const char *reason_in(const char *refusal, const char *name) {
+  const char *at = strstr(refusal, name);
+  if (!at)
+    return refusal;
+  at += strlen(name);
+  return at + strspn(at, ": ");
+}
+
+/* The first reason for which an algorithm refused a picture, which is often the
+ * same for all views; or NULL. */
 static const char *refusal_of(const struct scene_run *run, int a) {
   const struct check_options *o = run->options;
   for (int size = 0; size < o->n_sizes; size++)
     for (int view = 0; view < o->n_views; view++) {
       const char *refusal = cell_at(run, size, view, a)->refusal;
-      const char *why = strchr(refusal, ':');
       if (refusal[0])
-        return !strncmp(refusal, "refused by ", 11) && why ? why + 2 : refusal;
+        return reason_in(refusal, o->algorithm[a].listed->plain->name);
     }
   return NULL;
 }
@@ -162,7 +176,7 @@ static bool is_told(const struct scene_run *run, int a) {
 static void print_refusal(const struct scene_run *run, int a) {
   const struct check_options *o = run->options;
   const char *why = refusal_of(run, a);
-  if (!why || is_told(run, a))
+  if (!why || is_left_out(run, a) || is_told(run, a))
     return;
   char text[LINE];
   int length = 0;

@@ -227,13 +227,17 @@ static uint32_t name_hit(const struct embree *embree, uint32_t triangle,
 static uint32_t trace_ray(const struct embree *embree,
                           struct RTCIntersectContext *context,
                           const struct hsr_view *view, int x, int y) {
-  double sx = hsr_sample_x(view, x), sy = hsr_sample_y(view, y), D[3];
-  for (int k = 0; k < 3; k++)
-    D[k] = view->ray[0][k] + sx * view->ray[1][k] + sy * view->ray[2][k];
+  double sx = hsr_sample_x(view, x), sy = hsr_sample_y(view, y), P[3], D[3];
+  for (int k = 0; k < 3; k++) {
+    double across =
+        view->ray[0][k] + sx * view->ray[1][k] + sy * view->ray[2][k];
+    P[k] = view->parallel ? view->E[k] + across : view->E[k];
+    D[k] = view->parallel ? view->F[k] : across;
+  }
   struct RTCRayHit one = {
-      .ray = {.org_x = (float)view->E[0],
-              .org_y = (float)view->E[1],
-              .org_z = (float)view->E[2],
+      .ray = {.org_x = (float)P[0],
+              .org_y = (float)P[1],
+              .org_z = (float)P[2],
               .tnear = (float)view->near,
               .dir_x = (float)D[0],
               .dir_y = (float)D[1],
@@ -248,6 +252,30 @@ static uint32_t trace_ray(const struct embree *embree,
 /* --- Packets -------------------------------------------------------------- */
 
 /* The rays of the packet whose first sample is (x, y). */
+HSR_VECTOR static void aim_parallel(struct RTCRayHit16 *packet,
+                                    const struct hsr_view *view, int x, int y) {
+  double left = hsr_sample_x(view, x), top = hsr_sample_y(view, y);
+  const double *E = view->E, *F = view->F;
+  for (int k = 0; k < LANES; k++) {
+    double sx = left + k % SIDE, sy = top + k / SIDE;
+    packet->ray.org_x[k] =
+        (float)(E[0] + (view->ray[0][0] + sx * view->ray[1][0] +
+                        sy * view->ray[2][0]));
+    packet->ray.org_y[k] =
+        (float)(E[1] + (view->ray[0][1] + sx * view->ray[1][1] +
+                        sy * view->ray[2][1]));
+    packet->ray.org_z[k] =
+        (float)(E[2] + (view->ray[0][2] + sx * view->ray[1][2] +
+                        sy * view->ray[2][2]));
+    packet->ray.dir_x[k] = (float)F[0];
+    packet->ray.dir_y[k] = (float)F[1];
+    packet->ray.dir_z[k] = (float)F[2];
+    packet->ray.tfar[k] = INFINITY;
+    packet->hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+    packet->hit.primID[k] = HSR_BACKGROUND;
+  }
+}
+
 HSR_VECTOR static void aim(struct RTCRayHit16 *packet,
                            const struct hsr_view *view, int x, int y) {
   double left = hsr_sample_x(view, x), top = hsr_sample_y(view, y);
@@ -287,7 +315,7 @@ static void trace_packet(const struct embree *embree,
   int height = view->n - y < SIDE ? view->n - y : SIDE;
   for (int k = 0; k < LANES; k++)
     valid[k] = k % SIDE < width && k / SIDE < height ? -1 : 0;
-  aim(packet, view, x, y);
+  (view->parallel ? aim_parallel : aim)(packet, view, x, y);
   rtcIntersect16(valid, embree->scene, context, packet);
   for (int k = 0; k < height; k++)
     for (int i = 0; i < width; i++)

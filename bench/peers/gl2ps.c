@@ -85,10 +85,9 @@ static void send_corner(const struct hsr_world *world, uint32_t v) {
 
 static bool exists(const struct hsr_world *world, const struct hsr_view *view,
                    uint32_t f) {
-  double side = world->mesh.nx[f] * (view->E[0] - world->mesh.px[f]) +
-                world->mesh.ny[f] * (view->E[1] - world->mesh.py[f]) +
-                world->mesh.nz[f] * (view->E[2] - world->mesh.pz[f]);
-  return side > 0 || !world->mesh.one_sided[f];
+  const double n[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
+  const double p[3] = {world->mesh.px[f], world->mesh.py[f], world->mesh.pz[f]};
+  return hsr_view_height(view, n, p) < 0 || !world->mesh.one_sided[f];
 }
 
 static void send_triangles(const struct hsr_world *world,
@@ -166,13 +165,10 @@ static double length_on_screen(const struct hsr_view *view,
                                const struct hsr_segment *s) {
   double at[2][2];
   for (int end = 0; end < 2; end++) {
-    double h[3] = {0, 0, 0};
-    for (int row = 0; row < 3; row++)
-      for (int k = 0; k < 3; k++)
-        h[row] +=
-            view->screen[row][k] * ((end ? s->to[k] : s->from[k]) - view->E[k]);
-    at[end][0] = h[0] / h[2];
-    at[end][1] = h[1] / h[2];
+    double h[3];
+    hsr_view_project(view, end ? s->to : s->from, h);
+    at[end][0] = h[0] / hsr_view_w(view, h);
+    at[end][1] = h[1] / hsr_view_w(view, h);
   }
   return hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]);
 }

@@ -226,7 +226,11 @@ void set_camera(const State *state, const struct hsr_view *view) {
   camera->SetPosition(view->camera.eye);
   camera->SetFocalPoint(view->camera.at);
   camera->SetViewUp(view->camera.up);
-  camera->SetViewAngle(view->camera.fov);
+  camera->SetParallelProjection(view->parallel);
+  if (view->parallel)
+    camera->SetParallelScale(view->camera.parallel / 2);
+  else
+    camera->SetViewAngle(view->camera.fov);
   camera->SetClippingRange(nearest, farthest);
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/results/json.h"
+#include "bench/judge/judge.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -19,4 +20,11 @@ enum hsr_status json_print(json_t *value, struct hsr_error *err) {
                           : hsr_fail_nomem(err);
   putchar('\n');
   return HSR_OK;
+}
+
+json_t *adapted_json(const struct cell *cell) {
+  json_t *names = json_array();
+  for (int k = 0; k < cell->n_adaptations; k++)
+    hsr_json_append(&names, json_string(cell->adapted[k]));
+  return names;
 }

@@ -192,7 +192,10 @@ static const struct argp argp = {
     (const struct argp_option[]){
         {NULL, 0, NULL, 0, "Which cells:", 1},
         {"algorithms", 'a', "A,B,...", 0,
-         "these: names or patterns (standard: all but the judges)", 1},
+         "these: names or patterns (standard: all but the judges and those "
+         "that "
+         "draw grids alone)",
+         1},
         {"peers", PEERS, "P,Q,...", 0,
          "also these renderers of others (built by configure --with-peers)", 1},
         {"size", 's', "MxN,...", 0, "samples (standard: 512x512)", 1},
@@ -254,8 +257,7 @@ static const struct argp argp = {
     "one is not.\n\n"
     "  hsr bench house harbor -o results.ndjson\n"
     "  hsr bench house --eye 9,5,9 --fov 30\n"
-    "  hsr bench 'mesh:*' -a 'zbuffer,*watkins*' --size 512x512,4096x4096 -o "
-    "meshes.ndjson",
+    "  hsr bench 'mesh:*' -a 'zbuffer,*watkins*' --size 512x512,4096x4096",
     NULL,
     NULL,
     NULL};

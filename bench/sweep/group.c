@@ -500,13 +500,6 @@ static json_t *depths_json(const struct cell *cell) {
                    "exact", (json_int_t)cell->depths_exact);
 }
 
-static json_t *adapted_json(const struct cell *cell) {
-  json_t *names = json_array();
-  for (int k = 0; k < cell->n_adaptations; k++)
-    hsr_json_append(&names, json_string(cell->adapted[k]));
-  return names;
-}
-
 /* Told only where the counting build differs from the one that is timed. */
 static json_t *counting_json(const struct cell *cell) {
   return cell->counting_mismatches == cell->mismatches

@@ -192,7 +192,7 @@ static enum hsr_status add_entrants(struct plan *plan, struct hsr_error *err) {
     status = add_algorithms(plan, o->algorithm[k], err);
   for (const struct hsr_listed *a = hsr_algorithms;
        !o->n_algorithms && a->plain && !status; a++)
-    if (!(a->plain->flags & HSR_JUDGE))
+    if (!(a->plain->flags & HSR_JUDGE) && a->plain->subjects & 1u << HSR_FACES)
       status = add_standard(plan, a, err);
   if (status || !o->n_peers)
     return status;

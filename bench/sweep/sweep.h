@@ -156,9 +156,9 @@ struct turn_listener {
 
 /* Starts all takers' processes, as often as the options say, and lets them take
  * turns, in a new order every round. Starts that a taker has already are left
- * out. Takers that do not fit into memory together run in several lots. `random`
- * is the seed of the orders. A taker that fails is left out from then on. HSR_E_NOMEM, also if no more processes can be
- * started. */
+ * out. Takers that do not fit into memory together run in several lots.
+ * `random` is the seed of the orders. A taker that fails is left out from then
+ * on. HSR_E_NOMEM, also if no more processes can be started. */
 enum hsr_status take_turns(const struct plan *plan, const struct place *place,
                            struct turn_taker *taker, int n, uint64_t random,
                            const struct turn_listener *listener,

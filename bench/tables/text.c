@@ -1,13 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tables as text, no wider than 100 columns. */
+/* The tables as text, as wide as the terminal, but no wider than 100 columns.
+ */
 #include "bench/tables/claims.h"
 #include "bench/tables/greene.h"
 #include "bench/list.h"
+#include "bench/terminal/terminal.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { WIDTH = 100 };
+/* Columns: of all; of the title of a row; of the space before the figures of a
+ * step; of the four figures of an environment; before the bars of a summary. */
+enum { WIDEST = 100, ROW = 24, STEP = 2, FIGURES = 25, SUMMARY = 60 };
+
+static int width(void) {
+  int columns = terminal_columns(stdout);
+  return columns && columns < WIDEST ? columns : WIDEST;
+}
 
 /* --- Pieces --------------------------------------------------------------- */
 
@@ -24,7 +33,7 @@ static void wrap(int indent, const char *text) {
   int column = indent;
   while (*text) {
     int length = (int)strcspn(text, " ");
-    if (column > indent && column + 1 + length > WIDTH) {
+    if (column > indent && column + 1 + length > width()) {
       printf("\n%*s", indent, "");
       column = indent;
     }
@@ -73,25 +82,40 @@ static struct short_number ratio(double measured, double foretold) {
   return short_number(measured > 0 && foretold > 0 ? measured / foretold : NAN);
 }
 
-static void print_environments(int indent, const char *columns) {
+/* Those of the environments that fit beside one another after `indent` columns:
+ * from `first` to before `end`. After the last ones, none. */
+struct block {
+  int first, end;
+};
+static struct block next_block(struct block before, int indent) {
+  int n = (width() - indent) / FIGURES, left = ENVIRONMENTS - before.end;
+  n = n < 1 ? 1 : n > left ? left : n;
+  return (struct block){before.end, before.end + n};
+}
+static struct block first_block(int indent) {
+  return next_block((struct block){0, 0}, indent);
+}
+
+static void print_environments(struct block block, int indent,
+                               const char *after) {
   printf("%*s", indent, "");
-  for (int e = 0; e < ENVIRONMENTS; e++)
-    printf(" %*s", (int)strlen(columns) - 1, paper_environments[e].scene);
+  for (int e = block.first; e < block.end; e++)
+    printf(" %*s", FIGURES - 1, paper_environments[e].scene);
   printf("\n%*s", indent, "");
-  for (int e = 0; e < ENVIRONMENTS; e++)
-    fputs(columns, stdout);
+  for (int e = block.first; e < block.end; e++)
+    fputs("  paper pred. meas. ratio", stdout);
+  puts(after);
 }
 
 /* Prints the survey's figure, the prediction from our Table I, the measured
  * figure, and the ratio of measured to predicted. */
-static void print_four(const double *paper, const double *predicted,
-                       const double *measured) {
-  for (int e = 0; e < ENVIRONMENTS; e++)
+static void print_four(struct block block, const double *paper,
+                       const double *predicted, const double *measured) {
+  for (int e = block.first; e < block.end; e++)
     printf("  %5s %5s %5s %5s", printed(paper ? paper[e] : NAN).text,
            short_number(predicted[e]).text, short_number(measured[e]).text,
            ratio(measured[e], predicted[e]).text);
 }
-#define FOUR "  paper pred. meas. ratio"
 
 /* --- Tables I to III ------------------------------------------------------ */
 
@@ -102,12 +126,9 @@ static void print_table1(void) {
 #undef X
 }
 
-static void print_table2(const struct tables *t) {
-  title("Table II. Statistics of the three environments");
-  puts("paper: as printed; pred.: the rule applied to the measured n, m, F_r, "
-       "F_c and D_c; meas.: measured;\nratio: measured to predicted.\n");
-  print_environments(24, FOUR);
+static void print_table2_block(const struct tables *t, struct block block) {
   putchar('\n');
+  print_environments(block, ROW, "");
 #define X(field, symbol, meaning)                                              \
   {                                                                            \
     const struct paper_statistic *s = paper_statistic(symbol);                 \
@@ -117,14 +138,31 @@ static void print_table2(const struct tables *t) {
       measured[e] = t->scene[e].measured.field;                                \
     }                                                                          \
     printf("%-4s %-19s", symbol, s && s->rule ? s->rule : "-");                \
-    print_four(s ? s->figure : NULL, rule, measured);                          \
+    print_four(block, s ? s->figure : NULL, rule, measured);                   \
     putchar('\n');                                                             \
   }
   HSR_TABLE1(X)
 #undef X
 }
 
+static void print_table2(const struct tables *t) {
+  title("Table II. Statistics of the three environments");
+  wrap(0, "paper: as printed; pred.: the rule applied to the measured n, m, "
+          "F_r, F_c and D_c; meas.: measured; ratio: measured to predicted.");
+  for (struct block b = first_block(ROW); b.first < b.end;
+       b = next_block(b, ROW))
+    print_table2_block(t, b);
+}
+
+/* Whether there is room for a column behind all environments. */
+static bool growth_fits(void) {
+  enum { GROWTH = 20 };
+  return STEP + ENVIRONMENTS * FIGURES + GROWTH <= width();
+}
+
 static void print_growth(const struct series *s) {
+  if (!growth_fits())
+    printf("\n%*sgrowth measured:", 2 * STEP, "");
   if (isnan(s->growth.exponent))
     printf("%6s", "-");
   else if (isnan(s->growth.low))
@@ -137,15 +175,23 @@ static void print_growth(const struct series *s) {
 static void print_step(const struct table_step *row) {
   const struct hsr_step *step = row->step;
   bool once = row->paper && row->paper->once;
-  printf("  %s: %s%s", step->label, step->formula ? step->formula : "-",
-         once && !strstr(step->formula, "not per frame") ? ", not per frame"
-                                                         : "");
-  printf("   (%g x count)", step->factor);
+  char text[400], predicted[40] = "";
   if (!isnan(row->cost.predicted_growth.exponent))
-    printf("   ~ F_r^%.2f", row->cost.predicted_growth.exponent);
-  printf("\n  ");
-  print_four(row->paper ? row->paper->figure : NULL, row->cost.predicted,
-             row->cost.measured);
+    snprintf(predicted, sizeof predicted, "   ~ F_r^%.2f",
+             row->cost.predicted_growth.exponent);
+  snprintf(text, sizeof text, "%s: %s%s   (%g x count)%s", step->label,
+           step->formula ? step->formula : "-",
+           once && !strstr(step->formula, "not per frame") ? ", not per frame"
+                                                           : "",
+           step->factor, predicted);
+  printf("%*s", STEP, "");
+  wrap(STEP, text);
+  for (struct block b = first_block(STEP); b.first < b.end;
+       b = next_block(b, STEP)) {
+    printf("%s%*s", b.first ? "\n" : "", STEP, "");
+    print_four(b, row->paper ? row->paper->figure : NULL, row->cost.predicted,
+               row->cost.measured);
+  }
   print_growth(&row->cost);
   putchar('\n');
 }
@@ -165,9 +211,8 @@ static void print_ladder(const struct tables *t) {
     puts("There is no ladder of harbor:N among the results: no growth.");
     return;
   }
-  char text[1200] =
-      "Growth: the e of cost ~ F_r^e, measured (last column, with "
-      "its 95 % interval) and of the formula (behind it), over";
+  char text[1200] = "Growth: the e of cost ~ F_r^e, measured (with its "
+                    "95 % interval) and of the formula (behind it), over";
   for (int s = ENVIRONMENTS; s < t->n_scenes; s++) {
     size_t used = strlen(text);
     snprintf(text + used, sizeof text - used, " %s%s", t->scene[s].name,
@@ -178,13 +223,15 @@ static void print_ladder(const struct tables *t) {
 
 static void print_table3(const struct tables *t) {
   title("Table III. Costs in the three environments, step by step");
-  puts("cost = complexity factor x count. paper: as printed, for its own Table "
-       "II; pred.: its formula\napplied to our Table I; meas.: measured; "
+  wrap(0,
+       "cost = complexity factor x count. paper: as printed, for its own Table "
+       "II; pred.: its formula applied to our Table I; meas.: measured; "
        "ratio: measured to predicted.");
   print_ladder(t);
   putchar('\n');
-  print_environments(2, FOUR);
-  puts("  growth measured");
+  for (struct block b = first_block(STEP); b.first < b.end;
+       b = next_block(b, STEP))
+    print_environments(b, STEP, growth_fits() ? "  growth measured" : "");
   for (int a = 0; a < t->n_algorithms; a++) {
     printf("\n%s\n", t->algorithm[a].algorithm->name);
     for (int k = 0; k < t->algorithm[a].n_steps; k++)
@@ -197,8 +244,9 @@ static void print_table3(const struct tables *t) {
 
 /* Prints a part of the whole as a bar, "#####". */
 static void print_bar(double part) {
-  int length = (int)nearbyint(30 * part);
-  if (length)
+  int room = width() - SUMMARY;
+  int length = (int)nearbyint((room < 30 ? room : 30) * part);
+  if (length > 0)
     printf("  ");
   for (int k = 0; k < length; k++)
     putchar('#');
@@ -207,10 +255,11 @@ static void print_bar(double part) {
 static void print_summary_of(const struct table_algorithm *a, int e) {
   double total = a->total.measured[e];
   const char *why = tables_missing(a, e);
-  printf("%-30s %6s %6s %6s %6s  %s\n", a->algorithm->name,
+  printf("%-30s %6s %6s %6s %6s  ", a->algorithm->name,
          printed(a->paper ? a->paper->total[e] : NAN).text,
          short_number(a->total.predicted[e]).text, short_number(total).text,
-         ratio(total, a->total.predicted[e]).text, why ? why : "");
+         ratio(total, a->total.predicted[e]).text);
+  wrap(SUMMARY, why ? why : "");
   for (int k = 0; k < a->n_steps; k++) {
     const struct table_step *row = &a->step[k];
     double measured = row->cost.measured[e];
@@ -240,18 +289,23 @@ static void print_summary(const struct tables *t, int e) {
     print_summary_of(&t->algorithm[a], e);
 }
 
-static void print_table7(const struct tables *t) {
-  title("Table VII. Cost summary: the three environments");
-  print_environments(24, FOUR);
-  putchar('\n');
+static void print_table7_block(const struct tables *t, struct block block) {
+  print_environments(block, ROW, "");
   for (int a = 0; a < t->n_algorithms; a++) {
     const struct table_algorithm *row = &t->algorithm[a];
-    printf("%-24s", row->algorithm->name);
-    print_four(row->paper ? row->paper->total : NULL, row->total.predicted,
-               row->total.measured);
+    printf("%-*s", ROW, row->algorithm->name);
+    print_four(block, row->paper ? row->paper->total : NULL,
+               row->total.predicted, row->total.measured);
     putchar('\n');
   }
   putchar('\n');
+}
+
+static void print_table7(const struct tables *t) {
+  title("Table VII. Cost summary: the three environments");
+  for (struct block b = first_block(ROW); b.first < b.end;
+       b = next_block(b, ROW))
+    print_table7_block(t, b);
   wrap(0, "Measured totals include the steps for which there is no prediction. "
           "For an algorithm made of two, the prediction is what both would "
           "cost alone.");
@@ -314,7 +368,7 @@ static void print_figure13(void) {
 /* Prints one more name, in the same row or in the next. Returns the column
  * after it. */
 static int print_next(const char *name, int column) {
-  if (column + 2 + (int)strlen(name) < 100)
+  if (column + 2 + (int)strlen(name) < width())
     return column + printf(", %s", name);
   puts(",");
   return printf("%-10s %s", "", name);
@@ -410,11 +464,12 @@ static void print_conclusions(const struct tables *t) {
 }
 
 void tables_print(const struct tables *t) {
-  puts(
+  wrap(
+      0,
       "The tables of Sutherland, Sproull and Schumacker, A Characterization of "
-      "Ten Hidden-Surface\nAlgorithms, Computing Surveys 6(1), 1974, measured."
-      " K = 1,000; M = 1,000,000; G = 10^9; T = 10^12.\n-: none, or not "
-      "measured.");
+      "Ten Hidden-Surface Algorithms, Computing Surveys 6(1), 1974, measured. "
+      "K = 1,000; M = 1,000,000; G = 10^9; T = 10^12.");
+  puts("-: none, or not measured.");
   print_table1();
   print_table2(t);
   print_table3(t);
@@ -452,11 +507,13 @@ static void print_figure(const struct greene_figure *f, double ours,
 }
 
 void greene_print(const struct results *results) {
-  puts("Greene's figures on hierarchical visibility beside ours: counts, and "
-       "ratios of times, each the\nleast time of a frame. 1993: with Kass and "
-       "Miller, SIGGRAPH. 1995: thesis. 1996: SIGGRAPH. -: he\nprints none, or "
+  wrap(0,
+       "Greene's figures on hierarchical visibility beside ours: counts, and "
+       "ratios of times, each the least time of a frame. 1993: with Kass and "
+       "Miller, SIGGRAPH. 1995: thesis. 1996: SIGGRAPH. -: he prints none, or "
        "the results do not have it. >: why ours is off by more than a factor "
-       "of 2.\nK = 1,000; M = 1,000,000.");
+       "of 2.");
+  puts("K = 1,000; M = 1,000,000.");
   const char *last = "";
   for (const struct greene_figure *f = greene_figures; f->what; f++)
     if (f->source) {

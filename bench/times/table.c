@@ -8,18 +8,29 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { INTERVAL = 17 }; /* columns of one */
+
 /* Whether there is room for two columns more. */
 static bool is_wide(void) {
   int columns = terminal_columns(stdout);
   return !columns || columns >= 102;
 }
 
+/* A number of `digits` digits, or more if it is greater: never with an exponent
+ * that would be wider than its column. */
+static const char *number(double x, int digits, char text[24]) {
+  bool whole = x >= 1000 && x < 1e6;
+  snprintf(text, 24, whole ? "%.*f" : "%.*g", whole ? 0 : digits, x);
+  return text;
+}
+
 /* "[1.231, 1.240]", in a column; empty where there is no interval. */
-static void print_interval(double low, double high, double scale) {
-  char text[40] = "";
+static void print_interval(double low, double high, double scale, int width) {
+  char text[60] = "", from[24], to[24];
   if (!isnan(low))
-    snprintf(text, sizeof text, "[%.4g, %.4g]", low * scale, high * scale);
-  printf(" %-17s", text);
+    snprintf(text, sizeof text, "[%s, %s]", number(low * scale, 4, from),
+             number(high * scale, 4, to));
+  printf(" %-*s", width, text);
 }
 
 static double scale_of(double seconds) {
@@ -59,15 +70,16 @@ static void print_name(const json_t *cell) {
 static void print_times(const struct rows *rows, const struct row *row) {
   char text[ROWS_TIME];
   printf(" %10s", rows_time(row->median.value, text));
-  print_interval(row->median.low, row->median.high,
-                 scale_of(row->median.value));
+  print_interval(row->median.low, row->median.high, scale_of(row->median.value),
+                 INTERVAL);
   if (!row->has_ratio)
     return;
   bool reference =
       !strcmp(results_text(row->cell, "algorithm"), rows->reference);
-  printf(" %6.3g%c", row->ratio.value,
+  printf(" %6s%c", number(row->ratio.value, 3, text),
          reference || figure_distinguishable(&row->ratio) ? ' ' : '~');
-  print_interval(reference ? NAN : row->ratio.low, row->ratio.high, 1);
+  print_interval(reference ? NAN : row->ratio.low, row->ratio.high, 1,
+                 is_wide() ? INTERVAL : 0);
 }
 
 static void print_more(const struct row *row) {

@@ -325,15 +325,19 @@ static enum hsr_status write_trace(struct run *r, struct hsr_error *err) {
 
 static void print_report(const struct run *r) {
   const struct tracer *t = &r->tracer;
-  char name[TERMINAL_NAME];
-  printf("%s, view %ld, %d x %d samples, %u faces, by %s: %llu events",
-         terminal_plain(r->options->scene.name, name, sizeof name),
-         r->options->view.view, r->view.m, r->view.n, r->laid_out.n_faces,
-         r->variant->name, (unsigned long long)t->events);
+  char name[TERMINAL_NAME], text[2 * TERMINAL_NAME], part[60] = "";
   if (t->written < t->events)
-    printf(", %llu of them written", (unsigned long long)t->written);
-  printf(", %llu keyframe%s, %.1f MB\n", (unsigned long long)t->keyframes,
-         t->keyframes == 1 ? "" : "s", 1e-6 * (double)r->output.bytes);
+    snprintf(part, sizeof part, ", %llu of them written",
+             (unsigned long long)t->written);
+  snprintf(text, sizeof text,
+           "%s, view %ld, %d x %d samples, %u faces, by %.500s: %llu events%s, "
+           "%llu keyframe%s, %.1f MB",
+           terminal_plain(r->options->scene.name, name, sizeof name),
+           r->options->view.view, r->view.m, r->view.n, r->laid_out.n_faces,
+           r->variant->name, (unsigned long long)t->events, part,
+           (unsigned long long)t->keyframes, t->keyframes == 1 ? "" : "s",
+           1e-6 * (double)r->output.bytes);
+  terminal_wrap(stdout, 0, 2, text);
 }
 
 static enum hsr_status run(const struct options *o,

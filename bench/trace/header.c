@@ -127,11 +127,12 @@ static json_t *vector_json(const double v[3]) {
 static json_t *view_json(const struct trace_header *h) {
   const struct hsr_camera *c = &h->view->camera;
   const struct hsr_window *w = &h->view->window;
-  return json_pack("{si si si s[iiii] so so so sf sf}", "number",
+  return json_pack("{si si si s[iiii] so so so sf sf sf}", "number",
                    (int)h->view_options->view, "width", h->view->m, "height",
                    h->view->n, "window", w->x0, w->y0, w->x1, w->y1, "eye",
                    vector_json(c->eye), "at", vector_json(c->at), "up",
-                   vector_json(c->up), "fov", c->fov, "near", c->near);
+                   vector_json(c->up), "fov", c->fov, "near", c->near,
+                   "parallel", c->parallel);
 }
 
 /* --- Faces ---------------------------------------------------------------- */
@@ -207,16 +208,16 @@ static json_t *polygon_json(const struct trace_header *h, uint32_t face,
     double point[3];
     vertex_of(world, world->mesh.vertex[world->mesh.start[face] + (uint32_t)k],
               point);
-    hsr_point_project(h->view, point, room->in[k]);
+    hsr_view_project(h->view, point, room->in[k]);
     deepest = fmax(deepest, room->in[k][2]);
   }
   static const double by_depth[3] = {0, 0, 1};
-  double near = fmax(h->view->near, 1e-6 * deepest);
+  double near = fmax(h->view->near, h->view->parallel ? 0 : 1e-6 * deepest);
   json_t *polygon = json_array();
   if (deepest > near)
     n = hsr_clip((const double(*)[3])room->in, n, by_depth, -near, room->out);
   for (int k = 0; deepest > near && k < n; k++)
-    hsr_json_append(&polygon, hsr_image_json(room->out[k]));
+    hsr_json_append(&polygon, hsr_image_json(h->view, room->out[k]));
   return polygon;
 }
 

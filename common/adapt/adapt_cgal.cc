@@ -4,8 +4,7 @@
 // Triangles   A convex polygon becomes a fan of triangles. Any other goes
 //             through CGAL's constrained Delaunay triangulation, whose
 //             predicates are exact, on the coordinate plane that it faces most.
-//             The triangles whose middle is inside the polygon by parity are
-//             kept; that is decided in exact numbers.
+//             The triangles inside the polygon by parity are kept.
 // Not flat    If a polygon is not flat, corners may fall together on that
 //             coordinate plane, or sides cross there. If the triangles would
 //             then cover other samples than the polygon does, it becomes a fan
@@ -31,6 +30,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
@@ -91,27 +91,10 @@ bool is_convex(const std::vector<Flat_point> &p) {
   return !(left && right) && changes == 2;
 }
 
-// Whether the middle of a triangle is inside the polygon by parity.
-bool holds_middle(const std::vector<Flat_point> &polygon, const Flat_point &a,
-                  const Flat_point &b, const Flat_point &c) {
-  using T = CGAL::Exact_rational;
-  const T x = (T(a.x()) + T(b.x()) + T(c.x())) / T(3);
-  const T y = (T(a.y()) + T(b.y()) + T(c.y())) / T(3);
-  bool inside = false;
-  for (size_t k = 0, l = polygon.size() - 1; k < polygon.size(); l = k++) {
-    const T px = polygon[k].x(), py = polygon[k].y();
-    const T qx = polygon[l].x(), qy = polygon[l].y();
-    if ((py > y) == (qy > y))
-      continue;
-    const bool left = (x - px) * (qy - py) < (y - py) * (qx - px);
-    inside ^= left == (qy > py);
-  }
-  return inside;
-}
-
 using Vertex_base =
     CGAL::Triangulation_vertex_base_with_info_2<uint32_t, Kernel>;
-using Face_base = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using Face_base = CGAL::Constrained_triangulation_face_base_2<
+    Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>,
     CGAL::No_constraint_intersection_tag>;
@@ -147,13 +130,60 @@ bool border(const std::vector<Triangle> &triangles,
   return odd.empty();
 }
 
+using Vertex = Triangulation::Vertex_handle;
+
+// Edges of a triangulation on which an odd number of a polygon's sides lie.
+class Odd_edges {
+public:
+  void add_side(const Triangulation &triangulation, Vertex from, Vertex to) {
+    while (from != to) {
+      Vertex next;
+      Triangulation::Face_handle face;
+      int opposite;
+      triangulation.includes_edge(from, to, next, face, opposite);
+      const auto edge = std::minmax(from, next);
+      if (!edges_.erase(edge))
+        edges_.insert(edge);
+      from = next;
+    }
+  }
+  bool has(Vertex a, Vertex b) const { return edges_.count(std::minmax(a, b)); }
+
+private:
+  std::set<std::pair<Vertex, Vertex>> edges_;
+};
+
+// Sets each triangle's info to whether it is inside by parity: from one to the
+// next over an odd edge, that changes.
+enum : int { OUTSIDE, INSIDE, UNKNOWN };
+void find_inside(Triangulation &triangulation, const Odd_edges &odd) {
+  for (auto t = triangulation.all_faces_begin();
+       t != triangulation.all_faces_end(); ++t)
+    t->info() = UNKNOWN;
+  triangulation.infinite_face()->info() = OUTSIDE;
+  std::vector<Triangulation::Face_handle> found{triangulation.infinite_face()};
+  while (!found.empty()) {
+    const Triangulation::Face_handle t = found.back();
+    found.pop_back();
+    for (int k = 0; k < 3; k++) {
+      const Triangulation::Face_handle next = t->neighbor(k);
+      if (next->info() != UNKNOWN)
+        continue;
+      const bool change =
+          odd.has(t->vertex((k + 1) % 3), t->vertex((k + 2) % 3));
+      next->info() = change ? INSIDE + OUTSIDE - t->info() : t->info();
+      found.push_back(next);
+    }
+  }
+}
+
 // Finds the triangles of a polygon, from its corners on a coordinate plane.
 // False if it crosses itself there.
 bool triangulate_loop(const std::vector<uint32_t> &loop,
                       const std::vector<Flat_point> &corners,
                       std::vector<Triangle> &triangles) {
   Triangulation triangulation;
-  std::vector<Triangulation::Vertex_handle> at;
+  std::vector<Vertex> at;
   for (size_t k = 0; k < corners.size(); k++) {
     at.push_back(triangulation.insert(corners[k]));
     at.back()->info() = loop[k];
@@ -165,10 +195,13 @@ bool triangulate_loop(const std::vector<uint32_t> &loop,
   } catch (const Triangulation::Intersection_of_constraints_exception &) {
     return false;
   }
+  Odd_edges odd;
+  for (size_t k = 0, l = at.size() - 1; k < at.size(); l = k++)
+    odd.add_side(triangulation, at[l], at[k]);
+  find_inside(triangulation, odd);
   for (auto t = triangulation.finite_faces_begin();
        t != triangulation.finite_faces_end(); ++t)
-    if (holds_middle(corners, t->vertex(0)->point(), t->vertex(1)->point(),
-                     t->vertex(2)->point()))
+    if (t->info() == INSIDE)
       triangles.push_back(
           {t->vertex(0)->info(), t->vertex(1)->info(), t->vertex(2)->info()});
   return true;

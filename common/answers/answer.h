@@ -13,7 +13,7 @@
 #include "common/answers/filter.h"
 #include "common/base/count.h"
 #include "common/base/option.h"
-#include "common/grids/voxels.h"
+#include "common/voxels/voxels.h"
 #include "common/lines/drawing.h"
 #include "common/scene/world.h"
 #include "common/view/picture.h"

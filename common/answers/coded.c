@@ -39,24 +39,16 @@ json_t *hsr_subject_json(struct hsr_subject subject) {
   return coded;
 }
 
-void hsr_point_project(const struct hsr_view *view, const double point[3],
-                       double image[3]) {
-  for (int row = 0; row < 3; row++) {
-    image[row] = 0;
-    for (int k = 0; k < 3; k++)
-      image[row] += view->screen[row][k] * (point[k] - view->E[k]);
-  }
-}
-
 /* Multiples of 1/64 are exact and short in decimals. + 0 makes a 0 of -0. */
-json_t *hsr_image_json(const double image[3]) {
-  double x = rint(64 * image[0] / image[2]) / 64 + 0,
-         y = rint(64 * image[1] / image[2]) / 64 + 0;
+json_t *hsr_image_json(const struct hsr_view *view, const double image[3]) {
+  double w = hsr_view_w(view, image);
+  double x = rint(64 * image[0] / w) / 64 + 0,
+         y = rint(64 * image[1] / w) / 64 + 0;
   return isfinite(x) && isfinite(y) ? json_pack("[ff]", x, y) : json_null();
 }
 
 json_t *hsr_point_json(const struct hsr_view *view, const double point[3]) {
   double image[3];
-  hsr_point_project(view, point, image);
-  return image[2] > view->near ? hsr_image_json(image) : json_null();
+  hsr_view_project(view, point, image);
+  return image[2] > view->near ? hsr_image_json(view, image) : json_null();
 }

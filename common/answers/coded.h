@@ -24,13 +24,8 @@ json_t *hsr_subject_json(struct hsr_subject subject);
  * nearest 1/64; or null if it is not beyond the view's `near`. */
 json_t *hsr_point_json(const struct hsr_view *view, const double point[3]);
 
-/* (w sx, w sy, w) of a point: its place on the screen, in samples, and its
- * depth along the view's direction, in units of the world. */
-void hsr_point_project(const struct hsr_view *view, const double point[3],
-                       double image[3]);
-
-/* [x, y] of an image from hsr_point_project, in samples, to the nearest 1/64;
- * or null if they are not finite. */
-json_t *hsr_image_json(const double image[3]);
+/* [x, y] of an image from hsr_view_project, in samples, to the nearest 1/64; or
+ * null if they are not finite. */
+json_t *hsr_image_json(const struct hsr_view *view, const double image[3]);
 
 #endif

@@ -50,8 +50,32 @@ int hsr_eye_side(const struct hsr_screen *screen, uint32_t g,
   if (screen->facing[g])
     return screen->facing[g];
   tally->exact[HSR_ASK_FACING]++;
-  return hsr_exact_plane_side(hsr_plane_loop(screen->world, g), screen->view->E,
-                              &tally->out_of_memory);
+  return hsr_exact_eye_side(screen->view, hsr_plane_loop(screen->world, g),
+                            &tally->out_of_memory);
+}
+
+/* |h| of the plane of g, and a bound of its error. */
+static double eye_height(const struct hsr_screen *screen, uint32_t g,
+                         double *error) {
+  const struct hsr_world *world = screen->world;
+  const double *F = screen->view->F;
+  if (!screen->view->parallel)
+    return fabs(height(world, g, screen->view->E, 0, error));
+  const double n[3] = {world->mesh.nx[g], world->mesh.ny[g], world->mesh.nz[g]};
+  double f1 = sum_of_sizes(F);
+  *error =
+      2 * world->mesh.n_error[g] * f1 + 16 * U * sum_of_sizes(n) * f1 + TINY;
+  return fabs(n[0] * F[0] + n[1] * F[1] + n[2] * F[2]);
+}
+
+/* The part by which a seen point of f, which is not flat, may be off: see
+ * Thickness. +infinity if that cannot be told. */
+static double part_off(const struct hsr_screen *screen, uint32_t f) {
+  double deviation = screen->world->mesh.deviation[f], error;
+  double clear = eye_height(screen, f, &error) - error;
+  if (!screen->view->parallel)
+    clear -= deviation;
+  return clear > 0 ? deviation / clear : INFINITY;
 }
 
 /* The most by which the height over g of a seen point of f may differ from the
@@ -59,30 +83,29 @@ int hsr_eye_side(const struct hsr_screen *screen, uint32_t g,
 static double thickness(const struct hsr_screen *screen, uint32_t f,
                         uint32_t g) {
   const struct hsr_world *world = screen->world;
-  double deviation = world->mesh.deviation[f], error_f, error_g;
-  if (deviation == 0)
+  if (world->mesh.deviation[f] == 0)
     return 0;
-  double h_f = fabs(height(world, f, screen->view->E, 0, &error_f));
-  double h_g = fabs(height(world, g, screen->view->E, 0, &error_g));
-  double clear = h_f - error_f - deviation;
-  return clear > deviation ? 2 * (h_g + error_g) * deviation / clear : INFINITY;
+  double part = part_off(screen, f), error;
+  double h = eye_height(screen, g, &error);
+  bool is_known = screen->view->parallel ? part < INFINITY : part < 1;
+  return is_known ? 2 * (h + error) * part : INFINITY;
 }
 
 bool hsr_grazes(const struct hsr_screen *screen, uint32_t f, double reach) {
   const struct hsr_world *world = screen->world;
   const double *E = screen->view->E;
-  double deviation = world->mesh.deviation[f], farthest = 0, error;
-  if (deviation == 0)
+  double farthest = 0;
+  if (world->mesh.deviation[f] == 0)
     return false;
+  if (screen->view->parallel)
+    return !(sum_of_sizes(screen->view->F) * part_off(screen, f) <= reach);
   for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
     uint32_t v = world->mesh.vertex[k];
     const double d[3] = {world->mesh.x[v] - E[0], world->mesh.y[v] - E[1],
                          world->mesh.z[v] - E[2]};
     farthest = fmax(farthest, sum_of_sizes(d));
   }
-  double clear = fabs(height(world, f, E, 0, &error)) - error - deviation;
-  /* The quotient may be infinite; a product might be 0 on both sides. */
-  return !(clear > 0 && farthest * (deviation / clear) <= reach);
+  return !(farthest * part_off(screen, f) <= reach);
 }
 
 /* --- Before and beyond ---------------------------------------------------- */
@@ -203,19 +226,38 @@ struct hsr_polygon hsr_divide_outline(const struct hsr_screen *screen,
                               polygon.off + 8 * U * size};
 }
 
-/* w sx, w sy, w of a point, and a bound of their errors. The point's
- * coordinates are within `own` of the true ones. Everything may be infinite or
- * not a number where the view is so narrow that a product overflows. */
+/* V - E of a point whose coordinates are within `own` of the true ones. Returns
+ * what it adds to the error of a sum of products with V - E, for each unit of
+ * its factors. */
+static double from_eye(const struct hsr_view *view, const double p[3],
+                       double own, double d[3]) {
+  for (int k = 0; k < 3; k++)
+    d[k] = p[k] - view->E[k];
+  return 16 * U * sum_of_sizes(d) + fmax(0x1p-44 * sum_of_sizes(p), own) + TINY;
+}
+
+static double product(const double row[3], const double d[3]) {
+  return row[0] * d[0] + row[1] * d[1] + row[2] * d[2];
+}
+
+/* w sx, w sy, w of a point, and a bound of their errors. Everything may be
+ * infinite or not a number where the view is so narrow that a product
+ * overflows. */
 static void homogeneous(const struct hsr_view *view, const double p[3],
                         double own, double h[3], double error[3]) {
-  const double d[3] = {p[0] - view->E[0], p[1] - view->E[1], p[2] - view->E[2]};
-  double off =
-      16 * U * sum_of_sizes(d) + fmax(0x1p-44 * sum_of_sizes(p), own) + TINY;
+  double d[3], off = from_eye(view, p, own, d);
   for (int k = 0; k < 3; k++) {
-    const double *row = view->screen[k];
-    h[k] = row[0] * d[0] + row[1] * d[1] + row[2] * d[2];
-    error[k] = off * sum_of_sizes(row);
+    h[k] = product(view->screen[k], d) + view->origin[k];
+    error[k] = off * sum_of_sizes(view->screen[k]) + 2 * U * view->origin[k];
   }
+}
+
+/* t of a point, and a bound of its error. */
+static double depth_of(const struct hsr_view *view, const double p[3],
+                       double own, double *error) {
+  double d[3], off = from_eye(view, p, own, d);
+  *error = off * sum_of_sizes(view->depth);
+  return product(view->depth, d);
 }
 
 /* Narrows [*begin, *end) to the samples within [lo, hi] pixels, with a pixel to
@@ -252,41 +294,44 @@ void hsr_depth_range(const struct hsr_screen *screen,
                      struct hsr_polygon polygon, double *nearest,
                      double *farthest) {
   const struct hsr_world *world = screen->world;
-  double deviation = world->mesh.deviation[polygon.face], stretch = 1;
+  bool is_flat = world->mesh.deviation[polygon.face] == 0;
+  double part = is_flat ? 0 : part_off(screen, polygon.face);
+  double stretch = screen->view->parallel ? 1 : 1 + 2 * part;
+  double shift = screen->view->parallel ? 2 * part : 0;
   *nearest = INFINITY;
   *farthest = 0;
   for (uint32_t k = 0; k < n_points(world, polygon); k++) {
-    double p[3], h[3], error[3];
+    double p[3], error;
     point_of(world, polygon, k, p);
-    homogeneous(screen->view, p, polygon.off, h, error);
-    *nearest = fmin(*nearest, h[2] - error[2]);
-    *farthest = fmax(*farthest, h[2] + error[2]);
+    double t = depth_of(screen->view, p, polygon.off, &error);
+    *nearest = fmin(*nearest, t - error - shift);
+    *farthest = fmax(*farthest, t + error + shift);
   }
-  if (deviation > 0) {
-    double error;
-    double h = fabs(height(world, polygon.face, screen->view->E, 0, &error));
-    double clear = h - error - deviation;
-    if (!(clear > deviation)) { /* the plane may be met anywhere */
-      *nearest = 0;
-      *farthest = INFINITY;
-      return;
-    }
-    stretch = 1 + 2 * (deviation / clear);
+  if (!(stretch < 3 && shift < INFINITY)) { /* the plane may be met anywhere */
+    *nearest = 0;
+    *farthest = INFINITY;
+    return;
   }
   *nearest = *nearest > 0 ? *nearest / stretch * (1 - 8 * U) : 0;
   *farthest = *farthest * stretch * (1 + 8 * U);
 }
 
-/* 1/w is linear on the screen, so it is least and greatest at corners. */
+/* q is linear on the screen, so it is least and greatest at corners. */
 void hsr_narrow_depth_range(const struct hsr_screen *screen, uint32_t f,
                             const struct hsr_bounds *bounds, double *nearest,
                             double *farthest) {
-  double least = INFINITY, greatest = 0, error = screen->plane[f].error;
+  double least = INFINITY, greatest = -INFINITY;
+  double error = screen->plane[f].error;
   for (int corner = 0; corner < 4; corner++) {
     double q = hsr_depth(screen, f, corner & 1 ? bounds->x1 - 1 : bounds->x0,
                          corner & 2 ? bounds->y1 - 1 : bounds->y0);
     least = fmin(least, q);
     greatest = fmax(greatest, q);
+  }
+  if (screen->view->parallel) {
+    *nearest = fmax(*nearest, -(greatest + error));
+    *farthest = fmin(*farthest, fmax(-(least - error), 0));
+    return;
   }
   if (greatest > 0)
     *nearest = fmax(*nearest, 1 / (greatest + error) * (1 - 8 * U));

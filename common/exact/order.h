@@ -16,8 +16,10 @@
  *             may be off the hull of the vertices. Let h be the height of the
  *             eye over a plane: the point is off by at most the part
  *             dev_f / (|h_f| - dev_f) of its distance, so that its height over
- *             g changes by at most |h_g| times that part. A comparison that is
- *             closer than this is not certain. */
+ *             g changes by at most |h_g| times that part. In parallel h is
+ *             N.F, and the point is off by at most F times dev_f / |h_f|, so
+ *             its height changes by |h_g| times that as well. A comparison that
+ *             is closer than this is not certain. */
 #ifndef HSR_COMMON_ORDER_H
 #define HSR_COMMON_ORDER_H
 
@@ -67,7 +69,7 @@ struct hsr_polygon hsr_divide_outline(const struct hsr_screen *screen,
 struct hsr_bounds hsr_outline_bounds(const struct hsr_screen *screen,
                                      struct hsr_polygon polygon);
 
-/* The depths w, along F in world units, of all points where a ray meets the
+/* The depths t, along F in world units, of all points where a ray meets the
  * polygon on its face's plane: they lie in [*nearest, *farthest]. Where that
  * cannot be told, these are 0 and +infinity. */
 void hsr_depth_range(const struct hsr_screen *screen,

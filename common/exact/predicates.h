@@ -22,6 +22,11 @@
 extern "C" {
 #endif
 
+/* The side of the face's plane that the eye is on: +1 in front, -1 behind, 0 if
+ * the plane holds the eye. In parallel it does so if rays run along it. */
+int hsr_exact_eye_side(const struct hsr_view *view, struct hsr_loop face,
+                       bool *out_of_memory);
+
 /* row(v) of a vertex against the scan plane through screen height sy,
  * perturbed: for a vertex before the eye, +1 if it lies below the line. Never
  * 0. */
@@ -37,15 +42,16 @@ int hsr_exact_edge_side(const struct hsr_view *view, const double a[3],
 
 /* The two halves of t > near on the face's plane at (sx, sy), perturbed. Along
  * a scan line each of them changes at most once.
- * ahead:     +1 if 1/t > 0: the ray meets the plane in front of the eye;
- * past near: +1 if near / t < 1.
+ * ahead:     +1 if 1/t > 0: the ray meets the plane in front of the eye. In
+ *            parallel that means nothing, and it is +1;
+ * past near: +1 if near / t < 1; in parallel, if t > near.
  * Else -1; both are -1 if the plane holds the eye. */
 int hsr_exact_ahead(const struct hsr_view *view, struct hsr_loop face,
                     double sx, double sy, bool *out_of_memory);
 int hsr_exact_past_near(const struct hsr_view *view, struct hsr_loop face,
                         double sx, double sy, bool *out_of_memory);
 
-/* Compares 1/t of the planes of f and g at (sx, sy), perturbed: +1 if f is
+/* Compares q of the planes of f and g at (sx, sy), perturbed: +1 if f is
  * nearer, -1 if g is, 0 only if the planes are the same. Neither plane may hold
  * the eye. */
 int hsr_exact_nearer(const struct hsr_view *view, struct hsr_loop f,

@@ -12,61 +12,100 @@ using namespace hsr;
 
 namespace {
 
-/* m n D: the ray of screen point (sx, sy), without division. */
-template <class T> Vector<T> ray(const hsr_view &view, double sx, double sy) {
+/* Where a function of the ray is evaluated, in coordinates from E: at S of
+ * common/view/view.h, m n times, which is m n D, or in parallel m n (P - E),
+ * with `one` m n; or at a derivative of it, with `one` 0. */
+template <class T> struct Heading {
+  Vector<T> s;
+  T one;
+};
+
+template <class T>
+Heading<T> at_sample(const hsr_view &view, double sx, double sy) {
   T m = T(double(view.m)), n = T(double(view.n));
   T right = (T(sx) + T(sx) - m) * n, up = (n - T(sy) - T(sy)) * m;
-  return (m * n) * vector<T>(view.F) + right * vector<T>(view.R) +
-         up * vector<T>(view.U);
+  Vector<T> s = right * vector<T>(view.R) + up * vector<T>(view.U);
+  if (!view.parallel)
+    s = (m * n) * vector<T>(view.F) + s;
+  return {s, m * n};
 }
 
 template <class T> Vector<T> from_eye(const hsr_view &view, const double v[3]) {
   return vector<T>(v) - vector<T>(view.E);
 }
 
-/* The sign of a function of the ray that is linear in D, perturbed: of its
- * value at D, else of its change along R, else along -U. */
+/* The sign of a linear function of the heading, perturbed: of its value at the
+ * sample, else of its change along R, else along -U. */
 template <class Linear>
 int perturbed_sign(const hsr_view &view, double sx, double sy,
                    const Linear &linear, bool *out_of_memory) noexcept {
   int sign = sign_of(
       [&](auto t) {
         using T = decltype(t);
-        return linear(ray<T>(view, sx, sy), T(1));
+        return linear(at_sample<T>(view, sx, sy), T(0));
       },
       out_of_memory);
   if (!sign)
     sign = sign_of(
         [&](auto t) {
           using T = decltype(t);
-          return linear(vector<T>(view.R), T(0));
+          return linear(Heading<T>{vector<T>(view.R), T(0)}, T(0));
         },
         out_of_memory);
   if (!sign)
     sign = -sign_of(
         [&](auto t) {
           using T = decltype(t);
-          return linear(vector<T>(view.U), T(0));
+          return linear(Heading<T>{vector<T>(view.U), T(0)}, T(0));
         },
         out_of_memory);
   return sign;
 }
 
-/* k N.D and c = N . (S - k E) of a plane, whose quotient is 1/t. */
-template <class T> T depth_scale(const hsr_view &view, const Plane<T> &plane) {
-  return plane.offset - plane.k * dot(plane.normal, vector<T>(view.E));
-}
+/* A plane as the eye sees it: q = slope / scale. In perspective slope is k N.D
+ * and scale is e = N . (S - k E). In parallel slope is N . (k P - S) and scale
+ * is k N.F. */
+template <class T> struct Seen {
+  Vector<T> kN;
+  T e, scale;
+
+  Seen(const hsr_view &view, const hsr_loop &face) {
+    Plane<T> plane = newell_plane<T>(face);
+    kN = plane.k * plane.normal;
+    e = plane.offset - dot(kN, vector<T>(view.E));
+    scale = view.parallel ? dot(kN, vector<T>(view.F)) : e;
+  }
+  T slope(const hsr_view &view, const Heading<T> &at) const {
+    T along = dot(kN, at.s);
+    return view.parallel ? along - at.one * e : along;
+  }
+};
 
 } // namespace
 
+int hsr_exact_eye_side(const struct hsr_view *view, struct hsr_loop face,
+                       bool *out_of_memory) {
+  if (!view->parallel)
+    return hsr_exact_plane_side(face, view->E, out_of_memory);
+  return -sign_of(
+      [&](auto t) {
+        using T = decltype(t);
+        return dot(newell_normal<T>(face), vector<T>(view->F));
+      },
+      out_of_memory);
+}
+
 int hsr_exact_row_side(const struct hsr_view *view, const double vertex[3],
                        double sy, bool *out_of_memory) {
-  /* det(D, R, v) does not depend on sx: any will do. */
+  /* det(D, R, v), or in parallel det(F, R, V - P), does not depend on sx: any
+   * will do. */
   int sign = perturbed_sign(
       *view, view->m / 2.0, sy,
-      [&](const auto &d, auto one) {
-        using T = decltype(one);
-        return det(d, vector<T>(view->R), from_eye<T>(*view, vertex));
+      [&](const auto &at, auto t) {
+        using T = decltype(t);
+        Vector<T> v = from_eye<T>(*view, vertex), R = vector<T>(view->R);
+        return view->parallel ? det(vector<T>(view->F), R, at.one * v - at.s)
+                              : det(at.s, R, v);
       },
       out_of_memory);
   return sign ? sign : 1;
@@ -75,62 +114,69 @@ int hsr_exact_row_side(const struct hsr_view *view, const double vertex[3],
 int hsr_exact_edge_side(const struct hsr_view *view, const double a[3],
                         const double b[3], double sx, double sy,
                         bool *out_of_memory) {
+  /* det(a, b, D); or in parallel det(A - P, B - P, F), which is linear in P. */
   return perturbed_sign(
       *view, sx, sy,
-      [&](const auto &d, auto one) {
-        using T = decltype(one);
-        return det(from_eye<T>(*view, a), from_eye<T>(*view, b), d);
+      [&](const auto &at, auto t) {
+        using T = decltype(t);
+        Vector<T> p = from_eye<T>(*view, a), q = from_eye<T>(*view, b);
+        if (!view->parallel)
+          return det(p, q, at.s);
+        Vector<T> F = vector<T>(view->F);
+        return at.one * det(p, q, F) - det(p - q, at.s, F);
       },
       out_of_memory);
 }
 
 int hsr_exact_ahead(const struct hsr_view *view, struct hsr_loop face,
                     double sx, double sy, bool *out_of_memory) {
-  /* N.D has the sign of c = N . (S - k E). */
-  int c = -hsr_exact_plane_side(face, view->E, out_of_memory);
+  /* The slope has the sign of the scale. */
+  int scale = -hsr_exact_eye_side(view, face, out_of_memory);
+  if (!scale || view->parallel)
+    return scale ? 1 : -1;
   int along = perturbed_sign(
       *view, sx, sy,
-      [&](const auto &d, auto one) {
-        using T = decltype(one);
-        return dot(newell_normal<T>(face), d);
+      [&](const auto &at, auto t) {
+        using T = decltype(t);
+        return dot(newell_normal<T>(face), at.s);
       },
       out_of_memory);
-  return c && along == c ? 1 : -1;
+  return along == scale ? 1 : -1;
 }
 
 int hsr_exact_past_near(const struct hsr_view *view, struct hsr_loop face,
                         double sx, double sy, bool *out_of_memory) {
-  /* c - near k N.D, scaled by m n as D is, has the sign of c. */
-  int c = -hsr_exact_plane_side(face, view->E, out_of_memory);
+  /* scale - near slope, or in parallel -slope - near scale, has the sign of the
+   * scale. */
+  int scale = -hsr_exact_eye_side(view, face, out_of_memory);
   int past = perturbed_sign(
       *view, sx, sy,
-      [&](const auto &d, auto one) {
-        using T = decltype(one);
-        Plane<T> plane = newell_plane<T>(face);
-        T mn = T(double(view->m)) * T(double(view->n));
-        return one * mn * depth_scale(*view, plane) -
-               T(view->near) * plane.k * dot(plane.normal, d);
+      [&](const auto &at, auto t) {
+        using T = decltype(t);
+        Seen<T> seen(*view, face);
+        T slope = seen.slope(*view, at), near = T(view->near);
+        return view->parallel ? -slope - near * at.one * seen.scale
+                              : at.one * seen.scale - near * slope;
       },
       out_of_memory);
-  return c && past == c ? 1 : -1;
+  return scale && past == scale ? 1 : -1;
 }
 
 namespace {
 
-/* k_f N_f.D / c_f - k_g N_g.D / c_g, times c_f c_g. */
+/* The difference of the q of f and g, times both scales. */
 template <class T>
 T nearer_by(const hsr_view &view, const hsr_loop &f, const hsr_loop &g,
-            const Vector<T> &d) {
-  Plane<T> p = newell_plane<T>(f), q = newell_plane<T>(g);
-  return p.k * dot(p.normal, d) * depth_scale(view, q) -
-         q.k * dot(q.normal, d) * depth_scale(view, p);
+            const Heading<T> &at) {
+  Seen<T> p(view, f), q(view, g);
+  return p.slope(view, at) * q.scale - q.slope(view, at) * p.scale;
 }
 
-/* The sign of c_f c_g. */
+/* The sign of the product of both scales. */
 int scale_sign(const hsr_view &view, const hsr_loop &f, const hsr_loop &g,
                bool *out_of_memory) {
-  return hsr_exact_plane_side(f, view.E, out_of_memory) *
-         hsr_exact_plane_side(g, view.E, out_of_memory);
+  return hsr_exact_eye_side(&view, f, out_of_memory) *
+         hsr_exact_eye_side(&view, g, out_of_memory);
 }
 
 } // namespace
@@ -140,9 +186,8 @@ int hsr_exact_nearer(const struct hsr_view *view, struct hsr_loop f,
                      bool *out_of_memory) {
   int sign = perturbed_sign(
       *view, sx, sy,
-      [&](const auto &d, auto one) {
-        using T = decltype(one);
-        return nearer_by<T>(*view, f, g, d);
+      [&](const auto &at, auto t) {
+        return nearer_by<decltype(t)>(*view, f, g, at);
       },
       out_of_memory);
   return sign ? sign * scale_sign(*view, f, g, out_of_memory) : 0;
@@ -154,7 +199,8 @@ int hsr_exact_nearer_towards(const struct hsr_view *view, struct hsr_loop f,
   int sign = sign_of(
       [&](auto t) {
         using T = decltype(t);
-        return nearer_by<T>(*view, f, g, from_eye<T>(*view, point));
+        return nearer_by<T>(*view, f, g,
+                            Heading<T>{from_eye<T>(*view, point), T(1)});
       },
       out_of_memory);
   return sign ? sign * scale_sign(*view, f, g, out_of_memory) : 0;
@@ -163,17 +209,14 @@ int hsr_exact_nearer_towards(const struct hsr_view *view, struct hsr_loop f,
 int hsr_exact_cut_side(const struct hsr_view *view, struct hsr_loop f,
                        struct hsr_loop g, double sx, double sy,
                        bool *out_of_memory) {
-  /* With t = c_f / (k_f N_f.D), k_g N_g.(E + t D) - N_g.S_g
-   * = (c_f k_g N_g.D - c_g k_f N_f.D) / (k_f N_f.D), and N_f.D has the sign of
-   * c_f, since t > 0. */
+  /* The ray meets f at q_f. The height over g there has the sign of
+   * scale_f slope_g - scale_g slope_f times that of scale_f: in perspective it
+   * is divided by slope_f, whose sign is that of scale_f, since t > 0. */
   int sign = perturbed_sign(
       *view, sx, sy,
-      [&](const auto &d, auto one) {
-        using T = decltype(one);
-        Plane<T> p = newell_plane<T>(f), q = newell_plane<T>(g);
-        return depth_scale(*view, p) * q.k * dot(q.normal, d) -
-               depth_scale(*view, q) * p.k * dot(p.normal, d);
+      [&](const auto &at, auto t) {
+        return -nearer_by<decltype(t)>(*view, f, g, at);
       },
       out_of_memory);
-  return sign ? sign * -hsr_exact_plane_side(f, view->E, out_of_memory) : 0;
+  return sign ? sign * -hsr_exact_eye_side(view, f, out_of_memory) : 0;
 }

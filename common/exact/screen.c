@@ -52,6 +52,25 @@
  * and only if it does in the hull. That is why faces may be culled, and called
  * whole, by their vertices, although a face may be a little out of plane.
  *
+ * Parallel. Row 2 of the screen matrix is 0, and the origin is added: w = 1,
+ * and sx and sy. The sum rounds once more. If 8u |M_x|_1 r <= delta/4, as kappa
+ * says with |M_w|_1 = 0, then |w sx| before the sum is within delta/4, and the
+ * sum is within 2u G = 2^-37 more. w, its reciprocal and the products with it
+ * are exact. Underflow is off by 2^-1074, which the sum with the origin
+ * swallows. The homogeneous coordinates below have errors of u (m + n) more,
+ * for the sum; |A_k| <= (1 + 8u) e_k / 8u holds too, since e_k takes 8u times
+ * the origin.
+ *     The depth plane is q = N.(P' - P) / N.F with P' = E + ray0 + sx ray1 + sy
+ * ray2. So c is N.F, and with the r of above e_c = 2 n_error |F|_1 + 16u
+ * sum|N_k F_k| + 2^-960. The numerator is N.(ray) - N.r: each of the two sums
+ * carries its own error, e_n for the first as before and e_r for the second as
+ * e_c was before. The size of the numerator is S + sum|N_k r_k|, and it takes
+ * the place of S. The eye is infinitely far from every plane that it is not in,
+ * so a face's deviation does not matter for its facing.
+ *     Nothing is ahead or behind by the vertices. Whole faces are those
+ * with t > near at all their vertices, on their plane. There t is linear on the
+ * screen, and its error at a vertex is hsr_vertex_error.
+ *
  * Row sides. sy of a safe vertex is within delta; the sample's is exact.
  *
  * Edge sides. With d = b - a and h = s - a on the screen, e = dx hy - dy hx. d^
@@ -136,9 +155,11 @@ static double safe_cosine(const struct hsr_view *view) {
 HSR_VECTOR static void
 transform_points(size_t n, const double *restrict x, const double *restrict y,
                  const double *restrict z, const double E[3],
-                 const double M[3][3], double kappa, double *restrict sx,
-                 double *restrict sy, double *restrict q) {
+                 const double M[3][3], const double O[3], double kappa,
+                 double least, double *restrict sx, double *restrict sy,
+                 double *restrict q) {
   const double e0 = E[0], e1 = E[1], e2 = E[2];
+  const double o0 = O[0], o1 = O[1], o2 = O[2];
   const double m00 = M[0][0], m01 = M[0][1], m02 = M[0][2];
   const double m10 = M[1][0], m11 = M[1][1], m12 = M[1][2];
   const double m20 = M[2][0], m21 = M[2][1], m22 = M[2][2];
@@ -147,11 +168,11 @@ transform_points(size_t n, const double *restrict x, const double *restrict y,
     double ax = fabs(vx), ay = fabs(vy), az = fabs(vz);
     double r = ax > ay ? ax : ay;
     r = r > az ? r : az;
-    double w = m20 * vx + m21 * vy + m22 * vz;
+    double w = m20 * vx + m21 * vy + m22 * vz + o2;
     double reciprocal = 1 / w;
-    double px = (m00 * vx + m01 * vy + m02 * vz) * reciprocal;
-    double py = (m10 * vx + m11 * vy + m12 * vz) * reciprocal;
-    int safe = (w >= kappa * r) & (r >= 0x1p-500) & (fabs(px) <= HSR_GUARD) &
+    double px = (m00 * vx + m01 * vy + m02 * vz + o0) * reciprocal;
+    double py = (m10 * vx + m11 * vy + m12 * vz + o1) * reciprocal;
+    int safe = (w >= kappa * r) & (r >= least) & (fabs(px) <= HSR_GUARD) &
                (fabs(py) <= HSR_GUARD);
     sx[v] = safe ? px : NAN;
     sy[v] = safe ? py : NAN;
@@ -163,14 +184,16 @@ void hsr_screen_vertices(struct hsr_screen *screen) {
   const struct hsr_world *world = screen->world;
   const struct hsr_view *view = screen->view;
   transform_points(world->mesh.n_vertices, world->mesh.x, world->mesh.y,
-                   world->mesh.z, view->E, view->screen, safe_cosine(view),
-                   screen->sx, screen->sy, screen->q);
+                   world->mesh.z, view->E, view->screen, view->origin,
+                   safe_cosine(view), view->parallel ? 0 : 0x1p-500, screen->sx,
+                   screen->sy, screen->q);
 }
 
 /* Constants of a view, the same for all faces: see hsr_screen and the proof
  * above. */
 struct plane_frame {
   double e0, e1, e2;    /* E */
+  double f0, f1, f2, F; /* F, and the sum of its sizes */
   double r[3][3];       /* the rays */
   double D0, D1, D2, D; /* reach, and the sum of it */
 };
@@ -180,6 +203,10 @@ static struct plane_frame plane_frame(const struct hsr_screen *screen) {
   struct plane_frame frame = {.e0 = view->E[0],
                               .e1 = view->E[1],
                               .e2 = view->E[2],
+                              .f0 = view->F[0],
+                              .f1 = view->F[1],
+                              .f2 = view->F[2],
+                              .F = sum_of_sizes(view->F),
                               .D0 = screen->reach[0],
                               .D1 = screen->reach[1],
                               .D2 = screen->reach[2]};
@@ -188,33 +215,47 @@ static struct plane_frame plane_frame(const struct hsr_screen *screen) {
   return frame;
 }
 
-static inline void depth_plane(const struct hsr_world *world,
-                               const struct plane_frame *v, size_t f,
-                               struct hsr_depth_plane *plane,
-                               signed char *facing) {
+/* Inlined once for each projection. */
+static inline __attribute__((always_inline)) void
+depth_plane(const struct hsr_world *world, const struct plane_frame *v,
+            bool parallel, size_t f, struct hsr_depth_plane *plane,
+            signed char *facing) {
   double n0 = world->mesh.nx[f], n1 = world->mesh.ny[f], n2 = world->mesh.nz[f];
   double r0 = world->mesh.px[f] - v->e0, r1 = world->mesh.py[f] - v->e1,
          r2 = world->mesh.pz[f] - v->e2;
   double c0 = n0 * r0, c1 = n1 * r1, c2 = n2 * r2;
-  double c = c0 + c1 + c2;
+  double distance = c0 + c1 + c2;
   double n_size = fabs(n0) + fabs(n1) + fabs(n2);
-  double e_c = 2 * (world->mesh.n_error[f] * (fabs(r0) + fabs(r1) + fabs(r2)) +
+  double e_r = 2 * (world->mesh.n_error[f] * (fabs(r0) + fabs(r1) + fabs(r2)) +
                     world->mesh.anchor_error[f] * n_size) +
                16 * U * (fabs(c0) + fabs(c1) + fabs(c2)) + TINY;
-  double c_size = fabs(c);
   double S = fabs(n0) * v->D0 + fabs(n1) * v->D1 + fabs(n2) * v->D2;
   double e_n = world->mesh.n_error[f] * v->D + 16 * U * S + TINY;
+  double c = distance, e_c = e_r, rest = 0,
+         deviation = world->mesh.deviation[f];
+  if (parallel) {
+    double g0 = n0 * v->f0, g1 = n1 * v->f1, g2 = n2 * v->f2;
+    c = g0 + g1 + g2;
+    e_c = 2 * world->mesh.n_error[f] * v->F +
+          16 * U * (fabs(g0) + fabs(g1) + fabs(g2)) + TINY;
+    S += fabs(c0) + fabs(c1) + fabs(c2);
+    e_n += e_r;
+    rest = distance;
+    deviation = 0;
+  }
+  double c_size = fabs(c);
   double inverse = 1 / c, Q = S * fabs(inverse);
   double error = (e_n + Q * e_c) / (c_size - e_c) + 16 * U * Q;
   int known = c_size > 2 * e_c;
   double a = (n0 * v->r[1][0] + n1 * v->r[1][1] + n2 * v->r[1][2]) * inverse;
   double b = (n0 * v->r[2][0] + n1 * v->r[2][1] + n2 * v->r[2][2]) * inverse;
-  double d = (n0 * v->r[0][0] + n1 * v->r[0][1] + n2 * v->r[0][2]) * inverse;
+  double d =
+      (n0 * v->r[0][0] + n1 * v->r[0][1] + n2 * v->r[0][2] - rest) * inverse;
   plane->a = known ? a : 0;
   plane->b = known ? b : 0;
   plane->c = known ? d : 0;
   plane->error = known ? error : INFINITY;
-  int certain = c_size > e_c + world->mesh.deviation[f];
+  int certain = c_size > e_c + deviation;
   *facing = (signed char)(certain ? (c < 0 ? 1 : -1) : 0);
 }
 
@@ -224,17 +265,27 @@ HSR_VECTOR static void depth_planes(size_t n, const struct hsr_world *world,
                                     signed char *restrict facing) {
   const struct hsr_world w = *world; /* its pointers do not change */
   for (size_t f = 0; f < n; f++)
-    depth_plane(&w, &frame, f, &plane[f], &facing[f]);
+    depth_plane(&w, &frame, false, f, &plane[f], &facing[f]);
+}
+
+HSR_VECTOR static void parallel_depth_planes(
+    size_t n, const struct hsr_world *world, struct plane_frame frame,
+    struct hsr_depth_plane *restrict plane, signed char *restrict facing) {
+  const struct hsr_world w = *world;
+  for (size_t f = 0; f < n; f++)
+    depth_plane(&w, &frame, true, f, &plane[f], &facing[f]);
 }
 
 void hsr_screen_planes(struct hsr_screen *screen) {
-  depth_planes(screen->world->n_faces, screen->world, plane_frame(screen),
-               screen->plane, screen->facing);
+  (screen->view->parallel ? parallel_depth_planes : depth_planes)(
+      screen->world->n_faces, screen->world, plane_frame(screen), screen->plane,
+      screen->facing);
 }
 
 void hsr_screen_plane(struct hsr_screen *screen, uint32_t f) {
   struct plane_frame frame = plane_frame(screen);
-  depth_plane(screen->world, &frame, f, &screen->plane[f], &screen->facing[f]);
+  depth_plane(screen->world, &frame, screen->view->parallel, f,
+              &screen->plane[f], &screen->facing[f]);
 }
 
 /* --- Pieces --------------------------------------------------------------- */
@@ -260,8 +311,8 @@ bool hsr_face_exists(const struct hsr_screen *screen, uint32_t f,
   int facing = screen->facing[f];
   if (!facing) {
     tally->exact[HSR_ASK_FACING]++;
-    facing = hsr_exact_plane_side(hsr_plane_loop(screen->world, f),
-                                  screen->view->E, &tally->out_of_memory);
+    facing = hsr_exact_eye_side(screen->view, hsr_plane_loop(screen->world, f),
+                                &tally->out_of_memory);
   }
   return facing > 0 || (facing < 0 && !screen->world->mesh.one_sided[f]);
 }
@@ -315,8 +366,9 @@ static void homogeneous(const struct hsr_screen *screen, uint32_t v,
   double r = max(fabs(d[0]), max(fabs(d[1]), fabs(d[2])));
   for (int k = 0; k < 3; k++) {
     const double *row = view->screen[k];
-    p[k] = row[0] * d[0] + row[1] * d[1] + row[2] * d[2];
-    error[k] = max(error[k], 8 * U * sum_of_sizes(row) * r + TINY);
+    p[k] = row[0] * d[0] + row[1] * d[1] + row[2] * d[2] + view->origin[k];
+    error[k] =
+        max(error[k], 8 * U * (sum_of_sizes(row) * r + view->origin[k]) + TINY);
   }
 }
 
@@ -394,15 +446,41 @@ static bool wholly_behind(const struct hsr_screen *screen, uint32_t f) {
   return true;
 }
 
+/* The two halves of t > near, by a q that is within `error`: +1 if both
+ * certainly hold, -1 if one certainly does not, else 0. */
+static int beyond_near_by(const struct hsr_view *view, double q, double error) {
+  if (view->parallel)
+    return q + error < -view->near ? 1 : q - error > -view->near ? -1 : 0;
+  if (q < -error || view->near * (q - error) > 1 + 8 * U)
+    return -1;
+  return q > error && view->near * (q + error) < 1 - 8 * U;
+}
+
+/* What beyond_near_by says of the face's plane at all its vertices, which are
+ * safe; 0 if that differs. In parallel projection, where t is linear on the
+ * screen, it holds all over the face then. */
+static int vertices_beyond_near(const struct hsr_screen *screen, uint32_t f) {
+  const struct hsr_world *world = screen->world;
+  double error = hsr_vertex_error(screen, f);
+  int all = 0;
+  for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
+    double q = hsr_vertex_depth(screen, f, world->mesh.vertex[k]);
+    int side = beyond_near_by(screen->view, q, error);
+    if (!side || (all && side != all))
+      return 0;
+    all = side;
+  }
+  return all;
+}
+
 /* Whether q > 0 and near q < 1 certainly hold on the face's plane within its
  * bounds. */
 static bool clear_of_near(const struct hsr_screen *screen, uint32_t f) {
   const struct hsr_bounds *b = &screen->bounds[f];
-  double near = screen->view->near, error = screen->plane[f].error;
   for (int corner = 0; corner < 4; corner++) {
     double q = hsr_depth(screen, f, corner & 1 ? b->x1 - 1 : b->x0,
                          corner & 2 ? b->y1 - 1 : b->y0);
-    if (!(q > error && near * (q + error) < 1 - 8 * U))
+    if (beyond_near_by(screen->view, q, screen->plane[f].error) <= 0)
       return false;
   }
   return true;
@@ -444,10 +522,14 @@ bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
   if (!hsr_face_exists(screen, f, tally))
     return false;
   struct hsr_bounds *b = &screen->bounds[f];
-  bool certain = screen->facing[f] != 0;
+  const struct hsr_view *view = screen->view;
+  bool certain = screen->facing[f] != 0 || view->parallel;
   bool safe = vertex_bounds(screen, f, b);
+  int beyond = safe && view->parallel ? vertices_beyond_near(screen, f) : 0;
+  if (beyond < 0)
+    return false;
   if (!safe) {
-    const struct hsr_window *w = &screen->view->window;
+    const struct hsr_window *w = &view->window;
     *b = (struct hsr_bounds){w->x0, w->y0, w->x1, w->y1};
     if (certain && wholly_behind(screen, f))
       return false;
@@ -461,9 +543,10 @@ bool hsr_screen_place(struct hsr_screen *screen, uint32_t f,
   /* A face whose facing is uncertain may still be whole: if it is flat and
    * before the eye, rays meet it before the eye. */
   bool ahead = certain || screen->world->mesh.deviation[f] == 0;
-  screen->whole[f] =
-      safe && !own_cuts(screen->world, f).n &&
-      ((ahead && screen->view->near == 0) || clear_of_near(screen, f));
+  bool clear = view->parallel
+                   ? beyond > 0
+                   : (ahead && view->near == 0) || clear_of_near(screen, f);
+  screen->whole[f] = safe && !own_cuts(screen->world, f).n && clear;
   return true;
 }
 
@@ -594,11 +677,10 @@ int hsr_row_side_exact(const struct hsr_screen *screen, uint32_t v, int j,
 static bool beyond_near(const struct hsr_screen *screen, uint32_t f, int i,
                         int j, struct hsr_tally *tally) {
   const struct hsr_view *view = screen->view;
-  double q = hsr_depth(screen, f, i, j), error = screen->plane[f].error;
-  if (q < -error || view->near * (q - error) > 1 + 8 * U)
-    return false;
-  if (q > error && view->near * (q + error) < 1 - 8 * U)
-    return true;
+  int side =
+      beyond_near_by(view, hsr_depth(screen, f, i, j), screen->plane[f].error);
+  if (side)
+    return side > 0;
   tally->exact[HSR_ASK_NEAR]++;
   struct hsr_loop loop = hsr_plane_loop(screen->world, f);
   double sx = hsr_sample_x(view, i), sy = hsr_sample_y(view, j);
@@ -844,9 +926,14 @@ static bool ask_ahead(const struct question *q, int i) {
 static bool ask_past_near(const struct question *q, int i) {
   const struct hsr_screen *screen = q->screen;
   double depth = hsr_depth(screen, q->face, i, q->j);
-  double by = 1 - screen->view->near * depth;
-  if (fabs(by) > 2 * screen->view->near * screen->plane[q->face].error +
-                     8 * U * (1 + screen->view->near * fabs(depth)))
+  double near = screen->view->near, error = screen->plane[q->face].error;
+  double by = 1 - near * depth;
+  double bound = 2 * near * error + 8 * U * (1 + near * fabs(depth));
+  if (screen->view->parallel) {
+    by = -near - depth;
+    bound = 2 * error + 8 * U * (near + fabs(depth));
+  }
+  if (fabs(by) > bound)
     return by > 0;
   q->tally->exact[HSR_ASK_NEAR]++;
   return hsr_exact_past_near(
@@ -942,9 +1029,11 @@ static int cut_spans(const struct hsr_screen *screen, uint32_t f, int j,
   const struct hsr_world *world = screen->world;
   struct question q = {.screen = screen, .tally = tally, .face = f, .j = j};
   int lo = 0, hi = screen->view->m;
-  q.holds = ask_ahead;
-  narrow(&q, &lo, &hi);
-  if (screen->view->near > 0) {
+  if (!screen->view->parallel) {
+    q.holds = ask_ahead;
+    narrow(&q, &lo, &hi);
+  }
+  if (screen->view->near > 0 || screen->view->parallel) {
     q.holds = ask_past_near;
     narrow(&q, &lo, &hi);
   }

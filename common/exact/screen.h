@@ -6,14 +6,16 @@
  *             "Minimax Tests", "Surrounding Polygons", "Uses of Plane
  *             Equations", "Segment Comparisons".
  * Coordinates sx, sy in pixels, y down (common/view/view.h); depth as q = 1/t,
- *             which is linear on the screen: q = a sx + b sy + c on the plane
- *             of a face. Greater q is nearer.
+ *             or in parallel projection q = -t, which is linear on the screen:
+ *             q = a sx + b sy + c on the plane of a face. Greater q is nearer.
  * Exact       every service answers for the input as given, not for these
  *             rounded coordinates. A filter in doubles decides where its proved
  *             error bound lets it; else a predicate of
  *             common/exact/predicates.h decides, and tally->exact counts that.
  * Safe        a vertex is safely before the eye if its screen coordinates can
- *             be computed well enough; else they are NaN.
+ *             be computed well enough; else they are NaN. In parallel, all but
+ *             those far outside the picture are safe, wherever they lie in
+ *             depth.
  * Whole       a face is whole if all its vertices are safely before the eye, it
  *             has no cuts and its plane needs no test against near. Then its
  *             edges on the screen tell all about it. Any other face is cut;
@@ -41,7 +43,7 @@ extern "C" {
 #define HSR_DELTA 0x1p-26
 #define HSR_GUARD 0x1p15
 
-/* q = 1/t on a face's plane: |a sx + b sy + c - q| <= error anywhere in the
+/* q on a face's plane: |a sx + b sy + c - q| <= error anywhere in the
  * picture, if computed in doubles in this order. error is +infinity where the
  * coefficients say nothing. */
 struct hsr_depth_plane {
@@ -58,13 +60,15 @@ struct hsr_screen {
   const struct hsr_view *view;   /* borrowed */
 
   double *sx, *sy; /* a vertex; NaN if not safely before the eye */
-  double *q;       /* a vertex: 1/w, relative error 2^-42 where sx is not NaN */
+  double *q;       /* a vertex: 1/w, relative error 2^-42 where sx is not NaN;
+                      in parallel 1 */
   struct hsr_depth_plane *plane; /* a face */
   signed char *facing; /* a face: +1 the eye is in front of it, -1 behind, and
                           no vertex is as far from its plane as the eye; 0: not
                           certain */
 
-  double reach[3]; /* the components of |D| in the picture are at most this */
+  double reach[3]; /* the components of |D|, or in parallel of |P - E|, in the
+                      picture are at most this */
   double outside;  /* at a vertex safely before the eye, a plane's error is at
                       most this times its `error` */
 
@@ -139,8 +143,8 @@ static inline double hsr_depth(const struct hsr_screen *screen, uint32_t f,
  * or of sample (i, j)? This is the order of the picture, ties included. Both
  * exist; f != g. (sx, sy) is any point of the picture, 0 <= sx <= m and 0 <= sy
  * <= n: there the bound of the planes' errors is proved. Where a plane is met
- * behind the eye its 1/t is negative, and is compared as such. So the order of
- * two planes changes at most once along a row. */
+ * behind the eye its q is compared all the same; 1/t is negative there. So the
+ * order of two planes changes at most once along a row. */
 static inline bool hsr_nearer_at(const struct hsr_screen *screen, uint32_t f,
                                  uint32_t g, double sx, double sy,
                                  struct hsr_tally *tally) {
@@ -323,9 +327,10 @@ int hsr_loop_cut_side(const struct hsr_view *view, struct hsr_loop f,
                       struct hsr_loop g, double sx, double sy,
                       struct hsr_tally *tally);
 
-/* hsr_loop_past_near: is 1/t of the plane less than 1/near? Where the plane is
- * met in front of the eye, that means t > near. hsr_loop_beyond_near: is the
- * plane met in front of the eye, and with t > near? */
+/* hsr_loop_past_near: is q of the plane less than 1/near, or in parallel than
+ * -near? Where the plane is met in front of the eye, that means t > near.
+ * hsr_loop_beyond_near: is the plane met in front of the eye, and with t >
+ * near? */
 bool hsr_loop_past_near(const struct hsr_view *view, struct hsr_loop plane,
                         double sx, double sy, struct hsr_tally *tally);
 bool hsr_loop_beyond_near(const struct hsr_view *view, struct hsr_loop plane,

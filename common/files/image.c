@@ -24,3 +24,10 @@ enum hsr_status hsr_image_write_ramp(const char *path, int m, int n,
   const struct hsr_image_library *images = load(err);
   return images ? images->write_ramp(path, m, n, x, err) : HSR_E_INPUT;
 }
+
+enum hsr_status hsr_image_read(const char *path, bool colours, uint32_t size[2],
+                               float **value, struct hsr_error *err) {
+  *value = NULL;
+  const struct hsr_image_library *images = load(err);
+  return images ? images->read(path, colours, size, value, err) : HSR_E_INPUT;
+}

@@ -28,9 +28,18 @@ enum hsr_status hsr_image_write_ramp(const char *path, int m, int n,
                                      const float *x, struct hsr_error *err);
 
 /* Writes one float channel, m x n. To .exr as it is (channel Y); to others
- * through that ramp, logarithmically, the largest value brightest. Fails as hsr_image_write. */
+ * through that ramp, logarithmically, the largest value brightest. Fails as
+ * hsr_image_write. */
 enum hsr_status hsr_image_write_work(const char *path, int m, int n,
                                      const float *work, struct hsr_error *err);
+
+/* Reads a picture in any format that OpenImageIO reads: linear colours, 3 a
+ * pixel, or its first channel, 1 a pixel; by rows from the top. size[]:
+ * columns, rows. *value is malloc'ed, the caller's; NULL after a failure. Takes
+ * no more memory than a picture packed into so many bytes can need.
+ * HSR_E_INPUT, HSR_E_NOMEM, HSR_E_INTERNAL. */
+enum hsr_status hsr_image_read(const char *path, bool colours, uint32_t size[2],
+                               float **value, struct hsr_error *err);
 
 #ifdef __cplusplus
 }

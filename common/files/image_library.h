@@ -13,6 +13,8 @@ struct hsr_image_library {
                                 const float *work, struct hsr_error *err);
   enum hsr_status (*write_ramp)(const char *path, int m, int n, const float *x,
                                 struct hsr_error *err);
+  enum hsr_status (*read)(const char *path, bool colours, uint32_t size[2],
+                          float **value, struct hsr_error *err);
 };
 
 #endif

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <string>
@@ -217,9 +218,76 @@ enum hsr_status write_work(const char *path, int m, int n, const float *work,
       err);
 }
 
+/* --- Reading --- */
+
+Failure unreadable(const std::string &path, std::string text) {
+  Failure f = failure(path, std::move(text));
+  const size_t at = f.text.find(": cannot be written: ");
+  if (at != std::string::npos)
+    f.text.replace(at, 21, ": cannot be read: ");
+  return f;
+}
+
+/* Whether a file can hold a picture of this size: no format here packs a pixel
+ * into less than a thousandth of a byte. */
+bool can_hold(const std::string &path, const ImageSpec &spec) {
+  std::FILE *file = std::fopen(path.c_str(), "rb");
+  const bool sought = file && !std::fseek(file, 0, SEEK_END);
+  const double size = sought ? double(std::ftell(file)) : 0;
+  if (file)
+    std::fclose(file);
+  return spec.width > 0 && spec.height > 0 && spec.depth <= 1 &&
+         spec.nchannels > 0 && spec.nchannels <= 64 &&
+         double(spec.width) * spec.height * spec.nchannels <= 1040 * size;
+}
+
+/* The channels that are wanted of each pixel; of grey ones, grey. */
+void choose(const std::vector<float> &pixels, int n_channels, bool colours,
+            bool encoded, float *value) {
+  const auto n = size_t(n_channels);
+  for (size_t k = 0; k * n < pixels.size(); k++)
+    for (size_t c = 0; c < (colours ? 3 : 1); c++) {
+      const float v = pixels[k * n + (n < 3 ? 0 : c)];
+      *value++ = colours && encoded ? hsr_srgb_decode(v) : v;
+    }
+}
+
+void read_pixels(const std::string &path, bool colours, uint32_t size[2],
+                 float **value) {
+  errno = 0;
+  std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
+  if (!in)
+    throw unreadable(path, OIIO::geterror());
+  in->threads(1);
+  const ImageSpec spec = in->spec();
+  if (!can_hold(path, spec))
+    throw Failure{HSR_E_INPUT,
+                  path + ": is too short for the picture that it claims"};
+  std::vector<float> pixels(size_t(spec.width) * size_t(spec.height) *
+                            size_t(spec.nchannels));
+  errno = 0;
+  if (!in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, pixels.data()))
+    throw unreadable(path, in->geterror());
+  const size_t n = size_t(spec.width) * size_t(spec.height);
+  *value =
+      static_cast<float *>(std::malloc(n * (colours ? 3 : 1) * sizeof(float)));
+  if (!*value)
+    throw std::bad_alloc();
+  choose(pixels, spec.nchannels, colours, spec.format != TypeDesc::FLOAT,
+         *value);
+  size[0] = uint32_t(spec.width);
+  size[1] = uint32_t(spec.height);
+}
+
+enum hsr_status read(const char *path, bool colours, uint32_t size[2],
+                     float **value, struct hsr_error *err) {
+  return guarded([&] { read_pixels(path, colours, size, value); }, err);
+}
+
 } // namespace
 
 extern "C" {
 extern const struct hsr_image_library hsr_images;
-const struct hsr_image_library hsr_images = {write, write_work, write_bright};
+const struct hsr_image_library hsr_images = {write, write_work, write_bright,
+                                             read};
 }

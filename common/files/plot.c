@@ -25,14 +25,13 @@ static const struct {
 
 bool hsr_plot_point(const struct hsr_view *view, const double point[3],
                     double at[2]) {
-  double s[3] = {0, 0, 0};
-  for (int row = 0; row < 3; row++)
-    for (int k = 0; k < 3; k++)
-      s[row] += view->screen[row][k] * (point[k] - view->E[k]);
-  if (!(s[2] > 0))
+  double s[3];
+  hsr_view_project(view, point, s);
+  double w = hsr_view_w(view, s);
+  if (!(w > 0))
     return false;
-  at[0] = fmin(fmax(s[0] / s[2], 0), view->m);
-  at[1] = fmin(fmax(s[1] / s[2], 0), view->n);
+  at[0] = fmin(fmax(s[0] / w, 0), view->m);
+  at[1] = fmin(fmax(s[1] / w, 0), view->n);
   return true;
 }
 

@@ -844,7 +844,8 @@ static enum hsr_status read_instances(const struct reader *reader,
 
 static enum hsr_status read_view(const struct reader *reader,
                                  const struct place *place, json_t *value) {
-  static const char *const keys[] = {"eye", "at", "up", "fov", "near", NULL};
+  static const char *const keys[] = {"eye",  "at",       "up", "fov",
+                                     "near", "parallel", NULL};
   struct hsr_camera camera = {.up = {0, 1, 0}, .fov = 45};
   const struct {
     const char *key;
@@ -855,7 +856,8 @@ static enum hsr_status read_view(const struct reader *reader,
                  {"at", camera.at, 3, true},
                  {"up", camera.up, 3, false},
                  {"fov", &camera.fov, 0, false},
-                 {"near", &camera.near, 0, false}};
+                 {"near", &camera.near, 0, false},
+                 {"parallel", &camera.parallel, 0, false}};
   enum hsr_status status = check_keys(reader, place, value, keys);
   for (size_t i = 0; i < sizeof members / sizeof *members && !status; i++) {
     struct place here = {place, members[i].key, 0};
@@ -1176,6 +1178,10 @@ static void put_view(struct writer *writer, const struct hsr_camera *camera) {
   put(writer, json_real(camera->fov), DOUBLE_DIGITS);
   put_text(writer, ", \"near\": ");
   put(writer, json_real(camera->near), DOUBLE_DIGITS);
+  if (camera->parallel > 0) {
+    put_text(writer, ", \"parallel\": ");
+    put(writer, json_real(camera->parallel), DOUBLE_DIGITS);
+  }
   put_text(writer, "}");
 }
 

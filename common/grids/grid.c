@@ -83,17 +83,41 @@ static bool is_kept(const struct keeper *keeper, const uint32_t at[3]) {
   return sqrt(x * x + y * y + z * z) >= keep->gradient;
 }
 
-static bool add_cell(struct keeper *keeper, uint32_t x) {
+/* Doubles the room for cells. */
+static bool make_room(struct keeper *keeper) {
   struct hsr_grid *g = keeper->grid;
-  if (g->n_cells == keeper->room) {
-    uint64_t room = keeper->room ? 2 * keeper->room : 1024;
-    uint32_t *larger = realloc(g->x, room * sizeof *larger);
-    if (!larger)
+  uint64_t room = keeper->room ? 2 * keeper->room : 1024;
+  uint32_t *x = realloc(g->x, room * sizeof *x);
+  if (!x)
+    return false;
+  g->x = x;
+  if (keeper->samples->colour) {
+    uint8_t(*rgb)[3] = realloc(g->rgb, room * sizeof *rgb);
+    if (!rgb)
       return false;
-    g->x = larger;
-    keeper->room = room;
+    g->rgb = rgb;
   }
-  g->x[g->n_cells++] = x;
+  keeper->room = room;
+  return true;
+}
+
+static void set_colour(struct keeper *keeper, const uint32_t at[3],
+                       uint8_t code[3]) {
+  const struct hsr_grid_samples *s = keeper->samples;
+  float rgb[3];
+  s->colour(s->data, at, keeper->slice[1][(size_t)at[1] * s->n[0] + at[0]],
+            rgb);
+  for (int k = 0; k < 3; k++)
+    code[k] = (uint8_t)lrintf(255 * sqrtf(rgb[k]));
+}
+
+static bool add_cell(struct keeper *keeper, const uint32_t at[3]) {
+  struct hsr_grid *g = keeper->grid;
+  if (g->n_cells == keeper->room && !make_room(keeper))
+    return false;
+  if (g->rgb)
+    set_colour(keeper, at, g->rgb[g->n_cells]);
+  g->x[g->n_cells++] = at[0];
   return true;
 }
 
@@ -103,11 +127,12 @@ static enum hsr_status keep_slice(struct keeper *keeper, uint32_t k,
   for (uint32_t j = 0; j < g->n[1]; j++) {
     g->row[(size_t)k * g->n[1] + j] = g->n_cells;
     for (uint32_t i = 0; i < g->n[0]; i++) {
-      if (!is_kept(keeper, (const uint32_t[3]){i, j, k}))
+      const uint32_t at[3] = {i, j, k};
+      if (!is_kept(keeper, at))
         continue;
       if (g->n_cells == MOST)
         return hsr_fail(err, HSR_E_REFUSED, "the grid keeps over 2^32 cells");
-      if (!add_cell(keeper, i))
+      if (!add_cell(keeper, at))
         return hsr_fail_nomem(err);
     }
   }
@@ -235,6 +260,7 @@ void hsr_grid_free(struct hsr_grid *grid) {
   free(grid->first);
   free(grid->x);
   free(grid->sides);
+  free(grid->rgb);
   *grid = (struct hsr_grid){.n_cells = 0};
 }
 
@@ -292,6 +318,13 @@ void hsr_grid_face(const struct hsr_grid *g, uint32_t face, uint32_t *cell,
   *cell = c;
   for (*side = 0; !(g->sides[c] >> *side & 1) || left--; ++*side)
     ;
+}
+
+void hsr_grid_rgb(const struct hsr_grid *g, uint32_t cell, float rgb[3]) {
+  for (int k = 0; k < 3; k++) {
+    float root = g->rgb ? (float)g->rgb[cell][k] / 255 : 0.75f;
+    rgb[k] = root * root;
+  }
 }
 
 void hsr_grid_corner_places(const uint32_t at[3], int side,

@@ -12,8 +12,10 @@
  *             if the cell beyond it is not kept, or there is none.
  * Faces       sides that exist, numbered from 0: by cell, then by side. These
  *             are the ids of the scene's faces.
- * Memory      5 bytes a kept cell, 12 a row. The densities are read a slice at a
- *             time, of which four are held. */
+ * Colours     c in a byte for the linear value (c / 255)^2, so that dark ones
+ *             are as far apart as the eye tells.
+ * Memory      5 bytes a kept cell, and 3 if it has a colour; 8 a row. The
+ *             densities are read a slice at a time, of which three are held. */
 #ifndef HSR_COMMON_GRIDS_GRID_H
 #define HSR_COMMON_GRIDS_GRID_H
 
@@ -30,20 +32,27 @@ struct hsr_grid {
   uint32_t n[3];    /* cells along each axis */
   double *bound[3]; /* n + 1 of each axis, ascending */
   uint32_t n_cells, n_faces;
-  uint32_t *row;   /* row j + n[1] k: its first kept cell; n[1] n[2] + 1 */
-  uint32_t *first; /* of each row, its first face; n[1] n[2] + 1 */
-  uint32_t *x;     /* i of each kept cell, ascending within a row */
-  uint8_t *sides;  /* of each kept cell: bit s is set if side s exists */
+  uint32_t *row;     /* row j + n[1] k: its first kept cell; n[1] n[2] + 1 */
+  uint32_t *first;   /* of each row, its first face; n[1] n[2] + 1 */
+  uint32_t *x;       /* i of each kept cell, ascending within a row */
+  uint8_t *sides;    /* of each kept cell: bit s is set if side s exists */
+  uint8_t (*rgb)[3]; /* of each kept cell, its colour; NULL: all are grey */
 };
+
+/* Gives the colour of a kept sample, linear, 0..1. */
+typedef void hsr_grid_colour(void *data, const uint32_t at[3], float density,
+                             float rgb[3]);
 
 /* Where samples are, and their densities. `slice` fills density[] with the n[0]
  * n[1] samples of a k, by j and then i; it is called for each k once, in order,
- * and its failure is that of hsr_grid_init. */
+ * and its failure is that of hsr_grid_init. `colour` is called for the samples
+ * of a k that are kept, after `slice` for k + 1; NULL: no sample has one. */
 struct hsr_grid_samples {
   uint32_t n[3];             /* at least 1, at most 2^20 */
   const double *position[3]; /* n of each axis, ascending, finite */
   enum hsr_status (*slice)(void *data, uint32_t k, float *density,
                            struct hsr_error *err);
+  hsr_grid_colour *colour;
   void *data;
 };
 
@@ -77,6 +86,9 @@ uint32_t hsr_grid_first_face(const struct hsr_grid *grid, uint32_t cell);
 /* The kept cell and the side of a face. */
 void hsr_grid_face(const struct hsr_grid *grid, uint32_t face, uint32_t *cell,
                    int *side);
+
+/* The colour of a kept cell, linear, 0..1. */
+void hsr_grid_rgb(const struct hsr_grid *grid, uint32_t cell, float rgb[3]);
 
 /* The corners of a side as indices of bounds, counter-clockwise as seen from
  * outside the cell. */

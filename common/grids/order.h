@@ -5,9 +5,9 @@
  *
  * Source      J. E. Swan II, "Object-Order Rendering of Discrete Objects", PhD
  *             thesis, Ohio State University, 1998, chapter 2
- * Notation    the grid has n[a] cells along axis a, from 0; the eye lies in cell
- *             q[a] of that axis. The low side is 0..q[a], the high side the
- *             rest; either may be empty.
+ * Notation    the grid has n[a] cells along axis a, from 0; the eye lies in
+ *             cell q[a] of that axis. The low side is 0..q[a], the high side
+ *             the rest; either may be empty.
  * Invariant   each cell is in exactly one run.
  * Proof       (perspective, pbtf) A ray from the eye never comes nearer to the
  *             eye again along an axis, and on each side it only goes away from
@@ -63,14 +63,10 @@ struct hsr_grid_seen {
 
 /* Where an axis is divided: the last of n ascending positions that is not above
  * the eye. Positions are the lower bounds of cells, or the places of samples.
- * -1: all are above it. */
+ * -1: all are above it. The eye of a parallel view is infinite, or NaN if the
+ * view runs across the axis (common/view/view.h). Any answer is right then; it
+ * is -1. */
 int32_t hsr_grid_split(const double *position, uint32_t n, double eye);
-
-/* The same for a view in parallel, whose eye is infinitely far away: the eye is
- * above all if it looks down this axis. If it looks across, either is right. */
-static inline int32_t hsr_grid_split_parallel(uint32_t n, double toward) {
-  return toward < 0 ? (int32_t)n - 1 : -1;
-}
 
 /* Cells that are visited one after the other along an axis. */
 struct hsr_grid_run {

@@ -2,6 +2,7 @@
 /* The sides of faces are sorted here again. common/lines/edges.h has them too,
  * but making it looks for penetrations as well. */
 #include "common/lines/crease.h"
+#include "common/exact/predicates.h"
 #include "common/scene/pieces.h"
 
 #include <math.h>
@@ -56,7 +57,7 @@ static enum hsr_status find_sides(struct sides *sides,
     return hsr_fail_nomem(err);
   for (uint32_t f = 0; f < world->n_faces; f++) {
     int facing =
-        hsr_exact_plane_side(hsr_plane_loop(world, f), view->E, &out_of_memory);
+        hsr_exact_eye_side(view, hsr_plane_loop(world, f), &out_of_memory);
     if (facing > 0 || (facing < 0 && !world->mesh.one_sided[f]))
       add_sides(sides, world, f, facing);
   }

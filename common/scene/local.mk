@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 nobase_pkginclude_HEADERS += \
   %D%/clusters.h \
+  %D%/grid_object.h \
   %D%/pieces.h \
   %D%/scene.h \
   %D%/world.h
 libhsr_a_SOURCES += \
   %D%/extract.c \
+  %D%/grid_object.c \
   %D%/outline.c \
   %D%/pieces.c \
   %D%/planes.c \

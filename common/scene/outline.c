@@ -22,6 +22,10 @@ static enum hsr_status number_faces(struct hsr_world *world,
     if (object->start[object->n_faces] != 3 * (uint64_t)object->n_faces)
       world->outline.all_triangles = false;
   }
+  if (scene->grid) {
+    world->n_faces = scene->grid->n_faces;
+    world->outline.all_triangles = false;
+  }
   world->outline.first[scene->n_instances] = world->n_faces;
   return HSR_OK;
 }

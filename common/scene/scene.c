@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/scene/scene.h"
 #include "common/polygon/polygon.h"
+#include "common/scene/grid_object.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -41,6 +42,9 @@ void hsr_scene_delete(struct hsr_scene *scene) {
   free(scene->objects);
   free(scene->instances);
   free(scene->views);
+  if (scene->grid)
+    hsr_grid_free(scene->grid);
+  free(scene->grid);
   free(scene->name);
   free(scene);
 }
@@ -78,6 +82,36 @@ struct hsr_object *hsr_scene_object(struct hsr_scene *scene, const char *name) {
   object.cap_faces = 15;
   scene->objects[scene->n_objects] = object;
   return &scene->objects[scene->n_objects++];
+}
+
+enum hsr_status hsr_scene_set_grid(struct hsr_scene *scene,
+                                   struct hsr_grid *grid) {
+  scene->subject = HSR_GRID;
+  scene->grid = malloc(sizeof *grid);
+  if (!scene->grid)
+    hsr_grid_free(grid);
+  else
+    *scene->grid = *grid;
+  *grid = (struct hsr_grid){.n_cells = 0};
+  return scene->grid && hsr_scene_object(scene, "cells") ? HSR_OK : HSR_E_NOMEM;
+}
+
+uint64_t hsr_scene_faces(const struct hsr_scene *scene) {
+  uint64_t n = 0;
+  if (scene->grid)
+    return scene->grid->n_faces;
+  for (uint32_t i = 0; i < scene->n_instances; i++)
+    n += scene->objects[scene->instances[i].object].n_faces;
+  return n;
+}
+
+enum hsr_status hsr_scene_make_faces(struct hsr_scene *scene,
+                                     struct hsr_error *err) {
+  if (!hsr_scene_lacks_faces(scene))
+    return HSR_OK;
+  return hsr_grid_make_object(scene->grid, &scene->objects[0])
+             ? hsr_fail_nomem(err)
+             : HSR_OK;
 }
 
 enum hsr_status hsr_object_vertex(struct hsr_object *object, double x, double y,
@@ -220,11 +254,15 @@ enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
                                  struct hsr_error *err) {
   if (!all_finite(camera->eye, 3) || !all_finite(camera->at, 3) ||
       !all_finite(camera->up, 3) || !all_finite(&camera->fov, 1) ||
-      !all_finite(&camera->near, 1))
+      !all_finite(&camera->near, 1) || !all_finite(&camera->parallel, 1))
     return hsr_fail(err, HSR_E_INPUT,
                     "camera: a value is not finite or above %g",
                     LARGEST_COORDINATE);
-  if (!(camera->fov > 0 && camera->fov < 180))
+  if (!(camera->parallel >= 0))
+    return hsr_fail(err, HSR_E_INPUT,
+                    "camera: the height of a parallel view must not be "
+                    "negative");
+  if (!(camera->parallel > 0 || (camera->fov > 0 && camera->fov < 180)))
     return hsr_fail(err, HSR_E_INPUT,
                     "camera: fov must lie between 0 and 180 degrees, not %g",
                     camera->fov);
@@ -256,9 +294,21 @@ static double length_of(const double d[3]) {
   return length >= 0x1p-500 ? length : hypot(hypot(d[0], d[1]), d[2]);
 }
 
+/* The same for a grid: the centre of all its cells, and half the diagonal. */
+static double sphere_of_grid(const struct hsr_grid *grid, double centre[3]) {
+  double half[3];
+  for (int a = 0; a < 3; a++) {
+    half[a] = (grid->bound[a][grid->n[a]] - grid->bound[a][0]) / 2;
+    centre[a] = grid->bound[a][0] + half[a];
+  }
+  return length_of(half);
+}
+
 /* The centre of the bounding box of all instances' vertices, and the greatest
  * distance of a vertex from it. */
 static double bounding_sphere(const struct hsr_scene *scene, double centre[3]) {
+  if (scene->grid)
+    return sphere_of_grid(scene->grid, centre);
   double lo[3], hi[3], radius = 0;
   for (int k = 0; k < 3; k++) {
     lo[k] = INFINITY;
@@ -333,6 +383,17 @@ static enum hsr_status check_object(const struct hsr_object *object,
   return out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }
 
+static enum hsr_status check_grid(const struct hsr_grid *grid,
+                                  struct hsr_error *err) {
+  for (int a = 0; a < 3; a++)
+    if (!all_finite((double[]){grid->bound[a][0], grid->bound[a][grid->n[a]]},
+                    2))
+      return hsr_fail(err, HSR_E_INPUT,
+                      "the grid has a coordinate above %g along %c",
+                      LARGEST_COORDINATE, "xyz"[a]);
+  return HSR_OK;
+}
+
 /* Gives an identity instance to every object that has none. The list is
  * rebuilt, since it is sorted by object. */
 static enum hsr_status place_unplaced(struct hsr_scene *scene) {
@@ -357,20 +418,19 @@ enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
   enum hsr_status status = place_unplaced(scene);
   if (status)
     return hsr_fail_nomem(err);
-  uint64_t n_faces = 0;
-  for (uint32_t i = 0; i < scene->n_instances; i++)
-    n_faces += scene->objects[scene->instances[i].object].n_faces;
+  uint64_t n_faces = hsr_scene_faces(scene);
   if (!n_faces)
     return hsr_fail(err, HSR_E_INPUT, "the scene has no face");
   if (n_faces > UINT32_MAX - 1)
     return hsr_fail(err, HSR_E_INPUT,
                     "the scene has %llu faces; at most 2^32 - 2 can be named",
                     (unsigned long long)n_faces);
-  for (uint32_t o = 0; o < scene->n_objects; o++) {
+  if (scene->grid)
+    status = check_grid(scene->grid, err);
+  for (uint32_t o = 0; o < scene->n_objects && !status; o++)
     status = check_object(&scene->objects[o], err);
-    if (status)
-      return status;
-  }
+  if (status)
+    return status;
   if (!scene->n_views) {
     status = hsr_scene_add_orbit(scene, 8);
     if (status == HSR_E_NOMEM)
@@ -407,10 +467,12 @@ static double extent(const struct hsr_scene *scene) {
         most = fmax(most, 3 * largest(m + row, 3) * vertex + fabs(m[row + 3]));
     }
   }
+  for (int a = 0; a < 3 && scene->grid; a++)
+    most = fmax(most, largest(scene->grid->bound[a], scene->grid->n[a] + 1));
   for (uint32_t k = 0; k < scene->n_views; k++) {
     const struct hsr_camera *view = &scene->views[k];
     most = fmax(most, fmax(largest(view->eye, 3), largest(view->at, 3)));
-    most = fmax(most, view->near);
+    most = fmax(most, fmax(view->near, view->parallel));
   }
   return most;
 }
@@ -430,6 +492,8 @@ void hsr_scene_enlarge(struct hsr_scene *scene) {
   for (uint32_t o = 0; o < scene->n_objects; o++)
     enlarge(scene->objects[o].xyz, 3 * (size_t)scene->objects[o].n_vertices,
             -exponent);
+  for (int a = 0; a < 3 && scene->grid; a++)
+    enlarge(scene->grid->bound[a], scene->grid->n[a] + 1, -exponent);
   for (uint32_t i = 0; i < scene->n_instances; i++)
     for (int row = 0; row < 12; row += 4)
       enlarge(scene->instances[i].m + row + 3, 1, -exponent);
@@ -438,5 +502,6 @@ void hsr_scene_enlarge(struct hsr_scene *scene) {
     enlarge(view->eye, 3, -exponent);
     enlarge(view->at, 3, -exponent);
     enlarge(&view->near, 1, -exponent);
+    enlarge(&view->parallel, 1, -exponent);
   }
 }

@@ -15,6 +15,7 @@
 #define HSR_COMMON_SCENE_H
 
 #include "common/base/status.h"
+#include "common/grids/grid.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -61,13 +62,18 @@ struct hsr_instance {
 /* A place to look from. Angles in degrees, lengths in world units. */
 struct hsr_camera {
   double eye[3], at[3], up[3];
-  double fov;  /* vertical angle, degrees, 0 < fov < 180 */
-  double near; /* points with t <= near do not exist; >= 0 */
+  double fov;      /* vertical angle, degrees, 0 < fov < 180 */
+  double near;     /* points with t <= near do not exist; >= 0 */
+  double parallel; /* over 0: the projection is parallel, the picture so high,
+                      and fov means nothing. 0: perspective */
 };
 
+/* A grid scene has one object, the sides of its cells, and one instance of it.
+ * The object stays empty until hsr_scene_make_faces fills it. */
 struct hsr_scene {
-  char *name;                     /* as the user named it; never NULL */
-  enum hsr_scene_subject subject; /* HSR_FACES: all else here is of faces */
+  char *name; /* as the user named it; never NULL */
+  enum hsr_scene_subject subject;
+  struct hsr_grid *grid; /* of HSR_GRID; else NULL */
   struct hsr_object *objects;
   struct hsr_instance *instances; /* sorted by object */
   struct hsr_camera *views;       /* the scene's own; at least one */
@@ -85,6 +91,11 @@ void hsr_scene_delete(struct hsr_scene *scene); /* NULL is allowed */
  * memory. The scene owns the object; the pointer is good until the next call of
  * this function. */
 struct hsr_object *hsr_scene_object(struct hsr_scene *scene, const char *name);
+
+/* Makes an empty scene one of a grid, which it owns from here on, also after a
+ * failure; *grid becomes empty. HSR_E_NOMEM. */
+enum hsr_status hsr_scene_set_grid(struct hsr_scene *scene,
+                                   struct hsr_grid *grid);
 
 /* Appends a vertex and stores its number in *number (unless NULL).
  * HSR_E_NOMEM; HSR_E_INPUT if a coordinate is not finite or the object would
@@ -124,6 +135,19 @@ enum hsr_status hsr_scene_view(struct hsr_scene *scene,
 enum hsr_status hsr_scene_finish(struct hsr_scene *scene,
                                  struct hsr_error *err);
 
+/* The faces of a scene. Those of a grid count whether they are made or not. */
+uint64_t hsr_scene_faces(const struct hsr_scene *scene);
+
+/* Fills the object of a finished grid scene with the faces of its cells, if it
+ * is empty; any other scene is as it should be. HSR_E_NOMEM. */
+enum hsr_status hsr_scene_make_faces(struct hsr_scene *scene,
+                                     struct hsr_error *err);
+
+/* Whether the faces of a finished grid scene are not made. */
+static inline bool hsr_scene_lacks_faces(const struct hsr_scene *scene) {
+  return scene->grid && !scene->objects[0].n_faces;
+}
+
 /* Enlarges a finished scene, views and all, by a power of two if all of it is
  * within 2^-100 of the origin, so that its size is about 1. The picture stays
  * the same. In a scene of 1e-99 the products of four coordinates are below the
@@ -138,8 +162,8 @@ void hsr_scene_enlarge(struct hsr_scene *scene);
 enum hsr_status hsr_scene_add_orbit(struct hsr_scene *scene, unsigned n);
 
 /* HSR_E_INPUT, with *err saying why, unless the camera can see: values finite
- * and at most 1e30 in size, eye != at, up not along the view, 0 < fov < 180,
- * near >= 0. */
+ * and at most 1e30 in size, eye != at, up not along the view, 0 < fov < 180
+ * unless the projection is parallel, near >= 0, parallel >= 0. */
 enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
                                  struct hsr_error *err);
 

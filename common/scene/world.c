@@ -93,10 +93,11 @@ static void expand(struct hsr_world *world) {
   world->mesh.start[f] = c;
 }
 
-enum hsr_status hsr_world_init(struct hsr_world *world,
-                               const struct hsr_scene *scene,
+enum hsr_status hsr_world_init(struct hsr_world *world, struct hsr_scene *scene,
                                struct hsr_error *err) {
   enum hsr_status status = hsr_world_outline(world, scene, err);
+  if (!status)
+    status = hsr_scene_make_faces(scene, err);
   if (!status)
     status = measure(world, err);
   if (status)
@@ -111,12 +112,12 @@ void hsr_world_free(struct hsr_world *world) {
   hsr_arena_free(&world->arena);
 }
 
-enum hsr_status hsr_world_open(struct hsr_world *world,
-                               const struct hsr_scene *scene, uint32_t most,
-                               struct hsr_error *err) {
-  uint64_t n = 0;
-  for (uint32_t i = 0; i < scene->n_instances; i++)
-    n += scene->objects[scene->instances[i].object].n_faces;
-  return n <= most ? hsr_world_init(world, scene, err)
-                   : hsr_world_outline(world, scene, err);
+enum hsr_status hsr_world_open(struct hsr_world *world, struct hsr_scene *scene,
+                               uint32_t most, struct hsr_error *err) {
+  uint64_t n = hsr_scene_faces(scene);
+  if (n <= most)
+    return hsr_world_init(world, scene, err);
+  enum hsr_status status = hsr_world_outline(world, scene, err);
+  return status || n > HSR_MOST_LAID_OUT ? status
+                                         : hsr_scene_make_faces(scene, err);
 }

@@ -11,7 +11,9 @@
  * Pieces      the faces of one world may be divided into those of another: see
  *             common/scene/pieces.h. A piece lies on its parent's plane.
  * Outline     a scene with too many faces to be laid out has only an outline:
- *             which ids belong to which instance. */
+ *             which ids belong to which instance.
+ * Grids       laying out a grid scene makes its faces first
+ *             (hsr_scene_make_faces). An outline leaves them as they are. */
 #ifndef HSR_COMMON_WORLD_H
 #define HSR_COMMON_WORLD_H
 
@@ -82,8 +84,7 @@ struct hsr_world {
  * full, and freed with hsr_world_free also after a failure. HSR_E_NOMEM, also
  * if there are 2^32 - 1 vertices or corners or more; HSR_E_INPUT if an instance
  * takes a face's normal to zero or a coordinate above 1e30 in size. */
-enum hsr_status hsr_world_init(struct hsr_world *world,
-                               const struct hsr_scene *scene,
+enum hsr_status hsr_world_init(struct hsr_world *world, struct hsr_scene *scene,
                                struct hsr_error *err);
 void hsr_world_free(struct hsr_world *world);
 
@@ -95,11 +96,11 @@ enum hsr_status hsr_world_outline(struct hsr_world *world,
                                   struct hsr_error *err);
 
 /* hsr_world_init, or hsr_world_outline if the scene has more than `most` faces.
- */
+ * Those of a grid are made even then, unless there are more than
+ * HSR_MOST_LAID_OUT. */
 #define HSR_MOST_LAID_OUT (1u << 25)
-enum hsr_status hsr_world_open(struct hsr_world *world,
-                               const struct hsr_scene *scene, uint32_t most,
-                               struct hsr_error *err);
+enum hsr_status hsr_world_open(struct hsr_world *world, struct hsr_scene *scene,
+                               uint32_t most, struct hsr_error *err);
 
 /* Lays out n faces of a scene: face k of *out is face id[k] of `world`, which
  * may be an outline. No two faces of *out share a vertex. `id` and `world` are
@@ -118,7 +119,8 @@ static inline bool hsr_is_outline(const struct hsr_world *world) {
 uint32_t hsr_instance_of(const struct hsr_outline *outline, uint32_t f);
 
 /* Where the scene has the face with this id. The world may be of any sort: laid
- * out, an outline, an extract, or of pieces. */
+ * out, an outline, an extract, or of pieces. The object of a grid may be empty
+ * (hsr_scene_lacks_faces). */
 struct hsr_place {
   const struct hsr_object *object; /* the scene's */
   uint32_t instance;
@@ -126,8 +128,8 @@ struct hsr_place {
 };
 struct hsr_place hsr_place_of(const struct hsr_world *world, uint32_t id);
 
-/* The normal of that face, and the point that its plane passes through: the
- * same doubles as in a world that has the face laid out. */
+/* The normal of that face, which is made, and the point that its plane passes
+ * through: the same doubles as in a world that has the face laid out. */
 void hsr_place_plane(const struct hsr_world *world, struct hsr_place place,
                      double normal[3], double anchor[3]);
 

@@ -65,22 +65,23 @@ struct survey {
 
 static void find_sides(struct survey *s) {
   const double m = s->view.m, n = s->view.n;
-  const double side[5][3] = {
-      {0, 0, 1}, {1, 0, 0}, {-1, 0, m}, {0, 1, 0}, {0, -1, n}};
+  const bool parallel = s->view.parallel;
+  const double side[5][3] = {{0, 0, 1},
+                             {1, 0, 0},
+                             {-1, 0, parallel ? 0 : m},
+                             {0, 1, 0},
+                             {0, -1, parallel ? 0 : n}};
   memcpy(s->side, side, sizeof side);
   s->margin[0] = -s->view.near;
+  s->margin[2] = parallel ? m : 0;
+  s->margin[4] = parallel ? n : 0;
 }
 
 static void find_points(struct survey *s) {
   const struct hsr_world *world = s->world;
-  const double *E = s->view.E;
   for (uint32_t v = 0; v < world->mesh.n_vertices; v++) {
-    double x = world->mesh.x[v] - E[0], y = world->mesh.y[v] - E[1],
-           z = world->mesh.z[v] - E[2];
-    for (int k = 0; k < 3; k++) {
-      const double *row = s->view.screen[k];
-      s->point[v][k] = row[0] * x + row[1] * y + row[2] * z;
-    }
+    const double at[3] = {world->mesh.x[v], world->mesh.y[v], world->mesh.z[v]};
+    hsr_view_project(&s->view, at, s->point[v]);
   }
 }
 
@@ -95,8 +96,8 @@ static enum hsr_status find_facings(struct survey *s) {
                             hsr_face_size(world, f)};
     s->facing[f] = s->screen.facing[f];
     if (!s->facing[f])
-      s->facing[f] = (signed char)hsr_exact_plane_side(loop, s->view.E,
-                                                       &s->tally.out_of_memory);
+      s->facing[f] = (signed char)hsr_exact_eye_side(&s->view, loop,
+                                                     &s->tally.out_of_memory);
     if (loop.n > s->largest_face)
       s->largest_face = loop.n;
   }
@@ -111,10 +112,11 @@ static bool exists(const struct survey *s, uint32_t f) {
  * may have moved a little out. False at the eye. */
 static bool project(const struct survey *s, const double p[3], double *x,
                     double *y) {
-  if (!(p[2] > 0))
+  double w = hsr_view_w(&s->view, p);
+  if (!(w > 0))
     return false;
-  *x = fmin(fmax(p[0] / p[2], 0), s->view.m);
-  *y = fmin(fmax(p[1] / p[2], 0), s->view.n);
+  *x = fmin(fmax(p[0] / w, 0), s->view.m);
+  *y = fmin(fmax(p[1] / w, 0), s->view.n);
   return true;
 }
 
@@ -307,7 +309,7 @@ static bool clip_edge(const struct survey *s, const double a[3],
       p[k] = t < 1 ? a[k] + t * (b[k] - a[k]) : b[k];
     if (!project(s, p, &edge->x[end], &edge->y[end]))
       return false;
-    edge->q[end] = 1 / p[2];
+    edge->q[end] = s->view.parallel ? -p[2] : 1 / p[2];
   }
   edge->length = hypot(edge->x[1] - edge->x[0], edge->y[1] - edge->y[0]);
   return true;
@@ -383,7 +385,7 @@ static bool before_a_face(const struct survey *s, uint32_t f, int i, int j,
     double error = s->screen.plane[f].error + s->screen.plane[g].error;
     if (s->world->mesh.plane[f] == s->world->mesh.plane[g] ||
         (e->use[k].side == side &&
-         !(q - depth(s, g, x, y) > error + CLEARLY * q)))
+         !(q - depth(s, g, x, y) > error + CLEARLY * fabs(q))))
       return false;
   }
   return true;
@@ -417,7 +419,7 @@ static bool visible(const struct survey *s, const struct edge *e, double t) {
   if (f == HSR_BACKGROUND)
     return true;
   double nearer = depth(s, f, x, y) - q;
-  return !(nearer > s->screen.plane[f].error + CLEARLY * q) ||
+  return !(nearer > s->screen.plane[f].error + CLEARLY * fabs(q)) ||
          !before_a_face(s, f, i, j, e);
 }
 

@@ -253,18 +253,21 @@ void hsr_polyhedron_init(struct hsr_polyhedron *poly, int n_vertices,
 
 /* --- The frustum of a window ---------------------------------------------- */
 
-/* The point at depth t on the ray of screen point (sx, sy), and its radius. */
+/* The point at depth t on the ray of screen point (sx, sy), and its radius. In
+ * parallel the ray's start, P - E, is a sum as D is, and F is exact. */
 static double ray_point(const struct hsr_view *view, double sx, double sy,
                         double t, double point[3]) {
   double off = 0;
   for (int k = 0; k < 3; k++) {
     double a = view->ray[0][k], b = sx * view->ray[1][k],
            c = sy * view->ray[2][k];
-    point[k] = view->E[k] + t * (a + b + c);
-    off = max(off, 10 * U * t * (fabs(a) + fabs(b) + fabs(c)) +
+    double s = view->parallel ? 1 : t;
+    double along = view->parallel ? t * view->F[k] : 0;
+    point[k] = view->E[k] + (s * (a + b + c) + along);
+    off = max(off, 10 * U * (s * (fabs(a) + fabs(b) + fabs(c)) + fabs(along)) +
                        2 * U * fabs(point[k]));
   }
-  return t > 0 ? off + TINY : 0;
+  return t > 0 || view->parallel ? off + TINY : 0;
 }
 
 /* Vertices 0 to 3 are those of the far face, from the top left one to the
@@ -277,7 +280,7 @@ void hsr_frustum_init(struct hsr_polyhedron *poly, const struct hsr_view *view,
   double y0 = hsr_sample_y(view, w->y0) - 0.5;
   double y1 = hsr_sample_y(view, w->y1 - 1) + 0.5;
   const double sx[4] = {x0, x1, x1, x0}, sy[4] = {y0, y0, y1, y1};
-  bool apex = !(view->near > 0);
+  bool apex = !(view->near > 0 || view->parallel);
   double xyz[8][3], off[8];
   int start[7] = {0}, loops[24], n_faces = 0, n = 0;
   for (int k = 0; k < 4; k++) { /* of the apex, four times the same */

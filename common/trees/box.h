@@ -92,15 +92,16 @@ enum hsr_frustum_plane {
   HSR_FRUSTUM_BOTTOM,
   HSR_FRUSTUM_LEFT,
   HSR_FRUSTUM_FAR,
-  HSR_FRUSTUM_NEAR /* there is none if near is 0 */
+  HSR_FRUSTUM_NEAR /* there is none if near is 0, but in parallel */
 };
 
-/* The frustum of the view's window: all points E + t D, near <= t <= far, for
+/* The frustum of the view's window: all points of rays, near <= t <= far, for
  * screen points within half a pixel of the window's samples. So what is OUT of
  * it cannot be seen in the window up to depth far, wherever the samples are
  * displaced to. All samples that see something that is IN it are in the window.
- * If near is 0, it is a pyramid with the eye as its apex, and has five planes.
- * far > near, in world units; the window is not empty. */
+ * If near is 0, it is a pyramid with the eye as its apex, and has five planes;
+ * in parallel it is a box with six. far > near, in world units; the window is
+ * not empty. */
 void hsr_frustum_init(struct hsr_polyhedron *poly, const struct hsr_view *view,
                       double far);
 

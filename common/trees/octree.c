@@ -8,8 +8,10 @@
 const unsigned char hsr_octant_order[8] = {0, 1, 2, 4, 3, 5, 6, 7};
 
 /* Limits of division. Primitives that share a point are never separated, and
- * dividing does not help where most primitives meet most octants. */
-enum { DEEPEST = 32, MOST_COPIES = 3 };
+ * dividing does not help where most primitives meet most octants. COPIES_IN_ALL
+ * is for bundles of long slivers: each division doubles them, down to cubes as
+ * small as the distance between two of them. */
+enum { DEEPEST = 32, MOST_COPIES = 3, COPIES_IN_ALL = 64 };
 
 struct list {
   uint32_t *k;
@@ -92,14 +94,19 @@ static bool part(const struct builder *b, const struct hsr_octree_node *cube,
   return true;
 }
 
-/* Octants of too few primitives give them back; all octants do if dividing does
- * not help. */
-static bool give_back(const struct builder *b, uint32_t node, uint32_t n,
-                      struct list *own, struct list *octants) {
-  uint64_t copies = own->n;
+static uint64_t count_all(const struct list *own, const struct list *octants) {
+  uint64_t n = own->n;
   for (int o = 0; o < 8; o++)
-    copies += octants[o].n;
-  bool helps = copies <= (uint64_t)MOST_COPIES * n;
+    n += octants[o].n;
+  return n;
+}
+
+/* Octants of too few primitives give them back; all octants do if dividing does
+ * not help, or if it makes more than `copies` of each. */
+static bool give_back(const struct builder *b, uint32_t node, uint32_t n,
+                      double copies, struct list *own, struct list *octants) {
+  double most = copies < MOST_COPIES ? copies : MOST_COPIES;
+  bool helps = (double)count_all(own, octants) <= most * n;
   for (uint32_t i = 0; i < own->n; i++)
     b->mark[own->k[i]] = node + 1;
   for (int o = 0; o < 8; o++) {
@@ -131,22 +138,26 @@ static bool keep_own(struct builder *b, uint32_t node, const struct list *own) {
   return true;
 }
 
+/* Builds the tree of a cube, which may hold `copies` times the primitives of the
+ * list. */
 static bool build(struct builder *b, const struct hsr_octree_node *cube,
-                  const struct list *list, int depth, uint32_t *made);
+                  const struct list *list, double copies, int depth,
+                  uint32_t *made);
 
 static bool divide(struct builder *b, uint32_t node,
                    const struct hsr_octree_node *cube, const struct list *list,
-                   int depth) {
+                   double copies, int depth) {
   struct list own = {NULL, 0, 0}, octants[8] = {{NULL, 0, 0}};
   bool good = part(b, cube, list, &own, octants) &&
-              give_back(b, node, list->n, &own, octants) &&
+              give_back(b, node, list->n, copies, &own, octants) &&
               keep_own(b, node, &own);
+  double left = copies * list->n / (double)count_all(&own, octants);
   free(own.k);
   for (int o = 0; o < 8; o++) {
     if (good && octants[o].n) {
       struct hsr_octree_node child = hsr_octree_octant(cube, o);
       uint32_t made;
-      good = build(b, &child, &octants[o], depth + 1, &made);
+      good = build(b, &child, &octants[o], left, depth + 1, &made);
       if (good)
         node_at(b, node)->child[o] = made;
     }
@@ -156,14 +167,15 @@ static bool divide(struct builder *b, uint32_t node,
 }
 
 static bool build(struct builder *b, const struct hsr_octree_node *cube,
-                  const struct list *list, int depth, uint32_t *made) {
+                  const struct list *list, double copies, int depth,
+                  uint32_t *made) {
   if (!hsr_arena_grow(b->arena, &b->node, sizeof *cube))
     return false;
   *made = (uint32_t)b->node.n - 1;
   *node_at(b, *made) = *cube;
   return list->n <= b->rule->most || depth == DEEPEST
              ? keep_own(b, *made, list)
-             : divide(b, *made, cube, list, depth);
+             : divide(b, *made, cube, list, copies, depth);
 }
 
 static bool look_at_primitives(struct builder *b, struct list *all) {
@@ -229,7 +241,8 @@ enum hsr_status hsr_octree_init(struct hsr_octree *octree,
   memset(root.child, 0xff, sizeof root.child);
   struct list all = {NULL, 0, 0};
   uint32_t made;
-  bool good = look_at_primitives(&b, &all) && build(&b, &root, &all, 0, &made);
+  bool good = look_at_primitives(&b, &all) &&
+              build(&b, &root, &all, COPIES_IN_ALL, 0, &made);
   struct hsr_box *tight = good ? malloc(b.node.n * sizeof *tight) : NULL;
   good = tight;
   if (good)

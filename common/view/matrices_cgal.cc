@@ -6,10 +6,20 @@
 
 using namespace hsr;
 
-bool hsr_exact_view_matrices(const struct hsr_view *view, double ray_rows[3][3],
-                             double screen[3][3], bool *out_of_memory) {
+namespace {
+
+using T = CGAL::Exact_rational;
+
+void round(const Vector<T> &v, double to[3]) {
+  to[0] = CGAL::to_double(v.x);
+  to[1] = CGAL::to_double(v.y);
+  to[2] = CGAL::to_double(v.z);
+}
+
+} // namespace
+
+bool hsr_exact_view_matrices(struct hsr_view *view, bool *out_of_memory) {
   try {
-    using T = CGAL::Exact_rational;
     Vector<T> F = vector<T>(view->F), R = vector<T>(view->R),
               U = vector<T>(view->U);
     T d = det(F, R, U);
@@ -18,18 +28,19 @@ bool hsr_exact_view_matrices(const struct hsr_view *view, double ray_rows[3][3],
     T inverse = T(1) / d, m = view->m, n = view->n;
     Vector<T> w = inverse * cross(R, U), wx = inverse * cross(U, F),
               wy = inverse * cross(F, R);
-    const Vector<T> rows[6] = {F - R + U,
-                               (T(2) / m) * R,
-                               (T(-2) / n) * U,
-                               (m / T(2)) * (w + wx),
-                               (n / T(2)) * (w - wy),
-                               w};
-    for (int i = 0; i < 6; i++) {
-      double *row = i < 3 ? ray_rows[i] : screen[i - 3];
-      row[0] = CGAL::to_double(rows[i].x);
-      row[1] = CGAL::to_double(rows[i].y);
-      row[2] = CGAL::to_double(rows[i].z);
-    }
+    // V - E = t F + (w x) R + (w y) U, where w is t, or in parallel 1.
+    const Vector<T> zero = T(0) * F, corner = U - R;
+    const bool parallel = view->parallel;
+    round(parallel ? corner : F + corner, view->ray[0]);
+    round((T(2) / m) * R, view->ray[1]);
+    round((T(-2) / n) * U, view->ray[2]);
+    round((m / T(2)) * (parallel ? wx : w + wx), view->screen[0]);
+    round((n / T(2)) * (parallel ? zero - wy : w - wy), view->screen[1]);
+    round(parallel ? zero : w, view->screen[2]);
+    round(w, view->depth);
+    view->origin[0] = parallel ? view->m / 2.0 : 0;
+    view->origin[1] = parallel ? view->n / 2.0 : 0;
+    view->origin[2] = parallel ? 1 : 0;
     return true;
   } catch (...) {
     *out_of_memory = true;

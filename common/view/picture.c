@@ -7,20 +7,21 @@
 
 static const float BACKGROUND[3] = {0.055f, 0.07f, 0.10f};
 
-/* 1/t of the face's plane at screen point (sx, sy), in doubles. It is good to
+/* t of the face's plane at screen point (sx, sy), in doubles. It is good to
  * float precision, which is enough for a picture. */
-static double reciprocal_depth(const struct hsr_world *world,
-                               const struct hsr_view *view, uint32_t f,
-                               double sx, double sy) {
+static double depth_of_plane(const struct hsr_world *world,
+                             const struct hsr_view *view, uint32_t f, double sx,
+                             double sy) {
   const double n[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
   const double p[3] = {world->mesh.px[f], world->mesh.py[f], world->mesh.pz[f]};
-  double along = 0, distance = 0;
+  double slope = 0;
   for (int k = 0; k < 3; k++) {
-    along +=
+    slope +=
         n[k] * (view->ray[0][k] + sx * view->ray[1][k] + sy * view->ray[2][k]);
-    distance += n[k] * (p[k] - view->E[k]);
+    if (view->parallel)
+      slope -= n[k] * (p[k] - view->E[k]);
   }
-  return along / distance;
+  return hsr_view_depth(view, slope / hsr_view_height(view, n, p));
 }
 
 void hsr_picture_depth(const struct hsr_world *world,
@@ -31,9 +32,9 @@ void hsr_picture_depth(const struct hsr_world *world,
       size_t k = (size_t)j * (size_t)view->m + (size_t)i;
       depth[k] = ids[k] == HSR_BACKGROUND
                      ? INFINITY
-                     : (float)(1 / reciprocal_depth(world, view, ids[k],
-                                                    hsr_sample_x(view, i),
-                                                    hsr_sample_y(view, j)));
+                     : (float)depth_of_plane(world, view, ids[k],
+                                             hsr_sample_x(view, i),
+                                             hsr_sample_y(view, j));
     }
 }
 
@@ -52,8 +53,21 @@ static uint32_t scene_id(const struct hsr_world *world, uint32_t f) {
   return world->id ? world->id[f] : f;
 }
 
+/* The colour of a face of a grid. */
+static void cell_colour(const struct hsr_grid *grid, uint32_t face,
+                        float rgb[3]) {
+  uint32_t cell;
+  int side;
+  hsr_grid_face(grid, face, &cell, &side);
+  hsr_grid_rgb(grid, cell, rgb);
+}
+
 static void face_colour(const struct hsr_world *world, uint32_t f,
                         float rgb[3]) {
+  if (hsr_scene_lacks_faces(world->outline.scene)) {
+    cell_colour(world->outline.scene->grid, scene_id(world, f), rgb);
+    return;
+  }
   const struct hsr_object *object =
       &world->outline.scene->objects[world->mesh.object[f]];
   const float *colour = object->colour;
@@ -67,16 +81,15 @@ static void face_colour(const struct hsr_world *world, uint32_t f,
 
 float hsr_picture_light(const struct hsr_view *view, const double n[3],
                         const double p[3]) {
-  double length = 0, light_length = 0, facing = 0, lit = 0;
+  double length = 0, light_length = 0, lit = 0;
   for (int k = 0; k < 3; k++) {
     double l = -view->F[k] - 0.5 * view->R[k] + 0.9 * view->U[k];
     length += n[k] * n[k];
     light_length += l * l;
-    facing += n[k] * (view->E[k] - p[k]);
     lit += n[k] * l;
   }
   double cosine = lit / sqrt(length * light_length);
-  if (facing < 0)
+  if (hsr_view_height(view, n, p) > 0)
     cosine = -cosine;
   return (float)(cosine > 0 ? 0.25 + 0.75 * cosine : 0.25);
 }

@@ -29,6 +29,11 @@ static double half_tangent(double fov_degrees) {
   return fov_degrees == 90 ? 1 : tan(fov_degrees * (pi / 360));
 }
 
+/* Where an axis is looked at from, if the view runs along it so. */
+static double place_at_infinity(double forward) {
+  return forward > 0 ? -INFINITY : forward < 0 ? INFINITY : NAN;
+}
+
 enum hsr_status hsr_view_init(struct hsr_view *view,
                               const struct hsr_camera *camera, int m, int n,
                               struct hsr_error *err) {
@@ -44,8 +49,11 @@ enum hsr_status hsr_view_init(struct hsr_view *view,
                             .m = m,
                             .n = n,
                             .window = {0, 0, m, n},
+                            .parallel = camera->parallel > 0,
                             .near = camera->near};
-  double tangent = half_tangent(camera->fov), right[3], up[3];
+  double right[3], up[3];
+  double half =
+      view->parallel ? camera->parallel / 2 : half_tangent(camera->fov);
   for (int k = 0; k < 3; k++) {
     view->E[k] = camera->eye[k];
     view->F[k] = camera->at[k] - camera->eye[k];
@@ -55,12 +63,13 @@ enum hsr_status hsr_view_init(struct hsr_view *view,
   normalise(right);
   cross(right, view->F, up);
   for (int k = 0; k < 3; k++) {
-    view->U[k] = tangent * up[k];
-    view->R[k] = (double)m / n * tangent * right[k];
+    view->U[k] = half * up[k];
+    view->R[k] = (double)m / n * half * right[k];
+    view->eye[k] = view->parallel ? place_at_infinity(view->F[k]) : view->E[k];
   }
 
   bool out_of_memory = false;
-  if (!hsr_exact_view_matrices(view, view->ray, view->screen, &out_of_memory))
+  if (!hsr_exact_view_matrices(view, &out_of_memory))
     return out_of_memory
                ? hsr_fail_nomem(err)
                : hsr_fail(err, HSR_E_INPUT,

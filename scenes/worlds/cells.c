@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Volumes: the cells of a grid as opaque boxes. Cells share planes, edges and
  * corners with many others, and the views look along them and from them. */
-#include "common/grids/grid_object.h"
 #include "scenes/builders.h"
 #include "scenes/parts/shapes.h"
 
@@ -19,16 +18,12 @@ static double *even_positions(uint32_t n) {
 }
 
 static enum hsr_status add_grid(struct hsr_scene *scene,
-                                const struct hsr_grid_samples *samples,
-                                hsr_grid_colour *colour) {
+                                const struct hsr_grid_samples *samples) {
   static const struct hsr_grid_keep positive = {.least = 1, .most = INFINITY};
   struct hsr_grid grid;
-  struct hsr_object *object = hsr_scene_object(scene, "cells");
-  if (!object)
-    return HSR_E_NOMEM;
   enum hsr_status status = hsr_grid_init(&grid, samples, &positive, NULL);
   if (!status)
-    status = hsr_grid_make_object(&grid, colour, samples->data, object);
+    status = hsr_scene_set_grid(scene, &grid);
   hsr_grid_free(&grid);
   return status;
 }
@@ -36,8 +31,8 @@ static enum hsr_status add_grid(struct hsr_scene *scene,
 /* --- A hollow cube -------------------------------------------------------- */
 
 /* After J. E. Swan II, "Object-Order Rendering of Discrete Objects", 1998,
- * figure 2.25: a hollow cube, one cell thick, of red and white blocks of 10 x 10
- * x 10 cells; of 2 x 2 x 2 in a small one. */
+ * figure 2.25: a hollow cube, one cell thick, of red and white blocks of 10 x
+ * 10 x 10 cells; of 2 x 2 x 2 in a small one. */
 static bool is_shell(uint32_t n, const uint32_t at[3]) {
   bool is_outside = false;
   for (int a = 0; a < 3; a++)
@@ -55,7 +50,9 @@ static enum hsr_status shell_slice(void *data, uint32_t k, float *density,
   return HSR_OK;
 }
 
-static void checkered(void *data, const uint32_t at[3], float rgb[3]) {
+static void checkered(void *data, const uint32_t at[3], float density,
+                      float rgb[3]) {
+  (void)density;
   const uint32_t *n = data;
   uint32_t block = *n >= 20 ? 10 : 2;
   bool is_red = (at[0] / block + at[1] / block + at[2] / block) % 2;
@@ -80,8 +77,8 @@ enum hsr_status hsr_build_checker_cube(struct hsr_scene *scene,
   if (!at)
     return HSR_E_NOMEM;
   const struct hsr_grid_samples samples = {
-      {n, n, n}, {at, at, at}, shell_slice, &n};
-  enum hsr_status status = add_grid(scene, &samples, checkered);
+      {n, n, n}, {at, at, at}, shell_slice, checkered, &n};
+  enum hsr_status status = add_grid(scene, &samples);
   free(at);
   if (status)
     return status;
@@ -108,7 +105,9 @@ static enum hsr_status random_slice(void *data, uint32_t k, float *density,
   return HSR_OK;
 }
 
-static void by_place(void *data, const uint32_t at[3], float rgb[3]) {
+static void by_place(void *data, const uint32_t at[3], float density,
+                     float rgb[3]) {
+  (void)density;
   const struct random_grid *g = data;
   for (int a = 0; a < 3; a++)
     rgb[a] = ((float)at[a] + 0.5f) / (float)g->n;
@@ -159,8 +158,8 @@ enum hsr_status hsr_build_grid(struct hsr_scene *scene,
   enum hsr_status status = HSR_E_NOMEM;
   if (at[0] && at[1] && at[2]) {
     const struct hsr_grid_samples samples = {
-        {g.n, g.n, g.n}, {at[0], at[1], at[2]}, random_slice, &g};
-    status = add_grid(scene, &samples, by_place);
+        {g.n, g.n, g.n}, {at[0], at[1], at[2]}, random_slice, by_place, &g};
+    status = add_grid(scene, &samples);
   }
   struct hsr_pen pen;
   hsr_pen_init(&pen, scene);

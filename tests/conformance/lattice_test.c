@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every algorithm against the oracle, sample for sample, on scenes of small
  * integer coordinates. The cameras are aligned with them, so there are many
- * ties.
+ * ties. Half of them are parallel: along an axis, isometric, dimetric.
  *
  * usage: lattice_test [SCENES [SEED]]      standard: 2000 scenes, seed 1 */
 #include "common/exact/predicates.h"
@@ -28,9 +28,11 @@ static void compare(const struct hsr_algorithm *algorithm, void *context) {
   draw_ids(algorithm, c->world, c->view, c->got, NULL);
   long differences = count_differences(c->view, c->got, c->wanted);
   if (differences)
-    printf("# %s, %d x %d, eye %g,%g,%g: %s differs in %ld samples\n", c->name,
-           c->view->m, c->view->n, c->view->E[0], c->view->E[1], c->view->E[2],
-           algorithm->name, differences);
+    printf("# %s, %d x %d, eye %g,%g,%g, forward %g,%g,%g, parallel %g: %s "
+           "differs in %ld samples\n",
+           c->name, c->view->m, c->view->n, c->view->E[0], c->view->E[1],
+           c->view->E[2], c->view->F[0], c->view->F[1], c->view->F[2],
+           c->view->camera.parallel, algorithm->name, differences);
   c->differences += differences;
 }
 
@@ -94,9 +96,11 @@ static long check_scene(uint64_t *seed, long *samples) {
   long differences = 0;
   uint32_t v = (uint32_t)draw_integer(seed, 0, scene->n_views - 1);
   struct hsr_view view;
-  if (hsr_view_init(&view, &scene->views[v],
-                    (int)draw_integer(seed, 16, LARGEST),
-                    (int)draw_integer(seed, 16, LARGEST), &err)) {
+  struct hsr_camera camera = scene->views[v];
+  int m = (int)draw_integer(seed, 16, LARGEST);
+  int n = (int)draw_integer(seed, 16, LARGEST);
+  draw_parallel(seed, &camera, n);
+  if (hsr_view_init(&view, &camera, m, n, &err)) {
     printf("Bail out! %s: %s\n", name, err.text);
     exit(99);
   }

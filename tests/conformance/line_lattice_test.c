@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every algorithm that draws lines against the line oracle, interval for
  * interval, on solids of small integer coordinates. The cameras are aligned
- * with them, so images of vertices and edges coincide everywhere.
+ * with them, so images of vertices and edges coincide everywhere. Half of them
+ * are parallel: along an axis, isometric, dimetric.
  *
  * usage: line_lattice_test [SCENES [SEED]]      standard: 500 scenes, seed 1 */
 #include "scenes/scenes.h"
@@ -144,10 +145,11 @@ static void compare(const struct hsr_algorithm *algorithm, void *context) {
   c->edges += difference.edges;
   c->differing += difference.differing;
   if (difference.differing)
-    printf("# scene %ld, eye %g,%g,%g: %s differs on %llu edges, the first "
-           "%s %u %u %u\n",
+    printf("# scene %ld, eye %g,%g,%g, parallel %g: %s differs on %llu edges, "
+           "the first %s %u %u %u\n",
            c->scene, c->view->E[0], c->view->E[1], c->view->E[2],
-           algorithm->name, (unsigned long long)difference.differing,
+           c->view->camera.parallel, algorithm->name,
+           (unsigned long long)difference.differing,
            difference.first.implied ? "implied" : "of faces",
            difference.first.a, difference.first.b, difference.first.part);
 }
@@ -158,9 +160,11 @@ static void check_scene(struct comparison *c, uint64_t *seed) {
   struct hsr_view view;
   uint32_t v;
   struct hsr_scene *scene = draw_scene(seed, &v);
+  struct hsr_camera camera = scene->views[v];
+  int m = (int)draw_integer(seed, 16, 64), n = (int)draw_integer(seed, 16, 64);
+  draw_parallel(seed, &camera, n);
   if (hsr_world_init(&world, scene, &err) ||
-      hsr_view_init(&view, &scene->views[v], (int)draw_integer(seed, 16, 64),
-                    (int)draw_integer(seed, 16, 64), &err))
+      hsr_view_init(&view, &camera, m, n, &err))
     stop(err.text);
   c->world = &world;
   c->view = &view;

@@ -123,12 +123,15 @@ struct state {
 
 /* --- Z sort --------------------------------------------------------------- */
 
-/* 1/t as a number of 18 bits, whose order it keeps. */
-static uint32_t z_key(double q) {
-  float value = q > 0 ? (float)fmin(q, FLT_MAX) : 0;
+/* q as a number of 18 bits, whose order it keeps: of 1/t from 0 up, and in
+ * parallel of -t down from 0. */
+static uint32_t z_key(const struct hsr_view *view, double q) {
+  double size = view->parallel ? -q : q;
+  float value = size > 0 ? (float)fmin(size, FLT_MAX) : 0;
   uint32_t bits;
   memcpy(&bits, &value, sizeof bits);
-  return bits >> (31 - 2 * DIGIT_BITS);
+  bits >>= 31 - 2 * DIGIT_BITS;
+  return view->parallel ? (1u << 2 * DIGIT_BITS) - 1 - bits : bits;
 }
 
 static struct listed list_face(const struct hsr_screen *screen, uint32_t f) {
@@ -139,13 +142,14 @@ static struct listed list_face(const struct hsr_screen *screen, uint32_t f) {
                          corner & 2 ? b->y1 - 1 : b->y0);
     nearest = q > nearest ? q : nearest;
   }
-  return (struct listed){.id = f,
-                         .z = z_key(nearest + 2 * screen->plane[f].error),
-                         .x0 = (int16_t)b->x0,
-                         .y0 = (int16_t)b->y0,
-                         .x1 = (int16_t)b->x1,
-                         .y1 = (int16_t)b->y1,
-                         .since = NEVER};
+  return (struct listed){
+      .id = f,
+      .z = z_key(screen->view, nearest + 2 * screen->plane[f].error),
+      .x0 = (int16_t)b->x0,
+      .y0 = (int16_t)b->y0,
+      .x1 = (int16_t)b->x1,
+      .y1 = (int16_t)b->y1,
+      .since = NEVER};
 }
 
 /* One pass of the sort: by one digit of z, the greatest first. */
@@ -272,18 +276,21 @@ static bool edges_meet(const struct state *s, uint32_t f,
 static enum relation relate_cut(const struct state *s, uint32_t f,
                                 const struct window *w) {
   const struct hsr_screen *screen = s->screen;
-  double near = s->job->view->near, error = 2 * screen->plane[f].error;
+  const struct hsr_view *view = s->job->view;
+  double near = view->near, error = 2 * screen->plane[f].error;
   int n_behind = 0, n_before_near = 0, n_covered = 0;
   for (int corner = 0; corner < 4; corner++) {
     int i = corner_column(w, corner), j = corner_row(w, corner);
     double q = hsr_depth(screen, f, i, j);
     bool covered = hsr_covers(screen, f, i, j, s->tally);
     /* Past near but not covered: so the parity is even, in all of H. */
-    if (!covered && q > error && near * (q + error) < 1)
+    if (!covered && (view->parallel ? q + error < -near
+                                    : q > error && near * (q + error) < 1))
       return DISJOINT;
     n_covered += covered;
-    n_behind += q < -error;
-    n_before_near += near * (q - error) > 1;
+    n_behind += !view->parallel && q < -error;
+    n_before_near +=
+        view->parallel ? q - error > -near : near * (q - error) > 1;
   }
   if (n_behind == 4 || n_before_near == 4)
     return DISJOINT;
@@ -339,7 +346,7 @@ static uint32_t farthest(const struct state *s, uint32_t f,
   double q = depths.q[0];
   for (int corner = 1; corner < 4; corner++)
     q = depths.q[corner] < q ? depths.q[corner] : q;
-  return z_key(q - 2 * depths.error);
+  return z_key(s->job->view, q - 2 * depths.error);
 }
 
 /* Finds the relations of the faces in list[0, n) to the window. Stops at the

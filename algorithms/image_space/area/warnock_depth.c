@@ -17,6 +17,7 @@
  * Cost        The work grows with the number of cells that visible edges cross.
  */
 #include "algorithms/list_priority/fixed/bsp_frame.h"
+#include "common/exact/predicates.h"
 
 enum { CELLS = HSR_BSP_N_COUNTERS, SUBDIVISIONS, SIDES };
 
@@ -214,8 +215,8 @@ static void insert(struct warnock *s, int level, int x, int y,
 static int side_of_loop(const struct warnock *s, uint32_t f, int facing) {
   const struct hsr_job *job = s->frame.job;
   return job->world->pieces
-             ? hsr_exact_plane_side(hsr_face_loop(job->world, f), job->view->E,
-                                    &job->tally->out_of_memory)
+             ? hsr_exact_eye_side(job->view, hsr_face_loop(job->world, f),
+                                  &job->tally->out_of_memory)
              : facing;
 }
 
@@ -243,9 +244,11 @@ static void insert_piece(void *context, const struct hsr_bsp_piece *piece,
   struct warnock *s = context;
   if (!hsr_bsp_frame_piece(&s->frame, piece, &s->piece))
     return;
+  const struct hsr_view *view = s->frame.job->view;
+  bool may_be_near = view->near > 0 || view->parallel;
   uint32_t f = piece->face, n = 0;
   s->is_asked = s->frame.job->world->mesh.deviation[f] > 0 ||
-                (s->frame.job->view->near > 0 && !s->frame.screen.whole[f]);
+                (may_be_near && !s->frame.screen.whole[f]);
   if (!s->is_asked)
     n = find_sides(s, piece, facing);
   insert(s, s->n_levels - 1, 0, 0, s->side, n);

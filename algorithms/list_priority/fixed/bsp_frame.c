@@ -99,7 +99,7 @@ void hsr_bsp_frame_walk(const struct hsr_bsp_frame *frame, bool backwards,
                                       int facing)) {
   static const double still[3] = {0, 0, 0};
   struct hsr_bsp_walk walk = {.bsp = frame->bsp,
-                              .eye = frame->job->view->E,
+                              .view = frame->job->view,
                               .shift = still,
                               .backwards = backwards,
                               .tally = frame->job->tally,
@@ -124,8 +124,8 @@ static uint32_t take_cuts(struct hsr_bsp_frame *frame,
   return n_taken;
 }
 
-/* The face's bounds. They are narrowed by the piece's corners if those are about
- * as exact as the outlines of common/exact/order.c. */
+/* The face's bounds. They are narrowed by the piece's corners if those are
+ * about as exact as the outlines of common/exact/order.c. */
 static struct hsr_bounds bounds_of(struct hsr_bsp_frame *frame,
                                    const struct hsr_bsp_piece *piece) {
   const struct hsr_bsp *bsp = frame->bsp;

@@ -13,6 +13,7 @@
  *             E - x is the opposite of that of the rounding error x - X, which
  *             Knuth's two-sum gives exactly. */
 #include "algorithms/list_priority/fixed/bsp_walk.h"
+#include "common/exact/predicates.h"
 #include "common/trees/octree.h"
 
 #include <float.h>
@@ -29,7 +30,7 @@ static double sum_of_sizes(const double v[3]) {
 
 static int side_of_median(const struct hsr_bsp_walk *walk, int axis,
                           double at) {
-  double shift = walk->shift[axis], eye = walk->eye[axis];
+  double shift = walk->shift[axis], eye = walk->view->eye[axis];
   double moved = at + shift;
   if (eye != moved)
     return eye > moved ? 1 : -1;
@@ -38,14 +39,33 @@ static int side_of_median(const struct hsr_bsp_walk *walk, int axis,
   return (off < 0) - (off > 0);
 }
 
+/* The side of -F, which no shift changes. */
+static int side_in_parallel(const struct hsr_bsp_walk *walk, uint32_t f) {
+  const struct hsr_mesh *mesh = &walk->bsp->world->mesh;
+  const double *F = walk->view->F;
+  const double n[3] = {mesh->nx[f], mesh->ny[f], mesh->nz[f]};
+  double f1 = sum_of_sizes(F);
+  double error =
+      2 * mesh->n_error[f] * f1 + 16 * U * sum_of_sizes(n) * f1 + TINY;
+  double along = n[0] * F[0] + n[1] * F[1] + n[2] * F[2];
+  if (fabs(along) > error)
+    return along < 0 ? 1 : -1;
+  walk->tally->exact[HSR_ASK_FACING]++;
+  return hsr_exact_eye_side(walk->view, hsr_plane_loop(walk->bsp->world, f),
+                            &walk->tally->out_of_memory);
+}
+
 static int side_of_plane(const struct hsr_bsp_walk *walk, uint32_t plane) {
   const struct hsr_world *world = walk->bsp->world;
-  const double *E = walk->eye, *S = walk->shift;
+  const struct hsr_view *view = walk->view;
+  const double *E = view->E, *S = walk->shift;
   uint32_t f = walk->bsp->face_of[plane];
   const struct hsr_bsp_level *level = &walk->bsp->level[plane];
   if (level->front)
     return level->front * side_of_median(walk, level->axis, level->at);
   const double n[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
+  if (view->parallel)
+    return side_in_parallel(walk, f);
   const double d[3] = {E[0] - S[0], E[1] - S[1], E[2] - S[2]};
   const double r[3] = {d[0] - world->mesh.px[f], d[1] - world->mesh.py[f],
                        d[2] - world->mesh.pz[f]};

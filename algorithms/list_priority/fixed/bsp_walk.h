@@ -42,7 +42,8 @@ struct hsr_bsp_waiting {
 /* All borrowed. */
 struct hsr_bsp_walk {
   const struct hsr_bsp *bsp;
-  const double *eye, *shift;
+  const struct hsr_view *view;
+  const double *shift;
   bool backwards; /* back to front */
   struct hsr_tally *tally;
   struct hsr_bsp_waiting *waiting; /* room for hsr_bsp_most_waiting */

@@ -49,7 +49,7 @@ hsr_cluster_order_init(struct hsr_cluster_order *order,
 static inline int hsr_separator_side(const struct hsr_cluster_order *order,
                                      uint32_t number) {
   const struct hsr_separator *s = &order->clusters->separator[number];
-  double eye = order->screen->view->E[s->axis];
+  double eye = order->screen->view->eye[s->axis];
   int side = s->face != HSR_NO_FACE
                  ? hsr_eye_side(order->screen, s->face, order->tally)
                  : (eye > s->at) - (eye < s->at);

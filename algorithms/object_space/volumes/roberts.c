@@ -150,20 +150,19 @@ static enum hsr_status prepare(const struct hsr_world *world,
 /* --- Minimax tests -------------------------------------------------------- */
 
 static const struct hsr_extent nowhere = {INFINITY,  INFINITY, -INFINITY,
-                                          -INFINITY, INFINITY, 0};
+                                          -INFINITY, INFINITY, -INFINITY};
 
 static void enclose(struct hsr_extent *extent, const struct hsr_sight *sight,
                     uint32_t p) {
   double x = sight->sx[p], y = sight->sy[p], q = sight->q[p];
+  double error = 0x1p-41 * fabs(q) + sight->q_error;
   bool is_known = sight->ahead[p] && x == x;
   extent->x0 = is_known ? fmin(extent->x0, x - HSR_DELTA) : -INFINITY;
   extent->y0 = is_known ? fmin(extent->y0, y - HSR_DELTA) : -INFINITY;
   extent->x1 = is_known ? fmax(extent->x1, x + HSR_DELTA) : INFINITY;
   extent->y1 = is_known ? fmax(extent->y1, y + HSR_DELTA) : INFINITY;
-  extent->farthest =
-      is_known ? fmin(extent->farthest, q * (1 - 0x1p-41)) : -INFINITY;
-  extent->nearest =
-      is_known ? fmax(extent->nearest, q * (1 + 0x1p-41)) : INFINITY;
+  extent->farthest = is_known ? fmin(extent->farthest, q - error) : -INFINITY;
+  extent->nearest = is_known ? fmax(extent->nearest, q + error) : INFINITY;
 }
 
 static struct hsr_extent extent_of(const struct hsr_sight *sight,

@@ -2,6 +2,7 @@
 // In place of common/files/vtk/vtk.cc in a build without VTK.
 #include "common/files/mesh/exchange.h"
 #include "common/files/mesh/mesh_file.h"
+#include "common/files/volume/volume_data.h"
 
 bool hsr_exchange_has_vtk(void) {
   return false;
@@ -23,4 +24,13 @@ enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *,
 
 void hsr::vtp_read(Mesh_file &file, Mesh_builder &) {
   file.refuse(0, "this build of hsr, without VTK, does not read .vtp");
+}
+
+enum hsr_status hsr_volume_open_vtk(struct hsr_volume *volume,
+                                    const struct hsr_volume_file *file,
+                                    struct hsr_error *err) {
+  *volume = {};
+  return hsr_fail(err, HSR_E_INPUT,
+                  "%.200s: this build of hsr, without VTK, does not read it",
+                  file->path);
 }

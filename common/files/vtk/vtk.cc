@@ -56,3 +56,11 @@ enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *voxels,
   const hsr_vtk_library *vtk = load(err);
   return vtk ? vtk->write_vti(voxels, path, err) : HSR_E_INPUT;
 }
+
+enum hsr_status hsr_volume_open_vtk(struct hsr_volume *volume,
+                                    const struct hsr_volume_file *file,
+                                    struct hsr_error *err) {
+  *volume = {};
+  const hsr_vtk_library *vtk = load(err);
+  return vtk ? vtk->open_volume(volume, file, err) : HSR_E_INPUT;
+}

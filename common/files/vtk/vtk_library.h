@@ -4,7 +4,8 @@
 #define HSR_COMMON_VTK_LIBRARY_H
 
 #include "common/files/mesh/exchange.h"
-#include "common/grids/voxels.h"
+#include "common/files/volume/volume_data.h"
+#include "common/voxels/voxels.h"
 
 #include <cstddef>
 
@@ -25,7 +26,7 @@ public:
 
 /* read_vtp gives the mesh of a .vtp file in memory, which passed scan_vtp, to
  * the sink; it throws std::bad_alloc and what the sink throws. The others are
- * as in exchange.h. */
+ * as in exchange.h and volume_data.h. */
 struct hsr_vtk_library {
   void (*read_vtp)(char *begin, char *end, const hsr::Mesh_extent &extent,
                    hsr::Vtk_sink &sink);
@@ -33,6 +34,9 @@ struct hsr_vtk_library {
                                const char *path, struct hsr_error *err);
   enum hsr_status (*write_vti)(const struct hsr_solid_voxels *voxels,
                                const char *path, struct hsr_error *err);
+  enum hsr_status (*open_volume)(struct hsr_volume *volume,
+                                 const struct hsr_volume_file *file,
+                                 struct hsr_error *err);
 };
 
 #endif

@@ -13,6 +13,9 @@ enum hsr_status write_vtp(const struct hsr_drawing *drawing, const char *path,
                           struct hsr_error *err);
 enum hsr_status write_vti(const struct hsr_solid_voxels *voxels,
                           const char *path, struct hsr_error *err);
+enum hsr_status open_volume(struct hsr_volume *volume,
+                            const struct hsr_volume_file *file,
+                            struct hsr_error *err) noexcept;
 
 } // namespace hsr
 

@@ -50,8 +50,10 @@ struct hsr_sight {
 
   /* Points. */
   double *sx,
-      *sy;     /* as in common/exact/screen.h; NaN where not known so well */
-  double *q;   /* 1/w, within 2^-42 of itself where sx is not NaN */
+      *sy;   /* as in common/exact/screen.h; NaN where not known so well */
+  double *q; /* 1/w, within 2^-42 of itself where sx is not NaN; in parallel -t,
+                  within q_error */
+  double q_error;
   bool *ahead; /* w > near */
 
   /* Faces. */
@@ -145,7 +147,7 @@ static inline int hsr_sight_row_side(const struct hsr_sight *sight, uint32_t p,
   return hsr_sight_row_side_exact(sight, p, q);
 }
 
-/* Bounds of the image of a box, in pixels, and of 1/w in the box. They are
+/* Bounds of the image of a box, in pixels, and of q in the box. They are
  * unlimited where the image is not known. hsr_sight_enclose: lo and hi are
  * opposite corners of the box. */
 struct hsr_extent {

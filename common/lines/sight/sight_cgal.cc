@@ -62,10 +62,10 @@ bool hsr_sight_nearer(const struct hsr_sight *sight, uint32_t e, uint32_t c) {
     const vec<T> CD = cross(C.p, D.p);
     if (along == VALUE)
       return A.d * dot(CD, B.p) - B.d * dot(CD, A.p) +
-             dot(cross(A.p, B.p), D.p - C.p);
+             dot(cross(A.p, B.p), C.d * D.p - D.d * C.p);
     const vec<T> by = change<T>(n, along);
     return (A.d * B.w - B.d * A.w) * dot(CD, by) +
-           dot(cross(by, A.w * B.p - B.w * A.p), D.p - C.p);
+           dot(cross(by, A.w * B.p - B.w * A.p), C.d * D.p - D.d * C.p);
   });
   return volume && volume == hsr_sight_line_side(sight, a, b, edges->b[c]);
 }
@@ -157,6 +157,24 @@ static void find_faces(hsr_sight *sight) {
   }
 }
 
+// In parallel: q of all vertices.
+static void find_depths(hsr_sight *sight) {
+  const hsr_mesh &mesh = sight->world->mesh;
+  const double *E = sight->view->E, *depth = sight->view->depth;
+  double most = 0;
+  for (uint32_t v = 0; v < mesh.n_vertices; v++) {
+    const double at[3] = {mesh.x[v] - E[0], mesh.y[v] - E[1], mesh.z[v] - E[2]};
+    double t = 0, size = 0;
+    for (int k = 0; k < 3; k++) {
+      t += depth[k] * at[k];
+      size += std::fabs(depth[k] * at[k]);
+    }
+    sight->q[v] = -t;
+    most = std::max(most, size);
+  }
+  sight->q_error = 0x1p-49 * most + 0x1p-960;
+}
+
 static hsr_status make_arrays(hsr_sight *sight, hsr_arena *arena) {
   const size_t np = sight->edges->n_points, nf = sight->world->n_faces;
   const auto array = [&](size_t n, size_t size) {
@@ -195,6 +213,8 @@ enum hsr_status hsr_sight_init(struct hsr_sight *sight,
   std::copy(screen.sx, screen.sx + edges->world->mesh.n_vertices, sight->sx);
   std::copy(screen.sy, screen.sy + edges->world->mesh.n_vertices, sight->sy);
   std::copy(screen.q, screen.q + edges->world->mesh.n_vertices, sight->q);
+  if (view->parallel)
+    find_depths(sight);
   for (uint32_t p = edges->world->mesh.n_vertices; p < edges->n_points; p++)
     sight->sx[p] = sight->sy[p] = sight->q[p] = NAN;
   try {

@@ -22,10 +22,10 @@ Point<T> point_at(const Numbers &n, uint32_t e, const T &numerator,
                   const T &denominator) {
   const Point<T> A = n.point<T>(n.sight->edges->a[e]);
   const Point<T> B = n.point<T>(n.sight->edges->b[e]);
-  const T one_less = denominator - numerator;
-  return with_depth<T>(n.eye<T>(),
-                       (one_less * B.d) * A.p + (numerator * A.d) * B.p,
-                       denominator * A.d * B.d);
+  const Eye<T> &eye = n.eye<T>();
+  const T of_a = (denominator - numerator) * eye.weight(B);
+  const T of_b = numerator * eye.weight(A);
+  return eye.point(of_a * A.p + of_b * B.p, of_a * A.d + of_b * B.d);
 }
 
 // Whether face f hides P(t), which is ahead; t is a double or a quotient.
@@ -79,17 +79,20 @@ private:
   }
 
   // Whether near < t < w on the plane: N . D and c have the same sign, so have
-  // c - near N . D and c, and P' is behind the plane.
+  // c - near N . D and c, and P' is behind the plane. In parallel nothing is
+  // behind the eye.
   bool is_before() const {
     const int c = -n_.sight->facing[f_];
     const int slope =
-        displaced_sign(n_, HSR_ASK_FACING, [&](auto t, int along) {
-          using T = decltype(t);
-          const Point<T> P = point<T>();
-          const vec<T> kN = n_.plane<T>(f_).kN;
-          return along == VALUE ? dot(kN, P.p)
-                                : P.w * dot(kN, change<T>(n_, along));
-        });
+        n_.sight->view->parallel
+            ? c
+            : displaced_sign(n_, HSR_ASK_FACING, [&](auto t, int along) {
+                using T = decltype(t);
+                const Point<T> P = point<T>();
+                const vec<T> kN = n_.plane<T>(f_).kN;
+                return along == VALUE ? dot(kN, P.p)
+                                      : P.w * dot(kN, change<T>(n_, along));
+              });
     if (slope != c)
       return false;
     const int past = displaced_sign(n_, HSR_ASK_NEAR, [&](auto t, int along) {
@@ -97,10 +100,9 @@ private:
       const Point<T> P = point<T>();
       const Eye<T> &eye = n_.eye<T>();
       const Plane<T> plane = n_.plane<T>(f_);
-      const T near = eye.near * eye.scale;
       if (along == VALUE)
-        return plane.c * P.w - near * dot(plane.kN, P.p);
-      return -(near * P.w * dot(plane.kN, change<T>(n_, along)));
+        return eye.past_near(plane, P.p, P.w);
+      return P.w * eye.past_near(plane, change<T>(n_, along), T(0));
     });
     if (past != c)
       return false;
@@ -155,7 +157,7 @@ public:
       }
     }
     add(HSR_AT_PLANE, f);
-    if (s->view->near > 0)
+    if (s->view->near > 0 || s->view->parallel)
       add(HSR_AT_NEAR, f);
     places.push_back(end_);
     std::sort(places.begin(), places.end(), [&](const auto &x, const auto &y) {

@@ -6,6 +6,13 @@
 //             implied edges need no division. w(p) is its depth times d and a
 //             positive constant. v = e R - e^2 U is the displacement of a
 //             direction, e infinitesimal; a displaced point is p' = p + w(p) v.
+// Parallel    The eye is at infinity. A projective transformation takes it to
+//             the origin and leaves the screen as it is: a point t F + x R + y
+//             U becomes p = F + x R + y U with d = -t. So w is the same for all
+//             points, and d tells the depth. In perspective d is positive and w
+//             has any sign; here w is positive and d has any sign. Two things
+//             differ below: the test against near, and the weights by which
+//             points are averaged.
 // Method      Every question is the sign of a function that is linear in v, but
 //             for coverage where an edge pierces a plane. The sign is that of
 //             its value; if that is zero, of its change along R; if that is
@@ -52,25 +59,6 @@ template <class T> vec<T> lift(const double v[3]) {
   return {T(v[0]), T(v[1]), T(v[2])};
 }
 
-// The eye: w(p) = s det(p, R, U), and likewise x w and y w, all times `scale`.
-template <class T> struct Eye {
-  vec<T> E, F, R, U, W, X, Y;
-  T scale, near;
-
-  void set(const hsr_view &view, int s) {
-    const T sign = T(double(s));
-    E = lift<T>(view.E);
-    F = lift<T>(view.F);
-    R = lift<T>(view.R);
-    U = lift<T>(view.U);
-    W = sign * cross(R, U);
-    X = sign * cross(U, F);
-    Y = sign * cross(F, R);
-    scale = dot(F, W);
-    near = T(view.near);
-  }
-};
-
 // A point as (p, d), and its w(p).
 template <class T> struct Point {
   vec<T> p;
@@ -82,6 +70,60 @@ template <class T> struct Plane {
   vec<T> kN;
   T c;
   T height(const Point<T> &P) const { return dot(kN, P.p) - c * P.d; }
+};
+
+// The eye: w(p) = s det(p, R, U), and likewise x w and y w, all times `scale`.
+template <class T> struct Eye {
+  vec<T> E, F, R, U, W, X, Y;
+  T scale, near;
+  bool parallel;
+
+  void set(const hsr_view &view, int s) {
+    const T sign = T(double(s));
+    parallel = view.parallel;
+    E = lift<T>(view.E);
+    F = lift<T>(view.F);
+    R = lift<T>(view.R);
+    U = lift<T>(view.U);
+    W = sign * cross(R, U);
+    X = sign * cross(U, F);
+    Y = sign * cross(F, R);
+    scale = dot(F, W);
+    near = T(view.near);
+  }
+
+  Point<T> point(const vec<T> &p, const T &d) const {
+    return {p, d, dot(W, p)};
+  }
+
+  // The point P of the world with P - E = v / d, and the plane that has the
+  // value kN . (P - E) - c there.
+  Point<T> seen_point(const vec<T> &v, const T &d) const {
+    if (!parallel)
+      return point(v, d);
+    const T t = dot(W, v); // times scale
+    return point(scale * v + (d * scale - t) * F, -t);
+  }
+  Plane<T> seen_plane(const vec<T> &kN, const T &c) const {
+    if (!parallel)
+      return {kN, c};
+    const T along = dot(kN, F);
+    return {scale * kN - (along + c) * W, scale * along};
+  }
+
+  // The same positive multiple of the denominator of every point.
+  const T &weight(const Point<T> &P) const { return parallel ? P.w : P.d; }
+
+  // The sign of t - near, of a point; and times c of a plane, of where the
+  // point's ray meets it.
+  T past_near(const Point<T> &P) const {
+    return parallel ? -(scale * P.d) - near * P.w : P.w - near * scale * P.d;
+  }
+  T past_near(const Plane<T> &plane, const vec<T> &p, const T &w) const {
+    const T slope = scale * dot(plane.kN, p);
+    return parallel ? -slope - near * (plane.c * w)
+                    : plane.c * w - near * slope;
+  }
 };
 
 // The exact services' data of one view.
@@ -138,16 +180,11 @@ inline void convert(const Exact &from, Exact &to) {
   to = from;
 }
 
-template <class T>
-Point<T> with_depth(const Eye<T> &eye, const vec<T> &p, const T &d) {
-  return {p, d, dot(eye.W, p)};
-}
-
 template <class T> Point<T> Numbers::found_point(uint32_t p) const {
   const hsr_world *w = sight->world;
   if (p < w->mesh.n_vertices) {
     const double v[3] = {w->mesh.x[p], w->mesh.y[p], w->mesh.z[p]};
-    return with_depth<T>(eye<T>(), lift<T>(v) - eye<T>().E, T(1));
+    return eye<T>().seen_point(lift<T>(v) - eye<T>().E, T(1));
   }
   const Exact_point &from = sight->edges->exact->points[p - w->mesh.n_vertices];
   vec<T> at;
@@ -156,14 +193,14 @@ template <class T> Point<T> Numbers::found_point(uint32_t p) const {
   convert(from.at[1], at.y);
   convert(from.at[2], at.z);
   convert(from.denominator, d);
-  return with_depth<T>(eye<T>(), at - d * eye<T>().E, d);
+  return eye<T>().seen_point(at - d * eye<T>().E, d);
 }
 
 template <class T> Plane<T> Numbers::found_plane(uint32_t f) const {
   const hsr::FacePlane<T> plane(sight->world, f);
   const vec<T> kN = {plane.k * plane.normal[0], plane.k * plane.normal[1],
                      plane.k * plane.normal[2]};
-  return {kN, plane.offset - dot(kN, eye<T>().E)};
+  return eye<T>().seen_plane(kN, plane.offset - dot(kN, eye<T>().E));
 }
 
 // --- Signs -----------------------------------------------------------------
@@ -309,7 +346,7 @@ template <class T>
 T border_value(const Eye<T> &eye, uint32_t border, const Point<T> &P) {
   switch (border) {
   case NEAR:
-    return P.w - eye.near * eye.scale * P.d;
+    return eye.past_near(P);
   case LEFT:
     return P.w + dot(eye.X, P.p);
   case RIGHT:
@@ -379,12 +416,11 @@ Place<T> place_of(const Numbers &n, uint32_t e, const hsr_sight_event &event) {
       from = plane.height(A);
       to = plane.height(B);
     } else {
-      const T near = eye.near * eye.scale;
-      from = plane.c * A.w - near * dot(plane.kN, A.p);
-      to = plane.c * B.w - near * dot(plane.kN, B.p);
+      from = eye.past_near(plane, A.p, A.w);
+      to = eye.past_near(plane, B.p, B.w);
     }
   }
-  return {from * B.d, to * A.d};
+  return {from * n.eye<T>().weight(B), to * n.eye<T>().weight(A)};
 }
 
 inline int border_sign(const Numbers &n, uint32_t border, uint32_t p) {

@@ -22,11 +22,11 @@ struct hsr_extent hsr_sight_enclose(const struct hsr_sight *sight,
   for (int k = 0; k < 8; k++) {
     const double corner[3] = {k & 1 ? hi[0] : lo[0], k & 2 ? hi[1] : lo[1],
                               k & 4 ? hi[2] : lo[2]};
-    const vec<T> p = lift<T>(corner) - eye.E;
-    const T w = dot(eye.W, p);
-    if (!(w.inf() > 0))
+    const Point<T> P = eye.seen_point(lift<T>(corner) - eye.E, T(1));
+    if (!(P.w.inf() > 0))
       return {-INFINITY, -INFINITY, INFINITY, INFINITY, -INFINITY, INFINITY};
-    const T here[3] = {dot(eye.X, p) / w, dot(eye.Y, p) / w, eye.scale / w};
+    const T here[3] = {dot(eye.X, P.p) / P.w, dot(eye.Y, P.p) / P.w,
+                       eye.scale * P.d / P.w};
     x = k ? hull(x, here[0]) : here[0];
     y = k ? hull(y, here[1]) : here[1];
     q = k ? hull(q, here[2]) : here[2];

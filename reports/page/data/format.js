@@ -40,6 +40,11 @@ export function whole(x) {
   return absent(x) ? NOTHING : x.toLocaleString("en");
 }
 
+// "1 view", "2 views": of a plural that ends in s.
+export function number(n, things) {
+  return `${whole(n)} ${n === 1 ? things.slice(0, -1) : things}`;
+}
+
 export function memory(kb) {
   if (absent(kb)) return NOTHING;
   return kb >= 10240 ? `${whole(Math.round(kb / 1024))} MB` : `${whole(kb)} KB`;

@@ -41,6 +41,8 @@ const KNOWN = {
   schumacker: [6, 0], "bsp-painter": [6, 1], "bsp-front": [6, 2],
   "warnock-edges": [6, 3],
   zbuffer: [7, 0], raycast: [7, 1], hzbuffer: [7, 2], oracle: [7, 3],
+  pbtf: [4, 1], ippbtf: [4, 2], "octree-order": [4, 3],
+  btf: [2, 4], wbtf: [2, 5], vbuffer: [2, 6],
   "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5], clark: [7, 6],
 };
 

@@ -2,7 +2,7 @@
 // Which algorithms agree with the oracle: a row for each view, a column for each
 // algorithm.
 import { href } from "../data/address.js";
-import { size, views, where, whole } from "../data/format.js";
+import { number, size, views, where, whole } from "../data/format.js";
 import { STATUSES, symbolOf, unique } from "../data/model.js";
 import {
   algorithmColumn, outcomeColumns, placeColumns,
@@ -64,8 +64,8 @@ function matrix(report, title, cells) {
   const rows = [...new Map(cells.map((c) => [c.place, c])).values()];
   const cell = (row, name) => at.get(`${row.place} ${name}`);
   return section(title, null, table({ rows, look: "matrix",
-    caption: `${title}: ${rows.length} views by ${names.length} ${
-      cells[0].peer ? "peers" : "algorithms"}`,
+    caption: `${title}: ${number(rows.length, "views")} by ${
+      number(names.length, cells[0].peer ? "peers" : "algorithms")}`,
     columns: [
       { name: "place", label: "scene and view", value: where, show: (r) => [
         `${r.scene} ${views(r)}`, h("small", {}, ` ${size(r)}`)] },

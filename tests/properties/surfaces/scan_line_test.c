@@ -96,7 +96,8 @@ static uint64_t count_runs(const struct hsr_view *view) {
 /* Whether no end is hidden in the views of a scene. */
 static bool shows_all(const char *scene) {
   return !strcmp(scene, "sphere") || !strcmp(scene, "t-junction") ||
-         !strcmp(scene, "sub-pixel-gap") || !strcmp(scene, "color-sides");
+         !strcmp(scene, "sub-pixel-gap") || !strcmp(scene, "color-sides") ||
+         !strcmp(scene, "checker-plane");
 }
 
 struct searches {
@@ -128,9 +129,10 @@ static void try_spans(struct tap *tap, const struct hsr_builtin *builtin,
 }
 
 /* Not big-harbor, which is the harbor and takes long; nor the towers, which are
- * too large to be laid out. */
+ * too large to be laid out; nor what a package brings, which may not be there.
+ */
 static bool is_tried(const struct hsr_builtin *builtin) {
-  return strcmp(builtin->name, "big-harbor") != 0 &&
+  return !builtin->package && strcmp(builtin->name, "big-harbor") != 0 &&
          strncmp(builtin->name, "tower", 5) != 0;
 }
 

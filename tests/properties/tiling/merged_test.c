@@ -281,8 +281,7 @@ static struct hsr_scene *open_traffic(int per_cent, int frame) {
 }
 
 /* Draws this frame by the oracle. */
-static void draw_oracle(const struct hsr_scene *scene,
-                        const struct hsr_view *view) {
+static void draw_oracle(struct hsr_scene *scene, const struct hsr_view *view) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_world world;
   must(hsr_world_init(&world, scene, &err), &err);

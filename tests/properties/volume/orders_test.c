@@ -94,8 +94,8 @@ static void check_once(struct tap *tap, enum hsr_grid_order order) {
      hsr_grid_order_name[order]);
 }
 
-/* By ippbtf the cells of an axis come by their distance from the eye's, whichever
- * side they are on. */
+/* By ippbtf the cells of an axis come by their distance from the eye's,
+ * whichever side they are on. */
 static void check_interleaved(struct tap *tap) {
   static int when[MOST_CELLS];
   bool by_distance = true;
@@ -144,8 +144,8 @@ static void offset(const struct points *p, int cell, int v[3]) {
     v[a] = (int)p->at[a][at[a]] - p->eye[a];
 }
 
-/* Whether the first is on the way from the eye to the second. A sample at the eye
- * is on no way. */
+/* Whether the first is on the way from the eye to the second. A sample at the
+ * eye is on no way. */
 static bool hides(const int a[3], const int b[3]) {
   int dot = 0, size = 0;
   for (int k = 0; k < 3; k++) {
@@ -347,7 +347,8 @@ static void check_parallel(struct tap *tap, enum hsr_grid_order order) {
     for (int a = 0; a < 3; a++) {
       ray[a] = whole(-2, 2);
       seen.n[a] = bounds.n[a] - 1;
-      seen.q[a] = hsr_grid_split_parallel(seen.n[a], ray[a]);
+      double eye = ray[a] < 0 ? INFINITY : ray[a] > 0 ? -INFINITY : NAN;
+      seen.q[a] = hsr_grid_split(bounds.at[a], seen.n[a], eye);
       seen.toward[a] = ray[a];
     }
     visit(order, k % 6, true, &seen, when);
@@ -373,29 +374,69 @@ static void check_parallel(struct tap *tap, enum hsr_grid_order order) {
 
 /* --- Classes of views ----------------------------------------------------- */
 
-static void check_classes(struct tap *tap) {
+/* Notes the sets that are visited: bit k for the octant on the high side of
+ * axis a where bit a of k is set. */
+struct sets {
+  const struct hsr_grid_seen *seen;
+  unsigned met;
+};
+
+static void note_set(void *data, const struct hsr_grid_run *run) {
+  struct sets *sets = data;
+  for (uint32_t i = 0; i < run->n; i++) {
+    unsigned octant = 0;
+    for (int a = 0; a < 3; a++) {
+      int at = (int)run->at[a] + (a == run->axis ? (int)i * run->step : 0);
+      octant |= (unsigned)(at > sets->seen->q[a]) << a;
+    }
+    sets->met |= 1u << octant;
+  }
+}
+
+/* Tables 2.1 to 2.3 of Swan: the classes of a grid of so many dimensions, and
+ * how many sets are visited in each. classes[w] is the number of those whose
+ * eye is within w axes; false if one of them has other than 2^w sets. */
+static bool count_classes(int dimensions, int classes[4]) {
   static const double at[4] = {0, 1, 2, 3};
   static const double eyes[3] = {-1, 1.5, 4};
-  int classes[4] = {0}; /* by how many axes the eye is within */
-  bool sets = true;
-  for (int k = 0; k < 27; k++) {
-    int within = 0, sides = 1;
-    for (int a = 0, part = k; a < 3; a++, part /= 3) {
-      int32_t q = hsr_grid_split(at, 4, eyes[part % 3]);
-      int low = q >= 0, high = q < 3;
-      sides *= low + high;
-      within += low && high;
-      sets &= (low && high) == (part % 3 == 1);
+  bool right = true;
+  int all = dimensions == 1 ? 3 : dimensions == 2 ? 9 : 27;
+  for (int k = 0; k < all; k++) {
+    struct hsr_grid_seen seen = {.n = {1, 1, 1}, .q = {0, 0, 0}};
+    int within = 0;
+    for (int a = 0, part = k; a < dimensions; a++, part /= 3) {
+      seen.n[a] = 4;
+      seen.q[a] = hsr_grid_split(at, 4, eyes[part % 3]);
+      within += part % 3 == 1;
     }
-    sets &= sides == 1 << within;
+    struct sets sets = {&seen, 0};
+    right &= !hsr_grid_visit(HSR_PBTF, 0, false, &seen, note_set, &sets, NULL);
+    right &= __builtin_popcount(sets.met) == 1 << within;
     classes[within]++;
   }
+  return right;
+}
+
+static void check_classes(struct tap *tap) {
+  static const double at[4] = {0, 1, 2, 3};
+  int classes[4][4] = {{0}};
+  bool line = count_classes(1, classes[1]),
+       plane = count_classes(2, classes[2]),
+       volume = count_classes(3, classes[3]);
+  ok(tap, line && classes[1][1] == 1 && classes[1][0] == 2,
+     "3 classes of views of a line: %d line-on of 2 sets, %d end-on of 1",
+     classes[1][1], classes[1][0]);
   ok(tap,
-     sets && classes[3] == 1 && classes[2] == 6 && classes[1] == 12 &&
-         classes[0] == 8,
-     "27 classes of views: %d volume-on of 8 sets, %d face-on of 4, %d edge-on "
-     "of 2, %d corner-on of 1",
-     classes[3], classes[2], classes[1], classes[0]);
+     plane && classes[2][2] == 1 && classes[2][1] == 4 && classes[2][0] == 4,
+     "9 of a plane: %d plane-on of 4 sets, %d edge-on of 2, %d corner-on of 1",
+     classes[2][2], classes[2][1], classes[2][0]);
+  ok(tap,
+     volume && classes[3][3] == 1 && classes[3][2] == 6 &&
+         classes[3][1] == 12 && classes[3][0] == 8,
+     "27 of a volume: %d volume-on of 8 sets, %d face-on of 4, %d edge-on of "
+     "2, "
+     "%d corner-on of 1",
+     classes[3][3], classes[3][2], classes[3][1], classes[3][0]);
   ok(tap,
      hsr_grid_split(at, 4, 0) == 0 && hsr_grid_split(at, 4, -0.1) == -1 &&
          hsr_grid_split(at, 4, 3) == 3 && hsr_grid_split(at, 4, 2.9) == 2,
@@ -561,7 +602,7 @@ int main(void) {
       {"H", {20.3, 30.2, 40.1}, {.1, .2, 1}, 45, 90000, {0, 0, 0, 0}}};
   enum { CAMERAS = sizeof cameras / sizeof *cameras };
   struct tap tap =
-      plan(2 * HSR_GRID_ORDERS + 1 + 7 + 7 + HSR_GRID_ORDERS + 2 + 2 * CAMERAS);
+      plan(2 * HSR_GRID_ORDERS + 1 + 7 + 7 + HSR_GRID_ORDERS + 4 + 2 * CAMERAS);
   for (enum hsr_grid_order order = 0; order < HSR_GRID_ORDERS; order++)
     check_once(&tap, order);
   check_interleaved(&tap);

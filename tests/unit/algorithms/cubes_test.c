@@ -329,7 +329,7 @@ static bool is_in_image(const struct frame *f,
   for (int side = 0; side < 6; side++)
     if (image->front >> side & 1) {
       struct hsr_side_depth d =
-          hsr_cube_side_depth(&f->frame.placing, &cube, image, side);
+          hsr_cube_side_depth(&f->frame, &f->frame.placing, &cube, image, side);
       good &= q <= d.c + d.a * x + d.b * y;
     }
   return good;

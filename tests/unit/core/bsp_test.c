@@ -471,6 +471,7 @@ static void choose_eye(struct fixture *x, bool exact, uint64_t *seed) {
         &x->bsp.median[draw_integer(seed, 0, x->bsp.n_medians - 1)];
     x->view.E[median->axis] = median->at + x->shift[median->axis];
   }
+  memcpy(x->view.eye, x->view.E, sizeof x->view.eye);
 }
 
 /* Whether the walk follows the exact order. */
@@ -480,7 +481,7 @@ static bool check_walk(struct fixture *x, bool backwards, struct told *told,
       HSR_NEW(&x->arena, struct hsr_bsp_waiting,
               hsr_bsp_most_waiting(x->bsp.most_depth));
   struct hsr_bsp_walk walk = {.bsp = &x->bsp,
-                              .eye = x->view.E,
+                              .view = &x->view,
                               .shift = x->shift,
                               .backwards = backwards,
                               .tally = &x->tally,

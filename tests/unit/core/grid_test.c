@@ -2,8 +2,8 @@
 /* Grids: which samples are kept, which sides their cells have, and the numbers
  * of faces, against searches through the whole volume.
  *
- * usage: grid_test [SIDE]    also makes a grid of SIDE^3 samples, for its memory
- */
+ * usage: grid_test [SIDE]    also makes a grid of SIDE^3 samples, for its
+ * memory */
 #include "common/grids/grid.h"
 #include "tests/tap.h"
 
@@ -262,7 +262,7 @@ static int make_large(uint32_t n) {
   for (uint32_t k = 0; at && k < n; k++)
     at[k] = k;
   struct hsr_grid_samples samples = {
-      {n, n, n}, {at, at, at}, shell_slice, &shell};
+      {n, n, n}, {at, at, at}, shell_slice, NULL, &shell};
   struct hsr_grid_keep keep = {.least = 0.2, .most = 0.2 + 12.0 / n};
   if (hsr_grid_init(&grid, &samples, &keep, &err)) {
     puts(err.text);

@@ -375,6 +375,29 @@ static void test_fan(struct tap *tap, uint64_t *seed) {
   hsr_arena_free(&arena);
 }
 
+/* A bundle of slivers, from side to side of the cube, close to a line on which
+ * no median plane lies: dividing doubles them, and parts none of them. */
+static void test_bundle(struct tap *tap) {
+  enum { SLIVERS = 4, MOST_COPIES = 64 };
+  static const struct hsr_octree_rule rule = {0.1, 2, 1};
+  struct hsr_primitives bundle = triangles;
+  struct hsr_arena arena = HSR_ARENA_EMPTY;
+  bundle.n = SLIVERS;
+  for (int k = 0; k < SLIVERS; k++)
+    for (int c = 0; c < 3; c++) {
+      corner[k][c][0] = c == 2 ? SIDE : 0;
+      corner[k][c][1] = SIDE / 3.0 + ldexp(c == 1, -30);
+      corner[k][c][2] = SIDE / 3.0 + ldexp(k, -30);
+    }
+  struct hsr_octree octree = build(&rule, &bundle, &arena);
+  ok(tap,
+     octree.n_items > SLIVERS * MOST_COPIES / 4 &&
+         octree.n_items <= SLIVERS * MOST_COPIES,
+     "a bundle of slivers ends, with %.2f cubes a sliver",
+     (double)octree.n_items / SLIVERS);
+  hsr_arena_free(&arena);
+}
+
 /* --- From front to back --------------------------------------------------- */
 
 /* The middle of a ray's part in an octant of the cube; NaN if there is none. */
@@ -460,7 +483,7 @@ static void test_grain(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 + 2 * 4 + 2 + 1 + 1 + 3);
+  struct tap tap = plan(2 + 2 * 4 + 2 + 1 + 1 + 1 + 3);
   uint64_t seed = 6;
   test_enclosing(&tap, &seed);
   try_pushed(&tap, &seed, 16, 0.1, 20);
@@ -470,6 +493,7 @@ int main(void) {
   try_points(&tap, SIDE / 2, "on the median planes");
   try_points(&tap, SIDE / 3.0, "elsewhere");
   test_fan(&tap, &seed);
+  test_bundle(&tap);
   test_order(&tap, &seed);
   test_grain(&tap);
   return finish(&tap);

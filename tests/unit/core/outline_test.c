@@ -154,7 +154,7 @@ struct found {
 
 /* Adds the findings on the scene's views. False if its faces cannot be laid
  * out, since an instance takes the area of one to zero. */
-static bool compare(const struct hsr_scene *scene, struct found *found) {
+static bool compare(struct hsr_scene *scene, struct found *found) {
   const struct hsr_listed *oracle = hsr_algorithm_find("oracle");
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_world laid_out, outline;
@@ -189,6 +189,8 @@ static void test_builtins(struct tap *tap) {
     struct hsr_scene *scene;
     struct hsr_world outline;
     struct found found = {.samples = 0};
+    if (b->package)
+      continue;
     if (hsr_scene_open(b->name, NULL, &scene, &err) ||
         hsr_world_outline(&outline, scene, &err))
       fail(b->name, &err);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The claims about triage coverage masks (common/grids/triage.h): for every
+/* The claims about triage coverage masks (common/voxels/triage.h): for every
  * line, covered cells are wholly inside the line, and vacant cells wholly
  * outside. All by integers, against the sign of the line's equation at every
  * corner of a cell. */
-#include "common/grids/triage.h"
+#include "common/voxels/triage.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 

@@ -3,7 +3,7 @@
 // A mesh that VTK's own writer wrote, in any encoding, is read as that mesh.
 // Hostile files are in tests/bad.
 #include "common/files/mesh/exchange.h"
-#include "common/grids/voxels.h"
+#include "common/voxels/voxels.h"
 #include "tests/tap.h"
 
 #include <vtkCellArray.h>

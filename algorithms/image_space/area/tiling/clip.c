@@ -4,9 +4,11 @@
  *
  * A ray D from the eye E meets the face where t = 1/q. There x - at has the
  * sign of q (E - at) + D. On the screen q and D are affine, and so is this sum.
- * E - at is rounded once; q is within `outside` times the plane's error
- * wherever a line is asked about (common/exact/screen.h); the coefficients of D
- * are within 2 u of themselves. So the sum is off by at most |E - at| times the
+ * In parallel it meets the face at t = -q, and x - at is (E - at) + (P - E) - q
+ * F there, which is affine as well. E - at is rounded once; q is within
+ * `outside` times the plane's error wherever a line is asked about
+ * (common/exact/screen.h); the coefficients of D are within 2 u of themselves,
+ * those of P - E too. So the sum is off by at most |E - at|, or |F|, times the
  * error of q, and 8 u of the sizes of all terms. */
 #include "algorithms/image_space/area/tiling/clip.h"
 
@@ -47,15 +49,17 @@ static struct hsr_mask_line line_of(const struct hsr_clip *clip, int axis,
   const struct hsr_pieces_view *p = clip->pieces;
   const double(*ray)[3] = p->view->ray;
   const struct hsr_depth_plane *q = &clip->screen->plane[p->piece->face];
-  double e = p->view->E[axis] - at, side = is_above ? 1 : -1;
+  double away = p->view->E[axis] - at, side = is_above ? 1 : -1;
+  double e = p->view->parallel ? -p->view->F[axis] : away;
+  double rest = p->view->parallel ? away : 0;
   double size_a = fabs(q->a * e) + fabs(ray[1][axis]);
   double size_b = fabs(q->b * e) + fabs(ray[2][axis]);
-  double size_c = fabs(q->c * e) + fabs(ray[0][axis]);
+  double size_c = fabs(q->c * e) + fabs(ray[0][axis]) + fabs(rest);
   double off = e != 0 ? fabs(e) * clip->screen->outside * q->error : 0;
   struct hsr_mask_line line;
   line.a = side * (q->a * e + ray[1][axis]);
   line.b = side * (q->b * e + ray[2][axis]);
-  line.c = side * (q->c * e + ray[0][axis]);
+  line.c = side * (q->c * e + ray[0][axis] + rest);
   line.span = fabs(line.a) + fabs(line.b);
   line.error =
       2 * (off + 8 * U * (p->reach * (size_a + size_b) + size_c)) + 0x1p-900;

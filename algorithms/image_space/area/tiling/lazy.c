@@ -222,17 +222,20 @@ static struct hsr_box corners_of(const struct hsr_octree_box *box) {
   return corners;
 }
 
-/* A bound of 1/t over a box. W is a sum of three products, and within 8 u of
+/* A bound of q over a box. t is a sum of three products, and within 8 u of
  * their sizes, as in polygon.c. */
 static double nearest_of(const struct frame *f, const struct hsr_box *box) {
-  const double *row = f->tiling.view.screen[2], *eye = f->tiling.view.E;
-  double w = -0x1p-900;
+  const struct hsr_view *view = &f->tiling.view;
+  const double *row = view->depth, *E = view->E;
+  double t = -0x1p-900;
   for (int k = 0; k < 3; k++) {
-    double lo = row[k] * (box->lo[k] - eye[k]);
-    double hi = row[k] * (box->hi[k] - eye[k]);
-    w += fmin(lo, hi) - 0x1p-48 * fmax(fabs(lo), fabs(hi));
+    double lo = row[k] * (box->lo[k] - E[k]);
+    double hi = row[k] * (box->hi[k] - E[k]);
+    t += fmin(lo, hi) - 0x1p-48 * fmax(fabs(lo), fabs(hi));
   }
-  return w > 0 ? (1 + 0x1p-50) / w : INFINITY;
+  if (view->parallel)
+    return -t;
+  return t > 0 ? (1 + 0x1p-50) / t : INFINITY;
 }
 
 /* hsr_tiling_whom has named the cube. */
@@ -268,7 +271,7 @@ static void tile_cube(struct frame *f, uint32_t number) {
     f->met[face] = true;
   }
   for (int k = 0; k < 3; k++)
-    nearest |= (unsigned)(f->tiling.view.E[k] > node->centre[k]) << k;
+    nearest |= (unsigned)(f->tiling.view.eye[k] > node->centre[k]) << k;
   for (int k = 0; k < 8; k++) {
     uint32_t child = node->child[nearest ^ hsr_octant_order[k]];
     if (child != HSR_NO_NODE)
@@ -362,7 +365,7 @@ static void tile_tree(struct frame *f) {
   const struct hsr_bsp *bsp = &f->prepared->tree;
   struct hsr_bsp_walk walk = {
       .bsp = bsp,
-      .eye = f->tiling.view.E,
+      .view = &f->tiling.view,
       .shift = still,
       .backwards = f->job->option[ORDER] == ORDER_BACK,
       .tally = f->job->tally,

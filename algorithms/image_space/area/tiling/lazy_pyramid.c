@@ -5,7 +5,7 @@
  * (common/exact/screen.h). Middle and half differ from that sum by roundings,
  * at most five of its terms' sizes and half's: 8 u of these are added. Of a
  * face that is safely before the eye, it is within its extremes at the
- * vertices, too; behind the eye nothing is seen, so it is not negative. */
+ * vertices, too; behind the eye nothing is seen, so 1/t is not negative. */
 #include "algorithms/image_space/area/tiling/lazy_pyramid.h"
 #include "common/base/bits.h"
 
@@ -16,7 +16,12 @@ static const double U = DBL_EPSILON / 2;
 
 /* --- Depth ---------------------------------------------------------------- */
 
-static const struct hsr_lazy_depth NOTHING = {INFINITY, 0};
+static const struct hsr_lazy_depth NOTHING = {INFINITY, -INFINITY};
+
+/* The q of what is infinitely far. */
+static double farthest(const struct hsr_view *view) {
+  return view->parallel ? -INFINITY : 0;
+}
 
 static void include(struct hsr_lazy_depth *depth, struct hsr_lazy_depth more) {
   depth->far = fmin(depth->far, more.far);
@@ -36,10 +41,10 @@ static struct hsr_lazy_depth depth_at_vertices(const struct hsr_screen *s,
   for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
     double q = hsr_vertex_depth(s, f, world->mesh.vertex[k]);
     if (!(q - error < INFINITY)) /* not safely before the eye */
-      return (struct hsr_lazy_depth){0, INFINITY};
+      return (struct hsr_lazy_depth){farthest(s->view), INFINITY};
     include(&depth, (struct hsr_lazy_depth){q - error, q + error});
   }
-  depth.far = fmax(depth.far, 0);
+  depth.far = fmax(depth.far, farthest(s->view));
   return depth;
 }
 
@@ -440,7 +445,7 @@ bool hsr_lazy_tile(struct hsr_lazy_pyramid *p, uint32_t face,
 static uint64_t look(void *context, const struct hsr_mask_cell *cell,
                      struct hsr_triage polygon) {
   struct hsr_lazy_pyramid *p = context;
-  struct hsr_lazy_depth box = {0, p->nearest};
+  struct hsr_lazy_depth box = {farthest(p->screen.view), p->nearest};
   uint64_t entered = 0;
   if (p->shows)
     return 0;

@@ -4,7 +4,8 @@
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 6.1.
- * Notation    znear, zfar -> near, far, as q = 1/t, greater being nearer;
+ * Notation    znear, zfar -> near, far, as q (common/exact/screen.h), greater
+ *             being nearer;
  *             fragment -> struct hsr_lazy_fragment; the pixel of the paper -> a
  *             cell of the finest level, of 8 x 8 samples
  * Invariants  the q of what is seen so far at any sample of a cell lies within
@@ -36,7 +37,7 @@ extern "C" {
 #define hsr_lazy_shows HSR_OF_BUILD(hsr_lazy_shows)
 #define hsr_lazy_resolve HSR_OF_BUILD(hsr_lazy_resolve)
 
-/* Bounds of q = 1/t. If there is nothing, far > near. */
+/* Bounds of q. If there is nothing, far > near. */
 struct hsr_lazy_depth {
   double far, near;
 };

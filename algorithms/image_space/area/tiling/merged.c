@@ -346,7 +346,7 @@ static void tile_tree(struct frame *f, struct body *body, uint32_t cube,
                       const struct hsr_region *region) {
   static const double still[3] = {0, 0, 0};
   struct hsr_bsp_walk walk = {.bsp = body->tree,
-                              .eye = f->tiling.view.E,
+                              .view = &f->tiling.view,
                               .shift = still,
                               .tally = f->job->tally,
                               .waiting = f->waiting,
@@ -531,7 +531,7 @@ static void tile_region(struct frame *f, const struct hsr_region *region,
 /* The region's parts on both sides of a plane; that of the eye first. */
 static void tile_sides(struct frame *f, const struct hsr_region *region,
                        const struct node *node, size_t n, int axis, double at) {
-  bool eye_above = f->tiling.view.E[axis] > at;
+  bool eye_above = f->tiling.view.eye[axis] > at;
   for (int side = 0; side < 2; side++) {
     struct hsr_region part = *region;
     if (eye_above == (side == 0))
@@ -577,7 +577,7 @@ static void open_cube(struct frame *f, const struct hsr_region *region,
   const struct hsr_bsp_cube *cube = &body->tree->cube[node[n - 1].cube];
   unsigned nearest = 0;
   for (int k = 0; k < 3; k++)
-    nearest |= (unsigned)(f->tiling.view.E[k] > cube->centre[k]) << k;
+    nearest |= (unsigned)(f->tiling.view.eye[k] > cube->centre[k]) << k;
   for (int o = 0; o < 8; o++) {
     unsigned octant = nearest ^ hsr_octant_order[o];
     uint32_t child = cube->child[octant];

@@ -164,7 +164,7 @@ static void tile_tree(struct frame *f, const struct hsr_bsp *bsp,
                       const double shift[3], uint32_t first_id,
                       uint32_t instance) {
   struct hsr_bsp_walk walk = {.bsp = bsp,
-                              .eye = f->tiling.view.E,
+                              .view = &f->tiling.view,
                               .shift = shift,
                               .tally = f->job->tally,
                               .waiting = f->waiting,
@@ -185,7 +185,7 @@ static void tile_instances(struct frame *f, uint32_t number) {
   if (node->axis >= 0) {
     if (!is_visible(f, &node->box, still, HSR_CELL(number, HSR_NO_ID, 0)))
       return;
-    bool above = f->tiling.view.E[node->axis] > node->at;
+    bool above = f->tiling.view.eye[node->axis] > node->at;
     tile_instances(f, above ? node->above : node->below);
     tile_instances(f, above ? node->below : node->above);
     return;

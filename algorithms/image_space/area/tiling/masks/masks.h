@@ -27,7 +27,7 @@
 
 #include "algorithms/algorithm.h"
 #include "common/exact/screen.h"
-#include "common/grids/triage.h"
+#include "common/voxels/triage.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -13,21 +13,26 @@
  * e_c, and its rounding 5 u (r |a| + r |b| + |c|). Twice all this holds the
  * terms of second order, and what masks.c adds and subtracts.
  *
- * Range. 2^-960 more covers what underflows in a point: an entry of a row may be
- * off by 2^-1074 if it is that small, and |V - E| is at most 2^102. 2^-1000 more
- * covers it in a line: there only products underflow. Nothing overflows in a
- * leaf whose error is at most 2^400, for then X, Y and W are below 2^460. Only
- * views of less than 1e-80 degrees have any other. Of such a leaf nothing is
- * known: each piece has the window as its box and lines without bound, so every
- * sample is decided exactly.
+ * Range. 2^-960 more covers what underflows in a point: an entry of a row may
+ * be off by 2^-1074 if it is that small, and |V - E| is at most 2^102. 2^-1000
+ * more covers it in a line: there only products underflow. Nothing overflows in
+ * a leaf whose error is at most 2^400, for then X, Y and W are below 2^460.
+ * Only views of less than 1e-80 degrees have any other. Of such a leaf nothing
+ * is known: each piece has the window as its box and lines without bound, so
+ * every sample is decided exactly.
+ *
+ * Parallel. W is 1, and X and Y have an origin added, whose rounding is in
+ * their errors. What is asked about near is asked of t, which has an error of
+ * its own of the same form.
  *
  * Not flat. A ray meets the plane of such a face elsewhere than the hull of its
  * corners. Which samples the corners surround is told by their places on the
- * screen if all of them are before the eye. Else it is told by their homogeneous
- * coordinates, but only if the eye is farther from the plane than the corners
- * are (common/exact/screen.c, Facing): otherwise the plane may be met before the
- * eye although the corners are behind it. Their depths tell nothing about near,
- * unless the points of the tree have the face's `reach` as their error. */
+ * screen if all of them are before the eye. Else it is told by their
+ * homogeneous coordinates, but only if the eye is farther from the plane than
+ * the corners are (common/exact/screen.c, Facing): otherwise the plane may be
+ * met before the eye although the corners are behind it. Their depths tell
+ * nothing about near, unless the points of the tree have the face's `reach` as
+ * their error. */
 #include "algorithms/image_space/area/tiling/masks/polygon.h"
 #include "common/base/vector.h"
 #include "common/exact/order.h"
@@ -97,13 +102,14 @@ hsr_pieces_begin(struct hsr_pieces_view *p, struct hsr_pieces_room room,
   p->x = HSR_NEW(arena, double, room.points);
   p->y = HSR_NEW(arena, double, room.points);
   p->w = HSR_NEW(arena, double, room.points);
+  p->t = view->parallel ? HSR_NEW(arena, double, room.points) : p->w;
   p->sx = HSR_NEW(arena, double, room.points);
   p->sy = HSR_NEW(arena, double, room.points);
   p->line = HSR_NEW(arena, struct hsr_mask_line, room.corners + SILHOUETTE);
   p->corner[0] = HSR_NEW(arena, double, 3 * (size_t)room.face);
   p->corner[1] = HSR_NEW(arena, double, 3 * (size_t)room.face);
   p->number = HSR_NEW(arena, uint32_t, room.face);
-  if (!p->x || !p->y || !p->w || !p->sx || !p->sy || !p->line ||
+  if (!p->x || !p->y || !p->w || !p->t || !p->sx || !p->sy || !p->line ||
       !p->corner[0] || !p->corner[1] || !p->number)
     return HSR_E_NOMEM;
   for (uint32_t k = 0; k < room.face; k++)
@@ -124,23 +130,44 @@ void hsr_pieces_tree(struct hsr_pieces_view *p, const struct hsr_bsp *bsp,
 
 /* --- The transform -------------------------------------------------------- */
 
+/* The error of row . (V - E) for points within a box that is moved. */
+static double error_of(const struct hsr_pieces_view *p, const double row[3],
+                       const struct hsr_box *box, const double shift[3]) {
+  double sum = 0;
+  for (int k = 0; k < 3; k++)
+    sum += fabs(row[k]) * larger(fabs(box->lo[k] + shift[k] - p->view->E[k]),
+                                 fabs(box->hi[k] + shift[k] - p->view->E[k]));
+  return 8 * U * sum + 0x1p-960;
+}
+
 /* Errors of points within a box that is moved. */
 static void find_errors(const struct hsr_pieces_view *p,
                         const struct hsr_box *box, const double shift[3],
                         double error[3]) {
-  for (int c = 0; c < 3; c++) {
-    double sum = 0;
-    for (int k = 0; k < 3; k++)
-      sum += fabs(p->view->screen[c][k]) *
-             larger(fabs(box->lo[k] + shift[k] - p->view->E[k]),
-                    fabs(box->hi[k] + shift[k] - p->view->E[k]));
-    error[c] = 8 * U * sum + 0x1p-960;
-  }
+  for (int c = 0; c < 3; c++)
+    error[c] = error_of(p, p->view->screen[c], box, shift) +
+               4 * U * p->view->origin[c];
 }
 
 /* Whether a product of points of such errors may overflow: see Range. */
 static bool is_wild(const double error[3]) {
   return !(error[0] <= 0x1p400 && error[1] <= 0x1p400 && error[2] <= 0x1p400);
+}
+
+static double sum_of_sizes(const double v[3]) {
+  return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
+}
+
+/* In parallel: no point of the leaf has a smaller t. */
+static double nearest_depth(const struct hsr_pieces_view *p,
+                            const struct hsr_bsp_cube *leaf) {
+  const double *own = p->bsp->error + leaf->first_point;
+  double nearest = INFINITY, spread = sum_of_sizes(p->view->depth);
+  for (uint32_t k = 0; k < leaf->n_points; k++) {
+    double off = own[k] > 0 ? spread * (own[k] + p->rounding) : 0;
+    nearest = smaller(nearest, p->t[k] - 2 * (p->t_error + off));
+  }
+  return nearest;
 }
 
 /* Finds where the leaf's points are on the screen; the bounds are those of
@@ -171,6 +198,8 @@ static void find_places(struct hsr_pieces_view *p,
   }
   p->margin = margin;
   p->ahead = !p->is_wild && nearest > 0 && margin < INFINITY;
+  if (p->view->parallel)
+    nearest = nearest_depth(p, leaf);
   p->past_near = nearest > p->view->near;
 }
 
@@ -184,14 +213,28 @@ transform(size_t n, const double *restrict x, const double *restrict y,
   double r00 = r[0][0], r01 = r[0][1], r02 = r[0][2];
   double r10 = r[1][0], r11 = r[1][1], r12 = r[1][2];
   double r20 = r[2][0], r21 = r[2][1], r22 = r[2][2];
+  double o0 = view->origin[0], o1 = view->origin[1], o2 = view->origin[2];
   double ex = view->E[0], ey = view->E[1], ez = view->E[2];
   double mx = shift[0], my = shift[1], mz = shift[2];
   for (size_t k = 0; k < n; k++) {
     double dx = x[k] + mx - ex, dy = y[k] + my - ey, dz = z[k] + mz - ez;
-    to_x[k] = r00 * dx + r01 * dy + r02 * dz;
-    to_y[k] = r10 * dx + r11 * dy + r12 * dz;
-    to_w[k] = r20 * dx + r21 * dy + r22 * dz;
+    to_x[k] = r00 * dx + r01 * dy + r02 * dz + o0;
+    to_y[k] = r10 * dx + r11 * dy + r12 * dz + o1;
+    to_w[k] = r20 * dx + r21 * dy + r22 * dz + o2;
   }
+}
+
+/* In parallel: t of n points that are moved. */
+HSR_VECTOR static void
+find_depths(size_t n, const double *restrict x, const double *restrict y,
+            const double *restrict z, const double shift[3],
+            const struct hsr_view *view, double *restrict t) {
+  double d0 = view->depth[0], d1 = view->depth[1], d2 = view->depth[2];
+  double ex = view->E[0], ey = view->E[1], ez = view->E[2];
+  double mx = shift[0], my = shift[1], mz = shift[2];
+  for (size_t k = 0; k < n; k++)
+    t[k] =
+        d0 * (x[k] + mx - ex) + d1 * (y[k] + my - ey) + d2 * (z[k] + mz - ez);
 }
 
 void hsr_pieces_leaf(struct hsr_pieces_view *p,
@@ -209,6 +252,12 @@ void hsr_pieces_leaf(struct hsr_pieces_view *p,
                                       fabs(leaf->tight.hi[k] + p->shift[k])));
   transform(leaf->n_points, p->bsp->x + first, p->bsp->y + first,
             p->bsp->z + first, p->shift, p->view, p->x, p->y, p->w);
+  p->t_error = p->error[2];
+  if (p->view->parallel) {
+    p->t_error = error_of(p, p->view->depth, &leaf->tight, p->shift);
+    find_depths(leaf->n_points, p->bsp->x + first, p->bsp->y + first,
+                p->bsp->z + first, p->shift, p->view, p->t);
+  }
   find_places(p, leaf);
 }
 
@@ -217,6 +266,7 @@ void hsr_pieces_leaf(struct hsr_pieces_view *p,
 struct point {
   double x, y, w;
   double ex, ey, ew; /* what it may be off by */
+  double t, et;      /* its depth, and what that may be off by */
 };
 
 /* The line from a to b, inside being where `side` times the determinant is
@@ -251,13 +301,14 @@ static struct point corner_point(const struct hsr_pieces_view *p,
   uint32_t k = corner->point - p->first_point;
   double own = p->bsp->error[corner->point];
   const double(*r)[3] = p->view->screen;
-  struct point point = {p->x[k],     p->y[k],     p->w[k],
-                        p->error[0], p->error[1], p->error[2]};
+  struct point point = {p->x[k],     p->y[k],     p->w[k], p->error[0],
+                        p->error[1], p->error[2], p->t[k], p->t_error};
   if (own > 0) {
     own += p->rounding;
-    point.ex += own * (fabs(r[0][0]) + fabs(r[0][1]) + fabs(r[0][2]));
-    point.ey += own * (fabs(r[1][0]) + fabs(r[1][1]) + fabs(r[1][2]));
-    point.ew += own * (fabs(r[2][0]) + fabs(r[2][1]) + fabs(r[2][2]));
+    point.ex += own * sum_of_sizes(r[0]);
+    point.ey += own * sum_of_sizes(r[1]);
+    point.ew += own * sum_of_sizes(r[2]);
+    point.et += own * sum_of_sizes(p->view->depth);
   }
   return point;
 }
@@ -446,17 +497,19 @@ static void take_box(struct hsr_pieces_view *p) {
   p->polygon = (struct hsr_mask_polygon){p->line, 4, within_box, covers, p};
 }
 
-/* The point between a and b where W is near. Its errors follow from those of a
- * and b and from that of the parameter t, which is bounded by the errors of W:
- * the W of a and b differ by more than four times these. */
+/* The point between a and b whose depth is near. Its errors follow from those
+ * of a and b and from that of the parameter s, which is bounded by the errors
+ * of the depths: those of a and b differ by more than four times these. W is
+ * that depth, or it is 1. */
 static struct point at_near(const struct point *a, const struct point *b,
-                            double near) {
-  double step = b->w - a->w, t = (near - a->w) / step;
-  double off = 2 * (larger(a->ew, b->ew) + 2 * U * (fabs(a->w) + near)) /
-                   (fabs(step) - a->ew - b->ew) +
+                            bool parallel, double near) {
+  double step = b->t - a->t, s = (near - a->t) / step;
+  double off = 2 * (larger(a->et, b->et) + 2 * U * (fabs(a->t) + near)) /
+                   (fabs(step) - a->et - b->et) +
                4 * U;
   double dx = b->x - a->x, dy = b->y - a->y;
-  struct point point = {a->x + t * dx, a->y + t * dy, near, 0, 0, 0};
+  struct point point = {
+      a->x + s * dx, a->y + s * dy, parallel ? 1 : near, 0, 0, 0, near, 0};
   point.ex = 2 * (larger(a->ex, b->ex) + off * fabs(dx)) +
              4 * U * (fabs(a->x) + fabs(b->x));
   point.ey = 2 * (larger(a->ey, b->ey) + off * fabs(dy)) +
@@ -475,11 +528,11 @@ static bool line_at_near(struct hsr_pieces_view *p,
   for (uint32_t k = 0; k < n; k++) {
     struct point a = corner_point(p, &corner[k]);
     struct point b = corner_point(p, &corner[k + 1 < n ? k + 1 : 0]);
-    if (!(fabs(a.w - near) > 4 * a.ew && fabs(b.w - near) > 4 * b.ew))
+    if (!(fabs(a.t - near) > 4 * a.et && fabs(b.t - near) > 4 * b.et))
       return false;
-    if ((a.w > near) == (b.w > near))
+    if ((a.t > near) == (b.t > near))
       continue;
-    *(a.w > near ? &from : &to) = at_near(&a, &b, near);
+    *(a.t > near ? &from : &to) = at_near(&a, &b, p->view->parallel, near);
     found++;
   }
   if (found == 2)
@@ -521,19 +574,24 @@ static bool is_grazed(const struct hsr_pieces_view *p) {
   return hsr_grazes(&screen, p->piece->face, INFINITY);
 }
 
+/* Whether what is before the eye may be cut at near. */
+static bool may_be_near(const struct hsr_view *view) {
+  return view->near > 0 || view->parallel;
+}
+
 /* The same, of a leaf that is not wholly before the eye and past near. */
 static bool find_box_around(struct hsr_pieces_view *p) {
   const struct hsr_bsp_corner *corner = p->bsp->corner + p->piece->first_corner;
   struct hull hull = no_hull();
   bool is_flat = p->bsp->world->mesh.deviation[p->piece->face] == 0;
   bool has_reach = p->bsp->error[corner->point] > 0;
-  bool before_near = p->view->near > 0 && (is_flat || has_reach);
+  bool before_near = may_be_near(p->view) && (is_flat || has_reach);
   if (p->is_wild)
     return take_window(p);
   for (uint32_t k = 0; k < p->piece->n_corners; k++) {
     struct point point = corner_point(p, &corner[k]);
     add_point(&hull, &point, &p->view->window);
-    before_near &= point.w + point.ew < p->view->near;
+    before_near &= point.t + point.et < p->view->near;
   }
   if (!is_flat && !hull.ahead && is_grazed(p))
     return take_window(p);
@@ -554,7 +612,7 @@ static void cut_at_near(struct hsr_pieces_view *p) {
   bool cut = false;
   for (uint32_t k = 0; k < n; k++) {
     struct point point = corner_point(p, &corner[k]);
-    cut |= !(point.w - point.ew > p->view->near);
+    cut |= !(point.t - point.et > p->view->near);
   }
   if (cut && line_at_near(p, corner, n, &p->line[n]))
     p->polygon.n++;
@@ -579,9 +637,9 @@ void hsr_pieces_outline(struct hsr_pieces_view *p) {
     from = to;
   }
   p->polygon = (struct hsr_mask_polygon){p->line, n, within_side, NULL, p};
-  if (p->view->near > 0 && p->is_wild)
+  if (may_be_near(p->view) && p->is_wild)
     p->polygon.covers = past_near;
-  else if (p->view->near > 0 && !p->past_near)
+  else if (may_be_near(p->view) && !p->past_near)
     cut_at_near(p);
 }
 
@@ -606,19 +664,22 @@ static struct hsr_box moved_box(const struct hsr_box *box,
 static void find_corners(const struct hsr_pieces_view *p,
                          const struct hsr_box *box, struct point point[8]) {
   static const double still[3] = {0, 0, 0};
-  const double(*r)[3] = p->view->screen;
+  const double(*r)[3] = p->view->screen, *o = p->view->origin;
   double error[3], lo[3], side[3];
   find_errors(p, box, still, error);
   for (int c = 0; c < 3; c++) {
     lo[c] = box->lo[c] - p->view->E[c];
     side[c] = box->hi[c] - box->lo[c];
   }
-  point[0] = (struct point){r[0][0] * lo[0] + r[0][1] * lo[1] + r[0][2] * lo[2],
-                            r[1][0] * lo[0] + r[1][1] * lo[1] + r[1][2] * lo[2],
-                            r[2][0] * lo[0] + r[2][1] * lo[1] + r[2][2] * lo[2],
-                            3 * error[0],
-                            3 * error[1],
-                            3 * error[2]};
+  point[0] =
+      (struct point){r[0][0] * lo[0] + r[0][1] * lo[1] + r[0][2] * lo[2] + o[0],
+                     r[1][0] * lo[0] + r[1][1] * lo[1] + r[1][2] * lo[2] + o[1],
+                     r[2][0] * lo[0] + r[2][1] * lo[1] + r[2][2] * lo[2] + o[2],
+                     3 * error[0],
+                     3 * error[1],
+                     3 * error[2],
+                     NAN, /* nobody asks */
+                     NAN};
   for (int c = 0; c < 3; c++)
     for (int k = 0; k < 1 << c; k++) {
       struct point *to = &point[k + (1 << c)];
@@ -675,9 +736,9 @@ const struct hsr_mask_polygon *hsr_pieces_silhouette(struct hsr_pieces_view *p,
   if (!box_of(&hull, &p->view->window, p->anywhere, &p->box))
     return NULL;
   for (int c = 2; c >= 0; c--)
-    place = 3 * place + (p->view->E[c] < moved.lo[c]   ? 0
-                         : p->view->E[c] > moved.hi[c] ? 2
-                                                       : 1);
+    place = 3 * place + (p->view->eye[c] < moved.lo[c]   ? 0
+                         : p->view->eye[c] > moved.hi[c] ? 2
+                                                         : 1);
   const struct hsr_silhouette *s = &p->silhouette[place];
   *known = hull.ahead && s->n;
   for (int k = 0; *known && k < s->n; k++)

@@ -52,7 +52,8 @@ struct hsr_pieces_view {
    * of X, Y and W; the error that a point has in the world comes on top. */
   uint32_t first_point;
   double *x, *y, *w;
-  double error[3];
+  double *t; /* their depths: w, or in parallel, where all w are 1, others */
+  double error[3], t_error;
   bool is_wild;    /* nothing is known of them: polygon.c, Range */
   bool ahead;      /* all points are surely before the eye */
   double *sx, *sy; /* then: where they are on the screen, */
@@ -67,7 +68,7 @@ struct hsr_pieces_view {
   struct hsr_mask_line *line;
   struct hsr_mask_polygon polygon;
 
-  struct hsr_silhouette silhouette[27]; /* by where the eye is */
+  struct hsr_silhouette silhouette[27]; /* by where the eye is: view->eye */
   double *corner[2];  /* moved corners of faces, by coordinates */
   uint32_t *number;   /* 0, 1, ... */
   uint32_t most_face; /* corners that there is room for */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/grids/triage.h"
+#include "common/voxels/triage.h"
 
 #include <stdlib.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cells of a grid as an object, so that every algorithm can draw them. */
-#ifndef HSR_COMMON_GRIDS_GRID_OBJECT_H
-#define HSR_COMMON_GRIDS_GRID_OBJECT_H
+#ifndef HSR_COMMON_SCENE_GRID_OBJECT_H
+#define HSR_COMMON_SCENE_GRID_OBJECT_H
 
 #include "common/grids/grid.h"
 #include "common/scene/scene.h"
@@ -10,14 +10,10 @@
 extern "C" {
 #endif
 
-/* Gives the colour of a kept cell, linear, 0..1. */
-typedef void hsr_grid_colour(void *data, const uint32_t at[3], float rgb[3]);
-
 /* Fills an empty object with the grid's faces, under their numbers. Cells share
  * the vertices of the corners that they share. The backs of faces do not exist:
  * they are inside of cells. HSR_E_NOMEM. */
 enum hsr_status hsr_grid_make_object(const struct hsr_grid *grid,
-                                     hsr_grid_colour *colour, void *data,
                                      struct hsr_object *object);
 
 #ifdef __cplusplus

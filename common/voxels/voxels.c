@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/grids/voxels.h"
+#include "common/voxels/voxels.h"
 
 #include <math.h>
 #include <stdlib.h>

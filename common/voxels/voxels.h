@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Grids of cubic voxels, and which solid of a scene each voxel is in:
  * docs/solid-voxels.md. */
-#ifndef HSR_COMMON_GRIDS_VOXELS_H
-#define HSR_COMMON_GRIDS_VOXELS_H
+#ifndef HSR_COMMON_VOXELS_VOXELS_H
+#define HSR_COMMON_VOXELS_VOXELS_H
 
 #include "common/base/status.h"
 #include "common/scene/world.h"

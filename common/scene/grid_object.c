@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "common/grids/grid_object.h"
+#include "common/scene/grid_object.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -41,8 +41,7 @@ static enum hsr_status add_side(struct layers *layers, const uint32_t cell[3],
   return status ? status : hsr_object_face(layers->object, vertex, 4, rgb);
 }
 
-static enum hsr_status add_slice(struct layers *layers, uint32_t k,
-                                 hsr_grid_colour *colour, void *data) {
+static enum hsr_status add_slice(struct layers *layers, uint32_t k) {
   const struct hsr_grid *g = layers->grid;
   enum hsr_status status = HSR_OK;
   for (uint32_t j = 0; j < g->n[1]; j++) {
@@ -50,7 +49,7 @@ static enum hsr_status add_slice(struct layers *layers, uint32_t k,
     for (uint32_t c = g->row[row]; c < g->row[row + 1] && !status; c++) {
       const uint32_t at[3] = {g->x[c], j, k};
       float rgb[3];
-      colour(data, at, rgb);
+      hsr_grid_rgb(g, c, rgb);
       for (int side = 0; side < 6 && !status; side++)
         if (g->sides[c] >> side & 1)
           status = add_side(layers, at, side, rgb);
@@ -60,7 +59,6 @@ static enum hsr_status add_slice(struct layers *layers, uint32_t k,
 }
 
 enum hsr_status hsr_grid_make_object(const struct hsr_grid *grid,
-                                     hsr_grid_colour *colour, void *data,
                                      struct hsr_object *object) {
   struct layers layers = {.grid = grid, .object = object};
   layers.size = ((size_t)grid->n[0] + 1) * ((size_t)grid->n[1] + 1);
@@ -76,7 +74,7 @@ enum hsr_status hsr_grid_make_object(const struct hsr_grid *grid,
     layers.above = layers.below;
     layers.below = kept;
     forget(layers.above, layers.size);
-    status = add_slice(&layers, k, colour, data);
+    status = add_slice(&layers, k);
   }
   object->one_sided = true;
   free(memory);

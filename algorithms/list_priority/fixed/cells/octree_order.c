@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* An octree over the grid: the children of a node in an order that the eye's
+ * place gives, as pbtf would visit 2 x 2 x 2 cells.
+ *
+ * Source      W. G. Aref and H. Samet, "Perspective Viewing of Objects
+ *             Represented by Octrees", 1991; J. E. Swan II, PhD thesis, 1998,
+ *             2.5.
+ * Departures  The tree is not stored: its nodes are halves of index ranges. A
+ *             leaf is one cell.
+ *
+ * Notation, invariant, ties, further departures and cost are those of cells.h.
+ */
+#include "algorithms/list_priority/fixed/cells/cells.h"
+
+static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
+
+static const struct hsr_line outline[] = {
+    {"at a node: take the children, the one opposite to the eye first"},
+    HSR_CELLS_LINES};
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  return hsr_cells_render(HSR_OCTREE, job, err);
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(octree_order) = {
+    HSR_OF_CELLS,
+    .name = "octree-order",
+    .title = "An octree, the far children of a node first",
+    .authors = "W. G. Aref, H. Samet",
+    .year = 1991,
+    .source = "Aref and Samet, Perspective Viewing of Objects Represented by "
+              "Octrees, Computer Graphics Forum, 1991",
+    .counters = counters,
+    .outline = outline,
+    .options = hsr_cells_front,
+    .flags = HSR_INSTANCED,
+    .render = render};

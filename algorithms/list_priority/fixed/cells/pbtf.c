@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Perspective back to front: each axis is divided at the eye, and the octants
+ * are visited one after the other, each from its far corner to the eye.
+ *
+ * Source      J. E. Swan II, "Object-Order Rendering of Discrete Objects", PhD
+ *             thesis, Ohio State University, 1998, 2.3, theorems 1 to 3 and
+ *             corollaries 1 to 6; the six nestings are its duals. The order is
+ *             older: M. Anderson 1982 for grids in the plane, N. Max 1993.
+ * Departures  Cells have extent, and the thesis' theorems are of points. The
+ *             axis is divided at the cell that holds the eye, and the sides
+ *             that hold it come last (first, from front to back).
+ *
+ * Notation, invariant, ties, further departures and cost are those of cells.h.
+ */
+#include "algorithms/list_priority/fixed/cells/cells.h"
+
+static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
+
+static const struct hsr_line outline[] = {
+    {"divide each axis at the eye; take the octants, those of the eye's cell "
+     "last"},
+    HSR_CELLS_LINES};
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  return hsr_cells_render(HSR_PBTF, job, err);
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(pbtf) = {
+    HSR_OF_CELLS,
+    .name = "pbtf",
+    .title = "Perspective back to front, octant by octant",
+    .authors = "J. E. Swan II",
+    .year = 1998,
+    .source = "Swan, Object-Order Rendering of Discrete Objects, PhD thesis, "
+              "Ohio State University, 1998",
+    .counters = counters,
+    .outline = outline,
+    .options = hsr_cells_nested,
+    .flags = HSR_INSTANCED,
+    .render = render};

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The V-buffer: slices along the axis closest to the view direction; within a
+ * slice, cells by their distance from the view plane.
+ *
+ * Source      C. Upson and M. Keeler, "V-BUFFER: Visible Volume Rendering",
+ *             SIGGRAPH 1988; J. E. Swan II, PhD thesis, 1998, 2.1.
+ * Known wrong in perspective, as wbtf is, whose slices it has.
+ * Departures  The paper says little of the sweep within a slice. Here it is a
+ *             sort by distance, made once for all slices.
+ *
+ * Notation, invariant, ties, further departures and cost are those of cells.h.
+ */
+#include "algorithms/list_priority/fixed/cells/cells.h"
+
+static const struct hsr_counter counters[] = {HSR_CELLS_COUNTERS};
+
+static const struct hsr_line outline[] = {
+    {"sort the cells of a slice by their distance from the view plane"},
+    HSR_CELLS_LINES};
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  return hsr_cells_render(HSR_VBUFFER, job, err);
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(vbuffer) = {
+    HSR_OF_CELLS,
+    .name = "vbuffer",
+    .title = "The V-buffer: slices, and concentric sweeps in them",
+    .authors = "C. Upson, M. Keeler",
+    .year = 1988,
+    .source =
+        "Upson and Keeler, V-BUFFER: Visible Volume Rendering, SIGGRAPH 1988",
+    .counters = counters,
+    .outline = outline,
+    .options = hsr_cells_front,
+    .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,
+    .render = render};
