@@ -9,6 +9,8 @@
  *             whom it judges, nor with the other judge, oracle.cc.
  * Notation    as there; u = P(t) - E, so that u = w D, and a determinant that
  *             has D for a factor has the sign it has with u, w being positive.
+ *             In parallel projection u = w F + xR + yU; the ray of P(t) starts
+ *             at u - w F.
  * Method      every edge against every face. What decides whether the face
  *             hides P(t) are signs of forms n·u + d, linear in t. Where on the
  *             edge they change is computed; in each gap between the changes one
@@ -370,16 +372,19 @@ void find_implied(const hsr_world &world, shape *made) {
 /* ---- Forms ---- */
 
 /* The frame of the eye; w·u is the depth of u, wx·u and wy·u that times x and
- * y. */
+ * y; in parallel x and y themselves. */
 template <class T> struct frame {
-  vec<T> E, R, U, w, wx, wy;
+  bool parallel;
+  vec<T> E, F, R, U, w, wx, wy;
   T near;
 };
 
 template <class T> frame<T> make_frame(const hsr_view &view) {
   const vec<T> F = lift<T>(view.F), R = lift<T>(view.R), U = lift<T>(view.U);
   const T scale = T(1) / dot(F, cross(R, U));
-  return {lift<T>(view.E),
+  return {view.parallel,
+          lift<T>(view.E),
+          F,
           R,
           U,
           scale * cross(R, U),
@@ -405,7 +410,7 @@ enum what : uint32_t {
   SIDE,  /* edge(a, b), of vertices a < b */
   ROW,   /* row(a), of a vertex */
   PLANE, /* kN·u - c of face a: of the sign of c where it is hit before P */
-  NEAR,  /* w (c - near kN·D) */
+  NEAR,  /* w (c - near kN·D), or c (t - near) */
   CLIP_NEAR,
   CLIP_LEFT,
   CLIP_BOTTOM,
@@ -482,6 +487,8 @@ private:
   template <class T> vec<T> vertex_from_eye(uint32_t v) const;
   template <class T> const plane<T> &plane_of(uint32_t f);
   template <class T> form<T> make_form(const recipe &which);
+  template <class T> form<T> make_parallel_form(const recipe &which);
+  template <class T> T c_of(uint32_t f);
   int decide_c(uint32_t f);
   bool exists(uint32_t f) const;
   void extend(screen_box *all, const vec<Interval> &u) const;
@@ -530,8 +537,8 @@ private:
   std::vector<hider> hiders;  /* by `box.left` */
 
   edge e;
-  vec<Interval> across; /* u0 x u1 */
-  place *lo, *hi;       /* what is in the picture */
+  form<Interval> across; /* of the plane through the eye and the edge */
+  place *lo, *hi;        /* what is in the picture */
   screen_box image;
   std::deque<place> places;
   std::vector<event> events;
@@ -562,9 +569,51 @@ template <> const plane<Exact> &artist::plane_of(uint32_t f) {
   return *exact_planes[f];
 }
 
+/* With P0 = u - w F, where the ray starts: SIDE is det(a - P0, b - P0, F), ROW
+ * is det(F, R, v - P0), and NEAR is c t - near c = e - kN·P0 - near c, e being
+ * the c of PLANE. */
+template <class T> form<T> artist::make_parallel_form(const recipe &which) {
+  const frame<T> &i = eye<T>();
+  const T zero(0), one(1);
+  const vec<T> none = {zero, zero, zero};
+  switch (which.of) {
+  case SIDE: {
+    const vec<T> a = vertex_from_eye<T>(which.a),
+                 b = vertex_from_eye<T>(which.b);
+    return {cross(i.F, b - a), dot(cross(a, b), i.F)};
+  }
+  case ROW:
+    return {none - cross(i.F, i.R),
+            dot(cross(i.F, i.R), vertex_from_eye<T>(which.a))};
+  case PLANE:
+    return {plane_of<T>(which.a).kN, -plane_of<T>(which.a).c};
+  case NEAR: {
+    const plane<T> &p = plane_of<T>(which.a);
+    const T along = dot(p.kN, i.F);
+    return {along * i.w - p.kN, p.c - i.near * along};
+  }
+  case CLIP_NEAR:
+    return {i.w, -i.near};
+  case CLIP_LEFT:
+    return {i.wx, one};
+  case CLIP_RIGHT:
+    return {none - i.wx, one};
+  case CLIP_BOTTOM:
+    return {i.wy, one};
+  case CLIP_TOP:
+    return {none - i.wy, one};
+  case START:
+  case END:
+    break;
+  }
+  return {i.w, zero}; /* never */
+}
+
 template <class T> form<T> artist::make_form(const recipe &which) {
   const frame<T> &i = eye<T>();
   const T zero(0);
+  if (i.parallel)
+    return make_parallel_form<T>(which);
   switch (which.of) {
   case SIDE:
     return {cross(vertex_from_eye<T>(which.a), vertex_from_eye<T>(which.b)),
@@ -617,12 +666,18 @@ artist::artist(const hsr_job &a_job, const shape &a_shape)
 }
 
 int artist::decide_c(uint32_t f) {
-  const int sign = sign_of(planes[f].c);
+  const int sign = sign_of(c_of<Interval>(f));
   if (sign != UNKNOWN)
     return sign;
   HSR_STEP(job.tally, LINE_EXACT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
   const Nearest to_nearest;
-  return sign_of(plane_of<Exact>(f).c);
+  return sign_of(c_of<Exact>(f));
+}
+
+/* c of a face: N·(S - kE), or in parallel kN·F. */
+template <class T> T artist::c_of(uint32_t f) {
+  const plane<T> &p = plane_of<T>(f);
+  return eye<T>().parallel ? dot(p.kN, eye<T>().F) : p.c;
 }
 
 /* The eye is in front of a plane if c < 0. */
@@ -632,8 +687,8 @@ bool artist::exists(uint32_t f) const {
 
 /* Adds one point. What is not finite may be anything. */
 void artist::extend(screen_box *all, const vec<Interval> &u) const {
-  const Interval w = dot(about.w, u);
-  const Interval x = dot(about.wx, u) / w, y = dot(about.wy, u) / w;
+  const Interval w = dot(about.w, u), by = about.parallel ? Interval(1) : w;
+  const Interval x = dot(about.wx, u) / by, y = dot(about.wy, u) / by;
   if (!CGAL::is_finite(x) || !CGAL::is_finite(y) || !CGAL::is_finite(w)) {
     *all = whole_screen;
     return;
@@ -648,8 +703,9 @@ void artist::extend(screen_box *all, const vec<Interval> &u) const {
 
 /* If the ray's line, taken in both directions, misses the convex hull of the
  * vertices, the parity is even. So a face covers nothing outside the hull of
- * its vertices' images if they are all before the eye or all behind it; images
- * and box are closed, and hold for the displaced ray too. A flat face is hit,
+ * its vertices' images if they are all before the eye or all behind it, as in
+ * parallel they are before it; images and box are closed, and hold for the
+ * displaced ray too. A flat face is hit,
  * where it covers, in the hull: nowhere nearer than its nearest vertex, and
  * not at all if that would be at w <= near. */
 void artist::add_hider(uint32_t f) {
@@ -659,7 +715,7 @@ void artist::add_hider(uint32_t f) {
   const bool flat = known.flat[f];
   if (flat && bounds.farthest <= job.view->near)
     return;
-  if (!(bounds.nearest > 0 || bounds.farthest < 0))
+  if (!(bounds.nearest > 0 || bounds.farthest < 0 || about.parallel))
     bounds = whole_screen;
   if (!flat)
     bounds.nearest = -infinity;
@@ -804,9 +860,13 @@ int artist::sign_at(const recipe &which, point *p) {
 
 /* ---- Hiding ---- */
 
-/* row(v) = det(D, R, v). A vertex in the direction of R counts as positive. */
+/* row(v) = det(D, R, v), or det(F, R, V - P). A vertex in the direction of R
+ * counts as positive. */
 int artist::row(uint32_t number, point *p) {
-  const int sign = decide({ROW, number, 0}, dot(p->u_cross_R, v[number]), p);
+  const recipe which = {ROW, number, 0};
+  const int sign = about.parallel
+                       ? sign_at(which, p)
+                       : decide(which, dot(p->u_cross_R, v[number]), p);
   return sign ? sign : 1;
 }
 
@@ -862,7 +922,7 @@ bool artist::is_beside(uint32_t f) {
     if (!e.implied && (number == e.name.a || number == e.name.b)) {
       n_ends++;
     } else {
-      sign = sign_of(dot(across, v[number]));
+      sign = sign_of(at(across, v[number]));
       open = open || sign == UNKNOWN || sign == 0;
       sign = sign == UNKNOWN ? 0 : sign;
     }
@@ -900,7 +960,7 @@ void artist::hide(uint32_t f) {
   candidates.clear();
   if (is_beside(f) || !may_hide(f))
     return;
-  if (job.view->near > 0)
+  if (job.view->near > 0 || about.parallel)
     add_candidate({NEAR, f, 0});
   const uint32_t *corner = world.mesh.vertex + world.mesh.start[f];
   const uint32_t n = hsr_face_size(&world, f);
@@ -965,16 +1025,23 @@ bool artist::clip() {
   return compare(lo, hi) < 0;
 }
 
+/* The plane through the eye and two points. */
+template <class T>
+form<T> through(const frame<T> &eye, const vec<T> &a, const vec<T> &b) {
+  const vec<T> n = eye.parallel ? cross(eye.F, b - a) : cross(a, b);
+  return {n, eye.parallel ? -dot(n, a) : T(0)};
+}
+
 /* False if it is no edge, or nothing of it is in the picture. */
 bool artist::begin_edge() {
   places.clear();
   events.clear();
-  across = cross(e.u[0], e.u[1]);
-  int no_image = is_zero(across);
+  across = through(about, e.u[0], e.u[1]);
+  int no_image = is_zero(across.n);
   if (no_image == UNKNOWN) {
     HSR_STEP(job.tally, LINE_EXACT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
     const Nearest to_nearest;
-    no_image = is_zero(cross(exact_end(0), exact_end(1)));
+    no_image = is_zero(through(exact, exact_end(0), exact_end(1)).n);
   }
   if (no_image || !clip())
     return false;
@@ -982,7 +1049,7 @@ bool artist::begin_edge() {
   image = empty_image;
   for (const vec<Interval> &u : e.u)
     extend(&image, u);
-  if (!(image.nearest > 0)) {
+  if (!(image.nearest > 0 || about.parallel)) {
     const double farthest = image.farthest;
     image = whole_screen;
     image.farthest = farthest;

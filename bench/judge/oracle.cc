@@ -7,9 +7,12 @@
  *             R, U, near, m, n, offsets and window; neither the world's
  *             approximate planes nor the view's matrices. The judge shares no
  *             code with whom it judges: neither common/exact/screen.h nor
- *             common/exact/predicates.h, nor the exact number type of the latter.
+ *             common/exact/predicates.h, nor the exact number type of the
+ *             latter.
  * Notation    as there, but D is taken mn times as long, which keeps all in a
- *             ring; so the definition's t is mn times the depth here.
+ *             ring; so the definition's t is mn times the depth here. In
+ *             parallel projection P - E is taken mn times, and depths are those
+ *             of the definition.
  * Method      a ray for each sample; a hierarchy of boxes says which faces it
  *             may meet, and these are put to the definition. A sign is sought
  *             in CGAL's interval arithmetic; where the interval holds zero, it
@@ -92,21 +95,24 @@ template <class T> T det(const vec<T> &a, const vec<T> &b, const vec<T> &c) {
 
 /* ---- Sample ---- */
 
-/* Where a determinant is evaluated: at the ray's direction, or at a derivative
- * of it. A constant term of the determinant counts `one` times, which is 1 at
- * the direction and 0 at a derivative. */
+/* Where a determinant is evaluated: at the ray's direction, in parallel at its
+ * start, or at a derivative of it. A constant term of the determinant counts
+ * `one` times, which is 1 at the ray and 0 at a derivative; in parallel, mn and
+ * 0. */
 template <class T> struct heading {
   vec<T> d;
   T one;
 };
 
 template <class T> struct ray {
-  vec<T> E, R;
+  bool parallel;
+  vec<T> E, F, R;
   T mn, near;
   heading<T> along_D, along_R, along_minus_U;
 };
 
-/* D = F + xR + yU with x = (2 sx - m)/m and y = (n - 2 sy)/n, times mn. */
+/* D = F + xR + yU, or P - E = xR + yU, with x = (2 sx - m)/m and y = (n - 2
+ * sy)/n, times mn. */
 template <class T> ray<T> make_ray(const hsr_view &view, double sx, double sy) {
   const vec<T> F = lift<T>(view.F[0], view.F[1], view.F[2]);
   const vec<T> R = lift<T>(view.R[0], view.R[1], view.R[2]);
@@ -117,11 +123,17 @@ template <class T> ray<T> make_ray(const hsr_view &view, double sx, double sy) {
   const T y_mn = (n - two * T(sy)) * m;
 
   ray<T> r;
+  r.parallel = view.parallel;
   r.E = lift<T>(view.E[0], view.E[1], view.E[2]);
+  r.F = F;
   r.R = R;
   r.mn = mn;
   r.near = T(view.near);
-  r.along_D = {mn * F + x_mn * R + y_mn * U, one};
+  const vec<T> across = x_mn * R + y_mn * U;
+  if (view.parallel)
+    r.along_D = {across, mn};
+  else
+    r.along_D = {mn * F + across, one};
   r.along_R = {R, zero};
   r.along_minus_U = {lift<T>(0, 0, 0) - U, zero};
   return r;
@@ -157,7 +169,8 @@ struct sample {
   memo *known;
   ray<Interval> r; /* holds the ray */
 
-  /* For the boxes, by axis: E, D, and 1/D where D is certainly not 0. */
+  /* For the boxes, by axis: where the ray starts, its direction D, or F, and
+   * 1/D where D is certainly not 0. */
   Interval E[3], D[3], reciprocal[3];
   bool slopes[3];
 };
@@ -166,7 +179,10 @@ sample make_sample(const hsr_job &job, const hsr_world *world, memo *known,
                    double sx, double sy) {
   sample s = {world, job.view, job.tally, sx, sy, known, {}, {}, {}, {}, {}};
   s.r = make_ray<Interval>(*job.view, sx, sy);
-  const vec<Interval> &E = s.r.E, &D = s.r.along_D.d;
+  const vec<Interval> &at = s.r.along_D.d;
+  const vec<Interval> P = s.r.E + (Interval(1) / s.r.mn) * at;
+  const vec<Interval> &E = job.view->parallel ? P : s.r.E;
+  const vec<Interval> &D = job.view->parallel ? s.r.F : at;
   const Interval e[3] = {E.x, E.y, E.z}, d[3] = {D.x, D.y, D.z};
   for (int axis = 0; axis < 3; axis++) {
     s.E[axis] = e[axis];
@@ -229,17 +245,25 @@ template <class T> vec<T> newell_normal(const hsr_world &world, uint32_t f) {
   return N;
 }
 
-/* The plane of a face, as the eye has it: t = c / kN·D. */
+/* The plane of a face, as the eye has it. t = c / s with s = kN·D; or in
+ * parallel t = -s / c with s = N·(kP - S). Either way, less t is greater s/c,
+ * times the length of what the ray is taken at. */
 template <class T> struct plane {
   vec<T> kN;
-  T c; /* N·(S - kE) */
+  T e; /* N·(S - kE) */
+  T c; /* the same, or kN·F */
+
+  T s(const ray<T> &r, const heading<T> &h) const {
+    return r.parallel ? dot(kN, h.d) - h.one * e : dot(kN, h.d);
+  }
 };
 
 template <class T>
 plane<T> make_plane(const ray<T> &r, const hsr_world &world, uint32_t f) {
   const vec<T> N = newell_normal<T>(world, f);
-  const T k(double(hsr_face_size(&world, f)));
-  return {k * N, dot(N, sum_from(r.E, world, f))};
+  const vec<T> kN = T(double(hsr_face_size(&world, f))) * N;
+  const T e = dot(N, sum_from(r.E, world, f));
+  return {kN, e, r.parallel ? dot(kN, r.F) : e};
 }
 
 /* Whether all vertices lie in the face's plane: N·(k Vi - S) = 0. */
@@ -271,22 +295,27 @@ bool decide_planar(const hsr_world &world, uint32_t f) {
 
 /* ---- Covering ---- */
 
-/* row(v) = det(D, R, v). A vertex in the direction of R counts as positive. */
+/* row(v) = det(D, R, v), or det(F, R, V - P). A vertex in the direction of R
+ * counts as positive. */
 int row(const sample &s, uint32_t v) {
   return remember(s.known->row, v, [&] {
     const int sign =
         perturbed_sign(s, HSR_ASK_ROW, [&](const auto &r, const auto &h) {
-          return det(h.d, r.R, vertex_from(r.E, *s.world, v));
+          const auto u = vertex_from(r.E, *s.world, v);
+          return r.parallel ? det(r.F, r.R, h.one * u - h.d) : det(h.d, r.R, u);
         });
     return sign ? sign : 1;
   });
 }
 
-/* edge(a, b) = det(a, b, D). 0: the edge's line passes through the eye. */
+/* edge(a, b) = det(a, b, D), or det(A - P, B - P, F), which is linear in P. 0:
+ * the edge's line passes through the eye, or runs along F. */
 int edge(const sample &s, uint32_t a, uint32_t b) {
   return perturbed_sign(s, HSR_ASK_EDGE, [&](const auto &r, const auto &h) {
-    return det(vertex_from(r.E, *s.world, a), vertex_from(r.E, *s.world, b),
-               h.d);
+    const auto u = vertex_from(r.E, *s.world, a),
+               v = vertex_from(r.E, *s.world, b);
+    return r.parallel ? h.one * det(u, v, r.F) - det(u - v, h.d, r.F)
+                      : det(u, v, h.d);
   });
 }
 
@@ -307,8 +336,8 @@ bool is_parity_odd(const sample &s, uint32_t f) {
   return odd;
 }
 
-/* The sign of c = N·(S - kE): -1 if the eye is in front of the face's plane,
- * 1 if behind, 0 if in it. */
+/* The sign of c: -1 if the eye is in front of the face's plane, 1 if behind, 0
+ * if in it. */
 int sign_of_c(const sample &s, uint32_t f) {
   return remember(s.known->c, f, [&] {
     return perturbed_sign(s, HSR_ASK_FACING, [&](const auto &r, const auto &h) {
@@ -317,18 +346,23 @@ int sign_of_c(const sample &s, uint32_t f) {
   });
 }
 
-/* The sign of N·D. */
-int sign_of_slope(const sample &s, uint32_t f) {
-  return perturbed_sign(s, HSR_ASK_FACING, [&](const auto &r, const auto &h) {
-    return dot(make_plane(r, *s.world, f).kN, h.d);
-  });
+/* Whether t is positive: N·D has the sign of c. In parallel, near tells that.
+ */
+bool is_ahead(const sample &s, uint32_t f, int side) {
+  if (s.r.parallel)
+    return true;
+  return side ==
+         perturbed_sign(s, HSR_ASK_FACING, [&](const auto &r, const auto &h) {
+           return make_plane(r, *s.world, f).s(r, h);
+         });
 }
 
-/* The sign of c - near · kN·D. */
+/* The sign of c - near · kN·D, or of -s - near · c. */
 int sign_beyond_near(const sample &s, uint32_t f) {
   return perturbed_sign(s, HSR_ASK_NEAR, [&](const auto &r, const auto &h) {
     const auto p = make_plane(r, *s.world, f);
-    return r.mn * p.c * h.one - r.near * dot(p.kN, h.d);
+    return r.parallel ? -p.s(r, h) - r.near * h.one * p.c
+                      : r.mn * p.c * h.one - r.near * p.s(r, h);
   });
 }
 
@@ -345,7 +379,7 @@ bool covers(const sample &s, uint32_t f, hit *found) {
     return false;
   if (!is_parity_odd(s, f))
     return false;
-  if (sign_of_slope(s, f) != side || sign_beyond_near(s, f) != side)
+  if (!is_ahead(s, f, side) || sign_beyond_near(s, f) != side)
     return false;
   *found = {f, side};
   return true;
@@ -358,8 +392,8 @@ uint32_t id_of(const sample &s, uint32_t f) {
   return s.world->id ? s.world->id[f] : f;
 }
 
-/* Whether f is to be seen rather than g. With 1/t = kN·D / c on either side,
- * the difference is taken times both c, whose signs are known. */
+/* Whether f is to be seen rather than g. The difference of both s/c is taken
+ * times both c, whose signs are known. */
 bool is_nearer(const sample &s, const hit &f, const hit &g) {
   if (g.face == HSR_BACKGROUND)
     return true;
@@ -368,7 +402,7 @@ bool is_nearer(const sample &s, const hit &f, const hit &g) {
       perturbed_sign(s, HSR_ASK_DEPTH, [&](const auto &r, const auto &h) {
         const auto p = make_plane(r, *s.world, f.face);
         const auto q = make_plane(r, *s.world, g.face);
-        return dot(p.kN, h.d) * q.c - dot(q.kN, h.d) * p.c;
+        return p.s(r, h) * q.c - q.s(r, h) * p.c;
       });
   return sign ? sign == f.side * g.side : id_of(s, f.face) < id_of(s, g.face);
 }
@@ -377,7 +411,8 @@ bool is_nearer(const sample &s, const hit &f, const hit &g) {
  * be parallel to it. */
 double farthest_depth(const sample &s, uint32_t f) {
   const plane<Interval> p = make_plane(s.r, *s.world, f);
-  return (p.c / dot(p.kN, s.r.along_D.d)).sup();
+  const Interval at = p.s(s.r, s.r.along_D);
+  return (s.r.parallel ? -at / (s.r.mn * p.c) : p.c / at).sup();
 }
 
 /* ---- Hierarchy of boxes ---- */
