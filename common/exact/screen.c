@@ -105,6 +105,7 @@
 #include "common/base/vector.h"
 
 #include <float.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double U = DBL_EPSILON / 2;
@@ -867,12 +868,23 @@ int hsr_edge_column_exact(const struct hsr_screen *screen,
   return lo;
 }
 
-static void insert_column(int *columns, int n, int column) {
-  while (n && columns[n - 1] > column) {
-    columns[n] = columns[n - 1];
-    n--;
+static int compare_columns(const void *a, const void *b) {
+  int p = *(const int *)a, q = *(const int *)b;
+  return (p > q) - (p < q);
+}
+
+/* Mostly they are two. */
+static void sort_columns(int *columns, int n) {
+  if (n > 32) {
+    qsort(columns, (size_t)n, sizeof *columns, compare_columns);
+    return;
   }
-  columns[n] = column;
+  for (int k = 1; k < n; k++) {
+    int column = columns[k], at = k;
+    for (; at && columns[at - 1] > column; at--)
+      columns[at] = columns[at - 1];
+    columns[at] = column;
+  }
 }
 
 /* The columns where a whole face's edges cross row j, ascending. */
@@ -888,12 +900,12 @@ static int whole_spans(const struct hsr_screen *screen, uint32_t f, int j,
     if (row_a != row_b) {
       struct hsr_edge edge;
       hsr_edge_init(&edge, screen, row_a < 0 ? a : b, row_a < 0 ? b : a);
-      insert_column(columns, n_columns++,
-                    hsr_edge_column(screen, &edge, j, tally));
+      columns[n_columns++] = hsr_edge_column(screen, &edge, j, tally);
     }
     a = b;
     row_a = row_b;
   }
+  sort_columns(columns, n_columns);
   return n_columns;
 }
 
@@ -1054,15 +1066,16 @@ static int cut_spans(const struct hsr_screen *screen, uint32_t f, int j,
       struct crossing crossing = find_crossing(&q, lo, hi);
       inside ^= crossing.first;
       if (crossing.first != crossing.last)
-        insert_column(columns, n_columns++, crossing.column);
+        columns[n_columns++] = crossing.column;
     }
     q.a = q.b;
     q.row = row_b;
   }
   if (inside)
-    insert_column(columns, n_columns++, lo);
+    columns[n_columns++] = lo;
   if (n_columns & 1)
-    insert_column(columns, n_columns++, hi);
+    columns[n_columns++] = hi;
+  sort_columns(columns, n_columns);
   return n_columns;
 }
 

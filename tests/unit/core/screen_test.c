@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SCENES = 150, M = 19, N = 14 };
+enum { SCENES = 150, M = 19, N = 14, ZIGZAG = 40 };
 
 struct fixture {
   struct hsr_scene *scene;
@@ -47,6 +47,21 @@ static void add_faces(uint64_t *seed, struct hsr_object *object) {
   }
 }
 
+/* A face all of whose edges cross most rows, in one plane. */
+static void add_zigzag(uint64_t *seed, struct hsr_object *object) {
+  static const int coprime[] = {1, 3, 7, 9, 11, 13};
+  int step = coprime[draw_integer(seed, 0, 5)];
+  uint32_t vertex[ZIGZAG];
+  for (int k = 0; k < ZIGZAG; k++)
+    hsr_object_vertex(object, (k * step % ZIGZAG - ZIGZAG / 2) / 8.0,
+                      k % 2 ? 3
+                      : k   ? -3
+                            : -2,
+                      -2, &vertex[k]);
+  if (hsr_object_face(object, vertex, ZIGZAG, NULL))
+    fail("the zigzag is no face");
+}
+
 static struct fixture *set_up(uint64_t *seed) {
   struct fixture *x = calloc(1, sizeof *x);
   struct hsr_error err = {.text = "out of memory"};
@@ -54,6 +69,8 @@ static struct fixture *set_up(uint64_t *seed) {
   struct hsr_object *object = hsr_scene_object(x->scene, "faces");
   object->one_sided = draw_integer(seed, 0, 1);
   add_faces(seed, object);
+  if (!draw_integer(seed, 0, 3))
+    add_zigzag(seed, object);
   struct hsr_camera camera = {.eye = {(double)draw_integer(seed, -1, 1),
                                       (double)draw_integer(seed, -1, 1),
                                       (double)draw_integer(seed, 0, 5)},
@@ -137,7 +154,7 @@ static void try_edge(struct fixture *x, bool whole, uint32_t a, uint32_t b,
  * out must cover no sample. */
 static void try_face(struct fixture *x, uint32_t f, bool relevant,
                      struct wrong *wrong) {
-  int columns[16];
+  int columns[ZIGZAG + 4];
   if (!relevant) {
     if (!hsr_face_exists(&x->screen, f, &x->tally))
       return;
