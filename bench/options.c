@@ -4,6 +4,7 @@
 #include "common/files/scene_json.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -165,13 +166,15 @@ enum hsr_status parse_options(const struct argp *argp, int argc, char **argv,
 
 struct json_options {
   struct option_base base;
+  const char *command;
   bool *json;
 };
 
 static error_t parse_json(int key, char *arg, struct argp_state *state) {
   struct json_options *options = state->input;
   if (key == ARGP_KEY_ARG)
-    return option_fail(&options->base, "takes no scene or file, not '%s'", arg);
+    return option_fail(&options->base, "%s: takes no scene or file, not '%s'",
+                       options->command, arg);
   if (key != 'j')
     return ARGP_ERR_UNKNOWN;
   *options->json = true;
@@ -183,7 +186,7 @@ enum hsr_status parse_json_option(int argc, char **argv, const char *about,
   const struct argp_option entries[] = {
       {"json", 'j', NULL, 0, "print one JSON object", 0}, {0}};
   const struct argp argp = {entries, parse_json, NULL, about, NULL, NULL, NULL};
-  struct json_options options = {.json = json};
+  struct json_options options = {.command = argv[0], .json = json};
   *json = false;
   return parse_options(&argp, argc, argv, &options, err);
 }
@@ -347,8 +350,8 @@ error_t parse_view_option(struct view_options *o, int key, char *arg,
                           struct option_base *base) {
   switch (key) {
   case 'v':
-    if (!parse_count(arg, 1, 1000000, &o->view))
-      return option_fail(base, "--view %s: views are numbered from 1", arg);
+    if (!parse_count(arg, 1, INT_MAX, &o->view))
+      return option_fail(base, "--view %s: must be 1 or more", arg);
     return 0;
   case 's':
     if (!parse_size(arg, &o->m, &o->n))

@@ -10,6 +10,7 @@
 #include "bench/terminal/terminal.h"
 
 #include <errno.h>
+#include <fnmatch.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,21 +35,51 @@ static error_t add_sizes(struct check_options *o, char *arg) {
   return 0;
 }
 
-static error_t add_algorithms(struct check_options *o, char *arg) {
-  for (char *name = strtok(arg, ","); name; name = strtok(NULL, ",")) {
-    if (o->n_algorithms == MOST_ALGORITHMS)
-      return option_fail(&o->base, "check: at most %d algorithms",
-                         (int)MOST_ALGORITHMS);
-    struct hsr_variant *variant = &o->algorithm[o->n_algorithms++];
-    if (hsr_variant_parse(name, variant, o->base.err)) {
-      o->base.failed = true;
-      return EINVAL;
-    }
-    const struct hsr_algorithm *a = variant->listed->plain;
-    if (a->flags & HSR_NO_PICTURE || !oracle_of(variant->choice.form.type))
-      return option_fail(&o->base, "check: %s draws nothing to compare", name);
-  }
+static error_t add_algorithm(struct check_options *o,
+                             const struct hsr_variant *variant) {
+  if (o->n_algorithms == MOST_ALGORITHMS)
+    return option_fail(&o->base, "check: at most %d algorithms",
+                       (int)MOST_ALGORITHMS);
+  o->algorithm[o->n_algorithms++] = *variant;
   return 0;
+}
+
+/* Whether it takes part without being named. */
+static bool is_judged(const struct hsr_algorithm *a) {
+  return oracle_of(a->kind) && !(a->flags & (HSR_JUDGE | HSR_NO_PICTURE));
+}
+
+/* One algorithm, with its options. */
+static error_t add_named(struct check_options *o, const char *name) {
+  struct hsr_variant variant;
+  if (hsr_variant_parse(name, &variant, o->base.err)) {
+    o->base.failed = true;
+    return EINVAL;
+  }
+  if (variant.listed->plain->flags & HSR_NO_PICTURE ||
+      !oracle_of(variant.choice.form.type))
+    return option_fail(&o->base, "check: %s draws nothing to compare", name);
+  return add_algorithm(o, &variant);
+}
+
+/* Those whose names match a pattern; or else the one that is named so. */
+static error_t add_matching(struct check_options *o, const char *pattern) {
+  bool found = false;
+  error_t failed = 0;
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain && !failed; a++)
+    if (is_judged(a->plain) && !fnmatch(pattern, a->plain->name, 0)) {
+      struct hsr_variant variant = hsr_variant_standard(a);
+      found = true;
+      failed = add_algorithm(o, &variant);
+    }
+  return failed || found ? failed : add_named(o, pattern);
+}
+
+static error_t add_algorithms(struct check_options *o, char *arg) {
+  error_t failed = 0;
+  for (char *name = strtok(arg, ","); name && !failed; name = strtok(NULL, ","))
+    failed = add_matching(o, name);
+  return failed;
 }
 
 /* Lists the views to judge, in their order. */
@@ -158,7 +189,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static const struct argp argp = {
     (const struct argp_option[]){
         {"algorithms", 'a', "A,B,...", 0,
-         "judge these (standard: all that draw)", 0},
+         "judge these, patterns allowed (standard: all that draw)", 0},
         {"size", 's', "MxN,...", 0, "samples (standard: 97x61)", 0},
         {"views", 'n', "N", 0,
          "the first N views of each scene; more are made up if it has fewer "
@@ -223,8 +254,7 @@ static void set_standards(struct check_options *o) {
   o->all_algorithms = !o->n_algorithms;
   if (o->all_algorithms)
     for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
-      if (oracle_of(a->plain->kind) &&
-          !(a->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE)))
+      if (is_judged(a->plain))
         o->algorithm[o->n_algorithms++] = hsr_variant_standard(a);
 }
 
