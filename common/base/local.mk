@@ -11,6 +11,7 @@ libhsr_a_SOURCES += \
   %D%/count.c \
   %D%/names.c \
   %D%/names.h \
+  %D%/numbers.h \
   %D%/option.c \
   %D%/status.c \
   %D%/vector.h

@@ -102,6 +102,7 @@
 #include "common/exact/screen.h"
 #include "common/view/clip.h"
 #include "common/exact/predicates.h"
+#include "common/base/numbers.h"
 #include "common/base/vector.h"
 
 #include <float.h>
@@ -142,15 +143,11 @@ static double sum_of_sizes(const double v[3]) {
   return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
 }
 
-static double max(double a, double b) {
-  return a > b ? a : b;
-}
-
 /* kappa of the proof above. */
 static double safe_cosine(const struct hsr_view *view) {
   double x = sum_of_sizes(view->screen[0]), y = sum_of_sizes(view->screen[1]);
   double w = sum_of_sizes(view->screen[2]);
-  return 8 * U * (max(x, y) + HSR_GUARD * w) * (4 / HSR_DELTA);
+  return 8 * U * (hsr_max(x, y) + HSR_GUARD * w) * (4 / HSR_DELTA);
 }
 
 HSR_VECTOR static void
@@ -364,12 +361,12 @@ static void homogeneous(const struct hsr_screen *screen, uint32_t v,
   const struct hsr_view *view = screen->view;
   double d[3] = {world->mesh.x[v] - view->E[0], world->mesh.y[v] - view->E[1],
                  world->mesh.z[v] - view->E[2]};
-  double r = max(fabs(d[0]), max(fabs(d[1]), fabs(d[2])));
+  double r = hsr_max(fabs(d[0]), hsr_max(fabs(d[1]), fabs(d[2])));
   for (int k = 0; k < 3; k++) {
     const double *row = view->screen[k];
     p[k] = row[0] * d[0] + row[1] * d[1] + row[2] * d[2] + view->origin[k];
-    error[k] =
-        max(error[k], 8 * U * (sum_of_sizes(row) * r + view->origin[k]) + TINY);
+    error[k] = hsr_max(
+        error[k], 8 * U * (sum_of_sizes(row) * r + view->origin[k]) + TINY);
   }
 }
 
@@ -420,7 +417,7 @@ static struct hsr_bounds clipped_bounds(const struct hsr_screen *screen,
     return none;
 
   double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
-  double least = 4 * (max(error[0], error[1]) + HSR_GUARD * error[2]);
+  double least = 4 * (hsr_max(error[0], error[1]) + HSR_GUARD * error[2]);
   for (int k = 0; k < n; k++) {
     if (!(a[k][2] > least))
       return all;
@@ -508,7 +505,7 @@ static void narrow_to_outline(const struct hsr_screen *screen, uint32_t f,
   if (!safe)
     return;
   double off = 1 + 2 * p->outline_error * q *
-                       (max(sum_of_sizes(M[0]), sum_of_sizes(M[1])) +
+                       (hsr_max(sum_of_sizes(M[0]), sum_of_sizes(M[1])) +
                         HSR_GUARD * sum_of_sizes(M[2]));
   struct hsr_bounds o =
       sample_bounds(screen->view, x0 - off, y0 - off, x1 + off, y1 + off);

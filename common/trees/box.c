@@ -46,6 +46,7 @@
  * common/view/view.h. t D adds one rounding, and so does E + t D. The radius
  * takes t times 10 u, and 2 u |V|. */
 #include "common/trees/box.h"
+#include "common/base/numbers.h"
 
 #include <assert.h>
 #include <float.h>
@@ -54,10 +55,6 @@
 
 static const double U = DBL_EPSILON / 2;
 static const double TINY = 0x1p-960;
-
-static double max(double a, double b) {
-  return a > b ? a : b;
-}
 
 static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -71,7 +68,7 @@ static double sum_of_sizes(const double v[3]) {
 static double box_size(const struct hsr_box *box) {
   double size = 0;
   for (int k = 0; k < 3; k++)
-    size = max(size, max(-box->lo[k], box->hi[k]));
+    size = hsr_max(size, hsr_max(-box->lo[k], box->hi[k]));
   return size;
 }
 
@@ -87,7 +84,7 @@ static void hold(struct hsr_box *box, const double p[3], double radius) {
       hi = nextafter(hi + radius, INFINITY);
     }
     box->lo[k] = lo < box->lo[k] ? lo : box->lo[k];
-    box->hi[k] = max(box->hi[k], hi);
+    box->hi[k] = hsr_max(box->hi[k], hi);
   }
 }
 
@@ -119,9 +116,9 @@ static double find_normal(const struct solid *solid, int f, double normal[3]) {
   for (int i = 1; i < size; i++) {
     for (int k = 0; k < 3; k++) {
       b[k] = vertex(solid, loop[i])[k] - first[k];
-      wide = max(wide, fabs(b[k]));
+      wide = hsr_max(wide, fabs(b[k]));
     }
-    off = max(off, radius(solid, loop[i]));
+    off = hsr_max(off, radius(solid, loop[i]));
     for (int k = 0; k < 3; k++) {
       int l = (k + 1) % 3, m = (k + 2) % 3;
       normal[k] += a[l] * b[m] - a[m] * b[l];
@@ -129,7 +126,7 @@ static double find_normal(const struct solid *solid, int f, double normal[3]) {
     }
     memcpy(a, b, sizeof a);
   }
-  return 4 * (size + 1) * U * max(sum[0], max(sum[1], sum[2])) +
+  return 4 * (size + 1) * U * hsr_max(sum[0], hsr_max(sum[1], sum[2])) +
          2 * size * (2 * off) * (2 * wide + 2 * off) + TINY;
 }
 
@@ -139,8 +136,8 @@ static struct hsr_half_space half_space(const struct solid *solid,
   double length = sum_of_sizes(normal);
   struct hsr_half_space h = {.outer = -INFINITY, .doubt = 16 * U * length};
   for (int v = 0; v < solid->n_vertices; v++)
-    h.outer =
-        max(h.outer, dot(normal, vertex(solid, v)) + length * radius(solid, v));
+    h.outer = hsr_max(h.outer, dot(normal, vertex(solid, v)) +
+                                   length * radius(solid, v));
   for (int k = 0; k < 3; k++) {
     h.normal[k] = normal[k];
     h.n[k] = normal[k] < 0;
@@ -264,8 +261,9 @@ static double ray_point(const struct hsr_view *view, double sx, double sy,
     double s = view->parallel ? 1 : t;
     double along = view->parallel ? t * view->F[k] : 0;
     point[k] = view->E[k] + (s * (a + b + c) + along);
-    off = max(off, 10 * U * (s * (fabs(a) + fabs(b) + fabs(c)) + fabs(along)) +
-                       2 * U * fabs(point[k]));
+    off = hsr_max(off,
+                  10 * U * (s * (fabs(a) + fabs(b) + fabs(c)) + fabs(along)) +
+                      2 * U * fabs(point[k]));
   }
   return t > 0 || view->parallel ? off + TINY : 0;
 }
@@ -376,7 +374,7 @@ enum hsr_box_verdict hsr_box_classify(const struct hsr_polyhedron *poly,
   } else if (hsr_box_holds(box, &poly->bounds)) {
     cuts = (1u << poly->n_planes) - 1;
   } else {
-    double size = max(poly->size, box_size(box));
+    double size = hsr_max(poly->size, box_size(box));
 
     /* Face-plane tests */
     for (int f = 0; f < poly->n_planes && verdict != HSR_BOX_OUT; f++) {
@@ -470,7 +468,7 @@ bool hsr_box_meets_polygon(const struct hsr_box *box, struct hsr_loop polygon,
   }
   if (!hsr_boxes_meet(box, &bounds))
     return false;
-  double size = max(box_size(box), box_size(&bounds));
+  double size = hsr_max(box_size(box), box_size(&bounds));
   const double behind[3] = {-normal[0], -normal[1], -normal[2]};
   if (beyond(box, &polygon, 0, normal, slack, size) ||
       beyond(box, &polygon, 0, behind, slack, size))

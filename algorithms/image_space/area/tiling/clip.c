@@ -11,6 +11,7 @@
  * those of P - E too. So the sum is off by at most |E - at|, or |F|, times the
  * error of q, and 8 u of the sizes of all terms. */
 #include "algorithms/image_space/area/tiling/clip.h"
+#include "common/base/numbers.h"
 
 #include <float.h>
 #include <math.h>
@@ -22,8 +23,8 @@ bool hsr_region_clip(const struct hsr_region *region, struct hsr_box *box) {
   for (int k = 0; k < 3; k++) {
     some =
         some && box->hi[k] > region->above[k] && box->lo[k] <= region->below[k];
-    box->lo[k] = fmax(box->lo[k], region->above[k]);
-    box->hi[k] = fmin(box->hi[k], region->below[k]);
+    box->lo[k] = hsr_max(box->lo[k], region->above[k]);
+    box->hi[k] = hsr_min(box->hi[k], region->below[k]);
   }
   return some;
 }
@@ -37,8 +38,8 @@ static struct hsr_box box_of(const struct hsr_pieces_view *p) {
   for (uint32_t c = 0; c < p->piece->n_corners; c++) {
     uint32_t point = bsp->corner[p->piece->first_corner + c].point;
     for (int k = 0; k < 3; k++) {
-      box.lo[k] = fmin(box.lo[k], at[k][point] - bsp->error[point]);
-      box.hi[k] = fmax(box.hi[k], at[k][point] + bsp->error[point]);
+      box.lo[k] = hsr_min(box.lo[k], at[k][point] - bsp->error[point]);
+      box.hi[k] = hsr_max(box.hi[k], at[k][point] + bsp->error[point]);
     }
   }
   return box;

@@ -35,6 +35,7 @@
 #include "algorithms/image_space/area/tiling/loose.h"
 #include "common/adapt/adapt.h"
 #include "common/trees/octree.h"
+#include "common/base/numbers.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -585,9 +586,9 @@ static void open_cube(struct frame *f, const struct hsr_region *region,
     size_t others = n - 1;
     for (int k = 0; k < 3; k++)
       if (octant >> k & 1)
-        part.above[k] = fmax(part.above[k], cube->centre[k]);
+        part.above[k] = hsr_max(part.above[k], cube->centre[k]);
       else
-        part.below[k] = fmin(part.below[k], cube->centre[k]);
+        part.below[k] = hsr_min(part.below[k], cube->centre[k]);
     if (child != HSR_NO_BSP)
       node[others++] =
           (struct node){body, child, body->tree->cube[child].tight};

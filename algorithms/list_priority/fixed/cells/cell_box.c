@@ -23,6 +23,7 @@
  * terms, which the margin below covers four times. A box with t <= near
  * everywhere is hit at no t > near. */
 #include "algorithms/list_priority/fixed/cells/cells.h"
+#include "common/base/numbers.h"
 #include "common/base/vector.h"
 
 #include <float.h>
@@ -32,10 +33,6 @@ static const double TINY = 0x1p-960;
 
 static double sum_of_sizes(const double v[3]) {
   return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
-}
-
-static double max(double a, double b) {
-  return a > b ? a : b;
 }
 
 void hsr_cells_project(struct hsr_cells *cells) {
@@ -53,9 +50,9 @@ void hsr_cells_project(struct hsr_cells *cells) {
     cells->error[c] = 8 * U * sum_of_sizes(view->screen[c]);
   cells->error[3] = 8 * U * sum_of_sizes(view->depth);
   cells->slack = TINY + (view->parallel ? 4 * U * (view->m + view->n) : 0);
-  cells->kappa =
-      (max(cells->error[0], cells->error[1]) + HSR_GUARD * cells->error[2]) *
-      (4 / HSR_DELTA);
+  cells->kappa = (hsr_max(cells->error[0], cells->error[1]) +
+                  HSR_GUARD * cells->error[2]) *
+                 (4 / HSR_DELTA);
 }
 
 /* Homogeneous coordinates of the eight corners. */
@@ -80,7 +77,8 @@ static inline void find_corners(const struct hsr_cells *cells,
   }
   p->r = 0;
   for (int a = 0; a < 3; a++)
-    p->r = max(p->r, max(cells->far[a][lo[a]], cells->far[a][hi[a] + 1]));
+    p->r =
+        hsr_max(p->r, hsr_max(cells->far[a][lo[a]], cells->far[a][hi[a] + 1]));
 }
 
 /* The least and greatest of eight. */

@@ -32,10 +32,15 @@ static void put_samples(void *context, int x, int y, uint64_t mask) {
   struct hsr_canvas *c = context;
   uint32_t *row = c->job->ids + (size_t)y * c->job->ids_stride + x;
   count_samples(c, x, y, mask);
-  for (; mask; mask >>= 8, row += c->job->ids_stride)
-    for (int i = 0; i < 8; i++)
-      if (mask >> i & 1)
+  for (; mask; mask >>= 8, row += c->job->ids_stride) {
+    unsigned eight = mask & 0xff;
+    if (eight == 0xff)
+      for (int i = 0; i < 8; i++)
         row[i] = c->id;
+    else
+      for (; eight; eight &= eight - 1)
+        row[hsr_first_bit(eight)] = c->id;
+  }
 }
 
 static void put_square(void *context, int x, int y, int size) {

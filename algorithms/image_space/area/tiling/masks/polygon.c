@@ -34,6 +34,7 @@
  * nothing about near, unless the points of the tree have the face's `reach` as
  * their error. */
 #include "algorithms/image_space/area/tiling/masks/polygon.h"
+#include "common/base/numbers.h"
 #include "common/base/vector.h"
 #include "common/exact/order.h"
 
@@ -41,13 +42,6 @@
 #include <math.h>
 
 static const double U = DBL_EPSILON / 2;
-
-static inline double larger(double a, double b) {
-  return a > b ? a : b;
-}
-static inline double smaller(double a, double b) {
-  return a < b ? a : b;
-}
 
 enum { SILHOUETTE = 8 }; /* room for its lines */
 
@@ -135,8 +129,8 @@ static double error_of(const struct hsr_pieces_view *p, const double row[3],
                        const struct hsr_box *box, const double shift[3]) {
   double sum = 0;
   for (int k = 0; k < 3; k++)
-    sum += fabs(row[k]) * larger(fabs(box->lo[k] + shift[k] - p->view->E[k]),
-                                 fabs(box->hi[k] + shift[k] - p->view->E[k]));
+    sum += fabs(row[k]) * hsr_max(fabs(box->lo[k] + shift[k] - p->view->E[k]),
+                                  fabs(box->hi[k] + shift[k] - p->view->E[k]));
   return 8 * U * sum + 0x1p-960;
 }
 
@@ -165,7 +159,7 @@ static double nearest_depth(const struct hsr_pieces_view *p,
   double nearest = INFINITY, spread = sum_of_sizes(p->view->depth);
   for (uint32_t k = 0; k < leaf->n_points; k++) {
     double off = own[k] > 0 ? spread * (own[k] + p->rounding) : 0;
-    nearest = smaller(nearest, p->t[k] - 2 * (p->t_error + off));
+    nearest = hsr_min(nearest, p->t[k] - 2 * (p->t_error + off));
   }
   return nearest;
 }
@@ -183,18 +177,18 @@ static void find_places(struct hsr_pieces_view *p,
     double sum = 0;
     for (int k = 0; k < 3; k++)
       sum += fabs(p->view->screen[c][k]);
-    spread = larger(spread, sum);
+    spread = hsr_max(spread, sum);
   }
-  double most = larger(larger(p->error[0], p->error[1]), p->error[2]);
+  double most = hsr_max(hsr_max(p->error[0], p->error[1]), p->error[2]);
   for (uint32_t k = 0; k < leaf->n_points; k++) {
     double off_k = own[k] > 0 ? own[k] + p->rounding : 0;
     double e = most + spread * off_k, per_w = 1 / p->w[k];
     p->sx[k] = p->x[k] * per_w;
     p->sy[k] = p->y[k] * per_w;
-    double far = larger(fabs(p->sx[k]), fabs(p->sy[k]));
+    double far = hsr_max(fabs(p->sx[k]), fabs(p->sy[k]));
     double off = (2 * e * (1 + far)) * per_w + 8 * U * far;
     margin = off > margin ? off : margin;
-    nearest = smaller(nearest, p->w[k] - 4 * e);
+    nearest = hsr_min(nearest, p->w[k] - 4 * e);
   }
   p->margin = margin;
   p->ahead = !p->is_wild && nearest > 0 && margin < INFINITY;
@@ -246,10 +240,10 @@ void hsr_pieces_leaf(struct hsr_pieces_view *p,
   p->rounding = 0;
   for (int k = 0; k < 3; k++)
     if (p->shift[k] != 0)
-      p->rounding = larger(p->rounding,
-                           2 * U *
-                               larger(fabs(leaf->tight.lo[k] + p->shift[k]),
-                                      fabs(leaf->tight.hi[k] + p->shift[k])));
+      p->rounding = hsr_max(p->rounding,
+                            2 * U *
+                                hsr_max(fabs(leaf->tight.lo[k] + p->shift[k]),
+                                        fabs(leaf->tight.hi[k] + p->shift[k])));
   transform(leaf->n_points, p->bsp->x + first, p->bsp->y + first,
             p->bsp->z + first, p->shift, p->view, p->x, p->y, p->w);
   p->t_error = p->error[2];
@@ -275,8 +269,8 @@ static struct hsr_mask_line line_through(double reach, const struct point *a,
                                          const struct point *b, double side) {
   double ax = fabs(a->x), ay = fabs(a->y), aw = fabs(a->w);
   double bx = fabs(b->x), by = fabs(b->y), bw = fabs(b->w);
-  double ex = larger(a->ex, b->ex), ey = larger(a->ey, b->ey),
-         ew = larger(a->ew, b->ew);
+  double ex = hsr_max(a->ex, b->ex), ey = hsr_max(a->ey, b->ey),
+         ew = hsr_max(a->ew, b->ew);
   double error_a =
       ey * (aw + bw) + ew * (ay + by) + 2 * U * (ay * bw + aw * by);
   double error_b =
@@ -332,8 +326,8 @@ static struct hull no_hull(void) {
 static void add_point(struct hull *hull, const struct point *a,
                       const struct hsr_window *window) {
   double x0 = window->x0, y0 = window->y0, x1 = window->x1, y1 = window->y1;
-  double wide = a->ex + larger(fabs(x0), fabs(x1)) * a->ew;
-  double high = a->ey + larger(fabs(y0), fabs(y1)) * a->ew;
+  double wide = a->ex + hsr_max(fabs(x0), fabs(x1)) * a->ew;
+  double high = a->ey + hsr_max(fabs(y0), fabs(y1)) * a->ew;
   hull->beyond &= (unsigned)(a->x - x0 * a->w < -2 * wide) |
                   (unsigned)(a->x - x1 * a->w > 2 * wide) << 1 |
                   (unsigned)(a->y - y0 * a->w < -2 * high) << 2 |
@@ -346,15 +340,15 @@ static void add_point(struct hull *hull, const struct point *a,
   double sx = a->x / a->w, sy = a->y / a->w;
   double mx = 2 * (a->ex + fabs(sx) * a->ew) / a->w + 4 * U * fabs(sx);
   double my = 2 * (a->ey + fabs(sy) * a->ew) / a->w + 4 * U * fabs(sy);
-  hull->x0 = smaller(hull->x0, sx - mx);
-  hull->x1 = larger(hull->x1, sx + mx);
-  hull->y0 = smaller(hull->y0, sy - my);
-  hull->y1 = larger(hull->y1, sy + my);
+  hull->x0 = hsr_min(hull->x0, sx - mx);
+  hull->x1 = hsr_max(hull->x1, sx + mx);
+  hull->y0 = hsr_min(hull->y0, sy - my);
+  hull->y1 = hsr_max(hull->y1, sy + my);
 }
 
 /* The first whole number from x on, within [least, most]. */
 static int whole(double x, int least, int most) {
-  double within = smaller(larger(x, least), most);
+  double within = hsr_min(hsr_max(x, least), most);
   int down = (int)within;
   return down + (down < within);
 }
@@ -504,15 +498,15 @@ static void take_box(struct hsr_pieces_view *p) {
 static struct point at_near(const struct point *a, const struct point *b,
                             bool parallel, double near) {
   double step = b->t - a->t, s = (near - a->t) / step;
-  double off = 2 * (larger(a->et, b->et) + 2 * U * (fabs(a->t) + near)) /
+  double off = 2 * (hsr_max(a->et, b->et) + 2 * U * (fabs(a->t) + near)) /
                    (fabs(step) - a->et - b->et) +
                4 * U;
   double dx = b->x - a->x, dy = b->y - a->y;
   struct point point = {
       a->x + s * dx, a->y + s * dy, parallel ? 1 : near, 0, 0, 0, near, 0};
-  point.ex = 2 * (larger(a->ex, b->ex) + off * fabs(dx)) +
+  point.ex = 2 * (hsr_max(a->ex, b->ex) + off * fabs(dx)) +
              4 * U * (fabs(a->x) + fabs(b->x));
-  point.ey = 2 * (larger(a->ey, b->ey) + off * fabs(dy)) +
+  point.ey = 2 * (hsr_max(a->ey, b->ey) + off * fabs(dy)) +
              4 * U * (fabs(a->y) + fabs(b->y));
   return point;
 }
@@ -548,10 +542,10 @@ static bool find_box(struct hsr_pieces_view *p) {
   for (uint32_t k = 0; k < p->piece->n_corners; k++) {
     double sx = p->sx[corner[k].point - p->first_point];
     double sy = p->sy[corner[k].point - p->first_point];
-    hull.x0 = smaller(hull.x0, sx);
-    hull.x1 = larger(hull.x1, sx);
-    hull.y0 = smaller(hull.y0, sy);
-    hull.y1 = larger(hull.y1, sy);
+    hull.x0 = hsr_min(hull.x0, sx);
+    hull.x1 = hsr_max(hull.x1, sx);
+    hull.y0 = hsr_min(hull.y0, sy);
+    hull.y1 = hsr_max(hull.y1, sy);
   }
   hull.x0 -= p->margin;
   hull.x1 += p->margin;
@@ -695,9 +689,9 @@ static struct hull hull_of(const struct hsr_pieces_view *p,
                            const struct point point[8]) {
   struct hull hull = no_hull();
   double nearest = INFINITY, far = 0;
-  double e = larger(point->ex, larger(point->ey, point->ew));
+  double e = hsr_max(point->ex, hsr_max(point->ey, point->ew));
   for (int k = 0; k < 8; k++)
-    nearest = smaller(nearest, point[k].w);
+    nearest = hsr_min(nearest, point[k].w);
   if (!(nearest > 4 * e)) {
     for (int k = 0; k < 8; k++)
       add_point(&hull, &point[k], &p->view->window);
@@ -707,11 +701,11 @@ static struct hull hull_of(const struct hsr_pieces_view *p,
   for (int k = 0; k < 8; k++) {
     double per_w = 1 / point[k].w;
     double sx = point[k].x * per_w, sy = point[k].y * per_w;
-    hull.x0 = smaller(hull.x0, sx);
-    hull.x1 = larger(hull.x1, sx);
-    hull.y0 = smaller(hull.y0, sy);
-    hull.y1 = larger(hull.y1, sy);
-    far = larger(far, larger(fabs(sx), fabs(sy)));
+    hull.x0 = hsr_min(hull.x0, sx);
+    hull.x1 = hsr_max(hull.x1, sx);
+    hull.y0 = hsr_min(hull.y0, sy);
+    hull.y1 = hsr_max(hull.y1, sy);
+    far = hsr_max(far, hsr_max(fabs(sx), fabs(sy)));
   }
   double margin = 2 * e * (1 + far) / nearest + 8 * U * far;
   hull.x0 -= margin;
