@@ -30,7 +30,7 @@ static void put_numbers(const double *x, int n) {
 void rows_print_csv(const struct rows *rows) {
   puts("scene,view,walk,width,height,algorithm,threads,kind,status,mismatches,"
        "compared,median,median_low,median_high,least,ratio,ratio_low,"
-       "ratio_high,memory_kb,run");
+       "ratio_high,memory_kb,depths,run");
   for (size_t k = 0; k < rows->n; k++) {
     const struct row *row = &rows->row[k];
     const json_t *c = row->cell;
@@ -50,6 +50,7 @@ void rows_print_csv(const struct rows *rows) {
       printf(",%ld,", row->memory_kb);
     else
       fputs(",,", stdout);
+    printf("%ld,", results_number(json_object_get(c, "depths"), "compared"));
     puts(results_text(c, "run"));
   }
 }
@@ -64,10 +65,10 @@ static json_t *figure_json(const struct figure *figure) {
 
 /* The record of the cell, with figures in place of its samples. */
 static json_t *row_json(const struct row *row) {
-  static const char *const left_out[] = {"record", "starts", "counts", "depths",
+  static const char *const left_out[] = {"record", "starts", "counts",
                                          "adapted"};
   json_t *json = json_copy((json_t *)row->cell);
-  for (int k = 0; k < 5; k++)
+  for (int k = 0; k < 4; k++)
     json_object_del(json, left_out[k]);
   json_t *figures =
       json_pack("{so so so so}", "median", figure_json(&row->median), "least",
