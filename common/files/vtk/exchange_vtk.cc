@@ -8,6 +8,7 @@
 #include "common/files/mesh/mesh_file.h"
 #include "common/files/vtk/vtk_library.h"
 #include "common/files/vtk/vtk_parts.h"
+#include "common/files/vtk/xml_reader.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
@@ -18,17 +19,13 @@
 #include <vtkObject.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkXMLDataParser.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <istream>
-#include <memory>
 #include <new>
 
-using hsr::Memory_buffer;
 using hsr::Mesh_extent;
 
 namespace {
@@ -50,34 +47,6 @@ struct Complaint {
            std::isspace(static_cast<unsigned char>(self.text.back())))
       self.text.pop_back();
   }
-};
-
-/* Reads bytes in memory, without a copy of them. */
-class Memory_reader : public vtkXMLPolyDataReader {
-public:
-  vtkTypeMacro(Memory_reader, vtkXMLPolyDataReader);
-  static Memory_reader *New() { VTK_STANDARD_NEW_BODY(Memory_reader); }
-  void set_input(char *begin, char *end) {
-    buffer_ = std::make_unique<Memory_buffer>(begin, end);
-    stream_.rdbuf(buffer_.get());
-  }
-
-protected:
-  int OpenStream() override {
-    stream_.clear();
-    stream_.seekg(0);
-    this->Stream = &stream_;
-    return 1;
-  }
-  /* Or VTK would keep a second copy of all arrays that are text. */
-  void CreateXMLParser() override {
-    this->Superclass::CreateXMLParser();
-    this->XMLParser->SetIgnoreCharacterData(1);
-  }
-
-private:
-  std::unique_ptr<Memory_buffer> buffer_;
-  std::istream stream_{nullptr};
 };
 
 /* What VTK reads, piece by piece, must be what the scan found. */
@@ -165,7 +134,7 @@ void hsr::read_vtp(char *begin, char *end, const Mesh_extent &extent,
   vtkNew<vtkCallbackCommand> listener;
   listener->SetClientData(&complaint);
   listener->SetCallback(Complaint::note);
-  vtkNew<Memory_reader> reader;
+  vtkNew<hsr::Memory_reader<vtkXMLPolyDataReader>> reader;
   reader->AddObserver(vtkCommand::ErrorEvent, listener);
   reader->AddObserver(vtkCommand::WarningEvent, listener);
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);

@@ -4,12 +4,14 @@
 libhsr_a_SOURCES += %D%/vtk_library.h
 if WITH_VTK
 libhsr_a_SOURCES += \
-  %D%/mesh_array.cc \
-  %D%/mesh_array.h \
-  %D%/mesh_markup.cc \
-  %D%/mesh_markup.h \
   %D%/mesh_scan_vtp.cc \
-  %D%/vtk.cc
+  %D%/vtk.cc \
+  %D%/xml_array.cc \
+  %D%/xml_array.h \
+  %D%/xml_markup.cc \
+  %D%/xml_markup.h \
+  %D%/xml_scan.cc \
+  %D%/xml_scan.h
 pkglibexec_PROGRAMS += hsr-vtk.so
 hsr_vtk_so_SOURCES = \
   %D%/drawing_vtk.cc \
@@ -19,6 +21,7 @@ hsr_vtk_so_SOURCES = \
   %D%/vtk_library.h \
   %D%/vtk_parts.h \
   %D%/vtk_text.h \
+  %D%/xml_reader.h \
   common/base/status.c \
   common/files/whole_file.c
 hsr_vtk_so_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arrays of .vtp files, for common/files/vtk/mesh_scan_vtp.cc: numbers as
-// text, or as bytes, raw or in base64, compressed by zlib or not.
-#ifndef HSR_COMMON_MESH_ARRAY_H
-#define HSR_COMMON_MESH_ARRAY_H
+// The arrays of VTK's XML formats: numbers as text, or as bytes, raw or in
+// base64, compressed by zlib or not.
+#ifndef HSR_COMMON_XML_ARRAY_H
+#define HSR_COMMON_XML_ARRAY_H
 
-#include "common/files/vtk/mesh_markup.h"
+#include "common/files/vtk/xml_markup.h"
 
 namespace hsr {
 

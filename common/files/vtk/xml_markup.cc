@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "common/files/vtk/mesh_markup.h"
+#include "common/files/vtk/xml_markup.h"
 
 #include <algorithm>
 #include <cstdio>

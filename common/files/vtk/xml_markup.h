@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tags of an XML file, for common/files/vtk/mesh_scan_vtp.cc: as much of XML as
-// such files use. Declarations (<!DOCTYPE, <![CDATA[) are refused.
-#ifndef HSR_COMMON_MESH_MARKUP_H
-#define HSR_COMMON_MESH_MARKUP_H
+// Tags of an XML file: as much of XML as VTK's formats use. Declarations
+// (<!DOCTYPE, <![CDATA[) are refused.
+#ifndef HSR_COMMON_XML_MARKUP_H
+#define HSR_COMMON_XML_MARKUP_H
 
 #include "common/files/mesh/mesh_text.h"
 

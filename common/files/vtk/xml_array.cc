@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Source      "VTK XML Formats", docs.vtk.org; what it leaves open, from
 //             vtkXMLDataParser of VTK 9.1
-#include "common/files/vtk/mesh_array.h"
+#include "common/files/vtk/xml_array.h"
 
 #include <zlib.h>
 
