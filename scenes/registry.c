@@ -249,7 +249,7 @@ static enum hsr_status unknown(const char *name, struct hsr_error *err) {
     return hsr_fail(err, HSR_E_INPUT,
                     "%.200s: not a scene: files end in .scene.json, .off, "
                     ".obj, .ply, .stl or .vtp; volumes in .nii, .nii.gz, "
-                    ".mhd, .mha or .vtk",
+                    ".mhd, .mha, .vtk, .vti or .vtr",
                     name);
   return hsr_fail(err, HSR_E_INPUT, "there is no scene \"%.100s\"%s", name,
                   hint);

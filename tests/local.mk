@@ -96,7 +96,7 @@ tap_scripts = \
   %D%/tree/mutants.test
 
 if WITH_VTK
-tap_programs += %D%/unit/files/vtp_test
+tap_programs += %D%/unit/files/vtp_test %D%/unit/files/volume_xml_test
 endif
 
 # The quick tests: less than a minute on two cores, once everything is built.
@@ -182,6 +182,9 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_files_image_test_LDADD = libdraw.a $(HSR_LIBS) $(OIIO_LIBS)
 %C%_unit_files_vtp_test_LDADD = libdraw.a $(HSR_LIBS) $(VTK_LIBS)
 %C%_unit_files_vtp_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
+%C%_unit_files_volume_xml_test_SOURCES = %D%/unit/files/volume_xml_test.cc
+%C%_unit_files_volume_xml_test_LDADD = libdraw.a $(HSR_LIBS) $(VTK_LIBS)
+%C%_unit_files_volume_xml_test_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_counts_by_hand_bouknight_test_SOURCES = %D%/counts/by_hand/bouknight_test.c %D%/counts/by_hand/pixels.h %D%/counts/by_hand/hand.h
 %C%_counts_by_hand_romney_test_SOURCES = %D%/counts/by_hand/romney_test.c %D%/counts/by_hand/pixels.h %D%/counts/by_hand/hand.h
 %C%_counts_by_hand_scan_line_test_SOURCES = %D%/counts/by_hand/scan_line_test.c %D%/counts/by_hand/pixels.h %D%/counts/by_hand/hand.h

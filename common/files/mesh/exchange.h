@@ -55,7 +55,7 @@ struct hsr_solid_voxels;
 enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *voxels,
                                      const char *path, struct hsr_error *err);
 
-/* Whether this build reads .vtp, and writes .vtp and .vti. */
+/* Whether this build reads .vtp and volumes, and writes .vtp and .vti. */
 bool hsr_exchange_has_vtk(void);
 
 #ifdef __cplusplus

@@ -26,6 +26,13 @@ void hsr::vtp_read(Mesh_file &file, Mesh_builder &) {
   file.refuse(0, "this build of hsr, without VTK, does not read .vtp");
 }
 
+enum hsr_status hsr_volume_scan_xml(struct hsr_volume_file *file,
+                                    struct hsr_error *err) {
+  return hsr_fail(err, HSR_E_INPUT,
+                  "%.200s: this build of hsr, without VTK, does not read it",
+                  file->path);
+}
+
 enum hsr_status hsr_volume_open_vtk(struct hsr_volume *volume,
                                     const struct hsr_volume_file *file,
                                     struct hsr_error *err) {

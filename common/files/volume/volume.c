@@ -19,11 +19,10 @@
 static const struct {
   const char *suffix;
   enum hsr_volume_format format;
-} formats[] = {{".nii", HSR_NIFTI},
-               {".nii.gz", HSR_NIFTI},
-               {".mhd", HSR_META_IMAGE},
-               {".mha", HSR_META_IMAGE},
-               {".vtk", HSR_VTK_LEGACY}};
+} formats[] = {{".nii", HSR_NIFTI},      {".nii.gz", HSR_NIFTI},
+               {".mhd", HSR_META_IMAGE}, {".mha", HSR_META_IMAGE},
+               {".vtk", HSR_VTK_LEGACY}, {".vti", HSR_VTK_IMAGE},
+               {".vtr", HSR_VTK_GRID}};
 enum { N_FORMATS = sizeof formats / sizeof *formats };
 
 static bool ends_in(const char *text, size_t n, const char *suffix) {
@@ -227,8 +226,8 @@ static enum hsr_status open_volume(struct hsr_volume *volume, const char *path,
   int format = format_of(path, strlen(path));
   if (format < 0)
     return hsr_fail(err, HSR_E_INPUT,
-                    "%.200s: a volume ends in .nii, .nii.gz, .mhd, .mha or "
-                    ".vtk, or has the word size=NXxNYxNZ",
+                    "%.200s: a volume ends in .nii, .nii.gz, .mhd, .mha, "
+                    ".vtk, .vti or .vtr, or has the word size=NXxNYxNZ",
                     path);
   struct hsr_volume_file file = {.format = formats[format].format,
                                  .path = path};

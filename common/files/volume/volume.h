@@ -2,9 +2,10 @@
 /* Volumes and height maps from files, as scenes of a grid.
  *
  * Read through VTK: .nii .nii.gz (NIfTI), .mhd .mha (MetaImage), .vtk
- * (structured points and rectilinear grids). Through OpenImageIO: height maps,
- * as "heights-of:" and any picture that it reads. By itself: bytes without a
- * header.
+ * (structured points and rectilinear grids), .vti (images) and .vtr
+ * (rectilinear grids), the samples being data of points. Through OpenImageIO:
+ * height maps, as "heights-of:" and any picture that it reads. By itself: bytes
+ * without a header. A sample that is not a finite number is not kept.
  *
  * Words follow the name, each after a colon:
  *

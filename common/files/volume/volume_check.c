@@ -470,6 +470,15 @@ static enum hsr_status check_legacy(struct hsr_volume_file *file,
   return HSR_OK;
 }
 
+/* --- VTK's XML formats ---------------------------------------------------- */
+
+static enum hsr_status check_xml(struct hsr_volume_file *file,
+                                 struct hsr_error *err) {
+  file->is_rectilinear = file->format == HSR_VTK_GRID;
+  enum hsr_status status = load(file, err);
+  return status ? status : hsr_volume_scan_xml(file, err);
+}
+
 enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
                                  struct hsr_error *err) {
   switch (file->format) {
@@ -479,6 +488,9 @@ enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
     return check_meta(file, err);
   case HSR_VTK_LEGACY:
     return check_legacy(file, err);
+  case HSR_VTK_IMAGE:
+  case HSR_VTK_GRID:
+    return check_xml(file, err);
   }
   return hsr_fail(err, HSR_E_INTERNAL, "no such format");
 }

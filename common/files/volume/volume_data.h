@@ -25,7 +25,13 @@ struct hsr_volume {
 enum { HSR_VOLUME_MOST = 1 << 20 }; /* samples along an axis */
 
 /* A format that VTK reads. */
-enum hsr_volume_format { HSR_NIFTI, HSR_META_IMAGE, HSR_VTK_LEGACY };
+enum hsr_volume_format {
+  HSR_NIFTI,
+  HSR_META_IMAGE,
+  HSR_VTK_LEGACY,
+  HSR_VTK_IMAGE, /* .vti */
+  HSR_VTK_GRID   /* .vtr */
+};
 
 /* A file that was checked: VTK may read it. */
 struct hsr_volume_file {
@@ -33,7 +39,7 @@ struct hsr_volume_file {
   const char *path; /* borrowed */
   uint32_t n[3];    /* what it holds */
   bool is_rectilinear;
-  char *text; /* HSR_VTK_LEGACY: all of it that VTK is to see; malloc'ed */
+  char *text; /* of VTK's own formats: all that VTK is to see; malloc'ed */
   size_t size;
 };
 
@@ -42,6 +48,12 @@ struct hsr_volume_file {
  * caller, also after a failure. HSR_E_INPUT, HSR_E_NOMEM. */
 enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
                                  struct hsr_error *err);
+
+/* The part of hsr_volume_check for HSR_VTK_IMAGE and HSR_VTK_GRID:
+ * file->is_rectilinear is set, and file->text is all of the file. Blanks what
+ * VTK is not to see. HSR_E_INPUT, also in a build without VTK; HSR_E_NOMEM. */
+enum hsr_status hsr_volume_scan_xml(struct hsr_volume_file *file,
+                                    struct hsr_error *err);
 
 /* Opens a checked file through VTK. HSR_E_INPUT, also in a build without VTK;
  * HSR_E_NOMEM; HSR_E_INTERNAL. *volume is empty after a failure. */

@@ -5,6 +5,7 @@ libhsr_a_SOURCES += %D%/vtk_library.h
 if WITH_VTK
 libhsr_a_SOURCES += \
   %D%/mesh_scan_vtp.cc \
+  %D%/volume_scan_xml.cc \
   %D%/vtk.cc \
   %D%/xml_array.cc \
   %D%/xml_array.h \

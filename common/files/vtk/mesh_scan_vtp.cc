@@ -112,7 +112,8 @@ void Vtp_scan::points(const Tag &tag, size_t n) {
     const Word *size = markup_.attribute(child, "NumberOfComponents");
     if (!size || *size != "3")
       markup_.refuse(place, "has points of other than 3 coordinates");
-    add_array(child, {"points", place, 3 * n, -DBL_MAX, DBL_MAX, false});
+    add_array(child,
+              {"points", place, 3 * n, -DBL_MAX, DBL_MAX, Array::ANY_ORDER});
     if (!type_of_points_)
       type_of_points_ = arrays_.back().type;
     if (arrays_.back().type != type_of_points_)
@@ -144,10 +145,11 @@ void Vtp_scan::cells(const Tag &tag, size_t n, size_t n_points) {
                      shown_word(*name).c_str());
     found = arrays_.size();
     if (is_offsets)
-      add_array(child, {"offsets", place, n, 0, double{MOST_VALUES}, true});
+      add_array(child,
+                {"offsets", place, n, 0, double{MOST_VALUES}, Array::RISING});
     else
       add_array(child, {"connectivity", place, Array::ANY, 0,
-                        static_cast<double>(n_points - 1), false});
+                        static_cast<double>(n_points - 1), Array::ANY_ORDER});
     if (arrays_.back().type->is_real)
       markup_.refuse(place, "'%s' is not of integers",
                      shown_word(*name).c_str());

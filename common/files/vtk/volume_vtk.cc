@@ -3,10 +3,11 @@
 //
 // Safety      see common/files/volume/volume_check.c: VTK sees only files that
 //             passed, and must find in them what was found there.
-// Memory      at once: the samples, in the type of the file; of the older
-//             format, and of packed ones, the file's bytes, too.
+// Memory      at once: the samples, in the type of the file; of VTK's formats,
+//             and of packed ones, the file's bytes, too.
 
 #include "common/files/vtk/vtk_parts.h"
+#include "common/files/vtk/xml_reader.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
@@ -24,6 +25,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkStructuredPoints.h>
 #include <vtkStructuredPointsReader.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLRectilinearGridReader.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -60,8 +63,8 @@ struct Samples {
   vtkSmartPointer<vtkDataArray> values;
 };
 
-template <class Reader> vtkSmartPointer<vtkDataSet> read(Reader *reader) {
-  Listener listener;
+template <class Reader>
+vtkSmartPointer<vtkDataSet> read(Reader *reader, Listener &listener) {
   listener.listen(reader);
   errno = 0; /* where lack of memory shows */
   reader->Update();
@@ -70,6 +73,11 @@ template <class Reader> vtkSmartPointer<vtkDataSet> read(Reader *reader) {
   if (listener.complained || reader->GetErrorCode())
     throw Failure{"VTK cannot read it"};
   return reader->GetOutput();
+}
+
+template <class Reader> vtkSmartPointer<vtkDataSet> read(Reader *reader) {
+  Listener listener;
+  return read(reader, listener);
 }
 
 template <class Reader>
@@ -87,12 +95,26 @@ vtkSmartPointer<vtkDataSet> read_text(const hsr_volume_file &file) {
   return read(reader.Get());
 }
 
+template <class Reader>
+vtkSmartPointer<vtkDataSet> read_xml(const hsr_volume_file &file) {
+  Listener listener;
+  vtkNew<hsr::Memory_reader<Reader>> reader;
+  reader->SetParserErrorObserver(listener.command);
+  reader->AddObserver(vtkCommand::WarningEvent, listener.command);
+  reader->set_input(file.text, file.text + file.size);
+  return read(reader.Get(), listener);
+}
+
 vtkSmartPointer<vtkDataSet> read_file(const hsr_volume_file &file) {
   switch (file.format) {
   case HSR_NIFTI:
     return read_image<vtkNIFTIImageReader>(file);
   case HSR_META_IMAGE:
     return read_image<vtkMetaImageReader>(file);
+  case HSR_VTK_IMAGE:
+    return read_xml<vtkXMLImageDataReader>(file);
+  case HSR_VTK_GRID:
+    return read_xml<vtkXMLRectilinearGridReader>(file);
   case HSR_VTK_LEGACY:
     break;
   }
@@ -100,6 +122,12 @@ vtkSmartPointer<vtkDataSet> read_file(const hsr_volume_file &file) {
     throw Failure{"is over 2^31 bytes long, more than VTK reads so"};
   return file.is_rectilinear ? read_text<vtkRectilinearGridReader>(file)
                              : read_text<vtkStructuredPointsReader>(file);
+}
+
+/* Of the XML formats, the one array of points is not marked as scalars. */
+vtkDataArray *scalars(vtkDataSet *data) {
+  vtkDataArray *named = data->GetPointData()->GetScalars();
+  return named ? named : data->GetPointData()->GetArray(0);
 }
 
 void sizes(vtkDataSet *data, int n[3]) {
@@ -114,8 +142,10 @@ double *positions(vtkDataSet *data, int axis, uint32_t n) {
   if (!at)
     throw std::bad_alloc();
   if (auto *image = vtkImageData::SafeDownCast(data)) {
+    const double first = image->GetExtent()[2 * axis];
     for (uint32_t k = 0; k < n; k++)
-      at[k] = image->GetOrigin()[axis] + image->GetSpacing()[axis] * k;
+      at[k] =
+          image->GetOrigin()[axis] + image->GetSpacing()[axis] * (first + k);
     return at;
   }
   auto *grid = vtkRectilinearGrid::SafeDownCast(data);
@@ -162,7 +192,7 @@ void open(hsr_volume *volume, const hsr_volume_file &file) {
   vtkDataSet *data = made->samples.data;
   int n[3] = {0, 0, 0};
   sizes(data, n);
-  made->samples.values = data->GetPointData()->GetScalars();
+  made->samples.values = scalars(data);
   vtkDataArray *values = made->samples.values;
   made->slice = size_t{file.n[0]} * file.n[1];
   for (int a = 0; a < 3; a++)

@@ -20,19 +20,23 @@ const Array_type *find_array_type(Word name);
 
 struct Array {
   static constexpr size_t ANY = SIZE_MAX;
+  /* RISING: none may be less than the one before. ASCENDING: nor as large. */
+  enum Order { ANY_ORDER, RISING, ASCENDING };
 
   const char *what;   /* "points", "connectivity", "offsets" */
   const char *place;  /* where its tag is, for messages */
   size_t n_expected;  /* values, or ANY number of them but 0 */
   double least, most; /* that a value may be */
-  bool is_rising;     /* none may be less than the one before */
+  Order order;
 
+  bool can_be_nan = false;
   const Array_type *type = nullptr;
   enum { TEXT, BINARY, APPENDED } format = TEXT;
   bool is_base64 = true; /* unless TEXT */
   size_t offset = 0;     /* if APPENDED */
   Word data = {};
-  size_t n = 0; /* values found; then, if is_rising, `least` is the last */
+  size_t n = 0; /* values found; then, unless ANY_ORDER, `least` is what one
+                   more must be at least: if RISING, the last */
 };
 
 /* How a file writes arrays that are not TEXT. */

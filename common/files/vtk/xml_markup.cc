@@ -23,10 +23,10 @@ bool is_xml_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-void blank_lines(Word text) {
+void overwrite_lines(Word text, char letter) {
   char *begin = const_cast<char *>(text.data());
   std::replace_if(
-      begin, begin + text.size(), [](char c) { return c != '\n'; }, ' ');
+      begin, begin + text.size(), [](char c) { return c != '\n'; }, letter);
 }
 
 Word trimmed(Word text) {
@@ -108,7 +108,7 @@ Tag Markup::tag_after_text() {
   Tag tag{};
   const char *start = at_++;
   if (peek() == '!')
-    refuse(start, "holds a declaration ('<!...'), which .vtp files have not");
+    refuse(start, "holds a declaration ('<!...'), which VTK's files have not");
   if (peek() == '/') {
     tag.kind = Tag::END;
     at_++;
@@ -169,17 +169,22 @@ void Markup::skip(const Tag &start) {
   blank_lines(between(start.text.data(), at_));
 }
 
-const Word *Markup::attribute(Tag &tag, Word name) const {
-  Tag::Attribute *found = nullptr;
-  for (Tag::Attribute &attribute : tag.attributes)
+const Word *Markup::find(const Tag &tag, Word name) const {
+  const Word *found = nullptr;
+  for (const Tag::Attribute &attribute : tag.attributes)
     if (attribute.name == name) {
       if (found)
         refuse(attribute.text.data(), "'%s' has two attributes '%s'",
                shown_word(tag.name).c_str(), shown_word(name).c_str());
-      found = &attribute;
-      found->is_kept = true;
+      found = &attribute.value;
     }
-  return found ? &found->value : nullptr;
+  return found;
+}
+
+const Word *Markup::attribute(Tag &tag, Word name) const {
+  for (Tag::Attribute &attribute : tag.attributes)
+    attribute.is_kept |= attribute.name == name;
+  return find(tag, name);
 }
 
 void Markup::blank_others(const Tag &tag) const {

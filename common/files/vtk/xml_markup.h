@@ -12,9 +12,12 @@ inline Word between(const char *begin, const char *end) {
   return Word(begin, static_cast<size_t>(end - begin));
 }
 
-/* Makes a text spaces, but for its line ends. Words are views of the file's
- * bytes, which are ours to write. */
-void blank_lines(Word text);
+/* Makes a text one letter over and over, or spaces, but for its line ends. Words
+ * are views of the file's bytes, which are ours to write. */
+void overwrite_lines(Word text, char letter);
+inline void blank_lines(Word text) {
+  overwrite_lines(text, ' ');
+}
 
 /* The white space of XML. */
 bool is_xml_space(char c);
@@ -51,8 +54,9 @@ public:
   /* Blanks the element that a tag starts. */
   void skip(const Tag &start);
 
-  /* An attribute of a tag, or NULL. Those that were never asked for are blanked
-   * by blank_others. */
+  /* An attribute of a tag, or NULL. */
+  const Word *find(const Tag &tag, Word name) const;
+  /* The same, which blank_others then leaves there. */
   const Word *attribute(Tag &tag, Word name) const;
   void blank_others(const Tag &tag) const;
 

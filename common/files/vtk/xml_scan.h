@@ -35,7 +35,7 @@ protected:
 
   /* The value of an attribute, 0 if there is none. */
   size_t count(Tag &tag, const char *name, size_t most) const;
-  /* Goes over an array of which `what` to `is_rising` are set; it becomes the
+  /* Goes over an array of which `what` to `can_be_nan` are set; it becomes the
    * last of arrays_. */
   void add_array(Tag &tag, Array array);
 

@@ -70,6 +70,28 @@ static void write_vtk(const char *path, bool ascii, bool rectilinear) {
   fclose(out);
 }
 
+/* The same as VTK's XML: an image, or a rectilinear grid. */
+static void write_xml(const char *path, bool rectilinear) {
+  const char *kind = rectilinear ? "RectilinearGrid" : "ImageData";
+  FILE *out = create(path);
+  fprintf(out, "<VTKFile type=\"%s\">\n<%s WholeExtent=\"0 %d 0 %d 0 %d\"",
+          kind, kind, X - 1, Y - 1, Z - 1);
+  fprintf(out, " Spacing=\"1 2 0.5\">\n<Piece Extent=\"0 %d 0 %d 0 %d\">\n",
+          X - 1, Y - 1, Z - 1);
+  fprintf(out, "<PointData><DataArray type=\"UInt8\" Name=\"d\">\n");
+  for (int k = 0; k < SAMPLES; k++)
+    fprintf(out, "%u\n", density(k));
+  fprintf(out, "</DataArray></PointData>\n");
+  if (rectilinear)
+    fprintf(out, "<Coordinates>\n"
+                 "<DataArray type=\"Float32\">0 1 2 3 4</DataArray>\n"
+                 "<DataArray type=\"Int8\">0 2 4 6</DataArray>\n"
+                 "<DataArray type=\"Float64\">0 0.5 10</DataArray>\n"
+                 "</Coordinates>\n");
+  fprintf(out, "</Piece>\n</%s>\n</VTKFile>\n", kind);
+  fclose(out);
+}
+
 static void write_mhd(const char *path, const char *data) {
   FILE *out = create(path);
   fprintf(out,
@@ -166,12 +188,14 @@ static void test_raw(struct tap *tap) {
 }
 
 static void test_formats(struct tap *tap) {
-  static const char *const files[] = {"ascii.vtk", "bytes.vtk",
-                                      "head.mhd",  "whole.mha",
-                                      "plain.nii", "packed.nii.gz"};
+  static const char *const files[] = {"ascii.vtk", "bytes.vtk", "head.mhd",
+                                      "whole.mha", "plain.nii", "packed.nii.gz",
+                                      "image.vti", "grid.vtr"};
   write_vtk("ascii.vtk", true, false);
   write_vtk("bytes.vtk", false, false);
   write_vtk("grid.vtk", true, true);
+  write_xml("image.vti", false);
+  write_xml("grid.vtr", true);
   write_mhd("head.mhd", "a.raw");
   write_mhd("whole.mha", "LOCAL");
   write_nifti("plain.nii");
@@ -191,6 +215,16 @@ static void test_formats(struct tap *tap) {
   opened = !hsr_scene_open("grid.vtk:least=0:sides=all", NULL, &scene, NULL);
   ok(tap, opened && scene->grid->n_faces == 6 * SAMPLES, "with all sides");
   hsr_scene_delete(scene);
+}
+
+/* In a build without VTK. */
+static void test_refusals(struct tap *tap) {
+  write_xml("image.vti", false);
+  write_xml("grid.vtr", true);
+  ok(tap,
+     is_refused("image.vti", "without VTK") &&
+         is_refused("grid.vtr:least=3", "without VTK"),
+     "without VTK, its formats are refused");
 }
 
 /* A map of 4 x 3 columns: one peak of level 9 on a plain of level 0. */
@@ -221,10 +255,12 @@ int main(void) {
   if (!mkdtemp(folder) || chdir(folder))
     abort();
   bool has_vtk = hsr_exchange_has_vtk();
-  struct tap tap = plan(has_vtk ? 18 : 10);
+  struct tap tap = plan(has_vtk ? 20 : 11);
   test_raw(&tap);
   if (has_vtk)
     test_formats(&tap);
+  else
+    test_refusals(&tap);
   test_heights(&tap);
   char clean[80];
   snprintf(clean, sizeof clean, "rm -rf %s", folder);
