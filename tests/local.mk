@@ -266,5 +266,6 @@ EXTRA_DIST += \
   %D%/fuzz/fuzz_reader.h \
   %D%/fuzz/fuzz_scene_json.cc \
   %D%/fuzz/fuzz_volume.cc \
+  %D%/fuzz/grids.dict \
   %D%/fuzz/library.cc \
   %D%/fuzz/vtp.dict

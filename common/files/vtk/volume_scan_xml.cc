@@ -25,6 +25,8 @@ namespace {
 
 /* Of an index, so that VTK's differences of them are in range. */
 constexpr long long MOST_INDEX = 1 << 30;
+/* Along an axis. */
+constexpr long long MOST_SAMPLES = HSR_VOLUME_MOST;
 
 class Grid_scan final : public Xml_scan {
 public:
@@ -43,7 +45,7 @@ private:
   void coordinates(const Tag &tag);
   void samples(const Tag &tag);
   bool are_samples(const Tag &tag, Word name) const;
-  void rename(Tag &tag) const;
+  void add_samples(Tag &tag);
   bool has_one_component(const Tag &tag) const;
   void cell_data(const Tag &tag);
   void check_piece(const char *place) const;
@@ -93,12 +95,11 @@ void Grid_scan::extent(Tag &tag) {
   for (size_t a = 0; a < 3; a++) {
     const long long first = extent_[2 * a], last = extent_[2 * a + 1];
     if (first < -MOST_INDEX || last > MOST_INDEX || last < first ||
-        last - first >= HSR_VOLUME_MOST)
-      markup_.refuse(
-          place,
-          "has samples %lld to %lld along %c; from 1 to %d "
-          "of them can be read",
-          first, last, "xyz" [a], int { HSR_VOLUME_MOST });
+        last - first >= MOST_SAMPLES)
+      markup_.refuse(place,
+                     "has samples %lld to %lld along axis %zu; from 1 to %lld "
+                     "of them can be read",
+                     first, last, a, MOST_SAMPLES);
     volume_.n[a] = static_cast<uint32_t>(last - first + 1);
   }
 }
@@ -194,7 +195,7 @@ void Grid_scan::coordinates(const Tag &tag) {
     markup_.refuse(place, "has coordinates along %zu axes", n);
 }
 
-/* Keeps one array, and blanks the others. */
+/* Keeps one array of points, and blanks the others. */
 void Grid_scan::samples(const Tag &tag) {
   const char *place = tag.text.data();
   if (has_point_data_)
@@ -203,22 +204,11 @@ void Grid_scan::samples(const Tag &tag) {
   const Word *scalars = markup_.find(tag, "Scalars");
   const std::string name(scalars ? *scalars : Word());
   markup_.blank_others(tag);
-  const size_t n = size_t{volume_.n[0]} * volume_.n[1] * volume_.n[2];
-  for (Tag child; markup_.child(tag, child);) {
-    if (has_samples_ || !are_samples(child, name)) {
+  for (Tag child; markup_.child(tag, child);)
+    if (!has_samples_ && are_samples(child, name))
+      add_samples(child);
+    else
       markup_.skip(child);
-      continue;
-    }
-    has_samples_ = true;
-    if (!has_one_component(child))
-      markup_.refuse(child.text.data(), "'%s' has not one number a sample",
-                     shown_word(name).c_str());
-    Array array{"samples", child.text.data(), n,
-                -INFINITY, INFINITY,          Array::ANY_ORDER};
-    array.can_be_nan = true;
-    rename(child);
-    add_array(child, array);
-  }
   if (!has_samples_ && !name.empty())
     markup_.refuse(place, "its scalars, '%s', are not there",
                    shown_word(name).c_str());
@@ -235,12 +225,21 @@ bool Grid_scan::are_samples(const Tag &tag, Word name) const {
 }
 
 /* VTK does not read an array of points without a name, and changes the values of
- * arrays with some names. */
-void Grid_scan::rename(Tag &tag) const {
+ * arrays with some names. So this one gets a name that means nothing. */
+void Grid_scan::add_samples(Tag &tag) {
+  const char *place = tag.text.data();
+  has_samples_ = true;
   const Word *name = markup_.attribute(tag, "Name");
   if (!name || name->empty())
-    markup_.refuse(tag.text.data(), "the array of the samples has no name");
+    markup_.refuse(place, "the array of the samples has no name");
+  if (!has_one_component(tag))
+    markup_.refuse(place, "'%s' has not one number a sample",
+                   shown_word(*name).c_str());
   overwrite_lines(*name, 'a');
+  const size_t n = size_t{volume_.n[0]} * volume_.n[1] * volume_.n[2];
+  Array array{"samples", place, n, -INFINITY, INFINITY, Array::ANY_ORDER};
+  array.can_be_nan = true;
+  add_array(tag, array);
 }
 
 bool Grid_scan::has_one_component(const Tag &tag) const {

@@ -138,15 +138,13 @@ struct Array_checker::Inflater : z_stream {
 };
 
 void Array_checker::value(Array &array, const char *place, double value) const {
-  const bool is_allowed = array.can_be_nan && std::isnan(value);
-  if (!is_allowed && !(value >= array.least && value <= array.most)) {
+  if (!(value >= array.least && value <= array.most) &&
+      !(array.can_be_nan && std::isnan(value))) {
     if (array.type->is_real && !std::isfinite(value))
       markup_.refuse(place, "value %zu of the %s is not finite", array.n,
                      array.what);
     if (array.order == Array::ASCENDING)
-      markup_.refuse(place,
-                     "value %zu of the %s is %g, not more than that "
-                     "before it",
+      markup_.refuse(place, "value %zu of the %s is %g, not more than the last",
                      array.n, array.what, value);
     markup_.refuse(place, "value %zu of the %s is %.0f, not from %.0f to %.0f",
                    array.n, array.what, value, array.least, array.most);
