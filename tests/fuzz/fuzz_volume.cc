@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer target for a reader of volumes. -DHSR_FUZZ_SUFFIX chooses it:
-// '".vtk"'. Pictures are not read here.
-#include "common/files/image.h"
+// '".vtk"'.
 #include "common/files/volume/volume.h"
 #include "tests/fuzz/fuzz_reader.h"
-
-extern "C" enum hsr_status hsr_image_read(const char *, bool, uint32_t[2],
-                                          float **value,
-                                          struct hsr_error *err) {
-  *value = nullptr;
-  return hsr_fail(err, HSR_E_INPUT, "no pictures here");
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   static const std::string path = fuzz_path("volume" HSR_FUZZ_SUFFIX);

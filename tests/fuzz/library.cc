@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fuzz targets hold the code of hsr-vtk.so, so that it is sanitized too.
+// The fuzz targets hold the code of hsr-vtk.so, so that it is sanitized too. They
+// read no pictures.
+#include "common/files/image.h"
 #include "common/files/library.h"
 #include "common/files/vtk/vtk_library.h"
 
@@ -7,4 +9,10 @@ extern "C" const struct hsr_vtk_library hsr_vtk;
 
 const void *hsr_library_table(const char *, const char *, struct hsr_error *) {
   return &hsr_vtk;
+}
+
+enum hsr_status hsr_image_read(const char *, bool, uint32_t[2], float **value,
+                               struct hsr_error *err) {
+  *value = nullptr;
+  return hsr_fail(err, HSR_E_INPUT, "no pictures here");
 }
