@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fuzz targets hold the code of hsr-vtk.so, so that it is sanitized too. They
-// read no pictures.
+// The fuzz targets hold the code of hsr-vtk.so, so that it is sanitized too.
+// They read no pictures.
 #include "common/files/image.h"
 #include "common/files/library.h"
 #include "common/files/vtk/vtk_library.h"

@@ -45,13 +45,14 @@ struct hsr_volume_file {
 
 /* Checks that a file holds what its header claims, and nothing that VTK would
  * take on trust. file->format and path are set; file->text is freed by the
- * caller, also after a failure. HSR_E_INPUT, HSR_E_NOMEM. */
+ * caller, also after a failure. HSR_E_INPUT, HSR_E_NOMEM, HSR_E_INTERNAL. */
 enum hsr_status hsr_volume_check(struct hsr_volume_file *file,
                                  struct hsr_error *err);
 
 /* The part of hsr_volume_check for HSR_VTK_IMAGE and HSR_VTK_GRID:
  * file->is_rectilinear is set, and file->text is all of the file. Blanks what
- * VTK is not to see. HSR_E_INPUT, also in a build without VTK; HSR_E_NOMEM. */
+ * VTK is not to see. HSR_E_INPUT, also in a build without VTK; HSR_E_NOMEM;
+ * HSR_E_INTERNAL. */
 enum hsr_status hsr_volume_scan_xml(struct hsr_volume_file *file,
                                     struct hsr_error *err);
 

@@ -214,7 +214,7 @@ void Grid_scan::samples(const Tag &tag) {
                    shown_word(name).c_str());
 }
 
-/* Without the name of the scalars, the first array of one component is taken. */
+/* If the scalars have no name, the first array of one component is taken. */
 bool Grid_scan::are_samples(const Tag &tag, Word name) const {
   if (tag.name != "DataArray")
     return false;
@@ -224,8 +224,8 @@ bool Grid_scan::are_samples(const Tag &tag, Word name) const {
   return own && *own == name;
 }
 
-/* VTK does not read an array of points without a name, and changes the values of
- * arrays with some names. So this one gets a name that means nothing. */
+/* VTK does not read an array of points without a name, and changes the values
+ * of arrays with some names. So this one gets a name that means nothing. */
 void Grid_scan::add_samples(Tag &tag) {
   const char *place = tag.text.data();
   has_samples_ = true;

@@ -29,14 +29,13 @@ struct Array {
   double least, most; /* that a value may be */
   Order order;
 
-  bool can_be_nan = false;
+  bool can_be_nan = false; /* that is, values that are not numbers */
   const Array_type *type = nullptr;
   enum { TEXT, BINARY, APPENDED } format = TEXT;
   bool is_base64 = true; /* unless TEXT */
   size_t offset = 0;     /* if APPENDED */
   Word data = {};
-  size_t n = 0; /* values found; then, unless ANY_ORDER, `least` is what one
-                   more must be at least: if RISING, the last */
+  size_t n = 0; /* values found; unless ANY_ORDER, `least` follows them */
 };
 
 /* How a file writes arrays that are not TEXT. */

@@ -12,7 +12,7 @@ inline Word between(const char *begin, const char *end) {
   return Word(begin, static_cast<size_t>(end - begin));
 }
 
-/* Makes a text one letter over and over, or spaces, but for its line ends. Words
+/* Makes every byte of a text a letter, or a space, but for its line ends. Words
  * are views of the file's bytes, which are ours to write. */
 void overwrite_lines(Word text, char letter);
 inline void blank_lines(Word text) {
