@@ -16,10 +16,10 @@
  *             are in the order of list[].
  * Ties        faces of one plane: the lower id has priority, in its cluster
  * Departures  A program does what was built as hardware: it looks at every edge
- *             on every scan line, and decrements every pair of counters at every
- *             raster element, several at once in a vector. So its counts are
- *             those of the hardware; its time is not. The search
- *             for the priorities of a cluster is made once, by an adapter; its
+ *             on every scan line, and at every pair of counters at every raster
+ *             element, for 32 elements at once in a vector. So its counts are
+ *             those of the hardware; its time is not. The search for the
+ *             priorities of a cluster is made once, by an adapter; its
  *             comparisons are known here by their number only. Figure 20 takes
  *             the intercepts of infinite edges: here an edge has one only on
  *             the scan lines that it crosses, and max L < min R is asked of
@@ -366,31 +366,36 @@ static void load_counters(struct schumacker *s, int j) {
 
 /* --- Priority search ------------------------------------------------------ */
 
-/* Decrements n pairs. The first of them that is there, or `none`: what the logic
- * network finds. */
-HSR_VECTOR static uint32_t decrement(int *left, int *right, uint32_t n,
-                                     uint32_t none) {
-  uint32_t first = none;
-  for (uint32_t k = 0; k < n; k++) {
-    left[k]--;
-    right[k]--;
-    uint32_t found = left[k] < 0 && right[k] > 0 ? k : none;
-    first = found < first ? found : first;
+enum { ELEMENTS = 32 }; /* raster elements that are searched at once */
+
+/* Decrements n pairs for each of the elements from number `at` of the scan line
+ * on: a counter that was loaded with L is L - 1 at element 0. The first pair
+ * that is there, or n: what the logic network finds. The last pair is looked at
+ * first, so that one of higher priority replaces it. */
+HSR_VECTOR static void decrement(const int *left, const int *right, uint32_t n,
+                                 int at, uint32_t first[ELEMENTS]) {
+  uint32_t found[ELEMENTS];
+  for (int e = 0; e < ELEMENTS; e++)
+    found[e] = n;
+  for (uint32_t k = n; k--;) {
+    int l = left[k] - at - 1, r = right[k] - at - 1;
+    for (int e = 0; e < ELEMENTS; e++)
+      found[e] = (l - e < 0) & (r - e > 0) ? k : found[e];
   }
-  return first;
+  memcpy(first, found, sizeof found);
 }
 
-/* Decrements the pairs [begin, end) for raster element (i, j). The first of
- * them that is there, or `end`. */
-static uint32_t search_pairs(struct schumacker *s, uint32_t begin, uint32_t end,
-                             int i, int j) {
-  int *left = s->pairs.left, *right = s->pairs.right;
-  uint32_t n = end - begin;
-  uint32_t first = begin + decrement(left + begin, right + begin, n, n);
+static bool is_there(const struct pairs *pairs, uint32_t k, int at) {
+  return pairs->left[k] - at - 1 < 0 && pairs->right[k] - at - 1 > 0;
+}
+
+/* The pairs [begin, end) were decremented for an element; `first` was found. */
+static void count_search(const struct schumacker *s, uint32_t begin,
+                         uint32_t end, uint32_t first, int i, int j) {
   for (uint32_t k = begin; HSR_COUNTING && k < end; k++)
     HSR_STEP(s->tally, PRIORITY, HSR_FACE(s->pairs.face[k]), HSR_THE_WINDOW,
-             HSR_AT(i, j), (left[k] < 0 && right[k] > 0) + (first == k));
-  return first;
+             HSR_AT(i, j),
+             is_there(&s->pairs, k, i - s->window->x0) + (first == k));
 }
 
 /* The face that is visible at (i, j): the given one, or the background, or a
@@ -399,7 +404,7 @@ static uint32_t search_thick(struct schumacker *s, uint32_t visible, uint32_t k,
                              int i, int j) {
   for (; k < s->pairs.n; k++) {
     uint32_t f = s->pairs.face[k];
-    if (s->pairs.left[k] >= 0 || s->pairs.right[k] <= 0)
+    if (!is_there(&s->pairs, k, i - s->window->x0))
       continue;
     if (visible == HSR_BACKGROUND) {
       visible = f;
@@ -414,20 +419,33 @@ static uint32_t search_thick(struct schumacker *s, uint32_t visible, uint32_t k,
   return visible;
 }
 
+/* Shows what is visible at (i, j): the pairs `first`, of those that have a
+ * place in the list, and `thick`, of the others, are the first that are there.
+ */
+static void show_element(struct schumacker *s, uint32_t first, uint32_t thick,
+                         int i, int j) {
+  uint32_t n_ordered = s->pairs.n - s->n_thick_pairs;
+  count_search(s, 0, n_ordered, first, i, j);
+  count_search(s, n_ordered, s->pairs.n, thick, i, j);
+  uint32_t face = first < n_ordered ? s->pairs.face[first] : HSR_BACKGROUND;
+  face = search_thick(s, face, thick, i, j);
+  if (face != HSR_BACKGROUND)
+    HSR_STEP(s->tally, SHOWN, HSR_FACE(face), HSR_THE_WINDOW, HSR_AT(i, j), 0);
+  HSR_TOUCH(s->tally, i, j);
+  s->job->ids[(size_t)j * s->job->ids_stride + (size_t)i] = face;
+}
+
 static void search_row(struct schumacker *s, int j) {
   const struct hsr_window *w = s->window;
-  uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-  uint32_t n_ordered = s->pairs.n - s->n_thick_pairs;
-  for (int i = w->x0; i < w->x1; i++) {
-    uint32_t first = search_pairs(s, 0, n_ordered, i, j);
-    uint32_t thick = search_pairs(s, n_ordered, s->pairs.n, i, j);
-    uint32_t visible =
-        first < n_ordered ? s->pairs.face[first] : HSR_BACKGROUND;
-    row[i] = search_thick(s, visible, thick, i, j);
-    if (row[i] != HSR_BACKGROUND)
-      HSR_STEP(s->tally, SHOWN, HSR_FACE(row[i]), HSR_THE_WINDOW, HSR_AT(i, j),
-               0);
-    HSR_TOUCH(s->tally, i, j);
+  const struct pairs *p = &s->pairs;
+  uint32_t n_ordered = p->n - s->n_thick_pairs;
+  for (int i = w->x0; i < w->x1; i += ELEMENTS) {
+    uint32_t first[ELEMENTS], thick[ELEMENTS];
+    decrement(p->left, p->right, n_ordered, i - w->x0, first);
+    decrement(p->left + n_ordered, p->right + n_ordered, s->n_thick_pairs,
+              i - w->x0, thick);
+    for (int e = 0; e < ELEMENTS && i + e < w->x1; e++)
+      show_element(s, first[e], n_ordered + thick[e], i + e, j);
   }
 }
 
