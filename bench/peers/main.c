@@ -34,6 +34,8 @@ static const struct peer *const peers[] = {
 enum { N_PEERS = sizeof peers / sizeof *peers };
 
 const struct hsr_algorithm takes_triangles = {.name = "triangles",
+                                              .subjects = 1 << HSR_FACES,
+                                              .kind = HSR_IDS,
                                               .restrictions = HSR_TR};
 
 static enum hsr_status choose_peer(const char *name, const struct peer **chosen,

@@ -105,6 +105,8 @@ static void fill_release(void *state) {
 }
 
 static const struct hsr_algorithm takes_all = {.name = "any",
+                                               .subjects = 1 << HSR_FACES,
+                                               .kind = HSR_IDS,
                                                .flags = HSR_INSTANCED};
 
 const struct peer peer_memset = {
