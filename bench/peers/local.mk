@@ -24,7 +24,7 @@ if WITH_GL2PS
 endif
 if WITH_VTK_RENDERER
 noinst_LIBRARIES += libvtkpeer.a
-libvtkpeer_a_SOURCES = %D%/vtk.cc
+libvtkpeer_a_SOURCES = %D%/vtk.cc %D%/vtk_volume.cc
 libvtkpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_hsr_peers_LDADD += libvtkpeer.a $(VTK_RENDERER_LIBS)
 endif

@@ -24,6 +24,8 @@ static const struct peer *const peers[] = {
 #if HSR_HAVE_VTK_RENDERER
     &peer_vtk,
     &peer_vtk_painter,
+    &peer_vtk_volume,
+    &peer_vtk_volume_fine,
 #endif
 #if HSR_HAVE_GL2PS
     &peer_gl2ps,
@@ -98,7 +100,8 @@ static enum hsr_status draw_frame(void *state, struct hsr_error *err) {
 }
 
 static enum hsr_status serve_run(struct run *run, struct hsr_error *err) {
-  bool draws_ids = !strcmp(run->peer->kind, "ids");
+  bool names_cells = !strcmp(run->peer->kind, "cells");
+  bool draws_ids = names_cells || !strcmp(run->peer->kind, "ids");
   struct hsr_answer answer =
       hsr_answer_of_ids(run->canvas.ids, run->canvas.m, run->canvas.n);
   struct served served = {.request = run->request,
@@ -108,7 +111,8 @@ static enum hsr_status serve_run(struct run *run, struct hsr_error *err) {
                           .before_kb = run->before_kb,
                           .round = draw_frame,
                           .state = run,
-                          .answer = draws_ids ? &answer : NULL};
+                          .answer = draws_ids ? &answer : NULL,
+                          .names_cells = names_cells};
   return serve(&served, err);
 }
 
@@ -268,5 +272,5 @@ int main(int argc, char **argv) {
     fprintf(stderr, "hsr: %s\n", err.text);
   if (status == HSR_E_NOMEM)
     end_process((int)status);
-  return status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status;
+  return (int)status;
 }

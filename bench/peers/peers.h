@@ -3,7 +3,8 @@
  *
  * hsr-peers list
  *   prints the peers as a JSON array of {"name", "title", "source", "version":
- *   null if it cannot be started here, "kind": "ids", "segments" or "none",
+ *   null if it cannot be started here, "kind": "ids", "cells" of a grid,
+ *   "segments" or "none",
  *   "threads": whether it can draw on several, "what": what a frame contains
  *   and what it leaves out}
  * hsr-peers worker NAME SCENE VIEW WxH THREADS [IDS-FILE]
@@ -11,7 +12,10 @@
  * hsr-peers judge NAME SCENE VIEW WxH
  *   for a peer that draws lines: compares its drawing with the line oracle's,
  *   and prints {"compared": edges, "mismatches": edges, ...}. The peer's "what"
- *   tells how. A picture of ids is judged by the program that reads IDS-FILE.
+ *   tells how. A picture of ids or cells is judged by the program that reads
+ *   IDS-FILE.
+ *
+ * Exit status: as hsr's, and HSR_E_REFUSED for a scene that the peer refuses.
  */
 #ifndef HSR_BENCH_PEERS_PEERS_H
 #define HSR_BENCH_PEERS_PEERS_H
@@ -33,7 +37,8 @@ struct peer_canvas {
   const struct hsr_world *outline; /* of the scene; NULL: it is laid out */
   int m, n;
   long threads;  /* 1, unless the peer can draw on several */
-  uint32_t *ids; /* m * n; the face of sample (i, j) goes to j * m + i */
+  uint32_t *ids; /* m * n; the face of sample (i, j) goes to j * m + i. Of a
+                    peer of kind "cells", the grid's cell */
 };
 
 /* Which scenes a peer draws from an outline and the objects: no scene, those
@@ -42,7 +47,7 @@ enum outlines { OUTLINES_REFUSED, OUTLINES_TAKEN, OUTLINES_ONLY };
 
 struct peer {
   const char *name, *title, *source, *what;
-  const char *kind;    /* "ids", "segments", "none" */
+  const char *kind;    /* "ids", "cells", "segments", "none" */
   bool many_threads;   /* it can draw on more than one */
   const void *flavour; /* where one set of functions serves several peers */
 
@@ -83,8 +88,10 @@ extern const struct peer peer_embree, peer_embree_packets,
     peer_embree_instances;                                    /* embree.c */
 extern const struct peer peer_llvmpipe, peer_llvmpipe_arrays; /* llvmpipe.c */
 extern const struct peer peer_vtk, peer_vtk_painter;          /* vtk.cc */
-extern const struct peer peer_gl2ps;                          /* gl2ps.c */
-extern const struct peer peer_zbuffer_inexact, peer_memset;   /* own.c */
+extern const struct peer peer_vtk_volume,
+    peer_vtk_volume_fine;                                   /* vtk_volume.cc */
+extern const struct peer peer_gl2ps;                        /* gl2ps.c */
+extern const struct peer peer_zbuffer_inexact, peer_memset; /* own.c */
 
 #ifdef __cplusplus
 }

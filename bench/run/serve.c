@@ -176,7 +176,8 @@ static enum hsr_status shade_and_write(const struct served *served,
 /* The two phases after the picture, if there is one. */
 static enum hsr_status finish_picture(const struct served *served,
                                       struct hsr_error *err) {
-  if (!served->answer || !served->answer->form.type->shade) {
+  if (!served->answer || served->names_cells ||
+      !served->answer->form.type->shade) {
     puts("{\"shade\": null, \"write\": null}");
     return HSR_OK;
   }

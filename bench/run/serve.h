@@ -52,6 +52,8 @@ struct served {
   void *state;
   const struct hsr_answer *answer; /* after a round, the last frame's; NULL: it
                                       makes none */
+  bool names_cells; /* the answer's ids are cells of a grid, which are written
+                       but not shaded */
 };
 
 long memory_kb(void); /* the memory that this process holds now */

@@ -348,6 +348,21 @@ static enum hsr_status line_up(struct place_run *run, struct hsr_error *err) {
   return HSR_OK;
 }
 
+static bool names_cells(const struct entrant *peer) {
+  return !strcmp(peer->kind, "cells");
+}
+
+/* What a peer should have at a sample where the oracle has this face: the face,
+ * or the cell that it belongs to. */
+static uint32_t wanted_of(const struct place_run *run, int k, uint32_t face) {
+  uint32_t cell;
+  int side;
+  if (!names_cells(run->entrant[k]) || face == HSR_BACKGROUND)
+    return face;
+  hsr_grid_face(run->stage.scene->grid, face, &cell, &side);
+  return cell;
+}
+
 /* Compares a peer's picture with the oracle's, if there is one. */
 static void compare_picture(const struct place_run *run, int k,
                             struct cell *cell) {
@@ -358,7 +373,7 @@ static void compare_picture(const struct place_run *run, int k,
     for (size_t s = 0; s < n; s++)
       if (run->picture[s] != HSR_NOT_WRITTEN) {
         cell->compared++;
-        cell->mismatches += ids[s] != run->picture[s];
+        cell->mismatches += ids[s] != wanted_of(run, k, run->picture[s]);
       }
   }
   if (file)
@@ -372,7 +387,7 @@ static void compare_picture(const struct place_run *run, int k,
 static void judge_peer(struct place_run *run, int k) {
   const struct entrant *peer = run->entrant[k];
   struct cell *cell = &run->shared->cells[k];
-  if (!strcmp(peer->kind, "ids"))
+  if (!strcmp(peer->kind, "ids") || names_cells(peer))
     compare_picture(run, k, cell);
   else if (!strcmp(peer->kind, "segments"))
     peers_judge(run->sweep->plan, &run->place, peer->name, cell);
@@ -383,6 +398,13 @@ static void judge_peer(struct place_run *run, int k) {
     snprintf(cell->refusal, sizeof cell->refusal,
              "refused, the drawing of %s could not be judged", peer->name);
   }
+}
+
+/* Peers are not asked before they are started. */
+static void note_refusal(const struct entrant *peer, struct cell *cell) {
+  cell->verdict = REFUSED;
+  snprintf(cell->refusal, sizeof cell->refusal,
+           "refused, %s does not draw such scenes", peer->name);
 }
 
 /* When the place should be done, if the sweep has a budget. */
@@ -413,6 +435,8 @@ static enum hsr_status time_all(struct place_run *run, struct hsr_error *err) {
       cell->verdict = run->taker[k].verdict;
       cell->failure = run->taker[k].failure;
     }
+    if (cell->verdict == CRASH && cell->failure == HSR_E_REFUSED)
+      note_refusal(run->entrant[k], cell);
     if (!run->entrant[k]->listed)
       judge_peer(run, k);
   }
@@ -513,11 +537,15 @@ static const char *status_name(const struct cell *cell) {
   return verdict_name(cell->verdict);
 }
 
-/* Why there is no time, in words; `text` is scratch for them. */
+/* Why there is no time, or what was compared, in words; `text` is scratch for
+ * them. */
 static const char *reason_of(const struct sweep_options *o,
+                             const struct entrant *entrant,
                              const struct cell *cell, char text[80]) {
   if (cell->refusal[0])
     return cell->refusal;
+  if (cell->compared && names_cells(entrant))
+    return "compared by cells, not by their sides";
   if (cell->verdict == TIMEOUT)
     snprintf(text, 80, "a picture took longer than %ld s", o->timeout);
   else if (cell->verdict == CRASH && cell->failure == HSR_E_NOMEM)
@@ -541,7 +569,7 @@ static json_t *cell_record(const struct place_run *run, int k) {
       status_name(cell), "mismatches", (json_int_t)cell->mismatches,
       "counting_mismatches", counting_json(cell), "compared",
       (json_int_t)cell->compared, "reason",
-      reason_of(run->sweep->plan->options, cell, reason), "adapted",
+      reason_of(run->sweep->plan->options, e, cell, reason), "adapted",
       adapted_json(cell), "counts", counts_json(run, k), "depths",
       depths_json(cell), "starts", starts_json(run, k));
   return with_walk(run, record);

@@ -56,7 +56,8 @@ struct entrant {
   const char *name;
   const struct hsr_listed *listed; /* NULL: a peer */
   struct hsr_choice choice;        /* of an algorithm's options */
-  const char *kind;                /* "ids", "segments", "filtered", "none" */
+  const char *kind;                /* "ids", "segments", "filtered", "none";
+                                      of peers also "cells" */
   long threads;
 };
 
