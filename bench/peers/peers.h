@@ -4,9 +4,8 @@
  * hsr-peers list
  *   prints the peers as a JSON array of {"name", "title", "source", "version":
  *   null if it cannot be started here, "kind": "ids", "cells" of a grid,
- *   "segments" or "none",
- *   "threads": whether it can draw on several, "what": what a frame contains
- *   and what it leaves out}
+ *   "segments" or "none", "threads": whether it can draw on several, "what":
+ *   what a frame contains and what it leaves out}
  * hsr-peers worker NAME SCENE VIEW WxH THREADS [IDS-FILE]
  *   draws when told to: bench/run/serve.h
  * hsr-peers judge NAME SCENE VIEW WxH

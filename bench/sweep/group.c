@@ -544,12 +544,12 @@ static const char *reason_of(const struct sweep_options *o,
                              const struct cell *cell, char text[80]) {
   if (cell->refusal[0])
     return cell->refusal;
-  if (cell->compared && names_cells(entrant))
-    return "compared by cells, not by their sides";
   if (cell->verdict == TIMEOUT)
     snprintf(text, 80, "a picture took longer than %ld s", o->timeout);
   else if (cell->verdict == CRASH && cell->failure == HSR_E_NOMEM)
     snprintf(text, 80, "took more memory than there was");
+  else if (cell->compared && names_cells(entrant))
+    return "compared by cells, not by their sides";
   else
     return NULL;
   return text;
