@@ -17,9 +17,9 @@
  * Blocks      VTK notes which blocks of the volume are clear, and rays leap
  *             over them. Its filter does that in pieces, on several threads.
  *             With bytes as colours, VTK 9.1 reads the wrong voxels for all
- *             pieces but the first, so that rays leap over kept cells: of
- *             tubules, a quarter of what is seen was gone. So the filter is
- *             given one piece.
+ *             pieces but the first, so that rays leap over kept cells: at 256 x
+ *             256 samples of tubules, 4,583 of the 7,534 that show a cell
+ *             showed none. So the filter is given one piece.
  * Compared    The picture names cells, not their sides. It is compared with the
  *             cells that the oracle's faces belong to.
  * Context     There is none: rays are cast by the processor to memory. The
