@@ -344,9 +344,9 @@ static void write_scene(FILE *file, const struct hsr_scene *scene) {
   fprintf(file,
           "], \"views\": [\n{\"eye\": [%.17g, %.17g, %.17g], \"at\": [%.17g, "
           "%.17g, %.17g], \"up\": [%g, %g, %g], \"fov\": %.17g, \"near\": "
-          "%.17g}]}\n",
+          "%.17g, \"parallel\": %.17g}]}\n",
           c->eye[0], c->eye[1], c->eye[2], c->at[0], c->at[1], c->at[2],
-          c->up[0], c->up[1], c->up[2], c->fov, c->near);
+          c->up[0], c->up[1], c->up[2], c->fov, c->near, c->parallel);
 }
 
 /* --- Pictures ------------------------------------------------------------- */
@@ -356,7 +356,7 @@ struct comparison {
   int share;
   const struct hsr_world *world;
   const struct hsr_view *view;
-  char name[80];
+  char name[160];
   uint32_t wanted[MOST_SIDE * MOST_SIDE], got[MOST_SIDE * MOST_SIDE];
   struct hsr_drawing wanted_lines, got_lines;
   long compared, wrong, refused, slow;
@@ -488,6 +488,17 @@ static void compare(struct comparison *c, const struct hsr_algorithm *a,
     tell(c, a, &choice, "is wrong");
 }
 
+/* All but the scene itself, which FILE holds. */
+static void name(struct comparison *c, enum scale scale) {
+  const struct hsr_view *v = c->view;
+  snprintf(c->name, sizeof c->name,
+           "seed %llu (%s, %u faces), %d x %d, columns %d to %d, rows %d to %d "
+           "(%g, %g)",
+           (unsigned long long)c->scene_seed, scale_name[scale],
+           c->world->n_faces, v->m, v->n, v->window.x0, v->window.x1,
+           v->window.y0, v->window.y1, v->offset_x, v->offset_y);
+}
+
 /* Both oracles, and then the algorithms. False if the scene is not valid. */
 static bool check_scene(struct comparison *c, const char *file) {
   struct hsr_camera camera;
@@ -512,9 +523,7 @@ static bool check_scene(struct comparison *c, const char *file) {
     const char *const oracle[2] = {"oracle", "line-oracle"};
     c->world = &world;
     c->view = &view;
-    snprintf(c->name, sizeof c->name, "seed %llu (%s, %u faces), %d x %d",
-             (unsigned long long)c->scene_seed, scale_name[scale],
-             world.n_faces, view.m, view.n);
+    name(c, scale);
     for (int lines = 0; lines < 2; lines++) {
       const struct hsr_algorithm *judge =
           hsr_algorithm_find(oracle[lines])->plain;

@@ -46,7 +46,9 @@
  * of its edges says so and its plane lies past near there. The parity is that
  * of the lines through the eye that meet the polygon. It, too, is constant on H
  * if no edge has a point on such a line. The same two tests prove this, by the
- * row sides and edge sides of the definition. On H the plane lies past near if
+ * row sides and edge sides of the definition. An edge in line with the eye never
+ * crosses a row, though its ends may be on different sides of some. So parity
+ * changes where the row passes an end, and H must not hold such a row. On H the plane lies past near if
  * it does at the corners, both conditions, q > 0 and near q < 1, being linear
  * in the depth q; and nowhere if one of them fails at all corners. */
 #include "algorithms/image_space/area/warnock.h"
@@ -221,10 +223,21 @@ static bool passes_by_rows(const struct state *s, uint32_t a, uint32_t b,
          side == hsr_row_side(s->screen, b, w->y1 - 1, s->tally);
 }
 
-/* All corners of the window lie on one side of the edge's line. */
+/* Vertex v is above all rows of the window, or below all. */
+static bool keeps_side(const struct state *s, uint32_t v,
+                       const struct window *w) {
+  return hsr_row_side(s->screen, v, w->y0, s->tally) ==
+         hsr_row_side(s->screen, v, w->y1 - 1, s->tally);
+}
+
+/* All corners of the window lie on one side of the edge's line. An edge that is
+ * in line with the eye has no sides, and crosses no row: there the row sides of
+ * its ends must be the same in all of the window. */
 static bool corners_agree(const struct state *s, uint32_t a, uint32_t b,
                           const struct window *w) {
   int side = hsr_edge_side(s->screen, a, b, w->x0, w->y0, s->tally);
+  if (!side)
+    return keeps_side(s, a, w) && keeps_side(s, b, w);
   for (int corner = 1; corner < 4; corner++)
     if (hsr_edge_side(s->screen, a, b, corner_column(w, corner),
                       corner_row(w, corner), s->tally) != side)
