@@ -35,6 +35,8 @@
  *             back-face cull F_r, Y cull n E_s, X sort and priority search
  *             n m S_l */
 #include "algorithms/list_priority/fixed/cluster_order.h"
+#include "common/base/bits.h"
+#include "common/base/bits.h"
 #include "common/base/vector.h"
 
 #include <math.h>
@@ -153,7 +155,7 @@ struct edge {
 struct edges {
   struct edge *edge;
   int *y0, *y1;
-  uint8_t *meets; /* the scan line in hand; zeros up to a multiple of 8 */
+  uint8_t *meets; /* the scan line in hand; then 8 zeros */
   uint32_t n;
 };
 
@@ -300,12 +302,12 @@ static void cull_edges(struct schumacker *s, int j) {
 
 /* The next edge from edge e on that meets the scan line, or edges->n. */
 static uint32_t next_met(const struct edges *edges, uint32_t e) {
-  while (e < edges->n && !edges->meets[e]) {
-    uint64_t eight;
-    memcpy(&eight, edges->meets + e, sizeof eight);
-    e += eight ? 1 : 8;
+  for (; e < edges->n; e += 8) {
+    int first = hsr_first_byte(edges->meets + e);
+    if (first < 8)
+      return e + (uint32_t)first;
   }
-  return e < edges->n ? e : edges->n;
+  return edges->n;
 }
 
 static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
@@ -369,40 +371,45 @@ static void load_counters(struct schumacker *s, int j) {
 enum { ELEMENTS = 32 }; /* raster elements that are searched at once */
 
 /* Decrements n pairs for each of the elements from number `at` of the scan line
- * on: a counter that was loaded with L is L - 1 at element 0. The first pair
- * that is there, or n: what the logic network finds. The last pair is looked at
- * first, so that one of higher priority replaces it. */
-HSR_VECTOR static void decrement(const int *left, const int *right, uint32_t n,
-                                 int at, uint32_t first[ELEMENTS]) {
-  uint32_t found[ELEMENTS];
+ * on: a counter that was loaded with L is L - 1 at element 0. Gives the face of
+ * the first pair that is there, or the background: what the logic network finds.
+ * The last pair is looked at first, so that one of higher priority replaces it.
+ */
+HSR_VECTOR static void decrement(const struct pairs *pairs, uint32_t n, int at,
+                                 uint32_t visible[ELEMENTS]) {
+  uint32_t face[ELEMENTS];
   for (int e = 0; e < ELEMENTS; e++)
-    found[e] = n;
+    face[e] = HSR_BACKGROUND;
   for (uint32_t k = n; k--;) {
-    int l = left[k] - at - 1, r = right[k] - at - 1;
+    uint32_t f = pairs->face[k];
+    int l = pairs->left[k] - at - 1, r = pairs->right[k] - at - 1;
     for (int e = 0; e < ELEMENTS; e++)
-      found[e] = (l - e < 0) & (r - e > 0) ? k : found[e];
+      face[e] = (l - e < 0) & (r - e > 0) ? f : face[e];
   }
-  memcpy(first, found, sizeof found);
+  memcpy(visible, face, sizeof face);
 }
 
 static bool is_there(const struct pairs *pairs, uint32_t k, int at) {
   return pairs->left[k] - at - 1 < 0 && pairs->right[k] - at - 1 > 0;
 }
 
-/* The pairs [begin, end) were decremented for an element; `first` was found. */
+/* The pairs [begin, end) were decremented for an element. */
 static void count_search(const struct schumacker *s, uint32_t begin,
-                         uint32_t end, uint32_t first, int i, int j) {
-  for (uint32_t k = begin; HSR_COUNTING && k < end; k++)
+                         uint32_t end, int i, int j) {
+  bool found = false;
+  for (uint32_t k = begin; HSR_COUNTING && k < end; k++) {
+    bool there = is_there(&s->pairs, k, i - s->window->x0);
     HSR_STEP(s->tally, PRIORITY, HSR_FACE(s->pairs.face[k]), HSR_THE_WINDOW,
-             HSR_AT(i, j),
-             is_there(&s->pairs, k, i - s->window->x0) + (first == k));
+             HSR_AT(i, j), there + (there && !found));
+    found |= there;
+  }
 }
 
 /* The face that is visible at (i, j): the given one, or the background, or a
- * thick face. Pair k is the first of those that are there. */
-static uint32_t search_thick(struct schumacker *s, uint32_t visible, uint32_t k,
-                             int i, int j) {
-  for (; k < s->pairs.n; k++) {
+ * thick face. */
+static uint32_t search_thick(struct schumacker *s, uint32_t visible, int i,
+                             int j) {
+  for (uint32_t k = s->pairs.n - s->n_thick_pairs; k < s->pairs.n; k++) {
     uint32_t f = s->pairs.face[k];
     if (!is_there(&s->pairs, k, i - s->window->x0))
       continue;
@@ -419,33 +426,21 @@ static uint32_t search_thick(struct schumacker *s, uint32_t visible, uint32_t k,
   return visible;
 }
 
-/* Shows what is visible at (i, j): the pairs `first`, of those that have a
- * place in the list, and `thick`, of the others, are the first that are there.
- */
-static void show_element(struct schumacker *s, uint32_t first, uint32_t thick,
-                         int i, int j) {
-  uint32_t n_ordered = s->pairs.n - s->n_thick_pairs;
-  count_search(s, 0, n_ordered, first, i, j);
-  count_search(s, n_ordered, s->pairs.n, thick, i, j);
-  uint32_t face = first < n_ordered ? s->pairs.face[first] : HSR_BACKGROUND;
-  face = search_thick(s, face, thick, i, j);
-  if (face != HSR_BACKGROUND)
-    HSR_STEP(s->tally, SHOWN, HSR_FACE(face), HSR_THE_WINDOW, HSR_AT(i, j), 0);
-  HSR_TOUCH(s->tally, i, j);
-  s->job->ids[(size_t)j * s->job->ids_stride + (size_t)i] = face;
-}
-
 static void search_row(struct schumacker *s, int j) {
   const struct hsr_window *w = s->window;
-  const struct pairs *p = &s->pairs;
-  uint32_t n_ordered = p->n - s->n_thick_pairs;
-  for (int i = w->x0; i < w->x1; i += ELEMENTS) {
-    uint32_t first[ELEMENTS], thick[ELEMENTS];
-    decrement(p->left, p->right, n_ordered, i - w->x0, first);
-    decrement(p->left + n_ordered, p->right + n_ordered, s->n_thick_pairs,
-              i - w->x0, thick);
-    for (int e = 0; e < ELEMENTS && i + e < w->x1; e++)
-      show_element(s, first[e], n_ordered + thick[e], i + e, j);
+  uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
+  uint32_t n_ordered = s->pairs.n - s->n_thick_pairs, visible[ELEMENTS];
+  for (int i = w->x0; i < w->x1; i++) {
+    int e = (i - w->x0) % ELEMENTS;
+    if (!e)
+      decrement(&s->pairs, n_ordered, i - w->x0, visible);
+    count_search(s, 0, n_ordered, i, j);
+    count_search(s, n_ordered, s->pairs.n, i, j);
+    row[i] = search_thick(s, visible[e], i, j);
+    if (row[i] != HSR_BACKGROUND)
+      HSR_STEP(s->tally, SHOWN, HSR_FACE(row[i]), HSR_THE_WINDOW, HSR_AT(i, j),
+               0);
+    HSR_TOUCH(s->tally, i, j);
   }
 }
 

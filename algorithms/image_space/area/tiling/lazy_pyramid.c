@@ -7,6 +7,7 @@
  * face that is safely before the eye, it is within its extremes at the
  * vertices, too; behind the eye nothing is seen, so 1/t is not negative. */
 #include "algorithms/image_space/area/tiling/lazy_pyramid.h"
+#include "common/base/numbers.h"
 #include "common/base/bits.h"
 
 #include <float.h>
@@ -24,8 +25,8 @@ static double farthest(const struct hsr_view *view) {
 }
 
 static void include(struct hsr_lazy_depth *depth, struct hsr_lazy_depth more) {
-  depth->far = fmin(depth->far, more.far);
-  depth->near = fmax(depth->near, more.near);
+  depth->far = hsr_min(depth->far, more.far);
+  depth->near = hsr_max(depth->near, more.near);
 }
 
 static bool is_behind(struct hsr_lazy_depth a, struct hsr_lazy_depth b) {
@@ -44,7 +45,7 @@ static struct hsr_lazy_depth depth_at_vertices(const struct hsr_screen *s,
       return (struct hsr_lazy_depth){farthest(s->view), INFINITY};
     include(&depth, (struct hsr_lazy_depth){q - error, q + error});
   }
-  depth.far = fmax(depth.far, farthest(s->view));
+  depth.far = hsr_max(depth.far, farthest(s->view));
   return depth;
 }
 
@@ -82,8 +83,8 @@ static struct hsr_lazy_depth depth_in(const struct hsr_lazy_pyramid *p,
   double middle = plane->a * x + plane->b * y + plane->c;
   double reach = (a + b) * half;
   reach += plane->error + 8 * U * (a * x + b * y + fabs(plane->c) + reach);
-  depth.far = fmax(depth.far, middle - reach);
-  depth.near = fmin(depth.near, middle + reach);
+  depth.far = hsr_max(depth.far, middle - reach);
+  depth.near = hsr_min(depth.near, middle + reach);
   return depth;
 }
 
