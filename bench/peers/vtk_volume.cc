@@ -264,7 +264,8 @@ void take_cells(const State *state, const struct hsr_view *view) {
   image->GetImageMemorySize(room);
   std::fill_n(state->cells, (size_t)view->m * (size_t)view->n, HSR_BACKGROUND);
   for (int j = 0; j < size[1]; j++) {
-    const unsigned short *from = image->GetImage() + 4 * (size_t)j * room[0];
+    const unsigned short *from =
+        image->GetImage() + 4 * (size_t)j * (size_t)room[0];
     uint32_t *to = state->cells + corner[0] +
                    (size_t)(view->n - 1 - corner[1] - j) * (size_t)view->m;
     for (int i = 0; i < size[0]; i++)

@@ -384,7 +384,7 @@ HSR_VECTOR static void decrement(const struct pairs *pairs, uint32_t n, int at,
     uint32_t f = pairs->face[k];
     int l = pairs->left[k] - at - 1, r = pairs->right[k] - at - 1;
     for (int e = 0; e < ELEMENTS; e++)
-      face[e] = (l - e < 0) & (r - e > 0) ? f : face[e];
+      face[e] = ((l - e < 0) & (r - e > 0)) ? f : face[e];
   }
   memcpy(visible, face, sizeof face);
 }
