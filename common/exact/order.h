@@ -82,9 +82,9 @@ void hsr_narrow_depth_range(const struct hsr_screen *screen, uint32_t f,
                             const struct hsr_bounds *bounds, double *nearest,
                             double *farthest);
 
-/* Whether what is seen of face f may be farther than `reach` (world units) from
- * the hull of its vertices, because the eye is near its plane. False for a face
- * that is flat. */
+/* Whether what is seen of face f may be farther than `reach` (world units,
+ * finite) from the hull of its vertices, because the eye is near its plane. False
+ * for a face that is flat. */
 bool hsr_grazes(const struct hsr_screen *screen, uint32_t f, double reach);
 
 #ifdef __cplusplus

@@ -565,7 +565,7 @@ static bool take_window(struct hsr_pieces_view *p) {
 static bool is_grazed(const struct hsr_pieces_view *p) {
   /* All that hsr_grazes reads. Pieces that are moved are flat. */
   const struct hsr_screen screen = {.world = p->bsp->world, .view = p->view};
-  return hsr_grazes(&screen, p->piece->face, INFINITY);
+  return hsr_grazes(&screen, p->piece->face, DBL_MAX);
 }
 
 /* Whether what is before the eye may be cut at near. */
