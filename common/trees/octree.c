@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/trees/octree.h"
+#include "common/base/numbers.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -195,6 +196,24 @@ static bool look_at_primitives(struct builder *b, struct list *all) {
   return true;
 }
 
+/* Where rounding leaves a part of the primitives out of the root's cube, makes
+ * it anew, around their middle and twice as large as they need. */
+static void enclose(const struct builder *b, struct hsr_octree_node *root) {
+  struct hsr_box cube = hsr_cube_box(root), all = cube;
+  for (uint32_t k = 0; k < b->primitives->n; k++)
+    for (int a = 0; a < 3; a++) {
+      all.lo[a] = hsr_min(all.lo[a], b->bounds[k].lo[a]);
+      all.hi[a] = hsr_max(all.hi[a], b->bounds[k].hi[a]);
+    }
+  if (hsr_box_holds(&cube, &all))
+    return;
+  root->half = 0;
+  for (int a = 0; a < 3; a++) {
+    root->centre[a] = all.lo[a] / 2 + all.hi[a] / 2;
+    root->half = hsr_max(root->half, all.hi[a] - all.lo[a]);
+  }
+}
+
 /* Widens *all to hold the part of a box that is in the cube. */
 static void add_box(struct hsr_box *all, const struct hsr_box *cube,
                     const struct hsr_box *box) {
@@ -241,8 +260,10 @@ enum hsr_status hsr_octree_init(struct hsr_octree *octree,
   memset(root.child, 0xff, sizeof root.child);
   struct list all = {NULL, 0, 0};
   uint32_t made;
-  bool good = look_at_primitives(&b, &all) &&
-              build(&b, &root, &all, COPIES_IN_ALL, 0, &made);
+  bool good = look_at_primitives(&b, &all);
+  if (good)
+    enclose(&b, &root);
+  good = good && build(&b, &root, &all, COPIES_IN_ALL, 0, &made);
   struct hsr_box *tight = good ? malloc(b.node.n * sizeof *tight) : NULL;
   good = tight;
   if (good)

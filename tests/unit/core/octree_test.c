@@ -398,6 +398,31 @@ static void test_bundle(struct tap *tap) {
   hsr_arena_free(&arena);
 }
 
+/* One triangle is so large that rounding moves the root's cube off another. */
+static void test_scales(struct tap *tap) {
+  static const struct hsr_octree_rule rule = {0.1, 1, 1};
+  static const double lo[3] = {-7, -6e20, -6};
+  static const double of_two[2][3][3] = {
+      {{1, -6e20, 8}, {-7, 8, 5e20}, {2, -4, -4}},
+      {{-5, -5, -6}, {-7, 5, -6}, {-6, -1, -5}}};
+  struct hsr_primitives two = triangles;
+  struct hsr_arena arena = HSR_ARENA_EMPTY;
+  struct hsr_octree octree;
+  two.n = 2;
+  memcpy(corner, of_two, sizeof of_two);
+  bool good =
+      !hsr_octree_init(&octree, &two, &rule, lo, 1.0009765625 * 6e20, &arena);
+  struct hsr_box root = hsr_cube_box(&octree.node[0]);
+  for (uint32_t k = 0; k < 2; k++) {
+    struct hsr_box box = bounds_of(NULL, k);
+    good &= hsr_box_holds(&root, &box);
+  }
+  const struct hsr_octree_box *tight = &octree.node[0].tight;
+  good &= tight->centre[0] - tight->half[0] == -7;
+  ok(tap, good, "the root holds what rounding would leave out");
+  hsr_arena_free(&arena);
+}
+
 /* --- From front to back --------------------------------------------------- */
 
 /* The middle of a ray's part in an octant of the cube; NaN if there is none. */
@@ -483,7 +508,7 @@ static void test_grain(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 + 2 * 4 + 2 + 1 + 1 + 1 + 3);
+  struct tap tap = plan(2 + 2 * 4 + 2 + 1 + 1 + 1 + 1 + 3);
   uint64_t seed = 6;
   test_enclosing(&tap, &seed);
   try_pushed(&tap, &seed, 16, 0.1, 20);
@@ -494,6 +519,7 @@ int main(void) {
   try_points(&tap, SIDE / 3.0, "elsewhere");
   test_fan(&tap, &seed);
   test_bundle(&tap);
+  test_scales(&tap);
   test_order(&tap, &seed);
   test_grain(&tap);
   return finish(&tap);
