@@ -196,8 +196,8 @@ static bool look_at_primitives(struct builder *b, struct list *all) {
   return true;
 }
 
-/* Where rounding leaves a part of the primitives out of the root's cube, makes
- * it anew, around their middle and twice as large as they need. */
+/* Rounding may leave a part of the primitives out of the root's cube. Then makes
+ * another cube, around their middle and twice as large as they need. */
 static void enclose(const struct builder *b, struct hsr_octree_node *root) {
   struct hsr_box cube = hsr_cube_box(root), all = cube;
   for (uint32_t k = 0; k < b->primitives->n; k++)
