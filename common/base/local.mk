@@ -9,6 +9,7 @@ libhsr_a_SOURCES += \
   %D%/arena.c \
   %D%/bits.h \
   %D%/count.c \
+  %D%/exact.h \
   %D%/names.c \
   %D%/names.h \
   %D%/numbers.h \

@@ -4,11 +4,10 @@
 #ifndef HSR_COMMON_EXACT_PLANE_H
 #define HSR_COMMON_EXACT_PLANE_H
 
+#include "common/base/exact.h"
 #include "common/scene/pieces.h"
 #include "common/scene/world.h"
 
-#include <CGAL/Interval_nt.h>
-#include <CGAL/MP_Float.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
@@ -16,42 +15,10 @@
 
 namespace hsr {
 
-using Interval = CGAL::Interval_nt<false>;
-using Exact = CGAL::MP_Float;
 template <class T> using Vector3 = typename CGAL::Simple_cartesian<T>::Vector_3;
 
 template <class T> Vector3<T> point(const hsr_world *w, uint32_t v) {
   return {T(w->mesh.x[v]), T(w->mesh.y[v]), T(w->mesh.z[v])};
-}
-
-// x times 2^exponent, or the next double towards `to` if that has too few digits.
-inline double scaled(double x, double exponent, double to) {
-  const double y =
-      std::ldexp(x, int(std::fmax(-3000, std::fmin(exponent, 3000))));
-  return x == 0 || (std::fabs(y) >= 0x1p-1022 && std::isfinite(y))
-             ? y
-             : std::nextafter(y, to);
-}
-
-// An interval that holds a / b. Exact numbers have no least exponent, but doubles
-// have: the product of a few coordinates below 2^-300 is no double. So each
-// number is first divided by a power of two, which makes its exponent small.
-inline CGAL::Interval_nt<true> quotient(Exact a, Exact b) {
-  using Safe = CGAL::Interval_nt<true>;
-  const double scale_a = double(a.find_scale()),
-               scale_b = double(b.find_scale());
-  const double log_base = 16; // of MP_Float
-  a.rescale(a.find_scale());
-  b.rescale(b.find_scale());
-  const Safe part = Safe(CGAL::to_interval(a)) / Safe(CGAL::to_interval(b));
-  const double exponent = log_base * (scale_a - scale_b);
-  return {scaled(part.inf(), exponent, -INFINITY),
-          scaled(part.sup(), exponent, INFINITY)};
-}
-
-inline CGAL::Interval_nt<true> quotient(const Interval &a, const Interval &b) {
-  using Safe = CGAL::Interval_nt<true>;
-  return Safe(a.inf(), a.sup()) / Safe(b.inf(), b.sup());
 }
 
 // N . (k P - S) = 0, as in docs/correct-picture.md; `offset` is N . S.

@@ -175,10 +175,9 @@ struct Touching {
     if (p < world->mesh.n_vertices)
       return point<Interval>(world, p);
     const Exact_point &exact = edges->exact->points[p - world->mesh.n_vertices];
-    scale = Interval(CGAL::to_interval(exact.denominator));
-    return {Interval(CGAL::to_interval(exact.at[0])),
-            Interval(CGAL::to_interval(exact.at[1])),
-            Interval(CGAL::to_interval(exact.at[2]))};
+    scale = interval_of(exact.denominator);
+    return {interval_of(exact.at[0]), interval_of(exact.at[1]),
+            interval_of(exact.at[2])};
   }
 
   bool is_corner(uint32_t p, uint32_t f) const {

@@ -5,26 +5,20 @@
  * Method      Each predicate is a polynomial, written once as a template over
  *             the number type. It is evaluated in intervals, whose rounding
  *             CGAL directs. If the interval does not tell the sign, it is
- *             evaluated in MP_Float, CGAL's exact floating-point numbers
- *             (integers times powers of two), which hold sums and products of
- *             doubles exactly. The faster Mpzf cannot be used: if memory runs
- *             out within a sum, CGAL 5.5 frees an address that it never got.
+ *             evaluated in exact numbers, which hold sums and products of
+ *             doubles exactly (common/base/exact.h).
  * Division    there is none: x = (2 sx - m)/m and y = (n - 2 sy)/n are
  *             multiplied through by m n > 0, means by the number of vertices.
   */
 #ifndef HSR_COMMON_POLYGON_EXACT_NUMBERS_H
 #define HSR_COMMON_POLYGON_EXACT_NUMBERS_H
 
+#include "common/base/exact.h"
 #include "common/polygon/polygon.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Interval_nt.h>
-#include <CGAL/MP_Float.h>
 
 namespace hsr {
-
-using Interval = CGAL::Interval_nt<false>;
-using Exact = CGAL::MP_Float;
 
 /* The sign of polynomial(T()). The argument only tells the number type. */
 template <class Polynomial>
@@ -38,7 +32,7 @@ int sign_of(const Polynomial &polynomial, bool *out_of_memory) noexcept {
     }
     return CGAL::sign(polynomial(Exact()));
   } catch (...) {
-    *out_of_memory = true; /* the only thing that MP_Float throws */
+    *out_of_memory = true;
     return 1;
   }
 }

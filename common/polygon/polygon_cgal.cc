@@ -118,7 +118,7 @@ bool hsr_is_flat(struct hsr_loop loop, bool *out_of_memory) {
         return false;
     return true;
   } catch (...) {
-    *out_of_memory = true; /* the only thing that MP_Float throws */
+    *out_of_memory = true;
     return true;
   }
 }

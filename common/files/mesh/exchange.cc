@@ -9,6 +9,7 @@
 //             object. STL: also a search tree of about 80 bytes a vertex.
 //             Colours: 12 bytes a face or vertex.
 #include "common/files/mesh/exchange.h"
+#include "common/base/exact.h"
 #include "common/files/mesh/mesh_file.h"
 #include "common/files/srgb.h"
 
@@ -16,7 +17,6 @@
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
-#include <CGAL/MP_Float.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -387,8 +387,9 @@ bool is_outward(const struct hsr_object &object) {
   const bool in_range = rough.magnitude < DBL_MAX && bound > n * DBL_MIN;
   if (in_range && std::fabs(rough.sum) > bound)
     return rough.sum > 0;
-  using Exact = CGAL::MP_Float;
-  return volume<Exact>(object, [](const Exact &) { return Exact(0); }).sum > 0;
+  using hsr::Exact;
+  return volume<Exact>(object, [](const Exact &) { return Exact(0); }).sum >
+         Exact(0);
 }
 
 /* Runs `body`; what it throws becomes a status. */

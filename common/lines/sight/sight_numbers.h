@@ -18,15 +18,12 @@
 //             its value; if that is zero, of its change along R; if that is
 //             zero too, along -U. Each of these is a polynomial in the input
 //             doubles. The value is evaluated in intervals and, if its interval
-//             holds zero, all in CGAL's MP_Float, which is exact.
+//             holds zero, all in exact numbers.
 #ifndef HSR_COMMON_SIGHT_NUMBERS_H
 #define HSR_COMMON_SIGHT_NUMBERS_H
 
 #include "common/lines/exact_points.h"
 #include "common/lines/sight/sight.h"
-
-#include <CGAL/Interval_nt.h>
-#include <CGAL/MP_Float.h>
 
 #include <algorithm>
 #include <memory>
@@ -174,7 +171,7 @@ template <> inline const Eye<Exact> &Numbers::eye<Exact>() const {
 }
 
 inline void convert(const Exact &from, Interval &to) {
-  to = Interval(CGAL::to_interval(from));
+  to = interval_of(from);
 }
 inline void convert(const Exact &from, Exact &to) {
   to = from;

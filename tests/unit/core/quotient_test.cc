@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Quotients of exact numbers as intervals, from the least doubles to the
+/* Exact numbers and their quotients as intervals, from the least doubles to the
  * greatest and beyond both. */
-#include "common/exact/exact_plane.h"
+#include "common/base/exact.h"
 
 #include <cfloat>
 #include <cstdio>
@@ -74,6 +74,29 @@ void check_quotients() {
   ok(held && narrow, "it is narrow, even if both are far below all doubles");
 }
 
+void check_numbers() {
+  bool held = true, narrow = true, exact = true, odd = true;
+  for (int k = 0; k < 4000; k++) {
+    const Exact wide = product(whole(1, 4), -1070, 900);
+    const hsr::Interval x = hsr::interval_of(wide);
+    held &= bounds(x.inf(), -1, wide, 1) && bounds(x.sup(), 1, wide, 1);
+    const Exact near = product(whole(2, 4), -100, 100);
+    const hsr::Interval y = hsr::interval_of(near);
+    held &= bounds(y.inf(), -1, near, 1) && bounds(y.sup(), 1, near, 1);
+    narrow &= y.sup() - y.inf() <= 0x1p-51 * std::fabs(y.inf());
+    const double z = number(-1000, 900);
+    exact &= hsr::interval_of(Exact(z)).inf() == z &&
+             hsr::interval_of(Exact(z)).sup() == z;
+    const double even = 0x1p53 + 2 * whole(0, 1 << 30);
+    const hsr::Interval v = hsr::interval_of(Exact(even) + Exact(1));
+    odd &= v.inf() == even && v.sup() == even + 2;
+  }
+  ok(held, "an interval holds the number, also one that is no double");
+  ok(narrow, "it is narrow");
+  ok(exact, "a double is an interval of no width");
+  ok(odd, "an integer of 54 digits lies between two doubles");
+}
+
 void check_scaled() {
   bool held = true, exact = true;
   for (int k = 0; k < 4000; k++) {
@@ -115,6 +138,7 @@ void check_intervals() {
 
 int main() {
   check_quotients();
+  check_numbers();
   check_scaled();
   check_intervals();
   std::printf("1..%d\n", n_tests);

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The two number types in which the core's own C++ files decide a sign:
+// intervals, which may leave it open, and exact numbers.
+//
+// Exact       integers times powers of two, whose sums, differences and products
+//             are exact; their exponents are not bounded by those of doubles.
+// Memory      GMP ends the process if memory runs out; what it says and the
+//             status are set by the program (bench/run/terminate.h).
+#ifndef HSR_COMMON_BASE_EXACT_H
+#define HSR_COMMON_BASE_EXACT_H
+
+#include <CGAL/Gmpzf.h>
+#include <CGAL/Interval_nt.h>
+
+#include <cmath>
+
+namespace hsr {
+
+// For use where CGAL has directed the rounding upwards.
+using Interval = CGAL::Interval_nt<false>;
+using Exact = CGAL::Gmpzf;
+
+// For use anywhere.
+using Safe_interval = CGAL::Interval_nt<true>;
+
+// x times 2^exponent, or the next double towards `to` if that has too few digits.
+inline double scaled(double x, double exponent, double to) {
+  const double y =
+      std::ldexp(x, int(std::fmax(-3000, std::fmin(exponent, 3000))));
+  return x == 0 || (std::fabs(y) >= 0x1p-1022 && std::isfinite(y))
+             ? y
+             : std::nextafter(y, to);
+}
+inline Safe_interval scaled_outward(const Safe_interval &x, double exponent) {
+  return {scaled(x.inf(), exponent, -INFINITY),
+          scaled(x.sup(), exponent, INFINITY)};
+}
+
+// An interval that holds the integer `man` of x, times 2^-exponent. Its ends are
+// 0 or from 1/2 to 1, and equal if the integer is a double.
+inline Safe_interval leading_digits(const Exact &x, long *exponent) {
+  const double towards_zero = mpz_get_d_2exp(exponent, x.man());
+  if (mpz_sizeinbase(x.man(), 2) <= 53)
+    return towards_zero;
+  const double ulp = 0x1p-53; // of a number from 1/2 to 1
+  return towards_zero < 0 ? Safe_interval(towards_zero - ulp, towards_zero)
+                          : Safe_interval(towards_zero, towards_zero + ulp);
+}
+
+// An interval that holds x.
+inline Interval interval_of(const Exact &x) {
+  long digits;
+  const Safe_interval part = leading_digits(x, &digits);
+  const double exponent = double(digits) + double(x.exp());
+  const Safe_interval held = scaled_outward(part, exponent);
+  return {held.inf(), held.sup()};
+}
+
+// An interval that holds a / b. Exact numbers have no least exponent, but doubles
+// have: the product of a few coordinates below 2^-300 is no double. So the
+// leading digits are divided, and then scaled.
+inline Safe_interval quotient(const Exact &a, const Exact &b) {
+  long digits_a, digits_b;
+  const Safe_interval part =
+      leading_digits(a, &digits_a) / leading_digits(b, &digits_b);
+  const double exponent =
+      double(digits_a) - double(digits_b) + double(a.exp()) - double(b.exp());
+  return {scaled(part.inf(), exponent, -INFINITY),
+          scaled(part.sup(), exponent, INFINITY)};
+}
+
+inline Safe_interval quotient(const Interval &a, const Interval &b) {
+  return Safe_interval(a.inf(), a.sup()) / Safe_interval(b.inf(), b.sup());
+}
+
+} // namespace hsr
+
+#endif
