@@ -63,10 +63,9 @@ inline Safe_interval quotient(const Exact &a, const Exact &b) {
   long digits_a, digits_b;
   const Safe_interval part =
       leading_digits(a, &digits_a) / leading_digits(b, &digits_b);
-  const double exponent =
-      double(digits_a) - double(digits_b) + double(a.exp()) - double(b.exp());
-  return {scaled(part.inf(), exponent, -INFINITY),
-          scaled(part.sup(), exponent, INFINITY)};
+  const double of_a = double(digits_a) + double(a.exp()),
+               of_b = double(digits_b) + double(b.exp());
+  return scaled_outward(part, of_a - of_b);
 }
 
 inline Safe_interval quotient(const Interval &a, const Interval &b) {
