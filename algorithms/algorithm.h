@@ -155,6 +155,8 @@ struct hsr_algorithm {
   unsigned subjects; /* what it takes: 1 << HSR_FACES, 1 << HSR_GRID. What takes
                         faces draws a grid by the faces of its cells */
   const struct hsr_answer_type *kind; /* what it makes: HSR_IDS ... */
+  unsigned makes; /* of the first option of that kind, the words that it makes:
+                     1 << HSR_OVER ...; the first of them is standard. 0: all */
   unsigned flags;
   const struct hsr_sort *sorts;       /* ended by .what == NULL; NULL: none */
   const struct hsr_counter *counters; /* ended by .name == NULL; NULL: none */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/variant.h"
+#include "common/base/bits.h"
 #include "common/base/names.h"
 
 #include <stdio.h>
@@ -22,8 +23,11 @@ bool hsr_choice_folds(const struct hsr_algorithm *a,
 }
 
 struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *a) {
-  return (struct hsr_choice){.values = hsr_values_standard(a->options),
-                             .form = hsr_form_standard(a->kind)};
+  struct hsr_choice choice = {.values = hsr_values_standard(a->options),
+                              .form = hsr_form_standard(a->kind)};
+  if (a->makes)
+    choice.form.values.option[0] = hsr_first_bit(a->makes);
+  return choice;
 }
 
 struct hsr_variant hsr_variant_standard(const struct hsr_listed *listed) {
@@ -159,10 +163,23 @@ static enum hsr_status choose(struct reading *r, struct hsr_stretch name,
   return no_option(r, name, err);
 }
 
+/* That the algorithm does not make the word chosen of its kind's first option.
+ */
+static enum hsr_status does_not_make(const struct reading *r,
+                                     struct hsr_error *err) {
+  const struct hsr_option *option = r->choice->form.type->options;
+  return hsr_fail(err, HSR_E_USAGE, "%s: %s does not make %s=%s", r->text,
+                  r->algorithm->name, option->name,
+                  option->words[r->choice->form.values.option[0]].name);
+}
+
 /* What does not go together. */
 static enum hsr_status check(const struct reading *r, struct hsr_error *err) {
   const struct hsr_choice *choice = r->choice;
   bool folded = choice->form.type->fold;
+  if (r->algorithm->makes &&
+      !(r->algorithm->makes >> choice->form.values.option[0] & 1))
+    return does_not_make(r, err);
   if (choice->window && folded)
     return hsr_fail(err, HSR_E_USAGE,
                     "%s: a %s picture is drawn as a whole; no windows", r->text,

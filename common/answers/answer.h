@@ -11,6 +11,7 @@
 #define HSR_COMMON_ANSWERS_ANSWER_H
 
 #include "common/answers/filter.h"
+#include "common/answers/splatting.h"
 #include "common/base/count.h"
 #include "common/base/option.h"
 #include "common/voxels/voxels.h"
@@ -198,6 +199,7 @@ int hsr_answer_number(const struct hsr_answer_type *type);
 #define HSR_IDS (&hsr_answer_ids)
 #define HSR_SEGMENTS (&hsr_answer_segments)
 #define HSR_VOXELS (&hsr_answer_voxels)
+#define HSR_COMPOSITED (&hsr_answer_composited)
 
 /* Whether algorithms that make `made` can be asked for `type`: it is what they
  * make, or it is folded from that. */
@@ -223,11 +225,13 @@ double hsr_form_pictures(const struct hsr_form *form,
                          const struct hsr_view *view);
 
 /* The body of an answer of each of these kinds; NULL for any other kind. Ids
- * are m * n numbers; the sums of a filtered picture are 3 m n. */
+ * are m * n numbers; the sums of a filtered picture are 3 m n; a composited one
+ * is 4 m n: red, green, blue, opacity. */
 uint32_t *hsr_answer_ids_of(const struct hsr_answer *answer);
 struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer);
 struct hsr_solid_voxels *hsr_answer_voxels_of(const struct hsr_answer *answer);
 uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer);
+uint16_t *hsr_answer_rgba_of(const struct hsr_answer *answer);
 
 /* For a form of voxels: how many lie along the longest side of the scene's box.
  */
@@ -242,6 +246,9 @@ struct hsr_answer hsr_answer_of_ids(uint32_t *ids, int m, int n);
 /* How a picture of this form is filtered; the filter is HSR_FILTER_NONE if the
  * form is of another kind. */
 struct hsr_filtering hsr_form_filtering(const struct hsr_form *form);
+
+/* How a picture of HSR_COMPOSITED is splatted. */
+struct hsr_splatting hsr_form_splatting(const struct hsr_form *form);
 
 #ifdef __cplusplus
 }

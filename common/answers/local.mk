@@ -2,10 +2,12 @@
 nobase_pkginclude_HEADERS += \
   %D%/answer.h \
   %D%/filter.h \
+  %D%/splatting.h \
   %D%/list.def
 libhsr_a_SOURCES += \
   %D%/answer.c \
   %D%/coded.c \
+  %D%/composited.c \
   %D%/coded.h \
   %D%/filter.c \
   %D%/filtered.c \

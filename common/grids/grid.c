@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/grids/grid.h"
 #include "common/base/bits.h"
+#include "common/grids/normal.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -25,8 +26,10 @@ static enum hsr_status make_bounds(struct hsr_grid *g,
   const double *at = samples->position[axis];
   double *bound = malloc(((size_t)n + 1) * sizeof *bound);
   g->bound[axis] = bound;
-  if (!bound)
+  g->at[axis] = malloc(n * sizeof *at);
+  if (!bound || !g->at[axis])
     return hsr_fail_nomem(err);
+  memcpy(g->at[axis], at, n * sizeof *at);
   for (uint32_t k = 1; k < n; k++)
     bound[k] = at[k - 1] / 2 + at[k] / 2;
   bound[0] = at[0] - (n > 1 ? bound[1] - at[0] : 0.5);
@@ -68,35 +71,52 @@ static double slope_across(const struct keeper *keeper, uint32_t k, size_t at) {
   return width > 0 ? ((double)above[at] - below[at]) / width : 0;
 }
 
-static bool is_kept(const struct keeper *keeper, const uint32_t at[3]) {
+static void find_gradient(const struct keeper *keeper, const uint32_t at[3],
+                          double gradient[3]) {
   const struct hsr_grid_samples *s = keeper->samples;
-  const struct hsr_grid_keep *keep = keeper->keep;
   size_t place = (size_t)at[1] * s->n[0] + at[0];
   const float *density = keeper->slice[1] + place;
-  if (!(*density >= keep->least && *density <= keep->most))
+  gradient[0] = slope(s->position[0], s->n[0], at[0], density, 1);
+  gradient[1] = slope(s->position[1], s->n[1], at[1], density, s->n[0]);
+  gradient[2] = slope_across(keeper, at[2], place);
+}
+
+static double length_of(const double v[3]) {
+  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static bool is_kept(const struct keeper *keeper, const uint32_t at[3]) {
+  const struct hsr_grid_keep *keep = keeper->keep;
+  float density =
+      keeper->slice[1][(size_t)at[1] * keeper->samples->n[0] + at[0]];
+  if (!(density >= keep->least && density <= keep->most))
     return false;
   if (!(keep->gradient > 0))
     return true;
-  double x = slope(s->position[0], s->n[0], at[0], density, 1);
-  double y = slope(s->position[1], s->n[1], at[1], density, s->n[0]);
-  double z = slope_across(keeper, at[2], place);
-  return sqrt(x * x + y * y + z * z) >= keep->gradient;
+  double gradient[3];
+  find_gradient(keeper, at, gradient);
+  return length_of(gradient) >= keep->gradient;
 }
+
+/* Enlarges an array of `count` items. */
+#define GROW(array, count)                                                     \
+  do {                                                                         \
+    void *grown = realloc(array, (count) * sizeof *(array));                   \
+    if (!grown)                                                                \
+      return false;                                                            \
+    (array) = grown;                                                           \
+  } while (0)
 
 /* Doubles the room for cells. */
 static bool make_room(struct keeper *keeper) {
   struct hsr_grid *g = keeper->grid;
   uint64_t room = keeper->room ? 2 * keeper->room : 1024;
-  uint32_t *x = realloc(g->x, room * sizeof *x);
-  if (!x)
-    return false;
-  g->x = x;
-  if (keeper->samples->colour) {
-    uint8_t(*rgb)[3] = realloc(g->rgb, room * sizeof *rgb);
-    if (!rgb)
-      return false;
-    g->rgb = rgb;
-  }
+  GROW(g->x, room);
+  GROW(g->level, room);
+  GROW(g->steep, room);
+  GROW(g->normal, room);
+  if (keeper->samples->colour)
+    GROW(g->rgb, room);
   keeper->room = room;
   return true;
 }
@@ -111,12 +131,38 @@ static void set_colour(struct keeper *keeper, const uint32_t at[3],
     code[k] = (uint8_t)lrintf(255 * sqrtf(rgb[k]));
 }
 
+/* 0 to 255 for 0 to 1, and beyond as their ends. NaN is 0. */
+static uint8_t level_of(double share) {
+  return (uint8_t)(share >= 1 ? 255 : share > 0 ? lrint(255 * share) : 0);
+}
+
+/* The gradient's size is taken by the cell, and 255 is the whole range of
+ * densities from one cell to the next. */
+static void set_levels(struct keeper *keeper, const uint32_t at[3],
+                       uint32_t cell) {
+  struct hsr_grid *g = keeper->grid;
+  const struct hsr_grid_samples *s = keeper->samples;
+  double density = keeper->slice[1][(size_t)at[1] * s->n[0] + at[0]];
+  bool is_range = s->low < s->high;
+  double width = is_range ? s->high - s->low : 1, gradient[3], by_cell[3];
+  find_gradient(keeper, at, gradient);
+  for (int a = 0; a < 3; a++) {
+    by_cell[a] =
+        gradient[a] * (g->bound[a][at[a] + 1] - g->bound[a][at[a]]) / width;
+    gradient[a] = -gradient[a];
+  }
+  g->level[cell] = is_range ? level_of((density - s->low) / width) : 255;
+  g->steep[cell] = level_of(length_of(by_cell));
+  g->normal[cell] = hsr_normal_code(gradient);
+}
+
 static bool add_cell(struct keeper *keeper, const uint32_t at[3]) {
   struct hsr_grid *g = keeper->grid;
   if (g->n_cells == keeper->room && !make_room(keeper))
     return false;
   if (g->rgb)
     set_colour(keeper, at, g->rgb[g->n_cells]);
+  set_levels(keeper, at, g->n_cells);
   g->x[g->n_cells++] = at[0];
   return true;
 }
@@ -243,6 +289,7 @@ enum hsr_status hsr_grid_init(struct hsr_grid *grid,
                               struct hsr_error *err) {
   *grid = (struct hsr_grid){.n_cells = 0};
   memcpy(grid->n, samples->n, sizeof grid->n);
+  hsr_palette_find("solid", &grid->palette);
   struct keeper keeper = {.grid = grid, .samples = samples, .keep = keep};
   enum hsr_status status = HSR_OK;
   for (int axis = 0; axis < 3 && !status; axis++)
@@ -254,13 +301,18 @@ enum hsr_status hsr_grid_init(struct hsr_grid *grid,
 }
 
 void hsr_grid_free(struct hsr_grid *grid) {
-  for (int axis = 0; axis < 3; axis++)
+  for (int axis = 0; axis < 3; axis++) {
     free(grid->bound[axis]);
+    free(grid->at[axis]);
+  }
   free(grid->row);
   free(grid->first);
   free(grid->x);
   free(grid->sides);
   free(grid->rgb);
+  free(grid->level);
+  free(grid->steep);
+  free(grid->normal);
   *grid = (struct hsr_grid){.n_cells = 0};
 }
 

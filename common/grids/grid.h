@@ -14,12 +14,14 @@
  *             are the ids of the scene's faces.
  * Colours     c in a byte for the linear value (c / 255)^2, so that dark ones
  *             are as far apart as the eye tells.
- * Memory      5 bytes a kept cell, and 3 if it has a colour; 8 a row. The
+ * Samples     a kept sample also has what splatting needs: the levels of its
+ *             density and gradient, and the direction of the gradient.
+ * Memory      9 bytes a kept cell, and 3 if it has a colour; 8 a row. The
  *             densities are read a slice at a time, of which three are held. */
 #ifndef HSR_COMMON_GRIDS_GRID_H
 #define HSR_COMMON_GRIDS_GRID_H
 
-#include "common/base/status.h"
+#include "common/grids/palette.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -31,12 +33,18 @@ extern "C" {
 struct hsr_grid {
   uint32_t n[3];    /* cells along each axis */
   double *bound[3]; /* n + 1 of each axis, ascending */
+  double *at[3];    /* n of each axis: where its samples are */
   uint32_t n_cells, n_faces;
   uint32_t *row;     /* row j + n[1] k: its first kept cell; n[1] n[2] + 1 */
   uint32_t *first;   /* of each row, its first face; n[1] n[2] + 1 */
   uint32_t *x;       /* i of each kept cell, ascending within a row */
   uint8_t *sides;    /* of each kept cell: bit s is set if side s exists */
   uint8_t (*rgb)[3]; /* of each kept cell, its colour; NULL: all are grey */
+  uint8_t *level;    /* of each kept sample: its density, from 0 to 255 */
+  uint8_t *steep;    /* of each: the size of its gradient, from 0 to 255 */
+  uint16_t *normal;  /* of each: where its gradient points away from, a code of
+                        common/grids/normal.h */
+  struct hsr_palette palette; /* how samples look as splats */
 };
 
 /* Gives the colour of a kept sample, linear, 0..1. */
@@ -54,6 +62,8 @@ struct hsr_grid_samples {
                            struct hsr_error *err);
   hsr_grid_colour *colour;
   void *data;
+  double low, high; /* the densities of level 0 and level 255. If low is not
+                       below high, all levels of density are 255 */
 };
 
 /* Which samples are kept: those with a density of `least` to `most` and a

@@ -75,7 +75,7 @@ enum hsr_status hsr_heights_grid(struct hsr_grid *grid,
   for (uint32_t k = 0; k < most; k++)
     at[k] = k;
   const struct hsr_grid_samples samples = {
-      {n[0], n[1], n[2]}, {at, at, at}, column_slice, colour_of, &own};
+      {n[0], n[1], n[2]}, {at, at, at}, column_slice, colour_of, &own, 0, 0};
   enum hsr_status status = hsr_grid_init(grid, &samples, &positive, err);
   free(at);
   return status;

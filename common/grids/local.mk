@@ -2,8 +2,12 @@
 nobase_pkginclude_HEADERS += \
   %D%/grid.h \
   %D%/heights.h \
-  %D%/order.h
+  %D%/normal.h \
+  %D%/order.h \
+  %D%/palette.h
 libhsr_a_SOURCES += \
   %D%/grid.c \
   %D%/heights.c \
-  %D%/order.c
+  %D%/normal.c \
+  %D%/order.c \
+  %D%/palette.c

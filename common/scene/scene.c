@@ -492,8 +492,10 @@ void hsr_scene_enlarge(struct hsr_scene *scene) {
   for (uint32_t o = 0; o < scene->n_objects; o++)
     enlarge(scene->objects[o].xyz, 3 * (size_t)scene->objects[o].n_vertices,
             -exponent);
-  for (int a = 0; a < 3 && scene->grid; a++)
+  for (int a = 0; a < 3 && scene->grid; a++) {
     enlarge(scene->grid->bound[a], scene->grid->n[a] + 1, -exponent);
+    enlarge(scene->grid->at[a], scene->grid->n[a], -exponent);
+  }
   for (uint32_t i = 0; i < scene->n_instances; i++)
     for (int row = 0; row < 12; row += 4)
       enlarge(scene->instances[i].m + row + 3, 1, -exponent);

@@ -22,6 +22,7 @@ static enum hsr_status add_grid(struct hsr_scene *scene,
   static const struct hsr_grid_keep positive = {.least = 1, .most = INFINITY};
   struct hsr_grid grid;
   enum hsr_status status = hsr_grid_init(&grid, samples, &positive, NULL);
+  hsr_palette_find("flat", &grid.palette);
   if (!status)
     status = hsr_scene_set_grid(scene, &grid);
   hsr_grid_free(&grid);
@@ -77,7 +78,7 @@ enum hsr_status hsr_build_checker_cube(struct hsr_scene *scene,
   if (!at)
     return HSR_E_NOMEM;
   const struct hsr_grid_samples samples = {
-      {n, n, n}, {at, at, at}, shell_slice, checkered, &n};
+      {n, n, n}, {at, at, at}, shell_slice, checkered, &n, 0, 0};
   enum hsr_status status = add_grid(scene, &samples);
   free(at);
   if (status)
@@ -158,7 +159,7 @@ enum hsr_status hsr_build_grid(struct hsr_scene *scene,
   enum hsr_status status = HSR_E_NOMEM;
   if (at[0] && at[1] && at[2]) {
     const struct hsr_grid_samples samples = {
-        {g.n, g.n, g.n}, {at[0], at[1], at[2]}, random_slice, by_place, &g};
+        {g.n, g.n, g.n}, {at[0], at[1], at[2]}, random_slice, by_place, &g, 0, 0};
     status = add_grid(scene, &samples);
   }
   struct hsr_pen pen;

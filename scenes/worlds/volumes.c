@@ -16,6 +16,7 @@
 static enum hsr_status take_grid(struct hsr_scene *scene,
                                  enum hsr_status status,
                                  struct hsr_grid *grid) {
+  hsr_palette_find("flat", &grid->palette);
   if (!status)
     status = hsr_scene_set_grid(scene, grid);
   hsr_grid_free(grid);
@@ -55,7 +56,7 @@ enum hsr_status hsr_build_checker_plane(struct hsr_scene *scene,
   for (int k = 0; k < PLANE_X; k++)
     at[k] = k;
   const struct hsr_grid_samples samples = {
-      {PLANE_X, 1, PLANE_Z}, {at, at, at}, full_slice, squares, NULL};
+      {PLANE_X, 1, PLANE_Z}, {at, at, at}, full_slice, squares, NULL, 0, 0};
   struct hsr_grid grid;
   enum hsr_status status = hsr_grid_init(&grid, &samples, &positive, NULL);
   status = take_grid(scene, status, &grid);
@@ -298,7 +299,7 @@ enum hsr_status hsr_build_tubules(struct hsr_scene *scene,
     for (int k = 0; k < TUBES; k++)
       fill_tube(inside, &random);
     const struct hsr_grid_samples samples = {
-        {TUBE_X, TUBE_Y, TUBE_Z}, {at, at, at}, tube_slice, by_depth, inside};
+        {TUBE_X, TUBE_Y, TUBE_Z}, {at, at, at}, tube_slice, by_depth, inside, 0, 0};
     status = hsr_grid_init(&grid, &samples, &positive, NULL);
   }
   free(inside);

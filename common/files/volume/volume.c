@@ -204,7 +204,9 @@ static enum hsr_status keep(struct hsr_scene *scene, const char *path,
       {volume->position[0], volume->position[1], volume->position[2]},
       keep_slice,
       by_density,
-      &keeping};
+      &keeping,
+      keeping.least,
+      keeping.most};
   struct hsr_grid grid;
   status = hsr_grid_init(&grid, &samples, &rule, &why);
   if (status == HSR_E_INPUT || status == HSR_E_REFUSED)

@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The splats of a grid, composited: docs/composited-picture.md. Two answers are
+ * equal if all channels of all pixels are. */
+#include "common/answers/answer.h"
+#include "common/answers/coded.h"
+#include "common/files/image.h"
+#include "common/files/suffix.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CHANNELS = 4 };
+
+/* The options of a form. */
+enum {
+  MODEL,
+  KERNEL,
+  WIDTH,
+  ANTIALIAS,
+  ATTENUATE,
+  NORMALISE,
+  EXPOSURE,
+  BUCKETS
+};
+
+static const struct hsr_word models[] = {
+    [HSR_OVER] = {"over", "splat over splat, from back to front", 0},
+    [HSR_UNDER] = {"under", "splat under splat, from front to back", 0},
+    [HSR_SHEET] = {"sheet", "the splats of a slice are added, slices go over",
+                   0},
+    [HSR_VOLUME] = {"volume", "what splats give to a range of depths is added",
+                    0},
+    [HSR_XRAY] = {"xray", "all splats are added", 0},
+    {NULL}};
+static const struct hsr_word kernels[] = {
+    [HSR_CRAWFIS_MAX] = {"crawfis-max", "the cubic spline of 1993", 0},
+    [HSR_GAUSSIAN] = {"gaussian", "of deviation .6, to radius 2", 0},
+    {NULL}};
+static const struct hsr_word off_on[] = {
+    {"off", "not so", 0}, {"on", "so", 0}, {NULL}};
+
+static const struct hsr_option options[] = {
+    [MODEL] = {"model", "how splats come together", models, 0, HSR_XRAY, 0},
+    [KERNEL] = {"kernel", "what a sample looks like", kernels, 0, 1, 0},
+    [WIDTH] = {"width", "splats are so many times as wide", .real = true,
+               .real_least = 1, .real_most = 100, .real_standard = 1},
+    [ANTIALIAS] = {"antialias", "splats closer than pixels are as far apart",
+                   off_on, 0, 1, 0},
+    [ATTENUATE] = {"attenuate", "a factor of all opacities", .real = true,
+                   .real_least = 0, .real_most = 1, .real_standard = 1},
+    [NORMALISE] = {"normalise", "colours are divided by the splats' weights",
+                   off_on, 0, 1, 0},
+    [EXPOSURE] = {"exposure", "a factor of the sums of xray", .real = true,
+                  .real_least = 0, .real_most = 1000, .real_standard = 1},
+    [BUCKETS] = {"buckets", "ranges of depth, of volume", NULL, 1, 1024, 64},
+    {NULL}};
+
+struct hsr_splatting hsr_form_splatting(const struct hsr_form *form) {
+  const long *option = form->values.option;
+  const double *real = form->values.real;
+  return (struct hsr_splatting){
+      .model = (enum hsr_model)option[MODEL],
+      .kernel = (enum hsr_splat_kernel)option[KERNEL],
+      .width = real[WIDTH],
+      .antialias = option[ANTIALIAS],
+      .attenuate = (uint32_t)lrint(65536 * real[ATTENUATE]),
+      .normalise = option[NORMALISE],
+      .exposure = (uint64_t)lrint(65536 * real[EXPOSURE]),
+      .buckets = (int)option[BUCKETS]};
+}
+
+static size_t count(const struct hsr_answer *answer) {
+  return CHANNELS * (size_t)answer->m * (size_t)answer->n;
+}
+
+uint16_t *hsr_answer_rgba_of(const struct hsr_answer *answer) {
+  return answer->form.type == &hsr_answer_composited ? answer->body : NULL;
+}
+
+static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
+  answer->body = calloc(count(answer), sizeof(uint16_t));
+  return answer->body ? HSR_OK : hsr_fail_nomem(err);
+}
+
+static void clear(struct hsr_answer *answer) {
+  memset(answer->body, 0, count(answer) * sizeof(uint16_t));
+}
+
+/* Premultiplied red exceeds the opacity nowhere in a picture. */
+static void unset(struct hsr_answer *answer) {
+  uint16_t *rgba = answer->body;
+  for (size_t k = 0; k < count(answer); k++)
+    rgba[k] = k % CHANNELS ? 0 : UINT16_MAX;
+}
+
+static void free_body(struct hsr_answer *answer) {
+  free(answer->body);
+}
+
+static void merge(struct hsr_answer *into, const struct hsr_answer *from,
+                  const struct hsr_window *w) {
+  uint16_t *to = into->body;
+  const uint16_t *rgba = from->body;
+  for (int j = w->y0; j < w->y1; j++) {
+    size_t at = CHANNELS * ((size_t)j * (size_t)into->m + (size_t)w->x0);
+    memcpy(to + at, rgba + at, CHANNELS * (size_t)(w->x1 - w->x0) * sizeof *to);
+  }
+}
+
+/* --- Comparing ------------------------------------------------------------ */
+
+static void compare(const struct hsr_comparison *c,
+                    struct hsr_difference *difference) {
+  const uint16_t *got = c->got->body, *wanted = c->wanted->body;
+  difference->compared = c->n;
+  for (size_t k = 0; k < c->n; k++) {
+    size_t s = c->place ? c->place[k] : k, m = (size_t)c->got->m;
+    const uint16_t *g = got + CHANNELS * s, *w = wanted + CHANNELS * s;
+    if (memcmp(g, w, CHANNELS * sizeof *g) && !difference->differing++)
+      snprintf(difference->first, sizeof difference->first,
+               "(%zu, %zu): %u %u %u %u, not %u %u %u %u", s % m, s / m, g[0],
+               g[1], g[2], g[3], w[0], w[1], w[2], w[3]);
+  }
+}
+
+/* The wanted picture, dimmed, and the difference in orange, 16 times as large.
+ */
+static enum hsr_status show_difference(const struct hsr_comparison *c,
+                                       const struct hsr_showing *showing,
+                                       float *rgb, struct hsr_error *err) {
+  static const float mark[3] = {1.0f, .35f, 0.0f};
+  const uint16_t *got = c->got->body, *wanted = c->wanted->body;
+  (void)showing, (void)err;
+  size_t n = count(c->got) / CHANNELS;
+  for (size_t k = 0; k < n; k++, got += CHANNELS, wanted += CHANNELS) {
+    int most = 0;
+    for (int i = 0; i < CHANNELS; i++)
+      most = abs(got[i] - wanted[i]) > most ? abs(got[i] - wanted[i]) : most;
+    float share = most ? 0.25f + (float)most / 4096 : 0;
+    share = share > 1 ? 1 : share;
+    for (int i = 0; i < 3; i++)
+      rgb[3 * k + (size_t)i] =
+          share * mark[i] + (1 - share) * 0.25f * (float)wanted[i] / 65535;
+  }
+  return HSR_OK;
+}
+
+/* --- Showing -------------------------------------------------------------- */
+
+/* In front of black. */
+static enum hsr_status shade(const struct hsr_answer *answer,
+                             const struct hsr_showing *showing,
+                             struct hsr_shaded *shaded, struct hsr_error *err) {
+  const uint16_t *rgba = answer->body;
+  size_t n = count(answer) / CHANNELS;
+  (void)showing;
+  shaded->rgb = malloc(3 * n * sizeof *shaded->rgb);
+  if (!shaded->rgb)
+    return hsr_fail_nomem(err);
+  for (size_t k = 0; k < n; k++)
+    for (size_t c = 0; c < 3; c++)
+      shaded->rgb[3 * k + c] = (float)rgba[CHANNELS * k + c] / 65535;
+  return HSR_OK;
+}
+
+static enum hsr_status write(const struct hsr_answer *answer,
+                             const struct hsr_showing *showing,
+                             struct hsr_shaded *shaded, const char *path,
+                             struct hsr_error *err) {
+  struct hsr_picture picture = {
+      .m = answer->m, .n = answer->n, .rgb = shaded->rgb};
+  return hsr_image_write(path, &picture, showing->text, err);
+}
+
+static bool fits(const char *path) {
+  return !hsr_is_line_file(path);
+}
+
+static void print(const struct hsr_answer *answer,
+                  const struct hsr_showing *showing, FILE *out) {
+  const uint16_t *rgba = answer->body;
+  size_t n = count(answer) / CHANNELS, covered = 0;
+  (void)showing;
+  for (size_t k = 0; k < n; k++)
+    covered += rgba[CHANNELS * k + 3] > 0;
+  fprintf(out, "%.1f %% covered\n", 100.0 * (double)covered / (double)n);
+}
+
+/* --- Tracing -------------------------------------------------------------- */
+
+/* The part of an accepted event is the four channels that its pixel has from
+ * then on. */
+static enum hsr_status paint(struct hsr_answer *answer,
+                             const struct hsr_event *event) {
+  uint16_t *rgba = answer->body;
+  const struct hsr_window *w = &event->window;
+  memcpy(rgba + CHANNELS * ((size_t)w->y0 * (size_t)answer->m + (size_t)w->x0),
+         event->part, CHANNELS * sizeof *rgba);
+  return HSR_OK;
+}
+
+static json_t *part_json(const void *part, const struct hsr_view *view) {
+  const uint16_t *c = part;
+  (void)view;
+  return json_pack("[iiii]", c[0], c[1], c[2], c[3]);
+}
+
+/* All channels, pixel after pixel. */
+static json_t *rgba_json(const struct hsr_answer *answer,
+                         const struct hsr_view *view) {
+  const uint16_t *rgba = answer->body;
+  json_t *all = json_array();
+  (void)view;
+  for (size_t k = 0; all && k < count(answer); k++)
+    if (json_array_append_new(all, json_integer(rgba[k]))) {
+      json_decref(all);
+      return NULL;
+    }
+  return all;
+}
+
+const struct hsr_answer_type hsr_answer_composited = {
+    .name = "composited",
+    .meaning = "the splats of a grid, composited, in 16 bits a channel",
+    .draws = "splats",
+    .places = "pixels",
+    .grains = "pixels",
+    .options = options,
+    .by_windows = true,
+    .by_places = true,
+    .make = make,
+    .clear = clear,
+    .unset = unset,
+    .free = free_body,
+    .merge = merge,
+    .compare = compare,
+    .show_difference = show_difference,
+    .shade = shade,
+    .fits = fits,
+    .write = write,
+    .print = print,
+    .paint = paint,
+    .json = rgba_json,
+    .part_json = part_json};
