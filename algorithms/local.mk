@@ -16,6 +16,7 @@ include %D%/image_space/point/local.mk
 include %D%/brute_force/local.mk
 include %D%/hierarchical/local.mk
 include %D%/volume/local.mk
+include %D%/volume/splats/local.mk
 include bench/judge/oracles.mk
 
 noinst_LIBRARIES += libplain.a libcounting.a

@@ -11,7 +11,7 @@
 #define HSR_COMMON_ANSWERS_ANSWER_H
 
 #include "common/answers/filter.h"
-#include "common/answers/splatting.h"
+#include "common/grids/splatting.h"
 #include "common/base/count.h"
 #include "common/base/option.h"
 #include "common/voxels/voxels.h"

@@ -2,7 +2,6 @@
 nobase_pkginclude_HEADERS += \
   %D%/answer.h \
   %D%/filter.h \
-  %D%/splatting.h \
   %D%/list.def
 libhsr_a_SOURCES += \
   %D%/answer.c \

@@ -99,7 +99,8 @@ struct hsr_counter {
   X(ROW, "row sides")                                                          \
   X(FACING, "facings")                                                         \
   X(NEAR, "near tests")                                                        \
-  X(PLACE, "places along edges")
+  X(PLACE, "places along edges")                                               \
+  X(FOOTPRINT, "footprints")
 
 enum hsr_question {
 #define X(id, name) HSR_ASK_##id,

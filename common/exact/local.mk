@@ -5,6 +5,8 @@ nobase_pkginclude_HEADERS += \
   %D%/screen.h
 libhsr_a_SOURCES += \
   %D%/exact_plane.h \
+  %D%/footprint.h \
+  %D%/footprint_cgal.cc \
   %D%/order.c \
   %D%/pair.c \
   %D%/pair.h \

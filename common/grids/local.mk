@@ -4,7 +4,8 @@ nobase_pkginclude_HEADERS += \
   %D%/heights.h \
   %D%/normal.h \
   %D%/order.h \
-  %D%/palette.h
+  %D%/palette.h \
+  %D%/splatting.h
 libhsr_a_SOURCES += \
   %D%/grid.c \
   %D%/heights.c \

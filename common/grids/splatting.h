@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is asked for in a composited picture: the options of
  * docs/composited-picture.md. */
-#ifndef HSR_COMMON_ANSWERS_SPLATTING_H
-#define HSR_COMMON_ANSWERS_SPLATTING_H
+#ifndef HSR_COMMON_GRIDS_SPLATTING_H
+#define HSR_COMMON_GRIDS_SPLATTING_H
 
 #include <stdbool.h>
 #include <stdint.h>

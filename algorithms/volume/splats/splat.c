@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Splats composited one after the other, from back to front or from front to
+ * back.
+ *
+ * Source      L. Westover, "Footprint Evaluation for Volume Rendering",
+ *             SIGGRAPH 1990; J. E. Swan II, PhD thesis, Ohio State University,
+ *             1998, 1.1 and 2.3
+ * Full        from front to back, a pixel to which no splat can add any more is
+ *             full: docs/composited-picture.md. A splat is left out if all
+ *             blocks of pixels that it may touch are full. Which blocks are is
+ *             looked up anew from time to time.
+ *
+ * Notation, invariant, ties, departures and cost are those of splats.h. */
+#include "algorithms/volume/splats/splats.h"
+
+enum { BLOCK = 8, DRAWN_BETWEEN_LOOKS = 16384 };
+
+static const struct hsr_counter counters[] = {HSR_SPLAT_COUNTERS, {NULL}};
+
+struct model {
+  struct hsr_splat_picture picture;
+  uint32_t most; /* the greatest opacity that a splat gives to a pixel */
+  uint8_t *full; /* of each block of pixels */
+  int blocks;    /* a row */
+  int drawn;     /* since the last look */
+};
+
+/* --- Over ----------------------------------------------------------------- */
+
+static void draw_over(struct hsr_splats *s, const struct hsr_placed *p) {
+  struct model *m = s->model;
+  uint16_t weight[HSR_SPLAT_LANES];
+  hsr_splat_lanes D;
+  HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
+           p->box, 2);
+  for (int j = p->box.y0; j < p->box.y1; j++)
+    for (int x = p->box.x0; x < p->box.x1; x += HSR_SPLAT_LANES) {
+      hsr_splats_weigh(s, p, x, j, weight);
+      hsr_splats_count(s, p, x, j, weight);
+      hsr_splats_give(s, p, weight, D);
+      hsr_splats_over(s, &m->picture, x, j, D);
+    }
+}
+
+/* --- Under ---------------------------------------------------------------- */
+
+static enum hsr_status open_blocks(struct hsr_splats *s, struct model *m) {
+  int width = s->window.x1 - s->window.x0, height = s->window.y1 - s->window.y0;
+  m->blocks = (width + BLOCK - 1) / BLOCK;
+  size_t rows = (size_t)(height + BLOCK - 1) / BLOCK;
+  m->full = HSR_NEW_ZEROED(s->job->scratch, uint8_t, rows * (size_t)m->blocks);
+  uint32_t opacity = 0;
+  for (int k = 0; k < HSR_LEVELS; k++)
+    if (s->grid->palette.opacity[k] > opacity)
+      opacity = s->grid->palette.opacity[k];
+  m->most =
+      s->splatting.normalise ? s->weight[0] : s->weight[0] * opacity >> 16;
+  return m->full ? HSR_OK : HSR_E_NOMEM;
+}
+
+static bool is_block_full(const struct hsr_splats *s, const struct model *m,
+                          int x0, int y0) {
+  int width = s->window.x1 - s->window.x0, height = s->window.y1 - s->window.y0;
+  for (int y = y0; y < y0 + BLOCK && y < height; y++) {
+    const uint16_t *row =
+        m->picture.plane[HSR_SPLAT_OPACITY] + (size_t)y * m->picture.stride;
+    for (int x = x0; x < x0 + BLOCK && x < width; x++)
+      if (m->most * (65536 - row[x]) >= 65536)
+        return false;
+  }
+  return true;
+}
+
+static void look_for_full_blocks(struct hsr_splats *s, struct model *m) {
+  int height = s->window.y1 - s->window.y0;
+  for (int y = 0; y * BLOCK < height; y++)
+    for (int x = 0; x < m->blocks; x++) {
+      uint8_t *full = &m->full[(size_t)y * (size_t)m->blocks + (size_t)x];
+      *full = *full || is_block_full(s, m, BLOCK * x, BLOCK * y);
+    }
+  m->drawn = 0;
+}
+
+static bool are_all_full(const struct hsr_splats *s, const struct model *m,
+                         const struct hsr_window *box) {
+  int x0 = (box->x0 - s->window.x0) / BLOCK,
+      x1 = (box->x1 - 1 - s->window.x0) / BLOCK,
+      y0 = (box->y0 - s->window.y0) / BLOCK,
+      y1 = (box->y1 - 1 - s->window.y0) / BLOCK;
+  for (int y = y0; y <= y1; y++)
+    for (int x = x0; x <= x1; x++)
+      if (!m->full[(size_t)y * (size_t)m->blocks + (size_t)x])
+        return false;
+  return true;
+}
+
+static void draw_under(struct hsr_splats *s, const struct hsr_placed *p) {
+  struct model *m = s->model;
+  uint16_t weight[HSR_SPLAT_LANES];
+  hsr_splat_lanes D;
+  bool full = are_all_full(s, m, &p->box);
+  HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
+           p->box, full ? 1 : 2);
+  if (full)
+    return;
+  for (int j = p->box.y0; j < p->box.y1; j++)
+    for (int x = p->box.x0; x < p->box.x1; x += HSR_SPLAT_LANES) {
+      hsr_splats_weigh(s, p, x, j, weight);
+      hsr_splats_count(s, p, x, j, weight);
+      hsr_splats_give(s, p, weight, D);
+      hsr_splats_under(s, &m->picture, x, j, D);
+    }
+  if (++m->drawn == DRAWN_BETWEEN_LOOKS)
+    look_for_full_blocks(s, m);
+}
+
+/* --- A frame -------------------------------------------------------------- */
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct hsr_splats s;
+  struct model m = {.drawn = 0};
+  if (hsr_splats_begin(&s, job) || hsr_splats_open(&s, &m.picture) ||
+      open_blocks(&s, &m))
+    return hsr_fail_nomem(err);
+  bool front = s.splatting.model == HSR_UNDER;
+  s.model = &m;
+  s.draw = front ? draw_under : draw_over;
+  enum hsr_status status = hsr_splats_visit(&s, HSR_PBTF, front, err);
+  hsr_splats_finish(&s, &m.picture);
+  return status;
+}
+
+static const struct hsr_line outline[] = {
+    {"take the samples of the grid in the order of pbtf: from back to front, "
+     "or "
+     "from front to back",
+     0},
+    {"for each sample that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
+    {"  shade it by its density, its gradient and the light", 0},
+    {"  find its footprint; is it out of sight, or all full? leave it",
+     HSR_RAISES(HSR_SPLAT_SPLATS)},
+    {"  for each pixel of the footprint, composite weight times colour",
+     HSR_RAISES(HSR_SPLAT_UPDATES)},
+    {"write the pixels that are not empty", HSR_RAISES(HSR_SPLAT_WRITES)},
+    {NULL, 0}};
+
+const struct hsr_algorithm HSR_ALGORITHM(splat) = {
+    HSR_OF_SPLATS,
+    .name = "splat",
+    .title = "Splatting, splat over splat",
+    .authors = "L. Westover; J. E. Swan II",
+    .year = 1990,
+    .source = "Westover, Footprint Evaluation for Volume Rendering, SIGGRAPH "
+              "1990; Swan, Object-Order Rendering of Discrete Objects, PhD "
+              "thesis, Ohio State University, 1998",
+    .sort_order = "Z(XY)",
+    .makes = 1 << HSR_OVER | 1 << HSR_UNDER,
+    .counters = counters,
+    .outline = outline,
+    .render = render};

@@ -1,0 +1,213 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The walk over the grid: rows of samples, and which of them are drawn. */
+#include "algorithms/volume/splats/splats.h"
+#include "common/grids/normal.h"
+
+#include <math.h>
+#include <string.h>
+
+/* --- Beginning ------------------------------------------------------------ */
+
+static bool allocate(struct hsr_splats *s) {
+  struct hsr_arena *arena = s->job->scratch;
+  bool all = true;
+  for (int a = 0; a < 3; a++) {
+    size_t n = s->grid->n[a];
+    for (int c = 0; c < 4; c++)
+      all &= (s->term[a][c] = HSR_NEW(arena, double, n)) != NULL;
+    s->far[a] = HSR_NEW(arena, double, n);
+    s->per_size[a] = HSR_NEW(arena, double, n);
+    all &= s->far[a] && s->per_size[a];
+  }
+  s->light = HSR_NEW(arena, struct hsr_splat_light, HSR_NO_NORMAL + 1);
+  return all && s->light;
+}
+
+/* The terms of all samples. In parallel w is 1, to which no axis adds. */
+static void fill_terms(struct hsr_splats *s) {
+  const struct hsr_view *v = s->view;
+  for (int a = 0; a < 3; a++) {
+    const double row[4] = {v->screen[0][a], v->screen[1][a],
+                           v->parallel ? 0 : v->screen[2][a], v->depth[a]};
+    double most[4] = {0, 0, 0, 0};
+    for (uint32_t k = 0; k < s->grid->n[a]; k++) {
+      double far = s->grid->at[a][k] - v->E[a];
+      s->far[a][k] = far;
+      s->per_size[a][k] = 1 / (s->grid->bound[a][k + 1] - s->grid->bound[a][k]);
+      for (int c = 0; c < 4; c++) {
+        s->term[a][c][k] = row[c] * far;
+        most[c] = fmax(most[c], fabs(row[c] * far));
+      }
+    }
+    for (int c = 0; c < 4; c++)
+      s->most[c] += most[c];
+  }
+  for (int c = 0; c < 2; c++)
+    s->most[c] += fabs(v->origin[c]);
+}
+
+/* The energy of a splat that is not widened for pixels. */
+static uint32_t plain_energy(struct hsr_splats *s) {
+  struct hsr_splat splat = hsr_splats_exact(s, (const uint32_t[3]){0, 0, 0});
+  splat.antialias = false;
+  return hsr_exact_energy(&splat, &s->tally->out_of_memory);
+}
+
+enum hsr_status hsr_splats_begin(struct hsr_splats *s,
+                                 const struct hsr_job *job) {
+  *s = (struct hsr_splats){.job = job,
+                           .view = job->view,
+                           .grid = job->world->outline.scene->grid,
+                           .tally = job->tally,
+                           .splatting = hsr_form_splatting(&job->answer->form),
+                           .window = job->view->window};
+  s->channels =
+      s->splatting.normalise ? HSR_SPLAT_CHANNELS : HSR_SPLAT_CHANNELS - 1;
+  if (!allocate(s))
+    return HSR_E_NOMEM;
+  fill_terms(s);
+  hsr_splats_fill_weights(s);
+  hsr_splats_fill_lights(s);
+  s->plain_energy = plain_energy(s);
+  return HSR_OK;
+}
+
+/* --- Batches -------------------------------------------------------------- */
+
+static void draw_batch(struct hsr_splats *s) {
+  struct hsr_splat_batch *b = &s->batch;
+  if (!b->n)
+    return;
+  hsr_splats_place(s);
+  struct hsr_placed placed;
+  for (int k = 0; k < b->n; k++)
+    if (hsr_splats_take(s, k, &placed))
+      s->draw(s, &placed);
+  b->n = 0;
+}
+
+static inline void add(struct hsr_splats *s, uint32_t cell, uint32_t i,
+                       uint32_t j, uint32_t k) {
+  struct hsr_splat_batch *b = &s->batch;
+  HSR_STEP(s->tally, HSR_SPLAT_CELLS, HSR_CELL(cell, 0, 0), HSR_NOTHING,
+           HSR_NOWHERE, 0);
+  b->cell[b->n] = cell;
+  b->at[0][b->n] = i;
+  b->at[1][b->n] = j;
+  b->at[2][b->n] = k;
+  if (++b->n == HSR_SPLAT_BATCH)
+    draw_batch(s);
+}
+
+/* --- Rows ----------------------------------------------------------------- */
+
+/* The first cell of a row, from `begin` on, at x or beyond. */
+static uint32_t first_from(const struct hsr_grid *g, uint32_t begin,
+                           uint32_t end, uint32_t x) {
+  while (begin < end) {
+    uint32_t middle = begin + (end - begin) / 2;
+    if (g->x[middle] < x)
+      begin = middle + 1;
+    else
+      end = middle;
+  }
+  return begin;
+}
+
+/* The kept samples from x = lo to hi, both included, up or down. */
+static void visit_row(struct hsr_splats *s, uint32_t j, uint32_t k, uint32_t lo,
+                      uint32_t hi, int step) {
+  const struct hsr_grid *g = s->grid;
+  size_t row = (size_t)k * g->n[1] + j;
+  uint32_t begin = g->row[row], end = g->row[row + 1];
+  if (begin == end)
+    return;
+  if (lo > 0)
+    begin = first_from(g, begin, end, lo);
+  if (hi < g->n[0] - 1)
+    end = first_from(g, begin, end, hi + 1);
+  for (uint32_t c = begin; c < end; c++) {
+    uint32_t cell = step > 0 ? c : end - 1 - (c - begin);
+    add(s, cell, g->x[cell], j, k);
+  }
+}
+
+static void visit_run(void *data, const struct hsr_grid_run *run) {
+  struct hsr_splats *s = data;
+  uint32_t at[3] = {run->at[0], run->at[1], run->at[2]};
+  if (run->axis == 0) {
+    uint32_t last =
+        (uint32_t)((int64_t)at[0] + ((int64_t)run->n - 1) * run->step);
+    visit_row(s, at[1], at[2], run->step > 0 ? at[0] : last,
+              run->step > 0 ? last : at[0], run->step);
+    return;
+  }
+  for (uint32_t k = 0; k < run->n; k++) {
+    at[run->axis] =
+        (uint32_t)((int64_t)run->at[run->axis] + (int64_t)k * run->step);
+    uint32_t cell = hsr_grid_cell(s->grid, at);
+    if (cell != UINT32_MAX)
+      add(s, cell, at[0], at[1], at[2]);
+  }
+}
+
+int32_t hsr_splats_split(const struct hsr_splats *s, int a) {
+  return hsr_grid_split(s->grid->bound[a], s->grid->n[a], s->view->eye[a]);
+}
+
+enum hsr_status hsr_splats_visit(struct hsr_splats *s,
+                                 enum hsr_grid_order order, bool front,
+                                 struct hsr_error *err) {
+  struct hsr_grid_seen seen = {.high_first = false};
+  for (int a = 0; a < 3; a++) {
+    seen.n[a] = s->grid->n[a];
+    seen.q[a] = hsr_splats_split(s, a);
+    seen.toward[a] = s->view->F[a];
+  }
+  enum hsr_status status =
+      hsr_grid_visit(order, 0, front, &seen, visit_run, s, err);
+  draw_batch(s);
+  return status;
+}
+
+/* --- Slices --------------------------------------------------------------- */
+
+/* Sorts all kept samples by x, by counting. */
+static enum hsr_status sort_by_x(struct hsr_splats *s) {
+  const struct hsr_grid *g = s->grid;
+  struct hsr_arena *arena = s->job->scratch;
+  s->start = HSR_NEW_ZEROED(arena, uint32_t, (size_t)g->n[0] + 2);
+  s->sample = HSR_NEW(arena, struct hsr_splat_sample, g->n_cells);
+  if (!s->start || !s->sample)
+    return HSR_E_NOMEM;
+  for (uint32_t c = 0; c < g->n_cells; c++)
+    s->start[g->x[c] + 2]++;
+  for (uint32_t x = 0; x < g->n[0]; x++)
+    s->start[x + 2] += s->start[x + 1];
+  for (size_t row = 0; row < (size_t)g->n[1] * g->n[2]; row++)
+    for (uint32_t c = g->row[row]; c < g->row[row + 1]; c++)
+      s->sample[s->start[g->x[c] + 1]++] =
+          (struct hsr_splat_sample){c, (uint32_t)row};
+  return HSR_OK;
+}
+
+enum hsr_status hsr_splats_open_slices(struct hsr_splats *s, int axis) {
+  return axis == 0 ? sort_by_x(s) : HSR_OK;
+}
+
+void hsr_splats_visit_slice(struct hsr_splats *s, int axis, uint32_t index) {
+  const struct hsr_grid *g = s->grid;
+  uint32_t all = g->n[0] - 1;
+  if (axis == 2)
+    for (uint32_t j = 0; j < g->n[1]; j++)
+      visit_row(s, j, index, 0, all, 1);
+  if (axis == 1)
+    for (uint32_t k = 0; k < g->n[2]; k++)
+      visit_row(s, index, k, 0, all, 1);
+  if (axis == 0)
+    for (uint32_t c = s->start[index]; c < s->start[index + 1]; c++) {
+      const struct hsr_splat_sample *sample = &s->sample[c];
+      add(s, sample->cell, index, sample->row % g->n[1], sample->row / g->n[1]);
+    }
+  draw_batch(s);
+}

@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where splats are: a batch at once.
+ *
+ * Formula     Let the middle be at the screen point where the ray's direction is
+ *             W = V'/t, and A and B what D' changes by a pixel to the right and
+ *             down. With a pixel (dx, dy) from the middle, p = W.A / W.W, q =
+ *             W.B / W.W, and A, B without their parts along W:
+ *               rho^2 = t^2 |dx A + dy B|^2 / (1 + p dx + q dy)^2.
+ *             In parallel W is F', and t = 1, p = q = 0.
+ * Errors      u = 2^-53. A row of the view's matrices has a relative error of 2
+ *             u, a distance from E of u, their product of u: a sum of three or
+ *             four terms errs by less than 8 u times the greatest sum of their
+ *             sizes, `most`. So w has the relative error rough = 2^-48 most/w
+ *             with room to spare, and the middle an error of 2^-49 (most_x + |x|
+ *             most_w) / w + 2^-51 |x| pixels.
+ *             A splat is placed only if rough < 2^-28; if p and q change the
+ *             denominator by eta <= 1/2 within reach; if A and B keep 1/32 of
+ *             their lengths without their parts along W; and if the cosine
+ *             between them is at most sqrt(.8). Then the coefficients of the
+ *             square have relative errors below 2 rough + 2^-40.
+ * Floats      v = 2^-24. M = xx dx^2 + 2 |xy dx dy| + yy dy^2 is at most cond
+ *             kappa (1 + eta)^2. Each product and sum adds v, so the square errs
+ *             by less than 9 v M, and the denominator, which is at least 1 -
+ *             eta, by (6 eta + 1) v. With spread = cond ((1 + eta) / (1 -
+ *             eta))^2, kappa errs by less than v kappa (9 spread + 2 (6 eta + 1)
+ *             / (1 - eta) + 5), for kappa up to 1100, and by 12000 v spread for
+ *             what dx and dy err near the middle: by 2 v of their greatest
+ *             values.
+ * Reach       kappa < 1024 (1 + eta)^2 within the square's ellipse, whose box
+ *             has half sides 32 (1 + eta) sqrt(yy / det), sqrt(xx / det). As
+ *             eta <= 1/2 in the box with 48 for 32 (1 + eta), no pixel outside
+ *             it is covered: along a line from the middle, kappa grows until the
+ *             denominator vanishes.
+ */
+#include "algorithms/volume/splats/splats.h"
+#include "common/base/vector.h"
+
+#include <math.h>
+
+/* What the lanes of a batch are computed from. */
+struct lanes {
+  double x[HSR_SPLAT_BATCH], y[HSR_SPLAT_BATCH], w[HSR_SPLAT_BATCH];
+  double far[3][HSR_SPLAT_BATCH], per_size[3][HSR_SPLAT_BATCH];
+};
+
+static void gather(struct hsr_splats *s, struct lanes *l) {
+  struct hsr_splat_batch *b = &s->batch;
+  const struct hsr_view *v = s->view;
+  for (int k = 0; k < b->n; k++) {
+    uint32_t i = b->at[0][k], j = b->at[1][k], m = b->at[2][k];
+    l->x[k] =
+        s->term[0][0][i] + s->term[1][0][j] + s->term[2][0][m] + v->origin[0];
+    l->y[k] =
+        s->term[0][1][i] + s->term[1][1][j] + s->term[2][1][m] + v->origin[1];
+    l->w[k] = v->parallel
+                  ? 1
+                  : s->term[0][2][i] + s->term[1][2][j] + s->term[2][2][m];
+    b->depth[k] = s->term[0][3][i] + s->term[1][3][j] + s->term[2][3][m];
+    for (int a = 0; a < 3; a++) {
+      l->far[a][k] = s->far[a][b->at[a][k]];
+      l->per_size[a][k] = s->per_size[a][b->at[a][k]];
+    }
+  }
+}
+
+HSR_VECTOR
+static void place(const struct hsr_splats *s, const struct lanes *l,
+                  struct hsr_splat_batch *b) {
+  const struct hsr_view *v = s->view;
+  const double *F = v->F, *U = v->U, *R = v->R, *right = v->ray[1],
+               *down = v->ray[2];
+  const double most_x = fmax(s->most[0], s->most[1]), most_w = s->most[2];
+  const double per_m = 1 / ((double)v->m * v->m),
+               per_n = 1 / ((double)v->n * v->n);
+  const double width = s->splatting.width * s->splatting.width;
+  const double full = HSR_FOOTPRINT / (s->reach * s->reach * width);
+  const bool parallel = v->parallel, antialias = s->splatting.antialias;
+  for (int k = 0; k < HSR_SPLAT_BATCH; k++) {
+    double w = l->w[k], inverse = 1 / w, t2 = parallel ? 1 : w * w;
+    double x = l->x[k] * inverse, y = l->y[k] * inverse;
+    double hx = l->per_size[0][k], hy = l->per_size[1][k],
+           hz = l->per_size[2][k];
+    double Wx = hx * (parallel ? F[0] : l->far[0][k] * inverse),
+           Wy = hy * (parallel ? F[1] : l->far[1][k] * inverse),
+           Wz = hz * (parallel ? F[2] : l->far[2][k] * inverse);
+    double Ax = hx * right[0], Ay = hy * right[1], Az = hz * right[2];
+    double Bx = hx * down[0], By = hy * down[1], Bz = hz * down[2];
+    double AA = Ax * Ax + Ay * Ay + Az * Az, BB = Bx * Bx + By * By + Bz * Bz;
+    double WW = Wx * Wx + Wy * Wy + Wz * Wz, per_WW = 1 / WW;
+    double p = (Wx * Ax + Wy * Ay + Wz * Az) * per_WW,
+           q = (Wx * Bx + Wy * By + Wz * Bz) * per_WW;
+    Ax -= p * Wx, Ay -= p * Wy, Az -= p * Wz;
+    Bx -= q * Wx, By -= q * Wy, Bz -= q * Wz;
+    double aa = Ax * Ax + Ay * Ay + Az * Az, ab = Ax * Bx + Ay * By + Az * Bz,
+           bb = Bx * Bx + By * By + Bz * Bz;
+
+    double ux = hx * U[0], uy = hy * U[1], uz = hz * U[2];
+    double rx = hx * R[0], ry = hy * R[1], rz = hz * R[2];
+    double apart = 2 * t2 *
+                   ((ux * ux + uy * uy + uz * uz) * per_n +
+                    (rx * rx + ry * ry + rz * rz) * per_m);
+    double scale = antialias && apart > 1 ? full / apart : full;
+
+    double f = scale * t2, xx = f * aa, xy = f * ab, yy = f * bb;
+    double det = xx * yy - xy * xy, cosine2 = xy * xy / (xx * yy);
+    double side_x = sqrt(yy / det), side_y = sqrt(xx / det);
+    double eta = parallel ? 0 : 48 * (fabs(p) * side_x + fabs(q) * side_y);
+    double cosine = sqrt(cosine2), cond = (1 + cosine) / (1 - cosine);
+    double rough = 0x1p-48 * most_w * fabs(inverse) + 0x1p-40;
+    double off =
+        0x1p-49 * (most_x + fmax(fabs(x), fabs(y)) * most_w) * inverse +
+        0x1p-51 * fmax(fabs(x), fabs(y));
+    double ratio = (1 + eta) / (1 - eta), spread = cond * ratio * ratio;
+    double in_float =
+        0x1p-24 * (1100 * (12 * spread + (12 * eta + 2) / (1 - eta) + 6) +
+                   12000 * spread);
+    double error = in_float + 800 * sqrt(fmax(xx, yy)) * off + 36000 * rough;
+    double reach = 32 * (1 + eta) * (1 + 0x1p-20);
+    bool good =
+        (w > 0) & (rough < 0x1p-28) & (eta <= 0.5) & (aa * 1024 >= AA) &
+        (bb * 1024 >= BB) & (cosine2 <= 0.8) & (xx < 0x1p60) & (yy < 0x1p60) &
+        (xx > 0x1p-60) & (yy > 0x1p-60) & (off < 0x1p-10) &
+        (WW * 0x1p20 >= 2304 * (AA * side_x * side_x + BB * side_y * side_y));
+    b->x[k] = x;
+    b->y[k] = y;
+    b->xx[k] = (float)xx;
+    b->xy[k] = (float)xy;
+    b->yy[k] = (float)yy;
+    b->p[k] = parallel ? 0 : (float)p;
+    b->q[k] = parallel ? 0 : (float)q;
+    b->error[k] = (float)error;
+    b->reach_x[k] = good ? (float)(reach * side_x + off) : NAN;
+    b->reach_y[k] = good ? (float)(reach * side_y + off) : NAN;
+    b->apart[k] = apart;
+    b->scale[k] = scale;
+    b->rough[k] = rough;
+  }
+}
+
+void hsr_splats_place(struct hsr_splats *s) {
+  struct lanes lanes;
+  gather(s, &lanes);
+  place(s, &lanes, &s->batch);
+}
+
+/* --- Single splats -------------------------------------------------------- */
+
+struct hsr_splat hsr_splats_exact(const struct hsr_splats *s,
+                                  const uint32_t at[3]) {
+  struct hsr_splat splat = {.view = s->view,
+                            .width = s->splatting.width,
+                            .antialias = s->splatting.antialias,
+                            .kernel = s->splatting.kernel};
+  for (int a = 0; a < 3; a++) {
+    const double *bound = s->grid->bound[a] + at[a];
+    splat.at[a] = s->grid->at[a][at[a]];
+    splat.size[a] = bound[1] - bound[0];
+  }
+  return splat;
+}
+
+static bool is_beyond_near(struct hsr_splats *s, int k, const uint32_t at[3]) {
+  double depth = s->batch.depth[k], near = s->view->near;
+  double error = 0x1p-49 * s->most[3] + 0x1p-52 * near;
+  if (fabs(depth - near) > error)
+    return depth > near;
+  s->tally->exact[HSR_ASK_FOOTPRINT]++;
+  struct hsr_splat splat = hsr_splats_exact(s, at);
+  return hsr_exact_is_beyond_near(&splat, &s->tally->out_of_memory);
+}
+
+/* e, as 65536 / (g^2). In parallel projection it is that of the last splat if
+ * their cells have the same sizes. */
+static uint32_t energy_of(struct hsr_splats *s, int k, const uint32_t at[3]) {
+  const struct hsr_splat_batch *b = &s->batch;
+  double width = s->splatting.width, rough = 8 * b->rough[k] + 0x1p-40;
+  if (!s->splatting.antialias || b->apart[k] < 1 - rough)
+    return s->plain_energy;
+  double apart = fmax(1, b->apart[k]);
+  double energy = 65536 / (apart * width * width), error = energy * rough;
+  if (floor(energy - error) == floor(energy + error) && rough < 0x1p-20)
+    return (uint32_t)energy;
+  struct hsr_splat splat = hsr_splats_exact(s, at);
+  struct hsr_splats_energy *last = &s->last;
+  bool same = s->view->parallel;
+  for (int a = 0; a < 3; a++) {
+    same &= last->size[a] == splat.size[a];
+    last->size[a] = splat.size[a];
+  }
+  if (!same) {
+    s->tally->exact[HSR_ASK_FOOTPRINT]++;
+    last->energy = hsr_exact_energy(&splat, &s->tally->out_of_memory);
+  }
+  return last->energy;
+}
+
+/* The pixels of [from, to) whose middles are from lo to hi; `middle` is that of
+ * pixel 0. */
+static void clip(double lo, double hi, double middle, int *from, int *to) {
+  double first = ceil(lo - middle), last = floor(hi - middle);
+  *from = first > *from ? (first < *to ? (int)first : *to) : *from;
+  *to = last + 1 < *to ? (last + 1 > *from ? (int)last + 1 : *from) : *to;
+}
+
+static bool find_box(const struct hsr_splats *s, int k,
+                     struct hsr_window *box) {
+  const struct hsr_splat_batch *b = &s->batch;
+  *box = s->window;
+  double reach_x = (double)b->reach_x[k], reach_y = (double)b->reach_y[k];
+  if (!(reach_x > 0))
+    return true;
+  clip(b->x[k] - reach_x, b->x[k] + reach_x, hsr_sample_x(s->view, 0), &box->x0,
+       &box->x1);
+  clip(b->y[k] - reach_y, b->y[k] + reach_y, hsr_sample_y(s->view, 0), &box->y0,
+       &box->y1);
+  return box->x0 < box->x1 && box->y0 < box->y1;
+}
+
+bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
+  const struct hsr_splat_batch *b = &s->batch;
+  struct hsr_window box;
+  if (!find_box(s, k, &box)) {
+    HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(b->cell[k], 0, 0),
+             HSR_NOTHING, HSR_NOWHERE, 0);
+    return false;
+  }
+  *p = (struct hsr_placed){.cell = b->cell[k],
+                           .at = {b->at[0][k], b->at[1][k], b->at[2][k]},
+                           .x = b->x[k],
+                           .y = b->y[k],
+                           .scale = b->scale[k],
+                           .rough = b->rough[k],
+                           .xx = b->xx[k],
+                           .xy = b->xy[k],
+                           .yy = b->yy[k],
+                           .p = b->p[k],
+                           .q = b->q[k],
+                           .error = b->error[k],
+                           .is_small = b->reach_x[k] > 0,
+                           .box = box};
+  if (!is_beyond_near(s, k, p->at)) {
+    HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_NOTHING,
+             HSR_NOWHERE, 0);
+    return false;
+  }
+  p->energy = energy_of(s, k, p->at);
+  hsr_splats_colour(s, p->cell, p->colour);
+  for (int c = 0; c <= HSR_SPLAT_OPACITY; c++)
+    p->colour[c] = (uint16_t)((uint64_t)p->colour[c] * p->energy >> 16);
+  return true;
+}

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The sheet buffer: the splats of a slice of the grid are added, and the slices
+ * are composited from back to front.
+ *
+ * Source      L. Westover, "Footprint Evaluation for Volume Rendering",
+ *             SIGGRAPH 1990; J. E. Swan II, PhD thesis, Ohio State University,
+ *             1998, 1.2.2
+ * Place       list priority over clusters: a sheet is a cluster within which
+ *             nothing is hidden.
+ * Cost        as splats.h, and the pixels of each sheet's rectangle
+ *
+ * Notation, invariant, ties, further departures are those of splats.h. */
+#include "algorithms/volume/splats/splats.h"
+
+#include <math.h>
+
+static const struct hsr_counter counters[] = {
+    HSR_SPLAT_COUNTERS, HSR_SPLAT_FOLD_COUNTER, {NULL}};
+
+struct model {
+  struct hsr_splat_picture picture, sheet;
+  struct hsr_window drawn; /* of the sheet */
+};
+
+static void extend(struct hsr_window *w, const struct hsr_window *by) {
+  w->x0 = by->x0 < w->x0 ? by->x0 : w->x0;
+  w->y0 = by->y0 < w->y0 ? by->y0 : w->y0;
+  w->x1 = by->x1 > w->x1 ? by->x1 : w->x1;
+  w->y1 = by->y1 > w->y1 ? by->y1 : w->y1;
+}
+
+static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
+  struct model *m = s->model;
+  uint16_t weight[HSR_SPLAT_LANES];
+  hsr_splat_lanes D;
+  HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
+           p->box, 2);
+  extend(&m->drawn, &p->box);
+  for (int j = p->box.y0; j < p->box.y1; j++)
+    for (int x = p->box.x0; x < p->box.x1; x += HSR_SPLAT_LANES) {
+      hsr_splats_weigh(s, p, x, j, weight);
+      hsr_splats_count(s, p, x, j, weight);
+      hsr_splats_give(s, p, weight, D);
+      hsr_splats_add(s, &m->sheet, x, j, D);
+    }
+}
+
+/* The axis whose slices are most parallel to the view plane. */
+static int sheet_axis(const struct hsr_view *view) {
+  int axis = 0;
+  for (int a = 1; a < 3; a++)
+    if (fabs(view->F[a]) > fabs(view->F[axis]))
+      axis = a;
+  return axis;
+}
+
+static void draw_sheet(struct hsr_splats *s, int axis, uint32_t k) {
+  struct model *m = s->model;
+  const struct hsr_window *w = &s->window;
+  m->drawn = (struct hsr_window){w->x1, w->y1, w->x0, w->y0};
+  hsr_splats_visit_slice(s, axis, k);
+  hsr_splats_fold(s, &m->sheet, &m->drawn, &m->picture);
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct hsr_splats s;
+  struct model m;
+  int axis = sheet_axis(job->view);
+  if (hsr_splats_begin(&s, job) || hsr_splats_open(&s, &m.picture) ||
+      hsr_splats_open(&s, &m.sheet) || hsr_splats_open_slices(&s, axis))
+    return hsr_fail_nomem(err);
+  s.model = &m;
+  s.draw = draw;
+  int64_t n = s.grid->n[axis], q = hsr_splats_split(&s, axis);
+  for (int64_t k = n - 1; k > q; k--)
+    draw_sheet(&s, axis, (uint32_t)k);
+  for (int64_t k = 0; k <= q; k++)
+    draw_sheet(&s, axis, (uint32_t)k);
+  hsr_splats_finish(&s, &m.picture);
+  return HSR_OK;
+}
+
+static const struct hsr_line outline[] = {
+    {"choose the slices most parallel to the view plane", 0},
+    {"for each slice, from back to front", 0},
+    {"  for each sample of it that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
+    {"    find its footprint; is it out of sight? leave it",
+     HSR_RAISES(HSR_SPLAT_SPLATS)},
+    {"    add weight times colour to the sheet, a pixel at a time",
+     HSR_RAISES(HSR_SPLAT_UPDATES)},
+    {"  put the sheet over the picture", HSR_RAISES(HSR_SPLAT_FOLDS)},
+    {"write the pixels that are not empty", HSR_RAISES(HSR_SPLAT_WRITES)},
+    {NULL, 0}};
+
+const struct hsr_algorithm HSR_ALGORITHM(splat_sheet) = {
+    HSR_OF_SPLATS,
+    .name = "splat-sheet",
+    .title = "Splatting with a sheet buffer",
+    .authors = "L. Westover",
+    .year = 1990,
+    .source = "Westover, Footprint Evaluation for Volume Rendering, SIGGRAPH "
+              "1990; Swan, Object-Order Rendering of Discrete Objects, PhD "
+              "thesis, Ohio State University, 1998",
+    .sort_order = "Z(XY)",
+    .makes = 1 << HSR_SHEET,
+    .counters = counters,
+    .outline = outline,
+    .render = render};

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The volumetric buffer: what splats give to a range of depths is added in each
+ * pixel, and the ranges are composited from back to front.
+ *
+ * Source      proposed by L. Westover, "Footprint Evaluation for Volume
+ *             Rendering", 1990; described by J. E. Swan II, PhD thesis, Ohio
+ *             State University, 1998, 1.2.2, and built by neither
+ * Notation    the buckets and lambda of docs/composited-picture.md
+ * Strips      the buffer is of a strip of the picture, so that it is not larger
+ *             than MOST_BYTES. The grid is visited once for each strip.
+ * Exact       lambda is found in doubles with a bound of its error, else exactly
+ * Cost        as splats.h, times the buckets that a splat reaches; and all
+ *             buckets of all pixels
+ *
+ * Invariant, ties, further departures are those of splats.h. */
+#include "algorithms/volume/splats/splats.h"
+
+#include <math.h>
+
+enum { MOST_BYTES = 1 << 25, PARTS = HSR_FOOTPRINT_PARTS };
+
+static const struct hsr_counter counters[] = {
+    HSR_SPLAT_COUNTERS, HSR_SPLAT_FOLD_COUNTER, {NULL}};
+
+struct model {
+  struct hsr_splat_picture picture, *bucket;
+  int n;               /* buckets */
+  double from, each;   /* the first begins there, and they are so deep */
+  double off;          /* how far an end may be off */
+  double lo[3], hi[3]; /* of all samples */
+};
+
+/* --- Depths --------------------------------------------------------------- */
+
+/* One bucket, if all of the grid is in one depth or before near. */
+static void find_depths(struct hsr_splats *s, struct model *m) {
+  const struct hsr_view *v = s->view;
+  double from = INFINITY, to = -INFINITY;
+  for (int a = 0; a < 3; a++) {
+    m->lo[a] = s->grid->at[a][0];
+    m->hi[a] = s->grid->at[a][s->grid->n[a] - 1];
+  }
+  for (int corner = 0; corner < 8; corner++) {
+    double t = 0;
+    for (int a = 0; a < 3; a++)
+      t += s->term[a][3][corner >> a & 1 ? s->grid->n[a] - 1 : 0];
+    from = fmin(from, t);
+    to = fmax(to, t);
+  }
+  m->from = fmax(from, v->near);
+  m->off = 0x1p-46 * (s->most[3] + v->near);
+  m->n = s->splatting.buckets;
+  if (!(to - m->from > m->off) &&
+      !hsr_exact_is_deep(v, m->lo, m->hi, &s->tally->out_of_memory))
+    m->n = 1;
+  m->each = (to - m->from) / m->n;
+}
+
+/* --- Splats --------------------------------------------------------------- */
+
+/* The ray of a pixel, by depth. */
+struct passage {
+  double nearest; /* t*, the depth nearest to the middle of the kernel */
+  double parts;   /* 32 / (g r) |D'|: lambda grows so by depth */
+  double off;     /* how far t* may be off */
+};
+
+static struct passage passage_of(const struct hsr_splats *s,
+                                 const struct hsr_placed *p, int i, int j) {
+  const struct hsr_splat_ray r = hsr_splats_ray(s, p, i, j);
+  double VD = 0, DD = 0, vd = 0, dd = 0;
+  for (int a = 0; a < 3; a++) {
+    VD += r.V[a] * r.D[a];
+    DD += r.D[a] * r.D[a];
+    vd += r.v[a] * r.d[a];
+    dd += r.d[a] * r.d[a];
+  }
+  return (struct passage){VD / DD, sqrt(p->scale * DD),
+                          0x1p-46 * (vd / DD + fabs(VD) / DD * (dd / DD))};
+}
+
+/* lambda at the end of bucket b. */
+static int part_before(struct hsr_splats *s, const struct hsr_placed *p, int i,
+                       int j, const struct passage *ray, int b) {
+  const struct model *m = s->model;
+  double past = m->from + (b + 1) * m->each - ray->nearest;
+  double parts = fabs(past) * ray->parts;
+  double error =
+      (m->off + ray->off) * ray->parts + parts * (8 * p->rough + 0x1p-40);
+  int sign = past < 0 ? -1 : 1;
+  if (parts - error >= PARTS)
+    return sign * PARTS;
+  double lo = floor(fmax(0, parts - error)), hi = floor(parts + error);
+  if (lo == hi)
+    return sign * (int)lo;
+  s->tally->exact[HSR_ASK_FOOTPRINT]++;
+  struct hsr_splat splat = hsr_splats_exact(s, p->at);
+  return hsr_exact_footprint_part(&splat, i, j, m->lo, m->hi, b, m->n,
+                                  &s->tally->out_of_memory);
+}
+
+/* The first bucket that the kernel may reach along this ray, or the last. */
+static int bucket_at(const struct model *m, double depth) {
+  double b = floor((depth - m->from) / m->each);
+  return b > 0 ? b < m->n - 1 ? (int)b : m->n - 1 : 0;
+}
+
+/* Puts the splat into the buckets of a pixel. */
+static void draw_pixel(struct hsr_splats *s, const struct hsr_placed *p, int i,
+                       int j, int kappa) {
+  struct model *m = s->model;
+  const struct passage ray = passage_of(s, p, i, j);
+  double reach = (PARTS + 1) / ray.parts + ray.off + m->off;
+  int b = m->n > 1 ? bucket_at(m, ray.nearest - reach) : 0;
+  uint16_t before = 0;
+  for (bool more = true; more && b < m->n; b++) {
+    int part = b < m->n - 1 ? part_before(s, p, i, j, &ray, b) : PARTS;
+    uint16_t here = s->before[part + PARTS][kappa];
+    uint16_t weight[HSR_SPLAT_LANES] = {(uint16_t)(here - before)};
+    hsr_splat_lanes D;
+    before = here;
+    more = part < PARTS;
+    if (!weight[0])
+      continue;
+    hsr_splats_give(s, p, weight, D);
+    hsr_splats_add(s, &m->bucket[b], i, j, D);
+  }
+}
+
+static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
+  int32_t index[HSR_SPLAT_LANES];
+  HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
+           p->box, 2);
+  for (int j = p->box.y0; j < p->box.y1; j++)
+    for (int x = p->box.x0; x < p->box.x1; x += HSR_SPLAT_LANES) {
+      hsr_splats_find(s, p, x, j, index);
+      for (int l = 0; l < HSR_SPLAT_LANES; l++)
+        if (index[l] < HSR_FOOTPRINT) {
+          HSR_STEP(s->tally, HSR_SPLAT_UPDATES, HSR_CELL(p->cell, 0, 0),
+                   HSR_THE_WINDOW, HSR_AT(x + l, j), 0);
+          draw_pixel(s, p, x + l, j, index[l]);
+        }
+    }
+}
+
+/* --- A frame -------------------------------------------------------------- */
+
+static enum hsr_status open_parts(struct hsr_splats *s) {
+  for (int part = 0; part <= 2 * PARTS; part++) {
+    s->before[part] = HSR_NEW(s->job->scratch, uint16_t, HSR_FOOTPRINT);
+    if (!s->before[part])
+      return HSR_E_NOMEM;
+  }
+  hsr_splats_fill_parts(s);
+  return HSR_OK;
+}
+
+/* The buffer of a strip of the window, which s->window is from here on. */
+static enum hsr_status open_strip(struct hsr_splats *s, struct model *m) {
+  struct hsr_window *w = &s->window;
+  int64_t row = (int64_t)(w->x1 - w->x0 + HSR_SPLAT_LANES) * m->n *
+                s->channels * (int64_t)sizeof(uint16_t);
+  int64_t rows = MOST_BYTES / row > 0 ? MOST_BYTES / row : 1;
+  if (rows < w->y1 - w->y0)
+    w->y1 = w->y0 + (int)rows;
+  m->bucket = HSR_NEW(s->job->scratch, struct hsr_splat_picture, (size_t)m->n);
+  if (!m->bucket || hsr_splats_open(s, &m->picture))
+    return HSR_E_NOMEM;
+  for (int b = 0; b < m->n; b++)
+    if (hsr_splats_open(s, &m->bucket[b]))
+      return HSR_E_NOMEM;
+  return HSR_OK;
+}
+
+static enum hsr_status draw_strip(struct hsr_splats *s, struct model *m,
+                                  struct hsr_error *err) {
+  enum hsr_status status = hsr_splats_visit(s, HSR_PBTF, false, err);
+  for (int b = m->n - 1; b >= 0 && !status; b--)
+    hsr_splats_fold(s, &m->bucket[b], &s->window, &m->picture);
+  hsr_splats_finish(s, &m->picture);
+  hsr_splats_clear(s, &m->picture);
+  return status;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct hsr_splats s;
+  struct model m;
+  const struct hsr_window *all = &job->view->window;
+  if (hsr_splats_begin(&s, job) || open_parts(&s))
+    return hsr_fail_nomem(err);
+  find_depths(&s, &m);
+  s.model = &m;
+  s.draw = draw;
+  enum hsr_status status = open_strip(&s, &m);
+  if (status)
+    return hsr_fail_nomem(err);
+  int rows = s.window.y1 - s.window.y0;
+  for (int y = all->y0; y < all->y1 && !status; y += rows) {
+    s.window.y0 = y;
+    s.window.y1 = y + rows < all->y1 ? y + rows : all->y1;
+    status = draw_strip(&s, &m, err);
+  }
+  return status;
+}
+
+static const struct hsr_line outline[] = {
+    {"for each sample that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
+    {"  find its footprint; is it out of sight? leave it",
+     HSR_RAISES(HSR_SPLAT_SPLATS)},
+    {"  for each pixel of the footprint", HSR_RAISES(HSR_SPLAT_UPDATES)},
+    {"    add the parts of the kernel, times colour, to the buckets that they "
+     "are in",
+     0},
+    {"from the last bucket to the first, put it over the picture",
+     HSR_RAISES(HSR_SPLAT_FOLDS)},
+    {"write the pixels that are not empty", HSR_RAISES(HSR_SPLAT_WRITES)},
+    {NULL, 0}};
+
+const struct hsr_algorithm HSR_ALGORITHM(splat_volume) = {
+    HSR_OF_SPLATS,
+    .name = "splat-volume",
+    .title = "Splatting with a volumetric buffer",
+    .authors = "L. Westover",
+    .year = 1990,
+    .source = "Westover, Footprint Evaluation for Volume Rendering, SIGGRAPH "
+              "1990; Swan, Object-Order Rendering of Discrete Objects, PhD "
+              "thesis, Ohio State University, 1998",
+    .sort_order = "(XY)Z",
+    .makes = 1 << HSR_VOLUME,
+    .counters = counters,
+    .outline = outline,
+    .render = render};

@@ -1,0 +1,293 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Splatting: every kept sample of a grid is a kernel, whose footprint on the
+ * screen is composited into the picture. One frame.
+ *
+ * Source      J. E. Swan II, "Object-Order Rendering of Discrete Objects", PhD
+ *             thesis, Ohio State University, 1998, chapters 1 and 3; L.
+ *             Westover, "Footprint Evaluation for Volume Rendering", 1990. What
+ *             is right: docs/composited-picture.md.
+ * Notation    as there. kappa is the square of a pixel's distance from the
+ *             middle of a splat, 1024 at its rim.
+ * Invariant   the channels of each pixel are those of all splats so far
+ * Ties        there are none: all is decided as the definition says.
+ * Exact       kappa is found in floats with a bound of its error; where a whole
+ *             number is within the bound, in doubles with a bound; where there
+ *             is one within that, exactly (common/exact/footprint.h). All that
+ *             follows is in integers.
+ * DDA         a point on the screen is a sum of three terms, one for each axis.
+ *             Along a row of samples only one of them changes (thesis, 1.1).
+ * Departures  a footprint is not a polygon with a texture: each pixel's weight
+ *             is looked up for its own ray.
+ * Cost        splats, and pixels of their footprints
+ *
+ * Files: splat_frame.c walks the grid; splat_light.c gives samples their
+ * colours; splat_kernel.c makes the kernels' tables; splat_place.c finds where
+ * splats are; splat_weigh.c the weights in their pixels; splat_picture.c puts
+ * channels over and under those of the picture. */
+#ifndef HSR_ALGORITHMS_SPLATS_H
+#define HSR_ALGORITHMS_SPLATS_H
+
+#include "algorithms/algorithm.h"
+#include "common/exact/footprint.h"
+#include "common/grids/order.h"
+
+/* --- What the modules have in common -------------------------------------- */
+
+enum {
+  HSR_SPLAT_CELLS,
+  HSR_SPLAT_SPLATS,
+  HSR_SPLAT_UPDATES,
+  HSR_SPLAT_WRITES,
+  HSR_SPLAT_FOLDS /* of models that sum */
+};
+
+#define HSR_SPLAT_COUNTERS                                                     \
+  [HSR_SPLAT_CELLS] = {"samples", "kept samples visited", HSR_ACTIVATE,        \
+                       HSR_OF_CELL, HSR_OF_NOTHING},                           \
+  [HSR_SPLAT_SPLATS] = {"splats",      "rectangles around splats tested",      \
+                        HSR_COMPARE,   HSR_OF_CELL,                            \
+                        HSR_OF_WINDOW, "out of sight|full|drawn"},             \
+  [HSR_SPLAT_UPDATES] = {"updates", "pixels that a splat was put into",        \
+                         HSR_SAMPLE, HSR_OF_CELL, HSR_OF_WINDOW},              \
+  [HSR_SPLAT_WRITES] = {"writes", "pixels that are not empty", HSR_ACCEPT,     \
+                        HSR_OF_NOTHING, HSR_OF_WINDOW}
+#define HSR_SPLAT_FOLD_COUNTER                                                 \
+  [HSR_SPLAT_FOLDS] = {"folds", "sums of pixels put over the picture",         \
+                       HSR_SAMPLE, HSR_OF_NOTHING, HSR_OF_WINDOW}
+
+#define HSR_OF_SPLATS                                                          \
+  .taxonomy = HSR_VOLUME_SPACE, .coherence = "object",                         \
+  .subjects = 1 << HSR_GRID, .kind = HSR_COMPOSITED, .flags = HSR_INSTANCED
+
+/* --- The frame ------------------------------------------------------------ */
+
+enum {
+  HSR_SPLAT_CHANNELS = 5, /* red, green, blue, opacity, weight */
+  HSR_SPLAT_OPACITY = 3,
+  HSR_SPLAT_WEIGHT = 4,
+  HSR_SPLAT_BATCH = 64, /* splats that are placed at once */
+  HSR_SPLAT_LANES = 16  /* pixels that are weighed at once */
+};
+
+/* Splats that are about to be drawn, in sequence. */
+struct hsr_splat_batch {
+  int n;
+  uint32_t cell[HSR_SPLAT_BATCH], at[3][HSR_SPLAT_BATCH];
+
+  /* Of each, by hsr_splats_place: where its middle is on the screen; kappa of
+   * the pixel (dx, dy) from there, which is (xx dx^2 + 2 xy dx dy + yy dy^2) /
+   * (1 + p dx + q dy)^2; and how far that may be off. */
+  double x[HSR_SPLAT_BATCH], y[HSR_SPLAT_BATCH];
+  float xx[HSR_SPLAT_BATCH], xy[HSR_SPLAT_BATCH], yy[HSR_SPLAT_BATCH],
+      p[HSR_SPLAT_BATCH], q[HSR_SPLAT_BATCH], error[HSR_SPLAT_BATCH];
+  float reach_x[HSR_SPLAT_BATCH], reach_y[HSR_SPLAT_BATCH]; /* NaN: anywhere */
+  double apart[HSR_SPLAT_BATCH]; /* pixels, in cells, squared: g^2 if over 1 */
+  double depth[HSR_SPLAT_BATCH]; /* t */
+  double scale[HSR_SPLAT_BATCH]; /* 1024 / (g r)^2 */
+  double rough[HSR_SPLAT_BATCH]; /* how far, relatively, these may be off */
+};
+
+/* One splat of a batch, as it is drawn. */
+struct hsr_placed {
+  uint32_t cell, at[3];
+  double x, y, scale, rough;
+  float xx, xy, yy, p, q, error;
+  bool is_small; /* floats may tell kappa */
+  struct hsr_window box;
+  uint32_t energy;
+  uint16_t colour[HSR_SPLAT_OPACITY + 1];
+};
+
+/* The light on a normal. */
+struct hsr_splat_light {
+  uint32_t shade, gloss;
+};
+
+/* A kept sample, and its row j + n[1] k. */
+struct hsr_splat_sample {
+  uint32_t cell;
+  uint32_t row;
+};
+
+/* The energy found last, and the cell for which it was. */
+struct hsr_splats_energy {
+  double size[3];
+  uint32_t energy;
+};
+
+struct hsr_splats {
+  const struct hsr_job *job;
+  const struct hsr_view *view;
+  const struct hsr_grid *grid;
+  struct hsr_tally *tally;
+  struct hsr_splatting splatting;
+  struct hsr_window window;
+  int channels; /* 4, or 5 with normalise */
+
+  /* Sample k of axis a: its distance from E along the axis; what it adds to
+   * homogeneous screen coordinate c, c = 2 being w, and c = 3 to the depth; 1 /
+   * the size of its cell. */
+  double *far[3], *term[3][4], *per_size[3];
+  double most[4];        /* the greatest sum of the sizes of three terms */
+  uint32_t plain_energy; /* e of a splat that is not widened for pixels */
+  double reach;          /* r */
+  struct hsr_splat_light *light;                 /* by code of normal */
+  uint32_t weight[HSR_FOOTPRINT + 1];            /* the kernel's table, and 0 */
+  uint16_t *before[2 * HSR_FOOTPRINT_PARTS + 1]; /* of model volume */
+
+  /* Of slices across x: the samples at x are those from start[x] on. */
+  uint32_t *start;
+  struct hsr_splat_sample *sample;
+
+  struct hsr_splats_energy last;
+  struct hsr_splat_batch batch;
+  void (*draw)(struct hsr_splats *, const struct hsr_placed *);
+  void *model; /* of the module */
+};
+
+/* Begins a frame. HSR_E_NOMEM. */
+#define hsr_splats_begin HSR_OF_BUILD(hsr_splats_begin)
+enum hsr_status hsr_splats_begin(struct hsr_splats *splats,
+                                 const struct hsr_job *job);
+
+/* Calls splats->draw for every splat that may be seen in the window, in an
+ * order of the grid. HSR_E_NOMEM. */
+#define hsr_splats_visit HSR_OF_BUILD(hsr_splats_visit)
+enum hsr_status hsr_splats_visit(struct hsr_splats *splats,
+                                 enum hsr_grid_order order, bool front,
+                                 struct hsr_error *err);
+
+/* For the slices of the grid across an axis, in any sequence: calls splats->draw
+ * for the splats of slice k. HSR_E_NOMEM of the first. */
+#define hsr_splats_open_slices HSR_OF_BUILD(hsr_splats_open_slices)
+enum hsr_status hsr_splats_open_slices(struct hsr_splats *splats, int axis);
+#define hsr_splats_visit_slice HSR_OF_BUILD(hsr_splats_visit_slice)
+void hsr_splats_visit_slice(struct hsr_splats *splats, int axis, uint32_t k);
+
+/* The last cell along an axis whose lower bound is not above the eye; -1. */
+#define hsr_splats_split HSR_OF_BUILD(hsr_splats_split)
+int32_t hsr_splats_split(const struct hsr_splats *splats, int axis);
+
+/* --- Tables --------------------------------------------------------------- */
+
+#define hsr_splats_fill_weights HSR_OF_BUILD(hsr_splats_fill_weights)
+void hsr_splats_fill_weights(struct hsr_splats *splats);
+
+/* Fills `before`, for which there is room. */
+#define hsr_splats_fill_parts HSR_OF_BUILD(hsr_splats_fill_parts)
+void hsr_splats_fill_parts(struct hsr_splats *splats);
+
+#define hsr_splats_fill_lights HSR_OF_BUILD(hsr_splats_fill_lights)
+void hsr_splats_fill_lights(struct hsr_splats *splats);
+
+/* The premultiplied colour of a kept sample, and its opacity. */
+#define hsr_splats_colour HSR_OF_BUILD(hsr_splats_colour)
+void hsr_splats_colour(const struct hsr_splats *splats, uint32_t cell,
+                       uint16_t colour[HSR_SPLAT_OPACITY + 1]);
+
+/* --- Places and weights --------------------------------------------------- */
+
+#define hsr_splats_place HSR_OF_BUILD(hsr_splats_place)
+void hsr_splats_place(struct hsr_splats *splats);
+
+/* Splat k of the batch. False if the definition gives it no splat, or it is not
+ * in the window. */
+#define hsr_splats_take HSR_OF_BUILD(hsr_splats_take)
+bool hsr_splats_take(struct hsr_splats *splats, int k,
+                     struct hsr_placed *placed);
+
+/* The weights of the pixels from x on in row j, as many as HSR_SPLAT_LANES; 0
+ * where the splat does not cover a pixel. */
+#define hsr_splats_weigh HSR_OF_BUILD(hsr_splats_weigh)
+void hsr_splats_weigh(const struct hsr_splats *splats,
+                      const struct hsr_placed *placed, int x, int j,
+                      uint16_t weight[HSR_SPLAT_LANES]);
+
+/* The same as indices of the table; HSR_FOOTPRINT where it does not. */
+#define hsr_splats_find HSR_OF_BUILD(hsr_splats_find)
+void hsr_splats_find(const struct hsr_splats *splats,
+                     const struct hsr_placed *placed, int x, int j,
+                     int32_t index[HSR_SPLAT_LANES]);
+
+/* V' and D' of a pixel, rounded, and the sums of the sizes of what they were
+ * summed from, each component of which bounds 2^50 times the error. */
+struct hsr_splat_ray {
+  double V[3], D[3], v[3], d[3];
+};
+#define hsr_splats_ray HSR_OF_BUILD(hsr_splats_ray)
+struct hsr_splat_ray hsr_splats_ray(const struct hsr_splats *splats,
+                                    const struct hsr_placed *placed, int i,
+                                    int j);
+
+/* What the exact services are asked about. */
+#define hsr_splats_exact HSR_OF_BUILD(hsr_splats_exact)
+struct hsr_splat hsr_splats_exact(const struct hsr_splats *splats,
+                                  const uint32_t at[3]);
+
+/* --- The picture ---------------------------------------------------------- */
+
+/* The channels E of the window, each a plane: that of pixel (i, j) at row(c, j)
+ * [i - x0]. Behind each row there is room for the lanes. */
+struct hsr_splat_picture {
+  uint16_t *plane[HSR_SPLAT_CHANNELS];
+  size_t stride;
+};
+
+/* All 0. HSR_E_NOMEM. */
+#define hsr_splats_open HSR_OF_BUILD(hsr_splats_open)
+enum hsr_status hsr_splats_open(struct hsr_splats *splats,
+                                struct hsr_splat_picture *picture);
+
+/* All 0 again, as far as the window reaches. */
+#define hsr_splats_clear HSR_OF_BUILD(hsr_splats_clear)
+void hsr_splats_clear(const struct hsr_splats *splats,
+                      struct hsr_splat_picture *picture);
+
+/* Lanes of channels. */
+typedef uint16_t hsr_splat_lanes[HSR_SPLAT_CHANNELS][HSR_SPLAT_LANES];
+
+/* Adds D to the pixels from x on in row j; 65535 is the most. */
+#define hsr_splats_add HSR_OF_BUILD(hsr_splats_add)
+void hsr_splats_add(const struct hsr_splats *splats,
+                    struct hsr_splat_picture *picture, int x, int j,
+                    hsr_splat_lanes D);
+
+/* Puts sums over the picture, in a window, and makes them 0. */
+#define hsr_splats_fold HSR_OF_BUILD(hsr_splats_fold)
+void hsr_splats_fold(struct hsr_splats *splats, struct hsr_splat_picture *sums,
+                     const struct hsr_window *where,
+                     struct hsr_splat_picture *picture);
+
+/* D of a splat in pixels of these weights. */
+#define hsr_splats_give HSR_OF_BUILD(hsr_splats_give)
+void hsr_splats_give(const struct hsr_splats *splats,
+                     const struct hsr_placed *placed,
+                     const uint16_t weight[HSR_SPLAT_LANES], hsr_splat_lanes D);
+
+/* Puts D over or under the pixels from x on in row j. */
+#define hsr_splats_over HSR_OF_BUILD(hsr_splats_over)
+void hsr_splats_over(const struct hsr_splats *splats,
+                     struct hsr_splat_picture *picture, int x, int j,
+                     hsr_splat_lanes D);
+#define hsr_splats_under HSR_OF_BUILD(hsr_splats_under)
+void hsr_splats_under(const struct hsr_splats *splats,
+                      struct hsr_splat_picture *picture, int x, int j,
+                      hsr_splat_lanes D);
+
+/* Counts the pixels that the splat is put into. */
+#define hsr_splats_count HSR_OF_BUILD(hsr_splats_count)
+void hsr_splats_count(struct hsr_splats *splats,
+                      const struct hsr_placed *placed, int x, int j,
+                      const uint16_t weight[HSR_SPLAT_LANES]);
+
+/* The answer of pixel (i, j), from its channels E. */
+#define hsr_splats_write HSR_OF_BUILD(hsr_splats_write)
+void hsr_splats_write(struct hsr_splats *splats, int i, int j,
+                      const uint64_t E[HSR_SPLAT_CHANNELS]);
+
+/* The answers of the whole window. */
+#define hsr_splats_finish HSR_OF_BUILD(hsr_splats_finish)
+void hsr_splats_finish(struct hsr_splats *splats,
+                       const struct hsr_splat_picture *picture);
+
+#endif
