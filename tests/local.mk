@@ -28,6 +28,7 @@ tap_programs = \
   %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \
   %D%/unit/core/statistics_test \
+  %D%/unit/bench/splat_oracle_test \
   %D%/unit/bench/tables_test \
   %D%/unit/core/triage_test \
   %D%/unit/algorithms/variant_test \
@@ -174,6 +175,7 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
 %C%_unit_bench_line_oracle_test_SOURCES = %D%/unit/bench/line_oracle_test.cc
 %C%_unit_bench_oracle_test_SOURCES = %D%/unit/bench/oracle_test.cc
+%C%_unit_bench_splat_oracle_test_SOURCES = %D%/unit/bench/splat_oracle_test.cc
 %C%_unit_core_quotient_test_SOURCES = %D%/unit/core/quotient_test.cc
 %C%_unit_core_quotient_test_LDADD = $(CGAL_LIBS)
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)

@@ -3,5 +3,6 @@
 oracle_files = \
   %D%/line_oracle.cc \
   %D%/oracle.cc \
+  %D%/splat_oracle.cc \
   %D%/voxel_oracle.cc
 libhsr_a_SOURCES += bench/registry.c %D%/list.def

@@ -1,0 +1,938 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The splat oracle: the right picture of a grid's splats, pixel after pixel,
+ * from the definition alone.
+ *
+ * Source      docs/composited-picture.md, in whose words this file is written.
+ * Input       the grid's arrays and its palette; the view's E, F, R, U, near,
+ *             m, n, offsets and window, but not its matrices; the options. Of
+ *             those whom it judges it shares no order, no normals, no tables
+ *             and no numbers.
+ * Notation    as there. A vector with a prime is `in_cells`. What is called
+ *             `scale` is 1024 / (g^2 r^2).
+ * Method      for every pixel, the splats in sequence are gathered and then
+ *             composited. Each floor is sought in CGAL's interval arithmetic;
+ *             where the interval has more than one, it is taken in rational
+ *             numbers. The kernels are integrated by Gauss' quadrature.
+ * Invariants  a splat is left out of a window only if it covers no pixel of it:
+ *             find_box() has the proof.
+ * Ties        none: all floors are exact. No entry of a table is near a half.
+ * Departures  none: there is no paper.
+ * Cost        a splat costs eight projected corners a window, and a few dozen
+ *             interval operations for each pixel of its rectangle. A sort of
+ *             all kept samples a window.
+ *
+ * Compile with -frounding-math; or, slower, but regardless of rounding modes
+ * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
+#include "algorithms/algorithm.h"
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <map>
+#include <memory>
+#include <new>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Exact = CGAL::Gmpq;
+using Interval = CGAL::Interval_nt<false>; /* only while an Upward lives */
+using Real = long double;
+
+struct Upward : CGAL::Protect_FPU_rounding<true> {};
+struct Nearest : CGAL::Protect_FPU_rounding<true> {
+  Nearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
+};
+
+enum { ORACLE_SPLAT, ORACLE_EXACT };
+
+constexpr int UNDECIDED = -1;
+
+/* --- Vectors, of intervals or of exact numbers ---------------------------- */
+
+template <class T> using vec = std::array<T, 3>;
+
+template <class T> vec<T> lift(const double v[3]) {
+  return {T(v[0]), T(v[1]), T(v[2])};
+}
+
+template <class T> vec<T> operator+(const vec<T> &a, const vec<T> &b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+template <class T> vec<T> operator-(const vec<T> &a, const vec<T> &b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+template <class T> vec<T> operator*(const T &s, const vec<T> &a) {
+  return {s * a[0], s * a[1], s * a[2]};
+}
+
+template <class T> T dot(const vec<T> &a, const vec<T> &b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class T> T square(const vec<T> &a) {
+  return CGAL::square(a[0]) + CGAL::square(a[1]) + CGAL::square(a[2]);
+}
+
+template <class T> vec<T> cross(const vec<T> &a, const vec<T> &b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+          a[0] * b[1] - a[1] * b[0]};
+}
+
+/* X', a vector divided by a cell's size. */
+template <class T> vec<T> in_cells(const vec<T> &a, const vec<T> &size) {
+  return {a[0] / size[0], a[1] / size[1], a[2] / size[2]};
+}
+
+/* --- Floors --------------------------------------------------------------- */
+
+/* The least of floor(x) and `most`, x not being negative. */
+int whole(const Exact &x, int most) {
+  if (x >= Exact(most))
+    return most;
+  mpz_t floor;
+  mpz_init(floor);
+  mpz_fdiv_q(floor, x.numerator().mpz(), x.denominator().mpz());
+  const int found = int(mpz_get_si(floor));
+  mpz_clear(floor);
+  return found;
+}
+
+int whole(double x, int most) {
+  return x >= most ? most : x > 0 ? int(x) : 0;
+}
+
+/* The same of a number in an interval; UNDECIDED: there are several. */
+int whole(const Interval &x, int most) {
+  if (std::isnan(x.inf()) || std::isnan(x.sup()))
+    return UNDECIDED;
+  const int floor = whole(x.inf(), most);
+  return whole(x.sup(), most) == floor ? floor : UNDECIDED;
+}
+
+/* The greatest integer whose square is at most x. */
+int64_t root(int64_t x) {
+  int64_t r = int64_t(std::sqrt(double(x)));
+  while (r * r > x)
+    r--;
+  while ((r + 1) * (r + 1) <= x)
+    r++;
+  return r;
+}
+
+Interval greater(const Interval &a, const Interval &b) {
+  return {std::max(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
+}
+
+Exact greater(const Exact &a, const Exact &b) {
+  return a < b ? b : a;
+}
+
+/* --- The colour of a sample ----------------------------------------------- */
+
+enum { OPACITY = 3, WEIGHT = 4, CHANNELS = 5 };
+using channels = std::array<uint64_t, CHANNELS>;
+using whole_vec = std::array<int64_t, 3>;
+
+int64_t dot(const whole_vec &a, const whole_vec &b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* The vector N of a code below 4096. */
+whole_vec normal(int code) {
+  const int64_t x = 2 * (code % 64) - 63, y = 2 * (code / 64) - 63;
+  const int64_t across = std::abs(x), up = std::abs(y), z = 63 - across - up;
+  if (z >= 0)
+    return {x, y, z};
+  return {x < 0 ? up - 63 : 63 - up, y < 0 ? across - 63 : 63 - across, z};
+}
+
+/* The part floor(8192 a / b), at least 0, at most 8192; 0 if b is 0. */
+int64_t light_part(int64_t a, int64_t b) {
+  return b == 0 || a <= 0 ? 0 : std::min<int64_t>(8192 * a / b, 8192);
+}
+
+/* What of the light a sample sends to the eye: c and s_n. |F| is about 1, so
+ * that all stays below 2^63. */
+struct light {
+  int64_t diffuse = 8192, specular = 0;
+
+  light(const hsr_palette &p, int code, const whole_vec &V) {
+    if (code >= 4096)
+      return;
+    const whole_vec N = normal(code),
+                    L = p.eye_light
+                            ? V
+                            : whole_vec{p.light[0], p.light[1], p.light[2]};
+    const int64_t NN = dot(N, N), LL = dot(L, L);
+    diffuse = light_part(dot(N, L), root(NN * LL));
+    const int64_t x = 2 * dot(N, L) * dot(N, V) - dot(L, V) * NN;
+    const int64_t s = diffuse ? light_part(x, NN * root(LL * dot(V, V))) : 0;
+    specular = s;
+    for (int k = 1; k < p.exponent; k++)
+      specular = specular * s / 8192;
+  }
+};
+
+/* The premultiplied colour of a kept sample, and its opacity. */
+std::array<uint64_t, 4> colour_of(const hsr_grid &grid, uint32_t cell,
+                                  const whole_vec &V, uint64_t attenuate) {
+  const hsr_palette &p = grid.palette;
+  const uint64_t O = p.opacity[grid.level[cell]],
+                 G = p.gradient[grid.steep[cell]];
+  const uint64_t A = O * G / 65535 * attenuate / 65536;
+  const light l(p, grid.normal[cell], V);
+  const uint64_t bright = p.ambient + p.diffuse * uint64_t(l.diffuse) / 8192;
+  const uint64_t shine = p.specular * uint64_t(l.specular) / 8192;
+  std::array<uint64_t, 4> C;
+  for (size_t c = 0; c < 3; c++) {
+    uint64_t B = p.rgb[grid.level[cell]][c];
+    if (grid.rgb && p.own_colours) {
+      const uint64_t byte = grid.rgb[cell][c];
+      B = 65535 * byte * byte / 65025;
+    }
+    const uint64_t lit = std::min<uint64_t>(65535, B * bright / 65535 + shine);
+    C[c] = lit * A / 65535;
+  }
+  C[OPACITY] = A;
+  return C;
+}
+
+/* --- Kernels -------------------------------------------------------------- */
+
+enum { ENTRIES = 1024, PARTS = 32 };
+
+struct crawfis_max {
+  static constexpr Real reach = 1.556228L, bend = 0.88L, end = reach;
+  static Real h(Real x2) {
+    const Real x = std::sqrt(x2), y = reach - x;
+    if (x <= bend)
+      return 0.557526L - 1.157744L * x2 + 0.671033L * x * x2;
+    return y > 0 ? 0.067599L * y * y + 0.282474L * y * y * y : 0;
+  }
+};
+
+/* Beyond `end` is nothing that would count. */
+struct gaussian {
+  static constexpr Real reach = 2, bend = 0, end = 6;
+  static Real h(Real x2) {
+    const Real v = 0.36L;
+    const Real pi = 3.141592653589793238462643383279502884L;
+    return std::exp(-x2 / (2 * v)) / (2 * pi * v * std::sqrt(2 * pi * v));
+  }
+};
+
+/* Where a line at a distance whose square is given crosses a sphere. */
+Real crossing(Real radius, Real rho2) {
+  const Real x2 = radius * radius - rho2;
+  return x2 > 0 ? std::sqrt(x2) : 0;
+}
+
+/* The integral of the kernel along such a line, over x from a to b; between
+ * them the line leaves no part of the kernel. */
+template <class Kernel> Real smooth_part(Real rho2, Real a, Real b) {
+  return boost::math::quadrature::gauss<Real, 15>::integrate(
+      [&](Real x) { return Kernel::h(rho2 + x * x); }, a, b);
+}
+
+/* The same, wherever the line goes. */
+template <class Kernel> Real part(Real rho2, Real a, Real b) {
+  const Real bend = crossing(Kernel::bend, rho2),
+             end = crossing(Kernel::end, rho2);
+  Real sum = 0;
+  for (const Real x : {-end, -bend, bend, end})
+    if (a < x && x < b) {
+      sum += smooth_part<Kernel>(rho2, a, x);
+      a = x;
+    }
+  return sum + smooth_part<Kernel>(rho2, a, b);
+}
+
+/* The weights of a kernel before lambda = -32, ..., 32, which is the last: all
+ * of it. */
+class tables {
+  std::array<std::array<int32_t, 2 * PARTS + 1>, ENTRIES> before;
+
+public:
+  template <class Kernel> explicit tables(Kernel) {
+    const Real step = Kernel::reach / PARTS;
+    const int far = int(std::lround(Kernel::end / step));
+    for (size_t k = 0; k < ENTRIES; k++) {
+      const Real rho2 =
+          Kernel::reach * Kernel::reach * (Real(k) + 0.5L) / ENTRIES;
+      Real sum = 0;
+      for (int l = -far; l < far; l++) {
+        if (std::abs(l) < PARTS)
+          before[k][size_t(l + PARTS)] = int32_t(std::lround(65536 * sum));
+        sum += part<Kernel>(rho2, Real(l) * step, Real(l + 1) * step);
+      }
+      before[k][0] = 0;
+      before[k][2 * PARTS] = int32_t(std::lround(65536 * sum));
+    }
+  }
+
+  uint64_t weight_before(int kappa, int lambda) const {
+    return uint64_t(before[size_t(kappa)][size_t(lambda + PARTS)]);
+  }
+  uint64_t weight(int kappa) const { return weight_before(kappa, PARTS); }
+};
+
+/* Made when they are first asked for, which is while doubles are rounded to
+ * nearest. */
+const tables &tables_of(hsr_splat_kernel kernel) {
+  if (kernel == HSR_GAUSSIAN) {
+    static const tables made{gaussian()};
+    return made;
+  }
+  static const tables made{crawfis_max()};
+  return made;
+}
+
+/* r^2, of the decimal number. */
+Exact squared_reach(hsr_splat_kernel kernel) {
+  return CGAL::square(kernel == HSR_GAUSSIAN ? Exact(2)
+                                             : Exact(1556228, 1000000));
+}
+
+/* --- What a window is made of, in doubles and integers -------------------- */
+
+/* A kept sample. */
+struct place {
+  uint32_t cell;
+  std::array<int, 3> at;
+};
+
+struct scenery {
+  const hsr_view &view;
+  const hsr_grid &grid;
+  hsr_splatting options;
+  std::array<std::vector<double>, 3> size; /* of the cells of each axis */
+  std::array<int, 3> eye;                  /* q */
+  whole_vec V;                             /* -F in 1024ths, rounded */
+  std::vector<place> sequence;             /* from front to back */
+  std::vector<double> sx, sy; /* of the window's columns and rows */
+
+  scenery(const hsr_view &seen, const hsr_grid &of, const hsr_splatting &asked);
+
+private:
+  int eye_cell(size_t axis) const;
+  void list_places();
+};
+
+/* The last cell whose lower bound is not above the eye, or -1. */
+int scenery::eye_cell(size_t axis) const {
+  const int n = int(grid.n[axis]);
+  if (view.parallel)
+    return view.F[axis] < 0 ? n - 1 : -1;
+  int q = -1;
+  while (q + 1 < n && grid.bound[axis][q + 1] <= view.E[axis])
+    q++;
+  return q;
+}
+
+/* The kept samples, by key. */
+void scenery::list_places() {
+  const uint32_t rows = grid.n[1] * grid.n[2];
+  for (uint32_t row = 0; row < rows; row++)
+    for (uint32_t cell = grid.row[row]; cell < grid.row[row + 1]; cell++)
+      sequence.push_back(
+          {cell,
+           {int(grid.x[cell]), int(row % grid.n[1]), int(row / grid.n[1])}});
+
+  const auto key = [&](const place &p) {
+    int high = 0;
+    std::array<int, 3> away;
+    for (size_t a = 0; a < 3; a++) {
+      high += (p.at[a] > eye[a]) << a;
+      away[a] = std::abs(p.at[a] - eye[a]);
+    }
+    return std::make_tuple(high, away[2], away[1], away[0]);
+  };
+  std::sort(sequence.begin(), sequence.end(),
+            [&](const place &p, const place &q) { return key(p) < key(q); });
+}
+
+/* Doubles are rounded to nearest here. */
+scenery::scenery(const hsr_view &seen, const hsr_grid &of,
+                 const hsr_splatting &asked)
+    : view(seen), grid(of), options(asked) {
+  for (size_t a = 0; a < 3; a++) {
+    for (uint32_t i = 0; i < grid.n[a]; i++)
+      size[a].push_back(grid.bound[a][i + 1] - grid.bound[a][i]);
+    eye[a] = eye_cell(a);
+    V[a] = -int64_t(std::llrint(1024 * view.F[a]));
+  }
+  list_places();
+  for (int i = view.window.x0; i < view.window.x1; i++)
+    sx.push_back(hsr_sample_x(&view, i));
+  for (int j = view.window.y0; j < view.window.y1; j++)
+    sy.push_back(hsr_sample_y(&view, j));
+}
+
+/* --- Footprints ----------------------------------------------------------- */
+
+/* What is the same for all splats. */
+template <class T> struct camera {
+  bool parallel, antialias;
+  vec<T> E, F, R, U;
+  T m, n, near, width2, r2;
+  vec<T> along_F, along_R, along_U; /* their products with P - E are t, alpha
+                                       and beta */
+
+  camera(const scenery &of, const T &squared_reach_of_kernel);
+};
+
+template <class T>
+camera<T>::camera(const scenery &of, const T &squared_reach_of_kernel)
+    : parallel(of.view.parallel), antialias(of.options.antialias),
+      E(lift<T>(of.view.E)), F(lift<T>(of.view.F)), R(lift<T>(of.view.R)),
+      U(lift<T>(of.view.U)), m(of.view.m), n(of.view.n), near(of.view.near),
+      width2(CGAL::square(T(of.options.width))), r2(squared_reach_of_kernel) {
+  const vec<T> RU = cross(R, U);
+  const T by = T(1) / dot(F, RU);
+  along_F = by * RU;
+  along_R = by * cross(U, F);
+  along_U = by * cross(F, R);
+}
+
+template <class T> struct footprint {
+  vec<T> P, size;
+  T depth, g2, scale;
+
+  footprint(const scenery &of, const camera<T> &c, const place &p);
+};
+
+template <class T>
+footprint<T>::footprint(const scenery &of, const camera<T> &c, const place &p)
+    : g2(c.width2) {
+  for (size_t a = 0; a < 3; a++) {
+    P[a] = T(of.grid.at[a][p.at[a]]);
+    size[a] = T(of.size[a][size_t(p.at[a])]);
+  }
+  depth = dot(c.along_F, P - c.E);
+  if (c.antialias) {
+    const T t2 = c.parallel ? T(1) : CGAL::square(depth);
+    const T pixel = square(in_cells(c.U, size)) / CGAL::square(c.n) +
+                    square(in_cells(c.R, size)) / CGAL::square(c.m);
+    g2 = c.width2 * greater(T(1), T(2) * t2 * pixel);
+  }
+  scale = T(1024) / (g2 * c.r2);
+}
+
+struct splat {
+  place where;
+  footprint<Interval> about;
+  mutable std::unique_ptr<const footprint<Exact>> exactly; /* once needed */
+  std::array<uint64_t, 4> C;
+  uint64_t e;
+  hsr_window box; /* the pixels of the window that it may cover */
+};
+
+/* --- A pixel's ray and a splat -------------------------------------------- */
+
+template <class T> struct ray { vec<T> start, along; };
+
+template <class T> ray<T> make_ray(const camera<T> &c, double sx, double sy) {
+  const T x = (T(2) * T(sx) - c.m) / c.m, y = (c.n - T(2) * T(sy)) / c.n;
+  const vec<T> across = x * c.R + y * c.U;
+  if (c.parallel)
+    return {c.E + across, c.F};
+  return {c.E, c.F + across};
+}
+
+/* V' and D', or F' in parallel projection, by their products. */
+template <class T> struct meeting {
+  T VV, VD, DD, crossed; /* |V' x D'|^2 = |V'|^2 |D'|^2 - (V'.D')^2 */
+
+  meeting(const footprint<T> &s, const ray<T> &r) {
+    const vec<T> V = in_cells(s.P - r.start, s.size),
+                 D = in_cells(r.along, s.size);
+    VV = square(V);
+    VD = dot(V, D);
+    DD = square(D);
+    crossed = square(cross(V, D));
+  }
+
+  /* rho^2; V'.D' is not 0 in perspective. */
+  T distance2(bool parallel) const {
+    return parallel ? crossed / DD : VV * crossed / CGAL::square(VD);
+  }
+
+  /* The sign of t_b - t*, and tau^2. */
+  T beyond(const T &t_b) const { return t_b * DD - VD; }
+  T apart2(const T &t_b) const { return CGAL::square(beyond(t_b)) / DD; }
+};
+
+/* A splat that covers a pixel. */
+struct covering {
+  const splat *of;
+  int kappa;
+  meeting<Interval> about;
+};
+
+/* --- Judging -------------------------------------------------------------- */
+
+class judge {
+  const scenery &seen;
+  const tables &kernel;
+  hsr_tally *tally;
+  camera<Exact> exact_camera;
+  camera<Interval> about_camera;
+  std::vector<splat> splats; /* that may cover a pixel of the window, from front
+                                to back */
+  std::vector<Exact> exact_ends; /* of buckets: all t_b */
+  std::vector<Interval> ends;
+  size_t across; /* the axis that sheets are across */
+
+  /* The pixel in hand. */
+  double sx = 0, sy = 0;
+  std::vector<covering> covered; /* from front to back */
+
+  const footprint<Exact> &exact(const splat &s) const;
+  bool exists(const splat &s) const;
+  uint64_t energy(const splat &s) const;
+  hsr_window find_box(const splat &s) const;
+  void find_splats();
+  void find_buckets();
+
+  int kappa(const splat &s, const meeting<Interval> &about) const;
+  int exact_kappa(const splat &s) const;
+  int lambda(const covering &c, size_t bucket) const;
+  int exact_lambda(const splat &s, size_t bucket) const;
+  void gather(const std::vector<const splat *> &row, int i);
+
+  channels given(const splat &s, uint64_t weight) const;
+  channels given(const covering &c) const {
+    return given(*c.of, kernel.weight(c.kappa));
+  }
+  channels over() const;
+  channels under() const;
+  channels xray() const;
+  channels sheet() const;
+  channels volume() const;
+  channels composite() const;
+  void write(const channels &E, uint16_t *rgba) const;
+  void count_exact() const {
+    HSR_STEP(tally, ORACLE_EXACT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
+  }
+
+public:
+  judge(const scenery &of, const tables &made, hsr_tally *counts);
+  void draw(uint16_t *rgba);
+};
+
+judge::judge(const scenery &of, const tables &made, hsr_tally *counts)
+    : seen(of), kernel(made), tally(counts), exact_camera([&] {
+        const Nearest to_nearest;
+        return camera<Exact>(of, squared_reach(of.options.kernel));
+      }()),
+      about_camera(of, Interval(CGAL::to_interval(exact_camera.r2))),
+      across(0) {
+  const double *F = of.view.F;
+  for (size_t a = 1; a < 3; a++)
+    if (std::fabs(F[a]) > std::fabs(F[across]))
+      across = a;
+  find_splats();
+  if (of.options.model == HSR_VOLUME)
+    find_buckets();
+}
+
+/* --- Splats of a window --------------------------------------------------- */
+
+const footprint<Exact> &judge::exact(const splat &s) const {
+  if (!s.exactly)
+    s.exactly =
+        std::make_unique<const footprint<Exact>>(seen, exact_camera, s.where);
+  return *s.exactly;
+}
+
+/* Whether t > near. */
+bool judge::exists(const splat &s) const {
+  const CGAL::Uncertain<bool> guess = s.about.depth > about_camera.near;
+  if (guess.is_certain())
+    return guess.make_certain();
+  const Nearest to_nearest;
+  count_exact();
+  return exact(s).depth > exact_camera.near;
+}
+
+uint64_t judge::energy(const splat &s) const {
+  const int guess = whole(Interval(65536) / s.about.g2, 65536);
+  if (guess != UNDECIDED)
+    return uint64_t(guess);
+  const Nearest to_nearest;
+  count_exact();
+  return uint64_t(whole(Exact(65536) / exact(s).g2, 65536));
+}
+
+/* The place of an interval among the pixels from `first` to `last`, one more on
+ * either side. */
+std::pair<int, int> pixels(const Interval &at, int first, int last) {
+  const auto clamped = [&](double x) {
+    return int(std::clamp(x, first - 4.0, last + 4.0));
+  };
+  return {std::max(clamped(at.inf()) - 2, first),
+          std::min(clamped(at.sup()) + 3, last)};
+}
+
+/* Where the ray is at the distance rho from P, rho < g r in units of cells, it
+ * is in the box of P and g r cells on all sides. In perspective it is there at
+ * |V'|^2 / V'.D' > 0 times D. So if the box is before the eye, the pixel is
+ * between the images of the corners; else the splat may be anywhere. */
+hsr_window judge::find_box(const splat &s) const {
+  const camera<Interval> &c = about_camera;
+  const hsr_window all = seen.view.window, none = {0, 0, 0, 0};
+  const Interval reach = CGAL::sqrt(s.about.g2 * c.r2);
+  Interval x, y;
+  for (int corner = 0; corner < 8; corner++) {
+    vec<Interval> at = s.about.P - c.E;
+    for (size_t a = 0; a < 3; a++)
+      at[a] += Interval(corner >> a & 1 ? 1 : -1) * reach * s.about.size[a];
+    const Interval w = c.parallel ? Interval(1) : dot(c.along_F, at);
+    if (!(w.inf() > 0))
+      return all;
+    const Interval sx_of = (dot(c.along_R, at) / w + Interval(1)) * c.m /
+                           Interval(2),
+                   sy_of = (Interval(1) - dot(c.along_U, at) / w) * c.n /
+                           Interval(2);
+    if (!CGAL::is_finite(sx_of) || !CGAL::is_finite(sy_of))
+      return all;
+    x = corner ? Interval(std::min(x.inf(), sx_of.inf()),
+                          std::max(x.sup(), sx_of.sup()))
+               : sx_of;
+    y = corner ? Interval(std::min(y.inf(), sy_of.inf()),
+                          std::max(y.sup(), sy_of.sup()))
+               : sy_of;
+  }
+  const auto columns = pixels(x, all.x0, all.x1),
+             rows = pixels(y, all.y0, all.y1);
+  if (columns.first >= columns.second || rows.first >= rows.second)
+    return none;
+  return {columns.first, rows.first, columns.second, rows.second};
+}
+
+void judge::find_splats() {
+  for (const place &p : seen.sequence) {
+    splat s = {p, footprint<Interval>(seen, about_camera, p), {}, {}, 0, {}};
+    s.box = find_box(s);
+    if (s.box.x0 >= s.box.x1 || !exists(s))
+      continue;
+    s.e = energy(s);
+    s.C = colour_of(seen.grid, p.cell, seen.V, seen.options.attenuate);
+    splats.push_back(std::move(s));
+  }
+}
+
+/* All ends of buckets but the last. */
+void judge::find_buckets() {
+  {
+    const Nearest to_nearest;
+    const hsr_grid &g = seen.grid;
+    Exact least, greatest;
+    for (int corner = 0; corner < 8; corner++) {
+      vec<Exact> P;
+      for (size_t a = 0; a < 3; a++)
+        P[a] = Exact(g.at[a][corner >> a & 1 ? g.n[a] - 1 : 0]);
+      const Exact t = dot(exact_camera.along_F, P - exact_camera.E);
+      least = corner && least < t ? least : t;
+      greatest = corner && greatest > t ? greatest : t;
+    }
+    least = greater(least, exact_camera.near);
+    for (int b = 1; b < seen.options.buckets && least < greatest; b++)
+      exact_ends.push_back(least +
+                           (greatest - least) * Exact(b, seen.options.buckets));
+  }
+  for (const Exact &end : exact_ends)
+    ends.emplace_back(CGAL::to_interval(end));
+}
+
+/* --- Splats of a pixel ---------------------------------------------------- */
+
+/* 1024: the splat does not cover the pixel. */
+int judge::kappa(const splat &s, const meeting<Interval> &about) const {
+  const bool parallel = about_camera.parallel;
+  if (!parallel && about.VD.sup() <= 0)
+    return ENTRIES;
+  int found = UNDECIDED;
+  if (parallel || about.VD.inf() > 0)
+    found = whole(about.distance2(parallel) * s.about.scale, ENTRIES);
+  return found != UNDECIDED ? found : exact_kappa(s);
+}
+
+int judge::exact_kappa(const splat &s) const {
+  const Nearest to_nearest;
+  count_exact();
+  const meeting<Exact> m(exact(s), make_ray(exact_camera, sx, sy));
+  if (!exact_camera.parallel && m.VD <= 0)
+    return ENTRIES;
+  return whole(m.distance2(exact_camera.parallel) * exact(s).scale, ENTRIES);
+}
+
+/* If there is one floor only, and it is not 0, the sign is certain. */
+int judge::lambda(const covering &c, size_t bucket) const {
+  const Interval &t_b = ends[bucket];
+  const int lambda2 = whole(c.about.apart2(t_b) * c.of->about.scale, ENTRIES);
+  if (lambda2 == UNDECIDED)
+    return exact_lambda(*c.of, bucket);
+  const int size = int(root(lambda2));
+  return c.about.beyond(t_b).inf() < 0 ? -size : size;
+}
+
+int judge::exact_lambda(const splat &s, size_t bucket) const {
+  const Nearest to_nearest;
+  count_exact();
+  const meeting<Exact> m(exact(s), make_ray(exact_camera, sx, sy));
+  const Exact &t_b = exact_ends[bucket];
+  const int size = int(root(whole(m.apart2(t_b) * exact(s).scale, ENTRIES)));
+  return m.beyond(t_b) < 0 ? -size : size;
+}
+
+/* The splats that cover pixel i of a row, of those that may. */
+void judge::gather(const std::vector<const splat *> &row, int i) {
+  const ray<Interval> r = make_ray(about_camera, sx, sy);
+  covered.clear();
+  for (const splat *s : row) {
+    if (i < s->box.x0 || i >= s->box.x1)
+      continue;
+    HSR_STEP(tally, ORACLE_SPLAT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
+    const meeting<Interval> about(s->about, r);
+    const int k = kappa(*s, about);
+    if (k < ENTRIES)
+      covered.push_back({s, k, about});
+  }
+}
+
+/* --- Models --------------------------------------------------------------- */
+
+/* D. */
+channels judge::given(const splat &s, uint64_t weight) const {
+  channels D;
+  for (size_t c = 0; c < WEIGHT; c++)
+    D[c] = weight * (s.C[c] * s.e / 65536) / 65536;
+  D[WEIGHT] = weight * s.e / 65536;
+  return D;
+}
+
+void add(channels *E, const channels &D) {
+  for (size_t c = 0; c < CHANNELS; c++)
+    (*E)[c] += D[c];
+}
+
+void put_over(channels *E, const channels &D) {
+  for (size_t c = 0; c < CHANNELS; c++)
+    (*E)[c] = D[c] + (*E)[c] * (65536 - D[OPACITY]) / 65536;
+}
+
+/* A sum takes the place of a splat. */
+void put_sum_over(channels *E, channels sum) {
+  for (uint64_t &c : sum)
+    c = std::min<uint64_t>(c, 65535);
+  put_over(E, sum);
+}
+
+channels judge::over() const {
+  channels E = {};
+  for (auto c = covered.rbegin(); c != covered.rend(); ++c)
+    put_over(&E, given(*c));
+  return E;
+}
+
+channels judge::under() const {
+  channels E = {};
+  for (const covering &splat : covered) {
+    const channels D = given(splat);
+    const uint64_t left = 65536 - E[OPACITY];
+    for (size_t c = 0; c < CHANNELS; c++)
+      E[c] += D[c] * left / 65536;
+  }
+  return E;
+}
+
+channels judge::xray() const {
+  channels E = {};
+  for (const covering &c : covered)
+    add(&E, given(c));
+  return E;
+}
+
+channels judge::sheet() const {
+  std::map<int, channels> sums; /* by index along the axis */
+  for (const covering &c : covered)
+    add(&sums[c.of->where.at[across]], given(c));
+  channels E = {};
+  const int q = seen.eye[across];
+  for (auto s = sums.rbegin(); s != sums.rend() && s->first > q; ++s)
+    put_sum_over(&E, s->second);
+  for (auto s = sums.begin(); s != sums.end() && s->first <= q; ++s)
+    put_sum_over(&E, s->second);
+  return E;
+}
+
+/* Lambda does not fall from one end of a bucket to the next. So the first one
+ * that a splat reaches is found by halving. */
+channels judge::volume() const {
+  std::vector<channels> sums(ends.size() + 1);
+  for (const covering &c : covered) {
+    size_t b = 0, reached = ends.size();
+    while (b < reached) {
+      const size_t middle = b + (reached - b) / 2;
+      if (lambda(c, middle) > -PARTS)
+        reached = middle;
+      else
+        b = middle + 1;
+    }
+    const uint64_t all = kernel.weight(c.kappa);
+    for (uint64_t before = 0; before < all; b++) {
+      const uint64_t next =
+          b < ends.size() ? kernel.weight_before(c.kappa, lambda(c, b)) : all;
+      add(&sums[b], given(*c.of, next - before));
+      before = next;
+    }
+  }
+  channels E = {};
+  for (auto s = sums.rbegin(); s != sums.rend(); ++s)
+    put_sum_over(&E, *s);
+  return E;
+}
+
+channels judge::composite() const {
+  switch (seen.options.model) {
+  case HSR_OVER:
+    return over();
+  case HSR_UNDER:
+    return under();
+  case HSR_SHEET:
+    return sheet();
+  case HSR_VOLUME:
+    return volume();
+  case HSR_XRAY:
+    break;
+  }
+  return xray();
+}
+
+/* --- The picture ---------------------------------------------------------- */
+
+__extension__ typedef unsigned __int128 wide;
+
+void judge::write(const channels &E, uint16_t *rgba) const {
+  const hsr_splatting &o = seen.options;
+  for (size_t c = 0; c < WEIGHT; c++) {
+    wide v = E[c];
+    if (o.normalise)
+      v = E[WEIGHT] ? 65536 * v / E[WEIGHT] : 0;
+    else if (o.model == HSR_XRAY)
+      v = v * o.exposure / 65536;
+    rgba[c] = uint16_t(std::min<wide>(v, 65535));
+  }
+}
+
+void judge::draw(uint16_t *rgba) {
+  const hsr_window &w = seen.view.window;
+  std::vector<const splat *> row;
+  for (int j = w.y0; j < w.y1; j++) {
+    row.clear();
+    for (const splat &s : splats)
+      if (s.box.y0 <= j && j < s.box.y1)
+        row.push_back(&s);
+    sy = seen.sy[size_t(j - w.y0)];
+    for (int i = w.x0; i < w.x1; i++) {
+      HSR_TOUCH(tally, i, j);
+      sx = seen.sx[size_t(i - w.x0)];
+      gather(row, i);
+      write(composite(),
+            rgba + 4 * (size_t(j) * size_t(seen.view.m) + size_t(i)));
+    }
+  }
+}
+
+/* --- The algorithm -------------------------------------------------------- */
+
+/* Whether intervals hold what they should, which they do not where directed
+ * rounding is ignored. */
+bool is_rounding_honoured() {
+  const Upward upward;
+  const Interval third = Interval(1) / Interval(3);
+  const Interval tenth = Interval(1.1) * Interval(10.1);
+  return third.inf() < third.sup() && tenth.inf() < tenth.sup();
+}
+
+/* Not inlined, so that the scenery is computed before the rounding mode is
+ * changed. */
+[[gnu::noinline]] void draw(const scenery &seen, const tables &kernel,
+                            const hsr_job &job) {
+  const Upward upward;
+  judge j(seen, kernel, job.tally);
+  j.draw(hsr_answer_rgba_of(job.answer));
+}
+
+/* Does the work; nothing is thrown out of here. */
+template <class Work>
+enum hsr_status guarded(struct hsr_error *err, Work work) noexcept {
+  try {
+    return work();
+  } catch (const std::bad_alloc &) {
+    return hsr_fail_nomem(err);
+  } catch (const std::exception &e) {
+    return hsr_fail(err, HSR_E_INTERNAL, "splat-oracle: %s", e.what());
+  } catch (...) {
+    return hsr_fail(err, HSR_E_INTERNAL, "splat-oracle: an unknown exception");
+  }
+}
+
+extern "C" {
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  return guarded(err, [&] {
+    if (!is_rounding_honoured())
+      return hsr_fail(err, HSR_E_INTERNAL,
+                      "splat-oracle: directed rounding has no effect here");
+    const hsr_splatting asked = hsr_form_splatting(&job->answer->form);
+    const scenery seen(*job->view, *job->world->outline.scene->grid, asked);
+    draw(seen, tables_of(asked.kernel), *job);
+    return HSR_OK;
+  });
+}
+
+} /* extern "C" */
+
+constexpr struct hsr_counter counters[] = {
+    {"splats", "splats tested for whether they cover a pixel", HSR_COMPARE},
+    {"exact", "floors and signs that were sought in rational numbers",
+     HSR_COMPARE},
+    {nullptr}};
+
+constexpr struct hsr_algorithm describe() {
+  struct hsr_algorithm a = {};
+  a.name = "splat-oracle";
+  a.title = "Splat oracle: exact splats from the definition";
+  a.authors = "hsr";
+  a.source = "docs/composited-picture.md";
+  a.taxonomy = HSR_YARDSTICK;
+  a.subjects = 1 << HSR_GRID;
+  a.kind = HSR_COMPOSITED;
+  a.flags = HSR_JUDGE | HSR_INSTANCED;
+  a.counters = counters;
+  a.render = render;
+  return a;
+}
+
+} /* namespace */
+
+/* Constant-initialised. Declared first: a const is otherwise private to its
+ * file in C++. */
+extern "C" const struct hsr_algorithm HSR_ALGORITHM(splat_oracle);
+constexpr struct hsr_algorithm description = describe();
+const struct hsr_algorithm HSR_ALGORITHM(splat_oracle) = description;
