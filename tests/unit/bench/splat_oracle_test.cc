@@ -1,0 +1,1265 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The splat oracle against pixels derived by hand, and against the definition
+ * written a second time: in rational numbers alone, with the kernels in closed
+ * form, and the sequence by nested loops.
+ *
+ * By hand: samples stand at integers. The eye looks along -z, and in parallel
+ * projection pixels are `apart` units from one another, with the middle of the
+ * picture on the axis. Where a kernel is not said to be another one it is
+ * `gaussian`, so that kappa = floor(256 rho^2 / g^2). Of its table,
+ *     W_0 = 28895, W_1 = 28738, W_4 = 28274, W_16 = 26492, W_64 = 20418,
+ *     W_256 = 7205, W_961 = 157, W_1023 = 112
+ * and W_0 before -8, 0, 8 is 5846, 14447, 23049. */
+#include "algorithms/algorithm.h"
+
+#include <CGAL/Gmpq.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <string>
+#include <vector>
+
+extern "C" const struct hsr_algorithm hsr_counting_splat_oracle;
+
+namespace {
+
+const struct hsr_algorithm &oracle = hsr_counting_splat_oracle;
+
+/* The options of a composited picture, as common/answers/composited.c has them.
+ */
+enum {
+  MODEL,
+  KERNEL,
+  WIDTH,
+  ANTIALIAS,
+  ATTENUATE,
+  NORMALISE,
+  EXPOSURE,
+  BUCKETS
+};
+
+constexpr uint16_t ONE = 65535, NO_NORMAL = 4096;
+
+/* ---- TAP ---- */
+
+int n_tests, n_failed;
+
+void ok(bool good, const std::string &what) {
+  std::printf("%s %d - %s\n", good ? "ok" : "not ok", ++n_tests, what.c_str());
+  n_failed += !good;
+}
+
+/* ---- Grids, views and forms, filled by hand ---- */
+
+/* A kept sample. */
+struct sample {
+  std::array<uint32_t, 3> at;
+  uint8_t level = 0, steep = 0;
+  uint16_t normal = NO_NORMAL;
+  std::array<uint8_t, 3> rgb = {};
+};
+
+/* Has the fields of hsr_grid that the oracle may read; the others are NULL. */
+struct little_grid {
+  std::array<std::vector<double>, 3> at, bound;
+  std::vector<sample> kept; /* in any order */
+  hsr_palette palette = {};
+  bool colours = false;
+
+  /* White, opaque and without light. */
+  little_grid(const std::vector<double> &x, const std::vector<double> &y,
+              const std::vector<double> &z)
+      : at{x, y, z} {
+    for (size_t a = 0; a < 3; a++) {
+      const std::vector<double> &p = at[a];
+      const size_t n = p.size();
+      for (size_t k = 1; k < n; k++)
+        bound[a].push_back(p[k - 1] / 2 + p[k] / 2);
+      bound[a].insert(bound[a].begin(),
+                      n > 1 ? 2 * p[0] - bound[a][0] : p[0] - 0.5);
+      bound[a].push_back(n > 1 ? 2 * p[n - 1] - bound[a][n - 1] : p[0] + 0.5);
+    }
+    for (int l = 0; l < HSR_LEVELS; l++) {
+      palette.opacity[l] = palette.gradient[l] = ONE;
+      std::fill(palette.rgb[l], palette.rgb[l] + 3, ONE);
+    }
+    palette.ambient = ONE;
+    palette.exponent = 1;
+  }
+
+  little_grid &keep(const sample &s) {
+    kept.push_back(s);
+    return *this;
+  }
+};
+
+/* The arrays of a grid, and a world around them. */
+class stage {
+  std::vector<uint32_t> row, x;
+  std::vector<uint8_t> level, steep;
+  std::vector<uint16_t> normal;
+  std::vector<std::array<uint8_t, 3>> rgb;
+
+public:
+  hsr_grid grid = {};
+  hsr_scene scene = {};
+  hsr_world world = {};
+
+  explicit stage(little_grid &of) {
+    for (size_t a = 0; a < 3; a++) {
+      grid.n[a] = uint32_t(of.at[a].size());
+      grid.at[a] = of.at[a].data();
+      grid.bound[a] = of.bound[a].data();
+    }
+    for (uint32_t k = 0; k < grid.n[2]; k++)
+      for (uint32_t j = 0; j < grid.n[1]; j++) {
+        row.push_back(uint32_t(x.size()));
+        for (uint32_t i = 0; i < grid.n[0]; i++)
+          for (const sample &s : of.kept)
+            if (s.at == std::array<uint32_t, 3>{i, j, k}) {
+              x.push_back(i);
+              level.push_back(s.level);
+              steep.push_back(s.steep);
+              normal.push_back(s.normal);
+              rgb.push_back(s.rgb);
+            }
+      }
+    row.push_back(uint32_t(x.size()));
+    grid.n_cells = uint32_t(x.size());
+    grid.row = row.data();
+    grid.x = x.data();
+    grid.level = level.data();
+    grid.steep = steep.data();
+    grid.normal = normal.data();
+    grid.rgb =
+        of.colours ? reinterpret_cast<uint8_t(*)[3]>(rgb.data()) : nullptr;
+    grid.palette = of.palette;
+    scene.subject = HSR_GRID;
+    scene.grid = &grid;
+    world.outline.scene = &scene;
+  }
+  stage(const stage &) = delete;
+  stage &operator=(const stage &) = delete;
+};
+
+/* Parallel: see above. In perspective, D = (x, y, -1) with x and y by `apart`
+ * from pixel to pixel. */
+struct hsr_view plain_view(int m, int n, double apart, bool parallel = true) {
+  struct hsr_view v = {};
+  v.m = m;
+  v.n = n;
+  v.window = {0, 0, m, n};
+  v.parallel = parallel;
+  v.F[2] = -1;
+  v.R[0] = m * apart / 2;
+  v.U[1] = n * apart / 2;
+  return v;
+}
+
+struct hsr_form plain_form(hsr_model model = HSR_OVER,
+                           hsr_splat_kernel kernel = HSR_GAUSSIAN) {
+  struct hsr_form form = hsr_form_standard(HSR_COMPOSITED);
+  form.values.option[MODEL] = model;
+  form.values.option[KERNEL] = kernel;
+  return form;
+}
+
+using pixel = std::array<int, 4>;
+using picture = std::vector<pixel>;
+
+/* In pixels that are not written. */
+constexpr uint16_t UNTOUCHED = 0xBEEF;
+
+picture render(const struct hsr_world &world, const struct hsr_view &view,
+               const struct hsr_form &form) {
+  struct hsr_answer answer = {};
+  struct hsr_error err = {};
+  struct hsr_tally tally = {};
+  struct hsr_job job = {};
+  picture seen;
+  if (hsr_answer_make(&answer, &form, &view, false, &err) == HSR_OK) {
+    const size_t n = size_t(view.m) * size_t(view.n);
+    uint16_t *rgba = hsr_answer_rgba_of(&answer);
+    std::fill(rgba, rgba + 4 * n, UNTOUCHED);
+    job.world = &world;
+    job.view = &view;
+    job.tally = &tally;
+    job.answer = &answer;
+    if (oracle.render(&job, &err) == HSR_OK)
+      for (size_t k = 0; k < n; k++)
+        seen.push_back(
+            {rgba[4 * k], rgba[4 * k + 1], rgba[4 * k + 2], rgba[4 * k + 3]});
+  }
+  if (seen.empty())
+    std::printf("# render: %s\n", err.text);
+  hsr_answer_free(&answer);
+  return seen;
+}
+
+picture see(little_grid grid, const struct hsr_view &view,
+            const struct hsr_form &form) {
+  const stage s(grid);
+  return render(s.world, view, form);
+}
+
+void ok_pixel(const picture &seen, size_t k, const pixel &wanted,
+              const std::string &what) {
+  const pixel got = k < seen.size() ? seen[k] : pixel{-1, -1, -1, -1};
+  ok(got == wanted, what);
+  if (got != wanted)
+    std::printf("# got %d %d %d %d, not %d %d %d %d\n", got[0], got[1], got[2],
+                got[3], wanted[0], wanted[1], wanted[2], wanted[3]);
+}
+
+pixel grey(int value) {
+  return {value, value, value, value};
+}
+
+/* ---- By hand: one splat ---- */
+
+/* At (0, 0, -4), of a cell of size 1. */
+little_grid single() {
+  return little_grid({0}, {0}, {-4}).keep({{0, 0, 0}});
+}
+
+/* The middle pixel of a row of n of them. */
+size_t middle(const struct hsr_view &view) {
+  return size_t(view.m) * size_t(view.n / 2) + size_t(view.m / 2);
+}
+
+pixel see_middle(const little_grid &grid, const struct hsr_view &view,
+                 const struct hsr_form &form) {
+  const picture seen = see(grid, view, form);
+  return seen.empty() ? pixel{-1, -1, -1, -1} : seen[middle(view)];
+}
+
+void ok_middle(const little_grid &grid, const struct hsr_view &view,
+               const struct hsr_form &form, const pixel &wanted,
+               const std::string &what) {
+  ok_pixel({see_middle(grid, view, form)}, 0, wanted, what);
+}
+
+/* D = floor(W 65535 / 65536) = W - 1. At a distance of k / 16, kappa is k^2
+ * exactly. 67 is no power of two, so that intervals cannot know. */
+void test_boundaries() {
+  const struct hsr_view view = plain_view(67, 1, 1.0 / 16);
+  const picture seen = see(single(), view, plain_form());
+  const int weight[][2] = {{0, 28895}, {1, 28738}, {2, 28274}, {4, 26492},
+                           {8, 20418}, {16, 7205}, {31, 157}};
+  for (const auto &w : weight)
+    for (int side : {-1, 1})
+      ok_pixel(seen, size_t(33 + side * w[0]), grey(w[1] - 1),
+               "kappa is " + std::to_string(w[0] * w[0]) + " exactly");
+  ok_pixel(seen, 1, grey(0), "kappa is 1024 exactly");
+  ok_pixel(seen, 65, grey(0), "and so on the other side");
+  ok_pixel(seen, 66, grey(0), "beyond the splat");
+
+  struct hsr_view column = plain_view(1, 67, 1.0 / 16);
+  const picture down = see(single(), column, plain_form());
+  ok(down == seen, "the same down a column");
+
+  /* In perspective D = (x, 0, -1), and rho^2 = 16 x^2. */
+  const picture cone =
+      see(single(), plain_view(67, 1, 1.0 / 64, false), plain_form());
+  ok(cone == seen, "the same in perspective");
+
+  struct hsr_view moved = view;
+  moved.offset_x = 0.25;
+  moved.E[0] = 1.0 / 64;
+  moved.R[0] = view.R[0];
+  little_grid grid({1.0 / 32}, {0}, {-4});
+  ok(see(grid.keep({{0, 0, 0}}), moved, plain_form()) == seen,
+     "with an offset, and the eye and the sample moved as far");
+}
+
+/* A cell of 2 x 1 x 1 units around (-1, 0, -4). Pixels of 1/8 unit are k/16
+ * cells from its middle. */
+void test_oblong() {
+  little_grid grid({-1, 1}, {0}, {-4});
+  grid.keep({{0, 0, 0}});
+  const struct hsr_view view = plain_view(67, 1, 1.0 / 8);
+  const picture seen = see(grid, view, plain_form());
+  ok_pixel(seen, 33 - 8, grey(28894), "the middle of an oblong cell");
+  ok_pixel(seen, 33, grey(20417), "half a cell away");
+  ok_pixel(seen, 33 + 8, grey(7204), "a cell away");
+}
+
+void test_near() {
+  struct hsr_view view = plain_view(3, 3, 1);
+  for (const bool parallel : {false, true})
+    for (const double near : {3.0, 4.0, 5.0}) {
+      view = plain_view(3, 3, 0.25, parallel);
+      view.near = near;
+      ok_middle(single(), view, plain_form(), grey(near < 4 ? 28894 : 0),
+                near < 4   ? "beyond near"
+                : near > 4 ? "before near"
+                           : "on near");
+    }
+}
+
+/* R = (3/2, 0, 0), so that D = (-1, 0, -1), (0, 0, -1), (1, 0, -1). */
+void test_eye() {
+  const struct hsr_view view = plain_view(3, 1, 1, false);
+  little_grid behind({0}, {0}, {4});
+  ok_middle(behind.keep({{0, 0, 0}}), view, plain_form(), grey(0),
+            "behind the eye");
+  little_grid at({0}, {0}, {0});
+  ok_middle(at.keep({{0, 0, 0}}), view, plain_form(), grey(0), "at the eye");
+
+  /* V = (0, 0, -1): rho = 1 for the outer rays. */
+  little_grid around({0}, {0}, {-1});
+  picture seen = see(around.keep({{0, 0, 0}}), view, plain_form());
+  ok_pixel(seen, 1, grey(28894), "the eye is inside a kernel");
+  ok_pixel(seen, 0, grey(7204), "and looks aside, left");
+  ok_pixel(seen, 2, grey(7204), "and right");
+
+  /* V = (1, 0, -1) is across the first ray, along the last. With the middle one
+   * V.D = 1, |V|^2 = 2, rho^2 = 2 (2 - 1) / 1 = 2: kappa is 512. */
+  little_grid aside({1}, {0}, {-1});
+  seen = see(aside.keep({{0, 0, 0}}), view, plain_form());
+  ok_pixel(seen, 0, grey(0), "a splat across the ray");
+  ok_pixel(seen, 2, grey(28894), "a splat on the ray");
+  /* 65536 exp(-512.5/256/0.72) / (0.72 pi) = 1796.8 */
+  ok_pixel(seen, 1, grey(1796), "a splat at half a right angle");
+
+  /* V = (2, 0, -1): V.D = -1 for the first ray. */
+  little_grid beside({2}, {0}, {-1});
+  seen = see(beside.keep({{0, 0, 0}}), view, plain_form());
+  ok_pixel(seen, 0, grey(0), "a splat behind the ray, but before the eye");
+}
+
+/* g = width; e = floor(65536 / width^2). */
+void test_width() {
+  struct hsr_form form = plain_form();
+  const struct hsr_view view = plain_view(67, 1, 1.0 / 16);
+  form.values.real[WIDTH] = 2;
+  picture seen = see(single(), view, form);
+  /* floor(65535 16384 / 65536) = 16383, floor(28895 16383 / 65536) = 7223 */
+  ok_pixel(seen, 33, grey(7223), "twice as wide: a quarter of the energy");
+  /* floor(20418 16383 / 65536) = 5104 */
+  ok_pixel(seen, 33 + 16, grey(5104), "and twice as far");
+  /* floor(7205 16383 / 65536) = 1801 */
+  ok_pixel(seen, 65, grey(1801), "where a splat not so wide ends");
+  form.values.real[WIDTH] = 3;
+  /* e = floor(7281.8) = 7281; floor(65535 7281 / 65536) = 7280;
+   * floor(28895 7280 / 65536) = 3209 */
+  ok_middle(single(), view, form, grey(3209), "thrice as wide");
+  form.values.real[WIDTH] = 1.5;
+  /* e = floor(29127.1) = 29127; 29126; floor(28895 29126 / 65536) = 12841 */
+  ok_middle(single(), view, form, grey(12841), "and by a half");
+}
+
+/* Pixels p apart in both directions make g^2 = max(1, p^2), times t^2 in
+ * perspective. */
+void test_antialias() {
+  struct hsr_form form = plain_form();
+  form.values.option[ANTIALIAS] = 1;
+  for (const double p : {0.5, 1.0})
+    ok_middle(single(), plain_view(5, 5, p), form, grey(28894),
+              "pixels as far apart as samples, or less");
+  ok_middle(single(), plain_view(5, 5, 2), form, grey(7223),
+            "pixels twice as far apart");
+  /* kappa = floor(64 2^2) = 256; floor(7205 16383 / 65536) = 1801 */
+  ok_pixel(see(single(), plain_view(5, 5, 2), form), 13, grey(1801),
+           "and a pixel away");
+  ok_middle(single(), plain_view(5, 5, 0.25, false), form, grey(28894),
+            "at k, in perspective");
+  ok_middle(single(), plain_view(5, 5, 0.5, false), form, grey(7223),
+            "at 2 k, in perspective");
+  form.values.option[ANTIALIAS] = 0;
+  ok_middle(single(), plain_view(5, 5, 2), form, grey(28894), "but not if off");
+}
+
+/* ---- By hand: colours ---- */
+
+void test_colours() {
+  const struct hsr_view view = plain_view(3, 3, 1);
+  struct hsr_form form = plain_form();
+
+  /* q = 32768, A = 32767, C = 32767, floor(28895 32767 / 65536) = 14447 */
+  form.values.real[ATTENUATE] = 0.5;
+  ok_middle(single(), view, form, grey(14447), "attenuated by a half");
+  form.values.real[ATTENUATE] = 1;
+
+  /* floor(65536 28894 / 28895) = 65536 - ceil(2.27) */
+  form.values.option[NORMALISE] = 1;
+  const picture seen = see(single(), view, form);
+  ok_pixel(seen, 4, grey(65533), "normalised");
+  ok_pixel(see(single(), plain_view(3, 3, 4), form), 0, grey(0),
+           "normalised, where no splat is");
+  form.values.option[NORMALISE] = 0;
+
+  /* O = 40000, G = 30000: floor(O G / 65535) = 18310. Own colour of bytes 51,
+   * 102, 255: 65535 / 25 = 2621, 10485, 65535; times 18310 / 65535: 732, 2929,
+   * 18310; and floor(28895 C / 65536). */
+  little_grid grid = single();
+  grid.kept[0].level = 7;
+  grid.kept[0].steep = 9;
+  grid.kept[0].rgb = {51, 102, 255};
+  grid.palette.opacity[7] = 40000;
+  grid.palette.gradient[9] = 30000;
+  grid.palette.own_colours = grid.colours = true;
+  ok_middle(grid, view, form, {322, 1291, 8072, 8072}, "a colour of its own");
+  grid.palette.own_colours = false;
+  ok_middle(grid, view, form, {8072, 8072, 8072, 8072},
+            "which the palette does not use");
+}
+
+/* The code 32 + 64 32 is N = (1, 1, 61). With L = V = (0, 0, 1024), N.N = 3723,
+ * the root of N.N L.L is 62480 and c = floor(8192 62464 / 62480) = 8189;
+ * x = 2 62464^2 - 1024^2 3723 = 3899654144, s = floor(8192 x / (3723 1024^2)) =
+ * 8183 and s_2 = 8174. */
+void test_light() {
+  const struct hsr_view view = plain_view(3, 3, 1);
+  little_grid grid = single();
+  grid.kept[0].normal = 32 + 64 * 32;
+  grid.palette.eye_light = true;
+  grid.palette.ambient = 10000;
+  grid.palette.diffuse = 30000;
+  grid.palette.specular = 20000;
+  grid.palette.exponent = 2;
+  /* 10000 + 29989 + floor(20000 8174 / 8192) = 59945; floor(28895 59945 /
+   * 65536) = 26429 */
+  ok_middle(grid, view, plain_form(), {26429, 26429, 26429, 28894},
+            "lit from the eye");
+  grid.palette.eye_light = false;
+  std::fill(grid.palette.light, grid.palette.light + 3, int16_t(0));
+  grid.palette.light[2] = 1024;
+  ok_middle(grid, view, plain_form(), {26429, 26429, 26429, 28894},
+            "lit from there");
+  /* floor(28895 10000 / 65536) = 4409 */
+  grid.palette.light[2] = -1024;
+  ok_middle(grid, view, plain_form(), {4409, 4409, 4409, 28894},
+            "lit from behind");
+  grid.palette.light[2] = 0;
+  ok_middle(grid, view, plain_form(), {4409, 4409, 4409, 28894},
+            "lit from nowhere");
+  /* The code 0 is x = y = -63, z = -63: N = (0, 0, -63). */
+  grid.kept[0].normal = 0;
+  grid.palette.eye_light = true;
+  ok_middle(grid, view, plain_form(), {4409, 4409, 4409, 28894}, "turned away");
+  /* 10000 + 30000; floor(28895 40000 / 65536) = 17636 */
+  grid.kept[0].normal = NO_NORMAL;
+  ok_middle(grid, view, plain_form(), {17636, 17636, 17636, 28894},
+            "without a normal");
+}
+
+/* ---- By hand: models ---- */
+
+/* At t = 2 a half opaque green splat, at t = 4 an opaque red one. Cells are 2
+ * long. Given to the middle pixel: floor(28895 32768 / 65536) = 14447 and
+ * 28894. */
+little_grid two() {
+  little_grid grid({0}, {0}, {-4, -2});
+  grid.keep({{0, 0, 0}, 0}).keep({{0, 0, 1}, 1});
+  grid.palette.opacity[1] = 32768;
+  grid.palette.rgb[0][1] = grid.palette.rgb[0][2] = 0;
+  grid.palette.rgb[1][0] = grid.palette.rgb[1][2] = 0;
+  return grid;
+}
+
+void test_two() {
+  const struct hsr_view view = plain_view(3, 3, 1);
+  /* floor(28894 (65536 - 14447) / 65536) = 22524 */
+  for (const hsr_model model : {HSR_OVER, HSR_UNDER, HSR_SHEET})
+    ok_middle(two(), view, plain_form(model), {22524, 14447, 0, 36971},
+              "two splats, one behind the other");
+  struct hsr_form form = plain_form(HSR_XRAY);
+  ok_middle(two(), view, form, {28894, 14447, 0, 43341}, "and in xray");
+  form.values.real[EXPOSURE] = 2;
+  ok_middle(two(), view, form, {57788, 28894, 0, 65535}, "twice exposed");
+
+  /* From the other side green is behind: floor(14447 (65536 - 28894) / 65536) =
+   * 8077. */
+  struct hsr_view back = view;
+  back.F[2] = 1;
+  back.R[0] = -view.R[0];
+  back.E[2] = -6;
+  for (const hsr_model model : {HSR_OVER, HSR_UNDER, HSR_SHEET})
+    ok_middle(two(), back, plain_form(model), {28894, 8077, 0, 36971},
+              "two splats from behind");
+
+  /* With the eye between them only red is left. */
+  struct hsr_view between = view;
+  between.E[2] = -3;
+  ok_middle(two(), between, plain_form(), {28894, 0, 0, 28894},
+            "the eye between two splats");
+}
+
+/* Buckets from 2 to 3 and from 3 to 4. Each end is half a cell from a middle:
+ * lambda^2 = 1024 (1/4) / 4 = 64. So green gives 23049 to the first and 5846 to
+ * the second, and red the other way round:
+ *   first: red 5845, green 11524; second: red 23048, green 2923. */
+void test_volume() {
+  const struct hsr_view view = plain_view(3, 3, 1);
+  struct hsr_form form = plain_form(HSR_VOLUME);
+  form.values.option[BUCKETS] = 2;
+  ok_middle(two(), view, form, {22784, 13672, 0, 36456}, "two buckets");
+  form.values.option[BUCKETS] = 1;
+  ok_middle(two(), view, form, {28894, 14447, 0, 43341}, "one bucket");
+
+  /* From t = 3 to 4, whose middle is 1/4 of a cell before red, so that lambda =
+   * -4: near is where the first begins. Only red exists, and 28895 is divided
+   * by lambda alone. */
+  form.values.option[BUCKETS] = 2;
+  struct hsr_view close = view;
+  close.near = 3;
+  const pixel red = see_middle(two(), close, form);
+  const double before =
+      28894.78466713631 * (1 + std::erf(-0.25 / (0.6 * std::sqrt(2.0)))) / 2;
+  const int first = int(std::lround(before)), D = first - 1,
+            rest = (28895 - first) - 1;
+  const int wanted = D + rest * (65536 - D) / 65536;
+  ok(red == pixel{wanted, 0, 0, wanted}, "buckets begin at near");
+}
+
+/* Beside each other, a pixel between them: kappa = 64, 20417 and 10209. */
+void test_sheet() {
+  little_grid grid({-0.5, 0.5}, {0}, {-4});
+  grid.keep({{0, 0, 0}, 0}).keep({{1, 0, 0}, 1});
+  grid.palette = two().palette;
+  const struct hsr_view view = plain_view(3, 3, 1);
+  ok_middle(grid, view, plain_form(HSR_SHEET), {20417, 10209, 0, 30626},
+            "a sheet is a sum");
+  /* q = -1 for x, where F is 0, so that the lower index is in front, and
+   * floor(10209 (65536 - 20417) / 65536) = 7028. */
+  ok_middle(grid, view, plain_form(HSR_OVER), {20417, 7028, 0, 27445},
+            "and not what over makes");
+}
+
+/* Given are 8818, 13227 and 22045 from front to back.
+ *   over: 22045, 13227 + floor(22045 52309 / 65536) = 30822,
+ *         8818 + floor(30822 56718 / 65536) = 35492
+ *   under: 8818, 8818 + floor(13227 56718 / 65536) = 20265,
+ *         20265 + floor(22045 45271 / 65536) = 35493 */
+void test_three() {
+  little_grid grid({0}, {0}, {-6, -4, -2});
+  grid.keep({{0, 0, 0}, 2}).keep({{0, 0, 1}, 1}).keep({{0, 0, 2}, 0});
+  const struct hsr_view view = plain_view(3, 3, 1);
+  grid.palette.opacity[0] = 20000;
+  grid.palette.opacity[1] = 30000;
+  grid.palette.opacity[2] = 50000;
+  ok_middle(grid, view, plain_form(HSR_OVER), grey(35492), "three, over");
+  ok_middle(grid, view, plain_form(HSR_UNDER), grey(35493), "three, under");
+}
+
+void test_window() {
+  struct hsr_view view = plain_view(9, 9, 0.25);
+  const picture all = see(two(), view, plain_form());
+  view.window = {2, 3, 7, 5};
+  const picture part = see(two(), view, plain_form());
+  bool good = !all.empty() && !part.empty();
+  for (int j = 0; j < 9 && good; j++)
+    for (int i = 0; i < 9; i++) {
+      const size_t k = size_t(9 * j + i);
+      const bool inside = 2 <= i && i < 7 && 3 <= j && j < 5;
+      good = good && part[k] == (inside ? all[k] : grey(UNTOUCHED));
+    }
+  ok(good, "only the window is written");
+}
+
+/* ---- Tables, in closed form ---- */
+
+using Real = long double;
+const Real pi = 3.141592653589793238462643383279502884L;
+
+/* The part of a kernel's integral before x, along a line at the distance rho
+ * from its middle. */
+struct closed_form {
+  Real rho2;
+
+  /* Of the gaussian. */
+  Real gaussian(Real x) const {
+    const Real v = 0.36L;
+    return std::exp(-rho2 / (2 * v)) / (2 * pi * v) *
+           std::erfc(-x / std::sqrt(2 * v)) / 2;
+  }
+
+  /* Half a chord of the sphere of this radius. */
+  Real half(Real radius) const {
+    return rho2 < radius * radius ? std::sqrt(radius * radius - rho2) : 0;
+  }
+
+  /* The integral from 0 to x of a0 + a1 s + a2 s^2 + a3 s^3, where s^2 = rho^2
+   * + x^2. */
+  Real power(Real x, Real a0, Real a1, Real a2, Real a3) const {
+    const Real s = std::sqrt(rho2 + x * x);
+    const Real i1 = (x * s + rho2 * std::asinh(x / std::sqrt(rho2))) / 2;
+    return a0 * x + a1 * i1 + a2 * (rho2 * x + x * x * x / 3) +
+           a3 * (x * s * s * s / 4 + 3 * rho2 / 4 * i1);
+  }
+
+  /* From 0 to x, x >= 0. */
+  Real crawfis_max_from_0(Real x) const {
+    const Real r = 1.556228L, b = 0.067599L, c = 0.282474L;
+    const Real bend = half(0.88L);
+    x = std::min(x, half(r));
+    Real sum = power(std::min(x, bend), 0.557526L, 0, -1.157744L, 0.671033L);
+    if (x > bend) {
+      const Real a0 = b * r * r + c * r * r * r,
+                 a1 = -2 * b * r - 3 * c * r * r, a2 = b + 3 * c * r, a3 = -c;
+      sum += power(x, a0, a1, a2, a3) - power(bend, a0, a1, a2, a3);
+    }
+    return sum;
+  }
+  Real crawfis_max(Real x) const {
+    const Real all = crawfis_max_from_0(2),
+               part = crawfis_max_from_0(std::fabs(x));
+    return x < 0 ? all - part : all + part;
+  }
+};
+
+constexpr Real ALL = 1000;
+
+/* 65536 times that, for entries of the tables. x in 32nds of the reach. */
+Real entry(hsr_splat_kernel kernel, int kappa, Real x) {
+  const Real r = kernel == HSR_GAUSSIAN ? 2.0L : 1.556228L;
+  const closed_form at = {r * r * (Real(kappa) + 0.5L) / 1024};
+  x *= r / 32;
+  return 65536 * (kernel == HSR_GAUSSIAN ? at.gaussian(x) : at.crawfis_max(x));
+}
+
+struct table {
+  std::vector<std::array<int64_t, 65>> before; /* lambda + 32; the last is W */
+  Real weights_margin = 1, parts_margin = 1;   /* least distances from a half */
+
+  explicit table(hsr_splat_kernel kernel) : before(1024) {
+    const auto rounded = [](Real x, Real *margin) {
+      *margin = std::min(*margin, std::fabs(x - std::floor(x) - 0.5L));
+      return int64_t(std::llround(x));
+    };
+    for (int k = 0; k < 1024; k++) {
+      auto &row = before[size_t(k)];
+      row[0] = 0;
+      for (int l = -31; l < 32; l++)
+        row[size_t(l + 32)] = rounded(entry(kernel, k, l), &parts_margin);
+      row[64] = rounded(entry(kernel, k, ALL), &weights_margin);
+    }
+  }
+};
+
+const table &table_of(hsr_splat_kernel kernel) {
+  static const table gaussian(HSR_GAUSSIAN), crawfis_max(HSR_CRAWFIS_MAX);
+  return kernel == HSR_GAUSSIAN ? gaussian : crawfis_max;
+}
+
+const char *name_of(hsr_splat_kernel kernel) {
+  return kernel == HSR_GAUSSIAN ? "gaussian" : "crawfis-max";
+}
+
+/* floor(1024 x^2 / r^2), with x = a / b, in whole numbers. */
+__extension__ typedef __int128 wide;
+int square_in_reach(hsr_splat_kernel kernel, int64_t a, int64_t b) {
+  const int64_t r = kernel == HSR_GAUSSIAN ? 2000000 : 1556228;
+  const wide square = wide(a) * a * 1024 * 1000000 * 1000000;
+  return int(std::min<wide>(square / (wide(b) * b * r * r), 1024));
+}
+
+/* The claim of the definition, and the same of parts. */
+void test_margins() {
+  for (const hsr_splat_kernel kernel : {HSR_CRAWFIS_MAX, HSR_GAUSSIAN}) {
+    const table &t = table_of(kernel);
+    std::printf("# %s: no weight is within %.3Le of a half, no weight before "
+                "lambda within %.3Le\n",
+                name_of(kernel), t.weights_margin, t.parts_margin);
+    ok(t.weights_margin > 1e-6L,
+       std::string("weights are not near halves, ") + name_of(kernel));
+    ok(t.parts_margin > 1e-6L,
+       std::string("weights before lambda are not near halves, ") +
+           name_of(kernel));
+  }
+}
+
+/* All weights, from a row of 16384 pixels across a splat. */
+void test_weights() {
+  const int m = 16384;
+  for (const hsr_splat_kernel kernel : {HSR_CRAWFIS_MAX, HSR_GAUSSIAN}) {
+    const picture seen = see(single(), plain_view(m, 1, 1.0 / 4096),
+                             plain_form(HSR_OVER, kernel));
+    std::vector<bool> met(1025);
+    bool good = !seen.empty();
+    for (int i = 0; i < m && good; i++) {
+      const int kappa = square_in_reach(kernel, 2 * i + 1 - m, 8192);
+      const int64_t W =
+          kappa < 1024 ? table_of(kernel).before[size_t(kappa)][64] : 1;
+      met[size_t(kappa)] = true;
+      good = seen[size_t(i)] == grey(W ? int(W - 1) : 0);
+    }
+    ok(good && std::count(met.begin(), met.begin() + 1024, true) == 1024,
+       std::string("all weights, ") + name_of(kernel));
+  }
+}
+
+/* All weights before lambda: the middle of five samples, a cell apart, and
+ * depths of it from -2 to 2. By buckets of 1/16 cells lambda is exactly reached
+ * at each end, if the kernel is the gaussian. */
+void test_parts() {
+  const int m = 1024;
+  const hsr_splat_kernel kernels[] = {HSR_GAUSSIAN, HSR_CRAWFIS_MAX};
+  for (const hsr_splat_kernel kernel : kernels) {
+    const int buckets = kernel == HSR_GAUSSIAN ? 64 : 1024;
+    little_grid grid({0}, {0}, {-12, -11, -10, -9, -8});
+    grid.keep({{0, 0, 2}});
+    struct hsr_form form = plain_form(HSR_VOLUME, kernel);
+    form.values.option[BUCKETS] = buckets;
+    const picture seen = see(grid, plain_view(m, 1, 1.0 / 256), form);
+
+    bool good = !seen.empty();
+    for (int i = 0; i < m && good; i++) {
+      const int kappa = square_in_reach(kernel, 2 * i + 1 - m, 512);
+      int64_t E = 0, after = 0;
+      if (kappa < 1024) {
+        const auto &before = table_of(kernel).before[size_t(kappa)];
+        after = before[64];
+        for (int b = buckets - 1; b >= 0; b--) {
+          const int64_t x = 4 * b - 2 * buckets;
+          const int size =
+              int(std::sqrt(double(square_in_reach(kernel, x, buckets))));
+          const int64_t w = b ? before[size_t(32 + (x < 0 ? -size : size))] : 0;
+          const int64_t D = (after - w) * 65535 / 65536;
+          E = D + E * (65536 - D) / 65536;
+          after = w;
+        }
+      }
+      good = seen[size_t(i)] == grey(int(E));
+    }
+    ok(good, std::string("weights before lambda, ") + name_of(kernel));
+  }
+}
+
+/* ---- The definition, written a second time ---- */
+
+using Q = CGAL::Gmpq;
+using triple = std::array<Q, 3>;
+
+Q dot(const triple &a, const triple &b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* det(a, b, c). */
+Q det(const triple &a, const triple &b, const triple &c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) +
+         a[1] * (b[2] * c[0] - b[0] * c[2]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/* The greatest integer that is at most x, but at most 2^20. */
+int64_t floor_of(const Q &x) {
+  if (x >= Q(1 << 20))
+    return 1 << 20;
+  int64_t k = int64_t(std::floor(CGAL::to_double(x)));
+  while (Q(double(k)) > x)
+    k--;
+  while (Q(double(k + 1)) <= x)
+    k++;
+  return k;
+}
+
+int64_t root_of(wide x) {
+  int64_t low = 0, high = INT64_C(1) << 40;
+  while (high - low > 1) {
+    const int64_t middle = (low + high) / 2;
+    (wide(middle) * middle <= x ? low : high) = middle;
+  }
+  return low;
+}
+
+int64_t floor_quotient(wide a, wide b) {
+  return b == 0 ? 0 : int64_t(a >= 0 ? a / b : -((-a + b - 1) / b));
+}
+
+class definition {
+  const hsr_grid &g;
+  const hsr_view &v;
+  const hsr_splatting o; /* all but its model */
+  triple from, F, R, U;
+  std::array<int, 3> eye;
+
+  struct splat {
+    std::array<int, 3> at;
+    triple P, size;
+    Q g2r2;
+    int64_t e, C[4];
+  };
+  std::vector<splat> splats; /* from front to back */
+  std::vector<Q> ends;       /* of buckets, but for the last */
+
+  /* One that covers the pixel, its kappa, and its lambda at all ends. */
+  struct covering {
+    const splat *s;
+    int64_t kappa;
+    std::vector<int64_t> lambda;
+  };
+  using sums = std::array<int64_t, 5>;
+
+  static triple as_triple(const double a[3]) {
+    return {Q(a[0]), Q(a[1]), Q(a[2])};
+  }
+  triple divided(const triple &a, const triple &size) const {
+    return {a[0] / size[0], a[1] / size[1], a[2] / size[2]};
+  }
+  Q depth(const triple &P) const {
+    const triple d = {P[0] - from[0], P[1] - from[1], P[2] - from[2]};
+    return det(d, R, U) / det(F, R, U);
+  }
+  Q r2() const {
+    return o.kernel == HSR_GAUSSIAN ? Q(4) : Q(1556228) * Q(1556228) / Q(1e12);
+  }
+
+  void find_eye();
+  void find_ends();
+  void find_splats();
+  void add_splat(const std::array<int, 3> &at, uint32_t cell);
+  void find_colour(uint32_t cell, int64_t C[4]) const;
+  std::vector<covering> covers(int i, int j) const;
+  sums given(const covering &c, int64_t weight) const;
+  int64_t weight(const covering &c, int64_t lambda) const {
+    return table_of(o.kernel).before[size_t(c.kappa)][size_t(lambda + 32)];
+  }
+  static void over(sums *E, sums D);
+  sums sheet(const std::vector<covering> &all) const;
+  sums volume(const std::vector<covering> &all) const;
+  sums fold(hsr_model model, const std::vector<covering> &all) const;
+  pixel finish(hsr_model model, const sums &E) const;
+
+public:
+  definition(const hsr_grid &grid, const hsr_view &view,
+             const hsr_splatting &options)
+      : g(grid), v(view), o(options), from(as_triple(view.E)),
+        F(as_triple(view.F)), R(as_triple(view.R)), U(as_triple(view.U)) {
+    find_eye();
+    find_ends();
+    find_splats();
+  }
+
+  size_t n_covered = 0;
+  /* The pictures of all models. */
+  std::array<picture, HSR_XRAY + 1> draw();
+};
+
+void definition::find_eye() {
+  for (size_t a = 0; a < 3; a++) {
+    const double *begin = g.bound[a], *end = begin + g.n[a];
+    eye[a] = int(std::upper_bound(begin, end, v.E[a]) - begin) - 1;
+    if (v.parallel)
+      eye[a] = v.F[a] < 0 ? int(g.n[a]) - 1 : -1;
+  }
+}
+
+void definition::find_ends() {
+  std::vector<Q> depths;
+  for (const double x : {g.at[0][0], g.at[0][g.n[0] - 1]})
+    for (const double y : {g.at[1][0], g.at[1][g.n[1] - 1]})
+      for (const double z : {g.at[2][0], g.at[2][g.n[2] - 1]})
+        depths.push_back(depth({Q(x), Q(y), Q(z)}));
+  const Q first = std::max(*std::min_element(depths.begin(), depths.end()),
+                           Q(v.near)),
+          last = *std::max_element(depths.begin(), depths.end());
+  if (first < last)
+    for (int b = 1; b < o.buckets; b++)
+      ends.push_back(first + (last - first) * Q(b) / Q(o.buckets));
+}
+
+/* By octants, then by distances from the eye's cell. */
+void definition::find_splats() {
+  const auto place = [&](size_t a, int high, int away) {
+    const int k = high >> a & 1 ? eye[a] + 1 + away : eye[a] - away;
+    return k >= 0 && k < int(g.n[a]) ? k : -1;
+  };
+  const int most = int(std::max({g.n[0], g.n[1], g.n[2]})) + 1;
+  for (int high = 0; high < 8; high++)
+    for (int z = 0; z < most; z++)
+      for (int y = 0; y < most; y++)
+        for (int x = 0; x < most; x++) {
+          const std::array<int, 3> at = {place(0, high, x), place(1, high, y),
+                                         place(2, high, z)};
+          if (at[0] < 0 || at[1] < 0 || at[2] < 0)
+            continue;
+          const uint32_t row = uint32_t(at[1]) + g.n[1] * uint32_t(at[2]);
+          for (uint32_t c = g.row[row]; c < g.row[row + 1]; c++)
+            if (g.x[c] == uint32_t(at[0]))
+              add_splat(at, c);
+        }
+}
+
+void definition::add_splat(const std::array<int, 3> &at, uint32_t cell) {
+  splat s;
+  s.at = at;
+  for (size_t a = 0; a < 3; a++) {
+    s.P[a] = Q(g.at[a][at[a]]);
+    const double size = g.bound[a][at[a] + 1] - g.bound[a][at[a]];
+    s.size[a] = Q(size);
+  }
+  const Q t = depth(s.P);
+  if (t <= Q(v.near))
+    return;
+  Q g2 = 1;
+  if (o.antialias) {
+    const triple u = divided(U, s.size), r = divided(R, s.size);
+    g2 = Q(2) * (dot(u, u) / Q(v.n) / Q(v.n) + dot(r, r) / Q(v.m) / Q(v.m));
+    if (!v.parallel)
+      g2 *= t * t;
+    g2 = std::max(g2, Q(1));
+  }
+  g2 *= Q(o.width) * Q(o.width);
+  s.g2r2 = g2 * r2();
+  s.e = floor_of(Q(65536) / g2);
+  find_colour(cell, s.C);
+  splats.push_back(s);
+}
+
+void definition::find_colour(uint32_t cell, int64_t C[4]) const {
+  const hsr_palette &p = g.palette;
+  const int level = g.level[cell], code = g.normal[cell];
+  int64_t A = int64_t(p.opacity[level]) * p.gradient[g.steep[cell]] / 65535;
+  A = A * o.attenuate / 65536;
+  int64_t c = 8192, s_n = 0;
+  if (code < 4096) {
+    const int x = 2 * (code & 63) - 63, y = 2 * (code >> 6) - 63,
+              z = 63 - std::abs(x) - std::abs(y);
+    wide N[3] = {x, y, z}, L[3], V[3], NL = 0, NN = 0, LL = 0, NV = 0, LV = 0,
+         VV = 0;
+    if (z < 0) {
+      N[0] = (63 - std::abs(y)) * (x > 0 ? 1 : -1);
+      N[1] = (63 - std::abs(x)) * (y > 0 ? 1 : -1);
+    }
+    for (int a = 0; a < 3; a++) {
+      V[a] = -wide(std::nearbyint(1024 * v.F[a]));
+      L[a] = p.eye_light ? V[a] : p.light[a];
+      NL += N[a] * L[a], NN += N[a] * N[a], LL += L[a] * L[a];
+      NV += N[a] * V[a], LV += L[a] * V[a], VV += V[a] * V[a];
+    }
+    const auto clamped = [](int64_t k) {
+      return std::min<int64_t>(8192, std::max<int64_t>(0, k));
+    };
+    c = clamped(floor_quotient(8192 * NL, root_of(NN * LL)));
+    int64_t s = clamped(
+        floor_quotient(8192 * (2 * NL * NV - LV * NN), NN * root_of(LL * VV)));
+    if (c == 0)
+      s = 0;
+    s_n = s;
+    for (int k = 1; k < p.exponent; k++)
+      s_n = s_n * s / 8192;
+  }
+  for (int k = 0; k < 3; k++) {
+    int64_t B = p.rgb[level][k];
+    if (g.rgb && p.own_colours)
+      B = int64_t(65535) * g.rgb[cell][k] * g.rgb[cell][k] / 65025;
+    const int64_t lit = B * (p.ambient + p.diffuse * c / 8192) / 65535 +
+                        p.specular * s_n / 8192;
+    C[k] = std::min<int64_t>(65535, lit) * A / 65535;
+  }
+  C[3] = A;
+}
+
+std::vector<definition::covering> definition::covers(int i, int j) const {
+  const Q m(v.m), n(v.n);
+  const Q x = (Q(2) * Q(hsr_sample_x(&v, i)) - m) / m,
+          y = (n - Q(2) * Q(hsr_sample_y(&v, j))) / n;
+  triple begin = from, D = F;
+  for (size_t a = 0; a < 3; a++)
+    (v.parallel ? begin : D)[a] += x * R[a] + y * U[a];
+
+  std::vector<covering> all;
+  for (const splat &s : splats) {
+    const triple V = divided(
+        {s.P[0] - begin[0], s.P[1] - begin[1], s.P[2] - begin[2]}, s.size);
+    const triple along = divided(D, s.size);
+    const Q VV = dot(V, V), VD = dot(V, along), DD = dot(along, along);
+    if (!v.parallel && VD <= Q(0))
+      continue;
+    const Q rho2 =
+        v.parallel ? VV - VD * VD / DD : VV * (VV * DD - VD * VD) / (VD * VD);
+    covering c = {&s, floor_of(Q(1024) * rho2 / s.g2r2), {}};
+    if (c.kappa >= 1024)
+      continue;
+    for (const Q &t_b : ends) {
+      const Q past = t_b - VD / DD, tau2 = past * past * DD;
+      const int64_t size =
+          std::min<int64_t>(32, root_of(floor_of(Q(1024) * tau2 / s.g2r2)));
+      c.lambda.push_back(past < Q(0) ? -size : size);
+    }
+    all.push_back(c);
+  }
+  return all;
+}
+
+definition::sums definition::given(const covering &c, int64_t weight) const {
+  sums D;
+  for (size_t k = 0; k < 4; k++)
+    D[k] = weight * (c.s->C[k] * c.s->e / 65536) / 65536;
+  D[4] = weight * c.s->e / 65536;
+  return D;
+}
+
+void definition::over(sums *E, sums D) {
+  for (size_t k = 0; k < 5; k++)
+    (*E)[k] = D[k] + (*E)[k] * (65536 - D[3]) / 65536;
+}
+
+definition::sums definition::sheet(const std::vector<covering> &all) const {
+  size_t a = 0;
+  for (size_t b = 1; b < 3; b++)
+    if (std::fabs(v.F[b]) > std::fabs(v.F[a]))
+      a = b;
+  std::vector<int> slices;
+  for (int k = int(g.n[a]) - 1; k > eye[a]; k--)
+    slices.push_back(k);
+  for (int k = 0; k <= eye[a]; k++)
+    slices.push_back(k);
+  sums E = {};
+  for (const int k : slices) {
+    sums sheet = {};
+    for (const covering &c : all)
+      for (size_t l = 0; l < 5 && c.s->at[a] == k; l++)
+        sheet[l] += given(c, weight(c, 32))[l];
+    for (int64_t &l : sheet)
+      l = std::min<int64_t>(l, 65535);
+    over(&E, sheet);
+  }
+  return E;
+}
+
+definition::sums definition::volume(const std::vector<covering> &all) const {
+  sums E = {};
+  for (size_t b = ends.size() + 1; b-- > 0;) {
+    sums bucket = {};
+    for (const covering &c : all) {
+      const int64_t end = b < ends.size() ? c.lambda[b] : 32,
+                    begin = b > 0 ? c.lambda[b - 1] : -32;
+      const sums D = given(c, weight(c, end) - weight(c, begin));
+      for (size_t l = 0; l < 5; l++)
+        bucket[l] += D[l];
+    }
+    for (int64_t &l : bucket)
+      l = std::min<int64_t>(l, 65535);
+    over(&E, bucket);
+  }
+  return E;
+}
+
+definition::sums definition::fold(hsr_model model,
+                                  const std::vector<covering> &all) const {
+  sums E = {};
+  if (model == HSR_SHEET)
+    return sheet(all);
+  if (model == HSR_VOLUME)
+    return volume(all);
+  for (size_t k = 0; k < all.size(); k++) {
+    const covering &c = all[model == HSR_OVER ? all.size() - 1 - k : k];
+    const sums D = given(c, weight(c, 32));
+    const int64_t left = model == HSR_UNDER ? 65536 - E[3] : 65536;
+    if (model == HSR_OVER)
+      over(&E, D);
+    else
+      for (size_t l = 0; l < 5; l++)
+        E[l] += D[l] * left / 65536;
+  }
+  return E;
+}
+
+pixel definition::finish(hsr_model model, const sums &E) const {
+  pixel p;
+  for (size_t k = 0; k < 4; k++) {
+    wide x = E[k];
+    if (o.normalise)
+      x = floor_quotient(65536 * x, E[4]);
+    else if (model == HSR_XRAY)
+      x = x * wide(o.exposure) / 65536;
+    p[k] = int(std::min<wide>(x, 65535));
+  }
+  return p;
+}
+
+std::array<picture, HSR_XRAY + 1> definition::draw() {
+  std::array<picture, HSR_XRAY + 1> all;
+  for (int j = 0; j < v.n; j++)
+    for (int i = 0; i < v.m; i++) {
+      const std::vector<covering> here = covers(i, j);
+      n_covered += here.size();
+      for (int model = HSR_OVER; model <= HSR_XRAY; model++)
+        all[size_t(model)].push_back(
+            finish(hsr_model(model), fold(hsr_model(model), here)));
+    }
+  return all;
+}
+
+/* ---- Random grids ---- */
+
+class dice {
+  std::mt19937_64 engine;
+
+public:
+  explicit dice(uint64_t seed) : engine(seed) {}
+  int whole(int low, int high) {
+    return low + int(engine() % uint64_t(high - low + 1));
+  }
+  bool odd() { return whole(0, 1); }
+  uint16_t word() { return uint16_t(whole(0, 65535)); }
+  double real(double low, double high) {
+    return low + (high - low) * double(engine() >> 11) / 0x1p53;
+  }
+};
+
+/* Positions by quarters, or by any doubles. */
+std::vector<double> random_positions(dice &d, bool by_quarters) {
+  std::vector<double> at;
+  double x = by_quarters ? d.whole(-4, 4) : d.real(-2, 2);
+  for (int n = d.whole(2, 4); n > 0; n--) {
+    at.push_back(x);
+    x += by_quarters ? d.whole(1, 6) / 4.0 : d.real(0.3, 1.6);
+  }
+  return at;
+}
+
+void random_palette(dice &d, hsr_palette *p) {
+  const bool faint = d.odd();
+  for (int l = 0; l < HSR_LEVELS; l++) {
+    p->opacity[l] = faint ? d.word() / 4 : d.word();
+    p->gradient[l] = d.odd() ? ONE : d.word();
+    for (uint16_t &c : p->rgb[l])
+      c = d.word();
+  }
+  p->own_colours = d.odd();
+  p->ambient = d.word() / 2;
+  p->diffuse = d.word();
+  p->specular = d.word();
+  p->exponent = d.whole(1, 12);
+  p->eye_light = d.odd();
+  for (int16_t &l : p->light)
+    l = int16_t(d.whole(-700, 700));
+}
+
+little_grid random_grid(dice &d, bool by_quarters) {
+  std::vector<double> at[3];
+  for (auto &axis : at)
+    axis = random_positions(d, by_quarters);
+  little_grid grid(at[0], at[1], at[2]);
+  random_palette(d, &grid.palette);
+  grid.colours = d.odd();
+  for (uint32_t k = 0; k < at[2].size(); k++)
+    for (uint32_t j = 0; j < at[1].size(); j++)
+      for (uint32_t i = 0; i < at[0].size(); i++)
+        if (d.whole(0, 2) || grid.kept.empty()) {
+          sample s = {{i, j, k}};
+          s.level = uint8_t(d.whole(0, 255));
+          s.steep = uint8_t(d.whole(0, 255));
+          s.normal = uint16_t(d.whole(0, 4200));
+          for (uint8_t &c : s.rgb)
+            c = uint8_t(d.whole(0, 255));
+          grid.keep(s);
+        }
+  return grid;
+}
+
+/* From anywhere around or inside, towards a sample; or along an axis, from the
+ * bound of a cell. */
+struct hsr_view random_view(dice &d, const little_grid &grid, bool parallel) {
+  struct hsr_camera c = {};
+  const bool along = d.whole(0, 3) == 0;
+  const size_t axis = size_t(d.whole(0, 2));
+  for (size_t a = 0; a < 3; a++) {
+    const std::vector<double> &at = grid.at[a], &bound = grid.bound[a];
+    const double size = bound.back() - bound.front();
+    c.at[a] = at[size_t(d.whole(0, int(at.size()) - 1))];
+    c.eye[a] = d.real(bound[0] - size, bound.back() + size);
+    if (along)
+      c.eye[a] = c.at[a] = bound[size_t(d.whole(0, int(at.size())))];
+  }
+  if (along)
+    c.eye[axis] += d.odd() ? 3.5 : -3.5;
+  c.up[(axis + 1) % 3] = 1;
+  c.up[(axis + 2) % 3] = 0.25;
+  c.fov = d.real(30, 110);
+  c.near = d.odd() ? 0 : d.real(0, 3);
+  c.parallel = parallel ? d.real(2, 8) : 0;
+  struct hsr_view view = {};
+  struct hsr_error err = {};
+  if (hsr_view_init(&view, &c, d.whole(4, 7), d.whole(4, 6), &err))
+    std::printf("# view: %s\n", err.text);
+  if (d.odd()) {
+    view.offset_x = d.whole(-7, 7) / 16.0;
+    view.offset_y = d.whole(-7, 7) / 16.0;
+  }
+  return view;
+}
+
+struct hsr_form random_form(dice &d, hsr_splat_kernel kernel) {
+  struct hsr_form form = plain_form(HSR_OVER, kernel);
+  long *option = form.values.option;
+  double *real = form.values.real;
+  real[WIDTH] = d.odd() ? 1 : d.real(1, 2.5);
+  option[ANTIALIAS] = d.odd();
+  real[ATTENUATE] = d.odd() ? 1 : d.real(0, 1);
+  option[NORMALISE] = d.whole(0, 3) == 0;
+  real[EXPOSURE] = d.odd() ? 1 : d.real(0, 3);
+  option[BUCKETS] = d.whole(1, 9);
+  return form;
+}
+
+void test_random() {
+  size_t n_wrong = 0, n_pictures = 0, n_covered = 0;
+  for (int k = 0; k < 24; k++)
+    for (const bool parallel : {false, true})
+      for (const hsr_splat_kernel kernel : {HSR_CRAWFIS_MAX, HSR_GAUSSIAN}) {
+        dice d(uint64_t(4 * k + 2 * parallel + kernel));
+        little_grid grid = random_grid(d, k % 2);
+        const struct hsr_view view = random_view(d, grid, parallel);
+        struct hsr_form form = random_form(d, kernel);
+        const stage s(grid);
+        definition wanted(s.grid, view, hsr_form_splatting(&form));
+        const auto pictures = wanted.draw();
+        n_covered += wanted.n_covered;
+        for (int model = HSR_OVER; model <= HSR_XRAY; model++) {
+          form.values.option[MODEL] = model;
+          n_pictures++;
+          if (render(s.world, view, form) == pictures[size_t(model)])
+            continue;
+          std::printf("# grid %d, parallel %d, kernel %d, model %d\n", k,
+                      parallel, kernel, model);
+          n_wrong++;
+        }
+      }
+  std::printf("# %zu pictures, %zu times a splat over a pixel\n", n_pictures,
+              n_covered);
+  ok(n_wrong == 0 && n_covered > 5000,
+     "as the definition written a second time");
+}
+
+void test_descriptor() {
+  ok(!std::strcmp(oracle.name, "splat-oracle") &&
+         oracle.taxonomy == HSR_YARDSTICK && oracle.flags & HSR_JUDGE &&
+         oracle.kind == HSR_COMPOSITED && oracle.subjects == 1 << HSR_GRID &&
+         oracle.makes == 0,
+     "the descriptor");
+}
+
+} /* namespace */
+
+int main() {
+  test_descriptor();
+  test_boundaries();
+  test_oblong();
+  test_near();
+  test_eye();
+  test_width();
+  test_antialias();
+  test_colours();
+  test_light();
+  test_two();
+  test_volume();
+  test_sheet();
+  test_three();
+  test_window();
+  test_margins();
+  test_weights();
+  test_parts();
+  test_random();
+  std::printf("1..%d\n", n_tests);
+  return n_failed > 0;
+}
