@@ -12,13 +12,17 @@ enum hsr_status hsr_splats_open(struct hsr_splats *s,
   const struct hsr_window *w = &s->window;
   size_t height = (size_t)(w->y1 - w->y0);
   picture->stride = (size_t)(w->x1 - w->x0) + LANES;
+  picture->weight = NULL;
   for (int c = 0; c < s->channels; c++) {
     picture->plane[c] =
         HSR_NEW_ZEROED(s->job->scratch, uint16_t, height * picture->stride);
     if (!picture->plane[c])
       return HSR_E_NOMEM;
   }
-  return HSR_OK;
+  if (s->splatting.normalise)
+    picture->weight =
+        HSR_NEW_ZEROED(s->job->scratch, uint64_t, height * picture->stride);
+  return s->splatting.normalise && !picture->weight ? HSR_E_NOMEM : HSR_OK;
 }
 
 void hsr_splats_clear(const struct hsr_splats *s,
@@ -26,16 +30,15 @@ void hsr_splats_clear(const struct hsr_splats *s,
   size_t count = (size_t)(s->window.y1 - s->window.y0) * picture->stride;
   for (int c = 0; c < s->channels; c++)
     memset(picture->plane[c], 0, count * sizeof *picture->plane[c]);
+  if (picture->weight)
+    memset(picture->weight, 0, count * sizeof *picture->weight);
 }
 
-/* The channels of the pixels from x on in row j. */
-static void find_row(const struct hsr_splats *s,
-                     const struct hsr_splat_picture *picture, int x, int j,
-                     uint16_t *E[HSR_SPLAT_CHANNELS]) {
-  size_t at =
-      (size_t)(j - s->window.y0) * picture->stride + (size_t)(x - s->window.x0);
-  for (int c = 0; c < s->channels; c++)
-    E[c] = picture->plane[c] + at;
+/* Where pixel (x, j) is in a plane. */
+static size_t place_of(const struct hsr_splats *s,
+                       const struct hsr_splat_picture *picture, int x, int j) {
+  return (size_t)(j - s->window.y0) * picture->stride +
+         (size_t)(x - s->window.x0);
 }
 
 HSR_VECTOR
@@ -58,70 +61,74 @@ static inline uint16_t joined(uint16_t a, uint16_t b, uint16_t by) {
 }
 
 HSR_VECTOR
-static void put_over(int channels, uint16_t *E[HSR_SPLAT_CHANNELS],
+static void put_over(uint16_t *const plane[HSR_SPLAT_CHANNELS], size_t at,
                      hsr_splat_lanes D) {
   const uint16_t *opacity = D[OPACITY];
-  for (int c = 0; c < channels; c++)
+  for (int c = 0; c <= OPACITY; c++)
     for (int l = 0; l < LANES; l++)
-      E[c][l] = joined(D[c][l], E[c][l], opacity[l]);
+      plane[c][at + (size_t)l] =
+          joined(D[c][l], plane[c][at + (size_t)l], opacity[l]);
 }
 
 HSR_VECTOR
-static void put_under(int channels, uint16_t *E[HSR_SPLAT_CHANNELS],
-                      hsr_splat_lanes D) {
-  uint16_t opacity[LANES];
-  for (int l = 0; l < LANES; l++)
-    opacity[l] = E[OPACITY][l];
-  for (int c = 0; c < channels; c++)
+static void put_under(uint16_t *const plane[HSR_SPLAT_CHANNELS], size_t at,
+                      const uint16_t opacity[LANES], hsr_splat_lanes D) {
+  for (int c = 0; c <= OPACITY; c++)
     for (int l = 0; l < LANES; l++)
-      E[c][l] = joined(E[c][l], D[c][l], opacity[l]);
+      plane[c][at + (size_t)l] =
+          joined(plane[c][at + (size_t)l], D[c][l], opacity[l]);
 }
 
 void hsr_splats_over(const struct hsr_splats *s,
                      struct hsr_splat_picture *picture, int x, int j,
                      hsr_splat_lanes D) {
-  uint16_t *E[HSR_SPLAT_CHANNELS];
-  find_row(s, picture, x, j, E);
-  put_over(s->channels, E, D);
+  size_t at = place_of(s, picture, x, j);
+  put_over(picture->plane, at, D);
+  for (size_t l = 0; picture->weight && l < LANES; l++) {
+    uint64_t *weight = &picture->weight[at + l];
+    *weight =
+        D[HSR_SPLAT_WEIGHT][l] + (*weight * (65536u - D[OPACITY][l]) >> 16);
+  }
 }
 
 void hsr_splats_under(const struct hsr_splats *s,
                       struct hsr_splat_picture *picture, int x, int j,
                       hsr_splat_lanes D) {
-  uint16_t *E[HSR_SPLAT_CHANNELS];
-  find_row(s, picture, x, j, E);
-  put_under(s->channels, E, D);
+  size_t at = place_of(s, picture, x, j);
+  uint16_t opacity[LANES];
+  memcpy(opacity, picture->plane[OPACITY] + at, sizeof opacity);
+  put_under(picture->plane, at, opacity, D);
+  for (size_t l = 0; picture->weight && l < LANES; l++)
+    picture->weight[at + l] +=
+        (uint64_t)D[HSR_SPLAT_WEIGHT][l] * (65536u - opacity[l]) >> 16;
 }
 
 HSR_VECTOR
-static void add_up(int channels, uint16_t *E[HSR_SPLAT_CHANNELS],
-                   hsr_splat_lanes D) {
+static void add_up(int channels, uint16_t *const plane[HSR_SPLAT_CHANNELS],
+                   size_t at, hsr_splat_lanes D) {
   for (int c = 0; c < channels; c++)
     for (int l = 0; l < LANES; l++) {
-      uint16_t sum = (uint16_t)(E[c][l] + D[c][l]);
-      E[c][l] = sum < D[c][l] ? UINT16_MAX : sum;
+      uint16_t *E = plane[c] + at, sum = (uint16_t)(E[l] + D[c][l]);
+      E[l] = sum < D[c][l] ? UINT16_MAX : sum;
     }
 }
 
 void hsr_splats_add(const struct hsr_splats *s,
                     struct hsr_splat_picture *picture, int x, int j,
                     hsr_splat_lanes D) {
-  uint16_t *E[HSR_SPLAT_CHANNELS];
-  find_row(s, picture, x, j, E);
-  add_up(s->channels, E, D);
+  add_up(s->channels, picture->plane, place_of(s, picture, x, j), D);
 }
 
 void hsr_splats_fold(struct hsr_splats *s, struct hsr_splat_picture *sums,
                      const struct hsr_window *where,
                      struct hsr_splat_picture *picture) {
-  uint16_t *E[HSR_SPLAT_CHANNELS];
   hsr_splat_lanes D;
   for (int j = where->y0; j < where->y1; j++)
     for (int x = where->x0; x < where->x1; x += LANES) {
-      find_row(s, sums, x, j, E);
+      size_t at = place_of(s, sums, x, j);
       for (int c = 0; c < s->channels; c++) {
-        memcpy(D[c], E[c], sizeof D[c]);
-        memset(E[c], 0, sizeof D[c]);
+        memcpy(D[c], sums->plane[c] + at, sizeof D[c]);
+        memset(sums->plane[c] + at, 0, sizeof D[c]);
       }
       for (int l = 0; HSR_COUNTING && l < LANES; l++)
         if (D[OPACITY][l])
@@ -163,11 +170,12 @@ void hsr_splats_finish(struct hsr_splats *s,
   const struct hsr_window *w = &s->window;
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++) {
-      uint16_t *row[HSR_SPLAT_CHANNELS];
-      uint64_t E[HSR_SPLAT_CHANNELS];
-      find_row(s, picture, i, j, row);
-      for (int c = 0; c < s->channels; c++)
-        E[c] = *row[c];
+      uint64_t E[HSR_SPLAT_CHANNELS] = {0};
+      size_t at = place_of(s, picture, i, j);
+      for (int c = 0; c <= OPACITY; c++)
+        E[c] = picture->plane[c][at];
+      if (picture->weight)
+        E[HSR_SPLAT_WEIGHT] = picture->weight[at];
       hsr_splats_write(s, i, j, E);
     }
 }

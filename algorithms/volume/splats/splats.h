@@ -227,9 +227,13 @@ struct hsr_splat hsr_splats_exact(const struct hsr_splats *splats,
 /* --- The picture ---------------------------------------------------------- */
 
 /* The channels E of the window, each a plane: that of pixel (i, j) at row(c, j)
- * [i - x0]. Behind each row there is room for the lanes. */
+ * [i - x0]. Behind each row there is room for the lanes. Opacities stay below
+ * 65536, and so do colours, which they exceed. Weights do not: those of the
+ * picture are in a plane of their own, those of sums in the last of the others.
+ */
 struct hsr_splat_picture {
   uint16_t *plane[HSR_SPLAT_CHANNELS];
+  uint64_t *weight; /* NULL without normalise */
   size_t stride;
 };
 
