@@ -6,6 +6,7 @@ algorithm_files += \
   %D%/splat_light.c \
   %D%/splat_picture.c \
   %D%/splat_place.c \
+  %D%/splat_put.c \
   %D%/splat_sheet.c \
   %D%/splat_volume.c \
   %D%/splat_weigh.c \

@@ -29,17 +29,7 @@ struct model {
 
 static void draw_over(struct hsr_splats *s, const struct hsr_placed *p) {
   struct model *m = s->model;
-  uint16_t weight[HSR_SPLAT_LANES];
-  hsr_splat_lanes D;
-  HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
-           p->box, 2);
-  for (int j = p->box.y0; j < p->box.y1; j++)
-    for (int x = p->box.x0; x < p->box.x1; x += HSR_SPLAT_LANES) {
-      hsr_splats_weigh(s, p, x, j, weight);
-      hsr_splats_count(s, p, x, j, weight);
-      hsr_splats_give(s, p, weight, D);
-      hsr_splats_over(s, &m->picture, x, j, D);
-    }
+  hsr_splats_put(s, p, &m->picture, HSR_PUT_OVER);
 }
 
 /* --- Under ---------------------------------------------------------------- */
@@ -62,10 +52,9 @@ static bool is_block_full(const struct hsr_splats *s, const struct model *m,
                           int x0, int y0) {
   int width = s->window.x1 - s->window.x0, height = s->window.y1 - s->window.y0;
   for (int y = y0; y < y0 + BLOCK && y < height; y++) {
-    const uint16_t *row =
-        m->picture.plane[HSR_SPLAT_OPACITY] + (size_t)y * m->picture.stride;
+    uint16_t(*row)[4] = m->picture.rgba + (size_t)y * m->picture.stride;
     for (int x = x0; x < x0 + BLOCK && x < width; x++)
-      if (m->most * (65536 - row[x]) >= 65536)
+      if (m->most * (65536 - row[x][HSR_SPLAT_OPACITY]) >= 65536)
         return false;
   }
   return true;
@@ -96,20 +85,12 @@ static bool are_all_full(const struct hsr_splats *s, const struct model *m,
 
 static void draw_under(struct hsr_splats *s, const struct hsr_placed *p) {
   struct model *m = s->model;
-  uint16_t weight[HSR_SPLAT_LANES];
-  hsr_splat_lanes D;
-  bool full = are_all_full(s, m, &p->box);
-  HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
-           p->box, full ? 1 : 2);
-  if (full)
+  if (are_all_full(s, m, &p->box)) {
+    HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0),
+             HSR_THE_WINDOW, p->box, 1);
     return;
-  for (int j = p->box.y0; j < p->box.y1; j++)
-    for (int x = p->box.x0; x < p->box.x1; x += HSR_SPLAT_LANES) {
-      hsr_splats_weigh(s, p, x, j, weight);
-      hsr_splats_count(s, p, x, j, weight);
-      hsr_splats_give(s, p, weight, D);
-      hsr_splats_under(s, &m->picture, x, j, D);
-    }
+  }
+  hsr_splats_put(s, p, &m->picture, HSR_PUT_UNDER);
   if (++m->drawn == DRAWN_BETWEEN_LOOKS)
     look_for_full_blocks(s, m);
 }

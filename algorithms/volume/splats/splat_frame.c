@@ -61,8 +61,6 @@ enum hsr_status hsr_splats_begin(struct hsr_splats *s,
                            .tally = job->tally,
                            .splatting = hsr_form_splatting(&job->answer->form),
                            .window = job->view->window};
-  s->channels =
-      s->splatting.normalise ? HSR_SPLAT_CHANNELS : HSR_SPLAT_CHANNELS - 1;
   if (!allocate(s))
     return HSR_E_NOMEM;
   fill_terms(s);

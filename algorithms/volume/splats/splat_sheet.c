@@ -31,18 +31,8 @@ static void extend(struct hsr_window *w, const struct hsr_window *by) {
 
 static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
   struct model *m = s->model;
-  uint16_t weight[HSR_SPLAT_LANES];
-  hsr_splat_lanes D;
-  HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
-           p->box, 2);
   extend(&m->drawn, &p->box);
-  for (int j = p->box.y0; j < p->box.y1; j++)
-    for (int x = p->box.x0; x < p->box.x1; x += HSR_SPLAT_LANES) {
-      hsr_splats_weigh(s, p, x, j, weight);
-      hsr_splats_count(s, p, x, j, weight);
-      hsr_splats_give(s, p, weight, D);
-      hsr_splats_add(s, &m->sheet, x, j, D);
-    }
+  hsr_splats_put(s, p, &m->sheet, HSR_PUT_ADD);
 }
 
 /* The axis whose slices are most parallel to the view plane. */

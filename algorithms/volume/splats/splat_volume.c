@@ -116,14 +116,10 @@ static void draw_pixel(struct hsr_splats *s, const struct hsr_placed *p, int i,
   for (bool more = true; more && b < m->n; b++) {
     int part = b < m->n - 1 ? part_before(s, p, i, j, &ray, b) : PARTS;
     uint16_t here = s->before[part + PARTS][kappa];
-    uint16_t weight[HSR_SPLAT_LANES] = {(uint16_t)(here - before)};
-    hsr_splat_lanes D;
+    if (here > before)
+      hsr_splats_add(s, p, &m->bucket[b], i, j, (uint32_t)here - before);
     before = here;
     more = part < PARTS;
-    if (!weight[0])
-      continue;
-    hsr_splats_give(s, p, weight, D);
-    hsr_splats_add(s, &m->bucket[b], i, j, D);
   }
 }
 
@@ -159,7 +155,7 @@ static enum hsr_status open_parts(struct hsr_splats *s) {
 static enum hsr_status open_strip(struct hsr_splats *s, struct model *m) {
   struct hsr_window *w = &s->window;
   int64_t row = (int64_t)(w->x1 - w->x0 + HSR_SPLAT_LANES) * m->n *
-                s->channels * (int64_t)sizeof(uint16_t);
+                (int64_t)sizeof *m->picture.rgba;
   int64_t rows = MOST_BYTES / row > 0 ? MOST_BYTES / row : 1;
   if (rows < w->y1 - w->y0)
     w->y1 = w->y0 + (int)rows;
@@ -178,7 +174,7 @@ static enum hsr_status draw_strip(struct hsr_splats *s, struct model *m,
   for (int b = m->n - 1; b >= 0 && !status; b--)
     hsr_splats_fold(s, &m->bucket[b], &s->window, &m->picture);
   hsr_splats_finish(s, &m->picture);
-  hsr_splats_clear(s, &m->picture);
+  hsr_splats_clear(&m->picture);
   return status;
 }
 

@@ -64,9 +64,8 @@ static double roughly(const struct hsr_splats *s, const struct hsr_placed *p,
   return factor * CC;
 }
 
-/* kappa of a pixel; HSR_FOOTPRINT if it is not covered. */
-static int kappa_of(const struct hsr_splats *s, const struct hsr_placed *p,
-                    int i, int j) {
+int hsr_splats_index(const struct hsr_splats *s, const struct hsr_placed *p,
+                     int i, int j) {
   double error, kappa = roughly(s, p, i, j, &error);
   if (kappa - error >= HSR_FOOTPRINT)
     return HSR_FOOTPRINT;
@@ -103,14 +102,6 @@ static int find_indices(const struct hsr_placed *p, float dx, float dy, int n,
   return doubt;
 }
 
-HSR_VECTOR
-static void look_up(const uint32_t table[HSR_FOOTPRINT + 1],
-                    const int32_t index[HSR_SPLAT_LANES],
-                    uint16_t weight[HSR_SPLAT_LANES]) {
-  for (int l = 0; l < HSR_SPLAT_LANES; l++)
-    weight[l] = (uint16_t)table[index[l]];
-}
-
 /* Where a whole number is within the error of the floats. */
 static void settle(const struct hsr_splats *s, const struct hsr_placed *p,
                    int x, int j, int n, const float kappa[HSR_SPLAT_LANES],
@@ -119,7 +110,7 @@ static void settle(const struct hsr_splats *s, const struct hsr_placed *p,
     float part = kappa[l] - floorf(kappa[l]);
     if (kappa[l] < HSR_FOOTPRINT + 1 &&
         (part < p->error || part > 1 - p->error))
-      index[l] = kappa_of(s, p, x + l, j);
+      index[l] = hsr_splats_index(s, p, x + l, j);
   }
 }
 
@@ -134,12 +125,5 @@ void hsr_splats_find(const struct hsr_splats *s, const struct hsr_placed *p,
       settle(s, p, x, j, n, kappa, index);
   } else
     for (int l = 0; l < HSR_SPLAT_LANES; l++)
-      index[l] = l < n ? kappa_of(s, p, x + l, j) : HSR_FOOTPRINT;
-}
-
-void hsr_splats_weigh(const struct hsr_splats *s, const struct hsr_placed *p,
-                      int x, int j, uint16_t weight[HSR_SPLAT_LANES]) {
-  int32_t index[HSR_SPLAT_LANES];
-  hsr_splats_find(s, p, x, j, index);
-  look_up(s->weight, index, weight);
+      index[l] = l < n ? hsr_splats_index(s, p, x + l, j) : HSR_FOOTPRINT;
 }

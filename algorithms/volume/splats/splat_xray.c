@@ -9,67 +9,39 @@
  *
  * Notation, invariant, ties, departures and cost are those of splats.h. */
 #include "algorithms/volume/splats/splats.h"
-#include "common/base/vector.h"
 
-enum { LANES = HSR_SPLAT_LANES, MOST_SPLATS = 65536 };
+enum { MOST_SPLATS = 65536 };
 
 static const struct hsr_counter counters[] = {HSR_SPLAT_COUNTERS, {NULL}};
 
 struct model {
-  uint32_t *sum[HSR_SPLAT_CHANNELS]; /* since the last move */
-  uint64_t *all[HSR_SPLAT_CHANNELS];
-  size_t stride, count;
+  struct hsr_splat_picture picture; /* since the last move */
+  uint64_t (*all)[4];
   int drawn; /* since the last move */
 };
 
 static enum hsr_status open_sums(struct hsr_splats *s, struct model *m) {
-  const struct hsr_window *w = &s->window;
-  m->stride = (size_t)(w->x1 - w->x0) + LANES;
-  m->count = m->stride * (size_t)(w->y1 - w->y0);
-  for (int c = 0; c < s->channels; c++) {
-    m->sum[c] = HSR_NEW_ZEROED(s->job->scratch, uint32_t, m->count);
-    m->all[c] = HSR_NEW_ZEROED(s->job->scratch, uint64_t, m->count);
-    if (!m->sum[c] || !m->all[c])
-      return HSR_E_NOMEM;
+  if (hsr_splats_open(s, &m->picture))
+    return HSR_E_NOMEM;
+  m->all = hsr_arena_zeroed(s->job->scratch, m->picture.count, sizeof *m->all);
+  return m->all ? HSR_OK : HSR_E_NOMEM;
+}
+
+static void move_sums(struct model *m) {
+  uint32_t *sum = m->picture.sum[0];
+  uint64_t *all = m->all[0];
+  for (size_t k = 0; k < 4 * m->picture.count; k++) {
+    all[k] += sum[k];
+    sum[k] = 0;
   }
-  return HSR_OK;
-}
-
-static void move_sums(struct hsr_splats *s, struct model *m) {
-  for (int c = 0; c < s->channels; c++)
-    for (size_t k = 0; k < m->count; k++) {
-      m->all[c][k] += m->sum[c][k];
-      m->sum[c][k] = 0;
-    }
   m->drawn = 0;
-}
-
-HSR_VECTOR
-static void add_up(int channels, uint32_t *const sum[HSR_SPLAT_CHANNELS],
-                   size_t at, hsr_splat_lanes D) {
-  for (int c = 0; c < channels; c++)
-    for (int l = 0; l < LANES; l++)
-      sum[c][at + (size_t)l] += D[c][l];
 }
 
 static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
   struct model *m = s->model;
-  uint16_t weight[LANES];
-  hsr_splat_lanes D;
-  HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
-           p->box, 2);
-  for (int j = p->box.y0; j < p->box.y1; j++)
-    for (int x = p->box.x0; x < p->box.x1; x += LANES) {
-      hsr_splats_weigh(s, p, x, j, weight);
-      hsr_splats_count(s, p, x, j, weight);
-      hsr_splats_give(s, p, weight, D);
-      add_up(s->channels, m->sum,
-             (size_t)(j - s->window.y0) * m->stride +
-                 (size_t)(x - s->window.x0),
-             D);
-    }
+  hsr_splats_put(s, p, &m->picture, HSR_PUT_SUM);
   if (++m->drawn == MOST_SPLATS)
-    move_sums(s, m);
+    move_sums(m);
 }
 
 /* min(65535, sum exposure / 65536), rounded down. */
@@ -80,15 +52,17 @@ static uint64_t exposed(uint64_t sum, uint64_t exposure) {
 
 static void finish(struct hsr_splats *s, struct model *m) {
   const struct hsr_window *w = &s->window;
-  move_sums(s, m);
+  move_sums(m);
   for (int j = w->y0; j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++) {
-      uint64_t E[HSR_SPLAT_CHANNELS];
-      for (int c = 0; c < s->channels; c++) {
-        E[c] = m->all[c][(size_t)(j - w->y0) * m->stride + (size_t)(i - w->x0)];
-        if (!s->splatting.normalise)
-          E[c] = exposed(E[c], s->splatting.exposure);
-      }
+      uint64_t E[HSR_SPLAT_CHANNELS] = {0};
+      size_t at = hsr_splats_at(s, &m->picture, i, j);
+      for (int c = 0; c <= HSR_SPLAT_OPACITY; c++)
+        E[c] = s->splatting.normalise
+                   ? m->all[at][c]
+                   : exposed(m->all[at][c], s->splatting.exposure);
+      if (s->splatting.normalise)
+        E[HSR_SPLAT_WEIGHT] = m->picture.weight[at];
       hsr_splats_write(s, i, j, E);
     }
 }

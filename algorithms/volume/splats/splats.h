@@ -22,8 +22,8 @@
  *
  * Files: splat_frame.c walks the grid; splat_light.c gives samples their
  * colours; splat_kernel.c makes the kernels' tables; splat_place.c finds where
- * splats are; splat_weigh.c the weights in their pixels; splat_picture.c puts
- * channels over and under those of the picture. */
+ * splats are; splat_weigh.c the weights in their pixels; splat_put.c puts them
+ * over, under and into pixels; splat_picture.c keeps the pixels. */
 #ifndef HSR_ALGORITHMS_SPLATS_H
 #define HSR_ALGORITHMS_SPLATS_H
 
@@ -62,11 +62,11 @@ enum {
 /* --- The frame ------------------------------------------------------------ */
 
 enum {
-  HSR_SPLAT_CHANNELS = 5, /* red, green, blue, opacity, weight */
-  HSR_SPLAT_OPACITY = 3,
+  HSR_SPLAT_OPACITY = 3, /* channels 0 to 2 are red, green and blue */
   HSR_SPLAT_WEIGHT = 4,
+  HSR_SPLAT_CHANNELS = 5,
   HSR_SPLAT_BATCH = 64, /* splats that are placed at once */
-  HSR_SPLAT_LANES = 16  /* pixels that are weighed at once */
+  HSR_SPLAT_LANES = 8   /* pixels that are weighed at once */
 };
 
 /* Splats that are about to be drawn, in sequence. */
@@ -122,8 +122,6 @@ struct hsr_splats {
   struct hsr_tally *tally;
   struct hsr_splatting splatting;
   struct hsr_window window;
-  int channels; /* 4, or 5 with normalise */
-
   /* Sample k of axis a: its distance from E along the axis; what it adds to
    * homogeneous screen coordinate c, c = 2 being w, and c = 3 to the depth; 1 /
    * the size of its cell. */
@@ -196,18 +194,17 @@ void hsr_splats_place(struct hsr_splats *splats);
 bool hsr_splats_take(struct hsr_splats *splats, int k,
                      struct hsr_placed *placed);
 
-/* The weights of the pixels from x on in row j, as many as HSR_SPLAT_LANES; 0
- * where the splat does not cover a pixel. */
-#define hsr_splats_weigh HSR_OF_BUILD(hsr_splats_weigh)
-void hsr_splats_weigh(const struct hsr_splats *splats,
-                      const struct hsr_placed *placed, int x, int j,
-                      uint16_t weight[HSR_SPLAT_LANES]);
-
-/* The same as indices of the table; HSR_FOOTPRINT where it does not. */
+/* The indices of the table for the pixels from x on in row j, kappa rounded
+ * down; HSR_FOOTPRINT where the splat does not cover a pixel. */
 #define hsr_splats_find HSR_OF_BUILD(hsr_splats_find)
 void hsr_splats_find(const struct hsr_splats *splats,
                      const struct hsr_placed *placed, int x, int j,
                      int32_t index[HSR_SPLAT_LANES]);
+
+/* The index of one pixel, in doubles or exactly. */
+#define hsr_splats_index HSR_OF_BUILD(hsr_splats_index)
+int hsr_splats_index(const struct hsr_splats *splats,
+                     const struct hsr_placed *placed, int i, int j);
 
 /* V' and D' of a pixel, rounded, and the sums of the sizes of what they were
  * summed from, each component of which bounds 2^50 times the error. */
@@ -226,15 +223,16 @@ struct hsr_splat hsr_splats_exact(const struct hsr_splats *splats,
 
 /* --- The picture ---------------------------------------------------------- */
 
-/* The channels E of the window, each a plane: that of pixel (i, j) at row(c, j)
- * [i - x0]. Behind each row there is room for the lanes. Opacities stay below
- * 65536, and so do colours, which they exceed. Weights do not: those of the
- * picture are in a plane of their own, those of sums in the last of the others.
- */
+/* The channels of the pixels of the window, row after row: E of a picture, or
+ * sums of D. Behind each row there is room for the lanes.
+ *
+ * In E opacities stay below 65536, and so do colours, which they exceed. Of
+ * sums 65535 is the most that counts. Weights are not bounded so. */
 struct hsr_splat_picture {
-  uint16_t *plane[HSR_SPLAT_CHANNELS];
-  uint64_t *weight; /* NULL without normalise */
-  size_t stride;
+  uint16_t (*rgba)[4]; /* NULL if there is `sum` */
+  uint32_t (*sum)[4];  /* of xray; NULL of others */
+  uint64_t *weight;    /* NULL without normalise */
+  size_t stride, count;
 };
 
 /* All 0. HSR_E_NOMEM. */
@@ -242,47 +240,42 @@ struct hsr_splat_picture {
 enum hsr_status hsr_splats_open(struct hsr_splats *splats,
                                 struct hsr_splat_picture *picture);
 
-/* All 0 again, as far as the window reaches. */
+/* All 0 again. */
 #define hsr_splats_clear HSR_OF_BUILD(hsr_splats_clear)
-void hsr_splats_clear(const struct hsr_splats *splats,
-                      struct hsr_splat_picture *picture);
+void hsr_splats_clear(struct hsr_splat_picture *picture);
 
-/* Lanes of channels. */
-typedef uint16_t hsr_splat_lanes[HSR_SPLAT_CHANNELS][HSR_SPLAT_LANES];
+/* Where pixel (i, j) is in a picture. */
+static inline size_t hsr_splats_at(const struct hsr_splats *splats,
+                                   const struct hsr_splat_picture *picture,
+                                   int i, int j) {
+  return (size_t)(j - splats->window.y0) * picture->stride +
+         (size_t)(i - splats->window.x0);
+}
 
-/* Adds D to the pixels from x on in row j; 65535 is the most. */
+/* What a splat does to the pixels of its footprint. */
+enum hsr_splat_way {
+  HSR_PUT_OVER,
+  HSR_PUT_UNDER,
+  HSR_PUT_ADD, /* 65535 is the most */
+  HSR_PUT_SUM  /* to `sum` */
+};
+
+#define hsr_splats_put HSR_OF_BUILD(hsr_splats_put)
+void hsr_splats_put(struct hsr_splats *splats, const struct hsr_placed *placed,
+                    struct hsr_splat_picture *picture, enum hsr_splat_way way);
+
+/* Adds what a splat gives to one pixel by this weight. */
 #define hsr_splats_add HSR_OF_BUILD(hsr_splats_add)
 void hsr_splats_add(const struct hsr_splats *splats,
-                    struct hsr_splat_picture *picture, int x, int j,
-                    hsr_splat_lanes D);
+                    const struct hsr_placed *placed,
+                    struct hsr_splat_picture *picture, int i, int j,
+                    uint32_t weight);
 
-/* Puts sums over the picture, in a window, and makes them 0. */
+/* Puts sums over a picture, in a part of the window, and makes them 0. */
 #define hsr_splats_fold HSR_OF_BUILD(hsr_splats_fold)
 void hsr_splats_fold(struct hsr_splats *splats, struct hsr_splat_picture *sums,
                      const struct hsr_window *where,
                      struct hsr_splat_picture *picture);
-
-/* D of a splat in pixels of these weights. */
-#define hsr_splats_give HSR_OF_BUILD(hsr_splats_give)
-void hsr_splats_give(const struct hsr_splats *splats,
-                     const struct hsr_placed *placed,
-                     const uint16_t weight[HSR_SPLAT_LANES], hsr_splat_lanes D);
-
-/* Puts D over or under the pixels from x on in row j. */
-#define hsr_splats_over HSR_OF_BUILD(hsr_splats_over)
-void hsr_splats_over(const struct hsr_splats *splats,
-                     struct hsr_splat_picture *picture, int x, int j,
-                     hsr_splat_lanes D);
-#define hsr_splats_under HSR_OF_BUILD(hsr_splats_under)
-void hsr_splats_under(const struct hsr_splats *splats,
-                      struct hsr_splat_picture *picture, int x, int j,
-                      hsr_splat_lanes D);
-
-/* Counts the pixels that the splat is put into. */
-#define hsr_splats_count HSR_OF_BUILD(hsr_splats_count)
-void hsr_splats_count(struct hsr_splats *splats,
-                      const struct hsr_placed *placed, int x, int j,
-                      const uint16_t weight[HSR_SPLAT_LANES]);
 
 /* The answer of pixel (i, j), from its channels E. */
 #define hsr_splats_write HSR_OF_BUILD(hsr_splats_write)
