@@ -63,18 +63,20 @@ bool parse_point(const char *text, double point[3]);
 bool parse_number(const char *text, double *number);
 bool parse_count(const char *text, long least, long most, long *count);
 
-/* The cameras that the options describe. They become a part of the scene's name
- * (scenes/cameras.h), so that whoever gets the name looks from there. */
+/* The cameras that the options describe, and the palette. They become a part of
+ * the scene's name (scenes/cameras.h), so that whoever gets the name looks from
+ * there, and sees samples as splats like that. */
 enum { CAMERA_WORDS = 6, CAMERA_PLACES = 3, MOST_AIMED_NAME = 1024 };
 struct camera_options {
   const char *file;               /* of --camera, or NULL */
   const char *word[CAMERA_WORDS]; /* of --eye, --at, --up, --fov, --near,
                                      --parallel */
+  const char *palette;            /* of --palette, or NULL */
 };
 
 /* Entries for an argp option array, and their parser. ARGP_ERR_UNKNOWN if `key`
  * is none of them. */
-enum { CAMERA_EYE = 0x100, CAMERA_FILE = CAMERA_EYE + CAMERA_WORDS };
+enum { CAMERA_EYE = 0x100, CAMERA_FILE = CAMERA_EYE + CAMERA_WORDS, PALETTE };
 #define CAMERA_ARGP_OPTIONS                                                     \
   {NULL, 0, NULL, 0, "Where to look from:", 10},                                \
       {"eye", CAMERA_EYE, "X,Y,Z", 0, "look from here", 10},                    \
@@ -90,9 +92,17 @@ enum { CAMERA_EYE = 0x100, CAMERA_FILE = CAMERA_EYE + CAMERA_WORDS };
        "in parallel projection, the picture so high; fit: as high as what is "  \
        "in perspective around the point looked at",                             \
        10},                                                                     \
+      {"camera",                                                                \
+       CAMERA_FILE,                                                             \
+       "FILE",                                                                  \
+       0,                                                                       \
+       "look from the views of this file, not from those of the scene",         \
+       10},                                                                     \
   {                                                                             \
-    "camera", CAMERA_FILE, "FILE", 0,                                           \
-        "look from the views of this file, not from those of the scene", 10     \
+    "palette", PALETTE, "NAME|FILE.json", 0,                                    \
+        "how samples of a grid look as splats: a palette of hsr list or a "     \
+        "file",                                                                 \
+        11                                                                      \
   }
 error_t parse_camera_option(struct camera_options *options, int key, char *arg,
                             struct option_base *base);
@@ -108,8 +118,10 @@ bool names_a_place(const struct camera_options *options);
 enum hsr_status count_views(const struct camera_options *options, long standard,
                             long most, long *n, struct hsr_error *err);
 
-/* Adds the cameras to a scene's name. Words change the scene's view number
- * `view`, from 1. HSR_E_USAGE if the name becomes too long. */
+/* Adds the cameras and the palette to a scene's name. Words change the scene's
+ * view number `view`, from 1. HSR_E_USAGE if the name becomes too long, or
+ * there is no such palette; HSR_E_INPUT, HSR_E_NOMEM: its file cannot be
+ * read. */
 enum hsr_status aim_name(const struct camera_options *options, long view,
                          const char *scene, char aimed[MOST_AIMED_NAME],
                          struct hsr_error *err);
@@ -118,8 +130,8 @@ enum hsr_status aim_name(const struct camera_options *options, long view,
 struct scene_options {
   const char *name;
   struct hsr_import import;
-  char aimed[MOST_AIMED_NAME]; /* the name with its cameras, once aim_scene has
-                                  added them */
+  char aimed[MOST_AIMED_NAME]; /* the name with its cameras and palette, once
+                                  aim_scene has added them */
 };
 
 /* An entry for an argp option array, and the parser of that option and of the
@@ -166,8 +178,9 @@ struct view_options {
 error_t parse_view_option(struct view_options *options, int key, char *arg,
                           struct option_base *base);
 
-/* Adds the cameras to the scene's name. If there are words, the scene's only
- * view is the one that they describe, and view->view becomes 1. HSR_E_USAGE. */
+/* Adds the cameras and the palette to the scene's name. If there are words, the
+ * scene's only view is the one that they describe, and view->view becomes 1.
+ * The errors are those of aim_name. */
 enum hsr_status aim_scene(struct scene_options *scene,
                           struct view_options *view, struct hsr_error *err);
 

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* hsr list: the algorithms and their taxonomy entries. */
+/* hsr list: the algorithms and their taxonomy entries; the palettes. */
 #include "bench/list.h"
 #include "bench/command.h"
 #include "bench/results/json.h"
 #include "bench/terminal/terminal.h"
+#include "common/grids/palette.h"
 
 #include <string.h>
 
@@ -25,7 +26,7 @@ struct taxonomy taxonomy(enum hsr_branch branch) {
 static const char about[] =
     "Lists the algorithms: name, year, place in the taxonomy of Sutherland, "
     "Sproull and Schumacker, sorting order, environment restrictions, "
-    "options.";
+    "options; and the palettes of splats.";
 
 json_t *restrictions_json(const struct hsr_algorithm *a) {
   json_t *codes = json_array();
@@ -118,9 +119,18 @@ json_t *algorithms_json(void) {
   return all;
 }
 
+static json_t *palettes_json(void) {
+  json_t *all = json_array();
+  for (const struct hsr_palette_name *p = hsr_palette_names; p->name; p++)
+    hsr_json_append(
+        &all, json_pack("{ss ss}", "name", p->name, "meaning", p->meaning));
+  return all;
+}
+
 static enum hsr_status print_json(struct hsr_error *err) {
-  return json_print(json_pack("{ss so}", "schema", "hsr-list/1", "algorithms",
-                              algorithms_json()),
+  return json_print(json_pack("{ss so so}", "schema", "hsr-list/1",
+                              "algorithms", algorithms_json(), "palettes",
+                              palettes_json()),
                     err);
 }
 
@@ -224,6 +234,16 @@ static void print_options(void) {
   }
 }
 
+/* Prints, below the options, what --palette can choose. */
+static void print_palettes(void) {
+  puts(
+      "\nPalettes, as in --palette bone: how samples of a grid look as splats");
+  for (const struct hsr_palette_name *p = hsr_palette_names; p->name; p++) {
+    int used = printf("  %-10s  ", p->name);
+    terminal_wrap(stdout, used, used, p->meaning);
+  }
+}
+
 enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
   bool json;
   enum hsr_status status = parse_json_option(argc, argv, about, &json, err);
@@ -237,5 +257,6 @@ enum hsr_status command_list(int argc, char **argv, struct hsr_error *err) {
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
     print_algorithm(a->plain, sorts);
   print_options();
+  print_palettes();
   return HSR_OK;
 }

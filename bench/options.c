@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench/command.h"
 #include "common/base/names.h"
+#include "common/files/palette_json.h"
 #include "common/files/scene_json.h"
 
 #include <errno.h>
@@ -242,6 +243,10 @@ error_t parse_camera_option(struct camera_options *o, int key, char *arg,
     o->file = arg;
     return 0;
   }
+  if (key == PALETTE) {
+    o->palette = arg;
+    return 0;
+  }
   int k = key - CAMERA_EYE;
   if (k < 0 || k >= CAMERA_WORDS)
     return ARGP_ERR_UNKNOWN;
@@ -286,10 +291,25 @@ enum hsr_status count_views(const struct camera_options *o, long standard,
   return status;
 }
 
+/* Whether the palette can be had, before a scene is opened, which may take
+ * long. */
+static enum hsr_status check_palette(const char *name, struct hsr_error *err) {
+  struct hsr_palette palette;
+  if (strchr(name, '@'))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--palette %.200s: must be without an '@', which divides "
+                    "the names of scenes",
+                    name);
+  return hsr_palette_open(name, &palette, err);
+}
+
 enum hsr_status aim_name(const struct camera_options *o, long view,
                          const char *scene, char aimed[MOST_AIMED_NAME],
                          struct hsr_error *err) {
   size_t size = MOST_AIMED_NAME;
+  enum hsr_status status = o->palette ? check_palette(o->palette, err) : HSR_OK;
+  if (status)
+    return status;
   size_t n = (size_t)snprintf(aimed, size, "%s%s%s", scene, o->file ? "@" : "",
                               o->file ? o->file : "");
   char between = '@';
@@ -304,6 +324,8 @@ enum hsr_status aim_name(const struct camera_options *o, long view,
                           camera_keys[k], o->word[k]);
     between = ':';
   }
+  if (o->palette && n < size)
+    n += (size_t)snprintf(aimed + n, size - n, "@palette=%s", o->palette);
   return n < size ? HSR_OK
                   : hsr_fail(err, HSR_E_USAGE,
                              "%.100s...: the name is longer than %d bytes",

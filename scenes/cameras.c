@@ -5,7 +5,9 @@
 
 #include "scenes/cameras.h"
 
+#include "common/files/palette_json.h"
 #include "common/files/scene_json.h"
+#include "common/grids/grid.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -25,6 +27,8 @@ static const struct {
              {"near", offsetof(struct hsr_camera, near), 1},
              {"parallel", offsetof(struct hsr_camera, parallel), 1}};
 enum { N_WORDS = sizeof words / sizeof *words, N_PLACES = 3, FOV = 3 };
+
+static const char PALETTE[] = "palette";
 
 static bool is_file(const char *name, size_t n) {
   char *path = strndup(name, n);
@@ -177,6 +181,23 @@ static enum hsr_status aim_by_file(struct hsr_scene *scene, const char *text,
   return status;
 }
 
+/* --- Palettes ------------------------------------------------------------- */
+
+static enum hsr_status choose_palette(struct hsr_scene *scene, const char *text,
+                                      size_t length, struct hsr_error *err) {
+  if (!scene->grid)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%.200s: is no grid, and only the splats of grids have a "
+                    "palette",
+                    scene->name);
+  char *name = strndup(text, length);
+  if (!name)
+    return hsr_fail_nomem(err);
+  enum hsr_status status = hsr_palette_open(name, &scene->grid->palette, err);
+  free(name);
+  return status;
+}
+
 static bool has_words(const char *text) {
   bool found = is_key(text, "view");
   for (int k = 0; k < N_WORDS; k++)
@@ -190,8 +211,11 @@ enum hsr_status hsr_scene_aim(struct hsr_scene *scene, const char *cameras,
   while (*cameras && !status) {
     const char *text = cameras + 1; /* after the '@' */
     size_t n = strcspn(text, "@");
-    status = has_words(text) ? aim_by_words(scene, text, n, err)
-                             : aim_by_file(scene, text, n, err);
+    status = is_key(text, PALETTE)
+                 ? choose_palette(scene, text + sizeof PALETTE,
+                                  n - sizeof PALETTE, err)
+             : has_words(text) ? aim_by_words(scene, text, n, err)
+                               : aim_by_file(scene, text, n, err);
     cameras = text + n;
   }
   return status;

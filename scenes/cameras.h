@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cameras as a part of a scene's name. "house@eye=9,5,9:fov=30" is the house,
+/* Cameras and a palette as a part of a scene's name. "house@eye=9,5,9:fov=30" is the house,
  * and its only view is its first one with this eye and angle. "house@desk.json"
  * is the house as seen by the cameras of a file. "house@parallel=12" is the
  * house in all its views, in parallel projection. Several may follow one
- * another: "house@desk.json@view=2:near=1". A record that holds such a name
- * tells all that is needed to draw its picture again. */
+ * another: "house@desk.json@view=2:near=1". "brain@palette=bone" is the brain
+ * whose samples look as this palette says, as splats. A record that holds such
+ * a name tells all that is needed to draw its picture again. */
 #ifndef HSR_SCENES_CAMERAS_H
 #define HSR_SCENES_CAMERAS_H
 
@@ -14,20 +15,22 @@
 extern "C" {
 #endif
 
-/* The length of a name without its cameras. A name of a file that exists has
+/* The length of a name without its cameras and palettes. A name of a file that exists has
  * none. */
 size_t hsr_name_before_cameras(const char *name);
 
 /* Replaces the views of a finished scene by those that the name's cameras
- * describe. `cameras` is "", or starts with '@'. After the '@' stands a file
+ * describe, and the palette of its grid. `cameras` is "", or starts with '@'. After the '@' stands a file
  * (common/files/scene_json.h), or words KEY=VALUE with colons between them:
  * view (a number from 1; standard: 1), eye, at, up (X,Y,Z), fov (degrees),
  * near, parallel (a height, or `fit`: as high as what was in perspective around
  * the point `at`; fov makes it perspective again). Words without a place to
  * look from, to or up, and without view, change all views of the scene; others
- * leave one. HSR_E_USAGE for a word that is not understood, a view that the
- * scene has not, or a camera that hsr_camera_check refuses; HSR_E_INPUT for a
- * file that cannot be read; HSR_E_NOMEM. */
+ * leave one. Or palette=NAME, NAME being what hsr_palette_open takes, up to the
+ * next '@'. HSR_E_USAGE for a word that is not understood, a view that the
+ * scene has not, a camera that hsr_camera_check refuses, a palette that there
+ * is not, or one of a scene that is no grid; HSR_E_INPUT for a file that cannot
+ * be read; HSR_E_NOMEM. */
 enum hsr_status hsr_scene_aim(struct hsr_scene *scene, const char *cameras,
                               struct hsr_error *err);
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 nobase_pkginclude_HEADERS += \
   %D%/image.h \
+  %D%/palette_json.h \
   %D%/plot.h \
   %D%/scene_json.h \
   %D%/whole_file.h
@@ -9,10 +10,13 @@ libhsr_a_SOURCES += \
   %D%/image_library.h \
   %D%/json.c \
   %D%/json.h \
+  %D%/json_file.c \
+  %D%/json_file.h \
   %D%/json_read.c \
   %D%/json_read.h \
   %D%/library.c \
   %D%/library.h \
+  %D%/palette_json.c \
   %D%/plot.c \
   %D%/plot_cairo.c \
   %D%/plot_svg.c \

@@ -9,41 +9,23 @@
  *             face, instance or view at a time (some 20 times its text). Files
  *             hold no counts to be believed. */
 #include "common/files/scene_json.h"
+#include "common/files/json_file.h"
 #include "common/files/json_read.h"
 #include "common/polygon/polygon.h"
 
 #include <jansson.h>
 
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 static const char SCHEMA[] = "hsr-scene/1", CAMERA_SCHEMA[] = "hsr-camera/1";
 
 /* ---- Messages ---- */
-
-/* The last part of a path that is too long to leave room for a message. */
-static const char *shown(const char *path) {
-  const size_t most = 180;
-  size_t length = strlen(path);
-  return length > most ? path + (length - most) : path;
-}
-
-static enum hsr_status fail_errno(const char *path, const char *what,
-                                  struct hsr_error *err) {
-  int reason = errno;
-  if (reason == ENOMEM)
-    return hsr_fail_nomem(err);
-  return hsr_fail(err, HSR_E_INPUT, "%s: %s: %s", shown(path), what,
-                  strerror(reason));
-}
 
 /* A place in the file: a member, or an element, of the one above it. The
  * outermost value has no place, NULL. */
@@ -113,34 +95,18 @@ static enum hsr_status refuse(const struct reader *reader,
   va_start(args, format);
   vsnprintf(text, sizeof text, format, args);
   va_end(args);
-  return hsr_fail(reader->err, HSR_E_INPUT, "%s: %s%s%s", shown(reader->path),
-                  pointer, place ? ": " : "", text);
+  return hsr_fail(reader->err, HSR_E_INPUT, "%s: %s%s%s",
+                  hsr_json_shown(reader->path), pointer, place ? ": " : "",
+                  text);
 }
 
 /* ---- Values of one type ---- */
 
-static const char *kind_of(const json_t *value) {
-  switch (json_typeof(value)) {
-  case JSON_OBJECT:
-    return "an object";
-  case JSON_ARRAY:
-    return "an array";
-  case JSON_STRING:
-    return "a string";
-  case JSON_TRUE:
-  case JSON_FALSE:
-    return "a truth value";
-  case JSON_NULL:
-    return "null";
-  default:
-    return "a number";
-  }
-}
-
 static enum hsr_status wrong_kind(const struct reader *reader,
                                   const struct place *place,
                                   const char *expected, const json_t *value) {
-  return refuse(reader, place, "must be %s, not %s", expected, kind_of(value));
+  return refuse(reader, place, "must be %s, not %s", expected,
+                hsr_json_kind(value));
 }
 
 static enum hsr_status read_bool(const struct reader *reader,
@@ -276,57 +242,6 @@ enum { VERTICES, FACES, FACE_COLOURS, OBJECT_LISTS };
 static const char *const object_lists[] = {"vertices", "faces", "face_colours",
                                            NULL};
 
-/* Reads a file. HSR_E_INPUT also for a NUL in it, which would end it for the
- * parser, or be overlooked. */
-static enum hsr_status read_text(int fd, const char *path, char **text,
-                                 size_t *length, struct hsr_error *err) {
-  size_t size = 1 << 16;
-  ssize_t n = 1;
-  *length = 0;
-  while (n > 0) {
-    if (!*text || size - *length < size / 4) {
-      size *= *text ? 2 : 1;
-      char *larger = realloc(*text, size);
-      if (!larger)
-        return hsr_fail_nomem(err);
-      *text = larger;
-    }
-    char *to = *text + *length;
-    do
-      n = read(fd, to, size - *length);
-    while (n < 0 && errno == EINTR);
-    if (n < 0)
-      return fail_errno(path, "cannot be read", err);
-    const char *nul = memchr(to, 0, (size_t)n);
-    if (nul)
-      return hsr_fail(err, HSR_E_INPUT, "%s:%d: a NUL byte", shown(path),
-                      1 + hsr_json_lines(*text, nul));
-    *length += (size_t)n;
-  }
-  return HSR_OK;
-}
-
-/* Into *text, which the caller frees. */
-static enum hsr_status load(const char *path, char **text, size_t *length,
-                            struct hsr_error *err) {
-  /* Opening a pipe must not wait for its other end. */
-  int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (fd < 0)
-    return fail_errno(path, "cannot be read", err);
-  struct stat about;
-  enum hsr_status status;
-  if (fstat(fd, &about))
-    status = fail_errno(path, "cannot be read", err);
-  else if (!S_ISREG(about.st_mode))
-    status = hsr_fail(err, HSR_E_INPUT, "%s: %s", shown(path),
-                      S_ISDIR(about.st_mode) ? "is a directory"
-                                             : "is not a regular file");
-  else
-    status = read_text(fd, path, text, length, err);
-  close(fd);
-  return status;
-}
-
 enum { OF_FILE, OF_OBJECT, OF_LEAF };
 static const hsr_json_levels levels[] = {scene_lists, object_lists, NULL};
 
@@ -342,9 +257,10 @@ static enum hsr_status parse(const struct reader *reader,
                          levels + level, list, &out_of_memory, &error);
   if (out_of_memory)
     return hsr_fail_nomem(reader->err);
-  return *value ? HSR_OK
-                : hsr_fail(reader->err, HSR_E_INPUT, "%s:%d: %s",
-                           shown(reader->path), error.line, error.text);
+  return *value
+             ? HSR_OK
+             : hsr_fail(reader->err, HSR_E_INPUT, "%s:%d: %s",
+                        hsr_json_shown(reader->path), error.line, error.text);
 }
 
 /* The next element of a list, which is released here: NULL after the last. */
@@ -973,7 +889,8 @@ read_file(struct reader *reader,
   struct hsr_json_part file = {.line = 1}, list[SCENE_LISTS];
   char *text = NULL;
   json_t *root = NULL;
-  enum hsr_status status = load(reader->path, &text, &file.length, reader->err);
+  enum hsr_status status =
+      hsr_json_load(reader->path, &text, &file.length, reader->err);
   file.text = text;
   if (!status)
     status = parse(reader, file, OF_FILE, list, &root);
@@ -1043,17 +960,18 @@ enum { DOUBLE_DIGITS = 17, FLOAT_DIGITS = 9 };
 
 static void put_text(struct writer *writer, const char *text) {
   if (!writer->status && fputs(text, writer->out) == EOF)
-    writer->status = fail_errno(writer->path, "cannot be written", writer->err);
+    writer->status =
+        hsr_json_fail_errno(writer->path, "cannot be written", writer->err);
 }
 
 /* Writes and releases a value; NULL: there was no memory for it. */
 static void put(struct writer *writer, json_t *value, size_t digits) {
   size_t flags = JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(digits);
   if (!writer->status && (!value || json_dumpf(value, writer->out, flags)))
-    writer->status =
-        ferror(writer->out)
-            ? fail_errno(writer->path, "cannot be written", writer->err)
-            : hsr_fail_nomem(writer->err);
+    writer->status = ferror(writer->out)
+                         ? hsr_json_fail_errno(writer->path,
+                                               "cannot be written", writer->err)
+                         : hsr_fail_nomem(writer->err);
   json_decref(value);
 }
 
@@ -1064,7 +982,7 @@ static void put_string(struct writer *writer, const char *text) {
     writer->status =
         hsr_fail(writer->err, HSR_E_INPUT,
                  "%s: cannot be written: the name '%.60s' is not UTF-8",
-                 shown(writer->path), text);
+                 hsr_json_shown(writer->path), text);
   put(writer, value, DOUBLE_DIGITS);
 }
 
@@ -1075,7 +993,7 @@ static void put_array(struct writer *writer, const double *v, size_t n,
     if (!isfinite(v[i]))
       writer->status = hsr_fail(writer->err, HSR_E_INPUT,
                                 "%s: cannot be written: a number is not finite",
-                                shown(writer->path));
+                                hsr_json_shown(writer->path));
   for (size_t i = 0; array && i < n; i++)
     if (json_array_append_new(array, json_real(v[i]))) {
       json_decref(array);
@@ -1214,12 +1132,12 @@ static enum hsr_status write_part(const struct hsr_scene *scene,
   struct writer writer = {.path = path, .err = err};
   writer.out = fopen(part, "w");
   if (!writer.out)
-    return fail_errno(path, "cannot be written", err);
+    return hsr_json_fail_errno(path, "cannot be written", err);
   put_scene(&writer, scene);
   if (fclose(writer.out) && !writer.status)
-    writer.status = fail_errno(path, "cannot be written", err);
+    writer.status = hsr_json_fail_errno(path, "cannot be written", err);
   if (!writer.status && rename(part, path))
-    writer.status = fail_errno(path, "cannot be written", err);
+    writer.status = hsr_json_fail_errno(path, "cannot be written", err);
   if (writer.status)
     remove(part);
   return writer.status;

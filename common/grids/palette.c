@@ -5,72 +5,115 @@
 
 enum { ONE = 65535 };
 
-/* What is 0 at `from` and 1 at `to`, and linear between: of one colour. */
-static void ramp(struct hsr_palette *p, int from, int to, uint32_t most,
-                 const uint16_t rgb[3]) {
-  for (int k = 0; k < HSR_LEVELS; k++) {
-    int at = k < from ? from : k > to ? to : k;
-    p->opacity[k] =
-        (uint16_t)(most * (uint32_t)(at - from) / (uint32_t)(to - from));
-    memcpy(p->rgb[k], rgb, sizeof p->rgb[k]);
-  }
-}
+/* Percent, of what is 1. */
+#define P(percent) ((uint16_t)(ONE * (percent) / 100))
+#define GREY(percent)                                                          \
+  { P(percent), P(percent), P(percent) }
 
-static void all_opaque(struct hsr_palette *p) {
-  for (int k = 0; k < HSR_LEVELS; k++) {
-    p->opacity[k] = p->gradient[k] = ONE;
-    for (int c = 0; c < 3; c++)
-      p->rgb[k][c] = ONE * 3 / 4;
-  }
-  p->own_colours = p->eye_light = true;
-  p->exponent = 1;
-}
-
-static void make_flat(struct hsr_palette *p) {
-  all_opaque(p);
-  p->ambient = ONE;
-}
-
-static void make_solid(struct hsr_palette *p) {
-  all_opaque(p);
-  p->ambient = ONE / 5;
-  p->diffuse = ONE - ONE / 5;
-  p->specular = ONE / 6;
-  p->exponent = 24;
-}
-
-static void make_haze(struct hsr_palette *p) {
-  static const uint16_t white[3] = {ONE, ONE, ONE};
-  ramp(p, 0, HSR_LEVELS - 1, ONE / 8, white);
-  for (int k = 0; k < HSR_LEVELS; k++)
-    p->gradient[k] = ONE;
-  p->ambient = ONE;
-  p->eye_light = true;
-  p->exponent = 1;
-}
-
-/* After M. Levoy, "Display of Surfaces from Volume Data", 1988: what changes
- * fast is opaque. */
-static void make_surfaces(struct hsr_palette *p) {
-  make_solid(p);
-  for (int k = 0; k < HSR_LEVELS; k++)
-    p->gradient[k] = (uint16_t)(k >= 128 ? ONE : k * ONE / 128);
-}
+/* Each list of points ends with that at level 255. */
+enum { MOST_POINTS = 6 };
+struct made {
+  struct hsr_palette_point opacity[MOST_POINTS], rgb[MOST_POINTS],
+      gradient[MOST_POINTS];
+  bool own_colours;
+  uint16_t ambient, diffuse, specular;
+  int exponent;
+};
 
 const struct hsr_palette_name hsr_palette_names[] = {
     {"flat", "opaque, in the samples' own colours, without light"},
     {"solid", "opaque, lit from the eye"},
     {"haze", "white, an eighth opaque at the greatest density, without light"},
     {"surfaces", "opaque where the density changes fast, lit from the eye"},
+    {"bone", "faint skin over what is dense and opaque, lit from the eye"},
+    {"tissue", "translucent, from red to white by density, clearest where the "
+               "density changes, lit from the eye"},
+    {"heat", "glowing from black over red and yellow to white by density, "
+             "without light"},
     {NULL, NULL}};
 
+#define OPAQUE                                                                 \
+  {                                                                            \
+    {                                                                          \
+      255, {                                                                   \
+        ONE                                                                    \
+      }                                                                        \
+    }                                                                          \
+  }
+#define LIT                                                                    \
+  .ambient = P(20), .diffuse = ONE - P(20), .specular = ONE / 6, .exponent = 24
+#define UNLIT .ambient = ONE, .exponent = 1
+
+/* In the order of the names. */
+static const struct made made[] = {
+    {OPAQUE, {{255, GREY(75)}}, OPAQUE, true, UNLIT},
+    {OPAQUE, {{255, GREY(75)}}, OPAQUE, true, LIT},
+    {{{0, {0}}, {255, {ONE / 8}}}, {{255, GREY(100)}}, OPAQUE, false, UNLIT},
+    /* After M. Levoy, "Display of Surfaces from Volume Data", 1988. */
+    {OPAQUE,
+     {{255, GREY(75)}},
+     {{0, {0}}, {128, {ONE}}, {255, {ONE}}},
+     true,
+     LIT},
+    {{{30, {0}}, {60, {P(2)}}, {120, {P(5)}}, {150, {P(80)}}, {255, {ONE}}},
+     {{100, {P(60), P(25), P(12)}},
+      {140, {P(90), P(75), P(50)}},
+      {255, GREY(95)}},
+     {{0, {P(30)}}, {40, {ONE}}, {255, {ONE}}},
+     false,
+     LIT},
+    {{{30, {0}}, {60, {P(8)}}, {110, {P(30)}}, {255, {P(80)}}},
+     {{40, {P(30), P(2), P(1)}},
+      {90, {P(75), P(18), P(10)}},
+      {130, {P(90), P(60), P(45)}},
+      {255, GREY(100)}},
+     {{0, {P(10)}}, {32, {ONE}}, {255, {ONE}}},
+     false,
+     LIT},
+    {{{16, {0}}, {128, {P(8)}}, {255, {P(50)}}},
+     {{16, {0}},
+      {80, {P(70), 0, 0}},
+      {140, {ONE, P(60), 0}},
+      {220, GREY(100)},
+      {255, GREY(100)}},
+     OPAQUE,
+     false,
+     UNLIT}};
+_Static_assert(sizeof made / sizeof *made + 1 ==
+                   sizeof hsr_palette_names / sizeof *hsr_palette_names,
+               "every palette has a name");
+
+uint16_t hsr_palette_at(const struct hsr_palette_point *point, int level,
+                        int channel) {
+  if (level <= point->level)
+    return point->value[channel];
+  while (point[1].level < level)
+    point++;
+  int before = level - point[0].level, after = point[1].level - level;
+  return (uint16_t)((point[0].value[channel] * after +
+                     point[1].value[channel] * before) /
+                    (before + after));
+}
+
+static void make(const struct made *m, struct hsr_palette *palette) {
+  *palette = (struct hsr_palette){.own_colours = m->own_colours,
+                                  .ambient = m->ambient,
+                                  .diffuse = m->diffuse,
+                                  .specular = m->specular,
+                                  .exponent = m->exponent,
+                                  .eye_light = true};
+  for (int k = 0; k < HSR_LEVELS; k++) {
+    palette->opacity[k] = hsr_palette_at(m->opacity, k, 0);
+    palette->gradient[k] = hsr_palette_at(m->gradient, k, 0);
+    for (int c = 0; c < 3; c++)
+      palette->rgb[k][c] = hsr_palette_at(m->rgb, k, c);
+  }
+}
+
 bool hsr_palette_find(const char *name, struct hsr_palette *palette) {
-  static void (*const make[])(struct hsr_palette *) = {
-      make_flat, make_solid, make_haze, make_surfaces};
   for (int k = 0; hsr_palette_names[k].name; k++)
     if (!strcmp(name, hsr_palette_names[k].name)) {
-      *palette = (struct hsr_palette){.exponent = 0};
-      make[k](palette);
+      make(&made[k], palette);
       return true;
     }
   return false;

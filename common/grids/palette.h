@@ -32,6 +32,20 @@ struct hsr_palette {
                        1024 long */
 };
 
+/* A control point: a level, and what a table holds there. Only the first value
+ * is used of points of opacity or of a factor. */
+struct hsr_palette_point {
+  int level; /* 0..255 */
+  uint16_t value[3];
+};
+
+/* What a table of control points holds at `level` in one channel: between two
+ * points v0 at k0 and v1 at k1 it is (v0 (k1 - level) + v1 (level - k0)) / (k1 -
+ * k0), rounded down, and before the first point it is the first's value. Levels
+ * of points ascend, and the last is 255. */
+uint16_t hsr_palette_at(const struct hsr_palette_point *point, int level,
+                        int channel);
+
 /* The palettes that are built in, by name; `palette` is not touched if there is
  * none of that name. */
 bool hsr_palette_find(const char *name, struct hsr_palette *palette);
