@@ -24,6 +24,7 @@ tap_programs = \
   %D%/unit/files/plot_test \
   %D%/unit/algorithms/pyramid_test \
   %D%/unit/algorithms/setup_test \
+  %D%/unit/files/palette_json_test \
   %D%/unit/files/scene_json_test \
   %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \
@@ -123,6 +124,7 @@ quick_units = \
   %D%/unit/core/world_test \
   %D%/unit/files/drawing_test \
   %D%/unit/files/plot_test \
+  %D%/unit/files/palette_json_test \
   %D%/unit/files/scene_json_test \
   %D%/conformance/trace_test
 quick_programs = $(quick_units) %D%/counts/golden_test
@@ -227,6 +229,8 @@ sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
 %C%_sweep_check_test_LDADD = $(BENCH_LIBS)
 %C%_sweep_resume_test_SOURCES = %D%/sweep/resume_test.c $(sweeping)
 %C%_sweep_resume_test_LDADD = $(BENCH_LIBS)
+%C%_unit_files_palette_json_test_SOURCES = %D%/unit/files/palette_json_test.c \
+  $(schema)
 %C%_sweep_schema_test_SOURCES = %D%/sweep/schema_test.c $(sweeping) $(schema)
 %C%_sweep_schema_test_LDADD = $(BENCH_LIBS)
 %C%_sweep_sweep_test_SOURCES = %D%/sweep/sweep_test.c $(sweeping)
@@ -265,6 +269,7 @@ EXTRA_DIST += \
   %D%/fuzz/fuzz_cameras.cc \
   %D%/fuzz/fuzz_mesh.cc \
   %D%/fuzz/fuzz_mtl.cc \
+  %D%/fuzz/fuzz_palette.cc \
   %D%/fuzz/fuzz_reader.h \
   %D%/fuzz/fuzz_scene_json.cc \
   %D%/fuzz/fuzz_volume.cc \

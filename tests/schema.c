@@ -169,6 +169,9 @@ static bool meets(const char *keyword, const json_t *wanted, const json_t *rule,
     double x = json_number_value(value), limit = json_number_value(wanted);
     return !json_is_number(value) || (IS("minimum") ? x >= limit : x > limit);
   }
+  if (IS("maximum"))
+    return !json_is_number(value) ||
+           json_number_value(value) <= json_number_value(wanted);
   if (IS("pattern"))
     return !json_is_string(value) ||
            matches(json_string_value(wanted), json_string_value(value));

@@ -20,6 +20,10 @@ _hsr() {
       awk 'NR > 1 && !NF { exit } NR > 1 { print $1 }')
     # the last of several names, divided by commas
     [[ $word == *,* ]] && first=${word%,*},
+  elif [[ $before == --palette ]]; then
+    words=$("$hsr" list 2>/dev/null |
+      awk 'palettes { print $1 } /^Palettes/ { palettes = 1 }')
+    COMPREPLY=($(compgen -f -X '!*.json' -- "$word"))
   else
     case $command in
     render | check | bench | stats | trace | voxels)

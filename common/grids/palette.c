@@ -30,6 +30,9 @@ const struct hsr_palette_name hsr_palette_names[] = {
                "density changes, lit from the eye"},
     {"heat", "glowing from black over red and yellow to white by density, "
              "without light"},
+    {"cortex",
+     "the brain of an MR image of a head, through skull and skin: what "
+     "is even and of middling density, lit from the eye"},
     {NULL, NULL}};
 
 #define OPAQUE                                                                 \
@@ -78,7 +81,15 @@ static const struct made made[] = {
       {255, GREY(100)}},
      OPAQUE,
      false,
-     UNLIT}};
+     UNLIT},
+    {{{70, {0}}, {100, {P(30)}}, {118, {P(80)}}, {132, {P(1)}}, {255, {0}}},
+     {{60, {P(30), P(12), P(10)}},
+      {90, {P(60), P(35), P(30)}},
+      {120, {P(95), P(90), P(80)}},
+      {255, GREY(95)}},
+     {{10, {ONE}}, {20, {P(1)}}, {255, {P(1)}}},
+     false,
+     LIT}};
 _Static_assert(sizeof made / sizeof *made + 1 ==
                    sizeof hsr_palette_names / sizeof *hsr_palette_names,
                "every palette has a name");

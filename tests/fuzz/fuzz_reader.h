@@ -21,12 +21,25 @@ inline std::string fuzz_path(const char *name) {
   return std::string(directory) + "/" + name;
 }
 
-template <class Read>
-void fuzz_reader(const std::string &path, const uint8_t *data, size_t size,
-                 const Read &read) {
+inline void fuzz_write(const std::string &path, const uint8_t *data,
+                       size_t size) {
   std::FILE *file = std::fopen(path.c_str(), "wb");
   if (!file || std::fwrite(data, 1, size, file) != size || std::fclose(file))
     std::abort();
+}
+
+/* A failure must be one of the input, told in one line. */
+inline void fuzz_check(enum hsr_status status, const struct hsr_error &err) {
+  if (status != HSR_OK && (!err.text[0] || std::strchr(err.text, '\n')))
+    std::abort();
+  if (status == HSR_E_INTERNAL)
+    std::abort();
+}
+
+template <class Read>
+void fuzz_reader(const std::string &path, const uint8_t *data, size_t size,
+                 const Read &read) {
+  fuzz_write(path, data, size);
   struct hsr_scene *scene = hsr_scene_new("fuzz");
   struct hsr_error err = {HSR_OK, ""};
   if (!scene)
@@ -34,10 +47,7 @@ void fuzz_reader(const std::string &path, const uint8_t *data, size_t size,
   enum hsr_status status = read(scene, path.c_str(), &err);
   if (status == HSR_OK)
     status = hsr_scene_finish(scene, &err);
-  if (status != HSR_OK && (!err.text[0] || std::strchr(err.text, '\n')))
-    std::abort();
-  if (status == HSR_E_INTERNAL)
-    std::abort();
+  fuzz_check(status, err);
   hsr_scene_delete(scene);
 }
 

@@ -300,6 +300,54 @@ static void check_cameras(struct tap *tap) {
   remove(path);
 }
 
+/* --- Palettes in the name ------------------------------------------------- */
+
+static bool has_palette(const char *name, const struct hsr_palette *wanted) {
+  struct hsr_scene *scene = open_scene(name);
+  const struct hsr_palette *p = &scene->grid->palette;
+  bool good = !strcmp(scene->name, name) && p->specular == wanted->specular &&
+              p->own_colours == wanted->own_colours &&
+              !memcmp(p->opacity, wanted->opacity, sizeof p->opacity) &&
+              !memcmp(p->rgb, wanted->rgb, sizeof p->rgb);
+  hsr_scene_delete(scene);
+  return good;
+}
+
+static void check_palettes(struct tap *tap) {
+  static const char path[] = "palette:of_a_test.json";
+  struct hsr_palette flat, bone, mine;
+  hsr_palette_find("flat", &flat);
+  hsr_palette_find("bone", &bone);
+  ok(tap,
+     has_palette("checker-cube", &flat) &&
+         has_palette("checker-cube@palette=bone", &bone) &&
+         has_palette("checker-cube@eye=9,9,30@palette=bone@fov=30", &bone) &&
+         has_palette("checker-cube@palette=bone@palette=flat", &flat),
+     "a name may hold a palette, and the last counts");
+  FILE *file = fopen(path, "w");
+  if (!file)
+    exit(99);
+  fputs("{\"schema\": \"hsr-palette/1\", \"opacity\": [[0, 0]],"
+        " \"specular\": 1}",
+        file);
+  fclose(file);
+  mine = flat;
+  memset(mine.opacity, 0, sizeof mine.opacity);
+  mine.specular = 65535;
+  ok(tap, has_palette("checker-cube@palette=palette:of_a_test.json", &mine),
+     "also that of a file");
+  remove(path);
+  ok(tap,
+     refused_as(HSR_E_USAGE, "house@palette=bone", "is no grid") &&
+         refused_as(HSR_E_USAGE, "checker-cube@palette=bons", "mean bone?") &&
+         refused_as(HSR_E_USAGE, "checker-cube@palette=", "no palette ''") &&
+         refused_as(HSR_E_USAGE, "checker-cube@fov=30:palette=bone",
+                    "says nothing of a camera") &&
+         refused_as(HSR_E_INPUT, "checker-cube@palette=none.json",
+                    "none.json: cannot be read"),
+     "bad palettes are refused");
+}
+
 /* --- Tiny scenes ---------------------------------------------------------- */
 
 /* Two instances of a triangle as seen from one place, all 2^exponent as large
@@ -1230,11 +1278,12 @@ static void check_meshes(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 * COUNT(known) + 3 + 7 + 2 + COUNT(claims) + 11);
+  struct tap tap = plan(2 * COUNT(known) + 3 + 7 + 2 + COUNT(claims) + 14);
   for (int i = 0; i < COUNT(known); i++)
     check_known(&tap, i);
   check_table(&tap);
   check_cameras(&tap);
+  check_palettes(&tap);
   check_tiny(&tap);
   check_bad_names(&tap);
   check_claims(&tap);
