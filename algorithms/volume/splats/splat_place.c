@@ -33,6 +33,7 @@
  *             denominator vanishes.
  */
 #include "algorithms/volume/splats/splats.h"
+#include "common/base/numbers.h"
 #include "common/base/vector.h"
 
 #include <math.h>
@@ -40,7 +41,8 @@
 /* What the lanes of a batch are computed from. */
 struct lanes {
   double x[HSR_SPLAT_BATCH], y[HSR_SPLAT_BATCH], w[HSR_SPLAT_BATCH];
-  double far[3][HSR_SPLAT_BATCH], per_size[3][HSR_SPLAT_BATCH];
+  double along[3][HSR_SPLAT_BATCH]; /* t W: V, or in parallel F */
+  double per_size[3][HSR_SPLAT_BATCH];
 };
 
 static void gather(struct hsr_splats *s, struct lanes *l) {
@@ -57,32 +59,39 @@ static void gather(struct hsr_splats *s, struct lanes *l) {
                   : s->term[0][2][i] + s->term[1][2][j] + s->term[2][2][m];
     b->depth[k] = s->term[0][3][i] + s->term[1][3][j] + s->term[2][3][m];
     for (int a = 0; a < 3; a++) {
-      l->far[a][k] = s->far[a][b->at[a][k]];
+      l->along[a][k] = v->parallel ? v->F[a] : s->far[a][b->at[a][k]];
       l->per_size[a][k] = s->per_size[a][b->at[a][k]];
     }
   }
 }
 
 HSR_VECTOR
-static void place(const struct hsr_splats *s, const struct lanes *l,
-                  struct hsr_splat_batch *b) {
+static void place(const struct hsr_splats *restrict s,
+                  const struct lanes *restrict l,
+                  struct hsr_splat_batch *restrict b) {
   const struct hsr_view *v = s->view;
-  const double *F = v->F, *U = v->U, *R = v->R, *right = v->ray[1],
-               *down = v->ray[2];
-  const double most_x = fmax(s->most[0], s->most[1]), most_w = s->most[2];
+  double U[3], R[3], right[3], down[3];
+  for (int a = 0; a < 3; a++) {
+    U[a] = v->U[a];
+    R[a] = v->R[a];
+    right[a] = v->ray[1][a];
+    down[a] = v->ray[2][a];
+  }
+  const double most_x = hsr_max(s->most[0], s->most[1]), most_w = s->most[2];
   const double per_m = 1 / ((double)v->m * v->m),
                per_n = 1 / ((double)v->n * v->n);
   const double width = s->splatting.width * s->splatting.width;
   const double full = HSR_FOOTPRINT / (s->reach * s->reach * width);
-  const bool parallel = v->parallel, antialias = s->splatting.antialias;
+  const double perspective = v->parallel ? 0 : 1,
+               antialias = s->splatting.antialias ? 1 : 0;
   for (int k = 0; k < HSR_SPLAT_BATCH; k++) {
-    double w = l->w[k], inverse = 1 / w, t2 = parallel ? 1 : w * w;
+    double w = l->w[k], inverse = 1 / w, t2 = w * w;
     double x = l->x[k] * inverse, y = l->y[k] * inverse;
     double hx = l->per_size[0][k], hy = l->per_size[1][k],
            hz = l->per_size[2][k];
-    double Wx = hx * (parallel ? F[0] : l->far[0][k] * inverse),
-           Wy = hy * (parallel ? F[1] : l->far[1][k] * inverse),
-           Wz = hz * (parallel ? F[2] : l->far[2][k] * inverse);
+    double Wx = hx * (l->along[0][k] * inverse),
+           Wy = hy * (l->along[1][k] * inverse),
+           Wz = hz * (l->along[2][k] * inverse);
     double Ax = hx * right[0], Ay = hy * right[1], Az = hz * right[2];
     double Bx = hx * down[0], By = hy * down[1], Bz = hz * down[2];
     double AA = Ax * Ax + Ay * Ay + Az * Az, BB = Bx * Bx + By * By + Bz * Bz;
@@ -99,22 +108,22 @@ static void place(const struct hsr_splats *s, const struct lanes *l,
     double apart = 2 * t2 *
                    ((ux * ux + uy * uy + uz * uz) * per_n +
                     (rx * rx + ry * ry + rz * rz) * per_m);
-    double scale = antialias && apart > 1 ? full / apart : full;
+    double scale = full / hsr_max(1, antialias * apart);
 
     double f = scale * t2, xx = f * aa, xy = f * ab, yy = f * bb;
     double det = xx * yy - xy * xy, cosine2 = xy * xy / (xx * yy);
     double side_x = sqrt(yy / det), side_y = sqrt(xx / det);
-    double eta = parallel ? 0 : 48 * (fabs(p) * side_x + fabs(q) * side_y);
+    double eta = 48 * perspective * (fabs(p) * side_x + fabs(q) * side_y);
     double cosine = sqrt(cosine2), cond = (1 + cosine) / (1 - cosine);
     double rough = 0x1p-48 * most_w * fabs(inverse) + 0x1p-40;
     double off =
-        0x1p-49 * (most_x + fmax(fabs(x), fabs(y)) * most_w) * inverse +
-        0x1p-51 * fmax(fabs(x), fabs(y));
+        0x1p-49 * (most_x + hsr_max(fabs(x), fabs(y)) * most_w) * inverse +
+        0x1p-51 * hsr_max(fabs(x), fabs(y));
     double ratio = (1 + eta) / (1 - eta), spread = cond * ratio * ratio;
     double in_float =
         0x1p-24 * (1100 * (12 * spread + (12 * eta + 2) / (1 - eta) + 6) +
                    12000 * spread);
-    double error = in_float + 800 * sqrt(fmax(xx, yy)) * off + 36000 * rough;
+    double error = in_float + 800 * sqrt(hsr_max(xx, yy)) * off + 36000 * rough;
     double reach = 32 * (1 + eta) * (1 + 0x1p-20);
     bool good =
         (w > 0) & (rough < 0x1p-28) & (eta <= 0.5) & (aa * 1024 >= AA) &
@@ -126,8 +135,8 @@ static void place(const struct hsr_splats *s, const struct lanes *l,
     b->xx[k] = (float)xx;
     b->xy[k] = (float)xy;
     b->yy[k] = (float)yy;
-    b->p[k] = parallel ? 0 : (float)p;
-    b->q[k] = parallel ? 0 : (float)q;
+    b->p[k] = (float)(perspective * p);
+    b->q[k] = (float)(perspective * q);
     b->error[k] = (float)error;
     b->reach_x[k] = good ? (float)(reach * side_x + off) : NAN;
     b->reach_y[k] = good ? (float)(reach * side_y + off) : NAN;
@@ -176,7 +185,7 @@ static uint32_t energy_of(struct hsr_splats *s, int k, const uint32_t at[3]) {
   double width = s->splatting.width, rough = 8 * b->rough[k] + 0x1p-40;
   if (!s->splatting.antialias || b->apart[k] < 1 - rough)
     return s->plain_energy;
-  double apart = fmax(1, b->apart[k]);
+  double apart = hsr_max(1, b->apart[k]);
   double energy = 65536 / (apart * width * width), error = energy * rough;
   if (floor(energy - error) == floor(energy + error) && rough < 0x1p-20)
     return (uint32_t)energy;

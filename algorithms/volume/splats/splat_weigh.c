@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The weights of a splat in pixels: in floats, else in doubles, else exactly. */
 #include "algorithms/volume/splats/splats.h"
+#include "common/base/numbers.h"
 #include "common/base/vector.h"
 
 #include <math.h>
