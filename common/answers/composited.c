@@ -83,10 +83,6 @@ static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
   return answer->body ? HSR_OK : hsr_fail_nomem(err);
 }
 
-static void clear(struct hsr_answer *answer) {
-  memset(answer->body, 0, count(answer) * sizeof(uint16_t));
-}
-
 /* Premultiplied red exceeds the opacity nowhere in a picture. */
 static void unset(struct hsr_answer *answer) {
   uint16_t *rgba = answer->body;
@@ -230,7 +226,6 @@ const struct hsr_answer_type hsr_answer_composited = {
     .by_windows = true,
     .by_places = true,
     .make = make,
-    .clear = clear,
     .unset = unset,
     .free = free_body,
     .merge = merge,
