@@ -111,6 +111,7 @@ quick_units = \
   %D%/unit/algorithms/variant_test \
   %D%/unit/bench/crew_test \
   %D%/unit/bench/oracle_test \
+  %D%/unit/bench/splat_oracle_test \
   %D%/unit/bench/tables_test \
   %D%/unit/core/adapt_test \
   %D%/unit/core/box_test \

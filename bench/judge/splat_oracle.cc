@@ -211,7 +211,7 @@ std::array<uint64_t, 4> colour_of(const hsr_grid &grid, uint32_t cell,
 
 /* --- Kernels -------------------------------------------------------------- */
 
-enum { ENTRIES = 1024, PARTS = 32 };
+constexpr int ENTRIES = 1024, PARTS = 32;
 
 struct crawfis_max {
   static constexpr Real reach = 1.556228L, bend = 0.88L, end = reach;

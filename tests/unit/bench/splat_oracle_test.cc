@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <random>
 #include <string>
 #include <vector>
@@ -175,6 +176,8 @@ using picture = std::vector<pixel>;
 /* In pixels that are not written. */
 constexpr uint16_t UNTOUCHED = 0xBEEF;
 
+uint64_t n_exact; /* floors and signs sought in rational numbers so far */
+
 picture render(const struct hsr_world &world, const struct hsr_view &view,
                const struct hsr_form &form) {
   struct hsr_answer answer = {};
@@ -195,6 +198,7 @@ picture render(const struct hsr_world &world, const struct hsr_view &view,
         seen.push_back(
             {rgba[4 * k], rgba[4 * k + 1], rgba[4 * k + 2], rgba[4 * k + 3]});
   }
+  n_exact += tally.count[1];
   if (seen.empty())
     std::printf("# render: %s\n", err.text);
   hsr_answer_free(&answer);
@@ -258,6 +262,8 @@ void test_boundaries() {
   ok_pixel(seen, 1, grey(0), "kappa is 1024 exactly");
   ok_pixel(seen, 65, grey(0), "and so on the other side");
   ok_pixel(seen, 66, grey(0), "beyond the splat");
+
+  ok(n_exact > 32, "which intervals did not know");
 
   struct hsr_view column = plain_view(1, 67, 1.0 / 16);
   const picture down = see(single(), column, plain_form());
@@ -331,6 +337,12 @@ void test_eye() {
   little_grid beside({2}, {0}, {-1});
   seen = see(beside.keep({{0, 0, 0}}), view, plain_form());
   ok_pixel(seen, 0, grey(0), "a splat behind the ray, but before the eye");
+
+  /* V = (3, 0, -1/2) is along D = (6, 0, -1), far from where the part of the
+   * kernel that is before the eye seems to be. */
+  little_grid wide({3}, {0}, {-0.5});
+  seen = see(wide.keep({{0, 0, 0}}), plain_view(13, 1, 1, false), plain_form());
+  ok_pixel(seen, 12, grey(28894), "a kernel that reaches behind the eye");
 }
 
 /* g = width; e = floor(65536 / width^2). */
@@ -530,6 +542,19 @@ void test_sheet() {
    * floor(10209 (65536 - 20417) / 65536) = 7028. */
   ok_middle(grid, view, plain_form(HSR_OVER), {20417, 7028, 0, 27445},
             "and not what over makes");
+
+  /* F = (0, -1, -1) is as great along y as along z: the two are in different
+   * slices of y, and in the one of z. The lower one is behind, and red. */
+  little_grid upright({0}, {-0.5, 0.5}, {-4});
+  upright.keep({{0, 0, 0}, 0}).keep({{0, 1, 0}, 1});
+  upright.palette = grid.palette;
+  struct hsr_view down = view;
+  down.F[1] = -1;
+  down.E[1] = 4;
+  const picture sheets = see(upright, down, plain_form(HSR_SHEET));
+  ok(!sheets.empty() && sheets == see(upright, down, plain_form(HSR_OVER)) &&
+         sheets[4][0] > 0 && sheets[4][1] > 0,
+     "of two axes the first");
 }
 
 /* Given are 8818, 13227 and 22045 from front to back.
@@ -730,6 +755,30 @@ void test_parts() {
     }
     ok(good, std::string("weights before lambda, ") + name_of(kernel));
   }
+}
+
+/* R = 389057 / 64 and m = 5^6, so that pixels are 2 R / m = r / 2 apart:
+ * kappa is 0, 256 and 1024. */
+void test_reach() {
+  struct hsr_view view = plain_view(15625, 1, 0);
+  view.R[0] = 389057.0 / 64;
+  view.U[1] = 1;
+  view.window = {7812, 0, 7815, 1};
+  const picture seen =
+      see(single(), view, plain_form(HSR_OVER, HSR_CRAWFIS_MAX));
+  const auto &before = table_of(HSR_CRAWFIS_MAX).before;
+  for (const int k : {0, 1})
+    ok_pixel(seen, size_t(7812 + k), grey(int(before[size_t(256 * k)][64]) - 1),
+             "at 0 or half the reach of crawfis-max exactly");
+  ok_pixel(seen, 7814, grey(0), "at its reach exactly");
+
+  /* The double nearest to 1.556228 is less than r. Pixels are 2 R / 3 apart:
+   * less than r / 2, and more than half of that double. */
+  struct hsr_view close = plain_view(3, 1, 0);
+  close.R[0] = 0x1.2acbb7f9d6f11p+0;
+  close.U[1] = 1;
+  ok_pixel(see(single(), close, plain_form(HSR_OVER, HSR_CRAWFIS_MAX)), 2,
+           grey(int(before[255][64]) - 1), "less than half the reach by 1e-17");
 }
 
 /* ---- The definition, written a second time ---- */
@@ -1231,6 +1280,39 @@ void test_random() {
      "as the definition written a second time");
 }
 
+/* ---- Without memory ---- */
+
+long allocations_left = -1; /* before one fails; negative: none does */
+
+void test_memory() {
+  little_grid grid = two();
+  const stage s(grid);
+  const struct hsr_view view = plain_view(2, 2, 1);
+  struct hsr_form form = plain_form(HSR_VOLUME);
+  struct hsr_answer answer = {};
+  struct hsr_tally tally = {};
+  struct hsr_error err = {};
+  bool good = hsr_answer_make(&answer, &form, &view, false, &err) == HSR_OK;
+  struct hsr_job job = {};
+  job.world = &s.world;
+  job.view = &view;
+  job.tally = &tally;
+  job.answer = &answer;
+  int n_failures = 0;
+  for (long k = 0; good; k++) {
+    err = {};
+    allocations_left = k;
+    const enum hsr_status status = oracle.render(&job, &err);
+    allocations_left = -1;
+    if (status == HSR_OK)
+      break;
+    n_failures++;
+    good = status == HSR_E_NOMEM && err.status == HSR_E_NOMEM;
+  }
+  hsr_answer_free(&answer);
+  ok(good && n_failures > 10, "each allocation that fails is reported");
+}
+
 void test_descriptor() {
   ok(!std::strcmp(oracle.name, "splat-oracle") &&
          oracle.taxonomy == HSR_YARDSTICK && oracle.flags & HSR_JUDGE &&
@@ -1240,6 +1322,23 @@ void test_descriptor() {
 }
 
 } /* namespace */
+
+/* Not inlined: the compiler would take new and free for a mismatch. */
+[[gnu::noinline]] void *operator new(size_t size) {
+  if (allocations_left == 0)
+    throw std::bad_alloc();
+  if (allocations_left > 0)
+    allocations_left--;
+  if (void *p = std::malloc(size ? size : 1))
+    return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void *p) noexcept {
+  std::free(p);
+}
+[[gnu::noinline]] void operator delete(void *p, size_t) noexcept {
+  std::free(p);
+}
 
 int main() {
   test_descriptor();
@@ -1259,7 +1358,9 @@ int main() {
   test_margins();
   test_weights();
   test_parts();
+  test_reach();
   test_random();
+  test_memory();
   std::printf("1..%d\n", n_tests);
   return n_failed > 0;
 }
