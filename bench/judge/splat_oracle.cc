@@ -33,11 +33,9 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <limits>
 #include <map>
 #include <memory>
 #include <new>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>

@@ -1229,7 +1229,8 @@ struct hsr_view random_view(dice &d, const little_grid &grid, bool parallel) {
   c.parallel = parallel ? d.real(2, 8) : 0;
   struct hsr_view view = {};
   struct hsr_error err = {};
-  if (hsr_view_init(&view, &c, d.whole(4, 7), d.whole(4, 6), &err))
+  const int m = d.whole(4, 7), n = d.whole(4, 6);
+  if (hsr_view_init(&view, &c, m, n, &err))
     std::printf("# view: %s\n", err.text);
   if (d.odd()) {
     view.offset_x = d.whole(-7, 7) / 16.0;
