@@ -41,7 +41,7 @@ static void draw(const struct hsr_algorithm *algorithm,
 bool draw_answer(const struct hsr_algorithm *algorithm,
                  const struct hsr_world *world, const struct hsr_view *view,
                  struct hsr_answer *answer, struct hsr_tally *tally) {
-  struct hsr_form form = hsr_form_standard(algorithm->kind);
+  struct hsr_form form = hsr_choice_standard(algorithm).form;
   if (hsr_answer_make(answer, &form, view, false, NULL)) {
     printf("Bail out! no memory for an answer\n");
     exit(99);

@@ -123,7 +123,7 @@ static bool check_scene(const struct hsr_algorithm *a, const char *name,
   struct both_worlds worlds;
   open_worlds(&worlds, name);
   struct hsr_view view;
-  struct hsr_form form = hsr_form_standard(a->kind);
+  struct hsr_form form = hsr_choice_standard(a).form;
   struct heard heard = {.algorithm = a};
   if (hsr_view_init(&view, &worlds.scene->views[0], M, N, NULL) ||
       hsr_answer_make(&heard.painted, &form, &view, false, NULL))

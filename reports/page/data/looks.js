@@ -43,6 +43,8 @@ const KNOWN = {
   zbuffer: [7, 0], raycast: [7, 1], hzbuffer: [7, 2], oracle: [7, 3],
   pbtf: [4, 1], ippbtf: [4, 2], "octree-order": [4, 3],
   btf: [2, 4], wbtf: [2, 5], vbuffer: [2, 6],
+  splat: [0, 5], "splat-sheet": [0, 6], "splat-volume": [0, 7],
+  "splat-xray": [2, 7], "splat-oracle": [6, 7],
   "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5], clark: [7, 6],
 };
 
