@@ -61,7 +61,8 @@ kind_of(const struct check_options *options, int algorithm) {
 /* Whether it is known that the algorithm draws wrong pictures at times. */
 static inline bool is_known_wrong(const struct check_options *options,
                                   int algorithm) {
-  return options->algorithm[algorithm].listed->plain->flags & HSR_KNOWN_WRONG;
+  const struct hsr_variant *v = &options->algorithm[algorithm];
+  return hsr_choice_flags(v->listed->plain, &v->choice) & HSR_KNOWN_WRONG;
 }
 
 /* Whether the algorithm draws grids alone, the scene is none, and nobody asked
@@ -83,7 +84,9 @@ struct outcome outcome_of(const struct scene_run *run, int size, int algorithm);
 /* --- The report ----------------------------------------------------------- */
 
 struct totals {
-  uint64_t compared[HSR_MOST_ANSWER_TYPES]; /* by the kind's number */
+  uint64_t compared
+      [HSR_MOST_ANSWER_TYPES]; /* places, by the number of the first kind
+                                            that calls them so */
   uint64_t mismatches, depths, depths_exact;
   uint64_t counting; /* mismatches of builds that count, where they differ from
                         those of the build that is timed */

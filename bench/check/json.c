@@ -37,12 +37,13 @@ json_t *cell_json(const struct scene_run *run, int size, int view, int a) {
   return cell;
 }
 
-/* How much was compared of each kind, under the name of its places. */
+/* How much was compared, under the names of places. */
 static json_t *compared_json(const struct totals *totals) {
   json_t *json = json_pack("{ss}", "schema", "hsr-check/1");
   for (int k = 0; json && hsr_answer_types[k]; k++)
-    json_object_set_new(json, hsr_answer_types[k]->places,
-                        json_integer((json_int_t)totals->compared[k]));
+    if (!json_object_get(json, hsr_answer_types[k]->places))
+      json_object_set_new(json, hsr_answer_types[k]->places,
+                          json_integer((json_int_t)totals->compared[k]));
   return json;
 }
 

@@ -219,11 +219,19 @@ static void print_details(const struct scene_run *run) {
 
 /* --- Totals --------------------------------------------------------------- */
 
+/* The number of the first kind whose places are called so. */
+static int number_of_places(const struct hsr_answer_type *kind) {
+  int k = 0;
+  while (strcmp(hsr_answer_types[k]->places, kind->places))
+    k++;
+  return k;
+}
+
 static void add_cell(const struct check_options *o, int a, const struct cell *c,
                      struct totals *totals) {
   enum verdict verdict = c->verdict == PENDING ? CRASH : c->verdict;
   if (verdict == RIGHT || verdict == WRONG)
-    totals->compared[hsr_answer_number(kind_of(o, a))] += c->compared;
+    totals->compared[number_of_places(kind_of(o, a))] += c->compared;
   totals->depths += c->depths_compared;
   totals->depths_exact += c->depths_exact;
   totals->crashed += verdict == CRASH;

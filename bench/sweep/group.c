@@ -559,7 +559,9 @@ static json_t *cell_record(const struct place_run *run, int k) {
   const struct entrant *e = run->entrant[k];
   const struct cell *cell = &run->shared->cells[k];
   char reason[80];
-  bool known_wrong = e->listed && e->listed->plain->flags & HSR_KNOWN_WRONG;
+  bool known_wrong =
+      e->listed &&
+      hsr_choice_flags(e->listed->plain, &e->choice) & HSR_KNOWN_WRONG;
   json_t *record = json_pack(
       "{ss ss ss si si si ss sb sb ss sI ss sI so* sI ss? so so so so}",
       "record", "cell", "run", run->sweep->run, "scene", run->place.scene,

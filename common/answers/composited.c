@@ -106,18 +106,54 @@ static void merge(struct hsr_answer *into, const struct hsr_answer *from,
 
 /* --- Comparing ------------------------------------------------------------ */
 
+/* The greatest difference of a channel. */
+static int distance(const uint16_t got[CHANNELS],
+                    const uint16_t wanted[CHANNELS]) {
+  int most = 0;
+  for (int c = 0; c < CHANNELS; c++)
+    most = abs(got[c] - wanted[c]) > most ? abs(got[c] - wanted[c]) : most;
+  return most;
+}
+
+static int by_size(const void *a, const void *b) {
+  return *(const uint16_t *)a - *(const uint16_t *)b;
+}
+
+/* Adds the mean of the differences, the least that 99 % of them do not exceed,
+ * and the greatest. */
+static void say_distances(uint16_t *all, size_t n,
+                          struct hsr_difference *difference) {
+  size_t length = strlen(difference->first);
+  double sum = 0;
+  for (size_t k = 0; k < n; k++)
+    sum += all[k];
+  qsort(all, n, sizeof *all, by_size);
+  snprintf(
+      difference->first + length, sizeof difference->first - length,
+      "; of 65535, pixels differ by %.1f in the mean, 99 %% by at most %u, "
+      "all by at most %u",
+      sum / (double)n, all[(n * 99 + 99) / 100 - 1], all[n - 1]);
+}
+
 static void compare(const struct hsr_comparison *c,
                     struct hsr_difference *difference) {
   const uint16_t *got = c->got->body, *wanted = c->wanted->body;
+  uint16_t *distances = malloc((c->n + 1) * sizeof *distances);
   difference->compared = c->n;
   for (size_t k = 0; k < c->n; k++) {
     size_t s = c->place ? c->place[k] : k, m = (size_t)c->got->m;
     const uint16_t *g = got + CHANNELS * s, *w = wanted + CHANNELS * s;
-    if (memcmp(g, w, CHANNELS * sizeof *g) && !difference->differing++)
+    int by = distance(g, w);
+    if (distances)
+      distances[k] = (uint16_t)by;
+    if (by && !difference->differing++)
       snprintf(difference->first, sizeof difference->first,
                "(%zu, %zu): %u %u %u %u, not %u %u %u %u", s % m, s / m, g[0],
                g[1], g[2], g[3], w[0], w[1], w[2], w[3]);
   }
+  if (distances && difference->differing)
+    say_distances(distances, c->n, difference);
+  free(distances);
 }
 
 /* The wanted picture, dimmed, and the difference in orange, 16 times as large.
@@ -130,9 +166,7 @@ static enum hsr_status show_difference(const struct hsr_comparison *c,
   (void)showing, (void)err;
   size_t n = count(c->got) / CHANNELS;
   for (size_t k = 0; k < n; k++, got += CHANNELS, wanted += CHANNELS) {
-    int most = 0;
-    for (int i = 0; i < CHANNELS; i++)
-      most = abs(got[i] - wanted[i]) > most ? abs(got[i] - wanted[i]) : most;
+    int most = distance(got, wanted);
     float share = most ? 0.25f + (float)most / 4096 : 0;
     share = share > 1 ? 1 : share;
     for (int i = 0; i < 3; i++)

@@ -10,12 +10,32 @@
  *             blocks of pixels that it may touch are full. Which blocks are is
  *             looked up anew from time to time.
  *
+ * Order       splats that are wider than a cell have no order that is right. That
+ *             of pbtf is a part of the definition; how far the picture of
+ *             another one is from it can be measured.
+ *
  * Notation, invariant, ties, departures and cost are those of splats.h. */
 #include "algorithms/volume/splats/splats.h"
 
 enum { BLOCK = 8, DRAWN_BETWEEN_LOOKS = 16384 };
 
 static const struct hsr_counter counters[] = {HSR_SPLAT_COUNTERS, {NULL}};
+
+/* The picture is defined by the sequence of pbtf. */
+enum { ORDER };
+static const struct hsr_word orders[] = {
+    {"pbtf", "octant by octant: the sequence of the definition", 0},
+    {"btf", "three loops towards the view plane", HSR_KNOWN_WRONG},
+    {"wbtf", "slices along the view outermost", HSR_KNOWN_WRONG},
+    {"vbuffer", "by distance within a slice", HSR_KNOWN_WRONG},
+    {"ippbtf", "octants interleaved", HSR_KNOWN_WRONG},
+    {"octree-order", "an octree over the grid", HSR_KNOWN_WRONG},
+    {NULL, NULL, 0}};
+static const enum hsr_grid_order order_of[] = {
+    HSR_PBTF, HSR_BTF, HSR_WBTF, HSR_VBUFFER, HSR_IPPBTF, HSR_OCTREE};
+static const struct hsr_option options[] = {
+    [ORDER] = {"order", "in which samples are visited", orders, 0, 5, 0},
+    {NULL}};
 
 struct model {
   struct hsr_splat_picture picture;
@@ -107,7 +127,8 @@ static enum hsr_status render(const struct hsr_job *job,
   bool front = s.splatting.model == HSR_UNDER;
   s.model = &m;
   s.draw = front ? draw_under : draw_over;
-  enum hsr_status status = hsr_splats_visit(&s, HSR_PBTF, front, err);
+  enum hsr_status status =
+      hsr_splats_visit(&s, order_of[job->option[ORDER]], front, err);
   hsr_splats_finish(&s, &m.picture);
   return status;
 }
@@ -139,4 +160,5 @@ const struct hsr_algorithm HSR_ALGORITHM(splat) = {
     .makes = 1 << HSR_OVER | 1 << HSR_UNDER,
     .counters = counters,
     .outline = outline,
+    .options = options,
     .render = render};

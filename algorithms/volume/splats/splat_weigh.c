@@ -60,7 +60,7 @@ static double roughly(const struct hsr_splats *s, const struct hsr_placed *p,
     return factor * CC;
   if (VD < -off)
     return *error = 0, INFINITY;
-  if (!(VD > 0x1p10 * off))
+  if (!(VD > 0x1p10 * off) || !(VD * VD > 0x1p-900))
     *error = INFINITY;
   return factor * CC;
 }
