@@ -73,6 +73,8 @@ tap_programs = \
   %D%/properties/surfaces/schumacker_test \
   %D%/properties/volume/cells_test \
   %D%/properties/volume/orders_test \
+  %D%/properties/volume/splat_claims_test \
+  %D%/properties/volume/splats_test \
   %D%/properties/tiling/voxels_test \
   %D%/properties/tiling/tiling_test \
   %D%/properties/surfaces/warnock_test \
@@ -221,6 +223,9 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_answers_hsr_layers_SOURCES = bench/hsr.c %D%/answers/layers.c \
   %D%/answers/lists.c
 %C%_answers_hsr_layers_LDADD = $(BENCH_LIBS)
+splatting = %D%/properties/volume/splatting.c %D%/properties/volume/splatting.h
+%C%_properties_volume_splats_test_SOURCES = %D%/properties/volume/splats_test.c $(splatting)
+%C%_properties_volume_splat_claims_test_SOURCES = %D%/properties/volume/splat_claims_test.c $(splatting)
 schema = %D%/schema.c %D%/schema.h
 sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
 %C%_sweep_mismatch_test_SOURCES = %D%/sweep/mismatch_test.cc
