@@ -158,8 +158,13 @@ enum hsr_status hsr_build_grid(struct hsr_scene *scene,
     at[a] = random_positions(&g, &extent[a]);
   enum hsr_status status = HSR_E_NOMEM;
   if (at[0] && at[1] && at[2]) {
-    const struct hsr_grid_samples samples = {
-        {g.n, g.n, g.n}, {at[0], at[1], at[2]}, random_slice, by_place, &g, 0, 0};
+    const struct hsr_grid_samples samples = {{g.n, g.n, g.n},
+                                             {at[0], at[1], at[2]},
+                                             random_slice,
+                                             by_place,
+                                             &g,
+                                             0,
+                                             0};
     status = add_grid(scene, &samples);
   }
   struct hsr_pen pen;

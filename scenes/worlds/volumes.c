@@ -298,8 +298,13 @@ enum hsr_status hsr_build_tubules(struct hsr_scene *scene,
   if (!status) {
     for (int k = 0; k < TUBES; k++)
       fill_tube(inside, &random);
-    const struct hsr_grid_samples samples = {
-        {TUBE_X, TUBE_Y, TUBE_Z}, {at, at, at}, tube_slice, by_depth, inside, 0, 0};
+    const struct hsr_grid_samples samples = {{TUBE_X, TUBE_Y, TUBE_Z},
+                                             {at, at, at},
+                                             tube_slice,
+                                             by_depth,
+                                             inside,
+                                             0,
+                                             0};
     status = hsr_grid_init(&grid, &samples, &positive, NULL);
   }
   free(inside);
