@@ -22,7 +22,7 @@ enum { BLOCK = 8, DRAWN_BETWEEN_LOOKS = 16384 };
 static const struct hsr_counter counters[] = {HSR_SPLAT_COUNTERS, {NULL}};
 
 /* The picture is defined by the sequence of pbtf. */
-enum { ORDER };
+enum { ORDER, NESTING };
 static const struct hsr_word orders[] = {
     {"pbtf", "octant by octant: the sequence of the definition", 0},
     {"btf", "three loops towards the view plane", HSR_KNOWN_WRONG},
@@ -33,8 +33,19 @@ static const struct hsr_word orders[] = {
     {NULL, NULL, 0}};
 static const enum hsr_grid_order order_of[] = {
     HSR_PBTF, HSR_BTF, HSR_WBTF, HSR_VBUFFER, HSR_IPPBTF, HSR_OCTREE};
+/* In the order of hsr_grid_nesting. */
+static const struct hsr_word nestings[] = {
+    {"zyx", "z in the outermost loop, x in the innermost", 0},
+    {"zxy", "likewise", HSR_KNOWN_WRONG},
+    {"yzx", "likewise", HSR_KNOWN_WRONG},
+    {"yxz", "likewise", HSR_KNOWN_WRONG},
+    {"xzy", "likewise", HSR_KNOWN_WRONG},
+    {"xyz", "likewise", HSR_KNOWN_WRONG},
+    {NULL, NULL, 0}};
 static const struct hsr_option options[] = {
     [ORDER] = {"order", "in which samples are visited", orders, 0, 5, 0},
+    [NESTING] = {"nesting", "how the loops of pbtf, btf and ippbtf are nested",
+                 nestings, 0, 5, 0},
     {NULL}};
 
 struct model {
@@ -127,8 +138,8 @@ static enum hsr_status render(const struct hsr_job *job,
   bool front = s.splatting.model == HSR_UNDER;
   s.model = &m;
   s.draw = front ? draw_under : draw_over;
-  enum hsr_status status =
-      hsr_splats_visit(&s, order_of[job->option[ORDER]], front, err);
+  enum hsr_status status = hsr_splats_visit(
+      &s, order_of[job->option[ORDER]], (int)job->option[NESTING], front, err);
   hsr_splats_finish(&s, &m.picture);
   return status;
 }

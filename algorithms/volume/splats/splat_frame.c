@@ -154,8 +154,8 @@ int32_t hsr_splats_split(const struct hsr_splats *s, int a) {
 }
 
 enum hsr_status hsr_splats_visit(struct hsr_splats *s,
-                                 enum hsr_grid_order order, bool front,
-                                 struct hsr_error *err) {
+                                 enum hsr_grid_order order, int nesting,
+                                 bool front, struct hsr_error *err) {
   struct hsr_grid_seen seen = {.high_first = false};
   for (int a = 0; a < 3; a++) {
     seen.n[a] = s->grid->n[a];
@@ -163,7 +163,7 @@ enum hsr_status hsr_splats_visit(struct hsr_splats *s,
     seen.toward[a] = s->view->F[a];
   }
   enum hsr_status status =
-      hsr_grid_visit(order, 0, front, &seen, visit_run, s, err);
+      hsr_grid_visit(order, nesting, front, &seen, visit_run, s, err);
   draw_batch(s);
   return status;
 }

@@ -134,6 +134,7 @@ static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
         if (index[l] < HSR_FOOTPRINT) {
           HSR_STEP(s->tally, HSR_SPLAT_UPDATES, HSR_CELL(p->cell, 0, 0),
                    HSR_THE_WINDOW, HSR_AT(x + l, j), 0);
+          HSR_TOUCH(s->tally, x + l, j);
           draw_pixel(s, p, x + l, j, index[l]);
         }
     }
@@ -170,7 +171,7 @@ static enum hsr_status open_strip(struct hsr_splats *s, struct model *m) {
 
 static enum hsr_status draw_strip(struct hsr_splats *s, struct model *m,
                                   struct hsr_error *err) {
-  enum hsr_status status = hsr_splats_visit(s, HSR_PBTF, false, err);
+  enum hsr_status status = hsr_splats_visit(s, HSR_PBTF, 0, false, err);
   for (int b = m->n - 1; b >= 0 && !status; b--)
     hsr_splats_fold(s, &m->bucket[b], &s->window, &m->picture);
   hsr_splats_finish(s, &m->picture);

@@ -75,7 +75,7 @@ static enum hsr_status render(const struct hsr_job *job,
     return hsr_fail_nomem(err);
   s.model = &m;
   s.draw = draw;
-  enum hsr_status status = hsr_splats_visit(&s, HSR_PBTF, false, err);
+  enum hsr_status status = hsr_splats_visit(&s, HSR_PBTF, 0, false, err);
   finish(&s, &m);
   return status;
 }

@@ -149,11 +149,11 @@ enum hsr_status hsr_splats_begin(struct hsr_splats *splats,
                                  const struct hsr_job *job);
 
 /* Calls splats->draw for every splat that may be seen in the window, in an
- * order of the grid. HSR_E_NOMEM. */
+ * order of the grid, nested as hsr_grid_visit has it. HSR_E_NOMEM. */
 #define hsr_splats_visit HSR_OF_BUILD(hsr_splats_visit)
 enum hsr_status hsr_splats_visit(struct hsr_splats *splats,
-                                 enum hsr_grid_order order, bool front,
-                                 struct hsr_error *err);
+                                 enum hsr_grid_order order, int nesting,
+                                 bool front, struct hsr_error *err);
 
 /* For the slices of the grid across an axis, in any sequence: calls splats->draw
  * for the splats of slice k. HSR_E_NOMEM of the first. */
