@@ -1169,8 +1169,8 @@ std::vector<double> random_positions(dice &d, bool by_quarters) {
 void random_palette(dice &d, hsr_palette *p) {
   const bool faint = d.odd();
   for (int l = 0; l < HSR_LEVELS; l++) {
-    p->opacity[l] = faint ? d.word() / 4 : d.word();
-    p->gradient[l] = d.odd() ? ONE : d.word();
+    p->opacity[l] = uint16_t(faint ? d.word() / 4 : d.word());
+    p->gradient[l] = uint16_t(d.odd() ? ONE : d.word());
     for (uint16_t &c : p->rgb[l])
       c = d.word();
   }
