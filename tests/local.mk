@@ -258,6 +258,7 @@ EXTRA_DIST += \
   %D%/tree/apart \
   %D%/mutants/lines_and_lists.mutants \
   %D%/mutants/services.mutants \
+  %D%/mutants/splats.mutants \
   %D%/mutants/volume.mutants \
   %D%/counts/golden \
   %D%/counts/rewrite \

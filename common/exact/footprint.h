@@ -11,8 +11,7 @@
 extern "C" {
 #endif
 
-/* A kernel is 0 beyond its reach, which is so many thousandths of a thousandth
- * of a cell. */
+/* How far each kernel reaches, in millionths of a cell. */
 extern const int hsr_kernel_reach[];
 
 /* A splat as the definition has it. */

@@ -149,7 +149,7 @@ AVX512 static inline __m256i weigh(const struct hsr_splats *s,
                                       (const int *)s->weight, 4);
 }
 
-/* Pixels whose first or last 16 bits are everywhere. */
+/* In each pixel the 16 bits from this byte on, four times. */
 AVX512 static inline __m512i spread(__m512i pixels, int byte) {
   const int64_t low = 0x0100010001000100, step = 0x0202020202020202;
   int64_t first = low + byte / 2 * step, second = first + 4 * step;
@@ -157,12 +157,11 @@ AVX512 static inline __m512i spread(__m512i pixels, int byte) {
       pixels, _mm512_broadcast_i32x4(_mm_set_epi64x(second, first)));
 }
 
-/* b by / 65536, rounded up. */
+/* b by / 65536, rounded up: what b loses when it is joined. */
 AVX512 static inline __m512i taken(__m512i b, __m512i by) {
-  __m512i low = _mm512_mullo_epi16(b, by);
-  return _mm512_mask_add_epi16(_mm512_mulhi_epu16(b, by),
-                               _mm512_test_epi16_mask(low, low),
-                               _mm512_mulhi_epu16(b, by), _mm512_set1_epi16(1));
+  __m512i low = _mm512_mullo_epi16(b, by), high = _mm512_mulhi_epu16(b, by);
+  __mmask32 up = _mm512_test_epi16_mask(low, low);
+  return _mm512_mask_add_epi16(high, up, high, _mm512_set1_epi16(1));
 }
 
 AVX512 static inline void put_lanes(struct hsr_splat_picture *picture,
