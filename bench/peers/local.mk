@@ -5,6 +5,9 @@ EXTRA_DIST += %D%/README.md
 if WITH_PEERS
 hsrlibexecdir = $(libexecdir)/hsr
 hsrlibexec_PROGRAMS = %D%/hsr-peers
+if WITH_VOLUMES
+hsrlibexec_PROGRAMS += %D%/hsr-volumes
+endif
 %C%_hsr_peers_SOURCES = %D%/main.c %D%/own.c %D%/peers.h
 %C%_hsr_peers_LDADD = libinexact.a
 if WITH_EMBREE
@@ -24,11 +27,30 @@ if WITH_GL2PS
 endif
 if WITH_VTK_RENDERER
 noinst_LIBRARIES += libvtkpeer.a
-libvtkpeer_a_SOURCES = %D%/vtk.cc %D%/vtk_volume.cc
+libvtkpeer_a_SOURCES = %D%/vtk.cc %D%/vtk_cast.cc %D%/vtk_cast.h \
+  %D%/vtk_volume.cc %D%/volumes_vtk.cc
 libvtkpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
+%C%_hsr_peers_SOURCES += %D%/samples.c %D%/samples.h
 %C%_hsr_peers_LDADD += libvtkpeer.a $(VTK_RENDERER_LIBS)
 endif
 %C%_hsr_peers_LDADD += $(BENCH_LIBS)
+
+# Renderers of volumes, beside our splats.
+%C%_hsr_volumes_SOURCES = %D%/volumes.c %D%/volumes.h %D%/samples.c \
+  %D%/samples.h %D%/projection.c %D%/projection.h
+%C%_hsr_volumes_LDADD =
+if WITH_VTK_RENDERER
+%C%_hsr_volumes_LDADD += libvtkpeer.a $(VTK_RENDERER_LIBS)
+endif
+if WITH_VOLPACK
+%C%_hsr_volumes_SOURCES += %D%/volumes_volpack.c
+%C%_hsr_volumes_LDADD += -lvolpack
+endif
+if WITH_TEEM
+%C%_hsr_volumes_SOURCES += %D%/volumes_teem.c
+%C%_hsr_volumes_LDADD += -lteem
+endif
+%C%_hsr_volumes_LDADD += $(BENCH_LIBS)
 
 # zbuffer compiled again, without its exact fallback and under another name.
 noinst_LIBRARIES += libinexact.a

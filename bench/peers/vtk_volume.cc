@@ -14,61 +14,28 @@
  *             lies between two of them: corners and edges of cells. Shorter
  *             steps take more time and miss less. But positions have 15 binary
  *             places and are added up, so that very short steps drift.
- * Blocks      VTK notes which blocks of the volume are clear, and rays leap
- *             over them. Its filter does that in pieces, on several threads.
- *             With bytes as colours, VTK 9.1 reads the wrong voxels for all
- *             pieces but the first, so that rays leap over kept cells: at 256 x
- *             256 samples of tubules, 4,583 of the 7,534 that show a cell
- *             showed none. So the filter is given one piece.
  * Compared    The picture names cells, not their sides. It is compared with the
- *             cells that the oracle's faces belong to.
- * Context     There is none: rays are cast by the processor to memory. The
- *             texture in which VTK would bring the picture to a window is not
- *             made. */
+ *             cells that the oracle's faces belong to. */
 #include "bench/peers/peers.h"
-#include "bench/peers/projection.h"
+#include "bench/peers/samples.h"
+#include "bench/peers/vtk_cast.h"
 
-#include <vtkAutoInit.h>
-#include <vtkCamera.h>
-#include <vtkFixedPointRayCastImage.h>
-#include <vtkFixedPointVolumeRayCastMapper.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkImageData.h>
-#include <vtkMultiThreader.h>
-#include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
-#include <vtkRenderer.h>
-#include <vtkThreadedImageAlgorithm.h>
 #include <vtkVersion.h>
-#include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <new>
-
-VTK_MODULE_INIT(vtkRenderingOpenGL2)
-VTK_MODULE_INIT(vtkRenderingVolumeOpenGL2)
 
 namespace {
 
 constexpr uint32_t MOST_CELLS = 1u << 24; /* a number has three bytes */
-constexpr double SAME_SIZE = 1e-9;        /* of cells, relative */
 constexpr int BEFORE = 1, AROUND = 3;     /* clear voxels, of each axis */
 
-struct Scene {
-  vtkNew<vtkGenericOpenGLRenderWindow> window; /* has a size, draws nothing */
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkImageData> image;
-  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
-  vtkNew<vtkVolume> volume;
-};
-
 struct State {
-  struct box box;
   uint32_t *cells; /* of the samples; the canvas' */
-  Scene scene;
+  Cast cast;
 };
 
 enum hsr_status volume_fail(struct hsr_error *err) {
@@ -83,44 +50,24 @@ enum hsr_status volume_fail(struct hsr_error *err) {
 
 /* --- The volume ----------------------------------------------------------- */
 
-double size_along(const struct hsr_grid *grid, int axis) {
-  return (grid->bound[axis][grid->n[axis]] - grid->bound[axis][0]) /
-         grid->n[axis];
-}
-
-bool is_even(const struct hsr_grid *grid) {
-  for (int axis = 0; axis < 3; axis++) {
-    double size = size_along(grid, axis);
-    for (uint32_t k = 0; k < grid->n[axis]; k++) {
-      double own = grid->bound[axis][k + 1] - grid->bound[axis][k];
-      if (std::fabs(own - size) > SAME_SIZE * size)
-        return false;
-    }
-  }
-  return true;
-}
-
 enum hsr_status check_grid(const struct hsr_grid *grid, struct hsr_error *err) {
   if (grid->n_cells > MOST_CELLS)
     return hsr_fail(err, HSR_E_REFUSED, "vtk: more cells than colours");
-  if (!is_even(grid))
+  if (!grid_is_even(grid))
     return hsr_fail(err, HSR_E_REFUSED,
                     "vtk: the grid's cells are not all of one size");
   return HSR_OK;
 }
 
-void place_image(vtkImageData *image, const struct hsr_grid *grid) {
+void place_cells(Cast *cast, const struct hsr_grid *grid) {
   int n[3];
   double corner[3], size[3];
   for (int axis = 0; axis < 3; axis++) {
     n[axis] = (int)grid->n[axis] + AROUND;
-    size[axis] = size_along(grid, axis);
+    size[axis] = grid_spacing(grid, axis);
     corner[axis] = grid->bound[axis][0] - BEFORE * size[axis];
   }
-  image->SetDimensions(n);
-  image->SetOrigin(corner);
-  image->SetSpacing(size);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  place_image(cast, n, corner, size);
 }
 
 void fill_image(vtkImageData *image, const struct hsr_grid *grid) {
@@ -151,26 +98,6 @@ void choose_looks(vtkVolume *volume) {
   property->SetScalarOpacity(opacity);
 }
 
-/* A ray for each sample, and steps of this length, in world units. */
-void choose_rays(vtkFixedPointVolumeRayCastMapper *mapper, double step,
-                 long threads) {
-  mapper->SetNumberOfThreads((int)threads);
-  mapper->SetBlendModeToComposite();
-  mapper->AutoAdjustSampleDistancesOff();
-  mapper->LockSampleDistanceToInputSpacingOff();
-  mapper->IntermixIntersectingGeometryOff();
-  mapper->SetImageSampleDistance(1);
-  mapper->SetSampleDistance((float)step);
-}
-
-void connect(Scene *scene, const struct peer_canvas *canvas) {
-  scene->mapper->SetInputData(scene->image);
-  scene->volume->SetMapper(scene->mapper);
-  scene->window->SetSize(canvas->m, canvas->n);
-  scene->window->AddRenderer(scene->renderer);
-  scene->renderer->AddVolume(scene->volume);
-}
-
 struct box box_of_grid(const struct hsr_grid *grid) {
   struct box box;
   for (int axis = 0; axis < 3; axis++) {
@@ -182,13 +109,7 @@ struct box box_of_grid(const struct hsr_grid *grid) {
 
 double shortest_side(const struct hsr_grid *grid) {
   return std::min(
-      {size_along(grid, 0), size_along(grid, 1), size_along(grid, 2)});
-}
-
-/* Makes filters that are made from now on work in one piece. */
-void forbid_pieces() {
-  vtkMultiThreader::SetGlobalDefaultNumberOfThreads(1);
-  vtkThreadedImageAlgorithm::SetGlobalDefaultEnableSMP(false);
+      {grid_spacing(grid, 0), grid_spacing(grid, 1), grid_spacing(grid, 2)});
 }
 
 enum hsr_status volume_setup(const struct peer *peer,
@@ -202,47 +123,21 @@ enum hsr_status volume_setup(const struct peer *peer,
   forbid_pieces();
   State *state = new State;
   *out = state;
-  state->box = box_of_grid(grid);
   state->cells = canvas->ids;
-  Scene *scene = &state->scene;
-  place_image(scene->image, grid);
-  fill_image(scene->image, grid);
-  choose_looks(scene->volume);
+  Cast *cast = &state->cast;
+  cast->box = box_of_grid(grid);
+  place_cells(cast, grid);
+  fill_image(cast->image, grid);
+  choose_looks(cast->volume);
   int steps = *static_cast<const int *>(peer->flavour);
-  choose_rays(scene->mapper, shortest_side(grid) / steps, canvas->threads);
-  connect(scene, canvas);
+  connect_cast(cast, canvas->m, canvas->n, shortest_side(grid) / steps,
+               (int)canvas->threads);
   return HSR_OK;
 } catch (...) {
   return volume_fail(err);
 }
 
 /* --- A frame -------------------------------------------------------------- */
-
-void set_camera(State *state, const struct hsr_view *view) {
-  vtkCamera *camera = state->scene.renderer->GetActiveCamera();
-  double nearest, farthest;
-  box_depths(&state->box, view, &nearest, &farthest);
-  camera->SetPosition(view->camera.eye);
-  camera->SetFocalPoint(view->camera.at);
-  camera->SetViewUp(view->camera.up);
-  camera->SetParallelProjection(view->parallel);
-  if (view->parallel)
-    camera->SetParallelScale(view->camera.parallel / 2);
-  else
-    camera->SetViewAngle(view->camera.fov);
-  camera->SetClippingRange(nearest, farthest);
-}
-
-/* What the mapper does when it renders, without the texture at the end. */
-void cast_rays(Scene *scene) {
-  double nowhere[3] = {0, 0, 0};
-  int nothing[6] = {0, 0, 0, 0, 0, 0};
-  scene->mapper->PerImageInitialization(scene->renderer, scene->volume, 0,
-                                        nowhere, nowhere, nothing);
-  scene->mapper->PerVolumeInitialization(scene->renderer, scene->volume);
-  scene->mapper->PerSubVolumeInitialization(scene->renderer, scene->volume, 0);
-  scene->mapper->RenderSubVolume();
-}
 
 /* A colour has 15 bits, of which the lowest are rounded. */
 uint32_t cell_of_pixel(const unsigned short *pixel) {
@@ -254,30 +149,19 @@ uint32_t cell_of_pixel(const unsigned short *pixel) {
   return cell;
 }
 
-/* VTK's picture is of the part of the window that the volume may cover. Its
- * first row is the lowest. */
 void take_cells(const State *state, const struct hsr_view *view) {
-  vtkFixedPointRayCastImage *image = state->scene.mapper->GetRayCastImage();
-  int corner[2], size[2], room[2];
-  image->GetImageOrigin(corner);
-  image->GetImageInUseSize(size);
-  image->GetImageMemorySize(room);
-  std::fill_n(state->cells, (size_t)view->m * (size_t)view->n, HSR_BACKGROUND);
-  for (int j = 0; j < size[1]; j++) {
-    const unsigned short *from =
-        image->GetImage() + 4 * (size_t)j * (size_t)room[0];
-    uint32_t *to = state->cells + corner[0] +
-                   (size_t)(view->n - 1 - corner[1] - j) * (size_t)view->m;
-    for (int i = 0; i < size[0]; i++)
-      to[i] = cell_of_pixel(from + 4 * i);
-  }
+  uint32_t *cells = state->cells;
+  std::fill_n(cells, (size_t)view->m * (size_t)view->n, HSR_BACKGROUND);
+  take_pixels(&state->cast, view->m, view->n,
+              [cells](size_t at, const unsigned short *pixel) {
+                cells[at] = cell_of_pixel(pixel);
+              });
 }
 
 enum hsr_status volume_draw(void *opaque, const struct hsr_view *view,
                             struct hsr_error *err) try {
   State *state = static_cast<State *>(opaque);
-  set_camera(state, view);
-  cast_rays(&state->scene);
+  cast_rays(&state->cast, view);
   take_cells(state, view);
   return HSR_OK;
 } catch (...) {
