@@ -90,6 +90,7 @@ tap_scripts = \
   %D%/command.test \
   %D%/completion.test \
   %D%/peers.test \
+  %D%/volumes.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
   %D%/report/hostile.test \

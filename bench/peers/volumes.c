@@ -108,8 +108,10 @@ static enum hsr_status open_ours(struct run *run, struct hsr_error *err) {
 }
 
 static void close_ours(struct run *run) {
-  hsr_answer_free(&run->answer);
-  hsr_setup_free(&run->setup);
+  if (run->answer.form.type)
+    hsr_answer_free(&run->answer);
+  if (run->setup.algorithm)
+    hsr_setup_free(&run->setup);
   run->answer = (struct hsr_answer){.body = NULL};
   run->setup = (struct hsr_setup){.algorithm = NULL};
 }
@@ -240,6 +242,14 @@ static double mean_square_root(const struct run *run) {
   return sqrt(sum / (double)pixels(run) / (end - first));
 }
 
+/* The share of pixels in which either picture shows anything. */
+static double covered(const struct run *run) {
+  size_t n = 0;
+  for (size_t k = 3; k < 4 * pixels(run); k += 4)
+    n += run->ours[k] > 0 || run->theirs[k] > 0;
+  return (double)n / (double)pixels(run);
+}
+
 /* Of our pixels and theirs at (dx, dy) from there. */
 static double correlation(const struct run *run, int dx, int dy) {
   int m = run->request.m, n = run->request.n;
@@ -288,8 +298,9 @@ static enum hsr_status report(struct run *run, double factor,
       "seconds", seconds_json(run->other, request->frames), "our_seconds",
       seconds_json(run->own, request->frames));
   json_t *apart =
-      json_pack("{sf sf sf so}", "factor", factor, "rms", mean_square_root(run),
-                "correlation", middle, "shift", shift_json(run, middle));
+      json_pack("{sf sf sf sf so}", "factor", factor, "covered", covered(run),
+                "rms", mean_square_root(run), "correlation", middle, "shift",
+                shift_json(run, middle));
   if (verdict && apart)
     json_object_update(verdict, apart);
   json_decref(apart);

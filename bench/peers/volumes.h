@@ -7,9 +7,11 @@
  * hsr-volumes NAME SCENE VIEW WxH [FRAMES [PREFIX]]
  *   draws frames of both in turn, on one thread, and prints a JSON object: the
  *   least and the median time of each, in seconds; how far the pictures are
- *   apart: the root mean square difference, where 1 is the greatest value of a
- *   channel, the correlation, and the shift of the other picture, in pixels, at
- *   which the correlation is greatest. Writes PREFIX-ours.png, PREFIX-NAME.png
+ *   apart: the root mean square difference of all pixels, where 1 is the
+ *   greatest value of a channel, the share of pixels that show anything, the
+ *   correlation, and the shift of the other picture, in pixels, at which the
+ *   correlation is greatest. Sums are first multiplied by the factor that makes
+ *   them fit best. Writes PREFIX-ours.png, PREFIX-NAME.png
  *   and PREFIX-difference.png, which is eight times as bright.
  *
  * It is a program of its own because hsr-peers serves pictures that have a
