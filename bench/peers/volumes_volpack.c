@@ -13,6 +13,7 @@
 
 #include <volpack.h>
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -125,6 +126,8 @@ static enum hsr_status set_up(const struct volume_peer *peer,
                               const struct hsr_view *view, void **out,
                               struct hsr_error *err) {
   (void)peer;
+  if (samples->count > INT_MAX / sizeof(struct voxel))
+    return hsr_fail(err, HSR_E_REFUSED, "volpack: too many voxels");
   for (int k = 0; k < 3; k++)
     if (samples->n[k] > VP_MAX_VOLUME_DIM)
       return hsr_fail(err, HSR_E_REFUSED, "volpack: more than %d voxels a side",
