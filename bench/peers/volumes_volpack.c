@@ -121,21 +121,46 @@ static enum hsr_status allocate(struct state *state,
   return all ? HSR_OK : hsr_fail_nomem(err);
 }
 
-static enum hsr_status set_up(const struct volume_peer *peer,
-                              const struct samples *samples,
-                              const struct hsr_view *view, void **out,
-                              struct hsr_error *err) {
-  (void)peer;
+/* VolPack clips nothing that is behind the eye. */
+static bool is_in_front(const struct samples *samples,
+                        const struct hsr_view *view) {
+  double least = 0;
+  for (int k = 0; k < 3; k++) {
+    double low = samples->first[k] + SAMPLES_AROUND * samples->spacing[k];
+    double width =
+        (samples->n[k] - 1 - 2 * SAMPLES_AROUND) * samples->spacing[k];
+    double t = view->depth[k] * width;
+    least += view->depth[k] * (low - view->E[k]) + (t < 0 ? t : 0);
+  }
+  return least > view->near;
+}
+
+static enum hsr_status check(const struct samples *samples,
+                             const struct hsr_view *view,
+                             struct hsr_error *err) {
   if (samples->count > INT_MAX / sizeof(struct voxel))
     return hsr_fail(err, HSR_E_REFUSED, "volpack: too many voxels");
   for (int k = 0; k < 3; k++)
     if (samples->n[k] > VP_MAX_VOLUME_DIM)
       return hsr_fail(err, HSR_E_REFUSED, "volpack: more than %d voxels a side",
                       VP_MAX_VOLUME_DIM);
+  return is_in_front(samples, view)
+             ? HSR_OK
+             : hsr_fail(err, HSR_E_REFUSED,
+                        "volpack: the grid reaches behind the eye");
+}
+
+static enum hsr_status set_up(const struct volume_peer *peer,
+                              const struct samples *samples,
+                              const struct hsr_view *view, void **out,
+                              struct hsr_error *err) {
+  (void)peer;
+  enum hsr_status status = check(samples, view, err);
+  if (status)
+    return status;
   struct state *state = calloc(1, sizeof *state);
   *out = state;
-  enum hsr_status status =
-      state ? allocate(state, samples, view, err) : hsr_fail_nomem(err);
+  status = state ? allocate(state, samples, view, err) : hsr_fail_nomem(err);
   if (status)
     return status;
   fill_voxels(state, samples);
