@@ -84,11 +84,21 @@ static void draw_batch(struct hsr_splats *s) {
   b->n = 0;
 }
 
+/* Whether a sample gives nothing to any pixel: it is wholly transparent, and no
+ * weights are wanted. */
+static inline bool is_nothing(const struct hsr_splats *s, uint32_t cell) {
+  const struct hsr_grid *g = s->grid;
+  return !s->splatting.normalise && (!g->palette.opacity[g->level[cell]] ||
+                                     !g->palette.gradient[g->steep[cell]]);
+}
+
 static inline void add(struct hsr_splats *s, uint32_t cell, uint32_t i,
                        uint32_t j, uint32_t k) {
   struct hsr_splat_batch *b = &s->batch;
   HSR_STEP(s->tally, HSR_SPLAT_CELLS, HSR_CELL(cell, 0, 0), HSR_NOTHING,
            HSR_NOWHERE, 0);
+  if (is_nothing(s, cell))
+    return;
   b->cell[b->n] = cell;
   b->at[0][b->n] = i;
   b->at[1][b->n] = j;
