@@ -7,9 +7,8 @@
  *             1998, 1.1 and 2.3
  * Full        from front to back, a pixel to which no splat can add any more is
  *             full: docs/composited-picture.md. A splat is left out if all
- *             blocks of pixels that it may touch are full. Which blocks are is
- *             looked up anew from time to time.
- *
+ *             blocks of pixels that it may touch are full. From time to time
+ *             all blocks are looked at again.
  * Order       splats that are wider than a cell have no order that is right. That
  *             of pbtf is a part of the definition; how far the picture of
  *             another one is from it can be measured.
@@ -145,10 +144,7 @@ static enum hsr_status render(const struct hsr_job *job,
 }
 
 static const struct hsr_line outline[] = {
-    {"take the samples of the grid in the order of pbtf: from back to front, "
-     "or "
-     "from front to back",
-     0},
+    {"take the samples of the grid in an order, from the back or the front", 0},
     {"for each sample that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
     {"  shade it by its density, its gradient and the light", 0},
     {"  find its footprint; is it out of sight, or all full? leave it",

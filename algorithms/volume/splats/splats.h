@@ -10,10 +10,10 @@
  *             middle of a splat, 1024 at its rim.
  * Invariant   the channels of each pixel are those of all splats so far
  * Ties        there are none: all is decided as the definition says.
- * Exact       kappa is found in floats with a bound of its error; where a whole
- *             number is within the bound, in doubles with a bound; where there
- *             is one within that, exactly (common/exact/footprint.h). All that
- *             follows is in integers.
+ * Exact       kappa is found in floats, with a bound of its error. If a whole
+ *             number lies within the bound, kappa is found in doubles, with a
+ *             narrower bound; if one lies within that too, exactly
+ *             (common/exact/footprint.h). All that follows is in integers.
  * DDA         a point on the screen is a sum of three terms, one for each axis.
  *             Along a row of samples only one of them changes (thesis, 1.1).
  * Departures  a footprint is not a polygon with a texture: each pixel's weight
