@@ -184,10 +184,11 @@ error_t parse_view_option(struct view_options *options, int key, char *arg,
 enum hsr_status aim_scene(struct scene_options *scene,
                           struct view_options *view, struct hsr_error *err);
 
-/* The view that is chosen of a scene. HSR_E_USAGE if it has no such view. */
-enum hsr_status choose_camera(const struct view_options *options,
-                              const struct hsr_scene *scene,
-                              struct hsr_camera *camera, struct hsr_error *err);
+/* The view that is chosen of a scene, with `samples` x `samples` a pixel.
+ * HSR_E_USAGE if it has no such view; else as hsr_view_init. */
+enum hsr_status choose_view(const struct view_options *options,
+                            const struct hsr_scene *scene, int samples,
+                            struct hsr_view *view, struct hsr_error *err);
 
 /* --- Running -------------------------------------------------------------- */
 

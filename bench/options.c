@@ -395,13 +395,12 @@ enum hsr_status aim_scene(struct scene_options *scene,
   return status;
 }
 
-enum hsr_status choose_camera(const struct view_options *o,
-                              const struct hsr_scene *scene,
-                              struct hsr_camera *camera,
-                              struct hsr_error *err) {
+enum hsr_status choose_view(const struct view_options *o,
+                            const struct hsr_scene *scene, int samples,
+                            struct hsr_view *view, struct hsr_error *err) {
   if (o->view > (long)scene->n_views)
     return hsr_fail(err, HSR_E_USAGE, "%s has %u views; there is no view %ld",
                     scene->name, scene->n_views, o->view);
-  *camera = scene->views[o->view - 1];
-  return HSR_OK;
+  return hsr_view_init_of(view, scene, (uint32_t)o->view - 1, samples * o->m,
+                          samples * o->n, err);
 }

@@ -204,11 +204,8 @@ static enum hsr_status open_place(struct render *r,
   r->import = seconds_now() - begin;
 
   begin = seconds_now();
-  struct hsr_camera camera;
-  status = choose_camera(&o->view, r->scene, &camera, err);
-  if (!status)
-    status = hsr_view_init(&r->view, &camera, o->view.m * (int)o->supersamples,
-                           o->view.n * (int)o->supersamples, err);
+  status =
+      choose_view(&o->view, r->scene, (int)o->supersamples, &r->view, err);
   if (!status)
     status = hsr_setup_world(&r->world, a, r->scene, err);
   r->build = seconds_now() - begin;

@@ -161,10 +161,7 @@ enum hsr_status command_stats(int argc, char **argv, struct hsr_error *err) {
     return status;
   struct hsr_world world = {.outline.scene = scene};
   struct hsr_view view;
-  struct hsr_camera camera;
-  status = choose_camera(&options.view, scene, &camera, err);
-  if (!status)
-    status = hsr_view_init(&view, &camera, options.view.m, options.view.n, err);
+  status = choose_view(&options.view, scene, 1, &view, err);
   if (!status)
     status = hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, err);
   if (!status && hsr_is_outline(&world))

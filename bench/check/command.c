@@ -406,8 +406,8 @@ static enum hsr_status make_views(struct scene_run *run,
     return hsr_fail_nomem(err);
   enum hsr_status status = HSR_OK;
   for (int k = 0; k < o->n_sizes * o->n_views && !status; k++)
-    status = hsr_view_init(&run->view[k],
-                           &run->scene->views[o->view[k % o->n_views]],
+    status = hsr_view_init_of(&run->view[k], run->scene,
+                              (uint32_t)o->view[k % o->n_views],
                            o->m[k / o->n_views], o->n[k / o->n_views], err);
   return status;
 }

@@ -18,15 +18,16 @@ enum hsr_status stage_open(struct stage *stage, const char *scene,
   if (stage->scene->n_views < view &&
       hsr_scene_add_orbit(stage->scene, (unsigned)view - stage->scene->n_views))
     return hsr_fail_nomem(err);
-  return hsr_view_init(&stage->view, &stage->scene->views[view - 1], m, n, err);
+  return hsr_view_init_of(&stage->view, stage->scene, (uint32_t)view - 1, m, n,
+                          err);
 }
 
 enum hsr_status stage_walk(const struct stage *stage, long first, int n,
                            struct hsr_view *view, struct hsr_error *err) {
   enum hsr_status status = HSR_OK;
   for (int k = 0; k < n && !status; k++)
-    status = hsr_view_init(&view[k], &stage->scene->views[first - 1 + k],
-                           stage->view.m, stage->view.n, err);
+    status = hsr_view_init_of(&view[k], stage->scene, (uint32_t)(first - 1 + k),
+                              stage->view.m, stage->view.n, err);
   return status;
 }
 

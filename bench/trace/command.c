@@ -267,10 +267,7 @@ static enum hsr_status open_run(struct run *r, struct hsr_error *err) {
       open_scene(o->scene.name, o->scene.import, &r->scene, err);
   if (status)
     return status;
-  struct hsr_camera camera;
-  status = choose_camera(&o->view, r->scene, &camera, err);
-  if (!status)
-    status = hsr_view_init(&r->view, &camera, o->view.m, o->view.n, err);
+  status = choose_view(&o->view, r->scene, 1, &r->view, err);
   if (!status)
     status = open_worlds(r, err);
   if (!status)

@@ -21,7 +21,9 @@ enum {
   ATTENUATE,
   NORMALISE,
   EXPOSURE,
-  BUCKETS
+  BUCKETS,
+  BLUR,
+  THRESHOLD
 };
 
 static const struct hsr_word models[] = {
@@ -36,6 +38,13 @@ static const struct hsr_word models[] = {
 static const struct hsr_word kernels[] = {
     [HSR_CRAWFIS_MAX] = {"crawfis-max", "the cubic spline of 1993", 0},
     [HSR_GAUSSIAN] = {"gaussian", "of deviation .6, to radius 2", 0},
+    {NULL}};
+static const struct hsr_word blurs[] = {
+    [HSR_SHARP] = {"off", "splats are as they are", 0},
+    [HSR_BLUR_BY_AREA] = {"area", "as long as they moved, paler by their area",
+                          0},
+    [HSR_BLUR_EXACTLY] = {"exact", "as long as they moved, of the same energy",
+                          0},
     {NULL}};
 static const struct hsr_word off_on[] = {
     {"off", "not so", 0}, {"on", "so", 0}, {NULL}};
@@ -54,6 +63,10 @@ static const struct hsr_option options[] = {
     [EXPOSURE] = {"exposure", "a factor of the sums of xray", .real = true,
                   .real_least = 0, .real_most = 1000, .real_standard = 1},
     [BUCKETS] = {"buckets", "ranges of depth, of volume", NULL, 1, 1024, 64},
+    [BLUR] = {"blur", "motion since the view before", blurs, 0, 2, 0},
+    [THRESHOLD] = {"threshold", "cells that a splat moves without blur",
+                   .real = true, .real_least = 0, .real_most = 1000,
+                   .real_standard = 0},
     {NULL}};
 
 struct hsr_splatting hsr_form_splatting(const struct hsr_form *form) {
@@ -67,7 +80,9 @@ struct hsr_splatting hsr_form_splatting(const struct hsr_form *form) {
       .attenuate = (uint32_t)lrint(65536 * real[ATTENUATE]),
       .normalise = option[NORMALISE],
       .exposure = (uint64_t)lrint(65536 * real[EXPOSURE]),
-      .buckets = (int)option[BUCKETS]};
+      .buckets = (int)option[BUCKETS],
+      .blur = (enum hsr_splat_blur)option[BLUR],
+      .threshold = real[THRESHOLD]};
 }
 
 static size_t count(const struct hsr_answer *answer) {

@@ -9,6 +9,7 @@
 
 enum hsr_model { HSR_OVER, HSR_UNDER, HSR_SHEET, HSR_VOLUME, HSR_XRAY };
 enum hsr_splat_kernel { HSR_CRAWFIS_MAX, HSR_GAUSSIAN };
+enum hsr_splat_blur { HSR_SHARP, HSR_BLUR_BY_AREA, HSR_BLUR_EXACTLY };
 
 struct hsr_splatting {
   enum hsr_model model;
@@ -19,6 +20,8 @@ struct hsr_splatting {
   bool normalise;
   uint64_t exposure; /* 65536 is 1 */
   int buckets;
+  enum hsr_splat_blur blur;
+  double threshold; /* 0..1000 */
 };
 
 #endif

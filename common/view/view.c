@@ -76,3 +76,26 @@ enum hsr_status hsr_view_init(struct hsr_view *view,
                           "camera: its forward, right and up are dependent");
   return HSR_OK;
 }
+
+enum hsr_status hsr_view_init_of(struct hsr_view *view,
+                                 const struct hsr_scene *scene, uint32_t number,
+                                 int m, int n, struct hsr_error *err) {
+  struct hsr_view before;
+  enum hsr_status status =
+      number ? hsr_view_init(&before, &scene->views[number - 1], m, n, err)
+             : HSR_OK;
+  if (!status)
+    status = hsr_view_init(view, &scene->views[number], m, n, err);
+  if (status || !number)
+    return status;
+  view->before = (struct hsr_view_before){.exists = true,
+                                          .parallel = before.parallel,
+                                          .near = before.near};
+  for (int k = 0; k < 3; k++) {
+    view->before.E[k] = before.E[k];
+    view->before.F[k] = before.F[k];
+    view->before.R[k] = before.R[k];
+    view->before.U[k] = before.U[k];
+  }
+  return HSR_OK;
+}

@@ -42,6 +42,12 @@ extern "C" {
 
 #define HSR_MAX_SIZE 16384 /* samples a side */
 
+/* What a picture was seen by before it was seen by its view. */
+struct hsr_view_before {
+  bool exists, parallel;
+  double E[3], F[3], R[3], U[3], near; /* of a picture of the same shape */
+};
+
 struct hsr_view {
   struct hsr_camera camera;
   int m, n;                  /* samples a row, rows; 1 .. HSR_MAX_SIZE */
@@ -65,6 +71,8 @@ struct hsr_view {
    * origin: 0, 0, 0; in parallel m/2, n/2, 1, and row 2 is 0;
    * depth:  t = depth . (V - E). In perspective this is row 2. */
   double ray[3][3], screen[3][3], origin[3], depth[3];
+
+  struct hsr_view_before before; /* only for motion blur */
 };
 
 /* Sets up the view of a whole picture of m x n samples, with no offset.
@@ -73,6 +81,12 @@ struct hsr_view {
 enum hsr_status hsr_view_init(struct hsr_view *view,
                               const struct hsr_camera *camera, int m, int n,
                               struct hsr_error *err);
+
+/* Likewise for a view of a scene, 0 being the first, which moved there from the
+ * view before it. */
+enum hsr_status hsr_view_init_of(struct hsr_view *view,
+                                 const struct hsr_scene *scene, uint32_t number,
+                                 int m, int n, struct hsr_error *err);
 
 /* Fills ray, screen, origin and depth of *view from its E, F, R, U, m, n. False
  * if F, R, U are linearly dependent, or if memory ran out: then *out_of_memory
