@@ -204,8 +204,7 @@ static enum hsr_status open_place(struct render *r,
   r->import = seconds_now() - begin;
 
   begin = seconds_now();
-  status =
-      choose_view(&o->view, r->scene, (int)o->supersamples, &r->view, err);
+  status = choose_view(&o->view, r->scene, (int)o->supersamples, &r->view, err);
   if (!status)
     status = hsr_setup_world(&r->world, a, r->scene, err);
   r->build = seconds_now() - begin;

@@ -408,7 +408,7 @@ static enum hsr_status make_views(struct scene_run *run,
   for (int k = 0; k < o->n_sizes * o->n_views && !status; k++)
     status = hsr_view_init_of(&run->view[k], run->scene,
                               (uint32_t)o->view[k % o->n_views],
-                           o->m[k / o->n_views], o->n[k / o->n_views], err);
+                              o->m[k / o->n_views], o->n[k / o->n_views], err);
   return status;
 }
 

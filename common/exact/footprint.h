@@ -14,6 +14,9 @@ extern "C" {
 /* How far each kernel reaches, in millionths of a cell. */
 extern const int hsr_kernel_reach[];
 
+/* c, in millionths, of each kind of blur and each kernel. */
+extern const int hsr_blur_factor[][2];
+
 /* A splat as the definition has it. */
 struct hsr_splat {
   const struct hsr_view *view;
@@ -21,6 +24,8 @@ struct hsr_splat {
   double width;
   bool antialias;
   enum hsr_splat_kernel kernel;
+  enum hsr_splat_blur blur;
+  double threshold;
 };
 
 enum {
@@ -34,6 +39,9 @@ enum {
 /* Whether the depth of the sample exceeds near. */
 bool hsr_exact_is_beyond_near(const struct hsr_splat *splat,
                               bool *out_of_memory);
+
+/* Whether it is blurred by its motion since the view before. */
+bool hsr_exact_is_blurred(const struct hsr_splat *splat, bool *out_of_memory);
 
 /* The energy e, 0 to 65536. */
 uint32_t hsr_exact_energy(const struct hsr_splat *splat, bool *out_of_memory);

@@ -11,6 +11,7 @@ using Number = CGAL::Gmpq;
 using Vector = CGAL::Simple_cartesian<Number>::Vector_3;
 
 const int hsr_kernel_reach[] = {1556228, 2000000};
+const int hsr_blur_factor[][2] = {{0, 0}, {409079, 318310}, {850918, 666911}};
 
 namespace {
 
@@ -119,33 +120,90 @@ struct Splat : Camera {
     return x * R + y * U;
   }
 
-  // V' and D' of a pixel.
-  void ray(int i, int j, Vector &v, Vector &d) const {
-    const Vector screen = across(i, j);
+  // V' and D' of a point of the screen, given by xR + yU.
+  void ray(const Vector &screen, Vector &v, Vector &d) const {
     v = by_cell(view.parallel ? P - E - screen : P - E);
     d = by_cell(view.parallel ? F : F + screen);
   }
 
+  // The point of a ray that gives rho, from P and in cells. False: in
+  // perspective the ray goes away from the splat.
+  bool meet(const Vector &v, const Vector &d, Vector &point) const {
+    const Number vd = v * d;
+    if (!view.parallel && vd <= Number(0))
+      return false;
+    point = (view.parallel ? vd / (d * d) : v * v / vd) * d - v;
+    return true;
+  }
+
+  // Q. False: it is not blurred.
+  bool find_way(Vector &way) const {
+    const hsr_view_before &b = view.before;
+    if (!splat.blur || !b.exists)
+      return false;
+    const Vector V0 = P - vector(b.E), F0 = vector(b.F), R0 = vector(b.R),
+                 U0 = vector(b.U);
+    const Number by = Number(1) / det(F0, R0, U0), t = det(V0, R0, U0) * by;
+    if (t <= Number(b.near))
+      return false;
+    const Number per_w = b.parallel ? by : by / t;
+    Vector v, d;
+    ray(per_w * det(F0, V0, U0) * R + per_w * det(F0, R0, V0) * U, v, d);
+    const Number threshold(splat.threshold);
+    return meet(v, d, way) && way * way > threshold * threshold;
+  }
+
+  // e.
+  long energy() const {
+    const Number g2 = widening();
+    Vector way;
+    if (!find_way(way))
+      return floor_of(Number(65536) / g2);
+    // c g l is the root of this. e is the last integer for which g^2 + c g l <=
+    // 65536 / e.
+    const Number c(hsr_blur_factor[splat.blur][splat.kernel], 1000000);
+    const Number longer = c * c * g2 * (way * way);
+    long least = 0, beyond = floor_of(Number(65536) / g2) + 1;
+    while (least + 1 < beyond) {
+      const long e = least + (beyond - least) / 2;
+      const Number left = Number(65536) / Number(e) - g2;
+      (left >= Number(0) && left * left >= longer ? least : beyond) = e;
+    }
+    return least;
+  }
+
+  // What the ray of a pixel meets: V' + sQ, D', and the distance squared. False:
+  // the pixel is not covered.
+  bool pass(int i, int j, Vector &v, Vector &d, Number &square) const {
+    Vector point, way;
+    ray(across(i, j), v, d);
+    if (!meet(v, d, point))
+      return false;
+    if (find_way(way)) {
+      const Number along = point * way / (way * way);
+      const Number s = std::min(std::max(along, Number(0)), Number(1));
+      point = point - s * way;
+      v = v + s * way;
+    }
+    square = point * point;
+    return true;
+  }
+
   int footprint(int i, int j) const {
     Vector v, d;
-    ray(i, j, v, d);
-    const Number vd = v * d, vv = v * v, dd = d * d;
     Number square;
-    if (view.parallel)
-      square = vv - vd * vd / dd;
-    else if (vd <= Number(0))
+    if (!pass(i, j, v, d, square))
       return HSR_FOOTPRINT;
-    else
-      square = vv * (vv * dd - vd * vd) / (vd * vd);
     return int(std::min(floor_of(Number(HSR_FOOTPRINT) * square / reach()),
                         long(HSR_FOOTPRINT)));
   }
 
   int part(int i, int j, const Number &end) const {
     Vector v, d;
-    ray(i, j, v, d);
+    Number square;
+    pass(i, j, v, d, square);
     const Number dd = d * d, past = end - v * d / dd;
-    const Number square =
+    square =
         Number(HSR_FOOTPRINT_PARTS * HSR_FOOTPRINT_PARTS) * past * past * dd;
     const long most = HSR_FOOTPRINT_PARTS * HSR_FOOTPRINT_PARTS;
     const int root = root_of(std::min(floor_of(square / reach()), most));
@@ -174,10 +232,16 @@ bool hsr_exact_is_beyond_near(const struct hsr_splat *splat,
   });
 }
 
-uint32_t hsr_exact_energy(const struct hsr_splat *splat, bool *out_of_memory) {
-  return guarded(out_of_memory, uint32_t(0), [&] {
-    return uint32_t(floor_of(Number(65536) / Splat(*splat).widening()));
+bool hsr_exact_is_blurred(const struct hsr_splat *splat, bool *out_of_memory) {
+  return guarded(out_of_memory, false, [&] {
+    Vector way;
+    return Splat(*splat).find_way(way);
   });
+}
+
+uint32_t hsr_exact_energy(const struct hsr_splat *splat, bool *out_of_memory) {
+  return guarded(out_of_memory, uint32_t(0),
+                 [&] { return uint32_t(Splat(*splat).energy()); });
 }
 
 int hsr_exact_footprint(const struct hsr_splat *splat, int i, int j,

@@ -2,6 +2,7 @@
 #include "common/view/view.h"
 
 #include <math.h>
+#include <string.h>
 
 static void cross(const double a[3], const double b[3], double out[3]) {
   out[0] = a[1] * b[2] - a[2] * b[1];
@@ -88,14 +89,15 @@ enum hsr_status hsr_view_init_of(struct hsr_view *view,
     status = hsr_view_init(view, &scene->views[number], m, n, err);
   if (status || !number)
     return status;
-  view->before = (struct hsr_view_before){.exists = true,
-                                          .parallel = before.parallel,
-                                          .near = before.near};
-  for (int k = 0; k < 3; k++) {
-    view->before.E[k] = before.E[k];
-    view->before.F[k] = before.F[k];
-    view->before.R[k] = before.R[k];
-    view->before.U[k] = before.U[k];
-  }
+  struct hsr_view_before *b = &view->before;
+  *b = (struct hsr_view_before){
+      .exists = true, .parallel = before.parallel, .near = before.near};
+  memcpy(b->E, before.E, sizeof b->E);
+  memcpy(b->F, before.F, sizeof b->F);
+  memcpy(b->R, before.R, sizeof b->R);
+  memcpy(b->U, before.U, sizeof b->U);
+  memcpy(b->screen, before.screen, sizeof b->screen);
+  memcpy(b->origin, before.origin, sizeof b->origin);
+  memcpy(b->depth, before.depth, sizeof b->depth);
   return HSR_OK;
 }

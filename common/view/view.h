@@ -45,7 +45,8 @@ extern "C" {
 /* What a picture was seen by before it was seen by its view. */
 struct hsr_view_before {
   bool exists, parallel;
-  double E[3], F[3], R[3], U[3], near; /* of a picture of the same shape */
+  double E[3], F[3], R[3], U[3], near;      /* of a picture of the same shape */
+  double screen[3][3], origin[3], depth[3]; /* as below */
 };
 
 struct hsr_view {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 algorithm_files += \
   %D%/splat.c \
+  %D%/splat_blur.c \
   %D%/splat_frame.c \
   %D%/splat_kernel.c \
   %D%/splat_light.c \

@@ -73,8 +73,8 @@ static enum hsr_status open_blocks(struct hsr_splats *s, struct model *m) {
   for (int k = 0; k < HSR_LEVELS; k++)
     if (s->grid->palette.opacity[k] > opacity)
       opacity = s->grid->palette.opacity[k];
-  m->most =
-      s->splatting.normalise ? s->weight[0] : s->weight[0] * opacity >> 16;
+  uint32_t weight = hsr_splats_weight(s->knot, 0);
+  m->most = s->splatting.normalise ? weight : weight * opacity >> 16;
   return m->full ? HSR_OK : HSR_E_NOMEM;
 }
 
@@ -145,11 +145,13 @@ static enum hsr_status render(const struct hsr_job *job,
 
 static const struct hsr_line outline[] = {
     {"take the samples of the grid in an order, from the back or the front", 0},
-    {"for each sample that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
-    {"  shade it by its density, its gradient and the light", 0},
-    {"  find its footprint; is it out of sight, or all full? leave it",
+    {"for each row of samples; is its box out of the window? leave it",
+     HSR_RAISES(HSR_SPLAT_ROWS)},
+    {"  for each sample of it that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
+    {"    shade it by its density, its gradient and the light", 0},
+    {"      find its footprint; is it out of sight, or all full? leave it",
      HSR_RAISES(HSR_SPLAT_SPLATS)},
-    {"  for each pixel of the footprint, composite weight times colour",
+    {"    for each pixel of the footprint, composite weight times colour",
      HSR_RAISES(HSR_SPLAT_UPDATES)},
     {"write the pixels that are not empty", HSR_RAISES(HSR_SPLAT_WRITES)},
     {NULL, 0}};

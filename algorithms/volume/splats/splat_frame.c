@@ -29,11 +29,14 @@ static void fill_terms(struct hsr_splats *s) {
   for (int a = 0; a < 3; a++) {
     const double row[4] = {v->screen[0][a], v->screen[1][a],
                            v->parallel ? 0 : v->screen[2][a], v->depth[a]};
-    double most[4] = {0, 0, 0, 0};
+    double most[4] = {0, 0, 0, 0}, least = INFINITY;
     for (uint32_t k = 0; k < s->grid->n[a]; k++) {
       double far = s->grid->at[a][k] - v->E[a];
       s->far[a][k] = far;
-      s->per_size[a][k] = 1 / (s->grid->bound[a][k + 1] - s->grid->bound[a][k]);
+      double size = s->grid->bound[a][k + 1] - s->grid->bound[a][k];
+      s->per_size[a][k] = 1 / size;
+      s->largest[a] = fmax(s->largest[a], size);
+      least = fmin(least, size);
       for (int c = 0; c < 4; c++) {
         s->term[a][c][k] = row[c] * far;
         most[c] = fmax(most[c], fabs(row[c] * far));
@@ -41,6 +44,8 @@ static void fill_terms(struct hsr_splats *s) {
     }
     for (int c = 0; c < 4; c++)
       s->most[c] += most[c];
+    double u = v->U[a] / least / v->n, r = v->R[a] / least / v->m;
+    s->apart += s->splatting.antialias ? 2 * (u * u + r * r) : 0;
   }
   for (int c = 0; c < 2; c++)
     s->most[c] += fabs(v->origin[c]);
@@ -122,6 +127,66 @@ static uint32_t first_from(const struct hsr_grid *g, uint32_t begin,
   return begin;
 }
 
+/* Where the box around a row's splats is on the screen. */
+struct extent {
+  double from[2], to[2];
+};
+
+/* Adds the image of a corner, V from the eye, and what may have been lost in
+ * rounding. False if it may be behind the eye, or cannot be told. */
+static bool extend(const struct hsr_view *v, const double V[3],
+                   struct extent *extent) {
+  double image[3], size[3]; /* of the sum, and of its terms */
+  for (int c = 0; c < 3; c++) {
+    image[c] = v->origin[c];
+    size[c] = fabs(v->origin[c]);
+    for (int a = 0; a < 3; a++) {
+      image[c] += v->screen[c][a] * V[a];
+      size[c] += fabs(v->screen[c][a] * V[a]);
+    }
+  }
+  if (!(image[2] > 0x1p-20 * size[2]))
+    return false;
+  for (int c = 0; c < 2; c++) {
+    double at = image[c] / image[2],
+           off = 0x1p-30 * (size[c] + fabs(at) * size[2]) / image[2];
+    if (!(fabs(at) + off < 0x1p60))
+      return false;
+    extent->from[c] = fmin(extent->from[c], at - off);
+    extent->to[c] = fmax(extent->to[c], at + off);
+  }
+  return true;
+}
+
+/* Whether a splat of a row, from x = lo to hi, may touch a pixel of the window.
+ * Where the ray of a covered pixel is nearest to the sample, it is in a box
+ * around the sample that reaches g r cells to all sides. So the pixel is between
+ * the images of the corners of the row's box, if all are before the eye. A
+ * blurred splat may be farther away. */
+static bool may_touch(const struct hsr_splats *s, uint32_t j, uint32_t k,
+                      uint32_t lo, uint32_t hi) {
+  if (s->splatting.blur)
+    return true;
+  const uint32_t end[2][3] = {{lo, j, k}, {hi, j, k}};
+  double depth = s->term[1][3][j] + s->term[2][3][k],
+         t = fmax(s->term[0][3][lo], s->term[0][3][hi]) + depth;
+  double g = sqrt(fmax(1, s->apart * (s->view->parallel ? 1 : t * t)));
+  double reach = 1.001 * g * s->splatting.width * s->reach;
+  struct extent box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  for (int corner = 0; corner < 8; corner++) {
+    double V[3];
+    for (int a = 0; a < 3; a++) {
+      int high = corner >> a & 1;
+      V[a] = s->far[a][end[high][a]] + (high ? reach : -reach) * s->largest[a];
+    }
+    if (!extend(s->view, V, &box))
+      return true;
+  }
+  const struct hsr_window *w = &s->window;
+  return box.to[0] > w->x0 && box.from[0] < w->x1 && box.to[1] > w->y0 &&
+         box.from[1] < w->y1;
+}
+
 /* The kept samples from x = lo to hi, both included, up or down. */
 static void visit_row(struct hsr_splats *s, uint32_t j, uint32_t k, uint32_t lo,
                       uint32_t hi, int step) {
@@ -134,6 +199,12 @@ static void visit_row(struct hsr_splats *s, uint32_t j, uint32_t k, uint32_t lo,
     begin = first_from(g, begin, end, lo);
   if (hi < g->n[0] - 1)
     end = first_from(g, begin, end, hi + 1);
+  if (begin == end)
+    return;
+  bool in = may_touch(s, j, k, g->x[begin], g->x[end - 1]);
+  HSR_STEP(s->tally, HSR_SPLAT_ROWS, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, in);
+  if (!in)
+    return;
   for (uint32_t c = begin; c < end; c++) {
     uint32_t cell = step > 0 ? c : end - 1 - (c - begin);
     add(s, cell, g->x[cell], j, k);

@@ -23,7 +23,8 @@ static const double outer[4] = {(A * REACH * REACH) + B * REACH * REACH * REACH,
 /* The integral of a polynomial in x over t from 0 to t. */
 static double integral(const double c[4], double rho, double t) {
   double square = rho * rho, x = sqrt(square + t * t);
-  double first = (t * x + square * asinh(t / rho)) / 2;    /* of x */
+  double log = rho > 0 ? square * asinh(t / rho) : 0;
+  double first = (t * x + log) / 2;                        /* of x */
   double third = (t * x * x * x + 3 * square * first) / 4; /* of x^3 */
   return c[0] * t + c[1] * first + c[2] * (square * t + t * t * t / 3) +
          c[3] * third;
@@ -57,28 +58,31 @@ static double half(const struct hsr_splats *s, double rho, double t) {
                                              : half_spline(rho, t);
 }
 
-static double distance_of(const struct hsr_splats *s, int kappa) {
-  return s->reach * sqrt((kappa + 0.5) / HSR_FOOTPRINT);
+static double distance_of(const struct hsr_splats *s, int knot) {
+  return s->reach * sqrt((double)knot / HSR_SPLAT_KNOTS);
 }
 
 void hsr_splats_fill_weights(struct hsr_splats *s) {
   s->reach = 1e-6 * hsr_kernel_reach[s->splatting.kernel];
-  for (int k = 0; k < HSR_FOOTPRINT; k++)
-    s->weight[k] =
-        (uint32_t)lrint(65536 * 2 * half(s, distance_of(s, k), INFINITY));
-  s->weight[HSR_FOOTPRINT] = 0;
+  for (int k = 0; k < HSR_SPLAT_KNOTS; k++)
+    s->knot[k] =
+        (uint16_t)lrint(65536 * 2 * half(s, distance_of(s, k), INFINITY));
+  s->knot[HSR_SPLAT_KNOTS] = 0;
 }
 
 void hsr_splats_fill_parts(struct hsr_splats *s) {
   enum { PARTS = HSR_FOOTPRINT_PARTS };
-  for (int part = 0; part <= 2 * PARTS; part++)
-    for (int k = 0; k < HSR_FOOTPRINT; k++) {
-      double rho = distance_of(s, k), t = s->reach * (part - PARTS) / PARTS;
+  for (int part = 0; part <= 2 * PARTS; part++) {
+    uint16_t *T = s->before[part];
+    double t = s->reach * (part - PARTS) / PARTS;
+    for (int k = 0; k < HSR_SPLAT_KNOTS; k++) {
+      double rho = distance_of(s, k);
       double before =
           half(s, rho, INFINITY) + copysign(half(s, rho, fabs(t)), t);
-      s->before[part][k] =
-          (uint16_t)(part == 0           ? 0
-                     : part == 2 * PARTS ? (long)s->weight[k]
-                                         : lrint(65536 * before));
+      T[k] = (uint16_t)(part == 0           ? 0
+                        : part == 2 * PARTS ? s->knot[k]
+                                            : lrint(65536 * before));
     }
+    T[HSR_SPLAT_KNOTS] = 0;
+  }
 }

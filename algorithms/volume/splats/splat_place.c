@@ -26,6 +26,13 @@
  *             / (1 - eta) + 5), for kappa up to 1100, and by 12000 v spread for
  *             what dx and dy err near the middle: by 2 v of their greatest
  *             values.
+ * Fused       with fused products the square errs by less than 4 v M, the
+ *             denominator by (8 eta + 2) v, and the quotient by 4 v more. What
+ *             dx and dy err, by 2 v of the half sides below, changes the square
+ *             S by less than 2 sqrt(S) (sqrt(xx) 2 v side_x + sqrt(yy) 2 v
+ *             side_y) = 8 v 32 (1 + eta) sqrt(S) / sin, by Cauchy and Schwarz,
+ *             sin being the sine between A and B; and 2 sqrt(kappa) < kappa / 33
+ *             + 33.
  * Reach       kappa < 1024 (1 + eta)^2 within the square's ellipse, whose box
  *             has half sides 32 (1 + eta) sqrt(yy / det), sqrt(xx / det). As
  *             eta <= 1/2 in the box with 48 for 32 (1 + eta), no pixel outside
@@ -65,6 +72,18 @@ static void gather(struct hsr_splats *s, struct lanes *l) {
   }
 }
 
+/* The first pixel of [from, to] whose middle is not left of z, and the one after
+ * the last whose middle is not right of it; z is in pixels from the middle of
+ * pixel 0. */
+static inline int32_t first_pixel(double z, int32_t from, int32_t to) {
+  double in = hsr_min(hsr_max(z, from), to);
+  int32_t whole = (int32_t)in;
+  return whole + (whole < in);
+}
+static inline int32_t last_pixel(double z, int32_t from, int32_t to) {
+  return (int32_t)hsr_min(hsr_max(z + 1, from), to);
+}
+
 HSR_VECTOR
 static void place(const struct hsr_splats *restrict s,
                   const struct lanes *restrict l,
@@ -82,6 +101,11 @@ static void place(const struct hsr_splats *restrict s,
                per_n = 1 / ((double)v->n * v->n);
   const double width = s->splatting.width * s->splatting.width;
   const double full = HSR_FOOTPRINT / (s->reach * s->reach * width);
+  const double left = hsr_sample_x(v, 0), top = hsr_sample_y(v, 0);
+  const double near = v->near,
+               depth_off = 0x1p-49 * s->most[3] + 0x1p-52 * near;
+  const struct hsr_window window = s->window;
+  const int32_t plain_energy = (int32_t)s->plain_energy;
   const double perspective = v->parallel ? 0 : 1,
                antialias = s->splatting.antialias ? 1 : 0;
   for (int k = 0; k < HSR_SPLAT_BATCH; k++) {
@@ -123,13 +147,36 @@ static void place(const struct hsr_splats *restrict s,
     double in_float =
         0x1p-24 * (1100 * (12 * spread + (12 * eta + 2) / (1 - eta) + 6) +
                    12000 * spread);
-    double error = in_float + 800 * sqrt(hsr_max(xx, yy)) * off + 36000 * rough;
+    double in_doubles = 800 * sqrt(hsr_max(xx, yy)) * off + 36000 * rough;
+    double error = in_float + in_doubles;
+    double moved = 128 * (1 + eta) / ((1 - eta) * sqrt(1 - cosine2));
+    double slope = 1 + 0x1p-24 * (4 * spread + (16 * eta + 4) / (1 - eta) + 8 +
+                                  moved / 33);
     double reach = 32 * (1 + eta) * (1 + 0x1p-20);
     bool good =
         (w > 0) & (rough < 0x1p-28) & (eta <= 0.5) & (aa * 1024 >= AA) &
         (bb * 1024 >= BB) & (cosine2 <= 0.8) & (xx < 0x1p60) & (yy < 0x1p60) &
         (xx > 0x1p-60) & (yy > 0x1p-60) & (off < 0x1p-10) &
         (WW * 0x1p20 >= 2304 * (AA * side_x * side_x + BB * side_y * side_y));
+    double reach_x = good ? reach * side_x + off : HSR_MAX_SIZE,
+           reach_y = good ? reach * side_y + off : HSR_MAX_SIZE;
+    double middle_x = good ? x : 0, middle_y = good ? y : 0;
+    b->x0[k] = first_pixel(middle_x - reach_x - left, window.x0, window.x1);
+    b->x1[k] = last_pixel(middle_x + reach_x - left, window.x0, window.x1);
+    b->y0[k] = first_pixel(middle_y - reach_y - top, window.y0, window.y1);
+    b->y1[k] = last_pixel(middle_y + reach_y - top, window.y0, window.y1);
+    b->is_small[k] = good;
+
+    double loose = 8 * rough + 0x1p-40;
+    double energy = 65536 / (hsr_max(1, apart) * width);
+    double most_energy = energy * (1 + loose);
+    int32_t least_whole = (int32_t)(energy * (1 - loose)),
+            most_whole = (int32_t)hsr_min(most_energy, 70000);
+    bool is_plain = (antialias == 0) | (apart < 1 - loose);
+    bool is_whole = (least_whole == most_whole) & (loose < 0x1p-20);
+    b->energy[k] = is_plain ? plain_energy : is_whole ? least_whole : -1;
+    b->is_beyond[k] = b->depth[k] - near > depth_off;
+
     b->x[k] = x;
     b->y[k] = y;
     b->xx[k] = (float)xx;
@@ -138,8 +185,8 @@ static void place(const struct hsr_splats *restrict s,
     b->p[k] = (float)(perspective * p);
     b->q[k] = (float)(perspective * q);
     b->error[k] = (float)error;
-    b->reach_x[k] = good ? (float)(reach * side_x + off) : NAN;
-    b->reach_y[k] = good ? (float)(reach * side_y + off) : NAN;
+    b->constant[k] = (float)(0x1p-24 * 33 * moved + in_doubles);
+    b->slope[k] = (float)slope;
     b->apart[k] = apart;
     b->scale[k] = scale;
     b->rough[k] = rough;
@@ -159,7 +206,9 @@ struct hsr_splat hsr_splats_exact(const struct hsr_splats *s,
   struct hsr_splat splat = {.view = s->view,
                             .width = s->splatting.width,
                             .antialias = s->splatting.antialias,
-                            .kernel = s->splatting.kernel};
+                            .kernel = s->splatting.kernel,
+                            .blur = s->splatting.blur,
+                            .threshold = s->splatting.threshold};
   for (int a = 0; a < 3; a++) {
     const double *bound = s->grid->bound[a] + at[a];
     splat.at[a] = s->grid->at[a][at[a]];
@@ -171,24 +220,18 @@ struct hsr_splat hsr_splats_exact(const struct hsr_splats *s,
 static bool is_beyond_near(struct hsr_splats *s, int k, const uint32_t at[3]) {
   double depth = s->batch.depth[k], near = s->view->near;
   double error = 0x1p-49 * s->most[3] + 0x1p-52 * near;
-  if (fabs(depth - near) > error)
-    return depth > near;
+  if (s->batch.is_beyond[k] || depth - near < -error)
+    return s->batch.is_beyond[k];
   s->tally->exact[HSR_ASK_FOOTPRINT]++;
   struct hsr_splat splat = hsr_splats_exact(s, at);
   return hsr_exact_is_beyond_near(&splat, &s->tally->out_of_memory);
 }
 
-/* e, as 65536 / (g^2). In parallel projection it is that of the last splat if
- * their cells have the same sizes. */
+/* e. In parallel projection it is that of the last splat if their cells have the
+ * same sizes. */
 static uint32_t energy_of(struct hsr_splats *s, int k, const uint32_t at[3]) {
-  const struct hsr_splat_batch *b = &s->batch;
-  double width = s->splatting.width, rough = 8 * b->rough[k] + 0x1p-40;
-  if (!s->splatting.antialias || b->apart[k] < 1 - rough)
-    return s->plain_energy;
-  double apart = hsr_max(1, b->apart[k]);
-  double energy = 65536 / (apart * width * width), error = energy * rough;
-  if (floor(energy - error) == floor(energy + error) && rough < 0x1p-20)
-    return (uint32_t)energy;
+  if (s->batch.energy[k] >= 0)
+    return (uint32_t)s->batch.energy[k];
   struct hsr_splat splat = hsr_splats_exact(s, at);
   struct hsr_splats_energy *last = &s->last;
   bool same = s->view->parallel;
@@ -203,36 +246,17 @@ static uint32_t energy_of(struct hsr_splats *s, int k, const uint32_t at[3]) {
   return last->energy;
 }
 
-/* The pixels of [from, to) whose middles are from lo to hi; `middle` is that of
- * pixel 0. */
-static void clip(double lo, double hi, double middle, int *from, int *to) {
-  double first = ceil(lo - middle), last = floor(hi - middle);
-  *from = first > *from ? (first < *to ? (int)first : *to) : *from;
-  *to = last + 1 < *to ? (last + 1 > *from ? (int)last + 1 : *from) : *to;
-}
-
-static bool find_box(const struct hsr_splats *s, int k,
-                     struct hsr_window *box) {
-  const struct hsr_splat_batch *b = &s->batch;
-  *box = s->window;
-  double reach_x = (double)b->reach_x[k], reach_y = (double)b->reach_y[k];
-  if (!(reach_x > 0))
-    return true;
-  clip(b->x[k] - reach_x, b->x[k] + reach_x, hsr_sample_x(s->view, 0), &box->x0,
-       &box->x1);
-  clip(b->y[k] - reach_y, b->y[k] + reach_y, hsr_sample_y(s->view, 0), &box->y0,
-       &box->y1);
-  return box->x0 < box->x1 && box->y0 < box->y1;
+static bool leave(struct hsr_splats *s, uint32_t cell) {
+  HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(cell, 0, 0), HSR_NOTHING,
+           HSR_NOWHERE, 0);
+  return false;
 }
 
 bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
   const struct hsr_splat_batch *b = &s->batch;
-  struct hsr_window box;
-  if (!find_box(s, k, &box)) {
-    HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(b->cell[k], 0, 0),
-             HSR_NOTHING, HSR_NOWHERE, 0);
-    return false;
-  }
+  bool may_move = s->splatting.blur && s->view->before.exists;
+  if (!may_move && (b->x0[k] >= b->x1[k] || b->y0[k] >= b->y1[k]))
+    return leave(s, b->cell[k]);
   *p = (struct hsr_placed){.cell = b->cell[k],
                            .at = {b->at[0][k], b->at[1][k], b->at[2][k]},
                            .x = b->x[k],
@@ -245,14 +269,18 @@ bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
                            .p = b->p[k],
                            .q = b->q[k],
                            .error = b->error[k],
-                           .is_small = b->reach_x[k] > 0,
-                           .box = box};
-  if (!is_beyond_near(s, k, p->at)) {
-    HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_NOTHING,
-             HSR_NOWHERE, 0);
-    return false;
-  }
-  p->energy = energy_of(s, k, p->at);
+                           .constant = b->constant[k],
+                           .slope = b->slope[k],
+                           .is_small = b->is_small[k],
+                           .box = {b->x0[k], b->y0[k], b->x1[k], b->y1[k]}};
+  if (!is_beyond_near(s, k, p->at))
+    return leave(s, p->cell);
+  if (may_move)
+    hsr_splats_stretch(s, p, b->apart[k]);
+  if (p->box.x0 >= p->box.x1 || p->box.y0 >= p->box.y1)
+    return leave(s, p->cell);
+  if (!p->is_blurred)
+    p->energy = energy_of(s, k, p->at);
   hsr_splats_colour(s, p->cell, p->colour);
   for (int c = 0; c <= HSR_SPLAT_OPACITY; c++)
     p->colour[c] = (uint16_t)((uint64_t)p->colour[c] * p->energy >> 16);

@@ -86,7 +86,7 @@ static void put_portable(struct hsr_splats *s, const struct hsr_placed *p,
                  HSR_THE_WINDOW, HSR_AT(x + l, j), 0);
         HSR_TOUCH(s->tally, x + l, j);
         put_pixel(p, picture, hsr_splats_at(s, picture, x + l, j),
-                  s->weight[index[l]], way);
+                  hsr_splats_weight(s->knot, index[l]), way);
       }
     }
 }
@@ -95,76 +95,100 @@ static void put_portable(struct hsr_splats *s, const struct hsr_placed *p,
 
 #ifdef HAVE_AVX512_TWIN
 
-/* The footprint's square in floats. */
-struct square {
-  __m256 xx, xy, yy, p, q, error, least; /* least: 1 - error */
+/* 16 pixels are weighed at once: a piece of one row, or pieces of two rows, as
+ * wide as LANES. Those of a piece are put into the picture at once. */
+enum { ALL = 2 * LANES };
+
+/* The footprint's square in floats, and the kernel's table. */
+struct footprint {
+  __m512 xx, xy, yy, p, q, constant, most, least; /* slope, and 2 - slope */
+  __m512 column, row;                             /* of each lane */
+  __m512i T[2], fall[2];                          /* fall: T_i - T_(i+1) */
+  __m512i colour;
 };
 
-AVX512 static inline __m256 all(float x) {
-  return _mm256_set1_ps(x);
+AVX512 static inline __m512 all(float x) {
+  return _mm512_set1_ps(x);
 }
 
-AVX512 static inline __m256i lane_numbers(void) {
-  return _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+/* `columns` is LANES or ALL. */
+AVX512 static inline struct footprint footprint_of(const struct hsr_splats *s,
+                                                   const struct hsr_placed *p,
+                                                   int columns) {
+  const __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
+                                         12, 13, 14, 15),
+                column = _mm512_and_si512(lane, _mm512_set1_epi32(columns - 1)),
+                row = _mm512_srli_epi32(_mm512_sub_epi32(lane, column), 3);
+  int64_t rgba;
+  memcpy(&rgba, p->colour, sizeof rgba);
+  struct footprint f = {
+      all(p->xx),
+      all(2 * p->xy),
+      all(p->yy),
+      all(p->p),
+      all(p->q),
+      all(p->constant),
+      all(p->slope),
+      all(2 - p->slope),
+      _mm512_cvtepi32_ps(column),
+      _mm512_cvtepi32_ps(row),
+      {_mm512_loadu_si512(s->knot), _mm512_loadu_si512(s->knot + 32)},
+      {_mm512_setzero_si512()},
+      _mm512_set1_epi64(rgba)};
+  for (int h = 0; h < 2; h++)
+    f.fall[h] =
+        _mm512_sub_epi16(f.T[h], _mm512_loadu_si512(s->knot + 32 * h + 1));
+  return f;
 }
 
-/* Where floats cannot tell. */
-AVX512 __attribute__((noinline)) static __m256i
+/* Where floats cannot tell. What is beyond the footprint for certain stays. */
+AVX512 __attribute__((noinline)) static __m512i
 settle(const struct hsr_splats *s, const struct hsr_placed *p, int x, int j,
-       unsigned doubt, __m256i index) {
-  int32_t indices[LANES];
-  _mm256_storeu_si256((__m256i *)indices, index);
+       int columns, unsigned doubt, __m512i index) {
+  uint32_t indices[ALL];
+  _mm512_storeu_si512(indices, index);
   for (; doubt; doubt &= doubt - 1) {
     int l = __builtin_ctz(doubt);
-    indices[l] = hsr_splats_index(s, p, x + l, j);
+    if (indices[l] <= HSR_FOOTPRINT)
+      indices[l] =
+          (uint32_t)hsr_splats_index(s, p, x + l % columns, j + l / columns);
   }
-  return _mm256_loadu_si256((const __m256i *)indices);
+  return _mm512_loadu_si512(indices);
 }
 
-/* The weights of n pixels from x on, dx and dy from the middle. */
-AVX512 static inline __m256i weigh(const struct hsr_splats *s,
-                                   const struct hsr_placed *p,
-                                   const struct square *k, int x, int j, int n,
-                                   float dx, float dy) {
-  __m256 X = _mm256_add_ps(all(dx), _mm256_cvtepi32_ps(lane_numbers()));
-  __m256 xy = _mm256_mul_ps(k->xy, all(dy)),
-         yy = _mm256_mul_ps(k->yy, all(dy * dy)),
-         q = _mm256_add_ps(all(1), _mm256_mul_ps(k->q, all(dy)));
-  __m256 over = _mm256_add_ps(
-      _mm256_mul_ps(_mm256_add_ps(_mm256_mul_ps(k->xx, X), xy), X), yy);
-  __m256 under = _mm256_add_ps(q, _mm256_mul_ps(k->p, X));
-  __m256 kappa = _mm256_div_ps(over, _mm256_mul_ps(under, under));
-  __mmask8 in = (__mmask8)(n < LANES ? (1u << n) - 1 : 0xff);
-  in = _mm256_mask_cmp_ps_mask(in, kappa, all(HSR_FOOTPRINT + 1), _CMP_LT_OQ);
-  __m256i index = _mm256_maskz_cvttps_epi32(in, kappa);
-  __m256 part = _mm256_sub_ps(kappa, _mm256_cvtepi32_ps(index));
-  __mmask8 low = _mm256_mask_cmp_ps_mask(in, part, k->error, _CMP_LT_OQ),
-           high = _mm256_mask_cmp_ps_mask(in, part, k->least, _CMP_GT_OQ);
-  unsigned doubt = (low & _mm256_test_epi32_mask(index, index)) | high;
-  if (__builtin_expect(doubt != 0, 0))
-    index = settle(s, p, x, j, doubt, index);
-  in = _mm256_mask_cmp_epi32_mask(in, index, _mm256_set1_epi32(HSR_FOOTPRINT),
-                                  _MM_CMPINT_LT);
-  return _mm256_mmask_i32gather_epi32(_mm256_setzero_si256(), in, index,
-                                      (const int *)s->weight, 4);
+/* 1 / x, to 2^-22 of it. */
+AVX512 static inline __m512 inverse(__m512 x) {
+  __m512 y = _mm512_rcp14_ps(x);
+  return _mm512_fmadd_ps(y, _mm512_fnmadd_ps(x, y, all(1)), y);
 }
 
-/* In each pixel the 16 bits from this byte on, four times. */
-AVX512 static inline __m512i spread(__m512i pixels, int byte) {
-  const int64_t low = 0x0100010001000100, step = 0x0202020202020202;
-  int64_t first = low + byte / 2 * step, second = first + 4 * step;
+/* W of indices, 0 where they are not in `in`, in every other word. 16 i + j,
+ * moved up by 12 bits, leaves 2 j in the highest five of a word. */
+AVX512 static inline __m512i weigh(const struct footprint *f, __mmask16 in,
+                                   __m512i index) {
+  __m512i i = _mm512_srli_epi32(index, 4);
+  __m512i T = _mm512_permutex2var_epi16(f->T[0], i, f->T[1]),
+          fall = _mm512_permutex2var_epi16(f->fall[0], i, f->fall[1]);
+  __m512i twice =
+      _mm512_or_si512(_mm512_slli_epi16(index, 12), _mm512_set1_epi32(1 << 11));
+  return _mm512_maskz_mov_epi32(
+      in, _mm512_sub_epi16(T, _mm512_mulhi_epu16(fall, twice)));
+}
+
+/* In each pixel its opacity, four times. */
+AVX512 static inline __m512i opacity(__m512i pixels) {
   return _mm512_shuffle_epi8(
-      pixels, _mm512_broadcast_i32x4(_mm_set_epi64x(second, first)));
+      pixels, _mm512_broadcast_i32x4(
+                  _mm_set_epi64x(0x0f0e0f0e0f0e0f0e, 0x0706070607060706)));
 }
 
-/* b by / 65536, rounded up: what b loses when it is joined. */
-AVX512 static inline __m512i taken(__m512i b, __m512i by) {
-  __m512i low = _mm512_mullo_epi16(b, by), high = _mm512_mulhi_epu16(b, by);
-  __mmask32 up = _mm512_test_epi16_mask(low, low);
-  return _mm512_mask_add_epi16(high, up, high, _mm512_set1_epi16(1));
+/* floor(b (65536 - by) / 65536). */
+AVX512 static inline __m512i left(__m512i b, __m512i by) {
+  return _mm512_mask_mulhi_epu16(b, _mm512_test_epi16_mask(by, by), b,
+                                 _mm512_sub_epi16(_mm512_setzero_si512(), by));
 }
 
-AVX512 static inline void put_lanes(struct hsr_splat_picture *picture,
+AVX512 static inline void put_piece(struct hsr_splat_picture *picture,
                                     size_t at, __m512i D,
                                     enum hsr_splat_way way) {
   if (way == HSR_PUT_SUM) {
@@ -180,33 +204,78 @@ AVX512 static inline void put_lanes(struct hsr_splat_picture *picture,
   __m512i E = _mm512_loadu_si512(to);
   if (way == HSR_PUT_ADD)
     E = _mm512_adds_epu16(E, D);
-  else {
-    __m512i less =
-        way == HSR_PUT_OVER ? taken(E, spread(D, 6)) : taken(D, spread(E, 6));
-    E = _mm512_sub_epi16(_mm512_add_epi16(E, D), less);
-  }
+  else if (way == HSR_PUT_OVER)
+    E = _mm512_add_epi16(D, left(E, opacity(D)));
+  else
+    E = _mm512_add_epi16(E, left(D, opacity(E)));
   _mm512_storeu_si512(to, E);
 }
 
+/* D of the piece's pixels, the first or the second one. */
+AVX512 static inline __m512i given(const struct footprint *f, __m512i weight,
+                                   int piece) {
+  const int64_t four = 0x0002000200020002, n = LANES * piece;
+  const __m512i pixel = _mm512_setr_epi64(
+      four * n, four * (n + 1), four * (n + 2), four * (n + 3), four * (n + 4),
+      four * (n + 5), four * (n + 6), four * (n + 7));
+  return _mm512_mulhi_epu16(_mm512_permutexvar_epi16(pixel, weight), f->colour);
+}
+
+/* Puts the columns of the box from x on, as many as are weighed at once. */
+AVX512 static inline __attribute__((always_inline)) void
+put_columns(struct hsr_splats *s, const struct hsr_placed *p,
+            struct hsr_splat_picture *picture, const struct footprint *f, int x,
+            int columns, enum hsr_splat_way way) {
+  const struct hsr_window *box = &p->box;
+  const int rows = ALL / columns,
+            n = box->x1 - x < columns ? box->x1 - x : columns;
+  const size_t second = columns == ALL ? LANES : picture->stride;
+  const __mmask16 one = (__mmask16)((1u << n) - 1),
+                  two =
+                      (__mmask16)(columns == LANES ? one << LANES | one : one);
+  const __m512 X = _mm512_add_ps(all((float)(hsr_sample_x(s->view, x) - p->x)),
+                                 f->column),
+               dy = all((float)(hsr_sample_y(s->view, box->y0) - p->y)),
+               xx = _mm512_mul_ps(f->xx, _mm512_mul_ps(X, X)),
+               xy = _mm512_mul_ps(f->xy, X),
+               px = _mm512_fmadd_ps(f->p, X, all(1));
+  const __m512i beyond = _mm512_set1_epi32(HSR_FOOTPRINT);
+  __m512 row = f->row;
+  size_t at = hsr_splats_at(s, picture, x, box->y0);
+  for (int j = box->y0; j < box->y1; j += rows) {
+    __m512 Y = _mm512_add_ps(dy, row), w = _mm512_fmadd_ps(f->q, Y, px);
+    __m512 square = _mm512_fmadd_ps(_mm512_fmadd_ps(f->yy, Y, xy), Y, xx);
+    __m512 kappa = _mm512_mul_ps(square, inverse(_mm512_mul_ps(w, w)));
+    __mmask16 in = j + rows <= box->y1 ? two : one;
+    __m512i index = _mm512_cvttps_epi32(
+                _mm512_fmsub_ps(kappa, f->least, f->constant)),
+            most = _mm512_cvttps_epi32(
+                _mm512_fmadd_ps(kappa, f->most, f->constant));
+    __mmask16 doubt = _mm512_mask_cmpneq_epi32_mask(in, index, most);
+    if (__builtin_expect(doubt != 0, 0))
+      index = settle(s, p, x, j, columns, doubt, index);
+    in = _mm512_mask_cmplt_epu32_mask(in, index, beyond);
+    __m512i weight = weigh(f, in, index);
+    put_piece(picture, at, given(f, weight, 0), way);
+    if (columns == ALL ? n > LANES : j + 1 < box->y1)
+      put_piece(picture, at + second, given(f, weight, 1), way);
+    row = _mm512_add_ps(row, all((float)rows));
+    at += (size_t)rows * picture->stride;
+  }
+}
+
+/* What is not wider than a piece is put two rows at once. */
 AVX512 static inline __attribute__((always_inline)) void
 put_avx512(struct hsr_splats *s, const struct hsr_placed *p,
            struct hsr_splat_picture *picture, enum hsr_splat_way way) {
-  int64_t rgba;
-  memcpy(&rgba, p->colour, sizeof rgba);
-  const __m512i colour = _mm512_set1_epi64(rgba);
-  const struct square square = {all(p->xx),       all(2 * p->xy), all(p->yy),
-                                all(p->p),        all(p->q),      all(p->error),
-                                all(1 - p->error)};
-  for (int j = p->box.y0; j < p->box.y1; j++) {
-    float dy = (float)(hsr_sample_y(s->view, j) - p->y);
-    for (int x = p->box.x0; x < p->box.x1; x += LANES) {
-      float dx = (float)(hsr_sample_x(s->view, x) - p->x);
-      __m256i weight = weigh(s, p, &square, x, j, p->box.x1 - x, dx, dy);
-      __m512i D =
-          _mm512_mulhi_epu16(spread(_mm512_cvtepu32_epi64(weight), 0), colour);
-      put_lanes(picture, hsr_splats_at(s, picture, x, j), D, way);
-    }
+  if (p->box.x1 - p->box.x0 <= LANES) {
+    const struct footprint f = footprint_of(s, p, LANES);
+    put_columns(s, p, picture, &f, p->box.x0, LANES, way);
+    return;
   }
+  const struct footprint f = footprint_of(s, p, ALL);
+  for (int x = p->box.x0; x < p->box.x1; x += ALL)
+    put_columns(s, p, picture, &f, x, ALL, way);
 }
 
 AVX512 static void put_fast(struct hsr_splats *s, const struct hsr_placed *p,

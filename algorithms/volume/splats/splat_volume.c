@@ -67,7 +67,8 @@ struct passage {
 
 static struct passage passage_of(const struct hsr_splats *s,
                                  const struct hsr_placed *p, int i, int j) {
-  const struct hsr_splat_ray r = hsr_splats_ray(s, p, i, j);
+  struct hsr_splat_ray r = hsr_splats_ray(s, p, i, j);
+  double moved = p->is_blurred ? hsr_splats_move(s, p, i, j, r.V) : 0;
   double VD = 0, DD = 0, vd = 0, dd = 0;
   for (int a = 0; a < 3; a++) {
     VD += r.V[a] * r.D[a];
@@ -76,7 +77,8 @@ static struct passage passage_of(const struct hsr_splats *s,
     dd += r.d[a] * r.d[a];
   }
   return (struct passage){VD / DD, sqrt(p->scale * DD),
-                          0x1p-46 * (vd / DD + fabs(VD) / DD * (dd / DD))};
+                          0x1p-46 * (vd / DD + fabs(VD) / DD * (dd / DD)) +
+                              1.1 * moved / sqrt(DD)};
 }
 
 /* lambda at the end of bucket b. */
@@ -112,12 +114,12 @@ static void draw_pixel(struct hsr_splats *s, const struct hsr_placed *p, int i,
   const struct passage ray = passage_of(s, p, i, j);
   double reach = (PARTS + 1) / ray.parts + ray.off + m->off;
   int b = m->n > 1 ? bucket_at(m, ray.nearest - reach) : 0;
-  uint16_t before = 0;
+  uint32_t before = 0;
   for (bool more = true; more && b < m->n; b++) {
     int part = b < m->n - 1 ? part_before(s, p, i, j, &ray, b) : PARTS;
-    uint16_t here = s->before[part + PARTS][kappa];
+    uint32_t here = hsr_splats_weight(s->before[part + PARTS], kappa);
     if (here > before)
-      hsr_splats_add(s, p, &m->bucket[b], i, j, (uint32_t)here - before);
+      hsr_splats_add(s, p, &m->bucket[b], i, j, here - before);
     before = here;
     more = part < PARTS;
   }
@@ -144,7 +146,7 @@ static void draw(struct hsr_splats *s, const struct hsr_placed *p) {
 
 static enum hsr_status open_parts(struct hsr_splats *s) {
   for (int part = 0; part <= 2 * PARTS; part++) {
-    s->before[part] = HSR_NEW(s->job->scratch, uint16_t, HSR_FOOTPRINT);
+    s->before[part] = HSR_NEW(s->job->scratch, uint16_t, HSR_SPLAT_KNOTS + 1);
     if (!s->before[part])
       return HSR_E_NOMEM;
   }
@@ -202,11 +204,14 @@ static enum hsr_status render(const struct hsr_job *job,
 }
 
 static const struct hsr_line outline[] = {
-    {"for each sample that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
-    {"  find its footprint; is it out of sight? leave it",
+    {"for each row of samples; is its box out of the window? leave it",
+     HSR_RAISES(HSR_SPLAT_ROWS)},
+    {"  for each sample of it that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
+    {"      find its footprint; is it out of sight? leave it",
      HSR_RAISES(HSR_SPLAT_SPLATS)},
-    {"  for each pixel of the footprint", HSR_RAISES(HSR_SPLAT_UPDATES)},
-    {"    add the parts of the kernel, times colour, to the buckets that they "
+    {"    for each pixel of the footprint", HSR_RAISES(HSR_SPLAT_UPDATES)},
+    {"      add the parts of the kernel, times colour, to the buckets that "
+     "they "
      "are in",
      0},
     {"from the last bucket to the first, put it over the picture",

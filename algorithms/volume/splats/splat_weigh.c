@@ -117,6 +117,10 @@ static void settle(const struct hsr_splats *s, const struct hsr_placed *p,
 
 void hsr_splats_find(const struct hsr_splats *s, const struct hsr_placed *p,
                      int x, int j, int32_t index[HSR_SPLAT_LANES]) {
+  if (p->is_blurred) {
+    hsr_splats_find_blurred(s, p, x, j, index);
+    return;
+  }
   float kappa[HSR_SPLAT_LANES];
   int n = p->box.x1 - x < HSR_SPLAT_LANES ? p->box.x1 - x : HSR_SPLAT_LANES;
   if (p->is_small) {

@@ -81,10 +81,12 @@ static enum hsr_status render(const struct hsr_job *job,
 }
 
 static const struct hsr_line outline[] = {
-    {"for each sample that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
-    {"  find its footprint; is it out of sight? leave it",
+    {"for each row of samples; is its box out of the window? leave it",
+     HSR_RAISES(HSR_SPLAT_ROWS)},
+    {"  for each sample of it that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
+    {"      find its footprint; is it out of sight? leave it",
      HSR_RAISES(HSR_SPLAT_SPLATS)},
-    {"  for each pixel of the footprint, add weight times colour",
+    {"    for each pixel of the footprint, add weight times colour",
      HSR_RAISES(HSR_SPLAT_UPDATES)},
     {"write the pixels that are not empty", HSR_RAISES(HSR_SPLAT_WRITES)},
     {NULL, 0}};

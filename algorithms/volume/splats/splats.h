@@ -22,8 +22,8 @@
  *
  * Files: splat_frame.c walks the grid; splat_light.c gives samples their
  * colours; splat_kernel.c makes the kernels' tables; splat_place.c finds where
- * splats are; splat_weigh.c the weights in their pixels; splat_put.c puts them
- * over, under and into pixels; splat_picture.c keeps the pixels. */
+ * splats are; splat_weigh.c the weights in their pixels; splat_blur.c those of
+ * splats that moved; splat_put.c puts them over, under and into pixels; splat_picture.c keeps the pixels. */
 #ifndef HSR_ALGORITHMS_SPLATS_H
 #define HSR_ALGORITHMS_SPLATS_H
 
@@ -34,6 +34,7 @@
 /* --- What the modules have in common -------------------------------------- */
 
 enum {
+  HSR_SPLAT_ROWS,
   HSR_SPLAT_CELLS,
   HSR_SPLAT_SPLATS,
   HSR_SPLAT_UPDATES,
@@ -42,6 +43,9 @@ enum {
 };
 
 #define HSR_SPLAT_COUNTERS                                                     \
+  [HSR_SPLAT_ROWS] = {"rows",         "boxes around rows of samples tested",   \
+                      HSR_COMPARE,    HSR_OF_NOTHING,                          \
+                      HSR_OF_NOTHING, "out of the window|in it"},              \
   [HSR_SPLAT_CELLS] = {"samples", "kept samples visited", HSR_ACTIVATE,        \
                        HSR_OF_CELL, HSR_OF_NOTHING},                           \
   [HSR_SPLAT_SPLATS] = {"splats",      "rectangles around splats tested",      \
@@ -66,6 +70,7 @@ enum {
   HSR_SPLAT_WEIGHT = 4,
   HSR_SPLAT_CHANNELS = 5,
   HSR_SPLAT_BATCH = 64, /* splats that are placed at once */
+  HSR_SPLAT_KNOTS = 64, /* of a kernel's table, and one more */
   HSR_SPLAT_LANES = 8   /* pixels that are weighed at once */
 };
 
@@ -80,10 +85,16 @@ struct hsr_splat_batch {
   double x[HSR_SPLAT_BATCH], y[HSR_SPLAT_BATCH];
   float xx[HSR_SPLAT_BATCH], xy[HSR_SPLAT_BATCH], yy[HSR_SPLAT_BATCH],
       p[HSR_SPLAT_BATCH], q[HSR_SPLAT_BATCH], error[HSR_SPLAT_BATCH];
-  float reach_x[HSR_SPLAT_BATCH], reach_y[HSR_SPLAT_BATCH]; /* NaN: anywhere */
+  /* With fused products, it may be off by constant + (slope - 1) kappa. */
+  float constant[HSR_SPLAT_BATCH], slope[HSR_SPLAT_BATCH];
+  /* The pixels that it may touch, and whether they and floats can be told. */
+  int32_t x0[HSR_SPLAT_BATCH], x1[HSR_SPLAT_BATCH], y0[HSR_SPLAT_BATCH],
+      y1[HSR_SPLAT_BATCH], is_small[HSR_SPLAT_BATCH];
   double apart[HSR_SPLAT_BATCH]; /* pixels, in cells, squared: g^2 if over 1 */
   double depth[HSR_SPLAT_BATCH]; /* t */
-  double scale[HSR_SPLAT_BATCH]; /* 1024 / (g r)^2 */
+  int32_t is_beyond[HSR_SPLAT_BATCH]; /* near; if not, it may be yet */
+  int32_t energy[HSR_SPLAT_BATCH];    /* e; negative: to be found exactly */
+  double scale[HSR_SPLAT_BATCH];      /* 1024 / (g r)^2 */
   double rough[HSR_SPLAT_BATCH]; /* how far, relatively, these may be off */
 };
 
@@ -91,8 +102,10 @@ struct hsr_splat_batch {
 struct hsr_placed {
   uint32_t cell, at[3];
   double x, y, scale, rough;
-  float xx, xy, yy, p, q, error;
+  float xx, xy, yy, p, q, error, constant, slope;
   bool is_small; /* floats may tell kappa */
+  bool is_blurred;
+  double way[3], way_length, way_off; /* Q, l, and how far Q may be off */
   struct hsr_window box;
   uint32_t energy;
   uint16_t colour[HSR_SPLAT_OPACITY + 1];
@@ -127,10 +140,13 @@ struct hsr_splats {
    * the size of its cell. */
   double *far[3], *term[3][4], *per_size[3];
   double most[4];        /* the greatest sum of the sizes of three terms */
+  double largest[3];     /* cell of each axis */
+  double apart;          /* the greatest g^2 / (width t)^2; in parallel g^2 /
+                            width^2 */
   uint32_t plain_energy; /* e of a splat that is not widened for pixels */
   double reach;          /* r */
   struct hsr_splat_light *light;                 /* by code of normal */
-  uint32_t weight[HSR_FOOTPRINT + 1];            /* the kernel's table, and 0 */
+  uint16_t knot[HSR_SPLAT_KNOTS + 1];            /* T: the kernel's table */
   uint16_t *before[2 * HSR_FOOTPRINT_PARTS + 1]; /* of model volume */
 
   /* Of slices across x: the samples at x are those from start[x] on. */
@@ -168,10 +184,19 @@ int32_t hsr_splats_split(const struct hsr_splats *splats, int axis);
 
 /* --- Tables --------------------------------------------------------------- */
 
+/* W of kappa, by the knots T of a table that does not rise. kappa is below
+ * HSR_FOOTPRINT. */
+static inline uint32_t hsr_splats_weight(const uint16_t *knot, int kappa) {
+  enum { EACH = HSR_FOOTPRINT / HSR_SPLAT_KNOTS };
+  const uint16_t *T = knot + kappa / EACH;
+  uint32_t twice = 2 * ((uint32_t)kappa % EACH) + 1;
+  return T[0] - twice * (uint32_t)(T[0] - T[1]) / (2 * EACH);
+}
+
 #define hsr_splats_fill_weights HSR_OF_BUILD(hsr_splats_fill_weights)
 void hsr_splats_fill_weights(struct hsr_splats *splats);
 
-/* Fills `before`, for which there is room. */
+/* Fills `before`, each of which has room for HSR_SPLAT_KNOTS + 1. */
 #define hsr_splats_fill_parts HSR_OF_BUILD(hsr_splats_fill_parts)
 void hsr_splats_fill_parts(struct hsr_splats *splats);
 
@@ -215,6 +240,25 @@ struct hsr_splat_ray {
 struct hsr_splat_ray hsr_splats_ray(const struct hsr_splats *splats,
                                     const struct hsr_placed *placed, int i,
                                     int j);
+
+/* Stretches a splat over the way that it went since the view before, if it is
+ * blurred: finds Q, the energy and the box; g^2 is width^2 max(1, apart). */
+#define hsr_splats_stretch HSR_OF_BUILD(hsr_splats_stretch)
+void hsr_splats_stretch(struct hsr_splats *splats, struct hsr_placed *placed,
+                        double apart);
+
+/* hsr_splats_find of a blurred splat. */
+#define hsr_splats_find_blurred HSR_OF_BUILD(hsr_splats_find_blurred)
+void hsr_splats_find_blurred(const struct hsr_splats *splats,
+                             const struct hsr_placed *placed, int x, int j,
+                             int32_t index[HSR_SPLAT_LANES]);
+
+/* Adds sQ of a blurred splat in pixel (i, j) to V; returns how far that may be
+ * off. */
+#define hsr_splats_move HSR_OF_BUILD(hsr_splats_move)
+double hsr_splats_move(const struct hsr_splats *splats,
+                       const struct hsr_placed *placed, int i, int j,
+                       double V[3]);
 
 /* What the exact services are asked about. */
 #define hsr_splats_exact HSR_OF_BUILD(hsr_splats_exact)
