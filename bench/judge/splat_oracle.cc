@@ -4,22 +4,23 @@
  *
  * Source      docs/composited-picture.md, in whose words this file is written.
  * Input       the grid's arrays and its palette; the view's E, F, R, U, near,
- *             m, n, offsets and window, but not its matrices; the options. Of
- *             those whom it judges it shares no order, no normals, no tables
- *             and no numbers.
+ *             m, n, offsets and window, but not its matrices; the view before;
+ *             the options. Of those whom it judges it shares no order, no
+ *             normals, no tables and no numbers.
  * Notation    as there. A vector with a prime is `in_cells`. What is called
  *             `scale` is 1024 / (g^2 r^2).
  * Method      for every pixel, the splats in sequence are gathered and then
  *             composited. Each floor is sought in CGAL's interval arithmetic;
  *             where the interval has more than one, it is taken in rational
- *             numbers. The kernels are integrated by Gauss' quadrature.
+ *             numbers. Roots are compared by their squares. The kernels are
+ *             integrated by Gauss' quadrature.
  * Invariants  a splat is left out of a window only if it covers no pixel of it:
  *             find_box() has the proof.
  * Ties        none: all floors are exact. No entry of a table is near a half.
  * Departures  none: there is no paper.
- * Cost        a splat costs eight projected corners a window, and a few dozen
- *             interval operations for each pixel of its rectangle. A sort of
- *             all kept samples a window.
+ * Cost        a splat costs eight projected corners a window, or 16 if it is
+ *             blurred, and a few dozen interval operations for each pixel of
+ *             its rectangle. A sort of all kept samples a window.
  *
  * Compile with -frounding-math; or, slower, but regardless of rounding modes
  * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
@@ -36,6 +37,7 @@
 #include <map>
 #include <memory>
 #include <new>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -137,6 +139,11 @@ Exact greater(const Exact &a, const Exact &b) {
   return a < b ? b : a;
 }
 
+/* x, but at least 0 and at most 1. */
+template <class T> T clamped(const T &x) {
+  return T(1) - greater(T(0), T(1) - greater(T(0), x));
+}
+
 /* --- The colour of a sample ----------------------------------------------- */
 
 enum { OPACITY = 3, WEIGHT = 4, CHANNELS = 5 };
@@ -209,7 +216,8 @@ std::array<uint64_t, 4> colour_of(const hsr_grid &grid, uint32_t cell,
 
 /* --- Kernels -------------------------------------------------------------- */
 
-constexpr int ENTRIES = 1024, PARTS = 32;
+/* Values of kappa, knots and pieces between them; parts of a reach. */
+constexpr int ENTRIES = 1024, KNOTS = 64, PIECES = ENTRIES / KNOTS, PARTS = 32;
 
 struct crawfis_max {
   static constexpr Real reach = 1.556228L, bend = 0.88L, end = reach;
@@ -260,28 +268,30 @@ template <class Kernel> Real part(Real rho2, Real a, Real b) {
 /* The weights of a kernel before lambda = -32, ..., 32, which is the last: all
  * of it. */
 class tables {
-  std::array<std::array<int32_t, 2 * PARTS + 1>, ENTRIES> before;
+  std::array<std::array<int32_t, 2 * PARTS + 1>, KNOTS + 1> before = {};
 
 public:
   template <class Kernel> explicit tables(Kernel) {
     const Real step = Kernel::reach / PARTS;
     const int far = int(std::lround(Kernel::end / step));
-    for (size_t k = 0; k < ENTRIES; k++) {
-      const Real rho2 =
-          Kernel::reach * Kernel::reach * (Real(k) + 0.5L) / ENTRIES;
+    for (size_t i = 0; i < KNOTS; i++) {
+      const Real rho2 = Kernel::reach * Kernel::reach * Real(i) / KNOTS;
       Real sum = 0;
       for (int l = -far; l < far; l++) {
         if (std::abs(l) < PARTS)
-          before[k][size_t(l + PARTS)] = int32_t(std::lround(65536 * sum));
+          before[i][size_t(l + PARTS)] = int32_t(std::lround(65536 * sum));
         sum += part<Kernel>(rho2, Real(l) * step, Real(l + 1) * step);
       }
-      before[k][0] = 0;
-      before[k][2 * PARTS] = int32_t(std::lround(65536 * sum));
+      before[i][0] = 0;
+      before[i][2 * PARTS] = int32_t(std::lround(65536 * sum));
     }
   }
 
+  /* No kernel grows outwards, so that T_i - T_{i+1} is not negative. */
   uint64_t weight_before(int kappa, int lambda) const {
-    return uint64_t(before[size_t(kappa)][size_t(lambda + PARTS)]);
+    const size_t i = size_t(kappa / PIECES), l = size_t(lambda + PARTS);
+    const int j = kappa % PIECES, here = before[i][l], next = before[i + 1][l];
+    return uint64_t(here - (2 * j + 1) * (here - next) / (2 * PIECES));
   }
   uint64_t weight(int kappa) const { return weight_before(kappa, PARTS); }
 };
@@ -301,6 +311,15 @@ const tables &tables_of(hsr_splat_kernel kernel) {
 Exact squared_reach(hsr_splat_kernel kernel) {
   return CGAL::square(kernel == HSR_GAUSSIAN ? Exact(2)
                                              : Exact(1556228, 1000000));
+}
+
+/* c, by which a splat that moves loses energy. */
+Exact paling(const hsr_splatting &options) {
+  const bool area = options.blur == HSR_BLUR_BY_AREA;
+  const int millionths = options.kernel == HSR_GAUSSIAN
+                             ? area ? 318310 : 666911
+                             : (area ? 409079 : 850918);
+  return Exact(millionths, 1000000);
 }
 
 /* --- What a window is made of, in doubles and integers -------------------- */
@@ -380,23 +399,22 @@ scenery::scenery(const hsr_view &seen, const hsr_grid &of,
 
 /* --- Footprints ----------------------------------------------------------- */
 
-/* What is the same for all splats. */
-template <class T> struct camera {
-  bool parallel, antialias;
+/* From where a splat is seen, now or before. */
+template <class T> struct outlook {
+  bool parallel;
   vec<T> E, F, R, U;
-  T m, n, near, width2, r2;
+  T near;
   vec<T> along_F, along_R, along_U; /* their products with P - E are t, alpha
                                        and beta */
 
-  camera(const scenery &of, const T &squared_reach_of_kernel);
+  template <class View> explicit outlook(const View &view);
 };
 
 template <class T>
-camera<T>::camera(const scenery &of, const T &squared_reach_of_kernel)
-    : parallel(of.view.parallel), antialias(of.options.antialias),
-      E(lift<T>(of.view.E)), F(lift<T>(of.view.F)), R(lift<T>(of.view.R)),
-      U(lift<T>(of.view.U)), m(of.view.m), n(of.view.n), near(of.view.near),
-      width2(CGAL::square(T(of.options.width))), r2(squared_reach_of_kernel) {
+template <class View>
+outlook<T>::outlook(const View &view)
+    : parallel(view.parallel), E(lift<T>(view.E)), F(lift<T>(view.F)),
+      R(lift<T>(view.R)), U(lift<T>(view.U)), near(view.near) {
   const vec<T> RU = cross(R, U);
   const T by = T(1) / dot(F, RU);
   along_F = by * RU;
@@ -404,11 +422,37 @@ camera<T>::camera(const scenery &of, const T &squared_reach_of_kernel)
   along_U = by * cross(F, R);
 }
 
+/* What is the same for all splats. */
+template <class T> struct camera : outlook<T> {
+  bool antialias;
+  T m, n, width2, r2, c, threshold2;
+  std::optional<outlook<T>> before; /* if splats may be blurred */
+
+  camera(const scenery &of, const T &squared_reach_of_kernel, const T &c_of);
+};
+
+template <class T>
+camera<T>::camera(const scenery &of, const T &squared_reach_of_kernel,
+                  const T &c_of)
+    : outlook<T>(of.view), antialias(of.options.antialias), m(of.view.m),
+      n(of.view.n), width2(CGAL::square(T(of.options.width))),
+      r2(squared_reach_of_kernel), c(c_of),
+      threshold2(CGAL::square(T(of.options.threshold))) {
+  if (of.options.blur != HSR_SHARP && of.view.before.exists)
+    before.emplace(of.view.before);
+}
+
 template <class T> struct footprint {
   vec<T> P, size;
   T depth, g2, scale;
+  CGAL::Uncertain<bool> blurred = false;
+  vec<T> Q = {T(0), T(0), T(0)}; /* if it is blurred, and l^2 */
+  T l2 = T(0);
 
   footprint(const scenery &of, const camera<T> &c, const place &p);
+
+private:
+  CGAL::Uncertain<bool> move(const camera<T> &c);
 };
 
 template <class T>
@@ -426,6 +470,7 @@ footprint<T>::footprint(const scenery &of, const camera<T> &c, const place &p)
     g2 = c.width2 * greater(T(1), T(2) * t2 * pixel);
   }
   scale = T(1024) / (g2 * c.r2);
+  blurred = move(c);
 }
 
 struct splat {
@@ -434,6 +479,7 @@ struct splat {
   mutable std::unique_ptr<const footprint<Exact>> exactly; /* once needed */
   std::array<uint64_t, 4> C;
   uint64_t e;
+  bool blurred;
   hsr_window box; /* the pixels of the window that it may cover */
 };
 
@@ -441,36 +487,76 @@ struct splat {
 
 template <class T> struct ray { vec<T> start, along; };
 
-template <class T> ray<T> make_ray(const camera<T> &c, double sx, double sy) {
-  const T x = (T(2) * T(sx) - c.m) / c.m, y = (c.n - T(2) * T(sy)) / c.n;
+template <class T>
+ray<T> ray_through(const outlook<T> &c, const T &x, const T &y) {
   const vec<T> across = x * c.R + y * c.U;
   if (c.parallel)
     return {c.E + across, c.F};
   return {c.E, c.F + across};
 }
 
-/* V' and D', or F' in parallel projection, by their products. */
-template <class T> struct meeting {
-  T VV, VD, DD, crossed; /* |V' x D'|^2 = |V'|^2 |D'|^2 - (V'.D')^2 */
+template <class T> ray<T> make_ray(const camera<T> &c, double sx, double sy) {
+  return ray_through<T>(c, (T(2) * T(sx) - c.m) / c.m,
+                        (c.n - T(2) * T(sy)) / c.n);
+}
 
-  meeting(const footprint<T> &s, const ray<T> &r) {
-    const vec<T> V = in_cells(s.P - r.start, s.size),
-                 D = in_cells(r.along, s.size);
-    VV = square(V);
-    VD = dot(V, D);
-    DD = square(D);
-    crossed = square(cross(V, D));
+/* V' and D', or F' in parallel projection, and their products. */
+template <class T> struct meeting {
+  vec<T> V, D, across; /* D' x V' */
+  T VD, DD;
+  T rho2, middle; /* once they are measured: rho^2, and V'.D', or
+                     (V' + s Q).D' if the splat is blurred */
+
+  meeting(const footprint<T> &s, const ray<T> &r)
+      : V(in_cells(s.P - r.start, s.size)), D(in_cells(r.along, s.size)),
+        across(cross(D, V)), VD(dot(V, D)), DD(square(D)), middle(VD) {}
+
+  /* Y; like all below, in perspective only if V'.D' is positive. */
+  vec<T> point(bool parallel) const {
+    return parallel ? T(1) / DD * cross(D, across)
+                    : T(1) / VD * cross(V, across);
   }
 
-  /* rho^2; V'.D' is not 0 in perspective. */
-  T distance2(bool parallel) const {
-    return parallel ? crossed / DD : VV * crossed / CGAL::square(VD);
+  /* |D' x V'|^2 = |V'|^2 |D'|^2 - (V'.D')^2. */
+  void measure(bool parallel) {
+    rho2 = parallel ? square(across) / DD
+                    : square(V) * square(across) / CGAL::square(VD);
+  }
+  void measure_blurred(const footprint<T> &s, bool parallel) {
+    const vec<T> Y = point(parallel),
+                 moved = clamped<T>(dot(Y, s.Q) / s.l2) * s.Q;
+    rho2 = square(Y - moved);
+    middle = VD + dot(moved, D);
   }
 
   /* The sign of t_b - t*, and tau^2. */
-  T beyond(const T &t_b) const { return t_b * DD - VD; }
+  T beyond(const T &t_b) const { return t_b * DD - middle; }
   T apart2(const T &t_b) const { return CGAL::square(beyond(t_b)) / DD; }
 };
+
+/* Finds Q and l^2, and whether the splat is blurred. */
+template <class T>
+CGAL::Uncertain<bool> footprint<T>::move(const camera<T> &c) {
+  if (!c.before)
+    return false;
+  const outlook<T> &before = *c.before;
+  const vec<T> away = P - before.E;
+  const T t_0 = dot(before.along_F, away);
+  const CGAL::Uncertain<bool> seen = t_0 > before.near;
+  if (!CGAL::certainly(seen))
+    return seen;
+
+  const T w = before.parallel ? T(1) : t_0;
+  const meeting<T> m(*this, ray_through<T>(c, dot(before.along_R, away) / w,
+                                           dot(before.along_U, away) / w));
+  const CGAL::Uncertain<bool> ahead = m.VD > T(0);
+  if (!c.parallel && !CGAL::certainly(ahead))
+    return ahead;
+
+  Q = m.point(c.parallel);
+  l2 = square(Q);
+  return l2 > c.threshold2;
+}
 
 /* A splat that covers a pixel. */
 struct covering {
@@ -499,12 +585,15 @@ class judge {
 
   const footprint<Exact> &exact(const splat &s) const;
   bool exists(const splat &s) const;
+  void find_motion(splat *s) const;
   uint64_t energy(const splat &s) const;
+  uint64_t exact_energy(const splat &s) const;
   hsr_window find_box(const splat &s) const;
   void find_splats();
   void find_buckets();
 
-  int kappa(const splat &s, const meeting<Interval> &about) const;
+  meeting<Exact> exact_meeting(const splat &s) const;
+  int kappa(const splat &s, meeting<Interval> *about) const;
   int exact_kappa(const splat &s) const;
   int lambda(const covering &c, size_t bucket) const;
   int exact_lambda(const splat &s, size_t bucket) const;
@@ -533,9 +622,11 @@ public:
 judge::judge(const scenery &of, const tables &made, hsr_tally *counts)
     : seen(of), kernel(made), tally(counts), exact_camera([&] {
         const Nearest to_nearest;
-        return camera<Exact>(of, squared_reach(of.options.kernel));
+        return camera<Exact>(of, squared_reach(of.options.kernel),
+                             paling(of.options));
       }()),
-      about_camera(of, Interval(CGAL::to_interval(exact_camera.r2))),
+      about_camera(of, Interval(CGAL::to_interval(exact_camera.r2)),
+                   Interval(CGAL::to_interval(exact_camera.c))),
       across(0) {
   const double *F = of.view.F;
   for (size_t a = 1; a < 3; a++)
@@ -565,13 +656,47 @@ bool judge::exists(const splat &s) const {
   return exact(s).depth > exact_camera.near;
 }
 
+/* Where the intervals do not know whether it is blurred, they may not know Q
+ * either. */
+void judge::find_motion(splat *s) const {
+  footprint<Interval> &about = s->about;
+  if (about.blurred.is_certain()) {
+    s->blurred = about.blurred.make_certain();
+    return;
+  }
+  count_exact();
+  {
+    const Nearest to_nearest;
+    s->blurred = exact(*s).blurred.make_certain();
+  }
+  about.l2 = Interval(CGAL::to_interval(exact(*s).l2));
+  for (size_t a = 0; a < 3; a++)
+    about.Q[a] = Interval(CGAL::to_interval(exact(*s).Q[a]));
+}
+
 uint64_t judge::energy(const splat &s) const {
-  const int guess = whole(Interval(65536) / s.about.g2, 65536);
-  if (guess != UNDECIDED)
-    return uint64_t(guess);
+  Interval area = s.about.g2;
+  if (s.blurred)
+    area += about_camera.c * CGAL::sqrt(s.about.g2 * s.about.l2);
+  const int guess = whole(Interval(65536) / area, 65536);
+  return guess != UNDECIDED ? uint64_t(guess) : exact_energy(s);
+}
+
+/* e >= k if 65536 / k - g^2 >= c g l, whose right side is not negative. As g^2
+ * is at least 1, e is at most 65536. */
+uint64_t judge::exact_energy(const splat &s) const {
   const Nearest to_nearest;
   count_exact();
-  return uint64_t(whole(Exact(65536) / exact(s).g2, 65536));
+  const footprint<Exact> &f = exact(s);
+  const Exact c = s.blurred ? exact_camera.c : Exact(0),
+              right2 = CGAL::square(c) * f.g2 * f.l2;
+  int e = 0;
+  for (int bit = 65536; bit > 0; bit /= 2) {
+    const Exact left = Exact(65536, e + bit) - f.g2;
+    if (left >= Exact(0) && CGAL::square(left) >= right2)
+      e += bit;
+  }
+  return uint64_t(e);
 }
 
 /* The place of an interval among the pixels from `first` to `last`, one more on
@@ -587,16 +712,21 @@ std::pair<int, int> pixels(const Interval &at, int first, int last) {
 /* Where the ray is at the distance rho from P, rho < g r in units of cells, it
  * is in the box of P and g r cells on all sides. In perspective it is there at
  * |V'|^2 / V'.D' > 0 times D. So if the box is before the eye, the pixel is
- * between the images of the corners; else the splat may be anywhere. */
+ * between the images of the corners; else the splat may be anywhere.
+ * The same point of the ray of a blurred splat is at this distance from P + s Q
+ * for an s from 0 to 1, Q being as many cells long. So it is in the box of P, or
+ * in that of P + Q, or between them: in the hull of 16 corners. */
 hsr_window judge::find_box(const splat &s) const {
   const camera<Interval> &c = about_camera;
   const hsr_window all = seen.view.window, none = {0, 0, 0, 0};
   const Interval reach = CGAL::sqrt(s.about.g2 * c.r2);
   Interval x, y;
-  for (int corner = 0; corner < 8; corner++) {
+  for (int corner = 0; corner < (s.blurred ? 16 : 8); corner++) {
     vec<Interval> at = s.about.P - c.E;
-    for (size_t a = 0; a < 3; a++)
-      at[a] += Interval(corner >> a & 1 ? 1 : -1) * reach * s.about.size[a];
+    for (size_t a = 0; a < 3; a++) {
+      const Interval side = corner >> a & 1 ? reach : -reach;
+      at[a] += s.about.size[a] * (corner < 8 ? side : s.about.Q[a] + side);
+    }
     const Interval w = c.parallel ? Interval(1) : dot(c.along_F, at);
     if (!(w.inf() > 0))
       return all;
@@ -622,7 +752,9 @@ hsr_window judge::find_box(const splat &s) const {
 
 void judge::find_splats() {
   for (const place &p : seen.sequence) {
-    splat s = {p, footprint<Interval>(seen, about_camera, p), {}, {}, 0, {}};
+    splat s = {p, footprint<Interval>(seen, about_camera, p), {}, {}, 0, false,
+               {}};
+    find_motion(&s);
     s.box = find_box(s);
     if (s.box.x0 >= s.box.x1 || !exists(s))
       continue;
@@ -657,24 +789,42 @@ void judge::find_buckets() {
 
 /* --- Splats of a pixel ---------------------------------------------------- */
 
+meeting<Exact> judge::exact_meeting(const splat &s) const {
+  const bool parallel = exact_camera.parallel;
+  meeting<Exact> m(exact(s), make_ray(exact_camera, sx, sy));
+  if (parallel || m.VD > Exact(0)) {
+    if (s.blurred)
+      m.measure_blurred(exact(s), parallel);
+    else
+      m.measure(parallel);
+  }
+  return m;
+}
+
 /* 1024: the splat does not cover the pixel. */
-int judge::kappa(const splat &s, const meeting<Interval> &about) const {
+int judge::kappa(const splat &s, meeting<Interval> *about) const {
   const bool parallel = about_camera.parallel;
-  if (!parallel && about.VD.sup() <= 0)
+  if (!parallel && about->VD.sup() <= 0)
     return ENTRIES;
-  int found = UNDECIDED;
-  if (parallel || about.VD.inf() > 0)
-    found = whole(about.distance2(parallel) * s.about.scale, ENTRIES);
+  if (!parallel && !(about->VD.inf() > 0)) {
+    about->middle = Interval::largest();
+    return exact_kappa(s);
+  }
+  if (s.blurred)
+    about->measure_blurred(s.about, parallel);
+  else
+    about->measure(parallel);
+  const int found = whole(about->rho2 * s.about.scale, ENTRIES);
   return found != UNDECIDED ? found : exact_kappa(s);
 }
 
 int judge::exact_kappa(const splat &s) const {
   const Nearest to_nearest;
   count_exact();
-  const meeting<Exact> m(exact(s), make_ray(exact_camera, sx, sy));
-  if (!exact_camera.parallel && m.VD <= 0)
+  const meeting<Exact> m = exact_meeting(s);
+  if (!exact_camera.parallel && m.VD <= Exact(0))
     return ENTRIES;
-  return whole(m.distance2(exact_camera.parallel) * exact(s).scale, ENTRIES);
+  return whole(m.rho2 * exact(s).scale, ENTRIES);
 }
 
 /* If there is one floor only, and it is not 0, the sign is certain. */
@@ -690,7 +840,7 @@ int judge::lambda(const covering &c, size_t bucket) const {
 int judge::exact_lambda(const splat &s, size_t bucket) const {
   const Nearest to_nearest;
   count_exact();
-  const meeting<Exact> m(exact(s), make_ray(exact_camera, sx, sy));
+  const meeting<Exact> m = exact_meeting(s);
   const Exact &t_b = exact_ends[bucket];
   const int size = int(root(whole(m.apart2(t_b) * exact(s).scale, ENTRIES)));
   return m.beyond(t_b) < 0 ? -size : size;
@@ -704,8 +854,8 @@ void judge::gather(const std::vector<const splat *> &row, int i) {
     if (i < s->box.x0 || i >= s->box.x1)
       continue;
     HSR_STEP(tally, ORACLE_SPLAT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
-    const meeting<Interval> about(s->about, r);
-    const int k = kappa(*s, about);
+    meeting<Interval> about(s->about, r);
+    const int k = kappa(*s, &about);
     if (k < ENTRIES)
       covered.push_back({s, k, about});
   }
