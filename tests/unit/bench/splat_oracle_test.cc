@@ -833,6 +833,15 @@ int64_t floor_quotient(wide a, wide b) {
   return b == 0 ? 0 : int64_t(a >= 0 ? a / b : -((-a + b - 1) / b));
 }
 
+triple operator-(const triple &a, const triple &b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/* What became of the splats of a picture, as to blur. */
+struct fates {
+  size_t blurred = 0, unseen = 0, aside = 0, still = 0;
+};
+
 class definition {
   const hsr_grid &g;
   const hsr_view &v;
@@ -843,7 +852,10 @@ class definition {
   struct splat {
     std::array<int, 3> at;
     triple P, size;
-    Q g2r2;
+    Q g2, g2r2;
+    bool blurred = false;
+    triple way; /* Q, if blurred, and l^2 */
+    Q way2;
     int64_t e, C[4];
   };
   std::vector<splat> splats; /* from front to back */
@@ -867,6 +879,27 @@ class definition {
     const triple d = {P[0] - from[0], P[1] - from[1], P[2] - from[2]};
     return det(d, R, U) / det(F, R, U);
   }
+  struct line {
+    triple begin, along;
+  };
+  line line_at(const Q &x, const Q &y) const {
+    line l = {from, F};
+    for (size_t a = 0; a < 3; a++)
+      (v.parallel ? l.begin : l.along)[a] += x * R[a] + y * U[a];
+    return l;
+  }
+  /* Y, by V' and D'. */
+  triple nearest(const triple &V, const triple &D) const {
+    const Q VD = dot(V, D),
+            times = v.parallel ? VD / dot(D, D) : dot(V, V) / VD;
+    return triple{times * D[0], times * D[1], times * D[2]} - V;
+  }
+  Q c() const {
+    const bool area = o.blur == HSR_BLUR_BY_AREA;
+    return (o.kernel == HSR_GAUSSIAN ? Q(area ? 318310 : 666911)
+                                     : Q(area ? 409079 : 850918)) /
+           Q(1000000);
+  }
   Q r2() const {
     return o.kernel == HSR_GAUSSIAN ? Q(4) : Q(1556228) * Q(1556228) / Q(1e12);
   }
@@ -875,6 +908,8 @@ class definition {
   void find_ends();
   void find_splats();
   void add_splat(const std::array<int, 3> &at, uint32_t cell);
+  void find_way(splat *s);
+  int64_t energy(const splat &s) const;
   void find_colour(uint32_t cell, int64_t C[4]) const;
   std::vector<covering> covers(int i, int j) const;
   sums given(const covering &c, int64_t weight) const;
@@ -898,6 +933,7 @@ public:
   }
 
   size_t n_covered = 0;
+  fates fate;
   /* The pictures of all models. */
   std::array<picture, HSR_XRAY + 1> draw();
 };
@@ -966,11 +1002,57 @@ void definition::add_splat(const std::array<int, 3> &at, uint32_t cell) {
       g2 *= t * t;
     g2 = std::max(g2, Q(1));
   }
-  g2 *= Q(o.width) * Q(o.width);
-  s.g2r2 = g2 * r2();
-  s.e = floor_of(Q(65536) / g2);
+  s.g2 = g2 * Q(o.width) * Q(o.width);
+  s.g2r2 = s.g2 * r2();
+  find_way(&s);
+  s.e = energy(s);
   find_colour(cell, s.C);
   splats.push_back(s);
+}
+
+/* By Cramer's rule: away = t_0 F_0 + a R_0 + b U_0. */
+void definition::find_way(splat *s) {
+  if (o.blur == HSR_SHARP || !v.before.exists)
+    return;
+  const triple F_0 = as_triple(v.before.F), R_0 = as_triple(v.before.R),
+               U_0 = as_triple(v.before.U), away = s->P - as_triple(v.before.E);
+  const Q all = det(F_0, R_0, U_0), t_0 = det(away, R_0, U_0) / all;
+  Q x = det(F_0, away, U_0) / all, y = det(F_0, R_0, away) / all;
+  if (t_0 <= Q(v.before.near)) {
+    fate.unseen++;
+    return;
+  }
+  if (!v.before.parallel) {
+    x /= t_0;
+    y /= t_0;
+  }
+  const line l = line_at(x, y);
+  const triple V = divided(s->P - l.begin, s->size),
+               D = divided(l.along, s->size);
+  if (!v.parallel && dot(V, D) <= Q(0)) {
+    fate.aside++;
+    return;
+  }
+  s->way = nearest(V, D);
+  s->way2 = dot(s->way, s->way);
+  s->blurred = s->way2 > Q(o.threshold) * Q(o.threshold);
+  (s->blurred ? fate.blurred : fate.still)++;
+}
+
+/* The greatest k with k (g^2 + c g l) <= 65536. */
+int64_t definition::energy(const splat &s) const {
+  if (!s.blurred)
+    return floor_of(Q(65536) / s.g2);
+  const auto fits = [&](int64_t k) {
+    const Q times = Q(double(k)), left = Q(65536) - times * s.g2,
+            right = times * c();
+    return left >= Q(0) && left * left >= right * right * s.g2 * s.way2;
+  };
+  int64_t k = 0;
+  for (int64_t step = 1 << 17; step > 0; step /= 2)
+    while (fits(k + step))
+      k += step;
+  return k;
 }
 
 void definition::find_colour(uint32_t cell, int64_t C[4]) const {
@@ -1021,25 +1103,33 @@ std::vector<definition::covering> definition::covers(int i, int j) const {
   const Q m(v.m), n(v.n);
   const Q x = (Q(2) * Q(hsr_sample_x(&v, i)) - m) / m,
           y = (n - Q(2) * Q(hsr_sample_y(&v, j))) / n;
-  triple begin = from, D = F;
-  for (size_t a = 0; a < 3; a++)
-    (v.parallel ? begin : D)[a] += x * R[a] + y * U[a];
-
+  const line l = line_at(x, y);
   std::vector<covering> all;
   for (const splat &s : splats) {
-    const triple V = divided(
-        {s.P[0] - begin[0], s.P[1] - begin[1], s.P[2] - begin[2]}, s.size);
-    const triple along = divided(D, s.size);
+    const triple V = divided(s.P - l.begin, s.size),
+                 along = divided(l.along, s.size);
     const Q VV = dot(V, V), VD = dot(V, along), DD = dot(along, along);
     if (!v.parallel && VD <= Q(0))
       continue;
-    const Q rho2 =
+    Q rho2 =
         v.parallel ? VV - VD * VD / DD : VV * (VV * DD - VD * VD) / (VD * VD);
+    Q middle = VD / DD;
+    if (s.blurred) {
+      const triple Y = nearest(V, along), left = Y - s.way;
+      const Q YQ = dot(Y, s.way);
+      if (YQ >= s.way2) {
+        rho2 = dot(left, left);
+        middle += dot(s.way, along) / DD;
+      } else if (YQ > Q(0)) {
+        rho2 -= YQ * YQ / s.way2;
+        middle += YQ / s.way2 * dot(s.way, along) / DD;
+      }
+    }
     covering c = {&s, floor_of(Q(1024) * rho2 / s.g2r2), {}};
     if (c.kappa >= 1024)
       continue;
     for (const Q &t_b : ends) {
-      const Q past = t_b - VD / DD, tau2 = past * past * DD;
+      const Q past = t_b - middle, tau2 = past * past * DD;
       const int64_t size =
           std::min<int64_t>(32, root_of(floor_of(Q(1024) * tau2 / s.g2r2)));
       c.lambda.push_back(past < Q(0) ? -size : size);
@@ -1263,33 +1353,136 @@ struct hsr_form random_form(dice &d, hsr_splat_kernel kernel) {
   return form;
 }
 
-void test_random() {
-  size_t n_wrong = 0, n_pictures = 0, n_covered = 0;
-  for (int k = 0; k < 24; k++)
+/* A view before that is `near` a view: by a quarter of a unit, or less, or not
+ * at all. */
+struct hsr_view little_earlier(dice &d, const struct hsr_view &view) {
+  struct hsr_view before = view;
+  const int how = d.whole(0, 3);
+  for (size_t a = 0; a < 3; a++) {
+    before.E[a] += how == 1  ? d.whole(-2, 2) / 4.0
+                   : how > 1 ? d.real(-0.3, 0.3)
+                             : 0;
+    if (how == 3)
+      before.F[a] += d.real(-0.1, 0.1);
+  }
+  return before;
+}
+
+/* One from anywhere; or one that goes far, even to behind the splats; or one
+ * whose screen is small and upside down, so that splats were seen far from its
+ * middle, on the other side. */
+struct hsr_view much_earlier(dice &d, const little_grid &grid,
+                             const struct hsr_view &view) {
+  struct hsr_view before = random_view(d, grid, d.odd());
+  const int how = d.whole(0, 2);
+  if (how == 0)
+    return before;
+  before = view;
+  const double far = d.real(-4, 8);
+  for (size_t a = 0; a < 3; a++) {
+    if (how == 1)
+      before.E[a] += far * view.F[a];
+    if (how == 2) {
+      before.R[a] /= -8;
+      before.U[a] /= -8;
+    }
+  }
+  return before;
+}
+
+void set_before(struct hsr_view *view, const struct hsr_view &before) {
+  struct hsr_view_before *b = &view->before;
+  b->exists = true;
+  b->parallel = before.parallel;
+  b->near = before.near;
+  for (size_t a = 0; a < 3; a++) {
+    b->E[a] = before.E[a];
+    b->F[a] = before.F[a];
+    b->R[a] = before.R[a];
+    b->U[a] = before.U[a];
+  }
+}
+
+/* What random pictures are made of. */
+struct subject {
+  little_grid grid;
+  struct hsr_view view;
+  struct hsr_form form;
+
+  subject(int number, bool parallel, hsr_splat_kernel kernel, bool moves)
+      : subject(dice(uint64_t(4 * number + 2 * parallel + kernel)), number,
+                parallel, kernel, moves) {}
+
+private:
+  subject(dice d, int number, bool parallel, hsr_splat_kernel kernel,
+          bool moves)
+      : grid(random_grid(d, number % 2)), view(random_view(d, grid, parallel)),
+        form(random_form(d, kernel)) {
+    if (!moves)
+      return;
+    set_before(&view,
+               d.odd() ? little_earlier(d, view) : much_earlier(d, grid, view));
+    view.before.near = d.odd() ? view.near : d.real(0, 3);
+    form.values.option[BLUR] = d.whole(HSR_BLUR_BY_AREA, HSR_BLUR_EXACTLY);
+    form.values.real[THRESHOLD] = d.odd() ? 0 : d.real(0, 1.5);
+  }
+};
+
+struct tried {
+  size_t wrong = 0, pictures = 0, covered = 0;
+  fates fate;
+};
+
+void try_subject(const subject &of, const std::string &what, tried *sum) {
+  little_grid grid = of.grid;
+  const stage s(grid);
+  struct hsr_form form = of.form;
+  definition wanted(s.grid, of.view, hsr_form_splatting(&form));
+  const auto pictures = wanted.draw();
+  sum->covered += wanted.n_covered;
+  sum->fate.blurred += wanted.fate.blurred;
+  sum->fate.unseen += wanted.fate.unseen;
+  sum->fate.aside += wanted.fate.aside;
+  sum->fate.still += wanted.fate.still;
+  for (int model = HSR_OVER; model <= HSR_XRAY; model++) {
+    form.values.option[MODEL] = model;
+    sum->pictures++;
+    if (render(s.world, of.view, form) == pictures[size_t(model)])
+      continue;
+    std::printf("# %s, model %d\n", what.c_str(), model);
+    sum->wrong++;
+  }
+}
+
+tried try_all(int grids, bool moves) {
+  tried sum;
+  for (int k = 0; k < grids; k++)
     for (const bool parallel : {false, true})
-      for (const hsr_splat_kernel kernel : {HSR_CRAWFIS_MAX, HSR_GAUSSIAN}) {
-        dice d(uint64_t(4 * k + 2 * parallel + kernel));
-        little_grid grid = random_grid(d, k % 2);
-        const struct hsr_view view = random_view(d, grid, parallel);
-        struct hsr_form form = random_form(d, kernel);
-        const stage s(grid);
-        definition wanted(s.grid, view, hsr_form_splatting(&form));
-        const auto pictures = wanted.draw();
-        n_covered += wanted.n_covered;
-        for (int model = HSR_OVER; model <= HSR_XRAY; model++) {
-          form.values.option[MODEL] = model;
-          n_pictures++;
-          if (render(s.world, view, form) == pictures[size_t(model)])
-            continue;
-          std::printf("# grid %d, parallel %d, kernel %d, model %d\n", k,
-                      parallel, kernel, model);
-          n_wrong++;
-        }
-      }
-  std::printf("# %zu pictures, %zu times a splat over a pixel\n", n_pictures,
-              n_covered);
-  ok(n_wrong == 0 && n_covered > 5000,
+      for (const hsr_splat_kernel kernel : {HSR_CRAWFIS_MAX, HSR_GAUSSIAN})
+        try_subject(subject(k, parallel, kernel, moves),
+                    "grid " + std::to_string(k) +
+                        (parallel ? ", parallel" : "") + ", " + name_of(kernel),
+                    &sum);
+  std::printf("# %zu pictures, %zu times a splat over a pixel\n", sum.pictures,
+              sum.covered);
+  return sum;
+}
+
+void test_random() {
+  const tried sharp = try_all(24, false);
+  ok(sharp.wrong == 0 && sharp.covered > 5000,
      "as the definition written a second time");
+}
+
+void test_random_motion() {
+  const tried moved = try_all(40, true);
+  const fates &n = moved.fate;
+  std::printf("# splats: %zu blurred; not seen before %zu, aside %zu, hardly "
+              "moved %zu\n",
+              n.blurred, n.unseen, n.aside, n.still);
+  ok(moved.wrong == 0 && moved.covered > 10000, "and with motion blur");
+  ok(n.blurred > 1000 && n.unseen > 100 && n.aside > 50 && n.still > 100,
+     "in all cases");
 }
 
 /* ---- Without memory ---- */
@@ -1372,6 +1565,7 @@ int main() {
   test_parts();
   test_reach();
   test_random();
+  test_random_motion();
   test_memory();
   std::printf("1..%d\n", n_tests);
   return n_failed > 0;
