@@ -165,11 +165,43 @@ struct hsr_view plain_view(int m, int n, double apart, bool parallel = true) {
   return v;
 }
 
+void set_before(struct hsr_view *view, const struct hsr_view &before) {
+  struct hsr_view_before *b = &view->before;
+  b->exists = true;
+  b->parallel = before.parallel;
+  b->near = before.near;
+  for (size_t a = 0; a < 3; a++) {
+    b->E[a] = before.E[a];
+    b->F[a] = before.F[a];
+    b->R[a] = before.R[a];
+    b->U[a] = before.U[a];
+  }
+}
+
+/* `view`, with the eye moved by (x, y, 0) since the view before. In parallel
+ * projection a splat was then seen so far from where it is; in perspective too,
+ * if it lies on the axis. */
+struct hsr_view moved(struct hsr_view view, double x, double y = 0) {
+  struct hsr_view before = view;
+  before.E[0] -= x;
+  before.E[1] -= y;
+  set_before(&view, before);
+  return view;
+}
+
 struct hsr_form plain_form(hsr_model model = HSR_OVER,
                            hsr_splat_kernel kernel = HSR_GAUSSIAN) {
   struct hsr_form form = hsr_form_standard(HSR_COMPOSITED);
   form.values.option[MODEL] = model;
   form.values.option[KERNEL] = kernel;
+  return form;
+}
+
+struct hsr_form blurred_form(hsr_splat_blur blur = HSR_BLUR_BY_AREA,
+                             hsr_model model = HSR_OVER,
+                             hsr_splat_kernel kernel = HSR_GAUSSIAN) {
+  struct hsr_form form = plain_form(model, kernel);
+  form.values.option[BLUR] = blur;
   return form;
 }
 
@@ -584,6 +616,276 @@ void test_window() {
       good = good && part[k] == (inside ? all[k] : grey(UNTOUCHED));
     }
   ok(good, "only the window is written");
+}
+
+/* ---- By hand: motion blur ---- */
+
+/* A row of pixels 1/16 apart, and a way of 16 of them to the right. By area
+ * e = floor(65536 / 1.318310) = 49712; floor(65535 e / 65536) = 49711, and
+ * floor(W_k 49711 / 65536). */
+const struct {
+  int kappa_root, value;
+} along_capsule[] = {{0, 21919}, {1, 21806}, {4, 20097},
+                     {8, 15489}, {16, 5466}, {31, 119}};
+
+bool is_capsule(const picture &seen, size_t begin, size_t end) {
+  if (seen.empty())
+    return false;
+  for (size_t k = begin; k <= end; k++)
+    if (seen[k] != grey(21919))
+      return false;
+  for (const auto &at : along_capsule)
+    if (seen[begin - size_t(at.kappa_root)] != grey(at.value) ||
+        seen[end + size_t(at.kappa_root)] != grey(at.value))
+      return false;
+  return seen[begin - 32] == grey(0) && seen[end + 32] == grey(0) &&
+         seen[begin - 31] == grey(119) && seen[end + 31] == grey(119);
+}
+
+void test_capsule() {
+  const struct hsr_form form = blurred_form();
+  const struct hsr_view row = plain_view(99, 1, 1.0 / 16),
+                        cone = plain_view(99, 1, 1.0 / 64, false);
+  const uint64_t n_before = n_exact;
+  const picture seen = see(single(), moved(row, 1), form);
+  ok(is_capsule(seen, 49, 49 + 16), "a splat that moved to the right");
+  ok(n_exact > n_before + 32, "where intervals did not know");
+  ok(is_capsule(see(single(), moved(row, -1), form), 49 - 16, 49),
+     "to the left");
+  ok(see(single(), moved(plain_view(1, 99, 1.0 / 16), 0, -1), form) == seen,
+     "downwards");
+
+  /* D_0 = (1/4, 0, -1), V.D_0 = 4, |V|^2 = 16: Q = (1, 0, 0). */
+  ok(see(single(), moved(cone, 1), form) == seen, "in perspective");
+
+  /* The eye before is at -1/4, and sees it at 1/4; or at -4, and at 4/4. */
+  struct hsr_view mixed = cone;
+  set_before(&mixed, moved(row, 0.25));
+  std::copy_n(cone.R, 3, mixed.before.R);
+  mixed.before.E[0] = -0.25;
+  ok(see(single(), mixed, form) == seen, "in perspective, and parallel before");
+  mixed = row;
+  set_before(&mixed, cone);
+  std::copy_n(row.R, 3, mixed.before.R);
+  mixed.before.E[0] = -4;
+  ok(see(single(), mixed, form) == seen, "parallel, and in perspective before");
+
+  little_grid other({1}, {0}, {-4});
+  other.keep({{0, 0, 0}});
+  ok(see(other, moved(row, -1), form) == seen,
+     "from the other end, and back: the same");
+
+  for (const bool gone : {false, true}) {
+    struct hsr_view first = moved(row, 1);
+    first.before.exists = !gone;
+    const picture sharp = see(single(), first, gone ? form : plain_form());
+    ok(!sharp.empty() && sharp == see(single(), row, plain_form()),
+       gone ? "the first view is sharp" : "sharp without blur");
+  }
+}
+
+/* In the middle pixel, W_0 floor(65535 e / 65536) / 65536. W_0 of crawfis-max
+ * is 45871 - floor((45871 - 42622) / 32) = 45770. */
+void test_energies() {
+  const struct {
+    hsr_splat_blur blur;
+    hsr_splat_kernel kernel;
+    int value;
+    const char *what;
+  } all[] = {
+      {HSR_BLUR_BY_AREA, HSR_GAUSSIAN, 21919, "49712, gaussian by area"},
+      {HSR_BLUR_EXACTLY, HSR_GAUSSIAN, 17335, "39315, gaussian exactly"},
+      {HSR_BLUR_BY_AREA, HSR_CRAWFIS_MAX, 32480, "46509, crawfis-max by area"},
+      {HSR_BLUR_EXACTLY, HSR_CRAWFIS_MAX, 24727, "35407, crawfis-max exactly"}};
+  for (const auto &e : all)
+    ok_middle(single(), moved(plain_view(3, 3, 1), 1),
+              blurred_form(e.blur, HSR_OVER, e.kernel), grey(e.value),
+              std::string("e is ") + e.what);
+}
+
+/* A way of (1, 1), over pixels 1/2 apart: e = floor(65536 / (1 + c l)) = 45192,
+ * l being the root of 2; 45191. */
+void test_diagonal() {
+  const struct hsr_view view = moved(plain_view(9, 9, 0.5), 1, 1);
+  const picture seen = see(single(), view, blurred_form());
+  const auto at = [](int x, int y) { return size_t(9 * (4 - y) + 4 + x); };
+  ok_pixel(seen, at(0, 0), grey(19926), "the beginning of a diagonal way");
+  ok_pixel(seen, at(1, 1), grey(19926), "its middle");
+  ok_pixel(seen, at(2, 2), grey(19926), "its end");
+  ok_pixel(seen, at(2, 0), grey(9951), "beside it, where kappa is 128 exactly");
+  ok_pixel(seen, at(0, 2), grey(9951), "on the other side");
+  ok_pixel(seen, at(4, 2), grey(4969), "beyond it, where kappa is 256");
+  ok_pixel(seen, at(-2, 0), grey(4969), "and before it");
+}
+
+/* A cell of 2 x 1 x 1 units around (-1, 0, -4), which moves by 1 unit: half a
+ * cell. e = floor(65536 / 1.159155) = 56537; 56536. Pixels are 1/16 cells. */
+void test_oblong_way() {
+  little_grid grid({-1, 1}, {0}, {-4});
+  grid.keep({{0, 0, 0}});
+  const picture seen =
+      see(grid, moved(plain_view(67, 1, 1.0 / 8), 1), blurred_form());
+  ok_pixel(seen, 33 - 8, grey(24929), "an oblong cell, the beginning");
+  ok_pixel(seen, 33, grey(24929), "its end");
+  ok_pixel(seen, 33 + 8, grey(17616), "half a cell beyond");
+  ok_pixel(seen, 33 - 8 - 16, grey(6217), "a cell before");
+}
+
+/* V = (3, 0, -4), |V|^2 = 25. It was seen at D_0 = (0, 0, -1): V.D_0 = 4,
+ * Q = 25/4 D_0 - V = (-3, 0, -9/4), l = 15/4. e = floor(65536 / 2.1936625) =
+ * 29875; 29874. The pixels have D = (x, 0, -1) with x of -3/4, 0 and 3/4. The
+ * splat lies on the last ray, and was on the middle one. */
+little_grid passing() {
+  little_grid grid({3}, {0}, {-8.5, -4});
+  grid.bound[2] = {-9, -4.5, -3.5};
+  return grid.keep({{0, 0, 1}});
+}
+
+void test_perspective_way() {
+  const struct hsr_view view = moved(plain_view(3, 1, 0.75, false), -3);
+  picture seen = see(passing(), view, blurred_form());
+  ok_pixel(seen, 2, grey(13172), "perspective, the beginning of the way");
+  ok_pixel(seen, 1, grey(13172), "its end");
+  /* D = (-3/4, 0, -1): V.D = 7/4, Y = 100/7 D - V, which is further along the
+   * way by more than the reach. */
+  ok_pixel(seen, 0, grey(0), "far beyond its end");
+
+  /* Buckets from 4 to 6.25 and from there to 8.5. The middle ray has V + Q =
+   * (0, 0, -25/4), so that t* = 6.25 and lambda = 0: 14450 before and 14448
+   * behind. floor(14450 29874 / 65536) = 6586, and 6585: 6586 + floor(6585
+   * (65536 - 6586) / 65536) = 12509. The last ray has t* = 4 and tau = 2.25 5/4
+   * = 2.8125, more than the reach. */
+  struct hsr_form form = blurred_form(HSR_BLUR_BY_AREA, HSR_VOLUME);
+  form.values.option[BUCKETS] = 2;
+  seen = see(passing(), view, form);
+  ok_pixel(seen, 1, grey(12509), "its end is halved by two buckets");
+  ok_pixel(seen, 2, grey(13172), "its beginning is in the first one");
+}
+
+/* In the middle pixel a blurred splat gives 21919, one that is not 28897. */
+void test_threshold() {
+  struct hsr_form form = blurred_form();
+  const struct hsr_view view = plain_view(3, 3, 1);
+  const struct {
+    double threshold, x, y;
+    int value;
+  } all[] = {{0.75, 1, 0, 21919},
+             {1, 1, 0, 28897},
+             {1, 0, -1, 28897},
+             {std::nextafter(1.0, 0.0), 1, 0, 21919},
+             {1000, 1, 0, 28897},
+             /* The double above the root of 2, and the one below. */
+             {0x1.6a09e667f3bcdp+0, 1, 1, 28897},
+             {0x1.6a09e667f3bccp+0, 1, 1, 19926},
+             {0, 0, 0, 28897}};
+  for (const auto &t : all) {
+    form.values.real[THRESHOLD] = t.threshold;
+    ok_middle(single(), moved(view, t.x, t.y), form, grey(t.value),
+              "a way of " + std::to_string(t.x) + ", " + std::to_string(t.y) +
+                  " and a threshold of " + std::to_string(t.threshold));
+  }
+  /* e = floor(65536 / (1 + c 2^-40)) = 65535. floor(65532 e / 65536) = 65531;
+   * floor(28898 65531 / 65536) = 28895, and 28896 if it is sharp. */
+  little_grid grid = single();
+  grid.palette.opacity[0] = 65532;
+  ok_middle(grid, view, blurred_form(), grey(28896), "no way");
+  ok_middle(grid, moved(view, 0x1p-40), blurred_form(), grey(28895),
+            "a very short way");
+  ok_middle(grid, moved(view, 0x1p-600), blurred_form(), grey(28895),
+            "one whose square is no double");
+}
+
+/* t_0 is 4. */
+void test_seen_before() {
+  for (const bool parallel : {false, true})
+    for (const bool was_parallel : {false, true})
+      for (const double near : {3.0, 3.999, 4.0, 5.0}) {
+        struct hsr_view view = plain_view(3, 3, 0.25, parallel),
+                        before = plain_view(3, 3, 0.25, was_parallel);
+        before.E[0] = was_parallel == parallel ? -1 : parallel ? -4 : -0.25;
+        before.near = near;
+        set_before(&view, before);
+        ok_middle(single(), view, blurred_form(),
+                  grey(near < 4 ? 21919 : 28897),
+                  near < 4 ? "it was beyond near" : "it was not beyond near");
+      }
+
+  struct hsr_view view = moved(plain_view(3, 3, 0.25, false), 1);
+  view.before.E[2] = -8;
+  ok_middle(single(), view, blurred_form(), grey(28897),
+            "it was behind the eye");
+  view.before.E[2] = -4;
+  ok_middle(single(), view, blurred_form(), grey(28897),
+            "it was beside the eye");
+}
+
+/* V = (2, 0, -1) is seen by the last pixel, D = (2, 0, -1), of five. D_0 = (x, 0,
+ * -1), V.D_0 = 2 x + 1. The eye before saw it at the depth of 1. */
+void test_aside() {
+  little_grid grid({2}, {0}, {-1});
+  grid.keep({{0, 0, 0}});
+  const struct hsr_view view = plain_view(5, 1, 1, false);
+  const auto last = [&](double x) {
+    const picture seen = see(grid, moved(view, x - 2), blurred_form());
+    return seen.empty() ? pixel{} : seen[4];
+  };
+  ok(last(-1) == grey(28897), "it was seen more than a right angle aside");
+  ok(last(-0.5) == grey(28897), "or a right angle exactly");
+  ok(last(-0.5 + 0x1p-40) == grey(0), "and by less it is too long to be seen");
+  /* D_0 = (0, 0, -1), Q = 5 D_0 - V = (-2, 0, -4); l^2 = 20, e = 27041; 27040 */
+  ok(last(0) == grey(11923), "before the eye");
+}
+
+/* The cells are 31831 units. */
+little_grid large() {
+  little_grid grid({0}, {0}, {-4});
+  grid.bound[0] = grid.bound[1] = {-15915.5, 15915.5};
+  return grid.keep({{0, 0, 0}});
+}
+
+/* Of ways by which c l, or c g l, is a whole number. */
+void test_exact_energy() {
+  const auto up = [](double x) { return std::nextafter(x, 2 * x); };
+  const auto down = [](double x) { return std::nextafter(x, 0); };
+
+  /* c l = 0.318310 300000/31831 = 3, e = 16384: floor(28898 16383 / 65536) =
+   * 7224, and 7223 if it is 16383. */
+  const struct hsr_view view = plain_view(3, 3, 1);
+  const struct hsr_form form = blurred_form();
+  ok_middle(large(), moved(view, 300000), form, grey(7224), "e is whole");
+  ok_middle(large(), moved(view, down(300000)), form, grey(7224),
+            "a little more");
+  ok_middle(large(), moved(view, up(300000)), form, grey(7223),
+            "a little less");
+
+  /* Pixels are 1 x 3 cells: g^2 = 2 (1/4 + 9/4) = 5. The way is (q, 2 q) cells,
+   * q = 1180000/31831, so that l^2 = 5 q^2 and g l = 5 q: g^2 + c g l = 5 (1 +
+   * 11.8) = 64. e = 1024: floor(28898 1023 / 65536) = 451, and 450 if it is
+   * 1023. */
+  struct hsr_form wide = blurred_form();
+  wide.values.option[ANTIALIAS] = 1;
+  struct hsr_view pixels = plain_view(3, 3, 31831);
+  pixels.U[1] *= 3;
+  const double x = 1180000, y = 2360000;
+  ok_middle(large(), moved(pixels, x, y), wide, grey(451),
+            "e is whole, g and l are irrational");
+  ok_middle(large(), moved(pixels, down(x), y), wide, grey(451),
+            "a little more");
+  ok_middle(large(), moved(pixels, up(x), y), wide, grey(450), "a little less");
+}
+
+void test_blurred_window() {
+  struct hsr_view view = moved(plain_view(9, 9, 0.25, false), 1.25, -0.75);
+  const picture all = see(two(), view, blurred_form());
+  bool good = !all.empty();
+  for (int j = 0; j < 9; j++)
+    for (int i = 0; i < 9 && good; i++) {
+      const size_t k = size_t(9 * j + i);
+      view.window = {i, j, i + 1, j + 1};
+      const picture part = see(two(), view, blurred_form());
+      good = part.size() == 81 && part[k] == all[k];
+    }
+  ok(good && all[40] != grey(0), "blurred, window by window");
 }
 
 /* ---- Tables, in closed form ---- */
@@ -1390,19 +1692,6 @@ struct hsr_view much_earlier(dice &d, const little_grid &grid,
   return before;
 }
 
-void set_before(struct hsr_view *view, const struct hsr_view &before) {
-  struct hsr_view_before *b = &view->before;
-  b->exists = true;
-  b->parallel = before.parallel;
-  b->near = before.near;
-  for (size_t a = 0; a < 3; a++) {
-    b->E[a] = before.E[a];
-    b->F[a] = before.F[a];
-    b->R[a] = before.R[a];
-    b->U[a] = before.U[a];
-  }
-}
-
 /* What random pictures are made of. */
 struct subject {
   little_grid grid;
@@ -1474,6 +1763,24 @@ void test_random() {
      "as the definition written a second time");
 }
 
+/* Models of random grids that did not move, and of some that did not move
+ * enough. */
+void test_still() {
+  bool good = true;
+  for (int k = 0; k < 10 && good; k++)
+    for (int model = HSR_OVER; model <= HSR_XRAY; model++) {
+      subject s(k, k % 4 < 2, HSR_CRAWFIS_MAX, false);
+      s.form.values.option[MODEL] = model;
+      const picture sharp = see(s.grid, s.view, s.form);
+      s.form.values.option[BLUR] = HSR_BLUR_BY_AREA;
+      const picture same = see(s.grid, moved(s.view, 0), s.form);
+      s.form.values.real[THRESHOLD] = 1000;
+      const picture close = see(s.grid, moved(s.view, 0.25), s.form);
+      good = good && !sharp.empty() && sharp == same && sharp == close;
+    }
+  ok(good, "what is still is sharp");
+}
+
 void test_random_motion() {
   const tried moved = try_all(40, true);
   const fates &n = moved.fate;
@@ -1492,8 +1799,8 @@ long allocations_left = -1; /* before one fails; negative: none does */
 void test_memory() {
   little_grid grid = two();
   const stage s(grid);
-  const struct hsr_view view = plain_view(2, 2, 1);
-  struct hsr_form form = plain_form(HSR_VOLUME);
+  const struct hsr_view view = moved(plain_view(2, 2, 1), 1);
+  struct hsr_form form = blurred_form(HSR_BLUR_EXACTLY, HSR_VOLUME);
   struct hsr_answer answer = {};
   struct hsr_tally tally = {};
   struct hsr_error err = {};
@@ -1560,11 +1867,22 @@ int main() {
   test_sheet();
   test_three();
   test_window();
+  test_capsule();
+  test_energies();
+  test_diagonal();
+  test_oblong_way();
+  test_perspective_way();
+  test_threshold();
+  test_seen_before();
+  test_aside();
+  test_exact_energy();
+  test_blurred_window();
   test_margins();
   test_weights();
   test_parts();
   test_reach();
   test_random();
+  test_still();
   test_random_motion();
   test_memory();
   std::printf("1..%d\n", n_tests);
