@@ -140,7 +140,7 @@ Exact greater(const Exact &a, const Exact &b) {
 }
 
 /* x, but at least 0 and at most 1. */
-template <class T> T clamped(const T &x) {
+template <class T> T part_of_one(const T &x) {
   return T(1) - greater(T(0), T(1) - greater(T(0), x));
 }
 
@@ -287,7 +287,7 @@ public:
     }
   }
 
-  /* No kernel grows outwards, so that T_i - T_{i+1} is not negative. */
+  /* No knot is less than the next one, so that nothing negative is divided. */
   uint64_t weight_before(int kappa, int lambda) const {
     const size_t i = size_t(kappa / PIECES), l = size_t(lambda + PARTS);
     const int j = kappa % PIECES, here = before[i][l], next = before[i + 1][l];
@@ -316,10 +316,9 @@ Exact squared_reach(hsr_splat_kernel kernel) {
 /* c, by which a splat that moves loses energy. */
 Exact paling(const hsr_splatting &options) {
   const bool area = options.blur == HSR_BLUR_BY_AREA;
-  const int millionths = options.kernel == HSR_GAUSSIAN
-                             ? area ? 318310 : 666911
-                             : (area ? 409079 : 850918);
-  return Exact(millionths, 1000000);
+  if (options.kernel == HSR_GAUSSIAN)
+    return Exact(area ? 318310 : 666911, 1000000);
+  return Exact(area ? 409079 : 850918, 1000000);
 }
 
 /* --- What a window is made of, in doubles and integers -------------------- */
@@ -524,7 +523,7 @@ template <class T> struct meeting {
   }
   void measure_blurred(const footprint<T> &s, bool parallel) {
     const vec<T> Y = point(parallel),
-                 moved = clamped<T>(dot(Y, s.Q) / s.l2) * s.Q;
+                 moved = part_of_one<T>(dot(Y, s.Q) / s.l2) * s.Q;
     rho2 = square(Y - moved);
     middle = VD + dot(moved, D);
   }
@@ -713,9 +712,9 @@ std::pair<int, int> pixels(const Interval &at, int first, int last) {
  * is in the box of P and g r cells on all sides. In perspective it is there at
  * |V'|^2 / V'.D' > 0 times D. So if the box is before the eye, the pixel is
  * between the images of the corners; else the splat may be anywhere.
- * The same point of the ray of a blurred splat is at this distance from P + s Q
- * for an s from 0 to 1, Q being as many cells long. So it is in the box of P, or
- * in that of P + Q, or between them: in the hull of 16 corners. */
+ * If the splat is blurred, this point of the ray is at such a distance from a
+ * point of the way from P to P + Q, Q being in cells. So it is in the hull of
+ * the boxes of the two, which have 16 corners. */
 hsr_window judge::find_box(const splat &s) const {
   const camera<Interval> &c = about_camera;
   const hsr_window all = seen.view.window, none = {0, 0, 0, 0};

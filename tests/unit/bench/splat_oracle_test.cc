@@ -819,8 +819,8 @@ void test_seen_before() {
             "it was beside the eye");
 }
 
-/* V = (2, 0, -1) is seen by the last pixel, D = (2, 0, -1), of five. D_0 = (x, 0,
- * -1), V.D_0 = 2 x + 1. The eye before saw it at the depth of 1. */
+/* V = (2, 0, -1) is seen by the last pixel, D = (2, 0, -1), of five. D_0 = (x,
+ * 0, -1), V.D_0 = 2 x + 1. The eye before saw it at the depth of 1. */
 void test_aside() {
   little_grid grid({2}, {0}, {-1});
   grid.keep({{0, 0, 0}});
@@ -832,7 +832,7 @@ void test_aside() {
   ok(last(-1) == grey(28897), "it was seen more than a right angle aside");
   ok(last(-0.5) == grey(28897), "or a right angle exactly");
   ok(last(-0.5 + 0x1p-40) == grey(0), "and by less it is too long to be seen");
-  /* D_0 = (0, 0, -1), Q = 5 D_0 - V = (-2, 0, -4); l^2 = 20, e = 27041; 27040 */
+  /* D_0 = (0, 0, -1), Q = 5 D_0 - V = (-2, 0, -4); l^2 = 20, e = 27041 */
   ok(last(0) == grey(11923), "before the eye");
 }
 
@@ -954,8 +954,9 @@ Real entry(hsr_splat_kernel kernel, int i, Real x) {
 /* All weights: at 64 knots, then between them by the mean of two knots,
  * rounded up. */
 struct table {
-  using knot = std::array<int64_t, 65>;      /* lambda + 32; the last is all */
-  std::vector<knot> before;                  /* by kappa */
+  using knot = std::array<int64_t, 65>; /* lambda + 32; the last is all */
+  std::vector<knot> before;             /* by kappa */
+  bool falls = true;                    /* no knot is less than the next one */
   Real weights_margin = 1, parts_margin = 1; /* least distances from a half */
 
   explicit table(hsr_splat_kernel kernel) : before(1024) {
@@ -966,6 +967,9 @@ struct table {
             rounded(entry(kernel, i, l), &parts_margin);
       T[size_t(i)][64] = rounded(entry(kernel, i, ALL), &weights_margin);
     }
+    for (size_t i = 0; i < 64; i++)
+      for (size_t l = 0; l < 65; l++)
+        falls = falls && T[i][l] >= T[i + 1][l];
     for (size_t k = 0; k < 1024; k++)
       for (size_t l = 0; l < 65; l++) {
         const int64_t part = int64_t(2 * (k % 16) + 1);
@@ -1010,6 +1014,8 @@ void test_margins() {
     ok(t.parts_margin > 1e-6L,
        std::string("weights before lambda are not near halves, ") +
            name_of(kernel));
+    ok(t.falls,
+       std::string("no knot is less than the next one, ") + name_of(kernel));
   }
 }
 
