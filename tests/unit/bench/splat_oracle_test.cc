@@ -799,7 +799,7 @@ void test_threshold() {
 void test_seen_before() {
   for (const bool parallel : {false, true})
     for (const bool was_parallel : {false, true})
-      for (const double near : {3.0, 3.999, 4.0, 5.0}) {
+      for (const double near : {3.0, std::nextafter(4.0, 0.0), 4.0, 5.0}) {
         struct hsr_view view = plain_view(3, 3, 0.25, parallel),
                         before = plain_view(3, 3, 0.25, was_parallel);
         before.E[0] = was_parallel == parallel ? -1 : parallel ? -4 : -0.25;
@@ -836,42 +836,72 @@ void test_aside() {
   ok(last(0) == grey(11923), "before the eye");
 }
 
-/* The cells are 31831 units. */
-little_grid large() {
+/* The cell is so many units wide and high. */
+little_grid large(double units) {
   little_grid grid({0}, {0}, {-4});
-  grid.bound[0] = grid.bound[1] = {-15915.5, 15915.5};
+  grid.bound[0] = grid.bound[1] = {-units / 2, units / 2};
   return grid.keep({{0, 0, 0}});
 }
 
-/* Of ways by which c l, or c g l, is a whole number. */
-void test_exact_energy() {
-  const auto up = [](double x) { return std::nextafter(x, 2 * x); };
-  const auto down = [](double x) { return std::nextafter(x, 0); };
+double less(double x) {
+  return std::nextafter(x, 0);
+}
 
-  /* c l = 0.318310 300000/31831 = 3, e = 16384: floor(28898 16383 / 65536) =
-   * 7224, and 7223 if it is 16383. */
+double more(double x) {
+  return std::nextafter(x, 2 * x);
+}
+
+/* Of ways of so many millions of units, in cells of 1000000 c units: c l is
+ * that many. If it is 3, e = 16384: floor(28898 16383 / 65536) = 7224, and 7223
+ * if it is 16383. If it is 1, e = 32768: floor(45770 32767 / 65536) = 22884,
+ * and 22883 if it is 32767. */
+void test_whole_energy() {
+  const struct {
+    hsr_splat_blur blur;
+    hsr_splat_kernel kernel;
+    double c, l;
+    int value;
+  } all[] = {{HSR_BLUR_BY_AREA, HSR_GAUSSIAN, 318310, 3, 7224},
+             {HSR_BLUR_EXACTLY, HSR_GAUSSIAN, 666911, 3, 7224},
+             {HSR_BLUR_BY_AREA, HSR_CRAWFIS_MAX, 409079, 1, 22884},
+             {HSR_BLUR_EXACTLY, HSR_CRAWFIS_MAX, 850918, 1, 22884}};
   const struct hsr_view view = plain_view(3, 3, 1);
-  const struct hsr_form form = blurred_form();
-  ok_middle(large(), moved(view, 300000), form, grey(7224), "e is whole");
-  ok_middle(large(), moved(view, down(300000)), form, grey(7224),
-            "a little more");
-  ok_middle(large(), moved(view, up(300000)), form, grey(7223),
-            "a little less");
+  for (const auto &e : all) {
+    const struct hsr_form form = blurred_form(e.blur, HSR_OVER, e.kernel);
+    const double l = 1000000 * e.l;
+    ok_middle(large(e.c), moved(view, l), form, grey(e.value), "e is whole");
+    ok_middle(large(e.c), moved(view, less(l)), form, grey(e.value),
+              "a shorter way");
+    ok_middle(large(e.c), moved(view, more(l)), form, grey(e.value - 1),
+              "a longer one");
+  }
+}
 
-  /* Pixels are 1 x 3 cells: g^2 = 2 (1/4 + 9/4) = 5. The way is (q, 2 q) cells,
-   * q = 1180000/31831, so that l^2 = 5 q^2 and g l = 5 q: g^2 + c g l = 5 (1 +
-   * 11.8) = 64. e = 1024: floor(28898 1023 / 65536) = 451, and 450 if it is
-   * 1023. */
-  struct hsr_form wide = blurred_form();
-  wide.values.option[ANTIALIAS] = 1;
-  struct hsr_view pixels = plain_view(3, 3, 31831);
-  pixels.U[1] *= 3;
+/* The cells are 31831 units. Pixels are 1 x 3 cells: g^2 = 2 (1/4 + 9/4) = 5.
+ * The way is (q, 2 q) cells, q = 1180000/31831, so that l^2 = 5 q^2 and g l = 5
+ * q: g^2 + c g l = 5 (1 + 11.8) = 64. e = 1024: floor(28898 1023 / 65536) =
+ * 451, and 450 if it is 1023. */
+void test_irrational_energy() {
+  struct hsr_form form = blurred_form();
+  form.values.option[ANTIALIAS] = 1;
+  struct hsr_view view = plain_view(3, 3, 31831);
+  view.U[1] *= 3;
   const double x = 1180000, y = 2360000;
-  ok_middle(large(), moved(pixels, x, y), wide, grey(451),
+  ok_middle(large(31831), moved(view, x, y), form, grey(451),
             "e is whole, g and l are irrational");
-  ok_middle(large(), moved(pixels, down(x), y), wide, grey(451),
-            "a little more");
-  ok_middle(large(), moved(pixels, up(x), y), wide, grey(450), "a little less");
+  ok_middle(large(31831), moved(view, less(x), y), form, grey(451),
+            "a shorter way");
+  ok_middle(large(31831), moved(view, more(x), y), form, grey(450),
+            "a longer one");
+
+  /* g^2 = 2 (9/25 + 16/25) = 2, e = 32768; floor(28898 32767 / 65536). */
+  view = moved(plain_view(5, 5, 1), 1);
+  view.R[0] = 4;
+  view.U[1] = 3;
+  set_before(&view, moved(view, 1));
+  view.before.E[0] = -1;
+  form.values.real[THRESHOLD] = 1;
+  ok_middle(single(), view, form, grey(14448), "e of one that is not blurred");
 }
 
 void test_blurred_window() {
@@ -1708,6 +1738,10 @@ struct subject {
       : subject(dice(uint64_t(4 * number + 2 * parallel + kernel)), number,
                 parallel, kernel, moves) {}
 
+  subject(const little_grid &of, const struct hsr_view &seen,
+          const struct hsr_form &asked)
+      : grid(of), view(seen), form(asked) {}
+
 private:
   subject(dice d, int number, bool parallel, hsr_splat_kernel kernel,
           bool moves)
@@ -1767,6 +1801,28 @@ void test_random() {
   const tried sharp = try_all(24, false);
   ok(sharp.wrong == 0 && sharp.covered > 5000,
      "as the definition written a second time");
+}
+
+/* V = (1, 0, -1) / 2^40 of the near splat. In the first pixel D = (b - 1, 0,
+ * -1) with b = 1 / (3 2^51), and D_0 is the same. V.D = b / 2^40, whose sign no
+ * interval knows; Y = Q, which has 17378 cells. It is seen at the depth |V|^2 /
+ * V.D = 12288, in the second of four buckets. The other one is in the first. */
+void test_distant_way() {
+  little_grid grid({-1, 0x1p-40}, {0}, {-40000, -1, -0x1p-40});
+  grid.bound[0] = {-1.5, -0.5, 0.5};
+  grid.bound[2] = {-40000.5, -1.5, -0.5, 0.5};
+  grid.keep({{1, 0, 2}}).keep({{0, 0, 1}});
+  struct hsr_view view = plain_view(3, 1, 1, false),
+                  before = plain_view(3, 1, 2);
+  view.R[0] = less(1.5);
+  before.E[0] = 2 + 0x1p-40;
+  set_before(&view, before);
+  struct hsr_form form = blurred_form();
+  form.values.option[BUCKETS] = 4;
+  tried sum;
+  try_subject({grid, view, form}, "a distant way", &sum);
+  ok(sum.wrong == 0 && sum.fate.blurred == 2,
+     "a way from the eye to the far distance");
 }
 
 /* Models of random grids that did not move, and of some that did not move
@@ -1881,7 +1937,8 @@ int main() {
   test_threshold();
   test_seen_before();
   test_aside();
-  test_exact_energy();
+  test_whole_energy();
+  test_irrational_energy();
   test_blurred_window();
   test_margins();
   test_weights();
@@ -1889,6 +1946,7 @@ int main() {
   test_reach();
   test_random();
   test_still();
+  test_distant_way();
   test_random_motion();
   test_memory();
   std::printf("1..%d\n", n_tests);
