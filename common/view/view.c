@@ -78,6 +78,19 @@ enum hsr_status hsr_view_init(struct hsr_view *view,
   return HSR_OK;
 }
 
+void hsr_view_follow(struct hsr_view *view, const struct hsr_view *before) {
+  struct hsr_view_before *b = &view->before;
+  *b = (struct hsr_view_before){
+      .exists = true, .parallel = before->parallel, .near = before->near};
+  memcpy(b->E, before->E, sizeof b->E);
+  memcpy(b->F, before->F, sizeof b->F);
+  memcpy(b->R, before->R, sizeof b->R);
+  memcpy(b->U, before->U, sizeof b->U);
+  memcpy(b->screen, before->screen, sizeof b->screen);
+  memcpy(b->origin, before->origin, sizeof b->origin);
+  memcpy(b->depth, before->depth, sizeof b->depth);
+}
+
 enum hsr_status hsr_view_init_of(struct hsr_view *view,
                                  const struct hsr_scene *scene, uint32_t number,
                                  int m, int n, struct hsr_error *err) {
@@ -87,17 +100,7 @@ enum hsr_status hsr_view_init_of(struct hsr_view *view,
              : HSR_OK;
   if (!status)
     status = hsr_view_init(view, &scene->views[number], m, n, err);
-  if (status || !number)
-    return status;
-  struct hsr_view_before *b = &view->before;
-  *b = (struct hsr_view_before){
-      .exists = true, .parallel = before.parallel, .near = before.near};
-  memcpy(b->E, before.E, sizeof b->E);
-  memcpy(b->F, before.F, sizeof b->F);
-  memcpy(b->R, before.R, sizeof b->R);
-  memcpy(b->U, before.U, sizeof b->U);
-  memcpy(b->screen, before.screen, sizeof b->screen);
-  memcpy(b->origin, before.origin, sizeof b->origin);
-  memcpy(b->depth, before.depth, sizeof b->depth);
-  return HSR_OK;
+  if (!status && number)
+    hsr_view_follow(view, &before);
+  return status;
 }

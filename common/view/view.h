@@ -83,7 +83,10 @@ enum hsr_status hsr_view_init(struct hsr_view *view,
                               const struct hsr_camera *camera, int m, int n,
                               struct hsr_error *err);
 
-/* Likewise for a view of a scene, 0 being the first, which moved there from the
+/* Makes a view of the same shape the one before this one. */
+void hsr_view_follow(struct hsr_view *view, const struct hsr_view *before);
+
+/* hsr_view_init for a view of a scene, 0 being the first, which moved there from the
  * view before it. */
 enum hsr_status hsr_view_init_of(struct hsr_view *view,
                                  const struct hsr_scene *scene, uint32_t number,

@@ -51,10 +51,11 @@ static void fill_terms(struct hsr_splats *s) {
     s->most[c] += fabs(v->origin[c]);
 }
 
-/* The energy of a splat that is not widened for pixels. */
+/* The energy of a splat that is neither widened for pixels nor blurred. */
 static uint32_t plain_energy(struct hsr_splats *s) {
   struct hsr_splat splat = hsr_splats_exact(s, (const uint32_t[3]){0, 0, 0});
   splat.antialias = false;
+  splat.blur = HSR_SHARP;
   return hsr_exact_energy(&splat, &s->tally->out_of_memory);
 }
 

@@ -143,7 +143,7 @@ struct hsr_splats {
   double largest[3];     /* cell of each axis */
   double apart;          /* the greatest g^2 / (width t)^2; in parallel g^2 /
                             width^2 */
-  uint32_t plain_energy; /* e of a splat that is not widened for pixels */
+  uint32_t plain_energy; /* e of a splat that is not widened or blurred */
   double reach;          /* r */
   struct hsr_splat_light *light;                 /* by code of normal */
   uint16_t knot[HSR_SPLAT_KNOTS + 1];            /* T: the kernel's table */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The modules that splat, against the splat oracle, to the last bit. Random
  * grids, palettes and options; eyes of all 27 classes of views, on planes of
- * cells and samples, and within kept cells; near planes, offsets, windows; in
- * perspective and in parallel. The picture drawn in windows is the same. Then
+ * cells and samples, and within kept cells; near planes, offsets, windows;
+ * motion since the view before, small and large; in perspective and in parallel. The picture drawn in windows is the same. Then
  * views that are as bad as can be.
  *
  * splats_test [SEED [VIEWS]]: other views, and so many in either projection. */
@@ -278,6 +278,30 @@ static struct hsr_camera make_camera(const struct volume *v, int class,
   return camera;
 }
 
+/* By some eighths, so that motion may be along a row of pixels, or none. */
+static struct hsr_camera nearby(const struct hsr_camera *camera) {
+  struct hsr_camera moved;
+  do {
+    moved = *camera;
+    for (int a = 0; a < 3; a++) {
+      moved.eye[a] += whole(-2, 2) / 8.0;
+      moved.at[a] += once_in(2) ? moved.eye[a] - camera->eye[a] : 0;
+    }
+  } while (hsr_camera_check(&moved, NULL));
+  return moved;
+}
+
+/* The view before this one was close to it, or anywhere. */
+static void follow(const struct volume *v, struct hsr_view *view,
+                   const struct hsr_camera *camera) {
+  bool parallel = once_in(4) ? once_in(2) : view->parallel;
+  struct hsr_camera was =
+      once_in(3) ? make_camera(v, whole(0, CLASSES - 1), parallel, view->n)
+                 : nearby(camera);
+  struct hsr_view before = splat_view(&was, view->m, view->n);
+  hsr_view_follow(view, &before);
+}
+
 static struct hsr_view make_view(const struct volume *v, int class,
                                  bool parallel) {
   int m = once_in(3) ? 16 << whole(0, 1) : whole(1, MOST_M);
@@ -288,6 +312,8 @@ static struct hsr_view make_view(const struct volume *v, int class,
     view.offset_x = whole(-3, 3) / 8.0;
     view.offset_y = whole(-3, 3) / 8.0;
   }
+  if (once_in(2))
+    follow(v, &view, &camera);
   if (once_in(4))
     view.window =
         (struct hsr_window){whole(0, (m - 1) / 2), whole(0, (n - 1) / 2),
@@ -303,12 +329,16 @@ static struct hsr_variant make_variant(const struct player *p,
                       attenuates[] = {1, 1, 1, 0.5, 0.3, 0.01, 0},
                       exposures[] = {1, 1, 1, 0.25, 3.7, 1000, 0};
   static const int buckets[] = {64, 64, 64, 1, 2, 7, 200};
+  static const char *const blurs[] = {"off", "area", "exact"};
+  static const double thresholds[] = {0, 0, 0, 0.125, 1, 3};
   return splat_variant(
       "%s:model=%s:kernel=%s:width=%.17g:antialias=%s:attenuate=%.17g:"
-      "normalise=%s:exposure=%.17g:buckets=%d",
+      "normalise=%s:exposure=%.17g:buckets=%d:blur=%s:"
+      "threshold=%.17g",
       p->name, p->model, kernel, widths[whole(0, 6)], once_in(2) ? "on" : "off",
       attenuates[whole(0, 6)], once_in(3) ? "on" : "off",
-      exposures[whole(0, 6)], buckets[whole(0, 6)]);
+      exposures[whole(0, 6)], buckets[whole(0, 6)], blurs[whole(0, 2)],
+      thresholds[whole(0, 5)]);
 }
 
 static void try_random(struct tap *tap, bool parallel, int views) {
