@@ -795,18 +795,19 @@ void test_threshold() {
             "one whose square is no double");
 }
 
-/* t_0 is 4, and the way is a cell long. The pixel to the right is on it, by 1/4
- * cell or, in perspective, at its end. */
+/* t_0 is 4, and the way is a cell long. The pixel to the right is on it, by 7/32
+ * or, in perspective, 7/8 of it. If the splat is sharp kappa is 12 or 196 there.
+ */
 void test_seen_before() {
   for (const bool parallel : {false, true})
     for (const bool was_parallel : {false, true})
       for (const double near : {3.0, std::nextafter(4.0, 0.0), 4.0, 5.0}) {
-        struct hsr_view view = plain_view(3, 3, 0.25, parallel),
-                        before = plain_view(3, 3, 0.25, was_parallel);
+        struct hsr_view view = plain_view(3, 3, 7.0 / 32, parallel),
+                        before = plain_view(3, 3, 7.0 / 32, was_parallel);
         before.E[0] = was_parallel == parallel ? -1 : parallel ? -4 : -0.25;
         before.near = near;
         set_before(&view, before);
-        const int sharp = parallel ? 26494 : 7206;
+        const int sharp = parallel ? 27090 : 9984;
         ok_pixel(see(single(), view, blurred_form()), 5,
                  grey(near < 4 ? 21919 : sharp),
                  near < 4 ? "it was beyond near" : "it was not beyond near");
