@@ -795,9 +795,9 @@ void test_threshold() {
             "one whose square is no double");
 }
 
-/* t_0 is 4, and the way is a cell long. The pixel to the right is on it, by 7/32
- * or, in perspective, 7/8 of it. If the splat is sharp kappa is 12 or 196 there.
- */
+/* t_0 is 4, and the way is a cell long. The pixel to the right is on it, after
+ * 7/32 or, in perspective, 7/8 cells. If the splat is sharp kappa is 12 or 196
+ * there. */
 void test_seen_before() {
   for (const bool parallel : {false, true})
     for (const bool was_parallel : {false, true})
