@@ -499,16 +499,31 @@ template <class T> ray<T> make_ray(const camera<T> &c, double sx, double sy) {
                         (c.n - T(2) * T(sy)) / c.n);
 }
 
-/* V' and D', or F' in parallel projection, and their products. */
-template <class T> struct meeting {
-  vec<T> V, D, across; /* D' x V' */
-  T VD, DD;
-  T rho2, middle; /* once they are measured: rho^2, and V'.D', or
-                     (V' + s Q).D' if the splat is blurred */
+/* Where a ray passes the middle of a kernel: |D'|^2, and V'.D', or (V' + s Q).D'
+ * if the splat is blurred. */
+template <class T> struct passage {
+  T DD, middle;
 
-  meeting(const footprint<T> &s, const ray<T> &r)
+  /* The sign of t_b - t*, and tau^2. */
+  T beyond(const T &t_b) const { return t_b * DD - middle; }
+  T apart2(const T &t_b) const { return CGAL::square(beyond(t_b)) / DD; }
+};
+
+/* V' and D', or F' in parallel projection, and their products. The middle and
+ * rho^2 are right once they are measured. It is flattened, as most of the time
+ * is spent here. */
+template <class T> struct meeting : passage<T> {
+  using passage<T>::DD;
+  using passage<T>::middle;
+  vec<T> V, D, across; /* D' x V' */
+  T VD, rho2;
+
+  [[gnu::flatten]] meeting(const footprint<T> &s, const ray<T> &r)
       : V(in_cells(s.P - r.start, s.size)), D(in_cells(r.along, s.size)),
-        across(cross(D, V)), VD(dot(V, D)), DD(square(D)), middle(VD) {}
+        across(cross(D, V)), VD(dot(V, D)) {
+    DD = square(D);
+    middle = VD;
+  }
 
   /* Y; like all below, in perspective only if V'.D' is positive. */
   vec<T> point(bool parallel) const {
@@ -517,20 +532,16 @@ template <class T> struct meeting {
   }
 
   /* |D' x V'|^2 = |V'|^2 |D'|^2 - (V'.D')^2. */
-  void measure(bool parallel) {
+  [[gnu::flatten]] void measure(bool parallel) {
     rho2 = parallel ? square(across) / DD
                     : square(V) * square(across) / CGAL::square(VD);
   }
-  void measure_blurred(const footprint<T> &s, bool parallel) {
+  [[gnu::flatten]] void measure_blurred(const footprint<T> &s, bool parallel) {
     const vec<T> Y = point(parallel),
                  moved = part_of_one<T>(dot(Y, s.Q) / s.l2) * s.Q;
     rho2 = square(Y - moved);
     middle = VD + dot(moved, D);
   }
-
-  /* The sign of t_b - t*, and tau^2. */
-  T beyond(const T &t_b) const { return t_b * DD - middle; }
-  T apart2(const T &t_b) const { return CGAL::square(beyond(t_b)) / DD; }
 };
 
 /* Finds Q and l^2, and whether the splat is blurred. */
@@ -561,7 +572,7 @@ CGAL::Uncertain<bool> footprint<T>::move(const camera<T> &c) {
 struct covering {
   const splat *of;
   int kappa;
-  meeting<Interval> about;
+  passage<Interval> about;
 };
 
 /* --- Judging -------------------------------------------------------------- */
