@@ -499,8 +499,8 @@ template <class T> ray<T> make_ray(const camera<T> &c, double sx, double sy) {
                         (c.n - T(2) * T(sy)) / c.n);
 }
 
-/* Where a ray passes the middle of a kernel: |D'|^2, and V'.D', or (V' + s Q).D'
- * if the splat is blurred. */
+/* Where a ray passes the middle of a kernel: |D'|^2, and V'.D', or
+ * (V' + s Q).D' if the splat is blurred. */
 template <class T> struct passage {
   T DD, middle;
 
@@ -510,15 +510,14 @@ template <class T> struct passage {
 };
 
 /* V' and D', or F' in parallel projection, and their products. The middle and
- * rho^2 are right once they are measured. It is flattened, as most of the time
- * is spent here. */
+ * rho^2 are right once they are measured. */
 template <class T> struct meeting : passage<T> {
   using passage<T>::DD;
   using passage<T>::middle;
   vec<T> V, D, across; /* D' x V' */
   T VD, rho2;
 
-  [[gnu::flatten]] meeting(const footprint<T> &s, const ray<T> &r)
+  meeting(const footprint<T> &s, const ray<T> &r)
       : V(in_cells(s.P - r.start, s.size)), D(in_cells(r.along, s.size)),
         across(cross(D, V)), VD(dot(V, D)) {
     DD = square(D);
@@ -532,17 +531,31 @@ template <class T> struct meeting : passage<T> {
   }
 
   /* |D' x V'|^2 = |V'|^2 |D'|^2 - (V'.D')^2. */
-  [[gnu::flatten]] void measure(bool parallel) {
+  void measure(bool parallel) {
     rho2 = parallel ? square(across) / DD
                     : square(V) * square(across) / CGAL::square(VD);
   }
-  [[gnu::flatten]] void measure_blurred(const footprint<T> &s, bool parallel) {
+  void measure_blurred(const footprint<T> &s, bool parallel) {
     const vec<T> Y = point(parallel),
                  moved = part_of_one<T>(dot(Y, s.Q) / s.l2) * s.Q;
     rho2 = square(Y - moved);
     middle = VD + dot(moved, D);
   }
 };
+
+/* Flattened, as most of the time is spent here. */
+[[gnu::flatten]] meeting<Interval> meet(const footprint<Interval> &s,
+                                        const ray<Interval> &r) {
+  return {s, r};
+}
+[[gnu::flatten]] void measure_sharp(meeting<Interval> *m, bool parallel) {
+  m->measure(parallel);
+}
+[[gnu::flatten]] void measure_blurred(meeting<Interval> *m,
+                                      const footprint<Interval> &s,
+                                      bool parallel) {
+  m->measure_blurred(s, parallel);
+}
 
 /* Finds Q and l^2, and whether the splat is blurred. */
 template <class T>
@@ -821,9 +834,9 @@ int judge::kappa(const splat &s, meeting<Interval> *about) const {
     return exact_kappa(s);
   }
   if (s.blurred)
-    about->measure_blurred(s.about, parallel);
+    measure_blurred(about, s.about, parallel);
   else
-    about->measure(parallel);
+    measure_sharp(about, parallel);
   const int found = whole(about->rho2 * s.about.scale, ENTRIES);
   return found != UNDECIDED ? found : exact_kappa(s);
 }
@@ -864,7 +877,7 @@ void judge::gather(const std::vector<const splat *> &row, int i) {
     if (i < s->box.x0 || i >= s->box.x1)
       continue;
     HSR_STEP(tally, ORACLE_SPLAT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
-    meeting<Interval> about(s->about, r);
+    meeting<Interval> about = meet(s->about, r);
     const int k = kappa(*s, &about);
     if (k < ENTRIES)
       covered.push_back({s, k, about});
