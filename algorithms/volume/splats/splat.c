@@ -12,16 +12,20 @@
  * Order       splats that are wider than a cell have no order that is right. That
  *             of pbtf is a part of the definition; how far the picture of
  *             another one is from it can be measured.
+ * Accumulate  motion blur by an accumulation buffer, to compare with: frames
+ *             between the view before and this one
  *
  * Notation, invariant, ties, departures and cost are those of splats.h. */
 #include "algorithms/volume/splats/splats.h"
+
+#include <string.h>
 
 enum { BLOCK = 8, DRAWN_BETWEEN_LOOKS = 16384 };
 
 static const struct hsr_counter counters[] = {HSR_SPLAT_COUNTERS, {NULL}};
 
 /* The picture is defined by the sequence of pbtf. */
-enum { ORDER, NESTING };
+enum { ORDER, NESTING, ACCUMULATE };
 static const struct hsr_word orders[] = {
     {"pbtf", "octant by octant: the sequence of the definition", 0},
     {"btf", "three loops towards the view plane", HSR_KNOWN_WRONG},
@@ -41,10 +45,22 @@ static const struct hsr_word nestings[] = {
     {"xzy", "likewise", HSR_KNOWN_WRONG},
     {"xyz", "likewise", HSR_KNOWN_WRONG},
     {NULL, NULL, 0}};
+static const struct hsr_word accumulations[] = {
+    {"off", "splats are stretched, as the definition has it", 0},
+    {"2", "so many frames, the first and the last included", HSR_KNOWN_WRONG},
+    {"3", "likewise", HSR_KNOWN_WRONG},
+    {"5", "likewise", HSR_KNOWN_WRONG},
+    {"9", "likewise", HSR_KNOWN_WRONG},
+    {"17", "likewise", HSR_KNOWN_WRONG},
+    {"33", "likewise", HSR_KNOWN_WRONG},
+    {NULL, NULL, 0}};
+static const int frames_of[] = {1, 2, 3, 5, 9, 17, 33};
 static const struct hsr_option options[] = {
     [ORDER] = {"order", "in which samples are visited", orders, 0, 5, 0},
     [NESTING] = {"nesting", "how the loops of pbtf, btf and ippbtf are nested",
                  nestings, 0, 5, 0},
+    [ACCUMULATE] = {"accumulate", "motion blur by an accumulation buffer",
+                    accumulations, 0, 6, 0},
     {NULL}};
 
 struct model {
@@ -76,6 +92,13 @@ static enum hsr_status open_blocks(struct hsr_splats *s, struct model *m) {
   uint32_t weight = hsr_splats_weight(s->knot, 0);
   m->most = s->splatting.normalise ? weight : weight * opacity >> 16;
   return m->full ? HSR_OK : HSR_E_NOMEM;
+}
+
+static void empty_blocks(const struct hsr_splats *s, struct model *m) {
+  int height = s->window.y1 - s->window.y0;
+  size_t rows = (size_t)(height + BLOCK - 1) / BLOCK;
+  memset(m->full, 0, rows * (size_t)m->blocks * sizeof *m->full);
+  m->drawn = 0;
 }
 
 static bool is_block_full(const struct hsr_splats *s, const struct model *m,
@@ -127,6 +150,53 @@ static void draw_under(struct hsr_splats *s, const struct hsr_placed *p) {
 
 /* --- A frame -------------------------------------------------------------- */
 
+static enum hsr_status draw(struct hsr_splats *s, struct hsr_error *err) {
+  const long *option = s->job->option;
+  return hsr_splats_visit(s, order_of[option[ORDER]], (int)option[NESTING],
+                          s->splatting.model == HSR_UNDER, err);
+}
+
+/* --- Motion blur by an accumulation buffer -------------------------------- */
+
+/* Adds a picture and makes it empty. */
+static void move_to(struct hsr_splat_picture *picture, uint32_t (*sum)[4],
+                    uint64_t *weight) {
+  for (size_t k = 0; k < picture->count; k++) {
+    for (int c = 0; c < 4; c++)
+      sum[k][c] += picture->rgba[k][c];
+    if (weight)
+      weight[k] += picture->weight[k];
+  }
+  hsr_splats_clear(picture);
+}
+
+/* Frames at equal distances on the way, each with the weight 1 / n (thesis,
+ * 4.1). */
+static enum hsr_status accumulate(struct hsr_splats *s, struct model *m, int n,
+                                  struct hsr_error *err) {
+  size_t count = m->picture.count;
+  uint32_t(*sum)[4] = hsr_arena_zeroed(s->job->scratch, count, sizeof *sum);
+  uint64_t *weight = m->picture.weight
+                         ? HSR_NEW_ZEROED(s->job->scratch, uint64_t, count)
+                         : NULL;
+  if (!sum || (m->picture.weight && !weight))
+    return hsr_fail_nomem(err);
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < n && !status; k++) {
+    s->way_from = s->way_to = (double)k / (n - 1);
+    status = draw(s, err);
+    move_to(&m->picture, sum, weight);
+    empty_blocks(s, m);
+  }
+  for (size_t k = 0; k < count; k++) {
+    for (int c = 0; c < 4; c++)
+      m->picture.rgba[k][c] = (uint16_t)(sum[k][c] / (uint32_t)n);
+    if (weight)
+      m->picture.weight[k] = weight[k] / (uint64_t)n;
+  }
+  return status;
+}
+
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_splats s;
@@ -134,11 +204,12 @@ static enum hsr_status render(const struct hsr_job *job,
   if (hsr_splats_begin(&s, job) || hsr_splats_open(&s, &m.picture) ||
       open_blocks(&s, &m))
     return hsr_fail_nomem(err);
-  bool front = s.splatting.model == HSR_UNDER;
+  int frames = frames_of[job->option[ACCUMULATE]];
   s.model = &m;
-  s.draw = front ? draw_under : draw_over;
-  enum hsr_status status = hsr_splats_visit(
-      &s, order_of[job->option[ORDER]], (int)job->option[NESTING], front, err);
+  s.draw = s.splatting.model == HSR_UNDER ? draw_under : draw_over;
+  enum hsr_status status = frames > 1 && s.splatting.blur
+                               ? accumulate(&s, &m, frames, err)
+                               : draw(&s, err);
   hsr_splats_finish(&s, &m.picture);
   return status;
 }

@@ -4,6 +4,8 @@
  *
  * Source      J. E. Swan II, PhD thesis, Ohio State University, 1998, chapter 4
  * Notation    Y, Q, l and s of docs/composited-picture.md
+ * Frames      in a frame of an accumulation buffer s is given, and the energy is
+ *             that of a splat which does not move. Such frames are not exact.
  * Errors      an `off` bounds how far a vector is from its exact value. With
  *             A >= |V'|, B >= |D'| and their offs a >= 2^-50 A, b >= 2^-50 B, the
  *             products V'.D', V'.V', D'.D' err by less than 4 (A b + B a), 8 A a,
@@ -217,7 +219,8 @@ void hsr_splats_stretch(struct hsr_splats *s, struct hsr_placed *p,
   if (!p->is_blurred)
     return;
   find_box(s, p, x, y);
-  p->energy = energy_of(s, p, apart);
+  if (s->way_from < s->way_to)
+    p->energy = energy_of(s, p, apart);
   p->is_small = false;
 }
 
@@ -227,6 +230,7 @@ void hsr_splats_stretch(struct hsr_splats *s, struct hsr_placed *p,
 struct capsule {
   struct lens lens;
   double Q[3], per_QQ, length, off, scale, rough;
+  double from, to; /* of the way */
 };
 
 static struct capsule capsule_of(const struct hsr_splats *s,
@@ -237,7 +241,9 @@ static struct capsule capsule_of(const struct hsr_splats *s,
                       .length = p->way_length,
                       .off = p->way_off,
                       .scale = p->scale,
-                      .rough = 8 * p->rough + 0x1p-40};
+                      .rough = 8 * p->rough + 0x1p-40,
+                      .from = s->way_from,
+                      .to = s->way_to};
   c.per_QQ = 1 / (p->way_length * p->way_length);
   return c;
 }
@@ -245,7 +251,7 @@ static struct capsule capsule_of(const struct hsr_splats *s,
 /* s. */
 static inline double share_of_way(const struct capsule *c, const double Y[3]) {
   double along = (Y[0] * c->Q[0] + Y[1] * c->Q[1] + Y[2] * c->Q[2]) * c->per_QQ;
-  return hsr_min(hsr_max(along, 0), 1);
+  return hsr_min(hsr_max(along, c->from), c->to);
 }
 
 /* kappa of pixels beside one another, and how far it may be off. */
@@ -283,8 +289,8 @@ void hsr_splats_find_blurred(const struct hsr_splats *s,
       continue;
     double lo = floor(fmax(0, kappa[l] - error[l])),
            hi = floor(kappa[l] + error[l]);
-    if (lo == hi)
-      index[l] = (int32_t)lo;
+    if (lo == hi || c.from == c.to)
+      index[l] = (int32_t)hsr_min(lo, HSR_FOOTPRINT);
     else {
       s->tally->exact[HSR_ASK_FOOTPRINT]++;
       struct hsr_splat splat = hsr_splats_exact(s, p->at);

@@ -66,7 +66,9 @@ enum hsr_status hsr_splats_begin(struct hsr_splats *s,
                            .grid = job->world->outline.scene->grid,
                            .tally = job->tally,
                            .splatting = hsr_form_splatting(&job->answer->form),
-                           .window = job->view->window};
+                           .window = job->view->window,
+                           .way_from = 0,
+                           .way_to = 1};
   if (!allocate(s))
     return HSR_E_NOMEM;
   fill_terms(s);

@@ -279,7 +279,7 @@ bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
     hsr_splats_stretch(s, p, b->apart[k]);
   if (p->box.x0 >= p->box.x1 || p->box.y0 >= p->box.y1)
     return leave(s, p->cell);
-  if (!p->is_blurred)
+  if (!p->is_blurred || s->way_from == s->way_to)
     p->energy = energy_of(s, k, p->at);
   hsr_splats_colour(s, p->cell, p->colour);
   for (int c = 0; c <= HSR_SPLAT_OPACITY; c++)

@@ -153,6 +153,11 @@ struct hsr_splats {
   uint32_t *start;
   struct hsr_splat_sample *sample;
 
+  /* The part of its way over which a splat is stretched: all of it, from 0 to 1.
+   * One point of it, in a frame of an accumulation buffer: it is drawn there as
+   * it is. */
+  double way_from, way_to;
+
   struct hsr_splats_energy last;
   struct hsr_splat_batch batch;
   void (*draw)(struct hsr_splats *, const struct hsr_placed *);
