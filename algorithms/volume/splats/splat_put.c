@@ -105,6 +105,7 @@ struct footprint {
   __m512 column, row;                             /* of each lane */
   __m512i T[2], fall[2];                          /* fall: T_i - T_(i+1) */
   __m512i colour;
+  __m512 way_x, way_y, s_x, s_y, from, to; /* of a blurred splat */
 };
 
 AVX512 static inline __m512 all(float x) {
@@ -127,14 +128,20 @@ AVX512 static inline struct footprint footprint_of(const struct hsr_splats *s,
       all(p->yy),
       all(p->p),
       all(p->q),
-      all(p->constant),
-      all(p->slope),
-      all(2 - p->slope),
+      all(p->is_blurred ? p->way_error : p->constant),
+      all(p->is_blurred ? 1 : p->slope),
+      all(p->is_blurred ? 1 : 2 - p->slope),
       _mm512_cvtepi32_ps(column),
       _mm512_cvtepi32_ps(row),
       {_mm512_loadu_si512(s->knot), _mm512_loadu_si512(s->knot + 32)},
       {_mm512_setzero_si512()},
-      _mm512_set1_epi64(rgba)};
+      _mm512_set1_epi64(rgba),
+      all(p->way_x),
+      all(p->way_y),
+      all(p->s_x),
+      all(p->s_y),
+      all((float)s->way_from),
+      all((float)s->way_to)};
   for (int h = 0; h < 2; h++)
     f.fall[h] =
         _mm512_sub_epi16(f.T[h], _mm512_loadu_si512(s->knot + 32 * h + 1));
@@ -160,6 +167,40 @@ settle(const struct hsr_splats *s, const struct hsr_placed *p, int x, int j,
 AVX512 static inline __m512 inverse(__m512 x) {
   __m512 y = _mm512_rcp14_ps(x);
   return _mm512_fmadd_ps(y, _mm512_fnmadd_ps(x, y, all(1)), y);
+}
+
+/* What is the same in a column of pixels. */
+struct column {
+  __m512 X, xx, xy, px;
+};
+
+AVX512 static inline struct column column_of(const struct footprint *f,
+                                             float dx) {
+  __m512 X = _mm512_add_ps(all(dx), f->column);
+  return (struct column){X, _mm512_mul_ps(f->xx, _mm512_mul_ps(X, X)),
+                         _mm512_mul_ps(f->xy, X),
+                         _mm512_fmadd_ps(f->p, X, all(1))};
+}
+
+AVX512 static inline __m512 kappa_of(const struct footprint *f,
+                                     const struct column *c, __m512 Y) {
+  __m512 w = _mm512_fmadd_ps(f->q, Y, c->px);
+  __m512 square = _mm512_fmadd_ps(_mm512_fmadd_ps(f->yy, Y, c->xy), Y, c->xx);
+  return _mm512_mul_ps(square, inverse(_mm512_mul_ps(w, w)));
+}
+
+/* The same from the way of a blurred splat: splat_blur.c. */
+AVX512 static inline __m512 blurred_kappa_of(const struct footprint *f,
+                                             const struct column *c, __m512 Y) {
+  __m512 per_w = inverse(_mm512_fmadd_ps(f->q, Y, c->px));
+  __m512 x = _mm512_mul_ps(c->X, per_w), y = _mm512_mul_ps(Y, per_w);
+  __m512 t = _mm512_fmadd_ps(f->s_x, x, _mm512_mul_ps(f->s_y, y));
+  t = _mm512_min_ps(_mm512_max_ps(t, f->from), f->to);
+  x = _mm512_fnmadd_ps(t, f->way_x, x);
+  y = _mm512_fnmadd_ps(t, f->way_y, y);
+  __m512 yy = _mm512_mul_ps(f->yy, _mm512_mul_ps(y, y));
+  return _mm512_fmadd_ps(_mm512_fmadd_ps(f->xx, x, _mm512_mul_ps(f->xy, y)), x,
+                         yy);
 }
 
 /* W of indices, 0 where they are not in `in`, in every other word. 16 i + j,
@@ -225,7 +266,7 @@ AVX512 static inline __m512i given(const struct footprint *f, __m512i weight,
 AVX512 static inline __attribute__((always_inline)) void
 put_columns(struct hsr_splats *s, const struct hsr_placed *p,
             struct hsr_splat_picture *picture, const struct footprint *f, int x,
-            int columns, enum hsr_splat_way way) {
+            int columns, bool blurred, enum hsr_splat_way way) {
   const struct hsr_window *box = &p->box;
   const int rows = ALL / columns,
             n = box->x1 - x < columns ? box->x1 - x : columns;
@@ -233,19 +274,15 @@ put_columns(struct hsr_splats *s, const struct hsr_placed *p,
   const __mmask16 one = (__mmask16)((1u << n) - 1),
                   two =
                       (__mmask16)(columns == LANES ? one << LANES | one : one);
-  const __m512 X = _mm512_add_ps(all((float)(hsr_sample_x(s->view, x) - p->x)),
-                                 f->column),
-               dy = all((float)(hsr_sample_y(s->view, box->y0) - p->y)),
-               xx = _mm512_mul_ps(f->xx, _mm512_mul_ps(X, X)),
-               xy = _mm512_mul_ps(f->xy, X),
-               px = _mm512_fmadd_ps(f->p, X, all(1));
+  const struct column c =
+      column_of(f, (float)(hsr_sample_x(s->view, x) - p->x));
+  const __m512 dy = all((float)(hsr_sample_y(s->view, box->y0) - p->y));
   const __m512i beyond = _mm512_set1_epi32(HSR_FOOTPRINT);
   __m512 row = f->row;
   size_t at = hsr_splats_at(s, picture, x, box->y0);
   for (int j = box->y0; j < box->y1; j += rows) {
-    __m512 Y = _mm512_add_ps(dy, row), w = _mm512_fmadd_ps(f->q, Y, px);
-    __m512 square = _mm512_fmadd_ps(_mm512_fmadd_ps(f->yy, Y, xy), Y, xx);
-    __m512 kappa = _mm512_mul_ps(square, inverse(_mm512_mul_ps(w, w)));
+    __m512 Y = _mm512_add_ps(dy, row);
+    __m512 kappa = blurred ? blurred_kappa_of(f, &c, Y) : kappa_of(f, &c, Y);
     __mmask16 in = j + rows <= box->y1 ? two : one;
     __m512i index = _mm512_cvttps_epi32(
                 _mm512_fmsub_ps(kappa, f->least, f->constant)),
@@ -268,14 +305,18 @@ put_columns(struct hsr_splats *s, const struct hsr_placed *p,
 AVX512 static inline __attribute__((always_inline)) void
 put_avx512(struct hsr_splats *s, const struct hsr_placed *p,
            struct hsr_splat_picture *picture, enum hsr_splat_way way) {
-  if (p->box.x1 - p->box.x0 <= LANES) {
+  if (p->is_blurred) {
+    const struct footprint f = footprint_of(s, p, ALL);
+    for (int x = p->box.x0; x < p->box.x1; x += ALL)
+      put_columns(s, p, picture, &f, x, ALL, true, way);
+  } else if (p->box.x1 - p->box.x0 <= LANES) {
     const struct footprint f = footprint_of(s, p, LANES);
-    put_columns(s, p, picture, &f, p->box.x0, LANES, way);
-    return;
+    put_columns(s, p, picture, &f, p->box.x0, LANES, false, way);
+  } else {
+    const struct footprint f = footprint_of(s, p, ALL);
+    for (int x = p->box.x0; x < p->box.x1; x += ALL)
+      put_columns(s, p, picture, &f, x, ALL, false, way);
   }
-  const struct footprint f = footprint_of(s, p, ALL);
-  for (int x = p->box.x0; x < p->box.x1; x += ALL)
-    put_columns(s, p, picture, &f, x, ALL, way);
 }
 
 AVX512 static void put_fast(struct hsr_splats *s, const struct hsr_placed *p,

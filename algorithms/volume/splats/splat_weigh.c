@@ -67,6 +67,11 @@ static double roughly(const struct hsr_splats *s, const struct hsr_placed *p,
 
 int hsr_splats_index(const struct hsr_splats *s, const struct hsr_placed *p,
                      int i, int j) {
+  if (p->is_blurred) {
+    int32_t index[HSR_SPLAT_LANES];
+    hsr_splats_find_blurred(s, p, i, j, index);
+    return index[0];
+  }
   double error, kappa = roughly(s, p, i, j, &error);
   if (kappa - error >= HSR_FOOTPRINT)
     return HSR_FOOTPRINT;

@@ -103,9 +103,12 @@ struct hsr_placed {
   uint32_t cell, at[3];
   double x, y, scale, rough;
   float xx, xy, yy, p, q, error, constant, slope;
-  bool is_small; /* floats may tell kappa */
+  bool is_small; /* floats may tell kappa, of a blurred one by what is below */
   bool is_blurred;
   double way[3], way_length, way_off; /* Q, l, and how far Q may be off */
+  /* Of a blurred splat, if is_small: Q as dx and dy, each over 1 + p dx + q dy;
+   * by which multiples of these of a pixel are s; and how far kappa may be off. */
+  float way_x, way_y, s_x, s_y, way_error;
   struct hsr_window box;
   uint32_t energy;
   uint16_t colour[HSR_SPLAT_OPACITY + 1];
