@@ -7,9 +7,6 @@
 #include <string.h>
 #include <unistd.h>
 
-/* The most faces that a header describes. */
-enum { MOST_FACES = 100000 };
-
 /* --- Options -------------------------------------------------------------- */
 
 #define STANDARD_SIZE "64x48"
@@ -160,24 +157,7 @@ static const struct argp argp = {
     NULL,
     NULL};
 
-/* --- What is traced ------------------------------------------------------- */
-
-static enum hsr_status check_algorithm(const struct hsr_variant *variant,
-                                       struct hsr_error *err) {
-  const struct hsr_algorithm *a = variant->listed->counting;
-  const char *why = NULL;
-  if (a->flags & HSR_JUDGE)
-    why = "a judge has no steps to trace";
-  else if (a->flags & HSR_NO_PICTURE)
-    why = "it draws nothing";
-  else if (hsr_choice_folds(a, &variant->choice) ||
-           !variant->choice.form.type->paint)
-    why = "answers of this kind are not traced";
-  else if (!a->outline)
-    why = "it has no outline yet, and cannot be traced";
-  return why ? hsr_fail(err, HSR_E_USAGE, "%s: %s", variant->name, why)
-             : HSR_OK;
-}
+/* --- Which events --------------------------------------------------------- */
 
 /* The number of the counter of that name; -1: there is none. */
 static int find_counter(const struct hsr_algorithm *a, const char *name,
@@ -234,67 +214,13 @@ static enum hsr_status choose_window(struct options *o, struct hsr_error *err) {
 
 struct run {
   const struct options *options;
-  const struct hsr_variant *variant;
-  struct hsr_scene *scene;
-  struct hsr_world laid_out, instanced; /* the algorithm gets one of them */
-  struct hsr_view view;
-  struct hsr_setup setup;
-  struct trace_answer answer;
+  struct trace_run traced;
   struct trace_output output;
   struct tracer tracer;
 };
 
-/* An algorithm that takes instances gets an outline, as in hsr render. */
-static enum hsr_status open_worlds(struct run *r, struct hsr_error *err) {
-  enum hsr_status status =
-      hsr_world_open(&r->laid_out, r->scene, MOST_FACES, err);
-  if (status)
-    return status;
-  if (hsr_is_outline(&r->laid_out))
-    return hsr_fail(err, HSR_E_REFUSED,
-                    "trace: %u faces are more than the %d that a trace tells "
-                    "of",
-                    r->laid_out.n_faces, (int)MOST_FACES);
-  uint32_t most = hsr_most_laid_out(r->variant->listed->counting);
-  return r->laid_out.n_faces > most
-             ? hsr_world_open(&r->instanced, r->scene, most, err)
-             : HSR_OK;
-}
-
-static enum hsr_status open_run(struct run *r, struct hsr_error *err) {
-  const struct options *o = r->options;
-  enum hsr_status status =
-      open_scene(o->scene.name, o->scene.import, &r->scene, err);
-  if (status)
-    return status;
-  status = choose_view(&o->view, r->scene, 1, &r->view, err);
-  if (!status)
-    status = open_worlds(r, err);
-  if (!status)
-    status = hsr_setup_init(
-        &r->setup, r->variant->listed->counting, &r->variant->choice,
-        r->instanced.outline.scene ? &r->instanced : &r->laid_out, err);
-  if (!status)
-    status = trace_answer_init(&r->answer, &r->setup, &r->view, err);
-  return status;
-}
-
-static void close_run(struct run *r) {
-  trace_answer_free(&r->answer);
-  if (r->setup.algorithm)
-    hsr_setup_free(&r->setup);
-  hsr_world_free(&r->instanced);
-  hsr_world_free(&r->laid_out);
-  hsr_scene_delete(r->scene);
-}
-
 static void write_header(struct run *r) {
-  struct trace_header header = {.scene = &r->options->scene,
-                                .view_options = &r->options->view,
-                                .view = &r->view,
-                                .world = &r->laid_out,
-                                .setup = &r->setup,
-                                .variant = r->variant->name,
+  struct trace_header header = {.run = &r->traced,
                                 .filter = &r->options->filter};
   trace_output_line(&r->output, trace_header_json(&header));
 }
@@ -306,17 +232,17 @@ static bool shows_progress(const struct options *o) {
 }
 
 static enum hsr_status write_trace(struct run *r, struct hsr_error *err) {
-  r->tracer = (struct tracer){.algorithm = r->setup.algorithm,
+  r->tracer = (struct tracer){.algorithm = r->traced.setup.algorithm,
                               .filter = &r->options->filter,
                               .output = &r->output,
-                              .answer = &r->answer,
+                              .answer = &r->traced.answer,
                               .shows_progress = shows_progress(r->options)};
   struct hsr_trace trace = {.listen = tracer_listen, .context = &r->tracer};
   struct hsr_tally tally = {.trace = &trace};
   write_header(r);
   tracer_keyframe(&r->tracer, 0);
   enum hsr_status status =
-      trace_answer_draw(&r->answer, &r->setup, &tally, err);
+      trace_answer_draw(&r->traced.answer, &r->traced.setup, &tally, err);
   return status ? status : tracer_end(&r->tracer, &tally, err);
 }
 
@@ -330,8 +256,9 @@ static void print_report(const struct run *r) {
            "%s, view %ld, %d x %d samples, %u faces, by %.500s: %llu events%s, "
            "%llu keyframe%s, %.1f MB",
            terminal_plain(r->options->scene.name, name, sizeof name),
-           r->options->view.view, r->view.m, r->view.n, r->laid_out.n_faces,
-           r->variant->name, (unsigned long long)t->events, part,
+           r->options->view.view, r->traced.view.m, r->traced.view.n,
+           r->traced.laid_out.n_faces, r->traced.variant->name,
+           (unsigned long long)t->events, part,
            (unsigned long long)t->keyframes, t->keyframes == 1 ? "" : "s",
            1e-6 * (double)r->output.bytes);
   terminal_wrap(stdout, 0, 2, text);
@@ -340,8 +267,13 @@ static void print_report(const struct run *r) {
 static enum hsr_status run(const struct options *o,
                            const struct hsr_variant *variant,
                            struct hsr_error *err) {
-  struct run r = {.options = o, .variant = variant};
-  enum hsr_status status = open_run(&r, err);
+  struct run r = {.options = o,
+                  .traced = {.command = "trace",
+                             .scene_options = &o->scene,
+                             .view_options = &o->view,
+                             .variant = variant,
+                             .most_faces = TRACE_MOST_FACES}};
+  enum hsr_status status = trace_run_open(&r.traced, err);
   if (!status)
     status = trace_output_open(&r.output, o->output, err);
   if (!status) {
@@ -350,7 +282,7 @@ static enum hsr_status run(const struct options *o,
   }
   if (!status && strcmp(o->output, "-"))
     print_report(&r);
-  close_run(&r);
+  trace_run_close(&r.traced);
   return status;
 }
 
@@ -365,7 +297,7 @@ enum hsr_status command_trace(int argc, char **argv, struct hsr_error *err) {
   if (!status)
     status = hsr_variant_parse(options.algorithm, &variant, err);
   if (!status)
-    status = check_algorithm(&variant, err);
+    status = trace_check(&variant, err);
   if (!status)
     status = choose_counters(&options, variant.listed->counting, err);
   if (!status)

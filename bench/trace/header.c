@@ -109,13 +109,14 @@ static json_t *adaptations_json(const struct hsr_setup *setup) {
 }
 
 static json_t *algorithm_json(const struct trace_header *h) {
-  const struct hsr_algorithm *a = h->setup->algorithm;
+  const struct hsr_algorithm *a = h->run->setup.algorithm;
   return json_pack("{ss ss ss ss so ss ss so so}", "name", a->name, "variant",
-                   h->variant, "title", a->title, "authors", a->authors, "year",
+                   h->run->variant->name, "title", a->title, "authors",
+                   a->authors, "year",
                    a->year ? json_integer(a->year) : json_null(), "source",
                    a->source, "answer", a->kind->name, "options",
-                   options_json(a, &h->setup->choice), "adapted",
-                   adaptations_json(h->setup));
+                   options_json(a, &h->run->setup.choice), "adapted",
+                   adaptations_json(&h->run->setup));
 }
 
 /* --- The view ------------------------------------------------------------- */
@@ -125,13 +126,13 @@ static json_t *vector_json(const double v[3]) {
 }
 
 static json_t *view_json(const struct trace_header *h) {
-  const struct hsr_camera *c = &h->view->camera;
-  const struct hsr_window *w = &h->view->window;
+  const struct hsr_camera *c = &h->run->view.camera;
+  const struct hsr_window *w = &h->run->view.window;
   return json_pack("{si si si s[iiii] so so so sf sf sf}", "number",
-                   (int)h->view_options->view, "width", h->view->m, "height",
-                   h->view->n, "window", w->x0, w->y0, w->x1, w->y1, "eye",
-                   vector_json(c->eye), "at", vector_json(c->at), "up",
-                   vector_json(c->up), "fov", c->fov, "near", c->near,
+                   (int)h->run->view_options->view, "width", h->run->view.m,
+                   "height", h->run->view.n, "window", w->x0, w->y0, w->x1,
+                   w->y1, "eye", vector_json(c->eye), "at", vector_json(c->at),
+                   "up", vector_json(c->up), "fov", c->fov, "near", c->near,
                    "parallel", c->parallel);
 }
 
@@ -147,13 +148,14 @@ static void vertex_of(const struct hsr_world *world, uint32_t v,
 /* If the algorithm got a scene laid out, these are the vertices that it got:
  * adapters add some to the scene's own. */
 static json_t *vertices_json(const struct trace_header *h) {
-  const struct hsr_world *world =
-      hsr_is_outline(h->setup->world) ? h->world : h->setup->world;
+  const struct hsr_world *world = hsr_is_outline(h->run->setup.world)
+                                      ? &h->run->laid_out
+                                      : h->run->setup.world;
   json_t *vertices = json_array();
   for (uint32_t v = 0; v < world->mesh.n_vertices; v++) {
     double point[3];
     vertex_of(world, v, point);
-    hsr_json_append(&vertices, hsr_point_json(h->view, point));
+    hsr_json_append(&vertices, hsr_point_json(&h->run->view, point));
   }
   return vertices;
 }
@@ -168,7 +170,8 @@ static json_t *objects_json(const struct hsr_scene *scene) {
 /* "#rrggbb", in sRGB, as hsr render paints the face. */
 static json_t *colour_json(const struct trace_header *h, uint32_t face) {
   float rgb[3];
-  hsr_picture_colour(h->world, h->view, face, HSR_SHADE_LAMBERT, rgb);
+  hsr_picture_colour(&h->run->laid_out, &h->run->view, face, HSR_SHADE_LAMBERT,
+                     rgb);
   int byte[3];
   for (int c = 0; c < 3; c++)
     byte[c] = (int)lrintf(255 * hsr_srgb_encode(rgb[c]));
@@ -201,37 +204,38 @@ static int largest_face(const struct hsr_world *world) {
  * parts are too far outside. */
 static json_t *polygon_json(const struct trace_header *h, uint32_t face,
                             const struct room *room) {
-  const struct hsr_world *world = h->world;
+  const struct hsr_world *world = &h->run->laid_out;
   int n = (int)hsr_face_size(world, face);
   double deepest = 0;
   for (int k = 0; k < n; k++) {
     double point[3];
     vertex_of(world, world->mesh.vertex[world->mesh.start[face] + (uint32_t)k],
               point);
-    hsr_view_project(h->view, point, room->in[k]);
+    hsr_view_project(&h->run->view, point, room->in[k]);
     deepest = fmax(deepest, room->in[k][2]);
   }
   static const double by_depth[3] = {0, 0, 1};
-  double near = fmax(h->view->near, h->view->parallel ? 0 : 1e-6 * deepest);
+  double near =
+      fmax(h->run->view.near, h->run->view.parallel ? 0 : 1e-6 * deepest);
   json_t *polygon = json_array();
   if (deepest > near)
     n = hsr_clip((const double(*)[3])room->in, n, by_depth, -near, room->out);
   for (int k = 0; deepest > near && k < n; k++)
-    hsr_json_append(&polygon, hsr_image_json(h->view, room->out[k]));
+    hsr_json_append(&polygon, hsr_image_json(&h->run->view, room->out[k]));
   return polygon;
 }
 
 static json_t *faces_json(const struct trace_header *h) {
-  size_t most = (size_t)largest_face(h->world);
+  size_t most = (size_t)largest_face(&h->run->laid_out);
   struct room room = {.in = malloc(most * sizeof *room.in),
                       .out = malloc((most + most / 2 + 1) * sizeof *room.out)};
   json_t *faces = room.in && room.out ? json_array() : NULL;
-  for (uint32_t f = 0; faces && f < h->world->n_faces; f++)
-    hsr_json_append(&faces,
-                    json_pack("[I I o o o]", (json_int_t)f,
-                              (json_int_t)h->world->mesh.object[f],
-                              colour_json(h, f), corners_json(h->world, f),
-                              polygon_json(h, f, &room)));
+  for (uint32_t f = 0; faces && f < h->run->laid_out.n_faces; f++)
+    hsr_json_append(
+        &faces, json_pack("[I I o o o]", (json_int_t)f,
+                          (json_int_t)h->run->laid_out.mesh.object[f],
+                          colour_json(h, f), corners_json(&h->run->laid_out, f),
+                          polygon_json(h, f, &room)));
   free(room.in);
   free(room.out);
   return faces;
@@ -265,15 +269,16 @@ static json_t *places_json(void) {
 }
 
 json_t *trace_header_json(const struct trace_header *h) {
-  const struct hsr_algorithm *a = h->setup->algorithm;
-  return json_pack(
-      "{ss ss ss ss so so so si so so so so so so so so so}", "record",
-      "header", "schema", "hsr-trace/1", "version", PACKAGE_VERSION, "scene",
-      h->scene->name, "view", view_json(h), "algorithm", algorithm_json(h),
-      "kept", filter_json(h->filter, a), "keyframe", (int)h->filter->keyframe,
-      "outline", outline_json(a), "counters", counters_json(a), "step_kinds",
-      step_kinds_json(), "subjects", subjects_json(), "places", places_json(),
-      "background", colour_json(h, HSR_BACKGROUND), "objects",
-      objects_json(h->world->outline.scene), "vertices", vertices_json(h),
-      "faces", faces_json(h));
+  const struct hsr_algorithm *a = h->run->setup.algorithm;
+  return json_pack("{ss ss ss ss so so so si so so so so so so so so so}",
+                   "record", "header", "schema", "hsr-trace/1", "version",
+                   PACKAGE_VERSION, "scene", h->run->scene_options->name,
+                   "view", view_json(h), "algorithm", algorithm_json(h), "kept",
+                   filter_json(h->filter, a), "keyframe",
+                   (int)h->filter->keyframe, "outline", outline_json(a),
+                   "counters", counters_json(a), "step_kinds",
+                   step_kinds_json(), "subjects", subjects_json(), "places",
+                   places_json(), "background", colour_json(h, HSR_BACKGROUND),
+                   "objects", objects_json(h->run->laid_out.outline.scene),
+                   "vertices", vertices_json(h), "faces", faces_json(h));
 }

@@ -4,5 +4,6 @@ libbench_a_SOURCES += \
   %D%/command.c \
   %D%/header.c \
   %D%/output.c \
+  %D%/run.c \
   %D%/trace.h \
   %D%/tracer.c

@@ -6,7 +6,10 @@
  * header.c    the first line: the scene, the view, the algorithm
  * answer.c    the answer, both as drawn and as repainted from the events
  * tracer.c    the listener: events, keyframes, the last line
- * command.c   the options, and the run */
+ * run.c       the scene, the view and the algorithm that are traced
+ * command.c   the options of hsr trace
+ *
+ * hsr lesson records the same events in its own form (bench/lesson). */
 #ifndef HSR_BENCH_TRACE_H
 #define HSR_BENCH_TRACE_H
 
@@ -122,16 +125,40 @@ void tracer_keyframe(struct tracer *tracer, uint64_t next);
 enum hsr_status tracer_end(struct tracer *tracer, const struct hsr_tally *tally,
                            struct hsr_error *err);
 
+/* --- The run -------------------------------------------------------------- */
+
+/* The most faces of a scene that hsr trace describes. */
+enum { TRACE_MOST_FACES = 100000 };
+
+/* One algorithm on one view. */
+struct trace_run {
+  const char *command; /* for messages; borrowed, as the next three */
+  const struct scene_options *scene_options;
+  const struct view_options *view_options;
+  const struct hsr_variant *variant;
+  uint32_t most_faces; /* a scene of more is refused */
+
+  struct hsr_scene *scene;
+  struct hsr_world laid_out, instanced; /* the algorithm gets one of them */
+  struct hsr_view view;
+  struct hsr_setup setup;
+  struct trace_answer answer;
+};
+
+/* Whether the algorithm has steps to tell of. HSR_E_USAGE if not. */
+enum hsr_status trace_check(const struct hsr_variant *variant,
+                            struct hsr_error *err);
+
+/* Opens the scene, and sets up the view, the algorithm and its answer. To be
+ * closed also after a failure. */
+enum hsr_status trace_run_open(struct trace_run *run, struct hsr_error *err);
+void trace_run_close(struct trace_run *run);
+
 /* --- The header ----------------------------------------------------------- */
 
 /* What the first line describes. All borrowed. */
 struct trace_header {
-  const struct scene_options *scene;
-  const struct view_options *view_options;
-  const struct hsr_view *view;
-  const struct hsr_world *world; /* the scene laid out */
-  const struct hsr_setup *setup;
-  const char *variant; /* the algorithm as the user named it */
+  const struct trace_run *run;
   const struct trace_filter *filter;
 };
 

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/trace/trace.h"
+
+enum hsr_status trace_check(const struct hsr_variant *variant,
+                            struct hsr_error *err) {
+  const struct hsr_algorithm *a = variant->listed->counting;
+  const char *why = NULL;
+  if (a->flags & HSR_JUDGE)
+    why = "a judge has no steps to trace";
+  else if (a->flags & HSR_NO_PICTURE)
+    why = "it draws nothing";
+  else if (hsr_choice_folds(a, &variant->choice) ||
+           !variant->choice.form.type->paint)
+    why = "answers of this kind are not traced";
+  else if (!a->outline)
+    why = "it has no outline yet, and cannot be traced";
+  return why ? hsr_fail(err, HSR_E_USAGE, "%s: %s", variant->name, why)
+             : HSR_OK;
+}
+
+/* An algorithm that takes instances gets an outline, as in hsr render. */
+static enum hsr_status open_worlds(struct trace_run *r, struct hsr_error *err) {
+  enum hsr_status status =
+      hsr_world_open(&r->laid_out, r->scene, r->most_faces, err);
+  if (status)
+    return status;
+  if (hsr_is_outline(&r->laid_out))
+    return hsr_fail(err, HSR_E_REFUSED,
+                    "%s: %u faces are more than the %u that a %s tells of",
+                    r->command, r->laid_out.n_faces, r->most_faces, r->command);
+  uint32_t most = hsr_most_laid_out(r->variant->listed->counting);
+  return r->laid_out.n_faces > most
+             ? hsr_world_open(&r->instanced, r->scene, most, err)
+             : HSR_OK;
+}
+
+enum hsr_status trace_run_open(struct trace_run *r, struct hsr_error *err) {
+  enum hsr_status status = open_scene(r->scene_options->name,
+                                      r->scene_options->import, &r->scene, err);
+  if (status)
+    return status;
+  status = choose_view(r->view_options, r->scene, 1, &r->view, err);
+  if (!status)
+    status = open_worlds(r, err);
+  if (!status)
+    status = hsr_setup_init(
+        &r->setup, r->variant->listed->counting, &r->variant->choice,
+        r->instanced.outline.scene ? &r->instanced : &r->laid_out, err);
+  if (!status)
+    status = trace_answer_init(&r->answer, &r->setup, &r->view, err);
+  return status;
+}
+
+void trace_run_close(struct trace_run *r) {
+  trace_answer_free(&r->answer);
+  if (r->setup.algorithm)
+    hsr_setup_free(&r->setup);
+  hsr_world_free(&r->instanced);
+  hsr_world_free(&r->laid_out);
+  hsr_scene_delete(r->scene);
+}
