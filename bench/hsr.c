@@ -27,6 +27,8 @@ static const struct hsr_command commands[] = {
      command_tables},
     {"report", "make pages of what bench found", command_report},
     {"trace", "every step of one algorithm, as lines of JSON", command_trace},
+    {"lesson", "a page on which algorithms are watched, step by step",
+     command_lesson},
     {"voxels", "which solid of a scene each voxel is in", command_voxels},
     {"worker", NULL, command_worker},
     {NULL, NULL, NULL}};

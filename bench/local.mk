@@ -62,6 +62,8 @@ libbench_a_SOURCES = \
   %D%/report/data.h \
   %D%/report/drawings.c \
   %D%/report/ladders.c \
+  %D%/report/page.c \
+  %D%/report/page.h \
   %D%/report/pictures.c \
   %D%/report/pictures.h \
   %D%/report/probe.c \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr report: the results of hsr bench as a folder of pages, to be opened from
  * disk. */
+#include "bench/report/page.h"
 #include "bench/report/report.h"
 
 #include "bench/results/json.h"
@@ -9,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 /* DIGITS of a number are enough for a page, and half as long as all. */
 enum { MOST_FILES = 4096, PATH = 4400, DIGITS = 9 };
@@ -177,24 +177,10 @@ static enum hsr_status join_files(const char *const *from, int n,
 
 /* --- The page ------------------------------------------------------------- */
 
-/* Finds the built page: in the build tree beside this program, or installed. */
-static void find_page(char path[PATH]) {
-  static const char beside[] = "/reports/page";
-  ssize_t length = readlink("/proc/self/exe", path, PATH - sizeof beside);
-  path[length > 0 ? length : 0] = '\0';
-  char *slash = strrchr(path, '/');
-  if (slash)
-    strcpy(slash, beside);
-  char script[PATH + 16];
-  snprintf(script, sizeof script, "%s/report.js", path);
-  if (access(script, R_OK))
-    snprintf(path, PATH, "%s", HSR_REPORT_DIR);
-}
-
 static enum hsr_status copy_page(const char *folder, struct hsr_error *err) {
   static const char *const name[] = {"index.html", "report.css", "report.js"};
-  char page[PATH];
-  find_page(page);
+  char page[PAGE_FOLDER];
+  find_page("report.js", page);
   enum hsr_status status = HSR_OK;
   for (size_t k = 0; k < sizeof name / sizeof *name && !status; k++) {
     char from[PATH + 16];

@@ -1,30 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The pixels of one scene and view, for the page's probe. */
+#include "bench/report/page.h"
 #include "bench/report/pictures.h"
 #include "bench/results/json.h"
 
 #include <stdlib.h>
 
-/* Base64 as in RFC 4648. */
 static json_t *base64_json(const void *bytes, size_t n) {
-  static const char digit[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const unsigned char *byte = bytes;
-  char *text = malloc((n + 2) / 3 * 4 + 1), *at = text;
-  if (!text)
-    return NULL;
-  for (size_t k = 0; k < n; k += 3) {
-    size_t left = n - k;
-    unsigned group = (unsigned)byte[k] << 16 |
-                     (left > 1 ? (unsigned)byte[k + 1] << 8 : 0) |
-                     (left > 2 ? (unsigned)byte[k + 2] : 0);
-    *at++ = digit[group >> 18];
-    *at++ = digit[group >> 12 & 63];
-    *at++ = left > 1 ? digit[group >> 6 & 63] : '=';
-    *at++ = left > 2 ? digit[group & 63] : '=';
-  }
-  *at = '\0';
-  json_t *json = json_string(text);
+  char *text = base64_text(bytes, n);
+  json_t *json = text ? json_string(text) : NULL;
   free(text);
   return json;
 }

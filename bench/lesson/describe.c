@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/lesson/lesson.h"
+
+#include <math.h>
+
+static json_t *counts_json(const struct hsr_algorithm *a,
+                           const uint64_t *count) {
+  json_t *counts = json_array();
+  for (int k = 0; k < trace_n_counters(a); k++)
+    hsr_json_append(&counts, json_integer((json_int_t)count[k]));
+  return counts;
+}
+
+/* [counter, factor], for each term of the step's cost. */
+static json_t *terms_json(const struct hsr_step *step) {
+  json_t *terms = json_array();
+  hsr_json_append(&terms, json_pack("[if]", step->counter, step->factor));
+  for (int k = 0; k < HSR_MORE_TERMS && step->more[k].factor > 0; k++)
+    hsr_json_append(
+        &terms, json_pack("[if]", step->more[k].counter, step->more[k].factor));
+  return terms;
+}
+
+/* The steps of Table III, with what the survey predicts for this view. */
+static json_t *costs_json(const struct hsr_algorithm *a,
+                          const struct hsr_table1 *table) {
+  json_t *costs = json_array();
+  for (const struct hsr_step *s = a->steps; s && s->label; s++)
+    hsr_json_append(
+        &costs, json_pack("{ss so ss? so}", "label", s->label, "terms",
+                          terms_json(s), "formula", s->formula, "predicted",
+                          number_or_null(s->predict && table ? s->predict(table)
+                                                             : NAN)));
+  return costs;
+}
+
+static json_t *sorts_json(const struct hsr_algorithm *a) {
+  json_t *sorts = json_array();
+  for (const struct hsr_sort *s = a->sorts; s && s->what; s++)
+    hsr_json_append(&sorts,
+                    json_pack("[ssss]", s->what, s->key, s->method, s->often));
+  return sorts;
+}
+
+json_t *lesson_describe(const struct lesson_recorder *recorder,
+                        const struct hsr_tally *tally,
+                        const struct hsr_table1 *table) {
+  const struct hsr_algorithm *a = recorder->run->setup.algorithm;
+  const struct trace_answer *answer = &recorder->run->answer;
+  static const struct trace_filter all = {.every = 1, .keyframe = 1};
+  struct trace_header header = {.run = recorder->run, .filter = &all};
+  json_t *parts = recorder->parts;
+  return json_pack("{ss so sI sI so sO so so ss? ss? so}", "schema",
+                   "hsr-lesson/1", "header", trace_header_json(&header),
+                   "events", (json_int_t)recorder->events, "kept",
+                   (json_int_t)recorder->kept, "counts",
+                   counts_json(a, tally->count), "parts", parts, "answer",
+                   answer->drawn.form.type->json(&answer->drawn, answer->view),
+                   "costs", costs_json(a, table), "order", a->sort_order,
+                   "coherence", a->coherence, "sorts", sorts_json(a));
+}

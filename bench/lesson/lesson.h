@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr lesson: what the parts of this folder share. The page itself is under
+ * reports/lesson; its data/trace.js reads what is written here.
+ *
+ * bytes.c      bytes that grow, numbers in them, and their compression
+ * recorder.c   the listener: the events of a run, in columns
+ * describe.c   what the columns mean: header, answer, predictions
+ * command.c    the options, the runs, and the page
+ *
+ * One algorithm is one text in base64. It is a zlib stream of
+ *
+ *   the length of a JSON text, 4 bytes, least first; the JSON text;
+ *   the counter of each event, a byte each;
+ *   for each counter and each field of enum lesson_field: its values in the
+ *   counter's events, each as the difference to the one before (from 0).
+ *
+ * A number x takes 2x, or -2x - 1 if it is negative, in groups of seven bits,
+ * least first; all bytes but its last have bit 7 set. */
+#ifndef HSR_BENCH_LESSON_H
+#define HSR_BENCH_LESSON_H
+
+#include "bench/command.h"
+#include "bench/results/json.h"
+#include "bench/trace/trace.h"
+
+/* --- Bytes ---------------------------------------------------------------- */
+
+/* All zero at the start. */
+struct lesson_bytes {
+  unsigned char *at;
+  size_t n, room;
+  bool failed; /* memory ran out; nothing more is added */
+};
+
+void lesson_add(struct lesson_bytes *bytes, const void *from, size_t n);
+void lesson_add_number(struct lesson_bytes *bytes, int64_t number);
+void lesson_bytes_free(struct lesson_bytes *bytes);
+
+/* Compressed by zlib, as base64; to be freed. NULL: HSR_E_NOMEM. */
+char *lesson_squeeze(const struct lesson_bytes *bytes);
+
+/* --- The listener --------------------------------------------------------- */
+
+/* What is recorded of an event, beside its counter. Where there is no number,
+ * -1. The part is its place in the list of parts, from 1; 0: none. */
+enum lesson_field {
+  LESSON_A_KIND,
+  LESSON_A0,
+  LESSON_A1,
+  LESSON_A2,
+  LESSON_B_KIND,
+  LESSON_B0,
+  LESSON_B1,
+  LESSON_B2,
+  LESSON_X,
+  LESSON_Y,
+  LESSON_WIDTH,
+  LESSON_HEIGHT,
+  LESSON_OUTCOME,
+  LESSON_PART,
+  LESSON_N_FIELDS
+};
+
+/* The events of one counter. */
+struct lesson_column {
+  int64_t last[LESSON_N_FIELDS];
+  struct lesson_bytes field[LESSON_N_FIELDS];
+};
+
+struct lesson_recorder {
+  struct trace_run *run; /* borrowed */
+  uint64_t most;         /* events beyond these are only counted and painted */
+  uint64_t events, kept;
+  uint64_t count[HSR_MAX_COUNTERS];
+  struct lesson_bytes counters; /* of the events kept */
+  struct lesson_column column[HSR_MAX_COUNTERS];
+  json_t *parts;
+};
+
+/* Hears one event: the `listen` of a struct hsr_trace. */
+void lesson_listen(void *recorder, const struct hsr_event *event);
+void lesson_recorder_free(struct lesson_recorder *recorder);
+
+/* --- What it means -------------------------------------------------------- */
+
+/* The JSON text at the head: a new reference, NULL for lack of memory. The tally
+ * is that of the run. `table` is NULL where nothing is predicted. */
+json_t *lesson_describe(const struct lesson_recorder *recorder,
+                        const struct hsr_tally *tally,
+                        const struct hsr_table1 *table);
+
+#endif

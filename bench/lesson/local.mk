@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+libbench_a_SOURCES += \
+  %D%/bytes.c \
+  %D%/command.c \
+  %D%/describe.c \
+  %D%/lesson.h \
+  %D%/recorder.c
