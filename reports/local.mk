@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The page of `hsr report`: one script made from reports/page and npm's
-# packages. It is built and installed if node and npm are there.
+# The pages of `hsr report` and `hsr lesson`, made from page/, lesson/ and npm's
+# packages. They are built and installed if node and npm are there.
 report_sources = \
   %D%/page/main.js \
   %D%/page/data/address.js \
@@ -27,16 +27,33 @@ report_sources = \
   %D%/page/parts/table.js \
   %D%/page/parts/tree.js \
   %D%/page/parts/work_scale.js
+lesson_sources = \
+  %D%/lesson/main.js \
+  %D%/lesson/data/kinds.js \
+  %D%/lesson/data/painting.js \
+  %D%/lesson/data/run.js \
+  %D%/lesson/data/story.js \
+  %D%/lesson/data/trace.js \
+  %D%/lesson/data/words.js \
+  %D%/lesson/parts/controls.js \
+  %D%/lesson/parts/panel.js \
+  %D%/lesson/parts/picture.js \
+  %D%/lesson/parts/quiz.js \
+  %D%/lesson/parts/story_list.js \
+  %D%/lesson/parts/timeline.js
+lesson_page = %D%/lesson/lesson.html %D%/lesson/lesson.css
 EXTRA_DIST += %D%/peers/README.md %D%/peers/results.ndjson %D%/peers/times.txt \
   %D%/1974/README.md %D%/1974/counts.ndjson %D%/1974/tables.txt \
   %D%/greene/README.md %D%/greene/make %D%/greene/results.ndjson \
   %D%/greene/tables.txt %D%/swan/README.md %D%/swan/make \
-  $(report_sources) %D%/build.mjs %D%/package.json \
+  $(report_sources) $(lesson_sources) $(lesson_page) \
+  %D%/build.mjs %D%/inline.mjs %D%/package.json \
   %D%/package-lock.json %D%/page/page.html %D%/page/style.css
 
 if WITH_REPORT
 reportdir = $(pkgdatadir)/report
-nodist_report_DATA = %D%/page/index.html %D%/page/report.css %D%/page/report.js
+nodist_report_DATA = %D%/page/index.html %D%/page/report.css \
+  %D%/page/report.js %D%/page/lesson.html
 CLEANFILES += $(nodist_report_DATA)
 report_modules = %D%/npm/node_modules
 
@@ -49,7 +66,8 @@ report_modules = %D%/npm/node_modules
 	  "packages; ./configure --without-report builds without" >&2; exit 1; }
 	touch $@
 
-%D%/page/report.js: $(report_sources) %D%/build.mjs %D%/npm/installed
+%D%/page/report.js: $(report_sources) $(lesson_sources) $(lesson_page) \
+  %D%/build.mjs %D%/inline.mjs %D%/npm/installed
 	@$(MKDIR_P) %D%/page
 	$(NODE) $(srcdir)/%D%/build.mjs $(srcdir)/%D%/page $(report_modules) $@
 
@@ -60,6 +78,19 @@ report_modules = %D%/npm/node_modules
 %D%/page/index.html: %D%/page/page.html
 	@$(MKDIR_P) %D%/page
 	cp $(srcdir)/%D%/page/page.html $@
+
+# The page of hsr lesson, which is one file.
+%D%/page/lesson.js: $(lesson_sources) $(report_sources) %D%/build.mjs \
+  %D%/npm/installed
+	@$(MKDIR_P) %D%/page
+	$(NODE) $(srcdir)/%D%/build.mjs $(srcdir)/%D%/lesson $(report_modules) $@
+CLEANFILES += %D%/page/lesson.js
+
+%D%/page/lesson.html: $(lesson_page) %D%/page/lesson.js %D%/page/style.css \
+  %D%/inline.mjs
+	$(NODE) $(srcdir)/%D%/inline.mjs $(srcdir)/%D%/lesson/lesson.html \
+	  %D%/page/lesson.js $(srcdir)/%D%/page/style.css \
+	  $(srcdir)/%D%/lesson/lesson.css $@
 
 distclean-local:
 	rm -rf %D%/npm

@@ -11,7 +11,7 @@
 
 #define STANDARD_SIZE "128x128"
 enum { MOST_ALGORITHMS = 48, MOST_FACES = 20000, MOST_SIDE = 1024 };
-enum { EVENTS = 0x200, STANDARD_EVENTS = 400000 };
+enum { EVENTS = 0x200, STANDARD_EVENTS = 2000000 };
 
 struct options {
   struct option_base base;
@@ -101,7 +101,7 @@ static const struct argp argp = {
         {"output", 'o', "FILE.html", 0, "write the page here", 0},
         {"events", EVENTS, "N", 0,
          "of an algorithm of more steps, only the first N can be stepped "
-         "through (standard: 400000)",
+         "through (standard: 2000000)",
          0},
         SCENE_ARGP_OPTIONS,
         VIEW_ARGP_OPTIONS_OF(STANDARD_SIZE),
@@ -256,8 +256,10 @@ static enum hsr_status write_runs(const struct options *o, FILE *out,
                   o->variant[k].name);
     status = run_one(o, &o->variant[k], &text, err);
     if (!status)
-      fprintf(out, "<script type=\"text/plain\" class=\"run\">%s</script>\n",
-              text);
+      fprintf(out,
+              "<script type=\"text/plain\" class=\"run\" "
+              "data-name=\"%s\">%s</script>\n",
+              o->variant[k].name, text);
     free(text);
   }
   progress_end(&progress);

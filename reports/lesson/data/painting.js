@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an algorithm has drawn after k steps. Each kind of answer has a painting:
+// { at(k): what is drawn, decided(k): how much of it, 0 to 1, final(): the answer
+//   of the trace in the same form, equal(): whether all events make that }.
+
+export const UNDECIDED = -2;
+const WORK = 1 << 18; // samples painted from one keyframe to the next
+const ROOM = 1 << 24; // samples of all keyframes
+
+export function painting(run) {
+  return { ids: idsPainting, segments: segmentsPainting,
+    voxels: voxelsPainting }[run.kind](run);
+}
+
+// --- ids: an Int32Array of faces; -1 is the background ---
+
+function idsPainting(run) {
+  const { trace, accepts, width: m, height: n } = run;
+  const { x, y, width, height, a0 } = trace;
+  const ids = new Int32Array(m * n);
+  const seen = new Uint32Array(accepts.length); // samples painted by then
+  const frames = [], from = []; // ids before accepted event from[]
+  let done = 0, painted = 0;
+
+  const paint = (k) => {
+    const face = a0[k];
+    const left = Math.max(x[k], 0), right = Math.min(x[k] + width[k], m);
+    const bottom = Math.min(y[k] + height[k], n);
+    for (let j = Math.max(y[k], 0); j < bottom; j++)
+      ids.fill(face, j * m + left, j * m + Math.max(right, left));
+  };
+  const vacant = (k) => {
+    let many = 0;
+    const right = Math.min(x[k] + width[k], m);
+    const bottom = Math.min(y[k] + height[k], n);
+    for (let j = Math.max(y[k], 0); j < bottom; j++)
+      for (let i = Math.max(x[k], 0); i < right; i++)
+        many += ids[j * m + i] === UNDECIDED ? 1 : 0;
+    return many;
+  };
+
+  // All once, for keyframes and for how much is painted when.
+  const least = Math.max(WORK, 2 * m * n);
+  const most = Math.max(1, Math.floor(ROOM / (m * n)));
+  let work = least, step = 1;
+  ids.fill(UNDECIDED);
+  for (let p = 0; p < accepts.length; p++) {
+    if (work >= least * step) {
+      frames.push(ids.slice());
+      from.push(p);
+      work = 0;
+      if (frames.length >= most) { // keep every other one
+        for (let k = 1; 2 * k < frames.length; k++) {
+          frames[k] = frames[2 * k];
+          from[k] = from[2 * k];
+        }
+        frames.length = from.length = Math.ceil(frames.length / 2);
+        step *= 2;
+      }
+    }
+    const k = accepts[p];
+    painted += vacant(k);
+    seen[p] = painted;
+    paint(k);
+    work += width[k] * height[k] + 16;
+  }
+  done = accepts.length;
+
+  const final = () => {
+    const out = new Int32Array(m * n);
+    const runs = trace.answer;
+    for (let k = 0, at = 0; k < runs.length; k += 2)
+      out.fill(runs[k] ?? -1, at, at += runs[k + 1]);
+    return out;
+  };
+
+  const at = (k) => {
+    const wanted = run.accepted(k);
+    if (k >= run.n && run.leftOut) return final();
+    if (wanted < done || wanted > done + 4096) {
+      let frame = from.length - 1;
+      while (frame > 0 && from[frame] > wanted) frame -= 1;
+      if (!from.length || from[frame] > wanted) {
+        ids.fill(UNDECIDED);
+        done = 0;
+      } else if (wanted < done || from[frame] > done) {
+        ids.set(frames[frame]);
+        done = from[frame];
+      }
+    }
+    for (; done < wanted; done++) paint(accepts[done]);
+    return ids;
+  };
+
+  const decided = (k) => {
+    if (k >= run.n) return 1;
+    const p = run.accepted(k);
+    return p ? seen[p - 1] / (m * n) : 0;
+  };
+  const equal = () => {
+    const answer = final(), own = at(run.n);
+    return own.every((f, k) => (f === UNDECIDED ? -1 : f) === answer[k]);
+  };
+  return { at, decided, final, equal };
+}
+
+// --- segments: the list of accepted intervals ---
+
+// An interval that goes on where the last one of its edge ended, with the same
+// invisibility, lengthens that one.
+function joined(parts) {
+  const out = [];
+  for (const [edge, invisibility, t0, t1] of parts) {
+    const last = out.at(-1);
+    if (last && last.key === String(edge) && last.t1 === t0 &&
+        last.invisibility === invisibility) last.t1 = t1;
+    else out.push({ key: String(edge), invisibility, t0, t1 });
+  }
+  return out.map((s) => `${s.key} ${s.invisibility} ${s.t0} ${s.t1}`).sort();
+}
+
+function segmentsPainting(run) {
+  const { trace, accepts } = run;
+  const at = (k) => k >= run.n && run.leftOut ? trace.answer
+    : trace.parts.slice(0, run.accepted(k));
+  return {
+    at,
+    decided: (k) => k >= run.n ? 1 : accepts.length
+      ? run.accepted(k) / accepts.length : 0,
+    final: () => trace.answer,
+    equal: () => {
+      const own = joined(at(run.n)), answer = joined(trace.answer);
+      return own.length === answer.length &&
+        own.every((s, k) => s === answer[k]);
+    },
+  };
+}
+
+// --- voxels: the list of accepted cubes ---
+
+// [x, y, z] and size of each cube of a part, in voxels.
+export function cubesOf([, corner, size, low, high]) {
+  const cubes = [];
+  for (let bit = 0; bit < 64; bit++) {
+    if (!((bit < 32 ? low >>> bit : high >>> (bit - 32)) & 1)) continue;
+    cubes.push([corner[0] + size * (bit & 3), corner[1] + size * (bit >> 2 & 3),
+      corner[2] + size * (bit >> 4)]);
+  }
+  return cubes;
+}
+
+function voxelsPainting(run) {
+  const { trace, accepts } = run;
+  const { n, solids } = trace.answer;
+  const at = (k) => trace.parts.slice(0, run.accepted(k));
+  const final = () => {
+    const out = new Int32Array(n[0] * n[1] * n[2]);
+    for (let k = 0, place = 0; k < solids.length; k += 2)
+      out.fill(solids[k], place, place += solids[k + 1]);
+    return out;
+  };
+  const filled = (parts) => {
+    const out = new Int32Array(n[0] * n[1] * n[2]);
+    for (const part of parts)
+      for (const [x, y, z] of cubesOf(part))
+        for (let k = z; k < Math.min(z + part[2], n[2]); k++)
+          for (let j = y; j < Math.min(y + part[2], n[1]); j++)
+            for (let i = x; i < Math.min(x + part[2], n[0]); i++)
+              out[(k * n[1] + j) * n[0] + i] = part[0];
+    return out;
+  };
+  return { at, final,
+    decided: (k) => accepts.length ? run.accepted(k) / accepts.length : 1,
+    equal: () => {
+      const answer = final();
+      return filled(at(run.n)).every((s, k) => s === answer[k]);
+    } };
+}

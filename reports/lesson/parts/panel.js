@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One algorithm at work: its picture, the step in words, its outline, and its
+// counters beside the survey's prediction.
+import { kindLook } from "../data/kinds.js";
+import { eventWords } from "../data/words.js";
+import { count, whole } from "../../page/data/format.js";
+import { h } from "../../page/parts/dom.js";
+import { picture } from "./picture.js";
+import { storyList } from "./story_list.js";
+import { timeline } from "./timeline.js";
+
+// act: { go(k), pixel({ i, j }), lead() }
+export function panel(run, act) {
+  const { header, trace } = run;
+  const canvas = h("canvas", { class: "picture", tabindex: 0, role: "application",
+    style: `aspect-ratio: ${run.width} / ${run.height}`,
+    "aria-label": `The picture that ${run.name} makes. Arrow keys choose a ` +
+      "sample, with Shift eight samples on; its story is told below." });
+  const view = picture(canvas, run);
+  const line = timeline(run, act.go);
+  const where = h("p", { class: "where" });
+  const sign = h("span", { class: "sign", "aria-hidden": "true" });
+  const said = h("span");
+  const raised = h("small");
+  const words = h("div", { class: "words", "aria-live": "polite" },
+    h("p", {}, sign, said), h("p", {}, raised));
+  const outline = h("ol", { class: "outline" }, header.outline.map((text) =>
+    h("li", { style: `--depth: ${(text.length - text.trimStart().length) / 2}` },
+      text.trim())));
+  const lines = [...outline.children];
+  const counters = counterTable(run);
+  const costs = costTable(run);
+  const story = storyList(run, act.go);
+  let current = null;
+
+  canvas.addEventListener("pointerdown", (e) => {
+    act.lead();
+    act.pixel(view.at(e));
+  });
+  canvas.addEventListener("keydown", (e) => {
+    const step = e.shiftKey ? 8 : 1;
+    const move = { ArrowLeft: [-step, 0], ArrowRight: [step, 0],
+      ArrowUp: [0, -step], ArrowDown: [0, step] }[e.key];
+    if (!move) return;
+    e.preventDefault();
+    e.stopPropagation();
+    const { i, j } = act.pixelNow() ?? { i: run.width >> 1, j: run.height >> 1 };
+    act.pixel({ i: Math.min(run.width - 1, Math.max(0, i + move[0])),
+      j: Math.min(run.height - 1, Math.max(0, j + move[1])) });
+  });
+
+  const show = (k, options) => {
+    view.draw(k, options);
+    line.draw(k);
+    const e = k > 0 && k <= trace.kept ? run.event(k - 1) : null;
+    where.textContent = `Step ${whole(k)} of ${whole(trace.events)} · ${
+      Math.floor(100 * run.painting.decided(k))} % ${
+      run.kind === "ids" ? "of the samples painted" : "of the answer drawn"}`;
+    if (k > trace.kept)
+      where.textContent = `The end, after all ${whole(trace.events)} steps`;
+    tell(k, e);
+    mark(e?.counter.line ?? null);
+    counters.show(k, e?.number);
+    costs.show(k);
+    story.show(k);
+  };
+
+  const tell = (k, e) => {
+    if (e) {
+      const look = kindLook(e.kind);
+      sign.textContent = look.sign;
+      sign.style.color = `var(--hue-${look.hue})`;
+      said.textContent = eventWords(run, e);
+      raised.textContent = `${e.kind} · ${e.counter.name}: ${e.counter.meaning}`;
+      return;
+    }
+    sign.textContent = "";
+    said.textContent = k === 0 ? "Before the first step."
+      : `The page leaves out ${whole(run.leftOut)} steps here; this is the end.`;
+    raised.textContent = k === 0 ? header.outline[0].trim() : "";
+  };
+
+  const mark = (number) => {
+    const next = number ? lines[number - 1] : null;
+    if (next === current) return;
+    current?.removeAttribute("aria-current");
+    next?.setAttribute("aria-current", "step");
+    current = next;
+    if (next && outline.scrollHeight > outline.clientHeight)
+      outline.scrollTop = next.offsetTop - outline.offsetTop -
+        outline.clientHeight / 2;
+  };
+
+  const { authors, year, adapted } = header.algorithm;
+  const element = h("section", { class: "panel", "aria-label": run.title },
+    h("h2", {}, run.title),
+    h("p", { class: "facts-line" }, [[authors, year].filter(Boolean).join(", "),
+      trace.order && `sorts ${trace.order}`, trace.coherence,
+      adapted.length && `the scene was adapted: ${adapted.join(", ")}`]
+      .filter(Boolean).join(" · ")),
+    h("div", { class: "seen" }, canvas, line.element, where, words, story.element),
+    h("div", { class: "told" }, h("h3", {}, "What it does"), outline,
+      h("h3", {}, "What it has counted"), counters.element, costs.element));
+  element.addEventListener("focusin", () => act.lead());
+  return { element, show, run,
+    story: (place) => story.tell(place),
+    live: (is) => words.setAttribute("aria-live", is ? "polite" : "off") };
+}
+
+// The counters so far, and in the end.
+function counterTable(run) {
+  const { counters } = run.header;
+  const cells = counters.map(() => h("td", { class: "number" }));
+  const rows = counters.map((c, k) => {
+    const look = kindLook(c.kind);
+    return h("tr", { title: c.meaning }, h("th", { scope: "row" },
+      h("span", { class: "sign", "aria-hidden": "true",
+        style: `color: var(--hue-${look.hue})` }, look.sign), c.name),
+    cells[k], h("td", { class: "number faint" }, whole(run.trace.counts[k])));
+  });
+  let last = null;
+  return {
+    element: h("table", { class: "counters" },
+      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "counter"),
+        h("th", { scope: "col", class: "number" }, "so far"),
+        h("th", { scope: "col", class: "number" }, "in the end"))),
+      h("tbody", {}, rows)),
+    show: (k, raised) => {
+      run.counts(k).forEach((x, c) => {
+        const text = x === null ? "at the end" : whole(x);
+        if (cells[c].textContent !== text) cells[c].textContent = text;
+      });
+      last?.classList.remove("raised");
+      last = raised === undefined ? null : rows[raised];
+      last?.classList.add("raised");
+    },
+  };
+}
+
+// The steps of Table III: what they cost so far, and what the survey predicts.
+function costTable(run) {
+  const { costs } = run.trace;
+  if (!costs.some((c) => c.predicted !== null))
+    return { element: null, show: () => {} };
+  const cells = costs.map(() => h("td", { class: "number" }));
+  const rows = costs.map((c, k) => h("tr", {}, h("th", { scope: "row" }, c.label),
+    cells[k], h("td", { class: "number" }, count(c.predicted)),
+    h("td", {}, c.formula ?? "")));
+  return {
+    element: h("details", { open: true },
+      h("summary", {}, "Comparisons, and the survey’s prediction"),
+      h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label":
+        "Comparisons, and the survey’s prediction" },
+      h("table", { class: "costs" },
+        h("thead", {}, h("tr", {}, ["step of Table III", "so far", "predicted",
+          "by the formula"].map((text, k) => h("th", { scope: "col",
+          class: k === 1 || k === 2 ? "number" : null }, text)))),
+        h("tbody", {}, rows)))),
+    show: (k) => {
+      const counts = run.counts(k);
+      costs.forEach(({ terms }, row) => {
+        const cost = terms.reduce((sum, [c, factor]) =>
+          sum + factor * (counts[c] ?? 0), 0);
+        cells[row].textContent = count(cost);
+      });
+    },
+  };
+}

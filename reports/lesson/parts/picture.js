@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The picture of a run: what is painted so far, the images of all faces, and
+// over them what the algorithm does now.
+import { colourOf, kindColour } from "../data/kinds.js";
+import { cubesOf, UNDECIDED } from "../data/painting.js";
+import { facesOf } from "../data/run.js";
+
+const DASH = [6, 4];
+
+// canvas: where to draw; run. Returns { draw(k, { pixel, faces }), at(event) }.
+export function picture(canvas, run) {
+  const { width: m, height: n, header } = run;
+  const context = canvas.getContext("2d");
+  const small = new OffscreenCanvas(m, n);
+  const smallContext = small.getContext("2d");
+  const image = smallContext.createImageData(m, n);
+  const pixels = new Uint32Array(image.data.buffer);
+  const colours = Uint32Array.from(header.faces, ([, , colour]) =>
+    packed(colour));
+  const background = packed(header.background);
+  const paths = header.faces.map(([, , , , polygon]) => pathOf(polygon));
+  const every = new Path2D();
+  paths.forEach((path) => every.addPath(path));
+  let scale = 1;
+
+  const fit = () => {
+    const wide = Math.max(1, canvas.clientWidth);
+    const dots = Math.round(wide * Math.min(3, globalThis.devicePixelRatio || 1));
+    if (canvas.width !== dots) {
+      canvas.width = dots;
+      canvas.height = Math.round(dots * n / m);
+    }
+    scale = canvas.width / m;
+  };
+  const line = (width) => width / scale * (canvas.width / canvas.clientWidth || 1);
+
+  // A stroke with a pale seam, which is seen on every colour.
+  const stroke = (path, colour, width, dashed) => {
+    context.setLineDash(dashed ? DASH.map(line) : []);
+    context.strokeStyle = colourOf("--paper");
+    context.lineWidth = line(width + 2.5);
+    context.globalAlpha = 0.75;
+    context.stroke(path);
+    context.globalAlpha = 1;
+    context.strokeStyle = colour;
+    context.lineWidth = line(width);
+    context.stroke(path);
+    context.setLineDash([]);
+  };
+
+  const drawIds = (ids) => {
+    for (let k = 0; k < ids.length; k++)
+      pixels[k] = ids[k] >= 0 ? colours[ids[k]]
+        : ids[k] === UNDECIDED ? 0 : background;
+    smallContext.putImageData(image, 0, 0);
+    context.imageSmoothingEnabled = false;
+    context.drawImage(small, 0, 0, m, n);
+  };
+
+  const drawSegments = (parts) => {
+    const visible = new Path2D(), hidden = new Path2D();
+    for (const [, invisibility, , , , , from, to] of parts) {
+      if (!from || !to) continue;
+      const path = invisibility ? hidden : visible;
+      path.moveTo(...from);
+      path.lineTo(...to);
+    }
+    context.strokeStyle = colourOf("--faint");
+    context.globalAlpha = 0.5;
+    context.setLineDash([2, 3].map(line));
+    context.lineWidth = line(1);
+    context.stroke(hidden);
+    context.setLineDash([]);
+    context.globalAlpha = 1;
+    context.strokeStyle = colourOf("--ink");
+    context.lineWidth = line(1.8);
+    context.stroke(visible);
+  };
+
+  const project = projection(header.view);
+  const drawVoxels = (parts) => {
+    const { lo, size } = run.trace.answer;
+    const dots = [];
+    for (const part of parts)
+      for (const cube of cubesOf(part)) {
+        const half = part[2] / 2;
+        const at = project(cube.map((x, k) => lo[k] + (x + half) * size));
+        if (!at) continue;
+        const [x, y, depth, unit] = at;
+        dots.push({ x, y, depth, solid: part[0],
+          r: Math.max(0.6, 0.6 * unit * part[2] * size) });
+      }
+    dots.sort((a, b) => b.depth - a.depth);
+    for (const { x, y, r, solid } of dots) {
+      context.fillStyle = `hsl(${solid * 137 % 360} 45% 55%)`;
+      context.fillRect(x - r, y - r, 2 * r, 2 * r);
+    }
+  };
+
+  const drawn = { ids: drawIds, segments: drawSegments, voxels: drawVoxels };
+
+  // --- what is done now ---
+
+  const vertex = (v) => header.vertices[v] ?? null;
+
+  const mark = (subject, colour, dashed, fill) => {
+    for (const f of facesOf(subject)) {
+      if (!paths[f]) continue;
+      if (fill && subject.kind !== "edge") {
+        context.fillStyle = colour;
+        context.globalAlpha = dashed ? 0.16 : 0.28;
+        context.fill(paths[f]);
+        context.globalAlpha = 1;
+      }
+      stroke(paths[f], colour, subject.kind === "edge" ? 1 : 2, dashed);
+    }
+    const [p, q] = subject.ids;
+    if (subject.kind === "edge" && vertex(p) && vertex(q))
+      stroke(pathOf([vertex(p), vertex(q)]), colour, 3.5, dashed);
+    if (subject.kind === "vertex" && vertex(p)) {
+      const dot = new Path2D();
+      dot.arc(...vertex(p), line(5), 0, 2 * Math.PI);
+      stroke(dot, colour, 2.5, false);
+    }
+  };
+
+  const markWindow = (w, colour, kind) => {
+    const grow = w.width * w.height === 1 ? line(2) : 0;
+    const box = new Path2D();
+    box.rect(w.x - grow, w.y - grow, w.width + 2 * grow, w.height + 2 * grow);
+    if (w.height === 1 && w.width < m) { // the row that it is on
+      context.fillStyle = colour;
+      context.globalAlpha = 0.13;
+      context.fillRect(0, w.y, m, 1);
+      context.globalAlpha = 1;
+    }
+    if (kind === "subdivide" && w.height > 1) {
+      box.moveTo(w.x + w.width / 2, w.y);
+      box.lineTo(w.x + w.width / 2, w.y + w.height);
+      box.moveTo(w.x, w.y + w.height / 2);
+      box.lineTo(w.x + w.width, w.y + w.height / 2);
+    }
+    if (kind === "reject") {
+      box.moveTo(w.x, w.y);
+      box.lineTo(w.x + w.width, w.y + w.height);
+    }
+    stroke(box, colour, kind === "accept" ? 3 : 2, kind === "retire");
+  };
+
+  const markPart = (part, colour) => {
+    if (run.kind !== "segments" || !part[6] || !part[7]) return;
+    stroke(pathOf([part[6], part[7]]), colour, 3.5, part[1] > 0);
+  };
+
+  const markEvent = (e) => {
+    const colour = kindColour(e.kind);
+    const window = e.window && (e.window.width < m || e.window.height < n ||
+      e.a.kind === "window" || e.b.kind === "window") ? e.window : null;
+    const fill = e.kind !== "accept";
+    mark(e.b, colour, true, fill);
+    if (e.kind !== "accept" || run.kind === "segments")
+      mark(e.a, colour, false, fill);
+    if (window) markWindow(window, colour, e.kind);
+    if (e.part) markPart(e.part, colour);
+  };
+
+  const markPixel = ({ i, j }) => {
+    const cross = new Path2D();
+    const r = line(9);
+    cross.arc(i + 0.5, j + 0.5, r, 0, 2 * Math.PI);
+    for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+      cross.moveTo(i + 0.5 + dx * r, j + 0.5 + dy * r);
+      cross.lineTo(i + 0.5 + dx * 1.9 * r, j + 0.5 + dy * 1.9 * r);
+    }
+    stroke(cross, colourOf("--ink"), 1.5, false);
+  };
+
+  const draw = (k, { pixel, outlines = true, event = true } = {}) => {
+    fit();
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.fillStyle = colourOf("--paper");
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    context.setTransform(scale, 0, 0, scale, 0, 0);
+    drawn[run.kind](run.painting.at(k));
+    if (outlines) {
+      context.strokeStyle = colourOf("--ink");
+      context.globalAlpha = 0.22;
+      context.lineWidth = line(0.8);
+      context.stroke(every);
+      context.globalAlpha = 1;
+    }
+    if (event && k > 0 && k <= run.trace.kept) markEvent(run.event(k - 1));
+    if (pixel) markPixel(pixel);
+  };
+
+  // The sample under the pointer.
+  const at = ({ clientX, clientY }) => {
+    const box = canvas.getBoundingClientRect();
+    const place = (x, low, size, most) =>
+      Math.min(most - 1, Math.max(0, Math.floor((x - low) / size * most)));
+    return { i: place(clientX, box.left, box.width, m),
+      j: place(clientY, box.top, box.height, n) };
+  };
+  return { draw, at };
+}
+
+function packed(colour) {
+  const [r, g, b] = [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16));
+  return (255 << 24 | b << 16 | g << 8 | r) >>> 0;
+}
+
+function pathOf(points) {
+  const path = new Path2D();
+  points.forEach(([x, y], k) => k ? path.lineTo(x, y) : path.moveTo(x, y));
+  if (points.length > 2) path.closePath();
+  return path;
+}
+
+// world -> [x, y, depth, samples a unit], or null if it is not before the eye.
+function projection({ eye, at, up, fov, near, parallel, width, height }) {
+  const minus = (a, b) => a.map((x, k) => x - b[k]);
+  const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+    a[0] * b[1] - a[1] * b[0]];
+  const unit = (a) => a.map((x) => x / Math.hypot(...a));
+  const forward = unit(minus(at, eye));
+  const right = unit(cross(forward, up));
+  const above = cross(right, forward);
+  return (point) => {
+    const d = minus(point, eye);
+    const depth = dot(d, forward);
+    if (!parallel && depth <= Math.max(near, 1e-9)) return null;
+    const half = parallel ? parallel / 2
+      : depth * Math.tan(fov * Math.PI / 360);
+    const unitSize = height / 2 / half;
+    return [width / 2 + dot(d, right) * unitSize,
+      height / 2 - dot(d, above) * unitSize, depth, unitSize];
+  };
+}
