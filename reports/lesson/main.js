@@ -292,11 +292,13 @@ async function begin() {
   bar = controls(act, state, panels.length > 1);
   panels[state.lead].element.classList.toggle("leads", panels.length > 1);
   main.replaceChildren(
-    h("h1", { tabindex: -1 }, `${scene}, step by step`),
-    h("p", { class: "kicker" }, `View ${view.number}, ${view.width} × ${
-      view.height} samples, ${shown[0].header.faces.length} faces. `,
-    "Click a sample to read its story."),
-    chooser(), bar.element, note, question.element, legend(),
+    h("div", { class: "top" }, h("div", {},
+      h("h1", { tabindex: -1 }, `${scene}, step by step`),
+      h("p", { class: "kicker" }, `View ${view.number}, ${view.width} × ${
+        view.height} samples, ${shown[0].header.faces.length} faces. `,
+      shown[0].kind === "ids" ? "Click a sample to read its story."
+        : shown[0].kind === "segments" ? "Click an edge to read its story." : "")),
+    chooser()), bar.element, note, question.element, legend(),
     h("div", { class: `panels of-${panels.length}` },
       panels.map(({ element }) => element)), keyHelp());
   document.title = `${scene}: ${state.a.join(", ")} · hsr`;

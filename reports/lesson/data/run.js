@@ -70,7 +70,7 @@ export function runOf(trace) {
     },
 
     faceName: (f) => f === NONE ? "the background"
-      : `face ${f}${objects[faces[f]?.[1]] ? `, ${objects[faces[f][1]]}` : ""}`,
+      : `face ${f}${objects[faces[f]?.[1]] ? ` (${objects[faces[f][1]]})` : ""}`,
   };
 
   const { aKind, a0, a1, a2, bKind, b0, b1, b2 } = trace;

@@ -32,8 +32,8 @@ export function windowWords({ x, y, width, height }) {
 const isWhole = (run, w) => w && w.x <= 0 && w.y <= 0 &&
   w.x + w.width >= run.width && w.y + w.height >= run.height;
 
-// The subjects and what becomes of them: "face 12, chimney, against face 3,
-// ground: farther".
+// The subjects and what becomes of them: "face 12 (chimney) against face 3
+// (ground): farther".
 export function eventWords(run, e) {
   const a = subjectWords(run, e.a, e.window);
   const b = subjectWords(run, e.b, e.window);

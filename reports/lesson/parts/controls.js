@@ -19,7 +19,7 @@ export function controls(act, state, several) {
   const select = (name, all) => h("select", { name,
     onchange: (e) => act.set({ [name]: e.target.value }) },
   options(all, state[name]));
-  const play = button("▶", "Play (space)", () => act.play(), { class: "play" });
+  const play = button("Play", "Play (space)", () => act.play(), { class: "play" });
   const speed = h("input", { type: "range", name: "speed", min: 0, max: 100,
     value: state.speed,
     oninput: (e) => act.set({ speed: Number(e.target.value) }) });
@@ -37,11 +37,11 @@ export function controls(act, state, several) {
   const element = h("form", { class: "controls", "aria-label": "Stepping",
     onsubmit: (e) => e.preventDefault() },
   h("div", { class: "buttons" },
-    button("⏮\ufe0e", "To the start (Home)", act.start, { name: "start" }),
+    button("|◀", "To the start (Home)", act.start, { name: "start" }),
     button("◀", "Back (left arrow)", act.back, { name: "back" }),
     play,
-    button("▶|", "Forward (right arrow)", act.forward, { name: "forward" }),
-    button("⏭\ufe0e", "To the end (End)", act.end, { name: "end" })),
+    button("▶", "Forward (right arrow)", act.forward, { name: "forward" }),
+    button("▶|", "To the end (End)", act.end, { name: "end" })),
   labelled("Move by", select("level", LEVELS)),
   labelled("Speed", h("span", { class: "speed" }, speed, pace)),
   labelled("Next or last", h("span", { class: "jump" },
@@ -58,7 +58,7 @@ export function controls(act, state, several) {
   return {
     element,
     playing: (is) => {
-      play.textContent = is ? "❚❚" : "▶";
+      play.textContent = is ? "Pause" : "Play";
       play.title = is ? "Pause (space)" : "Play (space)";
       play.setAttribute("aria-label", play.title);
     },

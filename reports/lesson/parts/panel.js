@@ -13,7 +13,8 @@ import { timeline } from "./timeline.js";
 export function panel(run, act) {
   const { header, trace } = run;
   const canvas = h("canvas", { class: "picture", tabindex: 0, role: "application",
-    style: `aspect-ratio: ${run.width} / ${run.height}`,
+    style: `aspect-ratio: ${run.width} / ${run.height}; ` +
+      `max-width: calc(68vh * ${run.width / run.height})`,
     "aria-label": `The picture that ${run.name} makes. Arrow keys choose a ` +
       "sample, with Shift eight samples on; its story is told below." });
   const view = picture(canvas, run);
@@ -98,9 +99,11 @@ export function panel(run, act) {
       trace.order && `sorts ${trace.order}`, trace.coherence,
       adapted.length && `the scene was adapted: ${adapted.join(", ")}`]
       .filter(Boolean).join(" · ")),
-    h("div", { class: "seen" }, canvas, line.element, where, words, story.element),
-    h("div", { class: "told" }, h("h3", {}, "What it does"), outline,
-      h("h3", {}, "What it has counted"), counters.element, costs.element));
+    h("div", { class: "left" },
+      h("div", { class: "seen" }, canvas, line.element, where), story.element),
+    h("div", { class: "right" }, words,
+      h("div", { class: "told" }, h("h3", {}, "What it does"), outline,
+        h("h3", {}, "What it has counted"), counters.element, costs.element)));
   element.addEventListener("focusin", () => act.lead());
   return { element, show, run,
     story: (place) => story.tell(place),
