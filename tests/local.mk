@@ -93,6 +93,7 @@ tap_scripts = \
   %D%/volumes.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
+  %D%/lesson/lesson.test \
   %D%/report/hostile.test \
   %D%/report/made.test \
   %D%/report/report.test \
@@ -267,6 +268,7 @@ EXTRA_DIST += \
   %D%/conformance/fresh \
   %D%/torture/fail.cc \
   %D%/torture/leaks.supp \
+  %D%/lesson/watch.mjs \
   %D%/report/browse.mjs \
   %D%/report/hostile.mjs \
   %D%/report/sample.mjs \

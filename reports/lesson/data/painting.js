@@ -8,26 +8,26 @@ const WORK = 1 << 18; // samples painted from one keyframe to the next
 const ROOM = 1 << 24; // samples of all keyframes
 
 export function painting(run) {
-  return { ids: idsPainting, segments: segmentsPainting,
-    voxels: voxelsPainting }[run.kind](run);
+  return { ids: idsPainting, composited: compositedPainting,
+    segments: segmentsPainting, voxels: voxelsPainting }[run.kind](run);
 }
 
-// --- ids: an Int32Array of faces; -1 is the background ---
+// --- samples: an Int32Array of what was written to each; values[k] by event k ---
 
-function idsPainting(run) {
+function samplesPainting(run, values, final) {
   const { trace, accepts, width: m, height: n } = run;
-  const { x, y, width, height, a0 } = trace;
+  const { x, y, width, height } = trace;
   const ids = new Int32Array(m * n);
   const seen = new Uint32Array(accepts.length); // samples painted by then
   const frames = [], from = []; // ids before accepted event from[]
   let done = 0, painted = 0;
 
   const paint = (k) => {
-    const face = a0[k];
+    const value = values[k];
     const left = Math.max(x[k], 0), right = Math.min(x[k] + width[k], m);
     const bottom = Math.min(y[k] + height[k], n);
     for (let j = Math.max(y[k], 0); j < bottom; j++)
-      ids.fill(face, j * m + left, j * m + Math.max(right, left));
+      ids.fill(value, j * m + left, j * m + Math.max(right, left));
   };
   const vacant = (k) => {
     let many = 0;
@@ -66,14 +66,6 @@ function idsPainting(run) {
   }
   done = accepts.length;
 
-  const final = () => {
-    const out = new Int32Array(m * n);
-    const runs = trace.answer;
-    for (let k = 0, at = 0; k < runs.length; k += 2)
-      out.fill(runs[k] ?? -1, at, at += runs[k + 1]);
-    return out;
-  };
-
   const at = (k) => {
     const wanted = run.accepted(k);
     if (k >= run.n && run.leftOut) return final();
@@ -97,11 +89,48 @@ function idsPainting(run) {
     const p = run.accepted(k);
     return p ? seen[p - 1] / (m * n) : 0;
   };
-  const equal = () => {
-    const answer = final(), own = at(run.n);
-    return own.every((f, k) => (f === UNDECIDED ? -1 : f) === answer[k]);
+  return { at, decided, final };
+}
+
+// --- ids: faces; -1 is the background ---
+
+function idsPainting(run) {
+  const { width: m, height: n, trace } = run;
+  const final = () => {
+    const out = new Int32Array(m * n);
+    const runs = trace.answer;
+    for (let k = 0, at = 0; k < runs.length; k += 2)
+      out.fill(runs[k] ?? -1, at, at += runs[k + 1]);
+    return out;
   };
-  return { at, decided, final, equal };
+  const own = samplesPainting(run, trace.a0, final);
+  const equal = () => {
+    const answer = final();
+    return own.at(run.n).every((f, k) =>
+      (f === UNDECIDED ? -1 : f) === answer[k]);
+  };
+  return { ...own, equal };
+}
+
+// --- composited: places in the list of parts, from 1; 0 if all parts are not
+//     there. Samples that are not written stay black. ---
+
+function compositedPainting(run) {
+  const { width: m, height: n, trace } = run;
+  const own = samplesPainting(run, trace.part, () => {
+    const all = new Int32Array(m * n);
+    return all.map((_, k) => k + 1);
+  });
+  const answer = Array.from({ length: m * n }, (_, k) =>
+    trace.answer.slice(4 * k, 4 * k + 4));
+  // The colour of a value that at(k) holds: red, green, blue, opacity.
+  const colour = (value, k) => value === UNDECIDED ? null
+    : k >= run.n && run.leftOut ? answer[value - 1] : trace.parts[value - 1];
+  const equal = () => own.at(run.n).every((value, k) => {
+    const got = colour(value, run.n) ?? [0, 0, 0, 0];
+    return got.every((c, place) => c === answer[k][place]);
+  });
+  return { ...own, colour, equal };
 }
 
 // --- segments: the list of accepted intervals ---

@@ -24,10 +24,10 @@ function sampleStory(run, { i, j }) {
     if (wide && !accepts[trace.counter[k]] ? isOver(run, k, over, holds) : holds)
       events.push(k);
   }
-  const ids = run.painting.at(run.n);
-  const face = Math.max(ids[j * m + i], NONE);
+  const face = run.kind === "ids"
+    ? Math.max(run.painting.at(run.n)[j * m + i], NONE) : NONE;
   return { events, place: `column ${i}, row ${j}`,
-    end: face === NONE ? "Nothing is seen here but the background."
+    end: run.kind !== "ids" ? "" : face === NONE ? "Nothing is seen here but the background."
       : `Seen here in the end: ${run.faceName(face)}.`, face };
 }
 

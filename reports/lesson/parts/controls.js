@@ -12,6 +12,8 @@ const button = (label, title, onclick, attributes = {}) => h("button",
 const options = (all, chosen) => Object.entries(all).map(([value, label]) =>
   h("option", { value, selected: value === chosen }, label));
 const labelled = (text, control) => h("label", {}, text, control);
+const grouped = (text, ...parts) => h("div", { class: "field", role: "group",
+  "aria-label": text }, h("span", {}, text), h("span", { class: "jump" }, parts));
 
 // act: what is done: start, back, play, forward, end, set({ name: value }),
 // jump(direction), jumpFace(direction). state: what is chosen at first.
@@ -24,9 +26,10 @@ export function controls(act, state, several) {
     value: state.speed,
     oninput: (e) => act.set({ speed: Number(e.target.value) }) });
   const pace = h("span", { class: "pace" });
-  const jumpTo = h("select", { name: "to",
+  const jumpTo = h("select", { name: "to", "aria-label": "Kind of step, or counter",
     onchange: (e) => act.set({ to: e.target.value }) });
   const face = h("input", { type: "number", name: "face", min: 0,
+    "aria-label": "Number of a face",
     onchange: (e) => act.set({ face: e.target.value }) });
   const quiz = h("input", { type: "checkbox", name: "quiz", checked: state.quiz,
     onchange: (e) => act.set({ quiz: e.target.checked }) });
@@ -44,12 +47,12 @@ export function controls(act, state, several) {
     button("▶|", "To the end (End)", act.end, { name: "end" })),
   labelled("Move by", select("level", LEVELS)),
   labelled("Speed", h("span", { class: "speed" }, speed, pace)),
-  labelled("Next or last", h("span", { class: "jump" },
+  grouped("Next or last",
     button("‹", "Last one of this kind (p)", () => act.jump(-1)), jumpTo,
-    button("›", "Next one of this kind (n)", () => act.jump(1)))),
-  labelled("Of face", h("span", { class: "jump" },
+    button("›", "Next one of this kind (n)", () => act.jump(1))),
+  grouped("Of face",
     button("‹", "Last step of this face (Shift+f)", () => act.jumpFace(-1)), face,
-    button("›", "Next step of this face (f)", () => act.jumpFace(1)))),
+    button("›", "Next step of this face (f)", () => act.jumpFace(1))),
   several ? labelled("Together", select("by", TOGETHER)) : null,
   h("div", { class: "checks" },
     h("label", {}, outlines, "outlines of all faces"),

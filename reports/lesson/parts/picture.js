@@ -57,6 +57,19 @@ export function picture(canvas, run) {
     context.drawImage(small, 0, 0, m, n);
   };
 
+  const encoded = (c) => Math.round(255 * (c <= 0.0031308 ? 12.92 * c
+    : 1.055 * c ** (1 / 2.4) - 0.055));
+  const drawComposited = (values, k) => {
+    for (let s = 0; s < values.length; s++) {
+      const rgba = run.painting.colour(values[s], k);
+      const [r, g, b] = rgba?.map((c) => encoded(c / 65535)) ?? [];
+      pixels[s] = rgba ? (255 << 24 | b << 16 | g << 8 | r) >>> 0 : 0;
+    }
+    smallContext.putImageData(image, 0, 0);
+    context.imageSmoothingEnabled = false;
+    context.drawImage(small, 0, 0, m, n);
+  };
+
   const drawSegments = (parts) => {
     const visible = new Path2D(), hidden = new Path2D();
     for (const [, invisibility, , , , , from, to] of parts) {
@@ -97,7 +110,8 @@ export function picture(canvas, run) {
     }
   };
 
-  const drawn = { ids: drawIds, segments: drawSegments, voxels: drawVoxels };
+  const drawn = { ids: drawIds, composited: drawComposited,
+    segments: drawSegments, voxels: drawVoxels };
 
   // --- what is done now ---
 
@@ -181,7 +195,7 @@ export function picture(canvas, run) {
     context.fillStyle = colourOf("--paper");
     context.fillRect(0, 0, canvas.width, canvas.height);
     context.setTransform(scale, 0, 0, scale, 0, 0);
-    drawn[run.kind](run.painting.at(k));
+    drawn[run.kind](run.painting.at(k), k);
     if (outlines) {
       context.strokeStyle = colourOf("--ink");
       context.globalAlpha = 0.22;

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// node watch.mjs MODULES BROWSER FOLDER PAGE...
+// Opens pages of hsr lesson from disk as a reader would, and prints TAP. FOLDER
+// holds, for each algorithm of a page, NAME.ndjson of hsr trace and, where it
+// draws faces, NAME.png of hsr render.
+import assert from "node:assert/strict";
+import { existsSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [modules, executablePath, folder, ...files] = process.argv.slice(2);
+const { chromium } = createRequire(join(resolve(modules), "x"))("playwright-core");
+const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
+
+let tests = 0, failures = 0;
+async function test(what, body) {
+  tests += 1;
+  try {
+    await body();
+    console.log(`ok ${tests} - ${what}`);
+  } catch (error) {
+    failures += 1;
+    console.log(`not ok ${tests} - ${what}`);
+    console.log(String(error.message).replace(/^/gm, "# "));
+  }
+}
+
+// Opens a window on a page. Its errors are collected in .faults.
+async function open(file, options = {}) {
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.setDefaultTimeout(20000);
+  const faults = [];
+  page.on("console", (m) => m.type() === "error" && faults.push(m.text()));
+  page.on("pageerror", (error) => faults.push(error.message));
+  page.on("request", (r) => /^(file|data|blob):/.test(r.url()) ||
+    faults.push(`a request left: ${r.url()}`));
+  const root = pathToFileURL(resolve(file)).href;
+  const go = async (hash) => {
+    await page.goto("about:blank");
+    await page.goto(root + hash);
+    await page.waitForSelector(".panel .words");
+  };
+  return { page, faults, go, close: () => context.close() };
+}
+
+// --- every algorithm ---
+
+// Runs in the page, for one algorithm. Compares what it shows with a replay of
+// its own; returns what is wrong.
+function watched(name) {
+  return globalThis.lesson.run(name).then((run) => {
+    const bad = [];
+    const { trace, n, width: m, height } = run;
+    const shownCounts = () => [...document.querySelectorAll(
+      ".counters tbody tr td:nth-child(2)")].map((e) => e.textContent);
+    const go = (k) => globalThis.lesson.go(k);
+    const expect = (what, got, wanted) => {
+      if (JSON.stringify(got) !== JSON.stringify(wanted) && bad.length < 5)
+        bad.push(`${what}: ${JSON.stringify(got)?.slice(0, 200)}, not ${
+          JSON.stringify(wanted)?.slice(0, 200)}`);
+    };
+    const numbers = (counts) => counts.map((x) => x === null ? "at the end"
+      : x.toLocaleString("en"));
+
+    // Forward to the end, by strides; the first steps singly.
+    const stride = Math.max(1, Math.floor(n / 60));
+    for (let k = 0; k < Math.min(n, 60); k++) go(k);
+    for (let k = 60; k < n; k += stride) go(k);
+    go(n);
+    expect("counts at the end", shownCounts(), numbers(trace.counts));
+    if (!run.painting.equal()) bad.push("the painting is not the answer");
+    for (let k = n; k > 0; k -= stride) go(k);
+    go(0);
+    expect("counts at the start", shownCounts(), trace.counts.map((_, c) =>
+      run.header.counters[c].computed ? "at the end" : "0"));
+    expect("drawn at the start", run.painting.decided(0), 0);
+
+    // Anywhere: against a replay from the start.
+    let seed = 7;
+    const random = (most) => {
+      seed = (seed * 1103515245 + 12345) % 2147483648;
+      return Math.floor(seed / 2147483648 * most);
+    };
+    for (let t = 0; t < 12; t++) {
+      const k = random(n + 1);
+      go(k);
+      const counts = run.header.counters.map((c) => c.computed ? null : 0);
+      const ids = new Int32Array(m * height).fill(-2);
+      for (let e = 0; e < Math.min(k, trace.kept); e++) {
+        counts[trace.counter[e]] += 1;
+        if (run.kind !== "ids" || run.event(e).kind.localeCompare("accept"))
+          continue;
+        for (let j = Math.max(0, trace.y[e]);
+          j < Math.min(height, trace.y[e] + trace.height[e]); j++)
+          for (let i = Math.max(0, trace.x[e]);
+            i < Math.min(m, trace.x[e] + trace.width[e]); i++)
+            ids[j * m + i] = trace.a0[e];
+      }
+      if (k < n) expect(`counts at ${k}`, shownCounts(), numbers(counts));
+      if (run.kind === "ids")
+        expect(`ids at ${k}`, Array.from(run.painting.at(k)), Array.from(ids));
+    }
+
+    // The stories of some samples.
+    for (let t = 0; t < 20 && run.kind === "ids"; t++) {
+      const at = { i: random(m), j: random(height) };
+      const { events, face } = globalThis.lesson.story(name, at);
+      const accepted = events.filter((e) => run.event(e).kind === "accept");
+      expect(`story of ${at.i}, ${at.j}`,
+        accepted.length ? trace.a0[accepted.at(-1)] : -1, face);
+      const told = new Set(events);
+      for (let e = 0; e < trace.kept; e++) {
+        const w = { x: trace.x[e], y: trace.y[e] };
+        const whole = trace.width[e] >= m && trace.height[e] >= height;
+        if (!whole && at.i >= w.x && at.i < w.x + trace.width[e] &&
+            at.j >= w.y && at.j < w.y + trace.height[e] && !told.has(e))
+          expect(`story of ${at.i}, ${at.j}`, "without", e);
+      }
+    }
+    go(n);
+    return { bad, steps: n, kind: run.kind,
+      ids: run.kind === "ids" ? Array.from(run.painting.at(n)) : null,
+      counts: trace.counts, parts: trace.answer };
+  });
+}
+
+// Whether the faces, in their colours, are the picture. Runs in the page.
+function picturesDiffer([name, png]) {
+  return globalThis.lesson.run(name).then(async (run) => {
+    const image = new Image();
+    image.src = png;
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    const { faces, background } = run.header;
+    let differ = 0;
+    run.painting.at(run.n).forEach((id, k) => {
+      const colour = id >= 0 ? faces[id][2] : background;
+      const shown = `#${[0, 1, 2].map((c) =>
+        data[4 * k + c].toString(16).padStart(2, "0")).join("")}`;
+      if (colour !== shown) differ += 1;
+    });
+    return differ;
+  });
+}
+
+const unrun = (runs) => runs.flatMap((x, k) =>
+  k % 2 ? Array(x).fill(runs[k - 1] ?? -1) : []);
+
+async function everyAlgorithm(file) {
+  const { page, faults, go, close } = await open(file);
+  await go("");
+  const names = await page.evaluate(() => globalThis.lesson.names);
+  for (const name of names)
+    await test(`${name}: forward, back, anywhere`, async () => {
+      await go(`#/?a=${encodeURIComponent(name)}`);
+      const seen = await page.evaluate(watched, name);
+      assert.deepEqual(seen.bad, []);
+      const lines = readFileSync(join(folder, `${name}.ndjson`), "utf8").trim()
+        .split("\n");
+      const end = JSON.parse(lines.at(-1));
+      assert.deepEqual(seen.counts, end.counts);
+      assert.equal(seen.steps, end.events);
+      if (seen.kind === "ids") {
+        assert.deepEqual(seen.ids.map((f) => Math.max(f, -1)), unrun(end.ids));
+        const png = readFileSync(join(folder, `${name}.png`)).toString("base64");
+        assert.equal(await page.evaluate(picturesDiffer,
+          [name, `data:image/png;base64,${png}`]), 0, "samples of hsr render");
+      } else {
+        assert.equal(seen.parts.length, end[seen.kind].length);
+      }
+      assert.deepEqual(faults, []);
+    });
+  await close();
+  return names;
+}
+
+// --- the page ---
+
+// Runs in the page; returns what is wrong with it.
+function blemishes() {
+  const bad = [];
+  const root = document.documentElement;
+  if (root.scrollWidth > innerWidth)
+    bad.push(`the page is ${root.scrollWidth} wide in ${innerWidth}`);
+  if (document.querySelectorAll("h1").length !== 1) bad.push("not one h1");
+  for (const e of document.querySelectorAll("input, select"))
+    if (!e.labels.length && !e.getAttribute("aria-label"))
+      bad.push(`no label: ${e.name}`);
+  for (const e of document.querySelectorAll("button"))
+    if (!e.textContent.trim() && !e.getAttribute("aria-label") && !e.hidden)
+      bad.push(`no name: ${e.outerHTML}`);
+  const text = document.querySelector("main").innerText;
+  for (const word of ["undefined", "NaN", "[object", "-1,"])
+    if (text.includes(word)) bad.push(`“${word}” in the text`);
+  return bad;
+}
+
+const step = (page) => page.evaluate(() => globalThis.lesson.state.k[0]);
+
+async function asAReader(file, names) {
+  const { page, faults, go, close } = await open(file);
+  const some = names.slice(0, 3).join(",");
+  const words = () => page.textContent(".panel .words");
+
+  await test("keys step, forward and back", async () => {
+    await go("");
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press(".");
+    assert.equal(await step(page), 2);
+    assert.equal(await page.locator(".outline [aria-current]").count(), 1);
+    const said = await words();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowLeft");
+    assert.equal(await words(), said);
+    await page.keyboard.press("End");
+    assert.ok(await step(page) > 100);
+    await page.keyboard.press("Home");
+    assert.equal(await step(page), 0);
+    assert.match(await words(), /Before the first step/);
+  });
+
+  await test("rows, jumps to kinds and faces", async () => {
+    await go("");
+    await page.keyboard.press("Shift+ArrowRight");
+    assert.ok(await step(page) > 0);
+    await page.selectOption("select[name=to]", "kind:accept");
+    await page.focus("h1");
+    await page.keyboard.press("n");
+    assert.match(await words(), /accept/);
+    const first = await step(page);
+    await page.keyboard.press("n");
+    assert.ok(await step(page) > first);
+    await page.keyboard.press("p");
+    assert.equal(await step(page), first);
+    await page.fill("input[name=face]", "9");
+    await page.click("button[name=start]");
+    await page.focus("h1");
+    await page.keyboard.press("f");
+    assert.match(await words(), /face 9 /i);
+  });
+
+  await test("it plays and pauses, and tells only when paused", async () => {
+    await go("#/?speed=80");
+    await page.focus("h1");
+    await page.keyboard.press(" ");
+    assert.equal(await page.getAttribute(".words", "aria-live"), "off");
+    await page.waitForFunction(() => globalThis.lesson.state.k[0] > 5);
+    await page.keyboard.press(" ");
+    assert.equal(await page.getAttribute(".words", "aria-live"), "polite");
+    const k = await step(page);
+    await page.waitForTimeout(100);
+    assert.equal(await step(page), k);
+  });
+
+  await test("the address keeps the place", async () => {
+    await go("");
+    await page.click("canvas.picture", { position: { x: 200, y: 150 } });
+    await page.keyboard.press("ArrowDown");
+    await page.evaluate(() => globalThis.lesson.go(123));
+    await page.waitForFunction(() => location.hash.includes("k=123"));
+    const story = await page.textContent(".story-box h3");
+    assert.match(story, /The story of/);
+    await page.reload();
+    await page.waitForSelector(".panel");
+    assert.equal(await step(page), 123);
+    assert.equal(await page.textContent(".story-box h3"), story);
+    const entries = page.locator(".story button");
+    const wanted = Number(await entries.first().getAttribute("data-step"));
+    await entries.first().click();
+    assert.equal(await step(page), wanted);
+  });
+
+  await test("algorithms beside one another go together", async () => {
+    await go(`#/?a=${some}`);
+    assert.equal(await page.locator(".panel").count(), Math.min(3, names.length));
+    for (const by of ["share", "decided"]) {
+      await page.selectOption("select[name=by]", by);
+      await page.focus("h1");
+      await page.keyboard.press("End");
+      assert.ok(await page.evaluate(async () => {
+        const { state, run } = globalThis.lesson;
+        const ends = await Promise.all(state.a.map(async (a) => (await run(a)).n));
+        return ends.every((n, k) => state.k[k] === n);
+      }));
+    }
+    await page.keyboard.press("2");
+    assert.equal(await page.evaluate(() => globalThis.lesson.state.lead), 1);
+  });
+
+  await test("a question waits for its answer", async () => {
+    await go("#/?quiz=1");
+    assert.ok(await page.isHidden(".quiz"));
+    for (let t = 0; t < 4000 && await page.isHidden(".quiz"); t++)
+      await page.keyboard.press(".");
+    const k = await step(page);
+    await page.keyboard.press(".");
+    assert.equal(await step(page), k);
+    await page.click(".quiz .buttons button");
+    assert.match(await page.textContent(".quiz [role=status]"), /of 1 right/);
+    await page.click("text=Go on");
+    assert.equal(await step(page), k + 1);
+    assert.ok(await page.isHidden(".quiz"));
+  });
+
+  await test("without JavaScript it says so", async () => {
+    const bare = await open(file, { javaScriptEnabled: false });
+    await bare.page.goto(pathToFileURL(resolve(file)).href);
+    assert.match(await bare.page.innerText("main"), /needs\s+JavaScript/);
+    await bare.close();
+  });
+
+  for (const [width, colorScheme] of [[1280, "light"], [390, "dark"],
+    [320, "light"]])
+    await test(`at ${width} pixels, ${colorScheme}`, async () => {
+      const small = await open(file,
+        { viewport: { width, height: 800 }, colorScheme });
+      for (const hash of [`#/?a=${names[0]}&k=500&at=20,15`,
+        `#/?a=${some}&k=900&at=20,15`]) {
+        await small.go(hash);
+        assert.deepEqual(await small.page.evaluate(blemishes), [], hash);
+      }
+      assert.deepEqual(small.faults, []);
+      await small.close();
+    });
+
+  await test("a step and a jump are fast", async () => {
+    await go(`#/?a=${names[0]}`);
+    const [forward, anywhere] = await page.evaluate(async () => {
+      const { go: to, run, state } = globalThis.lesson;
+      const { n } = await run(state.a[0]);
+      const median = (ks) => ks.map((k) => {
+        const before = performance.now();
+        to(k);
+        return performance.now() - before;
+      }).sort((a, b) => a - b)[ks.length >> 1];
+      const ks = Array.from({ length: 101 }, (_, k) => k);
+      return [median(ks), median(ks.map((k) => k * 7919 % n))];
+    });
+    console.log(`# ${forward.toFixed(1)} ms a step, ${anywhere.toFixed(1)} ms a ` +
+      "jump");
+    assert.ok(forward < 160 && anywhere < 1000);
+  });
+  await test("no errors in all this", () => assert.deepEqual(faults, []));
+  await close();
+}
+
+for (const file of files) {
+  if (!existsSync(file)) continue;
+  const names = await everyAlgorithm(file);
+  if (file === files[0]) await asAReader(file, names);
+}
+await browser.close();
+console.log(`1..${tests}`);
+process.exitCode = failures ? 1 : 0;
