@@ -126,11 +126,26 @@ function compositedPainting(run) {
   // The colour of a value that at(k) holds: red, green, blue, opacity.
   const colour = (value, k) => value === UNDECIDED ? null
     : k >= run.n && run.leftOut ? answer[value - 1] : trace.parts[value - 1];
+  // How many events have touched each sample by then.
+  const touched = new Uint32Array(m * n);
+  const isSample = run.header.counters.map((c) => c.kind === "sample");
+  const { counter, x, y, width, height } = trace;
+  let done = 0;
+  const touches = (k) => {
+    if (k < done) {
+      touched.fill(0);
+      done = 0;
+    }
+    for (; done < Math.min(k, trace.kept); done++)
+      if (isSample[counter[done]] && width[done] * height[done] === 1)
+        touched[y[done] * m + x[done]] += 1;
+    return touched;
+  };
   const equal = () => own.at(run.n).every((value, k) => {
     const got = colour(value, run.n) ?? [0, 0, 0, 0];
     return got.every((c, place) => c === answer[k][place]);
   });
-  return { ...own, colour, equal };
+  return { ...own, colour, touches, equal };
 }
 
 // --- segments: the list of accepted intervals ---

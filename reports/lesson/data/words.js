@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An event in words.
-import { NONE } from "./run.js";
 import { kindLook } from "./kinds.js";
 
 export function subjectWords(run, { kind, ids }, window) {
@@ -16,11 +15,16 @@ export function subjectWords(run, { kind, ids }, window) {
       return `the edge where faces ${p} and ${q} penetrate`;
     case "vertex": return `vertex ${p}`;
     case "volume": return `volume ${p}`;
-    case "cell": return q < 0 && r <= 0 ? `cell ${p}`
-      : `cell ${ids.filter((x) => x !== NONE).join(", ")}`;
+    case "cell": return cellWords(p, Math.max(q, 0), Math.max(r, 0));
     case "window": return window ? windowWords(window) : "the picture";
     default: return "";
   }
+}
+
+// A number; or a level, and the number or place there.
+function cellWords(p, q, r) {
+  return !q && !r ? `cell ${p}` : !r ? `cell ${q} of level ${p}`
+    : `cell ${q}, ${r} of level ${p}`;
 }
 
 export function windowWords({ x, y, width, height }) {

@@ -59,11 +59,16 @@ export function picture(canvas, run) {
 
   const encoded = (c) => Math.round(255 * (c <= 0.0031308 ? 12.92 * c
     : 1.055 * c ** (1 / 2.4) - 0.055));
+  // What is written; and before that, the more opaque the more often touched.
   const drawComposited = (values, k) => {
+    const touches = run.painting.touches(k);
+    const grey = packed(colourOf("--faint"));
     for (let s = 0; s < values.length; s++) {
       const rgba = run.painting.colour(values[s], k);
       const [r, g, b] = rgba?.map((c) => encoded(c / 65535)) ?? [];
-      pixels[s] = rgba ? (255 << 24 | b << 16 | g << 8 | r) >>> 0 : 0;
+      pixels[s] = rgba ? (255 << 24 | b << 16 | g << 8 | r) >>> 0
+        : ((Math.min(200, 26 * Math.log2(1 + touches[s])) << 24) |
+          (grey & 0xffffff)) >>> 0;
     }
     smallContext.putImageData(image, 0, 0);
     context.imageSmoothingEnabled = false;
