@@ -33,9 +33,11 @@ lesson_sources = \
   %D%/lesson/data/painting.js \
   %D%/lesson/data/run.js \
   %D%/lesson/data/story.js \
+  %D%/lesson/data/survey.js \
   %D%/lesson/data/trace.js \
   %D%/lesson/data/words.js \
   %D%/lesson/parts/controls.js \
+  %D%/lesson/parts/lesson.js \
   %D%/lesson/parts/panel.js \
   %D%/lesson/parts/picture.js \
   %D%/lesson/parts/quiz.js \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr lesson: algorithms at work on one view, step by step, as one page. */
 #include "bench/lesson/lesson.h"
+#include "bench/list.h"
 #include "bench/report/page.h"
 #include "bench/terminal/terminal.h"
 
@@ -11,7 +12,7 @@
 
 #define STANDARD_SIZE "128x128"
 enum { MOST_ALGORITHMS = 48, MOST_FACES = 20000, MOST_SIDE = 1024 };
-enum { EVENTS = 0x200, STANDARD_EVENTS = 2000000 };
+enum { EVENTS = 0x200, SURVEY, STANDARD_EVENTS = 2000000 };
 
 struct options {
   struct option_base base;
@@ -21,7 +22,19 @@ struct options {
   struct hsr_variant variant[MOST_ALGORITHMS];
   const char *output;
   long events;
+  bool survey;
 };
+
+/* The lessons through the survey. */
+static const struct {
+  const char *algorithm, *scene;
+  int size;
+} lessons[] = {
+#define LESSON(algorithm, scene, size) {algorithm, scene, size},
+#include "bench/lesson/survey.def"
+#undef LESSON
+};
+enum { N_LESSONS = sizeof lessons / sizeof *lessons };
 
 /* --- Options -------------------------------------------------------------- */
 
@@ -58,19 +71,28 @@ static error_t parse_place_option(struct options *o, int key, char *arg) {
              : error;
 }
 
+static error_t check_output(struct options *o) {
+  return o->output
+             ? 0
+             : option_fail(&o->base, "lesson: which file? (-o FILE.html)");
+}
+
 static error_t check_options(struct options *o) {
+  if (o->survey && (o->n || o->scene.name))
+    return option_fail(&o->base, "lesson: --survey has scenes and algorithms "
+                                 "of its own");
+  if (o->survey)
+    return check_output(o);
   error_t error =
       parse_scene_option(&o->scene, ARGP_KEY_END, NULL, "lesson", &o->base);
   if (error && error != ARGP_ERR_UNKNOWN)
     return error;
   if (!o->n)
     return option_fail(&o->base, "lesson: which algorithms? (-a A,B,...)");
-  if (!o->output)
-    return option_fail(&o->base, "lesson: which file? (-o FILE.html)");
   if (o->view.m > MOST_SIDE || o->view.n > MOST_SIDE)
     return option_fail(&o->base, "lesson: a page shows %d x %d samples at most",
                        (int)MOST_SIDE, (int)MOST_SIDE);
-  return 0;
+  return check_output(o);
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
@@ -86,6 +108,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case EVENTS:
     if (!parse_count(arg, 1, 10000000, &o->events))
       return option_fail(&o->base, "--events %s: must be 1 to 10000000", arg);
+    return 0;
+  case SURVEY:
+    o->survey = true;
     return 0;
   case ARGP_KEY_END:
     return check_options(o);
@@ -103,23 +128,35 @@ static const struct argp argp = {
          "of an algorithm of more steps, only the first N can be stepped "
          "through (standard: 2000000)",
          0},
+        {"survey", SURVEY, NULL, 0,
+         "instead of SCENE and -a: lessons through the survey, each algorithm "
+         "on a scene that shows its idea",
+         0},
         SCENE_ARGP_OPTIONS,
         VIEW_ARGP_OPTIONS_OF(STANDARD_SIZE),
         {0}},
     parse,
-    "SCENE",
+    "SCENE\n--survey",
     "Makes one page on which algorithms can be watched at work on a scene, "
     "step "
     "by step, forward and back, beside their pseudocode and their counts. The "
     "page holds everything: it opens from disk and needs no network.\v"
     "  hsr lesson house -a watkins -o watkins.html\n"
     "  hsr lesson house -a bouknight,watkins,warnock -o three.html\n"
+    "  hsr lesson --survey -o lessons.html\n"
     "  hsr lesson cyclic-overlap -a newell -s 64x64 -o newell.html",
     NULL,
     NULL,
     NULL};
 
 /* --- One algorithm -------------------------------------------------------- */
+
+/* What is drawn, and by which algorithm. All borrowed. */
+struct subject {
+  const struct scene_options *scene;
+  const struct view_options *view;
+  const struct hsr_variant *variant;
+};
 
 /* Whether the events are as many as the counters say, and make the answer. */
 static enum hsr_status check_events(struct lesson_recorder *recorder,
@@ -195,19 +232,18 @@ static enum hsr_status record(struct lesson_recorder *recorder, char **text,
   return *text ? HSR_OK : hsr_fail_nomem(err);
 }
 
-static enum hsr_status run_one(const struct options *o,
-                               const struct hsr_variant *variant, char **text,
-                               struct hsr_error *err) {
+static enum hsr_status run_one(const struct subject *subject, long events,
+                               char **text, struct hsr_error *err) {
   struct trace_run run = {.command = "lesson",
-                          .scene_options = &o->scene,
-                          .view_options = &o->view,
-                          .variant = variant,
+                          .scene_options = subject->scene,
+                          .view_options = subject->view,
+                          .variant = subject->variant,
                           .most_faces = MOST_FACES};
   struct lesson_recorder *recorder = calloc(1, sizeof *recorder);
   if (!recorder)
     return hsr_fail_nomem(err);
   recorder->run = &run;
-  recorder->most = (uint64_t)o->events;
+  recorder->most = (uint64_t)events;
   recorder->parts = json_array();
   enum hsr_status status = trace_run_open(&run, err);
   if (!status)
@@ -216,7 +252,7 @@ static enum hsr_status run_one(const struct options *o,
     fprintf(stderr,
             "hsr: %s: only the first %llu of %llu steps can be stepped "
             "through (--events)\n",
-            variant->name, (unsigned long long)recorder->kept,
+            run.variant->name, (unsigned long long)recorder->kept,
             (unsigned long long)recorder->events);
   lesson_recorder_free(recorder);
   free(recorder);
@@ -245,24 +281,99 @@ static enum hsr_status read_page(char **page, struct hsr_error *err) {
   return HSR_OK;
 }
 
+/* The text in an attribute or an element. */
+static void put_text(const char *text, FILE *out) {
+  for (; *text; text++)
+    switch (*text) {
+    case '<':
+      fputs("&lt;", out);
+      break;
+    case '&':
+      fputs("&amp;", out);
+      break;
+    case '"':
+      fputs("&quot;", out);
+      break;
+    default:
+      putc(*text, out);
+    }
+}
+
+static enum hsr_status write_run(const struct subject *subject, long events,
+                                 FILE *out, struct hsr_error *err) {
+  char *text = NULL;
+  enum hsr_status status = run_one(subject, events, &text, err);
+  if (!status) {
+    fputs("<script type=\"text/plain\" class=\"run\" data-name=\"", out);
+    put_text(subject->variant->name, out);
+    fputs("\" data-scene=\"", out);
+    put_text(subject->scene->name, out);
+    fprintf(out, "\">%s</script>\n", text);
+  }
+  free(text);
+  return status;
+}
+
 /* Draws with each algorithm in turn, and writes its text. */
 static enum hsr_status write_runs(const struct options *o, FILE *out,
                                   struct hsr_error *err) {
   enum hsr_status status = HSR_OK;
   struct progress progress = progress_begin(stderr);
   for (int k = 0; k < o->n && !status; k++) {
-    char *text = NULL;
+    struct subject subject = {&o->scene, &o->view, &o->variant[k]};
     progress_tell(&progress, (size_t)k, (size_t)o->n, "algorithms",
                   o->variant[k].name);
-    status = run_one(o, &o->variant[k], &text, err);
-    if (!status)
-      fprintf(out,
-              "<script type=\"text/plain\" class=\"run\" "
-              "data-name=\"%s\">%s</script>\n",
-              o->variant[k].name, text);
-    free(text);
+    status = write_run(&subject, o->events, out, err);
   }
   progress_end(&progress);
+  return status;
+}
+
+static enum hsr_status write_lesson(const struct options *o, int k, FILE *out,
+                                    struct hsr_error *err) {
+  struct view_options view = VIEW_OPTIONS_STANDARD;
+  view.m = view.n = lessons[k].size;
+  struct scene_options scene = {.name = lessons[k].scene};
+  struct hsr_variant variant;
+  struct subject subject = {&scene, &view, &variant};
+  enum hsr_status status =
+      hsr_variant_parse(lessons[k].algorithm, &variant, err);
+  return status ? status : write_run(&subject, o->events, out, err);
+}
+
+/* What the way in to the lessons shows: the algorithms and their sorts. */
+static json_t *survey_json(void) {
+  json_t *survey = json_array();
+  for (int k = 0; k < N_LESSONS; k++) {
+    const struct hsr_algorithm *a =
+        hsr_algorithm_find(lessons[k].algorithm)->plain;
+    struct taxonomy place = taxonomy(a->taxonomy);
+    hsr_json_append(
+        &survey, json_pack("{ss ss ss si ss ss? ss? ss? so}", "name", a->name,
+                           "title", a->title, "authors", a->authors, "year",
+                           a->year, "taxonomy", place.class, "branch",
+                           place.branch, "sort_order", a->sort_order,
+                           "coherence", a->coherence, "sorts", sorts_json(a)));
+  }
+  return survey;
+}
+
+static enum hsr_status write_survey(const struct options *o, FILE *out,
+                                    struct hsr_error *err) {
+  json_t *survey = survey_json();
+  char *text =
+      survey ? json_dumps(survey, JSON_COMPACT | JSON_ENSURE_ASCII) : NULL;
+  json_decref(survey);
+  if (!text)
+    return hsr_fail_nomem(err);
+  fputs("<script type=\"application/json\" id=\"survey\">", out);
+  for (const char *c = text; *c; c++)
+    *c == '<' ? fputs("\\u003c", out) : putc(*c, out);
+  fputs("</script>\n", out);
+  free(text);
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < N_LESSONS && !status; k++)
+    status = write_lesson(o, k, out, err);
   return status;
 }
 
@@ -273,7 +384,8 @@ static enum hsr_status write_page(const struct options *o, const char *page,
   if (!here)
     return hsr_fail(err, HSR_E_INTERNAL, "lesson: the page has no '%s'", mark);
   fwrite(page, 1, (size_t)(here - page), out);
-  enum hsr_status status = write_runs(o, out, err);
+  enum hsr_status status =
+      o->survey ? write_survey(o, out, err) : write_runs(o, out, err);
   fputs(here + strlen(mark), out);
   if (!status && ferror(out))
     status = hsr_fail(err, HSR_E_INPUT, "%s: cannot be written: %s", o->output,
@@ -310,7 +422,7 @@ enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
     status = hsr_fail(err, HSR_E_USAGE,
                       "lesson: built without its page (configure needs node "
                       "and npm)");
-  if (!status)
+  if (!status && !o->survey)
     status = aim_scene(&o->scene, &o->view, err);
   if (!status)
     status = make_page(o, err);

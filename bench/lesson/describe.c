@@ -34,14 +34,6 @@ static json_t *costs_json(const struct hsr_algorithm *a,
   return costs;
 }
 
-static json_t *sorts_json(const struct hsr_algorithm *a) {
-  json_t *sorts = json_array();
-  for (const struct hsr_sort *s = a->sorts; s && s->what; s++)
-    hsr_json_append(&sorts,
-                    json_pack("[ssss]", s->what, s->key, s->method, s->often));
-  return sorts;
-}
-
 json_t *lesson_describe(const struct lesson_recorder *recorder,
                         const struct hsr_tally *tally,
                         const struct hsr_table1 *table) {
@@ -50,12 +42,11 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
   static const struct trace_filter all = {.every = 1, .keyframe = 1};
   struct trace_header header = {.run = recorder->run, .filter = &all};
   json_t *parts = recorder->parts;
-  return json_pack("{ss so sI sI so sO so so ss? ss? so}", "schema",
-                   "hsr-lesson/1", "header", trace_header_json(&header),
-                   "events", (json_int_t)recorder->events, "kept",
-                   (json_int_t)recorder->kept, "counts",
-                   counts_json(a, tally->count), "parts", parts, "answer",
-                   answer->drawn.form.type->json(&answer->drawn, answer->view),
-                   "costs", costs_json(a, table), "order", a->sort_order,
-                   "coherence", a->coherence, "sorts", sorts_json(a));
+  return json_pack(
+      "{ss so sI sI so sO so so ss? ss?}", "schema", "hsr-lesson/1", "header",
+      trace_header_json(&header), "events", (json_int_t)recorder->events,
+      "kept", (json_int_t)recorder->kept, "counts",
+      counts_json(a, tally->count), "parts", parts, "answer",
+      answer->drawn.form.type->json(&answer->drawn, answer->view), "costs",
+      costs_json(a, table), "order", a->sort_order, "coherence", a->coherence);
 }

@@ -4,4 +4,5 @@ libbench_a_SOURCES += \
   %D%/command.c \
   %D%/describe.c \
   %D%/lesson.h \
-  %D%/recorder.c
+  %D%/recorder.c \
+  %D%/survey.def

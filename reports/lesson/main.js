@@ -8,13 +8,17 @@ import { above, runOf } from "./data/run.js";
 import { readTrace } from "./data/trace.js";
 import { controls, keyHelp, keys, LEVELS, TOGETHER } from "./parts/controls.js";
 import { panel } from "./parts/panel.js";
+import { lessonIndex, lessonText } from "./parts/lesson.js";
 import { isQuestion, quiz } from "./parts/quiz.js";
 
 const MOST = 3; // algorithms side by side
 const SLOWEST = 0.5, FASTEST = 50000; // moves a second
 const main = document.querySelector("main");
-const texts = new Map([...document.querySelectorAll("script.run")]
-  .map((e) => [e.dataset.name, e.textContent]));
+const scripts = [...document.querySelectorAll("script.run")];
+const texts = new Map(scripts.map((e) => [e.dataset.name, e.textContent]));
+const scenes = new Map(scripts.map((e) => [e.dataset.name, e.dataset.scene]));
+const survey = JSON.parse(document.querySelector("#survey")?.textContent ??
+  "null"); // of the lessons; null: the page is of one scene
 const names = [...texts.keys()];
 const runs = new Map();
 const isCalm = matchMedia("(prefers-reduced-motion: reduce)");
@@ -37,7 +41,8 @@ function readAddress() {
   const number = (text) => Number.isFinite(Number(text)) ? Number(text) : 0;
   const asked = (params.get("a") ?? "").split(",").filter((x) => texts.has(x));
   state.a = asked.length ? [...new Set(asked)].slice(0, MOST)
-    : names.slice(0, Math.min(names.length, 1));
+    : survey ? [] : names.slice(0, 1);
+  keepToOneScene();
   state.k = state.a.map((_, p) =>
     number((params.get("k") ?? "").split(",")[p] ?? 0));
   state.lead = Math.min(state.a.length - 1, Math.max(0,
@@ -53,10 +58,17 @@ function readAddress() {
   state.pixel = Number.isInteger(i) && Number.isInteger(j) ? { i, j } : null;
 }
 
+// Only runs of one scene go side by side.
+function keepToOneScene() {
+  const scene = scenes.get(state.a[0]);
+  state.a = state.a.filter((name) => scenes.get(name) === scene);
+}
+
 // Written when all rests: browsers limit the number of changes a second.
 let waiting = 0;
 function writeAddress() {
   clearTimeout(waiting);
+  if (!panels.length) return;
   waiting = setTimeout(() => setAddress({ a: state.a.join(","),
     k: state.k.join(","), lead: state.lead || null,
     level: state.level === "step" ? null : state.level,
@@ -265,21 +277,32 @@ function chooser() {
     if (e.target.value) a[p] = e.target.value;
     else a.splice(p, 1);
     state.a = [...new Set(a)];
+    keepToOneScene();
     state.lead = 0;
     begin().catch(fail);
   };
   const slot = (p) => h("label", {}, p ? "beside" : "algorithm",
     h("select", { name: `algorithm-${p}`, onchange: choose(p) },
       p ? h("option", { value: "" }, "no other") : null,
-      names.map((name) => h("option", { value: name,
+      names.filter((name) => !p || scenes.get(name) === scenes.get(state.a[0]))
+        .map((name) => h("option", { value: name,
         selected: state.a[p] === name }, name))));
-  const slots = Math.min(MOST, names.length, state.a.length + 1);
+  const same = names.filter((name) =>
+    scenes.get(name) === scenes.get(state.a[0]));
+  const slots = Math.min(MOST, same.length, state.a.length + 1);
   return h("div", { class: "filters chooser" },
     Array.from({ length: slots }, (_, p) => slot(p)));
 }
 
+function showIndex() {
+  panels = [];
+  main.replaceChildren(...lessonIndex(survey));
+  document.title = "Hidden surfaces, step by step · hsr";
+}
+
 async function begin() {
   stop();
+  if (!state.a.length) return showIndex();
   const shown = await Promise.all(state.a.map(runNamed));
   const { scene, view } = shown[0].header;
   question = quiz(() => go(now() + 1));
@@ -298,7 +321,11 @@ async function begin() {
         view.height} samples, ${shown[0].header.faces.length} faces. `,
       shown[0].kind === "ids" ? "Click a sample to read its story."
         : shown[0].kind === "segments" ? "Click an edge to read its story." : "")),
-    chooser()), bar.element, note, question.element, legend(),
+    chooser()), survey && lessonText(survey, shown[0], (k) => {
+      stop();
+      lead(0);
+      go(k);
+    }) || "", bar.element, note, question.element, legend(),
     h("div", { class: `panels of-${panels.length}` },
       panels.map(({ element }) => element)), keyHelp());
   document.title = `${scene}: ${state.a.join(", ")} · hsr`;
@@ -335,5 +362,6 @@ globalThis.lesson = { names, state, go, run: runNamed, above,
   story: (name, at) => runs.get(name).story(at) };
 
 readAddress();
-keys(act);
+keys(Object.fromEntries(Object.entries(act).map(([name, does]) =>
+  [name, (...given) => panels.length ? does(...given) : undefined])));
 begin().catch(fail);
