@@ -1,17 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr lesson: algorithms at work on one view, step by step, as one page. */
 #include "bench/lesson/lesson.h"
-#include "bench/list.h"
-#include "bench/report/page.h"
-#include "bench/terminal/terminal.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #define STANDARD_SIZE "128x128"
-enum { MOST_ALGORITHMS = 48, MOST_FACES = 20000, MOST_SIDE = 1024 };
+enum { MOST_ALGORITHMS = 48, MOST_SIDE = 1024 };
 enum { EVENTS = 0x200, SURVEY, STANDARD_EVENTS = 2000000 };
 
 struct options {
@@ -149,265 +144,39 @@ static const struct argp argp = {
     NULL,
     NULL};
 
-/* --- One algorithm -------------------------------------------------------- */
-
-/* What is drawn, and by which algorithm. All borrowed. */
-struct subject {
-  const struct scene_options *scene;
-  const struct view_options *view;
-  const struct hsr_variant *variant;
-};
-
-/* Whether the events are as many as the counters say, and make the answer. */
-static enum hsr_status check_events(struct lesson_recorder *recorder,
-                                    const struct hsr_tally *tally,
-                                    struct hsr_error *err) {
-  const struct hsr_algorithm *a = recorder->run->setup.algorithm;
-  char text[240];
-  for (int k = 0; k < trace_n_counters(a); k++)
-    if (recorder->count[k] != (a->counters[k].computed ? 0 : tally->count[k]))
-      return hsr_fail(err, HSR_E_INTERNAL, "%s: %s: not as many events",
-                      a->name, a->counters[k].name);
-  enum hsr_status status =
-      trace_answer_compare(&recorder->run->answer, text, sizeof text);
-  if (status == HSR_E_NOMEM)
-    return hsr_fail_nomem(err);
-  return status ? hsr_fail(err, HSR_E_INTERNAL,
-                           "%s: its events do not rebuild its answer: %s",
-                           a->name, text)
-                : HSR_OK;
-}
-
-static bool predicts(const struct hsr_algorithm *a) {
-  bool any = false;
-  for (const struct hsr_step *s = a->steps; s && s->label; s++)
-    any = any || s->predict;
-  return any;
-}
-
-/* The text of all that was recorded, to be freed. NULL: HSR_E_NOMEM. */
-static char *pack(const struct lesson_recorder *recorder, json_t *description) {
-  enum { FLAGS = JSON_COMPACT | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(9) };
-  char *json = description ? json_dumps(description, FLAGS) : NULL;
-  json_decref(description);
-  if (!json)
-    return NULL;
-  struct lesson_bytes all = {.at = NULL};
-  size_t length = strlen(json);
-  for (int k = 0; k < 4; k++)
-    lesson_add(&all, &(unsigned char){(unsigned char)(length >> 8 * k)}, 1);
-  lesson_add(&all, json, length);
-  free(json);
-  lesson_add(&all, recorder->counters.at, recorder->counters.n);
-  all.failed = all.failed || recorder->counters.failed;
-  int n = trace_n_counters(recorder->run->setup.algorithm);
-  for (int c = 0; c < n; c++)
-    for (int k = 0; k < LESSON_N_FIELDS; k++) {
-      const struct lesson_bytes *field = &recorder->column[c].field[k];
-      lesson_add(&all, field->at, field->n);
-      all.failed = all.failed || field->failed;
-    }
-  char *text = lesson_squeeze(&all);
-  lesson_bytes_free(&all);
-  return text;
-}
-
-static enum hsr_status record(struct lesson_recorder *recorder, char **text,
-                              struct hsr_error *err) {
-  struct trace_run *run = recorder->run;
-  struct hsr_trace trace = {.listen = lesson_listen, .context = recorder};
-  struct hsr_tally tally = {.trace = &trace};
-  struct hsr_table1 table;
-  enum hsr_status status =
-      trace_answer_draw(&run->answer, &run->setup, &tally, err);
-  if (!status)
-    status = check_events(recorder, &tally, err);
-  bool has_table = predicts(run->setup.algorithm);
-  if (!status && has_table)
-    status = measure_table1(&run->laid_out, &run->view, &table, err);
-  if (status)
-    return status;
-  *text = pack(recorder,
-               lesson_describe(recorder, &tally, has_table ? &table : NULL));
-  return *text ? HSR_OK : hsr_fail_nomem(err);
-}
-
-static enum hsr_status run_one(const struct subject *subject, long events,
-                               char **text, struct hsr_error *err) {
-  struct trace_run run = {.command = "lesson",
-                          .scene_options = subject->scene,
-                          .view_options = subject->view,
-                          .variant = subject->variant,
-                          .most_faces = MOST_FACES};
-  struct lesson_recorder *recorder = calloc(1, sizeof *recorder);
-  if (!recorder)
-    return hsr_fail_nomem(err);
-  recorder->run = &run;
-  recorder->most = (uint64_t)events;
-  recorder->parts = json_array();
-  enum hsr_status status = trace_run_open(&run, err);
-  if (!status)
-    status = record(recorder, text, err);
-  if (!status && recorder->kept < recorder->events)
-    fprintf(stderr,
-            "hsr: %s: only the first %llu of %llu steps can be stepped "
-            "through (--events)\n",
-            run.variant->name, (unsigned long long)recorder->kept,
-            (unsigned long long)recorder->events);
-  lesson_recorder_free(recorder);
-  free(recorder);
-  trace_run_close(&run);
-  return status;
-}
-
 /* --- The page ------------------------------------------------------------- */
-
-static enum hsr_status read_page(char **page, struct hsr_error *err) {
-  static const char name[] = "lesson.html";
-  char folder[PAGE_FOLDER], path[PAGE_FOLDER + sizeof name];
-  find_page(name, folder);
-  snprintf(path, sizeof path, "%s/%s", folder, name);
-  FILE *file = fopen(path, "rb");
-  size_t n = 0, room = 1 << 20;
-  *page = malloc(room + 1);
-  if (file && *page)
-    n = fread(*page, 1, room, file);
-  bool read = file && *page && !ferror(file);
-  if (file)
-    fclose(file);
-  if (!read)
-    return hsr_fail(err, HSR_E_INPUT, "%.400s: %s", path, strerror(errno));
-  (*page)[n] = '\0';
-  return HSR_OK;
-}
-
-/* The text in an attribute or an element. */
-static void put_text(const char *text, FILE *out) {
-  for (; *text; text++)
-    switch (*text) {
-    case '<':
-      fputs("&lt;", out);
-      break;
-    case '&':
-      fputs("&amp;", out);
-      break;
-    case '"':
-      fputs("&quot;", out);
-      break;
-    default:
-      putc(*text, out);
-    }
-}
-
-static enum hsr_status write_run(const struct subject *subject, long events,
-                                 FILE *out, struct hsr_error *err) {
-  char *text = NULL;
-  enum hsr_status status = run_one(subject, events, &text, err);
-  if (!status) {
-    fputs("<script type=\"text/plain\" class=\"run\" data-name=\"", out);
-    put_text(subject->variant->name, out);
-    fputs("\" data-scene=\"", out);
-    put_text(subject->scene->name, out);
-    fprintf(out, "\">%s</script>\n", text);
-  }
-  free(text);
-  return status;
-}
-
-/* Draws with each algorithm in turn, and writes its text. */
-static enum hsr_status write_runs(const struct options *o, FILE *out,
-                                  struct hsr_error *err) {
-  enum hsr_status status = HSR_OK;
-  struct progress progress = progress_begin(stderr);
-  for (int k = 0; k < o->n && !status; k++) {
-    struct subject subject = {&o->scene, &o->view, &o->variant[k]};
-    progress_tell(&progress, (size_t)k, (size_t)o->n, "algorithms",
-                  o->variant[k].name);
-    status = write_run(&subject, o->events, out, err);
-  }
-  progress_end(&progress);
-  return status;
-}
-
-static enum hsr_status write_lesson(const struct options *o, int k, FILE *out,
-                                    struct hsr_error *err) {
-  struct view_options view = VIEW_OPTIONS_STANDARD;
-  view.m = view.n = lessons[k].size;
-  struct scene_options scene = {.name = lessons[k].scene};
-  struct hsr_variant variant;
-  struct subject subject = {&scene, &view, &variant};
-  enum hsr_status status =
-      hsr_variant_parse(lessons[k].algorithm, &variant, err);
-  return status ? status : write_run(&subject, o->events, out, err);
-}
-
-/* What the way in to the lessons shows: the algorithms and their sorts. */
-static json_t *survey_json(void) {
-  json_t *survey = json_array();
-  for (int k = 0; k < N_LESSONS; k++) {
-    const struct hsr_algorithm *a =
-        hsr_algorithm_find(lessons[k].algorithm)->plain;
-    struct taxonomy place = taxonomy(a->taxonomy);
-    hsr_json_append(
-        &survey, json_pack("{ss ss ss si ss ss? ss? ss? so}", "name", a->name,
-                           "title", a->title, "authors", a->authors, "year",
-                           a->year, "taxonomy", place.class, "branch",
-                           place.branch, "sort_order", a->sort_order,
-                           "coherence", a->coherence, "sorts", sorts_json(a)));
-  }
-  return survey;
-}
-
-static enum hsr_status write_survey(const struct options *o, FILE *out,
-                                    struct hsr_error *err) {
-  json_t *survey = survey_json();
-  char *text =
-      survey ? json_dumps(survey, JSON_COMPACT | JSON_ENSURE_ASCII) : NULL;
-  json_decref(survey);
-  if (!text)
-    return hsr_fail_nomem(err);
-  fputs("<script type=\"application/json\" id=\"survey\">", out);
-  for (const char *c = text; *c; c++)
-    *c == '<' ? fputs("\\u003c", out) : putc(*c, out);
-  fputs("</script>\n", out);
-  free(text);
-  enum hsr_status status = HSR_OK;
-  for (int k = 0; k < N_LESSONS && !status; k++)
-    status = write_lesson(o, k, out, err);
-  return status;
-}
-
-static enum hsr_status write_page(const struct options *o, const char *page,
-                                  FILE *out, struct hsr_error *err) {
-  static const char mark[] = "<!--runs-->";
-  const char *here = strstr(page, mark);
-  if (!here)
-    return hsr_fail(err, HSR_E_INTERNAL, "lesson: the page has no '%s'", mark);
-  fwrite(page, 1, (size_t)(here - page), out);
-  enum hsr_status status =
-      o->survey ? write_survey(o, out, err) : write_runs(o, out, err);
-  fputs(here + strlen(mark), out);
-  if (!status && ferror(out))
-    status = hsr_fail(err, HSR_E_INPUT, "%s: cannot be written: %s", o->output,
-                      strerror(errno));
-  return status;
-}
 
 static enum hsr_status make_page(const struct options *o,
                                  struct hsr_error *err) {
-  char *page = NULL;
-  struct hsr_whole_file file;
-  enum hsr_status status = read_page(&page, err);
-  if (!status)
-    status = hsr_whole_file_open(&file, o->output, err);
-  if (!status) {
-    status = write_page(o, page, file.stream, err);
-    status = hsr_whole_file_close(&file, status, err);
+  struct lesson_subject subject[MOST_ALGORITHMS];
+  for (int k = 0; k < o->n; k++)
+    subject[k] = (struct lesson_subject){&o->scene, &o->view, &o->variant[k]};
+  return lesson_write(&(struct lesson_page){.path = o->output,
+                                            .subject = subject,
+                                            .n = o->n,
+                                            .events = o->events},
+                      err);
+}
+
+static enum hsr_status make_survey(struct options *o, struct hsr_error *err) {
+  struct lesson_subject subject[N_LESSONS];
+  struct scene_options scene[N_LESSONS];
+  struct view_options view[N_LESSONS];
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < N_LESSONS && !status; k++) {
+    scene[k] = (struct scene_options){.name = lessons[k].scene};
+    view[k] = (struct view_options)VIEW_OPTIONS_STANDARD;
+    view[k].m = view[k].n = lessons[k].size;
+    subject[k] = (struct lesson_subject){&scene[k], &view[k], &o->variant[k]};
+    status = hsr_variant_parse(lessons[k].algorithm, &o->variant[k], err);
   }
-  free(page);
-  if (!status)
-    printf("open %s\n", o->output);
-  return status;
+  return status ? status
+                : lesson_write(&(struct lesson_page){.path = o->output,
+                                                     .subject = subject,
+                                                     .n = N_LESSONS,
+                                                     .events = o->events,
+                                                     .is_survey = true},
+                               err);
 }
 
 enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
@@ -422,10 +191,14 @@ enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
     status = hsr_fail(err, HSR_E_USAGE,
                       "lesson: built without its page (configure needs node "
                       "and npm)");
-  if (!status && !o->survey)
+  if (!status && o->survey)
+    status = make_survey(o, err);
+  else if (!status)
     status = aim_scene(&o->scene, &o->view, err);
-  if (!status)
+  if (!status && !o->survey)
     status = make_page(o, err);
+  if (!status)
+    printf("open %s\n", o->output);
   free(o);
   return status;
 }

@@ -5,7 +5,9 @@
  * bytes.c      bytes that grow, numbers in them, and their compression
  * recorder.c   the listener: the events of a run, in columns
  * describe.c   what the columns mean: header, answer, predictions
- * command.c    the options, the runs, and the page
+ * draw.c       a run of one algorithm, as a text for the page
+ * page.c       the file
+ * command.c    the options
  *
  * One algorithm is one text in base64. It is a zlib stream of
  *
@@ -88,5 +90,36 @@ void lesson_recorder_free(struct lesson_recorder *recorder);
 json_t *lesson_describe(const struct lesson_recorder *recorder,
                         const struct hsr_tally *tally,
                         const struct hsr_table1 *table);
+
+/* --- One algorithm -------------------------------------------------------- */
+
+/* The most faces that a scene may have. */
+enum { LESSON_MOST_FACES = 20000 };
+
+/* What is drawn, and by which algorithm. All borrowed. */
+struct lesson_subject {
+  const struct scene_options *scene;
+  const struct view_options *view;
+  const struct hsr_variant *variant;
+};
+
+/* Runs the algorithm and gives the text of its run, to be freed. Says on stderr
+ * if there are more events than `most`. Fails as hsr trace does. */
+enum hsr_status lesson_draw(const struct lesson_subject *subject, long most,
+                            char **text, struct hsr_error *err);
+
+/* --- The page ------------------------------------------------------------- */
+
+struct lesson_page {
+  const char *path; /* all borrowed */
+  const struct lesson_subject *subject;
+  int n;
+  long events;    /* of an algorithm, at most */
+  bool is_survey; /* the subjects are the lessons of survey.def */
+};
+
+/* Writes the whole file, or none. HSR_E_INPUT if it cannot be written. */
+enum hsr_status lesson_write(const struct lesson_page *page,
+                             struct hsr_error *err);
 
 #endif

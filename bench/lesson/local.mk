@@ -3,6 +3,8 @@ libbench_a_SOURCES += \
   %D%/bytes.c \
   %D%/command.c \
   %D%/describe.c \
+  %D%/draw.c \
   %D%/lesson.h \
+  %D%/page.c \
   %D%/recorder.c \
   %D%/survey.def

@@ -4,7 +4,8 @@
 import { read, set as setAddress } from "../page/data/address.js";
 import { h } from "../page/parts/dom.js";
 import { kindLook, KINDS, setPaper } from "./data/kinds.js";
-import { above, runOf } from "./data/run.js";
+import { runOf } from "./data/run.js";
+import { LESSONS } from "./data/survey.js";
 import { readTrace } from "./data/trace.js";
 import { controls, keyHelp, keys, LEVELS, TOGETHER } from "./parts/controls.js";
 import { panel } from "./parts/panel.js";
@@ -358,7 +359,7 @@ addEventListener("hashchange", () => {
 });
 
 // For tests, and for teachers who want a page to do more.
-globalThis.lesson = { names, state, go, run: runNamed, above,
+globalThis.lesson = { names, state, go, run: runNamed, lessons: LESSONS,
   story: (name, at) => runs.get(name).story(at) };
 
 readAddress();

@@ -350,8 +350,51 @@ async function asAReader(file, names) {
   await close();
 }
 
+// --- the lessons ---
+
+async function lessons(file) {
+  const { page, faults, go, close } = await open(file);
+  await test("the way in leads to every lesson", async () => {
+    await page.goto(pathToFileURL(resolve(file)).href);
+    await page.waitForSelector(".figure-29");
+    assert.deepEqual(await page.evaluate(blemishes), []);
+    const named = await page.$$eval(".figure-29 tbody a", (all) =>
+      all.map((a) => a.getAttribute("href")));
+    assert.equal(named.length, 12);
+    await page.click(".begin");
+    for (let k = 0; k < named.length; k++) {
+      await page.waitForSelector(".panel .words");
+      assert.match(await page.textContent(".way"), new RegExp(`${k + 1} of 12`));
+      if (k + 1 < named.length) await page.click(".way a:text-is('next')");
+    }
+    await page.click(".way a:text-is('All lessons')");
+    await page.waitForSelector(".figure-29");
+  });
+  const names = await page.evaluate(() => globalThis.lesson.names);
+  for (const name of names)
+    await test(`${name}: what it says to see is there`, async () => {
+      await go(`#/?a=${name}`);
+      assert.deepEqual(await page.evaluate(blemishes), []);
+      const wanted = await page.evaluate((a) =>
+        globalThis.lesson.lessons[a].see.length, name);
+      const marks = page.locator(".marks button");
+      assert.equal(await marks.count(), wanted);
+      for (let k = 0; k < wanted; k++) {
+        await marks.nth(k).click();
+        assert.equal(await step(page),
+          Number(await marks.nth(k).getAttribute("data-step")));
+      }
+      assert.deepEqual(faults, []);
+    });
+  await close();
+}
+
 for (const file of files) {
   if (!existsSync(file)) continue;
+  if (file.endsWith("lessons.html")) {
+    await lessons(file);
+    continue;
+  }
   const names = await everyAlgorithm(file);
   if (file === files[0]) await asAReader(file, names);
 }

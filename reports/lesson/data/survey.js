@@ -24,7 +24,7 @@ export const LESSONS = {
     ["a volume leaves one piece", { counter: "one piece left" }],
     ["the first interval is drawn", { counter: "intervals drawn" }]],
     ask: "How many box tests are there for each edge/volume test?",
-    source: "Section 4 of the survey; Roberts 1963",
+    source: "The survey, chapter III, object-space algorithms; Roberts 1963",
   },
   appel: {
     idea: "Edges against edges: quantitative invisibility",
@@ -42,7 +42,8 @@ export const LESSONS = {
     ["the number is promoted to the other end", { counter: "promoted" }],
     ["a hidden interval is found on the way", { counter: "intervals drawn", nth: 3 }]],
     ask: "Click an edge that is partly hidden. Where does its number change?",
-    source: "Section 4 of the survey; Appel 1967",
+    source: "The survey, chapter III, edge intersection, figures 14 to " +
+      "16; Appel 1967",
   },
   galimberti: {
     idea: "The same, with the set of the faces that hide",
@@ -55,7 +56,8 @@ export const LESSONS = {
       { counter: "edge intersection", outcome: "nearer" }],
     ["the set changes", { counter: "nature changes" }]],
     ask: "Put it beside appel. Which counter differs most?",
-    source: "Section 4 of the survey; Galimberti and Montanari 1969",
+    source: "The survey, chapter III, edge intersection; Galimberti and " +
+      "Montanari 1969",
   },
   loutrel: {
     idea: "The same, with the crossing found on the screen",
@@ -68,7 +70,7 @@ export const LESSONS = {
       ["and here it is nearer", { counter: "plane intersections",
         outcome: "nearer" }]],
     ask: "What share of all pairs is settled by their boxes?",
-    source: "Section 4 of the survey; Loutrel 1967",
+    source: "The survey, chapter III, edge intersection; Loutrel 1967",
   },
   schumacker: {
     idea: "Priority before the picture is known",
@@ -85,7 +87,8 @@ export const LESSONS = {
     ["counters find the highest priority at a sample",
       { counter: "priority search", outcome: "there, with the highest priority" }]],
     ask: "Which counters grow with the samples, and which do not?",
-    source: "Section 5 of the survey; Schumacker, Brand, Gilliland and Sharp 1969",
+    source: "The survey, chapter III, list priority, figures 18 to 20; " +
+      "Schumacker, Brand, Gilliland and Sharp 1969",
   },
   newell: {
     idea: "Priority for each frame: the painter’s list, made safe",
@@ -103,7 +106,8 @@ export const LESSONS = {
     ["the first run of samples is written, when all is in order",
       { counter: "spans written" }]],
     ask: "Which of the six tests decides most often?",
-    source: "Section 5 of the survey; Newell, Newell and Sancha 1972",
+    source: "The survey, chapter III, list priority, figures 21 to 23; " +
+      "Newell, Newell and Sancha 1972",
   },
   warnock: {
     idea: "Area sampling: divide until it is simple",
@@ -121,7 +125,8 @@ export const LESSONS = {
         { counter: "homogeneous windows" }],
       ["a window of one sample", { counter: "samples" }]],
     ask: "Move by rows or windows. Where are the smallest windows?",
-    source: "Section 6 of the survey, figures 22, 23 and 25; Warnock 1969",
+    source: "The survey, chapter III, depth priority, figures 25 and 26; " +
+      "Warnock 1969",
   },
   romney: {
     idea: "Scan lines: bucket sorts, and lines that repeat",
@@ -137,7 +142,8 @@ export const LESSONS = {
     ["a span is shown as on the line before", { counter: "spans reused" }],
     ["a whole line needed no search", { counter: "lines reused" }]],
     ask: "How many lines are drawn without a depth search?",
-    source: "Section 6 of the survey; Romney, Watkins and Evans 1968",
+    source: "The survey, chapter III, scan lines; Wylie, Romney, Evans " +
+      "and Erdahl 1967",
   },
   bouknight: {
     idea: "Scan lines: spans between neighbouring edges",
@@ -151,7 +157,7 @@ export const LESSONS = {
     ["two faces penetrate: the span is divided", { counter: "span divisions" }],
     ["a span is shown", { counter: "spans" }]],
     ask: "Put it beside watkins. Which of them shows more spans?",
-    source: "Section 6 of the survey, figures 27 and 28; Bouknight 1970",
+    source: "The survey, chapter III, scan lines, figure 27a; Bouknight 1969",
   },
   watkins: {
     idea: "Scan lines: spans as long as possible",
@@ -166,7 +172,8 @@ export const LESSONS = {
     ["their ends do not tell: one is divided", { counter: "depth divisions" }],
     ["a span is shown", { counter: "spans" }]],
     ask: "Click a sample where faces penetrate. How often was a segment divided?",
-    source: "Section 6 of the survey; Watkins 1970",
+    source: "The survey, chapter III, scan lines, figures 12, 27b and " +
+      "28; Watkins 1970",
   },
   hzbuffer: {
     idea: "Later: a pyramid of depths, and an octree of faces",

@@ -16,7 +16,7 @@ export function lessonIndex(survey) {
     h("td", {}, LESSONS[a.name].idea, h("br"), h("small", {}, classOf(a))),
     h("td", {}, a.sort_order ?? "–"),
     h("td", {}, h("ol", { class: "sorts" }, a.sorts.map((s) => h("li", {},
-      h("b", {}, s.what), ` by ${s.key}: ${s.method}, ${s.often}`)))),
+      h("b", {}, s.what), `, ${s.key}: ${s.method}, ${s.often}`)))),
     h("td", {}, a.coherence ?? "–"));
   return [
     h("h1", { tabindex: -1 }, "Hidden surfaces, step by step"),

@@ -11,7 +11,7 @@ export function storyList(run, go) {
   const title = h("h3", {});
   const end = h("p", {});
   const list = h("ol", { class: "story" });
-  const more = h("button", { type: "button", onclick: () => fill(Infinity) });
+  const more = h("button", { type: "button", hidden: true, onclick: () => fill(Infinity) });
   const element = h("div", { class: "story-box", hidden: true }, title, end, list,
     more);
   let story = null, now = -1, entries = new Map();

@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/lesson/lesson.h"
+#include "bench/list.h"
+#include "bench/report/page.h"
+#include "bench/terminal/terminal.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static enum hsr_status read_page(char **page, struct hsr_error *err) {
+  static const char name[] = "lesson.html";
+  char folder[PAGE_FOLDER], path[PAGE_FOLDER + sizeof name];
+  find_page(name, folder);
+  snprintf(path, sizeof path, "%s/%s", folder, name);
+  FILE *file = fopen(path, "rb");
+  size_t n = 0, room = 1 << 20;
+  *page = malloc(room + 1);
+  if (file && *page)
+    n = fread(*page, 1, room, file);
+  bool read = file && *page && !ferror(file);
+  if (file)
+    fclose(file);
+  if (!read)
+    return hsr_fail(err, HSR_E_INPUT, "%.400s: %s", path, strerror(errno));
+  (*page)[n] = '\0';
+  return HSR_OK;
+}
+
+/* The text in an attribute or an element. */
+static void put_text(const char *text, FILE *out) {
+  for (; *text; text++)
+    switch (*text) {
+    case '<':
+      fputs("&lt;", out);
+      break;
+    case '&':
+      fputs("&amp;", out);
+      break;
+    case '"':
+      fputs("&quot;", out);
+      break;
+    default:
+      putc(*text, out);
+    }
+}
+
+static enum hsr_status write_run(const struct lesson_subject *subject,
+                                 long events, FILE *out,
+                                 struct hsr_error *err) {
+  char *text = NULL;
+  enum hsr_status status = lesson_draw(subject, events, &text, err);
+  if (!status) {
+    fputs("<script type=\"text/plain\" class=\"run\" data-name=\"", out);
+    put_text(subject->variant->name, out);
+    fputs("\" data-scene=\"", out);
+    put_text(subject->scene->name, out);
+    fprintf(out, "\">%s</script>\n", text);
+  }
+  free(text);
+  return status;
+}
+
+/* Draws with each algorithm in turn, and writes its text. */
+static enum hsr_status write_runs(const struct lesson_page *page, FILE *out,
+                                  struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  struct progress progress = progress_begin(stderr);
+  for (int k = 0; k < page->n && !status; k++) {
+    progress_tell(&progress, (size_t)k, (size_t)page->n, "algorithms",
+                  page->subject[k].variant->name);
+    status = write_run(&page->subject[k], page->events, out, err);
+  }
+  progress_end(&progress);
+  return status;
+}
+
+/* What the way in to the lessons shows: the algorithms and their sorts. */
+static json_t *survey_json(const struct lesson_page *page) {
+  json_t *survey = json_array();
+  for (int k = 0; k < page->n; k++) {
+    const struct hsr_algorithm *a = page->subject[k].variant->listed->plain;
+    struct taxonomy place = taxonomy(a->taxonomy);
+    hsr_json_append(
+        &survey, json_pack("{ss ss ss si ss ss? ss? ss? so}", "name", a->name,
+                           "title", a->title, "authors", a->authors, "year",
+                           a->year, "taxonomy", place.class, "branch",
+                           place.branch, "sort_order", a->sort_order,
+                           "coherence", a->coherence, "sorts", sorts_json(a)));
+  }
+  return survey;
+}
+
+static enum hsr_status write_survey(const struct lesson_page *page, FILE *out,
+                                    struct hsr_error *err) {
+  json_t *survey = survey_json(page);
+  char *text =
+      survey ? json_dumps(survey, JSON_COMPACT | JSON_ENSURE_ASCII) : NULL;
+  json_decref(survey);
+  if (!text)
+    return hsr_fail_nomem(err);
+  fputs("<script type=\"application/json\" id=\"survey\">", out);
+  for (const char *c = text; *c; c++)
+    *c == '<' ? fputs("\\u003c", out) : putc(*c, out);
+  fputs("</script>\n", out);
+  free(text);
+  return HSR_OK;
+}
+
+static enum hsr_status write_all(const struct lesson_page *page,
+                                 const char *built, FILE *out,
+                                 struct hsr_error *err) {
+  static const char mark[] = "<!--runs-->";
+  const char *here = strstr(built, mark);
+  if (!here)
+    return hsr_fail(err, HSR_E_INTERNAL, "lesson: the page has no '%s'", mark);
+  fwrite(built, 1, (size_t)(here - built), out);
+  enum hsr_status status =
+      page->is_survey ? write_survey(page, out, err) : HSR_OK;
+  if (!status)
+    status = write_runs(page, out, err);
+  fputs(here + strlen(mark), out);
+  if (!status && ferror(out))
+    status = hsr_fail(err, HSR_E_INPUT, "%s: cannot be written: %s", page->path,
+                      strerror(errno));
+  return status;
+}
+
+enum hsr_status lesson_write(const struct lesson_page *page,
+                             struct hsr_error *err) {
+  char *built = NULL;
+  struct hsr_whole_file file;
+  enum hsr_status status = read_page(&built, err);
+  if (!status)
+    status = hsr_whole_file_open(&file, page->path, err);
+  if (!status) {
+    status = write_all(page, built, file.stream, err);
+    status = hsr_whole_file_close(&file, status, err);
+  }
+  free(built);
+  return status;
+}
