@@ -7,7 +7,7 @@
 
 #define STANDARD_SIZE "128x128"
 enum { MOST_ALGORITHMS = 48, MOST_SIDE = 1024 };
-enum { EVENTS = 0x200, SURVEY, STANDARD_EVENTS = 2000000 };
+enum { EVENTS = 0x200, SURVEY };
 
 struct options {
   struct option_base base;
@@ -19,17 +19,6 @@ struct options {
   long events;
   bool survey;
 };
-
-/* The lessons through the survey. */
-static const struct {
-  const char *algorithm, *scene;
-  int size;
-} lessons[] = {
-#define LESSON(algorithm, scene, size) {algorithm, scene, size},
-#include "bench/lesson/survey.def"
-#undef LESSON
-};
-enum { N_LESSONS = sizeof lessons / sizeof *lessons };
 
 /* --- Options -------------------------------------------------------------- */
 
@@ -158,33 +147,12 @@ static enum hsr_status make_page(const struct options *o,
                       err);
 }
 
-static enum hsr_status make_survey(struct options *o, struct hsr_error *err) {
-  struct lesson_subject subject[N_LESSONS];
-  struct scene_options scene[N_LESSONS];
-  struct view_options view[N_LESSONS];
-  enum hsr_status status = HSR_OK;
-  for (int k = 0; k < N_LESSONS && !status; k++) {
-    scene[k] = (struct scene_options){.name = lessons[k].scene};
-    view[k] = (struct view_options)VIEW_OPTIONS_STANDARD;
-    view[k].m = view[k].n = lessons[k].size;
-    subject[k] = (struct lesson_subject){&scene[k], &view[k], &o->variant[k]};
-    status = hsr_variant_parse(lessons[k].algorithm, &o->variant[k], err);
-  }
-  return status ? status
-                : lesson_write(&(struct lesson_page){.path = o->output,
-                                                     .subject = subject,
-                                                     .n = N_LESSONS,
-                                                     .events = o->events,
-                                                     .is_survey = true},
-                               err);
-}
-
 enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
   struct options *o = calloc(1, sizeof *o);
   if (!o)
     return hsr_fail_nomem(err);
   o->view = (struct view_options)VIEW_OPTIONS_STANDARD;
-  o->events = STANDARD_EVENTS;
+  o->events = LESSON_STANDARD_EVENTS;
   parse_size(STANDARD_SIZE, &o->view.m, &o->view.n);
   enum hsr_status status = parse_options(&argp, argc, argv, o, err);
   if (!status && !HSR_HAVE_REPORT)
@@ -192,7 +160,7 @@ enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
                       "lesson: built without its page (configure needs node "
                       "and npm)");
   if (!status && o->survey)
-    status = make_survey(o, err);
+    status = lesson_survey(o->output, o->events, err);
   else if (!status)
     status = aim_scene(&o->scene, &o->view, err);
   if (!status && !o->survey)

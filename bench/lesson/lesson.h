@@ -7,6 +7,7 @@
  * describe.c   what the columns mean: header, answer, predictions
  * draw.c       a run of one algorithm, as a text for the page
  * page.c       the file
+ * survey.c     the lessons through the survey
  * command.c    the options
  *
  * One algorithm is one text in base64. It is a zlib stream of
@@ -121,5 +122,15 @@ struct lesson_page {
 /* Writes the whole file, or none. HSR_E_INPUT if it cannot be written. */
 enum hsr_status lesson_write(const struct lesson_page *page,
                              struct hsr_error *err);
+
+/* The most events of an algorithm, unless the user says otherwise. */
+enum { LESSON_STANDARD_EVENTS = 2000000 };
+
+/* Writes the lessons of survey.def, of those algorithms that the program has;
+ * and the names of these, as a new reference, NULL for lack of memory. Fails as
+ * lesson_write. */
+enum hsr_status lesson_survey(const char *path, long events,
+                              struct hsr_error *err);
+json_t *lesson_survey_names(void);
 
 #endif

@@ -7,4 +7,5 @@ libbench_a_SOURCES += \
   %D%/lesson.h \
   %D%/page.c \
   %D%/recorder.c \
+  %D%/survey.c \
   %D%/survey.def

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr report: the results of hsr bench as a folder of pages, to be opened from
  * disk. */
+#include "bench/lesson/lesson.h"
 #include "bench/report/page.h"
 #include "bench/report/report.h"
 
@@ -191,6 +192,14 @@ static enum hsr_status copy_page(const char *folder, struct hsr_error *err) {
   return status;
 }
 
+/* The lessons, to which the pages of their algorithms lead. */
+static enum hsr_status write_lessons(const char *folder,
+                                     struct hsr_error *err) {
+  char path[PATH];
+  snprintf(path, sizeof path, "%.4096s/lessons.html", folder);
+  return lesson_survey(path, LESSON_STANDARD_EVENTS, err);
+}
+
 /* --- The report ----------------------------------------------------------- */
 
 static enum hsr_status write_report(const struct report *report,
@@ -218,6 +227,8 @@ static enum hsr_status make_report(const struct options *o,
     status = make_folders(o->folder, err);
   if (!status)
     status = copy_page(o->folder, err);
+  if (!status)
+    status = write_lessons(o->folder, err);
   if (!status)
     status = join_files(o->file, o->n_files, o->folder, "results.ndjson", err);
   struct report report = {.results = results,

@@ -55,6 +55,7 @@ export function model(data) {
     baseline: data.baseline ?? null,
     growth: data.growth ?? [],
     geometric: data.geometric ?? [],
+    lessons: list(data.lessons),
     pictures, leftOut: data.left_out ?? [],
     views: (data.views ?? []).map(cleanView),
     environments: tables.environments ?? [],

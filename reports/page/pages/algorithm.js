@@ -29,7 +29,9 @@ export function algorithmPage(report, name) {
     .get("with") && a !== algorithm);
   return { title: algorithm.title, body: [
     h("p", { class: "kicker" }, key(looks(name)), h("code", {}, name),
-      algorithm.known_wrong && " · known to be wrong sometimes"),
+      algorithm.known_wrong && " · known to be wrong sometimes",
+      report.lessons.includes(name) && [" · ", link(
+        `lessons.html${href("", "", { a: name })}`, "watch it at work")]),
     compareForm(report, algorithm, other),
     other ? sideBySide(report, algorithm, other)
       : [facts(descriptor(report, algorithm)),
