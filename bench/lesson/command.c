@@ -2,12 +2,14 @@
 /* hsr lesson: algorithms at work on one view, step by step, as one page. */
 #include "bench/lesson/lesson.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #define STANDARD_SIZE "128x128"
 enum { MOST_ALGORITHMS = 48, MOST_SIDE = 1024 };
-enum { EVENTS = 0x200, SURVEY };
+enum { EVENTS = 0x200, SURVEY, FRAMES, FRAME_COUNT, PNG };
 
 struct options {
   struct option_base base;
@@ -18,6 +20,9 @@ struct options {
   const char *output;
   long events;
   bool survey;
+  const char *frames; /* the folder for pictures of steps, or NULL */
+  long n_frames;      /* of each algorithm */
+  bool png;
 };
 
 /* --- Options -------------------------------------------------------------- */
@@ -56,7 +61,7 @@ static error_t parse_place_option(struct options *o, int key, char *arg) {
 }
 
 static error_t check_output(struct options *o) {
-  return o->output
+  return o->output || (o->frames && !o->survey)
              ? 0
              : option_fail(&o->base, "lesson: which file? (-o FILE.html)");
 }
@@ -79,6 +84,24 @@ static error_t check_options(struct options *o) {
   return check_output(o);
 }
 
+/* Steps as pictures. */
+static error_t parse_frame_option(struct options *o, int key, char *arg) {
+  switch (key) {
+  case FRAMES:
+    o->frames = arg;
+    return 0;
+  case FRAME_COUNT:
+    if (!parse_count(arg, 1, 9999, &o->n_frames))
+      return option_fail(&o->base, "--frame-count %s: must be 1 to 9999", arg);
+    return 0;
+  case PNG:
+    o->png = true;
+    return 0;
+  default:
+    return parse_place_option(o, key, arg);
+  }
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
   switch (key) {
@@ -99,7 +122,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case ARGP_KEY_END:
     return check_options(o);
   default:
-    return parse_place_option(o, key, arg);
+    return parse_frame_option(o, key, arg);
   }
 }
 
@@ -116,6 +139,13 @@ static const struct argp argp = {
          "instead of SCENE and -a: lessons through the survey, each algorithm "
          "on a scene that shows its idea",
          0},
+        {"frames", FRAMES, "DIR", 0,
+         "also, or instead of -o: steps as pictures for slides, "
+         "DIR/NAME-0001.svg and so on; DIR is made if need be",
+         0},
+        {"frame-count", FRAME_COUNT, "N", 0,
+         "N steps of each algorithm, evenly over its run (standard: 24)", 0},
+        {"png", PNG, NULL, 0, "these pictures as .png, not .svg", 0},
         SCENE_ARGP_OPTIONS,
         VIEW_ARGP_OPTIONS_OF(STANDARD_SIZE),
         {0}},
@@ -127,6 +157,7 @@ static const struct argp argp = {
     "page holds everything: it opens from disk and needs no network.\v"
     "  hsr lesson house -a watkins -o watkins.html\n"
     "  hsr lesson house -a bouknight,watkins,warnock -o three.html\n"
+    "  hsr lesson house -a watkins --frames slides --png\n"
     "  hsr lesson --survey -o lessons.html\n"
     "  hsr lesson cyclic-overlap -a newell -s 64x64 -o newell.html",
     NULL,
@@ -147,11 +178,30 @@ static enum hsr_status make_page(const struct options *o,
                       err);
 }
 
+static enum hsr_status make_folder(const char *folder, struct hsr_error *err) {
+  struct stat there;
+  return mkdir(folder, 0777) && (errno != EEXIST || stat(folder, &there) ||
+                                 !S_ISDIR(there.st_mode))
+             ? hsr_fail(err, HSR_E_INPUT, "%s: %s", folder, strerror(errno))
+             : HSR_OK;
+}
+
+static enum hsr_status make_frames(const struct options *o,
+                                   struct hsr_error *err) {
+  enum hsr_status status = make_folder(o->frames, err);
+  for (int k = 0; k < o->n && !status; k++) {
+    struct lesson_subject subject = {&o->scene, &o->view, &o->variant[k]};
+    status = lesson_frames(&subject, o->frames, o->n_frames, o->png, err);
+  }
+  return status;
+}
+
 enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
   struct options *o = calloc(1, sizeof *o);
   if (!o)
     return hsr_fail_nomem(err);
   o->view = (struct view_options)VIEW_OPTIONS_STANDARD;
+  o->n_frames = 24;
   o->events = LESSON_STANDARD_EVENTS;
   parse_size(STANDARD_SIZE, &o->view.m, &o->view.n);
   enum hsr_status status = parse_options(&argp, argc, argv, o, err);
@@ -163,9 +213,11 @@ enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err) {
     status = lesson_survey(o->output, o->events, err);
   else if (!status)
     status = aim_scene(&o->scene, &o->view, err);
-  if (!status && !o->survey)
+  if (!status && !o->survey && o->frames)
+    status = make_frames(o, err);
+  if (!status && !o->survey && o->output)
     status = make_page(o, err);
-  if (!status)
+  if (!status && o->output)
     printf("open %s\n", o->output);
   free(o);
   return status;

@@ -8,6 +8,7 @@
  * draw.c       a run of one algorithm, as a text for the page
  * page.c       the file
  * survey.c     the lessons through the survey
+ * frames.c     steps as pictures
  * command.c    the options
  *
  * One algorithm is one text in base64. It is a zlib stream of
@@ -108,6 +109,14 @@ struct lesson_subject {
  * if there are more events than `most`. Fails as hsr trace does. */
 enum hsr_status lesson_draw(const struct lesson_subject *subject, long most,
                             char **text, struct hsr_error *err);
+
+/* Draws n steps of a run, evenly over it and the last one too, as .svg or .png
+ * files in the folder, which exists. Of answers that are neither ids nor segments
+ * it draws no picture, only what each step is about. Fails as hsr trace does;
+ * HSR_E_INPUT if a file cannot be written. */
+enum hsr_status lesson_frames(const struct lesson_subject *subject,
+                              const char *folder, long n, bool png,
+                              struct hsr_error *err);
 
 /* --- The page ------------------------------------------------------------- */
 

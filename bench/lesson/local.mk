@@ -4,6 +4,7 @@ libbench_a_SOURCES += \
   %D%/command.c \
   %D%/describe.c \
   %D%/draw.c \
+  %D%/frames.c \
   %D%/lesson.h \
   %D%/page.c \
   %D%/recorder.c \
