@@ -37,6 +37,7 @@ lesson_sources = \
   %D%/lesson/data/trace.js \
   %D%/lesson/data/words.js \
   %D%/lesson/parts/controls.js \
+  %D%/lesson/parts/edge_strip.js \
   %D%/lesson/parts/lesson.js \
   %D%/lesson/parts/panel.js \
   %D%/lesson/parts/picture.js \

@@ -41,7 +41,8 @@ export const LESSONS = {
       { counter: "edge intersection", outcome: "nearer" }],
     ["the number is promoted to the other end", { counter: "promoted" }],
     ["a hidden interval is found on the way", { counter: "intervals drawn", nth: 3 }]],
-    ask: "Click an edge that is partly hidden. Where does its number change?",
+    ask: "Below the picture is the edge from end to end. Where does its " +
+      "number change, and by how much at a time?",
     source: "The survey, chapter III, edge intersection, figures 14 to " +
       "16; Appel 1967",
   },
@@ -92,9 +93,10 @@ export const LESSONS = {
   },
   newell: {
     idea: "Priority for each frame: the painter’s list, made safe",
-    text: ["Sort the faces by their farthest points, and paint from the back. Before " +
-      "one is painted, it is put to the ones that may be behind it after all: six " +
-      "tests, the cheap ones first. If all fail, the other one is moved before it.",
+    text: ["Sort the faces by their farthest points, and paint from the back. " +
+      "Before one is painted, six tests, the cheap ones first, ask of later ones: " +
+      "may it obscure them? If no test rules that out, the other one is painted " +
+      "first.",
     "Three bars, each over the next, have no order. A marker notices that one " +
       "is to be moved twice, and then it is divided by the plane of the other."],
     see: [["two pieces are apart in X", { counter: "Newell special",

@@ -5,6 +5,7 @@ import { kindLook } from "../data/kinds.js";
 import { eventWords } from "../data/words.js";
 import { count, whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
+import { edgeStrip } from "./edge_strip.js";
 import { picture } from "./picture.js";
 import { storyList } from "./story_list.js";
 import { timeline } from "./timeline.js";
@@ -25,12 +26,14 @@ export function panel(run, act) {
   const raised = h("small");
   const words = h("div", { class: "words", "aria-live": "polite" },
     h("p", {}, sign, said), h("p", {}, raised));
-  const outline = h("ol", { class: "outline" }, header.outline.map((text) =>
+  const outline = h("ol", { class: "outline", tabindex: 0,
+    "aria-label": `What ${run.name} does` }, header.outline.map((text) =>
     h("li", { style: `--depth: ${(text.length - text.trimStart().length) / 2}` },
       text.trim())));
   const lines = [...outline.children];
   const counters = counterTable(run);
   const costs = costTable(run);
+  const strip = edgeStrip(run);
   const story = storyList(run, act.go);
   let current = null;
 
@@ -61,6 +64,7 @@ export function panel(run, act) {
       where.textContent = `The end, after all ${whole(trace.events)} steps`;
     tell(k, e);
     mark(e?.counter.line ?? null);
+    strip.show(k, e);
     counters.show(k, e?.number);
     costs.show(k);
     story.show(k);
@@ -100,7 +104,8 @@ export function panel(run, act) {
       adapted.length && `the scene was adapted: ${adapted.join(", ")}`]
       .filter(Boolean).join(" · ")),
     h("div", { class: "left" },
-      h("div", { class: "seen" }, canvas, line.element, where), story.element),
+      h("div", { class: "seen" }, canvas, line.element, where,
+        strip.element), story.element),
     h("div", { class: "right" }, words,
       h("div", { class: "told" }, h("h3", {}, "What it does"), outline,
         h("h3", {}, "What it has counted"), counters.element, costs.element)));
@@ -153,7 +158,7 @@ function costTable(run) {
     element: h("details", { open: true },
       h("summary", {}, "Comparisons, and the survey’s prediction"),
       h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label":
-        "Comparisons, and the survey’s prediction" },
+        `Comparisons of ${run.name}, and the survey’s prediction` },
       h("table", { class: "costs" },
         h("thead", {}, h("tr", {}, ["step of Table III", "so far", "predicted",
           "by the formula"].map((text, k) => h("th", { scope: "col",

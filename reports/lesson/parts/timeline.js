@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where in the run we are: a slider, and above it a lane for each kind of step,
-// with a mark wherever there are such steps.
+// with a mark wherever there are such steps. Lines across
+// all lanes are where rows or windows begin.
 import { KINDS, colourOf, kindColour } from "../data/kinds.js";
 import { h } from "../../page/parts/dom.js";
 
@@ -40,6 +41,7 @@ export function timeline(run, go) {
     canvas.height = kinds.length * LANE * dots;
     canvas.style.height = `${kinds.length * LANE}px`;
     const context = canvas.getContext("2d");
+    markUnits(context, dots);
     kinds.forEach((kind, lane) => {
       context.fillStyle = kindColour(kind);
       const most = shares[lane].reduce((a, b) => Math.max(a, b), 1);
@@ -55,6 +57,14 @@ export function timeline(run, go) {
       canvas.height);
     slider.value = k;
     slider.setAttribute("aria-valuetext", `step ${k} of ${run.n}`);
+  };
+
+  // Where rows and windows begin, if they are few enough to be told apart.
+  const markUnits = (context, dots) => {
+    if (3 * dots * run.units.length > width) return;
+    context.fillStyle = colourOf("--line");
+    for (const k of run.units)
+      context.fillRect(Math.floor(k / run.n * width), 0, dots, canvas.height);
   };
 
   const choose = (e) => {
