@@ -2,7 +2,8 @@
 // The story of a sample: the events that decided it, in order. An event belongs
 // to it if its window holds the sample. One without a window, or with the whole
 // picture as its window, belongs to it if all faces that it names lie over the
-// sample. In a line drawing, it is the story of the edge that passes closest.
+// sample. `own` are those of them that are about the sample itself: not those
+// that sort edges of its whole row or of the picture. In a line drawing, it is the story of the edge that passes closest.
 import { facesOf, NONE } from "./run.js";
 
 export function storyOf(run, place) {
@@ -15,24 +16,28 @@ function sampleStory(run, { i, j }) {
   const { x, y, width, height } = trace;
   const over = facesOver(run, i + 0.5, j + 0.5);
   const accepts = run.header.counters.map((c) => c.kind === "accept");
-  const events = [];
+  const events = [], own = [];
   for (let k = 0; k < trace.kept; k++) {
     const wide = !width[k] || (x[k] <= 0 && y[k] <= 0 &&
       x[k] + width[k] >= m && y[k] + height[k] >= n);
     const holds = width[k] && i >= x[k] && i < x[k] + width[k] &&
       j >= y[k] && j < y[k] + height[k];
-    if (wide && !accepts[trace.counter[k]] ? isOver(run, k, over, holds) : holds)
+    if (wide && !accepts[trace.counter[k]] ? isOver(run, k, over, holds) : holds) {
       events.push(k);
+      if (accepts[trace.counter[k]] || (holds && width[k] < m) ||
+          isOver(run, k, over, false, true)) own.push(k);
+    }
   }
   const face = run.kind === "ids"
     ? Math.max(run.painting.at(run.n)[j * m + i], NONE) : NONE;
-  return { events, place: `column ${i}, row ${j}`,
+  return { events, own, place: `column ${i}, row ${j}`,
     end: run.kind !== "ids" ? "" : face === NONE ? "Nothing is seen here but the background."
       : `Seen here in the end: ${run.faceName(face)}.`, face };
 }
 
-function isOver(run, k, over, holds) {
+function isOver(run, k, over, holds, withoutEdges = false) {
   const { a, b } = run.event(k);
+  if (withoutEdges && (/edge/.test(a.kind) || /edge/.test(b.kind))) return false;
   const faces = [...facesOf(a), ...facesOf(b)];
   if (faces.length) return faces.every((f) => over.has(f));
   return holds && (a.kind === "window" || b.kind === "window");
@@ -95,7 +100,7 @@ function edgeStory(run, { i, j }) {
     events.push(k);
     if (e.kind === "accept" && e.part?.[1] === 0) drawn += 1;
   }
-  return { events, place: edge ? `edge ${edge.replace(",", "–")}` : "no edge",
+  return { events, own: events, place: edge ? `edge ${edge.replace(",", "–")}` : "no edge",
     end: drawn ? `Of this edge, ${drawn === 1 ? "one interval is"
       : `${drawn} intervals are`} visible.` : "No part of this edge is visible." };
 }

@@ -45,7 +45,8 @@ export function eventWords(run, e) {
   const first = a || b;
   const second = a && b ? b : "";
   let text = first;
-  if (e.kind === "compare") text += second ? ` against ${second}` : "";
+  if (e.outcome && e.kind !== "compare") text += second ? `, with ${second}` : "";
+  else if (e.kind === "compare") text += second ? ` against ${second}` : "";
   else if (e.kind === "split" || e.kind === "subdivide")
     text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   else if (e.kind === "accept")
