@@ -8,23 +8,26 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { MOST_PAGE = 1 << 20 }; /* bytes of the built page */
+
+/* The built page, to be freed. */
 static enum hsr_status read_page(char **page, struct hsr_error *err) {
   static const char name[] = "lesson.html";
   char folder[PAGE_FOLDER], path[PAGE_FOLDER + sizeof name];
   find_page(name, folder);
   snprintf(path, sizeof path, "%s/%s", folder, name);
+  *page = malloc(MOST_PAGE + 1);
+  if (!*page)
+    return hsr_fail_nomem(err);
   FILE *file = fopen(path, "rb");
-  size_t n = 0, room = 1 << 20;
-  *page = malloc(room + 1);
-  if (file && *page)
-    n = fread(*page, 1, room, file);
-  bool read = file && *page && !ferror(file);
-  if (file)
-    fclose(file);
-  if (!read)
+  if (!file)
     return hsr_fail(err, HSR_E_INPUT, "%.400s: %s", path, strerror(errno));
+  size_t n = fread(*page, 1, MOST_PAGE, file);
+  bool whole = !ferror(file) && n < MOST_PAGE;
+  fclose(file);
   (*page)[n] = '\0';
-  return HSR_OK;
+  return whole ? HSR_OK
+               : hsr_fail(err, HSR_E_INPUT, "%.400s: cannot be read", path);
 }
 
 /* The text in an attribute or an element. */
