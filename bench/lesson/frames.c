@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steps of a run as pictures for slides: what is painted so far, and over it what
- * the step is about; beside it the outline, the step in words and the counters.
+/* Steps of a run as pictures for slides: what is painted so far, and over it
+ * what the step is about; beside it the outline, the step in words and the
+ * counters.
  *
- * The run is made twice: once to count its steps, and once to draw those that are
- * wanted. */
+ * The run is made twice: once to count its steps, and once to draw those that
+ * are wanted. */
 #include "bench/lesson/lesson.h"
 #include "common/files/whole_file.h"
 

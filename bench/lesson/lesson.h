@@ -87,8 +87,8 @@ void lesson_recorder_free(struct lesson_recorder *recorder);
 
 /* --- What it means -------------------------------------------------------- */
 
-/* The JSON text at the head: a new reference, NULL for lack of memory. The tally
- * is that of the run. `table` is NULL where nothing is predicted. */
+/* The JSON text at the head: a new reference, NULL for lack of memory. The
+ * tally is that of the run. `table` is NULL where nothing is predicted. */
 json_t *lesson_describe(const struct lesson_recorder *recorder,
                         const struct hsr_tally *tally,
                         const struct hsr_table1 *table);
@@ -111,9 +111,9 @@ enum hsr_status lesson_draw(const struct lesson_subject *subject, long most,
                             char **text, struct hsr_error *err);
 
 /* Draws n steps of a run, evenly over it and the last one too, as .svg or .png
- * files in the folder, which exists. Of answers that are neither ids nor segments
- * it draws no picture, only what each step is about. Fails as hsr trace does;
- * HSR_E_INPUT if a file cannot be written. */
+ * files in the folder, which exists. Of answers that are neither ids nor
+ * segments it draws no picture, only what each step is about. Fails as hsr trace
+ * does; HSR_E_INPUT if a file cannot be written. */
 enum hsr_status lesson_frames(const struct lesson_subject *subject,
                               const char *folder, long n, bool png,
                               struct hsr_error *err);

@@ -3,7 +3,8 @@
 // to it if its window holds the sample. One without a window, or with the whole
 // picture as its window, belongs to it if all faces that it names lie over the
 // sample. `own` are those of them that are about the sample itself: not those
-// that sort edges of its whole row or of the picture. In a line drawing, it is the story of the edge that passes closest.
+// that sort edges of its whole row or of the picture. In a line drawing, it is the
+// story of the edge that passes closest.
 import { facesOf, NONE } from "./run.js";
 
 export function storyOf(run, place) {
@@ -31,7 +32,8 @@ function sampleStory(run, { i, j }) {
   const face = run.kind === "ids"
     ? Math.max(run.painting.at(run.n)[j * m + i], NONE) : NONE;
   return { events, own, place: `column ${i}, row ${j}`,
-    end: run.kind !== "ids" ? "" : face === NONE ? "Nothing is seen here but the background."
+    end: run.kind !== "ids" ? "" : face === NONE
+      ? "Nothing is seen here but the background."
       : `Seen here in the end: ${run.faceName(face)}.`, face };
 }
 
@@ -100,7 +102,8 @@ function edgeStory(run, { i, j }) {
     events.push(k);
     if (e.kind === "accept" && e.part?.[1] === 0) drawn += 1;
   }
-  return { events, own: events, place: edge ? `edge ${edge.replace(",", "–")}` : "no edge",
+  return { events, own: events,
+    place: edge ? `edge ${edge.replace(",", "–")}` : "no edge",
     end: drawn ? `Of this edge, ${drawn === 1 ? "one interval is"
       : `${drawn} intervals are`} visible.` : "No part of this edge is visible." };
 }
