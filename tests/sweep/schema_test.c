@@ -78,7 +78,7 @@ static bool is_walk(const char *path, const char *kind) {
 }
 
 int main(void) {
-  struct tap tap = plan(12);
+  struct tap tap = plan(13);
   const char *hsr = getenv("HSR");
   must(hsr != NULL);
   schema = schema_open("bench.schema.json");
@@ -94,12 +94,21 @@ int main(void) {
   ok(&tap, n == 1, "a header");
   char text[8192];
   snprintf(text, sizeof text,
-           "'%s' bench house soup:500 penetration --counts --size 20x14 "
+           "'%s' bench house soup:500 penetration --counts "
+           "--size 20x14 "
            "-o all.ndjson >out",
            hsr);
   must(system(text) >= 0);
   n = count_records("all.ndjson", "cell", &others);
   ok(&tap, n > 60 && !others, "all algorithms counted: %ld", n);
+
+  snprintf(text, sizeof text,
+           "'%s' bench checker-cube:4 -a 'splat*,pbtf' --counts --size 20x14 "
+           "-o g.ndjson >out",
+           hsr);
+  must(system(text) >= 0);
+  n = count_records("g.ndjson", "cell", &others);
+  ok(&tap, n == 5 && !others, "those too that draw grids: %ld", n);
 
   ok(&tap, schema_needs_all(schema, find_record("f.ndjson", "header", NULL)),
      "every field of a header is needed");

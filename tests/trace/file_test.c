@@ -89,6 +89,7 @@ struct state {
   json_t *segments;     /* of a line drawing; NULL for other kinds */
   json_t *solids;       /* of each voxel, x fastest; NULL for other kinds */
   json_int_t voxels[3]; /* how many along each axis */
+  json_t *channels;     /* four of each pixel; NULL for other kinds */
 };
 
 /* Only the end has the numbers of voxels along each axis. */
@@ -113,6 +114,8 @@ static struct state state_new(const char *path, const json_t *header) {
     s.ids = json_array();
   else if (!strcmp(answer, "segments"))
     s.segments = json_array();
+  else if (!strcmp(answer, "composited"))
+    s.channels = json_array();
   else {
     json_t *end = find_line(path, "end", true);
     begin_voxels(&s, end);
@@ -125,6 +128,7 @@ static void state_free(struct state *s) {
   json_decref(s->ids);
   json_decref(s->segments);
   json_decref(s->solids);
+  json_decref(s->channels);
 }
 
 static bool is_accepted(const struct state *s, json_int_t counter) {
@@ -197,6 +201,12 @@ static void apply_event(struct state *s, const json_t *event) {
     return;
   }
   struct window w = window_of(json_array_get(event, WINDOW), 0, 0);
+  if (s->channels) {
+    for (size_t c = 0; c < 4; c++)
+      json_array_set(s->channels, 4 * (size_t)(w.at[1] * s->m + w.at[0]) + c,
+                     json_array_get(json_array_get(event, PART), c));
+    return;
+  }
   for (json_int_t j = w.at[1]; j < w.at[3]; j++)
     for (json_int_t i = w.at[0]; i < w.at[2]; i++)
       json_array_set(s->ids, (size_t)(j * s->m + i),
@@ -219,6 +229,8 @@ static void take_keyframe(struct state *s, const json_t *keyframe) {
     s->ids = unfold(json_object_get(keyframe, "ids"));
   else if (s->solids)
     s->solids = unfold(runs);
+  else if (s->channels)
+    s->channels = json_deep_copy(json_object_get(keyframe, "composited"));
   else
     s->segments = json_deep_copy(json_object_get(keyframe, "segments"));
 }
@@ -279,6 +291,8 @@ static bool are_voxels(const struct state *s, const json_t *record) {
 static bool is_answer(const struct state *s, const json_t *record) {
   if (s->solids)
     return are_voxels(s, record);
+  if (s->channels)
+    return json_equal(s->channels, json_object_get(record, "composited"));
   bool is_end = is(record, "end");
   json_t *got = s->ids   ? json_incref(s->ids)
                 : is_end ? sort(s->segments)
@@ -464,6 +478,11 @@ static void test_lines(struct tap *tap) {
      "voxels are traced");
   ok(tap, is_whole("v.ndjson"), "whole, with cubes of several sizes");
   ok(tap, is_whole_from("v.ndjson", 2), "from a keyframe on, too");
+  ok(tap,
+     trace("checker-cube:4 -a splat -s 20x14 --keyframe 100 -o s.ndjson") == 0,
+     "splats are traced");
+  ok(tap, is_whole("s.ndjson"), "whole, with the channels of all pixels");
+  ok(tap, is_whole_from("s.ndjson", 2), "from a keyframe on, too");
   ok(tap,
      trace("house -a raycast:window=9 -s 20x14 -o w.ndjson") == 0 &&
          is_whole("w.ndjson"),
@@ -684,7 +703,7 @@ static void test_files(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(12 + 4 + 7 + 15 + 5 + 15);
+  struct tap tap = plan(15 + 4 + 7 + 15 + 5 + 15);
   must(getenv("HSR") != NULL);
   schema = schema_open("trace.schema.json");
   enter_folder();

@@ -8,7 +8,8 @@
 #include <string.h>
 
 extern const struct hsr_algorithm hsr_counting_oracle, hsr_counting_null,
-    hsr_counting_zbuffer, hsr_counting_raycast, hsr_counting_tiling_solids;
+    hsr_counting_zbuffer, hsr_counting_raycast, hsr_counting_tiling_solids,
+    hsr_counting_splat;
 
 /* --- Lines ---------------------------------------------------------------- */
 
@@ -202,6 +203,7 @@ const struct hsr_listed hsr_algorithms[] = {BOTH(hsr_counting_oracle),
                                             BOTH(hsr_counting_zbuffer),
                                             BOTH(hsr_counting_raycast),
                                             BOTH(hsr_counting_tiling_solids),
+                                            BOTH(hsr_counting_splat),
                                             BOTH(fixture_plotter),
                                             BOTH(fixture_plotter2),
                                             BOTH(fixture_paints),
