@@ -102,10 +102,12 @@ int main(void) {
   n = count_records("all.ndjson", "cell", &others);
   ok(&tap, n > 60 && !others, "all algorithms counted: %ld", n);
 
-  snprintf(text, sizeof text,
-           "'%s' bench checker-cube:4 -a 'splat*,pbtf' --counts --size 20x14 "
-           "-o g.ndjson >out",
-           hsr);
+  snprintf(
+      text, sizeof text,
+      "'%s' bench checker-cube:4 -a "
+      "splat,splat-sheet,splat-volume,splat-xray,pbtf --counts --size 20x14 "
+      "-o g.ndjson >out",
+      hsr);
   must(system(text) >= 0);
   n = count_records("g.ndjson", "cell", &others);
   ok(&tap, n == 5 && !others, "those too that draw grids: %ld", n);
