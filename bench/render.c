@@ -378,6 +378,7 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
   if (status)
     return status;
+  options.given[HSR_PALETTE] = options.view.camera.palette ? "--palette" : NULL;
   struct hsr_variant variant;
   status = hsr_variant_parse(options.algorithm, &variant, err);
   if (!status)

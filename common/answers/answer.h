@@ -104,7 +104,8 @@ void hsr_shaded_free(struct hsr_shaded *shaded);
 enum {
   HSR_SHADING,
   HSR_SUPERSAMPLES,
-  HSR_LINES, /* hidden, crease */
+  HSR_LINES,   /* hidden, crease */
+  HSR_PALETTE, /* of a grid */
   HSR_N_TAKES
 };
 

@@ -274,6 +274,7 @@ const struct hsr_answer_type hsr_answer_composited = {
     .options = options,
     .by_windows = true,
     .by_places = true,
+    .takes = 1 << HSR_PALETTE,
     .make = make,
     .unset = unset,
     .free = free_body,
