@@ -87,6 +87,21 @@ void hsr_grid_free(struct hsr_grid *grid);
 /* The kept cell at these indices; UINT32_MAX if it is not kept. */
 uint32_t hsr_grid_cell(const struct hsr_grid *grid, const uint32_t at[3]);
 
+/* The first of the cells [cell, end) of a row whose index along x is x or more;
+ * `end` if there is none. */
+static inline uint32_t hsr_grid_first_from(const struct hsr_grid *grid,
+                                           uint32_t cell, uint32_t end,
+                                           uint32_t x) {
+  while (cell < end) {
+    uint32_t middle = cell + (end - cell) / 2;
+    if (grid->x[middle] < x)
+      cell = middle + 1;
+    else
+      end = middle;
+  }
+  return cell;
+}
+
 /* The indices of a kept cell. */
 void hsr_grid_place(const struct hsr_grid *grid, uint32_t cell, uint32_t at[3]);
 

@@ -117,19 +117,6 @@ static inline void add(struct hsr_splats *s, uint32_t cell, uint32_t i,
 
 /* --- Rows ----------------------------------------------------------------- */
 
-/* The first cell of a row, from `begin` on, at x or beyond. */
-static uint32_t first_from(const struct hsr_grid *g, uint32_t begin,
-                           uint32_t end, uint32_t x) {
-  while (begin < end) {
-    uint32_t middle = begin + (end - begin) / 2;
-    if (g->x[middle] < x)
-      begin = middle + 1;
-    else
-      end = middle;
-  }
-  return begin;
-}
-
 /* Where the box around a row's splats is on the screen. */
 struct extent {
   double from[2], to[2];
@@ -199,9 +186,9 @@ static void visit_row(struct hsr_splats *s, uint32_t j, uint32_t k, uint32_t lo,
   if (begin == end)
     return;
   if (lo > 0)
-    begin = first_from(g, begin, end, lo);
+    begin = hsr_grid_first_from(g, begin, end, lo);
   if (hi < g->n[0] - 1)
-    end = first_from(g, begin, end, hi + 1);
+    end = hsr_grid_first_from(g, begin, end, hi + 1);
   if (begin == end)
     return;
   bool in = may_touch(s, j, k, g->x[begin], g->x[end - 1]);

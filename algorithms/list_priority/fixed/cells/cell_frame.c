@@ -239,19 +239,6 @@ static inline uint64_t eight_sides(const struct hsr_grid *g, uint32_t c,
   return eight & UINT64_C(0x0101010101010101) * sides;
 }
 
-/* The first of the cells [c, end) of a row that is not below x. */
-static uint32_t first_from(const struct hsr_grid *g, uint32_t c, uint32_t end,
-                           uint32_t x) {
-  while (c < end) {
-    uint32_t middle = c + (end - c) / 2;
-    if (g->x[middle] < x)
-      c = middle + 1;
-    else
-      end = middle;
-  }
-  return c;
-}
-
 /* Adds cell c of a run along x if one of its sides faces the eye. */
 static inline void add_facing(struct hsr_cells *cells, uint32_t c,
                               uint8_t across) {
@@ -309,9 +296,9 @@ static void visit_along_x(struct hsr_cells *cells,
   uint32_t begin = g->row[row], end = g->row[row + 1];
   uint32_t lowest = run->step > 0 ? run->at[0] : run->at[0] + 1 - run->n;
   if (lowest > 0)
-    begin = first_from(g, begin, end, lowest);
+    begin = hsr_grid_first_from(g, begin, end, lowest);
   if (lowest + run->n < g->n[0])
-    end = first_from(g, begin, end, lowest + run->n);
+    end = hsr_grid_first_from(g, begin, end, lowest + run->n);
   if (begin == end)
     return;
   HSR_STEP(cells->tally, HSR_CELLS_RUNS, HSR_CELL(begin, 0, 0), HSR_NOTHING,
@@ -339,7 +326,7 @@ static uint32_t find_cell(struct hsr_cells *cells, const uint32_t at[3]) {
   bool is_gap = (c == begin || g->x[c - 1] < at[0]) &&
                 (c + 1 == end || g->x[c + 1] > at[0]);
   if (!found && !is_gap) {
-    c = first_from(g, begin, end - 1, at[0]);
+    c = hsr_grid_first_from(g, begin, end - 1, at[0]);
     found = g->x[c] == at[0];
   }
   cells->cursor[row] = c;
