@@ -543,20 +543,6 @@ template <class T> struct meeting : passage<T> {
   }
 };
 
-/* Flattened, as most of the time is spent here. */
-[[gnu::flatten]] meeting<Interval> meet(const footprint<Interval> &s,
-                                        const ray<Interval> &r) {
-  return {s, r};
-}
-[[gnu::flatten]] void measure_sharp(meeting<Interval> *m, bool parallel) {
-  m->measure(parallel);
-}
-[[gnu::flatten]] void measure_blurred(meeting<Interval> *m,
-                                      const footprint<Interval> &s,
-                                      bool parallel) {
-  m->measure_blurred(s, parallel);
-}
-
 /* Finds Q and l^2, and whether the splat is blurred. */
 template <class T>
 CGAL::Uncertain<bool> footprint<T>::move(const camera<T> &c) {
@@ -834,9 +820,9 @@ int judge::kappa(const splat &s, meeting<Interval> *about) const {
     return exact_kappa(s);
   }
   if (s.blurred)
-    measure_blurred(about, s.about, parallel);
+    about->measure_blurred(s.about, parallel);
   else
-    measure_sharp(about, parallel);
+    about->measure(parallel);
   const int found = whole(about->rho2 * s.about.scale, ENTRIES);
   return found != UNDECIDED ? found : exact_kappa(s);
 }
@@ -877,7 +863,7 @@ void judge::gather(const std::vector<const splat *> &row, int i) {
     if (i < s->box.x0 || i >= s->box.x1)
       continue;
     HSR_STEP(tally, ORACLE_SPLAT, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, 0);
-    meeting<Interval> about = meet(s->about, r);
+    meeting<Interval> about(s->about, r);
     const int k = kappa(*s, &about);
     if (k < ENTRIES)
       covered.push_back({s, k, about});
