@@ -17,6 +17,7 @@ include %D%/brute_force/local.mk
 include %D%/hierarchical/local.mk
 include %D%/volume/local.mk
 include %D%/volume/splats/local.mk
+include %D%/volume/textures/local.mk
 include bench/judge/oracles.mk
 
 noinst_LIBRARIES += libplain.a libcounting.a

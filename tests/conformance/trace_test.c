@@ -17,8 +17,10 @@ static const char *const scenes[] = {
     "one-sided",  "t-junction",     "shared-edges", "near-plane",
     "non-convex", "eye-in-plane",   "color-cube:2", "nested-solids",
     "sphere:200"};
-static const char *const grids[] = {"checker-cube:5", "checker-cube:6", "grid",
-                                    "grid:7:3", "grid:4:9"};
+static const char *const grids[] = {
+    "checker-cube:5", "checker-cube:6", "grid",
+    "grid:7:3",       "grid:4:9",       /* of one layer: */ "heights:2",
+    "heights:3",      "heights:4",      "heights:4:2"};
 enum {
   N_SCENES = sizeof scenes / sizeof *scenes,
   N_GRIDS = sizeof grids / sizeof *grids,

@@ -19,8 +19,9 @@ static const char *const scenes[] = {
     "house",        "cyclic-overlap", "penetration", "coplanar",
     "shared-edges", "lattice:40:3",   "near-plane",  "non-convex",
     "deep-stack",   "color-cube:2"};
-static const char *const grids[] = {"checker-cube:5", "checker-cube:20", "grid",
-                                    "grid:9:7"};
+static const char *const grids[] = {"checker-cube:5", "checker-cube:20",
+                                    "grid",           "grid:9:7",
+                                    "heights:4",      "checker-plane"};
 enum {
   N_SCENES = sizeof scenes / sizeof *scenes,
   N_GRIDS = sizeof grids / sizeof *grids,

@@ -45,6 +45,8 @@ const KNOWN = {
   btf: [2, 4], wbtf: [2, 5], vbuffer: [2, 6],
   splat: [0, 5], "splat-sheet": [0, 6], "splat-volume": [0, 7],
   "splat-xray": [2, 7], "splat-oracle": [6, 7],
+  "texture-point": [5, 4], "texture-mipmap": [5, 5], "texture-table": [5, 6],
+  "texture-convolve": [5, 7],
   "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5], clark: [7, 6],
 };
 

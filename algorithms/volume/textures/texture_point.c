@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One texel a pixel: the one that its ray meets.
+ *
+ * Source      E. Catmull, "A Subdivision Algorithm for Computer Display of
+ *             Curved Surfaces", PhD thesis, University of Utah, 1974, where
+ *             textures begin; as point sampling in Heckbert 1986
+ *
+ * Notation, invariant, ties, departures and cost are those of textures.h. */
+#include "algorithms/volume/textures/textures.h"
+
+static const struct hsr_counter counters[] = {HSR_TEXTURE_COUNTERS, {NULL}};
+
+static void filter(struct hsr_texture *x, const struct hsr_preimage *pre,
+                   double mean[HSR_TEXTURE_CHANNELS]) {
+  int p = hsr_texel_of(pre->at[0], x->n[0]),
+      q = hsr_texel_of(pre->at[1], x->n[1]);
+  HSR_STEP(x->tally, HSR_TEXTURE_TEXELS, HSR_CELL(0, p, q), HSR_THE_WINDOW,
+           HSR_AT(pre->i, pre->j), 0);
+  for (int c = 0; c < HSR_TEXTURE_CHANNELS; c++)
+    mean[c] = x->texel[(size_t)q * (size_t)x->n[0] + (size_t)p][c];
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct hsr_texture x;
+  if (hsr_textures_begin(&x, job))
+    return hsr_fail_nomem(err);
+  x.filter = filter;
+  hsr_textures_draw(&x, job);
+  return HSR_OK;
+}
+
+static const struct hsr_line outline[] = {
+    {"for each pixel: does its ray meet the layer?",
+     HSR_RAISES(HSR_TEXTURE_RAYS)},
+    {"  if so, read the texel there", HSR_RAISES(HSR_TEXTURE_TEXELS)},
+    {"  write it, if it is not empty", HSR_RAISES(HSR_TEXTURE_WRITES)},
+    {NULL, 0}};
+
+const struct hsr_algorithm HSR_ALGORITHM(texture_point) = {
+    HSR_OF_TEXTURES,
+    .name = "texture-point",
+    .title = "Texture mapping, a texel a pixel",
+    .authors = "E. Catmull",
+    .year = 1974,
+    .source = "Catmull, A Subdivision Algorithm for Computer Display of Curved "
+              "Surfaces, PhD thesis, University of Utah, 1974",
+    .counters = counters,
+    .outline = outline,
+    .render = render};
