@@ -128,6 +128,12 @@ static bool meet(const struct hsr_texture *x, struct hsr_preimage *pre) {
   return true;
 }
 
+void hsr_preimage_sides(const struct hsr_texture *x,
+                        const struct hsr_preimage *pre, double side[2]) {
+  for (int a = 0; a < 2; a++)
+    side[a] = x->splats.splatting.width * (fabs(pre->dx[a]) + fabs(pre->dy[a]));
+}
+
 /* --- Pixels --------------------------------------------------------------- */
 
 static void write(struct hsr_texture *x, int i, int j, uint16_t *rgba,

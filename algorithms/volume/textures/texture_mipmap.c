@@ -7,8 +7,8 @@
  * Levels      a texel is the mean of four of the level before. Where a level has
  *             an odd number of texels along an axis, its last ones count twice.
  * Departures  beyond the rim of the layer, its last texels go on.
- * Cost        8 texels a pixel; 4 within level 0 and within the last one. A third
- *             of the texture is built.
+ * Cost        8 texels a pixel, 4 if it is not smaller than a texel; a third of the
+ *             texture is built
  *
  * Invariant, ties and the rest are those of textures.h. */
 #include "algorithms/volume/textures/textures.h"
@@ -106,7 +106,7 @@ static void filter(struct hsr_texture *x, const struct hsr_preimage *pre,
                    double mean[CHANNELS]) {
   const struct pyramid *pyramid = x->model;
   double side[2];
-  hsr_preimage_sides(pre, side);
+  hsr_preimage_sides(x, pre, side);
   double level = log2(fmax(1, fmax(side[0], side[1])));
   level = fmin(level, pyramid->n - 1);
   int k = (int)level;

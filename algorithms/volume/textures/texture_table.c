@@ -74,7 +74,7 @@ static void add_corner(struct hsr_texture *x, const struct hsr_preimage *pre,
 static void filter(struct hsr_texture *x, const struct hsr_preimage *pre,
                    double mean[CHANNELS]) {
   double side[2], from[2], to[2];
-  hsr_preimage_sides(pre, side);
+  hsr_preimage_sides(x, pre, side);
   for (int a = 0; a < 2; a++) {
     double half = fmax(1, side[a]) / 2;
     from[a] = fmax(0, pre->at[a] - half);

@@ -15,9 +15,10 @@
  * Invariant   a pixel is written once. It is empty if its ray misses the layer.
  * Ties        a ray that meets the edge of two texels meets the farther along
  *             the axis. Doubles decide, and nothing is claimed to be exact.
- * Departures  of what is asked for in a composited picture, only `attenuate`
- *             counts; with texture-convolve, `kernel` and `width` do, too. A sample
- *             that is not kept is a texel without opacity.
+ * Departures  of what is asked for in a composited picture, only `attenuate` and
+ *             `width` count, which makes preimages larger; with texture-convolve,
+ *             `kernel` does, too. A sample that is not kept is a texel without
+ *             opacity.
  *             Texels have their colours in the view's light. So levels and
  *             tables are built anew for each window.
  * Known wrong the pictures are other ones than the definition's
@@ -116,13 +117,9 @@ static inline int hsr_texel_of(double at, int n) {
   return p < n ? p : n - 1;
 }
 
-/* The sides of the box around a preimage, in texels. */
-static inline void hsr_preimage_sides(const struct hsr_preimage *pre,
-                                      double side[2]) {
-  for (int a = 0; a < 2; a++) {
-    double x = pre->dx[a], y = pre->dy[a];
-    side[a] = (x < 0 ? -x : x) + (y < 0 ? -y : y);
-  }
-}
+/* The sides of the box around a preimage, in texels, times `width`. */
+#define hsr_preimage_sides HSR_OF_BUILD(hsr_preimage_sides)
+void hsr_preimage_sides(const struct hsr_texture *texture,
+                        const struct hsr_preimage *pre, double side[2]);
 
 #endif
