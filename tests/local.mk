@@ -76,6 +76,7 @@ tap_programs = \
   %D%/properties/volume/splat_claims_test \
   %D%/properties/volume/splats_test \
   %D%/properties/volume/texture_claims_test \
+  %D%/properties/volume/texture_test \
   %D%/properties/tiling/voxels_test \
   %D%/properties/tiling/tiling_test \
   %D%/properties/surfaces/warnock_test \
@@ -231,6 +232,7 @@ boards = %D%/properties/volume/boards.c %D%/properties/volume/boards.h $(splatti
 %C%_properties_volume_splats_test_SOURCES = %D%/properties/volume/splats_test.c $(splatting)
 %C%_properties_volume_splat_claims_test_SOURCES = %D%/properties/volume/splat_claims_test.c $(boards)
 %C%_properties_volume_texture_claims_test_SOURCES = %D%/properties/volume/texture_claims_test.c $(boards)
+%C%_properties_volume_texture_test_SOURCES = %D%/properties/volume/texture_test.c $(boards)
 schema = %D%/schema.c %D%/schema.h
 sweeping = %D%/sweep/sweeping.c %D%/sweep/sweeping.h
 %C%_sweep_mismatch_test_SOURCES = %D%/sweep/mismatch_test.cc
