@@ -266,6 +266,7 @@ EXTRA_DIST += \
   %D%/mutants/lines_and_lists.mutants \
   %D%/mutants/services.mutants \
   %D%/mutants/splats.mutants \
+  %D%/mutants/textures.mutants \
   %D%/mutants/volume.mutants \
   %D%/counts/golden \
   %D%/counts/rewrite \
