@@ -127,7 +127,7 @@ static int apart_on_board(const struct trial *t, const struct picture *p,
 static void try_convolution(struct tap *tap, const struct trial *t,
                             const struct measured m[MAPS]) {
   int apart = apart_on_board(t, &m[FORWARD].picture, &m[FOOTPRINT].picture);
-  ok(tap, m[FORWARD].error < 1.1 * m[FOOTPRINT].error && apart < WHITE / 100,
+  ok(tap, m[FORWARD].error < 1.1 * m[FOOTPRINT].error && apart < WHITE / 1000,
      "the forward map is as good as direct convolution by the same kernel: "
      "%.3e, %.3e; they differ by %d of %d at most",
      m[FORWARD].error, m[FOOTPRINT].error, apart, WHITE);

@@ -4,6 +4,7 @@
 #include "tests/properties/volume/boards.h"
 #include "tests/tap.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum { TEXELS_U = 16, TEXELS_V = 8, TEXELS = TEXELS_U * TEXELS_V };
@@ -17,17 +18,20 @@ struct layer {
   bool parallel;
   double far; /* of the eye */
   bool grey;  /* of one colour */
+  bool ramp;  /* rising along its first axis */
 };
 
 /* --- Textures ------------------------------------------------------------- */
 
 /* Random bytes, of which the squares are the colours. */
-static void fill_colours(float (*rgb)[3], bool grey) {
+static void fill_colours(float (*rgb)[3], const struct layer *l) {
   uint64_t seed = 5;
   for (int k = 0; k < TEXELS; k++)
     for (int c = 0; c < 3; c++) {
       float byte = (float)draw_integer(&seed, 0, 255) / 255;
-      rgb[k][c] = grey ? 0.25f : byte * byte;
+      rgb[k][c] = l->grey   ? 0.25f
+                  : l->ramp ? (float)(1 + k % TEXELS_U) / 20
+                            : byte * byte;
     }
 }
 
@@ -51,7 +55,7 @@ static void open_layer(struct stage *s, const struct layer *l) {
     field.n[a] = (uint32_t)n;
     field.at[a] = at[a];
   }
-  fill_colours(rgb, l->grey);
+  fill_colours(rgb, l);
   open_stage(s, &field);
 }
 
@@ -76,8 +80,8 @@ static struct picture draw_layer(const struct stage *s,
   return take(s, v, &made);
 }
 
-/* The forward map rounds what each of up to 13 splats gives down twice, to 65536ths,
- * and the weights, too; their sum is about 1. */
+/* The forward map rounds what each of up to 13 splats gives down twice, to
+ * 65536ths, and the weights, too; their sum is about 1. */
 static void try_convolution(struct tap *tap, const struct layer *l) {
   struct stage s;
   open_layer(&s, l);
@@ -153,12 +157,40 @@ static void try_mean(struct tap *tap, const struct layer *l) {
   close_stage(&s);
 }
 
+/* A ramp is a ramp at each level. Away from the rim, a pixel's value is that of
+ * the ramp where its ray meets the layer. A colour is kept to half a byte of its
+ * root: to 2 . 65535 / 510. The steps of its texels leave a box of a texel and
+ * more off by up to an 8th of a texel; the ellipse is no narrower. */
+static void try_ramp(struct tap *tap, const char *map, double steps) {
+  const struct layer layer = {
+      .across = 2, .even = true, .far = 72, .ramp = true};
+  struct stage s;
+  open_layer(&s, &layer);
+  struct hsr_view v = see_layer(&s, &layer);
+  struct picture p = draw_layer(&s, &v, map);
+  int pixels = 0;
+  double most = 0, D[3];
+  for (int k = 0; k < M * N; k++) {
+    direction_at(&v, k % M, k / M, D);
+    double at = (v.E[0] - v.E[2] / D[2] * D[0]) / 1.25;
+    if (!p.rgba[4 * k + 3] || at < 4 || at > TEXELS_U - 5)
+      continue;
+    pixels++;
+    most = fmax(most, fabs(p.rgba[4 * k] - WHITE * (at + 1) / 20));
+  }
+  ok(tap, pixels > 20 && most < 258 + steps * WHITE / 20,
+     "%s: a ramp stays so in %d pixels, to %.0f; a texel is %d", map, pixels,
+     most, WHITE / 20);
+  drop(&p);
+  close_stage(&s);
+}
+
 int main(void) {
   static const char *const maps[] = {
       "texture-point:model=xray", "texture-mipmap:model=xray",
       "texture-table:model=xray", "texture-convolve:model=xray",
       "texture-convolve:model=xray:shape=preimage"};
-  struct tap tap = plan(3 * 2 * 2 + 5 * 2 + 2);
+  struct tap tap = plan(3 * 2 * 2 + 5 * 2 + 2 + 3);
   for (int k = 0; k < 12; k++)
     try_convolution(&tap, &(struct layer){.across = k / 4,
                                           .even = k % 2,
@@ -175,5 +207,8 @@ int main(void) {
   for (int k = 0; k < 2; k++)
     try_mean(&tap, &(struct layer){
                        .across = 2, .even = true, .parallel = k, .far = 4096});
+  try_ramp(&tap, maps[1], 0);
+  try_ramp(&tap, maps[2], 0.125);
+  try_ramp(&tap, maps[4], 0.125);
   return finish(&tap);
 }
