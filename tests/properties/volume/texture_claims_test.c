@@ -135,7 +135,8 @@ static void try_convolution(struct tap *tap, const struct trial *t,
      "and as by an ellipse of the pixel: %.2e", m[PREIMAGE].error);
 }
 
-/* At any width of their filters. */
+/* By the best of the widths tried. The mip-map is best by the least of them, 1;
+ * narrower ones are not tried. */
 static void try_prefilters(struct tap *tap, const struct trial *t,
                            const struct measured *forward) {
   for (int k = TABLE; k <= MIPMAP; k++) {
