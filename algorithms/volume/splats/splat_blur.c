@@ -63,21 +63,21 @@ static struct lens lens_of(const struct hsr_splats *s,
 
 /* Where the ray of a screen point passes the splat. */
 struct passing {
-  double V[3], D[3], Y[3];
+  double Y[3];
   double off;   /* of Y; infinite if it cannot be told */
   bool is_away; /* for certain, the ray goes away from the splat */
 };
 
 static inline struct passing pass(const struct lens *lens, double x, double y) {
   struct passing r;
-  double VV = 0, VD = 0, DD = 0;
+  double V[3], D[3], VV = 0, VD = 0, DD = 0;
   for (int a = 0; a < 3; a++) {
     double across = lens->start[a] + x * lens->by_x[a] + y * lens->by_y[a];
-    r.V[a] = lens->parallel ? lens->V[a] - across : lens->V[a];
-    r.D[a] = lens->parallel ? lens->D[a] : across;
-    VV += r.V[a] * r.V[a];
-    VD += r.V[a] * r.D[a];
-    DD += r.D[a] * r.D[a];
+    V[a] = lens->parallel ? lens->V[a] - across : lens->V[a];
+    D[a] = lens->parallel ? lens->D[a] : across;
+    VV += V[a] * V[a];
+    VD += V[a] * D[a];
+    DD += D[a] * D[a];
   }
   double VD_off = 4 * (lens->A * lens->b + lens->B * lens->a);
   double over = lens->parallel ? VD : VV, under = lens->parallel ? DD : VD;
@@ -86,7 +86,7 @@ static inline struct passing pass(const struct lens *lens, double x, double y) {
   double k = over / under;
   double k_off = 1.1 * (over_off + fabs(k) * under_off) / under;
   for (int a = 0; a < 3; a++)
-    r.Y[a] = k * r.D[a] - r.V[a];
+    r.Y[a] = k * D[a] - V[a];
   r.off = under > 32 * under_off
               ? 1.1 * (k_off * lens->B + fabs(k) * lens->b + lens->a)
               : INFINITY;
@@ -184,15 +184,18 @@ static void clip(double lo, double hi, double middle, int *from, int *to) {
   *to = last < *to ? (last > *from ? (int)last : *from) : *to;
 }
 
-/* Also finds by what floats may tell kappa. There X = dx / w and Y = dy / w, w
- * being 1 + p dx + q dy, err by less than 13 v of their greatest values, and so do
- * X - s Q_x and Y - s Q_y: v = 2^-24. So kappa, up to 1100, errs by less than 2
- * 33.2 sqrt(xx) as much, and sqrt(yy), beside what it errs by without motion.
+/* Finds the box, and the numbers by which floats tell kappa.
  *
- * In the coordinates (dx, dy) / (1 + p dx + q dy) of splat_place.c the capsule is
- * between the boxes of two ellipses with half sides 32 side, around the middle
- * and where the splat was before. The denominator is between 1 - eta and 1 + eta
- * for what is so far from the middle. */
+ * Box         (dx, dy) / w, with w = 1 + p dx + q dy, are coordinates of the
+ *             splat's plane (splat_place.c). There the capsule is within two
+ *             ellipses of half sides 32 side, one around the middle and one
+ *             around where the splat was before, and what is between them. So
+ *             far from the middle, w is from 1 - eta to 1 + eta.
+ * Floats      v = 2^-24. These coordinates, and their distances from the way, err
+ *             by less than 16 v of their greatest values. kappa is at most 1100,
+ *             and its root at most 33.2. So kappa errs by less than 2 33.2 times
+ *             that, times sqrt(xx) and sqrt(yy); and by what it errs without
+ *             motion. */
 static void find_box(const struct hsr_splats *s, struct hsr_placed *p, double x,
                      double y) {
   bool was_small = p->is_small;

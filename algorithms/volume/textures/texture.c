@@ -93,17 +93,7 @@ static double slope(const struct hsr_texture *x, const struct hsr_preimage *pre,
 
 /* The cell of an axis that holds a coordinate; -1. */
 static int cell_at(const double *bound, int n, double at) {
-  if (!(at >= bound[0] && at < bound[n]))
-    return -1;
-  int low = 0, high = n;
-  while (high - low > 1) {
-    int middle = low + (high - low) / 2;
-    if (bound[middle] <= at)
-      low = middle;
-    else
-      high = middle;
-  }
-  return low;
+  return at < bound[n] ? hsr_grid_split(bound, (uint32_t)n, at) : -1;
 }
 
 /* Where the ray of a pixel meets the layer. False if it does not, or not beyond
