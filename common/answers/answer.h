@@ -10,6 +10,7 @@
 #ifndef HSR_COMMON_ANSWERS_ANSWER_H
 #define HSR_COMMON_ANSWERS_ANSWER_H
 
+#include "common/answers/area.h"
 #include "common/answers/filter.h"
 #include "common/grids/splatting.h"
 #include "common/base/count.h"
@@ -201,6 +202,7 @@ int hsr_answer_number(const struct hsr_answer_type *type);
 #define HSR_SEGMENTS (&hsr_answer_segments)
 #define HSR_VOXELS (&hsr_answer_voxels)
 #define HSR_COMPOSITED (&hsr_answer_composited)
+#define HSR_AREAS (&hsr_answer_area)
 
 /* Whether algorithms that make `made` can be asked for `type`: it is what they
  * make, or it is folded from that. */
@@ -227,12 +229,13 @@ double hsr_form_pictures(const struct hsr_form *form,
 
 /* The body of an answer of each of these kinds; NULL for any other kind. Ids
  * are m * n numbers; the sums of a filtered picture are 3 m n; a composited one
- * is 4 m n: red, green, blue, opacity. */
+ * is 4 m n: red, green, blue, opacity; an area picture is 3 m n intervals. */
 uint32_t *hsr_answer_ids_of(const struct hsr_answer *answer);
 struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer);
 struct hsr_solid_voxels *hsr_answer_voxels_of(const struct hsr_answer *answer);
 uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer);
 uint16_t *hsr_answer_rgba_of(const struct hsr_answer *answer);
+struct hsr_area_bounds *hsr_answer_areas_of(const struct hsr_answer *answer);
 
 /* For a form of voxels: how many lie along the longest side of the scene's box.
  */
@@ -250,6 +253,9 @@ struct hsr_filtering hsr_form_filtering(const struct hsr_form *form);
 
 /* How a picture of HSR_COMPOSITED is splatted. */
 struct hsr_splatting hsr_form_splatting(const struct hsr_form *form);
+
+/* What a picture of HSR_AREAS is asked for. */
+struct hsr_area_form hsr_form_area(const struct hsr_form *form);
 
 #ifdef __cplusplus
 }

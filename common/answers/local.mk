@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 nobase_pkginclude_HEADERS += \
   %D%/answer.h \
+  %D%/area.h \
   %D%/filter.h \
   %D%/list.def
 libhsr_a_SOURCES += \
   %D%/answer.c \
+  %D%/area.c \
   %D%/coded.c \
   %D%/composited.c \
   %D%/coded.h \
