@@ -104,6 +104,13 @@ struct hsr_paint {
   float *rgb; /* answer: 3 a sample, (i, j) at [3 * (j * ids_stride + i)] */
 };
 
+/* Who looks at an answer while it becomes better. The answer is borrowed for the
+ * call; passes count from 0. */
+struct hsr_passes {
+  void (*show)(void *whom, const struct hsr_answer *answer, int pass);
+  void *whom;
+};
+
 /* One picture to make. Everything is borrowed for the call. */
 struct hsr_job {
   const struct hsr_world *world;
@@ -137,6 +144,9 @@ struct hsr_job {
   /* The answer itself, of whatever kind. ids, sums and drawing are its body, of
    * these kinds. NULL: the caller has only those. */
   struct hsr_answer *answer;
+
+  /* For algorithms that draw in passes: to be called after each. Or NULL. */
+  const struct hsr_passes *passes;
 };
 
 struct hsr_algorithm {

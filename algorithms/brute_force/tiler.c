@@ -97,7 +97,7 @@ static inline uint32_t called(const struct hsr_tiler *t, uint32_t f) {
 }
 
 /* Makes sure that the screen's vertices are transformed. */
-static inline void need_screen(struct hsr_tiler *t) {
+void hsr_tiler_need_screen(struct hsr_tiler *t) {
   void (*lay_out)(void *) = t->lay_out;
   t->lay_out = NULL;
   if (lay_out)
@@ -105,7 +105,7 @@ static inline void need_screen(struct hsr_tiler *t) {
 }
 
 static bool covers(struct hsr_tiler *t, uint32_t f, int i, int j) {
-  need_screen(t);
+  hsr_tiler_need_screen(t);
   t->screen.whole[f] = true;
   bool covered = hsr_covers(&t->screen, f, i, j, t->tally);
   HSR_STEP(t->tally, HSR_UNSURE_COVER, HSR_FACE(called(t, f)), HSR_THE_WINDOW,
@@ -609,7 +609,7 @@ static void tile_whole(struct hsr_tiler *t, uint32_t f) {
 }
 
 bool hsr_tiler_place(struct hsr_tiler *t, uint32_t f) {
-  need_screen(t);
+  hsr_tiler_need_screen(t);
   if (t->few)
     hsr_world_find_plane(t->few, f, &t->tally->out_of_memory);
   hsr_screen_plane(&t->screen, f);

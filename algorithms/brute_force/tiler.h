@@ -36,6 +36,7 @@ extern "C" {
 #define hsr_tiler_compact HSR_OF_BUILD(hsr_tiler_compact)
 #define hsr_tiler_drop HSR_OF_BUILD(hsr_tiler_drop)
 #define hsr_tiler_look HSR_OF_BUILD(hsr_tiler_look)
+#define hsr_tiler_need_screen HSR_OF_BUILD(hsr_tiler_need_screen)
 #define hsr_tiler_place HSR_OF_BUILD(hsr_tiler_place)
 #define hsr_tiler_set_range HSR_OF_BUILD(hsr_tiler_set_range)
 #define hsr_tiler_set_up HSR_OF_BUILD(hsr_tiler_set_up)
@@ -216,6 +217,9 @@ void hsr_tiler_snap(struct hsr_tiler *tiler);
 struct hsr_way_to_screen {
   double rows[3][3], origin[3], sure;
 };
+
+/* Transforms the vertices of the screen's world, if that is still to be done. */
+void hsr_tiler_need_screen(struct hsr_tiler *tiler);
 
 /* Snaps n vertices right away. False if one of them is not sure, or not on the
  * screen: then they are to be snapped by the other way. */

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 algorithm_files += \
+  %D%/bounded/bounded.h \
+  %D%/bounded/error_bounded.c \
+  %D%/bounded/quadtree.c \
+  %D%/bounded/refine.c \
   %D%/clark.c \
   %D%/cube_frame.c \
   %D%/cube_frame.h \
@@ -12,5 +16,7 @@ algorithm_files += \
   %D%/pyramid.h
 # These files count nothing and are compiled once.
 libhsr_a_SOURCES += \
+  %D%/bounded/shape.c \
+  %D%/bounded/shape.h \
   %D%/cubes.c \
   %D%/cubes.h

@@ -31,6 +31,12 @@ enum hsr_status hsr_pair_init(struct hsr_pair *pair,
 
 bool hsr_pair_nearer(struct hsr_pair *pair, uint32_t f, uint32_t g, int i,
                      int j, struct hsr_tally *tally) {
+  return hsr_pair_nearer_at(pair, f, g, hsr_sample_x(pair->screen.view, i),
+                            hsr_sample_y(pair->screen.view, j), tally);
+}
+
+bool hsr_pair_nearer_at(struct hsr_pair *pair, uint32_t f, uint32_t g,
+                        double sx, double sy, struct hsr_tally *tally) {
   struct hsr_world *world = &pair->world;
   pair->id[0] = f < g ? f : g;
   pair->id[1] = f < g ? g : f;
@@ -42,6 +48,6 @@ bool hsr_pair_nearer(struct hsr_pair *pair, uint32_t f, uint32_t g, int i,
     hsr_screen_plane(&pair->screen, k);
   }
   /* If the planes are equal neither is nearer, and the lower id wins. */
-  bool higher = hsr_nearer(&pair->screen, 1, 0, i, j, tally);
+  bool higher = hsr_nearer_at(&pair->screen, 1, 0, sx, sy, tally);
   return higher == (f > g);
 }

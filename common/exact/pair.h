@@ -27,9 +27,12 @@ enum hsr_status hsr_pair_init(struct hsr_pair *pair,
                               const struct hsr_view *view,
                               struct hsr_arena *arena);
 
-/* hsr_nearer for two faces given by their ids in the scene, f != g. */
+/* hsr_nearer and hsr_nearer_at for two faces given by their ids in the scene, f
+ * != g. */
 bool hsr_pair_nearer(struct hsr_pair *pair, uint32_t f, uint32_t g, int i,
                      int j, struct hsr_tally *tally);
+bool hsr_pair_nearer_at(struct hsr_pair *pair, uint32_t f, uint32_t g,
+                        double sx, double sy, struct hsr_tally *tally);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The quadtree of error-bounded rendering: polygons in squares of the screen,
+ * with the depths between which all that is visible in a square lies.
+ *
+ * Source      N. Greene and M. Kass, "Error-Bounded Antialiased Rendering of
+ *             Complex Environments", SIGGRAPH 1994; N. Greene, PhD thesis, UC
+ *             Santa Cruz, 1995, 5.4 ("the thesis").
+ * Notation    cell -> node of the quadtree; polygon -> struct hsr_shape; z -> q
+ *             = 1/t or -t, greater is nearer; znear, zfar -> near, far
+ * Invariants  the lists of a cell's leaves hold every polygon of which anything
+ *             is visible in the cell, of those inserted. Nothing visible in a
+ *             cell is farther than its `far`. `far` grows only. The interval of
+ *             a pixel holds its value, and never becomes wider. */
+#ifndef HSR_ALGORITHMS_BOUNDED_H
+#define HSR_ALGORITHMS_BOUNDED_H
+
+#include "algorithms/algorithm.h"
+#include "algorithms/hierarchical/bounded/shape.h"
+#include "common/exact/pair.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Compiled twice, as the algorithms are. */
+#define hsr_eb_subject HSR_OF_BUILD(hsr_eb_subject)
+#define hsr_eb_window HSR_OF_BUILD(hsr_eb_window)
+#define hsr_bounded_begin HSR_OF_BUILD(hsr_bounded_begin)
+#define hsr_bounded_add HSR_OF_BUILD(hsr_bounded_add)
+#define hsr_bounded_settle HSR_OF_BUILD(hsr_bounded_settle)
+#define hsr_bounded_split HSR_OF_BUILD(hsr_bounded_split)
+#define hsr_bounded_before HSR_OF_BUILD(hsr_bounded_before)
+#define hsr_bounded_could_be_seen HSR_OF_BUILD(hsr_bounded_could_be_seen)
+#define hsr_bounded_refine HSR_OF_BUILD(hsr_bounded_refine)
+#define hsr_bounded_now HSR_OF_BUILD(hsr_bounded_now)
+#define hsr_bounded_free_below HSR_OF_BUILD(hsr_bounded_free_below)
+
+enum {
+  /* Of the tiling pass */
+  HSR_EB_NODES,
+  HSR_EB_INEQUALITIES,
+  HSR_EB_OUT,
+  HSR_EB_CUBES_TESTED,
+  HSR_EB_CUBES_CULLED,
+  HSR_EB_SIDE_CELLS,
+  HSR_EB_FACES,
+  HSR_EB_REPEATED,
+  /* Of the quadtree */
+  HSR_EB_PLACED,
+  HSR_EB_MISSED,
+  HSR_EB_FARTHER,
+  HSR_EB_STRUCTURES,
+  HSR_EB_REMOVED,
+  HSR_EB_PRUNED,
+  HSR_EB_STORED,
+  HSR_EB_SPLITS,
+  HSR_EB_ORDERED,
+  /* Of the refinement pass */
+  HSR_EB_BOUNDED,
+  HSR_EB_EXACT_ONE,
+  HSR_EB_EXACT_TWO,
+  HSR_EB_EXACT_MORE,
+  HSR_EB_REFINED,
+  HSR_EB_PIXELS,
+  HSR_EB_N_COUNTERS
+};
+
+enum {
+  HSR_EB_CAPACITY = 10, /* polygons on a leaf's list, unless it is too small to
+                           be divided */
+  HSR_EB_DEEPEST = 20   /* cells have a side of at least 2^-20 pixels */
+};
+
+#define HSR_EB_NONE UINT32_MAX
+
+struct hsr_eb_entry {
+  uint32_t shape, next; /* HSR_EB_NONE: the last */
+  bool covers;          /* the polygon covers the cell */
+};
+
+/* How a cell lies on the window. What straddles its border is always divided. */
+enum hsr_eb_place { HSR_EB_OUTSIDE, HSR_EB_STRADDLES, HSR_EB_INSIDE };
+
+struct hsr_eb_cell {
+  uint32_t parent, child; /* the first of four; 0: a leaf. The root is its own
+                             parent */
+  uint32_t first, n;      /* of a leaf: its list */
+  int level;              /* the side is 2^level pixels */
+  enum hsr_eb_place place;
+  bool done;   /* of a pixel: its interval is narrow enough */
+  double x, y; /* the middle of the square */
+  double near, far;
+  double lo[3], hi[3]; /* of the integral over the square, a channel each; of a
+                          square of more than a pixel, of a pixel of it */
+};
+
+/* Cells and list entries, in blocks that do not move. */
+enum { HSR_EB_BLOCK = 1 << 12 };
+struct hsr_eb_tree {
+  const struct hsr_job *job;
+  struct hsr_tally *tally;
+  struct hsr_pair *pair;
+  struct hsr_growing cells, entries, shapes; /* the first two: of blocks */
+  uint32_t n_cells, n_entries, free_cells, free_entries;
+  struct hsr_growing queue;
+  double background[3];
+};
+
+static inline struct hsr_eb_cell *hsr_eb_cell(const struct hsr_eb_tree *t,
+                                              uint32_t c) {
+  return ((struct hsr_eb_cell **)t->cells.items)[c / HSR_EB_BLOCK] +
+         c % HSR_EB_BLOCK;
+}
+static inline struct hsr_eb_entry *hsr_eb_entry(const struct hsr_eb_tree *t,
+                                                uint32_t e) {
+  return ((struct hsr_eb_entry **)t->entries.items)[e / HSR_EB_BLOCK] +
+         e % HSR_EB_BLOCK;
+}
+static inline const struct hsr_shape *hsr_eb_shape(const struct hsr_eb_tree *t,
+                                                   uint32_t s) {
+  return (const struct hsr_shape *)t->shapes.items + s;
+}
+static inline struct hsr_square hsr_eb_square(const struct hsr_eb_cell *cell) {
+  return (struct hsr_square){cell->x, cell->y, ldexp(.5, cell->level)};
+}
+
+/* A cell as a subject, and the pixels that it lies on. */
+struct hsr_subject hsr_eb_subject(const struct hsr_eb_cell *cell);
+struct hsr_window hsr_eb_window(const struct hsr_eb_tree *t,
+                                const struct hsr_eb_cell *cell);
+
+/* Makes the root, which holds the window. `pair` compares faces of the job's
+ * scene. HSR_E_NOMEM. */
+enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *tree,
+                                  const struct hsr_job *job,
+                                  struct hsr_pair *pair);
+
+/* Puts a face of the screen's world into the quadtree, from the smallest cell
+ * that encloses it on. The plane is filled in. False if memory ran out. */
+bool hsr_bounded_add(struct hsr_eb_tree *tree, const struct hsr_screen *screen,
+                     uint32_t f, uint32_t id);
+
+/* SubdivideQCell: makes four leaves of a leaf. False if memory ran out. */
+bool hsr_bounded_split(struct hsr_eb_tree *tree, uint32_t cell);
+
+/* Finds the covering structures of a leaf's polygons, and removes what is hidden
+ * by them. */
+void hsr_bounded_settle(struct hsr_eb_tree *tree, uint32_t cell);
+
+/* Gives back all cells below one, which becomes a leaf without polygons. */
+void hsr_bounded_free_below(struct hsr_eb_tree *tree, uint32_t cell);
+
+/* Is polygon p in front of polygon r all over a square, or at least nowhere
+ * behind? Their planes are compared. */
+bool hsr_bounded_before(const struct hsr_eb_tree *tree, uint32_t p, uint32_t r,
+                        const struct hsr_square *square);
+
+/* A side of a cube on the screen: its corners, within `margin` pixels, and its
+ * depth, which is nowhere less than the truth. */
+struct hsr_eb_side {
+  double x[4], y[4], margin;
+  double a, b, c, nearest; /* the lesser of a sx + b sy + c and nearest */
+};
+
+/* CouldCubeFaceBeVisible: false if it is hidden all over. No more than `most`
+ * cells are visited. True if memory ran out, too. */
+bool hsr_bounded_could_be_seen(struct hsr_eb_tree *tree,
+                               const struct hsr_eb_side *side, uint64_t most,
+                               struct hsr_subject cube);
+
+/* The refinement pass: see refine.c. Writes the intervals of all pixels of the
+ * window. HSR_E_NOMEM. */
+enum hsr_eb_order { HSR_EB_QUEUE, HSR_EB_LEVELS };
+struct hsr_eb_limits {
+  enum hsr_eb_order order;
+  double eps;     /* a pixel's interval need not be narrower */
+  double seconds; /* since `begun`; 0: any time */
+  int deepest;    /* cells have a side of at least 2^-deepest pixels, at most
+                     HSR_EB_DEEPEST */
+  uint32_t cells; /* no more cells at a time */
+  uint32_t exact; /* polygons of a cell that are integrated in closed form */
+};
+enum hsr_status hsr_bounded_refine(struct hsr_eb_tree *tree,
+                                   const struct hsr_eb_limits *limits,
+                                   double begun, struct hsr_error *err);
+
+/* Seconds, by a clock that is never set. */
+double hsr_bounded_now(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

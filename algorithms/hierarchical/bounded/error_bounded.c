@@ -1,0 +1,431 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Error-bounded antialiased rendering: pictures of a guaranteed error.
+ *
+ * Source      N. Greene and M. Kass, "Error-Bounded Antialiased Rendering of
+ *             Complex Environments", SIGGRAPH 1994; N. Greene, "Hierarchical
+ *             Rendering of Complex Environments", PhD thesis, UC Santa Cruz,
+ *             1995, chapter 5 ("the thesis").
+ * Notation    octree cube -> node; quadtree cell -> struct hsr_eb_cell; z -> q;
+ *             P -> struct hsr_shape
+ * Invariants  when the tiling pass ends, the lists of the quadtree's leaves hold
+ *             every face of which a point is visible in the cell. The interval
+ *             of a pixel holds the exact integral (docs/area-picture.md) from the
+ *             tiling pass on, and only becomes narrower.
+ * Ties        faces on one plane: the exact comparison of two faces decides at the
+ *             corners of a cell, where doubles cannot
+ * Departures  the faults of the printed listings (quadtree.c); a node whose cube may
+ *             reach to the near plane is not tested; cells of more than a
+ *             pixel that are known to the tolerance are not divided, as in the
+ *             author's program (p. 86); slivers, and one closed form more
+ *             (refine.c)
+ * Cost        of what is visible; of each pixel, the more complex what it shows,
+ *             the more */
+#include "algorithms/hierarchical/bounded/bounded.h"
+#include "algorithms/hierarchical/cube_frame.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct hsr_counter counters[] = {
+    [HSR_EB_NODES] = {"nodes visited", "octree nodes come to", HSR_ACTIVATE,
+                      HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_EB_INEQUALITIES] = HSR_INEQUALITIES_COUNTER,
+    [HSR_EB_OUT] = {"nodes out", "outside of the frustum", HSR_REJECT,
+                    HSR_OF_CELL, HSR_OF_WINDOW},
+    [HSR_EB_CUBES_TESTED] = {"cubes tested", "whether they are hidden",
+                             HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING,
+                             "hidden|visible"},
+    [HSR_EB_CUBES_CULLED] = {"cubes culled", "found to be hidden", HSR_REJECT,
+                             HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_EB_SIDE_CELLS] = {"cells asked", "about a front face of a cube",
+                           HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL},
+    [HSR_EB_FACES] = {"faces met", "in cubes that are not known to be hidden",
+                      HSR_ACTIVATE, HSR_OF_FACE, HSR_OF_CELL},
+    [HSR_EB_REPEATED] = {"faces repeated", "met again in the frame", HSR_REJECT,
+                         HSR_OF_FACE, HSR_OF_NOTHING},
+    [HSR_EB_PLACED] = {"polygons against cells", "how they lie on them",
+                       HSR_COMPARE, HSR_OF_FACE, HSR_OF_CELL,
+                       "misses|meets|covers"},
+    [HSR_EB_MISSED] = {"polygons beside", "that do not meet the cell",
+                       HSR_REJECT, HSR_OF_FACE, HSR_OF_CELL},
+    [HSR_EB_FARTHER] = {"polygons farther", "than all that is visible there",
+                        HSR_REJECT, HSR_OF_FACE, HSR_OF_CELL},
+    [HSR_EB_STRUCTURES] = {"covering structures", "that cover a cell",
+                           HSR_RETIRE, HSR_OF_FACE, HSR_OF_CELL,
+                           "a polygon|two at an edge|a fan"},
+    [HSR_EB_REMOVED] = {"polygons removed", "from lists, behind a structure",
+                        HSR_REJECT, HSR_OF_FACE, HSR_OF_CELL},
+    [HSR_EB_PRUNED] = {"subtrees removed", "behind a polygon that covers them",
+                       HSR_REJECT, HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_EB_STORED] = {"polygons stored", "on the lists of leaves", HSR_SORT,
+                       HSR_OF_FACE, HSR_OF_CELL},
+    [HSR_EB_SPLITS] = {"cells divided", "in either pass", HSR_SUBDIVIDE,
+                       HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_EB_ORDERED] = {"polygons compared", "in depth, over a cell",
+                        HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                        "not before|before"},
+    [HSR_EB_BOUNDED] = {"cells bounded", "leaves, in the refinement pass",
+                        HSR_SAMPLE, HSR_OF_CELL, HSR_OF_NOTHING,
+                        "between|exact"},
+    [HSR_EB_EXACT_ONE] = {"exact cells of one", "polygon, or none", HSR_RETIRE,
+                          HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_EB_EXACT_TWO] = {"exact cells of two", "polygons", HSR_RETIRE,
+                          HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_EB_EXACT_MORE] = {"exact cells of more", "polygons, up to `exact`",
+                           HSR_RETIRE, HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_EB_REFINED] = {"cells refined", "divided in the refinement pass",
+                        HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING},
+    [HSR_EB_PIXELS] = {"pixels", "written", HSR_ACCEPT, HSR_OF_CELL,
+                       HSR_OF_NOTHING},
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"Tile: for each node of the octree, from front to back",
+     HSR_RAISES(HSR_EB_NODES)},
+    {"  return if the cube is outside of the frustum",
+     HSR_RAISES(HSR_EB_INEQUALITIES) | HSR_RAISES(HSR_EB_OUT)},
+    {"  return unless CouldCubeBeVisible",
+     HSR_RAISES(HSR_EB_CUBES_TESTED) | HSR_RAISES(HSR_EB_CUBES_CULLED)},
+    {"    for each front face: cells from the root on, breadth first",
+     HSR_RAISES(HSR_EB_SIDE_CELLS)},
+    {"      farther than zfar: hidden; nearer than znear: visible"},
+    {"      else the same for its four children"},
+    {"  for each polygon P of the node", HSR_RAISES(HSR_EB_FACES)},
+    {"    skip it if it was met before", HSR_RAISES(HSR_EB_REPEATED)},
+    {"    InsertPolyIntoQuadtree: how does P lie on the cell?",
+     HSR_RAISES(HSR_EB_PLACED)},
+    {"      return if P does not meet the cell", HSR_RAISES(HSR_EB_MISSED)},
+    {"      return if P is farther than zfar", HSR_RAISES(HSR_EB_FARTHER)},
+    {"      if P covers the cell, remove the subtrees that it hides",
+     HSR_RAISES(HSR_EB_PRUNED)},
+    {"      a leaf with room: InsertPoly", HSR_RAISES(HSR_EB_STORED)},
+    {"        if P completes a covering structure, update zfar",
+     HSR_RAISES(HSR_EB_STRUCTURES)},
+    {"          is a polygon behind all of the structure's?",
+     HSR_RAISES(HSR_EB_ORDERED)},
+    {"          RemoveHiddenPolys", HSR_RAISES(HSR_EB_REMOVED)},
+    {"      a full leaf: SubdivideQCell", HSR_RAISES(HSR_EB_SPLITS)},
+    {"      insert P into the four children"},
+    {"Refine: take the most uncertain cell, or all of the next size",
+     HSR_RAISES(HSR_EB_REFINED)},
+    {"  divide it; bound the integral over each child",
+     HSR_RAISES(HSR_EB_BOUNDED)},
+    {"    in closed form: one polygon", HSR_RAISES(HSR_EB_EXACT_ONE)},
+    {"    in closed form: two polygons", HSR_RAISES(HSR_EB_EXACT_TWO)},
+    {"    in closed form: more", HSR_RAISES(HSR_EB_EXACT_MORE)},
+    {"    else between the least and the greatest colour of its polygons"},
+    {"  add up, to the pixel; within the tolerance: write it",
+     HSR_RAISES(HSR_EB_PIXELS)},
+    {NULL}};
+
+enum option { REFINE, EXACT, LIMIT, DEPTH, CELLS, SECONDS };
+
+static const struct hsr_word orders[] = {
+    [HSR_EB_QUEUE] = {"queue", "the most uncertain cell first", 0},
+    [HSR_EB_LEVELS] = {"levels", "all cells of one size, then the next", 0},
+    {NULL}};
+
+static const struct hsr_option options[] = {
+    [REFINE] = {"refine", "which cell is divided next", orders, 0,
+                HSR_EB_LEVELS, HSR_EB_QUEUE},
+    [EXACT] = {"exact", "a cell of so many polygons is integrated exactly",
+               NULL, 0, HSR_EB_CAPACITY, 6},
+    [LIMIT] = {"limit", "cells asked about a cube's face, for each face in it",
+               NULL, 0, 1000, 4},
+    [DEPTH] = {"depth", "a cell is at least 2^-N pixels wide", NULL, 0,
+               HSR_EB_DEEPEST, 16},
+    [CELLS] = {"cells", "millions of cells at a time", NULL, 1, 1000, 16},
+    [SECONDS] = {"seconds", "refine no longer; 0: any time", .real = true,
+                 .real_least = 0, .real_most = 1e6, .real_standard = 0},
+    {NULL}};
+
+struct prepared {
+  struct hsr_cubes cubes;
+  uint64_t **within;   /* an object: the faces of each node's subtree */
+  uint64_t *instances; /* the same, of the octree of instances */
+  struct hsr_arena arena;
+};
+
+struct walk {
+  struct hsr_cube_frame frame;
+  const struct prepared *prepared;
+  struct hsr_eb_tree tree;
+  uint64_t limit;
+  struct hsr_tally *tally;
+  uint32_t *met; /* a face of the object at hand: the visit when it was met */
+  uint32_t visit;
+};
+
+/* --- CouldCubeBeVisible --------------------------------------------------- */
+
+static struct hsr_eb_side side_of(const struct walk *w,
+                                  const struct hsr_placing *placing,
+                                  const struct hsr_octree_box *cube,
+                                  const struct hsr_cube_image *image,
+                                  int side) {
+  struct hsr_side_depth depth =
+      hsr_cube_side_depth(&w->frame, placing, cube, image, side);
+  /* In parallel, the frame's depths are far - t, and here -t. */
+  double far = w->frame.job->view->parallel ? w->frame.tiler.far : 0;
+  double off = 0x1p-44 * (fabs(far) + fabs(depth.c));
+  struct hsr_eb_side out = {.margin = HSR_CUBE_MARGIN,
+                            .a = depth.a,
+                            .b = depth.b,
+                            .c = depth.c - far + off,
+                            .nearest = -INFINITY};
+  for (int k = 0; k < 4; k++) {
+    int corner = hsr_cube_side[side][k];
+    out.x[k] = image->x[corner];
+    out.y[k] = image->y[corner];
+    out.nearest = fmax(out.nearest, image->q[corner] - far + off);
+  }
+  return out;
+}
+
+/* `n` faces are in the cube. */
+static bool could_be_visible(struct walk *w, const struct hsr_placing *placing,
+                             const struct hsr_octree_node *node, uint64_t n,
+                             struct hsr_subject subject) {
+  struct hsr_octree_box cube = hsr_octree_cube(node);
+  struct hsr_cube_image image;
+  HSR_STEP(w->tally, HSR_EB_NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
+  if (hsr_cube_classify(&w->frame, placing, &cube, HSR_EB_INEQUALITIES,
+                        subject) == HSR_BOX_OUT) {
+    HSR_STEP(w->tally, HSR_EB_OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE, 0);
+    return false;
+  }
+  if (!hsr_cube_project(&w->frame, placing, &cube, &image))
+    return true; /* the eye may be inside, or the near plane meet it */
+  bool visible = false;
+  for (int side = 0; side < 6 && !visible; side++)
+    if (image.front >> side & 1) {
+      struct hsr_eb_side face = side_of(w, placing, &cube, &image, side);
+      visible =
+          hsr_bounded_could_be_seen(&w->tree, &face, w->limit * n, subject);
+    }
+  HSR_STEP(w->tally, HSR_EB_CUBES_TESTED, subject, HSR_NOTHING, HSR_NOWHERE,
+           visible);
+  if (!visible)
+    HSR_STEP(w->tally, HSR_EB_CUBES_CULLED, subject, HSR_NOTHING, HSR_NOWHERE,
+             0);
+  return visible;
+}
+
+/* --- The tiling pass ------------------------------------------------------ */
+
+/* What a face of a tiler's world is called. */
+static uint32_t name_of(const struct hsr_tiler *t, uint32_t f) {
+  return t->id ? t->first_id + t->id[f] : f;
+}
+
+static bool insert_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
+  if (t->few)
+    hsr_world_find_plane(t->few, f, &t->tally->out_of_memory);
+  hsr_screen_plane(&t->screen, f);
+  return !hsr_face_exists(&t->screen, f, t->tally) ||
+         hsr_bounded_add(&w->tree, &t->screen, f, name_of(t, f));
+}
+
+static bool is_repeated(struct walk *w, uint32_t f) {
+  uint32_t *met = &w->met[w->frame.tiler.id[f]];
+  if (*met != w->visit) {
+    *met = w->visit;
+    return false;
+  }
+  HSR_STEP(w->tally, HSR_EB_REPEATED, HSR_FACE(name_of(&w->frame.tiler, f)),
+           HSR_NOTHING, HSR_NOWHERE, 0);
+  return true;
+}
+
+static bool tile_cell(struct walk *w, uint32_t place) {
+  if (!w->frame.object->cell[place].n_faces)
+    return true;
+  const struct hsr_cell *cell = hsr_cube_cell(&w->frame, place);
+  struct hsr_tiler *t = &w->frame.tiler;
+  struct hsr_subject cube = hsr_cube_subject(w->frame.instance, place);
+  hsr_tiler_need_screen(t);
+  for (uint32_t f = 0; f < cell->n_faces; f++) {
+    HSR_STEP(w->tally, HSR_EB_FACES, HSR_FACE(name_of(t, f)), cube, HSR_NOWHERE,
+             0);
+    if (!is_repeated(w, f) && !insert_face(w, t, f))
+      return false;
+  }
+  return true;
+}
+
+static bool tile(struct walk *w, uint32_t k) {
+  const struct hsr_octree_node *node = &w->frame.object->octree.node[k];
+  uint64_t n = w->prepared->within[w->frame.object - w->frame.cubes->object][k];
+  if (!could_be_visible(w, &w->frame.placing, node, n,
+                        hsr_cube_subject(w->frame.instance, k)))
+    return true;
+  if (!tile_cell(w, k))
+    return false;
+  int nearest = hsr_cube_nearest(&w->frame.placing, node);
+  for (int o = 0; o < 8; o++) {
+    uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
+    if (child != HSR_NO_NODE && !tile(w, child))
+      return false;
+  }
+  return true;
+}
+
+static bool tile_instance(struct walk *w, uint32_t i) {
+  hsr_cube_instance(&w->frame, i);
+  w->visit++;
+  return tile(w, 0);
+}
+
+static bool tile_instances(struct walk *w, uint32_t k) {
+  const struct hsr_octree *octree = &w->frame.cubes->octree;
+  const struct hsr_octree_node *node = &octree->node[k];
+  if (!could_be_visible(w, &w->frame.as_it_is, node, w->prepared->instances[k],
+                        hsr_cube_subject(HSR_NO_ID, k)))
+    return true;
+  for (uint32_t p = 0; p < node->n; p++) {
+    uint32_t i = octree->item[node->first + p];
+    if (hsr_cube_is_new(&w->frame, i) && !tile_instance(w, i))
+      return false;
+  }
+  int nearest = hsr_cube_nearest(&w->frame.as_it_is, node);
+  for (int o = 0; o < 8; o++) {
+    uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
+    if (child != HSR_NO_NODE && !tile_instances(w, child))
+      return false;
+  }
+  return true;
+}
+
+/* Tile, of all that is in the scene. Loose faces come first, and what moves
+ * last. */
+static bool tile_all(struct walk *w, struct hsr_tiler *loose) {
+  const struct hsr_cubes *cubes = w->frame.cubes;
+  for (uint32_t f = 0; f < cubes->loose.n_faces; f++)
+    if (!insert_face(w, loose, f))
+      return false;
+  if (!tile_instances(w, 0))
+    return false;
+  for (uint32_t k = 0; k < cubes->n_movers; k++)
+    if (!tile_instance(w, cubes->mover[k]))
+      return false;
+  return true;
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  double begun = hsr_bounded_now();
+  struct hsr_area_form form = hsr_form_area(&job->answer->form);
+  struct hsr_tiler loose;
+  struct walk w = {.prepared = job->prepared,
+                   .limit = (uint64_t)job->option[LIMIT],
+                   .tally = job->tally};
+  const struct hsr_eb_limits limits = {
+      .order = (enum hsr_eb_order)job->option[REFINE],
+      .eps = form.eps,
+      .seconds = job->real[SECONDS],
+      .deepest = (int)job->option[DEPTH],
+      .exact = (uint32_t)job->option[EXACT],
+      .cells = (uint32_t)job->option[CELLS] << 20};
+  w.met = HSR_NEW_ZEROED(job->scratch, uint32_t,
+                         w.prepared->cubes.most_object_faces);
+  if (!w.met || hsr_cube_frame_begin(&w.frame, job, &w.prepared->cubes) ||
+      hsr_cube_loose(&w.frame, &loose) ||
+      hsr_bounded_begin(&w.tree, job, &w.frame.pair) || !tile_all(&w, &loose))
+    return hsr_fail_nomem(err);
+  return hsr_bounded_refine(&w.tree, &limits, begun, err);
+}
+
+/* --- Preparation ---------------------------------------------------------- */
+
+/* The faces in the cubes of a subtree; children come after their parents. */
+static uint64_t *count_within(const struct hsr_octree *octree,
+                              const uint64_t *own, struct hsr_arena *arena) {
+  uint64_t *n = HSR_NEW(arena, uint64_t, octree->n_nodes);
+  for (uint32_t k = octree->n_nodes; n && k-- > 0;) {
+    n[k] = own[k];
+    for (int o = 0; o < 8; o++)
+      if (octree->node[k].child[o] != HSR_NO_NODE)
+        n[k] += n[octree->node[k].child[o]];
+  }
+  return n;
+}
+
+static bool count_object(struct prepared *p, uint32_t o) {
+  const struct hsr_cubes_object *object = &p->cubes.object[o];
+  uint64_t *own = HSR_NEW(&p->arena, uint64_t, object->octree.n_nodes);
+  for (uint32_t k = 0; own && k < object->octree.n_nodes; k++)
+    own[k] = object->cell[k].n_faces;
+  p->within[o] = own ? count_within(&object->octree, own, &p->arena) : NULL;
+  return p->within[o] != NULL;
+}
+
+static bool count_instances(struct prepared *p) {
+  const struct hsr_octree *octree = &p->cubes.octree;
+  const struct hsr_scene *scene = p->cubes.scene;
+  uint64_t *own = HSR_NEW_ZEROED(&p->arena, uint64_t, octree->n_nodes);
+  for (uint32_t k = 0; own && k < octree->n_nodes; k++)
+    for (uint32_t i = 0; i < octree->node[k].n; i++)
+      own[k] +=
+          scene
+              ->objects[scene
+                            ->instances[octree->item[octree->node[k].first + i]]
+                            .object]
+              .n_faces;
+  p->instances = own ? count_within(octree, own, &p->arena) : NULL;
+  return p->instances != NULL;
+}
+
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  /* The choice of hzbuffer: Greene's octree is the same. */
+  static const struct hsr_octree_rule rule = {
+      .small = .1, .most = 20, .least = 20};
+  (void)option;
+  struct prepared *p = calloc(1, sizeof *p);
+  *prepared = p;
+  if (!p)
+    return hsr_fail_nomem(err);
+  enum hsr_status status = hsr_cubes_init(&p->cubes, world, &rule, err);
+  if (status)
+    return status;
+  uint32_t n = p->cubes.scene->n_objects;
+  p->within = HSR_NEW(&p->arena, uint64_t *, n);
+  if (!p->within || !count_instances(p))
+    return hsr_fail_nomem(err);
+  for (uint32_t o = 0; o < n; o++)
+    if (!count_object(p, o))
+      return hsr_fail_nomem(err);
+  return HSR_OK;
+}
+
+static void release(void *prepared) {
+  struct prepared *p = prepared;
+  if (!p)
+    return;
+  hsr_cubes_free(&p->cubes);
+  hsr_arena_free(&p->arena);
+  free(p);
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(error_bounded) = {
+    .name = "error-bounded",
+    .title = "Error-bounded antialiased rendering",
+    .authors = "N. Greene and M. Kass",
+    .year = 1994,
+    .source = "Greene and Kass, SIGGRAPH 1994; Greene, PhD thesis, UC Santa "
+              "Cruz, 1995, chapter 5",
+    .taxonomy = HSR_HIERARCHICAL,
+    .sort_order = "Z(XY)",
+    .coherence = "of hidden regions in space, of areas on the screen",
+    .subjects = 1 << HSR_FACES,
+    .kind = HSR_AREAS,
+    .makes = 1 << HSR_AREA_BOX,
+    .flags = HSR_INSTANCED,
+    .counters = counters,
+    .outline = outline,
+    .options = options,
+    .prepare = prepare,
+    .render = render,
+    .release = release};

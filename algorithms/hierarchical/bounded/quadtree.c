@@ -1,0 +1,649 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Putting polygons into the quadtree: InsertPolyIntoQuadtree, InsertPoly,
+ * SubdivideQCell, RemoveHiddenPolys and PropagateZBounds of the thesis, 5.4.2.
+ *
+ * What differs from the printed listing, which does not work as it stands:
+ * - A cell's `far` never falls. As printed, propagation from the first of four
+ *   new leaves would take back what a polygon that covers all four had set.
+ * - A subtree that is hidden is not deleted but becomes a leaf, since polygons
+ *   that come later go through all four children.
+ * - A cell of the smallest size is not divided: its list has no limit. */
+#include "algorithms/hierarchical/bounded/bounded.h"
+
+#include <math.h>
+
+struct hsr_subject hsr_eb_subject(const struct hsr_eb_cell *cell) {
+  double side = ldexp(1, cell->level);
+  return HSR_CELL((uint32_t)(cell->level + HSR_EB_DEEPEST),
+                  floor(cell->x / side), floor(cell->y / side));
+}
+
+struct hsr_window hsr_eb_window(const struct hsr_eb_tree *t,
+                                const struct hsr_eb_cell *cell) {
+  const struct hsr_window *w = &t->job->view->window;
+  struct hsr_square s = hsr_eb_square(cell);
+  int x0 = (int)floor(s.x - s.half), y0 = (int)floor(s.y - s.half);
+  int x1 = (int)ceil(s.x + s.half), y1 = (int)ceil(s.y + s.half);
+  return hsr_window_make(x0 > w->x0 ? x0 : w->x0, y0 > w->y0 ? y0 : w->y0,
+                         x1 < w->x1 ? x1 : w->x1, y1 < w->y1 ? y1 : w->y1);
+}
+
+static struct hsr_subject face_of(const struct hsr_eb_tree *t, uint32_t s) {
+  return HSR_FACE(hsr_eb_shape(t, s)->id);
+}
+
+/* --- Memory --------------------------------------------------------------- */
+
+static bool grow_blocks(struct hsr_eb_tree *t, struct hsr_growing *blocks,
+                        size_t size) {
+  void *block = hsr_arena_array(t->job->scratch, HSR_EB_BLOCK, size);
+  if (!block || !hsr_arena_grow(t->job->scratch, blocks, sizeof block))
+    return false;
+  ((void **)blocks->items)[blocks->n - 1] = block;
+  return true;
+}
+
+/* The first of four cells that follow one another; 0: no memory. */
+static uint32_t new_cells(struct hsr_eb_tree *t) {
+  uint32_t c = t->free_cells;
+  if (c) {
+    t->free_cells = hsr_eb_cell(t, c)->child;
+    return c;
+  }
+  if (t->n_cells % HSR_EB_BLOCK == 0 &&
+      !grow_blocks(t, &t->cells, sizeof(struct hsr_eb_cell)))
+    return 0;
+  t->n_cells += 4;
+  return t->n_cells - 4;
+}
+
+static uint32_t new_entry(struct hsr_eb_tree *t) {
+  uint32_t e = t->free_entries;
+  if (e != HSR_EB_NONE) {
+    t->free_entries = hsr_eb_entry(t, e)->next;
+    return e;
+  }
+  if (t->n_entries % HSR_EB_BLOCK == 0 &&
+      !grow_blocks(t, &t->entries, sizeof(struct hsr_eb_entry)))
+    return HSR_EB_NONE;
+  return t->n_entries++;
+}
+
+static void free_list(struct hsr_eb_tree *t, struct hsr_eb_cell *cell) {
+  for (uint32_t e = cell->first, next; e != HSR_EB_NONE; e = next) {
+    next = hsr_eb_entry(t, e)->next;
+    hsr_eb_entry(t, e)->next = t->free_entries;
+    t->free_entries = e;
+  }
+  cell->first = HSR_EB_NONE;
+  cell->n = 0;
+}
+
+void hsr_bounded_free_below(struct hsr_eb_tree *t, uint32_t c) {
+  struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
+  uint32_t child = cell->child;
+  free_list(t, cell);
+  if (!child)
+    return;
+  for (uint32_t k = 0; k < 4; k++)
+    hsr_bounded_free_below(t, child + k);
+  hsr_eb_cell(t, child)->child = t->free_cells;
+  t->free_cells = child;
+  cell->child = 0;
+}
+
+/* --- Depths --------------------------------------------------------------- */
+
+static double nearest_in(const struct hsr_eb_tree *t, uint32_t s,
+                         const struct hsr_square *square) {
+  double lo, hi;
+  hsr_line_range(&hsr_eb_shape(t, s)->q, square, &lo, &hi);
+  return hi;
+}
+
+static double farthest_in(const struct hsr_eb_tree *t, uint32_t s,
+                          const struct hsr_square *square) {
+  double lo, hi;
+  hsr_line_range(&hsr_eb_shape(t, s)->q, square, &lo, &hi);
+  return lo;
+}
+
+/* At the four corners, exactly: what is nearer there is so in between. */
+static bool is_before_exactly(const struct hsr_eb_tree *t, uint32_t p,
+                              uint32_t r, const struct hsr_square *square) {
+  for (int k = 0; k < 4; k++)
+    if (!hsr_pair_nearer_at(
+            t->pair, hsr_eb_shape(t, p)->id, hsr_eb_shape(t, r)->id,
+            square->x + (k & 1 ? square->half : -square->half),
+            square->y + (k & 2 ? square->half : -square->half), t->tally))
+      return false;
+  return true;
+}
+
+bool hsr_bounded_before(const struct hsr_eb_tree *t, uint32_t p, uint32_t r,
+                        const struct hsr_square *square) {
+  const struct hsr_screen_line *a = &hsr_eb_shape(t, p)->q,
+                               *b = &hsr_eb_shape(t, r)->q;
+  struct hsr_screen_line by = {a->a - b->a, a->b - b->b, a->c - b->c,
+                               a->error + b->error};
+  double lo, hi;
+  hsr_line_range(&by, square, &lo, &hi);
+  HSR_COUNT_DEPTHS(t->tally, 1);
+  bool close = hi - lo < 8 * by.error;
+  bool before =
+      lo > 0 || (hi >= 0 && close && is_before_exactly(t, p, r, square));
+  HSR_STEP(t->tally, HSR_EB_ORDERED, face_of(t, p), face_of(t, r), HSR_NOWHERE,
+           before);
+  return before;
+}
+
+/* PropagateZBounds. */
+static void propagate(struct hsr_eb_tree *t, uint32_t c) {
+  for (; c; c = hsr_eb_cell(t, c)->parent) {
+    struct hsr_eb_cell *parent = hsr_eb_cell(t, hsr_eb_cell(t, c)->parent);
+    double near = -INFINITY, far = INFINITY;
+    for (uint32_t k = 0; k < 4; k++) {
+      const struct hsr_eb_cell *child = hsr_eb_cell(t, parent->child + k);
+      near = fmax(near, child->near);
+      far = fmin(far, child->far);
+    }
+    far = fmax(far, parent->far);
+    if (near == parent->near && far == parent->far)
+      return;
+    parent->near = near;
+    parent->far = far;
+  }
+}
+
+/* --- Covering structures -------------------------------------------------- */
+
+/* Polygons that cover a cell together. */
+struct structure {
+  uint32_t shape[HSR_EB_CAPACITY + 1], n;
+  double far;
+};
+
+static bool same_point(const double a[3], const double b[3]) {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+/* The edge of r between the same two points as edge k of p, with r on the other
+ * side of it; HSR_EB_NONE: there is none. */
+static uint32_t edge_across(const struct hsr_shape *p, uint32_t k,
+                            const struct hsr_shape *r) {
+  const double *a = p->corner[k], *b = p->corner[(k + 1) % p->n_corners];
+  for (uint32_t l = 0; l < r->n_corners; l++) {
+    const double *c = r->corner[l], *d = r->corner[(l + 1) % r->n_corners];
+    bool same = same_point(a, c) && same_point(b, d);
+    bool turned = same_point(a, d) && same_point(b, c);
+    if ((turned && p->inner == r->inner) || (same && p->inner != r->inner))
+      return l;
+  }
+  return HSR_EB_NONE;
+}
+
+/* Do two polygons cover the square together, on both sides of an edge that they
+ * share? */
+static bool share_edge(const struct hsr_eb_tree *t, uint32_t p, uint32_t r,
+                       const struct hsr_square *square) {
+  const struct hsr_shape *a = hsr_eb_shape(t, p), *b = hsr_eb_shape(t, r);
+  for (uint32_t k = 0; a->is_convex && b->is_convex && k < a->n_corners; k++) {
+    uint32_t l = edge_across(a, k, b);
+    if (l != HSR_EB_NONE && hsr_shape_covers_but(a, square, k, k) &&
+        hsr_shape_covers_but(b, square, l, l))
+      return true;
+  }
+  return false;
+}
+
+/* The polygon of the cell's list across edge k of p, that has all of the cell
+ * between edge *l, which is edge k, and the other one at their vertex. */
+static uint32_t next_in_fan(const struct hsr_eb_tree *t,
+                            const struct hsr_eb_cell *cell,
+                            const struct hsr_square *square, uint32_t p,
+                            uint32_t k, const double *vertex, uint32_t *other) {
+  for (uint32_t e = cell->first; e != HSR_EB_NONE;
+       e = hsr_eb_entry(t, e)->next) {
+    uint32_t r = hsr_eb_entry(t, e)->shape;
+    const struct hsr_shape *shape = hsr_eb_shape(t, r);
+    uint32_t l = r == p || !shape->is_convex
+                     ? HSR_EB_NONE
+                     : edge_across(hsr_eb_shape(t, p), k, shape);
+    if (l == HSR_EB_NONE)
+      continue;
+    uint32_t n = shape->n_corners;
+    *other =
+        same_point(shape->corner[l], vertex) ? (l + n - 1) % n : (l + 1) % n;
+    if (hsr_shape_covers_but(shape, square, l, *other))
+      return r;
+  }
+  return HSR_EB_NONE;
+}
+
+/* Around a vertex of polygon s, from edge to edge: do all of these polygons
+ * come back to s? */
+static bool find_fan(const struct hsr_eb_tree *t,
+                     const struct hsr_eb_cell *cell,
+                     const struct hsr_square *square, uint32_t s,
+                     uint32_t corner, struct structure *fan) {
+  const struct hsr_shape *shape = hsr_eb_shape(t, s);
+  uint32_t before = (corner + shape->n_corners - 1) % shape->n_corners;
+  uint32_t p = s, edge = corner;
+  fan->n = 0;
+  if (!hsr_shape_covers_but(shape, square, before, corner))
+    return false;
+  do {
+    fan->shape[fan->n++] = p;
+    p = next_in_fan(t, cell, square, p, edge, shape->corner[corner], &edge);
+  } while (p != HSR_EB_NONE && p != s && fan->n <= HSR_EB_CAPACITY);
+  return p == s && fan->n > 2;
+}
+
+/* The structure that polygon s, which is on the leaf's list, completes: one
+ * polygon, two that share an edge, or a fan. */
+static bool find_structure(const struct hsr_eb_tree *t,
+                           const struct hsr_eb_cell *cell,
+                           const struct hsr_square *square, uint32_t s,
+                           bool covers, struct structure *found) {
+  const struct hsr_shape *shape = hsr_eb_shape(t, s);
+  found->shape[0] = s;
+  found->n = 1;
+  if (covers)
+    return true;
+  if (!shape->is_convex)
+    return false;
+  found->n = 2;
+  for (uint32_t e = cell->first; e != HSR_EB_NONE;
+       e = hsr_eb_entry(t, e)->next) {
+    found->shape[1] = hsr_eb_entry(t, e)->shape;
+    if (found->shape[1] != s && share_edge(t, s, found->shape[1], square))
+      return true;
+  }
+  for (uint32_t k = 0; cell->n > 2 && k < shape->n_corners; k++)
+    if (find_fan(t, cell, square, s, k, found))
+      return true;
+  return false;
+}
+
+static bool is_in(const struct structure *structure, uint32_t s) {
+  for (uint32_t k = 0; k < structure->n; k++)
+    if (structure->shape[k] == s)
+      return true;
+  return false;
+}
+
+static bool is_behind(const struct hsr_eb_tree *t, uint32_t s,
+                      const struct structure *structure,
+                      const struct hsr_square *square) {
+  for (uint32_t k = 0; k < structure->n; k++)
+    if (!hsr_bounded_before(t, structure->shape[k], s, square))
+      return false;
+  return true;
+}
+
+/* RemoveHiddenPolys. */
+static void remove_hidden(struct hsr_eb_tree *t, struct hsr_eb_cell *cell,
+                          const struct hsr_square *square,
+                          const struct structure *structure) {
+  for (uint32_t *at = &cell->first; *at != HSR_EB_NONE;) {
+    uint32_t e = *at;
+    struct hsr_eb_entry *entry = hsr_eb_entry(t, e);
+    if (is_in(structure, entry->shape) ||
+        !(nearest_in(t, entry->shape, square) < cell->far ||
+          is_behind(t, entry->shape, structure, square))) {
+      at = &entry->next;
+      continue;
+    }
+    HSR_STEP(t->tally, HSR_EB_REMOVED, face_of(t, entry->shape),
+             hsr_eb_subject(cell), hsr_eb_window(t, cell), 0);
+    *at = entry->next;
+    entry->next = t->free_entries;
+    t->free_entries = e;
+    cell->n--;
+  }
+}
+
+/* What covers the cell with s, if anything does, and what follows of it. */
+static void cover(struct hsr_eb_tree *t, struct hsr_eb_cell *cell,
+                  const struct hsr_square *square, uint32_t s, bool covers) {
+  struct structure found;
+  if (!find_structure(t, cell, square, s, covers, &found))
+    return;
+  HSR_STEP(t->tally, HSR_EB_STRUCTURES, face_of(t, s), hsr_eb_subject(cell),
+           hsr_eb_window(t, cell), found.n > 2 ? 2 : found.n - 1);
+  found.far = INFINITY;
+  for (uint32_t k = 0; k < found.n; k++)
+    found.far = fmin(found.far, farthest_in(t, found.shape[k], square));
+  cell->far = fmax(cell->far, found.far);
+  remove_hidden(t, cell, square, &found);
+}
+
+/* --- Leaves --------------------------------------------------------------- */
+
+static bool append(struct hsr_eb_tree *t, struct hsr_eb_cell *cell, uint32_t s,
+                   bool covers) {
+  uint32_t e = new_entry(t);
+  if (e == HSR_EB_NONE)
+    return false;
+  *hsr_eb_entry(t, e) = (struct hsr_eb_entry){s, cell->first, covers};
+  cell->first = e;
+  cell->n++;
+  return true;
+}
+
+static void make_leaf(struct hsr_eb_tree *t, uint32_t parent, uint32_t k) {
+  const struct hsr_eb_cell *from = hsr_eb_cell(t, parent);
+  double half = ldexp(.25, from->level);
+  *hsr_eb_cell(t, from->child + k) =
+      (struct hsr_eb_cell){.parent = parent,
+                           .first = HSR_EB_NONE,
+                           .level = from->level - 1,
+                           .place = HSR_EB_INSIDE,
+                           .x = from->x + (k & 1 ? half : -half),
+                           .y = from->y + (k & 2 ? half : -half),
+                           .near = -INFINITY,
+                           .far = from->far};
+}
+
+/* The polygons of the parent's list that meet a new leaf. */
+static bool inherit(struct hsr_eb_tree *t, uint32_t parent, uint32_t c) {
+  struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
+  struct hsr_square square = hsr_eb_square(cell);
+  for (uint32_t e = hsr_eb_cell(t, parent)->first, next; e != HSR_EB_NONE;
+       e = next) {
+    const struct hsr_eb_entry *entry = hsr_eb_entry(t, e);
+    next = entry->next;
+    uint32_t s = entry->shape;
+    enum hsr_meeting meeting =
+        entry->covers ? HSR_COVERS
+                      : hsr_shape_meets(hsr_eb_shape(t, s), &square);
+    HSR_STEP(t->tally, HSR_EB_PLACED, face_of(t, s), hsr_eb_subject(cell),
+             hsr_eb_window(t, cell), meeting);
+    if (meeting != HSR_MISSES && !append(t, cell, s, meeting == HSR_COVERS))
+      return false;
+  }
+  for (uint32_t e = cell->first; e != HSR_EB_NONE; e = hsr_eb_entry(t, e)->next)
+    cell->near =
+        fmax(cell->near, nearest_in(t, hsr_eb_entry(t, e)->shape, &square));
+  return true;
+}
+
+/* What is hidden goes, so the list is gone through from its beginning for each.
+ */
+void hsr_bounded_settle(struct hsr_eb_tree *t, uint32_t c) {
+  struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
+  struct hsr_square square = hsr_eb_square(cell);
+  for (uint32_t k = 0; k < cell->n; k++) {
+    uint32_t e = cell->first;
+    for (uint32_t l = 0; l < k; l++)
+      e = hsr_eb_entry(t, e)->next;
+    const struct hsr_eb_entry *entry = hsr_eb_entry(t, e);
+    cover(t, cell, &square, entry->shape, entry->covers);
+  }
+}
+
+bool hsr_bounded_split(struct hsr_eb_tree *t, uint32_t c) {
+  uint32_t child = new_cells(t);
+  if (!child)
+    return false;
+  struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
+  cell->child = child;
+  HSR_STEP(t->tally, HSR_EB_SPLITS, hsr_eb_subject(cell), HSR_NOTHING,
+           hsr_eb_window(t, cell), 0);
+  for (uint32_t k = 0; k < 4; k++) {
+    make_leaf(t, c, k);
+    if (!inherit(t, c, child + k))
+      return false;
+    hsr_bounded_settle(t, child + k);
+  }
+  free_list(t, cell);
+  propagate(t, child);
+  return true;
+}
+
+/* --- Inserting ------------------------------------------------------------ */
+
+static bool insert(struct hsr_eb_tree *t, uint32_t s, uint32_t c, bool covers);
+
+/* Cells behind what covers their parent. */
+static void prune(struct hsr_eb_tree *t, struct hsr_eb_cell *cell) {
+  for (uint32_t k = 0; cell->child && k < 4; k++) {
+    struct hsr_eb_cell *child = hsr_eb_cell(t, cell->child + k);
+    if (child->near < cell->far && (child->child || child->n)) {
+      HSR_STEP(t->tally, HSR_EB_PRUNED, hsr_eb_subject(child), HSR_NOTHING,
+               hsr_eb_window(t, child), 0);
+      hsr_bounded_free_below(t, cell->child + k);
+      child->near = -INFINITY;
+      child->far = fmax(child->far, cell->far);
+    }
+  }
+}
+
+/* InsertPoly. */
+static bool store(struct hsr_eb_tree *t, uint32_t s, uint32_t c, bool covers,
+                  double nearest) {
+  struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
+  if (!cell->child) {
+    bool fits = cell->n < HSR_EB_CAPACITY || cell->level <= -HSR_EB_DEEPEST;
+    if (fits) {
+      HSR_STEP(t->tally, HSR_EB_STORED, face_of(t, s), hsr_eb_subject(cell),
+               hsr_eb_window(t, cell), covers);
+      struct hsr_square square = hsr_eb_square(cell);
+      if (!append(t, cell, s, covers))
+        return false;
+      cell->near = fmax(cell->near, nearest);
+      cover(t, cell, &square, s, covers);
+      propagate(t, c);
+      return true;
+    }
+    if (!hsr_bounded_split(t, c))
+      return false;
+  }
+  for (uint32_t k = 0; k < 4; k++)
+    if (!insert(t, s, cell->child + k, covers))
+      return false;
+  return true;
+}
+
+/* InsertPolyIntoQuadtree. */
+static bool insert(struct hsr_eb_tree *t, uint32_t s, uint32_t c, bool covers) {
+  struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
+  struct hsr_square square = hsr_eb_square(cell);
+  if (cell->place == HSR_EB_OUTSIDE)
+    return true;
+  if (cell->place == HSR_EB_STRADDLES)
+    return store(t, s, c, false, -INFINITY);
+  enum hsr_meeting meeting =
+      covers ? HSR_COVERS : hsr_shape_meets(hsr_eb_shape(t, s), &square);
+  HSR_STEP(t->tally, HSR_EB_PLACED, face_of(t, s), hsr_eb_subject(cell),
+           hsr_eb_window(t, cell), meeting);
+  if (meeting == HSR_MISSES) {
+    HSR_STEP(t->tally, HSR_EB_MISSED, face_of(t, s), hsr_eb_subject(cell),
+             hsr_eb_window(t, cell), 0);
+    return true;
+  }
+  double nearest = nearest_in(t, s, &square);
+  if (nearest < cell->far) {
+    HSR_STEP(t->tally, HSR_EB_FARTHER, face_of(t, s), hsr_eb_subject(cell),
+             hsr_eb_window(t, cell), 0);
+    return true;
+  }
+  covers = meeting == HSR_COVERS;
+  if (covers && cell->child) {
+    double far = farthest_in(t, s, &square);
+    if (far > cell->far) {
+      cell->far = far;
+      propagate(t, c);
+      prune(t, cell);
+    }
+  }
+  return store(t, s, c, covers, nearest);
+}
+
+/* The smallest cell that encloses a shape. */
+static uint32_t enclosing(const struct hsr_eb_tree *t,
+                          const struct hsr_shape *shape) {
+  uint32_t c = 0;
+  for (;;) {
+    const struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
+    bool left = shape->x1<cell->x, right = shape->x0> cell->x;
+    bool above = shape->y1<cell->y, below = shape->y0> cell->y;
+    if (!cell->child || !(left || right) || !(above || below))
+      return c;
+    c = cell->child + (uint32_t)(right + 2 * below);
+  }
+}
+
+bool hsr_bounded_add(struct hsr_eb_tree *t, const struct hsr_screen *screen,
+                     uint32_t f, uint32_t id) {
+  struct hsr_arena *arena = t->job->scratch;
+  if (!hsr_arena_grow(arena, &t->shapes, sizeof(struct hsr_shape)))
+    return false;
+  uint32_t s = (uint32_t)t->shapes.n - 1;
+  struct hsr_shape *shape = (struct hsr_shape *)t->shapes.items + s;
+  if (!hsr_shape_make(shape, screen, f, id, arena, t->tally))
+    return false;
+  uint16_t rgb[3];
+  hsr_filter_colour(t->job->world, t->job->view, id, rgb);
+  for (int c = 0; c < 3; c++)
+    shape->rgb[c] = rgb[c] / 65535.0;
+  return insert(t, s, enclosing(t, shape), false);
+}
+
+/* --- Cubes ---------------------------------------------------------------- */
+
+/* Whether a side meets a square: certainly not if all of it lies beyond one edge,
+ * or beyond the box of its corners. */
+static bool side_meets(const struct hsr_eb_side *side,
+                       const struct hsr_square *square) {
+  double reach = square->half + side->margin;
+  double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
+  double turn = 0;
+  for (int k = 0; k < 4; k++) {
+    int l = (k + 1) % 4;
+    x0 = fmin(x0, side->x[k]), x1 = fmax(x1, side->x[k]);
+    y0 = fmin(y0, side->y[k]), y1 = fmax(y1, side->y[k]);
+    turn += side->x[k] * side->y[l] - side->x[l] * side->y[k];
+  }
+  if (x0 > square->x + reach || x1 < square->x - reach ||
+      y0 > square->y + reach || y1 < square->y - reach)
+    return false;
+  for (int k = 0; k < 4; k++) {
+    int l = (k + 1) % 4;
+    double dx = side->x[l] - side->x[k], dy = side->y[l] - side->y[k];
+    double e = dx * (square->y - side->y[k]) - dy * (square->x - side->x[k]);
+    /* A side of a few margins may turn the other way round. */
+    if (fabs(turn) > 64 * reach * (x1 - x0 + y1 - y0 + reach) &&
+        (turn > 0 ? e : -e) < -2 * reach * (fabs(dx) + fabs(dy) + 2 * reach))
+      return false;
+  }
+  return true;
+}
+
+static double side_nearest(const struct hsr_eb_side *side,
+                           const struct hsr_square *square) {
+  double q = side->a * square->x + side->b * square->y + side->c +
+             (fabs(side->a) + fabs(side->b)) * square->half;
+  return fmin(q, side->nearest);
+}
+
+static bool enqueue(struct hsr_eb_tree *t, uint32_t c) {
+  if (!hsr_arena_grow(t->job->scratch, &t->queue, sizeof c))
+    return false;
+  ((uint32_t *)t->queue.items)[t->queue.n - 1] = c;
+  return true;
+}
+
+bool hsr_bounded_could_be_seen(struct hsr_eb_tree *t,
+                               const struct hsr_eb_side *side, uint64_t most,
+                               struct hsr_subject cube) {
+  t->queue.n = 0;
+  if (!enqueue(t, 0))
+    return true;
+  uint64_t visited = 0;
+  for (size_t head = 0; head < t->queue.n; head++) {
+    uint32_t c = ((uint32_t *)t->queue.items)[head];
+    struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
+    struct hsr_square square = hsr_eb_square(cell);
+    double nearest = side_nearest(side, &square);
+    if (cell->place == HSR_EB_OUTSIDE)
+      continue;
+    bool inside = cell->place == HSR_EB_INSIDE;
+    if (inside)
+      HSR_STEP(t->tally, HSR_EB_SIDE_CELLS, cube, hsr_eb_subject(cell),
+               hsr_eb_window(t, cell), 0);
+    if (inside && ++visited > most)
+      return true;
+    if (!side_meets(side, &square) || (inside && nearest < cell->far))
+      continue;
+    if (inside && (nearest > cell->near || cell->level <= -HSR_EB_DEEPEST))
+      return true;
+    if (!cell->child && !hsr_bounded_split(t, c))
+      return true;
+    for (uint32_t k = 0; k < 4; k++)
+      if (!enqueue(t, cell->child + k))
+        return true;
+  }
+  return false;
+}
+
+/* --- Beginning ------------------------------------------------------------ */
+
+static enum hsr_eb_place place_of(const struct hsr_square *square,
+                                  const struct hsr_window *w) {
+  double x0 = square->x - square->half, x1 = square->x + square->half;
+  double y0 = square->y - square->half, y1 = square->y + square->half;
+  if (x1 <= w->x0 || x0 >= w->x1 || y1 <= w->y0 || y0 >= w->y1)
+    return HSR_EB_OUTSIDE;
+  return x0 >= w->x0 && x1 <= w->x1 && y0 >= w->y0 && y1 <= w->y1
+             ? HSR_EB_INSIDE
+             : HSR_EB_STRADDLES;
+}
+
+/* Divides what straddles the border of the window. */
+static bool begin_cell(struct hsr_eb_tree *t, uint32_t c) {
+  struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
+  struct hsr_square square = hsr_eb_square(cell);
+  cell->place = place_of(&square, &t->job->view->window);
+  if (cell->place == HSR_EB_OUTSIDE)
+    cell->far = INFINITY;
+  if (cell->place != HSR_EB_STRADDLES)
+    return true;
+  cell->child = new_cells(t);
+  if (!cell->child)
+    return false;
+  for (uint32_t k = 0; k < 4; k++) {
+    make_leaf(t, c, k);
+    if (!begin_cell(t, cell->child + k))
+      return false;
+  }
+  return true;
+}
+
+enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *t,
+                                  const struct hsr_job *job,
+                                  struct hsr_pair *pair) {
+  const struct hsr_window *w = &job->view->window;
+  int side = w->x1 - w->x0 > w->y1 - w->y0 ? w->x1 - w->x0 : w->y1 - w->y0;
+  int level = 0;
+  while (1 << level < side)
+    level++;
+  uint16_t rgb[3];
+  *t = (struct hsr_eb_tree){.job = job,
+                            .tally = job->tally,
+                            .pair = pair,
+                            .free_entries = HSR_EB_NONE};
+  hsr_filter_colour(job->world, job->view, HSR_BACKGROUND, rgb);
+  for (int c = 0; c < 3; c++)
+    t->background[c] = rgb[c] / 65535.0;
+  if (!grow_blocks(t, &t->cells, sizeof(struct hsr_eb_cell)))
+    return HSR_E_NOMEM;
+  t->n_cells = 4; /* the root, and three that are never used */
+  *hsr_eb_cell(t, 0) = (struct hsr_eb_cell){.first = HSR_EB_NONE,
+                                            .level = level,
+                                            .x = w->x0 + ldexp(.5, level),
+                                            .y = w->y0 + ldexp(.5, level),
+                                            .near = -INFINITY,
+                                            .far = -INFINITY};
+  return begin_cell(t, 0) ? HSR_OK : HSR_E_NOMEM;
+}

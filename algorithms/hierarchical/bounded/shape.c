@@ -1,0 +1,387 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Notation    u = 2^-53; |.| the sum of the sizes of three components. A' = A -
+ *             E rounded, G = B - A rounded: each component is within u of
+ *             itself, so A' is within u (|A| + |E|)... of the truth; since A -
+ *             E is one subtraction, its relative error is u.
+ *
+ * Lines. N = A' x G has components of two products each: an error of at most
+ * 4u |A'| |G| each, with the errors of A' and G. A coefficient N . ray is three
+ * products with rays that are within 2u: at most 4u |N| |ray| + 4u |A'| |G|
+ * |ray|, and |N| <= |A'| |G| as a sum. So all that comes of evaluating a sx + b
+ * sy + c, three products and two sums, is within 32u |A'| |G| reach, where
+ * `reach` is the sum of screen->reach, which bounds |D|. HSR_LINE_ERROR is
+ * 2^-46 = 128u. In parallel M = G x F, e = (A' - r) . M with r = P - E; the same
+ * holds with |A'| + reach for |A'|, and |F| <= 2 for |D|. 2^-960 covers what
+ * underflows.
+ *
+ * On a square of this picture |e - e(middle)| <= (|a| + |b|) half; the rounding
+ * of that and of the sums is below 8u (|a| m + |b| n + |c|), and every
+ * coefficient is at most |A'| |G| reach in size there, so it is in the 128u too.
+ *
+ * Shares. In coordinates where the square is [-1, 1]^2 a line is displaced by at
+ * most d = error / |gradient| and what is on its positive side changes by at most
+ * d times the length of its part in the square, 2 sqrt 2. Of an area of 4 that
+ * is less than d. Clipping by a line adds at most one corner, each within 2^-49
+ * of the line through its neighbours, as the quotient that places it lies between 0
+ * and 1: less than 2^-44 of the area for 16 lines. */
+#include "algorithms/hierarchical/bounded/shape.h"
+#include "common/exact/order.h"
+
+#include <string.h>
+
+#define LINE_ERROR 0x1p-46
+#define TINY 0x1p-960
+
+static double size_of(const double v[3]) {
+  return fabs(v[0]) + fabs(v[1]) + fabs(v[2]);
+}
+
+static void cross(const double a[3], const double b[3], double c[3]) {
+  for (int k = 0; k < 3; k++) {
+    int l = (k + 1) % 3, m = (k + 2) % 3;
+    c[k] = a[l] * b[m] - a[m] * b[l];
+  }
+}
+
+static double dot(const double a[3], const double b[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* --- Lines ---------------------------------------------------------------- */
+
+static struct hsr_screen_line edge_line(const struct hsr_screen *screen,
+                                        const double a[3], const double b[3]) {
+  const struct hsr_view *view = screen->view;
+  const double *reach = screen->reach;
+  double from[3], along[3], normal[3], far = reach[0] + reach[1] + reach[2];
+  for (int k = 0; k < 3; k++) {
+    from[k] = a[k] - view->E[k];
+    along[k] = b[k] - a[k];
+  }
+  if (view->parallel) {
+    cross(along, view->F, normal);
+    return (struct hsr_screen_line){
+        -dot(view->ray[1], normal), -dot(view->ray[2], normal),
+        dot(from, normal) - dot(view->ray[0], normal),
+        2 * LINE_ERROR * size_of(along) * (size_of(from) + far) + TINY};
+  }
+  cross(from, along, normal);
+  return (struct hsr_screen_line){
+      dot(view->ray[1], normal), dot(view->ray[2], normal),
+      dot(view->ray[0], normal),
+      LINE_ERROR * size_of(along) * size_of(from) * far + TINY};
+}
+
+static struct hsr_screen_line opposite(struct hsr_screen_line line) {
+  return (struct hsr_screen_line){-line.a, -line.b, -line.c, line.error};
+}
+
+/* det(A - E, B - E, C - E), or with F in parallel: positive, 1, if it is certain
+ * that C lies on the positive side of the edge from A to B. */
+static int side_of_edge(const struct hsr_screen *screen, const double a[3],
+                        const double b[3], const double c[3]) {
+  const struct hsr_view *view = screen->view;
+  double from[3], along[3], to[3], normal[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = a[k] - view->E[k];
+    along[k] = b[k] - a[k];
+    to[k] = c[k] - a[k];
+  }
+  double e, size;
+  if (view->parallel) {
+    cross(along, view->F, normal);
+    e = -dot(to, normal);
+    size = 2 * size_of(along) * size_of(to);
+  } else {
+    cross(from, along, normal);
+    e = dot(to, normal);
+    size = size_of(from) * size_of(along) * size_of(to);
+  }
+  double error = LINE_ERROR * size + TINY;
+  return e > error ? 1 : e < -error ? -1 : 0;
+}
+
+/* --- Making a shape ------------------------------------------------------- */
+
+/* Is the polygon certainly convex, as it is seen: each corner on the inner side
+ * of each edge? Triangles are, and one of more corners turns once around. */
+static bool is_convex(const struct hsr_screen *screen,
+                      const struct hsr_shape *shape, int inner) {
+  uint32_t n = shape->n_corners;
+  for (uint32_t l = 2; n > 3 && n <= HSR_MOST_CORNERS && l < n; l++)
+    for (uint32_t k = 0; k < n; k++)
+      if (side_of_edge(screen, shape->corner[k], shape->corner[(k + 1) % n],
+                       shape->corner[(k + l) % n]) != inner)
+        return false;
+  return n <= HSR_MOST_CORNERS;
+}
+
+/* Are all its corners beyond `near`, and so before the eye? */
+static bool is_beyond_near(const struct hsr_screen *screen,
+                           const struct hsr_shape *shape) {
+  const struct hsr_view *view = screen->view;
+  for (uint32_t k = 0; k < shape->n_corners; k++) {
+    double from[3], size = 0;
+    for (int c = 0; c < 3; c++) {
+      from[c] = shape->corner[k][c] - view->E[c];
+      size += fabs(from[c] * view->depth[c]);
+    }
+    if (!(dot(from, view->depth) > view->near * (1 + 0x1p-40) + 0x1p-46 * size))
+      return false;
+  }
+  return true;
+}
+
+/* Where t > near: 0 < q < 1/near or, in parallel, q < -near. */
+static uint32_t near_lines(const struct hsr_view *view,
+                           const struct hsr_screen_line *q,
+                           struct hsr_screen_line *line) {
+  uint32_t n = 0;
+  if (!view->parallel)
+    line[n++] = *q;
+  if (view->parallel || view->near > 0) {
+    double most = view->parallel ? -view->near : 1 / view->near;
+    line[n] = opposite(*q);
+    line[n].c += most;
+    line[n].error += 0x1p-50 * (fabs(most) + fabs(q->c));
+    n++;
+  }
+  return n;
+}
+
+/* Where the corners are on the screen, if all are safely before the eye. */
+static void find_box(struct hsr_shape *shape, const struct hsr_screen *screen,
+                     uint32_t f) {
+  const struct hsr_mesh *mesh = &screen->world->mesh;
+  double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
+  bool known = true;
+  for (uint32_t k = mesh->start[f]; known && k < mesh->start[f + 1]; k++) {
+    double x = screen->sx[mesh->vertex[k]], y = screen->sy[mesh->vertex[k]];
+    known = x == x && y == y;
+    x0 = fmin(x0, x), x1 = fmax(x1, x), y0 = fmin(y0, y), y1 = fmax(y1, y);
+  }
+  double margin = known ? 2 * HSR_DELTA : INFINITY;
+  shape->x0 = known ? x0 - margin : -INFINITY;
+  shape->y0 = known ? y0 - margin : -INFINITY;
+  shape->x1 = known ? x1 + margin : INFINITY;
+  shape->y1 = known ? y1 + margin : INFINITY;
+}
+
+static bool copy_corners(struct hsr_shape *shape,
+                         const struct hsr_screen *screen, uint32_t f,
+                         struct hsr_arena *arena) {
+  const struct hsr_mesh *mesh = &screen->world->mesh;
+  uint32_t n = hsr_face_size(screen->world, f);
+  double(*corner)[3] = hsr_arena_array(arena, n, sizeof *corner);
+  for (uint32_t k = 0; corner && k < n; k++) {
+    uint32_t v = mesh->vertex[mesh->start[f] + k];
+    corner[k][0] = mesh->x[v];
+    corner[k][1] = mesh->y[v];
+    corner[k][2] = mesh->z[v];
+  }
+  shape->n_corners = n;
+  shape->corner = (const double(*)[3])corner;
+  return corner != NULL;
+}
+
+/* Those of the edges, positive within. */
+static void convex_lines(struct hsr_shape *shape,
+                         const struct hsr_screen *screen, int inner,
+                         struct hsr_screen_line *line) {
+  uint32_t n = shape->n_corners;
+  for (uint32_t k = 0; k < n; k++) {
+    line[k] = edge_line(screen, shape->corner[k], shape->corner[(k + 1) % n]);
+    if (inner < 0)
+      line[k] = opposite(line[k]);
+  }
+  shape->n_lines = n;
+}
+
+static void fan_lines(struct hsr_shape *shape, const struct hsr_screen *screen,
+                      struct hsr_screen_line *line) {
+  const double(*corner)[3] = shape->corner;
+  uint32_t n = 0;
+  for (uint32_t k = 1; k + 1 < shape->n_corners; k++) {
+    line[n++] = edge_line(screen, corner[0], corner[k]);
+    line[n++] = edge_line(screen, corner[k], corner[k + 1]);
+    line[n++] = edge_line(screen, corner[k + 1], corner[0]);
+  }
+  shape->n_lines = n;
+}
+
+bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
+                    uint32_t f, uint32_t id, struct hsr_arena *arena,
+                    struct hsr_tally *tally) {
+  const struct hsr_depth_plane *plane = &screen->plane[f];
+  *shape = (struct hsr_shape){
+      .id = id, .q = {plane->a, plane->b, plane->c, 2 * plane->error}};
+  if (!copy_corners(shape, screen, f, arena))
+    return false;
+  /* Before an eye in front of it, a polygon turns to the left around the ray.
+   */
+  int inner = -hsr_eye_side(screen, f, tally);
+  shape->inner = inner;
+  bool beyond = is_beyond_near(screen, shape);
+  bool flat = !(screen->world->mesh.deviation[f] > 0);
+  shape->is_convex = (beyond || flat) && is_convex(screen, shape, inner);
+  /* n + 2 of a convex polygon, 3 (n - 2) + 2 of a fan. */
+  struct hsr_screen_line *line =
+      HSR_NEW(arena, struct hsr_screen_line, 3 * (size_t)shape->n_corners);
+  if (!line)
+    return false;
+  if (shape->is_convex)
+    convex_lines(shape, screen, inner, line);
+  else
+    fan_lines(shape, screen, line);
+  if (!beyond || !flat)
+    shape->n_lines +=
+        near_lines(screen->view, &shape->q, line + shape->n_lines);
+  shape->line = line;
+  find_box(shape, screen, f);
+  return true;
+}
+
+/* --- Squares -------------------------------------------------------------- */
+
+static enum hsr_meeting meets_all(const struct hsr_screen_line *line,
+                                  uint32_t n, const struct hsr_square *square) {
+  enum hsr_meeting meeting = HSR_COVERS;
+  for (uint32_t k = 0; k < n; k++) {
+    double lo, hi;
+    hsr_line_range(&line[k], square, &lo, &hi);
+    if (hi < 0)
+      return HSR_MISSES;
+    if (!(lo > 0))
+      meeting = HSR_MEETS;
+  }
+  return meeting;
+}
+
+/* The three lines have one sign on all of the square, or two signs. */
+static enum hsr_meeting meets_triangle(const struct hsr_screen_line *line,
+                                       const struct hsr_square *square) {
+  int above = 0, below = 0;
+  for (int k = 0; k < 3; k++) {
+    double lo, hi;
+    hsr_line_range(&line[k], square, &lo, &hi);
+    above += lo > 0;
+    below += hi < 0;
+  }
+  return above && below             ? HSR_MISSES
+         : above == 3 || below == 3 ? HSR_COVERS
+                                    : HSR_MEETS;
+}
+
+static enum hsr_meeting meets_fan(const struct hsr_shape *shape,
+                                  const struct hsr_square *square) {
+  uint32_t n = 3 * (shape->n_corners - 2);
+  enum hsr_meeting near =
+      meets_all(shape->line + n, shape->n_lines - n, square);
+  bool odd = false;
+  if (near == HSR_MISSES)
+    return HSR_MISSES;
+  for (uint32_t k = 0; k < n; k += 3) {
+    enum hsr_meeting meeting = meets_triangle(shape->line + k, square);
+    if (meeting == HSR_MEETS)
+      return HSR_MEETS;
+    odd ^= meeting == HSR_COVERS;
+  }
+  return odd ? near : HSR_MISSES;
+}
+
+enum hsr_meeting hsr_shape_meets(const struct hsr_shape *shape,
+                                 const struct hsr_square *square) {
+  if (square->x + square->half < shape->x0 ||
+      square->x - square->half > shape->x1 ||
+      square->y + square->half < shape->y0 ||
+      square->y - square->half > shape->y1)
+    return HSR_MISSES;
+  return shape->is_convex ? meets_all(shape->line, shape->n_lines, square)
+                          : meets_fan(shape, square);
+}
+
+bool hsr_shape_covers_but(const struct hsr_shape *shape,
+                          const struct hsr_square *square, uint32_t but,
+                          uint32_t or) {
+  for (uint32_t k = 0; k < shape->n_lines; k++) {
+    double lo, hi;
+    hsr_line_range(&shape->line[k], square, &lo, &hi);
+    if (k != but && k != or &&!(lo > 0))
+      return false;
+  }
+  return true;
+}
+
+/* --- Shares --------------------------------------------------------------- */
+
+void hsr_clip_whole(struct hsr_clip *clip) {
+  *clip = (struct hsr_clip){
+      .x = {-1, 1, 1, -1}, .y = {-1, -1, 1, 1}, .off = 0x1p-46, .n = 4};
+}
+
+/* What is on the positive side of e = a x + b y + c. By rounding, a corner more
+ * may come of it; if there is no room, nothing is known. */
+static void cut(struct hsr_clip *clip, double a, double b, double c) {
+  struct hsr_clip from = *clip;
+  uint32_t n = 0;
+  for (uint32_t k = 0; k < from.n && n + 2 <= HSR_CLIP_ROOM; k++) {
+    uint32_t l = k + 1 < from.n ? k + 1 : 0;
+    double e = a * from.x[k] + b * from.y[k] + c;
+    double next = a * from.x[l] + b * from.y[l] + c;
+    if (e >= 0) {
+      clip->x[n] = from.x[k];
+      clip->y[n++] = from.y[k];
+    }
+    if ((e >= 0) != (next >= 0)) {
+      double t = e / (e - next);
+      clip->x[n] = from.x[k] + t * (from.x[l] - from.x[k]);
+      clip->y[n++] = from.y[k] + t * (from.y[l] - from.y[k]);
+    }
+  }
+  clip->n = n;
+  if (n + 2 > HSR_CLIP_ROOM)
+    clip->off = 1;
+}
+
+void hsr_clip_by(struct hsr_clip *clip, const struct hsr_screen_line *line,
+                 const struct hsr_square *square) {
+  double a = line->a * square->half, b = line->b * square->half;
+  double c = line->a * square->x + line->b * square->y + line->c;
+  double by = fabs(a) + fabs(b);
+  if (c - by > line->error)
+    return;
+  if (c + by < -line->error) {
+    clip->n = 0;
+    clip->off = 0;
+    return;
+  }
+  double off = clip->off + line->error / hypot(a, b) + 0x1p-48;
+  clip->off = off < 1 ? off : 1;
+  if (clip->off < 1)
+    cut(clip, a, b, c);
+}
+
+static double area_of(const struct hsr_clip *clip) {
+  double area = 0;
+  for (uint32_t k = 0; k < clip->n; k++) {
+    uint32_t l = k + 1 < clip->n ? k + 1 : 0;
+    area += clip->x[k] * clip->y[l] - clip->x[l] * clip->y[k];
+  }
+  return fabs(area) / 2;
+}
+
+void hsr_clip_share(const struct hsr_clip *clip, double *lo, double *hi) {
+  double share = clip->off < 1 ? area_of(clip) / 4 : 0;
+  *lo = share > clip->off ? share - clip->off : 0;
+  *hi = share + clip->off < 1 ? share + clip->off : 1;
+}
+
+void hsr_shape_share(const struct hsr_shape *shape,
+                     const struct hsr_square *square, double *lo, double *hi) {
+  struct hsr_clip clip;
+  hsr_clip_whole(&clip);
+  clip.off = shape->is_convex ? clip.off : 1;
+  for (uint32_t k = 0; k < shape->n_lines; k++)
+    hsr_clip_by(&clip, &shape->line[k], square);
+  hsr_clip_share(&clip, lo, hi);
+}

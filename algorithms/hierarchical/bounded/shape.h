@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A polygon on the continuous screen: what of it lies in a square of the screen,
+ * how near it is there, and how much of the square it covers.
+ *
+ * Source      N. Greene, "Hierarchical Rendering of Complex Environments", PhD
+ *             thesis, UC Santa Cruz, 1995, 5.4.
+ * Line        e(sx, sy) = a sx + b sy + c, linear on the screen. An edge from A
+ *             to B has e = det(A - E, B - E, D), or in parallel det(A - P, B -
+ *             P, F); it is defined behind the eye as well, so nothing need be
+ *             clipped. The plane's q is another, and makes the line where t is
+ *             `near`.
+ * Convex      the polygon is where all its lines are positive.
+ * Fan         any other polygon, as triangles from its first corner. A point is
+ *             in it if it is in an odd number of them: the parity of the
+ *             polygon (docs/correct-picture.md). A triangle is met, before the eye
+ *             or behind, where its three lines have one sign. The lines of
+ *             `near` hold for the whole.
+ * Certainty   every line has a proved error, and so has all that is said of a
+ *             polygon: MISSES and COVERS are certain, an area lies between two
+ *             bounds. The proof is in shape.c. */
+#ifndef HSR_ALGORITHMS_BOUNDED_SHAPE_H
+#define HSR_ALGORITHMS_BOUNDED_SHAPE_H
+
+#include "common/exact/screen.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* |a sx + b sy + c - e| <= error anywhere in the picture, if computed in
+ * doubles. */
+struct hsr_screen_line {
+  double a, b, c, error;
+};
+
+/* A square of the screen, in pixels; all are exact. */
+struct hsr_square {
+  double x, y, half; /* its middle */
+};
+
+struct hsr_shape {
+  uint32_t id;   /* of the face, in the scene */
+  double rgb[3]; /* within 2^-53 of themselves */
+  struct hsr_screen_line q;
+  bool is_convex;
+  int inner; /* convex: the lines of edges are inner times those of Line */
+  uint32_t n_corners, n_lines;
+  const double (*corner)[3]; /* in the world: edge k is from corner k to the
+                                next one */
+  const struct hsr_screen_line *line; /* convex: those of the edges, then those
+                                         of `near`; a fan: three a triangle,
+                                         from its first corner, then those of
+                                         `near` */
+  double x0, y0, x1, y1;              /* nothing of it is outside of this */
+};
+
+/* Makes the shape of face f of the screen's world, whose plane is filled in and
+ * which exists; f's colour is left out. Its arrays are the arena's. `screen` is
+ * not kept. False if memory ran out. */
+bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
+                    uint32_t f, uint32_t id, struct hsr_arena *arena,
+                    struct hsr_tally *tally);
+
+/* All of e on a square lies within *lo and *hi. */
+static inline void hsr_line_range(const struct hsr_screen_line *line,
+                                  const struct hsr_square *square, double *lo,
+                                  double *hi) {
+  double e = line->a * square->x + line->b * square->y + line->c;
+  double by = (fabs(line->a) + fabs(line->b)) * square->half + line->error;
+  *lo = e - by;
+  *hi = e + by;
+}
+
+enum hsr_meeting { HSR_MISSES, HSR_MEETS, HSR_COVERS };
+
+/* A polygon of more corners is taken as a fan. */
+enum { HSR_MOST_CORNERS = 16 };
+
+/* How a shape lies on a square: MEETS is said in doubt. */
+enum hsr_meeting hsr_shape_meets(const struct hsr_shape *shape,
+                                 const struct hsr_square *square);
+
+/* Does the shape cover the square but for what is beyond line `but` and, if
+ * it is another one, line `or`? The shape is convex. */
+bool hsr_shape_covers_but(const struct hsr_shape *shape,
+                          const struct hsr_square *square, uint32_t but,
+                          uint32_t or);
+
+/* A convex part of a square, in coordinates from -1 to 1. Of its area, `off` may
+ * be wrong, as a share of the square's; 1: nothing is known. */
+enum { HSR_CLIP_ROOM = 40 };
+struct hsr_clip {
+  double x[HSR_CLIP_ROOM], y[HSR_CLIP_ROOM], off;
+  uint32_t n;
+};
+
+/* All of the square; what of the part lies on the positive side of a line; its
+ * share of the square, between *lo and *hi. */
+void hsr_clip_whole(struct hsr_clip *clip);
+void hsr_clip_by(struct hsr_clip *clip, const struct hsr_screen_line *line,
+                 const struct hsr_square *square);
+void hsr_clip_share(const struct hsr_clip *clip, double *lo, double *hi);
+
+/* The share of a square that a shape covers. */
+void hsr_shape_share(const struct hsr_shape *shape,
+                     const struct hsr_square *square, double *lo, double *hi);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
