@@ -380,8 +380,9 @@ void hsr_shape_share(const struct hsr_shape *shape,
                      const struct hsr_square *square, double *lo, double *hi) {
   struct hsr_clip clip;
   hsr_clip_whole(&clip);
-  clip.off = shape->is_convex ? clip.off : 1;
-  for (uint32_t k = 0; k < shape->n_lines; k++)
+  if (!shape->is_convex)
+    clip.off = 1;
+  for (uint32_t k = 0; shape->is_convex && k < shape->n_lines; k++)
     hsr_clip_by(&clip, &shape->line[k], square);
   hsr_clip_share(&clip, lo, hi);
 }
