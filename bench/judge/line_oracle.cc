@@ -32,6 +32,7 @@
  * Compile with -frounding-math; or, slower, but regardless of rounding modes
  * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
 #include "algorithms/algorithm.h"
+#include "bench/judge/vectors.h"
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
@@ -48,6 +49,7 @@
 
 namespace {
 
+using judge::cross, judge::dot, judge::lift, judge::vec;
 using Exact = CGAL::Gmpq;
 using Interval = CGAL::Interval_nt<false>; /* only while an Upward lives */
 
@@ -74,32 +76,6 @@ int sign_of(const Exact &a) {
 
 Interval enclose(const Exact &a) {
   return Interval(CGAL::to_interval(a));
-}
-
-template <class T> struct vec { T x, y, z; };
-
-template <class T> vec<T> lift(const double v[3]) {
-  return {T(v[0]), T(v[1]), T(v[2])};
-}
-
-template <class T> vec<T> operator+(const vec<T> &a, const vec<T> &b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-template <class T> vec<T> operator-(const vec<T> &a, const vec<T> &b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-template <class T> vec<T> operator*(const T &s, const vec<T> &a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-
-template <class T> T dot(const vec<T> &a, const vec<T> &b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class T> vec<T> cross(const vec<T> &a, const vec<T> &b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 vec<Interval> enclose(const vec<Exact> &a) {

@@ -34,6 +34,7 @@
  * Compile with -frounding-math; or, slower, but regardless of rounding modes
  * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
 #include "algorithms/algorithm.h"
+#include "bench/judge/vectors.h"
 
 #include <CGAL/Gmpzf.h>
 #include <CGAL/Interval_nt.h>
@@ -49,6 +50,7 @@
 
 namespace {
 
+using judge::cross, judge::det, judge::dot, judge::lift, judge::vec;
 using Exact = CGAL::Gmpzf;
 using Interval = CGAL::Interval_nt<false>; /* only while an Upward lives */
 
@@ -60,38 +62,6 @@ struct Nearest : CGAL::Protect_FPU_rounding<true> {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 enum { ORACLE_BOX, ORACLE_FACE, ORACLE_SIGN };
-
-/* ---- Vectors, of intervals or of exact numbers ---- */
-
-template <class T> struct vec { T x, y, z; };
-
-template <class T> vec<T> lift(double x, double y, double z) {
-  return {T(x), T(y), T(z)};
-}
-
-template <class T> vec<T> operator+(const vec<T> &a, const vec<T> &b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-template <class T> vec<T> operator-(const vec<T> &a, const vec<T> &b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-template <class T> vec<T> operator*(const T &s, const vec<T> &a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-
-template <class T> T dot(const vec<T> &a, const vec<T> &b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class T> vec<T> cross(const vec<T> &a, const vec<T> &b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-template <class T> T det(const vec<T> &a, const vec<T> &b, const vec<T> &c) {
-  return dot(cross(a, b), c);
-}
 
 /* ---- Sample ---- */
 
