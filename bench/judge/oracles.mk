@@ -1,8 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The oracles have one build, which counts. They are never timed.
 oracle_files = \
+  %D%/area_oracle.cc \
   %D%/line_oracle.cc \
   %D%/oracle.cc \
   %D%/splat_oracle.cc \
   %D%/voxel_oracle.cc
-libhsr_a_SOURCES += bench/registry.c %D%/list.def
+libhsr_a_SOURCES += bench/registry.c %D%/list.def %D%/vectors.h \
+  %D%/areas/areas.cc \
+  %D%/areas/areas.h \
+  %D%/areas/cells.cc \
+  %D%/areas/cells.h \
+  %D%/areas/moments.cc \
+  %D%/areas/moments.h \
+  %D%/areas/numbers.cc \
+  %D%/areas/numbers.h \
+  %D%/areas/shapes.cc \
+  %D%/areas/shapes.h
