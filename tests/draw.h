@@ -11,6 +11,10 @@
 /* A value that no picture holds, for samples that were not written. */
 #define UNWRITTEN 0xfefefefeu
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Draws the window of `view` into ids (m * n, set to UNWRITTEN first), and adds
  * its counts to *tally unless NULL. Aborts the test program on failure: no test
  * expects one here. */
@@ -60,4 +64,7 @@ void for_each_line_algorithm(void (*check)(const struct hsr_algorithm *,
                                            void *),
                              void *context);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -102,20 +102,16 @@ point *cutter::grid_point(long x, long y) {
 bool cutter::meets(shape &f, uint32_t k, const cell &in, const box &around) {
   if (f.by[k] == NO_BOUNDARY || is_apart(f.edge_box[k], around))
     return false;
-  line &edge = f.edge[k];
+  line &boundary = f.boundary(k);
   const size_t n = in.corner.size();
-  int side[64];
-  std::vector<int> many;
-  int *s = side;
-  if (n > 64) {
-    many.resize(n);
-    s = many.data();
-  }
+  std::vector<int> s(n);
   signs at_corners;
   for (size_t i = 0; i < n; i++)
-    at_corners.add(s[i] = sign_at(edge, *in.corner[i]));
+    at_corners.add(s[i] = sign_at(boundary, *in.corner[i]));
   if (!at_corners.crosses())
     return false;
+  if (f.by[k] == ALL_OF_ROW || f.by[k] == ALL_OF_NEXT_ROW)
+    return true;
 
   signs at_ends;
   const auto look = [&](point &end) {
@@ -128,7 +124,7 @@ bool cutter::meets(shape &f, uint32_t k, const cell &in, const box &around) {
       look(*in.corner[i]);
     if (s[i] * s[j] < 0) {
       point end;
-      meet(&end, &edge, in.side[i]);
+      meet(&end, &boundary, in.side[i]);
       look(end);
     }
   }
@@ -324,7 +320,7 @@ line *next_boundary(std::vector<candidate> *all, const point &inner) {
     return first->bound;
   const uint32_t k = first->edges.back();
   first->edges.pop_back();
-  return &first->f->edge[k];
+  return &first->f->boundary(k);
 }
 
 void cutter::solve(const cell &in, std::vector<candidate> all) {
@@ -410,7 +406,7 @@ enum cover cover_of(shape &f, const halves &r) {
     return NOT_THERE;
   for (uint32_t k = 0; k < f.n; k++)
     if (f.by[k] != NO_BOUNDARY && !is_apart(f.edge_box[k], around) &&
-        at.sign(f.edge[k].rough) == UNSURE)
+        at.sign(f.boundary(k).rough) == UNSURE)
       return MAYBE;
   point middle;
   place(&middle, r.x0 + r.x1, r.y0 + r.y1, 4);

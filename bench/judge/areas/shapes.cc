@@ -148,6 +148,22 @@ bool is_apart(const stage &on, bool columns, uint32_t a, uint32_t b) {
                                from_eye(on.exact, on.world, b)));
 }
 
+template <class T> bool is_zero(const vec<T> &v) {
+  return CGAL::is_zero(v.x) && CGAL::is_zero(v.y) && CGAL::is_zero(v.z);
+}
+
+meeting meeting_of(const stage &on, uint32_t a, uint32_t b) {
+  if (is_apart(on, false, a, b))
+    return BY_ROWS;
+  if (is_apart(on, true, a, b))
+    return BY_COLUMNS;
+  const vec<Exact> u = from_eye(on.exact, on.world, a),
+                   v = from_eye(on.exact, on.world, b);
+  if (on.view.parallel || !is_zero(cross(u, v)))
+    return NO_BOUNDARY;
+  return is_zero(u) ? ALL_OF_NEXT_ROW : ALL_OF_ROW;
+}
+
 /* ---- Where things are ---- */
 
 void extend(box *all, const box &part) {
@@ -285,9 +301,7 @@ shape::shape(const stage &stage, uint32_t face, int sign_c)
         make_line(edge_of(frame, v[k], v[next(k)]), find_edge, this, k));
     edge_box.push_back(
         between(row[k].rough, at[k], row[next(k)].rough, at[next(k)]));
-    by.push_back(is_apart(on, false, a, b)  ? BY_ROWS
-                 : is_apart(on, true, a, b) ? BY_COLUMNS
-                                            : NO_BOUNDARY);
+    by.push_back(meeting_of(on, a, b));
   }
   affine<Interval> to_s, to_near;
   find_depths(frame, surface_of(frame, on.world, id), side, &to_s, &c,

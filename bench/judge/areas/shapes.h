@@ -10,9 +10,14 @@
  *             different signs. This holds unless row(a) and row(b) are
  *             proportional, for a horizontal edge. Then det(D, U, v), the
  *             column, is put in its place. If columns are proportional, too,
- *             the edge is in the eye's plane or on a line through the eye: it
- *             is no boundary on the picture. In parallel projection it is the
- *             same, with det(F, R, V - P) and det(F, U, V - P).
+ *             the edge is in the eye's plane, or on a line through the eye. The
+ *             first is no boundary on the picture. In parallel projection it is
+ *             the same, with det(F, R, V - P) and det(F, U, V - P).
+ * Eye         an edge on a line through the eye is skipped, says the definition.
+ *             Where the eye is one of its ends or between them, a and b flip
+ *             their rows where the other edges there are crossed on different
+ *             sides of the sample. So the parity may change along all of the
+ *             row's line. (The face is not planar then, or it covers nothing.)
  * Sides       s and c are taken times the sign of c. So c > 0, and the greater
  *             s/c is nearer. A face is hit where s > 0, in parallel everywhere,
  *             and beyond near where `near` > 0. */
@@ -57,7 +62,15 @@ struct exact_shape {
   Exact c;
 };
 
-enum meeting : char { BY_ROWS, BY_COLUMNS, NO_BOUNDARY };
+/* How an edge's boundary is found; the last two: it is the line of the row of a,
+ * or of b. */
+enum meeting : char {
+  BY_ROWS,
+  BY_COLUMNS,
+  NO_BOUNDARY,
+  ALL_OF_ROW,
+  ALL_OF_NEXT_ROW
+};
 
 struct box {
   double x0, x1, y0, y1;
@@ -86,6 +99,12 @@ struct shape {
   const exact_shape &exactly() const;
 
   uint32_t next(uint32_t k) const { return k + 1 == n ? 0 : k + 1; }
+  /* The line on which the boundary of edge k is. */
+  line &boundary(uint32_t k) {
+    return by[k] == ALL_OF_ROW        ? row[k]
+           : by[k] == ALL_OF_NEXT_ROW ? row[next(k)]
+                                      : edge[k];
+  }
   /* The two functions of edge k that have different signs on its boundary. */
   line &from(uint32_t k) { return by[k] == BY_ROWS ? row[k] : column[k]; }
   line &to(uint32_t k) {
