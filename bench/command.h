@@ -34,6 +34,7 @@ enum hsr_status command_report(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_trace(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_voxels(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_areas(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err);
 
 /* --- Options -------------------------------------------------------------- */

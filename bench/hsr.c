@@ -29,6 +29,8 @@ static const struct hsr_command commands[] = {
     {"trace", "every step of one algorithm, as lines of JSON", command_trace},
     {"lesson", "a page on which algorithms are watched, step by step",
      command_lesson},
+    {"areas", "how much of the picture shows which face, exactly",
+     command_areas},
     {"voxels", "which solid of a scene each voxel is in", command_voxels},
     {"worker", NULL, command_worker},
     {NULL, NULL, NULL}};

@@ -12,6 +12,7 @@ EXTRA_hsr_DEPENDENCIES = $(pkglibexec_PROGRAMS)
 noinst_LIBRARIES += libbench.a
 BENCH_LIBS = libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS) $(ZLIB_LIBS)
 libbench_a_SOURCES = \
+  %D%/areas.c \
   %D%/command.h \
   %D%/results/figures.c \
   %D%/results/figures.h \

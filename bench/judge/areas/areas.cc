@@ -408,19 +408,18 @@ void picture::parts(int i, int j, shares *out) {
 
 /* ---- Windows ---- */
 
-/* Calls look(i, j) for every pixel of a window, tile by tile. */
+/* Calls look(i, j) for every pixel of a window, row by row. Some rows at a time
+ * are opened. */
 template <class Look>
 void for_pixels(picture *p, const hsr_window &w, Look look) {
-  constexpr int tile = 64;
-  for (int y = w.y0; y < w.y1; y += tile)
-    for (int x = w.x0; x < w.x1; x += tile) {
-      const hsr_window t = {x, y, std::min(x + tile, w.x1),
-                            std::min(y + tile, w.y1)};
-      p->open(t);
-      for (int j = t.y0; j < t.y1; j++)
-        for (int i = t.x0; i < t.x1; i++)
-          look(i, j);
-    }
+  constexpr int rows = 64;
+  for (int y = w.y0; y < w.y1; y += rows) {
+    const hsr_window band = {w.x0, y, w.x1, std::min(y + rows, w.y1)};
+    p->open(band);
+    for (int j = band.y0; j < band.y1; j++)
+      for (int i = w.x0; i < w.x1; i++)
+        look(i, j);
+  }
 }
 
 } // namespace

@@ -25,7 +25,7 @@ struct area_part {
 typedef enum hsr_status area_visitor(void *to, int i, int j,
                                      const struct area_part *part, size_t n);
 
-/* Visits the pixels of the view's window, in some order. The world is laid out.
+/* Visits the pixels of the view's window, row by row. The world is laid out.
  * HSR_E_NOMEM, or what the visitor returns. */
 enum hsr_status visit_areas(const struct hsr_world *world,
                             const struct hsr_view *view,
