@@ -382,11 +382,12 @@ static enum hsr_status run_groups(const struct scene_run *run,
   return status;
 }
 
-/* How many faces are laid out at most; 0 if no algorithm needs that. */
+/* How many faces are laid out at most; 0 if nobody needs that. */
 static uint32_t most_laid_out(const struct check_options *o) {
   uint32_t most = 0;
   for (int a = 0; a < o->n_algorithms; a++) {
-    uint32_t own = hsr_most_laid_out(o->algorithm[a].listed->plain);
+    uint32_t own =
+        most_to_judge(o->algorithm[a].listed, &o->algorithm[a].choice);
     most = own > most ? own : most;
   }
   return most;

@@ -63,6 +63,14 @@ const struct hsr_algorithm *oracle_of(const struct hsr_answer_type *kind) {
   return NULL;
 }
 
+uint32_t most_to_judge(const struct hsr_listed *listed,
+                       const struct hsr_choice *choice) {
+  const struct hsr_algorithm *oracle = oracle_of(choice->form.type);
+  uint32_t own = hsr_most_laid_out(listed->plain);
+  uint32_t its = oracle ? hsr_most_laid_out(oracle) : 0;
+  return own > its ? own : its;
+}
+
 /* Who is judged: one of the two builds of an algorithm of the group. */
 struct player {
   int number;

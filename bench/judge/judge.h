@@ -10,6 +10,11 @@
  * folded draws the pictures that its judge folds (bench/judge/folded.def). */
 const struct hsr_algorithm *oracle_of(const struct hsr_answer_type *kind);
 
+/* How many faces a scene may have to be laid out for an algorithm or for the
+ * oracle of what it is asked for; 0: neither needs that. */
+uint32_t most_to_judge(const struct hsr_listed *listed,
+                       const struct hsr_choice *choice);
+
 enum verdict { PENDING, RIGHT, WRONG, REFUSED, TIMEOUT, CRASH };
 
 /* "ok", "wrong", "refused", "timeout", "crash"; what is PENDING has crashed. */

@@ -631,13 +631,13 @@ static bool has_peers(const struct place_run *run) {
   return run->n && !run->entrant[run->n - 1]->listed;
 }
 
-/* How many faces are laid out at most; 0 if no entrant needs that. */
+/* How many faces are laid out at most; 0 if nobody needs that. */
 static uint32_t most_laid_out(const struct place_run *run) {
   uint32_t most = 0;
   for (int k = 0; k < run->n; k++) {
-    const struct hsr_listed *listed = run->entrant[k]->listed;
-    uint32_t own =
-        listed ? hsr_most_laid_out(listed->plain) : HSR_MOST_LAID_OUT;
+    const struct entrant *its = run->entrant[k];
+    uint32_t own = its->listed ? most_to_judge(its->listed, &its->choice)
+                               : HSR_MOST_LAID_OUT;
     most = own > most ? own : most;
   }
   return most;
