@@ -217,7 +217,8 @@ static void bound(const struct refining *r, uint32_t c) {
       area = cell->level < 0 ? ldexp(1, 2 * cell->level) : 1;
   struct few few;
   hull(t, cell, cell->lo, cell->hi);
-  bool exact = find_few(t, cell, &square, &few) &&
+  /* What is known of a larger cell as a whole says nothing of its pixels. */
+  bool exact = cell->level <= 0 && find_few(t, cell, &square, &few) &&
                integrate(r, &few, &square, low, high);
   HSR_STEP(t->tally, HSR_EB_BOUNDED, hsr_eb_subject(cell), HSR_NOTHING,
            hsr_eb_window(t, cell), exact);
