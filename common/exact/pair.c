@@ -35,14 +35,19 @@ bool hsr_pair_nearer(struct hsr_pair *pair, uint32_t f, uint32_t g, int i,
                             hsr_sample_y(pair->screen.view, j), tally);
 }
 
+static void lay_out(struct hsr_pair *pair, uint32_t f, uint32_t g) {
+  pair->id[0] = f < g ? f : g;
+  pair->id[1] = f < g ? g : f;
+  pair->world.mesh.start[0] = 0;
+  for (uint32_t k = 0; k < 2; k++)
+    hsr_world_lay_out(&pair->world, k);
+}
+
 bool hsr_pair_nearer_at(struct hsr_pair *pair, uint32_t f, uint32_t g,
                         double sx, double sy, struct hsr_tally *tally) {
   struct hsr_world *world = &pair->world;
-  pair->id[0] = f < g ? f : g;
-  pair->id[1] = f < g ? g : f;
-  world->mesh.start[0] = 0;
+  lay_out(pair, f, g);
   for (uint32_t k = 0; k < 2; k++) {
-    hsr_world_lay_out(world, k);
     hsr_world_find_plane(world, k, &tally->out_of_memory);
     world->mesh.plane[k] = k; /* equal planes are found out below */
     hsr_screen_plane(&pair->screen, k);
@@ -50,4 +55,13 @@ bool hsr_pair_nearer_at(struct hsr_pair *pair, uint32_t f, uint32_t g,
   /* If the planes are equal neither is nearer, and the lower id wins. */
   bool higher = hsr_nearer_at(&pair->screen, 1, 0, sx, sy, tally);
   return higher == (f > g);
+}
+
+bool hsr_pair_same_plane(struct hsr_pair *pair, uint32_t f, uint32_t g,
+                         struct hsr_tally *tally) {
+  lay_out(pair, f, g);
+  tally->exact[HSR_ASK_DEPTH]++;
+  return hsr_exact_same_plane(hsr_face_loop(&pair->world, 0),
+                              hsr_face_loop(&pair->world, 1),
+                              &tally->out_of_memory);
 }

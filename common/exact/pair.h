@@ -34,6 +34,10 @@ bool hsr_pair_nearer(struct hsr_pair *pair, uint32_t f, uint32_t g, int i,
 bool hsr_pair_nearer_at(struct hsr_pair *pair, uint32_t f, uint32_t g,
                         double sx, double sy, struct hsr_tally *tally);
 
+/* Are the planes of two faces the same? */
+bool hsr_pair_same_plane(struct hsr_pair *pair, uint32_t f, uint32_t g,
+                         struct hsr_tally *tally);
+
 #ifdef __cplusplus
 }
 #endif

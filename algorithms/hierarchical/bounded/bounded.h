@@ -94,6 +94,13 @@ struct hsr_eb_cell {
                           square of more than a pixel, of a pixel of it */
 };
 
+/* Whether two polygons lie on one plane, which is found once for most pairs. */
+enum { HSR_EB_PLANES = 1 << 12 };
+struct hsr_eb_planes {
+  uint32_t p, r; /* HSR_EB_NONE: nothing is known */
+  bool same;
+};
+
 /* Cells and list entries, in blocks that do not move. */
 enum { HSR_EB_BLOCK = 1 << 12 };
 struct hsr_eb_tree {
@@ -103,6 +110,7 @@ struct hsr_eb_tree {
   struct hsr_growing cells, entries, shapes; /* the first two: of blocks */
   uint32_t n_cells, n_entries, free_cells, free_entries;
   struct hsr_growing queue;
+  struct hsr_eb_planes *planes; /* HSR_EB_PLANES: what was asked last */
   double background[3];
 };
 

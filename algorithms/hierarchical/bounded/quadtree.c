@@ -11,6 +11,7 @@
 #include "algorithms/hierarchical/bounded/bounded.h"
 
 #include <math.h>
+#include <string.h>
 
 struct hsr_subject hsr_eb_subject(const struct hsr_eb_cell *cell) {
   double side = ldexp(1, cell->level);
@@ -108,9 +109,23 @@ static double farthest_in(const struct hsr_eb_tree *t, uint32_t s,
   return lo;
 }
 
+static bool on_one_plane(const struct hsr_eb_tree *t, uint32_t p, uint32_t r) {
+  struct hsr_eb_planes *known =
+      &t->planes[(p * 2654435761u ^ r * 2246822519u) >> 16 &
+                 (HSR_EB_PLANES - 1)];
+  if (known->p != p || known->r != r)
+    *known = (struct hsr_eb_planes){
+        p, r,
+        hsr_pair_same_plane(t->pair, hsr_eb_shape(t, p)->id,
+                            hsr_eb_shape(t, r)->id, t->tally)};
+  return known->same;
+}
+
 /* At the four corners, exactly: what is nearer there is so in between. */
 static bool is_before_exactly(const struct hsr_eb_tree *t, uint32_t p,
                               uint32_t r, const struct hsr_square *square) {
+  if (on_one_plane(t, p, r))
+    return hsr_eb_shape(t, p)->id < hsr_eb_shape(t, r)->id;
   for (int k = 0; k < 4; k++)
     if (!hsr_pair_nearer_at(
             t->pair, hsr_eb_shape(t, p)->id, hsr_eb_shape(t, r)->id,
@@ -636,8 +651,10 @@ enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *t,
   hsr_filter_colour(job->world, job->view, HSR_BACKGROUND, rgb);
   for (int c = 0; c < 3; c++)
     t->background[c] = rgb[c] / 65535.0;
-  if (!grow_blocks(t, &t->cells, sizeof(struct hsr_eb_cell)))
+  t->planes = HSR_NEW(job->scratch, struct hsr_eb_planes, HSR_EB_PLANES);
+  if (!t->planes || !grow_blocks(t, &t->cells, sizeof(struct hsr_eb_cell)))
     return HSR_E_NOMEM;
+  memset(t->planes, 0xff, HSR_EB_PLANES * sizeof *t->planes);
   t->n_cells = 4; /* the root, and three that are never used */
   *hsr_eb_cell(t, 0) = (struct hsr_eb_cell){.first = HSR_EB_NONE,
                                             .level = level,
