@@ -81,6 +81,8 @@ static enum fault fault_of(struct hsr_area_bounds got,
                            struct hsr_area_bounds wanted, double eps) {
   if (!(got.lo <= got.hi))
     return UNWRITTEN;
+  if (got.lo == wanted.lo && got.hi == wanted.hi)
+    return NONE;
   if (!(got.lo <= wanted.lo && got.hi >= wanted.hi))
     return WRONG;
   return got.hi - got.lo > eps ? WIDE : NONE;

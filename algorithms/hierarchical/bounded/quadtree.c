@@ -144,9 +144,9 @@ bool hsr_bounded_before(const struct hsr_eb_tree *t, uint32_t p, uint32_t r,
   double lo, hi;
   hsr_line_range(&by, square, &lo, &hi);
   HSR_COUNT_DEPTHS(t->tally, 1);
-  bool close = hi - lo < 8 * by.error;
+  /* lo + 2 error: the least by how much p may be nearer. */
   bool before =
-      lo > 0 || (hi >= 0 && close && is_before_exactly(t, p, r, square));
+      lo > 0 || (lo + 2 * by.error >= 0 && is_before_exactly(t, p, r, square));
   HSR_STEP(t->tally, HSR_EB_ORDERED, face_of(t, p), face_of(t, r), HSR_NOWHERE,
            before);
   return before;

@@ -27,8 +27,6 @@
 #include "algorithms/hierarchical/bounded/shape.h"
 #include "common/exact/order.h"
 
-#include <string.h>
-
 #define LINE_ERROR 0x1p-46
 #define TINY 0x1p-960
 
@@ -149,6 +147,25 @@ static uint32_t near_lines(const struct hsr_view *view,
   return n;
 }
 
+/* A plane that is as far as `near` all over the picture is beyond it or is not:
+ * the line, which could not tell, becomes one that is positive or negative
+ * everywhere. */
+static void decide_near(struct hsr_screen_line *line,
+                        const struct hsr_screen *screen, uint32_t f,
+                        struct hsr_tally *tally) {
+  const struct hsr_view *view = screen->view;
+  double reach = fabs(line->a) * view->m + fabs(line->b) * view->n;
+  if (!(reach <= line->error && fabs(line->c) <= 2 * line->error))
+    return;
+  struct hsr_loop plane = hsr_plane_loop(screen->world, f);
+  int past = 0;
+  for (int k = 0; k < 4; k++)
+    past += hsr_loop_past_near(view, plane, k & 1 ? view->m : 0,
+                               k & 2 ? view->n : 0, tally);
+  if (past % 4 == 0)
+    *line = (struct hsr_screen_line){0, 0, past ? 1 : -1, 0};
+}
+
 /* Where the corners are on the screen, if all are safely before the eye. */
 static void find_box(struct hsr_shape *shape, const struct hsr_screen *screen,
                      uint32_t f) {
@@ -233,9 +250,12 @@ bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
     convex_lines(shape, screen, inner, line);
   else
     fan_lines(shape, screen, line);
-  if (!beyond || !flat)
+  if (!beyond || !flat) {
     shape->n_lines +=
         near_lines(screen->view, &shape->q, line + shape->n_lines);
+    if (screen->view->parallel || screen->view->near > 0)
+      decide_near(&line[shape->n_lines - 1], screen, f, tally);
+  }
   shape->line = line;
   find_box(shape, screen, f);
   return true;
