@@ -130,7 +130,7 @@ static const struct hsr_option options[] = {
     [REFINE] = {"refine", "which cell is divided next", orders, 0,
                 HSR_EB_LEVELS, HSR_EB_QUEUE},
     [EXACT] = {"exact", "a cell of so many polygons is integrated exactly",
-               NULL, 0, HSR_EB_CAPACITY, 6},
+               NULL, 0, HSR_EB_CAPACITY, HSR_EB_CAPACITY},
     [LIMIT] = {"limit", "cells asked about a cube's face, for each face in it",
                NULL, 0, 1000, 4},
     [DEPTH] = {"depth", "a cell is at least 2^-N pixels wide", NULL, 0,

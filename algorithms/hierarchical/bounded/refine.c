@@ -155,6 +155,16 @@ static void add_parts(struct shares *s, const struct hsr_clip *clip,
   }
 }
 
+/* Is a polygon behind one that covers the square? */
+static bool is_hidden(const struct hsr_eb_tree *t, const struct few *few,
+                      uint32_t k, const struct hsr_square *square) {
+  for (uint32_t l = 0; l < few->n; l++)
+    if (l != k && few->covers[l] &&
+        hsr_bounded_before(t, few->shape[l], few->shape[k], square))
+      return true;
+  return false;
+}
+
 /* The integral over a leaf of few polygons, in closed form: its share is known of
  * each of them. False if there are too many. */
 static bool integrate(const struct refining *r, const struct few *few,
@@ -171,6 +181,8 @@ static bool integrate(const struct refining *r, const struct few *few,
     low[c] = high[c] = behind[c];
   for (uint32_t k = 0; k < few->n; k++) {
     const struct hsr_shape *shape = hsr_eb_shape(t, few->shape[k]);
+    if (is_hidden(t, few, k, square))
+      continue;
     struct shares s = {t, few, square, k, 0, 0};
     struct hsr_clip clip;
     hsr_clip_whole(&clip);

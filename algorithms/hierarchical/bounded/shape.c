@@ -4,7 +4,8 @@
  *             itself, so A' is within u (|A| + |E|)... of the truth; since A -
  *             E is one subtraction, its relative error is u.
  *
- * Lines. N = A' x G has components of two products each: an error of at most
+ * Lines. A is the end that is nearer to the eye; along the edge det(A - E, B -
+ * E, D) is (A - E) x (B - A) . D, whichever end A is. N = A' x G has components of two products each: an error of at most
  * 4u |A'| |G| each, with the errors of A' and G. A coefficient N . ray is three
  * products with rays that are within 2u: at most 4u |N| |ray| + 4u |A'| |G|
  * |ray|, and |N| <= |A'| |G| as a sum. So all that comes of evaluating a sx + b
@@ -27,6 +28,8 @@
 #include "algorithms/hierarchical/bounded/shape.h"
 #include "common/exact/order.h"
 
+#include <string.h>
+
 #define LINE_ERROR 0x1p-46
 #define TINY 0x1p-960
 
@@ -47,15 +50,26 @@ static double dot(const double a[3], const double b[3]) {
 
 /* --- Lines ---------------------------------------------------------------- */
 
+/* What an edge and the eye have to do with one another: from the eye to its
+ * nearer end, and along it. */
+static void see_edge(const struct hsr_view *view, const double a[3],
+                     const double b[3], double from[3], double along[3]) {
+  double to[3];
+  for (int k = 0; k < 3; k++) {
+    from[k] = a[k] - view->E[k];
+    to[k] = b[k] - view->E[k];
+    along[k] = b[k] - a[k];
+  }
+  if (size_of(to) < size_of(from))
+    memcpy(from, to, sizeof to);
+}
+
 static struct hsr_screen_line edge_line(const struct hsr_screen *screen,
                                         const double a[3], const double b[3]) {
   const struct hsr_view *view = screen->view;
   const double *reach = screen->reach;
   double from[3], along[3], normal[3], far = reach[0] + reach[1] + reach[2];
-  for (int k = 0; k < 3; k++) {
-    from[k] = a[k] - view->E[k];
-    along[k] = b[k] - a[k];
-  }
+  see_edge(view, a, b, from, along);
   if (view->parallel) {
     cross(along, view->F, normal);
     return (struct hsr_screen_line){
@@ -80,11 +94,9 @@ static int side_of_edge(const struct hsr_screen *screen, const double a[3],
                         const double b[3], const double c[3]) {
   const struct hsr_view *view = screen->view;
   double from[3], along[3], to[3], normal[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = a[k] - view->E[k];
-    along[k] = b[k] - a[k];
+  see_edge(view, a, b, from, along);
+  for (int k = 0; k < 3; k++)
     to[k] = c[k] - a[k];
-  }
   double e, size;
   if (view->parallel) {
     cross(along, view->F, normal);
