@@ -67,8 +67,9 @@ enum {
 
 enum {
   HSR_EB_CAPACITY = 10, /* polygons on a leaf's list, unless it is too small to
-                           be divided */
-  HSR_EB_DEEPEST = 20   /* cells have a side of at least 2^-20 pixels */
+                           be divided by the tiling pass */
+  HSR_EB_TILING = 3,    /* the tiling pass divides to 2^-3 pixels */
+  HSR_EB_DEEPEST = 20   /* no cell is smaller than 2^-20 pixels */
 };
 
 #define HSR_EB_NONE UINT32_MAX

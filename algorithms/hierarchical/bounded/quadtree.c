@@ -7,7 +7,9 @@
  *   new leaves would take back what a polygon that covers all four had set.
  * - A subtree that is hidden is not deleted but becomes a leaf, since polygons
  *   that come later go through all four children.
- * - A cell of the smallest size is not divided: its list has no limit. */
+ * - A cell of 2^-HSR_EB_TILING pixels is not divided by this pass: its list has no
+ *   limit. Else a bundle of polygons along a line would be divided along all of
+ *   the line, to the smallest size, whether or not anyone asks for it. */
 #include "algorithms/hierarchical/bounded/bounded.h"
 
 #include <math.h>
@@ -188,6 +190,8 @@ static uint32_t edge_across(const struct hsr_shape *p, uint32_t k,
                             const struct hsr_shape *r) {
   const double *a = p->corner[k], *b = p->corner[(k + 1) % p->n_corners];
   for (uint32_t l = 0; l < r->n_corners; l++) {
+    if (p->edge[k] != r->edge[l])
+      continue;
     const double *c = r->corner[l], *d = r->corner[(l + 1) % r->n_corners];
     bool same = same_point(a, c) && same_point(b, d);
     bool turned = same_point(a, d) && same_point(b, c);
@@ -255,7 +259,8 @@ static bool find_fan(const struct hsr_eb_tree *t,
 }
 
 /* The structure that polygon s, which is on the leaf's list, completes: one
- * polygon, two that share an edge, or a fan. */
+ * polygon, two that share an edge, or a fan. In a list that is too long only one
+ * is looked for. */
 static bool find_structure(const struct hsr_eb_tree *t,
                            const struct hsr_eb_cell *cell,
                            const struct hsr_square *square, uint32_t s,
@@ -265,7 +270,7 @@ static bool find_structure(const struct hsr_eb_tree *t,
   found->n = 1;
   if (covers)
     return true;
-  if (!shape->is_convex)
+  if (!shape->is_convex || cell->n > HSR_EB_CAPACITY)
     return false;
   found->n = 2;
   for (uint32_t e = cell->first; e != HSR_EB_NONE;
@@ -439,7 +444,7 @@ static bool store(struct hsr_eb_tree *t, uint32_t s, uint32_t c, bool covers,
                   double nearest) {
   struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
   if (!cell->child) {
-    bool fits = cell->n < HSR_EB_CAPACITY || cell->level <= -HSR_EB_DEEPEST;
+    bool fits = cell->n < HSR_EB_CAPACITY || cell->level <= -HSR_EB_TILING;
     if (fits) {
       HSR_STEP(t->tally, HSR_EB_STORED, face_of(t, s), hsr_eb_subject(cell),
                hsr_eb_window(t, cell), covers);
@@ -591,7 +596,7 @@ bool hsr_bounded_could_be_seen(struct hsr_eb_tree *t,
       return true;
     if (!side_meets(side, &square) || (inside && nearest < cell->far))
       continue;
-    if (inside && (nearest > cell->near || cell->level <= -HSR_EB_DEEPEST))
+    if (inside && (nearest > cell->near || cell->level <= -HSR_EB_TILING))
       return true;
     if (!cell->child && !hsr_bounded_split(t, c))
       return true;

@@ -213,6 +213,26 @@ static bool copy_corners(struct hsr_shape *shape,
   return corner != NULL;
 }
 
+static uint64_t hash_of(const double point[3]) {
+  uint64_t hash = 0, bits;
+  for (int k = 0; k < 3; k++) {
+    double x = point[k] + 0; /* of -0 and 0 the same */
+    memcpy(&bits, &x, sizeof bits);
+    hash = (hash ^ bits) * UINT64_C(0x9e3779b97f4a7c15);
+    hash ^= hash >> 29;
+  }
+  return hash;
+}
+
+static bool number_edges(struct hsr_shape *shape, struct hsr_arena *arena) {
+  uint32_t n = shape->n_corners;
+  uint64_t *edge = HSR_NEW(arena, uint64_t, n);
+  for (uint32_t k = 0; edge && k < n; k++)
+    edge[k] = hash_of(shape->corner[k]) + hash_of(shape->corner[(k + 1) % n]);
+  shape->edge = edge;
+  return edge != NULL;
+}
+
 /* Those of the edges, positive within. */
 static void convex_lines(struct hsr_shape *shape,
                          const struct hsr_screen *screen, int inner,
@@ -244,7 +264,7 @@ bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
   const struct hsr_depth_plane *plane = &screen->plane[f];
   *shape = (struct hsr_shape){
       .id = id, .q = {plane->a, plane->b, plane->c, 2 * plane->error}};
-  if (!copy_corners(shape, screen, f, arena))
+  if (!copy_corners(shape, screen, f, arena) || !number_edges(shape, arena))
     return false;
   /* Before an eye in front of it, a polygon turns to the left around the ray.
    */

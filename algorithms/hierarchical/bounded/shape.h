@@ -47,6 +47,8 @@ struct hsr_shape {
   uint32_t n_corners, n_lines;
   const double (*corner)[3]; /* in the world: edge k is from corner k to the
                                 next one */
+  const uint64_t *edge; /* of each edge a number that is the same for all edges
+                           between the same two points; others may have it, too */
   const struct hsr_screen_line *line; /* convex: those of the edges, then those
                                          of `near`; a fan: three a triangle,
                                          from its first corner, then those of
