@@ -331,8 +331,7 @@ static enum hsr_status render(const struct hsr_job *job,
                          w.prepared->cubes.most_object_faces);
   if (!w.met || hsr_cube_frame_begin(&w.frame, job, &w.prepared->cubes) ||
       hsr_cube_loose(&w.frame, &loose) ||
-      hsr_bounded_begin(&w.tree, job, &w.frame.pair, (int)job->option[DEPTH]) ||
-      !tile_all(&w, &loose))
+      hsr_bounded_begin(&w.tree, job, &w.frame.pair) || !tile_all(&w, &loose))
     return hsr_fail_nomem(err);
   return hsr_bounded_refine(&w.tree, &limits, begun, err);
 }
