@@ -53,6 +53,7 @@ tap_programs = \
   %D%/counts/by_hand/roberts_test \
   %D%/counts/by_hand/schumacker_test \
   %D%/properties/tiling/baselines_test \
+  %D%/properties/hierarchical/bounded_test \
   %D%/properties/hierarchical/boxes_test \
   %D%/properties/surfaces/combinations_test \
   %D%/properties/lines/edges_test \

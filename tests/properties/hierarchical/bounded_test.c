@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Error-bounded rendering against the area oracle, pass by pass.
+ *
+ * Held        after every pass, every interval of every pixel holds the exact
+ *             value.
+ * Narrower    no interval becomes wider from one pass to the next.
+ * Tolerance   at the end each interval is at most eps wide, and its middle within
+ *             eps/2 of the exact value.
+ * Stopped     a run that may not refine, or not for long, still holds the
+ *             value.
+ *
+ * usage: bounded_test [SCENE...]    instead of the usual ones, in all views */
+#include "algorithms/variant.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { M = 48, N = 33, VIEWS = 2, CHANNELS = 3 * M * N };
+
+static const char *const scenes[] = {
+    "house",          "lattice",      "penetration",   "coplanar",
+    "cyclic-overlap", "non-convex",   "non-planar",    "sliver",
+    "t-junction",     "shared-edges", "near-plane",    "behind-eye",
+    "one-sided",      "soup:60:3",    "sub-pixel-gap", "huge-and-tiny",
+    "color-cube:3",   "harbor:400"};
+enum { N_SCENES = sizeof scenes / sizeof *scenes };
+
+static const char *const variants[] = {
+    "error-bounded:eps=.125",
+    "error-bounded",
+    "error-bounded:eps=.0078125",
+    "error-bounded:refine=levels",
+    "error-bounded:exact=2:eps=.125",
+    "error-bounded:exact=0:refine=levels:eps=.125",
+    "error-bounded:window=20:limit=0"};
+enum { N_VARIANTS = sizeof variants / sizeof *variants };
+
+struct watch {
+  const struct hsr_area_bounds *wanted;
+  struct hsr_area_bounds last[CHANNELS];
+  int passes;
+  long outside, wider; /* intervals, in all passes */
+};
+
+static bool holds(struct hsr_area_bounds got, struct hsr_area_bounds wanted) {
+  return got.lo <= wanted.lo && got.hi >= wanted.hi;
+}
+
+static void look(void *whom, const struct hsr_answer *answer, int pass) {
+  struct watch *watch = whom;
+  const struct hsr_area_bounds *got = hsr_answer_areas_of(answer);
+  for (int k = 0; k < CHANNELS; k++) {
+    watch->outside += !holds(got[k], watch->wanted[k]);
+    watch->wider += pass > 0 && !(got[k].lo >= watch->last[k].lo &&
+                                  got[k].hi <= watch->last[k].hi);
+    watch->last[k] = got[k];
+  }
+  watch->passes++;
+}
+
+static void stop(const char *name, const struct hsr_error *err) {
+  printf("Bail out! %s: %s\n", name, err->text);
+  exit(99);
+}
+
+/* Draws the view by a variant, in its windows, and shows its passes to the
+ * watch if there is one window. */
+static void draw(const char *name, const struct hsr_world *world,
+                 const struct hsr_view *view, struct hsr_answer *answer,
+                 struct watch *watch) {
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_tally tally = {.first = 0};
+  struct hsr_setup setup;
+  struct hsr_variant variant;
+  const struct hsr_passes passes = {look, watch};
+  if (hsr_variant_parse(name, &variant, &err) ||
+      hsr_setup_init(&setup, variant.listed->plain, &variant.choice, world,
+                     &err) ||
+      hsr_answer_make(answer, &variant.choice.form, view, false, &err))
+    stop(name, &err);
+  int side = variant.choice.window ? (int)variant.choice.window : M;
+  for (int y = 0; y < N; y += side)
+    for (int x = 0; x < M; x += side) {
+      struct hsr_view part = *view;
+      part.window = hsr_window_make(x, y, x + side < M ? x + side : M,
+                                    y + side < N ? y + side : N);
+      struct hsr_job job = {.view = &part,
+                            .scratch = &scratch,
+                            .tally = &tally,
+                            .answer = answer,
+                            .passes = side == M ? &passes : NULL};
+      hsr_arena_reset(&scratch);
+      if (hsr_setup_render(&setup, &job, &err))
+        stop(name, &err);
+    }
+  hsr_setup_free(&setup);
+  hsr_arena_free(&scratch);
+}
+
+static void check_view(struct tap *tap, const char *scene,
+                       const struct both_worlds *worlds,
+                       const struct hsr_view *view, int number) {
+  static struct watch watch;
+  struct hsr_answer wanted;
+  if (!draw_answer(hsr_algorithm_find("area-oracle")->plain, &worlds->world,
+                   view, &wanted, NULL))
+    exit(99);
+  for (int v = 0; v < N_VARIANTS; v++) {
+    struct hsr_answer got;
+    long outside = 0, wide = 0, far = 0;
+    watch.wanted = hsr_answer_areas_of(&wanted);
+    watch.passes = 0;
+    watch.outside = watch.wider = 0;
+    draw(variants[v], v % 2 ? &worlds->world : &worlds->outline, view, &got,
+         &watch);
+    const struct hsr_area_bounds *b = hsr_answer_areas_of(&got);
+    double eps = hsr_form_area(&got.form).eps;
+    for (int k = 0; k < CHANNELS; k++) {
+      struct hsr_area_bounds w = watch.wanted[k];
+      double middle = b[k].lo + (b[k].hi - b[k].lo) / 2;
+      outside += !holds(b[k], w);
+      wide += !(b[k].hi - b[k].lo <= eps);
+      /* 2^-52: the rounding of the middle. */
+      far += !(fmax(fabs(middle - w.lo), fabs(middle - w.hi)) <=
+               eps / 2 + 0x1p-52);
+    }
+    ok(tap, !(outside || wide || far || watch.outside || watch.wider),
+       "%s, view %d, %s: %d passes; outside %ld + %ld, too wide %ld, too far "
+       "%ld, wider than before %ld",
+       scene, number + 1, variants[v], watch.passes, watch.outside, outside,
+       wide, far, watch.wider);
+    hsr_answer_free(&got);
+  }
+  hsr_answer_free(&wanted);
+}
+
+/* It cannot reach eps = 0; what it reaches holds the value. */
+static void check_stopped(struct tap *tap) {
+  static const char *const stopped[] = {
+      "error-bounded:eps=0:exact=0:depth=3", "error-bounded:eps=0:depth=0",
+      "error-bounded:eps=0:exact=0:seconds=.05", "error-bounded:eps=0:depth=6"};
+  static struct watch watch;
+  struct both_worlds worlds;
+  struct hsr_view view;
+  struct hsr_answer wanted;
+  open_worlds(&worlds, "house");
+  if (hsr_view_init_of(&view, worlds.scene, 0, M, N, NULL) ||
+      !draw_answer(hsr_algorithm_find("area-oracle")->plain, &worlds.world,
+                   &view, &wanted, NULL))
+    exit(99);
+  watch.wanted = hsr_answer_areas_of(&wanted);
+  for (size_t v = 0; v < sizeof stopped / sizeof *stopped; v++) {
+    struct hsr_answer got;
+    long outside = 0, wide = 0;
+    watch.outside = watch.wider = 0;
+    draw(stopped[v], &worlds.world, &view, &got, &watch);
+    const struct hsr_area_bounds *b = hsr_answer_areas_of(&got);
+    for (int k = 0; k < CHANNELS; k++) {
+      outside += !holds(b[k], watch.wanted[k]);
+      wide += b[k].hi > b[k].lo;
+    }
+    ok(tap, !outside && !watch.outside && !watch.wider && wide,
+       "%s: outside %ld + %ld; %ld intervals have a width", stopped[v],
+       watch.outside, outside, wide);
+    hsr_answer_free(&got);
+  }
+  hsr_answer_free(&wanted);
+  close_worlds(&worlds);
+}
+
+static void check_scene(struct tap *tap, const char *scene, uint32_t n_views) {
+  struct both_worlds worlds;
+  open_worlds(&worlds, scene);
+  for (uint32_t v = 0; v < n_views && v < worlds.scene->n_views; v++) {
+    struct hsr_view view;
+    if (hsr_view_init_of(&view, worlds.scene, v, M, N, NULL))
+      exit(99);
+    check_view(tap, scene, &worlds, &view, (int)v);
+  }
+  close_worlds(&worlds);
+}
+
+int main(int argc, char **argv) {
+  struct tap tap = {0};
+  if (argc > 1) {
+    for (int k = 1; k < argc; k++)
+      check_scene(&tap, argv[k], UINT32_MAX);
+    printf("1..%d\n", tap.planned = tap.run);
+    return finish(&tap);
+  }
+  tap = plan(N_SCENES * VIEWS * N_VARIANTS + 4);
+  for (int k = 0; k < N_SCENES; k++)
+    check_scene(&tap, scenes[k], VIEWS);
+  check_stopped(&tap);
+  return finish(&tap);
+}
