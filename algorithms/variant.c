@@ -99,7 +99,8 @@ static const struct hsr_answer_type *find_kind(const struct hsr_algorithm *a,
       continue;
     if (hsr_is_asked_of(type, a->kind))
       return type;
-    found = type;
+    if (!found)
+      found = type;
   }
   return found;
 }

@@ -447,7 +447,7 @@ static bool store(struct hsr_eb_tree *t, uint32_t s, uint32_t c, bool covers,
     bool fits = cell->n < HSR_EB_CAPACITY || cell->level <= -HSR_EB_TILING;
     if (fits) {
       HSR_STEP(t->tally, HSR_EB_STORED, face_of(t, s), hsr_eb_subject(cell),
-               hsr_eb_window(t, cell), covers);
+               hsr_eb_window(t, cell), 0);
       struct hsr_square square = hsr_eb_square(cell);
       if (!append(t, cell, s, covers))
         return false;
