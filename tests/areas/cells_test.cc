@@ -11,26 +11,19 @@
  *
  * usage: cells_test [SCENES [SEED]]    standard: 400 of either sort, seed 1 */
 #include "algorithms/setup.h"
-#include "bench/judge/areas/areas.h"
 #include "bench/judge/areas/cells.h"
-#include "scenes/scenes.h"
+#include "tests/areas/shares.h"
 #include "tests/conformance/hard_scene.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <vector>
 
 namespace {
 
 using areas::Upward;
-
-[[noreturn]] void stop(const char *text) {
-  std::printf("Bail out! %s\n", text);
-  std::exit(99);
-}
 
 /* ---- Cells ---- */
 
@@ -198,16 +191,6 @@ void check_points(uint64_t *seed, asked *oracle, const hsr_view &view, int i,
   }
 }
 
-using shares = std::map<uint32_t, mpq_class>;
-
-enum hsr_status keep_shares(void *to, int, int, const area_part *part,
-                            size_t n) {
-  shares *all = static_cast<shares *>(to);
-  for (size_t k = 0; k < n; k++)
-    (*all)[part[k].face] = mpq_class(part[k].share);
-  return HSR_OK;
-}
-
 void check_pixel(uint64_t *seed, const hsr_world &world, const hsr_view &of,
                  asked *oracle, tally *t) {
   hsr_view view = of;
@@ -215,7 +198,7 @@ void check_pixel(uint64_t *seed, const hsr_world &world, const hsr_view &of,
             j = int(draw_integer(seed, 0, view.n - 1));
   const std::vector<kept_cell> cells = cells_of(world, view, i, j);
   mpq_class sum = 0;
-  shares by_face, found;
+  shares by_face;
   for (const kept_cell &c : cells) {
     const mpq_class a = area(c);
     sum += a;
@@ -225,10 +208,7 @@ void check_pixel(uint64_t *seed, const hsr_world &world, const hsr_view &of,
   t->sums += sum != 1;
   check_points(seed, oracle, view, i, j, cells, t);
   view.window = {i, j, i + 1, j + 1};
-  hsr_error err;
-  if (visit_areas(&world, &view, HSR_AREA_BOX, keep_shares, &found, &err))
-    stop(err.text);
-  t->shares += found != by_face;
+  t->shares += shares_of(world, view).front() != by_face;
   t->pixels++;
   t->cells += long(cells.size());
 }

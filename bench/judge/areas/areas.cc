@@ -45,33 +45,20 @@ struct atom {
   mixed_atom *mixed; /* NULL: it is whole */
 };
 
-template <class T>
-std::vector<T> &integrals_of(std::vector<part<T>> *parts, const shape *face,
-                             int degree) {
-  for (part<T> &p : *parts)
-    if (p.face == face)
-      return p.integrals;
-  const size_t pieces = size_t(degree + 1) * size_t(degree + 1);
-  parts->push_back({face, std::vector<T>(pieces)});
-  return parts->back().integrals;
-}
+/* The sum of each face that is seen in an atom. */
+template <class Sum> struct face_sums : sink {
+  const mixed_atom &at;
+  const int degree;
+  std::vector<std::pair<const shape *, Sum>> all;
 
-struct fixed_sink : sink {
-  mixed_atom &at;
-  int degree;
-  fixed_sink(mixed_atom &a, int d) : at(a), degree(d) {}
+  face_sums(const mixed_atom &a, int d) : at(a), degree(d) {}
   void take(const cell &c, const shape *seen) override {
-    add_fixed(c, degree, at.x, at.y, &integrals_of(&at.fixed, seen, degree),
-              &at.error);
-  }
-};
-
-struct exact_sink : sink {
-  mixed_atom &at;
-  int degree;
-  exact_sink(mixed_atom &a, int d) : at(a), degree(d) {}
-  void take(const cell &c, const shape *seen) override {
-    add_exact(c, degree, at.x, at.y, &integrals_of(&at.exact, seen, degree));
+    auto face = all.begin();
+    while (face != all.end() && face->first != seen)
+      ++face;
+    if (face == all.end())
+      face = all.insert(face, {seen, Sum()});
+    face->second.add(c, degree, at.x, at.y);
   }
 };
 
@@ -265,16 +252,24 @@ void picture::open(const hsr_window &w) {
 /* ---- Pixels ---- */
 
 const std::vector<part<mpz_class>> &picture::fixed_of(mixed_atom *a) {
-  fixed_sink to(*a, degree_);
-  if (a->fixed.empty())
-    cut(rectangle({a->x, a->y, a->x + 1, a->y + 1}), a->faces, to);
+  if (!a->fixed.empty())
+    return a->fixed;
+  face_sums<fixed_sum> sums(*a, degree_);
+  cut(rectangle({a->x, a->y, a->x + 1, a->y + 1}), a->faces, sums);
+  for (const auto &face : sums.all) {
+    a->fixed.push_back({face.first, face.second.integrals(degree_)});
+    a->error += face.second.error();
+  }
   return a->fixed;
 }
 
 const std::vector<part<mpq_class>> &picture::exact_of(mixed_atom *a) {
-  exact_sink to(*a, degree_);
-  if (a->exact.empty())
-    cut(rectangle({a->x, a->y, a->x + 1, a->y + 1}), a->faces, to);
+  if (!a->exact.empty())
+    return a->exact;
+  face_sums<exact_sum> sums(*a, degree_);
+  cut(rectangle({a->x, a->y, a->x + 1, a->y + 1}), a->faces, sums);
+  for (const auto &face : sums.all)
+    a->exact.push_back({face.first, face.second.integrals(degree_)});
   return a->exact;
 }
 

@@ -59,17 +59,19 @@ long whole_piece(int degree, int n, int atom, int k) {
 
 namespace {
 
-/* x and y of a polygon's corners. */
-template <class T> struct polygon { std::vector<T> x, y; };
+/* A corner (x/w, y/w), and powers. */
+struct end {
+  mpz_class x[MOST_PIECES], y[MOST_PIECES], w[2 * MOST_DEGREE + 1];
 
-/* The powers of a number up to the degree. */
-template <class T> struct powers {
-  T of[MOST_PIECES];
-
-  powers(const T &x, int degree) {
-    of[0] = 1;
-    for (int e = 1; e <= degree; e++)
-      of[e] = of[e - 1] * x;
+  end(const mpz_class &x1, const mpz_class &y1, const mpz_class &w1,
+      int degree) {
+    x[0] = y[0] = w[0] = 1;
+    for (int e = 1; e <= degree; e++) {
+      x[e] = x[e - 1] * x1;
+      y[e] = y[e - 1] * y1;
+    }
+    for (int e = 1; e <= 2 * degree; e++)
+      w[e] = w[e - 1] * w1;
   }
 };
 
@@ -78,103 +80,141 @@ long divisor(int p, int q) {
   return (p + q + 2) * (p + q + 1) * binomial(p + q, p);
 }
 
-/* Adds to M(p, q), divisor times, what the side from a to b gives. */
-template <class T>
-void add_side(const powers<T> &xa, const powers<T> &ya, const powers<T> &xb,
-              const powers<T> &yb, const T &turn, int degree, T *moment) {
-  for (int p = 0; p <= degree; p++)
-    for (int q = 0; q <= degree; q++) {
-      T sum = 0;
-      for (int k = 0; k <= p; k++)
-        for (int l = 0; l <= q; l++) {
-          const long many = binomial(k + l, l) * binomial(p + q - k - l, q - l);
-          sum += T(many * xb.of[k] * xa.of[p - k]) * T(yb.of[l] * ya.of[q - l]);
-        }
-      moment[p * MOST_PIECES + q] += turn * sum;
-    }
+size_t place_of(int p, int q) {
+  return size_t(p * MOST_PIECES + q);
 }
 
-/* M(p, q), divisor times, at [p * MOST_PIECES + q]. */
-template <class T>
-void find_moments(const polygon<T> &around, int degree, T *moment) {
-  const size_t n = around.x.size();
-  powers<T> xa(around.x[n - 1], degree), ya(around.y[n - 1], degree);
-  for (size_t i = 0; i < n; i++) {
-    const powers<T> xb(around.x[i], degree), yb(around.y[i], degree);
-    const size_t before = i ? i - 1 : n - 1;
-    const T turn =
-        around.x[before] * around.y[i] - around.x[i] * around.y[before];
-    add_side(xa, ya, xb, yb, turn, degree, moment);
-    xa = xb;
-    ya = yb;
+/* What the side from a to b gives to M(p, q), but for xa yb - xb ya: times the
+ * divisor and (wa wb)^(p + q). */
+mpz_class side_sum(const end &a, const end &b, int p, int q) {
+  mpz_class sum = 0;
+  for (int k = 0; k <= p; k++)
+    for (int l = 0; l <= q; l++) {
+      const long many = binomial(k + l, l) * binomial(p + q - k - l, q - l);
+      sum += many * (b.x[k] * b.y[l] * b.w[p + q - k - l]) *
+             (a.x[p - k] * a.y[q - l] * a.w[k + l]);
+    }
+  return sum;
+}
+
+/* Calls take(p, q, a, b, numerator) for each side and moment of a polygon of
+ * corners (x/w, y/w); the sum is numerator / (divisor (wa wb)^(p + q + 1)). */
+struct corner {
+  mpz_class x, y, w;
+};
+template <class Take>
+void for_sides(const std::vector<corner> &around, int degree, Take take) {
+  std::vector<end> ends;
+  for (const corner &c : around)
+    ends.emplace_back(c.x, c.y, c.w, degree);
+  for (size_t i = 0; i < around.size(); i++) {
+    const size_t j = i + 1 == around.size() ? 0 : i + 1;
+    const mpz_class turn =
+        around[i].x * around[j].y - around[j].x * around[i].y;
+    for (int p = 0; p <= degree; p++)
+      for (int q = 0; q <= degree; q++)
+        take(p, q, i, j, turn * side_sum(ends[i], ends[j], p, q));
   }
 }
 
-/* Adds the moments, each times the coefficients of the pieces. */
+/* Moments, each times the coefficients of the pieces. */
 template <class T>
-void add_pieces(const T *moment, int degree, std::vector<T> *sums) {
+std::vector<T> all_pieces(const std::vector<T> &moment, int degree) {
+  std::vector<T> sums;
   for (int k = 0; k <= degree; k++)
     for (int l = 0; l <= degree; l++) {
-      T &sum = (*sums)[size_t(k * (degree + 1) + l)];
+      T sum = 0;
       for (int p = 0; p <= degree; p++)
         for (int q = 0; q <= degree; q++)
           if (const long both = long(piece[degree][k][p]) * piece[degree][l][q])
-            sum += both * moment[p * MOST_PIECES + q];
+            sum += both * moment[place_of(p, q)];
+      sums.push_back(sum);
     }
+  return sums;
+}
+
+/* The corners of a cell in the frame of an atom. */
+std::vector<corner> corners_of(const cell &part, int degree, int atom_x,
+                               int atom_y) {
+  const long x0 = 2 * atom_x - degree % 2, y0 = 2 * atom_y - degree % 2;
+  std::vector<corner> all;
+  for (point *c : part.corner) {
+    c->make_exact();
+    all.push_back({2 * c->X - x0 * c->W, 2 * c->Y - y0 * c->W, 2 * c->W});
+  }
+  return all;
 }
 
 } // namespace
 
-void add_fixed(const cell &part, int degree, int atom_x, int atom_y,
-               fixed_integrals *sums, unsigned long *error) {
-  polygon<mpz_class> around;
-  const auto round = [](const mpz_class &num, const mpz_class &den) {
-    mpz_class down;
-    const mpz_class n = num << (FIXED - 1);
-    mpz_fdiv_q(down.get_mpz_t(), n.get_mpz_t(), den.get_mpz_t());
-    return down;
-  };
-  const long x0 = 2 * atom_x - degree % 2, y0 = 2 * atom_y - degree % 2;
-  for (point *c : part.corner) {
-    c->make_exact();
-    around.x.push_back(round(2 * c->X - x0 * c->W, c->W));
-    around.y.push_back(round(2 * c->Y - y0 * c->W, c->W));
+/* ---- Fixed ---- */
+
+void fixed_sum::add(const cell &part, int degree, int atom_x, int atom_y) {
+  std::vector<corner> around = corners_of(part, degree, atom_x, atom_y);
+  for (corner &c : around) {
+    c.x <<= FIXED;
+    c.y <<= FIXED;
+    mpz_fdiv_q(c.x.get_mpz_t(), c.x.get_mpz_t(), c.w.get_mpz_t());
+    mpz_fdiv_q(c.y.get_mpz_t(), c.y.get_mpz_t(), c.w.get_mpz_t());
+    c.w = 1;
   }
-  mpz_class moment[MOST_PIECES * MOST_PIECES];
-  find_moments(around, degree, moment);
+  for_sides(around, degree, [&](int p, int q, size_t, size_t, mpz_class term) {
+    moment_[place_of(p, q)] += term;
+  });
+  corners_ += around.size();
+}
+
+std::vector<mpz_class> fixed_sum::integrals(int degree) const {
+  std::vector<mpz_class> moment(moment_, moment_ + MOST_PIECES * MOST_PIECES);
   for (int p = 0; p <= degree; p++)
     for (int q = 0; q <= degree; q++) {
-      mpz_class &m = moment[p * MOST_PIECES + q];
+      mpz_class &m = moment[place_of(p, q)];
       const mpz_class den = mpz_class(divisor(p, q))
                             << mp_bitcnt_t(FIXED * (p + q + 1));
       mpz_fdiv_q(m.get_mpz_t(), m.get_mpz_t(), den.get_mpz_t());
     }
-  add_pieces(moment, degree, sums);
-
-  /* The coefficients of two pieces are at most 13 in sum, each. */
-  *error += 13 * 13 * (3 * part.corner.size() + 1);
+  return all_pieces(moment, degree);
 }
 
-void add_exact(const cell &part, int degree, int atom_x, int atom_y,
-               exact_integrals *sums) {
-  polygon<mpq_class> around;
-  const long x0 = 2 * atom_x - degree % 2, y0 = 2 * atom_y - degree % 2;
-  const auto ratio = [](const mpz_class &num, const mpz_class &den) {
-    mpq_class q(num, den);
-    q.canonicalize();
-    return q;
-  };
-  for (point *c : part.corner) {
-    c->make_exact();
-    around.x.push_back(ratio(2 * c->X - x0 * c->W, 2 * c->W));
-    around.y.push_back(ratio(2 * c->Y - y0 * c->W, 2 * c->W));
+/* The coefficients of a piece are at most 13 in sum. */
+unsigned long fixed_sum::error() const {
+  return 13 * 13 * (3 * corners_ + 1);
+}
+
+/* ---- Exact ---- */
+
+void exact_sum::push(std::vector<mpq_class> moment) {
+  int level = 0;
+  while (!digits_.empty() && digits_.back().level == level) {
+    for (size_t k = 0; k < moment.size(); k++)
+      moment[k] += digits_.back().moment[k];
+    digits_.pop_back();
+    level++;
   }
-  mpq_class moment[MOST_PIECES * MOST_PIECES];
-  find_moments(around, degree, moment);
-  for (int p = 0; p <= degree; p++)
-    for (int q = 0; q <= degree; q++)
-      moment[p * MOST_PIECES + q] /= divisor(p, q);
-  add_pieces(moment, degree, sums);
+  digits_.push_back({level, std::move(moment)});
+}
+
+void exact_sum::add(const cell &part, int degree, int atom_x, int atom_y) {
+  const std::vector<corner> around = corners_of(part, degree, atom_x, atom_y);
+  std::vector<mpq_class> moment(MOST_PIECES * MOST_PIECES);
+  for_sides(around, degree,
+            [&](int p, int q, size_t a, size_t b, const mpz_class &term) {
+              mpz_class den = around[a].w * around[b].w;
+              mpz_pow_ui(den.get_mpz_t(), den.get_mpz_t(),
+                         (unsigned long)(p + q + 1));
+              mpq_class side(term, divisor(p, q) * den);
+              side.canonicalize();
+              moment[place_of(p, q)] += side;
+            });
+  push(std::move(moment));
+}
+
+std::vector<mpq_class> exact_sum::integrals(int degree) const {
+  std::vector<mpq_class> sum(MOST_PIECES * MOST_PIECES);
+  for (size_t i = digits_.size(); i-- > 0;)
+    for (size_t k = 0; k < sum.size(); k++)
+      sum[k] += digits_[i].moment[k];
+  return all_pieces(sum, degree);
 }
 
 } // namespace areas

@@ -10,12 +10,13 @@
  * Integrals   the polynomials are taken d! times, to be of integers. Over a
  *             cell, the moments M(p, q) = ∫∫ x^p y^q are sums over its sides
  *             (C. Steger, "On the calculation of arbitrary moments of polygons",
- *             TU München 1996).
+ *             TU München 1996), here in the homogeneous coordinates of corners:
+ *             the sums are integers over powers of the W of both ends.
  * Fixed       a first answer takes corners that are rounded down to multiples of
  *             u = 2^-FIXED. A side of length √2 at most, whose ends move by √2 u
  *             at most, sweeps less than 3u. As |x^p y^q| <= 1, the moment of a
- *             cell of n corners changes by less than 3nu; it is rounded down to
- *             a multiple of u itself. */
+ *             cell of n corners changes by less than 3nu; the sum over cells is
+ *             rounded down to a multiple of u. */
 #ifndef HSR_BENCH_JUDGE_AREAS_MOMENTS_H
 #define HSR_BENCH_JUDGE_AREAS_MOMENTS_H
 
@@ -46,14 +47,36 @@ span atom_span(int degree, int n, int atom);
 long whole_piece(int degree, int n, int atom, int k);
 long whole_scale(int degree);
 
-/* What a cell adds to the integrals of piece k across and piece l down, times
- * (d!)^2: at [k * (d + 1) + l]. */
-using fixed_integrals = std::vector<mpz_class>; /* in u */
-using exact_integrals = std::vector<mpq_class>;
-void add_fixed(const cell &part, int degree, int atom_x, int atom_y,
-               fixed_integrals *sums, unsigned long *error);
-void add_exact(const cell &part, int degree, int atom_x, int atom_y,
-               exact_integrals *sums);
+/* The integrals of all pieces over the cells of one face in an atom, times
+ * (d!)^2: that of piece k across and l down at [k * (d + 1) + l]. */
+class fixed_sum {
+public:
+  void add(const cell &part, int degree, int atom_x, int atom_y);
+  std::vector<mpz_class> integrals(int degree) const; /* in u */
+  /* How far any of these is from the truth, at most. */
+  unsigned long error() const;
+
+private:
+  mpz_class moment_[MOST_PIECES * MOST_PIECES];
+  unsigned long corners_ = 0;
+};
+
+/* Sums of 2^k terms are kept apart, as the digits of a binary counter. So numbers
+ * of like length are added. */
+class exact_sum {
+public:
+  void add(const cell &part, int degree, int atom_x, int atom_y);
+  std::vector<mpq_class> integrals(int degree) const;
+
+private:
+  struct digit {
+    int level;
+    std::vector<mpq_class> moment;
+  };
+  std::vector<digit> digits_;
+
+  void push(std::vector<mpq_class> moment);
+};
 
 } // namespace areas
 
