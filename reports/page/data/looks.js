@@ -47,8 +47,9 @@ const KNOWN = {
   "splat-xray": [2, 7], "splat-oracle": [6, 7],
   "texture-point": [5, 4], "texture-mipmap": [5, 5], "texture-table": [5, 6],
   "texture-convolve": [5, 7],
-  "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5], clark: [7, 6],
-  "error-bounded": [4, 4],
+  "error-bounded": [4, 4], "area-oracle": [3, 5],
+  "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5],
+  clark: [7, 6],
 };
 
 // FNV-1a: an unknown name has the same looks in every report.
