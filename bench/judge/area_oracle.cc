@@ -73,6 +73,9 @@ extern "C" {
 static enum hsr_status prepare(const struct hsr_world *, const long *,
                                void **prepared, struct hsr_error *err) {
   return guarded(err, [&] {
+    if (!judge::is_rounding_honoured())
+      return hsr_fail(err, HSR_E_INTERNAL,
+                      "area-oracle: directed rounding has no effect here");
     *prepared = new kept;
     return HSR_OK;
   });

@@ -32,6 +32,7 @@
  * Compile with -frounding-math; or, slower, but regardless of rounding modes
  * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
 #include "algorithms/algorithm.h"
+#include "bench/judge/rounding.h"
 #include "bench/judge/vectors.h"
 
 #include <CGAL/Gmpq.h>
@@ -50,13 +51,8 @@
 namespace {
 
 using judge::cross, judge::dot, judge::lift, judge::vec;
+using judge::Interval, judge::Nearest, judge::Upward;
 using Exact = CGAL::Gmpq;
-using Interval = CGAL::Interval_nt<false>; /* only while an Upward lives */
-
-struct Upward : CGAL::Protect_FPU_rounding<true> {};
-struct Nearest : CGAL::Protect_FPU_rounding<true> {
-  Nearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
-};
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -1146,15 +1142,6 @@ enum hsr_status artist::draw() {
 
 /* ---- The algorithm ---- */
 
-/* Whether intervals hold what they should, which they do not where directed
- * rounding is ignored. */
-bool is_rounding_honoured() {
-  const Upward upward;
-  const Interval third = Interval(1) / Interval(3);
-  const Interval tenth = Interval(1.1) * Interval(10.1);
-  return third.inf() < third.sup() && tenth.inf() < tenth.sup();
-}
-
 /* Does the work; nothing is thrown out of here. */
 template <class Work>
 enum hsr_status guarded(struct hsr_error *err, Work work) noexcept {
@@ -1178,7 +1165,7 @@ static double expense(const struct hsr_world *world, const struct hsr_view *) {
 static enum hsr_status prepare(const struct hsr_world *world, const long *,
                                void **prepared, struct hsr_error *err) {
   return guarded(err, [&] {
-    if (!is_rounding_honoured())
+    if (!judge::is_rounding_honoured())
       return hsr_fail(err, HSR_E_INTERNAL,
                       "line-oracle: directed rounding has no effect here");
     const Upward upward;

@@ -34,6 +34,7 @@
  * Compile with -frounding-math; or, slower, but regardless of rounding modes
  * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
 #include "algorithms/algorithm.h"
+#include "bench/judge/rounding.h"
 #include "bench/judge/vectors.h"
 
 #include <CGAL/Gmpzf.h>
@@ -51,13 +52,8 @@
 namespace {
 
 using judge::cross, judge::det, judge::dot, judge::lift, judge::vec;
+using judge::Interval, judge::Nearest, judge::Upward;
 using Exact = CGAL::Gmpzf;
-using Interval = CGAL::Interval_nt<false>; /* only while an Upward lives */
-
-struct Upward : CGAL::Protect_FPU_rounding<true> {};
-struct Nearest : CGAL::Protect_FPU_rounding<true> {
-  Nearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
-};
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -921,15 +917,6 @@ void way::go() {
 
 /* ---- The algorithm ---- */
 
-/* Whether intervals hold what they should, which they do not where directed
- * rounding is ignored. */
-bool is_rounding_honoured() {
-  const Upward upward;
-  const Interval third = Interval(1) / Interval(3);
-  const Interval tenth = Interval(1.1) * Interval(10.1);
-  return third.inf() < third.sup() && tenth.inf() < tenth.sup();
-}
-
 /* Does the work; nothing is thrown out of here. */
 template <class Work>
 enum hsr_status guarded(struct hsr_error *err, Work work) noexcept {
@@ -949,7 +936,7 @@ extern "C" {
 static enum hsr_status prepare(const struct hsr_world *world, const long *,
                                void **prepared, struct hsr_error *err) {
   return guarded(err, [&] {
-    if (!is_rounding_honoured())
+    if (!judge::is_rounding_honoured())
       return hsr_fail(err, HSR_E_INTERNAL,
                       "oracle: directed rounding has no effect here");
     auto made = std::make_unique<trees>();

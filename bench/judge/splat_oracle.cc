@@ -25,6 +25,7 @@
  * Compile with -frounding-math; or, slower, but regardless of rounding modes
  * (valgrind ignores them), with -DCGAL_ALWAYS_ROUND_TO_NEAREST. */
 #include "algorithms/algorithm.h"
+#include "bench/judge/rounding.h"
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
@@ -44,14 +45,9 @@
 
 namespace {
 
+using judge::Interval, judge::Nearest, judge::Upward;
 using Exact = CGAL::Gmpq;
-using Interval = CGAL::Interval_nt<false>; /* only while an Upward lives */
 using Real = long double;
-
-struct Upward : CGAL::Protect_FPU_rounding<true> {};
-struct Nearest : CGAL::Protect_FPU_rounding<true> {
-  Nearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
-};
 
 enum { ORACLE_SPLAT, ORACLE_EXACT };
 
@@ -1016,15 +1012,6 @@ void judge::draw(uint16_t *rgba) {
 
 /* --- The algorithm -------------------------------------------------------- */
 
-/* Whether intervals hold what they should, which they do not where directed
- * rounding is ignored. */
-bool is_rounding_honoured() {
-  const Upward upward;
-  const Interval third = Interval(1) / Interval(3);
-  const Interval tenth = Interval(1.1) * Interval(10.1);
-  return third.inf() < third.sup() && tenth.inf() < tenth.sup();
-}
-
 /* Not inlined, so that the scenery is computed before the rounding mode is
  * changed. */
 [[gnu::noinline]] void draw(const scenery &seen, const tables &kernel,
@@ -1053,7 +1040,7 @@ extern "C" {
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   return guarded(err, [&] {
-    if (!is_rounding_honoured())
+    if (!::judge::is_rounding_honoured())
       return hsr_fail(err, HSR_E_INTERNAL,
                       "splat-oracle: directed rounding has no effect here");
     const hsr_splatting asked = hsr_form_splatting(&job->answer->form);

@@ -474,6 +474,9 @@ extern "C" enum hsr_status visit_areas(const struct hsr_world *world,
                                        area_visitor *visit, void *to,
                                        struct hsr_error *err) {
   try {
+    if (!judge::is_rounding_honoured())
+      return hsr_fail(err, HSR_E_INTERNAL,
+                      "areas: directed rounding has no effect here");
     const auto boxes = areas::find_boxes(*world, *view);
     const areas::Upward upward;
     areas::picture p(*world, *view, int(filter), *boxes);

@@ -9,19 +9,15 @@
 #ifndef HSR_BENCH_JUDGE_AREAS_NUMBERS_H
 #define HSR_BENCH_JUDGE_AREAS_NUMBERS_H
 
+#include "bench/judge/rounding.h"
+
 #include <CGAL/Gmpzf.h>
-#include <CGAL/Interval_nt.h>
 #include <gmpxx.h>
 
 namespace areas {
 
 using Exact = CGAL::Gmpzf;
-using Interval = CGAL::Interval_nt<false>;
-
-struct Upward : CGAL::Protect_FPU_rounding<true> {};
-struct Nearest : CGAL::Protect_FPU_rounding<true> {
-  Nearest() : CGAL::Protect_FPU_rounding<true>(CGAL_FE_TONEAREST) {}
-};
+using judge::Interval, judge::Nearest, judge::Upward;
 
 enum : int { UNSURE = 2 };
 
