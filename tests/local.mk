@@ -269,6 +269,7 @@ EXTRA_DIST += \
   algorithms/EXAMPLE.c \
   %D%/mutants/run \
   %D%/mutants/core.mutants \
+  %D%/mutants/areas.mutants \
   %D%/mutants/exact.mutants \
   %D%/mutants/hierarchical.mutants \
   %D%/mutants/image_space.mutants \
