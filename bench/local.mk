@@ -28,7 +28,10 @@ libbench_a_SOURCES = \
   %D%/list.c \
   %D%/list.h \
   %D%/options.c \
-  %D%/render.c \
+  %D%/render/command.c \
+  %D%/render/options.c \
+  %D%/render/picture.c \
+  %D%/render/render.h \
   %D%/results/results.c \
   %D%/results/results.h \
   %D%/run/run.c \

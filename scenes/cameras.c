@@ -220,3 +220,40 @@ enum hsr_status hsr_scene_aim(struct hsr_scene *scene, const char *cameras,
   }
   return status;
 }
+
+/* --- Turns ---------------------------------------------------------------- */
+
+/* Turns the eye by an angle, in radians, about the line through `at` along `up`:
+ * Rodrigues' formula. */
+static struct hsr_camera turned(const struct hsr_camera *from, double angle) {
+  struct hsr_camera camera = *from;
+  double length = hypot(hypot(from->up[0], from->up[1]), from->up[2]);
+  double d[3], axis[3], along = 0;
+  for (int k = 0; k < 3; k++) {
+    d[k] = from->eye[k] - from->at[k];
+    axis[k] = from->up[k] / length;
+    along += axis[k] * d[k];
+  }
+  for (int k = 0; k < 3; k++) {
+    int l = (k + 1) % 3, m = (k + 2) % 3;
+    double across = axis[l] * d[m] - axis[m] * d[l];
+    camera.eye[k] = from->at[k] + d[k] * cos(angle) + across * sin(angle) +
+                    axis[k] * along * (1 - cos(angle));
+  }
+  return camera;
+}
+
+enum hsr_status hsr_scene_turn(struct hsr_scene *scene, uint32_t view,
+                               uint32_t n, struct hsr_error *err) {
+  const double circle = 2 * 3.14159265358979323846;
+  struct hsr_camera first = scene->views[view];
+  enum hsr_status status = HSR_OK;
+  scene->n_views = 0;
+  for (uint32_t k = 0; k < n && !status; k++) {
+    struct hsr_camera camera = k ? turned(&first, circle * k / n) : first;
+    status = hsr_camera_check(&camera, err);
+    if (!status && hsr_scene_view(scene, &camera))
+      status = hsr_fail_nomem(err);
+  }
+  return status;
+}

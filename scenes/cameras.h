@@ -34,6 +34,13 @@ size_t hsr_name_before_cameras(const char *name);
 enum hsr_status hsr_scene_aim(struct hsr_scene *scene, const char *cameras,
                               struct hsr_error *err);
 
+/* Replaces the views of a finished scene by n >= 1 of a full turn: view number
+ * `view`, from 0, turned about the line through its point `at` along its `up`,
+ * counter-clockwise seen from above. The first is that view itself. HSR_E_NOMEM;
+ * HSR_E_INPUT if hsr_camera_check refuses one. */
+enum hsr_status hsr_scene_turn(struct hsr_scene *scene, uint32_t view,
+                               uint32_t n, struct hsr_error *err);
+
 #ifdef __cplusplus
 }
 #endif

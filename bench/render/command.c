@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr render: pictures, or line drawings, by one algorithm. */
+#include "bench/render/render.h"
+#include "bench/terminal/terminal.h"
+#include "scenes/cameras.h"
+
+#include <stdlib.h>
+
+static enum hsr_status open_place(struct render *r,
+                                  const struct hsr_algorithm *a,
+                                  struct hsr_error *err) {
+  const struct render_options *o = r->options;
+  double begin = seconds_now();
+  enum hsr_status status =
+      open_scene(o->scene.name, o->scene.import, &r->scene, err);
+  if (status)
+    return status;
+  r->import = seconds_now() - begin;
+
+  begin = seconds_now();
+  r->view_number = o->view.view;
+  status = choose_view(&o->view, r->scene, (int)o->supersamples, &r->view, err);
+  if (!status && o->orbit)
+    status = hsr_scene_turn(r->scene, (uint32_t)o->view.view - 1,
+                            (uint32_t)o->orbit, err);
+  if (!status)
+    status = hsr_setup_world(&r->world, a, r->scene, err);
+  r->build = seconds_now() - begin;
+  return status;
+}
+
+/* "view 3", "views 1-153" or "72 views of a turn". */
+static void print_views(const struct render *r, char *text, size_t size) {
+  const struct render_options *o = r->options;
+  if (o->first)
+    snprintf(text, size, "views %ld-%ld", o->first, o->last);
+  else if (o->orbit)
+    snprintf(text, size, "a turn from view %ld", o->view.view);
+  else
+    snprintf(text, size, "view %ld", o->view.view);
+}
+
+static void print_report(const struct render *r,
+                         const struct hsr_algorithm *a) {
+  char name[TERMINAL_NAME];
+  char views[100];
+  print_views(r, views, sizeof views);
+  printf("%s, %s, %d x %d %s, %u faces, by %s: ",
+         terminal_plain(r->options->scene.name, name, sizeof name), views,
+         r->view.m, r->view.n, r->kind->grains, r->world.n_faces, a->name);
+  struct hsr_showing showing = showing_of(r);
+  if (is_series(r->options))
+    printf("%ld pictures\n", r->n_pictures);
+  else
+    r->kind->print(&r->answer, &showing, stdout);
+  for (int k = 0; k < r->setup.n_adaptations; k++) {
+    const struct hsr_adaptation *adaptation = &r->setup.adaptation[k];
+    printf("adapted: %s, %u faces, %.1f ms\n", adaptation->name,
+           adaptation->n_faces, 1e3 * adaptation->seconds);
+  }
+  char times[300];
+  snprintf(times, sizeof times,
+           "ms: import %.1f, build %.1f, adapt %.1f, prepare %.1f, render "
+           "%.2f, shade %.1f, write %.1f",
+           1e3 * r->import, 1e3 * r->build, 1e3 * r->setup.adapt_seconds,
+           1e3 * r->setup.prepare_seconds, 1e3 * r->draw, 1e3 * r->shade,
+           1e3 * r->write);
+  terminal_wrap(stdout, 0, 4, times);
+  if (!r->options->n_outputs && !r->options->work)
+    puts("nothing was written: -o FILE writes the picture");
+  if (!r->options->work)
+    return;
+  for (int k = 0; a->counters && a->counters[k].name; k++) {
+    int used = printf("%-18s %14llu  ", a->counters[k].name,
+                      (unsigned long long)r->tally.count[k]);
+    terminal_wrap(stdout, used, 35, a->counters[k].meaning);
+  }
+}
+
+/* Makes the pictures of views first to last, from 1. */
+static enum hsr_status make_series(struct render *r, long first, long last,
+                                   struct hsr_error *err) {
+  const struct render_options *o = r->options;
+  struct view_options place = o->view;
+  struct progress progress = progress_begin(stderr);
+  enum hsr_status status = HSR_OK;
+  for (long k = first; k <= last && !status; k++) {
+    progress_tell(&progress, (size_t)(k - first), (size_t)(last - first + 1),
+                  "pictures", o->scene.name);
+    r->view_number = place.view = k;
+    status = choose_view(&place, r->scene, (int)o->supersamples, &r->view, err);
+    if (!status)
+      status = make_picture(r, err);
+  }
+  progress_end(&progress);
+  return status;
+}
+
+static enum hsr_status make_all(struct render *r, struct hsr_error *err) {
+  const struct render_options *o = r->options;
+  if (!is_series(o))
+    return make_picture(r, err);
+  if (o->orbit)
+    return make_series(r, 1, o->orbit, err);
+  if (o->last > (long)r->scene->n_views)
+    return hsr_fail(err, HSR_E_USAGE, "%s has %u views; there is no view %ld",
+                    r->scene->name, r->scene->n_views, o->last);
+  return make_series(r, o->first, o->last, err);
+}
+
+enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
+  struct render_options options;
+  struct hsr_variant variant;
+  enum hsr_status status = render_parse(argc, argv, &options, &variant, err);
+  if (status)
+    return status;
+  const struct hsr_algorithm *a =
+      options.work ? variant.listed->counting : variant.listed->plain;
+
+  struct render r = {.options = &options,
+                     .kind = variant.choice.form.type,
+                     .crew = crew_new(options.threads)};
+  status = r.crew ? open_place(&r, a, err) : hsr_fail_nomem(err);
+  if (!status)
+    status = hsr_setup_init(&r.setup, a, &variant.choice, &r.world, err);
+  if (!status)
+    status = make_all(&r, err);
+  if (!status)
+    print_report(&r, a);
+  if (r.setup.algorithm)
+    hsr_setup_free(&r.setup);
+  hsr_world_free(&r.world);
+  hsr_scene_delete(r.scene);
+  hsr_answer_free(&r.answer);
+  hsr_shaded_free(&r.shaded);
+  crew_free(r.crew);
+  free(r.rgb);
+  free(r.face_rgb);
+  free(r.work);
+  return status;
+}

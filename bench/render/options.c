@@ -1,0 +1,281 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command line of hsr render. */
+#include "bench/render/render.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SHADE = 0x200, WORK, HIDDEN, CREASE, VIEWS, ORBIT, MOST_ORBIT = 100000 };
+
+/* The index of a word in `words`, which NULL ends; -1 if it is not there. */
+static int choose_word(const char *word, const char *const *words) {
+  for (int k = 0; words[k]; k++)
+    if (!strcmp(word, words[k]))
+      return k;
+  return -1;
+}
+
+/* Options that are for pictures of faces. */
+static error_t parse_face_option(struct render_options *o, int key, char *arg) {
+  static const char *const shadings[] = {[HSR_SHADE_LAMBERT] = "lambert",
+                                         [HSR_SHADE_FLAT] = "flat",
+                                         [HSR_SHADE_IDS] = "ids",
+                                         NULL};
+  int shading;
+  switch (key) {
+  case 'S':
+    o->given[HSR_SUPERSAMPLES] = "--supersample";
+    if (!parse_count(arg, 1, 16, &o->supersamples))
+      return option_fail(&o->base, "--supersample %s: must be 1 to 16", arg);
+    return 0;
+  case SHADE:
+    o->given[HSR_SHADING] = "--shade";
+    shading = choose_word(arg, shadings);
+    if (shading < 0)
+      return option_fail(&o->base, "--shade %s: must be lambert, flat or ids",
+                         arg);
+    o->shading = (enum hsr_shading)shading;
+    return 0;
+  case WORK:
+    o->work = arg;
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+/* Options that are only for line drawings. */
+static error_t parse_line_option(struct render_options *o, int key, char *arg) {
+  static const char *const ways[] = {[HSR_HIDDEN_NONE] = "none",
+                                     [HSR_HIDDEN_DASHED] = "dashed",
+                                     [HSR_HIDDEN_THIN] = "thin",
+                                     [HSR_HIDDEN_ALL] = "all",
+                                     NULL};
+  int way;
+  switch (key) {
+  case HIDDEN:
+    o->given[HSR_LINES] = "--hidden";
+    way = choose_word(arg, ways);
+    if (way < 0)
+      return option_fail(&o->base,
+                         "--hidden %s: must be none, dashed, thin or all", arg);
+    o->hidden = (enum hsr_hidden)way;
+    return 0;
+  case CREASE:
+    o->given[HSR_LINES] = "--crease";
+    if (!parse_number(arg, &o->crease) || o->crease < 0 || o->crease > 180)
+      return option_fail(&o->base, "--crease %s: must be degrees, 0 to 180",
+                         arg);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+/* "A-B" or "A". */
+static bool parse_range(const char *text, long *first, long *last) {
+  char start[32];
+  size_t n = strcspn(text, "-");
+  if (n >= sizeof start)
+    return false;
+  snprintf(start, sizeof start, "%.*s", (int)n, text);
+  return parse_count(start, 1, INT_MAX, first) &&
+         parse_count(text[n] ? text + n + 1 : start, *first, INT_MAX, last);
+}
+
+/* Options for several pictures. */
+static error_t parse_series_option(struct render_options *o, int key,
+                                   char *arg) {
+  if (key == VIEWS && !parse_range(arg, &o->first, &o->last))
+    return option_fail(&o->base,
+                       "--views %s: must be A-B, each 1 or more, A <= B", arg);
+  if (key == ORBIT && !parse_count(arg, 1, MOST_ORBIT, &o->orbit))
+    return option_fail(&o->base, "--orbit %s: must be 1 to %d", arg,
+                       (int)MOST_ORBIT);
+  return 0;
+}
+
+/* The scene, and where to look from. */
+static error_t parse_place_option(struct render_options *o, int key,
+                                  char *arg) {
+  error_t error = parse_scene_option(&o->scene, key, arg, "render", &o->base);
+  return error == ARGP_ERR_UNKNOWN
+             ? parse_view_option(&o->view, key, arg, &o->base)
+             : error;
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct render_options *o = state->input;
+  switch (key) {
+  case 'a':
+    o->algorithm = arg;
+    return 0;
+  case 'o':
+    if (o->n_outputs == MOST_OUTPUTS)
+      return option_fail(&o->base, "render: at most %d output files",
+                         (int)MOST_OUTPUTS);
+    o->output[o->n_outputs++] = arg;
+    return 0;
+  case 'J':
+    if (!parse_count(arg, 1, 64, &o->threads))
+      return option_fail(&o->base, "--jobs %s: must be 1 to 64", arg);
+    return 0;
+  case 'S':
+  case SHADE:
+  case WORK:
+    return parse_face_option(o, key, arg);
+  case HIDDEN:
+  case CREASE:
+    return parse_line_option(o, key, arg);
+  case VIEWS:
+  case ORBIT:
+    return parse_series_option(o, key, arg);
+  default:
+    return parse_place_option(o, key, arg);
+  }
+}
+
+static const struct argp_option entries[] = {
+    {"algorithm", 'a', "NAME", 0, "the algorithm (standard: zbuffer)", 0},
+    {"output", 'o', "FILE", 0,
+     "write the picture, by suffix: .exr holds R G B and, unless it is "
+     "filtered, depth Z and face id; .png and others the colours; .svg, .pdf "
+     "and, in world space, .vtp hold a line "
+     "drawing. May be given several times. Of several views, FILE has %d in "
+     "the place of the number: f%03d.png",
+     0},
+    {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
+    SCENE_ARGP_OPTIONS,
+    VIEW_ARGP_OPTIONS,
+    {"views", VIEWS, "A-B", 0, "make a picture of each of these views", 10},
+    {"orbit", ORBIT, "N", 0,
+     "make N pictures of a full turn around the point looked at, from the view "
+     "on",
+     10},
+    {NULL, 0, NULL, 0, "Where the algorithm draws faces:", 2},
+    {"work", WORK, "FILE", 0,
+     "write the work picture: how often each sample was touched (runs the "
+     "counting build); filtered, only where the algorithm filters itself",
+     2},
+    {"shade", SHADE, "HOW", 0, "lambert (standard), flat, or ids", 2},
+    {"supersample", 'S', "N", 0,
+     "N x N samples a pixel, averaged (colours only)", 2},
+    {NULL, 0, NULL, 0, "Where it draws lines:", 3},
+    {"hidden", HIDDEN, "HOW", 0,
+     "how hidden lines are drawn: none (standard: left out), dashed, thin "
+     "(and lighter the more faces hide them), or all (like visible ones); "
+     ".vtp files hold all",
+     3},
+    {"crease", CREASE, "DEG", 0,
+     "leave out edges whose two faces turn by at most DEG degrees, except "
+     "contour edges",
+     3},
+    {0}};
+
+static const struct argp argp = {
+    entries,
+    parse,
+    "SCENE",
+    "Makes a picture, or a line drawing, of SCENE with one algorithm and says "
+    "how long each phase "
+    "took.\v"
+    "SCENE is a built-in name with parameters (house, soup:1000:7), mesh:NAME, "
+    "a mesh file, or a .scene.json; see hsr scenes.\n\n"
+    "  hsr render house -a watkins -o house.png\n"
+    "  hsr render mesh:elephant -a zbuffer -s 1024x1024 -o elephant.exr\n"
+    "  hsr render harbor -a watkins --work work.png\n"
+    "  hsr render house -a zbuffer:filter=cosine:jitter=4 -o house.png\n"
+    "  hsr render house -a line-oracle --hidden dashed -o house.svg\n"
+    "  hsr render mesh:elephant --orbit 72 -o turn%02d.png",
+    NULL,
+    NULL,
+    NULL};
+
+/* --- What goes with what -------------------------------------------------- */
+
+bool series_name(const char *pattern, long number, char name[MOST_FILE_NAME]) {
+  size_t n = 0;
+  int places = 0;
+  for (const char *c = pattern; *c && n + 1 < MOST_FILE_NAME; c++) {
+    if (*c != '%' || c[1] == '%') {
+      c += *c == '%';
+      name[n++] = *c;
+      continue;
+    }
+    bool zeros = c[1] == '0';
+    int width = 0;
+    for (c++; *c >= '0' && *c <= '9' && width < 20; c++)
+      width = 10 * width + (*c - '0');
+    if (*c != 'd' || width > 20)
+      return false;
+    places++;
+    int used = snprintf(name + n, MOST_FILE_NAME - n, zeros ? "%0*ld" : "%*ld",
+                        width, number);
+    n += (size_t)used;
+  }
+  if (n + 1 >= MOST_FILE_NAME)
+    return false;
+  name[n] = '\0';
+  return places == 1;
+}
+
+/* Checks that the options fit the kind of answer that the algorithm draws. */
+static enum hsr_status check_kind(const struct render_options *o,
+                                  const struct hsr_variant *variant,
+                                  struct hsr_error *err) {
+  const struct hsr_algorithm *a = variant->listed->plain;
+  const struct hsr_answer_type *kind = variant->choice.form.type;
+  for (int k = 0; k < HSR_N_TAKES; k++)
+    if (o->given[k] && !(kind->takes & 1u << k))
+      return hsr_fail(err, HSR_E_USAGE, "%s is not for %s, which %s draws",
+                      o->given[k], kind->draws, variant->name);
+  if (o->work && (!kind->by_places || hsr_choice_folds(a, &variant->choice)))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--work is only for samples drawn in one picture; %s draws "
+                    "%s",
+                    variant->name, kind->draws);
+  for (int k = 0; k < o->n_outputs; k++)
+    if (!kind->fits(o->output[k]))
+      return hsr_fail(err, HSR_E_USAGE, "%s: cannot hold %s, which %s draws",
+                      o->output[k], kind->draws, a->name);
+  return HSR_OK;
+}
+
+/* Checks that each picture of a series has a file of its own. */
+static enum hsr_status check_series(const struct render_options *o,
+                                    struct hsr_error *err) {
+  if (o->first && o->orbit)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "render: --views or --orbit, not both at once");
+  char name[MOST_FILE_NAME];
+  for (int k = 0; k <= o->n_outputs && is_series(o); k++) {
+    const char *file = k < o->n_outputs ? o->output[k] : o->work;
+    if (file && !series_name(file, 1, name))
+      return hsr_fail(err, HSR_E_USAGE,
+                      "%.200s: of several views, a name must have one %%d in "
+                      "the place of the number, as in f%%03d.png",
+                      file);
+  }
+  return HSR_OK;
+}
+
+enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
+                             struct hsr_variant *variant,
+                             struct hsr_error *err) {
+  *o = (struct render_options){.view = VIEW_OPTIONS_STANDARD,
+                               .algorithm = "zbuffer",
+                               .crease = -1,
+                               .threads = 1,
+                               .supersamples = 1};
+  enum hsr_status status = parse_options(&argp, argc, argv, o, err);
+  if (status)
+    return status;
+  o->given[HSR_PALETTE] = o->view.camera.palette ? "--palette" : NULL;
+  status = hsr_variant_parse(o->algorithm, variant, err);
+  if (!status)
+    status = aim_scene(&o->scene, &o->view, err);
+  if (!status)
+    status = check_series(o, err);
+  return status ? status : check_kind(o, variant, err);
+}

@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Drawing, showing and writing one picture of hsr render. */
+#include "bench/render/render.h"
+#include "common/files/image.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_transparent(const struct hsr_scene *scene) {
+  for (uint32_t o = 0; o < scene->n_objects; o++)
+    if (scene->objects[o].opacity < 1)
+      return true;
+  return false;
+}
+
+/* Lets the algorithm draw the colours: only it knows what lies behind a
+ * transparent face. */
+static enum hsr_status ask_for_colours(struct render *r,
+                                       struct hsr_error *err) {
+  size_t n = (size_t)r->view.m * (size_t)r->view.n;
+  uint32_t n_faces = r->world.n_faces;
+  enum hsr_shading shading = r->options->shading;
+  if (!r->rgb) {
+    r->rgb = malloc(3 * n * sizeof *r->rgb);
+    r->face_rgb = malloc(3 * (size_t)n_faces * sizeof *r->face_rgb);
+  }
+  if (!r->rgb || !r->face_rgb)
+    return hsr_fail_nomem(err);
+  for (uint32_t f = 0; f < n_faces; f++)
+    hsr_picture_colour(&r->world, &r->view, f, shading,
+                       r->face_rgb + 3 * (size_t)f);
+  r->paint = (struct hsr_paint){.face = r->face_rgb, .rgb = r->rgb};
+  hsr_picture_colour(&r->world, &r->view, HSR_BACKGROUND, shading,
+                     r->paint.background);
+  r->setup.paint = &r->paint;
+  return HSR_OK;
+}
+
+/* Makes the memory of a picture, or clears it. */
+static enum hsr_status clear(struct render *r, struct hsr_error *err) {
+  size_t n = (size_t)r->view.m * (size_t)r->view.n;
+  hsr_shaded_free(&r->shaded);
+  enum hsr_status status =
+      r->answer.body ? HSR_OK
+                     : answer_init(&r->answer, &r->setup, &r->view, err);
+  if (status || !r->options->work)
+    return status;
+  if (!r->work)
+    r->work = malloc(n * sizeof *r->work);
+  if (!r->work)
+    return hsr_fail_nomem(err);
+  memset(r->work, 0, n * sizeof *r->work);
+  r->tally.work = r->work;
+  r->tally.work_stride = (size_t)r->view.m;
+  return HSR_OK;
+}
+
+static enum hsr_status draw(struct render *r, struct hsr_error *err) {
+  const struct hsr_algorithm *a = r->setup.algorithm;
+  enum hsr_status status = clear(r, err);
+  if (!status && r->kind == a->kind && a->flags & HSR_TRANSPARENCY &&
+      is_transparent(r->scene))
+    status = ask_for_colours(r, err);
+  if (status)
+    return status;
+  double begin = seconds_now();
+  status =
+      crew_render(r->crew, &r->setup, &r->view, &r->answer, &r->tally, err);
+  r->draw += seconds_now() - begin;
+  return status;
+}
+
+/* --- Showing and writing -------------------------------------------------- */
+
+struct hsr_showing showing_of(const struct render *r) {
+  const struct render_options *o = r->options;
+  return (struct hsr_showing){.world = &r->world,
+                              .view = &r->view,
+                              .scene = o->scene.name,
+                              .shading = o->shading,
+                              .depth = true,
+                              .rgb = r->rgb,
+                              .supersamples = (int)o->supersamples,
+                              .hidden = o->hidden,
+                              .crease = o->crease};
+}
+
+/* Does what comes between drawing and writing. */
+static enum hsr_status finish(struct render *r, struct hsr_error *err) {
+  struct hsr_showing showing = showing_of(r);
+  double begin = seconds_now();
+  enum hsr_status status =
+      r->kind->trim ? r->kind->trim(&r->answer, &showing, err) : HSR_OK;
+  if (!status && r->kind->shade && (r->options->n_outputs || r->options->work))
+    status = r->kind->shade(&r->answer, &showing, &r->shaded, err);
+  r->shade += seconds_now() - begin;
+  return status;
+}
+
+/* The file's name: of a series, with the view's number. */
+static const char *file_name(const struct render *r, const char *given,
+                             char name[MOST_FILE_NAME]) {
+  return is_series(r->options) && series_name(given, r->view_number, name)
+             ? name
+             : given;
+}
+
+static enum hsr_status write_outputs(struct render *r, struct hsr_error *err) {
+  const struct hsr_algorithm *a = r->setup.algorithm;
+  const struct render_options *o = r->options;
+  char text[300], title[200], description[200], name[MOST_FILE_NAME];
+  snprintf(text, sizeof text, "Software=hsr\nScene=%s\nAlgorithm=%s\n",
+           o->scene.name, a->name);
+  snprintf(title, sizeof title, "%s, view %ld", o->scene.name, r->view_number);
+  snprintf(description, sizeof description,
+           "A line drawing by hsr " PACKAGE_VERSION ", %s", a->title);
+  struct hsr_showing showing = showing_of(r);
+  showing.text = text;
+  showing.title = title;
+  showing.description = description;
+  double begin = seconds_now();
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < o->n_outputs && !status; k++)
+    status = r->kind->write(&r->answer, &showing, &r->shaded,
+                            file_name(r, o->output[k], name), err);
+  if (o->work && !status)
+    status = hsr_image_write_work(file_name(r, o->work, name), r->view.m,
+                                  r->view.n, r->work, err);
+  r->write += seconds_now() - begin;
+  return status;
+}
+
+enum hsr_status make_picture(struct render *r, struct hsr_error *err) {
+  enum hsr_status status = draw(r, err);
+  if (!status)
+    status = finish(r, err);
+  if (!status)
+    status = write_outputs(r, err);
+  if (!status)
+    r->n_pictures++;
+  return status;
+}

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Between the files of hsr render. */
+#ifndef HSR_BENCH_RENDER_H
+#define HSR_BENCH_RENDER_H
+
+#include "bench/command.h"
+
+enum { MOST_OUTPUTS = 16 };
+
+struct render_options {
+  struct option_base base;
+  struct view_options view;
+  struct scene_options scene;
+  const char *algorithm;
+  const char *output[MOST_OUTPUTS];
+  int n_outputs;
+  const char *work;
+  enum hsr_shading shading;
+  enum hsr_hidden hidden;
+  double crease; /* degrees; negative: all edges */
+  /* For each of HSR_SHADING, ...: the last option given that only kinds of
+   * answers which take account of it accept; or NULL. */
+  const char *given[HSR_N_TAKES];
+  long threads, supersamples;
+  long first, last; /* of --views, from 1; first is 0 without it */
+  long orbit;       /* of --orbit; 0 without it */
+};
+
+/* Reads the command line of hsr render, and the variant that it names. The
+ * scene's name has its cameras then. HSR_E_USAGE; HSR_E_INPUT, HSR_E_NOMEM: the
+ * palette cannot be read. */
+enum hsr_status render_parse(int argc, char **argv,
+                             struct render_options *options,
+                             struct hsr_variant *variant,
+                             struct hsr_error *err);
+
+/* Whether pictures of several views are made. */
+static inline bool is_series(const struct render_options *options) {
+  return options->first || options->orbit;
+}
+
+/* The name of a file of a series: the number in the place of the pattern's only
+ * %d, which may have a width, as in f%03d.png; %% stands for one %. False if the
+ * pattern has no such place, or several, or the name does not fit. */
+enum { MOST_FILE_NAME = 4096 };
+bool series_name(const char *pattern, long number, char name[MOST_FILE_NAME]);
+
+/* The pictures in the making, one after the other, and their times and counts.
+ * Everything is freed by command_render. */
+struct render {
+  const struct render_options *options;
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  struct hsr_setup setup;
+  struct crew *crew;
+  struct hsr_view view; /* of the answer's m x n */
+  const struct hsr_answer_type *kind;
+  struct hsr_answer answer;
+  struct hsr_shaded shaded;
+  float *rgb, *face_rgb, *work;
+  struct hsr_paint paint; /* of an algorithm that draws transparency */
+  struct hsr_tally tally;
+  long view_number, n_pictures; /* of this picture, from 1; and so far */
+  double import, build;         /* seconds */
+  double draw, shade, write;    /* seconds, of all pictures */
+};
+
+/* Makes the picture of r->view, for which all is made ready, and writes it.
+ * HSR_E_NOMEM, and whatever the algorithm and the writing fail with. */
+enum hsr_status make_picture(struct render *r, struct hsr_error *err);
+
+/* How a picture is shown. */
+struct hsr_showing showing_of(const struct render *r);
+
+#endif
