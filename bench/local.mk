@@ -55,6 +55,12 @@ libbench_a_SOURCES = \
   %D%/times/table.c \
   %D%/voxels.c \
   %D%/run/worker.c \
+  %D%/export/command.c \
+  %D%/shapes/list.c \
+  %D%/shapes/octree.c \
+  %D%/shapes/partition.c \
+  %D%/shapes/shapes.h \
+  %D%/shapes/views.c \
   %D%/check/check.h \
   %D%/check/command.c \
   %D%/check/json.c \

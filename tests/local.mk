@@ -100,6 +100,7 @@ tap_scripts = \
   %D%/volumes.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
+  %D%/export/export.test \
   %D%/lesson/lesson.test \
   %D%/report/hostile.test \
   %D%/report/made.test \
@@ -110,6 +111,7 @@ tap_scripts = \
 
 if WITH_VTK
 tap_programs += %D%/unit/files/vtp_test %D%/unit/files/volume_xml_test
+check_PROGRAMS += %D%/export/read_cells
 endif
 
 # The quick tests: less than a minute on two cores, once everything is built.
@@ -199,6 +201,9 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_core_quotient_test_LDADD = $(CGAL_LIBS)
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
 %C%_counts_recorded_test_LDADD = libdraw.a $(BENCH_LIBS)
+%C%_export_read_cells_SOURCES = %D%/export/read_cells.cc
+%C%_export_read_cells_LDADD = $(VTK_CELLS_LIBS)
+%C%_export_read_cells_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_unit_files_vtp_test_SOURCES = %D%/unit/files/vtp_test.cc
 %C%_unit_files_image_test_LDADD = libdraw.a $(HSR_LIBS) $(OIIO_LIBS)
 %C%_unit_files_vtp_test_LDADD = libdraw.a $(HSR_LIBS) $(VTK_LIBS)

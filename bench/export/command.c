@@ -1,0 +1,362 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr export: a scene, or what an algorithm makes of it, for other programs. */
+#include "bench/shapes/shapes.h"
+
+#include "common/files/srgb.h"
+#include "common/files/suffix.h"
+#include "common/scene/pieces.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WHAT = 0x200, VISIBLE, WORK };
+
+/* What is exported: faces, or a shape. */
+struct shape {
+  const char *name;
+  enum hsr_status (*make)(const struct shape_source *source,
+                          struct cell_list *list, struct hsr_error *err);
+  enum hsr_cell_kind solid; /* of a .vtu file; a .vtp file holds polygons */
+  const char *algorithm;    /* the standard one */
+};
+static const struct shape shapes[] = {
+    {"faces", NULL, HSR_CELL_POLYGON, "zbuffer"},
+    {"octree", shape_octree, HSR_CELL_BOX, "hzbuffer"},
+    {"bsp", shape_bsp, HSR_CELL_POLYHEDRON, "bsp-painter"},
+    {"separators", shape_separators, HSR_CELL_POLYHEDRON, "schumacker"},
+    {"frustum", shape_frustum, HSR_CELL_POLYHEDRON, "zbuffer"},
+    {"spans", shape_spans, HSR_CELL_POLYGON, "watkins"}};
+enum { N_SHAPES = sizeof shapes / sizeof *shapes };
+
+struct options {
+  struct option_base base;
+  struct view_options view;
+  struct scene_options scene;
+  const struct shape *shape;
+  const char *algorithm, *output;
+  bool visible, work;
+};
+
+static error_t choose_shape(struct options *o, const char *name) {
+  for (int k = 0; k < N_SHAPES; k++)
+    if (!strcmp(shapes[k].name, name)) {
+      o->shape = &shapes[k];
+      return 0;
+    }
+  return option_fail(&o->base,
+                     "--what %s: must be faces, octree, bsp, separators, "
+                     "frustum or spans",
+                     name);
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct options *o = state->input;
+  error_t unknown;
+  switch (key) {
+  case 'a':
+    o->algorithm = arg;
+    return 0;
+  case 'o':
+    if (o->output)
+      return option_fail(&o->base, "export: one output file");
+    o->output = arg;
+    return 0;
+  case WHAT:
+    return choose_shape(o, arg);
+  case VISIBLE:
+    o->visible = true;
+    return 0;
+  case WORK:
+    o->work = true;
+    return 0;
+  default:
+    unknown = parse_scene_option(&o->scene, key, arg, "export", &o->base);
+    return unknown == ARGP_ERR_UNKNOWN
+               ? parse_view_option(&o->view, key, arg, &o->base)
+               : unknown;
+  }
+}
+
+static const struct argp_option entries[] = {
+    {"output", 'o', "FILE", 0,
+     "the file, by suffix: .vtp and .vtu with all data; .obj with its "
+     "materials; .ply with colours; .stl; .glb, where instances stay instances",
+     0},
+    {"what", WHAT, "WHAT", 0,
+     "faces (standard); octree, bsp (its cells in .vtu, its planes in .vtp), "
+     "separators, frustum or spans, as .vtp or .vtu",
+     0},
+    {"algorithm", 'a', "NAME", 0,
+     "whose octree, spans, visible faces and work (standard: as fits)", 0},
+    SCENE_ARGP_OPTIONS,
+    VIEW_ARGP_OPTIONS,
+    {NULL, 0, NULL, 0, "With the faces, in .vtp and .vtu files:", 2},
+    {"visible", VISIBLE, NULL, 0, "of each, the visible samples in the view",
+     2},
+    {"work", WORK, NULL, 0, "of each, the algorithm's steps that are about it",
+     2},
+    {0}};
+
+static const struct argp argp = {
+    entries,
+    parse,
+    "SCENE",
+    "Writes a scene for ParaView, Blender and other programs; or what an "
+    "algorithm works with.\v"
+    "  hsr export house -o house.glb\n"
+    "  hsr export harbor -a watkins --visible --work -o harbor.vtp\n"
+    "  hsr export house --what octree -o cubes.vtu\n"
+    "  hsr export house --what spans -a bouknight -s 64x48 -o spans.vtp",
+    NULL,
+    NULL,
+    NULL};
+
+/* --- Faces ---------------------------------------------------------------- */
+
+struct export {
+  const struct options *options;
+  struct hsr_scene *scene;
+  struct hsr_world world;
+  struct hsr_setup setup;
+  struct hsr_view view;
+  struct hsr_arena arena; /* of values of cells */
+};
+
+/* Counts the steps about faces. */
+struct steps {
+  uint32_t n_faces, *of;
+};
+
+static void count_step(void *context, const struct hsr_event *event) {
+  struct steps *steps = context;
+  const struct hsr_subject *both[] = {&event->a, &event->b};
+  for (int k = 0; k < 2; k++)
+    if ((both[k]->kind == HSR_OF_FACE || both[k]->kind == HSR_OF_PIECE) &&
+        both[k]->id[0] < steps->n_faces)
+      steps->of[both[k]->id[0]]++;
+}
+
+static void add_data(struct hsr_cells *cells, const char *name,
+                     enum hsr_cell_type type, const void *value) {
+  cells->data[cells->n_data++] = (struct hsr_cell_data){name, type, value};
+}
+
+/* Draws the view, and adds what is asked for about it. */
+static enum hsr_status add_view(struct export *e, struct hsr_cells *cells,
+                                struct hsr_error *err) {
+  const struct options *o = e->options;
+  const size_t n = (size_t)e->view.m * (size_t)e->view.n;
+  const struct shape_source source = {&e->setup, &e->view};
+  struct steps steps = {e->world.n_faces,
+                        HSR_NEW_ZEROED(&e->arena, uint32_t, e->world.n_faces)};
+  uint32_t *seen = HSR_NEW_ZEROED(&e->arena, uint32_t, e->world.n_faces);
+  if (!steps.of || !seen)
+    return hsr_fail_nomem(err);
+  struct hsr_tally tally = {.out_of_memory = false};
+  struct hsr_answer answer = {.body = NULL};
+  enum hsr_status status =
+      hear_run(&source, &answer, &tally, count_step, &steps, err);
+  const uint32_t *ids = status ? NULL : hsr_answer_ids_of(&answer);
+  for (size_t k = 0; k < n && ids; k++)
+    if (ids[k] != HSR_BACKGROUND)
+      seen[ids[k]]++;
+  if (o->visible)
+    add_data(cells, "visible_samples", HSR_CELL_NUMBERS, seen);
+  if (o->work)
+    add_data(cells, "work", HSR_CELL_NUMBERS, steps.of);
+  hsr_answer_free(&answer);
+  return status;
+}
+
+static enum hsr_status add_points(struct export *e,
+                                  const struct hsr_world *world,
+                                  struct hsr_cells *cells,
+                                  struct hsr_error *err) {
+  const struct hsr_mesh *mesh = &world->mesh;
+  double *xyz = HSR_NEW(&e->arena, double, 3 * (size_t)mesh->n_vertices);
+  if (!xyz)
+    return hsr_fail_nomem(err);
+  for (size_t v = 0; v < mesh->n_vertices; v++) {
+    xyz[3 * v] = mesh->x[v];
+    xyz[3 * v + 1] = mesh->y[v];
+    xyz[3 * v + 2] = mesh->z[v];
+  }
+  *cells = (struct hsr_cells){.kind = HSR_CELL_POLYGON,
+                              .n_points = mesh->n_vertices,
+                              .n = world->n_faces,
+                              .xyz = xyz,
+                              .start = mesh->start,
+                              .point = mesh->vertex};
+  return HSR_OK;
+}
+
+static unsigned char to_byte(float linear) {
+  return (unsigned char)lrintf(255 *
+                               fminf(fmaxf(hsr_srgb_encode(linear), 0), 1));
+}
+
+/* Of a world of pieces, all is said of their parents. */
+static enum hsr_status add_faces(struct export *e,
+                                 const struct hsr_world *world,
+                                 struct hsr_cells *cells,
+                                 struct hsr_error *err) {
+  const size_t n = world->n_faces;
+  uint32_t *id = HSR_NEW(&e->arena, uint32_t, n);
+  uint32_t *object = HSR_NEW(&e->arena, uint32_t, n);
+  uint32_t *instance = HSR_NEW(&e->arena, uint32_t, n);
+  unsigned char *rgb = HSR_NEW(&e->arena, unsigned char, 3 * n);
+  double *opacity = HSR_NEW(&e->arena, double, n);
+  if (!id || !object || !instance || !rgb || !opacity)
+    return hsr_fail_nomem(err);
+  for (uint32_t f = 0; f < n; f++) {
+    id[f] = hsr_world_parent(world, f);
+    const struct hsr_place place = hsr_place_of(world, id[f]);
+    const float *colour = hsr_face_rgb(place.object, place.face);
+    instance[f] = place.instance;
+    object[f] = e->scene->instances[place.instance].object;
+    opacity[f] = (double)place.object->opacity;
+    for (size_t k = 0; k < 3; k++)
+      rgb[3 * f + k] = to_byte(colour[k]);
+  }
+  add_data(cells, "id", HSR_CELL_NUMBERS, id);
+  add_data(cells, "object", HSR_CELL_NUMBERS, object);
+  add_data(cells, "instance", HSR_CELL_NUMBERS, instance);
+  add_data(cells, "colour", HSR_CELL_COLOURS, rgb);
+  add_data(cells, "opacity", HSR_CELL_REALS, opacity);
+  return HSR_OK;
+}
+
+static enum hsr_status write_faces(struct export *e, struct hsr_error *err) {
+  const struct options *o = e->options;
+  struct hsr_world triangles;
+  struct hsr_cells cells;
+  bool changed = false;
+  enum hsr_status status = HSR_OK;
+  if (hsr_ends_in(o->output, ".stl"))
+    status = hsr_world_triangulate(&e->world, &triangles, &changed, err);
+  const struct hsr_world *world = changed ? &triangles : &e->world;
+  if (!status)
+    status = add_points(e, world, &cells, err);
+  if (!status)
+    status = add_faces(e, world, &cells, err);
+  if (!status && (o->visible || o->work))
+    status = add_view(e, &cells, err);
+  if (!status)
+    status = hsr_cells_write(&cells, o->output, err);
+  if (changed)
+    hsr_world_free(&triangles);
+  return status;
+}
+
+/* --- All that is exported ------------------------------------------------- */
+
+static enum hsr_status write_shape(struct export *e, struct hsr_error *err) {
+  const struct options *o = e->options;
+  const struct shape_source source = {&e->setup, &e->view};
+  struct cell_list list = {.kind = hsr_ends_in(o->output, ".vtu")
+                                       ? o->shape->solid
+                                       : HSR_CELL_POLYGON};
+  struct hsr_cells cells;
+  enum hsr_status status = o->shape->make(&source, &list, err);
+  if (!status)
+    status = cell_list_cells(&list, &cells, err);
+  if (!status)
+    status = hsr_cells_write(&cells, o->output, err);
+  if (!status)
+    printf("%s: %u %s\n", o->output, cells.n,
+           cells.kind == HSR_CELL_POLYGON ? "polygons"
+           : cells.kind == HSR_CELL_BOX   ? "boxes"
+                                          : "polyhedra");
+  cell_list_free(&list);
+  return status;
+}
+
+static bool is_scene_file(const char *path) {
+  return hsr_ends_in(path, ".obj") || hsr_ends_in(path, ".glb");
+}
+
+static enum hsr_status check(const struct options *o, struct hsr_error *err) {
+  const char *out = o->output;
+  if (!out)
+    return hsr_fail(err, HSR_E_USAGE, "export: -o FILE is missing");
+  bool faces = !o->shape->make;
+  bool fits =
+      faces && (is_scene_file(out) || hsr_cells_fit(HSR_CELL_POLYGON, out));
+  if (!fits && !hsr_cells_keep_data(out))
+    return hsr_fail(err, HSR_E_USAGE, "%.200s: must end in %s", out,
+                    faces ? ".vtp, .vtu, .obj, .ply, .stl or .glb"
+                          : ".vtp or .vtu");
+  if ((o->visible || o->work) && (!faces || !hsr_cells_keep_data(out)))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--visible and --work are for faces in .vtp and .vtu "
+                    "files");
+  return HSR_OK;
+}
+
+/* Lays the scene out, and makes the algorithm ready if it has something to
+ * say. */
+static enum hsr_status open_world(struct export *e,
+                                  const struct hsr_variant *variant,
+                                  struct hsr_error *err) {
+  const struct options *o = e->options;
+  enum hsr_status status =
+      hsr_world_open(&e->world, e->scene, HSR_MOST_LAID_OUT, err);
+  if (!status && hsr_is_outline(&e->world))
+    return hsr_fail(err, HSR_E_NOMEM,
+                    "%u faces are more than %u; .glb files keep instances",
+                    e->world.n_faces, HSR_MOST_LAID_OUT);
+  if (!status && (o->shape->make || o->visible || o->work))
+    status = hsr_setup_init(&e->setup, variant->listed->counting,
+                            &variant->choice, &e->world, err);
+  return status;
+}
+
+static enum hsr_status write_all(struct export *e,
+                                 const struct hsr_variant *variant,
+                                 struct hsr_error *err) {
+  const struct options *o = e->options;
+  if (hsr_ends_in(o->output, ".glb"))
+    return hsr_scene_write_glb(e->scene, o->output, err);
+  enum hsr_status status = open_world(e, variant, err);
+  if (status)
+    return status;
+  if (o->shape->make)
+    return write_shape(e, err);
+  return hsr_ends_in(o->output, ".obj")
+             ? hsr_world_write_obj(&e->world, o->output, err)
+             : write_faces(e, err);
+}
+
+enum hsr_status command_export(int argc, char **argv, struct hsr_error *err) {
+  struct options o = {.view = VIEW_OPTIONS_STANDARD, .shape = &shapes[0]};
+  enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
+  struct hsr_variant variant;
+  if (!status)
+    status = hsr_variant_parse(o.algorithm ? o.algorithm : o.shape->algorithm,
+                               &variant, err);
+  if (!status)
+    status = check(&o, err);
+  if (!status && variant.choice.form.type != HSR_IDS)
+    status = hsr_fail(err, HSR_E_USAGE, "%s: must draw faces", variant.name);
+  if (!status)
+    status = aim_scene(&o.scene, &o.view, err);
+  if (status)
+    return status;
+  struct export e = {.options = &o};
+  status = open_scene(o.scene.name, o.scene.import, &e.scene, err);
+  if (!status)
+    status = choose_view(&o.view, e.scene, 1, &e.view, err);
+  if (!status)
+    status = write_all(&e, &variant, err);
+  if (!status && !o.shape->make)
+    printf("%s: %llu faces, %u objects, %u instances\n", o.output,
+           (unsigned long long)hsr_scene_faces(e.scene), e.scene->n_objects,
+           e.scene->n_instances);
+  if (e.setup.algorithm)
+    hsr_setup_free(&e.setup);
+  hsr_world_free(&e.world);
+  hsr_scene_delete(e.scene);
+  hsr_arena_free(&e.arena);
+  return status;
+}

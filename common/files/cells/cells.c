@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "common/files/cells/cells_library.h"
+#include "common/adapt/adapt.h"
+#include "common/files/library.h"
+#include "common/files/suffix.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool hsr_cells_fit(enum hsr_cell_kind kind, const char *path) {
+  if (hsr_ends_in(path, ".vtu"))
+    return true;
+  if (hsr_ends_in(path, ".vtp"))
+    return kind == HSR_CELL_POLYGON || kind == HSR_CELL_LINE;
+  return kind == HSR_CELL_POLYGON &&
+         (hsr_ends_in(path, ".ply") || hsr_ends_in(path, ".stl"));
+}
+
+bool hsr_cells_keep_data(const char *path) {
+  return hsr_ends_in(path, ".vtp") || hsr_ends_in(path, ".vtu");
+}
+
+enum hsr_status hsr_cells_write(const struct hsr_cells *cells, const char *path,
+                                struct hsr_error *err) {
+#if HSR_HAVE_VTK
+  const struct hsr_cells_library *library =
+      hsr_library_table("hsr-cells.so", "hsr_cells", err);
+  return library ? library->write(cells, path, err) : HSR_E_INPUT;
+#else
+  (void)cells;
+  return hsr_fail(err, HSR_E_INPUT,
+                  "%.200s: this build of hsr, without VTK, does not write it",
+                  path);
+#endif
+}
+
+/* --- Colours -------------------------------------------------------------- */
+
+static int compare(const void *a, const void *b) {
+  const float *x = a, *y = b;
+  for (int k = 0; k < 3; k++)
+    if (x[k] < y[k] || x[k] > y[k])
+      return x[k] < y[k] ? -1 : 1;
+  return 0;
+}
+
+enum hsr_status hsr_colours_of(struct hsr_colours *c,
+                               const struct hsr_object *objects,
+                               uint32_t n_objects, struct hsr_error *err) {
+  const size_t size = 3 * sizeof(float);
+  size_t n = 0;
+  *c = (struct hsr_colours){.rgb = NULL};
+  for (uint32_t o = 0; o < n_objects; o++)
+    n += objects[o].n_faces;
+  c->rgb = malloc((n + 1) * size);
+  c->of = malloc((n + 1) * sizeof *c->of);
+  if (!c->rgb || !c->of)
+    return hsr_fail_nomem(err);
+  size_t all = 0;
+  for (uint32_t o = 0; o < n_objects; o++)
+    for (uint32_t f = 0; f < objects[o].n_faces; f++)
+      memcpy(c->rgb + 3 * all++, hsr_face_rgb(&objects[o], f), size);
+  qsort(c->rgb, n, size, compare);
+  for (size_t k = 0; k < n; k++)
+    if (!k || compare(c->rgb + 3 * (c->n - 1), c->rgb + 3 * k))
+      memmove(c->rgb + 3 * (size_t)c->n++, c->rgb + 3 * k, size);
+  all = 0;
+  for (uint32_t o = 0; o < n_objects; o++)
+    for (uint32_t f = 0; f < objects[o].n_faces; f++) {
+      const float *found =
+          bsearch(hsr_face_rgb(&objects[o], f), c->rgb, c->n, size, compare);
+      c->of[all++] = (uint32_t)((found - c->rgb) / 3);
+    }
+  return HSR_OK;
+}
+
+void hsr_colours_free(struct hsr_colours *colours) {
+  free(colours->rgb);
+  free(colours->of);
+}
+
+/* --- Triangles ------------------------------------------------------------ */
+
+enum hsr_status hsr_world_triangulate(const struct hsr_world *world,
+                                      struct hsr_world *out, bool *changed,
+                                      struct hsr_error *err) {
+  const struct hsr_adapter *adapter = hsr_adapters;
+  while (adapter->mends != HSR_TR)
+    adapter++;
+  *changed = false;
+  return adapter->adapt(world, out, changed, err);
+}

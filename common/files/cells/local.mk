@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What other programs open.
+nobase_pkginclude_HEADERS += \
+  %D%/cells.h
+libhsr_a_SOURCES += \
+  %D%/cells.c \
+  %D%/cells_library.h \
+  %D%/glb.c \
+  %D%/obj.c
+if WITH_VTK
+# Loaded by hsr when such a file is written.
+pkglibexec_PROGRAMS += hsr-cells.so
+hsr_cells_so_SOURCES = \
+  %D%/cells_library.h \
+  %D%/cells_vtk.cc \
+  common/base/status.c \
+  common/files/whole_file.c
+hsr_cells_so_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
+hsr_cells_so_CFLAGS = $(AM_CFLAGS) -fPIC
+hsr_cells_so_CXXFLAGS = $(AM_CXXFLAGS) -fPIC
+hsr_cells_so_LDFLAGS = -shared
+hsr_cells_so_LDADD = $(VTK_CELLS_LIBS)
+endif

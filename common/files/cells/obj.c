@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* .obj files, with their materials: VTK's writer knows no colours.
+ *
+ * Source      Wavefront Advanced Visualizer manual, appendices B1 and "Material
+ *             library file"
+ * Departures  Kd is written in sRGB, as mesh_materials.cc reads it. */
+#include "common/files/cells/cells.h"
+#include "common/files/srgb.h"
+#include "common/files/whole_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void print_materials(const struct hsr_colours *colours, FILE *out) {
+  for (uint32_t k = 0; k < colours->n; k++) {
+    fprintf(out, "newmtl colour%u\nKd", k);
+    for (int c = 0; c < 3; c++)
+      fprintf(out, " %.9g",
+              (double)hsr_srgb_encode(colours->rgb[3 * (size_t)k + (size_t)c]));
+    fputs("\n", out);
+  }
+}
+
+/* A name as one word. */
+static void print_word(const char *name, FILE *out) {
+  for (; *name; name++)
+    fputc(*name > ' ' && *name < 127 ? *name : '_', out);
+}
+
+/* The faces of one instance. `of` are the colours of its object's faces. */
+static void print_instance(const struct hsr_world *world, uint32_t instance,
+                           const uint32_t *of, FILE *out) {
+  const struct hsr_scene *scene = world->outline.scene;
+  const uint32_t *first = world->outline.first + instance;
+  fputs("o ", out);
+  print_word(scene->objects[scene->instances[instance].object].name, out);
+  fprintf(out, "-%u\n", instance);
+  for (uint32_t f = first[0]; f < first[1]; f++) {
+    if (f == first[0] || of[f - first[0]] != of[f - first[0] - 1])
+      fprintf(out, "usemtl colour%u\n", of[f - first[0]]);
+    fputs("f", out);
+    for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++)
+      fprintf(out, " %u", world->mesh.vertex[k] + 1);
+    fputs("\n", out);
+  }
+}
+
+static void print_mesh(const struct hsr_world *world, const char *materials,
+                       const struct hsr_colours *colours, FILE *out) {
+  const struct hsr_scene *scene = world->outline.scene;
+  const struct hsr_mesh *mesh = &world->mesh;
+  fprintf(out, "mtllib %s\n", materials);
+  for (uint32_t v = 0; v < mesh->n_vertices; v++)
+    fprintf(out, "v %.17g %.17g %.17g\n", mesh->x[v], mesh->y[v], mesh->z[v]);
+  const uint32_t *of = colours->of;
+  for (uint32_t o = 0, i = 0; o < scene->n_objects; o++) {
+    for (; i < scene->n_instances && scene->instances[i].object == o; i++)
+      print_instance(world, i, of, out);
+    of += scene->objects[o].n_faces;
+  }
+}
+
+/* The name of the file of materials: the suffix replaced. */
+static char *name_materials(const char *path) {
+  size_t n = strlen(path) - strlen(".obj");
+  char *name = malloc(n + sizeof ".mtl");
+  if (name) {
+    memcpy(name, path, n);
+    memcpy(name + n, ".mtl", sizeof ".mtl");
+  }
+  return name;
+}
+
+static enum hsr_status write_both(const struct hsr_world *world,
+                                  const char *path, const char *materials,
+                                  const struct hsr_colours *colours,
+                                  struct hsr_error *err) {
+  const char *slash = strrchr(materials, '/');
+  struct hsr_whole_file file;
+  enum hsr_status status = hsr_whole_file_open(&file, materials, err);
+  if (status)
+    return status;
+  print_materials(colours, file.stream);
+  status = hsr_whole_file_close(&file, HSR_OK, err);
+  if (!status)
+    status = hsr_whole_file_open(&file, path, err);
+  if (status)
+    return status;
+  print_mesh(world, slash ? slash + 1 : materials, colours, file.stream);
+  return hsr_whole_file_close(&file, HSR_OK, err);
+}
+
+enum hsr_status hsr_world_write_obj(const struct hsr_world *world,
+                                    const char *path, struct hsr_error *err) {
+  const struct hsr_scene *scene = world->outline.scene;
+  struct hsr_colours colours;
+  enum hsr_status status =
+      hsr_colours_of(&colours, scene->objects, scene->n_objects, err);
+  char *materials = name_materials(path);
+  if (!status && !materials)
+    status = hsr_fail_nomem(err);
+  if (!status)
+    status = write_both(world, path, materials, &colours, err);
+  free(materials);
+  hsr_colours_free(&colours);
+  return status;
+}
