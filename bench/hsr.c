@@ -18,6 +18,7 @@ static const struct hsr_command commands[] = {
     {"stats", "Table I of a scene and view, beside Table II's rules",
      command_stats},
     {"render", "make a picture with one algorithm", command_render},
+    {"view", "look around in a scene, as algorithms draw it", command_view},
     {"export", "a scene, or what an algorithm works with, for other programs",
      command_export},
     {"check", "every algorithm against the oracle, sample for sample",

@@ -4,8 +4,6 @@
 #include "bench/terminal/terminal.h"
 #include "scenes/cameras.h"
 
-#include <stdlib.h>
-
 static enum hsr_status open_place(struct render *r,
                                   const struct hsr_algorithm *a,
                                   struct hsr_error *err) {
@@ -127,15 +125,7 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
     status = make_all(&r, err);
   if (!status)
     print_report(&r, a);
-  if (r.setup.algorithm)
-    hsr_setup_free(&r.setup);
-  hsr_world_free(&r.world);
+  render_close(&r);
   hsr_scene_delete(r.scene);
-  hsr_answer_free(&r.answer);
-  hsr_shaded_free(&r.shaded);
-  crew_free(r.crew);
-  free(r.rgb);
-  free(r.face_rgb);
-  free(r.work);
   return status;
 }

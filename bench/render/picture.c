@@ -55,7 +55,7 @@ static enum hsr_status clear(struct render *r, struct hsr_error *err) {
   return HSR_OK;
 }
 
-static enum hsr_status draw(struct render *r, struct hsr_error *err) {
+enum hsr_status draw_picture(struct render *r, struct hsr_error *err) {
   const struct hsr_algorithm *a = r->setup.algorithm;
   enum hsr_status status = clear(r, err);
   if (!status && r->kind == a->kind && a->flags & HSR_TRANSPARENCY &&
@@ -86,7 +86,7 @@ struct hsr_showing showing_of(const struct render *r) {
 }
 
 /* Does what comes between drawing and writing. */
-static enum hsr_status finish(struct render *r, struct hsr_error *err) {
+enum hsr_status shade_picture(struct render *r, struct hsr_error *err) {
   struct hsr_showing showing = showing_of(r);
   double begin = seconds_now();
   enum hsr_status status =
@@ -131,12 +131,29 @@ static enum hsr_status write_outputs(struct render *r, struct hsr_error *err) {
 }
 
 enum hsr_status make_picture(struct render *r, struct hsr_error *err) {
-  enum hsr_status status = draw(r, err);
+  enum hsr_status status = draw_picture(r, err);
   if (!status)
-    status = finish(r, err);
+    status = shade_picture(r, err);
   if (!status)
     status = write_outputs(r, err);
   if (!status)
     r->n_pictures++;
   return status;
+}
+
+void render_forget(struct render *r) {
+  hsr_answer_free(&r->answer);
+  hsr_shaded_free(&r->shaded);
+  free(r->rgb);
+  free(r->face_rgb);
+  free(r->work);
+  r->rgb = r->face_rgb = r->work = NULL;
+}
+
+void render_close(struct render *r) {
+  if (r->setup.algorithm)
+    hsr_setup_free(&r->setup);
+  hsr_world_free(&r->world);
+  render_forget(r);
+  crew_free(r->crew);
 }

@@ -69,6 +69,16 @@ struct render {
  * HSR_E_NOMEM, and whatever the algorithm and the writing fail with. */
 enum hsr_status make_picture(struct render *r, struct hsr_error *err);
 
+/* The parts of that, without writing: draws; makes the colours, r->shaded. */
+enum hsr_status draw_picture(struct render *r, struct hsr_error *err);
+enum hsr_status shade_picture(struct render *r, struct hsr_error *err);
+
+/* Frees what has the size of a picture, before one of another size. */
+void render_forget(struct render *r);
+
+/* Frees all but the scene. All zero is allowed. */
+void render_close(struct render *r);
+
 /* How a picture is shown. */
 struct hsr_showing showing_of(const struct render *r);
 

@@ -11,6 +11,7 @@
 #include "common/files/scene_json.h"
 #include "common/files/json_file.h"
 #include "common/files/json_read.h"
+#include "common/files/whole_file.h"
 #include "common/polygon/polygon.h"
 
 #include <jansson.h>
@@ -1125,34 +1126,48 @@ static void put_scene(struct writer *writer, const struct hsr_scene *scene) {
   put_text(writer, scene->n_views ? "]}\n" : "}\n");
 }
 
-/* Writes under the name `part`, and gives the file its own when it is whole. */
-static enum hsr_status write_part(const struct hsr_scene *scene,
-                                  const char *path, const char *part,
-                                  struct hsr_error *err) {
-  struct writer writer = {.path = path, .err = err};
-  writer.out = fopen(part, "w");
-  if (!writer.out)
-    return hsr_json_fail_errno(path, "cannot be written", err);
-  put_scene(&writer, scene);
-  if (fclose(writer.out) && !writer.status)
-    writer.status = hsr_json_fail_errno(path, "cannot be written", err);
-  if (!writer.status && rename(part, path))
-    writer.status = hsr_json_fail_errno(path, "cannot be written", err);
-  if (writer.status)
-    remove(part);
-  return writer.status;
+static void put_cameras(struct writer *writer, const struct hsr_camera *views,
+                        uint32_t n) {
+  put_text(writer, "{\"schema\": ");
+  put_string(writer, CAMERA_SCHEMA);
+  put_text(writer, ",\n \"views\": [");
+  for (uint32_t i = 0; i < n && !writer->status; i++) {
+    put_line(writer, i, "  ");
+    put_view(writer, &views[i]);
+  }
+  put_text(writer, "]}\n");
+}
+
+/* A file that is written by put_scene, or else by put_cameras: whole, or not at
+ * all. */
+struct content {
+  const struct hsr_scene *scene; /* NULL: cameras */
+  const struct hsr_camera *views;
+  uint32_t n_views;
+};
+
+static enum hsr_status write_content(const struct content *content,
+                                     const char *path, struct hsr_error *err) {
+  struct hsr_whole_file file;
+  enum hsr_status status = hsr_whole_file_open(&file, path, err);
+  if (status)
+    return status;
+  struct writer writer = {.out = file.stream, .path = path, .err = err};
+  if (content->scene)
+    put_scene(&writer, content->scene);
+  else
+    put_cameras(&writer, content->views, content->n_views);
+  return hsr_whole_file_close(&file, writer.status, err);
 }
 
 enum hsr_status hsr_scene_json_write(const struct hsr_scene *scene,
                                      const char *path, struct hsr_error *err) {
-  static const char suffix[] = ".part";
-  size_t n = strlen(path);
-  char *part = malloc(n + sizeof suffix);
-  if (!part)
-    return hsr_fail_nomem(err);
-  memcpy(part, path, n);
-  memcpy(part + n, suffix, sizeof suffix);
-  enum hsr_status status = write_part(scene, path, part, err);
-  free(part);
-  return status;
+  return write_content(&(struct content){.scene = scene}, path, err);
+}
+
+enum hsr_status hsr_cameras_json_write(const struct hsr_camera *views,
+                                       uint32_t n, const char *path,
+                                       struct hsr_error *err) {
+  return write_content(&(struct content){.views = views, .n_views = n}, path,
+                       err);
 }

@@ -23,6 +23,12 @@ enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
 enum hsr_status hsr_cameras_json_read(struct hsr_scene *scene, const char *path,
                                       struct hsr_error *err);
 
+/* Writes such a file of n views, each number in full precision. HSR_E_INPUT: it
+ * cannot be written; HSR_E_NOMEM. */
+enum hsr_status hsr_cameras_json_write(const struct hsr_camera *views,
+                                       uint32_t n, const char *path,
+                                       struct hsr_error *err);
+
 /* Writes a scene so that reading it back gives the same doubles. */
 enum hsr_status hsr_scene_json_write(const struct hsr_scene *scene,
                                      const char *path, struct hsr_error *err);

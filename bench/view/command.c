@@ -1,0 +1,378 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr view: look around in a scene, as algorithms draw it. */
+#include "bench/view/view.h"
+
+#include "bench/terminal/terminal.h"
+#include "common/files/image.h"
+#include "common/files/library.h"
+#include "common/files/srgb.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { KEYS = 0x200, SCREENSHOT };
+
+struct options {
+  struct option_base base;
+  struct view_options view;
+  struct scene_options scene;
+  const char *algorithms, *keys, *screenshot;
+  long threads;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct options *o = state->input;
+  error_t unknown;
+  switch (key) {
+  case 'a':
+    o->algorithms = arg;
+    return 0;
+  case 'J':
+    if (!parse_count(arg, 1, 64, &o->threads))
+      return option_fail(&o->base, "--jobs %s: must be 1 to 64", arg);
+    return 0;
+  case KEYS:
+    o->keys = arg;
+    return 0;
+  case SCREENSHOT:
+    o->screenshot = arg;
+    return 0;
+  default:
+    unknown = parse_scene_option(&o->scene, key, arg, "view", &o->base);
+    return unknown == ARGP_ERR_UNKNOWN
+               ? parse_view_option(&o->view, key, arg, &o->base)
+               : unknown;
+  }
+}
+
+static const struct argp_option entries[] = {
+    {"algorithm", 'a', "A[,B]", 0,
+     "the algorithm, and another to compare it with (standard: "
+     "zbuffer,watkins)",
+     0},
+    {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
+    {"keys", KEYS, "LIST", 0,
+     "press these keys: n,w,... and drag:X:Y:X:Y (also pan, zoom), click:X:Y, "
+     "wheel:N, wait:MS, shot:FILE",
+     0},
+    {"screenshot", SCREENSHOT, "FILE", 0,
+     "then write what the window shows, and end", 0},
+    SCENE_ARGP_OPTIONS,
+    VIEW_ARGP_OPTIONS_OF("1280x720"),
+    {0}};
+
+static const struct argp argp = {
+    entries,
+    parse,
+    "SCENE",
+    "Shows a scene in a window, as an algorithm draws it. The mouse turns the "
+    "camera; the key h tells the keys.\v"
+    "  hsr view house\n"
+    "  hsr view mesh:elephant -a hzbuffer,watkins\n"
+    "  hsr view house --keys w,shot:work.png,l --screenshot lines.png",
+    NULL,
+    NULL,
+    NULL};
+
+/* --- Showing -------------------------------------------------------------- */
+
+void viewer_say(struct viewer *v, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  vsnprintf(v->message, sizeof v->message, format, args);
+  va_end(args);
+  puts(v->message);
+  fflush(stdout);
+}
+
+void viewer_show_panel(struct viewer *v) {
+  char *text = malloc(MOST_PANEL);
+  if (text) {
+    panel_write(v, text);
+    v->library->panel(v->window, text);
+  }
+  free(text);
+  v->library->show(v->window);
+}
+
+/* What the frame took beside drawing and shading. */
+static void note_times(struct viewer *v, double begin) {
+  const double all = 1e3 * (seconds_now() - begin);
+  double inside = 0;
+  for (int k = 0; k < 2; k++)
+    if (k == 0 ? v->comparison != COMPARE_BLINK || !v->blink : v->comparison)
+      inside += v->player[k]->draw_ms + v->player[k]->shade_ms;
+  v->outside_ms = all - inside;
+  if (!v->n_frames++)
+    v->first_ms = 1e3 * (seconds_now() - v->begin);
+  if (!v->moving)
+    return;
+  v->n_moving++;
+  v->sum_outside += v->outside_ms;
+  v->sum_draw += v->player[0]->draw_ms;
+  v->sum_shade += v->player[0]->shade_ms;
+  v->moving_seconds += 1e-3 * all;
+  /* coarser if frames are late, finer again if there is time */
+  if (all > 50 && v->moving < MOST_COARSE)
+    v->moving *= 2;
+  else if (all < 10 && v->moving > v->coarse)
+    v->moving /= 2;
+}
+
+void viewer_show(struct viewer *v) {
+  struct hsr_error err = {HSR_OK, ""};
+  const double begin = seconds_now();
+  if (!v->frozen && frame_draw(v, &err))
+    viewer_say(v, "%s", err.text);
+  if (!v->frozen)
+    v->library->picture(v->window, v->m, v->n, v->rgb);
+  viewer_show_panel(v);
+  if (!v->frozen)
+    note_times(v, begin);
+}
+
+enum hsr_status viewer_screenshot(struct viewer *v, const char *path,
+                                  struct hsr_error *err) {
+  const size_t n = 3 * (size_t)v->m * (size_t)v->n;
+  unsigned char *bytes = malloc(n);
+  float *rgb = malloc(n * sizeof *rgb);
+  enum hsr_status status = bytes && rgb ? HSR_OK : hsr_fail_nomem(err);
+  if (!status) {
+    v->library->pixels(v->window, v->m, v->n, bytes);
+    for (size_t k = 0; k < n; k++)
+      rgb[k] = hsr_srgb_decode((float)bytes[k] / 255);
+    const struct hsr_picture picture = {.m = v->m, .n = v->n, .rgb = rgb};
+    status = hsr_image_write(path, &picture, NULL, err);
+  }
+  free(bytes);
+  free(rgb);
+  return status;
+}
+
+/* --- Algorithms and scenes ------------------------------------------------ */
+
+bool viewer_choose(struct viewer *v, const char *name) {
+  struct hsr_error err = {HSR_OK, ""};
+  struct player *player = calloc(1, sizeof *player);
+  char full[HSR_MOST_VARIANT + 16];
+  snprintf(full, sizeof full, "%s%s", name, v->filtered ? ":filter=box" : "");
+  enum hsr_status status =
+      player ? player_open(player, full, false, v->threads, v->scene, &err)
+             : hsr_fail_nomem(&err);
+  if (status) {
+    viewer_say(v, "%s", err.text);
+    free(player);
+    return false;
+  }
+  player_close(v->player[0]);
+  free(v->player[0]);
+  v->player[0] = player;
+  if (name != v->first)
+    snprintf(v->first, sizeof v->first, "%s", name);
+  return true;
+}
+
+static void close_players(struct viewer *v) {
+  for (int k = 0; k < 2; k++)
+    if (v->player[k])
+      player_close(v->player[k]);
+  player_close(&v->counter);
+  player_close(&v->lines);
+}
+
+void viewer_reload(struct viewer *v) {
+  struct hsr_error err = {HSR_OK, ""};
+  struct hsr_scene *scene, *before = v->scene;
+  if (open_scene(v->scene_name, v->import, &scene, &err)) {
+    viewer_say(v, "%s", err.text);
+    return;
+  }
+  close_players(v);
+  v->scene = scene;
+  if (!viewer_choose(v, v->first)) {
+    v->scene = before;
+    hsr_scene_delete(scene);
+    if (!viewer_choose(v, v->first))
+      v->library->stop(v->window);
+    return;
+  }
+  hsr_scene_delete(before);
+  v->view = v->view < scene->n_views ? v->view : 0;
+}
+
+/* --- Events --------------------------------------------------------------- */
+
+static void turn(void *viewer, const struct hsr_camera *camera, bool moving) {
+  struct viewer *v = viewer;
+  if (!v->frozen) {
+    const struct hsr_camera before = v->camera;
+    v->camera = *camera;
+    v->camera.near = before.near;
+    v->camera.fov = before.fov;
+    if (!(before.parallel > 0))
+      v->camera.parallel = 0;
+    v->moving = !moving ? 0 : v->moving ? v->moving : v->coarse;
+    *v->picked = '\0';
+  }
+  viewer_show(v);
+}
+
+static void click(void *viewer, int x, int y) {
+  struct viewer *v = viewer;
+  if (v->frozen)
+    return;
+  pick(v, x, y);
+  viewer_show_panel(v);
+}
+
+static bool make_room(struct viewer *v, int m, int n) {
+  const size_t size = 3 * (size_t)m * (size_t)n;
+  free(v->rgb);
+  free(v->other);
+  v->rgb = malloc(size);
+  v->other = malloc(size);
+  v->m = m;
+  v->n = n;
+  return v->rgb && v->other;
+}
+
+static void resize(void *viewer, int m, int n) {
+  struct viewer *v = viewer;
+  if (m < 1 || n < 1 || m > HSR_MAX_SIZE || n > HSR_MAX_SIZE ||
+      (m == v->m && n == v->n) || !v->window)
+    return;
+  if (make_room(v, m, n)) {
+    viewer_show(v);
+    return;
+  }
+  v->status = hsr_fail_nomem(&v->err);
+  v->library->stop(v->window);
+}
+
+static void tick(void *viewer) {
+  struct viewer *v = viewer;
+  if (v->comparison == COMPARE_BLINK)
+    v->blink = !v->blink;
+  else if (v->walking)
+    keys_press(v, "v");
+  else
+    return;
+  if (!v->walking)
+    viewer_show(v);
+}
+
+/* --- The command ---------------------------------------------------------- */
+
+/* "A" or "A,B"; the second is one that is not the first. */
+static enum hsr_status name_players(struct viewer *v, const char *algorithms,
+                                    struct hsr_error *err) {
+  const size_t n = strcspn(algorithms, ",");
+  const char *second = algorithms[n]                       ? algorithms + n + 1
+                       : strncmp(algorithms, "zbuffer", 7) ? "zbuffer"
+                                                           : "watkins";
+  struct hsr_variant variant;
+  snprintf(v->first, sizeof v->first, "%.*s", (int)n, algorithms);
+  snprintf(v->second, sizeof v->second, "%s", second);
+  enum hsr_status status = hsr_variant_parse(v->first, &variant, err);
+  return status ? status : hsr_variant_parse(v->second, &variant, err);
+}
+
+static void print_times(const struct viewer *v) {
+  printf("first picture after %.0f ms; %u pictures", v->first_ms, v->n_frames);
+  if (v->n_moving)
+    printf(", %u while moving: %.1f a second; ms: draw %.2f, shade %.2f, the "
+           "rest %.2f",
+           v->n_moving, v->n_moving / v->moving_seconds,
+           v->sum_draw / v->n_moving, v->sum_shade / v->n_moving,
+           v->sum_outside / v->n_moving);
+  puts("");
+}
+
+static enum hsr_status show_all(struct viewer *v, const struct options *o,
+                                struct hsr_error *err) {
+  const struct window_events events = {v,     keys_press, turn,
+                                       click, resize,     tick};
+  char name[TERMINAL_NAME], title[TERMINAL_NAME + 8];
+  snprintf(title, sizeof title, "hsr: %s",
+           terminal_plain(v->scene_name, name, sizeof name));
+  v->window = v->library->open(title, v->m, v->n, &events, err);
+  if (!v->window)
+    return err->status;
+  v->library->camera(v->window, &v->camera);
+  viewer_show(v);
+  enum hsr_status status = o->keys ? play(v, o->keys, err) : HSR_OK;
+  if (!status && o->screenshot)
+    status = viewer_screenshot(v, o->screenshot, err);
+  else if (!status)
+    v->library->run(v->window);
+  if (!status && v->status) {
+    status = v->status;
+    *err = v->err;
+  }
+  if (!status)
+    print_times(v);
+  v->library->close(v->window);
+  return status;
+}
+
+static enum hsr_status open_all(struct viewer *v, struct options *o,
+                                struct hsr_error *err) {
+  struct hsr_view view;
+  enum hsr_status status = open_scene(v->scene_name, v->import, &v->scene, err);
+  if (!status)
+    status = choose_view(&o->view, v->scene, 1, &view, err);
+  if (status)
+    return status;
+  v->camera = view.camera;
+  v->view = (uint32_t)o->view.view - 1;
+  if (!make_room(v, o->view.m, o->view.n))
+    return hsr_fail_nomem(err);
+  for (int k = 0; k < 2; k++)
+    v->player[k] = calloc(1, sizeof *v->player[k]);
+  if (!v->player[0] || !v->player[1])
+    return hsr_fail_nomem(err);
+  return player_open(v->player[0], v->first, false, v->threads, v->scene, err);
+}
+
+enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
+  struct options o = {.view = {.view = 1, .m = 1280, .n = 720},
+                      .algorithms = "zbuffer",
+                      .threads = 1};
+  struct viewer *v = calloc(1, sizeof *v);
+  if (!v)
+    return hsr_fail_nomem(err);
+  v->begin = seconds_now();
+  enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
+  if (!status)
+    status = name_players(v, o.algorithms, err);
+  if (!status)
+    status = aim_scene(&o.scene, &o.view, err);
+  v->scene_name = o.scene.name;
+  v->import = o.scene.import;
+  v->threads = o.threads;
+  v->coarse = 1;
+  v->page = PAGE_TIMES;
+#if HSR_HAVE_VTK
+  if (!status) {
+    v->library = hsr_library_table("hsr-window.so", "hsr_window", err);
+    status = v->library ? HSR_OK : err->status;
+  }
+#else
+  if (!status)
+    status = hsr_fail(err, HSR_E_INPUT,
+                      "view: this build of hsr, without VTK, has no window");
+#endif
+  if (!status)
+    status = open_all(v, &o, err);
+  if (!status)
+    status = show_all(v, &o, err);
+  close_players(v);
+  hsr_scene_delete(v->scene);
+  free(v->player[0]);
+  free(v->player[1]);
+  free(v->rgb);
+  free(v->other);
+  free(v);
+  return status;
+}

@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/view/view.h"
+
+#include "bench/terminal/terminal.h"
+#include "common/files/scene_json.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* --- Algorithms ----------------------------------------------------------- */
+
+static bool is_offered(const struct hsr_listed *listed) {
+  return !(listed->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE)) &&
+         listed->plain->kind != HSR_VOXELS;
+}
+
+/* The algorithm before or after the first player's that takes the scene. */
+static void choose_next(struct viewer *v, int step) {
+  int n = 0, at = 0;
+  for (; hsr_algorithms[n].plain; n++)
+    if (&hsr_algorithms[n] == v->player[0]->variant.listed)
+      at = n;
+  for (int k = 1; k < n; k++) {
+    const struct hsr_listed *listed =
+        &hsr_algorithms[(at + step * k + n * k) % n];
+    if (is_offered(listed) && viewer_choose(v, listed->plain->name))
+      return;
+  }
+}
+
+static void next_algorithm(struct viewer *v) {
+  choose_next(v, 1);
+}
+static void previous_algorithm(struct viewer *v) {
+  choose_next(v, -1);
+}
+
+static void swap(struct viewer *v) {
+  char name[HSR_MOST_VARIANT + 1];
+  snprintf(name, sizeof name, "%s", v->first);
+  char second[HSR_MOST_VARIANT + 1];
+  snprintf(second, sizeof second, "%s", v->second);
+  if (viewer_choose(v, second))
+    snprintf(v->second, sizeof v->second, "%s", name);
+}
+
+static void filter(struct viewer *v) {
+  v->filtered = !v->filtered;
+  char name[HSR_MOST_VARIANT + 1];
+  snprintf(name, sizeof name, "%s", v->first);
+  if (!viewer_choose(v, name))
+    v->filtered = !v->filtered;
+}
+
+/* --- Comparisons and overlays --------------------------------------------- */
+
+static void compare(struct viewer *v, enum comparison how) {
+  v->comparison = v->comparison == how ? COMPARE_NONE : how;
+  v->library->tick(v->window, v->comparison == COMPARE_BLINK ? 500 : 0);
+  v->walking = false;
+}
+static void side_by_side(struct viewer *v) {
+  compare(v, COMPARE_SIDES);
+}
+static void blink(struct viewer *v) {
+  compare(v, COMPARE_BLINK);
+}
+static void difference(struct viewer *v) {
+  compare(v, COMPARE_DIFFERENCE);
+}
+
+static void overlay(struct viewer *v, enum overlay what) {
+  v->overlay = v->overlay == what ? OVERLAY_NONE : what;
+}
+static void work(struct viewer *v) {
+  overlay(v, OVERLAY_WORK);
+}
+static void depth(struct viewer *v) {
+  overlay(v, OVERLAY_DEPTH);
+}
+static void edges(struct viewer *v) {
+  overlay(v, OVERLAY_EDGES);
+}
+static void lines(struct viewer *v) {
+  v->has_lines = !v->has_lines;
+}
+
+/* --- Views ---------------------------------------------------------------- */
+
+static void look_from(struct viewer *v, uint32_t view) {
+  v->view = view;
+  v->camera = v->scene->views[view];
+  v->library->camera(v->window, &v->camera);
+}
+static void next_view(struct viewer *v) {
+  look_from(v, (v->view + 1) % v->scene->n_views);
+}
+static void previous_view(struct viewer *v) {
+  look_from(v, (v->view + v->scene->n_views - 1) % v->scene->n_views);
+}
+
+static void walk(struct viewer *v) {
+  v->walking = !v->walking;
+  v->comparison = v->comparison == COMPARE_BLINK ? COMPARE_NONE : v->comparison;
+  v->library->tick(v->window, v->walking ? 40 : 0);
+}
+
+/* As high as what is seen around the point looked at. */
+static void project(struct viewer *v) {
+  const double degree = 3.14159265358979323846 / 180;
+  struct hsr_camera *c = &v->camera;
+  double distance = hypot(hypot(c->at[0] - c->eye[0], c->at[1] - c->eye[1]),
+                          c->at[2] - c->eye[2]);
+  c->parallel = c->parallel > 0 ? 0 : 2 * tan(c->fov / 2 * degree) * distance;
+  v->library->camera(v->window, c);
+}
+
+static void freeze(struct viewer *v) {
+  if (v->frozen)
+    frozen_end(v);
+  else
+    frozen_begin(v);
+}
+
+/* --- Resolution and threads ----------------------------------------------- */
+
+static void coarser(struct viewer *v) {
+  v->coarse = v->coarse < MOST_COARSE ? 2 * v->coarse : v->coarse;
+}
+static void finer(struct viewer *v) {
+  v->coarse = v->coarse > 1 ? v->coarse / 2 : 1;
+}
+
+static void set_threads(struct viewer *v, long threads) {
+  if (threads < 1 || threads > 64)
+    return;
+  v->threads = threads;
+  player_close(v->player[1]);
+  player_close(&v->counter);
+  char name[HSR_MOST_VARIANT + 1];
+  snprintf(name, sizeof name, "%s", v->first);
+  viewer_choose(v, name);
+}
+static void more_threads(struct viewer *v) {
+  set_threads(v, v->threads + 1);
+}
+static void fewer_threads(struct viewer *v) {
+  set_threads(v, v->threads - 1);
+}
+
+/* --- The panel ------------------------------------------------------------ */
+
+static void panel(struct viewer *v) {
+  v->page = v->page >= PAGE_TABLE ? PAGE_NONE : v->page + 1;
+}
+static void help(struct viewer *v) {
+  v->page = v->page == PAGE_HELP ? PAGE_TIMES : PAGE_HELP;
+}
+
+/* --- Files ---------------------------------------------------------------- */
+
+/* The first name that there is no file of: "hsr-view-1.json". */
+static void new_name(char name[40], const char *suffix) {
+  unsigned k = 1;
+  do
+    snprintf(name, 40, "hsr-view-%u%s", k++, suffix);
+  while (!access(name, F_OK));
+}
+
+static void save_camera(struct viewer *v) {
+  struct hsr_error err = {HSR_OK, ""};
+  char scene[TERMINAL_NAME], algorithm[TERMINAL_NAME];
+  new_name(v->camera_file, ".json");
+  if (hsr_cameras_json_write(&v->camera, 1, v->camera_file, &err))
+    viewer_say(v, "%s", err.text);
+  else
+    viewer_say(
+        v, "hsr render %s --camera %s -a %s -s %dx%d -o %.*s.png",
+        terminal_word(v->scene_name, scene, sizeof scene), v->camera_file,
+        terminal_word(v->player[0]->variant.name, algorithm, sizeof algorithm),
+        v->m / v->coarse, v->n / v->coarse, (int)strlen(v->camera_file) - 5,
+        v->camera_file);
+}
+
+static void load_camera(struct viewer *v) {
+  struct hsr_error err = {HSR_OK, ""};
+  struct hsr_scene *cameras = hsr_scene_new("");
+  if (!*v->camera_file)
+    viewer_say(v, "no camera was saved: c saves it");
+  else if (!cameras || hsr_cameras_json_read(cameras, v->camera_file, &err))
+    viewer_say(v, "%s", cameras ? err.text : "out of memory");
+  else {
+    v->camera = cameras->views[0];
+    v->library->camera(v->window, &v->camera);
+  }
+  hsr_scene_delete(cameras);
+}
+
+static void save_picture(struct viewer *v) {
+  struct hsr_error err = {HSR_OK, ""};
+  char name[40];
+  new_name(name, ".png");
+  if (viewer_screenshot(v, name, &err))
+    viewer_say(v, "%s", err.text);
+  else
+    viewer_say(v, "saved %s", name);
+}
+
+static void quit(struct viewer *v) {
+  v->library->stop(v->window);
+}
+
+/* --- The table ------------------------------------------------------------ */
+
+static const struct key {
+  const char *name, *about; /* NULL: as the key before */
+  void (*act)(struct viewer *);
+} keys[] = {{"n", "next algorithm", next_algorithm},
+            {"p", "previous algorithm", previous_algorithm},
+            {"b", "two algorithms side by side", side_by_side},
+            {"B", "  blinking", blink},
+            {"x", "  their difference", difference},
+            {"Tab", "  swap them", swap},
+            {"f", "filtered, or point-sampled", filter},
+            {"w", "work: how often samples are touched", work},
+            {"d", "depth complexity", depth},
+            {"e", "edges of faces", edges},
+            {"l", "lines, hidden ones dashed", lines},
+            {"v", "next view", next_view},
+            {"V", "previous view", previous_view},
+            {"space", "walk along the views", walk},
+            {"o", "parallel, or perspective", project},
+            {"z", "freeze, and look from elsewhere", freeze},
+            {"bracketleft", "[ coarser", coarser},
+            {"bracketright", "] finer", finer},
+            {"plus", "+ more threads", more_threads},
+            {"minus", "- fewer threads", fewer_threads},
+            {"t", "panel: times, steps, Table I, none", panel},
+            {"s", "save the picture", save_picture},
+            {"c", "save the camera", save_camera},
+            {"C", "load that camera", load_camera},
+            {"r", "load the scene again", viewer_reload},
+            {"h", "help", help},
+            {"q", "quit", quit},
+            {"Escape", NULL, quit}};
+enum { N_KEYS = sizeof keys / sizeof *keys };
+
+static const struct key *find_key(const char *name) {
+  for (int k = 0; k < N_KEYS; k++)
+    if (!strcmp(keys[k].name, name))
+      return &keys[k];
+  return NULL;
+}
+
+bool keys_know(const char *name) {
+  return find_key(name);
+}
+
+void keys_help(char *text, size_t size) {
+  size_t n = 0;
+  for (int k = 0; k < N_KEYS && n < size; k++)
+    if (keys[k].about)
+      n += (size_t)snprintf(text + n, size - n, "%-6s %s\n",
+                            strlen(keys[k].name) > 6 ? "" : keys[k].name,
+                            keys[k].about);
+  if (n < size)
+    snprintf(text + n, size - n, "%-6s %s\n", "click", "the faces there");
+}
+
+void keys_press(void *viewer, const char *name) {
+  struct viewer *v = viewer;
+  const struct key *key = find_key(name);
+  if (!key)
+    return;
+  *v->message = *v->picked = '\0';
+  key->act(v);
+  viewer_show(v);
+}

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "bench/view/view.h"
+
+#include "common/files/plot.h"
+#include "common/files/srgb.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void player_close(struct player *player) {
+  render_close(&player->render);
+  free(player->stamp);
+  free(player->face_rgb);
+  *player = (struct player){.is_ready = false};
+}
+
+static enum hsr_status check(const struct hsr_variant *variant,
+                             struct hsr_error *err) {
+  const struct hsr_answer_type *kind = variant->choice.form.type;
+  if (kind->shade || kind == HSR_SEGMENTS)
+    return HSR_OK;
+  return hsr_fail(err, HSR_E_USAGE, "%s draws %s, which are no picture",
+                  variant->name, kind->draws);
+}
+
+static enum hsr_status make_ready(struct player *p, struct hsr_scene *scene,
+                                  struct hsr_error *err) {
+  const struct hsr_algorithm *a =
+      p->options.work ? p->variant.listed->counting : p->variant.listed->plain;
+  struct render *r = &p->render;
+  *r = (struct render){.options = &p->options,
+                       .scene = scene,
+                       .kind = p->variant.choice.form.type,
+                       .crew = crew_new(p->options.threads)};
+  double begin = seconds_now();
+  enum hsr_status status =
+      r->crew ? hsr_setup_world(&r->world, a, scene, err) : hsr_fail_nomem(err);
+  r->build = seconds_now() - begin;
+  if (!status)
+    status = hsr_setup_init(&r->setup, a, &p->variant.choice, &r->world, err);
+  if (status)
+    return status;
+  p->stamp = calloc((size_t)r->world.n_faces + 1, sizeof *p->stamp);
+  p->face_rgb = malloc(3 * ((size_t)r->world.n_faces + 1));
+  return p->stamp && p->face_rgb ? HSR_OK : hsr_fail_nomem(err);
+}
+
+enum hsr_status player_open(struct player *p, const char *name, bool work,
+                            long threads, struct hsr_scene *scene,
+                            struct hsr_error *err) {
+  player_close(p);
+  p->options = (struct render_options){.crease = -1,
+                                       .threads = threads,
+                                       .supersamples = 1,
+                                       .n_outputs = 1,
+                                       .work = work ? "" : NULL};
+  enum hsr_status status = hsr_variant_parse(name, &p->variant, err);
+  if (!status)
+    status = check(&p->variant, err);
+  if (!status)
+    status = make_ready(p, scene, err);
+  if (status)
+    player_close(p);
+  p->is_ready = !status;
+  return status;
+}
+
+const uint32_t *player_ids(const struct player *player) {
+  return player->is_ready && player->render.answer.body
+             ? hsr_answer_ids_of(&player->render.answer)
+             : NULL;
+}
+
+/* --- Colours -------------------------------------------------------------- */
+
+/* As in a file of 8 bits a channel (common/files/image_oiio.cc). */
+static unsigned char byte_of(float linear) {
+  float encoded = hsr_srgb_encode(linear) * 255 + 0.5f;
+  return (unsigned char)(encoded < 0 ? 0 : encoded > 255 ? 255 : encoded);
+}
+
+static void bytes_of(const float rgb[3], unsigned char bytes[3]) {
+  for (int k = 0; k < 3; k++)
+    bytes[k] = byte_of(rgb[k]);
+}
+
+/* Colours each face of the picture once. */
+static void shade_ids(struct player *p, const struct hsr_view *view,
+                      unsigned char *rgb) {
+  const struct hsr_world *world = &p->render.world;
+  const uint32_t *ids = player_ids(p);
+  const size_t n = (size_t)view->m * (size_t)view->n;
+  unsigned char background[3];
+  float colour[3];
+  hsr_picture_colour(world, view, HSR_BACKGROUND, HSR_SHADE_LAMBERT, colour);
+  bytes_of(colour, background);
+  for (size_t k = 0; k < n; k++, rgb += 3) {
+    const uint32_t id = ids[k];
+    const unsigned char *from = background;
+    if (id != HSR_BACKGROUND) {
+      unsigned char *of = p->face_rgb + 3 * (size_t)id;
+      if (p->stamp[id] != p->n_pictures) {
+        hsr_picture_colour(world, view, id, HSR_SHADE_LAMBERT, colour);
+        bytes_of(colour, of);
+        p->stamp[id] = p->n_pictures;
+      }
+      from = of;
+    }
+    rgb[0] = from[0];
+    rgb[1] = from[1];
+    rgb[2] = from[2];
+  }
+}
+
+/* Neighbours often have one colour, which is encoded once. */
+static void encode(const float *linear, size_t n, unsigned char *rgb) {
+  for (size_t k = 0; k < n; k++)
+    if (k && !memcmp(linear + 3 * k, linear + 3 * (k - 1), 3 * sizeof *linear))
+      memcpy(rgb + 3 * k, rgb + 3 * (k - 1), 3);
+    else
+      bytes_of(linear + 3 * k, rgb + 3 * k);
+}
+
+/* Line drawings on white paper, hidden lines dashed. */
+static enum hsr_status shade_lines(struct player *p,
+                                   const struct hsr_view *view,
+                                   unsigned char *rgb, struct hsr_error *err) {
+  const size_t n = (size_t)view->m * (size_t)view->n;
+  float *linear = malloc(3 * n * sizeof *linear);
+  struct hsr_plot plot = {.n_strokes = 0};
+  enum hsr_status status =
+      linear ? hsr_plot_init(&plot, hsr_answer_drawing_of(&p->render.answer),
+                             &p->render.world, view, HSR_HIDDEN_DASHED, err)
+             : hsr_fail_nomem(err);
+  if (!status)
+    status = hsr_plot_raster(&plot, linear, err);
+  if (!status)
+    encode(linear, n, rgb);
+  hsr_plot_free(&plot);
+  free(linear);
+  return status;
+}
+
+static enum hsr_status shade(struct player *p, const struct hsr_view *view,
+                             unsigned char *rgb, struct hsr_error *err) {
+  struct render *r = &p->render;
+  const size_t n = (size_t)view->m * (size_t)view->n;
+  if (r->kind == HSR_SEGMENTS)
+    return shade_lines(p, view, rgb, err);
+  if (player_ids(p) && !hsr_is_outline(&r->world) && !r->rgb) {
+    shade_ids(p, view, rgb);
+    return HSR_OK;
+  }
+  enum hsr_status status = shade_picture(r, err);
+  if (!status)
+    encode(r->shaded.rgb, n, rgb);
+  return status;
+}
+
+enum hsr_status player_draw(struct player *p, const struct hsr_view *view,
+                            unsigned char *rgb, struct hsr_error *err) {
+  struct render *r = &p->render;
+  if (r->view.m != view->m || r->view.n != view->n)
+    render_forget(r);
+  r->view = *view;
+  r->tally = (struct hsr_tally){.out_of_memory = false};
+  p->n_pictures++;
+  double begin = seconds_now();
+  enum hsr_status status = draw_picture(r, err);
+  double end = seconds_now();
+  p->draw_ms = 1e3 * (end - begin);
+  if (!status)
+    status = shade(p, view, rgb, err);
+  p->shade_ms = 1e3 * (seconds_now() - end);
+  return status;
+}

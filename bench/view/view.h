@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr view: what its files share. A window shows the samples that an algorithm
+ * draws, again and again as the camera moves.
+ *
+ * window.h    the window, through VTK
+ * player.c    one algorithm, made ready, and its picture as bytes
+ * frame.c     the picture of the window: players side by side, overlays, lines
+ * panel.c     the text over it
+ * pick.c      the faces under a pixel
+ * frozen.c    the camera seen from elsewhere
+ * keys.c      what each key does
+ * play.c      a list of keys and moves, played
+ * command.c   the command line, the scene, and the events */
+#ifndef HSR_BENCH_VIEW_H
+#define HSR_BENCH_VIEW_H
+
+#include "bench/render/render.h"
+#include "bench/view/window.h"
+
+/* --- Players -------------------------------------------------------------- */
+
+/* One algorithm that draws the scene. All zero: none is chosen. */
+struct player {
+  struct hsr_variant variant;
+  struct render_options options; /* of render */
+  struct render render;
+  bool is_ready;
+  uint32_t *stamp; /* a face: the picture in which its colour was made */
+  unsigned char *face_rgb;
+  uint32_t n_pictures;      /* so far */
+  double draw_ms, shade_ms; /* of the last picture */
+};
+
+/* Makes an algorithm ready for a scene, which is borrowed. With `work`, the
+ * counting build, which makes a work picture. Closes what the player was before.
+ * HSR_E_USAGE, also if the algorithm makes no picture; HSR_E_REFUSED;
+ * HSR_E_NOMEM; HSR_E_INPUT. */
+enum hsr_status player_open(struct player *player, const char *name, bool work,
+                            long threads, struct hsr_scene *scene,
+                            struct hsr_error *err);
+void player_close(struct player *player);
+
+/* Draws a view, m x n samples, as sRGB bytes: the picture that hsr render
+ * writes. rgb has 3 m n bytes. HSR_E_NOMEM, and whatever the algorithm fails
+ * with. */
+enum hsr_status player_draw(struct player *player, const struct hsr_view *view,
+                            unsigned char *rgb, struct hsr_error *err);
+
+/* The ids of the last picture; NULL if it is of another kind. */
+const uint32_t *player_ids(const struct player *player);
+
+/* --- The viewer ----------------------------------------------------------- */
+
+enum overlay { OVERLAY_NONE, OVERLAY_WORK, OVERLAY_DEPTH, OVERLAY_EDGES };
+enum comparison {
+  COMPARE_NONE, /* the first algorithm alone */
+  COMPARE_SIDES,
+  COMPARE_BLINK,
+  COMPARE_DIFFERENCE
+};
+enum page { PAGE_NONE, PAGE_TIMES, PAGE_STEPS, PAGE_TABLE, PAGE_HELP, N_PAGES };
+
+enum { MOST_COARSE = 8, MOST_PANEL = 8192 };
+
+struct viewer {
+  const struct window_library *library;
+  struct window *window;
+  const char *scene_name; /* with its cameras; borrowed */
+  struct hsr_import import;
+  struct hsr_scene *scene;
+  struct player *player[2]; /* the second is for comparisons; owned */
+  struct player counter;   /* of the first, counting; or zbuffer */
+  struct player lines;     /* the line drawing over the picture */
+  /* What the players are called; of the first, without what `filtered` adds. */
+  char first[HSR_MOST_VARIANT + 1], second[HSR_MOST_VARIANT + 1];
+
+  struct hsr_camera camera;
+  uint32_t view; /* from 0: the scene's view that the camera started from */
+  int m, n;      /* of the window */
+  int coarse;    /* samples are so many pixels wide and high, at rest */
+  int moving;    /* the same while the camera moves; 0: it rests */
+  long threads;
+
+  enum overlay overlay;
+  enum comparison comparison;
+  enum page page;
+  bool has_lines, filtered, walking, frozen;
+  bool blink;             /* the second's turn */
+  struct hsr_view culled; /* the view that is frozen */
+
+  unsigned char *rgb, *other; /* 3 m n bytes: of the window, and for a player */
+  char message[400], picked[2000];
+  char camera_file[40];
+
+  unsigned n_frames, n_moving, n_saved;
+  double begin, first_ms; /* until the first picture is shown */
+  double outside_ms;      /* of the last frame, all but drawing and shading */
+  double sum_outside, sum_draw, sum_shade,
+      moving_seconds;     /* of moving frames */
+  enum hsr_status status; /* of what ended the run */
+  struct hsr_error err;
+};
+
+/* Draws the window's picture again, and the panel, and shows both. */
+void viewer_show(struct viewer *viewer);
+/* The panel alone. */
+void viewer_show_panel(struct viewer *viewer);
+
+/* Says something in the panel, and on standard output. */
+void viewer_say(struct viewer *viewer, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The view of `width` columns of the window from its left or its middle, whose
+ * samples are so many pixels wide. HSR_E_INPUT. */
+enum hsr_status viewer_view(const struct viewer *viewer, int width, int coarse,
+                            struct hsr_view *view, struct hsr_error *err);
+
+/* Opens the first player again with another algorithm. If that fails, says why,
+ * and the player stays as it was. */
+bool viewer_choose(struct viewer *viewer, const char *name);
+
+/* Loads the scene again; the camera stays. */
+void viewer_reload(struct viewer *viewer);
+
+/* Draws the window's picture into viewer->rgb. */
+enum hsr_status frame_draw(struct viewer *viewer, struct hsr_error *err);
+
+/* The text of the panel. */
+void panel_write(struct viewer *viewer, char text[MOST_PANEL]);
+
+/* Says what is under a pixel of the window. */
+void pick(struct viewer *viewer, int x, int y);
+
+/* Shows the culling camera as shapes; and ends that. */
+void frozen_begin(struct viewer *viewer);
+void frozen_end(struct viewer *viewer);
+
+/* Does what a key is for. */
+void keys_press(void *viewer, const char *name);
+bool keys_know(const char *name);
+/* Writes a line for each key. */
+void keys_help(char *text, size_t size);
+
+/* Writes what the window shows to a file. */
+enum hsr_status viewer_screenshot(struct viewer *viewer, const char *path,
+                                  struct hsr_error *err);
+
+/* Plays a list: "n,drag:100:100:300:200,w,shot:a.png". HSR_E_USAGE for a word
+ * that is none; whatever writing a picture fails with. */
+enum hsr_status play(struct viewer *viewer, const char *list,
+                     struct hsr_error *err);
+
+#endif
