@@ -147,7 +147,7 @@ static enum hsr_status add_view(struct export *e, struct hsr_cells *cells,
                                 struct hsr_error *err) {
   const struct options *o = e->options;
   const size_t n = (size_t)e->view.m * (size_t)e->view.n;
-  const struct shape_source source = {&e->setup, &e->view};
+  const struct shape_source source = {&e->setup, &e->view, &e->world};
   struct steps steps = {e->world.n_faces,
                         HSR_NEW_ZEROED(&e->arena, uint32_t, e->world.n_faces)};
   uint32_t *seen = HSR_NEW_ZEROED(&e->arena, uint32_t, e->world.n_faces);
@@ -253,7 +253,7 @@ static enum hsr_status write_faces(struct export *e, struct hsr_error *err) {
 
 static enum hsr_status write_shape(struct export *e, struct hsr_error *err) {
   const struct options *o = e->options;
-  const struct shape_source source = {&e->setup, &e->view};
+  const struct shape_source source = {&e->setup, &e->view, &e->world};
   struct cell_list list = {.kind = hsr_ends_in(o->output, ".vtu")
                                        ? o->shape->solid
                                        : HSR_CELL_POLYGON};

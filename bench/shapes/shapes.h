@@ -55,6 +55,7 @@ enum hsr_status cell_list_cells(const struct cell_list *list,
 struct shape_source {
   const struct hsr_setup *setup;
   const struct hsr_view *view;
+  const struct hsr_world *world; /* the scene, laid out */
 };
 
 /* Most cells of a shape: more are refused. */

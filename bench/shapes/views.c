@@ -34,7 +34,7 @@ static void point_at(const struct hsr_view *view, double sx, double sy,
 /* --- The frustum ---------------------------------------------------------- */
 
 static double farthest(const struct shape_source *source) {
-  const struct hsr_mesh *mesh = &source->setup->world->mesh;
+  const struct hsr_mesh *mesh = &source->world->mesh;
   const struct hsr_view *view = source->view;
   double far = 0;
   for (uint32_t v = 0; v < mesh->n_vertices; v++)

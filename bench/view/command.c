@@ -87,7 +87,9 @@ void viewer_say(struct viewer *v, const char *format, ...) {
 }
 
 void viewer_show_panel(struct viewer *v) {
-  char *text = malloc(MOST_PANEL);
+  /* While the camera moves, numbers that change are read now and then. */
+  bool is_time = !v->moving || v->n_moving % 8 == 0;
+  char *text = is_time ? malloc(MOST_PANEL) : NULL;
   if (text) {
     panel_write(v, text);
     v->library->panel(v->window, text);
@@ -132,21 +134,32 @@ void viewer_show(struct viewer *v) {
     note_times(v, begin);
 }
 
+enum hsr_status viewer_save(struct viewer *v, const unsigned char *bytes,
+                            const char *path, struct hsr_error *err) {
+  const size_t n = 3 * (size_t)v->m * (size_t)v->n;
+  float *rgb = malloc(n * sizeof *rgb);
+  if (!rgb)
+    return hsr_fail_nomem(err);
+  for (size_t k = 0; k < n; k++)
+    rgb[k] = hsr_srgb_decode((float)bytes[k] / 255);
+  const struct hsr_picture picture = {.m = v->m, .n = v->n, .rgb = rgb};
+  enum hsr_status status = hsr_image_write(path, &picture, NULL, err);
+  free(rgb);
+  return status;
+}
+
 enum hsr_status viewer_screenshot(struct viewer *v, const char *path,
                                   struct hsr_error *err) {
-  const size_t n = 3 * (size_t)v->m * (size_t)v->n;
-  unsigned char *bytes = malloc(n);
-  float *rgb = malloc(n * sizeof *rgb);
-  enum hsr_status status = bytes && rgb ? HSR_OK : hsr_fail_nomem(err);
-  if (!status) {
-    v->library->pixels(v->window, v->m, v->n, bytes);
-    for (size_t k = 0; k < n; k++)
-      rgb[k] = hsr_srgb_decode((float)bytes[k] / 255);
-    const struct hsr_picture picture = {.m = v->m, .n = v->n, .rgb = rgb};
-    status = hsr_image_write(path, &picture, NULL, err);
-  }
+  unsigned char *bytes = malloc(3 * (size_t)v->m * (size_t)v->n);
+  enum hsr_status status = HSR_OK;
+  if (!bytes)
+    return hsr_fail_nomem(err);
+  if (!v->library->pixels(v->window, v->m, v->n, bytes))
+    status = hsr_fail(err, HSR_E_NOMEM,
+                      "view: not all of the window is on the screen");
+  if (!status)
+    status = viewer_save(v, bytes, path, err);
   free(bytes);
-  free(rgb);
   return status;
 }
 

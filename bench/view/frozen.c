@@ -9,11 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SURFACE, FRUSTUM, TREE, N_PARTS };
+enum { SURFACE, FRUSTUM, TREE, N_PARTS, MOST_FROZEN = 500000 };
 
 struct frozen {
   struct viewer *viewer;
-  struct player player; /* the counting build */
+  struct player player;   /* the counting build */
+  struct hsr_world world; /* laid out */
   struct hsr_arena arena;
   struct cell_list list[N_PARTS];
   unsigned char *rgb[N_PARTS]; /* of its cells, in the arena; or NULL */
@@ -29,7 +30,7 @@ static unsigned char *new_colours(struct frozen *f, int part) {
 static enum hsr_status make_surface(struct frozen *f,
                                     const struct hsr_view *view,
                                     struct hsr_error *err) {
-  const struct hsr_world *world = &f->player.render.world;
+  const struct hsr_world *world = &f->world;
   const uint32_t *ids = player_ids(&f->player);
   struct cell_list *list = &f->list[SURFACE];
   const struct hsr_mesh *mesh = &world->mesh;
@@ -47,9 +48,8 @@ static enum hsr_status make_surface(struct frozen *f,
     return hsr_fail_nomem(err);
   memset(rgb, 45, 3 * (size_t)world->n_faces);
   for (size_t k = 0; ids && k < (size_t)view->m * (size_t)view->n; k++)
-    if (ids[k] != HSR_BACKGROUND)
-      memcpy(rgb + 3 * (size_t)ids[k], f->player.face_rgb + 3 * (size_t)ids[k],
-             3);
+    if (ids[k] != HSR_BACKGROUND && rgb[3 * (size_t)ids[k]] == 45)
+      player_colour(world, view, ids[k], rgb + 3 * (size_t)ids[k]);
   return HSR_OK;
 }
 
@@ -83,20 +83,31 @@ static enum hsr_status make_tree(struct frozen *f,
   return status;
 }
 
+/* The algorithm, or one that has a tree to show. */
+static const char *name_with_tree(const struct viewer *v) {
+  const struct hsr_algorithm *a = v->player[0]->variant.listed->plain;
+  const bool has_tree = !strcmp(a->name, "hzbuffer") ||
+                        !strncmp(a->name, "bsp", 3) ||
+                        !strncmp(a->name, "schumacker", 10);
+  return has_tree && !v->filtered ? v->player[0]->variant.name : "hzbuffer";
+}
+
 static enum hsr_status make(struct frozen *f, struct hsr_error *err) {
   struct viewer *v = f->viewer;
   enum hsr_status status = viewer_view(v, v->m, v->coarse, &v->culled, err);
   if (!status)
-    status = player_open(&f->player, v->player[0]->variant.name, true, 1,
-                         v->scene, err);
-  if (!status && hsr_is_outline(&f->player.render.world))
+    status = player_open(&f->player, name_with_tree(v), true, 1, v->scene, err);
+  if (!status)
+    status = hsr_world_open(&f->world, v->scene, MOST_FROZEN, err);
+  if (!status && hsr_is_outline(&f->world))
     status = hsr_fail(err, HSR_E_REFUSED,
                       "a scene of so many faces cannot be frozen");
   if (!status)
     status = player_draw(&f->player, &v->culled, v->other, err);
   if (!status)
     status = make_surface(f, &v->culled, err);
-  const struct shape_source source = {&f->player.render.setup, &v->culled};
+  const struct shape_source source = {&f->player.render.setup, &v->culled,
+                                      &f->world};
   if (!status)
     status = shape_frustum(&source, &f->list[FRUSTUM], err);
   if (!status)
@@ -131,6 +142,7 @@ void frozen_begin(struct viewer *v) {
   for (int k = 0; k < N_PARTS; k++)
     cell_list_free(&f.list[k]);
   hsr_arena_free(&f.arena);
+  hsr_world_free(&f.world);
   player_close(&f.player);
 }
 

@@ -202,7 +202,8 @@ static void save_picture(struct viewer *v) {
   struct hsr_error err = {HSR_OK, ""};
   char name[40];
   new_name(name, ".png");
-  if (viewer_screenshot(v, name, &err))
+  if (v->frozen ? viewer_screenshot(v, name, &err)
+                : viewer_save(v, v->rgb, name, &err))
     viewer_say(v, "%s", err.text);
   else
     viewer_say(v, "saved %s", name);
@@ -217,6 +218,7 @@ static void quit(struct viewer *v) {
 static const struct key {
   const char *name, *about; /* NULL: as the key before */
   void (*act)(struct viewer *);
+  const char *label; /* what is on the key; NULL: the name */
 } keys[] = {{"n", "next algorithm", next_algorithm},
             {"p", "previous algorithm", previous_algorithm},
             {"b", "two algorithms side by side", side_by_side},
@@ -233,10 +235,10 @@ static const struct key {
             {"space", "walk along the views", walk},
             {"o", "parallel, or perspective", project},
             {"z", "freeze, and look from elsewhere", freeze},
-            {"bracketleft", "[ coarser", coarser},
-            {"bracketright", "] finer", finer},
-            {"plus", "+ more threads", more_threads},
-            {"minus", "- fewer threads", fewer_threads},
+            {"bracketleft", "coarser", coarser, "["},
+            {"bracketright", "finer", finer, "]"},
+            {"plus", "more threads", more_threads, "+"},
+            {"minus", "fewer threads", fewer_threads, "-"},
             {"t", "panel: times, steps, Table I, none", panel},
             {"s", "save the picture", save_picture},
             {"c", "save the camera", save_camera},
@@ -263,7 +265,7 @@ void keys_help(char *text, size_t size) {
   for (int k = 0; k < N_KEYS && n < size; k++)
     if (keys[k].about)
       n += (size_t)snprintf(text + n, size - n, "%-6s %s\n",
-                            strlen(keys[k].name) > 6 ? "" : keys[k].name,
+                            keys[k].label ? keys[k].label : keys[k].name,
                             keys[k].about);
   if (n < size)
     snprintf(text + n, size - n, "%-6s %s\n", "click", "the faces there");

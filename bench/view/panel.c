@@ -27,13 +27,12 @@ static void add_state(const struct viewer *v, char *text) {
   add(text, "%s, %u faces, view %u of %u%s\n",
       terminal_plain(v->scene_name, name, sizeof name), p->render.world.n_faces,
       v->view + 1, v->scene->n_views, v->frozen ? ", frozen" : "");
-  add(text, "%s%s%s%s%s\n", p->variant.name,
-      v->comparison == COMPARE_SIDES        ? " | "
-      : v->comparison == COMPARE_BLINK      ? " / "
-      : v->comparison == COMPARE_DIFFERENCE ? " - "
-                                            : "",
+  static const char *const between[] = {"", " | ", " / ", " - "};
+  add(text, "%s%s%s%s%s\n", p->variant.name, between[v->comparison],
       v->comparison ? v->second : "", overlays[v->overlay],
       v->has_lines ? ", lines" : "");
+  if (v->comparison == COMPARE_BLINK)
+    add(text, "this is %s\n", v->blink ? v->second : p->variant.name);
   add(text, "%d x %d", v->m / coarse, v->n / coarse);
   if (coarse > 1)
     add(text, ", %d x %d pixels a sample", coarse, coarse);

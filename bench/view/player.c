@@ -84,6 +84,13 @@ static void bytes_of(const float rgb[3], unsigned char bytes[3]) {
     bytes[k] = byte_of(rgb[k]);
 }
 
+void player_colour(const struct hsr_world *world, const struct hsr_view *view,
+                   uint32_t id, unsigned char rgb[3]) {
+  float linear[3];
+  hsr_picture_colour(world, view, id, HSR_SHADE_LAMBERT, linear);
+  bytes_of(linear, rgb);
+}
+
 /* Colours each face of the picture once. */
 static void shade_ids(struct player *p, const struct hsr_view *view,
                       unsigned char *rgb) {
@@ -91,17 +98,14 @@ static void shade_ids(struct player *p, const struct hsr_view *view,
   const uint32_t *ids = player_ids(p);
   const size_t n = (size_t)view->m * (size_t)view->n;
   unsigned char background[3];
-  float colour[3];
-  hsr_picture_colour(world, view, HSR_BACKGROUND, HSR_SHADE_LAMBERT, colour);
-  bytes_of(colour, background);
+  player_colour(world, view, HSR_BACKGROUND, background);
   for (size_t k = 0; k < n; k++, rgb += 3) {
     const uint32_t id = ids[k];
     const unsigned char *from = background;
     if (id != HSR_BACKGROUND) {
       unsigned char *of = p->face_rgb + 3 * (size_t)id;
       if (p->stamp[id] != p->n_pictures) {
-        hsr_picture_colour(world, view, id, HSR_SHADE_LAMBERT, colour);
-        bytes_of(colour, of);
+        player_colour(world, view, id, of);
         p->stamp[id] = p->n_pictures;
       }
       from = of;

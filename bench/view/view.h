@@ -46,6 +46,10 @@ void player_close(struct player *player);
 enum hsr_status player_draw(struct player *player, const struct hsr_view *view,
                             unsigned char *rgb, struct hsr_error *err);
 
+/* The colour of a face, or of the background, as bytes. */
+void player_colour(const struct hsr_world *world, const struct hsr_view *view,
+                   uint32_t id, unsigned char rgb[3]);
+
 /* The ids of the last picture; NULL if it is of another kind. */
 const uint32_t *player_ids(const struct player *player);
 
@@ -144,6 +148,10 @@ void keys_help(char *text, size_t size);
 /* Writes what the window shows to a file. */
 enum hsr_status viewer_screenshot(struct viewer *viewer, const char *path,
                                   struct hsr_error *err);
+
+/* Writes a picture as large as the window. */
+enum hsr_status viewer_save(struct viewer *viewer, const unsigned char *bytes,
+                            const char *path, struct hsr_error *err);
 
 /* Plays a list: "n,drag:100:100:300:200,w,shot:a.png". HSR_E_USAGE for a word
  * that is none; whatever writing a picture fails with. */

@@ -61,8 +61,9 @@ struct window_library {
   /* Shows all of this. */
   void (*show)(struct window *window);
   void (*tick)(struct window *window, int milliseconds); /* 0: no more */
-  /* What the window shows, m x n pixels. */
-  void (*pixels)(struct window *window, int m, int n, unsigned char *rgb);
+  /* What the window shows, m x n pixels. False if not all of it is on the
+   * screen. */
+  bool (*pixels)(struct window *window, int m, int n, unsigned char *rgb);
 
   /* Handles events until the window is closed or `stop` is called. */
   void (*run)(struct window *window);
