@@ -107,11 +107,12 @@ tap_scripts = \
   %D%/report/report.test \
   %D%/torture/torture.test \
   %D%/tree/arrows.test \
-  %D%/tree/mutants.test
+  %D%/tree/mutants.test \
+  %D%/view/view.test
 
 if WITH_VTK
 tap_programs += %D%/unit/files/vtp_test %D%/unit/files/volume_xml_test
-check_PROGRAMS += %D%/export/read_cells
+check_PROGRAMS += %D%/export/read_cells %D%/view/close_window
 endif
 
 # The quick tests: less than a minute on two cores, once everything is built.
@@ -201,6 +202,8 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_core_quotient_test_LDADD = $(CGAL_LIBS)
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
 %C%_counts_recorded_test_LDADD = libdraw.a $(BENCH_LIBS)
+%C%_view_close_window_SOURCES = %D%/view/close_window.c
+%C%_view_close_window_LDADD = -lX11
 %C%_export_read_cells_SOURCES = %D%/export/read_cells.cc
 %C%_export_read_cells_LDADD = $(VTK_CELLS_LIBS)
 %C%_export_read_cells_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)

@@ -114,6 +114,7 @@ static void note_times(struct viewer *v, double begin) {
   v->sum_outside += v->outside_ms;
   v->sum_draw += v->player[0]->draw_ms;
   v->sum_shade += v->player[0]->shade_ms;
+  v->sum_coarse += v->moving;
   v->moving_seconds += 1e-3 * all;
   /* coarser if frames are late, finer again if there is time */
   if (all > 50 && v->moving < MOST_COARSE)
@@ -170,9 +171,9 @@ bool viewer_choose(struct viewer *v, const char *name) {
   struct player *player = calloc(1, sizeof *player);
   char full[HSR_MOST_VARIANT + 16];
   snprintf(full, sizeof full, "%s%s", name, v->filtered ? ":filter=box" : "");
-  enum hsr_status status =
-      player ? player_open(player, full, false, v->threads, v->scene, &err)
-             : hsr_fail_nomem(&err);
+  enum hsr_status status = player ? player_open(player, full, PLAYER_PLAIN,
+                                                v->threads, v->scene, &err)
+                                  : hsr_fail_nomem(&err);
   if (status) {
     viewer_say(v, "%s", err.text);
     free(player);
@@ -293,13 +294,13 @@ static enum hsr_status name_players(struct viewer *v, const char *algorithms,
 
 static void print_times(const struct viewer *v) {
   printf("first picture after %.0f ms; %u pictures", v->first_ms, v->n_frames);
-  if (v->n_moving)
-    printf(", %u while moving: %.1f a second; ms: draw %.2f, shade %.2f, the "
-           "rest %.2f",
-           v->n_moving, v->n_moving / v->moving_seconds,
-           v->sum_draw / v->n_moving, v->sum_shade / v->n_moving,
-           v->sum_outside / v->n_moving);
   puts("");
+  if (v->n_moving)
+    printf("%u while moving, %.1f a second, %.1f pixels a sample; ms: draw "
+           "%.2f, shade %.2f, the rest %.2f\n",
+           v->n_moving, v->n_moving / v->moving_seconds,
+           v->sum_coarse / v->n_moving, v->sum_draw / v->n_moving,
+           v->sum_shade / v->n_moving, v->sum_outside / v->n_moving);
 }
 
 static enum hsr_status show_all(struct viewer *v, const struct options *o,
@@ -317,7 +318,7 @@ static enum hsr_status show_all(struct viewer *v, const struct options *o,
   enum hsr_status status = o->keys ? play(v, o->keys, err) : HSR_OK;
   if (!status && o->screenshot)
     status = viewer_screenshot(v, o->screenshot, err);
-  else if (!status)
+  else if (!status && !v->stopped)
     v->library->run(v->window);
   if (!status && v->status) {
     status = v->status;
@@ -345,7 +346,8 @@ static enum hsr_status open_all(struct viewer *v, struct options *o,
     v->player[k] = calloc(1, sizeof *v->player[k]);
   if (!v->player[0] || !v->player[1])
     return hsr_fail_nomem(err);
-  return player_open(v->player[0], v->first, false, v->threads, v->scene, err);
+  return player_open(v->player[0], v->first, PLAYER_PLAIN, v->threads, v->scene,
+                     err);
 }
 
 enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {

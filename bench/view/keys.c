@@ -156,7 +156,9 @@ static void panel(struct viewer *v) {
   v->page = v->page >= PAGE_TABLE ? PAGE_NONE : v->page + 1;
 }
 static void help(struct viewer *v) {
-  v->page = v->page == PAGE_HELP ? PAGE_TIMES : PAGE_HELP;
+  if (v->page != PAGE_HELP)
+    v->page_before = v->page;
+  v->page = v->page == PAGE_HELP ? v->page_before : PAGE_HELP;
 }
 
 /* --- Files ---------------------------------------------------------------- */
@@ -210,6 +212,7 @@ static void save_picture(struct viewer *v) {
 }
 
 static void quit(struct viewer *v) {
+  v->stopped = true;
   v->library->stop(v->window);
 }
 
@@ -278,5 +281,6 @@ void keys_press(void *viewer, const char *name) {
     return;
   *v->message = *v->picked = '\0';
   key->act(v);
-  viewer_show(v);
+  if (!v->stopped) /* else there is no window any more */
+    viewer_show(v);
 }

@@ -7,20 +7,36 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* More faces are laid out only where they are visible. */
+enum { MOST_COLOURED = 1000000 };
+
+/* The scene laid out; NULL if it is not. */
+static const struct hsr_world *laid_out(const struct player *p) {
+  const struct hsr_world *own = &p->render.world;
+  return !hsr_is_outline(own)        ? own
+         : p->laid_out.outline.scene ? &p->laid_out
+                                     : NULL;
+}
+
 void player_close(struct player *player) {
   render_close(&player->render);
+  hsr_world_free(&player->laid_out);
   free(player->stamp);
   free(player->face_rgb);
   *player = (struct player){.is_ready = false};
 }
 
-static enum hsr_status check(const struct hsr_variant *variant,
-                             struct hsr_error *err) {
+static enum hsr_status check(const struct player *p, struct hsr_error *err) {
+  const struct hsr_variant *variant = &p->variant;
   const struct hsr_answer_type *kind = variant->choice.form.type;
-  if (kind->shade || kind == HSR_SEGMENTS)
-    return HSR_OK;
-  return hsr_fail(err, HSR_E_USAGE, "%s draws %s, which are no picture",
-                  variant->name, kind->draws);
+  if (!kind->shade && kind != HSR_SEGMENTS)
+    return hsr_fail(err, HSR_E_USAGE, "%s draws %s, which are no picture",
+                    variant->name, kind->draws);
+  if (p->sort == PLAYER_WORKS &&
+      (!kind->by_places ||
+       hsr_choice_folds(variant->listed->plain, &variant->choice)))
+    return hsr_fail(err, HSR_E_USAGE, "%s has no work picture", variant->name);
+  return HSR_OK;
 }
 
 static enum hsr_status make_ready(struct player *p, struct hsr_scene *scene,
@@ -38,6 +54,9 @@ static enum hsr_status make_ready(struct player *p, struct hsr_scene *scene,
   r->build = seconds_now() - begin;
   if (!status)
     status = hsr_setup_init(&r->setup, a, &p->variant.choice, &r->world, err);
+  if (!status && hsr_is_outline(&r->world) && !scene->grid &&
+      r->world.n_faces <= MOST_COLOURED)
+    status = hsr_world_open(&p->laid_out, scene, MOST_COLOURED, err);
   if (status)
     return status;
   p->stamp = calloc((size_t)r->world.n_faces + 1, sizeof *p->stamp);
@@ -45,18 +64,20 @@ static enum hsr_status make_ready(struct player *p, struct hsr_scene *scene,
   return p->stamp && p->face_rgb ? HSR_OK : hsr_fail_nomem(err);
 }
 
-enum hsr_status player_open(struct player *p, const char *name, bool work,
-                            long threads, struct hsr_scene *scene,
-                            struct hsr_error *err) {
+enum hsr_status player_open(struct player *p, const char *name,
+                            enum player_sort sort, long threads,
+                            struct hsr_scene *scene, struct hsr_error *err) {
   player_close(p);
-  p->options = (struct render_options){.crease = -1,
-                                       .threads = threads,
-                                       .supersamples = 1,
-                                       .n_outputs = 1,
-                                       .work = work ? "" : NULL};
+  p->options =
+      (struct render_options){.crease = -1,
+                              .threads = threads,
+                              .supersamples = 1,
+                              .n_outputs = 1,
+                              .work = sort == PLAYER_WORKS ? "" : NULL};
+  p->sort = sort;
   enum hsr_status status = hsr_variant_parse(name, &p->variant, err);
   if (!status)
-    status = check(&p->variant, err);
+    status = check(p, err);
   if (!status)
     status = make_ready(p, scene, err);
   if (status)
@@ -94,7 +115,7 @@ void player_colour(const struct hsr_world *world, const struct hsr_view *view,
 /* Colours each face of the picture once. */
 static void shade_ids(struct player *p, const struct hsr_view *view,
                       unsigned char *rgb) {
-  const struct hsr_world *world = &p->render.world;
+  const struct hsr_world *world = laid_out(p);
   const uint32_t *ids = player_ids(p);
   const size_t n = (size_t)view->m * (size_t)view->n;
   unsigned char background[3];
@@ -151,7 +172,7 @@ static enum hsr_status shade(struct player *p, const struct hsr_view *view,
   const size_t n = (size_t)view->m * (size_t)view->n;
   if (r->kind == HSR_SEGMENTS)
     return shade_lines(p, view, rgb, err);
-  if (player_ids(p) && !hsr_is_outline(&r->world) && !r->rgb) {
+  if (player_ids(p) && laid_out(p) && !r->rgb) {
     shade_ids(p, view, rgb);
     return HSR_OK;
   }

@@ -19,25 +19,31 @@
 
 /* --- Players -------------------------------------------------------------- */
 
+/* Which build, and whether it makes a work picture. */
+enum player_sort { PLAYER_PLAIN, PLAYER_COUNTS, PLAYER_WORKS };
+
 /* One algorithm that draws the scene. All zero: none is chosen. */
 struct player {
   struct hsr_variant variant;
+  enum player_sort sort;
   struct render_options options; /* of render */
   struct render render;
   bool is_ready;
+  struct hsr_world laid_out; /* for colours, if render's world is an outline of
+                                not too many faces */
   uint32_t *stamp; /* a face: the picture in which its colour was made */
   unsigned char *face_rgb;
   uint32_t n_pictures;      /* so far */
   double draw_ms, shade_ms; /* of the last picture */
 };
 
-/* Makes an algorithm ready for a scene, which is borrowed. With `work`, the
- * counting build, which makes a work picture. Closes what the player was before.
- * HSR_E_USAGE, also if the algorithm makes no picture; HSR_E_REFUSED;
- * HSR_E_NOMEM; HSR_E_INPUT. */
-enum hsr_status player_open(struct player *player, const char *name, bool work,
-                            long threads, struct hsr_scene *scene,
-                            struct hsr_error *err);
+/* Makes an algorithm ready for a scene, which is borrowed: the plain build, the
+ * counting one, or that with a work picture. Closes what the player was before.
+ * HSR_E_USAGE, also if the algorithm makes no picture, or no work picture;
+ * HSR_E_REFUSED; HSR_E_NOMEM; HSR_E_INPUT. */
+enum hsr_status player_open(struct player *player, const char *name,
+                            enum player_sort sort, long threads,
+                            struct hsr_scene *scene, struct hsr_error *err);
 void player_close(struct player *player);
 
 /* Draws a view, m x n samples, as sRGB bytes: the picture that hsr render
@@ -73,8 +79,8 @@ struct viewer {
   struct hsr_import import;
   struct hsr_scene *scene;
   struct player *player[2]; /* the second is for comparisons; owned */
-  struct player counter;   /* of the first, counting; or zbuffer */
-  struct player lines;     /* the line drawing over the picture */
+  struct player counter;    /* of the first, counting; or zbuffer */
+  struct player lines;      /* the line drawing over the picture */
   /* What the players are called; of the first, without what `filtered` adds. */
   char first[HSR_MOST_VARIANT + 1], second[HSR_MOST_VARIANT + 1];
 
@@ -87,7 +93,7 @@ struct viewer {
 
   enum overlay overlay;
   enum comparison comparison;
-  enum page page;
+  enum page page, page_before; /* help */
   bool has_lines, filtered, walking, frozen;
   bool blink;             /* the second's turn */
   struct hsr_view culled; /* the view that is frozen */
@@ -96,11 +102,12 @@ struct viewer {
   char message[400], picked[2000];
   char camera_file[40];
 
-  unsigned n_frames, n_moving, n_saved;
+  bool stopped;
+  unsigned n_frames, n_moving;
   double begin, first_ms; /* until the first picture is shown */
   double outside_ms;      /* of the last frame, all but drawing and shading */
-  double sum_outside, sum_draw, sum_shade,
-      moving_seconds;     /* of moving frames */
+  /* Of moving frames. */
+  double sum_outside, sum_draw, sum_shade, sum_coarse, moving_seconds;
   enum hsr_status status; /* of what ended the run */
   struct hsr_error err;
 };
