@@ -112,7 +112,10 @@ tap_scripts = \
 
 if WITH_VTK
 tap_programs += %D%/unit/files/vtp_test %D%/unit/files/volume_xml_test
-check_PROGRAMS += %D%/export/read_cells %D%/view/close_window
+check_PROGRAMS += %D%/export/read_cells
+endif
+if WITH_WINDOW
+check_PROGRAMS += %D%/view/close_window
 endif
 
 # The quick tests: less than a minute on two cores, once everything is built.

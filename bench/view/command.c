@@ -368,7 +368,7 @@ enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
   v->threads = o.threads;
   v->coarse = 1;
   v->page = PAGE_TIMES;
-#if HSR_HAVE_VTK
+#if HSR_HAVE_WINDOW
   if (!status) {
     v->library = hsr_library_table("hsr-window.so", "hsr_window", err);
     status = v->library ? HSR_OK : err->status;
@@ -376,7 +376,7 @@ enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
 #else
   if (!status)
     status = hsr_fail(err, HSR_E_INPUT,
-                      "view: this build of hsr, without VTK, has no window");
+                      "view: this build of hsr, without VTK and X, has no window");
 #endif
   if (!status)
     status = open_all(v, &o, err);

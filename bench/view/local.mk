@@ -10,7 +10,7 @@ libbench_a_SOURCES += \
   %D%/player.c \
   %D%/view.h \
   %D%/window.h
-if WITH_VTK
+if WITH_WINDOW
 # Loaded by hsr when a window is opened.
 pkglibexec_PROGRAMS += hsr-window.so
 hsr_window_so_SOURCES = %D%/window.h %D%/window_vtk.cc common/base/status.c
