@@ -375,8 +375,9 @@ enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
   }
 #else
   if (!status)
-    status = hsr_fail(err, HSR_E_INPUT,
-                      "view: this build of hsr, without VTK and X, has no window");
+    status =
+        hsr_fail(err, HSR_E_INPUT,
+                 "view: this build of hsr, without VTK and X, has no window");
 #endif
   if (!status)
     status = open_all(v, &o, err);

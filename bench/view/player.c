@@ -41,8 +41,9 @@ static enum hsr_status check(const struct player *p, struct hsr_error *err) {
 
 static enum hsr_status make_ready(struct player *p, struct hsr_scene *scene,
                                   struct hsr_error *err) {
-  const struct hsr_algorithm *a =
-      p->options.work ? p->variant.listed->counting : p->variant.listed->plain;
+  const struct hsr_algorithm *a = p->sort == PLAYER_PLAIN
+                                      ? p->variant.listed->plain
+                                      : p->variant.listed->counting;
   struct render *r = &p->render;
   *r = (struct render){.options = &p->options,
                        .scene = scene,
