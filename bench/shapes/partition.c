@@ -311,6 +311,12 @@ static uint32_t bsp_name(const void *of, uint32_t node) {
 enum hsr_status shape_bsp(const struct shape_source *source,
                           struct cell_list *list, struct hsr_error *err) {
   const struct hsr_bsp_rule one_tree = {.most = 0};
+  const struct hsr_algorithm *a = source->setup->algorithm;
+  if (!(a->restrictions & (HSR_CF | HSR_TR)))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%s leaves faces as they are, and a BSP tree is of convex "
+                    "ones: -a bsp-painter",
+                    a->name);
   struct hsr_bsp bsp;
   enum hsr_status status =
       hsr_bsp_init(&bsp, source->setup->world, &one_tree, err);

@@ -183,11 +183,25 @@ static enum hsr_status shade(struct player *p, const struct hsr_view *view,
   return status;
 }
 
+/* What an algorithm keeps from frame to frame is of pictures of one size. */
+static enum hsr_status change_size(struct player *p, struct hsr_error *err) {
+  struct render *r = &p->render;
+  render_forget(r);
+  if (!p->n_pictures || !(r->setup.flags & HSR_FRAME_STATE))
+    return HSR_OK;
+  const struct hsr_algorithm *a = r->setup.algorithm;
+  hsr_setup_free(&r->setup);
+  return hsr_setup_init(&r->setup, a, &p->variant.choice, &r->world, err);
+}
+
 enum hsr_status player_draw(struct player *p, const struct hsr_view *view,
                             unsigned char *rgb, struct hsr_error *err) {
   struct render *r = &p->render;
-  if (r->view.m != view->m || r->view.n != view->n)
-    render_forget(r);
+  if (r->view.m != view->m || r->view.n != view->n) {
+    enum hsr_status status = change_size(p, err);
+    if (status)
+      return status;
+  }
   r->view = *view;
   r->tally = (struct hsr_tally){.out_of_memory = false};
   p->n_pictures++;

@@ -69,27 +69,43 @@ static void add_accessor(struct glb *g, const char *type, size_t n,
   g->bytes += bytes;
 }
 
-/* Writes the corners of the triangles of one colour, or the numbers of their
- * faces. Returns the number of corners. */
+/* What is written of each corner of a triangle. */
+enum corner { POSITION, COLOUR, FACE_NUMBER };
+
+/* The triangles of one colour of an object, or all of them. */
 struct triangles {
   const struct hsr_world *world;
-  const uint32_t *of; /* a face of the object: its colour */
-  uint32_t colour;
+  const struct hsr_colours *colours;
+  uint32_t colour; /* ALL_COLOURS: all */
 };
+#define ALL_COLOURS UINT32_MAX
+
+static void write_corner(struct glb *g, const struct triangles *t,
+                         enum corner what, uint32_t face, const float p[3]) {
+  const float number = (float)face;
+  if (what == FACE_NUMBER)
+    fwrite(&number, sizeof number, 1, g->bin);
+  else
+    fwrite(what == POSITION
+               ? p
+               : t->colours->rgb + 3 * (size_t)t->colours->of[face],
+           sizeof *p, 3, g->bin);
+}
+
+/* Returns the number of corners. */
 static size_t write_corners(struct glb *g, const struct triangles *t,
-                            bool faces, double lo[3], double hi[3]) {
+                            enum corner what, double lo[3], double hi[3]) {
   const struct hsr_mesh *mesh = &t->world->mesh;
   size_t n = 0;
   for (uint32_t f = 0; f < t->world->n_faces; f++) {
     const uint32_t parent = hsr_world_parent(t->world, f);
-    if (t->of[parent] != t->colour)
+    if (t->colour != ALL_COLOURS && t->colours->of[parent] != t->colour)
       continue;
     for (uint32_t k = mesh->start[f]; k < mesh->start[f + 1]; k++, n++) {
       const uint32_t v = mesh->vertex[k];
       const float p[3] = {(float)mesh->x[v], (float)mesh->y[v],
                           (float)mesh->z[v]};
-      const float number = (float)parent;
-      fwrite(faces ? &number : p, sizeof(float), faces ? 1 : 3, g->bin);
+      write_corner(g, t, what, parent, p);
       for (int c = 0; c < 3; c++) {
         lo[c] = n ? fmin(lo[c], (double)p[c]) : (double)p[c];
         hi[c] = n ? fmax(hi[c], (double)p[c]) : (double)p[c];
@@ -101,15 +117,24 @@ static size_t write_corners(struct glb *g, const struct triangles *t,
 
 static json_t *primitive(struct glb *g, const struct triangles *t) {
   double lo[3], hi[3];
-  size_t n = write_corners(g, t, false, lo, hi);
+  json_t *attributes = json_object();
+  size_t n = write_corners(g, t, POSITION, lo, hi);
+  json_object_set_new(attributes, "POSITION",
+                      json_integer((json_int_t)g->n_accessors));
   add_accessor(
       g, "VEC3", n, 12 * n,
       json_pack("{so so}", "min", numbers(lo, 3), "max", numbers(hi, 3)));
-  write_corners(g, t, true, lo, hi);
+  write_corners(g, t, FACE_NUMBER, lo, hi);
+  json_object_set_new(attributes, "_FACE",
+                      json_integer((json_int_t)g->n_accessors));
   add_accessor(g, "SCALAR", n, 4 * n, NULL);
-  return json_pack("{s{sI sI} sI}", "attributes", "POSITION",
-                   (json_int_t)g->n_accessors - 2, "_FACE",
-                   (json_int_t)g->n_accessors - 1, "material",
+  if (t->colour == ALL_COLOURS) {
+    write_corners(g, t, COLOUR, lo, hi);
+    json_object_set_new(attributes, "COLOR_0",
+                        json_integer((json_int_t)g->n_accessors));
+    add_accessor(g, "VEC3", n, 12 * n, NULL);
+  }
+  return json_pack("{so sI}", "attributes", attributes, "material",
                    (json_int_t)g->n_materials - 1);
 }
 
@@ -119,16 +144,25 @@ static json_t *name_of(const struct hsr_object *object) {
   return name ? name : json_string("object");
 }
 
+/* A material for each colour; of many colours, one for all, and the colours at
+ * the corners. */
 static enum hsr_status add_primitives(struct glb *g,
                                       const struct hsr_object *object,
                                       const struct hsr_world *world,
                                       struct hsr_error *err) {
+  enum { MANY = 256 };
+  static const float white[3] = {1, 1, 1};
   struct hsr_colours colours;
   enum hsr_status status = hsr_colours_of(&colours, object, 1, err);
   json_t *primitives = json_array();
-  for (uint32_t c = 0; c < colours.n && !status; c++) {
-    const struct triangles t = {world, colours.of, c};
+  for (uint32_t c = 0; c < colours.n && colours.n <= MANY && !status; c++) {
+    const struct triangles t = {world, &colours, c};
     add_material(g, object, colours.rgb + 3 * (size_t)c);
+    hsr_json_append(&primitives, primitive(g, &t));
+  }
+  if (colours.n > MANY && !status) {
+    const struct triangles t = {world, &colours, ALL_COLOURS};
+    add_material(g, object, white);
     hsr_json_append(&primitives, primitive(g, &t));
   }
   hsr_json_append(&g->meshes, json_pack("{so so}", "name", name_of(object),
@@ -175,15 +209,19 @@ static json_t *matrix(const double m[12]) {
 
 static void add_instances(struct glb *g) {
   const struct hsr_scene *scene = g->scene;
-  uint64_t first = 0;
-  for (uint32_t i = 0; i < scene->n_instances; i++) {
-    const struct hsr_instance *instance = &scene->instances[i];
-    hsr_json_append(&g->nodes,
-                    json_pack("{sI so s{sI sI}}", "mesh",
-                              (json_int_t)instance->object, "matrix",
-                              matrix(instance->m), "extras", "instance",
-                              (json_int_t)i, "first_face", (json_int_t)first));
-    first += scene->objects[instance->object].n_faces;
+  json_int_t first = 0, mesh = 0;
+  for (uint32_t o = 0, i = 0; o < scene->n_objects; o++) {
+    const uint32_t n_faces = scene->objects[o].n_faces;
+    for (; i < scene->n_instances && scene->instances[i].object == o; i++) {
+      if (n_faces)
+        hsr_json_append(&g->nodes,
+                        json_pack("{sI so s{sI sI}}", "mesh", mesh, "matrix",
+                                  matrix(scene->instances[i].m), "extras",
+                                  "instance", (json_int_t)i, "first_face",
+                                  first));
+      first += n_faces;
+    }
+    mesh += n_faces > 0;
   }
 }
 
@@ -298,7 +336,8 @@ enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene, const char *path,
   if (!g.bin)
     status = hsr_fail(err, HSR_E_INPUT, "%.200s: no room for it", path);
   for (uint32_t o = 0; o < scene->n_objects && !status; o++)
-    status = add_mesh(&g, o, err);
+    if (scene->objects[o].n_faces) /* a mesh must have something */
+      status = add_mesh(&g, o, err);
   if (!status)
     add_instances(&g);
   for (uint32_t v = 0; v < scene->n_views && !status; v++)
