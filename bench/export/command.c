@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr export: a scene, or what an algorithm makes of it, for other programs. */
 #include "bench/shapes/shapes.h"
+#include "bench/terminal/terminal.h"
 
 #include "common/files/srgb.h"
 #include "common/files/suffix.h"
@@ -258,16 +259,14 @@ static enum hsr_status write_shape(struct export *e, struct hsr_error *err) {
                                        ? o->shape->solid
                                        : HSR_CELL_POLYGON};
   struct hsr_cells cells;
+  char text[TERMINAL_NUMBER];
   enum hsr_status status = o->shape->make(&source, &list, err);
   if (!status)
     status = cell_list_cells(&list, &cells, err);
   if (!status)
     status = hsr_cells_write(&cells, o->output, err);
   if (!status)
-    printf("%s: %u %s\n", o->output, cells.n,
-           cells.kind == HSR_CELL_POLYGON ? "polygons"
-           : cells.kind == HSR_CELL_BOX   ? "boxes"
-                                          : "polyhedra");
+    printf("%s: %s\n", o->output, terminal_number(cells.n, "cells", text));
   cell_list_free(&list);
   return status;
 }
@@ -328,6 +327,15 @@ static enum hsr_status write_all(struct export *e,
              : write_faces(e, err);
 }
 
+static void print_counts(const struct export *e) {
+  char faces[TERMINAL_NUMBER], objects[TERMINAL_NUMBER],
+      instances[TERMINAL_NUMBER];
+  printf("%s: %s, %s, %s\n", e->options->output,
+         terminal_number(hsr_scene_faces(e->scene), "faces", faces),
+         terminal_number(e->scene->n_objects, "objects", objects),
+         terminal_number(e->scene->n_instances, "instances", instances));
+}
+
 enum hsr_status command_export(int argc, char **argv, struct hsr_error *err) {
   struct options o = {.view = VIEW_OPTIONS_STANDARD, .shape = &shapes[0]};
   enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
@@ -350,9 +358,7 @@ enum hsr_status command_export(int argc, char **argv, struct hsr_error *err) {
   if (!status)
     status = write_all(&e, &variant, err);
   if (!status && !o.shape->make)
-    printf("%s: %llu faces, %u objects, %u instances\n", o.output,
-           (unsigned long long)hsr_scene_faces(e.scene), e.scene->n_objects,
-           e.scene->n_instances);
+    print_counts(&e);
   if (e.setup.algorithm)
     hsr_setup_free(&e.setup);
   hsr_world_free(&e.world);

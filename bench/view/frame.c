@@ -23,18 +23,22 @@ enum hsr_status viewer_view(const struct viewer *v, int width, int coarse,
 /* Each sample becomes a square of pixels. */
 static void enlarge(const struct viewer *v, const struct part *part, int m,
                     int n, const unsigned char *from, unsigned char *to) {
-  for (int y = 0; y < v->n; y++) {
+  const size_t row = 3 * (size_t)v->m, width = 3 * (size_t)part->width;
+  int before = -1;
+  to += 3 * (size_t)part->x;
+  for (int y = 0; y < v->n; y++, to += row) {
     int j = y / part->coarse < n ? y / part->coarse : n - 1;
-    const unsigned char *row = from + 3 * (size_t)j * (size_t)m;
-    unsigned char *out = to + 3 * ((size_t)y * (size_t)v->m + (size_t)part->x);
-    if (part->coarse == 1) {
-      memcpy(out, row, 3 * (size_t)m);
-      continue;
-    }
-    for (int x = 0; x < part->width; x++, out += 3) {
-      int i = x / part->coarse < m ? x / part->coarse : m - 1;
-      memcpy(out, row + 3 * (size_t)i, 3);
-    }
+    const unsigned char *samples = from + 3 * (size_t)j * (size_t)m;
+    if (part->coarse == 1)
+      memcpy(to, samples, width);
+    else if (j == before)
+      memcpy(to, to - row, width);
+    else
+      for (int x = 0; x < part->width; x++) {
+        int i = x / part->coarse < m ? x / part->coarse : m - 1;
+        memcpy(to + 3 * (size_t)x, samples + 3 * (size_t)i, 3);
+      }
+    before = j;
   }
 }
 
