@@ -202,6 +202,8 @@ void viewer_reload(struct viewer *v) {
     viewer_say(v, "%s", err.text);
     return;
   }
+  if (v->frozen)
+    frozen_end(v);
   close_players(v);
   v->scene = scene;
   if (!viewer_choose(v, v->first)) {

@@ -121,8 +121,9 @@ void viewer_show_panel(struct viewer *viewer);
 void viewer_say(struct viewer *viewer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The view of `width` columns of the window from its left or its middle, whose
- * samples are so many pixels wide. HSR_E_INPUT. */
+/* The camera's view for a part of the window that is `width` pixels wide and as
+ * high as the window. Its samples are `coarse` x `coarse` pixels. Fails as
+ * hsr_view_init. */
 enum hsr_status viewer_view(const struct viewer *viewer, int width, int coarse,
                             struct hsr_view *view, struct hsr_error *err);
 
