@@ -17,6 +17,7 @@
 #include "common/base/option.h"
 #include "common/voxels/voxels.h"
 #include "common/lines/drawing.h"
+#include "common/lines/polygons.h"
 #include "common/scene/world.h"
 #include "common/view/picture.h"
 #include "common/view/view.h"
@@ -203,6 +204,7 @@ int hsr_answer_number(const struct hsr_answer_type *type);
 #define HSR_VOXELS (&hsr_answer_voxels)
 #define HSR_COMPOSITED (&hsr_answer_composited)
 #define HSR_AREAS (&hsr_answer_area)
+#define HSR_POLYGONS (&hsr_answer_polygons)
 
 /* Whether algorithms that make `made` can be asked for `type`: it is what they
  * make, or it is folded from that. */
@@ -236,6 +238,7 @@ struct hsr_solid_voxels *hsr_answer_voxels_of(const struct hsr_answer *answer);
 uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer);
 uint16_t *hsr_answer_rgba_of(const struct hsr_answer *answer);
 struct hsr_area_bounds *hsr_answer_areas_of(const struct hsr_answer *answer);
+struct hsr_polygons *hsr_answer_polygons_of(const struct hsr_answer *answer);
 
 /* For a form of voxels: how many lie along the longest side of the scene's box.
  */

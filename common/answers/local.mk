@@ -14,5 +14,6 @@ libhsr_a_SOURCES += \
   %D%/filtered.c \
   %D%/ids.c \
   %D%/list.c \
+  %D%/polygons.c \
   %D%/segments.c \
   %D%/voxels.c

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 nobase_pkginclude_HEADERS += \
+  %D%/named_lines.h \
   %D%/order.h \
   %D%/predicates.h \
   %D%/screen.h
@@ -7,6 +8,7 @@ libhsr_a_SOURCES += \
   %D%/exact_plane.h \
   %D%/footprint.h \
   %D%/footprint_cgal.cc \
+  %D%/named_lines_cgal.cc \
   %D%/order.c \
   %D%/pair.c \
   %D%/pair.h \

@@ -3,10 +3,12 @@ nobase_pkginclude_HEADERS += \
   %D%/crease.h \
   %D%/drawing.h \
   %D%/edges.h \
+  %D%/polygons.h \
   %D%/volumes.h
 libhsr_a_SOURCES += \
   %D%/crease.c \
   %D%/drawing.c \
   %D%/edges_cgal.cc \
   %D%/exact_points.h \
+  %D%/polygons.c \
   %D%/volumes_cgal.cc

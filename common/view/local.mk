@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 nobase_pkginclude_HEADERS += \
   %D%/clip.h \
+  %D%/line_name.h \
   %D%/picture.h \
   %D%/view.h
 libhsr_a_SOURCES += \

@@ -1,0 +1,497 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Named lines and their crossings, over CGAL's exact numbers.
+//
+// Line        a sx + b sy + c. The coefficients are polynomials in the doubles
+//             of the scene and the view. They are found once, in exact numbers,
+//             and divided by their common divisor.
+// Direction   one who walks along (b, -a) has the positive side on the right, sy
+//             being down.
+// Doubles     an integer becomes a double by mpz_get_d_2exp, which truncates:
+//             relative error 2^-52. The coefficients of a line are scaled by one
+//             power of two, so that the largest is between 1/2 and 1; one that
+//             is 2^-1022 or less loses 2^-1074. A coordinate is a quotient of two
+//             such doubles: its relative error is at most 2^-52 + 2^-52 + 2^-53
+//             and terms of second order, less than 2^-50.
+// Side        the terms a x, b y have a relative error of at most 2^-52 + 2^-50 +
+//             2^-53, and each of the two additions adds 2^-53. So the error of
+//             a x + b y + c is below 2^-48 (|a x| + |b y| + |c|), and 2^-900 for
+//             what is lost below the least double. If a coordinate is not
+//             finite, no comparison holds, and integers decide.
+
+#include "common/exact/named_lines.h"
+#include "common/polygon/exact_numbers.h"
+
+#include <CGAL/Gmpz.h>
+
+#include <array>
+#include <cmath>
+#include <unordered_map>
+#include <vector>
+
+namespace {
+
+using CGAL::Gmpz;
+using hsr::Exact;
+using Vector = hsr::Vector<Exact>;
+using Triple = std::array<Gmpz, 3>;
+
+constexpr double SIDE_ERROR = 0x1p-48, LOST = 0x1p-900;
+
+// --- Integers without a common divisor ---------------------------------------
+
+struct Hash {
+  size_t operator()(const Triple &t) const {
+    size_t hash = 0;
+    for (const Gmpz &x : t)
+      for (size_t k = 0; k < mpz_size(x.mpz()); k++)
+        hash =
+            (hash ^ mpz_getlimbn(x.mpz(), mp_size_t(k))) * 0x9e3779b97f4a7c15u +
+            (hash >> 29);
+    return hash;
+  }
+};
+
+bool is_zero(const Triple &t) {
+  return CGAL::is_zero(t[0]) && CGAL::is_zero(t[1]) && CGAL::is_zero(t[2]);
+}
+
+void reduce(Triple &t) {
+  Gmpz common;
+  mpz_gcd(common.mpz(), t[0].mpz(), t[1].mpz());
+  mpz_gcd(common.mpz(), common.mpz(), t[2].mpz());
+  if (CGAL::is_zero(common) || common == 1)
+    return;
+  for (Gmpz &x : t) {
+    Gmpz quotient;
+    mpz_divexact(quotient.mpz(), x.mpz(), common.mpz());
+    x = quotient;
+  }
+}
+
+// Multiplied by one power of two. A zero has no exponent to speak of.
+Triple integers_of(const std::array<Exact, 3> &value) {
+  bool any = false;
+  long least = 0;
+  for (const Exact &x : value)
+    if (CGAL::sign(x) != 0 && (!any || x.exp() < least)) {
+      least = x.exp();
+      any = true;
+    }
+  Triple made;
+  for (int k = 0; k < 3; k++)
+    if (CGAL::sign(value[k]) != 0)
+      mpz_mul_2exp(made[k].mpz(), value[k].man(),
+                   mp_bitcnt_t(value[k].exp() - least));
+    else
+      made[k] = Gmpz(0);
+  reduce(made);
+  return made;
+}
+
+void negate(Triple &t) {
+  for (Gmpz &x : t)
+    x = -x;
+}
+
+// The sign of the first that is not zero, or of W in a point.
+int leading_sign(const Triple &t) {
+  for (const Gmpz &x : t)
+    if (const int sign = CGAL::sign(x))
+      return sign;
+  return 0;
+}
+
+Triple cross(const Triple &a, const Triple &b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+          a[0] * b[1] - a[1] * b[0]};
+}
+
+double rounded(const Gmpz &x, long exponent) {
+  long own;
+  const double digits = mpz_get_d_2exp(&own, x.mpz());
+  const long by = std::max(-4000L, std::min(4000L, own - exponent));
+  return std::ldexp(digits, int(by));
+}
+
+long exponent_of(const Gmpz &x) {
+  return CGAL::is_zero(x) ? 0 : long(mpz_sizeinbase(x.mpz(), 2));
+}
+
+// --- What is kept ------------------------------------------------------------
+
+struct Line {
+  hsr_line_name name;
+  Triple exact; // the function of its name
+  double d[3];
+};
+
+struct Point {
+  Triple exact; // W > 0
+  double at[2];
+  uint32_t line[2]; // two that cross in it
+};
+
+// A face's q: numerator . (sx, sy, 1) / denominator, denominator > 0.
+struct Depth {
+  bool known = false;
+  int sign = 0; // of c; 0: the plane holds the eye
+  std::array<Exact, 3> numerator;
+  Exact denominator;
+};
+
+struct Named {
+  uint32_t line;
+  int sign;
+};
+
+uint64_t key_of(hsr_line_name name) {
+  return uint64_t(name.kind) << 60 ^ uint64_t(name.a) << 28 ^
+         uint64_t(name.b) * 0x9e3779b97f4a7c15u;
+}
+
+struct Same_name {
+  bool operator()(const hsr_line_name &p, const hsr_line_name &q) const {
+    return p.kind == q.kind && p.a == q.a && p.b == q.b;
+  }
+};
+struct Hash_name {
+  size_t operator()(const hsr_line_name &name) const { return key_of(name); }
+};
+
+} // namespace
+
+struct hsr_named_lines {
+  const hsr_world *world;
+  const hsr_view *view;
+  Vector E, F, R, U;
+  Exact m, n;
+  bool failed = false;
+  uint64_t exact = 0;
+
+  std::vector<Line> line;
+  std::vector<Point> point;
+  std::vector<Depth> depth; // a face
+  std::unordered_map<hsr_line_name, Named, Hash_name, Same_name> by_name;
+  std::unordered_map<Triple, uint32_t, Hash> line_by_value, point_by_value;
+  std::unordered_map<uint64_t, uint32_t> by_lines;
+
+  hsr_named_lines(const hsr_world *w, const hsr_view *v)
+      : world(w), view(v), E(hsr::vector<Exact>(v->E)),
+        F(hsr::vector<Exact>(v->F)), R(hsr::vector<Exact>(v->R)),
+        U(hsr::vector<Exact>(v->U)), m(double(v->m)), n(double(v->n)),
+        depth(w ? w->n_faces : 0) {}
+
+  // --- Functions -------------------------------------------------------------
+
+  // m n g . (x R + y U), x = (2 sx - m)/m and y = (n - 2 sy)/n, as coefficients
+  // of sx, sy, 1.
+  std::array<Exact, 3> on_screen(const Vector &g) const {
+    const Exact along = dot(g, R), up = dot(g, U);
+    return {Exact(2.0) * n * along, Exact(-2.0) * m * up, m * n * (up - along)};
+  }
+
+  std::array<Exact, 3> edge(uint32_t f, uint32_t k) const {
+    const hsr_loop loop = hsr_face_loop(world, f);
+    const Vector a = hsr::corner<Exact>(loop, k) - E,
+                 b = hsr::corner<Exact>(loop, (k + 1) % loop.n) - E;
+    if (!view->parallel) {
+      const Vector g = cross(a, b);
+      std::array<Exact, 3> value = on_screen(g);
+      value[2] = value[2] + m * n * dot(g, F);
+      return value;
+    }
+    std::array<Exact, 3> value = on_screen(cross(F, b - a));
+    value[2] = value[2] + m * n * det(a, b, F);
+    return value;
+  }
+
+  // In perspective q is k N.D / c; in parallel, -N.(S - k P) / c.
+  void find_depth(uint32_t f) {
+    Depth &d = depth[f];
+    const hsr::Plane<Exact> plane =
+        hsr::newell_plane<Exact>(hsr_face_loop(world, f));
+    const Exact height = plane.offset - plane.k * dot(plane.normal, E),
+                down = plane.k * dot(plane.normal, F);
+    d.numerator = on_screen(plane.normal);
+    for (Exact &x : d.numerator)
+      x = plane.k * x;
+    const Exact c = view->parallel ? down : height;
+    d.numerator[2] = d.numerator[2] + m * n * (view->parallel ? -height : down);
+    d.sign = CGAL::sign(c);
+    d.denominator = m * n * c;
+    if (d.sign < 0) {
+      d.denominator = -d.denominator;
+      for (Exact &x : d.numerator)
+        x = -x;
+    }
+    d.known = true;
+  }
+
+  const Depth &depth_of(uint32_t f) {
+    if (!depth[f].known)
+      find_depth(f);
+    return depth[f];
+  }
+
+  std::array<Exact, 3> meeting(uint32_t f, uint32_t g) {
+    if (!depth_of(f).sign || !depth_of(g).sign)
+      return {Exact(0.0), Exact(0.0), Exact(0.0)};
+    const Depth &p = depth[f], &q = depth[g];
+    std::array<Exact, 3> value;
+    for (int k = 0; k < 3; k++)
+      value[k] =
+          p.numerator[k] * q.denominator - q.numerator[k] * p.denominator;
+    return value;
+  }
+
+  // 1 - near q, or in parallel -near - q, times the denominator.
+  std::array<Exact, 3> near(uint32_t f) {
+    const Depth &d = depth_of(f);
+    const Exact by = view->parallel ? Exact(1.0) : Exact(view->near);
+    std::array<Exact, 3> value = {
+        -(by * d.numerator[0]), -(by * d.numerator[1]), -(by * d.numerator[2])};
+    value[2] = value[2] + (view->parallel ? -(Exact(view->near) * d.denominator)
+                                          : d.denominator);
+    return value;
+  }
+
+  std::array<Exact, 3> border(uint32_t side) const {
+    const Exact one(1.0), none(0.0);
+    switch (side) {
+    case HSR_LEFT:
+      return {one, none, none};
+    case HSR_TOP:
+      return {none, one, none};
+    case HSR_RIGHT:
+      return {-one, none, m};
+    default:
+      return {none, -one, n};
+    }
+  }
+
+  std::array<Exact, 3> function_of(hsr_line_name name) {
+    switch (name.kind) {
+    case HSR_LINE_EDGE:
+      return edge(name.a, name.b);
+    case HSR_LINE_MEETING:
+      return meeting(name.a, name.b);
+    case HSR_LINE_NEAR:
+      return near(name.a);
+    case HSR_LINE_HORIZON:
+      return depth_of(name.a).numerator;
+    default:
+      return border(name.a);
+    }
+  }
+
+  // --- Numbers ---------------------------------------------------------------
+
+  Named add_line(hsr_line_name name) {
+    Triple value = integers_of(function_of(name));
+    if (is_zero(value))
+      return {HSR_NO_LINE, 0};
+    Triple key = value;
+    const int sign = leading_sign(key);
+    if (sign < 0)
+      negate(key);
+    const auto found = line_by_value.find(key);
+    if (found != line_by_value.end()) {
+      const int first = leading_sign(line[found->second].exact);
+      return {found->second, first * sign};
+    }
+    Line made = {name, value, {0, 0, 0}};
+    const long exponent =
+        std::max(exponent_of(value[0]),
+                 std::max(exponent_of(value[1]), exponent_of(value[2])));
+    for (int k = 0; k < 3; k++)
+      made.d[k] = rounded(value[k], exponent);
+    const uint32_t number = uint32_t(line.size());
+    line.push_back(made);
+    line_by_value.emplace(key, number);
+    return {number, 1};
+  }
+
+  uint32_t add_point(uint32_t k, uint32_t l) {
+    Triple value = cross(line[k].exact, line[l].exact);
+    if (CGAL::is_zero(value[2]))
+      return HSR_NO_POINT;
+    reduce(value);
+    if (CGAL::sign(value[2]) < 0)
+      negate(value);
+    const auto found = point_by_value.find(value);
+    if (found != point_by_value.end())
+      return found->second;
+    Point made = {value, {0, 0}, {k, l}};
+    const long exponent = exponent_of(value[2]);
+    const double w = rounded(value[2], exponent);
+    for (int c = 0; c < 2; c++)
+      made.at[c] = rounded(value[c], exponent) / w;
+    const uint32_t number = uint32_t(point.size());
+    point.push_back(made);
+    point_by_value.emplace(value, number);
+    return number;
+  }
+};
+
+// --- The interface -----------------------------------------------------------
+
+struct hsr_named_lines *hsr_named_lines_new(const struct hsr_world *world,
+                                            const struct hsr_view *view) {
+  try {
+    return new hsr_named_lines(world, view);
+  } catch (...) {
+    return nullptr;
+  }
+}
+
+void hsr_named_lines_free(struct hsr_named_lines *lines) {
+  delete lines;
+}
+
+bool hsr_named_lines_failed(const struct hsr_named_lines *lines) {
+  return lines->failed;
+}
+
+uint64_t hsr_named_lines_exact(const struct hsr_named_lines *lines) {
+  return lines->exact;
+}
+
+uint32_t hsr_line_number(struct hsr_named_lines *lines,
+                         struct hsr_line_name name, int *sign) {
+  try {
+    const auto found = lines->by_name.find(name);
+    if (found != lines->by_name.end()) {
+      *sign = found->second.sign;
+      return found->second.line;
+    }
+    const Named made = lines->add_line(name);
+    lines->by_name.emplace(name, made);
+    *sign = made.sign;
+    return made.line;
+  } catch (...) {
+    lines->failed = true;
+    *sign = 0;
+    return HSR_NO_LINE;
+  }
+}
+
+struct hsr_line_name hsr_line_name_of(const struct hsr_named_lines *lines,
+                                      uint32_t line) {
+  return lines->line[line].name;
+}
+
+int hsr_plane_sign(struct hsr_named_lines *lines, uint32_t face) {
+  try {
+    return lines->depth_of(face).sign;
+  } catch (...) {
+    lines->failed = true;
+    return 0;
+  }
+}
+
+/* The directions are (b, -a); their determinant is a b' - a' b. */
+int hsr_line_turn(struct hsr_named_lines *lines, uint32_t from, uint32_t to) {
+  const Line &k = lines->line[from], &l = lines->line[to];
+  const double p = k.d[0] * l.d[1], q = l.d[0] * k.d[1];
+  const double bound = SIDE_ERROR * (std::fabs(p) + std::fabs(q)) + LOST;
+  if (p - q > bound)
+    return 1;
+  if (p - q < -bound)
+    return -1;
+  lines->exact++;
+  return CGAL::sign(k.exact[0] * l.exact[1] - l.exact[0] * k.exact[1]);
+}
+
+void hsr_line_direction(const struct hsr_named_lines *lines, uint32_t line,
+                        double direction[2]) {
+  direction[0] = lines->line[line].d[1];
+  direction[1] = -lines->line[line].d[0];
+}
+
+int hsr_line_sign_at(struct hsr_named_lines *lines, uint32_t line, double sx,
+                     double sy) {
+  const Line &l = lines->line[line];
+  const double p = l.d[0] * sx, q = l.d[1] * sy, r = l.d[2];
+  const double value = p + q + r;
+  const double bound =
+      SIDE_ERROR * (std::fabs(p) + std::fabs(q) + std::fabs(r)) + LOST;
+  if (value > bound)
+    return 1;
+  if (value < -bound)
+    return -1;
+  lines->exact++;
+  const auto exact = [](const Gmpz &x) { return Exact(x); };
+  return CGAL::sign(exact(l.exact[0]) * Exact(sx) +
+                    exact(l.exact[1]) * Exact(sy) + exact(l.exact[2]));
+}
+
+uint32_t hsr_crossing(struct hsr_named_lines *lines, uint32_t k, uint32_t l) {
+  try {
+    const uint64_t key =
+        uint64_t(std::min(k, l)) << 32 | uint64_t(std::max(k, l));
+    const auto found = lines->by_lines.find(key);
+    if (found != lines->by_lines.end())
+      return found->second;
+    const uint32_t made = lines->add_point(k, l);
+    lines->by_lines.emplace(key, made);
+    return made;
+  } catch (...) {
+    lines->failed = true;
+    return HSR_NO_POINT;
+  }
+}
+
+int hsr_crossing_side(struct hsr_named_lines *lines, uint32_t point,
+                      uint32_t line) {
+  const Point &at = lines->point[point];
+  if (at.line[0] == line || at.line[1] == line)
+    return 0;
+  const Line &l = lines->line[line];
+  const double p = l.d[0] * at.at[0], q = l.d[1] * at.at[1], r = l.d[2];
+  const double value = p + q + r;
+  const double bound =
+      SIDE_ERROR * (std::fabs(p) + std::fabs(q) + std::fabs(r)) + LOST;
+  if (value > bound)
+    return 1;
+  if (value < -bound)
+    return -1;
+  lines->exact++;
+  return CGAL::sign(l.exact[0] * at.exact[0] + l.exact[1] * at.exact[1] +
+                    l.exact[2] * at.exact[2]);
+}
+
+int hsr_crossing_compare(struct hsr_named_lines *lines, uint32_t p, uint32_t q,
+                         int axis) {
+  if (p == q)
+    return 0;
+  const Point &a = lines->point[p], &b = lines->point[q];
+  const double by = a.at[axis] - b.at[axis];
+  const double bound =
+      SIDE_ERROR * (std::fabs(a.at[axis]) + std::fabs(b.at[axis])) + LOST;
+  if (by > bound)
+    return 1;
+  if (by < -bound)
+    return -1;
+  lines->exact++;
+  return CGAL::compare(a.exact[axis] * b.exact[2], b.exact[axis] * a.exact[2]);
+}
+
+int hsr_crossing_compare_to(struct hsr_named_lines *lines, uint32_t p, int axis,
+                            double at) {
+  const Point &a = lines->point[p];
+  const double by = a.at[axis] - at;
+  const double bound =
+      SIDE_ERROR * (std::fabs(a.at[axis]) + std::fabs(at)) + LOST;
+  if (by > bound)
+    return 1;
+  if (by < -bound)
+    return -1;
+  lines->exact++;
+  return CGAL::sign(Exact(a.exact[axis]) - Exact(at) * Exact(a.exact[2]));
+}
+
+void hsr_crossing_at(const struct hsr_named_lines *lines, uint32_t point,
+                     double at[2]) {
+  at[0] = lines->point[point].at[0];
+  at[1] = lines->point[point].at[1];
+}
