@@ -78,6 +78,18 @@ int hsr_line_sign_at(struct hsr_named_lines *lines, uint32_t line, double sx,
 #define HSR_NO_POINT UINT32_MAX
 uint32_t hsr_crossing(struct hsr_named_lines *lines, uint32_t k, uint32_t l);
 
+/* The image of corner k of a face. *w is the sign of its depth w in
+ * common/view/view.h. If that is 0, the image is infinitely far away, in the
+ * direction whose components have the signs toward[]: HSR_NO_POINT. */
+uint32_t hsr_corner_point(struct hsr_named_lines *lines, uint32_t face,
+                          uint32_t k, int *w, int toward[2]);
+
+/* Whether a face surrounds the point half way between p and q, displaced as
+ * samples are: by the parity of edges that cross to the right, in
+ * docs/correct-picture.md. */
+bool hsr_parity_between(struct hsr_named_lines *lines, uint32_t face,
+                        uint32_t p, uint32_t q);
+
 /* The sign of a line's function at a point. */
 int hsr_crossing_side(struct hsr_named_lines *lines, uint32_t point,
                       uint32_t line);

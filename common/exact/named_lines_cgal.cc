@@ -139,6 +139,13 @@ struct Depth {
   Exact denominator;
 };
 
+// The image of a vertex.
+struct Image {
+  bool known = false;
+  uint32_t point;
+  int w, toward[2];
+};
+
 struct Named {
   uint32_t line;
   int sign;
@@ -170,7 +177,8 @@ struct hsr_named_lines {
 
   std::vector<Line> line;
   std::vector<Point> point;
-  std::vector<Depth> depth; // a face
+  std::vector<Depth> depth;  // a face
+  std::vector<Image> images; // a vertex
   std::unordered_map<hsr_line_name, Named, Hash_name, Same_name> by_name;
   std::unordered_map<Triple, uint32_t, Hash> line_by_value, point_by_value;
   std::unordered_map<uint64_t, uint32_t> by_lines;
@@ -179,7 +187,7 @@ struct hsr_named_lines {
       : world(w), view(v), E(hsr::vector<Exact>(v->E)),
         F(hsr::vector<Exact>(v->F)), R(hsr::vector<Exact>(v->R)),
         U(hsr::vector<Exact>(v->U)), m(double(v->m)), n(double(v->n)),
-        depth(w ? w->n_faces : 0) {}
+        depth(w ? w->n_faces : 0), images(w ? w->mesh.n_vertices : 0) {}
 
   // --- Functions -------------------------------------------------------------
 
@@ -255,6 +263,83 @@ struct hsr_named_lines {
     return value;
   }
 
+  // A vertex as (w sx, w sy, w), times a positive number: with V - E = w (F + x R
+  // + y U), by Cramer's rule.
+  std::array<Exact, 3> image(uint32_t vertex) const {
+    const double place[3] = {world->mesh.x[vertex], world->mesh.y[vertex],
+                             world->mesh.z[vertex]};
+    const Vector v = hsr::vector<Exact>(place) - E;
+    const Exact volume = det(F, R, U);
+    Exact w = view->parallel ? volume : det(v, R, U), x = det(F, v, U),
+          y = det(F, R, v);
+    std::array<Exact, 3> value = {m * (w + x), n * (w - y), Exact(2.0) * w};
+    if (CGAL::sign(volume) < 0)
+      for (Exact &c : value)
+        c = -c;
+    return value;
+  }
+
+  // The first sign that is not 0: of a value, or of its change along R or -U.
+  static int displaced(const Exact &value, const Exact &along_r,
+                       const Exact &along_u) {
+    if (const int sign = CGAL::sign(value))
+      return sign;
+    if (const int sign = CGAL::sign(along_r))
+      return sign;
+    return -CGAL::sign(along_u);
+  }
+
+  // A point of the picture as a ray: m n W (F + x R + y U), or in parallel m n W
+  // (P - E); and m n W.
+  struct Ray {
+    Vector d;
+    Exact scale;
+  };
+  Ray ray_of(const Triple &at) const {
+    const Exact X(at[0]), Y(at[1]), W(at[2]);
+    const Exact along = Exact(2.0) * n * X - m * n * W,
+                up = m * n * W - Exact(2.0) * m * Y;
+    Vector d = along * R + up * U;
+    const Exact scale = m * n * W;
+    if (!view->parallel)
+      d = d + scale * F;
+    return {d, scale};
+  }
+
+  // row(v), displaced. Along R it does not change; if along U it does not
+  // either, v is parallel to R and counts as below.
+  int row_sign(const Ray &ray, const Vector &v) const {
+    const Vector from = view->parallel ? ray.scale * v - ray.d : v;
+    const Exact value = view->parallel ? det(F, R, from) : det(ray.d, R, from);
+    const Exact along_u = view->parallel ? -det(F, R, U) : det(U, R, v);
+    const int sign = displaced(value, Exact(0.0), along_u);
+    return sign ? sign : 1;
+  }
+
+  int edge_sign(const Ray &ray, const Vector &a, const Vector &b) const {
+    if (!view->parallel) {
+      const Vector g = cross(a, b);
+      return displaced(dot(g, ray.d), dot(g, R), dot(g, U));
+    }
+    const Vector g = cross(F, b - a);
+    return displaced(ray.scale * det(a, b, F) + dot(g, ray.d), dot(g, R),
+                     dot(g, U));
+  }
+
+  bool surrounds(uint32_t f, const Triple &at) const {
+    const hsr_loop loop = hsr_face_loop(world, f);
+    const Ray ray = ray_of(at);
+    bool odd = false;
+    for (uint32_t k = 0; k < loop.n; k++) {
+      const Vector a = hsr::corner<Exact>(loop, k) - E,
+                   b = hsr::corner<Exact>(loop, (k + 1) % loop.n) - E;
+      const int row = row_sign(ray, a);
+      if (row != row_sign(ray, b) && edge_sign(ray, a, b) == -row)
+        odd = !odd;
+    }
+    return odd;
+  }
+
   std::array<Exact, 3> border(uint32_t side) const {
     const Exact one(1.0), none(0.0);
     switch (side) {
@@ -311,8 +396,11 @@ struct hsr_named_lines {
     return {number, 1};
   }
 
-  uint32_t add_point(uint32_t k, uint32_t l) {
-    Triple value = cross(line[k].exact, line[l].exact);
+  uint32_t add_crossing(uint32_t k, uint32_t l) {
+    return add_point(cross(line[k].exact, line[l].exact), k, l);
+  }
+
+  uint32_t add_point(Triple value, uint32_t k, uint32_t l) {
     if (CGAL::is_zero(value[2]))
       return HSR_NO_POINT;
     reduce(value);
@@ -432,12 +520,53 @@ uint32_t hsr_crossing(struct hsr_named_lines *lines, uint32_t k, uint32_t l) {
     const auto found = lines->by_lines.find(key);
     if (found != lines->by_lines.end())
       return found->second;
-    const uint32_t made = lines->add_point(k, l);
+    const uint32_t made = lines->add_crossing(k, l);
     lines->by_lines.emplace(key, made);
     return made;
   } catch (...) {
     lines->failed = true;
     return HSR_NO_POINT;
+  }
+}
+
+uint32_t hsr_corner_point(struct hsr_named_lines *lines, uint32_t face,
+                          uint32_t k, int *w, int toward[2]) {
+  try {
+    const hsr_mesh &mesh = lines->world->mesh;
+    const uint32_t vertex = mesh.vertex[mesh.start[face] + k];
+    Image &image = lines->images[vertex];
+    if (!image.known) {
+      const std::array<Exact, 3> value = lines->image(vertex);
+      image.w = CGAL::sign(value[2]);
+      image.toward[0] = CGAL::sign(value[0]);
+      image.toward[1] = CGAL::sign(value[1]);
+      image.point =
+          lines->add_point(integers_of(value), HSR_NO_LINE, HSR_NO_LINE);
+      image.known = true;
+    }
+    *w = image.w;
+    toward[0] = image.toward[0];
+    toward[1] = image.toward[1];
+    return image.point;
+  } catch (...) {
+    lines->failed = true;
+    *w = 0;
+    toward[0] = toward[1] = 0;
+    return HSR_NO_POINT;
+  }
+}
+
+bool hsr_parity_between(struct hsr_named_lines *lines, uint32_t face,
+                        uint32_t p, uint32_t q) {
+  try {
+    const Triple &a = lines->point[p].exact, &b = lines->point[q].exact;
+    lines->exact++;
+    return lines->surrounds(face,
+                            {a[0] * b[2] + b[0] * a[2],
+                             a[1] * b[2] + b[1] * a[2], Gmpz(2) * a[2] * b[2]});
+  } catch (...) {
+    lines->failed = true;
+    return false;
   }
 }
 

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+algorithm_files += \
+  %D%/areas.h \
+  %D%/border.c \
+  %D%/clipper.c \
+  %D%/face_area.c \
+  %D%/trace.c \
+  %D%/weiler_atherton.c
