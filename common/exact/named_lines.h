@@ -43,7 +43,7 @@ uint64_t hsr_named_lines_exact(const struct hsr_named_lines *lines);
 /* The number of a line. *sign is +1 if the function of this name has the sign of
  * the line's function, else -1. HSR_NO_LINE if the name's function is zero
  * everywhere: an edge whose ends and the eye are on one line, the meeting of a
- * plane with itself; then *sign is 0. A line may lie at infinity: its function
+ * plane with itself, the row of a corner at infinity; then *sign is 0. A line may lie at infinity: its function
  * has one sign everywhere. */
 #define HSR_NO_LINE UINT32_MAX
 uint32_t hsr_line_number(struct hsr_named_lines *lines,

@@ -263,6 +263,16 @@ struct hsr_named_lines {
     return value;
   }
 
+  // sy less that of a corner's image, times |w|.
+  std::array<Exact, 3> row(uint32_t f, uint32_t k) const {
+    const std::array<Exact, 3> at =
+        image(world->mesh.vertex[world->mesh.start[f] + k]);
+    const int sign = CGAL::sign(at[2]);
+    if (!sign)
+      return {Exact(0.0), Exact(0.0), Exact(0.0)};
+    return {Exact(0.0), sign > 0 ? at[2] : -at[2], sign > 0 ? -at[1] : at[1]};
+  }
+
   // A vertex as (w sx, w sy, w), times a positive number: with V - E = w (F + x R
   // + y U), by Cramer's rule.
   std::array<Exact, 3> image(uint32_t vertex) const {
@@ -364,6 +374,8 @@ struct hsr_named_lines {
       return near(name.a);
     case HSR_LINE_HORIZON:
       return depth_of(name.a).numerator;
+    case HSR_LINE_ROW:
+      return row(name.a, name.b);
     default:
       return border(name.a);
     }

@@ -114,6 +114,7 @@ static bool is_known(const struct hsr_world *world, struct hsr_line_name name) {
   case HSR_LINE_BORDER:
     return name.a < HSR_N_BORDERS;
   case HSR_LINE_EDGE:
+  case HSR_LINE_ROW:
     return name.a < world->n_faces && name.b < hsr_face_size(world, name.a);
   case HSR_LINE_MEETING:
     return name.a < name.b && name.b < world->n_faces;

@@ -15,7 +15,8 @@ enum hsr_line_kind {
   HSR_LINE_MEETING, /* a < b: faces */
   HSR_LINE_NEAR,    /* a: face; b: 0 */
   HSR_LINE_HORIZON, /* a: face; b: 0 */
-  HSR_LINE_BORDER   /* a: enum hsr_border; b: 0 */
+  HSR_LINE_BORDER,  /* a: enum hsr_border; b: 0 */
+  HSR_LINE_ROW      /* a: face; b: index in it of a corner */
 };
 
 enum hsr_border { HSR_LEFT, HSR_TOP, HSR_RIGHT, HSR_BOTTOM, HSR_N_BORDERS };

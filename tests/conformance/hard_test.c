@@ -159,6 +159,23 @@ static void tell(const struct comparison *c, const struct hsr_algorithm *a,
   fflush(stdout);
 }
 
+/* Visible polygons are sampled. */
+static enum hsr_status draw_polygons(const struct hsr_setup *setup,
+                                     struct hsr_job *job, uint32_t *ids,
+                                     struct hsr_error *err) {
+  struct hsr_answer answer;
+  enum hsr_status status =
+      hsr_answer_make(&answer, &setup->choice.form, job->view, false, err);
+  job->answer = &answer;
+  if (!status)
+    status = hsr_setup_render(setup, job, err);
+  if (!status)
+    status =
+        hsr_polygons_ids(hsr_answer_polygons_of(&answer), job->view, ids, err);
+  hsr_answer_free(&answer);
+  return status;
+}
+
 /* Draws with these options. False if the scene is refused. */
 static bool draw(struct comparison *c, const struct hsr_algorithm *a,
                  const struct hsr_choice *choice, bool lines, uint32_t *ids,
@@ -181,7 +198,8 @@ static bool draw(struct comparison *c, const struct hsr_algorithm *a,
   clock_t from = clock();
   enum hsr_status status = hsr_setup_init(&setup, a, choice, c->world, &err);
   if (!status)
-    status = hsr_setup_render(&setup, &job, &err);
+    status = a->kind == HSR_POLYGONS ? draw_polygons(&setup, &job, ids, &err)
+                                     : hsr_setup_render(&setup, &job, &err);
   double seconds = (double)(clock() - from) / CLOCKS_PER_SEC;
   limit(0);
   if (seconds > c->slowest)
@@ -269,7 +287,8 @@ static bool check_scene(struct comparison *c, const char *file) {
       if (!draw(c, judge, &standard, lines, c->wanted, &c->wanted_lines))
         continue;
       for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
-        if (l->plain->kind == (lines ? HSR_SEGMENTS : HSR_IDS) &&
+        if ((l->plain->kind == (lines ? HSR_SEGMENTS : HSR_IDS) ||
+             (!lines && l->plain->kind == HSR_POLYGONS)) &&
             !(l->plain->flags & HSR_JUDGE))
           compare(c, draw_integer(&c->seed, 0, 1) ? l->plain : l->counting,
                   lines);

@@ -16,7 +16,6 @@
  *             reach beyond these. */
 #include "algorithms/image_space/area/sorting/areas.h"
 
-
 static uint32_t line_of_edge(struct hsr_clipper *c, uint32_t face, uint32_t k,
                              int *sign) {
   return hsr_line_number(c->lines,
@@ -173,12 +172,36 @@ static uint32_t earlier(struct stretches *s, uint32_t p, uint32_t q, int axis) {
   return hsr_crossing_compare(s->c->lines, p, q, axis) <= 0 ? p : q;
 }
 
+/* An edge in line with the eye does not cross rows. So where a row passes an end
+ * of the edge, the parity changes: left of the end's image, or right of it if
+ * the end is behind the eye. The ends of an edge that does not pass through the
+ * eye have one image, and what is added for them is added twice. */
+static void add_rows(struct stretches *s, const struct hsr_world *world,
+                     uint32_t face, uint32_t k) {
+  struct hsr_clipper *c = s->c;
+  for (uint32_t e = 0; e < 2; e++) {
+    uint32_t corner = (k + e) % hsr_face_size(world, face), end[2];
+    int sign, w, toward[2], axis;
+    uint32_t at = hsr_corner_point(c->lines, face, corner, &w, toward);
+    uint32_t line = hsr_line_number(
+        c->lines, (struct hsr_line_name){HSR_LINE_ROW, face, corner}, &sign);
+    if (line == HSR_NO_LINE || !chord(s, line, end, &axis))
+      continue;
+    if (w > 0)
+      add_stretch(s, line, end[0], earlier(s, end[1], at, axis), axis);
+    else
+      add_stretch(s, line, later(s, end[0], at, axis), end[1], axis);
+  }
+}
+
 /* The image of the edge from corner k to the next one. */
 static void add_image(struct stretches *s, const struct hsr_world *world,
                       uint32_t face, uint32_t k) {
   struct hsr_clipper *c = s->c;
   int sign, w[2], toward[2][2], axis;
   uint32_t line = line_of_edge(c, face, k, &sign), end[2], at[2];
+  if (line == HSR_NO_LINE)
+    add_rows(s, world, face, k);
   if (line == HSR_NO_LINE || !chord(s, line, end, &axis))
     return;
   for (uint32_t e = 0; e < 2; e++)
