@@ -113,7 +113,7 @@ static enum hsr_status write_outputs(struct render *r, struct hsr_error *err) {
            o->scene.name, a->name);
   snprintf(title, sizeof title, "%s, view %ld", o->scene.name, r->view_number);
   snprintf(description, sizeof description,
-           "A line drawing by hsr " PACKAGE_VERSION ", %s", a->title);
+           "A drawing by hsr " PACKAGE_VERSION ", %s", a->title);
   struct hsr_showing showing = showing_of(r);
   showing.text = text;
   showing.title = title;

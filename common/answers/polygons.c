@@ -4,6 +4,9 @@
 #include "common/answers/answer.h"
 #include "common/answers/coded.h"
 #include "common/files/image.h"
+#include "common/files/mesh/exchange.h"
+#include "common/files/plot.h"
+#include "common/files/suffix.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -78,10 +81,32 @@ static bool fits(const char *path) {
   return true;
 }
 
+/* On paper, .svg or .pdf. */
+static enum hsr_status write_plot(const struct hsr_answer *answer,
+                                  const struct hsr_showing *showing,
+                                  const char *path, struct hsr_error *err) {
+  struct hsr_plot plot;
+  enum hsr_status status =
+      hsr_plot_init_polygons(&plot, answer->body, showing->world, showing->view,
+                             showing->shading, err);
+  plot.title = showing->title;
+  plot.description = showing->description;
+  if (!status)
+    status = hsr_ends_in(path, ".svg") ? hsr_plot_write_svg(&plot, path, err)
+                                       : hsr_plot_write_pdf(&plot, path, err);
+  hsr_plot_free(&plot);
+  return status;
+}
+
+/* A .vtp file holds the regions in world space; pictures hold their samples. */
 static enum hsr_status write(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
                              struct hsr_shaded *shaded, const char *path,
                              struct hsr_error *err) {
+  if (hsr_ends_in(path, ".vtp"))
+    return hsr_polygons_write_vtp(answer->body, showing->view, path, err);
+  if (hsr_is_line_file(path))
+    return write_plot(answer, showing, path, err);
   struct hsr_picture picture = {answer->m, answer->n, NULL, shaded->depth,
                                 shaded->rgb};
   return hsr_image_write(path, &picture, showing->text, err);

@@ -81,6 +81,7 @@ enum hsr_status hsr_plot_init(struct hsr_plot *plot,
                             .n_pens = pens_of[hidden].n,
                             .stroke =
                                 malloc((drawing->n + 1) * sizeof *plot->stroke),
+                            .paper = {1, 1, 1},
                             .scene = world->outline.scene};
   uint32_t *object = find_objects(world);
   if (!plot->stroke || !object) {
@@ -100,9 +101,32 @@ enum hsr_status hsr_plot_init(struct hsr_plot *plot,
   return HSR_OK;
 }
 
+enum hsr_status hsr_plot_init_polygons(struct hsr_plot *plot,
+                                       const struct hsr_polygons *polygons,
+                                       const struct hsr_world *world,
+                                       const struct hsr_view *view,
+                                       enum hsr_shading shading,
+                                       struct hsr_error *err) {
+  *plot = (struct hsr_plot){
+      .m = view->m,
+      .n = view->n,
+      .polygons = polygons,
+      .fill = malloc((polygons->n_regions + 1) * sizeof *plot->fill),
+      .scene = world->outline.scene};
+  if (!plot->fill)
+    return hsr_fail_nomem(err);
+  for (size_t r = 0; r < polygons->n_regions; r++)
+    hsr_picture_colour(world, view, polygons->region[r].face, shading,
+                       plot->fill[r].rgb);
+  hsr_picture_colour(world, view, HSR_BACKGROUND, shading, plot->paper);
+  return HSR_OK;
+}
+
 void hsr_plot_free(struct hsr_plot *plot) {
   free(plot->stroke);
+  free(plot->fill);
   plot->stroke = NULL;
+  plot->fill = NULL;
 }
 
 size_t hsr_plot_run(const struct hsr_plot *plot, size_t k) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A line drawing on paper, as the strokes of a plotter's pens.
+/* A line drawing on paper, as the strokes of a plotter's pens; or visible
+ * polygons, filled.
  *
  * Paper       in pixels, sx to the right and sy down, [0, m] x [0, n], as in
  *             common/view/view.h; white.
@@ -9,6 +10,8 @@
 #define HSR_COMMON_PLOT_H
 
 #include "common/lines/drawing.h"
+#include "common/lines/polygons.h"
+#include "common/view/picture.h"
 #include "common/view/view.h"
 #include "common/scene/world.h"
 
@@ -29,6 +32,11 @@ struct hsr_stroke {
   double from[2], to[2];
 };
 
+/* The colour of a region, linear, 0..1. */
+struct hsr_fill {
+  float rgb[3];
+};
+
 struct hsr_plot {
   int m, n;
   const struct hsr_pen *pen; /* n_pens, the visible one first */
@@ -36,6 +44,10 @@ struct hsr_plot {
   struct hsr_stroke *stroke; /* n_strokes; the last pen's first, so that what
                                 is visible is on top; by object, by number */
   size_t n_strokes;
+  const struct hsr_polygons
+      *polygons;                   /* below the strokes; borrowed; or NULL */
+  struct hsr_fill *fill;           /* a region of theirs */
+  float paper[3];                  /* linear */
   const struct hsr_scene *scene;   /* borrowed: the names of its objects */
   const char *title, *description; /* borrowed; NULL: none */
 };
@@ -53,6 +65,14 @@ enum hsr_status hsr_plot_init(struct hsr_plot *plot,
                               const struct hsr_world *world,
                               const struct hsr_view *view,
                               enum hsr_hidden hidden, struct hsr_error *err);
+/* Lays out visible polygons, which are borrowed, in the colours of `shading`; the
+ * paper has that of the background. Freed in the same way. HSR_E_NOMEM. */
+enum hsr_status hsr_plot_init_polygons(struct hsr_plot *plot,
+                                       const struct hsr_polygons *polygons,
+                                       const struct hsr_world *world,
+                                       const struct hsr_view *view,
+                                       enum hsr_shading shading,
+                                       struct hsr_error *err);
 void hsr_plot_free(struct hsr_plot *plot);
 
 /* How many strokes, from number k on, share the pen and object of stroke k. */
@@ -61,7 +81,9 @@ size_t hsr_plot_run(const struct hsr_plot *plot, size_t k);
 /* --- Paper ---------------------------------------------------------------- */
 
 /* Write a file, whole or not at all. HSR_E_INPUT: it cannot be written;
- * HSR_E_NOMEM. In .svg each object has a <path> of its own for each pen. */
+ * HSR_E_NOMEM. In .svg each object has a <path> of its own for each pen, and so
+ * has each region of polygons, its id "face-F-R" with the face F and the number
+ * R of the region. */
 enum hsr_status hsr_plot_write_svg(const struct hsr_plot *plot,
                                    const char *path, struct hsr_error *err);
 enum hsr_status hsr_plot_write_pdf(const struct hsr_plot *plot,

@@ -35,13 +35,43 @@ static void draw_run(cairo_t *cairo, const struct hsr_stroke *stroke,
   }
 }
 
+static void set_colour(cairo_t *cairo, const float rgb[3]) {
+  cairo_set_source_rgb(cairo, (double)hsr_srgb_encode(rgb[0]),
+                       (double)hsr_srgb_encode(rgb[1]),
+                       (double)hsr_srgb_encode(rgb[2]));
+}
+
+/* Holes and the outer cycle, by parity. */
+static void fill_region(cairo_t *cairo, const struct hsr_polygons *p,
+                        const struct hsr_polygon_region *region) {
+  for (size_t c = region->first; c < region->first + region->n; c++) {
+    const struct hsr_polygon_cycle *cycle = &p->cycle[c];
+    for (size_t k = 0; k < cycle->n; k++)
+      cairo_line_to(cairo, p->side[cycle->first + k].at[0],
+                    p->side[cycle->first + k].at[1]);
+    cairo_close_path(cairo);
+    cairo_new_sub_path(cairo);
+  }
+  cairo_fill(cairo);
+}
+
+static void fill_regions(cairo_t *cairo, const struct hsr_plot *plot) {
+  cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_EVEN_ODD);
+  for (size_t r = 0; r < plot->polygons->n_regions; r++) {
+    set_colour(cairo, plot->fill[r].rgb);
+    fill_region(cairo, plot->polygons, &plot->polygons->region[r]);
+  }
+}
+
 /* Draws on a surface, pixel for unit, and finishes it. */
 static cairo_status_t draw(const struct hsr_plot *plot,
                            cairo_surface_t *surface, double scale) {
   cairo_t *cairo = cairo_create(surface);
   cairo_scale(cairo, scale, scale);
-  cairo_set_source_rgb(cairo, 1, 1, 1);
+  set_colour(cairo, plot->paper);
   cairo_paint(cairo);
+  if (plot->polygons)
+    fill_regions(cairo, plot);
   cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
   cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
   for (size_t k = 0, n; k < plot->n_strokes; k += n) {

@@ -3,6 +3,7 @@
  * in it a <path> an object, with the object's name. A drawing library would
  * write neither names nor strokes that keep their width when zoomed. */
 #include "common/files/plot.h"
+#include "common/files/srgb.h"
 #include "common/files/whole_file.h"
 
 #include <math.h>
@@ -110,6 +111,36 @@ static void put_pen(FILE *out, const struct hsr_pen *pen) {
   fputs("\">\n", out);
 }
 
+/* sRGB, as #rrggbb. */
+static void put_colour(FILE *out, const float rgb[3]) {
+  fputc('#', out);
+  for (int c = 0; c < 3; c++)
+    fprintf(out, "%02lx", lround(255 * (double)hsr_srgb_encode(rgb[c])));
+}
+
+/* Holes and the outer cycle, by parity. */
+static void put_region(FILE *out, const struct hsr_plot *plot, size_t r) {
+  const struct hsr_polygons *p = plot->polygons;
+  const struct hsr_polygon_region *region = &p->region[r];
+  fprintf(out, "<path id=\"face-%u-%zu\" fill=\"", region->face, r);
+  put_colour(out, plot->fill[r].rgb);
+  fputs("\" d=\"", out);
+  for (size_t c = region->first; c < region->first + region->n; c++) {
+    const struct hsr_polygon_cycle *cycle = &p->cycle[c];
+    for (size_t k = 0; k < cycle->n; k++)
+      put_place(out, k ? 'L' : 'M', place_of(p->side[cycle->first + k].at));
+    fputc('Z', out);
+  }
+  fputs("\"/>\n", out);
+}
+
+static void put_regions(FILE *out, const struct hsr_plot *plot) {
+  fputs("<g id=\"faces\" fill-rule=\"evenodd\">\n", out);
+  for (size_t r = 0; r < plot->polygons->n_regions; r++)
+    put_region(out, plot, r);
+  fputs("</g>\n", out);
+}
+
 static void put_plot(FILE *out, const struct hsr_plot *plot) {
   fprintf(out,
           "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -118,8 +149,12 @@ static void put_plot(FILE *out, const struct hsr_plot *plot) {
           plot->m, plot->n, plot->m, plot->n);
   put_element(out, "title", plot->title);
   put_element(out, "desc", plot->description);
-  fputs("\n<rect id=\"paper\" width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
-        "<g id=\"drawing\" fill=\"none\" stroke-linecap=\"round\" "
+  fputs("\n<rect id=\"paper\" width=\"100%\" height=\"100%\" fill=\"", out);
+  put_colour(out, plot->paper);
+  fputs("\"/>\n", out);
+  if (plot->polygons)
+    put_regions(out, plot);
+  fputs("<g id=\"drawing\" fill=\"none\" stroke-linecap=\"round\" "
         "stroke-linejoin=\"round\">\n",
         out);
   for (size_t k = 0, n; k < plot->n_strokes; k += n) {

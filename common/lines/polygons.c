@@ -106,6 +106,35 @@ double hsr_polygon_area(const struct hsr_polygons *p,
   return sum;
 }
 
+/* The point of the plane of a face that is seen at (sx, sy). */
+static void point_at(const struct hsr_mesh *mesh, const struct hsr_view *view,
+                     uint32_t face, const double at[2], double point[3]) {
+  const double normal[3] = {mesh->nx[face], mesh->ny[face], mesh->nz[face]},
+               anchor[3] = {mesh->px[face], mesh->py[face], mesh->pz[face]};
+  double from[3], along[3], height = 0, down = 0;
+  for (int k = 0; k < 3; k++) {
+    double d =
+        view->ray[0][k] + at[0] * view->ray[1][k] + at[1] * view->ray[2][k];
+    from[k] = view->E[k] + (view->parallel ? d : 0);
+    along[k] = view->parallel ? view->F[k] : d;
+    height += normal[k] * (anchor[k] - from[k]);
+    down += normal[k] * along[k];
+  }
+  for (int k = 0; k < 3; k++)
+    point[k] = from[k] + height / down * along[k];
+}
+
+void hsr_polygon_points(const struct hsr_polygons *p,
+                        const struct hsr_view *view, double *points) {
+  for (size_t r = 0; r < p->n_regions; r++)
+    for (size_t c = 0; c < p->region[r].n; c++) {
+      const struct hsr_polygon_cycle *cycle = &p->cycle[p->region[r].first + c];
+      for (size_t k = cycle->first; k < cycle->first + cycle->n; k++)
+        point_at(&p->world->mesh, view, p->region[r].face, p->side[k].at,
+                 points + 3 * k);
+    }
+}
+
 /* --- A cycle in exact lines and points ------------------------------------ */
 
 /* Whether the faces and corners of a name are those of the world. */

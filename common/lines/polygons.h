@@ -89,6 +89,11 @@ enum hsr_status hsr_polygons_ids(const struct hsr_polygons *polygons,
                                  const struct hsr_view *view, uint32_t *ids,
                                  struct hsr_error *err);
 
+/* Where the sides begin in world space, on the planes of their faces, rounded:
+ * three coordinates a side. */
+void hsr_polygon_points(const struct hsr_polygons *polygons,
+                        const struct hsr_view *view, double *points);
+
 /* The area of a region, from its rounded vertices, in pixels. */
 double hsr_polygon_area(const struct hsr_polygons *polygons,
                         const struct hsr_polygon_region *region);

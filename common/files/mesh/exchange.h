@@ -11,6 +11,7 @@
 #define HSR_COMMON_EXCHANGE_H
 
 #include "common/lines/drawing.h"
+#include "common/lines/polygons.h"
 #include "common/scene/scene.h"
 
 #ifdef __cplusplus
@@ -48,6 +49,13 @@ enum hsr_status hsr_object_is_solid(const struct hsr_object *object,
  * build has no VTK; HSR_E_NOMEM; HSR_E_INTERNAL: VTK failed. */
 enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
                                       const char *path, struct hsr_error *err);
+
+/* Writes visible polygons in world space, where they lie on the planes of their
+ * faces: each cycle is a closed line. The cell data are face, region (its
+ * number) and hole (0 or 1). Points are rounded. Fails as above. */
+enum hsr_status hsr_polygons_write_vtp(const struct hsr_polygons *polygons,
+                                       const struct hsr_view *view,
+                                       const char *path, struct hsr_error *err);
 
 /* Writes voxels as an image, one cell for each, with the solid's number as cell
  * data "solid". Fails as above. */

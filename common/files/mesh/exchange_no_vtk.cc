@@ -15,6 +15,13 @@ enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *,
                   path);
 }
 
+enum hsr_status hsr_polygons_write_vtp(const struct hsr_polygons *,
+                                       const struct hsr_view *,
+                                       const char *path,
+                                       struct hsr_error *err) {
+  return hsr_drawing_write_vtp(nullptr, path, err);
+}
+
 enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *,
                                      const char *path, struct hsr_error *err) {
   return hsr_fail(err, HSR_E_INPUT,

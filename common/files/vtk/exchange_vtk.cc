@@ -165,5 +165,6 @@ void hsr::read_vtp(char *begin, char *end, const Mesh_extent &extent,
 extern "C" {
 extern const struct hsr_vtk_library hsr_vtk;
 const struct hsr_vtk_library hsr_vtk = {hsr::read_vtp, hsr::write_vtp,
-                                        hsr::write_vti, hsr::open_volume};
+                                        hsr::write_polygons, hsr::write_vti,
+                                        hsr::open_volume};
 }

@@ -17,6 +17,7 @@ pkglibexec_PROGRAMS += hsr-vtk.so
 hsr_vtk_so_SOURCES = \
   %D%/drawing_vtk.cc \
   %D%/exchange_vtk.cc \
+  %D%/polygons_vtk.cc \
   %D%/volume_vtk.cc \
   %D%/voxels_vtk.cc \
   %D%/vtk_library.h \

@@ -4,6 +4,8 @@
 #include "common/files/mesh/mesh_file.h"
 #include "common/files/vtk/vtk_library.h"
 
+#include <cstdlib>
+
 namespace {
 
 const hsr_vtk_library *load(struct hsr_error *err) {
@@ -49,6 +51,24 @@ enum hsr_status hsr_drawing_write_vtp(const struct hsr_drawing *drawing,
                                       const char *path, struct hsr_error *err) {
   const hsr_vtk_library *vtk = load(err);
   return vtk ? vtk->write_vtp(drawing, path, err) : HSR_E_INPUT;
+}
+
+enum hsr_status hsr_polygons_write_vtp(const struct hsr_polygons *polygons,
+                                       const struct hsr_view *view,
+                                       const char *path,
+                                       struct hsr_error *err) {
+  const hsr_vtk_library *vtk = load(err);
+  if (!vtk)
+    return HSR_E_INPUT;
+  double *point = static_cast<double *>(
+      std::malloc((3 * polygons->n_sides + 1) * sizeof *point));
+  if (!point)
+    return hsr_fail_nomem(err);
+  hsr_polygon_points(polygons, view, point);
+  const enum hsr_status status =
+      vtk->write_polygons(polygons, point, path, err);
+  std::free(point);
+  return status;
 }
 
 enum hsr_status hsr_voxels_write_vti(const struct hsr_solid_voxels *voxels,

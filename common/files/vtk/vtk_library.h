@@ -32,6 +32,10 @@ struct hsr_vtk_library {
                    hsr::Vtk_sink &sink);
   enum hsr_status (*write_vtp)(const struct hsr_drawing *drawing,
                                const char *path, struct hsr_error *err);
+  /* point: three coordinates a side, where it begins */
+  enum hsr_status (*write_polygons)(const struct hsr_polygons *polygons,
+                                    const double *point, const char *path,
+                                    struct hsr_error *err);
   enum hsr_status (*write_vti)(const struct hsr_solid_voxels *voxels,
                                const char *path, struct hsr_error *err);
   enum hsr_status (*open_volume)(struct hsr_volume *volume,

@@ -11,6 +11,9 @@ void read_vtp(char *begin, char *end, const Mesh_extent &extent,
               Vtk_sink &sink);
 enum hsr_status write_vtp(const struct hsr_drawing *drawing, const char *path,
                           struct hsr_error *err);
+enum hsr_status write_polygons(const struct hsr_polygons *polygons,
+                               const double *point, const char *path,
+                               struct hsr_error *err);
 enum hsr_status write_vti(const struct hsr_solid_voxels *voxels,
                           const char *path, struct hsr_error *err);
 enum hsr_status open_volume(struct hsr_volume *volume,
