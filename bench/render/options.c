@@ -142,7 +142,8 @@ static const struct argp_option entries[] = {
      "write the picture, by suffix: .exr holds R G B and, unless it is "
      "filtered, depth Z and face id; .png and others the colours; .svg, .pdf "
      "and, in world space, .vtp hold a line "
-     "drawing. May be given several times. Of several views, FILE has %d in "
+     "drawing or visible polygons. May be given several times. Of several "
+     "views, FILE has %d in "
      "the place of the number: f%03d.png",
      0},
     {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},

@@ -17,7 +17,6 @@
  *                      round, and those of a that run against one of b */
 #include "algorithms/image_space/area/sorting/areas.h"
 
-
 bool hsr_areas_apart(const struct hsr_area *a, const struct hsr_area *b) {
   for (int k = 0; k < 2; k++)
     if (a->hi[k] < b->lo[k] || b->hi[k] < a->lo[k])

@@ -22,6 +22,7 @@
  * Departures  a polygon is clipped to the picture first, and to what lies beyond
  *             near. The clip polygons of the recursion are the parts inside the
  *             outer clip polygon, not the whole polygons that they are parts of.
+ * Options     sort=none leaves the first step out, which is not essential.
  * Cost        every polygon is examined once at least, and once more for each
  *             clip polygon that is taken before it and does not remove it. */
 #include "algorithms/image_space/area/sorting/areas.h"
@@ -82,6 +83,17 @@ static const struct hsr_line outline[] = {
     {"  the outside list is the list", 0},
     {NULL}};
 
+enum { SORT }; /* option */
+enum { ROUGH, NONE };
+static const struct hsr_word orders[] = {
+    [ROUGH] = {"rough", "by the nearest vertex", 0},
+    [NONE] = {"none", "not at all: the polygons are taken as they come", 0},
+    {NULL}};
+static const struct hsr_option options[] = {
+    [SORT] = {"sort", "how the polygons are sorted first", orders, 0, NONE,
+              ROUGH},
+    {NULL}};
+
 struct state {
   const struct hsr_job *job;
   struct hsr_tally *tally;
@@ -120,7 +132,8 @@ static int by_depth(const void *a, const void *b) {
   return (p->face > q->face) - (p->face < q->face);
 }
 
-/* Puts the areas of all faces into the list, from front to back. */
+/* Puts the areas of all faces into the list, from front to back, or as they
+ * come. */
 static void sort(struct state *s, struct hsr_area_list *list) {
   struct hsr_area_list all = {NULL, NULL};
   for (uint32_t f = 0; f < s->job->world->n_faces && !s->c.failed; f++)
@@ -137,7 +150,8 @@ static void sort(struct state *s, struct hsr_area_list *list) {
   }
   for (size_t k = 0; k < n; k++)
     order[k] = hsr_areas_pop(&all);
-  qsort(order, n, sizeof *order, by_depth);
+  if (s->job->option[SORT] == ROUGH)
+    qsort(order, n, sizeof *order, by_depth);
   for (size_t k = 0; k < n; k++) {
     HSR_STEP(s->tally, SORTED, HSR_FACE(order[k]->face), HSR_NOTHING,
              HSR_NOWHERE, 0);
@@ -354,4 +368,5 @@ const struct hsr_algorithm HSR_ALGORITHM(weiler_atherton) = {
     .counters = counters,
     .steps = steps,
     .outline = outline,
+    .options = options,
     .render = render};
