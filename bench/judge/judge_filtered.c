@@ -60,7 +60,8 @@ static enum hsr_status ask(struct loop *loop, const struct hsr_view *view,
  * there are, else one by one. */
 static enum hsr_status ask_subsample(struct loop *loop, int pattern, int bit,
                                      struct hsr_error *err) {
-  struct hsr_view view = hsr_subsample_view(loop->pixels, pattern, bit);
+  struct hsr_view view =
+      hsr_subsample_view(loop->pixels, loop->filtering->filter, pattern, bit);
   bool at_once = pattern < 0 && !loop->wanted;
   enum hsr_status status = at_once ? ask(loop, &view, err) : HSR_OK;
   for (int j = 0; j < view.n && !status; j++)
@@ -98,7 +99,8 @@ enum hsr_status judge_sums(const struct hsr_setup *oracle,
   int last = filtering->patterns ? filtering->patterns - 1 : -1;
   for (int pattern = first; pattern <= last; pattern++)
     for (int bit = 0; bit < BITS && !status; bit++)
-      status = ask_subsample(&loop, pattern, bit, err);
+      if (loop.kernel.all >> bit & 1)
+        status = ask_subsample(&loop, pattern, bit, err);
   hsr_answer_free(&loop.drawn);
   crew_free(loop.crew);
   return status;

@@ -60,11 +60,15 @@ static void init_rows(struct hsr_kernel *kernel) {
 }
 
 void hsr_kernel_init(struct hsr_kernel *kernel, enum hsr_filter filter) {
-  *kernel = (struct hsr_kernel){.reach = filter == HSR_FILTER_COSINE};
+  *kernel = (struct hsr_kernel){.reach = filter == HSR_FILTER_COSINE,
+                                .columns = hsr_filter_columns(filter),
+                                .all = hsr_filter_all(filter)};
+  uint32_t equal = HSR_WHOLE_WEIGHT / (uint32_t)(HSR_SUB * kernel->columns);
   if (filter == HSR_FILTER_COSINE)
     init_cosine(kernel);
-  for (int bit = 0; filter == HSR_FILTER_BOX && bit < BITS; bit++)
-    kernel->weight[1][1][bit] = HSR_WHOLE_WEIGHT / BITS;
+  else
+    for (int bit = 0; filter && bit < BITS; bit++)
+      kernel->weight[1][1][bit] = kernel->all >> bit & 1 ? equal : 0;
   init_rows(kernel);
 }
 
@@ -98,13 +102,15 @@ int hsr_jitter_pattern(const struct hsr_filtering *filtering, int i, int j) {
 }
 
 /* All sums and quotients are exact: multiples of 1/256 below 8. */
-struct hsr_view hsr_subsample_view(const struct hsr_view *view, int pattern,
+struct hsr_view hsr_subsample_view(const struct hsr_view *view,
+                                   enum hsr_filter filter, int pattern,
                                    int bit) {
+  int columns = hsr_filter_columns(filter);
   struct hsr_jitter jitter = {.x = {0}};
   if (pattern >= 0)
     hsr_jitter_init(&jitter, pattern);
   struct hsr_view moved = *view;
-  moved.offset_x = (bit % HSR_SUB + 0.5 + jitter.x[bit]) / HSR_SUB - 0.5;
+  moved.offset_x = (bit % HSR_SUB + 0.5 + jitter.x[bit]) / columns - 0.5;
   moved.offset_y = (bit / HSR_SUB + 0.5 + jitter.y[bit]) / HSR_SUB - 0.5;
   return moved;
 }
@@ -206,12 +212,13 @@ void hsr_filter_add(const struct hsr_kernel *kernel, int m, int n, int i, int j,
           rgb, sums);
 }
 
-/* Copies the ids of the pixel whose first sub-sample is at `corner`, in the
- * order of their bits. Whether they are all one face, as in most pixels. */
-static bool gather(const uint32_t *corner, size_t stride, uint32_t id[BITS]) {
+/* Copies the ids of the pixel whose first sub-sample is at `corner`, to the
+ * places of their bits. Whether they are all one face, as in most pixels. */
+static bool gather(const uint32_t *corner, size_t stride, int columns,
+                   uint32_t id[BITS]) {
   uint32_t differ = 0;
   for (int b = 0; b < HSR_SUB; b++)
-    for (int a = 0; a < HSR_SUB; a++) {
+    for (int a = 0; a < columns; a++) {
       uint32_t face = corner[(size_t)b * stride + (size_t)a];
       id[HSR_SUB * b + a] = face;
       differ |= face ^ *corner;
@@ -231,20 +238,22 @@ void hsr_filter_add_picture(const struct hsr_kernel *kernel,
                             const struct hsr_world *world,
                             const struct hsr_view *view, const uint32_t *ids,
                             uint32_t *sums) {
-  int m = view->m, n = view->n;
-  size_t stride = (size_t)m * HSR_SUB;
+  int m = view->m, n = view->n, columns = kernel->columns;
+  size_t stride = (size_t)m * (size_t)columns;
   struct colours colours;
   colours_init(&colours, world, view);
   for (int j = 0; j < n; j++)
     for (int i = 0; i < m; i++) {
-      uint32_t id[BITS];
-      bool alike = gather(
-          ids + (size_t)j * HSR_SUB * stride + (size_t)i * HSR_SUB, stride, id);
-      uint64_t done = 0;
+      uint32_t id[BITS] = {0};
+      bool alike =
+          gather(ids + (size_t)j * HSR_SUB * stride + (size_t)(i * columns),
+                 stride, columns, id);
+      uint64_t done = ~kernel->all;
       for (int bit = 0; bit < BITS; bit++) {
         if (done >> bit & 1)
           continue;
-        uint64_t mask = alike ? UINT64_MAX : mask_of(id, id[bit]);
+        uint64_t mask =
+            kernel->all & (alike ? UINT64_MAX : mask_of(id, id[bit]));
         hsr_filter_add(kernel, m, n, i, j, mask, colour_of(&colours, id[bit]),
                        sums);
         done |= mask;

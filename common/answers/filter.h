@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The filtered picture, whose pixels have 8 x 8 samples each
+/* The filtered picture, whose pixels have 8 x 8 samples each, or 4 x 8
  * (docs/filtered-picture.md).
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
@@ -10,8 +10,10 @@
  *             (b + 1/2 + jy)/8 - 1/2). The pixel's pattern of jitter gives jx
  *             and jy; without jitter they are 0. Where they are 0, the
  *             sub-sample is sample (8 i + a, 8 j + b) of the picture of
- *             8 m x 8 n samples.
- * Bit         Sub-sample (a, b) is bit 8 b + a of a mask of 64 bits.
+ *             8 m x 8 n samples. In the pattern of 4 x 8, a is from 0 to 3, and
+ *             4 takes the place of 8 along x.
+ * Bit         Sub-sample (a, b) is bit 8 b + a of a mask of 64 bits, in both
+ *             patterns.
  * Colour      A face has the colour of hsr_picture_colour, by N.L, in 16 bits a
  *             channel, linear.
  * Sum         A pixel holds a sum of colour times weight, over all sub-samples
@@ -28,13 +30,28 @@
 extern "C" {
 #endif
 
-enum { HSR_SUB = 8 }; /* sub-samples along a side of a pixel */
+enum {
+  HSR_SUB = 8,        /* rows of sub-samples in a pixel, and columns */
+  HSR_SUB_ABUFFER = 4 /* columns in the pattern of 4 x 8 */
+};
 
 enum hsr_filter {
   HSR_FILTER_NONE,
-  HSR_FILTER_BOX,   /* area sampling: all of the pixel has one weight */
-  HSR_FILTER_COSINE /* a hump of one pixel's radius, (1 + cos pi r) / 2 */
+  HSR_FILTER_BOX,    /* area sampling: all of the pixel has one weight */
+  HSR_FILTER_COSINE, /* a hump of one pixel's radius, (1 + cos pi r) / 2 */
+  HSR_FILTER_BOX_4X8 /* the box over 4 x 8 samples, Carpenter's masks */
 };
+
+/* How many columns of sub-samples a pixel has. */
+static inline int hsr_filter_columns(enum hsr_filter filter) {
+  return filter == HSR_FILTER_BOX_4X8 ? HSR_SUB_ABUFFER : HSR_SUB;
+}
+
+/* The mask of all sub-samples of a pixel. */
+static inline uint64_t hsr_filter_all(enum hsr_filter filter) {
+  return filter == HSR_FILTER_BOX_4X8 ? UINT64_C(0x0f0f0f0f0f0f0f0f)
+                                      : UINT64_MAX;
+}
 
 enum { HSR_MOST_PATTERNS = 16 };
 
@@ -52,7 +69,9 @@ struct hsr_kernel {
   /* The sum of these weights over the sub-samples in row b of the pixel whose
    * bits are set in `byte`: row[dy + 1][dx + 1][b][byte]. */
   uint32_t row[3][3][HSR_SUB][256];
-  int reach; /* how many pixels to each side a pixel adds to: 0 or 1 */
+  int reach;    /* how many pixels to each side a pixel adds to: 0 or 1 */
+  int columns;  /* of sub-samples in a pixel */
+  uint64_t all; /* the mask of all of them; others have no weight */
 };
 void hsr_kernel_init(struct hsr_kernel *kernel, enum hsr_filter filter);
 
@@ -67,8 +86,9 @@ void hsr_jitter_init(struct hsr_jitter *jitter, int pattern);
 int hsr_jitter_pattern(const struct hsr_filtering *filtering, int i, int j);
 
 /* The view whose sample (i, j) is sub-sample `bit` of pixel (i, j), for pixels
- * of this pattern; pattern -1: without jitter. */
-struct hsr_view hsr_subsample_view(const struct hsr_view *view, int pattern,
+ * of this pattern of jitter; pattern -1: without jitter. */
+struct hsr_view hsr_subsample_view(const struct hsr_view *view,
+                                   enum hsr_filter filter, int pattern,
                                    int bit);
 
 /* The colour of a face by its id in the scene, or of HSR_BACKGROUND. The world
@@ -82,8 +102,8 @@ void hsr_filter_colour(const struct hsr_world *world,
 void hsr_filter_add(const struct hsr_kernel *kernel, int m, int n, int i, int j,
                     uint64_t mask, const uint16_t rgb[3], uint32_t *sums);
 
-/* Adds a whole picture without jitter: ids[] of 8 m x 8 n samples, where m x n
- * is the size of `view`. */
+/* Adds a whole picture without jitter: ids[] of 8 m x 8 n samples, or 4 m x 8 n,
+ * where m x n is the size of `view`. */
 void hsr_filter_add_picture(const struct hsr_kernel *kernel,
                             const struct hsr_world *world,
                             const struct hsr_view *view, const uint32_t *ids,

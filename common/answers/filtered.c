@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Weighted sums of 8 x 8 samples a pixel: docs/filtered-picture.md. Two answers
+/* Weighted sums of 8 x 8 or 4 x 8 samples a pixel: docs/filtered-picture.md. Two answers
  * are equal if their sums are, to the last bit.
  *
  * The kind is folded from ids: without jitter, from one picture of 8 m x 8 n
- * samples; with jitter, from 64 pictures of m x n samples for each pattern
+ * samples, or 4 m x 8 n; with jitter, from a picture of m x n samples for each
+ * sub-sample and each pattern
  * (Haeberli and Akeley 1990). */
 #include "common/answers/answer.h"
 #include "common/files/image.h"
@@ -18,17 +19,20 @@ enum { FILTER, JITTER };
 static const struct hsr_word filters[] = {
     {"box", "all of the pixel, with one weight", 0},
     {"cosine", "a hump of one pixel's radius", 0},
+    {"box4x8", "the box, with 4 x 8 samples a pixel", 0},
     {NULL}};
 
 static const struct hsr_option options[] = {
-    [FILTER] = {"filter", "the filtered picture of 8 x 8 samples a pixel",
+    [FILTER] = {"filter",
+                "the filtered picture of 8 x 8 or 4 x 8 samples a pixel",
                 .words = filters},
     [JITTER] = {"jitter", "with filter: the samples jittered in N patterns",
                 .least = 0, .most = HSR_MOST_PATTERNS, .standard = 0},
     {NULL}};
 
 struct hsr_filtering hsr_form_filtering(const struct hsr_form *form) {
-  static const enum hsr_filter filter[] = {HSR_FILTER_BOX, HSR_FILTER_COSINE};
+  static const enum hsr_filter filter[] = {HSR_FILTER_BOX, HSR_FILTER_COSINE,
+                                           HSR_FILTER_BOX_4X8};
   if (form->type != &hsr_answer_filtered)
     return (struct hsr_filtering){HSR_FILTER_NONE, 0};
   return (struct hsr_filtering){filter[form->values.option[FILTER]],
@@ -68,38 +72,53 @@ static void free_body(struct hsr_answer *answer) {
 
 /* --- Folding -------------------------------------------------------------- */
 
-enum { BITS = HSR_SUB * HSR_SUB };
+/* How many sub-samples a pixel has, and the bit of the k-th. */
+static long count_bits(const struct hsr_form *form) {
+  return (long)HSR_SUB * hsr_filter_columns(hsr_form_filtering(form).filter);
+}
+static int bit_of(const struct hsr_form *form, long k) {
+  int columns = hsr_filter_columns(hsr_form_filtering(form).filter);
+  int bit = (int)(k % count_bits(form));
+  return HSR_SUB * (bit / columns) + bit % columns;
+}
 
 static long count_pictures(const struct hsr_form *form) {
   int patterns = hsr_form_filtering(form).patterns;
-  return patterns ? (long)patterns * BITS : 1;
+  return patterns ? patterns * count_bits(form) : 1;
 }
 
 static enum hsr_status picture_view(const struct hsr_form *form,
                                     const struct hsr_view *view, long k,
                                     struct hsr_view *picture,
                                     struct hsr_error *err) {
-  if (hsr_form_filtering(form).patterns) {
-    *picture = hsr_subsample_view(view, (int)(k / BITS), (int)(k % BITS));
+  struct hsr_filtering filtering = hsr_form_filtering(form);
+  int columns = hsr_filter_columns(filtering.filter);
+  if (filtering.patterns) {
+    *picture = hsr_subsample_view(view, filtering.filter,
+                                  (int)(k / count_bits(form)), bit_of(form, k));
     return HSR_OK;
   }
-  if (view->m > HSR_MAX_SIZE / HSR_SUB || view->n > HSR_MAX_SIZE / HSR_SUB)
-    return hsr_fail(err, HSR_E_REFUSED,
-                    "%d x %d pixels of %d x %d samples, without jitter: each "
-                    "side must be 1 to %d",
-                    view->m, view->n, HSR_SUB, HSR_SUB, HSR_MAX_SIZE / HSR_SUB);
-  return hsr_view_init(picture, &view->camera, HSR_SUB * view->m,
-                       HSR_SUB * view->n, err);
+  if (view->m > HSR_MAX_SIZE / columns || view->n > HSR_MAX_SIZE / HSR_SUB)
+    return hsr_fail(
+        err, HSR_E_REFUSED,
+        "%d x %d pixels of %d x %d samples, without jitter: at most "
+        "%d x %d",
+        view->m, view->n, columns, HSR_SUB, HSR_MAX_SIZE / columns,
+        HSR_MAX_SIZE / HSR_SUB);
+  *picture = hsr_view_finer(view, columns, HSR_SUB);
+  return HSR_OK;
 }
 
 static void add(struct hsr_answer *answer, const struct hsr_world *world,
                 const struct hsr_view *view, long k) {
-  struct hsr_filtering filtering = hsr_form_filtering(&answer->form);
+  const struct hsr_form *form = &answer->form;
+  struct hsr_filtering filtering = hsr_form_filtering(form);
   struct body *body = answer->body;
   const uint32_t *ids = answer->picture->body;
   if (filtering.patterns)
     hsr_filter_add_subsample(&body->kernel, &filtering, world, view,
-                             (int)(k / BITS), (int)(k % BITS), ids, body->sums);
+                             (int)(k / count_bits(form)), bit_of(form, k), ids,
+                             body->sums);
   else
     hsr_filter_add_picture(&body->kernel, world, view, ids, body->sums);
 }
@@ -159,7 +178,8 @@ static void print(const struct hsr_answer *answer,
                   const struct hsr_showing *showing, FILE *out) {
   struct hsr_filtering filtering = hsr_form_filtering(&answer->form);
   (void)showing;
-  fprintf(out, "%d x %d samples a pixel, %s", HSR_SUB, HSR_SUB,
+  fprintf(out, "%d x %d samples a pixel, %s",
+          hsr_filter_columns(filtering.filter), HSR_SUB,
           filters[answer->form.values.option[FILTER]].name);
   if (filtering.patterns)
     fprintf(out, ", jittered in %d patterns", filtering.patterns);
@@ -168,7 +188,7 @@ static void print(const struct hsr_answer *answer,
 
 const struct hsr_answer_type hsr_answer_filtered = {
     .name = "filtered",
-    .meaning = "weighted integer sums of 8 x 8 samples a pixel",
+    .meaning = "weighted integer sums of 8 x 8 or 4 x 8 samples a pixel",
     .draws = "filtered pixels",
     .places = "pixels",
     .grains = "pixels",

@@ -78,6 +78,24 @@ enum hsr_status hsr_view_init(struct hsr_view *view,
   return HSR_OK;
 }
 
+struct hsr_view hsr_view_finer(const struct hsr_view *view, int across,
+                               int down) {
+  struct hsr_view finer = *view;
+  finer.m *= across;
+  finer.n *= down;
+  finer.offset_x = finer.offset_y = 0;
+  finer.window = (struct hsr_window){0, 0, finer.m, finer.n};
+  for (int k = 0; k < 3; k++) {
+    finer.screen[0][k] *= across;
+    finer.screen[1][k] *= down;
+    finer.ray[1][k] /= across;
+    finer.ray[2][k] /= down;
+  }
+  finer.origin[0] *= across;
+  finer.origin[1] *= down;
+  return finer;
+}
+
 void hsr_view_follow(struct hsr_view *view, const struct hsr_view *before) {
   struct hsr_view_before *b = &view->before;
   *b = (struct hsr_view_before){

@@ -97,6 +97,13 @@ enum hsr_status hsr_view_init_of(struct hsr_view *view,
  * is set. */
 bool hsr_exact_view_matrices(struct hsr_view *view, bool *out_of_memory);
 
+/* The view of the same picture of across m x down n samples, without an offset
+ * and with the whole of it as its window. `across` and `down` are powers of two,
+ * so that its matrices are as exact. It is that of hsr_view_init, if both are
+ * equal. */
+struct hsr_view hsr_view_finer(const struct hsr_view *view, int across,
+                               int down);
+
 /* -(N, -d).C of a plane with this normal through this point, rounded: how far,
  * along the normal, the plane lies from the eye; in parallel, N.F. Negative if
  * the eye is in front of the plane. */

@@ -190,7 +190,8 @@ static enum hsr_status own_filter(const struct hsr_job *job,
   for (int p = filtering->patterns ? 0 : -1;
        p < (filtering->patterns ? filtering->patterns : 0); p++)
     for (int bit = 0; bit < 64 && !status; bit++) {
-      struct hsr_view view = hsr_subsample_view(job->view, p, bit);
+      struct hsr_view view =
+          hsr_subsample_view(job->view, HSR_FILTER_BOX, p, bit);
       struct hsr_job part = *job;
       part.view = &view;
       part.ids = ids;

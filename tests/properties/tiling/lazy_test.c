@@ -198,7 +198,8 @@ static void filter(const struct stage *stage, const struct hsr_view *view,
   int first = filtering->patterns ? 0 : -1;
   for (int pattern = first; pattern < filtering->patterns; pattern++)
     for (int bit = 0; bit < 64; bit++) {
-      struct hsr_view part = hsr_subsample_view(view, pattern, bit);
+      struct hsr_view part =
+          hsr_subsample_view(view, HSR_FILTER_BOX, pattern, bit);
       draw_ids(hsr_algorithm_find("zbuffer")->plain, &stage->world, &part, ids,
                NULL);
       hsr_filter_add_subsample(&kernel, filtering, &stage->world, view, pattern,

@@ -157,7 +157,8 @@ static void test_rays(struct tap *tap, const struct stage *stage) {
   const struct hsr_view *fine = &stage->fine;
   bool good = true;
   for (int bit = 0; bit < BITS; bit++) {
-    struct hsr_view view = hsr_subsample_view(&stage->pixels, -1, bit);
+    struct hsr_view view =
+        hsr_subsample_view(&stage->pixels, HSR_FILTER_BOX, -1, bit);
     good &= !memcmp(view.E, fine->E, sizeof view.E) &&
             !memcmp(view.F, fine->F, sizeof view.F) &&
             !memcmp(view.R, fine->R, sizeof view.R) &&
@@ -178,7 +179,8 @@ static void test_offsets(struct tap *tap, const struct stage *stage) {
     int p = k / BITS, bit = k % BITS;
     struct hsr_jitter jitter;
     hsr_jitter_init(&jitter, p);
-    struct hsr_view view = hsr_subsample_view(&stage->pixels, p, bit);
+    struct hsr_view view =
+        hsr_subsample_view(&stage->pixels, HSR_FILTER_BOX, p, bit);
     /* 256 times the offset: an exact integer, in the sub-sample's square. */
     double x = 256 * view.offset_x + 128, y = 256 * view.offset_y + 128;
     good &= x == 32 * (bit % 8) + 16 + 32 * jitter.x[bit] &&
@@ -374,7 +376,8 @@ static void test_sums(struct tap *tap, const struct stage *stage,
   hsr_filter_add_picture(&kernel, &stage->outline, &stage->pixels, ids,
                          picture);
   for (int bit = BITS - 1; bit >= 0; bit--) {
-    struct hsr_view view = hsr_subsample_view(&stage->pixels, -1, bit);
+    struct hsr_view view =
+        hsr_subsample_view(&stage->pixels, HSR_FILTER_BOX, -1, bit);
     draw_ids(a, &stage->world, &view, few, NULL);
     hsr_filter_add_subsample(&kernel, &filtering, &stage->world, &stage->pixels,
                              -1, bit, few, parts);
