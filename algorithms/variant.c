@@ -19,7 +19,10 @@ unsigned hsr_choice_flags(const struct hsr_algorithm *a,
 
 bool hsr_choice_folds(const struct hsr_algorithm *a,
                       const struct hsr_choice *choice) {
-  return choice->form.type != a->kind && !(a->flags & HSR_FILTERS);
+  bool filters =
+      a->flags & HSR_FILTERS &&
+      hsr_filter_columns(hsr_form_filtering(&choice->form).filter) == HSR_SUB;
+  return choice->form.type != a->kind && !filters;
 }
 
 struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *a) {

@@ -40,19 +40,8 @@ void hsr_sampling_free(struct hsr_sampling *s) {
 }
 
 static struct hsr_view view_of(const struct hsr_job *job) {
-  struct hsr_view view = *job->view;
-  if (!job->filtering)
-    return view;
-  view.m *= HSR_SUB;
-  view.n *= HSR_SUB;
-  view.window = (struct hsr_window){0, 0, view.m, view.n};
-  for (int k = 0; k < 3; k++) {
-    view.screen[0][k] *= HSR_SUB;
-    view.screen[1][k] *= HSR_SUB;
-    view.ray[1][k] /= HSR_SUB;
-    view.ray[2][k] /= HSR_SUB;
-  }
-  return view;
+  return job->filtering ? hsr_view_finer(job->view, HSR_SUB, HSR_SUB)
+                        : *job->view;
 }
 
 int hsr_tiling_pattern(const struct hsr_job *job) {
