@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 algorithm_files += \
+  %D%/a_buffer.c \
   %D%/bouknight.c \
   %D%/romney.c \
   %D%/scan_line.c \
