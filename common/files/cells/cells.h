@@ -101,7 +101,8 @@ enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene, const char *path,
                                     struct hsr_error *err);
 
 /* Divides the faces of a world that are no triangles, by the adapter of HSR_TR.
- * *changed is false if there are none; else *out is freed with hsr_world_free.
+ * *changed is false if there are none; else *out is freed with hsr_world_free,
+ * also after a failure.
  * HSR_E_NOMEM, HSR_E_REFUSED. */
 enum hsr_status hsr_world_triangulate(const struct hsr_world *world,
                                       struct hsr_world *out, bool *changed,

@@ -12,6 +12,7 @@
 #include "common/files/whole_file.h"
 #include "common/scene/pieces.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -115,25 +116,33 @@ static size_t write_corners(struct glb *g, const struct triangles *t,
   return n;
 }
 
-static json_t *primitive(struct glb *g, const struct triangles *t) {
+/* Writes one array of the corners, and names it. */
+static void add_attribute(struct glb *g, const struct triangles *t,
+                          enum corner what, json_t **attributes) {
+  static const char *const name[] = {
+      [POSITION] = "POSITION", [COLOUR] = "COLOR_0", [FACE_NUMBER] = "_FACE"};
   double lo[3], hi[3];
-  json_t *attributes = json_object();
-  size_t n = write_corners(g, t, POSITION, lo, hi);
-  json_object_set_new(attributes, "POSITION",
-                      json_integer((json_int_t)g->n_accessors));
-  add_accessor(
-      g, "VEC3", n, 12 * n,
-      json_pack("{so so}", "min", numbers(lo, 3), "max", numbers(hi, 3)));
-  write_corners(g, t, FACE_NUMBER, lo, hi);
-  json_object_set_new(attributes, "_FACE",
-                      json_integer((json_int_t)g->n_accessors));
-  add_accessor(g, "SCALAR", n, 4 * n, NULL);
-  if (t->colour == ALL_COLOURS) {
-    write_corners(g, t, COLOUR, lo, hi);
-    json_object_set_new(attributes, "COLOR_0",
-                        json_integer((json_int_t)g->n_accessors));
-    add_accessor(g, "VEC3", n, 12 * n, NULL);
+  json_t *number = json_integer((json_int_t)g->n_accessors);
+  if (json_object_set_new(*attributes, name[what], number)) {
+    json_decref(*attributes);
+    *attributes = NULL;
   }
+  const size_t n = write_corners(g, t, what, lo, hi);
+  if (what == FACE_NUMBER)
+    add_accessor(g, "SCALAR", n, 4 * n, NULL);
+  else
+    add_accessor(g, "VEC3", n, 12 * n,
+                 what == POSITION ? json_pack("{so so}", "min", numbers(lo, 3),
+                                              "max", numbers(hi, 3))
+                                  : NULL);
+}
+
+static json_t *primitive(struct glb *g, const struct triangles *t) {
+  json_t *attributes = json_object();
+  add_attribute(g, t, POSITION, &attributes);
+  add_attribute(g, t, FACE_NUMBER, &attributes);
+  if (t->colour == ALL_COLOURS)
+    add_attribute(g, t, COLOUR, &attributes);
   return json_pack("{so sI}", "attributes", attributes, "material",
                    (json_int_t)g->n_materials - 1);
 }
@@ -334,7 +343,9 @@ enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene, const char *path,
                   .cameras = json_array(),
                   .bin = tmpfile()};
   if (!g.bin)
-    status = hsr_fail(err, HSR_E_INPUT, "%.200s: no room for it", path);
+    status = errno == ENOMEM
+                 ? hsr_fail_nomem(err)
+                 : hsr_fail(err, HSR_E_INPUT, "%.200s: no room for it", path);
   for (uint32_t o = 0; o < scene->n_objects && !status; o++)
     if (scene->objects[o].n_faces) /* a mesh must have something */
       status = add_mesh(&g, o, err);
