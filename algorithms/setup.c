@@ -154,6 +154,8 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
   job->option = setup->choice.values.option;
   job->real = setup->choice.values.real;
   job->paint = setup->paint;
+  if (!job->passes)
+    job->passes = setup->passes;
   if (job->answer)
     open_answer(setup, job);
   if (job->tally->trace) {

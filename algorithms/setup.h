@@ -32,7 +32,8 @@ struct hsr_setup {
   double adapt_seconds; /* of all, also where there was nothing to change */
   void *prepared;
   double prepare_seconds;
-  const struct hsr_paint *paint; /* for every job; NULL unless set */
+  const struct hsr_paint *paint;   /* for every job; NULL unless set */
+  const struct hsr_passes *passes; /* likewise, where a job has none */
 };
 
 /* Opens the world of a scene as this algorithm takes it best: laid out, or an

@@ -30,6 +30,7 @@ libbench_a_SOURCES = \
   %D%/options.c \
   %D%/render/command.c \
   %D%/render/options.c \
+  %D%/render/passes.c \
   %D%/render/picture.c \
   %D%/render/render.h \
   %D%/results/results.c \

@@ -6,7 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SHADE = 0x200, WORK, HIDDEN, CREASE, VIEWS, ORBIT, MOST_ORBIT = 100000 };
+enum {
+  SHADE = 0x200,
+  WORK,
+  HIDDEN,
+  CREASE,
+  VIEWS,
+  ORBIT,
+  PASSES,
+  UNCERTAINTY,
+  MOST_ORBIT = 100000
+};
 
 /* The index of a word in `words`, which NULL ends; -1 if it is not there. */
 static int choose_word(const char *word, const char *const *words) {
@@ -128,6 +138,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case HIDDEN:
   case CREASE:
     return parse_line_option(o, key, arg);
+  case PASSES:
+    o->passes = arg;
+    return 0;
+  case UNCERTAINTY:
+    o->uncertainty = arg;
+    return 0;
   case VIEWS:
   case ORBIT:
     return parse_series_option(o, key, arg);
@@ -162,6 +178,16 @@ static const struct argp_option entries[] = {
     {"shade", SHADE, "HOW", 0, "lambert (standard), flat, or ids", 2},
     {"supersample", 'S', "N", 0,
      "N x N samples a pixel, averaged (colours only)", 2},
+    {NULL, 0, NULL, 0, "Where it draws in passes:", 4},
+    {"passes", PASSES, "FILE", 0,
+     "write the picture after each pass; FILE has %d in the place of the "
+     "number",
+     4},
+    {"uncertainty", UNCERTAINTY, "FILE", 0,
+     "write after each pass how uncertain each pixel is; brightest: as "
+     "uncertain "
+     "as it may be, or more",
+     4},
     {NULL, 0, NULL, 0, "Where it draws lines:", 3},
     {"hidden", HIDDEN, "HOW", 0,
      "how hidden lines are drawn: none (standard: left out), dashed, thin "
@@ -278,5 +304,7 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
     status = aim_scene(&o->scene, &o->view, err);
   if (!status)
     status = check_series(o, err);
+  if (!status)
+    status = check_passes(o, variant, err);
   return status ? status : check_kind(o, variant, err);
 }

@@ -63,11 +63,18 @@ enum hsr_status draw_picture(struct render *r, struct hsr_error *err) {
     status = ask_for_colours(r, err);
   if (status)
     return status;
+  if (r->options->passes || r->options->uncertainty) {
+    r->passes = (struct hsr_passes){write_pass, r};
+    r->setup.passes = &r->passes;
+  }
   double begin = seconds_now();
   status =
       crew_render(r->crew, &r->setup, &r->view, &r->answer, &r->tally, err);
   r->draw += seconds_now() - begin;
-  return status;
+  if (status || !r->pass_status)
+    return status;
+  *err = r->pass_err;
+  return r->pass_status;
 }
 
 /* --- Showing and writing -------------------------------------------------- */

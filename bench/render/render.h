@@ -15,6 +15,7 @@ struct render_options {
   const char *output[MOST_OUTPUTS];
   int n_outputs;
   const char *work;
+  const char *passes, *uncertainty; /* patterns of files; or NULL */
   enum hsr_shading shading;
   enum hsr_hidden hidden;
   double crease; /* degrees; negative: all edges */
@@ -60,6 +61,9 @@ struct render {
   float *rgb, *face_rgb, *work;
   struct hsr_paint paint; /* of an algorithm that draws transparency */
   struct hsr_tally tally;
+  struct hsr_passes passes;
+  enum hsr_status pass_status;
+  struct hsr_error pass_err;
   long view_number, n_pictures; /* of this picture, from 1; and so far */
   double import, build;         /* seconds */
   double draw, shade, write;    /* seconds, of all pictures */
@@ -78,6 +82,16 @@ void render_forget(struct render *r);
 
 /* Frees all but the scene. All zero is allowed. */
 void render_close(struct render *r);
+
+/* Whether --passes and --uncertainty, if they are given, fit what is drawn.
+ * HSR_E_USAGE. */
+enum hsr_status check_passes(const struct render_options *options,
+                             const struct hsr_variant *variant,
+                             struct hsr_error *err);
+
+/* For struct hsr_passes: tells of a pass and writes its files. `whom` is a
+ * struct render; what fails first is left in its pass_status. */
+void write_pass(void *whom, const struct hsr_answer *answer, int pass);
 
 /* How a picture is shown. */
 struct hsr_showing showing_of(const struct render *r);

@@ -159,6 +159,10 @@ struct hsr_answer_type {
   enum hsr_status (*shade)(const struct hsr_answer *answer,
                            const struct hsr_showing *showing,
                            struct hsr_shaded *shaded, struct hsr_error *err);
+  /* Fills m n floats: how uncertain each place is, 1 if as much as the form
+   * allows, and at most 1. NULL: nothing is uncertain, and the kind is not drawn in
+   * passes. */
+  void (*uncertainty)(const struct hsr_answer *answer, float *share);
   /* Whether the suffix of `path` is that of a file that can hold it. */
   bool (*fits)(const char *path);
   enum hsr_status (*write)(const struct hsr_answer *answer,

@@ -173,6 +173,20 @@ static enum hsr_status shade(const struct hsr_answer *answer,
   return HSR_OK;
 }
 
+/* By the widest interval of a pixel. */
+static void uncertainty(const struct hsr_answer *answer, float *share) {
+  const struct hsr_area_bounds *bounds = answer->body;
+  double eps = hsr_form_area(&answer->form).eps;
+  for (size_t k = 0; k < count(answer); k += CHANNELS) {
+    double width = 0;
+    for (size_t c = k; c < k + CHANNELS; c++)
+      width =
+          fmax(width, bounds[c].lo <= bounds[c].hi ? bounds[c].hi - bounds[c].lo
+                                                   : INFINITY);
+    share[k / CHANNELS] = width < eps ? (float)(width / eps) : 1;
+  }
+}
+
 static enum hsr_status write(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
                              struct hsr_shaded *shaded, const char *path,
@@ -256,6 +270,7 @@ const struct hsr_answer_type hsr_answer_area = {
     .compare = compare,
     .show_difference = show_difference,
     .shade = shade,
+    .uncertainty = uncertainty,
     .fits = fits,
     .write = write,
     .print = print,
