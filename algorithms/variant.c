@@ -194,7 +194,8 @@ static enum hsr_status check(const struct reading *r, struct hsr_error *err) {
                     "%s: what is kept from frame to frame is of the whole "
                     "picture; no windows",
                     r->text);
-  if (!folded || r->form_chosen & 1)
+  bool own = choice->form.type == r->algorithm->kind;
+  if (!folded || own || r->form_chosen & 1)
     return HSR_OK;
   const struct hsr_option *options = choice->form.type->options;
   int k = 1;

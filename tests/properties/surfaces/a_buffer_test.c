@@ -5,6 +5,7 @@
  * comparison of two fragments in it depends on the sample.
  *
  * usage: a_buffer_test [SCENE...] */
+#include "algorithms/variant.h"
 #include "common/exact/screen.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -172,12 +173,22 @@ static void check_through(struct tap *t, const char *name) {
 }
 
 int main(int argc, char **argv) {
-  struct tap t = plan(argc > 1 ? argc - 1 : 2 * N_APART + N_THROUGH);
+  struct tap t = plan(argc > 1 ? argc - 1 : 2 * N_APART + N_THROUGH + 1);
   for (int k = 1; k < argc; k++)
     check_through(&t, argv[k]);
   for (int k = 0; argc == 1 && k < N_APART; k++)
     check_apart(&t, apart[k]);
   for (int k = 0; argc == 1 && k < N_THROUGH; k++)
     check_through(&t, through[k]);
+  struct hsr_variant variant;
+  struct hsr_error err;
+  if (argc == 1)
+    ok(&t,
+       !hsr_variant_parse("a-buffer", &variant, &err) &&
+           hsr_form_filtering(&variant.choice.form).filter ==
+               HSR_FILTER_BOX_4X8 &&
+           hsr_variant_parse("a-buffer:filter=box", &variant, &err),
+       "it makes the box of 4 x 8 samples, without being asked to, and no "
+       "other");
   return finish(&t);
 }
