@@ -4,6 +4,7 @@ oracle_files = \
   %D%/area_oracle.cc \
   %D%/line_oracle.cc \
   %D%/oracle.cc \
+  %D%/polygon_oracle.cc \
   %D%/splat_oracle.cc \
   %D%/voxel_oracle.cc
 libhsr_a_SOURCES += bench/registry.c %D%/list.def %D%/rounding.h %D%/vectors.h \

@@ -64,7 +64,7 @@ private:
   std::deque<point> points_;
   std::deque<line> lines_;
 
-  line *grid_line(long a, long b, long c);
+  line *grid_line(int k, long a, long b, long c);
   point *grid_point(long x, long y);
   bool meets(shape &f, uint32_t edge, const cell &in, const box &around);
   point inner_point(const cell &in) const;
@@ -76,13 +76,14 @@ private:
   void split(const cell &in, line *by, cell *below, cell *above);
 };
 
-line *cutter::grid_line(long a, long b, long c) {
+line *cutter::grid_line(int k, long a, long b, long c) {
   lines_.push_back(
-      {{Interval(double(a)), Interval(double(b)), Interval(double(c))},
+      {GRID_LINE,
+       {Interval(double(a)), Interval(double(b)), Interval(double(c))},
        nullptr,
        nullptr,
        nullptr,
-       0,
+       k,
        {mpz_class(a), mpz_class(b), mpz_class(c)}});
   return &lines_.back();
 }
@@ -347,8 +348,8 @@ void cutter::solve(const cell &in, std::vector<candidate> all) {
 
 void cutter::begin(const halves &r, const std::vector<shape *> &faces) {
   cell whole;
-  whole.side = {grid_line(0, 2, -r.y0), grid_line(2, 0, -r.x1),
-                grid_line(0, 2, -r.y1), grid_line(2, 0, -r.x0)};
+  whole.side = {grid_line(0, 0, 2, -r.y0), grid_line(1, 2, 0, -r.x1),
+                grid_line(2, 0, 2, -r.y1), grid_line(3, 2, 0, -r.x0)};
   whole.corner = {grid_point(r.x0, r.y0), grid_point(r.x1, r.y0),
                   grid_point(r.x1, r.y1), grid_point(r.x0, r.y1)};
   std::vector<candidate> all;

@@ -28,7 +28,8 @@ struct cell {
   std::vector<point *> corner;
 };
 
-/* From (x0/2, y0/2) to (x1/2, y1/2). */
+/* From (x0/2, y0/2) to (x1/2, y1/2). Its sides are above, to the right, below and
+ * to the left, k from 0 to 3 of a GRID_LINE. */
 struct halves {
   int x0, y0, x1, y1;
 };

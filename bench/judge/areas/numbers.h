@@ -38,12 +38,24 @@ whole_affine whole(const affine<Exact> &f);
 
 struct shape;
 
+/* What a function is zero on. */
+enum line_of : char {
+  EDGE_LINE,
+  ROW_LINE,
+  COLUMN_LINE,
+  HORIZON_LINE,
+  NEAR_LINE,
+  MEETING_LINE,
+  GRID_LINE
+};
+
 /* A function; the exact form is found when it is first asked for. */
 struct line {
+  line_of of;
   affine<Interval> rough;
   affine<Exact> (*find)(const line &); /* NULL: `exact` is known */
-  const shape *f, *g;                  /* of which faces, */
-  int k;                               /* and which corner, for `find` */
+  const shape *f, *g;                  /* of which faces; */
+  int k; /* and which corner, or side of the rectangle that is cut */
   whole_affine exact;
 
   const whole_affine &exactly();

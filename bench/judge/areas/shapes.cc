@@ -263,10 +263,10 @@ affine<Exact> find_difference(const line &l) {
           f.s.c * g.c - g.s.c * f.c};
 }
 
-line make_line(const affine<Interval> &rough,
+line make_line(line_of of, const affine<Interval> &rough,
                affine<Exact> (*find)(const line &), const shape *f,
                uint32_t k) {
-  return {rough, find, f, nullptr, int(k), {}};
+  return {of, rough, find, f, nullptr, int(k), {}};
 }
 
 } // namespace
@@ -275,6 +275,7 @@ void compare_depths(const shape &f, const shape &g, line *made) {
   const affine<Interval> &s = f.s.rough, &t = g.s.rough;
   made->rough = {s.a * g.c - t.a * f.c, s.b * g.c - t.b * f.c,
                  s.c * g.c - t.c * f.c};
+  made->of = MEETING_LINE;
   made->find = find_difference;
   made->f = &f;
   made->g = &g;
@@ -291,14 +292,15 @@ shape::shape(const stage &stage, uint32_t face, int sign_c)
   std::vector<box> at;
   for (uint32_t k = 0; k < n; k++) {
     v.push_back(from_eye(frame, on.world, vertex[k]));
-    row.push_back(make_line(row_of(frame, v[k]), find_row, this, k));
-    column.push_back(make_line(column_of(frame, v[k]), find_column, this, k));
+    row.push_back(make_line(ROW_LINE, row_of(frame, v[k]), find_row, this, k));
+    column.push_back(
+        make_line(COLUMN_LINE, column_of(frame, v[k]), find_column, this, k));
     at.push_back(image(row[k].rough, column[k].rough));
   }
   for (uint32_t k = 0; k < n; k++) {
     const uint32_t a = vertex[k], b = vertex[next(k)];
-    edge.push_back(
-        make_line(edge_of(frame, v[k], v[next(k)]), find_edge, this, k));
+    edge.push_back(make_line(EDGE_LINE, edge_of(frame, v[k], v[next(k)]),
+                             find_edge, this, k));
     edge_box.push_back(
         between(row[k].rough, at[k], row[next(k)].rough, at[next(k)]));
     by.push_back(meeting_of(on, a, b));
@@ -306,8 +308,8 @@ shape::shape(const stage &stage, uint32_t face, int sign_c)
   affine<Interval> to_s, to_near;
   find_depths(frame, surface_of(frame, on.world, id), side, &to_s, &c,
               &to_near);
-  s = make_line(to_s, find_s, this, 0);
-  near = make_line(to_near, find_near, this, 0);
+  s = make_line(HORIZON_LINE, to_s, find_s, this, 0);
+  near = make_line(NEAR_LINE, to_near, find_near, this, 0);
 }
 
 std::unique_ptr<shape> make_shape(const stage &on, uint32_t f) {

@@ -47,7 +47,7 @@ const KNOWN = {
   "splat-xray": [2, 7], "splat-oracle": [6, 7],
   "texture-point": [5, 4], "texture-mipmap": [5, 5], "texture-table": [5, 6],
   "texture-convolve": [5, 7],
-  "error-bounded": [4, 4], "area-oracle": [3, 5],
+  "error-bounded": [4, 4], "area-oracle": [3, 5], "polygon-oracle": [3, 6],
   "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5],
   clark: [7, 6],
 };
