@@ -4,6 +4,7 @@ tap_programs = \
   %D%/areas/cells_test \
   %D%/areas/filters_test \
   %D%/areas/hand_test \
+  %D%/areas/polygons_test \
   %D%/areas/samples_test \
   %D%/conformance/hard_test \
   %D%/unit/core/adapt_test \
@@ -197,6 +198,7 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_areas_cells_test_SOURCES = %D%/areas/cells_test.cc %D%/areas/shares.h
 %C%_areas_filters_test_SOURCES = %D%/areas/filters_test.cc %D%/areas/shares.h
 %C%_areas_samples_test_SOURCES = %D%/areas/samples_test.cc %D%/areas/shares.h
+%C%_areas_polygons_test_SOURCES = %D%/areas/polygons_test.cc %D%/areas/shares.h
 %C%_areas_hand_test_SOURCES = %D%/areas/hand_test.cc %D%/areas/shares.h
 %C%_unit_files_exchange_test_SOURCES = %D%/unit/files/exchange_test.cc
 %C%_unit_files_image_test_SOURCES = %D%/unit/files/image_test.cc
