@@ -33,9 +33,11 @@ lesson_sources = \
   %D%/lesson/data/painting.js \
   %D%/lesson/data/run.js \
   %D%/lesson/data/story.js \
+  %D%/lesson/data/structure.js \
   %D%/lesson/data/survey.js \
   %D%/lesson/data/trace.js \
   %D%/lesson/data/words.js \
+  %D%/lesson/parts/beside.js \
   %D%/lesson/parts/controls.js \
   %D%/lesson/parts/edge_strip.js \
   %D%/lesson/parts/lesson.js \

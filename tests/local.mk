@@ -300,6 +300,7 @@ EXTRA_DIST += \
   %D%/conformance/fresh \
   %D%/torture/fail.cc \
   %D%/torture/leaks.supp \
+  %D%/browser.mjs \
   %D%/lesson/watch.mjs \
   %D%/report/browse.mjs \
   %D%/report/hostile.mjs \

@@ -43,10 +43,12 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
   struct trace_header header = {.run = recorder->run, .filter = &all};
   json_t *parts = recorder->parts;
   return json_pack(
-      "{ss so sI sI so sO so so ss? ss?}", "schema", "hsr-lesson/1", "header",
-      trace_header_json(&header), "events", (json_int_t)recorder->events,
-      "kept", (json_int_t)recorder->kept, "counts",
-      counts_json(a, tally->count), "parts", parts, "answer",
+      "{ss so sI sI so sO so so ss? ss? so so}", "schema", "hsr-lesson/2",
+      "header", trace_header_json(&header), "events",
+      (json_int_t)recorder->events, "kept", (json_int_t)recorder->kept,
+      "counts", counts_json(a, tally->count), "parts", parts, "answer",
       answer->drawn.form.type->json(&answer->drawn, answer->view), "costs",
-      costs_json(a, table), "order", a->sort_order, "coherence", a->coherence);
+      costs_json(a, table), "order", a->sort_order, "coherence", a->coherence,
+      "lists", lesson_lists_json(recorder->run, &recorder->notes), "structure",
+      lesson_structure_json(recorder->run));
 }

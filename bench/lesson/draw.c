@@ -92,6 +92,7 @@ enum hsr_status lesson_draw(const struct lesson_subject *subject, long events,
   recorder->most = (uint64_t)events;
   recorder->parts = json_array();
   enum hsr_status status = trace_run_open(&run, err);
+  recorder->has_list = !status && lesson_has_list(&run.setup);
   if (!status)
     status = record(recorder, text, err);
   if (!status && recorder->kept < recorder->events)

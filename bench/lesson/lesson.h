@@ -4,6 +4,8 @@
  *
  * bytes.c      bytes that grow, numbers in them, and their compression
  * recorder.c   the listener: the events of a run, in columns
+ * lists.c      the pieces of a priority list, from the events
+ * structure.c  trees of planes, and cubes, as the algorithm has them
  * describe.c   what the columns mean: header, answer, predictions
  * draw.c       a run of one algorithm, as a text for the page
  * page.c       the file
@@ -79,11 +81,45 @@ struct lesson_recorder {
   struct lesson_bytes counters; /* of the events kept */
   struct lesson_column column[HSR_MAX_COUNTERS];
   json_t *parts;
+  bool has_list;
+  struct lesson_bytes notes; /* of its list */
 };
 
 /* Hears one event: the `listen` of a struct hsr_trace. */
 void lesson_listen(void *recorder, const struct hsr_event *event);
 void lesson_recorder_free(struct lesson_recorder *recorder);
+
+/* --- Beside the scene ----------------------------------------------------- */
+
+/* Whether the algorithm makes a list of priority in every frame, whose pieces
+ * are of the scene's own faces. */
+bool lesson_has_list(const struct hsr_setup *setup);
+
+/* Notes an event of counter `c` of such an algorithm. */
+void lesson_note_list(struct lesson_bytes *notes, const struct hsr_counter *c,
+                      const struct hsr_event *event);
+
+/* The lists, in order: [{from: the number of the first event, pieces: [[face,
+ * the number of the piece that was divided or -1, farthest depth, outline or
+ * null], ...]}, ...]. A new reference, NULL for lack of memory. */
+json_t *lesson_lists_json(const struct trace_run *run,
+                          const struct lesson_bytes *notes);
+
+/* What the algorithm made before the frame: a new reference to an object, whose
+ * members are there if the algorithm has such.
+ *
+ *   separators  [[face or null, axis, at, in front, behind], ...]; a side is a
+ *               separator, or -1 - c, where c is a cluster
+ *   root        of these, as a side
+ *   clusters    the faces of each, of the highest priority first
+ *   nodes       of a BSP tree, the first is the root: [face, in front, behind,
+ *               first piece, pieces]; -1: nothing
+ *   pieces      of that tree: [face, outline]
+ *   cubes       of octrees: [node, instance or -1, the images of its corners, or
+ *               null for those that have none]
+ *
+ * NULL: HSR_E_NOMEM. */
+json_t *lesson_structure_json(const struct trace_run *run);
 
 /* --- What it means -------------------------------------------------------- */
 

@@ -6,7 +6,9 @@ libbench_a_SOURCES += \
   %D%/draw.c \
   %D%/frames.c \
   %D%/lesson.h \
+  %D%/lists.c \
   %D%/page.c \
   %D%/recorder.c \
+  %D%/structure.c \
   %D%/survey.c \
   %D%/survey.def

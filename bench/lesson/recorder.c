@@ -55,12 +55,15 @@ void lesson_listen(void *context, const struct hsr_event *event) {
   recorder->count[event->counter]++;
   if (a->counters[event->counter].kind == HSR_ACCEPT)
     trace_answer_paint(&recorder->run->answer, event);
+  if (recorder->has_list)
+    lesson_note_list(&recorder->notes, &a->counters[event->counter], event);
   if (recorder->kept < recorder->most)
     keep(recorder, event);
 }
 
 void lesson_recorder_free(struct lesson_recorder *recorder) {
   lesson_bytes_free(&recorder->counters);
+  lesson_bytes_free(&recorder->notes);
   for (int c = 0; c < HSR_MAX_COUNTERS; c++)
     for (int k = 0; k < LESSON_N_FIELDS; k++)
       lesson_bytes_free(&recorder->column[c].field[k]);

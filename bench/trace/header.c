@@ -199,30 +199,33 @@ static int largest_face(const struct hsr_world *world) {
   return (int)most;
 }
 
-/* The part of the face that lies beyond `near`. If near is 0, it ends a
- * millionth of the face's depth in front of the eye: on the screen, nearer
- * parts are too far outside. */
-static json_t *polygon_json(const struct trace_header *h, uint32_t face,
-                            const struct room *room) {
+json_t *trace_polygon_json(const struct hsr_view *view, const double (*in)[3],
+                           int n, double (*out)[3]) {
+  static const double by_depth[3] = {0, 0, 1};
+  double deepest = 0;
+  for (int k = 0; k < n; k++)
+    deepest = fmax(deepest, in[k][2]);
+  double near = fmax(view->near, view->parallel ? 0 : 1e-6 * deepest);
+  json_t *polygon = json_array();
+  if (deepest > near)
+    n = hsr_clip(in, n, by_depth, -near, out);
+  for (int k = 0; deepest > near && k < n; k++)
+    hsr_json_append(&polygon, hsr_image_json(view, out[k]));
+  return polygon;
+}
+
+static json_t *face_json(const struct trace_header *h, uint32_t face,
+                         const struct room *room) {
   const struct hsr_world *world = &h->run->laid_out;
   int n = (int)hsr_face_size(world, face);
-  double deepest = 0;
   for (int k = 0; k < n; k++) {
     double point[3];
     vertex_of(world, world->mesh.vertex[world->mesh.start[face] + (uint32_t)k],
               point);
     hsr_view_project(&h->run->view, point, room->in[k]);
-    deepest = fmax(deepest, room->in[k][2]);
   }
-  static const double by_depth[3] = {0, 0, 1};
-  double near =
-      fmax(h->run->view.near, h->run->view.parallel ? 0 : 1e-6 * deepest);
-  json_t *polygon = json_array();
-  if (deepest > near)
-    n = hsr_clip((const double(*)[3])room->in, n, by_depth, -near, room->out);
-  for (int k = 0; deepest > near && k < n; k++)
-    hsr_json_append(&polygon, hsr_image_json(&h->run->view, room->out[k]));
-  return polygon;
+  return trace_polygon_json(&h->run->view, (const double(*)[3])room->in, n,
+                            room->out);
 }
 
 static json_t *faces_json(const struct trace_header *h) {
@@ -235,7 +238,7 @@ static json_t *faces_json(const struct trace_header *h) {
         &faces, json_pack("[I I o o o]", (json_int_t)f,
                           (json_int_t)h->run->laid_out.mesh.object[f],
                           colour_json(h, f), corners_json(&h->run->laid_out, f),
-                          polygon_json(h, f, &room)));
+                          face_json(h, f, &room)));
   free(room.in);
   free(room.out);
   return faces;

@@ -165,6 +165,14 @@ struct trace_header {
 /* A new reference, NULL for lack of memory. */
 json_t *trace_header_json(const struct trace_header *header);
 
+/* The image of the part of a polygon that lies beyond `near`, as a list of points
+ * in samples: a new reference, NULL for lack of memory. in[]: its n vertices as
+ * hsr_view_project has them; out[]: room for n + n/2 + 1. If near is 0, the part
+ * ends a millionth of the polygon's depth in front of the eye: on the screen,
+ * nearer parts are too far outside. */
+json_t *trace_polygon_json(const struct hsr_view *view, const double (*in)[3],
+                           int n, double (*out)[3]);
+
 /* How many counters the algorithm describes. */
 int trace_n_counters(const struct hsr_algorithm *algorithm);
 

@@ -5,45 +5,21 @@
 // draws faces, NAME.png of hsr render.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { join, resolve } from "node:path";
-import { pathToFileURL } from "node:url";
+import { join } from "node:path";
+import { addressOf, begin, blemishes } from "../browser.mjs";
 
 const [modules, executablePath, folder, ...files] = process.argv.slice(2);
-const { chromium } = createRequire(join(resolve(modules), "x"))("playwright-core");
-const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
+const { test, open: openWindow, serious, end } =
+  await begin(modules, executablePath);
 
-let tests = 0, failures = 0;
-async function test(what, body) {
-  tests += 1;
-  try {
-    await body();
-    console.log(`ok ${tests} - ${what}`);
-  } catch (error) {
-    failures += 1;
-    console.log(`not ok ${tests} - ${what}`);
-    console.log(String(error.message).replace(/^/gm, "# "));
-  }
-}
-
-// Opens a window on a page. Its errors are collected in .faults.
 async function open(file, options = {}) {
-  const context = await browser.newContext({
-    viewport: { width: 1280, height: 900 }, ...options });
-  const page = await context.newPage();
-  page.setDefaultTimeout(20000);
-  const faults = [];
-  page.on("console", (m) => m.type() === "error" && faults.push(m.text()));
-  page.on("pageerror", (error) => faults.push(error.message));
-  page.on("request", (r) => /^(file|data|blob):/.test(r.url()) ||
-    faults.push(`a request left: ${r.url()}`));
-  const root = pathToFileURL(resolve(file)).href;
+  const opened = await openWindow(options);
   const go = async (hash) => {
-    await page.goto("about:blank");
-    await page.goto(root + hash);
-    await page.waitForSelector(".panel .words");
+    await opened.page.goto("about:blank");
+    await opened.page.goto(addressOf(file) + hash);
+    await opened.page.waitForSelector(".panel .words");
   };
-  return { page, faults, go, close: () => context.close() };
+  return { ...opened, go };
 }
 
 // --- every algorithm ---
@@ -102,6 +78,22 @@ function watched(name) {
       if (k < n) expect(`counts at ${k}`, shownCounts(), numbers(counts));
       if (run.kind === "ids")
         expect(`ids at ${k}`, Array.from(run.painting.at(k)), Array.from(ids));
+    }
+
+    // The list of priority agrees with every event; at the end, all is done.
+    if (run.list) {
+      expect("events against the list", run.list.faults, 0);
+      const { painted, order } = run.list.at(n);
+      expect("left in the list", order.length, 0);
+      if (!painted.length) bad.push("nothing was in the list");
+    }
+    // What is said of a piece is said of its face.
+    const pieces = run.trace.structure.pieces;
+    for (let e = 0; e < trace.kept && (run.list || pieces); e++) {
+      const { a, b } = run.event(e);
+      for (const { kind, ids: [face, p] } of [a, b])
+        if (kind === "piece" && run.pieceFace(e, p) !== face)
+          expect(`piece ${p} at ${e}`, run.pieceFace(e, p), face);
     }
 
     // The stories of some samples.
@@ -163,16 +155,16 @@ async function everyAlgorithm(file) {
       assert.deepEqual(seen.bad, []);
       const lines = readFileSync(join(folder, `${name}.ndjson`), "utf8").trim()
         .split("\n");
-      const end = JSON.parse(lines.at(-1));
-      assert.deepEqual(seen.counts, end.counts);
-      assert.equal(seen.steps, end.events);
+      const last = JSON.parse(lines.at(-1));
+      assert.deepEqual(seen.counts, last.counts);
+      assert.equal(seen.steps, last.events);
       if (seen.kind === "ids") {
-        assert.deepEqual(seen.ids.map((f) => Math.max(f, -1)), unrun(end.ids));
+        assert.deepEqual(seen.ids.map((f) => Math.max(f, -1)), unrun(last.ids));
         const png = readFileSync(join(folder, `${name}.png`)).toString("base64");
         assert.equal(await page.evaluate(picturesDiffer,
           [name, `data:image/png;base64,${png}`]), 0, "samples of hsr render");
       } else {
-        assert.equal(seen.parts.length, end[seen.kind].length);
+        assert.equal(seen.parts.length, last[seen.kind].length);
       }
       assert.deepEqual(faults, []);
     });
@@ -181,25 +173,6 @@ async function everyAlgorithm(file) {
 }
 
 // --- the page ---
-
-// Runs in the page; returns what is wrong with it.
-function blemishes() {
-  const bad = [];
-  const root = document.documentElement;
-  if (root.scrollWidth > innerWidth)
-    bad.push(`the page is ${root.scrollWidth} wide in ${innerWidth}`);
-  if (document.querySelectorAll("h1").length !== 1) bad.push("not one h1");
-  for (const e of document.querySelectorAll("input, select"))
-    if (!e.labels.length && !e.getAttribute("aria-label"))
-      bad.push(`no label: ${e.name}`);
-  for (const e of document.querySelectorAll("button"))
-    if (!e.textContent.trim() && !e.getAttribute("aria-label") && !e.hidden)
-      bad.push(`no name: ${e.outerHTML}`);
-  const text = document.querySelector("main").innerText;
-  for (const word of ["undefined", "NaN", "[object", "-1,"])
-    if (text.includes(word)) bad.push(`“${word}” in the text`);
-  return bad;
-}
 
 const step = (page) => page.evaluate(() => globalThis.lesson.state.k[0]);
 
@@ -310,7 +283,7 @@ async function asAReader(file, names) {
 
   await test("without JavaScript it says so", async () => {
     const bare = await open(file, { javaScriptEnabled: false });
-    await bare.page.goto(pathToFileURL(resolve(file)).href);
+    await bare.page.goto(addressOf(file));
     assert.match(await bare.page.innerText("main"), /needs\s+JavaScript/);
     await bare.close();
   });
@@ -324,6 +297,7 @@ async function asAReader(file, names) {
         `#/?a=${some}&k=900&at=20,15`]) {
         await small.go(hash);
         assert.deepEqual(await small.page.evaluate(blemishes), [], hash);
+        assert.deepEqual(await serious(small.page), [], hash);
       }
       assert.deepEqual(small.faults, []);
       await small.close();
@@ -355,9 +329,10 @@ async function asAReader(file, names) {
 async function lessons(file) {
   const { page, faults, go, close } = await open(file);
   await test("the way in leads to every lesson", async () => {
-    await page.goto(pathToFileURL(resolve(file)).href);
+    await page.goto(addressOf(file));
     await page.waitForSelector(".figure-29");
     assert.deepEqual(await page.evaluate(blemishes), []);
+    assert.deepEqual(await serious(page), []);
     const named = await page.$$eval(".figure-29 tbody a", (all) =>
       all.map((a) => a.getAttribute("href")));
     assert.equal(named.length, 12);
@@ -375,6 +350,7 @@ async function lessons(file) {
     await test(`${name}: what it says to see is there`, async () => {
       await go(`#/?a=${name}`);
       assert.deepEqual(await page.evaluate(blemishes), []);
+      assert.deepEqual(await serious(page), []);
       const wanted = await page.evaluate((a) =>
         globalThis.lesson.lessons[a].see.length, name);
       const marks = page.locator(".marks button");
@@ -398,6 +374,4 @@ for (const file of files) {
   const names = await everyAlgorithm(file);
   if (file === files[0]) await asAReader(file, names);
 }
-await browser.close();
-console.log(`1..${tests}`);
-process.exitCode = failures ? 1 : 0;
+await end();

@@ -4,6 +4,7 @@
 // for all that were left out: it leads to the end.
 import { painting } from "./painting.js";
 import { storyOf } from "./story.js";
+import { structureOf } from "./structure.js";
 
 export const NONE = -1; // no id; as a face: the background
 const COUNTED = 2048; // events from one keyframe of counts to the next
@@ -75,10 +76,17 @@ export function runOf(trace) {
 
   const { aKind, a0, a1, a2, bKind, b0, b1, b2 } = trace;
   function subject(which, k) {
-    return which === "a" ? { kind: subjects[aKind[k]], ids: [a0[k], a1[k], a2[k]] }
+    const s = which === "a"
+      ? { kind: subjects[aKind[k]], ids: [a0[k], a1[k], a2[k]] }
       : { kind: subjects[bKind[k]], ids: [b0[k], b1[k], b2[k]] };
+    if (s.kind === "cell" && run.cubes.size &&
+        run.pyramid?.of(trace.counter[k]) !== which) s.kind = "cube";
+    if (s.kind === "piece" && run.list?.numberOf)
+      s.ids[1] = run.list.numberOf(trace.counter[k], s.ids[1]);
+    return s;
   }
 
+  Object.assign(run, structureOf(run));
   run.painting = painting(run);
   run.story = (place) => storyOf(run, place);
   run.facesOf = (k) => [...facesOf(subject("a", k)), ...facesOf(subject("b", k))];

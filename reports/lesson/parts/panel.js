@@ -5,6 +5,7 @@ import { kindLook } from "../data/kinds.js";
 import { eventWords } from "../data/words.js";
 import { count, whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
+import { beside } from "./beside.js";
 import { edgeStrip } from "./edge_strip.js";
 import { picture } from "./picture.js";
 import { storyList } from "./story_list.js";
@@ -34,6 +35,7 @@ export function panel(run, act) {
   const counters = counterTable(run);
   const costs = costTable(run);
   const strip = edgeStrip(run);
+  const around = beside(run);
   const story = storyList(run, act.go);
   let current = null;
 
@@ -66,6 +68,7 @@ export function panel(run, act) {
     tell(k, e);
     mark(e?.counter.line ?? null);
     strip.show(k, e);
+    around.show(k, e);
     counters.show(k, e?.number);
     costs.show(k);
     story.show(k);
@@ -106,7 +109,7 @@ export function panel(run, act) {
       .filter(Boolean).join(" · ")),
     h("div", { class: "left" },
       h("div", { class: "seen" }, canvas, line.element, where,
-        strip.element), story.element),
+        strip.element), around.element, story.element),
     h("div", { class: "right" }, words,
       h("div", { class: "told" }, h("h3", {}, "What it does"), outline,
         h("h3", {}, "What it has counted"), counters.element, costs.element)));

@@ -122,18 +122,25 @@ export function picture(canvas, run) {
 
   const vertex = (v) => header.vertices[v] ?? null;
 
-  const mark = (subject, colour, dashed, fill) => {
+  const tint = (path, colour, strength) => {
+    context.fillStyle = colour;
+    context.globalAlpha = strength;
+    context.fill(path);
+    context.globalAlpha = 1;
+  };
+
+  // Of a piece, what is left of its face.
+  const mark = (subject, colour, dashed, fill, k) => {
+    const left = subject.kind === "piece" ? run.outline(k, subject.ids[1]) : null;
     for (const f of facesOf(subject)) {
       if (!paths[f]) continue;
-      if (fill && subject.kind !== "edge") {
-        context.fillStyle = colour;
-        context.globalAlpha = dashed ? 0.16 : 0.28;
-        context.fill(paths[f]);
-        context.globalAlpha = 1;
-      }
-      stroke(paths[f], colour, subject.kind === "edge" ? 1 : 2, dashed);
+      const path = left ? pathOf(left) : paths[f];
+      if (fill && subject.kind !== "edge")
+        tint(path, colour, dashed ? 0.16 : 0.28);
+      stroke(path, colour, subject.kind === "edge" ? 1 : 2, dashed);
     }
     const [p, q] = subject.ids;
+    if (subject.kind === "cube") markCube(run.cubes.get(`${p},${q}`), colour);
     if (subject.kind === "edge" && vertex(p) && vertex(q))
       stroke(pathOf([vertex(p), vertex(q)]), colour, 3.5, dashed);
     if (subject.kind === "vertex" && vertex(p)) {
@@ -141,6 +148,26 @@ export function picture(canvas, run) {
       dot.arc(...vertex(p), line(5), 0, 2 * Math.PI);
       stroke(dot, colour, 2.5, false);
     }
+  };
+
+  const markCube = (corners, colour) => {
+    const box = new Path2D();
+    for (let c = 0; corners && c < 8; c++)
+      for (const d of [c | 1, c | 2, c | 4])
+        if (d !== c && corners[c] && corners[d]) {
+          box.moveTo(...corners[c]);
+          box.lineTo(...corners[d]);
+        }
+    stroke(box, colour, 2, false);
+  };
+
+  // The halves of a piece that is divided, and between them the plane.
+  const markHalves = (e, colour) => {
+    const halves = run.children(e.k, e.a.ids[1]).filter(Boolean).map(pathOf);
+    halves.forEach((half, k) => {
+      tint(half, colour, k ? 0.15 : 0.5);
+      stroke(half, colour, 2.5, false);
+    });
   };
 
   const markWindow = (w, colour, kind) => {
@@ -176,9 +203,10 @@ export function picture(canvas, run) {
     const window = e.window && (e.window.width < m || e.window.height < n ||
       e.a.kind === "window" || e.b.kind === "window") ? e.window : null;
     const fill = e.kind !== "accept";
-    mark(e.b, colour, true, fill);
+    mark(e.b, colour, true, fill, e.k);
     if (e.kind !== "accept" || run.kind === "segments")
-      mark(e.a, colour, false, fill);
+      mark(e.a, colour, false, fill, e.k);
+    if (e.kind === "split" && e.a.kind === "piece") markHalves(e, colour);
     if (window) markWindow(window, colour, e.kind);
     if (e.part) markPart(e.part, colour);
   };

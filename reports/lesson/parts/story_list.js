@@ -17,7 +17,7 @@ export function storyList(run, go) {
     all = whole.checked;
     fill(all ? story.events : story.own);
   } });
-  const others = h("span");
+  const others = h("span", {}, "and all others");
   const wider = h("label", { class: "wider" }, whole, others);
   let all = false;
   const element = h("div", { class: "story-box", hidden: true }, title, end, wider,
