@@ -73,6 +73,7 @@ libbench_a_SOURCES = \
   %D%/report/data.h \
   %D%/report/drawings.c \
   %D%/report/ladders.c \
+  %D%/report/lessons.c \
   %D%/report/page.c \
   %D%/report/page.h \
   %D%/report/pictures.c \

@@ -31,12 +31,17 @@ lesson_sources = \
   %D%/lesson/main.js \
   %D%/lesson/data/kinds.js \
   %D%/lesson/data/painting.js \
+  %D%/lesson/data/projection.js \
   %D%/lesson/data/run.js \
   %D%/lesson/data/story.js \
   %D%/lesson/data/structure.js \
   %D%/lesson/data/survey.js \
   %D%/lesson/data/trace.js \
   %D%/lesson/data/words.js \
+  %D%/lesson/figures/all.js \
+  %D%/lesson/figures/drawing.js \
+  %D%/lesson/figures/image.js \
+  %D%/lesson/figures/lists.js \
   %D%/lesson/parts/beside.js \
   %D%/lesson/parts/controls.js \
   %D%/lesson/parts/edge_strip.js \

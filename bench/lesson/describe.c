@@ -34,6 +34,18 @@ static json_t *costs_json(const struct hsr_algorithm *a,
   return costs;
 }
 
+/* Where the vertices of the header are in the world. */
+static json_t *points_json(const struct trace_run *run) {
+  const struct hsr_world *world =
+      hsr_is_outline(run->setup.world) ? &run->laid_out : run->setup.world;
+  const struct hsr_mesh *mesh = &world->mesh;
+  json_t *points = json_array();
+  for (uint32_t v = 0; v < mesh->n_vertices; v++)
+    hsr_json_append(&points,
+                    json_pack("[fff]", mesh->x[v], mesh->y[v], mesh->z[v]));
+  return points;
+}
+
 json_t *lesson_describe(const struct lesson_recorder *recorder,
                         const struct hsr_tally *tally,
                         const struct hsr_table1 *table) {
@@ -43,12 +55,13 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
   struct trace_header header = {.run = recorder->run, .filter = &all};
   json_t *parts = recorder->parts;
   return json_pack(
-      "{ss so sI sI so sO so so ss? ss? so so}", "schema", "hsr-lesson/2",
+      "{ss so sI sI so sO so so ss? ss? so so so}", "schema", "hsr-lesson/2",
       "header", trace_header_json(&header), "events",
       (json_int_t)recorder->events, "kept", (json_int_t)recorder->kept,
       "counts", counts_json(a, tally->count), "parts", parts, "answer",
       answer->drawn.form.type->json(&answer->drawn, answer->view), "costs",
       costs_json(a, table), "order", a->sort_order, "coherence", a->coherence,
       "lists", lesson_lists_json(recorder->run, &recorder->notes), "structure",
-      lesson_structure_json(recorder->run));
+      lesson_structure_json(recorder->run), "points",
+      points_json(recorder->run));
 }

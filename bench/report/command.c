@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr report: the results of hsr bench as a folder of pages, to be opened from
  * disk. */
-#include "bench/lesson/lesson.h"
 #include "bench/report/page.h"
 #include "bench/report/report.h"
 
@@ -192,14 +191,6 @@ static enum hsr_status copy_page(const char *folder, struct hsr_error *err) {
   return status;
 }
 
-/* The lessons, to which the pages of their algorithms lead. */
-static enum hsr_status write_lessons(const char *folder,
-                                     struct hsr_error *err) {
-  char path[PATH];
-  snprintf(path, sizeof path, "%.4096s/lessons.html", folder);
-  return lesson_survey(path, LESSON_STANDARD_EVENTS, err);
-}
-
 /* --- The report ----------------------------------------------------------- */
 
 static enum hsr_status write_report(const struct report *report,
@@ -207,7 +198,9 @@ static enum hsr_status write_report(const struct report *report,
   json_t *data = report_data(report, err);
   if (!data)
     return HSR_E_NOMEM;
-  enum hsr_status status = report_pictures(report, data, err);
+  enum hsr_status status = report_lessons(report, data, err);
+  if (!status)
+    status = report_pictures(report, data, err);
   if (status) {
     json_decref(data);
     return status;
@@ -227,8 +220,6 @@ static enum hsr_status make_report(const struct options *o,
     status = make_folders(o->folder, err);
   if (!status)
     status = copy_page(o->folder, err);
-  if (!status)
-    status = write_lessons(o->folder, err);
   if (!status)
     status = join_files(o->file, o->n_files, o->folder, "results.ndjson", err);
   struct report report = {.results = results,

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The numbers of the report: the records of hsr bench and their statistics. */
 #include "bench/report/data.h"
-#include "bench/lesson/lesson.h"
 #include "bench/list.h"
 #include "bench/results/json.h"
 #include "bench/tables/greene.h"
@@ -112,13 +111,13 @@ json_t *report_data(const struct report *report, struct hsr_error *err) {
   if (!figures)
     return NULL;
   json_t *data = cells_json(report, figures);
-  json_t *rest = json_pack(
-      "{ss sO sO so so ss so so so so}", "schema", "hsr-report/2", "headers",
-      report->results->headers, "views", report->results->views, "growth",
-      ladders_json(report, figures), "geometric",
-      geometric_json(report, figures), "baseline", report->reference, "tables",
-      all_tables(report), "kinds", kinds_json(), "algorithms",
-      algorithms_json(), "lessons", lesson_survey_names());
+  json_t *rest =
+      json_pack("{ss sO sO so so ss so so so}", "schema", "hsr-report/2",
+                "headers", report->results->headers, "views",
+                report->results->views, "growth", ladders_json(report, figures),
+                "geometric", geometric_json(report, figures), "baseline",
+                report->reference, "tables", all_tables(report), "kinds",
+                kinds_json(), "algorithms", algorithms_json());
   free(figures);
   if (data && rest && !json_object_update(data, rest)) {
     json_decref(rest);

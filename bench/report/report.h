@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of hsr report share: data.c makes the numbers of the page,
- * from cells.c and ladders.c; pictures.c makes its pictures. The page itself is
+ * from cells.c and ladders.c; pictures.c makes its pictures; lessons.c the pages
+ * on which algorithms are watched. The page itself is
  * under reports/. */
 #ifndef HSR_BENCH_REPORT_REPORT_H
 #define HSR_BENCH_REPORT_REPORT_H
@@ -17,7 +18,7 @@ struct report {
   long budget;           /* that all may take together; 0: none are made */
 };
 
-/* All members of window.hsr except those of report_pictures, as a new
+/* All members of window.hsr except those of the functions below, as a new
  * reference; or NULL and *err: HSR_E_NOMEM. */
 json_t *report_data(const struct report *report, struct hsr_error *err);
 
@@ -27,6 +28,13 @@ json_t *report_data(const struct report *report, struct hsr_error *err);
  * the data. HSR_E_NOMEM; HSR_E_INTERNAL if no process can be started. */
 enum hsr_status report_pictures(const struct report *report, json_t *data,
                                 struct hsr_error *err);
+
+/* Writes the lessons of the survey, and pages of the first small scenes of the
+ * results, on which those algorithms can be watched that drew them right. Sets
+ * "lessons" of the data: [{file, scene or null, names of algorithms}, ...]. Fails
+ * as lesson_survey; a scene that cannot be shown is left out. */
+enum hsr_status report_lessons(const struct report *report, json_t *data,
+                               struct hsr_error *err);
 
 /* Writes a script into folder/name: `before`, the value, `after`. The value is
  * a text that the script parses: a browser reads that twice as fast as the same

@@ -3,6 +3,7 @@
 // through together. One of them leads; the others follow it.
 import { read, set as setAddress } from "../page/data/address.js";
 import { h } from "../page/parts/dom.js";
+import { figures } from "./figures/all.js";
 import { kindLook, KINDS, setPaper } from "./data/kinds.js";
 import { runOf } from "./data/run.js";
 import { LESSONS } from "./data/survey.js";
@@ -328,7 +329,10 @@ async function begin() {
       go(k);
     }) || "", bar.element, note, question.element, legend(),
     h("div", { class: `panels of-${panels.length}` },
-      panels.map(({ element }) => element)), keyHelp());
+      panels.map(({ element }) => element)),
+    survey && figures(shown[0], (name) =>
+      scenes.get(name) === scenes.get(state.a[0]) ? runNamed(name) : null) || "",
+    keyHelp());
   document.title = `${scene}: ${state.a.join(", ")} · hsr`;
   state.to = bar.offer(leader(), state.to, state.face);
   bar.pace(paceWords(), state.speed);

@@ -346,6 +346,21 @@ async function lessons(file) {
     await page.waitForSelector(".figure-29");
   });
   const names = await page.evaluate(() => globalThis.lesson.names);
+  const figures = { appel: 1, schumacker: 3, newell: 2, warnock: 1, bouknight: 1,
+    watkins: 2, hzbuffer: 2, tiling: 1 };
+  for (const name of names)
+    await test(`${name}: its figures`, async () => {
+      await go(`#/?a=${name}`);
+      const wanted = figures[name] ?? 0;
+      if (wanted) await page.waitForSelector(".figures figure");
+      const seen = await page.$$eval(".figures figure", (all) => all.map((e) =>
+        ({ drawn: e.querySelectorAll("svg *, canvas").length, html: e.innerHTML })));
+      assert.equal(seen.length, wanted);
+      for (const { drawn, html } of seen) {
+        assert.ok(drawn > 2, html.slice(0, 200));
+        assert.doesNotMatch(html, /NaN|undefined|Infinity/);
+      }
+    });
   for (const name of names)
     await test(`${name}: what it says to see is there`, async () => {
       await go(`#/?a=${name}`);

@@ -128,6 +128,27 @@ async function sampled(folder) {
     assert.ok((await column(page, "beside", 3)).length > 5);
   });
 
+  await test("Watkins beside two others: pictures, steps, counters", async () => {
+    await choose(page, "with-1", "zbuffer");
+    assert.match(await hash(), /with=bouknight%2Czbuffer|with=bouknight,zbuffer/);
+    await page.reload();
+    assert.deepEqual(await page.evaluate(blemishes), []);
+    assert.deepEqual(await serious(page), []);
+    const heads = await page.$$eval(".beside thead th", (all) =>
+      all.map((e) => e.textContent.trim()));
+    assert.deepEqual(heads.slice(1), ["watkins", "bouknight", "zbuffer"]);
+    assert.equal(await page.locator(".scale").count(), 1);
+    const columns = await page.$$eval(".row-of", (all) =>
+      all.map((e) => e.children.length));
+    assert.ok(columns.length > 0 && columns.every((n) => n === 3));
+    const steps = await page.textContent("#steps");
+    for (const word of ["X merge", "span cull", "all of a frame"])
+      assert.ok(steps.includes(word), word);
+    assert.match(await page.textContent("#counters"), /depth search/);
+    await choose(page, "with", "");
+    assert.doesNotMatch(await hash(), /bouknight/);
+  });
+
   await test("restrictions are spelled out", async () => {
     await go("#/algorithm/romney");
     assert.match(await page.textContent(".facts"), /TR\s+faces are triangles/);

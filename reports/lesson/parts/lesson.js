@@ -3,6 +3,7 @@
 import { href } from "../../page/data/address.js";
 import { h, link } from "../../page/parts/dom.js";
 import { LESSONS, stepOf } from "../data/survey.js";
+import { figureCount } from "../figures/all.js";
 
 const to = (name) => href("", "", { a: name });
 
@@ -37,7 +38,7 @@ export function lessonIndex(survey) {
   ];
 }
 
-// The text of a lesson, with its steps worth seeing. go(k), ask().
+// The text of a lesson, with its steps worth seeing. go(k).
 export function lessonText(survey, run, go) {
   const order = survey.map(({ name }) => name).filter((name) => LESSONS[name]);
   const place = order.indexOf(run.name);
@@ -58,5 +59,9 @@ export function lessonText(survey, run, go) {
       h("div", {}, h("h3", {}, "See"), h("ul", { class: "plain marks" },
         marks.map(([words, k]) => h("li", {}, h("button", { type: "button",
           "data-step": k, onclick: () => go(k) }, words)))),
-      h("h3", {}, "Find out"), h("p", {}, lesson.ask))));
+      h("h3", {}, "Find out"), h("p", {}, lesson.ask),
+      figureCount(run.name) ? h("p", {}, h("button", { type: "button", class: "plain",
+        onclick: () => document.querySelector(".figures-box").scrollIntoView() },
+      figureCount(run.name) === 1 ? "A figure of the paper, below"
+        : "Figures of the paper, below")) : null)));
 }

@@ -3,6 +3,7 @@
 // over them what the algorithm does now.
 import { colourOf, kindColour } from "../data/kinds.js";
 import { cubesOf, UNDECIDED } from "../data/painting.js";
+import { projection } from "../data/projection.js";
 import { facesOf } from "../data/run.js";
 
 const DASH = [6, 4];
@@ -261,26 +262,4 @@ function pathOf(points) {
   points.forEach(([x, y], k) => k ? path.lineTo(x, y) : path.moveTo(x, y));
   if (points.length > 2) path.closePath();
   return path;
-}
-
-// world -> [x, y, depth, samples a unit], or null if it is not before the eye.
-function projection({ eye, at, up, fov, near, parallel, width, height }) {
-  const minus = (a, b) => a.map((x, k) => x - b[k]);
-  const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
-  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-    a[0] * b[1] - a[1] * b[0]];
-  const unit = (a) => a.map((x) => x / Math.hypot(...a));
-  const forward = unit(minus(at, eye));
-  const right = unit(cross(forward, up));
-  const above = cross(right, forward);
-  return (point) => {
-    const d = minus(point, eye);
-    const depth = dot(d, forward);
-    if (!parallel && depth <= Math.max(near, 1e-9)) return null;
-    const half = parallel ? parallel / 2
-      : depth * Math.tan(fov * Math.PI / 360);
-    const unitSize = height / 2 / half;
-    return [width / 2 + dot(d, right) * unitSize,
-      height / 2 - dot(d, above) * unitSize, depth, unitSize];
-  };
 }

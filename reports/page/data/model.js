@@ -55,7 +55,7 @@ export function model(data) {
     baseline: data.baseline ?? null,
     growth: data.growth ?? [],
     geometric: data.geometric ?? [],
-    lessons: list(data.lessons),
+    lessonPages: list(data.lessons).filter((l) => Array.isArray(l?.names)),
     pictures, leftOut: data.left_out ?? [],
     views: (data.views ?? []).map(cleanView),
     environments: tables.environments ?? [],

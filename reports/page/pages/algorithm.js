@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything about one algorithm, and another one beside it if wanted.
+// Everything about one algorithm; or the same of it and one or two others.
 import { href, read } from "../data/address.js";
 import { count, digits, size, views, where, whole } from "../data/format.js";
 import { key, looks } from "../data/looks.js";
 import {
-  family, PEER, RESTRICTIONS, symbolOf, titleOf,
+  family, PEER, RESTRICTIONS, symbolOf, titleOf, unique,
 } from "../data/model.js";
 import {
   growthColumns, number, outcomeColumns, placeColumns, timeColumns,
@@ -18,6 +18,7 @@ import { workScale } from "../parts/work_scale.js";
 import { sideBySide } from "./beside.js";
 
 const FILTERS = ["view", "size"];
+const MOST_BESIDE = 2; // other algorithms
 const MANY_RUNGS = 64; // of a ladder; of more, some are left out
 
 export function algorithmPage(report, name) {
@@ -25,23 +26,31 @@ export function algorithmPage(report, name) {
   if (!report.algorithms.includes(algorithm))
     return { title: "No such algorithm", body: [h("p", {},
       `“${name}” is not in this report; see `, link("#/", "the tree"), ".")] };
-  const other = report.algorithms.find((a) => a.name === read().params
-    .get("with") && a !== algorithm);
+  const others = (read().params.get("with") ?? "").split(",").map((other) =>
+    report.algorithms.find((a) => a.name === other && a !== algorithm))
+    .filter(Boolean).slice(0, MOST_BESIDE);
   return { title: algorithm.title, body: [
     h("p", { class: "kicker" }, key(looks(name)), h("code", {}, name),
       algorithm.known_wrong && " · known to be wrong sometimes",
-      report.lessons.includes(name) && [" · ", link(
-        `lessons.html${href("", "", { a: name })}`, "watch it at work")]),
-    compareForm(report, algorithm, other),
-    other ? sideBySide(report, algorithm, other)
-      : [facts(descriptor(report, algorithm)),
-        section("The sorts it makes", "sorts", sorts(algorithm))],
+      report.lessonPages.filter(({ names }) => names.includes(name))
+        .map(({ file, scene }) => [" · ", link(`${file}${href("", "",
+          { a: name })}`, scene ? `watch it on ${scene}` : "watch it at work")])),
+    compareForm(report, algorithm, others),
+    ...others.length ? sideBySide(report, [algorithm, ...unique(others)])
+      : alone(report, algorithm),
+  ] };
+}
+
+function alone(report, algorithm) {
+  return [
+    facts(descriptor(report, algorithm)),
+    section("The sorts it makes", "sorts", sorts(algorithm)),
     section("What it costs, and the prediction", "steps",
       steps(report, algorithm)),
     section("Its pictures", "pictures", pictures(report, algorithm)),
     section("How its counts grow", "growth", growing(report, algorithm)),
     cellsOf(report, algorithm),
-  ] };
+  ];
 }
 
 export function descriptor(report, a) {
@@ -65,17 +74,24 @@ export function descriptor(report, a) {
   ];
 }
 
-function compareForm(report, algorithm, other) {
-  const go = (e) => {
-    location.hash = href("algorithm", algorithm.name,
-      e.target.value ? { with: e.target.value } : {});
+// A choice for each of the others, and one more while there is room.
+function compareForm(report, algorithm, others) {
+  const chosen = others.map((a) => a.name);
+  const choose = (k) => (e) => {
+    const names = chosen.slice();
+    names[k] = e.target.value;
+    const left = unique(names.filter(Boolean)).join(",");
+    location.hash = href("algorithm", algorithm.name, left ? { with: left } : {});
   };
+  const slot = (k) => h("label", {}, k ? "and with" : "Compare with",
+    h("select", { name: k ? `with-${k}` : "with", onchange: choose(k) },
+      h("option", { value: "" }, "no other"),
+      report.algorithms.filter((a) => a !== algorithm && (a.name === chosen[k] ||
+        !chosen.includes(a.name))).map((a) => h("option",
+        { value: a.name, selected: a.name === chosen[k] }, a.name))));
   return h("form", { class: "filters", onsubmit: (e) => e.preventDefault() },
-    h("label", {}, "Compare with",
-      h("select", { name: "with", onchange: go },
-        h("option", { value: "" }, "no other"),
-        report.algorithms.filter((a) => a !== algorithm).map((a) =>
-          h("option", { value: a.name, selected: a === other }, a.name)))));
+    Array.from({ length: Math.min(MOST_BESIDE, chosen.length + 1) },
+      (_, k) => slot(k)));
 }
 
 export function sorts(a) {
@@ -132,18 +148,22 @@ function pictures(report, a) {
     h("div", { class: "pictures" }, shown.map(({ p, entry }) =>
       h("div", { class: "pair" },
         h("h3", {}, titleOf(p)),
-        h("div", {},
-          image(entry.drawing, p, `line drawing of ${p.scene} by ${a.name}`,
-            "drawing"),
-          !entry.drawing && entry.status === "ok" &&
-            image(p.picture, p, `${p.scene}, as drawn by ${a.name}`, "picture"),
-          image(entry.difference, p, `where ${a.name} differs on ${p.scene}`,
-            "differences"),
-          image(entry.work, p, `work picture of ${a.name} on ${p.scene}`,
-            "work: how often each sample was touched")),
+        h("div", {}, picturesOf(a, p, entry)),
         h("p", {}, verdict(report, entry), p.probe && [" · ",
           link(href("probe", p.key, { module: a.name }), "probe")])))),
   ] : null;
+}
+
+// What algorithm a drew of a scene and view, where it differs, and its work.
+export function picturesOf(a, p, entry) {
+  return [
+    image(entry.drawing, p, `line drawing of ${p.scene} by ${a.name}`, "drawing"),
+    !entry.drawing && entry.status === "ok" &&
+      image(p.picture, p, `${p.scene}, as drawn by ${a.name}`, "picture"),
+    image(entry.difference, p, `where ${a.name} differs on ${p.scene}`,
+      "differences"),
+    image(entry.work, p, `work picture of ${a.name} on ${p.scene}`,
+      "work: how often each sample was touched")];
 }
 
 function image(source, { width, height }, alt, caption) {
@@ -152,7 +172,7 @@ function image(source, { width, height }, alt, caption) {
   h("figcaption", {}, caption)) : null;
 }
 
-function verdict(report, { status, mismatches, kind }) {
+export function verdict(report, { status, mismatches, kind }) {
   const what = report.kind(kind)?.places ?? "samples";
   return status === "wrong"
     ? `${symbolOf(status)} wrong: ${whole(mismatches)} ${what} differ`

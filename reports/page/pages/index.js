@@ -22,13 +22,18 @@ export function indexPage(report) {
           link(href("sweeps"), "how they grow"), ", ",
           link(href("timings"), "how fast they are"), " and ",
           link(href("tables"), "the tables of 1974 beside our counts"), "."),
-        report.lessons.length ? h("p", {}, link("lessons.html",
-          "Watch the ten at work"), ", step by step.") : null),
+        watching(report.lessonPages)),
       picture(report)),
     section("The algorithms", "tree", tree(report), apart(report)),
     section("What was run", "run", summary(report), leftOut(report)),
     section("Where and when", "machine", report.headers.map(header)),
   ] };
+}
+
+function watching(pages) {
+  return pages.length ? h("p", {}, pages.map(({ file, scene }, k) => [
+    k ? ", " : "", link(file, scene ? `on ${scene}` : "Watch the ten at work")]),
+  ", step by step.") : null;
 }
 
 // Of the largest of the environments of 1974 that have one; else of the scene

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where points of the world are seen, and how deep faces lie behind the picture.
+
+// world -> [x, y, depth, samples a unit], or null if it is not before the eye.
+export function projection({ eye, at, up, fov, near, parallel, width, height }) {
+  const minus = (a, b) => a.map((x, k) => x - b[k]);
+  const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+    a[0] * b[1] - a[1] * b[0]];
+  const unit = (a) => a.map((x) => x / Math.hypot(...a));
+  const forward = unit(minus(at, eye));
+  const right = unit(cross(forward, up));
+  const above = cross(right, forward);
+  return (point) => {
+    const d = minus(point, eye);
+    const depth = dot(d, forward);
+    if (!parallel && depth <= Math.max(near, 1e-9)) return null;
+    const half = parallel ? parallel / 2
+      : depth * Math.tan(fov * Math.PI / 360);
+    const unitSize = height / 2 / half;
+    return [width / 2 + dot(d, right) * unitSize,
+      height / 2 - dot(d, above) * unitSize, depth, unitSize];
+  };
+}
+
+// face -> (x, y) -> 1/depth of its plane there; in parallel, minus the depth. Both
+// are linear on the screen, and grow towards the eye. null: a face without depth.
+export function closeness(run) {
+  const { header, trace } = run;
+  const see = projection(header.view);
+  const known = new Map();
+  return (f) => {
+    if (!known.has(f)) known.set(f, planeOf(header.faces[f][3].map((v) =>
+      see(trace.points[v])), header.view.parallel > 0));
+    return known.get(f);
+  };
+}
+
+// The plane through the first corner and those two that span most with it.
+function planeOf(corners, parallel) {
+  const at = corners.filter(Boolean).map(([x, y, depth]) =>
+    [x, y, parallel ? -depth : 1 / depth]);
+  let best = null, most = 1e-9;
+  for (let p = 1; p < at.length; p++)
+    for (let q = p + 1; q < at.length; q++) {
+      const [ax, ay] = [at[p][0] - at[0][0], at[p][1] - at[0][1]];
+      const [bx, by] = [at[q][0] - at[0][0], at[q][1] - at[0][1]];
+      const area = ax * by - ay * bx;
+      if (Math.abs(area) <= most) continue;
+      most = Math.abs(area);
+      const az = at[p][2] - at[0][2], bz = at[q][2] - at[0][2];
+      best = [(az * by - bz * ay) / area, (ax * bz - bx * az) / area];
+    }
+  return best && ((x, y) =>
+    at[0][2] + best[0] * (x - at[0][0]) + best[1] * (y - at[0][1]));
+}
+
+// The segments of faces on row j: [{ face, x0, x1, z0, z1 }], z as of closeness.
+export function segmentsOn(run, j, near = closeness(run)) {
+  const y = j + 0.5;
+  return run.header.faces.flatMap(([face, , , , polygon]) => {
+    const plane = near(face);
+    const crossings = polygon.flatMap(([xa, ya], k) => {
+      const [xb, yb] = polygon[(k + 1) % polygon.length];
+      return (ya > y) === (yb > y) ? []
+        : [xa + (y - ya) / (yb - ya) * (xb - xa)];
+    }).sort((a, b) => a - b);
+    const segments = [];
+    for (let k = 0; plane && k + 1 < crossings.length; k += 2)
+      segments.push({ face, x0: crossings[k], x1: crossings[k + 1],
+        z0: plane(crossings[k], y), z1: plane(crossings[k + 1], y) });
+    return segments;
+  });
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of the lessons: [what it is after, its text, draw(run, others), the
+// other runs that it wants]. Each is drawn from the events of the lesson's run.
+import { h } from "../../page/parts/dom.js";
+import { alongAnEdge, cubesVisited, logarithmic, masks, pyramid, spans,
+  windows } from "./image.js";
+import { clusterPriority, division, facePriority, intercepts,
+  wrongOrder } from "./lists.js";
+
+const FIGURES = {
+  appel: [["Figure 14", "λ, the number of faces that hide the edge, changes only " +
+    "where its image crosses that of a nearer contour edge. The edge is drawn " +
+    "where λ is 0.", alongAnEdge]],
+  schumacker: [
+    ["Figure 18", "A cluster from above. Its faces have numbers that hold from " +
+      "every eye: once the back faces are left out, dashed in b, a lower number " +
+      "hides a higher one. These numbers are found once.", facePriority],
+    ["Figure 19", "The clusters from above, with the planes that separate them, " +
+      "and the tree of these planes. After each cluster’s number stands its place " +
+      "in the order of priority for this eye. Clusters that lie over one another " +
+      "share their square.", clusterPriority],
+    ["Figure 20", "A convex face on two scan lines. The left edges are blue, the " +
+      "right ones red, all drawn as infinite lines. The line meets the face if the " +
+      "last of the left intercepts comes before the first of the right ones.",
+    intercepts]],
+  newell: [
+    ["Figure 22", "The Z sort goes by farthest points: P is to be painted before Q. " +
+      "But P may obscure Q, so that the six tests change their order.", wrongOrder],
+    ["Figure 23", "Cyclic overlap: no order of the whole faces will do. The plane of " +
+      "P divides Q into Qa and Qb, which go into the list apart.", division]],
+  warnock: [["Figure 25", "All windows that were shown: outlined where they are " +
+    "larger than a sample, filled where they are single samples. Where a face " +
+    "ends, or penetrates another, windows are small.", windows]],
+  bouknight: [["Figures 12 and 27", "The segments of one row, seen from above with " +
+    "the eye below, and dotted lines between the spans. In a, each edge begins a " +
+    "new span, as in Bouknight’s algorithm; in b, spans end where the visible face " +
+    "does, as in Watkins’.", spans, ["watkins"]]],
+  watkins: [
+    ["Figures 12 and 27", "The same row by both algorithms: a span of Watkins’ " +
+      "passes over the edges of what is hidden.", spans, ["bouknight"]],
+    ["Figure 28", "The ranges of depth of A and B overlap, as the dotted boxes show. " +
+      "After A is divided at its midpoint, the depths of one half tell, and the " +
+      "search ends.",
+    logarithmic]],
+  hzbuffer: [
+    ["Greene, Kass and Miller: the z-pyramid", "The depths of the finished picture, " +
+      "and above them, level by level, the farthest depth of each square of four. " +
+      "Near is light; black is the background.", pyramid],
+    ["Greene, Kass and Miller: cubes visited", "The cubes of the octree that were " +
+      "asked about: green if something of them might be seen, red if they were " +
+      "hidden with all that is in them.", cubesVisited]],
+  tiling: [["Greene: coverage masks", "One cell of the finest level while a polygon " +
+    "is tiled. Three words of 64 bits tell what becomes of its samples; no depth " +
+    "is compared, for what comes first is nearest.", masks]],
+};
+
+export const figureCount = (name) => FIGURES[name]?.length ?? 0;
+
+// The figures of a lesson, as they come. runNamed(name): a promise of a run, or
+// null if the page has none.
+export function figures(run, runNamed) {
+  const all = FIGURES[run.name] ?? [];
+  if (!all.length) return null;
+  const element = h("div", { class: "figures" });
+  Promise.all(all.map(async ([what, words, draw, more]) => {
+    const others = (await Promise.all((more ?? []).map(runNamed))).filter(Boolean);
+    const runs = [run, ...others].sort((a, b) => a.name < b.name ? -1 : 1);
+    const drawn = draw(more ? runs : run);
+    return drawn && h("figure", {}, drawn, h("figcaption", {},
+      h("b", {}, `${what}. `), words));
+  })).then((made) => element.replaceChildren(...made.filter(Boolean)));
+  return h("section", { class: "figures-box" },
+    h("h2", {}, "Figures of the paper, from this run"), element);
+}
