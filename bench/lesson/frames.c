@@ -6,7 +6,9 @@
  * The run is made twice: once to count its steps, and once to draw those that
  * are wanted. */
 #include "bench/lesson/lesson.h"
+#include "common/files/srgb.h"
 #include "common/files/whole_file.h"
+#include "common/voxels/voxels.h"
 
 #include <cairo-svg.h>
 #include <math.h>
@@ -30,13 +32,23 @@ struct frames {
   long n, done;   /* frames, and how many are drawn */
   uint64_t steps; /* of the whole run */
   uint64_t count[HSR_MAX_COUNTERS];
-  json_t *header;   /* as of hsr trace: where the faces are */
-  uint32_t *colour; /* of the samples, as cairo has them; 0: not painted yet */
-  json_t *parts;    /* of a line drawing, so far */
+  json_t *header;    /* as of hsr trace: where the faces are */
+  uint32_t *colour;  /* of the samples, as cairo has them; 0: not painted yet */
+  uint32_t *touches; /* of the samples: how often a step looked at them */
+  json_t *parts;     /* of a line drawing, so far */
+  struct hsr_arena arena;
+  struct hsr_growing cubes; /* of voxels, so far: struct cube */
   cairo_t *cairo;
   double scale; /* of the picture */
   enum hsr_status status;
   struct hsr_error *err;
+};
+
+/* Some voxels, as a square in the picture. */
+struct cube {
+  double x, y, half; /* samples */
+  double depth;
+  uint32_t solid;
 };
 
 /* --- Colours and paths ---------------------------------------------------- */
@@ -129,6 +141,37 @@ static void draw_segments(struct frames *f) {
   cairo_stroke(f->cairo);
 }
 
+/* A colour of its own for each solid, as on the page: of every hue, with a
+ * saturation of .45 and a lightness of .55. */
+static unsigned solid_colour(uint32_t solid) {
+  double hue = (double)(solid * 137ULL % 360) / 30, spread = 0.45 * (1 - 0.55);
+  unsigned rgb = 0;
+  for (int c = 0; c < 3; c++) {
+    double k = fmod((c == 0 ? 0 : c == 1 ? 8 : 4) + hue, 12);
+    double x = 0.55 - spread * fmax(-1, fmin(fmin(k - 3, 9 - k), 1));
+    rgb = rgb << 8 | (unsigned)lrint(255 * x);
+  }
+  return rgb;
+}
+
+static int farthest_first(const void *a, const void *b) {
+  const struct cube *p = a, *q = b;
+  return (p->depth < q->depth) - (p->depth > q->depth);
+}
+
+static void draw_cubes(struct frames *f) {
+  const struct cube *cube = f->cubes.items;
+  if (f->cubes.n)
+    qsort(f->cubes.items, f->cubes.n, sizeof *cube, farthest_first);
+  for (size_t k = 0; k < f->cubes.n; k++) {
+    cairo_rectangle(f->cairo, cube[k].x - cube[k].half,
+                    cube[k].y - cube[k].half, 2 * cube[k].half,
+                    2 * cube[k].half);
+    set_colour(f->cairo, solid_colour(cube[k].solid), 1);
+    cairo_fill(f->cairo);
+  }
+}
+
 static void draw_outlines(struct frames *f) {
   for (uint32_t k = 0; k < f->run->laid_out.n_faces; k++)
     add_face(f, k);
@@ -202,6 +245,7 @@ static void draw_picture(struct frames *f, const struct hsr_event *event,
   cairo_clip(f->cairo);
   draw_samples(f);
   draw_segments(f);
+  draw_cubes(f);
   draw_outlines(f);
   mark_event(f, event, kind);
   cairo_rectangle(f->cairo, 0, 0, view->m, view->n);
@@ -393,19 +437,79 @@ static void count_step(void *steps, const struct hsr_event *event) {
   ++*(uint64_t *)steps;
 }
 
-/* What an accepted step adds to the picture. */
-static void paint(struct frames *f, const struct hsr_event *event) {
+static void fill(struct frames *f, const struct hsr_window *w, uint32_t rgb) {
   const struct hsr_view *view = &f->run->view;
-  const struct hsr_answer_type *type = f->run->answer.drawn.form.type;
-  const struct hsr_window *w = &event->window;
-  if (event->part) {
-    hsr_json_append(&f->parts, type->part_json(event->part, view));
-    return;
-  }
-  uint32_t colour = 0xff000000u | face_colour(f, event->a.id[0]);
   for (int j = w->y0 > 0 ? w->y0 : 0; j < w->y1 && j < view->n; j++)
     for (int i = w->x0 > 0 ? w->x0 : 0; i < w->x1 && i < view->m; i++)
-      f->colour[(size_t)j * (size_t)view->m + (size_t)i] = colour;
+      f->colour[(size_t)j * (size_t)view->m + (size_t)i] = 0xff000000u | rgb;
+}
+
+/* The colour of a composited sample: its channels are linear, of 65535. */
+static uint32_t composited_colour(const uint16_t *channel) {
+  uint32_t rgb = 0;
+  for (int c = 0; c < 3; c++)
+    rgb = rgb << 8 |
+          (uint32_t)lrintf(255 * hsr_srgb_encode((float)channel[c] / 65535));
+  return rgb;
+}
+
+/* A sample that is not written yet is the darker the more often it was looked
+ * at. */
+static void touch(struct frames *f, const struct hsr_window *w) {
+  size_t k = (size_t)w->y0 * (size_t)f->run->view.m + (size_t)w->x0;
+  if (w->x1 - w->x0 != 1 || w->y1 - w->y0 != 1 || f->colour[k] >> 24 == 255)
+    return;
+  uint32_t alpha = (uint32_t)fmin(200, 26 * log2(1. + ++f->touches[k]));
+  uint32_t rgb = 0;
+  for (int c = 16; c >= 0; c -= 8)
+    rgb |= (0x5d6269u >> c & 255) * alpha / 255 << c;
+  f->colour[k] = alpha << 24 | rgb;
+}
+
+/* One of the cubes of a part, if it is before the eye. */
+static bool add_cube(struct frames *f, const struct hsr_voxel_cubes *part,
+                     int bit) {
+  const struct hsr_view *view = &f->run->view;
+  const struct hsr_voxel_grid *grid = part->grid;
+  double point[3], image[3];
+  const int place[3] = {bit & 3, bit >> 2 & 3, bit >> 4};
+  for (int k = 0; k < 3; k++)
+    point[k] = grid->lo[k] +
+               grid->size * (part->corner[k] + part->size * (place[k] + 0.5));
+  hsr_view_project(view, point, image);
+  double w = view->parallel ? 1 : image[2];
+  if (image[2] <= view->near || w <= 0)
+    return true;
+  if (!hsr_arena_grow(&f->arena, &f->cubes, sizeof(struct cube)))
+    return false;
+  const struct hsr_camera *camera = &view->camera;
+  double high = view->parallel
+                    ? camera->parallel
+                    : 2 * w * tan(camera->fov * 3.141592653589793 / 360);
+  ((struct cube *)f->cubes.items)[f->cubes.n - 1] = (struct cube){
+      .x = image[0] / w,
+      .y = image[1] / w,
+      .half = fmax(0.5, 0.6 * grid->size * part->size * view->n / high),
+      .depth = image[2],
+      .solid = part->solid};
+  return true;
+}
+
+/* What an accepted step adds to the picture. */
+static void paint(struct frames *f, const struct hsr_event *event) {
+  const struct hsr_answer_type *type = f->run->answer.drawn.form.type;
+  if (!event->part) {
+    fill(f, &event->window, face_colour(f, event->a.id[0]));
+  } else if (type == &hsr_answer_composited) {
+    fill(f, &event->window, composited_colour(event->part));
+  } else if (type == &hsr_answer_voxels) {
+    const struct hsr_voxel_cubes *part = event->part;
+    for (int bit = 0; bit < 64; bit++)
+      if (part->mask >> bit & 1 && !add_cube(f, part, bit))
+        f->status = hsr_fail_nomem(f->err);
+  } else {
+    hsr_json_append(&f->parts, type->part_json(event->part, &f->run->view));
+  }
 }
 
 /* The step that frame number `frame` shows, from 1. */
@@ -421,6 +525,9 @@ static void listen(void *context, const struct hsr_event *event) {
   f->count[event->counter]++;
   if (a->counters[event->counter].kind == HSR_ACCEPT)
     paint(f, event);
+  if (a->counters[event->counter].kind == HSR_SAMPLE &&
+      f->run->answer.drawn.form.type == &hsr_answer_composited)
+    touch(f, &event->window);
   bool wanted = false;
   for (; f->done < f->n && event->number + 1 >= step_of(f, f->done);
        wanted = true) {
@@ -445,7 +552,9 @@ static enum hsr_status draw_run(struct frames *f, struct hsr_error *err) {
   f->parts = json_array();
   f->colour =
       calloc((size_t)run->view.m * (size_t)run->view.n, sizeof *f->colour);
-  if (!f->header || !f->parts || !f->colour)
+  f->touches =
+      calloc((size_t)run->view.m * (size_t)run->view.n, sizeof *f->touches);
+  if (!f->header || !f->parts || !f->colour || !f->touches)
     return hsr_fail_nomem(err);
   trace_answer_free(&run->answer);
   status = trace_answer_init(&run->answer, &run->setup, &run->view, err);
@@ -471,6 +580,8 @@ enum hsr_status lesson_frames(const struct lesson_subject *subject,
   json_decref(f.header);
   json_decref(f.parts);
   free(f.colour);
+  free(f.touches);
+  hsr_arena_free(&f.arena);
   trace_run_close(&run);
   return status;
 }

@@ -147,9 +147,8 @@ enum hsr_status lesson_draw(const struct lesson_subject *subject, long most,
                             char **text, struct hsr_error *err);
 
 /* Draws n steps of a run, evenly over it and the last one too, as .svg or .png
- * files in the folder, which exists. Of answers that are neither ids nor
- * segments it draws no picture, only what each step is about. Fails as hsr trace
- * does; HSR_E_INPUT if a file cannot be written. */
+ * files in the folder, which exists. Fails as hsr trace does; HSR_E_INPUT if a
+ * file cannot be written. */
 enum hsr_status lesson_frames(const struct lesson_subject *subject,
                               const char *folder, long n, bool png,
                               struct hsr_error *err);

@@ -52,7 +52,8 @@ export function eventWords(run, e) {
     text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   else if (e.kind === "accept")
     text += ` is ${run.kind === "segments" ? "drawn" : verb}${
-      second && e.b.kind !== "window" ? `, not ${second}` : ""}`;
+      second && e.b.kind !== "window"
+        ? `, ${e.b.kind === "cell" ? "in" : "not"} ${second}` : ""}`;
   else text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   if (e.outcome) text += `: ${e.outcome}`;
   if (e.part && run.kind === "segments")
