@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// node watch.mjs MODULES BROWSER FOLDER PAGE...
-// Opens pages of hsr lesson from disk as a reader would, and prints TAP. FOLDER
-// holds, for each algorithm of a page, NAME.ndjson of hsr trace and, where it
-// draws faces, NAME.png of hsr render.
+// node watch.mjs MODULES BROWSER STORIES PAGE...
+// Opens pages of hsr lesson from disk as a reader would, and prints TAP. Beside a
+// page there are, for each of its algorithms, NAME.ndjson of hsr trace and, where it
+// draws faces, NAME.png of hsr render. STORIES: how many samples of each run are
+// asked for their story.
 import assert from "node:assert/strict";
-import { existsSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+import { readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
 import { addressOf, begin, blemishes } from "../browser.mjs";
 
-const [modules, executablePath, folder, ...files] = process.argv.slice(2);
+const [modules, executablePath, stories, ...files] = process.argv.slice(2);
 const { test, open: openWindow, serious, end } =
   await begin(modules, executablePath);
 
@@ -26,7 +27,7 @@ async function open(file, options = {}) {
 
 // Runs in the page, for one algorithm. Compares what it shows with a replay of
 // its own; returns what is wrong.
-function watched(name) {
+function watched([name, stories]) {
   return globalThis.lesson.run(name).then((run) => {
     const bad = [];
     const { trace, n, width: m, height } = run;
@@ -97,7 +98,7 @@ function watched(name) {
     }
 
     // The stories of some samples.
-    for (let t = 0; t < 20 && run.kind === "ids"; t++) {
+    for (let t = 0; t < stories && run.kind === "ids"; t++) {
       const at = { i: random(m), j: random(height) };
       const { events, face } = globalThis.lesson.story(name, at);
       const accepted = events.filter((e) => run.event(e).kind === "accept");
@@ -148,10 +149,12 @@ async function everyAlgorithm(file) {
   const { page, faults, go, close } = await open(file);
   await go("");
   const names = await page.evaluate(() => globalThis.lesson.names);
+  const folder = dirname(file);
+  const scene = folder.slice(folder.lastIndexOf("/") + 1);
   for (const name of names)
-    await test(`${name}: forward, back, anywhere`, async () => {
+    await test(`${name} on ${scene}: forward, back, anywhere`, async () => {
       await go(`#/?a=${encodeURIComponent(name)}`);
-      const seen = await page.evaluate(watched, name);
+      const seen = await page.evaluate(watched, [name, Number(stories)]);
       assert.deepEqual(seen.bad, []);
       const lines = readFileSync(join(folder, `${name}.ndjson`), "utf8").trim()
         .split("\n");
@@ -381,7 +384,6 @@ async function lessons(file) {
 }
 
 for (const file of files) {
-  if (!existsSync(file)) continue;
   if (file.endsWith("lessons.html")) {
     await lessons(file);
     continue;

