@@ -289,6 +289,7 @@ EXTRA_DIST += \
   %D%/mutants/hierarchical.mutants \
   %D%/mutants/image_space.mutants \
   %D%/tree/apart \
+  %D%/mutants/lesson.mutants \
   %D%/mutants/lines_and_lists.mutants \
   %D%/mutants/services.mutants \
   %D%/mutants/splats.mutants \

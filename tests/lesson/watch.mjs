@@ -97,6 +97,49 @@ function watched([name, stories]) {
           expect(`piece ${p} at ${e}`, run.pieceFace(e, p), face);
     }
 
+    // Segments of a divided face lie in the outline of the piece at the head.
+    const named = (c) => run.header.counters.findIndex((x) => x.name === c);
+    const boundsOf = (points) => [0, 1].map((c) => points.map((p) => p[c]))
+      .map((x) => [Math.min(...x) - 1, Math.max(...x) + 1]);
+    for (let e = 0; e < trace.kept && trace.lists.length === 1; e++) {
+      if (trace.counter[e] !== named("segments")) continue;
+      const { piece } = run.list.at(e + 1).order[0];
+      const outline = run.outline(e, piece);
+      if (!outline) continue;
+      const [[x0, x1], [y0, y1]] = boundsOf(outline);
+      if (trace.x[e] < x0 || trace.x[e] + trace.width[e] > x1 ||
+          trace.y[e] < y0 || trace.y[e] + 1 > y1)
+        bad.push(`segment ${e} is outside of piece ${piece}`);
+    }
+    // Each piece of a BSP tree is in one node.
+    const inNodes = run.trace.structure.nodes?.flatMap(([, , , first, many]) =>
+      Array.from({ length: many }, (_, p) => first + p)).sort((p, q) => p - q);
+    if (inNodes) expect("pieces in nodes", inNodes, pieces.map((_, p) => p));
+    // A cube of Clark's holds the faces that are met in it.
+    for (let e = 0; e < trace.kept && name === "clark"; e++) {
+      if (trace.counter[e] !== named("faces met")) continue;
+      const { ids } = run.event(e).b;
+      const at = run.cubes.get(`${ids[0]},${ids[1]}`);
+      const polygon = run.header.faces[trace.a0[e]][4];
+      if (!at) bad.push(`no cube ${ids}`);
+      if (!at?.every(Boolean) || !polygon.length) continue;
+      const cube = boundsOf(at), face = boundsOf(polygon);
+      if ([0, 1].some((c) => face[c][0] < cube[c][0] - 1 ||
+          face[c][1] > cube[c][1] + 1))
+        bad.push(`face ${trace.a0[e]} is outside of cube ${ids}`);
+    }
+    // From a plane, Schumacker goes to the eye's side.
+    const seen = run.tree ? run.tree.at(n).seen : [];
+    if (run.tree && !seen.length) bad.push("the tree is not walked");
+    for (let e = 0; e < trace.kept && name === "schumacker"; e++) {
+      if (trace.counter[e] !== named("inter-cluster priority")) continue;
+      const node = run.tree.nodes[trace.b0[e]];
+      const side = run.event(e).outcome === "in front" ? "front" : "behind";
+      const next = seen[seen.indexOf(trace.b0[e]) + 1];
+      if (run.tree.nodes[node[side]].faces?.length === 0) continue; // left out
+      if (next !== node[side]) bad.push(`after plane ${trace.b0[e]}: ${next}`);
+    }
+
     // The stories of some samples.
     for (let t = 0; t < stories && run.kind === "ids"; t++) {
       const at = { i: random(m), j: random(height) };

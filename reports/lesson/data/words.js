@@ -37,6 +37,16 @@ export function windowWords({ x, y, width, height }) {
 const isWhole = (run, w) => w && w.x <= 0 && w.y <= 0 &&
   w.x + w.width >= run.width && w.y + w.height >= run.height;
 
+// Of the list of priority, an interchange puts the second piece before the first;
+// others are of neighbours.
+function sortWords(e, a, b) {
+  const { name } = e.counter;
+  if (name === "interchanges") return `${b} is put before ${a}, with a marker`;
+  if (/interchange/.test(name)) return `${a} and ${b} change places`;
+  return name === "insertions" ? `${a} goes past ${b}`
+    : `${a} is put into its place, with ${b}`;
+}
+
 // The subjects and what becomes of them: "face 12 (chimney) against face 3
 // (ground): farther".
 export function eventWords(run, e) {
@@ -46,8 +56,11 @@ export function eventWords(run, e) {
   const first = a || b;
   const second = a && b ? b : "";
   let text = first;
-  if (e.outcome && e.kind !== "compare") text += second ? `, with ${second}` : "";
+  if (e.kind === "sort" && second) text = sortWords(e, a, b);
+  else if (e.outcome && e.kind !== "compare") text += second ? `, with ${second}` : "";
   else if (e.kind === "compare") text += second ? ` against ${second}` : "";
+  else if (e.kind === "split" && e.b.kind === "face")
+    text += ` is divided by the plane of ${second}`;
   else if (e.kind === "split" || e.kind === "subdivide")
     text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   else if (e.kind === "accept")
