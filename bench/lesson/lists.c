@@ -25,28 +25,31 @@ struct note {
   struct hsr_window window;
 };
 
-static const struct hsr_counter *find_counter(const struct hsr_algorithm *a,
-                                              const char *name) {
+/* Whether the counter is of that step, perhaps of one algorithm within another:
+ * "Newell: Z sort". */
+static bool is_step(const struct hsr_counter *c, const char *name) {
+  const char *within = strstr(c->name, ": ");
+  return !strcmp(within ? within + 2 : c->name, name);
+}
+
+/* The name of the algorithm's counter of that step, of pieces; "": none. */
+static const char *step_name(const struct hsr_algorithm *a, const char *name) {
   for (int k = 0; k < trace_n_counters(a); k++)
-    if (!strcmp(a->counters[k].name, name))
-      return &a->counters[k];
-  return NULL;
+    if (is_step(&a->counters[k], name) && a->counters[k].a == HSR_OF_PIECE)
+      return a->counters[k].name;
+  return "";
 }
 
 bool lesson_has_list(const struct hsr_setup *setup) {
-  const struct hsr_counter *sort = find_counter(setup->algorithm, "Z sort");
-  const struct hsr_counter *divide =
-      find_counter(setup->algorithm, "divisions");
-  return sort && sort->a == HSR_OF_PIECE && divide &&
-         divide->a == HSR_OF_PIECE && divide->b == HSR_OF_FACE &&
-         !setup->world->pieces;
+  return *step_name(setup->algorithm, "Z sort") &&
+         *step_name(setup->algorithm, "divisions") && !setup->world->pieces;
 }
 
 void lesson_note_list(struct lesson_bytes *notes, const struct hsr_counter *c,
                       const struct hsr_event *event) {
   bool divides = c->kind == HSR_SPLIT;
   const struct hsr_subject *both[2] = {&event->a, &event->b};
-  if (!divides && strcmp(c->name, "Z sort") != 0)
+  if (!divides && !is_step(c, "Z sort"))
     return;
   for (int k = 0; k < 2; k++)
     if (both[k]->kind == HSR_OF_PIECE)
@@ -76,8 +79,11 @@ struct lists {
   struct hsr_tally tally;    /* of no interest */
   struct hsr_growing pieces; /* of the list at hand: struct piece */
   double (*in)[3], (*out)[3];
-  size_t room;   /* points of in[] */
-  json_t *lists; /* NULL: memory ran out */
+  size_t room;              /* points of in[] */
+  json_t *lists;            /* NULL: memory ran out */
+  struct hsr_window window; /* of the list at hand */
+  bool of_parts; /* the lists are made within another algorithm, for parts of
+                    the picture */
 
   /* The sort at hand: its second pass has named n_again pieces, and its events
    * follow one another up to `next`. */
@@ -109,16 +115,39 @@ static json_t *outline_json(struct lists *l, const struct hsr_polygon *p) {
                             l->out);
 }
 
+/* What is in the window of the bounds of a piece. */
+static struct hsr_bounds bounds_in(const struct lists *l,
+                                   struct hsr_polygon polygon,
+                                   const struct hsr_window *w) {
+  struct hsr_bounds b = polygon.outline
+                            ? hsr_outline_bounds(&l->screen, polygon)
+                            : l->screen.bounds[polygon.face];
+  return (struct hsr_bounds){
+      b.x0 > w->x0 ? b.x0 : w->x0, b.y0 > w->y0 ? b.y0 : w->y0,
+      b.x1 < w->x1 ? b.x1 : w->x1, b.y1 < w->y1 ? b.y1 : w->y1};
+}
+
+/* The depth by which a piece is sorted. In a list for a part of the picture, only
+ * that part counts. */
+static double farthest_of(const struct lists *l, struct hsr_polygon polygon) {
+  double nearest, farthest;
+  hsr_depth_range(&l->screen, polygon, &nearest, &farthest);
+  struct hsr_bounds bounds = bounds_in(l, polygon, &l->window);
+  if (l->of_parts)
+    hsr_narrow_depth_range(&l->screen, polygon.face, &bounds, &nearest,
+                           &farthest);
+  return farthest;
+}
+
 /* [face, parent, farthest depth, outline], of each piece. */
 static json_t *pieces_json(struct lists *l) {
   json_t *pieces = json_array();
   for (uint32_t k = 0; k < l->pieces.n; k++) {
     const struct piece *p = piece_at(l, k);
-    double nearest, farthest;
-    hsr_depth_range(&l->screen, p->polygon, &nearest, &farthest);
     hsr_json_append(&pieces,
                     json_pack("[I I o o]", (json_int_t)p->polygon.face,
-                              (json_int_t)p->parent, number_or_null(farthest),
+                              (json_int_t)p->parent,
+                              number_or_null(farthest_of(l, p->polygon)),
                               outline_json(l, &p->polygon)));
   }
   return pieces;
@@ -141,14 +170,11 @@ static bool add_piece(struct lists *l, int64_t parent,
 }
 
 /* Whether the algorithm puts it into its list. */
-static bool has_samples(const struct lists *l, struct hsr_polygon polygon,
-                        const struct hsr_window *w) {
+static bool has_samples(const struct lists *l, struct hsr_polygon polygon) {
   double nearest, farthest;
-  struct hsr_bounds b = hsr_outline_bounds(&l->screen, polygon);
+  struct hsr_bounds b = bounds_in(l, polygon, &l->window);
   hsr_depth_range(&l->screen, polygon, &nearest, &farthest);
-  return (b.x0 > w->x0 ? b.x0 : w->x0) < (b.x1 < w->x1 ? b.x1 : w->x1) &&
-         (b.y0 > w->y0 ? b.y0 : w->y0) < (b.y1 < w->y1 ? b.y1 : w->y1) &&
-         farthest > 0;
+  return b.x0 < b.x1 && b.y0 < b.y1 && farthest > 0;
 }
 
 /* The number of points that a polygon has. */
@@ -168,7 +194,7 @@ static bool divide(struct lists *l, const struct note *note) {
       return false;
     struct hsr_polygon half = hsr_divide_outline(
         &l->screen, whole, (struct hsr_cut){note->by, side}, outline, scratch);
-    if (has_samples(l, half, &note->window) && !add_piece(l, note->piece, half))
+    if (has_samples(l, half) && !add_piece(l, note->piece, half))
       return false;
   }
   return true;
@@ -178,9 +204,10 @@ static bool divide(struct lists *l, const struct note *note) {
  * one that was has named every piece twice. */
 static bool sort(struct lists *l, const struct note *note, uint64_t *from) {
   bool done = !note->by_pairs && l->pieces.n && l->n_again == l->pieces.n;
-  if (note->event > l->next || done) {
+  if (!l->pieces.n || note->event > l->next || done) {
     end_list(l, *from);
     *from = note->event;
+    l->window = note->window;
   }
   l->next = note->event + 1;
   if (note->piece < l->pieces.n) {
@@ -214,7 +241,10 @@ static bool make_lists(struct lists *l, struct note *note, size_t n) {
 
 json_t *lesson_lists_json(const struct trace_run *run,
                           const struct lesson_bytes *notes) {
-  struct lists l = {.view = &run->view, .lists = json_array()};
+  const struct hsr_algorithm *a = run->setup.algorithm;
+  struct lists l = {.view = &run->view,
+                    .lists = json_array(),
+                    .of_parts = strstr(step_name(a, "Z sort"), ": ")};
   if (!notes->n && !notes->failed)
     return l.lists;
   bool good = !notes->failed &&

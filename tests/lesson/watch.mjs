@@ -83,7 +83,7 @@ function watched([name, stories]) {
 
     // The list of priority agrees with every event; at the end, all is done.
     if (run.list) {
-      expect("events against the list", run.list.faults, 0);
+      expect("events against the list", run.list.faults, []);
       const { painted, order } = run.list.at(n);
       expect("left in the list", order.length, 0);
       if (!painted.length) bad.push("nothing was in the list");

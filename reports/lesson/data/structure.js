@@ -73,7 +73,7 @@ function growingList(run, title, counter, outcome) {
   const items = when.map((k) => ({ face: trace.a0[k], piece:
     run.header.counters[counter].a === "piece" ? trace.a1[k] : null }));
   const sorted = Uint32Array.from(when);
-  return { title, faults: 0, at: (k) => ({
+  return { title, faults: [], at: (k) => ({
     painted: items.slice(0, above(sorted, k)), order: [], marked: new Set(),
     sorting: false }) };
 }
@@ -91,7 +91,7 @@ function sortedFaces(run, sort) {
       when.push(k);
     }
   const sorted = Uint32Array.from(when);
-  return { title: "The list, the farthest first", faults: 0, at: (k) => {
+  return { title: "The list, the farthest first", faults: [], at: (k) => {
     const n = k >= run.n ? items.length : Math.max(0, above(sorted, k) - 1);
     return { painted: items.slice(0, n), order: k >= begin ? items.slice(n) : [],
       marked: new Set(), sorting: k < begin };
@@ -136,17 +136,22 @@ function apply(state, { what, list, p, at, order }) {
 const copyOf = (state) => ({ ...state, painted: state.painted.slice(),
   order: state.order.slice(), marked: new Set(state.marked) });
 
-// Replays the list from the events. `faults` counts events that do not agree with
-// the list; there should be none.
+// Replays the list from the events. `faults` are events that do not agree with the
+// list; there should be none.
 function priorityList(run) {
   const { trace, header } = run;
   const { lists, counter, a0, a1, b1, outcome } = trace;
-  const roles = header.counters.map(({ name }) => name);
+  // The steps of the list, perhaps of one algorithm within another.
+  const { name: first } = header.counters.find(({ name, a }) =>
+    a === "piece" && name.endsWith("Z sort"));
+  const within = first.slice(0, -"Z sort".length);
+  const roles = header.counters.map(({ name }) =>
+    name.startsWith(within) ? name.slice(within.length) : "");
   const ends = header.counters.map(({ outcomes }) =>
     outcomes?.indexOf("end of {Q}") ?? -1);
-  const ops = [], copies = [];
+  const ops = [], copies = [], faults = [];
   let state = { list: -1, painted: [], order: [], marked: new Set(),
-    sorting: false }, faults = 0, last = null, asked = -1;
+    sorting: false }, last = null, asked = -1;
 
   const doNow = (e, op) => {
     if (ops.length % KEPT === 0) copies.push(copyOf(state));
@@ -156,14 +161,16 @@ function priorityList(run) {
   const paintUpTo = (e, isHead) => {
     while (state.order.length && !isHead(state.order[0]))
       doNow(e, { what: "paint" });
-    if (!state.order.length) faults += 1;
+    if (!state.order.length) faults.push(e);
   };
   const pieces = () => lists[state.list].pieces;
 
   for (let e = 0, next = 0; e < trace.kept; e++) {
     const role = roles[counter[e]];
-    if (role === "Z sort" && next < lists.length && lists[next].from === e)
+    if (role === "Z sort" && next < lists.length && lists[next].from === e) {
       doNow(e, { what: "sort", list: next++ });
+      asked = -1;
+    }
     if (state.sorting && roles[counter[e + 1]] !== "Z sort")
       doNow(e, { what: "begin", order: sorted(pieces()) });
     if (role === "Newell special" || role === "minimax tests") {
@@ -172,15 +179,15 @@ function priorityList(run) {
       if (role === "minimax tests") continue;
       // Each Q comes after the one before, but the last may end {Q}.
       const place = state.order.indexOf(b1[e]);
-      if (place < 1 || (asked === p && place !== last + 1)) faults += 1;
+      if (place < 1 || (asked === p && place !== last + 1)) faults.push(e);
       asked = outcome[e] === ends[counter[e]] ? -1 : p;
       last = place;
     } else if (role === "interchanges") {
-      if (state.order[0] !== a1[e] || !state.order.includes(b1[e])) faults += 1;
+      if (state.order[0] !== a1[e] || !state.order.includes(b1[e])) faults.push(e);
       doNow(e, { what: "move", p: b1[e] });
       asked = -1;
     } else if (role === "divisions") {
-      if (!state.order.includes(a1[e])) faults += 1;
+      if (!state.order.includes(a1[e])) faults.push(e);
       doNow(e, { what: "out", p: a1[e] });
       let f = e + 1;
       pieces().forEach(([, parent], child) => {

@@ -40,7 +40,7 @@ const isWhole = (run, w) => w && w.x <= 0 && w.y <= 0 &&
 // Of the list of priority, an interchange puts the second piece before the first;
 // others are of neighbours.
 function sortWords(e, a, b) {
-  const { name } = e.counter;
+  const name = e.counter.name.replace(/^.*: /, "");
   if (name === "interchanges") return `${b} is put before ${a}, with a marker`;
   if (/interchange/.test(name)) return `${a} and ${b} change places`;
   return name === "insertions" ? `${a} goes past ${b}`
