@@ -6,6 +6,7 @@
  * The run is made twice: once to count its steps, and once to draw those that
  * are wanted. */
 #include "bench/lesson/lesson.h"
+#include "common/answers/area.h"
 #include "common/files/srgb.h"
 #include "common/files/whole_file.h"
 #include "common/voxels/voxels.h"
@@ -453,6 +454,15 @@ static uint32_t composited_colour(const uint16_t *channel) {
   return rgb;
 }
 
+/* That of the middles of the intervals of a pixel's channels. */
+static uint32_t area_colour(const struct hsr_area_bounds *channel) {
+  uint16_t middle[3];
+  for (int c = 0; c < 3; c++)
+    middle[c] = (uint16_t)lrint(
+        65535 * fmin(1, fmax(0, (channel[c].lo + channel[c].hi) / 2)));
+  return composited_colour(middle);
+}
+
 /* A sample that is not written yet is the darker the more often it was looked
  * at. */
 static void touch(struct frames *f, const struct hsr_window *w) {
@@ -502,6 +512,8 @@ static void paint(struct frames *f, const struct hsr_event *event) {
     fill(f, &event->window, face_colour(f, event->a.id[0]));
   } else if (type == &hsr_answer_composited) {
     fill(f, &event->window, composited_colour(event->part));
+  } else if (type == &hsr_answer_area) {
+    fill(f, &event->window, area_colour(event->part));
   } else if (type == &hsr_answer_voxels) {
     const struct hsr_voxel_cubes *part = event->part;
     for (int bit = 0; bit < 64; bit++)

@@ -171,19 +171,17 @@ static long option_of(const struct hsr_setup *setup, const char *name,
   return otherwise;
 }
 
-/* As of algorithms/hierarchical/: hzbuffer.c where there are its options, else
- * clark.c. */
+/* As of algorithms/hierarchical/: those that test cubes have the rule of
+ * hzbuffer.c, by its options or its standard; clark.c has another. */
 static struct hsr_octree_rule cube_rule(const struct hsr_setup *setup) {
-  long least = option_of(setup, "least", 0);
-  bool pushed = least && !option_of(setup, "placement", 1);
-  return least
-             ? (struct hsr_octree_rule){.small =
-                                            pushed ? 1. / (double)option_of(
-                                                              setup, "small", 1)
-                                                   : 0,
-                                        .most = (uint32_t)least,
-                                        .least = (uint32_t)least}
-             : (struct hsr_octree_rule){.small = 0, .most = 32, .least = 1};
+  if (!counts(setup->algorithm, "cubes tested"))
+    return (struct hsr_octree_rule){.small = 0, .most = 32, .least = 1};
+  bool pushed = !option_of(setup, "placement", 0);
+  uint32_t least = (uint32_t)option_of(setup, "least", 20);
+  return (struct hsr_octree_rule){
+      .small = pushed ? 1. / (double)option_of(setup, "small", 10) : 0,
+      .most = least,
+      .least = least};
 }
 
 static bool add_cubes(json_t **to, const struct trace_run *run) {

@@ -8,8 +8,8 @@ const WORK = 1 << 18; // samples painted from one keyframe to the next
 const ROOM = 1 << 24; // samples of all keyframes
 
 export function painting(run) {
-  return { ids: idsPainting, composited: compositedPainting,
-    segments: segmentsPainting, voxels: voxelsPainting }[run.kind](run);
+  return { ids: idsPainting, composited: (own) => channelsPainting(own, 4, (c) => c),
+    area: (own) => channelsPainting(own, 6, middles), segments: segmentsPainting, voxels: voxelsPainting }[run.kind](run);
 }
 
 // --- samples: an Int32Array of what was written to each; values[k] by event k ---
@@ -112,20 +112,29 @@ function idsPainting(run) {
   return { ...own, equal };
 }
 
-// --- composited: places in the list of parts, from 1; 0 if all parts are not
-//     there. Samples that are not written stay black. ---
+// --- composited and area: places in the list of parts, from 1; 0 if all parts are
+//     not there. Samples that are not written stay black. ---
 
-function compositedPainting(run) {
+// Of intervals of red, green and blue, as composited samples have them.
+const middles = (bounds) => [...[0, 2, 4].map((k) =>
+  Math.min(65535, Math.max(0, 65535 * (bounds[k] + bounds[k + 1]) / 2))), 65535];
+
+// Of `many` numbers a sample; shown(numbers): its red, green, blue and opacity.
+function channelsPainting(run, many, shown) {
   const { width: m, height: n, trace } = run;
   const own = samplesPainting(run, trace.part, () => {
     const all = new Int32Array(m * n);
     return all.map((_, k) => k + 1);
   });
   const answer = Array.from({ length: m * n }, (_, k) =>
-    trace.answer.slice(4 * k, 4 * k + 4));
-  // The colour of a value that at(k) holds: red, green, blue, opacity.
-  const colour = (value, k) => value === UNDECIDED ? null
+    trace.answer.slice(many * k, many * (k + 1)));
+  const numbers = (value, k) => value === UNDECIDED ? null
     : k >= run.n && run.leftOut ? answer[value - 1] : trace.parts[value - 1];
+  // The colour of a value that at(k) holds: red, green, blue, opacity.
+  const colour = (value, k) => {
+    const own = numbers(value, k);
+    return own && shown(own);
+  };
   // How many events have touched each sample by then.
   const touched = new Uint32Array(m * n);
   const isSample = run.header.counters.map((c) => c.kind === "sample");
@@ -142,7 +151,7 @@ function compositedPainting(run) {
     return touched;
   };
   const equal = () => own.at(run.n).every((value, k) => {
-    const got = colour(value, run.n) ?? [0, 0, 0, 0];
+    const got = numbers(value, run.n) ?? Array(many).fill(0);
     return got.every((c, place) => c === answer[k][place]);
   });
   return { ...own, colour, touches, equal };

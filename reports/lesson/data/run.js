@@ -79,8 +79,7 @@ export function runOf(trace) {
     const s = which === "a"
       ? { kind: subjects[aKind[k]], ids: [a0[k], a1[k], a2[k]] }
       : { kind: subjects[bKind[k]], ids: [b0[k], b1[k], b2[k]] };
-    if (s.kind === "cell" && run.cubes.size &&
-        run.pyramid?.of(trace.counter[k]) !== which) s.kind = "cube";
+    if (s.kind === "cell" && run.isCube(trace.counter[k], which)) s.kind = "cube";
     if (s.kind === "piece" && run.list?.numberOf)
       s.ids[1] = run.list.numberOf(trace.counter[k], s.ids[1]);
     return s;

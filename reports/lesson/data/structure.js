@@ -8,7 +8,7 @@ export function structureOf(run) {
   return { list: listOf(run), tree: treeOf(run), pyramid,
     outline: outlines(run), pieceFace: (k, p) => pieceAt(run, k, p)?.[0] ?? null,
     children: (k, p) => childrenOf(run, k, p),
-    cubes: cubesOf(run) };
+    cubes: cubesOf(run), isCube: cubeSides(run) };
 }
 
 const numberOf = (run, name, matches = () => true) =>
@@ -40,6 +40,21 @@ function childrenOf(run, k, p) {
 function cubesOf(run) {
   return new Map((run.trace.structure.cubes ?? []).map(([node, instance, at]) =>
     [`${node},${instance}`, at]));
+}
+
+// (counter, "a" or "b") -> whether its cells are cubes: all of them are known.
+function cubeSides(run) {
+  const cubes = cubesOf(run), { trace } = run;
+  const are = (c, side) => {
+    if (run.header.counters[c][side] !== "cell" || !cubes.size) return false;
+    for (let k = 0; k < trace.kept; k++)
+      if (trace.counter[k] === c && (trace[`${side}2`][k] !== 0 || !cubes.has(
+        `${trace[`${side}0`][k]},${trace[`${side}1`][k]}`))) return false;
+    return true;
+  };
+  const known = run.header.counters.map((_, c) => ({ a: are(c, "a"),
+    b: are(c, "b") }));
+  return (c, side) => known[c][side];
 }
 
 // --- Lists of priority ---

@@ -116,7 +116,7 @@ export function picture(canvas, run) {
     }
   };
 
-  const drawn = { ids: drawIds, composited: drawComposited,
+  const drawn = { ids: drawIds, composited: drawComposited, area: drawComposited,
     segments: drawSegments, voxels: drawVoxels };
 
   // --- what is done now ---
