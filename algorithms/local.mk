@@ -16,6 +16,7 @@ include %D%/image_space/area/tiling/masks/local.mk
 include %D%/image_space/point/local.mk
 include %D%/brute_force/local.mk
 include %D%/hierarchical/local.mk
+include %D%/hierarchical/culling/local.mk
 include %D%/volume/local.mk
 include %D%/volume/splats/local.mk
 include %D%/volume/textures/local.mk

@@ -50,6 +50,7 @@ const KNOWN = {
   "error-bounded": [4, 4], "area-oracle": [3, 5], "polygon-oracle": [3, 6],
   "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5],
   clark: [7, 6],
+  "octree-raycast": [5, 1],
 };
 
 // FNV-1a: an unknown name has the same looks in every report.

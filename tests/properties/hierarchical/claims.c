@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tests/properties/hierarchical/claims.h"
+
+#include "algorithms/variant.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void stop(const char *name, const char *text) {
+  printf("Bail out! %s: %s\n", name, text);
+  exit(99);
+}
+
+void claim_open(struct claim_scene *scene, const char *name, uint32_t number,
+                int m, int n) {
+  struct hsr_error err;
+  open_worlds(&scene->worlds, name);
+  const struct hsr_scene *s = scene->worlds.scene;
+  if (hsr_view_init(&scene->view, &s->views[number % s->n_views], m, n, &err))
+    stop(name, err.text);
+}
+
+void claim_close(struct claim_scene *scene) {
+  close_worlds(&scene->worlds);
+}
+
+void claim_draw(struct claim_counts *counts, const struct claim_scene *scene,
+                const char *algorithm,
+                void (*listen)(void *context, const struct hsr_event *event),
+                void *context) {
+  const struct hsr_view *view = &scene->view;
+  struct hsr_error err;
+  struct hsr_variant variant;
+  struct hsr_setup setup;
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_trace trace = {.listen = listen, .context = context};
+  size_t size = (size_t)view->m * (size_t)view->n * sizeof *counts->ids;
+  *counts = (struct claim_counts){.ids = malloc(size)};
+  if (!counts->ids)
+    stop(algorithm, "out of memory");
+  memset(counts->ids, 0xfe, size);
+  counts->tally.trace = listen ? &trace : NULL;
+  struct hsr_job job = {.view = view,
+                        .scratch = &scratch,
+                        .tally = &counts->tally,
+                        .ids = counts->ids,
+                        .ids_stride = (size_t)view->m};
+  if (hsr_variant_parse(algorithm, &variant, &err))
+    stop(algorithm, err.text);
+  counts->algorithm = variant.listed->counting;
+  const struct hsr_world *world = hsr_most_laid_out(counts->algorithm)
+                                      ? &scene->worlds.world
+                                      : &scene->worlds.outline;
+  if (hsr_setup_init(&setup, counts->algorithm, &variant.choice, world, &err) ||
+      hsr_setup_render(&setup, &job, &err))
+    stop(algorithm, err.text);
+  counts->tally.trace = NULL;
+  hsr_setup_free(&setup);
+  hsr_arena_free(&scratch);
+}
+
+void claim_count(struct claim_counts *counts, const struct claim_scene *scene,
+                 const char *algorithm) {
+  claim_draw(counts, scene, algorithm, NULL, NULL);
+  free(counts->ids);
+  counts->ids = NULL;
+}
+
+int claim_counter(const struct hsr_algorithm *algorithm, const char *name) {
+  for (int k = 0; algorithm->counters[k].name; k++)
+    if (!strcmp(algorithm->counters[k].name, name))
+      return k;
+  stop(algorithm->name, name);
+  return -1;
+}
+
+uint64_t claim_value(const struct claim_counts *counts, const char *name) {
+  return counts->tally.count[claim_counter(counts->algorithm, name)];
+}
