@@ -130,13 +130,28 @@ static void check_scratch(struct tap *tap) {
   ok(tap, frame < 0.5 * rays, "hzbuffer: %.2f times the nodes", frame);
 }
 
+/* Faces that are not flat are in no cube. */
+static void check_loose(struct tap *tap) {
+  struct claim_scene scene;
+  struct claim_counts right, got;
+  claim_open(&scene, "non-planar", 0, M, N);
+  claim_draw(&right, &scene, "oracle", NULL, NULL);
+  claim_draw(&got, &scene, "octree-raycast", NULL, NULL);
+  ok(tap, count_differences(&scene.view, got.ids, right.ids) == 0,
+     "non-planar: the oracle's picture");
+  free(right.ids);
+  free(got.ids);
+  claim_close(&scene);
+}
+
 int main(void) {
-  struct tap tap = plan(11);
+  struct tap tap = plan(12);
   check_root(&tap, "house");
   check_root(&tap, "color-cube:8");
   check_root(&tap, "twist:5");
   check_windows(&tap, "house");
   check_hidden(&tap);
   check_scratch(&tap);
+  check_loose(&tap);
   return finish(&tap);
 }
