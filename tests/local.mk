@@ -66,6 +66,7 @@ tap_programs = \
   %D%/properties/hierarchical/movers_test \
   %D%/properties/hierarchical/hzbuffer_test \
   %D%/properties/hierarchical/raycast_test \
+  %D%/properties/hierarchical/zz_buffer_test \
   %D%/properties/hierarchical/steps_test \
   %D%/properties/tiling/lazy_test \
   %D%/properties/lines/lines_and_surfaces_test \
@@ -236,6 +237,7 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_counts_by_hand_schumacker_test_SOURCES = %D%/counts/by_hand/schumacker_test.c %D%/counts/by_hand/objects.h %D%/counts/by_hand/hand.h
 claims = %D%/properties/hierarchical/claims.c %D%/properties/hierarchical/claims.h
 %C%_properties_hierarchical_raycast_test_SOURCES = %D%/properties/hierarchical/raycast_test.c $(claims)
+%C%_properties_hierarchical_zz_buffer_test_SOURCES = %D%/properties/hierarchical/zz_buffer_test.c $(claims)
 %C%_properties_hierarchical_boxes_test_SOURCES = %D%/properties/hierarchical/boxes_test.cc
 %C%_properties_tiling_voxels_test_SOURCES = %D%/properties/tiling/voxels_test.cc
 %C%_properties_tiling_tiling_test_LDADD = libdraw.a $(BENCH_LIBS)

@@ -7,10 +7,10 @@
  *             described by Sutherland et al. 1974, "J. E. Warnock", figures 25
  *             and 26, and appendix B. The early end of the search in Z order is
  *             theirs too, under "Sorting".
- * Notation    window -> struct window, a rectangle of samples, whose corners
- *             are samples; surrounder, intersecter, disjoint -> enum relation;
- *             ancestral information -> struct listed, and the window's part of
- *             list[]; critical surround -> struct depths
+ * Notation    window -> struct hsr_area; surrounder, intersecter, disjoint ->
+ *             enum hsr_relation, which area.c proves; ancestral information ->
+ *             struct listed, and the window's part of list[]; critical surround
+ *             -> struct hsr_area_depths
  * Invariants  when examine() begins, and when it ends, list[0, n) holds in Z
  *             order the faces that the enclosing window leaves open: they are
  *             neither disjoint from it nor hidden by one of its surrounders. A
@@ -24,33 +24,8 @@
  *             too: it is left out of them, as a disjoint one is;
  *             a window one sample wide or high is divided into two
  * Cost        Z sort 2 F_r, Warnock special 100 L_v D_c, depth search L_v D_c
- *
- * A relation is proved for all samples of the window. If it cannot be proved,
- * the face is taken for an intersecter, which costs a subdivision and no more.
- * Let H be the rectangle of the window's corner samples. If no edge of a face
- * meets H then H lies wholly inside the face or wholly outside, and one corner
- * tells which. An edge does not meet H if both its ends lie beyond the same
- * side of H, or if all corners lie on one side of its line.
- *
- * Edges in doubles, delta = HSR_DELTA: measured from the centre of H, the ends
- * a and b of an edge are within delta + 2^-37 of the true ones (screen.c). With
- * d = b - a, and hw, hh half the width and height of H, dx hy - dy hx is at a
- * corner within r = |dx| hh + |dy| hw of its value e at the centre. The
- * reasoning of screen.c for edge sides, with |h| <= |a| + (hw, hh) at every
- * corner, bounds the error of e, and of e +- r, by 2.1 delta (|dx| + |dy| +
- * |ax| + |ay| + hw + hh) + 4.2 delta^2, the few roundings more of the centre,
- * of hw, hh and r included, each no more than 2^-8 delta of that; the filter
- * takes 4 and 8.
- *
- * A face that is cut by the eye or the near plane covers a sample if the parity
- * of its edges says so and its plane lies past near there. The parity is that
- * of the lines through the eye that meet the polygon. It, too, is constant on H
- * if no edge has a point on such a line. The same two tests prove this, by the
- * row sides and edge sides of the definition. An edge in line with the eye never
- * crosses a row, though its ends may be on different sides of some. So parity
- * changes where the row passes an end, and H must not hold such a row. On H the plane lies past near if
- * it does at the corners, both conditions, q > 0 and near q < 1, being linear
- * in the depth q; and nowhere if one of them fails at all corners. */
+ */
+#include "algorithms/image_space/area/area.h"
 #include "algorithms/image_space/area/warnock.h"
 
 #include <float.h>
@@ -88,8 +63,13 @@ enum { LAST_VERTEX_LEVEL = 28, NEVER = 255 };
 
 _Static_assert(HSR_MAX_SIZE <= INT16_MAX, "bounds of struct listed");
 
-/* Figure 26; and a face that lies behind a surrounder. */
-enum relation { DISJOINT, INTERSECTER, SURROUNDER, HIDDEN };
+/* hsr_relation; and a face that lies behind a surrounder. */
+enum {
+  DISJOINT = HSR_DISJOINT,
+  INTERSECTER = HSR_INTERSECTER,
+  SURROUNDER = HSR_SURROUNDER,
+  HIDDEN
+};
 
 /* A face in the list of a window. */
 struct listed {
@@ -99,13 +79,6 @@ struct listed {
   uint8_t relation;       /* to the window examined last */
   uint8_t since;          /* level of the largest window it is known to
                              surround; NEVER */
-};
-
-struct window {
-  int x0, y0, x1, y1; /* columns [x0, x1), rows [y0, y1) */
-  int level;          /* of subdivision, 0 the picture */
-  /* On the screen: of the first and the last column and row; the centre. */
-  double sx[2], sy[2], centre_x, centre_y, half_width, half_height;
 };
 
 struct state {
@@ -179,183 +152,21 @@ static void sort_z(struct state *s) {
 
 /* --- Warnock special: a face against a window ----------------------------- */
 
-static struct window make_window(const struct state *s,
-                                 struct hsr_window samples, int level) {
-  const struct hsr_view *view = s->job->view;
-  struct window w = {.x0 = samples.x0,
-                     .y0 = samples.y0,
-                     .x1 = samples.x1,
-                     .y1 = samples.y1,
-                     .level = level};
-  w.sx[0] = hsr_sample_x(view, w.x0);
-  w.sx[1] = hsr_sample_x(view, w.x1 - 1);
-  w.sy[0] = hsr_sample_y(view, w.y0);
-  w.sy[1] = hsr_sample_y(view, w.y1 - 1);
-  w.centre_x = (w.sx[0] + w.sx[1]) / 2;
-  w.centre_y = (w.sy[0] + w.sy[1]) / 2;
-  w.half_width = (w.sx[1] - w.sx[0]) / 2;
-  w.half_height = (w.sy[1] - w.sy[0]) / 2;
-  return w;
-}
-
-static bool is_sample(const struct window *w) {
-  return w->x1 - w->x0 == 1 && w->y1 - w->y0 == 1;
-}
-
-static inline struct hsr_window samples_of(const struct window *w) {
-  return hsr_window_make(w->x0, w->y0, w->x1, w->y1);
-}
-
-/* Corner 0, 1, 2, 3 of a window: a sample. */
-static int corner_column(const struct window *w, int corner) {
-  return corner & 1 ? w->x1 - 1 : w->x0;
-}
-static int corner_row(const struct window *w, int corner) {
-  return corner & 2 ? w->y1 - 1 : w->y0;
-}
-
-/* Both ends of the edge lie above the window, or both below. */
-static bool passes_by_rows(const struct state *s, uint32_t a, uint32_t b,
-                           const struct window *w) {
-  int side = hsr_row_side(s->screen, a, w->y0, s->tally);
-  return side == hsr_row_side(s->screen, b, w->y0, s->tally) &&
-         side == hsr_row_side(s->screen, a, w->y1 - 1, s->tally) &&
-         side == hsr_row_side(s->screen, b, w->y1 - 1, s->tally);
-}
-
-/* Vertex v is above all rows of the window, or below all. */
-static bool keeps_side(const struct state *s, uint32_t v,
-                       const struct window *w) {
-  return hsr_row_side(s->screen, v, w->y0, s->tally) ==
-         hsr_row_side(s->screen, v, w->y1 - 1, s->tally);
-}
-
-/* All corners of the window lie on one side of the edge's line. An edge that is
- * in line with the eye has no sides, and crosses no row: there the row sides of
- * its ends must be the same in all of the window. */
-static bool corners_agree(const struct state *s, uint32_t a, uint32_t b,
-                          const struct window *w) {
-  int side = hsr_edge_side(s->screen, a, b, w->x0, w->y0, s->tally);
-  if (!side)
-    return keeps_side(s, a, w) && keeps_side(s, b, w);
-  for (int corner = 1; corner < 4; corner++)
-    if (hsr_edge_side(s->screen, a, b, corner_column(w, corner),
-                      corner_row(w, corner), s->tally) != side)
-      return false;
-  return true;
-}
-
-/* The edge certainly has no point among the samples of the window, nor between
- * them. */
-static bool passes_by(const struct state *s, uint32_t a, uint32_t b,
-                      const struct window *w) {
-  const double *sx = s->screen->sx, *sy = s->screen->sy;
-  double ax = sx[a] - w->centre_x, ay = sy[a] - w->centre_y;
-  double bx = sx[b] - w->centre_x, by = sy[b] - w->centre_y;
-  double right = w->half_width + 2 * HSR_DELTA;
-  double below = w->half_height + 2 * HSR_DELTA;
-  if ((ax > right && bx > right) || (ax < -right && bx < -right) ||
-      (ay > below && by > below) || (ay < -below && by < -below))
-    return true;
-
-  double dx = bx - ax, dy = by - ay;
-  double e = fabs(dy * ax - dx * ay);
-  double r = fabs(dx) * w->half_height + fabs(dy) * w->half_width;
-  double bound = 4 * HSR_DELTA *
-                     (fabs(dx) + fabs(dy) + fabs(ax) + fabs(ay) +
-                      w->half_width + w->half_height) +
-                 8 * HSR_DELTA * HSR_DELTA;
-  if (e > r + bound)
-    return true;
-  if (e < r - bound)
-    return false;
-  return passes_by_rows(s, a, b, w) || corners_agree(s, a, b, w);
-}
-
-/* Some edge of the face may meet the window. */
-static bool edges_meet(const struct state *s, uint32_t f,
-                       const struct window *w) {
-  const struct hsr_world *world = s->job->world;
-  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
-  uint32_t n = hsr_face_size(world, f);
-  for (uint32_t k = 0, last = n - 1; k < n; last = k++)
-    if (!passes_by(s, vertex[last], vertex[k], w))
-      return true;
-  return false;
-}
-
-/* The relation of a cut face of which no edge meets the window. Twice the error
- * of its depths leaves room for rounding here. */
-static enum relation relate_cut(const struct state *s, uint32_t f,
-                                const struct window *w) {
-  const struct hsr_screen *screen = s->screen;
-  const struct hsr_view *view = s->job->view;
-  double near = view->near, error = 2 * screen->plane[f].error;
-  int n_behind = 0, n_before_near = 0, n_covered = 0;
-  for (int corner = 0; corner < 4; corner++) {
-    int i = corner_column(w, corner), j = corner_row(w, corner);
-    double q = hsr_depth(screen, f, i, j);
-    bool covered = hsr_covers(screen, f, i, j, s->tally);
-    /* Past near but not covered: so the parity is even, in all of H. */
-    if (!covered && (view->parallel ? q + error < -near
-                                    : q > error && near * (q + error) < 1))
-      return DISJOINT;
-    n_covered += covered;
-    n_behind += !view->parallel && q < -error;
-    n_before_near +=
-        view->parallel ? q - error > -near : near * (q - error) > 1;
-  }
-  if (n_behind == 4 || n_before_near == 4)
-    return DISJOINT;
-  return n_covered == 4 ? SURROUNDER : INTERSECTER;
-}
-
-static enum relation relate(const struct state *s, const struct listed *f,
-                            const struct window *w) {
-  bool apart =
-      f->x1 <= w->x0 || f->x0 >= w->x1 || f->y1 <= w->y0 || f->y0 >= w->y1;
-  bool reaches_over =
-      f->x0 <= w->x0 && f->x1 >= w->x1 && f->y0 <= w->y0 && f->y1 >= w->y1;
-  bool contained =
-      f->x0 >= w->x0 && f->x1 <= w->x1 && f->y0 >= w->y0 && f->y1 <= w->y1;
-  if (apart || (contained && !reaches_over)) {
-    enum relation relation = apart ? DISJOINT : INTERSECTER;
+static enum hsr_relation relate(const struct state *s, const struct listed *f,
+                                const struct hsr_area *w) {
+  bool by_box;
+  enum hsr_relation relation =
+      hsr_area_relate(s->screen, f->id, w, &by_box, s->tally);
+  if (by_box)
     HSR_STEP(s->tally, HSR_WARNOCK_MINIMAX, HSR_FACE(f->id), HSR_THE_WINDOW,
-             samples_of(w), (int)relation);
-    return relation;
-  }
-  if (!is_sample(w)) {
-    if (edges_meet(s, f->id, w))
-      return INTERSECTER;
-    if (!reaches_over)
-      return DISJOINT;
-    if (!s->screen->whole[f->id])
-      return relate_cut(s, f->id, w);
-  }
-  return hsr_covers(s->screen, f->id, w->x0, w->y0, s->tally) ? SURROUNDER
-                                                              : DISJOINT;
-}
-
-/* The depths of a face's plane at the corners of a window, as hsr_depth. */
-struct depths {
-  uint32_t id;
-  double q[4], error;
-};
-
-static struct depths depths_of(const struct state *s, uint32_t f,
-                               const struct window *w) {
-  const struct hsr_depth_plane *p = &s->screen->plane[f];
-  struct depths depths = {.id = f, .error = p->error};
-  for (int corner = 0; corner < 4; corner++)
-    depths.q[corner] =
-        p->a * w->sx[corner & 1] + p->b * w->sy[corner / 2] + p->c;
-  return depths;
+             hsr_area_samples(w), (int)relation);
+  return relation;
 }
 
 /* The z_key of the farthest sample of surrounder f in the window. */
 static uint32_t farthest(const struct state *s, uint32_t f,
-                         const struct window *w) {
-  struct depths depths = depths_of(s, f, w);
+                         const struct hsr_area *w) {
+  struct hsr_area_depths depths = hsr_area_depths(s->screen, f, w);
   double q = depths.q[0];
   for (int corner = 1; corner < 4; corner++)
     q = depths.q[corner] < q ? depths.q[corner] : q;
@@ -365,19 +176,19 @@ static uint32_t farthest(const struct state *s, uint32_t f,
 /* Finds the relations of the faces in list[0, n) to the window. Stops at the
  * first face in Z order that is behind all of a surrounder, since all later
  * ones are too. Returns the place of that face, or n. */
-static uint32_t cull(struct state *s, const struct window *w, uint32_t n) {
+static uint32_t cull(struct state *s, const struct hsr_area *w, uint32_t n) {
   uint32_t z_end = 0, k;
   for (k = 0; k < n && s->list[k].z >= z_end; k++) {
     struct listed *f = &s->list[k];
     if (f->since < w->level) {
       HSR_STEP(s->tally, HSR_WARNOCK_OLD_SURROUNDERS, HSR_FACE(f->id),
-               HSR_THE_WINDOW, samples_of(w), 0);
+               HSR_THE_WINDOW, hsr_area_samples(w), 0);
       f->relation = SURROUNDER;
     } else {
       f->relation = (uint8_t)relate(s, f, w);
       f->since = f->relation == SURROUNDER ? (uint8_t)w->level : NEVER;
       HSR_STEP(s->tally, HSR_WARNOCK_SPECIAL, HSR_FACE(f->id), HSR_THE_WINDOW,
-               samples_of(w), f->relation);
+               hsr_area_samples(w), f->relation);
     }
     if (f->relation == SURROUNDER) {
       uint32_t z = farthest(s, f->id, w);
@@ -398,7 +209,7 @@ enum { UNDECIDED, BEHIND, IN_FRONT };
 /* The surrounder that is nearest at the first corner: no other can be the
  * critical one. NULL: there is none. */
 static struct listed *nearest_surrounder(struct state *s,
-                                         const struct window *w, uint32_t n) {
+                                         const struct hsr_area *w, uint32_t n) {
   struct listed *nearest = NULL;
   for (uint32_t k = 0; k < n; k++) {
     struct listed *f = &s->list[k];
@@ -408,7 +219,7 @@ static struct listed *nearest_surrounder(struct state *s,
       bool nearer =
           hsr_nearer(s->screen, f->id, nearest->id, w->x0, w->y0, s->tally);
       HSR_STEP(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_FACE(f->id),
-               HSR_FACE(nearest->id), samples_of(w),
+               HSR_FACE(nearest->id), hsr_area_samples(w),
                nearer ? IN_FRONT : BEHIND);
       if (!nearer)
         continue;
@@ -416,23 +227,6 @@ static struct listed *nearest_surrounder(struct state *s,
     nearest = f;
   }
   return nearest;
-}
-
-/* +1 if f is nearer than g at all corners of the window, and so between them,
- * -1 if g is, 0 if neither or not certain. */
-static int order_in_depth(const struct state *s, const struct depths *f,
-                          const struct depths *g) {
-  const uint32_t *plane = s->job->world->mesh.plane;
-  if (plane[f->id] == plane[g->id])
-    return f->id < g->id ? 1 : -1;
-  double bound = f->error + g->error;
-  int n_nearer = 0, n_farther = 0;
-  for (int corner = 0; corner < 4; corner++) {
-    double by = f->q[corner] - g->q[corner];
-    n_nearer += by > bound;
-    n_farther += by < -bound;
-  }
-  return n_nearer == 4 ? 1 : n_farther == 4 ? -1 : 0;
 }
 
 /* Which of a window's faces may be visible. */
@@ -443,22 +237,22 @@ struct remains {
   int order;                       /* of surrounder and `other`, in depth */
 };
 
-static struct remains search_depth(struct state *s, const struct window *w,
+static struct remains search_depth(struct state *s, const struct hsr_area *w,
                                    uint32_t n) {
   struct remains remains = {.surrounder = nearest_surrounder(s, w, n)};
-  struct depths critical = {.id = HSR_BACKGROUND};
+  struct hsr_area_depths critical = {.id = HSR_BACKGROUND};
   if (remains.surrounder)
-    critical = depths_of(s, remains.surrounder->id, w);
+    critical = hsr_area_depths(s->screen, remains.surrounder->id, w);
   for (uint32_t k = 0; k < n; k++) {
     struct listed *f = &s->list[k];
     if (f->relation == DISJOINT || f == remains.surrounder)
       continue;
     int order = -1;
     if (remains.surrounder) {
-      struct depths depths = depths_of(s, f->id, w);
-      order = order_in_depth(s, &critical, &depths);
+      struct hsr_area_depths depths = hsr_area_depths(s->screen, f->id, w);
+      order = hsr_area_order(s->screen, &critical, &depths);
       HSR_STEP(s->tally, HSR_WARNOCK_DEPTH_SEARCH, HSR_FACE(f->id),
-               HSR_FACE(critical.id), samples_of(w),
+               HSR_FACE(critical.id), hsr_area_samples(w),
                order > 0   ? BEHIND
                : order < 0 ? IN_FRONT
                            : UNDECIDED);
@@ -476,7 +270,7 @@ static struct remains search_depth(struct state *s, const struct window *w,
 
 /* --- Painting ------------------------------------------------------------- */
 
-static void paint(struct state *s, const struct window *w, uint32_t id) {
+static void paint(struct state *s, const struct hsr_area *w, uint32_t id) {
   for (int j = w->y0; j < w->y1; j++) {
     uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
     for (int i = w->x0; i < w->x1; i++)
@@ -485,7 +279,7 @@ static void paint(struct state *s, const struct window *w, uint32_t id) {
 }
 
 /* What of face f lies in the window. */
-static void paint_face(struct state *s, const struct window *w, uint32_t f) {
+static void paint_face(struct state *s, const struct hsr_area *w, uint32_t f) {
   const struct hsr_bounds *bounds = &s->screen->bounds[f];
   int first = bounds->y0 > w->y0 ? bounds->y0 : w->y0;
   int end = bounds->y1 < w->y1 ? bounds->y1 : w->y1;
@@ -507,7 +301,7 @@ static void paint_face(struct state *s, const struct window *w, uint32_t f) {
 
 /* Work picture: n faces were looked at in the window. Each of its samples gets
  * an equal share. */
-static void touch(struct state *s, const struct window *w, uint32_t n) {
+static void touch(struct state *s, const struct hsr_area *w, uint32_t n) {
   float *work = s->tally->work;
   if (!HSR_COUNTING || !work)
     return;
@@ -520,13 +314,13 @@ static void touch(struct state *s, const struct window *w, uint32_t n) {
 /* Paints the window if it is homogeneous, or if one intersecter is left, alone
  * or in front of the critical surround. A window of one sample has no
  * intersecters and so is always homogeneous. */
-static bool decide(struct state *s, const struct window *w,
+static bool decide(struct state *s, const struct hsr_area *w,
                    const struct remains *remains) {
   uint32_t id = remains->surrounder ? remains->surrounder->id : HSR_BACKGROUND;
   bool one = remains->n_others == 1 && remains->order < 0 &&
              remains->other->relation == INTERSECTER;
   int counter;
-  if (is_sample(w))
+  if (hsr_area_is_sample(w))
     counter = HSR_WARNOCK_SAMPLES;
   else if (!remains->n_others)
     counter = remains->surrounder ? HSR_WARNOCK_HOMOGENEOUS : HSR_WARNOCK_EMPTY;
@@ -536,8 +330,8 @@ static bool decide(struct state *s, const struct window *w,
   else
     return false;
   HSR_STEP(s->tally, counter, HSR_FACE(id),
-           one ? HSR_FACE(remains->other->id) : HSR_THE_WINDOW, samples_of(w),
-           0);
+           one ? HSR_FACE(remains->other->id) : HSR_THE_WINDOW,
+           hsr_area_samples(w), 0);
   paint(s, w, id);
   if (one)
     paint_face(s, w, remains->other->id);
@@ -587,7 +381,7 @@ struct division {
   uint32_t vertex; /* where it is divided; HSR_NO_ID: at the centre */
 };
 
-static struct division at_centre(const struct window *w) {
+static struct division at_centre(const struct hsr_area *w) {
   return (struct division){w->x0 + (w->x1 - w->x0 + 1) / 2,
                            w->y0 + (w->y1 - w->y0 + 1) / 2, HSR_NO_ID};
 }
@@ -595,8 +389,8 @@ static struct division at_centre(const struct window *w) {
 /* Finds the vertex of list[0, n) among the window's samples that is nearest to
  * the centre. False if there is none. (To take the first in Z order instead
  * makes a quarter more windows in house and harbor, in twice the levels.) */
-static bool at_vertex(const struct state *s, const struct window *w, uint32_t n,
-                      struct division *at) {
+static bool at_vertex(const struct state *s, const struct hsr_area *w,
+                      uint32_t n, struct division *at) {
   const struct hsr_world *world = s->job->world;
   double first_x = hsr_sample_x(s->job->view, 0);
   double first_y = hsr_sample_y(s->job->view, 0);
@@ -623,13 +417,13 @@ static void examine(struct state *s, struct hsr_window samples, int level,
                     uint32_t n);
 
 /* Divides a window into four, or into two if it is one sample wide or high. */
-static void subdivide(struct state *s, const struct window *w, uint32_t n) {
+static void subdivide(struct state *s, const struct hsr_area *w, uint32_t n) {
   struct division at = at_centre(w);
   if (s->at_vertices && w->level < LAST_VERTEX_LEVEL && at_vertex(s, w, n, &at))
     HSR_STEP(s->tally, AT_VERTEX, HSR_THE_WINDOW, HSR_VERTEX(at.vertex),
-             samples_of(w), 0);
+             hsr_area_samples(w), 0);
   HSR_STEP(s->tally, HSR_WARNOCK_SUBDIVISIONS, HSR_THE_WINDOW, HSR_NOTHING,
-           samples_of(w), 0);
+           hsr_area_samples(w), 0);
   for (int quarter = 0; quarter < 4; quarter++) {
     struct hsr_window part = {w->x0, w->y0, w->x1, w->y1};
     *(quarter & 1 ? &part.x0 : &part.x1) = at.column;
@@ -650,8 +444,8 @@ static bool are_few(const struct state *s, uint32_t n) {
   return n_corners <= finisher->most_corners;
 }
 
-static void finish(struct state *s, const struct window *w, uint32_t n) {
-  struct hsr_window window = samples_of(w);
+static void finish(struct state *s, const struct hsr_area *w, uint32_t n) {
+  struct hsr_window window = hsr_area_samples(w);
   HSR_STEP(s->tally, HSR_WARNOCK_FINISHED, HSR_THE_WINDOW, HSR_NOTHING, window,
            0);
   for (uint32_t k = 0; k < n; k++)
@@ -663,7 +457,7 @@ static void finish(struct state *s, const struct window *w, uint32_t n) {
 
 /* A window that is neither homogeneous nor simple, and whose surrounders and
  * intersecters are list[0, n), in Z order. */
-static void solve(struct state *s, const struct window *w, uint32_t n) {
+static void solve(struct state *s, const struct hsr_area *w, uint32_t n) {
   if (are_few(s, n))
     finish(s, w, n);
   else
@@ -675,7 +469,8 @@ static void examine(struct state *s, struct hsr_window samples, int level,
                     uint32_t n) {
   HSR_STEP(s->tally, HSR_WARNOCK_WINDOWS, HSR_THE_WINDOW, HSR_NOTHING, samples,
            0);
-  struct window w = make_window(s, samples, level);
+  struct hsr_area w = hsr_area_make(s->job->view, samples);
+  w.level = level;
   uint32_t n_reached = cull(s, &w, n);
   touch(s, &w, n_reached);
   struct remains remains = search_depth(s, &w, n_reached);

@@ -51,6 +51,7 @@ const KNOWN = {
   "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5],
   clark: [7, 6],
   "octree-raycast": [5, 1],
+  "zz-buffer": [3, 5],
 };
 
 // FNV-1a: an unknown name has the same looks in every report.
