@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Algorithms that pass over what is hidden without a z-buffer's help.
 algorithm_files += \
+  %D%/meagher.c \
   %D%/octree_raycast.c

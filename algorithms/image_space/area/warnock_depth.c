@@ -5,7 +5,7 @@
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 2.1; N. Greene, PhD thesis, UC Santa Cruz, 1995,
  *             4.3.1.
- * Notation    occupied, and the quadtree of such marks -> state[]; inside,
+ * Notation    occupied, and the quadtree of such marks -> quadtree.h; inside,
  *             outside, intersecting -> side_of_cell
  * Invariant   all that comes later is behind what has been written; a cell is
  *             occupied just when all its samples are written, or outside the
@@ -16,6 +16,7 @@
  *             compared in depth (bsp_frame.h).
  * Cost        The work grows with the number of cells that visible edges cross.
  */
+#include "algorithms/image_space/area/quadtree.h"
 #include "algorithms/list_priority/fixed/bsp_frame.h"
 #include "common/exact/predicates.h"
 
@@ -57,10 +58,6 @@ static const struct hsr_sort sorts[] = {
     {"windows", "XY", "quadtree", "once a piece"},
     {NULL}};
 
-enum { LEVELS = 32 };
-
-enum state { VACANT, PARTLY, OCCUPIED };
-
 /* A side of the polygon: the edge from vertex a to b, inside where
  * hsr_edge_side is `inside`; or, if b is HSR_NO_ID, the plane of face a. As the
  * subject of a step, the latter is the implied edge of both faces. */
@@ -71,50 +68,17 @@ struct side {
 
 struct warnock {
   struct hsr_bsp_frame frame;
-  const struct hsr_window *window;
-  int n_levels;
-  unsigned char *state[LEVELS]; /* a cell of the level: 2^level samples a side,
-                                   rows of 2^(n_levels - 1 - level) cells */
-  uint32_t *visits[LEVELS];     /* of cells; NULL: there is no work picture */
-  struct side *side;            /* for all levels */
+  struct hsr_quadtree quadtree;
+  uint32_t *visits[HSR_QUAD_LEVELS]; /* of cells; NULL: there is no work picture
+                                      */
+  struct side *side;                 /* for all levels */
 
   /* The polygon at hand. */
   struct hsr_piece piece;
   bool is_asked; /* what it covers is asked sample by sample */
 };
 
-static size_t cell_of(const struct warnock *s, int level, int x, int y) {
-  return ((size_t)y << (s->n_levels - 1 - level)) + (size_t)x;
-}
-
-static unsigned char *state_of(const struct warnock *s, int level, int x,
-                               int y) {
-  return &s->state[level][cell_of(s, level, x, y)];
-}
-
-/* The state of a cell, from those of its four quadrants. */
-static enum state gather(const struct warnock *s, int level, int x, int y) {
-  int n_occupied = 0, n_vacant = 0;
-  for (int q = 0; q < 4; q++) {
-    enum state state = *state_of(s, level - 1, 2 * x + q % 2, 2 * y + q / 2);
-    n_occupied += state == OCCUPIED;
-    n_vacant += state == VACANT;
-  }
-  return n_occupied == 4 ? OCCUPIED : n_vacant == 4 ? VACANT : PARTLY;
-}
-
 /* --- Cells ---------------------------------------------------------------- */
-
-/* The samples of a cell that are in the window. */
-static struct hsr_bounds samples_of(const struct warnock *s, int level, int x,
-                                    int y) {
-  const struct hsr_window *w = s->window;
-  int size = 1 << level;
-  struct hsr_bounds b = {w->x0 + x * size, w->y0 + y * size, 0, 0};
-  b.x1 = b.x0 + size < w->x1 ? b.x0 + size : w->x1;
-  b.y1 = b.y0 + size < w->y1 ? b.y0 + size : w->y1;
-  return b;
-}
 
 static bool is_inside(struct warnock *s, const struct side *side, int i,
                       int j) {
@@ -173,15 +137,15 @@ static bool misses(const struct hsr_bounds *a, const struct hsr_bounds *b) {
 static void insert(struct warnock *s, int level, int x, int y,
                    const struct side *side, uint32_t n) {
   struct hsr_tally *tally = s->frame.job->tally;
-  unsigned char *state = state_of(s, level, x, y);
-  if (*state == OCCUPIED)
+  unsigned char *state = hsr_quad_state(&s->quadtree, level, x, y);
+  if (*state == HSR_QUAD_COVERED)
     return;
-  struct hsr_bounds samples = samples_of(s, level, x, y);
+  struct hsr_bounds samples = hsr_quad_samples(&s->quadtree, level, x, y);
   bool outside = misses(&samples, &s->piece.bounds);
   HSR_STEP(tally, CELLS, HSR_FACE(s->piece.face), HSR_CELL(level, x, y),
            window_of(&samples), !outside);
   if (HSR_COUNTING && s->visits[level])
-    s->visits[level][cell_of(s, level, x, y)]++;
+    s->visits[level][hsr_quad_place(&s->quadtree, level, x, y)]++;
   if (outside)
     return;
   struct side *crossing = s->side + (side - s->side) + n;
@@ -199,16 +163,17 @@ static void insert(struct warnock *s, int level, int x, int y,
       !hsr_piece_covers(&s->frame.screen, s->piece.face, s->piece.cuts,
                         s->piece.n_cuts, samples.x0, samples.y0, tally))
     return;
-  if (level == 0 || (!n_crossing && !s->is_asked && *state == VACANT)) {
+  if (level == 0 ||
+      (!n_crossing && !s->is_asked && *state == HSR_QUAD_VACANT)) {
     write_cell(s, &samples);
-    *state = OCCUPIED;
+    *state = HSR_QUAD_COVERED;
     return;
   }
   HSR_STEP(tally, SUBDIVISIONS, HSR_FACE(s->piece.face), HSR_CELL(level, x, y),
            window_of(&samples), 0);
   for (int q = 0; q < 4; q++)
     insert(s, level - 1, 2 * x + q % 2, 2 * y + q / 2, crossing, n_crossing);
-  *state = (unsigned char)gather(s, level, x, y);
+  *state = (unsigned char)hsr_quad_gather(&s->quadtree, level, x, y);
 }
 
 /* On which side of its plane the eye is, turned as the face's loop goes. */
@@ -251,36 +216,16 @@ static void insert_piece(void *context, const struct hsr_bsp_piece *piece,
                 (may_be_near && !s->frame.screen.whole[f]);
   if (!s->is_asked)
     n = find_sides(s, piece, facing);
-  insert(s, s->n_levels - 1, 0, 0, s->side, n);
-}
-
-/* A quadtree whose root holds the window; what is outside is occupied. */
-static enum hsr_status make_quadtree(struct warnock *s) {
-  const struct hsr_window *w = s->window;
-  int columns = w->x1 - w->x0, rows = w->y1 - w->y0, size = 1;
-  for (s->n_levels = 1; size < columns || size < rows; s->n_levels++)
-    size *= 2;
-  for (int level = 0; level < s->n_levels; level++) {
-    size_t row = (size_t)(size >> level);
-    s->state[level] = HSR_NEW(s->frame.job->scratch, unsigned char, row *row);
-    if (!s->state[level])
-      return HSR_E_NOMEM;
-    for (int y = 0; y < size >> level; y++)
-      for (int x = 0; x < size >> level; x++)
-        *state_of(s, level, x, y) =
-            (unsigned char)(level                     ? gather(s, level, x, y)
-                            : x < columns && y < rows ? VACANT
-                                                      : OCCUPIED);
-  }
-  return HSR_OK;
+  insert(s, s->quadtree.n_levels - 1, 0, 0, s->side, n);
 }
 
 /* For the work picture. */
 static enum hsr_status begin_visits(struct warnock *s) {
   const struct hsr_job *job = s->frame.job;
-  for (int level = 0; level < s->n_levels && HSR_COUNTING && job->tally->work;
+  for (int level = 0;
+       level < s->quadtree.n_levels && HSR_COUNTING && job->tally->work;
        level++) {
-    size_t row = (size_t)1 << (s->n_levels - 1 - level);
+    size_t row = (size_t)1 << (s->quadtree.n_levels - 1 - level);
     s->visits[level] = HSR_NEW_ZEROED(job->scratch, uint32_t, row * row);
     if (!s->visits[level])
       return HSR_E_NOMEM;
@@ -290,27 +235,29 @@ static enum hsr_status begin_visits(struct warnock *s) {
 
 /* A cell's visits are shared by its samples. */
 static void share_visits(const struct warnock *s) {
-  const struct hsr_window *w = s->window;
+  const struct hsr_window *w = &s->quadtree.window;
   struct hsr_tally *tally = s->frame.job->tally;
-  for (int level = 0; level < s->n_levels && s->visits[level]; level++)
+  for (int level = 0; level < s->quadtree.n_levels && s->visits[level]; level++)
     for (int j = w->y0; j < w->y1; j++)
       for (int i = w->x0; i < w->x1; i++) {
         int x = (i - w->x0) >> level, y = (j - w->y0) >> level;
-        struct hsr_bounds b = samples_of(s, level, x, y);
+        struct hsr_bounds b = hsr_quad_samples(&s->quadtree, level, x, y);
         tally->work[(size_t)j * tally->work_stride + (size_t)i] +=
-            (float)s->visits[level][cell_of(s, level, x, y)] /
+            (float)s->visits[level][hsr_quad_place(&s->quadtree, level, x, y)] /
             (float)((b.x1 - b.x0) * (b.y1 - b.y0));
       }
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  struct warnock warnock = {.window = &job->view->window}, *s = &warnock;
-  if (hsr_bsp_frame_begin(&s->frame, job) || make_quadtree(s) ||
+  struct warnock warnock = {.side = NULL}, *s = &warnock;
+  if (hsr_bsp_frame_begin(&s->frame, job) ||
+      hsr_quadtree_init(&s->quadtree, &job->view->window, job->scratch) ||
       begin_visits(s))
     return hsr_fail_nomem(err);
   s->side = HSR_NEW(job->scratch, struct side,
-                    (size_t)s->frame.most_corners * ((size_t)s->n_levels + 1));
+                    (size_t)s->frame.most_corners *
+                        ((size_t)s->quadtree.n_levels + 1));
   if (!s->side)
     return hsr_fail_nomem(err);
   hsr_bsp_frame_walk(&s->frame, false, s, insert_piece);

@@ -52,6 +52,7 @@ const KNOWN = {
   clark: [7, 6],
   "octree-raycast": [5, 1],
   "zz-buffer": [3, 5],
+  meagher: [4, 4],
 };
 
 // FNV-1a: an unknown name has the same looks in every report.

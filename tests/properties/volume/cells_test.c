@@ -5,7 +5,7 @@
  * eyes in parallel, looking along axes, diagonals and other whole directions.
  *
  * Right       pbtf and ippbtf in all nestings, and octree-order, from back to
- *             front and from front to back. No depth is compared.
+ *             front and from front to back; meagher. No depth is compared.
  * Wrong       btf, wbtf and vbuffer in some views in perspective; in parallel
  *             they are right. */
 #include "algorithms/variant.h"
@@ -148,7 +148,7 @@ static struct hsr_view make_view(const struct volume *v, int class,
 /* What is tried, and what was found, in perspective and in parallel. */
 struct player {
   const char *name;
-  bool is_nested, knows_no_eye;
+  bool is_nested, knows_no_eye, has_one_order;
   long differing[2], depths;
   int wrong_views[2];
 };
@@ -157,6 +157,7 @@ static struct player players[] = {
     {.name = "pbtf", .is_nested = true},
     {.name = "ippbtf", .is_nested = true},
     {.name = "octree-order"},
+    {.name = "meagher", .has_one_order = true},
     {.name = "btf", .is_nested = true, .knows_no_eye = true},
     {.name = "wbtf", .knows_no_eye = true},
     {.name = "vbuffer", .knows_no_eye = true}};
@@ -169,8 +170,10 @@ static struct hsr_variant variant(const struct player *p, int nesting,
   char name[80];
   struct hsr_variant made;
   struct hsr_error err;
-  int n =
-      snprintf(name, sizeof name, "%s:front=%s", p->name, front ? "on" : "off");
+  int n = snprintf(name, sizeof name, "%s%s", p->name,
+                   p->has_one_order ? ""
+                   : front          ? ":front=on"
+                                    : ":front=off");
   if (p->is_nested)
     snprintf(name + n, sizeof name - (size_t)n, ":nesting=%s",
              nestings[nesting]);

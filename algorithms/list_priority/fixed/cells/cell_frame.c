@@ -55,28 +55,32 @@ static uint8_t facing_sides(const struct hsr_cells *cells, int a, uint32_t k) {
   return (uint8_t)((eye < bound[0]) << 2 * a | (eye > bound[1]) << (2 * a + 1));
 }
 
-static enum hsr_status allocate(struct hsr_cells *cells) {
+static enum hsr_status allocate_terms(struct hsr_cells *cells) {
   struct hsr_arena *arena = cells->job->scratch;
-  const struct hsr_grid *grid = cells->grid;
-  const struct hsr_window *w = &cells->window;
   bool all = true;
   for (int a = 0; a < 3; a++) {
-    size_t n = (size_t)grid->n[a] + 1;
+    size_t n = (size_t)cells->grid->n[a] + 1;
     for (int c = 0; c < 4; c++)
       all &= (cells->term[a][c] = HSR_NEW(arena, double, n)) != NULL;
     cells->far[a] = HSR_NEW(arena, double, n);
     cells->facing[a] = HSR_NEW(arena, uint8_t, n);
     all &= cells->far[a] && cells->facing[a];
   }
+  return all ? HSR_OK : HSR_E_NOMEM;
+}
+
+static enum hsr_status allocate(struct hsr_cells *cells) {
+  struct hsr_arena *arena = cells->job->scratch;
+  const struct hsr_grid *grid = cells->grid;
+  const struct hsr_window *w = &cells->window;
   cells->words = (size_t)(w->x1 - w->x0 + 63) / 64;
   cells->vacant =
       HSR_NEW(arena, uint64_t, cells->words * (size_t)(w->y1 - w->y0));
   cells->lo = HSR_NEW(arena, int, (size_t)w->y1);
   cells->hi = HSR_NEW(arena, int, (size_t)w->y1);
   cells->cursor = HSR_NEW(arena, uint32_t, (size_t)grid->n[1] * grid->n[2]);
-  return all && cells->vacant && cells->lo && cells->hi && cells->cursor
-             ? HSR_OK
-             : HSR_E_NOMEM;
+  return cells->vacant && cells->lo && cells->hi && cells->cursor ? HSR_OK
+                                                                  : HSR_E_NOMEM;
 }
 
 static void find_corners_of_sides(struct hsr_cells *cells) {
@@ -90,35 +94,44 @@ static void find_corners_of_sides(struct hsr_cells *cells) {
   }
 }
 
-static void clear(struct hsr_cells *cells) {
+static void clear_ids(const struct hsr_cells *cells) {
   const struct hsr_job *job = cells->job;
   const struct hsr_window *w = &cells->window;
-  size_t width = (size_t)(w->x1 - w->x0), height = (size_t)(w->y1 - w->y0);
   for (int j = w->y0; j < w->y1; j++)
     memset(job->ids + (size_t)j * job->ids_stride + (size_t)w->x0, 0xff,
-           width * sizeof *job->ids);
-  memset(cells->vacant, 0xff, cells->words * height * sizeof *cells->vacant);
-  cells->n_vacant = (uint64_t)width * height;
+           (size_t)(w->x1 - w->x0) * sizeof *job->ids);
 }
 
-static enum hsr_status begin(struct hsr_cells *cells,
-                             const struct hsr_job *job) {
+enum hsr_status hsr_cells_begin(struct hsr_cells *cells,
+                                const struct hsr_job *job) {
   const struct hsr_grid *grid = job->world->outline.scene->grid;
   *cells = (struct hsr_cells){.job = job,
                               .grid = grid,
                               .tally = job->tally,
-                              .window = job->view->window,
-                              .front = job->option[HSR_CELLS_FRONT]};
-  if (allocate(cells) || hsr_cells_begin_sides(cells))
+                              .window = job->view->window};
+  if (allocate_terms(cells) || hsr_cells_begin_sides(cells))
     return HSR_E_NOMEM;
   hsr_cells_project(cells);
   for (int a = 0; a < 3; a++)
     for (uint32_t k = 0; k < grid->n[a]; k++)
       cells->facing[a][k] = facing_sides(cells, a, k);
   find_corners_of_sides(cells);
+  clear_ids(cells);
+  return HSR_OK;
+}
+
+static enum hsr_status begin(struct hsr_cells *cells,
+                             const struct hsr_job *job) {
+  if (hsr_cells_begin(cells, job) || allocate(cells))
+    return HSR_E_NOMEM;
+  const struct hsr_grid *grid = cells->grid;
+  const struct hsr_window *w = &cells->window;
+  size_t height = (size_t)(w->y1 - w->y0);
+  cells->front = job->option[HSR_CELLS_FRONT];
   memcpy(cells->cursor, grid->row,
          (size_t)grid->n[1] * grid->n[2] * sizeof *cells->cursor);
-  clear(cells);
+  memset(cells->vacant, 0xff, cells->words * height * sizeof *cells->vacant);
+  cells->n_vacant = (uint64_t)(w->x1 - w->x0) * height;
   return HSR_OK;
 }
 

@@ -122,12 +122,11 @@ enum hsr_status hsr_cells_begin_sides(struct hsr_cells *cells) {
                          cells->job->scratch);
 }
 
-static void draw_generally(struct hsr_cells *cells, const uint32_t at[3],
-                           int side, uint32_t face) {
+bool hsr_cells_lay_out(struct hsr_cells *cells, const uint32_t at[3],
+                       int side) {
   struct hsr_lone_side *s = &cells->lone;
   struct hsr_tally *tally = cells->tally;
   double corner[4][3];
-  int columns[8];
   hsr_grid_corners(cells->grid, at, side, corner);
   for (int k = 0; k < 4; k++) {
     s->x[k] = corner[k][0];
@@ -137,11 +136,18 @@ static void draw_generally(struct hsr_cells *cells, const uint32_t at[3],
   hsr_world_find_plane(&s->world, 0, &tally->out_of_memory);
   hsr_screen_vertices(&s->screen);
   hsr_screen_plane(&s->screen, 0);
-  if (!hsr_screen_place(&s->screen, 0, tally))
+  return hsr_screen_place(&s->screen, 0, tally);
+}
+
+static void draw_generally(struct hsr_cells *cells, const uint32_t at[3],
+                           int side, uint32_t face) {
+  const struct hsr_screen *screen = &cells->lone.screen;
+  int columns[8];
+  if (!hsr_cells_lay_out(cells, at, side))
     return;
-  const struct hsr_bounds *b = &s->screen.bounds[0];
+  const struct hsr_bounds *b = &screen->bounds[0];
   for (int j = b->y0; j < b->y1; j++) {
-    int n = hsr_face_spans(&s->screen, 0, j, columns, tally);
+    int n = hsr_face_spans(screen, 0, j, columns, cells->tally);
     for (int k = 0; k < n; k += 2)
       show_span(cells, face, columns[k], columns[k + 1], j);
   }

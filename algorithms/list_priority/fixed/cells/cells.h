@@ -167,6 +167,13 @@ static inline int hsr_cells_whole(double v) {
   return (int)(v + 0x1p16) - (1 << 16);
 }
 
+/* Makes all of *cells ready that the functions below need, and the window's ids
+ * the background; what only the orders need is left out: front, and from vacant
+ * to face_known. HSR_E_NOMEM. */
+#define hsr_cells_begin HSR_OF_BUILD(hsr_cells_begin)
+enum hsr_status hsr_cells_begin(struct hsr_cells *cells,
+                                const struct hsr_job *job);
+
 /* --- Boxes ---------------------------------------------------------------- */
 
 /* What a box looks like. Corner k has the high bound of axis a if bit a of k is
@@ -217,6 +224,11 @@ static inline bool hsr_cells_any_vacant(const struct hsr_cells *cells,
 /* Makes the lone side. HSR_E_NOMEM. */
 #define hsr_cells_begin_sides HSR_OF_BUILD(hsr_cells_begin_sides)
 enum hsr_status hsr_cells_begin_sides(struct hsr_cells *cells);
+
+/* Lays out a side of the cell at these indices as the lone one, face 0 of
+ * cells->lone.screen. False if it has no sample in the window. */
+#define hsr_cells_lay_out HSR_OF_BUILD(hsr_cells_lay_out)
+bool hsr_cells_lay_out(struct hsr_cells *cells, const uint32_t at[3], int side);
 
 /* Draws a side of the cell at these indices, which faces the eye, under the id
  * `face`. `box` is that of the cell. */
