@@ -364,9 +364,8 @@ static bool covers(struct frame *f, int i, int j) {
 
 enum { OUTSIDE, COVERED, CROSSED, INSIDE };
 
-/* `crossing`: the edges that the cell may be on both sides of; bit MOST_EDGES,
- * if the side is not safe and its samples are all asked for. */
-#define UNSAFE (1u << MOST_EDGES)
+/* `crossing`: the edges that the cell may be on both sides of. A side that is
+ * not safe has no outline: its bits stay, and all of its samples are asked. */
 static void tile(struct frame *f, int level, int x, int y, unsigned crossing) {
   unsigned char *state = hsr_quad_state(&f->quadtree, level, x, y);
   struct hsr_bounds b = hsr_quad_samples(&f->quadtree, level, x, y);
@@ -398,7 +397,7 @@ static void tile_side(struct frame *f, const struct hsr_cell_box *box) {
   for (int k = 0; k < 4 && box->is_safe; k++)
     add_edge(&f->side, box, f->cells.corner[f->number][k],
              f->cells.corner[f->number][(k + 1) % 4]);
-  tile(f, f->quadtree.n_levels - 1, 0, 0, box->is_safe ? 15 : UNSAFE);
+  tile(f, f->quadtree.n_levels - 1, 0, 0, 15);
 }
 
 static void draw_cube(struct frame *f, uint32_t leaf,
