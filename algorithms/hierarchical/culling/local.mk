@@ -2,4 +2,7 @@
 # Algorithms that pass over what is hidden without a z-buffer's help.
 algorithm_files += \
   %D%/meagher.c \
-  %D%/octree_raycast.c
+  %D%/naylor.c \
+  %D%/octree_raycast.c \
+  %D%/visibility_map.c \
+  %D%/visibility_map.h

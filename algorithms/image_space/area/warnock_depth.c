@@ -18,7 +18,6 @@
  */
 #include "algorithms/image_space/area/quadtree.h"
 #include "algorithms/list_priority/fixed/bsp_frame.h"
-#include "common/exact/predicates.h"
 
 enum { CELLS = HSR_BSP_N_COUNTERS, SUBDIVISIONS, SIDES };
 
@@ -58,20 +57,12 @@ static const struct hsr_sort sorts[] = {
     {"windows", "XY", "quadtree", "once a piece"},
     {NULL}};
 
-/* A side of the polygon: the edge from vertex a to b, inside where
- * hsr_edge_side is `inside`; or, if b is HSR_NO_ID, the plane of face a. As the
- * subject of a step, the latter is the implied edge of both faces. */
-struct side {
-  uint32_t a, b;
-  int inside;
-};
-
 struct warnock {
   struct hsr_bsp_frame frame;
   struct hsr_quadtree quadtree;
   uint32_t *visits[HSR_QUAD_LEVELS]; /* of cells; NULL: there is no work picture
                                       */
-  struct side *side;                 /* for all levels */
+  struct hsr_bsp_side *side;         /* for all levels */
 
   /* The polygon at hand. */
   struct hsr_piece piece;
@@ -80,20 +71,16 @@ struct warnock {
 
 /* --- Cells ---------------------------------------------------------------- */
 
-static bool is_inside(struct warnock *s, const struct side *side, int i,
+static bool is_inside(struct warnock *s, const struct hsr_bsp_side *side, int i,
                       int j) {
-  struct hsr_tally *tally = s->frame.job->tally;
-  const struct hsr_screen *screen = &s->frame.screen;
-  return side->inside ==
-         (side->b == HSR_NO_ID
-              ? hsr_cut_side(screen, s->piece.face, side->a, i, j, tally)
-              : hsr_edge_side(screen, side->a, side->b, i, j, tally));
+  return hsr_bsp_frame_inside(&s->frame, s->piece.face, side, i, j);
 }
 
 /* A side is a line on the screen. So if the four corner samples of a cell are
  * on one side of it, all of its samples are. */
 enum where { OUTSIDE, INTERSECTING, INSIDE };
-static enum where side_of_cell(struct warnock *s, const struct side *side,
+static enum where side_of_cell(struct warnock *s,
+                               const struct hsr_bsp_side *side,
                                const struct hsr_bounds *b) {
   int n = is_inside(s, side, b->x0, b->y0);
   if (b->x1 - b->x0 > 1 || b->y1 - b->y0 > 1) {
@@ -120,12 +107,6 @@ static inline struct hsr_window window_of(const struct hsr_bounds *b) {
   return hsr_window_make(b->x0, b->y0, b->x1, b->y1);
 }
 
-static inline struct hsr_subject subject_of(const struct warnock *s,
-                                            const struct side *side) {
-  return side->b == HSR_NO_ID ? HSR_IMPLIED(s->piece.face, side->a, 0)
-                              : HSR_EDGE(side->a, side->b, s->piece.face);
-}
-
 static bool misses(const struct hsr_bounds *a, const struct hsr_bounds *b) {
   return a->x0 >= b->x1 || b->x0 >= a->x1 || a->y0 >= b->y1 || b->y0 >= a->y1;
 }
@@ -135,7 +116,7 @@ static bool misses(const struct hsr_bounds *a, const struct hsr_bounds *b) {
 /* Inserts the polygon into a cell, which n of the polygon's sides may cross.
  * Behind these n there is room for those that cross the cell's quadrants. */
 static void insert(struct warnock *s, int level, int x, int y,
-                   const struct side *side, uint32_t n) {
+                   const struct hsr_bsp_side *side, uint32_t n) {
   struct hsr_tally *tally = s->frame.job->tally;
   unsigned char *state = hsr_quad_state(&s->quadtree, level, x, y);
   if (*state == HSR_QUAD_COVERED)
@@ -148,12 +129,12 @@ static void insert(struct warnock *s, int level, int x, int y,
     s->visits[level][hsr_quad_place(&s->quadtree, level, x, y)]++;
   if (outside)
     return;
-  struct side *crossing = s->side + (side - s->side) + n;
+  struct hsr_bsp_side *crossing = s->side + (side - s->side) + n;
   uint32_t n_crossing = 0;
   for (uint32_t k = 0; k < n; k++) {
     enum where where = side_of_cell(s, &side[k], &samples);
-    HSR_STEP(tally, SIDES, subject_of(s, &side[k]), HSR_CELL(level, x, y),
-             window_of(&samples), (int)where);
+    HSR_STEP(tally, SIDES, hsr_bsp_side_subject(s->piece.face, &side[k]),
+             HSR_CELL(level, x, y), window_of(&samples), (int)where);
     if (where == OUTSIDE)
       return;
     if (where == INTERSECTING)
@@ -176,46 +157,15 @@ static void insert(struct warnock *s, int level, int x, int y,
   *state = (unsigned char)hsr_quad_gather(&s->quadtree, level, x, y);
 }
 
-/* On which side of its plane the eye is, turned as the face's loop goes. */
-static int side_of_loop(const struct warnock *s, uint32_t f, int facing) {
-  const struct hsr_job *job = s->frame.job;
-  return job->world->pieces
-             ? hsr_exact_eye_side(job->view, hsr_face_loop(job->world, f),
-                                  &job->tally->out_of_memory)
-             : facing;
-}
-
-/* The sides of a flat piece. They bound the cone from the eye that the piece
- * fills, even where part of the piece is behind the eye. */
-static uint32_t find_sides(struct warnock *s, const struct hsr_bsp_piece *piece,
-                           int facing) {
-  const struct hsr_bsp *bsp = s->frame.bsp;
-  const struct hsr_bsp_corner *corner = bsp->corner + piece->first_corner;
-  int around = side_of_loop(s, piece->face, facing);
-  uint32_t n_cuts = 0;
-  for (uint32_t k = 0; k < piece->n_corners; k++) {
-    if (corner[k].b == HSR_BSP_FRONT || corner[k].b == HSR_BSP_BEHIND) {
-      const struct hsr_cut *cut = &s->piece.cuts[n_cuts++];
-      s->side[k] = (struct side){cut->face, HSR_NO_ID, cut->side};
-    } else {
-      s->side[k] = (struct side){corner[k].a, corner[k].b, -around};
-    }
-  }
-  return piece->n_corners;
-}
-
 static void insert_piece(void *context, const struct hsr_bsp_piece *piece,
                          int facing) {
   struct warnock *s = context;
   if (!hsr_bsp_frame_piece(&s->frame, piece, &s->piece))
     return;
-  const struct hsr_view *view = s->frame.job->view;
-  bool may_be_near = view->near > 0 || view->parallel;
-  uint32_t f = piece->face, n = 0;
-  s->is_asked = s->frame.job->world->mesh.deviation[f] > 0 ||
-                (may_be_near && !s->frame.screen.whole[f]);
+  uint32_t n = 0;
+  s->is_asked = hsr_bsp_frame_is_asked(&s->frame, piece->face);
   if (!s->is_asked)
-    n = find_sides(s, piece, facing);
+    n = hsr_bsp_frame_sides(&s->frame, piece, &s->piece, facing, s->side);
   insert(s, s->quadtree.n_levels - 1, 0, 0, s->side, n);
 }
 
@@ -255,7 +205,7 @@ static enum hsr_status render(const struct hsr_job *job,
       hsr_quadtree_init(&s->quadtree, &job->view->window, job->scratch) ||
       begin_visits(s))
     return hsr_fail_nomem(err);
-  s->side = HSR_NEW(job->scratch, struct side,
+  s->side = HSR_NEW(job->scratch, struct hsr_bsp_side,
                     (size_t)s->frame.most_corners *
                         ((size_t)s->quadtree.n_levels + 1));
   if (!s->side)

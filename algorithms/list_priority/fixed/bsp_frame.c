@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One view of a world in one BSP tree: see bsp_frame.h. */
 #include "algorithms/list_priority/fixed/bsp_frame.h"
+#include "common/base/numbers.h"
+#include "common/exact/predicates.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,6 +11,7 @@
 
 struct prepared {
   struct hsr_bsp bsp;
+  struct hsr_box *box; /* a node; NULL: not made. In the tree's arena */
   uint32_t most_corners, most_cuts; /* of a piece */
   uint32_t most_vertices;           /* of a face */
 };
@@ -43,6 +46,58 @@ enum hsr_status hsr_bsp_prepare(const struct hsr_world *world,
   return status;
 }
 
+static void add_box(struct hsr_box *all, const struct hsr_box *box) {
+  for (int k = 0; k < 3; k++) {
+    all->lo[k] = hsr_min(all->lo[k], box->lo[k]);
+    all->hi[k] = hsr_max(all->hi[k], box->hi[k]);
+  }
+}
+
+/* What is seen of a face that is not flat is within its reach. */
+static struct hsr_box box_of_piece(const struct hsr_bsp *bsp,
+                                   const struct hsr_bsp_piece *piece) {
+  struct hsr_box box = {{INFINITY, INFINITY, INFINITY},
+                        {-INFINITY, -INFINITY, -INFINITY}};
+  for (uint32_t k = 0; k < piece->n_corners; k++) {
+    uint32_t p = bsp->corner[piece->first_corner + k].point;
+    double grow = bsp->error[p] + bsp->reach[piece->face];
+    const double at[3] = {bsp->x[p], bsp->y[p], bsp->z[p]};
+    for (int a = 0; a < 3; a++) {
+      box.lo[a] = hsr_min(box.lo[a], at[a] - grow);
+      box.hi[a] = hsr_max(box.hi[a], at[a] + grow);
+    }
+  }
+  return box;
+}
+
+/* Children come after their parents. */
+static enum hsr_status make_boxes(struct prepared *p) {
+  struct hsr_bsp *bsp = &p->bsp;
+  p->box = HSR_NEW(&bsp->arena, struct hsr_box, bsp->n_nodes);
+  for (uint32_t k = bsp->n_nodes; p->box && k--;) {
+    const struct hsr_bsp_node *node = &bsp->node[k];
+    p->box[k] = (struct hsr_box){{INFINITY, INFINITY, INFINITY},
+                                 {-INFINITY, -INFINITY, -INFINITY}};
+    for (uint32_t c = 0; c < node->n_pieces; c++) {
+      struct hsr_box box =
+          box_of_piece(bsp, &bsp->piece[node->first_piece + c]);
+      add_box(&p->box[k], &box);
+    }
+    if (node->front != HSR_NO_BSP)
+      add_box(&p->box[k], &p->box[node->front]);
+    if (node->behind != HSR_NO_BSP)
+      add_box(&p->box[k], &p->box[node->behind]);
+  }
+  return p->box ? HSR_OK : HSR_E_NOMEM;
+}
+
+enum hsr_status hsr_bsp_prepare_bounded(const struct hsr_world *world,
+                                        const long *option, void **prepared,
+                                        struct hsr_error *err) {
+  enum hsr_status status = hsr_bsp_prepare(world, option, prepared, err);
+  return !status && make_boxes(*prepared) ? hsr_fail_nomem(err) : status;
+}
+
 /* --- A frame -------------------------------------------------------------- */
 
 static void clear(const struct hsr_job *job) {
@@ -72,8 +127,10 @@ enum hsr_status hsr_bsp_frame_begin(struct hsr_bsp_frame *frame,
                                     const struct hsr_job *job) {
   const struct prepared *p = job->prepared;
   struct hsr_arena *arena = job->scratch;
-  *frame = (struct hsr_bsp_frame){
-      .job = job, .bsp = &p->bsp, .most_corners = p->most_corners};
+  *frame = (struct hsr_bsp_frame){.job = job,
+                                  .bsp = &p->bsp,
+                                  .box = p->box,
+                                  .most_corners = p->most_corners};
   if (hsr_screen_make(&frame->screen, job->world, job->view, arena, job->tally))
     return HSR_E_NOMEM;
   frame->waiting = HSR_NEW(arena, struct hsr_bsp_waiting,
@@ -105,6 +162,7 @@ void hsr_bsp_frame_walk(const struct hsr_bsp_frame *frame, bool backwards,
                               .tally = frame->job->tally,
                               .waiting = frame->waiting,
                               .context = context,
+                              .enter_node = frame->enter_node,
                               .piece = piece};
   hsr_bsp_walk_tree(&walk);
 }
@@ -171,6 +229,52 @@ bool hsr_bsp_frame_piece(struct hsr_bsp_frame *frame,
            HSR_PIECE(piece->face, (uint32_t)(piece - bsp->piece)),
            HSR_THE_WINDOW, hsr_window_make(b->x0, b->y0, b->x1, b->y1), 0);
   return true;
+}
+
+/* --- Sides ---------------------------------------------------------------- */
+
+bool hsr_bsp_frame_is_asked(const struct hsr_bsp_frame *frame, uint32_t face) {
+  const struct hsr_view *view = frame->job->view;
+  bool may_be_near = view->near > 0 || view->parallel;
+  return frame->job->world->mesh.deviation[face] > 0 ||
+         (may_be_near && !frame->screen.whole[face]);
+}
+
+/* On which side of its plane the eye is, turned as the face's loop goes. */
+static int side_of_loop(const struct hsr_job *job, uint32_t f, int facing) {
+  return job->world->pieces
+             ? hsr_exact_eye_side(job->view, hsr_face_loop(job->world, f),
+                                  &job->tally->out_of_memory)
+             : facing;
+}
+
+uint32_t hsr_bsp_frame_sides(const struct hsr_bsp_frame *frame,
+                             const struct hsr_bsp_piece *piece,
+                             const struct hsr_piece *out, int facing,
+                             struct hsr_bsp_side *side) {
+  const struct hsr_bsp_corner *corner =
+      frame->bsp->corner + piece->first_corner;
+  int around = side_of_loop(frame->job, piece->face, facing);
+  uint32_t n_cuts = 0;
+  for (uint32_t k = 0; k < piece->n_corners; k++) {
+    if (corner[k].b == HSR_BSP_FRONT || corner[k].b == HSR_BSP_BEHIND) {
+      const struct hsr_cut *cut = &out->cuts[n_cuts++];
+      side[k] = (struct hsr_bsp_side){cut->face, HSR_NO_ID, cut->side};
+    } else {
+      side[k] = (struct hsr_bsp_side){corner[k].a, corner[k].b, -around};
+    }
+  }
+  return piece->n_corners;
+}
+
+bool hsr_bsp_frame_inside(const struct hsr_bsp_frame *frame, uint32_t face,
+                          const struct hsr_bsp_side *side, int i, int j) {
+  struct hsr_tally *tally = frame->job->tally;
+  const struct hsr_screen *screen = &frame->screen;
+  return side->inside ==
+         (side->b == HSR_NO_ID
+              ? hsr_cut_side(screen, face, side->a, i, j, tally)
+              : hsr_edge_side(screen, side->a, side->b, i, j, tally));
 }
 
 /* --- Loose faces ---------------------------------------------------------- */

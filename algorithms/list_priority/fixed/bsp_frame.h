@@ -25,7 +25,11 @@ extern "C" {
 #define hsr_bsp_frame_finish HSR_OF_BUILD(hsr_bsp_frame_finish)
 #define hsr_bsp_frame_piece HSR_OF_BUILD(hsr_bsp_frame_piece)
 #define hsr_bsp_frame_walk HSR_OF_BUILD(hsr_bsp_frame_walk)
+#define hsr_bsp_frame_is_asked HSR_OF_BUILD(hsr_bsp_frame_is_asked)
+#define hsr_bsp_frame_sides HSR_OF_BUILD(hsr_bsp_frame_sides)
+#define hsr_bsp_frame_inside HSR_OF_BUILD(hsr_bsp_frame_inside)
 #define hsr_bsp_prepare HSR_OF_BUILD(hsr_bsp_prepare)
+#define hsr_bsp_prepare_bounded HSR_OF_BUILD(hsr_bsp_prepare_bounded)
 #define hsr_bsp_release HSR_OF_BUILD(hsr_bsp_release)
 
 /* The counters that all have, before their own. */
@@ -52,15 +56,26 @@ enum hsr_status hsr_bsp_prepare(const struct hsr_world *world,
                                 struct hsr_error *err);
 void hsr_bsp_release(void *prepared);
 
+/* The same, with a box for each node of the tree. */
+enum hsr_status hsr_bsp_prepare_bounded(const struct hsr_world *world,
+                                        const long *option, void **prepared,
+                                        struct hsr_error *err);
+
 struct hsr_bsp_frame {
   const struct hsr_job *job;
   const struct hsr_bsp *bsp;
+  const struct hsr_box *box; /* a node: holds all that a ray sees of the pieces
+                                in its subtree; NULL: not prepared */
   struct hsr_screen screen;
   struct hsr_bsp_waiting *waiting;
   bool *placed;             /* by face: in the picture, and not loose */
   uint32_t *loose, n_loose; /* in the picture */
   int *columns;             /* room for the columns of a face */
   uint32_t most_corners;    /* of a piece */
+
+  /* Whether to enter a node's subtree, with the walk's context. NULL, unless
+   * the algorithm sets it after hsr_bsp_frame_begin: always. */
+  bool (*enter_node)(void *context, uint32_t node);
 
   /* Of the piece at hand. */
   double (*outline)[3];
@@ -83,6 +98,40 @@ void hsr_bsp_frame_walk(const struct hsr_bsp_frame *frame, bool backwards,
 bool hsr_bsp_frame_piece(struct hsr_bsp_frame *frame,
                          const struct hsr_bsp_piece *piece,
                          struct hsr_piece *out);
+
+/* --- Sides ---------------------------------------------------------------- */
+
+/* A side of a piece: the edge from vertex a to b, inside where hsr_edge_side is
+ * `inside`; or, if b is HSR_NO_ID, the plane of face a. As the subject of a
+ * step, the latter is the implied edge of both faces. */
+struct hsr_bsp_side {
+  uint32_t a, b;
+  int inside;
+};
+
+static inline struct hsr_subject
+hsr_bsp_side_subject(uint32_t face, const struct hsr_bsp_side *side) {
+  return side->b == HSR_NO_ID ? HSR_IMPLIED(face, side->a, 0)
+                              : HSR_EDGE(side->a, side->b, face);
+}
+
+/* Whether the sides of the face's pieces do not tell what they cover, because
+ * the face is not flat, or near may cut it: each sample must be asked. */
+bool hsr_bsp_frame_is_asked(const struct hsr_bsp_frame *frame, uint32_t face);
+
+/* The sides of a flat piece, into side[], which has room for most_corners:
+ * returns how many. They bound the cone from the eye that the piece fills, even
+ * where part of the piece is behind the eye. `out` is what hsr_bsp_frame_piece
+ * made of it, and `facing` what the walk told. */
+uint32_t hsr_bsp_frame_sides(const struct hsr_bsp_frame *frame,
+                             const struct hsr_bsp_piece *piece,
+                             const struct hsr_piece *out, int facing,
+                             struct hsr_bsp_side *side);
+
+/* Whether sample (i, j) is on the inner side of a side of a piece of `face`. On
+ * the screen a side is a line: along a row the answer changes at most once. */
+bool hsr_bsp_frame_inside(const struct hsr_bsp_frame *frame, uint32_t face,
+                          const struct hsr_bsp_side *side, int i, int j);
 
 /* Draws the loose faces, after all others. */
 void hsr_bsp_frame_finish(struct hsr_bsp_frame *frame);

@@ -108,6 +108,8 @@ static void walk_tree(const struct hsr_bsp_walk *walk, uint32_t root) {
       tell_pieces(walk, node, next.eye_side);
       continue;
     }
+    if (walk->enter_node && !walk->enter_node(walk->context, next.node))
+      continue;
     next.eye_side = side_of_plane(walk, node->plane);
     next.gone_into = true;
     bool front_first = (next.eye_side > 0) != walk->backwards;

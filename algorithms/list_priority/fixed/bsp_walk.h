@@ -51,6 +51,8 @@ struct hsr_bsp_walk {
   void *context;
   /* Whether to enter a cube, which is not empty; NULL: always. */
   bool (*enter)(void *context, const struct hsr_bsp_cube *cube);
+  /* Whether to enter the subtree of a node; NULL: always. */
+  bool (*enter_node)(void *context, uint32_t node);
   /* A piece; facing: +1 if the eye is in front of its face, -1 behind. */
   void (*piece)(void *context, const struct hsr_bsp_piece *piece, int facing);
 };

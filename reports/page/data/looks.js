@@ -53,6 +53,7 @@ const KNOWN = {
   "octree-raycast": [5, 1],
   "zz-buffer": [3, 5],
   meagher: [4, 4],
+  naylor: [6, 4],
 };
 
 // FNV-1a: an unknown name has the same looks in every report.
