@@ -4,5 +4,10 @@ algorithm_files += \
   %D%/meagher.c \
   %D%/naylor.c \
   %D%/octree_raycast.c \
+  %D%/pvs.c \
   %D%/visibility_map.c \
   %D%/visibility_map.h
+# These files count nothing and are compiled once.
+libhsr_a_SOURCES += \
+  %D%/portals.c \
+  %D%/portals.h

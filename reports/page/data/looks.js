@@ -54,6 +54,7 @@ const KNOWN = {
   "zz-buffer": [3, 5],
   meagher: [4, 4],
   naylor: [6, 4],
+  pvs: [5, 2],
 };
 
 // FNV-1a: an unknown name has the same looks in every report.

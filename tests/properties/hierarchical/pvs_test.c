@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Potentially visible sets by cells and portals.
+ *
+ * Holds       The set of a view holds every face that the oracle sees in it:
+ *             from random eyes in every room of a generated building, and in the
+ *             office.
+ * Larger      It is larger than what is seen, and much smaller than all.
+ * Doors       A door that is walled up hides what is behind it: the set of the
+ *             room shrinks to the room.
+ *
+ * usage: pvs_test [EYES]      in each room; standard: 6 */
+#include "scenes/scenes.h"
+#include "tests/properties/hierarchical/claims.h"
+#include "tests/tap.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { M = 40, N = 30, ROOMS = 5, SIZE = 8, HEIGHT = 4 };
+
+static void fail(const struct hsr_error *err) {
+  printf("Bail out! %s\n", err->text);
+  exit(99);
+}
+
+/* --- A building ----------------------------------------------------------- */
+
+/* A rectangle across an axis. */
+static void add_rectangle(struct hsr_object *object, const double lo[3],
+                          const double hi[3], int axis) {
+  int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  uint32_t vertex[4];
+  for (int k = 0; k < 4; k++) {
+    double at[3];
+    at[axis] = lo[axis];
+    at[u] = k == 1 || k == 2 ? hi[u] : lo[u];
+    at[v] = k > 1 ? hi[v] : lo[v];
+    if (hsr_object_vertex(object, at[0], at[1], at[2], &vertex[k]))
+      abort();
+  }
+  if (hsr_object_face(object, vertex, 4, NULL))
+    abort();
+}
+
+/* A wall across x (axis 0) or z (axis 2) from (x, z) on, with a door, or a
+ * closed one. */
+static void add_wall(struct hsr_object *o, int axis, double x, double z,
+                     bool door) {
+  int along = 2 - axis;
+  double from[3] = {x, 0, z};
+  double lo[3] = {x, 0, z}, hi[3] = {x, HEIGHT, z};
+  if (!door) {
+    hi[along] = from[along] + SIZE;
+    add_rectangle(o, lo, hi, axis);
+    return;
+  }
+  hi[along] = from[along] + 3;
+  add_rectangle(o, lo, hi, axis);
+  lo[along] = from[along] + 5;
+  hi[along] = from[along] + SIZE;
+  add_rectangle(o, lo, hi, axis);
+  lo[along] = from[along] + 3;
+  hi[along] = from[along] + 5;
+  lo[1] = 2.5;
+  add_rectangle(o, lo, hi, axis);
+}
+
+/* ROOMS x ROOMS rooms with doors, and five boards in each. */
+static struct hsr_scene *make_building(bool doors) {
+  struct hsr_scene *scene = hsr_scene_new("rooms");
+  struct hsr_object *o = hsr_scene_object(scene, "walls");
+  uint64_t seed = 5;
+  for (int i = 0; i <= ROOMS; i++)
+    for (int j = 0; j < ROOMS; j++) {
+      bool door = doors && i > 0 && i < ROOMS;
+      add_wall(o, 0, i * SIZE, j * SIZE, door);
+      add_wall(o, 2, j * SIZE, i * SIZE, door);
+    }
+  const double floor_lo[3] = {0, 0, 0},
+               floor_hi[3] = {ROOMS * SIZE, 0, ROOMS * SIZE},
+               top_lo[3] = {0, HEIGHT, 0},
+               top_hi[3] = {ROOMS * SIZE, HEIGHT, ROOMS * SIZE};
+  add_rectangle(o, floor_lo, floor_hi, 1);
+  add_rectangle(o, top_lo, top_hi, 1);
+  for (int room = 0; room < ROOMS * ROOMS; room++)
+    for (int k = 0; k < 5; k++) {
+      double x =
+          room % ROOMS * SIZE + 1 + 0.7 * (double)draw_integer(&seed, 0, 7);
+      double z =
+          room / ROOMS * SIZE + 1 + 0.7 * (double)draw_integer(&seed, 0, 7);
+      double lo[3] = {x, 0.1 * k, z}, hi[3] = {x + 0.8, 1 + 0.1 * k, z + 0.8};
+      add_rectangle(o, lo, hi, k % 3);
+    }
+  return scene;
+}
+
+static void open_building(struct claim_scene *scene, bool doors) {
+  struct hsr_error err = {.text = "out of memory"};
+  scene->worlds.scene = make_building(doors);
+  if (hsr_scene_finish(scene->worlds.scene, &err) ||
+      hsr_world_init(&scene->worlds.world, scene->worlds.scene, &err) ||
+      hsr_world_outline(&scene->worlds.outline, scene->worlds.scene, &err))
+    fail(&err);
+}
+
+/* --- Sets ----------------------------------------------------------------- */
+
+struct set {
+  int drawn;            /* the counter */
+  unsigned char *holds; /* a face */
+  uint32_t n;
+};
+
+static void note_drawn(void *context, const struct hsr_event *event) {
+  struct set *set = context;
+  if (event->counter != set->drawn)
+    return;
+  set->holds[event->a.id[0]] = 1;
+  set->n++;
+}
+
+struct sums {
+  long eyes, lacking, wrong;
+  double in_sets, seen;
+};
+
+/* Draws scene->view. */
+static void look(const struct claim_scene *scene, struct sums *sums) {
+  struct claim_counts right, got;
+  uint32_t n = scene->worlds.world.n_faces;
+  struct set set = {
+      claim_counter(hsr_algorithm_find("pvs")->counting, "faces drawn"),
+      calloc(n, 1), 0};
+  if (!set.holds)
+    abort();
+  claim_draw(&right, scene, "oracle", NULL, NULL);
+  claim_draw(&got, scene, "pvs", note_drawn, &set);
+  sums->wrong += count_differences(&scene->view, got.ids, right.ids);
+  for (int k = 0; k < M * N; k++) {
+    uint32_t f = right.ids[k];
+    if (f == HSR_BACKGROUND || set.holds[f] == 2)
+      continue;
+    sums->lacking += !set.holds[f];
+    sums->seen++;
+    set.holds[f] = 2;
+  }
+  sums->in_sets += set.n;
+  sums->eyes++;
+  free(set.holds);
+  free(right.ids);
+  free(got.ids);
+}
+
+static void look_from_rooms(const struct claim_scene *building, long eyes,
+                            struct sums *sums) {
+  struct claim_scene scene = *building;
+  uint64_t seed = 3;
+  for (int room = 0; room < ROOMS * ROOMS; room++)
+    for (long k = 0; k < eyes; k++) {
+      double x = room % ROOMS * SIZE, z = room / ROOMS * SIZE;
+      struct hsr_camera camera = {.up = {0, 1, 0}, .fov = 80};
+      for (int a = 0; a < 3; a++)
+        camera.at[a] = (double)draw_integer(&seed, -9, 9) + 0.3;
+      /* One eye of four is on a wall's plane, or at a corner of the room. */
+      double step = (double)draw_integer(&seed, 0, 3) ? SIZE / 1001.0 : SIZE;
+      long most = lround(SIZE / step);
+      camera.eye[0] = x + step * (double)draw_integer(&seed, 0, most);
+      camera.eye[1] = 0.1 + 0.01 * (double)draw_integer(&seed, 0, 380);
+      camera.eye[2] = z + step * (double)draw_integer(&seed, 0, most);
+      camera.near = draw_integer(&seed, 0, 3) ? 0 : 1.5;
+      for (int a = 0; a < 3; a++)
+        camera.at[a] += camera.eye[a];
+      if (!hsr_view_init(&scene.view, &camera, M, N, NULL))
+        look(&scene, sums);
+    }
+}
+
+static void check_rooms(struct tap *tap, long eyes) {
+  struct claim_scene scene;
+  struct sums sums = {0};
+  open_building(&scene, true);
+  double all = scene.worlds.world.n_faces;
+  look_from_rooms(&scene, eyes, &sums);
+  ok(tap, sums.eyes > 20 * eyes && !sums.lacking && !sums.wrong,
+     "rooms: %ld eyes see nothing that their sets lack (%ld), %ld samples "
+     "wrong",
+     sums.eyes, sums.lacking, sums.wrong);
+  ok(tap,
+     sums.in_sets < 0.3 * all * (double)sums.eyes && sums.in_sets > sums.seen,
+     "a set has %.1f faces of %.0f, of which %.1f are seen",
+     sums.in_sets / (double)sums.eyes, all, sums.seen / (double)sums.eyes);
+  claim_close(&scene);
+
+  struct sums closed = {0};
+  open_building(&scene, false);
+  look_from_rooms(&scene, eyes, &closed);
+  ok(tap, !closed.lacking && !closed.wrong && 2 * closed.in_sets < sums.in_sets,
+     "without doors: %.1f faces", closed.in_sets / (double)closed.eyes);
+  claim_close(&scene);
+}
+
+static void check_office(struct tap *tap) {
+  struct sums sums = {0};
+  double all = 0;
+  for (uint32_t v = 0; v < 150; v += 15) {
+    struct claim_scene scene;
+    claim_open(&scene, "office:1", v, M, N);
+    all = scene.worlds.world.n_faces;
+    look(&scene, &sums);
+    claim_close(&scene);
+  }
+  ok(tap, !sums.lacking && !sums.wrong && sums.in_sets > sums.seen,
+     "office: a set has %.0f faces of %.0f, of which %.0f are seen",
+     sums.in_sets / (double)sums.eyes, all, sums.seen / (double)sums.eyes);
+}
+
+int main(int argc, char **argv) {
+  struct tap tap = plan(4);
+  check_rooms(&tap, argc > 1 ? atol(argv[1]) : 6);
+  check_office(&tap);
+  return finish(&tap);
+}
