@@ -12,7 +12,8 @@ typedef enum hsr_status hsr_build(struct hsr_scene *scene,
 hsr_build hsr_build_house, hsr_build_harbor, hsr_build_big_harbor;
 hsr_build hsr_build_color_cube, hsr_build_color_sides, hsr_build_sphere,
     hsr_build_terrain, hsr_build_twist, hsr_build_office, hsr_build_traffic,
-    hsr_build_tower, hsr_build_bare_tower, hsr_build_soup, hsr_build_lattice;
+    hsr_build_tower, hsr_build_bare_tower, hsr_build_soup, hsr_build_lattice,
+    hsr_build_rooms;
 
 /* worlds/cells.c */
 hsr_build hsr_build_checker_cube, hsr_build_grid;

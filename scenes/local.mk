@@ -20,6 +20,7 @@ libhsr_a_SOURCES += \
   %D%/worlds/house.c \
   %D%/worlds/office.c \
   %D%/worlds/random.c \
+  %D%/worlds/rooms.c \
   %D%/worlds/solids.c \
   %D%/worlds/terrain.c \
   %D%/worlds/tower.c \

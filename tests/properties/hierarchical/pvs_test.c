@@ -9,100 +9,13 @@
  *             room shrinks to the room.
  *
  * usage: pvs_test [EYES]      in each room; standard: 6 */
-#include "scenes/scenes.h"
 #include "tests/properties/hierarchical/claims.h"
 #include "tests/tap.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-enum { M = 40, N = 30, ROOMS = 5, SIZE = 8, HEIGHT = 4 };
-
-static void fail(const struct hsr_error *err) {
-  printf("Bail out! %s\n", err->text);
-  exit(99);
-}
-
-/* --- A building ----------------------------------------------------------- */
-
-/* A rectangle across an axis. */
-static void add_rectangle(struct hsr_object *object, const double lo[3],
-                          const double hi[3], int axis) {
-  int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  uint32_t vertex[4];
-  for (int k = 0; k < 4; k++) {
-    double at[3];
-    at[axis] = lo[axis];
-    at[u] = k == 1 || k == 2 ? hi[u] : lo[u];
-    at[v] = k > 1 ? hi[v] : lo[v];
-    if (hsr_object_vertex(object, at[0], at[1], at[2], &vertex[k]))
-      abort();
-  }
-  if (hsr_object_face(object, vertex, 4, NULL))
-    abort();
-}
-
-/* A wall across x (axis 0) or z (axis 2) from (x, z) on, with a door, or a
- * closed one. */
-static void add_wall(struct hsr_object *o, int axis, double x, double z,
-                     bool door) {
-  int along = 2 - axis;
-  double from[3] = {x, 0, z};
-  double lo[3] = {x, 0, z}, hi[3] = {x, HEIGHT, z};
-  if (!door) {
-    hi[along] = from[along] + SIZE;
-    add_rectangle(o, lo, hi, axis);
-    return;
-  }
-  hi[along] = from[along] + 3;
-  add_rectangle(o, lo, hi, axis);
-  lo[along] = from[along] + 5;
-  hi[along] = from[along] + SIZE;
-  add_rectangle(o, lo, hi, axis);
-  lo[along] = from[along] + 3;
-  hi[along] = from[along] + 5;
-  lo[1] = 2.5;
-  add_rectangle(o, lo, hi, axis);
-}
-
-/* ROOMS x ROOMS rooms with doors, and five boards in each. */
-static struct hsr_scene *make_building(bool doors) {
-  struct hsr_scene *scene = hsr_scene_new("rooms");
-  struct hsr_object *o = hsr_scene_object(scene, "walls");
-  uint64_t seed = 5;
-  for (int i = 0; i <= ROOMS; i++)
-    for (int j = 0; j < ROOMS; j++) {
-      bool door = doors && i > 0 && i < ROOMS;
-      add_wall(o, 0, i * SIZE, j * SIZE, door);
-      add_wall(o, 2, j * SIZE, i * SIZE, door);
-    }
-  const double floor_lo[3] = {0, 0, 0},
-               floor_hi[3] = {ROOMS * SIZE, 0, ROOMS * SIZE},
-               top_lo[3] = {0, HEIGHT, 0},
-               top_hi[3] = {ROOMS * SIZE, HEIGHT, ROOMS * SIZE};
-  add_rectangle(o, floor_lo, floor_hi, 1);
-  add_rectangle(o, top_lo, top_hi, 1);
-  for (int room = 0; room < ROOMS * ROOMS; room++)
-    for (int k = 0; k < 5; k++) {
-      double x =
-          room % ROOMS * SIZE + 1 + 0.7 * (double)draw_integer(&seed, 0, 7);
-      double z =
-          room / ROOMS * SIZE + 1 + 0.7 * (double)draw_integer(&seed, 0, 7);
-      double lo[3] = {x, 0.1 * k, z}, hi[3] = {x + 0.8, 1 + 0.1 * k, z + 0.8};
-      add_rectangle(o, lo, hi, k % 3);
-    }
-  return scene;
-}
-
-static void open_building(struct claim_scene *scene, bool doors) {
-  struct hsr_error err = {.text = "out of memory"};
-  scene->worlds.scene = make_building(doors);
-  if (hsr_scene_finish(scene->worlds.scene, &err) ||
-      hsr_world_init(&scene->worlds.world, scene->worlds.scene, &err) ||
-      hsr_world_outline(&scene->worlds.outline, scene->worlds.scene, &err))
-    fail(&err);
-}
+enum { M = 40, N = 30, ROOMS = 5, SIZE = 8 };
 
 /* --- Sets ----------------------------------------------------------------- */
 
@@ -179,7 +92,7 @@ static void look_from_rooms(const struct claim_scene *building, long eyes,
 static void check_rooms(struct tap *tap, long eyes) {
   struct claim_scene scene;
   struct sums sums = {0};
-  open_building(&scene, true);
+  claim_open(&scene, "rooms:5", 0, M, N);
   double all = scene.worlds.world.n_faces;
   look_from_rooms(&scene, eyes, &sums);
   ok(tap, sums.eyes > 20 * eyes && !sums.lacking && !sums.wrong,
@@ -193,7 +106,7 @@ static void check_rooms(struct tap *tap, long eyes) {
   claim_close(&scene);
 
   struct sums closed = {0};
-  open_building(&scene, false);
+  claim_open(&scene, "rooms:5:0", 0, M, N);
   look_from_rooms(&scene, eyes, &closed);
   ok(tap, !closed.lacking && !closed.wrong && 2 * closed.in_sets < sums.in_sets,
      "without doors: %.1f faces", closed.in_sets / (double)closed.eyes);

@@ -46,6 +46,8 @@ static const struct {
              {"tower", 0xb3bb39213ddefcd9, 0x8980ce04974aab03},
              {"tower-bare", 0xb0c8a65c4732bfbe, 0x8980ce04974aab03},
              {"tower:40", 0xaf9c59cbb6aab7e4, 0xa198a97b12450d32},
+             {"rooms", 0x2635d7c2df9667b0, 0x19b1c5b9c8495174},
+             {"rooms:3:50", 0x60a76b03871b0e54, 0xa6e2b2a1e611faff},
              {"soup", 0x09cd6f8287df6eec, 0xe2f28953fa2319f1},
              {"soup:100:7", 0x258c9a8fbb04398c, 0xa91990140ef9c1f1},
              {"lattice", 0x3177b0ca5e6c6b16, 0xad865c6288d8bd3e},
