@@ -2,8 +2,12 @@
 algorithm_files += \
   %D%/bounded/bounded.h \
   %D%/bounded/error_bounded.c \
+  %D%/bounded/leaf.c \
+  %D%/bounded/pixels.c \
   %D%/bounded/quadtree.c \
   %D%/bounded/refine.c \
+  %D%/bounded/refine.h \
+  %D%/bounded/spread.c \
   %D%/clark.c \
   %D%/cube_frame.c \
   %D%/cube_frame.h \
@@ -16,6 +20,8 @@ algorithm_files += \
   %D%/pyramid.h
 # These files count nothing and are compiled once.
 libhsr_a_SOURCES += \
+  %D%/bounded/queue.c \
+  %D%/bounded/queue.h \
   %D%/bounded/shape.c \
   %D%/bounded/shape.h \
   %D%/cubes.c \

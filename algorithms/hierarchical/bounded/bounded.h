@@ -15,6 +15,7 @@
 #define HSR_ALGORITHMS_BOUNDED_H
 
 #include "algorithms/algorithm.h"
+#include "algorithms/hierarchical/bounded/queue.h"
 #include "algorithms/hierarchical/bounded/shape.h"
 #include "common/exact/pair.h"
 
@@ -32,6 +33,9 @@ extern "C" {
 #define hsr_bounded_before HSR_OF_BUILD(hsr_bounded_before)
 #define hsr_bounded_could_be_seen HSR_OF_BUILD(hsr_bounded_could_be_seen)
 #define hsr_bounded_refine HSR_OF_BUILD(hsr_bounded_refine)
+#define hsr_bounded_hull HSR_OF_BUILD(hsr_bounded_hull)
+#define hsr_bounded_mean HSR_OF_BUILD(hsr_bounded_mean)
+#define hsr_bounded_reach HSR_OF_BUILD(hsr_bounded_reach)
 #define hsr_bounded_now HSR_OF_BUILD(hsr_bounded_now)
 #define hsr_bounded_free_below HSR_OF_BUILD(hsr_bounded_free_below)
 
@@ -68,8 +72,7 @@ enum {
 enum {
   HSR_EB_CAPACITY = 10, /* polygons on a leaf's list, unless it is too small to
                            be divided by the tiling pass */
-  HSR_EB_TILING = 3,    /* the tiling pass divides to 2^-3 pixels */
-  HSR_EB_DEEPEST = 20   /* no cell is smaller than 2^-20 pixels */
+  HSR_EB_TILING = 3     /* the tiling pass divides to 2^-3 pixels */
 };
 
 #define HSR_EB_NONE UINT32_MAX
@@ -177,13 +180,26 @@ bool hsr_bounded_could_be_seen(struct hsr_eb_tree *tree,
                                const struct hsr_eb_side *side, uint64_t most,
                                struct hsr_subject cube);
 
-/* The refinement pass: see refine.c. Writes the intervals of all pixels of the
- * window. HSR_E_NOMEM. */
-enum hsr_eb_order { HSR_EB_QUEUE, HSR_EB_LEVELS };
+/* All that may be seen in a leaf: the least and the greatest of its polygons'
+ * colours, a channel each. */
+void hsr_bounded_hull(const struct hsr_eb_tree *tree,
+                      const struct hsr_eb_cell *cell, double low[3],
+                      double high[3]);
+
+/* Bounds on the mean of the colours over a leaf, or if it is of more than a pixel, over
+ * each of its pixels. Up to `most` polygons are integrated in closed form. */
+void hsr_bounded_mean(const struct hsr_eb_tree *tree,
+                      const struct hsr_eb_cell *cell, uint32_t most,
+                      double lo[3], double hi[3]);
+
+/* The refinement pass. Writes the intervals of all pixels of the tree's window, or
+ * for a wider filter of limits->window. HSR_E_NOMEM. */
 struct hsr_eb_limits {
   enum hsr_eb_order order;
-  double eps;     /* a pixel's interval need not be narrower */
-  double seconds; /* since `begun`; 0: any time */
+  struct hsr_area_form
+      form; /* a pixel's interval need not be narrower than eps */
+  struct hsr_window window; /* the pixels that are asked for */
+  double begun, seconds;    /* end so long after `begun`; 0: at any time */
   int deepest;    /* cells have a side of at least 2^-deepest pixels, at most
                      HSR_EB_DEEPEST */
   uint32_t cells; /* no more cells at a time */
@@ -191,7 +207,10 @@ struct hsr_eb_limits {
 };
 enum hsr_status hsr_bounded_refine(struct hsr_eb_tree *tree,
                                    const struct hsr_eb_limits *limits,
-                                   double begun, struct hsr_error *err);
+                                   struct hsr_error *err);
+
+/* How many pixels to either side of a point's own the filter reaches. */
+int hsr_bounded_reach(enum hsr_area_filter filter);
 
 /* Seconds, by a clock that is never set. */
 double hsr_bounded_now(void);

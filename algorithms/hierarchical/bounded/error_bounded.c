@@ -312,28 +312,42 @@ static bool tile_all(struct walk *w, struct hsr_tiler *loose) {
   return true;
 }
 
+/* A wider filter sees beyond the window. */
+static void widen(struct hsr_view *view, enum hsr_area_filter filter) {
+  struct hsr_window *w = &view->window;
+  int by = hsr_bounded_reach(filter);
+  w->x0 = w->x0 > by ? w->x0 - by : 0;
+  w->y0 = w->y0 > by ? w->y0 - by : 0;
+  w->x1 = w->x1 + by < view->m ? w->x1 + by : view->m;
+  w->y1 = w->y1 + by < view->n ? w->y1 + by : view->n;
+}
+
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  double begun = hsr_bounded_now();
-  struct hsr_area_form form = hsr_form_area(&job->answer->form);
+  struct hsr_view view = *job->view;
+  struct hsr_job wide = *job;
   struct hsr_tiler loose;
   struct walk w = {.prepared = job->prepared,
                    .limit = (uint64_t)job->option[LIMIT],
                    .tally = job->tally};
   const struct hsr_eb_limits limits = {
       .order = (enum hsr_eb_order)job->option[REFINE],
-      .eps = form.eps,
+      .form = hsr_form_area(&job->answer->form),
+      .window = job->view->window,
+      .begun = hsr_bounded_now(),
       .seconds = job->real[SECONDS],
       .deepest = (int)job->option[DEPTH],
       .exact = (uint32_t)job->option[EXACT],
       .cells = (uint32_t)job->option[CELLS] << 20};
+  widen(&view, limits.form.filter);
+  wide.view = &view;
   w.met = HSR_NEW_ZEROED(job->scratch, uint32_t,
                          w.prepared->cubes.most_object_faces);
-  if (!w.met || hsr_cube_frame_begin(&w.frame, job, &w.prepared->cubes) ||
+  if (!w.met || hsr_cube_frame_begin(&w.frame, &wide, &w.prepared->cubes) ||
       hsr_cube_loose(&w.frame, &loose) ||
-      hsr_bounded_begin(&w.tree, job, &w.frame.pair) || !tile_all(&w, &loose))
+      hsr_bounded_begin(&w.tree, &wide, &w.frame.pair) || !tile_all(&w, &loose))
     return hsr_fail_nomem(err);
-  return hsr_bounded_refine(&w.tree, &limits, begun, err);
+  return hsr_bounded_refine(&w.tree, &limits, err);
 }
 
 /* --- Preparation ---------------------------------------------------------- */
@@ -421,7 +435,6 @@ const struct hsr_algorithm HSR_ALGORITHM(error_bounded) = {
     .coherence = "of hidden regions in space, of areas on the screen",
     .subjects = 1 << HSR_FACES,
     .kind = HSR_AREAS,
-    .makes = 1 << HSR_AREA_BOX,
     .flags = HSR_INSTANCED,
     .counters = counters,
     .outline = outline,

@@ -264,6 +264,8 @@ bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
   const struct hsr_depth_plane *plane = &screen->plane[f];
   *shape = (struct hsr_shape){
       .id = id, .q = {plane->a, plane->b, plane->c, 2 * plane->error}};
+  if (!(plane->error < INFINITY)) /* the coefficients say nothing */
+    shape->q = (struct hsr_screen_line){0, 0, 0, INFINITY};
   if (!copy_corners(shape, screen, f, arena) || !number_edges(shape, arena))
     return false;
   /* Before an eye in front of it, a polygon turns to the left around the ray.

@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Bounds on what is seen in a leaf of the quadtree. The thesis, 5.4.4 and 5.5.
+ *
+ * Closed form a leaf whose list is short is integrated: the share of the cell
+ *             where polygon p is visible is that of p, less what lies in another
+ *             polygon and behind its plane, plus what lies in two such, and so
+ *             on: inclusion and exclusion. Each of these is a convex polygon. No
+ *             order of the polygons is needed, and they may penetrate. What is
+ *             left is the background. The thesis has the cases of one polygon,
+ *             and of two that cover the cell; exact=2 comes closest to it.
+ * Slivers     a polygon of less than 2^-30 of the cell is left out, and that
+ *             share added to the uncertainty; likewise what a polygon leaves of a
+ *             cell that it covers but for such a share. Without this, an edge
+ *             that runs along the border of cells would be subdivided without end.
+ * Rounding    a colour is within u = 2^-53 of itself, a product or a sum of
+ *             numbers that are not negative as well. Every bound is moved outward
+ *             by 2^-50 of itself, and by 2^-48 of the greatest colour where shares
+ *             were mixed. */
+#include "algorithms/hierarchical/bounded/bounded.h"
+
+#include <math.h>
+
+#define SLIVER 0x1p-30
+
+/* --- The polygons of a leaf ----------------------------------------------- */
+
+enum { MOST = HSR_EB_CAPACITY + 2 };
+
+/* The polygons of a leaf that matter. */
+struct few {
+  uint32_t shape[MOST], n;
+  bool covers[MOST];
+  double slack; /* the share of the cell that is not accounted for */
+};
+
+/* False if there are too many. */
+static bool find_few(const struct hsr_eb_tree *t,
+                     const struct hsr_eb_cell *cell,
+                     const struct hsr_square *square, struct few *few) {
+  few->n = 0;
+  few->slack = 0;
+  for (uint32_t e = cell->first; e != HSR_EB_NONE;
+       e = hsr_eb_entry(t, e)->next) {
+    const struct hsr_eb_entry *entry = hsr_eb_entry(t, e);
+    bool covers = entry->covers;
+    double lo = 1, hi = 1;
+    if (!covers && cell->n > 1)
+      hsr_shape_share(hsr_eb_shape(t, entry->shape), square, &lo, &hi);
+    if (hi < SLIVER) {
+      few->slack += hi;
+      continue;
+    }
+    if (!covers && cell->n > 1 && lo > 1 - SLIVER) {
+      covers = true;
+      few->slack += 1 - lo;
+    }
+    if (few->n == MOST)
+      return false;
+    few->shape[few->n] = entry->shape;
+    few->covers[few->n++] = covers;
+  }
+  return true;
+}
+
+/* What is left of a square after some polygons: by inclusion and exclusion. */
+struct shares {
+  const struct hsr_eb_tree *t;
+  const struct few *few;
+  const struct hsr_square *square;
+  uint32_t p; /* whose share is looked for: few->shape[p] */
+  double lo, hi;
+};
+
+/* Clips by all lines of a polygon, unless it covers the square. */
+static void clip_by_polygon(struct hsr_clip *clip, const struct few *few,
+                            const struct hsr_shape *shape, uint32_t k,
+                            const struct hsr_square *square) {
+  for (uint32_t l = 0; !few->covers[k] && l < shape->n_lines; l++)
+    hsr_clip_by(clip, &shape->line[l], square);
+}
+
+/* Clips by where polygon r is in front of p, if both are there. False: it is
+ * so nowhere. */
+static bool clip_by_front(struct hsr_clip *clip, const struct hsr_eb_tree *t,
+                          uint32_t r, uint32_t p,
+                          const struct hsr_square *square) {
+  if (hsr_bounded_before(t, p, r, square))
+    return false;
+  if (hsr_bounded_before(t, r, p, square))
+    return true;
+  const struct hsr_screen_line *a = &hsr_eb_shape(t, r)->q,
+                               *b = &hsr_eb_shape(t, p)->q;
+  struct hsr_screen_line by = {a->a - b->a, a->b - b->b, a->c - b->c,
+                               a->error + b->error};
+  hsr_clip_by(clip, &by, square);
+  return true;
+}
+
+/* `clip` is what of polygon p lies in an even or odd number of polygons before
+ * it, with the sign +1 or -1. Adds its share, and those of its parts that lie in
+ * one more of the polygons, from number `from` on. What is behind a sliver is
+ * of no more than that. */
+static void add_parts(struct shares *s, const struct hsr_clip *clip,
+                      uint32_t from, int sign) {
+  double lo, hi;
+  hsr_clip_share(clip, &lo, &hi);
+  if (hi < SLIVER) {
+    double most = ldexp(hi, (int)(s->few->n - from));
+    s->lo -= most;
+    s->hi += most;
+    return;
+  }
+  s->lo += sign > 0 ? lo : -hi;
+  s->hi += sign > 0 ? hi : -lo;
+  for (uint32_t k = from; k < s->few->n; k++) {
+    if (k == s->p)
+      continue;
+    struct hsr_clip part = *clip;
+    if (clip_by_front(&part, s->t, s->few->shape[k], s->few->shape[s->p],
+                      s->square)) {
+      clip_by_polygon(&part, s->few, hsr_eb_shape(s->t, s->few->shape[k]), k,
+                      s->square);
+      add_parts(s, &part, k + 1, -sign);
+    }
+  }
+}
+
+/* Is a polygon behind one that covers the square? */
+static bool is_hidden(const struct hsr_eb_tree *t, const struct few *few,
+                      uint32_t k, const struct hsr_square *square) {
+  for (uint32_t l = 0; l < few->n; l++)
+    if (l != k && few->covers[l] &&
+        hsr_bounded_before(t, few->shape[l], few->shape[k], square))
+      return true;
+  return false;
+}
+
+/* The integral over a leaf of few polygons, in closed form: its share is known of
+ * each of them. False if one of several is a fan. */
+static bool integrate(const struct hsr_eb_tree *t, const struct few *few,
+                      const struct hsr_square *square, double low[3],
+                      double high[3]) {
+  const double *behind = t->background;
+  for (uint32_t k = 0; k < few->n && few->n > 1; k++)
+    if (!hsr_eb_shape(t, few->shape[k])->is_convex)
+      return false;
+  for (int c = 0; c < 3; c++)
+    low[c] = high[c] = behind[c];
+  for (uint32_t k = 0; k < few->n; k++) {
+    const struct hsr_shape *shape = hsr_eb_shape(t, few->shape[k]);
+    if (is_hidden(t, few, k, square))
+      continue;
+    struct shares s = {t, few, square, k, 0, 0};
+    struct hsr_clip clip;
+    hsr_clip_whole(&clip);
+    if (!shape->is_convex && !few->covers[k])
+      clip.off = 1;
+    else
+      clip_by_polygon(&clip, few, shape, k, square);
+    add_parts(&s, &clip, 0, 1);
+    s.lo = fmax(0, s.lo);
+    s.hi = fmin(1, s.hi);
+    for (int c = 0; c < 3; c++) {
+      double by = shape->rgb[c] - behind[c];
+      low[c] += by > 0 ? by * s.lo : by * s.hi;
+      high[c] += by > 0 ? by * s.hi : by * s.lo;
+    }
+  }
+  return true;
+}
+
+/* --- Bounds ---------------------------------------------------------------- */
+
+void hsr_bounded_hull(const struct hsr_eb_tree *t,
+                      const struct hsr_eb_cell *cell, double low[3],
+                      double high[3]) {
+  bool covered = cell->far > -INFINITY;
+  for (int c = 0; c < 3; c++) {
+    low[c] = covered ? INFINITY : t->background[c];
+    high[c] = covered ? -INFINITY : t->background[c];
+  }
+  for (uint32_t e = cell->first; e != HSR_EB_NONE;
+       e = hsr_eb_entry(t, e)->next) {
+    const struct hsr_shape *s = hsr_eb_shape(t, hsr_eb_entry(t, e)->shape);
+    for (int c = 0; c < 3; c++) {
+      low[c] = fmin(low[c], s->rgb[c]);
+      high[c] = fmax(high[c], s->rgb[c]);
+    }
+  }
+}
+
+/* The counter of a closed form. */
+static int exact_of(uint32_t n) {
+  return n < 2    ? HSR_EB_EXACT_ONE
+         : n == 2 ? HSR_EB_EXACT_TWO
+                  : HSR_EB_EXACT_MORE;
+}
+
+void hsr_bounded_mean(const struct hsr_eb_tree *t,
+                      const struct hsr_eb_cell *cell, uint32_t most,
+                      double lo[3], double hi[3]) {
+  struct hsr_square square = hsr_eb_square(cell);
+  double low[3], high[3];
+  struct few few;
+  hsr_bounded_hull(t, cell, lo, hi);
+  /* What is known of a larger cell as a whole says nothing of its pixels. */
+  bool exact = cell->level <= 0 && find_few(t, cell, &square, &few) &&
+               few.n <= most && integrate(t, &few, &square, low, high);
+  HSR_STEP(t->tally, HSR_EB_BOUNDED, hsr_eb_subject(cell), HSR_NOTHING,
+           hsr_eb_window(t, cell), exact);
+  if (exact)
+    HSR_STEP(t->tally, exact_of(few.n), hsr_eb_subject(cell), HSR_NOTHING,
+             hsr_eb_window(t, cell), 0);
+  for (int k = 0; k < 3; k++) {
+    if (exact) {
+      lo[k] = fmax(lo[k], low[k] - few.slack - 0x1p-48);
+      hi[k] = fmin(hi[k], high[k] + few.slack + 0x1p-48);
+    }
+    lo[k] = fmax(0, lo[k] * (1 - 0x1p-50));
+    hi[k] = fmin(1, hi[k] * (1 + 0x1p-50));
+  }
+}
