@@ -78,7 +78,7 @@ Triple integers_of(const std::array<Exact, 3> &value) {
       any = true;
     }
   Triple made;
-  for (int k = 0; k < 3; k++)
+  for (size_t k = 0; k < 3; k++)
     if (CGAL::sign(value[k]) != 0)
       mpz_mul_2exp(made[k].mpz(), value[k].man(),
                    mp_bitcnt_t(value[k].exp() - least));
@@ -246,7 +246,7 @@ struct hsr_named_lines {
       return {Exact(0.0), Exact(0.0), Exact(0.0)};
     const Depth &p = depth[f], &q = depth[g];
     std::array<Exact, 3> value;
-    for (int k = 0; k < 3; k++)
+    for (size_t k = 0; k < 3; k++)
       value[k] =
           p.numerator[k] * q.denominator - q.numerator[k] * p.denominator;
     return value;
@@ -400,7 +400,7 @@ struct hsr_named_lines {
     const long exponent =
         std::max(exponent_of(value[0]),
                  std::max(exponent_of(value[1]), exponent_of(value[2])));
-    for (int k = 0; k < 3; k++)
+    for (size_t k = 0; k < 3; k++)
       made.d[k] = rounded(value[k], exponent);
     const uint32_t number = uint32_t(line.size());
     line.push_back(made);
@@ -424,7 +424,7 @@ struct hsr_named_lines {
     Point made = {value, {0, 0}, {k, l}};
     const long exponent = exponent_of(value[2]);
     const double w = rounded(value[2], exponent);
-    for (int c = 0; c < 2; c++)
+    for (size_t c = 0; c < 2; c++)
       made.at[c] = rounded(value[c], exponent) / w;
     const uint32_t number = uint32_t(point.size());
     point.push_back(made);
@@ -614,7 +614,8 @@ int hsr_crossing_compare(struct hsr_named_lines *lines, uint32_t p, uint32_t q,
   if (by < -bound)
     return -1;
   lines->exact++;
-  return CGAL::compare(a.exact[axis] * b.exact[2], b.exact[axis] * a.exact[2]);
+  return CGAL::compare(a.exact[size_t(axis)] * b.exact[2],
+                       b.exact[size_t(axis)] * a.exact[2]);
 }
 
 int hsr_crossing_compare_to(struct hsr_named_lines *lines, uint32_t p, int axis,
@@ -628,7 +629,8 @@ int hsr_crossing_compare_to(struct hsr_named_lines *lines, uint32_t p, int axis,
   if (by < -bound)
     return -1;
   lines->exact++;
-  return CGAL::sign(Exact(a.exact[axis]) - Exact(at) * Exact(a.exact[2]));
+  return CGAL::sign(Exact(a.exact[size_t(axis)]) -
+                    Exact(at) * Exact(a.exact[2]));
 }
 
 void hsr_crossing_at(const struct hsr_named_lines *lines, uint32_t point,

@@ -169,8 +169,9 @@ static bool has_outline(const struct hsr_algorithm *a) {
   return good;
 }
 
+/* No trace holds a kind of answer that events cannot paint. */
 static bool is_player(const struct hsr_algorithm *a) {
-  return !(a->flags & (HSR_JUDGE | HSR_NO_PICTURE));
+  return !(a->flags & (HSR_JUDGE | HSR_NO_PICTURE)) && a->kind->paint;
 }
 
 /* usage: trace_test [NAME...]      only these algorithms; standard: all */
