@@ -82,7 +82,7 @@ struct hsr_eb_entry {
   bool covers;          /* the polygon covers the cell */
 };
 
-/* How a cell lies on the window. What straddles its border is always divided. */
+/* How a cell lies on the window. What straddles its border is divided. */
 enum hsr_eb_place { HSR_EB_OUTSIDE, HSR_EB_STRADDLES, HSR_EB_INSIDE };
 
 struct hsr_eb_cell {
@@ -155,8 +155,8 @@ bool hsr_bounded_add(struct hsr_eb_tree *tree, const struct hsr_screen *screen,
 /* SubdivideQCell: makes four leaves of a leaf. False if memory ran out. */
 bool hsr_bounded_split(struct hsr_eb_tree *tree, uint32_t cell);
 
-/* Finds the covering structures of a leaf's polygons, and removes what is hidden
- * by them. */
+/* Finds the covering structures of a leaf's polygons, and removes what is
+ * hidden by them. */
 void hsr_bounded_settle(struct hsr_eb_tree *tree, uint32_t cell);
 
 /* Gives back all cells below one, which becomes a leaf without polygons. */
@@ -186,14 +186,15 @@ void hsr_bounded_hull(const struct hsr_eb_tree *tree,
                       const struct hsr_eb_cell *cell, double low[3],
                       double high[3]);
 
-/* Bounds on the mean of the colours over a leaf, or if it is of more than a pixel, over
- * each of its pixels. Up to `most` polygons are integrated in closed form. */
+/* Bounds on the mean of the colours over a leaf, or if it is of more than a
+ * pixel, over each of its pixels. Up to `most` polygons are integrated in
+ * closed form. */
 void hsr_bounded_mean(const struct hsr_eb_tree *tree,
                       const struct hsr_eb_cell *cell, uint32_t most,
                       double lo[3], double hi[3]);
 
-/* The refinement pass. Writes the intervals of all pixels of the tree's window, or
- * for a wider filter of limits->window. HSR_E_NOMEM. */
+/* The refinement pass. Writes the intervals of all pixels of the tree's window,
+ * or for a wider filter of limits->window. HSR_E_NOMEM. */
 struct hsr_eb_limits {
   enum hsr_eb_order order;
   struct hsr_area_form

@@ -7,19 +7,20 @@
  *             1995, chapter 5 ("the thesis").
  * Notation    octree cube -> node; quadtree cell -> struct hsr_eb_cell; z -> q;
  *             P -> struct hsr_shape
- * Invariants  when the tiling pass ends, the lists of the quadtree's leaves hold
- *             every face of which a point is visible in the cell. The interval
- *             of a pixel holds the exact integral (docs/area-picture.md) from the
- *             tiling pass on, and only becomes narrower.
- * Ties        faces on one plane: the exact comparison of two faces decides at the
- *             corners of a cell, where doubles cannot
- * Departures  the faults of the printed listings (quadtree.c); a node whose cube may
- *             reach to the near plane is not tested; cells of more than a
- *             pixel that are known to the tolerance are not divided, as in the
- *             author's program (p. 86); slivers, and one closed form more
- *             (refine.c)
- * Cost        of what is visible; of each pixel, the more complex what it shows,
- *             the more */
+ * Invariants  when the tiling pass ends, the lists of the quadtree's leaves
+ *             hold every face of which a point is visible in the cell. The
+ *             interval of a pixel holds the exact integral
+ *             (docs/area-picture.md) from the tiling pass on, and only becomes
+ *             narrower.
+ * Ties        faces on one plane: the exact comparison of two faces decides at
+ *             the corners of a cell, where doubles cannot
+ * Departures  the faults of the printed listings (quadtree.c); a node whose
+ *             cube may reach to the near plane is not tested; cells of more
+ *             than a pixel that are known to the tolerance are not divided, as
+ *             in the author's program (p. 86); slivers, and one closed form
+ *             more (refine.c)
+ * Cost        of what is visible; of each pixel, the more complex what it
+ *             shows, the more */
 #include "algorithms/hierarchical/bounded/bounded.h"
 #include "algorithms/hierarchical/cube_frame.h"
 

@@ -1,21 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bounds on what is seen in a leaf of the quadtree. The thesis, 5.4.4 and 5.5.
  *
- * Closed form a leaf whose list is short is integrated: the share of the cell
- *             where polygon p is visible is that of p, less what lies in another
- *             polygon and behind its plane, plus what lies in two such, and so
- *             on: inclusion and exclusion. Each of these is a convex polygon. No
- *             order of the polygons is needed, and they may penetrate. What is
- *             left is the background. The thesis has the cases of one polygon,
- *             and of two that cover the cell; exact=2 comes closest to it.
+ * Integrals   a leaf whose list is short is integrated in closed form: the
+ *             share of the cell where polygon p is visible is that of p, less
+ *             what lies in another polygon and behind its plane, plus what lies
+ *             in two such, and so on: inclusion and exclusion. Each of these is
+ *             a convex polygon. No order of the polygons is needed, and they
+ *             may penetrate. What is left is the background. The thesis has the
+ *             cases of one polygon, and of two that cover the cell; exact=2
+ *             comes closest to it.
  * Slivers     a polygon of less than 2^-30 of the cell is left out, and that
- *             share added to the uncertainty; likewise what a polygon leaves of a
- *             cell that it covers but for such a share. Without this, an edge
- *             that runs along the border of cells would be subdivided without end.
+ *             share added to the uncertainty; likewise what a polygon leaves of
+ *             a cell that it covers but for such a share. Without this, an edge
+ *             that runs along the border of cells would be subdivided without
+ *             end.
  * Rounding    a colour is within u = 2^-53 of itself, a product or a sum of
- *             numbers that are not negative as well. Every bound is moved outward
- *             by 2^-50 of itself, and by 2^-48 of the greatest colour where shares
- *             were mixed. */
+ *             numbers that are not negative as well. Every bound is moved
+ *             outward by 2^-50 of itself, and by 2^-48 of the greatest colour
+ *             where shares were mixed. */
 #include "algorithms/hierarchical/bounded/bounded.h"
 
 #include <math.h>
@@ -79,8 +81,8 @@ static void clip_by_polygon(struct hsr_clip *clip, const struct few *few,
     hsr_clip_by(clip, &shape->line[l], square);
 }
 
-/* Clips by where polygon r is in front of p, if both are there. False: it is
- * so nowhere. */
+/* Clips by where polygon r is in front of p, if both are there. False: it is so
+ * nowhere. */
 static bool clip_by_front(struct hsr_clip *clip, const struct hsr_eb_tree *t,
                           uint32_t r, uint32_t p,
                           const struct hsr_square *square) {
@@ -97,9 +99,9 @@ static bool clip_by_front(struct hsr_clip *clip, const struct hsr_eb_tree *t,
 }
 
 /* `clip` is what of polygon p lies in an even or odd number of polygons before
- * it, with the sign +1 or -1. Adds its share, and those of its parts that lie in
- * one more of the polygons, from number `from` on. What is behind a sliver is
- * of no more than that. */
+ * it, with the sign +1 or -1. Adds its share, and those of its parts that lie
+ * in one more of the polygons, from number `from` on. What is behind a sliver
+ * is of no more than that. */
 static void add_parts(struct shares *s, const struct hsr_clip *clip,
                       uint32_t from, int sign) {
   double lo, hi;
@@ -135,8 +137,8 @@ static bool is_hidden(const struct hsr_eb_tree *t, const struct few *few,
   return false;
 }
 
-/* The integral over a leaf of few polygons, in closed form: its share is known of
- * each of them. False if one of several is a fan. */
+/* The integral over a leaf of few polygons, in closed form: its share is known
+ * of each of them. False if one of several is a fan. */
 static bool integrate(const struct hsr_eb_tree *t, const struct few *few,
                       const struct hsr_square *square, double low[3],
                       double high[3]) {
@@ -169,7 +171,7 @@ static bool integrate(const struct hsr_eb_tree *t, const struct few *few,
   return true;
 }
 
-/* --- Bounds ---------------------------------------------------------------- */
+/* --- Bounds --------------------------------------------------------------- */
 
 void hsr_bounded_hull(const struct hsr_eb_tree *t,
                       const struct hsr_eb_cell *cell, double low[3],

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Refining where the filter is the pixel itself: area sampling. The thesis, 5.4.3.
+/* Refining where the filter is the pixel itself: area sampling. The thesis,
+ * 5.4.3.
  *
- * Interval    a cell of at most a pixel holds bounds of its own part of the pixel's
- *             integral; the bounds of a cell that has children are the sums of
- *             theirs. A cell of more than a pixel holds bounds for each of its
- *             pixels.
- * Rounding    what is not negative and exact but for u = 2^-53 of itself is moved
- *             outward by 2^-51 of itself in every sum of four
- * Departures  a cell of more than a pixel is divided only if its polygons have more
- *             than one colour. What belongs to a pixel is given back when it is
- *             done. */
+ * Interval    a cell of at most a pixel holds bounds of its own part of the
+ *             pixel's integral; the bounds of a cell that has children are the
+ *             sums of theirs. A cell of more than a pixel holds bounds for each
+ *             of its pixels.
+ * Rounding    what is not negative and exact but for u = 2^-53 of itself is
+ *             moved outward by 2^-51 of itself in every sum of four
+ * Departures  a cell of more than a pixel is divided only if its polygons have
+ *             more than one colour. What belongs to a pixel is given back when
+ *             it is done. */
 #include "algorithms/hierarchical/bounded/refine.h"
 
 #include <math.h>

@@ -7,9 +7,9 @@
  *   new leaves would take back what a polygon that covers all four had set.
  * - A subtree that is hidden is not deleted but becomes a leaf, since polygons
  *   that come later go through all four children.
- * - A cell of 2^-HSR_EB_TILING pixels is not divided by this pass: its list has no
- *   limit. Else a bundle of polygons along a line would be divided along all of
- *   the line, to the smallest size, whether or not anyone asks for it. */
+ * - A cell of 2^-HSR_EB_TILING pixels is not divided by this pass: its list has
+ *   no limit. Else a bundle of polygons along a line would be divided along all
+ *   of the line, to the smallest size, whether or not anyone asks for it. */
 #include "algorithms/hierarchical/bounded/bounded.h"
 
 #include <math.h>
@@ -259,8 +259,8 @@ static bool find_fan(const struct hsr_eb_tree *t,
 }
 
 /* The structure that polygon s, which is on the leaf's list, completes: one
- * polygon, two that share an edge, or a fan. In a list that is too long only one
- * is looked for. */
+ * polygon, two that share an edge, or a fan. In a list that is too long only
+ * one is looked for. */
 static bool find_structure(const struct hsr_eb_tree *t,
                            const struct hsr_eb_cell *cell,
                            const struct hsr_square *square, uint32_t s,
@@ -532,8 +532,8 @@ bool hsr_bounded_add(struct hsr_eb_tree *t, const struct hsr_screen *screen,
 
 /* --- Cubes ---------------------------------------------------------------- */
 
-/* Whether a side meets a square: certainly not if all of it lies beyond one edge,
- * or beyond the box of its corners. */
+/* Whether a side meets a square: certainly not if all of it lies beyond one
+ * edge, or beyond the box of its corners. */
 static bool side_meets(const struct hsr_eb_side *side,
                        const struct hsr_square *square) {
   double reach = square->half + side->margin;

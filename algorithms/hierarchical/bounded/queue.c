@@ -39,8 +39,8 @@ bool hsr_eb_push(struct hsr_eb_queue *q, struct hsr_eb_item item) {
   return true;
 }
 
-/* Children of leaves of one size are pushed while that size is at hand: they are
- * of the next. */
+/* Children of leaves of one size are pushed while that size is at hand: they
+ * are of the next. */
 bool hsr_eb_pop(struct hsr_eb_queue *q, struct hsr_eb_item *item) {
   if (q->order == HSR_EB_QUEUE) {
     if (!q->heap.n)

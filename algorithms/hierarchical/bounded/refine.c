@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Refine of the thesis, 5.4.3: the order in which cells are divided, the passes, and
- * when to stop. */
+/* Refine of the thesis, 5.4.3: the order in which cells are divided, the
+ * passes, and when to stop. */
 #include "algorithms/hierarchical/bounded/refine.h"
 
 #include <math.h>

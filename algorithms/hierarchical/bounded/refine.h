@@ -27,8 +27,8 @@ struct hsr_eb_refining {
 };
 
 struct hsr_eb_way {
-  /* Bounds what the tiling pass left, and fills the queue; accepts the pixels that
-   * are known well enough. False if memory ran out. */
+  /* Bounds what the tiling pass left, and fills the queue; accepts the pixels
+   * that are known well enough. False if memory ran out. */
   bool (*begin)(struct hsr_eb_refining *r);
   /* Is a leaf from the queue still there, and of use? */
   bool (*is_wanted)(const struct hsr_eb_refining *r,

@@ -1,30 +1,30 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Notation    u = 2^-53; |.| the sum of the sizes of three components. A' = A -
- *             E rounded, G = B - A rounded: each component is within u of
- *             itself, so A' is within u (|A| + |E|)... of the truth; since A -
- *             E is one subtraction, its relative error is u.
+/* Notation    u = 2^-53; |v| the sum of the sizes of the components of v; A the
+ *             end of an edge that is nearer to the eye, B the other one; A' = A
+ *             - E and G = B - A, rounded: each component is within u of itself
  *
- * Lines. A is the end that is nearer to the eye; along the edge det(A - E, B -
- * E, D) is (A - E) x (B - A) . D, whichever end A is. N = A' x G has components of two products each: an error of at most
- * 4u |A'| |G| each, with the errors of A' and G. A coefficient N . ray is three
- * products with rays that are within 2u: at most 4u |N| |ray| + 4u |A'| |G|
- * |ray|, and |N| <= |A'| |G| as a sum. So all that comes of evaluating a sx + b
- * sy + c, three products and two sums, is within 32u |A'| |G| reach, where
- * `reach` is the sum of screen->reach, which bounds |D|. HSR_LINE_ERROR is
- * 2^-46 = 128u. In parallel M = G x F, e = (A' - r) . M with r = P - E; the same
- * holds with |A'| + reach for |A'|, and |F| <= 2 for |D|. 2^-960 covers what
- * underflows.
+ * Lines. det(A - E, B - E, D) is (A - E) x (B - A) . D, and the same with A and
+ * B exchanged. N = A' x G has components of two products each: with the errors
+ * of A' and G they are within 4u |A'| |G|. A coefficient N . ray has three
+ * products with rays that are within 2u of themselves: it is within 8u |A'| |G|
+ * |ray|, since |N| <= |A'| |G|. The three products and two sums of a sx + b sy
+ * + c add as much, so that all of it is within 32u |A'| |G| reach, where
+ * `reach`, the sum of screen->reach, bounds |D|. LINE_ERROR is 128u. In
+ * parallel M = G x F and e = (A'
+ * - r) . M with r = P - E: the same holds with |A'| + reach for |A'|, and with
+ *   |F| <= 2 for |D|. TINY covers what underflows.
  *
- * On a square of this picture |e - e(middle)| <= (|a| + |b|) half; the rounding
- * of that and of the sums is below 8u (|a| m + |b| n + |c|), and every
- * coefficient is at most |A'| |G| reach in size there, so it is in the 128u too.
+ * On a square of the picture |e - e(middle)| <= (|a| + |b|) half. The rounding
+ * of that, and of the sums with it, is below 8u (|a| m + |b| n + |c|). Each of
+ * these three is at most |A'| |G| reach, so they are in the 128u too.
  *
- * Shares. In coordinates where the square is [-1, 1]^2 a line is displaced by at
- * most d = error / |gradient| and what is on its positive side changes by at most
- * d times the length of its part in the square, 2 sqrt 2. Of an area of 4 that
- * is less than d. Clipping by a line adds at most one corner, each within 2^-49
- * of the line through its neighbours, as the quotient that places it lies between 0
- * and 1: less than 2^-44 of the area for 16 lines. */
+ * Shares. In coordinates where the square is [-1, 1]^2, a line is displaced by
+ * at most d = error / |gradient|, and what is on its positive side changes by
+ * at most d times the length of its part in the square, which is at most 2 sqrt
+ * 2. Of the area of 4 that is less than d. A corner that a cut makes is within
+ * 2^-49 of the line through its neighbours, as the quotient that places it lies
+ * between 0 and 1; 2^-48 a cut, and 2^-46 for the sum of the area, cover that.
+ */
 #include "algorithms/hierarchical/bounded/shape.h"
 #include "common/exact/order.h"
 
@@ -88,8 +88,8 @@ static struct hsr_screen_line opposite(struct hsr_screen_line line) {
   return (struct hsr_screen_line){-line.a, -line.b, -line.c, line.error};
 }
 
-/* det(A - E, B - E, C - E), or with F in parallel: positive, 1, if it is certain
- * that C lies on the positive side of the edge from A to B. */
+/* det(A - E, B - E, C - E), or with F in parallel: positive, 1, if it is
+ * certain that C lies on the positive side of the edge from A to B. */
 static int side_of_edge(const struct hsr_screen *screen, const double a[3],
                         const double b[3], const double c[3]) {
   const struct hsr_view *view = screen->view;

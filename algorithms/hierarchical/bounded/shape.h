@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A polygon on the continuous screen: what of it lies in a square of the screen,
- * how near it is there, and how much of the square it covers.
+/* A polygon on the continuous screen: what of it lies in a square of the
+ * screen, how near it is there, and how much of the square it covers.
  *
  * Source      N. Greene, "Hierarchical Rendering of Complex Environments", PhD
  *             thesis, UC Santa Cruz, 1995, 5.4.
@@ -12,8 +12,8 @@
  * Convex      the polygon is where all its lines are positive.
  * Fan         any other polygon, as triangles from its first corner. A point is
  *             in it if it is in an odd number of them: the parity of the
- *             polygon (docs/correct-picture.md). A triangle is met, before the eye
- *             or behind, where its three lines have one sign. The lines of
+ *             polygon (docs/correct-picture.md). A triangle is met, before the
+ *             eye or behind, where its three lines have one sign. The lines of
  *             `near` hold for the whole.
  * Certainty   every line has a proved error, and so has all that is said of a
  *             polygon: MISSES and COVERS are certain, an area lies between two
@@ -47,8 +47,9 @@ struct hsr_shape {
   uint32_t n_corners, n_lines;
   const double (*corner)[3]; /* in the world: edge k is from corner k to the
                                 next one */
-  const uint64_t *edge; /* of each edge a number that is the same for all edges
-                           between the same two points; others may have it, too */
+  /* Of each edge a number that is the same for all edges between the same two
+   * points; others may have it, too. */
+  const uint64_t *edge;
   const struct hsr_screen_line *line; /* convex: those of the edges, then those
                                          of `near`; a fan: three a triangle,
                                          from its first corner, then those of
@@ -82,14 +83,14 @@ enum { HSR_MOST_CORNERS = 16 };
 enum hsr_meeting hsr_shape_meets(const struct hsr_shape *shape,
                                  const struct hsr_square *square);
 
-/* Does the shape cover the square but for what is beyond line `but` and, if
- * it is another one, line `or`? The shape is convex. */
+/* Does the shape cover the square but for what is beyond line `but` and, if it
+ * is another one, line `or`? The shape is convex. */
 bool hsr_shape_covers_but(const struct hsr_shape *shape,
                           const struct hsr_square *square, uint32_t but,
                           uint32_t or);
 
-/* A convex part of a square, in coordinates from -1 to 1. Of its area, `off` may
- * be wrong, as a share of the square's; 1: nothing is known. */
+/* A convex part of a square, in coordinates from -1 to 1. Of its area, `off`
+ * may be wrong, as a share of the square's; 1: nothing is known. */
 enum { HSR_CLIP_ROOM = 40 };
 struct hsr_clip {
   double x[HSR_CLIP_ROOM], y[HSR_CLIP_ROOM], off;

@@ -2,26 +2,29 @@
 /* Refining for filters wider than a pixel: what is seen in a cell counts in all
  * pixels within the filter's reach. The thesis, 5.4.3, last paragraph.
  *
- * Notation    f is the filter, a product of B-splines (docs/area-picture.md); the
- *             weight of a cell in a pixel is the integral of f over the cell, a
- *             product of two differences of the spline's integral.
- * Interval    let A be the cell's area, w its weight, f between f0 and f1 on it; let
- *             the colour be between c0 and c1 on it, and its mean between m0 and m1.
- *             Then the integral of f times colour lies between w m0 and w m1, but for
- *             A (f1 - f0) (c1 - c0) / 4: Gruss' inequality for the covariance of two
- *             bounded functions. It also lies between w c0 and w c1. The thesis
- *             multiplies the intervals of f and of the colour; this is narrower.
- * Sums        a pixel keeps the sum of its cells' bounds. When a cell is divided, its
- *             bounds are taken back and those of its four children added.
- * Rounding    a weight is within 2^-48 of the cell's side, all else within 2^-50 of 1
- *             for each cell that is added or taken back; `slack` grows by both.
- * Departures  the cells of a pixel that is done stay, since its neighbours may need
- *             them */
+ * Notation    f is the filter, a product of B-splines (docs/area-picture.md);
+ *             the weight of a cell in a pixel is the integral of f over the
+ *             cell, a product of two differences of the spline's integral.
+ * Interval    let A be the cell's area, w its weight, f between f0 and f1 on
+ *             it; let the colour be between c0 and c1 on it, and its mean
+ *             between m0 and m1. Then the integral of f times colour lies
+ *             between w m0 and w m1, but for A (f1 - f0) (c1 - c0) / 4: Gruss'
+ *             inequality for the covariance of two bounded functions. It also
+ *             lies between w c0 and w c1. The thesis multiplies the intervals
+ *             of f and of the colour; this is narrower.
+ * Sums        a pixel keeps the sum of its cells' bounds. When a cell is
+ *             divided, its bounds are taken back and those of its four children
+ *             added.
+ * Rounding    a weight is within 2^-48 of the cell's side, all else within
+ *             2^-50 of 1 for each cell that is added or taken back; `slack`
+ *             grows by both.
+ * Departures  the cells of a pixel that is done stay, since its neighbours may
+ *             need them */
 #include "algorithms/hierarchical/bounded/refine.h"
 
 #include <math.h>
 
-/* One pixel: bounds of its integral, and the best that was ever known of its value. */
+/* One pixel: bounds of its integral, and the best that was known of its value. */
 struct sum {
   double lo[3], hi[3], slack;
   double best_lo[3], best_hi[3];
@@ -78,8 +81,8 @@ static double integral_to(enum hsr_area_filter filter, double u) {
   }
 }
 
-/* What of the filter lies in a stretch of the screen, for a pixel in the middle of
- * which is 0; and between which values it is there. */
+/* What of the filter lies in a stretch of the screen, for a pixel in the middle
+ * of which is 0; and between which values it is there. */
 struct stretch {
   double weight, least, most;
 };
@@ -143,8 +146,8 @@ static void give(const struct colours *of, const struct hsr_square *square,
   }
 }
 
-/* Adds what a leaf gives to its pixels, or takes it back: sign -1. Returns the most
- * uncertainty that it gives to a pixel that is not done. */
+/* Adds what a leaf gives to its pixels, or takes it back: sign -1. Returns the
+ * most uncertainty that it gives to a pixel that is not done. */
 static double add_cell(struct hsr_eb_refining *r,
                        const struct hsr_eb_cell *cell, int sign) {
   enum hsr_area_filter filter = r->limits->form.filter;
@@ -203,7 +206,7 @@ static void accept(struct hsr_eb_refining *r, int i, int j) {
   r->unfinished--;
 }
 
-/* The pixels of a part of the window: those that are narrow enough are accepted. */
+/* The pixels of a part of the window: the narrow ones are accepted. */
 static void look_at(struct hsr_eb_refining *r, struct hsr_window w) {
   for (int j = w.y0; j < w.y1; j++)
     for (int i = w.x0; i < w.x1; i++) {
@@ -248,7 +251,7 @@ static bool make_spread(struct hsr_eb_refining *r) {
   return true;
 }
 
-/* Bounds the mean over a leaf, adds it to its pixels, and puts it into the queue. */
+/* Bounds the mean over a leaf, adds it to its pixels, and queues the leaf. */
 static bool add_leaf(struct hsr_eb_refining *r, uint32_t c) {
   struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
   hsr_bounded_mean(r->tree, cell, r->limits->exact, cell->lo, cell->hi);
@@ -257,7 +260,7 @@ static bool add_leaf(struct hsr_eb_refining *r, uint32_t c) {
          !(item.uncertainty > 0) || hsr_eb_push(&r->queue, item);
 }
 
-/* All leaves. One of more than a pixel is divided unless it is of one colour. */
+/* All leaves. One of more than a pixel is divided unless it has one colour. */
 static bool add_all(struct hsr_eb_refining *r, uint32_t c) {
   struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
   if (cell->place == HSR_EB_OUTSIDE)
