@@ -102,8 +102,8 @@ void hsr_filter_colour(const struct hsr_world *world,
 void hsr_filter_add(const struct hsr_kernel *kernel, int m, int n, int i, int j,
                     uint64_t mask, const uint16_t rgb[3], uint32_t *sums);
 
-/* Adds a whole picture without jitter: ids[] of 8 m x 8 n samples, or 4 m x 8 n,
- * where m x n is the size of `view`. */
+/* Adds a whole picture without jitter: ids[] of 8 m x 8 n samples, or 4 m x 8
+ * n, where m x n is the size of `view`. */
 void hsr_filter_add_picture(const struct hsr_kernel *kernel,
                             const struct hsr_world *world,
                             const struct hsr_view *view, const uint32_t *ids,

@@ -24,7 +24,7 @@
 
 #include <math.h>
 
-/* One pixel: bounds of its integral, and the best that was known of its value. */
+/* One pixel: bounds of its integral, and the best ones of its value. */
 struct sum {
   double lo[3], hi[3], slack;
   double best_lo[3], best_hi[3];

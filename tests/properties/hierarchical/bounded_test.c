@@ -4,8 +4,8 @@
  * Held        after every pass, every interval of every pixel holds the exact
  *             value.
  * Narrower    no interval becomes wider from one pass to the next.
- * Tolerance   at the end each interval is at most eps wide, and its middle within
- *             eps/2 of the exact value.
+ * Tolerance   at the end each interval is at most eps wide, and its middle
+ *             within eps/2 of the exact value.
  * Stopped     a run that may not refine, or not for long, still holds the
  *             value.
  *
