@@ -296,6 +296,7 @@ EXTRA_DIST += \
   %D%/mutants/run \
   %D%/mutants/core.mutants \
   %D%/mutants/areas.mutants \
+  %D%/mutants/bounded.mutants \
   %D%/mutants/exact.mutants \
   %D%/mutants/hierarchical.mutants \
   %D%/mutants/image_space.mutants \
