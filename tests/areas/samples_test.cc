@@ -20,7 +20,7 @@
 
 namespace {
 
-enum { SIDE = 64, SQUARES = SIDE * SIDE };
+constexpr int SIDE = 64, SQUARES = SIDE * SIDE;
 
 struct faces {
   std::vector<std::map<uint32_t, long>> seen; /* a pixel: samples by face */

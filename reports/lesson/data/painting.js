@@ -9,7 +9,8 @@ const ROOM = 1 << 24; // samples of all keyframes
 
 export function painting(run) {
   return { ids: idsPainting, composited: (own) => channelsPainting(own, 4, (c) => c),
-    area: (own) => channelsPainting(own, 6, middles), segments: segmentsPainting, voxels: voxelsPainting }[run.kind](run);
+    area: (own) => channelsPainting(own, 6, middles), segments: segmentsPainting,
+    polygons: polygonsPainting, voxels: voxelsPainting }[run.kind](run);
 }
 
 // --- samples: an Int32Array of what was written to each; values[k] by event k ---
@@ -173,6 +174,11 @@ function joined(parts) {
 }
 
 function segmentsPainting(run) {
+  return partsPainting(run, joined);
+}
+
+// The accepted parts, one after another; sorted(parts): what two answers share.
+function partsPainting(run, sorted) {
   const { trace, accepts } = run;
   const at = (k) => k >= run.n && run.leftOut ? trace.answer
     : trace.parts.slice(0, run.accepted(k));
@@ -182,11 +188,17 @@ function segmentsPainting(run) {
       ? run.accepted(k) / accepts.length : 0,
     final: () => trace.answer,
     equal: () => {
-      const own = joined(at(run.n)), answer = joined(trace.answer);
+      const own = sorted(at(run.n)), answer = sorted(trace.answer);
       return own.length === answer.length &&
         own.every((s, k) => s === answer[k]);
     },
   };
+}
+
+// --- polygons: the list of accepted regions ---
+
+function polygonsPainting(run) {
+  return partsPainting(run, (parts) => parts.map(String).sort());
 }
 
 // --- voxels: the list of accepted cubes ---

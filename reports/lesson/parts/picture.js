@@ -96,6 +96,23 @@ export function picture(canvas, run) {
     context.stroke(visible);
   };
 
+  // A region is filled but for its holes.
+  const drawPolygons = (parts) => {
+    for (const [face, cycles] of parts) {
+      const path = new Path2D();
+      for (const sides of cycles) {
+        sides.forEach(([, , , x, y], k) =>
+          k ? path.lineTo(x, y) : path.moveTo(x, y));
+        path.closePath();
+      }
+      context.fillStyle = header.faces[face][2];
+      context.fill(path, "evenodd");
+      context.strokeStyle = colourOf("--paper");
+      context.lineWidth = line(0.5);
+      context.stroke(path);
+    }
+  };
+
   const project = projection(header.view);
   const drawVoxels = (parts) => {
     const { lo, size } = run.trace.answer;
@@ -117,7 +134,7 @@ export function picture(canvas, run) {
   };
 
   const drawn = { ids: drawIds, composited: drawComposited, area: drawComposited,
-    segments: drawSegments, voxels: drawVoxels };
+    segments: drawSegments, polygons: drawPolygons, voxels: drawVoxels };
 
   // --- what is done now ---
 
