@@ -76,7 +76,7 @@ static void look_from_rooms(const struct claim_scene *building, long eyes,
       for (int a = 0; a < 3; a++)
         camera.at[a] = (double)draw_integer(&seed, -9, 9) + 0.3;
       /* One eye of four is on a wall's plane, or at a corner of the room. */
-      double step = (double)draw_integer(&seed, 0, 3) ? SIZE / 1001.0 : SIZE;
+      double step = draw_integer(&seed, 0, 3) ? SIZE / 1001.0 : SIZE;
       long most = lround(SIZE / step);
       camera.eye[0] = x + step * (double)draw_integer(&seed, 0, most);
       camera.eye[1] = 0.1 + 0.01 * (double)draw_integer(&seed, 0, 380);
