@@ -29,18 +29,16 @@ static inline unsigned hsr_count_bits(uint64_t mask) {
 #endif
 }
 
-/* The first of eight bytes that is not 0; 8 if all are. */
-static inline int hsr_first_byte(const uint8_t *eight) {
+/* Eight bytes as a number, the first one in its lowest bits. */
+static inline uint64_t hsr_eight_bytes(const uint8_t *byte) {
+  uint64_t word = 0;
 #if defined __BYTE_ORDER__ && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-  uint64_t mask;
-  memcpy(&mask, eight, sizeof mask);
-  return mask ? hsr_first_bit(mask) / 8 : 8;
+  memcpy(&word, byte, sizeof word);
 #else
-  int k = 0;
-  while (k < 8 && !eight[k])
-    k++;
-  return k;
+  for (int k = 0; k < 8; k++)
+    word |= (uint64_t)byte[k] << 8 * k;
 #endif
+  return word;
 }
 
 #endif

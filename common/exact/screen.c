@@ -813,16 +813,13 @@ bool hsr_loop_surrounds(const struct hsr_view *view, struct hsr_loop polygon,
 
 int hsr_vertex_row(const struct hsr_screen *screen, uint32_t v,
                    struct hsr_tally *tally) {
-  int n = screen->view->n;
-  double row = screen->sy[v] - hsr_sample_y(screen->view, 0);
-  double next = ceil(row);
+  double row = hsr_within(screen->sy[v] - hsr_sample_y(screen->view, 0),
+                          screen->view->n);
+  int next = hsr_round_up(row);
   if (next - row > HSR_DELTA && row - next + 1 > HSR_DELTA)
-    return next <= 0 ? 0 : next >= n ? n : (int)next;
+    return next;
   /* Only the line of the nearest row may pass through the vertex. */
-  double nearest = nearbyint(row);
-  if (nearest < 0 || nearest >= n)
-    return nearest < 0 ? 0 : n;
-  int j = (int)nearest;
+  int j = (int)nearbyint(row);
   return hsr_row_side_exact(screen, v, j, tally) < 0 ? j : j + 1;
 }
 
@@ -849,10 +846,7 @@ int hsr_edge_column_exact(const struct hsr_screen *screen,
   int lo = 0, hi = screen->view->m;
   if (edge->tolerance < 0.25) {
     double x = edge->x + edge->slope * hsr_sample_y(screen->view, j);
-    double nearest = nearbyint(x - hsr_sample_x(screen->view, 0));
-    if (nearest < lo || nearest >= hi)
-      return nearest < lo ? lo : hi;
-    lo = (int)nearest;
+    lo = (int)nearbyint(x - hsr_sample_x(screen->view, 0));
     hi = lo + 1;
   }
   while (lo < hi) {
@@ -863,6 +857,28 @@ int hsr_edge_column_exact(const struct hsr_screen *screen,
       hi = middle;
   }
   return lo;
+}
+
+/* As hsr_edge_column, but -1 where the tolerance leaves a doubt. */
+HSR_VECTOR static void columns_of(const struct hsr_edge *edge, uint32_t n,
+                                  double sx, double sy, int m, int *column) {
+  for (uint32_t k = 0; k < n; k++) {
+    double at = hsr_within(edge[k].x + edge[k].slope * sy - sx, m);
+    int next = hsr_round_up(at);
+    double low = at - next + 1, high = next - at;
+    double nearest = low < high ? low : high;
+    column[k] = nearest > edge[k].tolerance ? next : -1;
+  }
+}
+
+void hsr_edge_columns(const struct hsr_screen *screen,
+                      const struct hsr_edge *edge, uint32_t n, int j,
+                      int *column, struct hsr_tally *tally) {
+  columns_of(edge, n, hsr_sample_x(screen->view, 0),
+             hsr_sample_y(screen->view, j), screen->view->m, column);
+  for (uint32_t k = 0; k < n; k++)
+    if (column[k] < 0)
+      column[k] = hsr_edge_column_exact(screen, &edge[k], j, tally);
 }
 
 static int compare_columns(const void *a, const void *b) {

@@ -235,6 +235,19 @@ static inline int hsr_edge_side(const struct hsr_screen *screen, uint32_t a,
 bool hsr_covers(const struct hsr_screen *screen, uint32_t f, int i, int j,
                 struct hsr_tally *tally);
 
+/* A place among n rows or columns; beyond the first or the last, half a pixel
+ * beyond it. */
+static inline double hsr_within(double place, int n) {
+  place = place > -0.5 ? place : -0.5;
+  return place < n - 0.5 ? place : n - 0.5;
+}
+
+/* The least integer that is not less than such a place, without a call. */
+static inline int hsr_round_up(double place) {
+  int towards_zero = (int)place;
+  return towards_zero + (towards_zero < place);
+}
+
 /* The first row, in [0, n], whose line lies below vertex v or passes through
  * it. v is safely before the eye. An edge from vertex a down to b, of a whole
  * face, crosses exactly the rows [hsr_vertex_row(a), hsr_vertex_row(b)). */
@@ -249,6 +262,7 @@ struct hsr_edge {
 };
 void hsr_edge_init(struct hsr_edge *edge, const struct hsr_screen *screen,
                    uint32_t a, uint32_t b);
+/* What hsr_edge_column is when the tolerance leaves a doubt. */
 int hsr_edge_column_exact(const struct hsr_screen *screen,
                           const struct hsr_edge *edge, int j,
                           struct hsr_tally *tally);
@@ -261,13 +275,18 @@ static inline int hsr_edge_column(const struct hsr_screen *screen,
                                   const struct hsr_edge *edge, int j,
                                   struct hsr_tally *tally) {
   double x = edge->x + edge->slope * hsr_sample_y(screen->view, j);
-  double column = x - hsr_sample_x(screen->view, 0);
-  double next = ceil(column);
+  double column =
+      hsr_within(x - hsr_sample_x(screen->view, 0), screen->view->m);
+  int next = hsr_round_up(column);
   if (!(next - column > edge->tolerance && column - next + 1 > edge->tolerance))
     return hsr_edge_column_exact(screen, edge, j, tally);
-  int m = screen->view->m;
-  return next <= 0 ? 0 : next >= m ? m : (int)next;
+  return next;
 }
+
+/* The same of n edges, each of which crosses row j, in column[0 .. n). */
+void hsr_edge_columns(const struct hsr_screen *screen,
+                      const struct hsr_edge *edge, uint32_t n, int j,
+                      int *column, struct hsr_tally *tally);
 
 /* The samples of row j that face f covers, as columns c[0] <= c[1] <= ...: it
  * covers [c[0], c[1]), [c[2], c[3]) and so on. Returns the number of columns,

@@ -36,7 +36,6 @@
  *             n m S_l */
 #include "algorithms/list_priority/fixed/cluster_order.h"
 #include "common/base/bits.h"
-#include "common/base/bits.h"
 #include "common/base/vector.h"
 
 #include <math.h>
@@ -145,18 +144,27 @@ struct listed {
   bool by_spans; /* its segments are those of hsr_face_spans */
 };
 
-/* The edges of all listed faces, face after face. Edge e meets the scan lines
- * [y0, y1). Those of a face by spans stand for the scan lines of its box. */
+/* The edges of all listed faces, face after face. An edge meets the scan lines
+ * [y0, y1). Those of a face by spans stand for the scan lines of its box, and
+ * have no line. */
 struct edge {
   struct hsr_edge line;
+  int y0, y1;
   uint32_t owner; /* its face, in the list */
   bool left;      /* the face is to its right */
 };
 struct edges {
   struct edge *edge;
-  int *y0, *y1;
-  uint8_t *meets; /* the scan line in hand; then 8 zeros */
+  int16_t *begin, *end; /* y0 and y1 within the band in hand */
+  uint8_t *meets;       /* the scan line in hand; then 8 zeros */
   uint32_t n;
+};
+
+/* The edges that meet the scan line in hand, and their intercepts. */
+struct intercepts {
+  uint32_t n, *edge;
+  struct hsr_edge *line;
+  int *column;
 };
 
 /* The pairs of down-counters of the faces that intersect the scan line, by
@@ -176,7 +184,9 @@ struct schumacker {
   struct listed *list; /* by priority; then the thick faces, in no order */
   uint32_t n_list, n_thick;
   struct edges edges;
+  int band; /* the first scan line of the band in hand */
 
+  struct intercepts intercepts;
   struct pairs pairs;
   uint32_t n_thick_pairs; /* the last ones */
   int *columns;
@@ -237,23 +247,26 @@ static void find_edges(struct schumacker *s, uint32_t k) {
   const struct hsr_bounds *bounds = &s->screen.bounds[listed->face];
   const uint32_t *vertex = world->mesh.vertex + world->mesh.start[listed->face];
   uint32_t n = hsr_face_size(world, listed->face);
+  uint32_t a = vertex[n - 1];
+  int row_a = listed->by_spans ? 0 : hsr_vertex_row(&s->screen, a, s->tally);
   for (uint32_t c = 0; c < n; c++) {
-    uint32_t a = vertex[c ? c - 1 : n - 1], b = vertex[c];
-    uint32_t e = listed->first_edge + c;
-    struct edge *edge = &s->edges.edge[e];
-    *edge = (struct edge){.line = {.a = a, .b = b}, .owner = k};
-    s->edges.y0[e] = bounds->y0;
-    s->edges.y1[e] = bounds->y1;
-    if (listed->by_spans)
-      continue;
-    int row_a = hsr_vertex_row(&s->screen, a, s->tally);
-    int row_b = hsr_vertex_row(&s->screen, b, s->tally);
-    bool down = row_a < row_b;
-    s->edges.y0[e] = down ? row_a : row_b;
-    s->edges.y1[e] = down ? row_b : row_a;
-    edge->left = down == (listed->side > 0);
-    if (row_a != row_b)
-      hsr_edge_init(&edge->line, &s->screen, down ? a : b, down ? b : a);
+    uint32_t b = vertex[c];
+    struct edge *edge = &s->edges.edge[listed->first_edge + c];
+    *edge = (struct edge){.line = {.a = a, .b = b, .tolerance = -1},
+                          .y0 = bounds->y0,
+                          .y1 = bounds->y1,
+                          .owner = k};
+    if (!listed->by_spans) {
+      int row_b = hsr_vertex_row(&s->screen, b, s->tally);
+      bool down = row_a < row_b;
+      edge->y0 = down ? row_a : row_b;
+      edge->y1 = down ? row_b : row_a;
+      edge->left = down == (listed->side > 0);
+      if (row_a != row_b)
+        hsr_edge_init(&edge->line, &s->screen, down ? a : b, down ? b : a);
+      row_a = row_b;
+    }
+    a = b;
   }
 }
 
@@ -262,10 +275,10 @@ static enum hsr_status make_edges(struct schumacker *s) {
   struct edges *edges = &s->edges;
   size_t n = edges->n;
   edges->edge = HSR_NEW(arena, struct edge, n);
-  edges->y0 = HSR_NEW(arena, int, n);
-  edges->y1 = HSR_NEW(arena, int, n);
+  edges->begin = HSR_NEW(arena, int16_t, n);
+  edges->end = HSR_NEW(arena, int16_t, n);
   edges->meets = HSR_NEW(arena, uint8_t, n + 8);
-  if (!edges->edge || !edges->y0 || !edges->y1 || !edges->meets)
+  if (!edges->edge || !edges->begin || !edges->end || !edges->meets)
     return HSR_E_NOMEM;
   memset(edges->meets + n, 0, 8);
   uint32_t first = 0;
@@ -278,20 +291,38 @@ static enum hsr_status make_edges(struct schumacker *s) {
   return HSR_OK;
 }
 
-/* --- The Y cull, and intercepts loaded into the counters ------------------ */
+/* --- The Y cull ----------------------------------------------------------- */
 
-/* Which of n edges meet scan line j. */
-HSR_VECTOR static void cull(const int *y0, const int *y1, uint32_t n, int j,
-                            uint8_t *meets) {
+/* Scan lines are culled in bands, whose lines have numbers of 16 bits. */
+enum { BAND = 4096 };
+
+static int16_t in_band(const struct schumacker *s, int y) {
+  int k = y - s->band;
+  return (int16_t)(k < 0 ? 0 : k > BAND ? BAND : k);
+}
+
+static void begin_band(struct schumacker *s, int j) {
+  struct edges *edges = &s->edges;
+  s->band = j;
+  for (uint32_t e = 0; e < edges->n; e++) {
+    edges->begin[e] = in_band(s, edges->edge[e].y0);
+    edges->end[e] = in_band(s, edges->edge[e].y1);
+  }
+}
+
+/* Which of n edges meet scan line j of the band. */
+HSR_VECTOR static void cull(const int16_t *begin, const int16_t *end,
+                            uint32_t n, int16_t j, uint8_t *meets) {
   for (uint32_t e = 0; e < n; e++)
-    meets[e] = j >= y0[e] && j < y1[e];
+    meets[e] = (j >= begin[e]) & (j < end[e]);
 }
 
 /* The Y cull: which edges meet scan line j? */
 static void cull_edges(struct schumacker *s, int j) {
   const struct edges *edges = &s->edges;
   const struct hsr_window *w = s->window;
-  cull(edges->y0, edges->y1, edges->n, j, edges->meets);
+  cull(edges->begin, edges->end, edges->n, (int16_t)(j - s->band),
+       edges->meets);
   for (uint32_t e = 0; HSR_COUNTING && e < edges->n; e++) {
     const struct edge *edge = &edges->edge[e];
     HSR_STEP(s->tally, Y_CULL,
@@ -300,14 +331,22 @@ static void cull_edges(struct schumacker *s, int j) {
   }
 }
 
-/* The next edge from edge e on that meets the scan line, or edges->n. */
-static uint32_t next_met(const struct edges *edges, uint32_t e) {
-  for (; e < edges->n; e += 8) {
-    int first = hsr_first_byte(edges->meets + e);
-    if (first < 8)
-      return e + (uint32_t)first;
-  }
-  return edges->n;
+/* --- Intercepts, loaded into the counters --------------------------------- */
+
+/* Eight edges at once are passed over if none of them meets the scan line. */
+static void find_intercepts(struct schumacker *s, int j) {
+  const struct edges *edges = &s->edges;
+  struct intercepts *found = &s->intercepts;
+  uint32_t n = 0;
+  for (uint32_t first = 0; first < edges->n; first += 8)
+    for (uint64_t meets = hsr_eight_bytes(edges->meets + first); meets;
+         meets &= meets - 1) {
+      uint32_t e = first + (uint32_t)hsr_first_bit(meets) / 8;
+      found->line[n] = edges->edge[e].line;
+      found->edge[n++] = e;
+    }
+  hsr_edge_columns(&s->screen, found->line, n, j, found->column, s->tally);
+  found->n = n;
 }
 
 static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
@@ -325,22 +364,20 @@ static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
   pairs->right[pairs->n++] = right - w->x0 + 1;
 }
 
-/* The segment of a face, of which some edge meets scan line j: between its
- * greatest left intercept and its least right one. */
-static void load_segment(struct schumacker *s, const struct listed *listed,
-                         int j) {
+/* The segment of a face, whose intercepts are [begin, end): between its greatest
+ * left intercept and its least right one. */
+static void load_segment(struct schumacker *s, uint32_t f, uint32_t begin,
+                         uint32_t end, int j) {
   int max_left = s->window->x0, min_right = s->window->x1;
-  for (uint32_t e = listed->first_edge; e < listed[1].first_edge; e++) {
-    if (!s->edges.meets[e])
-      continue;
-    const struct edge *edge = &s->edges.edge[e];
-    int column = hsr_edge_column(&s->screen, &edge->line, j, s->tally);
-    if (edge->left && column > max_left)
+  for (uint32_t k = begin; k < end; k++) {
+    int column = s->intercepts.column[k];
+    bool left = s->edges.edge[s->intercepts.edge[k]].left;
+    if (left && column > max_left)
       max_left = column;
-    if (!edge->left && column < min_right)
+    if (!left && column < min_right)
       min_right = column;
   }
-  load_pair(s, listed->face, max_left, min_right, j);
+  load_pair(s, f, max_left, min_right, j);
 }
 
 static void load_spans(struct schumacker *s, uint32_t f, int j) {
@@ -350,25 +387,26 @@ static void load_spans(struct schumacker *s, uint32_t f, int j) {
 }
 
 static void load_counters(struct schumacker *s, int j) {
-  const struct edges *edges = &s->edges;
+  const struct intercepts *found = &s->intercepts;
   s->pairs.n = s->n_thick_pairs = 0;
-  cull_edges(s, j);
-  for (uint32_t e = next_met(edges, 0); e < edges->n;) {
-    uint32_t k = edges->edge[e].owner, before = s->pairs.n;
+  for (uint32_t begin = 0, end; begin < found->n; begin = end) {
+    uint32_t k = s->edges.edge[found->edge[begin]].owner, before = s->pairs.n;
     const struct listed *listed = &s->list[k];
+    end = begin;
+    while (end < found->n && found->edge[end] < listed[1].first_edge)
+      end++;
     if (listed->by_spans)
       load_spans(s, listed->face, j);
     else
-      load_segment(s, listed, j);
+      load_segment(s, listed->face, begin, end, j);
     if (k >= s->n_list - s->n_thick)
       s->n_thick_pairs += s->pairs.n - before;
-    e = next_met(edges, listed[1].first_edge);
   }
 }
 
 /* --- Priority search ------------------------------------------------------ */
 
-enum { ELEMENTS = 32 }; /* raster elements that are searched at once */
+enum { ELEMENTS = 64 }; /* raster elements that are searched at once */
 
 /* Decrements n pairs for each of the elements from number `at` of the scan line
  * on: a counter that was loaded with L is L - 1 at element 0. Gives the face of
@@ -426,22 +464,27 @@ static uint32_t search_thick(struct schumacker *s, uint32_t visible, int i,
   return visible;
 }
 
-static void search_row(struct schumacker *s, int j) {
-  const struct hsr_window *w = s->window;
+/* The elements [i, end), at most ELEMENTS of them, of scan line j. */
+static void search(struct schumacker *s, int i, int end, int j) {
   uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
   uint32_t n_ordered = s->pairs.n - s->n_thick_pairs, visible[ELEMENTS];
-  for (int i = w->x0; i < w->x1; i++) {
-    int e = (i - w->x0) % ELEMENTS;
-    if (!e)
-      decrement(&s->pairs, n_ordered, i - w->x0, visible);
+  decrement(&s->pairs, n_ordered, i - s->window->x0, visible);
+  memcpy(row + i, visible, (size_t)(end - i) * sizeof *row);
+  for (; (HSR_COUNTING || s->n_thick_pairs) && i < end; i++) {
     count_search(s, 0, n_ordered, i, j);
     count_search(s, n_ordered, s->pairs.n, i, j);
-    row[i] = search_thick(s, visible[e], i, j);
+    row[i] = search_thick(s, row[i], i, j);
     if (row[i] != HSR_BACKGROUND)
       HSR_STEP(s->tally, SHOWN, HSR_FACE(row[i]), HSR_THE_WINDOW, HSR_AT(i, j),
                0);
     HSR_TOUCH(s->tally, i, j);
   }
+}
+
+static void search_row(struct schumacker *s, int j) {
+  const struct hsr_window *w = s->window;
+  for (int i = w->x0; i < w->x1; i += ELEMENTS)
+    search(s, i, i + ELEMENTS < w->x1 ? i + ELEMENTS : w->x1, j);
 }
 
 /* --- The algorithm -------------------------------------------------------- */
@@ -460,8 +503,14 @@ static enum hsr_status allocate_counters(struct schumacker *s) {
   pairs->left = HSR_NEW(arena, int, n_pairs);
   pairs->right = HSR_NEW(arena, int, n_pairs);
   s->columns = HSR_NEW(arena, int, most_corners + 4);
-  return pairs->face && pairs->left && pairs->right && s->columns ? HSR_OK
-                                                                  : HSR_E_NOMEM;
+  struct intercepts *found = &s->intercepts;
+  found->edge = HSR_NEW(arena, uint32_t, s->edges.n);
+  found->line = HSR_NEW(arena, struct hsr_edge, s->edges.n);
+  found->column = HSR_NEW(arena, int, s->edges.n);
+  return pairs->face && pairs->left && pairs->right && s->columns &&
+                 found->edge && found->line && found->column
+             ? HSR_OK
+             : HSR_E_NOMEM;
 }
 
 /* The Y cull of all edges; and n m S_l by the rule of thumb for S_l, with D_c =
@@ -487,6 +536,10 @@ static enum hsr_status render(const struct hsr_job *job,
   if (make_list(s) || make_edges(s) || allocate_counters(s))
     return hsr_fail_nomem(err);
   for (int j = s->window->y0; j < s->window->y1; j++) {
+    if ((j - s->window->y0) % BAND == 0)
+      begin_band(s, j);
+    cull_edges(s, j);
+    find_intercepts(s, j);
     load_counters(s, j);
     search_row(s, j);
   }

@@ -135,9 +135,9 @@ static void draw(struct fixture *x, const struct hsr_setup *setup,
                         .scratch = &x->scratch,
                         .tally = &tally,
                         .ids = ids,
-                        .ids_stride = M};
+                        .ids_stride = (size_t)view->m};
   hsr_arena_reset(&x->scratch);
-  memset(ids, 0xfe, M * N * sizeof *ids);
+  memset(ids, 0xfe, (size_t)view->m * (size_t)view->n * sizeof *ids);
   if (hsr_setup_render(setup, &job, &err))
     fail(&err);
 }
@@ -286,12 +286,31 @@ static void check_coplanar(struct tap *tap) {
   close_scene(&x);
 }
 
+/* More raster elements on a scan line, and more scan lines, than are searched
+ * or culled at once. */
+static void check_large(struct tap *tap) {
+  enum { WIDE = 70, TALL = 4200 };
+  static uint32_t wanted[WIDE * TALL], got[WIDE * TALL];
+  struct hsr_error err = {.text = ""};
+  struct fixture x;
+  struct hsr_view view;
+  open_scene(&x, "house");
+  if (hsr_view_init(&view, &x.scene->views[0], WIDE, TALL, &err))
+    fail(&err);
+  draw(&x, &x.oracle, &view, wanted);
+  draw(&x, &x.schumacker, &view, got);
+  long n = count_differences(&view, wanted, got);
+  ok(tap, !n, "%d x %d samples: %ld differ", WIDE, TALL, n);
+  close_scene(&x);
+}
+
 int main(void) {
-  struct tap tap = plan(2 * SCENES + 2);
+  struct tap tap = plan(2 * SCENES + 3);
   uint64_t seed = 1969;
   for (int s = 0; s < SCENES; s++)
     check_scene(&tap, scenes[s], &seed);
   check_grazed(&tap);
   check_coplanar(&tap);
+  check_large(&tap);
   return finish(&tap);
 }
