@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 algorithm_files += \
   %D%/bounded/bounded.h \
+  %D%/bounded/covering.c \
   %D%/bounded/error_bounded.c \
   %D%/bounded/leaf.c \
   %D%/bounded/pixels.c \

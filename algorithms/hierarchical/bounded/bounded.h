@@ -30,6 +30,7 @@ extern "C" {
 #define hsr_bounded_add HSR_OF_BUILD(hsr_bounded_add)
 #define hsr_bounded_settle HSR_OF_BUILD(hsr_bounded_settle)
 #define hsr_bounded_split HSR_OF_BUILD(hsr_bounded_split)
+#define hsr_bounded_cover HSR_OF_BUILD(hsr_bounded_cover)
 #define hsr_bounded_before HSR_OF_BUILD(hsr_bounded_before)
 #define hsr_bounded_could_be_seen HSR_OF_BUILD(hsr_bounded_could_be_seen)
 #define hsr_bounded_refine HSR_OF_BUILD(hsr_bounded_refine)
@@ -136,6 +137,26 @@ static inline struct hsr_square hsr_eb_square(const struct hsr_eb_cell *cell) {
   return (struct hsr_square){cell->x, cell->y, ldexp(.5, cell->level)};
 }
 
+/* A polygon as a subject, by its face. */
+static inline struct hsr_subject hsr_eb_face(const struct hsr_eb_tree *t,
+                                             uint32_t s) {
+  return HSR_FACE(hsr_eb_shape(t, s)->id);
+}
+
+/* All of polygon s in a square has a q between these. */
+static inline double hsr_eb_nearest(const struct hsr_eb_tree *t, uint32_t s,
+                                    const struct hsr_square *square) {
+  double lo, hi;
+  hsr_line_range(&hsr_eb_shape(t, s)->q, square, &lo, &hi);
+  return hi;
+}
+static inline double hsr_eb_farthest(const struct hsr_eb_tree *t, uint32_t s,
+                                     const struct hsr_square *square) {
+  double lo, hi;
+  hsr_line_range(&hsr_eb_shape(t, s)->q, square, &lo, &hi);
+  return lo;
+}
+
 /* A cell as a subject, and the pixels that it lies on. */
 struct hsr_subject hsr_eb_subject(const struct hsr_eb_cell *cell);
 struct hsr_window hsr_eb_window(const struct hsr_eb_tree *t,
@@ -158,6 +179,12 @@ bool hsr_bounded_split(struct hsr_eb_tree *tree, uint32_t cell);
 /* Finds the covering structures of a leaf's polygons, and removes what is
  * hidden by them. */
 void hsr_bounded_settle(struct hsr_eb_tree *tree, uint32_t cell);
+
+/* What covers a leaf together with polygon s of its list, if anything does:
+ * updates `far`, and removes what is hidden. `covers`: s does so alone. */
+void hsr_bounded_cover(struct hsr_eb_tree *tree, struct hsr_eb_cell *cell,
+                       const struct hsr_square *square, uint32_t s,
+                       bool covers);
 
 /* Gives back all cells below one, which becomes a leaf without polygons. */
 void hsr_bounded_free_below(struct hsr_eb_tree *tree, uint32_t cell);
