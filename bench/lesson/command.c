@@ -171,11 +171,12 @@ static enum hsr_status make_page(const struct options *o,
   struct lesson_subject subject[MOST_ALGORITHMS];
   for (int k = 0; k < o->n; k++)
     subject[k] = (struct lesson_subject){&o->scene, &o->view, &o->variant[k]};
-  return lesson_write(&(struct lesson_page){.path = o->output,
-                                            .subject = subject,
-                                            .n = o->n,
-                                            .events = o->events},
-                      err);
+  return lesson_write(
+      &(struct lesson_page){.path = o->output,
+                            .subject = subject,
+                            .n = o->n,
+                            .limits = {LESSON_MOST_FACES, o->events}},
+      err);
 }
 
 static enum hsr_status make_folder(const char *folder, struct hsr_error *err) {

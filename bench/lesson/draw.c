@@ -78,18 +78,19 @@ static enum hsr_status record(struct lesson_recorder *recorder, char **text,
   return *text ? HSR_OK : hsr_fail_nomem(err);
 }
 
-enum hsr_status lesson_draw(const struct lesson_subject *subject, long events,
-                            char **text, struct hsr_error *err) {
+enum hsr_status lesson_draw(const struct lesson_subject *subject,
+                            const struct lesson_limits *limits, char **text,
+                            struct hsr_error *err) {
   struct trace_run run = {.command = "lesson",
                           .scene_options = subject->scene,
                           .view_options = subject->view,
                           .variant = subject->variant,
-                          .most_faces = LESSON_MOST_FACES};
+                          .most_faces = limits->faces};
   struct lesson_recorder *recorder = calloc(1, sizeof *recorder);
   if (!recorder)
     return hsr_fail_nomem(err);
   recorder->run = &run;
-  recorder->most = (uint64_t)events;
+  recorder->most = (uint64_t)limits->events;
   recorder->parts = json_array();
   enum hsr_status status = trace_run_open(&run, err);
   recorder->has_list = !status && lesson_has_list(&run.setup);

@@ -141,10 +141,17 @@ struct lesson_subject {
   const struct hsr_variant *variant;
 };
 
+/* How much is shown of a run. */
+struct lesson_limits {
+  uint32_t faces; /* a scene of more is refused */
+  long events;    /* those beyond are only counted and painted */
+};
+
 /* Runs the algorithm and gives the text of its run, to be freed. Says on stderr
- * if there are more events than `most`. Fails as hsr trace does. */
-enum hsr_status lesson_draw(const struct lesson_subject *subject, long most,
-                            char **text, struct hsr_error *err);
+ * if there are more events than may be kept. Fails as hsr trace does. */
+enum hsr_status lesson_draw(const struct lesson_subject *subject,
+                            const struct lesson_limits *limits, char **text,
+                            struct hsr_error *err);
 
 /* Draws n steps of a run, evenly over it and the last one too, as .svg or .png
  * files in the folder, which exists. Fails as hsr trace does; HSR_E_INPUT if a
@@ -159,8 +166,8 @@ struct lesson_page {
   const char *path; /* all borrowed */
   const struct lesson_subject *subject;
   int n;
-  long events;    /* of an algorithm, at most */
-  bool is_survey; /* the subjects are the lessons of survey.def */
+  struct lesson_limits limits; /* of each run */
+  bool is_survey;              /* the subjects are the lessons of survey.def */
 };
 
 /* Writes the whole file, or none. HSR_E_INPUT if it cannot be written. */

@@ -49,10 +49,10 @@ static void put_text(const char *text, FILE *out) {
 }
 
 static enum hsr_status write_run(const struct lesson_subject *subject,
-                                 long events, FILE *out,
+                                 const struct lesson_limits *limits, FILE *out,
                                  struct hsr_error *err) {
   char *text = NULL;
-  enum hsr_status status = lesson_draw(subject, events, &text, err);
+  enum hsr_status status = lesson_draw(subject, limits, &text, err);
   if (!status) {
     fputs("<script type=\"text/plain\" class=\"run\" data-name=\"", out);
     put_text(subject->variant->name, out);
@@ -72,7 +72,7 @@ static enum hsr_status write_runs(const struct lesson_page *page, FILE *out,
   for (int k = 0; k < page->n && !status; k++) {
     progress_tell(&progress, (size_t)k, (size_t)page->n, "algorithms",
                   page->subject[k].variant->name);
-    status = write_run(&page->subject[k], page->events, out, err);
+    status = write_run(&page->subject[k], &page->limits, out, err);
   }
   progress_end(&progress);
   return status;

@@ -52,7 +52,7 @@ enum hsr_status lesson_survey(const char *path, long events,
       lesson_write(&(struct lesson_page){.path = path,
                                          .subject = stand->subject,
                                          .n = n,
-                                         .events = events,
+                                         .limits = {LESSON_MOST_FACES, events},
                                          .is_survey = true},
                    err);
   free(stand);

@@ -3,10 +3,15 @@
  * and one of each of the first small scenes of the results. */
 #include "bench/lesson/lesson.h"
 #include "bench/report/report.h"
+#include "bench/run/terminate.h"
+#include "common/files/whole_file.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 /* Of a scene to watch; and of a run: more steps are not worth a page. */
 enum { MOST_SCENES = 3, MOST_FACES = 500, MOST_SIDE = 128, MOST_RUNS = 16 };
@@ -66,6 +71,7 @@ static void fit(const json_t *view, struct view_options *options) {
   options->n = most > 0 ? (int)((n * wanted + most - 1) / most) : 0;
 }
 
+/* As far as the record says. */
 static bool is_small(const json_t *view) {
   const json_t *faces = json_object_get(json_object_get(view, "table1"), "F_t");
   return json_is_number(faces) && json_number_value(faces) <= MOST_FACES &&
@@ -81,10 +87,30 @@ static json_t *names_json(const struct lesson_runs *runs) {
   return names;
 }
 
+/* Writes the page in another process, in so many seconds at most: what the
+ * records say of the scene may be false, and to open it may take long. Whether
+ * the page is there. */
+static bool write_page(const struct lesson_page *page, double seconds) {
+  fflush(NULL);
+  pid_t parent = getpid(), child = fork();
+  if (child == 0) {
+    struct hsr_error err;
+    end_with_parent(parent);
+    alarm((unsigned)ceil(seconds));
+    end_process((int)lesson_write(page, &err));
+  }
+  int end = 1;
+  while (child > 0 && waitpid(child, &end, 0) < 0 && errno == EINTR) {
+  }
+  if (end)
+    hsr_whole_file_forget(page->path);
+  return !end;
+}
+
 /* Writes the page of one scene, and adds it to the list. A scene that cannot be
  * shown is left out. */
 static void add_page(const struct report *report, const json_t *view,
-                     json_t **pages) {
+                     double seconds, json_t **pages) {
   struct lesson_runs *runs = calloc(1, sizeof *runs);
   if (!runs)
     return;
@@ -98,12 +124,11 @@ static void add_page(const struct report *report, const json_t *view,
   char file[32], path[4200];
   snprintf(file, sizeof file, "lesson-%zu.html", json_array_size(*pages));
   snprintf(path, sizeof path, "%.4096s/%s", report->folder, file);
-  struct hsr_error err;
   struct lesson_page page = {.path = path,
                              .subject = runs->subject,
                              .n = runs->n,
-                             .events = LESSON_STANDARD_EVENTS};
-  if (runs->n && !lesson_write(&page, &err))
+                             .limits = {MOST_FACES, LESSON_STANDARD_EVENTS}};
+  if (runs->n && write_page(&page, seconds))
     hsr_json_append(pages,
                     json_pack("{ss ss so}", "file", file, "scene",
                               runs->scene.name, "names", names_json(runs)));
@@ -129,12 +154,14 @@ enum hsr_status report_lessons(const struct report *report, json_t *data,
   json_t *pages = json_array();
   hsr_json_append(&pages, json_pack("{ss sn so}", "file", survey, "scene",
                                     "names", lesson_survey_names()));
+  double end = seconds_now() + (double)report->budget;
   size_t k;
   const json_t *view;
   json_array_foreach(report->results->views, k, view) {
-    if (report->budget && json_array_size(pages) <= MOST_SCENES &&
-        is_small(view) && !is_in(pages, results_text(view, "scene")))
-      add_page(report, view, &pages);
+    double left = end - seconds_now();
+    if (left > 0 && json_array_size(pages) <= MOST_SCENES && is_small(view) &&
+        !is_in(pages, results_text(view, "scene")))
+      add_page(report, view, left / 2, &pages);
   }
   return json_object_set_new(data, "lessons", pages) ? hsr_fail_nomem(err)
                                                      : HSR_OK;

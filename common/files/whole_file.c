@@ -13,16 +13,23 @@ static enum hsr_status fail(const char *path, struct hsr_error *err) {
                   strerror(errno));
 }
 
-enum hsr_status hsr_whole_file_open(struct hsr_whole_file *file,
-                                    const char *path, struct hsr_error *err) {
+/* The other name, to be freed. NULL: HSR_E_NOMEM. */
+static char *part_of(const char *path) {
   static const char ending[] = ".part";
   size_t length = strlen(path);
-  *file = (struct hsr_whole_file){.path = path,
-                                  .part = malloc(length + sizeof ending)};
+  char *part = malloc(length + sizeof ending);
+  if (!part)
+    return NULL;
+  memcpy(part, path, length);
+  memcpy(part + length, ending, sizeof ending);
+  return part;
+}
+
+enum hsr_status hsr_whole_file_open(struct hsr_whole_file *file,
+                                    const char *path, struct hsr_error *err) {
+  *file = (struct hsr_whole_file){.path = path, .part = part_of(path)};
   if (!file->part)
     return hsr_fail_nomem(err);
-  memcpy(file->part, path, length);
-  memcpy(file->part + length, ending, sizeof ending);
   file->stream = fopen(file->part, "wb");
   if (file->stream)
     return HSR_OK;
@@ -49,4 +56,11 @@ enum hsr_status hsr_whole_file_close(struct hsr_whole_file *file,
   free(file->part);
   errno = why;
   return status || written ? status : fail(file->path, err);
+}
+
+void hsr_whole_file_forget(const char *path) {
+  char *part = part_of(path);
+  if (part)
+    remove(part);
+  free(part);
 }

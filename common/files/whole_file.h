@@ -30,6 +30,9 @@ enum hsr_status hsr_whole_file_close(struct hsr_whole_file *file,
                                      enum hsr_status status,
                                      struct hsr_error *err);
 
+/* Removes what a process that was killed left of the file. */
+void hsr_whole_file_forget(const char *path);
+
 #ifdef __cplusplus
 }
 #endif
