@@ -17,4 +17,28 @@
 #define HSR_VECTOR
 #endif
 
+/* HSR_VECTOR_OF_WORDS(name, (type parameter, ...), (parameter, ...)) { ... }
+ * defines a function of no value likewise, for numbers of 8 and 16 bits: with
+ * AVX-512 they need BW, for which gcc 12 makes no clones. */
+#if HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
+#define HSR_VECTOR_OF_WORDS(name, parameters, arguments)                       \
+  static inline __attribute__((always_inline)) void name##_body parameters;    \
+  __attribute__((target("avx512bw"))) static void name##_avx512 parameters {   \
+    name##_body arguments;                                                     \
+  }                                                                            \
+  HSR_VECTOR static void name##_narrower parameters {                          \
+    name##_body arguments;                                                     \
+  }                                                                            \
+  static inline void name parameters {                                         \
+    if (__builtin_cpu_supports("avx512bw"))                                    \
+      name##_avx512 arguments;                                                 \
+    else                                                                       \
+      name##_narrower arguments;                                               \
+  }                                                                            \
+  static inline __attribute__((always_inline)) void name##_body parameters
+#else
+#define HSR_VECTOR_OF_WORDS(name, parameters, arguments)                       \
+  static void name parameters
+#endif
+
 #endif

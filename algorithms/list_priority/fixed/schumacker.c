@@ -17,7 +17,7 @@
  * Ties        faces of one plane: the lower id has priority, in its cluster
  * Departures  A program does what was built as hardware: it looks at every edge
  *             on every scan line, and at every pair of counters at every raster
- *             element, for 32 elements at once in a vector. So its counts are
+ *             element, for 128 elements at once in vectors. So its counts are
  *             those of the hardware; its time is not. The search for the
  *             priorities of a cluster is made once, by an adapter; its
  *             comparisons are known here by their number only. Figure 20 takes
@@ -144,6 +144,8 @@ struct listed {
   bool by_spans; /* its segments are those of hsr_face_spans */
 };
 
+enum { BLOCK = 128 };
+
 /* The edges of all listed faces, face after face. An edge meets the scan lines
  * [y0, y1). Those of a face by spans stand for the scan lines of its box, and
  * have no line. */
@@ -155,9 +157,13 @@ struct edge {
 };
 struct edges {
   struct edge *edge;
-  int16_t *begin, *end; /* y0 and y1 within the band in hand */
-  uint8_t *meets;       /* the scan line in hand; then 8 zeros */
   uint32_t n;
+
+  /* The Y cull, in blocks of BLOCK edges. */
+  uint32_t n_blocks;
+  int16_t *begin, *end; /* y0 and y1 within the band in hand */
+  uint8_t *meets;       /* the scan line in hand */
+  uint8_t *some;        /* of a block: whether any edge of it does */
 };
 
 /* The edges that meet the scan line in hand, and their intercepts. */
@@ -172,6 +178,7 @@ struct intercepts {
 struct pairs {
   uint32_t n, *face;
   int *left, *right;
+  int16_t *l, *r; /* left and right, as loaded for the strip in hand */
 };
 
 struct schumacker {
@@ -273,14 +280,18 @@ static void find_edges(struct schumacker *s, uint32_t k) {
 static enum hsr_status make_edges(struct schumacker *s) {
   struct hsr_arena *arena = s->job->scratch;
   struct edges *edges = &s->edges;
-  size_t n = edges->n;
-  edges->edge = HSR_NEW(arena, struct edge, n);
+  edges->n_blocks = (edges->n + BLOCK - 1) / BLOCK;
+  size_t n = (size_t)edges->n_blocks * BLOCK;
+  edges->edge = HSR_NEW(arena, struct edge, edges->n);
   edges->begin = HSR_NEW(arena, int16_t, n);
   edges->end = HSR_NEW(arena, int16_t, n);
-  edges->meets = HSR_NEW(arena, uint8_t, n + 8);
-  if (!edges->edge || !edges->begin || !edges->end || !edges->meets)
+  edges->meets = HSR_NEW(arena, uint8_t, n);
+  edges->some = HSR_NEW(arena, uint8_t, edges->n_blocks);
+  if (!edges->edge || !edges->begin || !edges->end || !edges->meets ||
+      !edges->some)
     return HSR_E_NOMEM;
-  memset(edges->meets + n, 0, 8);
+  for (size_t e = edges->n; e < n; e++)
+    edges->begin[e] = edges->end[e] = 0; /* meets no scan line */
   uint32_t first = 0;
   for (uint32_t k = 0; k < s->n_list; k++) {
     s->list[k].first_edge = first;
@@ -310,19 +321,29 @@ static void begin_band(struct schumacker *s, int j) {
   }
 }
 
-/* Which of n edges meet scan line j of the band. */
-HSR_VECTOR static void cull(const int16_t *begin, const int16_t *end,
-                            uint32_t n, int16_t j, uint8_t *meets) {
-  for (uint32_t e = 0; e < n; e++)
+/* Which edges of a block meet scan line j of the band, and whether any does. */
+static inline uint8_t cull_block(const int16_t *begin, const int16_t *end,
+                                 int16_t j, uint8_t *meets) {
+  uint8_t some = 0;
+  for (int e = 0; e < BLOCK; e++) {
     meets[e] = (j >= begin[e]) & (j < end[e]);
+    some |= meets[e];
+  }
+  return some;
+}
+
+HSR_VECTOR_OF_WORDS(cull, (const struct edges *edges, int16_t j), (edges, j)) {
+  for (size_t b = 0; b < edges->n_blocks; b++)
+    edges->some[b] =
+        cull_block(edges->begin + b * BLOCK, edges->end + b * BLOCK, j,
+                   edges->meets + b * BLOCK);
 }
 
 /* The Y cull: which edges meet scan line j? */
 static void cull_edges(struct schumacker *s, int j) {
   const struct edges *edges = &s->edges;
   const struct hsr_window *w = s->window;
-  cull(edges->begin, edges->end, edges->n, (int16_t)(j - s->band),
-       edges->meets);
+  cull(edges, (int16_t)(j - s->band));
   for (uint32_t e = 0; HSR_COUNTING && e < edges->n; e++) {
     const struct edge *edge = &edges->edge[e];
     HSR_STEP(s->tally, Y_CULL,
@@ -333,20 +354,27 @@ static void cull_edges(struct schumacker *s, int j) {
 
 /* --- Intercepts, loaded into the counters --------------------------------- */
 
-/* Eight edges at once are passed over if none of them meets the scan line. */
-static void find_intercepts(struct schumacker *s, int j) {
-  const struct edges *edges = &s->edges;
-  struct intercepts *found = &s->intercepts;
-  uint32_t n = 0;
-  for (uint32_t first = 0; first < edges->n; first += 8)
+/* Takes the edges of a block that meet the scan line in hand, by eights. */
+static void take_block(const struct edges *edges, uint32_t block,
+                       struct intercepts *found) {
+  for (uint32_t first = block * BLOCK; first < (block + 1) * BLOCK; first += 8)
     for (uint64_t meets = hsr_eight_bytes(edges->meets + first); meets;
          meets &= meets - 1) {
       uint32_t e = first + (uint32_t)hsr_first_bit(meets) / 8;
-      found->line[n] = edges->edge[e].line;
-      found->edge[n++] = e;
+      found->line[found->n] = edges->edge[e].line;
+      found->edge[found->n++] = e;
     }
-  hsr_edge_columns(&s->screen, found->line, n, j, found->column, s->tally);
-  found->n = n;
+}
+
+static void find_intercepts(struct schumacker *s, int j) {
+  const struct edges *edges = &s->edges;
+  struct intercepts *found = &s->intercepts;
+  found->n = 0;
+  for (uint32_t block = 0; block < edges->n_blocks; block++)
+    if (edges->some[block])
+      take_block(edges, block, found);
+  hsr_edge_columns(&s->screen, found->line, found->n, j, found->column,
+                   s->tally);
 }
 
 static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
@@ -406,25 +434,56 @@ static void load_counters(struct schumacker *s, int j) {
 
 /* --- Priority search ------------------------------------------------------ */
 
-enum { ELEMENTS = 64 }; /* raster elements that are searched at once */
+/* Counters and the numbers of pairs have 16 bits. So a scan line is searched in
+ * strips of elements, and its pairs in runs. */
+enum { ELEMENTS = 128, STRIP = 32 * ELEMENTS, RUN = 4096 };
 
-/* Decrements n pairs for each of the elements from number `at` of the scan line
- * on: a counter that was loaded with L is L - 1 at element 0. Gives the face of
- * the first pair that is there, or the background: what the logic network finds.
- * The last pair is looked at first, so that one of higher priority replaces it.
- */
-HSR_VECTOR static void decrement(const struct pairs *pairs, uint32_t n, int at,
-                                 uint32_t visible[ELEMENTS]) {
-  uint32_t face[ELEMENTS];
-  for (int e = 0; e < ELEMENTS; e++)
-    face[e] = HSR_BACKGROUND;
-  for (uint32_t k = n; k--;) {
-    uint32_t f = pairs->face[k];
-    int l = pairs->left[k] - at - 1, r = pairs->right[k] - at - 1;
-    for (int e = 0; e < ELEMENTS; e++)
-      face[e] = ((l - e < 0) & (r - e > 0)) ? f : face[e];
+static int16_t in_strip(int count) {
+  return (int16_t)(count < 0 ? 0 : count > STRIP + 1 ? STRIP + 1 : count);
+}
+
+/* Loads the counters of n pairs for the strip that begins at element `at`. */
+static void load_strip(struct pairs *pairs, uint32_t n, int at) {
+  for (uint32_t k = 0; k < n; k++) {
+    pairs->l[k] = in_strip(pairs->left[k] - at);
+    pairs->r[k] = in_strip(pairs->right[k] - at);
   }
-  memcpy(visible, face, sizeof face);
+}
+
+/* Decrements n pairs for each of the elements from number `at` of the strip on: a
+ * counter that was loaded with L is L - 1 at element 0. Gives the number, from
+ * 1, of the first pair that is there, or 0: what the logic network finds. The
+ * last pair is looked at first, so that one of higher priority replaces it. */
+HSR_VECTOR_OF_WORDS(decrement,
+                    (const int16_t *left, const int16_t *right, int n, int at,
+                     int16_t pair[ELEMENTS]),
+                    (left, right, n, at, pair)) {
+  int16_t first[ELEMENTS] = {0};
+  for (int k = n; k > 0; k--) {
+    int16_t l = (int16_t)(left[k - 1] - at - 1);
+    int16_t r = (int16_t)(right[k - 1] - at - 1), number = (int16_t)k;
+    for (int16_t e = 0; e < ELEMENTS; e++)
+      first[e] = ((l < e) & (r > e)) ? number : first[e];
+  }
+  memcpy(pair, first, sizeof first);
+}
+
+/* The faces that are visible at the elements from number `at` of the strip on,
+ * by the first n pairs. */
+static void find_visible(const struct pairs *pairs, uint32_t n, int at,
+                         uint32_t visible[ELEMENTS]) {
+  int16_t pair[ELEMENTS];
+  for (int e = 0; e < ELEMENTS; e++)
+    visible[e] = HSR_BACKGROUND;
+  for (uint32_t end = n, size; end > 0; end -= size) {
+    size = end < RUN ? end : RUN;
+    const uint32_t *face = pairs->face + (end - size);
+    decrement(pairs->l + (end - size), pairs->r + (end - size), (int)size, at,
+              pair);
+    for (int e = 0; e < ELEMENTS; e++)
+      if (pair[e])
+        visible[e] = face[pair[e] - 1];
+  }
 }
 
 static bool is_there(const struct pairs *pairs, uint32_t k, int at) {
@@ -468,7 +527,10 @@ static uint32_t search_thick(struct schumacker *s, uint32_t visible, int i,
 static void search(struct schumacker *s, int i, int end, int j) {
   uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
   uint32_t n_ordered = s->pairs.n - s->n_thick_pairs, visible[ELEMENTS];
-  decrement(&s->pairs, n_ordered, i - s->window->x0, visible);
+  int at = (i - s->window->x0) % STRIP;
+  if (at == 0)
+    load_strip(&s->pairs, n_ordered, i - s->window->x0);
+  find_visible(&s->pairs, n_ordered, at, visible);
   memcpy(row + i, visible, (size_t)(end - i) * sizeof *row);
   for (; (HSR_COUNTING || s->n_thick_pairs) && i < end; i++) {
     count_search(s, 0, n_ordered, i, j);
@@ -502,13 +564,15 @@ static enum hsr_status allocate_counters(struct schumacker *s) {
   pairs->face = HSR_NEW(arena, uint32_t, n_pairs);
   pairs->left = HSR_NEW(arena, int, n_pairs);
   pairs->right = HSR_NEW(arena, int, n_pairs);
+  pairs->l = HSR_NEW(arena, int16_t, n_pairs);
+  pairs->r = HSR_NEW(arena, int16_t, n_pairs);
   s->columns = HSR_NEW(arena, int, most_corners + 4);
   struct intercepts *found = &s->intercepts;
   found->edge = HSR_NEW(arena, uint32_t, s->edges.n);
   found->line = HSR_NEW(arena, struct hsr_edge, s->edges.n);
   found->column = HSR_NEW(arena, int, s->edges.n);
-  return pairs->face && pairs->left && pairs->right && s->columns &&
-                 found->edge && found->line && found->column
+  return pairs->face && pairs->left && pairs->right && pairs->l && pairs->r &&
+                 s->columns && found->edge && found->line && found->column
              ? HSR_OK
              : HSR_E_NOMEM;
 }

@@ -286,31 +286,65 @@ static void check_coplanar(struct tap *tap) {
   close_scene(&x);
 }
 
-/* More raster elements on a scan line, and more scan lines, than are searched
- * or culled at once. */
-static void check_large(struct tap *tap) {
-  enum { WIDE = 70, TALL = 4200 };
-  static uint32_t wanted[WIDE * TALL], got[WIDE * TALL];
-  struct hsr_error err = {.text = ""};
-  struct fixture x;
+/* --- More than is searched or culled at once ------------------------------- */
+
+static void check_size(struct tap *tap, struct fixture *x,
+                       const struct hsr_camera *camera, int m, int n) {
+  uint32_t *wanted = malloc((size_t)m * (size_t)n * sizeof *wanted);
+  uint32_t *got = malloc((size_t)m * (size_t)n * sizeof *got);
+  struct hsr_error err = {.text = "no memory"};
   struct hsr_view view;
-  open_scene(&x, "house");
-  if (hsr_view_init(&view, &x.scene->views[0], WIDE, TALL, &err))
+  if (!wanted || !got || hsr_view_init(&view, camera, m, n, &err))
     fail(&err);
-  draw(&x, &x.oracle, &view, wanted);
-  draw(&x, &x.schumacker, &view, got);
-  long n = count_differences(&view, wanted, got);
-  ok(tap, !n, "%d x %d samples: %ld differ", WIDE, TALL, n);
+  draw(x, &x->oracle, &view, wanted);
+  draw(x, &x->schumacker, &view, got);
+  long differences = count_differences(&view, wanted, got);
+  ok(tap, !differences, "%u faces, %d x %d samples: %ld differ",
+     x->world.n_faces, m, n, differences);
+  free(wanted);
+  free(got);
+}
+
+/* Raster elements of a scan line, and scan lines. */
+static void check_large(struct tap *tap) {
+  struct fixture x;
+  open_scene(&x, "house");
+  check_size(tap, &x, &x.scene->views[0], 70, 4200);
+  check_size(tap, &x, &x.scene->views[0], 4200, 7);
+  close_scene(&x);
+}
+
+/* Pairs of counters: a pile of squares, which the eye sees from above. They
+ * become smaller with the height, so that faces of both runs are seen. */
+static void check_pile(struct tap *tap) {
+  enum { SQUARES = 4500 };
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_scene *scene = hsr_scene_new("pile");
+  struct hsr_object *object = hsr_scene_object(scene, "squares");
+  for (int k = 0; k < SQUARES; k++) {
+    double r = 1 - (double)k / SQUARES, z = 1e-3 * k;
+    const double corner[4][3] = {
+        {-r, -r, z}, {r, -r, z}, {r, r, z}, {-r, r, z}};
+    add_quad(object, corner);
+  }
+  if (hsr_scene_finish(scene, &err))
+    fail(&err);
+  struct hsr_camera camera = {
+      .eye = {.01, .02, 9}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 20};
+  struct fixture x;
+  prepare(&x, scene);
+  check_size(tap, &x, &camera, 41, 5);
   close_scene(&x);
 }
 
 int main(void) {
-  struct tap tap = plan(2 * SCENES + 3);
+  struct tap tap = plan(2 * SCENES + 5);
   uint64_t seed = 1969;
   for (int s = 0; s < SCENES; s++)
     check_scene(&tap, scenes[s], &seed);
   check_grazed(&tap);
   check_coplanar(&tap);
   check_large(&tap);
+  check_pile(&tap);
   return finish(&tap);
 }
