@@ -58,6 +58,7 @@ tap_programs = \
   %D%/counts/by_hand/schumacker_test \
   %D%/properties/tiling/baselines_test \
   %D%/properties/hierarchical/bounded_test \
+  %D%/properties/hierarchical/cell_sets_test \
   %D%/properties/hierarchical/boxes_test \
   %D%/properties/surfaces/combinations_test \
   %D%/properties/lines/edges_test \
@@ -244,6 +245,7 @@ claims = %D%/properties/hierarchical/claims.c %D%/properties/hierarchical/claims
 %C%_properties_hierarchical_meagher_test_SOURCES = %D%/properties/hierarchical/meagher_test.c $(claims)
 %C%_properties_hierarchical_naylor_test_SOURCES = %D%/properties/hierarchical/naylor_test.c $(claims)
 %C%_properties_hierarchical_pvs_test_SOURCES = %D%/properties/hierarchical/pvs_test.c $(claims)
+%C%_properties_hierarchical_cell_sets_test_SOURCES = %D%/properties/hierarchical/cell_sets_test.c $(claims)
 %C%_properties_hierarchical_boxes_test_SOURCES = %D%/properties/hierarchical/boxes_test.cc
 %C%_properties_tiling_voxels_test_SOURCES = %D%/properties/tiling/voxels_test.cc
 %C%_properties_tiling_tiling_test_LDADD = libdraw.a $(BENCH_LIBS)

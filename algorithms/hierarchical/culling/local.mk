@@ -9,5 +9,7 @@ algorithm_files += \
   %D%/visibility_map.h
 # These files count nothing and are compiled once.
 libhsr_a_SOURCES += \
+  %D%/cell_sets.c \
+  %D%/cell_sets.h \
   %D%/portals.c \
   %D%/portals.h

@@ -1,15 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cells and portals: the potentially visible set, found for each view.
+/* Cells and portals: the potentially visible set, found for each view, or
+ * beforehand for each cell.
  *
  * Source      D. Luebke and C. Georges, "Portals and mirrors: simple, fast
  *             evaluation of potentially visible sets", I3D 1995; as told by N.
- *             Greene, PhD thesis, UC Santa Cruz, 1995, 2.1.6.
+ *             Greene, PhD thesis, UC Santa Cruz, 1995, 2.1.6. With sets=cells
+ *             what came before it, as told there: J. Airey, J. Rohlf and F.
+ *             Brooks, I3D 1990; S. Teller and C. Sequin, SIGGRAPH 1991.
  * Notation    cull box -> the rectangle of samples that is seen through the
  *             portals passed so far; aggregate -> a cell's cull box, which
  *             holds all that it was reached by
  * Invariants  Every face that is visible at a sample is in a cell whose cull box
  *             holds the sample, or is not flat. So the set holds all that is
- *             visible.
+ *             visible. With sets=cells the cull boxes are the whole picture, of
+ *             every cell that is seen from a start cell (cell_sets.h).
  * Ties        by hsr_nearer: the picture's order
  * Departures  A cell that is reached again is looked at again only if that
  *             widens its cull box; the box is then the rectangle around both.
@@ -23,6 +27,7 @@
  * the recursion starts. A plane across an axis is then crossed from the eye's
  * side to the other, or not at all. */
 #include "algorithms/algorithm.h"
+#include "algorithms/hierarchical/culling/cell_sets.h"
 #include "algorithms/hierarchical/culling/portals.h"
 #include "common/exact/screen.h"
 
@@ -71,7 +76,8 @@ static const struct hsr_counter counters[] = {
 
 static const struct hsr_line outline[] = {
     {"for each cell in which the eye is", HSR_RAISES(STARTS)},
-    {"visit a cell with a cull box, of the whole picture first",
+    {"visit a cell with a cull box, of the whole picture first; or each cell "
+     "of the start cell's set",
      HSR_RAISES(CELLS)},
     {"  for each portal of the cell: does its rectangle meet the cull box?",
      HSR_RAISES(PORTALS)},
@@ -85,8 +91,25 @@ static const struct hsr_line outline[] = {
     {"        instead of another", HSR_RAISES(OVERWRITES)},
     {NULL}};
 
+enum { SETS };
+enum { OF_VIEWS, OF_CELLS };
+static const struct hsr_word sets[] = {
+    {"views", "found for each view, as in 1995", 0},
+    {"cells", "found for each cell beforehand, as in 1991", 0},
+    {NULL, NULL, 0}};
+static const struct hsr_option options[] = {
+    [SETS] = {"sets", "of what the potentially visible sets are", sets, 0, 1,
+              OF_VIEWS},
+    {NULL, NULL, NULL, 0, 0, 0}};
+
+struct prepared {
+  struct hsr_portals portals;
+  struct hsr_cell_sets sets;
+};
+
 struct pvs {
   const struct hsr_job *job;
+  const struct hsr_cell_sets *sets; /* of cells; or NULL */
   const struct hsr_portals *portals;
   struct hsr_tally *tally;
   struct hsr_screen screen;
@@ -161,6 +184,20 @@ static void narrow(const struct pvs *s, const struct hsr_portal *portal,
   b->y1 = (int)fmin(b->y1, fmax(b->y0, ceil(hi[1]) + 1));
 }
 
+/* What is seen from a start cell, found beforehand. */
+static void look_up(struct pvs *s, uint32_t from) {
+  const struct hsr_window *w = &s->job->view->window;
+  const struct hsr_bounds all = {w->x0, w->y0, w->x1, w->y1};
+  for (uint32_t cell = 0; cell < s->sets->n_cells; cell++) {
+    if (!hsr_cell_sees(s->sets, from, cell) ||
+        s->seen[cell].x0 < s->seen[cell].x1)
+      continue;
+    s->seen[cell] = all;
+    HSR_STEP(s->tally, CELLS, HSR_CELL(cell, HSR_NO_ID, 0), HSR_THE_WINDOW, *w,
+             0);
+  }
+}
+
 enum { IS_OUTSIDE, SEEN_BEFORE, IS_SEEN };
 
 static void visit(struct pvs *s, uint32_t cell) {
@@ -191,7 +228,10 @@ static void start(void *context, uint32_t cell) {
   const struct hsr_window *w = &s->job->view->window;
   HSR_STEP(s->tally, STARTS, HSR_CELL(cell, HSR_NO_ID, 0), HSR_NOTHING,
            HSR_NOWHERE, 0);
-  widen(s, cell, &(struct hsr_bounds){w->x0, w->y0, w->x1, w->y1});
+  if (s->sets)
+    look_up(s, cell);
+  else
+    widen(s, cell, &(struct hsr_bounds){w->x0, w->y0, w->x1, w->y1});
 }
 
 /* Holds the points at t = near of all rays of the window. */
@@ -312,7 +352,12 @@ static enum hsr_status begin(struct pvs *s) {
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  struct pvs s = {.job = job, .portals = job->prepared, .tally = job->tally};
+  const struct prepared *prepared = job->prepared;
+  struct pvs s = {.job = job,
+                  .sets =
+                      job->option[SETS] == OF_CELLS ? &prepared->sets : NULL,
+                  .portals = &prepared->portals,
+                  .tally = job->tally};
   if (begin(&s))
     return hsr_fail_nomem(err);
   struct hsr_box box = start_box(job->view);
@@ -331,15 +376,18 @@ static enum hsr_status render(const struct hsr_job *job,
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
-  (void)option;
-  struct hsr_portals *portals = calloc(1, sizeof *portals);
-  *prepared = portals;
-  return !portals || hsr_portals_init(portals, world) ? hsr_fail_nomem(err)
-                                                      : HSR_OK;
+  struct prepared *made = calloc(1, sizeof *made);
+  *prepared = made;
+  if (!made || hsr_portals_init(&made->portals, world) ||
+      (option[SETS] == OF_CELLS &&
+       hsr_cell_sets_init(&made->sets, &made->portals, &made->portals.arena)))
+    return hsr_fail_nomem(err);
+  return HSR_OK;
 }
 
-static void release(void *prepared) {
-  hsr_portals_free(prepared);
+static void release(void *object) {
+  struct prepared *prepared = object;
+  hsr_portals_free(&prepared->portals);
   free(prepared);
 }
 
@@ -357,6 +405,7 @@ const struct hsr_algorithm HSR_ALGORITHM(pvs) = {
     .kind = HSR_IDS,
     .counters = counters,
     .outline = outline,
+    .options = options,
     .prepare = prepare,
     .render = render,
     .release = release};

@@ -38,9 +38,9 @@ struct sums {
   double in_sets, seen;
 };
 
-/* Draws scene->view. */
+/* Draws scene->view, also by the sets of cells. */
 static void look(const struct claim_scene *scene, struct sums *sums) {
-  struct claim_counts right, got;
+  struct claim_counts right, got, by_cells;
   uint32_t n = scene->worlds.world.n_faces;
   struct set set = {
       claim_counter(hsr_algorithm_find("pvs")->counting, "faces drawn"),
@@ -50,6 +50,9 @@ static void look(const struct claim_scene *scene, struct sums *sums) {
   claim_draw(&right, scene, "oracle", NULL, NULL);
   claim_draw(&got, scene, "pvs", note_drawn, &set);
   sums->wrong += count_differences(&scene->view, got.ids, right.ids);
+  claim_draw(&by_cells, scene, "pvs:sets=cells", NULL, NULL);
+  sums->wrong += count_differences(&scene->view, by_cells.ids, right.ids);
+  free(by_cells.ids);
   for (int k = 0; k < M * N; k++) {
     uint32_t f = right.ids[k];
     if (f == HSR_BACKGROUND || set.holds[f] == 2)

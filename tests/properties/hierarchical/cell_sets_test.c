@@ -1,0 +1,262 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Potentially visible sets of cells, found before any view.
+ *
+ * Holds       The set of a cell holds every face that the oracle sees from
+ *             random eyes in it, whatever way they look.
+ * Larger      How much larger it is than what all these eyes see together, and
+ *             than all faces.
+ * Doors       Without doors a room's set is the room.
+ *
+ * usage: cell_sets_test [EYES]      in each cell; standard: 8 */
+#include "algorithms/hierarchical/culling/cell_sets.h"
+#include "tests/properties/hierarchical/claims.h"
+#include "tests/tap.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { M = 12, N = 9 };
+
+struct building {
+  struct claim_scene scene;
+  struct hsr_portals portals;
+  struct hsr_cell_sets sets;
+  struct hsr_box bounds; /* of the scene, and somewhat more */
+};
+
+static void open_building(struct building *b, const char *name) {
+  memset(b, 0, sizeof *b);
+  claim_open(&b->scene, name, 0, M, N);
+  const struct hsr_world *world = &b->scene.worlds.world;
+  const double *at[3] = {world->mesh.x, world->mesh.y, world->mesh.z};
+  if (hsr_portals_init(&b->portals, world) ||
+      hsr_cell_sets_init(&b->sets, &b->portals, &b->portals.arena))
+    abort();
+  for (int k = 0; k < 3; k++) {
+    double lo = INFINITY, hi = -INFINITY;
+    for (size_t v = 0; v < world->mesh.n_vertices; v++) {
+      lo = fmin(lo, at[k][v]);
+      hi = fmax(hi, at[k][v]);
+    }
+    b->bounds.lo[k] = lo - (hi - lo) / 8;
+    b->bounds.hi[k] = hi + (hi - lo) / 8;
+  }
+}
+
+static void close_building(struct building *b) {
+  hsr_portals_free(&b->portals);
+  claim_close(&b->scene);
+}
+
+/* --- Sets ----------------------------------------------------------------- */
+
+/* The faces of each cell's set: 1 a cell and a face. To be freed. */
+static unsigned char *list_sets(const struct building *b) {
+  const struct hsr_portals *p = &b->portals;
+  size_t n = b->scene.worlds.world.n_faces;
+  unsigned char *holds = calloc(p->n_cells * n, 1);
+  if (!holds)
+    abort();
+  for (uint32_t from = 0; from < p->n_cells; from++) {
+    for (uint32_t k = 0; k < p->n_loose; k++)
+      holds[from * n + p->loose[k]] = 1;
+    for (uint32_t c = 0; c < p->n_cells; c++)
+      for (uint32_t k = p->first_face[c];
+           hsr_cell_sees(&b->sets, from, c) && k < p->first_face[c + 1]; k++)
+        holds[from * n + p->face[k]] = 1;
+  }
+  return holds;
+}
+
+/* A camera within a cell; one of eight at a side, at an edge or at a corner. */
+static struct hsr_camera random_camera(const struct building *b, uint32_t cell,
+                                       uint64_t *seed) {
+  const struct hsr_box *box = &b->portals.cell[cell];
+  struct hsr_camera camera = {.fov = 100};
+  bool apart = draw_integer(seed, 0, 7) > 0;
+  for (int k = 0; k < 3; k++) {
+    double lo = fmax(box->lo[k], b->bounds.lo[k]);
+    double hi = fmin(box->hi[k], b->bounds.hi[k]);
+    long parts = apart || draw_integer(seed, 0, 1) ? 1 << 20 : 1;
+    double part = (double)draw_integer(seed, 0, parts) / (double)parts;
+    camera.eye[k] = fmin(hi, fmax(lo, lo + part * (hi - lo)));
+    camera.at[k] = camera.eye[k] + (double)draw_integer(seed, -99, 99) + 0.5;
+    camera.up[k] = (double)draw_integer(seed, -99, 99) + 0.25;
+  }
+  return camera;
+}
+
+struct sums {
+  long eyes, lacking, cells;
+  double in_sets, seen;
+};
+
+struct cells_at {
+  uint32_t cell[8];
+  int n;
+};
+
+static void add_cell(void *context, uint32_t cell) {
+  struct cells_at *at = context;
+  if (at->n < 8)
+    at->cell[at->n++] = cell;
+}
+
+/* What is seen from an eye is in a set of a cell that holds it: an eye on a
+ * wall is in two cells, and sees both. `seen` is of the eyes in one cell. */
+static void look(struct building *b, long eyes, uint32_t cell,
+                 const unsigned char *holds, struct sums *sums) {
+  size_t n = b->scene.worlds.world.n_faces;
+  uint64_t seed = 7 + cell;
+  unsigned char *seen = calloc(n, 1);
+  if (!seen)
+    abort();
+  for (long k = 0; k < eyes; k++) {
+    struct hsr_camera camera = random_camera(b, cell, &seed);
+    struct hsr_box point;
+    struct cells_at at = {.n = 0};
+    struct claim_counts right;
+    memcpy(point.lo, camera.eye, sizeof point.lo);
+    memcpy(point.hi, camera.eye, sizeof point.hi);
+    hsr_portals_find(&b->portals, &point, add_cell, &at);
+    if (hsr_view_init(&b->scene.view, &camera, M, N, NULL))
+      continue;
+    claim_draw(&right, &b->scene, "oracle", NULL, NULL);
+    sums->eyes++;
+    for (int s = 0; s < M * N; s++) {
+      uint32_t f = right.ids[s];
+      bool held = f == HSR_BACKGROUND;
+      for (int c = 0; c < at.n && !held; c++)
+        held = holds[at.cell[c] * n + f];
+      sums->lacking += !held;
+      if (f == HSR_BACKGROUND || at.n > 1 || seen[f])
+        continue;
+      seen[f] = 1;
+      sums->seen++;
+    }
+    free(right.ids);
+  }
+  free(seen);
+}
+
+static void check_building(struct tap *tap, const char *name, long eyes,
+                           double most) {
+  struct building b;
+  struct sums sums = {0};
+  open_building(&b, name);
+  size_t n = b.scene.worlds.world.n_faces;
+  unsigned char *holds = list_sets(&b);
+  for (uint32_t c = 0; c < b.portals.n_cells; c++) {
+    for (uint32_t f = 0; f < n; f++)
+      sums.in_sets += holds[c * n + f];
+    look(&b, eyes, c, holds, &sums);
+    sums.cells++;
+  }
+  free(holds);
+  double cells = (double)sums.cells;
+  ok(tap,
+     (double)sums.eyes > 0.9 * (double)eyes * cells && !sums.lacking &&
+         sums.seen > 0,
+     "%s: %ld eyes in %ld cells see nothing that the sets of their cells lack "
+     "(%ld)",
+     name, sums.eyes, sums.cells, sums.lacking);
+  ok(tap, sums.in_sets < most * (double)n * cells && sums.in_sets >= sums.seen,
+     "%s: a set has %.0f faces of %zu; %.1f are seen, so it is %.2f times as "
+     "large",
+     name, sums.in_sets / cells, n, sums.seen / cells,
+     sums.in_sets / sums.seen);
+  close_building(&b);
+}
+
+/* --- Doors ---------------------------------------------------------------- */
+
+/* The cell that holds a point. */
+static void take(void *context, uint32_t cell) {
+  *(uint32_t *)context = cell;
+}
+
+static uint32_t cell_at(const struct building *b, double x, double y,
+                        double z) {
+  uint32_t cell = 0;
+  struct hsr_box point = {{x, y, z}, {x, y, z}};
+  hsr_portals_find(&b->portals, &point, take, &cell);
+  return cell;
+}
+
+static uint32_t size_of_set(const struct building *b, uint32_t from) {
+  uint32_t n = 0;
+  for (uint32_t c = 0; c < b->portals.n_cells; c++)
+    n += hsr_cell_sees(&b->sets, from, c);
+  return n;
+}
+
+static void check_doors(struct tap *tap) {
+  struct building closed, open;
+  open_building(&closed, "rooms:4:0");
+  open_building(&open, "rooms:4:100");
+  uint32_t alone = 0, most = 0;
+  for (int room = 0; room < 16; room++) {
+    double x = 4 + 8 * (room % 4), z = 4 + 8 * (room / 4);
+    alone += size_of_set(&closed, cell_at(&closed, x, 2, z)) == 1;
+    uint32_t n = size_of_set(&open, cell_at(&open, x, 2, z));
+    most = n > most ? n : most;
+  }
+  ok(tap, alone == 16, "without doors %u rooms of 16 see themselves alone",
+     alone);
+  /* Doors are in the middle of walls, so a line along a diagonal goes through
+   * all rooms on it. */
+  ok(tap, most == 16, "with doors a room sees %u rooms of 16 at most", most);
+  close_building(&closed);
+  close_building(&open);
+}
+
+/* Who sees is seen; and few pairs of cells that are joined by open doors see
+ * each other. */
+static uint32_t reach(const struct hsr_portals *p, uint32_t from,
+                      unsigned char *reached) {
+  uint32_t n = 1;
+  reached[from] = 1;
+  for (uint32_t k = p->first_portal[from]; k < p->first_portal[from + 1]; k++) {
+    const struct hsr_portal *portal = &p->portal[p->of_cell[k]];
+    uint32_t beyond = portal->cell[portal->cell[0] == from];
+    n += reached[beyond] ? 0 : reach(p, beyond, reached);
+  }
+  return n;
+}
+
+static void check_pairs(struct tap *tap) {
+  struct building b;
+  long pairs = 0, one_way = 0, joined = 0;
+  open_building(&b, "rooms:7:60");
+  uint32_t n = b.portals.n_cells;
+  unsigned char *reached = malloc(n);
+  if (!reached)
+    abort();
+  for (uint32_t k = 0; k < n; k++) {
+    memset(reached, 0, n);
+    joined += reach(&b.portals, k, reached);
+    for (uint32_t l = 0; l < n; l++) {
+      pairs += hsr_cell_sees(&b.sets, k, l);
+      one_way += hsr_cell_sees(&b.sets, k, l) && !hsr_cell_sees(&b.sets, l, k);
+    }
+  }
+  ok(tap, one_way * 20 <= pairs,
+     "of %ld pairs, %ld are seen only one way, by bounds that are not tight",
+     pairs, one_way);
+  ok(tap, pairs > n && pairs * 3 < joined, "%ld of %ld joined pairs are seen",
+     pairs, joined);
+  free(reached);
+  close_building(&b);
+}
+
+int main(int argc, char **argv) {
+  long eyes = argc > 1 ? atol(argv[1]) : 8;
+  struct tap tap = plan(10);
+  check_building(&tap, "rooms:5", eyes, 0.9);
+  check_building(&tap, "rooms:8:60", eyes, 0.5);
+  check_building(&tap, "office:1", eyes, 1.01);
+  check_doors(&tap);
+  check_pairs(&tap);
+  return finish(&tap);
+}
