@@ -37,6 +37,7 @@ enum hsr_status command_trace(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_lesson(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_voxels(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_areas(int argc, char **argv, struct hsr_error *err);
+enum hsr_status command_errors(int argc, char **argv, struct hsr_error *err);
 enum hsr_status command_worker(int argc, char **argv, struct hsr_error *err);
 
 /* --- Options -------------------------------------------------------------- */
@@ -66,6 +67,12 @@ bool parse_size(const char *text, int *m, int *n);
 bool parse_point(const char *text, double point[3]);
 bool parse_number(const char *text, double *number);
 bool parse_count(const char *text, long least, long most, long *count);
+
+/* The name of a file of a series: the number in the place of the pattern's only
+ * %d, which may have a width, as in f%03d.png; %% stands for one %. False if the
+ * pattern has no such place, or several, or the name does not fit. */
+enum { MOST_FILE_NAME = 4096 };
+bool series_name(const char *pattern, long number, char name[MOST_FILE_NAME]);
 
 /* The cameras that the options describe, and the palette. They become a part of
  * the scene's name (scenes/cameras.h), so that whoever gets the name looks from

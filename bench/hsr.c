@@ -34,6 +34,8 @@ static const struct hsr_command commands[] = {
      command_lesson},
     {"areas", "how much of the picture shows which face, exactly",
      command_areas},
+    {"errors", "how far filtered pictures are from the exact areas",
+     command_errors},
     {"voxels", "which solid of a scene each voxel is in", command_voxels},
     {"worker", NULL, command_worker},
     {NULL, NULL, NULL}};

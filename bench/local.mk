@@ -14,6 +14,7 @@ BENCH_LIBS = libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS) $(ZLIB_LIBS)
 libbench_a_SOURCES = \
   %D%/areas.c \
   %D%/command.h \
+  %D%/errors.c \
   %D%/results/figures.c \
   %D%/results/figures.h \
   %D%/results/json.c \

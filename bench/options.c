@@ -368,6 +368,32 @@ enum hsr_status open_scene(const char *name, struct hsr_import import,
   return status;
 }
 
+bool series_name(const char *pattern, long number, char name[MOST_FILE_NAME]) {
+  size_t n = 0;
+  int places = 0;
+  for (const char *c = pattern; *c && n + 1 < MOST_FILE_NAME; c++) {
+    if (*c != '%' || c[1] == '%') {
+      c += *c == '%';
+      name[n++] = *c;
+      continue;
+    }
+    bool zeros = c[1] == '0';
+    int width = 0;
+    for (c++; *c >= '0' && *c <= '9' && width < 20; c++)
+      width = 10 * width + (*c - '0');
+    if (*c != 'd' || width > 20)
+      return false;
+    places++;
+    int used = snprintf(name + n, MOST_FILE_NAME - n, zeros ? "%0*ld" : "%*ld",
+                        width, number);
+    n += (size_t)used;
+  }
+  if (n + 1 >= MOST_FILE_NAME)
+    return false;
+  name[n] = '\0';
+  return places == 1;
+}
+
 error_t parse_view_option(struct view_options *o, int key, char *arg,
                           struct option_base *base) {
   switch (key) {

@@ -40,12 +40,6 @@ static inline bool is_series(const struct render_options *options) {
   return options->first || options->orbit;
 }
 
-/* The name of a file of a series: the number in the place of the pattern's only
- * %d, which may have a width, as in f%03d.png; %% stands for one %. False if the
- * pattern has no such place, or several, or the name does not fit. */
-enum { MOST_FILE_NAME = 4096 };
-bool series_name(const char *pattern, long number, char name[MOST_FILE_NAME]);
-
 /* The pictures in the making, one after the other, and their times and counts.
  * Everything is freed by command_render. */
 struct render {

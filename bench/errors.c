@@ -1,0 +1,478 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hsr errors: how far pictures are from the exact area integrals
+ * (docs/area-picture.md), which are the limit of ever more samples.
+ *
+ * The error of a pixel is the greatest difference of its three channels, which
+ * are linear, from 0 to 1. A picture of one sample a place can be asked for with
+ * N x N samples a pixel: it is then the mean of N x N pictures, whose colours
+ * are rounded to the nearest 65535th as in the definition. */
+#include "bench/command.h"
+#include "bench/results/json.h"
+#include "bench/terminal/terminal.h"
+#include "common/files/image.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_ALGORITHMS = 32, MOST_SIDES = 16, MOST_SIDE = 256 };
+enum { WHERE = 0x200 };
+
+/* Errors of at least 2^-MOST_DARK are seen in a picture of them. */
+enum { MOST_DARK = 16 };
+
+/* That colours of 8 bits may show it. */
+static const double much = 1. / 256;
+
+struct options {
+  struct option_base base;
+  struct scene_options scene;
+  struct view_options view;
+  const char *algorithm[MOST_ALGORITHMS];
+  int n_algorithms;
+  long side[MOST_SIDES]; /* N of N x N samples */
+  int n_sides;
+  enum hsr_area_filter filter;
+  const char *where;
+  bool json;
+  long threads;
+};
+
+static error_t add_algorithms(struct options *o, char *arg) {
+  for (char *word = strtok(arg, ","); word; word = strtok(NULL, ",")) {
+    if (o->n_algorithms == MOST_ALGORITHMS)
+      return option_fail(&o->base, "errors: at most %d algorithms",
+                         (int)MOST_ALGORITHMS);
+    o->algorithm[o->n_algorithms++] = word;
+  }
+  return 0;
+}
+
+static error_t add_sides(struct options *o, char *arg) {
+  for (char *word = strtok(arg, ","); word; word = strtok(NULL, ",")) {
+    if (o->n_sides == MOST_SIDES ||
+        !parse_count(word, 1, MOST_SIDE, &o->side[o->n_sides]))
+      return option_fail(&o->base,
+                         "--supersample %s: must be 1 to %d, and at most %d "
+                         "of them",
+                         word, (int)MOST_SIDE, (int)MOST_SIDES);
+    o->n_sides++;
+  }
+  return 0;
+}
+
+/* The words of the option that the answers have, too. */
+static const struct hsr_word *filter_words(void) {
+  return hsr_answer_area.options[0].words;
+}
+
+static error_t choose_filter(struct options *o, const char *arg) {
+  const struct hsr_word *word = filter_words();
+  for (int k = 0; word[k].name; k++)
+    if (!strcmp(word[k].name, arg)) {
+      o->filter = (enum hsr_area_filter)k;
+      return 0;
+    }
+  return option_fail(&o->base,
+                     "--filter %s: must be box, tent, quadratic or cubic", arg);
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct options *o = state->input;
+  error_t unknown;
+  switch (key) {
+  case 'a':
+    return add_algorithms(o, arg);
+  case 'S':
+    return add_sides(o, arg);
+  case 'f':
+    return choose_filter(o, arg);
+  case 'j':
+    o->json = true;
+    return 0;
+  case 'J':
+    if (!parse_count(arg, 1, 64, &o->threads))
+      return option_fail(&o->base, "--jobs %s: must be 1 to 64", arg);
+    return 0;
+  case WHERE:
+    o->where = arg;
+    return 0;
+  default:
+    unknown = parse_scene_option(&o->scene, key, arg, "errors", &o->base);
+    return unknown == ARGP_ERR_UNKNOWN
+               ? parse_view_option(&o->view, key, arg, &o->base)
+               : unknown;
+  }
+}
+
+static const struct argp argp = {
+    (const struct argp_option[]){
+        {"algorithms", 'a', "A,B,...", 0,
+         "of these pictures (standard: every filter of the z-buffer, the "
+         "A-buffer, and error-bounded)",
+         0},
+        {"supersample", 'S', "N,...", 0,
+         "N x N samples a pixel, of algorithms that draw samples, for each of "
+         "these N (standard: 1)",
+         0},
+        {"filter", 'f', "F", 0,
+         "against the integral weighed by a B-spline: box, tent, quadratic, "
+         "cubic (standard: box, the pixel itself)",
+         0},
+        {"where", WHERE, "FILE", 0,
+         "write a picture of where the errors are; of several, FILE has %d in "
+         "the place of the number. Black: at most 2^-16, brightest: 1, "
+         "logarithmic between",
+         0},
+        {"json", 'j', NULL, 0, "print one JSON object", 0},
+        {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
+        SCENE_ARGP_OPTIONS,
+        VIEW_ARGP_OPTIONS_OF("512x512"),
+        {0}},
+    parse,
+    "SCENE",
+    "Tells how far pictures are from the exact area integrals: the mean and "
+    "the greatest error of a pixel, linear, from 0 to 1, in its worst channel; "
+    "the pixel of the greatest; and the share of pixels that are wrong by more "
+    "than 1/256.\v"
+    "  hsr errors house\n"
+    "  hsr errors harbor -s 256x256 -a zbuffer -S 1,2,4,8,16,32\n"
+    "  hsr errors house -a zbuffer:filter=cosine --filter quadratic \\\n"
+    "    --where where.png",
+    NULL,
+    NULL,
+    NULL};
+
+/* --- Pictures ------------------------------------------------------------- */
+
+/* The scene and view, and the exact values of the pixels. */
+struct place {
+  const struct options *options;
+  const struct hsr_world *world;
+  const struct hsr_view *view;
+  struct crew *crew;
+  struct hsr_answer exact;
+  float *share; /* m n: what the picture of errors shows */
+};
+
+/* One picture, from the variant and N of N x N. */
+struct made {
+  const char *name;
+  long side;                  /* 0: the algorithm makes pixels */
+  double *rgb;                /* 3 m n */
+  double mean, largest, over; /* over: the share of pixels */
+  int x, y;                   /* of the largest */
+};
+
+static size_t n_pixels(const struct place *p) {
+  return (size_t)p->view->m * (size_t)p->view->n;
+}
+
+/* Draws one picture with an algorithm that is prepared, and shades it. */
+static enum hsr_status draw(const struct place *p,
+                            const struct hsr_setup *setup,
+                            const struct hsr_view *view,
+                            struct hsr_answer *answer,
+                            struct hsr_shaded *shaded, struct hsr_error *err) {
+  struct hsr_tally tally = {.out_of_memory = false};
+  const struct hsr_showing showing = {.world = p->world,
+                                      .view = view,
+                                      .scene = p->options->scene.name,
+                                      .shading = HSR_SHADE_LAMBERT,
+                                      .supersamples = 1};
+  enum hsr_status status =
+      crew_render(p->crew, setup, view, answer, &tally, err);
+  return status ? status
+                : answer->form.type->shade(answer, &showing, shaded, err);
+}
+
+/* Adds sample (a, b) of the N x N in each pixel. */
+static enum hsr_status add_sample(const struct place *p,
+                                  const struct hsr_setup *setup,
+                                  struct hsr_answer *answer, long a, long b,
+                                  struct made *made, struct hsr_error *err) {
+  struct hsr_view view = *p->view;
+  struct hsr_shaded shaded = {NULL, NULL};
+  view.offset_x = ((double)a + .5) / (double)made->side - .5;
+  view.offset_y = ((double)b + .5) / (double)made->side - .5;
+  enum hsr_status status = draw(p, setup, &view, answer, &shaded, err);
+  for (size_t k = 0; !status && k < 3 * n_pixels(p); k++)
+    made->rgb[k] += rint(65535 * (double)shaded.rgb[k]); /* exact */
+  hsr_shaded_free(&shaded);
+  return status;
+}
+
+static enum hsr_status add_samples(const struct place *p,
+                                   const struct hsr_setup *setup,
+                                   struct hsr_answer *answer, struct made *made,
+                                   struct hsr_error *err) {
+  struct progress progress = progress_begin(stderr);
+  size_t n = (size_t)(made->side * made->side);
+  enum hsr_status status = HSR_OK;
+  for (size_t k = 0; k < n && !status; k++) {
+    progress_tell(&progress, k, n, "samples", made->name);
+    status = add_sample(p, setup, answer, (long)k % made->side,
+                        (long)k / made->side, made, err);
+  }
+  progress_end(&progress);
+  for (size_t k = 0; k < 3 * n_pixels(p); k++)
+    made->rgb[k] /= 65535 * (double)n;
+  return status;
+}
+
+static enum hsr_status take_pixels(const struct place *p,
+                                   const struct hsr_setup *setup,
+                                   struct hsr_answer *answer, struct made *made,
+                                   struct hsr_error *err) {
+  struct hsr_shaded shaded = {NULL, NULL};
+  enum hsr_status status = draw(p, setup, p->view, answer, &shaded, err);
+  for (size_t k = 0; !status && k < 3 * n_pixels(p); k++)
+    made->rgb[k] = (double)shaded.rgb[k];
+  hsr_shaded_free(&shaded);
+  return status;
+}
+
+static bool draws_samples(const struct hsr_variant *variant) {
+  return variant->choice.form.type->takes & 1u << HSR_SUPERSAMPLES;
+}
+
+static enum hsr_status make(const struct place *p,
+                            const struct hsr_variant *variant,
+                            struct made *made, struct hsr_error *err) {
+  struct hsr_setup setup;
+  struct hsr_answer answer = {.body = NULL};
+  enum hsr_status status = hsr_setup_init(&setup, variant->listed->plain,
+                                          &variant->choice, p->world, err);
+  made->rgb = calloc(3 * n_pixels(p), sizeof *made->rgb);
+  if (!status && !made->rgb)
+    status = hsr_fail_nomem(err);
+  if (!status)
+    status = answer_init(&answer, &setup, p->view, err);
+  if (!status)
+    status = draws_samples(variant)
+                 ? add_samples(p, &setup, &answer, made, err)
+                 : take_pixels(p, &setup, &answer, made, err);
+  hsr_answer_free(&answer);
+  hsr_setup_free(&setup);
+  return status;
+}
+
+/* --- Errors --------------------------------------------------------------- */
+
+static double error_of(const double *got, const struct hsr_area_bounds *exact) {
+  double worst = 0;
+  for (int c = 0; c < 3; c++)
+    worst = fmax(worst, fabs(got[c] - (exact[c].lo + exact[c].hi) / 2));
+  return worst;
+}
+
+static void measure(const struct place *p, struct made *made) {
+  const struct hsr_area_bounds *exact = hsr_answer_areas_of(&p->exact);
+  size_t n = n_pixels(p), m = (size_t)p->view->m, over = 0;
+  double sum = 0;
+  for (size_t k = 0; k < n; k++) {
+    double error = error_of(made->rgb + 3 * k, exact + 3 * k);
+    sum += error;
+    over += error > much;
+    p->share[k] = (float)fmin(1, fmax(0, 1 + log2(error) / MOST_DARK));
+    if (error > made->largest) {
+      made->largest = error;
+      made->x = (int)(k % m);
+      made->y = (int)(k / m);
+    }
+  }
+  made->mean = sum / (double)n;
+  made->over = (double)over / (double)n;
+}
+
+static enum hsr_status write_where(const struct place *p, long number,
+                                   struct hsr_error *err) {
+  char name[MOST_FILE_NAME];
+  const char *file = p->options->where;
+  if (series_name(file, number, name))
+    file = name;
+  return hsr_image_write_ramp(file, p->view->m, p->view->n, p->share, err);
+}
+
+/* --- Output --------------------------------------------------------------- */
+
+static void print_head(const struct place *p) {
+  char name[TERMINAL_NAME];
+  printf("%s, view %ld, %d x %d pixels, against the exact integrals, %s\n\n"
+         "    mean    largest  at           over 1/256  picture\n",
+         terminal_plain(p->options->scene.name, name, sizeof name),
+         p->options->view.view, p->view->m, p->view->n,
+         filter_words()[p->options->filter].name);
+}
+
+static void print_made(const struct made *made) {
+  char at[30];
+  snprintf(at, sizeof at, "(%d, %d)", made->x, made->y);
+  printf("%8.6f %10.6f  %-13s %8.2f %%  %s", made->mean, made->largest, at,
+         100 * made->over, made->name);
+  if (made->side > 1)
+    printf(", %ld x %ld", made->side, made->side);
+  putchar('\n');
+}
+
+static json_t *made_json(const struct made *made) {
+  return json_pack("{ss so sf sf si si sf}", "picture", made->name, "samples",
+                   made->side ? json_integer(made->side) : json_null(), "mean",
+                   made->mean, "largest", made->largest, "x", made->x, "y",
+                   made->y, "over", made->over);
+}
+
+static json_t *all_json(const struct place *p, json_t *pictures) {
+  return json_pack("{ss ss si si si ss so}", "schema", "hsr-errors/1", "scene",
+                   p->options->scene.name, "view", (int)p->options->view.view,
+                   "width", p->view->m, "height", p->view->n, "filter",
+                   filter_words()[p->options->filter].name, "pictures",
+                   pictures);
+}
+
+/* --- The command ---------------------------------------------------------- */
+
+struct told {
+  json_t *pictures; /* with --json */
+  long number;
+};
+
+static enum hsr_status tell(struct place *p, const struct hsr_variant *variant,
+                            long side, struct told *told,
+                            struct hsr_error *err) {
+  struct made made = {.name = variant->name, .side = side};
+  enum hsr_status status = make(p, variant, &made, err);
+  if (!status) {
+    measure(p, &made);
+    told->number++;
+    if (told->pictures)
+      hsr_json_append(&told->pictures, made_json(&made));
+    else
+      print_made(&made);
+    fflush(stdout);
+  }
+  free(made.rgb);
+  return !status && p->options->where ? write_where(p, told->number, err)
+                                      : status;
+}
+
+/* An algorithm, with each number of samples a pixel if it draws samples. */
+static enum hsr_status tell_all(struct place *p, const char *algorithm,
+                                struct told *told, struct hsr_error *err) {
+  static const long one = 1;
+  const struct options *o = p->options;
+  struct hsr_variant variant;
+  enum hsr_status status = hsr_variant_parse(algorithm, &variant, err);
+  if (status)
+    return status;
+  if (!variant.choice.form.type->shade)
+    return hsr_fail(err, HSR_E_USAGE, "errors: %s draws %s, not pixels",
+                    algorithm, variant.choice.form.type->draws);
+  if (!draws_samples(&variant))
+    return tell(p, &variant, 0, told, err);
+  const long *side = o->n_sides ? o->side : &one;
+  for (int k = 0; k < (o->n_sides ? o->n_sides : 1) && !status; k++)
+    status = tell(p, &variant, side[k], told, err);
+  return status;
+}
+
+static enum hsr_status find_exact(struct place *p, struct hsr_error *err) {
+  char name[40];
+  struct hsr_variant variant;
+  struct hsr_setup setup;
+  struct hsr_tally tally = {.out_of_memory = false};
+  snprintf(name, sizeof name, "area-oracle:filter=%s",
+           filter_words()[p->options->filter].name);
+  enum hsr_status status = hsr_variant_parse(name, &variant, err);
+  if (status)
+    return status;
+  status = hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
+                          p->world, err);
+  if (!status)
+    status = answer_init(&p->exact, &setup, p->view, err);
+  if (!status)
+    status = crew_render(p->crew, &setup, p->view, &p->exact, &tally, err);
+  hsr_setup_free(&setup);
+  return status;
+}
+
+static enum hsr_status find(struct place *p, struct hsr_error *err) {
+  static const char *const usual[] = {"zbuffer",
+                                      "zbuffer:filter=box4x8",
+                                      "zbuffer:filter=box",
+                                      "zbuffer:filter=box:jitter=8",
+                                      "zbuffer:filter=cosine",
+                                      "zbuffer:filter=cosine:jitter=8",
+                                      "a-buffer",
+                                      "error-bounded"};
+  const struct options *o = p->options;
+  const char *const *algorithm = o->n_algorithms ? o->algorithm : usual;
+  int n =
+      o->n_algorithms ? o->n_algorithms : (int)(sizeof usual / sizeof *usual);
+  struct told told = {.pictures = o->json ? json_array() : NULL};
+  p->crew = crew_new(o->threads);
+  p->share = malloc(n_pixels(p) * sizeof *p->share);
+  enum hsr_status status = p->crew && p->share && (!o->json || told.pictures)
+                               ? find_exact(p, err)
+                               : hsr_fail_nomem(err);
+  if (!status && !o->json)
+    print_head(p);
+  for (int k = 0; k < n && !status; k++)
+    status = tell_all(p, algorithm[k], &told, err);
+  if (!status && o->json)
+    return json_print(all_json(p, told.pictures), err);
+  json_decref(told.pictures);
+  return status;
+}
+
+/* Several pictures need several names. */
+static enum hsr_status check_where(const struct options *o,
+                                   struct hsr_error *err) {
+  char name[MOST_FILE_NAME];
+  if (!o->where || (o->n_algorithms == 1 && o->n_sides <= 1) ||
+      series_name(o->where, 1, name))
+    return HSR_OK;
+  return hsr_fail(err, HSR_E_USAGE,
+                  "%.200s: a name must have one %%d in the place of the "
+                  "picture's number, as in w%%d.png",
+                  o->where);
+}
+
+static enum hsr_status open_place(const struct options *o,
+                                  struct hsr_scene *scene,
+                                  struct hsr_error *err) {
+  struct hsr_world world = {.outline.scene = scene};
+  struct hsr_view view;
+  struct place place = {.options = o, .world = &world, .view = &view};
+  enum hsr_status status = choose_view(&o->view, scene, 1, &view, err);
+  if (!status)
+    status = hsr_world_open(&world, scene, HSR_MOST_LAID_OUT, err);
+  if (!status && hsr_is_outline(&world))
+    status =
+        hsr_fail(err, HSR_E_NOMEM,
+                 "errors: %u faces are too many to be laid out", world.n_faces);
+  if (!status)
+    status = find(&place, err);
+  hsr_answer_free(&place.exact);
+  free(place.share);
+  crew_free(place.crew);
+  hsr_world_free(&world);
+  return status;
+}
+
+enum hsr_status command_errors(int argc, char **argv, struct hsr_error *err) {
+  struct options options = {.view = VIEW_OPTIONS_STANDARD, .threads = 1};
+  struct hsr_scene *scene;
+  enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
+  if (!status)
+    status = check_where(&options, err);
+  if (!status)
+    status = aim_scene(&options.scene, &options.view, err);
+  if (!status)
+    status = open_scene(options.scene.name, options.scene.import, &scene, err);
+  if (status)
+    return status;
+  status = open_place(&options, scene, err);
+  hsr_scene_delete(scene);
+  return status;
+}
