@@ -463,6 +463,18 @@ static uint32_t area_colour(const struct hsr_area_bounds *channel) {
   return composited_colour(middle);
 }
 
+/* That of the sums of a pixel so far. */
+static uint32_t sums_colour(const struct frames *f,
+                            const struct hsr_window *w) {
+  const uint32_t *sums =
+      hsr_answer_sums_of(&f->run->answer.painted) +
+      3 * ((size_t)w->y0 * (size_t)f->run->view.m + (size_t)w->x0);
+  uint16_t channel[3];
+  for (int c = 0; c < 3; c++)
+    channel[c] = (uint16_t)(sums[c] / HSR_WHOLE_WEIGHT);
+  return composited_colour(channel);
+}
+
 /* A sample that is not written yet is the darker the more often it was looked
  * at. */
 static void touch(struct frames *f, const struct hsr_window *w) {
@@ -514,6 +526,9 @@ static void paint(struct frames *f, const struct hsr_event *event) {
     fill(f, &event->window, composited_colour(event->part));
   } else if (type == &hsr_answer_area) {
     fill(f, &event->window, area_colour(event->part));
+  } else if (type == &hsr_answer_filtered) {
+    trace_answer_paint(&f->run->answer, event);
+    fill(f, &event->window, sums_colour(f, &event->window));
   } else if (type == &hsr_answer_voxels) {
     const struct hsr_voxel_cubes *part = event->part;
     for (int bit = 0; bit < 64; bit++)

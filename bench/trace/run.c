@@ -9,8 +9,7 @@ enum hsr_status trace_check(const struct hsr_variant *variant,
     why = "a judge has no steps to trace";
   else if (a->flags & HSR_NO_PICTURE)
     why = "it draws nothing";
-  else if (hsr_choice_folds(a, &variant->choice) ||
-           !variant->choice.form.type->paint)
+  else if (variant->choice.form.type != a->kind || !a->kind->paint)
     why = "answers of this kind are not traced";
   else if (!a->outline)
     why = "it has no outline yet, and cannot be traced";

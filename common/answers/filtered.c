@@ -7,6 +7,7 @@
  * sub-sample and each pattern
  * (Haeberli and Akeley 1990). */
 #include "common/answers/answer.h"
+#include "common/answers/coded.h"
 #include "common/files/image.h"
 #include "common/files/suffix.h"
 
@@ -186,6 +187,38 @@ static void print(const struct hsr_answer *answer,
   putc('\n', out);
 }
 
+/* --- Tracing -------------------------------------------------------------- */
+
+/* The part of an event is what it adds to the sums of its pixel: 3 numbers. */
+static enum hsr_status paint(struct hsr_answer *answer,
+                             const struct hsr_event *event) {
+  const struct hsr_window *w = &event->window;
+  const uint32_t *part = event->part;
+  uint32_t *sums = hsr_answer_sums_of(answer) +
+                   3 * ((size_t)w->y0 * (size_t)answer->m + (size_t)w->x0);
+  for (int c = 0; c < 3; c++)
+    sums[c] += part[c];
+  return HSR_OK;
+}
+
+static json_t *part_json(const void *part, const struct hsr_view *view) {
+  const uint32_t *sums = part;
+  (void)view;
+  return json_pack("[III]", (json_int_t)sums[0], (json_int_t)sums[1],
+                   (json_int_t)sums[2]);
+}
+
+static json_t *sums_json(const struct hsr_answer *answer,
+                         const struct hsr_view *view) {
+  const uint32_t *sums = hsr_answer_sums_of(answer);
+  size_t n = 3 * (size_t)answer->m * (size_t)answer->n;
+  json_t *all = json_array();
+  (void)view;
+  for (size_t k = 0; k < n; k++)
+    hsr_json_append(&all, json_integer(sums[k]));
+  return all;
+}
+
 const struct hsr_answer_type hsr_answer_filtered = {
     .name = "filtered",
     .meaning = "weighted integer sums of 8 x 8 or 4 x 8 samples a pixel",
@@ -202,4 +235,7 @@ const struct hsr_answer_type hsr_answer_filtered = {
     .shade = shade,
     .fits = fits,
     .write = write,
-    .print = print};
+    .print = print,
+    .paint = paint,
+    .json = sums_json,
+    .part_json = part_json};

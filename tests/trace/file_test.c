@@ -559,7 +559,9 @@ static void test_refusals(struct tap *tap) {
   ok(tap, refuses(2, "one thread", "house -a raycast -J 2"), "-J 2");
   ok(tap, refuses(2, "judge", "house -a oracle"), "the oracle");
   ok(tap, refuses(2, "draws nothing", "house -a null"), "null");
-  ok(tap, refuses(2, "not traced", "house -a raycast:filter=box"),
+  ok(tap,
+     refuses(2, "not traced", "house -a raycast:filter=box") &&
+         refuses(2, "not traced", "house -a tiling:filter=cosine"),
      "a filtered picture");
   ok(tap, refuses(2, "no outline", "house -a mute"), "no outline");
   ok(tap,

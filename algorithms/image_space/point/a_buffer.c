@@ -209,11 +209,14 @@ static void add_colour(struct state *s, uint32_t face, uint64_t mask, int i,
                        int j) {
   if (!mask)
     return;
-  const struct hsr_view *view = s->job->view;
+  uint32_t part[3] = {0, 0, 0};
+  uint32_t *sums =
+      s->job->sums + 3 * ((size_t)j * (size_t)s->job->view->m + (size_t)i);
+  hsr_filter_add(&s->kernel, 1, 1, 0, 0, mask, colour_of(s, face), part);
+  for (int c = 0; c < 3; c++)
+    sums[c] += part[c];
   HSR_ACCEPTED(s->tally, PACKED, HSR_FACE(face), HSR_NOTHING, HSR_AT(i, j),
-               NULL);
-  hsr_filter_add(&s->kernel, view->m, view->n, i, j, mask, colour_of(s, face),
-                 s->job->sums);
+               part);
 }
 
 /* Lists the fragments of a pixel that are not behind what covers it. */

@@ -9,7 +9,8 @@ const ROOM = 1 << 24; // samples of all keyframes
 
 export function painting(run) {
   return { ids: idsPainting, composited: (own) => channelsPainting(own, 4, (c) => c),
-    area: (own) => channelsPainting(own, 6, middles), segments: segmentsPainting,
+    area: (own) => channelsPainting(own, 6, middles),
+    filtered: (own) => channelsPainting(own, 3, whole, sumsOf(own)), segments: segmentsPainting,
     polygons: polygonsPainting, voxels: voxelsPainting }[run.kind](run);
 }
 
@@ -113,15 +114,33 @@ function idsPainting(run) {
   return { ...own, equal };
 }
 
-// --- composited and area: places in the list of parts, from 1; 0 if all parts are
+// --- composited, area and filtered: places in the list of parts, from 1; 0 if all parts are
 //     not there. Samples that are not written stay black. ---
 
 // Of intervals of red, green and blue, as composited samples have them.
 const middles = (bounds) => [...[0, 2, 4].map((k) =>
   Math.min(65535, Math.max(0, 65535 * (bounds[k] + bounds[k + 1]) / 2))), 65535];
 
-// Of `many` numbers a sample; shown(numbers): its red, green, blue and opacity.
-function channelsPainting(run, many, shown) {
+// Of the sums of a filtered picture. A pixel to which colours will be added yet is
+// too dark.
+const whole = (sums) => [...sums.map((c) => c / 65536), 65535];
+
+// Each part adds to the sums of its pixel: the sums after each.
+function sumsOf({ trace, accepts, width: m }) {
+  const sums = new Map(), all = [];
+  for (const k of accepts) {
+    const place = trace.y[k] * m + trace.x[k];
+    const before = sums.get(place) ?? [0, 0, 0];
+    const after = before.map((c, n) => c + trace.parts[trace.part[k] - 1][n]);
+    sums.set(place, after);
+    all[trace.part[k] - 1] = after;
+  }
+  return all;
+}
+
+// Of `many` numbers a sample; parts: what an accepted event makes of it;
+// shown(numbers): its red, green, blue and opacity.
+function channelsPainting(run, many, shown, parts = run.trace.parts) {
   const { width: m, height: n, trace } = run;
   const own = samplesPainting(run, trace.part, () => {
     const all = new Int32Array(m * n);
@@ -130,7 +149,7 @@ function channelsPainting(run, many, shown) {
   const answer = Array.from({ length: m * n }, (_, k) =>
     trace.answer.slice(many * k, many * (k + 1)));
   const numbers = (value, k) => value === UNDECIDED ? null
-    : k >= run.n && run.leftOut ? answer[value - 1] : trace.parts[value - 1];
+    : k >= run.n && run.leftOut ? answer[value - 1] : parts[value - 1];
   // The colour of a value that at(k) holds: red, green, blue, opacity.
   const colour = (value, k) => {
     const own = numbers(value, k);

@@ -134,7 +134,7 @@ export function picture(canvas, run) {
   };
 
   const drawn = { ids: drawIds, composited: drawComposited, area: drawComposited,
-    segments: drawSegments, polygons: drawPolygons, voxels: drawVoxels };
+    filtered: drawComposited, segments: drawSegments, polygons: drawPolygons, voxels: drawVoxels };
 
   // --- what is done now ---
 
