@@ -248,8 +248,17 @@ static uint32_t enter_span(struct hsr_watkins *s, int left, uint32_t next,
   return next;
 }
 
-static void scan_row(struct hsr_watkins *s, int j) {
+static void show_span(struct hsr_watkins *s, uint32_t id, int left, int right,
+                      int j) {
   uint32_t *row = s->edges.job->ids + (size_t)j * s->edges.job->ids_stride;
+  HSR_STEP(s->tally, HSR_SPANS, HSR_FACE(id), HSR_THE_WINDOW,
+           HSR_ON(left, right, j), 0);
+  HSR_TOUCH_SPAN(s->tally, left, right, j);
+  for (int i = left; i < right; i++)
+    row[i] = id;
+}
+
+static void scan_row(struct hsr_watkins *s, int j) {
   uint32_t next = 0;
   s->n_under = 0;
   for (int left = s->edges.window->x0, right; left < s->edges.window->x1;
@@ -259,12 +268,8 @@ static void scan_row(struct hsr_watkins *s, int j) {
     const struct hsr_watkins_segment *visible =
         search_depth(s, left, &right, j);
     float_right(s, visible, next, left, &right, j);
-    uint32_t id = visible ? visible->face : HSR_BACKGROUND;
-    HSR_STEP(s->tally, HSR_SPANS, HSR_FACE(id), HSR_THE_WINDOW,
-             HSR_ON(left, right, j), 0);
-    HSR_TOUCH_SPAN(s->tally, left, right, j);
-    for (int i = left; i < right; i++)
-      row[i] = id;
+    if (visible || !s->layer)
+      show_span(s, visible ? visible->face : HSR_BACKGROUND, left, right, j);
   }
 }
 
@@ -301,6 +306,11 @@ void hsr_watkins_solve(struct hsr_watkins *s, const struct hsr_window *window,
                        const uint32_t *faces, uint32_t n) {
   hsr_scan_sort(&s->edges, window, faces, n);
   hsr_watkins_scan(s);
+}
+
+void hsr_watkins_clear(struct hsr_watkins *s, const struct hsr_window *window) {
+  for (int j = window->y0; j < window->y1; j++)
+    show_span(s, HSR_BACKGROUND, window->x0, window->x1, j);
 }
 
 static enum hsr_status render(const struct hsr_job *job,

@@ -27,6 +27,7 @@ struct hsr_watkins {
   struct hsr_watkins_segment *segment; /* of the row, by ascending x0 */
   uint32_t n_segments;
   uint32_t *under, n_under; /* segments that reach over the span's left end */
+  bool layer;               /* paint over what is there: show no background */
 
   /* The last step: is f nearer than g at the first sample of [l, r), where both
    * are? The answer is true for [l, *end). NULL: by a search in depth. */
@@ -40,6 +41,7 @@ struct hsr_watkins {
 #define hsr_watkins_reserve HSR_OF_BUILD(hsr_watkins_reserve)
 #define hsr_watkins_scan HSR_OF_BUILD(hsr_watkins_scan)
 #define hsr_watkins_solve HSR_OF_BUILD(hsr_watkins_solve)
+#define hsr_watkins_clear HSR_OF_BUILD(hsr_watkins_clear)
 
 /* Memory from job->scratch for windows that need no more than `room`, of pieces
  * with numbers less than n_pieces. HSR_E_NOMEM. */
@@ -57,6 +59,10 @@ void hsr_watkins_scan(struct hsr_watkins *watkins);
 void hsr_watkins_solve(struct hsr_watkins *watkins,
                        const struct hsr_window *window, const uint32_t *faces,
                        uint32_t n);
+
+/* Shows the background in all of a window, for layers to be painted over. */
+void hsr_watkins_clear(struct hsr_watkins *watkins,
+                       const struct hsr_window *window);
 
 /* Counters, steps and sorts as those of scan_line.h: of everything but the last
  * step, and of all. */

@@ -11,16 +11,14 @@
  *             painted so far
  * Ties        those of priority_list.h; faces of one plane that share a sample
  *             are in one cluster
- * Departures  Those of priority_list.h. A face that is not quite flat may have
- *             no place in the order of clusters, because it touches a
- *             separating plane or the eye grazes its own plane. It is painted
+ * Departures  Those of priority_list.h. A loose face (cluster_faces.h) is painted
  *             after all clusters, where it is nearer than what is there; these
  *             comparisons are among the thickness checks. Faces are convex,
  *             because separating planes may cut them.
  * Cost        inter-cluster priority 10 C_t; and Newell's steps beside the
  *             predictions for it alone: here each list is that of one cluster,
  *             and faces of different clusters are never compared */
-#include "algorithms/list_priority/fixed/cluster_order.h"
+#include "algorithms/list_priority/fixed/cluster_faces.h"
 #include "algorithms/list_priority/per_frame/newell.h"
 
 /* Newell's counters are from NEWELL on. */
@@ -55,67 +53,27 @@ static const struct hsr_sort sorts[] = {
     {NULL, NULL, NULL, NULL}};
 
 struct schumacker_newell {
-  const struct hsr_clusters *clusters;
   struct hsr_screen screen;
   struct hsr_cluster_order order;
+  struct hsr_cluster_faces cluster;
   struct hsr_newell newell;
-  bool *relevant;           /* by face */
-  uint32_t *faces, n_faces; /* of the cluster that is painted */
-  uint32_t *loose, n_loose; /* in no cluster, or not for this eye */
 };
-
-/* --- Clusters ------------------------------------------------------------- */
-
-/* The faces of a cluster that are in the picture. A face of two sides is in the
- * cluster twice. */
-static void take_faces(struct schumacker_newell *s, uint32_t cluster) {
-  const struct hsr_clusters *c = s->clusters;
-  s->n_faces = 0;
-  for (uint32_t k = c->start[cluster]; k < c->start[cluster + 1]; k++) {
-    uint32_t f = c->order[k] / 2;
-    if (c->order[k] % 2 || !s->relevant[f])
-      continue;
-    if (hsr_grazes(&s->screen, f, c->reach[f]))
-      s->loose[s->n_loose++] = f;
-    else
-      s->faces[s->n_faces++] = f;
-  }
-}
-
-/* The faces that are in no cluster. */
-static void take_thick(struct schumacker_newell *s) {
-  const struct hsr_clusters *c = s->clusters;
-  for (uint32_t k = 0; k < c->n_thick; k++)
-    if (c->thick[k] % 2 == 0 && s->relevant[c->thick[k] / 2])
-      s->loose[s->n_loose++] = c->thick[k] / 2;
-}
-
-/* --- The algorithm -------------------------------------------------------- */
 
 static enum hsr_status reserve(struct schumacker_newell *s,
                                const struct hsr_job *job) {
   struct hsr_arena *arena = job->scratch;
-  if (hsr_screen_make(&s->screen, job->world, job->view, arena, job->tally))
+  if (hsr_screen_make(&s->screen, job->world, job->view, arena, job->tally) ||
+      hsr_cluster_faces_init(&s->cluster, &s->screen, arena) ||
+      hsr_cluster_order_init(&s->order, &s->screen, arena, job->tally,
+                             INTER_CLUSTER))
     return HSR_E_NOMEM;
-  uint32_t n = s->screen.n_relevant;
-  s->relevant = HSR_NEW_ZEROED(arena, bool, job->world->n_faces);
-  s->faces = HSR_NEW(arena, uint32_t, n);
-  s->loose = HSR_NEW(arena, uint32_t, n);
-  if (!s->relevant || !s->faces || !s->loose)
-    return HSR_E_NOMEM;
-  for (uint32_t r = 0; r < n; r++)
-    s->relevant[s->screen.relevant[r]] = true;
-  return hsr_cluster_order_init(&s->order, &s->screen, arena, job->tally,
-                                INTER_CLUSTER)
-             ? HSR_E_NOMEM
-             : hsr_newell_reserve(&s->newell, job, &s->screen, NULL, n);
+  return hsr_newell_reserve(&s->newell, job, &s->screen, NULL,
+                            s->screen.n_relevant);
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  struct schumacker_newell schumacker_newell = {.clusters =
-                                                    job->world->clusters};
-  struct schumacker_newell *s = &schumacker_newell;
+  struct schumacker_newell schumacker_newell, *s = &schumacker_newell;
   if (reserve(s, job))
     return hsr_fail_nomem(err);
   s->newell.frame_buffer = true;
@@ -123,15 +81,15 @@ static enum hsr_status render(const struct hsr_job *job,
   hsr_newell_open(&s->newell, &job->view->window);
   job->tally->first = 0;
   for (uint32_t cluster; hsr_next_cluster(&s->order, false, &cluster);) {
-    take_faces(s, cluster);
+    hsr_cluster_faces_take(&s->cluster, cluster);
     job->tally->first = NEWELL;
-    hsr_newell_paint(&s->newell, s->faces, s->n_faces);
+    hsr_newell_paint(&s->newell, s->cluster.faces, s->cluster.n_faces);
     job->tally->first = 0;
   }
-  take_thick(s);
+  hsr_cluster_faces_take_thick(&s->cluster);
   job->tally->first = NEWELL;
-  for (uint32_t k = 0; k < s->n_loose; k++)
-    hsr_newell_paint_unordered(&s->newell, s->loose[k]);
+  for (uint32_t k = 0; k < s->cluster.n_loose; k++)
+    hsr_newell_paint_unordered(&s->newell, s->cluster.loose[k]);
   job->tally->first = 0;
   return s->newell.list.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }

@@ -63,6 +63,9 @@ static const struct rule {
     {"newell-frame-buffer", "segments", {ALL_COVERED}},
     {"newell-frame-buffer", "spans written", {ALL_COVERED}},
     {"schumacker-newell", "segments", {ALL_COVERED}},
+    {"schumacker-watkins", "depth search", {NOTHING_SAID, NOT_NEARER, NEARER}},
+    {"schumacker-watkins", "thickness checks", {NOT_NEARER, NEARER}},
+    {"schumacker-watkins", "loose samples", {COVERED}},
     {"newell-watkins", "Newell special", {NEVER_BEFORE, NEVER_BEFORE, APART}},
     {"painter", "Z sort", {NOT_SORTED, SORTED}},
     {"painter", "samples", {COVERED}},
@@ -257,9 +260,10 @@ static void check_loose(struct tap *tap, const char *name) {
 }
 
 int main(void) {
-  struct tap tap = plan(N_RULES + 3);
+  struct tap tap = plan(N_RULES + 4);
   check_loose(&tap, "schumacker");
   check_loose(&tap, "schumacker-newell");
+  check_loose(&tap, "schumacker-watkins");
   check_loose(&tap, "bsp-painter");
   for (int r = 0; r < N_RULES; r++) {
     struct watch w = {.rule = &rules[r], .counter = counter_of(&rules[r])};

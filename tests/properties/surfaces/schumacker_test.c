@@ -246,6 +246,10 @@ static void check_grazed(struct tap *tap) {
      covers && wanted[N / 2 * M + 14] == 1 &&
          !count_differences(&view, wanted, got),
      "a floor covers a sample and is met beyond the wall: the wall is seen");
+  draw_ids(hsr_algorithm_find("schumacker-watkins")->plain, &x.world, &view,
+           got, NULL);
+  ok(tap, !count_differences(&view, wanted, got),
+     "the same, where the floor is painted after the clusters");
   hsr_arena_free(&arena);
   close_scene(&x);
 }
@@ -338,7 +342,7 @@ static void check_pile(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 * SCENES + 5);
+  struct tap tap = plan(2 * SCENES + 6);
   uint64_t seed = 1969;
   for (int s = 0; s < SCENES; s++)
     check_scene(&tap, scenes[s], &seed);

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Schumacker's order of clusters, and Watkins' scan lines for each: clusters
+ * are painted on a frame buffer, one over the other.
+ *
+ * Source      Sutherland et al. 1974, "Other Combinations of Sorting": half a
+ *             sentence, and its sorting order Zp YXZ, p for a partial sort.
+ * Notation    cluster, separating plane -> common/scene/clusters.h; scan line,
+ *             segment, sample span -> watkins.c
+ * Invariant   at every sample the last cluster painted is the nearest of those
+ *             that cover it so far
+ * Ties        those of watkins.c; faces of one plane that share a sample are in
+ *             one cluster
+ * Departures  Those of scan_line.h. Watkins' scan lines and sample spans are
+ *             those of the box of the cluster's faces, not of the picture. A
+ *             loose face (cluster_faces.h) is painted after all clusters, where
+ *             it is nearer than what is there; these comparisons are counted
+ *             apart. Faces are convex, because separating planes may cut them.
+ * Cost        inter-cluster priority 10 C_t; and Watkins' steps beside the
+ *             predictions for it alone: here each X sort list and each depth
+ *             search is that of one cluster, but a hidden cluster is painted,
+ *             too */
+#include "algorithms/list_priority/fixed/cluster_faces.h"
+#include "algorithms/image_space/point/watkins.h"
+
+/* Watkins' counters are from WATKINS on. */
+enum { INTER_CLUSTER, THICKNESS, LOOSE, WATKINS };
+
+static const struct hsr_counter counters[] = {
+    [INTER_CLUSTER] = HSR_INTER_CLUSTER_COUNTER,
+    [THICKNESS] = {"thickness checks",
+                   "comparisons in depth with faces that are not flat and in "
+                   "no cluster",
+                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [LOOSE] = {"loose samples", "samples painted of faces in no cluster",
+               HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    HSR_WATKINS_COUNTERS(""),
+    {NULL}};
+
+static const struct hsr_line outline[] = {
+    {"for each cluster, from the farthest, by the separating planes",
+     HSR_RAISES(INTER_CLUSTER)},
+    HSR_WATKINS_LINES(WATKINS, "  "),
+    {"for each face that is in no cluster, at each of its samples"},
+    {"  is it nearer than what is there?", HSR_RAISES(THICKNESS)},
+    {"    paint it", HSR_RAISES(LOOSE)},
+    {NULL}};
+
+static double predict_inter_cluster(const struct hsr_table1 *t) {
+  return 10 * t->C_t;
+}
+
+static const struct hsr_step steps[] = {{"inter-cluster priority",
+                                         INTER_CLUSTER, 10, "10 C_t",
+                                         predict_inter_cluster},
+                                        HSR_WATKINS_STEPS(WATKINS, ""),
+                                        {NULL}};
+
+static const struct hsr_sort sorts[] = {
+    {"clusters", "Z", "tree of separating planes", "once a frame"},
+    {"edges", "Y", "bucket sort", "once a cluster"},
+    {"edges", "X", "merge", "as they enter"},
+    {"edges", "X", "bubble sort", "once a scan line of a cluster"},
+    {"segments", "X", "cull", "once a sample span"},
+    {"segments", "Z", "logarithmic search", "once a sample span"},
+    {"samples", "XY", "frame buffer", "once a sample span"},
+    {NULL}};
+
+struct schumacker_watkins {
+  const struct hsr_job *job;
+  struct hsr_screen screen;
+  struct hsr_cluster_order order;
+  struct hsr_cluster_faces cluster;
+  struct hsr_watkins watkins;
+  int *columns; /* room for the spans of the largest loose face */
+};
+
+/* --- Clusters ------------------------------------------------------------- */
+
+/* The part of the window that the faces of the cluster in hand are in. */
+static struct hsr_window box_of_cluster(const struct schumacker_watkins *s) {
+  const struct hsr_window *w = &s->job->view->window;
+  struct hsr_window box = {w->x1, w->y1, w->x0, w->y0};
+  for (uint32_t k = 0; k < s->cluster.n_faces; k++) {
+    const struct hsr_bounds *b = &s->screen.bounds[s->cluster.faces[k]];
+    box.x0 = b->x0 < box.x0 ? b->x0 : box.x0;
+    box.y0 = b->y0 < box.y0 ? b->y0 : box.y0;
+    box.x1 = b->x1 > box.x1 ? b->x1 : box.x1;
+    box.y1 = b->y1 > box.y1 ? b->y1 : box.y1;
+  }
+  return box;
+}
+
+static void paint_cluster(struct schumacker_watkins *s) {
+  if (!s->cluster.n_faces)
+    return;
+  struct hsr_window box = box_of_cluster(s);
+  s->job->tally->first = WATKINS;
+  hsr_watkins_solve(&s->watkins, &box, s->cluster.faces, s->cluster.n_faces);
+  s->job->tally->first = 0;
+}
+
+/* --- Faces in no cluster -------------------------------------------------- */
+
+/* Whether f is nearer than g, or the background, at (i, j). */
+static bool is_nearer(struct schumacker_watkins *s, uint32_t f, uint32_t g,
+                      int i, int j) {
+  if (g == HSR_BACKGROUND)
+    return true;
+  bool nearer = hsr_nearer(&s->screen, f, g, i, j, s->job->tally);
+  HSR_STEP(s->job->tally, THICKNESS, HSR_FACE(f), HSR_FACE(g), HSR_AT(i, j),
+           nearer);
+  return nearer;
+}
+
+static void paint_loose(struct schumacker_watkins *s, uint32_t f) {
+  const struct hsr_window *w = &s->job->view->window;
+  const struct hsr_bounds *b = &s->screen.bounds[f];
+  struct hsr_tally *tally = s->job->tally;
+  for (int j = b->y0; j < b->y1; j++) {
+    uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
+    int n = hsr_face_spans(&s->screen, f, j, s->columns, tally);
+    for (int k = 0; k < n; k += 2) {
+      int x0 = s->columns[k] > w->x0 ? s->columns[k] : w->x0;
+      int x1 = s->columns[k + 1] < w->x1 ? s->columns[k + 1] : w->x1;
+      for (int i = x0; i < x1; i++) {
+        HSR_TOUCH(tally, i, j);
+        if (is_nearer(s, f, row[i], i, j)) {
+          HSR_STEP(tally, LOOSE, HSR_FACE(f), HSR_THE_WINDOW, HSR_AT(i, j), 0);
+          row[i] = f;
+        }
+      }
+    }
+  }
+}
+
+/* --- The algorithm -------------------------------------------------------- */
+
+static enum hsr_status reserve(struct schumacker_watkins *s) {
+  const struct hsr_job *job = s->job;
+  struct hsr_arena *arena = job->scratch;
+  if (hsr_screen_make(&s->screen, job->world, job->view, arena, job->tally) ||
+      hsr_cluster_faces_init(&s->cluster, &s->screen, arena) ||
+      hsr_cluster_order_init(&s->order, &s->screen, arena, job->tally,
+                             INTER_CLUSTER))
+    return HSR_E_NOMEM;
+  size_t most_corners = 0;
+  for (uint32_t f = 0; f < job->world->n_faces; f++) {
+    size_t n = hsr_face_size(job->world, f);
+    most_corners = n > most_corners ? n : most_corners;
+  }
+  s->columns = HSR_NEW(arena, int, most_corners + 4);
+  return !s->columns ? HSR_E_NOMEM
+                     : hsr_watkins_reserve(&s->watkins, job, &s->screen,
+                                           hsr_scan_whole_room(&s->screen),
+                                           job->world->n_faces);
+}
+
+static enum hsr_status render(const struct hsr_job *job,
+                              struct hsr_error *err) {
+  struct schumacker_watkins schumacker_watkins = {.job = job};
+  struct schumacker_watkins *s = &schumacker_watkins;
+  if (reserve(s))
+    return hsr_fail_nomem(err);
+  s->watkins.layer = true;
+  job->tally->first = WATKINS;
+  hsr_watkins_clear(&s->watkins, &job->view->window);
+  job->tally->first = 0;
+  for (uint32_t cluster; hsr_next_cluster(&s->order, false, &cluster);) {
+    hsr_cluster_faces_take(&s->cluster, cluster);
+    paint_cluster(s);
+  }
+  hsr_cluster_faces_take_thick(&s->cluster);
+  for (uint32_t k = 0; k < s->cluster.n_loose; k++)
+    paint_loose(s, s->cluster.loose[k]);
+  return HSR_OK;
+}
+
+const struct hsr_algorithm HSR_ALGORITHM(schumacker_watkins) = {
+    .name = "schumacker-watkins",
+    .title = "Schumacker's order of clusters, then Watkins' scan lines",
+    .authors = "I. E. Sutherland, R. F. Sproull, R. A. Schumacker",
+    .year = 1974,
+    .source = "proposed in Computing Surveys 6(1), 1974, \"Other Combinations "
+              "of Sorting\"",
+    .taxonomy = HSR_LIST_PRIORITY_FIXED,
+    .sort_order = "Zp YXZ",
+    .coherence = "frame; cluster; scan line; edge; floating right end of the "
+                 "sample span",
+    .restrictions = HSR_CF | HSR_LS,
+    .subjects = 1 << HSR_FACES,
+    .kind = HSR_IDS,
+    .sorts = sorts,
+    .counters = counters,
+    .steps = steps,
+    .outline = outline,
+    .render = render};
