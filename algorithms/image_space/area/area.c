@@ -151,19 +151,10 @@ static enum hsr_relation relate_cut(const struct hsr_screen *screen, uint32_t f,
   return n_covered == 4 ? HSR_SURROUNDER : HSR_INTERSECTER;
 }
 
-enum hsr_relation hsr_area_relate(const struct hsr_screen *screen, uint32_t f,
-                                  const struct hsr_area *w, bool *by_box,
-                                  struct hsr_tally *tally) {
-  const struct hsr_bounds *b = &screen->bounds[f];
-  bool apart =
-      b->x1 <= w->x0 || b->x0 >= w->x1 || b->y1 <= w->y0 || b->y0 >= w->y1;
-  bool reaches_over =
-      b->x0 <= w->x0 && b->x1 >= w->x1 && b->y0 <= w->y0 && b->y1 >= w->y1;
-  bool contained =
-      b->x0 >= w->x0 && b->x1 <= w->x1 && b->y0 >= w->y0 && b->y1 <= w->y1;
-  *by_box = apart || (contained && !reaches_over);
-  if (*by_box)
-    return apart ? HSR_DISJOINT : HSR_INTERSECTER;
+enum hsr_relation hsr_area_relate_edges(const struct hsr_screen *screen,
+                                        uint32_t f, const struct hsr_area *w,
+                                        bool reaches_over,
+                                        struct hsr_tally *tally) {
   if (!hsr_area_is_sample(w)) {
     if (edges_meet(screen, f, w, tally))
       return HSR_INTERSECTER;
@@ -174,30 +165,4 @@ enum hsr_relation hsr_area_relate(const struct hsr_screen *screen, uint32_t f,
   }
   return hsr_covers(screen, f, w->x0, w->y0, tally) ? HSR_SURROUNDER
                                                     : HSR_DISJOINT;
-}
-
-struct hsr_area_depths hsr_area_depths(const struct hsr_screen *screen,
-                                       uint32_t f, const struct hsr_area *w) {
-  const struct hsr_depth_plane *p = &screen->plane[f];
-  struct hsr_area_depths depths = {.id = f, .error = p->error};
-  for (int corner = 0; corner < 4; corner++)
-    depths.q[corner] =
-        p->a * w->sx[corner & 1] + p->b * w->sy[corner / 2] + p->c;
-  return depths;
-}
-
-int hsr_area_order(const struct hsr_screen *screen,
-                   const struct hsr_area_depths *f,
-                   const struct hsr_area_depths *g) {
-  const uint32_t *plane = screen->world->mesh.plane;
-  if (plane[f->id] == plane[g->id])
-    return f->id < g->id ? 1 : -1;
-  double bound = f->error + g->error;
-  int n_nearer = 0, n_farther = 0;
-  for (int corner = 0; corner < 4; corner++) {
-    double by = f->q[corner] - g->q[corner];
-    n_nearer += by > bound;
-    n_farther += by < -bound;
-  }
-  return n_nearer == 4 ? 1 : n_farther == 4 ? -1 : 0;
 }

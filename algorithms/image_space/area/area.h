@@ -18,9 +18,7 @@
 
 /* Compiled twice, as the algorithms are. */
 #define hsr_area_make HSR_OF_BUILD(hsr_area_make)
-#define hsr_area_relate HSR_OF_BUILD(hsr_area_relate)
-#define hsr_area_depths HSR_OF_BUILD(hsr_area_depths)
-#define hsr_area_order HSR_OF_BUILD(hsr_area_order)
+#define hsr_area_relate_edges HSR_OF_BUILD(hsr_area_relate_edges)
 
 struct hsr_area {
   int x0, y0, x1, y1; /* columns [x0, x1), rows [y0, y1) */
@@ -44,23 +42,63 @@ static inline struct hsr_window hsr_area_samples(const struct hsr_area *area) {
 /* Figure 26. */
 enum hsr_relation { HSR_DISJOINT, HSR_INTERSECTER, HSR_SURROUNDER };
 
+/* That of a face whose bounds do not tell. `reaches_over`: they hold the area. */
+enum hsr_relation hsr_area_relate_edges(const struct hsr_screen *screen,
+                                        uint32_t f, const struct hsr_area *area,
+                                        bool reaches_over,
+                                        struct hsr_tally *tally);
+
 /* How a relevant face lies to an area. *by_box: its bounds told. */
-enum hsr_relation hsr_area_relate(const struct hsr_screen *screen, uint32_t f,
-                                  const struct hsr_area *area, bool *by_box,
-                                  struct hsr_tally *tally);
+static inline enum hsr_relation hsr_area_relate(const struct hsr_screen *screen,
+                                                uint32_t f,
+                                                const struct hsr_area *w,
+                                                bool *by_box,
+                                                struct hsr_tally *tally) {
+  const struct hsr_bounds *b = &screen->bounds[f];
+  bool apart =
+      b->x1 <= w->x0 || b->x0 >= w->x1 || b->y1 <= w->y0 || b->y0 >= w->y1;
+  bool reaches_over =
+      b->x0 <= w->x0 && b->x1 >= w->x1 && b->y0 <= w->y0 && b->y1 >= w->y1;
+  bool contained =
+      b->x0 >= w->x0 && b->x1 <= w->x1 && b->y0 >= w->y0 && b->y1 <= w->y1;
+  *by_box = apart || (contained && !reaches_over);
+  if (*by_box)
+    return apart ? HSR_DISJOINT : HSR_INTERSECTER;
+  return hsr_area_relate_edges(screen, f, w, reaches_over, tally);
+}
 
 /* The depths of a face's plane at the corners of an area, as hsr_depth. */
 struct hsr_area_depths {
   uint32_t id;
   double q[4], error;
 };
-struct hsr_area_depths hsr_area_depths(const struct hsr_screen *screen,
-                                       uint32_t f, const struct hsr_area *area);
+static inline struct hsr_area_depths
+hsr_area_depths(const struct hsr_screen *screen, uint32_t f,
+                const struct hsr_area *w) {
+  const struct hsr_depth_plane *p = &screen->plane[f];
+  struct hsr_area_depths depths = {.id = f, .error = p->error};
+  for (int corner = 0; corner < 4; corner++)
+    depths.q[corner] =
+        p->a * w->sx[corner & 1] + p->b * w->sy[corner / 2] + p->c;
+  return depths;
+}
 
 /* +1 if f is nearer than g at all corners of one area, and so between them, -1
  * if g is, 0 if neither or not certain. */
-int hsr_area_order(const struct hsr_screen *screen,
-                   const struct hsr_area_depths *f,
-                   const struct hsr_area_depths *g);
+static inline int hsr_area_order(const struct hsr_screen *screen,
+                                 const struct hsr_area_depths *f,
+                                 const struct hsr_area_depths *g) {
+  const uint32_t *plane = screen->world->mesh.plane;
+  if (plane[f->id] == plane[g->id])
+    return f->id < g->id ? 1 : -1;
+  double bound = f->error + g->error;
+  int n_nearer = 0, n_farther = 0;
+  for (int corner = 0; corner < 4; corner++) {
+    double by = f->q[corner] - g->q[corner];
+    n_nearer += by > bound;
+    n_farther += by < -bound;
+  }
+  return n_nearer == 4 ? 1 : n_farther == 4 ? -1 : 0;
+}
 
 #endif
