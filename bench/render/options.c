@@ -15,6 +15,7 @@ enum {
   ORBIT,
   PASSES,
   UNCERTAINTY,
+  CERTAIN,
   MOST_ORBIT = 100000
 };
 
@@ -144,6 +145,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case UNCERTAINTY:
     o->uncertainty = arg;
     return 0;
+  case CERTAIN:
+    o->certain = arg;
+    return 0;
   case VIEWS:
   case ORBIT:
     return parse_series_option(o, key, arg);
@@ -187,6 +191,10 @@ static const struct argp_option entries[] = {
      "write after each pass how uncertain each pixel is; brightest: as "
      "uncertain "
      "as it may be, or more",
+     4},
+    {"certain", CERTAIN, "FILE", 0,
+     "write after each pass the picture, with a pixel that is more uncertain "
+     "than it may be in green",
      4},
     {NULL, 0, NULL, 0, "Where it draws lines:", 3},
     {"hidden", HIDDEN, "HOW", 0,

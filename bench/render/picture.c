@@ -63,7 +63,7 @@ enum hsr_status draw_picture(struct render *r, struct hsr_error *err) {
     status = ask_for_colours(r, err);
   if (status)
     return status;
-  if (r->options->passes || r->options->uncertainty) {
+  if (r->options->passes || r->options->uncertainty || r->options->certain) {
     r->passes = (struct hsr_passes){write_pass, r};
     r->setup.passes = &r->passes;
   }

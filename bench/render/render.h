@@ -15,7 +15,7 @@ struct render_options {
   const char *output[MOST_OUTPUTS];
   int n_outputs;
   const char *work;
-  const char *passes, *uncertainty; /* patterns of files; or NULL */
+  const char *passes, *uncertainty, *certain; /* patterns of files; or NULL */
   enum hsr_shading shading;
   enum hsr_hidden hidden;
   double crease; /* degrees; negative: all edges */
@@ -77,7 +77,7 @@ void render_forget(struct render *r);
 /* Frees all but the scene. All zero is allowed. */
 void render_close(struct render *r);
 
-/* Whether --passes and --uncertainty, if they are given, fit what is drawn.
+/* Whether --passes and the like, if they are given, fit what is drawn.
  * HSR_E_USAGE. */
 enum hsr_status check_passes(const struct render_options *options,
                              const struct hsr_variant *variant,

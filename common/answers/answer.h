@@ -160,8 +160,8 @@ struct hsr_answer_type {
                            const struct hsr_showing *showing,
                            struct hsr_shaded *shaded, struct hsr_error *err);
   /* Fills m n floats: how uncertain each place is, 1 if as much as the form
-   * allows, and at most 1. NULL: nothing is uncertain, and the kind is not drawn
-   * in passes. */
+   * allows, and 2 if more. NULL: nothing is uncertain, and the kind is not
+   * drawn in passes. */
   void (*uncertainty)(const struct hsr_answer *answer, float *share);
   /* Whether the suffix of `path` is that of a file that can hold it. */
   bool (*fits)(const char *path);

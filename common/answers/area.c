@@ -173,7 +173,7 @@ static enum hsr_status shade(const struct hsr_answer *answer,
   return HSR_OK;
 }
 
-/* By the widest interval of a pixel. */
+/* By the widest interval of a pixel; 2 if it is wider than eps. */
 static void uncertainty(const struct hsr_answer *answer, float *share) {
   const struct hsr_area_bounds *bounds = answer->body;
   double eps = hsr_form_area(&answer->form).eps;
@@ -183,7 +183,9 @@ static void uncertainty(const struct hsr_answer *answer, float *share) {
       width =
           fmax(width, bounds[c].lo <= bounds[c].hi ? bounds[c].hi - bounds[c].lo
                                                    : INFINITY);
-    share[k / CHANNELS] = width < eps ? (float)(width / eps) : 1;
+    share[k / CHANNELS] = width > eps ? 2
+                          : width > 0 ? (float)(width / eps)
+                                      : 0;
   }
 }
 

@@ -173,6 +173,15 @@ void hsr_bounded_settle(struct hsr_eb_tree *t, uint32_t c) {
   }
 }
 
+/* The work picture has the cells that are made at each pixel (the thesis, p.
+ * 88). */
+static void touch(const struct hsr_eb_tree *t, const struct hsr_eb_cell *cell) {
+  struct hsr_window w = hsr_eb_window(t, cell);
+  for (int j = w.y0; j < w.y1; j++)
+    for (int i = w.x0; i < w.x1; i++)
+      HSR_TOUCH(t->tally, i, j);
+}
+
 bool hsr_bounded_split(struct hsr_eb_tree *t, uint32_t c) {
   uint32_t child = new_cells(t);
   if (!child)
@@ -183,6 +192,7 @@ bool hsr_bounded_split(struct hsr_eb_tree *t, uint32_t c) {
            hsr_eb_window(t, cell), 0);
   for (uint32_t k = 0; k < 4; k++) {
     make_leaf(t, c, k);
+    touch(t, hsr_eb_cell(t, child + k));
     if (!inherit(t, c, child + k))
       return false;
     hsr_bounded_settle(t, child + k);
