@@ -4,6 +4,7 @@ algorithm_files += \
   %D%/meagher.c \
   %D%/naylor.c \
   %D%/octree_raycast.c \
+  %D%/box_samples.h \
   %D%/pvs.c \
   %D%/visibility_map.c \
   %D%/visibility_map.h

@@ -16,6 +16,7 @@
  *             has no place are compared in depth (bsp_frame.h).
  * Cost        The map's size. A subtree behind one face of the map is culled; one
  *             behind several faces is not, unless `cull=several`. */
+#include "algorithms/hierarchical/culling/box_samples.h"
 #include "algorithms/hierarchical/culling/visibility_map.h"
 #include "common/trees/box.h"
 
@@ -85,48 +86,15 @@ struct naylor {
 
 /* --- Bounding volumes ----------------------------------------------------- */
 
-/* The samples of the window that a box may show at: all of them, if a corner is
- * not safely before the eye. A corner's image has a relative error of some
- * roundings of its terms; one sample more is far above that, wherever w is above
- * 2^-20 of the terms. */
-static struct hsr_bounds bounds_of(const struct naylor *n,
-                                   const struct hsr_box *box) {
-  const struct hsr_view *view = n->frame.job->view;
-  const struct hsr_window *w = &view->window;
-  struct hsr_bounds all = {w->x0, w->y0, w->x1, w->y1};
-  double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
-  for (int corner = 0; corner < 8; corner++) {
-    double image[3], size = 0;
-    for (int r = 0; r < 3; r++) {
-      image[r] = view->origin[r];
-      for (int k = 0; k < 3; k++) {
-        double at = corner >> k & 1 ? box->hi[k] : box->lo[k];
-        image[r] += view->screen[r][k] * (at - view->E[k]);
-        size += fabs(view->screen[r][k]) * (fabs(at) + fabs(view->E[k]));
-      }
-      size += fabs(view->origin[r]);
-    }
-    if (!(image[2] > 0x1p-20 * size))
-      return all;
-    for (int k = 0; k < 2; k++) {
-      lo[k] = fmin(lo[k], image[k] / image[2]);
-      hi[k] = fmax(hi[k], image[k] / image[2]);
-    }
-  }
-  struct hsr_bounds b = {(int)fmax(all.x0, fmin(all.x1, floor(lo[0]) - 1)),
-                         (int)fmax(all.y0, fmin(all.y1, floor(lo[1]) - 1)),
-                         (int)fmin(all.x1, fmax(all.x0, ceil(hi[0]) + 1)),
-                         (int)fmin(all.y1, fmax(all.y0, ceil(hi[1]) + 1))};
-  return b;
-}
-
 static bool enter_node(void *context, uint32_t k) {
   struct naylor *n = context;
   struct hsr_tally *tally = n->frame.job->tally;
   const struct hsr_box *box = &n->frame.box[k];
   struct hsr_subject node = HSR_CELL(k, HSR_NO_ID, 0);
   HSR_STEP(tally, NODES, node, HSR_NOTHING, HSR_NOWHERE, 0);
-  struct hsr_bounds b = bounds_of(n, box);
+  const struct hsr_window *w = &n->frame.job->view->window;
+  struct hsr_bounds b = {w->x0, w->y0, w->x1, w->y1};
+  hsr_box_samples(n->frame.job->view, box, &b);
   if (b.x0 >= b.x1 || b.y0 >= b.y1 ||
       hsr_box_classify(&n->frustum, box, NULL, NULL) == HSR_BOX_OUT) {
     HSR_STEP(tally, OUT, node, HSR_THE_WINDOW, HSR_NOWHERE, 0);
@@ -150,7 +118,9 @@ static void insert_piece(void *context, const struct hsr_bsp_piece *given,
     hsr_map_insert(&n->map, given, &piece, facing);
 }
 
-/* How far the frustum reaches: beyond all boxes. */
+/* How far the frustum reaches: beyond all boxes. t is within 8u of `size`, which
+ * is less than 2^-40 of it, and 2^-1070 that underflow takes; doubling it, from
+ * 1 on, is above both. */
 static double farthest(const struct naylor *n) {
   const struct hsr_view *view = n->frame.job->view;
   double most = view->near + 1;

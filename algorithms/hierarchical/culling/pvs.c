@@ -27,6 +27,7 @@
  * the recursion starts. A plane across an axis is then crossed from the eye's
  * side to the other, or not at all. */
 #include "algorithms/algorithm.h"
+#include "algorithms/hierarchical/culling/box_samples.h"
 #include "algorithms/hierarchical/culling/cell_sets.h"
 #include "algorithms/hierarchical/culling/portals.h"
 #include "common/exact/screen.h"
@@ -152,38 +153,6 @@ static bool widen(struct pvs *s, uint32_t cell, const struct hsr_bounds *b) {
   return true;
 }
 
-/* Narrows a cull box to the rectangle around a portal's image. A corner that is
- * infinite, or not safely before the eye, narrows nothing. An image has a
- * relative error of some roundings of its terms; a sample more is far above
- * that where w is above 2^-20 of the terms. */
-static void narrow(const struct pvs *s, const struct hsr_portal *portal,
-                   struct hsr_bounds *b) {
-  const struct hsr_view *view = s->job->view;
-  double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
-  for (int corner = 0; corner < 8; corner++) {
-    double image[3], size = 0;
-    for (int r = 0; r < 3; r++) {
-      image[r] = view->origin[r];
-      size += fabs(view->origin[r]);
-      for (int k = 0; k < 3; k++) {
-        double at = corner >> k & 1 ? portal->box.hi[k] : portal->box.lo[k];
-        image[r] += view->screen[r][k] * (at - view->E[k]);
-        size += fabs(view->screen[r][k]) * (fabs(at) + fabs(view->E[k]));
-      }
-    }
-    if (!(size < 1e300 && image[2] > 0x1p-20 * size))
-      return;
-    for (int k = 0; k < 2; k++) {
-      lo[k] = fmin(lo[k], image[k] / image[2]);
-      hi[k] = fmax(hi[k], image[k] / image[2]);
-    }
-  }
-  b->x0 = (int)fmax(b->x0, fmin(b->x1, floor(lo[0]) - 1));
-  b->y0 = (int)fmax(b->y0, fmin(b->y1, floor(lo[1]) - 1));
-  b->x1 = (int)fmin(b->x1, fmax(b->x0, ceil(hi[0]) + 1));
-  b->y1 = (int)fmin(b->y1, fmax(b->y0, ceil(hi[1]) + 1));
-}
-
 /* What is seen from a start cell, found beforehand. */
 static void look_up(struct pvs *s, uint32_t from) {
   const struct hsr_window *w = &s->job->view->window;
@@ -213,7 +182,7 @@ static void visit(struct pvs *s, uint32_t cell) {
     if (!(upwards ? eye < at : eye > at))
       continue;
     struct hsr_bounds b = all;
-    narrow(s, portal, &b);
+    hsr_box_samples(s->job->view, &portal->box, &b);
     uint32_t beyond = portal->cell[upwards];
     int outcome = b.x0 >= b.x1 || b.y0 >= b.y1 ? IS_OUTSIDE
                   : widen(s, beyond, &b)       ? IS_SEEN

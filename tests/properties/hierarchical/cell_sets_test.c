@@ -6,6 +6,9 @@
  * Larger      How much larger it is than what all these eyes see together, and
  *             than all faces.
  * Doors       Without doors a room's set is the room.
+ * Lines       Every cell that a random line gets into by portals is in the set
+ *             of the cell that it comes from; and nearly all of a set is found
+ *             so.
  *
  * usage: cell_sets_test [EYES]      in each cell; standard: 8 */
 #include "algorithms/hierarchical/culling/cell_sets.h"
@@ -211,52 +214,109 @@ static void check_doors(struct tap *tap) {
   close_building(&open);
 }
 
-/* Who sees is seen; and few pairs of cells that are joined by open doors see
- * each other. */
-static uint32_t reach(const struct hsr_portals *p, uint32_t from,
-                      unsigned char *reached) {
-  uint32_t n = 1;
-  reached[from] = 1;
-  for (uint32_t k = p->first_portal[from]; k < p->first_portal[from + 1]; k++) {
-    const struct hsr_portal *portal = &p->portal[p->of_cell[k]];
-    uint32_t beyond = portal->cell[portal->cell[0] == from];
-    n += reached[beyond] ? 0 : reach(p, beyond, reached);
+/* --- Lines ---------------------------------------------------------------- */
+
+/* Where a line leaves a cell: its exit along an axis, and the portal there. NULL
+ * if there is a wall, or too little room between the line and the portal's edge
+ * to be sure. */
+static const struct hsr_portal *leave(const struct hsr_portals *p,
+                                      uint32_t cell, const double eye[3],
+                                      const double along[3]) {
+  double t[3];
+  int axis = 0;
+  for (int k = 0; k < 3; k++) {
+    const struct hsr_box *box = &p->cell[cell];
+    t[k] = ((along[k] > 0 ? box->hi : box->lo)[k] - eye[k]) / along[k];
+    axis = t[k] < t[axis] ? k : axis;
   }
-  return n;
+  for (uint32_t k = p->first_portal[cell]; k < p->first_portal[cell + 1]; k++) {
+    const struct hsr_portal *portal = &p->portal[p->of_cell[k]];
+    bool within =
+        portal->axis == axis && (portal->cell[0] == cell) == (along[axis] > 0);
+    for (int b = 0; b < 3; b++) {
+      double at = eye[b] + t[axis] * along[b];
+      within &= b == axis || (at > portal->box.lo[b] + 1e-9 &&
+                              at < portal->box.hi[b] - 1e-9);
+    }
+    if (within)
+      return portal;
+  }
+  return NULL;
 }
 
-static void check_pairs(struct tap *tap) {
+struct found {
+  unsigned char *pair; /* n x n */
+  long pairs, lacking, lines;
+};
+
+/* Follows a line from a random point of a cell through one of its portals. */
+static void follow_line(const struct building *b, uint32_t from, uint64_t *seed,
+                        struct found *found) {
+  const struct hsr_portals *p = &b->portals;
+  uint32_t n_of_cell = p->first_portal[from + 1] - p->first_portal[from];
+  if (!n_of_cell)
+    return;
+  long which = draw_integer(seed, 0, (int64_t)n_of_cell - 1);
+  const struct hsr_portal *portal =
+      &p->portal[p->of_cell[p->first_portal[from] + (uint32_t)which]];
+  double eye[3], along[3];
+  for (int k = 0; k < 3; k++) {
+    double lo = fmax(p->cell[from].lo[k], b->bounds.lo[k]);
+    double hi = fmin(p->cell[from].hi[k], b->bounds.hi[k]);
+    double first = fmax(portal->box.lo[k], b->bounds.lo[k]);
+    double last = fmin(portal->box.hi[k], b->bounds.hi[k]);
+    eye[k] = lo + (hi - lo) * (double)draw_integer(seed, 1, 9999) / 1e4;
+    along[k] =
+        first + (last - first) * (double)draw_integer(seed, 1, 9999) / 1e4;
+    along[k] -= eye[k];
+  }
+  found->lines++;
+  for (uint32_t cell = from; (portal = leave(p, cell, eye, along));) {
+    cell = portal->cell[portal->cell[0] == cell];
+    unsigned char *pair = &found->pair[(size_t)from * p->n_cells + cell];
+    found->lacking += !hsr_cell_sees(&b->sets, from, cell);
+    found->pairs += !*pair;
+    *pair = 1;
+  }
+}
+
+static void check_lines(struct tap *tap, const char *name, double tight) {
   struct building b;
-  long pairs = 0, one_way = 0, joined = 0;
-  open_building(&b, "rooms:7:60");
+  open_building(&b, name);
   uint32_t n = b.portals.n_cells;
-  unsigned char *reached = malloc(n);
-  if (!reached)
+  struct found found = {.pair = calloc(n, n)};
+  uint64_t seed = 11;
+  long pairs = 0, one_way = 0;
+  if (!found.pair)
     abort();
-  for (uint32_t k = 0; k < n; k++) {
-    memset(reached, 0, n);
-    joined += reach(&b.portals, k, reached);
-    for (uint32_t l = 0; l < n; l++) {
-      pairs += hsr_cell_sees(&b.sets, k, l);
-      one_way += hsr_cell_sees(&b.sets, k, l) && !hsr_cell_sees(&b.sets, l, k);
+  for (uint32_t from = 0; from < n; from++) {
+    for (int k = 0; k < 4000; k++)
+      follow_line(&b, from, &seed, &found);
+    for (uint32_t to = 0; to < n; to++) {
+      bool sees = from != to && hsr_cell_sees(&b.sets, from, to);
+      pairs += sees;
+      one_way += sees && !hsr_cell_sees(&b.sets, to, from);
     }
   }
-  ok(tap, one_way * 20 <= pairs,
-     "of %ld pairs, %ld are seen only one way, by bounds that are not tight",
-     pairs, one_way);
-  ok(tap, pairs > n && pairs * 3 < joined, "%ld of %ld joined pairs are seen",
-     pairs, joined);
-  free(reached);
+  ok(tap,
+     !found.lacking && (double)found.pairs > tight * (double)pairs &&
+         found.pairs <= pairs,
+     "%s: %ld lines find %ld pairs of cells of %ld, and no other (%ld)", name,
+     found.lines, found.pairs, pairs, found.lacking);
+  ok(tap, one_way * 20 <= pairs, "%s: %ld of these are seen only one way", name,
+     one_way);
+  free(found.pair);
   close_building(&b);
 }
 
 int main(int argc, char **argv) {
   long eyes = argc > 1 ? atol(argv[1]) : 8;
-  struct tap tap = plan(10);
+  struct tap tap = plan(12);
   check_building(&tap, "rooms:5", eyes, 0.9);
   check_building(&tap, "rooms:8:60", eyes, 0.5);
   check_building(&tap, "office:1", eyes, 1.01);
   check_doors(&tap);
-  check_pairs(&tap);
+  check_lines(&tap, "rooms:7:60", 0.99);
+  check_lines(&tap, "rooms:5:100", 0.95);
   return finish(&tap);
 }
