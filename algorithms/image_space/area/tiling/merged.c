@@ -110,6 +110,11 @@ static enum hsr_status plant(struct prepared *p, const struct hsr_world *world,
     p->is_whole = true;
   if (p->is_whole)
     return hsr_bsp_init(&p->tree, world, rule, err);
+  if (p->n_still > HSR_MOST_LAID_OUT)
+    return hsr_fail(err, HSR_E_REFUSED,
+                    "%u faces that do not move are too many for one octree, "
+                    "as it needs",
+                    p->n_still);
   enum hsr_status status =
       hsr_world_extract(&p->still, world, p->id, p->n_still, err);
   if (!status && outline)
