@@ -19,7 +19,9 @@
  *             The fast test begins where the rectangle meets at most four
  *             entries. The standard choice of options is Greene's;
  *             cubes=whole:volumes=tight:least=80 makes the same picture in less
- *             time, by fewer and tighter tests.
+ *             time, by fewer and tighter tests. pyramid=queries emulates a
+ *             machine with z-queries (thesis, 3.5.6): its steps are performed
+ *             here, and only its latency is a pause.
  * Cost        proportional to what is visible, and to the cubes around it */
 #include "algorithms/hierarchical/cube_frame.h"
 #include "algorithms/hierarchical/cube_list.h"
@@ -29,6 +31,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum {
   NODES = HSR_N_TILER_COUNTERS,
@@ -37,6 +40,7 @@ enum {
   CUBES_TESTED,
   CUBES_CULLED,
   CUBES_VISIBLE,
+  QUERIES,
   CUBE_READS,
   SIDES_SCANNED,
   SIDE_SAMPLES,
@@ -66,6 +70,9 @@ static const struct hsr_counter counters[] = {
                       HSR_OF_CELL, HSR_OF_NOTHING},
     [CUBES_VISIBLE] = {"cubes visible", "not known to be hidden", HSR_ACTIVATE,
                        HSR_OF_CELL, HSR_OF_NOTHING},
+    [QUERIES] = {"z-queries",
+                 "cubes of which it was asked if a sample is visible",
+                 HSR_COMPARE, HSR_OF_CELL, HSR_OF_NOTHING, "hidden|visible"},
     [CUBE_READS] = {"cube reads", "pyramid entries read to test cubes",
                     HSR_COMPARE, HSR_OF_CELL, HSR_OF_CELL,
                     HSR_PYRAMID_READ_OUTCOMES},
@@ -115,6 +122,7 @@ static const struct hsr_line outline[] = {
                                          HSR_RAISES(CUBES_VISIBLE)},
     {"    for each front face of the cube: is it behind a pyramid value?",
      HSR_RAISES(CUBE_READS)},
+    {"    or ask by a z-query, if it holds enough faces", HSR_RAISES(QUERIES)},
     {"    or scan-convert it", HSR_RAISES(SIDES_SCANNED)},
     {"      is a sample of it visible?", HSR_RAISES(SIDE_SAMPLES)},
     {"      tag the sample as completed", HSR_RAISES(COMPLETED)},
@@ -144,9 +152,11 @@ enum option {
   COMPLETED_SAMPLES,
   COHERENCE,
   MOVERS,
+  THRESHOLD,
+  LATENCY,
   WORK
 };
-enum { OFF, ON };
+enum { OFF, ON, BY_QUERIES };
 enum { PUSHED, ENCLOSING };
 enum { CUBE, TIGHT };
 enum { RECTANGLE, SIDES, WHOLE };
@@ -157,6 +167,14 @@ enum { WORK_ALL, WORK_PYRAMID, WORK_BOXES, WORK_POLYGONS };
 
 static const struct hsr_word off_on[] = {
     {"off", "without it", 0}, {"on", "with it", 0}, {NULL, NULL, 0}};
+static const struct hsr_word pyramids[] = {
+    {"off", "without it", 0},
+    {"on", "with it", 0},
+    {"queries",
+     "without it: by z-queries of a machine, which tell if a sample of a "
+     "cube's sides is visible; as on the Titan and Denali of the thesis",
+     0},
+    {NULL, NULL, 0}};
 static const struct hsr_word placements[] = {
     {"pushed",
      "a small face that crosses a median plane goes into the octants "
@@ -205,7 +223,7 @@ static const struct hsr_option options[] = {
                100000, 20},
     [SMALL] = {"small", "small is an area of less than 1/N of a cube's side",
                NULL, 1, 100000, 10},
-    [PYRAMID] = {"pyramid", "test by the z-pyramid", off_on, 0, 1, ON},
+    [PYRAMID] = {"pyramid", "test by the z-pyramid", pyramids, 0, 2, ON},
     [VOLUMES] = {"volumes", "what is tested for a cube", volumes, 0, 1, CUBE},
     [CUBES] = {"cubes", "how a cube is tested", cube_tests, 0, 2, RECTANGLE},
     [POLYGONS] = {"polygons", "how a face is tested", polygon_tests, 0, 3,
@@ -220,6 +238,12 @@ static const struct hsr_option options[] = {
                    0, 2, NO_COHERENCE},
     [MOVERS] = {"movers", "what is done with objects that move", movings, 0, 2,
                 FRESH},
+    [THRESHOLD] = {"threshold",
+                   "pyramid=queries: cubes of fewer faces are not asked of",
+                   NULL, 0, 1000000, 800},
+    [LATENCY] = {"latency",
+                 "pyramid=queries: microseconds until a z-query is answered",
+                 NULL, 0, 1000000, 0},
     [WORK] = {"work", "what the work picture shows", works, 0, 3, WORK_ALL},
     {NULL, NULL, NULL, 0, 0, 0}};
 
@@ -229,6 +253,11 @@ struct prepared {
   struct hsr_cube_list
       list[2]; /* visible cubes, of the last frame and of this */
   int last;    /* which one is the last frame's */
+
+  /* With z-queries: how many faces are in a cube and below. */
+  uint32_t **in_object; /* an object, a node of its octree */
+  uint64_t *below;      /* a node of the octree of instances */
+  struct hsr_arena arena;
 };
 
 struct walk {
@@ -382,10 +411,10 @@ static bool is_side_visible(struct walk *w, const struct hsr_placing *placing,
   if (!hsr_cube_bounds(&w->frame, image, corner, 4, &box))
     return false;
   bool visible = false;
-  if (w->option[PYRAMID] &&
+  if (w->option[PYRAMID] == ON &&
       is_rectangle_hidden(w, box, nearest_of(image, corner), &visible))
     return false;
-  if (w->option[CUBES] != SIDES)
+  if (w->option[CUBES] != SIDES && w->option[PYRAMID] != BY_QUERIES)
     return true;
   visible = scan_side(w, placing, cube, image, side, &box, subject);
   HSR_STEP(w->tally, SIDES_SCANNED, subject, HSR_THE_WINDOW,
@@ -400,7 +429,7 @@ static bool is_whole_visible(struct walk *w,
   struct hsr_bounds box;
   bool visible;
   return hsr_cube_bounds(&w->frame, image, all, 8, &box) &&
-         !(w->option[PYRAMID] &&
+         !(w->option[PYRAMID] == ON &&
            is_rectangle_hidden(w, box, image->nearest, &visible));
 }
 
@@ -416,11 +445,34 @@ static bool is_any_side_visible(struct walk *w,
   return false;
 }
 
-/* cube_visible of the thesis. *inside: it is all inside of the frustum, and so
+static double seconds_now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* What a machine answers: whether a sample of the cube's front sides is visible,
+ * as the z-buffer is now. In the build that is timed, it takes the time that
+ * the option says, or longer if the sides take longer. */
+static bool ask(struct walk *w, const struct hsr_placing *placing,
+                const struct hsr_octree_box *cube,
+                const struct hsr_cube_image *image,
+                struct hsr_subject subject) {
+  double begin = w->option[LATENCY] && !HSR_COUNTING ? seconds_now() : 0;
+  bool visible = is_any_side_visible(w, placing, cube, image, subject);
+  HSR_STEP(w->tally, QUERIES, subject, HSR_NOTHING, HSR_NOWHERE, visible);
+  while (w->option[LATENCY] && !HSR_COUNTING &&
+         seconds_now() - begin < 1e-6 * (double)w->option[LATENCY])
+    ;
+  return visible;
+}
+
+/* cube_visible of the thesis. n_faces: as many are in the cube. *inside: it is all inside of the frustum, and so
  * are the cubes in it. */
 static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
                             const struct hsr_octree_node *node,
-                            struct hsr_subject subject, bool *inside) {
+                            uint64_t n_faces, struct hsr_subject subject,
+                            bool *inside) {
   struct hsr_octree_box cube =
       w->option[VOLUMES] == TIGHT ? node->tight : hsr_octree_cube(node);
   HSR_STEP(w->tally, NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
@@ -434,16 +486,33 @@ static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
     *inside = verdict == HSR_BOX_IN;
   }
   struct hsr_cube_image image;
+  bool asks = w->option[PYRAMID] == BY_QUERIES;
+  if (asks && n_faces < (uint64_t)w->option[THRESHOLD])
+    return true;
   if (!hsr_cube_project(&w->frame, placing, &cube, &image))
     return true; /* the eye may be inside, or the near plane meet it */
   read_for(w, CUBE_READS, subject);
-  bool visible = w->option[CUBES] == WHOLE
+  bool visible = asks ? ask(w, placing, &cube, &image, subject)
+                 : w->option[CUBES] == WHOLE
                      ? is_whole_visible(w, &image)
                      : is_any_side_visible(w, placing, &cube, &image, subject);
   HSR_STEP(w->tally, CUBES_TESTED, subject, HSR_NOTHING, HSR_NOWHERE, visible);
   if (!visible)
     HSR_STEP(w->tally, CUBES_CULLED, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   return visible;
+}
+
+/* How many faces are in a cube of the object at hand, or of the octree of
+ * instances, if z-queries need it. */
+static uint64_t faces_in(const struct walk *w, uint32_t k) {
+  const struct prepared *prepared = w->frame.job->prepared;
+  uint32_t object = w->frame.cubes->scene->instances[w->frame.instance].object;
+  return prepared->in_object ? prepared->in_object[object][k] : 0;
+}
+
+static uint64_t faces_below(const struct walk *w, uint32_t k) {
+  const struct prepared *prepared = w->frame.job->prepared;
+  return prepared->below ? prepared->below[k] : 0;
 }
 
 /* --- Tiling what is in a cube --------------------------------------------- */
@@ -512,7 +581,7 @@ static void filter(struct walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++)
     drop[k] = is_repeated(w, b->first + (uint32_t)b->place[k]);
   hsr_tiler_drop(b, drop);
-  if (!w->option[PYRAMID] || w->option[POLYGONS] == NONE || w->plain)
+  if (w->option[PYRAMID] != ON || w->option[POLYGONS] == NONE || w->plain)
     return;
   read_for(w, FACE_READS, HSR_NOTHING);
   find_hidden(w, b, drop);
@@ -526,7 +595,7 @@ static void tile_face(struct walk *w, struct hsr_tiler *t, uint32_t f) {
   HSR_STEP(w->tally, FACES_TILED, HSR_FACE(name_of(t, f)), HSR_THE_WINDOW,
            window_of(t->screen.bounds[f]), 0);
   hsr_tiler_tile_generally(t, f);
-  if (w->option[PYRAMID] && !w->plain)
+  if (w->option[PYRAMID] == ON && !w->plain)
     hsr_pyramid_update(&w->pyramid, t->screen.bounds[f]);
 }
 
@@ -573,7 +642,7 @@ static void tile_before_all(struct walk *w, struct hsr_batch *b) {
 
 static void tile_batch(struct walk *w, struct hsr_batch *b) {
   const struct hsr_corners *r = &b->corners;
-  bool tests = w->option[PYRAMID] && !w->plain;
+  bool tests = w->option[PYRAMID] == ON && !w->plain;
   if (tests && w->option[POLYGONS] == DEFINITIVE)
     filter_definitively(w, b);
   touch_for(w, WORK_POLYGONS);
@@ -635,7 +704,8 @@ static void render_cube(struct walk *w, uint32_t k, bool inside) {
       w->last && hsr_cube_is_marked(&w->rendered, w->frame.instance, k);
   struct hsr_subject subject = hsr_cube_subject(w->frame.instance, k);
   if (!(rendered && w->option[COHERENCE] == LIST) &&
-      !is_cube_visible(w, &w->frame.placing, node, subject, &inside))
+      !is_cube_visible(w, &w->frame.placing, node, faces_in(w, k), subject,
+                       &inside))
     return;
   HSR_STEP(w->tally, CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   if (w->next)
@@ -705,8 +775,10 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
   if (!single) {
     struct hsr_subject subject =
         node ? hsr_cube_subject(HSR_NO_ID, still) : HSR_MOVERS_CUBE(moving);
-    if (!is_cube_visible(w, &w->frame.as_it_is,
-                         moving == HSR_NO_NODE ? node : cube, subject, &inside))
+    if (!is_cube_visible(
+            w, &w->frame.as_it_is, moving == HSR_NO_NODE ? node : cube,
+            moving == HSR_NO_NODE ? faces_below(w, still) : UINT64_MAX, subject,
+            &inside))
       return;
     HSR_STEP(w->tally, CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   }
@@ -799,7 +871,8 @@ static void prune(struct walk *w) {
       bool inside = false;
       if (is_cube_visible(
               w, &w->frame.placing, &w->frame.object->octree.node[cube[k]],
-              hsr_cube_subject(group->instance, cube[k]), &inside) &&
+              faces_in(w, cube[k]), hsr_cube_subject(group->instance, cube[k]),
+              &inside) &&
           !hsr_cube_list_add(kept, group->instance, cube[k]))
         w->out_of_memory = true;
     }
@@ -880,6 +953,48 @@ static enum hsr_status render(const struct hsr_job *job,
   return w.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }
 
+/* Children come after their parents. */
+static uint32_t *count_in_object(const struct hsr_cubes_object *object,
+                                 struct hsr_arena *arena) {
+  uint32_t n = object->octree.n_nodes;
+  uint32_t *in = HSR_NEW(arena, uint32_t, n);
+  for (uint32_t k = n; in && k-- > 0;) {
+    in[k] = object->cell[k].n_faces;
+    for (int o = 0; o < 8; o++) {
+      uint32_t child = object->octree.node[k].child[o];
+      in[k] += child == HSR_NO_NODE ? 0 : in[child];
+    }
+  }
+  return in;
+}
+
+/* An instance that is in several cubes counts in each. */
+static enum hsr_status count_faces(struct prepared *made) {
+  const struct hsr_cubes *cubes = &made->cubes;
+  const struct hsr_scene *scene = cubes->scene;
+  const struct hsr_octree *octree = &cubes->octree;
+  struct hsr_arena *arena = &made->arena;
+  made->in_object = HSR_NEW(arena, uint32_t *, scene->n_objects);
+  made->below = HSR_NEW(arena, uint64_t, octree->n_nodes);
+  if (!made->in_object || !made->below)
+    return HSR_E_NOMEM;
+  for (uint32_t k = 0; k < scene->n_objects; k++)
+    if (!(made->in_object[k] = count_in_object(&cubes->object[k], arena)))
+      return HSR_E_NOMEM;
+  for (uint32_t k = octree->n_nodes; k-- > 0;) {
+    const struct hsr_octree_node *node = &octree->node[k];
+    made->below[k] = 0;
+    for (uint32_t i = 0; i < node->n; i++) {
+      uint32_t instance = octree->item[node->first + i];
+      made->below[k] += made->in_object[scene->instances[instance].object][0];
+    }
+    for (int o = 0; o < 8; o++)
+      if (node->child[o] != HSR_NO_NODE)
+        made->below[k] += made->below[node->child[o]];
+  }
+  return HSR_OK;
+}
+
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
@@ -891,7 +1006,10 @@ static enum hsr_status prepare(const struct hsr_world *world,
       .small = option[PLACEMENT] == PUSHED ? 1.0 / (double)option[SMALL] : 0,
       .most = (uint32_t)option[LEAST],
       .least = (uint32_t)option[LEAST]};
-  return hsr_cubes_init(&made->cubes, world, &rule, err);
+  enum hsr_status status = hsr_cubes_init(&made->cubes, world, &rule, err);
+  if (!status && option[PYRAMID] == BY_QUERIES && count_faces(made))
+    return hsr_fail_nomem(err);
+  return status;
 }
 
 static void release(void *object) {
@@ -899,6 +1017,7 @@ static void release(void *object) {
   hsr_cubes_free(&prepared->cubes);
   hsr_arena_free(&prepared->list[0].arena);
   hsr_arena_free(&prepared->list[1].arena);
+  hsr_arena_free(&prepared->arena);
   free(prepared);
 }
 
