@@ -7,7 +7,8 @@ oracle_files = \
   %D%/polygon_oracle.cc \
   %D%/splat_oracle.cc \
   %D%/voxel_oracle.cc
-libhsr_a_SOURCES += bench/registry.c %D%/list.def %D%/rounding.h %D%/vectors.h \
+libhsr_a_SOURCES += bench/registry.c %D%/list.def %D%/rounding.h %D%/surface.h \
+  %D%/vectors.h \
   %D%/areas/areas.cc \
   %D%/areas/areas.h \
   %D%/areas/cells.cc \
