@@ -45,11 +45,10 @@ enum {
   HSR_NO_PICTURE = 1 << 1,   /* draws nothing; never compared */
   HSR_FRAME_STATE = 1 << 2,  /* one render at a time on a prepared object */
   HSR_KNOWN_WRONG = 1 << 3,  /* its picture is wrong sometimes, and shown so */
-  HSR_TRANSPARENCY = 1 << 4, /* fills job->paint->rgb, if asked to */
-  HSR_VISIBLE_ONLY = 1 << 5, /* of segments: all invisibility over 0 is 1 */
-  HSR_INSTANCED = 1 << 6,    /* takes a world that is an outline, too */
-  HSR_FILTERS = 1 << 7,      /* filters by itself, if asked to */
-  HSR_RATHER_LAID_OUT = 1 << 8 /* with HSR_INSTANCED: takes an outline only if
+  HSR_VISIBLE_ONLY = 1 << 4, /* of segments: all invisibility over 0 is 1 */
+  HSR_INSTANCED = 1 << 5,    /* takes a world that is an outline, too */
+  HSR_FILTERS = 1 << 6,      /* filters by itself, if asked to */
+  HSR_RATHER_LAID_OUT = 1 << 7 /* with HSR_INSTANCED: takes an outline only if
                                   instances are apart (algorithms/image_space/area/tiling/grove.h) */
 };
 
@@ -97,13 +96,6 @@ struct hsr_choice {
                            is folded from it */
 };
 
-/* Colours, for an algorithm that draws transparency. All borrowed. */
-struct hsr_paint {
-  const float *face;   /* 3 a face of the world: its colour in this view */
-  float background[3]; /* where there is none */
-  float *rgb; /* answer: 3 a sample, (i, j) at [3 * (j * ids_stride + i)] */
-};
-
 /* Who looks at an answer while it becomes better. The answer is borrowed for the
  * call; passes count from 0. */
 struct hsr_passes {
@@ -128,8 +120,6 @@ struct hsr_job {
   uint32_t *ids;
   size_t ids_stride; /* >= view->m */
 
-  const struct hsr_paint *paint; /* or NULL: ids only */
-
   /* Answer instead of ids, which are NULL then, if this is not NULL; of
    * HSR_FILTERS only, which draw the whole picture then, in one job. `view` is
    * that of the pixels. The sums of pixel (i, j) at sums[3 * (j * view->m +
@@ -137,12 +127,17 @@ struct hsr_job {
   const struct hsr_filtering *filtering;
   uint32_t *sums;
 
+  /* Answer of HSR_TRANSPARENT instead of ids, which are NULL then, if this is
+   * not NULL; of those that make that kind, too: the colour of sample (i, j) at
+   * colours[3 * (j * view->m + i)], for (i, j) in the window. */
+  uint16_t *colours;
+
   /* Answer of HSR_SEGMENTS, which have no ids: the drawing of the whole
    * picture, whatever the window; empty before the call. Grows by itself. */
   struct hsr_drawing *drawing;
 
-  /* The answer itself, of whatever kind. ids, sums and drawing are its body, of
-   * these kinds. NULL: the caller has only those. */
+  /* The answer itself, of whatever kind. ids, sums, colours and drawing are its
+   * body, of these kinds. NULL: the caller has only those. */
   struct hsr_answer *answer;
 
   /* For algorithms that draw in passes: to be called after each. Or NULL. */
@@ -165,6 +160,8 @@ struct hsr_algorithm {
   unsigned subjects; /* what it takes: 1 << HSR_FACES, 1 << HSR_GRID. What takes
                         faces draws a grid by the faces of its cells */
   const struct hsr_answer_type *kind; /* what it makes: HSR_IDS ... */
+  const struct hsr_answer_type *also; /* a further kind that it makes, if asked
+                                         to; or NULL */
   unsigned makes; /* of the first option of that kind, the words that it makes:
                      1 << HSR_OVER ...; the first of them is standard. 0: all */
   unsigned flags;
@@ -203,6 +200,11 @@ static inline uint32_t hsr_most_laid_out(const struct hsr_algorithm *a) {
 struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *algorithm);
 unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
                           const struct hsr_choice *choice);
+
+/* Whether an algorithm can be asked for answers of a kind: it makes them, or they
+ * are folded from what it makes. */
+bool hsr_can_draw(const struct hsr_algorithm *algorithm,
+                  const struct hsr_answer_type *type);
 
 /* Whether the chosen answer is folded from pictures that the algorithm draws,
  * instead of by the algorithm itself. */

@@ -144,6 +144,7 @@ static void open_answer(const struct hsr_setup *setup, struct hsr_job *job) {
   job->ids_stride = (size_t)job->answer->m;
   job->drawing = hsr_answer_drawing_of(job->answer);
   job->sums = hsr_answer_sums_of(job->answer);
+  job->colours = hsr_answer_colours_of(job->answer);
   job->filtering = job->sums ? &setup->filtering : NULL;
 }
 
@@ -153,7 +154,6 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
   job->prepared = setup->prepared;
   job->option = setup->choice.values.option;
   job->real = setup->choice.values.real;
-  job->paint = setup->paint;
   if (!job->passes)
     job->passes = setup->passes;
   if (job->answer)

@@ -32,8 +32,8 @@ struct hsr_setup {
   double adapt_seconds; /* of all, also where there was nothing to change */
   void *prepared;
   double prepare_seconds;
-  const struct hsr_paint *paint;   /* for every job; NULL unless set */
-  const struct hsr_passes *passes; /* likewise, where a job has none */
+  const struct hsr_passes
+      *passes; /* for jobs that have none; NULL unless set */
 };
 
 /* Opens the world of a scene as this algorithm takes it best: laid out, or an
@@ -53,7 +53,7 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                                const struct hsr_world *world,
                                struct hsr_error *err);
 
-/* Renders job->view. The job's world, prepared object, paint and options are
+/* Renders job->view. The job's world, prepared object and options are
  * set here, and where it has an answer, the body of that. Ids are those of the
  * scene's faces; the edges of a drawing, and the faces that it filters, the
  * algorithm names by itself. HSR_E_NOMEM. */

@@ -17,12 +17,18 @@ unsigned hsr_choice_flags(const struct hsr_algorithm *a,
   return flags;
 }
 
+bool hsr_can_draw(const struct hsr_algorithm *a,
+                  const struct hsr_answer_type *type) {
+  return type == a->also || hsr_is_asked_of(type, a->kind);
+}
+
 bool hsr_choice_folds(const struct hsr_algorithm *a,
                       const struct hsr_choice *choice) {
   bool filters =
       a->flags & HSR_FILTERS &&
       hsr_filter_columns(hsr_form_filtering(&choice->form).filter) == HSR_SUB;
-  return choice->form.type != a->kind && !filters;
+  return choice->form.type != a->kind && choice->form.type != a->also &&
+         !filters;
 }
 
 struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *a) {
@@ -37,6 +43,16 @@ struct hsr_variant hsr_variant_standard(const struct hsr_listed *listed) {
   struct hsr_variant variant = {.listed = listed,
                                 .choice = hsr_choice_standard(listed->plain)};
   snprintf(variant.name, sizeof variant.name, "%s", listed->plain->name);
+  return variant;
+}
+
+struct hsr_variant hsr_variant_also(const struct hsr_listed *listed) {
+  struct hsr_variant variant = hsr_variant_standard(listed);
+  struct hsr_form *form = &variant.choice.form;
+  *form = hsr_form_standard(listed->plain->also);
+  const struct hsr_option *first = form->type->options;
+  snprintf(variant.name, sizeof variant.name, "%s:%s=%s", listed->plain->name,
+           first->name, first->words[form->values.option[0]].name);
   return variant;
 }
 
@@ -100,7 +116,7 @@ static const struct hsr_answer_type *find_kind(const struct hsr_algorithm *a,
     const struct hsr_answer_type *type = hsr_answer_types[k];
     if (find_option(type->options, name) < 0)
       continue;
-    if (hsr_is_asked_of(type, a->kind))
+    if (hsr_can_draw(a, type))
       return type;
     if (!found)
       found = type;
@@ -158,7 +174,7 @@ static enum hsr_status choose(struct reading *r, struct hsr_stretch name,
                                       r->text, err);
   }
   const struct hsr_answer_type *type = find_kind(a, name);
-  if (type && hsr_is_asked_of(type, a->kind))
+  if (type && hsr_can_draw(a, type))
     return choose_form(r, type, name, value, err);
   if (type)
     return hsr_fail(err, HSR_E_USAGE,

@@ -200,13 +200,21 @@ static void print_option(const struct hsr_option *o) {
   }
 }
 
+/* Whether a kind is that of some algorithm which is no judge. */
+static bool is_played(const struct hsr_answer_type *kind) {
+  bool any = false;
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+    any |= a->plain->kind == kind && !(a->plain->flags & HSR_JUDGE);
+  return any;
+}
+
 /* Prints the options of the answers that all algorithms of a kind can give. */
 static void print_kind_options(const struct hsr_answer_type *kind) {
   bool any = kind->by_windows;
   for (int k = 0; hsr_answer_types[k]; k++)
     any |= hsr_answer_types[k]->options &&
            hsr_is_asked_of(hsr_answer_types[k], kind);
-  if (!any || kind->fold)
+  if (!any || kind->fold || !is_played(kind))
     return;
   printf("  all that draw %s\n", kind->name);
   if (kind->by_windows)
@@ -221,11 +229,30 @@ static void print_kind_options(const struct hsr_answer_type *kind) {
   }
 }
 
+/* Prints the options of a kind that some algorithms make besides their own, and
+ * who they are. */
+static void print_further_kind(const struct hsr_answer_type *type) {
+  char names[500] = "";
+  size_t n = 0;
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+    if (a->plain->also == type && n < sizeof names)
+      n += (size_t)snprintf(names + n, sizeof names - n, "%s%s", n ? ", " : "",
+                            a->plain->name);
+  if (!n)
+    return;
+  printf("  ");
+  terminal_wrap(stdout, 2, 4, names);
+  for (const struct hsr_option *o = type->options; o && o->name; o++)
+    print_option(o);
+}
+
 /* Prints, below the table, the options that NAME:OPTION=VALUE can choose. */
 static void print_options(void) {
   puts("\nOptions, as in zbuffer:window=64:");
   for (int k = 0; hsr_answer_types[k]; k++)
     print_kind_options(hsr_answer_types[k]);
+  for (int k = 0; hsr_answer_types[k]; k++)
+    print_further_kind(hsr_answer_types[k]);
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
     if (a->plain->options)
       printf("  %s\n", a->plain->name);

@@ -7,15 +7,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Runs an algorithm. The job lacks only the scratch memory; its tally may be
- * NULL. HSR_E_REFUSED; any other failure ends the test program. */
+/* Runs an algorithm, so chosen; NULL: as is standard. The job lacks only the
+ * scratch memory; its tally may be NULL. HSR_E_REFUSED; any other failure ends
+ * the test program. */
 static enum hsr_status try(const struct hsr_algorithm *algorithm,
+                           const struct hsr_choice *choice,
                            const struct hsr_world *world, struct hsr_job job) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_tally own = {.out_of_memory = false};
   struct hsr_setup setup;
-  enum hsr_status status = hsr_setup_init(&setup, algorithm, NULL, world, &err);
+  enum hsr_status status =
+      hsr_setup_init(&setup, algorithm, choice, world, &err);
   job.scratch = &scratch;
   if (!job.tally)
     job.tally = &own;
@@ -32,24 +35,38 @@ static enum hsr_status try(const struct hsr_algorithm *algorithm,
 
 static void draw(const struct hsr_algorithm *algorithm,
                  const struct hsr_world *world, struct hsr_job job) {
-  if (!try(algorithm, world, job))
+  if (!try(algorithm, NULL, world, job))
     return;
   printf("Bail out! %s refuses the scene\n", algorithm->name);
   exit(99);
 }
 
-bool draw_answer(const struct hsr_algorithm *algorithm,
-                 const struct hsr_world *world, const struct hsr_view *view,
-                 struct hsr_answer *answer, struct hsr_tally *tally) {
-  struct hsr_form form = hsr_choice_standard(algorithm).form;
+bool draw_chosen(const struct hsr_algorithm *algorithm,
+                 const struct hsr_choice *choice, const struct hsr_world *world,
+                 const struct hsr_view *view, struct hsr_answer *answer,
+                 struct hsr_tally *tally) {
+  struct hsr_form form =
+      choice ? choice->form : hsr_choice_standard(algorithm).form;
   if (hsr_answer_make(answer, &form, view, false, NULL)) {
     printf("Bail out! no memory for an answer\n");
     exit(99);
   }
   if (form.type->unset)
     form.type->unset(answer);
-  return !try(algorithm, world,
+  return !try(algorithm, choice, world,
               (struct hsr_job){.view = view, .tally = tally, .answer = answer});
+}
+
+bool draw_answer(const struct hsr_algorithm *algorithm,
+                 const struct hsr_world *world, const struct hsr_view *view,
+                 struct hsr_answer *answer, struct hsr_tally *tally) {
+  return draw_chosen(algorithm, NULL, world, view, answer, tally);
+}
+
+struct hsr_choice choose_also(const struct hsr_algorithm *algorithm) {
+  struct hsr_choice choice = hsr_choice_standard(algorithm);
+  choice.form = hsr_form_standard(algorithm->also);
+  return choice;
 }
 
 void draw_ids(const struct hsr_algorithm *algorithm,

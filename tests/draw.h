@@ -35,6 +35,15 @@ bool draw_answer(const struct hsr_algorithm *algorithm,
                  const struct hsr_world *world, const struct hsr_view *view,
                  struct hsr_answer *answer, struct hsr_tally *tally);
 
+/* The same, so chosen; NULL: as is standard. */
+bool draw_chosen(const struct hsr_algorithm *algorithm,
+                 const struct hsr_choice *choice, const struct hsr_world *world,
+                 const struct hsr_view *view, struct hsr_answer *answer,
+                 struct hsr_tally *tally);
+
+/* The standard choice for the kind that the algorithm makes besides its own. */
+struct hsr_choice choose_also(const struct hsr_algorithm *algorithm);
+
 /* The number of samples in the window that differ. */
 long count_differences(const struct hsr_view *view, const uint32_t *a,
                        const uint32_t *b);

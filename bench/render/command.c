@@ -56,6 +56,8 @@ static void print_report(const struct render *r,
     printf("adapted: %s, %u faces, %.1f ms\n", adaptation->name,
            adaptation->n_faces, 1e3 * adaptation->seconds);
   }
+  if (hsr_scene_is_transparent(r->scene) && r->kind != HSR_TRANSPARENT)
+    printf("the scene has transparent faces; they are drawn as opaque ones\n");
   char times[300];
   snprintf(times, sizeof times,
            "ms: import %.1f, build %.1f, adapt %.1f, prepare %.1f, render "
@@ -106,6 +108,18 @@ static enum hsr_status make_all(struct render *r, struct hsr_error *err) {
   return make_series(r, o->first, o->last, err);
 }
 
+/* A scene with transparent faces is drawn transparent, if the algorithm can do
+ * that and nothing else was asked for. */
+static void ask_for_transparency(const struct render *r,
+                                 struct hsr_variant *variant) {
+  const struct render_options *o = r->options;
+  const struct hsr_algorithm *a = variant->listed->plain;
+  if (a->also == HSR_TRANSPARENT && variant->choice.form.type == a->kind &&
+      hsr_scene_is_transparent(r->scene) && !o->given[HSR_SHADING] &&
+      !o->given[HSR_SUPERSAMPLES])
+    variant->choice.form = hsr_form_standard(a->also);
+}
+
 enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   struct render_options options;
   struct hsr_variant variant;
@@ -115,12 +129,13 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   const struct hsr_algorithm *a =
       options.work ? variant.listed->counting : variant.listed->plain;
 
-  struct render r = {.options = &options,
-                     .kind = variant.choice.form.type,
-                     .crew = crew_new(options.threads)};
+  struct render r = {.options = &options, .crew = crew_new(options.threads)};
   status = r.crew ? open_place(&r, a, err) : hsr_fail_nomem(err);
-  if (!status)
+  if (!status) {
+    ask_for_transparency(&r, &variant);
+    r.kind = variant.choice.form.type;
     status = hsr_setup_init(&r.setup, a, &variant.choice, &r.world, err);
+  }
   if (!status)
     status = make_all(&r, err);
   if (!status)

@@ -6,36 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_transparent(const struct hsr_scene *scene) {
-  for (uint32_t o = 0; o < scene->n_objects; o++)
-    if (scene->objects[o].opacity < 1)
-      return true;
-  return false;
-}
-
-/* Lets the algorithm draw the colours: only it knows what lies behind a
- * transparent face. */
-static enum hsr_status ask_for_colours(struct render *r,
-                                       struct hsr_error *err) {
-  size_t n = (size_t)r->view.m * (size_t)r->view.n;
-  uint32_t n_faces = r->world.n_faces;
-  enum hsr_shading shading = r->options->shading;
-  if (!r->rgb) {
-    r->rgb = malloc(3 * n * sizeof *r->rgb);
-    r->face_rgb = malloc(3 * (size_t)n_faces * sizeof *r->face_rgb);
-  }
-  if (!r->rgb || !r->face_rgb)
-    return hsr_fail_nomem(err);
-  for (uint32_t f = 0; f < n_faces; f++)
-    hsr_picture_colour(&r->world, &r->view, f, shading,
-                       r->face_rgb + 3 * (size_t)f);
-  r->paint = (struct hsr_paint){.face = r->face_rgb, .rgb = r->rgb};
-  hsr_picture_colour(&r->world, &r->view, HSR_BACKGROUND, shading,
-                     r->paint.background);
-  r->setup.paint = &r->paint;
-  return HSR_OK;
-}
-
 /* Makes the memory of a picture, or clears it. */
 static enum hsr_status clear(struct render *r, struct hsr_error *err) {
   size_t n = (size_t)r->view.m * (size_t)r->view.n;
@@ -56,11 +26,7 @@ static enum hsr_status clear(struct render *r, struct hsr_error *err) {
 }
 
 enum hsr_status draw_picture(struct render *r, struct hsr_error *err) {
-  const struct hsr_algorithm *a = r->setup.algorithm;
   enum hsr_status status = clear(r, err);
-  if (!status && r->kind == a->kind && a->flags & HSR_TRANSPARENCY &&
-      is_transparent(r->scene))
-    status = ask_for_colours(r, err);
   if (status)
     return status;
   if (r->options->passes || r->options->uncertainty || r->options->certain) {
@@ -86,7 +52,6 @@ struct hsr_showing showing_of(const struct render *r) {
                               .scene = o->scene.name,
                               .shading = o->shading,
                               .depth = true,
-                              .rgb = r->rgb,
                               .supersamples = (int)o->supersamples,
                               .hidden = o->hidden,
                               .crease = o->crease};
@@ -151,10 +116,8 @@ enum hsr_status make_picture(struct render *r, struct hsr_error *err) {
 void render_forget(struct render *r) {
   hsr_answer_free(&r->answer);
   hsr_shaded_free(&r->shaded);
-  free(r->rgb);
-  free(r->face_rgb);
   free(r->work);
-  r->rgb = r->face_rgb = r->work = NULL;
+  r->work = NULL;
 }
 
 void render_close(struct render *r) {

@@ -52,8 +52,7 @@ struct render {
   const struct hsr_answer_type *kind;
   struct hsr_answer answer;
   struct hsr_shaded shaded;
-  float *rgb, *face_rgb, *work;
-  struct hsr_paint paint; /* of an algorithm that draws transparency */
+  float *work;
   struct hsr_tally tally;
   struct hsr_passes passes;
   enum hsr_status pass_status;

@@ -173,7 +173,7 @@ static enum hsr_status shade(struct player *p, const struct hsr_view *view,
   const size_t n = (size_t)view->m * (size_t)view->n;
   if (r->kind == HSR_SEGMENTS)
     return shade_lines(p, view, rgb, err);
-  if (player_ids(p) && laid_out(p) && !r->rgb) {
+  if (player_ids(p) && laid_out(p)) {
     shade_ids(p, view, rgb);
     return HSR_OK;
   }

@@ -12,6 +12,7 @@
 
 #include "common/answers/area.h"
 #include "common/answers/filter.h"
+#include "common/answers/transparent.h"
 #include "common/grids/splatting.h"
 #include "common/base/count.h"
 #include "common/base/option.h"
@@ -89,9 +90,8 @@ struct hsr_showing {
   const char *scene, *title, *description;
   const char *text; /* "key=value" lines for a file's metadata, or NULL */
   enum hsr_shading shading;
-  bool depth;       /* depths are wanted as well */
-  const float *rgb; /* colours of the samples, if the algorithm made them */
-  int supersamples; /* s: s x s samples are averaged; 1: none */
+  bool depth;             /* depths are wanted as well */
+  int supersamples;       /* s: s x s samples are averaged; 1: none */
   enum hsr_hidden hidden; /* how hidden lines are drawn */
   double crease;          /* degrees; negative: all edges */
 };
@@ -209,6 +209,7 @@ int hsr_answer_number(const struct hsr_answer_type *type);
 #define HSR_COMPOSITED (&hsr_answer_composited)
 #define HSR_AREAS (&hsr_answer_area)
 #define HSR_POLYGONS (&hsr_answer_polygons)
+#define HSR_TRANSPARENT (&hsr_answer_transparent)
 
 /* Whether algorithms that make `made` can be asked for `type`: it is what they
  * make, or it is folded from that. */
@@ -235,7 +236,8 @@ double hsr_form_pictures(const struct hsr_form *form,
 
 /* The body of an answer of each of these kinds; NULL for any other kind. Ids
  * are m * n numbers; the sums of a filtered picture are 3 m n; a composited one
- * is 4 m n: red, green, blue, opacity; an area picture is 3 m n intervals. */
+ * is 4 m n: red, green, blue, opacity; an area picture is 3 m n intervals; a
+ * transparent one has 3 m n channels. */
 uint32_t *hsr_answer_ids_of(const struct hsr_answer *answer);
 struct hsr_drawing *hsr_answer_drawing_of(const struct hsr_answer *answer);
 struct hsr_solid_voxels *hsr_answer_voxels_of(const struct hsr_answer *answer);
@@ -243,6 +245,7 @@ uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer);
 uint16_t *hsr_answer_rgba_of(const struct hsr_answer *answer);
 struct hsr_area_bounds *hsr_answer_areas_of(const struct hsr_answer *answer);
 struct hsr_polygons *hsr_answer_polygons_of(const struct hsr_answer *answer);
+uint16_t *hsr_answer_colours_of(const struct hsr_answer *answer);
 
 /* For a form of voxels: how many lie along the longest side of the scene's box.
  */
@@ -263,6 +266,9 @@ struct hsr_splatting hsr_form_splatting(const struct hsr_form *form);
 
 /* What a picture of HSR_AREAS is asked for. */
 struct hsr_area_form hsr_form_area(const struct hsr_form *form);
+
+/* For a form of transparent pictures. */
+enum hsr_mix hsr_form_mix(const struct hsr_form *form);
 
 #ifdef __cplusplus
 }

@@ -104,11 +104,8 @@ static enum hsr_status shade(const struct hsr_answer *answer,
   shaded->rgb = malloc(3 * n * sizeof *shaded->rgb);
   if ((showing->depth && !shaded->depth) || !shaded->rgb)
     return hsr_fail_nomem(err);
-  if (showing->rgb)
-    memcpy(shaded->rgb, showing->rgb, 3 * n * sizeof *shaded->rgb);
   return hsr_picture_finish(showing->world, showing->view, answer->body,
-                            showing->shading, shaded->depth,
-                            showing->rgb ? NULL : shaded->rgb, err);
+                            showing->shading, shaded->depth, shaded->rgb, err);
 }
 
 /* The colours of s x s samples, averaged. */

@@ -3,7 +3,8 @@ nobase_pkginclude_HEADERS += \
   %D%/answer.h \
   %D%/area.h \
   %D%/filter.h \
-  %D%/list.def
+  %D%/list.def \
+  %D%/transparent.h
 libhsr_a_SOURCES += \
   %D%/answer.c \
   %D%/area.c \
@@ -16,4 +17,5 @@ libhsr_a_SOURCES += \
   %D%/list.c \
   %D%/polygons.c \
   %D%/segments.c \
+  %D%/transparent.c \
   %D%/voxels.c

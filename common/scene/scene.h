@@ -46,7 +46,7 @@ struct hsr_object {
   uint32_t n_vertices, n_faces;
   uint32_t cap_vertices, cap_faces, cap_corners; /* room, for the builder */
   float opacity;  /* 0..1; 1, the default, hides all that is behind. Only for
-                     transparency: the ids of a picture ignore it */
+                     transparent pictures: the ids of a picture ignore it */
   bool one_sided; /* back faces do not exist */
   bool moves;     /* its instances may be moved between frames, so nothing that
                      is prepared for a scene may depend on where they are. All
@@ -146,6 +146,14 @@ enum hsr_status hsr_scene_make_faces(struct hsr_scene *scene,
 /* Whether the faces of a finished grid scene are not made. */
 static inline bool hsr_scene_lacks_faces(const struct hsr_scene *scene) {
   return scene->grid && !scene->objects[0].n_faces;
+}
+
+/* Whether an object of the scene is not opaque. */
+static inline bool hsr_scene_is_transparent(const struct hsr_scene *scene) {
+  for (uint32_t o = 0; o < scene->n_objects; o++)
+    if (scene->objects[o].opacity < 1)
+      return true;
+  return false;
 }
 
 /* Enlarges a finished scene, views and all, by a power of two if all of it is

@@ -102,7 +102,7 @@ enum hsr_status hsr_bsp_prepare_bounded(const struct hsr_world *world,
 
 static void clear(const struct hsr_job *job) {
   const struct hsr_window *w = &job->view->window;
-  for (int j = w->y0; j < w->y1; j++)
+  for (int j = w->y0; job->ids && j < w->y1; j++)
     for (int i = w->x0; i < w->x1; i++)
       job->ids[(size_t)j * job->ids_stride + (size_t)i] = HSR_BACKGROUND;
 }
@@ -296,18 +296,27 @@ static void write_loose(struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
   *id = f;
 }
 
+static void write_loose_span(struct hsr_bsp_frame *frame, uint32_t f, int x0,
+                             int x1, int j) {
+  if (frame->glass)
+    hsr_glass_dispute(frame->glass, x0, x1, j);
+  else
+    for (int i = x0; i < x1; i++)
+      write_loose(frame, f, &hsr_bsp_frame_row(frame, j)[i], i, j);
+}
+
 void hsr_bsp_frame_finish(struct hsr_bsp_frame *frame) {
   for (uint32_t k = 0; k < frame->n_loose; k++) {
     uint32_t f = frame->loose[k];
     const struct hsr_bounds *b = &frame->screen.bounds[f];
     for (int j = b->y0; j < b->y1; j++) {
-      uint32_t *row = hsr_bsp_frame_row(frame, j);
       int n = hsr_face_spans(&frame->screen, f, j, frame->columns,
                              frame->job->tally);
-      for (int c = 0; c < n; c += 2)
-        for (int i = frame->columns[c] > b->x0 ? frame->columns[c] : b->x0;
-             i < frame->columns[c + 1] && i < b->x1; i++)
-          write_loose(frame, f, &row[i], i, j);
+      for (int c = 0; c < n; c += 2) {
+        int x0 = frame->columns[c] > b->x0 ? frame->columns[c] : b->x0;
+        int x1 = frame->columns[c + 1] < b->x1 ? frame->columns[c + 1] : b->x1;
+        write_loose_span(frame, f, x0, x1, j);
+      }
     }
   }
 }

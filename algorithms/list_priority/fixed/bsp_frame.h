@@ -13,6 +13,7 @@
 #ifndef HSR_ALGORITHMS_BSP_FRAME_H
 #define HSR_ALGORITHMS_BSP_FRAME_H
 
+#include "algorithms/glass.h"
 #include "algorithms/list_priority/fixed/bsp_walk.h"
 #include "common/exact/order.h"
 
@@ -72,6 +73,7 @@ struct hsr_bsp_frame {
   uint32_t *loose, n_loose; /* in the picture */
   int *columns;             /* room for the columns of a face */
   uint32_t most_corners;    /* of a piece */
+  struct hsr_glass *glass;  /* if the picture is transparent; else NULL */
 
   /* Whether to enter a node's subtree, with the walk's context. NULL, unless
    * the algorithm sets it after hsr_bsp_frame_begin: always. */
@@ -82,7 +84,7 @@ struct hsr_bsp_frame {
   struct hsr_cut *cut;
 };
 
-/* Makes a frame ready for a job, and clears the picture. HSR_E_NOMEM. */
+/* Makes a frame ready for a job, and clears the picture of ids. HSR_E_NOMEM. */
 enum hsr_status hsr_bsp_frame_begin(struct hsr_bsp_frame *frame,
                                     const struct hsr_job *job);
 
@@ -133,7 +135,8 @@ uint32_t hsr_bsp_frame_sides(const struct hsr_bsp_frame *frame,
 bool hsr_bsp_frame_inside(const struct hsr_bsp_frame *frame, uint32_t face,
                           const struct hsr_bsp_side *side, int i, int j);
 
-/* Draws the loose faces, after all others. */
+/* Draws the loose faces, after all others. In a transparent picture, all their
+ * samples are disputed. */
 void hsr_bsp_frame_finish(struct hsr_bsp_frame *frame);
 
 static inline uint32_t *hsr_bsp_frame_row(const struct hsr_bsp_frame *frame,

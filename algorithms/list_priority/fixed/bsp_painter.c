@@ -12,6 +12,8 @@
  * Invariant   the nearest face so far at a sample is the last one painted
  *             there, or the first one filled in
  * Ties        pieces in one plane: the lowest face is painted last, or first
+ * Glass       a transparent face is combined with what it is painted over
+ *             (docs/transparent-picture.md)
  * Departures  faces for which the tree has no place are compared in depth
  *             (bsp_frame.h)
  * Cost        samples of all faces: written, or looked at */
@@ -72,8 +74,8 @@ static const struct hsr_sort front_sorts[] = {
 
 /* --- Samples -------------------------------------------------------------- */
 
-static void paint(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
-                  int i, int j) {
+static void paint(const struct hsr_bsp_frame *frame, uint32_t f, int i, int j) {
+  uint32_t *id = &hsr_bsp_frame_row(frame, j)[i];
   struct hsr_tally *tally = frame->job->tally;
   HSR_TOUCH(tally, i, j);
   HSR_STEP(tally, HSR_BSP_SAMPLES, HSR_FACE(f), HSR_THE_WINDOW, HSR_AT(i, j),
@@ -83,8 +85,19 @@ static void paint(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
   *id = f;
 }
 
-static void fill(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
-                 int i, int j) {
+/* Puts a transparent face, or an opaque one, over what is there. */
+static void paint_glass(const struct hsr_bsp_frame *frame, uint32_t f, int i,
+                        int j) {
+  struct hsr_tally *tally = frame->job->tally;
+  uint16_t *rgb = hsr_glass_at(frame->glass, i, j);
+  HSR_TOUCH(tally, i, j);
+  hsr_glass_over(frame->glass, f, rgb);
+  HSR_ACCEPTED(tally, HSR_BSP_SAMPLES, HSR_FACE(f), HSR_THE_WINDOW,
+               HSR_AT(i, j), rgb);
+}
+
+static void fill(const struct hsr_bsp_frame *frame, uint32_t f, int i, int j) {
+  uint32_t *id = &hsr_bsp_frame_row(frame, j)[i];
   struct hsr_tally *tally = frame->job->tally;
   HSR_TOUCH(tally, i, j);
   if (*id != HSR_BACKGROUND) {
@@ -98,8 +111,8 @@ static void fill(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *id,
 
 /* --- Pieces --------------------------------------------------------------- */
 
-typedef void write_sample(const struct hsr_bsp_frame *frame, uint32_t f,
-                          uint32_t *id, int i, int j);
+typedef void write_sample(const struct hsr_bsp_frame *frame, uint32_t f, int i,
+                          int j);
 
 /* Scan-converts a piece by its spans, row by row. */
 static inline void convert(struct hsr_bsp_frame *frame,
@@ -110,14 +123,13 @@ static inline void convert(struct hsr_bsp_frame *frame,
     return;
   const struct hsr_bounds *b = &piece.bounds;
   for (int j = b->y0; j < b->y1; j++) {
-    uint32_t *row = hsr_bsp_frame_row(frame, j);
     int n = hsr_piece_spans(&frame->screen, piece.face, piece.cuts,
                             piece.n_cuts, j, frame->columns, frame->job->tally);
     for (int c = 0; c < n; c += 2) {
       int x0 = frame->columns[c] > b->x0 ? frame->columns[c] : b->x0;
       int x1 = frame->columns[c + 1] < b->x1 ? frame->columns[c + 1] : b->x1;
       for (int i = x0; i < x1; i++)
-        write(frame, piece.face, &row[i], i, j);
+        write(frame, piece.face, i, j);
     }
   }
 }
@@ -128,10 +140,29 @@ static void paint_piece(void *context, const struct hsr_bsp_piece *piece,
   convert(context, piece, paint);
 }
 
+static void paint_glass_piece(void *context, const struct hsr_bsp_piece *piece,
+                              int facing) {
+  (void)facing;
+  convert(context, piece, paint_glass);
+}
+
 static void fill_piece(void *context, const struct hsr_bsp_piece *piece,
                        int facing) {
   (void)facing;
   convert(context, piece, fill);
+}
+
+static enum hsr_status render_glass(struct hsr_bsp_frame *frame,
+                                    struct hsr_error *err) {
+  struct hsr_glass glass;
+  if (hsr_glass_begin(&glass, frame->job) ||
+      hsr_glass_allow_disputes(&glass, &frame->screen))
+    return hsr_fail_nomem(err);
+  frame->glass = &glass;
+  hsr_bsp_frame_walk(frame, true, frame, paint_glass_piece);
+  hsr_bsp_frame_finish(frame);
+  hsr_glass_settle(&glass, HSR_BSP_THICKNESS, HSR_BSP_SAMPLES);
+  return HSR_OK;
 }
 
 static enum hsr_status render_painter(const struct hsr_job *job,
@@ -139,6 +170,8 @@ static enum hsr_status render_painter(const struct hsr_job *job,
   struct hsr_bsp_frame frame;
   if (hsr_bsp_frame_begin(&frame, job))
     return hsr_fail_nomem(err);
+  if (job->colours)
+    return render_glass(&frame, err);
   hsr_bsp_frame_walk(&frame, true, &frame, paint_piece);
   hsr_bsp_frame_finish(&frame);
   return HSR_OK;
@@ -167,6 +200,7 @@ const struct hsr_algorithm HSR_ALGORITHM(bsp_painter) = {
     .year = 1980,
     .source = "Fuchs et al., On Visible Surface Generation by A Priori Tree "
               "Structures, SIGGRAPH 1980",
+    .also = HSR_TRANSPARENT,
     .sorts = painter_sorts,
     .counters = painter_counters,
     .outline = painter_outline,

@@ -11,6 +11,9 @@
  * Invariant   at every sample the last one painted is the nearest of those
  *             painted so far
  * Ties        those of priority_list.h
+ * Glass       Partial overwriting: a transparent face is combined with what it is
+ *             painted over. Beads end where colours change
+ *             (docs/transparent-picture.md).
  * Departures  Those of priority_list.h. Where one thick face is painted over
  *             another, depths at the samples decide as a bead is merged; these
  *             comparisons are counted apart. The picture is written at the end,
@@ -59,7 +62,7 @@ static const uint32_t NONE = UINT32_MAX;
 struct bead {
   int x0, x1;
   uint32_t face, next;
-  float rgb[3]; /* where colours are asked for */
+  uint16_t rgb[3]; /* in a transparent picture */
 };
 
 static struct bead *bead_at(const struct hsr_newell *s, uint32_t b) {
@@ -146,15 +149,14 @@ static void merge_bead(struct hsr_newell *s, struct bead new, int j) {
 }
 
 static void write_samples(struct hsr_newell *s, struct bead new, int j) {
-  size_t row = (size_t)j * s->job->ids_stride;
   if (new.x0 < new.x1)
-    HSR_STEP(s->tally, HSR_NEWELL_WRITTEN, HSR_FACE(new.face), HSR_THE_WINDOW,
-             HSR_ON(new.x0, new.x1, j), 0);
-  for (int i = new.x0; i < new.x1; i++)
-    s->job->ids[row + (size_t)i] = new.face;
-  float *rgb = s->job->paint ? s->job->paint->rgb + 3 * row : NULL;
-  for (int i = 3 * new.x0; rgb &&i < 3 * new.x1; i++)
-    rgb[i] = new.rgb[(i - 3 * new.x0) % 3];
+    HSR_ACCEPTED(s->tally, HSR_NEWELL_WRITTEN, HSR_FACE(new.face),
+                 HSR_THE_WINDOW, HSR_ON(new.x0, new.x1, j),
+                 s->glass ? new.rgb : NULL);
+  for (int i = new.x0; s->ids &&i < new.x1; i++)
+    s->ids[(size_t)j * s->ids_stride + (size_t)i] = new.face;
+  for (int i = new.x0; s->glass &&i < new.x1; i++)
+    memcpy(hsr_glass_at(s->glass, i, j), new.rgb, sizeof new.rgb);
 }
 
 static void overwrite_opaque(struct hsr_newell *s, struct bead new, int j) {
@@ -164,26 +166,27 @@ static void overwrite_opaque(struct hsr_newell *s, struct bead new, int j) {
     merge_bead(s, new, j);
 }
 
+static struct bead on_frame_buffer(const struct hsr_newell *s, int i, int j,
+                                   int most) {
+  const uint32_t *ids = s->ids + (size_t)j * s->ids_stride;
+  struct bead there = {i, i + 1, ids[i], NONE, {0}};
+  if (s->glass)
+    memcpy(there.rgb, hsr_glass_at(s->glass, i, j), sizeof there.rgb);
+  while (there.x1 < most && ids[there.x1] == ids[i] &&
+         (!s->glass || !memcmp(hsr_glass_at(s->glass, there.x1, j), there.rgb,
+                               sizeof there.rgb)))
+    there.x1++;
+  return there;
+}
+
 /* What is painted at (i, j), as a bead that ends at `most` or before. Where
  * nothing is painted, its face is the background. */
 static struct bead painted(struct hsr_newell *s, int i, int j, int most) {
   struct bead there = {i, most, HSR_BACKGROUND, NONE, {0}};
-  const struct hsr_paint *paint = s->job->paint;
-  if (paint)
-    memcpy(there.rgb, paint->background, sizeof there.rgb);
-  if (s->frame_buffer) {
-    size_t row = (size_t)j * s->job->ids_stride;
-    const uint32_t *ids = s->job->ids + row;
-    const float *rgb = paint ? paint->rgb + 3 * row : NULL;
-    there.face = ids[i];
-    if (rgb)
-      memcpy(there.rgb, rgb + 3 * i, sizeof there.rgb);
-    for (there.x1 = i + 1;
-         there.x1 < most && ids[there.x1] == ids[i] &&
-         (!rgb || !memcmp(rgb + 3 * there.x1, there.rgb, sizeof there.rgb));)
-      there.x1++;
-    return there;
-  }
+  if (s->glass)
+    memcpy(there.rgb, s->glass->background.rgb, sizeof there.rgb);
+  if (s->frame_buffer)
+    return on_frame_buffer(s, i, j, most);
   uint32_t before, b = find_bead(s, j, i, &before);
   if (b == NONE)
     return there;
@@ -197,35 +200,33 @@ static struct bead painted(struct hsr_newell *s, int i, int j, int most) {
   return there;
 }
 
-/* Partial overwriting: a transparent face that is brighter than what lies under
- * it takes its place; otherwise the two are combined. */
-static void overwrite_partly(struct hsr_newell *s, struct bead new,
-                             float opacity, int j) {
-  float brightness = new.rgb[0] + new.rgb[1] + new.rgb[2];
-  for (int i = new.x0, end = new.x1; i < end;) {
-    struct bead under = painted(s, i, j, end), mixed = new;
-    mixed.x0 = i;
-    mixed.x1 = i = under.x1;
-    if (brightness <= under.rgb[0] + under.rgb[1] + under.rgb[2])
-      for (int c = 0; c < 3; c++)
-        mixed.rgb[c] = opacity * new.rgb[c] + (1 - opacity) * under.rgb[c];
-    overwrite_opaque(s, mixed, j);
+/* Partial overwriting: a transparent face is combined with what lies under it. */
+static void overwrite_partly(struct hsr_newell *s, struct bead new, int j) {
+  for (int i = new.x0, end = new.x1; i < end; i = new.x1) {
+    struct bead under = painted(s, i, j, end);
+    new.x0 = i;
+    new.x1 = under.x1;
+    memcpy(new.rgb, under.rgb, sizeof new.rgb);
+    hsr_glass_over(s->glass, new.face, new.rgb);
+    overwrite_opaque(s, new, j);
   }
 }
 
 static void overwrite(struct hsr_newell *s, uint32_t f, int x0, int x1, int j) {
-  const struct hsr_world *world = s->job->world;
   struct bead new = {x0, x1, f, NONE, {0}};
-  if (!s->job->paint) {
-    overwrite_opaque(s, new, j);
-    return;
-  }
-  memcpy(new.rgb, s->job->paint->face + 3 * (size_t)f, sizeof new.rgb);
-  float opacity = world->outline.scene->objects[world->mesh.object[f]].opacity;
-  if (opacity < 1)
-    overwrite_partly(s, new, opacity, j);
+  if (s->glass)
+    memcpy(new.rgb, hsr_glass_tint(s->glass, f)->rgb, sizeof new.rgb);
+  if (s->glass && hsr_is_glass(s->glass, f))
+    overwrite_partly(s, new, j);
   else
     overwrite_opaque(s, new, j);
+}
+
+/* Leaves out f, which is behind g at these samples. If g is transparent, f is
+ * seen through it, in a place that what is painted no longer has. */
+static void leave_out(struct hsr_newell *s, uint32_t g, int x0, int x1, int j) {
+  if (s->glass && hsr_is_glass(s->glass, g))
+    hsr_glass_dispute(s->glass, x0, x1, j);
 }
 
 static bool is_thick(const struct hsr_newell *s, uint32_t f) {
@@ -267,6 +268,10 @@ static void overwrite_thick(struct hsr_newell *s, uint32_t f, int x0, int x1,
       }
     if (first)
       overwrite(s, f, i, lo, j);
+    else
+      leave_out(s, g, i, lo, j);
+    if (first)
+      leave_out(s, g, lo, end, j);
     else if (lo < end)
       overwrite(s, f, lo, end, j);
   }
@@ -300,8 +305,8 @@ static void show_beads(struct hsr_newell *s) {
   const struct hsr_window *w = s->window;
   for (int j = w->y0; j < w->y1; j++) {
     struct bead gap = {w->x0, w->x0, HSR_BACKGROUND, NONE, {0}};
-    if (s->job->paint)
-      memcpy(gap.rgb, s->job->paint->background, sizeof gap.rgb);
+    if (s->glass)
+      memcpy(gap.rgb, s->glass->background.rgb, sizeof gap.rgb);
     for (uint32_t b = s->row[j - w->y0]; b != NONE; b = bead_at(s, b)->next) {
       const struct bead *bead = bead_at(s, b);
       gap.x1 = bead->x0;
@@ -322,7 +327,10 @@ enum hsr_status hsr_newell_reserve(struct hsr_newell *s,
                                    struct hsr_previous *previous,
                                    size_t most_faces) {
   const struct hsr_window *w = &job->view->window;
-  *s = (struct hsr_newell){.job = job, .tally = job->tally};
+  *s = (struct hsr_newell){.job = job,
+                           .tally = job->tally,
+                           .ids = job->ids,
+                           .ids_stride = job->ids_stride};
   s->row = HSR_NEW(job->scratch, uint32_t, (size_t)(w->y1 - w->y0));
   return s->row ? hsr_list_reserve(&s->list, job, screen, previous, most_faces)
                 : HSR_E_NOMEM;
@@ -363,18 +371,41 @@ void hsr_newell_solve(struct hsr_newell *s, const struct hsr_window *window,
   hsr_newell_show(s);
 }
 
+/* A frame buffer tells which face was painted last; a transparent picture does
+ * not. */
+static enum hsr_status reserve_glass(struct hsr_newell *s,
+                                     struct hsr_glass *glass,
+                                     const struct hsr_screen *screen) {
+  const struct hsr_view *view = s->job->view;
+  s->glass = glass;
+  if (s->frame_buffer) {
+    s->ids_stride = (size_t)view->m;
+    s->ids = HSR_NEW(s->job->scratch, uint32_t,
+                     s->ids_stride * (size_t)view->window.y1);
+    if (!s->ids)
+      return HSR_E_NOMEM;
+  }
+  enum hsr_status status = hsr_glass_begin(glass, s->job);
+  return status ? status : hsr_glass_allow_disputes(glass, screen);
+}
+
 static enum hsr_status run(const struct hsr_job *job, bool frame_buffer,
                            struct hsr_previous *previous,
                            struct hsr_error *err) {
   struct hsr_screen screen;
   struct hsr_newell newell;
+  struct hsr_glass glass;
   if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
                       job->tally) ||
       hsr_newell_reserve(&newell, job, &screen, previous, screen.n_relevant))
     return hsr_fail_nomem(err);
   newell.frame_buffer = frame_buffer;
+  if (job->colours && reserve_glass(&newell, &glass, &screen))
+    return hsr_fail_nomem(err);
   hsr_newell_solve(&newell, &job->view->window, screen.relevant,
                    screen.n_relevant);
+  if (job->colours)
+    hsr_glass_settle(&glass, HSR_NEWELL_THICKNESS, HSR_NEWELL_WRITTEN);
   return newell.list.out_of_memory ? hsr_fail_nomem(err) : HSR_OK;
 }
 
@@ -422,7 +453,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell) = {
     .year = 1972,
     .sort_order = "ZYX",
     .coherence = "depth",
-    .flags = HSR_TRANSPARENCY,
+    .also = HSR_TRANSPARENT,
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
@@ -436,7 +467,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_frame_buffer) = {
     .year = 1974,
     .sort_order = "Z(XY)",
     .coherence = "depth",
-    .flags = HSR_TRANSPARENCY,
+    .also = HSR_TRANSPARENT,
     .sorts = sorts_frame_buffer,
     .counters = counters_frame_buffer,
     .steps = steps_frame_buffer,
@@ -450,7 +481,8 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_previous) = {
     .year = 1974,
     .sort_order = "ZYX",
     .coherence = "depth, frame",
-    .flags = HSR_TRANSPARENCY | HSR_FRAME_STATE,
+    .also = HSR_TRANSPARENT,
+    .flags = HSR_FRAME_STATE,
     .sorts = sorts_previous,
     .counters = counters,
     .steps = steps,

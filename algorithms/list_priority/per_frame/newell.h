@@ -4,6 +4,7 @@
 #ifndef HSR_ALGORITHMS_NEWELL_H
 #define HSR_ALGORITHMS_NEWELL_H
 
+#include "algorithms/glass.h"
 #include "algorithms/list_priority/per_frame/priority_list.h"
 
 #ifdef __cplusplus
@@ -15,6 +16,9 @@ struct hsr_newell {
   struct hsr_tally *tally;
   const struct hsr_window *window;
   struct hsr_priority_list list;
+  struct hsr_glass *glass; /* if the picture is transparent; else NULL */
+  uint32_t *ids;           /* the last faces painted, by rows of view->m */
+  size_t ids_stride;
   bool frame_buffer; /* paint on the picture, without beads */
   bool ask_all;      /* all faces are thick */
 
