@@ -6,6 +6,7 @@ oracle_files = \
   %D%/oracle.cc \
   %D%/polygon_oracle.cc \
   %D%/splat_oracle.cc \
+  %D%/transparent_oracle.cc \
   %D%/voxel_oracle.cc
 libhsr_a_SOURCES += bench/registry.c %D%/list.def %D%/rounding.h %D%/surface.h \
   %D%/vectors.h \
