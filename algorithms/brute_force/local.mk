@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 algorithm_files += \
   %D%/null.c \
+  %D%/peel.c \
+  %D%/peel.h \
   %D%/raycast.c \
   %D%/tiler.c \
   %D%/tiler.h \

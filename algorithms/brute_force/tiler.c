@@ -137,7 +137,8 @@ static bool is_nearer(struct hsr_tiler *t, uint32_t id, uint32_t held, int i,
 /* The face is written to the sample. */
 static inline void tell_write(const struct hsr_tiler *t, uint32_t id,
                               uint32_t held, int i, int j) {
-  HSR_STEP(t->tally, HSR_WRITES, HSR_FACE(id), HSR_FACE(held), HSR_AT(i, j), 0);
+  HSR_ACCEPTED(t->tally, HSR_WRITES, HSR_FACE(id), HSR_FACE(held), HSR_AT(i, j),
+               t->glass ? hsr_glass_tint(t->glass, id)->rgb : NULL);
   if (held != HSR_BACKGROUND)
     HSR_STEP(t->tally, HSR_OVERWRITES, HSR_FACE(held), HSR_FACE(id),
              HSR_AT(i, j), 0);

@@ -23,7 +23,7 @@
 #ifndef HSR_ALGORITHMS_TILER_H
 #define HSR_ALGORITHMS_TILER_H
 
-#include "algorithms/algorithm.h"
+#include "algorithms/glass.h"
 #include "common/exact/pair.h"
 
 #ifdef __cplusplus
@@ -183,6 +183,9 @@ struct hsr_tiler {
   void (*lay_out)(void *context);
   void *context;
   struct hsr_pair *pair;
+  /* If the picture is transparent, and the opaque faces are tiled: their
+   * colours. Otherwise NULL. */
+  struct hsr_glass *glass;
 
   struct hsr_window window;
   struct hsr_window part; /* the part being tiled: its samples (i, j) have */

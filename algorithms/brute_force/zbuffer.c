@@ -6,6 +6,7 @@
  * Notation    that of tiler.h, which does the tiling
  * Invariant   that of tiler.h
  * Ties        those of tiler.h
+ * Glass       transparent faces in layers, over the opaque ones: peel.h
  * Departures  none in what is compared: the culls that the paper calls
  *             universally applicable come first
  * Cost        10 H_f^2 F_r predicted
@@ -13,14 +14,16 @@
  * A large picture is cut into parts, which are tiled one after the other in one
  * small memory of depths and ids. The triangles are set up once and sorted into
  * the parts. */
-#include "algorithms/brute_force/tiler.h"
+#include "algorithms/brute_force/peel.h"
 
-static const struct hsr_counter counters[] = {HSR_TILER_COUNTERS, {NULL}};
+static const struct hsr_counter counters[] = {
+    HSR_TILER_COUNTERS, HSR_PEEL_COUNTERS, {NULL}};
 
 static const struct hsr_line outline[] = {
     {"clear the memory: at each raster element, no face"},
     {"for each face"},
     HSR_TILER_LINES("  "),
+    HSR_PEEL_LINES,
     {"show the recorded ids"},
     {NULL}};
 
@@ -42,7 +45,8 @@ enum {
 struct frame {
   const struct hsr_job *job;
   struct hsr_tiler tiler;
-  bool fast; /* triangles only, and samples on the grid */
+  struct hsr_glass *glass; /* if the picture is transparent; else NULL */
+  bool fast;               /* triangles only, and samples on the grid */
   int parts_across, parts_down;
   struct hsr_triangle
       *kept; /* set up, for all parts; NULL if there is but one */
@@ -152,6 +156,12 @@ static enum hsr_status make_memory(struct frame *t) {
   struct hsr_arena *arena = job->scratch;
   const struct hsr_window *w = &tiler->window;
   size_t width = (size_t)(w->x1 - w->x0), height = (size_t)(w->y1 - w->y0);
+  if (t->glass) {
+    tiler->z_stride = tiler->ids_stride = width;
+    tiler->z = HSR_NEW(arena, float, width *height);
+    tiler->ids = HSR_NEW(arena, uint32_t, width * height);
+    return tiler->z && tiler->ids ? HSR_OK : HSR_E_NOMEM;
+  }
   if (!t->fast || width * height <= ONE_PART) {
     tiler->z_stride = width;
     tiler->z = HSR_NEW(arena, float, width *height);
@@ -195,6 +205,7 @@ static enum hsr_status begin_frame(struct frame *t) {
         largest = hsr_face_size(world, f);
 
   hsr_tiler_begin(tiler, job);
+  tiler->glass = t->glass;
   t->fast = tiler->on_grid && world->outline.all_triangles;
   tiler->corner = HSR_NEW(arena, struct hsr_corner, world->mesh.n_vertices);
   tiler->columns = HSR_NEW(arena, int, largest + 4);
@@ -220,12 +231,21 @@ static void tile_batch(struct hsr_tiler *tiler, const struct hsr_batch *b) {
       tile_face_generally(tiler, b->first + (uint32_t)k);
 }
 
+/* Drops the transparent faces of a batch. */
+static void leave_out_glass(struct hsr_glass *glass, struct hsr_batch *b) {
+  for (int k = 0; k < b->n; k++)
+    if (hsr_is_glass(glass, b->first + (uint32_t)k))
+      b->fate[k] = HSR_DROP;
+}
+
 static enum hsr_status tile_triangles(struct frame *t) {
   uint32_t n = t->job->world->n_faces;
   struct hsr_batch batch;
   for (uint32_t f = 0; f < n; f += HSR_BATCH) {
     hsr_tiler_look(&t->tiler, &batch, f,
                    n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
+    if (t->glass)
+      leave_out_glass(t->glass, &batch);
     hsr_tiler_compact(&t->tiler, &batch);
     hsr_tiler_set_up(&t->tiler, &batch);
     if (t->kept)
@@ -236,17 +256,26 @@ static enum hsr_status tile_triangles(struct frame *t) {
   return t->kept ? tile_parts(t) : HSR_OK;
 }
 
+static enum hsr_status tile(struct frame *t) {
+  if (!t->kept)
+    hsr_tiler_begin_part(&t->tiler, t->tiler.window);
+  if (t->fast)
+    return tile_triangles(t);
+  for (uint32_t f = 0; f < t->job->world->n_faces; f++)
+    if (!t->glass || !hsr_is_glass(t->glass, f))
+      tile_face_generally(&t->tiler, f);
+  return HSR_OK;
+}
+
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct frame t = {.job = job};
-  if (begin_frame(&t))
+  struct hsr_glass glass;
+  if (job->colours && hsr_glass_begin(&glass, job))
     return hsr_fail_nomem(err);
-  if (!t.kept)
-    hsr_tiler_begin_part(&t.tiler, t.tiler.window);
-  if (t.fast)
-    return tile_triangles(&t) ? hsr_fail_nomem(err) : HSR_OK;
-  for (uint32_t f = 0; f < job->world->n_faces; f++)
-    tile_face_generally(&t.tiler, f);
+  t.glass = job->colours ? &glass : NULL;
+  if (begin_frame(&t) || tile(&t) || (t.glass && hsr_peel(&glass, &t.tiler)))
+    return hsr_fail_nomem(err);
   return HSR_OK;
 }
 
@@ -261,6 +290,7 @@ const struct hsr_algorithm HSR_ALGORITHM(zbuffer) = {
     .sort_order = "Z(XY)",
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
+    .also = HSR_TRANSPARENT,
     .counters = counters,
     .steps = steps,
     .outline = outline,

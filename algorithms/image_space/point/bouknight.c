@@ -19,6 +19,14 @@
  *             faces take a slight change, which R-432 describes.) On a row 1/t
  *             of a plane is linear, ties included: a face that is nearest at
  *             both limits is so in between.
+ * Glass       A departure, after "Depth Coherence" and the last paragraph of
+ *             "An Untried Sorting Order" in the survey: in a transparent picture
+ *             visible[] is sorted by depth. The order of the last span is where
+ *             the sort begins, so it is an insertion sort. The span ends where
+ *             two neighbours change places. From the first opaque face on the
+ *             faces are combined (docs/transparent-picture.md). At a limit all
+ *             pairs are in order if all neighbours are, and in between 1/t of
+ *             two planes crosses once at most: so the order holds in the span.
  * Ties        by hsr_nearer
  * Departures  those of scan_line.h; a span without a sample is passed over; one
  *             with a single face or none is not searched; at the second limit
@@ -26,9 +34,18 @@
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
  *             of scan_line.h: Table III has one column for Watkins and
  *             Bouknight, though the latter's spans are up to 2 S_l a line */
+#include "algorithms/glass.h"
 #include "algorithms/image_space/point/scan_line.h"
 
-enum { SPAN_CULL = HSR_N_SCAN_COUNTERS, DEPTH_SEARCH, DIVISIONS, SPANS };
+#include <string.h>
+
+enum {
+  SPAN_CULL = HSR_N_SCAN_COUNTERS,
+  DEPTH_SEARCH,
+  DIVISIONS,
+  COMBINED,
+  SPANS
+};
 
 static const struct hsr_counter counters[] = {
     HSR_SCAN_COUNTERS,
@@ -38,6 +55,8 @@ static const struct hsr_counter counters[] = {
                       HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
     [DIVISIONS] = {"span divisions", "spans divided where two faces penetrate",
                    HSR_SUBDIVIDE, HSR_OF_FACE, HSR_OF_FACE},
+    [COMBINED] = {"combined", "transparent faces put over what is behind",
+                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW},
     [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
                HSR_OF_WINDOW},
     {NULL}};
@@ -51,6 +70,8 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(DEPTH_SEARCH)},
     {"    if these are two faces, divide the span where they penetrate",
      HSR_RAISES(DIVISIONS)},
+    {"    put the transparent ones over the nearest opaque one",
+     HSR_RAISES(COMBINED)},
     {"    show the nearest face in the span", HSR_RAISES(SPANS)},
     {NULL}};
 
@@ -73,13 +94,28 @@ static const uint32_t NONE = UINT32_MAX;
 struct scan {
   struct hsr_scan edges; /* Y buckets and X sort list */
   int j;
-  uint32_t *ids; /* of the row */
+  uint32_t *ids;           /* of the row */
+  struct hsr_glass *glass; /* if the picture is transparent; else NULL */
 
-  uint32_t *visible, n_visible;
-  uint32_t *place; /* a face: where it stands in visible[] */
+  uint32_t *visible, n_visible; /* in a transparent picture by depth, except
+                                   for the last ones, which are new */
+  uint32_t *place;              /* a face: where it stands in visible[] */
 };
 
 /* --- Span cull ------------------------------------------------------------ */
+
+static void put_at(struct scan *s, uint32_t f, uint32_t place) {
+  s->visible[place] = f;
+  s->place[f] = place;
+}
+
+/* Takes a face out; the others keep their order. */
+static void take_out(struct scan *s, uint32_t f) {
+  for (uint32_t k = s->place[f] + 1; k < s->n_visible; k++)
+    put_at(s, s->visible[k], k - 1);
+  s->n_visible--;
+  s->place[f] = NONE;
+}
 
 /* Turns the visible bit of an edge's face on or off. `left`: where the next
  * span begins. */
@@ -92,6 +128,8 @@ static void turn_bit(struct scan *s, const struct hsr_scan_edge *edge,
   if (s->place[f] == NONE) {
     s->place[f] = s->n_visible;
     s->visible[s->n_visible++] = f;
+  } else if (s->glass) {
+    take_out(s, f);
   } else {
     uint32_t last = s->visible[--s->n_visible];
     s->visible[s->place[f]] = last;
@@ -102,21 +140,47 @@ static void turn_bit(struct scan *s, const struct hsr_scan_edge *edge,
 
 /* --- Depth search --------------------------------------------------------- */
 
+static bool is_nearer(struct scan *s, uint32_t f, uint32_t g, int i) {
+  HSR_TOUCH(s->edges.tally, i, s->j);
+  bool nearer = hsr_nearer(&s->edges.screen, f, g, i, s->j, s->edges.tally);
+  HSR_STEP(s->edges.tally, DEPTH_SEARCH, HSR_FACE(f), HSR_FACE(g),
+           HSR_AT(i, s->j), nearer);
+  return nearer;
+}
+
 /* The nearest of the visible faces at sample i; `nearest` is one of them. */
 static uint32_t search_depth(struct scan *s, uint32_t nearest, int i) {
   for (uint32_t k = 0; k < s->n_visible; k++) {
     uint32_t f = s->visible[k];
-    if (f == nearest)
-      continue;
-    HSR_TOUCH(s->edges.tally, i, s->j);
-    bool nearer =
-        hsr_nearer(&s->edges.screen, f, nearest, i, s->j, s->edges.tally);
-    HSR_STEP(s->edges.tally, DEPTH_SEARCH, HSR_FACE(f), HSR_FACE(nearest),
-             HSR_AT(i, s->j), nearer);
-    if (nearer)
+    if (f != nearest && is_nearer(s, f, nearest, i))
       nearest = f;
   }
   return nearest;
+}
+
+/* Sorts the visible faces by depth at sample i, from the order that they have.
+ */
+static void sort_by_depth(struct scan *s, int i) {
+  for (uint32_t k = 1; k < s->n_visible; k++) {
+    uint32_t f = s->visible[k], at = k;
+    for (; at && is_nearer(s, f, s->visible[at - 1], i); at--)
+      put_at(s, s->visible[at - 1], at);
+    put_at(s, f, at);
+  }
+}
+
+/* Up to where in [left, right) the order of sample `left` holds. */
+static int order_end(struct scan *s, int left, int right) {
+  for (uint32_t k = 1; k < s->n_visible && left + 1 < right; k++) {
+    uint32_t f = s->visible[k - 1], g = s->visible[k];
+    if (is_nearer(s, f, g, right - 1))
+      continue;
+    HSR_STEP(s->edges.tally, DIVISIONS, HSR_FACE(f), HSR_FACE(g),
+             HSR_ON(left, right, s->j), 0);
+    right = hsr_scan_crossing(&s->edges, f, g, true, left, right, s->j,
+                              DEPTH_SEARCH);
+  }
+  return right;
 }
 
 /* --- Sample spans --------------------------------------------------------- */
@@ -145,7 +209,43 @@ static void show_span(struct scan *s, uint32_t first, uint32_t last, int left,
   write_span(s, first, left, right);
 }
 
+/* The colour of the visible faces, from the first opaque one on. */
+static void combine(struct scan *s, int left, int right, uint16_t rgb[3]) {
+  uint32_t k = 0;
+  while (k < s->n_visible && hsr_is_glass(s->glass, s->visible[k]))
+    k++;
+  if (k == s->n_visible)
+    hsr_glass_clear(s->glass, rgb);
+  else
+    hsr_glass_over(s->glass, s->visible[k], rgb);
+  (void)left, (void)right; /* for the trace */
+  while (k--) {
+    HSR_STEP(s->edges.tally, COMBINED, HSR_FACE(s->visible[k]), HSR_THE_WINDOW,
+             HSR_ON(left, right, s->j), 0);
+    hsr_glass_over(s->glass, s->visible[k], rgb);
+  }
+}
+
+/* A span of a transparent picture, divided where the order in depth changes. */
+static void decide_glass(struct scan *s, int left, int right) {
+  for (int end; left < right; left = end) {
+    uint16_t rgb[3] = {0};
+    sort_by_depth(s, left);
+    end = order_end(s, left, right);
+    combine(s, left, end, rgb);
+    HSR_ACCEPTED(s->edges.tally, SPANS,
+                 HSR_FACE(s->n_visible ? s->visible[0] : HSR_BACKGROUND),
+                 HSR_THE_WINDOW, HSR_ON(left, end, s->j), rgb);
+    HSR_TOUCH_SPAN(s->edges.tally, left, end, s->j);
+    hsr_glass_show(s->glass, rgb, left, end, s->j);
+  }
+}
+
 static void decide_span(struct scan *s, int left, int right) {
+  if (s->glass) {
+    decide_glass(s, left, right);
+    return;
+  }
   uint32_t first = HSR_BACKGROUND, last = HSR_BACKGROUND;
   if (s->n_visible) {
     first = search_depth(s, s->visible[0], left);
@@ -190,13 +290,17 @@ static enum hsr_status allocate(struct scan *s) {
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct scan scan = {.n_visible = 0};
-  if (hsr_scan_begin(&scan.edges, job) || allocate(&scan))
+  struct hsr_glass glass;
+  if (hsr_scan_begin(&scan.edges, job) || allocate(&scan) ||
+      (job->colours && hsr_glass_begin(&glass, job)))
     return hsr_fail_nomem(err);
+  scan.glass = job->colours ? &glass : NULL;
 
   const struct hsr_window *w = &job->view->window;
   for (scan.j = w->y0; scan.j < w->y1; scan.j++) {
     hsr_scan_advance(&scan.edges, scan.j);
-    scan.ids = job->ids + (size_t)scan.j * job->ids_stride;
+    if (job->ids)
+      scan.ids = job->ids + (size_t)scan.j * job->ids_stride;
     scan_row(&scan);
   }
   return HSR_OK;
@@ -216,6 +320,7 @@ const struct hsr_algorithm HSR_ALGORITHM(bouknight) = {
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
+    .also = HSR_TRANSPARENT,
     .sorts = sorts,
     .counters = counters,
     .steps = steps,

@@ -50,6 +50,12 @@
  *             visible and makes the new Z list out of the old one. For segments
  *             that overlapped on the line before, the old numbers decide.
  *
+ * Glass       The paper: the involved list makes available an ordered set of
+ *             surfaces at each point, and thus transparency. From the first
+ *             opaque segment of the list on, towards its front, segments are
+ *             combined (docs/transparent-picture.md). This is done anew
+ *             wherever the list changes.
+ *
  * What came of it
  *             Depths are not compared line by line, but for implied edges: the
  *             comparisons of the Z sort depend on the faces and hardly on the
@@ -70,6 +76,7 @@
  *             F_r^2 f^2 / 2 pairs overlap on the screen, and the extents of
  *             each are compared once. A fraction f of them overlap in depth
  *             too, and take at most the eight vertices of two rectangles */
+#include "algorithms/glass.h"
 #include "algorithms/image_space/point/scan_line.h"
 
 #include <string.h>
@@ -82,6 +89,7 @@ enum {
   SEGMENTS,
   KEPT,
   PRIORITY,
+  COMBINED,
   SPANS
 };
 
@@ -107,6 +115,8 @@ static const struct hsr_counter counters[] = {
               HSR_SORT, HSR_OF_FACE, HSR_OF_FACE},
     [PRIORITY] = {"priority tests", "priority numbers compared", HSR_COMPARE,
                   HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [COMBINED] = {"combined", "transparent segments put over what is behind",
+                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW},
     [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
                HSR_OF_WINDOW},
     {NULL}};
@@ -129,6 +139,8 @@ static const struct hsr_line outline[] = {
     {"            if none tells: divide the face that ends sooner",
      HSR_RAISES(DIVISIONS)},
     {"    a right end: delete the segment from the list"},
+    {"    put the transparent ones of those involved over the first opaque one",
+     HSR_RAISES(COMBINED)},
     {"    show the first of those involved where another begins to be it",
      HSR_RAISES(SPANS)},
     {"  number the segments in the order of the Z list"},
@@ -234,7 +246,8 @@ struct scan {
   const struct hsr_screen *screen;
   struct hsr_tally *tally;
   int j;
-  uint32_t *ids; /* of the row */
+  uint32_t *ids;           /* of the row */
+  struct hsr_glass *glass; /* if the picture is transparent; else NULL */
   bool out_of_memory;
 
   struct strips *strips;     /* a face */
@@ -723,28 +736,69 @@ static void write_span(struct scan *s, uint32_t id, int left, int right) {
     s->ids[i] = id;
 }
 
+/* The colour of the involved segments, from the first opaque one on. */
+static void combine(struct scan *s, int left, int right, uint16_t rgb[3]) {
+  const struct segment *a = s->lists.far[INVOLVED];
+  while (a != &s->lists && hsr_is_glass(s->glass, a->face))
+    a = a->far[INVOLVED];
+  if (a == &s->lists)
+    hsr_glass_clear(s->glass, rgb);
+  else
+    hsr_glass_over(s->glass, a->face, rgb);
+  (void)left, (void)right; /* for the trace */
+  for (a = a->near[INVOLVED]; a != &s->lists; a = a->near[INVOLVED]) {
+    HSR_STEP(s->tally, COMBINED, HSR_FACE(a->face), HSR_THE_WINDOW,
+             HSR_ON(left, right, s->j), 0);
+    hsr_glass_over(s->glass, a->face, rgb);
+  }
+}
+
+/* A span between two changes of the involved list. */
+static void write_glass(struct scan *s, int left, int right) {
+  uint16_t rgb[3] = {0};
+  if (left == right)
+    return;
+  combine(s, left, right, rgb);
+  HSR_ACCEPTED(s->tally, SPANS, HSR_FACE(s->lists.far[INVOLVED]->face),
+               HSR_THE_WINDOW, HSR_ON(left, right, s->j), rgb);
+  HSR_TOUCH_SPAN(s->tally, left, right, s->j);
+  hsr_glass_show(s->glass, rgb, left, right, s->j);
+}
+
+/* Where the span ends: at the end of a segment that comes next, number k. */
+static int span_end(const struct scan *s, size_t k) {
+  return k < s->now.n ? s->now.end[k].key >> 1 : s->edges.window->x1;
+}
+
 /* Passes the ends from left to right. Between two of them the first of the
- * involved segments is visible. In the end the Z list is numbered. */
-static void scan_row(struct scan *s) {
+ * involved segments is visible. */
+static void pass_ends(struct scan *s) {
   const struct hsr_window *w = s->edges.window;
-  empty_lists(s);
-  s->n_known = s->latest = s->n_new = 0;
   int left = w->x0;
   uint32_t visible = HSR_BACKGROUND;
   size_t k = 0;
-  for (int column = w->x0; column < w->x1;) {
+  for (int column = w->x0, end; column < w->x1; column = end) {
     for (; k < s->now.n && s->now.end[k].key >> 1 <= column; k++)
       pass_end(s, s->now.end[k]);
+    end = span_end(s, k);
     uint32_t id = s->lists.far[INVOLVED]->face;
-    if (id != visible && left < column) {
+    if (s->glass) {
+      write_glass(s, column, end);
+    } else if (id != visible && left < column) {
       write_span(s, visible, left, column);
       left = column;
     }
     visible = id;
-    column = k < s->now.n ? s->now.end[k].key >> 1 : w->x1;
   }
-  write_span(s, visible, left, w->x1);
+  if (!s->glass)
+    write_span(s, visible, left, w->x1);
+}
 
+/* Passes the ends of the row. In the end the Z list is numbered. */
+static void scan_row(struct scan *s) {
+  empty_lists(s);
+  s->n_known = s->latest = s->n_new = 0;
+  pass_ends(s);
   uint32_t number = 0;
   for (struct segment *z = s->lists.far[Z_LIST]; z != &s->lists;
        z = z->far[Z_LIST])
@@ -784,12 +838,16 @@ static enum hsr_status allocate(struct scan *s) {
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct scan scan = {.screen = &scan.edges.screen, .tally = job->tally};
-  if (hsr_scan_begin(&scan.edges, job) || allocate(&scan))
+  struct hsr_glass glass;
+  if (hsr_scan_begin(&scan.edges, job) || allocate(&scan) ||
+      (job->colours && hsr_glass_begin(&glass, job)))
     return hsr_fail_nomem(err);
+  scan.glass = job->colours ? &glass : NULL;
 
   const struct hsr_window *w = &job->view->window;
   for (scan.j = w->y0; scan.j < w->y1; scan.j++) {
-    scan.ids = job->ids + (size_t)scan.j * job->ids_stride;
+    if (job->ids)
+      scan.ids = job->ids + (size_t)scan.j * job->ids_stride;
     hsr_scan_advance(&scan.edges, scan.j);
     find_crossings(&scan);
     find_segments(&scan);
@@ -815,6 +873,7 @@ const struct hsr_algorithm HSR_ALGORITHM(yzx) = {
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
+    .also = HSR_TRANSPARENT,
     .sorts = sorts,
     .counters = counters,
     .steps = steps,

@@ -29,11 +29,16 @@
  *             because it touches another or the eye grazes it. Such faces are
  *             called thick. They are compared in depth with what is visible
  *             without them; these comparisons are counted apart.
+ * Glass       A departure: the hardware found one pair, the first. In a
+ *             transparent picture the pairs behind it are found as well, up to
+ *             the first opaque one. Thick faces are inserted by comparisons in
+ *             depth. Then all are combined (docs/transparent-picture.md).
  * Cost        intra-cluster priority 100 F_c^2 C_t, by the adapter
  *             `priorities`, not per frame; inter-cluster priority 10 C_t, but
  *             of the clusters into which those of the scene had to be split;
  *             back-face cull F_r, Y cull n E_s, X sort and priority search
  *             n m S_l */
+#include "algorithms/glass.h"
 #include "algorithms/list_priority/fixed/cluster_order.h"
 #include "common/base/bits.h"
 #include "common/base/vector.h"
@@ -49,6 +54,7 @@ enum {
   PRIORITY,
   PAIRS,
   THICKNESS,
+  COMBINED,
   SHOWN
 };
 
@@ -78,6 +84,8 @@ static const struct hsr_counter counters[] = {
                    "comparisons in depth with faces that are not flat and have "
                    "no place in the list",
                    HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "farther|nearer"},
+    [COMBINED] = {"combined", "transparent faces put over what is behind",
+                  HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW},
     [SHOWN] = {"samples shown", "samples at which a face is visible",
                HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
     {NULL, NULL}};
@@ -99,6 +107,8 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(PRIORITY)},
     {"    compare it in depth with thick faces that are there",
      HSR_RAISES(THICKNESS)},
+    {"    put the transparent ones over the first opaque one",
+     HSR_RAISES(COMBINED)},
     {"    show its face", HSR_RAISES(SHOWN)},
     {NULL}};
 
@@ -197,6 +207,8 @@ struct schumacker {
   struct pairs pairs;
   uint32_t n_thick_pairs; /* the last ones */
   int *columns;
+  struct hsr_glass *glass; /* if the picture is transparent; else NULL */
+  uint32_t *over;          /* then: room for the faces at an element */
 };
 
 /* --- Cluster priority, and the list --------------------------------------- */
@@ -502,6 +514,13 @@ static void count_search(const struct schumacker *s, uint32_t begin,
   }
 }
 
+static bool is_thick_nearer(struct schumacker *s, uint32_t f, uint32_t g, int i,
+                            int j) {
+  bool nearer = hsr_nearer(&s->screen, f, g, i, j, s->tally);
+  HSR_STEP(s->tally, THICKNESS, HSR_FACE(f), HSR_FACE(g), HSR_AT(i, j), nearer);
+  return nearer;
+}
+
 /* The face that is visible at (i, j): the given one, or the background, or a
  * thick face. */
 static uint32_t search_thick(struct schumacker *s, uint32_t visible, int i,
@@ -510,14 +529,7 @@ static uint32_t search_thick(struct schumacker *s, uint32_t visible, int i,
     uint32_t f = s->pairs.face[k];
     if (!is_there(&s->pairs, k, i - s->window->x0))
       continue;
-    if (visible == HSR_BACKGROUND) {
-      visible = f;
-      continue;
-    }
-    bool nearer = hsr_nearer(&s->screen, f, visible, i, j, s->tally);
-    HSR_STEP(s->tally, THICKNESS, HSR_FACE(f), HSR_FACE(visible), HSR_AT(i, j),
-             nearer);
-    if (nearer)
+    if (visible == HSR_BACKGROUND || is_thick_nearer(s, f, visible, i, j))
       visible = f;
   }
   return visible;
@@ -543,8 +555,56 @@ static void search(struct schumacker *s, int i, int end, int j) {
   }
 }
 
+/* Lists the faces at (i, j) in over[], by priority. Returns how many. */
+static uint32_t list_over(struct schumacker *s, int i, int j) {
+  uint32_t n = 0;
+  for (uint32_t k = 0; k < s->pairs.n; k++) {
+    if (!is_there(&s->pairs, k, i - s->window->x0))
+      continue;
+    uint32_t f = s->pairs.face[k], at = n++;
+    bool thick = k >= s->pairs.n - s->n_thick_pairs;
+    for (; thick && at && is_thick_nearer(s, f, s->over[at - 1], i, j); at--)
+      s->over[at] = s->over[at - 1];
+    s->over[at] = f;
+  }
+  return n;
+}
+
+/* Combines the faces at (i, j), from the first opaque one on. */
+static void search_glass(struct schumacker *s, int i, int j) {
+  uint16_t *rgb = hsr_glass_at(s->glass, i, j);
+  uint32_t n = list_over(s, i, j), k = 0;
+  HSR_TOUCH(s->tally, i, j);
+  if (!n)
+    return;
+  while (k < n && hsr_is_glass(s->glass, s->over[k]))
+    k++;
+  if (k < n)
+    hsr_glass_over(s->glass, s->over[k], rgb);
+  while (k--) {
+    HSR_STEP(s->tally, COMBINED, HSR_FACE(s->over[k]), HSR_THE_WINDOW,
+             HSR_AT(i, j), 0);
+    hsr_glass_over(s->glass, s->over[k], rgb);
+  }
+  HSR_ACCEPTED(s->tally, SHOWN, HSR_FACE(s->over[0]), HSR_THE_WINDOW,
+               HSR_AT(i, j), rgb);
+}
+
+static void search_row_of_glass(struct schumacker *s, int j) {
+  uint32_t n_ordered = s->pairs.n - s->n_thick_pairs;
+  for (int i = s->window->x0; i < s->window->x1; i++) {
+    count_search(s, 0, n_ordered, i, j);
+    count_search(s, n_ordered, s->pairs.n, i, j);
+    search_glass(s, i, j);
+  }
+}
+
 static void search_row(struct schumacker *s, int j) {
   const struct hsr_window *w = s->window;
+  if (s->glass) {
+    search_row_of_glass(s, j);
+    return;
+  }
   for (int i = w->x0; i < w->x1; i += ELEMENTS)
     search(s, i, i + ELEMENTS < w->x1 ? i + ELEMENTS : w->x1, j);
 }
@@ -567,12 +627,14 @@ static enum hsr_status allocate_counters(struct schumacker *s) {
   pairs->l = HSR_NEW(arena, int16_t, n_pairs);
   pairs->r = HSR_NEW(arena, int16_t, n_pairs);
   s->columns = HSR_NEW(arena, int, most_corners + 4);
+  s->over = HSR_NEW(arena, uint32_t, n_pairs);
   struct intercepts *found = &s->intercepts;
   found->edge = HSR_NEW(arena, uint32_t, s->edges.n);
   found->line = HSR_NEW(arena, struct hsr_edge, s->edges.n);
   found->column = HSR_NEW(arena, int, s->edges.n);
   return pairs->face && pairs->left && pairs->right && pairs->l && pairs->r &&
-                 s->columns && found->edge && found->line && found->column
+                 s->columns && s->over && found->edge && found->line &&
+                 found->column
              ? HSR_OK
              : HSR_E_NOMEM;
 }
@@ -597,8 +659,11 @@ static enum hsr_status render(const struct hsr_job *job,
   hsr_screen_vertices(&s->screen);
   hsr_screen_planes(&s->screen);
   HSR_COMPUTED(s->tally, INTRA_CLUSTER, s->clusters->pair_tests);
-  if (make_list(s) || make_edges(s) || allocate_counters(s))
+  struct hsr_glass glass;
+  if (make_list(s) || make_edges(s) || allocate_counters(s) ||
+      (job->colours && hsr_glass_begin(&glass, job)))
     return hsr_fail_nomem(err);
+  s->glass = job->colours ? &glass : NULL;
   for (int j = s->window->y0; j < s->window->y1; j++) {
     if ((j - s->window->y0) % BAND == 0)
       begin_band(s, j);
@@ -623,6 +688,7 @@ const struct hsr_algorithm HSR_ALGORITHM(schumacker) = {
     .restrictions = HSR_CF | HSR_LS | HSR_NP | HSR_TP,
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
+    .also = HSR_TRANSPARENT,
     .sorts = sorts,
     .counters = counters,
     .steps = steps,
