@@ -13,7 +13,7 @@ hsr_build hsr_build_house, hsr_build_harbor, hsr_build_big_harbor;
 hsr_build hsr_build_color_cube, hsr_build_color_sides, hsr_build_sphere,
     hsr_build_terrain, hsr_build_twist, hsr_build_office, hsr_build_traffic,
     hsr_build_tower, hsr_build_bare_tower, hsr_build_soup, hsr_build_lattice,
-    hsr_build_rooms;
+    hsr_build_rooms, hsr_build_greenhouse, hsr_build_panes;
 
 /* worlds/cells.c */
 hsr_build hsr_build_checker_cube, hsr_build_grid;

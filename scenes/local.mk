@@ -17,6 +17,7 @@ libhsr_a_SOURCES += \
   %D%/parts/shapes.c \
   %D%/parts/shapes.h \
   %D%/worlds/cells.c \
+  %D%/worlds/greenhouse.c \
   %D%/worlds/house.c \
   %D%/worlds/office.c \
   %D%/worlds/random.c \

@@ -112,11 +112,15 @@ const struct hsr_builtin hsr_builtins[] = {
      .least = {1, 0},
      .most = {100, 100},
      .build = hsr_build_rooms},
+    PLAIN("greenhouse", hsr_build_greenhouse,
+          "panes between bars, plants, a vase and water: transparent faces"),
     SEEDED("soup", hsr_build_soup, 1000, 1, 10000000,
            "N random triangles that penetrate one another"),
     SEEDED("lattice", hsr_build_lattice, 200, 1, 1000000,
            "N random polygons with small integer coordinates, seen so that "
            "vertices, edges and planes meet the samples"),
+    SEEDED("panes", hsr_build_panes, 60, 1, 1000000,
+           "the same, with opacities from 0 to 1"),
     SIZED("checker-cube", hsr_build_checker_cube, 12, 3, 256,
           "a hollow cube of N x N x N cells in red and white blocks, after "
           "Swan: 40 and 60 in his figures"),

@@ -58,6 +58,11 @@ void hsr_pen_matrix(double m[12], double x, double y, double z, int quarters) {
   memcpy(m, rows, sizeof rows);
 }
 
+void hsr_pen_glass(struct hsr_pen *pen, double opacity) {
+  if (!pen->status)
+    pen->scene->objects[pen->object].opacity = (float)opacity;
+}
+
 void hsr_pen_frame(struct hsr_pen *pen, double x, double y, double z,
                    int quarters) {
   hsr_pen_matrix(pen->m, x, y, z, quarters);

@@ -30,6 +30,9 @@ void hsr_pen_paint(struct hsr_pen *pen, unsigned colour);
 void hsr_pen_palette(struct hsr_pen *pen, uint32_t i); /* any i: 12 colours */
 void hsr_pen_rgb(struct hsr_pen *pen, double r, double g, double b);
 
+/* How opaque the object being drawn is, 0 to 1. */
+void hsr_pen_glass(struct hsr_pen *pen, double opacity);
+
 /* The frame: origin (x, y, z), turned by quarters about the y axis, which take
  * the z axis to the x axis. Coordinates on one axis-parallel plane stay on
  * one. */

@@ -163,3 +163,28 @@ enum hsr_status hsr_build_lattice(struct hsr_scene *scene,
   views_from_face(&pen);
   return pen.status;
 }
+
+/* The faces of a lattice in objects of different opacities. They are drawn from
+ * one sequence, so that what is transparent lies before, behind and in the
+ * planes of what is opaque. */
+enum hsr_status hsr_build_panes(struct hsr_scene *scene,
+                                const long long *parameter) {
+  static const double opacity[] = {1, 0.5, 0.25, 0.75, 0, 0.9, 0.5};
+  enum { OBJECTS = sizeof opacity / sizeof *opacity };
+  long long n = parameter[0];
+  struct hsr_random random = {(uint64_t)parameter[1] + 0x70616e65};
+  struct hsr_pen pen;
+  hsr_pen_init(&pen, scene);
+  for (int k = 0; k < OBJECTS; k++) {
+    long long first = n * k / OBJECTS, end = n * (k + 1) / OBJECTS;
+    if (first == end)
+      continue;
+    hsr_pen_object(&pen, "panes", k == OBJECTS - 1);
+    hsr_pen_glass(&pen, opacity[k]);
+    lattice_faces(&pen, &random, end - first);
+    hsr_pen_place(&pen, NULL);
+  }
+  lattice_views(&pen);
+  views_from_face(&pen);
+  return pen.status;
+}

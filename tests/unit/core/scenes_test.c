@@ -48,6 +48,9 @@ static const struct {
              {"tower:40", 0xaf9c59cbb6aab7e4, 0xa198a97b12450d32},
              {"rooms", 0x2635d7c2df9667b0, 0x19b1c5b9c8495174},
              {"rooms:3:50", 0x60a76b03871b0e54, 0xa6e2b2a1e611faff},
+             {"greenhouse", 0x63caa5a27b9405cf, 0x801fc53e54c4497b},
+             {"panes", 0xc72b8ac4e354ed49, 0xc8f2d73fffb3ab76},
+             {"panes:40:7", 0x8c7142731c8f7413, 0xde5b114c4974da77},
              {"soup", 0x09cd6f8287df6eec, 0xe2f28953fa2319f1},
              {"soup:100:7", 0x258c9a8fbb04398c, 0xa91990140ef9c1f1},
              {"lattice", 0x3177b0ca5e6c6b16, 0xad865c6288d8bd3e},
@@ -106,6 +109,8 @@ static uint64_t hash_geometry(const struct hsr_scene *scene) {
   for (uint32_t o = 0; o < scene->n_objects; o++) {
     const struct hsr_object *object = &scene->objects[o];
     mix(&hash, object->one_sided);
+    if (object->opacity < 1)
+      mix(&hash, (uint64_t)(65536 * (double)object->opacity));
     mix_doubles(&hash, object->xyz, 3 * (size_t)object->n_vertices);
     mix_numbers(&hash, object->start, (size_t)object->n_faces + 1);
     mix_numbers(&hash, object->vertex, object->start[object->n_faces]);
