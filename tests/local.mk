@@ -39,6 +39,7 @@ tap_programs = \
   %D%/unit/core/triage_test \
   %D%/unit/algorithms/variant_test \
   %D%/unit/core/world_test \
+  %D%/conformance/glass_test \
   %D%/conformance/lattice_test \
   %D%/conformance/line_lattice_test \
   %D%/conformance/trace_test \
@@ -77,6 +78,7 @@ tap_programs = \
   %D%/properties/lines/lines_and_surfaces_test \
   %D%/properties/tiling/merged_test \
   %D%/properties/metamorphic_test \
+  %D%/properties/surfaces/glass_claims_test \
   %D%/properties/surfaces/newell_test \
   %D%/properties/lines/roberts_test \
   %D%/properties/surfaces/list_outcomes_test \
@@ -302,6 +304,7 @@ EXTRA_DIST += \
   %D%/mutants/areas.mutants \
   %D%/mutants/bounded.mutants \
   %D%/mutants/exact.mutants \
+  %D%/mutants/glass.mutants \
   %D%/mutants/hierarchical.mutants \
   %D%/mutants/image_space.mutants \
   %D%/tree/apart \

@@ -522,7 +522,7 @@ static void paint(struct frames *f, const struct hsr_event *event) {
   const struct hsr_answer_type *type = f->run->answer.drawn.form.type;
   if (!event->part) {
     fill(f, &event->window, face_colour(f, event->a.id[0]));
-  } else if (type == &hsr_answer_composited) {
+  } else if (type == &hsr_answer_composited || type == HSR_TRANSPARENT) {
     fill(f, &event->window, composited_colour(event->part));
   } else if (type == &hsr_answer_area) {
     fill(f, &event->window, area_colour(event->part));

@@ -4,12 +4,13 @@
 enum hsr_status trace_check(const struct hsr_variant *variant,
                             struct hsr_error *err) {
   const struct hsr_algorithm *a = variant->listed->counting;
+  const struct hsr_answer_type *type = variant->choice.form.type;
   const char *why = NULL;
   if (a->flags & HSR_JUDGE)
     why = "a judge has no steps to trace";
   else if (a->flags & HSR_NO_PICTURE)
     why = "it draws nothing";
-  else if (variant->choice.form.type != a->kind || !a->kind->paint)
+  else if ((type != a->kind && type != a->also) || !type->paint)
     why = "answers of this kind are not traced";
   else if (!a->outline)
     why = "it has no outline yet, and cannot be traced";

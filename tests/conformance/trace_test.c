@@ -28,9 +28,14 @@ enum {
   N = 24
 };
 
+static const char *const transparent[] = {"greenhouse", "panes:30",
+                                          "panes:40:5", "house", "non-planar"};
+enum { N_TRANSPARENT = sizeof transparent / sizeof *transparent };
+
 /* The events of one run. */
 struct heard {
   const struct hsr_algorithm *algorithm;
+  const struct hsr_answer_type *kind;
   uint64_t n[HSR_MAX_COUNTERS];
   uint64_t bad_subjects, bad_outcomes, bad_order;
   struct hsr_answer painted;
@@ -71,8 +76,7 @@ static void listen(void *context, const struct hsr_event *event) {
       !is_subject(event->a, counter->a) || !is_subject(event->b, counter->b);
   heard->bad_outcomes +=
       event->outcome < 0 || event->outcome >= n_outcomes(counter);
-  if (counter->kind == HSR_ACCEPT &&
-      heard->algorithm->kind->paint(&heard->painted, event))
+  if (counter->kind == HSR_ACCEPT && heard->kind->paint(&heard->painted, event))
     abort();
 }
 
@@ -110,7 +114,7 @@ static bool is_equal(const struct hsr_answer *got,
 
 static bool is_repainted(struct heard *heard, const struct hsr_answer *drawn,
                          const struct hsr_view *view, const char *scene) {
-  const struct hsr_answer_type *kind = heard->algorithm->kind;
+  const struct hsr_answer_type *kind = heard->kind;
   char who[100];
   snprintf(who, sizeof who, "%s, %s", heard->algorithm->name, scene);
   if (kind->settle && kind->settle(&heard->painted))
@@ -119,22 +123,23 @@ static bool is_repainted(struct heard *heard, const struct hsr_answer *drawn,
          is_equal(drawn, &heard->painted, view, who);
 }
 
-/* One scene by one algorithm. */
-static bool check_scene(const struct hsr_algorithm *a, const char *name,
+/* One scene by one algorithm, so chosen. */
+static bool check_scene(const struct hsr_algorithm *a,
+                        const struct hsr_choice *choice, const char *name,
                         int *n_drawn) {
   struct both_worlds worlds;
   open_worlds(&worlds, name);
   struct hsr_view view;
-  struct hsr_form form = hsr_choice_standard(a).form;
-  struct heard heard = {.algorithm = a};
+  const struct hsr_form *form = &choice->form;
+  struct heard heard = {.algorithm = a, .kind = form->type};
   if (hsr_view_init(&view, &worlds.scene->views[0], M, N, NULL) ||
-      hsr_answer_make(&heard.painted, &form, &view, false, NULL))
+      hsr_answer_make(&heard.painted, form, &view, false, NULL))
     abort();
   struct hsr_trace trace = {.listen = listen, .context = &heard};
   struct hsr_tally tally = {.trace = &trace};
   struct hsr_answer drawn;
   bool good = true;
-  if (draw_answer(a, &worlds.world, &view, &drawn, &tally)) {
+  if (draw_chosen(a, choice, &worlds.world, &view, &drawn, &tally)) {
     ++*n_drawn;
     good = are_counts_equal(&heard, &tally, name);
     good &= is_repainted(&heard, &drawn, &view, name);
@@ -174,28 +179,52 @@ static bool is_player(const struct hsr_algorithm *a) {
   return !(a->flags & (HSR_JUDGE | HSR_NO_PICTURE)) && a->kind->paint;
 }
 
+static void check_algorithm(struct tap *tap, const struct hsr_algorithm *a) {
+  struct hsr_choice choice = hsr_choice_standard(a);
+  bool good = true;
+  int n_drawn = 0;
+  bool takes_faces = a->subjects & 1 << HSR_FACES;
+  ok(tap, has_outline(a), "%s: each counter belongs to a line", a->name);
+  for (int s = 0; s < (takes_faces ? N_SCENES : N_GRIDS); s++)
+    good &=
+        check_scene(a, &choice, takes_faces ? scenes[s] : grids[s], &n_drawn);
+  ok(tap, good && n_drawn > 3,
+     "%s: events are its counts, and repaint its answer, on %d scenes", a->name,
+     n_drawn);
+}
+
+/* The further kind that it makes. */
+static void check_also(struct tap *tap, const struct hsr_algorithm *a) {
+  struct hsr_choice choice = choose_also(a);
+  bool good = true;
+  int n_drawn = 0;
+  for (int s = 0; s < N_TRANSPARENT; s++)
+    good &= check_scene(a, &choice, transparent[s], &n_drawn);
+  ok(tap, good && n_drawn > 3, "%s: and likewise its %s answer, on %d scenes",
+     a->name, a->also->name, n_drawn);
+}
+
+static bool is_asked(const char *name, int argc, char **argv) {
+  bool asked = argc == 1;
+  for (int k = 1; k < argc; k++)
+    asked |= !strcmp(argv[k], name);
+  return asked;
+}
+
 /* usage: trace_test [NAME...]      only these algorithms; standard: all */
 int main(int argc, char **argv) {
   int n = 0;
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
-    n += is_player(a->plain);
-  struct tap tap = plan(argc > 1 ? 2 * (argc - 1) : 2 * n);
+    if (is_player(a->plain) && is_asked(a->plain->name, argc, argv))
+      n += a->plain->also ? 3 : 2;
+  struct tap tap = plan(n);
   for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
     const struct hsr_algorithm *a = l->counting;
-    bool asked = argc == 1;
-    for (int k = 1; k < argc; k++)
-      asked |= !strcmp(argv[k], a->name);
-    if (!asked || !is_player(a))
+    if (!is_player(a) || !is_asked(a->name, argc, argv))
       continue;
-    ok(&tap, has_outline(a), "%s: each counter belongs to a line", a->name);
-    bool good = true;
-    int n_drawn = 0;
-    bool takes_faces = a->subjects & 1 << HSR_FACES;
-    for (int s = 0; s < (takes_faces ? N_SCENES : N_GRIDS); s++)
-      good &= check_scene(a, takes_faces ? scenes[s] : grids[s], &n_drawn);
-    ok(&tap, good && n_drawn > 3,
-       "%s: events are its counts, and repaint its answer, on %d scenes",
-       a->name, n_drawn);
+    check_algorithm(&tap, a);
+    if (a->also)
+      check_also(&tap, a);
   }
   return finish(&tap);
 }

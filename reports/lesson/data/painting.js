@@ -10,8 +10,10 @@ const ROOM = 1 << 24; // samples of all keyframes
 export function painting(run) {
   return { ids: idsPainting, composited: (own) => channelsPainting(own, 4, (c) => c),
     area: (own) => channelsPainting(own, 6, middles),
-    filtered: (own) => channelsPainting(own, 3, whole, sumsOf(own)), segments: segmentsPainting,
-    polygons: polygonsPainting, voxels: voxelsPainting }[run.kind](run);
+    filtered: (own) => channelsPainting(own, 3, whole, sumsOf(own)),
+    transparent: (own) =>
+      channelsPainting(own, 3, (c) => [...c, 65535], own.trace.parts, BACKGROUND),
+    segments: segmentsPainting, polygons: polygonsPainting, voxels: voxelsPainting }[run.kind](run);
 }
 
 // --- samples: an Int32Array of what was written to each; values[k] by event k ---
@@ -114,8 +116,12 @@ function idsPainting(run) {
   return { ...own, equal };
 }
 
-// --- composited, area and filtered: places in the list of parts, from 1; 0 if all parts are
-//     not there. Samples that are not written stay black. ---
+// --- composited, area, filtered and transparent: places in the list of parts, from 1;
+//     0 if all parts are not there. Samples that are not written stay black, or as the
+//     background is in a transparent picture. ---
+
+// The background of a transparent picture: hsr_filter_colour of HSR_BACKGROUND.
+const BACKGROUND = [3604, 4587, 6554];
 
 // Of intervals of red, green and blue, as composited samples have them.
 const middles = (bounds) => [...[0, 2, 4].map((k) =>
@@ -139,8 +145,10 @@ function sumsOf({ trace, accepts, width: m }) {
 }
 
 // Of `many` numbers a sample; parts: what an accepted event makes of it;
-// shown(numbers): its red, green, blue and opacity.
-function channelsPainting(run, many, shown, parts = run.trace.parts) {
+// shown(numbers): its red, green, blue and opacity; nothing: what a sample holds that
+// is not written.
+function channelsPainting(run, many, shown, parts = run.trace.parts,
+  nothing = Array(many).fill(0)) {
   const { width: m, height: n, trace } = run;
   const own = samplesPainting(run, trace.part, () => {
     const all = new Int32Array(m * n);
@@ -171,7 +179,7 @@ function channelsPainting(run, many, shown, parts = run.trace.parts) {
     return touched;
   };
   const equal = () => own.at(run.n).every((value, k) => {
-    const got = numbers(value, run.n) ?? Array(many).fill(0);
+    const got = numbers(value, run.n) ?? nothing;
     return got.every((c, place) => c === answer[k][place]);
   });
   return { ...own, colour, touches, equal };

@@ -134,7 +134,8 @@ export function picture(canvas, run) {
   };
 
   const drawn = { ids: drawIds, composited: drawComposited, area: drawComposited,
-    filtered: drawComposited, segments: drawSegments, polygons: drawPolygons, voxels: drawVoxels };
+    filtered: drawComposited, transparent: drawComposited,
+    segments: drawSegments, polygons: drawPolygons, voxels: drawVoxels };
 
   // --- what is done now ---
 
