@@ -189,7 +189,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static const struct argp argp = {
     (const struct argp_option[]){
         {"algorithms", 'a', "A,B,...", 0,
-         "judge these, patterns allowed (standard: all that draw)", 0},
+         "judge these, patterns allowed (standard: all that draw, and those "
+         "that "
+         "draw transparent faces once more with mix=linear)",
+         0},
         {"size", 's', "MxN,...", 0, "samples (standard: 97x61)", 0},
         {"views", 'n', "N", 0,
          "the first N views of each scene; more are made up if it has fewer "
@@ -253,9 +256,12 @@ static void set_standards(struct check_options *o) {
   }
   o->all_algorithms = !o->n_algorithms;
   if (o->all_algorithms)
-    for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+    for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
       if (is_judged(a->plain))
         o->algorithm[o->n_algorithms++] = hsr_variant_standard(a);
+      if (is_judged(a->plain) && a->plain->also)
+        o->algorithm[o->n_algorithms++] = hsr_variant_also(a);
+    }
 }
 
 /* --- All groups of a scene ------------------------------------------------ */
