@@ -74,6 +74,7 @@ tap_programs = \
   %D%/properties/hierarchical/raycast_test \
   %D%/properties/hierarchical/zz_buffer_test \
   %D%/properties/hierarchical/steps_test \
+  %D%/properties/tiling/counts_test \
   %D%/properties/tiling/lazy_test \
   %D%/properties/lines/lines_and_surfaces_test \
   %D%/properties/tiling/merged_test \
@@ -250,6 +251,7 @@ claims = %D%/properties/hierarchical/claims.c %D%/properties/hierarchical/claims
 %C%_properties_hierarchical_pvs_test_SOURCES = %D%/properties/hierarchical/pvs_test.c $(claims)
 %C%_properties_hierarchical_cell_sets_test_SOURCES = %D%/properties/hierarchical/cell_sets_test.c $(claims)
 %C%_properties_hierarchical_queries_test_SOURCES = %D%/properties/hierarchical/queries_test.c $(claims)
+%C%_properties_tiling_counts_test_SOURCES = %D%/properties/tiling/counts_test.c $(claims)
 %C%_properties_hierarchical_boxes_test_SOURCES = %D%/properties/hierarchical/boxes_test.cc
 %C%_properties_tiling_voxels_test_SOURCES = %D%/properties/tiling/voxels_test.cc
 %C%_properties_tiling_tiling_test_LDADD = libdraw.a $(BENCH_LIBS)

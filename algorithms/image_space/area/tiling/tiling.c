@@ -20,15 +20,24 @@
 #include "algorithms/image_space/area/tiling/frame.h"
 #include "algorithms/image_space/area/tiling/loose.h"
 #include "algorithms/image_space/area/tiling/grove.h"
+#include "common/base/bits.h"
 
 #include <stdlib.h>
 
-enum { LEAF, INTERVALS, MASKS, START, CUBES };
+enum { LEAF, INTERVALS, MASKS, START, CUBES, COUNTS };
 enum { MASKS_EXACT, MASKS_TABLE };
 enum { START_BOX, START_ROOT };
 enum { CUBES_TESTED, CUBES_DRAWN };
+enum { COUNTS_OFF, COUNTS_ON };
 
-enum { PIECES = HSR_TILING_COUNTERS, PIECES_HIDDEN, LOOSE, LOOSE_SHOWN };
+enum {
+  PIECES = HSR_TILING_COUNTERS,
+  PIECES_HIDDEN,
+  PIECES_LEFT_OUT,
+  CELLS_EXHAUSTED,
+  LOOSE,
+  LOOSE_SHOWN
+};
 
 /* --- Once ----------------------------------------------------------------- */
 
@@ -89,9 +98,41 @@ struct frame {
   struct hsr_tiling tiling;
   struct hsr_bsp_waiting *waiting;
   struct hsr_loose loose;
-  uint32_t first_id; /* of the tree at hand */
-  uint32_t instance; /* it is that one's tree, or HSR_NO_ID */
+  uint32_t first_id;         /* of the tree at hand */
+  uint32_t instance;         /* it is that one's tree, or HSR_NO_ID */
+  struct hsr_mask_sink sink; /* to the canvas; counts what is covered first */
 };
+
+/* --- Counts of visible samples -------------------------------------------- */
+
+static void cover_samples(void *context, int x, int y, uint64_t mask) {
+  struct frame *f = context;
+  const struct hsr_mask_sink *sink = &f->tiling.sink;
+  hsr_masks_covered(&f->tiling.masks, x, y, 8, (uint32_t)hsr_count_bits(mask));
+  sink->samples(sink->context, x, y, mask);
+}
+
+static void cover_square(void *context, int x, int y, int size) {
+  struct frame *f = context;
+  const struct hsr_mask_sink *sink = &f->tiling.sink;
+  const struct hsr_window *w = &f->tiling.masks.window;
+  int x1 = x + size < w->x1 ? x + size : w->x1;
+  int y1 = y + size < w->y1 ? y + size : w->y1;
+  hsr_masks_covered(&f->tiling.masks, x, y, size,
+                    (uint32_t)((x1 - x) * (y1 - y)));
+  sink->square(sink->context, x, y, size);
+}
+
+static enum hsr_status begin_counts(struct frame *f) {
+  f->sink = f->tiling.sink;
+  if (f->job->option[COUNTS] == COUNTS_OFF)
+    return HSR_OK;
+  f->sink = (struct hsr_mask_sink){cover_samples, cover_square, f};
+  f->tiling.masks.count.exhausted = CELLS_EXHAUSTED;
+  return hsr_masks_counts_init(&f->tiling.masks, f->job->scratch);
+}
+
+/* --- A frame -------------------------------------------------------------- */
 
 static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
   const struct prepared *p = job->prepared;
@@ -105,7 +146,7 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
     f->tiling.masks.sample_tables = p->sample_tables + hsr_tiling_pattern(job);
   f->waiting = HSR_NEW(job->scratch, struct hsr_bsp_waiting,
                        hsr_bsp_most_waiting(grove->most_depth));
-  if (!f->waiting)
+  if (!f->waiting || begin_counts(f))
     return HSR_E_NOMEM;
   return grove->is_whole
              ? hsr_loose_begin(&f->loose, &grove->whole, &f->tiling.view,
@@ -120,12 +161,30 @@ static bool is_visible(struct frame *f, const struct hsr_box *box,
                           f->job->option[CUBES] == CUBES_TESTED);
 }
 
+/* The same of a cube with polygons, whose visible samples are counted. */
+static bool is_any_left(struct frame *f, const struct hsr_box *box,
+                        const double shift[3], struct hsr_subject cube) {
+  struct hsr_tiling *t = &f->tiling;
+  bool known;
+  hsr_tiling_whom(t, cube);
+  const struct hsr_mask_polygon *silhouette =
+      hsr_pieces_silhouette(&t->pieces, box, shift, &known);
+  t->masks.counts->cube = 0;
+  if (!known || !silhouette)
+    return !known;
+  bool visible = hsr_masks_count(&t->masks, silhouette, t->pieces.box) > 0;
+  hsr_tiling_asked(t, visible);
+  return visible;
+}
+
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
   struct frame *f = context;
   struct hsr_pieces_view *pieces = &f->tiling.pieces;
   uint32_t number = (uint32_t)(cube - pieces->bsp->cube);
-  if (!is_visible(f, &cube->tight, pieces->shift,
-                  HSR_CELL(number, f->instance, 0)))
+  bool counts = f->tiling.masks.counts && cube->root != HSR_NO_BSP &&
+                f->job->option[CUBES] == CUBES_TESTED;
+  if (!(counts ? is_any_left : is_visible)(f, &cube->tight, pieces->shift,
+                                           HSR_CELL(number, f->instance, 0)))
     return false;
   if (cube->root != HSR_NO_BSP)
     hsr_pieces_leaf(pieces, cube);
@@ -138,8 +197,15 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   struct hsr_tiling *t = &f->tiling;
   struct hsr_pieces_view *pieces = &t->pieces;
   uint32_t id = f->first_id + piece->face;
+  const struct hsr_mask_counts *counts = t->masks.counts;
   if (f->loose.is_loose && f->loose.is_loose[piece->face])
     return;
+  if (counts && counts->cube && !counts->all) {
+    HSR_STEP(f->job->tally, PIECES_LEFT_OUT,
+             HSR_PIECE(id, (uint32_t)(piece - pieces->bsp->piece)), HSR_NOTHING,
+             HSR_NOWHERE, 0);
+    return;
+  }
   if (!hsr_pieces_take(pieces, piece, facing))
     return;
   struct hsr_subject subject =
@@ -151,10 +217,10 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   hsr_canvas_face(&t->canvas, id);
   if (f->job->option[START] == START_ROOT) {
     hsr_pieces_outline(pieces);
-    hsr_masks_tile_root(&t->masks, &pieces->polygon, &t->sink);
+    hsr_masks_tile_root(&t->masks, &pieces->polygon, &f->sink);
   } else if (hsr_masks_find(&t->masks, pieces->box)) {
     hsr_pieces_outline(pieces);
-    hsr_masks_tile_found(&t->masks, &pieces->polygon, &t->sink);
+    hsr_masks_tile_found(&t->masks, &pieces->polygon, &f->sink);
   } else {
     HSR_STEP(f->job->tally, PIECES_HIDDEN, subject, HSR_THE_WINDOW, window, 0);
   }
@@ -210,6 +276,8 @@ static enum hsr_status render(const struct hsr_job *job,
     tile_tree(&f, &p->grove.whole, still, 0, HSR_NO_ID);
   else
     tile_instances(&f, 0);
+  if (f.tiling.masks.counts)
+    f.tiling.masks.counts->cube = 0;
   hsr_tiling_background(&f.tiling);
   hsr_loose_draw(&f.loose, job->ids, job->ids_stride);
   return HSR_OK;
@@ -224,6 +292,12 @@ static const struct hsr_counter counters[] = {
                 HSR_ACTIVATE, HSR_OF_PIECE, HSR_OF_WINDOW},
     [PIECES_HIDDEN] = {"pieces hidden", "of these, those whose box is hidden",
                        HSR_REJECT, HSR_OF_PIECE, HSR_OF_WINDOW},
+    [PIECES_LEFT_OUT] = {"pieces left out",
+                         "in cubes of which no counted sample is left",
+                         HSR_REJECT, HSR_OF_PIECE, HSR_OF_NOTHING},
+    [CELLS_EXHAUSTED] = {"cells exhausted",
+                         "not entered: none of their counted samples is left",
+                         HSR_REJECT, HSR_OF_CELL, HSR_OF_FACE},
     HSR_LOOSE_COUNTERS(LOOSE, LOOSE_SHOWN),
     {NULL}};
 
@@ -232,9 +306,13 @@ static const struct hsr_line outline[] = {
     HSR_TILING_CUBE_LINES,
     {"  for each polygon of its BSP tree, from front to back",
      HSR_RAISES(PIECES)},
+    {"    skip it if no visible sample of the cube is left",
+     HSR_RAISES(PIECES_LEFT_OUT)},
     {"    if the box is hidden in the cell that encloses it: skip the polygon",
      HSR_RAISES(PIECES_HIDDEN)},
     HSR_TILING_CELL_LINES,
+    {"        but for those where none of the cube's visible samples is left",
+     HSR_RAISES(CELLS_EXHAUSTED)},
     HSR_TILING_SAMPLE_LINE,
     {"display the background in what is vacant"},
     HSR_LOOSE_LINES(LOOSE, LOOSE_SHOWN),
@@ -283,6 +361,17 @@ static const struct hsr_option options[] = {
                         0},
                        {"drawn", "all are gone through", 0},
                        {NULL, NULL, 0}}},
+    [COUNTS] = {.name = "counts",
+                .meaning = "whether the visible samples of a cube with "
+                           "polygons are counted (thesis, 4.6.3)",
+                .words =
+                    (const struct hsr_word[]){
+                        {"off", "the first one ends the test of the cube", 0},
+                        {"on",
+                         "all are, in each mask, and masks where none is left "
+                         "are passed over",
+                         0},
+                        {NULL, NULL, 0}}},
     {.name = NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(tiling) = {

@@ -550,6 +550,68 @@ static const struct hsr_mask_twin *choose_twin(void) {
   return &portable;
 }
 
+/* --- Counts of visible samples --------------------------------------------- */
+
+static uint32_t *left_of(const struct hsr_masks *p,
+                         const struct hsr_mask_cell *cell) {
+  const struct hsr_mask_counts *counts = p->counts;
+  bool counted = counts->stamp[cell->level][cell->number] == counts->cube;
+  return counted ? &counts->left[cell->level][cell->number] : NULL;
+}
+
+/* The subcells of `a` but those of which it is known that nothing of the cube at
+ * hand is left to be seen. */
+static uint64_t not_exhausted(const struct hsr_masks *p,
+                              const struct hsr_mask_cell *cell, uint64_t a) {
+  if (!p->counts || !p->counts->cube)
+    return a;
+  for (uint64_t rest = a; rest; rest &= rest - 1) {
+    int bit = hsr_first_bit(rest);
+    struct hsr_mask_cell sub = subcell(cell, bit);
+    const uint32_t *left = left_of(p, &sub);
+    if (!left || *left)
+      continue;
+    a &= ~((uint64_t)1 << bit);
+    HSR_STEP(p->count.tally, p->count.exhausted,
+             HSR_CELL(sub.level, (sub.x - p->window.x0) / sub.size,
+                      (sub.y - p->window.y0) / sub.size),
+             p->count.whom, window_of(p, &sub), 0);
+  }
+  return a;
+}
+
+void hsr_masks_covered(struct hsr_masks *p, int x, int y, int size,
+                       uint32_t n) {
+  struct hsr_mask_counts *counts = p->counts;
+  struct hsr_mask_cell cell = root_of(p);
+  struct hsr_bounds at = {x, y, x + 1, y + 1};
+  if (!counts->cube)
+    return;
+  counts->all -= n < counts->all ? n : counts->all;
+  for (;; cell = subcell(&cell, hsr_first_bit(subcells_of(&cell, &at)))) {
+    uint32_t *left = left_of(p, &cell);
+    if (left)
+      *left -= n < *left ? n : *left;
+    if (is_finest(p, &cell) || cell.size <= size)
+      return;
+  }
+}
+
+enum hsr_status hsr_masks_counts_init(struct hsr_masks *p,
+                                      struct hsr_arena *arena) {
+  struct hsr_mask_counts *counts =
+      HSR_NEW_ZEROED(arena, struct hsr_mask_counts, 1);
+  p->counts = counts;
+  for (int level = 0; counts && level < p->n_levels; level++) {
+    size_t n = hsr_masks_cells(p, level);
+    counts->stamp[level] = HSR_NEW_ZEROED(arena, uint32_t, n);
+    counts->left[level] = HSR_NEW(arena, uint32_t, n);
+    if (!counts->stamp[level] || !counts->left[level])
+      return HSR_E_NOMEM;
+  }
+  return counts ? HSR_OK : HSR_E_NOMEM;
+}
+
 /* --- Listing 1 ------------------------------------------------------------ */
 
 /* What is done in a cell that listing 1 comes to. Each says whether that is
@@ -674,7 +736,7 @@ static inline bool tile_coarse(const struct task *t,
   uint64_t w = mask->v & polygon.c;
   mask->c |= w;
   mask->v &= ~w;
-  *a = ~(w | polygon.v | mask->c) & in;
+  *a = not_exhausted(t->masks, cell, ~(w | polygon.v | mask->c) & in);
   count_visit(t->masks, cell, w | *a);
   write_squares(t, cell, w);
   return false;
@@ -717,6 +779,65 @@ static bool shows(const struct task *t, const struct hsr_mask_cell *cell,
   static const struct purpose asking = {look_finest, look_coarse, clear_vacant,
                                         pass_by, go_away};
   return tile_poly(t, cell, list, n, &asking, shows);
+}
+
+/* To count the samples that the polygon may cover and that are not covered. */
+
+static void begin_count(const struct task *t,
+                        const struct hsr_mask_cell *cell) {
+  struct hsr_mask_counts *counts = t->masks->counts;
+  counts->stamp[cell->level][cell->number] = counts->cube;
+  counts->left[cell->level][cell->number] = 0;
+}
+
+static bool count_finest(const struct task *t, const struct hsr_mask_cell *cell,
+                         const uint32_t *list, uint32_t n) {
+  struct hsr_masks *p = t->masks;
+  uint64_t unsure;
+  uint64_t open =
+      ~p->finest[cell->number] &
+      candidates(p, t->polygon, cell, list, n, pattern_of(p, cell), &unsure);
+  p->counts->left[cell->level][cell->number] = (uint32_t)hsr_count_bits(open);
+  count_visit(p, cell, open);
+  return false;
+}
+
+/* Vacant subcells within the polygon are not entered. */
+static bool count_coarse(const struct task *t, const struct hsr_mask_cell *cell,
+                         struct hsr_triage polygon, uint64_t in, uint64_t *a) {
+  struct hsr_masks *p = t->masks;
+  const struct hsr_triage *mask = mask_of(p, cell);
+  uint64_t open = in & ~mask->c & ~polygon.v;
+  uint64_t whole = open & polygon.c & mask->v;
+  uint32_t *left = &p->counts->left[cell->level][cell->number];
+  count_visit(p, cell, open);
+  *a = open & ~whole;
+  for (; whole; whole &= whole - 1) {
+    struct hsr_mask_cell sub = subcell(cell, hsr_first_bit(whole));
+    struct hsr_window w = window_of(p, &sub);
+    *left += (uint32_t)((w.x1 - w.x0) * (w.y1 - w.y0));
+  }
+  return false;
+}
+
+static void begin_subcell(const struct task *t,
+                          const struct hsr_mask_cell *cell,
+                          const struct hsr_mask_cell *sub) {
+  clear_vacant(t, cell, sub);
+  begin_count(t, sub);
+}
+
+static void add_subcell(const struct task *t, const struct hsr_mask_cell *cell,
+                        const struct hsr_mask_cell *sub) {
+  uint32_t *const *left = t->masks->counts->left;
+  left[cell->level][cell->number] += left[sub->level][sub->number];
+}
+
+static bool count(const struct task *t, const struct hsr_mask_cell *cell,
+                  const uint32_t *list, uint32_t n) {
+  static const struct purpose counting = {count_finest, count_coarse,
+                                          begin_subcell, add_subcell, go_away};
+  return tile_poly(t, cell, list, n, &counting, count);
 }
 
 /* To take a visitor along. */
@@ -842,6 +963,23 @@ bool hsr_masks_show_found(struct hsr_masks *p,
                           const struct hsr_mask_polygon *polygon) {
   struct task task = {.masks = p, .polygon = polygon, .box = p->box};
   return shows(&task, &p->way[p->n_way - 1], p->all, polygon->n);
+}
+
+uint32_t hsr_masks_count(struct hsr_masks *p,
+                         const struct hsr_mask_polygon *polygon,
+                         struct hsr_bounds box) {
+  struct hsr_mask_counts *counts = p->counts;
+  struct task task = {.masks = p, .polygon = polygon, .box = box};
+  counts->cube = 0;
+  counts->all = 0;
+  if (!hsr_masks_find(p, box))
+    return 0;
+  const struct hsr_mask_cell *cell = &p->way[p->n_way - 1];
+  counts->cube = ++counts->cubes;
+  begin_count(&task, cell);
+  count(&task, cell, p->all, polygon->n);
+  counts->all = counts->left[cell->level][cell->number];
+  return counts->all;
 }
 
 /* --- For those who go through the pyramid by themselves ------------------- */

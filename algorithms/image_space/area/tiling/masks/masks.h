@@ -45,6 +45,9 @@ extern "C" {
 #define hsr_masks_tile_rest HSR_OF_BUILD(hsr_masks_tile_rest)
 #define hsr_masks_show HSR_OF_BUILD(hsr_masks_show)
 #define hsr_masks_show_found HSR_OF_BUILD(hsr_masks_show_found)
+#define hsr_masks_counts_init HSR_OF_BUILD(hsr_masks_counts_init)
+#define hsr_masks_count HSR_OF_BUILD(hsr_masks_count)
+#define hsr_masks_covered HSR_OF_BUILD(hsr_masks_covered)
 #define hsr_masks_visit HSR_OF_BUILD(hsr_masks_visit)
 #define hsr_masks_root HSR_OF_BUILD(hsr_masks_root)
 #define hsr_masks_subcell HSR_OF_BUILD(hsr_masks_subcell)
@@ -114,10 +117,12 @@ struct hsr_mask_places {
  * tally. `whom` is the face or the cube for which cells are visited. */
 struct hsr_mask_count {
   struct hsr_tally *tally;
-  int cells;  /* a cell is visited */
-  int finest; /* a cell of the finest level is, too */
-  int pixels; /* a cell of one or more pixels is, too */
-  int unsure; /* a sample is put to the exact predicates */
+  int cells;     /* a cell is visited */
+  int finest;    /* a cell of the finest level is, too */
+  int pixels;    /* a cell of one or more pixels is, too */
+  int unsure;    /* a sample is put to the exact predicates */
+  int exhausted; /* a subcell is not entered: none of its counted samples is
+                    left; raised only where samples are counted */
   struct hsr_subject whom;
 };
 
@@ -126,6 +131,16 @@ struct hsr_mask_count {
 #define HSR_MASK_VISIT_OUTCOMES "done|active"
 
 enum { HSR_MASK_LEVELS = 6 };
+
+/* Counts of visible samples (thesis, 4.6.3): how many samples of a cell are
+ * within the silhouette of the cube at hand and not covered. A cell without the
+ * cube's stamp has no count. */
+struct hsr_mask_counts {
+  uint32_t *stamp[HSR_MASK_LEVELS], *left[HSR_MASK_LEVELS]; /* a cell */
+  uint32_t cube;  /* its stamp; 0: no cube is at hand */
+  uint32_t cubes; /* stamps that have been given */
+  uint32_t all;   /* left of the whole silhouette */
+};
 
 struct hsr_masks {
   struct hsr_window window;                   /* cells begin at (x0, y0) */
@@ -151,6 +166,7 @@ struct hsr_masks {
   bool anywhere; /* a sample may be anywhere in its square, by jitter */
   const struct hsr_mask_twin *twin;
   struct hsr_mask_count count;
+  struct hsr_mask_counts *counts; /* of visible samples; NULL: none are kept */
   int pixel; /* samples a side of a pixel of the work picture */
 };
 
@@ -200,6 +216,24 @@ bool hsr_masks_show(struct hsr_masks *masks,
                     struct hsr_bounds box);
 bool hsr_masks_show_found(struct hsr_masks *masks,
                           const struct hsr_mask_polygon *polygon);
+
+/* Makes masks->counts. HSR_E_NOMEM. */
+enum hsr_status hsr_masks_counts_init(struct hsr_masks *masks,
+                                      struct hsr_arena *arena);
+
+/* As hsr_masks_show of a cube's silhouette, but goes to all of its samples that
+ * are not covered, and keeps their counts: how many there are. Until the next
+ * such call, or masks->counts->cube is set to 0, only polygons that lie within
+ * the silhouette may be tiled, and cells are passed over of which nothing is
+ * left. */
+uint32_t hsr_masks_count(struct hsr_masks *masks,
+                         const struct hsr_mask_polygon *polygon,
+                         struct hsr_bounds box);
+
+/* n samples have been covered, all of them in the square of `size` from (x, y)
+ * on, which is a cell or a subcell. The sink says so. */
+void hsr_masks_covered(struct hsr_masks *masks, int x, int y, int size,
+                       uint32_t n);
 
 /* Takes a visitor to the cells of a polygon that lies within the box, from the
  * root down. Above the smallest cell that encloses the box he is told the box's
