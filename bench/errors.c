@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_ALGORITHMS = 32, MOST_SIDES = 16, MOST_SIDE = 256 };
+enum { MOST_ALGORITHMS = 32, MOST_SIDES = 64, MOST_SIDE = 256 };
 enum { WHERE = 0x200 };
 
 /* Errors of at least 2^-MOST_DARK are seen in a picture of them. */

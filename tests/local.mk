@@ -114,6 +114,7 @@ tap_scripts = \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \
   %D%/export/export.test \
+  %D%/export/polygons.test \
   %D%/lesson/lesson.test \
   %D%/report/hostile.test \
   %D%/report/made.test \

@@ -22,7 +22,9 @@
  * Departures  a polygon is clipped to the picture first, and to what lies beyond
  *             near. The clip polygons of the recursion are the parts inside the
  *             outer clip polygon, not the whole polygons that they are parts of.
- * Options     sort=none leaves the first step out, which is not essential.
+ * Options     sort=none leaves the first step out, which is not essential. Thin
+ *             faces about one vertex may then be divided without end: clips=N
+ *             refuses a picture that divides too much.
  * Cost        every polygon is examined once at least, and once more for each
  *             clip polygon that is taken before it and does not remove it. */
 #include "algorithms/image_space/area/sorting/areas.h"
@@ -83,7 +85,7 @@ static const struct hsr_line outline[] = {
     {"  the outside list is the list", 0},
     {NULL}};
 
-enum { SORT }; /* option */
+enum { SORT, CLIPS }; /* options */
 enum { ROUGH, NONE };
 static const struct hsr_word orders[] = {
     [ROUGH] = {"rough", "by the nearest vertex", 0},
@@ -92,6 +94,10 @@ static const struct hsr_word orders[] = {
 static const struct hsr_option options[] = {
     [SORT] = {"sort", "how the polygons are sorted first", orders, 0, NONE,
               ROUGH},
+    [CLIPS] = {"clips",
+               "millions of polygons clipped; a scene that needs more "
+               "is refused",
+               NULL, 1, 1000, 2},
     {NULL}};
 
 struct state {
@@ -99,7 +105,8 @@ struct state {
   struct hsr_tally *tally;
   struct hsr_clipper c;
   struct hsr_polygons *polygons;
-  enum hsr_status status;
+  uint64_t left; /* polygons that may still be clipped */
+  bool refused;
 };
 
 /* --- Sorting -------------------------------------------------------------- */
@@ -276,7 +283,10 @@ static void examine(struct state *s, struct hsr_area *polygon,
   uint32_t face = polygon->face;
   struct hsr_area_list in = {NULL, NULL}, out = {NULL, NULL};
   bool apart = face == clip->face || hsr_areas_apart(polygon, clip);
-  bool divided = !apart && hsr_areas_clip(&s->c, polygon, clip, &in, &out);
+  if (!apart && !s->left--)
+    s->refused = s->c.failed = true;
+  bool divided =
+      !apart && !s->c.failed && hsr_areas_clip(&s->c, polygon, clip, &in, &out);
   HSR_STEP(s->tally, EXAMINED, HSR_FACE(face), HSR_FACE(clip->face),
            HSR_NOWHERE,
            apart     ? 0
@@ -319,7 +329,8 @@ static enum hsr_status render(const struct hsr_job *job,
                     .tally = job->tally,
                     .c = {.lines = hsr_named_lines_new(job->world, job->view),
                           .arena = job->scratch},
-                    .polygons = hsr_answer_polygons_of(job->answer)};
+                    .polygons = hsr_answer_polygons_of(job->answer),
+                    .left = UINT64_C(1000000) * (uint64_t)job->option[CLIPS]};
   struct hsr_area_list list = {NULL, NULL};
   if (!s.c.lines)
     return hsr_fail_nomem(err);
@@ -330,6 +341,11 @@ static enum hsr_status render(const struct hsr_job *job,
   bool failed = s.c.failed || hsr_named_lines_failed(s.c.lines);
   job->tally->exact[HSR_ASK_EDGE] += hsr_named_lines_exact(s.c.lines);
   hsr_named_lines_free(s.c.lines);
+  if (s.refused)
+    return hsr_fail(err, HSR_E_REFUSED,
+                    "weiler-atherton: more than %ld million polygons to be "
+                    "clipped; clips=N allows N million",
+                    job->option[CLIPS]);
   if (failed)
     return hsr_fail_nomem(err);
   return s.c.faulty ? hsr_fail(err, HSR_E_INTERNAL,
