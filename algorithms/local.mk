@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every algorithm is compiled twice: counting and not counting.
 nobase_pkginclude_HEADERS += %D%/algorithm.h %D%/setup.h %D%/variant.h
-libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/variant.c %D%/list.def
+libhsr_a_SOURCES += %D%/registry.c %D%/setup.c %D%/variant.c \
+  %D%/list.def %D%/proposals.def
 
 algorithm_files = %D%/glass.c %D%/glass.h
 include %D%/object_space/volumes/local.mk

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/draw.h"
+#include "algorithms/variant.h"
 #include "scenes/scenes.h"
 
 #include <math.h>
@@ -144,11 +145,65 @@ void draw_parallel(uint64_t *seed, struct hsr_camera *camera, int n) {
   camera->parallel = n * ldexp(1, (int)-draw_integer(seed, 0, 3));
 }
 
+/* --- Algorithms and variants ---------------------------------------------- */
+
+static const char *const proposals[] = {
+#define HSR_PROPOSED(variant) variant,
+#include "algorithms/proposals.def"
+#undef HSR_PROPOSED
+};
+enum { N_PROPOSALS = sizeof proposals / sizeof *proposals, MOST_LISTED = 200 };
+
+/* A variant as an algorithm of its own, in one build. */
+struct own {
+  struct hsr_algorithm algorithm;
+  struct hsr_option options[HSR_MAX_OPTIONS + 1];
+};
+
+static const struct hsr_algorithm *make_own(struct own *own,
+                                            const struct hsr_algorithm *a,
+                                            const char *name,
+                                            const struct hsr_choice *choice) {
+  own->algorithm = *a;
+  own->algorithm.name = name;
+  own->algorithm.options = own->options;
+  for (int k = 0; a->options[k].name; k++) {
+    own->options[k] = a->options[k];
+    own->options[k].standard = choice->values.option[k];
+    own->options[k].real_standard = choice->values.real[k];
+  }
+  return &own->algorithm;
+}
+
+const struct hsr_listed *all_listed(void) {
+  static struct hsr_listed listed[MOST_LISTED];
+  static struct own plain[N_PROPOSALS], counting[N_PROPOSALS];
+  int n = 0;
+  if (listed[0].plain)
+    return listed;
+  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+    listed[n++] = *a;
+  for (int k = 0; k < N_PROPOSALS; k++) {
+    struct hsr_variant variant;
+    struct hsr_error err;
+    if (hsr_variant_parse(proposals[k], &variant, &err)) {
+      printf("Bail out! %s\n", err.text);
+      exit(99);
+    }
+    const struct hsr_listed *of = variant.listed;
+    listed[n].plain =
+        make_own(&plain[k], of->plain, proposals[k], &variant.choice);
+    listed[n++].counting =
+        make_own(&counting[k], of->counting, proposals[k], &variant.choice);
+  }
+  return listed;
+}
+
 static void for_each_of_kind(const struct hsr_answer_type *kind,
                              void (*check)(const struct hsr_algorithm *,
                                            void *),
                              void *context) {
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+  for (const struct hsr_listed *a = all_listed(); a->plain; a++)
     if (a->plain->kind == kind && a->plain->subjects & 1 << HSR_FACES &&
         !(a->plain->flags & (HSR_JUDGE | HSR_NO_PICTURE | HSR_KNOWN_WRONG))) {
       check(a->plain, context);

@@ -48,6 +48,11 @@ struct hsr_choice choose_also(const struct hsr_algorithm *algorithm);
 long count_differences(const struct hsr_view *view, const uint32_t *a,
                        const uint32_t *b);
 
+/* The listed algorithms, and after them the variants of proposals.def: each as
+ * an algorithm of its own, of the variant's name, whose standard choice is the
+ * variant's. Ended by .plain == NULL. */
+const struct hsr_listed *all_listed(void);
+
 /* A named scene, both laid out as a world and as an outline. Opening aborts the
  * test program on failure. */
 struct both_worlds {

@@ -91,6 +91,8 @@ static void ask(const struct options *o, struct sweep_options *ask) {
   for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
     if (l->plain->steps)
       ask->algorithm[ask->n_algorithms++] = l->plain->name;
+  for (const char *const *name = tables_variants; *name; name++)
+    ask->algorithm[ask->n_algorithms++] = *name;
   ask->m[0] = ask->n[0] = TABLES_SIZE;
   ask->n_sizes = 1;
   ask->threads[ask->n_threads++] = 1;

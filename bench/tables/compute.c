@@ -10,6 +10,12 @@ const char *const tables_scenes[] = {
     "house",       "harbor",       "big-harbor",   "harbor:100",   "harbor:500",
     "harbor:2500", "harbor:10000", "harbor:30000", "harbor:60000", NULL};
 
+const char *const tables_variants[] = {
+#define HSR_PROPOSED(variant) variant,
+#include "algorithms/proposals.def"
+#undef HSR_PROPOSED
+    NULL};
+
 /* --- Scenes --------------------------------------------------------------- */
 
 /* X(field, symbol, meaning) */
@@ -111,7 +117,7 @@ static void find_cells(const struct tables *t, struct table_algorithm *a) {
   for (int s = 0; s < t->n_scenes; s++) {
     char key[RESULTS_KEY];
     snprintf(key, sizeof key, "%.300s %d %dx%d %.100s 1", t->scene[s].name,
-             TABLES_VIEW, TABLES_SIZE, TABLES_SIZE, a->algorithm->name);
+             TABLES_VIEW, TABLES_SIZE, TABLES_SIZE, a->name);
     a->cell[s] = results_cell(t->results, key);
   }
 }
@@ -126,14 +132,19 @@ static double cost_of(const struct hsr_algorithm *a,
   return cost;
 }
 
-double tables_frame_cost(const json_t *cell) {
+/* The algorithm of a variant, or NULL. */
+static const struct hsr_listed *find_listed(const char *variant) {
   char name[RESULTS_MOST_NAME + 1];
-  const char *variant = results_text(cell, "algorithm");
   snprintf(name, sizeof name, "%.*s", (int)strcspn(variant, ":"), variant);
-  const struct hsr_listed *listed = hsr_algorithm_find(name);
+  return hsr_algorithm_find(name);
+}
+
+double tables_frame_cost(const json_t *cell) {
+  const struct hsr_listed *listed =
+      find_listed(results_text(cell, "algorithm"));
   if (!listed || !listed->plain->steps)
     return NAN;
-  const struct paper_group *group = paper_group(name);
+  const struct paper_group *group = paper_group(listed->plain->name);
   double cost = 0;
   for (const struct hsr_step *s = listed->plain->steps; s->label; s++) {
     const struct paper_step *paper = paper_step(group, s->label);
@@ -173,7 +184,9 @@ static void fill_total(const struct tables *t, struct table_algorithm *a) {
 }
 
 static void fill_algorithm(const struct tables *t, struct table_algorithm *a,
+                           const char *name,
                            const struct hsr_algorithm *algorithm) {
+  a->name = name;
   a->algorithm = algorithm;
   a->paper = paper_group(algorithm->name);
   find_cells(t, a);
@@ -188,11 +201,17 @@ static enum hsr_status fill(struct tables *t, struct hsr_error *err) {
   for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
     n += l->plain->steps != NULL;
   t->algorithm = calloc((size_t)n + 1, sizeof *t->algorithm);
-  if (!t->algorithm)
+  t->variant = calloc(sizeof tables_variants / sizeof *tables_variants,
+                      sizeof *t->variant);
+  if (!t->algorithm || !t->variant)
     return hsr_fail_nomem(err);
   for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
     if (l->plain->steps)
-      fill_algorithm(t, &t->algorithm[t->n_algorithms++], l->plain);
+      fill_algorithm(t, &t->algorithm[t->n_algorithms++], l->plain->name,
+                     l->plain);
+  for (const char *const *name = tables_variants; *name; name++)
+    fill_algorithm(t, &t->variant[t->n_variants++], *name,
+                   find_listed(*name)->plain);
   return HSR_OK;
 }
 
@@ -215,8 +234,10 @@ enum hsr_status tables_new(struct tables **tables,
 }
 
 void tables_delete(struct tables *tables) {
-  if (tables)
+  if (tables) {
     free(tables->algorithm);
+    free(tables->variant);
+  }
   free(tables);
 }
 
@@ -225,8 +246,11 @@ void tables_delete(struct tables *tables) {
 const struct table_algorithm *tables_algorithm(const struct tables *t,
                                                const char *name) {
   for (int a = 0; a < t->n_algorithms; a++)
-    if (!strcmp(t->algorithm[a].algorithm->name, name))
+    if (!strcmp(t->algorithm[a].name, name))
       return &t->algorithm[a];
+  for (int a = 0; a < t->n_variants; a++)
+    if (!strcmp(t->variant[a].name, name))
+      return &t->variant[a];
   return NULL;
 }
 

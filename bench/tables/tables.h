@@ -41,6 +41,7 @@ struct table_step {
 
 /* A column of Tables IV to VII. */
 struct table_algorithm {
+  const char *name; /* of the algorithm, or of a variant of it */
   const struct hsr_algorithm *algorithm;
   const struct paper_group *paper; /* NULL: not in the survey's tables */
   const json_t *cell[MOST_SCENES]; /* record in the results; NULL: none */
@@ -57,7 +58,12 @@ struct tables {
   struct table_scene scene[MOST_SCENES];
   int n_algorithms; /* only those that have steps, in the order of the list */
   struct table_algorithm *algorithm;
+  int n_variants; /* what the survey proposes as options: for its claims only */
+  struct table_algorithm *variant;
 };
+
+/* Their names, ended by NULL. */
+extern const char *const tables_variants[];
 
 /* Computes the tables. HSR_E_INPUT if the results hold none of the scenes. The
  * results are borrowed and must outlive the tables, which are freed with
@@ -67,7 +73,7 @@ enum hsr_status tables_new(struct tables **tables,
                            struct hsr_error *err);
 void tables_delete(struct tables *tables); /* NULL is allowed */
 
-/* --- Looking things up ---------------------------------------------------- */
+/* --- Looking things up: algorithms and variants --------------------------- */
 
 const struct table_algorithm *tables_algorithm(const struct tables *t,
                                                const char *name);

@@ -214,11 +214,11 @@ static bool is_asked(const char *name, int argc, char **argv) {
 /* usage: trace_test [NAME...]      only these algorithms; standard: all */
 int main(int argc, char **argv) {
   int n = 0;
-  for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
+  for (const struct hsr_listed *a = all_listed(); a->plain; a++)
     if (is_player(a->plain) && is_asked(a->plain->name, argc, argv))
       n += a->plain->also ? 3 : 2;
   struct tap tap = plan(n);
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
+  for (const struct hsr_listed *l = all_listed(); l->plain; l++) {
     const struct hsr_algorithm *a = l->counting;
     if (!is_player(a) || !is_asked(a->name, argc, argv))
       continue;

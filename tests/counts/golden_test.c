@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The counts of every module on small scenes, against those that a person last
- * looked at: golden/NAME.txt, a line for each scene, view and counter.
+ * looked at: golden/NAME.txt, a line for each scene, view and counter; of
+ * a variant NAME.OPTION=VALUE.txt.
  * What takes grids only is counted on grids.
  *
  *   golden_test [NAME...]            compares: all, or those modules
@@ -73,6 +74,8 @@ static FILE *open_golden(const struct hsr_algorithm *a, const char *mode) {
   const char *source = getenv("HSR_SOURCE");
   snprintf(path, sizeof path, "%s/tests/counts/golden/%s.txt",
            source ? source : ".", a->name);
+  for (char *at = path; (at = strchr(at, ':'));)
+    *at = '.';
   FILE *file = fopen(path, mode);
   if (!file)
     printf("# %s: %s\n", path, strerror(errno));
@@ -139,10 +142,10 @@ int main(int argc, char **argv) {
   argc -= 1 + write;
   argv += 1 + write;
   int n = 0;
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+  for (const struct hsr_listed *l = all_listed(); l->plain; l++)
     n += is_asked(l->counting, argc, argv);
   struct tap tap = plan(n);
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++) {
+  for (const struct hsr_listed *l = all_listed(); l->plain; l++) {
     const struct hsr_algorithm *a = l->counting;
     if (!is_asked(a, argc, argv))
       continue;

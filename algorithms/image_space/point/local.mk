@@ -7,4 +7,5 @@ algorithm_files += \
   %D%/scan_line.h \
   %D%/watkins.c \
   %D%/watkins.h \
+  %D%/x_list.c \
   %D%/yzx.c

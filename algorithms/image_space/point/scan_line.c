@@ -112,14 +112,6 @@ void hsr_scan_sort(struct hsr_scan *s, const struct hsr_window *window,
 
 /* --- X sort --------------------------------------------------------------- */
 
-/* A step on row j with two edges. */
-static inline void step(const struct hsr_scan *s, int counter,
-                        const struct hsr_scan_edge *a,
-                        const struct hsr_scan_edge *b, int outcome, int j) {
-  HSR_STEP(s->tally, counter, hsr_scan_subject(a), hsr_scan_subject(b),
-           HSR_ON(s->window->x0, s->window->x1, j), outcome);
-}
-
 /* Finds the columns of all ends of a piece, when the first of them is asked for
  * on the row. */
 static void find_cut_columns(struct hsr_scan *s, struct hsr_scan_cut *cut,
@@ -133,8 +125,7 @@ static void find_cut_columns(struct hsr_scan *s, struct hsr_scan_cut *cut,
         k < n ? s->columns[k] : HSR_NO_COLUMN;
 }
 
-static inline void find_column(struct hsr_scan *s, struct hsr_scan_edge *edge,
-                               int j) {
+void hsr_scan_column(struct hsr_scan *s, struct hsr_scan_edge *edge, int j) {
   if (edge->cut == HSR_NOT_CUT)
     edge->column = hsr_edge_column(&s->screen, &edge->line, j, s->tally);
   else
@@ -149,7 +140,7 @@ static void retire_and_advance(struct hsr_scan *s, int j) {
     struct hsr_scan_edge *edge = &s->edge[list[k]];
     if (edge->end_row <= j)
       continue;
-    find_column(s, edge, j);
+    hsr_scan_column(s, edge, j);
     list[kept++] = list[k];
   }
   s->n_list = kept;
@@ -160,17 +151,27 @@ static void take_bucket(struct hsr_scan *s, int j) {
   s->n_entering = 0;
   for (uint32_t e = s->bucket[j - s->window->y0]; e != NONE;
        e = s->edge[e].next) {
-    find_column(s, &s->edge[e], j);
+    hsr_scan_column(s, &s->edge[e], j);
     uint32_t k = s->n_entering++;
     for (; k; k--) {
       const struct hsr_scan_edge *other = &s->edge[s->entering[k - 1]];
       bool left = other->column > s->edge[e].column;
-      step(s, HSR_X_MERGE, &s->edge[e], other, left, j);
+      hsr_scan_step(s, HSR_X_MERGE, &s->edge[e], other, left, j);
       if (!left)
         break;
       s->entering[k] = s->entering[k - 1];
     }
     s->entering[k] = e;
+  }
+}
+
+/* The same, where no sort is needed: the bucket is sorted, or a tree is. */
+static void take_bucket_as_it_is(struct hsr_scan *s, int j) {
+  s->n_entering = 0;
+  for (uint32_t e = s->bucket[j - s->window->y0]; e != NONE;
+       e = s->edge[e].next) {
+    hsr_scan_column(s, &s->edge[e], j);
+    s->entering[s->n_entering++] = e;
   }
 }
 
@@ -184,11 +185,16 @@ static void merge_x(struct hsr_scan *s, int j) {
     if (from) {
       const struct hsr_scan_edge *other = &s->edge[s->list[from - 1]];
       left = other->column > s->edge[e].column;
-      step(s, HSR_X_MERGE, &s->edge[e], other, left, j);
+      hsr_scan_step(s, HSR_X_MERGE, &s->edge[e], other, left, j);
     }
     s->list[--to] = left ? s->list[--from] : e;
     entering -= !left;
   }
+}
+
+/* Whether a is known to be to the left of b, its neighbour, without a look. */
+static bool is_known(const struct hsr_scan *s, uint32_t a, uint32_t b, int j) {
+  return s->ways.crossings && s->edge[a].neighbour == b && j < s->edge[a].until;
 }
 
 /* Bubble sort: each edge moves to the left, past the edges right of it. */
@@ -198,13 +204,16 @@ static void sort_x(struct hsr_scan *s, int j) {
   for (uint32_t n = 1; n < n_list; n++) {
     uint32_t e = list[n], k = n;
     int column = edge[e].column;
-    for (; k; k--) {
+    for (; k && !is_known(s, list[k - 1], e, j); k--) {
       const struct hsr_scan_edge *other = &edge[list[k - 1]];
       bool left = other->column > column;
-      step(s, HSR_X_SORT, &edge[e], other, left, j);
-      if (!left)
+      hsr_scan_step(s, HSR_X_SORT, &edge[e], other, left, j);
+      if (!left) {
+        if (s->ways.crossings)
+          hsr_scan_predict(s, list[k - 1], e, j);
         break;
-      step(s, HSR_X_INTERCHANGES, &edge[e], other, 0, j);
+      }
+      hsr_scan_step(s, HSR_X_INTERCHANGES, &edge[e], other, 0, j);
       list[k] = list[k - 1];
     }
     list[k] = e;
@@ -297,8 +306,13 @@ enum hsr_status hsr_scan_begin(struct hsr_scan *scan,
 }
 
 void hsr_scan_advance(struct hsr_scan *scan, int j) {
+  bool tree = scan->ways.tree;
+  if (tree)
+    hsr_x_tree_retire(scan, j);
   retire_and_advance(scan, j);
-  take_bucket(scan, j);
-  merge_x(scan, j);
+  (tree || scan->ways.presort ? take_bucket_as_it_is : take_bucket)(scan, j);
+  (tree ? hsr_x_tree_merge : merge_x)(scan, j);
   sort_x(scan, j);
+  if (tree)
+    hsr_x_tree_store(scan);
 }

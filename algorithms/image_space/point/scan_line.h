@@ -39,8 +39,14 @@ struct hsr_scan_edge {
   uint32_t piece; /* edges of one number pair up; without pieces: the face */
   uint32_t cut;   /* the hsr_scan_cut that it stands for; HSR_NOT_CUT */
   uint32_t next;  /* in the Y bucket */
+  int row;        /* the first; set by presorting only */
   int end_row;
   int column; /* on the current row */
+
+  /* The edge to its right, before which it is known to be on the rows up to
+   * `until`; set by predicting only. */
+  uint32_t neighbour;
+  int until;
 };
 
 #define HSR_NOT_CUT UINT32_MAX
@@ -55,6 +61,18 @@ struct hsr_scan_cut {
   uint32_t first_edge;
   int n_edges;
   int row; /* for which its columns have been found */
+};
+
+/* Ways of keeping the X sort list that the survey proposes; x_list.c. None is
+ * standard. */
+struct hsr_scan_ways {
+  bool tree;     /* as a tree, into which edges are merged */
+  int presort;   /* its counter, if edges are presorted by X; or 0 */
+  int crossings; /* its counter, if neighbours are compared only from the row on
+                    on which they may have crossed; or 0 */
+};
+struct hsr_x_node {
+  uint32_t edge, left, right;
 };
 
 /* How much memory is needed, in the window that needs most. */
@@ -78,6 +96,11 @@ struct hsr_scan {
 
   uint32_t *list, n_list;         /* X sort list */
   uint32_t *entering, n_entering; /* edges of the row's bucket, sorted */
+
+  struct hsr_scan_ways ways;
+  struct hsr_x_node *node; /* the tree */
+  uint32_t root, *in_order;
+  uint32_t *x_bucket;
 };
 
 /* Compiled twice, as the algorithms are. */
@@ -89,6 +112,13 @@ struct hsr_scan {
 #define hsr_scan_open HSR_OF_BUILD(hsr_scan_open)
 #define hsr_scan_add HSR_OF_BUILD(hsr_scan_add)
 #define hsr_scan_advance HSR_OF_BUILD(hsr_scan_advance)
+#define hsr_scan_choose HSR_OF_BUILD(hsr_scan_choose)
+#define hsr_scan_column HSR_OF_BUILD(hsr_scan_column)
+#define hsr_scan_presort HSR_OF_BUILD(hsr_scan_presort)
+#define hsr_scan_predict HSR_OF_BUILD(hsr_scan_predict)
+#define hsr_x_tree_retire HSR_OF_BUILD(hsr_x_tree_retire)
+#define hsr_x_tree_merge HSR_OF_BUILD(hsr_x_tree_merge)
+#define hsr_x_tree_store HSR_OF_BUILD(hsr_x_tree_store)
 #define hsr_scan_crossing HSR_OF_BUILD(hsr_scan_crossing)
 
 /* Screen coordinates, memory from job->scratch, and the Y sort of all relevant
@@ -133,6 +163,28 @@ void hsr_scan_advance(struct hsr_scan *scan, int j);
 int hsr_scan_crossing(const struct hsr_scan *scan, uint32_t f, uint32_t g,
                       bool f_first, int left, int right, int j, int counter);
 
+/* --- Ways of keeping the X sort list -------------------------------------- */
+
+/* Chooses ways, after hsr_scan_reserve. Memory from job->scratch. HSR_E_NOMEM.
+ */
+enum hsr_status hsr_scan_choose(struct hsr_scan *scan,
+                                struct hsr_scan_ways ways);
+
+/* Sorts the edges of every Y bucket by their columns on its row, all edges
+ * being added. */
+void hsr_scan_presort(struct hsr_scan *scan);
+
+/* What hsr_scan_advance takes from x_list.c, and that from it. hsr_scan_column:
+ * finds an edge's column on row j. hsr_x_tree_retire: deletes edges that end
+ * above row j. hsr_x_tree_merge: merges entering[] into the tree and makes
+ * list[] of it. hsr_x_tree_store: brings a sorted list[] back into the tree.
+ * hsr_scan_predict: finds up to which row edge a stays to the left of b. */
+void hsr_scan_column(struct hsr_scan *scan, struct hsr_scan_edge *edge, int j);
+void hsr_x_tree_retire(struct hsr_scan *scan, int j);
+void hsr_x_tree_merge(struct hsr_scan *scan, int j);
+void hsr_x_tree_store(struct hsr_scan *scan);
+void hsr_scan_predict(struct hsr_scan *scan, uint32_t a, uint32_t b, int j);
+
 /* --- Counters ------------------------------------------------------------- */
 
 /* An edge as the subject of a step. An edge that stands for an end of a cut
@@ -142,6 +194,15 @@ hsr_scan_subject(const struct hsr_scan_edge *edge) {
   return edge->cut == HSR_NOT_CUT
              ? HSR_EDGE(edge->line.a, edge->line.b, edge->face)
              : HSR_EDGE(HSR_NO_ID, HSR_NO_ID, edge->face);
+}
+
+/* A step on row j with two edges. */
+static inline void hsr_scan_step(const struct hsr_scan *s, int counter,
+                                 const struct hsr_scan_edge *a,
+                                 const struct hsr_scan_edge *b, int outcome,
+                                 int j) {
+  HSR_STEP(s->tally, counter, hsr_scan_subject(a), hsr_scan_subject(b),
+           HSR_ON(s->window->x0, s->window->x1, j), outcome);
 }
 
 /* The counters that these keep, in their order; an algorithm's own begin at

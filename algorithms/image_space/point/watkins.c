@@ -12,17 +12,83 @@
  *             segments looked at so far, and right only ever moves to the left
  * Ties        depth: one plane, lower id; all else by hsr_nearer
  * Departures  those of scan_line.h
+ * Options     what Sutherland et al. propose in chapter IV: the X sort list as
+ *             a tree ("Other Combinations of Sorting"), edges presorted by X
+ *             ("Area Coherence"), no sort until an edge crosses its neighbor
+ *             ("Scan-Line Coherence"). The second is by the column on the first
+ *             scan line, where they have the X of the upper vertex: this leaves
+ *             no two edges of one vertex out of order. Of the third, the sort
+ *             is saved, not the intercepts of hidden edges. x_list.c has all
+ *             three
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
- *             of scan_line.h */
+ *             of scan_line.h; of a crossing that is predicted 10, as of other
+ *             relations of two segments in the plane */
 #include "algorithms/image_space/point/watkins.h"
 
-static const struct hsr_counter counters[] = {HSR_WATKINS_COUNTERS(""), {NULL}};
+enum { X_PRESORT = HSR_N_WATKINS_COUNTERS, X_CROSSINGS };
 
-static const struct hsr_step steps[] = {HSR_WATKINS_STEPS(0, ""), {NULL}};
+static const struct hsr_counter counters[] = {
+    HSR_WATKINS_COUNTERS(""),
+    [X_PRESORT] = {"X presort", "edges put into X buckets", HSR_SORT,
+                   HSR_OF_EDGE, HSR_OF_NOTHING},
+    [X_CROSSINGS] = {"X crossings",
+                     "predictions of where an edge crosses its neighbor",
+                     HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "next line|later"},
+    {NULL}};
+
+static const struct hsr_step steps[] = {
+    {"Y sort", HSR_Y_SORT, 1, "E_r", hsr_predict_y_sort},
+    {"X merge",
+     HSR_X_MERGE,
+     1,
+     "E_r S_l / 2",
+     hsr_predict_x_merge,
+     {{X_PRESORT, 1}}},
+    {"X sort",
+     HSR_X_SORT,
+     1,
+     "n (S_l + 10 X_r / (n S_l))",
+     hsr_predict_x_sort,
+     {{HSR_X_INTERCHANGES, 10}, {X_CROSSINGS, 10}}},
+    {"span cull", HSR_SPAN_CULL, 1, "n S_l", hsr_predict_span_cull},
+    {"depth search", HSR_DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)",
+     hsr_predict_depth_search},
+    {NULL}};
 
 static const struct hsr_sort sorts[] = {HSR_WATKINS_SORTS, {NULL}};
 
-static const struct hsr_line outline[] = {HSR_WATKINS_LINES(0, ""), {NULL}};
+static const struct hsr_line outline[] = {
+    {"with a presort: put each edge into the X bucket of its first column",
+     HSR_RAISES(X_PRESORT)},
+    HSR_WATKINS_LINES(0, ""),
+    {"  where the sort waits: predict where new neighbors in the list cross",
+     HSR_RAISES(X_CROSSINGS)},
+    {NULL}};
+
+enum { X_LIST, PRESORT, SORT }; /* options */
+enum { LIST, TREE };
+enum { NO_PRESORT, BY_X };
+enum { EACH_LINE, CROSSING };
+static const struct hsr_word lists[] = {
+    [LIST] = {"list", "a list, into which edges are merged", 0},
+    [TREE] = {"tree", "a binary tree, into which edges are inserted", 0},
+    {NULL}};
+static const struct hsr_word presorts[] = {
+    [NO_PRESORT] = {"none", "each Y bucket is sorted as it is merged", 0},
+    [BY_X] = {"x", "by X, so that each Y bucket is in order", 0},
+    {NULL}};
+static const struct hsr_word waits[] = {
+    [EACH_LINE] = {"each-line", "on each scan line", 0},
+    [CROSSING] = {"crossing",
+                  "where a new edge enters, or a crossing was predicted", 0},
+    {NULL}};
+static const struct hsr_option options[] = {
+    [X_LIST] = {"x-list", "what the X sort list is", lists, 0, TREE, LIST},
+    [PRESORT] = {"presort", "how edges are sorted before the Y sort", presorts,
+                 0, BY_X, NO_PRESORT},
+    [SORT] = {"sort", "when neighbors in the X sort list are compared", waits,
+              0, CROSSING, EACH_LINE},
+    {NULL}};
 
 /* No segment. */
 static const uint32_t NONE = UINT32_MAX;
@@ -295,6 +361,8 @@ enum hsr_status hsr_watkins_reserve(struct hsr_watkins *s,
 
 void hsr_watkins_scan(struct hsr_watkins *s) {
   const struct hsr_window *w = s->edges.window;
+  if (s->edges.ways.presort)
+    hsr_scan_presort(&s->edges);
   for (int j = w->y0; j < w->y1; j++) {
     hsr_scan_advance(&s->edges, j);
     find_segments(s, j);
@@ -317,10 +385,15 @@ static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_screen screen;
   struct hsr_watkins watkins;
+  struct hsr_scan_ways ways = {
+      .tree = job->option[X_LIST] == TREE,
+      .presort = job->option[PRESORT] == BY_X ? X_PRESORT : 0,
+      .crossings = job->option[SORT] == CROSSING ? X_CROSSINGS : 0};
   if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
                       job->tally) ||
       hsr_watkins_reserve(&watkins, job, &screen, hsr_scan_whole_room(&screen),
-                          job->world->n_faces))
+                          job->world->n_faces) ||
+      hsr_scan_choose(&watkins.edges, ways))
     return hsr_fail_nomem(err);
   hsr_watkins_solve(&watkins, &job->view->window, screen.relevant,
                     screen.n_relevant);
@@ -344,4 +417,5 @@ const struct hsr_algorithm HSR_ALGORITHM(watkins) = {
     .counters = counters,
     .steps = steps,
     .outline = outline,
+    .options = options,
     .render = render};
