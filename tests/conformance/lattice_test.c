@@ -3,7 +3,8 @@
  * integer coordinates. The cameras are aligned with them, so there are many
  * ties. Half of them are parallel: along an axis, isometric, dimetric.
  *
- * usage: lattice_test [SCENES [SEED]]      standard: 2000 scenes, seed 1 */
+ * usage: lattice_test [SCENES [SEED [NAME...]]]
+ *        standard: 2000 scenes, seed 1, all algorithms and proposals */
 #include "common/exact/predicates.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -13,6 +14,16 @@
 #include <string.h>
 
 enum { LARGEST = 64 };
+
+/* The algorithms that are asked for, ended by NULL; none: all. */
+static char **asked;
+
+static bool is_asked(const char *name) {
+  bool found = !*asked;
+  for (char **a = asked; *a; a++)
+    found |= !strcmp(*a, name);
+  return found;
+}
 
 struct comparison {
   const struct hsr_world *world;
@@ -25,6 +36,8 @@ struct comparison {
 
 static void compare(const struct hsr_algorithm *algorithm, void *context) {
   struct comparison *c = context;
+  if (!is_asked(algorithm->name))
+    return;
   draw_ids(algorithm, c->world, c->view, c->got, NULL);
   long differences = count_differences(c->view, c->got, c->wanted);
   if (differences)
@@ -127,6 +140,7 @@ static long check_scene(uint64_t *seed, long *samples) {
 int main(int argc, char **argv) {
   long n = argc > 1 ? atol(argv[1]) : 2000, samples = 0;
   uint64_t seed = argc > 2 ? strtoull(argv[2], NULL, 10) : 1;
+  asked = argv + (argc < 3 ? argc : 3);
   enum { PARTS = 20 };
   struct tap tap = plan(PARTS);
   for (long part = 0; part < PARTS; part++) {
