@@ -15,9 +15,27 @@
  *             that no contour edge meets a side of its triangle
  * Departures  the change is the number of faces that the contour edge gains or
  *             loses, which is 2 at a fold of a two-sided surface
+ * Options     boxes=corner: contour edges sorted by the upper left corners of
+ *             their boxes, as Sutherland et al. propose (edge_boxes.c)
  * Cost        that of edge_intersection.h; the edge intersection grows as the
  *             square of the edges */
 #include "algorithms/object_space/edges/edge_intersection.h"
+
+enum { BOX_SORT = HSR_N_NETWORK_COUNTERS }; /* counter */
+enum { BOXES };                             /* option */
+enum { NOT_SORTED, BY_CORNER };
+static const struct hsr_word sortings[] = {
+    [NOT_SORTED] = {"none", "not: an edge is put to all of them", 0},
+    [BY_CORNER] =
+        {"corner",
+         "by their boxes' upper left corners: an edge is put to those "
+         "that may be near it",
+         0},
+    {NULL}};
+static const struct hsr_option options[] = {
+    [BOXES] = {"boxes", "how contour edges are sorted", sortings, 0, BY_CORNER,
+               NOT_SORTED},
+    {NULL}};
 
 /* Does contour edge c pierce the triangle E A' B'? */
 static enum hsr_crossing pierce_triangle(const struct hsr_network *network,
@@ -43,43 +61,80 @@ static enum hsr_crossing pierce_triangle(const struct hsr_network *network,
                                        : HSR_CROSSES_FARTHER;
 }
 
+/* Puts e to contour edge c. */
+static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
+                                 uint32_t c) {
+  enum hsr_crossing found = pierce_triangle(network, e, c);
+  HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
+           hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
+  return found == HSR_CROSSES_NEARER
+             ? hsr_network_cross(network, e, c, network->net[c])
+             : HSR_OK;
+}
+
 static enum hsr_status cross(void *context, struct hsr_network *network,
                              uint32_t e) {
   (void)context;
-  for (uint32_t k = 0; k < network->n_contour; k++) {
-    uint32_t c = network->contour[k];
-    enum hsr_crossing found = pierce_triangle(network, e, c);
-    HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
-             hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
-    if (found == HSR_CROSSES_NEARER &&
-        hsr_network_cross(network, e, c, network->net[c]))
+  for (uint32_t k = 0; k < network->n_contour; k++)
+    if (cross_one(network, e, network->contour[k]))
       return HSR_E_NOMEM;
-  }
   return HSR_OK;
+}
+
+/* The same, boxes being sorted. */
+static enum hsr_status cross_near(void *context, struct hsr_network *network,
+                                  uint32_t e) {
+  (void)context;
+  uint32_t begin, end;
+  for (uint32_t k = 0; k < network->n_unknown; k++)
+    if (cross_one(network, e, network->contour[k]))
+      return HSR_E_NOMEM;
+  hsr_network_find_boxes(network, e, BOX_SORT, &begin, &end);
+  for (uint32_t k = begin; k < end; k++)
+    if (hsr_network_is_near(network, e, network->contour[k], BOX_SORT) &&
+        cross_one(network, e, network->contour[k]))
+      return HSR_E_NOMEM;
+  return HSR_OK;
+}
+
+static enum hsr_status run(const struct hsr_job *job, bool visible_only,
+                           struct hsr_error *err) {
+  bool sorted = job->option[BOXES] == BY_CORNER;
+  struct hsr_intersector intersector = {.cross = sorted ? cross_near : cross,
+                                        .box_sort = sorted ? BOX_SORT : 0,
+                                        .visible_only = visible_only};
+  return hsr_network_render(job, &intersector, err);
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  return hsr_network_render(job, &(struct hsr_intersector){.cross = cross},
-                            err);
+  return run(job, false, err);
 }
 
 static enum hsr_status render_visible(const struct hsr_job *job,
                                       struct hsr_error *err) {
-  return hsr_network_render(
-      job, &(struct hsr_intersector){.cross = cross, .visible_only = true},
-      err);
+  return run(job, true, err);
 }
 
-static const struct hsr_counter counters[] = {HSR_NETWORK_COUNTERS(true), {0}};
+static const struct hsr_counter counters[] = {
+    HSR_NETWORK_COUNTERS(true),
+    [BOX_SORT] = {"box sort",
+                  "comparisons to sort boxes of contour edges, and to find "
+                  "among them those near an edge",
+                  HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "not there|there"},
+    {0}};
 static const struct hsr_line outline[] = {
+    {"with sorted boxes: sort contour edges by the upper left corners of their "
+     "boxes, and find those near an edge",
+     HSR_RAISES(BOX_SORT)},
     HSR_NETWORK_OUTLINE_BEFORE,
     {"    for each contour edge: does it pierce the triangle of the eye and "
      "the edge?",
      HSR_RAISES(HSR_INTERSECT)},
     HSR_NETWORK_OUTLINE_AFTER,
     {0}};
-static const struct hsr_step steps[] = {HSR_NETWORK_STEPS, {0}};
+static const struct hsr_step steps[] = {HSR_NETWORK_STEPS_WITH({BOX_SORT, 1}),
+                                        {0}};
 static const struct hsr_sort sorts[] = {
     {"edges", "back-facing, contour", "cull", "once a frame"},
     {"faces", "before a vertex", "exhaustive search", "once a cluster"},
@@ -98,8 +153,8 @@ static const struct hsr_sort sorts[] = {
   .coherence = "edge: visibility is promoted along edges that share a vertex", \
   .restrictions = HSR_TP, .subjects = 1 << HSR_FACES, .kind = HSR_SEGMENTS,    \
   .sorts = sorts, .counters = counters, .steps = steps, .outline = outline,    \
-  .prepare = hsr_network_prepare, .release = hsr_network_release,              \
-  .expense = hsr_network_expense
+  .options = options, .prepare = hsr_network_prepare,                          \
+  .release = hsr_network_release, .expense = hsr_network_expense
 
 const struct hsr_algorithm HSR_ALGORITHM(appel) = {
     .name = "appel",

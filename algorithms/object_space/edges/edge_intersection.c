@@ -517,6 +517,8 @@ enum hsr_status hsr_network_render(const struct hsr_job *job,
                                    struct hsr_error *err) {
   struct hsr_network network;
   enum hsr_status status = hsr_network_init(&network, job);
+  if (!status && intersector->box_sort)
+    status = hsr_network_sort_boxes(&network, intersector->box_sort);
   if (!status)
     status = hsr_network_draw(&network, intersector);
   hsr_sight_free(&network.sight);

@@ -59,6 +59,8 @@ struct hsr_network {
   int *net; /* by edge: how many more of its faces lie on its positive side
                (hsr_sight_side) than on its negative one */
   uint32_t *contour, n_contour;
+  uint32_t n_unknown; /* sorted boxes: the first of contour[] have no box */
+  double *reach; /* the lowest lower side of the boxes from there up to this */
   struct hsr_image_box *box;      /* by edge */
   struct hsr_image_box *face_box; /* by face, of the regular ones */
   struct hsr_edge_part *part;     /* by edge */
@@ -95,6 +97,7 @@ struct hsr_intersector {
   enum hsr_status (*cross)(void *context, struct hsr_network *network,
                            uint32_t e);
   void *context;
+  int box_sort; /* its counter, if boxes are sorted by their corners; or 0 */
   bool visible_only; /* an edge of which nothing can be visible is drawn as one
                         hidden interval, and its crossings are not sorted */
 };
@@ -103,6 +106,9 @@ struct hsr_intersector {
 #define hsr_network_prepare HSR_OF_BUILD(hsr_network_prepare)
 #define hsr_network_release HSR_OF_BUILD(hsr_network_release)
 #define hsr_network_init HSR_OF_BUILD(hsr_network_init)
+#define hsr_network_sort_boxes HSR_OF_BUILD(hsr_network_sort_boxes)
+#define hsr_network_find_boxes HSR_OF_BUILD(hsr_network_find_boxes)
+#define hsr_network_is_near HSR_OF_BUILD(hsr_network_is_near)
 #define hsr_network_cross HSR_OF_BUILD(hsr_network_cross)
 #define hsr_network_pierce HSR_OF_BUILD(hsr_network_pierce)
 #define hsr_network_sort_along HSR_OF_BUILD(hsr_network_sort_along)
@@ -225,6 +231,20 @@ static inline bool hsr_boxes_overlap(const struct hsr_image_box *a,
                                      const struct hsr_image_box *b) {
   return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1;
 }
+
+/* Sorts contour[] by the upper left corner of the edges' boxes: by y0, and by x0
+ * where these are equal. A comparison is a step of `counter`. Memory from
+ * job->scratch. HSR_E_NOMEM. */
+enum hsr_status hsr_network_sort_boxes(struct hsr_network *network,
+                                       int counter);
+
+/* Which contour edges' boxes may overlap that of e: the first n_unknown and, of
+ * the sorted contour[], those of [*begin, *end) that hsr_network_is_near. A look
+ * at a box is a step of `counter`. */
+void hsr_network_find_boxes(const struct hsr_network *network, uint32_t e,
+                            int counter, uint32_t *begin, uint32_t *end);
+bool hsr_network_is_near(const struct hsr_network *network, uint32_t e,
+                         uint32_t c, int counter);
 
 /* What the edge intersection may find of an edge and a contour edge. */
 enum hsr_crossing {
@@ -375,12 +395,14 @@ enum {
         HSR_RAISES(HSR_DRAWN)                                                  \
   }
 
-#define HSR_NETWORK_STEPS                                                      \
+#define HSR_NETWORK_STEPS HSR_NETWORK_STEPS_WITH({0, 0})
+/* The same; the edge intersection takes these terms more. */
+#define HSR_NETWORK_STEPS_WITH(...)                                            \
   {"back and contour cull", HSR_EDGE_CULL, 1, "E_t", hsr_predict_edge_cull},   \
       {"initial visibility", HSR_INITIAL, 100, "100 C_t F_r",                  \
        hsr_predict_initial},                                                   \
-      {"edge intersection", HSR_INTERSECT, 30, "30 E_s E_c",                   \
-       hsr_predict_intersection},                                              \
+      {"edge intersection",      HSR_INTERSECT, 30, "30 E_s E_c",              \
+       hsr_predict_intersection, {__VA_ARGS__}},                               \
       {"invisibility correction", HSR_CORRECT, 30, "30 (2 E_s 3)",             \
        hsr_predict_correction},                                                \
   {                                                                            \

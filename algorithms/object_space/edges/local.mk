@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 algorithm_files += \
   %D%/appel.c \
+  %D%/edge_boxes.c \
   %D%/edge_intersection.c \
   %D%/edge_intersection.h \
   %D%/galimberti.c \
