@@ -5,10 +5,14 @@
  * Spared      Fewer cells are visited for polygons; polygons are left out in
  *             cubes of which nothing is left to be seen.
  * Paid        More cells are visited for cubes, since all of a silhouette is
- *             gone through. */
+ *             gone through.
+ * Work        The work pictures of cubes and of polygons add up to that of all
+ *             (1996, figure 3). */
+#include "algorithms/variant.h"
 #include "tests/properties/hierarchical/claims.h"
 #include "tests/tap.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 static void check(struct tap *tap, const char *name, uint32_t view, int m,
@@ -43,8 +47,54 @@ static void check(struct tap *tap, const char *name, uint32_t view, int m,
   claim_close(&scene);
 }
 
+enum { SIDE = 200 };
+
+static void draw_work(const struct claim_scene *scene, const char *algorithm,
+                      float *work) {
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_variant variant;
+  struct hsr_setup setup;
+  struct hsr_arena arena = HSR_ARENA_EMPTY;
+  struct hsr_tally tally = {.work = work, .work_stride = SIDE};
+  uint32_t *ids = malloc(SIDE * SIDE * sizeof *ids);
+  struct hsr_job job = {.view = &scene->view,
+                        .scratch = &arena,
+                        .tally = &tally,
+                        .ids = ids,
+                        .ids_stride = SIDE};
+  if (!ids || hsr_variant_parse(algorithm, &variant, &err) ||
+      hsr_setup_init(&setup, variant.listed->counting, &variant.choice,
+                     &scene->worlds.outline, &err) ||
+      hsr_setup_render(&setup, &job, &err))
+    abort();
+  hsr_setup_free(&setup);
+  hsr_arena_free(&arena);
+  free(ids);
+}
+
+static void check_work(struct tap *tap) {
+  static float all[SIDE * SIDE], cubes[SIDE * SIDE], polygons[SIDE * SIDE];
+  struct claim_scene scene;
+  double of_cubes = 0, of_polygons = 0, most = 0;
+  claim_open(&scene, "office:1", 0, SIDE, SIDE);
+  draw_work(&scene, "tiling", all);
+  draw_work(&scene, "tiling:work=cubes", cubes);
+  draw_work(&scene, "tiling:work=polygons", polygons);
+  for (int k = 0; k < SIDE * SIDE; k++) {
+    of_cubes += cubes[k];
+    of_polygons += polygons[k];
+    most = fmax(most, fabs((double)all[k] - cubes[k] - polygons[k]));
+  }
+  ok(tap, most < 1e-3 && of_cubes > 0 && of_polygons > 0,
+     "work pictures: %.3f cells a pixel for cubes, %.3f for polygons, and "
+     "together all",
+     of_cubes / (SIDE * SIDE), of_polygons / (SIDE * SIDE));
+  claim_close(&scene);
+}
+
 int main(void) {
-  struct tap tap = plan(8);
+  struct tap tap = plan(9);
+  check_work(&tap);
   check(&tap, "office:2", 0, 512, 512, "");
   check(&tap, "office:2", 40, 333, 250, ":start=root");
   check(&tap, "office:1", 20, 512, 512, ":leaf=10");

@@ -85,8 +85,10 @@ enum hsr_status hsr_tiling_begin(struct hsr_tiling *t,
                                  const struct hsr_sampling *sampling,
                                  const struct hsr_job *job,
                                  struct hsr_pieces_room room) {
-  *t = (struct hsr_tiling){
-      .job = job, .sampling = sampling, .view = view_of(job)};
+  *t = (struct hsr_tiling){.job = job,
+                           .sampling = sampling,
+                           .view = view_of(job),
+                           .work = job->tally->work};
   t->masks = masks_of(t);
   hsr_canvas_begin(&t->canvas, job, t->view.window, &sampling->cosine,
                    HSR_SAMPLES_WRITTEN);
@@ -126,4 +128,5 @@ void hsr_tiling_background(struct hsr_tiling *t) {
   hsr_tiling_whom(t, HSR_FACE(HSR_BACKGROUND));
   hsr_canvas_face(&t->canvas, HSR_BACKGROUND);
   hsr_masks_tile_rest(&t->masks, &t->sink);
+  t->job->tally->work = t->work;
 }

@@ -65,6 +65,14 @@ struct hsr_tiling {
   struct hsr_pieces_view pieces;
   struct hsr_canvas canvas;
   struct hsr_mask_sink sink; /* to the canvas */
+
+  /* The work picture, or NULL; and whose cells it shows. */
+  float *work;
+  enum hsr_tiling_work {
+    HSR_WORK_ALL,
+    HSR_WORK_CUBES,
+    HSR_WORK_POLYGONS
+  } shows;
 };
 
 /* With room for such trees; `tiling` must stay where it is. HSR_E_NOMEM. */
@@ -155,6 +163,9 @@ static inline void hsr_tiling_whom(struct hsr_tiling *tiling,
   tiling->masks.count.cells =
       whom.kind == HSR_OF_CELL ? HSR_CUBE_CELLS : HSR_POLYGON_CELLS;
   tiling->masks.count.whom = whom;
+  bool shown = tiling->shows == HSR_WORK_ALL ||
+               (tiling->shows == HSR_WORK_CUBES) == (whom.kind == HSR_OF_CELL);
+  tiling->job->tally->work = shown ? tiling->work : NULL;
 }
 
 /* Counts a cube whose silhouette has been tiled: hsr_tiling_whom has named it,

@@ -24,7 +24,7 @@
 
 #include <stdlib.h>
 
-enum { LEAF, INTERVALS, MASKS, START, CUBES, COUNTS };
+enum { LEAF, INTERVALS, MASKS, START, CUBES, COUNTS, WORK };
 enum { MASKS_EXACT, MASKS_TABLE };
 enum { START_BOX, START_ROOT };
 enum { CUBES_TESTED, CUBES_DRAWN };
@@ -142,6 +142,7 @@ static enum hsr_status begin(struct frame *f, const struct hsr_job *job) {
   *f = (struct frame){.job = job, .prepared = p};
   if (hsr_tiling_begin(&f->tiling, &p->sampling, job, room))
     return HSR_E_NOMEM;
+  f->tiling.shows = (enum hsr_tiling_work)job->option[WORK];
   if (p->samples)
     f->tiling.masks.sample_tables = p->sample_tables + hsr_tiling_pattern(job);
   f->waiting = HSR_NEW(job->scratch, struct hsr_bsp_waiting,
@@ -372,6 +373,15 @@ static const struct hsr_option options[] = {
                          "are passed over",
                          0},
                         {NULL, NULL, 0}}},
+    [WORK] = {.name = "work",
+              .meaning = "which visited cells the work picture shows, as in "
+                         "figure 3 of 1996",
+              .words =
+                  (const struct hsr_word[]){
+                      {"all", "all of them", 0},
+                      {"cubes", "those visited for cubes", 0},
+                      {"polygons", "those visited for polygons", 0},
+                      {NULL, NULL, 0}}},
     {.name = NULL}};
 
 const struct hsr_algorithm HSR_ALGORITHM(tiling) = {
