@@ -9,15 +9,21 @@ static enum hsr_status open_place(struct render *r,
                                   struct hsr_error *err) {
   const struct render_options *o = r->options;
   double begin = seconds_now();
-  enum hsr_status status =
-      open_scene(o->scene.name, o->scene.import, &r->scene, err);
+  char frame[MOST_FILE_NAME];
+  const char *name = o->scene.name;
+  if (o->last_frame >= 0 && series_name(name, r->frame, frame))
+    name = frame;
+  enum hsr_status status = open_scene(name, o->scene.import, &r->scene, err);
   if (status)
     return status;
   r->import = seconds_now() - begin;
 
   begin = seconds_now();
-  r->view_number = o->view.view;
-  status = choose_view(&o->view, r->scene, (int)o->supersamples, &r->view, err);
+  struct view_options place = o->view;
+  if (o->last_frame >= 0 && o->first)
+    place.view = o->first + r->frame - o->first_frame;
+  r->view_number = o->last_frame < 0 ? o->view.view : r->frame;
+  status = choose_view(&place, r->scene, (int)o->supersamples, &r->view, err);
   if (!status && o->orbit)
     status = hsr_scene_turn(r->scene, (uint32_t)o->view.view - 1,
                             (uint32_t)o->orbit, err);
@@ -30,7 +36,9 @@ static enum hsr_status open_place(struct render *r,
 /* "view 3", "views 1-153" or "72 views of a turn". */
 static void print_views(const struct render *r, char *text, size_t size) {
   const struct render_options *o = r->options;
-  if (o->first)
+  if (o->last_frame >= 0)
+    snprintf(text, size, "frames %ld-%ld", o->first_frame, o->last_frame);
+  else if (o->first)
     snprintf(text, size, "views %ld-%ld", o->first, o->last);
   else if (o->orbit)
     snprintf(text, size, "a turn from view %ld", o->view.view);
@@ -120,6 +128,56 @@ static void ask_for_transparency(const struct render *r,
     variant->choice.form = hsr_form_standard(a->also);
 }
 
+/* Opens the scene and makes ready for it. */
+static enum hsr_status prepare(struct render *r, const struct hsr_algorithm *a,
+                               struct hsr_variant *variant,
+                               struct hsr_error *err) {
+  enum hsr_status status = open_place(r, a, err);
+  if (status)
+    return status;
+  ask_for_transparency(r, variant);
+  r->kind = variant->choice.form.type;
+  return hsr_setup_init(&r->setup, a, &variant->choice, &r->world, err);
+}
+
+/* Frees what is of one scene, before the next. */
+static void forget_scene(struct render *r) {
+  hsr_setup_free(&r->setup);
+  hsr_world_free(&r->world);
+  render_forget(r);
+  hsr_scene_delete(r->scene);
+  r->setup.algorithm = NULL;
+  r->world = (struct hsr_world){.n_faces = 0};
+  r->scene = NULL;
+}
+
+/* Makes the pictures of a scene's frames, each of which is a scene; only the
+ * last one stays in *r. */
+static enum hsr_status make_frames(struct render *r,
+                                   const struct hsr_algorithm *a,
+                                   struct hsr_variant *variant,
+                                   struct hsr_error *err) {
+  const struct render_options *o = r->options;
+  struct progress progress = progress_begin(stderr);
+  enum hsr_status status = HSR_OK;
+  for (long k = o->first_frame; k <= o->last_frame && !status; k++) {
+    struct render before = *r;
+    progress_tell(&progress, (size_t)(k - o->first_frame),
+                  (size_t)(o->last_frame - o->first_frame + 1), "frames",
+                  o->scene.name);
+    if (k > o->first_frame)
+      forget_scene(r);
+    r->frame = k;
+    status = prepare(r, a, variant, err);
+    r->import += before.import;
+    r->build += before.build;
+    if (!status)
+      status = make_picture(r, err);
+  }
+  progress_end(&progress);
+  return status;
+}
+
 enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   struct render_options options;
   struct hsr_variant variant;
@@ -130,14 +188,14 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
       options.work ? variant.listed->counting : variant.listed->plain;
 
   struct render r = {.options = &options, .crew = crew_new(options.threads)};
-  status = r.crew ? open_place(&r, a, err) : hsr_fail_nomem(err);
-  if (!status) {
-    ask_for_transparency(&r, &variant);
-    r.kind = variant.choice.form.type;
-    status = hsr_setup_init(&r.setup, a, &variant.choice, &r.world, err);
+  status = r.crew ? HSR_OK : hsr_fail_nomem(err);
+  if (!status && options.last_frame >= 0) {
+    status = make_frames(&r, a, &variant, err);
+  } else if (!status) {
+    status = prepare(&r, a, &variant, err);
+    if (!status)
+      status = make_all(&r, err);
   }
-  if (!status)
-    status = make_all(&r, err);
   if (!status)
     print_report(&r, a);
   render_close(&r);

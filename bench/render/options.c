@@ -13,6 +13,7 @@ enum {
   CREASE,
   VIEWS,
   ORBIT,
+  FRAMES,
   PASSES,
   UNCERTAINTY,
   CERTAIN,
@@ -84,23 +85,26 @@ static error_t parse_line_option(struct render_options *o, int key, char *arg) {
   }
 }
 
-/* "A-B" or "A". */
-static bool parse_range(const char *text, long *first, long *last) {
+/* "A-B" or "A", of numbers from `least` on. */
+static bool parse_range(const char *text, long least, long *first, long *last) {
   char start[32];
   size_t n = strcspn(text, "-");
   if (n >= sizeof start)
     return false;
   snprintf(start, sizeof start, "%.*s", (int)n, text);
-  return parse_count(start, 1, INT_MAX, first) &&
+  return parse_count(start, least, INT_MAX, first) &&
          parse_count(text[n] ? text + n + 1 : start, *first, INT_MAX, last);
 }
 
 /* Options for several pictures. */
 static error_t parse_series_option(struct render_options *o, int key,
                                    char *arg) {
-  if (key == VIEWS && !parse_range(arg, &o->first, &o->last))
+  if (key == VIEWS && !parse_range(arg, 1, &o->first, &o->last))
     return option_fail(&o->base,
                        "--views %s: must be A-B, each 1 or more, A <= B", arg);
+  if (key == FRAMES && !parse_range(arg, 0, &o->first_frame, &o->last_frame))
+    return option_fail(&o->base,
+                       "--frames %s: must be A-B, each 0 or more, A <= B", arg);
   if (key == ORBIT && !parse_count(arg, 1, MOST_ORBIT, &o->orbit))
     return option_fail(&o->base, "--orbit %s: must be 1 to %d", arg,
                        (int)MOST_ORBIT);
@@ -150,6 +154,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   case VIEWS:
   case ORBIT:
+  case FRAMES:
     return parse_series_option(o, key, arg);
   default:
     return parse_place_option(o, key, arg);
@@ -173,6 +178,10 @@ static const struct argp_option entries[] = {
     {"orbit", ORBIT, "N", 0,
      "make N pictures of a full turn around the point looked at, from the view "
      "on",
+     10},
+    {"frames", FRAMES, "A-B", 0,
+     "make a picture of each of these scenes: SCENE has %d in the place of the "
+     "number, as in traffic:20:%d; with --views A, view A + K of the K-th",
      10},
     {NULL, 0, NULL, 0, "Where the algorithm draws faces:", 2},
     {"work", WORK, "FILE", 0,
@@ -222,7 +231,8 @@ static const struct argp argp = {
     "  hsr render harbor -a watkins --work work.png\n"
     "  hsr render house -a zbuffer:filter=cosine:jitter=4 -o house.png\n"
     "  hsr render house -a line-oracle --hidden dashed -o house.svg\n"
-    "  hsr render mesh:elephant --orbit 72 -o turn%02d.png",
+    "  hsr render mesh:elephant --orbit 72 -o turn%02d.png\n"
+    "  hsr render traffic:20:%d --frames 0-99 -a hzbuffer -o t%02d.png",
     NULL,
     NULL,
     NULL};
@@ -258,6 +268,15 @@ static enum hsr_status check_series(const struct render_options *o,
     return hsr_fail(err, HSR_E_USAGE,
                     "render: --views or --orbit, not both at once");
   char name[MOST_FILE_NAME];
+  if (o->last_frame >= 0 && (o->orbit || o->last > o->first))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "render: --frames goes with one view, or with the first of "
+                    "a walk");
+  if (o->last_frame >= 0 && !series_name(o->scene.name, 0, name))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%.200s: of several frames, SCENE must have one %%d in the "
+                    "place of the number, as in traffic:20:%%d",
+                    o->scene.name);
   for (int k = 0; k <= o->n_outputs && is_series(o); k++) {
     const char *file = k < o->n_outputs ? o->output[k] : o->work;
     if (file && !series_name(file, 1, name))
@@ -275,6 +294,7 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
   *o = (struct render_options){.view = VIEW_OPTIONS_STANDARD,
                                .algorithm = "zbuffer",
                                .crease = -1,
+                               .last_frame = -1,
                                .threads = 1,
                                .supersamples = 1};
   enum hsr_status status = parse_options(&argp, argc, argv, o, err);

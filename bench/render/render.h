@@ -23,8 +23,9 @@ struct render_options {
    * answers which take account of it accept; or NULL. */
   const char *given[HSR_N_TAKES];
   long threads, supersamples;
-  long first, last; /* of --views, from 1; first is 0 without it */
-  long orbit;       /* of --orbit; 0 without it */
+  long first, last;             /* of --views, from 1; first is 0 without it */
+  long orbit;                   /* of --orbit; 0 without it */
+  long first_frame, last_frame; /* of --frames; last_frame is -1 without it */
 };
 
 /* Reads the command line of hsr render, and the variant that it names. The
@@ -35,9 +36,9 @@ enum hsr_status render_parse(int argc, char **argv,
                              struct hsr_variant *variant,
                              struct hsr_error *err);
 
-/* Whether pictures of several views are made. */
+/* Whether pictures of several views or frames are made. */
 static inline bool is_series(const struct render_options *options) {
-  return options->first || options->orbit;
+  return options->first || options->orbit || options->last_frame >= 0;
 }
 
 /* The pictures in the making, one after the other, and their times and counts.
@@ -57,7 +58,9 @@ struct render {
   struct hsr_passes passes;
   enum hsr_status pass_status;
   struct hsr_error pass_err;
-  long view_number, n_pictures; /* of this picture, from 1; and so far */
+  long view_number, n_pictures; /* of this picture, from 1, or its frame's; and
+                                   so far */
+  long frame;                   /* of --frames */
   double import, build;         /* seconds */
   double draw, shade, write;    /* seconds, of all pictures */
 };

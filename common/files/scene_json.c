@@ -566,12 +566,24 @@ static enum hsr_status read_opacity(const struct reader *reader,
   return status;
 }
 
+/* What moves is of triangles. */
+static enum hsr_status read_moves(struct reader *reader,
+                                  const struct place *place,
+                                  const json_t *value,
+                                  struct hsr_object *object) {
+  enum hsr_status status = read_bool(reader, place, value, &object->moves);
+  for (uint32_t f = 0; !status && object->moves && f < object->n_faces; f++)
+    if (object->start[f + 1] - object->start[f] != 3)
+      return refuse(reader, place, "face %u is not a triangle", f);
+  return status;
+}
+
 static enum hsr_status
 read_object(struct reader *reader, const struct place *place, json_t *value,
             const struct hsr_json_part list[OBJECT_LISTS]) {
-  static const char *const keys[] = {"name",         "file",     "one_sided",
-                                     "colour",       "vertices", "faces",
-                                     "face_colours", "opacity",  NULL};
+  static const char *const keys[] = {
+      "name",  "file",         "one_sided", "colour", "vertices",
+      "faces", "face_colours", "opacity",   "moves",  NULL};
   enum hsr_status status = check_keys(reader, place, value, keys);
   if (status)
     return status;
@@ -579,6 +591,7 @@ read_object(struct reader *reader, const struct place *place, json_t *value,
   json_t *name = json_object_get(value, "name");
   json_t *one_sided = json_object_get(value, "one_sided");
   json_t *opacity = json_object_get(value, "opacity");
+  json_t *moves = json_object_get(value, "moves");
   const char *text = NULL;
   if (!is_mesh)
     status = require(reader, place, value, "name", &name);
@@ -592,6 +605,9 @@ read_object(struct reader *reader, const struct place *place, json_t *value,
   if (!status && opacity)
     status = read_opacity(reader, &(struct place){place, "opacity", 0}, opacity,
                           &object->opacity);
+  if (!status && moves)
+    status =
+        read_moves(reader, &(struct place){place, "moves", 0}, moves, object);
   if (!status && text)
     status = rename_to(reader, &object->name, text);
   if (!status && one_sided)
@@ -1036,6 +1052,8 @@ static void put_object(struct writer *writer, const struct hsr_object *object) {
     put_text(writer, ",\n   \"opacity\": ");
     put(writer, json_real((double)object->opacity), FLOAT_DIGITS);
   }
+  if (object->moves)
+    put_text(writer, ",\n   \"moves\": true");
   put_text(writer, ",\n   \"vertices\": [");
   for (uint32_t v = 0; v < object->n_vertices && !writer->status; v++) {
     put_line(writer, v, "    ");

@@ -58,7 +58,8 @@ static bool same_object(const struct hsr_object *a,
                         const struct hsr_object *b) {
   return !strcmp(a->name, b->name) && a->n_vertices == b->n_vertices &&
          a->n_faces == b->n_faces && a->one_sided == b->one_sided &&
-         !a->rgb == !b->rgb && same(a->colour, b->colour, sizeof a->colour) &&
+         a->moves == b->moves && !a->rgb == !b->rgb &&
+         same(a->colour, b->colour, sizeof a->colour) &&
          same(a->xyz, b->xyz, 3 * sizeof(double) * a->n_vertices) &&
          same(a->start, b->start, sizeof(uint32_t) * (a->n_faces + 1)) &&
          same(a->vertex, b->vertex, sizeof(uint32_t) * a->start[a->n_faces]) &&
@@ -136,6 +137,7 @@ static void add_random(struct hsr_scene *scene, const char *name,
   struct hsr_object *object = hsr_scene_object(scene, name);
   must(object);
   object->one_sided = one_sided;
+  object->moves = one_sided;
   for (int v = 0; v < 500; v++)
     must(!hsr_object_vertex(object, random_double(&state),
                             random_double(&state), random_double(&state),
@@ -442,6 +444,11 @@ static const struct {
      ": /objects/0/name: must be a string, not an array"},
     {HEAD "{\"name\": \"a\", \"one_sided\": 1, " TRIANGLE "}]}",
      ": /objects/0/one_sided: must be true or false, not a number"},
+    {HEAD "{\"name\": \"a\", \"moves\": 1, " TRIANGLE "}]}",
+     ": /objects/0/moves: must be true or false, not a number"},
+    {HEAD "{\"name\": \"a\", \"moves\": true, \"vertices\": [[0,0,0],"
+          "[1,0,0],[1,1,0],[0,1,0]], \"faces\": [[0,1,2,3]]}]}",
+     ": /objects/0/moves: face 0 is not a triangle"},
     {HEAD "{\"name\": \"a\", \"colour\": \"red\", " TRIANGLE "}]}",
      ": /objects/0/colour: must be an array, not a string"},
     {HEAD "{\"name\": \"a\", \"colour\": [0,0], " TRIANGLE "}]}",
