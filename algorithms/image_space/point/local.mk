@@ -7,5 +7,6 @@ algorithm_files += \
   %D%/scan_line.h \
   %D%/watkins.c \
   %D%/watkins.h \
+  %D%/watkins_z.c \
   %D%/x_list.c \
   %D%/yzx.c

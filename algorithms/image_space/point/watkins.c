@@ -18,14 +18,14 @@
  *             ("Scan-Line Coherence"). The second is by the column on the first
  *             scan line, where they have the X of the upper vertex: this leaves
  *             no two edges of one vertex out of order. Of the third, the sort
- *             is saved, not the intercepts of hidden edges. x_list.c has all
- *             three
+ *             is saved, not the intercepts of hidden edges. x_list.c has these
+ *             three. And Z buckets (watkins_z.c)
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
  *             of scan_line.h; of a crossing that is predicted 10, as of other
  *             relations of two segments in the plane */
 #include "algorithms/image_space/point/watkins.h"
 
-enum { X_PRESORT = HSR_N_WATKINS_COUNTERS, X_CROSSINGS };
+enum { X_PRESORT = HSR_N_WATKINS_COUNTERS, X_CROSSINGS, Z_SORT, Z_COMPARE };
 
 static const struct hsr_counter counters[] = {
     HSR_WATKINS_COUNTERS(""),
@@ -34,6 +34,11 @@ static const struct hsr_counter counters[] = {
     [X_CROSSINGS] = {"X crossings",
                      "predictions of where an edge crosses its neighbor",
                      HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "next line|later"},
+    [Z_SORT] = {"Z sort", "faces put into Z buckets", HSR_SORT, HSR_OF_FACE,
+                HSR_OF_NOTHING},
+    [Z_COMPARE] = {"Z buckets", "comparisons of two segments' Z buckets",
+                   HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                   "undecided|farther|nearer"},
     {NULL}};
 
 static const struct hsr_step steps[] = {
@@ -51,8 +56,12 @@ static const struct hsr_step steps[] = {
      hsr_predict_x_sort,
      {{HSR_X_INTERCHANGES, 10}, {X_CROSSINGS, 10}}},
     {"span cull", HSR_SPAN_CULL, 1, "n S_l", hsr_predict_span_cull},
-    {"depth search", HSR_DEPTH_SEARCH, 30, "30 n D_c min(m, 2 S_v)",
-     hsr_predict_depth_search},
+    {"depth search",
+     HSR_DEPTH_SEARCH,
+     30,
+     "30 n D_c min(m, 2 S_v)",
+     hsr_predict_depth_search,
+     {{Z_SORT, 1}, {Z_COMPARE, 1}}},
     {NULL}};
 
 static const struct hsr_sort sorts[] = {HSR_WATKINS_SORTS, {NULL}};
@@ -60,12 +69,16 @@ static const struct hsr_sort sorts[] = {HSR_WATKINS_SORTS, {NULL}};
 static const struct hsr_line outline[] = {
     {"with a presort: put each edge into the X bucket of its first column",
      HSR_RAISES(X_PRESORT)},
+    {"with Z buckets: put each face into those of its depths",
+     HSR_RAISES(Z_SORT)},
     HSR_WATKINS_LINES(0, ""),
+    {"    with Z buckets: search only if those of two segments do not tell",
+     HSR_RAISES(Z_COMPARE)},
     {"  where the sort waits: predict where new neighbors in the list cross",
      HSR_RAISES(X_CROSSINGS)},
     {NULL}};
 
-enum { X_LIST, PRESORT, SORT }; /* options */
+enum { X_LIST, PRESORT, SORT, Z }; /* options */
 enum { LIST, TREE };
 enum { NO_PRESORT, BY_X };
 enum { EACH_LINE, CROSSING };
@@ -82,12 +95,19 @@ static const struct hsr_word waits[] = {
     [CROSSING] = {"crossing",
                   "where a new edge enters, or a crossing was predicted", 0},
     {NULL}};
+enum { SEARCH, Z_BUCKETS };
+static const struct hsr_word depths[] = {
+    [SEARCH] = {"search", "by the search in depth alone", 0},
+    [Z_BUCKETS] = {"buckets", "by their faces' Z buckets, if these tell", 0},
+    {NULL}};
 static const struct hsr_option options[] = {
     [X_LIST] = {"x-list", "what the X sort list is", lists, 0, TREE, LIST},
     [PRESORT] = {"presort", "how edges are sorted before the Y sort", presorts,
                  0, BY_X, NO_PRESORT},
     [SORT] = {"sort", "when neighbors in the X sort list are compared", waits,
               0, CROSSING, EACH_LINE},
+    [Z] = {"z", "how segments are compared in depth", depths, 0, Z_BUCKETS,
+           SEARCH},
     {NULL}};
 
 /* No segment. */
@@ -222,6 +242,18 @@ static bool first_is_nearer(struct hsr_watkins *s,
   return nearer;
 }
 
+/* Whether the Z buckets of two segments' faces tell which is nearer. */
+static enum order order_by_bucket(struct hsr_watkins *s, uint32_t f, uint32_t g,
+                                  int l, int r, int j) {
+  enum order order = s->z_farthest[f] < s->z_nearest[g]   ? NEARER
+                     : s->z_farthest[g] < s->z_nearest[f] ? FARTHER
+                                                          : UNDECIDED;
+  (void)l, (void)r, (void)j; /* for the trace */
+  HSR_STEP(s->tally, s->z_counter, HSR_FACE(f), HSR_FACE(g), HSR_ON(l, r, j),
+           (int)order);
+  return order;
+}
+
 /* The last step, for whole segments. Faces of one plane need no search. */
 static bool is_nearer(struct hsr_watkins *s,
                       const struct hsr_watkins_segment *f,
@@ -233,6 +265,12 @@ static bool is_nearer(struct hsr_watkins *s,
   if (plane[f->face] == plane[g->face]) {
     *end = r;
     return f->face < g->face;
+  }
+  if (s->z_nearest) {
+    enum order order = order_by_bucket(s, f->face, g->face, l, r, j);
+    *end = r;
+    if (order != UNDECIDED)
+      return order == NEARER;
   }
   return first_is_nearer(s, f, whole_part(f), g, whole_part(g), l, r, j, end);
 }
@@ -393,7 +431,9 @@ static enum hsr_status render(const struct hsr_job *job,
                       job->tally) ||
       hsr_watkins_reserve(&watkins, job, &screen, hsr_scan_whole_room(&screen),
                           job->world->n_faces) ||
-      hsr_scan_choose(&watkins.edges, ways))
+      hsr_scan_choose(&watkins.edges, ways) ||
+      (job->option[Z] == Z_BUCKETS &&
+       hsr_watkins_sort_z(&watkins, Z_SORT, Z_COMPARE)))
     return hsr_fail_nomem(err);
   hsr_watkins_solve(&watkins, &job->view->window, screen.relevant,
                     screen.n_relevant);

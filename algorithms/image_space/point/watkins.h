@@ -29,6 +29,11 @@ struct hsr_watkins {
   uint32_t *under, n_under; /* segments that reach over the span's left end */
   bool layer;               /* paint over what is there: show no background */
 
+  /* Z buckets, or NULL: the buckets of each face's nearest and farthest point,
+   * the nearest first. A comparison of them is a step of z_counter. */
+  uint16_t *z_nearest, *z_farthest;
+  int z_counter;
+
   /* The last step: is f nearer than g at the first sample of [l, r), where both
    * are? The answer is true for [l, *end). NULL: by a search in depth. */
   bool (*is_nearer)(void *context, const struct hsr_watkins_segment *f,
@@ -63,6 +68,13 @@ void hsr_watkins_solve(struct hsr_watkins *watkins,
 /* Shows the background in all of a window, for layers to be painted over. */
 void hsr_watkins_clear(struct hsr_watkins *watkins,
                        const struct hsr_window *window);
+
+/* Puts all relevant faces into Z buckets, each a step of `sort`, so that only
+ * segments of faces that share a bucket are compared in depth. Steps of
+ * `compare` tell the others apart. Memory from job->scratch. HSR_E_NOMEM. */
+#define hsr_watkins_sort_z HSR_OF_BUILD(hsr_watkins_sort_z)
+enum hsr_status hsr_watkins_sort_z(struct hsr_watkins *watkins, int sort,
+                                   int compare);
 
 /* Counters, steps and sorts as those of scan_line.h: of everything but the last
  * step, and of all. */
