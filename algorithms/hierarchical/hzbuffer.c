@@ -54,7 +54,8 @@ enum {
   COMPLETED,
   CUBES_AGAIN,
   MOVED,
-  SPLITS
+  SPLITS,
+  LOOKED
 };
 
 static const struct hsr_counter counters[] = {
@@ -107,12 +108,16 @@ static const struct hsr_counter counters[] = {
                HSR_SORT, HSR_OF_VOLUME, HSR_OF_CELL},
     [SPLITS] = {"splits", "cubes of instances that move, divided",
                 HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
+    [LOOKED] = {"movers looked at",
+                "in their cubes of the last frame, which may hold them still",
+                HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_CELL, "left|kept"},
     {NULL}};
 
 static const struct hsr_line outline[] = {
     {"render the cubes that were visible in the last frame",
      HSR_RAISES(CUBES_AGAIN)},
     {"make an octree of what moves: divide a cube", HSR_RAISES(SPLITS)},
+    {"or keep it: does its cube still hold an instance?", HSR_RAISES(LOOKED)},
     {"  move an instance down to an octant", HSR_RAISES(MOVED)},
     {"process_node: for each node, from front to back", HSR_RAISES(NODES)},
     {"  return if the cube is outside of the frustum",
@@ -162,7 +167,7 @@ enum { CUBE, TIGHT };
 enum { RECTANGLE, SIDES, WHOLE };
 enum { FAST, BASIC, DEFINITIVE, NONE };
 enum { NO_COHERENCE, LIST, PASSES };
-enum { FRESH, LAZY, BEHIND };
+enum { FRESH, LAZY, BEHIND, KEPT };
 enum { WORK_ALL, WORK_PYRAMID, WORK_BOXES, WORK_POLYGONS };
 
 static const struct hsr_word off_on[] = {
@@ -207,6 +212,8 @@ static const struct hsr_word movings[] = {
     {"octree", "an octree of them in every frame, beside the other", 0},
     {"lazy", "the same, divided only where it is visible", 0},
     {"behind", "one by one, after all that does not move", 0},
+    {"update", "an octree of them that is kept and brought up to date",
+     HSR_FRAME_STATE},
     {NULL, NULL, 0}};
 static const struct hsr_word works[] = {
     {"all", "everything", 0},
@@ -236,7 +243,7 @@ static const struct hsr_option options[] = {
                            off_on, 0, 1, OFF},
     [COHERENCE] = {"coherence", "what is kept from frame to frame", coherences,
                    0, 2, NO_COHERENCE},
-    [MOVERS] = {"movers", "what is done with objects that move", movings, 0, 2,
+    [MOVERS] = {"movers", "what is done with objects that move", movings, 0, 3,
                 FRESH},
     [THRESHOLD] = {"threshold",
                    "pyramid=queries: cubes of fewer faces are not asked of",
@@ -253,6 +260,9 @@ struct prepared {
   struct hsr_cube_list
       list[2]; /* visible cubes, of the last frame and of this */
   int last;    /* which one is the last frame's */
+
+  struct hsr_movers movers; /* movers=update: kept */
+  struct hsr_arena movers_arena;
 
   /* With z-queries: how many faces are in a cube and below. */
   uint32_t **in_object; /* an object, a node of its octree */
@@ -793,10 +803,27 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
     uint32_t mover = moving != HSR_NO_NODE
                          ? hsr_mover_node(&w->movers, moving)->child[o]
                          : HSR_NO_NODE;
+    if (mover != HSR_NO_NODE && w->option[MOVERS] == KEPT &&
+        hsr_mover_is_empty(&w->movers, mover))
+      mover = HSR_NO_NODE;
     struct hsr_octree_node octant = hsr_octree_octant(cube, o);
     if (child != HSR_NO_NODE || mover != HSR_NO_NODE)
       render_instances(w, &octant, child, mover, inside);
   }
+}
+
+/* The movers' octree of the last frame, brought up to date; *w borrows it. */
+static enum hsr_status keep_movers(struct walk *w) {
+  struct prepared *prepared = w->frame.job->prepared;
+  enum hsr_status status =
+      hsr_movers_update(&prepared->movers, w->frame.cubes, w->tally, MOVED,
+                        LOOKED, &prepared->movers_arena);
+  if (status) {
+    hsr_arena_free(&prepared->movers_arena);
+    prepared->movers = (struct hsr_movers){.n = 0};
+  }
+  w->movers = prepared->movers;
+  return status;
 }
 
 /* The octrees from front to back; what moves is among them, or behind them, as
@@ -807,8 +834,9 @@ static enum hsr_status render_octrees(struct walk *w) {
   struct hsr_movers *movers = &w->movers;
   long how = w->option[MOVERS];
   root.tight = hsr_octree_cube(&root); /* what moves may be all over it */
-  if (hsr_movers_init(movers, cubes, w->tally, MOVED, SPLITS,
-                      w->frame.job->scratch))
+  if (how == KEPT ? keep_movers(w)
+                  : hsr_movers_init(movers, cubes, w->tally, MOVED, SPLITS,
+                                    w->frame.job->scratch))
     return HSR_E_NOMEM;
   if (how == FRESH && !hsr_movers_divide_all(movers, 0, &root))
     return HSR_E_NOMEM;
@@ -1018,6 +1046,7 @@ static void release(void *object) {
   hsr_arena_free(&prepared->list[0].arena);
   hsr_arena_free(&prepared->list[1].arena);
   hsr_arena_free(&prepared->arena);
+  hsr_arena_free(&prepared->movers_arena);
   free(prepared);
 }
 

@@ -89,3 +89,120 @@ bool hsr_movers_divide_all(struct hsr_movers *m, uint32_t node,
   }
   return true;
 }
+
+/* --- A tree that is kept -------------------------------------------------- */
+
+enum { DEEPEST = 16 };
+
+static bool new_octant(struct hsr_movers *m, uint32_t parent, int octant,
+                       uint32_t *made) {
+  if (!new_node(m, made))
+    return false;
+  struct hsr_mover_node *node = hsr_mover_node(m, *made);
+  node->divided = true;
+  node->parent = parent;
+  node->n_below = 0;
+  node->cube = hsr_octree_octant(&hsr_mover_node(m, parent)->cube, octant);
+  hsr_mover_node(m, parent)->child[octant] = *made;
+  return true;
+}
+
+static uint32_t *list_of(struct hsr_movers *m, uint32_t node) {
+  return node == HSR_NO_NODE ? &m->outside : &hsr_mover_node(m, node)->first;
+}
+
+static void take_out(struct hsr_movers *m, uint32_t k) {
+  uint32_t *link = list_of(m, m->mover[k].node);
+  while (*link != k)
+    link = &m->mover[*link].next;
+  *link = m->mover[k].next;
+}
+
+/* The cubes above `from`, or that one, no longer hold the mover, until one holds
+ * its bounds. */
+static uint32_t go_up(struct hsr_movers *m, uint32_t from,
+                      const struct hsr_box *bounds) {
+  while (from != HSR_NO_NODE) {
+    struct hsr_mover_node *node = hsr_mover_node(m, from);
+    struct hsr_box cube = hsr_cube_box(&node->cube);
+    if (hsr_box_holds(&cube, bounds))
+      return from;
+    node->n_below--;
+    from = node->parent;
+  }
+  return HSR_NO_NODE;
+}
+
+/* To the smallest octant that holds mover k. */
+static bool go_down(struct hsr_movers *m, uint32_t k, uint32_t *at) {
+  for (int depth = 0; depth < DEEPEST; depth++) {
+    struct hsr_mover_node *node = hsr_mover_node(m, *at);
+    int o = hsr_octant_that_holds(&node->cube, &m->mover[k].bounds);
+    if (o < 0)
+      return true;
+    uint32_t child = node->child[o];
+    if (child == HSR_NO_NODE && !new_octant(m, *at, o, &child))
+      return false;
+    hsr_mover_node(m, child)->n_below++;
+    *at = child;
+    HSR_STEP(m->tally, m->moved, HSR_VOLUME(m->mover[k].instance),
+             HSR_MOVERS_CUBE(child), HSR_NOWHERE, 0);
+  }
+  return true;
+}
+
+static enum hsr_status begin_kept(struct hsr_movers *m,
+                                  const struct hsr_cubes *cubes) {
+  uint32_t root;
+  m->mover = HSR_NEW(m->arena, struct hsr_mover, cubes->n_movers);
+  m->n = cubes->n_movers;
+  m->outside = HSR_NO_MOVER;
+  if (!m->mover || !new_node(m, &root))
+    return HSR_E_NOMEM;
+  struct hsr_mover_node *node = hsr_mover_node(m, root);
+  node->divided = true;
+  node->parent = HSR_NO_NODE;
+  node->n_below = 0;
+  node->cube = cubes->octree.node[0];
+  for (uint32_t k = 0; k < m->n; k++) {
+    m->mover[k].instance = cubes->mover[k];
+    m->mover[k].node = HSR_NO_NODE;
+    put(m, &m->outside, k);
+  }
+  return HSR_OK;
+}
+
+enum hsr_status hsr_movers_update(struct hsr_movers *m,
+                                  const struct hsr_cubes *cubes,
+                                  struct hsr_tally *tally, int moved,
+                                  int looked, struct hsr_arena *arena) {
+  m->tally = tally;
+  m->moved = moved;
+  m->arena = arena;
+  if (!m->mover && begin_kept(m, cubes))
+    return HSR_E_NOMEM;
+  struct hsr_box root = hsr_cube_box(&hsr_mover_node(m, 0)->cube);
+  for (uint32_t k = 0; k < m->n; k++) {
+    struct hsr_mover *mover = &m->mover[k];
+    uint32_t was = mover->node;
+    mover->bounds = hsr_cubes_bounds(cubes, mover->instance);
+    uint32_t at = go_up(m, was, &mover->bounds);
+    bool stays = at == was &&
+                 (was != HSR_NO_NODE || !hsr_box_holds(&root, &mover->bounds));
+    HSR_STEP(tally, looked, HSR_VOLUME(mover->instance),
+             was == HSR_NO_NODE ? HSR_NOTHING : HSR_MOVERS_CUBE(was),
+             HSR_NOWHERE, stays);
+    if (stays)
+      continue;
+    take_out(m, k);
+    if (at == HSR_NO_NODE && hsr_box_holds(&root, &mover->bounds)) {
+      at = 0;
+      hsr_mover_node(m, 0)->n_below++;
+    }
+    if (at != HSR_NO_NODE && !go_down(m, k, &at))
+      return HSR_E_NOMEM;
+    mover->node = at;
+    put(m, list_of(m, at), k);
+  }
+  return HSR_OK;
+}

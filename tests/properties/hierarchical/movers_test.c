@@ -21,6 +21,8 @@ static const char *const variants[] = {"clark",
                                        "hzbuffer",
                                        "hzbuffer:movers=lazy",
                                        "hzbuffer:movers=behind",
+                                       "hzbuffer:movers=update",
+                                       "hzbuffer:coherence=list:movers=update",
                                        "hzbuffer:cubes=sides:completed=on",
                                        "hzbuffer:volumes=tight:cubes=whole",
                                        "hzbuffer:coherence=list",
@@ -132,8 +134,75 @@ static void check(struct tap *tap, int per_cent, uint32_t of) {
   hsr_scene_delete(scene);
 }
 
+/* --- The work of keeping an octree ---------------------------------------- */
+
+enum { LONG = 12 };
+
+static uint64_t count_of(const struct ready *r, const char *name) {
+  const struct hsr_counter *counter = r->setup.algorithm->counters;
+  for (int k = 0; counter[k].name; k++)
+    if (!strcmp(counter[k].name, name))
+      return r->tally.count[k];
+  stop(name);
+  return 0;
+}
+
+/* Thesis, 3.4: to bring an octree up to date takes much less than to make it
+ * anew, since most instances stay in their cubes; but each has to be looked at.
+ */
+static void check_update(struct tap *tap) {
+  static const char *const ways[3] = {"hzbuffer", "hzbuffer:movers=lazy",
+                                      "hzbuffer:movers=update"};
+  static uint32_t right[M * N];
+  struct ready ready[3];
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_scene *scene = open_scene(20, 0);
+  struct hsr_world outline;
+  struct hsr_view view;
+  uint64_t first = 0, movers = 0;
+  if (hsr_world_outline(&outline, scene, &err) ||
+      hsr_view_init(&view, &scene->views[60], M, N, &err))
+    stop(err.text);
+  for (uint32_t i = 0; i < scene->n_instances; i++)
+    movers += scene->objects[scene->instances[i].object].moves;
+  for (int k = 0; k < 3; k++) {
+    ready[k] = (struct ready){.wrong = 0};
+    if (hsr_variant_parse(ways[k], &ready[k].variant, &err) ||
+        hsr_setup_init(&ready[k].setup, ready[k].variant.listed->counting,
+                       &ready[k].variant.choice, &outline, &err))
+      stop(err.text);
+  }
+  for (int frame = 0; frame < LONG; frame++) {
+    struct hsr_scene *then = open_scene(20, frame);
+    memcpy(scene->instances, then->instances,
+           scene->n_instances * sizeof *scene->instances);
+    hsr_scene_delete(then);
+    for (int k = 0; k < 3; k++)
+      draw(&ready[k], &view, right);
+    if (!frame)
+      first = count_of(&ready[2], "moved down");
+  }
+  uint64_t anew = count_of(&ready[0], "moved down");
+  uint64_t lazily = count_of(&ready[1], "moved down");
+  uint64_t kept = count_of(&ready[2], "moved down") - first;
+  ok(tap,
+     count_of(&ready[2], "movers looked at") == LONG * movers &&
+         8 * kept < anew && lazily < anew && kept > 0,
+     "%lu carts, a frame: %lu moved down in a new octree, %lu in a lazy one, "
+     "%lu in one brought up to date, where all are looked at",
+     (unsigned long)movers, (unsigned long)(anew / LONG),
+     (unsigned long)(lazily / LONG), (unsigned long)(kept / (LONG - 1)));
+  for (int k = 0; k < 3; k++) {
+    hsr_setup_free(&ready[k].setup);
+    hsr_arena_free(&ready[k].scratch);
+  }
+  hsr_world_free(&outline);
+  hsr_scene_delete(scene);
+}
+
 int main(void) {
-  struct tap tap = plan(2 * (1 + VARIANTS));
+  struct tap tap = plan(2 * (1 + VARIANTS) + 1);
+  check_update(&tap);
   check(&tap, 1, 0);
   check(&tap, 20, 60);
   return finish(&tap);
