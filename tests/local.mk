@@ -18,6 +18,7 @@ tap_programs = \
   %D%/unit/core/filter_test \
   %D%/unit/files/image_test \
   %D%/unit/files/volume_test \
+  %D%/unit/core/gouraud_test \
   %D%/unit/algorithms/grove_test \
   %D%/unit/bench/line_oracle_test \
   %D%/unit/algorithms/masks_test \

@@ -33,6 +33,7 @@ static error_t parse_face_option(struct render_options *o, int key, char *arg) {
   static const char *const shadings[] = {[HSR_SHADE_LAMBERT] = "lambert",
                                          [HSR_SHADE_FLAT] = "flat",
                                          [HSR_SHADE_IDS] = "ids",
+                                         [HSR_SHADE_GOURAUD] = "gouraud",
                                          NULL};
   int shading;
   switch (key) {
@@ -45,8 +46,8 @@ static error_t parse_face_option(struct render_options *o, int key, char *arg) {
     o->given[HSR_SHADING] = "--shade";
     shading = choose_word(arg, shadings);
     if (shading < 0)
-      return option_fail(&o->base, "--shade %s: must be lambert, flat or ids",
-                         arg);
+      return option_fail(
+          &o->base, "--shade %s: must be lambert, gouraud, flat or ids", arg);
     o->shading = (enum hsr_shading)shading;
     return 0;
   case WORK:
@@ -188,7 +189,10 @@ static const struct argp_option entries[] = {
      "write the work picture: how often each sample was touched (runs the "
      "counting build); filtered, only where the algorithm filters itself",
      2},
-    {"shade", SHADE, "HOW", 0, "lambert (standard), flat, or ids", 2},
+    {"shade", SHADE, "HOW", 0,
+     "lambert (standard), gouraud (colours at corners, interpolated), flat, "
+     "or ids",
+     2},
     {"supersample", 'S', "N", 0,
      "N x N samples a pixel, averaged (colours only)", 2},
     {NULL, 0, NULL, 0, "Where it draws in passes:", 4},

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/view/picture.h"
+#include "common/view/gouraud.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -79,8 +80,8 @@ static void face_colour(const struct hsr_world *world, uint32_t f,
     rgb[k] = colour[k];
 }
 
-float hsr_picture_light(const struct hsr_view *view, const double n[3],
-                        const double p[3]) {
+float hsr_picture_light_of(const struct hsr_view *view, const double n[3],
+                           bool turned) {
   double length = 0, light_length = 0, lit = 0;
   for (int k = 0; k < 3; k++) {
     double l = -view->F[k] - 0.5 * view->R[k] + 0.9 * view->U[k];
@@ -89,9 +90,14 @@ float hsr_picture_light(const struct hsr_view *view, const double n[3],
     lit += n[k] * l;
   }
   double cosine = lit / sqrt(length * light_length);
-  if (hsr_view_height(view, n, p) > 0)
+  if (turned)
     cosine = -cosine;
   return (float)(cosine > 0 ? 0.25 + 0.75 * cosine : 0.25);
+}
+
+float hsr_picture_light(const struct hsr_view *view, const double n[3],
+                        const double p[3]) {
+  return hsr_picture_light_of(view, n, hsr_view_height(view, n, p) > 0);
 }
 
 static float lambert(const struct hsr_world *world, const struct hsr_view *view,
@@ -110,7 +116,7 @@ void hsr_picture_colour(const struct hsr_world *world,
   } else if (shading == HSR_SHADE_IDS) {
     id_colour(scene_id(world, id), rgb);
   } else {
-    float light = shading == HSR_SHADE_LAMBERT ? lambert(world, view, id) : 1;
+    float light = shading == HSR_SHADE_FLAT ? 1 : lambert(world, view, id);
     face_colour(world, id, rgb);
     for (int c = 0; c < 3; c++)
       rgb[c] *= light;
@@ -190,6 +196,13 @@ enum hsr_status hsr_picture_finish(const struct hsr_world *world,
                                    float *rgb, struct hsr_error *err) {
   struct seen seen = {.ids = NULL};
   enum hsr_status status = HSR_OK;
+  if (rgb && shading == HSR_SHADE_GOURAUD &&
+      !hsr_scene_lacks_faces(world->outline.scene)) {
+    status = hsr_gouraud_shade(world, view, ids, rgb, err);
+    rgb = NULL;
+  }
+  if (status || !(depth || rgb))
+    return status;
   if (hsr_is_outline(world)) {
     status =
         seen_init(&seen, world, ids, (size_t)view->m * (size_t)view->n, err);

@@ -23,7 +23,9 @@ struct hsr_picture {
 enum hsr_shading {
   HSR_SHADE_LAMBERT, /* the face's colour, lit by hsr_picture_light */
   HSR_SHADE_FLAT,    /* the face's colour as it is */
-  HSR_SHADE_IDS      /* a colour of its own for every face id */
+  HSR_SHADE_IDS,     /* a colour of its own for every face id */
+  HSR_SHADE_GOURAUD  /* by hsr_picture_light_of at its corners, interpolated
+                        (gouraud.h); of cells of a grid, as LAMBERT */
 };
 
 /* depth[k] = t of the plane of face ids[k] at sample k, +infinity for
@@ -39,8 +41,13 @@ void hsr_picture_depth(const struct hsr_world *world,
 float hsr_picture_light(const struct hsr_view *view, const double normal[3],
                         const double anchor[3]);
 
+/* The same of a normal, of any length, that is turned to the other side if
+ * `turned`. */
+float hsr_picture_light_of(const struct hsr_view *view, const double normal[3],
+                           bool turned);
+
 /* The colour of a face, which is the same all over it, or of the background.
- * Linear, 0..1. */
+ * Linear, 0..1. HSR_SHADE_GOURAUD has no such colour: it is that of LAMBERT. */
 void hsr_picture_colour(const struct hsr_world *world,
                         const struct hsr_view *view, uint32_t id,
                         enum hsr_shading shading, float rgb[3]);

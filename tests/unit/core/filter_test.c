@@ -258,7 +258,7 @@ static void test_pictures(struct tap *tap, const struct stage *stage) {
   bool same = true, on_plane = true;
   for (uint32_t k = 0; k < SAMPLES; k++)
     ids[k] = k % 7 ? 1000003 * k % world->n_faces : HSR_BACKGROUND;
-  for (int shading = 0; shading <= HSR_SHADE_IDS; shading++) {
+  for (int shading = 0; shading <= HSR_SHADE_GOURAUD; shading++) {
     if (hsr_picture_finish(world, view, ids, (enum hsr_shading)shading,
                            depth[0], rgb[0], &err) ||
         hsr_picture_finish(&stage->outline, view, ids,
