@@ -22,11 +22,15 @@
 /* In a drawing of over MANY_LINES nobody would see the hidden ones. */
 enum { NAME = 160, PATH = 4400, MANY_LINES = 30000, MOST_DRAWERS = 16 };
 
+/* Passes that are shown, the first ones. */
+enum { MOST_PASSES = 12 };
+
 /* An algorithm's drawing. */
 struct drawing {
   const struct hsr_algorithm *algorithm; /* its counting build */
   const json_t *cell;
-  char file[NAME]; /* its work picture or its line drawing, in the folder */
+  char file[NAME]; /* of ids their work, else the answer; in the folder */
+  char work[NAME]; /* of an answer that is a picture; empty: none */
   json_t *entry;   /* NULL: not made in time, or not at all */
 };
 
@@ -34,7 +38,9 @@ struct drawing {
 struct drawer {
   pid_t process; /* 0: none */
   struct drawing *drawing;
-  uint32_t *ids; /* of its picture; shared with the process */
+  uint32_t *ids; /* of its picture; shared with the process. If it does not make
+                    ids: the number of its passes that are shown, then the
+                    pixels that were too uncertain after each */
 };
 
 /* The scene and view. */
@@ -95,14 +101,71 @@ static enum hsr_status write_answer(const struct sheet *s,
   return status;
 }
 
+/* --- Passes --------------------------------------------------------------- */
+
+/* An answer that becomes better, and what is told of it. */
+struct series {
+  const struct sheet *sheet;
+  const struct drawing *drawing;
+  uint32_t *told;         /* as in struct drawer */
+  enum hsr_status status; /* what failed first */
+};
+
+static void name_pass(const struct sheet *s, const struct drawing *d,
+                      const char *what, uint32_t pass, char name[NAME]) {
+  snprintf(name, NAME, "pictures/p%d-%s-%s-%u.png", s->subject->number,
+           d->algorithm->name, what, pass);
+}
+
+/* Writes how uncertain each pixel is. *n becomes how many are too uncertain. */
+static enum hsr_status write_uncertainty(const struct hsr_answer *answer,
+                                         const char *path, uint32_t *n) {
+  size_t all = (size_t)answer->m * (size_t)answer->n;
+  float *share = malloc(all * sizeof *share);
+  if (!share)
+    return HSR_E_NOMEM;
+  answer->form.type->uncertainty(answer, share);
+  *n = 0;
+  for (size_t k = 0; k < all; k++) {
+    *n += share[k] > 1;
+    share[k] = fminf(share[k], 1);
+  }
+  enum hsr_status status =
+      hsr_image_write_ramp(path, answer->m, answer->n, share, NULL);
+  free(share);
+  return status;
+}
+
+static void write_pass(void *whom, const struct hsr_answer *answer, int pass) {
+  struct series *series = whom;
+  const struct sheet *s = series->sheet;
+  uint32_t k = (uint32_t)pass;
+  char name[NAME], path[PATH];
+  if (series->status || pass >= MOST_PASSES || (size_t)pass + 1 >= s->n)
+    return;
+  name_pass(s, series->drawing, "pass", k, name);
+  path_of(s, name, path);
+  series->status = write_answer(s, answer, path, NULL);
+  name_pass(s, series->drawing, "uncertainty", k, name);
+  path_of(s, name, path);
+  if (!series->status)
+    series->status = write_uncertainty(answer, path, &series->told[1 + k]);
+  if (!series->status)
+    series->told[0] = k + 1;
+}
+
+/* --- One drawing ---------------------------------------------------------- */
+
 /* Draws with the counting build: only that knows the work. */
 static enum hsr_status draw(const struct sheet *s,
                             const struct hsr_algorithm *a,
+                            const struct hsr_passes *passes,
                             struct hsr_tally *tally, struct hsr_answer *answer,
                             struct hsr_error *err) {
   struct hsr_setup setup;
   enum hsr_status status =
       hsr_setup_init(&setup, a, NULL, &s->stage.world, err);
+  setup.passes = passes;
   if (!status)
     status = answer_init(answer, &setup, &s->stage.view, err);
   if (!status)
@@ -111,16 +174,30 @@ static enum hsr_status draw(const struct sheet *s,
   return status;
 }
 
-/* Draws, and writes the file: of an answer that is compared by samples the
- * work, else the answer. */
+static bool has_work(const struct sheet *s, const struct hsr_tally *tally) {
+  for (size_t k = 0; k < s->n; k++)
+    if (tally->work[k] > 0)
+      return true;
+  return false;
+}
+
+/* Draws, and writes the files: of ids the work, else the answer, and the work if
+ * there is any. */
 static enum hsr_status draw_file(const struct sheet *s, const struct drawing *d,
                                  uint32_t *ids, struct hsr_error *err) {
   struct hsr_answer answer = {.body = NULL};
   struct hsr_tally tally = {.work = calloc(s->n, sizeof(float)),
                             .work_stride = (size_t)s->stage.view.m};
+  struct series series = {.sheet = s, .drawing = d, .told = ids};
+  const struct hsr_passes passes = {write_pass, &series};
   if (!tally.work)
     return hsr_fail_nomem(err);
-  enum hsr_status status = draw(s, d->algorithm, &tally, &answer, err);
+  ids[0] = 0;
+  enum hsr_status status =
+      draw(s, d->algorithm, d->algorithm->kind->uncertainty ? &passes : NULL,
+           &tally, &answer, err);
+  if (!status)
+    status = series.status;
   const uint32_t *got = status ? NULL : hsr_answer_ids_of(&answer);
   if (got)
     memcpy(ids, got, s->n * sizeof *ids);
@@ -129,6 +206,9 @@ static enum hsr_status draw_file(const struct sheet *s, const struct drawing *d,
   if (!status && *d->file)
     status = got ? write_work(path, &s->stage.view, tally.work, err)
                  : write_answer(s, &answer, path, err);
+  path_of(s, d->work, path);
+  if (!status && *d->work && has_work(s, &tally))
+    status = write_work(path, &s->stage.view, tally.work, err);
   hsr_answer_free(&answer);
   free(tally.work);
   return status;
@@ -175,6 +255,11 @@ static bool wait_for_one(struct sheet *s, struct drawer **drawer) {
   fputc('\n', s->out);
   fflush(s->out);
   return WIFEXITED(end) && !WEXITSTATUS(end);
+}
+
+/* Has the kind a picture of its own, as pixels, unlike ids and lines? */
+static bool is_picture(const struct hsr_answer_type *kind) {
+  return kind != HSR_IDS && kind->show_difference;
 }
 
 /* --- What the page is told of a drawing ----------------------------------- */
@@ -233,6 +318,35 @@ static enum hsr_status tell_faces(struct sheet *s, struct drawing *d,
   return n ? write_difference(s, ids, difference, err) : HSR_OK;
 }
 
+static json_t *passes_json(const struct sheet *s, const struct drawing *d,
+                           const uint32_t *told) {
+  json_t *passes = json_array();
+  for (uint32_t k = 0; k < told[0]; k++) {
+    char picture[NAME], uncertainty[NAME];
+    name_pass(s, d, "pass", k, picture);
+    name_pass(s, d, "uncertainty", k, uncertainty);
+    hsr_json_append(&passes, json_pack("{ss ss sI}", "picture", picture,
+                                       "uncertainty", uncertainty, "uncertain",
+                                       (json_int_t)told[1 + k]));
+  }
+  return passes;
+}
+
+/* Another picture than that of ids. It was judged when it was counted. */
+static void tell_picture(const struct sheet *s, struct drawing *d,
+                         const uint32_t *told) {
+  const struct hsr_algorithm *a = d->algorithm;
+  char path[PATH];
+  path_of(s, d->work, path);
+  bool work = !access(path, F_OK);
+  d->entry =
+      json_pack("{ss ss ss sI ss? sn sn ss so}", "algorithm", a->name, "kind",
+                a->kind->name, "status", results_text(d->cell, "status"),
+                "mismatches", (json_int_t)results_number(d->cell, "mismatches"),
+                "work", work ? d->work : NULL, "drawing", "difference",
+                "picture", d->file, "passes", passes_json(s, d, told));
+}
+
 /* A line drawing was judged when it was counted. */
 static void tell_lines(struct drawing *d) {
   const struct hsr_algorithm *a = d->algorithm;
@@ -245,9 +359,12 @@ static void tell_lines(struct drawing *d) {
 
 static enum hsr_status tell(struct sheet *s, struct drawing *d, uint32_t *ids,
                             struct hsr_error *err) {
-  if (d->algorithm->kind->show_difference)
+  if (d->algorithm->kind == HSR_IDS)
     return tell_faces(s, d, ids, err);
-  tell_lines(d);
+  if (is_picture(d->algorithm->kind))
+    tell_picture(s, d, ids);
+  else
+    tell_lines(d);
   return HSR_OK;
 }
 
@@ -342,9 +459,16 @@ static void list_drawings_of(struct sheet *s, bool faces) {
       continue;
     struct drawing *d = &s->drawing[s->n_drawings++];
     *d = (struct drawing){.algorithm = a->counting, .cell = cell};
+    const char *name = a->plain->name;
+    int number = s->subject->number;
+    bool picture = is_picture(a->plain->kind);
     snprintf(d->file, sizeof d->file, "%s/p%d-%s.%s",
-             faces ? "work" : "drawings", s->subject->number, a->plain->name,
-             faces ? "png" : "svg");
+             picture ? "pictures"
+             : faces ? "work"
+                     : "drawings",
+             number, name, faces ? "png" : "svg");
+    if (picture)
+      snprintf(d->work, sizeof d->work, "work/p%d-%s.png", number, name);
   }
 }
 

@@ -159,11 +159,27 @@ export function picturesOf(a, p, entry) {
   return [
     image(entry.drawing, p, `line drawing of ${p.scene} by ${a.name}`, "drawing"),
     !entry.drawing && entry.status === "ok" &&
-      image(p.picture, p, `${p.scene}, as drawn by ${a.name}`, "picture"),
+      image(entry.picture ?? p.picture, p, `${p.scene}, as drawn by ${a.name}`, "picture"),
     image(entry.difference, p, `where ${a.name} differs on ${p.scene}`,
       "differences"),
     image(entry.work, p, `work picture of ${a.name} on ${p.scene}`,
-      "work: how often each sample was touched")];
+      "work: how often each sample was touched"),
+    passesOf(a, p, entry)];
+}
+
+// The picture and how uncertain it is, after every pass.
+function passesOf(a, p, { passes }) {
+  if (!passes?.length) return null;
+  const all = p.width * p.height;
+  return h("details", { class: "passes", open: true },
+    h("summary", {}, "Pass by pass, with how uncertain each pixel is: black if " +
+      "it is known exactly, brightest if it is as uncertain as it may be, or more"),
+    h("div", {}, passes.map(({ picture, uncertainty, uncertain }, k) => [
+      image(picture, p, `${p.scene} after pass ${k} of ${a.name}`,
+        `pass ${k}: ${digits(100 * (1 - uncertain / all))} % within the tolerance`),
+      image(uncertainty, p,
+        `how uncertain ${p.scene} is after pass ${k} of ${a.name}`,
+        `pass ${k}: uncertainty`)])));
 }
 
 function image(source, { width, height }, alt, caption) {
