@@ -2,11 +2,11 @@
 /* Beside Table I: the depth complexity sample by sample, and how many pairs of
  * faces overlap in one direction.
  *
- * Source      Sutherland et al. 1974, appendix A, "Environment Complexity
- *             Measures": D_c is a mean, and in the harbor the number varies
- *             from one to quite high; appendix B: two faces overlap in a direction
- *             with the probability f = 2 H_f / n, the same in X, Y and Z if the
- *             environment is isotropic. */
+ * Source      Sutherland et al. 1974, appendix A, "Definition of
+ *             Environments": D_c is a mean, and in the harbor the number varies
+ *             from one to quite high; appendix B: two faces overlap in a
+ *             direction with the probability f = 2 H_f / n, the same in X, Y
+ *             and Z if the environment is isotropic. */
 #ifndef HSR_COMMON_DEPTH_H
 #define HSR_COMMON_DEPTH_H
 
