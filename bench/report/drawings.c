@@ -181,8 +181,8 @@ static bool has_work(const struct sheet *s, const struct hsr_tally *tally) {
   return false;
 }
 
-/* Draws, and writes the files: of ids the work, else the answer, and the work if
- * there is any. */
+/* Draws, and writes the files: of ids the work, else the answer, and the work
+ * if there is any. */
 static enum hsr_status draw_file(const struct sheet *s, const struct drawing *d,
                                  uint32_t *ids, struct hsr_error *err) {
   struct hsr_answer answer = {.body = NULL};
