@@ -84,18 +84,27 @@ static void add(json_t **object, const char *name, json_t *value) {
   }
 }
 
-/* The value chosen for every option. */
+/* Adds the values chosen for some options. */
+static void add_options(json_t **to, const struct hsr_option *options,
+                        const struct hsr_values *values) {
+  for (int k = 0; options && options[k].name; k++) {
+    const struct hsr_option *o = &options[k];
+    long chosen = values->option[k];
+    add(to, o->name,
+        o->words  ? json_string(o->words[chosen].name)
+        : o->real ? json_real(values->real[k])
+                  : json_integer(chosen));
+  }
+}
+
+/* The value chosen for every option; also for those of an answer that the
+ * algorithm makes besides its own. */
 static json_t *options_json(const struct hsr_algorithm *a,
                             const struct hsr_choice *choice) {
   json_t *options = json_object();
-  for (int k = 0; a->options && a->options[k].name; k++) {
-    const struct hsr_option *o = &a->options[k];
-    long chosen = choice->values.option[k];
-    add(&options, o->name,
-        o->words  ? json_string(o->words[chosen].name)
-        : o->real ? json_real(choice->values.real[k])
-                  : json_integer(chosen));
-  }
+  add_options(&options, a->options, &choice->values);
+  if (choice->form.type == a->also)
+    add_options(&options, choice->form.type->options, &choice->form.values);
   if (choice->window)
     add(&options, "window", json_integer(choice->window));
   return options;
@@ -114,8 +123,8 @@ static json_t *algorithm_json(const struct trace_header *h) {
                    h->run->variant->name, "title", a->title, "authors",
                    a->authors, "year",
                    a->year ? json_integer(a->year) : json_null(), "source",
-                   a->source, "answer", a->kind->name, "options",
-                   options_json(a, &h->run->setup.choice), "adapted",
+                   a->source, "answer", h->run->answer.drawn.form.type->name,
+                   "options", options_json(a, &h->run->setup.choice), "adapted",
                    adaptations_json(&h->run->setup));
 }
 
