@@ -91,8 +91,7 @@ void lesson_recorder_free(struct lesson_recorder *recorder);
 
 /* --- Beside the scene ----------------------------------------------------- */
 
-/* Whether the algorithm makes a list of priority in every frame, whose pieces
- * are of the scene's own faces. */
+/* Whether the algorithm makes lists of priority in every frame. */
 bool lesson_has_list(const struct hsr_setup *setup);
 
 /* Notes an event of counter `c` of such an algorithm. */
@@ -100,7 +99,7 @@ void lesson_note_list(struct lesson_bytes *notes, const struct hsr_counter *c,
                       const struct hsr_event *event);
 
 /* The lists, in order: [{from: the number of the first event, pieces: [[face,
- * the number of the piece that was divided or -1, farthest depth, outline or
+ * the number of the piece that was divided or -1, bucket, outline or
  * null], ...]}, ...]. A new reference, NULL for lack of memory. */
 json_t *lesson_lists_json(const struct trace_run *run,
                           const struct lesson_bytes *notes);
@@ -112,10 +111,13 @@ json_t *lesson_lists_json(const struct trace_run *run,
  *               separator, or -1 - c, where c is a cluster
  *   root        of these, as a side
  *   clusters    the faces of each, of the highest priority first
- *   nodes       of a BSP tree, the first is the root: [face, in front, behind,
- *               first piece, pieces]; -1: nothing
- *   pieces      of that tree: [face, outline]
- *   cubes       of octrees: [node, instance or -1, the images of its corners, or
+ *   nodes       of BSP trees: [face, in front, behind, first piece, pieces];
+ *               -1: nothing
+ *   roots       the roots among these nodes
+ *   pieces      of these trees: [face, outline]
+ *   bases       [face, b], ..., by faces: from that face on, the algorithm's own
+ *               number of a piece, added to b, is its place in pieces
+ *   cubes       of octrees, or boxes in them: [node, instance or -1, the images of its corners, or
  *               null for those that have none]
  *
  * NULL: HSR_E_NOMEM. */

@@ -11,15 +11,17 @@
  *           common/exact/order.h, which the algorithm uses. */
 #include "bench/lesson/lesson.h"
 #include "common/exact/order.h"
+#include "common/scene/pieces.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* --- What is noted of the events ------------------------------------------ */
 
 struct note {
-  uint64_t event; /* its number */
-  uint32_t face, piece;
+  uint64_t event;       /* its number */
+  uint32_t face, piece; /* the face is of the world that the algorithm got */
   uint32_t by;   /* of a division: the face whose plane it is; else HSR_NO_ID */
   bool by_pairs; /* of a sort */
   struct hsr_window window;
@@ -42,7 +44,7 @@ static const char *step_name(const struct hsr_algorithm *a, const char *name) {
 
 bool lesson_has_list(const struct hsr_setup *setup) {
   return *step_name(setup->algorithm, "Z sort") &&
-         *step_name(setup->algorithm, "divisions") && !setup->world->pieces;
+         *step_name(setup->algorithm, "divisions");
 }
 
 void lesson_note_list(struct lesson_bytes *notes, const struct hsr_counter *c,
@@ -55,9 +57,9 @@ void lesson_note_list(struct lesson_bytes *notes, const struct hsr_counter *c,
     if (both[k]->kind == HSR_OF_PIECE)
       lesson_add(notes,
                  &(struct note){.event = event->number,
-                                .face = both[k]->id[0],
+                                .face = event->own[k],
                                 .piece = both[k]->id[1],
-                                .by = divides ? event->b.id[0] : HSR_NO_ID,
+                                .by = divides ? event->own[1] : HSR_NO_ID,
                                 .by_pairs = event->b.kind == HSR_OF_PIECE,
                                 .window = event->window},
                  sizeof(struct note));
@@ -65,7 +67,7 @@ void lesson_note_list(struct lesson_bytes *notes, const struct hsr_counter *c,
 
 /* --- The pieces of a list ------------------------------------------------- */
 
-enum { WHOLE = -1 };
+enum { WHOLE = -1, MOST_BUCKET = (1 << 18) - 1 };
 
 struct piece {
   int64_t parent; /* the number of the piece that was divided; WHOLE: a face */
@@ -104,15 +106,44 @@ static bool make_room(struct lists *l, size_t n) {
   return l->room > 0;
 }
 
+/* A polygon of n points has been put into in[]. */
+static json_t *projected_json(struct lists *l, uint32_t n) {
+  return trace_polygon_json(l->view, (const double(*)[3])l->in, (int)n, l->out);
+}
+
+/* Of a face of the world that the algorithm got: null if it is all of a face of
+ * the scene. */
+static json_t *face_outline_json(struct lists *l, uint32_t face) {
+  const struct hsr_world *world = l->screen.world;
+  const struct hsr_pieces *pieces = world->pieces;
+  uint32_t parent = hsr_world_parent(world, face);
+  if (!pieces || pieces->first[parent + 1] - pieces->first[parent] == 1)
+    return json_null();
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[face];
+  uint32_t n = hsr_face_size(world, face);
+  if (pieces->outline_start[face] < pieces->outline_start[face + 1]) {
+    vertex = pieces->outline + pieces->outline_start[face];
+    n = pieces->outline_start[face + 1] - pieces->outline_start[face];
+  }
+  if (!make_room(l, n))
+    return NULL;
+  for (uint32_t k = 0; k < n; k++)
+    hsr_view_project(l->view,
+                     (const double[3]){world->mesh.x[vertex[k]],
+                                       world->mesh.y[vertex[k]],
+                                       world->mesh.z[vertex[k]]},
+                     l->in[k]);
+  return projected_json(l, n);
+}
+
 static json_t *outline_json(struct lists *l, const struct hsr_polygon *p) {
   if (!p->outline)
-    return json_null();
+    return face_outline_json(l, p->face);
   if (!make_room(l, p->n))
     return NULL;
   for (uint32_t k = 0; k < p->n; k++)
     hsr_view_project(l->view, p->outline[k], l->in[k]);
-  return trace_polygon_json(l->view, (const double(*)[3])l->in, (int)p->n,
-                            l->out);
+  return projected_json(l, p->n);
 }
 
 /* What is in the window of the bounds of a piece. */
@@ -139,16 +170,34 @@ static double farthest_of(const struct lists *l, struct hsr_polygon polygon) {
   return farthest;
 }
 
-/* [face, parent, farthest depth, outline], of each piece. */
+/* Buckets for each 1/depth, as in priority_list.c, of pieces that are whole. */
+static double buckets_per_q(const struct lists *l) {
+  double q_max = 0;
+  for (uint32_t k = 0; k < l->pieces.n; k++)
+    if (piece_at(l, k)->parent == WHOLE)
+      q_max = fmax(q_max, 1 / farthest_of(l, piece_at(l, k)->polygon));
+  return q_max > 0 ? MOST_BUCKET / q_max : 0;
+}
+
+static json_int_t bucket_of(double depth, double per_q) {
+  double bucket = (depth > 0 ? 1 / depth : INFINITY) * per_q;
+  return (json_int_t)(bucket < MOST_BUCKET ? bucket : MOST_BUCKET);
+}
+
+/* [face, parent, bucket, outline], of each piece. */
 static json_t *pieces_json(struct lists *l) {
+  double per_q = buckets_per_q(l);
   json_t *pieces = json_array();
   for (uint32_t k = 0; k < l->pieces.n; k++) {
     const struct piece *p = piece_at(l, k);
-    hsr_json_append(&pieces,
-                    json_pack("[I I o o]", (json_int_t)p->polygon.face,
-                              (json_int_t)p->parent,
-                              number_or_null(farthest_of(l, p->polygon)),
-                              outline_json(l, &p->polygon)));
+    hsr_json_append(
+        &pieces,
+        json_pack(
+            "[I I o o]",
+            (json_int_t)hsr_world_parent(l->screen.world, p->polygon.face),
+            (json_int_t)p->parent,
+            json_integer(bucket_of(farthest_of(l, p->polygon), per_q)),
+            outline_json(l, &p->polygon)));
   }
   return pieces;
 }

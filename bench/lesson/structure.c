@@ -4,6 +4,7 @@
  * made again here by the same rule; that is deterministic. Numbers of faces are
  * the scene's own. */
 #include "algorithms/hierarchical/cubes.h"
+#include "algorithms/image_space/area/tiling/grove.h"
 #include "bench/lesson/lesson.h"
 #include "common/answers/coded.h"
 #include "common/scene/clusters.h"
@@ -78,62 +79,181 @@ static void add_clusters(json_t **to, const struct hsr_world *world) {
 
 /* --- BSP trees ------------------------------------------------------------ */
 
-static json_int_t node_or_none(uint32_t node) {
-  return node == HSR_NO_BSP ? -1 : (json_int_t)node;
+/* What is known of BSP trees so far; the page numbers all nodes and all pieces
+ * through. */
+struct forest {
+  const struct hsr_view *view;
+  json_t *nodes, *roots, *pieces, *bases, *cubes;
+};
+
+/* A tree in its place. */
+struct tree {
+  const struct hsr_bsp *bsp;
+  uint32_t first;      /* added to the number of a face: its id */
+  json_int_t instance; /* whose tree it is; -1: of no single one */
+  double shift[3];
+};
+
+static json_int_t face_id(const struct tree *tree, uint32_t face) {
+  return tree->first + (json_int_t)hsr_world_parent(tree->bsp->world, face);
 }
 
-static json_t *nodes_json(const struct hsr_bsp *bsp) {
-  json_t *nodes = json_array();
+static void add_nodes(struct forest *f, const struct tree *tree) {
+  const struct hsr_bsp *bsp = tree->bsp;
+  json_int_t nodes = (json_int_t)json_array_size(f->nodes),
+             pieces = (json_int_t)json_array_size(f->pieces);
   for (uint32_t k = 0; k < bsp->n_nodes; k++) {
     const struct hsr_bsp_node *n = &bsp->node[k];
-    uint32_t face = hsr_world_parent(bsp->world, bsp->face_of[n->plane]);
+    json_int_t side[2] = {n->front, n->behind};
+    for (int s = 0; s < 2; s++)
+      side[s] = side[s] == HSR_NO_BSP ? -1 : side[s] + nodes;
     hsr_json_append(
-        &nodes, json_pack("[I I I I I]", (json_int_t)face,
-                          node_or_none(n->front), node_or_none(n->behind),
-                          (json_int_t)n->first_piece, (json_int_t)n->n_pieces));
+        &f->nodes,
+        json_pack("[I I I I I]", face_id(tree, bsp->face_of[n->plane]), side[0],
+                  side[1], n->first_piece + pieces, (json_int_t)n->n_pieces));
   }
-  return nodes;
+  for (uint32_t c = 0; c < bsp->n_cubes; c++)
+    if (bsp->cube[c].root != HSR_NO_BSP)
+      hsr_json_append(&f->roots, json_integer(bsp->cube[c].root + nodes));
 }
 
-static json_t *bsp_pieces_json(const struct hsr_bsp *bsp,
-                               const struct hsr_view *view) {
+static void project(const struct forest *f, const struct tree *tree,
+                    const double point[3], double image[3]) {
+  const double moved[3] = {point[0] + tree->shift[0], point[1] + tree->shift[1],
+                           point[2] + tree->shift[2]};
+  hsr_view_project(f->view, moved, image);
+}
+
+static bool add_pieces(struct forest *f, const struct tree *tree) {
+  const struct hsr_bsp *bsp = tree->bsp;
   uint32_t most = 1;
   for (uint32_t k = 0; k < bsp->n_pieces; k++)
     if (bsp->piece[k].n_corners > most)
       most = bsp->piece[k].n_corners;
   double(*in)[3] = malloc(most * sizeof *in);
   double(*out)[3] = malloc((most + most / 2 + 1) * sizeof *out);
-  json_t *pieces = in && out ? json_array() : NULL;
-  for (uint32_t k = 0; pieces && k < bsp->n_pieces; k++) {
+  bool good = in && out;
+  hsr_json_append(&f->bases, json_pack("[I I]", (json_int_t)tree->first,
+                                       (json_int_t)json_array_size(f->pieces)));
+  for (uint32_t k = 0; good && k < bsp->n_pieces; k++) {
     const struct hsr_bsp_piece *p = &bsp->piece[k];
     for (uint32_t c = 0; c < p->n_corners; c++) {
       uint32_t at = bsp->corner[p->first_corner + c].point;
-      hsr_view_project(
-          view, (const double[3]){bsp->x[at], bsp->y[at], bsp->z[at]}, in[c]);
+      project(f, tree, (const double[3]){bsp->x[at], bsp->y[at], bsp->z[at]},
+              in[c]);
     }
-    hsr_json_append(&pieces,
-                    json_pack("[I o]",
-                              (json_int_t)hsr_world_parent(bsp->world, p->face),
-                              trace_polygon_json(view, (const double(*)[3])in,
-                                                 (int)p->n_corners, out)));
+    hsr_json_append(&f->pieces, json_pack("[I o]", face_id(tree, p->face),
+                                          trace_polygon_json(
+                                              f->view, (const double(*)[3])in,
+                                              (int)p->n_corners, out)));
   }
   free(in);
   free(out);
-  return pieces;
+  return good;
 }
 
-/* One tree of all faces, as of algorithms/list_priority/fixed/bsp_frame.c. */
-static bool add_bsp(json_t **to, const struct trace_run *run) {
-  static const struct hsr_bsp_rule one_tree = {.most = 0};
+/* The corners of a box; null for all if it holds nothing. */
+static json_t *box_json(const struct forest *f, const struct tree *tree,
+                        const struct hsr_box *box) {
+  json_t *corners = json_array();
+  for (int c = 0; c < 8; c++) {
+    double point[3];
+    for (int k = 0; k < 3; k++)
+      point[k] = tree->shift[k] + (c >> k & 1 ? box->hi[k] : box->lo[k]);
+    hsr_json_append(&corners, box->lo[0] <= box->hi[0]
+                                  ? hsr_point_json(f->view, point)
+                                  : json_null());
+  }
+  return corners;
+}
+
+/* What such an algorithm asks about is the tight box in each cube. */
+static void add_boxes(struct forest *f, const struct tree *tree) {
+  const struct hsr_bsp *bsp = tree->bsp;
+  for (uint32_t k = 0;
+       k < bsp->n_cubes && json_array_size(f->cubes) < MOST_CUBES; k++)
+    hsr_json_append(&f->cubes,
+                    json_pack("[I I o]", (json_int_t)k, tree->instance,
+                              box_json(f, tree, &bsp->cube[k].tight)));
+}
+
+static bool add_tree(struct forest *f, const struct tree *tree) {
+  add_nodes(f, tree);
+  add_boxes(f, tree);
+  return add_pieces(f, tree);
+}
+
+/* Takes what is in the forest. */
+static void add_forest(json_t **to, struct forest *f, bool boxes) {
+  bool is_large = json_array_size(f->nodes) > MOST_NODES;
+  const struct {
+    const char *name;
+    json_t *value;
+    bool wanted;
+  } member[] = {{"nodes", f->nodes, !is_large && json_array_size(f->nodes)},
+                {"roots", f->roots, !is_large},
+                {"pieces", f->pieces, !is_large},
+                {"bases", f->bases, !is_large},
+                {"cubes", f->cubes, boxes}};
+  for (size_t k = 0; k < sizeof member / sizeof *member; k++)
+    if (member[k].wanted)
+      add(to, member[k].name, member[k].value);
+    else
+      json_decref(member[k].value);
+}
+
+static struct forest forest_new(const struct hsr_view *view) {
+  return (struct forest){view,         json_array(), json_array(),
+                         json_array(), json_array(), json_array()};
+}
+
+/* One tree of the whole world, or of each of its cubes. */
+static bool add_bsp(json_t **to, const struct trace_run *run, uint32_t leaf) {
+  struct hsr_bsp_rule rule = {.most = leaf};
+  struct forest f = forest_new(&run->view);
   struct hsr_bsp bsp;
   struct hsr_error err;
-  bool good = !hsr_bsp_init(&bsp, run->setup.world, &one_tree, &err);
-  if (good && bsp.n_nodes && bsp.n_nodes <= MOST_NODES) {
-    add(to, "nodes", nodes_json(&bsp));
-    add(to, "pieces", bsp_pieces_json(&bsp, &run->view));
-  }
+  bool good = !hsr_bsp_init(&bsp, run->setup.world, &rule, &err) &&
+              add_tree(&f, &(struct tree){.bsp = &bsp, .instance = -1});
+  add_forest(to, &f, leaf > 0);
   hsr_bsp_free(&bsp);
   return good;
+}
+
+/* The trees of tiling.c: a tree of all, or one for each object, wherever an
+ * instance of it is; and boxes of several instances. */
+static bool add_grove(json_t **to, const struct trace_run *run, uint32_t leaf) {
+  struct hsr_bsp_rule rule = {.most = leaf};
+  struct forest f = forest_new(&run->view);
+  struct hsr_grove grove;
+  struct hsr_error err;
+  bool good = !hsr_grove_init(&grove, run->setup.world, &rule, &err);
+  if (good && grove.is_whole)
+    good = add_tree(&f, &(struct tree){.bsp = &grove.whole, .instance = -1});
+  const struct hsr_world *world = run->setup.world;
+  for (uint32_t k = 0; good && !grove.is_whole && k < run->scene->n_instances;
+       k++) {
+    const struct hsr_instance *i = &run->scene->instances[k];
+    good = add_tree(&f, &(struct tree){&grove.tree[i->object].bsp,
+                                       world->outline.first[k],
+                                       k,
+                                       {i->m[3], i->m[7], i->m[11]}});
+  }
+  const struct tree still = {.instance = -1};
+  for (uint32_t k = 0; good && !grove.is_whole && k < grove.n_nodes; k++)
+    hsr_json_append(&f.cubes,
+                    json_pack("[I I o]", (json_int_t)k, (json_int_t)-1,
+                              box_json(&f, &still, &grove.node[k].box)));
+  add_forest(to, &f, true);
+  hsr_grove_free(&grove);
+  return good;
+}
+
+static bool has_movers(const struct hsr_scene *scene) {
+  for (uint32_t k = 0; k < scene->n_instances; k++)
+    if (scene->objects[scene->instances[k].object].moves)
+      return true;
+  return false;
 }
 
 /* --- Octrees -------------------------------------------------------------- */
@@ -209,10 +329,14 @@ json_t *lesson_structure_json(const struct trace_run *run) {
   bool good = true;
   if (counts(a, "inter-cluster priority"))
     add_clusters(&structure, run->setup.world);
-  if (counts(a, "pieces") && counts(a, "thickness checks") &&
-      !option_of(&run->setup, "leaf", 0))
-    good = add_bsp(&structure, run);
-  if (counts(a, "nodes visited"))
+  uint32_t leaf = (uint32_t)option_of(&run->setup, "leaf", 0);
+  if (!strcmp(a->name, "tiling"))
+    good = add_grove(&structure, run, leaf);
+  else if (!strcmp(a->name, "tiling-merged"))
+    good = has_movers(run->scene) || add_bsp(&structure, run, leaf);
+  else if (counts(a, "pieces") && counts(a, "thickness checks") && !leaf)
+    good = add_bsp(&structure, run, 0);
+  else if (counts(a, "nodes visited"))
     good = add_cubes(&structure, run);
   if (!good)
     json_decref(structure);

@@ -25,6 +25,7 @@ void hsr_tally_tell(struct hsr_tally *tally, int counter, struct hsr_subject a,
                             .counter = tally->first + counter,
                             .a = a,
                             .b = b,
+                            .own = {a.id[0], b.id[0]},
                             .window = window,
                             .outcome = outcome,
                             .part = part};

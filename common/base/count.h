@@ -117,6 +117,8 @@ struct hsr_event {
   uint64_t number; /* in the run, from 0 */
   int counter;     /* the algorithm's own number */
   struct hsr_subject a, b;
+  uint32_t own[2]; /* the first numbers of a and b as the algorithm has them:
+                      those of the faces that it was given */
   struct hsr_window window; /* in samples; empty: the whole picture, or none */
   int outcome;              /* which of the counter's outcomes; or 0 */
   const void *part; /* HSR_ACCEPT of an answer that is not ids: what is added to

@@ -93,8 +93,8 @@ function watched([name, stories]) {
     for (let e = 0; e < trace.kept && (run.list || pieces); e++) {
       const { a, b } = run.event(e);
       for (const { kind, ids: [face, p] } of [a, b])
-        if (kind === "piece" && run.pieceFace(e, p) !== face)
-          expect(`piece ${p} at ${e}`, run.pieceFace(e, p), face);
+        if (kind === "piece" && run.pieceFace(e, p, face) !== face)
+          expect(`piece ${p} at ${e}`, run.pieceFace(e, p, face), face);
     }
 
     // Segments of a divided face lie in the outline of the piece at the head.

@@ -6,7 +6,8 @@ import { above } from "./run.js";
 export function structureOf(run) {
   const pyramid = pyramidOf(run);
   return { list: listOf(run), tree: treeOf(run), pyramid,
-    outline: outlines(run), pieceFace: (k, p) => pieceAt(run, k, p)?.[0] ?? null,
+    outline: outlines(run),
+    pieceFace: (k, p, face) => pieceAt(run, k, p, face)?.[0] ?? null,
     children: (k, p) => childrenOf(run, k, p),
     cubes: cubesOf(run), isCube: cubeSides(run) };
 }
@@ -23,12 +24,20 @@ function listAt(run, k) {
   return lists[above(run.begins, k + 1) - 1] ?? null;
 }
 
-const pieceAt = (run, k, p) =>
-  run.trace.structure.pieces?.[p] ?? listAt(run, k)?.pieces[p];
+// The place of piece p of a face in the list of all pieces of all trees.
+function placeOfPiece(run, p, face) {
+  const { bases } = run.trace.structure;
+  run.treesBegin ??= Int32Array.from(bases, ([first]) => first);
+  return (bases[above(run.treesBegin, face + 1) - 1]?.[1] ?? 0) + p;
+}
 
-// What is left of a face: the outline of piece p at event k; null: all of it, or
-// not known.
-const outlines = (run) => (k, p) => pieceAt(run, k, p)?.at(-1) ?? null;
+const pieceAt = (run, k, p, face) => run.trace.structure.pieces
+  ? run.trace.structure.pieces[placeOfPiece(run, p, face)]
+  : listAt(run, k)?.pieces[p];
+
+// What is left of a face: the outline of its piece p at event k; null: all of it,
+// or not known.
+const outlines = (run) => (k, p, face) => pieceAt(run, k, p, face)?.at(-1) ?? null;
 
 // The pieces that a division of piece p made.
 function childrenOf(run, k, p) {
@@ -116,16 +125,12 @@ function sortedFaces(run, sort) {
 // --- Newell's list ---
 
 const KEPT = 64; // operations from one copy of the list to the next
-const BUCKETS = 2 ** 18 - 1;
 
 // Bucket by bucket, from the farthest on; within one, as they are numbered.
 function sorted(pieces) {
   const whole = pieces.map((piece, p) => [p, piece]).filter(([, [, parent]]) =>
     parent < 0);
-  const q = ([, [, , depth]]) => depth === null ? 0 : 1 / depth;
-  const most = Math.max(...whole.map(q));
-  const bucket = (piece) => most > 0
-    ? Math.floor(Math.min(BUCKETS, q(piece) * BUCKETS / most)) : 0;
+  const bucket = ([, [, , own]]) => own;
   return whole.sort((a, b) => bucket(a) - bucket(b)).map(([p]) => p);
 }
 
@@ -235,7 +240,7 @@ function priorityList(run) {
 
 // --- Trees ---
 
-// { nodes: [{ face, words, front, behind, x, y, name }], root, at(k): { now, seen,
+// { nodes: [{ face, words, front, behind, x, y, name }], roots, at(k): { now, seen,
 //   path } }. A leaf has a name and no sides.
 function treeOf(run) {
   const { structure } = run.trace;
@@ -243,10 +248,10 @@ function treeOf(run) {
     : structure.nodes ? bspTree(run, structure) : null;
 }
 
-// Puts leaves and nodes side by side, in the order of the tree; returns how many.
-function layOut(nodes, root) {
+// Puts leaves and nodes side by side, in the order of the trees; returns how many.
+function layOut(nodes, roots) {
   let x = 0, deepest = 0;
-  const waiting = root >= 0 ? [[root, 0, false]] : [];
+  const waiting = roots.slice().reverse().map((root) => [root, 0, false]);
   while (waiting.length) {
     const [n, y, ready] = waiting.pop();
     const { front, behind } = nodes[n];
@@ -289,7 +294,7 @@ function separatorTree(run, { separators, root, clusters }) {
     ...clusters.map((faces, c) => ({ faces, words: `cluster ${c}`, name: String(c),
       front: -1, behind: -1 }))]);
   const { when, which } = visits(run, nodes, place(root), separators.length);
-  return walked(nodes, place(root), when, which);
+  return walked(nodes, [place(root)], when, which);
 }
 
 // The nodes in the order in which they are visited, and from which event on. At
@@ -330,7 +335,7 @@ function visits(run, nodes, root, n) {
   return replay(true) ?? replay(false) ?? { when: [], which: [] };
 }
 
-function bspTree(run, { nodes: given }) {
+function bspTree(run, { nodes: given, roots }) {
   const { trace } = run;
   const nodes = withParents(given.map(([face, front, behind, first, n]) => ({ face,
     words: `the plane of ${run.faceName(face)}`, front, behind, first, n })));
@@ -339,17 +344,19 @@ function bspTree(run, { nodes: given }) {
   const counter = numberOf(run, "pieces");
   const when = [], which = [];
   for (let k = 0; k < trace.kept; k++)
-    if (trace.counter[k] === counter && nodeOf[trace.a1[k]] !== which.at(-1)) {
+    if (trace.counter[k] === counter) {
+      const node = nodeOf[placeOfPiece(run, trace.a1[k], trace.a0[k])];
+      if (node === which.at(-1)) continue;
       when.push(k);
-      which.push(nodeOf[trace.a1[k]]);
+      which.push(node);
     }
-  return walked(nodes, 0, when, which);
+  return walked(nodes, roots, when, which);
 }
 
-function walked(nodes, root, when, which) {
-  const size = layOut(nodes, root);
+function walked(nodes, roots, when, which) {
+  const size = layOut(nodes, roots);
   const sortedWhen = Uint32Array.from(when);
-  return { nodes, root, ...size, at: (k) => {
+  return { nodes, roots, ...size, at: (k) => {
     const n = above(sortedWhen, k);
     const now = n ? which[n - 1] : -1;
     return { now, seen: which.slice(0, n), path: now < 0 ? []

@@ -44,7 +44,7 @@ const MANY = 240; // items; of more, no numbers are shown
 function listStrip(run) {
   const { element, draw, say, width } = board("The list", run.list.title);
   const same = (item, s) => s && (s.kind === "piece"
-    ? item.piece === s.ids[1] : s.kind === "face" && item.piece === null &&
+    ? item.piece === s.ids[1] && item.face === s.ids[0] : s.kind === "face" && item.piece === null &&
       item.face === s.ids[0]);
 
   const show = (k, e) => {
@@ -120,7 +120,7 @@ function planeTree(run) {
   const { tree } = run;
   const { element, draw, say } = board("The tree of planes",
     run.trace.structure.clusters ? "The tree of separating planes"
-      : "The BSP tree");
+      : tree.roots.length > 1 ? "The BSP trees of the cubes" : "The BSP tree");
   const height = Math.min(260, 26 + 22 * tree.depth);
   const SIDES = { front: "in front", behind: "behind" };
 

@@ -150,7 +150,7 @@ export function picture(canvas, run) {
 
   // Of a piece, what is left of its face.
   const mark = (subject, colour, dashed, fill, k) => {
-    const left = subject.kind === "piece" ? run.outline(k, subject.ids[1]) : null;
+    const left = subject.kind === "piece" ? run.outline(k, subject.ids[1], subject.ids[0]) : null;
     for (const f of facesOf(subject)) {
       if (!paths[f]) continue;
       const path = left ? pathOf(left) : paths[f];
