@@ -111,6 +111,7 @@ tap_scripts = \
   %D%/example/example.test \
   %D%/command.test \
   %D%/completion.test \
+  %D%/full.test \
   %D%/peers.test \
   %D%/volumes.test \
   %D%/bad/bad_input.test \

@@ -3,7 +3,9 @@
 
 #include "common/files/image_library.h"
 #include "common/files/srgb.h"
+#include "common/files/whole_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
@@ -48,11 +50,26 @@ Failure failure(const std::string &path, std::string text) {
   return {HSR_E_INPUT, path + ": cannot be written: " + text};
 }
 
-/* Writes pixels of `type` (UNKNOWN: as the spec lays them out) under a
- * temporary name that ends in the same suffix, and renames. */
-void write_file(const std::string &path, const ImageSpec &spec, TypeDesc type,
-                const void *pixels) {
-  const std::string suffix = suffix_of(path), part = path + ".part" + suffix;
+using Bytes = std::vector<unsigned char>;
+
+void write_bytes(const std::string &path, const Bytes &bytes) {
+  hsr_whole_file file;
+  hsr_error err;
+  enum hsr_status status = hsr_whole_file_open(&file, path.c_str(), &err);
+  if (!status) {
+    std::fwrite(bytes.data(), 1, bytes.size(), file.stream);
+    status = hsr_whole_file_close(&file, HSR_OK, &err);
+  }
+  if (status)
+    throw Failure{status, err.text};
+}
+
+/* Pixels of `type` (UNKNOWN: as the spec lays them out) as the bytes of a file.
+ * They are made in memory: where a disk is full, libpng does not say so, and
+ * libjpeg ends the program. */
+Bytes encode(const std::string &path, const ImageSpec &spec, TypeDesc type,
+             const void *pixels) {
+  const std::string suffix = suffix_of(path);
   if (suffix.empty())
     throw Failure{HSR_E_INPUT,
                   path + ": a picture's name ends in .png, .exr or the like"};
@@ -69,17 +86,19 @@ void write_file(const std::string &path, const ImageSpec &spec, TypeDesc type,
   }
   out->threads(1);
   errno = 0;
-  bool good = out->open(part, spec) && out->write_image(type, pixels);
+  Bytes bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  bool good = out->set_ioproxy(&memory) && out->open(path, spec) &&
+              out->write_image(type, pixels);
   good = out->close() && good;
-  if (good && std::rename(part.c_str(), path.c_str()) != 0) {
-    std::remove(part.c_str());
-    throw failure(path, std::strerror(errno));
-  }
-  if (!good) {
-    Failure f = failure(path, out->geterror());
-    std::remove(part.c_str());
-    throw f;
-  }
+  if (!good)
+    throw failure(path, out->geterror());
+  return bytes;
+}
+
+void write_file(const std::string &path, const ImageSpec &spec, TypeDesc type,
+                const void *pixels) {
+  write_bytes(path, encode(path, spec, type, pixels));
 }
 
 /* "key=value" lines into the file's metadata. */

@@ -27,7 +27,11 @@ libhsr_a_SOURCES += \
 
 # Loaded by hsr when a picture is written.
 pkglibexec_PROGRAMS += hsr-images.so
-hsr_images_so_SOURCES = %D%/image_oiio.cc %D%/image_library.h common/base/status.c
+hsr_images_so_SOURCES = \
+  %D%/image_library.h \
+  %D%/image_oiio.cc \
+  common/base/status.c \
+  common/files/whole_file.c
 hsr_images_so_CPPFLAGS = $(AM_CPPFLAGS) $(OIIO_CFLAGS)
 hsr_images_so_CFLAGS = $(AM_CFLAGS) -fPIC
 hsr_images_so_CXXFLAGS = $(AM_CXXFLAGS) -fPIC

@@ -312,7 +312,8 @@ static enum hsr_status write_file(struct glb *g, const char *path,
       all > UINT32_MAX ? hsr_fail(err, HSR_E_INPUT,
                                   "%.200s: would be larger than 4 GB", path)
       : fflush(g->bin) || ferror(g->bin)
-          ? hsr_fail(err, HSR_E_INPUT, "%.200s: no room for it", path)
+          ? hsr_fail(err, HSR_E_INPUT, "%.200s: cannot be written: no room",
+                     path)
           : hsr_whole_file_open(&file, path, err);
   if (!status) {
     fputs("glTF", file.stream);
@@ -345,7 +346,8 @@ enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene, const char *path,
   if (!g.bin)
     status = errno == ENOMEM
                  ? hsr_fail_nomem(err)
-                 : hsr_fail(err, HSR_E_INPUT, "%.200s: no room for it", path);
+                 : hsr_fail(err, HSR_E_INPUT,
+                            "%.200s: cannot be written: no room", path);
   for (uint32_t o = 0; o < scene->n_objects && !status; o++)
     if (scene->objects[o].n_faces) /* a mesh must have something */
       status = add_mesh(&g, o, err);
