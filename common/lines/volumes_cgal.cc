@@ -32,6 +32,7 @@
 #include <map>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace {
@@ -209,12 +210,17 @@ public:
     std::vector<Volume> volumes;
     if (!edges_->simple[f])
       return volumes;
+    // Exact, and as long in the making as the face has corners: made once.
+    std::optional<Vector3<Exact>> normal;
     for (const std::vector<uint32_t> &loop : convex_loops(*world_, f)) {
       Volume volume;
       volume.planes = {{f, -1}, {f, +1}};
       bool forwards = true;
-      if (loop.size() == 3 && hsr_face_size(world_, f) > 3)
-        forwards = runs_forwards(f, loop);
+      if (loop.size() == 3 && hsr_face_size(world_, f) > 3) {
+        if (!normal)
+          normal = FacePlane<Exact>(world_, f).normal;
+        forwards = runs_forwards(*normal, loop);
+      }
       for (size_t k = 0, l = loop.size() - 1; k < loop.size(); l = k++)
         volume.add_rim(0, 1,
                        {false, forwards ? loop[l] : loop[k],
@@ -232,12 +238,13 @@ private:
   std::map<uint32_t, std::vector<uint32_t>> on_plane_; // of the solid that is
                                                        // divided: its vertices
 
-  // Whether a triangle of face f runs around as the face does.
-  bool runs_forwards(uint32_t f, const std::vector<uint32_t> &loop) const {
+  // Whether a triangle of a face with this normal runs around as the face does.
+  bool runs_forwards(const Vector3<Exact> &face_normal,
+                     const std::vector<uint32_t> &loop) const {
     const Vector3<Exact> a = point<Exact>(world_, loop[0]);
     const Vector3<Exact> normal = CGAL::cross_product(
         point<Exact>(world_, loop[1]) - a, point<Exact>(world_, loop[2]) - a);
-    return CGAL::sign(normal * FacePlane<Exact>(world_, f).normal) > 0;
+    return CGAL::sign(normal * face_normal) > 0;
   }
 
   // Whether an edge has exactly two faces, both simple, which run along it in

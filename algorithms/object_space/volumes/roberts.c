@@ -32,7 +32,9 @@
  *             paper's environments have neither.
  * Cost        Table III: back-edge cull E_t, clipping cull 100 E_s, edge/volume
  *             test 100 E_s f C_t, f = 4; it grows as the square of the
- *             environment */
+ *             environment. Alone, a face that is not convex is as many volumes
+ *             as it has convex parts: with n corners, up to n of them for each
+ *             of its n edges */
 #include "algorithms/algorithm.h"
 #include "common/lines/sight/sight.h"
 #include "common/lines/volumes.h"
