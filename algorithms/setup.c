@@ -63,8 +63,8 @@ static enum hsr_status check_subject(const struct hsr_algorithm *algorithm,
     return HSR_OK;
   if (subject == HSR_GRID && takes(algorithm, HSR_FACES))
     return hsr_scene_lacks_faces(scene) ? too_many_faces(world, err) : HSR_OK;
-  return hsr_fail(err, HSR_E_REFUSED, "the scene is %s, which it does not take",
-                  hsr_scene_subject_name[subject]);
+  return hsr_fail(err, HSR_E_REFUSED, "the scene is %s, which %s does not take",
+                  hsr_scene_subject_name[subject], algorithm->name);
 }
 
 enum hsr_status hsr_setup_init(struct hsr_setup *setup,

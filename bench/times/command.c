@@ -4,6 +4,8 @@
 #include "bench/command.h"
 #include "bench/times/rows.h"
 
+#include <string.h>
+
 enum { MOST_FILES = 64, CSV = 0x200, PLOT, REFERENCE };
 
 struct options {
@@ -40,6 +42,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     o->file[o->n_files++] = arg;
     return 0;
   case ARGP_KEY_END:
+    if (o->csv && o->json)
+      return option_fail(&o->base, "times: --csv or --json, not both");
     return o->n_files ? 0
                       : option_fail(&o->base, "times: which file of results? "
                                               "(see hsr help times)");
@@ -84,15 +88,34 @@ static enum hsr_status tell(const struct options *o, const struct rows *rows,
   return HSR_OK;
 }
 
+/* There is something to tell, and to compare it with if the user says what. */
+static enum hsr_status check_results(const struct options *o,
+                                     const struct results *results,
+                                     struct hsr_error *err) {
+  size_t k;
+  const json_t *cell;
+  bool found = !o->reference;
+  if (!json_array_size(results->cells))
+    return hsr_fail(err, HSR_E_INPUT, "%s: no results in it", o->file[0]);
+  json_array_foreach(results->cells, k, cell) found =
+      found || !strcmp(results_text(cell, "algorithm"), o->reference);
+  return found ? HSR_OK
+               : hsr_fail(err, HSR_E_INPUT,
+                          "--reference %s: no result is of it", o->reference);
+}
+
 enum hsr_status command_times(int argc, char **argv, struct hsr_error *err) {
-  struct options options = {.reference = "zbuffer"};
+  struct options options = {.reference = NULL};
   struct results results = {.headers = NULL};
   struct rows rows = {.row = NULL};
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
   for (int k = 0; k < options.n_files && !status; k++)
     status = results_read(&results, options.file[k], err);
   if (!status)
-    status = rows_make(&rows, &results, options.reference, err);
+    status = check_results(&options, &results, err);
+  if (!status)
+    status = rows_make(&rows, &results,
+                       options.reference ? options.reference : "zbuffer", err);
   if (!status)
     status = tell(&options, &rows, err);
   rows_free(&rows);

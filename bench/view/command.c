@@ -288,6 +288,8 @@ static enum hsr_status name_players(struct viewer *v, const char *algorithms,
                        : strncmp(algorithms, "zbuffer", 7) ? "zbuffer"
                                                            : "watkins";
   struct hsr_variant variant;
+  if (strchr(second, ','))
+    return hsr_fail(err, HSR_E_USAGE, "view: at most two algorithms");
   snprintf(v->first, sizeof v->first, "%.*s", (int)n, algorithms);
   snprintf(v->second, sizeof v->second, "%s", second);
   enum hsr_status status = hsr_variant_parse(v->first, &variant, err);

@@ -22,7 +22,7 @@ static bool is_refused(const struct hsr_algorithm *a,
   return status == HSR_E_REFUSED && strstr(err.text, words);
 }
 
-static const char grid_only[] = "the scene is faces, which it does not take";
+static const char grid_only[] = "the scene is faces, which ";
 static const char too_many[] = "faces are too many";
 static const char not_taken[] = "does not take";
 
