@@ -262,28 +262,33 @@ static enum hsr_status add_up(const struct scene_run *run,
   return HSR_OK;
 }
 
-/* "3 samples and 2 edges": only the kinds of which anything was compared. */
+/* "3 samples and 2 edges compared, 0 mismatches": only the kinds of which
+ * anything was compared. */
 static void print_compared_totals(const struct totals *totals) {
-  char number[TERMINAL_NUMBER];
+  char number[TERMINAL_NUMBER], text[1024];
   int n = 0, said = 0;
+  size_t at = 0;
   for (int k = 0; hsr_answer_types[k]; k++)
     n += totals->compared[k] > 0;
-  for (int k = 0; hsr_answer_types[k]; k++)
+  for (int k = 0; hsr_answer_types[k] && at < sizeof text; k++)
     if (totals->compared[k] && ++said)
-      printf("%s%s",
-             said == 1   ? ""
-             : said == n ? " and "
-                         : ", ",
-             terminal_number(totals->compared[k], hsr_answer_types[k]->places,
-                             number));
-  printf("%s compared, ", n ? "" : "nothing");
+      at += (size_t)snprintf(text + at, sizeof text - at, "%s%s",
+                             said == 1   ? ""
+                             : said == n ? " and "
+                                         : ", ",
+                             terminal_number(totals->compared[k],
+                                             hsr_answer_types[k]->places,
+                                             number));
+  if (at < sizeof text)
+    snprintf(text + at, sizeof text - at, "%s compared, %s", n ? "" : "nothing",
+             terminal_number(totals->mismatches, "mismatches", number));
+  terminal_wrap(stdout, 0, 0, text);
 }
 
 static void print_totals(const struct totals *totals) {
   char number[TERMINAL_NUMBER];
   putchar('\n');
   print_compared_totals(totals);
-  printf("%s\n", terminal_number(totals->mismatches, "mismatches", number));
   if (totals->counting)
     printf("%s in builds that count\n",
            terminal_number(totals->counting, "mismatches", number));
