@@ -100,6 +100,8 @@ libbench_a_SOURCES = \
   %D%/tables/greene.def \
   %D%/tables/greene.h \
   %D%/tables/growth.c \
+  %D%/tables/sorts.c \
+  %D%/tables/sorts.h \
   %D%/tables/growth.h \
   %D%/tables/json.c \
   %D%/tables/paper_1974.c \

@@ -37,6 +37,7 @@ tap_programs = \
   %D%/unit/core/depth_test \
   %D%/unit/core/statistics_test \
   %D%/unit/bench/splat_oracle_test \
+  %D%/unit/bench/sorts_test \
   %D%/unit/bench/tables_test \
   %D%/unit/core/triage_test \
   %D%/unit/algorithms/variant_test \
@@ -221,6 +222,7 @@ LDADD = libdraw.a $(HSR_LIBS)
 %C%_unit_bench_splat_oracle_test_SOURCES = %D%/unit/bench/splat_oracle_test.cc
 %C%_unit_core_quotient_test_SOURCES = %D%/unit/core/quotient_test.cc
 %C%_unit_core_quotient_test_LDADD = $(CGAL_LIBS)
+%C%_unit_bench_sorts_test_LDADD = $(BENCH_LIBS)
 %C%_unit_bench_tables_test_LDADD = $(BENCH_LIBS)
 %C%_counts_recorded_test_LDADD = libdraw.a $(BENCH_LIBS)
 %C%_view_close_window_SOURCES = %D%/view/close_window.c

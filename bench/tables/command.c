@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr tables: the tables of Sutherland et al. 1974, measured; and Greene's. */
 #include "bench/tables/greene.h"
+#include "bench/tables/sorts.h"
 #include "bench/tables/tables.h"
 #include "bench/results/json.h"
 #include "bench/sweep/sweep.h"
 
 #include <stdlib.h>
 
-enum { MOST_FILES = 64, GREENE = 0x200 };
+enum { MOST_FILES = 64, GREENE = 0x200, SORTS };
 
 struct options {
   struct option_base base;
@@ -15,7 +16,7 @@ struct options {
   int n_files;
   const char *output; /* where the counts go, or NULL */
   long timeout;
-  bool json, greene;
+  bool json, greene, sorts;
 };
 
 /* --- Options -------------------------------------------------------------- */
@@ -28,6 +29,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   case GREENE:
     o->greene = true;
+    return 0;
+  case SORTS:
+    o->sorts = true;
     return 0;
   case 'o':
     o->output = arg;
@@ -45,6 +49,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     if (o->greene && !o->n_files)
       return option_fail(&o->base, "tables: --greene: which results? "
                                    "(reports/greene/make)");
+    if (o->sorts && (o->greene || o->json || o->n_files || o->output))
+      return option_fail(&o->base, "tables: --sorts goes alone");
     if (o->n_files && (o->output || o->timeout))
       return option_fail(&o->base, "tables: -o and -t are for counting, which "
                                    "is done where no results are given");
@@ -60,6 +66,11 @@ static const struct argp argp = {
         {"greene", GREENE, NULL, 0,
          "instead, print Greene's figures on hierarchical visibility beside "
          "ours, from results that reports/greene/make makes",
+         0},
+        {"sorts", SORTS, NULL, 0,
+         "instead, count the comparisons of the sorts, searches and merges "
+         "that "
+         "the survey lists, as the records become more",
          0},
         {"output", 'o', "FILE", 0, "also write the counts, as hsr bench does",
          0},
@@ -154,6 +165,8 @@ enum hsr_status command_tables(int argc, char **argv, struct hsr_error *err) {
   struct options options = {.json = false};
   enum hsr_status status = parse_options(&argp, argc, argv, &options, err);
   struct results results = {.headers = NULL};
+  if (!status && options.sorts)
+    return sorts_print() ? HSR_OK : hsr_fail_nomem(err);
   for (int k = 0; k < options.n_files && !status; k++)
     status = results_read(&results, options.file[k], err);
   if (!status && !options.n_files)
