@@ -88,7 +88,7 @@ static enum hsr_status render(const struct hsr_job *job,
     const auto boxes =
         boxes_of(static_cast<kept *>(job->prepared), *job->world, *job->view);
     areas::find_bounds(*job->world, *job->view,
-                       hsr_form_area(&job->answer->form).filter, *boxes,
+                       hsr_form_area(&job->answer->form), *boxes,
                        hsr_answer_areas_of(job->answer));
     for (int j = w.y0; j < w.y1; j++)
       for (int i = w.x0; i < w.x1; i++)

@@ -14,9 +14,13 @@ libhsr_a_SOURCES += bench/registry.c %D%/list.def %D%/rounding.h %D%/surface.h \
   %D%/areas/areas.h \
   %D%/areas/cells.cc \
   %D%/areas/cells.h \
+  %D%/areas/jets.h \
   %D%/areas/moments.cc \
   %D%/areas/moments.h \
   %D%/areas/numbers.cc \
   %D%/areas/numbers.h \
+  %D%/areas/shaded.cc \
+  %D%/areas/shaded.h \
+  %D%/areas/shading.h \
   %D%/areas/shapes.cc \
   %D%/areas/shapes.h

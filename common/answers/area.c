@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Intervals that hold the exact area integrals of the picture:
  * docs/area-picture.md. An answer is right if its intervals hold those of the
- * tightest answer, and are no wider than was asked for. */
+ * tightest answer, and are no wider than was asked for. Under a shader the judge
+ * knows the integrals within bounds only. Then an answer is wrong if an interval
+ * has nothing in common with the judge's. */
 #include "common/answers/answer.h"
 #include "common/answers/coded.h"
 #include "common/files/image.h"
@@ -14,7 +16,7 @@
 enum { CHANNELS = 3 };
 
 /* The options of a form. */
-enum { FILTER, EPS };
+enum { FILTER, EPS, SHADER, SIDE };
 
 static const struct hsr_word filters[] = {
     [HSR_AREA_BOX] = {"box", "the pixel itself", 0},
@@ -23,17 +25,33 @@ static const struct hsr_word filters[] = {
     [HSR_AREA_CUBIC] = {"cubic", "that of degree 3, 4 pixels wide", 0},
     {NULL}};
 
+static const struct hsr_word shaders[] = {
+    [HSR_SHADER_FLAT] = {"flat", "a face has one colour", 0},
+    [HSR_SHADER_GOURAUD] = {"gouraud", "between a triangle's corners", 0},
+    [HSR_SHADER_CHECKER] = {"checker", "a board projected on the faces", 0},
+    [HSR_SHADER_BUMPS] = {"bumps", "the board under bumps, which refract", 0},
+    [HSR_SHADER_PHONG] = {"phong", "with Phong's highlights", 0},
+    [HSR_SHADER_SKY] = {"sky", "faces reflect a ramp of elevation", 0},
+    [HSR_SHADER_WATER] = {"water", "bumps, highlights and sky", 0},
+    {NULL}};
+
 static const struct hsr_option options[] = {
     [FILTER] = {"filter", "how a pixel's surroundings count", filters, 0,
                 HSR_AREA_CUBIC, HSR_AREA_BOX},
     [EPS] = {"eps", "the greatest width of an interval", .real = true,
              .real_least = 0, .real_most = 1, .real_standard = .03125},
+    [SHADER] = {"shader", "how the colour varies on a face", shaders, 0,
+                HSR_SHADER_WATER, HSR_SHADER_FLAT},
+    [SIDE] = {"side", "of the shader's squares, in the world", .real = true,
+              .real_least = 1e-6, .real_most = 1e6, .real_standard = 1},
     {NULL}};
 
 struct hsr_area_form hsr_form_area(const struct hsr_form *form) {
   return (struct hsr_area_form){
       .filter = (enum hsr_area_filter)form->values.option[FILTER],
-      .eps = form->values.real[EPS]};
+      .eps = form->values.real[EPS],
+      .shader = (enum hsr_shader)form->values.option[SHADER],
+      .side = form->values.real[SIDE]};
 }
 
 static size_t count(const struct hsr_answer *answer) {
@@ -78,14 +96,17 @@ static void merge(struct hsr_answer *into, const struct hsr_answer *from,
 enum fault { NONE, UNWRITTEN, WRONG, WIDE };
 
 static enum fault fault_of(struct hsr_area_bounds got,
-                           struct hsr_area_bounds wanted, double eps) {
+                           struct hsr_area_bounds wanted,
+                           const struct hsr_area_form *form) {
   if (!(got.lo <= got.hi))
     return UNWRITTEN;
   if (got.lo == wanted.lo && got.hi == wanted.hi)
     return NONE;
-  if (!(got.lo <= wanted.lo && got.hi >= wanted.hi))
+  if (form->shader == HSR_SHADER_FLAT
+          ? !(got.lo <= wanted.lo && got.hi >= wanted.hi)
+          : !(got.lo <= wanted.hi && got.hi >= wanted.lo))
     return WRONG;
-  return got.hi - got.lo > eps ? WIDE : NONE;
+  return got.hi - got.lo > form->eps ? WIDE : NONE;
 }
 
 static void say_fault(enum fault fault, struct hsr_area_bounds got,
@@ -106,10 +127,11 @@ static void say_fault(enum fault fault, struct hsr_area_bounds got,
 /* The worst fault of a pixel, and in which channel. */
 static enum fault fault_of_pixel(const struct hsr_area_bounds *got,
                                  const struct hsr_area_bounds *wanted,
-                                 double eps, size_t *channel) {
+                                 const struct hsr_area_form *form,
+                                 size_t *channel) {
   enum fault worst = NONE;
   for (size_t c = 0; c < CHANNELS; c++) {
-    enum fault fault = fault_of(got[c], wanted[c], eps);
+    enum fault fault = fault_of(got[c], wanted[c], form);
     if (fault && (!worst || fault < worst)) {
       worst = fault;
       *channel = c;
@@ -121,15 +143,15 @@ static enum fault fault_of_pixel(const struct hsr_area_bounds *got,
 static void compare(const struct hsr_comparison *c,
                     struct hsr_difference *difference) {
   const struct hsr_area_bounds *got = c->got->body, *wanted = c->wanted->body;
-  double eps = hsr_form_area(&c->got->form).eps;
+  const struct hsr_area_form form = hsr_form_area(&c->got->form);
   difference->compared = c->n;
   for (size_t k = 0; k < c->n; k++) {
     size_t s = c->place ? c->place[k] : k, m = (size_t)c->got->m, channel = 0;
     const struct hsr_area_bounds *g = got + CHANNELS * s,
                                  *w = wanted + CHANNELS * s;
-    enum fault fault = fault_of_pixel(g, w, eps, &channel);
+    enum fault fault = fault_of_pixel(g, w, &form, &channel);
     if (fault && !difference->differing++)
-      say_fault(fault, g[channel], w[channel], eps, s % m, s / m, channel,
+      say_fault(fault, g[channel], w[channel], form.eps, s % m, s / m, channel,
                 difference->first, sizeof difference->first);
   }
 }
@@ -147,11 +169,11 @@ static enum hsr_status show_difference(const struct hsr_comparison *c,
                                        float *rgb, struct hsr_error *err) {
   static const float wrong[3] = {1.0f, .35f, 0.0f}, wide[3] = {.2f, .4f, 1.0f};
   const struct hsr_area_bounds *got = c->got->body, *wanted = c->wanted->body;
-  double eps = hsr_form_area(&c->got->form).eps;
+  const struct hsr_area_form form = hsr_form_area(&c->got->form);
   (void)showing, (void)err;
   for (size_t k = 0; k < count(c->got); k += CHANNELS) {
     size_t channel;
-    enum fault fault = fault_of_pixel(got + k, wanted + k, eps, &channel);
+    enum fault fault = fault_of_pixel(got + k, wanted + k, &form, &channel);
     for (size_t i = 0; i < CHANNELS; i++)
       rgb[k + i] = fault == NONE   ? 0.25f * (float)middle(wanted[k + i])
                    : fault == WIDE ? wide[i]

@@ -3,6 +3,8 @@
 #ifndef HSR_COMMON_ANSWERS_AREA_H
 #define HSR_COMMON_ANSWERS_AREA_H
 
+#include "common/answers/shader.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -19,6 +21,8 @@ enum hsr_area_filter {
 struct hsr_area_form {
   enum hsr_area_filter filter;
   double eps; /* the greatest width of an interval */
+  enum hsr_shader shader;
+  double side; /* of the shader's squares */
 };
 
 /* An interval that claims to hold the value of a pixel in a channel. Nothing is

@@ -4,6 +4,7 @@ nobase_pkginclude_HEADERS += \
   %D%/area.h \
   %D%/filter.h \
   %D%/list.def \
+  %D%/shader.h \
   %D%/transparent.h
 libhsr_a_SOURCES += \
   %D%/answer.c \
@@ -17,5 +18,6 @@ libhsr_a_SOURCES += \
   %D%/list.c \
   %D%/polygons.c \
   %D%/segments.c \
+  %D%/shader.c \
   %D%/transparent.c \
   %D%/voxels.c

@@ -12,6 +12,8 @@
 #include "bench/judge/areas/areas.h"
 #include "bench/judge/areas/cells.h"
 #include "bench/judge/areas/moments.h"
+#include "bench/judge/areas/shaded.h"
+#include "common/base/arena.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +39,9 @@ struct mixed_atom {
   std::vector<shape *> faces;
   std::vector<part<mpz_class>> fixed; /* both empty until they are asked for */
   std::vector<part<mpq_class>> exact;
-  unsigned long error; /* of all in `fixed` */
+  unsigned long error;        /* of all in `fixed` */
+  std::vector<patch> patches; /* under a shader */
+  double slack = 0;           /* of their corners */
 };
 
 struct atom {
@@ -110,6 +114,9 @@ public:
   void open(const hsr_window &pixels);
   void bounds(int i, int j, hsr_area_bounds out[3]);
   void parts(int i, int j, shares *out);
+  /* Bounds under a shader, if possible no wider than `width`. */
+  void enclose(hsr_shades *by, int i, int j, double width,
+               hsr_area_bounds out[3]);
 
 private:
   const stage on_;
@@ -117,6 +124,7 @@ private:
   const std::vector<box> &boxes_;
   std::unordered_map<uint32_t, std::unique_ptr<shape>> shapes_;
   std::unordered_map<const shape *, colour> colours_;
+  std::unordered_map<const shape *, shaded_face> shaded_;
   block open_ = {0, 0, 0, 0};
   std::vector<atom> atoms_;
   std::deque<mixed_atom> mixed_;
@@ -133,6 +141,9 @@ private:
   const std::vector<part<mpq_class>> &exact_of(mixed_atom *a);
   long weight_across(int i) const;
   long weight_down(int j) const;
+  const shaded_face *shaded_of(hsr_shades *by, const shape *f);
+  const std::vector<patch> &patches_of(hsr_shades *by, mixed_atom *a);
+  patch whole_patch(hsr_shades *by, const atom &a, int x, int y);
 
   /* Calls look(atom, piece, its weight if it is whole) for all of a pixel. */
   template <class Look> void for_atoms(int i, int j, Look look);
@@ -188,7 +199,7 @@ void picture::settle(const block &b, const std::vector<listed> &all) {
   for (int y = b.y0; y < b.y1; y++)
     for (int x = b.x0; x < b.x1; x++) {
       if (!whole) { /* one atom */
-        mixed_.push_back({x, y, {}, {}, {}, 0});
+        mixed_.push_back({x, y, {}, {}, {}, 0, {}, 0});
         mixed = &mixed_.back();
         for (const listed &c : all)
           mixed->faces.push_back(c.f);
@@ -401,7 +412,155 @@ void picture::parts(int i, int j, shares *out) {
     share.second /= all;
 }
 
+/* ---- Shaders ---- */
+
+[[gnu::noinline]] void ask_face(hsr_shades *by, uint32_t id,
+                                hsr_shaded_face *face) {
+  const Nearest to_nearest;
+  if (!hsr_shades_face(by, id, face))
+    throw std::bad_alloc();
+}
+
+/* N·(S/k - E), with Newell's N and the sum S of the k vertices, in parallel too.
+ */
+void find_plane(const stage &on, uint32_t f, shaded_face *to) {
+  const hsr_mesh &mesh = on.world.mesh;
+  const uint32_t *vertex = mesh.vertex + mesh.start[f];
+  const uint32_t k = hsr_face_size(&on.world, f);
+  const auto seen = [&](uint32_t v) {
+    return judge::lift<Interval>(mesh.x[v], mesh.y[v], mesh.z[v]) - on.rough.E;
+  };
+  const vec<Interval> first = seen(vertex[0]);
+  vec<Interval> N = judge::lift<Interval>(0, 0, 0), sum = first, before = N;
+  for (uint32_t i = 1; i < k; i++) {
+    const vec<Interval> v = seen(vertex[i]), here = v - first;
+    N = N + judge::cross(before, here);
+    sum = sum + v;
+    before = here;
+  }
+  to->normal = N;
+  to->height = judge::dot(N, sum) / Interval(double(k));
+}
+
+const shaded_face *picture::shaded_of(hsr_shades *by, const shape *f) {
+  if (!f)
+    return nullptr;
+  const auto known = shaded_.find(f);
+  if (known != shaded_.end())
+    return &known->second;
+  shaded_face &made = shaded_[f];
+  ask_face(by, f->id, &made.surface.face);
+  find_plane(on_, f->id, &made);
+  const hsr_mesh &mesh = on_.world.mesh;
+  for (int k = 0; made.surface.face.by_corners && k < 3; k++) {
+    const uint32_t v = mesh.vertex[mesh.start[f->id] + uint32_t(k)];
+    made.surface.corner[k][0] = mesh.x[v];
+    made.surface.corner[k][1] = mesh.y[v];
+    made.surface.corner[k][2] = mesh.z[v];
+  }
+  return &made;
+}
+
+/* Collects the cells of an atom. Their corners may be so far from the truth. */
+struct patches : sink {
+  std::vector<std::pair<const shape *, patch>> all;
+  const double x0, y0;
+  double slack = 0;
+
+  patches(double x, double y) : x0(x), y0(y) {}
+  double place(const Interval &exact, double origin) {
+    const Interval here = exact - Interval(origin);
+    slack += 4 * (here.sup() - here.inf());
+    return std::min(1., std::max(0., here.inf()));
+  }
+  void take(const cell &c, const shape *seen) override {
+    patch made = {nullptr, {}, {}};
+    for (point *corner : c.corner) {
+      made.x.push_back(place(corner->x, x0));
+      made.y.push_back(place(corner->y, y0));
+    }
+    all.push_back({seen, made});
+  }
+};
+
+double origin_of(int degree, int atom) {
+  return atom - (degree % 2) / 2.;
+}
+
+const std::vector<patch> &picture::patches_of(hsr_shades *by, mixed_atom *a) {
+  if (!a->patches.empty())
+    return a->patches;
+  patches found(origin_of(degree_, a->x), origin_of(degree_, a->y));
+  cut(rectangle({a->x, a->y, a->x + 1, a->y + 1}), a->faces, found);
+  for (auto &one : found.all) {
+    one.second.face = shaded_of(by, one.first);
+    a->patches.push_back(one.second);
+  }
+  a->slack = found.slack;
+  return a->patches;
+}
+
+patch picture::whole_patch(hsr_shades *by, const atom &a, int x, int y) {
+  const halves r = rectangle({x, y, x + 1, y + 1});
+  const double x0 = r.x0 / 2. - origin_of(degree_, x),
+               x1 = r.x1 / 2. - origin_of(degree_, x),
+               y0 = r.y0 / 2. - origin_of(degree_, y),
+               y1 = r.y1 / 2. - origin_of(degree_, y);
+  return {shaded_of(by, a.only), {x0, x1, x1, x0}, {y0, y0, y1, y1}};
+}
+
+void picture::enclose(hsr_shades *by, int i, int j, double width,
+                      hsr_area_bounds out[3]) {
+  const int first = first_piece(degree_);
+  const double whole = double(whole_scale(degree_));
+  const Interval weight = Interval(double(weight_across(i))) *
+                          Interval(double(weight_down(j))) /
+                          Interval(whole * whole);
+  double background[3];
+  for (int c = 0; c < 3; c++)
+    background[c] = colour_of(nullptr).rgb[c];
+  shaded_pixel pixel(on_, *by, degree_, background);
+  pixel.begin();
+  for (int l = 0; l <= degree_; l++)
+    for (int k = 0; k <= degree_; k++) {
+      const int x = i + first + k, y = j + first + l;
+      if (x < 0 || y < 0 || x >= n_atoms(degree_, on_.view.m) ||
+          y >= n_atoms(degree_, on_.view.n))
+        continue;
+      const atom &a = at(x, y);
+      if (!a.mixed) {
+        pixel.add(whole_patch(by, a, x, y), x, y, k, l);
+        continue;
+      }
+      for (const patch &p : patches_of(by, a.mixed))
+        pixel.add(p, x, y, k, l);
+      pixel.add_slack(a.mixed->slack);
+    }
+  constexpr size_t most_triangles = 2000;
+  Interval sum[3];
+  pixel.enclose(width, most_triangles, sum);
+  for (int c = 0; c < 3; c++) {
+    const Interval value = sum[c] / weight;
+    out[c] = {std::max(0., value.inf()), std::min(1., value.sup())};
+  }
+}
+
 /* ---- Windows ---- */
+
+/* Freed at the end. */
+class kept_arena {
+public:
+  hsr_arena *get() const { return arena_.get(); }
+
+private:
+  struct freed {
+    void operator()(hsr_arena *a) const {
+      hsr_arena_free(a);
+      delete a;
+    }
+  };
+  std::unique_ptr<hsr_arena, freed> arena_{new hsr_arena()};
+};
 
 /* Calls look(i, j) for every pixel of a window, row by row. Some rows at a time
  * are opened. */
@@ -431,12 +590,21 @@ std::shared_ptr<const std::vector<box>> find_boxes(const hsr_world &world,
 }
 
 void find_bounds(const hsr_world &world, const hsr_view &view,
-                 enum hsr_area_filter filter, const std::vector<box> &boxes,
+                 const hsr_area_form &form, const std::vector<box> &boxes,
                  hsr_area_bounds *bounds) {
+  const kept_arena memory;
+  hsr_shades shading;
+  if (hsr_shades_init(&shading, form.shader, form.side, &world, &view,
+                      memory.get()))
+    throw std::bad_alloc();
   const Upward upward;
-  picture p(world, view, int(filter), boxes);
+  picture p(world, view, int(form.filter), boxes);
   for_pixels(&p, view.window, [&](int i, int j) {
-    p.bounds(i, j, bounds + 3 * (size_t(j) * size_t(view.m) + size_t(i)));
+    hsr_area_bounds *to = bounds + 3 * (size_t(j) * size_t(view.m) + size_t(i));
+    if (shading.parts)
+      p.enclose(&shading, i, j, form.eps / 16, to);
+    else
+      p.bounds(i, j, to);
   });
 }
 
