@@ -68,6 +68,7 @@ tap_programs = \
   %D%/properties/lines/edges_test \
   %D%/properties/lines/line_outcomes_test \
   %D%/properties/hierarchical/hzbuffer_options_test \
+  %D%/properties/hierarchical/shaders_test \
   %D%/properties/hierarchical/movers_test \
   %D%/properties/hierarchical/hzbuffer_test \
   %D%/properties/hierarchical/meagher_test \
@@ -210,6 +211,8 @@ noinst_LIBRARIES += libdraw.a
 libdraw_a_SOURCES = %D%/draw.c %D%/draw.h %D%/tap.h \
   %D%/conformance/hard_scene.c %D%/conformance/hard_scene.h
 LDADD = libdraw.a $(HSR_LIBS)
+%C%_properties_hierarchical_shaders_test_SOURCES = \
+  %D%/properties/hierarchical/shaders_test.cc
 %C%_areas_cells_test_SOURCES = %D%/areas/cells_test.cc %D%/areas/shares.h
 %C%_areas_filters_test_SOURCES = %D%/areas/filters_test.cc %D%/areas/shares.h
 %C%_areas_samples_test_SOURCES = %D%/areas/samples_test.cc %D%/areas/shares.h

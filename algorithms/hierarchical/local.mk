@@ -25,5 +25,7 @@ libhsr_a_SOURCES += \
   %D%/bounded/queue.h \
   %D%/bounded/shape.c \
   %D%/bounded/shape.h \
+  %D%/bounded/surface.cc \
+  %D%/bounded/surface.h \
   %D%/cubes.c \
   %D%/cubes.h

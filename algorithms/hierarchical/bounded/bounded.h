@@ -17,6 +17,7 @@
 #include "algorithms/algorithm.h"
 #include "algorithms/hierarchical/bounded/queue.h"
 #include "algorithms/hierarchical/bounded/shape.h"
+#include "algorithms/hierarchical/bounded/surface.h"
 #include "common/exact/pair.h"
 
 #ifdef __cplusplus
@@ -34,6 +35,7 @@ extern "C" {
 #define hsr_bounded_before HSR_OF_BUILD(hsr_bounded_before)
 #define hsr_bounded_could_be_seen HSR_OF_BUILD(hsr_bounded_could_be_seen)
 #define hsr_bounded_refine HSR_OF_BUILD(hsr_bounded_refine)
+#define hsr_bounded_shade HSR_OF_BUILD(hsr_bounded_shade)
 #define hsr_bounded_hull HSR_OF_BUILD(hsr_bounded_hull)
 #define hsr_bounded_mean HSR_OF_BUILD(hsr_bounded_mean)
 #define hsr_bounded_reach HSR_OF_BUILD(hsr_bounded_reach)
@@ -62,6 +64,7 @@ enum {
   HSR_EB_ORDERED,
   /* Of the refinement pass */
   HSR_EB_BOUNDED,
+  HSR_EB_SHADED,
   HSR_EB_EXACT_ONE,
   HSR_EB_EXACT_TWO,
   HSR_EB_EXACT_MORE,
@@ -117,6 +120,9 @@ struct hsr_eb_tree {
   struct hsr_growing queue;
   struct hsr_eb_planes *planes; /* HSR_EB_PLANES: what was asked last */
   double background[3];
+  struct hsr_shades shades;
+  struct hsr_growing surfaces; /* a shape: its own, unless a face has one colour
+                                  everywhere */
 };
 
 static inline struct hsr_eb_cell *hsr_eb_cell(const struct hsr_eb_tree *t,
@@ -163,9 +169,10 @@ struct hsr_window hsr_eb_window(const struct hsr_eb_tree *t,
                                 const struct hsr_eb_cell *cell);
 
 /* Makes the root, which holds the window. `pair` compares faces of the job's
- * scene. HSR_E_NOMEM. */
+ * scene; `form` has the shader. HSR_E_NOMEM. */
 enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *tree,
                                   const struct hsr_job *job,
+                                  const struct hsr_area_form *form,
                                   struct hsr_pair *pair);
 
 /* Puts a face of the screen's world into the quadtree, from the smallest cell
@@ -206,6 +213,11 @@ struct hsr_eb_side {
 bool hsr_bounded_could_be_seen(struct hsr_eb_tree *tree,
                                const struct hsr_eb_side *side, uint64_t most,
                                struct hsr_subject cube);
+
+/* The least and the greatest colours of polygon s over a cell. */
+void hsr_bounded_shade(const struct hsr_eb_tree *tree,
+                       const struct hsr_eb_cell *cell, uint32_t s,
+                       double low[3], double high[3]);
 
 /* All that may be seen in a leaf: the least and the greatest of its polygons'
  * colours, a channel each. */

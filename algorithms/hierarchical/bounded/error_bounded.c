@@ -69,6 +69,8 @@ static const struct hsr_counter counters[] = {
     [HSR_EB_BOUNDED] = {"cells bounded", "leaves, in the refinement pass",
                         HSR_SAMPLE, HSR_OF_CELL, HSR_OF_NOTHING,
                         "between|exact"},
+    [HSR_EB_SHADED] = {"colours bounded", "of a polygon in a cell, by a shader",
+                       HSR_SAMPLE, HSR_OF_FACE, HSR_OF_CELL},
     [HSR_EB_EXACT_ONE] = {"exact cells of one", "polygon, or none", HSR_RETIRE,
                           HSR_OF_CELL, HSR_OF_NOTHING},
     [HSR_EB_EXACT_TWO] = {"exact cells of two", "polygons", HSR_RETIRE,
@@ -112,6 +114,8 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(HSR_EB_REFINED)},
     {"  divide it; bound the integral over each child",
      HSR_RAISES(HSR_EB_BOUNDED)},
+    {"    an interval shader bounds a polygon's colours",
+     HSR_RAISES(HSR_EB_SHADED)},
     {"    in closed form: one polygon", HSR_RAISES(HSR_EB_EXACT_ONE)},
     {"    in closed form: two polygons", HSR_RAISES(HSR_EB_EXACT_TWO)},
     {"    in closed form: more", HSR_RAISES(HSR_EB_EXACT_MORE)},
@@ -346,7 +350,8 @@ static enum hsr_status render(const struct hsr_job *job,
                          w.prepared->cubes.most_object_faces);
   if (!w.met || hsr_cube_frame_begin(&w.frame, &wide, &w.prepared->cubes) ||
       hsr_cube_loose(&w.frame, &loose) ||
-      hsr_bounded_begin(&w.tree, &wide, &w.frame.pair) || !tile_all(&w, &loose))
+      hsr_bounded_begin(&w.tree, &wide, &limits.form, &w.frame.pair) ||
+      !tile_all(&w, &loose))
     return hsr_fail_nomem(err);
   return hsr_bounded_refine(&w.tree, &limits, err);
 }

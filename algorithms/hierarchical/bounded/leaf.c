@@ -9,6 +9,9 @@
  *             may penetrate. What is left is the background. The thesis has the
  *             cases of one polygon, and of two that cover the cell; exact=2
  *             comes closest to it.
+ * Shaders     where a polygon's colour varies, its share is mixed with bounds on
+ *             its colours in the cell. That is not exact, but narrows with the
+ *             cell.
  * Slivers     a polygon of less than 2^-30 of the cell is left out, and that
  *             share added to the uncertainty; likewise what a polygon leaves of
  *             a cell that it covers but for such a share. Without this, an edge
@@ -24,6 +27,25 @@
 
 #define SLIVER 0x1p-30
 
+/* --- Colours -------------------------------------------------------------- */
+
+void hsr_bounded_shade(const struct hsr_eb_tree *t,
+                       const struct hsr_eb_cell *cell, uint32_t s,
+                       double low[3], double high[3]) {
+  const struct hsr_shape *shape = hsr_eb_shape(t, s);
+  struct hsr_square square = hsr_eb_square(cell);
+  if (!t->shades.parts) {
+    for (int c = 0; c < 3; c++)
+      low[c] = high[c] = shape->rgb[c];
+    return;
+  }
+  HSR_STEP(t->tally, HSR_EB_SHADED, hsr_eb_face(t, s), hsr_eb_subject(cell),
+           hsr_eb_window(t, cell), 0);
+  hsr_surface_colours(&t->shades,
+                      (const struct hsr_surface *)t->surfaces.items + s, shape,
+                      &square, low, high);
+}
+
 /* --- The polygons of a leaf ----------------------------------------------- */
 
 enum { MOST = HSR_EB_CAPACITY + 2 };
@@ -32,6 +54,7 @@ enum { MOST = HSR_EB_CAPACITY + 2 };
 struct few {
   uint32_t shape[MOST], n;
   bool covers[MOST];
+  double least[MOST][3], most[MOST][3]; /* their colours in the cell */
   double slack; /* the share of the cell that is not accounted for */
 };
 
@@ -59,6 +82,8 @@ static bool find_few(const struct hsr_eb_tree *t,
     if (few->n == MOST)
       return false;
     few->shape[few->n] = entry->shape;
+    hsr_bounded_shade(t, cell, entry->shape, few->least[few->n],
+                      few->most[few->n]);
     few->covers[few->n++] = covers;
   }
   return true;
@@ -163,9 +188,10 @@ static bool integrate(const struct hsr_eb_tree *t, const struct few *few,
     s.lo = fmax(0, s.lo);
     s.hi = fmin(1, s.hi);
     for (int c = 0; c < 3; c++) {
-      double by = shape->rgb[c] - behind[c];
-      low[c] += by > 0 ? by * s.lo : by * s.hi;
-      high[c] += by > 0 ? by * s.hi : by * s.lo;
+      double least = few->least[k][c] - behind[c];
+      double most = few->most[k][c] - behind[c];
+      low[c] += least > 0 ? least * s.lo : least * s.hi;
+      high[c] += most > 0 ? most * s.hi : most * s.lo;
     }
   }
   return true;
@@ -183,10 +209,11 @@ void hsr_bounded_hull(const struct hsr_eb_tree *t,
   }
   for (uint32_t e = cell->first; e != HSR_EB_NONE;
        e = hsr_eb_entry(t, e)->next) {
-    const struct hsr_shape *s = hsr_eb_shape(t, hsr_eb_entry(t, e)->shape);
+    double least[3], most[3];
+    hsr_bounded_shade(t, cell, hsr_eb_entry(t, e)->shape, least, most);
     for (int c = 0; c < 3; c++) {
-      low[c] = fmin(low[c], s->rgb[c]);
-      high[c] = fmax(high[c], s->rgb[c]);
+      low[c] = fmin(low[c], least[c]);
+      high[c] = fmax(high[c], most[c]);
     }
   }
 }
@@ -206,15 +233,18 @@ void hsr_bounded_mean(const struct hsr_eb_tree *t,
   struct few few;
   hsr_bounded_hull(t, cell, lo, hi);
   /* What is known of a larger cell as a whole says nothing of its pixels. */
-  bool exact = cell->level <= 0 && find_few(t, cell, &square, &few) &&
-               few.n <= most && integrate(t, &few, &square, low, high);
+  bool alone = cell->n == 1 && hsr_eb_entry(t, cell->first)->covers;
+  bool mixed = cell->level <= 0 && !(alone && t->shades.parts) &&
+               find_few(t, cell, &square, &few) && few.n <= most &&
+               integrate(t, &few, &square, low, high);
+  bool exact = mixed && !(t->shades.parts && few.n);
   HSR_STEP(t->tally, HSR_EB_BOUNDED, hsr_eb_subject(cell), HSR_NOTHING,
            hsr_eb_window(t, cell), exact);
   if (exact)
     HSR_STEP(t->tally, exact_of(few.n), hsr_eb_subject(cell), HSR_NOTHING,
              hsr_eb_window(t, cell), 0);
   for (int k = 0; k < 3; k++) {
-    if (exact) {
+    if (mixed) {
       lo[k] = fmax(lo[k], low[k] - few.slack - 0x1p-48);
       hi[k] = fmin(hi[k], high[k] + few.slack + 0x1p-48);
     }

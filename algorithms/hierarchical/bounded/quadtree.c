@@ -308,6 +308,13 @@ bool hsr_bounded_add(struct hsr_eb_tree *t, const struct hsr_screen *screen,
   hsr_filter_colour(t->job->world, t->job->view, id, rgb);
   for (int c = 0; c < 3; c++)
     shape->rgb[c] = rgb[c] / 65535.0;
+  if (t->shades.parts) {
+    bool is_flat = !(screen->world->mesh.deviation[f] > 0);
+    if (!hsr_arena_grow(arena, &t->surfaces, sizeof(struct hsr_surface)) ||
+        !hsr_surface_make((struct hsr_surface *)t->surfaces.items + s,
+                          &t->shades, shape, is_flat))
+      return false;
+  }
   return insert(t, s, enclosing(t, shape), false);
 }
 
@@ -423,6 +430,7 @@ static bool begin_cell(struct hsr_eb_tree *t, uint32_t c) {
 
 enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *t,
                                   const struct hsr_job *job,
+                                  const struct hsr_area_form *form,
                                   struct hsr_pair *pair) {
   const struct hsr_window *w = &job->view->window;
   int side = w->x1 - w->x0 > w->y1 - w->y0 ? w->x1 - w->x0 : w->y1 - w->y0;
@@ -437,6 +445,9 @@ enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *t,
   hsr_filter_colour(job->world, job->view, HSR_BACKGROUND, rgb);
   for (int c = 0; c < 3; c++)
     t->background[c] = rgb[c] / 65535.0;
+  if (hsr_shades_init(&t->shades, form->shader, form->side, job->world,
+                      job->view, job->scratch))
+    return HSR_E_NOMEM;
   t->planes = HSR_NEW(job->scratch, struct hsr_eb_planes, HSR_EB_PLANES);
   if (!t->planes || !grow_blocks(t, &t->cells, sizeof(struct hsr_eb_cell)))
     return HSR_E_NOMEM;

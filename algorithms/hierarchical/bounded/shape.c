@@ -356,11 +356,11 @@ enum hsr_meeting hsr_shape_meets(const struct hsr_shape *shape,
 
 bool hsr_shape_covers_but(const struct hsr_shape *shape,
                           const struct hsr_square *square, uint32_t but,
-                          uint32_t or) {
+                          uint32_t nor) {
   for (uint32_t k = 0; k < shape->n_lines; k++) {
     double lo, hi;
     hsr_line_range(&shape->line[k], square, &lo, &hi);
-    if (k != but && k != or &&!(lo > 0))
+    if (k != but && k != nor && !(lo > 0))
       return false;
   }
   return true;

@@ -84,10 +84,10 @@ enum hsr_meeting hsr_shape_meets(const struct hsr_shape *shape,
                                  const struct hsr_square *square);
 
 /* Does the shape cover the square but for what is beyond line `but` and, if it
- * is another one, line `or`? The shape is convex. */
+ * is another one, line `nor`? The shape is convex. */
 bool hsr_shape_covers_but(const struct hsr_shape *shape,
                           const struct hsr_square *square, uint32_t but,
-                          uint32_t or);
+                          uint32_t nor);
 
 /* A convex part of a square, in coordinates from -1 to 1. Of its area, `off`
  * may be wrong, as a share of the square's; 1: nothing is known. */
