@@ -12,7 +12,13 @@
  * Bumps       the slope σ rises for s from -1/6 to 1/6 and falls from there to 5/6.
  *             s(x) rises; its enclosure is found by Newton's iteration and proved by
  *             the residue, as the left side's slope is at least 1/2. Sines are
- *             Taylor's series of intervals; the remainder is below 2^-59. */
+ *             Taylor's series of intervals; the remainder is below 2^-59.
+ * Means       where a colour is not narrow, Q and r are found once more, with
+ *             bounds on their derivatives by sx and sy: by the mean value theorem
+ *             they are in the value at the middle, and the derivatives times half
+ *             a side to either side. That narrows with the square of the side, but
+ *             for their true range. Where max(0, x) has no derivative, all between
+ *             the two of its sides will do. */
 #include "algorithms/hierarchical/bounded/surface.h"
 
 #include <CGAL/Interval_nt.h>
@@ -25,26 +31,56 @@ namespace {
 using Interval = CGAL::Interval_nt<false>; /* only while an Upward lives */
 using Upward = CGAL::Protect_FPU_rounding<true>;
 
-struct Vector {
-  Interval x[3];
+/* A function of sx and sy on a square: its values, and its derivatives. */
+struct Dual {
+  Interval v, by[2] = {0, 0};
+  Dual(const Interval &value = 0) : v(value) {}
+  Dual(double value) : v(value) {}
 };
 
-Interval operator*(const Vector &a, const Vector &b) {
-  return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
+Dual with(const Interval &value, const Interval &x, const Interval &y) {
+  Dual made(value);
+  made.by[0] = x;
+  made.by[1] = y;
+  return made;
+}
+Dual operator+(const Dual &a, const Dual &b) {
+  return with(a.v + b.v, a.by[0] + b.by[0], a.by[1] + b.by[1]);
+}
+Dual operator-(const Dual &a, const Dual &b) {
+  return with(a.v - b.v, a.by[0] - b.by[0], a.by[1] - b.by[1]);
+}
+Dual operator*(const Dual &a, const Dual &b) {
+  return with(a.v * b.v, a.by[0] * b.v + a.v * b.by[0],
+              a.by[1] * b.v + a.v * b.by[1]);
+}
+/* b is certain not to be 0. */
+Dual operator/(const Dual &a, const Dual &b) {
+  const Interval v = a.v / b.v;
+  return with(v, (a.by[0] - v * b.by[0]) / b.v, (a.by[1] - v * b.by[1]) / b.v);
 }
 
-Vector vector(const double v[3]) {
-  return {{Interval(v[0]), Interval(v[1]), Interval(v[2])}};
+Interval square(const Interval &a) {
+  return CGAL::square(a);
+}
+Dual square(const Dual &a) {
+  const Interval twice = Interval(2) * a.v;
+  return with(CGAL::square(a.v), twice * a.by[0], twice * a.by[1]);
+}
+/* Of what is certain to be positive. */
+Interval root(const Interval &a) {
+  return CGAL::sqrt(a);
+}
+Dual root(const Dual &a) {
+  const Interval v = CGAL::sqrt(a.v), twice = Interval(2) * v;
+  return with(v, a.by[0] / twice, a.by[1] / twice);
 }
 
-/* k a - b */
-Vector minus(const Interval &k, const Vector &a, const Vector &b) {
-  return {{k * a.x[0] - b.x[0], k * a.x[1] - b.x[1], k * a.x[2] - b.x[2]}};
+const Interval &value_of(const Interval &a) {
+  return a;
 }
-
-Vector hull(const Vector &a, const Vector &b) {
-  return {{CGAL::hull(a.x[0], b.x[0]), CGAL::hull(a.x[1], b.x[1]),
-           CGAL::hull(a.x[2], b.x[2])}};
+const Interval &value_of(const Dual &a) {
+  return a.v;
 }
 
 Interval clamp(const Interval &a, double least, double most) {
@@ -52,25 +88,48 @@ Interval clamp(const Interval &a, double least, double most) {
           std::max(least, std::min(most, a.sup()))};
 }
 
+/* Of a value that is known to be within these bounds. */
+Interval within(double least, const Interval &a, double most) {
+  return clamp(a, least, most);
+}
+Dual within(double least, const Dual &a, double most) {
+  return with(clamp(a.v, least, most), a.by[0], a.by[1]);
+}
+
 Interval positive(const Interval &a) {
   return {std::max(0., a.inf()), std::max(0., a.sup())};
 }
+Dual positive(const Dual &a) {
+  if (a.v.inf() >= 0)
+    return a;
+  const Interval some(0, a.v.sup() > 0 ? 1 : 0);
+  return with(positive(a.v), some * a.by[0], some * a.by[1]);
+}
 
-/* Of a number that cannot be negative. */
-Interval root(const Interval &a) {
-  return CGAL::sqrt(positive(a));
+template <class N> struct Vector_of { N x[3]; };
+using Vector = Vector_of<Interval>;
+
+template <class N> N operator*(const Vector_of<N> &a, const Vector_of<N> &b) {
+  return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
+}
+
+template <class N> Vector_of<N> vector(const double v[3]) {
+  return {{N(v[0]), N(v[1]), N(v[2])}};
+}
+
+Vector hull(const Vector &a, const Vector &b) {
+  return {{CGAL::hull(a.x[0], b.x[0]), CGAL::hull(a.x[1], b.x[1]),
+           CGAL::hull(a.x[2], b.x[2])}};
 }
 
 /* Whether the length is certain not to be 0; then it becomes 1. */
-bool make_unit(Vector *v) {
-  Interval sum(0);
-  for (const Interval &x : v->x)
-    sum += CGAL::square(x);
-  const Interval length = CGAL::sqrt(sum);
-  if (!(length.inf() > 0) || !(length.sup() < INFINITY))
+template <class N> bool make_unit(Vector_of<N> *v) {
+  const N sum = square(v->x[0]) + square(v->x[1]) + square(v->x[2]);
+  if (!(value_of(sum).inf() > 0) || !(value_of(sum).sup() < INFINITY))
     return false;
-  for (Interval &x : v->x)
-    x = clamp(x / length, -1, 1);
+  const N length = root(sum);
+  for (N &x : v->x)
+    x = within(-1, x / length, 1);
   return true;
 }
 
@@ -129,52 +188,119 @@ Interval slope_at(const Interval &s) {
                -steepest.sup(), steepest.sup());
 }
 
-Interval slope(const Interval &x) {
-  const double whole = std::floor(x.inf()), top = steepest.sup();
-  if (!(x.sup() - x.inf() < 1) || !(std::fabs(whole) < 0x1p30))
+/* The stretch of s that belongs to one of x. */
+struct Stretch {
+  Interval first, last;
+  bool is_known;
+
+  explicit Stretch(const Interval &x) {
+    const double whole = std::floor(x.inf());
+    is_known = x.sup() - x.inf() < 1 && std::fabs(whole) < 0x1p30;
+    if (!is_known)
+      return;
+    const double from = (Interval(x.inf()) - Interval(whole)).inf();
+    const double to = (Interval(x.sup()) - Interval(whole)).sup();
+    first = wheel_at(from);
+    last = to < 1 ? wheel_at(to) : wheel_at(to - 1) + Interval(1);
+  }
+  /* Whether it may hold a place, or comes so near to it that an extreme there is
+   * no more than the value at its end. */
+  bool passes(double at) const {
+    for (int k = 0; k < 3; k++)
+      if (first.inf() <= at + k + 0x1p-40 && last.sup() >= at + k - 0x1p-40)
+        return true;
+    return false;
+  }
+};
+
+Interval slope_on(const Stretch &s) {
+  const double top = steepest.sup();
+  if (!s.is_known)
     return {-top, top};
-  const double from = (Interval(x.inf()) - Interval(whole)).inf();
-  const double to = (Interval(x.sup()) - Interval(whole)).sup();
-  const Interval first = wheel_at(from);
-  const Interval last = to < 1 ? wheel_at(to) : wheel_at(to - 1) + Interval(1);
-  const Interval ends = CGAL::hull(slope_at(first), slope_at(last));
-  /* Near an extreme the ends are as good as it is. */
-  const auto passes = [&](double at) {
-    return first.inf() <= at + 0x1p-40 && last.sup() >= at - 0x1p-40;
+  const Interval ends = CGAL::hull(slope_at(s.first), slope_at(s.last));
+  return {s.passes(5. / 6) ? -top : ends.inf(),
+          s.passes(1. / 6) ? top : ends.sup()};
+}
+
+/* σ'(x) = 4π (2c - 1) / (2 - c)³, c = cos 2πs: least where c = -1/4, and rising and
+ * falling from there. */
+Interval derivative_on(const Stretch &s) {
+  Interval c(-1, 1);
+  if (s.is_known) {
+    c = CGAL::hull(sine(s.first + Interval(.25)), sine(s.last + Interval(.25)));
+    c = Interval(s.passes(.5) ? -1 : c.inf(), s.passes(0) ? 1 : c.sup());
+  }
+  const auto at = [](const Interval &cosine) {
+    const Interval under = Interval(2) - cosine;
+    return Interval(4) * pi * (Interval(2) * cosine - Interval(1)) /
+           (CGAL::square(under) * under);
   };
-  const bool highest = passes(1. / 6) || passes(7. / 6);
-  const bool lowest = passes(5. / 6) || passes(11. / 6);
-  return {lowest ? -top : ends.inf(), highest ? top : ends.sup()};
+  const Interval ends =
+      CGAL::hull(at(Interval(c.inf())), at(Interval(c.sup())));
+  return c.inf() < -.25 && c.sup() > -.25 ? CGAL::hull(ends, at(Interval(-.25)))
+                                          : ends;
+}
+
+Interval slope(const Interval &x) {
+  return slope_on(Stretch(x));
+}
+Dual slope(const Dual &x) {
+  const Stretch s(x.v);
+  const Interval by = derivative_on(s);
+  return with(slope_on(s), by * x.by[0], by * x.by[1]);
 }
 
 /* --- The shader ----------------------------------------------------------- */
 
+/* What a shader sees at a point of the face: Q of it, and r. */
+template <class N> struct Optics { Vector_of<N> Q, r; };
+
 /* Where the ray of -V, bent at m, comes to the board below P. */
-bool refract(const hsr_shades &s, const hsr_shaded_face &face, const Vector &V,
-             const Vector &m, Vector *P) {
-  const Interval index(HSR_SHADER_INDEX), one(1);
-  const Interval k = clamp(m * V, 0, 1);
-  const Interval bend =
-      root(one - CGAL::square(index) * (one - CGAL::square(k)));
-  Vector down;
+template <class N>
+bool refract(const hsr_shades &s, const hsr_shaded_face &face,
+             const Vector_of<N> &V, const Vector_of<N> &m, Vector_of<N> *P) {
+  const N index(HSR_SHADER_INDEX), one(1.);
+  const N k = within(0, positive(m * V), 1);
+  const N bend = root(one - square(index) * (one - square(k)));
+  Vector_of<N> down;
   /* index (k m - V) - bend m, with m taken once */
   for (int c = 0; c < 3; c++)
     down.x[c] = (index * k - bend) * m.x[c] - index * V.x[c];
-  const Interval sinking = -(down * vector(face.normal));
-  if (!(sinking.inf() > 0))
+  const N sinking = N(0.) - down * vector<N>(face.normal);
+  if (!(value_of(sinking).inf() > 0))
     return false;
-  const Interval far = Interval(HSR_SHADER_DEPTH) * Interval(s.side) / sinking;
-  for (int c = 0; c < 3; c++)
-    P->x[c] += far * down.x[c];
+  const N far = N(HSR_SHADER_DEPTH) * N(s.side) / sinking;
+  for (int axis : {face.u, face.v})
+    P->x[axis] = P->x[axis] + far * down.x[axis];
   return true;
 }
 
-bool tilt(const hsr_shades &s, const hsr_shaded_face &face, const Vector &P,
-          Vector *m) {
-  const Interval wave = Interval(HSR_SHADER_WAVE) * Interval(s.side);
+template <class N>
+bool tilt(const hsr_shades &s, const hsr_shaded_face &face,
+          const Vector_of<N> &P, Vector_of<N> *m) {
+  const N wave = N(HSR_SHADER_WAVE) * N(s.side);
   for (int axis : {face.u, face.v})
-    m->x[axis] -= Interval(HSR_SHADER_TILT) * slope(P.x[axis] / wave);
+    m->x[axis] = m->x[axis] - N(HSR_SHADER_TILT) * slope(N(P.x[axis] / wave));
   return make_unit(m);
+}
+
+/* False if it may be anything. */
+template <class N>
+bool see(const hsr_shades &s, const hsr_shaded_face &face,
+         const Vector_of<N> &P, Vector_of<N> V, Optics<N> *to) {
+  Vector_of<N> m = vector<N>(face.normal);
+  to->Q = P;
+  if (s.parts == HSR_PART_BOARD)
+    return true;
+  if (!make_unit(&V))
+    return false;
+  if (s.parts & HSR_PART_BUMPS &&
+      (!tilt(s, face, P, &m) || !refract(s, face, V, m, &to->Q)))
+    return false;
+  const N twice = N(2.) * within(-1, m * V, 1);
+  for (int c = 0; c < 3; c++)
+    to->r.x[c] = within(-1, twice * m.x[c] - V.x[c], 1);
+  return true;
 }
 
 /* The board's factor. */
@@ -242,37 +368,24 @@ void give_up(const hsr_shades &s, Interval rgb[3]) {
     rgb[c] = Interval(0, 1);
 }
 
-void shade(const hsr_shades &s, const hsr_surface &on, const Vector &P,
-           Vector V, Interval rgb[3]) {
+/* What follows of the optics for colours that are begun. */
+void finish_colours(const hsr_shades &s, const hsr_surface &on,
+                    const Optics<Interval> &seen, Interval rgb[3]) {
   const Interval one(1);
-  Vector m = vector(on.face.normal), Q = P;
-  begin_colours(on, P, rgb);
-  if (!(s.parts & ~unsigned(HSR_PART_CORNERS)))
-    return;
-  const bool needs_eye = s.parts & ~unsigned(HSR_PART_BOARD);
-  if ((needs_eye && !make_unit(&V)) ||
-      (s.parts & HSR_PART_BUMPS &&
-       (!tilt(s, on.face, P, &m) || !refract(s, on.face, V, m, &Q)))) {
-    give_up(s, rgb);
-    return;
-  }
   if (s.parts & HSR_PART_BOARD) {
-    const Interval factor = squares(s, on.face, Q);
+    const Interval factor = squares(s, on.face, seen.Q);
     for (int c = 0; c < 3; c++)
       rgb[c] = factor * rgb[c];
   }
-  if (!(s.parts & (HSR_PART_SKY | HSR_PART_HIGHLIGHT)))
-    return;
-  const Vector r = minus(Interval(2) * clamp(m * V, -1, 1), m, V);
   if (s.parts & HSR_PART_SKY) {
-    const Interval up = clamp(r.x[1], 0, 1), share(HSR_SHADER_REFLECTION);
+    const Interval up = positive(seen.r.x[1]), share(HSR_SHADER_REFLECTION);
     for (int c = 0; c < 3; c++) {
       const Interval low(hsr_sky_low[c]), high(hsr_sky_high[c]);
       rgb[c] = (one - share) * rgb[c] + share * (low + up * (high - low));
     }
   }
   if (s.parts & HSR_PART_HIGHLIGHT) {
-    Interval shine = positive(r * vector(s.light));
+    Interval shine = positive(seen.r * vector<Interval>(s.light));
     for (int k = 0; k < HSR_SHADER_GLOSS; k++)
       shine = CGAL::square(shine);
     shine = shine * Interval(HSR_SHADER_HIGHLIGHT);
@@ -280,6 +393,18 @@ void shade(const hsr_shades &s, const hsr_surface &on, const Vector &P,
     for (int c = 0; c < 3; c++)
       rgb[c] = one - (one - rgb[c]) * (one - shine);
   }
+}
+
+/* So narrow that nothing is gained by looking again. */
+bool is_narrow(const Interval rgb[3]) {
+  return rgb[0].sup() - rgb[0].inf() < 0x1p-8 &&
+         rgb[1].sup() - rgb[1].inf() < 0x1p-8 &&
+         rgb[2].sup() - rgb[2].inf() < 0x1p-8;
+}
+
+/* Is there more than what `begin_colours` says? */
+bool has_optics(const hsr_shades &s) {
+  return s.parts & ~unsigned(HSR_PART_CORNERS);
 }
 
 /* --- Squares -------------------------------------------------------------- */
@@ -303,6 +428,7 @@ Interval depth_at(const hsr_screen_line &q, double x, double y) {
 /* Where a face is at the four corners of a square. */
 struct seen {
   Vector ray[4], point[4];
+  Interval q[4];
   bool is_known; /* the points are, and between them it is no other */
 };
 
@@ -314,6 +440,7 @@ seen look(const hsr_view &view, const hsr_screen_line &line,
     const double x = square.x + (c & 1 ? square.half : -square.half);
     const double y = square.y + (c & 2 ? square.half : -square.half);
     const Interval q = depth_at(line, x, y);
+    s.q[c] = q;
     s.ray[c] = ray_at(view, x, y);
     s.is_known = q.sup() < INFINITY && (view.parallel || q.inf() > 0);
     for (int k = 0; k < 3 && s.is_known; k++)
@@ -324,13 +451,69 @@ seen look(const hsr_view &view, const hsr_screen_line &line,
   return s;
 }
 
+/* What is seen at the middle of a square. */
+bool see_middle(const hsr_view &view, const hsr_screen_line &line,
+                const hsr_square &square, const hsr_shades &s,
+                const hsr_shaded_face &face, Optics<Interval> *to) {
+  const Interval q = depth_at(line, square.x, square.y);
+  const Vector ray = ray_at(view, square.x, square.y);
+  Vector P, V;
+  for (int k = 0; k < 3; k++) {
+    const Interval F(view.F[k]);
+    P.x[k] =
+        Interval(view.E[k]) + (view.parallel ? ray.x[k] - q * F : ray.x[k] / q);
+    V.x[k] = view.parallel ? -F : -ray.x[k];
+  }
+  return see(s, face, P, V, to);
+}
+
+/* The same of all points, with derivatives. They are those of the whole plane, as
+ * the way from the middle to a point of the polygon may lead outside of it. q's own ones are within 2 error of a
+ * and b, as q is linear on at least a pixel. */
+bool see_slopes(const hsr_view &view, const hsr_screen_line &line,
+                const Vector &points, const Vector &directions,
+                const Interval &q, const hsr_shades &s,
+                const hsr_shaded_face &face, Optics<Dual> *to) {
+  const Interval off(1 - 0x1p-52, 1 + 0x1p-52);
+  const Interval error(-2 * line.error, 2 * line.error);
+  const Interval slope[2] = {Interval(line.a) + error,
+                             Interval(line.b) + error};
+  Vector_of<Dual> P, V;
+  for (int k = 0; k < 3; k++) {
+    P.x[k] = Dual(points.x[k]);
+    V.x[k] = Dual(directions.x[k]);
+    for (int i = 0; i < 2; i++) {
+      const Interval ray = off * Interval(view.ray[1 + i][k]);
+      P.x[k].by[i] =
+          view.parallel
+              ? ray - slope[i] * Interval(view.F[k])
+              : (ray - (points.x[k] - Interval(view.E[k])) * slope[i]) / q;
+      V.x[k].by[i] = view.parallel ? Interval(0) : -ray;
+    }
+  }
+  return see(s, face, P, V, to);
+}
+
+/* The mean value theorem. */
+Interval narrowed(const Interval &all, const Interval &middle, const Dual &a,
+                  double half) {
+  const Interval by = CGAL::abs(a.by[0]) + CGAL::abs(a.by[1]);
+  const double most = (Interval(half) * by).sup();
+  const Interval near = middle + Interval(-most, most);
+  const double low = std::max(all.inf(), near.inf()),
+               high = std::min(all.sup(), near.sup());
+  return low <= high ? Interval(low, high) : all;
+}
+
+/* All points of the plane in the square, where they are known. */
+Vector between(const seen &s) {
+  return hull(hull(s.point[0], s.point[1]), hull(s.point[2], s.point[3]));
+}
+
 /* All points of the polygon in the square. False if they may be anywhere. */
 bool find_points(const hsr_surface &on, const seen &s, Vector *P) {
-  if (s.is_known) {
-    *P = s.point[0];
-    for (int c = 1; c < 4; c++)
-      *P = hull(*P, s.point[c]);
-  }
+  if (s.is_known)
+    *P = between(s);
   for (int k = 0; k < 3 && on.is_flat; k++)
     P->x[k] = s.is_known ? clamp(P->x[k], on.least[k], on.most[k])
                          : Interval(on.least[k], on.most[k]);
@@ -349,6 +532,38 @@ Vector find_directions(const hsr_view &view, const hsr_square &square) {
     all = c ? hull(all, D) : D;
   }
   return {{-all.x[0], -all.x[1], -all.x[2]}};
+}
+
+/* Adds the optics of a square to colours that are begun. */
+void shade_square(const hsr_shades &s, const hsr_surface &on,
+                  const hsr_screen_line &line, const hsr_square &square,
+                  const seen &at, const Vector &P, Interval rgb[3]) {
+  const hsr_view &view = *s.view;
+  const Vector V = find_directions(view, square);
+  const Interval begun[3] = {rgb[0], rgb[1], rgb[2]};
+  Optics<Interval> all, middle;
+  Optics<Dual> slopes;
+  if (!see(s, on.face, P, V, &all)) {
+    give_up(s, rgb);
+    return;
+  }
+  finish_colours(s, on, all, rgb);
+  if (!at.is_known || s.parts == HSR_PART_BOARD || is_narrow(rgb))
+    return;
+  const Interval q =
+      CGAL::hull(CGAL::hull(at.q[0], at.q[1]), CGAL::hull(at.q[2], at.q[3]));
+  if (!see_middle(view, line, square, s, on.face, &middle) ||
+      !see_slopes(view, line, between(at), V, q, s, on.face, &slopes))
+    return;
+  for (int c = 0; c < 3; c++) {
+    if (c == on.face.u || c == on.face.v)
+      all.Q.x[c] =
+          narrowed(all.Q.x[c], middle.Q.x[c], slopes.Q.x[c], square.half);
+    all.r.x[c] =
+        narrowed(all.r.x[c], middle.r.x[c], slopes.r.x[c], square.half);
+    rgb[c] = begun[c];
+  }
+  finish_colours(s, on, all, rgb);
 }
 
 } // namespace
@@ -393,7 +608,14 @@ void hsr_interval_shade(const struct hsr_shades *s,
     P.x[k] = Interval(point[k].lo, point[k].hi);
     V.x[k] = Interval(to_eye[k].lo, to_eye[k].hi);
   }
-  shade(*s, *surface, P, V, found);
+  Optics<Interval> seen;
+  begin_colours(*surface, P, found);
+  if (has_optics(*s)) {
+    if (see(*s, surface->face, P, V, &seen))
+      finish_colours(*s, *surface, seen, found);
+    else
+      give_up(*s, found);
+  }
   for (int c = 0; c < 3; c++)
     rgb[c] = {std::fmax(0, found[c].inf()), std::fmin(1, found[c].sup())};
 }
@@ -416,7 +638,9 @@ void hsr_surface_colours(const struct hsr_shades *s,
         all[k] = c ? CGAL::hull(all[k], rgb[k]) : rgb[k];
     }
   } else if (find_points(*surface, at, &P)) {
-    shade(*s, *surface, P, find_directions(view, *square), all);
+    begin_colours(*surface, P, all);
+    if (has_optics(*s))
+      shade_square(*s, *surface, shape->q, *square, at, P, all);
   } else {
     begin_colours(*surface, P, all);
     give_up(*s, all);

@@ -200,18 +200,130 @@ bool is_narrow(dice *d, hsr_shader shader) {
          rgb[2].hi - rgb[2].lo < 0x1p-16;
 }
 
+/* --- Squares of the screen ------------------------------------------------ */
+
+struct plane_of_screen {
+  long double N[3], height; /* N·(A - E) */
+};
+
+/* q and, of a ray, t: in long doubles. */
+long double along(const plane_of_screen &on, const long double v[3]) {
+  return on.N[0] * v[0] + on.N[1] * v[1] + on.N[2] * v[2];
+}
+
+bool draw_view(dice *d, hsr_view *view, hsr_error *err) {
+  hsr_camera camera = {
+      {d->between(-9, 9), d->between(-9, 9), d->between(-9, 9)},
+      {0, 0, 0},
+      {.1, 1, .2},
+      d->between(20, 90),
+      0,
+      draw_integer(&d->seed, 0, 1) ? 9. : 0.};
+  return hsr_view_init(view, &camera, 64, 48, err) == HSR_OK;
+}
+
+/* The plane on the screen: as hsr_shape has it. */
+hsr_screen_line find_line(const hsr_view &view, const subject &s,
+                          plane_of_screen *on) {
+  const double(*a)[3] = s.surface.corner;
+  long double of[3];
+  on->height = 0;
+  for (int c = 0; c < 3; c++) {
+    const int l = (c + 1) % 3, m = (c + 2) % 3;
+    on->N[c] =
+        ((long double)a[1][l] - a[0][l]) * ((long double)a[2][m] - a[0][m]) -
+        ((long double)a[1][m] - a[0][m]) * ((long double)a[2][l] - a[0][l]);
+    on->height += on->N[c] * ((long double)a[0][c] - view.E[c]);
+  }
+  for (int i = 0; i < 3; i++) {
+    const long double ray[3] = {view.ray[i][0], view.ray[i][1], view.ray[i][2]};
+    of[i] = along(*on, ray);
+  }
+  if (view.parallel) { /* -t = (N·ray - height) / N·F */
+    const long double F[3] = {view.F[0], view.F[1], view.F[2]};
+    const long double by = along(*on, F);
+    of[0] = (of[0] - on->height) / by, of[1] /= by, of[2] /= by;
+  } else {
+    for (long double &k : of)
+      k /= on->height;
+  }
+  const double size =
+      double(std::fabs(of[0]) + 64 * std::fabs(of[1]) + 48 * std::fabs(of[2]));
+  return {double(of[1]), double(of[2]), double(of[0]), 0x1p-48 * size};
+}
+
+/* Beyond the triangle, Gouraud's colours go on. At its edges, long doubles do not
+ * tell. */
+bool is_inside(const subject &s, const areas::vec<real> &P) {
+  return areas::share_of(s.same, 0, P).v > 0x1p-16L &&
+         areas::share_of(s.same, 1, P).v > 0x1p-16L &&
+         areas::share_of(s.same, 2, P).v > 0x1p-16L;
+}
+
+void check_square(dice *d, hsr_shader shader, found *to) {
+  subject s = draw_subject(d, shader);
+  hsr_error err;
+  hsr_view view;
+  plane_of_screen on;
+  if (!draw_view(d, &view, &err))
+    return;
+  hsr_shape shape = {};
+  shape.q = find_line(view, s, &on);
+  const long double F[3] = {view.F[0], view.F[1], view.F[2]};
+  if ((view.parallel ? along(on, F) : on.height) > 0)
+    for (int c = 0; c < 3; c++)
+      s.surface.face.normal[c] *=
+          s.surface.face.normal[c] * on.N[c] > 0 ? -1 : 1;
+  s.same.face = s.surface.face;
+  s.shades.view = &view;
+  const double half = std::exp2(-double(draw_integer(&d->seed, 1, 16)));
+  const hsr_square square = {d->between(1, 63), d->between(1, 47), half};
+  double low[3], high[3];
+  hsr_surface_colours(&s.shades, &s.surface, &shape, &square, low, high);
+  for (int k = 0; k < 4; k++) {
+    const long double x = square.x + d->between(-half, half);
+    const long double y = square.y + d->between(-half, half);
+    long double ray[3], q = 0, P[3];
+    for (int c = 0; c < 3; c++)
+      ray[c] = view.ray[0][c] + x * view.ray[1][c] + y * view.ray[2][c];
+    q = view.parallel ? (along(on, ray) - on.height) / along(on, F)
+                      : along(on, ray) / on.height;
+    if (!view.parallel && !(q > 0x1p-20L))
+      continue;
+    for (int c = 0; c < 3; c++)
+      P[c] = view.E[c] + (view.parallel ? ray[c] - q * F[c] : ray[c] / q);
+    const areas::vec<real> point = {P[0], P[1], P[2]};
+    areas::vec<real> to_eye = {-ray[0], -ray[1], -ray[2]};
+    if (view.parallel)
+      to_eye = {-F[0], -F[1], -F[2]};
+    real colour[3];
+    if (s.same.face.by_corners && !is_inside(s, point))
+      continue;
+    areas::shade(s.shades, s.same, point, to_eye, colour);
+    to->boxes++;
+    for (int c = 0; c < 3; c++)
+      to->outside +=
+          !(colour[c].v >= low[c] - OFF && colour[c].v <= high[c] + OFF);
+  }
+}
+
 void check_shader(struct tap *tap, hsr_shader shader, const char *name,
                   long points, uint64_t seed) {
   dice d = {seed + uint64_t(shader) * 1000003};
-  found all;
+  found all, squares;
   long narrow = 0;
   constexpr long SMALL = 1000;
   for (long k = 0; k < points; k += 4)
     check_box(&d, shader, &all);
+  for (long k = 0; k < points; k += 4)
+    check_square(&d, shader, &squares);
   for (long k = 0; k < SMALL; k++)
     narrow += is_narrow(&d, shader);
   ok(tap, all.outside == 0, "%s: %ld colours of %ld points outside", name,
      all.outside, 4 * all.boxes);
+  ok(tap, squares.outside == 0,
+     "%s: %ld colours of %ld points of squares outside", name, squares.outside,
+     squares.boxes);
   ok(tap, narrow >= SMALL - SMALL / 100,
      "%s: %ld of %ld small boxes are narrow", name, narrow, SMALL);
 }
@@ -249,7 +361,7 @@ int main(int argc, char **argv) {
       {HSR_SHADER_WATER, "water"}};
   const long points = argc > 1 ? atol(argv[1]) : 120000;
   const uint64_t seed = argc > 2 ? strtoull(argv[2], nullptr, 10) : 1;
-  struct tap tap = plan(2 * 7 + 1);
+  struct tap tap = plan(3 * 7 + 1);
   for (const auto &s : shaders)
     check_shader(&tap, s.shader, s.name, points, seed);
   check_slopes(&tap, points, seed);
