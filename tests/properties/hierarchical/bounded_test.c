@@ -6,10 +6,13 @@
  * Narrower    no interval becomes wider from one pass to the next.
  * Tolerance   at the end each interval is at most eps wide, and its middle
  *             within eps/2 of the exact value.
+ * Shaded      under a shader the judge knows the value within bounds. No interval
+ *             is apart from these; most hold all of them.
  * Stopped     a run that may not refine, or not for long, still holds the
  *             value.
  *
- * usage: bounded_test [SCENE...]    instead of the usual ones, in all views */
+ * usage: bounded_test [SCENE...]    instead of the usual ones, in all views;
+ *        bounded_test shaders       these alone */
 #include "algorithms/variant.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -78,17 +81,16 @@ static enum hsr_area_filter filter_of(const char *name) {
   return hsr_form_area(&variant.choice.form).filter;
 }
 
-/* Draws the view by a variant, in its windows, and shows its passes to the
- * watch if there is one window. */
+/* Draws the view by a variant, in its windows, and shows its passes if there is
+ * one window; `passes` may be NULL. */
 static void draw(const char *name, const struct hsr_world *world,
                  const struct hsr_view *view, struct hsr_answer *answer,
-                 struct watch *watch) {
+                 const struct hsr_passes *passes) {
   struct hsr_error err = {.text = "out of memory"};
   struct hsr_arena scratch = HSR_ARENA_EMPTY;
   struct hsr_tally tally = {.first = 0};
   struct hsr_setup setup;
   struct hsr_variant variant;
-  const struct hsr_passes passes = {look, watch};
   if (hsr_variant_parse(name, &variant, &err) ||
       hsr_setup_init(&setup, variant.listed->plain, &variant.choice, world,
                      &err) ||
@@ -104,7 +106,7 @@ static void draw(const char *name, const struct hsr_world *world,
                             .scratch = &scratch,
                             .tally = &tally,
                             .answer = answer,
-                            .passes = side == M ? &passes : NULL};
+                            .passes = side == M ? passes : NULL};
       hsr_arena_reset(&scratch);
       if (hsr_setup_render(&setup, &job, &err))
         stop(name, &err);
@@ -144,7 +146,7 @@ static void check_variant(struct tap *tap, const char *scene, int number,
   watch.wanted = hsr_answer_areas_of(&truth->answer[filter_of(variant)]);
   watch.passes = 0;
   watch.outside = watch.wider = 0;
-  draw(variant, world, view, &got, &watch);
+  draw(variant, world, view, &got, &(struct hsr_passes){look, &watch});
   const struct hsr_area_bounds *b = hsr_answer_areas_of(&got);
   double eps = hsr_form_area(&got.form).eps;
   for (int k = 0; k < CHANNELS; k++) {
@@ -194,7 +196,8 @@ static void check_stopped(struct tap *tap) {
     struct hsr_answer got;
     long outside = 0, wide = 0;
     watch.outside = watch.wider = 0;
-    draw(stopped[v], &worlds.world, &view, &got, &watch);
+    draw(stopped[v], &worlds.world, &view, &got,
+         &(struct hsr_passes){look, &watch});
     const struct hsr_area_bounds *b = hsr_answer_areas_of(&got);
     for (int k = 0; k < CHANNELS; k++) {
       outside += !holds(b[k], watch.wanted[k]);
@@ -206,6 +209,80 @@ static void check_stopped(struct tap *tap) {
     hsr_answer_free(&got);
   }
   hsr_answer_free(&wanted);
+  close_worlds(&worlds);
+}
+
+/* --- Shaders -------------------------------------------------------------- */
+
+static const struct {
+  const char *scene, *form;
+} shaded[] = {{"sphere", "shader=gouraud:eps=.0625"},
+              {"sphere", "shader=phong:eps=.0625"},
+              {"sphere", "shader=sky:refine=levels:eps=.0625"},
+              {"house", "shader=gouraud:filter=tent:eps=.125"},
+              {"penetration", "shader=checker:side=24:eps=.0625"},
+              {"penetration", "shader=bumps:side=48:eps=.125"},
+              {"penetration", "shader=water:side=48:eps=.125"},
+              {"near-plane", "shader=sky:eps=.125"},
+              {"non-planar", "shader=phong:filter=quadratic:eps=.125"}};
+enum { N_SHADED = sizeof shaded / sizeof *shaded };
+
+struct shaded_watch {
+  const struct hsr_area_bounds *wanted;
+  struct hsr_area_bounds last[CHANNELS];
+  long apart, wider, certain;
+};
+
+static void look_at_shaded(void *whom, const struct hsr_answer *answer,
+                           int pass) {
+  struct shaded_watch *watch = whom;
+  const struct hsr_area_bounds *got = hsr_answer_areas_of(answer);
+  watch->certain = 0;
+  for (int k = 0; k < CHANNELS; k++) {
+    struct hsr_area_bounds w = watch->wanted[k];
+    watch->apart += !(got[k].lo <= w.hi && got[k].hi >= w.lo);
+    watch->certain += holds(got[k], w);
+    watch->wider += pass > 0 && !(got[k].lo >= watch->last[k].lo &&
+                                  got[k].hi <= watch->last[k].hi);
+    watch->last[k] = got[k];
+  }
+}
+
+/* The judge's form has no options of error-bounded's own. */
+static void judge_form(const char *form, char *name, size_t size) {
+  const char *own = strstr(form, "refine=levels:");
+  size_t before = own ? (size_t)(own - form) : strlen(form);
+  snprintf(name, size, "area-oracle:%.*s%s", (int)before, form,
+           own ? own + strlen("refine=levels:") : "");
+}
+
+static void check_shaded(struct tap *tap, const char *scene, const char *form) {
+  static struct shaded_watch watch;
+  const struct hsr_passes passes = {look_at_shaded, &watch};
+  struct both_worlds worlds;
+  struct hsr_view view;
+  struct hsr_answer wanted, got;
+  char name[80], judge[80];
+  long wide = 0;
+  open_worlds(&worlds, scene);
+  snprintf(name, sizeof name, "error-bounded:%s", form);
+  judge_form(form, judge, sizeof judge);
+  if (hsr_view_init_of(&view, worlds.scene, 0, M, N, NULL))
+    exit(99);
+  draw(judge, &worlds.world, &view, &wanted, NULL);
+  watch = (struct shaded_watch){.wanted = hsr_answer_areas_of(&wanted)};
+  draw(name, &worlds.world, &view, &got, &passes);
+  const struct hsr_area_bounds *b = hsr_answer_areas_of(&got);
+  double eps = hsr_form_area(&got.form).eps;
+  for (int k = 0; k < CHANNELS; k++)
+    wide += !(b[k].hi - b[k].lo <= eps);
+  ok(tap, !(watch.apart || watch.wider || wide) && watch.certain > CHANNELS / 2,
+     "%s, %s: apart %ld, too wide %ld, wider than before %ld; %ld of %d hold "
+     "all "
+     "of the judge's bounds",
+     scene, form, watch.apart, wide, watch.wider, watch.certain, CHANNELS);
+  hsr_answer_free(&wanted);
+  hsr_answer_free(&got);
   close_worlds(&worlds);
 }
 
@@ -223,15 +300,23 @@ static void check_scene(struct tap *tap, const char *scene, uint32_t n_views) {
 
 int main(int argc, char **argv) {
   struct tap tap = {0};
+  if (argc == 2 && !strcmp(argv[1], "shaders")) {
+    tap = plan(N_SHADED);
+    for (int k = 0; k < N_SHADED; k++)
+      check_shaded(&tap, shaded[k].scene, shaded[k].form);
+    return finish(&tap);
+  }
   if (argc > 1) {
     for (int k = 1; k < argc; k++)
       check_scene(&tap, argv[k], UINT32_MAX);
     printf("1..%d\n", tap.planned = tap.run);
     return finish(&tap);
   }
-  tap = plan(N_SCENES * VIEWS * N_VARIANTS + 4);
+  tap = plan(N_SCENES * VIEWS * N_VARIANTS + 4 + N_SHADED);
   for (int k = 0; k < N_SCENES; k++)
     check_scene(&tap, scenes[k], VIEWS);
   check_stopped(&tap);
+  for (int k = 0; k < N_SHADED; k++)
+    check_shaded(&tap, shaded[k].scene, shaded[k].form);
   return finish(&tap);
 }
