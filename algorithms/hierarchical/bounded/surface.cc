@@ -348,8 +348,8 @@ void blend_corners(const hsr_surface &on, const Vector &P, Interval rgb[3]) {
   }
 }
 
-/* The colours before anything is mirrored. */
-void begin_colours(const hsr_surface &on, const Vector &P, Interval rgb[3]) {
+/* The colours before anything is mirrored; P is NULL if it may be anywhere. */
+void begin_colours(const hsr_surface &on, const Vector *P, Interval rgb[3]) {
   for (int c = 0; c < 3; c++) {
     rgb[c] = Interval(on.face.rgb[c]) / Interval(65535);
     if (on.face.by_corners) {
@@ -358,8 +358,8 @@ void begin_colours(const hsr_surface &on, const Vector &P, Interval rgb[3]) {
       rgb[c] = Interval(range.first, range.second) / Interval(65535);
     }
   }
-  if (on.face.by_corners)
-    blend_corners(on, P, rgb);
+  if (on.face.by_corners && P)
+    blend_corners(on, *P, rgb);
 }
 
 /* What lies between the whole ranges, where nothing else is known. */
@@ -609,7 +609,7 @@ void hsr_interval_shade(const struct hsr_shades *s,
     V.x[k] = Interval(to_eye[k].lo, to_eye[k].hi);
   }
   Optics<Interval> seen;
-  begin_colours(*surface, P, found);
+  begin_colours(*surface, &P, found);
   if (has_optics(*s)) {
     if (see(*s, surface->face, P, V, &seen))
       finish_colours(*s, *surface, seen, found);
@@ -633,16 +633,16 @@ void hsr_surface_colours(const struct hsr_shades *s,
   if (surface->face.by_corners && at.is_known) {
     for (int c = 0; c < 4; c++) {
       Interval rgb[3];
-      begin_colours(*surface, at.point[c], rgb);
+      begin_colours(*surface, &at.point[c], rgb);
       for (int k = 0; k < 3; k++)
         all[k] = c ? CGAL::hull(all[k], rgb[k]) : rgb[k];
     }
   } else if (find_points(*surface, at, &P)) {
-    begin_colours(*surface, P, all);
+    begin_colours(*surface, &P, all);
     if (has_optics(*s))
       shade_square(*s, *surface, shape->q, *square, at, P, all);
   } else {
-    begin_colours(*surface, P, all);
+    begin_colours(*surface, NULL, all);
     give_up(*s, all);
   }
   for (int c = 0; c < 3; c++) {

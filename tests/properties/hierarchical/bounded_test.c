@@ -7,7 +7,7 @@
  * Tolerance   at the end each interval is at most eps wide, and its middle
  *             within eps/2 of the exact value.
  * Shaded      under a shader the judge knows the value within bounds. No interval
- *             is apart from these; most hold all of them.
+ *             is apart from these; most hold all of them, but for 2^-20.
  * Stopped     a run that may not refine, or not for long, still holds the
  *             value.
  *
@@ -241,7 +241,8 @@ static void look_at_shaded(void *whom, const struct hsr_answer *answer,
   for (int k = 0; k < CHANNELS; k++) {
     struct hsr_area_bounds w = watch->wanted[k];
     watch->apart += !(got[k].lo <= w.hi && got[k].hi >= w.lo);
-    watch->certain += holds(got[k], w);
+    watch->certain +=
+        got[k].lo - 0x1p-20 <= w.lo && got[k].hi + 0x1p-20 >= w.hi;
     watch->wider += pass > 0 && !(got[k].lo >= watch->last[k].lo &&
                                   got[k].hi <= watch->last[k].hi);
     watch->last[k] = got[k];

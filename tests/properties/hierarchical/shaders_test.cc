@@ -302,8 +302,10 @@ void check_square(dice *d, hsr_shader shader, found *to) {
     areas::shade(s.shades, s.same, point, to_eye, colour);
     to->boxes++;
     for (int c = 0; c < 3; c++)
-      to->outside +=
-          !(colour[c].v >= low[c] - OFF && colour[c].v <= high[c] + OFF);
+      if (!(colour[c].v >= low[c] - OFF && colour[c].v <= high[c] + OFF) &&
+          !to->outside++)
+        printf("# %.21Lg is not in [%.17g, %.17g], parallel %d, half %g\n",
+               colour[c].v, low[c], high[c], view.parallel, half);
   }
 }
 
