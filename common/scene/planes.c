@@ -25,6 +25,8 @@
  * every vertex is on the plane, the exact predicate decides; for a
  * quadrilateral, it decides whether the four vertices are coplanar. */
 #include "common/scene/planes.h"
+#include "common/base/numbers.h"
+#include "common/base/vector.h"
 
 #include <float.h>
 #include <math.h>
@@ -60,8 +62,54 @@ void hsr_newell_anchor(const struct hsr_newell *plane, double anchor[3]) {
                               : plane->first[a] + plane->sum[a] / plane->n;
 }
 
+/* The error of every component of a normal: `size` is P. */
+static double normal_error(double n, const double size[3]) {
+  return 4 * (n + 1) * U * hsr_max(size[0], hsr_max(size[1], size[2])) + TINY;
+}
+
+bool hsr_has_normal_for_certain(const struct hsr_loop *face) {
+  struct hsr_newell plane = {.n = 0};
+  for (uint32_t k = 0; k < face->n; k++) {
+    size_t at = (size_t)face->stride * face->vertex[k];
+    hsr_newell_add(&plane, (double[]){face->x[at], face->y[at], face->z[at]});
+  }
+  double most = hsr_max(fabs(plane.normal[0]),
+                        hsr_max(fabs(plane.normal[1]), fabs(plane.normal[2])));
+  return most > normal_error(plane.n, plane.size);
+}
+
+/* The same as find_plane, where the sums have one term, and the anchor is V_0. */
+static void find_triangle(struct hsr_world *world, uint32_t f) {
+  struct hsr_mesh *mesh = &world->mesh;
+  const uint32_t *v = mesh->vertex + mesh->start[f];
+  const double *const at[3] = {mesh->x, mesh->y, mesh->z};
+  double first[3], p[3], q[3], normal[3], size[3];
+  for (int a = 0; a < 3; a++) {
+    first[a] = at[a][v[0]];
+    p[a] = at[a][v[1]] - first[a];
+    q[a] = at[a][v[2]] - first[a];
+  }
+  for (int a = 0, b = 1, c = 2; a < 3; a++, b = (b + 1) % 3, c = (c + 1) % 3) {
+    double plus = p[b] * q[c], minus = p[c] * q[b];
+    normal[a] = plus - minus;
+    size[a] = fabs(plus) + fabs(minus);
+  }
+  mesh->nx[f] = normal[0];
+  mesh->ny[f] = normal[1];
+  mesh->nz[f] = normal[2];
+  mesh->n_error[f] = normal_error(3, size);
+  mesh->px[f] = first[0];
+  mesh->py[f] = first[1];
+  mesh->pz[f] = first[2];
+  mesh->anchor_error[f] = 0;
+}
+
 /* Newell's normal and the anchor of face f, with their errors. */
 static void find_plane(struct hsr_world *world, uint32_t f) {
+  if (hsr_face_size(world, f) == 3) {
+    find_triangle(world, f);
+    return;
+  }
   struct hsr_newell plane = {.n = 0};
   for (uint32_t c = world->mesh.start[f]; c < world->mesh.start[f + 1]; c++) {
     uint32_t v = world->mesh.vertex[c];
@@ -70,17 +118,15 @@ static void find_plane(struct hsr_world *world, uint32_t f) {
   }
   double anchor[3];
   hsr_newell_anchor(&plane, anchor);
-  double p = fmax(plane.size[0], fmax(plane.size[1], plane.size[2]));
   double r = fmax(plane.reach[0], fmax(plane.reach[1], plane.reach[2]));
   world->mesh.nx[f] = plane.normal[0];
   world->mesh.ny[f] = plane.normal[1];
   world->mesh.nz[f] = plane.normal[2];
-  world->mesh.n_error[f] = 4 * (plane.n + 1.0) * U * p + TINY;
+  world->mesh.n_error[f] = normal_error(plane.n, plane.size);
   world->mesh.px[f] = anchor[0];
   world->mesh.py[f] = anchor[1];
   world->mesh.pz[f] = anchor[2];
-  world->mesh.anchor_error[f] =
-      plane.n == 3 ? 0 : 2 * (plane.n + 2.0) * U * r + TINY;
+  world->mesh.anchor_error[f] = 2 * (plane.n + 2.0) * U * r + TINY;
 }
 
 /* An upper bound of |N . (V - P)| over the vertices of face f. */
@@ -110,8 +156,8 @@ static double find_deviation(const struct hsr_world *world, uint32_t f,
 }
 
 static double largest_normal(const struct hsr_world *world, uint32_t f) {
-  return fmax(fabs(world->mesh.nx[f]),
-              fmax(fabs(world->mesh.ny[f]), fabs(world->mesh.nz[f])));
+  return hsr_max(fabs(world->mesh.nx[f]),
+                 hsr_max(fabs(world->mesh.ny[f]), fabs(world->mesh.nz[f])));
 }
 
 /* Checks that the faces of every instance are still valid. */
@@ -136,40 +182,88 @@ static enum hsr_status check(const struct hsr_world *world,
 /* --- Equal planes --------------------------------------------------------- */
 
 /* A number that equal planes share: the absolute value of a fixed linear form
- * in the unit normal and the distance. It lies in [lo, hi]. */
-struct plane_key {
-  double lo, hi;
+ * in the unit normal and the distance. That of face f lies in [lo[f], hi[f]].
+ *
+ * Each component of the unit normal is off by at most 2 sqrt(3) n_error/|N| +
+ * 4u. The distance is off by that times the anchor's size, plus the anchor's
+ * error and three roundings. The form's coefficients are below 1. All is
+ * doubled. If the normal is unknown the error is not finite, and the face is
+ * compared with all. */
+HSR_VECTOR static void find_keys(const struct hsr_mesh *mesh, uint32_t n_faces,
+                                 double *restrict lo, double *restrict hi) {
+  const double *restrict x = mesh->nx, *restrict y = mesh->ny,
+                         *restrict z = mesh->nz, *restrict px = mesh->px,
+                         *restrict py = mesh->py, *restrict pz = mesh->pz,
+                         *restrict n_error = mesh->n_error,
+                         *restrict anchor_error = mesh->anchor_error;
+  for (uint32_t f = 0; f < n_faces; f++) {
+    double scale = hsr_max(fabs(x[f]), hsr_max(fabs(y[f]), fabs(z[f])));
+    double nx = x[f] / scale, ny = y[f] / scale, nz = z[f] / scale;
+    double length = sqrt(nx * nx + ny * ny + nz * nz);
+    double reach = fabs(px[f]) + fabs(py[f]) + fabs(pz[f]);
+    double d = (nx * px[f] + ny * py[f] + nz * pz[f]) / length;
+    double key =
+        fabs((0.5432 * nx + 0.8107 * ny + 0.3219 * nz) / length + 0.6173 * d);
+    double turn = 4 * (n_error[f] / (scale * length)) + 8 * U;
+    double error =
+        8 * (turn * (1 + reach) + anchor_error[f]) + 16 * U * (1 + key);
+    bool known = error < INFINITY;
+    lo[f] = known ? key - error : -INFINITY;
+    hi[f] = known ? key + error : INFINITY;
+  }
+}
+
+/* A face, to be sorted by the lower end of its key. */
+struct sorted_face {
+  uint64_t lo; /* as a whole number, in the same order */
   uint32_t face;
 };
 
-/* Error of the key. Each component of the unit normal is off by at most
- * 2 sqrt(3) n_error/|N| + 4u. The distance is off by that times the anchor's
- * size, plus the anchor's error and three roundings. The form's coefficients
- * are below 1. All is doubled. */
-static struct plane_key plane_key(const struct hsr_world *world, uint32_t f) {
-  double n[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
-  double p[3] = {world->mesh.px[f], world->mesh.py[f], world->mesh.pz[f]};
-  double scale = largest_normal(world, f);
-  for (int k = 0; k < 3; k++)
-    n[k] /= scale;
-  double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  double reach = fabs(p[0]) + fabs(p[1]) + fabs(p[2]);
-  double d = (n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) / length;
-  double key = fabs((0.5432 * n[0] + 0.8107 * n[1] + 0.3219 * n[2]) / length +
-                    0.6173 * d);
-  double turn = 4 * (world->mesh.n_error[f] / (scale * length)) + 8 * U;
-  double error = 8 * (turn * (1 + reach) + world->mesh.anchor_error[f]) +
-                 16 * U * (1 + key);
-  if (!(error < INFINITY)) /* the normal is unknown: compare with all */
-    return (struct plane_key){-INFINITY, INFINITY, f};
-  return (struct plane_key){key - error, key + error, f};
+/* The order of whole numbers is that of the doubles: a negative one has all its
+ * bits turned, any other one the highest. */
+static uint64_t whole_in_order(double x) {
+  uint64_t bits;
+  memcpy(&bits, &x, sizeof bits);
+  return bits >> 63 ? ~bits : bits | UINT64_C(1) << 63;
 }
 
-static int compare_keys(const void *a, const void *b) {
-  const struct plane_key *k = a, *l = b;
-  if (k->lo != l->lo)
-    return k->lo < l->lo ? -1 : 1;
-  return (k->face > l->face) - (k->face < l->face);
+/* One pass of a radix sort, by the eight bits from `shift` on. Whoever is equal
+ * keeps its order. False: all have the same bits there, and nothing is moved. */
+static bool sort_pass(const struct sorted_face *from, struct sorted_face *to,
+                      uint32_t n, int shift) {
+  uint32_t start[257] = {0};
+  for (uint32_t k = 0; k < n; k++)
+    start[(from[k].lo >> shift & 255) + 1]++;
+  for (int digit = 1; digit <= 256; digit++)
+    if (start[digit] == n)
+      return false;
+  for (int digit = 1; digit <= 256; digit++)
+    start[digit] += start[digit - 1];
+  for (uint32_t k = 0; k < n; k++)
+    to[start[from[k].lo >> shift & 255]++] = from[k];
+  return true;
+}
+
+/* Sorts n faces by the lower ends of their keys, then by number. The caller
+ * frees the list; NULL: no memory. */
+static struct sorted_face *sort_faces(const double *lo, uint32_t n) {
+  struct sorted_face *from = malloc(((size_t)n + 1) * sizeof *from);
+  struct sorted_face *to = malloc(((size_t)n + 1) * sizeof *to);
+  for (uint32_t f = 0; from && to && f < n; f++)
+    from[f] = (struct sorted_face){whole_in_order(lo[f]), f};
+  for (int shift = 0; from && to && shift < 64; shift += 8)
+    if (sort_pass(from, to, n, shift)) {
+      struct sorted_face *moved = to;
+      to = from;
+      from = moved;
+    }
+  bool all = from && to;
+  free(to);
+  if (!all) {
+    free(from);
+    return NULL;
+  }
+  return from;
 }
 
 /* Whether the normals may be parallel: a cheap test. No is certain. */
@@ -188,22 +282,23 @@ static bool maybe_parallel(const struct hsr_world *world, uint32_t f,
   return true;
 }
 
+/* One representative of a class that the sweep has not left behind. */
+struct open_class {
+  double hi;
+  uint32_t face;
+};
+
 /* Sweeps over the keys. A plane is compared with the planes whose key intervals
  * overlap its own, one representative of each class. */
-static enum hsr_status classify_planes(struct hsr_world *world) {
+static bool sweep(struct hsr_world *world, const double *lo, const double *hi,
+                  const struct sorted_face *sorted, struct open_class *open) {
   uint32_t n = world->n_faces, n_open = 0;
-  struct plane_key *key = malloc(n * sizeof *key);
-  struct plane_key *open = malloc(n * sizeof *open);
-  bool out_of_memory = !key || !open;
-  for (uint32_t f = 0; f < n && !out_of_memory; f++)
-    key[f] = plane_key(world, f);
-  if (!out_of_memory)
-    qsort(key, n, sizeof *key, compare_keys);
+  bool out_of_memory = false;
   world->mesh.n_planes = 0;
   for (uint32_t i = 0; i < n && !out_of_memory; i++) {
-    uint32_t f = key[i].face, kept = 0, found = UINT32_MAX;
+    uint32_t f = sorted[i].face, kept = 0, found = UINT32_MAX;
     for (uint32_t o = 0; o < n_open; o++) {
-      if (open[o].hi < key[i].lo)
+      if (open[o].hi < lo[f])
         continue; /* behind the sweep for good */
       open[kept] = open[o];
       uint32_t g = open[kept++].face;
@@ -215,13 +310,28 @@ static enum hsr_status classify_planes(struct hsr_world *world) {
     n_open = kept;
     if (found == UINT32_MAX) {
       found = world->mesh.n_planes++;
-      open[n_open++] = key[i];
+      open[n_open++] = (struct open_class){hi[f], f};
     }
     world->mesh.plane[f] = found;
   }
-  free(key);
+  return !out_of_memory;
+}
+
+static enum hsr_status classify_planes(struct hsr_world *world) {
+  size_t n = world->n_faces;
+  double *lo = malloc((n + 1) * sizeof *lo), *hi = malloc((n + 1) * sizeof *hi);
+  struct open_class *open = malloc((n + 1) * sizeof *open);
+  struct sorted_face *sorted = NULL;
+  if (lo && hi && open) {
+    find_keys(&world->mesh, world->n_faces, lo, hi);
+    sorted = sort_faces(lo, world->n_faces);
+  }
+  bool done = sorted && sweep(world, lo, hi, sorted, open);
+  free(sorted);
   free(open);
-  return out_of_memory ? HSR_E_NOMEM : HSR_OK;
+  free(hi);
+  free(lo);
+  return done ? HSR_OK : HSR_E_NOMEM;
 }
 
 void hsr_world_find_plane(struct hsr_world *world, uint32_t f,

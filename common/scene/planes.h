@@ -24,6 +24,9 @@ void hsr_newell_add(struct hsr_newell *plane, const double v[3]);
 /* A point of the plane: the mean of the vertices; for a triangle, the first. */
 void hsr_newell_anchor(const struct hsr_newell *plane, double anchor[3]);
 
+/* Whether the normal of a face is certainly not zero, by doubles. */
+bool hsr_has_normal_for_certain(const struct hsr_loop *face);
+
 /* Finds the planes of all faces, which are laid out, and their plane classes.
  * Checks that every instance left its faces valid. HSR_E_NOMEM; HSR_E_INPUT as
  * hsr_world_init. */

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "common/scene/scene.h"
 #include "common/polygon/polygon.h"
+#include "common/base/numbers.h"
 #include "common/scene/grid_object.h"
+#include "common/scene/planes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,14 +51,12 @@ void hsr_scene_delete(struct hsr_scene *scene) {
   free(scene);
 }
 
-/* Makes room for `wanted` elements of `size` bytes in *array, by doubling.
- * False if memory ran out; the array is then as it was. */
-static bool reserve(void *array, uint32_t *cap, uint32_t wanted, size_t size) {
-  if (wanted <= *cap)
+/* Makes room for `larger` elements of `size` bytes in *array. False if memory
+ * ran out; the array is then as it was. */
+static bool make_room(void *array, uint32_t *cap, uint32_t larger,
+                      size_t size) {
+  if (larger <= *cap)
     return true;
-  uint32_t larger = *cap < 16 ? 16 : *cap;
-  while (larger < wanted)
-    larger = larger > UINT32_MAX / 2 ? UINT32_MAX : 2 * larger;
   void *old;
   memcpy(&old, array, sizeof old);
   void *moved = realloc(old, (size_t)larger * size);
@@ -65,6 +65,16 @@ static bool reserve(void *array, uint32_t *cap, uint32_t wanted, size_t size) {
   memcpy(array, &moved, sizeof moved);
   *cap = larger;
   return true;
+}
+
+/* The same for `wanted` elements at least, by doubling. */
+static bool reserve(void *array, uint32_t *cap, uint32_t wanted, size_t size) {
+  if (wanted <= *cap)
+    return true;
+  uint32_t larger = *cap < 16 ? 16 : *cap;
+  while (larger < wanted)
+    larger = larger > UINT32_MAX / 2 ? UINT32_MAX : 2 * larger;
+  return make_room(array, cap, larger, size);
 }
 
 struct hsr_object *hsr_scene_object(struct hsr_scene *scene, const char *name) {
@@ -112,6 +122,23 @@ enum hsr_status hsr_scene_make_faces(struct hsr_scene *scene,
   return hsr_grid_make_object(scene->grid, &scene->objects[0])
              ? hsr_fail_nomem(err)
              : HSR_OK;
+}
+
+enum hsr_status hsr_object_reserve(struct hsr_object *object,
+                                   uint32_t n_vertices, uint32_t n_faces) {
+  uint32_t cap = object->cap_faces + 1;
+  if (!make_room(&object->xyz, &object->cap_vertices, n_vertices,
+                 3 * sizeof *object->xyz) ||
+      !make_room(&object->start, &cap, n_faces + 1, sizeof *object->start))
+    return HSR_E_NOMEM;
+  if (!object->rgb) /* which is as long as cap_faces says */
+    object->cap_faces = cap - 1;
+  return HSR_OK;
+}
+
+void hsr_object_uncolour(struct hsr_object *object) {
+  free(object->rgb);
+  object->rgb = NULL;
 }
 
 enum hsr_status hsr_object_vertex(struct hsr_object *object, double x, double y,
@@ -311,6 +338,7 @@ static double bounding_sphere(const struct hsr_scene *scene, double centre[3]) {
     return sphere_of_grid(scene->grid, centre);
   double lo[3], hi[3], radius = 0;
   for (int k = 0; k < 3; k++) {
+    centre[k] = 0;
     lo[k] = INFINITY;
     hi[k] = -INFINITY;
   }
@@ -322,11 +350,12 @@ static double bounding_sphere(const struct hsr_scene *scene, double centre[3]) {
         double p[3], d[3];
         hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)v, p);
         for (int k = 0; k < 3; k++) {
-          lo[k] = fmin(lo[k], p[k]);
-          hi[k] = fmax(hi[k], p[k]);
-          d[k] = pass ? p[k] - centre[k] : 0;
+          lo[k] = hsr_min(lo[k], p[k]);
+          hi[k] = hsr_max(hi[k], p[k]);
+          d[k] = p[k] - centre[k];
         }
-        radius = fmax(radius, length_of(d));
+        if (pass)
+          radius = hsr_max(radius, length_of(d));
       }
     }
     for (int k = 0; k < 3; k++)
@@ -375,7 +404,8 @@ static enum hsr_status check_object(const struct hsr_object *object,
     struct hsr_loop loop = {
         object->xyz, object->xyz + 1,        object->xyz + 2,
         3,           object->vertex + start, object->start[f + 1] - start};
-    if (!hsr_exact_has_normal(loop, &out_of_memory))
+    if (!hsr_has_normal_for_certain(&loop) &&
+        !hsr_exact_has_normal(loop, &out_of_memory))
       return hsr_fail(err, HSR_E_INPUT,
                       "object %s: face %u has no area (its normal is zero)",
                       object->name, f);

@@ -97,6 +97,14 @@ struct hsr_object *hsr_scene_object(struct hsr_scene *scene, const char *name);
 enum hsr_status hsr_scene_set_grid(struct hsr_scene *scene,
                                    struct hsr_grid *grid);
 
+/* Makes room for so many vertices and faces in all, each fewer than 2^32 - 1.
+ * HSR_E_NOMEM. */
+enum hsr_status hsr_object_reserve(struct hsr_object *object,
+                                   uint32_t n_vertices, uint32_t n_faces);
+
+/* Takes the faces' colours away; they have the object's from then on. */
+void hsr_object_uncolour(struct hsr_object *object);
+
 /* Appends a vertex and stores its number in *number (unless NULL).
  * HSR_E_NOMEM; HSR_E_INPUT if a coordinate is not finite or the object would
  * have more than 2^32 - 2 vertices. */

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files through CGAL's readers; .vtp through
+// Mesh files through CGAL's readers; .off through mesh_off.cc, .vtp through
 // common/files/vtk/exchange_vtk.cc.
 //
 // Safety      see common/files/mesh/mesh_file.h: CGAL sees only what a scan has
 //             passed, and must find in it what the scan found.
 // Memory      at once: the file, and what CGAL makes of it, 24 bytes a vertex
 //             and 4 a face and a corner; then, the file gone, that and the
-//             object. STL: also a search tree of about 80 bytes a vertex.
+//             object. OFF: the file and the object. STL: also a search tree of
+//             about 80 bytes a vertex.
 //             Colours: 12 bytes a face or vertex.
 #include "common/files/mesh/exchange.h"
 #include "common/base/exact.h"
@@ -14,7 +15,6 @@
 #include "common/files/srgb.h"
 
 #include <CGAL/IO/OBJ.h>
-#include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
@@ -123,17 +123,6 @@ void check_read(const Mesh_file &file, bool read, size_t n_faces,
               extent.n_faces);
 }
 
-void read_off(Mesh_file &file, bool drop, Soup &soup, Mesh_extent &extent) {
-  extent = hsr::scan_off(file, drop);
-  prepare(soup, extent, file);
-  hsr::Memory_buffer buffer(file.begin, file.end);
-  std::istream stream(&buffer);
-  errno = 0; /* where lack of memory shows */
-  const bool read = CGAL::IO::read_OFF(stream, soup.points, soup.polygons,
-                                       CGAL::parameters::verbose(false));
-  check_read(file, read, soup.polygons.size(), extent);
-}
-
 void read_obj(Mesh_file &file, bool drop, Soup &soup, Mesh_extent &extent) {
   extent = hsr::scan_obj(file, drop);
   prepare(soup, extent, file);
@@ -214,18 +203,32 @@ void build(const Soup &soup, const Mesh_extent &extent, Mesh_builder &builder) {
 
 /* ---- By suffix ---- */
 
-using Reader = void (*)(Mesh_file &, bool, Soup &, Mesh_extent &);
+/* The faces that a reader of CGAL's makes. */
+template <void (*read)(Mesh_file &, bool, Soup &, Mesh_extent &)>
+void read_soup(Mesh_file &file, bool drop, Mesh_builder &builder) {
+  Soup soup;
+  Mesh_extent extent;
+  read(file, drop, soup, extent);
+  file.memory.reset();
+  build(soup, extent, builder);
+}
+
+void read_vtp(Mesh_file &file, bool, Mesh_builder &builder) {
+  hsr::vtp_read(file, builder);
+}
+
+using Reader = void (*)(Mesh_file &, bool, Mesh_builder &);
 
 struct Suffix {
   const char *text;
-  Reader reader; /* NULL: VTK */
+  Reader reader;
 };
 
-constexpr Suffix SUFFIXES[] = {{".off", read_off},
-                               {".obj", read_obj},
-                               {".ply", read_ply},
-                               {".stl", read_stl},
-                               {".vtp", nullptr}};
+constexpr Suffix SUFFIXES[] = {{".off", hsr::off_read},
+                               {".obj", read_soup<read_obj>},
+                               {".ply", read_soup<read_ply>},
+                               {".stl", read_soup<read_stl>},
+                               {".vtp", read_vtp}};
 
 const char *file_name(const char *path) {
   const char *slash = std::strrchr(path, '/');
@@ -281,19 +284,6 @@ private:
   struct hsr_scene *scene_;
 };
 
-void read_into(Mesh_file &file, Reader reader, bool drop,
-               Mesh_builder &builder) {
-  if (!reader) {
-    hsr::vtp_read(file, builder);
-    return;
-  }
-  Soup soup;
-  Mesh_extent extent;
-  reader(file, drop, soup, extent);
-  file.memory.reset();
-  build(soup, extent, builder);
-}
-
 void mesh_read(struct hsr_scene *scene, const char *path,
                struct hsr_import *import) {
   const bool drop = import && import->drop_degenerate;
@@ -302,7 +292,8 @@ void mesh_read(struct hsr_scene *scene, const char *path,
   const char *name = file_name(path);
   Workshop workshop(std::string(name, suffix_of(name)));
   Mesh_builder builder(workshop.object, path, drop);
-  read_into(file, suffix.reader, drop, builder);
+  suffix.reader(file, drop, builder);
+  file.memory.reset();
   if (!builder.n_given())
     file.refuse(0, "holds no face");
   if (!workshop.object->n_faces)
@@ -319,23 +310,36 @@ void mesh_read(struct hsr_scene *scene, const char *path,
 
 /* ---- Solids ---- */
 
-/* Whether every edge is run exactly once in each direction. */
+/* Whether every edge is run exactly once in each direction. The edges that
+ * leave a vertex are next to one another: end[at[v] .. at[v + 1]) has where they
+ * end. */
 bool is_closed_and_oriented(const struct hsr_object &object) {
-  std::vector<uint64_t> edges;
-  edges.reserve(object.start[object.n_faces]);
-  for (uint32_t f = 0; f < object.n_faces; f++) {
-    const uint32_t *face = object.vertex + object.start[f];
-    const uint32_t n = object.start[f + 1] - object.start[f];
-    for (uint32_t k = 0; k < n; k++)
-      edges.push_back(uint64_t{face[k]} << 32 | face[k + 1 < n ? k + 1 : 0]);
-  }
-  std::sort(edges.begin(), edges.end());
-  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
-    return false;
-  return std::all_of(edges.begin(), edges.end(), [&edges](uint64_t edge) {
-    return std::binary_search(edges.begin(), edges.end(),
-                              edge << 32 | edge >> 32);
-  });
+  const uint32_t n_edges = object.start[object.n_faces];
+  const uint32_t *vertex = object.vertex;
+  std::vector<uint32_t> at(size_t{object.n_vertices} + 2), end(n_edges);
+  for (uint32_t c = 0; c < n_edges; c++)
+    at[size_t{vertex[c]} + 2]++;
+  for (size_t v = 2; v < at.size(); v++)
+    at[v] += at[v - 1];
+  for (uint32_t f = 0; f < object.n_faces; f++)
+    for (uint32_t c = object.start[f], last = object.start[f + 1]; c < last;
+         c++)
+      end[at[size_t{vertex[c]} + 1]++] =
+          vertex[c + 1 < last ? c + 1 : object.start[f]];
+  for (uint32_t v = 0; v < object.n_vertices; v++)
+    std::sort(end.begin() + at[v], end.begin() + at[v + 1]);
+  const auto runs = [&](uint32_t a,
+                        uint32_t b) { /* how often a to b is run */
+                                      const auto range = std::equal_range(
+                                          end.begin() + at[a],
+                                          end.begin() + at[a + 1], b);
+                                      return range.second - range.first;
+  };
+  for (uint32_t v = 0; v < object.n_vertices; v++)
+    for (uint32_t e = at[v]; e < at[v + 1]; e++)
+      if (runs(end[e], v) != 1) /* so it is not run twice itself */
+        return false;
+  return true;
 }
 
 template <class Number> struct Volume {

@@ -7,8 +7,8 @@ libhsr_a_SOURCES += \
   %D%/mesh_file.h \
   %D%/mesh_materials.cc \
   %D%/mesh_materials.h \
+  %D%/mesh_off.cc \
   %D%/mesh_scan_obj.cc \
-  %D%/mesh_scan_off.cc \
   %D%/mesh_scan_ply.cc \
   %D%/mesh_scan_stl.cc \
   %D%/mesh_text.cc \

@@ -126,6 +126,18 @@ bool is_degenerate(const uint32_t *vertices, size_t n) {
 
 } // namespace
 
+void Mesh_builder::reserve(size_t n_vertices, size_t n_faces) {
+  if (n_vertices >= UINT32_MAX || n_faces >= UINT32_MAX)
+    return; /* hsr_object_vertex and hsr_object_face say so */
+  if (hsr_object_reserve(object_, static_cast<uint32_t>(n_vertices),
+                         static_cast<uint32_t>(n_faces)))
+    throw std::bad_alloc();
+}
+
+void Mesh_builder::forget_colours() {
+  hsr_object_uncolour(object_);
+}
+
 void Mesh_builder::vertex(double x, double y, double z) {
   switch (hsr_object_vertex(object_, x, y, z, nullptr)) {
   case HSR_OK:

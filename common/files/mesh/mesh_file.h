@@ -5,9 +5,10 @@
 // CGAL's and VTK's readers trust their input: they allocate what a header
 // claims, and some stop at the first thing they do not understand as if the
 // file ended there. So a file is read into memory once, its grammar is checked
-// from first to last byte (hsr::scan_off and its like), and only a text that
-// passed is given to them. A failure is thrown as hsr::Refused and caught in
-// hsr_mesh_read.
+// from first to last byte (hsr::scan_obj and its like), and only a text that
+// passed is given to them. The check of an .off file finds all that there is to
+// read, so that file is read by it alone (off_read). A failure is thrown as
+// hsr::Refused and caught in hsr_mesh_read.
 #ifndef HSR_COMMON_MESH_FILE_H
 #define HSR_COMMON_MESH_FILE_H
 
@@ -87,7 +88,6 @@ struct Mesh_extent {
  * (comments, tabs, names, statements it does not know) is blanked, and
  * file.begin may be moved. Faces that are degenerate by their vertex numbers
  * are refused unless `drop`. */
-Mesh_extent scan_off(Mesh_file &file, bool drop);
 Mesh_extent scan_obj(Mesh_file &file, bool drop);
 Mesh_extent scan_ply(Mesh_file &file, bool drop);
 Mesh_extent scan_stl(Mesh_file &file);
@@ -99,8 +99,12 @@ class Mesh_builder {
 public:
   Mesh_builder(struct hsr_object *object, const char *path, bool drop)
       : object_(object), path_(path), drop_(drop) {}
+  /* Room for so many; the numbers are checked by the caller. */
+  void reserve(size_t n_vertices, size_t n_faces);
   void vertex(double x, double y, double z);
   void face(const uint32_t *vertices, size_t n, const float *rgb);
+  /* No face has a colour, and none will be given. */
+  void forget_colours();
   uint64_t n_dropped() const { return n_dropped_; }
   uint64_t n_given() const { return n_given_; }
 
@@ -112,6 +116,9 @@ private:
   bool drop_;
   uint64_t n_given_ = 0, n_dropped_ = 0;
 };
+
+/* Reads an .off file; throws as above. */
+void off_read(Mesh_file &file, bool drop, Mesh_builder &builder);
 
 /* Reads a .vtp file; throws as above. In common/files/vtk/vtk.cc, or, in a build
  * without VTK, exchange_no_vtk.cc, where it always throws. */

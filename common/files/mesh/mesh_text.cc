@@ -109,6 +109,62 @@ bool Lines::next_line() {
   return true;
 }
 
+namespace {
+
+const char *past_spaces(const char *at, const char *end) {
+  while (at < end && is_space(*at))
+    at++;
+  return at;
+}
+
+/* Takes a number, which ends at white space or with the file; NULL if there is
+ * none. */
+template <class Number>
+const char *take_number(const char *at, const char *end, Number &number) {
+  const auto result = std::from_chars(past_spaces(at, end), end, number);
+  const char *stop = result.ptr;
+  return result.ec == std::errc() &&
+                 (stop == end || is_space(*stop) || *stop == '\n')
+             ? stop
+             : nullptr;
+}
+
+} // namespace
+
+/* If the line has nothing more, it is taken. */
+bool Lines::go_on_at(const char *end_of_plain_line) {
+  const char *end = past_spaces(end_of_plain_line, file_.end);
+  if (end != file_.end && *end != '\n')
+    return false;
+  at_ = end_ = next_ + (end - next_);
+  next_ = end == file_.end ? end_ : end_ + 1;
+  number_ += 1 + n_joined_;
+  n_joined_ = 0;
+  return true;
+}
+
+bool Lines::next_plain_line(double *number, size_t n) {
+  const char *at = next_;
+  for (size_t k = 0; k < n; k++) {
+    at = take_number(at, file_.end, number[k]);
+    if (!at || !std::isfinite(number[k]))
+      return false;
+  }
+  return go_on_at(at);
+}
+
+bool Lines::next_plain_list(uint32_t *number, size_t &n, size_t most) {
+  const char *at = take_number(next_, file_.end, n);
+  if (!at || n > most)
+    return false;
+  for (size_t k = 0; k < n; k++) {
+    at = take_number(at, file_.end, number[k]);
+    if (!at)
+      return false;
+  }
+  return go_on_at(at);
+}
+
 Word Lines::word() {
   at_ = std::find_if(at_, end_, is_not_blank);
   const char *start = at_;
@@ -145,10 +201,14 @@ const char *Face_checker::fault() {
     return nullptr;
   if (numbers_.size() < 3)
     return "has fewer than 3 vertices";
-  std::sort(numbers_.begin(), numbers_.end());
-  return std::adjacent_find(numbers_.begin(), numbers_.end()) == numbers_.end()
-             ? nullptr
-             : "has the same vertex twice";
+  const size_t *v = numbers_.data();
+  bool twice = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+  if (numbers_.size() > 3) {
+    std::sort(numbers_.begin(), numbers_.end());
+    twice =
+        std::adjacent_find(numbers_.begin(), numbers_.end()) != numbers_.end();
+  }
+  return twice ? "has the same vertex twice" : nullptr;
 }
 
 } // namespace hsr

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words, lines and numbers of mesh files, for the scans in mesh_scan_*.
+// Words, lines and numbers of mesh files, for mesh_off.cc and the scans in
+// mesh_scan_*.
 #ifndef HSR_COMMON_MESH_TEXT_H
 #define HSR_COMMON_MESH_TEXT_H
 
 #include "common/files/mesh/mesh_file.h"
 
+#include <charconv>
 #include <climits>
+#include <cmath>
 #include <ios>
 #include <locale>
 #include <string_view>
@@ -23,13 +26,18 @@ bool read_integer(Word word, long long &number);
 /* A text may start with a byte order mark: moves file.begin past it. */
 void skip_byte_order_mark(Mesh_file &file);
 
-/* Reads numbers as an istream does, to the last bit, since CGAL reads with one:
- * no "nan", "inf", hexadecimal or overflow. */
+/* Reads numbers as an istream does, to the last bit: no "nan", "inf",
+ * hexadecimal or overflow. Nearly all are read by from_chars, which rounds alike
+ * and is faster; whatever it does not take whole is put to an istream's own
+ * reader. */
 class Number_reader {
 public:
   template <class Number> bool operator()(Word word, Number &number) {
-    std::ios_base::iostate state = std::ios_base::goodbit;
     const char *end = word.data() + word.size();
+    const auto quick = std::from_chars(word.data(), end, number);
+    if (quick.ec == std::errc() && quick.ptr == end && std::isfinite(number))
+      return true;
+    std::ios_base::iostate state = std::ios_base::goodbit;
     const char *stop = facet_.get(word.data(), end, ios_, state, number);
     return stop == end && !(state & std::ios_base::failbit);
   }
@@ -64,6 +72,12 @@ public:
 
   /* Goes to the next line that holds a word; false at the end of the file. */
   bool next_line();
+  /* Goes to the next line if it holds nothing but n numbers, each plain and
+   * finite, between spaces; else stays where it is. For the many lines of a
+   * large file that are so. */
+  bool next_plain_line(double *number, size_t n);
+  /* The same of a number n of at most `most`, and n numbers. */
+  bool next_plain_list(uint32_t *number, size_t &n, size_t most);
   /* Takes the next word of the line, empty at its end. */
   Word word();
   /* Takes the next word of the file, empty at its end. */
@@ -94,6 +108,7 @@ public:
 private:
   bool is_continued(char *start) const;
   void tidy();
+  bool go_on_at(const char *end_of_plain_line);
 
   const Mesh_file &file_;
   Style style_;

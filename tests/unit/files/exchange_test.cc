@@ -314,6 +314,59 @@ void try_numbers(tap *t) {
 }
 
 /* One triangle: a header, its number of triangles, 50 bytes. */
+/* Plain lines are read in another way than others: the same numbers must come
+ * out, to the last bit, and errors must name the same line. */
+void try_plain_lines(tap *t) {
+  const std::string word[] = {"0.1",
+                              "-1e-320",
+                              "4.9e-324",
+                              "1e22",
+                              "123456789012345678901234567890",
+                              ".5",
+                              "-7.",
+                              "8.5E+3",
+                              "2.2250738585072011e-308"};
+  std::string plain, other;
+  for (const auto &x : word)
+    for (const auto &y : word) {
+      plain += "\t" + x + "  " + y + " 1 \r\n";
+      other += x + " " + y + " +1 # not plain\n";
+    }
+  const std::string header = "OFF\n81 2 0\n", faces = "3 0 9 20\n4 1 2 3 13\n";
+  struct hsr_scene *scene = hsr_scene_new("");
+  read(scene, file("plain.off", header + plain + faces), nullptr);
+  read(scene, file("other.off", header + other + "3 0 9 20 # \n4 1 2 3 13 #"),
+       nullptr);
+  const struct hsr_object *o = scene->objects;
+  ok(t,
+     scene->n_objects == 2 && o[0].n_vertices == 81 && o[1].n_vertices == 81 &&
+         !std::memcmp(o[0].xyz, o[1].xyz, 81 * 3 * sizeof *o[0].xyz) &&
+         o[0].n_faces == 2 && o[1].n_faces == 2 &&
+         !std::memcmp(o[0].vertex, o[1].vertex, 7 * sizeof *o[0].vertex),
+     "plain lines of an .off and others give the same object");
+  hsr_scene_delete(scene);
+  ok(t,
+     is_refused("twice.off", header + plain + "3 0 9 20\n3 4 5 4\n", ":85") &&
+         is_refused("inf.off", "OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n",
+                    ":4: vertex 1: 'inf'") &&
+         is_refused("four.off", "OFF\n3 1 0\n0 0 0\n1 0 0 4\n0 1 0\n3 0 1 2\n",
+                    ":4: vertex 1 has 4 numbers"),
+     "errors in them name the line");
+}
+
+/* Closed, but for an edge that is run twice in each direction. */
+void try_pinched(tap *t) {
+  std::string text = "OFF\n6 8 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n"
+                     "0 -1 0\n";
+  for (const char *tetrahedron : {"3 0 1 2\n3 1 0 3\n3 0 2 3\n3 1 3 2\n",
+                                  "3 0 1 4\n3 1 0 5\n3 0 4 5\n3 1 5 4\n"})
+    text += tetrahedron;
+  struct hsr_scene *scene = hsr_scene_new("");
+  const struct hsr_object *o = read(scene, file("pinched.off", text), nullptr);
+  ok(t, o && !o->one_sided, "two solids that share an edge are not one solid");
+  hsr_scene_delete(scene);
+}
+
 void try_binary_stl(tap *t) {
   const float corner[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
   std::string bytes(84 + 50, '\0');
@@ -338,7 +391,7 @@ int main() {
     return 99;
   directory = name;
   const bool vtk = hsr_exchange_has_vtk();
-  struct tap t = plan(3 * 3 + (vtk ? 3 : 0) + 2 + 2 + 2 + 1 + 8 + 3 + 2);
+  struct tap t = plan(3 * 3 + (vtk ? 3 : 0) + 2 + 2 + 2 + 1 + 8 + 3 + 3 + 2);
   try_cube(&t, file("cube.off", cube_off()));
   try_cube(&t, file("cube.obj", cube_obj()));
   try_cube(&t, file("cube.ply", cube_ply()));
@@ -353,6 +406,8 @@ int main() {
   ok(&t, is_refused("bad.obj", "mtllib bad.mtl\nv 0 0 0\n", "bad.mtl:2"),
      "a material that is malformed is refused");
   try_numbers(&t);
+  try_plain_lines(&t);
+  try_pinched(&t);
   try_binary_stl(&t);
   const std::string clean = "rm -rf '" + directory + "'";
   return finish(&t) | (std::system(clean.c_str()) != 0);

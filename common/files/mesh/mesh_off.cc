@@ -1,48 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The grammar of .off files.
+// Reads .off files.
 //
 // Source      Geomview manual, "OFF: Object File Format"
-// Departures  as CGAL's reader has it, one vertex or face a line, a header
-//             word, and neither the binary form nor other dimensions than 3.
+// Departures  one vertex or face a line, a header word, and neither the binary
+//             form nor other dimensions than 3, as in CGAL's reader.
+// Cost        most lines of a large file are plain and are read at once
 #include "common/files/mesh/mesh_text.h"
 #include "common/files/srgb.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <utility>
+#include <vector>
 
 namespace hsr {
 namespace {
 
-class Off_scan {
+class Off_reader {
 public:
-  Off_scan(Mesh_file &file, bool drop)
-      : file_(file), lines_(file, {'#', false}), checker_(drop) {}
-  Mesh_extent scan();
+  Off_reader(Mesh_file &file, bool drop, Mesh_builder &builder)
+      : file_(file), lines_(file, {'#', false}), checker_(drop),
+        builder_(builder) {}
+  void read();
 
 private:
   void keyword();
   void header();
   size_t count(Word word, const char *what) const;
   void vertex(size_t v);
+  bool plain_vertex();
   void face(size_t f);
-  void colour(size_t f);
-  void replace_header(char *data);
+  bool plain_face(size_t f);
+  void corner(size_t f, long long v);
+  void add_face(size_t f, const float *rgb);
+  bool colour(size_t f, float rgb[3]);
 
   Mesh_file &file_;
   Lines lines_;
   Face_checker checker_;
-  Mesh_extent extent_;
+  Mesh_builder &builder_;
+  size_t n_vertices_ = 0, n_faces_ = 0;
+  std::vector<uint32_t> corners_; /* of the face at hand */
   bool has_texture_ = false, has_colour_ = false, has_normal_ = false;
   bool homogeneous_ = false;
   bool all_coloured_ = true;
 };
 
 /* [ST][C][N][4]OFF */
-void Off_scan::keyword() {
+void Off_reader::keyword() {
   const Word word = lines_.word();
   Word rest = word;
   const auto take = [&rest](Word prefix) {
@@ -62,7 +67,7 @@ void Off_scan::keyword() {
                   shown_word(word).c_str());
 }
 
-size_t Off_scan::count(Word word, const char *what) const {
+size_t Off_reader::count(Word word, const char *what) const {
   long long n;
   if (!read_integer(word, n) || n < 0)
     lines_.refuse("'%s' is not a number of %s", shown_word(word).c_str(), what);
@@ -71,7 +76,7 @@ size_t Off_scan::count(Word word, const char *what) const {
   return static_cast<size_t>(n);
 }
 
-void Off_scan::header() {
+void Off_reader::header() {
   if (!lines_.next_line())
     file_.refuse(0, "holds nothing but white space and comments");
   keyword();
@@ -80,8 +85,8 @@ void Off_scan::header() {
     lines_.refuse("the file ends before the number of vertices");
   if (first == "BINARY")
     lines_.refuse("binary OFF is not read");
-  extent_.n_vertices = count(first, "vertices");
-  extent_.n_faces = count(lines_.word(), "faces");
+  n_vertices_ = count(first, "vertices");
+  n_faces_ = count(lines_.word(), "faces");
   const Word edges = lines_.word();
   if (!edges.empty())
     count(edges, "edges");
@@ -89,16 +94,27 @@ void Off_scan::header() {
     lines_.refuse("the header has more than three numbers");
   /* The shortest vertex is "0 0 0", the shortest face "0". */
   const size_t left = static_cast<size_t>(file_.end - lines_.rest_of_file());
-  if (6 * extent_.n_vertices + 2 * extent_.n_faces > left + 1)
+  if (6 * n_vertices_ + 2 * n_faces_ > left + 1)
     lines_.refuse("%zu vertices and %zu faces are claimed, more than the %zu "
                   "bytes that follow can hold",
-                  extent_.n_vertices, extent_.n_faces, left);
+                  n_vertices_, n_faces_, left);
 }
 
-void Off_scan::vertex(size_t v) {
+/* Three coordinates and nothing else. */
+bool Off_reader::plain_vertex() {
+  double at[3];
+  if (homogeneous_ || has_normal_ || has_texture_ ||
+      !lines_.next_plain_line(at, 3))
+    return false;
+  builder_.vertex(at[0], at[1], at[2]);
+  return true;
+}
+
+void Off_reader::vertex(size_t v) {
+  if (plain_vertex())
+    return;
   if (!lines_.next_line())
-    lines_.refuse("the file ends after %zu of %zu vertices", v,
-                  extent_.n_vertices);
+    lines_.refuse("the file ends after %zu of %zu vertices", v, n_vertices_);
   const size_t h = homogeneous_, dimension = 3 + h;
   std::array<double, 4> coordinate{0, 0, 0, 1};
   size_t n = 0;
@@ -111,20 +127,52 @@ void Off_scan::vertex(size_t v) {
       dimension + (has_normal_ ? 3 + h : 0) + (has_texture_ ? 2 + h : 0);
   if (n != least && !(has_colour_ && n > least && n <= least + 4))
     lines_.refuse("vertex %zu has %zu numbers, not %zu", v, n, least);
-  for (size_t k = 0; k < 3; k++)
-    if (!std::isfinite(coordinate[k] / coordinate[3]))
+  for (size_t k = 0; k < 3; k++) {
+    coordinate[k] /= coordinate[3];
+    if (!std::isfinite(coordinate[k]))
       lines_.refuse("vertex %zu divided by its w is not finite", v);
+  }
+  builder_.vertex(coordinate[0], coordinate[1], coordinate[2]);
 }
 
-void Off_scan::face(size_t f) {
+void Off_reader::corner(size_t f, long long v) {
+  if (v < 0 || v >= static_cast<long long>(n_vertices_))
+    lines_.refuse("face %zu names vertex %lld of %zu", f, v, n_vertices_);
+  checker_.add(static_cast<size_t>(v));
+  corners_.push_back(static_cast<uint32_t>(v));
+}
+
+void Off_reader::add_face(size_t f, const float *rgb) {
+  if (const char *fault = checker_.fault())
+    lines_.refuse("face %zu %s", f, fault);
+  builder_.face(corners_.data(), corners_.size(), rgb);
+}
+
+/* Vertex numbers and nothing else: so it has no colour. */
+bool Off_reader::plain_face(size_t f) {
+  enum { MOST = 8 };
+  uint32_t vertex[MOST];
+  size_t n;
+  if (!lines_.next_plain_list(vertex, n, MOST))
+    return false;
+  for (size_t k = 0; k < n; k++)
+    corner(f, vertex[k]);
+  add_face(f, nullptr);
+  return true;
+}
+
+void Off_reader::face(size_t f) {
+  checker_.start();
+  corners_.clear();
+  if (!all_coloured_ && plain_face(f))
+    return;
   if (!lines_.next_line())
-    lines_.refuse("the file ends after %zu of %zu faces", f, extent_.n_faces);
+    lines_.refuse("the file ends after %zu of %zu faces", f, n_faces_);
   const Word first = lines_.word();
   long long n;
   if (!read_integer(first, n) || n < 0)
     lines_.refuse("face %zu: '%s' is not a number of vertices", f,
                   shown_word(first).c_str());
-  checker_.start();
   for (long long k = 0; k < n; k++) {
     const Word word = lines_.word();
     if (word.empty())
@@ -133,21 +181,20 @@ void Off_scan::face(size_t f) {
     if (!read_integer(word, v))
       lines_.refuse("face %zu: '%s' is not a vertex number", f,
                     shown_word(word).c_str());
-    if (v < 0 || v >= static_cast<long long>(extent_.n_vertices))
-      lines_.refuse("face %zu names vertex %lld of %zu", f, v,
-                    extent_.n_vertices);
-    checker_.add(static_cast<size_t>(v));
+    corner(f, v);
   }
-  if (const char *fault = checker_.fault())
-    lines_.refuse("face %zu %s", f, fault);
-  extent_.n_corners += static_cast<size_t>(n);
-  colour(f);
+  float rgb[3];
+  const bool coloured = colour(f, rgb);
+  if (all_coloured_ && !coloured)
+    builder_.forget_colours();
+  all_coloured_ = all_coloured_ && coloured;
+  add_face(f, all_coloured_ ? rgb : nullptr);
 }
 
 /* Three or four numbers, 0..255 if all are integers, else 0..1; one number is
  * an index into a map that is not part of the file. Colours are kept if all
  * faces have one. */
-void Off_scan::colour(size_t f) {
+bool Off_reader::colour(size_t f, float rgb[3]) {
   std::array<double, 4> value{};
   size_t n = 0;
   bool integers = true;
@@ -162,46 +209,30 @@ void Off_scan::colour(size_t f) {
     lines_.refuse("face %zu has %zu numbers after its vertices, which are no "
                   "colour",
                   f, n);
-  all_coloured_ = all_coloured_ && n >= 3;
-  for (size_t k = 0; k < 3 && all_coloured_; k++) {
+  for (size_t k = 0; k < 3; k++) {
     const double encoded = value[k] / (integers ? 255 : 1);
-    extent_.rgb.push_back(hsr_srgb_decode(
-        static_cast<float>(std::min(std::max(encoded, 0.0), 1.0))));
+    rgb[k] = hsr_srgb_decode(
+        static_cast<float>(std::min(std::max(encoded, 0.0), 1.0)));
   }
+  return n >= 3;
 }
 
-/* If the header says plain OFF, CGAL ignores what follows the coordinates of a
- * vertex and the vertices of a face. */
-void Off_scan::replace_header(char *data) {
-  char header[Mesh_file::SPARE];
-  const int length = std::snprintf(header, sizeof header, "%sOFF\n%zu %zu 0\n",
-                                   homogeneous_ ? "4" : "", extent_.n_vertices,
-                                   extent_.n_faces);
-  file_.begin = data - length;
-  std::memcpy(file_.begin, header, static_cast<size_t>(length));
-}
-
-Mesh_extent Off_scan::scan() {
+void Off_reader::read() {
   header();
-  char *data = lines_.rest_of_file();
-  for (size_t v = 0; v < extent_.n_vertices; v++)
+  builder_.reserve(n_vertices_, n_faces_);
+  for (size_t v = 0; v < n_vertices_; v++)
     vertex(v);
-  for (size_t f = 0; f < extent_.n_faces; f++)
+  for (size_t f = 0; f < n_faces_; f++)
     face(f);
   if (lines_.next_line())
-    lines_.refuse("the file goes on after the last of %zu faces",
-                  extent_.n_faces);
-  if (!all_coloured_)
-    extent_.rgb.clear();
-  replace_header(data);
-  return std::move(extent_);
+    lines_.refuse("the file goes on after the last of %zu faces", n_faces_);
 }
 
 } // namespace
 
-Mesh_extent scan_off(Mesh_file &file, bool drop) {
+void off_read(Mesh_file &file, bool drop, Mesh_builder &builder) {
   skip_byte_order_mark(file);
-  return Off_scan(file, drop).scan();
+  Off_reader(file, drop, builder).read();
 }
 
 } // namespace hsr
