@@ -477,8 +477,8 @@ static bool ask(struct walk *w, const struct hsr_placing *placing,
   return visible;
 }
 
-/* cube_visible of the thesis. n_faces: as many are in the cube. *inside: it is all inside of the frustum, and so
- * are the cubes in it. */
+/* cube_visible of the thesis. n_faces: as many are in the cube. *inside: it is
+ * all inside of the frustum, and so are the cubes in it. */
 static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
                             const struct hsr_octree_node *node,
                             uint64_t n_faces, struct hsr_subject subject,

@@ -128,7 +128,7 @@ static bool visit(struct notes *ns, const struct hsr_placing *placing,
   bool truly_out = hsr_cube_classify(&w->frame, placing, &cube, INEQUALITIES,
                                      subject) == HSR_BOX_OUT;
   *w->tally = before;
-  bool visible = is_cube_visible(w, placing, node, subject, inside);
+  bool visible = is_cube_visible(w, placing, node, UINT64_MAX, subject, inside);
   enum said said = count[OUT] > out               ? IS_OUT
                    : !visible                     ? IS_HIDDEN
                    : count[CUBES_TESTED] > tested ? IS_VISIBLE

@@ -342,13 +342,17 @@ static void begin(struct picture *p, const struct build *build,
       p->places[k].y[bit] = bit / 8 + 0.5 + jitter.y[bit];
     }
   }
-  p->masks = (struct hsr_masks){
-      .tables = &p->tables,
-      .places = p->places,
-      .filtering = patterns ? &p->filtering : NULL,
-      .anywhere = patterns > 0,
-      .count = {&p->tally, CELLS, FINEST, PIXEL_CELLS, UNSURE, HSR_NOTHING},
-      .pixel = 8};
+  p->masks = (struct hsr_masks){.tables = &p->tables,
+                                .places = p->places,
+                                .filtering = patterns ? &p->filtering : NULL,
+                                .anywhere = patterns > 0,
+                                .count = {.tally = &p->tally,
+                                          .cells = CELLS,
+                                          .finest = FINEST,
+                                          .pixels = PIXEL_CELLS,
+                                          .unsure = UNSURE,
+                                          .whom = HSR_NOTHING},
+                                .pixel = 8};
   p->arena = (struct hsr_arena)HSR_ARENA_EMPTY;
   dirty(&p->arena, 4 << 20);
   memset(p->ids, 0xfe, sizeof p->ids);
