@@ -21,9 +21,9 @@
  *             outline there is a hierarchy over the instances, and one over
  *             each object's faces, whose boxes are moved into the world as the
  *             ray comes to them; only the faces that it may meet are laid out.
- * Invariants  a box is passed over only if no face in it covers the sample nearer
- *             than matters: passes_by() has the proof, and box_in_world() that
- *             of boxes that are moved.
+ * Invariants  a box is passed over only if no face in it covers the sample
+ *             nearer than matters: passes_by() has the proof, and
+ *             box_in_world() that of boxes that are moved.
  * Ties        equal planes: the lowest face id.
  * Departures  none: there is no paper.
  * Cost        some dozens of boxes and a dozen faces a sample, and more where
@@ -539,8 +539,8 @@ struct world_faces {
   }
 };
 
-/* Whether no face in the box can matter, given that those do not which cover the
- * sample beyond `farthest`; planar: all are exactly so.
+/* Whether no face in the box can matter, given that those do not which cover
+ * the sample beyond `farthest`; planar: all are exactly so.
  *
  * If the line of the ray, taken in both directions, misses the convex hull of a
  * face's vertices, the polygon does not wind about it: the parity is even, and

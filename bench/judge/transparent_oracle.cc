@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The transparent oracle: the faces over each sample, folded, from the definition
- * alone.
+/* The transparent oracle: the faces over each sample, folded, from the
+ * definition alone.
  *
  * Source      docs/transparent-picture.md, in whose words this file is written;
- *             bench/judge/surface.h has the faces that cover a sample, and their
- *             order.
+ *             bench/judge/surface.h has the faces that cover a sample, and
+ *             their order.
  * Method      all faces that cover a sample and are not certainly farther than
  *             the nearest opaque one found so far are kept; the rest is sorted
  *             out exactly. The fold is in 64 bits.

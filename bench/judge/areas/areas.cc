@@ -2,10 +2,10 @@
 /* The exact area picture, by atoms (moments.h).
  *
  * Method      windows of atoms are halved, and the faces that may be seen in a
- *             window are passed down. Intervals decide which faces meet it, which
- *             cover it, and which lie behind one that covers it; what they leave
- *             open is kept. An atom with one face left is *whole*. Others are
- *             *mixed*: they are cut into cells (cells.h).
+ *             window are passed down. Intervals decide which faces meet it,
+ *             which cover it, and which lie behind one that covers it; what
+ *             they leave open is kept. An atom with one face left is *whole*.
+ *             Others are *mixed*: they are cut into cells (cells.h).
  * Values      first in fixed point, with a bound of the error. If that leaves
  *             open which doubles are next to the value, in rationals. That is
  *             so where the value itself is a double. */
@@ -183,8 +183,8 @@ halves picture::rectangle(const block &b) const {
           atom_span(degree_, n, b.y1 - 1).to};
 }
 
-/* Of the faces that cover a rectangle, one that is certain to be nearer than the
- * others, if one is; else one that is likely to be. */
+/* Of the faces that cover a rectangle, one that is certain to be nearer than
+ * the others, if one is; else one that is likely to be. */
 const listed *front_of(const std::vector<listed> &all, const halves &in) {
   const listed *front = nullptr;
   for (const listed &c : all)
@@ -421,7 +421,8 @@ void picture::parts(int i, int j, shares *out) {
     throw std::bad_alloc();
 }
 
-/* N·(S/k - E), with Newell's N and the sum S of the k vertices, in parallel too.
+/* N·(S/k - E), with Newell's N and the sum S of the k vertices, in parallel
+ * too.
  */
 void find_plane(const stage &on, uint32_t f, shaded_face *to) {
   const hsr_mesh &mesh = on.world.mesh;

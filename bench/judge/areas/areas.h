@@ -48,8 +48,8 @@ std::shared_ptr<const std::vector<box>> find_boxes(const hsr_world &world,
                                                    const hsr_view &view);
 
 /* Bounds of the pixels in the view's window: 3 a pixel, those of (i, j) at
- * bounds[3 * (j * m + i)]. They are the tightest ones, unless a shader varies the
- * colours: then they are enclosures (shaded.h). */
+ * bounds[3 * (j * m + i)]. They are the tightest ones, unless a shader varies
+ * the colours: then they are enclosures (shaded.h). */
 void find_bounds(const hsr_world &world, const hsr_view &view,
                  const hsr_area_form &form, const std::vector<box> &boxes,
                  hsr_area_bounds *bounds);

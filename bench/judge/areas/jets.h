@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions of the picture plane on a rectangle of it, in intervals: their values
- * and, in order 2, their first and second derivatives by sx and sy.
+/* Functions of the picture plane on a rectangle of it, in intervals: their
+ * values and, in order 2, their first and second derivatives by sx and sy.
  *
  * known       false: a value may be anything, since something was divided by 0
  * smooth      false: the derivatives may not exist
- * Rounding    only while an Upward lives. Sines are taken of long doubles, rounded
- *             to nearest, and moved outward by 2^-44: far more than any C library
- *             is off. */
+ * Rounding    only while an Upward lives. Sines are taken of long doubles,
+ *             rounded to nearest, and moved outward by 2^-44: far more than any
+ *             C library is off. */
 #ifndef HSR_BENCH_JUDGE_AREAS_JETS_H
 #define HSR_BENCH_JUDGE_AREAS_JETS_H
 

@@ -15,8 +15,8 @@ constexpr double MARGIN = 0x1p-44;
 
 constexpr long double TURN = 6.283185307179586476925286766559L;
 
-/* s with s - sin(2πs)/4π = x, 0 <= x <= 1, but for some units in the last place:
- * by halving, since the left side rises. */
+/* s with s - sin(2πs)/4π = x, 0 <= x <= 1, but for some units in the last
+ * place: by halving, since the left side rises. */
 long double wheel_at(long double x) {
   long double from = 0, to = 1;
   for (int k = 0; k < 60; k++) {
@@ -60,8 +60,8 @@ waves waves_of(const Interval &x) {
 
 } // namespace
 
-/* With the angle a, c = cos a, s = sin a: the slope is s / (2 - c), and da/dx is
- * 4π / (2 - c). */
+/* With the angle a, c = cos a, s = sin a: the slope is s / (2 - c), and da/dx
+ * is 4π / (2 - c). */
 slopes slope_of(const Interval &x) {
   const waves w = waves_of(x);
   const Interval &s = w.sine, &c = w.cosine, two(2);

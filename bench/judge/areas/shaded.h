@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Enclosures of a pixel's value where a shader varies the colours.
  *
- * Method      the cells of one visible face (cells.h) are cut into triangles. On
- *             a triangle of centroid g the mean of a function lies between the
- *             least and the greatest of it; and, if it is smooth there, it is the
- *             value at g, but for Fxx Mxx / 2 + Fxy Mxy + Fyy Myy / 2, with second
- *             derivatives of somewhere in the triangle and the second moments M
- *             about g. Of all triangles of a pixel the most uncertain one is
- *             halved until the sum is narrow enough.
+ * Method      the cells of one visible face (cells.h) are cut into triangles.
+ *             On a triangle of centroid g the mean of a function lies between
+ *             the least and the greatest of it; and, if it is smooth there, it
+ *             is the value at g, but for Fxx Mxx / 2 + Fxy Mxy + Fyy Myy / 2,
+ *             with second derivatives of somewhere in the triangle and the
+ *             second moments M about g. Of all triangles of a pixel the most
+ *             uncertain one is halved until the sum is narrow enough.
  * Corners     are rounded to doubles in the frame of an atom (moments.h), where
  *             the triangle is of at most 1 in size. A corner that moves by d
- *             sweeps an area of less than 2d at each of the sides that meet there:
- *             `slack` counts that. */
+ *             sweeps an area of less than 2d at each of the sides that meet
+ *             there: `slack` counts that. */
 #ifndef HSR_BENCH_JUDGE_AREAS_SHADED_H
 #define HSR_BENCH_JUDGE_AREAS_SHADED_H
 

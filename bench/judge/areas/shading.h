@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shaders of docs/area-picture.md, formula by formula, for numbers of any sort
- * that have root, square, positive, slope and squares: jets, and in tests plain
- * long doubles. */
+/* The shaders of docs/area-picture.md, formula by formula, for numbers of any
+ * sort that have root, square, positive, slope and squares: jets, and in tests
+ * plain long doubles. */
 #ifndef HSR_BENCH_JUDGE_AREAS_SHADING_H
 #define HSR_BENCH_JUDGE_AREAS_SHADING_H
 
