@@ -96,8 +96,8 @@ struct hsr_choice {
                            is folded from it */
 };
 
-/* Who looks at an answer while it becomes better. The answer is borrowed for the
- * call; passes count from 0. */
+/* Who looks at an answer while it becomes better. The answer is borrowed for
+ * the call; passes count from 0. */
 struct hsr_passes {
   void (*show)(void *whom, const struct hsr_answer *answer, int pass);
   void *whom;
@@ -201,8 +201,8 @@ struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *algorithm);
 unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
                           const struct hsr_choice *choice);
 
-/* Whether an algorithm can be asked for answers of a kind: it makes them, or they
- * are folded from what it makes. */
+/* Whether an algorithm can be asked for answers of a kind: it makes them, or
+ * they are folded from what it makes. */
 bool hsr_can_draw(const struct hsr_algorithm *algorithm,
                   const struct hsr_answer_type *type);
 

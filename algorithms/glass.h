@@ -6,8 +6,8 @@
  * Source      M. E. Newell, R. G. Newell, T. L. Sancha, "A solution to the
  *             hidden surface problem", 1972, in the words of Sutherland et al.
  *             1974: "partial overwriting"; docs/transparent-picture.md.
- * Disputed    A list-priority algorithm puts faces over one another from back to
- *             front. Where faces are not flat they may have no place in its
+ * Disputed    A list-priority algorithm puts faces over one another from back
+ *             to front. Where faces are not flat they may have no place in its
  *             list, and the algorithm compares depths at the samples. An opaque
  *             face is then written or not. But a transparent one might belong
  *             between two that are already combined. Such a sample is disputed:
@@ -92,8 +92,8 @@ static inline void hsr_glass_show(const struct hsr_glass *glass,
 /* The samples [x0, x1) of row j are disputed. */
 void hsr_glass_dispute(struct hsr_glass *glass, int x0, int x1, int j);
 
-/* Settles the disputed samples. Steps of `compare` are comparisons in depth, and
- * steps of `accept` write a sample. */
+/* Settles the disputed samples. Steps of `compare` are comparisons in depth,
+ * and steps of `accept` write a sample. */
 void hsr_glass_settle(struct hsr_glass *glass, int compare, int accept);
 
 #ifdef __cplusplus

@@ -6,8 +6,8 @@
  * The options are those of the algorithm's descriptor and, of every algorithm
  * that draws faces, `window`: the picture is drawn in squares of so many
  * samples, each a job of its own; or `filter` and `jitter`: what is drawn is
- * the filtered picture, zbuffer:filter=box:jitter=4. `mix` asks for a transparent
- * picture of those that make one. */
+ * the filtered picture, zbuffer:filter=box:jitter=4. `mix` asks for a
+ * transparent picture of those that make one. */
 #ifndef HSR_ALGORITHMS_VARIANT_H
 #define HSR_ALGORITHMS_VARIANT_H
 
@@ -35,8 +35,8 @@ enum hsr_status hsr_variant_parse(const char *text, struct hsr_variant *variant,
 /* The algorithm with its standard options. */
 struct hsr_variant hsr_variant_standard(const struct hsr_listed *listed);
 
-/* The same of the kind that it makes besides its own: newell:mix=linear. It must
- * make one. */
+/* The same of the kind that it makes besides its own: newell:mix=linear. It
+ * must make one. */
 struct hsr_variant hsr_variant_also(const struct hsr_listed *listed);
 
 #ifdef __cplusplus

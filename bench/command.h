@@ -69,8 +69,8 @@ bool parse_number(const char *text, double *number);
 bool parse_count(const char *text, long least, long most, long *count);
 
 /* The name of a file of a series: the number in the place of the pattern's only
- * %d, which may have a width, as in f%03d.png; %% stands for one %. False if the
- * pattern has no such place, or several, or the name does not fit. */
+ * %d, which may have a width, as in f%03d.png; %% stands for one %. False if
+ * the pattern has no such place, or several, or the name does not fit. */
 enum { MOST_FILE_NAME = 4096 };
 bool series_name(const char *pattern, long number, char name[MOST_FILE_NAME]);
 

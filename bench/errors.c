@@ -3,9 +3,9 @@
  * (docs/area-picture.md), which are the limit of ever more samples.
  *
  * The error of a pixel is the greatest difference of its three channels, which
- * are linear, from 0 to 1. A picture of one sample a place can be asked for with
- * N x N samples a pixel: it is then the mean of N x N pictures, whose colours
- * are rounded to the nearest 65535th as in the definition. */
+ * are linear, from 0 to 1. A picture of one sample a place can be asked for
+ * with N x N samples a pixel: it is then the mean of N x N pictures, whose
+ * colours are rounded to the nearest 65535th as in the definition. */
 #include "bench/command.h"
 #include "bench/results/json.h"
 #include "bench/terminal/terminal.h"

@@ -75,8 +75,8 @@ static void show(struct peel *p, uint32_t f, int i, int j) {
   p->tiler->ids[place_of(p, i, j)] = f;
 }
 
-/* Puts the layer over what is combined; it is what is behind the next one. False
- * if it is empty. */
+/* Puts the layer over what is combined; it is what is behind the next one.
+ * False if it is empty. */
 static bool show_layer(struct peel *p) {
   const struct hsr_window *w = &p->tiler->window;
   bool any = false;

@@ -2,16 +2,16 @@
 /* Transparent faces by a z-buffer, in layers from back to front.
  *
  * Source      A. Mammen, "Transparency and antialiasing algorithms implemented
- *             with the virtual pixel maps technique", IEEE Computer Graphics and
- *             Applications 9(4), 1989, 43-55. Later known as depth peeling:
+ *             with the virtual pixel maps technique", IEEE Computer Graphics
+ *             and Applications 9(4), 1989, 43-55. Later known as depth peeling:
  *             C. Everitt, "Interactive order-independent transparency", NVIDIA,
  *             2001, takes the layers from front to back.
  * Method      The opaque faces are tiled first. Then there is a pass for each
  *             layer: all transparent faces are tiled, and at each sample the
  *             farthest is kept of those that are nearer than what is combined
  *             there already. After the pass it is combined with that.
- * Invariant   between passes: at each sample all faces are combined that are not
- *             nearer than behind[]; no other is
+ * Invariant   between passes: at each sample all faces are combined that are
+ *             not nearer than behind[]; no other is
  * Ties        those of hsr_nearer
  * Departures  Depths are compared by hsr_nearer, not by values in a memory:
  *             two layers of equal recorded depths would be lost. The layers are

@@ -221,7 +221,8 @@ struct hsr_way_to_screen {
   double rows[3][3], origin[3], sure;
 };
 
-/* Transforms the vertices of the screen's world, if that is still to be done. */
+/* Transforms the vertices of the screen's world, if that is still to be
+ * done. */
 void hsr_tiler_need_screen(struct hsr_tiler *tiler);
 
 /* Snaps n vertices right away. False if one of them is not sure, or not on the

@@ -461,9 +461,9 @@ static double seconds_now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* What a machine answers: whether a sample of the cube's front sides is visible,
- * as the z-buffer is now. In the build that is timed, it takes the time that
- * the option says, or longer if the sides take longer. */
+/* What a machine answers: whether a sample of the cube's front sides is
+ * visible, as the z-buffer is now. In the build that is timed, it takes the
+ * time that the option says, or longer if the sides take longer. */
 static bool ask(struct walk *w, const struct hsr_placing *placing,
                 const struct hsr_octree_box *cube,
                 const struct hsr_cube_image *image,

@@ -118,8 +118,8 @@ static void take_out(struct hsr_movers *m, uint32_t k) {
   *link = m->mover[k].next;
 }
 
-/* The cubes above `from`, or that one, no longer hold the mover, until one holds
- * its bounds. */
+/* The cubes above `from`, or that one, no longer hold the mover, until one
+ * holds its bounds. */
 static uint32_t go_up(struct hsr_movers *m, uint32_t from,
                       const struct hsr_box *bounds) {
   while (from != HSR_NO_NODE) {

@@ -8,8 +8,8 @@
  *             bounding volumes.
  * Invariant   an instance is in the smallest cube so far that holds its bounds,
  *             or in the root. Those that do not fit into the root's cube are
- *             outside. A tree that is kept may have larger cubes than a new one,
- *             where an instance moved into an octant of its cube. */
+ *             outside. A tree that is kept may have larger cubes than a new
+ *             one, where an instance moved into an octant of its cube. */
 #ifndef HSR_ALGORITHMS_MOVERS_H
 #define HSR_ALGORITHMS_MOVERS_H
 
@@ -61,9 +61,10 @@ enum hsr_status hsr_movers_init(struct hsr_movers *movers,
                                 struct hsr_arena *arena);
 
 /* Brings a tree up to date that is kept: all zero before the first frame, and
- * `arena` lasts as long. A mover stays where it is while its cube holds it; else
- * it goes up to one that does, and down again from there. `looked` is a counter
- * of movers that stayed or left. HSR_E_NOMEM: the tree is to be thrown away. */
+ * `arena` lasts as long. A mover stays where it is while its cube holds it;
+ * else it goes up to one that does, and down again from there. `looked` is a
+ * counter of movers that stayed or left. HSR_E_NOMEM: the tree is to be thrown
+ * away. */
 enum hsr_status hsr_movers_update(struct hsr_movers *movers,
                                   const struct hsr_cubes *cubes,
                                   struct hsr_tally *tally, int moved,

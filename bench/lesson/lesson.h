@@ -115,9 +115,11 @@ json_t *lesson_lists_json(const struct trace_run *run,
  *               -1: nothing
  *   roots       the roots among these nodes
  *   pieces      of these trees: [face, outline]
- *   bases       [face, b], ..., by faces: from that face on, the algorithm's own
+ *   bases       [face, b], ..., by faces: from that face on, the algorithm's
+ *   own
  *               number of a piece, added to b, is its place in pieces
- *   cubes       of octrees, or boxes in them: [node, instance or -1, the images of its corners, or
+ *   cubes       of octrees, or boxes in them: [node, instance or -1, the images
+ *   of its corners, or
  *               null for those that have none]
  *
  * NULL: HSR_E_NOMEM. */

@@ -2,11 +2,12 @@
 /* The pieces of a priority list that is made during a frame.
  *
  * Source    the events of algorithms/list_priority/per_frame/priority_list.c.
- * List      begins with its Z sort, which names all pieces that are whole faces.
- *           A radix sort names them twice: first in the order of their numbers,
- *           from 0. An insertion sort names pairs that it compares.
- * Numbers   a division takes the next numbers: for what is behind the plane, and
- *           then for what is in front of it. A half without samples gets none.
+ * List      begins with its Z sort, which names all pieces that are whole
+ *           faces. A radix sort names them twice: first in the order of their
+ *           numbers, from 0. An insertion sort names pairs that it compares.
+ * Numbers   a division takes the next numbers: for what is behind the plane,
+ *           and then for what is in front of it. A half without samples gets
+ *           none.
  * Outlines  of pieces that are not whole, by the services of
  *           common/exact/order.h, which the algorithm uses. */
 #include "bench/lesson/lesson.h"
@@ -158,8 +159,8 @@ static struct hsr_bounds bounds_in(const struct lists *l,
       b.x1 < w->x1 ? b.x1 : w->x1, b.y1 < w->y1 ? b.y1 : w->y1};
 }
 
-/* The depth by which a piece is sorted. In a list for a part of the picture, only
- * that part counts. */
+/* The depth by which a piece is sorted. In a list for a part of the picture,
+ * only that part counts. */
 static double farthest_of(const struct lists *l, struct hsr_polygon polygon) {
   double nearest, farthest;
   hsr_depth_range(&l->screen, polygon, &nearest, &farthest);
@@ -249,8 +250,8 @@ static bool divide(struct lists *l, const struct note *note) {
   return true;
 }
 
-/* A piece that a sort names. A new list begins if no sort is going on, or if the
- * one that was has named every piece twice. */
+/* A piece that a sort names. A new list begins if no sort is going on, or if
+ * the one that was has named every piece twice. */
 static bool sort(struct lists *l, const struct note *note, uint64_t *from) {
   bool done = !note->by_pairs && l->pieces.n && l->n_again == l->pieces.n;
   if (!l->pieces.n || note->event > l->next || done) {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What an algorithm made before the frame, for the page: the tree of planes
- * between clusters, a BSP tree, octrees. Trees that a module keeps to itself are
- * made again here by the same rule; that is deterministic. Numbers of faces are
- * the scene's own. */
+ * between clusters, a BSP tree, octrees. Trees that a module keeps to itself
+ * are made again here by the same rule; that is deterministic. Numbers of faces
+ * are the scene's own. */
 #include "algorithms/hierarchical/cubes.h"
 #include "algorithms/image_space/area/tiling/grove.h"
 #include "bench/lesson/lesson.h"

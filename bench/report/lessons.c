@@ -45,7 +45,8 @@ static bool is_there(const struct lesson_runs *runs, const char *name) {
   return false;
 }
 
-/* Adds the cell's algorithm, if its picture was right and its steps are told. */
+/* Adds the cell's algorithm, if its picture was right and its steps are
+ * told. */
 static void add_run(struct lesson_runs *runs, const json_t *cell) {
   struct hsr_error err;
   const char *name = results_text(cell, "algorithm");

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Intervals that hold the exact area integrals of the picture:
  * docs/area-picture.md. An answer is right if its intervals hold those of the
- * tightest answer, and are no wider than was asked for. Under a shader the judge
- * knows the integrals within bounds only. Then an answer is wrong if an interval
- * has nothing in common with the judge's. */
+ * tightest answer, and are no wider than was asked for. Under a shader the
+ * judge knows the integrals within bounds only. Then an answer is wrong if an
+ * interval has nothing in common with the judge's. */
 #include "common/answers/answer.h"
 #include "common/answers/coded.h"
 #include "common/files/image.h"

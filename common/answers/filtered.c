@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Weighted sums of 8 x 8 or 4 x 8 samples a pixel: docs/filtered-picture.md. Two
- * answers are equal if their sums are, to the last bit.
+/* Weighted sums of 8 x 8 or 4 x 8 samples a pixel: docs/filtered-picture.md.
+ * Two answers are equal if their sums are, to the last bit.
  *
  * The kind is folded from ids: without jitter, from one picture of 8 m x 8 n
  * samples, or 4 m x 8 n; with jitter, from a picture of m x n samples for each

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the shaders of the area picture need of a face, as doubles that are exact
- * by definition: docs/area-picture.md, "Shaders". The functions themselves are
- * not here: who draws and who judges compute them each in their own way. */
+/* What the shaders of the area picture need of a face, as doubles that are
+ * exact by definition: docs/area-picture.md, "Shaders". The functions
+ * themselves are not here: who draws and who judges compute them each in their
+ * own way. */
 #ifndef HSR_COMMON_ANSWERS_SHADER_H
 #define HSR_COMMON_ANSWERS_SHADER_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The faces over each sample, folded: docs/transparent-picture.md. Two answers are
- * equal if all channels of all samples are. */
+/* The faces over each sample, folded: docs/transparent-picture.md. Two answers
+ * are equal if all channels of all samples are. */
 #include "common/answers/answer.h"
 #include "common/answers/coded.h"
 #include "common/files/image.h"

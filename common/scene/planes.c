@@ -78,7 +78,8 @@ bool hsr_has_normal_for_certain(const struct hsr_loop *face) {
   return most > normal_error(plane.n, plane.size);
 }
 
-/* The same as find_plane, where the sums have one term, and the anchor is V_0. */
+/* The same as find_plane, where the sums have one term, and the anchor is
+ * V_0. */
 static void find_triangle(struct hsr_world *world, uint32_t f) {
   struct hsr_mesh *mesh = &world->mesh;
   const uint32_t *v = mesh->vertex + mesh->start[f];
@@ -228,7 +229,8 @@ static uint64_t whole_in_order(double x) {
 }
 
 /* One pass of a radix sort, by the eight bits from `shift` on. Whoever is equal
- * keeps its order. False: all have the same bits there, and nothing is moved. */
+ * keeps its order. False: all have the same bits there, and nothing is
+ * moved. */
 static bool sort_pass(const struct sorted_face *from, struct sorted_face *to,
                       uint32_t n, int shift) {
   uint32_t start[257] = {0};

@@ -51,8 +51,8 @@ static bool find_incidence(const struct hsr_object *object,
 
 /* --- Corners -------------------------------------------------------------- */
 
-/* The unit normal of a face in the world, and a point of its plane. False if its
- * length is no number. */
+/* The unit normal of a face in the world, and a point of its plane. False if
+ * its length is no number. */
 static bool find_normal(const struct hsr_world *world, struct hsr_place place,
                         double normal[3], double anchor[3]) {
   hsr_place_plane(world, place, normal, anchor);

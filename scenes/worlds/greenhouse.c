@@ -2,8 +2,8 @@
 /* A greenhouse: panes between bars, plants in pots, a vase and a tank of water.
  *
  * Metres. The front looks to +z, the ground is the plane y = 0. All coordinates
- * are dyadic. Faces of glass are one polygon each, seen from both sides, but for
- * the vase, which is closed. */
+ * are dyadic. Faces of glass are one polygon each, seen from both sides, but
+ * for the vase, which is closed. */
 #include "scenes/builders.h"
 #include "scenes/parts/shapes.h"
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every algorithm that draws transparent faces against the judge, to the last
- * bit, by both rules: on scenes of small integer coordinates and opacities from 0
- * to 1, with cameras that are aligned with them, of which half are parallel; and
- * on the scenes that break naive programs, with opacities. And the judge itself
- * against what the test folds: stacks of sheets, and scenes that are all opaque or
- * all invisible.
+ * bit, by both rules: on scenes of small integer coordinates and opacities from
+ * 0 to 1, with cameras that are aligned with them, of which half are parallel;
+ * and on the scenes that break naive programs, with opacities. And the judge
+ * itself against what the test folds: stacks of sheets, and scenes that are all
+ * opaque or all invisible.
  *
  * usage: glass_test [SCENES [SEED]]      standard: 2000 scenes, seed 1 */
 #include "scenes/scenes.h"
@@ -158,8 +158,8 @@ static const uint16_t *judge(const struct hsr_world *world,
   return hsr_answer_colours_of(answer);
 }
 
-/* Where all faces are opaque, a sample has the colour of the visible face; where
- * all are of opacity 0, that of the background. */
+/* Where all faces are opaque, a sample has the colour of the visible face;
+ * where all are of opacity 0, that of the background. */
 static void check_extremes(struct tap *tap, const char *name) {
   struct both_worlds worlds;
   struct hsr_view view;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The counts of reports/1974/counts.ndjson, by sample: of the scenes below, each
- * algorithm counts again what the record says. */
+/* The counts of reports/1974/counts.ndjson, by sample: of the scenes below,
+ * each algorithm counts again what the record says. */
 #include "bench/results/results.h"
 #include "tests/draw.h"
 #include "tests/tap.h"

@@ -21,12 +21,13 @@
  *             (leaf.c). Shaders: bumps are of a curtate cycloid, as a cycloid's
  *             slope has no bound at its cusps; Gouraud's colours are not
  *             integrated in closed form.
- *             Not built, of 5.6: strict front-to-back order, which needs octrees
- *             of BSP trees and shapes that are parts of faces; and motion blur. A
- *             moving edge's line is of degree 3 in time, in parallel of degree 2,
- *             where a still one is linear on the screen. So a cell of space-time
- *             that an edge crosses has no closed form, and ranges alone would have
- *             to converge: as many cells more, for each level, as time has halves.
+ *             Not built, of 5.6: strict front-to-back order, which needs
+ *             octrees of BSP trees and shapes that are parts of faces; and
+ *             motion blur. A moving edge's line is of degree 3 in time, in
+ *             parallel of degree 2, where a still one is linear on the screen.
+ *             So a cell of space-time that an edge crosses has no closed form,
+ *             and ranges alone would have to converge: as many cells more, for
+ *             each level, as time has halves.
  * Cost        of what is visible; of each pixel, the more complex what it
  *             shows, the more */
 #include "algorithms/hierarchical/bounded/bounded.h"

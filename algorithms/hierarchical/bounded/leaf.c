@@ -6,13 +6,13 @@
  *             what lies in another polygon and behind its plane, plus what lies
  *             in two such, and so on: inclusion and exclusion. Each of these is
  *             a convex polygon; in a fan, the parity of up to three triangles
- *             that meet the cell is such a sum, too. No order of the polygons is needed, and they
- *             may penetrate. What is left is the background. The thesis has the
- *             cases of one polygon, and of two that cover the cell; exact=2
- *             comes closest to it.
- * Shaders     where a polygon's colour varies, its share is mixed with bounds on
- *             its colours in the cell. That is not exact, but narrows with the
- *             cell.
+ *             that meet the cell is such a sum, too. No order of the polygons
+ *             is needed, and they may penetrate. What is left is the
+ *             background. The thesis has the cases of one polygon, and of two
+ *             that cover the cell; exact=2 comes closest to it.
+ * Shaders     where a polygon's colour varies, its share is mixed with bounds
+ *             on its colours in the cell. That is not exact, but narrows with
+ *             the cell.
  * Slivers     a polygon of less than 2^-30 of the cell is left out, and that
  *             share added to the uncertainty; likewise what a polygon leaves of
  *             a cell that it covers but for such a share. Without this, an edge
@@ -111,9 +111,9 @@ struct shares {
 static void add_parts(struct shares *s, const struct hsr_clip *clip,
                       uint32_t from, int sign);
 
-/* Adds the parts of a fan: a point in i of its n triangles that meet the square is
- * in an odd number of them if the sum over all sets of m of these i triangles of
- * (-2)^(m - 1) is 1, and else that is 0. */
+/* Adds the parts of a fan: a point in i of its n triangles that meet the square
+ * is in an odd number of them if the sum over all sets of m of these i
+ * triangles of (-2)^(m - 1) is 1, and else that is 0. */
 static void add_fan(struct shares *s, const struct hsr_clip *clip, uint32_t k,
                     uint32_t from, int sign) {
   const struct hsr_shape *shape = hsr_eb_shape(s->t, s->few->shape[k]);
@@ -164,9 +164,9 @@ static bool clip_by_front(struct hsr_clip *clip, const struct hsr_eb_tree *t,
   return true;
 }
 
-/* How often the parts of a part are counted at most, all in all: once itself, and
- * in each polygon that follows once or, in a fan, as often as the weights of its
- * sets add up to: 1 + 13, for three triangles. */
+/* How often the parts of a part are counted at most, all in all: once itself,
+ * and in each polygon that follows once or, in a fan, as often as the weights
+ * of its sets add up to: 1 + 13, for three triangles. */
 static double most_parts(const struct shares *s, uint32_t from) {
   double most = 1;
   for (uint32_t k = from; k < s->few->n; k++)
@@ -175,9 +175,9 @@ static double most_parts(const struct shares *s, uint32_t from) {
 }
 
 /* `clip` is what of polygon p lies in some polygons before it, with the sign or
- * weight that this has. Adds its share, and those of its parts that lie in one more
- * of the polygons, from number `from` on. What is behind a sliver is of no more than
- * that. */
+ * weight that this has. Adds its share, and those of its parts that lie in one
+ * more of the polygons, from number `from` on. What is behind a sliver is of no
+ * more than that. */
 static void add_parts(struct shares *s, const struct hsr_clip *clip,
                       uint32_t from, int sign) {
   double lo, hi;

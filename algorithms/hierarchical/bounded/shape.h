@@ -113,13 +113,13 @@ struct hsr_fan {
   bool negative[HSR_FAN_MEETS];
 };
 
-/* False if more triangles meet the square, or one of them may be there with either
- * sign. The shape is not convex. */
+/* False if more triangles meet the square, or one of them may be there with
+ * either sign. The shape is not convex. */
 bool hsr_shape_fan(const struct hsr_shape *shape,
                    const struct hsr_square *square, struct hsr_fan *fan);
 
-/* What of the part lies in triangle k of a fan; and on the positive sides of the
- * lines of `near`. */
+/* What of the part lies in triangle k of a fan; and on the positive sides of
+ * the lines of `near`. */
 void hsr_clip_by_triangle(struct hsr_clip *clip, const struct hsr_shape *shape,
                           const struct hsr_fan *fan, uint32_t k,
                           const struct hsr_square *square);

@@ -1,24 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Notation    P the point; V the direction to the eye; n, m the normals of the face
- *             and of the bumps; Q the point of the board that is seen through them;
- *             r the direction that is mirrored. docs/area-picture.md has the
- *             formulas.
- * Points      on a plane q = 1/t is linear on the screen, and P = E + D/q, so each
- *             coordinate of P is a quotient of two linear functions. On a square
- *             where q is positive it is monotone along both sides: its range is that
- *             of the four corners. In parallel P is linear itself. Likewise
- *             Gouraud's colours, which are affine on the plane. Where q may be 0,
- *             P is in the box of the face's corners, if the face is flat.
- * Bumps       the slope σ rises for s from -1/6 to 1/6 and falls from there to 5/6.
- *             s(x) rises; its enclosure is found by Newton's iteration and proved by
- *             the residue, as the left side's slope is at least 1/2. Sines are
- *             Taylor's series of intervals; the remainder is below 2^-59.
+/* Notation    P the point; V the direction to the eye; n, m the normals of the
+ *             face and of the bumps; Q the point of the board that is seen
+ *             through them; r the direction that is mirrored.
+ *             docs/area-picture.md has the formulas.
+ * Points      on a plane q = 1/t is linear on the screen, and P = E + D/q, so
+ *             each coordinate of P is a quotient of two linear functions. On a
+ *             square where q is positive it is monotone along both sides: its
+ *             range is that of the four corners. In parallel P is linear
+ *             itself. Likewise Gouraud's colours, which are affine on the
+ *             plane. Where q may be 0, P is in the box of the face's corners,
+ *             if the face is flat.
+ * Bumps       the slope σ rises for s from -1/6 to 1/6 and falls from there to
+ *             5/6. s(x) rises; its enclosure is found by Newton's iteration and
+ *             proved by the residue, as the left side's slope is at least 1/2.
+ *             Sines are Taylor's series of intervals; the remainder is below
+ *             2^-59.
  * Means       where a colour is not narrow, Q and r are found once more, with
- *             bounds on their derivatives by sx and sy: by the mean value theorem
- *             they are in the value at the middle, and the derivatives times half
- *             a side to either side. That narrows with the square of the side, but
- *             for their true range. Where max(0, x) has no derivative, all between
- *             the two of its sides will do. */
+ *             bounds on their derivatives by sx and sy: by the mean value
+ *             theorem they are in the value at the middle, and the derivatives
+ *             times half a side to either side. That narrows with the square of
+ *             the side, but for their true range. Where max(0, x) has no
+ *             derivative, all between the two of its sides will do. */
 #include "algorithms/hierarchical/bounded/surface.h"
 
 #include <CGAL/Interval_nt.h>
@@ -203,8 +205,8 @@ struct Stretch {
     first = wheel_at(from);
     last = to < 1 ? wheel_at(to) : wheel_at(to - 1) + Interval(1);
   }
-  /* Whether it may hold a place, or comes so near to it that an extreme there is
-   * no more than the value at its end. */
+  /* Whether it may hold a place, or comes so near to it that an extreme there
+   * is no more than the value at its end. */
   bool passes(double at) const {
     for (int k = 0; k < 3; k++)
       if (first.inf() <= at + k + 0x1p-40 && last.sup() >= at + k - 0x1p-40)
@@ -222,8 +224,8 @@ Interval slope_on(const Stretch &s) {
           s.passes(1. / 6) ? top : ends.sup()};
 }
 
-/* σ'(x) = 4π (2c - 1) / (2 - c)³, c = cos 2πs: least where c = -1/4, and rising and
- * falling from there. */
+/* σ'(x) = 4π (2c - 1) / (2 - c)³, c = cos 2πs: least where c = -1/4, and rising
+ * and falling from there. */
 Interval derivative_on(const Stretch &s) {
   Interval c(-1, 1);
   if (s.is_known) {
@@ -467,9 +469,10 @@ bool see_middle(const hsr_view &view, const hsr_screen_line &line,
   return see(s, face, P, V, to);
 }
 
-/* The same of all points, with derivatives. They are those of the whole plane, as
- * the way from the middle to a point of the polygon may lead outside of it. q's own ones are within 2 error of a
- * and b, as q is linear on at least a pixel. */
+/* The same of all points, with derivatives. They are those of the whole plane,
+ * as the way from the middle to a point of the polygon may lead outside of it.
+ * q's own ones are within 2 error of a and b, as q is linear on at least a
+ * pixel. */
 bool see_slopes(const hsr_view &view, const hsr_screen_line &line,
                 const Vector &points, const Vector &directions,
                 const Interval &q, const hsr_shades &s,

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Interval shaders: bounds on the colour of a polygon from bounds on what a shader
- * takes. The thesis, 5.4.4; the shaders are those of docs/area-picture.md.
+/* Interval shaders: bounds on the colour of a polygon from bounds on what a
+ * shader takes. The thesis, 5.4.4; the shaders are those of
+ * docs/area-picture.md.
  *
  * Source      N. Greene, PhD thesis, UC Santa Cruz, 1995, 2.2.3 and 5.4.4.
  * Rounding    CGAL's intervals, rounded outward. A colour is certain to lie in
- *             what is said of it, and what is said shrinks to it with the square.
+ *             what is said of it, and what is said shrinks to it with the
+ *             square.
  */
 #ifndef HSR_ALGORITHMS_BOUNDED_SURFACE_H
 #define HSR_ALGORITHMS_BOUNDED_SURFACE_H
@@ -32,8 +34,9 @@ struct hsr_surface {
 bool hsr_surface_make(struct hsr_surface *surface, struct hsr_shades *shades,
                       const struct hsr_shape *shape, bool is_flat);
 
-/* The interval shader: all colours of the face, a channel each, at points between
- * the bounds of `point`, seen from directions `to_eye`, of any length. */
+/* The interval shader: all colours of the face, a channel each, at points
+ * between the bounds of `point`, seen from directions `to_eye`, of any
+ * length. */
 void hsr_interval_shade(const struct hsr_shades *shades,
                         const struct hsr_surface *surface,
                         const struct hsr_interval point[3],

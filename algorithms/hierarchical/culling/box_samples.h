@@ -2,13 +2,13 @@
 /* The samples that a box may show at.
  *
  * Filter. An entry of the screen matrix has a relative error of 2u, u = 2^-53,
- * and a difference with E one of u. A coordinate of a corner's image is a sum of
- * four terms: it is within 8u of `size`, which is not less than the sizes of all
- * terms of all three rows. Where w is above 2^-20 of `size`, a quotient is at
- * most 2^20, and within 2^20 times 2 x 2^20 x 8u = 2^-9 of the true one. A
- * sample more on each side is far above that. A product may lose 2^-1075 more to
- * underflow, which is below 2^-60 of a size above 2^-900. What overflows makes
- * `size` infinite, and then w is not above it.
+ * and a difference with E one of u. A coordinate of a corner's image is a sum
+ * of four terms: it is within 8u of `size`, which is not less than the sizes of
+ * all terms of all three rows. Where w is above 2^-20 of `size`, a quotient is
+ * at most 2^20, and within 2^20 times 2 x 2^20 x 8u = 2^-9 of the true one. A
+ * sample more on each side is far above that. A product may lose 2^-1075 more
+ * to underflow, which is below 2^-60 of a size above 2^-900. What overflows
+ * makes `size` infinite, and then w is not above it.
  * So that holds in every scene: a corner of which it is not known leaves the
  * whole window. */
 #ifndef HSR_ALGORITHMS_BOX_SAMPLES_H
@@ -20,8 +20,8 @@
 #include <math.h>
 
 /* Narrows *b, samples of the view's window, to the rectangle around the box's
- * image. It stays as it is if a corner is not safely before the eye. The box may
- * be infinite. */
+ * image. It stays as it is if a corner is not safely before the eye. The box
+ * may be infinite. */
 static inline void hsr_box_samples(const struct hsr_view *view,
                                    const struct hsr_box *box,
                                    struct hsr_bounds *b) {

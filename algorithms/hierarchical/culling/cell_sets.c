@@ -33,8 +33,8 @@ static double above(double x) {
   return isinf(x) ? x : x + (fabs(x) * 0x1p-50 + 0x1p-960);
 }
 
-/* A slope times a distance, none less than 0: nothing gained on no way, or by no
- * slope, however long the way. */
+/* A slope times a distance, none less than 0: nothing gained on no way, or by
+ * no slope, however long the way. */
 static double gain(double slope, double way) {
   return slope > 0 && way > 0 ? slope * way : 0;
 }

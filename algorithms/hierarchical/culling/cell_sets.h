@@ -4,8 +4,8 @@
  * Source      J. Airey, J. Rohlf and F. Brooks, I3D 1990; S. Teller and C.
  *             Sequin, "Visibility preprocessing for interactive walkthroughs",
  *             SIGGRAPH 1991; as told by N. Greene, PhD thesis, UC Santa Cruz,
- *             1995, 2.1.6. A cell is seen from another if a line goes from one to
- *             the other through portals alone.
+ *             1995, 2.1.6. A cell is seen from another if a line goes from one
+ *             to the other through portals alone.
  * Notation    an octant is a sign for each axis: the lines that never go back
  *             along any axis. A bundle holds lines of one octant that come into
  *             a cell: a box around where they come in, and for each two axes

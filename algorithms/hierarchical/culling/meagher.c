@@ -20,13 +20,14 @@
  * Cost        The nodes that may be seen and their children, and the quadtree
  *             cells that their outlines cross. No depths are compared.
  *
- * Filter. A corner of a box that is safe is within HSR_DELTA of its place on the
- * screen (cell_box.c). So the sign of an edge function at a sample is certain
- * beyond the bound of hsr_edge_side (common/exact/screen.h), and the sides of a
- * convex polygon are those of its edges. Coordinates are at most 2^15, so
- * products round by less than 2^-35 of a difference, which is below HSR_DELTA of
- * it, and underflow takes less than HSR_DELTA squared. Where the filter leaves a sample open,
- * the side is laid out alone, and the services decide. */
+ * Filter. A corner of a box that is safe is within HSR_DELTA of its place on
+ * the screen (cell_box.c). So the sign of an edge function at a sample is
+ * certain beyond the bound of hsr_edge_side (common/exact/screen.h), and the
+ * sides of a convex polygon are those of its edges. Coordinates are at most
+ * 2^15, so products round by less than 2^-35 of a difference, which is below
+ * HSR_DELTA of it, and underflow takes less than HSR_DELTA squared. Where the
+ * filter leaves a sample open, the side is laid out alone, and the services
+ * decide. */
 #include "algorithms/image_space/area/quadtree.h"
 #include "algorithms/list_priority/fixed/cells/cells.h"
 #include "common/base/bits.h"

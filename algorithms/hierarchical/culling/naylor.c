@@ -14,8 +14,8 @@
  * Departures  A bounding volume is a box around the pieces of a subtree, and
  *             not what the partitioning planes leave. Faces for which the tree
  *             has no place are compared in depth (bsp_frame.h).
- * Cost        The map's size. A subtree behind one face of the map is culled; one
- *             behind several faces is not, unless `cull=several`. */
+ * Cost        The map's size. A subtree behind one face of the map is culled;
+ *             one behind several faces is not, unless `cull=several`. */
 #include "algorithms/hierarchical/culling/box_samples.h"
 #include "algorithms/hierarchical/culling/visibility_map.h"
 #include "common/trees/box.h"
@@ -118,9 +118,9 @@ static void insert_piece(void *context, const struct hsr_bsp_piece *given,
     hsr_map_insert(&n->map, given, &piece, facing);
 }
 
-/* How far the frustum reaches: beyond all boxes. t is within 8u of `size`, which
- * is less than 2^-40 of it, and 2^-1070 that underflow takes; doubling it, from
- * 1 on, is above both. */
+/* How far the frustum reaches: beyond all boxes. t is within 8u of `size`,
+ * which is less than 2^-40 of it, and 2^-1070 that underflow takes; doubling
+ * it, from 1 on, is above both. */
 static double farthest(const struct naylor *n) {
   const struct hsr_view *view = n->frame.job->view;
   double most = view->near + 1;

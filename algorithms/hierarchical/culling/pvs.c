@@ -10,10 +10,10 @@
  * Notation    cull box -> the rectangle of samples that is seen through the
  *             portals passed so far; aggregate -> a cell's cull box, which
  *             holds all that it was reached by
- * Invariants  Every face that is visible at a sample is in a cell whose cull box
- *             holds the sample, or is not flat. So the set holds all that is
- *             visible. With sets=cells the cull boxes are the whole picture, of
- *             every cell that is seen from a start cell (cell_sets.h).
+ * Invariants  Every face that is visible at a sample is in a cell whose cull
+ *             box holds the sample, or is not flat. So the set holds all that
+ *             is visible. With sets=cells the cull boxes are the whole picture,
+ *             of every cell that is seen from a start cell (cell_sets.h).
  * Ties        by hsr_nearer: the picture's order
  * Departures  A cell that is reached again is looked at again only if that
  *             widens its cull box; the box is then the rectangle around both.

@@ -59,22 +59,23 @@ static uint32_t add_leaf(struct hsr_map *map, uint32_t shown,
 
 /* --- The filter of lines --------------------------------------------------
  *
- * Vertices. An entry of the screen matrix has a relative error of 2u, u = 2^-53,
- * and a difference with E one of u. So a coordinate of an image is within 8u of
- * the sizes of its terms, and 2^-1072 that underflow takes, which is far below
- * 2^-42 of `size`: that is 2^-1000 at least.
+ * Vertices. An entry of the screen matrix has a relative error of 2u, u =
+ * 2^-53, and a difference with E one of u. So a coordinate of an image is
+ * within 8u of the sizes of its terms, and 2^-1072 that underflow takes, which
+ * is far below 2^-42 of `size`: that is 2^-1000 at least.
  * Edges. A coefficient of the line is a difference of two products of such
- * coordinates: within 4 x 8u of the product of both sizes, and 2^-1072. 2^-40 of
- * it and 2^-900 are above that.
+ * coordinates: within 4 x 8u of the product of both sizes, and 2^-1072. 2^-40
+ * of it and 2^-900 are above that.
  * Cuts. The coefficients of both depth planes are within their errors, anywhere
  * in the picture; the differences round by u.
- * Clipping. A point of an outline is off by `off` in each coordinate, and so its
- * value by line->size times that; the sum of three products rounds by less than
- * 4u of line->size times the outline's size, which is part of line->error.
+ * Clipping. A point of an outline is off by `off` in each coordinate, and so
+ * its value by line->size times that; the sum of three products rounds by less
+ * than 4u of line->size times the outline's size, which is part of line->error.
  * All this holds in every scene. What overflows makes a margin that is infinite
  * or not a number, and then nothing is clipped. */
 
-/* A vertex as (w sx, w sy, w); the sum of the sizes of its terms, or 2^-1000. */
+/* A vertex as (w sx, w sy, w); the sum of the sizes of its terms, or
+ * 2^-1000. */
 static double image_of(const struct hsr_map *map, const double at[3],
                        double image[3]) {
   const struct hsr_view *view = map->frame->job->view;

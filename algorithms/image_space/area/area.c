@@ -22,11 +22,12 @@
  * of its edges says so and its plane lies past near there. The parity is that
  * of the lines through the eye that meet the polygon. It, too, is constant on H
  * if no edge has a point on such a line. The same two tests prove this, by the
- * row sides and edge sides of the definition. An edge in line with the eye never
- * crosses a row, though its ends may be on different sides of some. So parity
- * changes where the row passes an end, and H must not hold such a row. On H the plane lies past near if
- * it does at the corners, both conditions, q > 0 and near q < 1, being linear
- * in the depth q; and nowhere if one of them fails at all corners. */
+ * row sides and edge sides of the definition. An edge in line with the eye
+ * never crosses a row, though its ends may be on different sides of some. So
+ * parity changes where the row passes an end, and H must not hold such a row.
+ * On H the plane lies past near if it does at the corners, both conditions, q >
+ * 0 and near q < 1, being linear in the depth q; and nowhere if one of them
+ * fails at all corners. */
 #include "algorithms/image_space/area/area.h"
 
 struct hsr_area hsr_area_make(const struct hsr_view *view,

@@ -42,7 +42,8 @@ static inline struct hsr_window hsr_area_samples(const struct hsr_area *area) {
 /* Figure 26. */
 enum hsr_relation { HSR_DISJOINT, HSR_INTERSECTER, HSR_SURROUNDER };
 
-/* That of a face whose bounds do not tell. `reaches_over`: they hold the area. */
+/* That of a face whose bounds do not tell. `reaches_over`: they hold the
+ * area. */
 enum hsr_relation hsr_area_relate_edges(const struct hsr_screen *screen,
                                         uint32_t f, const struct hsr_area *area,
                                         bool reaches_over,

@@ -4,23 +4,24 @@
  * Source      L. Carpenter, "The A-buffer, an antialiased hidden surface
  *             method", SIGGRAPH 1984, 103-108, as described by Greene 1995,
  *             pp. 20-21, 45 and 49.
- * Notation    fragment -> struct fragment, what a face covers of a pixel; mask ->
- *             bit 8 b + a for the sub-sample in column a and row b, as in
+ * Notation    fragment -> struct fragment, what a face covers of a pixel; mask
+ *             -> bit 8 b + a for the sub-sample in column a and row b, as in
  *             common/answers/filter.h; object tag -> the instance of a face
  * Invariants  a pixel holds one fragment at most that covers all of it. It has
  *             no mask, and is the nearest of those that came. The other
  *             fragments of the pixel are not behind it.
  * Masks       are exact: their bits are the samples that the face covers.
  * Ties        by hsr_nearer at one sample
- * Departures  Fragments are found by the rows of sub-samples that a face covers,
- *             not by clipping it to the pixel and combining masks of edges.
- *             Which of two fragments is nearer is asked at the first sample that
- *             both cover, not told by ranges of Z. Where the two penetrate in
- *             the pixel, the nearer one there is taken for nearer all over the
- *             pixel: the picture is known to be wrong, as Carpenter's is, who
- *             estimates what is seen of either from the ranges. Fragments of one
- *             object are merged when they are packed, and only if they have one
- *             colour, so that nothing is lost. All is opaque.
+ * Departures  Fragments are found by the rows of sub-samples that a face
+ *             covers, not by clipping it to the pixel and combining masks of
+ *             edges. Which of two fragments is nearer is asked at the first
+ *             sample that both cover, not told by ranges of Z. Where the two
+ *             penetrate in the pixel, the nearer one there is taken for nearer
+ *             all over the pixel: the picture is known to be wrong, as
+ *             Carpenter's is, who estimates what is seen of either from the
+ *             ranges. Fragments of one object are merged when they are packed,
+ *             and only if they have one colour, so that nothing is lost. All is
+ *             opaque.
  * Cost        a span for each row of sub-samples of a face, a fragment for each
  *             pixel that it touches; to pack a pixel of k fragments, at most
  *             k (k - 1) / 2 comparisons */

@@ -20,13 +20,14 @@
  *             of a plane is linear, ties included: a face that is nearest at
  *             both limits is so in between.
  * Glass       A departure, after "Depth Coherence" and the last paragraph of
- *             "An Untried Sorting Order" in the survey: in a transparent picture
- *             visible[] is sorted by depth. The order of the last span is where
- *             the sort begins, so it is an insertion sort. The span ends where
- *             two neighbours change places. From the first opaque face on the
- *             faces are combined (docs/transparent-picture.md). At a limit all
- *             pairs are in order if all neighbours are, and in between 1/t of
- *             two planes crosses once at most: so the order holds in the span.
+ *             "An Untried Sorting Order" in the survey: in a transparent
+ *             picture visible[] is sorted by depth. The order of the last span
+ *             is where the sort begins, so it is an insertion sort. The span
+ *             ends where two neighbours change places. From the first opaque
+ *             face on the faces are combined (docs/transparent-picture.md). At
+ *             a limit all pairs are in order if all neighbours are, and in
+ *             between 1/t of two planes crosses once at most: so the order
+ *             holds in the span.
  * Ties        by hsr_nearer
  * Departures  those of scan_line.h; a span without a sample is passed over; one
  *             with a single face or none is not searched; at the second limit

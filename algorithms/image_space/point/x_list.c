@@ -189,8 +189,8 @@ static int crossing_row(struct hsr_scan *s, const struct hsr_scan_edge *a,
                                                                 : j + 1;
 }
 
-/* Nothing is predicted of cut faces, nor of two edges in one column, whose order
- * may be either. */
+/* Nothing is predicted of cut faces, nor of two edges in one column, whose
+ * order may be either. */
 void hsr_scan_predict(struct hsr_scan *s, uint32_t left, uint32_t right,
                       int j) {
   struct hsr_scan_edge *a = &s->edge[left], *b = &s->edge[right];

@@ -404,8 +404,8 @@ static void load_pair(struct schumacker *s, uint32_t f, int left, int right,
   pairs->right[pairs->n++] = right - w->x0 + 1;
 }
 
-/* The segment of a face, whose intercepts are [begin, end): between its greatest
- * left intercept and its least right one. */
+/* The segment of a face, whose intercepts are [begin, end): between its
+ * greatest left intercept and its least right one. */
 static void load_segment(struct schumacker *s, uint32_t f, uint32_t begin,
                          uint32_t end, int j) {
   int max_left = s->window->x0, min_right = s->window->x1;
@@ -462,10 +462,11 @@ static void load_strip(struct pairs *pairs, uint32_t n, int at) {
   }
 }
 
-/* Decrements n pairs for each of the elements from number `at` of the strip on: a
- * counter that was loaded with L is L - 1 at element 0. Gives the number, from
- * 1, of the first pair that is there, or 0: what the logic network finds. The
- * last pair is looked at first, so that one of higher priority replaces it. */
+/* Decrements n pairs for each of the elements from number `at` of the strip on:
+ * a counter that was loaded with L is L - 1 at element 0. Gives the number,
+ * from 1, of the first pair that is there, or 0: what the logic network finds.
+ * The last pair is looked at first, so that one of higher priority replaces
+ * it. */
 HSR_VECTOR_OF_WORDS(decrement,
                     (const int16_t *left, const int16_t *right, int n, int at,
                      int16_t pair[ELEMENTS]),

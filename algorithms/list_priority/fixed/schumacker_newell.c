@@ -11,10 +11,10 @@
  *             painted so far
  * Ties        those of priority_list.h; faces of one plane that share a sample
  *             are in one cluster
- * Departures  Those of priority_list.h. A loose face (cluster_faces.h) is painted
- *             after all clusters, where it is nearer than what is there; these
- *             comparisons are among the thickness checks. Faces are convex,
- *             because separating planes may cut them.
+ * Departures  Those of priority_list.h. A loose face (cluster_faces.h) is
+ *             painted after all clusters, where it is nearer than what is
+ *             there; these comparisons are among the thickness checks. Faces
+ *             are convex, because separating planes may cut them.
  * Cost        inter-cluster priority 10 C_t; and Newell's steps beside the
  *             predictions for it alone: here each list is that of one cluster,
  *             and faces of different clusters are never compared */

@@ -11,8 +11,8 @@
  * Invariant   at every sample the last one painted is the nearest of those
  *             painted so far
  * Ties        those of priority_list.h
- * Glass       Partial overwriting: a transparent face is combined with what it is
- *             painted over. Beads end where colours change
+ * Glass       Partial overwriting: a transparent face is combined with what it
+ *             is painted over. Beads end where colours change
  *             (docs/transparent-picture.md).
  * Departures  Those of priority_list.h. Where one thick face is painted over
  *             another, depths at the samples decide as a bead is merged; these
@@ -200,7 +200,8 @@ static struct bead painted(struct hsr_newell *s, int i, int j, int most) {
   return there;
 }
 
-/* Partial overwriting: a transparent face is combined with what lies under it. */
+/* Partial overwriting: a transparent face is combined with what lies under
+ * it. */
 static void overwrite_partly(struct hsr_newell *s, struct bead new, int j) {
   for (int i = new.x0, end = new.x1; i < end; i = new.x1) {
     struct bead under = painted(s, i, j, end);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contour edges sorted by the upper left corner of the smallest rectangle around
- * their images.
+/* Contour edges sorted by the upper left corner of the smallest rectangle
+ * around their images.
  *
  * Source      Sutherland et al. 1974, chapter IV, "Area Coherence": a proposal
  *             in two sentences.

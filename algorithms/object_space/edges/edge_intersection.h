@@ -232,15 +232,15 @@ static inline bool hsr_boxes_overlap(const struct hsr_image_box *a,
   return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1;
 }
 
-/* Sorts contour[] by the upper left corner of the edges' boxes: by y0, and by x0
- * where these are equal. A comparison is a step of `counter`. Memory from
+/* Sorts contour[] by the upper left corner of the edges' boxes: by y0, and by
+ * x0 where these are equal. A comparison is a step of `counter`. Memory from
  * job->scratch. HSR_E_NOMEM. */
 enum hsr_status hsr_network_sort_boxes(struct hsr_network *network,
                                        int counter);
 
 /* Which contour edges' boxes may overlap that of e: the first n_unknown and, of
- * the sorted contour[], those of [*begin, *end) that hsr_network_is_near. A look
- * at a box is a step of `counter`. */
+ * the sorted contour[], those of [*begin, *end) that hsr_network_is_near. A
+ * look at a box is a step of `counter`. */
 void hsr_network_find_boxes(const struct hsr_network *network, uint32_t e,
                             int counter, uint32_t *begin, uint32_t *end);
 bool hsr_network_is_near(const struct hsr_network *network, uint32_t e,

@@ -171,8 +171,8 @@ void read_stl(Mesh_file &file, bool, Soup &soup, Mesh_extent &extent) {
   check_read(file, read, soup.triangles.size(), extent);
 }
 
-/* The colour of a face: its own, or else the mean of its corners', in rgb. NULL:
- * it has none. */
+/* The colour of a face: its own, or else the mean of its corners', in rgb.
+ * NULL: it has none. */
 const float *face_colour(const Mesh_extent &extent, size_t f,
                          const uint32_t *corners, size_t n, float rgb[3]) {
   if (!extent.rgb.empty() && extent.rgb[3 * f] != Mesh_extent::NO_COLOUR)
@@ -311,8 +311,8 @@ void mesh_read(struct hsr_scene *scene, const char *path,
 /* ---- Solids ---- */
 
 /* Whether every edge is run exactly once in each direction. The edges that
- * leave a vertex are next to one another: end[at[v] .. at[v + 1]) has where they
- * end. */
+ * leave a vertex are next to one another: end[at[v] .. at[v + 1]) has where
+ * they end. */
 bool is_closed_and_oriented(const struct hsr_object &object) {
   const uint32_t n_edges = object.start[object.n_faces];
   const uint32_t *vertex = object.vertex;

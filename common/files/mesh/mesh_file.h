@@ -120,8 +120,8 @@ private:
 /* Reads an .off file; throws as above. */
 void off_read(Mesh_file &file, bool drop, Mesh_builder &builder);
 
-/* Reads a .vtp file; throws as above. In common/files/vtk/vtk.cc, or, in a build
- * without VTK, exchange_no_vtk.cc, where it always throws. */
+/* Reads a .vtp file; throws as above. In common/files/vtk/vtk.cc, or, in a
+ * build without VTK, exchange_no_vtk.cc, where it always throws. */
 void vtp_read(Mesh_file &file, Mesh_builder &builder);
 
 } // namespace hsr

@@ -27,9 +27,9 @@ bool read_integer(Word word, long long &number);
 void skip_byte_order_mark(Mesh_file &file);
 
 /* Reads numbers as an istream does, to the last bit: no "nan", "inf",
- * hexadecimal or overflow. Nearly all are read by from_chars, which rounds alike
- * and is faster; whatever it does not take whole is put to an istream's own
- * reader. */
+ * hexadecimal or overflow. Nearly all are read by from_chars, which rounds
+ * alike and is faster; whatever it does not take whole is put to an istream's
+ * own reader. */
 class Number_reader {
 public:
   template <class Number> bool operator()(Word word, Number &number) {

@@ -6,8 +6,9 @@
  * Narrower    no interval becomes wider from one pass to the next.
  * Tolerance   at the end each interval is at most eps wide, and its middle
  *             within eps/2 of the exact value.
- * Shaded      under a shader the judge knows the value within bounds. No interval
- *             is apart from these. It is counted how many hold all of them.
+ * Shaded      under a shader the judge knows the value within bounds. No
+ *             interval is apart from these. It is counted how many hold all of
+ *             them.
  * Stopped     a run that may not refine, or not for long, still holds the
  *             value.
  *

@@ -288,9 +288,9 @@ static void check_doors(struct tap *tap) {
 
 /* --- Lines ---------------------------------------------------------------- */
 
-/* Where a line leaves a cell: its exit along an axis, and the portal there. NULL
- * if there is a wall, or too little room between the line and the portal's edge
- * to be sure. */
+/* Where a line leaves a cell: its exit along an axis, and the portal there.
+ * NULL if there is a wall, or too little room between the line and the portal's
+ * edge to be sure. */
 static const struct hsr_portal *leave(const struct hsr_portals *p,
                                       uint32_t cell, const double eye[3],
                                       const double along[3]) {

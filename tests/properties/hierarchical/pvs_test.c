@@ -2,8 +2,8 @@
 /* Potentially visible sets by cells and portals.
  *
  * Holds       The set of a view holds every face that the oracle sees in it:
- *             from random eyes in every room of a generated building, and in the
- *             office.
+ *             from random eyes in every room of a generated building, and in
+ *             the office.
  * Larger      It is larger than what is seen, and much smaller than all.
  * Doors       A door that is walled up hides what is behind it: the set of the
  *             room shrinks to the room.

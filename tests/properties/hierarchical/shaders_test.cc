@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Interval shaders: a colour that the judge's formulas give at a point lies in what
- * the interval shader says of a box around the point. The intervals shrink with
- * their boxes.
+/* Interval shaders: a colour that the judge's formulas give at a point lies in
+ * what the interval shader says of a box around the point. The intervals shrink
+ * with their boxes.
  *
  * usage: shaders_test [POINTS [SEED]]       standard: 120000 1 */
 #include "algorithms/hierarchical/bounded/surface.h"
@@ -252,8 +252,8 @@ hsr_screen_line find_line(const hsr_view &view, const subject &s,
   return {double(of[1]), double(of[2]), double(of[0]), 0x1p-48 * size};
 }
 
-/* Beyond the triangle, Gouraud's colours go on. At its edges, long doubles do not
- * tell. */
+/* Beyond the triangle, Gouraud's colours go on. At its edges, long doubles do
+ * not tell. */
 bool is_inside(const subject &s, const areas::vec<real> &P) {
   return areas::share_of(s.same, 0, P).v > 0x1p-16L &&
          areas::share_of(s.same, 1, P).v > 0x1p-16L &&

@@ -10,8 +10,8 @@
  *             combinations examine less than a hundredth of its windows.
  * Clusters    Schumacker's order of clusters looks once at each separating
  *             plane: the combinations compare no faces of two clusters, and
- *             schumacker-newell no depths. Within a cluster priorities need not be fixed: a ring
- *             of faces is divided.
+ *             schumacker-newell no depths. Within a cluster priorities need not
+ *             be fixed: a ring of faces is divided.
  * Thickness   Faces that touch and are flat except for rounding are drawn
  *             right, by asking at their samples. */
 #include "scenes/scenes.h"

@@ -290,7 +290,8 @@ static void check_coplanar(struct tap *tap) {
   close_scene(&x);
 }
 
-/* --- More than is searched or culled at once ------------------------------- */
+/* --- More than is searched or culled at once
+ * ------------------------------- */
 
 static void check_size(struct tap *tap, struct fixture *x,
                        const struct hsr_camera *camera, int m, int n) {

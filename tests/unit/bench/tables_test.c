@@ -135,8 +135,8 @@ static const struct hsr_step *step_of(const struct hsr_algorithm *a,
   return foretold[(int)(fabs(stray(w)) * n)];
 }
 
-/* Adds an algorithm, or a variant, on all scenes at once, so that a step strays alike on all
- * of them. */
+/* Adds an algorithm, or a variant, on all scenes at once, so that a step strays
+ * alike on all of them. */
 static void give_algorithm(struct results *results,
                            const struct hsr_algorithm *a, const char *name,
                            struct world *w, const struct hsr_table1 *table1) {

@@ -69,8 +69,8 @@ static double greatest_difference(const struct stage *s) {
   return most;
 }
 
-/* A ball: what is smooth looks smooth, and is nearer to the true light of a ball
- * than flat faces are. */
+/* A ball: what is smooth looks smooth, and is nearer to the true light of a
+ * ball than flat faces are. */
 static void check_ball(struct tap *tap, struct stage *s) {
   open_stage(s, "sphere:600", 0);
   double flat = step(s, s->flat, false), smooth = step(s, s->smooth, false);

@@ -8,20 +8,23 @@
  * Notation    polygon -> struct hsr_area, of a face or of a part of it; clip
  *             polygon -> `clip`; inside list, outside list -> `inside`,
  *             `outside`
- * Invariants  the polygons of a list are in the rough order in which their faces
- *             were sorted, but that a clip polygon which has others before it is
- *             the last of the list inside it. Of any two lists that are still to
- *             be done, the polygons of one do not overlap those of the other.
+ * Invariants  the polygons of a list are in the rough order in which their
+ *             faces were sorted, but that a clip polygon which has others
+ *             before it is the last of the list inside it. Of any two lists
+ *             that are still to be done, the polygons of one do not overlap
+ *             those of the other.
  * Recursion   the polygons inside a clip polygon that are before it make a list
  *             with the clip polygon at its end. One of them is the next clip
  *             polygon. So along the recursion clip polygons come ever nearer,
  *             and no face is among them twice: cyclic overlap needs no test.
- * Penetration where a polygon inside the clip polygon is partly behind it, it is
+ * Penetration where a polygon inside the clip polygon is partly behind it, it
+ * is
  *             divided along the line where their planes meet.
  * Ties        faces on one plane: the lower id is before the other
- * Departures  a polygon is clipped to the picture first, and to what lies beyond
- *             near. The clip polygons of the recursion are the parts inside the
- *             outer clip polygon, not the whole polygons that they are parts of.
+ * Departures  a polygon is clipped to the picture first, and to what lies
+ *             beyond near. The clip polygons of the recursion are the parts
+ *             inside the outer clip polygon, not the whole polygons that they
+ *             are parts of.
  * Options     sort=none leaves the first step out, which is not essential. Thin
  *             faces about one vertex may then be divided without end: clips=N
  *             refuses a picture that divides too much.
@@ -275,8 +278,8 @@ static void count_pieces(struct state *s, const struct hsr_area_list *list,
              HSR_NOWHERE, outcome);
 }
 
-/* Examines a polygon against the clip polygon: what is outside of it goes to the
- * outside list, what is inside and before it to the inside list. */
+/* Examines a polygon against the clip polygon: what is outside of it goes to
+ * the outside list, what is inside and before it to the inside list. */
 static void examine(struct state *s, struct hsr_area *polygon,
                     const struct hsr_area *clip, struct hsr_area_list *inside,
                     struct hsr_area_list *outside) {
