@@ -49,7 +49,7 @@ const KNOWN = {
   "texture-point": [5, 4], "texture-mipmap": [5, 5], "texture-table": [5, 6],
   "texture-convolve": [5, 7],
   "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5], clark: [7, 6],
-  "area-oracle": [3, 5], "polygon-oracle": [3, 6],
+  "area-oracle": [3, 5], "polygon-oracle": [3, 6], "transparent-oracle": [2, 2],
   "error-bounded": [4, 6], "weiler-atherton": [4, 7], "a-buffer": [2, 1],
   "octree-raycast": [5, 1], "zz-buffer": [3, 7], meagher: [4, 4],
   naylor: [6, 4], pvs: [5, 2],
