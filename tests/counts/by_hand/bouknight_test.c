@@ -26,18 +26,20 @@ static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
  * The same face is nearest at both: no divisions. Of the two comparisons the
  * first finds the near face nearer. The second begins with that face and finds
  * the far one farther. */
-static const struct hand_count of_deck[] = {{"Y sort", 6},
-                                            {"X merge", 9},
-                                            {"X sort", 13},
-                                            {"X interchanges", 0},
-                                            {"span cull", 18},
-                                            {"span cull", 9, "turned on"},
-                                            {"span cull", 9, "turned off"},
-                                            {"depth search", 8},
-                                            {"depth search", 4, "nearer"},
-                                            {"span divisions", 0},
-                                            {"spans", 26},
-                                            {NULL}};
+static const struct hand_count of_deck[] = {
+    {"Y sort", 6},
+    {"X merge", 9},
+    {"X sort", 13},
+    {"X interchanges", 0},
+    {"span cull", 18},
+    {"span cull", 9, "turned on"},
+    {"span cull", 9, "turned off"},
+    {"depth search", 8},
+    {"depth search", 4, "nearer"},
+    {"span divisions", 0},
+    {"spans", 26},
+    /* No face is transparent. */ {"combined", 0},
+    {NULL}};
 
 /* On row 3 both have the columns 4-12; S comes in front of P at x = 9. */
 static const struct pixel_face crossing[] = {
@@ -52,16 +54,18 @@ static const struct pixel_face crossing[] = {
  *   the part 9-12: is S nearest at 9?                        1
  * S is nearer than P at 11, and P is nearer than S at 8.
  * One division. Spans: 0-4, 4-9, 9-12, 12-16, and one on each other row. */
-static const struct hand_count of_crossing[] = {{"Y sort", 4},
-                                                {"X merge", 5},
-                                                {"X sort", 3},
-                                                {"X interchanges", 0},
-                                                {"span cull", 4},
-                                                {"depth search", 6},
-                                                {"depth search", 2, "nearer"},
-                                                {"span divisions", 1},
-                                                {"spans", 4 + 7},
-                                                {NULL}};
+static const struct hand_count of_crossing[] = {
+    {"Y sort", 4},
+    {"X merge", 5},
+    {"X sort", 3},
+    {"X interchanges", 0},
+    {"span cull", 4},
+    {"depth search", 6},
+    {"depth search", 2, "nearer"},
+    {"span divisions", 1},
+    {"spans", 4 + 7},
+    /* No face is transparent. */ {"combined", 0},
+    {NULL}};
 
 int main(void) {
   struct tap tap = plan(2);

@@ -43,6 +43,7 @@ static const struct hand_count of_deck[] = {
     {"priority search", 32 + 12 + 12 - 8, "there, with the highest priority"},
     {"thickness checks", 0},
     {"samples shown", 48},
+    /* No face is transparent. */ {"combined", 0},
     {NULL}};
 
 /* A triangle. On each of the rows 1 to 3 it has two intercepts:
@@ -64,6 +65,7 @@ static const struct hand_count of_triangle[] = {
     {"priority search", 2 + 6 + 10, "there, with the highest priority"},
     {"thickness checks", 0},
     {"samples shown", 18},
+    /* No face is transparent. */ {"combined", 0},
     {NULL}};
 
 int main(void) {

@@ -56,18 +56,23 @@ static const struct pixel_face deck[] = {PIXEL_RECTANGLE(2, 1, 12, 5, 8),
  *
  * A segment that begins within the span, enters or stays, is inside:
  * 2 + 6 + 10 + 6 + 2 = 26 of 40. All comparisons find the later face nearer. */
-static const struct hand_count of_deck[] = {{"Y sort", 6},
-                                            {"X merge", 9},
-                                            {"X sort", 13},
-                                            {"X interchanges", 0},
-                                            {"span cull", 3 + 9 + 16 + 9 + 3},
-                                            {"span cull", 26, "inside"},
-                                            {"span cull", 14, "outside"},
-                                            {"spans", 3 + 5 + 7 + 5 + 3 + 3},
-                                            {"depth search", 2 + 4 + 2},
-                                            {"depth search", 8, "nearer"},
-                                            {"depth divisions", 0},
-                                            {NULL}};
+static const struct hand_count of_deck[] = {
+    {"Y sort", 6},
+    {"X merge", 9},
+    {"X sort", 13},
+    {"X interchanges", 0},
+    {"span cull", 3 + 9 + 16 + 9 + 3},
+    {"span cull", 26, "inside"},
+    {"span cull", 14, "outside"},
+    {"spans", 3 + 5 + 7 + 5 + 3 + 3},
+    {"depth search", 2 + 4 + 2},
+    {"depth search", 8, "nearer"},
+    {"depth divisions", 0},
+    /* No option is chosen. */ {"X presort", 0},
+    {"X crossings", 0},
+    {"Z sort", 0},
+    {"Z buckets", 0},
+    {NULL}};
 
 /* --- Faces that penetrate ------------------------------------------------- */
 
@@ -129,6 +134,10 @@ static const struct hand_count of_crossing[] = {
     {"depth search", 2, "farther"},
     {"depth search", 1 + 2, "nearer"},
     {"depth divisions", 8 + 4},
+    /* No option is chosen. */ {"X presort", 0},
+    {"X crossings", 0},
+    {"Z sort", 0},
+    {"Z buckets", 0},
     {NULL}};
 
 int main(void) {
