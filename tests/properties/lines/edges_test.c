@@ -40,13 +40,19 @@ struct count {
   struct hsr_tally tally;
 };
 
+static struct count draw_by(const struct hsr_algorithm *algorithm,
+                            const struct hsr_world *world,
+                            const struct hsr_view *view,
+                            struct hsr_drawing *drawing) {
+  struct count count = {algorithm, {.out_of_memory = false}};
+  draw_lines(algorithm, world, view, drawing, &count.tally);
+  return count;
+}
+
 static struct count draw(const char *algorithm, const struct hsr_world *world,
                          const struct hsr_view *view,
                          struct hsr_drawing *drawing) {
-  struct count count = {hsr_algorithm_find(algorithm)->counting,
-                        {.out_of_memory = false}};
-  draw_lines(count.algorithm, world, view, drawing, &count.tally);
-  return count;
+  return draw_by(hsr_algorithm_find(algorithm)->counting, world, view, drawing);
 }
 
 static uint64_t of(const struct count *count, const char *counter) {
@@ -103,12 +109,8 @@ static bool is_edge_intersection(const struct hsr_algorithm *a) {
 }
 
 static void count_searches(const struct hsr_algorithm *algorithm,
-                           void *context) {
-  struct searches *s = context;
-  if (algorithm != hsr_algorithm_find(algorithm->name)->counting ||
-      !is_edge_intersection(algorithm))
-    return;
-  struct count count = draw(algorithm->name, s->world, s->view, &s->drawing);
+                           struct searches *s) {
+  struct count count = draw_by(algorithm, s->world, s->view, &s->drawing);
   s->agree &= of(&count, "searches") == s->wanted;
 }
 
@@ -126,7 +128,9 @@ static void try_promotion(struct tap *tap) {
     s.world = &world;
     s.view = &view;
     s.wanted = (uint64_t)n;
-    for_each_line_algorithm(count_searches, &s);
+    for (const struct hsr_listed *a = all_listed(); a->plain; a++)
+      if (is_edge_intersection(a->counting))
+        count_searches(a->counting, &s);
     hsr_world_free(&world);
     hsr_scene_delete(scene);
   }

@@ -99,7 +99,8 @@ static void draw(const struct hsr_world *world, const struct hsr_view *view,
 /* The answer without the sort, and one that is wrong. */
 static void compare(const struct hsr_world *world, const struct hsr_view *view,
                     struct found *found) {
-  const char *const name[2] = {"weiler-atherton", "weiler-atherton:sort=none"};
+  const char *const name[2] = {"weiler-atherton",
+                               "weiler-atherton:sort=none:clips=1000"};
   struct hsr_answer answer[2];
   struct hsr_polygons *p[2];
   struct hsr_polygons_difference difference;
