@@ -134,7 +134,7 @@ template <int O> jet<O> squares(const jet<O> &u, const jet<O> &v, double dark) {
   made.smooth = u.known && v.known && same(u.v) && same(v.v);
   if (made.smooth) {
     const bool odd =
-        std::fmod(std::floor(u.v.inf()) + std::floor(v.v.inf()), 2);
+        std::fmod(std::floor(u.v.inf()) + std::floor(v.v.inf()), 2) != 0;
     made.v = odd ? Interval(dark) : Interval(1);
   }
   return made;
