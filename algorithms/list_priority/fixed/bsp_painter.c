@@ -74,8 +74,10 @@ static const struct hsr_sort front_sorts[] = {
 
 /* --- Samples -------------------------------------------------------------- */
 
-static void paint(const struct hsr_bsp_frame *frame, uint32_t f, int i, int j) {
-  uint32_t *id = &hsr_bsp_frame_row(frame, j)[i];
+/* `row` is row j of the ids; NULL in a transparent picture. */
+static void paint(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *row,
+                  int i, int j) {
+  uint32_t *id = &row[i];
   struct hsr_tally *tally = frame->job->tally;
   HSR_TOUCH(tally, i, j);
   HSR_STEP(tally, HSR_BSP_SAMPLES, HSR_FACE(f), HSR_THE_WINDOW, HSR_AT(i, j),
@@ -86,8 +88,9 @@ static void paint(const struct hsr_bsp_frame *frame, uint32_t f, int i, int j) {
 }
 
 /* Puts a transparent face, or an opaque one, over what is there. */
-static void paint_glass(const struct hsr_bsp_frame *frame, uint32_t f, int i,
-                        int j) {
+static void paint_glass(const struct hsr_bsp_frame *frame, uint32_t f,
+                        uint32_t *row, int i, int j) {
+  (void)row;
   struct hsr_tally *tally = frame->job->tally;
   uint16_t *rgb = hsr_glass_at(frame->glass, i, j);
   HSR_TOUCH(tally, i, j);
@@ -96,8 +99,9 @@ static void paint_glass(const struct hsr_bsp_frame *frame, uint32_t f, int i,
                HSR_AT(i, j), rgb);
 }
 
-static void fill(const struct hsr_bsp_frame *frame, uint32_t f, int i, int j) {
-  uint32_t *id = &hsr_bsp_frame_row(frame, j)[i];
+static void fill(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *row,
+                 int i, int j) {
+  uint32_t *id = &row[i];
   struct hsr_tally *tally = frame->job->tally;
   HSR_TOUCH(tally, i, j);
   if (*id != HSR_BACKGROUND) {
@@ -111,8 +115,8 @@ static void fill(const struct hsr_bsp_frame *frame, uint32_t f, int i, int j) {
 
 /* --- Pieces --------------------------------------------------------------- */
 
-typedef void write_sample(const struct hsr_bsp_frame *frame, uint32_t f, int i,
-                          int j);
+typedef void write_sample(const struct hsr_bsp_frame *frame, uint32_t f,
+                          uint32_t *row, int i, int j);
 
 /* Scan-converts a piece by its spans, row by row. */
 static inline void convert(struct hsr_bsp_frame *frame,
@@ -123,13 +127,14 @@ static inline void convert(struct hsr_bsp_frame *frame,
     return;
   const struct hsr_bounds *b = &piece.bounds;
   for (int j = b->y0; j < b->y1; j++) {
+    uint32_t *row = frame->glass ? NULL : hsr_bsp_frame_row(frame, j);
     int n = hsr_piece_spans(&frame->screen, piece.face, piece.cuts,
                             piece.n_cuts, j, frame->columns, frame->job->tally);
     for (int c = 0; c < n; c += 2) {
       int x0 = frame->columns[c] > b->x0 ? frame->columns[c] : b->x0;
       int x1 = frame->columns[c + 1] < b->x1 ? frame->columns[c + 1] : b->x1;
       for (int i = x0; i < x1; i++)
-        write(frame, piece.face, i, j);
+        write(frame, piece.face, row, i, j);
     }
   }
 }
