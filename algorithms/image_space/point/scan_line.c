@@ -193,23 +193,25 @@ static void merge_x(struct hsr_scan *s, int j) {
 }
 
 /* Whether a is known to be to the left of b, its neighbour, without a look. */
-static bool is_known(const struct hsr_scan *s, uint32_t a, uint32_t b, int j) {
-  return s->ways.crossings && s->edge[a].neighbour == b && j < s->edge[a].until;
+static inline bool is_known(const struct hsr_scan_known *known, uint32_t a,
+                            uint32_t b, int j) {
+  return known && known[a].neighbour == b && j < known[a].until;
 }
 
 /* Bubble sort: each edge moves to the left, past the edges right of it. */
 static void sort_x(struct hsr_scan *s, int j) {
   const struct hsr_scan_edge *edge = s->edge;
+  const struct hsr_scan_known *known = s->known;
   uint32_t *list = s->list, n_list = s->n_list;
   for (uint32_t n = 1; n < n_list; n++) {
     uint32_t e = list[n], k = n;
     int column = edge[e].column;
-    for (; k && !is_known(s, list[k - 1], e, j); k--) {
+    for (; k && !is_known(known, list[k - 1], e, j); k--) {
       const struct hsr_scan_edge *other = &edge[list[k - 1]];
       bool left = other->column > column;
       hsr_scan_step(s, HSR_X_SORT, &edge[e], other, left, j);
       if (!left) {
-        if (s->ways.crossings)
+        if (known)
           hsr_scan_predict(s, list[k - 1], e, j);
         break;
       }

@@ -39,12 +39,13 @@ struct hsr_scan_edge {
   uint32_t piece; /* edges of one number pair up; without pieces: the face */
   uint32_t cut;   /* the hsr_scan_cut that it stands for; HSR_NOT_CUT */
   uint32_t next;  /* in the Y bucket */
-  int row;        /* the first; set by presorting only */
   int end_row;
   int column; /* on the current row */
+};
 
-  /* The edge to its right, before which it is known to be on the rows up to
-   * `until`; set by predicting only. */
+/* What predicting knows of an edge: on the rows before `until` it is to the left
+ * of `neighbour`. */
+struct hsr_scan_known {
   uint32_t neighbour;
   int until;
 };
@@ -101,6 +102,8 @@ struct hsr_scan {
   struct hsr_x_node *node; /* the tree */
   uint32_t root, *in_order;
   uint32_t *x_bucket;
+  int *first_row;               /* of an edge; if edges are presorted */
+  struct hsr_scan_known *known; /* of an edge; if crossings are predicted */
 };
 
 /* Compiled twice, as the algorithms are. */

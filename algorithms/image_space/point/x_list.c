@@ -29,7 +29,13 @@ enum hsr_status hsr_scan_choose(struct hsr_scan *s, struct hsr_scan_ways ways) {
   }
   if (ways.presort) {
     s->x_bucket = HSR_NEW(arena, uint32_t, (size_t)(w->x1 - w->x0) + 1);
-    if (!s->x_bucket)
+    s->first_row = HSR_NEW(arena, int, s->most_edges);
+    if (!s->x_bucket || !s->first_row)
+      return HSR_E_NOMEM;
+  }
+  if (ways.crossings) {
+    s->known = HSR_NEW_ZEROED(arena, struct hsr_scan_known, s->most_edges);
+    if (!s->known)
       return HSR_E_NOMEM;
   }
   return HSR_OK;
@@ -50,7 +56,7 @@ static void fill_x_buckets(struct hsr_scan *s) {
       struct hsr_scan_edge *edge = &s->edge[e];
       *bucket = edge->next;
       hsr_scan_column(s, edge, j);
-      edge->row = j;
+      s->first_row[e] = j;
       int x = edge->column < w->x0   ? w->x0
               : edge->column > w->x1 ? w->x1
                                      : edge->column;
@@ -68,7 +74,7 @@ void hsr_scan_presort(struct hsr_scan *s) {
   fill_x_buckets(s);
   for (int x = w->x1; x >= w->x0; x--)
     for (uint32_t e = s->x_bucket[x - w->x0], next; e != NONE; e = next) {
-      uint32_t *bucket = &s->bucket[s->edge[e].row - w->y0];
+      uint32_t *bucket = &s->bucket[s->first_row[e] - w->y0];
       next = s->edge[e].next;
       s->edge[e].next = *bucket;
       *bucket = e;
@@ -197,7 +203,7 @@ void hsr_scan_predict(struct hsr_scan *s, uint32_t left, uint32_t right,
   if (a->cut != HSR_NOT_CUT || b->cut != HSR_NOT_CUT ||
       (a->column == b->column && !is_same_line(a, b)))
     return;
-  a->neighbour = right;
-  a->until = crossing_row(s, a, b, j);
-  hsr_scan_step(s, s->ways.crossings, a, b, a->until > j + 1, j);
+  int until = crossing_row(s, a, b, j);
+  s->known[left] = (struct hsr_scan_known){right, until};
+  hsr_scan_step(s, s->ways.crossings, a, b, until > j + 1, j);
 }
