@@ -22,28 +22,12 @@ struct options {
   bool per_pixel, exact;
 };
 
-/* The words of the option that the answers have, too. */
-static const struct hsr_word *filter_words(void) {
-  return hsr_answer_area.options[0].words;
-}
-
-static error_t choose_filter(struct options *o, const char *arg) {
-  const struct hsr_word *word = filter_words();
-  for (int k = 0; word[k].name; k++)
-    if (!strcmp(word[k].name, arg)) {
-      o->filter = (enum hsr_area_filter)k;
-      return 0;
-    }
-  return option_fail(&o->base,
-                     "--filter %s: must be box, tent, quadratic or cubic", arg);
-}
-
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
   error_t unknown;
   switch (key) {
   case 'f':
-    return choose_filter(o, arg);
+    return parse_area_filter(&o->filter, arg, &o->base);
   case PER_PIXEL:
     o->per_pixel = true;
     return 0;
@@ -253,7 +237,7 @@ static enum hsr_status begin_json(const struct found *found,
           "{\"schema\": \"hsr-areas/1\", \"scene\": %s, \"view\": %ld, "
           "\"width\": %d, \"height\": %d, \"filter\": \"%s\"",
           name, o->view.view, found->view->m, found->view->n,
-          filter_words()[o->filter].name);
+          hsr_area_filters[o->filter].name);
   free(name);
   if (o->per_pixel)
     fputs(",\n\"pixels\": [", found->out);

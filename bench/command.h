@@ -8,6 +8,7 @@
 
 #include "algorithms/setup.h"
 #include "algorithms/variant.h"
+#include "common/answers/area.h"
 #include "scenes/scenes.h"
 
 #include <argp.h>
@@ -67,6 +68,10 @@ bool parse_size(const char *text, int *m, int *n);
 bool parse_point(const char *text, double point[3]);
 bool parse_number(const char *text, double *number);
 bool parse_count(const char *text, long least, long most, long *count);
+
+/* --filter of area pictures: a name of hsr_area_filters. */
+error_t parse_area_filter(enum hsr_area_filter *filter, const char *arg,
+                          struct option_base *base);
 
 /* The name of a file of a series: the number in the place of the pattern's only
  * %d, which may have a width, as in f%03d.png; %% stands for one %. False if

@@ -61,22 +61,6 @@ static error_t add_sides(struct options *o, char *arg) {
   return 0;
 }
 
-/* The words of the option that the answers have, too. */
-static const struct hsr_word *filter_words(void) {
-  return hsr_answer_area.options[0].words;
-}
-
-static error_t choose_filter(struct options *o, const char *arg) {
-  const struct hsr_word *word = filter_words();
-  for (int k = 0; word[k].name; k++)
-    if (!strcmp(word[k].name, arg)) {
-      o->filter = (enum hsr_area_filter)k;
-      return 0;
-    }
-  return option_fail(&o->base,
-                     "--filter %s: must be box, tent, quadratic or cubic", arg);
-}
-
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct options *o = state->input;
   error_t unknown;
@@ -86,7 +70,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 'S':
     return add_sides(o, arg);
   case 'f':
-    return choose_filter(o, arg);
+    return parse_area_filter(&o->filter, arg, &o->base);
   case 'j':
     o->json = true;
     return 0;
@@ -302,7 +286,7 @@ static void print_head(const struct place *p) {
          "    mean    largest  at           over 1/256  picture\n",
          terminal_plain(p->options->scene.name, name, sizeof name),
          p->options->view.view, p->view->m, p->view->n,
-         filter_words()[p->options->filter].name);
+         hsr_area_filters[p->options->filter].name);
 }
 
 static void print_made(const struct made *made) {
@@ -326,7 +310,7 @@ static json_t *all_json(const struct place *p, json_t *pictures) {
   return json_pack("{ss ss si si si ss so}", "schema", "hsr-errors/1", "scene",
                    p->options->scene.name, "view", (int)p->options->view.view,
                    "width", p->view->m, "height", p->view->n, "filter",
-                   filter_words()[p->options->filter].name, "pictures",
+                   hsr_area_filters[p->options->filter].name, "pictures",
                    pictures);
 }
 
@@ -382,7 +366,7 @@ static enum hsr_status find_exact(struct place *p, struct hsr_error *err) {
   struct hsr_setup setup;
   struct hsr_tally tally = {.out_of_memory = false};
   snprintf(name, sizeof name, "area-oracle:filter=%s",
-           filter_words()[p->options->filter].name);
+           hsr_area_filters[p->options->filter].name);
   enum hsr_status status = hsr_variant_parse(name, &variant, err);
   if (status)
     return status;

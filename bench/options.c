@@ -206,6 +206,17 @@ bool parse_count(const char *text, long least, long most, long *count) {
   return end != text && !*end && !errno && *count >= least && *count <= most;
 }
 
+error_t parse_area_filter(enum hsr_area_filter *filter, const char *arg,
+                          struct option_base *base) {
+  for (int k = 0; hsr_area_filters[k].name; k++)
+    if (!strcmp(hsr_area_filters[k].name, arg)) {
+      *filter = (enum hsr_area_filter)k;
+      return 0;
+    }
+  return option_fail(base, "--filter %s: must be box, tent, quadratic or cubic",
+                     arg);
+}
+
 bool parse_size(const char *text, int *m, int *n) {
   char *end;
   errno = 0;

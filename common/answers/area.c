@@ -18,7 +18,7 @@ enum { CHANNELS = 3 };
 /* The options of a form. */
 enum { FILTER, EPS, SHADER, SIDE };
 
-static const struct hsr_word filters[] = {
+const struct hsr_word hsr_area_filters[] = {
     [HSR_AREA_BOX] = {"box", "the pixel itself", 0},
     [HSR_AREA_TENT] = {"tent", "the B-spline of degree 1, 2 pixels wide", 0},
     [HSR_AREA_QUADRATIC] = {"quadratic", "that of degree 2, 3 pixels wide", 0},
@@ -36,8 +36,8 @@ static const struct hsr_word shaders[] = {
     {NULL}};
 
 static const struct hsr_option options[] = {
-    [FILTER] = {"filter", "how a pixel's surroundings count", filters, 0,
-                HSR_AREA_CUBIC, HSR_AREA_BOX},
+    [FILTER] = {"filter", "how a pixel's surroundings count", hsr_area_filters,
+                0, HSR_AREA_CUBIC, HSR_AREA_BOX},
     [EPS] = {"eps", "the greatest width of an interval", .real = true,
              .real_least = 0, .real_most = 1, .real_standard = .03125},
     [SHADER] = {"shader", "how the colour varies on a face", shaders, 0,

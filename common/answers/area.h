@@ -4,6 +4,7 @@
 #define HSR_COMMON_ANSWERS_AREA_H
 
 #include "common/answers/shader.h"
+#include "common/base/option.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -16,6 +17,7 @@ enum hsr_area_filter {
   HSR_AREA_QUADRATIC,
   HSR_AREA_CUBIC
 };
+extern const struct hsr_word hsr_area_filters[]; /* their names, by number */
 
 /* What is asked for. */
 struct hsr_area_form {

@@ -27,6 +27,16 @@ json_t *hsr_runs_json(const uint32_t *value, size_t n, uint32_t none) {
   return runs;
 }
 
+json_t *hsr_channels_json(const uint16_t *channel, size_t n) {
+  json_t *all = json_array();
+  for (size_t k = 0; all && k < n; k++)
+    if (json_array_append_new(all, json_integer(channel[k]))) {
+      json_decref(all);
+      return NULL;
+    }
+  return all;
+}
+
 json_t *hsr_subject_json(struct hsr_subject subject) {
   if (subject.kind == HSR_OF_NOTHING)
     return json_null();

@@ -17,6 +17,9 @@ extern const char
 /* Runs of one value: value, length, value, length ...; null for `none`. */
 json_t *hsr_runs_json(const uint32_t *value, size_t n, uint32_t none);
 
+/* n channels of 16 bits, one after the other. */
+json_t *hsr_channels_json(const uint16_t *channel, size_t n);
+
 /* [kind, ids...], or null if there is no subject. */
 json_t *hsr_subject_json(struct hsr_subject subject);
 

@@ -255,14 +255,8 @@ static json_t *part_json(const void *part, const struct hsr_view *view) {
 static json_t *rgba_json(const struct hsr_answer *answer,
                          const struct hsr_view *view) {
   const uint16_t *rgba = answer->body;
-  json_t *all = json_array();
   (void)view;
-  for (size_t k = 0; all && k < count(answer); k++)
-    if (json_array_append_new(all, json_integer(rgba[k]))) {
-      json_decref(all);
-      return NULL;
-    }
-  return all;
+  return hsr_channels_json(rgba, count(answer));
 }
 
 const struct hsr_answer_type hsr_answer_composited = {

@@ -18,8 +18,9 @@
 #endif
 
 /* HSR_VECTOR_OF_WORDS(name, (type parameter, ...), (parameter, ...)) { ... }
- * defines a function of no value likewise, for numbers of 8 and 16 bits: with
- * AVX-512 they need BW, for which gcc 12 makes no clones. */
+ * defines a function that returns nothing, and compiles it for several vector
+ * units, too. It is for numbers of 8 and 16 bits. For these AVX-512 needs its
+ * part BW, which the clones of gcc 12 do not have. */
 #if HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
 #define HSR_VECTOR_OF_WORDS(name, parameters, arguments)                       \
   static inline __attribute__((always_inline)) void name##_body parameters;    \

@@ -78,8 +78,8 @@ bool hsr_has_normal_for_certain(const struct hsr_loop *face) {
   return most > normal_error(plane.n, plane.size);
 }
 
-/* The same as find_plane, where the sums have one term, and the anchor is
- * V_0. */
+/* What find_plane finds for a triangle, rounded alike: its sums have one term,
+ * and the anchor is V_0. */
 static void find_triangle(struct hsr_world *world, uint32_t f) {
   struct hsr_mesh *mesh = &world->mesh;
   const uint32_t *v = mesh->vertex + mesh->start[f];

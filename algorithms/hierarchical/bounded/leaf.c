@@ -111,9 +111,12 @@ struct shares {
 static void add_parts(struct shares *s, const struct hsr_clip *clip,
                       uint32_t from, int sign);
 
-/* Adds the parts of a fan: a point in i of its n triangles that meet the square
- * is in an odd number of them if the sum over all sets of m of these i
- * triangles of (-2)^(m - 1) is 1, and else that is 0. */
+/* Adds the parts of a fan. A point of the fan lies in an odd number of its
+ * triangles. Let a point lie in i triangles. Add up (-2)^(m - 1) over all sets
+ * of m of these triangles, m = 1 ... i: the sum is 1 if i is odd, and 0 if i is
+ * even. So the part in each set of triangles is added with this weight. With
+ * fan->odd, an odd number of further triangles covers the square, and the whole
+ * of it less this sum is added. */
 static void add_fan(struct shares *s, const struct hsr_clip *clip, uint32_t k,
                     uint32_t from, int sign) {
   const struct hsr_shape *shape = hsr_eb_shape(s->t, s->few->shape[k]);

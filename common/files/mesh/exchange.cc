@@ -310,9 +310,10 @@ void mesh_read(struct hsr_scene *scene, const char *path,
 
 /* ---- Solids ---- */
 
-/* Whether every edge is run exactly once in each direction. The edges that
- * leave a vertex are next to one another: end[at[v] .. at[v + 1]) has where
- * they end. */
+/* Whether every edge is run exactly once in each direction. end[at[v] .. at[v +
+ * 1]) holds the ends of the edges that leave v. It is enough to ask for each
+ * edge how often its reverse is run: an edge that is run twice is found when
+ * its reverse is looked at. */
 bool is_closed_and_oriented(const struct hsr_object &object) {
   const uint32_t n_edges = object.start[object.n_faces];
   const uint32_t *vertex = object.vertex;
@@ -337,7 +338,7 @@ bool is_closed_and_oriented(const struct hsr_object &object) {
   };
   for (uint32_t v = 0; v < object.n_vertices; v++)
     for (uint32_t e = at[v]; e < at[v + 1]; e++)
-      if (runs(end[e], v) != 1) /* so it is not run twice itself */
+      if (runs(end[e], v) != 1)
         return false;
   return true;
 }

@@ -85,8 +85,8 @@ Mesh_file load_mesh_file(const char *path) {
     file.refuse(0, "is not a regular file");
 
   const size_t size = static_cast<size_t>(status.st_size);
-  file.memory.reset(new char[size + Mesh_file::SPARE]);
-  file.begin = file.end = file.memory.get() + Mesh_file::SPARE;
+  file.memory.reset(new char[size]);
+  file.begin = file.end = file.memory.get();
   while (file.size() < size) {
     const ssize_t n = read(descriptor.fd(), file.end, size - file.size());
     if (n < 0 && errno == EINTR)

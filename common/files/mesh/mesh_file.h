@@ -31,9 +31,8 @@ struct Refused {
 /* A file's bytes, which may be overwritten. `path` is borrowed. */
 struct Mesh_file {
   const char *path;
-  std::unique_ptr<char[]> memory; /* SPARE bytes, then the file's */
+  std::unique_ptr<char[]> memory;
   char *begin, *end;
-  enum : size_t { SPARE = 64 };
 
   size_t size() const { return static_cast<size_t>(end - begin); }
   /* Throws Refused: "path:line: ...", or "path: ..." if line is 0. */
@@ -103,7 +102,7 @@ public:
   void reserve(size_t n_vertices, size_t n_faces);
   void vertex(double x, double y, double z);
   void face(const uint32_t *vertices, size_t n, const float *rgb);
-  /* No face has a colour, and none will be given. */
+  /* Takes away the colours given so far. No more will be given. */
   void forget_colours();
   uint64_t n_dropped() const { return n_dropped_; }
   uint64_t n_given() const { return n_given_; }
