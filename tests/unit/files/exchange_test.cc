@@ -354,16 +354,21 @@ void try_plain_lines(tap *t) {
      "errors in them name the line");
 }
 
-/* Closed, but for an edge that is run twice in each direction. */
+/* Two solids that share an edge: it is run twice in each direction. */
 void try_pinched(tap *t) {
-  std::string text = "OFF\n6 8 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n"
-                     "0 -1 0\n";
-  for (const char *tetrahedron : {"3 0 1 2\n3 1 0 3\n3 0 2 3\n3 1 3 2\n",
-                                  "3 0 1 4\n3 1 0 5\n3 0 4 5\n3 1 5 4\n"})
-    text += tetrahedron;
+  const std::string points = "0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n";
+  const std::string first = "3 0 2 1\n3 1 3 0\n3 0 3 2\n3 1 2 3\n";
+  const std::string second = "3 0 4 1\n3 1 5 0\n3 0 5 4\n3 1 4 5\n";
   struct hsr_scene *scene = hsr_scene_new("");
-  const struct hsr_object *o = read(scene, file("pinched.off", text), nullptr);
-  ok(t, o && !o->one_sided, "two solids that share an edge are not one solid");
+  for (const auto &one : {first, second})
+    read(scene, file("one.off", "OFF\n6 4 0\n" + points + one), nullptr);
+  read(scene, file("both.off", "OFF\n6 8 0\n" + points + first + second),
+       nullptr);
+  const struct hsr_object *o = scene->objects;
+  ok(t,
+     scene->n_objects == 3 && o[0].one_sided && o[1].one_sided &&
+         !o[2].one_sided,
+     "each of two solids that share an edge is one; both are not one solid");
   hsr_scene_delete(scene);
 }
 
