@@ -3,10 +3,12 @@
  * must draw the same as the z-buffer, for which the scene is laid out anew in
  * every frame. Carts drive through the office; some frames move them out of the
  * building, or back in time. Greene's thesis, 3.4. */
+#define HSR_COUNTING 1 /* to call the functions of that build */
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 
+#include "algorithms/hierarchical/movers.h"
 #include "algorithms/variant.h"
 
 #include <stdlib.h>
@@ -200,9 +202,64 @@ static void check_update(struct tap *tap) {
   hsr_scene_delete(scene);
 }
 
+/* One mover in the cube from -1 to 1, a cube with sides of .2, whose centre is
+ * at (x, x, x) in the frame. */
+struct alone {
+  struct hsr_object object;
+  struct hsr_instance instance;
+  struct hsr_scene scene;
+  struct hsr_cubes_object extent;
+  struct hsr_octree_node root;
+  uint32_t number;
+  struct hsr_cubes cubes;
+  struct hsr_movers movers;
+  struct hsr_arena arena;
+  struct hsr_tally tally;
+};
+
+enum { MOVED, LOOKED };
+
+static uint64_t moved_down_at(struct alone *a, double x) {
+  uint64_t before = a->tally.count[MOVED];
+  a->instance =
+      (struct hsr_instance){.m = {1, 0, 0, x, 0, 1, 0, x, 0, 0, 1, x}};
+  if (hsr_movers_update(&a->movers, &a->cubes, &a->tally, MOVED, LOOKED,
+                        &a->arena))
+    stop("out of memory");
+  return a->tally.count[MOVED] - before;
+}
+
+/* A mover stays while its cube holds it, even where an octant would. */
+static void check_stays(struct tap *tap) {
+  static struct alone a;
+  a.object.moves = true;
+  a.scene = (struct hsr_scene){.objects = &a.object,
+                               .n_objects = 1,
+                               .instances = &a.instance,
+                               .n_instances = 1};
+  a.extent = (struct hsr_cubes_object){
+      .reach = .1, .grain = -60, .bounds = {{-.1, -.1, -.1}, {.1, .1, .1}}};
+  a.root = (struct hsr_octree_node){.half = 1};
+  a.cubes = (struct hsr_cubes){.scene = &a.scene,
+                               .object = &a.extent,
+                               .octree = {.node = &a.root, .n_nodes = 1},
+                               .mover = &a.number,
+                               .n_movers = 1};
+  ok(tap, moved_down_at(&a, .05) == 0, "across the centre: in the root");
+  ok(tap, moved_down_at(&a, .75) == 0 && a.movers.mover[0].node == 0,
+     "into an octant: it stays in the root, which holds it");
+  ok(tap, moved_down_at(&a, 3) == 0 && a.movers.mover[0].node == HSR_NO_NODE,
+     "out of the root: outside");
+  ok(tap, moved_down_at(&a, .75) == 2 && a.movers.mover[0].node != 0,
+     "back into an octant: down to the smallest cube that holds it");
+  ok(tap, a.tally.count[LOOKED] == 4, "it is looked at in each frame");
+  hsr_arena_free(&a.arena);
+}
+
 int main(void) {
-  struct tap tap = plan(2 * (1 + VARIANTS) + 1);
+  struct tap tap = plan(2 * (1 + VARIANTS) + 6);
   check_update(&tap);
+  check_stays(&tap);
   check(&tap, 1, 0);
   check(&tap, 20, 60);
   return finish(&tap);
