@@ -70,8 +70,10 @@ static void show_span(struct frame *s, uint32_t f, int x0, int x1, int j) {
 /* All rows of the window that face f may cover. */
 static void show_face(struct frame *s, uint32_t f) {
   const struct hsr_bounds *bounds = &s->screen.bounds[f];
+  struct hsr_face_rows rows;
+  hsr_face_rows_begin(&rows, &s->screen, f, s->tally);
   for (int j = bounds->y0; j < bounds->y1; j++) {
-    int n = hsr_face_spans(&s->screen, f, j, s->columns, s->tally);
+    int n = hsr_face_rows_spans(&rows, j, s->columns, s->tally);
     for (int k = 0; k < n; k += 2)
       show_span(s, f, s->columns[k], s->columns[k + 1], j);
   }

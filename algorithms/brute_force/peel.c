@@ -46,8 +46,10 @@ static void look(struct peel *p, uint32_t f, int i, int j) {
 static void look_at_face(struct peel *p, uint32_t f) {
   const struct hsr_bounds *b = &p->tiler->screen.bounds[f];
   int *columns = p->tiler->columns;
+  struct hsr_face_rows rows;
+  hsr_face_rows_begin(&rows, &p->tiler->screen, f, p->tally);
   for (int j = b->y0; j < b->y1; j++) {
-    int n = hsr_face_spans(&p->tiler->screen, f, j, columns, p->tally);
+    int n = hsr_face_rows_spans(&rows, j, columns, p->tally);
     for (int c = 0; c < n; c += 2) {
       int x0 = columns[c] > b->x0 ? columns[c] : b->x0;
       int x1 = columns[c + 1] < b->x1 ? columns[c + 1] : b->x1;

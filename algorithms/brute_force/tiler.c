@@ -74,7 +74,7 @@ static const float SNAP = 0x1.01p-16f; /* s */
 /* A row of a face that covers all of it: q = a sx + (b sy) + c. */
 struct span {
   uint32_t f, id;
-  double a, by, c;
+  double a, b, by, c;
   float least; /* a depth is unknown unless it is more: within HSR_RHO */
   int j, x0, x1;
 };
@@ -553,26 +553,31 @@ AVX512 static void tile_span_avx512(struct hsr_tiler *t, const struct span *s) {
 
 #endif
 
-/* A row of a face. A depth is recorded where it is within HSR_RHO / 2 of the
- * truth. */
-static void tile_span(struct hsr_tiler *t, uint32_t f, int j, int x0, int x1) {
+/* A face's rows, but for where they are. A depth is recorded where it is within
+ * HSR_RHO / 2 of the truth. */
+static struct span span_of(const struct hsr_tiler *t, uint32_t f) {
   const struct hsr_depth_plane *p = &t->screen.plane[f];
   double error = p->error + 0x1p-51 * (fabs(p->c) + t->far);
-  struct span span = {.f = f,
-                      .id = called(t, f),
-                      .a = p->a,
-                      .by = p->b * hsr_sample_y(t->view, j),
-                      .c = p->c + t->far,
-                      .least = (float)error / (0.5f * HSR_RHO),
-                      .j = j,
-                      .x0 = x0 < t->part.x0 ? t->part.x0 : x0,
-                      .x1 = x1 > t->part.x1 ? t->part.x1 : x1};
-  if (span.x0 < span.x1)
-    t->twin->tile_span(t, &span);
+  return (struct span){.f = f,
+                       .id = called(t, f),
+                       .a = p->a,
+                       .b = p->b,
+                       .c = p->c + t->far,
+                       .least = (float)error / (0.5f * HSR_RHO)};
+}
+
+static void tile_span(struct hsr_tiler *t, struct span *span, int j, int x0,
+                      int x1) {
+  span->by = span->b * hsr_sample_y(t->view, j);
+  span->j = j;
+  span->x0 = x0 < t->part.x0 ? t->part.x0 : x0;
+  span->x1 = x1 > t->part.x1 ? t->part.x1 : x1;
+  if (span->x0 < span->x1)
+    t->twin->tile_span(t, span);
 }
 
 /* The rows from j up to `end`, which both edges cross. */
-static void tile_between(struct hsr_tiler *t, uint32_t f,
+static void tile_between(struct hsr_tiler *t, struct span *span,
                          const struct hsr_edge *e, const struct hsr_edge *g,
                          int j, int end) {
   j = j < t->part.y0 ? t->part.y0 : j;
@@ -580,7 +585,7 @@ static void tile_between(struct hsr_tiler *t, uint32_t f,
   for (; j < end; j++) {
     int x0 = hsr_edge_column(&t->screen, e, j, t->tally);
     int x1 = hsr_edge_column(&t->screen, g, j, t->tally);
-    tile_span(t, f, j, x0 < x1 ? x0 : x1, x0 < x1 ? x1 : x0);
+    tile_span(t, span, j, x0 < x1 ? x0 : x1, x0 < x1 ? x1 : x0);
   }
 }
 
@@ -605,8 +610,9 @@ static void tile_whole(struct hsr_tiler *t, uint32_t f) {
   hsr_edge_init(&all, &t->screen, v[0], v[2]);
   hsr_edge_init(&upper, &t->screen, v[0], v[1]);
   hsr_edge_init(&lower, &t->screen, v[1], v[2]);
-  tile_between(t, f, &all, &upper, row[0], row[1]);
-  tile_between(t, f, &all, &lower, row[1], row[2]);
+  struct span span = span_of(t, f);
+  tile_between(t, &span, &all, &upper, row[0], row[1]);
+  tile_between(t, &span, &all, &lower, row[1], row[2]);
 }
 
 bool hsr_tiler_place(struct hsr_tiler *t, uint32_t f) {
@@ -631,10 +637,13 @@ void hsr_tiler_tile_generally(struct hsr_tiler *t, uint32_t f) {
   const struct hsr_bounds *bounds = &t->screen.bounds[f];
   struct hsr_window box =
       clip(t, bounds->x0, bounds->y0, bounds->x1, bounds->y1);
+  struct hsr_face_rows rows;
+  hsr_face_rows_begin(&rows, &t->screen, f, t->tally);
+  struct span span = span_of(t, f);
   for (int j = box.y0; j < box.y1; j++) {
-    int n = hsr_face_spans(&t->screen, f, j, t->columns, t->tally);
+    int n = hsr_face_rows_spans(&rows, j, t->columns, t->tally);
     for (int k = 0; k < n; k += 2)
-      tile_span(t, f, j, t->columns[k], t->columns[k + 1]);
+      tile_span(t, &span, j, t->columns[k], t->columns[k + 1]);
   }
 }
 

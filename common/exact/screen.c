@@ -1128,10 +1128,62 @@ int hsr_face_spans(const struct hsr_screen *screen, uint32_t f, int j,
                         tally);
 }
 
+/* An edge of a whole face crosses the rows between those of its vertices. */
+void hsr_face_rows_begin(struct hsr_face_rows *rows,
+                         const struct hsr_screen *screen, uint32_t f,
+                         struct hsr_tally *tally) {
+  const struct hsr_world *world = screen->world;
+  const uint32_t *vertex = world->mesh.vertex + world->mesh.start[f];
+  uint32_t n = hsr_face_size(world, f), a = vertex[n - 1];
+  rows->screen = screen;
+  rows->face = f;
+  rows->n = 0;
+  if (!screen->whole[f] || n > HSR_MOST_ROW_EDGES)
+    return;
+  int row_a = hsr_vertex_row(screen, a, tally);
+  for (uint32_t k = 0; k < n; k++) {
+    uint32_t b = vertex[k];
+    int row_b = hsr_vertex_row(screen, b, tally);
+    if (row_a != row_b) {
+      struct hsr_row_edge *e = &rows->edge[rows->n++];
+      bool down = row_a < row_b;
+      e->begin = down ? row_a : row_b;
+      e->end = down ? row_b : row_a;
+      hsr_edge_init(&e->line, screen, down ? a : b, down ? b : a);
+    }
+    a = b;
+    row_a = row_b;
+  }
+}
+
+int hsr_face_rows_spans(const struct hsr_face_rows *rows, int j, int *columns,
+                        struct hsr_tally *tally) {
+  if (!rows->n)
+    return hsr_face_spans(rows->screen, rows->face, j, columns, tally);
+  const struct hsr_row row = hsr_row_of(rows->screen->view, j);
+  int n_columns = 0;
+  for (int k = 0; k < rows->n; k++) {
+    const struct hsr_row_edge *e = &rows->edge[k];
+    if (e->begin <= j && j < e->end)
+      columns[n_columns++] =
+          hsr_edge_column_on(rows->screen, &e->line, j, &row, tally);
+  }
+  sort_columns(columns, n_columns);
+  return n_columns;
+}
+
 int hsr_piece_spans(const struct hsr_screen *screen, uint32_t f,
                     const struct hsr_cut *cut, size_t n, int j, int *columns,
                     struct hsr_tally *tally) {
   int n_columns = hsr_face_spans(screen, f, j, columns, tally);
   return narrow_by_cuts(screen, f, (struct cuts){cut, n}, j, columns, n_columns,
                         tally);
+}
+
+int hsr_piece_rows_spans(const struct hsr_face_rows *rows,
+                         const struct hsr_cut *cut, size_t n, int j,
+                         int *columns, struct hsr_tally *tally) {
+  int n_columns = hsr_face_rows_spans(rows, j, columns, tally);
+  return narrow_by_cuts(rows->screen, rows->face, (struct cuts){cut, n}, j,
+                        columns, n_columns, tally);
 }

@@ -267,20 +267,36 @@ int hsr_edge_column_exact(const struct hsr_screen *screen,
                           const struct hsr_edge *edge, int j,
                           struct hsr_tally *tally);
 
+/* Where a row of samples is: its first sample, and how many there are. */
+struct hsr_row {
+  double x, y;
+  int m;
+};
+static inline struct hsr_row hsr_row_of(const struct hsr_view *view, int j) {
+  struct hsr_row row = {hsr_sample_x(view, 0), hsr_sample_y(view, j), view->m};
+  return row;
+}
+
 /* The first column, in [0, m], whose sample in row j lies right of the edge or
  * on it. The edge crosses row j. A convex whole face covers the samples of a
  * row from the column of one of its edges up to, not including, that of
- * another. */
-static inline int hsr_edge_column(const struct hsr_screen *screen,
-                                  const struct hsr_edge *edge, int j,
-                                  struct hsr_tally *tally) {
-  double x = edge->x + edge->slope * hsr_sample_y(screen->view, j);
-  double column =
-      hsr_within(x - hsr_sample_x(screen->view, 0), screen->view->m);
+ * another. `row` is hsr_row_of row j. */
+static inline int hsr_edge_column_on(const struct hsr_screen *screen,
+                                     const struct hsr_edge *edge, int j,
+                                     const struct hsr_row *row,
+                                     struct hsr_tally *tally) {
+  double x = edge->x + edge->slope * row->y;
+  double column = hsr_within(x - row->x, row->m);
   int next = hsr_round_up(column);
   if (!(next - column > edge->tolerance && column - next + 1 > edge->tolerance))
     return hsr_edge_column_exact(screen, edge, j, tally);
   return next;
+}
+static inline int hsr_edge_column(const struct hsr_screen *screen,
+                                  const struct hsr_edge *edge, int j,
+                                  struct hsr_tally *tally) {
+  struct hsr_row row = hsr_row_of(screen->view, j);
+  return hsr_edge_column_on(screen, edge, j, &row, tally);
 }
 
 /* The same of n edges, each of which crosses row j, in column[0 .. n). */
@@ -293,6 +309,26 @@ void hsr_edge_columns(const struct hsr_screen *screen,
  * which is even; `columns` has room for the face's size + 4. */
 int hsr_face_spans(const struct hsr_screen *screen, uint32_t f, int j,
                    int *columns, struct hsr_tally *tally);
+
+/* A face whose rows are all asked for: the edges of a whole face are found
+ * once. `n` edges, or none if each row is left to hsr_face_spans. */
+enum { HSR_MOST_ROW_EDGES = 8 };
+struct hsr_face_rows {
+  const struct hsr_screen *screen;
+  uint32_t face;
+  int n;
+  struct hsr_row_edge {
+    int begin, end; /* the rows that it crosses */
+    struct hsr_edge line;
+  } edge[HSR_MOST_ROW_EDGES];
+};
+void hsr_face_rows_begin(struct hsr_face_rows *rows,
+                         const struct hsr_screen *screen, uint32_t f,
+                         struct hsr_tally *tally);
+
+/* What hsr_face_spans says of the face on row j. */
+int hsr_face_rows_spans(const struct hsr_face_rows *rows, int j, int *columns,
+                        struct hsr_tally *tally);
 
 /* --- Cut faces (common/scene/pieces.h) ------------------------------------ */
 
@@ -328,6 +364,11 @@ bool hsr_piece_covers(const struct hsr_screen *screen, uint32_t f,
 int hsr_piece_spans(const struct hsr_screen *screen, uint32_t f,
                     const struct hsr_cut *cut, size_t n, int j, int *columns,
                     struct hsr_tally *tally);
+
+/* hsr_face_rows_spans for the piece that n cuts leave of the face. */
+int hsr_piece_rows_spans(const struct hsr_face_rows *rows,
+                         const struct hsr_cut *cut, size_t n, int j,
+                         int *columns, struct hsr_tally *tally);
 
 /* --- Polygons that are in no screen --------------------------------------- */
 

@@ -29,8 +29,10 @@ static enum hsr_status open_whole(struct whole *w,
 static void add_face(struct whole *w, uint32_t f, int *columns,
                      uint32_t *depth) {
   const struct hsr_bounds *bounds = &w->screen.bounds[f];
+  struct hsr_face_rows rows;
+  hsr_face_rows_begin(&rows, &w->screen, f, &w->tally);
   for (int j = bounds->y0; j < bounds->y1; j++) {
-    int n = hsr_face_spans(&w->screen, f, j, columns, &w->tally);
+    int n = hsr_face_rows_spans(&rows, j, columns, &w->tally);
     for (int k = 0; k < n; k += 2)
       for (int i = columns[k]; i < columns[k + 1]; i++)
         depth[(size_t)j * (size_t)w->view.m + (size_t)i]++;

@@ -219,8 +219,10 @@ static enum hsr_status measure_segments(struct survey *s) {
   for (uint32_t r = 0; r < s->screen.n_relevant; r++) {
     uint32_t f = s->screen.relevant[r];
     const struct hsr_bounds *bounds = &s->screen.bounds[f];
+    struct hsr_face_rows rows;
+    hsr_face_rows_begin(&rows, &s->screen, f, &s->tally);
     for (int j = bounds->y0; j < bounds->y1; j++) {
-      int n = hsr_face_spans(&s->screen, f, j, columns, &s->tally);
+      int n = hsr_face_rows_spans(&rows, j, columns, &s->tally);
       for (int k = 0; k < n; k += 2) {
         n_covered += (uint64_t)(columns[k + 1] - columns[k]);
         n_segments += columns[k + 1] > columns[k];

@@ -125,22 +125,30 @@ static void find_cut_columns(struct hsr_scan *s, struct hsr_scan_cut *cut,
         k < n ? s->columns[k] : HSR_NO_COLUMN;
 }
 
-void hsr_scan_column(struct hsr_scan *s, struct hsr_scan_edge *edge, int j) {
+/* Finds the column of an edge on row j, which is at `at` in the picture. */
+static inline void find_column(struct hsr_scan *s, struct hsr_scan_edge *edge,
+                               int j, const struct hsr_row *at) {
   if (edge->cut == HSR_NOT_CUT)
-    edge->column = hsr_edge_column(&s->screen, &edge->line, j, s->tally);
+    edge->column = hsr_edge_column_on(&s->screen, &edge->line, j, at, s->tally);
   else
     find_cut_columns(s, &s->cut[edge->cut], j);
+}
+
+void hsr_scan_column(struct hsr_scan *s, struct hsr_scan_edge *edge, int j) {
+  struct hsr_row at = hsr_row_of(s->screen.view, j);
+  find_column(s, edge, j, &at);
 }
 
 /* Deletes the edges that end above row j, and finds the columns of the others
  * on it. */
 static void retire_and_advance(struct hsr_scan *s, int j) {
+  const struct hsr_row at = hsr_row_of(s->screen.view, j);
   uint32_t *list = s->list, n = s->n_list, kept = 0;
   for (uint32_t k = 0; k < n; k++) {
     struct hsr_scan_edge *edge = &s->edge[list[k]];
     if (edge->end_row <= j)
       continue;
-    hsr_scan_column(s, edge, j);
+    find_column(s, edge, j, &at);
     list[kept++] = list[k];
   }
   s->n_list = kept;
@@ -148,10 +156,11 @@ static void retire_and_advance(struct hsr_scan *s, int j) {
 
 /* Puts the edges of the row's bucket into entering[], sorted by column. */
 static void take_bucket(struct hsr_scan *s, int j) {
+  const struct hsr_row at = hsr_row_of(s->screen.view, j);
   s->n_entering = 0;
   for (uint32_t e = s->bucket[j - s->window->y0]; e != NONE;
        e = s->edge[e].next) {
-    hsr_scan_column(s, &s->edge[e], j);
+    find_column(s, &s->edge[e], j, &at);
     uint32_t k = s->n_entering++;
     for (; k; k--) {
       const struct hsr_scan_edge *other = &s->edge[s->entering[k - 1]];
@@ -198,10 +207,11 @@ static inline bool is_known(const struct hsr_scan_known *known, uint32_t a,
   return known && known[a].neighbour == b && j < known[a].until;
 }
 
-/* Bubble sort: each edge moves to the left, past the edges right of it. */
-static void sort_x(struct hsr_scan *s, int j) {
+/* Bubble sort: each edge moves to the left, past the edges right of it. Inlined
+ * once with `known`, and once without. */
+static inline __attribute__((always_inline)) void
+sort_x(struct hsr_scan *s, const struct hsr_scan_known *known, int j) {
   const struct hsr_scan_edge *edge = s->edge;
-  const struct hsr_scan_known *known = s->known;
   uint32_t *list = s->list, n_list = s->n_list;
   for (uint32_t n = 1; n < n_list; n++) {
     uint32_t e = list[n], k = n;
@@ -314,7 +324,10 @@ void hsr_scan_advance(struct hsr_scan *scan, int j) {
   retire_and_advance(scan, j);
   (tree || scan->ways.presort ? take_bucket_as_it_is : take_bucket)(scan, j);
   (tree ? hsr_x_tree_merge : merge_x)(scan, j);
-  sort_x(scan, j);
+  if (scan->known)
+    sort_x(scan, scan->known, j);
+  else
+    sort_x(scan, NULL, j);
   if (tree)
     hsr_x_tree_store(scan);
 }

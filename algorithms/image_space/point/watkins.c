@@ -255,10 +255,10 @@ static enum order order_by_bucket(struct hsr_watkins *s, uint32_t f, uint32_t g,
 }
 
 /* The last step, for whole segments. Faces of one plane need no search. */
-static bool is_nearer(struct hsr_watkins *s,
-                      const struct hsr_watkins_segment *f,
-                      const struct hsr_watkins_segment *g, int l, int r, int j,
-                      int *end) {
+static inline bool is_nearer(struct hsr_watkins *s,
+                             const struct hsr_watkins_segment *f,
+                             const struct hsr_watkins_segment *g, int l, int r,
+                             int j, int *end) {
   if (s->is_nearer)
     return s->is_nearer(s->context, f, g, l, r, j, end);
   const uint32_t *plane = s->edges.job->world->mesh.plane;

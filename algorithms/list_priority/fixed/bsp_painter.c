@@ -118,18 +118,21 @@ static void fill(const struct hsr_bsp_frame *frame, uint32_t f, uint32_t *row,
 typedef void write_sample(const struct hsr_bsp_frame *frame, uint32_t f,
                           uint32_t *row, int i, int j);
 
-/* Scan-converts a piece by its spans, row by row. */
-static inline void convert(struct hsr_bsp_frame *frame,
-                           const struct hsr_bsp_piece *given,
-                           write_sample *write) {
+/* Scan-converts a piece by its spans, row by row. Inlined once for each way to
+ * write a sample. */
+static inline __attribute__((always_inline)) void
+convert(struct hsr_bsp_frame *frame, const struct hsr_bsp_piece *given,
+        write_sample *write) {
   struct hsr_piece piece;
   if (!hsr_bsp_frame_piece(frame, given, &piece))
     return;
   const struct hsr_bounds *b = &piece.bounds;
+  struct hsr_face_rows rows;
+  hsr_face_rows_begin(&rows, &frame->screen, piece.face, frame->job->tally);
   for (int j = b->y0; j < b->y1; j++) {
     uint32_t *row = frame->glass ? NULL : hsr_bsp_frame_row(frame, j);
-    int n = hsr_piece_spans(&frame->screen, piece.face, piece.cuts,
-                            piece.n_cuts, j, frame->columns, frame->job->tally);
+    int n = hsr_piece_rows_spans(&rows, piece.cuts, piece.n_cuts, j,
+                                 frame->columns, frame->job->tally);
     for (int c = 0; c < n; c += 2) {
       int x0 = frame->columns[c] > b->x0 ? frame->columns[c] : b->x0;
       int x1 = frame->columns[c + 1] < b->x1 ? frame->columns[c + 1] : b->x1;

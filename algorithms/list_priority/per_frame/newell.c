@@ -283,9 +283,11 @@ static void paint(struct hsr_newell *s, const struct hsr_piece *piece) {
   const struct hsr_bounds *b = &piece->bounds;
   const struct hsr_window *w = s->window;
   int *columns = s->list.columns;
+  struct hsr_face_rows rows;
+  hsr_face_rows_begin(&rows, s->list.screen, f, s->tally);
   for (int j = b->y0; j < b->y1; j++) {
-    int n = hsr_piece_spans(s->list.screen, f, piece->cuts, piece->n_cuts, j,
-                            columns, s->tally);
+    int n = hsr_piece_rows_spans(&rows, piece->cuts, piece->n_cuts, j, columns,
+                                 s->tally);
     for (int k = 0; k < n; k += 2) {
       int x0 = columns[k] > w->x0 ? columns[k] : w->x0;
       int x1 = columns[k + 1] < w->x1 ? columns[k + 1] : w->x1;

@@ -81,9 +81,11 @@ static void sort_z(struct painter *s) {
 
 static void paint(struct painter *s, uint32_t f) {
   const struct hsr_bounds *b = &s->screen.bounds[f];
+  struct hsr_face_rows rows;
+  hsr_face_rows_begin(&rows, &s->screen, f, s->job->tally);
   for (int j = b->y0; j < b->y1; j++) {
     uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-    int n = hsr_face_spans(&s->screen, f, j, s->columns, s->job->tally);
+    int n = hsr_face_rows_spans(&rows, j, s->columns, s->job->tally);
     for (int k = 0; k < n; k += 2) {
       int x0 = s->columns[k] > b->x0 ? s->columns[k] : b->x0;
       int x1 = s->columns[k + 1] < b->x1 ? s->columns[k + 1] : b->x1;

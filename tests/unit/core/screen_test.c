@@ -103,7 +103,7 @@ static void vertex(const struct fixture *x, uint32_t v, double p[3]) {
 /* The number of wrong answers of each service. */
 struct wrong {
   long row, first_row, edge, column, spans, nearer, vertex, in_front, culled,
-      anywhere, loops, ranges, asked;
+      anywhere, loops, ranges, asked, rows, by_rows;
 };
 
 static void try_vertices(struct fixture *x, struct wrong *wrong) {
@@ -161,8 +161,14 @@ static void try_face(struct fixture *x, uint32_t f, bool relevant,
     x->screen.whole[f] = false; /* not known to be whole: ask everything */
   }
   const struct hsr_bounds *box = &x->screen.bounds[f];
+  struct hsr_face_rows rows;
+  hsr_face_rows_begin(&rows, &x->screen, f, &x->tally);
   for (int j = 0; j < N; j++) {
+    int again[ZIGZAG + 4];
     int n = hsr_face_spans(&x->screen, f, j, columns, &x->tally);
+    wrong->rows += hsr_face_rows_spans(&rows, j, again, &x->tally) != n ||
+                   memcmp(columns, again, (size_t)n * sizeof *columns) != 0;
+    wrong->by_rows += rows.n > 0;
     for (int i = 0; i < M; i++) {
       bool in_span = false;
       for (int k = 0; k < n; k += 2)
@@ -313,6 +319,8 @@ static void try_services(struct tap *tap) {
   ok(tap, wrong.edge == 0, "edge sides: %ld wrong", wrong.edge);
   ok(tap, wrong.column == 0, "edge columns: %ld wrong", wrong.column);
   ok(tap, wrong.spans == 0, "face spans: %ld wrong", wrong.spans);
+  ok(tap, wrong.rows == 0 && wrong.by_rows > 1000,
+     "spans of a face's rows: %ld of %ld wrong", wrong.rows, wrong.by_rows);
   ok(tap, wrong.culled == 0, "culls: %ld covered samples lost", wrong.culled);
   ok(tap, wrong.nearer == 0, "nearer: %ld wrong", wrong.nearer);
   ok(tap, wrong.anywhere == 0, "nearer anywhere: %ld wrong", wrong.anywhere);
@@ -861,7 +869,7 @@ static void try_arena(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(38);
+  struct tap tap = plan(39);
   try_services(&tap);
   try_near(&tap);
   try_polygons(&tap);
