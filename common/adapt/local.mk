@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 nobase_pkginclude_HEADERS += \
-  %D%/adapt.h
+  %D%/adapt.h \
+  %D%/surfaces.h
 libhsr_a_SOURCES += \
   %D%/adapt_cgal.cc \
   %D%/cluster_cgal.cc \
   %D%/convex.cc \
   %D%/convex.h \
-  %D%/division.h
+  %D%/division.h \
+  %D%/surfaces.cc

@@ -7,6 +7,7 @@ algorithm_files += \
   %D%/scan_line.h \
   %D%/watkins.c \
   %D%/watkins.h \
+  %D%/watkins_runs.c \
   %D%/watkins_z.c \
   %D%/x_list.c \
   %D%/yzx.c

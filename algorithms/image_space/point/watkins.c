@@ -19,13 +19,22 @@
  *             scan line, where they have the X of the upper vertex: this leaves
  *             no two edges of one vertex out of order. Of the third, the sort
  *             is saved, not the intercepts of hidden edges. x_list.c has these
- *             three. And Z buckets (watkins_z.c)
+ *             three. Z buckets (watkins_z.c); and sample spans that end at
+ *             contour edges only ("Edge Coherence", watkins_runs.c)
  * Cost        span cull n S_l, depth search 30 n D_c min(m, 2 S_v), and those
  *             of scan_line.h; of a crossing that is predicted 10, as of other
  *             relations of two segments in the plane */
 #include "algorithms/image_space/point/watkins.h"
 
-enum { X_PRESORT = HSR_N_WATKINS_COUNTERS, X_CROSSINGS, Z_SORT, Z_COMPARE };
+#include <stdlib.h>
+
+enum {
+  X_PRESORT = HSR_N_WATKINS_COUNTERS,
+  X_CROSSINGS,
+  Z_SORT,
+  Z_COMPARE,
+  JOINTS
+};
 
 static const struct hsr_counter counters[] = {
     HSR_WATKINS_COUNTERS(""),
@@ -39,6 +48,9 @@ static const struct hsr_counter counters[] = {
     [Z_COMPARE] = {"Z buckets", "comparisons of two segments' Z buckets",
                    HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
                    "undecided|farther|nearer"},
+    [JOINTS] = {"joints", "segments looked at for a contour edge at their left",
+                HSR_COMPARE, HSR_OF_FACE, HSR_OF_WINDOW,
+                "a contour edge|joined to the one before"},
     {NULL}};
 
 static const struct hsr_step steps[] = {
@@ -55,7 +67,12 @@ static const struct hsr_step steps[] = {
      "n (S_l + 10 X_r / (n S_l))",
      hsr_predict_x_sort,
      {{HSR_X_INTERCHANGES, 10}, {X_CROSSINGS, 10}}},
-    {"span cull", HSR_SPAN_CULL, 1, "n S_l", hsr_predict_span_cull},
+    {"span cull",
+     HSR_SPAN_CULL,
+     1,
+     "n S_l",
+     hsr_predict_span_cull,
+     {{JOINTS, 1}}},
     {"depth search",
      HSR_DEPTH_SEARCH,
      30,
@@ -76,9 +93,11 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(Z_COMPARE)},
     {"  where the sort waits: predict where new neighbors in the list cross",
      HSR_RAISES(X_CROSSINGS)},
+    {"  where only contour edges end spans: join segments that share an edge",
+     HSR_RAISES(JOINTS)},
     {NULL}};
 
-enum { X_LIST, PRESORT, SORT, Z }; /* options */
+enum { X_LIST, PRESORT, SORT, Z, ENDS }; /* options */
 enum { LIST, TREE };
 enum { NO_PRESORT, BY_X };
 enum { EACH_LINE, CROSSING };
@@ -100,6 +119,11 @@ static const struct hsr_word depths[] = {
     [SEARCH] = {"search", "by the search in depth alone", 0},
     [Z_BUCKETS] = {"buckets", "by their faces' Z buckets, if these tell", 0},
     {NULL}};
+enum { ANY_EDGE, CONTOUR };
+static const struct hsr_word ends[] = {
+    [ANY_EDGE] = {"edge", "at any edge", 0},
+    [CONTOUR] = {"contour", "at contour edges, where surfaces do not meet", 0},
+    {NULL}};
 static const struct hsr_option options[] = {
     [X_LIST] = {"x-list", "what the X sort list is", lists, 0, TREE, LIST},
     [PRESORT] = {"presort", "how edges are sorted before the Y sort", presorts,
@@ -108,6 +132,7 @@ static const struct hsr_option options[] = {
               0, CROSSING, EACH_LINE},
     [Z] = {"z", "how segments are compared in depth", depths, 0, Z_BUCKETS,
            SEARCH},
+    [ENDS] = {"ends", "where sample spans may end", ends, 0, CONTOUR, ANY_EDGE},
     {NULL}};
 
 /* No segment. */
@@ -145,9 +170,13 @@ static void find_segments(struct hsr_watkins *s, int j) {
     uint32_t *open = &s->open[edge->piece];
     if (*open == NONE) {
       *open = s->n_segments;
-      s->segment[s->n_segments++] = (struct hsr_watkins_segment){
-          .face = edge->face, .piece = edge->piece, .x0 = edge->column};
+      s->segment[s->n_segments++] =
+          (struct hsr_watkins_segment){.face = edge->face,
+                                       .piece = edge->piece,
+                                       .x0 = edge->column,
+                                       .left = s->edges.list[k]};
     } else {
+      s->segment[*open].right = s->edges.list[k];
       close_segment(s, *open, edge->column, j);
       *open = NONE;
     }
@@ -155,6 +184,10 @@ static void find_segments(struct hsr_watkins *s, int j) {
 }
 
 /* --- Depth search --------------------------------------------------------- */
+
+static int least(int a, int b) {
+  return a < b ? a : b;
+}
 
 /* A part of a segment between two points of the row, in columns, with its
  * depths there. */
@@ -255,10 +288,10 @@ static enum order order_by_bucket(struct hsr_watkins *s, uint32_t f, uint32_t g,
 }
 
 /* The last step, for whole segments. Faces of one plane need no search. */
-static inline bool is_nearer(struct hsr_watkins *s,
-                             const struct hsr_watkins_segment *f,
-                             const struct hsr_watkins_segment *g, int l, int r,
-                             int j, int *end) {
+static inline bool segment_is_nearer(struct hsr_watkins *s,
+                                     const struct hsr_watkins_segment *f,
+                                     const struct hsr_watkins_segment *g, int l,
+                                     int r, int j, int *end) {
   if (s->is_nearer)
     return s->is_nearer(s->context, f, g, l, r, j, end);
   const uint32_t *plane = s->edges.job->world->mesh.plane;
@@ -275,11 +308,31 @@ static inline bool is_nearer(struct hsr_watkins *s,
   return first_is_nearer(s, f, whole_part(f), g, whole_part(g), l, r, j, end);
 }
 
-/* --- Sample spans --------------------------------------------------------- */
-
-static int least(int a, int b) {
-  return a < b ? a : b;
+/* The same for runs. The order of two whose surfaces are apart never changes
+ * while both go on. */
+static bool run_is_nearer(struct hsr_watkins *s,
+                          const struct hsr_watkins_segment *f,
+                          const struct hsr_watkins_segment *g, int l, int r,
+                          int j, int *end) {
+  const struct hsr_watkins_segment *p = hsr_watkins_part(s, f, l);
+  const struct hsr_watkins_segment *q = hsr_watkins_part(s, g, l);
+  bool apart = hsr_surfaces_apart(s->runs->surfaces, p->face, q->face);
+  int both = apart ? l + 1 : least(r, least(p->x1, q->x1));
+  bool nearer = segment_is_nearer(s, p, q, l, both, j, end);
+  if (apart)
+    *end = r;
+  return nearer;
 }
+
+static inline bool is_nearer(struct hsr_watkins *s,
+                             const struct hsr_watkins_segment *f,
+                             const struct hsr_watkins_segment *g, int l, int r,
+                             int j, int *end) {
+  return s->runs ? run_is_nearer(s, f, g, l, r, j, end)
+                 : segment_is_nearer(s, f, g, l, r, j, end);
+}
+
+/* --- Sample spans --------------------------------------------------------- */
 
 /* The visible one of the segments that reach over `left`; NULL if there is
  * none. *right moves to the left, as far as the segment is known to be visible.
@@ -362,6 +415,17 @@ static void show_span(struct hsr_watkins *s, uint32_t id, int left, int right,
     row[i] = id;
 }
 
+static void show_run(struct hsr_watkins *s,
+                     const struct hsr_watkins_segment *run, int left, int right,
+                     int j) {
+  for (int x = left; x < right;) {
+    const struct hsr_watkins_segment *part = hsr_watkins_part(s, run, x);
+    int end = least(part->x1, right);
+    show_span(s, part->face, x, end, j);
+    x = end;
+  }
+}
+
 static void scan_row(struct hsr_watkins *s, int j) {
   uint32_t next = 0;
   s->n_under = 0;
@@ -372,7 +436,9 @@ static void scan_row(struct hsr_watkins *s, int j) {
     const struct hsr_watkins_segment *visible =
         search_depth(s, left, &right, j);
     float_right(s, visible, next, left, &right, j);
-    if (visible || !s->layer)
+    if (visible && s->runs)
+      show_run(s, visible, left, right, j);
+    else if (visible || !s->layer)
       show_span(s, visible ? visible->face : HSR_BACKGROUND, left, right, j);
   }
 }
@@ -404,6 +470,8 @@ void hsr_watkins_scan(struct hsr_watkins *s) {
   for (int j = w->y0; j < w->y1; j++) {
     hsr_scan_advance(&s->edges, j);
     find_segments(s, j);
+    if (s->runs)
+      hsr_watkins_join(s, j);
     scan_row(s, j);
   }
 }
@@ -435,9 +503,33 @@ static enum hsr_status render(const struct hsr_job *job,
       (job->option[Z] == Z_BUCKETS &&
        hsr_watkins_sort_z(&watkins, Z_SORT, Z_COMPARE)))
     return hsr_fail_nomem(err);
-  hsr_watkins_solve(&watkins, &job->view->window, screen.relevant,
-                    screen.n_relevant);
+  hsr_scan_sort(&watkins.edges, &job->view->window, screen.relevant,
+                screen.n_relevant);
+  struct hsr_watkins_runs runs;
+  if (job->option[ENDS] == CONTOUR &&
+      hsr_watkins_use_runs(&watkins, &runs, job->prepared, JOINTS))
+    return hsr_fail_nomem(err);
+  hsr_watkins_scan(&watkins);
   return HSR_OK;
+}
+
+/* The surfaces, for spans that end at contour edges. */
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  if (option[ENDS] != CONTOUR)
+    return HSR_OK;
+  struct hsr_surfaces *surfaces = calloc(1, sizeof *surfaces);
+  if (!surfaces)
+    return hsr_fail_nomem(err);
+  *prepared = surfaces;
+  return hsr_surfaces_init(surfaces, world, err);
+}
+
+static void release(void *prepared) {
+  if (prepared)
+    hsr_surfaces_free(prepared);
+  free(prepared);
 }
 
 const struct hsr_algorithm HSR_ALGORITHM(watkins) = {
@@ -458,4 +550,6 @@ const struct hsr_algorithm HSR_ALGORITHM(watkins) = {
     .steps = steps,
     .outline = outline,
     .options = options,
-    .render = render};
+    .prepare = prepare,
+    .render = render,
+    .release = release};

@@ -6,6 +6,7 @@
 #define HSR_ALGORITHMS_WATKINS_H
 
 #include "algorithms/image_space/point/scan_line.h"
+#include "common/adapt/surfaces.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -17,6 +18,22 @@ struct hsr_watkins_segment {
   uint32_t face, piece; /* as in struct hsr_scan_edge */
   int x0, x1;
   double q0, q1, error;
+  uint32_t left, right; /* the scan edges at its ends */
+};
+
+/* Runs of segments, joined where they share an edge: see watkins_runs.c. */
+struct hsr_watkins_runs {
+  const struct hsr_surfaces *surfaces; /* borrowed */
+  int counter;                         /* of segments looked at */
+  uint32_t *shared;                    /* by scan edge, as in hsr_surfaces */
+
+  /* Of the row: its segments, and the next one in the run of each. By shared
+   * edge: the segment that ends there, if row_of[] is the row. By run: the
+   * first segment, and the one that was looked at last. */
+  struct hsr_watkins_segment *part;
+  uint32_t n_parts, *next;
+  uint32_t *ends_there, *run_of, *first, *last_seen;
+  int *row_of;
 };
 
 struct hsr_watkins {
@@ -33,6 +50,8 @@ struct hsr_watkins {
    * the nearest first. A comparison of them is a step of z_counter. */
   uint16_t *z_nearest, *z_farthest;
   int z_counter;
+
+  struct hsr_watkins_runs *runs; /* which segment[] holds then; or NULL */
 
   /* The last step: is f nearer than g at the first sample of [l, r), where both
    * are? The answer is true for [l, *end). NULL: by a search in depth. */
@@ -75,6 +94,25 @@ void hsr_watkins_clear(struct hsr_watkins *watkins,
 #define hsr_watkins_sort_z HSR_OF_BUILD(hsr_watkins_sort_z)
 enum hsr_status hsr_watkins_sort_z(struct hsr_watkins *watkins, int sort,
                                    int compare);
+
+/* Joins segments into runs from now on, all edges being added; each segment
+ * looked at is a step of `counter`. *runs and *surfaces, which are those of the
+ * world, are borrowed. Memory from job->scratch. HSR_E_NOMEM. */
+#define hsr_watkins_use_runs HSR_OF_BUILD(hsr_watkins_use_runs)
+enum hsr_status hsr_watkins_use_runs(struct hsr_watkins *watkins,
+                                     struct hsr_watkins_runs *runs,
+                                     const struct hsr_surfaces *surfaces,
+                                     int counter);
+
+/* What watkins.c takes from watkins_runs.c. hsr_watkins_join: makes runs of
+ * segment[]. hsr_watkins_part: the segment of a run at column x, which is in
+ * it. */
+#define hsr_watkins_join HSR_OF_BUILD(hsr_watkins_join)
+#define hsr_watkins_part HSR_OF_BUILD(hsr_watkins_part)
+void hsr_watkins_join(struct hsr_watkins *watkins, int j);
+const struct hsr_watkins_segment *
+hsr_watkins_part(const struct hsr_watkins *watkins,
+                 const struct hsr_watkins_segment *run, int x);
 
 /* Counters, steps and sorts as those of scan_line.h: of everything but the last
  * step, and of all. */

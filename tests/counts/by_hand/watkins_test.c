@@ -72,6 +72,7 @@ static const struct hand_count of_deck[] = {
     {"X crossings", 0},
     {"Z sort", 0},
     {"Z buckets", 0},
+    {"joints", 0},
     {NULL}};
 
 /* --- Faces that penetrate ------------------------------------------------- */
@@ -138,6 +139,7 @@ static const struct hand_count of_crossing[] = {
     {"X crossings", 0},
     {"Z sort", 0},
     {"Z buckets", 0},
+    {"joints", 0},
     {NULL}};
 
 int main(void) {
