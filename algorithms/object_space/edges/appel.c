@@ -16,25 +16,17 @@
  * Departures  the change is the number of faces that the contour edge gains or
  *             loses, which is 2 at a fold of a two-sided surface
  * Options     boxes=corner: contour edges sorted by the upper left corners of
- *             their boxes, as Sutherland et al. propose (edge_boxes.c)
+ *             their boxes, as Sutherland et al. propose (corner_boxes.h)
  * Cost        that of edge_intersection.h; the edge intersection grows as the
  *             square of the edges */
 #include "algorithms/object_space/edges/edge_intersection.h"
 
 enum { BOX_SORT = HSR_N_NETWORK_COUNTERS }; /* counter */
 enum { BOXES };                             /* option */
-enum { NOT_SORTED, BY_CORNER };
-static const struct hsr_word sortings[] = {
-    [NOT_SORTED] = {"none", "not: an edge is put to all of them", 0},
-    [BY_CORNER] =
-        {"corner",
-         "by their boxes' upper left corners: an edge is put to those "
-         "that may be near it",
-         0},
-    {NULL}};
+static const struct hsr_word sortings[] = HSR_BOX_SORTINGS;
 static const struct hsr_option options[] = {
-    [BOXES] = {"boxes", "how contour edges are sorted", sortings, 0, BY_CORNER,
-               NOT_SORTED},
+    [BOXES] = {"boxes", "how contour edges are sorted", sortings, 0,
+               HSR_BY_CORNER, HSR_NOT_SORTED},
     {NULL}};
 
 /* Does contour edge c pierce the triangle E A' B'? */
@@ -72,35 +64,24 @@ static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
              : HSR_OK;
 }
 
+/* Puts e to all contour edges; or, if their boxes are sorted, to those near it.
+ */
 static enum hsr_status cross(void *context, struct hsr_network *network,
                              uint32_t e) {
   (void)context;
-  for (uint32_t k = 0; k < network->n_contour; k++)
-    if (cross_one(network, e, network->contour[k]))
-      return HSR_E_NOMEM;
-  return HSR_OK;
-}
-
-/* The same, boxes being sorted. */
-static enum hsr_status cross_near(void *context, struct hsr_network *network,
-                                  uint32_t e) {
-  (void)context;
-  uint32_t begin, end;
-  for (uint32_t k = 0; k < network->n_unknown; k++)
-    if (cross_one(network, e, network->contour[k]))
-      return HSR_E_NOMEM;
-  hsr_network_find_boxes(network, e, BOX_SORT, &begin, &end);
-  for (uint32_t k = begin; k < end; k++)
-    if (hsr_network_is_near(network, e, network->contour[k], BOX_SORT) &&
-        cross_one(network, e, network->contour[k]))
+  bool sorted = network->job->option[BOXES] == HSR_BY_CORNER;
+  uint32_t n = sorted ? hsr_network_find_near(network, e) : network->n_contour;
+  const uint32_t *edges = sorted ? network->boxes.near : network->contour;
+  for (uint32_t k = 0; k < n; k++)
+    if (cross_one(network, e, edges[k]))
       return HSR_E_NOMEM;
   return HSR_OK;
 }
 
 static enum hsr_status run(const struct hsr_job *job, bool visible_only,
                            struct hsr_error *err) {
-  bool sorted = job->option[BOXES] == BY_CORNER;
-  struct hsr_intersector intersector = {.cross = sorted ? cross_near : cross,
+  bool sorted = job->option[BOXES] == HSR_BY_CORNER;
+  struct hsr_intersector intersector = {.cross = cross,
                                         .box_sort = sorted ? BOX_SORT : 0,
                                         .visible_only = visible_only};
   return hsr_network_render(job, &intersector, err);
@@ -118,15 +99,10 @@ static enum hsr_status render_visible(const struct hsr_job *job,
 
 static const struct hsr_counter counters[] = {
     HSR_NETWORK_COUNTERS(true),
-    [BOX_SORT] = {"box sort",
-                  "comparisons to sort boxes of contour edges, and to find "
-                  "among them those near an edge",
-                  HSR_COMPARE, HSR_OF_EDGE, HSR_OF_EDGE, "not there|there"},
+    [BOX_SORT] = HSR_BOX_SORT_COUNTER("contour edges"),
     {0}};
 static const struct hsr_line outline[] = {
-    {"with sorted boxes: sort contour edges by the upper left corners of their "
-     "boxes, and find those near an edge",
-     HSR_RAISES(BOX_SORT)},
+    HSR_BOX_SORT_LINE("contour edges", HSR_RAISES(BOX_SORT)),
     HSR_NETWORK_OUTLINE_BEFORE,
     {"    for each contour edge: does it pierce the triangle of the eye and "
      "the edge?",

@@ -175,6 +175,31 @@ enum hsr_status hsr_network_pierce(struct hsr_network *network, uint32_t e) {
   return HSR_OK;
 }
 
+/* --- Sorted boxes --------------------------------------------------------- */
+
+static struct hsr_subject subject_of(const void *edges, uint32_t e) {
+  return hsr_edge_subject(edges, e);
+}
+
+enum hsr_status hsr_network_sort_boxes(struct hsr_network *network,
+                                       uint32_t *edges, uint32_t n,
+                                       int counter) {
+  network->boxes = (struct hsr_corner_boxes){.box = network->box,
+                                             .item = edges,
+                                             .n = n,
+                                             .tally = network->tally,
+                                             .sort = counter,
+                                             .search = counter,
+                                             .subject = subject_of,
+                                             .context = network->edges};
+  return hsr_corner_boxes_sort(&network->boxes, network->job->scratch);
+}
+
+uint32_t hsr_network_find_near(const struct hsr_network *network, uint32_t e) {
+  return hsr_corner_boxes_find(&network->boxes, &network->box[e],
+                               hsr_edge_subject(network->edges, e));
+}
+
 /* --- The sort along an edge ----------------------------------------------- */
 
 static bool is_before(const struct hsr_network *network, uint32_t e,
@@ -518,7 +543,8 @@ enum hsr_status hsr_network_render(const struct hsr_job *job,
   struct hsr_network network;
   enum hsr_status status = hsr_network_init(&network, job);
   if (!status && intersector->box_sort)
-    status = hsr_network_sort_boxes(&network, intersector->box_sort);
+    status = hsr_network_sort_boxes(&network, network.contour,
+                                    network.n_contour, intersector->box_sort);
   if (!status)
     status = hsr_network_draw(&network, intersector);
   hsr_sight_free(&network.sight);

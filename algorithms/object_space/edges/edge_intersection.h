@@ -31,18 +31,12 @@
 #ifndef HSR_ALGORITHMS_EDGE_INTERSECTION_H
 #define HSR_ALGORITHMS_EDGE_INTERSECTION_H
 
-#include "algorithms/algorithm.h"
+#include "algorithms/object_space/corner_boxes.h"
 #include "common/lines/sight/sight.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* What the image of an edge or of a face lies within: the whole plane, if the
- * image is not known. */
-struct hsr_image_box {
-  double x0, y0, x1, y1;
-};
 
 /* The part of an edge that is in the picture lies between two places. */
 struct hsr_edge_part {
@@ -59,9 +53,8 @@ struct hsr_network {
   int *net; /* by edge: how many more of its faces lie on its positive side
                (hsr_sight_side) than on its negative one */
   uint32_t *contour, n_contour;
-  uint32_t n_unknown; /* sorted boxes: the first of contour[] have no box */
-  double *reach; /* the lowest lower side of the boxes from there up to this */
   struct hsr_image_box *box;      /* by edge */
+  struct hsr_corner_boxes boxes;  /* of edges; if they are sorted */
   struct hsr_image_box *face_box; /* by face, of the regular ones */
   struct hsr_edge_part *part;     /* by edge */
   bool *drawn;                    /* by edge: it is done */
@@ -107,8 +100,7 @@ struct hsr_intersector {
 #define hsr_network_release HSR_OF_BUILD(hsr_network_release)
 #define hsr_network_init HSR_OF_BUILD(hsr_network_init)
 #define hsr_network_sort_boxes HSR_OF_BUILD(hsr_network_sort_boxes)
-#define hsr_network_find_boxes HSR_OF_BUILD(hsr_network_find_boxes)
-#define hsr_network_is_near HSR_OF_BUILD(hsr_network_is_near)
+#define hsr_network_find_near HSR_OF_BUILD(hsr_network_find_near)
 #define hsr_network_cross HSR_OF_BUILD(hsr_network_cross)
 #define hsr_network_pierce HSR_OF_BUILD(hsr_network_pierce)
 #define hsr_network_sort_along HSR_OF_BUILD(hsr_network_sort_along)
@@ -227,24 +219,16 @@ static inline bool hsr_edges_meet(const struct hsr_edges *edges, uint32_t e,
          b == edges->b[c];
 }
 
-static inline bool hsr_boxes_overlap(const struct hsr_image_box *a,
-                                     const struct hsr_image_box *b) {
-  return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1;
-}
-
-/* Sorts contour[] by the upper left corner of the edges' boxes: by y0, and by
- * x0 where these are equal. A comparison is a step of `counter`. Memory from
- * job->scratch. HSR_E_NOMEM. */
+/* Sorts n edges, contour[] or others, by the upper left corners of their boxes.
+ * A comparison is a step of `counter`. Memory from job->scratch. HSR_E_NOMEM.
+ */
 enum hsr_status hsr_network_sort_boxes(struct hsr_network *network,
+                                       uint32_t *edges, uint32_t n,
                                        int counter);
 
-/* Which contour edges' boxes may overlap that of e: the first n_unknown and, of
- * the sorted contour[], those of [*begin, *end) that hsr_network_is_near. A
- * look at a box is a step of `counter`. */
-void hsr_network_find_boxes(const struct hsr_network *network, uint32_t e,
-                            int counter, uint32_t *begin, uint32_t *end);
-bool hsr_network_is_near(const struct hsr_network *network, uint32_t e,
-                         uint32_t c, int counter);
+/* Puts those of them whose boxes may overlap that of e into boxes.near[].
+ * Returns how many. */
+uint32_t hsr_network_find_near(const struct hsr_network *network, uint32_t e);
 
 /* What the edge intersection may find of an edge and a contour edge. */
 enum hsr_crossing {

@@ -24,6 +24,8 @@
  *             faces are put to each edge, and are not carried. The nature at
  *             the end of an edge is not corrected by tests: the faces with a
  *             corner there are left out.
+ * Options     boxes=corner: edges sorted by the upper left corners of their
+ *             boxes, as Sutherland et al. propose (corner_boxes.h)
  * Cost        That of edge_intersection.h, except that all edges are compared
  *             with all, not only with contour edges, that the sort is never
  *             saved, and that a set takes more to change than a number. Only
@@ -32,7 +34,13 @@
 
 #include <string.h>
 
-enum { OF_CONTOUR = HSR_N_NETWORK_COUNTERS, CHANGED };
+enum { OF_CONTOUR = HSR_N_NETWORK_COUNTERS, CHANGED, BOX_SORT };
+enum { BOXES }; /* option */
+static const struct hsr_word sortings[] = HSR_BOX_SORTINGS;
+static const struct hsr_option options[] = {
+    [BOXES] = {"boxes", "how edges are sorted", sortings, 0, HSR_BY_CORNER,
+               HSR_NOT_SORTED},
+    {NULL}};
 
 /* How a face stands to the current edge. */
 struct member {
@@ -163,12 +171,16 @@ static enum hsr_crossing compare(const struct hsr_network *network, uint32_t e,
                                        : HSR_CROSSES_FARTHER;
 }
 
-/* Finds the crossings with all nearer edges. */
+/* Finds the crossings with all nearer edges: among all; or, if their boxes are
+ * sorted, among those near it. */
 static enum hsr_status cross(const struct state *s, struct hsr_network *network,
                              uint32_t e) {
   HSR_COMPUTED(network->tally, OF_CONTOUR, network->n_contour);
-  for (uint32_t k = 0; k < s->n_with_faces; k++) {
-    uint32_t c = s->with_faces[k];
+  bool sorted = network->job->option[BOXES] == HSR_BY_CORNER;
+  uint32_t n = sorted ? hsr_network_find_near(network, e) : s->n_with_faces;
+  const uint32_t *edges = sorted ? network->boxes.near : s->with_faces;
+  for (uint32_t k = 0; k < n; k++) {
+    uint32_t c = edges[k];
     enum hsr_crossing found = compare(network, e, c);
     HSR_STEP(network->tally, HSR_INTERSECT, hsr_edge_subject(network->edges, e),
              hsr_edge_subject(network->edges, c), HSR_NOWHERE, found);
@@ -315,6 +327,9 @@ static enum hsr_status draw(const struct hsr_job *job,
   if (!s.with_faces || !s.member || !s.touched || !s.nature || !s.from)
     return HSR_E_NOMEM;
   collect_edges(&s, network);
+  if (job->option[BOXES] == HSR_BY_CORNER &&
+      hsr_network_sort_boxes(network, s.with_faces, s.n_with_faces, BOX_SORT))
+    return HSR_E_NOMEM;
   return hsr_network_promote(network, &(struct hsr_promotion){.search = search,
                                                               .resume = resume,
                                                               .follow = follow,
@@ -339,8 +354,10 @@ static const struct hsr_counter counters[] = {
     [CHANGED] = {"nature changes", "events at which faces are entered and left",
                  HSR_ACTIVATE, HSR_OF_EDGE, HSR_OF_NOTHING,
                  "forwards|backwards"},
+    [BOX_SORT] = HSR_BOX_SORT_COUNTER("edges"),
     {0}};
 static const struct hsr_line outline[] = {
+    HSR_BOX_SORT_LINE("edges", HSR_RAISES(BOX_SORT)),
     HSR_NETWORK_OUTLINE_BEFORE,
     {"    for each edge: does it cross the image of this one, and is it "
      "nearer?",
@@ -348,7 +365,8 @@ static const struct hsr_line outline[] = {
     HSR_NETWORK_OUTLINE_AFTER,
     {"    change the nature at each crossing", HSR_RAISES(CHANGED)},
     {0}};
-static const struct hsr_step steps[] = {HSR_NETWORK_STEPS, {0}};
+static const struct hsr_step steps[] = {HSR_NETWORK_STEPS_WITH({BOX_SORT, 1}),
+                                        {0}};
 static const struct hsr_sort sorts[] = {
     {"edges", "back-facing", "cull", "once a frame"},
     {"faces", "before a vertex", "exhaustive search", "once a cluster"},
@@ -375,6 +393,7 @@ const struct hsr_algorithm HSR_ALGORITHM(galimberti) = {
     .counters = counters,
     .steps = steps,
     .outline = outline,
+    .options = options,
     .prepare = hsr_network_prepare,
     .render = render,
     .expense = hsr_network_expense,

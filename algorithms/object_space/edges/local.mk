@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 algorithm_files += \
   %D%/appel.c \
-  %D%/edge_boxes.c \
   %D%/edge_intersection.c \
   %D%/edge_intersection.h \
   %D%/galimberti.c \

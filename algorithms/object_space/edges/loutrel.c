@@ -17,6 +17,8 @@
  *             about the other: these are the signs of the determinants whose
  *             quotients are the intersection's coordinates. The place along the
  *             edge is computed only for boundary edges that are nearer.
+ * Options     boxes=corner: boundary edges sorted by the upper left corners of
+ *             their boxes, as Sutherland et al. propose (corner_boxes.h)
  * Cost        that of edge_intersection.h; the edge intersection grows as the
  *             square of the edges. Most pairs end at the minimax test; depths
  *             are compared once an intersection in the plane, where Appel
@@ -24,7 +26,13 @@
  *             tests, not in what they find. */
 #include "algorithms/object_space/edges/edge_intersection.h"
 
-enum { MINIMAX = HSR_N_NETWORK_COUNTERS, PLANE, DEPTH };
+enum { MINIMAX = HSR_N_NETWORK_COUNTERS, PLANE, DEPTH, BOX_SORT };
+enum { BOXES }; /* option */
+static const struct hsr_word sortings[] = HSR_BOX_SORTINGS;
+static const struct hsr_option options[] = {
+    [BOXES] = {"boxes", "how boundary edges are sorted", sortings, 0,
+               HSR_BY_CORNER, HSR_NOT_SORTED},
+    {NULL}};
 
 static enum hsr_crossing compare(const struct hsr_network *network, uint32_t e,
                                  uint32_t c) {
@@ -39,37 +47,50 @@ static enum hsr_crossing compare(const struct hsr_network *network, uint32_t e,
                                        : HSR_CROSSES_FARTHER;
 }
 
-/* Finds the boundary edges that change the order of invisibility along e. */
+/* Puts e to boundary edge c. */
+static enum hsr_status cross_one(struct hsr_network *network, uint32_t e,
+                                 uint32_t c) {
+  struct hsr_tally *tally = network->tally;
+  enum hsr_crossing found = compare(network, e, c);
+  if (HSR_COUNTING) {
+    struct hsr_subject of_e = hsr_edge_subject(network->edges, e);
+    struct hsr_subject of_c = hsr_edge_subject(network->edges, c);
+    HSR_STEP(tally, HSR_INTERSECT, of_e, of_c, HSR_NOWHERE, found);
+    if (found != HSR_BOXES_APART)
+      HSR_STEP(tally, MINIMAX, of_e, of_c, HSR_NOWHERE, 0);
+    if (found >= HSR_CROSSES_FARTHER)
+      HSR_STEP(tally, PLANE, of_e, of_c, HSR_NOWHERE,
+               found == HSR_CROSSES_NEARER);
+    if (found == HSR_CROSSES_NEARER)
+      HSR_STEP(tally, DEPTH, of_e, of_c, HSR_NOWHERE, 0);
+  }
+  return found == HSR_CROSSES_NEARER
+             ? hsr_network_cross(network, e, c, network->net[c])
+             : HSR_OK;
+}
+
+/* Finds the boundary edges that change the order of invisibility along e: among
+ * all; or, if their boxes are sorted, among those near it. */
 static enum hsr_status cross(void *context, struct hsr_network *network,
                              uint32_t e) {
   (void)context;
-  struct hsr_tally *tally = network->tally;
-  struct hsr_subject of_e = hsr_edge_subject(network->edges, e);
-  for (uint32_t k = 0; k < network->n_contour; k++) {
-    uint32_t c = network->contour[k];
-    enum hsr_crossing found = compare(network, e, c);
-    if (HSR_COUNTING) {
-      struct hsr_subject of_c = hsr_edge_subject(network->edges, c);
-      HSR_STEP(tally, HSR_INTERSECT, of_e, of_c, HSR_NOWHERE, found);
-      if (found != HSR_BOXES_APART)
-        HSR_STEP(tally, MINIMAX, of_e, of_c, HSR_NOWHERE, 0);
-      if (found >= HSR_CROSSES_FARTHER)
-        HSR_STEP(tally, PLANE, of_e, of_c, HSR_NOWHERE,
-                 found == HSR_CROSSES_NEARER);
-      if (found == HSR_CROSSES_NEARER)
-        HSR_STEP(tally, DEPTH, of_e, of_c, HSR_NOWHERE, 0);
-    }
-    if (found == HSR_CROSSES_NEARER &&
-        hsr_network_cross(network, e, c, network->net[c]))
+  bool sorted = network->job->option[BOXES] == HSR_BY_CORNER;
+  uint32_t n = sorted ? hsr_network_find_near(network, e) : network->n_contour;
+  const uint32_t *edges = sorted ? network->boxes.near : network->contour;
+  for (uint32_t k = 0; k < n; k++)
+    if (cross_one(network, e, edges[k]))
       return HSR_E_NOMEM;
-  }
   return HSR_OK;
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  return hsr_network_render(job, &(struct hsr_intersector){.cross = cross},
-                            err);
+  bool sorted = job->option[BOXES] == HSR_BY_CORNER;
+  return hsr_network_render(
+      job,
+      &(struct hsr_intersector){.cross = cross,
+                                .box_sort = sorted ? BOX_SORT : 0},
+      err);
 }
 
 static const struct hsr_counter counters[] = {
@@ -82,8 +103,10 @@ static const struct hsr_counter counters[] = {
     [DEPTH] = {"nearer boundary edges",
                "of those, where the boundary edge is nearer", HSR_ACTIVATE,
                HSR_OF_EDGE, HSR_OF_EDGE},
+    [BOX_SORT] = HSR_BOX_SORT_COUNTER("boundary edges"),
     {0}};
 static const struct hsr_line outline[] = {
+    HSR_BOX_SORT_LINE("boundary edges", HSR_RAISES(BOX_SORT)),
     HSR_NETWORK_OUTLINE_BEFORE,
     {"    for each boundary edge", HSR_RAISES(HSR_INTERSECT)},
     {"      minimax test: do the boxes of the images overlap?",
@@ -92,7 +115,8 @@ static const struct hsr_line outline[] = {
     {"      is the boundary edge the nearer one there?", HSR_RAISES(DEPTH)},
     HSR_NETWORK_OUTLINE_AFTER,
     {0}};
-static const struct hsr_step steps[] = {HSR_NETWORK_STEPS, {0}};
+static const struct hsr_step steps[] = {HSR_NETWORK_STEPS_WITH({BOX_SORT, 1}),
+                                        {0}};
 static const struct hsr_sort sorts[] = {
     {"edges", "back-facing, boundary", "cull", "once a frame"},
     {"faces", "before a vertex", "exhaustive search", "once a cluster"},
@@ -121,6 +145,7 @@ const struct hsr_algorithm HSR_ALGORITHM(loutrel) = {
     .counters = counters,
     .steps = steps,
     .outline = outline,
+    .options = options,
     .prepare = hsr_network_prepare,
     .render = render,
     .expense = hsr_network_expense,

@@ -30,12 +30,16 @@
  *             or that is cut, is put to the edge by itself, by hsr_sight_face.
  *             Edges may pierce volumes, and implied edges are drawn; the
  *             paper's environments have neither.
+ * Options     boxes=corner: volumes sorted by the upper left corners of their
+ *             boxes, as Sutherland et al. propose of objects (corner_boxes.h).
+ *             An edge is put to those whose boxes overlap its own; whole bodies
+ *             are not looked at
  * Cost        Table III: back-edge cull E_t, clipping cull 100 E_s, edge/volume
  *             test 100 E_s f C_t, f = 4; it grows as the square of the
  *             environment. Alone, a face that is not convex is as many volumes
  *             as it has convex parts: with n corners, up to n of them for each
  *             of its n edges */
-#include "algorithms/algorithm.h"
+#include "algorithms/object_space/corner_boxes.h"
 #include "common/lines/sight/sight.h"
 #include "common/lines/volumes.h"
 
@@ -58,8 +62,17 @@ enum {
   CONDITIONS,
   APART,
   TAKEN_APART,
-  DRAWN
+  DRAWN,
+  BOX_SORT,
+  BOX_SEARCH
 };
+
+enum { BOXES }; /* option */
+static const struct hsr_word sortings[] = HSR_BOX_SORTINGS;
+static const struct hsr_option options[] = {
+    [BOXES] = {"boxes", "how volumes are sorted", sortings, 0, HSR_BY_CORNER,
+               HSR_NOT_SORTED},
+    {NULL}};
 
 /* The outcomes of a minimax test. */
 enum { BODY_IN_THE_WAY, BODY_OUT, VOLUME_IN_THE_WAY, VOLUME_OUT };
@@ -113,6 +126,10 @@ struct frame {
   struct hsr_growing stack, visible; /* struct fragment, of the current edge */
   struct hsr_growing kept;           /* memory for the next `visible` */
   struct hsr_growing events;         /* of a face apart */
+
+  struct hsr_corner_boxes boxes; /* of the volumes, if they are sorted */
+  bool sorted;
+  uint32_t n_near; /* how many of them are near the current edge */
 };
 
 static bool push(const struct frame *frame, struct hsr_growing *list,
@@ -294,6 +311,37 @@ static bool is_behind(const struct frame *frame, uint32_t f) {
   return !is_ahead;
 }
 
+static struct hsr_subject volume_subject(const void *context, uint32_t v) {
+  (void)context;
+  return HSR_VOLUME(v);
+}
+
+static struct hsr_image_box image_box(const struct hsr_extent *extent) {
+  return (struct hsr_image_box){extent->x0, extent->y0, extent->x1, extent->y1};
+}
+
+/* Sorts the volumes' boxes. */
+static enum hsr_status sort_boxes(struct frame *frame) {
+  struct hsr_arena *arena = frame->job->scratch;
+  uint32_t n = (uint32_t)frame->volume.n - 1;
+  struct hsr_image_box *box = HSR_NEW(arena, struct hsr_image_box, n);
+  uint32_t *item = HSR_NEW(arena, uint32_t, n);
+  if (!box || !item)
+    return HSR_E_NOMEM;
+  for (uint32_t v = 0; v < n; v++) {
+    box[v] = image_box(&((struct volume *)frame->volume.items)[v].extent);
+    item[v] = v;
+  }
+  frame->boxes = (struct hsr_corner_boxes){.box = box,
+                                           .item = item,
+                                           .n = n,
+                                           .tally = frame->tally,
+                                           .sort = BOX_SORT,
+                                           .search = BOX_SEARCH,
+                                           .subject = volume_subject};
+  return hsr_corner_boxes_sort(&frame->boxes, arena);
+}
+
 static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   const struct environment *environment = job->prepared;
   const struct hsr_volumes *volumes = &environment->volumes;
@@ -315,7 +363,10 @@ static enum hsr_status begin(struct frame *frame, const struct hsr_job *job) {
   for (uint32_t b = 0; b < volumes->n_bodies; b++)
     if (!add_body(frame, b))
       return HSR_E_NOMEM;
-  return begin_volume(frame, &nowhere) ? HSR_OK : HSR_E_NOMEM;
+  frame->sorted = job->option[BOXES] == HSR_BY_CORNER;
+  if (!begin_volume(frame, &nowhere))
+    return HSR_E_NOMEM;
+  return frame->sorted ? sort_boxes(frame) : HSR_OK;
 }
 
 /* --- The edge/volume test ------------------------------------------------- */
@@ -415,13 +466,31 @@ static bool is_out(const struct frame *frame, uint32_t e,
   return out;
 }
 
-/* The first volume from v on that the edge may be behind, by minimax tests, and
- * that is not its own. */
+/* Whether the edge may be behind volume v, by a minimax test, and that is not
+ * its own. */
+static bool is_in_the_way(const struct frame *frame, uint32_t e,
+                          const struct hsr_extent *extent, uint32_t v) {
+  const struct volume *volume = (const struct volume *)frame->volume.items + v;
+  const struct condition *front = frame->front.items;
+  if (is_out(frame, e, extent, &volume->extent, v, VOLUME_IN_THE_WAY)) {
+    HSR_STEP(frame->tally, VOLUMES, hsr_edge_subject(frame->edges, e),
+             HSR_VOLUME(v), HSR_NOWHERE, 0);
+    return false;
+  }
+  if (is_own(frame, e, front + volume->first_plane,
+             volume[1].first_plane - volume->first_plane)) {
+    HSR_STEP(frame->tally, OWN, hsr_edge_subject(frame->edges, e),
+             HSR_VOLUME(v), HSR_NOWHERE, 0);
+    return false;
+  }
+  return true;
+}
+
+/* The first volume from v on that is in the way. */
 static uint32_t next_in_the_way(const struct frame *frame, uint32_t e,
                                 const struct hsr_extent *extent, uint32_t v) {
   const struct volume *volume = frame->volume.items;
   const struct collection *collection = frame->bodies.items;
-  const struct condition *front = frame->front.items;
   uint32_t n = (uint32_t)frame->volume.n - 1,
            n_bodies = (uint32_t)frame->bodies.n;
   while (v < n) {
@@ -431,28 +500,31 @@ static uint32_t next_in_the_way(const struct frame *frame, uint32_t e,
       HSR_STEP(frame->tally, COLLECTIONS, hsr_edge_subject(frame->edges, e),
                HSR_VOLUME(c), HSR_NOWHERE, 0);
       v = c + 1 < n_bodies ? collection[c + 1].first : n;
-    } else if (is_out(frame, e, extent, &volume[v].extent, v,
-                      VOLUME_IN_THE_WAY)) {
-      HSR_STEP(frame->tally, VOLUMES, hsr_edge_subject(frame->edges, e),
-               HSR_VOLUME(v), HSR_NOWHERE, 0);
-      v++;
-    } else if (is_own(frame, e, front + volume[v].first_plane,
-                      volume[v + 1].first_plane - volume[v].first_plane)) {
-      HSR_STEP(frame->tally, OWN, hsr_edge_subject(frame->edges, e),
-               HSR_VOLUME(v), HSR_NOWHERE, 0);
-      v++;
-    } else {
+    } else if (is_in_the_way(frame, e, extent, v)) {
       break;
+    } else {
+      v++;
     }
   }
   return v;
+}
+
+/* The same among sorted volumes: the first of those near the edge, from k on.
+ */
+static uint32_t next_near(const struct frame *frame, uint32_t e,
+                          const struct hsr_extent *extent, uint32_t k) {
+  while (k < frame->n_near &&
+         !is_in_the_way(frame, e, extent, frame->boxes.near[k]))
+    k++;
+  return k;
 }
 
 /* Tests the fragments on the stack, and what is left of them, against the
  * volumes that remain. */
 static bool test_fragments(struct frame *frame, uint32_t e,
                            const struct hsr_extent *extent) {
-  uint32_t n = (uint32_t)frame->volume.n - 1;
+  bool sorted = frame->sorted;
+  uint32_t n = sorted ? frame->n_near : (uint32_t)frame->volume.n - 1;
   while (frame->stack.n) {
     struct fragment fragment =
         ((struct fragment *)frame->stack.items)[--frame->stack.n];
@@ -461,10 +533,11 @@ static bool test_fragments(struct frame *frame, uint32_t e,
     int outcome = UNTOUCHED;
     for (;;) {
       struct fragment left[2];
-      fragment.next = next_in_the_way(frame, e, extent, fragment.next);
+      fragment.next = (sorted ? next_near : next_in_the_way)(frame, e, extent,
+                                                             fragment.next);
       if (fragment.next == n)
         break;
-      uint32_t v = fragment.next++;
+      uint32_t k = fragment.next++, v = sorted ? frame->boxes.near[k] : k;
       outcome = test(frame, e, v, &fragment, left);
       if (outcome == WHOLE)
         break;
@@ -597,6 +670,11 @@ static enum hsr_status draw_edge(struct frame *frame, uint32_t e) {
   const uint32_t ends[2] = {frame->edges->a[e], frame->edges->b[e]};
   struct hsr_extent extent = extent_of(&frame->sight, ends, 2);
   frame->stack.n = frame->visible.n = 0;
+  if (frame->sorted) {
+    struct hsr_image_box box = image_box(&extent);
+    frame->n_near = hsr_corner_boxes_find(&frame->boxes, &box,
+                                          hsr_edge_subject(frame->edges, e));
+  }
   if (!push(frame, &frame->stack, all) || !test_fragments(frame, e, &extent) ||
       !hide_apart(frame, e, &all))
     return HSR_E_NOMEM;
@@ -677,9 +755,16 @@ static const struct hsr_counter counters[] = {
                      HSR_SPLIT, HSR_OF_VOLUME, HSR_OF_NOTHING},
     [DRAWN] = {"intervals drawn", "intervals of edges added to the drawing",
                HSR_ACCEPT, HSR_OF_EDGE, HSR_OF_NOTHING},
+    [BOX_SORT] = {"box sort", "comparisons to sort boxes of volumes",
+                  HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_VOLUME,
+                  "not before|before"},
+    [BOX_SEARCH] = {"box search",
+                    "boxes of volumes looked at to find those near an edge",
+                    HSR_COMPARE, HSR_OF_EDGE, HSR_OF_VOLUME, "not there|there"},
     {0}};
 
 static const struct hsr_line outline[] = {
+    HSR_BOX_SORT_LINE("volumes", HSR_RAISES(BOX_SORT) | HSR_RAISES(BOX_SEARCH)),
     {"for each object that is no closed solid before the eye: take it face by "
      "face",
      HSR_RAISES(TAKEN_APART)},
@@ -709,7 +794,7 @@ static const struct hsr_line outline[] = {
 static const struct hsr_step steps[] = {
     {"back-edge cull", BACK_CULL, 1, "E_t", predict_back_cull},
     {"clipping cull", CLIP_CULL, 100, "100 E_s", predict_clip_cull},
-    {"minimax", MINIMAX, 1, NULL, NULL},
+    {"minimax", MINIMAX, 1, NULL, NULL, {{BOX_SORT, 1}, {BOX_SEARCH, 1}}},
     {"edge/volume test", TEST, 100, "100 E_s f C_t, f = 4", predict_test},
     {0}};
 
@@ -737,6 +822,7 @@ const struct hsr_algorithm HSR_ALGORITHM(roberts) = {
     .counters = counters,
     .steps = steps,
     .outline = outline,
+    .options = options,
     .expense = expense,
     .prepare = prepare,
     .render = render,

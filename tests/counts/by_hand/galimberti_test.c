@@ -32,6 +32,7 @@ static const struct hand_count of_bar[] = {
     {"sort along edge", 2},
     {"sorts to save", 0},
     {"intervals drawn", 12},
+    /* Boxes are not sorted. */ {"box sort", 0},
     {NULL}};
 
 /* The nature of (2, 2), which is N, remains that of (2, 6). */
@@ -55,6 +56,7 @@ static const struct hand_count of_corner[] = {
     {"sort along edge", 0},
     {"sorts to save", 0},
     {"intervals drawn", 10},
+    /* Boxes are not sorted. */ {"box sort", 0},
     {NULL}};
 
 /* Edge intersection: 12 edges with all 12.
@@ -86,6 +88,7 @@ static const struct hand_count of_box[] = {
     {"sort along edge", 0},
     {"sorts to save", 0},
     {"intervals drawn", 12},
+    /* Boxes are not sorted. */ {"box sort", 0},
     {NULL}};
 
 int main(void) {
