@@ -396,6 +396,6 @@ int main(int argc, char **argv) {
   check_doors(&tap);
   check_lines(&tap, "rooms:7:60", 1, 0.99);
   check_lines(&tap, "rooms:5:100", 1, 0.9);
-  check_lines(&tap, NULL, 12, 0.75);
+  check_lines(&tap, NULL, 12, 0.81);
   return finish(&tap);
 }
