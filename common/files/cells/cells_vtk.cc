@@ -22,6 +22,8 @@
 
 #include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <string>
 #include <vector>
 
 namespace {
@@ -124,6 +126,29 @@ void begin(vtkSTLWriter *writer, vtkPolyData *, const hsr_cells &) {
   writer->SetHeader("hsr");
 }
 
+/* vtkPLYWriter says nothing where the disk is full. So the size must be that of
+ * the header and of what it announces: points of three floats; polygons of a
+ * byte, four bytes a point and, with a colour, three more. */
+bool is_all_there(vtkPLYWriter *, vtkPolyData *set, const std::string &name) {
+  std::ifstream file(name, std::ios::binary);
+  std::string line;
+  bool has_colours = false;
+  while (std::getline(file, line) && line != "end_header")
+    has_colours |= line == "property uchar red";
+  const std::streamoff header = file.tellg();
+  const vtkIdType polygons = set->GetNumberOfPolys();
+  const vtkIdType records = 12 * set->GetNumberOfPoints() +
+                            (has_colours ? 4 : 1) * polygons +
+                            4 * set->GetPolys()->GetNumberOfConnectivityIds();
+  file.seekg(0, std::ios::end);
+  return file && file.tellg() - header == records;
+}
+
+/* vtkSTLWriter checks what it writes. */
+bool is_all_there(vtkSTLWriter *, vtkPolyData *, const std::string &) {
+  return true;
+}
+
 /* VTK writes these by a file's name only: that of the part of the whole file. */
 template <class Writer>
 enum hsr_status write_by_name(const hsr_cells &cells, const char *path,
@@ -144,6 +169,7 @@ enum hsr_status write_by_name(const hsr_cells &cells, const char *path,
     const std::string name = std::string(file.part) + ".ply";
     writer->SetFileName(name.c_str());
     if (!writer->Write() || writer->GetErrorCode() ||
+        !is_all_there(writer.Get(), set.Get(), name) ||
         std::rename(name.c_str(), file.part))
       status = hsr_fail(err, HSR_E_INPUT, "%s: cannot be written", path);
     if (status)
