@@ -258,10 +258,18 @@ static enum hsr_status finish_lot(const struct plan *plan,
   return HSR_OK;
 }
 
+static void tell(struct progress *progress, const struct plan *plan,
+                 const struct turn_listener *listener, int start) {
+  progress_tell(progress, (size_t)start,
+                isfinite(listener->end) ? 0 : (size_t)plan->options->starts,
+                "starts timed", listener->name);
+}
+
 static enum hsr_status
 run_lot(const struct plan *plan, const struct place *place,
         struct process *process, int n, int start, const gsl_rng *random,
-        const struct turn_listener *listener, struct hsr_error *err) {
+        const struct turn_listener *listener, struct progress *progress,
+        struct hsr_error *err) {
   for (int k = 0; k < n; k++)
     if (!begin(&process[k], plan, place, start)) {
       hsr_fail(err, HSR_E_NOMEM, "bench: %d processes at a time: %s", n,
@@ -275,8 +283,10 @@ run_lot(const struct plan *plan, const struct place *place,
       order[k] = k;
     gsl_ran_shuffle(random, order, (size_t)n, sizeof *order);
     for (int k = 0; k < n; k++)
-      if (process[order[k]].id > 0)
+      if (process[order[k]].id > 0) {
         draw(&process[order[k]], plan, start, round);
+        tell(progress, plan, listener, start);
+      }
   }
   return finish_lot(plan, process, n, start, listener, err);
 }
@@ -305,7 +315,8 @@ static int fill_lot(struct turn_taker *taker, const int *order, int n,
 static enum hsr_status
 run_start(const struct plan *plan, const struct place *place,
           struct turn_taker *taker, int n, int start, const gsl_rng *random,
-          const struct turn_listener *listener, struct hsr_error *err) {
+          const struct turn_listener *listener, struct progress *progress,
+          struct hsr_error *err) {
   struct process lot[SWEEP_MOST_ENTRANTS];
   int order[SWEEP_MOST_ENTRANTS], next = 0, size;
   for (int k = 0; k < n; k++)
@@ -313,7 +324,8 @@ run_start(const struct plan *plan, const struct place *place,
   gsl_ran_shuffle(random, order, (size_t)n, sizeof *order);
   enum hsr_status status = HSR_OK;
   while (!status && (size = fill_lot(taker, order, n, start, &next, lot)) > 0)
-    status = run_lot(plan, place, lot, size, start, random, listener, err);
+    status =
+        run_lot(plan, place, lot, size, start, random, listener, progress, err);
   return status;
 }
 
@@ -355,10 +367,9 @@ enum hsr_status take_turns(const struct plan *plan, const struct place *place,
   struct progress progress = progress_begin(stderr);
   int start = 0, all = (int)plan->options->starts;
   for (bool enough = false; start < all && !enough && !status; start++) {
-    progress_tell(&progress, (size_t)start,
-                  isfinite(listener->end) ? 0 : (size_t)all, "starts timed",
-                  listener->name);
-    status = run_start(plan, place, taker, n, start, random, listener, err);
+    tell(&progress, plan, listener, start);
+    status = run_start(plan, place, taker, n, start, random, listener,
+                       &progress, err);
     bool good = true;
     if (!status && start > 0 && isfinite(listener->end))
       enough = seconds_now() > listener->end ||

@@ -110,9 +110,9 @@ struct progress progress_begin(FILE *out) {
 /* A terminal is told at most ten times a second. */
 static bool is_time(struct progress *p) {
   double now = seconds_now();
-  if (now - p->last < (p->rewrites ? .1 : 15) && p->last > p->begin)
+  if (now - p->last < (p->rewrites ? .1 : 8) && p->last > p->begin)
     return false;
-  if (!p->rewrites && now - p->begin < 15)
+  if (!p->rewrites && now - p->begin < 8)
     return false;
   p->last = now;
   return true;

@@ -46,7 +46,7 @@ struct progress {
 };
 
 /* Where `out` is no terminal, work is told of only if the variable HSR_PROGRESS
- * is set: by a line every 15 seconds. */
+ * is set: by a line every 8 seconds. */
 struct progress progress_begin(FILE *out);
 
 /* Says that `done` of `all` `things` are done, what is done now, and about how

@@ -124,6 +124,28 @@ static void say_compared(const json_t *cell, char text[60]) {
     snprintf(text, 60, " (judged at %ld %s)", compared, kind->places);
 }
 
+/* Whether there is nothing to say of a row but that it is right. */
+static bool is_counted_only(const struct row *row) {
+  char status[900], compared[60];
+  say_status(row->cell, status, sizeof status);
+  say_compared(row->cell, compared);
+  return !row->timed && !*status && !*compared;
+}
+
+/* The names of such rows among the n of a place, after those of another kind. */
+static void print_counted(const struct row *row, size_t n) {
+  char *names = NULL;
+  size_t size = 0;
+  FILE *out = open_memstream(&names, &size);
+  for (size_t k = 0; out && k < n; k++)
+    if (is_counted_only(&row[k]))
+      fprintf(out, "%s%s", ftell(out) ? ", " : "",
+              results_text(row[k].cell, "algorithm"));
+  if (out && !fclose(out) && size)
+    terminal_wrap(stdout, printf("  %-22s  ", "ok, not timed"), 26, names);
+  free(names);
+}
+
 static void print_row(const struct rows *rows, const struct row *row) {
   char status[900], compared[60];
   print_name(row->cell);
@@ -134,9 +156,6 @@ static void print_row(const struct rows *rows, const struct row *row) {
   if (row->timed && is_wide())
     print_more(row);
   strcat(status, compared);
-  if (!*status && !row->timed)
-    snprintf(status, sizeof status, "%s, not timed",
-             results_text(row->cell, "status"));
   if (!*status)
     putchar('\n');
   else if (row->timed)
@@ -198,11 +217,13 @@ static void print_notes(const struct rows *rows) {
 }
 
 void rows_print(const struct rows *rows) {
-  for (size_t k = 0; k < rows->n; k++) {
-    const struct row *row = &rows->row[k];
-    if (!k || !rows_same_place(row - 1, row))
-      print_heading(rows, row);
-    print_row(rows, row);
+  for (size_t k = 0, end; k < rows->n; k = end) {
+    const struct row *row = rows->row;
+    print_heading(rows, &row[k]);
+    for (end = k; end < rows->n && rows_same_place(&row[k], &row[end]); end++)
+      if (!is_counted_only(&row[end]))
+        print_row(rows, &row[end]);
+    print_counted(&row[k], end - k);
   }
   print_notes(rows);
 }
