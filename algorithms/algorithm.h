@@ -132,18 +132,24 @@ struct hsr_job {
    * colours[3 * (j * view->m + i)], for (i, j) in the window. */
   uint16_t *colours;
 
+  /* Answer of HSR_SHADOWED, of those that make that kind, too: the ids, and
+   * besides whether light reaches sample (i, j), at lit[j * ids_stride + i];
+   * false where there is no face. Else NULL. */
+  bool *lit;
+
   /* Answer of HSR_SEGMENTS, which have no ids: the drawing of the whole
    * picture, whatever the window; empty before the call. Grows by itself. */
   struct hsr_drawing *drawing;
 
-  /* The answer itself, of whatever kind. ids, sums, colours and drawing are its
-   * body, of these kinds. NULL: the caller has only those. */
+  /* The answer itself, of whatever kind. ids, sums, colours, lit and drawing are
+   * its body, of these kinds. NULL: the caller has only those. */
   struct hsr_answer *answer;
 
   /* For algorithms that draw in passes: to be called after each. Or NULL. */
   const struct hsr_passes *passes;
 };
 
+#define HSR_MOST_ALSO 2
 struct hsr_algorithm {
   const char *name;    /* [a-z0-9-]+, "watkins" */
   const char *title;   /* "Watkins' scan-line algorithm" */
@@ -160,8 +166,9 @@ struct hsr_algorithm {
   unsigned subjects; /* what it takes: 1 << HSR_FACES, 1 << HSR_GRID. What takes
                         faces draws a grid by the faces of its cells */
   const struct hsr_answer_type *kind; /* what it makes: HSR_IDS ... */
-  const struct hsr_answer_type *also; /* a further kind that it makes, if asked
-                                         to; or NULL */
+  const struct hsr_answer_type
+      *also[HSR_MOST_ALSO + 1]; /* further kinds that it makes, if asked by an
+                                   option of theirs; ended by NULL */
   unsigned makes; /* of the first option of that kind, the words that it makes:
                      1 << HSR_OVER ...; the first of them is standard. 0: all */
   unsigned flags;
@@ -205,6 +212,10 @@ unsigned hsr_choice_flags(const struct hsr_algorithm *algorithm,
  * they are folded from what it makes. */
 bool hsr_can_draw(const struct hsr_algorithm *algorithm,
                   const struct hsr_answer_type *type);
+
+/* Whether it makes a kind besides its own. */
+bool hsr_makes_also(const struct hsr_algorithm *algorithm,
+                    const struct hsr_answer_type *type);
 
 /* Whether the chosen answer is folded from pictures that the algorithm draws,
  * instead of by the algorithm itself. */

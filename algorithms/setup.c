@@ -145,6 +145,10 @@ static void open_answer(const struct hsr_setup *setup, struct hsr_job *job) {
   job->drawing = hsr_answer_drawing_of(job->answer);
   job->sums = hsr_answer_sums_of(job->answer);
   job->colours = hsr_answer_colours_of(job->answer);
+  const struct hsr_shadowed *shadowed = hsr_answer_shadowed_of(job->answer);
+  if (shadowed)
+    job->ids = shadowed->ids;
+  job->lit = shadowed ? shadowed->lit : NULL;
   job->filtering = job->sums ? &setup->filtering : NULL;
 }
 

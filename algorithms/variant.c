@@ -17,9 +17,17 @@ unsigned hsr_choice_flags(const struct hsr_algorithm *a,
   return flags;
 }
 
+bool hsr_makes_also(const struct hsr_algorithm *a,
+                    const struct hsr_answer_type *type) {
+  for (int k = 0; a->also[k]; k++)
+    if (a->also[k] == type)
+      return true;
+  return false;
+}
+
 bool hsr_can_draw(const struct hsr_algorithm *a,
                   const struct hsr_answer_type *type) {
-  return type == a->also || hsr_is_asked_of(type, a->kind);
+  return hsr_makes_also(a, type) || hsr_is_asked_of(type, a->kind);
 }
 
 bool hsr_choice_folds(const struct hsr_algorithm *a,
@@ -27,8 +35,8 @@ bool hsr_choice_folds(const struct hsr_algorithm *a,
   bool filters =
       a->flags & HSR_FILTERS &&
       hsr_filter_columns(hsr_form_filtering(&choice->form).filter) == HSR_SUB;
-  return choice->form.type != a->kind && choice->form.type != a->also &&
-         !filters;
+  return choice->form.type != a->kind &&
+         !hsr_makes_also(a, choice->form.type) && !filters;
 }
 
 struct hsr_choice hsr_choice_standard(const struct hsr_algorithm *a) {
@@ -46,10 +54,10 @@ struct hsr_variant hsr_variant_standard(const struct hsr_listed *listed) {
   return variant;
 }
 
-struct hsr_variant hsr_variant_also(const struct hsr_listed *listed) {
+struct hsr_variant hsr_variant_also(const struct hsr_listed *listed, int k) {
   struct hsr_variant variant = hsr_variant_standard(listed);
   struct hsr_form *form = &variant.choice.form;
-  *form = hsr_form_standard(listed->plain->also);
+  *form = hsr_form_standard(listed->plain->also[k]);
   const struct hsr_option *first = form->type->options;
   snprintf(variant.name, sizeof variant.name, "%s:%s=%s", listed->plain->name,
            first->name, first->words[form->values.option[0]].name);

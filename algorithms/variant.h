@@ -7,7 +7,8 @@
  * that draws faces, `window`: the picture is drawn in squares of so many
  * samples, each a job of its own; or `filter` and `jitter`: what is drawn is
  * the filtered picture, zbuffer:filter=box:jitter=4. `mix` asks for a
- * transparent picture of those that make one. */
+ * transparent picture of those that make one, and `shadows` for one with
+ * shadows. */
 #ifndef HSR_ALGORITHMS_VARIANT_H
 #define HSR_ALGORITHMS_VARIANT_H
 
@@ -35,9 +36,9 @@ enum hsr_status hsr_variant_parse(const char *text, struct hsr_variant *variant,
 /* The algorithm with its standard options. */
 struct hsr_variant hsr_variant_standard(const struct hsr_listed *listed);
 
-/* The same of the kind that it makes besides its own: newell:mix=linear. It
- * must make one. */
-struct hsr_variant hsr_variant_also(const struct hsr_listed *listed);
+/* The same of kind k of those that it makes besides its own, also[k]:
+ * newell:mix=linear. */
+struct hsr_variant hsr_variant_also(const struct hsr_listed *listed, int k);
 
 #ifdef __cplusplus
 }

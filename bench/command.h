@@ -82,11 +82,11 @@ bool series_name(const char *pattern, long number, char name[MOST_FILE_NAME]);
 /* The cameras that the options describe, and the palette. They become a part of
  * the scene's name (scenes/cameras.h), so that whoever gets the name looks from
  * there, and sees samples as splats like that. */
-enum { CAMERA_WORDS = 6, CAMERA_PLACES = 3, MOST_AIMED_NAME = 1024 };
+enum { CAMERA_WORDS = 8, CAMERA_PLACES = 3, MOST_AIMED_NAME = 1024 };
 struct camera_options {
   const char *file;               /* of --camera, or NULL */
   const char *word[CAMERA_WORDS]; /* of --eye, --at, --up, --fov, --near,
-                                     --parallel */
+                                     --parallel, --light, --sun */
   const char *palette;            /* of --palette, or NULL */
 };
 
@@ -107,6 +107,18 @@ enum { CAMERA_EYE = 0x100, CAMERA_FILE = CAMERA_EYE + CAMERA_WORDS, PALETTE };
        0,                                                                       \
        "in parallel projection, the picture so high; fit: as high as what is "  \
        "in perspective around the point looked at",                             \
+       10},                                                                     \
+      {"light",                                                                 \
+       CAMERA_EYE + 6,                                                          \
+       "X,Y,Z",                                                                 \
+       0,                                                                       \
+       "shadows are cast by a light at this point",                             \
+       10},                                                                     \
+      {"sun",                                                                   \
+       CAMERA_EYE + 7,                                                          \
+       "X,Y,Z",                                                                 \
+       0,                                                                       \
+       "shadows are cast by a sun in this direction",                           \
        10},                                                                     \
       {"camera",                                                                \
        CAMERA_FILE,                                                             \

@@ -235,7 +235,7 @@ static void print_further_kind(const struct hsr_answer_type *type) {
   char names[500] = "";
   size_t n = 0;
   for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++)
-    if (a->plain->also == type && n < sizeof names)
+    if (hsr_makes_also(a->plain, type) && n < sizeof names)
       n += (size_t)snprintf(names + n, sizeof names - n, "%s%s", n ? ", " : "",
                             a->plain->name);
   if (!n)

@@ -245,8 +245,8 @@ bool parse_point(const char *text, double point[3]) {
 }
 
 static const char *const camera_keys[CAMERA_WORDS] = {
-    "eye", "at", "up", "fov", "near", "parallel"};
-enum { PARALLEL = 5 };
+    "eye", "at", "up", "fov", "near", "parallel", "light", "sun"};
+enum { PARALLEL = 5, LIGHT };
 
 error_t parse_camera_option(struct camera_options *o, int key, char *arg,
                             struct option_base *base) {
@@ -263,12 +263,13 @@ error_t parse_camera_option(struct camera_options *o, int key, char *arg,
     return ARGP_ERR_UNKNOWN;
   double number[3];
   bool is_fit = k == PARALLEL && !strcmp(arg, "fit");
-  if (!is_fit && (k < CAMERA_PLACES ? !parse_point(arg, number)
-                                    : !parse_number(arg, number)))
+  bool is_point = k < CAMERA_PLACES || k >= LIGHT;
+  if (!is_fit &&
+      (is_point ? !parse_point(arg, number) : !parse_number(arg, number)))
     return option_fail(base, "--%s %s: must be %s", camera_keys[k], arg,
-                       k < CAMERA_PLACES ? "a point, X,Y,Z"
-                       : k == PARALLEL   ? "a number, or fit"
-                                         : "a number");
+                       is_point        ? "a point, X,Y,Z"
+                       : k == PARALLEL ? "a number, or fit"
+                                       : "a number");
   o->word[k] = arg;
   return 0;
 }

@@ -25,8 +25,16 @@ static const struct {
              {"up", offsetof(struct hsr_camera, up), 3},
              {"fov", offsetof(struct hsr_camera, fov), 1},
              {"near", offsetof(struct hsr_camera, near), 1},
-             {"parallel", offsetof(struct hsr_camera, parallel), 1}};
-enum { N_WORDS = sizeof words / sizeof *words, N_PLACES = 3, FOV = 3 };
+             {"parallel", offsetof(struct hsr_camera, parallel), 1},
+             {"light", offsetof(struct hsr_camera, light), 3},
+             {"sun", offsetof(struct hsr_camera, light), 3}};
+enum {
+  N_WORDS = sizeof words / sizeof *words,
+  N_PLACES = 3,
+  FOV = 3,
+  LIGHT = 6,
+  SUN
+};
 
 static const char PALETTE[] = "palette";
 
@@ -95,11 +103,14 @@ static enum hsr_status read_word(const char *word, size_t length,
            (size_t)words[k].n * sizeof *number);
     if (k == FOV)
       camera->parallel = 0;
+    if (k == LIGHT || k == SUN)
+      camera->light[3] = k == LIGHT;
     return HSR_OK;
   }
   return hsr_fail(err, HSR_E_USAGE,
                   "'%.*s' says nothing of a camera: view=K, eye=X,Y,Z, "
-                  "at=X,Y,Z, up=X,Y,Z, fov=DEG, near=T or parallel=HEIGHT",
+                  "at=X,Y,Z, up=X,Y,Z, fov=DEG, near=T, parallel=HEIGHT, "
+                  "light=X,Y,Z or sun=X,Y,Z",
                   (int)length, word);
 }
 

@@ -24,7 +24,8 @@ size_t hsr_name_before_cameras(const char *name);
  * (common/files/scene_json.h), or words KEY=VALUE with colons between them:
  * view (a number from 1; standard: 1), eye, at, up (X,Y,Z), fov (degrees),
  * near, parallel (a height, or `fit`: as high as what was in perspective around
- * the point `at`; fov makes it perspective again). Words without a place to
+ * the point `at`; fov makes it perspective again), light (X,Y,Z, a point), sun
+ * (X,Y,Z, a direction). Words without a place to
  * look from, to or up, and without view, change all views of the scene; others
  * leave one. Or palette=NAME, NAME being what hsr_palette_open takes, up to the
  * next '@'. HSR_E_USAGE for a word that is not understood, a view that the

@@ -64,9 +64,10 @@ bool draw_answer(const struct hsr_algorithm *algorithm,
   return draw_chosen(algorithm, NULL, world, view, answer, tally);
 }
 
-struct hsr_choice choose_also(const struct hsr_algorithm *algorithm) {
+struct hsr_choice choose_also(const struct hsr_algorithm *algorithm,
+                              const struct hsr_answer_type *type) {
   struct hsr_choice choice = hsr_choice_standard(algorithm);
-  choice.form = hsr_form_standard(algorithm->also);
+  choice.form = hsr_form_standard(type);
   return choice;
 }
 

@@ -42,7 +42,8 @@ bool draw_chosen(const struct hsr_algorithm *algorithm,
                  struct hsr_tally *tally);
 
 /* The standard choice for the kind that the algorithm makes besides its own. */
-struct hsr_choice choose_also(const struct hsr_algorithm *algorithm);
+struct hsr_choice choose_also(const struct hsr_algorithm *algorithm,
+                              const struct hsr_answer_type *type);
 
 /* The number of samples in the window that differ. */
 long count_differences(const struct hsr_view *view, const uint32_t *a,

@@ -190,8 +190,8 @@ static const struct argp argp = {
     (const struct argp_option[]){
         {"algorithms", 'a', "A,B,...", 0,
          "judge these, patterns allowed (standard: all that draw, and those "
-         "that "
-         "draw transparent faces once more with mix=linear)",
+         "that draw transparent faces or shadows once more with mix=linear or "
+         "shadows=cast)",
          0},
         {"size", 's', "MxN,...", 0, "samples (standard: 97x61)", 0},
         {"views", 'n', "N", 0,
@@ -259,8 +259,8 @@ static void set_standards(struct check_options *o) {
     for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
       if (is_judged(a->plain))
         o->algorithm[o->n_algorithms++] = hsr_variant_standard(a);
-      if (is_judged(a->plain) && a->plain->also)
-        o->algorithm[o->n_algorithms++] = hsr_variant_also(a);
+      for (int k = 0; is_judged(a->plain) && a->plain->also[k]; k++)
+        o->algorithm[o->n_algorithms++] = hsr_variant_also(a, k);
     }
 }
 

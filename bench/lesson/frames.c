@@ -475,6 +475,12 @@ static uint32_t sums_colour(const struct frames *f,
   return composited_colour(channel);
 }
 
+/* A face that is lit, or not: half as bright. */
+static uint32_t lit_colour(const struct frames *f, uint32_t face, bool lit) {
+  uint32_t rgb = face_colour(f, face);
+  return lit || face == HSR_BACKGROUND ? rgb : rgb >> 1 & 0x7f7f7f;
+}
+
 /* A sample that is not written yet is the darker the more often it was looked
  * at. */
 static void touch(struct frames *f, const struct hsr_window *w) {
@@ -520,7 +526,10 @@ static bool add_cube(struct frames *f, const struct hsr_voxel_cubes *part,
 /* What an accepted step adds to the picture. */
 static void paint(struct frames *f, const struct hsr_event *event) {
   const struct hsr_answer_type *type = f->run->answer.drawn.form.type;
-  if (!event->part) {
+  if (type == HSR_SHADOWED) {
+    bool lit = event->part && *(const bool *)event->part;
+    fill(f, &event->window, lit_colour(f, event->a.id[0], lit));
+  } else if (!event->part) {
     fill(f, &event->window, face_colour(f, event->a.id[0]));
   } else if (type == &hsr_answer_composited || type == HSR_TRANSPARENT) {
     fill(f, &event->window, composited_colour(event->part));

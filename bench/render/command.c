@@ -122,10 +122,11 @@ static void ask_for_transparency(const struct render *r,
                                  struct hsr_variant *variant) {
   const struct render_options *o = r->options;
   const struct hsr_algorithm *a = variant->listed->plain;
-  if (a->also == HSR_TRANSPARENT && variant->choice.form.type == a->kind &&
+  if (hsr_makes_also(a, HSR_TRANSPARENT) &&
+      variant->choice.form.type == a->kind &&
       hsr_scene_is_transparent(r->scene) && !o->given[HSR_SHADING] &&
       !o->given[HSR_SUPERSAMPLES])
-    variant->choice.form = hsr_form_standard(a->also);
+    variant->choice.form = hsr_form_standard(HSR_TRANSPARENT);
 }
 
 /* Opens the scene and makes ready for it. */

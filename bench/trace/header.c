@@ -103,7 +103,7 @@ static json_t *options_json(const struct hsr_algorithm *a,
                             const struct hsr_choice *choice) {
   json_t *options = json_object();
   add_options(&options, a->options, &choice->values);
-  if (choice->form.type == a->also)
+  if (hsr_makes_also(a, choice->form.type))
     add_options(&options, choice->form.type->options, &choice->form.values);
   if (choice->window)
     add(&options, "window", json_integer(choice->window));
@@ -137,12 +137,16 @@ static json_t *vector_json(const double v[3]) {
 static json_t *view_json(const struct trace_header *h) {
   const struct hsr_camera *c = &h->run->view.camera;
   const struct hsr_window *w = &h->run->view.window;
-  return json_pack("{si si si s[iiii] so so so sf sf sf}", "number",
+  const double *l = h->run->view.light;
+  json_t *light = h->run->answer.drawn.form.type == HSR_SHADOWED
+                      ? json_pack("[ffff]", l[0], l[1], l[2], l[3])
+                      : NULL;
+  return json_pack("{si si si s[iiii] so so so sf sf sf so*}", "number",
                    (int)h->run->view_options->view, "width", h->run->view.m,
                    "height", h->run->view.n, "window", w->x0, w->y0, w->x1,
                    w->y1, "eye", vector_json(c->eye), "at", vector_json(c->at),
                    "up", vector_json(c->up), "fov", c->fov, "near", c->near,
-                   "parallel", c->parallel);
+                   "parallel", c->parallel, "light", light);
 }
 
 /* --- Faces ---------------------------------------------------------------- */

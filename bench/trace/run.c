@@ -10,7 +10,7 @@ enum hsr_status trace_check(const struct hsr_variant *variant,
     why = "a judge has no steps to trace";
   else if (a->flags & HSR_NO_PICTURE)
     why = "it draws nothing";
-  else if ((type != a->kind && type != a->also) || !type->paint)
+  else if ((type != a->kind && !hsr_makes_also(a, type)) || !type->paint)
     why = "answers of this kind are not traced";
   else if (!a->outline)
     why = "it has no outline yet, and cannot be traced";

@@ -210,6 +210,7 @@ int hsr_answer_number(const struct hsr_answer_type *type);
 #define HSR_AREAS (&hsr_answer_area)
 #define HSR_POLYGONS (&hsr_answer_polygons)
 #define HSR_TRANSPARENT (&hsr_answer_transparent)
+#define HSR_SHADOWED (&hsr_answer_shadowed)
 
 /* Whether algorithms that make `made` can be asked for `type`: it is what they
  * make, or it is folded from that. */
@@ -234,6 +235,13 @@ void hsr_answer_free(struct hsr_answer *answer);
 double hsr_form_pictures(const struct hsr_form *form,
                          const struct hsr_view *view);
 
+/* A shadowed picture: m * n ids, and whether light reaches each; false where
+ * there is no face. */
+struct hsr_shadowed {
+  uint32_t *ids;
+  bool *lit;
+};
+
 /* The body of an answer of each of these kinds; NULL for any other kind. Ids
  * are m * n numbers; the sums of a filtered picture are 3 m n; a composited one
  * is 4 m n: red, green, blue, opacity; an area picture is 3 m n intervals; a
@@ -246,6 +254,7 @@ uint16_t *hsr_answer_rgba_of(const struct hsr_answer *answer);
 struct hsr_area_bounds *hsr_answer_areas_of(const struct hsr_answer *answer);
 struct hsr_polygons *hsr_answer_polygons_of(const struct hsr_answer *answer);
 uint16_t *hsr_answer_colours_of(const struct hsr_answer *answer);
+struct hsr_shadowed *hsr_answer_shadowed_of(const struct hsr_answer *answer);
 
 /* For a form of voxels: how many lie along the longest side of the scene's box.
  */

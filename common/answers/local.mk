@@ -19,5 +19,6 @@ libhsr_a_SOURCES += \
   %D%/polygons.c \
   %D%/segments.c \
   %D%/shader.c \
+  %D%/shadowed.c \
   %D%/transparent.c \
   %D%/voxels.c

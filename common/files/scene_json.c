@@ -777,8 +777,8 @@ static enum hsr_status read_instances(const struct reader *reader,
 
 static enum hsr_status read_view(const struct reader *reader,
                                  const struct place *place, json_t *value) {
-  static const char *const keys[] = {"eye",  "at",       "up", "fov",
-                                     "near", "parallel", NULL};
+  static const char *const keys[] = {"eye",      "at",    "up",  "fov", "near",
+                                     "parallel", "light", "sun", NULL};
   struct hsr_camera camera = {.up = {0, 1, 0}, .fov = 45};
   const struct {
     const char *key;
@@ -790,7 +790,9 @@ static enum hsr_status read_view(const struct reader *reader,
                  {"up", camera.up, 3, false},
                  {"fov", &camera.fov, 0, false},
                  {"near", &camera.near, 0, false},
-                 {"parallel", &camera.parallel, 0, false}};
+                 {"parallel", &camera.parallel, 0, false},
+                 {"light", camera.light, 3, false},
+                 {"sun", camera.light, 3, false}};
   enum hsr_status status = check_keys(reader, place, value, keys);
   for (size_t i = 0; i < sizeof members / sizeof *members && !status; i++) {
     struct place here = {place, members[i].key, 0};
@@ -804,6 +806,10 @@ static enum hsr_status read_view(const struct reader *reader,
   }
   if (status)
     return status;
+  bool is_point = json_object_get(value, "light");
+  if (is_point && json_object_get(value, "sun"))
+    return refuse(reader, place, "has a light and a sun; there is one light");
+  camera.light[3] = is_point ? 1 : 0;
   struct hsr_error why;
   if (hsr_camera_check(&camera, &why))
     return refuse(reader, place, "%s", why.text);
@@ -1118,6 +1124,10 @@ static void put_view(struct writer *writer, const struct hsr_camera *camera) {
   if (camera->parallel > 0) {
     put_text(writer, ", \"parallel\": ");
     put(writer, json_real(camera->parallel), DOUBLE_DIGITS);
+  }
+  if (hsr_camera_has_light(camera)) {
+    put_text(writer, camera->light[3] > 0 ? ", \"light\": " : ", \"sun\": ");
+    put_array(writer, camera->light, 3, DOUBLE_DIGITS);
   }
   put_text(writer, "}");
 }

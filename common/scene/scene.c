@@ -281,7 +281,8 @@ enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
                                  struct hsr_error *err) {
   if (!all_finite(camera->eye, 3) || !all_finite(camera->at, 3) ||
       !all_finite(camera->up, 3) || !all_finite(&camera->fov, 1) ||
-      !all_finite(&camera->near, 1) || !all_finite(&camera->parallel, 1))
+      !all_finite(&camera->near, 1) || !all_finite(&camera->parallel, 1) ||
+      !all_finite(camera->light, 4))
     return hsr_fail(err, HSR_E_INPUT,
                     "camera: a value is not finite or above %g",
                     LARGEST_COORDINATE);
@@ -503,6 +504,8 @@ static double extent(const struct hsr_scene *scene) {
     const struct hsr_camera *view = &scene->views[k];
     most = fmax(most, fmax(largest(view->eye, 3), largest(view->at, 3)));
     most = fmax(most, fmax(view->near, view->parallel));
+    if (view->light[3] > 0)
+      most = fmax(most, largest(view->light, 3));
   }
   return most;
 }
@@ -535,5 +538,7 @@ void hsr_scene_enlarge(struct hsr_scene *scene) {
     enlarge(view->at, 3, -exponent);
     enlarge(&view->near, 1, -exponent);
     enlarge(&view->parallel, 1, -exponent);
+    if (view->light[3] > 0)
+      enlarge(view->light, 3, -exponent);
   }
 }

@@ -66,7 +66,15 @@ struct hsr_camera {
   double near;     /* points with t <= near do not exist; >= 0 */
   double parallel; /* over 0: the projection is parallel, the picture so high,
                       and fov means nothing. 0: perspective */
+  double light[4]; /* x, y, z, 1: a light at this point; x, y, z, 0: a sun in
+                      this direction; all 0: the sun of hsr_view_init */
 };
+
+/* Whether it names a light. */
+static inline bool hsr_camera_has_light(const struct hsr_camera *camera) {
+  const double *l = camera->light;
+  return l[0] != 0 || l[1] != 0 || l[2] != 0 || l[3] != 0;
+}
 
 /* A grid scene has one object, the sides of its cells, and one instance of it.
  * The object stays empty until hsr_scene_make_faces fills it. */

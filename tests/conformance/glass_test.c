@@ -42,7 +42,7 @@ static long check_build(const struct hsr_algorithm *a, enum hsr_mix rule,
                         const char *name, const struct hsr_world *world,
                         const struct hsr_view *view,
                         const struct hsr_answer *wanted) {
-  struct hsr_choice choice = choose_also(a);
+  struct hsr_choice choice = choose_also(a, HSR_TRANSPARENT);
   choice.form.values.option[0] = rule;
   struct hsr_answer got;
   char first[200];
@@ -96,7 +96,7 @@ static long check_scene(struct hsr_scene *scene, const char *name,
   draw_chosen(judge, &choice, &world, &view, &wanted, NULL);
   long differing = 0;
   for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
-    if (l->plain->also == HSR_TRANSPARENT) {
+    if (hsr_makes_also(l->plain, HSR_TRANSPARENT)) {
       differing += check_build(l->plain, rule, name, &world, &view, &wanted);
       differing += check_build(l->counting, rule, name, &world, &view, &wanted);
     }

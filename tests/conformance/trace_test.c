@@ -193,15 +193,23 @@ static void check_algorithm(struct tap *tap, const struct hsr_algorithm *a) {
      n_drawn);
 }
 
-/* The further kind that it makes. */
-static void check_also(struct tap *tap, const struct hsr_algorithm *a) {
-  struct hsr_choice choice = choose_also(a);
+/* A further kind that it makes. */
+static void check_also(struct tap *tap, const struct hsr_algorithm *a,
+                       const struct hsr_answer_type *type) {
+  struct hsr_choice choice = choose_also(a, type);
   bool good = true;
   int n_drawn = 0;
   for (int s = 0; s < N_TRANSPARENT; s++)
     good &= check_scene(a, &choice, transparent[s], &n_drawn);
   ok(tap, good && n_drawn > 3, "%s: and likewise its %s answer, on %d scenes",
-     a->name, a->also->name, n_drawn);
+     a->name, type->name, n_drawn);
+}
+
+static int count_also(const struct hsr_algorithm *a) {
+  int n = 0;
+  while (a->also[n])
+    n++;
+  return n;
 }
 
 static bool is_asked(const char *name, int argc, char **argv) {
@@ -216,15 +224,15 @@ int main(int argc, char **argv) {
   int n = 0;
   for (const struct hsr_listed *a = all_listed(); a->plain; a++)
     if (is_player(a->plain) && is_asked(a->plain->name, argc, argv))
-      n += a->plain->also ? 3 : 2;
+      n += 2 + count_also(a->plain);
   struct tap tap = plan(n);
   for (const struct hsr_listed *l = all_listed(); l->plain; l++) {
     const struct hsr_algorithm *a = l->counting;
     if (!is_player(a) || !is_asked(a->name, argc, argv))
       continue;
     check_algorithm(&tap, a);
-    if (a->also)
-      check_also(&tap, a);
+    for (int k = 0; a->also[k]; k++)
+      check_also(&tap, a, a->also[k]);
   }
   return finish(&tap);
 }

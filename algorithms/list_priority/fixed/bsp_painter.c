@@ -208,7 +208,7 @@ const struct hsr_algorithm HSR_ALGORITHM(bsp_painter) = {
     .year = 1980,
     .source = "Fuchs et al., On Visible Surface Generation by A Priori Tree "
               "Structures, SIGGRAPH 1980",
-    .also = HSR_TRANSPARENT,
+    .also = {HSR_TRANSPARENT},
     .sorts = painter_sorts,
     .counters = painter_counters,
     .outline = painter_outline,

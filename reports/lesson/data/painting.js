@@ -13,7 +13,7 @@ export function painting(run) {
     filtered: (own) => channelsPainting(own, 3, whole, sumsOf(own)),
     transparent: (own) =>
       channelsPainting(own, 3, (c) => [...c, 65535], own.trace.parts, BACKGROUND),
-    segments: segmentsPainting, polygons: polygonsPainting, voxels: voxelsPainting }[run.kind](run);
+    shadowed: shadowedPainting, segments: segmentsPainting, polygons: polygonsPainting, voxels: voxelsPainting }[run.kind](run);
 }
 
 // --- samples: an Int32Array of what was written to each; values[k] by event k ---
@@ -108,6 +108,32 @@ function idsPainting(run) {
     return out;
   };
   const own = samplesPainting(run, trace.a0, final);
+  const equal = () => {
+    const answer = final();
+    return own.at(run.n).every((f, k) =>
+      (f === UNDECIDED ? -1 : f) === answer[k]);
+  };
+  return { ...own, equal };
+}
+
+// --- shadowed: a face f as 2 f, or 2 f + 1 where it is lit. An event without a part
+//     shows a face that is not lit. ---
+
+function shadowedPainting(run) {
+  const { width: m, height: n, trace } = run;
+  const values = Int32Array.from(trace.a0, (f, k) =>
+    f < 0 ? f : 2 * f + (trace.part[k] && trace.parts[trace.part[k] - 1] ? 1 : 0));
+  const spread = (runs) => {
+    const out = new Int32Array(m * n);
+    for (let k = 0, at = 0; k < runs.length; k += 2)
+      out.fill(runs[k] ?? -1, at, at += runs[k + 1]);
+    return out;
+  };
+  const final = () => {
+    const lit = spread(trace.answer.lit);
+    return spread(trace.answer.ids).map((f, k) => f < 0 ? f : 2 * f + lit[k]);
+  };
+  const own = samplesPainting(run, values, final);
   const equal = () => {
     const answer = final();
     return own.at(run.n).every((f, k) =>

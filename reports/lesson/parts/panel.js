@@ -61,7 +61,7 @@ export function panel(run, act) {
     const e = k > 0 && k <= trace.kept ? run.event(k - 1) : null;
     where.textContent = `Step ${whole(k)} of ${whole(trace.events)} · ${
       Math.floor(100 * run.painting.decided(k))} % ${
-      /^(ids|composited|area|filtered|transparent)$/.test(run.kind) ? "of the samples painted"
+      /^(ids|composited|area|filtered|transparent|shadowed)$/.test(run.kind) ? "of the samples painted"
         : "of the answer drawn"}`;
     if (k > trace.kept)
       where.textContent = `The end, after all ${whole(trace.events)} steps`;

@@ -58,6 +58,17 @@ export function picture(canvas, run) {
     context.drawImage(small, 0, 0, m, n);
   };
 
+  const dark = (colour) => (colour & 0xff000000 | colour >> 1 & 0x7f7f7f) >>> 0;
+  const drawShadowed = (values) => {
+    for (let k = 0; k < values.length; k++)
+      pixels[k] = values[k] >= 0
+        ? (values[k] & 1 ? (c) => c : dark)(colours[values[k] >> 1])
+        : values[k] === UNDECIDED ? 0 : background;
+    smallContext.putImageData(image, 0, 0);
+    context.imageSmoothingEnabled = false;
+    context.drawImage(small, 0, 0, m, n);
+  };
+
   const encoded = (c) => Math.round(255 * (c <= 0.0031308 ? 12.92 * c
     : 1.055 * c ** (1 / 2.4) - 0.055));
   // What is written; and before that, the more opaque the more often touched.
@@ -134,7 +145,7 @@ export function picture(canvas, run) {
   };
 
   const drawn = { ids: drawIds, composited: drawComposited, area: drawComposited,
-    filtered: drawComposited, transparent: drawComposited,
+    filtered: drawComposited, transparent: drawComposited, shadowed: drawShadowed,
     segments: drawSegments, polygons: drawPolygons, voxels: drawVoxels };
 
   // --- what is done now ---

@@ -50,6 +50,7 @@ const KNOWN = {
   "texture-convolve": [5, 7],
   "line-oracle": [7, 4], "voxel-oracle": [7, 7], null: [7, 5], clark: [7, 6],
   "area-oracle": [3, 5], "polygon-oracle": [3, 6], "transparent-oracle": [2, 2],
+  "shadow-oracle": [6, 6],
   "error-bounded": [4, 6], "weiler-atherton": [4, 7], "a-buffer": [2, 1],
   "octree-raycast": [5, 1], "zz-buffer": [3, 7], meagher: [4, 4],
   naylor: [6, 4], pvs: [5, 2],

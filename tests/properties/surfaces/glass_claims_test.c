@@ -42,7 +42,7 @@ struct drawn {
 static struct drawn draw(struct hsr_scene *scene, int m, int n,
                          const char *name) {
   struct drawn drawn = {.by = hsr_algorithm_find(name)->counting};
-  struct hsr_choice choice = choose_also(drawn.by);
+  struct hsr_choice choice = choose_also(drawn.by, HSR_TRANSPARENT);
   struct hsr_world world;
   struct hsr_view view;
   struct hsr_answer answer;

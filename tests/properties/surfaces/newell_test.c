@@ -176,7 +176,7 @@ static void check_transparency(struct tap *tap, const char *name,
   add_square(scene, 15, 0, 10, 5, bright)->opacity = 0.25f;
   look_down_z(scene, &world, &view);
   const struct hsr_algorithm *a = hsr_algorithm_find(name)->plain;
-  struct hsr_choice choice = choose_also(a);
+  struct hsr_choice choice = choose_also(a, HSR_TRANSPARENT);
   choice.form.values.option[0] = rule;
   struct hsr_answer answer;
   uint16_t wanted[5][3], own[4][3];
