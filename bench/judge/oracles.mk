@@ -5,6 +5,7 @@ oracle_files = \
   %D%/line_oracle.cc \
   %D%/oracle.cc \
   %D%/polygon_oracle.cc \
+  %D%/shadow_oracle.cc \
   %D%/splat_oracle.cc \
   %D%/transparent_oracle.cc \
   %D%/voxel_oracle.cc
