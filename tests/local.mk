@@ -34,6 +34,7 @@ tap_programs = \
   %D%/unit/files/scene_json_test \
   %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \
+  %D%/unit/core/shadow_test \
   %D%/unit/core/depth_test \
   %D%/unit/core/statistics_test \
   %D%/unit/bench/splat_oracle_test \

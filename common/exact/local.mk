@@ -3,7 +3,8 @@ nobase_pkginclude_HEADERS += \
   %D%/named_lines.h \
   %D%/order.h \
   %D%/predicates.h \
-  %D%/screen.h
+  %D%/screen.h \
+  %D%/shadow.h
 libhsr_a_SOURCES += \
   %D%/exact_plane.h \
   %D%/footprint.h \
@@ -13,4 +14,5 @@ libhsr_a_SOURCES += \
   %D%/pair.c \
   %D%/pair.h \
   %D%/predicates_cgal.cc \
-  %D%/screen.c
+  %D%/screen.c \
+  %D%/shadow_cgal.cc
