@@ -44,6 +44,7 @@ tap_programs = \
   %D%/unit/algorithms/variant_test \
   %D%/unit/core/world_test \
   %D%/conformance/glass_test \
+  %D%/conformance/shadow_test \
   %D%/conformance/lattice_test \
   %D%/conformance/line_lattice_test \
   %D%/conformance/trace_test \
@@ -317,6 +318,7 @@ EXTRA_DIST += \
   %D%/mutants/bounded.mutants \
   %D%/mutants/exact.mutants \
   %D%/mutants/glass.mutants \
+  %D%/mutants/shadow.mutants \
   %D%/mutants/hierarchical.mutants \
   %D%/mutants/image_space.mutants \
   %D%/tree/apart \

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 algorithm_files += \
+  %D%/light_view.c \
+  %D%/light_view.h \
   %D%/null.c \
   %D%/peel.c \
   %D%/peel.h \

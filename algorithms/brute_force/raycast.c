@@ -9,13 +9,14 @@
  * Notation    raster element -> sample (i, j); minimax box -> screen.bounds
  * Invariant   nearest is the visible one of the faces seen so far
  * Ties        by hsr_nearer: the picture's order
+ * Shadows     Appel's own: from what is seen at an element, a ray to the light;
+ *             every face is tested for blocking it, until one does
  * Departures  the culls that the paper calls universally applicable come first;
  *             the minimax test precedes the surround test
  * Cost        100 n m F_r predicted: the minimax tests are n m F_r */
-#include "algorithms/algorithm.h"
-#include "common/exact/screen.h"
+#include "algorithms/shadow.h"
 
-enum { MINIMAX, SURROUND, DEPTH, SHOWN };
+enum { MINIMAX, SURROUND, DEPTH, SHOWN, SHADOWS };
 
 static const struct hsr_counter counters[] = {
     [MINIMAX] = {"minimax tests", "faces whose box was compared with a sample",
@@ -27,6 +28,7 @@ static const struct hsr_counter counters[] = {
                HSR_OF_FACE, "farther|nearer"},
     [SHOWN] = {"samples shown", "samples at which a face is visible",
                HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},
+    HSR_SHADOW_COUNTERS,
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -37,6 +39,8 @@ static const struct hsr_line outline[] = {
     {"    does the face surround the element?", HSR_RAISES(SURROUND)},
     {"    is it nearer than the nearest face so far?", HSR_RAISES(DEPTH)},
     {"  show the nearest face", HSR_RAISES(SHOWN)},
+    HSR_SHADOW_FACING_LINE(SHADOWS, "  "),
+    HSR_SHADOW_LINES(SHADOWS, "    "),
     {NULL}};
 
 static double predict_search(const struct hsr_table1 *t) {
@@ -77,6 +81,18 @@ static uint32_t visible_face(const struct hsr_screen *screen, int i, int j,
   return nearest;
 }
 
+/* Shows the sample lit, if f faces the light and no face blocks it. */
+static void cast_shadow_ray(struct hsr_shadow *shadow, uint32_t f, int i,
+                            int j) {
+  struct hsr_lit_point point;
+  if (!hsr_shadow_faces(shadow, f, HSR_AT(i, j)))
+    return;
+  hsr_lit_point_find(&shadow->lighting, f, i, j, &point);
+  if (hsr_shadow_test(shadow, &point, i, j, shadow->blocker,
+                      shadow->n_blockers) == shadow->n_blockers)
+    hsr_shadow_lit(shadow, f, i, i + 1, j);
+}
+
 static double expense(const struct hsr_world *world,
                       const struct hsr_view *view) {
   return (double)view->m * view->n * world->n_faces;
@@ -87,11 +103,17 @@ static enum hsr_status render(const struct hsr_job *job,
   struct hsr_screen screen;
   if (hsr_screen_make(&screen, job->world, job->view, job->scratch, job->tally))
     return hsr_fail_nomem(err);
+  struct hsr_shadow shadow;
+  if (job->lit && hsr_shadow_begin(&shadow, job, &screen, SHADOWS))
+    return hsr_fail_nomem(err);
   const struct hsr_window *w = &job->view->window;
   for (int j = w->y0; j < w->y1; j++)
-    for (int i = w->x0; i < w->x1; i++)
-      job->ids[(size_t)j * job->ids_stride + (size_t)i] =
-          visible_face(&screen, i, j, job->tally);
+    for (int i = w->x0; i < w->x1; i++) {
+      uint32_t f = visible_face(&screen, i, j, job->tally);
+      job->ids[(size_t)j * job->ids_stride + (size_t)i] = f;
+      if (job->lit && f != HSR_BACKGROUND)
+        cast_shadow_ray(&shadow, f, i, j);
+    }
   return HSR_OK;
 }
 
@@ -107,6 +129,7 @@ const struct hsr_algorithm HSR_ALGORITHM(raycast) = {
     .coherence = NULL,
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
+    .also = {HSR_SHADOWED},
     .counters = counters,
     .steps = steps,
     .outline = outline,

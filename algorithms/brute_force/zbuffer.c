@@ -7,6 +7,7 @@
  * Invariant   that of tiler.h
  * Ties        those of tiler.h
  * Glass       transparent faces in layers, over the opaque ones: peel.h
+ * Shadows     by a second view, from the light: light_view.h
  * Departures  none in what is compared: the culls that the paper calls
  *             universally applicable come first
  * Cost        10 H_f^2 F_r predicted
@@ -14,10 +15,13 @@
  * A large picture is cut into parts, which are tiled one after the other in one
  * small memory of depths and ids. The triangles are set up once and sorted into
  * the parts. */
+#include "algorithms/brute_force/light_view.h"
 #include "algorithms/brute_force/peel.h"
 
+enum { SHADOWS = HSR_PEEL_SHOWN + 1 };
+
 static const struct hsr_counter counters[] = {
-    HSR_TILER_COUNTERS, HSR_PEEL_COUNTERS, {NULL}};
+    HSR_TILER_COUNTERS, HSR_PEEL_COUNTERS, HSR_LIGHT_VIEW_COUNTERS, {NULL}};
 
 static const struct hsr_line outline[] = {
     {"clear the memory: at each raster element, no face"},
@@ -25,6 +29,7 @@ static const struct hsr_line outline[] = {
     HSR_TILER_LINES("  "),
     HSR_PEEL_LINES,
     {"show the recorded ids"},
+    HSR_LIGHT_VIEW_LINES(SHADOWS, ""),
     {NULL}};
 
 static double predict_tiling(const struct hsr_table1 *t) {
@@ -267,6 +272,17 @@ static enum hsr_status tile(struct frame *t) {
   return HSR_OK;
 }
 
+/* The light, which sees all faces, asks for the planes of those, too, that the
+ * tiler has dropped. */
+static enum hsr_status cast_shadows(struct frame *t) {
+  struct hsr_light_view view;
+  hsr_screen_planes(&t->tiler.screen);
+  if (hsr_light_view_begin(&view, t->job, &t->tiler.screen, SHADOWS))
+    return HSR_E_NOMEM;
+  hsr_light_view_show(&view);
+  return HSR_OK;
+}
+
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct frame t = {.job = job};
@@ -274,7 +290,8 @@ static enum hsr_status render(const struct hsr_job *job,
   if (job->colours && hsr_glass_begin(&glass, job))
     return hsr_fail_nomem(err);
   t.glass = job->colours ? &glass : NULL;
-  if (begin_frame(&t) || tile(&t) || (t.glass && hsr_peel(&glass, &t.tiler)))
+  if (begin_frame(&t) || tile(&t) || (t.glass && hsr_peel(&glass, &t.tiler)) ||
+      (job->lit && cast_shadows(&t)))
     return hsr_fail_nomem(err);
   return HSR_OK;
 }
@@ -290,7 +307,7 @@ const struct hsr_algorithm HSR_ALGORITHM(zbuffer) = {
     .sort_order = "Z(XY)",
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
-    .also = {HSR_TRANSPARENT},
+    .also = {HSR_TRANSPARENT, HSR_SHADOWED},
     .counters = counters,
     .steps = steps,
     .outline = outline,

@@ -56,7 +56,9 @@ endif
 noinst_LIBRARIES += libinexact.a
 libinexact_a_SOURCES = algorithms/brute_force/tiler.c algorithms/brute_force/tiler.h \
   algorithms/brute_force/peel.c algorithms/brute_force/peel.h algorithms/glass.c \
-  algorithms/glass.h algorithms/brute_force/zbuffer.c
+  algorithms/brute_force/light_view.c algorithms/brute_force/light_view.h \
+  algorithms/glass.h algorithms/shadow.c algorithms/shadow.h \
+  algorithms/brute_force/zbuffer.c
 libinexact_a_CPPFLAGS = $(AM_CPPFLAGS) -DHSR_COUNTING=0 \
   -DHSR_INEXACT=1 -DHSR_BUILD=_inexact \
   -Dhsr_algorithm_zbuffer=hsr_algorithm_zbuffer_inexact

@@ -28,6 +28,9 @@
  *             a limit all pairs are in order if all neighbours are, and in
  *             between 1/t of two planes crosses once at most: so the order
  *             holds in the span.
+ * Shadows     after J. Bouknight and K. Kelley 1970, by pairs: shadow_pairs.h.
+ *             A segment that is visible is divided where its shadows begin and
+ *             end; here that is asked at each sample
  * Ties        by hsr_nearer
  * Departures  those of scan_line.h; a span without a sample is passed over; one
  *             with a single face or none is not searched; at the second limit
@@ -37,6 +40,7 @@
  *             Bouknight, though the latter's spans are up to 2 S_l a line */
 #include "algorithms/glass.h"
 #include "algorithms/image_space/point/scan_line.h"
+#include "algorithms/image_space/point/shadow_pairs.h"
 
 #include <string.h>
 
@@ -45,7 +49,8 @@ enum {
   DEPTH_SEARCH,
   DIVISIONS,
   COMBINED,
-  SPANS
+  SPANS,
+  SHADOWS
 };
 
 static const struct hsr_counter counters[] = {
@@ -60,6 +65,7 @@ static const struct hsr_counter counters[] = {
                   HSR_SAMPLE, HSR_OF_FACE, HSR_OF_WINDOW},
     [SPANS] = {"spans", "sample spans shown", HSR_ACCEPT, HSR_OF_FACE,
                HSR_OF_WINDOW},
+    HSR_PAIR_COUNTERS,
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -74,6 +80,7 @@ static const struct hsr_line outline[] = {
     {"    put the transparent ones over the nearest opaque one",
      HSR_RAISES(COMBINED)},
     {"    show the nearest face in the span", HSR_RAISES(SPANS)},
+    HSR_PAIR_LINES(SHADOWS, "    "),
     {NULL}};
 
 static const struct hsr_step steps[] = {
@@ -95,8 +102,9 @@ static const uint32_t NONE = UINT32_MAX;
 struct scan {
   struct hsr_scan edges; /* Y buckets and X sort list */
   int j;
-  uint32_t *ids;           /* of the row */
-  struct hsr_glass *glass; /* if the picture is transparent; else NULL */
+  uint32_t *ids;                  /* of the row */
+  struct hsr_glass *glass;        /* if the picture is transparent; else NULL */
+  struct hsr_shadow_pairs *pairs; /* if it has shadows; else NULL */
 
   uint32_t *visible, n_visible; /* in a transparent picture by depth, except
                                    for the last ones, which are new */
@@ -192,6 +200,8 @@ static void write_span(struct scan *s, uint32_t id, int left, int right) {
   HSR_TOUCH_SPAN(s->edges.tally, left, right, s->j);
   for (int i = left; i < right; i++)
     s->ids[i] = id;
+  if (s->pairs && hsr_shadow_pairs_show(s->pairs, id, left, right, s->j))
+    s->edges.tally->out_of_memory = true;
 }
 
 /* Writes a span, divided where the nearest face changes. */
@@ -292,10 +302,14 @@ static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct scan scan = {.n_visible = 0};
   struct hsr_glass glass;
+  struct hsr_shadow_pairs pairs;
   if (hsr_scan_begin(&scan.edges, job) || allocate(&scan) ||
-      (job->colours && hsr_glass_begin(&glass, job)))
+      (job->colours && hsr_glass_begin(&glass, job)) ||
+      (job->lit &&
+       hsr_shadow_pairs_begin(&pairs, job, &scan.edges.screen, SHADOWS)))
     return hsr_fail_nomem(err);
   scan.glass = job->colours ? &glass : NULL;
+  scan.pairs = job->lit ? &pairs : NULL;
 
   const struct hsr_window *w = &job->view->window;
   for (scan.j = w->y0; scan.j < w->y1; scan.j++) {
@@ -321,7 +335,7 @@ const struct hsr_algorithm HSR_ALGORITHM(bouknight) = {
     .restrictions = 0,
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
-    .also = {HSR_TRANSPARENT},
+    .also = {HSR_TRANSPARENT, HSR_SHADOWED},
     .sorts = sorts,
     .counters = counters,
     .steps = steps,

@@ -5,6 +5,8 @@ algorithm_files += \
   %D%/romney.c \
   %D%/scan_line.c \
   %D%/scan_line.h \
+  %D%/shadow_pairs.c \
+  %D%/shadow_pairs.h \
   %D%/watkins.c \
   %D%/watkins.h \
   %D%/watkins_runs.c \

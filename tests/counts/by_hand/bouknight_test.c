@@ -39,6 +39,10 @@ static const struct hand_count of_deck[] = {
     {"span divisions", 0},
     {"spans", 26},
     /* No face is transparent. */ {"combined", 0},
+    /* No shadows are asked for. */ {"light facings", 0},
+    {"shadow tests", 0},
+    {"lit", 0},
+    {"shadow pairs", 0},
     {NULL}};
 
 /* On row 3 both have the columns 4-12; S comes in front of P at x = 9. */
@@ -65,6 +69,10 @@ static const struct hand_count of_crossing[] = {
     {"span divisions", 1},
     {"spans", 4 + 7},
     /* No face is transparent. */ {"combined", 0},
+    /* No shadows are asked for. */ {"light facings", 0},
+    {"shadow tests", 0},
+    {"lit", 0},
+    {"shadow pairs", 0},
     {NULL}};
 
 int main(void) {

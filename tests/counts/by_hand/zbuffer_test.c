@@ -40,6 +40,11 @@ static const struct hand_count derived[] = {
     {"farthest tests", 0},
     {"layers", 0},
     {"combined", 0},
+    /* No shadows are asked for. */ {"light facings", 0},
+    {"shadow tests", 0},
+    {"lit", 0},
+    {"light cells", 0},
+    {"wide faces", 0},
     {NULL}};
 
 int main(void) {
