@@ -177,7 +177,7 @@ quick_scripts = %D%/tree/arrows.test %D%/tree/mutants.test %D%/answers/layers.te
   %D%/example/example.test
 quick_scenes = house cyclic-overlap penetration coplanar near-plane \
   lattice:40:3 grid:4 --views 2 --size 41x29
-.PHONY: check-quick check-module check-sanitized
+.PHONY: bench-check check-quick check-module check-sanitized
 # As many jobs as there are processors, unless make was told a number.
 quick_jobs = case " $$MAKEFLAGS" in *\ -j*|*--jobserver*) ;; \
   *) echo "-j$$(nproc)" ;; esac
@@ -203,6 +203,10 @@ check-module:
 	  %D%/counts/golden_test
 	@$(AM_TESTS_ENVIRONMENT) %D%/conformance/trace_test $(M) && \
 	  %D%/counts/golden_test $(M) && ./hsr check $(quick_scenes) -a $(M)
+
+# Instructions a frame, against those of tests/instructions/counts.
+bench-check:
+	@$(top_srcdir)/%D%/instructions/run "$(abs_builddir)/instructions"
 
 check_PROGRAMS += $(tap_programs) %D%/sweep/hsr-fixtures %D%/answers/hsr-layers \
   %D%/example/hsr-example %D%/trace/hsr-fixtures
@@ -341,6 +345,8 @@ EXTRA_DIST += \
   %D%/report/sample.mjs \
   %D%/bad/make-bad-inputs \
   %D%/fuzz/run \
+  %D%/instructions/counts \
+  %D%/instructions/run \
   %D%/valgrind/run \
   %D%/valgrind/libraries.supp \
   %D%/fuzz/fuzz_cameras.cc \

@@ -26,6 +26,7 @@ struct check_options {
   bool all_algorithms;           /* nobody chose them */
   int view[MOST_VIEWS], n_views; /* from 0, in the order of judging */
   long samples, jobs, timeout;   /* samples 0: as many as the scene allows */
+  sem_t *turns;                  /* as many as jobs */
   long first_views;              /* --views; 0: not given */
   const char *order;             /* --order; or NULL */
   bool json, matrix, failures_only;

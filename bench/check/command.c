@@ -212,7 +212,8 @@ static const struct argp argp = {
          0},
         {"failure-cases", 'f', NULL, 0,
          "if no scene is named: only the failure cases", 0},
-        {"jobs", 'J', "N", 0, "views at a time (standard: one a processor)", 0},
+        {"jobs", 'J', "N", 0, "processes at a time (standard: one a processor)",
+         0},
         {"timeout", 't', "SECONDS", 0,
          "the most that one picture may take (standard: 60); an algorithm that "
          "is known to need more for a view is refused, and so is every line "
@@ -290,12 +291,14 @@ static void show_progress(const struct scene_run *run, int done, int all) {
 
 /* Waits for a group to end; *failure keeps the first failure. A group that ran
  * out of time has recorded that in its cells. */
-static void wait_for_group(enum hsr_status *failure) {
+static void wait_for_group(sem_t *turns, enum hsr_status *failure) {
   int end;
   pid_t child;
   do
     child = waitpid(-1, &end, 0);
   while (child < 0 && errno == EINTR);
+  if (child > 0 && WIFSIGNALED(end))
+    sem_post(turns); /* that the group had */
   if (child < 0 || *failure)
     return;
   if (WIFEXITED(end))
@@ -335,6 +338,7 @@ static struct group group_of(const struct scene_run *run,
                         .number = &o->view[view],
                         .n_views = sequence ? o->n_views : 1,
                         .cells = cell_at(run, size, view, 0),
+                        .turns = o->turns,
                         .differences = o->differences};
 }
 
@@ -370,7 +374,7 @@ static enum hsr_status run_groups(const struct scene_run *run,
   show_progress(run, 0, n_groups);
   for (int k = 0; k < n_groups && !status && !failure; k++) {
     if (running == run->options->jobs) {
-      wait_for_group(&failure);
+      wait_for_group(run->options->turns, &failure);
       running--;
       show_progress(run, ++done, n_groups);
     }
@@ -378,7 +382,7 @@ static enum hsr_status run_groups(const struct scene_run *run,
     running += !status;
   }
   for (; running; running--) {
-    wait_for_group(&failure);
+    wait_for_group(run->options->turns, &failure);
     show_progress(run, ++done, n_groups);
   }
   if (!status && failure == HSR_E_NOMEM)
@@ -475,6 +479,9 @@ enum hsr_status command_check(int argc, char **argv, struct hsr_error *err) {
   o->timeout = 60;
   struct totals totals = {.mismatches = 0};
   enum hsr_status status = parse_options(&argp, argc, argv, o, err);
+  o->turns = shared_memory(sizeof *o->turns);
+  if (!status && (!o->turns || sem_init(o->turns, 1, (unsigned)o->jobs)))
+    status = hsr_fail_nomem(err);
   if (!status) {
     set_standards(o);
     status = make_folder(o->differences, err);
@@ -490,6 +497,8 @@ enum hsr_status command_check(int argc, char **argv, struct hsr_error *err) {
     report_abandon(&totals);
   if (!status && (totals.mismatches || totals.failures))
     status = HSR_E_DIFFERENCE;
+  if (o->turns)
+    munmap(o->turns, sizeof *o->turns);
   free(o);
   return status;
 }

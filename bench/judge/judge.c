@@ -11,6 +11,7 @@
 #include "bench/judge/judge_filtered.h"
 #include "bench/run/terminate.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -383,23 +384,43 @@ static void set_done(const struct group *g, int number) {
     __atomic_store_n(&cell_of(g, k, number)->done, true, __ATOMIC_RELEASE);
 }
 
-/* Runs the algorithm in a new process and waits for it. */
-static void judge_apart(const struct group *g, int number,
-                        const struct wanted *wanted) {
-  const struct hsr_listed *listed = g->algorithm[number].listed;
-  if (is_too_much(g, listed->plain)) {
-    char refusal[200];
-    snprintf(refusal, sizeof refusal, "refused: %s would take more than %ld s",
-             listed->plain->name, g->timeout);
-    set_verdict(g, number, REFUSED, refusal);
-    set_done(g, number);
-    return;
-  }
+/* --- Processes ------------------------------------------------------------ */
+
+static void take_turn(const struct group *g) {
+  while (g->turns && sem_wait(g->turns) && errno == EINTR)
+    ;
+}
+
+static void give_turn(const struct group *g) {
+  if (g->turns)
+    sem_post(g->turns);
+}
+
+/* The process that runs an algorithm. */
+struct runner {
+  pid_t process;
+  int number;
+};
+
+/* Takes a turn for one more process, if there are n. False: not now. The first
+ * one waits for it. */
+static bool has_turn(const struct group *g, int n) {
+  if (n && (!g->turns || sem_trywait(g->turns)))
+    return false;
+  if (!n)
+    take_turn(g);
+  return true;
+}
+
+/* Runs the algorithm in a new process. Its number is -1 if there is none. */
+static pid_t start(const struct group *g, int number,
+                   const struct wanted *wanted) {
   fflush(NULL);
   pid_t parent = getpid(), child = fork();
   if (child == 0) {
     end_with_parent(parent);
     limit_process(g);
+    const struct hsr_listed *listed = g->algorithm[number].listed;
     struct player timed = {number, listed->plain, false,
                            g->threads ? g->threads[number] : 1};
     struct player counting = {number, listed->counting, true, 1};
@@ -408,10 +429,31 @@ static void judge_apart(const struct group *g, int number,
       status = judge(g, &counting, wanted);
     end_process((int)status);
   }
-  int end = 0;
+  return child;
+}
+
+/* Waits for one of n processes to end, and notes what it did. Returns n - 1. */
+static int wait_for_one(const struct group *g, struct runner *runner, int n) {
+  int end = 0, k = 0;
   struct rusage usage = {.ru_maxrss = 0};
-  pid_t ended = child < 0 ? -1 : wait4(child, &end, 0, &usage);
-  set_verdicts(g, number, ended, end, usage.ru_maxrss);
+  pid_t ended;
+  do
+    ended = wait4(-1, &end, 0, &usage);
+  while (ended < 0 && errno == EINTR);
+  while (ended > 0 && k < n - 1 && runner[k].process != ended)
+    k++;
+  set_verdicts(g, runner[k].number, ended, end, usage.ru_maxrss);
+  set_done(g, runner[k].number);
+  give_turn(g);
+  runner[k] = runner[n - 1];
+  return n - 1;
+}
+
+static void note_expense(const struct group *g, int number) {
+  char refusal[200];
+  snprintf(refusal, sizeof refusal, "refused: %s would take more than %ld s",
+           g->algorithm[number].listed->plain->name, g->timeout);
+  set_verdict(g, number, REFUSED, refusal);
   set_done(g, number);
 }
 
@@ -458,19 +500,50 @@ static enum hsr_status ask_in_time(const struct group *g,
   return status;
 }
 
+/* Runs each algorithm in a process of its own. */
+static enum hsr_status judge_all(const struct group *g,
+                                 const struct wanted *wanted) {
+  struct runner *runner = calloc((size_t)g->n_algorithms, sizeof *runner);
+  int n = 0;
+  if (!runner)
+    return HSR_E_NOMEM;
+  for (int a = 0; a < g->n_algorithms; a++) {
+    if (!is_judged(g, a))
+      continue;
+    if (is_too_much(g, g->algorithm[a].listed->plain)) {
+      note_expense(g, a);
+      continue;
+    }
+    while (!has_turn(g, n))
+      n = wait_for_one(g, runner, n);
+    runner[n++] = (struct runner){start(g, a, wanted), a};
+    if (runner[n - 1].process < 0) {
+      set_verdicts(g, a, -1, 0, 0);
+      set_done(g, a);
+      give_turn(g);
+      n--;
+    }
+  }
+  while (n)
+    n = wait_for_one(g, runner, n);
+  free(runner);
+  return HSR_OK;
+}
+
 enum hsr_status judge_group(const struct group *g) {
   const struct hsr_algorithm *oracle = oracle_of(g->form.type);
   struct hsr_error err;
   struct wanted *wanted = calloc((size_t)g->n_views, sizeof *wanted);
+  take_turn(g);
   enum hsr_status status =
       wanted ? ask_in_time(g, oracle, wanted, &err) : HSR_E_NOMEM;
+  give_turn(g);
   const uint32_t *ids = status ? NULL : hsr_answer_ids_of(&wanted[0].answer);
   if (g->picture && ids)
     memcpy(g->picture, ids,
            (size_t)g->view->m * (size_t)g->view->n * sizeof *g->picture);
-  for (int a = 0; a < g->n_algorithms && !status; a++)
-    if (is_judged(g, a))
-      judge_apart(g, a, wanted);
+  if (!status)
+    status = judge_all(g, wanted);
   free_wanted(g, wanted);
   if (status == HSR_E_REFUSED) { /* it does not take the scene */
     set_all(g, REFUSED, err.text);

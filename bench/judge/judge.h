@@ -6,6 +6,8 @@
 
 #include "bench/command.h"
 
+#include <semaphore.h>
+
 /* The oracle of a kind of answer; NULL if there is none. That of a kind which is
  * folded draws the pictures that its judge folds (bench/judge/folded.def). */
 const struct hsr_algorithm *oracle_of(const struct hsr_answer_type *kind);
@@ -65,6 +67,9 @@ struct group {
   int n_views;
 
   struct cell *cells;      /* a view and algorithm */
+  sem_t *turns; /* how many processes may work, of all groups that share it; NULL:
+                   one of this group. A group that is ended by a signal has not
+                   given its turn back */
   const char *differences; /* a folder for what is wrong, beside what is right;
                               or NULL */
   uint32_t *picture; /* where the oracle leaves its ids of the only view, m * n,
