@@ -147,11 +147,14 @@ static long check_scene(struct hsr_scene *scene, const char *name,
   return differing;
 }
 
-static long check_lattice(uint64_t *seed, struct sums *sums) {
+/* One scene of eight is of triangles. */
+static long check_random(uint64_t *seed, struct sums *sums) {
   char name[64];
   struct hsr_scene *scene;
   struct hsr_error err;
-  snprintf(name, sizeof name, "lattice:%d:%d", (int)draw_integer(seed, 3, 30),
+  snprintf(name, sizeof name, "%s:%d:%d",
+           draw_integer(seed, 0, 7) ? "lattice" : "soup",
+           (int)draw_integer(seed, 3, 30),
            (int)draw_integer(seed, 1, 1000000000));
   if (hsr_scene_open(name, NULL, &scene, &err))
     fail(name, &err);
@@ -181,6 +184,23 @@ static void check_failures(struct tap *tap, uint64_t *seed) {
 
 /* --- The judge ------------------------------------------------------------ */
 
+/* A sample whose light is wrong is a difference, and so is one whose face is. */
+static void check_compare(struct tap *tap, const struct hsr_world *world,
+                          const struct hsr_view *view,
+                          const struct hsr_answer *answer) {
+  char first[200];
+  struct hsr_answer other;
+  draw_answer(judge(), world, view, &other, NULL);
+  struct hsr_shadowed *body = hsr_answer_shadowed_of(&other);
+  bool good = !compare(view, &other, answer, first, sizeof first);
+  body->lit[7] ^= true;
+  good &= compare(view, &other, answer, first, sizeof first) == 1;
+  body->ids[9] ^= 1;
+  good &= compare(view, &other, answer, first, sizeof first) == 2;
+  ok(tap, good, "the light and the face of a sample are compared: %s", first);
+  hsr_answer_free(&other);
+}
+
 /* Nothing lies between the eye and what it sees. So if the light is there, all
  * that is visible is lit. */
 static void check_light_at_eye(struct tap *tap, const char *name) {
@@ -199,6 +219,7 @@ static void check_light_at_eye(struct tap *tap, const char *name) {
   add_up(&sums, &view, &answer);
   ok(tap, sums.lit && !sums.dark,
      "%s: all is lit by a light at the eye (%ld dark)", name, sums.dark);
+  check_compare(tap, &worlds.world, &view, &answer);
   hsr_answer_free(&answer);
   close_worlds(&worlds);
 }
@@ -273,7 +294,7 @@ int main(int argc, char **argv) {
   struct sums sums = {0};
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++)
     n_failures += b->failure_case;
-  struct tap tap = plan(PARTS + 7 + n_failures);
+  struct tap tap = plan(PARTS + 10 + n_failures);
   check_light_at_eye(&tap, "house");
   check_light_at_eye(&tap, "lattice:60:2");
   check_light_at_eye(&tap, "one-sided");
@@ -285,7 +306,7 @@ int main(int argc, char **argv) {
     long differences = 0, first = n * part / PARTS,
          end = n * (part + 1) / PARTS;
     for (long k = first; k < end; k++)
-      differences += check_lattice(&seed, &sums);
+      differences += check_random(&seed, &sums);
     ok(&tap, differences == 0, "scenes %ld to %ld: %ld differences", first + 1,
        end, differences);
   }

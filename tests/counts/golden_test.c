@@ -2,7 +2,8 @@
 /* The counts of every module on small scenes, against those that a person last
  * looked at: golden/NAME.txt, a line for each scene, view and counter; of
  * a variant NAME.OPTION=VALUE.txt.
- * What takes grids only is counted on grids.
+ * What takes grids only is counted on grids. What makes further kinds of answers
+ * is counted when it makes those as well: SCENE:mix=linear, SCENE:shadows=cast.
  *
  *   golden_test [NAME...]            compares: all, or those modules
  *   golden_test --write [NAME...]    writes the files anew; see `rewrite`
@@ -31,8 +32,10 @@ enum {
   VIEWS = 2
 };
 
-/* The counts of one view, a line each; or one line if the scene is refused. */
+/* The counts of one view, a line each; or one line if the scene is refused.
+ * `choice` is NULL for the standard one. */
 static void count_view(const struct hsr_algorithm *a,
+                       const struct hsr_choice *choice,
                        const struct both_worlds *worlds, const char *scene,
                        uint32_t number, FILE *out) {
   struct hsr_view view;
@@ -40,13 +43,27 @@ static void count_view(const struct hsr_algorithm *a,
   struct hsr_tally tally = {.first = 0};
   if (hsr_view_init(&view, &worlds->scene->views[number], M, N, NULL))
     abort();
-  bool drawn = draw_answer(a, &worlds->world, &view, &answer, &tally);
+  bool drawn = draw_chosen(a, choice, &worlds->world, &view, &answer, &tally);
   hsr_answer_free(&answer);
   if (!drawn)
     fprintf(out, "%s\tview %u\trefused\n", scene, number + 1);
   for (int k = 0; drawn && a->counters && a->counters[k].name; k++)
     fprintf(out, "%s\tview %u\t%s\t%llu\n", scene, number + 1,
             a->counters[k].name, (unsigned long long)tally.count[k]);
+}
+
+/* The counts of the first view, for each further kind. */
+static void count_also(const struct hsr_algorithm *a,
+                       const struct both_worlds *worlds, const char *scene,
+                       FILE *out) {
+  for (int k = 0; a->also[k]; k++) {
+    char name[200];
+    struct hsr_choice choice = choose_also(a, a->also[k]);
+    const struct hsr_option *first = a->also[k]->options;
+    snprintf(name, sizeof name, "%s:%s=%s", scene, first->name,
+             first->words[choice.form.values.option[0]].name);
+    count_view(a, &choice, worlds, name, 0, out);
+  }
 }
 
 /* The counts of all scenes, as the file should have them. Owned by the caller.
@@ -61,7 +78,8 @@ static char *count_all(const struct hsr_algorithm *a) {
     const char *name = takes_faces ? scenes[s] : grids[s];
     open_worlds(&worlds, name);
     for (uint32_t v = 0; v < VIEWS && v < worlds.scene->n_views; v++)
-      count_view(a, &worlds, name, v, out);
+      count_view(a, NULL, &worlds, name, v, out);
+    count_also(a, &worlds, name, out);
     close_worlds(&worlds);
   }
   if (!out || fclose(out))
