@@ -86,6 +86,7 @@ tap_programs = \
   %D%/properties/tiling/merged_test \
   %D%/properties/metamorphic_test \
   %D%/properties/surfaces/glass_claims_test \
+  %D%/properties/surfaces/shadow_claims_test \
   %D%/properties/surfaces/newell_test \
   %D%/properties/lines/roberts_test \
   %D%/properties/surfaces/list_outcomes_test \

@@ -287,6 +287,18 @@ static void check_sheet(struct tap *tap, const double light[4], double low,
   hsr_scene_delete(scene);
 }
 
+/* A light and a sun in the name of a scene. */
+static void check_names(struct tap *tap) {
+  struct both_worlds light, sun;
+  open_worlds(&light, "house@light=3,9,4");
+  open_worlds(&sun, "house@sun=3,9,4");
+  const double *l = light.scene->views[1].light, *s = sun.scene->views[1].light;
+  ok(tap, !memcmp(l, s, 3 * sizeof *l) && l[1] == 9 && l[3] == 1 && s[3] == 0,
+     "a name places a light, or a sun");
+  close_worlds(&light);
+  close_worlds(&sun);
+}
+
 int main(int argc, char **argv) {
   long n = argc > 1 ? atol(argv[1]) : 2000;
   uint64_t seed = argc > 2 ? strtoull(argv[2], NULL, 10) : 1;
@@ -294,13 +306,14 @@ int main(int argc, char **argv) {
   struct sums sums = {0};
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++)
     n_failures += b->failure_case;
-  struct tap tap = plan(PARTS + 10 + n_failures);
+  struct tap tap = plan(PARTS + 11 + n_failures);
   check_light_at_eye(&tap, "house");
   check_light_at_eye(&tap, "lattice:60:2");
   check_light_at_eye(&tap, "one-sided");
   check_sheet(&tap, (const double[]){0, 1, 0, 0}, -1, 1);
   check_sheet(&tap, (const double[]){1, 2, 1, 0}, -1.5, 0.5);
   check_sheet(&tap, (const double[]){0, 5, 0, 1}, -1.25, 1.25);
+  check_names(&tap);
   check_failures(&tap, &seed);
   for (long part = 0; part < PARTS; part++) {
     long differences = 0, first = n * part / PARTS,

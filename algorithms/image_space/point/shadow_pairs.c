@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/image_space/point/shadow_pairs.h"
 
+#include <math.h>
 #include <string.h>
 
 /* The boxes of all blockers on all sides. */
@@ -76,30 +77,71 @@ static enum hsr_status find_casters(struct hsr_shadow_pairs *p, uint32_t f) {
     HSR_STEP(tally, p->first + HSR_PAIR_TESTS, HSR_FACE(shadow->blocker[k]),
              HSR_FACE(f), HSR_NOWHERE, pair);
     if (pair)
-      p->found[n++] = shadow->blocker[k];
+      p->found[n++] = k;
   }
   casters->n = n;
-  casters->face = HSR_NEW(shadow->job->scratch, uint32_t, n + 1);
-  if (!casters->face)
+  casters->blocker = HSR_NEW(shadow->job->scratch, uint32_t, n + 1);
+  if (!casters->blocker)
     return HSR_E_NOMEM;
-  memcpy(casters->face, p->found, n * sizeof *p->found);
+  memcpy(casters->blocker, p->found, n * sizeof *p->found);
   return HSR_OK;
 }
 
-/* Whether no face of the list blocks the light from the sample. */
-static bool is_lit(struct hsr_shadow_pairs *p, uint32_t f, int i, int j) {
-  struct hsr_casters *casters = &p->casters[f];
+/* --- Segments ------------------------------------------------------------- */
+
+/* The image of a segment of a row on one face, which is straight, lies between
+ * those of its ends. -1: they are on two sides, or cannot be told. */
+static int image_of_segment(const struct hsr_shadow_pairs *p, uint32_t f,
+                            int x0, int x1, int j, struct hsr_light_box *box) {
+  const struct hsr_lighting *lighting = &p->shadow.lighting;
+  struct hsr_lit_point left, right;
+  struct hsr_light_box end;
+  hsr_lit_point_find(lighting, f, x0, j, &left);
+  hsr_lit_point_find(lighting, f, x1 - 1, j, &right);
+  int side = hsr_light_image(lighting, &left, box);
+  if (hsr_light_image(lighting, &right, &end) != side)
+    return -1;
+  for (int c = 0; c < 2; c++) {
+    box->low[c] = fmin(box->low[c], end.low[c]);
+    box->high[c] = fmax(box->high[c], end.high[c]);
+  }
+  return side;
+}
+
+/* Of the faces that may shade f, those that may shade the segment: found[]. */
+static uint32_t find_active(struct hsr_shadow_pairs *p, uint32_t f, int x0,
+                            int x1, int j) {
+  const struct hsr_shadow *shadow = &p->shadow;
+  const struct hsr_casters *casters = &p->casters[f];
+  struct hsr_tally *tally = shadow->job->tally;
+  struct hsr_light_box segment;
+  int sides = hsr_light_sides(&shadow->lighting);
+  int s = image_of_segment(p, f, x0, x1, j, &segment);
+  uint32_t n = 0;
+  for (uint32_t k = 0; k < casters->n; k++) {
+    size_t b = casters->blocker[k], at = b * (size_t)sides + (size_t)s;
+    bool active = s < 0 || (p->seen[at] && overlap(&segment, &p->box[at]));
+    HSR_STEP(tally, p->first + HSR_SEGMENT_TESTS, HSR_FACE(shadow->blocker[b]),
+             HSR_FACE(f), HSR_ON(x0, x1, j), active);
+    if (active)
+      p->found[n++] = shadow->blocker[b];
+  }
+  return n;
+}
+
+/* Whether none of the n faces found blocks the light from the sample. */
+static bool is_lit(struct hsr_shadow_pairs *p, uint32_t f, uint32_t n, int i,
+                   int j) {
   struct hsr_lit_point point;
-  if (!casters->n)
+  if (!n)
     return true;
   hsr_lit_point_find(&p->shadow.lighting, f, i, j, &point);
-  uint32_t k =
-      hsr_shadow_test(&p->shadow, &point, i, j, casters->face, casters->n);
-  if (k == casters->n)
+  uint32_t k = hsr_shadow_test(&p->shadow, &point, i, j, p->found, n);
+  if (k == n)
     return true;
-  uint32_t blocker = casters->face[k];
-  casters->face[k] = casters->face[0];
-  casters->face[0] = blocker;
+  uint32_t blocker = p->found[k];
+  p->found[k] = p->found[0];
+  p->found[0] = blocker;
   return false;
 }
 
@@ -110,8 +152,9 @@ enum hsr_status hsr_shadow_pairs_show(struct hsr_shadow_pairs *pairs,
     return HSR_OK;
   if (pairs->casters[f].n == HSR_NO_ID && find_casters(pairs, f))
     return HSR_E_NOMEM;
+  uint32_t n = find_active(pairs, f, x0, x1, j);
   for (int i = x0, end; i < x1; i = end + 1) {
-    for (end = i; end < x1 && is_lit(pairs, f, end, j);)
+    for (end = i; end < x1 && is_lit(pairs, f, n, end, j);)
       end++;
     if (i < end)
       hsr_shadow_lit(&pairs->shadow, f, i, end, j);

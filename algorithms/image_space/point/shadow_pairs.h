@@ -11,7 +11,8 @@
  * Method      The projections are boxes on the sides of a cube about the light,
  *             or across the rays of a sun. Faces whose boxes are apart on all
  *             sides are no pair; nor are two of which the plane of one has the
- *             other on its wrong side.
+ *             other on its wrong side. Of the pairs of a face, those matter to
+ *             a visible segment of it whose boxes overlap the segment's.
  * Invariant   a face that blocks the light from what is seen of f is in the
  *             list of f
  * Departures  The list of a face is made when the face is first seen, not
@@ -32,9 +33,10 @@ extern "C" {
 #define hsr_shadow_pairs_begin HSR_OF_BUILD(hsr_shadow_pairs_begin)
 #define hsr_shadow_pairs_show HSR_OF_BUILD(hsr_shadow_pairs_show)
 
-/* The faces that may shade one; not yet known: n is HSR_NO_ID. */
+/* The faces that may shade one, by their numbers among the blockers; not yet
+ * known: n is HSR_NO_ID. */
 struct hsr_casters {
-  uint32_t *face, n;
+  uint32_t *blocker, n;
 };
 
 struct hsr_shadow_pairs {
@@ -43,7 +45,7 @@ struct hsr_shadow_pairs {
   struct hsr_light_box *box;   /* a blocker and side, by their numbers */
   bool *seen;                  /* the same: the light sees it on that side */
   struct hsr_casters *casters; /* a face */
-  uint32_t *found;             /* room for a list */
+  uint32_t *found; /* room for a list; then, the faces of a segment */
 };
 
 /* For a job of HSR_SHADOWED; as hsr_shadow_begin. */
@@ -59,17 +61,27 @@ enum hsr_status hsr_shadow_pairs_show(struct hsr_shadow_pairs *pairs,
 
 /* The counters that it keeps, in their order, and their lines of an outline,
  * `in` blanks deep. */
-enum { HSR_PAIR_TESTS = HSR_N_SHADOW_COUNTERS, HSR_N_PAIR_COUNTERS };
+enum { HSR_PAIR_TESTS = HSR_N_SHADOW_COUNTERS, HSR_SEGMENT_TESTS };
 #define HSR_PAIR_COUNTERS                                                      \
-  HSR_SHADOW_COUNTERS, {                                                       \
-    "shadow pairs",                                                            \
-        "faces compared with a visible one, as the light sees both",           \
-        HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "no pair|a pair"                \
+  HSR_SHADOW_COUNTERS,                                                         \
+      {"shadow pairs",                                                         \
+       "faces compared with a visible one, as the light sees both",            \
+       HSR_COMPARE,                                                            \
+       HSR_OF_FACE,                                                            \
+       HSR_OF_FACE,                                                            \
+       "no pair|a pair"},                                                      \
+  {                                                                            \
+    "segment tests",                                                           \
+        "faces of pairs compared with a visible segment, as the light sees "   \
+        "both",                                                                \
+        HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE, "apart|overlapping"             \
   }
 #define HSR_PAIR_LINES(first, in)                                              \
   HSR_SHADOW_FACING_LINE(first, in),                                           \
       {in "  when it is first seen: which faces overlap it about the light?",  \
        HSR_RAISES((first) + HSR_PAIR_TESTS)},                                  \
+      {in "  which of these overlap the visible segment?",                     \
+       HSR_RAISES((first) + HSR_SEGMENT_TESTS)},                               \
       {in "  for each sample of the segment, and each of these faces"},        \
       HSR_SHADOW_LINES(first, in "    ")
 

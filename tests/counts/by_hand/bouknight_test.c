@@ -43,6 +43,7 @@ static const struct hand_count of_deck[] = {
     {"shadow tests", 0},
     {"lit", 0},
     {"shadow pairs", 0},
+    {"segment tests", 0},
     {NULL}};
 
 /* On row 3 both have the columns 4-12; S comes in front of P at x = 9. */
@@ -73,6 +74,7 @@ static const struct hand_count of_crossing[] = {
     {"shadow tests", 0},
     {"lit", 0},
     {"shadow pairs", 0},
+    {"segment tests", 0},
     {NULL}};
 
 int main(void) {
