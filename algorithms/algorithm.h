@@ -69,7 +69,7 @@ struct hsr_term {
 
 /* A cost step, as in Table III: cost = factor * count, and likewise for `more`.
  */
-#define HSR_MORE_TERMS 4
+#define HSR_MORE_TERMS 7
 struct hsr_step {
   const char *label; /* "X merge" */
   int counter;

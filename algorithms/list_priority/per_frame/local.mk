@@ -4,5 +4,7 @@ algorithm_files += \
   %D%/newell.h \
   %D%/newell_watkins.c \
   %D%/painter.c \
+  %D%/priority_index.c \
   %D%/priority_list.c \
-  %D%/priority_list.h
+  %D%/priority_list.h \
+  %D%/priority_pieces.h

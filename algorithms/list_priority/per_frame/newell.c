@@ -18,6 +18,8 @@
  *             another, depths at the samples decide as a bead is merged; these
  *             comparisons are counted apart. The picture is written at the end,
  *             bead by bead; without beads, segment by segment.
+ * Options     special=groups, special=lateral: what the survey proposes for the
+ *             special sort (priority_index.c)
  * Cost        segments 10 F_r H_f, X merge F_r H_f S_v / 4, and those of
  *             priority_list.h */
 #include "algorithms/list_priority/per_frame/newell.h"
@@ -25,19 +27,60 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct hsr_counter counters[] = {HSR_NEWELL_COUNTERS(""),
-                                              {NULL, NULL}};
+/* Of the survey's ways to find what P may obscure. */
+enum { INDEX_SORT = HSR_N_NEWELL_COUNTERS, GROUPS, AGAIN };
+
+static const struct hsr_counter counters[] = {
+    HSR_NEWELL_COUNTERS(""),
+    [INDEX_SORT] = {"index sort",
+                    "pieces put into a group or a cell; those passed on the "
+                    "way to their places",
+                    HSR_SORT, HSR_OF_PIECE, HSR_OF_PIECE, "put|passed"},
+    [GROUPS] = {"group tests", "groups of faces compared with P", HSR_COMPARE,
+                HSR_OF_PIECE, HSR_OF_VOLUME,
+                "end of the groups|apart in Z|apart in X|apart in Y|near"},
+    [AGAIN] = {"met again", "pieces that P met in another cell before",
+               HSR_COMPARE, HSR_OF_PIECE, HSR_OF_PIECE},
+    {NULL, NULL}};
+
+static const struct hsr_counter counters_previous[] = {HSR_NEWELL_COUNTERS(""),
+                                                       {NULL, NULL}};
 
 static const struct hsr_counter counters_frame_buffer[] = {
     HSR_PAINTING_COUNTERS(""), {NULL, NULL}};
 
-static const struct hsr_line outline[] = {HSR_NEWELL_OUTLINE(0, ""), {NULL}};
+static const struct hsr_line outline[] = {
+    {"with groups, or laterally sorted: sort the pieces into groups, or cells",
+     HSR_RAISES(INDEX_SORT)},
+    {"  find {Q} in the groups that are not apart from P, or in P's cells",
+     HSR_RAISES(GROUPS) | HSR_RAISES(AGAIN)},
+    HSR_NEWELL_OUTLINE(0, ""),
+    {NULL}};
+
+static const struct hsr_line outline_previous[] = {HSR_NEWELL_OUTLINE(0, ""),
+                                                   {NULL}};
 
 static const struct hsr_line outline_frame_buffer[] = {
     HSR_PAINTING_OUTLINE(0, ""), {NULL}};
 
-static const struct hsr_step steps[] = {HSR_NEWELL_STEPS(0, ""),
-                                        {NULL, 0, 0, NULL, NULL}};
+static const struct hsr_step steps[] = {
+    HSR_NEWELL_STEPS_WITH(0, "", {INDEX_SORT, 1}, {GROUPS, 1}, {AGAIN, 1}),
+    {NULL, 0, 0, NULL, NULL}};
+
+static const struct hsr_step steps_previous[] = {HSR_NEWELL_STEPS(0, ""),
+                                                 {NULL, 0, 0, NULL, NULL}};
+
+enum { SPECIAL }; /* option */
+enum { ALONG_THE_LIST, BY_GROUPS, LATERAL };
+static const struct hsr_word specials[] = {
+    [ALONG_THE_LIST] = {"list", "along the list", 0},
+    [BY_GROUPS] = {"groups", "by groups of faces: instances", 0},
+    [LATERAL] = {"lateral", "laterally sorted, into cells of the picture", 0},
+    {NULL}};
+static const struct hsr_option options[] = {
+    [SPECIAL] = {"special", "how the special sort finds {Q}", specials, 0,
+                 LATERAL, ALONG_THE_LIST},
+    {NULL}};
 
 static const struct hsr_step steps_frame_buffer[] = {HSR_PAINTING_STEPS(0, ""),
                                                      {NULL, 0, 0, NULL, NULL}};
@@ -394,6 +437,7 @@ static enum hsr_status reserve_glass(struct hsr_newell *s,
 
 static enum hsr_status run(const struct hsr_job *job, bool frame_buffer,
                            struct hsr_previous *previous,
+                           struct hsr_list_index *index,
                            struct hsr_error *err) {
   struct hsr_screen screen;
   struct hsr_newell newell;
@@ -403,6 +447,7 @@ static enum hsr_status run(const struct hsr_job *job, bool frame_buffer,
       hsr_newell_reserve(&newell, job, &screen, previous, screen.n_relevant))
     return hsr_fail_nomem(err);
   newell.frame_buffer = frame_buffer;
+  newell.list.index = index;
   if (job->colours && reserve_glass(&newell, &glass, &screen))
     return hsr_fail_nomem(err);
   hsr_newell_solve(&newell, &job->view->window, screen.relevant,
@@ -414,12 +459,17 @@ static enum hsr_status run(const struct hsr_job *job, bool frame_buffer,
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  return run(job, false, NULL, err);
+  long special = job->option[SPECIAL];
+  struct hsr_list_index index = {.by_groups = special == BY_GROUPS,
+                                 .sort = INDEX_SORT,
+                                 .groups = GROUPS,
+                                 .again = AGAIN};
+  return run(job, false, NULL, special == ALONG_THE_LIST ? NULL : &index, err);
 }
 
 static enum hsr_status render_frame_buffer(const struct hsr_job *job,
                                            struct hsr_error *err) {
-  return run(job, true, NULL, err);
+  return run(job, true, NULL, NULL, err);
 }
 
 /* --- From the previous frame's order -------------------------------------- */
@@ -439,7 +489,7 @@ static enum hsr_status prepare_previous(const struct hsr_world *world,
 
 static enum hsr_status render_previous(const struct hsr_job *job,
                                        struct hsr_error *err) {
-  return run(job, false, job->prepared, err);
+  return run(job, false, job->prepared, NULL, err);
 }
 
 #define NEWELL                                                                 \
@@ -461,6 +511,7 @@ const struct hsr_algorithm HSR_ALGORITHM(newell) = {
     .counters = counters,
     .steps = steps,
     .outline = outline,
+    .options = options,
     .render = render};
 
 const struct hsr_algorithm HSR_ALGORITHM(newell_frame_buffer) = {
@@ -487,9 +538,9 @@ const struct hsr_algorithm HSR_ALGORITHM(newell_previous) = {
     .also = {HSR_TRANSPARENT},
     .flags = HSR_FRAME_STATE,
     .sorts = sorts_previous,
-    .counters = counters,
-    .steps = steps,
-    .outline = outline,
+    .counters = counters_previous,
+    .steps = steps_previous,
+    .outline = outline_previous,
     .prepare = prepare_previous,
     .render = render_previous,
     .release = free};

@@ -115,13 +115,16 @@ enum {
         HSR_RAISES((first) + HSR_NEWELL_WRITTEN)                               \
   }
 
-#define HSR_PAINTING_STEPS(first, of)                                          \
-  HSR_LIST_STEPS(first, of), {                                                 \
+#define HSR_PAINTING_STEPS(first, of) HSR_PAINTING_STEPS_WITH(first, of, {0, 0})
+#define HSR_PAINTING_STEPS_WITH(first, of, ...)                                \
+  HSR_LIST_STEPS_WITH(first, of, __VA_ARGS__), {                               \
     of "segment generator, Y sort", first + HSR_NEWELL_SEGMENTS, 10,           \
         "10 F_r H_f", hsr_predict_segments                                     \
   }
-#define HSR_NEWELL_STEPS(first, of)                                            \
-  HSR_PAINTING_STEPS(first, of), {                                             \
+#define HSR_NEWELL_STEPS(first, of) HSR_NEWELL_STEPS_WITH(first, of, {0, 0})
+/* The same; the special sort takes these terms more. */
+#define HSR_NEWELL_STEPS_WITH(first, of, ...)                                  \
+  HSR_PAINTING_STEPS_WITH(first, of, __VA_ARGS__), {                           \
     of "X merge", first + HSR_BEAD_MERGE, 1, "F_r H_f S_v / 4",                \
         hsr_predict_bead_merge                                                 \
   }

@@ -1,35 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Newell's priority computer: see priority_list.h. */
-#include "algorithms/list_priority/per_frame/priority_list.h"
+#include "algorithms/list_priority/per_frame/priority_pieces.h"
 
 #include <string.h>
 
-/* No piece. */
-static const uint32_t NONE = UINT32_MAX;
+static const uint32_t NONE = HSR_NO_PIECE;
 
 enum { RADIX_BITS = 9, RADIX = 1 << RADIX_BITS, DIGITS = 2 };
-
-/* What is left of a face after some cuts. */
-struct piece {
-  struct hsr_piece part;
-  struct hsr_polygon polygon;
-  uint32_t next;
-  double nearest, farthest; /* depths along the line of sight */
-  uint32_t bucket;          /* of the farthest; greater is nearer */
-  uint32_t marker; /* the last attempt in which it was moved to the end of the
-                      list; 0: never, and it is still where it was sorted */
-  bool forced;     /* no order was found: the samples decide */
-};
-
-static struct piece *piece_at(const struct hsr_priority_list *s, uint32_t p) {
-  return (struct piece *)s->pieces.items + p;
-}
-
-/* A piece as the subject of a step. */
-static struct hsr_subject subject(const struct hsr_priority_list *s,
-                                  uint32_t p) {
-  return HSR_PIECE(piece_at(s, p)->part.face, p);
-}
 
 /* --- Z sort --------------------------------------------------------------- */
 
@@ -43,7 +20,8 @@ static struct hsr_bounds clip_bounds(struct hsr_bounds b,
 
 /* Adds a piece, whose polygon and cuts are given, if it has samples. Returns
  * its number, or NONE. */
-static uint32_t add_piece(struct hsr_priority_list *s, struct piece piece) {
+static uint32_t add_piece(struct hsr_priority_list *s,
+                          struct hsr_list_piece piece) {
   hsr_depth_range(s->screen, piece.polygon, &piece.nearest, &piece.farthest);
   piece.part.bounds = clip_bounds(
       piece.polygon.outline ? hsr_outline_bounds(s->screen, piece.polygon)
@@ -82,7 +60,7 @@ static void choose_buckets(struct hsr_priority_list *s) {
     q_max = fmax(q_max, 1 / piece_at(s, p)->farthest);
   s->buckets_per_q = q_max > 0 ? ((1 << RADIX_BITS * DIGITS) - 1) / q_max : 0;
   for (uint32_t p = 0; p < s->pieces.n; p++) {
-    struct piece *piece = piece_at(s, p);
+    struct hsr_list_piece *piece = piece_at(s, p);
     piece->bucket = bucket_of(s, piece->farthest);
   }
 }
@@ -135,12 +113,24 @@ static void sort_previous(struct hsr_priority_list *s) {
   }
 }
 
+/* Makes `after` follow `before`, which is NONE at the head of the list. */
+static void link_pieces(struct hsr_priority_list *s, uint32_t before,
+                        uint32_t after) {
+  if (before == NONE)
+    s->head = after;
+  else
+    piece_at(s, before)->next = after;
+  if (after != NONE)
+    piece_at(s, after)->previous = before;
+}
+
 static void link_list(struct hsr_priority_list *s) {
-  s->head = NONE;
-  for (size_t k = s->pieces.n; k-- > 0;) {
-    piece_at(s, s->order[k])->next = s->head;
-    s->head = s->order[k];
+  uint32_t before = NONE;
+  for (size_t k = 0; k < s->pieces.n; k++) {
+    link_pieces(s, before, s->order[k]);
+    before = s->order[k];
   }
+  link_pieces(s, before, NONE);
 }
 
 void hsr_list_sort(struct hsr_priority_list *s, const struct hsr_window *window,
@@ -152,7 +142,8 @@ void hsr_list_sort(struct hsr_priority_list *s, const struct hsr_window *window,
   for (uint32_t k = 0; k < n; k++) {
     uint32_t f = faces[k];
     s->thick[f] = false;
-    add_piece(s, (struct piece){.part = {.face = f}, .polygon = {.face = f}});
+    add_piece(s, (struct hsr_list_piece){.part = {.face = f},
+                                         .polygon = {.face = f}});
   }
   choose_buckets(s);
   if (s->previous && s->previous->n) {
@@ -167,6 +158,8 @@ void hsr_list_sort(struct hsr_priority_list *s, const struct hsr_window *window,
     sort_digit(s, 1, s->other, s->order);
   }
   link_list(s);
+  if (s->index)
+    hsr_index_sort(s);
   if (s->previous)
     s->previous->n = 0;
 }
@@ -180,7 +173,7 @@ static bool same_plane(const struct hsr_priority_list *s, uint32_t f,
 
 /* The side of the plane of g that the piece was cut to, or 0. */
 static int cut_side(const struct hsr_priority_list *s,
-                    const struct piece *piece, uint32_t g) {
+                    const struct hsr_list_piece *piece, uint32_t g) {
   for (uint32_t c = 0; c < piece->part.n_cuts; c++)
     if (same_plane(s, piece->part.cuts[c].face, g)) {
       /* Faces of one plane may face opposite ways. */
@@ -192,8 +185,8 @@ static int cut_side(const struct hsr_priority_list *s,
 
 /* Test 4: P is deeper than the plane of Q. */
 static enum hsr_certainty is_deeper(const struct hsr_priority_list *s,
-                                    const struct piece *p,
-                                    const struct piece *q) {
+                                    const struct hsr_list_piece *p,
+                                    const struct hsr_list_piece *q) {
   uint32_t f = p->part.face, g = q->part.face;
   if (same_plane(s, f, g))
     return f >= g ? HSR_YES : HSR_NO;
@@ -205,8 +198,8 @@ static enum hsr_certainty is_deeper(const struct hsr_priority_list *s,
 
 /* Test 5: Q is closer than the plane of P. */
 static enum hsr_certainty is_closer(const struct hsr_priority_list *s,
-                                    const struct piece *q,
-                                    const struct piece *p) {
+                                    const struct hsr_list_piece *q,
+                                    const struct hsr_list_piece *p) {
   uint32_t f = p->part.face, g = q->part.face;
   if (same_plane(s, f, g))
     return f >= g ? HSR_YES : HSR_NO;
@@ -278,8 +271,9 @@ static bool spans_meet(const struct hsr_window *w, const int *a, int n_a,
 
 /* Test 6: no sample is in both. It looks for an edge of whole faces that
  * separates them, and then at the spans of every row that both may reach. */
-static bool are_apart(struct hsr_priority_list *s, const struct piece *p,
-                      const struct piece *q) {
+static bool are_apart(struct hsr_priority_list *s,
+                      const struct hsr_list_piece *p,
+                      const struct hsr_list_piece *q) {
   uint32_t f = p->part.face, g = q->part.face;
   if (s->screen->whole[f] && s->screen->whole[g] &&
       (edge_separates(s, f, g) || edge_separates(s, g, f)))
@@ -308,7 +302,7 @@ static bool minimax(int a0, int a1, int b0, int b1) {
  * not. */
 static enum hsr_special test_minimax(const struct hsr_priority_list *s,
                                      uint32_t p, uint32_t q) {
-  const struct piece *P = piece_at(s, p), *Q = piece_at(s, q);
+  const struct hsr_list_piece *P = piece_at(s, p), *Q = piece_at(s, q);
   const struct hsr_bounds *pb = &P->part.bounds, *qb = &Q->part.bounds;
   if (P->nearest > Q->farthest)
     return HSR_APART_IN_Z;
@@ -326,7 +320,7 @@ static enum hsr_special test_minimax(const struct hsr_priority_list *s,
 /* Tests 4 to 6. */
 static enum hsr_special test_planes(struct hsr_priority_list *s, uint32_t p,
                                     uint32_t q) {
-  const struct piece *P = piece_at(s, p), *Q = piece_at(s, q);
+  const struct hsr_list_piece *P = piece_at(s, p), *Q = piece_at(s, q);
   enum hsr_certainty deeper = is_deeper(s, P, Q);
   if (deeper == HSR_YES)
     return HSR_P_BEYOND_Q;
@@ -343,7 +337,7 @@ static enum hsr_special test_planes(struct hsr_priority_list *s, uint32_t p,
 }
 
 /* The six tests, in order: may P obscure Q? */
-static bool may_obscure(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
+bool hsr_list_may_obscure(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
   enum hsr_special decided = test_minimax(s, p, q);
   if (decided == HSR_P_MAY_OBSCURE) {
     decided = test_planes(s, p, q);
@@ -361,21 +355,19 @@ static bool may_obscure(struct hsr_priority_list *s, uint32_t p, uint32_t q) {
   return decided == HSR_P_MAY_OBSCURE;
 }
 
-/* The first of {Q} that P may obscure, or NONE; *before is the one before it in
- * the list. */
-static uint32_t find_obscured(struct hsr_priority_list *s, uint32_t p,
-                              uint32_t *before) {
+/* The first of {Q} that P may obscure, or NONE. */
+static uint32_t find_obscured(struct hsr_priority_list *s, uint32_t p) {
   uint32_t bucket = bucket_of(s, piece_at(s, p)->nearest);
-  *before = p;
-  for (uint32_t q = piece_at(s, p)->next; q != NONE;
-       *before = q, q = piece_at(s, q)->next) {
-    const struct piece *piece = piece_at(s, q);
+  if (s->index)
+    return hsr_index_find(s, p, bucket);
+  for (uint32_t q = piece_at(s, p)->next; q != NONE; q = piece_at(s, q)->next) {
+    const struct hsr_list_piece *piece = piece_at(s, q);
     if (piece->bucket > bucket && !piece->marker) {
       HSR_STEP(s->tally, HSR_LIST_SPECIAL, subject(s, p), subject(s, q),
                *s->window, HSR_BEYOND_Q_ENDS);
       return NONE;
     }
-    if (may_obscure(s, p, q))
+    if (hsr_list_may_obscure(s, p, q))
       return q;
   }
   return NONE;
@@ -393,11 +385,8 @@ static void insert(struct hsr_priority_list *s, uint32_t p) {
     before = at;
     at = piece_at(s, at)->next;
   }
-  piece_at(s, p)->next = at;
-  if (before == NONE)
-    s->head = p;
-  else
-    piece_at(s, before)->next = p;
+  link_pieces(s, before, p);
+  link_pieces(s, p, at);
 }
 
 /* Memory until the next list; NULL if there is none. */
@@ -417,8 +406,8 @@ static void *take_half(struct hsr_priority_list *s, size_t n, size_t size) {
 }
 
 /* Puts the part of a piece on one side of a plane into the list. */
-static void add_half(struct hsr_priority_list *s, const struct piece *whole,
-                     struct hsr_cut cut) {
+static void add_half(struct hsr_priority_list *s,
+                     const struct hsr_list_piece *whole, struct hsr_cut cut) {
   uint32_t f = whole->part.face, n_cuts = whole->part.n_cuts;
   uint32_t n = whole->polygon.outline ? whole->polygon.n
                                       : hsr_face_size(s->job->world, f);
@@ -439,27 +428,27 @@ static void add_half(struct hsr_priority_list *s, const struct piece *whole,
   struct hsr_polygon left =
       hsr_divide_outline(s->screen, whole->polygon, cut, outline, s->scratch);
   s->halves_used -= (room - left.n) * sizeof *outline;
-  uint32_t p = add_piece(
-      s, (struct piece){.part = {.face = f, .n_cuts = n_cuts + 1, .cuts = cuts},
-                        .polygon = left});
+  uint32_t p =
+      add_piece(s, (struct hsr_list_piece){
+                       .part = {.face = f, .n_cuts = n_cuts + 1, .cuts = cuts},
+                       .polygon = left});
   if (p == NONE)
     return;
   piece_at(s, p)->bucket = bucket_of(s, piece_at(s, p)->farthest);
   insert(s, p);
+  if (s->index)
+    hsr_index_add(s, p);
 }
 
-/* Takes a piece with a marker, or the head, out of the list. */
 static void take_out(struct hsr_priority_list *s, uint32_t p) {
-  uint32_t *link = &s->head;
-  while (*link != p)
-    link = &piece_at(s, *link)->next;
-  *link = piece_at(s, p)->next;
+  link_pieces(s, piece_at(s, p)->previous, piece_at(s, p)->next);
 }
 
 /* Divides a piece with a marker, or the head, by the plane of face g. */
 static void divide(struct hsr_priority_list *s, uint32_t p, uint32_t g) {
   take_out(s, p);
-  struct piece whole = *piece_at(s, p);
+  piece_at(s, p)->gone = true;
+  struct hsr_list_piece whole = *piece_at(s, p);
   HSR_STEP(s->tally, HSR_LIST_DIVISIONS, subject(s, p), HSR_FACE(g), *s->window,
            0);
   s->attempt++;
@@ -469,7 +458,7 @@ static void divide(struct hsr_priority_list *s, uint32_t p, uint32_t g) {
 
 /* Whether the plane of face g passes through a piece. */
 static bool passes_through(const struct hsr_priority_list *s,
-                           const struct piece *piece, uint32_t g) {
+                           const struct hsr_list_piece *piece, uint32_t g) {
   return !same_plane(s, piece->part.face, g) && !cut_side(s, piece, g) &&
          hsr_beyond(s->screen, piece->polygon, g, s->tally) == HSR_NO &&
          hsr_before(s->screen, piece->polygon, g, s->tally) == HSR_NO;
@@ -488,15 +477,13 @@ static bool try_to_divide(struct hsr_priority_list *s, uint32_t p,
 }
 
 /* Q is moved to the end of the list, in P's place. */
-static void interchange(struct hsr_priority_list *s, uint32_t before,
-                        uint32_t q) {
-  struct piece *offending = piece_at(s, q);
+static void interchange(struct hsr_priority_list *s, uint32_t q) {
   HSR_STEP(s->tally, HSR_LIST_INTERCHANGES, subject(s, s->head), subject(s, q),
            *s->window, 0);
-  piece_at(s, before)->next = offending->next;
-  offending->next = s->head;
-  offending->marker = s->attempt;
-  s->head = q;
+  take_out(s, q);
+  link_pieces(s, q, s->head);
+  link_pieces(s, NONE, q);
+  piece_at(s, q)->marker = s->attempt;
 }
 
 /* P and Q obscure one another, or are in a circle of pieces that do, all of
@@ -516,11 +503,10 @@ static bool break_circle(struct hsr_priority_list *s, uint32_t q) {
   return false;
 }
 
-/* P may obscure Q, which follows `before`. Tries Q in P's place, unless that
- * has been done. */
-static void resolve(struct hsr_priority_list *s, uint32_t before, uint32_t q) {
+/* P may obscure Q. Tries Q in P's place, unless that has been done. */
+static void resolve(struct hsr_priority_list *s, uint32_t q) {
   if (piece_at(s, q)->marker != s->attempt)
-    interchange(s, before, q);
+    interchange(s, q);
   else if (!break_circle(s, q))
     piece_at(s, s->head)->forced = true;
 }
@@ -561,12 +547,13 @@ static void remember(struct hsr_previous *previous, uint32_t f) {
 
 const struct hsr_piece *hsr_list_next(struct hsr_priority_list *s) {
   while (s->head != NONE && !s->out_of_memory) {
-    uint32_t before, p = s->head, q = find_obscured(s, p, &before);
+    uint32_t p = s->head, q = find_obscured(s, p);
     if (q != NONE) {
-      resolve(s, before, q);
+      resolve(s, q);
       continue;
     }
-    s->head = piece_at(s, p)->next;
+    take_out(s, p);
+    piece_at(s, p)->gone = true;
     s->attempt++;
     remember(s->previous, piece_at(s, p)->part.face);
     return &piece_at(s, p)->part;

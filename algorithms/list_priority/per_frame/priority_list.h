@@ -47,6 +47,26 @@ struct hsr_previous {
   uint32_t n, n_faces, order[];
 };
 
+/* Other ways of finding the pieces that P may obscure: priority_index.c. */
+struct hsr_list_group {
+  struct hsr_bounds bounds;
+  double farthest;
+  uint32_t bucket; /* of that */
+};
+struct hsr_list_index {
+  bool by_groups;          /* or by cells */
+  int sort, groups, again; /* counters */
+
+  struct hsr_growing links;
+  uint32_t *chain, n_chains; /* by group, or by cell: its first link */
+  uint32_t candidate;        /* number of the attempt to find a piece */
+
+  struct hsr_list_group *group;
+  uint32_t *order, n_groups, first_group; /* groups, farthest first */
+
+  int width, height, columns; /* of cells: their size in samples, how many */
+};
+
 /* The faces of a window. */
 struct hsr_priority_list {
   const struct hsr_job *job;
@@ -66,6 +86,8 @@ struct hsr_priority_list {
   uint32_t attempt; /* a new one begins when a piece is divided or leaves */
   double buckets_per_q;
   uint32_t *order, *other; /* of the Z sort */
+
+  struct hsr_list_index *index; /* NULL: the list itself is searched */
 
   struct hsr_previous *previous; /* NULL: every frame starts anew */
   uint32_t *piece_of;            /* by face, for `previous`: its piece */
@@ -199,7 +221,9 @@ enum hsr_special {
   }
 
 /* The same for the arrays of steps and sorts. */
-#define HSR_LIST_STEPS(first, of)                                              \
+#define HSR_LIST_STEPS(first, of) HSR_LIST_STEPS_WITH(first, of, {0, 0})
+/* The same; the special sort takes these terms more. */
+#define HSR_LIST_STEPS_WITH(first, of, ...)                                    \
   {of "Z sort", first + HSR_LIST_Z_SORT, 1, "2 F_r", hsr_predict_list_z_sort}, \
       {of "Newell special",                                                    \
        first + HSR_LIST_SPECIAL,                                               \
@@ -209,7 +233,8 @@ enum hsr_special {
        {{first + HSR_LIST_MINIMAX, 1},                                         \
         {first + HSR_LIST_PLANES, 100},                                        \
         {first + HSR_LIST_DIVISIONS, 100},                                     \
-        {first + HSR_LIST_INSERTIONS, 1}}},                                    \
+        {first + HSR_LIST_INSERTIONS, 1},                                      \
+        __VA_ARGS__}},                                                         \
   {                                                                            \
     of "circle search", first + HSR_LIST_CIRCLES, 100, NULL, NULL              \
   }

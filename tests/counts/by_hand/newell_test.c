@@ -30,6 +30,9 @@ static const struct hand_count of_ahead[] = {
     {"thickness checks", 0},
     {"X merge", 0},
     {"spans written", 28},
+    /* No option is chosen. */ {"index sort", 0},
+    {"group tests", 0},
+    {"met again", 0},
     {NULL}};
 
 /* A, from depth 16 to 4, on columns 1-5, rows 1-3; B, from 15 to 4, on columns
@@ -55,6 +58,9 @@ static const struct hand_count of_apart_in_x[] = {
     {"X merge", 3},
     {"X merge", 3, "passed"},
     {"spans written", 17},
+    /* No option is chosen. */ {"index sort", 0},
+    {"group tests", 0},
+    {"met again", 0},
     {NULL}};
 
 /* C is below A, on rows 5 and 6: test 3. Spans: 3 on 5 rows, 1 on 3. */
@@ -77,6 +83,9 @@ static const struct hand_count of_apart_in_y[] = {
     {"thickness checks", 0},
     {"X merge", 0},
     {"spans written", 18},
+    /* No option is chosen. */ {"index sort", 0},
+    {"group tests", 0},
+    {"met again", 0},
     {NULL}};
 
 /* E is where A is, at half its depth everywhere: A is beyond E's plane, test 4.
@@ -101,6 +110,9 @@ static const struct hand_count of_beyond[] = {
     {"X merge", 3},
     {"X merge", 3, "covered"},
     {"spans written", 14},
+    /* No option is chosen. */ {"index sort", 0},
+    {"group tests", 0},
+    {"met again", 0},
     {NULL}};
 
 /* D at depth 4.5 on columns 2-4 of row 2. A's right edge, at depth 4, is in
@@ -125,6 +137,9 @@ static const struct hand_count of_before[] = {
     {"thickness checks", 0},
     {"X merge", 0},
     {"spans written", 16},
+    /* No option is chosen. */ {"index sort", 0},
+    {"group tests", 0},
+    {"met again", 0},
     {NULL}};
 
 /* Two triangles side by side: their boxes overlap, and their planes cross near
@@ -151,6 +166,9 @@ static const struct hand_count of_aside[] = {
     {"thickness checks", 0},
     {"X merge", 2},
     {"spans written", 20},
+    /* No option is chosen. */ {"index sort", 0},
+    {"group tests", 0},
+    {"met again", 0},
     {NULL}};
 
 /* Figure 22: P, from depth 16 to 2 on columns 1-5, has the farther vertex. But
@@ -178,6 +196,9 @@ static const struct hand_count of_in_front[] = {
     {"thickness checks", 0},
     {"X merge", 0},
     {"spans written", 17},
+    /* No option is chosen. */ {"index sort", 0},
+    {"group tests", 0},
+    {"met again", 0},
     {NULL}};
 
 /* P, from depth 16 to 4, and Q, from 4 to 15, in one place, columns 1-5 and
@@ -223,6 +244,9 @@ static const struct hand_count of_penetrate[] = {
     {"thickness checks", 0},
     {"X merge", 3},
     {"spans written", 17},
+    /* No option is chosen. */ {"index sort", 0},
+    {"group tests", 0},
+    {"met again", 0},
     {NULL}};
 
 int main(void) {
