@@ -52,6 +52,8 @@ enum {
                                   instances are apart (algorithms/image_space/area/tiling/grove.h) */
 };
 
+struct hsr_octree; /* common/trees/octree.h */
+
 /* A sort that the algorithm makes, as in figure 29b. */
 struct hsr_sort {
   const char *what;   /* "edges" */
@@ -193,6 +195,11 @@ struct hsr_algorithm {
   enum hsr_status (*render)(const struct hsr_job *job, struct hsr_error *err);
 
   void (*release)(void *prepared); /* NULL if prepare is */
+
+  /* The octree in a prepared object, whose nodes are the subjects
+   * HSR_CELL(node, HSR_NO_ID, 0) of steps, for those who show it. Owned by that
+   * object. NULL: there is none. */
+  const struct hsr_octree *(*octree)(const void *prepared);
 };
 
 /* How many faces a scene may have to be laid out for an algorithm. */

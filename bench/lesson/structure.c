@@ -304,8 +304,10 @@ static struct hsr_octree_rule cube_rule(const struct hsr_setup *setup) {
       .least = least};
 }
 
+/* Where the world is. */
+static const double still[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
 static bool add_cubes(json_t **to, const struct trace_run *run) {
-  static const double still[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   struct hsr_octree_rule rule = cube_rule(&run->setup);
   struct hsr_cubes cubes;
   struct hsr_error err;
@@ -323,6 +325,14 @@ static bool add_cubes(json_t **to, const struct trace_run *run) {
   return good;
 }
 
+/* The octree that an algorithm shows. */
+static void add_own_octree(json_t **to, const struct trace_run *run) {
+  json_t *all = json_array();
+  add_octree(&all, &run->view,
+             run->setup.algorithm->octree(run->setup.prepared), -1, still);
+  add(to, "cubes", all);
+}
+
 json_t *lesson_structure_json(const struct trace_run *run) {
   const struct hsr_algorithm *a = run->setup.algorithm;
   json_t *structure = json_object();
@@ -336,6 +346,8 @@ json_t *lesson_structure_json(const struct trace_run *run) {
     good = has_movers(run->scene) || add_bsp(&structure, run, leaf);
   else if (counts(a, "pieces") && counts(a, "thickness checks") && !leaf)
     good = add_bsp(&structure, run, 0);
+  else if (a->octree)
+    add_own_octree(&structure, run);
   else if (counts(a, "nodes visited"))
     good = add_cubes(&structure, run);
   if (!good)

@@ -381,6 +381,10 @@ static void release(void *prepared) {
   free(p);
 }
 
+static const struct hsr_octree *octree_of(const void *prepared) {
+  return &((const struct prepared *)prepared)->octree;
+}
+
 /* Rays, and those faces which every ray tests. */
 static double expense(const struct hsr_world *world,
                       const struct hsr_view *view) {
@@ -409,4 +413,5 @@ const struct hsr_algorithm HSR_ALGORITHM(octree_raycast) = {
     .expense = expense,
     .prepare = prepare,
     .render = render,
-    .release = release};
+    .release = release,
+    .octree = octree_of};

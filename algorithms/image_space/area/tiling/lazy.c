@@ -109,6 +109,11 @@ static void release(void *prepared) {
   free(p);
 }
 
+/* Of the order of the tree only. */
+static const struct hsr_octree *octree_of(const void *prepared) {
+  return &((const struct prepared *)prepared)->octree;
+}
+
 static enum hsr_status prepare(const struct hsr_world *world,
                                const long *option, void **prepared,
                                struct hsr_error *err) {
@@ -513,4 +518,5 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling_lazy) = {
     .options = options,
     .prepare = prepare,
     .render = render,
-    .release = release};
+    .release = release,
+    .octree = octree_of};
