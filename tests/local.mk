@@ -36,6 +36,7 @@ tap_programs = \
   %D%/unit/core/screen_test \
   %D%/unit/core/shadow_test \
   %D%/unit/core/depth_test \
+  %D%/unit/core/surfaces_test \
   %D%/unit/core/statistics_test \
   %D%/unit/bench/splat_oracle_test \
   %D%/unit/bench/sorts_test \

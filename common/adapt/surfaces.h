@@ -13,8 +13,9 @@
  * Certain     surfaces that are said to be apart are. Two faces are told apart
  *             by their boxes, by the plane of one of them, or, in one plane, by
  *             the line of an edge; where these do not tell, they are taken to
- *             meet. So is a face that is not flat, with everything: what is
- *             seen of it is on its plane, and its neighbours' on theirs. */
+ *             meet, as two squares of a grid that share a corner. So is a face
+ *             that is not flat, with everything: what is seen of it is on its
+ *             plane, and its neighbours' on theirs. */
 #ifndef HSR_COMMON_SURFACES_H
 #define HSR_COMMON_SURFACES_H
 
