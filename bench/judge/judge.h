@@ -66,10 +66,10 @@ struct group {
   const int *number; /* of each view, from 0: some samples are chosen by it */
   int n_views;
 
-  struct cell *cells;      /* a view and algorithm */
-  sem_t *turns; /* how many processes may work, of all groups that share it; NULL:
-                   one of this group. A group that is ended by a signal has not
-                   given its turn back */
+  struct cell *cells; /* a view and algorithm */
+  /* How many processes may work, of all groups that share it; NULL: one of this
+   * group. A group that is ended by a signal has not given its turn back. */
+  sem_t *turns;
   const char *differences; /* a folder for what is wrong, beside what is right;
                               or NULL */
   uint32_t *picture; /* where the oracle leaves its ids of the only view, m * n,
