@@ -282,11 +282,14 @@ static bool are_apart(struct hsr_priority_list *s,
   int y0 = pb->y0 > qb->y0 ? pb->y0 : qb->y0;
   int y1 = pb->y1 < qb->y1 ? pb->y1 : qb->y1;
   int *a = s->columns, *b = s->columns + s->most_corners + 4;
+  struct hsr_face_rows rows_f, rows_g;
+  hsr_face_rows_begin(&rows_f, s->screen, f, s->tally);
+  hsr_face_rows_begin(&rows_g, s->screen, g, s->tally);
   for (int j = y0; j < y1; j++) {
-    int n_a = hsr_piece_spans(s->screen, f, p->part.cuts, p->part.n_cuts, j, a,
-                              s->tally);
-    int n_b = n_a ? hsr_piece_spans(s->screen, g, q->part.cuts, q->part.n_cuts,
-                                    j, b, s->tally)
+    int n_a = hsr_piece_rows_spans(&rows_f, p->part.cuts, p->part.n_cuts, j, a,
+                                   s->tally);
+    int n_b = n_a ? hsr_piece_rows_spans(&rows_g, q->part.cuts, q->part.n_cuts,
+                                         j, b, s->tally)
                   : 0;
     if (spans_meet(s->window, a, n_a, b, n_b))
       return false;
