@@ -402,8 +402,8 @@ struct runner {
   int number;
 };
 
-/* Takes a turn for one more process, if there are n. False: not now. The first
- * one waits for it. */
+/* Takes a turn for one more process. If n > 0 processes of the group work and no
+ * turn is free, returns false. If none works, waits for a turn. */
 static bool has_turn(const struct group *g, int n) {
   if (n && (!g->turns || sem_trywait(g->turns)))
     return false;
@@ -412,7 +412,8 @@ static bool has_turn(const struct group *g, int n) {
   return true;
 }
 
-/* Runs the algorithm in a new process. Its number is -1 if there is none. */
+/* Runs the algorithm in a new process, and returns that; -1: it cannot be made.
+ */
 static pid_t start(const struct group *g, int number,
                    const struct wanted *wanted) {
   fflush(NULL);

@@ -67,8 +67,9 @@ struct group {
   int n_views;
 
   struct cell *cells; /* a view and algorithm */
-  /* How many processes may work, of all groups that share it; NULL: one of this
-   * group. A group that is ended by a signal has not given its turn back. */
+  /* Each process that works holds one turn. Groups may share the turns. NULL:
+   * this group runs one process at a time. A signal may end a group while it
+   * holds a turn; whoever waits for the group gives that turn back. */
   sem_t *turns;
   const char *differences; /* a folder for what is wrong, beside what is right;
                               or NULL */

@@ -132,7 +132,7 @@ static bool is_counted_only(const struct row *row) {
   return !row->timed && !*status && !*compared;
 }
 
-/* The names of such rows among the n of a place, after those of another kind. */
+/* Prints the names of such rows, out of the n rows of a place. */
 static void print_counted(const struct row *row, size_t n) {
   char *names = NULL;
   size_t size = 0;

@@ -310,8 +310,10 @@ void hsr_edge_columns(const struct hsr_screen *screen,
 int hsr_face_spans(const struct hsr_screen *screen, uint32_t f, int j,
                    int *columns, struct hsr_tally *tally);
 
-/* A face whose rows are all asked for: the edges of a whole face are found
- * once. `n` edges, or none if each row is left to hsr_face_spans. */
+/* A face that is asked about row by row. The edges of a whole face are found
+ * once, for all its rows. n is 0 if no edge crosses a row, if the face is not
+ * whole or if it has more than HSR_MOST_ROW_EDGES corners: then hsr_face_spans
+ * answers. Borrows the screen. */
 enum { HSR_MOST_ROW_EDGES = 8 };
 struct hsr_face_rows {
   const struct hsr_screen *screen;
@@ -326,7 +328,7 @@ void hsr_face_rows_begin(struct hsr_face_rows *rows,
                          const struct hsr_screen *screen, uint32_t f,
                          struct hsr_tally *tally);
 
-/* What hsr_face_spans says of the face on row j. */
+/* The same columns as hsr_face_spans of the face, with the same room. */
 int hsr_face_rows_spans(const struct hsr_face_rows *rows, int j, int *columns,
                         struct hsr_tally *tally);
 
