@@ -14,6 +14,7 @@ include %D%/list_priority/per_frame/local.mk
 include %D%/image_space/area/local.mk
 include %D%/image_space/area/sorting/local.mk
 include %D%/image_space/area/tiling/local.mk
+include %D%/image_space/area/warnock/local.mk
 include %D%/image_space/area/tiling/masks/local.mk
 include %D%/image_space/point/local.mk
 include %D%/brute_force/local.mk

@@ -104,6 +104,7 @@ tap_programs = \
   %D%/properties/tiling/voxels_test \
   %D%/properties/tiling/tiling_test \
   %D%/properties/surfaces/warnock_test \
+  %D%/properties/surfaces/warnock_options_test \
   %D%/properties/surfaces/a_buffer_test \
   %D%/properties/surfaces/weiler_atherton_test \
   %D%/sweep/check_test \

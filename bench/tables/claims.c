@@ -15,7 +15,13 @@
 #include <string.h>
 
 enum { MOST_NAMES = 6 };
-enum { IN_HOUSE = 1, IN_HARBOR = 2, IN_BIG_HARBOR = 4, IN_ALL = 7 };
+enum {
+  IN_HOUSE = 1,
+  IN_HARBOR = 2,
+  IN_BIG_HARBOR = 4,
+  IN_ALL = 7,
+  ON_WALK = 1 << ENVIRONMENTS
+};
 #define HALF_ORDER 3.1622776601683795
 #define QUARTER 0.25
 
@@ -278,6 +284,17 @@ NUMBER(against_origins) {
   return cost(t, claim->algorithm[0], claim->step, scene) / least;
 }
 
+/* The same of all frames of the walk. */
+NUMBER(against_origins_on_walk) {
+  (void)algorithm, (void)scene, (void)remark;
+  double least = INFINITY;
+  for (int k = 1; claim->algorithm[k]; k++) {
+    double x = tables_walk_cost(t, claim->algorithm[k]);
+    least = isnan(x) || isnan(least) ? NAN : fmin(least, x);
+  }
+  return tables_walk_cost(t, claim->algorithm[0]) / least;
+}
+
 NUMBER(newell_against_watkins) {
   UNUSED;
   return factor_between(total(t, "newell", scene), total(t, "watkins", scene));
@@ -468,9 +485,12 @@ static enum finding judge_number(const struct tables *t,
 static enum finding judge_environment(const struct tables *t,
                                       const struct claim *claim, int scene,
                                       struct conclusion *c) {
-  tell(c, "%s%s: ", separator(c), paper_environments[scene].scene);
+  tell(c, "%s%s: ", separator(c),
+       scene == ENVIRONMENTS ? "walk in " TABLES_WALK_SCENE
+                             : paper_environments[scene].scene);
   /* The algorithms of against_origins are taken together. */
-  if (!claim->algorithm[0] || claim->number == against_origins)
+  if (!claim->algorithm[0] || claim->number == against_origins ||
+      claim->number == against_origins_on_walk)
     return judge_number(t, claim, NULL, scene, c);
   enum finding finding = BORNE_OUT;
   for (int a = 0; claim->algorithm[a]; a++) {
@@ -481,12 +501,12 @@ static enum finding judge_environment(const struct tables *t,
   return finding;
 }
 
-/* An environment that was not measured is named. The finding then comes from
+/* An environment, or the walk, that was not measured is named. The finding then comes from
  * the others, if there are any. */
 static void judge_numbers(const struct tables *t, const struct claim *claim,
                           struct conclusion *c) {
   bool measured = false;
-  for (int e = 0; e < ENVIRONMENTS; e++)
+  for (int e = 0; e <= ENVIRONMENTS; e++)
     if (claim->environments & 1u << e) {
       enum finding finding = judge_environment(t, claim, e, c);
       if (finding == NOT_MEASURED)

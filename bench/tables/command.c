@@ -84,7 +84,7 @@ static const struct argp argp = {
     "the measured Table I; how each step grows; the taxonomy; and which of the "
     "survey's conclusions the counts bear out. It takes them from results of "
     "hsr bench. Without results it first counts on the nine scenes of the "
-    "tables, which takes some minutes.\v"
+    "tables and on a walk, which takes some minutes.\v"
     "  hsr tables\n"
     "  hsr bench --counts house harbor big-harbor --size 500x500 -o c.ndjson\n"
     "  hsr tables c.ndjson",
@@ -94,17 +94,10 @@ static const struct argp argp = {
 
 /* --- Counting ------------------------------------------------------------- */
 
-/* The options of the hsr bench --counts that makes the results. */
-static void ask(const struct options *o, struct sweep_options *ask) {
+/* What the options of both hsr bench --counts share. */
+static void ask(const struct options *o, struct sweep_options *ask, int size) {
   *ask = (struct sweep_options)SWEEP_OPTIONS_STANDARD;
-  for (const char *const *scene = tables_scenes; *scene; scene++)
-    ask->scene[ask->n_scenes++] = *scene;
-  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
-    if (l->plain->steps)
-      ask->algorithm[ask->n_algorithms++] = l->plain->name;
-  for (const char *const *name = tables_variants; *name; name++)
-    ask->algorithm[ask->n_algorithms++] = *name;
-  ask->m[0] = ask->n[0] = TABLES_SIZE;
+  ask->m[0] = ask->n[0] = size;
   ask->n_sizes = 1;
   ask->threads[ask->n_threads++] = 1;
   ask->counts = true;
@@ -113,13 +106,36 @@ static void ask(const struct options *o, struct sweep_options *ask) {
     ask->timeout = o->timeout;
 }
 
-static enum hsr_status count(const struct options *o, int argc, char **argv,
-                             struct results *results, struct hsr_error *err) {
+/* Of that on the nine scenes. */
+static void ask_scenes(const struct options *o, struct sweep_options *asked) {
+  ask(o, asked, TABLES_SIZE);
+  for (const char *const *scene = tables_scenes; *scene; scene++)
+    asked->scene[asked->n_scenes++] = *scene;
+  for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
+    if (l->plain->steps)
+      asked->algorithm[asked->n_algorithms++] = l->plain->name;
+  for (const char *const *name = tables_variants; *name; name++)
+    asked->algorithm[asked->n_algorithms++] = *name;
+}
+
+/* And of that on the walk, which goes on where the first ends. */
+static void ask_walk(const struct options *o, struct sweep_options *asked) {
+  ask(o, asked, TABLES_WALK_SIZE);
+  asked->scene[asked->n_scenes++] = TABLES_WALK_SCENE;
+  for (const char *const *name = tables_walkers; *name; name++)
+    asked->algorithm[asked->n_algorithms++] = *name;
+  asked->walk = TABLES_WALK;
+  asked->resume = o->output;
+}
+
+static enum hsr_status count(const struct options *o, bool walk, int argc,
+                             char **argv, struct results *results,
+                             struct hsr_error *err) {
   struct sweep_options *asked = calloc(1, sizeof *asked);
   struct plan *plan = calloc(1, sizeof *plan);
   enum hsr_status status = asked && plan ? HSR_OK : hsr_fail_nomem(err);
   if (!status) {
-    ask(o, asked);
+    (walk ? ask_walk : ask_scenes)(o, asked);
     status = plan_init(plan, asked, err);
     if (!status)
       status = sweep_run(plan, argc, argv, results, err);
@@ -169,8 +185,8 @@ enum hsr_status command_tables(int argc, char **argv, struct hsr_error *err) {
     return sorts_print() ? HSR_OK : hsr_fail_nomem(err);
   for (int k = 0; k < options.n_files && !status; k++)
     status = results_read(&results, options.file[k], err);
-  if (!status && !options.n_files)
-    status = count(&options, argc, argv, &results, err);
+  for (int walk = 0; walk < 2 && !status && !options.n_files; walk++)
+    status = count(&options, walk, argc, argv, &results, err);
   if (!status)
     status = print(&options, &results, err);
   results_free(&results);

@@ -16,6 +16,13 @@ const char *const tables_variants[] = {
 #undef HSR_PROPOSED
     NULL};
 
+const char *const tables_walkers[] = {"newell",
+                                      "newell-previous",
+                                      "warnock",
+                                      "warnock:regions=64",
+                                      "warnock:regions=256",
+                                      NULL};
+
 /* --- Scenes --------------------------------------------------------------- */
 
 /* X(field, symbol, meaning) */
@@ -152,6 +159,15 @@ double tables_frame_cost(const json_t *cell) {
       cost += cost_of(listed->plain, s, cell);
   }
   return cost;
+}
+
+double tables_walk_cost(const struct tables *t, const char *algorithm) {
+  char key[RESULTS_KEY];
+  int length = results_picture_key(TABLES_WALK_SCENE, TABLES_VIEW, TABLES_WALK,
+                                   TABLES_WALK_SIZE, TABLES_WALK_SIZE, key);
+  snprintf(key + length, (size_t)(RESULTS_KEY - length), " %.100s 1",
+           algorithm);
+  return tables_frame_cost(results_cell(t->results, key));
 }
 
 static void fill_step(const struct tables *t, const struct table_algorithm *a,

@@ -3,7 +3,7 @@
  * and printed as text or JSON (hsr tables).
  *
  * They cover three environments and a ladder of harbors, all seen from view 1
- * at 500 x 500. A number that was not measured is NAN. */
+ * at 500 x 500, and one walk. A number that was not measured is NAN. */
 #ifndef HSR_BENCH_TABLES_H
 #define HSR_BENCH_TABLES_H
 
@@ -18,6 +18,12 @@ enum { TABLES_VIEW = 1, TABLES_SIZE = 500, MOST_SCENES = 32, MOST_STEPS = 16 };
  * ladder on which growth is measured: harbors from 100 to 60,000 relevant
  * faces, all of one depth complexity. */
 extern const char *const tables_scenes[];
+
+/* The walk on which what is kept from frame to frame is counted: the first views
+ * of a scene, at TABLES_WALK_SIZE a side; and who takes it, ended by NULL. */
+enum { TABLES_WALK = 8, TABLES_WALK_SIZE = 250 };
+#define TABLES_WALK_SCENE "office:3"
+extern const char *const tables_walkers[];
 
 /* A scene of the results, with its Table I as measured, and as the rules of
  * Table II predict it. */
@@ -91,6 +97,9 @@ double tables_count(const struct tables *t, const char *algorithm,
  * all steps that every frame takes. NAN if its picture is not right, or if its
  * algorithm has no steps. */
 double tables_frame_cost(const json_t *cell);
+
+/* The cost of all frames of the walk, as tables_frame_cost. */
+double tables_walk_cost(const struct tables *t, const char *algorithm);
 
 /* How `values`, one for each scene, grow over the ladder. */
 struct growth tables_growth(const struct tables *t, const double *values);

@@ -77,13 +77,72 @@ static const struct hand_count derived[] = {
     {"one in front", 3},
     {"samples", 4},
     {"runs", 6},
+    {"raster sort", 0},
+    {"raster merge", 0},
+    {"raster rows", 0},
+    {"ranges", 0},
+    {"entered", 0},
+    {"left", 0},
+    {"region sort", 0},
+    {NULL}};
+
+/* As a raster. 13 windows are decided, and put into buckets twice. In rows:
+ * 0-4, 0-4 has 4, each sample 1, each window of 2 x 2 has 2, 4-8, 4-8 has 4:
+ * 4 + 4 + 7 x 2 + 4 = 26.
+ *
+ *   row   begin                         go on          comparisons
+ *    0    0-4; 4; 5; 6-8                -              0
+ *    1    4; 5                          0-4; 6-8       4, 0-4; 4, 6-8; 5, 6-8
+ *    2    4-6; 6-8                      0-4            4-6, 0-4
+ *    4    0-2; 2-4; 4-8                 -              0
+ *    6    0-2; 2-4                      4-8            0-2, 4-8; 2-4, 4-8
+ *
+ * The window that begins is to the right of 0-4 twice, and else to the left. */
+static const struct hand_count raster[] = {{"raster sort", 26},
+                                           {"raster sort", 13, "by X"},
+                                           {"raster sort", 13, "by Y"},
+                                           {"raster merge", 6},
+                                           {"raster merge", 2, "right"},
+                                           {"raster merge", 4, "left"},
+                                           {"raster rows", 26},
+                                           {"windows", 17},
+                                           {"Warnock special", 46},
+                                           {"runs", 6},
+                                           {NULL}};
+
+/* With 64 regions, each is a sample. In the first frame all faces enter: A into
+ * 4 x 8, B into 6 x 2, C into 2, D and E into 1. Ten regions have two faces.
+ * Where B is behind A, six times, they enter in order: 1 comparison. Where C, D
+ * or E is before the other, they do not: 1 finds it, 1 merges, and 1 finds them
+ * in order. The first in Z order surrounds the sample, and hides the other. */
+static const struct hand_count in_regions[] = {
+    {"ranges", 5},
+    {"ranges", 5, "others"},
+    {"entered", 48},
+    {"left", 0},
+    {"region sort", 18},
+    {"region sort", 10, "in order"},
+    {"region sort", 8, "out of order"},
+    {"Z sort", 0},
+    {"windows", 64},
+    {"samples", 64},
+    {"subdivisions", 0},
+    {"Warnock special", 38},
+    {"Warnock special", 38, "surrounder"},
+    {"hidden faces", 10},
+    {"depth search", 0},
+    {"minimax culls", 0},
     {NULL}};
 
 int main(void) {
-  struct tap tap = plan(1);
+  struct tap tap = plan(3);
   struct hand_picture p;
   pixel_open(&p, faces, 5, SIZE, SIZE);
   ok(&tap, hand_compare(&p, "warnock", derived, true), "five rectangles");
+  ok(&tap, hand_compare(&p, "warnock:output=raster", raster, false),
+     "as a raster");
+  ok(&tap, hand_compare(&p, "warnock:regions=64", in_regions, false),
+     "in 64 regions");
   hand_close(&p);
   return finish(&tap);
 }

@@ -116,6 +116,15 @@ static json_t *cell_record(int scene, const char *algorithm, json_t *counts) {
                    "threads", 1, "status", "ok", "counts", counts, "starts");
 }
 
+/* On the walk. */
+static json_t *walk_record(const char *algorithm, json_t *counts) {
+  return json_pack("{ss ss ss si si si si ss si ss so s[]}", "record", "cell",
+                   "run", "x", "scene", TABLES_WALK_SCENE, "view", TABLES_VIEW,
+                   "walk", TABLES_WALK, "width", TABLES_WALK_SIZE, "height",
+                   TABLES_WALK_SIZE, "algorithm", algorithm, "threads", 1,
+                   "status", "ok", "counts", counts, "starts");
+}
+
 static void give(struct results *results, json_t *record) {
   struct hsr_error err;
   must(record && !results_add(results, record, &err));
@@ -153,6 +162,7 @@ static void give_algorithm(struct results *results,
                                 json_integer((json_int_t)ceil(count))));
     }
   }
+  give(results, walk_record(name, json_deep_copy(counts[HARBOR])));
   for (int s = 0; s < 9; s++)
     give(results, cell_record(s, name, counts[s]));
 }
@@ -187,13 +197,19 @@ static struct tables *tables_of(const struct results *results) {
 }
 
 /* Changes a count. */
-static void set(struct results *results, int scene, const char *algorithm,
-                const char *counter, double count) {
+static void set_in(struct results *results, const char *picture,
+                   const char *algorithm, const char *counter, double count) {
   char key[RESULTS_KEY];
-  snprintf(key, sizeof key, "%s 1 500x500 %s 1", tables_scenes[scene],
-           algorithm);
+  snprintf(key, sizeof key, "%.99s %.100s 1", picture, algorithm);
   json_t *counts = json_object_get(results_cell(results, key), "counts");
   must(!json_object_set_new(counts, counter, json_integer((json_int_t)count)));
+}
+
+static void set(struct results *results, int scene, const char *algorithm,
+                const char *counter, double count) {
+  char picture[100];
+  snprintf(picture, sizeof picture, "%.80s 1 500x500", tables_scenes[scene]);
+  set_in(results, picture, algorithm, counter, count);
 }
 
 /* The conclusion on the claim whose text contains `part`. */
@@ -354,6 +370,21 @@ static void test_known(struct tap *tap) {
      "half as many again on one scene are not");
   ok(tap, find(t, "saves about 20 %").finding == NOT_BORNE_OUT,
      "nor do 500 of them save 20 %%");
+  tables_delete(t);
+
+  const char *walk = TABLES_WALK_SCENE " 1-8 250x250";
+  set_in(&results, walk, "warnock", "Warnock special", 1e9);
+  set_in(&results, walk, "warnock:regions=64", "Warnock special", 2e9);
+  t = tables_of(&results);
+  c = find(t, "in 64 regions");
+  ok(tap,
+     c.finding == NOT_BORNE_OUT &&
+         !strcmp(c.evidence, "walk in office:3: 2.00"),
+     "on a walk, twice the tests are more");
+  tables_delete(t);
+  set_in(&results, walk, "warnock:regions=64", "Warnock special", 5e8);
+  t = tables_of(&results);
+  ok(tap, find(t, "in 64 regions").finding == BORNE_OUT, "and half are less");
   tables_delete(t);
 
   /* A square law except for one size: the interval holds other exponents. */
@@ -546,7 +577,7 @@ static void test_report(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(43);
+  struct tap tap = plan(45);
   test_growth(&tap);
   test_survey(&tap);
   test_missing(&tap);

@@ -13,7 +13,7 @@
  *             Warnock special ends early. Watkins' steps leave out the faces
  *             that a surrounder hides, but take a face once for each window
  *             that it is in */
-#include "algorithms/image_space/area/warnock.h"
+#include "algorithms/image_space/area/warnock/warnock.h"
 #include "algorithms/image_space/point/watkins.h"
 
 static const struct hsr_counter counters[] = {

@@ -16,7 +16,7 @@
  *             that a surrounder hides, but take a face once for each window
  *             that it is in */
 #include "algorithms/list_priority/per_frame/newell.h"
-#include "algorithms/image_space/area/warnock.h"
+#include "algorithms/image_space/area/warnock/warnock.h"
 
 static const struct hsr_counter counters[] = {
     HSR_FINISHED_COUNTERS, HSR_NEWELL_COUNTERS("Newell: "), {NULL}};

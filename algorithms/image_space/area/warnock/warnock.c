@@ -23,20 +23,95 @@
  *             a face that is behind a surrounder is hidden in all sub-windows
  *             too: it is left out of them, as a disjoint one is;
  *             a window one sample wide or high is divided into two
+ * Options     output=raster puts the windows out in the order of a raster
+ *             display, as Cohen's scheme does (show.h); regions=64 and 256
+ *             begin with windows whose faces are known from the last frame
+ *             ("Frame and Object Coherence", regions.h)
  * Cost        Z sort 2 F_r, Warnock special 100 L_v D_c, depth search L_v D_c
  */
 #include "algorithms/image_space/area/area.h"
-#include "algorithms/image_space/area/warnock.h"
+#include "algorithms/image_space/area/warnock/regions.h"
+#include "algorithms/image_space/area/warnock/show.h"
+#include "algorithms/image_space/area/warnock/warnock.h"
 
 #include <float.h>
 #include <string.h>
 
-/* Of the variant that divides at vertices. */
-enum { AT_VERTEX = HSR_N_WARNOCK_COUNTERS };
+/* Of the option that puts out rows; of the variant that divides at vertices. */
+enum {
+  RASTER_SORT = HSR_N_WARNOCK_COUNTERS,
+  RASTER_MERGE,
+  RASTER_ROWS,
+  RANGES,
+  ENTERED,
+  LEFT,
+  REGION_SORT,
+  AT_VERTEX = HSR_N_WARNOCK_COUNTERS
+};
 
-static const struct hsr_counter counters[] = {HSR_WARNOCK_COUNTERS, {NULL}};
+static const struct hsr_counter counters[] = {
+    HSR_WARNOCK_COUNTERS,
+    [RASTER_SORT] = {"raster sort",
+                     "decided windows put into buckets, in each of two passes",
+                     HSR_SORT, HSR_OF_WINDOW, HSR_OF_NOTHING, "by X|by Y"},
+    [RASTER_MERGE] = {"raster merge",
+                      "comparisons to merge windows into those of a row",
+                      HSR_COMPARE, HSR_OF_WINDOW, HSR_OF_WINDOW, "right|left"},
+    [RASTER_ROWS] = {"raster rows", "parts of windows put out, a row each",
+                     HSR_RETIRE, HSR_OF_WINDOW, HSR_OF_NOTHING},
+    [RANGES] = {"ranges",
+                "faces whose regions are compared with the last frame's",
+                HSR_COMPARE, HSR_OF_FACE, HSR_OF_NOTHING, "others|the same"},
+    [ENTERED] = {"entered", "faces put into the list of a region", HSR_ACTIVATE,
+                 HSR_OF_FACE, HSR_OF_WINDOW},
+    [LEFT] = {"left", "faces taken from the list of a region", HSR_RETIRE,
+              HSR_OF_FACE, HSR_OF_WINDOW},
+    [REGION_SORT] = {"region sort", "comparisons of the Z sort of the lists",
+                     HSR_COMPARE, HSR_OF_FACE, HSR_OF_FACE,
+                     "in order|out of order"},
+    {NULL}};
 
-static const struct hsr_line outline[] = {HSR_WARNOCK_LINES, {NULL}};
+static const struct hsr_line outline[] = {
+    HSR_WARNOCK_LINES,
+    {"with a raster: sort the decided windows by X and by Y",
+     HSR_RAISES(RASTER_SORT)},
+    {"  on each row, merge those that begin into those that go on",
+     HSR_RAISES(RASTER_MERGE)},
+    {"  put them out from left to right", HSR_RAISES(RASTER_ROWS)},
+    {"with regions: find those of each face; are they the last frame's?",
+     HSR_RAISES(RANGES)},
+    {"  where not, change the lists of the regions",
+     HSR_RAISES(ENTERED) | HSR_RAISES(LEFT)},
+    {"  sort each list by Z, from the last frame's order on",
+     HSR_RAISES(REGION_SORT)},
+    {NULL}};
+
+static const struct hsr_step steps[] = {HSR_WARNOCK_STEPS,
+                                        {.label = "raster sort",
+                                         .counter = RASTER_SORT,
+                                         .factor = 1,
+                                         .more = {{RASTER_MERGE, 1}}},
+                                        {NULL}};
+
+enum { OUTPUT, REGIONS }; /* options */
+enum { WINDOWS, RASTER };
+static const struct hsr_word outputs[] = {
+    [WINDOWS] = {"windows", "a window at a time, as they are decided", 0},
+    [RASTER] = {"raster", "a row at a time, after a sort by Y and X", 0},
+    {NULL}};
+enum { NO_REGIONS, BY_64, BY_256 };
+static const struct hsr_word kept_regions[] = {
+    [NO_REGIONS] = {"none", "nothing is kept: the picture is the first window",
+                    0},
+    [BY_64] = {"64", "each of 8 x 8 keeps its faces", HSR_FRAME_STATE},
+    [BY_256] = {"256", "each of 16 x 16 keeps its faces", HSR_FRAME_STATE},
+    {NULL}};
+static const struct hsr_option options[] = {
+    [OUTPUT] = {"output", "in what order the picture is put out", outputs, 0,
+                RASTER, WINDOWS},
+    [REGIONS] = {"regions", "what is kept from the last frame", kept_regions, 0,
+                 BY_256, NO_REGIONS},
+    {NULL}};
 
 static const struct hsr_counter counters_at_vertices[] = {
     HSR_WARNOCK_COUNTERS,
@@ -50,7 +125,7 @@ static const struct hsr_line outline_at_vertices[] = {
      HSR_RAISES(AT_VERTEX)},
     {NULL}};
 
-static const struct hsr_step steps[] = {HSR_WARNOCK_STEPS, {NULL}};
+static const struct hsr_step steps_at_vertices[] = {HSR_WARNOCK_STEPS, {NULL}};
 
 static const struct hsr_sort sorts[] = {HSR_WARNOCK_SORTS, {NULL}};
 
@@ -87,11 +162,11 @@ struct state {
   const struct hsr_screen *screen;
   bool at_vertices;                    /* subdivide at vertices */
   const struct hsr_finisher *finisher; /* NULL: there is none */
+  struct hsr_show show;
 
   struct listed *list;  /* the relevant faces */
   struct listed *aside; /* as many, for sorting and setting aside */
   uint32_t *open;       /* the finisher's: ids of a window's faces */
-  int *columns;         /* room for the spans of the largest face */
   uint32_t n_disjoint;  /* faces left out of list[0, n), being disjoint */
   uint32_t n_hidden;    /* or hidden */
 };
@@ -109,7 +184,8 @@ static uint32_t z_key(const struct hsr_view *view, double q) {
   return view->parallel ? (1u << 2 * DIGIT_BITS) - 1 - bits : bits;
 }
 
-static struct listed list_face(const struct hsr_screen *screen, uint32_t f) {
+/* The key of the nearest that any sample of face f may be. */
+static uint32_t nearest_key(const struct hsr_screen *screen, uint32_t f) {
   const struct hsr_bounds *b = &screen->bounds[f];
   double nearest = -INFINITY;
   for (int corner = 0; corner < 4; corner++) {
@@ -117,14 +193,19 @@ static struct listed list_face(const struct hsr_screen *screen, uint32_t f) {
                          corner & 2 ? b->y1 - 1 : b->y0);
     nearest = q > nearest ? q : nearest;
   }
-  return (struct listed){
-      .id = f,
-      .z = z_key(screen->view, nearest + 2 * screen->plane[f].error),
-      .x0 = (int16_t)b->x0,
-      .y0 = (int16_t)b->y0,
-      .x1 = (int16_t)b->x1,
-      .y1 = (int16_t)b->y1,
-      .since = NEVER};
+  return z_key(screen->view, nearest + 2 * screen->plane[f].error);
+}
+
+static struct listed list_face(const struct hsr_screen *screen, uint32_t f,
+                               uint32_t z) {
+  const struct hsr_bounds *b = &screen->bounds[f];
+  return (struct listed){.id = f,
+                         .z = z,
+                         .x0 = (int16_t)b->x0,
+                         .y0 = (int16_t)b->y0,
+                         .x1 = (int16_t)b->x1,
+                         .y1 = (int16_t)b->y1,
+                         .since = NEVER};
 }
 
 /* One pass of the sort: by one digit of z, the greatest first. */
@@ -144,8 +225,10 @@ static void sort_by_digit(struct state *s, const struct listed *from,
 }
 
 static void sort_z(struct state *s) {
-  for (uint32_t r = 0; r < s->screen->n_relevant; r++)
-    s->list[r] = list_face(s->screen, s->screen->relevant[r]);
+  for (uint32_t r = 0; r < s->screen->n_relevant; r++) {
+    uint32_t f = s->screen->relevant[r];
+    s->list[r] = list_face(s->screen, f, nearest_key(s->screen, f));
+  }
   sort_by_digit(s, s->list, s->aside, 0);
   sort_by_digit(s, s->aside, s->list, DIGIT_BITS);
 }
@@ -268,36 +351,7 @@ static struct remains search_depth(struct state *s, const struct hsr_area *w,
   return remains;
 }
 
-/* --- Painting ------------------------------------------------------------- */
-
-static void paint(struct state *s, const struct hsr_area *w, uint32_t id) {
-  for (int j = w->y0; j < w->y1; j++) {
-    uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-    for (int i = w->x0; i < w->x1; i++)
-      row[i] = id;
-  }
-}
-
-/* What of face f lies in the window. */
-static void paint_face(struct state *s, const struct hsr_area *w, uint32_t f) {
-  const struct hsr_bounds *bounds = &s->screen->bounds[f];
-  int first = bounds->y0 > w->y0 ? bounds->y0 : w->y0;
-  int end = bounds->y1 < w->y1 ? bounds->y1 : w->y1;
-  for (int j = first; j < end; j++) {
-    uint32_t *row = s->job->ids + (size_t)j * s->job->ids_stride;
-    int n = hsr_face_spans(s->screen, f, j, s->columns, s->tally);
-    for (int k = 0; k < n; k += 2) {
-      int x0 = s->columns[k] > w->x0 ? s->columns[k] : w->x0;
-      int x1 = s->columns[k + 1] < w->x1 ? s->columns[k + 1] : w->x1;
-      if (x0 >= x1)
-        continue;
-      HSR_STEP(s->tally, HSR_WARNOCK_RUNS, HSR_FACE(f), HSR_THE_WINDOW,
-               HSR_ON(x0, x1, j), 0);
-      for (int i = x0; i < x1; i++)
-        row[i] = f;
-    }
-  }
-}
+/* --- Decisions ------------------------------------------------------------ */
 
 /* Work picture: n faces were looked at in the window. Each of its samples gets
  * an equal share. */
@@ -332,9 +386,8 @@ static bool decide(struct state *s, const struct hsr_area *w,
   HSR_STEP(s->tally, counter, HSR_FACE(id),
            one ? HSR_FACE(remains->other->id) : HSR_THE_WINDOW,
            hsr_area_samples(w), 0);
-  paint(s, w, id);
-  if (one)
-    paint_face(s, w, remains->other->id);
+  hsr_show_window(&s->show, hsr_area_samples(w), id,
+                  one ? remains->other->id : HSR_BACKGROUND);
   return true;
 }
 
@@ -488,57 +541,117 @@ static void examine(struct state *s, struct hsr_window samples, int level,
 
 static enum hsr_status allocate(struct state *s) {
   struct hsr_arena *arena = s->job->scratch;
-  uint32_t n = s->screen->n_relevant, largest = 0;
-  for (uint32_t r = 0; r < n; r++) {
-    uint32_t size = hsr_face_size(s->job->world, s->screen->relevant[r]);
-    largest = size > largest ? size : largest;
-  }
+  uint32_t n = s->screen->n_relevant;
   s->list = HSR_NEW(arena, struct listed, n);
   s->aside = HSR_NEW(arena, struct listed, n);
   s->open = HSR_NEW(arena, uint32_t, s->finisher ? s->finisher->most_faces : 0);
-  s->columns = HSR_NEW(arena, int, largest + 4);
-  return s->list && s->aside && s->open && s->columns ? HSR_OK : HSR_E_NOMEM;
+  return s->list && s->aside && s->open ? HSR_OK : HSR_E_NOMEM;
 }
 
+/* The windows of the principal regions, with their faces as they were kept from
+ * the last frame and brought up to date. */
+static enum hsr_status examine_regions(struct state *s,
+                                       struct hsr_regions *regions) {
+  static const struct hsr_region_counters counted = {
+      .ranges = RANGES, .enter = ENTERED, .leave = LEFT, .sort = REGION_SORT};
+  uint32_t *key = HSR_NEW(s->job->scratch, uint32_t, s->job->world->n_faces);
+  if (!key)
+    return HSR_E_NOMEM;
+  for (uint32_t r = 0; r < s->screen->n_relevant; r++)
+    key[s->screen->relevant[r]] =
+        nearest_key(s->screen, s->screen->relevant[r]);
+  if (hsr_regions_update(regions, s->job, s->screen, key, &counted))
+    return HSR_E_NOMEM;
+  for (int r = 0; r < 1 << regions->level; r++)
+    for (int c = 0; c < 1 << regions->level; c++) {
+      struct hsr_window window = hsr_region_window(regions, c, r);
+      if (window.x0 == window.x1 || window.y0 == window.y1)
+        continue;
+      size_t n;
+      const uint32_t *faces = hsr_region_faces(regions, c, r, &n);
+      for (size_t k = 0; k < n; k++)
+        s->list[k] = list_face(s->screen, faces[k], key[faces[k]]);
+      examine(s, window, regions->level, (uint32_t)n);
+    }
+  return HSR_OK;
+}
+
+/* What differs between the variants; all zero: none of it. */
+struct ways {
+  bool at_vertices;
+  const struct hsr_finisher *finisher;
+  const struct hsr_raster_counters *raster;
+  struct hsr_regions *regions;
+};
+
 static enum hsr_status run(const struct hsr_job *job,
-                           const struct hsr_screen *screen, bool at_vertices,
-                           const struct hsr_finisher *finisher) {
+                           const struct hsr_screen *screen, struct ways ways) {
   struct state s = {.job = job,
                     .tally = job->tally,
                     .screen = screen,
-                    .at_vertices = at_vertices,
-                    .finisher = finisher};
-  if (allocate(&s))
+                    .at_vertices = ways.at_vertices,
+                    .finisher = ways.finisher};
+  if (allocate(&s) ||
+      hsr_show_init(&s.show, job, screen, HSR_WARNOCK_RUNS, ways.raster))
     return HSR_E_NOMEM;
-  sort_z(&s);
-  examine(&s, job->view->window, 0, screen->n_relevant);
+  if (ways.regions) {
+    if (examine_regions(&s, ways.regions))
+      return HSR_E_NOMEM;
+  } else {
+    sort_z(&s);
+    examine(&s, job->view->window, 0, screen->n_relevant);
+  }
+  if (ways.raster &&
+      (s.show.out_of_memory || hsr_show_raster(&s.show, ways.raster)))
+    return HSR_E_NOMEM;
   return HSR_OK;
 }
 
 enum hsr_status hsr_warnock_run(const struct hsr_job *job,
                                 const struct hsr_screen *screen,
                                 const struct hsr_finisher *finisher) {
-  return run(job, screen, false, finisher);
+  return run(job, screen, (struct ways){.finisher = finisher});
 }
 
-static enum hsr_status render_alone(const struct hsr_job *job, bool at_vertices,
+static enum hsr_status render_alone(const struct hsr_job *job, struct ways ways,
                                     struct hsr_error *err) {
   struct hsr_screen screen;
   if (hsr_screen_make(&screen, job->world, job->view, job->scratch,
                       job->tally) ||
-      run(job, &screen, at_vertices, NULL))
+      run(job, &screen, ways))
     return hsr_fail_nomem(err);
   return HSR_OK;
 }
 
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
-  return render_alone(job, false, err);
+  static const struct hsr_raster_counters raster = {
+      .sort = RASTER_SORT, .merge = RASTER_MERGE, .rows = RASTER_ROWS};
+  return render_alone(
+      job,
+      (struct ways){.raster = job->option[OUTPUT] == RASTER ? &raster : NULL,
+                    .regions = job->prepared},
+      err);
 }
 
 static enum hsr_status render_at_vertices(const struct hsr_job *job,
                                           struct hsr_error *err) {
-  return render_alone(job, true, err);
+  return render_alone(job, (struct ways){.at_vertices = true}, err);
+}
+
+/* The lists of the regions, kept from frame to frame. */
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  static const int level[] = {[BY_64] = 3, [BY_256] = 4};
+  if (option[REGIONS] == NO_REGIONS)
+    return HSR_OK;
+  *prepared = hsr_regions_new(level[option[REGIONS]], world->n_faces);
+  return *prepared ? HSR_OK : hsr_fail_nomem(err);
+}
+
+static void release(void *prepared) {
+  hsr_regions_free(prepared);
 }
 
 /* Figure 29b is lost: the restrictions are reconstructed from the text. */
@@ -548,14 +661,18 @@ static enum hsr_status render_at_vertices(const struct hsr_job *job,
             "Surveys 6(1), 1974, \"J. E. Warnock\"",                           \
   .taxonomy = HSR_IMAGE_SPACE_AREA, .sort_order = "(XY)Z",                     \
   .coherence = "area", .restrictions = 0, .subjects = 1 << HSR_FACES,          \
-  .kind = HSR_IDS, .sorts = sorts, .steps = steps
+  .kind = HSR_IDS, .sorts = sorts
 
 const struct hsr_algorithm HSR_ALGORITHM(warnock) = {
     .name = "warnock",
     .title = "Warnock's area subdivision",
     .counters = counters,
     .outline = outline,
+    .steps = steps,
+    .options = options,
+    .prepare = prepare,
     .render = render,
+    .release = release,
     DESCRIPTION};
 
 const struct hsr_algorithm HSR_ALGORITHM(warnock_vertices) = {
@@ -563,5 +680,6 @@ const struct hsr_algorithm HSR_ALGORITHM(warnock_vertices) = {
     .title = "Warnock's area subdivision, at vertices",
     .counters = counters_at_vertices,
     .outline = outline_at_vertices,
+    .steps = steps_at_vertices,
     .render = render_at_vertices,
     DESCRIPTION};

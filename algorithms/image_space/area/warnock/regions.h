@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which faces interact with the principal regions of the picture, kept from one
+ * frame to the next.
+ *
+ * Source      Sutherland et al. 1974, "Frame and Object Coherence": Warnock
+ *             might save "a partially sorted list of window/face interactions",
+ *             of "the 64 or 256 principal regions of the screen", and change it
+ *             from frame to frame.
+ * Notation    region -> a window of level 3 or 4 of Warnock's subdivision at the
+ *             centre; interaction -> the face's bounds reach the region;
+ *             partially sorted -> in the Z order of the last frame
+ * Invariants  after an update, the list of a region has each relevant face whose
+ *             bounds reach it, once, in Z order
+ * Departures  whether a face surrounds a region is not kept: a camera that moves
+ *             may change that, and only the test can tell
+ * Cost        a comparison of each face's range of regions with that of the last
+ *             frame; the Z sort of a list that has kept its order, one comparison
+ *             for each face
+ */
+#ifndef HSR_ALGORITHMS_WARNOCK_REGIONS_H
+#define HSR_ALGORITHMS_WARNOCK_REGIONS_H
+
+#include "algorithms/algorithm.h"
+#include "common/base/arena.h"
+#include "common/exact/screen.h"
+
+/* Compiled twice, as the algorithms are. */
+#define hsr_regions_new HSR_OF_BUILD(hsr_regions_new)
+#define hsr_regions_free HSR_OF_BUILD(hsr_regions_free)
+#define hsr_regions_update HSR_OF_BUILD(hsr_regions_update)
+
+/* Regions a side: 1 << level. */
+enum { HSR_MOST_REGION_LEVEL = 4, HSR_MOST_REGIONS_ASIDE = 16 };
+
+/* The regions that a face's bounds reach: columns [c0, c1), rows [r0, r1). None
+ * if it is not relevant. */
+struct hsr_region_range {
+  uint8_t c0, r0, c1, r1;
+};
+
+struct hsr_regions {
+  int level;
+  struct hsr_region_range *range; /* of each face, in the last frame */
+  struct hsr_growing list[HSR_MOST_REGIONS_ASIDE * HSR_MOST_REGIONS_ASIDE];
+  struct hsr_arena arena;                 /* of the lists */
+  int column[HSR_MOST_REGIONS_ASIDE + 1]; /* region c has the columns
+                                             [column[c], column[c + 1]) */
+  int row[HSR_MOST_REGIONS_ASIDE + 1];
+};
+
+/* Empty lists for n_faces faces. Owned by the caller, who frees it. NULL if
+ * memory ran out. */
+struct hsr_regions *hsr_regions_new(int level, uint32_t n_faces);
+void hsr_regions_free(struct hsr_regions *regions);
+
+/* The counters of an update. */
+struct hsr_region_counters {
+  int ranges; /* faces whose range is compared with that of the last frame */
+  int enter;  /* faces that enter a region */
+  int leave;  /* faces that leave a region */
+  int sort;   /* comparisons of the Z sort */
+};
+
+/* Brings the lists up to date with a frame. key[f]: the Z of relevant face f,
+ * the greatest first. HSR_E_NOMEM; the lists are empty then. */
+enum hsr_status hsr_regions_update(struct hsr_regions *regions,
+                                   const struct hsr_job *job,
+                                   const struct hsr_screen *screen,
+                                   const uint32_t *key,
+                                   const struct hsr_region_counters *counters);
+
+/* The samples of region (c, r); none if the picture is small. */
+static inline struct hsr_window
+hsr_region_window(const struct hsr_regions *regions, int c, int r) {
+  return hsr_window_make(regions->column[c], regions->row[r],
+                         regions->column[c + 1], regions->row[r + 1]);
+}
+
+/* Its faces, *n of them, in Z order. */
+static inline const uint32_t *
+hsr_region_faces(const struct hsr_regions *regions, int c, int r, size_t *n) {
+  const struct hsr_growing *list = &regions->list[(r << regions->level) + c];
+  *n = list->n;
+  return list->items;
+}
+
+#endif

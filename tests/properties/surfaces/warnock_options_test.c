@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the options of Warnock's algorithm promise, checked in its trace: a raster
+ * is put out in order and whole, and the lists of regions are those that a first
+ * frame would make. */
+#include "algorithms/variant.h"
+#include "scenes/scenes.h"
+#include "tests/draw.h"
+#include "tests/tap.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { M = 97, N = 61, FRAMES = 8 };
+
+static const char *const scene_names[] = {
+    "house",      "harbor",        "soup",       "lattice",    "cyclic-overlap",
+    "deep-stack", "penetration",   "behind-eye", "near-plane", "non-convex",
+    "terrain",    "nested-solids", "office:1"};
+enum { N_SCENES = sizeof scene_names / sizeof scene_names[0] };
+
+static void stop(const char *name, const struct hsr_error *err) {
+  printf("Bail out! %s: %s\n", name, err->text);
+  exit(99);
+}
+
+static const struct hsr_algorithm *find(const char *name) {
+  for (const struct hsr_listed *l = all_listed(); l->plain; l++)
+    if (!strcmp(l->plain->name, name))
+      return l->counting;
+  printf("Bail out! no %s\n", name);
+  exit(99);
+}
+
+static int counter_of(const struct hsr_algorithm *algorithm, const char *name) {
+  for (int k = 0; algorithm->counters[k].name; k++)
+    if (!strcmp(algorithm->counters[k].name, name))
+      return k;
+  printf("Bail out! %s has no counter \"%s\"\n", algorithm->name, name);
+  exit(99);
+}
+
+/* A scene, laid out. */
+struct stage {
+  struct hsr_scene *scene;
+  struct hsr_world world;
+};
+
+static void open_stage(struct stage *s, const char *name) {
+  struct hsr_error err;
+  if (hsr_scene_open(name, NULL, &s->scene, &err) ||
+      hsr_world_init(&s->world, s->scene, &err))
+    stop(name, &err);
+}
+
+static void close_stage(struct stage *s) {
+  hsr_world_free(&s->world);
+  hsr_scene_delete(s->scene);
+}
+
+static struct hsr_view view_of(const struct stage *s, int k, int m, int n) {
+  struct hsr_view view;
+  struct hsr_error err;
+  if (hsr_view_init(&view, &s->scene->views[(uint32_t)k % s->scene->n_views], m,
+                    n, &err))
+    stop(s->scene->name, &err);
+  return view;
+}
+
+/* --- As a raster ---------------------------------------------------------- */
+
+/* Where the next sample has to be put out. */
+struct raster {
+  int counter, x, y;
+  long n_amiss;
+};
+
+static void watch_rows(void *context, const struct hsr_event *event) {
+  struct raster *r = context;
+  if (event->counter != r->counter)
+    return;
+  const struct hsr_window *w = &event->window;
+  r->n_amiss += w->x0 != r->x || w->y0 != r->y || w->y1 != r->y + 1 ||
+                w->x1 <= w->x0 || w->x1 > M;
+  r->x = w->x1 == M ? 0 : w->x1;
+  r->y += w->x1 == M;
+}
+
+static void test_raster(struct tap *tap) {
+  static uint32_t ids[M * N], right[M * N];
+  const struct hsr_algorithm *algorithm = find("warnock:output=raster");
+  const struct hsr_algorithm *other = find("zbuffer");
+  long n_amiss = 0, n_wrong = 0, n_rows = 0;
+  for (int k = 0; k < N_SCENES; k++) {
+    struct stage stage;
+    open_stage(&stage, scene_names[k]);
+    struct raster r = {.counter = counter_of(algorithm, "raster rows")};
+    struct hsr_trace trace = {.listen = watch_rows, .context = &r};
+    struct hsr_tally tally = {.trace = &trace};
+    struct hsr_view view = view_of(&stage, 0, M, N);
+    draw_ids(algorithm, &stage.world, &view, ids, &tally);
+    draw_ids(other, &stage.world, &view, right, NULL);
+    n_wrong += count_differences(&view, ids, right);
+    n_amiss += r.n_amiss + (r.x != 0 || r.y != N);
+    n_rows += (long)tally.count[r.counter];
+    close_stage(&stage);
+  }
+  ok(tap, n_amiss == 0 && n_rows > N_SCENES * N,
+     "windows are put out row by row, from left to right, each sample once: "
+     "%ld of %ld parts are not",
+     n_amiss, n_rows);
+  ok(tap, n_wrong == 0, "%ld samples are wrong", n_wrong);
+}
+
+/* --- From frame to frame -------------------------------------------------- */
+
+/* A variant that is prepared once and draws frame after frame. */
+struct film {
+  const struct hsr_algorithm *algorithm;
+  struct hsr_setup setup;
+  struct hsr_arena scratch;
+  struct hsr_tally tally; /* of the last frame */
+  uint32_t ids[M * N];
+};
+
+static void begin(struct film *film, const struct hsr_algorithm *algorithm,
+                  const struct stage *stage) {
+  struct hsr_error err;
+  *film = (struct film){.algorithm = algorithm};
+  if (hsr_setup_init(&film->setup, algorithm, NULL, &stage->world, &err))
+    stop(algorithm->name, &err);
+}
+
+static void end(struct film *film) {
+  hsr_setup_free(&film->setup);
+  hsr_arena_free(&film->scratch);
+}
+
+static void draw_frame(struct film *film, const struct hsr_view *view) {
+  struct hsr_error err;
+  film->tally = (struct hsr_tally){.out_of_memory = false};
+  hsr_arena_reset(&film->scratch);
+  struct hsr_job job = {.view = view,
+                        .tally = &film->tally,
+                        .scratch = &film->scratch,
+                        .ids = film->ids,
+                        .ids_stride = (size_t)view->m};
+  if (hsr_setup_render(&film->setup, &job, &err))
+    stop(film->algorithm->name, &err);
+}
+
+static long count(const struct film *film, const char *name) {
+  return (long)film->tally.count[counter_of(film->algorithm, name)];
+}
+
+struct findings {
+  long n_frames, n_wrong;
+  long
+      n_apart; /* frames whose lists have not as many faces as a first frame's */
+  long
+      n_spoilt; /* frames drawn twice, whose lists changed, or were not in order */
+  long n_entered,
+      n_first; /* faces that entered; and would have, from nothing */
+};
+
+/* A walk. Every other frame is another size, and each is drawn twice. */
+static void walk(const struct hsr_algorithm *algorithm, const char *name,
+                 struct findings *f) {
+  static struct film film, fresh, other;
+  struct stage stage;
+  open_stage(&stage, name);
+  begin(&film, algorithm, &stage);
+  begin(&other, find("zbuffer"), &stage);
+  long n_listed = 0;
+  for (int k = 0; k < FRAMES; k++) {
+    struct hsr_view view =
+        k % 2 ? view_of(&stage, k / 2, 33, 5) : view_of(&stage, k / 2, M, N);
+    draw_frame(&other, &view);
+    begin(&fresh, algorithm, &stage);
+    draw_frame(&fresh, &view);
+    end(&fresh);
+    draw_frame(&film, &view);
+    f->n_wrong += count_differences(&view, film.ids, other.ids) +
+                  count_differences(&view, fresh.ids, other.ids);
+    n_listed += count(&film, "entered") - count(&film, "left");
+    f->n_apart += n_listed != count(&fresh, "entered");
+    f->n_entered += count(&film, "entered");
+    f->n_first += count(&fresh, "entered");
+
+    long special = count(&film, "Warnock special");
+    draw_frame(&film, &view);
+    f->n_spoilt += count(&film, "entered") != 0 || count(&film, "left") != 0 ||
+                   count(&film, "region sort") > n_listed ||
+                   count(&film, "Warnock special") != special;
+    f->n_wrong += count_differences(&view, film.ids, other.ids);
+    f->n_frames++;
+  }
+  end(&film);
+  end(&other);
+  close_stage(&stage);
+}
+
+static void test_regions(struct tap *tap, const char *name) {
+  struct findings f = {0};
+  for (int k = 0; k < N_SCENES; k++)
+    walk(find(name), scene_names[k], &f);
+  ok(tap, f.n_wrong == 0, "%s: %ld samples are wrong, of %ld frames", name,
+     f.n_wrong, f.n_frames);
+  ok(tap, f.n_apart == 0,
+     "%s: the lists are those of a first frame; in %ld frames they are not",
+     name, f.n_apart);
+  ok(tap, f.n_spoilt == 0,
+     "%s: a frame drawn again changes no list; %ld change", name, f.n_spoilt);
+  ok(tap, f.n_entered < f.n_first,
+     "%s: faces that enter a region are %ld, not %ld", name, f.n_entered,
+     f.n_first);
+}
+
+int main(void) {
+  struct tap tap = plan(10);
+  test_raster(&tap);
+  test_regions(&tap, "warnock:regions=64");
+  test_regions(&tap, "warnock:regions=256");
+  return finish(&tap);
+}
