@@ -199,6 +199,18 @@ static void fill_total(const struct tables *t, struct table_algorithm *a) {
   fit(t, &a->total);
 }
 
+/* Is a step of an option that was not chosen: it has no prediction, and was
+ * never taken? */
+static bool is_idle(const struct tables *t, const struct table_step *row) {
+  bool taken = row->step->predict != NULL;
+  bool counted = false;
+  for (int s = 0; s < t->n_scenes; s++) {
+    taken |= row->cost.measured[s] > 0;
+    counted |= !isnan(row->cost.measured[s]);
+  }
+  return counted && !taken;
+}
+
 static void fill_algorithm(const struct tables *t, struct table_algorithm *a,
                            const char *name,
                            const struct hsr_algorithm *algorithm) {
@@ -207,8 +219,10 @@ static void fill_algorithm(const struct tables *t, struct table_algorithm *a,
   a->paper = paper_group(algorithm->name);
   find_cells(t, a);
   for (const struct hsr_step *step = algorithm->steps;
-       step->label && a->n_steps < MOST_STEPS; step++)
-    fill_step(t, a, &a->step[a->n_steps++], step);
+       step->label && a->n_steps < MOST_STEPS; step++) {
+    fill_step(t, a, &a->step[a->n_steps], step);
+    a->n_steps += !is_idle(t, &a->step[a->n_steps]);
+  }
   fill_total(t, a);
 }
 

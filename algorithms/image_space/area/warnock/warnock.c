@@ -86,12 +86,16 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(REGION_SORT)},
     {NULL}};
 
-static const struct hsr_step steps[] = {HSR_WARNOCK_STEPS,
-                                        {.label = "raster sort",
-                                         .counter = RASTER_SORT,
-                                         .factor = 1,
-                                         .more = {{RASTER_MERGE, 1}}},
-                                        {NULL}};
+static const struct hsr_step steps[] = {
+    HSR_WARNOCK_STEPS,
+    {"region lists",
+     RANGES,
+     1,
+     NULL,
+     NULL,
+     {{ENTERED, 1}, {LEFT, 1}, {REGION_SORT, 1}}},
+    {"raster sort", RASTER_SORT, 1, NULL, NULL, {{RASTER_MERGE, 1}}},
+    {NULL}};
 
 enum { OUTPUT, REGIONS }; /* options */
 enum { WINDOWS, RASTER };
