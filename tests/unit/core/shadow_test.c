@@ -51,14 +51,35 @@ static void add_faces(uint64_t *seed, struct hsr_object *object) {
   }
 }
 
+/* Squares about the view's axis. One corner is out of the plane of the others by
+ * a thousandth of a side or so. */
+static void add_bent_faces(uint64_t *seed, struct hsr_object *object) {
+  for (int k = 0; k < 3; k++) {
+    double tilt[2] = {(double)draw_integer(seed, -5, 5) / 8,
+                      (double)draw_integer(seed, -5, 5) / 8};
+    double size = (double)draw_integer(seed, 1, 4);
+    double middle[2] = {(double)draw_integer(seed, -4, 4),
+                        (double)draw_integer(seed, -4, 4)};
+    uint32_t vertex[4];
+    for (int c = 0; c < 4; c++) {
+      double x = c == 1 || c == 2 ? size : -size, y = c >= 2 ? size : -size;
+      double bend = c ? 0 : (double)draw_integer(seed, -9, 9) * size / 4096;
+      hsr_object_vertex(object, middle[0] + x, middle[1] + y,
+                        tilt[0] * x + tilt[1] * y + bend, &vertex[c]);
+    }
+    hsr_object_face(object, vertex, 4, NULL);
+  }
+}
+
 /* The camera looks along -z, with R = (1, 0, 0) and U = (0, 1, 0). */
-static struct fixture *set_up(uint64_t *seed) {
+static struct fixture *
+set_up(uint64_t *seed, void (*add)(uint64_t *seed, struct hsr_object *object)) {
   struct fixture *x = calloc(1, sizeof *x);
   struct hsr_camera camera = {
       .eye = {0, 0, 9}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 90};
   struct hsr_error err = {.text = "out of memory"};
   x->scene = hsr_scene_new("shadow");
-  add_faces(seed, hsr_scene_object(x->scene, "faces"));
+  add(seed, hsr_scene_object(x->scene, "faces"));
   camera.light[3] = (double)draw_integer(seed, 0, 1);
   for (int k = 0; k < 3; k++)
     camera.light[k] = (double)draw_integer(seed, -7, 7);
@@ -236,7 +257,7 @@ static uint32_t visible(struct fixture *x, int i, int j) {
 }
 
 static void check_scene(uint64_t *seed, struct found *found) {
-  struct fixture *x = set_up(seed);
+  struct fixture *x = set_up(seed, add_faces);
   for (int j = 0; j < SIDE; j++)
     for (int i = 0; i < SIDE; i++) {
       uint32_t f = visible(x, i, j);
@@ -251,8 +272,42 @@ static void check_scene(uint64_t *seed, struct found *found) {
   tear_down(x);
 }
 
+/* --- Bent faces ----------------------------------------------------------- */
+
+/* Points of bent faces, by where their images are. */
+struct bent {
+  long n, outside; /* of the face's box */
+  long beside;     /* outside of that of its vertices */
+};
+
+static bool is_in_box(const struct fixture *x,
+                      const struct hsr_lit_point *point, double reach) {
+  struct hsr_light_box image, box;
+  int side = hsr_light_image(&x->lighting, point, &image);
+  return side < 0 ||
+         (hsr_light_sees(&x->lighting, point->face, side, reach, &box) &&
+          overlap(&image, &box));
+}
+
+static void check_bent(uint64_t *seed, struct bent *bent) {
+  struct fixture *x = set_up(seed, add_bent_faces);
+  for (int j = 0; j < SIDE; j++)
+    for (int i = 0; i < SIDE; i++) {
+      uint32_t f = visible(x, i, j);
+      struct hsr_lit_point point;
+      if (f == HSR_BACKGROUND || x->world.mesh.deviation[f] == 0)
+        continue;
+      hsr_lit_point_find(&x->lighting, f, i, j, &point);
+      double reach = hsr_off_hull(&x->lighting, f);
+      bent->n += isfinite(reach);
+      bent->outside += !is_in_box(x, &point, reach);
+      bent->beside += !is_in_box(x, &point, 0);
+    }
+  tear_down(x);
+}
+
 int main(void) {
-  struct tap tap = plan(4);
+  struct tap tap = plan(5);
   struct found found = {0};
   uint64_t seed = 1;
   for (int k = 0; k < SCENES; k++)
@@ -266,5 +321,12 @@ int main(void) {
   ok(&tap, !found.out_of_box && found.boxes_apart > 1000,
      "boxes: %ld are apart wrongly, %ld rightly", found.out_of_box,
      found.boxes_apart);
+  struct bent bent = {0};
+  for (int k = 0; k < 20 * SCENES; k++)
+    check_bent(&seed, &bent);
+  ok(&tap, !bent.outside && bent.n > 1000 && bent.beside > 0,
+     "of %ld points of bent faces, %ld are outside of the boxes; %ld would be "
+     "without a reach",
+     bent.n, bent.outside, bent.beside);
   return finish(&tap);
 }
