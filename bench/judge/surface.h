@@ -86,16 +86,17 @@ template <class T> struct ray {
   heading<T> along_D, along_R, along_minus_U;
 };
 
-/* D = F + xR + yU, or P - E = xR + yU, with x = (2 sx - m)/m and y = (n - 2
- * sy)/n, times mn. */
+/* D = F + xR + yU, or P - E = xR + yU, with x = (2 (sx + l) - m)/m and y = (n -
+ * 2 (sy + t))/n, times mn. Here m x n is the whole picture, of which the view
+ * is the tile that begins at (l, t). */
 template <class T> ray<T> make_ray(const hsr_view &view, double sx, double sy) {
   const vec<T> F = lift<T>(view.F[0], view.F[1], view.F[2]);
   const vec<T> R = lift<T>(view.R[0], view.R[1], view.R[2]);
   const vec<T> U = lift<T>(view.U[0], view.U[1], view.U[2]);
-  const T m(view.m), n(view.n), zero(0), one(1), two(2);
+  const T m(view.whole_m), n(view.whole_n), zero(0), one(1), two(2);
   const T mn = m * n;
-  const T x_mn = (two * T(sx) - m) * n;
-  const T y_mn = (n - two * T(sy)) * m;
+  const T x_mn = (two * (T(sx) + T(view.left)) - m) * n;
+  const T y_mn = (n - two * (T(sy) + T(view.top))) * m;
 
   ray<T> r;
   r.parallel = view.parallel;

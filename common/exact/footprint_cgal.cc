@@ -97,7 +97,7 @@ struct Splat : Camera {
     if (!splat.antialias)
       return width * width;
     const Vector u = by_cell(U), r = by_cell(R);
-    const Number m(view.m), n(view.n);
+    const Number m(view.whole_m), n(view.whole_n);
     Number apart = Number(2) * (u * u / (n * n) + r * r / (m * m));
     if (!view.parallel) {
       const Number t = depth(P);
@@ -114,9 +114,10 @@ struct Splat : Camera {
 
   // xR + yU of a pixel.
   Vector across(int i, int j) const {
-    const Number m(view.m), n(view.n);
-    const Number x = Number(2) * Number(hsr_sample_x(&view, i)) / m - Number(1);
-    const Number y = Number(1) - Number(2) * Number(hsr_sample_y(&view, j)) / n;
+    const Number m(view.whole_m), n(view.whole_n);
+    const Number sx(hsr_sample_x(&view, i)), sy(hsr_sample_y(&view, j));
+    const Number x = Number(2) * (sx + Number(view.left)) / m - Number(1);
+    const Number y = Number(1) - Number(2) * (sy + Number(view.top)) / n;
     return x * R + y * U;
   }
 

@@ -3,6 +3,7 @@ nobase_pkginclude_HEADERS += \
   %D%/named_lines.h \
   %D%/order.h \
   %D%/predicates.h \
+  %D%/sample_ray.h \
   %D%/screen.h \
   %D%/shadow.h
 libhsr_a_SOURCES += \

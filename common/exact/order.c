@@ -248,7 +248,8 @@ static void homogeneous(const struct hsr_view *view, const double p[3],
   double d[3], off = from_eye(view, p, own, d);
   for (int k = 0; k < 3; k++) {
     h[k] = product(view->screen[k], d) + view->origin[k];
-    error[k] = off * sum_of_sizes(view->screen[k]) + 2 * U * view->origin[k];
+    error[k] =
+        off * sum_of_sizes(view->screen[k]) + 2 * U * fabs(view->origin[k]);
   }
 }
 

@@ -1,34 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exact predicates of rays and planes, over CGAL's numbers: see
 // common/polygon/exact_numbers.h.
-//
-// Division    there is none: x = (2 sx - m)/m and y = (n - 2 sy)/n are
-//             multiplied through by m n > 0.
 
 #include "common/exact/predicates.h"
+#include "common/exact/sample_ray.h"
 #include "common/polygon/exact_numbers.h"
 
 using namespace hsr;
 
 namespace {
-
-/* Where a function of the ray is evaluated, in coordinates from E: at S of
- * common/view/view.h, m n times, which is m n D, or in parallel m n (P - E),
- * with `one` m n; or at a derivative of it, with `one` 0. */
-template <class T> struct Heading {
-  Vector<T> s;
-  T one;
-};
-
-template <class T>
-Heading<T> at_sample(const hsr_view &view, double sx, double sy) {
-  T m = T(double(view.m)), n = T(double(view.n));
-  T right = (T(sx) + T(sx) - m) * n, up = (n - T(sy) - T(sy)) * m;
-  Vector<T> s = right * vector<T>(view.R) + up * vector<T>(view.U);
-  if (!view.parallel)
-    s = (m * n) * vector<T>(view.F) + s;
-  return {s, m * n};
-}
 
 template <class T> Vector<T> from_eye(const hsr_view &view, const double v[3]) {
   return vector<T>(v) - vector<T>(view.E);
@@ -100,7 +80,7 @@ int hsr_exact_row_side(const struct hsr_view *view, const double vertex[3],
   /* det(D, R, v), or in parallel det(F, R, V - P), does not depend on sx: any
    * will do. */
   int sign = perturbed_sign(
-      *view, view->m / 2.0, sy,
+      *view, view->whole_m / 2.0 - view->left, sy,
       [&](const auto &at, auto t) {
         using T = decltype(t);
         Vector<T> v = from_eye<T>(*view, vertex), R = vector<T>(view->R);

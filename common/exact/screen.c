@@ -365,8 +365,9 @@ static void homogeneous(const struct hsr_screen *screen, uint32_t v,
   for (int k = 0; k < 3; k++) {
     const double *row = view->screen[k];
     p[k] = row[0] * d[0] + row[1] * d[1] + row[2] * d[2] + view->origin[k];
-    error[k] = hsr_max(
-        error[k], 8 * U * (sum_of_sizes(row) * r + view->origin[k]) + TINY);
+    error[k] =
+        hsr_max(error[k],
+                8 * U * (sum_of_sizes(row) * r + fabs(view->origin[k])) + TINY);
   }
 }
 

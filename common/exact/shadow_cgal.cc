@@ -18,6 +18,7 @@
 //             no division.
 #include "common/exact/exact_plane.h"
 #include "common/exact/order.h"
+#include "common/exact/sample_ray.h"
 #include "common/exact/shadow.h"
 #include "common/polygon/exact_numbers.h"
 
@@ -46,23 +47,6 @@ template <class T> Vector<T> times_axis(const Vector<T> &u, int axis) {
 }
 
 /* ---- The visible point ---- */
-
-/* The ray of a sample, m n times: it starts at E + s and runs along F, in
- * parallel; else it runs along s. `one` is m n, or for a derivative 0. */
-template <class T> struct Heading {
-  Vector<T> s;
-  T one;
-};
-
-template <class T>
-Heading<T> at_sample(const hsr_view &view, double sx, double sy) {
-  const T m = T(double(view.m)), n = T(double(view.n));
-  const T right = (T(sx) + T(sx) - m) * n, up = (n - T(sy) - T(sy)) * m;
-  const Vector<T> s = right * vector<T>(view.R) + up * vector<T>(view.U);
-  if (view.parallel)
-    return {s, m * n};
-  return {(m * n) * vector<T>(view.F) + s, m * n};
-}
 
 template <class T> struct Point {
   Vector<T> p;

@@ -44,21 +44,23 @@ static void place_light(struct hsr_view *view) {
   view->light[3] = given[3];
 }
 
-enum hsr_status hsr_view_init(struct hsr_view *view,
-                              const struct hsr_camera *camera, int m, int n,
-                              struct hsr_error *err) {
+/* The view of a tile that is in range. */
+static enum hsr_status init(struct hsr_view *view,
+                            const struct hsr_camera *camera, int m, int n,
+                            const struct hsr_window *tile,
+                            struct hsr_error *err) {
   enum hsr_status status = hsr_camera_check(camera, err);
   if (status)
     return status;
-  if (m < 1 || n < 1 || m > HSR_MAX_SIZE || n > HSR_MAX_SIZE)
-    return hsr_fail(err, HSR_E_USAGE,
-                    "a picture of %d x %d samples: each side must be 1 to %d",
-                    m, n, HSR_MAX_SIZE);
-
+  int across = tile->x1 - tile->x0, down = tile->y1 - tile->y0;
   *view = (struct hsr_view){.camera = *camera,
-                            .m = m,
-                            .n = n,
-                            .window = {0, 0, m, n},
+                            .m = across,
+                            .n = down,
+                            .whole_m = m,
+                            .whole_n = n,
+                            .left = tile->x0,
+                            .top = tile->y0,
+                            .window = {0, 0, across, down},
                             .parallel = camera->parallel > 0,
                             .near = camera->near};
   double right[3], up[3];
@@ -88,11 +90,46 @@ enum hsr_status hsr_view_init(struct hsr_view *view,
   return HSR_OK;
 }
 
+enum hsr_status hsr_view_init(struct hsr_view *view,
+                              const struct hsr_camera *camera, int m, int n,
+                              struct hsr_error *err) {
+  if (m < 1 || n < 1 || m > HSR_MAX_SIZE || n > HSR_MAX_SIZE)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "a picture of %d x %d samples: each side must be 1 to %d",
+                    m, n, HSR_MAX_SIZE);
+  return init(view, camera, m, n, &(struct hsr_window){0, 0, m, n}, err);
+}
+
+/* Whether [a, b) is not empty, is in [0, n) and can be drawn at once. */
+static bool is_part(int a, int b, int n) {
+  return 0 <= a && a < b && b <= n && b - a <= HSR_MAX_SIZE;
+}
+
+enum hsr_status hsr_view_init_tile(struct hsr_view *view,
+                                   const struct hsr_camera *camera, int m,
+                                   int n, const struct hsr_window *tile,
+                                   struct hsr_error *err) {
+  if (m < 1 || n < 1 || m > HSR_MAX_WHOLE || n > HSR_MAX_WHOLE)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "a picture of %d x %d samples in tiles: each side must be "
+                    "1 to %d",
+                    m, n, HSR_MAX_WHOLE);
+  if (!is_part(tile->x0, tile->x1, m) || !is_part(tile->y0, tile->y1, n))
+    return hsr_fail(err, HSR_E_USAGE,
+                    "a tile must be in its picture, and each side 1 to %d",
+                    HSR_MAX_SIZE);
+  return init(view, camera, m, n, tile, err);
+}
+
 struct hsr_view hsr_view_finer(const struct hsr_view *view, int across,
                                int down) {
   struct hsr_view finer = *view;
   finer.m *= across;
   finer.n *= down;
+  finer.whole_m *= across;
+  finer.whole_n *= down;
+  finer.left *= across;
+  finer.top *= down;
   finer.offset_x = finer.offset_y = 0;
   finer.window = (struct hsr_window){0, 0, finer.m, finer.n};
   for (int k = 0; k < 3; k++) {

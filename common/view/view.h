@@ -12,6 +12,12 @@
  *             D = F + x R + y U, x = (2 sx - m)/m, y = (n - 2 sy)/n, as exact
  *             numbers. In parallel projection it starts at P = E + x R + y U
  *             and runs along F. A point exists that lies at t > near on it.
+ * Tile        a view may be of a part of a picture, W x H samples, whose sample
+ *             (l, t) is its own sample (0, 0). Then R = (W/H) h right, and x =
+ *             (2 (sx + l) - W)/W, y = (H - 2 (sy + t))/H. All else is said in
+ *             the tile's own coordinates, which are below HSR_MAX_SIZE in every
+ *             tile. So bounds of errors that hold in a picture hold in a tile.
+ *             Lines, polygons and exact areas are of whole pictures only.
  * Perturbed   every sample is understood as displaced by (e, -e^2) along
  *             (R, U), with e infinitesimal and positive: on the screen, a
  *             little to the right and much less down. A zero determinant takes
@@ -40,7 +46,8 @@
 extern "C" {
 #endif
 
-#define HSR_MAX_SIZE 16384 /* samples a side */
+#define HSR_MAX_SIZE 16384      /* samples a side of what is drawn at once */
+#define HSR_MAX_WHOLE (1 << 20) /* samples a side of a picture in tiles */
 
 /* What a picture was seen by before it was seen by its view. */
 struct hsr_view_before {
@@ -52,6 +59,9 @@ struct hsr_view_before {
 struct hsr_view {
   struct hsr_camera camera;
   int m, n;                  /* samples a row, rows; 1 .. HSR_MAX_SIZE */
+  int whole_m, whole_n;      /* of the picture of which this is a tile, W x H;
+                                m, n if it is no tile */
+  int left, top;             /* l, t: samples left of the tile and above it */
   double offset_x, offset_y; /* of every sample, pixels; dyadic, |.| < 1/2 */
   struct hsr_window window;  /* the samples to render, inside the picture */
 
@@ -71,7 +81,7 @@ struct hsr_view {
    * Only for approximate arithmetic.
    * ray:    D, or in parallel P - E, is ray[0] + sx ray[1] + sy ray[2];
    * screen: w sx, w sy, w = rows 0, 1, 2 times (V - E), plus origin;
-   * origin: 0, 0, 0; in parallel m/2, n/2, 1, and row 2 is 0;
+   * origin: 0, 0, 0; in parallel W/2 - l, H/2 - t, 1, and row 2 is 0;
    * depth:  t = depth . (V - E). In perspective this is row 2. */
   double ray[3][3], screen[3][3], origin[3], depth[3];
 
@@ -85,6 +95,15 @@ enum hsr_status hsr_view_init(struct hsr_view *view,
                               const struct hsr_camera *camera, int m, int n,
                               struct hsr_error *err);
 
+/* The same for a tile of a picture of m x n samples: the samples of `tile`,
+ * with (tile->x0, tile->y0) as its sample (0, 0). HSR_E_USAGE if a side of the
+ * tile is above HSR_MAX_SIZE, one of the picture above HSR_MAX_WHOLE, or the
+ * tile is not in the picture. */
+enum hsr_status hsr_view_init_tile(struct hsr_view *view,
+                                   const struct hsr_camera *camera, int m,
+                                   int n, const struct hsr_window *tile,
+                                   struct hsr_error *err);
+
 /* Makes a view of the same shape the one before this one. */
 void hsr_view_follow(struct hsr_view *view, const struct hsr_view *before);
 
@@ -94,9 +113,9 @@ enum hsr_status hsr_view_init_of(struct hsr_view *view,
                                  const struct hsr_scene *scene, uint32_t number,
                                  int m, int n, struct hsr_error *err);
 
-/* Fills ray, screen, origin and depth of *view from its E, F, R, U, m, n. False
- * if F, R, U are linearly dependent, or if memory ran out: then *out_of_memory
- * is set. */
+/* Fills ray, screen, origin and depth of *view from its E, F, R, U, W, H, l, t.
+ * False if F, R, U are linearly dependent, or if memory ran out: then
+ * *out_of_memory is set. */
 bool hsr_exact_view_matrices(struct hsr_view *view, bool *out_of_memory);
 
 /* The view of the same picture of across m x down n samples, without an offset

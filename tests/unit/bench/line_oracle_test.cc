@@ -96,7 +96,7 @@ struct little_world {
 
 struct hsr_view plain_view(double near = 0) {
   struct hsr_view v = {};
-  v.m = v.n = 1;
+  v.m = v.n = v.whole_m = v.whole_n = 1;
   v.window = {0, 0, 1, 1};
   v.F[2] = -1;
   v.R[0] = 1;

@@ -84,7 +84,7 @@ struct little_world {
 
 struct hsr_view plain_view(int n, double near = 0) {
   struct hsr_view v = {};
-  v.m = v.n = n;
+  v.m = v.n = v.whole_m = v.whole_n = n;
   v.window = {0, 0, n, n};
   v.F[2] = -1;
   v.R[0] = 1;
@@ -569,8 +569,9 @@ naive::naive(const little_world &w, const struct hsr_view &a_view)
 }
 
 displaced naive::ray(int i, int j) const {
-  const Q m(view.m), n(view.n);
-  const Q sx(i + 0.5 + view.offset_x), sy(j + 0.5 + view.offset_y);
+  const Q m(view.whole_m), n(view.whole_n);
+  const Q sx(view.left + i + 0.5 + view.offset_x),
+      sy(view.top + j + 0.5 + view.offset_y);
   const vec F = {view.F[0], view.F[1], view.F[2]};
   const vec U = {view.U[0], view.U[1], view.U[2]};
   const Q x = (2 * sx - m) / m, y = (n - 2 * sy) / n;
@@ -710,13 +711,18 @@ little_world random_world(dice &d, int n_faces, int size) {
   return w;
 }
 
-/* A view towards the middle with any independent F, R, U. Every other one has
- * rays through lattice points: with R = m/2 r the term xR is a multiple of r,
- * or of r/2 where m is even. */
+/* A view towards the middle with any independent F, R, U, or a tile of one.
+ * Every other one has rays through lattice points: with R = W/2 r the term xR
+ * is a multiple of r, or of r/2 where W is even. */
 struct hsr_view random_view(dice &d, int size) {
   struct hsr_view v = {};
-  v.m = d.from_to(2, 9);
-  v.n = d.from_to(2, 9);
+  v.whole_m = d.from_to(2, 9);
+  v.whole_n = d.from_to(2, 9);
+  const bool is_tile = d.once_in(3);
+  v.m = is_tile ? d.from_to(1, v.whole_m) : v.whole_m;
+  v.n = is_tile ? d.from_to(1, v.whole_n) : v.whole_n;
+  v.left = d.from_to(0, v.whole_m - v.m);
+  v.top = d.from_to(0, v.whole_n - v.n);
   v.window = {0, 0, v.m, v.n};
   v.near = d.once_in(2) ? 0 : d.from_to(1, 6) / 8.0;
   const bool on_lattice = d.once_in(2);
@@ -732,8 +738,8 @@ struct hsr_view random_view(dice &d, int size) {
     R = d.lattice(1 + size / 4);
     U = d.lattice(1 + size / 4);
   } while (dot(cross(exact(F), exact(R)), exact(U)) == 0);
-  const double wide = on_lattice ? v.m / 2.0 : 1.0;
-  const double high = on_lattice ? v.n / 2.0 : 1.0;
+  const double wide = on_lattice ? v.whole_m / 2.0 : 1.0;
+  const double high = on_lattice ? v.whole_n / 2.0 : 1.0;
   const double e[] = {E.x, E.y, E.z}, f[] = {F.x, F.y, F.z};
   const double r[] = {R.x, R.y, R.z}, u[] = {U.x, U.y, U.z};
   for (int axis = 0; axis < 3; axis++) {
@@ -836,7 +842,8 @@ void test_threads() {
   dice d = {std::mt19937(7)};
   little_world w = random_world(d, 200, 10);
   struct hsr_view view = random_view(d, 10);
-  view.m = view.n = 64;
+  view.m = view.n = view.whole_m = view.whole_n = 64;
+  view.left = view.top = 0;
   const struct hsr_world world = w.world();
   void *prepared = nullptr;
   oracle.prepare(&world, nullptr, &prepared, nullptr);

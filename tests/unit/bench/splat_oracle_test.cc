@@ -155,8 +155,8 @@ public:
  * from pixel to pixel. */
 struct hsr_view plain_view(int m, int n, double apart, bool parallel = true) {
   struct hsr_view v = {};
-  v.m = m;
-  v.n = n;
+  v.m = v.whole_m = m;
+  v.n = v.whole_n = n;
   v.window = {0, 0, m, n};
   v.parallel = parallel;
   v.F[2] = -1;
