@@ -65,6 +65,7 @@ enum hsr_status parse_json_option(int argc, char **argv, const char *about,
 /* Parse "512x512"; "x,y,z"; a decimal number; a whole number from `least` to
  * `most`. False if the text is anything else. */
 bool parse_size(const char *text, int *m, int *n);
+bool parse_size_to(const char *text, int most, int *m, int *n); /* each side */
 bool parse_point(const char *text, double point[3]);
 bool parse_number(const char *text, double *number);
 bool parse_count(const char *text, long least, long most, long *count);

@@ -34,6 +34,7 @@ libbench_a_SOURCES = \
   %D%/render/passes.c \
   %D%/render/picture.c \
   %D%/render/render.h \
+  %D%/render/tiles.c \
   %D%/results/results.c \
   %D%/results/results.h \
   %D%/run/run.c \

@@ -218,6 +218,10 @@ error_t parse_area_filter(enum hsr_area_filter *filter, const char *arg,
 }
 
 bool parse_size(const char *text, int *m, int *n) {
+  return parse_size_to(text, HSR_MAX_SIZE, m, n);
+}
+
+bool parse_size_to(const char *text, int most, int *m, int *n) {
   char *end;
   errno = 0;
   long width = strtol(text, &end, 10);
@@ -226,7 +230,7 @@ bool parse_size(const char *text, int *m, int *n) {
   const char *second = end + 1;
   long height = strtol(second, &end, 10);
   if (end == second || *end || errno || width < 1 || height < 1 ||
-      width > HSR_MAX_SIZE || height > HSR_MAX_SIZE)
+      width > most || height > most)
     return false;
   *m = (int)width;
   *n = (int)height;

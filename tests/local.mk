@@ -86,6 +86,7 @@ tap_programs = \
   %D%/properties/lines/lines_and_surfaces_test \
   %D%/properties/tiling/merged_test \
   %D%/properties/metamorphic_test \
+  %D%/properties/tiles_test \
   %D%/properties/surfaces/glass_claims_test \
   %D%/properties/surfaces/shadow_claims_test \
   %D%/properties/surfaces/newell_test \
@@ -120,6 +121,7 @@ tap_scripts = \
   %D%/completion.test \
   %D%/full.test \
   %D%/peers.test \
+  %D%/tiles.test \
   %D%/volumes.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \

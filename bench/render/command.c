@@ -20,6 +20,8 @@ static enum hsr_status open_place(struct render *r,
 
   begin = seconds_now();
   struct view_options place = o->view;
+  if (o->tile)
+    place.m = place.n = 1; /* each tile has a view of its own */
   if (o->last_frame >= 0 && o->first)
     place.view = o->first + r->frame - o->first_frame;
   r->view_number = o->last_frame < 0 ? o->view.view : r->frame;
@@ -53,9 +55,13 @@ static void print_report(const struct render *r,
   print_views(r, views, sizeof views);
   printf("%s, %s, %d x %d %s, %u faces, by %s: ",
          terminal_plain(r->options->scene.name, name, sizeof name), views,
-         r->view.m, r->view.n, r->kind->grains, r->world.n_faces, a->name);
+         r->n_tiles ? r->options->view.m : r->view.m,
+         r->n_tiles ? r->options->view.n : r->view.n, r->kind->grains,
+         r->world.n_faces, a->name);
   struct hsr_showing showing = showing_of(r);
-  if (is_series(r->options))
+  if (r->n_tiles)
+    printf("%ld tiles, of which %ld were there\n", r->n_tiles, r->n_found);
+  else if (is_series(r->options))
     printf("%ld pictures\n", r->n_pictures);
   else
     r->kind->print(&r->answer, &showing, stdout);
@@ -106,6 +112,8 @@ static enum hsr_status make_series(struct render *r, long first, long last,
 
 static enum hsr_status make_all(struct render *r, struct hsr_error *err) {
   const struct render_options *o = r->options;
+  if (o->tile)
+    return make_tiles(r, err);
   if (!is_series(o))
     return make_picture(r, err);
   if (o->orbit)

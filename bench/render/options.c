@@ -17,6 +17,7 @@ enum {
   PASSES,
   UNCERTAINTY,
   CERTAIN,
+  TILES,
   MOST_ORBIT = 100000
 };
 
@@ -112,6 +113,24 @@ static error_t parse_series_option(struct render_options *o, int key,
   return 0;
 }
 
+/* Options for pictures larger than memory. */
+static error_t parse_tile_option(struct render_options *o, int key, char *arg) {
+  if (key == TILES) {
+    if (!parse_count(arg, HSR_TILE_GRAIN, HSR_MAX_SIZE, &o->tile) ||
+        o->tile % HSR_TILE_GRAIN)
+      return option_fail(&o->base,
+                         "--tiles %s: must be a multiple of %d, at most %d",
+                         arg, (int)HSR_TILE_GRAIN, HSR_MAX_SIZE);
+    return 0;
+  }
+  if (!parse_size_to(arg, HSR_MAX_WHOLE, &o->view.m, &o->view.n))
+    return option_fail(&o->base,
+                       "--size %s: must be MxN, each 1 to %d, or in tiles to "
+                       "%d",
+                       arg, HSR_MAX_SIZE, HSR_MAX_WHOLE);
+  return 0;
+}
+
 /* The scene, and where to look from. */
 static error_t parse_place_option(struct render_options *o, int key,
                                   char *arg) {
@@ -157,6 +176,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case ORBIT:
   case FRAMES:
     return parse_series_option(o, key, arg);
+  case TILES:
+  case 's':
+    return parse_tile_option(o, key, arg);
   default:
     return parse_place_option(o, key, arg);
   }
@@ -175,6 +197,11 @@ static const struct argp_option entries[] = {
     {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
     SCENE_ARGP_OPTIONS,
     VIEW_ARGP_OPTIONS,
+    {"tiles", TILES, "N", 0,
+     "make a picture larger than memory, by tiles of N x N samples: -o "
+     "FILE.exr holds the face ids. Tiles that are done are kept in "
+     "FILE.exr.tiles, so that the same command goes on where it was ended",
+     0},
     {"views", VIEWS, "A-B", 0, "make a picture of each of these views", 10},
     {"orbit", ORBIT, "N", 0,
      "make N pictures of a full turn around the point looked at, from the view "
@@ -292,6 +319,36 @@ static enum hsr_status check_series(const struct render_options *o,
   return HSR_OK;
 }
 
+static bool is_exr(const char *path) {
+  size_t length = strlen(path);
+  return length > 4 && !strcmp(path + length - 4, ".exr");
+}
+
+/* Checks that --tiles is there if it is needed, and that nothing else is asked
+ * for that is not made by tiles. */
+static enum hsr_status check_tiles(const struct render_options *o,
+                                   const struct hsr_variant *variant,
+                                   struct hsr_error *err) {
+  if (!o->tile)
+    return o->view.m <= HSR_MAX_SIZE && o->view.n <= HSR_MAX_SIZE
+               ? HSR_OK
+               : hsr_fail(err, HSR_E_USAGE,
+                          "--size %dx%d: a side above %d needs --tiles",
+                          o->view.m, o->view.n, HSR_MAX_SIZE);
+  const struct hsr_answer_type *kind = variant->choice.form.type;
+  if (!kind->write_tile)
+    return hsr_fail(err, HSR_E_USAGE, "--tiles is not for %s, which %s draws",
+                    kind->draws, variant->name);
+  if (o->n_outputs != 1 || !is_exr(o->output[0]))
+    return hsr_fail(err, HSR_E_USAGE, "--tiles needs one -o FILE.exr");
+  if (is_series(o) || o->work || o->given[HSR_SHADING] || o->supersamples > 1)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--tiles makes the ids of one view; it does not go with "
+                    "--views, --orbit, --frames, --work, --shade or "
+                    "--supersample");
+  return HSR_OK;
+}
+
 enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
                              struct hsr_variant *variant,
                              struct hsr_error *err) {
@@ -310,6 +367,8 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
     status = aim_scene(&o->scene, &o->view, err);
   if (!status)
     status = check_series(o, err);
+  if (!status)
+    status = check_tiles(o, variant, err);
   if (!status)
     status = check_passes(o, variant, err);
   return status ? status : check_kind(o, variant, err);

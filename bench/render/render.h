@@ -26,6 +26,7 @@ struct render_options {
   long first, last;             /* of --views, from 1; first is 0 without it */
   long orbit;                   /* of --orbit; 0 without it */
   long first_frame, last_frame; /* of --frames; last_frame is -1 without it */
+  long tile;                    /* of --tiles; 0 without it */
 };
 
 /* Reads the command line of hsr render, and the variant that it names. The
@@ -61,13 +62,18 @@ struct render {
   long view_number, n_pictures; /* of this picture, from 1, or its frame's; and
                                    so far */
   long frame;                   /* of --frames */
-  double import, build;         /* seconds */
-  double draw, shade, write;    /* seconds, of all pictures */
+  long n_tiles, n_found;     /* of --tiles: all, and those there were before */
+  double import, build;      /* seconds */
+  double draw, shade, write; /* seconds, of all pictures */
 };
 
 /* Makes the picture of r->view, for which all is made ready, and writes it.
  * HSR_E_NOMEM, and whatever the algorithm and the writing fail with. */
 enum hsr_status make_picture(struct render *r, struct hsr_error *err);
+
+/* Makes the picture by tiles and writes it (bench/render/tiles.c). Fails as
+ * make_picture; HSR_E_INPUT also if there are tiles of another picture. */
+enum hsr_status make_tiles(struct render *r, struct hsr_error *err);
 
 /* The parts of that, without writing: draws; makes the colours, r->shaded. */
 enum hsr_status draw_picture(struct render *r, struct hsr_error *err);

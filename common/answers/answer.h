@@ -15,6 +15,7 @@
 #include "common/answers/transparent.h"
 #include "common/grids/splatting.h"
 #include "common/base/count.h"
+#include "common/files/image.h"
 #include "common/base/option.h"
 #include "common/voxels/voxels.h"
 #include "common/lines/drawing.h"
@@ -169,6 +170,18 @@ struct hsr_answer_type {
                            const struct hsr_showing *showing,
                            struct hsr_shaded *shaded, const char *path,
                            struct hsr_error *err);
+  /* For a picture larger than memory, which is made by tiles: writes the file
+   * of one, and joins all to the picture's file. As hsr_image_write_tile and
+   * hsr_image_join_tiles. NULL: the kind is not made by tiles. */
+  enum hsr_status (*write_tile)(const struct hsr_answer *tile,
+                                const struct hsr_tile_grid *tiling, long number,
+                                const char *text, const char *path,
+                                struct hsr_error *err);
+  enum hsr_status (*join_tiles)(const char *path,
+                                const struct hsr_tile_grid *tiling,
+                                const char *(*name)(void *whom, long k),
+                                void *whom, const char *text,
+                                struct hsr_error *err);
   /* Prints one line about its contents, with the newline. */
   void (*print)(const struct hsr_answer *answer,
                 const struct hsr_showing *showing, FILE *out);

@@ -151,6 +151,13 @@ static enum hsr_status write(const struct hsr_answer *answer,
   return hsr_image_write(path, &picture, showing->text, err);
 }
 
+static enum hsr_status write_tile(const struct hsr_answer *tile,
+                                  const struct hsr_tile_grid *tiling,
+                                  long number, const char *text,
+                                  const char *path, struct hsr_error *err) {
+  return hsr_image_write_tile(path, tiling, number, tile->body, text, err);
+}
+
 static bool fits(const char *path) {
   return !hsr_is_line_file(path);
 }
@@ -205,6 +212,8 @@ const struct hsr_answer_type hsr_answer_ids = {
     .shade = shade,
     .fits = fits,
     .write = write,
+    .write_tile = write_tile,
+    .join_tiles = hsr_image_join_tiles,
     .print = print,
     .paint = paint,
     .json = ids_json};

@@ -25,6 +25,25 @@ enum hsr_status hsr_image_write_ramp(const char *path, int m, int n,
   return images ? images->write_ramp(path, m, n, x, err) : HSR_E_INPUT;
 }
 
+enum hsr_status hsr_image_write_tile(const char *path,
+                                     const struct hsr_tile_grid *tiling,
+                                     long number, const uint32_t *ids,
+                                     const char *text, struct hsr_error *err) {
+  const struct hsr_image_library *images = load(err);
+  return images ? images->write_tile(path, tiling, number, ids, text, err)
+                : HSR_E_INPUT;
+}
+
+enum hsr_status hsr_image_join_tiles(const char *path,
+                                     const struct hsr_tile_grid *tiling,
+                                     const char *(*name)(void *whom, long k),
+                                     void *whom, const char *text,
+                                     struct hsr_error *err) {
+  const struct hsr_image_library *images = load(err);
+  return images ? images->join_tiles(path, tiling, name, whom, text, err)
+                : HSR_E_INPUT;
+}
+
 enum hsr_status hsr_image_read(const char *path, bool colours, uint32_t size[2],
                                float **value, struct hsr_error *err) {
   *value = NULL;

@@ -15,6 +15,15 @@ struct hsr_image_library {
                                 struct hsr_error *err);
   enum hsr_status (*read)(const char *path, bool colours, uint32_t size[2],
                           float **value, struct hsr_error *err);
+  enum hsr_status (*write_tile)(const char *path,
+                                const struct hsr_tile_grid *tiling, long number,
+                                const uint32_t *ids, const char *text,
+                                struct hsr_error *err);
+  enum hsr_status (*join_tiles)(const char *path,
+                                const struct hsr_tile_grid *tiling,
+                                const char *(*name)(void *whom, long k),
+                                void *whom, const char *text,
+                                struct hsr_error *err);
 };
 
 #endif

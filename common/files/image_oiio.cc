@@ -96,9 +96,17 @@ Bytes encode(const std::string &path, const ImageSpec &spec, TypeDesc type,
   return bytes;
 }
 
+/* The same date in every .exr file, which has one anyway: equal pictures make
+ * equal files. */
+ImageSpec undated(ImageSpec spec) {
+  spec.attribute("DateTime", "1970:01:01 00:00:00");
+  return spec;
+}
+
 void write_file(const std::string &path, const ImageSpec &spec, TypeDesc type,
                 const void *pixels) {
-  write_bytes(path, encode(path, spec, type, pixels));
+  const bool dated = suffix_of(path) == ".exr";
+  write_bytes(path, encode(path, dated ? undated(spec) : spec, type, pixels));
 }
 
 /* "key=value" lines into the file's metadata. */
@@ -303,10 +311,118 @@ enum hsr_status read(const char *path, bool colours, uint32_t size[2],
   return guarded([&] { read_pixels(path, colours, size, value); }, err);
 }
 
+/* --- Tiles --- */
+
+/* The ids of a window of a picture. */
+ImageSpec spec_of_ids(const hsr_tile_grid &tiling, const hsr_window &window,
+                      const char *text) {
+  ImageSpec spec(window.x1 - window.x0, window.y1 - window.y0, 1,
+                 TypeDesc::UINT32);
+  spec.x = window.x0;
+  spec.y = window.y0;
+  spec.full_x = spec.full_y = 0;
+  spec.full_width = tiling.m;
+  spec.full_height = tiling.n;
+  spec.tile_width = spec.tile_height = HSR_TILE_GRAIN;
+  spec.channelnames = {"id"};
+  spec.attribute("compression", "zip");
+  annotate(spec, text);
+  return undated(spec);
+}
+
+enum hsr_status write_tile(const char *path, const struct hsr_tile_grid *tiling,
+                           long number, const uint32_t *ids, const char *text,
+                           struct hsr_error *err) {
+  return guarded(
+      [&] {
+        const hsr_window tile = hsr_tile_window(tiling, number);
+        write_file(path, spec_of_ids(*tiling, tile, text), TypeDesc::UINT32,
+                   ids);
+      },
+      err);
+}
+
+/* A tile's file that is no good. */
+Failure no_tile(const std::string &path, const std::string &text) {
+  Failure f = unreadable(path, text);
+  if (f.status == HSR_E_INPUT)
+    f.text += "; remove it to have the tile drawn again";
+  return f;
+}
+
+/* Reads a tile's ids from its file. */
+void read_tile(const std::string &path, const hsr_tile_grid &tiling,
+               long number, std::vector<uint32_t> &ids) {
+  const hsr_window tile = hsr_tile_window(&tiling, number);
+  errno = 0;
+  std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
+  if (!in)
+    throw no_tile(path, OIIO::geterror());
+  in->threads(1);
+  const ImageSpec spec = in->spec();
+  if (spec.x != tile.x0 || spec.y != tile.y0 ||
+      spec.width != tile.x1 - tile.x0 || spec.height != tile.y1 - tile.y0 ||
+      spec.nchannels != 1 || spec.format != TypeDesc::UINT32)
+    throw no_tile(path, "it is another tile");
+  ids.resize(size_t(spec.width) * size_t(spec.height));
+  errno = 0;
+  if (!in->read_image(0, 0, 0, 1, TypeDesc::UINT32, ids.data()))
+    throw no_tile(path, in->geterror());
+}
+
+/* Writes straight into the file `part`, since the whole does not fit in memory.
+ * A failure names `path`. */
+void join(const std::string &part, const std::string &path,
+          const hsr_tile_grid &tiling, const char *(*name)(void *whom, long k),
+          void *whom, const char *text) {
+  OIIO::attribute("exr_threads", -1);
+  errno = 0;
+  std::unique_ptr<ImageOutput> out = ImageOutput::create("exr");
+  if (!out)
+    throw failure(path, OIIO::geterror());
+  out->threads(1);
+  ImageSpec whole =
+      spec_of_ids(tiling, hsr_window{0, 0, tiling.m, tiling.n}, text);
+  /* Tiles go to the file as they come; otherwise OpenEXR keeps them in memory
+   * until their turn. */
+  whole.attribute("openexr:lineOrder", "randomY");
+  if (!out->open(part, whole))
+    throw failure(path, out->geterror());
+  std::vector<uint32_t> ids;
+  const long n = hsr_tile_count(&tiling);
+  for (long k = 0; k < n; k++) {
+    const hsr_window tile = hsr_tile_window(&tiling, k);
+    read_tile(name(whom, k), tiling, k, ids);
+    errno = 0;
+    if (!out->write_tiles(tile.x0, tile.x1, tile.y0, tile.y1, 0, 1,
+                          TypeDesc::UINT32, ids.data()))
+      throw failure(path, out->geterror());
+  }
+  errno = 0;
+  if (!out->close())
+    throw failure(path, out->geterror());
+}
+
+enum hsr_status join_tiles(const char *path, const struct hsr_tile_grid *tiling,
+                           const char *(*name)(void *whom, long k), void *whom,
+                           const char *text, struct hsr_error *err) {
+  const std::string part = std::string(path) + ".part";
+  enum hsr_status status = guarded(
+      [&] {
+        join(part, path, *tiling, name, whom, text);
+        if (std::rename(part.c_str(), path))
+          throw failure(path, std::strerror(errno));
+      },
+      err);
+  if (status)
+    std::remove(part.c_str());
+  return status;
+}
+
 } // namespace
 
 extern "C" {
 extern const struct hsr_image_library hsr_images;
 const struct hsr_image_library hsr_images = {write, write_work, write_bright,
-                                             read};
+                                             read,  write_tile, join_tiles};
 }

@@ -44,7 +44,7 @@ static void fill_terms(struct hsr_splats *s) {
     }
     for (int c = 0; c < 4; c++)
       s->most[c] += most[c];
-    double u = v->U[a] / least / v->n, r = v->R[a] / least / v->m;
+    double u = v->U[a] / least / v->whole_n, r = v->R[a] / least / v->whole_m;
     s->apart += s->splatting.antialias ? 2 * (u * u + r * r) : 0;
   }
   for (int c = 0; c < 2; c++)

@@ -97,8 +97,8 @@ static void place(const struct hsr_splats *restrict s,
     down[a] = v->ray[2][a];
   }
   const double most_x = hsr_max(s->most[0], s->most[1]), most_w = s->most[2];
-  const double per_m = 1 / ((double)v->m * v->m),
-               per_n = 1 / ((double)v->n * v->n);
+  const double per_m = 1 / ((double)v->whole_m * v->whole_m),
+               per_n = 1 / ((double)v->whole_n * v->whole_n);
   const double width = s->splatting.width * s->splatting.width;
   const double full = HSR_FOOTPRINT / (s->reach * s->reach * width);
   const double left = hsr_sample_x(v, 0), top = hsr_sample_y(v, 0);

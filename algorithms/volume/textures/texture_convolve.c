@@ -66,7 +66,8 @@ static void measure_cells(const struct hsr_texture *x, struct model *m) {
 static double apart(const struct hsr_view *v, const double size[3]) {
   double sum = 0;
   for (int a = 0; a < 3; a++) {
-    double u = v->U[a] / size[a] / v->n, r = v->R[a] / size[a] / v->m;
+    double u = v->U[a] / size[a] / v->whole_n,
+           r = v->R[a] / size[a] / v->whole_m;
     sum += 2 * (u * u + r * r);
   }
   return sqrt(sum);

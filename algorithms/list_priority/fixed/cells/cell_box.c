@@ -49,7 +49,7 @@ void hsr_cells_project(struct hsr_cells *cells) {
   for (int c = 0; c < 3; c++)
     cells->error[c] = 8 * U * sum_of_sizes(view->screen[c]);
   cells->error[3] = 8 * U * sum_of_sizes(view->depth);
-  cells->slack = TINY + (view->parallel ? 4 * U * (view->m + view->n) : 0);
+  cells->slack = TINY + 8 * U * (fabs(view->origin[0]) + fabs(view->origin[1]));
   cells->kappa = (hsr_max(cells->error[0], cells->error[1]) +
                   HSR_GUARD * cells->error[2]) *
                  (4 / HSR_DELTA);

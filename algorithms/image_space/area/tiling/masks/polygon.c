@@ -140,7 +140,7 @@ static void find_errors(const struct hsr_pieces_view *p,
                         double error[3]) {
   for (int c = 0; c < 3; c++)
     error[c] = error_of(p, p->view->screen[c], box, shift) +
-               4 * U * p->view->origin[c];
+               4 * U * fabs(p->view->origin[c]);
 }
 
 /* Whether a product of points of such errors may overflow: see Range. */
