@@ -371,6 +371,12 @@ NUMBER(spans_against_bouknight) {
          tables_count(t, "bouknight", "spans", scene);
 }
 
+NUMBER(examinations_against_windows) {
+  UNUSED;
+  return tables_count(t, "weiler-atherton", "examinations", scene) /
+         tables_count(t, "warnock", "Warnock special", scene);
+}
+
 NUMBER(spans_a_visible_segment) {
   UNUSED;
   const struct hsr_table1 *m = &t->scene[scene].measured;
