@@ -41,6 +41,7 @@ tap_programs = \
   %D%/unit/bench/splat_oracle_test \
   %D%/unit/bench/sorts_test \
   %D%/unit/bench/tables_test \
+  %D%/unit/peers/lines_test \
   %D%/unit/core/triage_test \
   %D%/unit/algorithms/variant_test \
   %D%/unit/core/world_test \
@@ -276,6 +277,9 @@ claims = %D%/properties/hierarchical/claims.c %D%/properties/hierarchical/claims
 %C%_properties_tiling_voxels_test_SOURCES = %D%/properties/tiling/voxels_test.cc
 %C%_properties_tiling_tiling_test_LDADD = libdraw.a $(BENCH_LIBS)
 
+%C%_unit_peers_lines_test_SOURCES = %D%/unit/peers/lines_test.c \
+  bench/peers/lines.c bench/peers/lines.h
+%C%_unit_peers_lines_test_LDADD = $(BENCH_LIBS)
 %C%_unit_bench_crew_test_LDADD = libdraw.a $(BENCH_LIBS)
 %C%_unit_bench_figures_test_LDADD = $(BENCH_LIBS)
 
@@ -333,6 +337,7 @@ EXTRA_DIST += \
   %D%/tree/apart \
   %D%/mutants/lesson.mutants \
   %D%/mutants/lines_and_lists.mutants \
+  %D%/mutants/peers.mutants \
   %D%/mutants/services.mutants \
   %D%/mutants/splats.mutants \
   %D%/mutants/textures.mutants \

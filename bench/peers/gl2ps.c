@@ -10,11 +10,10 @@
  *             hidden parts. So an edge is wrong only if it is kept and none of
  *             it is visible, or if it is not kept and some of it is visible. */
 #define GL_GLEXT_PROTOTYPES 1
+#include "bench/peers/lines.h"
 #include "bench/peers/offscreen.h"
 #include "bench/peers/peers.h"
 #include "bench/peers/projection.h"
-
-#include "common/lines/edges.h"
 
 #include <GL/gl.h>
 #include <gl2ps.h>
@@ -83,13 +82,6 @@ static void send_corner(const struct hsr_world *world, uint32_t v) {
   glVertex3d(world->mesh.x[v], world->mesh.y[v], world->mesh.z[v]);
 }
 
-static bool exists(const struct hsr_world *world, const struct hsr_view *view,
-                   uint32_t f) {
-  const double n[3] = {world->mesh.nx[f], world->mesh.ny[f], world->mesh.nz[f]};
-  const double p[3] = {world->mesh.px[f], world->mesh.py[f], world->mesh.pz[f]};
-  return hsr_view_height(view, n, p) < 0 || !world->mesh.one_sided[f];
-}
-
 static void send_triangles(const struct hsr_world *world,
                            const struct hsr_view *view) {
   glPolygonOffset(1, 1);
@@ -97,7 +89,7 @@ static void send_triangles(const struct hsr_world *world,
   glColor3f(1, 1, 1);
   glBegin(GL_TRIANGLES);
   for (uint32_t f = 0; f < world->n_faces; f++)
-    for (uint32_t k = 0; k < 3 && exists(world, view, f); k++)
+    for (uint32_t k = 0; k < 3 && lines_face_exists(world, view, f); k++)
       send_corner(world, world->mesh.vertex[world->mesh.start[f] + k]);
   glEnd();
   gl2psDisable(GL2PS_POLYGON_OFFSET_FILL);
@@ -109,7 +101,7 @@ static void send_edges(const struct hsr_edges *edges,
   for (uint32_t e = 0; e < edges->n_real; e++) {
     bool relevant = false;
     for (uint32_t k = edges->side_start[e]; k < edges->side_start[e + 1]; k++)
-      relevant |= exists(edges->world, view, edges->side[k].face);
+      relevant |= lines_face_exists(edges->world, view, edges->side[k].face);
     if (!relevant)
       continue;
     /* The middle of the interval that is rounded down to a byte. */
@@ -161,22 +153,6 @@ static void find_kept(const struct lines *lines, bool *kept) {
   }
 }
 
-static double length_on_screen(const struct hsr_view *view,
-                               const struct hsr_segment *s) {
-  double at[2][2];
-  for (int end = 0; end < 2; end++) {
-    double h[3];
-    hsr_view_project(view, end ? s->to : s->from, h);
-    at[end][0] = h[0] / hsr_view_w(view, h);
-    at[end][1] = h[1] / hsr_view_w(view, h);
-  }
-  return hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]);
-}
-
-static int compare_names(const void *a, const void *b) {
-  return hsr_edge_name_compare(a, b);
-}
-
 static void add_edge(struct verdict *verdict, bool kept, double visible) {
   verdict->edges++;
   verdict->hidden_kept += kept && visible == 0;
@@ -198,30 +174,12 @@ static void compare(const struct lines *lines, const bool *kept,
          k < right->n && !hsr_edge_name_compare(&right->segment[k].edge, name);
          k++)
       if (!right->segment[k].invisibility)
-        visible = fmax(visible, length_on_screen(view, &right->segment[k]));
-    const struct hsr_edge_name *found =
-        bsearch(name, edges->name, edges->n_real, sizeof *name, compare_names);
+        visible = fmax(visible, lines_length(view, right->segment[k].from,
+                                             right->segment[k].to));
+    uint32_t found = lines_find(edges, name);
     if (!name->implied)
-      add_edge(verdict, found && kept[found - edges->name], visible);
+      add_edge(verdict, found != UINT32_MAX && kept[found], visible);
   }
-}
-
-static enum hsr_status draw_right(const struct hsr_world *world,
-                                  const struct hsr_view *view,
-                                  struct hsr_drawing *drawing,
-                                  struct hsr_error *err) {
-  struct hsr_setup setup;
-  struct hsr_arena scratch = HSR_ARENA_EMPTY;
-  struct hsr_tally tally = {.out_of_memory = false};
-  struct hsr_job job = {
-      .view = view, .scratch = &scratch, .tally = &tally, .drawing = drawing};
-  enum hsr_status status = hsr_setup_init(
-      &setup, hsr_algorithm_find("line-oracle")->plain, NULL, world, err);
-  if (!status)
-    status = hsr_setup_render(&setup, &job, err);
-  hsr_setup_free(&setup);
-  hsr_arena_free(&scratch);
-  return status;
 }
 
 static enum hsr_status lines_judge(void *state, const struct hsr_view *view,
@@ -231,7 +189,7 @@ static enum hsr_status lines_judge(void *state, const struct hsr_view *view,
   struct verdict verdict = {.edges = 0};
   bool *kept = calloc((size_t)lines->edges.n_real + 1, sizeof *kept);
   enum hsr_status status =
-      kept ? draw_right(lines->edges.world, view, &right, err)
+      kept ? lines_draw_right(lines->edges.world, view, &right, err)
            : hsr_fail_nomem(err);
   if (!status) {
     find_kept(lines, kept);

@@ -8,7 +8,8 @@ hsrlibexec_PROGRAMS = %D%/hsr-peers
 if WITH_VOLUMES
 hsrlibexec_PROGRAMS += %D%/hsr-volumes
 endif
-%C%_hsr_peers_SOURCES = %D%/main.c %D%/own.c %D%/peers.h
+%C%_hsr_peers_SOURCES = %D%/main.c %D%/own.c %D%/peers.h %D%/lines.c \
+  %D%/lines.h
 %C%_hsr_peers_LDADD = libinexact.a
 if WITH_EMBREE
 noinst_LIBRARIES += libembreepeer.a
@@ -24,6 +25,12 @@ endif
 if WITH_GL2PS
 %C%_hsr_peers_SOURCES += %D%/gl2ps.c
 %C%_hsr_peers_LDADD += -lgl2ps
+endif
+if WITH_OCCT
+noinst_LIBRARIES += libocctpeer.a
+libocctpeer_a_SOURCES = %D%/occt.cc
+libocctpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(OCCT_CPPFLAGS)
+%C%_hsr_peers_LDADD += libocctpeer.a $(OCCT_LIBS)
 endif
 if WITH_VTK_RENDERER
 noinst_LIBRARIES += libvtkpeer.a

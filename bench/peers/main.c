@@ -30,6 +30,10 @@ static const struct peer *const peers[] = {
 #if HSR_HAVE_GL2PS
     &peer_gl2ps,
 #endif
+#if HSR_HAVE_OCCT
+    &peer_occt_exact,
+    &peer_occt_polygonal,
+#endif
     &peer_zbuffer_inexact,
     &peer_memset,
 };
@@ -42,7 +46,7 @@ const struct hsr_algorithm takes_triangles = {.name = "triangles",
 
 static enum hsr_status choose_peer(const char *name, const struct peer **chosen,
                                    struct hsr_error *err) {
-  char names[256] = "";
+  char names[512] = "";
   for (int k = 0; k < N_PEERS; k++) {
     *chosen = peers[k];
     if (!strcmp(peers[k]->name, name))

@@ -88,9 +88,10 @@ extern const struct peer peer_embree, peer_embree_packets,
 extern const struct peer peer_llvmpipe, peer_llvmpipe_arrays; /* llvmpipe.c */
 extern const struct peer peer_vtk, peer_vtk_painter;          /* vtk.cc */
 extern const struct peer peer_vtk_volume,
-    peer_vtk_volume_fine;                                   /* vtk_volume.cc */
-extern const struct peer peer_gl2ps;                        /* gl2ps.c */
-extern const struct peer peer_zbuffer_inexact, peer_memset; /* own.c */
+    peer_vtk_volume_fine;            /* vtk_volume.cc */
+extern const struct peer peer_gl2ps; /* gl2ps.c */
+extern const struct peer peer_occt_exact, peer_occt_polygonal; /* occt.cc */
+extern const struct peer peer_zbuffer_inexact, peer_memset;    /* own.c */
 
 #ifdef __cplusplus
 }
