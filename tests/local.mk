@@ -42,6 +42,7 @@ tap_programs = \
   %D%/unit/bench/sorts_test \
   %D%/unit/bench/tables_test \
   %D%/unit/peers/lines_test \
+  %D%/unit/peers/painted_test \
   %D%/unit/core/triage_test \
   %D%/unit/algorithms/variant_test \
   %D%/unit/core/world_test \
@@ -280,6 +281,8 @@ claims = %D%/properties/hierarchical/claims.c %D%/properties/hierarchical/claims
 %C%_unit_peers_lines_test_SOURCES = %D%/unit/peers/lines_test.c \
   bench/peers/lines.c bench/peers/lines.h
 %C%_unit_peers_lines_test_LDADD = $(BENCH_LIBS)
+%C%_unit_peers_painted_test_SOURCES = %D%/unit/peers/painted_test.c \
+  bench/peers/painted.cc bench/peers/painted.h
 %C%_unit_bench_crew_test_LDADD = libdraw.a $(BENCH_LIBS)
 %C%_unit_bench_figures_test_LDADD = $(BENCH_LIBS)
 

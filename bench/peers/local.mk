@@ -9,7 +9,7 @@ if WITH_VOLUMES
 hsrlibexec_PROGRAMS += %D%/hsr-volumes
 endif
 %C%_hsr_peers_SOURCES = %D%/main.c %D%/own.c %D%/peers.h %D%/lines.c \
-  %D%/lines.h
+  %D%/lines.h %D%/clipped.cc %D%/clipped.h
 %C%_hsr_peers_LDADD = libinexact.a
 if WITH_EMBREE
 noinst_LIBRARIES += libembreepeer.a
@@ -25,6 +25,9 @@ endif
 if WITH_GL2PS
 %C%_hsr_peers_SOURCES += %D%/gl2ps.c
 %C%_hsr_peers_LDADD += -lgl2ps
+endif
+if WITH_SKETCH
+%C%_hsr_peers_SOURCES += %D%/sketch.cc %D%/painted.cc %D%/painted.h
 endif
 if WITH_OCCT
 noinst_LIBRARIES += libocctpeer.a

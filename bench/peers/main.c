@@ -34,6 +34,10 @@ static const struct peer *const peers[] = {
     &peer_occt_exact,
     &peer_occt_polygonal,
 #endif
+#if HSR_HAVE_SKETCH
+    &peer_sketch,
+    &peer_sketch_bsp,
+#endif
     &peer_zbuffer_inexact,
     &peer_memset,
 };

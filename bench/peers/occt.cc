@@ -17,6 +17,7 @@
  *             of it on the screen; weights of perspective turn these into t.
  * Clipping    neither algorithm clips. So faces are cut, by us, at the plane
  *             that is nearest to the eye. */
+#include "bench/peers/clipped.h"
 #include "bench/peers/lines.h"
 #include "bench/peers/peers.h"
 
@@ -52,18 +53,6 @@
 
 namespace {
 
-/* A vertex of the world, or the point in which an edge is cut by the plane that
- * is nearest to the eye. */
-struct Corner {
-  double place[3], image[3]; /* in the world; as hsr_view_project */
-  double depth;              /* beyond that plane */
-  uint32_t a, b;        /* of a cut edge: its ends, a < b; else UINT32_MAX */
-  double t;             /* of a cut edge: where it is cut */
-  gp_Pnt point;         /* as Open CASCADE has it */
-  double weight;        /* in perspective, the depth; else 1 */
-  TopoDS_Vertex vertex; /* once it is used */
-};
-
 /* A side of a face, or what lies of it beyond the nearest plane. */
 struct Line {
   TopoDS_Edge shape;   /* null if it has no length */
@@ -74,9 +63,11 @@ struct Line {
 
 /* The scene as Open CASCADE has it, in one view. */
 struct Model {
-  std::vector<Corner> corner; /* the world's vertices first */
+  Clipped clipped;
+  std::vector<gp_Pnt> point;         /* of each corner */
+  std::vector<TopoDS_Vertex> vertex; /* the same, once it is used */
   std::vector<Line> line;
-  std::unordered_map<uint64_t, uint32_t> cut, side; /* by pairs of numbers */
+  std::unordered_map<uint64_t, uint32_t> side; /* lines, by their corners */
   TopoDS_Compound faces;
 };
 
@@ -105,125 +96,36 @@ enum hsr_status occt_fail(struct hsr_error *err) {
   }
 }
 
-/* --- Corners -------------------------------------------------------------- */
-
-uint64_t pair_of(uint32_t a, uint32_t b) {
-  return uint64_t(std::min(a, b)) << 32 | std::max(a, b);
-}
-
-bool is_in_picture(const struct hsr_view *view, const double image[3]) {
-  double w = hsr_view_w(view, image);
-  return image[0] >= 0 && image[0] <= w * view->m && image[1] >= 0 &&
-         image[1] <= w * view->n;
-}
-
-/* Vertices, and how far each lies beyond the nearest plane. That is the view's
- * own or, in perspective, one at a thousandth of the greatest depth, or before
- * all vertices that are in the picture. */
-void place_vertices(State *state, const struct hsr_view *view) {
-  const struct hsr_mesh &mesh = state->world->mesh;
-  std::vector<Corner> &corner = state->model.corner;
-  corner.assign(mesh.n_vertices, Corner());
-  double least = INFINITY, farthest = 0;
-  for (uint32_t v = 0; v < mesh.n_vertices; v++) {
-    Corner &c = corner[v];
-    c.place[0] = mesh.x[v], c.place[1] = mesh.y[v], c.place[2] = mesh.z[v];
-    c.a = c.b = UINT32_MAX;
-    hsr_view_project(view, c.place, c.image);
-    farthest = std::max(farthest, c.image[2]);
-    if (c.image[2] > 0 && is_in_picture(view, c.image))
-      least = std::min(least, c.image[2]);
-  }
-  double nearest = view->near;
-  if (!view->parallel)
-    nearest = std::max(nearest, std::min(least / 2, farthest / 1000));
-  for (Corner &c : corner)
-    c.depth = c.image[2] - nearest;
-}
-
-/* The corner at which the edge from a to b is cut. */
-uint32_t cut_of(Model &model, uint32_t a, uint32_t b) {
-  auto found = model.cut.emplace(pair_of(a, b), model.corner.size());
-  if (!found.second)
-    return found.first->second;
-  Corner c = {};
-  c.a = std::min(a, b), c.b = std::max(a, b);
-  const Corner &from = model.corner[c.a], &to = model.corner[c.b];
-  c.t = from.depth / (from.depth - to.depth);
-  for (int k = 0; k < 3; k++) {
-    c.place[k] = from.place[k] + c.t * (to.place[k] - from.place[k]);
-    c.image[k] = from.image[k] + c.t * (to.image[k] - from.image[k]);
-  }
-  model.corner.push_back(c);
-  return found.first->second;
-}
-
-/* What lies of a face beyond the nearest plane. */
-std::vector<uint32_t> clip(Model &model, const uint32_t *vertex, uint32_t n) {
-  std::vector<uint32_t> kept;
-  for (uint32_t k = 0; k < n; k++) {
-    uint32_t a = vertex[k], b = vertex[(k + 1) % n];
-    bool in = model.corner[a].depth > 0;
-    if (in)
-      kept.push_back(a);
-    if (in != (model.corner[b].depth > 0))
-      kept.push_back(cut_of(model, a, b));
-  }
-  return kept;
-}
-
-/* Places all corners: in the world or, for the polygonal algorithm, on the
- * screen. There x and y are pixels, y upwards; z grows towards the eye, and
- * spans as much as the picture is wide. */
-void place_points(State *state, const struct hsr_view *view) {
-  double least = INFINITY, most = -INFINITY;
-  auto height = [view](const Corner &c) {
-    return view->parallel ? -c.image[2] : 1 / c.image[2];
-  };
-  for (const Corner &c : state->model.corner)
-    if (c.depth > 0) {
-      least = std::min(least, height(c));
-      most = std::max(most, height(c));
-    }
-  double scale = most > least ? view->m / (most - least) : 1;
-  for (Corner &c : state->model.corner) {
-    c.weight = hsr_view_w(view, c.image);
-    c.point = state->polygonal
-                  ? gp_Pnt(c.image[0] / c.weight, -c.image[1] / c.weight,
-                           scale * (height(c) - least))
-                  : gp_Pnt(c.place[0], c.place[1], c.place[2]);
-  }
-}
-
 /* --- Shapes --------------------------------------------------------------- */
 
-const TopoDS_Vertex &vertex_of(Corner &corner) {
-  if (corner.vertex.IsNull())
-    BRep_Builder().MakeVertex(corner.vertex, corner.point,
+const TopoDS_Vertex &vertex_of(Model &model, uint32_t corner) {
+  TopoDS_Vertex &vertex = model.vertex[corner];
+  if (vertex.IsNull())
+    BRep_Builder().MakeVertex(vertex, model.point[corner],
                               Precision::Confusion());
-  return corner.vertex;
+  return vertex;
 }
 
 void make_shape(Model &model, Line &line) {
-  Corner &from = model.corner[line.corner[0]];
-  Corner &to = model.corner[line.corner[1]];
-  line.length = from.point.Distance(to.point);
+  const gp_Pnt &from = model.point[line.corner[0]];
+  const gp_Pnt &to = model.point[line.corner[1]];
+  line.length = from.Distance(to);
   if (line.length <= gp::Resolution())
     return;
   BRep_Builder builder;
-  builder.MakeEdge(
-      line.shape,
-      new Geom_Line(from.point, gp_Dir(gp_Vec(from.point, to.point))),
-      Precision::Confusion());
-  builder.Add(line.shape, vertex_of(from).Oriented(TopAbs_FORWARD));
-  builder.Add(line.shape, vertex_of(to).Oriented(TopAbs_REVERSED));
+  builder.MakeEdge(line.shape, new Geom_Line(from, gp_Dir(gp_Vec(from, to))),
+                   Precision::Confusion());
+  builder.Add(line.shape,
+              vertex_of(model, line.corner[0]).Oriented(TopAbs_FORWARD));
+  builder.Add(line.shape,
+              vertex_of(model, line.corner[1]).Oriented(TopAbs_REVERSED));
   builder.Range(line.shape, 0, line.length);
 }
 
 /* Finds which of the world's edges a line is on. */
 void name_line(State *state, Line &line) {
-  const Corner &from = state->model.corner[line.corner[0]];
-  const Corner &to = state->model.corner[line.corner[1]];
+  const Corner &from = state->model.clipped.corner[line.corner[0]];
+  const Corner &to = state->model.clipped.corner[line.corner[1]];
   bool cut_from = from.a != UINT32_MAX, cut_to = to.a != UINT32_MAX;
   uint32_t a = cut_from ? from.a : cut_to ? to.a : line.corner[0];
   uint32_t b = cut_from ? from.b : cut_to ? to.b : line.corner[1];
@@ -253,10 +155,10 @@ const Line &line_of(State *state, uint32_t from, uint32_t to) {
 
 /* Newell's normal of a face. */
 gp_Vec normal_of(const Model &model, const std::vector<uint32_t> &face) {
-  gp_XYZ sum(0, 0, 0), first = model.corner[face[0]].point.XYZ();
+  gp_XYZ sum(0, 0, 0), first = model.point[face[0]].XYZ();
   for (size_t k = 0; k < face.size(); k++)
-    sum += (model.corner[face[k]].point.XYZ() - first) ^
-           (model.corner[face[(k + 1) % face.size()]].point.XYZ() - first);
+    sum += (model.point[face[k]].XYZ() - first) ^
+           (model.point[face[(k + 1) % face.size()]].XYZ() - first);
   return gp_Vec(sum);
 }
 
@@ -277,27 +179,24 @@ void add_face(State *state, const std::vector<uint32_t> &corner) {
   }
   wire.Closed(true);
   builder.MakeFace(
-      face,
-      new Geom_Plane(state->model.corner[corner[0]].point, gp_Dir(normal)),
+      face, new Geom_Plane(state->model.point[corner[0]], gp_Dir(normal)),
       Precision::Confusion());
   builder.Add(face, wire);
   builder.Add(state->model.faces, face);
 }
 
 void make_model(State *state, const struct hsr_view *view) {
-  const struct hsr_mesh &mesh = state->flat->mesh;
-  std::vector<std::vector<uint32_t>> faces;
-  state->model = Model();
-  place_vertices(state, view);
-  for (uint32_t f = 0; f < state->flat->n_faces; f++)
-    if (lines_face_exists(state->flat, view, f))
-      faces.push_back(clip(state->model, mesh.vertex + mesh.start[f],
-                           mesh.start[f + 1] - mesh.start[f]));
-  place_points(state, view);
-  BRep_Builder().MakeCompound(state->model.faces);
-  for (const std::vector<uint32_t> &face : faces)
-    if (!face.empty())
-      add_face(state, face);
+  Model &model = state->model;
+  model = Model();
+  model.clipped = clip_world(state->flat, view);
+  model.vertex.resize(model.clipped.corner.size());
+  for (const Corner &c : model.clipped.corner) {
+    const double *at = state->polygonal ? c.point : c.place;
+    model.point.push_back(gp_Pnt(at[0], at[1], at[2]));
+  }
+  BRep_Builder().MakeCompound(model.faces);
+  for (const ClippedFace &face : model.clipped.face)
+    add_face(state, face.corner);
 }
 
 /* The stretch of a line between two parts of it, 0 to 1 from end to end. */
@@ -365,14 +264,13 @@ void draw_exact(State *state, const struct hsr_view *view) {
 /* --- Polygonal ------------------------------------------------------------ */
 
 /* Where on the line the point is that is seen at (x, y) of its image. */
-double lift(const Model &model, const Line &line, double x, double y) {
-  const Corner &a = model.corner[line.corner[0]];
-  const Corner &b = model.corner[line.corner[1]];
-  double dx = b.point.X() - a.point.X(), dy = b.point.Y() - a.point.Y();
+double lift(const Clipped &clipped, const Line &line, double x, double y) {
+  const Corner &a = clipped.corner[line.corner[0]];
+  const Corner &b = clipped.corner[line.corner[1]];
+  double dx = b.point[0] - a.point[0], dy = b.point[1] - a.point[1];
   double square = dx * dx + dy * dy;
-  double u = square > 0
-                 ? ((x - a.point.X()) * dx + (y - a.point.Y()) * dy) / square
-                 : 0;
+  double u =
+      square > 0 ? ((x - a.point[0]) * dx + (y - a.point[1]) * dy) / square : 0;
   u = std::min(1., std::max(0., u));
   return u * a.weight / ((1 - u) * b.weight + u * a.weight);
 }
@@ -383,8 +281,9 @@ void take_segment(State *state, const Line &line, HLRAlgo_EdgeStatus &status,
   auto take = [&](bool visible, double from, double to) {
     gp_XYZ p = points.Pnt1 + from * (points.Pnt2 - points.Pnt1);
     gp_XYZ q = points.Pnt1 + to * (points.Pnt2 - points.Pnt1);
-    take_stretch(state, line, visible, lift(state->model, line, p.X(), p.Y()),
-                 lift(state->model, line, q.X(), q.Y()));
+    take_stretch(state, line, visible,
+                 lift(state->model.clipped, line, p.X(), p.Y()),
+                 lift(state->model.clipped, line, q.X(), q.Y()));
   };
   HLRAlgo_EdgeIterator it;
   double from, to;
@@ -416,8 +315,8 @@ void draw_polygonal(State *state, const struct hsr_view *view) {
     HLRAlgo_BiPoint::PointsT &points =
         algorithm->Hide(status, shape, smooth, smoother, outline, inner);
     const int *k = number.Seek(shape);
-    if (k && state->model.line[*k].edge != UINT32_MAX)
-      take_segment(state, state->model.line[*k], status, points);
+    if (k && state->model.line[size_t(*k)].edge != UINT32_MAX)
+      take_segment(state, state->model.line[size_t(*k)], status, points);
   }
 }
 

@@ -91,6 +91,7 @@ extern const struct peer peer_vtk_volume,
     peer_vtk_volume_fine;            /* vtk_volume.cc */
 extern const struct peer peer_gl2ps; /* gl2ps.c */
 extern const struct peer peer_occt_exact, peer_occt_polygonal; /* occt.cc */
+extern const struct peer peer_sketch, peer_sketch_bsp;         /* sketch.cc */
 extern const struct peer peer_zbuffer_inexact, peer_memset;    /* own.c */
 
 #ifdef __cplusplus
