@@ -41,6 +41,7 @@ tap_programs = \
   %D%/unit/bench/splat_oracle_test \
   %D%/unit/bench/sorts_test \
   %D%/unit/bench/tables_test \
+  %D%/unit/peers/line_pixels_test \
   %D%/unit/peers/lines_test \
   %D%/unit/peers/painted_test \
   %D%/unit/core/triage_test \
@@ -281,6 +282,10 @@ claims = %D%/properties/hierarchical/claims.c %D%/properties/hierarchical/claims
 %C%_unit_peers_lines_test_SOURCES = %D%/unit/peers/lines_test.c \
   bench/peers/lines.c bench/peers/lines.h
 %C%_unit_peers_lines_test_LDADD = $(BENCH_LIBS)
+%C%_unit_peers_line_pixels_test_SOURCES = \
+  %D%/unit/peers/line_pixels_test.c bench/peers/line_pixels.c \
+  bench/peers/line_pixels.h bench/peers/lines.c bench/peers/lines.h
+%C%_unit_peers_line_pixels_test_LDADD = $(BENCH_LIBS)
 %C%_unit_peers_painted_test_SOURCES = %D%/unit/peers/painted_test.c \
   bench/peers/painted.cc bench/peers/painted.h
 %C%_unit_bench_crew_test_LDADD = libdraw.a $(BENCH_LIBS)

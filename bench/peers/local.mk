@@ -9,7 +9,7 @@ if WITH_VOLUMES
 hsrlibexec_PROGRAMS += %D%/hsr-volumes
 endif
 %C%_hsr_peers_SOURCES = %D%/main.c %D%/own.c %D%/peers.h %D%/lines.c \
-  %D%/lines.h %D%/clipped.cc %D%/clipped.h
+  %D%/lines.h %D%/line_pixels.c %D%/line_pixels.h %D%/clipped.cc %D%/clipped.h
 %C%_hsr_peers_LDADD = libinexact.a
 if WITH_EMBREE
 noinst_LIBRARIES += libembreepeer.a
@@ -37,7 +37,8 @@ libocctpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(OCCT_CPPFLAGS)
 endif
 if WITH_VTK_RENDERER
 noinst_LIBRARIES += libvtkpeer.a
-libvtkpeer_a_SOURCES = %D%/vtk.cc %D%/vtk_cast.cc %D%/vtk_cast.h \
+libvtkpeer_a_SOURCES = %D%/vtk.cc %D%/vtk_lines.cc %D%/vtk_window.cc \
+  %D%/vtk_window.h %D%/vtk_cast.cc %D%/vtk_cast.h \
   %D%/vtk_volume.cc %D%/volumes_vtk.cc
 libvtkpeer_a_CPPFLAGS = $(AM_CPPFLAGS) $(VTK_CPPFLAGS)
 %C%_hsr_peers_SOURCES += %D%/samples.c %D%/samples.h

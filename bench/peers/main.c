@@ -24,6 +24,7 @@ static const struct peer *const peers[] = {
 #if HSR_HAVE_VTK_RENDERER
     &peer_vtk,
     &peer_vtk_painter,
+    &peer_vtk_lines,
     &peer_vtk_volume,
     &peer_vtk_volume_fine,
 #endif

@@ -87,6 +87,7 @@ extern const struct peer peer_embree, peer_embree_packets,
     peer_embree_instances;                                    /* embree.c */
 extern const struct peer peer_llvmpipe, peer_llvmpipe_arrays; /* llvmpipe.c */
 extern const struct peer peer_vtk, peer_vtk_painter;          /* vtk.cc */
+extern const struct peer peer_vtk_lines;                      /* vtk_lines.cc */
 extern const struct peer peer_vtk_volume,
     peer_vtk_volume_fine;            /* vtk_volume.cc */
 extern const struct peer peer_gl2ps; /* gl2ps.c */

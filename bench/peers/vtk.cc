@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* VTK's renderer, as a program without a display would use it.
  *
- * Context     VTK draws in our context, of EGL and llvmpipe, by way of
- *             vtkGenericOpenGLRenderWindow. Debian's VTK can make a context of
- *             its own only on an X server.
  * Ids         Ids are colours of points; each triangle has three points of its
  *             own. Without light and smoothing a pixel holds the id exactly, in
  *             24 bits. Colours of cells, with shared points, take as long or,
@@ -13,67 +10,24 @@
  *             that comes, without a depth test.
  * Sides       One-sided faces and the others are two actors. The painter needs
  *             all faces in one order, so it culls only if all are one-sided. */
-#include "bench/peers/offscreen.h"
 #include "bench/peers/peers.h"
-#include "bench/peers/projection.h"
+#include "bench/peers/vtk_window.h"
 
 #include <vtkActor.h>
-#include <vtkAutoInit.h>
-#include <vtkCallbackCommand.h>
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkDepthSortPolyData.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkOpenGLState.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkVersion.h>
 
 #include <GL/gl.h>
-#include <cstring>
 #include <new>
 
-VTK_MODULE_INIT(vtkRenderingOpenGL2)
-
 namespace {
-
-constexpr uint32_t MOST_FACES = 0xffffff; /* the background's colour */
-
-/* VTK uses GLEW to find OpenGL's functions. In every frame GLEW finds them and
- * then fails, because there is no X server. This lets it do so only once. */
-class Window : public vtkGenericOpenGLRenderWindow {
-public:
-  static Window *New();
-  vtkTypeMacro(Window, vtkGenericOpenGLRenderWindow);
-
-  void OpenGLInitContext() override {
-    if (this->Initialized)
-      return;
-    vtkObject::GlobalWarningDisplayOff();
-    this->vtkGenericOpenGLRenderWindow::OpenGLInitContext();
-    vtkObject::GlobalWarningDisplayOn();
-    this->Initialized = this->GlewInitValid = true;
-  }
-};
-vtkStandardNewMacro(Window);
-
-/* The status for whatever was thrown. */
-enum hsr_status vtk_fail(struct hsr_error *err) {
-  try {
-    throw;
-  } catch (const std::bad_alloc &) {
-    return hsr_fail_nomem(err);
-  } catch (...) {
-    return hsr_fail(err, HSR_E_INTERNAL, "vtk: an exception");
-  }
-}
 
 /* Faces that are culled alike. */
 struct Part {
@@ -83,12 +37,8 @@ struct Part {
   vtkNew<vtkActor> actor;
 };
 
-struct Scene {
-  vtkNew<Window> window;
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkUnsignedCharArray> pixels;
+struct Scene : IdScene {
   Part part[2]; /* two-sided, one-sided */
-  bool failed = false;
 };
 
 struct State {
@@ -101,23 +51,11 @@ struct State {
 
 /* --- Setting up ----------------------------------------------------------- */
 
-void note_failure(vtkObject *, unsigned long, void *scene, void *) {
-  static_cast<Scene *>(scene)->failed = true;
-}
-
-void watch(Scene *scene, vtkObject *object) {
-  vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(note_failure);
-  command->SetClientData(scene);
-  object->AddObserver(vtkCommand::ErrorEvent, command);
-}
-
 void add_triangle(const struct hsr_world *world, uint32_t f, vtkPoints *points,
                   vtkCellArray *triangles, vtkUnsignedCharArray *ids) {
   uint32_t id = hsr_world_parent(world, f);
-  const unsigned char colour[3] = {(unsigned char)(id & 255),
-                                   (unsigned char)(id >> 8 & 255),
-                                   (unsigned char)(id >> 16)};
+  unsigned char colour[3];
+  id_colour(id, colour);
   triangles->InsertNextCell(3);
   for (uint32_t k = world->mesh.start[f]; k < world->mesh.start[f + 1]; k++) {
     uint32_t v = world->mesh.vertex[k];
@@ -160,7 +98,7 @@ void connect_part(State *state, Part &part) {
   part.actor->SetMapper(part.mapper);
   part.actor->GetProperty()->LightingOff();
   state->scene->renderer->AddActor(part.actor);
-  watch(state->scene, part.mapper);
+  watch_errors(state->scene, part.mapper);
 }
 
 void add_world(State *state, const struct hsr_world *world) {
@@ -178,20 +116,6 @@ void add_world(State *state, const struct hsr_world *world) {
   }
 }
 
-void open_window(Scene *scene, const struct peer_canvas *canvas) {
-  scene->window->SetReadyForRendering(true);
-  scene->window->SetIsCurrent(true);
-  scene->window->SetSupportsOpenGL(1);
-  scene->window->SetOwnContext(0);
-  scene->window->SetMultiSamples(0);
-  scene->window->SetFrameBlitModeToNoBlit();
-  scene->window->SetSize(canvas->m, canvas->n);
-  scene->renderer->SetBackground(1, 1, 1); /* MOST_FACES */
-  scene->window->AddRenderer(scene->renderer);
-  watch(scene, scene->window);
-  watch(scene, scene->renderer);
-}
-
 enum hsr_status vtk_setup(const struct peer *peer,
                           const struct peer_canvas *canvas, void **out,
                           struct hsr_error *err) try {
@@ -200,7 +124,7 @@ enum hsr_status vtk_setup(const struct peer *peer,
   if (!state)
     return hsr_fail_nomem(err);
   const struct hsr_world *world = canvas->setup->world;
-  if (world->n_faces >= MOST_FACES)
+  if (world->n_faces >= VTK_MOST_IDS)
     return hsr_fail(err, HSR_E_REFUSED, "vtk: more faces than colours");
   state->painter = peer == &peer_vtk_painter;
   state->box = box_of_world(world);
@@ -210,7 +134,7 @@ enum hsr_status vtk_setup(const struct peer *peer,
   if (status)
     return status;
   state->scene = new Scene;
-  open_window(state->scene, canvas);
+  open_ids(state->scene, canvas->m, canvas->n);
   add_world(state, world);
   return HSR_OK;
 } catch (...) {
@@ -219,49 +143,18 @@ enum hsr_status vtk_setup(const struct peer *peer,
 
 /* --- A frame -------------------------------------------------------------- */
 
-void set_camera(const State *state, const struct hsr_view *view) {
-  vtkCamera *camera = state->scene->renderer->GetActiveCamera();
-  double nearest, farthest;
-  box_depths(&state->box, view, &nearest, &farthest);
-  camera->SetPosition(view->camera.eye);
-  camera->SetFocalPoint(view->camera.at);
-  camera->SetViewUp(view->camera.up);
-  camera->SetParallelProjection(view->parallel);
-  if (view->parallel)
-    camera->SetParallelScale(view->camera.parallel / 2);
-  else
-    camera->SetViewAngle(view->camera.fov);
-  camera->SetClippingRange(nearest, farthest);
-}
-
-/* VTK's first row is the lowest. */
-void take_ids(const State *state, const struct hsr_view *view) {
-  const unsigned char *pixels = state->scene->pixels->GetPointer(0);
-  size_t m = (size_t)view->m, n = (size_t)view->n;
-  for (size_t j = 0; j < n; j++) {
-    uint32_t *row = state->ids + j * m;
-    memcpy(row, pixels + 4 * (n - 1 - j) * m, m * sizeof *row);
-    for (size_t i = 0; i < m; i++) {
-      uint32_t id = row[i] & 0xffffff;
-      row[i] = id == MOST_FACES ? HSR_BACKGROUND : id;
-    }
-  }
-}
-
 enum hsr_status vtk_draw(void *opaque, const struct hsr_view *view,
                          struct hsr_error *err) try {
   State *state = static_cast<State *>(opaque);
   Scene *scene = state->scene;
-  set_camera(state, view);
+  aim_ids(scene, &state->box, view);
   if (state->painter) {
     for (Part &part : scene->part)
       part.sorter->Modified(); /* otherwise it sorts only once */
     scene->window->GetState()->vtkglDepthFunc(GL_ALWAYS);
   }
   scene->window->Render();
-  scene->window->GetRGBACharPixelData(0, 0, view->m - 1, view->n - 1, 0,
-                                      scene->pixels);
-  take_ids(state, view);
+  take_ids(scene, view->m, view->n, state->ids);
   return scene->failed ? hsr_fail(err, HSR_E_INTERNAL, "vtk: drawing failed")
                        : HSR_OK;
 } catch (...) {
@@ -280,11 +173,7 @@ void vtk_release(void *opaque) {
 /* --- The peers ------------------------------------------------------------ */
 
 void vtk_version(char *text) {
-  char mesa[PEER_VERSION / 2];
-  offscreen_version(mesa, sizeof mesa);
-  if (*mesa)
-    snprintf(text, PEER_VERSION, "%.20s on %s", vtkVersion::GetVTKVersion(),
-             mesa);
+  vtk_version_text(text, PEER_VERSION);
 }
 
 struct peer vtk_peer(const char *name, const char *title, const char *what) {
