@@ -236,6 +236,20 @@ enum hsr_status answer_init(struct hsr_answer *answer,
 struct crew *crew_new(long threads);
 void crew_free(struct crew *crew); /* NULL is allowed */
 
+/* From now on the crews of all ranks (bench/run/ranks.h) draw every picture
+ * together. Each rank has to call crew_render for the same pictures; only in
+ * rank 0 the answer is complete then. An answer that is made as a whole, rank 0
+ * makes alone. */
+void crew_join_ranks(struct crew *crew);
+
+/* What a crew has done in this rank so far. */
+struct crew_work {
+  double seconds;         /* of processors, drawing */
+  double bytes, messages; /* sent to rank 0 */
+  double parts;           /* drawn, of pictures that ranks share */
+};
+struct crew_work crew_work(const struct crew *crew);
+
 /* Renders the view's whole window with an algorithm that is prepared, and adds
  * its counts to *tally. The whole crew makes an answer that can be made by
  * windows: each thread takes a band of rows at a time, or a square if the

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hsr command: chooses the subcommand, and ends the program. */
 #include "bench/command.h"
+#include "bench/run/ranks.h"
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
 #include "common/base/names.h"
@@ -109,12 +110,39 @@ static int no_command(const char *name) {
   return HSR_E_USAGE;
 }
 
-static int run(const struct hsr_command *command, int argc, char **argv) {
+/* The commands whose work several ranks share. */
+static bool takes_ranks(const struct hsr_command *command) {
+  return command->run == command_render || command->run == command_check;
+}
+
+static enum hsr_status run_in_ranks(const struct hsr_command *command, int argc,
+                                    char **argv, struct hsr_error *err) {
+  enum hsr_status status = ranks_join(err);
+  if (!status && ranks_count() > 1 && !takes_ranks(command))
+    status = hsr_fail(err, HSR_E_USAGE,
+                      "hsr %s is for one process, not for mpirun", argv[0]);
+  return status ? status : command->run(argc, argv, err);
+}
+
+/* What fails in several ranks is told by one. */
+static void tell(const struct hsr_error *err) {
   char plain[TERMINAL_NAME];
+  if (ranks_count() > 1)
+    ranks_claim_failure();
+  else if (ranks_are_started() && !ranks_is_spokesman())
+    return;
+  fprintf(stderr, "hsr: %s\n", terminal_plain(err->text, plain, sizeof plain));
+}
+
+static int run(const struct hsr_command *command, int argc, char **argv) {
   struct hsr_error err = {.text = "unexplained failure"};
-  enum hsr_status status = finish(command->run(argc, argv, &err), &err);
-  if (status && status != HSR_E_DIFFERENCE)
-    fprintf(stderr, "hsr: %s\n", terminal_plain(err.text, plain, sizeof plain));
+  enum hsr_status status =
+      finish(run_in_ranks(command, argc, argv, &err), &err);
+  if (status && status != HSR_E_DIFFERENCE) {
+    tell(&err);
+    ranks_end(status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status);
+  }
+  ranks_leave();
   if (status == HSR_E_NOMEM)
     end_process((int)status);
   return status == HSR_E_REFUSED ? HSR_E_NOMEM : (int)status;

@@ -8,6 +8,19 @@ hsr_LDFLAGS = -Wl,--disable-new-dtags,-rpath,'$$ORIGIN'
 # What hsr loads is there when hsr is.
 EXTRA_hsr_DEPENDENCIES = $(pkglibexec_PROGRAMS)
 
+# Loaded by hsr when mpirun starts it.
+if WITH_MPI
+pkglibexec_PROGRAMS += hsr-ranks.so
+hsr_ranks_so_SOURCES = \
+  %D%/run/ranks_library.h \
+  %D%/run/ranks_mpi.c \
+  common/base/status.c
+hsr_ranks_so_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CPPFLAGS)
+hsr_ranks_so_CFLAGS = $(AM_CFLAGS) -fPIC
+hsr_ranks_so_LDFLAGS = -shared
+hsr_ranks_so_LDADD = $(MPI_LIBS)
+endif
+
 # Everything but main, for programs that have another list of algorithms.
 noinst_LIBRARIES += libbench.a
 BENCH_LIBS = libbench.a $(HSR_LIBS) $(GSL_LIBS) $(HWLOC_LIBS) $(ZLIB_LIBS)
@@ -37,6 +50,9 @@ libbench_a_SOURCES = \
   %D%/render/tiles.c \
   %D%/results/results.c \
   %D%/results/results.h \
+  %D%/run/ranks.c \
+  %D%/run/ranks.h \
+  %D%/run/ranks_library.h \
   %D%/run/run.c \
   %D%/scenes.c \
   %D%/run/serve.c \

@@ -124,6 +124,7 @@ tap_scripts = \
   %D%/completion.test \
   %D%/full.test \
   %D%/peers.test \
+  %D%/ranks.test \
   %D%/tiles.test \
   %D%/volumes.test \
   %D%/bad/bad_input.test \

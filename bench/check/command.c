@@ -4,8 +4,10 @@
  *
  * A group is one scene, view, size and kind of algorithm. Algorithms that keep
  * a state from frame to frame form a group with all views in a row. Each group
- * is judged in its own process (bench/judge/judge.c), several at a time. */
+ * is judged in its own process (bench/judge/judge.c), several at a time.
+ * Several ranks take groups from one queue. */
 #include "bench/check/check.h"
+#include "bench/run/ranks.h"
 #include "bench/run/terminate.h"
 #include "bench/terminal/terminal.h"
 
@@ -371,8 +373,10 @@ static enum hsr_status run_groups(const struct scene_run *run,
                                   struct hsr_error *err) {
   enum hsr_status status = HSR_OK, failure = HSR_OK;
   int running = 0, done = 0;
+  struct queue queue;
+  queue_open(&queue, n_groups, true);
   show_progress(run, 0, n_groups);
-  for (int k = 0; k < n_groups && !status && !failure; k++) {
+  for (int k; !status && !failure && (k = (int)queue_take(&queue)) >= 0;) {
     if (running == run->options->jobs) {
       wait_for_group(run->options->turns, &failure);
       running--;
@@ -389,6 +393,8 @@ static enum hsr_status run_groups(const struct scene_run *run,
     return hsr_fail_nomem(err);
   if (!status && failure)
     return hsr_fail(err, HSR_E_INTERNAL, "%s: the oracle failed", run->name);
+  if (!status) /* a cell is filled by one rank, and 0 in the others */
+    ranks_unite(run->cells, run->cells_size);
   return status;
 }
 
@@ -495,7 +501,7 @@ enum hsr_status command_check(int argc, char **argv, struct hsr_error *err) {
     status = report_end(o, &totals, err);
   else
     report_abandon(&totals);
-  if (!status && (totals.mismatches || totals.failures))
+  if (!status && (totals.mismatches || totals.failures) && !ranks_own())
     status = HSR_E_DIFFERENCE;
   if (o->turns)
     munmap(o->turns, sizeof *o->turns);

@@ -1,8 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr render: pictures, or line drawings, by one algorithm. */
 #include "bench/render/render.h"
+#include "bench/run/ranks.h"
 #include "bench/terminal/terminal.h"
 #include "scenes/cameras.h"
+
+#include <stdlib.h>
+#include <sys/resource.h>
 
 static enum hsr_status open_place(struct render *r,
                                   const struct hsr_algorithm *a,
@@ -89,6 +93,63 @@ static void print_report(const struct render *r,
                       (unsigned long long)r->tally.count[k]);
     terminal_wrap(stdout, used, 35, a->counters[k].meaning);
   }
+}
+
+/* What each rank tells rank 0 of its work. */
+enum { SECONDS, PARTS, MESSAGES, BYTES, MEMORY, N_FIGURES };
+
+/* The largest of n ranks' shares over their mean. */
+static double largest_share(const double (*of)[N_FIGURES], int n, int figure) {
+  double sum = 0, most = 0;
+  for (int k = 0; k < n; k++) {
+    sum += of[k][figure];
+    most = of[k][figure] > most ? of[k][figure] : most;
+  }
+  return sum > 0 ? most * n / sum : 1;
+}
+
+static double sum_of(const double (*of)[N_FIGURES], int n, int figure) {
+  double sum = 0;
+  for (int k = 0; k < n; k++)
+    sum += of[k][figure];
+  return sum;
+}
+
+/* How the work was shared out, if there are several ranks. All of them call
+ * this. */
+static enum hsr_status print_ranks(const struct render *r,
+                                   struct hsr_error *err) {
+  int n = ranks_count();
+  const char *parts = r->n_tiles ? "tiles" : "windows";
+  if (n == 1)
+    return HSR_OK;
+  double(*of)[N_FIGURES] = calloc((size_t)n, sizeof *of);
+  if (!of)
+    return hsr_fail_nomem(err);
+  struct crew_work work = crew_work(r->crew);
+  struct rusage usage = {.ru_maxrss = 0};
+  getrusage(RUSAGE_SELF, &usage);
+  const double own[N_FIGURES] = {[SECONDS] = work.seconds,
+                                 [PARTS] = r->n_tiles ? (double)r->n_pictures
+                                                      : work.parts,
+                                 [MESSAGES] = work.messages,
+                                 [BYTES] = work.bytes,
+                                 [MEMORY] = (double)usage.ru_maxrss / 1024};
+  ranks_gather(own, N_FIGURES, of[0]);
+  char text[300];
+  double memory = 0;
+  for (int k = 0; k < n; k++)
+    memory = of[k][MEMORY] > memory ? of[k][MEMORY] : memory;
+  snprintf(text, sizeof text,
+           "%d ranks: %.0f %s; largest share over the mean: %.2f of the "
+           "seconds, %.2f of the %s; %.0f messages, %.0f bytes; at most %.0f "
+           "MB a rank",
+           n, sum_of(of, n, PARTS), parts, largest_share(of, n, SECONDS),
+           largest_share(of, n, PARTS), parts, sum_of(of, n, MESSAGES),
+           sum_of(of, n, BYTES), memory);
+  free(of);
+  terminal_wrap(stdout, 0, 4, text);
+  return HSR_OK;
 }
 
 /* Makes the pictures of views first to last, from 1. */
@@ -198,6 +259,8 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
 
   struct render r = {.options = &options, .crew = crew_new(options.threads)};
   status = r.crew ? HSR_OK : hsr_fail_nomem(err);
+  if (!status && !options.tile)
+    crew_join_ranks(r.crew);
   if (!status && options.last_frame >= 0) {
     status = make_frames(&r, a, &variant, err);
   } else if (!status) {
@@ -207,6 +270,8 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   }
   if (!status)
     print_report(&r, a);
+  if (!status)
+    status = print_ranks(&r, err);
   render_close(&r);
   hsr_scene_delete(r.scene);
   return status;

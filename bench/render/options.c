@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line of hsr render. */
 #include "bench/render/render.h"
+#include "bench/run/ranks.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -285,6 +286,9 @@ static enum hsr_status check_kind(const struct render_options *o,
                     "--work is only for samples drawn in one picture; %s draws "
                     "%s",
                     variant->name, kind->draws);
+  if (o->work && ranks_count() > 1)
+    return hsr_fail(err, HSR_E_USAGE, "--work is for one rank, not for %d",
+                    ranks_count());
   for (int k = 0; k < o->n_outputs; k++)
     if (!kind->fits(o->output[k]))
       return hsr_fail(err, HSR_E_USAGE, "%s: cannot hold %s, which %s draws",

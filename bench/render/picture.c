@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Drawing, showing and writing one picture of hsr render. */
 #include "bench/render/render.h"
+#include "bench/run/ranks.h"
 #include "common/files/image.h"
 
 #include <stdlib.h>
@@ -104,8 +105,9 @@ static enum hsr_status write_outputs(struct render *r, struct hsr_error *err) {
 
 enum hsr_status make_picture(struct render *r, struct hsr_error *err) {
   enum hsr_status status = draw_picture(r, err);
-  if (!status)
-    status = shade_picture(r, err);
+  if (status || ranks_own())
+    return status;
+  status = shade_picture(r, err);
   if (!status)
     status = write_outputs(r, err);
   if (!status)

@@ -5,8 +5,12 @@
  * done, and the file `plan`, which says what picture they are of. A tile's file
  * exists whole or not at all. So whenever a run ends, the folder is good, and
  * the same command goes on from there. When all tiles are there, they are
- * joined to FILE.exr, and the folder is removed. */
+ * joined to FILE.exr, and the folder is removed.
+ *
+ * Several ranks take tiles from one queue, and each writes its own. They see
+ * one folder. */
 #include "bench/render/render.h"
+#include "bench/run/ranks.h"
 #include "bench/terminal/terminal.h"
 #include "common/files/whole_file.h"
 
@@ -150,10 +154,12 @@ static enum hsr_status draw_tile(struct tiles *t, long k,
 static enum hsr_status draw_tiles(struct tiles *t, struct hsr_error *err) {
   struct render *r = t->render;
   enum hsr_status status = HSR_OK;
-  for (long k = 0; k < t->all && !status; k++) {
+  struct queue queue;
+  queue_open(&queue, t->all, true);
+  for (long k; !status && (k = queue_take(&queue)) >= 0;) {
     if (is_there(t, k))
       continue;
-    progress_tell(&t->progress, (size_t)r->n_pictures,
+    progress_tell(&t->progress, (size_t)(k > t->found ? k - t->found : 0),
                   (size_t)(t->all - t->found), "tiles", r->options->scene.name);
     status = draw_tile(t, k, err);
     r->n_pictures++;
@@ -190,13 +196,20 @@ enum hsr_status make_tiles(struct render *r, struct hsr_error *err) {
                     .path = o->output[0],
                     .tiling = {o->view.m, o->view.n, (int)o->tile}};
   t.all = hsr_tile_count(&t.tiling);
-  enum hsr_status status = open_folder(&t, err);
+  /* Rank 0 opens the folder before all others begin, and joins the tiles when
+   * all have ended. */
+  enum hsr_status status = ranks_own() ? HSR_OK : open_folder(&t, err);
+  if (status)
+    return status;
+  ranks_wait();
   t.progress = progress_begin(stderr);
-  if (!status)
-    status = draw_tiles(&t, err);
+  status = draw_tiles(&t, err);
   progress_end(&t.progress);
+  if (status)
+    return status;
+  ranks_wait();
   t.progress = progress_begin(stderr);
-  if (!status)
+  if (!ranks_own())
     status = join(&t, err);
   progress_end(&t.progress);
   r->n_tiles = t.all;

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Running an algorithm over a view, on one thread or several. */
 #include "bench/command.h"
+#include "bench/run/ranks.h"
 
+#include <math.h>
 #include <pthread.h>
 #include <sched.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
 
-enum { MOST_THREADS = 64 };
+enum { MOST_THREADS = 64, PARTS_OF_WORKER = 16, LEAST_SIDE = 16 };
 
 double seconds_now(void) {
   struct timespec t;
@@ -31,13 +32,14 @@ struct task {
   struct hsr_answer *answer;
 };
 
-/* The picture in parts: bands of rows, or squares. A worker that is free takes
- * the next part. */
+/* The picture in parts: bands of rows, or squares. A worker that is free, of
+ * whatever rank, takes the next part. */
 struct parts {
   const struct task *task;
   const struct hsr_view *view;
   int width, height, across, all;
-  atomic_int next;
+  struct queue queue;
+  bool *is_own; /* which parts this rank has drawn; NULL: there is one rank */
 };
 
 struct worker {
@@ -48,10 +50,13 @@ struct worker {
   struct hsr_tally tally;
   struct hsr_error err;
   enum hsr_status status;
+  double seconds; /* of a processor, for the last picture */
 };
 
 struct crew {
   long n;
+  bool together; /* with those of all ranks */
+  struct crew_work work;
   struct worker worker[];
 };
 
@@ -73,25 +78,42 @@ void crew_free(struct crew *crew) {
   free(crew);
 }
 
-/* The view whose window is part k. */
-static struct hsr_view view_of_part(const struct parts *parts, int k) {
-  struct hsr_view view = *parts->view;
-  struct hsr_window *w = &view.window;
-  w->x0 += k % parts->across * parts->width;
-  w->y0 += k / parts->across * parts->height;
-  if (w->x1 - w->x0 > parts->width)
-    w->x1 = w->x0 + parts->width;
-  if (w->y1 - w->y0 > parts->height)
-    w->y1 = w->y0 + parts->height;
-  return view;
+void crew_join_ranks(struct crew *crew) {
+  crew->together = ranks_count() > 1;
+}
+
+struct crew_work crew_work(const struct crew *crew) {
+  return crew->work;
+}
+
+static struct hsr_window window_of_part(const struct parts *parts, int k) {
+  struct hsr_window w = parts->view->window;
+  w.x0 += k % parts->across * parts->width;
+  w.y0 += k / parts->across * parts->height;
+  if (w.x1 - w.x0 > parts->width)
+    w.x1 = w.x0 + parts->width;
+  if (w.y1 - w.y0 > parts->height)
+    w.y1 = w.y0 + parts->height;
+  return w;
+}
+
+/* Of the thread that asks. */
+static double processor_seconds(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static void *work(void *argument) {
   struct worker *worker = argument;
   struct parts *parts = worker->parts;
   const struct task *task = parts->task;
-  for (int k; (k = atomic_fetch_add(&parts->next, 1)) < parts->all;) {
-    struct hsr_view view = view_of_part(parts, k);
+  double begin = processor_seconds();
+  for (int k; (k = (int)queue_take(&parts->queue)) >= 0;) {
+    struct hsr_view view = *parts->view;
+    view.window = window_of_part(parts, k);
+    if (parts->is_own)
+      parts->is_own[k] = true;
     hsr_arena_reset(&worker->scratch);
     struct hsr_job job = {.view = &view,
                           .scratch = &worker->scratch,
@@ -101,6 +123,7 @@ static void *work(void *argument) {
     if (worker->status)
       break;
   }
+  worker->seconds = processor_seconds() - begin;
   return NULL;
 }
 
@@ -116,31 +139,34 @@ static void start(struct worker *worker, struct parts *parts,
       in_thread && !pthread_create(&worker->thread, NULL, work, worker);
 }
 
-/* Divides the picture into squares if these are chosen; otherwise into bands
- * for several threads. */
-static void divide(struct parts *parts, long threads) {
+/* Squares of about so many samples that each of n workers draws some. */
+static int side_for(double samples, long n) {
+  int side = (int)ceil(sqrt(samples / (double)(n * PARTS_OF_WORKER)));
+  return side > LEAST_SIDE ? side : LEAST_SIDE;
+}
+
+/* Divides the picture into squares if these are chosen, or for several ranks;
+ * otherwise into bands for several threads. */
+static void divide(struct parts *parts, long threads, bool by_ranks) {
   const struct hsr_window *w = &parts->view->window;
   int columns = w->x1 - w->x0, rows = w->y1 - w->y0;
   int window = (int)parts->task->setup->choice.window;
+  if (!window && by_ranks)
+    window = side_for((double)columns * rows, threads * ranks_count());
   parts->width = window ? window : columns;
   parts->height = window        ? window
                   : threads > 1 ? rows / (int)(4 * threads) + 1
                                 : rows;
   parts->across = (columns + parts->width - 1) / parts->width;
   parts->all = parts->across * ((rows + parts->height - 1) / parts->height);
+  queue_open(&parts->queue, parts->all, by_ranks);
 }
 
-static enum hsr_status draw(struct crew *crew, const struct task *task,
-                            const struct hsr_view *view,
-                            struct hsr_tally *tally, struct hsr_error *err) {
-  bool whole = task->setup->flags & HSR_FRAME_STATE ||
-               !task->answer->form.type->by_windows ||
-               tally->trace; /* its events are in order */
-  long threads = whole ? 1 : crew->n;
-  struct parts parts = {.task = task, .view = view};
-  divide(&parts, threads);
+static enum hsr_status draw_parts(struct crew *crew, struct parts *parts,
+                                  long threads, struct hsr_tally *tally,
+                                  struct hsr_error *err) {
   for (long k = 0; k < threads; k++)
-    start(&crew->worker[k], &parts, tally, k > 0);
+    start(&crew->worker[k], parts, tally, k > 0);
   work(&crew->worker[0]);
   enum hsr_status status = HSR_OK;
   for (long k = 0; k < threads; k++) {
@@ -153,8 +179,76 @@ static enum hsr_status draw(struct crew *crew, const struct task *task,
         *err = worker->err;
     }
     hsr_tally_add(tally, &worker->tally);
+    crew->work.seconds += k == 0 || worker->started ? worker->seconds : 0;
   }
   return status;
+}
+
+/* --- Several ranks -------------------------------------------------------- */
+
+/* Sends what this rank has drawn to rank 0. */
+static void send_parts(struct crew *crew, const struct parts *parts,
+                       void *bytes) {
+  for (int k = 0; k < parts->all; k++) {
+    if (!parts->is_own[k])
+      continue;
+    struct hsr_window window = window_of_part(parts, k);
+    size_t size = hsr_answer_window_size(parts->task->answer, &window);
+    hsr_answer_pack(parts->task->answer, &window, bytes);
+    ranks_send(k, bytes, size);
+    crew->work.bytes += (double)size;
+    crew->work.messages++;
+  }
+}
+
+/* Receives what the others have drawn. */
+static void receive_parts(const struct parts *parts, void *bytes, size_t most) {
+  int missing = 0;
+  for (int k = 0; k < parts->all; k++)
+    missing += !parts->is_own[k];
+  for (; missing; missing--) {
+    int k = ranks_receive(bytes, most);
+    struct hsr_window window = window_of_part(parts, k);
+    hsr_answer_unpack(parts->task->answer, &window, bytes);
+  }
+}
+
+/* All ranks draw, each what it takes from the queue, and rank 0 puts their
+ * parts together. */
+static enum hsr_status draw_together(struct crew *crew, struct parts *parts,
+                                     long threads, struct hsr_tally *tally,
+                                     struct hsr_error *err) {
+  struct hsr_window first = window_of_part(parts, 0); /* none is larger */
+  size_t most = hsr_answer_window_size(parts->task->answer, &first);
+  void *bytes = malloc(most);
+  parts->is_own = calloc((size_t)parts->all, sizeof *parts->is_own);
+  enum hsr_status status = bytes && parts->is_own
+                               ? draw_parts(crew, parts, threads, tally, err)
+                               : hsr_fail_nomem(err);
+  for (int k = 0; parts->is_own && k < parts->all; k++)
+    crew->work.parts += parts->is_own[k];
+  if (!status && ranks_own())
+    send_parts(crew, parts, bytes);
+  else if (!status)
+    receive_parts(parts, bytes, most);
+  free(bytes);
+  free(parts->is_own);
+  return status;
+}
+
+static enum hsr_status draw(struct crew *crew, const struct task *task,
+                            const struct hsr_view *view,
+                            struct hsr_tally *tally, struct hsr_error *err) {
+  bool whole = !task->answer->form.type->by_windows ||
+               tally->trace; /* its events are in order */
+  bool together = crew->together && !whole;
+  if (crew->together && whole && ranks_own())
+    return HSR_OK; /* rank 0 makes it alone */
+  long threads = whole || task->setup->flags & HSR_FRAME_STATE ? 1 : crew->n;
+  struct parts parts = {.task = task, .view = view};
+  divide(&parts, threads, together);
+  return together ? draw_together(crew, &parts, threads, tally, err)
+                  : draw_parts(crew, &parts, threads, tally, err);
 }
 
 /* --- Answers that are folded from pictures -------------------------------- */
@@ -171,7 +265,7 @@ static enum hsr_status fold(struct crew *crew, const struct hsr_setup *setup,
     status = how->view(&answer->form, view, k, &picture, err);
     if (!status)
       status = draw(crew, &task, &picture, tally, err);
-    if (!status)
+    if (!status && !(crew->together && ranks_own()))
       how->add(answer, setup->world, view, k);
   }
   return status;

@@ -80,6 +80,57 @@ void hsr_answer_free(struct hsr_answer *answer) {
   answer->body = answer->picture = NULL;
 }
 
+/* --- Windows -------------------------------------------------------------- */
+
+size_t hsr_answer_window_size(const struct hsr_answer *answer,
+                              const struct hsr_window *w) {
+  struct hsr_array array[HSR_MOST_ARRAYS];
+  int n = answer->form.type->arrays(answer, array);
+  size_t bytes = 0;
+  for (int k = 0; k < n; k++)
+    bytes += array[k].place;
+  return (size_t)(w->x1 - w->x0) * (size_t)(w->y1 - w->y0) * bytes;
+}
+
+/* Calls copy(row, size, data) for the rows of each array in turn. */
+static void visit_rows(const struct hsr_answer *answer,
+                       const struct hsr_window *w,
+                       void (*copy)(void *row, size_t size, void *data),
+                       void *data) {
+  struct hsr_array array[HSR_MOST_ARRAYS];
+  int n = answer->form.type->arrays(answer, array);
+  for (int k = 0; k < n; k++)
+    for (int j = w->y0; j < w->y1; j++) {
+      size_t at = (size_t)j * (size_t)answer->m + (size_t)w->x0;
+      copy((char *)array[k].begin + at * array[k].place,
+           (size_t)(w->x1 - w->x0) * array[k].place, data);
+    }
+}
+
+static void copy_out(void *row, size_t size, void *data) {
+  char **bytes = data;
+  memcpy(*bytes, row, size);
+  *bytes += size;
+}
+
+static void copy_in(void *row, size_t size, void *data) {
+  const char **bytes = data;
+  memcpy(row, *bytes, size);
+  *bytes += size;
+}
+
+void hsr_answer_pack(const struct hsr_answer *answer,
+                     const struct hsr_window *w, void *bytes) {
+  char *to = bytes;
+  visit_rows(answer, w, copy_out, &to);
+}
+
+void hsr_answer_unpack(struct hsr_answer *answer, const struct hsr_window *w,
+                       const void *bytes) {
+  const char *from = bytes;
+  visit_rows(answer, w, copy_in, &from);
+}
+
 void hsr_shaded_free(struct hsr_shaded *shaded) {
   free(shaded->rgb);
   free(shaded->depth);

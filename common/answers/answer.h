@@ -112,6 +112,13 @@ enum {
   HSR_N_TAKES
 };
 
+/* An array of m n places by rows. */
+enum { HSR_MOST_ARRAYS = 2 };
+struct hsr_array {
+  void *begin;
+  size_t place; /* bytes of a place */
+};
+
 struct hsr_answer_type {
   const char *name;    /* [a-z]+, "ids" */
   const char *meaning; /* "the visible face of every sample" */
@@ -138,9 +145,10 @@ struct hsr_answer_type {
   void (*unset)(struct hsr_answer *answer);
   void (*free)(struct hsr_answer *answer);
 
-  /* Copies a window of `from`. NULL: the kind is not made by windows. */
-  void (*merge)(struct hsr_answer *into, const struct hsr_answer *from,
-                const struct hsr_window *window);
+  /* The arrays of the body of a kind that is made by windows. Returns how many
+   * there are. NULL: the kind is not made by windows. */
+  int (*arrays)(const struct hsr_answer *answer,
+                struct hsr_array array[HSR_MOST_ARRAYS]);
 
   void (*compare)(const struct hsr_comparison *comparison,
                   struct hsr_difference *difference);
@@ -243,6 +251,15 @@ enum hsr_status hsr_answer_make(struct hsr_answer *answer,
                                 const struct hsr_view *view, bool by_pictures,
                                 struct hsr_error *err);
 void hsr_answer_free(struct hsr_answer *answer);
+
+/* For kinds that are made by windows. The size of a window's places, in bytes;
+ * copies them, by rows, out of the answer, or into it. */
+size_t hsr_answer_window_size(const struct hsr_answer *answer,
+                              const struct hsr_window *window);
+void hsr_answer_pack(const struct hsr_answer *answer,
+                     const struct hsr_window *window, void *bytes);
+void hsr_answer_unpack(struct hsr_answer *answer,
+                       const struct hsr_window *window, const void *bytes);
 
 /* Roughly how many pictures of the view's size are drawn for one answer. */
 double hsr_form_pictures(const struct hsr_form *form,

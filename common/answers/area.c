@@ -80,15 +80,11 @@ static void free_body(struct hsr_answer *answer) {
   free(answer->body);
 }
 
-static void merge(struct hsr_answer *into, const struct hsr_answer *from,
-                  const struct hsr_window *w) {
-  struct hsr_area_bounds *to = into->body;
-  const struct hsr_area_bounds *bounds = from->body;
-  for (int j = w->y0; j < w->y1; j++) {
-    size_t at = CHANNELS * ((size_t)j * (size_t)into->m + (size_t)w->x0);
-    memcpy(to + at, bounds + at,
-           CHANNELS * (size_t)(w->x1 - w->x0) * sizeof *to);
-  }
+static int arrays(const struct hsr_answer *answer,
+                  struct hsr_array array[HSR_MOST_ARRAYS]) {
+  array[0] = (struct hsr_array){answer->body,
+                                CHANNELS * sizeof(struct hsr_area_bounds)};
+  return 1;
 }
 
 /* --- Comparing ------------------------------------------------------------ */
@@ -290,7 +286,7 @@ const struct hsr_answer_type hsr_answer_area = {
     .make = make,
     .unset = unset,
     .free = free_body,
-    .merge = merge,
+    .arrays = arrays,
     .compare = compare,
     .show_difference = show_difference,
     .shade = shade,

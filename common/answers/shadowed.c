@@ -55,16 +55,12 @@ static void unset(struct hsr_answer *answer) {
     body->ids[k] = HSR_NOT_WRITTEN;
 }
 
-static void merge(struct hsr_answer *into, const struct hsr_answer *from,
-                  const struct hsr_window *w) {
-  struct hsr_shadowed *to = into->body;
-  const struct hsr_shadowed *body = from->body;
-  size_t n = (size_t)(w->x1 - w->x0);
-  for (int j = w->y0; j < w->y1; j++) {
-    size_t at = (size_t)j * (size_t)into->m + (size_t)w->x0;
-    memcpy(to->ids + at, body->ids + at, n * sizeof *to->ids);
-    memcpy(to->lit + at, body->lit + at, n * sizeof *to->lit);
-  }
+static int arrays(const struct hsr_answer *answer,
+                  struct hsr_array array[HSR_MOST_ARRAYS]) {
+  struct hsr_shadowed *body = answer->body;
+  array[0] = (struct hsr_array){body->ids, sizeof *body->ids};
+  array[1] = (struct hsr_array){body->lit, sizeof *body->lit};
+  return 2;
 }
 
 /* --- Comparing ------------------------------------------------------------ */
@@ -252,7 +248,7 @@ const struct hsr_answer_type hsr_answer_shadowed = {
     .make = make,
     .unset = unset,
     .free = free_body,
-    .merge = merge,
+    .arrays = arrays,
     .compare = compare,
     .show_difference = show_difference,
     .shade = shade,

@@ -29,13 +29,10 @@ static void free_body(struct hsr_answer *answer) {
   free(answer->body);
 }
 
-static void merge(struct hsr_answer *into, const struct hsr_answer *from,
-                  const struct hsr_window *w) {
-  uint16_t *to = into->body;
-  const uint16_t *layers = from->body;
-  for (int j = w->y0; j < w->y1; j++)
-    for (int i = w->x0; i < w->x1; i++)
-      to[j * into->m + i] = layers[j * into->m + i];
+static int arrays(const struct hsr_answer *answer,
+                  struct hsr_array array[HSR_MOST_ARRAYS]) {
+  array[0] = (struct hsr_array){answer->body, sizeof(uint16_t)};
+  return 1;
 }
 
 static void compare(const struct hsr_comparison *c,
@@ -98,7 +95,7 @@ const struct hsr_answer_type hsr_answer_layers = {
     .make = make,
     .unset = unset,
     .free = free_body,
-    .merge = merge,
+    .arrays = arrays,
     .compare = compare,
     .shade = shade,
     .fits = fits,
