@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Other people's renderers for hsr bench, built by configure --with-peers.
 # Nothing else needs them.
-EXTRA_DIST += %D%/README.md
+EXTRA_DIST += %D%/README.md %D%/scenes/make \
+  %D%/scenes/edge-rays.scene.json %D%/scenes/grazing-slivers.scene.json \
+  %D%/scenes/vertex-rays.scene.json
 if WITH_PEERS
 hsrlibexecdir = $(libexecdir)/hsr
 hsrlibexec_PROGRAMS = %D%/hsr-peers

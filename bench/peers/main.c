@@ -16,6 +16,8 @@ static const struct peer *const peers[] = {
     &peer_embree,
     &peer_embree_packets,
     &peer_embree_instances,
+    &peer_embree_robust,
+    &peer_embree_robust_packets,
 #endif
 #if HSR_HAVE_OFFSCREEN
     &peer_llvmpipe,

@@ -84,7 +84,8 @@ enum { PEER_VERSION = 80 };
 extern const struct hsr_algorithm takes_triangles; /* main.c */
 
 extern const struct peer peer_embree, peer_embree_packets,
-    peer_embree_instances;                                    /* embree.c */
+    peer_embree_instances, peer_embree_robust,
+    peer_embree_robust_packets;                               /* embree.c */
 extern const struct peer peer_llvmpipe, peer_llvmpipe_arrays; /* llvmpipe.c */
 extern const struct peer peer_vtk, peer_vtk_painter;          /* vtk.cc */
 extern const struct peer peer_vtk_lines;                      /* vtk_lines.cc */
