@@ -104,6 +104,7 @@ libbench_a_SOURCES = \
   %D%/sweep/journal.c \
   %D%/sweep/journal.h \
   %D%/sweep/machine.c \
+  %D%/sweep/merge.c \
   %D%/sweep/peers.c \
   %D%/sweep/plan.c \
   %D%/sweep/sweep.h \

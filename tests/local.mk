@@ -121,6 +121,7 @@ tap_scripts = \
   %D%/answers/layers.test \
   %D%/example/example.test \
   %D%/command.test \
+  %D%/cluster.test \
   %D%/completion.test \
   %D%/full.test \
   %D%/peers.test \

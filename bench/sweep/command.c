@@ -210,8 +210,8 @@ static const struct argp argp = {
         {"only", ONLY, "PATTERN", 0,
          "cells whose line in --list matches, as '* watkins *'", 1},
         {"shard", SHARD, "I/N", 0,
-         "only the Ith of N parts, to spread a sweep over machines; the files "
-         "of all parts can be joined end to end",
+         "only the Ith of N parts, to spread a sweep over machines; hsr bench "
+         "merge FILE... -o FILE puts the files of all parts together",
          1},
         {"list", LIST, NULL, 0, "print the cells and end", 1},
         {NULL, 0, NULL, 0, "How:", 2},
@@ -441,6 +441,12 @@ static enum hsr_status run_and_tell(const struct plan *plan, int argc,
   return status;
 }
 
+enum hsr_status sweep_parse(int argc, char **argv, struct sweep_options *o,
+                            struct hsr_error *err) {
+  *o = (struct sweep_options)SWEEP_OPTIONS_STANDARD;
+  return parse_options(&argp, argc, argv, o, err);
+}
+
 /* Copies the command line as given, before the options are cut into words. */
 static char **copy_words(int argc, char **argv) {
   char **copy = calloc((size_t)argc + 1, sizeof *copy);
@@ -472,14 +478,14 @@ static void tell_of_interrupt(int number) {
 }
 
 enum hsr_status command_bench(int argc, char **argv, struct hsr_error *err) {
+  if (argc > 1 && !strcmp(argv[1], "merge"))
+    return command_merge(argc - 1, argv + 1, err);
   struct sweep_options *o = calloc(1, sizeof *o);
   struct plan *plan = calloc(1, sizeof *plan);
   char **words = copy_words(argc, argv);
   enum hsr_status status = o && plan && words ? HSR_OK : hsr_fail_nomem(err);
-  if (!status) {
-    *o = (struct sweep_options)SWEEP_OPTIONS_STANDARD;
-    status = parse_options(&argp, argc, argv, o, err);
-  }
+  if (!status)
+    status = sweep_parse(argc, argv, o, err);
   if (!status)
     status = plan_init(plan, o, err);
   if (!status && o->list)

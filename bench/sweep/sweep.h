@@ -2,7 +2,8 @@
 /* What the files of hsr bench share. plan.c lists the cells. machine.c
  * describes the machine that they run on. group.c takes all cells of one scene,
  * view and size: it judges them, has turns.c time them, and records them.
- * changes.c compares the results with earlier ones. */
+ * changes.c compares the results with earlier ones. merge.c puts shards
+ * together. */
 #ifndef HSR_BENCH_SWEEP_SWEEP_H
 #define HSR_BENCH_SWEEP_SWEEP_H
 
@@ -79,6 +80,21 @@ struct place {
   int walk; /* views; 1: no walk */
   int m, n;
 };
+
+/* --- command.c ------------------------------------------------------------ */
+
+/* Reads the command line of hsr bench, argv[0] being "bench". The options
+ * borrow from argv, whose words are cut. HSR_E_USAGE; HSR_E_INPUT for a file of
+ * cameras. */
+enum hsr_status sweep_parse(int argc, char **argv,
+                            struct sweep_options *options,
+                            struct hsr_error *err);
+
+/* --- merge.c -------------------------------------------------------------- */
+
+/* hsr bench merge, argv[0] being "merge". HSR_E_INPUT if files do not fit
+ * together or cannot be read or written; HSR_E_USAGE; HSR_E_NOMEM. */
+enum hsr_status command_merge(int argc, char **argv, struct hsr_error *err);
 
 /* --- plan.c --------------------------------------------------------------- */
 

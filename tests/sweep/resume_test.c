@@ -137,6 +137,16 @@ static void test_kill_while_judged(struct tap *tap) {
   ok(tap, is_group_gone(id), "killed while judging, it leaves no process");
 }
 
+static void refuses_to_merge(struct tap *tap, const char *files,
+                             const char *why, const char *what) {
+  int status = bench("merge %s", files);
+  char *text = read_text("err");
+  ok(tap,
+     status == 3 && strstr(text, why) && !strchr(strchr(text, '\n') + 1, '\n'),
+     "%s", what);
+  free(text);
+}
+
 static void test_shards(struct tap *tap) {
   for (int k = 1; k <= 3; k++)
     bench(SWEEP "--shard %d/3 -o shard%d.ndjson", k, k);
@@ -148,6 +158,31 @@ static void test_shards(struct tap *tap) {
      "no shard does what another does");
   ok(tap, is_same("all.ndjson", "whole.ndjson"),
      "one behind the other they are the whole");
+  ok(tap,
+     bench("merge shard3.ndjson shard1.ndjson shard2.ndjson -o m.ndjson") ==
+             0 &&
+         is_whole("m.ndjson") && is_same("m.ndjson", "whole.ndjson"),
+     "so they are if they are merged");
+  ok(tap, bench("merge whole.ndjson") == 0, "the whole is one part");
+  refuses_to_merge(tap, "shard1.ndjson shard3.ndjson -o n.ndjson",
+                   "cells are missing", "a part is missing");
+  ok(tap, access("n.ndjson", F_OK) != 0, "then nothing is written");
+  refuses_to_merge(tap,
+                   "shard1.ndjson shard2.ndjson shard3.ndjson "
+                   "shard1.ndjson",
+                   "is in shard1.ndjson, too", "a part is there twice");
+  refuses_to_merge(tap, "whole.ndjson shard1.ndjson", "is of another sweep",
+                   "a part of another number of parts");
+  must(!system("sed 's/\"code\":\"./\"code\":\"g/' shard2.ndjson >o.ndjson"));
+  refuses_to_merge(tap, "shard1.ndjson o.ndjson shard3.ndjson",
+                   "is of another build", "a part of another build");
+  must(!system("sed '1{p;s/\"cpu\":\"/&X/;s/\"run\":\"./\"run\":\"x/};"
+               "4,$s/\"run\":\"./\"run\":\"x/' shard2.ndjson >o.ndjson"));
+  refuses_to_merge(tap, "shard1.ndjson o.ndjson shard3.ndjson",
+                   "is of two machines", "a part that moved amid a view");
+  refuses_to_merge(tap, "shard1.ndjson none.ndjson",
+                   "none.ndjson: ", "a part that is not there");
+  ok(tap, bench("merge") == 2, "no parts");
 }
 
 /* --- The file ------------------------------------------------------------- */
@@ -265,7 +300,7 @@ static void test_scene_files(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(1 + 6 + 3 + 1 + 2 + 5 + 4 + 1 + 2 + 2 + 7);
+  struct tap tap = plan(1 + 6 + 3 + 1 + 12 + 5 + 4 + 1 + 2 + 2 + 7);
   enter_folder();
   int status = bench(SWEEP "-o whole.ndjson");
   ok(&tap, status == 1 && cells_in("whole.ndjson") == CELLS,
