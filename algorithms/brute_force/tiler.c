@@ -81,8 +81,7 @@ struct span {
 
 /* The steps that are written twice, for every machine and for AVX-512. */
 struct hsr_twin {
-  void (*gather)(const struct hsr_tiler *, struct hsr_batch *);
-  void (*compact)(struct hsr_batch *);
+  void (*look)(const struct hsr_tiler *, struct hsr_batch *);
   void (*tile_span)(struct hsr_tiler *, const struct span *);
   void (*tile)(struct hsr_tiler *, const struct hsr_triangle *);
   void (*tile_batch)(struct hsr_tiler *, const struct hsr_batch *);
@@ -196,70 +195,18 @@ static void gather_from(const struct hsr_tiler *t, struct hsr_batch *batch,
   }
 }
 
-static void gather_portable(const struct hsr_tiler *t, struct hsr_batch *b) {
-  gather_from(t, b, 0);
-}
-
-#ifdef HAVE_AVX512_TWIN
-
-/* Corners v[0], v[12], v[24] and v[36]. */
-AVX512 static inline __m512i load_corners(const struct hsr_corner *corner,
-                                          const uint32_t *v) {
-  __m512i r =
-      _mm512_castsi128_si512(_mm_loadu_si128((const __m128i *)&corner[v[0]]));
-  r = _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[12]]),
-                         1);
-  r = _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[24]]),
-                         2);
-  return _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[36]]),
-                            3);
-}
-
-/* Corners v[0], v[3], ... v[45]: four transpositions of four by four. */
-AVX512 static inline void gather_corners(const struct hsr_corner *corner,
-                                         const uint32_t *v, int *x, int *y,
-                                         float *q) {
-  __m512i c0 = load_corners(corner, v), c1 = load_corners(corner, v + 3),
-          c2 = load_corners(corner, v + 6), c3 = load_corners(corner, v + 9);
-  __m512i xy01 = _mm512_unpacklo_epi32(c0, c1),
-          xy23 = _mm512_unpacklo_epi32(c2, c3),
-          q01 = _mm512_unpackhi_epi32(c0, c1),
-          q23 = _mm512_unpackhi_epi32(c2, c3);
-  _mm512_storeu_si512(x, _mm512_unpacklo_epi64(xy01, xy23));
-  _mm512_storeu_si512(y, _mm512_unpackhi_epi64(xy01, xy23));
-  _mm512_storeu_si512(q, _mm512_unpacklo_epi64(q01, q23));
-}
-
-AVX512 static void gather_avx512(const struct hsr_tiler *t,
-                                 struct hsr_batch *b) {
-  const struct hsr_world *world = t->screen.world;
-  const uint32_t *v = world->mesh.vertex + 3 * (size_t)b->first;
-  const void *one_sided = world->mesh.one_sided + b->first;
-  struct hsr_corners *r = &b->corners;
-  int k = 0;
-  for (; k + LANES <= b->n; k += LANES, v += 3 * LANES) {
-    gather_corners(t->corner, v, r->ax + k, r->ay + k, r->qa + k);
-    gather_corners(t->corner, v + 1, r->bx + k, r->by + k, r->qb + k);
-    gather_corners(t->corner, v + 2, r->cx + k, r->cy + k, r->qc + k);
-    __m128i bytes = _mm_loadu_si128((const __m128i *)one_sided + k / LANES);
-    _mm512_storeu_si512(b->one_sided + k, _mm512_cvtepu8_epi32(bytes));
-  }
-  gather_from(t, b, k);
-}
-
-#endif
-
-/* Finds their boxes, turns them so that their area on the screen is positive,
- * and says what becomes of them. */
-HSR_VECTOR static int look(const struct hsr_tiler *t, int n,
-                           struct hsr_corners *restrict r,
-                           const int *restrict one_sided, int *restrict fate) {
+/* Finds the boxes of the triangles from `from` on, turns them so that their area
+ * on the screen is positive, and says what becomes of them. */
+HSR_VECTOR static int decide(const struct hsr_tiler *t, int from, int n,
+                             struct hsr_corners *restrict r,
+                             const int *restrict one_sided,
+                             int *restrict fate) {
   int any = 0;
   const int fx = t->first_x, fy = t->first_y;
   const int wx0 = t->window.x0, wx1 = t->window.x1, wy0 = t->window.y0,
             wy1 = t->window.y1;
   const float past = t->nearest, unit = 1.0f / GRID;
-  for (int k = 0; k < n; k++) {
+  for (int k = from; k < n; k++) {
     int ax = r->ax[k], bx = r->bx[k], cx = r->cx[k];
     int ay = r->ay[k], by = r->by[k], cy = r->cy[k];
     float qa = r->qa[k], qb = r->qb[k], qc = r->qc[k];
@@ -332,13 +279,19 @@ static void move(struct hsr_batch *b, int k, int place, int to) {
   b->place[to] = place;
 }
 
-/* Moves the triangles to be tiled to the front. */
-static void compact_portable(struct hsr_batch *b) {
-  int kept = 0;
-  for (int k = 0; k < b->n; k++)
+/* Looks at the triangles from `from` on, one after another. Those to be tiled
+ * are moved behind the n_fast ones that there are. */
+static void look_from(const struct hsr_tiler *t, struct hsr_batch *b,
+                      int from) {
+  gather_from(t, b, from);
+  b->general |= decide(t, from, b->n, &b->corners, b->one_sided, b->fate);
+  for (int k = from; k < b->n; k++)
     if (b->fate[k] == HSR_TILE)
-      move(b, k, k, kept++);
-  b->n_fast = kept;
+      move(b, k, k, b->n_fast++);
+}
+
+static void look_portable(const struct hsr_tiler *t, struct hsr_batch *b) {
+  look_from(t, b, 0);
 }
 
 #ifdef HAVE_AVX512_TWIN
@@ -352,29 +305,157 @@ static inline __mmask16 first_lanes(int n) {
   return (__mmask16)(n >= LANES ? 0xffff : (1 << n) - 1);
 }
 
-AVX512 static void compact_avx512(struct hsr_batch *b) {
-  struct hsr_corners *r = &b->corners;
-  void *const rows[] = {r->ax, r->ay, r->bx, r->by, r->cx, r->cy, r->qa,
-                        r->qb, r->qc, r->x0, r->y0, r->x1, r->y1};
-  int kept = 0;
-  for (int k = 0; k < b->n; k += LANES) {
-    __mmask16 keep = _mm512_mask_cmpeq_epi32_mask(
-        first_lanes(b->n - k), _mm512_loadu_si512(b->fate + k),
-        _mm512_set1_epi32(HSR_TILE));
-    if (!keep)
-      continue;
-    /* Never ahead of what is still to be read, since kept <= k. */
-    for (size_t a = 0; a < sizeof rows / sizeof *rows; a++) {
-      __m512i row = _mm512_loadu_si512((int *)rows[a] + k);
-      _mm512_storeu_si512((int *)rows[a] + kept,
-                          _mm512_maskz_compress_epi32(keep, row));
-    }
-    __m512i place = _mm512_add_epi32(lane_numbers(), _mm512_set1_epi32(k));
-    _mm512_storeu_si512(b->place + kept,
-                        _mm512_maskz_compress_epi32(keep, place));
-    kept += __builtin_popcount(keep);
+/* The same corner of sixteen triangles. */
+struct corners16 {
+  __m512i x, y;
+  __m512 q;
+};
+
+/* Corners v[0], v[12], v[24] and v[36]. */
+AVX512 static inline __m512i load_corners(const struct hsr_corner *corner,
+                                          const uint32_t *v) {
+  __m512i r =
+      _mm512_castsi128_si512(_mm_loadu_si128((const __m128i *)&corner[v[0]]));
+  r = _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[12]]),
+                         1);
+  r = _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[24]]),
+                         2);
+  return _mm512_inserti32x4(r, _mm_loadu_si128((const __m128i *)&corner[v[36]]),
+                            3);
+}
+
+/* Corners v[0], v[3], ... v[45]: four transpositions of four by four. */
+AVX512 static inline struct corners16
+gather_corners(const struct hsr_corner *corner, const uint32_t *v) {
+  __m512i c0 = load_corners(corner, v), c1 = load_corners(corner, v + 3),
+          c2 = load_corners(corner, v + 6), c3 = load_corners(corner, v + 9);
+  __m512i xy01 = _mm512_unpacklo_epi32(c0, c1),
+          xy23 = _mm512_unpacklo_epi32(c2, c3),
+          q01 = _mm512_unpackhi_epi32(c0, c1),
+          q23 = _mm512_unpackhi_epi32(c2, c3);
+  return (struct corners16){
+      _mm512_unpacklo_epi64(xy01, xy23), _mm512_unpackhi_epi64(xy01, xy23),
+      _mm512_castsi512_ps(_mm512_unpacklo_epi64(q01, q23))};
+}
+
+AVX512 static inline __mmask16 unsafe_ones(const struct corners16 *c) {
+  return _mm512_cmpeq_epi32_mask(c->x, _mm512_set1_epi32(UNSAFE));
+}
+
+/* The samples from lo - 1 to hi + 1 grid units, of which the first is at
+ * `first`, within [w0, w1): [*from, *to). */
+AVX512 static inline void find_samples(__m512i lo, __m512i hi, int first,
+                                       int w0, int w1, __m512i *from,
+                                       __m512i *to) {
+  *from = _mm512_srai_epi32(
+      _mm512_add_epi32(lo, _mm512_set1_epi32(GRID - 2 - first)), GRID_BITS);
+  *to = _mm512_srai_epi32(
+      _mm512_add_epi32(hi, _mm512_set1_epi32(GRID + 1 - first)), GRID_BITS);
+  *from = _mm512_max_epi32(*from, _mm512_set1_epi32(w0));
+  *to = _mm512_min_epi32(*to, _mm512_set1_epi32(w1));
+}
+
+/* a - b, in pixels. */
+AVX512 static inline __m512 pixels_between(__m512i a, __m512i b) {
+  return _mm512_mul_ps(_mm512_cvtepi32_ps(_mm512_sub_epi32(a, b)),
+                       _mm512_set1_ps(1.0f / GRID));
+}
+
+/* A row of the batch's corners from `to` on gets the lanes that are kept. */
+AVX512 static inline void keep_lanes(void *row, int to, __mmask16 keep,
+                                     __m512i lanes) {
+  _mm512_storeu_si512((int *)row + to,
+                      _mm512_maskz_compress_epi32(keep, lanes));
+}
+
+/* What decide() finds of triangles k to k + 15, of which those to be tiled are
+ * kept. They never get ahead of what is still to be read. */
+AVX512 static inline void look_at_sixteen(const struct hsr_tiler *t,
+                                          struct hsr_batch *b,
+                                          const uint32_t *v, int k) {
+  const struct hsr_world *world = t->screen.world;
+  const __m512 zero = _mm512_setzero_ps();
+  struct corners16 A = gather_corners(t->corner, v),
+                   B = gather_corners(t->corner, v + 1),
+                   C = gather_corners(t->corner, v + 2);
+  __mmask16 unsafe = unsafe_ones(&A) | unsafe_ones(&B) | unsafe_ones(&C);
+
+  /* The samples of their boxes: the most triangles of a dense mesh have none. */
+  __m512i lo_x = _mm512_min_epi32(_mm512_min_epi32(A.x, B.x), C.x),
+          hi_x = _mm512_max_epi32(_mm512_max_epi32(A.x, B.x), C.x),
+          lo_y = _mm512_min_epi32(_mm512_min_epi32(A.y, B.y), C.y),
+          hi_y = _mm512_max_epi32(_mm512_max_epi32(A.y, B.y), C.y);
+  __m512i x0, x1, y0, y1;
+  find_samples(lo_x, hi_x, t->first_x, t->window.x0, t->window.x1, &x0, &x1);
+  find_samples(lo_y, hi_y, t->first_y, t->window.y0, t->window.y1, &y0, &y1);
+  __mmask16 live = _mm512_mask_cmplt_epi32_mask(
+      _mm512_mask_cmplt_epi32_mask((__mmask16)~unsafe, x0, x1), y0, y1);
+  __mmask16 fast = 0, general = unsafe;
+  if (live) {
+    /* The doubled area, negative if seen from the front (y runs down). */
+    __m512 width = pixels_between(hi_x, lo_x),
+           height = pixels_between(hi_y, lo_y);
+    __m512 area = _mm512_sub_ps(
+        _mm512_mul_ps(pixels_between(B.x, A.x), pixels_between(C.y, A.y)),
+        _mm512_mul_ps(pixels_between(C.x, A.x), pixels_between(B.y, A.y)));
+    const __m512 two = _mm512_set1_ps(2);
+    __m512 around =
+        _mm512_add_ps(_mm512_add_ps(width, height), _mm512_set1_ps(4));
+    __m512 within = _mm512_mul_ps(
+        _mm512_mul_ps(_mm512_set1_ps(0x1p-20f), _mm512_add_ps(width, two)),
+        _mm512_add_ps(height, two));
+    __m512 least =
+        _mm512_add_ps(_mm512_mul_ps(_mm512_set1_ps(64 * SNAP), around), within);
+    __mmask16 small =
+        _mm512_mask_cmp_ps_mask(live, _mm512_max_ps(width, height),
+                                _mm512_set1_ps(LARGEST_BOX), _CMP_LE_OQ);
+    __mmask16 behind = _mm512_mask_cmp_ps_mask(small, area, least, _CMP_GT_OQ);
+    __mmask16 before = _mm512_mask_cmp_ps_mask(
+        small, area, _mm512_sub_ps(zero, least), _CMP_LT_OQ);
+    __m128i bytes = _mm_loadu_si128(
+        (const __m128i *)(world->mesh.one_sided + b->first + k));
+    __mmask16 back = _mm512_mask_test_epi32_mask(
+        behind, _mm512_cvtepu8_epi32(bytes), _mm512_set1_epi32(1));
+    __m512 nearest = _mm512_max_ps(_mm512_max_ps(A.q, B.q), C.q);
+    fast =
+        _mm512_mask_cmp_ps_mask((__mmask16)((behind | before) & ~back), nearest,
+                                _mm512_set1_ps(t->nearest), _CMP_LT_OQ);
+    general |= (__mmask16)(live & ~(back | fast));
+
+    __mmask16 turned = _mm512_cmp_ps_mask(area, zero, _CMP_LT_OQ);
+    struct hsr_corners *r = &b->corners;
+    int to = b->n_fast;
+    keep_lanes(r->ax, to, fast, A.x);
+    keep_lanes(r->ay, to, fast, A.y);
+    keep_lanes(r->qa, to, fast, _mm512_castps_si512(A.q));
+    keep_lanes(r->bx, to, fast, _mm512_mask_mov_epi32(B.x, turned, C.x));
+    keep_lanes(r->by, to, fast, _mm512_mask_mov_epi32(B.y, turned, C.y));
+    keep_lanes(r->qb, to, fast,
+               _mm512_castps_si512(_mm512_mask_mov_ps(B.q, turned, C.q)));
+    keep_lanes(r->cx, to, fast, _mm512_mask_mov_epi32(C.x, turned, B.x));
+    keep_lanes(r->cy, to, fast, _mm512_mask_mov_epi32(C.y, turned, B.y));
+    keep_lanes(r->qc, to, fast,
+               _mm512_castps_si512(_mm512_mask_mov_ps(C.q, turned, B.q)));
+    keep_lanes(r->x0, to, fast, x0);
+    keep_lanes(r->y0, to, fast, y0);
+    keep_lanes(r->x1, to, fast, x1);
+    keep_lanes(r->y1, to, fast, y1);
+    keep_lanes(b->place, to, fast,
+               _mm512_add_epi32(lane_numbers(), _mm512_set1_epi32(k)));
+    b->n_fast = to + __builtin_popcount(fast);
   }
-  b->n_fast = kept;
+  b->general |= general;
+  __m512i fate = _mm512_maskz_set1_epi32(fast, HSR_TILE);
+  fate = _mm512_mask_set1_epi32(fate, general, HSR_GENERALLY);
+  _mm512_storeu_si512(b->fate + k, fate);
+}
+
+AVX512 static void look_avx512(const struct hsr_tiler *t, struct hsr_batch *b) {
+  const uint32_t *v = t->screen.world->mesh.vertex + 3 * (size_t)b->first;
+  int k = 0;
+  for (; k + LANES <= b->n; k += LANES)
+    look_at_sixteen(t, b, v + 3 * k, k);
+  look_from(t, b, k);
 }
 
 #endif
@@ -437,14 +518,10 @@ void hsr_tiler_look(const struct hsr_tiler *t, struct hsr_batch *b,
                     uint32_t first, int n) {
   b->first = first;
   b->n = n;
-  t->twin->gather(t, b);
-  b->general = look(t, n, &b->corners, b->one_sided, b->fate);
-}
-
-void hsr_tiler_compact(const struct hsr_tiler *t, struct hsr_batch *b) {
-  t->twin->compact(b);
+  b->n_fast = b->general = 0;
+  t->twin->look(t, b);
   for (int k = 0; k < b->n_fast; k++)
-    b->corners.id[k] = called(t, b->first + (uint32_t)b->place[k]);
+    b->corners.id[k] = called(t, first + (uint32_t)b->place[k]);
 }
 
 void hsr_tiler_drop(struct hsr_batch *b, const int *drop) {
@@ -727,9 +804,9 @@ static void write_back_portable(const struct hsr_tiler *t,
            (size_t)(p->x1 - p->x0) * sizeof *t->ids);
 }
 
-static const struct hsr_twin portable = {
-    gather_portable, compact_portable,    tile_span_portable,
-    tile_portable,   tile_batch_portable, write_back_portable};
+static const struct hsr_twin portable = {look_portable, tile_span_portable,
+                                         tile_portable, tile_batch_portable,
+                                         write_back_portable};
 
 #ifdef HAVE_AVX512_TWIN
 
@@ -964,9 +1041,9 @@ AVX512 static void write_back_avx512(const struct hsr_tiler *t,
   _mm_sfence();
 }
 
-static const struct hsr_twin avx512 = {gather_avx512,     compact_avx512,
-                                       tile_span_avx512,  tile_avx512,
-                                       tile_batch_avx512, write_back_avx512};
+static const struct hsr_twin avx512 = {look_avx512, tile_span_avx512,
+                                       tile_avx512, tile_batch_avx512,
+                                       write_back_avx512};
 
 #endif
 

@@ -236,13 +236,11 @@ void hsr_tiler_begin_part(struct hsr_tiler *tiler, struct hsr_window part);
 
 /* Looks at the n triangles from face `first` on: finds their boxes within the
  * window, turns them so that their area is positive and says what becomes of
- * them. */
+ * them. The n_fast ones are those to be tiled. */
 void hsr_tiler_look(const struct hsr_tiler *tiler, struct hsr_batch *batch,
                     uint32_t first, int n);
 
-/* Moves those whose fate is to be tiled to the front, where they are the n_fast
- * ones; and leaves out of these where drop[k] is not 0. */
-void hsr_tiler_compact(const struct hsr_tiler *tiler, struct hsr_batch *batch);
+/* Leaves the k-th of the fast ones out where drop[k] is not 0. */
 void hsr_tiler_drop(struct hsr_batch *batch, const int *drop);
 
 /* Sets up the fast ones; what floats do not hold is to go the general way. */

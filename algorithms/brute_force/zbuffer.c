@@ -238,6 +238,10 @@ static void tile_batch(struct hsr_tiler *tiler, const struct hsr_batch *b) {
 
 /* Drops the transparent faces of a batch. */
 static void leave_out_glass(struct hsr_glass *glass, struct hsr_batch *b) {
+  int drop[HSR_BATCH];
+  for (int k = 0; k < b->n_fast; k++)
+    drop[k] = hsr_is_glass(glass, b->first + (uint32_t)b->place[k]);
+  hsr_tiler_drop(b, drop);
   for (int k = 0; k < b->n; k++)
     if (hsr_is_glass(glass, b->first + (uint32_t)k))
       b->fate[k] = HSR_DROP;
@@ -251,7 +255,6 @@ static enum hsr_status tile_triangles(struct frame *t) {
                    n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
     if (t->glass)
       leave_out_glass(t->glass, &batch);
-    hsr_tiler_compact(&t->tiler, &batch);
     hsr_tiler_set_up(&t->tiler, &batch);
     if (t->kept)
       keep_batch(t, &batch);

@@ -55,7 +55,6 @@ static void tile_face(struct hsr_tiler *t, uint32_t f) {
 static void tile_batch(struct hsr_tiler *t, uint32_t first, int n) {
   struct hsr_batch batch;
   hsr_tiler_look(t, &batch, first, n);
-  hsr_tiler_compact(t, &batch);
   hsr_tiler_set_up(t, &batch);
   hsr_tiler_tile_batch(t, &batch);
   for (int k = 0; k < n && batch.general; k++)

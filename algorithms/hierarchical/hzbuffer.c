@@ -686,7 +686,6 @@ static void tile_cell(struct walk *w, uint32_t place) {
   for (uint32_t f = 0; f < n; f += HSR_BATCH) {
     hsr_tiler_look(t, &batch, f, n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
     drop_repeated(w, &batch);
-    hsr_tiler_compact(t, &batch);
     filter(w, &batch);
     hsr_tiler_set_up(t, &batch);
     tile_batch(w, &batch);

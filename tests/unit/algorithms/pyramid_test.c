@@ -383,7 +383,6 @@ static void try_batch(struct definitive *d, uint32_t first, int n,
                       uint64_t *seed) {
   static struct hsr_batch batch;
   hsr_tiler_look(&d->tiler, &batch, first, n);
-  hsr_tiler_compact(&d->tiler, &batch);
   hsr_tiler_set_up(&d->tiler, &batch);
   for (int k = 0; k < batch.n_fast; k++) {
     if (!batch.good[k])
