@@ -11,7 +11,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { MOST_THREADS = 64, PARTS_OF_WORKER = 16, LEAST_SIDE = 16 };
+enum { MOST_THREADS = 64, PARTS_OF_WORKER = 32, LEAST_SIDE = 16 };
 
 double seconds_now(void) {
   struct timespec t;

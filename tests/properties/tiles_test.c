@@ -5,6 +5,7 @@
  * picture can be drawn, all algorithms agree with the oracle. And the files of
  * tiles are joined to one file, which is the same each time. */
 #include "algorithms/setup.h"
+#include "common/exact/footprint.h"
 #include "common/files/image.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -186,6 +187,18 @@ static bool makes(const struct hsr_algorithm *a,
          (a->kind == kind || hsr_makes_also(a, kind));
 }
 
+/* The standard choice, but that splats are as far apart as pixels, of which each
+ * tile has fewer than the picture. */
+static struct hsr_choice choose(const struct hsr_algorithm *a,
+                                const struct hsr_answer_type *kind) {
+  struct hsr_choice choice =
+      a->kind == kind ? hsr_choice_standard(a) : choose_also(a, kind);
+  for (int k = 0; kind->options[k].name; k++)
+    if (!strcmp(kind->options[k].name, "antialias"))
+      choice.form.values.option[k] = true;
+  return choice;
+}
+
 /* `begin` begins the names of those that are tested. */
 static void test_kind(const struct hsr_answer_type *kind, const char *begin,
                       const char *name) {
@@ -200,8 +213,7 @@ static void test_kind(const struct hsr_answer_type *kind, const char *begin,
       const struct hsr_algorithm *a = l->counting;
       if (!makes(a, kind) || strncmp(a->name, begin, strlen(begin)))
         continue;
-      struct hsr_choice choice =
-          a->kind == kind ? hsr_choice_standard(a) : choose_also(a, kind);
+      struct hsr_choice choice = choose(a, kind);
       bool refused;
       camera.parallel = c ? far / 2 : 0;
       long wrong =
@@ -210,6 +222,39 @@ static void test_kind(const struct hsr_answer_type *kind, const char *begin,
          a->name, kind->name, name, c ? ", parallel" : "", wrong);
     }
   close_worlds(&worlds);
+}
+
+/* The exact footprints of splats, at the pixels of a tile and of its picture. */
+static void test_footprints(bool parallel) {
+  struct hsr_camera camera = {.eye = {3, 4, 9},
+                              .up = {0, 1, 0},
+                              .fov = 40,
+                              .parallel = parallel ? 6 : 0};
+  const struct hsr_window tile = {13, 7, 29, 26};
+  struct hsr_view whole, part;
+  bool out_of_memory = hsr_view_init(&whole, &camera, M, N, NULL) ||
+                       hsr_view_init_tile(&part, &camera, M, N, &tile, NULL);
+  uint64_t seed = 3;
+  long wrong = 0, covered = 0;
+  for (int k = 0; k < 4000 && !out_of_memory; k++) {
+    struct hsr_splat splat = {.view = &whole, .width = 1, .antialias = k % 2};
+    for (int a = 0; a < 3; a++) {
+      splat.at[a] = (double)draw_integer(&seed, -64, 64) / 32;
+      splat.size[a] = (double)draw_integer(&seed, 1, 16) / 16;
+    }
+    int i = (int)draw_integer(&seed, 0, part.m - 1),
+        j = (int)draw_integer(&seed, 0, part.n - 1);
+    uint32_t energy = hsr_exact_energy(&splat, &out_of_memory);
+    int index =
+        hsr_exact_footprint(&splat, tile.x0 + i, tile.y0 + j, &out_of_memory);
+    splat.view = &part;
+    wrong += energy != hsr_exact_energy(&splat, &out_of_memory) ||
+             index != hsr_exact_footprint(&splat, i, j, &out_of_memory);
+    covered += index < HSR_FOOTPRINT;
+  }
+  ok(&tap, !wrong && covered > 20 && !out_of_memory,
+     "of %ld exact footprints%s, %ld differ", covered,
+     parallel ? ", parallel" : "", wrong);
 }
 
 /* --- Files ---------------------------------------------------------------- */
@@ -337,14 +382,16 @@ int main(void) {
   for_each_judged(count_one, &builds);
   int others = count_makers(HSR_TRANSPARENT) + count_makers(HSR_SHADOWED) +
                count_makers(HSR_COMPOSITED);
-  tap = plan(12 + 2 * (N_SCENES * builds + others)); /* of 2 cameras */
+  tap = plan(14 + 2 * (N_SCENES * builds + others)); /* of 2 cameras */
   test_ranges();
+  test_footprints(false);
+  test_footprints(true);
   test_files();
   for (int k = 0; k < N_SCENES; k++)
     test_scene(names[k]);
   test_kind(HSR_TRANSPARENT, "", "greenhouse");
   test_kind(HSR_SHADOWED, "", "house");
-  test_kind(HSR_COMPOSITED, "splat", "checker-cube");
+  test_kind(HSR_COMPOSITED, "splat", "checker-cube:40");
   test_kind(HSR_COMPOSITED, "texture", "checker-plane");
   return finish(&tap);
 }

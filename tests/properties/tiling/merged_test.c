@@ -194,7 +194,8 @@ static struct hsr_scene *make_scene(uint64_t *seed,
                               .at = {0, 0, 0},
                               .up = {0, 1, 0},
                               .fov = 60,
-                              .near = draw_integer(seed, 0, 3) ? 0 : 7};
+                              .near = draw_integer(seed, 0, 3) ? 0 : 7,
+                              .parallel = draw_integer(seed, 0, 2) ? 0 : 9};
   must(hsr_scene_view(scene, &camera), &err);
   must(hsr_scene_finish(scene, &err), &err);
   return scene;
