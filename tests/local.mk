@@ -337,6 +337,7 @@ EXTRA_DIST += \
   algorithms/EXAMPLE.c \
   %D%/mutants/run \
   %D%/mutants/core.mutants \
+  %D%/mutants/scale.mutants \
   %D%/mutants/areas.mutants \
   %D%/mutants/bounded.mutants \
   %D%/mutants/exact.mutants \
