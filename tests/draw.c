@@ -200,6 +200,14 @@ const struct hsr_listed *all_listed(void) {
   return listed;
 }
 
+const struct hsr_algorithm *find_counting(const char *name) {
+  for (const struct hsr_listed *l = all_listed(); l->plain; l++)
+    if (!strcmp(l->plain->name, name))
+      return l->counting;
+  printf("Bail out! no %s\n", name);
+  exit(99);
+}
+
 static void for_each_of_kind(const struct hsr_answer_type *kind,
                              void (*check)(const struct hsr_algorithm *,
                                            void *),

@@ -54,6 +54,10 @@ long count_differences(const struct hsr_view *view, const uint32_t *a,
  * variant's. Ended by .plain == NULL. */
 const struct hsr_listed *all_listed(void);
 
+/* One of these, in the counting build. Ends the test program if there is none.
+ */
+const struct hsr_algorithm *find_counting(const char *name);
+
 /* A named scene, both laid out as a world and as an outline. Opening aborts the
  * test program on failure. */
 struct both_worlds {

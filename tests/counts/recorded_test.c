@@ -30,19 +30,9 @@ static int compare(const json_t *counts, const struct hsr_algorithm *a,
   return differ + (json_object_size(counts) != n);
 }
 
-/* An algorithm or a variant. */
-static const struct hsr_algorithm *find(const char *name) {
-  const struct hsr_listed *a = all_listed();
-  while (a->plain && strcmp(a->plain->name, name))
-    a++;
-  if (a->plain)
-    return a->counting;
-  printf("Bail out! there is no %s\n", name);
-  exit(99);
-}
-
 static int check_cell(const json_t *cell, struct both_worlds *worlds) {
-  const struct hsr_algorithm *a = find(results_text(cell, "algorithm"));
+  const struct hsr_algorithm *a =
+      find_counting(results_text(cell, "algorithm"));
   struct hsr_view view;
   struct hsr_answer answer;
   struct hsr_tally tally = {.first = 0};

@@ -122,18 +122,11 @@ static void test_algorithm(const struct hsr_algorithm *a, void *context) {
   hsr_setup_free(&setup);
 }
 
-static const struct hsr_algorithm *find(const char *name) {
-  const struct hsr_listed *a = hsr_algorithms;
-  while (strcmp(a->plain->name, name))
-    a++;
-  return a->plain;
-}
-
 static void test_scene(const char *name) {
   struct stand stand = {.name = name};
   open_worlds(&stand.worlds, name);
-  if (hsr_setup_init(&stand.oracle, find("oracle"), NULL, &stand.worlds.world,
-                     NULL))
+  if (hsr_setup_init(&stand.oracle, hsr_algorithm_find("oracle")->plain, NULL,
+                     &stand.worlds.world, NULL))
     ok(&tap, false, "the oracle is ready for %s", name);
   for_each_judged(test_algorithm, &stand);
   hsr_setup_free(&stand.oracle);

@@ -105,20 +105,12 @@ static inline bool hand_check_one(const struct hsr_algorithm *a, int k,
   return false;
 }
 
-/* An algorithm, or a variant of proposals.def. */
-static inline const struct hsr_algorithm *hand_find(const char *name) {
-  for (const struct hsr_listed *l = all_listed(); l->plain; l++)
-    if (!strcmp(l->plain->name, name))
-      return l->counting;
-  hand_stop(name);
-  return NULL;
-}
-
-/* Draws the picture. Prints the counters that differ from the derived values
+/* Draws the picture by an algorithm, or a variant of proposals.def. Prints the
+ * counters that differ from the derived values
  * and, if `all`, those that have none; true if there are no such counters. */
 static inline bool hand_compare(const struct hand_picture *p, const char *name,
                                 const struct hand_count *derived, bool all) {
-  const struct hsr_algorithm *a = hand_find(name);
+  const struct hsr_algorithm *a = find_counting(name);
   struct hand_heard heard = {.n = {{0}}};
   struct hsr_trace trace = {.listen = hand_listen, .context = &heard};
   struct hsr_tally tally = {.trace = &trace};

@@ -23,14 +23,6 @@ static void stop(const char *name, const struct hsr_error *err) {
   exit(99);
 }
 
-static const struct hsr_algorithm *find(const char *name) {
-  for (const struct hsr_listed *l = all_listed(); l->plain; l++)
-    if (!strcmp(l->plain->name, name))
-      return l->counting;
-  printf("Bail out! no %s\n", name);
-  exit(99);
-}
-
 static int counter_of(const struct hsr_algorithm *algorithm, const char *name) {
   for (int k = 0; algorithm->counters[k].name; k++)
     if (!strcmp(algorithm->counters[k].name, name))
@@ -87,8 +79,9 @@ static void watch_rows(void *context, const struct hsr_event *event) {
 
 static void test_raster(struct tap *tap) {
   static uint32_t ids[M * N], right[M * N];
-  const struct hsr_algorithm *algorithm = find("warnock:output=raster");
-  const struct hsr_algorithm *other = find("zbuffer");
+  const struct hsr_algorithm *algorithm =
+      find_counting("warnock:output=raster");
+  const struct hsr_algorithm *other = find_counting("zbuffer");
   long n_amiss = 0, n_wrong = 0, n_rows = 0;
   for (int k = 0; k < N_SCENES; k++) {
     struct stage stage;
@@ -169,7 +162,7 @@ static void walk(const struct hsr_algorithm *algorithm, const char *name,
   struct stage stage;
   open_stage(&stage, name);
   begin(&film, algorithm, &stage);
-  begin(&other, find("zbuffer"), &stage);
+  begin(&other, find_counting("zbuffer"), &stage);
   long n_listed = 0;
   for (int k = 0; k < FRAMES; k++) {
     struct hsr_view view =
@@ -202,7 +195,7 @@ static void walk(const struct hsr_algorithm *algorithm, const char *name,
 static void test_regions(struct tap *tap, const char *name) {
   struct findings f = {0};
   for (int k = 0; k < N_SCENES; k++)
-    walk(find(name), scene_names[k], &f);
+    walk(find_counting(name), scene_names[k], &f);
   ok(tap, f.n_wrong == 0, "%s: %ld samples are wrong, of %ld frames", name,
      f.n_wrong, f.n_frames);
   ok(tap, f.n_apart == 0,

@@ -8,7 +8,7 @@
 /* --- The regions ---------------------------------------------------------- */
 
 /* The bounds of 2^level parts of [from, to), halved again and again as Warnock's
- * windows are; some of a short one are empty. */
+ * windows are. Where [from, to) is short, some parts are empty. */
 static void divide(int from, int to, int level, int *bound) {
   bound[0] = from;
   bound[1 << level] = to;

@@ -75,8 +75,8 @@ void hsr_show_window(struct hsr_show *show, struct hsr_window window,
 
 /* --- As a raster ---------------------------------------------------------- */
 
-/* One pass of the sort: by the first row, or the first column, the least first.
- * `from` is what that is for the picture's first; start[]: `n_buckets` + 1. */
+/* One pass of the sort: into a bucket for each row, or each column, by where a
+ * window begins. start[] has room for one more than the buckets. */
 static void sort_by(struct hsr_show *show, const struct hsr_decided *in,
                     struct hsr_decided *out, bool by_row, size_t *start,
                     size_t n_buckets, int counter) {

@@ -6,8 +6,8 @@
  *             seemingly random order"; D. Cohen drives a raster display by "a
  *             massive sort of the windows by Y and X coordinates". How he sorts
  *             is not said.
- * Invariants  decided windows do not overlap. All of a picture's are its
- *             samples, so those of one row follow one another without a gap.
+ * Invariants  decided windows do not overlap, and together they hold every
+ *             sample. So those of one row follow one another without a gap.
  * Ties        none: no two windows have the same first sample
  * Cost        the sort 2 windows; then in each row a look at each of its windows
  */
