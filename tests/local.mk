@@ -138,6 +138,7 @@ tap_scripts = \
   %D%/report/report.test \
   %D%/torture/torture.test \
   %D%/tree/arrows.test \
+  %D%/tree/files.test \
   %D%/tree/mutants.test \
   %D%/view/view.test
 
@@ -183,7 +184,7 @@ sanitized_programs = $(quick_units) \
   %D%/properties/surfaces/newell_test \
   %D%/properties/surfaces/romney_test \
   %D%/properties/surfaces/schumacker_test
-quick_scripts = %D%/tree/arrows.test %D%/tree/mutants.test %D%/answers/layers.test \
+quick_scripts = %D%/tree/arrows.test %D%/tree/files.test %D%/tree/mutants.test %D%/answers/layers.test \
   %D%/example/example.test
 quick_scenes = house cyclic-overlap penetration coplanar near-plane \
   lattice:40:3 grid:4 --views 2 --size 41x29
