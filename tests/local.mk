@@ -210,6 +210,7 @@ check-sanitized:
 
 # One module: make check-module M=watkins
 check-module:
+	@[ -n "$(M)" ] || { echo "usage: make check-module M=ALGORITHM" >&2; exit 2; }
 	@$(MAKE) $(AM_MAKEFLAGS) -s hsr %D%/conformance/trace_test \
 	  %D%/counts/golden_test
 	@$(AM_TESTS_ENVIRONMENT) %D%/conformance/trace_test $(M) && \

@@ -322,8 +322,14 @@ void hsr_scan_advance(struct hsr_scan *scan, int j) {
   if (tree)
     hsr_x_tree_retire(scan, j);
   retire_and_advance(scan, j);
-  (tree || scan->ways.presort ? take_bucket_as_it_is : take_bucket)(scan, j);
-  (tree ? hsr_x_tree_merge : merge_x)(scan, j);
+  if (tree || scan->ways.presort)
+    take_bucket_as_it_is(scan, j);
+  else
+    take_bucket(scan, j);
+  if (tree)
+    hsr_x_tree_merge(scan, j);
+  else
+    merge_x(scan, j);
   if (scan->known)
     sort_x(scan, scan->known, j);
   else

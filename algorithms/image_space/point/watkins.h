@@ -18,7 +18,6 @@ struct hsr_watkins_segment {
   uint32_t face, piece; /* as in struct hsr_scan_edge */
   int x0, x1;
   double q0, q1, error;
-  uint32_t left, right; /* the scan edges at its ends */
 };
 
 /* Runs of segments, joined where they share an edge: see watkins_runs.c. */
@@ -27,11 +26,12 @@ struct hsr_watkins_runs {
   int counter;                         /* of segments looked at */
   uint32_t *shared;                    /* by scan edge, as in hsr_surfaces */
 
-  /* Of the row: its segments, and the next one in the run of each. By shared
+  /* Of the row: its segments, the scan edges at both ends of each, and the next
+   * one in its run. By shared
    * edge: the segment that ends there, if row_of[] is the row. By run: the
    * first segment, and the one that was looked at last. */
   struct hsr_watkins_segment *part;
-  uint32_t n_parts, *next;
+  uint32_t n_parts, *left, *right, *next;
   uint32_t *ends_there, *run_of, *first, *last_seen;
   int *row_of;
 };

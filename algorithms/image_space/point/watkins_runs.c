@@ -49,14 +49,17 @@ enum hsr_status hsr_watkins_use_runs(struct hsr_watkins *s,
   *runs = (struct hsr_watkins_runs){.surfaces = surfaces, .counter = counter};
   runs->shared = HSR_NEW(arena, uint32_t, s->edges.n_edges);
   runs->part = HSR_NEW(arena, struct hsr_watkins_segment, most);
+  runs->left = HSR_NEW(arena, uint32_t, most);
+  runs->right = HSR_NEW(arena, uint32_t, most);
   runs->next = HSR_NEW(arena, uint32_t, most);
   runs->run_of = HSR_NEW(arena, uint32_t, most);
   runs->first = HSR_NEW(arena, uint32_t, most);
   runs->last_seen = HSR_NEW(arena, uint32_t, most);
   runs->ends_there = HSR_NEW(arena, uint32_t, surfaces->n_shared);
   runs->row_of = HSR_NEW(arena, int, surfaces->n_shared);
-  if (!runs->shared || !runs->part || !runs->next || !runs->run_of ||
-      !runs->first || !runs->last_seen || !runs->ends_there || !runs->row_of)
+  if (!runs->shared || !runs->part || !runs->left || !runs->right ||
+      !runs->next || !runs->run_of || !runs->first || !runs->last_seen ||
+      !runs->ends_there || !runs->row_of)
     return HSR_E_NOMEM;
   for (uint32_t e = 0; e < surfaces->n_shared; e++)
     runs->row_of[e] = -1;
@@ -74,7 +77,7 @@ enum hsr_status hsr_watkins_use_runs(struct hsr_watkins *s,
 /* The segment that ends where segment k begins, at the same edge; or NONE. */
 static uint32_t one_before(const struct hsr_watkins_runs *runs, uint32_t k,
                            int j) {
-  uint32_t edge = runs->shared[runs->part[k].left];
+  uint32_t edge = runs->shared[runs->left[k]];
   return edge != HSR_NOT_SHARED && runs->row_of[edge] == j
              ? runs->ends_there[edge]
              : NONE;
@@ -91,7 +94,7 @@ static uint32_t one_with_samples_before(const struct hsr_watkins_runs *runs,
 
 static void note_ends(struct hsr_watkins_runs *runs, int j) {
   for (uint32_t k = 0; k < runs->n_parts; k++) {
-    uint32_t edge = runs->shared[runs->part[k].right];
+    uint32_t edge = runs->shared[runs->right[k]];
     if (edge == HSR_NOT_SHARED)
       continue;
     runs->ends_there[edge] = k;
