@@ -8,6 +8,12 @@
 /* Each fills an empty scene; see hsr_builtin.build. */
 typedef enum hsr_status hsr_build(struct hsr_scene *scene,
                                   const long long *parameter);
+typedef enum hsr_status hsr_build_part(struct hsr_scene *scene,
+                                       const long long *parameter,
+                                       struct hsr_part *part);
+
+/* Fills it with a part; see hsr_builtin.build_part. */
+hsr_build_part hsr_build_soup_part;
 
 hsr_build hsr_build_house, hsr_build_harbor, hsr_build_big_harbor;
 hsr_build hsr_build_color_cube, hsr_build_color_sides, hsr_build_sphere,

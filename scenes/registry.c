@@ -114,8 +114,15 @@ const struct hsr_builtin hsr_builtins[] = {
      .build = hsr_build_rooms},
     PLAIN("greenhouse", hsr_build_greenhouse,
           "panes between bars, plants, a vase and water: transparent faces"),
-    SEEDED("soup", hsr_build_soup, 1000, 1, 10000000,
-           "N random triangles that penetrate one another"),
+    {.name = "soup",
+     .usage = "soup:N:SEED",
+     .about = "N random triangles that penetrate one another",
+     .n_parameters = 2,
+     .standard = {1000, 1},
+     .least = {1, 0},
+     .most = {2000000000, INT64_MAX},
+     .build = hsr_build_soup,
+     .build_part = hsr_build_soup_part},
     SEEDED("lattice", hsr_build_lattice, 200, 1, 1000000,
            "N random polygons with small integer coordinates, seen so that "
            "vertices, edges and planes meet the samples"),
@@ -319,25 +326,38 @@ static enum hsr_status parse_parameters(const struct hsr_builtin *builtin,
   return HSR_OK;
 }
 
-static enum hsr_status open_builtin(struct hsr_scene *scene, const char *name,
+/* Finds a built-in scene and its parameters. */
+static enum hsr_status read_builtin(const char *name,
+                                    const struct hsr_builtin **builtin,
+                                    long long *parameter,
                                     struct hsr_error *err) {
   size_t n = strcspn(name, ":");
-  const struct hsr_builtin *builtin = find_builtin(name, n);
-  if (!builtin)
+  *builtin = find_builtin(name, n);
+  if (!*builtin)
     return unknown(name, err);
-  long long parameter[HSR_MAX_PARAMETERS];
-  enum hsr_status status = parse_parameters(builtin, name + n, parameter, err);
-  if (status)
-    return status;
-  if (!hsr_builtin_is_there(builtin))
+  enum hsr_status status = parse_parameters(*builtin, name + n, parameter, err);
+  if (!status && !hsr_builtin_is_there(*builtin))
     return hsr_fail(err, HSR_E_INPUT,
                     "%s: %s is missing; on Debian: apt-get install %s",
-                    builtin->name, builtin->file, builtin->package);
-  status = builtin->build(scene, parameter);
+                    (*builtin)->name, (*builtin)->file, (*builtin)->package);
+  return status;
+}
+
+static enum hsr_status tell_building(const char *name, enum hsr_status status,
+                                     struct hsr_error *err) {
   if (status == HSR_E_NOMEM)
     return hsr_fail_nomem(err);
   return status ? hsr_fail(err, status, "%.100s: cannot be built", name)
                 : HSR_OK;
+}
+
+static enum hsr_status open_builtin(struct hsr_scene *scene, const char *name,
+                                    struct hsr_error *err) {
+  const struct hsr_builtin *builtin;
+  long long parameter[HSR_MAX_PARAMETERS];
+  enum hsr_status status = read_builtin(name, &builtin, parameter, err);
+  return status ? status
+                : tell_building(name, builtin->build(scene, parameter), err);
 }
 
 static enum hsr_status fill(struct hsr_scene *scene, const char *name,
@@ -369,20 +389,70 @@ static enum hsr_status open_plain(struct hsr_scene *scene, const char *name,
   return status;
 }
 
-enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
-                               struct hsr_scene **scene,
-                               struct hsr_error *err) {
+/* --- Parts ---------------------------------------------------------------- */
+
+/* Whether the name is of a scene whose parts are made alone. */
+static bool is_made_by_parts(const char *name) {
+  const struct hsr_builtin *builtin = find_builtin(name, strcspn(name, ":"));
+  return builtin && builtin->build_part;
+}
+
+/* A part of a scene that is made by parts. It is not so small that it would have
+ * to be enlarged. */
+static enum hsr_status make_part(struct hsr_scene *scene, const char *name,
+                                 struct hsr_part *part, struct hsr_error *err) {
+  const struct hsr_builtin *builtin;
+  long long parameter[HSR_MAX_PARAMETERS];
+  enum hsr_status status = read_builtin(name, &builtin, parameter, err);
+  if (!status)
+    status =
+        tell_building(name, builtin->build_part(scene, parameter, part), err);
+  return status || !part->n_faces ? status : hsr_scene_finish(scene, err);
+}
+
+/* Views for a part, as the whole scene gets them if it has too few. */
+static enum hsr_status add_views(struct hsr_scene *scene,
+                                 const struct hsr_part *part,
+                                 struct hsr_error *err) {
+  const struct hsr_extent *extent = &part->extent;
+  if (scene->n_views >= part->least_views)
+    return HSR_OK;
+  unsigned n = part->least_views - scene->n_views;
+  enum hsr_status status =
+      part->is_measured
+          ? hsr_scene_add_orbit_around(scene, extent->centre, extent->radius, n)
+          : hsr_scene_add_orbit(scene, n);
+  return status ? hsr_fail_nomem(err) : HSR_OK;
+}
+
+/* Makes a whole scene, with its cameras, a part. */
+static enum hsr_status cut_part(struct hsr_scene *scene, struct hsr_part *part,
+                                struct hsr_error *err) {
+  hsr_scene_enlarge(scene);
+  enum hsr_status status = add_views(scene, part, err);
+  return status ? status : hsr_scene_cut(scene, part, err);
+}
+
+/* With `part`, that part; NULL: the whole scene. */
+static enum hsr_status open_scene(const char *name, struct hsr_import *import,
+                                  struct hsr_part *part,
+                                  struct hsr_scene **scene,
+                                  struct hsr_error *err) {
   if (import)
     import->n_dropped = 0;
   size_t n = hsr_name_before_cameras(name);
   char *plain = strndup(name, n);
   *scene = hsr_scene_new(name);
   enum hsr_status status = plain && *scene ? HSR_OK : hsr_fail_nomem(err);
+  bool alone = !status && part && is_made_by_parts(plain);
   if (!status)
-    status = open_plain(*scene, plain, import, err);
+    status = alone ? make_part(*scene, plain, part, err)
+                   : open_plain(*scene, plain, import, err);
   if (!status)
     status = hsr_scene_aim(*scene, name + n, err);
-  if (!status)
+  if (!status && part)
+    status = alone ? add_views(*scene, part, err) : cut_part(*scene, part, err);
+  else if (!status && !part)
     hsr_scene_enlarge(*scene);
   free(plain);
   if (status) {
@@ -390,4 +460,17 @@ enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
     *scene = NULL;
   }
   return status;
+}
+
+enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
+                               struct hsr_scene **scene,
+                               struct hsr_error *err) {
+  return open_scene(name, import, NULL, scene, err);
+}
+
+enum hsr_status hsr_scene_open_part(const char *name, struct hsr_import *import,
+                                    struct hsr_part *part,
+                                    struct hsr_scene **scene,
+                                    struct hsr_error *err) {
+  return open_scene(name, import, part, scene, err);
 }

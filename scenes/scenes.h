@@ -4,6 +4,7 @@
 #define HSR_SCENES_SCENES_H
 
 #include "common/files/mesh/exchange.h"
+#include "common/scene/part.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -28,6 +29,12 @@ struct hsr_builtin {
   /* Fills an empty scene with objects, instances and, where the scene has
    * favourite places to look from, views. HSR_E_NOMEM, HSR_E_INPUT. */
   enum hsr_status (*build)(struct hsr_scene *scene, const long long *parameter);
+
+  /* The same of one part, without making the rest; sets what *part is to tell.
+   * NULL: the scene is made whole, and cut. */
+  enum hsr_status (*build_part)(struct hsr_scene *scene,
+                                const long long *parameter,
+                                struct hsr_part *part);
 };
 
 /* All of them, in the order of tables, ended by .name == NULL. */
@@ -46,6 +53,14 @@ bool hsr_builtin_is_there(const struct hsr_builtin *builtin);
  * cameras. */
 enum hsr_status hsr_scene_open(const char *name, struct hsr_import *import,
                                struct hsr_scene **scene, struct hsr_error *err);
+
+/* The same of one part of a scene (common/scene/part.h). *part says which, and is
+ * filled in; it may be used again for another part of the same scene. A scene
+ * that has no build_part is opened whole, and cut. */
+enum hsr_status hsr_scene_open_part(const char *name, struct hsr_import *import,
+                                    struct hsr_part *part,
+                                    struct hsr_scene **scene,
+                                    struct hsr_error *err);
 
 /* The real meshes that are installed, sorted by name, without suffix. *names is
  * a malloc'ed array of *n malloc'ed strings, the caller's. If no mesh package

@@ -2,6 +2,7 @@
 nobase_pkginclude_HEADERS += \
   %D%/clusters.h \
   %D%/grid_object.h \
+  %D%/part.h \
   %D%/pieces.h \
   %D%/scene.h \
   %D%/world.h
@@ -9,6 +10,7 @@ libhsr_a_SOURCES += \
   %D%/extract.c \
   %D%/grid_object.c \
   %D%/outline.c \
+  %D%/part.c \
   %D%/pieces.c \
   %D%/planes.c \
   %D%/planes.h \

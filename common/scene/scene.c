@@ -3,6 +3,7 @@
 #include "common/polygon/polygon.h"
 #include "common/base/numbers.h"
 #include "common/scene/grid_object.h"
+#include "common/scene/part.h"
 #include "common/scene/planes.h"
 
 #include <math.h>
@@ -332,41 +333,66 @@ static double sphere_of_grid(const struct hsr_grid *grid, double centre[3]) {
   return length_of(half);
 }
 
+void hsr_extent_begin(struct hsr_extent *extent) {
+  *extent = (struct hsr_extent){.lo = {INFINITY, INFINITY, INFINITY},
+                                .hi = {-INFINITY, -INFINITY, -INFINITY}};
+}
+
+void hsr_extent_add(struct hsr_extent *extent, const double p[3]) {
+  for (int k = 0; k < 3; k++) {
+    extent->lo[k] = hsr_min(extent->lo[k], p[k]);
+    extent->hi[k] = hsr_max(extent->hi[k], p[k]);
+  }
+}
+
+void hsr_extent_centre(struct hsr_extent *extent) {
+  for (int k = 0; k < 3; k++)
+    extent->centre[k] = extent->lo[k] + (extent->hi[k] - extent->lo[k]) / 2;
+}
+
+void hsr_extent_reach(struct hsr_extent *extent, const double p[3]) {
+  double d[3];
+  for (int k = 0; k < 3; k++)
+    d[k] = p[k] - extent->centre[k];
+  extent->radius = hsr_max(extent->radius, length_of(d));
+}
+
+static void add_instance(struct hsr_extent *extent,
+                         const struct hsr_scene *scene,
+                         const struct hsr_instance *instance,
+                         void (*add)(struct hsr_extent *, const double *)) {
+  const struct hsr_object *object = &scene->objects[instance->object];
+  for (uint32_t v = 0; v < object->n_vertices; v++) {
+    double p[3];
+    hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)v, p);
+    add(extent, p);
+  }
+}
+
 /* The centre of the bounding box of all instances' vertices, and the greatest
  * distance of a vertex from it. */
 static double bounding_sphere(const struct hsr_scene *scene, double centre[3]) {
   if (scene->grid)
     return sphere_of_grid(scene->grid, centre);
-  double lo[3], hi[3], radius = 0;
-  for (int k = 0; k < 3; k++) {
-    centre[k] = 0;
-    lo[k] = INFINITY;
-    hi[k] = -INFINITY;
-  }
-  for (int pass = 0; pass < 2; pass++) {
-    for (uint32_t i = 0; i < scene->n_instances; i++) {
-      const struct hsr_instance *instance = &scene->instances[i];
-      const struct hsr_object *object = &scene->objects[instance->object];
-      for (uint32_t v = 0; v < object->n_vertices; v++) {
-        double p[3], d[3];
-        hsr_instance_vertex(instance->m, object->xyz + 3 * (size_t)v, p);
-        for (int k = 0; k < 3; k++) {
-          lo[k] = hsr_min(lo[k], p[k]);
-          hi[k] = hsr_max(hi[k], p[k]);
-          d[k] = p[k] - centre[k];
-        }
-        if (pass)
-          radius = hsr_max(radius, length_of(d));
-      }
-    }
-    for (int k = 0; k < 3; k++)
-      centre[k] = lo[k] + (hi[k] - lo[k]) / 2;
-  }
-  return radius;
+  struct hsr_extent extent;
+  hsr_extent_begin(&extent);
+  for (uint32_t i = 0; i < scene->n_instances; i++)
+    add_instance(&extent, scene, &scene->instances[i], hsr_extent_add);
+  hsr_extent_centre(&extent);
+  for (uint32_t i = 0; i < scene->n_instances; i++)
+    add_instance(&extent, scene, &scene->instances[i], hsr_extent_reach);
+  memcpy(centre, extent.centre, sizeof extent.centre);
+  return extent.radius;
 }
 
 enum hsr_status hsr_scene_add_orbit(struct hsr_scene *scene, unsigned n) {
   double centre[3], radius = bounding_sphere(scene, centre);
+  return hsr_scene_add_orbit_around(scene, centre, radius, n);
+}
+
+enum hsr_status hsr_scene_add_orbit_around(struct hsr_scene *scene,
+                                           const double centre[3],
+                                           double radius, unsigned n) {
   if (!(radius > 0) || !isfinite(radius))
     return HSR_E_INPUT;
   for (unsigned i = 0; i < n; i++) {

@@ -371,3 +371,7 @@ int hsr_random_int(struct hsr_random *random, int least, int most) {
   uint64_t range = (uint64_t)(most - least) + 1;
   return least + (int)(hsr_random_bits(random) % range);
 }
+
+void hsr_random_skip(struct hsr_random *random, uint64_t n) {
+  random->state += n * UINT64_C(0x9e3779b97f4a7c15);
+}

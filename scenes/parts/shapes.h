@@ -116,4 +116,7 @@ uint64_t hsr_random_bits(struct hsr_random *random);
 double hsr_random_unit(struct hsr_random *random); /* [0, 1), 53 bits */
 int hsr_random_int(struct hsr_random *random, int least, int most);
 
+/* As if n numbers had been drawn. */
+void hsr_random_skip(struct hsr_random *random, uint64_t n);
+
 #endif

@@ -12,32 +12,97 @@ static double centred(struct hsr_random *random) {
 
 /* The more triangles, the smaller they are, so that about four lie over one
  * another at any number. */
-enum hsr_status hsr_build_soup(struct hsr_scene *scene,
-                               const long long *parameter) {
-  long long n = parameter[0];
-  struct hsr_random random = {(uint64_t)parameter[1]};
-  double size = fmin(1, 7 / sqrt((double)n));
-  struct hsr_pen pen;
-  hsr_pen_init(&pen, scene);
-  hsr_pen_object(&pen, "soup", false);
-  for (long long f = 0; f < n && !pen.status; f++) {
-    double centre[3], p[3][3];
+struct soup {
+  long long n;
+  uint64_t seed;
+  double size;
+};
+enum { NUMBERS_OF_TRIANGLE = 13 }; /* random ones, with its colour's */
+
+/* Triangle f begins where those before it have ended. */
+static struct hsr_random random_at(const struct soup *soup, uint64_t f) {
+  struct hsr_random random = {soup->seed};
+  hsr_random_skip(&random, f * NUMBERS_OF_TRIANGLE);
+  return random;
+}
+
+/* The next triangle. Returns its colour. */
+static uint32_t throw_triangle(const struct soup *soup,
+                               struct hsr_random *random, double p[3][3]) {
+  double centre[3];
+  for (int k = 0; k < 3; k++)
+    centre[k] = centred(random);
+  for (int i = 0; i < 3; i++)
     for (int k = 0; k < 3; k++)
-      centre[k] = centred(&random);
-    for (int i = 0; i < 3; i++)
-      for (int k = 0; k < 3; k++)
-        p[i][k] = centre[k] + size * centred(&random);
-    hsr_pen_palette(&pen, (uint32_t)hsr_random_int(&random, 0, 11));
-    hsr_pen_polygon(&pen, 3, (const double(*)[3])p);
+      p[i][k] = centre[k] + soup->size * centred(random);
+  return (uint32_t)hsr_random_int(random, 0, 11);
+}
+
+/* The extent of all triangles, without keeping them. */
+static void measure_soup(const struct soup *soup, struct hsr_extent *extent) {
+  hsr_extent_begin(extent);
+  for (int pass = 0; pass < 2; pass++) {
+    struct hsr_random random = random_at(soup, 0);
+    double p[3][3];
+    for (long long f = 0; f < soup->n; f++) {
+      throw_triangle(soup, &random, p);
+      for (int i = 0; i < 3; i++)
+        (pass ? hsr_extent_reach : hsr_extent_add)(extent, p[i]);
+    }
+    if (!pass)
+      hsr_extent_centre(extent);
   }
-  hsr_pen_place(&pen, NULL);
+}
+
+static void soup_faces(struct hsr_pen *pen, const struct soup *soup,
+                       const struct hsr_part *part) {
+  struct hsr_random random = random_at(soup, part->first);
+  hsr_pen_object(pen, "soup", false);
+  for (uint32_t f = 0; f < part->n_faces && !pen->status; f++) {
+    double p[3][3];
+    hsr_pen_palette(pen, throw_triangle(soup, &random, p));
+    hsr_pen_polygon(pen, 3, (const double(*)[3])p);
+  }
+  hsr_pen_place(pen, NULL);
+}
+
+enum { SOUP_VIEWS = 9 };
+
+/* Four views, and others around the whole soup. */
+static void soup_views(struct hsr_pen *pen, const struct hsr_part *part) {
   static const double eye[4][3] = {
       {0.5, 0.25, 4}, {0, 0, 0}, {-0.3, 0.2, 1}, {2.5, 2.25, 2}};
   static const double at[4][3] = {{0, 0, 0}, {1, 0.25, -0.5}, {0, 0, -1}};
+  const struct hsr_extent *extent = &part->extent;
   for (int i = 0; i < 4; i++)
-    hsr_pen_view(&pen, eye[i], at[i], i ? 75 : 45, i == 2 ? 0.5 : 0);
-  hsr_pen_views_to(&pen, 9);
+    hsr_pen_view(pen, eye[i], at[i], i ? 75 : 45, i == 2 ? 0.5 : 0);
+  if (!pen->status)
+    pen->status =
+        hsr_scene_add_orbit_around(pen->scene, extent->centre, extent->radius,
+                                   SOUP_VIEWS - pen->scene->n_views);
+}
+
+enum hsr_status hsr_build_soup_part(struct hsr_scene *scene,
+                                    const long long *parameter,
+                                    struct hsr_part *part) {
+  struct soup soup = {.n = parameter[0],
+                      .seed = (uint64_t)parameter[1],
+                      .size = fmin(1, 7 / sqrt((double)parameter[0]))};
+  struct hsr_pen pen;
+  hsr_part_set(part, (uint32_t)soup.n);
+  if (!part->is_measured)
+    measure_soup(&soup, &part->extent);
+  part->is_measured = true;
+  hsr_pen_init(&pen, scene);
+  soup_faces(&pen, &soup, part);
+  soup_views(&pen, part);
   return pen.status;
+}
+
+enum hsr_status hsr_build_soup(struct hsr_scene *scene,
+                               const long long *parameter) {
+  struct hsr_part whole = {.of = 1};
+  return hsr_build_soup_part(scene, parameter, &whole);
 }
 
 /* Polygons in lattice steps (s, t) of a plane. */

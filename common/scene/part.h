@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A part of a scene: the faces whose ids lie in one interval. A scene that is
+ * too large for one process is drawn part by part. */
+#ifndef HSR_COMMON_PART_H
+#define HSR_COMMON_PART_H
+
+#include "common/scene/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The box around points, then the sphere around its centre. All points are
+ * added once, then after hsr_extent_centre once more. */
+struct hsr_extent {
+  double lo[3], hi[3], centre[3], radius;
+};
+void hsr_extent_begin(struct hsr_extent *extent);
+void hsr_extent_add(struct hsr_extent *extent, const double p[3]);
+void hsr_extent_centre(struct hsr_extent *extent);
+void hsr_extent_reach(struct hsr_extent *extent, const double p[3]);
+
+/* Which part is wanted, and what is known of it once it is made. */
+struct hsr_part {
+  uint32_t number, of;     /* from 0 */
+  uint32_t least_views;    /* the scene is to have so many views at least */
+  uint32_t first, n_faces; /* the ids of the part are first, first + 1, ... */
+  uint32_t all;            /* faces of the scene */
+  bool is_measured;        /* `extent` is that of the whole scene */
+  struct hsr_extent extent;
+};
+
+/* Sets first, n_faces and all, for a scene of so many faces. */
+void hsr_part_set(struct hsr_part *part, uint32_t all);
+
+/* Leaves the wanted part of a finished scene, with the views of the whole, and
+ * frees the rest. Id first + k becomes k. A grid becomes faces. A part may have
+ * no face. HSR_E_NOMEM. */
+enum hsr_status hsr_scene_cut(struct hsr_scene *scene, struct hsr_part *part,
+                              struct hsr_error *err);
+
+/* As hsr_scene_add_orbit, around a sphere that is given. */
+enum hsr_status hsr_scene_add_orbit_around(struct hsr_scene *scene,
+                                           const double centre[3],
+                                           double radius, unsigned n);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
