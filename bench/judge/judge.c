@@ -105,25 +105,35 @@ long samples_to_compare(const struct hsr_world *world,
                           : SAMPLES_OF_MANY_FACES;
 }
 
+enum hsr_status choose_places(int number, int m, int n, size_t wanted,
+                              uint32_t **place, size_t *n_places) {
+  size_t all = (size_t)m * (size_t)n;
+  *place = NULL;
+  *n_places = all;
+  if (!wanted || wanted >= all)
+    return HSR_OK;
+  *place = malloc(wanted * sizeof **place);
+  if (!*place)
+    return HSR_E_NOMEM;
+  unsigned short random[3] = {(unsigned short)(number + 1), (unsigned short)m,
+                              (unsigned short)n};
+  *n_places = 0;
+  for (size_t s = 0; *n_places < wanted; s++)
+    if (erand48(random) * (double)(all - s) < (double)(wanted - *n_places))
+      (*place)[(*n_places)++] = (uint32_t)s;
+  return HSR_OK;
+}
+
 /* The same ones for all algorithms: chosen by the view's number and size. */
 static enum hsr_status choose_samples(const struct group *g, int k,
                                       struct wanted *wanted,
                                       struct hsr_error *err) {
   const struct hsr_view *view = &g->view[k];
-  size_t all = (size_t)view->m * (size_t)view->n, n = (size_t)g->samples;
-  wanted->n = all;
-  if (!n || n >= all || !g->form.type->by_places)
-    return HSR_OK;
-  wanted->sample = malloc(n * sizeof *wanted->sample);
-  if (!wanted->sample)
-    return hsr_fail_nomem(err);
-  unsigned short random[3] = {(unsigned short)(g->number[k] + 1),
-                              (unsigned short)view->m, (unsigned short)view->n};
-  wanted->n = 0;
-  for (size_t s = 0; wanted->n < n; s++)
-    if (erand48(random) * (double)(all - s) < (double)(n - wanted->n))
-      wanted->sample[wanted->n++] = (uint32_t)s;
-  return HSR_OK;
+  size_t n = g->form.type->by_places ? (size_t)g->samples : 0;
+  return choose_places(g->number[k], view->m, view->n, n, &wanted->sample,
+                       &wanted->n)
+             ? hsr_fail_nomem(err)
+             : HSR_OK;
 }
 
 /* One sample at a time, each a window of its own. */

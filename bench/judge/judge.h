@@ -83,6 +83,13 @@ enum { SAMPLES_OF_MANY_FACES = 20000, MOST_SAMPLES = 1 << 28 };
 long samples_to_compare(const struct hsr_world *world,
                         const struct hsr_form *form, long wanted);
 
+/* Chooses `wanted` of the m x n places of the view with this number, from 0:
+ * the same ones in every run. *place is the caller's to free, j * m + i,
+ * ascending, *n of them; NULL, and all of them, if all are wanted or 0.
+ * HSR_E_NOMEM. */
+enum hsr_status choose_places(int number, int m, int n, size_t wanted,
+                              uint32_t **place, size_t *n_places);
+
 /* To be called in a process of its own. Where the oracle of line drawings takes
  * longer than a picture may, that ends by SIGALRM, and the cells are refused.
  * Any failure is the oracle's. */
