@@ -62,6 +62,8 @@ error_t option_fail(struct option_base *base, const char *format, ...)
 enum hsr_status parse_json_option(int argc, char **argv, const char *about,
                                   bool *json, struct hsr_error *err);
 
+enum { MOST_PARTS = 1 << 20 }; /* of --sort-last */
+
 /* Parse "512x512"; "x,y,z"; a decimal number; a whole number from `least` to
  * `most`. False if the text is anything else. */
 bool parse_size(const char *text, int *m, int *n);

@@ -47,9 +47,14 @@ libbench_a_SOURCES = \
   %D%/render/passes.c \
   %D%/render/picture.c \
   %D%/render/render.h \
+  %D%/render/sort_last.c \
   %D%/render/tiles.c \
   %D%/results/results.c \
   %D%/results/results.h \
+  %D%/run/composite.c \
+  %D%/run/composite.h \
+  %D%/run/loose_faces.c \
+  %D%/run/loose_faces.h \
   %D%/run/ranks.c \
   %D%/run/ranks.h \
   %D%/run/ranks_library.h \
@@ -85,6 +90,7 @@ libbench_a_SOURCES = \
   %D%/check/json.c \
   %D%/check/matrix.c \
   %D%/check/report.c \
+  %D%/check/sort_last.c \
   %D%/report/cells.c \
   %D%/report/command.c \
   %D%/report/data.c \

@@ -126,6 +126,7 @@ tap_scripts = \
   %D%/full.test \
   %D%/peers.test \
   %D%/ranks.test \
+  %D%/sort_last.test \
   %D%/tiles.test \
   %D%/volumes.test \
   %D%/bad/bad_input.test \

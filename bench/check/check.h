@@ -32,6 +32,8 @@ struct check_options {
   bool json, matrix, failures_only;
   const char *differences; /* a folder, or NULL */
   struct hsr_import import;
+  bool sort_last;
+  long parts; /* of --sort-last; 0: as many as ranks */
 };
 
 /* --- All cells of a scene ------------------------------------------------- */
@@ -81,6 +83,24 @@ struct outcome {
   uint64_t mismatches; /* of the build that is timed */
 };
 struct outcome outcome_of(const struct scene_run *run, int size, int algorithm);
+
+/* Of a scene in parts, `world` tells the number of faces alone. */
+
+/* Judges what algorithms make of a scene that is drawn in parts
+ * (bench/check/sort_last.c), and fills the cells of rank 0. run->name is set; all
+ * else is made here. Fails as hsr_scene_open_part; HSR_E_USAGE if there are
+ * fewer parts than ranks. */
+enum hsr_status judge_parts(struct scene_run *run, struct hsr_error *err);
+
+/* Makes the views in all sizes: the scene has them. As hsr_view_init. */
+enum hsr_status init_views(struct scene_run *run, const struct hsr_scene *scene,
+                           struct hsr_error *err);
+
+/* The last of the views, from 0. */
+uint32_t last_view(const struct check_options *options);
+
+/* How many faces are laid out at most; 0 if nobody needs that. */
+uint32_t most_laid_out(const struct check_options *options);
 
 /* --- The report ----------------------------------------------------------- */
 

@@ -21,7 +21,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { DROP = 0x200, ORDER, SAMPLES, MATRIX, DIFFERENCES };
+enum { DROP = 0x200, ORDER, SAMPLES, MATRIX, DIFFERENCES, SORT_LAST };
 
 /* --- Options -------------------------------------------------------------- */
 
@@ -172,6 +172,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case DIFFERENCES:
     o->differences = arg;
     return 0;
+  case SORT_LAST:
+    o->sort_last = true;
+    if (arg && !parse_count(arg, 1, MOST_PARTS, &o->parts))
+      return option_fail(&o->base, "--sort-last=%s: must be 1 to %d", arg,
+                         (int)MOST_PARTS);
+    return 0;
   case DROP:
     o->import.drop_degenerate = true;
     return 0;
@@ -227,6 +233,10 @@ static const struct argp argp = {
          "write a picture of what differs, or both line drawings, into this "
          "folder",
          0},
+        {"sort-last", SORT_LAST, "PARTS", OPTION_ARG_OPTIONAL,
+         "judge what algorithms that draw faces make of a scene in so many "
+         "parts, as hsr render --sort-last does",
+         0},
         {"matrix", MATRIX, NULL, 0,
          "print a wide table instead: a column for each algorithm", 0},
         {"json", 'j', NULL, 0, "print one JSON object", 0},
@@ -246,6 +256,29 @@ static const struct argp argp = {
     NULL,
     NULL};
 
+/* Whether it can be judged in the way that was asked for. */
+static bool is_fit(const struct check_options *o, const struct hsr_variant *v) {
+  return !o->sort_last || v->choice.form.type == HSR_IDS;
+}
+
+static enum hsr_status check_fit(const struct check_options *o,
+                                 struct hsr_error *err) {
+  if (o->sort_last && o->differences)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--sort-last does not go with --differences");
+  for (int k = 0; k < o->n_algorithms; k++)
+    if (!is_fit(o, &o->algorithm[k]))
+      return hsr_fail(
+          err, HSR_E_USAGE, "--sort-last is not for %s, which %s draws",
+          o->algorithm[k].choice.form.type->draws, o->algorithm[k].name);
+  return HSR_OK;
+}
+
+static void add_standard(struct check_options *o, struct hsr_variant variant) {
+  if (is_fit(o, &variant))
+    o->algorithm[o->n_algorithms++] = variant;
+}
+
 static void set_standards(struct check_options *o) {
   if (!o->n_scenes)
     for (const struct hsr_builtin *b = hsr_builtins;
@@ -261,9 +294,9 @@ static void set_standards(struct check_options *o) {
   if (o->all_algorithms)
     for (const struct hsr_listed *a = hsr_algorithms; a->plain; a++) {
       if (is_judged(a->plain))
-        o->algorithm[o->n_algorithms++] = hsr_variant_standard(a);
+        add_standard(o, hsr_variant_standard(a));
       for (int k = 0; is_judged(a->plain) && a->plain->also[k]; k++)
-        o->algorithm[o->n_algorithms++] = hsr_variant_also(a, k);
+        add_standard(o, hsr_variant_also(a, k));
     }
 }
 
@@ -398,8 +431,7 @@ static enum hsr_status run_groups(const struct scene_run *run,
   return status;
 }
 
-/* How many faces are laid out at most; 0 if nobody needs that. */
-static uint32_t most_laid_out(const struct check_options *o) {
+uint32_t most_laid_out(const struct check_options *o) {
   uint32_t most = 0;
   for (int a = 0; a < o->n_algorithms; a++) {
     uint32_t own =
@@ -409,24 +441,43 @@ static uint32_t most_laid_out(const struct check_options *o) {
   return most;
 }
 
-/* Makes the views in all sizes. A scene that has too few views gets more. */
-static enum hsr_status make_views(struct scene_run *run,
-                                  struct hsr_error *err) {
-  const struct check_options *o = run->options;
+uint32_t last_view(const struct check_options *o) {
   uint32_t last = 0;
   for (int k = 0; k < o->n_views; k++)
     last = (uint32_t)o->view[k] > last ? (uint32_t)o->view[k] : last;
-  run->view = calloc((size_t)(o->n_sizes * o->n_views), sizeof *run->view);
-  if (!run->view ||
-      (run->scene->n_views <= last &&
-       hsr_scene_add_orbit(run->scene, last + 1 - run->scene->n_views)))
-    return hsr_fail_nomem(err);
-  enum hsr_status status = HSR_OK;
-  for (int k = 0; k < o->n_sizes * o->n_views && !status; k++)
-    status = hsr_view_init_of(&run->view[k], run->scene,
+  return last;
+}
+
+enum hsr_status init_views(struct scene_run *run, const struct hsr_scene *scene,
+                           struct hsr_error *err) {
+  const struct check_options *o = run->options;
+  int n = o->n_sizes * o->n_views;
+  run->view = calloc((size_t)n, sizeof *run->view);
+  enum hsr_status status = run->view ? HSR_OK : hsr_fail_nomem(err);
+  for (int k = 0; k < n && !status; k++)
+    status = hsr_view_init_of(&run->view[k], scene,
                               (uint32_t)o->view[k % o->n_views],
                               o->m[k / o->n_views], o->n[k / o->n_views], err);
   return status;
+}
+
+/* Makes the views in all sizes. A scene that has too few views gets more. */
+static enum hsr_status make_views(struct scene_run *run,
+                                  struct hsr_error *err) {
+  uint32_t last = last_view(run->options);
+  if (run->scene->n_views <= last &&
+      hsr_scene_add_orbit(run->scene, last + 1 - run->scene->n_views))
+    return hsr_fail_nomem(err);
+  return init_views(run, run->scene, err);
+}
+
+static enum hsr_status make_cells(struct scene_run *run,
+                                  struct hsr_error *err) {
+  const struct check_options *o = run->options;
+  run->cells_size =
+      (size_t)(o->n_sizes * o->n_views * o->n_algorithms) * sizeof *run->cells;
+  run->cells = shared_memory(run->cells_size);
+  return run->cells ? HSR_OK : hsr_fail_nomem(err);
 }
 
 static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
@@ -436,12 +487,7 @@ static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
     status = make_views(run, err);
   if (!status)
     status = hsr_world_open(&run->world, run->scene, most_laid_out(o), err);
-  if (status)
-    return status;
-  run->cells_size =
-      (size_t)(o->n_sizes * o->n_views * o->n_algorithms) * sizeof *run->cells;
-  run->cells = shared_memory(run->cells_size);
-  return run->cells ? HSR_OK : hsr_fail_nomem(err);
+  return status ? status : make_cells(run, err);
 }
 
 static void close_run(struct scene_run *run) {
@@ -452,27 +498,34 @@ static void close_run(struct scene_run *run) {
   hsr_scene_delete(run->scene);
 }
 
+/* The whole scene, which all ranks have. */
+static enum hsr_status judge_whole(struct scene_run *run,
+                                   struct hsr_error *err) {
+  enum hsr_status status = open_run(run, err);
+  if (status)
+    return status;
+  int n = list_groups(run, NULL);
+  struct group *group = calloc((size_t)n, sizeof *group);
+  status = group ? run_groups(run, group, list_groups(run, group), err)
+                 : hsr_fail_nomem(err);
+  free(group);
+  return status;
+}
+
 static enum hsr_status check_scene(const struct check_options *o, int number,
                                    struct progress *progress,
                                    struct totals *totals,
                                    struct hsr_error *err) {
   struct scene_run run = {.options = o, .number = number, .progress = progress};
-  struct group *group = NULL;
   enum hsr_status status =
       aim_name(&o->camera, 1, o->scene[number], run.name, err);
+  if (!status && o->sort_last)
+    status = make_cells(&run, err);
   if (!status)
-    status = open_run(&run, err);
-  if (!status) {
-    int n = list_groups(&run, NULL);
-    group = calloc((size_t)n, sizeof *group);
-    status = group ? HSR_OK : hsr_fail_nomem(err);
-    if (!status)
-      status = run_groups(&run, group, list_groups(&run, group), err);
-  }
+    status = o->sort_last ? judge_parts(&run, err) : judge_whole(&run, err);
   progress_end(progress);
-  if (!status)
+  if (!status && !(o->sort_last && ranks_own()))
     status = report_scene(&run, totals, err);
-  free(group);
   close_run(&run);
   return status;
 }
@@ -489,7 +542,10 @@ enum hsr_status command_check(int argc, char **argv, struct hsr_error *err) {
   if (!status && (!o->turns || sem_init(o->turns, 1, (unsigned)o->jobs)))
     status = hsr_fail_nomem(err);
   if (!status) {
+    status = check_fit(o, err);
     set_standards(o);
+  }
+  if (!status) {
     status = make_folder(o->differences, err);
   }
   if (!status)

@@ -61,7 +61,7 @@ static void print_report(const struct render *r,
          terminal_plain(r->options->scene.name, name, sizeof name), views,
          r->n_tiles ? r->options->view.m : r->view.m,
          r->n_tiles ? r->options->view.n : r->view.n, r->kind->grains,
-         r->world.n_faces, a->name);
+         r->options->sort_last ? r->n_faces : r->world.n_faces, a->name);
   struct hsr_showing showing = showing_of(r);
   if (r->n_tiles)
     printf("%ld tiles, of which %ld were there\n", r->n_tiles, r->n_found);
@@ -77,12 +77,19 @@ static void print_report(const struct render *r,
   if (hsr_scene_is_transparent(r->scene) && r->kind != HSR_TRANSPARENT)
     printf("the scene has transparent faces; they are drawn as opaque ones\n");
   char times[300];
-  snprintf(times, sizeof times,
-           "ms: import %.1f, build %.1f, adapt %.1f, prepare %.1f, render "
-           "%.2f, shade %.1f, write %.1f",
-           1e3 * r->import, 1e3 * r->build, 1e3 * r->setup.adapt_seconds,
-           1e3 * r->setup.prepare_seconds, 1e3 * r->draw, 1e3 * r->shade,
-           1e3 * r->write);
+  if (r->options->sort_last)
+    snprintf(times, sizeof times,
+             "ms: import %.1f, build %.1f, render %.2f, compose %.1f, shade "
+             "%.1f, write %.1f",
+             1e3 * r->import, 1e3 * r->build, 1e3 * r->draw, 1e3 * r->compose,
+             1e3 * r->shade, 1e3 * r->write);
+  else
+    snprintf(times, sizeof times,
+             "ms: import %.1f, build %.1f, adapt %.1f, prepare %.1f, render "
+             "%.2f, shade %.1f, write %.1f",
+             1e3 * r->import, 1e3 * r->build, 1e3 * r->setup.adapt_seconds,
+             1e3 * r->setup.prepare_seconds, 1e3 * r->draw, 1e3 * r->shade,
+             1e3 * r->write);
   terminal_wrap(stdout, 0, 4, times);
   if (!r->options->n_outputs && !r->options->work)
     puts("nothing was written: -o FILE writes the picture");
@@ -96,7 +103,7 @@ static void print_report(const struct render *r,
 }
 
 /* What each rank tells rank 0 of its work. */
-enum { SECONDS, PARTS, MESSAGES, BYTES, MEMORY, N_FIGURES };
+enum { SECONDS, PARTS, MESSAGES, BYTES, MEMORY, COMPARED, N_FIGURES };
 
 /* The largest of n ranks' shares over their mean. */
 static double largest_share(const double (*of)[N_FIGURES], int n, int figure) {
@@ -120,7 +127,7 @@ static double sum_of(const double (*of)[N_FIGURES], int n, int figure) {
 static enum hsr_status print_ranks(const struct render *r,
                                    struct hsr_error *err) {
   int n = ranks_count();
-  const char *parts = r->n_tiles ? "tiles" : "windows";
+  const char *parts = r->n_tiles ? "tiles" : r->n_drawn ? "parts" : "windows";
   if (n == 1)
     return HSR_OK;
   double(*of)[N_FIGURES] = calloc((size_t)n, sizeof *of);
@@ -130,23 +137,28 @@ static enum hsr_status print_ranks(const struct render *r,
   struct rusage usage = {.ru_maxrss = 0};
   getrusage(RUSAGE_SELF, &usage);
   const double own[N_FIGURES] = {[SECONDS] = work.seconds,
-                                 [PARTS] = r->n_tiles ? (double)r->n_pictures
-                                                      : work.parts,
-                                 [MESSAGES] = work.messages,
-                                 [BYTES] = work.bytes,
-                                 [MEMORY] = (double)usage.ru_maxrss / 1024};
+                                 [PARTS] = r->n_tiles   ? (double)r->n_pictures
+                                           : r->n_drawn ? (double)r->n_drawn
+                                                        : work.parts,
+                                 [MESSAGES] = work.messages + r->sent_messages,
+                                 [BYTES] = work.bytes + r->sent_bytes,
+                                 [MEMORY] = (double)usage.ru_maxrss / 1024,
+                                 [COMPARED] = r->compared};
   ranks_gather(own, N_FIGURES, of[0]);
-  char text[300];
+  char text[400];
   double memory = 0;
   for (int k = 0; k < n; k++)
     memory = of[k][MEMORY] > memory ? of[k][MEMORY] : memory;
-  snprintf(text, sizeof text,
-           "%d ranks: %.0f %s; largest share over the mean: %.2f of the "
-           "seconds, %.2f of the %s; %.0f messages, %.0f bytes; at most %.0f "
-           "MB a rank",
-           n, sum_of(of, n, PARTS), parts, largest_share(of, n, SECONDS),
-           largest_share(of, n, PARTS), parts, sum_of(of, n, MESSAGES),
-           sum_of(of, n, BYTES), memory);
+  int length = snprintf(
+      text, sizeof text,
+      "%d ranks: %.0f %s; largest share over the mean: %.2f of the seconds, "
+      "%.2f of the %s; %.0f messages, %.0f bytes; at most %.0f MB a rank",
+      n, sum_of(of, n, PARTS), parts, largest_share(of, n, SECONDS),
+      largest_share(of, n, PARTS), parts, sum_of(of, n, MESSAGES),
+      sum_of(of, n, BYTES), memory);
+  if (r->n_drawn)
+    snprintf(text + length, sizeof text - (size_t)length,
+             "; %.0f times two faces compared", sum_of(of, n, COMPARED));
   free(of);
   terminal_wrap(stdout, 0, 4, text);
   return HSR_OK;
@@ -210,17 +222,6 @@ static enum hsr_status prepare(struct render *r, const struct hsr_algorithm *a,
   return hsr_setup_init(&r->setup, a, &variant->choice, &r->world, err);
 }
 
-/* Frees what is of one scene, before the next. */
-static void forget_scene(struct render *r) {
-  hsr_setup_free(&r->setup);
-  hsr_world_free(&r->world);
-  render_forget(r);
-  hsr_scene_delete(r->scene);
-  r->setup.algorithm = NULL;
-  r->world = (struct hsr_world){.n_faces = 0};
-  r->scene = NULL;
-}
-
 /* Makes the pictures of a scene's frames, each of which is a scene; only the
  * last one stays in *r. */
 static enum hsr_status make_frames(struct render *r,
@@ -236,7 +237,7 @@ static enum hsr_status make_frames(struct render *r,
                   (size_t)(o->last_frame - o->first_frame + 1), "frames",
                   o->scene.name);
     if (k > o->first_frame)
-      forget_scene(r);
+      render_forget_scene(r);
     r->frame = k;
     status = prepare(r, a, variant, err);
     r->import += before.import;
@@ -259,16 +260,18 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
 
   struct render r = {.options = &options, .crew = crew_new(options.threads)};
   status = r.crew ? HSR_OK : hsr_fail_nomem(err);
-  if (!status && !options.tile)
+  if (!status && !options.tile && !options.sort_last)
     crew_join_ranks(r.crew);
-  if (!status && options.last_frame >= 0) {
+  if (!status && options.sort_last) {
+    status = make_sort_last(&r, a, &variant, err);
+  } else if (!status && options.last_frame >= 0) {
     status = make_frames(&r, a, &variant, err);
   } else if (!status) {
     status = prepare(&r, a, &variant, err);
     if (!status)
       status = make_all(&r, err);
   }
-  if (!status)
+  if (!status && !ranks_own())
     print_report(&r, a);
   if (!status)
     status = print_ranks(&r, err);

@@ -19,6 +19,7 @@ enum {
   UNCERTAINTY,
   CERTAIN,
   TILES,
+  SORT_LAST,
   MOST_ORBIT = 100000
 };
 
@@ -132,6 +133,15 @@ static error_t parse_tile_option(struct render_options *o, int key, char *arg) {
   return 0;
 }
 
+/* For scenes larger than memory. */
+static error_t parse_parts(struct render_options *o, const char *arg) {
+  o->sort_last = true;
+  if (arg && !parse_count(arg, 1, MOST_PARTS, &o->parts))
+    return option_fail(&o->base, "--sort-last=%s: must be 1 to %d", arg,
+                       (int)MOST_PARTS);
+  return 0;
+}
+
 /* The scene, and where to look from. */
 static error_t parse_place_option(struct render_options *o, int key,
                                   char *arg) {
@@ -180,6 +190,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case TILES:
   case 's':
     return parse_tile_option(o, key, arg);
+  case SORT_LAST:
+    return parse_parts(o, arg);
   default:
     return parse_place_option(o, key, arg);
   }
@@ -202,6 +214,11 @@ static const struct argp_option entries[] = {
      "make a picture larger than memory, by tiles of N x N samples: -o "
      "FILE.exr holds the face ids. Tiles that are done are kept in "
      "FILE.exr.tiles, so that the same command goes on where it was ended",
+     0},
+    {"sort-last", SORT_LAST, "PARTS", OPTION_ARG_OPTIONAL,
+     "draw a scene larger than memory in so many parts, one after the other, "
+     "and put their pictures together (standard: as many as mpirun starts "
+     "processes, each of which draws its own)",
      0},
     {"views", VIEWS, "A-B", 0, "make a picture of each of these views", 10},
     {"orbit", ORBIT, "N", 0,
@@ -353,6 +370,25 @@ static enum hsr_status check_tiles(const struct render_options *o,
   return HSR_OK;
 }
 
+/* Checks that --sort-last goes with the rest. */
+static enum hsr_status check_parts(const struct render_options *o,
+                                   const struct hsr_variant *variant,
+                                   struct hsr_error *err) {
+  const struct hsr_answer_type *kind = variant->choice.form.type;
+  if (!o->sort_last)
+    return HSR_OK;
+  if (kind != HSR_IDS)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--sort-last is not for %s, which %s draws", kind->draws,
+                    variant->name);
+  if (is_series(o) || o->tile || o->work || o->shading == HSR_SHADE_GOURAUD)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--sort-last makes one picture; it does not go with "
+                    "--views, --orbit, --frames, --tiles, --work or --shade "
+                    "gouraud");
+  return HSR_OK;
+}
+
 enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
                              struct hsr_variant *variant,
                              struct hsr_error *err) {
@@ -375,5 +411,7 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
     status = check_tiles(o, variant, err);
   if (!status)
     status = check_passes(o, variant, err);
+  if (!status)
+    status = check_parts(o, variant, err);
   return status ? status : check_kind(o, variant, err);
 }

@@ -78,7 +78,7 @@ static const char *file_name(const struct render *r, const char *given,
              : given;
 }
 
-static enum hsr_status write_outputs(struct render *r, struct hsr_error *err) {
+enum hsr_status write_picture(struct render *r, struct hsr_error *err) {
   const struct hsr_algorithm *a = r->setup.algorithm;
   const struct render_options *o = r->options;
   char text[300], title[200], description[200], name[MOST_FILE_NAME];
@@ -109,7 +109,7 @@ enum hsr_status make_picture(struct render *r, struct hsr_error *err) {
     return status;
   status = shade_picture(r, err);
   if (!status)
-    status = write_outputs(r, err);
+    status = write_picture(r, err);
   if (!status)
     r->n_pictures++;
   return status;
@@ -120,6 +120,17 @@ void render_forget(struct render *r) {
   hsr_shaded_free(&r->shaded);
   free(r->work);
   r->work = NULL;
+}
+
+void render_forget_scene(struct render *r) {
+  if (r->setup.algorithm)
+    hsr_setup_free(&r->setup);
+  hsr_world_free(&r->world);
+  render_forget(r);
+  hsr_scene_delete(r->scene);
+  r->setup = (struct hsr_setup){.algorithm = NULL};
+  r->world = (struct hsr_world){.n_faces = 0};
+  r->scene = NULL;
 }
 
 void render_close(struct render *r) {

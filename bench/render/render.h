@@ -27,6 +27,8 @@ struct render_options {
   long orbit;                   /* of --orbit; 0 without it */
   long first_frame, last_frame; /* of --frames; last_frame is -1 without it */
   long tile;                    /* of --tiles; 0 without it */
+  bool sort_last;
+  long parts; /* of --sort-last; 0: as many as ranks */
 };
 
 /* Reads the command line of hsr render, and the variant that it names. The
@@ -62,9 +64,12 @@ struct render {
   long view_number, n_pictures; /* of this picture, from 1, or its frame's; and
                                    so far */
   long frame;                   /* of --frames */
-  long n_tiles, n_found;     /* of --tiles: all, and those there were before */
-  double import, build;      /* seconds */
-  double draw, shade, write; /* seconds, of all pictures */
+  long n_tiles, n_found; /* of --tiles: all, and those there were before */
+  uint32_t n_faces;      /* of --sort-last: of all parts */
+  long n_drawn;          /* parts, by this rank */
+  double sent_bytes, sent_messages, compared; /* of their pictures */
+  double import, build, compose;              /* seconds */
+  double draw, shade, write;                  /* seconds, of all pictures */
 };
 
 /* Makes the picture of r->view, for which all is made ready, and writes it.
@@ -75,9 +80,20 @@ enum hsr_status make_picture(struct render *r, struct hsr_error *err);
  * make_picture; HSR_E_INPUT also if there are tiles of another picture. */
 enum hsr_status make_tiles(struct render *r, struct hsr_error *err);
 
-/* The parts of that, without writing: draws; makes the colours, r->shaded. */
+/* Makes the picture of a scene that is drawn in parts, and writes it
+ * (bench/render/sort_last.c). Fails as make_picture, and as
+ * hsr_scene_open_part; HSR_E_USAGE if there are fewer parts than ranks. */
+enum hsr_status make_sort_last(struct render *r, const struct hsr_algorithm *a,
+                               const struct hsr_variant *variant,
+                               struct hsr_error *err);
+
+/* What make_picture does: draws; makes the colours, r->shaded; writes. */
 enum hsr_status draw_picture(struct render *r, struct hsr_error *err);
 enum hsr_status shade_picture(struct render *r, struct hsr_error *err);
+enum hsr_status write_picture(struct render *r, struct hsr_error *err);
+
+/* Frees what is of one scene, before the next. */
+void render_forget_scene(struct render *r);
 
 /* Frees what has the size of a picture, before one of another size. */
 void render_forget(struct render *r);

@@ -137,3 +137,16 @@ void ranks_wait(void) {
   if (mpi)
     mpi->wait();
 }
+
+void ranks_exchange(int partner, const void *out, size_t n_out, void *in,
+                    size_t n_in) {
+  mpi->exchange(partner, out, n_out, in, n_in);
+}
+
+void ranks_reduce(const struct ranks_seen *with, struct ranks_seen *of,
+                  size_t n, const struct ranks_order *order) {
+  if (mpi)
+    mpi->reduce(with, of, n, order);
+  else
+    ranks_take_nearer(with, of, n, order);
+}

@@ -70,4 +70,26 @@ void ranks_gather(const double *own, int n, double *all);
 void ranks_unite(void *bytes, size_t size);
 void ranks_wait(void);
 
+/* Sends n_out bytes to another rank, and receives n_in bytes from it, which
+ * calls this at the same time. */
+void ranks_exchange(int partner, const void *out, size_t n_out, void *in,
+                    size_t n_in);
+
+/* --- The reduction -------------------------------------------------------- */
+
+/* A sample, and the face that is seen there; UINT32_MAX: none. */
+struct ranks_seen {
+  uint32_t sample, id;
+};
+
+/* Whether face f is nearer than face g, which is another, at a sample. */
+struct ranks_order {
+  bool (*is_nearer)(void *whom, uint32_t f, uint32_t g, uint32_t sample);
+  void *whom;
+};
+
+/* of[k] becomes the nearer of of[k] and with[k], which have the same sample. */
+void ranks_reduce(const struct ranks_seen *with, struct ranks_seen *of,
+                  size_t n, const struct ranks_order *order);
+
 #endif

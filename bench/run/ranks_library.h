@@ -3,11 +3,7 @@
 #ifndef HSR_BENCH_RANKS_LIBRARY_H
 #define HSR_BENCH_RANKS_LIBRARY_H
 
-#include "common/base/status.h"
-
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "bench/run/ranks.h"
 
 /* As the functions of ranks.h. */
 struct ranks_library {
@@ -22,6 +18,22 @@ struct ranks_library {
   void (*gather)(const double *own, int n, double *all);
   void (*unite)(void *bytes, size_t size);
   void (*wait)(void);
+  void (*exchange)(int partner, const void *out, size_t n_out, void *in,
+                   size_t n_in);
+  void (*reduce)(const struct ranks_seen *with, struct ranks_seen *of, size_t n,
+                 const struct ranks_order *order);
 };
+
+/* What the reduction does, in one process. */
+static inline void ranks_take_nearer(const struct ranks_seen *with,
+                                     struct ranks_seen *of, size_t n,
+                                     const struct ranks_order *order) {
+  for (size_t k = 0; k < n; k++)
+    if (with[k].id != of[k].id &&
+        (of[k].id == UINT32_MAX ||
+         (with[k].id != UINT32_MAX &&
+          order->is_nearer(order->whom, with[k].id, of[k].id, of[k].sample))))
+      of[k].id = with[k].id;
+}
 
 #endif

@@ -20,6 +20,24 @@ static int64_t *kept; /* in rank 0: the next number; how many have failed */
 enum { NEXT, FAILED, N_KEPT };
 enum { TO = 0, MOST_AT_ONCE = 1 << 30 };
 
+/* struct ranks_seen, and the operation that takes the nearer one of two. MPI
+ * hands an operation no context: `order` says what it asks. */
+static MPI_Datatype seen;
+static MPI_Op nearer;
+static const struct ranks_order *order;
+
+static void take_nearer(void *with, void *of, int *n, MPI_Datatype *type) {
+  (void)type;
+  ranks_take_nearer(with, of, (size_t)*n, order);
+}
+
+static void make_reduction(void) {
+  MPI_Type_contiguous(sizeof(struct ranks_seen) / sizeof(uint32_t),
+                      MPI_UINT32_T, &seen);
+  MPI_Type_commit(&seen);
+  MPI_Op_create(take_nearer, 1, &nearer);
+}
+
 static enum hsr_status join(int *count, int *own, struct hsr_error *err) {
   int can;
   if (MPI_Init_thread(NULL, NULL, MPI_THREAD_SERIALIZED, &can) ||
@@ -36,12 +54,15 @@ static enum hsr_status join(int *count, int *own, struct hsr_error *err) {
     kept[NEXT] = kept[FAILED] = 0;
     MPI_Win_sync(window);
   }
+  make_reduction();
   MPI_Barrier(MPI_COMM_WORLD);
   return HSR_OK;
 }
 
 static void leave(void) {
   MPI_Barrier(MPI_COMM_WORLD);
+  MPI_Op_free(&nearer);
+  MPI_Type_free(&seen);
   MPI_Win_unlock_all(window);
   MPI_Win_free(&window);
   MPI_Finalize();
@@ -105,6 +126,30 @@ static void wait(void) {
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
+/* The bytes of n from `at` on that go at once. */
+static int at_once(size_t n, size_t at) {
+  size_t rest = n > at ? n - at : 0;
+  return rest < MOST_AT_ONCE ? (int)rest : MOST_AT_ONCE;
+}
+
+static void exchange(int partner, const void *out, size_t n_out, void *in,
+                     size_t n_in) {
+  size_t n = n_out > n_in ? n_out : n_in;
+  for (size_t at = 0; at < n; at += MOST_AT_ONCE) {
+    int own = at_once(n_out, at), other = at_once(n_in, at);
+    MPI_Sendrecv(own ? (const char *)out + at : NULL, own, MPI_BYTE, partner, 0,
+                 other ? (char *)in + at : NULL, other, MPI_BYTE, partner, 0,
+                 MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  }
+}
+
+static void reduce(const struct ranks_seen *with, struct ranks_seen *of,
+                   size_t n, const struct ranks_order *by) {
+  order = by;
+  for (size_t at = 0; at < n; at += MOST_AT_ONCE)
+    MPI_Reduce_local(with + at, of + at, at_once(n, at), seen, nearer);
+}
+
 extern const struct ranks_library hsr_ranks;
 const struct ranks_library hsr_ranks = {.join = join,
                                         .leave = leave,
@@ -116,4 +161,6 @@ const struct ranks_library hsr_ranks = {.join = join,
                                         .receive = receive,
                                         .gather = gather,
                                         .unite = unite,
-                                        .wait = wait};
+                                        .wait = wait,
+                                        .exchange = exchange,
+                                        .reduce = reduce};
