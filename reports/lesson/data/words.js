@@ -52,8 +52,9 @@ function sortWords(e, a, b) {
 export function eventWords(run, e) {
   const a = subjectWords(run, e.a, e.window);
   const b = subjectWords(run, e.b, e.window);
+  const where = e.window && !isWhole(run, e.window) ? windowWords(e.window) : "";
   const { verb } = kindLook(e.kind);
-  const first = a || b;
+  const first = a || b || where || (e.window ? "the picture" : "");
   const second = a && b ? b : "";
   let text = first;
   if (e.kind === "sort" && second) text = sortWords(e, a, b);
@@ -73,7 +74,7 @@ export function eventWords(run, e) {
     text += e.part[1] ? `: hidden by ${e.part[1] === 1 ? "one face"
       : `${e.part[1]} faces`}` : ": visible";
   const shown = e.a.kind === "window" || e.b.kind === "window";
-  if (e.window && !isWhole(run, e.window) && !(shown && e.kind !== "accept"))
-    text += ` (${windowWords(e.window)})`;
+  if (where && where !== first && !(shown && e.kind !== "accept"))
+    text += ` (${where})`;
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
