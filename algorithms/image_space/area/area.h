@@ -49,19 +49,18 @@ enum hsr_relation hsr_area_relate_edges(const struct hsr_screen *screen,
                                         bool reaches_over,
                                         struct hsr_tally *tally);
 
-/* How a relevant face lies to an area. *by_box: its bounds told. */
+/* How a relevant face, whose bounds are b, lies to an area. *by_box: the bounds
+ * told. */
 static inline enum hsr_relation hsr_area_relate(const struct hsr_screen *screen,
-                                                uint32_t f,
+                                                uint32_t f, struct hsr_bounds b,
                                                 const struct hsr_area *w,
                                                 bool *by_box,
                                                 struct hsr_tally *tally) {
-  const struct hsr_bounds *b = &screen->bounds[f];
-  bool apart =
-      b->x1 <= w->x0 || b->x0 >= w->x1 || b->y1 <= w->y0 || b->y0 >= w->y1;
+  bool apart = b.x1 <= w->x0 || b.x0 >= w->x1 || b.y1 <= w->y0 || b.y0 >= w->y1;
   bool reaches_over =
-      b->x0 <= w->x0 && b->x1 >= w->x1 && b->y0 <= w->y0 && b->y1 >= w->y1;
+      b.x0 <= w->x0 && b.x1 >= w->x1 && b.y0 <= w->y0 && b.y1 >= w->y1;
   bool contained =
-      b->x0 >= w->x0 && b->x1 <= w->x1 && b->y0 >= w->y0 && b->y1 <= w->y1;
+      b.x0 >= w->x0 && b.x1 <= w->x1 && b.y0 >= w->y0 && b.y1 <= w->y1;
   *by_box = apart || (contained && !reaches_over);
   if (*by_box)
     return apart ? HSR_DISJOINT : HSR_INTERSECTER;

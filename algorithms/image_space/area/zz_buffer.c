@@ -184,8 +184,8 @@ static void insert(struct zz *z, uint32_t f, int level, int x, int y) {
       is_behind(z, f, node->surrounder, &area))
     return;
   bool by_box;
-  enum hsr_relation relation =
-      hsr_area_relate(&z->screen, f, &area, &by_box, z->tally);
+  enum hsr_relation relation = hsr_area_relate(
+      &z->screen, f, z->screen.bounds[f], &area, &by_box, z->tally);
   HSR_STEP(z->tally, RELATIONS, HSR_FACE(f), HSR_THE_WINDOW, samples, relation);
   if (relation == HSR_DISJOINT)
     return;

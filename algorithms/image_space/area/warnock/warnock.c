@@ -242,8 +242,9 @@ static void sort_z(struct state *s) {
 static enum hsr_relation relate(const struct state *s, const struct listed *f,
                                 const struct hsr_area *w) {
   bool by_box;
+  struct hsr_bounds bounds = {f->x0, f->y0, f->x1, f->y1};
   enum hsr_relation relation =
-      hsr_area_relate(s->screen, f->id, w, &by_box, s->tally);
+      hsr_area_relate(s->screen, f->id, bounds, w, &by_box, s->tally);
   if (by_box)
     HSR_STEP(s->tally, HSR_WARNOCK_MINIMAX, HSR_FACE(f->id), HSR_THE_WINDOW,
              hsr_area_samples(w), (int)relation);
