@@ -456,6 +456,18 @@ static void fill(struct hsr_map *map, uint32_t k, const struct hsr_piece *piece,
   node_at(map, k)->shown = piece->face;
 }
 
+/* Whether some line of a piece parts no two points of the picture for certain.
+ * Such a line would divide every region that it is put to. */
+static bool is_blurred(const struct hsr_map *map, uint32_t face,
+                       uint32_t n_sides) {
+  for (uint32_t k = 0; k < n_sides; k++) {
+    struct line line = line_of(map, face, &map->side[k]);
+    if (!(4 * line.error < line.size))
+      return true;
+  }
+  return false;
+}
+
 /* Puts a piece whose samples are asked behind those that a leaf has already. */
 static void add_asked(struct hsr_map *map, uint32_t k,
                       const struct hsr_piece *piece,
@@ -485,12 +497,14 @@ void hsr_map_insert(struct hsr_map *map, const struct hsr_bsp_piece *given,
   struct hsr_tally *tally = map->frame->job->tally;
   const struct hsr_window *w = &map->frame->job->view->window;
   const struct hsr_bounds all = {w->x0, w->y0, w->x1, w->y1};
-  bool is_asked = hsr_bsp_frame_is_asked(map->frame, piece->face);
+  uint32_t n_sides =
+      hsr_bsp_frame_sides(map->frame, given, piece, facing, map->side);
+  bool is_asked = hsr_bsp_frame_is_asked(map->frame, piece->face) ||
+                  is_blurred(map, piece->face, n_sides);
+  if (is_asked)
+    n_sides = 0;
   const struct hsr_cut *cuts = is_asked ? copy_cuts(map, piece) : NULL;
   double a[ROOM][3], b[ROOM][3];
-  uint32_t n_sides = is_asked ? 0
-                              : hsr_bsp_frame_sides(map->frame, given, piece,
-                                                    facing, map->side);
   struct outline part = outline_of(map, piece, n_sides, a);
   struct outline region = rectangle(map, &all, b);
   if (map->out_of_memory || !part.n)

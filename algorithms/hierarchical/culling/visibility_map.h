@@ -20,8 +20,10 @@
  *             later. A leaf is given a face only below lines that bound its
  *             piece.
  * Asked       what a face covers that is not flat, or that near may cut, is not
- *             bounded by lines. Leaves keep lists of such pieces, the first in
- *             front; their samples are asked one by one.
+ *             bounded by lines. Nor are pieces with a side whose line is not
+ *             known well enough to part the picture: such lines would divide
+ *             every region, again and again. Leaves keep lists of these pieces,
+ *             the first in front; their samples are asked one by one.
  *
  * Outlines. An outline is a rectangle of samples, clipped by lines. As in
  * order.c, its points start with an error of 2^-44 S, S being the size of the
