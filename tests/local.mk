@@ -75,6 +75,7 @@ tap_programs = \
   %D%/properties/lines/line_outcomes_test \
   %D%/properties/hierarchical/hzbuffer_options_test \
   %D%/properties/hierarchical/shaders_test \
+  %D%/properties/hierarchical/lazy_octree_test \
   %D%/properties/hierarchical/movers_test \
   %D%/properties/hierarchical/hzbuffer_test \
   %D%/properties/hierarchical/meagher_test \
@@ -279,6 +280,7 @@ claims = %D%/properties/hierarchical/claims.c %D%/properties/hierarchical/claims
 %C%_properties_hierarchical_pvs_test_SOURCES = %D%/properties/hierarchical/pvs_test.c $(claims)
 %C%_properties_hierarchical_cell_sets_test_SOURCES = %D%/properties/hierarchical/cell_sets_test.c $(claims)
 %C%_properties_hierarchical_queries_test_SOURCES = %D%/properties/hierarchical/queries_test.c $(claims)
+%C%_properties_hierarchical_lazy_octree_test_SOURCES = %D%/properties/hierarchical/lazy_octree_test.c $(claims)
 %C%_properties_tiling_counts_test_SOURCES = %D%/properties/tiling/counts_test.c $(claims)
 %C%_properties_hierarchical_boxes_test_SOURCES = %D%/properties/hierarchical/boxes_test.cc
 %C%_properties_tiling_voxels_test_SOURCES = %D%/properties/tiling/voxels_test.cc

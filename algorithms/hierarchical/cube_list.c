@@ -36,7 +36,7 @@ enum hsr_status hsr_cube_marks_init(struct hsr_cube_marks *marks,
   size_t n = list->group.n, words = 0;
   marks->list = list;
   marks->group = HSR_NEW_ZEROED(arena, uint32_t, cubes->scene->n_instances);
-  marks->start = HSR_NEW(arena, uint32_t, n);
+  marks->start = HSR_NEW(arena, uint32_t, n + 1);
   if (!marks->group || !marks->start)
     return HSR_E_NOMEM;
   for (size_t g = 0; g < n; g++) {
@@ -45,6 +45,7 @@ enum hsr_status hsr_cube_marks_init(struct hsr_cube_marks *marks,
     marks->start[g] = (uint32_t)words;
     words += words_of(cubes, instance);
   }
+  marks->start[n] = (uint32_t)words;
   marks->bits = HSR_NEW_ZEROED(arena, uint32_t, words);
   if (!marks->bits)
     return HSR_E_NOMEM;

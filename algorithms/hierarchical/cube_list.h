@@ -51,7 +51,8 @@ hsr_cube_list_cubes(const struct hsr_cube_list *list,
 struct hsr_cube_marks {
   const struct hsr_cube_list *list;
   uint32_t *group; /* an instance: 1 + its group; 0: it has none */
-  uint32_t *start; /* a group: its bits begin here */
+  uint32_t *start; /* a group: its bits begin here, and end where the next's
+                      begin */
   uint32_t *bits;
 };
 
@@ -71,7 +72,9 @@ hsr_cube_marks_group(const struct hsr_cube_marks *marks, uint32_t instance) {
 static inline bool hsr_cube_is_marked(const struct hsr_cube_marks *marks,
                                       uint32_t instance, uint32_t cube) {
   uint32_t g = marks->group[instance];
-  return g && marks->bits[marks->start[g - 1] + cube / 32] >> cube % 32 & 1;
+  if (!g || cube / 32 >= marks->start[g] - marks->start[g - 1])
+    return false; /* a cube that was made since */
+  return marks->bits[marks->start[g - 1] + cube / 32] >> cube % 32 & 1;
 }
 
 #ifdef __cplusplus

@@ -125,22 +125,25 @@ static double longest_side(const struct hsr_box *box) {
 /* --- Cells ---------------------------------------------------------------- */
 
 /* Where the next cell begins, and the cell's number of an object's vertex, good
- * where mark[] is 1 + the cell's. */
-struct cell_maker {
+ * where mark[] is the stamp. */
+struct hsr_cell_maker {
   const struct hsr_object *object;
   struct hsr_cubes_object *c;
-  uint32_t *number, *mark;
+  uint32_t *number, *mark, stamp;
   uint32_t n_faces, n_starts, n_corners, n_vertices;
+  bool writes; /* otherwise it only counts */
+
+  /* Of cells that are made one by one: how much has room. */
+  uint32_t cell_room, face_room, start_room, corner_room, vertex_room;
 };
 
-static uint32_t cell_vertex(struct cell_maker *m, struct hsr_cell *cell,
+static uint32_t cell_vertex(struct hsr_cell_maker *m, struct hsr_cell *cell,
                             uint32_t v) {
-  uint32_t mark = (uint32_t)(cell - m->c->cell) + 1;
-  if (m->mark[v] != mark) {
+  if (m->mark[v] != m->stamp) {
     const double *p = m->object->xyz + 3 * (size_t)v;
-    m->mark[v] = mark;
+    m->mark[v] = m->stamp;
     m->number[v] = cell->n_vertices++;
-    if (m->c->x) {
+    if (m->writes) {
       m->c->x[m->n_vertices] = p[0];
       m->c->y[m->n_vertices] = p[1];
       m->c->z[m->n_vertices] = p[2];
@@ -150,16 +153,16 @@ static uint32_t cell_vertex(struct cell_maker *m, struct hsr_cell *cell,
   return m->number[v];
 }
 
-/* A pass without arrays only counts. */
-static void add_face(struct cell_maker *m, struct hsr_cell *cell, uint32_t f) {
+static void add_face(struct hsr_cell_maker *m, struct hsr_cell *cell,
+                     uint32_t f) {
   struct hsr_loop loop = object_loop(m->object, f);
   for (uint32_t k = 0; k < loop.n; k++) {
     uint32_t v = cell_vertex(m, cell, loop.vertex[k]);
-    if (m->c->vertex)
+    if (m->writes)
       m->c->vertex[m->n_corners] = v;
     m->n_corners++;
   }
-  if (m->c->face) {
+  if (m->writes) {
     m->c->face[m->n_faces] = f;
     m->c->start[m->n_starts] = m->n_corners - cell->first_corner;
   }
@@ -168,7 +171,7 @@ static void add_face(struct cell_maker *m, struct hsr_cell *cell, uint32_t f) {
 }
 
 /* The n faces number[item[k]]. */
-static void make_cell(struct cell_maker *m, uint32_t place,
+static void make_cell(struct hsr_cell_maker *m, uint32_t place,
                       const uint32_t *number, const uint32_t *item,
                       uint32_t n) {
   struct hsr_cell *cell = &m->c->cell[place];
@@ -177,7 +180,8 @@ static void make_cell(struct cell_maker *m, uint32_t place,
                             .first_vertex = m->n_vertices,
                             .first_corner = m->n_corners,
                             .first_start = m->n_starts};
-  if (m->c->start)
+  m->stamp++;
+  if (m->writes)
     m->c->start[m->n_starts] = 0;
   m->n_starts++;
   for (int triangles = 1; triangles >= 0; triangles--)
@@ -191,10 +195,9 @@ static void make_cell(struct cell_maker *m, uint32_t place,
     }
 }
 
-static void make_cells(struct cell_maker *m, const uint32_t *number) {
+static void make_cells(struct hsr_cell_maker *m, const uint32_t *number) {
   const struct hsr_octree *octree = &m->c->octree;
   m->n_faces = m->n_starts = m->n_corners = m->n_vertices = 0;
-  memset(m->mark, 0, m->object->n_vertices * sizeof *m->mark);
   for (uint32_t k = 0; k < octree->n_nodes; k++)
     make_cell(m, k, number, octree->item + octree->node[k].first,
               octree->node[k].n);
@@ -205,11 +208,11 @@ static enum hsr_status lay_out_cells(struct hsr_cubes *cubes, uint32_t o,
   const struct hsr_object *object = &cubes->scene->objects[o];
   struct hsr_cubes_object *c = &cubes->object[o];
   struct hsr_arena *arena = &cubes->arena;
-  struct cell_maker m = {.object = object,
-                         .c = c,
-                         .number =
-                             malloc(object->n_vertices * sizeof *m.number),
-                         .mark = malloc(object->n_vertices * sizeof *m.mark)};
+  struct hsr_cell_maker m = {
+      .object = object,
+      .c = c,
+      .number = malloc(object->n_vertices * sizeof *m.number),
+      .mark = calloc(object->n_vertices, sizeof *m.mark)};
   c->cell = HSR_NEW(arena, struct hsr_cell, c->octree.n_nodes);
   bool good = m.number && m.mark && c->cell;
   if (good) {
@@ -222,8 +225,10 @@ static enum hsr_status lay_out_cells(struct hsr_cubes *cubes, uint32_t o,
     c->z = HSR_NEW(arena, double, m.n_vertices);
     good = c->face && c->start && c->vertex && c->x && c->y && c->z;
   }
-  if (good)
+  if (good) {
+    m.writes = true;
     make_cells(&m, number);
+  }
   free(m.number);
   free(m.mark);
   return good ? HSR_OK : HSR_E_NOMEM;
@@ -233,42 +238,179 @@ static uint32_t larger(uint32_t a, uint32_t b) {
   return a > b ? a : b;
 }
 
-static enum hsr_status make_object(struct hsr_cubes *cubes, uint32_t o,
-                                   const struct hsr_octree_rule *rule) {
-  const struct hsr_object *object = &cubes->scene->objects[o];
-  struct hsr_cubes_object *c = &cubes->object[o];
-  bool out_of_memory = false;
-  uint32_t *number = malloc(((size_t)object->n_faces + 1) * sizeof *number);
-  c->is_loose = HSR_NEW_ZEROED(&cubes->arena, bool, object->n_faces);
-  if (!number || !c->is_loose) {
-    free(number);
-    return HSR_E_NOMEM;
-  }
-  find_bounds(object, c);
-  c->reach = hsr_reach(object);
-  c->grain = hsr_grain(object->xyz, 3 * (size_t)object->n_vertices);
-  uint32_t n_placed = part_loose(cubes, o, number, &out_of_memory);
-  c->n_loose = object->n_faces - n_placed;
-  struct faces faces = {object, number, c->reach};
-  struct hsr_primitives primitives = {n_placed, &faces, face_bounds, face_area,
-                                      face_meets};
-  enum hsr_status status =
-      out_of_memory
-          ? HSR_E_NOMEM
-          : hsr_octree_init(&c->octree, &primitives, rule, c->bounds.lo,
-                            longest_side(&c->bounds), &cubes->arena);
-  if (!status)
-    status = lay_out_cells(cubes, o, number);
-  free(number);
-  for (uint32_t k = 0; !status && k < c->octree.n_nodes; k++) {
+/* Of all cells, which are made. */
+static void find_largest_cell(struct hsr_cubes *cubes,
+                              const struct hsr_cubes_object *c) {
+  for (uint32_t k = 0; k < c->octree.n_nodes; k++) {
     const struct hsr_cell *cell = &c->cell[k];
     const uint32_t *start = c->start + cell->first_start;
     cubes->most_faces = larger(cubes->most_faces, cell->n_faces);
     cubes->most_vertices = larger(cubes->most_vertices, cell->n_vertices);
     cubes->most_corners = larger(cubes->most_corners, start[cell->n_faces]);
   }
-  cubes->most_object_faces = larger(cubes->most_object_faces, object->n_faces);
+}
+
+/* What the octree of an object is made of. */
+static struct hsr_primitives primitives_of(struct hsr_cubes *cubes, uint32_t o,
+                                           struct faces *faces,
+                                           uint32_t n_placed) {
+  struct hsr_cubes_object *c = &cubes->object[o];
+  *faces = (struct faces){&cubes->scene->objects[o], c->number, c->reach};
+  return (struct hsr_primitives){n_placed, faces, face_bounds, face_area,
+                                 face_meets};
+}
+
+static enum hsr_status make_octree(struct hsr_cubes *cubes, uint32_t o,
+                                   uint32_t n_placed,
+                                   const struct hsr_octree_rule *rule) {
+  struct hsr_cubes_object *c = &cubes->object[o];
+  struct faces faces;
+  struct hsr_primitives primitives = primitives_of(cubes, o, &faces, n_placed);
+  enum hsr_status status =
+      hsr_octree_init(&c->octree, &primitives, rule, c->bounds.lo,
+                      longest_side(&c->bounds), &cubes->arena);
+  if (!status)
+    status = lay_out_cells(cubes, o, c->number);
+  if (!status)
+    find_largest_cell(cubes, c);
   return status;
+}
+
+/* --- Cells one by one ----------------------------------------------------- */
+
+/* Makes room for `more` items behind those of an array. */
+static void *widen(struct hsr_arena *arena, const void *array, uint32_t used,
+                   uint32_t more, uint32_t room, size_t size) {
+  if (array && used + more <= room)
+    return (void *)(uintptr_t)array;
+  void *made = hsr_arena_array(arena, 2 * (size_t)(used + more), size);
+  if (made && used)
+    memcpy(made, array, used * size);
+  return made;
+}
+
+static void grow_room(uint32_t *room, uint32_t used, uint32_t more) {
+  if (used + more > *room)
+    *room = 2 * (used + more);
+}
+
+/* Makes room for the cell that `counted` has counted after *m. */
+static bool make_room(struct hsr_cell_maker *m,
+                      const struct hsr_cell_maker *counted,
+                      struct hsr_arena *arena) {
+  struct hsr_cubes_object *c = m->c;
+  uint32_t faces = counted->n_faces - m->n_faces;
+  uint32_t starts = counted->n_starts - m->n_starts;
+  uint32_t corners = counted->n_corners - m->n_corners;
+  uint32_t vertices = counted->n_vertices - m->n_vertices;
+  c->face =
+      widen(arena, c->face, m->n_faces, faces, m->face_room, sizeof *c->face);
+  c->start = widen(arena, c->start, m->n_starts, starts, m->start_room,
+                   sizeof *c->start);
+  c->vertex = widen(arena, c->vertex, m->n_corners, corners, m->corner_room,
+                    sizeof *c->vertex);
+  double **xyz[3] = {&c->x, &c->y, &c->z};
+  for (int k = 0; k < 3; k++)
+    *xyz[k] = widen(arena, *xyz[k], m->n_vertices, vertices, m->vertex_room,
+                    sizeof **xyz[k]);
+  grow_room(&m->face_room, m->n_faces, faces);
+  grow_room(&m->start_room, m->n_starts, starts);
+  grow_room(&m->corner_room, m->n_corners, corners);
+  grow_room(&m->vertex_room, m->n_vertices, vertices);
+  return c->face && c->start && c->vertex && c->x && c->y && c->z;
+}
+
+/* Cells for new cubes, which are empty. */
+static bool make_empty_cells(struct hsr_cell_maker *m, uint32_t from,
+                             struct hsr_arena *arena) {
+  struct hsr_cubes_object *c = m->c;
+  uint32_t more = c->octree.n_nodes - from;
+  c->cell = widen(arena, c->cell, from, more, m->cell_room, sizeof *c->cell);
+  grow_room(&m->cell_room, from, more);
+  if (c->cell)
+    memset(c->cell + from, 0, more * sizeof *c->cell);
+  return c->cell;
+}
+
+static bool make_one_cell(struct hsr_cell_maker *m, uint32_t k,
+                          struct hsr_arena *arena) {
+  struct hsr_cubes_object *c = m->c;
+  const struct hsr_octree_node *node = &c->octree.node[k];
+  const uint32_t *item = c->octree.item + node->first;
+  struct hsr_cell_maker counting = *m;
+  make_cell(&counting, k, c->number, item, node->n);
+  m->stamp = counting.stamp;
+  if (!make_room(m, &counting, arena))
+    return false;
+  m->writes = true;
+  make_cell(m, k, c->number, item, node->n);
+  m->writes = false;
+  return true;
+}
+
+bool hsr_cubes_divide(struct hsr_cubes *cubes, uint32_t o, uint32_t k,
+                      enum hsr_status *status) {
+  struct hsr_cubes_object *c = &cubes->object[o];
+  if (!c->lazy || hsr_lazy_node(c->lazy, k)->divided)
+    return false;
+  uint32_t before = c->octree.n_nodes;
+  bool good = !hsr_octree_divide(c->lazy, k);
+  c->octree = c->lazy->octree;
+  if (!good || !make_empty_cells(c->maker, before, &cubes->arena) ||
+      !make_one_cell(c->maker, k, &cubes->arena))
+    *status = HSR_E_NOMEM;
+  return true;
+}
+
+static enum hsr_status begin_octree(struct hsr_cubes *cubes, uint32_t o,
+                                    uint32_t n_placed,
+                                    const struct hsr_octree_rule *rule) {
+  const struct hsr_object *object = &cubes->scene->objects[o];
+  struct hsr_cubes_object *c = &cubes->object[o];
+  struct hsr_arena *arena = &cubes->arena;
+  struct faces *faces = HSR_NEW(arena, struct faces, 1);
+  c->lazy = HSR_NEW(arena, struct hsr_lazy_octree, 1);
+  c->maker = HSR_NEW_ZEROED(arena, struct hsr_cell_maker, 1);
+  if (!faces || !c->lazy || !c->maker)
+    return HSR_E_NOMEM;
+  struct hsr_primitives primitives = primitives_of(cubes, o, faces, n_placed);
+  *c->maker = (struct hsr_cell_maker){
+      .object = object,
+      .c = c,
+      .number = HSR_NEW(arena, uint32_t, object->n_vertices),
+      .mark = HSR_NEW_ZEROED(arena, uint32_t, object->n_vertices)};
+  if (!c->maker->number || !c->maker->mark ||
+      hsr_octree_begin(c->lazy, &primitives, rule, c->bounds.lo,
+                       longest_side(&c->bounds), arena))
+    return HSR_E_NOMEM;
+  c->octree = c->lazy->octree;
+  cubes->most_faces = larger(cubes->most_faces, n_placed);
+  cubes->most_vertices = larger(cubes->most_vertices, object->n_vertices);
+  cubes->most_corners =
+      larger(cubes->most_corners, object->start[object->n_faces]);
+  return make_empty_cells(c->maker, 0, arena) ? HSR_OK : HSR_E_NOMEM;
+}
+
+static enum hsr_status make_object(struct hsr_cubes *cubes, uint32_t o,
+                                   const struct hsr_octree_rule *rule,
+                                   bool lazily) {
+  const struct hsr_object *object = &cubes->scene->objects[o];
+  struct hsr_cubes_object *c = &cubes->object[o];
+  bool out_of_memory = false;
+  uint32_t *number = HSR_NEW(&cubes->arena, uint32_t, object->n_faces);
+  c->is_loose = HSR_NEW_ZEROED(&cubes->arena, bool, object->n_faces);
+  if (!number || !c->is_loose)
+    return HSR_E_NOMEM;
+  c->number = number;
+  find_bounds(object, c);
+  c->reach = hsr_reach(object);
+  c->grain = hsr_grain(object->xyz, 3 * (size_t)object->n_vertices);
+  uint32_t n_placed = part_loose(cubes, o, number, &out_of_memory);
+  c->n_loose = object->n_faces - n_placed;
+  cubes->most_object_faces = larger(cubes->most_object_faces, object->n_faces);
+  return out_of_memory ? HSR_E_NOMEM
+         : lazily      ? begin_octree(cubes, o, n_placed, rule)
+                       : make_octree(cubes, o, n_placed, rule);
 }
 
 /* --- The octree of instances ---------------------------------------------- */
@@ -364,23 +506,52 @@ static enum hsr_status place_still(struct hsr_cubes *cubes,
                                       always_meets};
   struct hsr_octree_rule rule = {.small = 0.1, .most = 1, .least = 1};
   struct hsr_octree *octree = &cubes->octree;
-  if (hsr_octree_init(octree, &primitives, &rule, all->lo, side, &cubes->arena))
+  if (cubes->lazy) {
+    if (hsr_octree_begin(cubes->lazy, &primitives, &rule, all->lo, side,
+                         &cubes->arena))
+      return HSR_E_NOMEM;
+    *octree = cubes->lazy->octree;
+    cubes->still = still->instance;
+  } else if (hsr_octree_init(octree, &primitives, &rule, all->lo, side,
+                             &cubes->arena)) {
     return HSR_E_NOMEM;
-  for (uint32_t k = 0; k < octree->n_items; k++)
+  }
+  for (uint32_t k = 0; k < octree->n_items && !cubes->lazy; k++)
     octree->item[k] = still->instance[octree->item[k]];
-  cubes->apart = are_apart(cubes);
+  cubes->apart = !cubes->lazy && are_apart(cubes);
   return HSR_OK;
+}
+
+bool hsr_cubes_divide_instances(struct hsr_cubes *cubes, uint32_t k,
+                                enum hsr_status *status) {
+  if (!cubes->lazy || hsr_lazy_node(cubes->lazy, k)->divided)
+    return false;
+  if (hsr_octree_divide(cubes->lazy, k))
+    *status = HSR_E_NOMEM;
+  cubes->octree = cubes->lazy->octree;
+  return true;
+}
+
+/* In the arena, since an octree that is divided bit by bit keeps asking. */
+static struct still *new_still(struct hsr_cubes *cubes) {
+  struct hsr_arena *arena = &cubes->arena;
+  uint32_t n = cubes->scene->n_instances;
+  struct still *still = HSR_NEW(arena, struct still, 1);
+  if (!still)
+    return NULL;
+  still->instance = HSR_NEW(arena, uint32_t, n);
+  still->bounds = HSR_NEW(arena, struct hsr_box, n);
+  return still->instance && still->bounds ? still : NULL;
 }
 
 static enum hsr_status make_instances(struct hsr_cubes *cubes) {
   uint32_t n = cubes->scene->n_instances, n_still = 0;
-  struct still still = {malloc((n + (size_t)1) * sizeof *still.instance),
-                        malloc((n + (size_t)1) * sizeof *still.bounds)};
+  struct still *still = new_still(cubes);
   cubes->mover = HSR_NEW(&cubes->arena, uint32_t, n);
   struct hsr_box all = {{INFINITY, INFINITY, INFINITY},
                         {-INFINITY, -INFINITY, -INFINITY}};
   double largest = 0;
-  bool good = still.instance && still.bounds && cubes->mover;
+  bool good = still && cubes->mover;
   for (uint32_t i = 0; i < n && good; i++) {
     struct hsr_box box = hsr_cubes_bounds(cubes, i);
     for (int k = 0; k < 3; k++) {
@@ -392,14 +563,12 @@ static enum hsr_status make_instances(struct hsr_cubes *cubes) {
       continue;
     }
     largest = fmax(largest, longest_side(&box));
-    still.instance[n_still] = i;
-    still.bounds[n_still++] = box;
+    still->instance[n_still] = i;
+    still->bounds[n_still++] = box;
   }
   if (largest == 0) /* nothing is still, or all in one point */
     largest = fmax(longest_side(&all), 0x1p-900);
-  good = good && !place_still(cubes, &still, n_still, &all, largest);
-  free(still.instance);
-  free(still.bounds);
+  good = good && !place_still(cubes, still, n_still, &all, largest);
   return good ? HSR_OK : HSR_E_NOMEM;
 }
 
@@ -435,10 +604,10 @@ static enum hsr_status lay_out_loose(struct hsr_cubes *cubes,
                            err);
 }
 
-enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
-                               const struct hsr_world *world,
-                               const struct hsr_octree_rule *rule,
-                               struct hsr_error *err) {
+static enum hsr_status init(struct hsr_cubes *cubes,
+                            const struct hsr_world *world,
+                            const struct hsr_octree_rule *rule, bool lazily,
+                            struct hsr_error *err) {
   *cubes = (struct hsr_cubes){.scene = world->outline.scene};
   uint32_t n = cubes->scene->n_objects;
   for (uint32_t o = 0; o < n; o++) {
@@ -450,12 +619,29 @@ enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
                       object->name);
   }
   cubes->object = HSR_NEW_ZEROED(&cubes->arena, struct hsr_cubes_object, n);
-  enum hsr_status status = cubes->object ? HSR_OK : HSR_E_NOMEM;
+  if (lazily)
+    cubes->lazy = HSR_NEW(&cubes->arena, struct hsr_lazy_octree, 1);
+  enum hsr_status status =
+      cubes->object && (cubes->lazy || !lazily) ? HSR_OK : HSR_E_NOMEM;
   for (uint32_t o = 0; o < n && !status; o++)
-    status = make_object(cubes, o, rule);
+    status = make_object(cubes, o, rule, lazily);
   if (!status)
     status = make_instances(cubes);
   return status ? hsr_fail_nomem(err) : lay_out_loose(cubes, world, err);
+}
+
+enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
+                               const struct hsr_world *world,
+                               const struct hsr_octree_rule *rule,
+                               struct hsr_error *err) {
+  return init(cubes, world, rule, false, err);
+}
+
+enum hsr_status hsr_cubes_init_lazily(struct hsr_cubes *cubes,
+                                      const struct hsr_world *world,
+                                      const struct hsr_octree_rule *rule,
+                                      struct hsr_error *err) {
+  return init(cubes, world, rule, true, err);
 }
 
 void hsr_cubes_free(struct hsr_cubes *cubes) {

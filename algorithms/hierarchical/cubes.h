@@ -33,10 +33,15 @@ struct hsr_cell {
   uint32_t first_start;  /* n_faces + 1 numbers */
 };
 
+struct hsr_cell_maker;
+
 struct hsr_cubes_object {
   struct hsr_octree octree;
-  struct hsr_cell *cell; /* a node */
-  bool *is_loose;        /* a face */
+  struct hsr_lazy_octree *lazy; /* it is divided bit by bit; else NULL */
+  struct hsr_cell_maker *maker; /* of the cells, then */
+  const uint32_t *number;       /* the octree's primitives: face numbers */
+  struct hsr_cell *cell;        /* a node */
+  bool *is_loose;               /* a face */
   uint32_t n_loose;
   uint32_t *face; /* numbers of the object's faces, cell by cell */
   uint32_t *start, *vertex;
@@ -50,6 +55,8 @@ struct hsr_cubes {
   const struct hsr_scene *scene;
   struct hsr_cubes_object *object; /* an object of the scene */
   struct hsr_octree octree;        /* of the instances that do not move */
+  struct hsr_lazy_octree *lazy;    /* it is divided bit by bit; else NULL */
+  uint32_t *still;                 /* its primitives then: instances */
   uint32_t *mover;                 /* the others */
   uint32_t n_movers;
   struct hsr_world loose; /* the loose faces of all instances, laid out */
@@ -68,6 +75,21 @@ enum hsr_status hsr_cubes_init(struct hsr_cubes *cubes,
                                const struct hsr_octree_rule *rule,
                                struct hsr_error *err);
 void hsr_cubes_free(struct hsr_cubes *cubes);
+
+/* The same, but no cube is divided, and cells are empty until their cubes are.
+ * `apart` is false. */
+enum hsr_status hsr_cubes_init_lazily(struct hsr_cubes *cubes,
+                                      const struct hsr_world *world,
+                                      const struct hsr_octree_rule *rule,
+                                      struct hsr_error *err);
+
+/* Divides cube k of object o, or of the octree of instances, if it is not
+ * divided yet: whether it was. The object's arrays and those of the octree may
+ * move. *status becomes HSR_E_NOMEM if memory ran out. */
+bool hsr_cubes_divide(struct hsr_cubes *cubes, uint32_t o, uint32_t k,
+                      enum hsr_status *status);
+bool hsr_cubes_divide_instances(struct hsr_cubes *cubes, uint32_t k,
+                                enum hsr_status *status);
 
 /* Holds what an instance places in the world, but for what is loose. */
 struct hsr_box hsr_cubes_bounds(const struct hsr_cubes *cubes,

@@ -21,7 +21,8 @@
  *             cubes=whole:volumes=tight:least=80 makes the same picture in less
  *             time, by fewer and tighter tests. pyramid=queries emulates a
  *             machine with z-queries (thesis, 3.5.6): its steps are performed
- *             here, and only its latency is a pause.
+ *             here, and only its latency is a pause. octree=lazy keeps what it
+ *             has divided for later frames (thesis, 3.4).
  * Cost        proportional to what is visible, and to the cubes around it */
 #include "algorithms/hierarchical/cube_frame.h"
 #include "algorithms/hierarchical/cube_list.h"
@@ -55,7 +56,10 @@ enum {
   CUBES_AGAIN,
   MOVED,
   SPLITS,
-  LOOKED
+  LOOKED,
+  DIVIDED,
+  FACES_DOWN,
+  STILL_DOWN
 };
 
 static const struct hsr_counter counters[] = {
@@ -111,6 +115,13 @@ static const struct hsr_counter counters[] = {
     [LOOKED] = {"movers looked at",
                 "in their cubes of the last frame, which may hold them still",
                 HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_CELL, "left|kept"},
+    [DIVIDED] = {"cubes divided", "when they were first found to be visible",
+                 HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
+    [FACES_DOWN] = {"faces down", "handed down to an octant then", HSR_SORT,
+                    HSR_OF_FACE, HSR_OF_CELL},
+    [STILL_DOWN] = {"instances down",
+                    "that do not move, handed down to an octant then", HSR_SORT,
+                    HSR_OF_VOLUME, HSR_OF_CELL},
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -131,6 +142,10 @@ static const struct hsr_line outline[] = {
     {"    or scan-convert it", HSR_RAISES(SIDES_SCANNED)},
     {"      is a sample of it visible?", HSR_RAISES(SIDE_SAMPLES)},
     {"      tag the sample as completed", HSR_RAISES(COMPLETED)},
+    {"  lazily: divide the cube, if it is not divided yet",
+     HSR_RAISES(DIVIDED)},
+    {"    hand a primitive down to an octant",
+     HSR_RAISES(FACES_DOWN) | HSR_RAISES(STILL_DOWN)},
     {"  for each polygon attached to the node", HSR_RAISES(FACES)},
     {"    skip it if it has been rendered in this frame", HSR_RAISES(REPEATED)},
     {"    skip it if it is hidden",
@@ -162,6 +177,7 @@ enum option {
   WORK
 };
 enum { OFF, ON, BY_QUERIES };
+enum { LAZILY = 2 };
 enum { PUSHED, ENCLOSING };
 enum { CUBE, TIGHT };
 enum { RECTANGLE, SIDES, WHOLE };
@@ -172,6 +188,13 @@ enum { WORK_ALL, WORK_PYRAMID, WORK_BOXES, WORK_POLYGONS };
 
 static const struct hsr_word off_on[] = {
     {"off", "without it", 0}, {"on", "with it", 0}, {NULL, NULL, 0}};
+static const struct hsr_word octrees[] = {
+    {"off", "without it", 0},
+    {"on", "with it", 0},
+    {"lazy",
+     "with one whose cubes are divided when they are first found to be visible",
+     HSR_FRAME_STATE},
+    {NULL, NULL, 0}};
 static const struct hsr_word pyramids[] = {
     {"off", "without it", 0},
     {"on", "with it", 0},
@@ -223,7 +246,7 @@ static const struct hsr_word works[] = {
     {NULL, NULL, 0}};
 
 static const struct hsr_option options[] = {
-    [OCTREE] = {"octree", "cull by cubes", off_on, 0, 1, ON},
+    [OCTREE] = {"octree", "cull by cubes", octrees, 0, 2, ON},
     [PLACEMENT] = {"placement", "in which cube a face is", placements, 0, 1,
                    PUSHED},
     [LEAST] = {"least", "an octant of fewer faces is its parent's", NULL, 1,
@@ -260,6 +283,8 @@ struct prepared {
   struct hsr_cube_list
       list[2]; /* visible cubes, of the last frame and of this */
   int last;    /* which one is the last frame's */
+
+  bool half_divided; /* octree=lazy: memory ran out in the middle of it */
 
   struct hsr_movers movers; /* movers=update: kept */
   struct hsr_arena movers_arena;
@@ -516,12 +541,28 @@ static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
  * instances, if z-queries need it. */
 static uint64_t faces_in(const struct walk *w, uint32_t k) {
   const struct prepared *prepared = w->frame.job->prepared;
+  const struct hsr_lazy_octree *lazy = w->frame.object->lazy;
   uint32_t object = w->frame.cubes->scene->instances[w->frame.instance].object;
+  if (lazy)
+    return hsr_lazy_node(lazy, k)->n;
   return prepared->in_object ? prepared->in_object[object][k] : 0;
+}
+
+/* What was handed down to a cube of instances. */
+static uint64_t faces_handed_down(const struct hsr_cubes *cubes, uint32_t k) {
+  const struct hsr_lazy_node *node = hsr_lazy_node(cubes->lazy, k);
+  uint64_t n = 0;
+  for (uint32_t i = 0; i < node->n; i++) {
+    uint32_t still = cubes->still[cubes->octree.item[node->first + i]];
+    n += cubes->scene->objects[cubes->scene->instances[still].object].n_faces;
+  }
+  return n;
 }
 
 static uint64_t faces_below(const struct walk *w, uint32_t k) {
   const struct prepared *prepared = w->frame.job->prepared;
+  if (w->option[PYRAMID] == BY_QUERIES && w->frame.cubes->lazy)
+    return faces_handed_down(w->frame.cubes, k);
   return prepared->below ? prepared->below[k] : 0;
 }
 
@@ -704,6 +745,51 @@ static void list_cube(struct walk *w, uint32_t k) {
     w->out_of_memory = true;
 }
 
+/* Divides a cube of the object at hand, if that has been left until now. */
+static void divide_cube(struct walk *w, uint32_t k) {
+  struct prepared *prepared = w->frame.job->prepared;
+  const struct hsr_cubes_object *object = w->frame.object;
+  uint32_t i = w->frame.instance,
+           o = w->frame.cubes->scene->instances[i].object;
+  enum hsr_status status = HSR_OK;
+  if (!hsr_cubes_divide(&prepared->cubes, o, k, &status))
+    return;
+  w->out_of_memory |= prepared->half_divided = status;
+  HSR_STEP(w->tally, DIVIDED, hsr_cube_subject(i, k), HSR_NOTHING, HSR_NOWHERE,
+           0);
+  uint32_t first = w->frame.job->world->outline.first[i];
+  for (int c = 0; HSR_COUNTING && c < 8; c++) {
+    uint32_t child = object->octree.node[k].child[c];
+    for (uint32_t n = 0;
+         child != HSR_NO_NODE && n < object->octree.node[child].n; n++) {
+      uint32_t item = object->octree.item[object->octree.node[child].first + n];
+      HSR_STEP(w->tally, FACES_DOWN, HSR_FACE(first + object->number[item]),
+               hsr_cube_subject(i, child), HSR_NOWHERE, 0);
+    }
+  }
+}
+
+/* The same of a cube of instances. */
+static void divide_instances(struct walk *w, uint32_t k) {
+  struct prepared *prepared = w->frame.job->prepared;
+  const struct hsr_cubes *cubes = &prepared->cubes;
+  enum hsr_status status = HSR_OK;
+  if (!hsr_cubes_divide_instances(&prepared->cubes, k, &status))
+    return;
+  w->out_of_memory |= prepared->half_divided = status;
+  HSR_STEP(w->tally, DIVIDED, hsr_cube_subject(HSR_NO_ID, k), HSR_NOTHING,
+           HSR_NOWHERE, 0);
+  for (int c = 0; HSR_COUNTING && c < 8; c++) {
+    uint32_t child = cubes->octree.node[k].child[c];
+    for (uint32_t n = 0;
+         child != HSR_NO_NODE && n < cubes->octree.node[child].n; n++) {
+      uint32_t item = cubes->octree.item[cubes->octree.node[child].first + n];
+      HSR_STEP(w->tally, STILL_DOWN, HSR_VOLUME(cubes->still[item]),
+               hsr_cube_subject(HSR_NO_ID, child), HSR_NOWHERE, 0);
+    }
+  }
+}
+
 /* A cube of the object at hand. One on the list of 1993 is not tested before
  * the list is pruned. */
 static void render_cube(struct walk *w, uint32_t k, bool inside) {
@@ -719,8 +805,12 @@ static void render_cube(struct walk *w, uint32_t k, bool inside) {
   HSR_STEP(w->tally, CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   if (w->next)
     list_cube(w, k);
+  divide_cube(w, k);
+  if (w->out_of_memory)
+    return;
   if (!rendered)
     tile_cell(w, k);
+  node = &octree->node[k]; /* dividing may have moved it */
   int nearest = hsr_cube_nearest(&w->frame.placing, node);
   for (int o = 0; o < 8; o++) {
     uint32_t child = node->child[nearest ^ hsr_octant_order[o]];
@@ -791,8 +881,17 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
       return;
     HSR_STEP(w->tally, CUBES_VISIBLE, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   }
-  for (uint32_t i = 0; node && i < node->n; i++)
-    render_instance(w, octree->item[node->first + i]);
+  if (node && !single) {
+    divide_instances(w, still);
+    if (w->out_of_memory)
+      return;
+    node = &octree->node[still]; /* dividing may have moved it */
+  }
+  const uint32_t *name = w->frame.cubes->still;
+  for (uint32_t i = 0; node && i < node->n; i++) {
+    uint32_t item = octree->item[node->first + i];
+    render_instance(w, name ? name[item] : item);
+  }
   if (moving != HSR_NO_NODE && !render_movers(w, moving, cube))
     return;
   int nearest = hsr_cube_nearest(&w->frame.as_it_is, cube);
@@ -964,7 +1063,8 @@ static void end_coherence(struct walk *w) {
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct walk w = {.visit = 0};
-  if (begin(&w, job))
+  const struct prepared *prepared = job->prepared;
+  if (prepared->half_divided || begin(&w, job))
     return hsr_fail_nomem(err);
   if (render_loose(&w))
     return hsr_fail_nomem(err);
@@ -1033,6 +1133,8 @@ static enum hsr_status prepare(const struct hsr_world *world,
       .small = option[PLACEMENT] == PUSHED ? 1.0 / (double)option[SMALL] : 0,
       .most = (uint32_t)option[LEAST],
       .least = (uint32_t)option[LEAST]};
+  if (option[OCTREE] == LAZILY)
+    return hsr_cubes_init_lazily(&made->cubes, world, &rule, err);
   enum hsr_status status = hsr_cubes_init(&made->cubes, world, &rule, err);
   if (!status && option[PYRAMID] == BY_QUERIES && count_faces(made))
     return hsr_fail_nomem(err);

@@ -179,21 +179,19 @@ static bool build(struct builder *b, const struct hsr_octree_node *cube,
              : divide(b, *made, cube, list, copies, depth);
 }
 
-static bool look_at_primitives(struct builder *b, struct list *all) {
+static void look_at_primitives(struct builder *b) {
   const struct hsr_primitives *p = b->primitives;
-  size_t n = p->n;
-  b->bounds = malloc((n + 1) * sizeof *b->bounds);
-  b->area = malloc((n + 1) * sizeof *b->area);
-  b->mark = calloc(n + 1, sizeof *b->mark);
-  if (!b->bounds || !b->area || !b->mark)
-    return false;
   for (uint32_t k = 0; k < p->n; k++) {
     b->bounds[k] = p->bounds(p->context, k);
     b->area[k] = p->area(p->context, k);
-    if (!append(all, k))
-      return false;
   }
-  return true;
+}
+
+static bool list_primitives(const struct builder *b, struct list *all) {
+  bool good = true;
+  for (uint32_t k = 0; k < b->primitives->n && good; k++)
+    good = append(all, k);
+  return good;
 }
 
 /* Rounding may leave a part of the primitives out of the root's cube. Then makes
@@ -225,27 +223,53 @@ static void add_box(struct hsr_box *all, const struct hsr_box *cube,
   }
 }
 
-/* Finds the tight boxes, from children to parents. Rounding moves the middle
- * and the halves by less than 2^-50 of the coordinates. */
+static const struct hsr_box nothing = {{INFINITY, INFINITY, INFINITY},
+                                       {-INFINITY, -INFINITY, -INFINITY}};
+
+/* Rounding moves the middle and the halves by less than 2^-50 of the
+ * coordinates. */
+static void set_tight(struct hsr_octree_node *node, struct hsr_box *tight) {
+  if (!(tight->lo[0] <= tight->hi[0]))
+    *tight = hsr_cube_box(node);
+  for (int a = 0; a < 3; a++) {
+    node->tight.centre[a] = 0.5 * (tight->lo[a] + tight->hi[a]);
+    node->tight.half[a] = 0.5 * (tight->hi[a] - tight->lo[a]);
+  }
+}
+
+static void add_own(const struct builder *b, const struct hsr_octree_node *node,
+                    struct hsr_box *tight) {
+  struct hsr_box cube = hsr_cube_box(node);
+  const uint32_t *item = (const uint32_t *)b->item.items + node->first;
+  *tight = nothing;
+  for (uint32_t i = 0; i < node->n; i++)
+    add_box(tight, &cube, &b->bounds[item[i]]);
+}
+
+/* Finds the tight boxes, from children to parents. */
 static void tighten(const struct builder *b, struct hsr_box *tight) {
   for (uint32_t k = (uint32_t)b->node.n; k--;) {
     struct hsr_octree_node *node = node_at(b, k);
     struct hsr_box cube = hsr_cube_box(node);
-    const uint32_t *item = (const uint32_t *)b->item.items + node->first;
-    tight[k] = (struct hsr_box){{INFINITY, INFINITY, INFINITY},
-                                {-INFINITY, -INFINITY, -INFINITY}};
-    for (uint32_t i = 0; i < node->n; i++)
-      add_box(&tight[k], &cube, &b->bounds[item[i]]);
+    add_own(b, node, &tight[k]);
     for (int o = 0; o < 8; o++)
       if (node->child[o] != HSR_NO_NODE)
         add_box(&tight[k], &cube, &tight[node->child[o]]);
-    if (!(tight[k].lo[0] <= tight[k].hi[0]))
-      tight[k] = cube;
-    for (int a = 0; a < 3; a++) {
-      node->tight.centre[a] = 0.5 * (tight[k].lo[a] + tight[k].hi[a]);
-      node->tight.half[a] = 0.5 * (tight[k].hi[a] - tight[k].lo[a]);
-    }
+    set_tight(node, &tight[k]);
   }
+}
+
+static struct hsr_octree_node make_root(const double lo[3], double side) {
+  struct hsr_octree_node root = {.half = side / 2};
+  for (int k = 0; k < 3; k++)
+    root.centre[k] = lo[k] + side / 2;
+  memset(root.child, 0xff, sizeof root.child);
+  return root;
+}
+
+static struct hsr_octree octree_of(const struct builder *b) {
+  return (struct hsr_octree){b->node.items, b->item.items, (uint32_t)b->node.n,
+                             (uint32_t)b->item.n};
 }
 
 enum hsr_status hsr_octree_init(struct hsr_octree *octree,
@@ -253,16 +277,21 @@ enum hsr_status hsr_octree_init(struct hsr_octree *octree,
                                 const struct hsr_octree_rule *rule,
                                 const double lo[3], double side,
                                 struct hsr_arena *arena) {
-  struct builder b = {.primitives = primitives, .rule = rule, .arena = arena};
-  struct hsr_octree_node root = {.half = side / 2};
-  for (int k = 0; k < 3; k++)
-    root.centre[k] = lo[k] + side / 2;
-  memset(root.child, 0xff, sizeof root.child);
+  size_t n = primitives->n;
+  struct builder b = {.primitives = primitives,
+                      .rule = rule,
+                      .bounds = malloc((n + 1) * sizeof *b.bounds),
+                      .area = malloc((n + 1) * sizeof *b.area),
+                      .mark = calloc(n + 1, sizeof *b.mark),
+                      .arena = arena};
+  struct hsr_octree_node root = make_root(lo, side);
   struct list all = {NULL, 0, 0};
   uint32_t made;
-  bool good = look_at_primitives(&b, &all);
-  if (good)
+  bool good = b.bounds && b.area && b.mark && list_primitives(&b, &all);
+  if (good) {
+    look_at_primitives(&b);
     enclose(&b, &root);
+  }
   good = good && build(&b, &root, &all, COPIES_IN_ALL, 0, &made);
   struct hsr_box *tight = good ? malloc(b.node.n * sizeof *tight) : NULL;
   good = tight;
@@ -273,7 +302,100 @@ enum hsr_status hsr_octree_init(struct hsr_octree *octree,
   free(b.bounds);
   free(b.area);
   free(b.mark);
-  *octree = (struct hsr_octree){b.node.items, b.item.items, (uint32_t)b.node.n,
-                                (uint32_t)b.item.n};
+  *octree = octree_of(&b);
+  return good ? HSR_OK : HSR_E_NOMEM;
+}
+
+/* --- Bit by bit ----------------------------------------------------------- */
+
+static struct builder builder_of(const struct hsr_lazy_octree *lazy) {
+  return (struct builder){.primitives = &lazy->primitives,
+                          .rule = &lazy->rule,
+                          .bounds = lazy->bounds,
+                          .area = lazy->area,
+                          .mark = lazy->mark,
+                          .node = lazy->node,
+                          .item = lazy->item,
+                          .arena = lazy->arena};
+}
+
+static void take_back(struct hsr_lazy_octree *lazy, const struct builder *b) {
+  lazy->node = b->node;
+  lazy->item = b->item;
+  lazy->octree = octree_of(b);
+}
+
+/* A cube that is not divided, of a list that may be divided into `copies` times
+ * as many. */
+static bool hand_down(struct hsr_lazy_octree *lazy, struct builder *b,
+                      const struct hsr_octree_node *cube,
+                      const struct list *list, double copies, int depth) {
+  struct hsr_box tight;
+  if (!hsr_arena_grow(b->arena, &b->node, sizeof *cube) ||
+      !hsr_arena_grow(b->arena, &lazy->state, sizeof(struct hsr_lazy_node)))
+    return false;
+  uint32_t k = (uint32_t)b->node.n - 1;
+  struct hsr_octree_node *node = node_at(b, k);
+  *node = *cube;
+  if (!keep_own(b, k, list))
+    return false;
+  add_own(b, node, &tight);
+  set_tight(node, &tight);
+  ((struct hsr_lazy_node *)lazy->state.items)[k] = (struct hsr_lazy_node){
+      .first = node->first, .n = node->n, .copies = copies, .depth = depth};
+  return true;
+}
+
+enum hsr_status hsr_octree_begin(struct hsr_lazy_octree *lazy,
+                                 const struct hsr_primitives *primitives,
+                                 const struct hsr_octree_rule *rule,
+                                 const double lo[3], double side,
+                                 struct hsr_arena *arena) {
+  uint32_t n = primitives->n;
+  *lazy = (struct hsr_lazy_octree){.primitives = *primitives,
+                                   .rule = *rule,
+                                   .bounds = HSR_NEW(arena, struct hsr_box, n),
+                                   .area = HSR_NEW(arena, double, n),
+                                   .mark = HSR_NEW_ZEROED(arena, uint32_t, n),
+                                   .arena = arena};
+  struct builder b = builder_of(lazy);
+  struct hsr_octree_node root = make_root(lo, side);
+  struct list all = {NULL, 0, 0};
+  bool good = b.bounds && b.area && b.mark && list_primitives(&b, &all);
+  if (good) {
+    look_at_primitives(&b);
+    enclose(&b, &root);
+  }
+  good = good && hand_down(lazy, &b, &root, &all, COPIES_IN_ALL, 0);
+  free(all.k);
+  take_back(lazy, &b);
+  return good ? HSR_OK : HSR_E_NOMEM;
+}
+
+enum hsr_status hsr_octree_divide(struct hsr_lazy_octree *lazy, uint32_t k) {
+  struct builder b = builder_of(lazy);
+  struct hsr_lazy_node *state = (struct hsr_lazy_node *)lazy->state.items + k;
+  struct hsr_octree_node cube = *node_at(&b, k);
+  double copies = state->copies;
+  int depth = state->depth;
+  state->divided = true;
+  if (cube.n <= b.rule->most || depth == DEEPEST)
+    return HSR_OK;
+  struct list own = {NULL, 0, 0}, octants[8] = {{NULL, 0, 0}};
+  struct list list = {(uint32_t *)b.item.items + cube.first, cube.n, cube.n};
+  bool good = part(&b, &cube, &list, &own, octants) &&
+              give_back(&b, k, list.n, copies, &own, octants) &&
+              keep_own(&b, k, &own);
+  double left = copies * list.n / (double)count_all(&own, octants);
+  free(own.k);
+  for (int o = 0; o < 8; o++) {
+    if (good && octants[o].n) {
+      struct hsr_octree_node child = hsr_octree_octant(&cube, o);
+      node_at(&b, k)->child[o] = (uint32_t)b.node.n;
+      good = hand_down(lazy, &b, &child, &octants[o], left, depth + 1);
+    }
+    free(octants[o].k);
+  }
+  take_back(lazy, &b);
   return good ? HSR_OK : HSR_E_NOMEM;
 }

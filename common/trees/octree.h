@@ -68,6 +68,49 @@ enum hsr_status hsr_octree_init(struct hsr_octree *octree,
                                 const double lo[3], double side,
                                 struct hsr_arena *arena);
 
+/* --- An octree that is divided bit by bit ---------------------------------- */
+
+/* What is kept of a node of it. */
+struct hsr_lazy_node {
+  uint32_t first, n; /* what was handed down to it: item[first] and so on */
+  double copies;     /* it may make so many times as many of them, in all */
+  int depth;
+  bool divided;
+};
+
+/* Lazy evaluation, thesis 3.4: all primitives are in a root without octants,
+ * and a cube is divided when that is asked for. If all are, it has the cubes of
+ * hsr_octree_init, and their primitives, in another order. What a cube holds is
+ * octree.node[k].first and .n: all that was handed down to it, or what is its
+ * own once it is divided. Tight boxes may be somewhat larger. */
+struct hsr_lazy_octree {
+  struct hsr_octree octree; /* so far; its arrays move when a cube is divided */
+  struct hsr_primitives primitives;
+  struct hsr_octree_rule rule;
+  struct hsr_box *bounds; /* a primitive */
+  double *area;
+  uint32_t *mark;
+  struct hsr_growing node, item, state;
+  struct hsr_arena *arena;
+};
+
+static inline const struct hsr_lazy_node *
+hsr_lazy_node(const struct hsr_lazy_octree *octree, uint32_t k) {
+  return (const struct hsr_lazy_node *)octree->state.items + k;
+}
+
+/* As hsr_octree_init, but the root is not divided. The primitives' context is
+ * borrowed. HSR_E_NOMEM. */
+enum hsr_status hsr_octree_begin(struct hsr_lazy_octree *octree,
+                                 const struct hsr_primitives *primitives,
+                                 const struct hsr_octree_rule *rule,
+                                 const double lo[3], double side,
+                                 struct hsr_arena *arena);
+
+/* Divides a cube that is not divided yet. It gets no octants if it holds few
+ * primitives, or if dividing does not help. HSR_E_NOMEM. */
+enum hsr_status hsr_octree_divide(struct hsr_lazy_octree *octree, uint32_t k);
+
 static inline struct hsr_box hsr_cube_box(const struct hsr_octree_node *node) {
   struct hsr_box box;
   for (int k = 0; k < 3; k++) {

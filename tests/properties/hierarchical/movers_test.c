@@ -29,6 +29,8 @@ static const char *const variants[] = {"clark",
                                        "hzbuffer:volumes=tight:cubes=whole",
                                        "hzbuffer:coherence=list",
                                        "hzbuffer:coherence=passes:movers=lazy",
+                                       "hzbuffer:octree=lazy:movers=lazy",
+                                       "hzbuffer:octree=lazy:coherence=list",
                                        "hzbuffer:octree=off"};
 enum { VARIANTS = sizeof variants / sizeof *variants };
 

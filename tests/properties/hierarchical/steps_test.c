@@ -584,6 +584,7 @@ static const char *const variants[] = {
     "hzbuffer:polygons=none:placement=enclosing:least=2",
     "hzbuffer:pyramid=off:cubes=sides",
     "hzbuffer:octree=off",
+    "hzbuffer:octree=lazy:least=4",
     "hzbuffer:coherence=list",
     "hzbuffer:coherence=passes",
     "hzbuffer:movers=lazy",

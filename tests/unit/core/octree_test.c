@@ -375,6 +375,66 @@ static void test_fan(struct tap *tap, uint64_t *seed) {
   hsr_arena_free(&arena);
 }
 
+/* --- Divided bit by bit --------------------------------------------------- */
+
+/* Whether two subtrees have the same cubes and what is in them. */
+static bool are_same(const struct hsr_octree *a, uint32_t j,
+                     const struct hsr_octree *b, uint32_t k) {
+  const struct hsr_octree_node *p = &a->node[j], *q = &b->node[k];
+  bool same = p->half == q->half && p->n == q->n &&
+              !memcmp(p->centre, q->centre, sizeof p->centre) &&
+              !memcmp(items_of(a, j), items_of(b, k), p->n * sizeof *a->item);
+  for (int x = 0; x < 3; x++) /* it may be larger */
+    same &= q->tight.half[x] >= p->tight.half[x] &&
+            fabs(q->tight.centre[x]) + q->tight.half[x] <= 2 * SIDE;
+  for (int o = 0; same && o < 8; o++)
+    same = (p->child[o] == HSR_NO_NODE) == (q->child[o] == HSR_NO_NODE) &&
+           (p->child[o] == HSR_NO_NODE ||
+            are_same(a, p->child[o], b, q->child[o]));
+  return same;
+}
+
+/* In an order of its own: the newest cube, then the oldest, by turns. */
+static bool divide_all(struct hsr_lazy_octree *lazy, bool *once) {
+  bool good = true;
+  for (uint32_t left = 1, low = 0; left && good;) {
+    uint32_t k = lazy->octree.n_nodes - 1;
+    while (left % 2 ? hsr_lazy_node(lazy, k)->divided : false)
+      k--;
+    if (left % 2 == 0)
+      for (k = low; hsr_lazy_node(lazy, k)->divided;)
+        low = ++k;
+    uint32_t before = lazy->octree.n_nodes;
+    *once &= lazy->octree.node[k].n == hsr_lazy_node(lazy, k)->n;
+    good = !hsr_octree_divide(lazy, k) && hsr_lazy_node(lazy, k)->divided;
+    left += lazy->octree.n_nodes - before - 1;
+  }
+  return good;
+}
+
+static void test_lazy(struct tap *tap, uint64_t *seed) {
+  static const struct hsr_octree_rule rules[] = {
+      {0.1, 20, 20}, {0, 0, 1}, {1, 8, 3}};
+  static const double lo[3] = {0, 0, 0};
+  bool good = true, alone = true, undivided = true;
+  for (int k = 0; k < 9; k++) {
+    struct hsr_arena arena = HSR_ARENA_EMPTY;
+    struct hsr_lazy_octree lazy;
+    draw_triangles(seed, k % 2 ? 16 : 64);
+    struct hsr_octree whole = build(&rules[k % 3], &triangles, &arena);
+    good &=
+        !hsr_octree_begin(&lazy, &triangles, &rules[k % 3], lo, SIDE, &arena);
+    alone &= lazy.octree.n_nodes == 1 && lazy.octree.node[0].n == N;
+    good &= divide_all(&lazy, &undivided) &&
+            are_same(&whole, 0, &lazy.octree, 0) &&
+            lazy.octree.n_nodes == whole.n_nodes;
+    hsr_arena_free(&arena);
+  }
+  ok(tap, alone, "lazily: all primitives are in the root, which is alone");
+  ok(tap, undivided, "lazily: a cube keeps what was handed down to it");
+  ok(tap, good, "lazily: when all cubes are divided, it is the whole octree");
+}
+
 /* A bundle of slivers, from side to side of the cube, close to a line on which
  * no median plane lies: dividing doubles them, and parts none of them. */
 static void test_bundle(struct tap *tap) {
@@ -508,7 +568,7 @@ static void test_grain(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 + 2 * 4 + 2 + 1 + 1 + 1 + 1 + 3);
+  struct tap tap = plan(2 + 2 * 4 + 2 + 1 + 1 + 1 + 1 + 3 + 3);
   uint64_t seed = 6;
   test_enclosing(&tap, &seed);
   try_pushed(&tap, &seed, 16, 0.1, 20);
@@ -518,6 +578,7 @@ int main(void) {
   try_points(&tap, SIDE / 2, "on the median planes");
   try_points(&tap, SIDE / 3.0, "elsewhere");
   test_fan(&tap, &seed);
+  test_lazy(&tap, &seed);
   test_bundle(&tap);
   test_scales(&tap);
   test_order(&tap, &seed);
