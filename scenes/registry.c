@@ -89,14 +89,15 @@ const struct hsr_builtin hsr_builtins[] = {
      .most = {65, 65, 65},
      .build = hsr_build_office},
     {.name = "traffic",
-     .usage = "traffic:PERCENT:FRAME",
+     .usage = "traffic:PERCENT:FRAME:WAY",
      .about = "the office of 3 x 3 x 3 modules with carts on the move: PERCENT "
-              "of all faces move, from frame to frame",
+              "of all faces move, from frame to frame, back and forth on WAY "
+              "metres each, or (0) through all of the building",
      .only_by_name = true,
-     .n_parameters = 2,
-     .standard = {1, 0},
-     .least = {1, 0},
-     .most = {90, 1000000},
+     .n_parameters = 3,
+     .standard = {1, 0, 0},
+     .least = {1, 0, 0},
+     .most = {90, 1000000, 48},
      .build = hsr_build_traffic},
     TOWER("tower", hsr_build_tower,
           "an office building of STOREYS storeys (rounded up to a multiple of "

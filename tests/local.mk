@@ -23,6 +23,7 @@ tap_programs = \
   %D%/unit/bench/line_oracle_test \
   %D%/unit/algorithms/masks_test \
   %D%/unit/core/grid_test \
+  %D%/unit/core/motion_test \
   %D%/unit/core/octree_test \
   %D%/unit/bench/oracle_test \
   %D%/unit/core/outline_test \
@@ -168,6 +169,7 @@ quick_units = \
   %D%/unit/core/box_test \
   %D%/unit/core/filter_test \
   %D%/unit/core/grid_test \
+  %D%/unit/core/motion_test \
   %D%/unit/core/octree_test \
   %D%/unit/core/scenes_test \
   %D%/unit/core/screen_test \

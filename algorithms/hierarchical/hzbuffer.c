@@ -28,6 +28,7 @@
 #include "algorithms/hierarchical/cube_list.h"
 #include "algorithms/hierarchical/movers.h"
 #include "algorithms/hierarchical/pyramid.h"
+#include "algorithms/hierarchical/space_time.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -59,7 +60,10 @@ enum {
   LOOKED,
   DIVIDED,
   FACES_DOWN,
-  STILL_DOWN
+  STILL_DOWN,
+  MOVERS_MET,
+  BOUNDED,
+  IN_TIME
 };
 
 static const struct hsr_counter counters[] = {
@@ -122,6 +126,13 @@ static const struct hsr_counter counters[] = {
     [STILL_DOWN] = {"instances down",
                     "that do not move, handed down to an octant then", HSR_SORT,
                     HSR_OF_VOLUME, HSR_OF_CELL},
+    [MOVERS_MET] = {"movers met", "instances that move, in no hidden cube",
+                    HSR_ACTIVATE, HSR_OF_VOLUME, HSR_OF_NOTHING},
+    [BOUNDED] = {"ways bounded",
+                 "the way of an instance for the frames of a cluster",
+                 HSR_COMPARE, HSR_OF_VOLUME, HSR_OF_CELL, "unknown|known"},
+    [IN_TIME] = {"splits in time", "of a cluster's frames in halves",
+                 HSR_SUBDIVIDE, HSR_OF_CELL, HSR_OF_NOTHING},
     {NULL}};
 
 static const struct hsr_line outline[] = {
@@ -130,6 +141,10 @@ static const struct hsr_line outline[] = {
     {"make an octree of what moves: divide a cube", HSR_RAISES(SPLITS)},
     {"or keep it: does its cube still hold an instance?", HSR_RAISES(LOOKED)},
     {"  move an instance down to an octant", HSR_RAISES(MOVED)},
+    {"or clusters of it, in boxes for several frames: bound its ways",
+     HSR_RAISES(BOUNDED)},
+    {"  divide a visible one in time, instead of in space",
+     HSR_RAISES(IN_TIME)},
     {"process_node: for each node, from front to back", HSR_RAISES(NODES)},
     {"  return if the cube is outside of the frustum",
      HSR_RAISES(INEQUALITIES) | HSR_RAISES(OUT)},
@@ -146,6 +161,7 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(DIVIDED)},
     {"    hand a primitive down to an octant",
      HSR_RAISES(FACES_DOWN) | HSR_RAISES(STILL_DOWN)},
+    {"  for each instance that moves, in the node", HSR_RAISES(MOVERS_MET)},
     {"  for each polygon attached to the node", HSR_RAISES(FACES)},
     {"    skip it if it has been rendered in this frame", HSR_RAISES(REPEATED)},
     {"    skip it if it is hidden",
@@ -172,6 +188,7 @@ enum option {
   COMPLETED_SAMPLES,
   COHERENCE,
   MOVERS,
+  INTERVAL,
   THRESHOLD,
   LATENCY,
   WORK
@@ -183,7 +200,7 @@ enum { CUBE, TIGHT };
 enum { RECTANGLE, SIDES, WHOLE };
 enum { FAST, BASIC, DEFINITIVE, NONE };
 enum { NO_COHERENCE, LIST, PASSES };
-enum { FRESH, LAZY, BEHIND, KEPT };
+enum { FRESH, LAZY, BEHIND, KEPT, BY_SPEED, BY_VOLUME, SPACE_TIME };
 enum { WORK_ALL, WORK_PYRAMID, WORK_BOXES, WORK_POLYGONS };
 
 static const struct hsr_word off_on[] = {
@@ -237,6 +254,18 @@ static const struct hsr_word movings[] = {
     {"behind", "one by one, after all that does not move", 0},
     {"update", "an octree of them that is kept and brought up to date",
      HSR_FRAME_STATE},
+    {"bounded",
+     "the same; each is put again every `interval` frames only, in a box that "
+     "holds it for so long, where its speed is known to be limited",
+     HSR_FRAME_STATE},
+    {"fixed",
+     "the same; where it is known that something stays in a volume, it is put "
+     "once, with that",
+     HSR_FRAME_STATE},
+    {"space-time",
+     "clusters, in boxes that hold them for an interval, behind all that does "
+     "not move; what is not hidden is divided in space or in time",
+     HSR_FRAME_STATE},
     {NULL, NULL, 0}};
 static const struct hsr_word works[] = {
     {"all", "everything", 0},
@@ -266,8 +295,10 @@ static const struct hsr_option options[] = {
                            off_on, 0, 1, OFF},
     [COHERENCE] = {"coherence", "what is kept from frame to frame", coherences,
                    0, 2, NO_COHERENCE},
-    [MOVERS] = {"movers", "what is done with objects that move", movings, 0, 3,
+    [MOVERS] = {"movers", "what is done with objects that move", movings, 0, 6,
                 FRESH},
+    [INTERVAL] = {"interval", "movers=bounded or space-time: so many frames",
+                  NULL, 1, 1024, 16},
     [THRESHOLD] = {"threshold",
                    "pyramid=queries: cubes of fewer faces are not asked of",
                    NULL, 0, 1000000, 800},
@@ -286,8 +317,9 @@ struct prepared {
 
   bool half_divided; /* octree=lazy: memory ran out in the middle of it */
 
-  struct hsr_movers movers; /* movers=update: kept */
-  struct hsr_arena movers_arena;
+  struct hsr_movers movers;       /* movers=update, bounded, fixed: kept */
+  struct hsr_space_time clusters; /* movers=space-time */
+  struct hsr_arena movers_arena;  /* of either */
 
   /* With z-queries: how many faces are in a cube and below. */
   uint32_t **in_object; /* an object, a node of its octree */
@@ -504,12 +536,9 @@ static bool ask(struct walk *w, const struct hsr_placing *placing,
 
 /* cube_visible of the thesis. n_faces: as many are in the cube. *inside: it is
  * all inside of the frustum, and so are the cubes in it. */
-static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
-                            const struct hsr_octree_node *node,
-                            uint64_t n_faces, struct hsr_subject subject,
-                            bool *inside) {
-  struct hsr_octree_box cube =
-      w->option[VOLUMES] == TIGHT ? node->tight : hsr_octree_cube(node);
+static bool is_box_visible(struct walk *w, const struct hsr_placing *placing,
+                           struct hsr_octree_box cube, uint64_t n_faces,
+                           struct hsr_subject subject, bool *inside) {
   HSR_STEP(w->tally, NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   if (!*inside) {
     enum hsr_box_verdict verdict =
@@ -535,6 +564,16 @@ static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
   if (!visible)
     HSR_STEP(w->tally, CUBES_CULLED, subject, HSR_NOTHING, HSR_NOWHERE, 0);
   return visible;
+}
+
+static bool is_cube_visible(struct walk *w, const struct hsr_placing *placing,
+                            const struct hsr_octree_node *node,
+                            uint64_t n_faces, struct hsr_subject subject,
+                            bool *inside) {
+  return is_box_visible(w, placing,
+                        w->option[VOLUMES] == TIGHT ? node->tight
+                                                    : hsr_octree_cube(node),
+                        n_faces, subject, inside);
 }
 
 /* How many faces are in a cube of the object at hand, or of the octree of
@@ -842,6 +881,11 @@ static void render_instance(struct walk *w, uint32_t i) {
   render_cube(w, 0, false);
 }
 
+static void render_mover(struct walk *w, uint32_t i) {
+  HSR_STEP(w->tally, MOVERS_MET, HSR_VOLUME(i), HSR_NOTHING, HSR_NOWHERE, 0);
+  render_instance(w, i);
+}
+
 /* The movers of a cube. Those that fit into octants are moved there first, if
  * that has not been done yet. */
 static bool render_movers(struct walk *w, uint32_t node,
@@ -852,8 +896,14 @@ static bool render_movers(struct walk *w, uint32_t node,
   }
   for (uint32_t k = hsr_mover_node(&w->movers, node)->first; k != HSR_NO_MOVER;
        k = w->movers.mover[k].next)
-    render_instance(w, w->movers.mover[k].instance);
+    render_mover(w, w->movers.mover[k].instance);
   return true;
+}
+
+/* Whether the octree of what moves is kept from frame to frame. */
+static bool keeps_movers(const struct walk *w) {
+  long how = w->option[MOVERS];
+  return how == KEPT || how == BY_SPEED || how == BY_VOLUME;
 }
 
 static bool is_leaf(const struct hsr_octree_node *node) {
@@ -901,7 +951,7 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
     uint32_t mover = moving != HSR_NO_NODE
                          ? hsr_mover_node(&w->movers, moving)->child[o]
                          : HSR_NO_NODE;
-    if (mover != HSR_NO_NODE && w->option[MOVERS] == KEPT &&
+    if (mover != HSR_NO_NODE && keeps_movers(w) &&
         hsr_mover_is_empty(&w->movers, mover))
       mover = HSR_NO_NODE;
     struct hsr_octree_node octant = hsr_octree_octant(cube, o);
@@ -912,7 +962,11 @@ static void render_instances(struct walk *w, const struct hsr_octree_node *cube,
 
 /* The movers' octree of the last frame, brought up to date; *w borrows it. */
 static enum hsr_status keep_movers(struct walk *w) {
+  static const enum hsr_mover_knowledge knowledge[] = {
+      [BY_SPEED] = HSR_MOVERS_KNOW_SPEED, [BY_VOLUME] = HSR_MOVERS_KNOW_VOLUME};
   struct prepared *prepared = w->frame.job->prepared;
+  prepared->movers.knowledge = knowledge[w->option[MOVERS]];
+  prepared->movers.every = w->option[INTERVAL];
   enum hsr_status status =
       hsr_movers_update(&prepared->movers, w->frame.cubes, w->tally, MOVED,
                         LOOKED, &prepared->movers_arena);
@@ -924,27 +978,101 @@ static enum hsr_status keep_movers(struct walk *w) {
   return status;
 }
 
+/* --- Clusters in space-time ----------------------------------------------- */
+
+/* What rounding may take off is added. */
+static struct hsr_octree_box by_its_middle(const struct hsr_box *box) {
+  struct hsr_octree_box made;
+  for (int a = 0; a < 3; a++) {
+    made.centre[a] = 0.5 * (box->lo[a] + box->hi[a]);
+    made.half[a] = 0.5 * (box->hi[a] - box->lo[a]) +
+                   0x1p-50 * (fabs(box->lo[a]) + fabs(box->hi[a]));
+  }
+  return made;
+}
+
+/* A box outside of the root's cube, where too little is known of rounding on
+ * the screen, counts as visible. */
+static void render_cluster(struct walk *w, uint32_t k) {
+  struct hsr_space_time *clusters =
+      &((struct prepared *)w->frame.job->prepared)->clusters;
+  const struct hsr_cluster *c = hsr_cluster_at(clusters, k);
+  struct hsr_box root = hsr_cube_box(&w->frame.cubes->octree.node[0]);
+  bool inside = false;
+  uint32_t part[2];
+  if (!c->n || (hsr_box_holds(&root, &c->box) &&
+                !is_box_visible(w, &w->frame.as_it_is, by_its_middle(&c->box),
+                                UINT64_MAX, HSR_MOVERS_CUBE(k), &inside)))
+    return;
+  if (c->n == 1) {
+    render_mover(w, hsr_member_at(clusters, c->first)->instance);
+    return;
+  }
+  int n = hsr_space_time_divide(clusters, k, part);
+  w->out_of_memory |= !n;
+  for (int p = 0; p < n; p++)
+    render_cluster(w, part[p]);
+}
+
+static enum hsr_status render_clusters(struct walk *w) {
+  struct prepared *prepared = w->frame.job->prepared;
+  struct hsr_space_time *clusters = &prepared->clusters;
+  const struct hsr_space_time_count count = {.tally = w->tally,
+                                             .bounded = BOUNDED,
+                                             .in_space = SPLITS,
+                                             .in_time = IN_TIME,
+                                             .moved = MOVED};
+  if (hsr_space_time_begin(clusters, w->frame.cubes, w->option[INTERVAL],
+                           &count, &prepared->movers_arena))
+    w->out_of_memory = true;
+  else
+    render_cluster(w, 0);
+  for (uint32_t k = 0; k < clusters->n_loose && !w->out_of_memory; k++)
+    render_mover(w, clusters->loose[k]);
+  if (w->out_of_memory) {
+    hsr_arena_free(&prepared->movers_arena);
+    *clusters = (struct hsr_space_time){.n_loose = 0};
+    return HSR_E_NOMEM;
+  }
+  return HSR_OK;
+}
+
+/* --- All octrees ---------------------------------------------------------- */
+
+/* What moves is in w->movers, but for clusters. */
+static enum hsr_status make_movers(struct walk *w,
+                                   const struct hsr_octree_node *root) {
+  long how = w->option[MOVERS];
+  w->movers = (struct hsr_movers){.outside = HSR_NO_MOVER};
+  if (how == SPACE_TIME)
+    return HSR_OK;
+  if (keeps_movers(w))
+    return keep_movers(w);
+  if (hsr_movers_init(&w->movers, w->frame.cubes, w->tally, MOVED, SPLITS,
+                      w->frame.job->scratch) ||
+      (how == FRESH && !hsr_movers_divide_all(&w->movers, 0, root)))
+    return HSR_E_NOMEM;
+  return HSR_OK;
+}
+
 /* The octrees from front to back; what moves is among them, or behind them, as
  * the option says. */
 static enum hsr_status render_octrees(struct walk *w) {
-  const struct hsr_cubes *cubes = w->frame.cubes;
-  struct hsr_octree_node root = cubes->octree.node[0];
+  struct hsr_octree_node root = w->frame.cubes->octree.node[0];
   struct hsr_movers *movers = &w->movers;
   long how = w->option[MOVERS];
   root.tight = hsr_octree_cube(&root); /* what moves may be all over it */
-  if (how == KEPT ? keep_movers(w)
-                  : hsr_movers_init(movers, cubes, w->tally, MOVED, SPLITS,
-                                    w->frame.job->scratch))
-    return HSR_E_NOMEM;
-  if (how == FRESH && !hsr_movers_divide_all(movers, 0, &root))
+  if (make_movers(w, &root))
     return HSR_E_NOMEM;
   bool together = movers->n && how != BEHIND;
   render_instances(w, &root, 0, together ? 0 : HSR_NO_NODE, false);
+  if (how == SPACE_TIME && render_clusters(w))
+    return HSR_E_NOMEM;
   for (uint32_t k = 0; k < movers->n && how == BEHIND; k++)
-    render_instance(w, movers->mover[k].instance);
+    render_mover(w, movers->mover[k].instance);
   for (uint32_t k = movers->outside; k != HSR_NO_MOVER;
        k = movers->mover[k].next)
-    render_instance(w, movers->mover[k].instance);
+    render_mover(w, movers->mover[k].instance);
   return HSR_OK;
 }
 

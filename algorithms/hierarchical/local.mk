@@ -18,7 +18,9 @@ algorithm_files += \
   %D%/movers.c \
   %D%/movers.h \
   %D%/pyramid.c \
-  %D%/pyramid.h
+  %D%/pyramid.h \
+  %D%/space_time.c \
+  %D%/space_time.h
 # These files count nothing and are compiled once.
 libhsr_a_SOURCES += \
   %D%/bounded/queue.c \

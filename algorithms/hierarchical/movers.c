@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "algorithms/hierarchical/movers.h"
+#include "common/scene/motion.h"
 
+#include <math.h>
 #include <string.h>
 
 static bool new_node(struct hsr_movers *m, uint32_t *made) {
@@ -151,6 +153,32 @@ static bool go_down(struct hsr_movers *m, uint32_t k, uint32_t *at) {
   return true;
 }
 
+/* Whether enough is known of an instance to leave it alone for a while. */
+static bool is_known(const struct hsr_movers *m, const struct hsr_scene *scene,
+                     uint32_t i) {
+  struct hsr_motion motion = hsr_scene_motion(scene, i);
+  bool held = true;
+  for (int a = 0; a < 3; a++)
+    held &= isfinite(motion.lo[a]) && isfinite(motion.hi[a]);
+  return m->knowledge == HSR_MOVERS_KNOW_SPEED    ? isfinite(motion.speed)
+         : m->knowledge == HSR_MOVERS_KNOW_VOLUME ? held
+                                                  : false;
+}
+
+/* Those of which enough is known come first. */
+static void list_movers(struct hsr_movers *m, const struct hsr_cubes *cubes) {
+  uint32_t k = 0;
+  for (int known = 1; known >= 0; known--) {
+    for (uint32_t j = 0; j < m->n; j++)
+      if (is_known(m, cubes->scene, cubes->mover[j]) == known) {
+        m->mover[k].instance = cubes->mover[j];
+        m->mover[k].node = HSR_NO_NODE;
+        put(m, &m->outside, k++);
+      }
+    m->n_known = known ? k : m->n_known;
+  }
+}
+
 static enum hsr_status begin_kept(struct hsr_movers *m,
                                   const struct hsr_cubes *cubes) {
   uint32_t root;
@@ -164,45 +192,98 @@ static enum hsr_status begin_kept(struct hsr_movers *m,
   node->parent = HSR_NO_NODE;
   node->n_below = 0;
   node->cube = cubes->octree.node[0];
-  for (uint32_t k = 0; k < m->n; k++) {
-    m->mover[k].instance = cubes->mover[k];
-    m->mover[k].node = HSR_NO_NODE;
-    put(m, &m->outside, k);
-  }
+  list_movers(m, cubes);
   return HSR_OK;
+}
+
+/* A box that holds mover k until it is looked at again. What the sums round off
+ * is added. */
+static struct hsr_box volume_of(const struct hsr_movers *m,
+                                const struct hsr_cubes *cubes, uint32_t k) {
+  uint32_t i = m->mover[k].instance;
+  struct hsr_motion motion = hsr_scene_motion(cubes->scene, i);
+  struct hsr_box box = hsr_cubes_bounds(cubes, i);
+  if (k >= m->n_known)
+    return box;
+  double most = motion.speed * (double)(m->every - 1);
+  for (int a = 0; a < 3; a++)
+    if (m->knowledge == HSR_MOVERS_KNOW_VOLUME) {
+      box.lo[a] = motion.lo[a];
+      box.hi[a] = motion.hi[a];
+    } else {
+      box.lo[a] -= most + 0x1p-50 * (most + fabs(box.lo[a]));
+      box.hi[a] += most + 0x1p-50 * (most + fabs(box.hi[a]));
+    }
+  return box;
+}
+
+/* Puts mover k where it belongs now. */
+static bool put_again(struct hsr_movers *m, const struct hsr_cubes *cubes,
+                      int looked, uint32_t k) {
+  struct hsr_box root = hsr_cube_box(&hsr_mover_node(m, 0)->cube);
+  struct hsr_mover *mover = &m->mover[k];
+  uint32_t was = mover->node;
+  mover->bounds = volume_of(m, cubes, k);
+  uint32_t at = go_up(m, was, &mover->bounds);
+  bool stays = at == was &&
+               (was != HSR_NO_NODE || !hsr_box_holds(&root, &mover->bounds));
+  HSR_STEP(m->tally, looked, HSR_VOLUME(mover->instance),
+           was == HSR_NO_NODE ? HSR_NOTHING : HSR_MOVERS_CUBE(was), HSR_NOWHERE,
+           stays);
+  if (stays)
+    return true;
+  take_out(m, k);
+  if (at == HSR_NO_NODE && hsr_box_holds(&root, &mover->bounds)) {
+    at = 0;
+    hsr_mover_node(m, 0)->n_below++;
+  }
+  if (at != HSR_NO_NODE && !go_down(m, k, &at))
+    return false;
+  mover->node = at;
+  put(m, list_of(m, at), k);
+  return true;
+}
+
+/* From `first` in steps; all before `end`. */
+static bool put_some(struct hsr_movers *m, const struct hsr_cubes *cubes,
+                     int looked, uint32_t first, uint32_t end, uint32_t step) {
+  bool good = true;
+  for (uint64_t k = first; k < end && good; k += step)
+    good = put_again(m, cubes, looked, (uint32_t)k);
+  return good;
+}
+
+/* Which of the known ones it is time to look at. A part of them comes in each
+ * frame, so that every one comes before ->every frames are over; all, if so
+ * many were left out, or time goes back. */
+static bool put_known(struct hsr_movers *m, const struct hsr_cubes *cubes,
+                      int looked, bool begins) {
+  long frame = hsr_scene_frame(cubes->scene), last = m->frame;
+  bool speed = m->knowledge == HSR_MOVERS_KNOW_SPEED;
+  bool good = true;
+  m->frame = frame;
+  if (begins || (speed && (frame < last || frame - last >= m->every)))
+    return put_some(m, cubes, looked, 0, m->n_known, 1);
+  for (long f = last + 1; speed && f <= frame && good; f++) {
+    long part = (f % m->every + m->every) % m->every;
+    good = put_some(m, cubes, looked, (uint32_t)part, m->n_known,
+                    (uint32_t)m->every);
+  }
+  return good;
 }
 
 enum hsr_status hsr_movers_update(struct hsr_movers *m,
                                   const struct hsr_cubes *cubes,
                                   struct hsr_tally *tally, int moved,
                                   int looked, struct hsr_arena *arena) {
+  bool begins = !m->mover;
   m->tally = tally;
   m->moved = moved;
   m->arena = arena;
-  if (!m->mover && begin_kept(m, cubes))
+  if (begins && begin_kept(m, cubes))
     return HSR_E_NOMEM;
-  struct hsr_box root = hsr_cube_box(&hsr_mover_node(m, 0)->cube);
-  for (uint32_t k = 0; k < m->n; k++) {
-    struct hsr_mover *mover = &m->mover[k];
-    uint32_t was = mover->node;
-    mover->bounds = hsr_cubes_bounds(cubes, mover->instance);
-    uint32_t at = go_up(m, was, &mover->bounds);
-    bool stays = at == was &&
-                 (was != HSR_NO_NODE || !hsr_box_holds(&root, &mover->bounds));
-    HSR_STEP(tally, looked, HSR_VOLUME(mover->instance),
-             was == HSR_NO_NODE ? HSR_NOTHING : HSR_MOVERS_CUBE(was),
-             HSR_NOWHERE, stays);
-    if (stays)
-      continue;
-    take_out(m, k);
-    if (at == HSR_NO_NODE && hsr_box_holds(&root, &mover->bounds)) {
-      at = 0;
-      hsr_mover_node(m, 0)->n_below++;
-    }
-    if (at != HSR_NO_NODE && !go_down(m, k, &at))
-      return HSR_E_NOMEM;
-    mover->node = at;
-    put(m, list_of(m, at), k);
-  }
-  return HSR_OK;
+  return put_known(m, cubes, looked, begins) &&
+                 put_some(m, cubes, looked, m->n_known, m->n, 1)
+             ? HSR_OK
+             : HSR_E_NOMEM;
 }

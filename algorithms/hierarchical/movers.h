@@ -5,7 +5,8 @@
  *             of the same cubes as the static one, from scratch in every frame;
  *             whole, or divided only where it is found to be visible; or kept
  *             from frame to frame, and brought up to date; instances by their
- *             bounding volumes.
+ *             bounding volumes, which may hold them for some frames, or for
+ *             all.
  * Invariant   an instance is in the smallest cube so far that holds its bounds,
  *             or in the root. Those that do not fit into the root's cube are
  *             outside. A tree that is kept may have larger cubes than a new
@@ -43,9 +44,21 @@ struct hsr_mover_node {
   struct hsr_octree_node cube;
 };
 
+/* What is made use of in a tree that is kept. Where it is not known of an
+ * instance (common/scene/motion.h), that one is looked at in every frame. */
+enum hsr_mover_knowledge {
+  HSR_MOVERS_KNOW_NOTHING,
+  HSR_MOVERS_KNOW_SPEED, /* put again every so many frames, in a box that holds
+                            it for so long */
+  HSR_MOVERS_KNOW_VOLUME /* put once, in the box that it never leaves */
+};
+
 struct hsr_movers {
   struct hsr_mover *mover;
   uint32_t n, outside; /* the first of those outside the root */
+  enum hsr_mover_knowledge knowledge;
+  long every, frame; /* frames, and the last one */
+  uint32_t n_known;  /* of the first ones enough is known */
   struct hsr_growing node;
   struct hsr_tally *tally;
   int moved, splits; /* counters: an instance is moved from a cube to an octant;
@@ -63,7 +76,8 @@ enum hsr_status hsr_movers_init(struct hsr_movers *movers,
 /* Brings a tree up to date that is kept: all zero before the first frame, and
  * `arena` lasts as long. A mover stays where it is while its cube holds it;
  * else it goes up to one that does, and down again from there. `looked` is a
- * counter of movers that stayed or left. HSR_E_NOMEM: the tree is to be thrown
+ * counter of movers that stayed or left. ->knowledge and ->every are to be set
+ * before the first frame, and then stay. HSR_E_NOMEM: the tree is to be thrown
  * away. */
 enum hsr_status hsr_movers_update(struct hsr_movers *movers,
                                   const struct hsr_cubes *cubes,

@@ -2,6 +2,7 @@
 nobase_pkginclude_HEADERS += \
   %D%/clusters.h \
   %D%/grid_object.h \
+  %D%/motion.h \
   %D%/part.h \
   %D%/pieces.h \
   %D%/scene.h \
@@ -9,6 +10,7 @@ nobase_pkginclude_HEADERS += \
 libhsr_a_SOURCES += \
   %D%/extract.c \
   %D%/grid_object.c \
+  %D%/motion.c \
   %D%/outline.c \
   %D%/part.c \
   %D%/pieces.c \

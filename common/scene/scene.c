@@ -3,6 +3,7 @@
 #include "common/polygon/polygon.h"
 #include "common/base/numbers.h"
 #include "common/scene/grid_object.h"
+#include "common/scene/motion.h"
 #include "common/scene/part.h"
 #include "common/scene/planes.h"
 
@@ -48,6 +49,7 @@ void hsr_scene_delete(struct hsr_scene *scene) {
   if (scene->grid)
     hsr_grid_free(scene->grid);
   free(scene->grid);
+  hsr_motions_free(scene->motions);
   free(scene->name);
   free(scene);
 }
@@ -456,6 +458,8 @@ static enum hsr_status check_grid(const struct hsr_grid *grid,
 static enum hsr_status place_unplaced(struct hsr_scene *scene) {
   uint32_t n_old = scene->n_instances;
   struct hsr_instance *old = scene->instances;
+  if (scene->motions && scene->motions->n)
+    return HSR_OK; /* their numbers stay */
   scene->instances = NULL;
   scene->n_instances = scene->cap_instances = 0;
   enum hsr_status status = HSR_OK;
@@ -558,6 +562,7 @@ void hsr_scene_enlarge(struct hsr_scene *scene) {
   for (uint32_t i = 0; i < scene->n_instances; i++)
     for (int row = 0; row < 12; row += 4)
       enlarge(scene->instances[i].m + row + 3, 1, -exponent);
+  hsr_motions_enlarge(scene->motions, -exponent);
   for (uint32_t k = 0; k < scene->n_views; k++) {
     struct hsr_camera *view = &scene->views[k];
     enlarge(view->eye, 3, -exponent);

@@ -76,6 +76,8 @@ static inline bool hsr_camera_has_light(const struct hsr_camera *camera) {
   return l[0] != 0 || l[1] != 0 || l[2] != 0 || l[3] != 0;
 }
 
+struct hsr_motions; /* common/scene/motion.h */
+
 /* A grid scene has one object, the sides of its cells, and one instance of it.
  * The object stays empty until hsr_scene_make_faces fills it. */
 struct hsr_scene {
@@ -88,6 +90,7 @@ struct hsr_scene {
   uint32_t n_objects, n_instances, n_views;
   uint32_t cap_objects, cap_instances, cap_views;
   int enlarged; /* it is 2^enlarged times as large as it was given */
+  struct hsr_motions *motions; /* what is known of them; NULL: nothing */
 };
 
 /* An empty scene, which hsr_scene_delete frees. `name` is copied. NULL: out of
@@ -138,7 +141,8 @@ enum hsr_status hsr_scene_instance(struct hsr_scene *scene, uint32_t object,
 enum hsr_status hsr_scene_view(struct hsr_scene *scene,
                                const struct hsr_camera *camera);
 
-/* Completes a scene: an object without instance gets one identity instance; a
+/* Completes a scene: an object without instance gets one identity instance,
+ * unless it is known how others move; a
  * scene without view gets eight around it (hsr_scene_add_orbit). Also checks
  * what the algorithms assume of the objects. HSR_E_NOMEM; HSR_E_INPUT, with
  * *err naming the object and the face or vertex where there is one, if

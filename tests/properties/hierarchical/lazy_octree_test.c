@@ -167,8 +167,47 @@ static void check(struct tap *tap, const char *name, double part) {
   claim_close(&scene);
 }
 
+/* With lists of visible cubes, which are made of a tree that grows. */
+static void check_walk(struct tap *tap, const char *way) {
+  static uint32_t right[M * N], ids[M * N];
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_variant variant;
+  struct hsr_setup setup;
+  struct both_worlds worlds;
+  long wrong = 0, views = 0;
+  open_worlds(&worlds, "office:2");
+  if (hsr_variant_parse(way, &variant, &err) ||
+      hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
+                     &worlds.outline, &err))
+    abort();
+  for (uint32_t v = 0; v < 40; v += 2, views++) {
+    struct hsr_view view;
+    struct hsr_tally tally = {.work = NULL};
+    struct hsr_job job = {.view = &view,
+                          .scratch = &scratch,
+                          .tally = &tally,
+                          .ids = ids,
+                          .ids_stride = M};
+    if (hsr_view_init(&view, &worlds.scene->views[v], M, N, &err))
+      abort();
+    draw_ids(hsr_algorithm_find("clark")->plain, &worlds.outline, &view, right,
+             NULL);
+    memset(ids, 0xfe, sizeof ids);
+    hsr_arena_reset(&scratch);
+    if (hsr_setup_render(&setup, &job, &err))
+      abort();
+    wrong += count_differences(&view, ids, right);
+  }
+  ok(tap, !wrong, "%s: %ld views of a walk, %ld samples differ", way, views,
+     wrong);
+  hsr_setup_free(&setup);
+  hsr_arena_free(&scratch);
+  close_worlds(&worlds);
+}
+
 int main(int argc, char **argv) {
-  struct tap tap = plan(argc > 1 ? 3 * (argc - 1) : 12);
+  struct tap tap = plan(argc > 1 ? 3 * (argc - 1) : 14);
   for (int k = 1; k < argc; k++)
     check(&tap, argv[k], 1);
   if (argc == 1) {
@@ -176,6 +215,8 @@ int main(int argc, char **argv) {
     check(&tap, "office:5", 1);
     check(&tap, "terrain:128:100", 0.7);
     check(&tap, NULL, 0.45);
+    check_walk(&tap, "hzbuffer:octree=lazy:coherence=list:least=4");
+    check_walk(&tap, "hzbuffer:octree=lazy:coherence=passes");
   }
   return finish(&tap);
 }

@@ -42,7 +42,7 @@ static const struct {
              {"office", 0x32385bec4991caa6, 0x79a88eb9fed8d2d5},
              {"office:3:1:2", 0xa75f0ed79c736967, 0x353812346d442d00},
              {"traffic", 0x52c4e5bdff73e8b8, 0xc33f9d6d5f81e462},
-             {"traffic:20:7", 0x28977051da187355, 0xc33f9d6d5f81e462},
+             {"traffic:20:7", 0xae2a6c853e85c7b4, 0xc33f9d6d5f81e462},
              {"tower", 0xb3bb39213ddefcd9, 0x8980ce04974aab03},
              {"tower-bare", 0xb0c8a65c4732bfbe, 0x8980ce04974aab03},
              {"tower:40", 0xaf9c59cbb6aab7e4, 0xa198a97b12450d32},
