@@ -450,7 +450,7 @@ int main(void) {
   struct tap tap = plan(2 * (1 + VARIANTS) + 2 * KNOWING + 10);
   check_update(&tap);
   check_stays(&tap);
-  check(&tap, 1, 10);
+  check(&tap, 5, 10);
   check(&tap, 20, 60);
   check_knowing(&tap, 20, 0, 60);
   check_knowing(&tap, 5, 2, 10);
