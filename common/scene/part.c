@@ -136,6 +136,8 @@ static void swap_contents(struct hsr_scene *from, struct hsr_scene *to) {
   from->n_instances = to->n_instances;
   from->cap_objects = to->cap_objects;
   from->cap_instances = to->cap_instances;
+  from->motions = NULL; /* of a part nothing is known */
+  to->motions = kept.motions;
   to->grid = kept.grid;
   to->objects = kept.objects;
   to->instances = kept.instances;
