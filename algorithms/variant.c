@@ -32,9 +32,8 @@ bool hsr_can_draw(const struct hsr_algorithm *a,
 
 bool hsr_choice_folds(const struct hsr_algorithm *a,
                       const struct hsr_choice *choice) {
-  bool filters =
-      a->flags & HSR_FILTERS &&
-      hsr_filter_columns(hsr_form_filtering(&choice->form).filter) == HSR_SUB;
+  bool filters = a->flags & HSR_FILTERS &&
+                 hsr_filter_is_of_64(hsr_form_filtering(&choice->form).filter);
   return choice->form.type != a->kind &&
          !hsr_makes_also(a, choice->form.type) && !filters;
 }

@@ -49,6 +49,22 @@ static void init_cosine(struct hsr_kernel *kernel) {
   }
 }
 
+/* The pixels are the lines of one field, at every other line of a frame, whose
+ * lines are half as high. 1-4-6-4-1 are the weights of five lines of the frame;
+ * each is the box of its 4 rows of sub-samples. */
+static uint32_t tap(int y) {
+  int line = ((y < 0 ? -y : y) + HSR_SUB / 2) / HSR_SUB;
+  return line == 0 ? 6 : line == 1 ? 4 : line == 2 ? 1 : 0;
+}
+
+static void init_field(struct hsr_kernel *kernel) {
+  uint32_t unit = HSR_WHOLE_WEIGHT / (16 * HSR_SUB * HSR_SUB / 2);
+  for (int k = 0; k < 3 * BITS; k++) {
+    int dy = k / BITS - 1, bit = k % BITS;
+    kernel->weight[dy + 1][1][bit] = unit * tap(sixteenths(bit / HSR_SUB, dy));
+  }
+}
+
 static void init_rows(struct hsr_kernel *kernel) {
   for (int k = 0; k < 9 * BITS; k++) {
     int b = k % BITS / HSR_SUB, a = k % HSR_SUB;
@@ -60,12 +76,17 @@ static void init_rows(struct hsr_kernel *kernel) {
 }
 
 void hsr_kernel_init(struct hsr_kernel *kernel, enum hsr_filter filter) {
-  *kernel = (struct hsr_kernel){.reach = filter == HSR_FILTER_COSINE,
+  *kernel = (struct hsr_kernel){.reach = filter == HSR_FILTER_COSINE ||
+                                         filter == HSR_FILTER_FIELD,
                                 .columns = hsr_filter_columns(filter),
+                                .rows = hsr_filter_rows(filter),
                                 .all = hsr_filter_all(filter)};
-  uint32_t equal = HSR_WHOLE_WEIGHT / (uint32_t)(HSR_SUB * kernel->columns);
+  uint32_t equal =
+      HSR_WHOLE_WEIGHT / (uint32_t)(kernel->rows * kernel->columns);
   if (filter == HSR_FILTER_COSINE)
     init_cosine(kernel);
+  else if (filter == HSR_FILTER_FIELD)
+    init_field(kernel);
   else
     for (int bit = 0; filter && bit < BITS; bit++)
       kernel->weight[1][1][bit] = kernel->all >> bit & 1 ? equal : 0;
@@ -105,13 +126,13 @@ int hsr_jitter_pattern(const struct hsr_filtering *filtering, int i, int j) {
 struct hsr_view hsr_subsample_view(const struct hsr_view *view,
                                    enum hsr_filter filter, int pattern,
                                    int bit) {
-  int columns = hsr_filter_columns(filter);
+  int columns = hsr_filter_columns(filter), rows = hsr_filter_rows(filter);
   struct hsr_jitter jitter = {.x = {0}};
   if (pattern >= 0)
     hsr_jitter_init(&jitter, pattern);
   struct hsr_view moved = *view;
   moved.offset_x = (bit % HSR_SUB + 0.5 + jitter.x[bit]) / columns - 0.5;
-  moved.offset_y = (bit / HSR_SUB + 0.5 + jitter.y[bit]) / HSR_SUB - 0.5;
+  moved.offset_y = (bit / HSR_SUB + 0.5 + jitter.y[bit]) / rows - 0.5;
   return moved;
 }
 
@@ -214,11 +235,11 @@ void hsr_filter_add(const struct hsr_kernel *kernel, int m, int n, int i, int j,
 
 /* Copies the ids of the pixel whose first sub-sample is at `corner`, to the
  * places of their bits. Whether they are all one face, as in most pixels. */
-static bool gather(const uint32_t *corner, size_t stride, int columns,
-                   uint32_t id[BITS]) {
+static bool gather(const uint32_t *corner, size_t stride,
+                   const struct hsr_kernel *kernel, uint32_t id[BITS]) {
   uint32_t differ = 0;
-  for (int b = 0; b < HSR_SUB; b++)
-    for (int a = 0; a < columns; a++) {
+  for (int b = 0; b < kernel->rows; b++)
+    for (int a = 0; a < kernel->columns; a++) {
       uint32_t face = corner[(size_t)b * stride + (size_t)a];
       id[HSR_SUB * b + a] = face;
       differ |= face ^ *corner;
@@ -245,9 +266,9 @@ void hsr_filter_add_picture(const struct hsr_kernel *kernel,
   for (int j = 0; j < n; j++)
     for (int i = 0; i < m; i++) {
       uint32_t id[BITS] = {0};
-      bool alike =
-          gather(ids + (size_t)j * HSR_SUB * stride + (size_t)(i * columns),
-                 stride, columns, id);
+      bool alike = gather(ids + (size_t)j * (size_t)kernel->rows * stride +
+                              (size_t)(i * columns),
+                          stride, kernel, id);
       uint64_t done = ~kernel->all;
       for (int bit = 0; bit < BITS; bit++) {
         if (done >> bit & 1)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The filtered picture, whose pixels have 8 x 8 samples each, or 4 x 8
+/* The filtered picture, whose pixels have 8 x 8 samples each, or 4 x 8, or 4 x 4
  * (docs/filtered-picture.md).
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
@@ -11,8 +11,8 @@
  *             and jy; without jitter they are 0. Where they are 0, the
  *             sub-sample is sample (8 i + a, 8 j + b) of the picture of
  *             8 m x 8 n samples. In the pattern of 4 x 8, a is from 0 to 3, and
- *             4 takes the place of 8 along x.
- * Bit         Sub-sample (a, b) is bit 8 b + a of a mask of 64 bits, in both
+ *             4 takes the place of 8 along x; in that of 4 x 4 along y too.
+ * Bit         Sub-sample (a, b) is bit 8 b + a of a mask of 64 bits, in all
  *             patterns.
  * Colour      A face has the colour of hsr_picture_colour, by N.L, in 16 bits a
  *             channel, linear.
@@ -37,20 +37,34 @@ enum {
 
 enum hsr_filter {
   HSR_FILTER_NONE,
-  HSR_FILTER_BOX,    /* area sampling: all of the pixel has one weight */
-  HSR_FILTER_COSINE, /* a hump of one pixel's radius, (1 + cos pi r) / 2 */
-  HSR_FILTER_BOX_4X8 /* the box over 4 x 8 samples, Carpenter's masks */
+  HSR_FILTER_BOX,     /* area sampling: all of the pixel has one weight */
+  HSR_FILTER_COSINE,  /* a hump of one pixel's radius, (1 + cos pi r) / 2 */
+  HSR_FILTER_BOX_4X8, /* the box over 4 x 8 samples, Carpenter's masks */
+  HSR_FILTER_BOX_4X4, /* the box over 4 x 4 */
+  HSR_FILTER_FIELD    /* one field of a frame: 1-4-6-4-1 over its lines */
 };
 
 /* How many columns of sub-samples a pixel has. */
 static inline int hsr_filter_columns(enum hsr_filter filter) {
-  return filter == HSR_FILTER_BOX_4X8 ? HSR_SUB_ABUFFER : HSR_SUB;
+  return filter == HSR_FILTER_BOX_4X8 || filter == HSR_FILTER_BOX_4X4
+             ? HSR_SUB_ABUFFER
+             : HSR_SUB;
+}
+
+/* And rows. */
+static inline int hsr_filter_rows(enum hsr_filter filter) {
+  return filter == HSR_FILTER_BOX_4X4 ? HSR_SUB_ABUFFER : HSR_SUB;
+}
+
+static inline bool hsr_filter_is_of_64(enum hsr_filter filter) {
+  return hsr_filter_columns(filter) * hsr_filter_rows(filter) == 64;
 }
 
 /* The mask of all sub-samples of a pixel. */
 static inline uint64_t hsr_filter_all(enum hsr_filter filter) {
-  return filter == HSR_FILTER_BOX_4X8 ? UINT64_C(0x0f0f0f0f0f0f0f0f)
-                                      : UINT64_MAX;
+  return filter == HSR_FILTER_BOX_4X8   ? UINT64_C(0x0f0f0f0f0f0f0f0f)
+         : filter == HSR_FILTER_BOX_4X4 ? UINT64_C(0x0f0f0f0f)
+                                        : UINT64_MAX;
 }
 
 enum { HSR_MOST_PATTERNS = 16 };
@@ -69,9 +83,9 @@ struct hsr_kernel {
   /* The sum of these weights over the sub-samples in row b of the pixel whose
    * bits are set in `byte`: row[dy + 1][dx + 1][b][byte]. */
   uint32_t row[3][3][HSR_SUB][256];
-  int reach;    /* how many pixels to each side a pixel adds to: 0 or 1 */
-  int columns;  /* of sub-samples in a pixel */
-  uint64_t all; /* the mask of all of them; others have no weight */
+  int reach;         /* how many pixels to each side a pixel adds to: 0 or 1 */
+  int columns, rows; /* of sub-samples in a pixel */
+  uint64_t all;      /* the mask of all of them; others have no weight */
 };
 void hsr_kernel_init(struct hsr_kernel *kernel, enum hsr_filter filter);
 
@@ -102,8 +116,9 @@ void hsr_filter_colour(const struct hsr_world *world,
 void hsr_filter_add(const struct hsr_kernel *kernel, int m, int n, int i, int j,
                     uint64_t mask, const uint16_t rgb[3], uint32_t *sums);
 
-/* Adds a whole picture without jitter: ids[] of 8 m x 8 n samples, or 4 m x 8
- * n, where m x n is the size of `view`. */
+/* Adds a whole picture without jitter: ids[] of 8 m x 8 n samples, or as many
+ * columns and rows as the kernel's pixels have, where m x n is the size of
+ * `view`. */
 void hsr_filter_add_picture(const struct hsr_kernel *kernel,
                             const struct hsr_world *world,
                             const struct hsr_view *view, const uint32_t *ids,

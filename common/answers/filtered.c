@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Weighted sums of 8 x 8 or 4 x 8 samples a pixel: docs/filtered-picture.md.
+/* Weighted sums of 8 x 8, 4 x 8 or 4 x 4 samples a pixel:
+ * docs/filtered-picture.md.
  * Two answers are equal if their sums are, to the last bit.
  *
  * The kind is folded from ids: without jitter, from one picture of 8 m x 8 n
- * samples, or 4 m x 8 n; with jitter, from a picture of m x n samples for each
+ * samples, or 4 m x 8 n, or 4 m x 4 n; with jitter, from a picture of m x n samples for each
  * sub-sample and each pattern
  * (Haeberli and Akeley 1990). */
 #include "common/answers/answer.h"
@@ -21,19 +22,25 @@ static const struct hsr_word filters[] = {
     {"box", "all of the pixel, with one weight", 0},
     {"cosine", "a hump of one pixel's radius", 0},
     {"box4x8", "the box, with 4 x 8 samples a pixel", 0},
+    {"box4x4", "the box, with 4 x 4 samples a pixel", 0},
+    {"field",
+     "one field of a frame of twice as many lines, of which five have the "
+     "weights 1, 4, 6, 4, 1",
+     0},
     {NULL}};
 
 static const struct hsr_option options[] = {
     [FILTER] = {"filter",
-                "the filtered picture of 8 x 8 or 4 x 8 samples a pixel",
+                "the filtered picture of 8 x 8, 4 x 8 or 4 x 4 samples a pixel",
                 .words = filters},
     [JITTER] = {"jitter", "with filter: the samples jittered in N patterns",
                 .least = 0, .most = HSR_MOST_PATTERNS, .standard = 0},
     {NULL}};
 
 struct hsr_filtering hsr_form_filtering(const struct hsr_form *form) {
-  static const enum hsr_filter filter[] = {HSR_FILTER_BOX, HSR_FILTER_COSINE,
-                                           HSR_FILTER_BOX_4X8};
+  static const enum hsr_filter filter[] = {
+      HSR_FILTER_BOX, HSR_FILTER_COSINE, HSR_FILTER_BOX_4X8, HSR_FILTER_BOX_4X4,
+      HSR_FILTER_FIELD};
   if (form->type != &hsr_answer_filtered)
     return (struct hsr_filtering){HSR_FILTER_NONE, 0};
   return (struct hsr_filtering){filter[form->values.option[FILTER]],
@@ -75,8 +82,10 @@ static void free_body(struct hsr_answer *answer) {
 
 /* How many sub-samples a pixel has, and the bit of the k-th. */
 static long count_bits(const struct hsr_form *form) {
-  return (long)HSR_SUB * hsr_filter_columns(hsr_form_filtering(form).filter);
+  enum hsr_filter filter = hsr_form_filtering(form).filter;
+  return (long)hsr_filter_rows(filter) * hsr_filter_columns(filter);
 }
+
 static int bit_of(const struct hsr_form *form, long k) {
   int columns = hsr_filter_columns(hsr_form_filtering(form).filter);
   int bit = (int)(k % count_bits(form));
@@ -94,19 +103,20 @@ static enum hsr_status picture_view(const struct hsr_form *form,
                                     struct hsr_error *err) {
   struct hsr_filtering filtering = hsr_form_filtering(form);
   int columns = hsr_filter_columns(filtering.filter);
+  int rows = hsr_filter_rows(filtering.filter);
   if (filtering.patterns) {
     *picture = hsr_subsample_view(view, filtering.filter,
                                   (int)(k / count_bits(form)), bit_of(form, k));
     return HSR_OK;
   }
-  if (view->m > HSR_MAX_SIZE / columns || view->n > HSR_MAX_SIZE / HSR_SUB)
+  if (view->m > HSR_MAX_SIZE / columns || view->n > HSR_MAX_SIZE / rows)
     return hsr_fail(
         err, HSR_E_REFUSED,
         "%d x %d pixels of %d x %d samples, without jitter: at most "
         "%d x %d",
-        view->m, view->n, columns, HSR_SUB, HSR_MAX_SIZE / columns,
-        HSR_MAX_SIZE / HSR_SUB);
-  *picture = hsr_view_finer(view, columns, HSR_SUB);
+        view->m, view->n, columns, rows, HSR_MAX_SIZE / columns,
+        HSR_MAX_SIZE / rows);
+  *picture = hsr_view_finer(view, columns, rows);
   return HSR_OK;
 }
 
@@ -180,7 +190,8 @@ static void print(const struct hsr_answer *answer,
   struct hsr_filtering filtering = hsr_form_filtering(&answer->form);
   (void)showing;
   fprintf(out, "%d x %d samples a pixel, %s",
-          hsr_filter_columns(filtering.filter), HSR_SUB,
+          hsr_filter_columns(filtering.filter),
+          hsr_filter_rows(filtering.filter),
           filters[answer->form.values.option[FILTER]].name);
   if (filtering.patterns)
     fprintf(out, ", jittered in %d patterns", filtering.patterns);
@@ -221,7 +232,7 @@ static json_t *sums_json(const struct hsr_answer *answer,
 
 const struct hsr_answer_type hsr_answer_filtered = {
     .name = "filtered",
-    .meaning = "weighted integer sums of 8 x 8 or 4 x 8 samples a pixel",
+    .meaning = "weighted integer sums of 8 x 8, 4 x 8 or 4 x 4 samples a pixel",
     .draws = "filtered pixels",
     .places = "pixels",
     .grains = "pixels",

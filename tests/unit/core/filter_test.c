@@ -72,6 +72,43 @@ static void test_weights(struct tap *tap, enum hsr_filter filter,
      "%s: bytes of a mask weigh what their bits do", name);
 }
 
+/* One field: weights of rows, in lines of half a pixel. */
+static void test_field(struct tap *tap) {
+  static const uint32_t line[6] = {0, 1, 4, 6, 4, 1};
+  struct hsr_kernel kernel;
+  bool good = true;
+  uint64_t sum = 0;
+  hsr_kernel_init(&kernel, HSR_FILTER_FIELD);
+  for (int k = 0; k < 24 * 24; k++) {
+    int x = k % 24, y = k / 24; /* the middle line has rows 10 to 13 */
+    uint32_t weight = at(&kernel, x, y);
+    int number = (y + 2) / 4;
+    sum += weight;
+    good &= weight == (x / 8 == 1 && number < 6 ? 128 * line[number] : 0u);
+  }
+  ok(tap, good && sum == HSR_WHOLE_WEIGHT && kernel.reach == 1,
+     "field: five lines of half a pixel weigh 1 4 6 4 1, in their own column");
+}
+
+static void test_box4x4(struct tap *tap) {
+  struct hsr_kernel kernel;
+  bool good = true;
+  hsr_kernel_init(&kernel, HSR_FILTER_BOX_4X4);
+  for (int k = 0; k < 24 * 24; k++) {
+    int x = k % 24 - 8, y = k / 24 - 8;
+    bool inside = x >= 0 && y >= 0 && x < 4 && y < 4;
+    good &= at(&kernel, k % 24, k / 24) == (inside ? 4096u : 0u);
+  }
+  ok(tap,
+     good && kernel.columns == 4 && kernel.rows == 4 &&
+         kernel.all == UINT64_C(0x0f0f0f0f) && kernel.reach == 0,
+     "box4x4: 16 sub-samples of a pixel have one weight");
+  struct hsr_view view = {.m = 3, .n = 2},
+                  fine = hsr_subsample_view(&view, HSR_FILTER_BOX_4X4, -1, 19);
+  ok(tap, fine.offset_x == 3.5 / 4 - .5 && fine.offset_y == 2.5 / 4 - .5,
+     "box4x4: a sub-sample is a 16th of a pixel");
+}
+
 /* --- Jitter --------------------------------------------------------------- */
 
 static bool is_place(double v) {
@@ -389,9 +426,11 @@ static void test_sums(struct tap *tap, const struct stage *stage,
 }
 
 int main(void) {
-  struct tap tap = plan(25);
+  struct tap tap = plan(31);
   test_weights(&tap, HSR_FILTER_BOX, "box");
   test_weights(&tap, HSR_FILTER_COSINE, "cosine");
+  test_field(&tap);
+  test_box4x4(&tap);
   test_jitter(&tap);
   test_patterns(&tap);
   struct stage stage;
@@ -401,8 +440,10 @@ int main(void) {
   test_colours(&tap, &stage, NULL);
   test_borders(&tap, HSR_FILTER_BOX, "box");
   test_borders(&tap, HSR_FILTER_COSINE, "cosine");
+  test_borders(&tap, HSR_FILTER_FIELD, "field");
   test_sums(&tap, &stage, HSR_FILTER_BOX, "box");
   test_sums(&tap, &stage, HSR_FILTER_COSINE, "cosine");
+  test_sums(&tap, &stage, HSR_FILTER_FIELD, "field");
   test_pictures(&tap, &stage);
   test_light(&tap, &stage);
   close_stage(&stage);

@@ -25,6 +25,7 @@ static enum hsr_status make_sampling(struct hsr_sampling *s, long intervals,
     s->places[pattern] = places_of(&jitter);
   }
   hsr_kernel_init(&s->cosine, HSR_FILTER_COSINE);
+  hsr_kernel_init(&s->field, HSR_FILTER_FIELD);
   return hsr_triage_init(&s->tables, (int)intervals, err);
 }
 
@@ -90,7 +91,9 @@ enum hsr_status hsr_tiling_begin(struct hsr_tiling *t,
                            .view = view_of(job),
                            .work = job->tally->work};
   t->masks = masks_of(t);
-  hsr_canvas_begin(&t->canvas, job, t->view.window, &sampling->cosine,
+  bool field = job->filtering && job->filtering->filter == HSR_FILTER_FIELD;
+  hsr_canvas_begin(&t->canvas, job, t->view.window,
+                   field ? &sampling->field : &sampling->cosine,
                    HSR_SAMPLES_WRITTEN);
   t->sink = hsr_canvas_sink(&t->canvas);
   if (!t->masks.places ||

@@ -37,7 +37,7 @@ enum { HSR_PATTERNS = HSR_MOST_PATTERNS + 1 }; /* the last one is no jitter */
 struct hsr_sampling {
   struct hsr_triage_tables tables;
   struct hsr_mask_places places[HSR_PATTERNS];
-  struct hsr_kernel cosine;
+  struct hsr_kernel cosine, field;
 };
 
 /* Makes what a module keeps from frame to frame: `size` bytes that begin with a

@@ -113,7 +113,7 @@ static void spread(const struct hsr_canvas *c, int i, int j,
         add(c, i + dx, j + dy, weight[dy + 1][dx + 1]);
 }
 
-static void cosine_samples(void *context, int x, int y, uint64_t mask) {
+static void wide_samples(void *context, int x, int y, uint64_t mask) {
   struct hsr_canvas *c = context;
   uint32_t weight[3][3] = {{0}};
   shade(c);
@@ -124,7 +124,7 @@ static void cosine_samples(void *context, int x, int y, uint64_t mask) {
   spread(c, x / HSR_SUB, y / HSR_SUB, weight);
 }
 
-static void cosine_square(void *context, int x, int y, int size) {
+static void wide_square(void *context, int x, int y, int size) {
   struct hsr_canvas *c = context;
   shade(c);
   int i1 = least(x + size, c->window.x1) / HSR_SUB;
@@ -138,13 +138,13 @@ static void cosine_square(void *context, int x, int y, int size) {
 /* --- The sink ------------------------------------------------------------- */
 
 void hsr_canvas_begin(struct hsr_canvas *c, const struct hsr_job *job,
-                      struct hsr_window window, const struct hsr_kernel *cosine,
+                      struct hsr_window window, const struct hsr_kernel *wide,
                       int counter) {
   *c = (struct hsr_canvas){
-      .job = job, .window = window, .kernel = cosine, .counter = counter};
+      .job = job, .window = window, .kernel = wide, .counter = counter};
   for (int k = 0; k < 9; k++)
     for (int byte = 0; byte < 8; byte++)
-      c->whole[k / 3][k % 3] += cosine->row[k / 3][k % 3][byte][255];
+      c->whole[k / 3][k % 3] += wide->row[k / 3][k % 3][byte][255];
 }
 
 void hsr_canvas_face(struct hsr_canvas *c, uint32_t id) {
@@ -161,9 +161,7 @@ void hsr_canvas_colour(struct hsr_canvas *c, const uint16_t rgb[3]) {
 struct hsr_mask_sink hsr_canvas_sink(struct hsr_canvas *c) {
   struct hsr_mask_sink ids = {put_samples, put_square, c};
   struct hsr_mask_sink box = {box_samples, box_square, c};
-  struct hsr_mask_sink cosine = {cosine_samples, cosine_square, c};
+  struct hsr_mask_sink wide = {wide_samples, wide_square, c};
   const struct hsr_filtering *filtering = c->job->filtering;
-  return !filtering                               ? ids
-         : filtering->filter == HSR_FILTER_COSINE ? cosine
-                                                  : box;
+  return !filtering ? ids : filtering->filter == HSR_FILTER_BOX ? box : wide;
 }

@@ -5,7 +5,7 @@
  *             SIGGRAPH 1996, 4.4 and 4.5; L. Carpenter, "The A-buffer",
  *             SIGGRAPH 1984. The filters are those of common/answers/filter.h.
  * Notation    a pixel of a filtered picture is one mask of the finest level.
- *             The box filter counts the bits of a mask. The cosine filter looks
+ *             The box filter counts the bits of a mask. Other filters look
  *             up what each byte of a mask adds to the 3 x 3 pixels about it. */
 #ifndef HSR_ALGORITHMS_TILING_CANVAS_H
 #define HSR_ALGORITHMS_TILING_CANVAS_H
@@ -35,10 +35,10 @@ struct hsr_canvas {
   uint32_t whole[3][3]; /* what a whole pixel adds to those about it */
 };
 
-/* `cosine` is that filter's kernel; borrowed. `counter` is of kind HSR_ACCEPT:
- * each sample that is written raises it. */
+/* `wide` is the kernel of a filter that is not the box; borrowed. `counter` is of
+ * kind HSR_ACCEPT: each sample that is written raises it. */
 void hsr_canvas_begin(struct hsr_canvas *canvas, const struct hsr_job *job,
-                      struct hsr_window window, const struct hsr_kernel *cosine,
+                      struct hsr_window window, const struct hsr_kernel *wide,
                       int counter);
 
 /* What is tiled next is of this face. */
