@@ -51,6 +51,9 @@ lesson_sources = \
   %D%/lesson/parts/quiz.js \
   %D%/lesson/parts/story_list.js \
   %D%/lesson/parts/timeline.js
+# Figures of Greene's thesis, for reports/greene/make; built by make check.
+check_PROGRAMS += %D%/greene/figures
+%C%_greene_figures_SOURCES = %D%/greene/figures.c
 lesson_page = %D%/lesson/lesson.html %D%/lesson/lesson.css
 EXTRA_DIST += %D%/area/README.md %D%/area/make %D%/area/errors.txt \
   %D%/area/passes.txt %D%/area/results.ndjson %D%/area/samples-house.txt \
