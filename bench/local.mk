@@ -39,6 +39,8 @@ libbench_a_SOURCES = \
   %D%/judge/judge.h \
   %D%/judge/judge_filtered.c \
   %D%/judge/judge_filtered.h \
+  %D%/judge/wanted.c \
+  %D%/judge/wanted.h \
   %D%/list.c \
   %D%/list.h \
   %D%/options.c \

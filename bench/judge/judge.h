@@ -4,18 +4,9 @@
 #ifndef HSR_BENCH_JUDGE_H
 #define HSR_BENCH_JUDGE_H
 
-#include "bench/command.h"
+#include "bench/judge/wanted.h"
 
 #include <semaphore.h>
-
-/* The oracle of a kind of answer; NULL if there is none. That of a kind which is
- * folded draws the pictures that its judge folds (bench/judge/folded.def). */
-const struct hsr_algorithm *oracle_of(const struct hsr_answer_type *kind);
-
-/* How many faces a scene may have to be laid out for an algorithm or for the
- * oracle of what it is asked for; 0: neither needs that. */
-uint32_t most_to_judge(const struct hsr_listed *listed,
-                       const struct hsr_choice *choice);
 
 enum verdict { PENDING, RIGHT, WRONG, REFUSED, TIMEOUT, CRASH };
 
@@ -76,19 +67,6 @@ struct group {
   uint32_t *picture; /* where the oracle leaves its ids of the only view, m * n,
                         HSR_NOT_WRITTEN where it was not asked; or NULL */
 };
-
-/* How many places of each picture to compare, 0: all. Unless the user wants a
- * number, all, but of scenes whose faces are too many to be laid out. */
-enum { SAMPLES_OF_MANY_FACES = 20000, MOST_SAMPLES = 1 << 28 };
-long samples_to_compare(const struct hsr_world *world,
-                        const struct hsr_form *form, long wanted);
-
-/* Chooses `wanted` of the m x n places of the view with this number, from 0:
- * the same ones in every run. *place is the caller's to free, j * m + i,
- * ascending, *n of them; NULL, and all of them, if all are wanted or 0.
- * HSR_E_NOMEM. */
-enum hsr_status choose_places(int number, int m, int n, size_t wanted,
-                              uint32_t **place, size_t *n_places);
 
 /* To be called in a process of its own. Where the oracle of line drawings takes
  * longer than a picture may, that ends by SIGALRM, and the cells are refused.
