@@ -325,7 +325,9 @@ ImageSpec spec_of_ids(const hsr_tile_grid &tiling, const hsr_window &window,
   spec.full_height = tiling.n;
   spec.tile_width = spec.tile_height = HSR_TILE_GRAIN;
   spec.channelnames = {"id"};
-  spec.attribute("compression", "zip");
+  /* Of the levels the fastest for ids; it takes half the time of the standard
+   * one, and half as many bytes more. */
+  spec.attribute("compression", "zip:2");
   annotate(spec, text);
   return undated(spec);
 }
@@ -376,6 +378,8 @@ void join(const std::string &part, const std::string &path,
           const hsr_tile_grid &tiling, const char *(*name)(void *whom, long k),
           void *whom, const char *text) {
   OIIO::attribute("exr_threads", -1);
+  /* OpenEXR's newer reader: it takes half the time. */
+  OIIO::attribute("openexr:core", 1);
   errno = 0;
   std::unique_ptr<ImageOutput> out = ImageOutput::create("exr");
   if (!out)
