@@ -212,7 +212,8 @@ static const struct argp_option entries[] = {
     VIEW_ARGP_OPTIONS,
     {"tiles", TILES, "N", 0,
      "make a picture larger than memory, by tiles of N x N samples: -o "
-     "FILE.exr holds the face ids. Tiles that are done are kept in "
+     "FILE.exr holds the face ids, or the colours of what is filtered, "
+     "transparent, shadowed or composited. Tiles that are done are kept in "
      "FILE.exr.tiles, so that the same command goes on where it was ended",
      0},
     {"sort-last", SORT_LAST, "PARTS", OPTION_ARG_OPTIONAL,
@@ -345,6 +346,14 @@ static bool is_exr(const char *path) {
   return length > 4 && !strcmp(path + length - 4, ".exr");
 }
 
+/* Whether a tile of the picture can be made alone: ids, and colours that do not
+ * depend on what is drawn at once. */
+static bool has_tiles(const struct hsr_variant *variant) {
+  const struct hsr_answer_type *kind = variant->choice.form.type;
+  return kind->write_tile || ((kind->by_windows || kind->fold) && kind->shade &&
+                              !kind->uncertainty);
+}
+
 /* Checks that --tiles is there if it is needed, and that nothing else is asked
  * for that is not made by tiles. */
 static enum hsr_status check_tiles(const struct render_options *o,
@@ -357,16 +366,23 @@ static enum hsr_status check_tiles(const struct render_options *o,
                           "--size %dx%d: a side above %d needs --tiles",
                           o->view.m, o->view.n, HSR_MAX_SIZE);
   const struct hsr_answer_type *kind = variant->choice.form.type;
-  if (!kind->write_tile)
+  struct hsr_filtering filtering = hsr_form_filtering(&variant->choice.form);
+  if (!has_tiles(variant))
     return hsr_fail(err, HSR_E_USAGE, "--tiles is not for %s, which %s draws",
                     kind->draws, variant->name);
+  if (filtering.patterns || filtering.filter == HSR_FILTER_COSINE)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--tiles is not for cosine, which reaches into the next "
+                    "tile, nor for jitter, whose patterns begin at the corner "
+                    "of the picture");
   if (o->n_outputs != 1 || !is_exr(o->output[0]))
     return hsr_fail(err, HSR_E_USAGE, "--tiles needs one -o FILE.exr");
   if (is_series(o) || o->work || o->given[HSR_SHADING] || o->supersamples > 1)
-    return hsr_fail(err, HSR_E_USAGE,
-                    "--tiles makes the ids of one view; it does not go with "
-                    "--views, --orbit, --frames, --work, --shade or "
-                    "--supersample");
+    return hsr_fail(
+        err, HSR_E_USAGE,
+        "--tiles makes the picture of one view; it does not go with "
+        "--views, --orbit, --frames, --work, --shade or "
+        "--supersample");
   return HSR_OK;
 }
 

@@ -12,6 +12,7 @@
 #include "bench/render/render.h"
 #include "bench/run/ranks.h"
 #include "bench/terminal/terminal.h"
+#include "common/files/colour_tiles.h"
 #include "common/files/whole_file.h"
 
 #include <errno.h>
@@ -130,6 +131,19 @@ static void remove_folder(struct tiles *t) {
 
 /* --- Drawing -------------------------------------------------------------- */
 
+/* Of a kind that has no tiles of its own, the colours. */
+static enum hsr_status write_colours(struct tiles *t, long k,
+                                     struct hsr_error *err) {
+  struct render *r = t->render;
+  struct hsr_showing showing = showing_of(r);
+  hsr_shaded_free(&r->shaded);
+  enum hsr_status status =
+      r->kind->shade(&r->answer, &showing, &r->shaded, err);
+  return status ? status
+                : hsr_image_write_colour_tile(name_of_tile(t, k), &t->tiling, k,
+                                              r->shaded.rgb, NULL, err);
+}
+
 static enum hsr_status draw_tile(struct tiles *t, long k,
                                  struct hsr_error *err) {
   struct render *r = t->render;
@@ -144,8 +158,10 @@ static enum hsr_status draw_tile(struct tiles *t, long k,
   status = draw_picture(r, err);
   double begin = seconds_now();
   if (!status)
-    status = r->kind->write_tile(&r->answer, &t->tiling, k, NULL,
-                                 name_of_tile(t, k), err);
+    status = r->kind->write_tile
+                 ? r->kind->write_tile(&r->answer, &t->tiling, k, NULL,
+                                       name_of_tile(t, k), err)
+                 : write_colours(t, k, err);
   r->write += seconds_now() - begin;
   return status;
 }
@@ -183,7 +199,8 @@ static enum hsr_status join(struct tiles *t, struct hsr_error *err) {
   snprintf(text, sizeof text, "Software=hsr\nScene=%.100s\nAlgorithm=%s\n",
            r->options->scene.name, r->setup.algorithm->name);
   enum hsr_status status =
-      r->kind->join_tiles(t->path, &t->tiling, tell_and_name, t, text, err);
+      (r->kind->join_tiles ? r->kind->join_tiles : hsr_image_join_colour_tiles)(
+          t->path, &t->tiling, tell_and_name, t, text, err);
   r->write += seconds_now() - begin;
   if (!status)
     remove_folder(t);

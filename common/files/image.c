@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/files/colour_tiles.h"
 #include "common/files/image_library.h"
 #include "common/files/library.h"
 
@@ -30,8 +31,9 @@ enum hsr_status hsr_image_write_tile(const char *path,
                                      long number, const uint32_t *ids,
                                      const char *text, struct hsr_error *err) {
   const struct hsr_image_library *images = load(err);
-  return images ? images->write_tile(path, tiling, number, ids, text, err)
-                : HSR_E_INPUT;
+  return images
+             ? images->write_tile(path, tiling, number, false, ids, text, err)
+             : HSR_E_INPUT;
 }
 
 enum hsr_status hsr_image_join_tiles(const char *path,
@@ -40,7 +42,27 @@ enum hsr_status hsr_image_join_tiles(const char *path,
                                      void *whom, const char *text,
                                      struct hsr_error *err) {
   const struct hsr_image_library *images = load(err);
-  return images ? images->join_tiles(path, tiling, name, whom, text, err)
+  return images ? images->join_tiles(path, tiling, false, name, whom, text, err)
+                : HSR_E_INPUT;
+}
+
+enum hsr_status hsr_image_write_colour_tile(const char *path,
+                                            const struct hsr_tile_grid *tiling,
+                                            long number, const float *rgb,
+                                            const char *text,
+                                            struct hsr_error *err) {
+  const struct hsr_image_library *images = load(err);
+  return images ? images->write_tile(path, tiling, number, true, rgb, text, err)
+                : HSR_E_INPUT;
+}
+
+enum hsr_status
+hsr_image_join_colour_tiles(const char *path,
+                            const struct hsr_tile_grid *tiling,
+                            const char *(*name)(void *whom, long k), void *whom,
+                            const char *text, struct hsr_error *err) {
+  const struct hsr_image_library *images = load(err);
+  return images ? images->join_tiles(path, tiling, true, name, whom, text, err)
                 : HSR_E_INPUT;
 }
 

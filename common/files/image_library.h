@@ -15,12 +15,14 @@ struct hsr_image_library {
                                 struct hsr_error *err);
   enum hsr_status (*read)(const char *path, bool colours, uint32_t size[2],
                           float **value, struct hsr_error *err);
+  /* Of colours: 3 floats a pixel. Else of ids: 32 bits a pixel. */
   enum hsr_status (*write_tile)(const char *path,
                                 const struct hsr_tile_grid *tiling, long number,
-                                const uint32_t *ids, const char *text,
-                                struct hsr_error *err);
+                                bool colours, const void *pixels,
+                                const char *text, struct hsr_error *err);
   enum hsr_status (*join_tiles)(const char *path,
                                 const struct hsr_tile_grid *tiling,
+                                bool colours,
                                 const char *(*name)(void *whom, long k),
                                 void *whom, const char *text,
                                 struct hsr_error *err);

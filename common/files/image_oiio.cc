@@ -313,18 +313,32 @@ enum hsr_status read(const char *path, bool colours, uint32_t size[2],
 
 /* --- Tiles --- */
 
-/* The ids of a window of a picture. */
-ImageSpec spec_of_ids(const hsr_tile_grid &tiling, const hsr_window &window,
-                      const char *text) {
-  ImageSpec spec(window.x1 - window.x0, window.y1 - window.y0, 1,
-                 TypeDesc::UINT32);
+/* What a tile holds of a pixel. */
+struct Content {
+  int channels;
+  TypeDesc type;
+  size_t size; /* bytes a pixel */
+};
+Content content_of(bool colours) {
+  return colours ? Content{3, TypeDesc::FLOAT, 3 * sizeof(float)}
+                 : Content{1, TypeDesc::UINT32, sizeof(uint32_t)};
+}
+
+/* A window of a picture. */
+ImageSpec spec_of_window(const hsr_tile_grid &tiling, const hsr_window &window,
+                         const Content &content, const char *text) {
+  ImageSpec spec(window.x1 - window.x0, window.y1 - window.y0, content.channels,
+                 content.type);
   spec.x = window.x0;
   spec.y = window.y0;
   spec.full_x = spec.full_y = 0;
   spec.full_width = tiling.m;
   spec.full_height = tiling.n;
   spec.tile_width = spec.tile_height = HSR_TILE_GRAIN;
-  spec.channelnames = {"id"};
+  if (content.channels == 1)
+    spec.channelnames = {"id"};
+  else
+    spec.channelnames = {"R", "G", "B"};
   /* Of the levels the fastest for ids; it takes half the time of the standard
    * one, and half as many bytes more. */
   spec.attribute("compression", "zip:2");
@@ -333,13 +347,14 @@ ImageSpec spec_of_ids(const hsr_tile_grid &tiling, const hsr_window &window,
 }
 
 enum hsr_status write_tile(const char *path, const struct hsr_tile_grid *tiling,
-                           long number, const uint32_t *ids, const char *text,
-                           struct hsr_error *err) {
+                           long number, bool colours, const void *pixels,
+                           const char *text, struct hsr_error *err) {
   return guarded(
       [&] {
         const hsr_window tile = hsr_tile_window(tiling, number);
-        write_file(path, spec_of_ids(*tiling, tile, text), TypeDesc::UINT32,
-                   ids);
+        const Content content = content_of(colours);
+        write_file(path, spec_of_window(*tiling, tile, content, text),
+                   content.type, pixels);
       },
       err);
 }
@@ -352,9 +367,9 @@ Failure no_tile(const std::string &path, const std::string &text) {
   return f;
 }
 
-/* Reads a tile's ids from its file. */
+/* Reads a tile's pixels from its file. */
 void read_tile(const std::string &path, const hsr_tile_grid &tiling,
-               long number, std::vector<uint32_t> &ids) {
+               long number, const Content &content, Bytes &pixels) {
   const hsr_window tile = hsr_tile_window(&tiling, number);
   errno = 0;
   std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
@@ -364,19 +379,20 @@ void read_tile(const std::string &path, const hsr_tile_grid &tiling,
   const ImageSpec spec = in->spec();
   if (spec.x != tile.x0 || spec.y != tile.y0 ||
       spec.width != tile.x1 - tile.x0 || spec.height != tile.y1 - tile.y0 ||
-      spec.nchannels != 1 || spec.format != TypeDesc::UINT32)
+      spec.nchannels != content.channels || spec.format != content.type)
     throw no_tile(path, "it is another tile");
-  ids.resize(size_t(spec.width) * size_t(spec.height));
+  pixels.resize(size_t(spec.width) * size_t(spec.height) * content.size);
   errno = 0;
-  if (!in->read_image(0, 0, 0, 1, TypeDesc::UINT32, ids.data()))
+  if (!in->read_image(0, 0, 0, content.channels, content.type, pixels.data()))
     throw no_tile(path, in->geterror());
 }
 
 /* Writes straight into the file `part`, since the whole does not fit in memory.
  * A failure names `path`. */
 void join(const std::string &part, const std::string &path,
-          const hsr_tile_grid &tiling, const char *(*name)(void *whom, long k),
-          void *whom, const char *text) {
+          const hsr_tile_grid &tiling, const Content &content,
+          const char *(*name)(void *whom, long k), void *whom,
+          const char *text) {
   OIIO::attribute("exr_threads", -1);
   /* OpenEXR's newer reader: it takes half the time. */
   OIIO::attribute("openexr:core", 1);
@@ -385,21 +401,21 @@ void join(const std::string &part, const std::string &path,
   if (!out)
     throw failure(path, OIIO::geterror());
   out->threads(1);
-  ImageSpec whole =
-      spec_of_ids(tiling, hsr_window{0, 0, tiling.m, tiling.n}, text);
+  ImageSpec whole = spec_of_window(tiling, hsr_window{0, 0, tiling.m, tiling.n},
+                                   content, text);
   /* Tiles go to the file as they come; otherwise OpenEXR keeps them in memory
    * until their turn. */
   whole.attribute("openexr:lineOrder", "randomY");
   if (!out->open(part, whole))
     throw failure(path, out->geterror());
-  std::vector<uint32_t> ids;
+  Bytes pixels;
   const long n = hsr_tile_count(&tiling);
   for (long k = 0; k < n; k++) {
     const hsr_window tile = hsr_tile_window(&tiling, k);
-    read_tile(name(whom, k), tiling, k, ids);
+    read_tile(name(whom, k), tiling, k, content, pixels);
     errno = 0;
     if (!out->write_tiles(tile.x0, tile.x1, tile.y0, tile.y1, 0, 1,
-                          TypeDesc::UINT32, ids.data()))
+                          content.type, pixels.data()))
       throw failure(path, out->geterror());
   }
   errno = 0;
@@ -408,12 +424,13 @@ void join(const std::string &part, const std::string &path,
 }
 
 enum hsr_status join_tiles(const char *path, const struct hsr_tile_grid *tiling,
+                           bool colours,
                            const char *(*name)(void *whom, long k), void *whom,
                            const char *text, struct hsr_error *err) {
   const std::string part = std::string(path) + ".part";
   enum hsr_status status = guarded(
       [&] {
-        join(part, path, *tiling, name, whom, text);
+        join(part, path, *tiling, content_of(colours), name, whom, text);
         if (std::rename(part.c_str(), path))
           throw failure(path, std::strerror(errno));
       },

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 nobase_pkginclude_HEADERS += \
+  %D%/colour_tiles.h \
   %D%/image.h \
   %D%/palette_json.h \
   %D%/plot.h \
