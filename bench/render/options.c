@@ -370,11 +370,14 @@ static enum hsr_status check_tiles(const struct render_options *o,
   if (!has_tiles(variant))
     return hsr_fail(err, HSR_E_USAGE, "--tiles is not for %s, which %s draws",
                     kind->draws, variant->name);
-  if (filtering.patterns || filtering.filter == HSR_FILTER_COSINE)
+  bool wide = filtering.filter != HSR_FILTER_NONE &&
+              filtering.filter != HSR_FILTER_BOX &&
+              filtering.filter != HSR_FILTER_BOX_4X8;
+  if (wide || filtering.patterns)
     return hsr_fail(err, HSR_E_USAGE,
-                    "--tiles is not for cosine, which reaches into the next "
-                    "tile, nor for jitter, whose patterns begin at the corner "
-                    "of the picture");
+                    "--tiles is for the filters box and box4x8, which do not "
+                    "reach into the next tile, and without jitter, whose "
+                    "patterns begin at the corner of the picture");
   if (o->n_outputs != 1 || !is_exr(o->output[0]))
     return hsr_fail(err, HSR_E_USAGE, "--tiles needs one -o FILE.exr");
   if (is_series(o) || o->work || o->given[HSR_SHADING] || o->supersamples > 1)
