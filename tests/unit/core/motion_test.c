@@ -21,7 +21,7 @@ static struct hsr_scene *new_scene(double x, long frame) {
       .speed = 1, .lo = {-10, -1, -1}, .hi = {20, 1, 1}};
   const struct hsr_key key[] = {{0, {0, 0, -.25}, {1, 1, .25}},
                                 {8, {4, 0, -.25}, {5, 1, .25}},
-                                {10.5, {4, 0, -.25}, {5, 1, .25}},
+                                {10, {5, 0, -.25}, {6, 1, .25}},
                                 {12, {3, 0, -.25}, {4, 1, .25}}};
   hsr_scene_instance(scene, 0, m);
   if (hsr_scene_set_motion(scene, &motion, key, 4) ||
@@ -46,8 +46,8 @@ static void test_way(struct tap *tap) {
   ok(tap, way_is(scene, 4, 4, 2, 3) && way_is(scene, 2, 4, 1, 3),
      "between them it goes straight");
   ok(tap,
-     way_is(scene, 6, 11.25, 3, 5) && way_is(scene, 9, 10, 4, 5) &&
-         way_is(scene, 11.25, 12, 3, 4.5) && way_is(scene, 0, 12, 0, 5),
+     way_is(scene, 6, 11, 3, 6) && way_is(scene, 9, 9.5, 4.5, 5.75) &&
+         way_is(scene, 11, 12, 3, 5) && way_is(scene, 0, 12, 0, 6),
      "over some keys it holds them");
   ok(tap,
      !hsr_scene_way(scene, 0, -1, 3, lo, hi) &&
@@ -71,7 +71,7 @@ static enum hsr_status follow(double x, long frame, const char *words) {
 }
 
 static void test_promises(struct tap *tap) {
-  ok(tap, !follow(2, 4, "") && !follow(4, 9, "") && !follow(-9, -9, ""),
+  ok(tap, !follow(2, 4, "") && !follow(4.5, 9, "") && !follow(-9, -9, ""),
      "a frame that keeps what was promised is taken");
   ok(tap, follow(3, 2, "too fast") == HSR_E_INPUT, "one too fast is not");
   ok(tap, follow(-10.5, 40, "its volume") == HSR_E_INPUT,
