@@ -415,7 +415,7 @@ static enum hsr_status make_part(struct hsr_scene *scene, const char *name,
 static enum hsr_status add_views(struct hsr_scene *scene,
                                  const struct hsr_part *part,
                                  struct hsr_error *err) {
-  const struct hsr_extent *extent = &part->extent;
+  const struct hsr_scene_extent *extent = &part->extent;
   if (scene->n_views >= part->least_views)
     return HSR_OK;
   unsigned n = part->least_views - scene->n_views;

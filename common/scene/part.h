@@ -11,14 +11,14 @@ extern "C" {
 #endif
 
 /* The box around points, then the sphere around its centre. All points are
- * added once, then after hsr_extent_centre once more. */
-struct hsr_extent {
+ * added once, then after hsr_scene_extent_centre once more. */
+struct hsr_scene_extent {
   double lo[3], hi[3], centre[3], radius;
 };
-void hsr_extent_begin(struct hsr_extent *extent);
-void hsr_extent_add(struct hsr_extent *extent, const double p[3]);
-void hsr_extent_centre(struct hsr_extent *extent);
-void hsr_extent_reach(struct hsr_extent *extent, const double p[3]);
+void hsr_scene_extent_begin(struct hsr_scene_extent *extent);
+void hsr_scene_extent_add(struct hsr_scene_extent *extent, const double p[3]);
+void hsr_scene_extent_centre(struct hsr_scene_extent *extent);
+void hsr_scene_extent_reach(struct hsr_scene_extent *extent, const double p[3]);
 
 /* Which part is wanted, and what is known of it once it is made. */
 struct hsr_part {
@@ -27,7 +27,7 @@ struct hsr_part {
   uint32_t first, n_faces; /* the ids of the part are first, first + 1, ... */
   uint32_t all;            /* faces of the scene */
   bool is_measured;        /* `extent` is that of the whole scene */
-  struct hsr_extent extent;
+  struct hsr_scene_extent extent;
 };
 
 /* Sets first, n_faces and all, for a scene of so many faces. */

@@ -335,34 +335,35 @@ static double sphere_of_grid(const struct hsr_grid *grid, double centre[3]) {
   return length_of(half);
 }
 
-void hsr_extent_begin(struct hsr_extent *extent) {
-  *extent = (struct hsr_extent){.lo = {INFINITY, INFINITY, INFINITY},
-                                .hi = {-INFINITY, -INFINITY, -INFINITY}};
+void hsr_scene_extent_begin(struct hsr_scene_extent *extent) {
+  *extent = (struct hsr_scene_extent){.lo = {INFINITY, INFINITY, INFINITY},
+                                      .hi = {-INFINITY, -INFINITY, -INFINITY}};
 }
 
-void hsr_extent_add(struct hsr_extent *extent, const double p[3]) {
+void hsr_scene_extent_add(struct hsr_scene_extent *extent, const double p[3]) {
   for (int k = 0; k < 3; k++) {
     extent->lo[k] = hsr_min(extent->lo[k], p[k]);
     extent->hi[k] = hsr_max(extent->hi[k], p[k]);
   }
 }
 
-void hsr_extent_centre(struct hsr_extent *extent) {
+void hsr_scene_extent_centre(struct hsr_scene_extent *extent) {
   for (int k = 0; k < 3; k++)
     extent->centre[k] = extent->lo[k] + (extent->hi[k] - extent->lo[k]) / 2;
 }
 
-void hsr_extent_reach(struct hsr_extent *extent, const double p[3]) {
+void hsr_scene_extent_reach(struct hsr_scene_extent *extent,
+                            const double p[3]) {
   double d[3];
   for (int k = 0; k < 3; k++)
     d[k] = p[k] - extent->centre[k];
   extent->radius = hsr_max(extent->radius, length_of(d));
 }
 
-static void add_instance(struct hsr_extent *extent,
-                         const struct hsr_scene *scene,
-                         const struct hsr_instance *instance,
-                         void (*add)(struct hsr_extent *, const double *)) {
+static void
+add_instance(struct hsr_scene_extent *extent, const struct hsr_scene *scene,
+             const struct hsr_instance *instance,
+             void (*add)(struct hsr_scene_extent *, const double *)) {
   const struct hsr_object *object = &scene->objects[instance->object];
   for (uint32_t v = 0; v < object->n_vertices; v++) {
     double p[3];
@@ -376,13 +377,13 @@ static void add_instance(struct hsr_extent *extent,
 static double bounding_sphere(const struct hsr_scene *scene, double centre[3]) {
   if (scene->grid)
     return sphere_of_grid(scene->grid, centre);
-  struct hsr_extent extent;
-  hsr_extent_begin(&extent);
+  struct hsr_scene_extent extent;
+  hsr_scene_extent_begin(&extent);
   for (uint32_t i = 0; i < scene->n_instances; i++)
-    add_instance(&extent, scene, &scene->instances[i], hsr_extent_add);
-  hsr_extent_centre(&extent);
+    add_instance(&extent, scene, &scene->instances[i], hsr_scene_extent_add);
+  hsr_scene_extent_centre(&extent);
   for (uint32_t i = 0; i < scene->n_instances; i++)
-    add_instance(&extent, scene, &scene->instances[i], hsr_extent_reach);
+    add_instance(&extent, scene, &scene->instances[i], hsr_scene_extent_reach);
   memcpy(centre, extent.centre, sizeof extent.centre);
   return extent.radius;
 }

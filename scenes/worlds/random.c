@@ -39,18 +39,19 @@ static uint32_t throw_triangle(const struct soup *soup,
 }
 
 /* The extent of all triangles, without keeping them. */
-static void measure_soup(const struct soup *soup, struct hsr_extent *extent) {
-  hsr_extent_begin(extent);
+static void measure_soup(const struct soup *soup,
+                         struct hsr_scene_extent *extent) {
+  hsr_scene_extent_begin(extent);
   for (int pass = 0; pass < 2; pass++) {
     struct hsr_random random = random_at(soup, 0);
     double p[3][3];
     for (long long f = 0; f < soup->n; f++) {
       throw_triangle(soup, &random, p);
       for (int i = 0; i < 3; i++)
-        (pass ? hsr_extent_reach : hsr_extent_add)(extent, p[i]);
+        (pass ? hsr_scene_extent_reach : hsr_scene_extent_add)(extent, p[i]);
     }
     if (!pass)
-      hsr_extent_centre(extent);
+      hsr_scene_extent_centre(extent);
   }
 }
 
@@ -73,7 +74,7 @@ static void soup_views(struct hsr_pen *pen, const struct hsr_part *part) {
   static const double eye[4][3] = {
       {0.5, 0.25, 4}, {0, 0, 0}, {-0.3, 0.2, 1}, {2.5, 2.25, 2}};
   static const double at[4][3] = {{0, 0, 0}, {1, 0.25, -0.5}, {0, 0, -1}};
-  const struct hsr_extent *extent = &part->extent;
+  const struct hsr_scene_extent *extent = &part->extent;
   for (int i = 0; i < 4; i++)
     hsr_pen_view(pen, eye[i], at[i], i ? 75 : 45, i == 2 ? 0.5 : 0);
   if (!pen->status)
