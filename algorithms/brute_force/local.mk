@@ -8,4 +8,5 @@ algorithm_files += \
   %D%/raycast.c \
   %D%/tiler.c \
   %D%/tiler.h \
+  %D%/tiler_avx2.h \
   %D%/zbuffer.c

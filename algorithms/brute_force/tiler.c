@@ -48,7 +48,7 @@
  * by sample. So its counts and traces are the same on every machine. */
 #if defined __x86_64__ && HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
 #include <immintrin.h>
-#define HAVE_AVX512_TWIN 1
+#define HAVE_TWINS 1
 #define AVX512 __attribute__((target("avx512f")))
 #endif
 
@@ -79,7 +79,8 @@ struct span {
   int j, x0, x1;
 };
 
-/* The steps that are written twice, for every machine and for AVX-512. */
+/* The steps that are written for every machine, for AVX2 (tiler_avx2.h) and for
+ * AVX-512. */
 struct hsr_twin {
   void (*look)(const struct hsr_tiler *, struct hsr_batch *);
   void (*tile_span)(struct hsr_tiler *, const struct span *);
@@ -294,7 +295,7 @@ static void look_portable(const struct hsr_tiler *t, struct hsr_batch *b) {
   look_from(t, b, 0);
 }
 
-#ifdef HAVE_AVX512_TWIN
+#ifdef HAVE_TWINS
 
 AVX512 static inline __m512i lane_numbers(void) {
   return _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
@@ -582,7 +583,7 @@ static void tile_span_portable(struct hsr_tiler *t, const struct span *s) {
   tile_span_from(t, s, s->x0);
 }
 
-#ifdef HAVE_AVX512_TWIN
+#ifdef HAVE_TWINS
 
 AVX512 static inline __m256 eight_depths(const struct span *s, __m512d x) {
   __m512d q = _mm512_mul_pd(_mm512_set1_pd(s->a), x);
@@ -808,7 +809,7 @@ static const struct hsr_twin portable = {look_portable, tile_span_portable,
                                          tile_portable, tile_batch_portable,
                                          write_back_portable};
 
-#ifdef HAVE_AVX512_TWIN
+#ifdef HAVE_TWINS
 
 /* f + fx x: a linear function along a row. */
 AVX512 static inline __m512 linear(float f, float fx, __m512 x) {
@@ -1047,10 +1048,16 @@ static const struct hsr_twin avx512 = {look_avx512, tile_span_avx512,
 
 #endif
 
+#ifdef HAVE_TWINS
+#include "algorithms/brute_force/tiler_avx2.h"
+#endif
+
 static const struct hsr_twin *choose_twin(void) {
-#ifdef HAVE_AVX512_TWIN
+#ifdef HAVE_TWINS
   if (__builtin_cpu_supports("avx512f"))
     return &avx512;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return &avx2;
 #endif
   return &portable;
 }
