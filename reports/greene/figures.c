@@ -30,7 +30,7 @@ static void stop(const char *text) {
 
 static struct hsr_view view_of(const struct both_worlds *worlds, uint32_t k) {
   struct hsr_error err = {.text = "no such view"};
-  struct hsr_view view;
+  struct hsr_view view = {.m = 0};
   if (k >= worlds->scene->n_views ||
       hsr_view_init(&view, &worlds->scene->views[k], SIDE, SIDE, &err))
     stop(err.text);

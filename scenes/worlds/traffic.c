@@ -98,7 +98,7 @@ static void say_motion(struct hsr_pen *pen, const struct drive *d) {
 static void place_cart(struct hsr_pen *pen, struct hsr_random *random,
                        double frame, double length) {
   double start = LENGTH * hsr_random_unit(random);
-  struct drive d = {.length = length ? length : LENGTH};
+  struct drive d = {.length = length > 0 ? length : LENGTH};
   d.aside = 1 + (LENGTH - 2) * hsr_random_unit(random);
   d.speed = 0.02 + 0.06 * hsr_random_unit(random);
   d.floor = STOREY * hsr_random_int(random, 0, 4 * MODULES - 1) + 0.25;
@@ -107,7 +107,7 @@ static void place_cart(struct hsr_pen *pen, struct hsr_random *random,
   d.along_x = direction & 2;
   d.reversed = direction & 1;
   d.from = start / LENGTH * (LENGTH - d.length);
-  d.start = length ? start / LENGTH * d.length : start;
+  d.start = length > 0 ? start / LENGTH * d.length : start;
   double along = place_along(&d, frame), c, s;
   double x = d.along_x ? along : d.aside, z = d.along_x ? d.aside : along;
   hsr_unit((turns + (uint32_t)frame) % 360, 360, &c, &s);

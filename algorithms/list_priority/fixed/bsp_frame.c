@@ -267,16 +267,6 @@ uint32_t hsr_bsp_frame_sides(const struct hsr_bsp_frame *frame,
   return piece->n_corners;
 }
 
-bool hsr_bsp_frame_inside(const struct hsr_bsp_frame *frame, uint32_t face,
-                          const struct hsr_bsp_side *side, int i, int j) {
-  struct hsr_tally *tally = frame->job->tally;
-  const struct hsr_screen *screen = &frame->screen;
-  return side->inside ==
-         (side->b == HSR_NO_ID
-              ? hsr_cut_side(screen, face, side->a, i, j, tally)
-              : hsr_edge_side(screen, side->a, side->b, i, j, tally));
-}
-
 /* --- Loose faces ---------------------------------------------------------- */
 
 /* Writes a sample that a loose face covers, if it is nearer there. */

@@ -28,7 +28,6 @@ extern "C" {
 #define hsr_bsp_frame_walk HSR_OF_BUILD(hsr_bsp_frame_walk)
 #define hsr_bsp_frame_is_asked HSR_OF_BUILD(hsr_bsp_frame_is_asked)
 #define hsr_bsp_frame_sides HSR_OF_BUILD(hsr_bsp_frame_sides)
-#define hsr_bsp_frame_inside HSR_OF_BUILD(hsr_bsp_frame_inside)
 #define hsr_bsp_prepare HSR_OF_BUILD(hsr_bsp_prepare)
 #define hsr_bsp_prepare_bounded HSR_OF_BUILD(hsr_bsp_prepare_bounded)
 #define hsr_bsp_release HSR_OF_BUILD(hsr_bsp_release)
@@ -132,8 +131,17 @@ uint32_t hsr_bsp_frame_sides(const struct hsr_bsp_frame *frame,
 
 /* Whether sample (i, j) is on the inner side of a side of a piece of `face`. On
  * the screen a side is a line: along a row the answer changes at most once. */
-bool hsr_bsp_frame_inside(const struct hsr_bsp_frame *frame, uint32_t face,
-                          const struct hsr_bsp_side *side, int i, int j);
+static inline bool hsr_bsp_frame_inside(const struct hsr_bsp_frame *frame,
+                                        uint32_t face,
+                                        const struct hsr_bsp_side *side, int i,
+                                        int j) {
+  struct hsr_tally *tally = frame->job->tally;
+  const struct hsr_screen *screen = &frame->screen;
+  return side->inside ==
+         (side->b == HSR_NO_ID
+              ? hsr_cut_side(screen, face, side->a, i, j, tally)
+              : hsr_edge_side(screen, side->a, side->b, i, j, tally));
+}
 
 /* Draws the loose faces, after all others. In a transparent picture, all their
  * samples are disputed. */
