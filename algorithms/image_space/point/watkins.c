@@ -280,8 +280,8 @@ static bool first_is_nearer(struct hsr_watkins *s,
   return nearer;
 }
 
-/* What only options need is kept out of line: with it in line, the standard takes
- * 4 % longer. */
+/* For what only options need. These functions are not inlined: if they are,
+ * watkins without options takes 4 % longer. */
 #define OF_OPTION __attribute__((noinline))
 #define IS_OPTION(x) __builtin_expect((x), 0)
 
