@@ -11,6 +11,7 @@
 #include "common/files/scene_json.h"
 #include "common/files/volume/volume.h"
 
+#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -361,12 +362,43 @@ static enum hsr_status open_builtin(struct hsr_scene *scene, const char *name,
                 : tell_building(name, builtin->build(scene, parameter), err);
 }
 
+/* FILE.scene.json:FRAME: the length of FILE.scene.json, and the frame. 0 if the
+ * name is none of this kind. */
+static size_t file_before_frame(const char *name, long *frame) {
+  const char *colon = strrchr(name, ':');
+  size_t n = colon ? (size_t)(colon - name) : 0;
+  static const char suffix[] = ".scene.json";
+  const size_t length = sizeof suffix - 1;
+  if (n <= length || strncmp(colon - length, suffix, length))
+    return 0;
+  char *end;
+  errno = 0;
+  *frame = strtol(colon + 1, &end, 10);
+  return end == colon + 1 || *end || errno || labs(*frame) > INT32_MAX ? 0 : n;
+}
+
+static enum hsr_status open_frame(struct hsr_scene *scene, const char *name,
+                                  size_t n, long frame,
+                                  struct hsr_import *import,
+                                  struct hsr_error *err) {
+  char *file = strndup(name, n);
+  enum hsr_status status =
+      file ? hsr_scene_json_read_frame(scene, file, frame, import, err)
+           : hsr_fail_nomem(err);
+  free(file);
+  return status;
+}
+
 static enum hsr_status fill(struct hsr_scene *scene, const char *name,
                             struct hsr_import *import, struct hsr_error *err) {
   if (!strncmp(name, "mesh:", 5))
     return open_mesh(scene, name + 5, import, err);
   if (has_suffix(name, ".scene.json"))
     return hsr_scene_json_read(scene, name, import, err);
+  long frame;
+  size_t file = file_before_frame(name, &frame);
+  if (file)
+    return open_frame(scene, name, file, frame, import, err);
   if (is_mesh_file(name))
     return hsr_mesh_read(scene, name, import, err);
   if (hsr_is_volume_name(name))

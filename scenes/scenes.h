@@ -45,7 +45,8 @@ bool hsr_builtin_is_there(const struct hsr_builtin *builtin);
 
 /* Opens, finishes and returns the scene that a user names: a built-in scene
  * with parameters ("harbor", "soup:1000:7"), a real mesh of Debian's
- * libcgal-demo ("mesh:elephant"), a .scene.json, a mesh file, or a volume with
+ * libcgal-demo ("mesh:elephant"), a .scene.json, or one of its frames
+ * ("carts.scene.json:12"), a mesh file, or a volume with
  * its words (common/files/volume/volume.h); each may have
  * cameras after it ("house@eye=9,5,9", scenes/cameras.h). A tiny scene is
  * enlarged (hsr_scene_enlarge). *scene is the caller's

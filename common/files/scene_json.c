@@ -13,6 +13,7 @@
 #include "common/files/json_read.h"
 #include "common/files/whole_file.h"
 #include "common/polygon/polygon.h"
+#include "common/scene/motion.h"
 
 #include <jansson.h>
 
@@ -25,6 +26,7 @@
 #include <string.h>
 
 static const char SCHEMA[] = "hsr-scene/1", CAMERA_SCHEMA[] = "hsr-camera/1";
+static const long MOST_FRAME = 2147483647;
 
 /* ---- Messages ---- */
 
@@ -69,6 +71,8 @@ struct reader {
   uint32_t *corners; /* of the face at hand */
   size_t cap_corners;
   struct mesh *mesh; /* the latest that was read */
+  long frame;        /* the scene is this frame of the file */
+  bool frame_given;  /* by who reads it; else the file says it, or it is 0 */
 };
 
 /* A mesh file that has been read, so that it is read once however many objects
@@ -698,12 +702,169 @@ static enum hsr_status read_matrix(const struct reader *reader,
   return status;
 }
 
+/* ---- Motion ---- */
+
+/* An instance, its place in the file, so that sorting is stable, and what is
+ * known of its motion. */
+struct placed {
+  struct hsr_instance instance;
+  size_t order;
+  bool has_motion;
+  struct hsr_motion motion;
+  struct hsr_key *key; /* malloc'ed; NULL: none */
+  size_t n_keys;
+};
+
+/* Refuses what is said of the motion of an instance that does not move. */
+static enum hsr_status check_moves(const struct reader *reader,
+                                   const struct place *place, uint32_t o) {
+  const struct hsr_object *object = &reader->scene->objects[o];
+  return object->moves ? HSR_OK
+                       : refuse(reader, place, "object '%.60s' does not move",
+                                object->name);
+}
+
+/* The time of an element of a list, which is after the one before it. */
+static enum hsr_status read_time(const struct reader *reader,
+                                 const struct place *place, json_t *value,
+                                 double before, double *time) {
+  json_t *frame;
+  struct place here = {place, "frame", 0};
+  enum hsr_status status = require(reader, place, value, "frame", &frame);
+  if (!status)
+    status = read_number(reader, &here, frame, time);
+  if (!status && !(*time > before))
+    return refuse(reader, &here, "%.15g is not after %.15g", *time, before);
+  return status;
+}
+
+/* "lo" and "hi" of a value. */
+static enum hsr_status read_box(const struct reader *reader,
+                                const struct place *place, const json_t *value,
+                                double lo[3], double hi[3]) {
+  json_t *least, *most;
+  enum hsr_status status = require(reader, place, value, "lo", &least);
+  if (!status)
+    status = require(reader, place, value, "hi", &most);
+  if (!status)
+    status =
+        read_numbers(reader, &(struct place){place, "lo", 0}, least, 3, lo);
+  if (!status)
+    status = read_numbers(reader, &(struct place){place, "hi", 0}, most, 3, hi);
+  for (size_t a = 0; a < 3 && !status; a++)
+    if (lo[a] > hi[a]) {
+      struct place list = {place, "hi", 0};
+      return refuse(reader, &(struct place){&list, NULL, a},
+                    "%.15g is below 'lo', %.15g", hi[a], lo[a]);
+    }
+  return status;
+}
+
+static enum hsr_status read_way(const struct reader *reader,
+                                const struct place *place, const json_t *value,
+                                struct placed *to) {
+  static const char *const keys[] = {"frame", "lo", "hi", NULL};
+  enum hsr_status status = read_array(reader, place, value);
+  size_t n = status ? 0 : json_array_size(value);
+  if (!status && !n)
+    return refuse(reader, place, "is empty");
+  to->key = status ? NULL : calloc(n, sizeof *to->key);
+  if (!status && !to->key)
+    return hsr_fail_nomem(reader->err);
+  for (size_t k = 0; k < n && !status; k++) {
+    struct place here = {place, NULL, k};
+    json_t *element = json_array_get(value, k);
+    struct hsr_key *key = &to->key[k];
+    status = check_keys(reader, &here, element, keys);
+    if (!status)
+      status = read_time(reader, &here, element,
+                         k ? to->key[k - 1].frame : -INFINITY, &key->frame);
+    if (!status)
+      status = read_box(reader, &here, element, key->lo, key->hi);
+  }
+  to->n_keys = n;
+  return status;
+}
+
+static enum hsr_status read_speed(const struct reader *reader,
+                                  const struct place *place,
+                                  const json_t *value, double *to) {
+  enum hsr_status status = read_number(reader, place, value, to);
+  return !status && *to < 0 ? refuse(reader, place, "%.15g is negative", *to)
+                            : status;
+}
+
+/* What is promised of an instance. */
+static enum hsr_status read_motion(const struct reader *reader,
+                                   const struct place *place, json_t *value,
+                                   struct placed *to) {
+  static const char *const keys[] = {"speed", "within", "way", NULL};
+  static const char *const box[] = {"lo", "hi", NULL};
+  enum hsr_status status = check_keys(reader, place, value, keys);
+  if (!status)
+    status = check_moves(reader, place, to->instance.object);
+  json_t *speed = json_object_get(value, "speed");
+  json_t *within = json_object_get(value, "within");
+  json_t *way = json_object_get(value, "way");
+  to->has_motion = true;
+  to->motion = hsr_motion_unknown();
+  if (!status && speed)
+    status = read_speed(reader, &(struct place){place, "speed", 0}, speed,
+                        &to->motion.speed);
+  if (!status && within) {
+    struct place here = {place, "within", 0};
+    status = check_keys(reader, &here, within, box);
+    if (!status)
+      status = read_box(reader, &here, within, to->motion.lo, to->motion.hi);
+  }
+  if (!status && way)
+    status = read_way(reader, &(struct place){place, "way", 0}, way, to);
+  return status;
+}
+
+/* Where an instance is, of which places are given: at the time of one, there;
+ * between two, each number of the matrix changes steadily; before the first and
+ * after the last, at that one. */
+static enum hsr_status read_places(const struct reader *reader,
+                                   const struct place *place,
+                                   const json_t *value, double m[12]) {
+  static const char *const keys[] = {"frame", "matrix", "translate", "scale",
+                                     NULL};
+  const double frame = (double)reader->frame;
+  double before = -INFINITY, next[12];
+  enum hsr_status status = read_array(reader, place, value);
+  if (!status && !json_array_size(value))
+    return refuse(reader, place, "is empty");
+  for (size_t k = 0; !status && k < json_array_size(value); k++) {
+    struct place here = {place, NULL, k};
+    json_t *element = json_array_get(value, k);
+    double time = 0;
+    status = check_keys(reader, &here, element, keys);
+    if (!status)
+      status = read_time(reader, &here, element, before, &time);
+    if (!status)
+      status = read_matrix(reader, &here, element, next);
+    if (status)
+      return status;
+    if (!k || time <= frame)
+      memcpy(m, next, sizeof next);
+    else if (before < frame)
+      for (int i = 0; i < 12; i++)
+        m[i] += (frame - before) / (time - before) * (next[i] - m[i]);
+    before = time;
+  }
+  return status;
+}
+
+/* ---- Instances, placed ---- */
+
 static enum hsr_status read_instance(const struct reader *reader,
                                      const struct place *place, json_t *value,
-                                     const json_t *numbers,
-                                     struct hsr_instance *instance) {
+                                     const json_t *numbers, struct placed *to) {
   static const char *const keys[] = {"object", "matrix", "translate", "scale",
-                                     NULL};
+                                     "places", "motion", NULL};
+  static const char *const excluded[] = {"matrix", "translate", "scale", NULL};
+  struct hsr_instance *instance = &to->instance;
   json_t *object;
   enum hsr_status status = check_keys(reader, place, value, keys);
   if (!status)
@@ -711,14 +872,21 @@ static enum hsr_status read_instance(const struct reader *reader,
   if (!status)
     status = read_reference(reader, &(struct place){place, "object", 0}, object,
                             numbers, &instance->object);
-  return status ? status : read_matrix(reader, place, value, instance->m);
+  json_t *places = json_object_get(value, "places");
+  json_t *motion = json_object_get(value, "motion");
+  struct place of_places = {place, "places", 0};
+  if (!status && places)
+    status = exclude(reader, place, value, "places", excluded);
+  if (!status && places)
+    status = check_moves(reader, &of_places, instance->object);
+  if (!status)
+    status = places ? read_places(reader, &of_places, places, instance->m)
+                    : read_matrix(reader, place, value, instance->m);
+  return !status && motion
+             ? read_motion(reader, &(struct place){place, "motion", 0}, motion,
+                           to)
+             : status;
 }
-
-/* An instance and its place in the file, so that sorting is stable. */
-struct placed {
-  struct hsr_instance instance;
-  size_t order;
-};
 
 static int compare_placed(const void *a, const void *b) {
   const struct placed *p = a, *q = b;
@@ -727,13 +895,37 @@ static int compare_placed(const void *a, const void *b) {
   return (p->order > q->order) - (p->order < q->order);
 }
 
+/* Objects from the last instance's up to object `end` that have no instance get
+ * one: hsr_scene_finish leaves them out where motion is known. */
+static enum hsr_status place_before(struct hsr_scene *scene, uint32_t end) {
+  uint32_t n = scene->n_instances;
+  uint32_t o = n ? scene->instances[n - 1].object + 1 : 0;
+  enum hsr_status status = HSR_OK;
+  for (; o < end && !status; o++)
+    status = hsr_scene_instance(scene, o, NULL);
+  return status;
+}
+
 static enum hsr_status append_instances(const struct reader *reader,
                                         struct placed *list, size_t n) {
+  struct hsr_scene *scene = reader->scene;
   enum hsr_status status = HSR_OK;
+  bool any = false; /* is known of motion */
   qsort(list, n, sizeof *list, compare_placed);
-  for (size_t i = 0; i < n && !status; i++)
-    status = hsr_scene_instance(reader->scene, list[i].instance.object,
-                                list[i].instance.m);
+  for (size_t i = 0; i < n; i++)
+    any |= list[i].has_motion;
+  for (size_t i = 0; i < n && !status; i++) {
+    const struct placed *p = &list[i];
+    if (any)
+      status = place_before(scene, p->instance.object);
+    if (!status)
+      status = hsr_scene_instance(scene, p->instance.object, p->instance.m);
+    if (!status && p->has_motion)
+      status =
+          hsr_scene_set_motion(scene, &p->motion, p->key, (uint32_t)p->n_keys);
+  }
+  if (!status && any)
+    status = place_before(scene, scene->n_objects);
   return status ? hsr_fail_nomem(reader->err) : HSR_OK;
 }
 
@@ -748,7 +940,7 @@ static enum hsr_status list_instances(const struct reader *reader,
   for (size_t i = 0; value && !status; i++) {
     list[i].order = i;
     status = read_instance(reader, &(struct place){&place, NULL, i}, value,
-                           numbers, &list[i].instance);
+                           numbers, &list[i]);
     if (!status)
       status = next(reader, &instances, &value);
   }
@@ -768,6 +960,8 @@ static enum hsr_status read_instances(const struct reader *reader,
                       : hsr_fail_nomem(reader->err);
   if (!status)
     status = append_instances(reader, list, n);
+  for (size_t i = 0; i < n && list; i++)
+    free(list[i].key);
   json_decref(numbers);
   free(list);
   return status;
@@ -872,6 +1066,29 @@ static enum hsr_status read_name(const struct reader *reader,
   return status ? status : rename_to(reader, &reader->scene->name, text);
 }
 
+/* A file without it is frame 0. Who reads it may ask for another. */
+static enum hsr_status read_frame(struct reader *reader, const json_t *frame) {
+  struct place place = {NULL, "frame", 0};
+  double number = 0;
+  enum hsr_status status = read_number(reader, &place, frame, &number);
+  if (!status && !(fabs(number) <= MOST_FRAME && number == rint(number)))
+    return refuse(reader, &place, "%.15g is no whole number up to %ld", number,
+                  MOST_FRAME);
+  if (!status && !reader->frame_given)
+    reader->frame = (long)number;
+  return status;
+}
+
+/* What is known of the motion holds in this frame. */
+static enum hsr_status check_motion(const struct reader *reader) {
+  struct hsr_error why;
+  if (reader->frame && hsr_scene_set_frame(reader->scene, reader->frame))
+    return hsr_fail_nomem(reader->err);
+  return hsr_scene_check_motion(reader->scene, &why)
+             ? refuse(reader, NULL, "%s", why.text)
+             : HSR_OK;
+}
+
 /* Refuses members that should be lists and are not. */
 static enum hsr_status check_lists(const struct reader *reader,
                                    const json_t *root) {
@@ -887,20 +1104,25 @@ static enum hsr_status check_lists(const struct reader *reader,
 static enum hsr_status
 read_scene(struct reader *reader, json_t *root,
            const struct hsr_json_part list[SCENE_LISTS]) {
-  static const char *const keys[] = {"schema",    "name",  "objects",
+  static const char *const keys[] = {"schema",    "name",  "frame", "objects",
                                      "instances", "views", NULL};
   json_t *name = json_object_get(root, "name");
+  json_t *frame = json_object_get(root, "frame");
   enum hsr_status status = check_schema(reader, root, SCHEMA);
   if (!status)
     status = check_keys(reader, NULL, root, keys);
   if (!status && name)
     status = read_name(reader, name);
+  if (!status && frame)
+    status = read_frame(reader, frame);
   if (!status)
     status = check_lists(reader, root);
   if (!status)
     status = read_objects(reader, list[OBJECTS]);
   if (!status)
     status = read_instances(reader, list[INSTANCES]);
+  if (!status)
+    status = check_motion(reader);
   return status ? status : read_views(reader, list[VIEWS]);
 }
 
@@ -924,10 +1146,10 @@ read_file(struct reader *reader,
   return status;
 }
 
-enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
-                                    struct hsr_import *import,
-                                    struct hsr_error *err) {
-  struct reader reader = {.scene = scene, .path = path, .err = err};
+/* Reads a scene; *with says how, and has nothing of it yet. */
+static enum hsr_status read_with(const struct reader *with,
+                                 struct hsr_import *import) {
+  struct reader reader = *with;
   if (import)
     reader.import.drop_degenerate = import->drop_degenerate;
   enum hsr_status status = read_file(&reader, read_scene);
@@ -936,6 +1158,25 @@ enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
   if (import)
     import->n_dropped = reader.import.n_dropped;
   return status;
+}
+
+enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
+                                    struct hsr_import *import,
+                                    struct hsr_error *err) {
+  struct reader reader = {.scene = scene, .path = path, .err = err};
+  return read_with(&reader, import);
+}
+
+enum hsr_status hsr_scene_json_read_frame(struct hsr_scene *scene,
+                                          const char *path, long frame,
+                                          struct hsr_import *import,
+                                          struct hsr_error *err) {
+  struct reader reader = {.scene = scene,
+                          .path = path,
+                          .err = err,
+                          .frame = frame,
+                          .frame_given = true};
+  return read_with(&reader, import);
 }
 
 /* ---- Cameras ---- */
@@ -1081,10 +1322,62 @@ static void put_object(struct writer *writer, const struct hsr_object *object) {
   put_text(writer, "]}");
 }
 
+static void put_box(struct writer *writer, const double lo[3],
+                    const double hi[3]) {
+  put_text(writer, "\"lo\": ");
+  put_array(writer, lo, 3, DOUBLE_DIGITS);
+  put_text(writer, ", \"hi\": ");
+  put_array(writer, hi, 3, DOUBLE_DIGITS);
+  put_text(writer, "}");
+}
+
+/* A box that is infinite in some directions says nothing in a file. */
+static bool is_bounded(const struct hsr_motion *motion) {
+  bool bounded = true;
+  for (int a = 0; a < 3; a++)
+    bounded &= isfinite(motion->lo[a]) && isfinite(motion->hi[a]);
+  return bounded;
+}
+
+/* The key of a member; *n of them were put before. */
+static void put_key(struct writer *writer, int *n, const char *key) {
+  put_text(writer, (*n)++ ? ", " : "");
+  put_text(writer, key);
+}
+
+static void put_motion(struct writer *writer, const struct hsr_scene *scene,
+                       uint32_t i) {
+  const struct hsr_motion motion = hsr_scene_motion(scene, i);
+  int n = 0;
+  put_text(writer, ",\n    \"motion\": {");
+  if (isfinite(motion.speed)) {
+    put_key(writer, &n, "\"speed\": ");
+    put(writer, json_real(motion.speed), DOUBLE_DIGITS);
+  }
+  if (is_bounded(&motion)) {
+    put_key(writer, &n, "\"within\": {");
+    put_box(writer, motion.lo, motion.hi);
+  }
+  if (motion.n_keys)
+    put_key(writer, &n, "\"way\": [");
+  for (uint32_t k = 0; k < motion.n_keys && !writer->status; k++) {
+    const struct hsr_key *key = &scene->motions->key[motion.first_key + k];
+    put_line(writer, k, "      {\"frame\": ");
+    put(writer, json_real(key->frame), DOUBLE_DIGITS);
+    put_text(writer, ", ");
+    put_box(writer, key->lo, key->hi);
+  }
+  put_text(writer, motion.n_keys ? "]}" : "}");
+}
+
+static bool is_known(const struct hsr_motion *motion) {
+  return isfinite(motion->speed) || is_bounded(motion) || motion->n_keys;
+}
+
 /* An object by its name, or by its number where the name is not its alone. */
 static void put_instance(struct writer *writer, const struct hsr_scene *scene,
-                         const struct hsr_instance *instance,
-                         const json_t *numbers) {
+                         uint32_t i, const json_t *numbers) {
+  const struct hsr_instance *instance = &scene->instances[i];
   const char *name = scene->objects[instance->object].name;
   put_text(writer, "{\"object\": ");
   if (json_integer_value(json_object_get(numbers, name)) == AMBIGUOUS)
@@ -1093,6 +1386,9 @@ static void put_instance(struct writer *writer, const struct hsr_scene *scene,
     put_string(writer, name);
   put_text(writer, ", \"matrix\": ");
   put_array(writer, instance->m, 12, DOUBLE_DIGITS);
+  const struct hsr_motion motion = hsr_scene_motion(scene, i);
+  if (is_known(&motion))
+    put_motion(writer, scene, i);
   put_text(writer, "}");
 }
 
@@ -1104,7 +1400,7 @@ static void put_instances(struct writer *writer,
   put_text(writer, ",\n \"instances\": [");
   for (uint32_t i = 0; i < scene->n_instances && !writer->status; i++) {
     put_line(writer, i, "  ");
-    put_instance(writer, scene, &scene->instances[i], numbers);
+    put_instance(writer, scene, i, numbers);
   }
   put_text(writer, "]");
   json_decref(numbers);
@@ -1137,6 +1433,10 @@ static void put_scene(struct writer *writer, const struct hsr_scene *scene) {
   put_string(writer, SCHEMA);
   put_text(writer, ",\n \"name\": ");
   put_string(writer, scene->name);
+  if (hsr_scene_frame(scene)) {
+    put_text(writer, ",\n \"frame\": ");
+    put(writer, json_integer(hsr_scene_frame(scene)), DOUBLE_DIGITS);
+  }
   put_text(writer, ",\n \"objects\": [");
   for (uint32_t o = 0; o < scene->n_objects && !writer->status; o++) {
     put_line(writer, o, "  ");

@@ -17,6 +17,13 @@ enum hsr_status hsr_scene_json_read(struct hsr_scene *scene, const char *path,
                                     struct hsr_import *import,
                                     struct hsr_error *err);
 
+/* The same of another frame than the file's own: instances that have places are
+ * where they are in that frame. */
+enum hsr_status hsr_scene_json_read_frame(struct hsr_scene *scene,
+                                          const char *path, long frame,
+                                          struct hsr_import *import,
+                                          struct hsr_error *err);
+
 /* Appends the views of a file of cameras, {"schema": "hsr-camera/1", "views":
  * [...]}, to a scene. Each view is as in a scene file, and there is at least
  * one. HSR_E_INPUT, HSR_E_NOMEM. */

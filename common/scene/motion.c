@@ -146,8 +146,14 @@ bool hsr_scene_way(const struct hsr_scene *scene, uint32_t i, double from,
 
 /* --- Another frame -------------------------------------------------------- */
 
-static bool is_same_scene(const struct hsr_scene *a,
-                          const struct hsr_scene *b) {
+bool hsr_scene_moves(const struct hsr_scene *scene) {
+  bool any = false;
+  for (uint32_t o = 0; o < scene->n_objects; o++)
+    any |= scene->objects[o].moves;
+  return any;
+}
+
+bool hsr_scene_has_frame(const struct hsr_scene *a, const struct hsr_scene *b) {
   if (a->n_objects != b->n_objects || a->n_instances != b->n_instances)
     return false;
   for (uint32_t o = 0; o < a->n_objects; o++)
@@ -208,18 +214,32 @@ static const char *check_instance(const struct hsr_scene *scene,
   return broken;
 }
 
-enum hsr_status hsr_scene_follow(struct hsr_scene *scene,
+static enum hsr_status check_all(const struct hsr_scene *scene,
                                  const struct hsr_scene *then,
                                  struct hsr_error *err) {
-  if (!is_same_scene(scene, then))
-    return hsr_fail(err, HSR_E_INPUT, "%s is not a frame of %s", then->name,
-                    scene->name);
   for (uint32_t i = 0; i < scene->n_instances; i++) {
     const char *broken = check_instance(scene, then, i);
     if (broken)
       return hsr_fail(err, HSR_E_INPUT, "instance %u of object %s %s", i,
                       scene->objects[scene->instances[i].object].name, broken);
   }
+  return HSR_OK;
+}
+
+enum hsr_status hsr_scene_check_motion(const struct hsr_scene *scene,
+                                       struct hsr_error *err) {
+  return scene->motions ? check_all(scene, scene, err) : HSR_OK;
+}
+
+enum hsr_status hsr_scene_follow(struct hsr_scene *scene,
+                                 const struct hsr_scene *then,
+                                 struct hsr_error *err) {
+  if (!hsr_scene_has_frame(scene, then))
+    return hsr_fail(err, HSR_E_INPUT, "%s is not a frame of %s", then->name,
+                    scene->name);
+  enum hsr_status status = check_all(scene, then, err);
+  if (status)
+    return status;
   if (hsr_scene_set_frame(scene, hsr_scene_frame(then)))
     return hsr_fail_nomem(err);
   memcpy(scene->instances, then->instances,

@@ -61,6 +61,19 @@ struct hsr_motion hsr_scene_motion(const struct hsr_scene *scene, uint32_t i);
 bool hsr_scene_way(const struct hsr_scene *scene, uint32_t i, double from,
                    double to, double lo[3], double hi[3]);
 
+/* Holds a scene, which need not be finished, to what is known of it. HSR_E_INPUT,
+ * with *err naming the instance, if a promise is broken in its own frame. */
+enum hsr_status hsr_scene_check_motion(const struct hsr_scene *scene,
+                                       struct hsr_error *err);
+
+/* Whether objects of the scene move. */
+bool hsr_scene_moves(const struct hsr_scene *scene);
+
+/* Whether another scene is of the same objects and instances, wherever these
+ * are. */
+bool hsr_scene_has_frame(const struct hsr_scene *scene,
+                         const struct hsr_scene *then);
+
 /* Makes a scene another frame of itself: moves its instances to where they are
  * in `then`. HSR_E_INPUT, with *err naming the instance, if that is another
  * scene, if something was moved that does not move, or if a promise is broken;

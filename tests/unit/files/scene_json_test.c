@@ -2,6 +2,7 @@
 /* Scene files: a scene is read back bit for bit as it was written; members left
  * out have their defaults; faults are refused at the right place. */
 #include "common/files/scene_json.h"
+#include "common/scene/motion.h"
 #include "tests/tap.h"
 
 #include <jansson.h>
@@ -364,6 +365,86 @@ static void test_drop(struct tap *tap) {
   hsr_scene_delete(scene);
 }
 
+/* ---- Motion ---- */
+
+static const char MOTION[] =
+    "{\"schema\": \"hsr-scene/1\", \"frame\": 2, \"objects\": ["
+    "{\"name\": \"still\", \"vertices\": [[0,0,0],[1,0,0],[0,1,0]],"
+    "\"faces\": [[0,1,2]]},"
+    "{\"name\": \"cart\", \"moves\": true, \"vertices\":"
+    "[[0,0,0],[1,0,0],[0,1,0]], \"faces\": [[0,1,2]]}],"
+    "\"instances\": [{\"object\": \"cart\", \"places\": ["
+    "{\"frame\": 1, \"translate\": [1,0,0]},"
+    "{\"frame\": 5, \"translate\": [9,4,0], \"scale\": 3},"
+    "{\"frame\": 6, \"matrix\": [0,1,0,0, 1,0,0,0, 0,0,1,0]}],"
+    "\"motion\": {\"speed\": 20, \"within\": {\"lo\": [0,0,-1], \"hi\":"
+    "[12,7,1]}, \"way\": [{\"frame\": 0.5, \"lo\": [0,0,-1], \"hi\":"
+    "[12,7,1]}, {\"frame\": 6, \"lo\": [0,0,0], \"hi\": [12,7,0]}]}},"
+    "{\"object\": \"cart\", \"motion\": {}},"
+    "{\"object\": \"cart\", \"translate\": [0,0,5],"
+    "\"motion\": {\"speed\": 0}}]}";
+
+/* The first cart, whose matrix is a scale and a translation. */
+static bool is_placed(long frame, double scale, double x, double y) {
+  struct hsr_scene *scene;
+  struct hsr_error err;
+  must((scene = hsr_scene_new("walk")));
+  must(!hsr_scene_json_read_frame(scene, "motion.scene.json", frame, NULL,
+                                  &err));
+  const double m[12] = {scale, 0, 0, x, 0, scale, 0, y, 0, 0, scale, 0};
+  bool there = same(scene->instances[1].m, m, sizeof m) &&
+               hsr_scene_frame(scene) == frame;
+  hsr_scene_delete(scene);
+  return there;
+}
+
+static bool same_motion(const struct hsr_scene *a, const struct hsr_scene *b) {
+  bool all = hsr_scene_frame(a) == hsr_scene_frame(b);
+  for (uint32_t i = 0; i < a->n_instances; i++) {
+    struct hsr_motion p = hsr_scene_motion(a, i), q = hsr_scene_motion(b, i);
+    all &= p.speed == q.speed && same(p.lo, q.lo, sizeof p.lo) &&
+           same(p.hi, q.hi, sizeof p.hi) && p.n_keys == q.n_keys &&
+           (!p.n_keys ||
+            same(a->motions->key + p.first_key, b->motions->key + q.first_key,
+                 p.n_keys * sizeof(struct hsr_key)));
+  }
+  return all;
+}
+
+static void test_motion(struct tap *tap) {
+  struct hsr_scene *scene, *again;
+  struct hsr_error err;
+  write_text("motion.scene.json", MOTION);
+  enum hsr_status status = read_file(&scene, "motion.scene.json", NULL, &err);
+  ok(tap,
+     !status && scene->n_instances == 4 && scene->instances[0].object == 0 &&
+         hsr_scene_frame(scene) == 2 && scene->instances[1].m[3] == 3,
+     "a file says its frame; an object without instance is placed: %s",
+     err.text);
+  struct hsr_motion first = hsr_scene_motion(scene, 1);
+  struct hsr_motion last = hsr_scene_motion(scene, 3);
+  double lo[3], hi[3];
+  ok(tap,
+     first.speed == 20 && first.hi[0] == 12 && first.lo[2] == -1 &&
+         first.n_keys == 2 && hsr_scene_way(scene, 1, 6, 6, lo, hi) &&
+         lo[2] == 0 && hi[0] == 12 && !hsr_scene_way(scene, 1, 0, 1, lo, hi) &&
+         last.speed == 0 && isinf(last.hi[0]) && !last.n_keys &&
+         isinf(hsr_scene_motion(scene, 2).speed) &&
+         isinf(hsr_scene_motion(scene, 0).speed),
+     "what is known is each instance's own");
+  ok(tap, is_placed(1, 1, 1, 0) && is_placed(5, 3, 9, 4),
+     "at its frame a place holds exactly");
+  ok(tap, is_placed(3, 2, 5, 2) && is_placed(4, 2.5, 7, 3),
+     "between two places the matrix changes steadily");
+  ok(tap, is_placed(-7, 1, 1, 0), "before the first place it is there");
+  must(!hsr_scene_json_write(scene, "again.scene.json", &err));
+  status = read_file(&again, "again.scene.json", NULL, &err);
+  ok(tap, !status && same_scene(scene, again) && same_motion(scene, again),
+     "the frame and the motion are written: %s", err.text);
+  hsr_scene_delete(scene);
+  hsr_scene_delete(again);
+}
+
 /* ---- Bad input ---- */
 
 /* The parts around the texts below. */
@@ -371,6 +452,10 @@ static void test_drop(struct tap *tap) {
 #define TRIANGLE "\"vertices\": [[0,0,0],[1,0,0],[0,1,0]], \"faces\": [[0,1,2]]"
 #define OBJECT "{\"name\": \"a\", " TRIANGLE "}"
 #define INSTANCE(text) HEAD OBJECT "], \"instances\": [" text "]}"
+#define MOVING "{\"name\": \"a\", \"moves\": true, " TRIANGLE "}"
+#define MOVED(text)                                                            \
+  HEAD MOVING "], \"instances\": [{\"object\": \"a\", " text "}]}"
+#define KEY(frame) "{\"frame\": " frame ", \"lo\": [0,0,0], \"hi\": [1,1,1]}"
 #define VIEW(text) HEAD OBJECT "], \"views\": [" text "]}"
 
 static const struct {
@@ -525,6 +610,47 @@ static const struct {
     {INSTANCE("{\"object\": \"a\", \"translate\": 1}"),
      ": /instances/0/translate: must be an array, not a number"},
 
+    /* Motion */
+    {"{\"schema\": \"hsr-scene/1\", \"frame\": 1.5, \"objects\": []}",
+     ": /frame: 1.5 is no whole number up to 2147483647"},
+    {"{\"schema\": \"hsr-scene/1\", \"frame\": 1e10, \"objects\": []}",
+     ": /frame: 10000000000 is no whole number up to 2147483647"},
+    {INSTANCE("{\"object\": \"a\", \"motion\": {\"speed\": 1}}"),
+     ": /instances/0/motion: object 'a' does not move"},
+    {INSTANCE("{\"object\": \"a\", \"places\": [{\"frame\": 0}]}"),
+     ": /instances/0/places: object 'a' does not move"},
+    {MOVED("\"places\": {}"),
+     ": /instances/0/places: must be an array, not an object"},
+    {MOVED("\"places\": []"), ": /instances/0/places: is empty"},
+    {MOVED("\"places\": [{\"frame\": 0}], \"scale\": 2"),
+     ": /instances/0/scale: cannot stand beside 'places'"},
+    {MOVED("\"places\": [{\"scale\": 2}]"),
+     ": /instances/0/places/0: 'frame' is missing"},
+    {MOVED("\"places\": [{\"frame\": 0, \"rotate\": 2}]"),
+     ": /instances/0/places/0/rotate: unknown key"},
+    {MOVED("\"places\": [{\"frame\": 0}, {\"frame\": 0}]"),
+     ": /instances/0/places/1/frame: 0 is not after 0"},
+    {MOVED("\"motion\": []"),
+     ": /instances/0/motion: must be an object, not an array"},
+    {MOVED("\"motion\": {\"spede\": 1}"),
+     ": /instances/0/motion/spede: unknown key"},
+    {MOVED("\"motion\": {\"speed\": -1}"),
+     ": /instances/0/motion/speed: -1 is negative"},
+    {MOVED("\"motion\": {\"within\": {\"lo\": [0,0,0]}}"),
+     ": /instances/0/motion/within: 'hi' is missing"},
+    {MOVED("\"motion\": {\"within\": {\"lo\": [0,2,0], \"hi\": [1,1,1]}}"),
+     ": /instances/0/motion/within/hi/1: 1 is below 'lo', 2"},
+    {MOVED("\"motion\": {\"way\": []}"), ": /instances/0/motion/way: is empty"},
+    {MOVED("\"motion\": {\"way\": [" KEY("2") ", " KEY("1") "]}"),
+     ": /instances/0/motion/way/1/frame: 1 is not after 2"},
+    {MOVED("\"motion\": {\"way\": [{\"frame\": 0, \"lo\": [0,0,0]}]}"),
+     ": /instances/0/motion/way/0: 'hi' is missing"},
+    {MOVED("\"translate\": [2,0,0], \"motion\": {\"way\": [" KEY("0") "]}"),
+     ": instance 0 of object a leaves its way"},
+    {MOVED("\"translate\": [2,0,0], \"motion\": {\"within\": {\"lo\": "
+           "[0,0,0], \"hi\": [1,1,1]}}"),
+     ": instance 0 of object a leaves its volume"},
+
     /* Views */
     {HEAD OBJECT "], \"views\": 1}",
      ": /views: must be an array, not a number"},
@@ -594,6 +720,7 @@ static void test_bad_files(struct tap *tap) {
 static void clean_up(const char *directory) {
   static const char *const files[] = {
       "whole.scene.json",     "old.scene.json",
+      "motion.scene.json",    "again.scene.json",
       "bad.scene.json",       "defaults.scene.json",
       "sub/meshes/tetra.off", "sub/m.scene.json",
       "sub/bad.off",          "sub/flat.off",
@@ -658,12 +785,13 @@ int main(void) {
   json_set_alloc_funcs(hold, let_go);
   char directory[] = "/tmp/hsr-scene-json-XXXXXX";
   must(mkdtemp(directory) && !chdir(directory));
-  struct tap tap = plan(5 + 4 + 11 + 7 + 2 + COUNT(bad) + 7 + 2);
+  struct tap tap = plan(5 + 4 + 11 + 7 + 2 + 6 + COUNT(bad) + 7 + 2);
   test_round_trip(&tap);
   test_bad_writes(&tap);
   test_defaults(&tap);
   test_meshes(&tap);
   test_drop(&tap);
+  test_motion(&tap);
   test_bad_texts(&tap);
   test_bad_files(&tap);
   test_memory(&tap);
