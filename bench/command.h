@@ -72,6 +72,9 @@ bool parse_point(const char *text, double point[3]);
 bool parse_number(const char *text, double *number);
 bool parse_count(const char *text, long least, long most, long *count);
 
+/* "A-B" or "A", of numbers from `least` on, A <= B. */
+bool parse_range(const char *text, long least, long *first, long *last);
+
 /* --filter of area pictures: a name of hsr_area_filters. */
 error_t parse_area_filter(enum hsr_area_filter *filter, const char *arg,
                           struct option_base *base);

@@ -93,6 +93,7 @@ libbench_a_SOURCES = \
   %D%/check/matrix.c \
   %D%/check/report.c \
   %D%/check/sort_last.c \
+  %D%/check/walk.c \
   %D%/report/cells.c \
   %D%/report/command.c \
   %D%/report/data.c \

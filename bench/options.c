@@ -384,6 +384,16 @@ enum hsr_status open_scene(const char *name, struct hsr_import import,
   return status;
 }
 
+bool parse_range(const char *text, long least, long *first, long *last) {
+  char start[32];
+  size_t n = strcspn(text, "-");
+  if (n >= sizeof start)
+    return false;
+  snprintf(start, sizeof start, "%.*s", (int)n, text);
+  return parse_count(start, least, INT_MAX, first) &&
+         parse_count(text[n] ? text + n + 1 : start, *first, INT_MAX, last);
+}
+
 bool series_name(const char *pattern, long number, char name[MOST_FILE_NAME]) {
   size_t n = 0;
   int places = 0;

@@ -130,6 +130,7 @@ tap_scripts = \
   %D%/ranks.test \
   %D%/sort_last.test \
   %D%/tiles.test \
+  %D%/walk.test \
   %D%/volumes.test \
   %D%/bad/bad_input.test \
   %D%/bad/memory.test \

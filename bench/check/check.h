@@ -33,8 +33,15 @@ struct check_options {
   const char *differences; /* a folder, or NULL */
   struct hsr_import import;
   bool sort_last;
-  long parts; /* of --sort-last; 0: as many as ranks */
+  long parts;                   /* of --sort-last; 0: as many as ranks */
+  bool frames;                  /* --frames: views are frames */
+  long first_frame, last_frame; /* of them; view[k] is frame - 1 */
 };
+
+/* What a view is called that is judged. */
+static inline const char *view_word(const struct check_options *options) {
+  return options->frames ? "frame" : "view";
+}
 
 /* --- All cells of a scene ------------------------------------------------- */
 
@@ -45,6 +52,7 @@ struct scene_run {
   struct progress *progress;
   struct hsr_scene *scene;
   struct hsr_world world;
+  struct walk walk;      /* of --frames; else .n is 0 */
   struct hsr_view *view; /* one for each size and view, in judging order */
   struct cell *cells;    /* one for each size, view and algorithm; shared */
   size_t cells_size;
@@ -95,6 +103,12 @@ enum hsr_status judge_parts(struct scene_run *run, struct hsr_error *err);
 /* Makes the views in all sizes: the scene has them. As hsr_view_init. */
 enum hsr_status init_views(struct scene_run *run, const struct hsr_scene *scene,
                            struct hsr_error *err);
+
+/* Opens the frames of a scene, the first of which is run->scene, and makes their
+ * views in all sizes (bench/check/walk.c). Fails as open_scene; HSR_E_INPUT also
+ * if a frame breaks what the first promises. */
+enum hsr_status open_walk(struct scene_run *run, struct hsr_error *err);
+void close_walk(struct scene_run *run);
 
 /* The last of the views, from 0. */
 uint32_t last_view(const struct check_options *options);

@@ -21,7 +21,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { DROP = 0x200, ORDER, SAMPLES, MATRIX, DIFFERENCES, SORT_LAST };
+enum { DROP = 0x200, ORDER, SAMPLES, MATRIX, DIFFERENCES, SORT_LAST, FRAMES };
 
 /* --- Options -------------------------------------------------------------- */
 
@@ -112,7 +112,22 @@ static void swap_views(struct check_options *o, int a, int b) {
   o->view[b] = kept;
 }
 
+/* The frames to judge, as views. */
+static error_t list_frames(struct check_options *o) {
+  if (o->order)
+    return option_fail(&o->base, "--order does not go with --frames");
+  if (o->last_frame - o->first_frame >= MOST_VIEWS)
+    return option_fail(&o->base, "--frames: at most %d frames",
+                       (int)MOST_VIEWS);
+  o->n_views = (int)(o->last_frame - o->first_frame + 1);
+  for (int k = 0; k < o->n_views; k++)
+    o->view[k] = (int)o->first_frame + k - 1;
+  return 0;
+}
+
 static error_t order_views(struct check_options *o) {
+  if (o->frames)
+    return list_frames(o);
   bool reverse = o->order && !strcmp(o->order, "reverse");
   bool shuffle = o->order && !strcmp(o->order, "shuffle");
   if (o->order && !reverse && !shuffle)
@@ -146,6 +161,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   case ORDER:
     o->order = arg;
+    return 0;
+  case FRAMES:
+    o->frames = true;
+    if (!parse_range(arg, 0, &o->first_frame, &o->last_frame))
+      return option_fail(
+          &o->base, "--frames %s: must be A-B, each 0 or more, A <= B", arg);
     return 0;
   case SAMPLES:
     if (!parse_count(arg, 1, MOST_SAMPLES, &o->samples))
@@ -211,6 +232,13 @@ static const struct argp argp = {
          "frame draws the views: reverse; shuffle, the same in every run; or "
          "K,..., which also chooses the views",
          0},
+        {"frames", FRAMES, "A-B", 0,
+         "judge these frames, in order: SCENE has %d in the place of the "
+         "number, as in traffic:20:%d. Algorithms that take the scene as an "
+         "outline keep what they have prepared from frame to frame, where its "
+         "objects move. With --views N, the frames are seen from the first N "
+         "views in turn (standard: 1)",
+         0},
         {"samples", SAMPLES, "N", 0,
          "compare N random samples of each picture, or pixels of a filtered "
          "one, the same in every run: "
@@ -251,7 +279,8 @@ static const struct argp argp = {
     "Exit status 0: no sample and no edge differs. 1: one does, or an "
     "algorithm crashed or took too long.\n\n"
     "  hsr check\n"
-    "  hsr check house mesh:elephant -a watkins --size 97x61,512x512",
+    "  hsr check house mesh:elephant -a watkins --size 97x61,512x512\n"
+    "  hsr check traffic:20:%d --frames 0-9 -a hzbuffer:movers=update",
     NULL,
     NULL,
     NULL};
@@ -263,9 +292,11 @@ static bool is_fit(const struct check_options *o, const struct hsr_variant *v) {
 
 static enum hsr_status check_fit(const struct check_options *o,
                                  struct hsr_error *err) {
-  if (o->sort_last && o->differences)
-    return hsr_fail(err, HSR_E_USAGE,
-                    "--sort-last does not go with --differences");
+  if (o->sort_last && (o->differences || o->frames))
+    return hsr_fail(err, HSR_E_USAGE, "--sort-last does not go with %s",
+                    o->frames ? "--frames" : "--differences");
+  if (o->frames && !o->n_scenes)
+    return hsr_fail(err, HSR_E_USAGE, "--frames needs a SCENE");
   for (int k = 0; k < o->n_algorithms; k++)
     if (!is_fit(o, &o->algorithm[k]))
       return hsr_fail(
@@ -354,7 +385,7 @@ static enum hsr_status start_group(const struct group *g,
 }
 
 /* The group of one view; or of all views, if `first` keeps a state from one to
- * the next. */
+ * the next, or if they are frames. */
 static struct group group_of(const struct scene_run *run,
                              const struct hsr_variant *first, int size,
                              int view) {
@@ -367,11 +398,12 @@ static struct group group_of(const struct scene_run *run,
                             &run->world, &first->choice.form, o->samples),
                         .world = &run->world,
                         .form = first->choice.form,
+                        .walk = o->frames ? &run->walk : NULL,
                         .mask = HSR_FRAME_STATE,
                         .flags = sequence ? HSR_FRAME_STATE : 0,
                         .view = &run->view[size * o->n_views + view],
                         .number = &o->view[view],
-                        .n_views = sequence ? o->n_views : 1,
+                        .n_views = sequence || o->frames ? o->n_views : 1,
                         .cells = cell_at(run, size, view, 0),
                         .turns = o->turns,
                         .differences = o->differences};
@@ -388,7 +420,8 @@ static int list_groups(const struct scene_run *run, struct group *group) {
       if (keeps_state(first) != sequence || !is_first(o, k))
         continue;
       for (int size = 0; size < o->n_sizes; size++)
-        for (int view = 0; view < (sequence ? 1 : o->n_views); view++, n++)
+        for (int view = 0; view < (sequence || o->frames ? 1 : o->n_views);
+             view++, n++)
           if (group)
             group[n] = group_of(run, first, size, view);
     }
@@ -482,8 +515,10 @@ static enum hsr_status make_cells(struct scene_run *run,
 
 static enum hsr_status open_run(struct scene_run *run, struct hsr_error *err) {
   const struct check_options *o = run->options;
-  enum hsr_status status = open_scene(run->name, o->import, &run->scene, err);
-  if (!status)
+  enum hsr_status status =
+      o->frames ? open_walk(run, err)
+                : open_scene(run->name, o->import, &run->scene, err);
+  if (!status && !o->frames)
     status = make_views(run, err);
   if (!status)
     status = hsr_world_open(&run->world, run->scene, most_laid_out(o), err);
@@ -495,6 +530,7 @@ static void close_run(struct scene_run *run) {
     munmap(run->cells, run->cells_size);
   free(run->view);
   hsr_world_free(&run->world);
+  close_walk(run);
   hsr_scene_delete(run->scene);
 }
 

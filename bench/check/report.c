@@ -63,8 +63,8 @@ static void print_scene(const struct scene_run *run, int size) {
 static int say_cell(const struct scene_run *run, int size, int view, int a,
                     char *text, size_t n) {
   const struct check_options *o = run->options;
-  return snprintf(text, n, "%s, view %d, %dx%d", o->algorithm[a].name,
-                  o->view[view] + 1, o->m[size], o->n[size]);
+  return snprintf(text, n, "%s, %s %d, %dx%d", o->algorithm[a].name,
+                  view_word(o), o->view[view] + 1, o->m[size], o->n[size]);
 }
 
 enum { LINE = 3000 };
@@ -95,11 +95,11 @@ static void say_again(const struct scene_run *run, int size, int view, int a,
                       char *text, size_t n) {
   const struct check_options *o = run->options;
   char scene[TERMINAL_NAME];
-  snprintf(text, n,
-           "again: hsr check %s -a %s --order %d --size %dx%d --timeout %ld%s",
-           terminal_word(run->name, scene, sizeof scene), o->algorithm[a].name,
-           o->view[view] + 1, o->m[size], o->n[size], o->timeout,
-           o->import.drop_degenerate ? " --drop-degenerate" : "");
+  snprintf(
+      text, n, "again: hsr check %s -a %s --%s %d --size %dx%d --timeout %ld%s",
+      terminal_word(run->name, scene, sizeof scene), o->algorithm[a].name,
+      o->frames ? "frames" : "order", o->view[view] + 1, o->m[size], o->n[size],
+      o->timeout, o->import.drop_degenerate ? " --drop-degenerate" : "");
 }
 
 static void print_crash(const struct scene_run *run, int size, int view,

@@ -6,6 +6,7 @@
 #include "bench/judge/differences.h"
 #include "bench/judge/wanted.h"
 #include "bench/run/terminate.h"
+#include "common/scene/motion.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -111,22 +112,117 @@ static void note_refusal(const struct group *g, int number, const char *why) {
   }
 }
 
+static void note_adaptations(const struct group *g, int k, int number,
+                             const struct hsr_setup *setup) {
+  struct cell *cell = cell_of(g, k, number);
+  cell->n_adaptations = setup->n_adaptations;
+  for (int i = 0; i < setup->n_adaptations; i++)
+    snprintf(cell->adapted[i], HSR_ADAPTER_NAME, "%s",
+             setup->adaptation[i].name);
+}
+
+/* --- Frames --------------------------------------------------------------- */
+
+/* Draws frame k of a walk, by an algorithm made ready for it. `world` is the
+ * frame's. */
+static enum hsr_status
+judge_frame(const struct group *g, const struct player *player,
+            const struct hsr_setup *setup, int k, const struct hsr_world *world,
+            const struct wanted *wanted, struct hsr_error *err) {
+  struct group here = *g;
+  here.world = world;
+  note_adaptations(g, k, player->number, setup);
+  enum hsr_status status = judge_view(&here, player, setup, k, &wanted[k],
+                                      cell_of(g, k, player->number), err);
+  alarm((unsigned)g->timeout);
+  return status;
+}
+
+/* By one prepared object, which follows what moves. */
+static enum hsr_status follow_walk(const struct group *g,
+                                   const struct player *player,
+                                   const struct hsr_world *world,
+                                   const struct wanted *wanted,
+                                   struct hsr_error *err) {
+  const struct walk *walk = g->walk;
+  struct hsr_setup setup;
+  enum hsr_status status =
+      hsr_scene_follow(walk->follower, walk->frame[0], err);
+  if (status)
+    return HSR_E_INTERNAL; /* it can */
+  status = hsr_setup_init(&setup, player->algorithm,
+                          &g->algorithm[player->number].choice, world, err);
+  for (int k = 0; k < g->n_views && !status; k++) {
+    if (hsr_scene_follow(walk->follower, walk->frame[k], err))
+      status = HSR_E_INTERNAL;
+    else
+      status = judge_frame(g, player, &setup, k, world, wanted, err);
+  }
+  hsr_setup_free(&setup);
+  return status;
+}
+
+/* Made ready for each frame anew. */
+static enum hsr_status judge_frames(const struct group *g,
+                                    const struct player *player,
+                                    const struct wanted *wanted,
+                                    struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < g->n_views && !status; k++) {
+    struct hsr_world world;
+    struct hsr_setup setup = {.algorithm = NULL};
+    status = hsr_setup_world(&world, player->algorithm, g->walk->frame[k], err);
+    if (!status)
+      status =
+          hsr_setup_init(&setup, player->algorithm,
+                         &g->algorithm[player->number].choice, &world, err);
+    if (!status)
+      status = judge_frame(g, player, &setup, k, &world, wanted, err);
+    if (setup.algorithm)
+      hsr_setup_free(&setup);
+    hsr_world_free(&world);
+  }
+  return status;
+}
+
+/* As hsr render draws frames: where the algorithm takes the scene as an outline,
+ * from one prepared object. In a process of its own. */
+static enum hsr_status judge_walk(const struct group *g,
+                                  const struct player *player,
+                                  const struct wanted *wanted) {
+  struct hsr_error err;
+  struct hsr_world world = {.n_faces = 0};
+  struct hsr_scene *follower = g->walk->follower;
+  alarm((unsigned)g->timeout);
+  enum hsr_status status =
+      follower ? hsr_setup_world(&world, player->algorithm, follower, &err)
+               : HSR_OK;
+  if (!status)
+    status = follower && hsr_is_outline(&world)
+                 ? follow_walk(g, player, &world, wanted, &err)
+                 : judge_frames(g, player, wanted, &err);
+  if (status == HSR_E_REFUSED)
+    note_refusal(g, player->number, err.text);
+  hsr_world_free(&world);
+  alarm(0);
+  return status;
+}
+
+/* --- Views ---------------------------------------------------------------- */
+
 /* All views, in order, by one prepared object. In a process of its own. */
 static enum hsr_status judge(const struct group *g, const struct player *player,
                              const struct wanted *wanted) {
   int number = player->number;
   struct hsr_error err;
   struct hsr_setup setup;
+  if (g->walk)
+    return judge_walk(g, player, wanted);
   alarm((unsigned)g->timeout);
   enum hsr_status status = hsr_setup_init(
       &setup, player->algorithm, &g->algorithm[number].choice, g->world, &err);
-  for (int k = 0; k < g->n_views; k++) {
-    struct cell *cell = cell_of(g, k, number);
-    cell->n_adaptations = setup.n_adaptations;
-    for (int i = 0; i < setup.n_adaptations; i++)
-      snprintf(cell->adapted[i], HSR_ADAPTER_NAME, "%s",
-               setup.adaptation[i].name);
-  }
+  for (int k = 0; k < g->n_views; k++)
+    note_adaptations(g, k, number, &setup);
   for (int k = 0; k < g->n_views && !status; k++) {
     status = judge_view(g, player, &setup, k, &wanted[k], cell_of(g, k, number),
                         &err);

@@ -8,6 +8,15 @@
 
 #include <semaphore.h>
 
+/* Frames in which objects move: a scene for each, of its own. */
+struct walk {
+  struct hsr_scene **frame; /* n, finished */
+  int n;
+  struct hsr_scene *follower; /* the first frame once more, which can follow all
+                                 others in turn, and then the first; NULL: the
+                                 frames are scenes that are not of one walk */
+};
+
 enum verdict { PENDING, RIGHT, WRONG, REFUSED, TIMEOUT, CRASH };
 
 /* "ok", "wrong", "refused", "timeout", "crash"; what is PENDING has crashed. */
@@ -46,6 +55,8 @@ struct group {
   long samples;        /* places of each picture that are compared; 0: all */
   const struct hsr_world *world;
   struct hsr_form form;
+  const struct walk *walk; /* view k is of its frame k, `world` of the first.
+                              NULL: all views are of `world` */
 
   /* Algorithms for which flags & mask == flags are judged: 0, 0: all. Of these,
    * not those for which left_out is set; NULL: none. */

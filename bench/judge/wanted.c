@@ -162,6 +162,26 @@ static enum hsr_status ask_view(const struct group *g,
              : render_view(oracle, view, 1, &wanted->answer, &tally, NULL, err);
 }
 
+/* Each frame of a walk by an oracle of its own. */
+static enum hsr_status ask_walk(const struct group *g,
+                                const struct hsr_algorithm *oracle,
+                                const struct hsr_choice *choice,
+                                struct wanted *wanted, struct hsr_error *err) {
+  enum hsr_status status = HSR_OK;
+  for (int k = 0; k < g->n_views && !status; k++) {
+    struct hsr_world *world = &wanted[k].world;
+    struct hsr_setup setup = {.algorithm = NULL};
+    status = hsr_setup_world(world, oracle, g->walk->frame[k], err);
+    if (!status)
+      status = hsr_setup_init(&setup, oracle, choice, world, err);
+    if (!status)
+      status = ask_view(g, &setup, k, &wanted[k], err);
+    if (setup.algorithm)
+      hsr_setup_free(&setup);
+  }
+  return status;
+}
+
 enum hsr_status ask_oracle(const struct group *g,
                            const struct hsr_algorithm *oracle,
                            struct wanted *wanted, struct hsr_error *err) {
@@ -169,6 +189,8 @@ enum hsr_status ask_oracle(const struct group *g,
   struct hsr_choice choice = hsr_choice_standard(oracle);
   if (!g->form.type->fold)
     choice.form = g->form;
+  if (g->walk)
+    return ask_walk(g, oracle, &choice, wanted, err);
   enum hsr_status status =
       hsr_setup_init(&setup, oracle, &choice, g->world, err);
   for (int k = 0; k < g->n_views && !status; k++)
@@ -180,6 +202,7 @@ enum hsr_status ask_oracle(const struct group *g,
 void free_wanted(const struct group *g, struct wanted *wanted) {
   for (int k = 0; wanted && k < g->n_views; k++) {
     hsr_answer_free(&wanted[k].answer);
+    hsr_world_free(&wanted[k].world);
     free(wanted[k].sample);
   }
   free(wanted);

@@ -34,6 +34,8 @@ struct wanted {
   uint32_t *sample; /* those that it was asked for, number j * m + i, ascending;
                        NULL: all */
   size_t n;         /* how many */
+  struct hsr_world world; /* of a frame, which the answer may refer to; else
+                             empty */
 };
 
 struct group; /* bench/judge/judge.h */

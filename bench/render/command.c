@@ -3,13 +3,14 @@
 #include "bench/render/render.h"
 #include "bench/run/ranks.h"
 #include "bench/terminal/terminal.h"
+#include "common/scene/motion.h"
 #include "scenes/cameras.h"
 
 #include <stdlib.h>
 #include <sys/resource.h>
 
-static enum hsr_status open_place(struct render *r,
-                                  const struct hsr_algorithm *a,
+/* Opens the scene, of several frames the one at hand. */
+static enum hsr_status open_named(struct render *r, struct hsr_scene **scene,
                                   struct hsr_error *err) {
   const struct render_options *o = r->options;
   double begin = seconds_now();
@@ -17,25 +18,40 @@ static enum hsr_status open_place(struct render *r,
   const char *name = o->scene.name;
   if (o->last_frame >= 0 && series_name(name, r->frame, frame))
     name = frame;
-  enum hsr_status status = open_scene(name, o->scene.import, &r->scene, err);
-  if (status)
-    return status;
-  r->import = seconds_now() - begin;
+  enum hsr_status status = open_scene(name, o->scene.import, scene, err);
+  r->import += seconds_now() - begin;
+  return status;
+}
 
-  begin = seconds_now();
+/* Chooses the view of a scene. */
+static enum hsr_status choose_place(struct render *r, struct hsr_scene *scene,
+                                    struct hsr_error *err) {
+  const struct render_options *o = r->options;
   struct view_options place = o->view;
   if (o->tile)
     place.m = place.n = 1; /* each tile has a view of its own */
   if (o->last_frame >= 0 && o->first)
     place.view = o->first + r->frame - o->first_frame;
   r->view_number = o->last_frame < 0 ? o->view.view : r->frame;
-  status = choose_view(&place, r->scene, (int)o->supersamples, &r->view, err);
+  return choose_view(&place, scene, (int)o->supersamples, &r->view, err);
+}
+
+static enum hsr_status open_place(struct render *r,
+                                  const struct hsr_algorithm *a,
+                                  struct hsr_error *err) {
+  const struct render_options *o = r->options;
+  enum hsr_status status = open_named(r, &r->scene, err);
+  if (status)
+    return status;
+
+  double begin = seconds_now();
+  status = choose_place(r, r->scene, err);
   if (!status && o->orbit)
     status = hsr_scene_turn(r->scene, (uint32_t)o->view.view - 1,
                             (uint32_t)o->orbit, err);
   if (!status)
     status = hsr_setup_world(&r->world, a, r->scene, err);
-  r->build = seconds_now() - begin;
+  r->build += seconds_now() - begin;
   return status;
 }
 
@@ -222,8 +238,34 @@ static enum hsr_status prepare(struct render *r, const struct hsr_algorithm *a,
   return hsr_setup_init(&r->setup, a, &variant->choice, &r->world, err);
 }
 
-/* Makes the pictures of a scene's frames, each of which is a scene; only the
- * last one stays in *r. */
+/* Goes on to the frame at hand: where the algorithm takes the scene as an outline
+ * and objects of it move, with all that it has prepared; else anew. */
+static enum hsr_status go_on(struct render *r, const struct hsr_algorithm *a,
+                             struct hsr_variant *variant,
+                             struct hsr_error *err) {
+  if (!hsr_is_outline(&r->world) || !hsr_scene_moves(r->scene)) {
+    render_forget_scene(r);
+    return prepare(r, a, variant, err);
+  }
+  struct hsr_scene *then;
+  enum hsr_status status = open_named(r, &then, err);
+  if (status)
+    return status;
+  if (!hsr_scene_has_frame(r->scene, then)) {
+    hsr_scene_delete(then);
+    render_forget_scene(r);
+    return prepare(r, a, variant, err);
+  }
+  struct hsr_error why;
+  status = choose_place(r, then, err);
+  if (!status && hsr_scene_follow(r->scene, then, &why))
+    status = hsr_fail(err, why.status, "%.150s, frame %ld: %.300s",
+                      r->options->scene.name, r->frame, why.text);
+  hsr_scene_delete(then);
+  return status;
+}
+
+/* Makes the pictures of a scene's frames; only the last one stays in *r. */
 static enum hsr_status make_frames(struct render *r,
                                    const struct hsr_algorithm *a,
                                    struct hsr_variant *variant,
@@ -232,16 +274,12 @@ static enum hsr_status make_frames(struct render *r,
   struct progress progress = progress_begin(stderr);
   enum hsr_status status = HSR_OK;
   for (long k = o->first_frame; k <= o->last_frame && !status; k++) {
-    struct render before = *r;
     progress_tell(&progress, (size_t)(k - o->first_frame),
                   (size_t)(o->last_frame - o->first_frame + 1), "frames",
                   o->scene.name);
-    if (k > o->first_frame)
-      render_forget_scene(r);
     r->frame = k;
-    status = prepare(r, a, variant, err);
-    r->import += before.import;
-    r->build += before.build;
+    status = k > o->first_frame ? go_on(r, a, variant, err)
+                                : prepare(r, a, variant, err);
     if (!status)
       status = make_picture(r, err);
   }

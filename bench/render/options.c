@@ -89,17 +89,6 @@ static error_t parse_line_option(struct render_options *o, int key, char *arg) {
   }
 }
 
-/* "A-B" or "A", of numbers from `least` on. */
-static bool parse_range(const char *text, long least, long *first, long *last) {
-  char start[32];
-  size_t n = strcspn(text, "-");
-  if (n >= sizeof start)
-    return false;
-  snprintf(start, sizeof start, "%.*s", (int)n, text);
-  return parse_count(start, least, INT_MAX, first) &&
-         parse_count(text[n] ? text + n + 1 : start, *first, INT_MAX, last);
-}
-
 /* Options for several pictures. */
 static error_t parse_series_option(struct render_options *o, int key,
                                    char *arg) {
