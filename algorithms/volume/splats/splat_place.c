@@ -252,6 +252,68 @@ static bool leave(struct hsr_splats *s, uint32_t cell) {
   return false;
 }
 
+/* --- The box of a splat that floats cannot tell --------------------------- */
+
+/* Whether a splat lies wholly beyond the rays of a column x (axis 0) or row y
+ * (axis 1): on the side of greater coordinates if `greater`.
+ *   The plane of these rays has the normal N, N' if its components are multiplied
+ * by the cell's size, and the value X - x w at the middle. The splat covers rays
+ * that are within g r of the middle, in cells. In perspective they are a cone
+ * about V', the sine of whose half angle is g r / sqrt(|V'|^2 + (g r)^2). So it
+ * is beyond if the value exceeds |N'| g r, in perspective times |V'| /
+ * sqrt(|V'|^2 + (g r)^2). Rounding changes less than 2^-40 of the sizes of the
+ * terms. */
+static bool is_past(const struct hsr_splats *s, const struct hsr_placed *p,
+                    int axis, double at, bool greater) {
+  const struct hsr_view *v = s->view;
+  double value = v->origin[axis] - at * v->origin[2],
+         size = fabs(v->origin[axis]) + fabs(at * v->origin[2]);
+  double NN = 0, VV = 0, terms = 0;
+  for (int a = 0; a < 3; a++) {
+    double far = s->far[a][p->at[a]], per_size = s->per_size[a][p->at[a]];
+    double N = v->screen[axis][a] - at * v->screen[2][a],
+           sizes = fabs(v->screen[axis][a]) + fabs(at * v->screen[2][a]);
+    value += N * far;
+    size += sizes * fabs(far);
+    NN += N / per_size * (N / per_size);
+    terms += sizes / per_size;
+    VV += far * per_size * (far * per_size);
+  }
+  double reach2 = HSR_FOOTPRINT / p->scale,
+         cosine = v->parallel ? 1 : sqrt(VV / (VV + reach2));
+  double least =
+      (sqrt(NN) + 0x1p-40 * terms) * sqrt(reach2) * cosine * (1 + 0x1p-16) +
+      0x1p-40 * size;
+  return greater ? value > least : -value > least;
+}
+
+/* How many of the pixels from `from` on, or, if not `greater`, up to `to`, the
+ * splat lies beyond, by bisection. */
+static int32_t count_past(const struct hsr_splats *s,
+                          const struct hsr_placed *p, int axis, int32_t from,
+                          int32_t to, bool greater) {
+  int32_t least = 0, most = to - from;
+  while (least < most) {
+    int32_t n = most - (most - least) / 2, k = greater ? from + n - 1 : to - n;
+    double at = axis ? hsr_sample_y(s->view, k) : hsr_sample_x(s->view, k);
+    if (is_past(s, p, axis, at, greater))
+      least = n;
+    else
+      most = n - 1;
+  }
+  return least;
+}
+
+static void tighten(const struct hsr_splats *s, struct hsr_placed *p) {
+  struct hsr_window *box = &p->box;
+  if (!(p->rough < 0x1p-20))
+    return;
+  box->x0 += count_past(s, p, 0, box->x0, box->x1, true);
+  box->x1 -= count_past(s, p, 0, box->x0, box->x1, false);
+  box->y0 += count_past(s, p, 1, box->y0, box->y1, true);
+  box->y1 -= count_past(s, p, 1, box->y0, box->y1, false);
+}
+
 bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
   const struct hsr_splat_batch *b = &s->batch;
   bool may_move = s->splatting.blur && s->view->before.exists;
@@ -277,6 +339,8 @@ bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
     return leave(s, p->cell);
   if (may_move)
     hsr_splats_stretch(s, p, b->apart[k]);
+  if (!p->is_small && !p->is_blurred)
+    tighten(s, p);
   if (p->box.x0 >= p->box.x1 || p->box.y0 >= p->box.y1)
     return leave(s, p->cell);
   if (!p->is_blurred || s->way_from == s->way_to)
