@@ -8,6 +8,8 @@ algorithm_files += \
   %D%/splat_picture.c \
   %D%/splat_place.c \
   %D%/splat_put.c \
+  %D%/splat_put_avx2.c \
+  %D%/splat_put_avx512.c \
   %D%/splat_sheet.c \
   %D%/splat_volume.c \
   %D%/splat_weigh.c \

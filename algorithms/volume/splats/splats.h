@@ -28,6 +28,7 @@
 #define HSR_ALGORITHMS_SPLATS_H
 
 #include "algorithms/algorithm.h"
+#include "common/base/vector.h"
 #include "common/exact/footprint.h"
 #include "common/grids/order.h"
 
@@ -315,6 +316,22 @@ enum hsr_splat_way {
 #define hsr_splats_put HSR_OF_BUILD(hsr_splats_put)
 void hsr_splats_put(struct hsr_splats *splats, const struct hsr_placed *placed,
                     struct hsr_splat_picture *picture, enum hsr_splat_way way);
+
+/* Its twins for machines with AVX-512, and with AVX2 and fused products: for
+ * splats that are small and pictures without weights. */
+#if defined __x86_64__ && HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
+#define HSR_SPLATS_HAVE_TWINS 1
+void hsr_splats_put_avx512(struct hsr_splats *splats,
+                           const struct hsr_placed *placed,
+                           struct hsr_splat_picture *picture,
+                           enum hsr_splat_way way);
+void hsr_splats_put_avx2(struct hsr_splats *splats,
+                         const struct hsr_placed *placed,
+                         struct hsr_splat_picture *picture,
+                         enum hsr_splat_way way);
+#else
+#define HSR_SPLATS_HAVE_TWINS 0
+#endif
 
 /* Adds what a splat gives to one pixel by this weight. */
 #define hsr_splats_add HSR_OF_BUILD(hsr_splats_add)
