@@ -110,7 +110,6 @@ const struct hsr_algorithm HSR_ALGORITHM(example) = {
     .source = "an example",
     .taxonomy = HSR_BRUTE_FORCE,
     .sort_order = "Z(XY)",
-    .coherence = "none",
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
     .counters = counters,

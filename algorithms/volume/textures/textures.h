@@ -56,10 +56,10 @@ enum {
                          HSR_ACTIVATE, HSR_OF_CELL, HSR_OF_NOTHING}
 
 #define HSR_OF_TEXTURES                                                        \
-  .taxonomy = HSR_VOLUME_SPACE, .coherence = "none",                           \
-  .subjects = 1 << HSR_GRID, .kind = HSR_COMPOSITED,                           \
-  .flags = HSR_INSTANCED | HSR_KNOWN_WRONG, .makes = 1 << HSR_XRAY,            \
-  .prepare = hsr_textures_prepare, .release = hsr_textures_release
+  .taxonomy = HSR_VOLUME_SPACE, .subjects = 1 << HSR_GRID,                     \
+  .kind = HSR_COMPOSITED, .flags = HSR_INSTANCED | HSR_KNOWN_WRONG,            \
+  .makes = 1 << HSR_XRAY, .prepare = hsr_textures_prepare,                     \
+  .release = hsr_textures_release
 
 /* --- The frame ------------------------------------------------------------ */
 
