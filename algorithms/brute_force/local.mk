@@ -9,4 +9,5 @@ algorithm_files += \
   %D%/tiler.c \
   %D%/tiler.h \
   %D%/tiler_avx2.h \
+  %D%/tiler_avx512.h \
   %D%/zbuffer.c

@@ -62,8 +62,9 @@ int hsr_plane_sign(struct hsr_named_lines *lines, uint32_t face);
  * left, 0 if the lines are parallel. */
 int hsr_line_turn(struct hsr_named_lines *lines, uint32_t from, uint32_t to);
 
-/* The direction of that walk, rounded: each component with a relative error of
- * at most 2^-51. */
+/* The direction of that walk, rounded. The component of the greater size has a
+ * relative error of at most 2^-51, and both have the right sign: a component
+ * that is not 0 is not rounded to 0. */
 void hsr_line_direction(const struct hsr_named_lines *lines, uint32_t line,
                         double direction[2]);
 

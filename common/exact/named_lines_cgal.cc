@@ -25,6 +25,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -113,6 +114,12 @@ double rounded(const Gmpz &x, long exponent) {
   return std::ldexp(digits, int(by));
 }
 
+// The same, but what is not 0 does not become 0.
+double rounded_with_sign(const Gmpz &x, long exponent) {
+  const double y = rounded(x, exponent);
+  return y == 0 ? CGAL::sign(x) * std::numeric_limits<double>::denorm_min() : y;
+}
+
 long exponent_of(const Gmpz &x) {
   return CGAL::is_zero(x) ? 0 : long(mpz_sizeinbase(x.mpz(), 2));
 }
@@ -122,7 +129,7 @@ long exponent_of(const Gmpz &x) {
 struct Line {
   hsr_line_name name;
   Triple exact; // the function of its name
-  double d[3];
+  double d[3], direction[2];
 };
 
 struct Point {
@@ -130,6 +137,14 @@ struct Point {
   double at[2];
   uint32_t line[2]; // two that cross in it
 };
+
+// With an exponent of its own: beside d[2] both components may be lost.
+void find_direction(Line *line) {
+  const Triple &of = line->exact;
+  const long exponent = std::max(exponent_of(of[0]), exponent_of(of[1]));
+  line->direction[0] = rounded_with_sign(of[1], exponent);
+  line->direction[1] = -rounded_with_sign(of[0], exponent);
+}
 
 // A face's q: numerator . (sx, sy, 1) / denominator, denominator > 0.
 struct Depth {
@@ -396,12 +411,13 @@ struct hsr_named_lines {
       const int first = leading_sign(line[found->second].exact);
       return {found->second, first * sign};
     }
-    Line made = {name, value, {0, 0, 0}};
+    Line made = {name, value, {0, 0, 0}, {0, 0}};
     const long exponent =
         std::max(exponent_of(value[0]),
                  std::max(exponent_of(value[1]), exponent_of(value[2])));
     for (size_t k = 0; k < 3; k++)
       made.d[k] = rounded(value[k], exponent);
+    find_direction(&made);
     const uint32_t number = uint32_t(line.size());
     line.push_back(made);
     line_by_value.emplace(key, number);
@@ -504,8 +520,8 @@ int hsr_line_turn(struct hsr_named_lines *lines, uint32_t from, uint32_t to) {
 
 void hsr_line_direction(const struct hsr_named_lines *lines, uint32_t line,
                         double direction[2]) {
-  direction[0] = lines->line[line].d[1];
-  direction[1] = -lines->line[line].d[0];
+  direction[0] = lines->line[line].direction[0];
+  direction[1] = lines->line[line].direction[1];
 }
 
 int hsr_line_sign_at(struct hsr_named_lines *lines, uint32_t line, double sx,
