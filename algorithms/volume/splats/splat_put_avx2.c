@@ -168,27 +168,17 @@ AVX2 static inline __m256i given(const struct footprint *f, __m128i weight) {
       f->colour);
 }
 
-/* The lanes of the first n columns, of two rows or of one. */
-AVX2 static inline __m256i lanes_of(int n, int columns, bool two) {
-  const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7),
-                column = _mm256_and_si256(lane, all_of(columns - 1));
-  return _mm256_and_si256(
-      _mm256_cmpgt_epi32(all_of(n), column),
-      _mm256_cmpgt_epi32(all_of(two ? ALL : columns), lane));
-}
-
-/* Puts the columns of the box from x on, as many as are weighed at once. */
+/* Puts the columns of the box from x on, as many as are weighed at once. Pixels
+ * beyond the box are not covered; those beyond the window are room that a row of
+ * the picture has to spare. */
 AVX2 static inline __attribute__((always_inline)) void
 put_columns(struct hsr_splats *s, const struct hsr_placed *p,
             struct hsr_splat_picture *picture, const struct footprint *f, int x,
             int columns, bool blurred, enum hsr_splat_way way) {
   const struct hsr_window *box = &p->box;
-  const int rows = ALL / columns,
-            n = box->x1 - x < columns ? box->x1 - x : columns;
+  const int rows = ALL / columns;
   const size_t second = columns == ALL ? PIECE : picture->stride;
-  const __m256i one = lanes_of(n, columns, false),
-                two = lanes_of(n, columns, true),
-                last = all_of(HSR_FOOTPRINT - 1);
+  const __m256i last = all_of(HSR_FOOTPRINT - 1);
   const struct column c =
       column_of(f, (float)(hsr_sample_x(s->view, x) - p->x));
   const __m256 dy = all((float)(hsr_sample_y(s->view, box->y0) - p->y));
@@ -197,27 +187,23 @@ put_columns(struct hsr_splats *s, const struct hsr_placed *p,
   for (int j = box->y0; j < box->y1; j += rows) {
     __m256 Y = _mm256_add_ps(dy, row);
     __m256 kappa = blurred ? blurred_kappa_of(f, &c, Y) : kappa_of(f, &c, Y);
-    __m256i in = j + rows <= box->y1 ? two : one;
     __m256i index = _mm256_cvttps_epi32(
                 _mm256_fmsub_ps(kappa, f->least, f->constant)),
             most = _mm256_cvttps_epi32(
                 _mm256_fmadd_ps(kappa, f->most, f->constant));
-    unsigned doubt = (unsigned)_mm256_movemask_ps(_mm256_castsi256_ps(
-        _mm256_andnot_si256(_mm256_cmpeq_epi32(index, most), in)));
-    if (__builtin_expect(doubt != 0, 0))
-      index = settle(s, p, x, j, columns, doubt, index);
-    __m256i inner = _mm256_min_epu32(index, last);
-    in = _mm256_and_si256(in, _mm256_cmpeq_epi32(inner, index));
-    if (_mm256_testz_si256(in, in)) {
-      row = _mm256_add_ps(row, all((float)rows));
-      at += (size_t)rows * picture->stride;
-      continue;
+    unsigned same = (unsigned)_mm256_movemask_ps(
+        _mm256_castsi256_ps(_mm256_cmpeq_epi32(index, most)));
+    if (__builtin_expect(same != 0xff, 0))
+      index = settle(s, p, x, j, columns, ~same & 0xff, index);
+    __m256i inner = _mm256_min_epu32(index, last),
+            in = _mm256_cmpeq_epi32(inner, index);
+    if (!_mm256_testz_si256(in, in)) {
+      __m256i weight = _mm256_and_si256(in, weigh(f, inner));
+      put_piece(picture, at, given(f, _mm256_castsi256_si128(weight)), way);
+      if (columns == ALL || j + 1 < box->y1)
+        put_piece(picture, at + second,
+                  given(f, _mm256_extracti128_si256(weight, 1)), way);
     }
-    __m256i weight = _mm256_and_si256(in, weigh(f, inner));
-    put_piece(picture, at, given(f, _mm256_castsi256_si128(weight)), way);
-    if (columns == ALL ? n > PIECE : j + 1 < box->y1)
-      put_piece(picture, at + second,
-                given(f, _mm256_extracti128_si256(weight, 1)), way);
     row = _mm256_add_ps(row, all((float)rows));
     at += (size_t)rows * picture->stride;
   }
