@@ -633,7 +633,8 @@ static const struct hsr_twin *choose_twin(void) {
 #ifdef HAVE_TWINS
   if (__builtin_cpu_supports("avx512f"))
     return &avx512;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+      __builtin_cpu_supports("bmi2"))
     return &avx2;
 #endif
   return &portable;

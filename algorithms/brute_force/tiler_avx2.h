@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What tiler.c does with samples, for machines with AVX2 and fused
- * multiply-adds, but without AVX-512: eight at a time. Each function does what
- * its portable twin does, but rounds less; within tiler.c only. */
+/* What tiler.c does with samples and triangles, for machines with AVX2, fused
+ * multiply-adds and BMI2, but without AVX-512: eight at a time. Each function
+ * does what its portable twin does, but rounds less; within tiler.c only. */
 #ifndef HSR_ALGORITHMS_TILER_AVX2_H
 #define HSR_ALGORITHMS_TILER_AVX2_H
 
-#define AVX2 __attribute__((target("avx2,fma")))
+#define AVX2 __attribute__((target("avx2,fma,bmi2")))
 enum {
   LANES_AVX2 = 8,
   MANY = 4 /* small triangles of eight; fewer are tiled one by one */
@@ -32,6 +32,176 @@ AVX2 static inline void write_eight(float *z, uint32_t *ids, __m256 where,
     _mm256_maskstore_ps(z, _mm256_castps_si256(where), q);
     _mm256_maskstore_epi32((int *)ids, _mm256_castps_si256(where), id);
   }
+}
+
+/* --- Looking at a batch --------------------------------------------------- */
+
+/* The same corner of eight triangles. */
+struct corners8 {
+  __m256i x, y;
+  __m256 q;
+};
+
+/* Corners v[0] and v[12]. */
+AVX2 static inline __m256i load_two(const struct hsr_corner *corner,
+                                    const uint32_t *v) {
+  return _mm256_set_m128i(_mm_loadu_si128((const __m128i *)&corner[v[12]]),
+                          _mm_loadu_si128((const __m128i *)&corner[v[0]]));
+}
+
+/* Corners v[0], v[3], ... v[21]: two transpositions of four by four. */
+AVX2 static inline struct corners8 gather_eight(const struct hsr_corner *corner,
+                                                const uint32_t *v) {
+  __m256i c0 = load_two(corner, v), c1 = load_two(corner, v + 3),
+          c2 = load_two(corner, v + 6), c3 = load_two(corner, v + 9);
+  __m256i xy01 = _mm256_unpacklo_epi32(c0, c1),
+          xy23 = _mm256_unpacklo_epi32(c2, c3),
+          q01 = _mm256_unpackhi_epi32(c0, c1),
+          q23 = _mm256_unpackhi_epi32(c2, c3);
+  return (struct corners8){
+      _mm256_unpacklo_epi64(xy01, xy23), _mm256_unpackhi_epi64(xy01, xy23),
+      _mm256_castsi256_ps(_mm256_unpacklo_epi64(q01, q23))};
+}
+
+AVX2 static inline __m256i unsafe_eight(const struct corners8 *c) {
+  return _mm256_cmpeq_epi32(c->x, _mm256_set1_epi32(UNSAFE));
+}
+
+/* The samples from lo - 1 to hi + 1 grid units, of which the first is at
+ * `first`, within [w0, w1): [*from, *to). */
+AVX2 static inline void find_eight(__m256i lo, __m256i hi, int first, int w0,
+                                   int w1, __m256i *from, __m256i *to) {
+  *from = _mm256_srai_epi32(
+      _mm256_add_epi32(lo, _mm256_set1_epi32(GRID - 2 - first)), GRID_BITS);
+  *to = _mm256_srai_epi32(
+      _mm256_add_epi32(hi, _mm256_set1_epi32(GRID + 1 - first)), GRID_BITS);
+  *from = _mm256_max_epi32(*from, _mm256_set1_epi32(w0));
+  *to = _mm256_min_epi32(*to, _mm256_set1_epi32(w1));
+}
+
+/* a - b, in pixels. */
+AVX2 static inline __m256 eight_pixels(__m256i a, __m256i b) {
+  return _mm256_mul_ps(_mm256_cvtepi32_ps(_mm256_sub_epi32(a, b)),
+                       _mm256_set1_ps(1.0f / GRID));
+}
+
+/* The numbers of the lanes that are kept, from the first lane on. */
+AVX2 static inline __m256i kept_first(unsigned keep) {
+  uint64_t bytes = _pdep_u64(keep, 0x0101010101010101) * 0xff;
+  uint64_t numbers = _pext_u64(0x0706050403020100, bytes);
+  return _mm256_cvtepu8_epi32(_mm_cvtsi64_si128((int64_t)numbers));
+}
+
+/* A row of the batch's corners from `to` on gets the lanes that are kept. */
+AVX2 static inline void keep_eight(void *row, int to, __m256i kept,
+                                   __m256i lanes) {
+  _mm256_storeu_si256((__m256i *)((int *)row + to),
+                      _mm256_permutevar8x32_epi32(lanes, kept));
+}
+
+/* `b` where `turned`, else `a`. */
+AVX2 static inline __m256i either(__m256i a, __m256i b, __m256 turned) {
+  return _mm256_blendv_epi8(a, b, _mm256_castps_si256(turned));
+}
+
+/* What decide() finds of triangles k to k + 7, of which those to be tiled are
+ * kept. They never get ahead of what is still to be read. */
+AVX2 static inline void look_at_eight(const struct hsr_tiler *t,
+                                      struct hsr_batch *b, const uint32_t *v,
+                                      int k) {
+  const bool *one_sided = t->screen.world->mesh.one_sided + b->first;
+  struct corners8 A = gather_eight(t->corner, v),
+                  B = gather_eight(t->corner, v + 1),
+                  C = gather_eight(t->corner, v + 2);
+  __m256i unsafe = _mm256_or_si256(
+      _mm256_or_si256(unsafe_eight(&A), unsafe_eight(&B)), unsafe_eight(&C));
+
+  /* The samples of their boxes: the most triangles of a dense mesh have none. */
+  __m256i lo_x = _mm256_min_epi32(_mm256_min_epi32(A.x, B.x), C.x),
+          hi_x = _mm256_max_epi32(_mm256_max_epi32(A.x, B.x), C.x),
+          lo_y = _mm256_min_epi32(_mm256_min_epi32(A.y, B.y), C.y),
+          hi_y = _mm256_max_epi32(_mm256_max_epi32(A.y, B.y), C.y);
+  __m256i x0, x1, y0, y1;
+  find_eight(lo_x, hi_x, t->first_x, t->window.x0, t->window.x1, &x0, &x1);
+  find_eight(lo_y, hi_y, t->first_y, t->window.y0, t->window.y1, &y0, &y1);
+  __m256i live =
+      _mm256_andnot_si256(unsafe, _mm256_and_si256(_mm256_cmpgt_epi32(x1, x0),
+                                                   _mm256_cmpgt_epi32(y1, y0)));
+  __m256i fast = _mm256_setzero_si256(), general = unsafe;
+  if (!_mm256_testz_si256(live, live)) {
+    /* The doubled area, negative if seen from the front (y runs down). */
+    __m256 width = eight_pixels(hi_x, lo_x), height = eight_pixels(hi_y, lo_y);
+    __m256 area = _mm256_sub_ps(
+        _mm256_mul_ps(eight_pixels(B.x, A.x), eight_pixels(C.y, A.y)),
+        _mm256_mul_ps(eight_pixels(C.x, A.x), eight_pixels(B.y, A.y)));
+    const __m256 two = _mm256_set1_ps(2), zero = _mm256_setzero_ps();
+    __m256 around =
+        _mm256_add_ps(_mm256_add_ps(width, height), _mm256_set1_ps(4));
+    __m256 within = _mm256_mul_ps(
+        _mm256_mul_ps(_mm256_set1_ps(0x1p-20f), _mm256_add_ps(width, two)),
+        _mm256_add_ps(height, two));
+    __m256 least =
+        _mm256_add_ps(_mm256_mul_ps(_mm256_set1_ps(64 * SNAP), around), within);
+    __m256 small =
+        _mm256_and_ps(_mm256_castsi256_ps(live),
+                      _mm256_cmp_ps(_mm256_max_ps(width, height),
+                                    _mm256_set1_ps(LARGEST_BOX), _CMP_LE_OQ));
+    __m256 behind =
+               _mm256_and_ps(small, _mm256_cmp_ps(area, least, _CMP_GT_OQ)),
+           before = _mm256_and_ps(
+               small,
+               _mm256_cmp_ps(area, _mm256_sub_ps(zero, least), _CMP_LT_OQ));
+    __m256i sides =
+        _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)(one_sided + k)));
+    __m256 back = _mm256_and_ps(behind, _mm256_castsi256_ps(_mm256_cmpgt_epi32(
+                                            sides, _mm256_setzero_si256())));
+    __m256 nearest = _mm256_max_ps(_mm256_max_ps(A.q, B.q), C.q);
+    __m256 past_near =
+        _mm256_cmp_ps(nearest, _mm256_set1_ps(t->nearest), _CMP_LT_OQ);
+    fast = _mm256_castps_si256(_mm256_and_ps(
+        _mm256_andnot_ps(back, _mm256_or_ps(behind, before)), past_near));
+    general = _mm256_or_si256(
+        general, _mm256_andnot_si256(
+                     _mm256_or_si256(_mm256_castps_si256(back), fast), live));
+    unsigned lanes = (unsigned)_mm256_movemask_ps(_mm256_castsi256_ps(fast));
+    if (lanes) {
+      __m256 turned = _mm256_cmp_ps(area, zero, _CMP_LT_OQ);
+      struct hsr_corners *r = &b->corners;
+      const int to = b->n_fast;
+      const __m256i kept = kept_first(lanes);
+      keep_eight(r->ax, to, kept, A.x);
+      keep_eight(r->ay, to, kept, A.y);
+      keep_eight(r->qa, to, kept, _mm256_castps_si256(A.q));
+      keep_eight(r->bx, to, kept, either(B.x, C.x, turned));
+      keep_eight(r->by, to, kept, either(B.y, C.y, turned));
+      keep_eight(r->qb, to, kept,
+                 _mm256_castps_si256(_mm256_blendv_ps(B.q, C.q, turned)));
+      keep_eight(r->cx, to, kept, either(C.x, B.x, turned));
+      keep_eight(r->cy, to, kept, either(C.y, B.y, turned));
+      keep_eight(r->qc, to, kept,
+                 _mm256_castps_si256(_mm256_blendv_ps(C.q, B.q, turned)));
+      keep_eight(r->x0, to, kept, x0);
+      keep_eight(r->y0, to, kept, y0);
+      keep_eight(r->x1, to, kept, x1);
+      keep_eight(r->y1, to, kept, y1);
+      keep_eight(b->place, to, kept,
+                 _mm256_add_epi32(eight_numbers(), _mm256_set1_epi32(k)));
+      b->n_fast = to + __builtin_popcount(lanes);
+    }
+  }
+  b->general |= !_mm256_testz_si256(general, general);
+  __m256i fate =
+      _mm256_sub_epi32(_mm256_sub_epi32(_mm256_setzero_si256(), fast),
+                       _mm256_add_epi32(general, general));
+  _mm256_storeu_si256((__m256i *)(b->fate + k), fate);
+}
+
+AVX2 static void look_avx2(const struct hsr_tiler *t, struct hsr_batch *b) {
+  const uint32_t *v = t->screen.world->mesh.vertex + 3 * (size_t)b->first;
+  int k = 0;
+  for (; k + LANES_AVX2 <= b->n; k += LANES_AVX2)
+    look_at_eight(t, b, v + 3 * k, k);
+  look_from(t, b, k);
 }
 
 /* --- The general way ------------------------------------------------------ */
@@ -271,7 +441,7 @@ AVX2 static void tile_batch_avx2(struct hsr_tiler *t,
   compare_queue(t, &queue);
 }
 
-static const struct hsr_twin avx2 = {look_portable, tile_span_avx2, tile_avx2,
+static const struct hsr_twin avx2 = {look_avx2, tile_span_avx2, tile_avx2,
                                      tile_batch_avx2, write_back_portable};
 
 #endif
