@@ -9,6 +9,8 @@ algorithm_files += \
   %D%/bounded/refine.c \
   %D%/bounded/refine.h \
   %D%/bounded/spread.c \
+  %D%/bounded/strict.c \
+  %D%/bounded/strict.h \
   %D%/clark.c \
   %D%/cube_frame.c \
   %D%/cube_frame.h \

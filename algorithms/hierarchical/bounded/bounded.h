@@ -7,6 +7,8 @@
  *             Santa Cruz, 1995, 5.4 ("the thesis").
  * Notation    cell -> node of the quadtree; polygon -> struct hsr_shape; z -> q
  *             = 1/t or -t, greater is nearer; znear, zfar -> near, far
+ * Order       polygons come by cubes, from front to back, or in strict order:
+ *             each before all that it may hide (strict.h)
  * Invariants  the lists of a cell's leaves hold every polygon of which anything
  *             is visible in the cell, of those inserted. Nothing visible in a
  *             cell is farther than its `far`. `far` grows only. The interval of
@@ -29,6 +31,7 @@ extern "C" {
 #define hsr_eb_window HSR_OF_BUILD(hsr_eb_window)
 #define hsr_bounded_begin HSR_OF_BUILD(hsr_bounded_begin)
 #define hsr_bounded_add HSR_OF_BUILD(hsr_bounded_add)
+#define hsr_bounded_add_piece HSR_OF_BUILD(hsr_bounded_add_piece)
 #define hsr_bounded_settle HSR_OF_BUILD(hsr_bounded_settle)
 #define hsr_bounded_split HSR_OF_BUILD(hsr_bounded_split)
 #define hsr_bounded_cover HSR_OF_BUILD(hsr_bounded_cover)
@@ -119,6 +122,8 @@ struct hsr_eb_tree {
   uint32_t n_cells, n_entries, free_cells, free_entries;
   struct hsr_growing queue;
   struct hsr_eb_planes *planes; /* HSR_EB_PLANES: what was asked last */
+  uint32_t in_order; /* polygons from this one on came in strict order, from
+                        front to back; HSR_EB_NONE: none did */
   double background[3];
   struct hsr_shades shades;
   struct hsr_growing surfaces; /* a shape: its own, unless a face has one colour
@@ -141,6 +146,13 @@ static inline const struct hsr_shape *hsr_eb_shape(const struct hsr_eb_tree *t,
 }
 static inline struct hsr_square hsr_eb_square(const struct hsr_eb_cell *cell) {
   return (struct hsr_square){cell->x, cell->y, ldexp(.5, cell->level)};
+}
+
+/* Did polygon s come in strict order? Such a polygon hides those that came
+ * later, wherever it covers them. A cell that such polygons cover has a `far` of
+ * infinity: nothing that comes later is seen in it. */
+static inline bool hsr_eb_in_order(const struct hsr_eb_tree *t, uint32_t s) {
+  return t->in_order != HSR_EB_NONE && s >= t->in_order;
 }
 
 /* A polygon as a subject, by its face. */
@@ -179,6 +191,12 @@ enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *tree,
  * that encloses it on. The plane is filled in. False if memory ran out. */
 bool hsr_bounded_add(struct hsr_eb_tree *tree, const struct hsr_screen *screen,
                      uint32_t f, uint32_t id);
+
+/* The same, of a piece of a face; `cut` is borrowed. */
+bool hsr_bounded_add_piece(struct hsr_eb_tree *tree,
+                           const struct hsr_screen *screen, uint32_t f,
+                           uint32_t id, const struct hsr_shape_cut *cut,
+                           uint32_t n_cuts);
 
 /* SubdivideQCell: makes four leaves of a leaf. False if memory ran out. */
 bool hsr_bounded_split(struct hsr_eb_tree *tree, uint32_t cell);

@@ -36,6 +36,8 @@ static bool is_before_exactly(const struct hsr_eb_tree *t, uint32_t p,
 
 bool hsr_bounded_before(const struct hsr_eb_tree *t, uint32_t p, uint32_t r,
                         const struct hsr_square *square) {
+  if (hsr_eb_in_order(t, p) && hsr_eb_in_order(t, r))
+    return p < r;
   const struct hsr_screen_line *a = &hsr_eb_shape(t, p)->q,
                                *b = &hsr_eb_shape(t, r)->q;
   struct hsr_screen_line by = {a->a - b->a, a->b - b->b, a->c - b->c,
@@ -91,6 +93,25 @@ static bool share_edge(const struct hsr_eb_tree *t, uint32_t p, uint32_t r,
         hsr_shape_covers_but(b, square, l, l))
       return true;
   }
+  return false;
+}
+
+/* Do two pieces of one polygon cover the square together, on both sides of a
+ * plane that cuts it? */
+static bool share_cut(const struct hsr_eb_tree *t, uint32_t p, uint32_t r,
+                      const struct hsr_square *square) {
+  const struct hsr_shape *a = hsr_eb_shape(t, p), *b = hsr_eb_shape(t, r);
+  if (a->id != b->id || !a->is_convex)
+    return false;
+  for (uint32_t k = 0; k < a->n_cuts; k++)
+    for (uint32_t l = 0; l < b->n_cuts; l++) {
+      uint32_t i = a->n_lines - a->n_cuts + k, j = b->n_lines - b->n_cuts + l;
+      if (a->cut[k].plane == b->cut[l].plane &&
+          a->cut[k].side != b->cut[l].side &&
+          hsr_shape_covers_but(a, square, i, i) &&
+          hsr_shape_covers_but(b, square, j, j))
+        return true;
+    }
   return false;
 }
 
@@ -155,7 +176,8 @@ static bool find_structure(const struct hsr_eb_tree *t,
   for (uint32_t e = cell->first; e != HSR_EB_NONE;
        e = hsr_eb_entry(t, e)->next) {
     found->shape[1] = hsr_eb_entry(t, e)->shape;
-    if (found->shape[1] != s && share_edge(t, s, found->shape[1], square))
+    if (found->shape[1] != s && (share_edge(t, s, found->shape[1], square) ||
+                                 share_cut(t, s, found->shape[1], square)))
       return true;
   }
   for (uint32_t k = 0; cell->n > 2 && k < shape->n_corners; k++)
@@ -180,7 +202,8 @@ static bool is_behind(const struct hsr_eb_tree *t, uint32_t s,
   return true;
 }
 
-/* RemoveHiddenPolys. */
+/* RemoveHiddenPolys. In strict order `far` says only that the cell is covered,
+ * and nothing of what came before. */
 static void remove_hidden(struct hsr_eb_tree *t, struct hsr_eb_cell *cell,
                           const struct hsr_square *square,
                           const struct structure *structure) {
@@ -188,7 +211,8 @@ static void remove_hidden(struct hsr_eb_tree *t, struct hsr_eb_cell *cell,
     uint32_t e = *at;
     struct hsr_eb_entry *entry = hsr_eb_entry(t, e);
     if (is_in(structure, entry->shape) ||
-        !(hsr_eb_nearest(t, entry->shape, square) < cell->far ||
+        !((t->in_order == HSR_EB_NONE &&
+           hsr_eb_nearest(t, entry->shape, square) < cell->far) ||
           is_behind(t, entry->shape, structure, square))) {
       at = &entry->next;
       continue;
@@ -213,7 +237,8 @@ void hsr_bounded_cover(struct hsr_eb_tree *t, struct hsr_eb_cell *cell,
            hsr_eb_window(t, cell), found.n > 2 ? 2 : found.n - 1);
   found.far = INFINITY;
   for (uint32_t k = 0; k < found.n; k++)
-    found.far = fmin(found.far, hsr_eb_farthest(t, found.shape[k], square));
+    if (!hsr_eb_in_order(t, found.shape[k]))
+      found.far = fmin(found.far, hsr_eb_farthest(t, found.shape[k], square));
   cell->far = fmax(cell->far, found.far);
   remove_hidden(t, cell, square, &found);
 }

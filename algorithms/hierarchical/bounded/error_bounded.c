@@ -21,16 +21,12 @@
  *             (leaf.c). Shaders: bumps are of a curtate cycloid, as a cycloid's
  *             slope has no bound at its cusps; Gouraud's colours are not
  *             integrated in closed form.
- *             Not built, of 5.6: strict front-to-back order, which needs
- *             octrees of BSP trees and shapes that are parts of faces; and
- *             motion blur. A moving edge's line is of degree 3 in time, in
- *             parallel of degree 2, where a still one is linear on the screen.
- *             So a cell of space-time that an edge crosses has no closed form,
- *             and ranges alone would have to converge: as many cells more, for
- *             each level, as time has halves.
+ *             Of 5.6: order=strict is the first of his two directions (strict.h).
+ *             Motion blur is not built; reports/area/README.md tells why.
  * Cost        of what is visible; of each pixel, the more complex what it
  *             shows, the more */
 #include "algorithms/hierarchical/bounded/bounded.h"
+#include "algorithms/hierarchical/bounded/strict.h"
 #include "algorithms/hierarchical/cube_frame.h"
 
 #include <math.h>
@@ -133,11 +129,20 @@ static const struct hsr_line outline[] = {
      HSR_RAISES(HSR_EB_PIXELS)},
     {NULL}};
 
-enum option { REFINE, EXACT, LIMIT, DEPTH, CELLS, SECONDS };
+enum option { REFINE, EXACT, LIMIT, DEPTH, CELLS, SECONDS, ORDER };
+enum { ORDER_CUBES, ORDER_STRICT };
 
 static const struct hsr_word orders[] = {
     [HSR_EB_QUEUE] = {"queue", "the most uncertain cell first", 0},
     [HSR_EB_LEVELS] = {"levels", "all cells of one size, then the next", 0},
+    {NULL}};
+
+static const struct hsr_word tilings[] = {
+    [ORDER_CUBES] = {"cubes", "by cubes; those of a cube in any order", 0},
+    [ORDER_STRICT] = {"strict",
+                      "each before all that it may hide: octrees of BSP trees "
+                      "(p. 89)",
+                      0},
     {NULL}};
 
 static const struct hsr_option options[] = {
@@ -152,10 +157,14 @@ static const struct hsr_option options[] = {
     [CELLS] = {"cells", "millions of cells at a time", NULL, 1, 1000, 16},
     [SECONDS] = {"seconds", "refine no longer; 0: any time", .real = true,
                  .real_least = 0, .real_most = 1e6, .real_standard = 0},
+    [ORDER] = {"order", "in which polygons are tiled, front to back", tilings,
+               0, ORDER_STRICT, ORDER_CUBES},
     {NULL}};
 
 struct prepared {
   struct hsr_cubes cubes;
+  struct hsr_strict strict; /* of order=strict only */
+  bool is_strict;
   uint64_t **within;   /* an object: the faces of each node's subtree */
   uint64_t *instances; /* the same, of the octree of instances */
   struct hsr_arena arena;
@@ -198,23 +207,23 @@ static struct hsr_eb_side side_of(const struct walk *w,
 }
 
 /* `n` faces are in the cube. */
-static bool could_be_visible(struct walk *w, const struct hsr_placing *placing,
-                             const struct hsr_octree_node *node, uint64_t n,
-                             struct hsr_subject subject) {
-  struct hsr_octree_box cube = hsr_octree_cube(node);
+static bool could_box_be_visible(struct walk *w,
+                                 const struct hsr_placing *placing,
+                                 const struct hsr_octree_box *cube, uint64_t n,
+                                 struct hsr_subject subject) {
   struct hsr_cube_image image;
   HSR_STEP(w->tally, HSR_EB_NODES, subject, HSR_NOTHING, HSR_NOWHERE, 0);
-  if (hsr_cube_classify(&w->frame, placing, &cube, HSR_EB_INEQUALITIES,
+  if (hsr_cube_classify(&w->frame, placing, cube, HSR_EB_INEQUALITIES,
                         subject) == HSR_BOX_OUT) {
     HSR_STEP(w->tally, HSR_EB_OUT, subject, HSR_THE_WINDOW, HSR_NOWHERE, 0);
     return false;
   }
-  if (!hsr_cube_project(&w->frame, placing, &cube, &image))
+  if (!hsr_cube_project(&w->frame, placing, cube, &image))
     return true; /* the eye may be inside, or the near plane meet it */
   bool visible = false;
   for (int side = 0; side < 6 && !visible; side++)
     if (image.front >> side & 1) {
-      struct hsr_eb_side face = side_of(w, placing, &cube, &image, side);
+      struct hsr_eb_side face = side_of(w, placing, cube, &image, side);
       visible =
           hsr_bounded_could_be_seen(&w->tree, &face, w->limit * n, subject);
     }
@@ -224,6 +233,22 @@ static bool could_be_visible(struct walk *w, const struct hsr_placing *placing,
     HSR_STEP(w->tally, HSR_EB_CUBES_CULLED, subject, HSR_NOTHING, HSR_NOWHERE,
              0);
   return visible;
+}
+
+static bool could_be_visible(struct walk *w, const struct hsr_placing *placing,
+                             const struct hsr_octree_node *node, uint64_t n,
+                             struct hsr_subject subject) {
+  struct hsr_octree_box cube = hsr_octree_cube(node);
+  return could_box_be_visible(w, placing, &cube, n, subject);
+}
+
+/* Of the strict order, whose cubes are of the world. */
+static bool could_strict_cube_be_visible(void *context,
+                                         const struct hsr_octree_box *cube,
+                                         uint64_t n,
+                                         struct hsr_subject subject) {
+  struct walk *w = context;
+  return could_box_be_visible(w, &w->frame.as_it_is, cube, n, subject);
 }
 
 /* --- The tiling pass ------------------------------------------------------ */
@@ -326,6 +351,19 @@ static bool tile_all(struct walk *w, struct hsr_tiler *loose) {
   return true;
 }
 
+/* Tile, of all, in the order that was chosen. */
+static bool tile_in_order(struct walk *w) {
+  struct hsr_strict_walk strict = {.strict = &w->prepared->strict,
+                                   .tree = &w->tree,
+                                   .could_be_visible =
+                                       could_strict_cube_be_visible,
+                                   .context = w};
+  struct hsr_tiler loose;
+  if (w->prepared->is_strict)
+    return !hsr_strict_tile(&strict);
+  return !hsr_cube_loose(&w->frame, &loose) && tile_all(w, &loose);
+}
+
 /* A wider filter sees beyond the window. */
 static void widen(struct hsr_view *view, enum hsr_area_filter filter) {
   struct hsr_window *w = &view->window;
@@ -340,7 +378,6 @@ static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct hsr_view view = *job->view;
   struct hsr_job wide = *job;
-  struct hsr_tiler loose;
   struct walk w = {.prepared = job->prepared,
                    .limit = (uint64_t)job->option[LIMIT],
                    .tally = job->tally};
@@ -358,9 +395,8 @@ static enum hsr_status render(const struct hsr_job *job,
   w.met = HSR_NEW_ZEROED(job->scratch, uint32_t,
                          w.prepared->cubes.most_object_faces);
   if (!w.met || hsr_cube_frame_begin(&w.frame, &wide, &w.prepared->cubes) ||
-      hsr_cube_loose(&w.frame, &loose) ||
       hsr_bounded_begin(&w.tree, &wide, &limits.form, &w.frame.pair) ||
-      !tile_all(&w, &loose))
+      !tile_in_order(&w))
     return hsr_fail_nomem(err);
   return hsr_bounded_refine(&w.tree, &limits, err);
 }
@@ -411,7 +447,6 @@ static enum hsr_status prepare(const struct hsr_world *world,
   /* The choice of hzbuffer: Greene's octree is the same. */
   static const struct hsr_octree_rule rule = {
       .small = .1, .most = 20, .least = 20};
-  (void)option;
   struct prepared *p = calloc(1, sizeof *p);
   *prepared = p;
   if (!p)
@@ -426,13 +461,16 @@ static enum hsr_status prepare(const struct hsr_world *world,
   for (uint32_t o = 0; o < n; o++)
     if (!count_object(p, o))
       return hsr_fail_nomem(err);
-  return HSR_OK;
+  p->is_strict = option[ORDER] == ORDER_STRICT;
+  return p->is_strict ? hsr_strict_init(&p->strict, world, err) : HSR_OK;
 }
 
 static void release(void *prepared) {
   struct prepared *p = prepared;
   if (!p)
     return;
+  if (p->is_strict)
+    hsr_strict_free(&p->strict);
   hsr_cubes_free(&p->cubes);
   hsr_arena_free(&p->arena);
   free(p);

@@ -246,7 +246,8 @@ static bool store(struct hsr_eb_tree *t, uint32_t s, uint32_t c, bool covers,
   return true;
 }
 
-/* InsertPolyIntoQuadtree. */
+/* InsertPolyIntoQuadtree. In strict order a polygon that covers a cell hides
+ * nothing of what is below: it is put into all children that are not covered. */
 static bool insert(struct hsr_eb_tree *t, uint32_t s, uint32_t c, bool covers) {
   struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
   struct hsr_square square = hsr_eb_square(cell);
@@ -270,7 +271,7 @@ static bool insert(struct hsr_eb_tree *t, uint32_t s, uint32_t c, bool covers) {
     return true;
   }
   covers = meeting == HSR_COVERS;
-  if (covers && cell->child) {
+  if (covers && cell->child && !hsr_eb_in_order(t, s)) {
     double far = hsr_eb_farthest(t, s, &square);
     if (far > cell->far) {
       cell->far = far;
@@ -297,12 +298,20 @@ static uint32_t enclosing(const struct hsr_eb_tree *t,
 
 bool hsr_bounded_add(struct hsr_eb_tree *t, const struct hsr_screen *screen,
                      uint32_t f, uint32_t id) {
+  return hsr_bounded_add_piece(t, screen, f, id, NULL, 0);
+}
+
+bool hsr_bounded_add_piece(struct hsr_eb_tree *t,
+                           const struct hsr_screen *screen, uint32_t f,
+                           uint32_t id, const struct hsr_shape_cut *cut,
+                           uint32_t n_cuts) {
   struct hsr_arena *arena = t->job->scratch;
   if (!hsr_arena_grow(arena, &t->shapes, sizeof(struct hsr_shape)))
     return false;
   uint32_t s = (uint32_t)t->shapes.n - 1;
   struct hsr_shape *shape = (struct hsr_shape *)t->shapes.items + s;
-  if (!hsr_shape_make(shape, screen, f, id, arena, t->tally))
+  if (!hsr_shape_make(shape, screen, f, id, arena, t->tally) ||
+      (n_cuts && !hsr_shape_divide(shape, screen, cut, n_cuts, arena)))
     return false;
   uint16_t rgb[3];
   hsr_filter_colour(t->job->world, t->job->view, id, rgb);
@@ -441,6 +450,7 @@ enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *t,
   *t = (struct hsr_eb_tree){.job = job,
                             .tally = job->tally,
                             .pair = pair,
+                            .in_order = HSR_EB_NONE,
                             .free_entries = HSR_EB_NONE};
   hsr_filter_colour(job->world, job->view, HSR_BACKGROUND, rgb);
   for (int c = 0; c < 3; c++)

@@ -14,6 +14,15 @@
  * - r) . M with r = P - E: the same holds with |A'| + reach for |A'|, and with
  *   |F| <= 2 for |D|. TINY covers what underflows.
  *
+ * Cuts. A point of the polygon lies at t D from the eye, q = 1/t, and N . (t D +
+ * E - P) has the sign of e = h q + N . D, with h = N . (E - P). The rounded h is
+ * within H = 2 (n |E - P| + p |N|) + 2^-49 |N| |E - P| of itself, with the errors
+ * n of N and p of P (common/exact/order.c). Let Q bound |q| and its three terms,
+ * and d be its error. Then e is within H Q + |h| d + n reach of itself, but for
+ * rounding, which is below 32u of |h| Q + |N| reach. The bound below is twice
+ * that, and 256u. In parallel q = -t, and e = h + N . D - f q with f = N . F,
+ * which is within 2 n + 2^-49 |N| of itself, as |F| <= 2.
+ *
  * On a square of the picture |e - e(middle)| <= (|a| + |b|) half. The rounding
  * of that, and of the sums with it, is below 8u (|a| m + |b| n + |c|). Each of
  * these three is at most |A'| |G| reach, so they are in the 128u too.
@@ -292,6 +301,57 @@ bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
   }
   shape->line = line;
   find_box(shape, screen, f);
+  return true;
+}
+
+/* --- Pieces --------------------------------------------------------------- */
+
+static struct hsr_screen_line cut_line(const struct hsr_screen *screen,
+                                       const struct hsr_screen_line *q,
+                                       const struct hsr_shape_cut *cut) {
+  const struct hsr_view *view = screen->view;
+  const double *N = cut->N, *reach = screen->reach;
+  double far = reach[0] + reach[1] + reach[2], from[3];
+  for (int k = 0; k < 3; k++)
+    from[k] = view->E[k] - cut->P[k];
+  double n = size_of(N), h = dot(N, from);
+  double h_error = 2 * (cut->N_error * size_of(from) + cut->P_error * n +
+                        0x1p-49 * n * size_of(from));
+  double Q =
+      fabs(q->a) * view->m + fabs(q->b) * view->n + fabs(q->c) + q->error;
+  double by = h, by_error = h_error, rest = 0, rest_error = 0;
+  if (view->parallel) {
+    by = -dot(N, view->F);
+    by_error = 4 * cut->N_error + 0x1p-47 * n;
+    rest = h;
+    rest_error = h_error;
+  }
+  struct hsr_screen_line line = {
+      by * q->a + dot(view->ray[1], N), by * q->b + dot(view->ray[2], N),
+      by * q->c + dot(view->ray[0], N) + rest,
+      2 * (by_error * Q + fabs(by) * q->error + cut->N_error * far +
+           rest_error) +
+          0x1p-45 * (fabs(by) * Q + n * far + fabs(rest)) + TINY};
+  if (!(line.error < INFINITY)) /* the coefficients say nothing */
+    line = (struct hsr_screen_line){0, 0, 0, INFINITY};
+  return cut->side > 0 ? line : opposite(line);
+}
+
+bool hsr_shape_divide(struct hsr_shape *shape, const struct hsr_screen *screen,
+                      const struct hsr_shape_cut *cut, uint32_t n_cuts,
+                      struct hsr_arena *arena) {
+  uint32_t n = shape->n_lines;
+  struct hsr_screen_line *line =
+      HSR_NEW(arena, struct hsr_screen_line, n + (size_t)n_cuts);
+  if (!line)
+    return false;
+  memcpy(line, shape->line, n * sizeof *line);
+  for (uint32_t k = 0; k < n_cuts; k++)
+    line[n + k] = cut_line(screen, &shape->q, &cut[k]);
+  shape->line = line;
+  shape->n_lines = n + n_cuts;
+  shape->cut = cut;
+  shape->n_cuts = n_cuts;
   return true;
 }
 

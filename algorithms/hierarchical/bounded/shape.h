@@ -15,6 +15,8 @@
  *             polygon (docs/correct-picture.md). A triangle is met, before the
  *             eye or behind, where its three lines have one sign. The lines of
  *             `near` hold for the whole.
+ * Cut         a piece of a polygon is bounded by the lines where planes cut it,
+ *             too. They hold for the whole, as those of `near` do.
  * Certainty   every line has a proved error, and so has all that is said of a
  *             polygon: MISSES and COVERS are certain, an area lies between two
  *             bounds. The proof is in shape.c. */
@@ -38,6 +40,15 @@ struct hsr_square {
   double x, y, half; /* its middle */
 };
 
+/* A plane that cuts polygons: N . (X - P) = 0. Each component of N and of P is
+ * within its error. What is kept lies where N . (X - P) has the sign of `side`.
+ */
+struct hsr_shape_cut {
+  uint32_t plane; /* its number: equal for equal planes */
+  int side;
+  double N[3], P[3], N_error, P_error;
+};
+
 struct hsr_shape {
   uint32_t id;   /* of the face, in the scene */
   double rgb[3]; /* within 2^-53 of themselves */
@@ -54,6 +65,8 @@ struct hsr_shape {
                                          of `near`; a fan: three a triangle,
                                          from its first corner, then those of
                                          `near` */
+  uint32_t n_cuts;                    /* of a piece: the last so many lines, */
+  const struct hsr_shape_cut *cut;    /* which are of these planes */
   double x0, y0, x1, y1;              /* nothing of it is outside of this */
 };
 
@@ -63,6 +76,12 @@ struct hsr_shape {
 bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
                     uint32_t f, uint32_t id, struct hsr_arena *arena,
                     struct hsr_tally *tally);
+
+/* Makes a piece of a shape, which has no cuts yet. `cut` is borrowed; the lines
+ * are the arena's. False if memory ran out. */
+bool hsr_shape_divide(struct hsr_shape *shape, const struct hsr_screen *screen,
+                      const struct hsr_shape_cut *cut, uint32_t n_cuts,
+                      struct hsr_arena *arena);
 
 /* All of e on a square lies within *lo and *hi. */
 static inline void hsr_line_range(const struct hsr_screen_line *line,
