@@ -25,6 +25,7 @@ algorithm_files += \
   %D%/space_time.h
 # These files count nothing and are compiled once.
 libhsr_a_SOURCES += \
+  %D%/bounded/cut.cc \
   %D%/bounded/queue.c \
   %D%/bounded/queue.h \
   %D%/bounded/shape.c \

@@ -192,11 +192,11 @@ enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *tree,
 bool hsr_bounded_add(struct hsr_eb_tree *tree, const struct hsr_screen *screen,
                      uint32_t f, uint32_t id);
 
-/* The same, of a piece of a face; `cut` is borrowed. */
+/* The same, of a piece of a face on the plane `own`; `cut` is borrowed. */
 bool hsr_bounded_add_piece(struct hsr_eb_tree *tree,
                            const struct hsr_screen *screen, uint32_t f,
-                           uint32_t id, const struct hsr_shape_cut *cut,
-                           uint32_t n_cuts);
+                           uint32_t id, const struct hsr_shape_cut *own,
+                           const struct hsr_shape_cut *cut, uint32_t n_cuts);
 
 /* SubdivideQCell: makes four leaves of a leaf. False if memory ran out. */
 bool hsr_bounded_split(struct hsr_eb_tree *tree, uint32_t cell);

@@ -298,20 +298,20 @@ static uint32_t enclosing(const struct hsr_eb_tree *t,
 
 bool hsr_bounded_add(struct hsr_eb_tree *t, const struct hsr_screen *screen,
                      uint32_t f, uint32_t id) {
-  return hsr_bounded_add_piece(t, screen, f, id, NULL, 0);
+  return hsr_bounded_add_piece(t, screen, f, id, NULL, NULL, 0);
 }
 
 bool hsr_bounded_add_piece(struct hsr_eb_tree *t,
                            const struct hsr_screen *screen, uint32_t f,
-                           uint32_t id, const struct hsr_shape_cut *cut,
-                           uint32_t n_cuts) {
+                           uint32_t id, const struct hsr_shape_cut *own,
+                           const struct hsr_shape_cut *cut, uint32_t n_cuts) {
   struct hsr_arena *arena = t->job->scratch;
   if (!hsr_arena_grow(arena, &t->shapes, sizeof(struct hsr_shape)))
     return false;
   uint32_t s = (uint32_t)t->shapes.n - 1;
   struct hsr_shape *shape = (struct hsr_shape *)t->shapes.items + s;
   if (!hsr_shape_make(shape, screen, f, id, arena, t->tally) ||
-      (n_cuts && !hsr_shape_divide(shape, screen, cut, n_cuts, arena)))
+      (n_cuts && !hsr_shape_divide(shape, screen, own, cut, n_cuts, arena)))
     return false;
   uint16_t rgb[3];
   hsr_filter_colour(t->job->world, t->job->view, id, rgb);

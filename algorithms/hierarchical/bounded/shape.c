@@ -14,14 +14,17 @@
  * - r) . M with r = P - E: the same holds with |A'| + reach for |A'|, and with
  *   |F| <= 2 for |D|. TINY covers what underflows.
  *
- * Cuts. A point of the polygon lies at t D from the eye, q = 1/t, and N . (t D +
- * E - P) has the sign of e = h q + N . D, with h = N . (E - P). The rounded h is
- * within H = 2 (n |E - P| + p |N|) + 2^-49 |N| |E - P| of itself, with the errors
- * n of N and p of P (common/exact/order.c). Let Q bound |q| and its three terms,
- * and d be its error. Then e is within H Q + |h| d + n reach of itself, but for
- * rounding, which is below 32u of |h| Q + |N| reach. The bound below is twice
- * that, and 256u. In parallel q = -t, and e = h + N . D - f q with f = N . F,
- * which is within 2 n + 2^-49 |N| of itself, as |F| <= 2.
+ * Cuts. Let plane N, P cut a polygon on plane M, A, and h = N . (E - P), g = M .
+ * (A - E). The polygon's point on the ray is E + t D with t = g / M . D, and N . (E
+ * + t D - P) has the sign of (h M + g N) . D, turned if g < 0, for t > 0. No
+ * division is made: the line is good even where the eye is almost in a plane. The
+ * rounded h is within H = 2 (n |E - P| + p |N|) + 2^-49 |N| |E - P| of itself, with
+ * the errors n of N and p of P (common/exact/order.c); and g within G likewise,
+ * with m for M. With the errors of products of these, e is within (H |M| + |h| m +
+ * G |N| + |g| n) reach, and of rounding 32u (|h| |M| + |g| |N|) reach, of itself.
+ * The bound is twice the first, where |M| and |N| are those of the true normals,
+ * and 256u. In parallel, with f = N . F and k = M . F, the sign is that of k h + f g
+ * + (k N - f M) . D, turned if k < 0. f is within 2 n + 2^-48 |N| of itself.
  *
  * On a square of the picture |e - e(middle)| <= (|a| + |b|) half. The rounding
  * of that, and of the sums with it, is below 8u (|a| m + |b| n + |c|). Each of
@@ -306,38 +309,93 @@ bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
 
 /* --- Pieces --------------------------------------------------------------- */
 
+/* A plane from the eye: its height, the size of its normal, and in parallel the
+ * normal along F, with their errors. */
+struct seen_plane {
+  const double *N;
+  double n_error, size, height, h_error, along, a_error;
+};
+
+static struct seen_plane see_plane(const struct hsr_view *view,
+                                   const struct hsr_shape_cut *plane) {
+  double from[3];
+  for (int k = 0; k < 3; k++)
+    from[k] = view->E[k] - plane->P[k];
+  double n = size_of(plane->N), r = size_of(from);
+  return (struct seen_plane){.N = plane->N,
+                             .n_error = plane->N_error,
+                             .size = n + 3 * plane->N_error,
+                             .height = dot(plane->N, from),
+                             .h_error =
+                                 2 * (plane->N_error * r + plane->P_error * n) +
+                                 0x1p-48 * n * r,
+                             .along = dot(plane->N, view->F),
+                             .a_error = 2 * plane->N_error + 0x1p-48 * n};
+}
+
+/* x a + y b, of vectors. The factors have errors, too: what the components are
+ * off by is returned. */
+static double mix(double x, double x_error, const struct seen_plane *a,
+                  double y, double y_error, const struct seen_plane *b,
+                  double out[3]) {
+  for (int k = 0; k < 3; k++)
+    out[k] = x * a->N[k] + y * b->N[k];
+  return 2 * (x_error * a->size + fabs(x) * a->n_error + y_error * b->size +
+              fabs(y) * b->n_error) +
+         0x1p-45 * (fabs(x) * a->size + fabs(y) * b->size);
+}
+
+static struct hsr_screen_line line_of(const struct hsr_screen *screen,
+                                      const double normal[3], double rest,
+                                      double error) {
+  const struct hsr_view *view = screen->view;
+  return (struct hsr_screen_line){dot(view->ray[1], normal),
+                                  dot(view->ray[2], normal),
+                                  dot(view->ray[0], normal) + rest, error};
+}
+
+/* May the line be in the picture, and is its place less certain than 2^-20
+ * pixels? */
+static bool is_vague(const struct hsr_view *view,
+                     const struct hsr_screen_line *line) {
+  double steep = fabs(line->a) + fabs(line->b);
+  return !(line->error < 0x1p-20 * steep) &&
+         !(fabs(line->c) >
+           line->error + fabs(line->a) * view->m + fabs(line->b) * view->n);
+}
+
 static struct hsr_screen_line cut_line(const struct hsr_screen *screen,
-                                       const struct hsr_screen_line *q,
+                                       const struct hsr_shape_cut *own,
+                                       int inner,
                                        const struct hsr_shape_cut *cut) {
   const struct hsr_view *view = screen->view;
-  const double *N = cut->N, *reach = screen->reach;
-  double far = reach[0] + reach[1] + reach[2], from[3];
-  for (int k = 0; k < 3; k++)
-    from[k] = view->E[k] - cut->P[k];
-  double n = size_of(N), h = dot(N, from);
-  double h_error = 2 * (cut->N_error * size_of(from) + cut->P_error * n +
-                        0x1p-49 * n * size_of(from));
-  double Q =
-      fabs(q->a) * view->m + fabs(q->b) * view->n + fabs(q->c) + q->error;
-  double by = h, by_error = h_error, rest = 0, rest_error = 0;
+  const struct seen_plane M = see_plane(view, own), N = see_plane(view, cut);
+  double far = screen->reach[0] + screen->reach[1] + screen->reach[2];
+  double normal[3], error, rest = 0;
   if (view->parallel) {
-    by = -dot(N, view->F);
-    by_error = 4 * cut->N_error + 0x1p-47 * n;
-    rest = h;
-    rest_error = h_error;
+    double k = M.along, f = N.along, h = N.height, g = -M.height;
+    error = far * mix(k, M.a_error, &N, -f, N.a_error, &M, normal);
+    rest = k * h + f * g;
+    error += 2 * (M.a_error * (fabs(h) + N.h_error) + fabs(k) * N.h_error +
+                  N.a_error * (fabs(g) + M.h_error) + fabs(f) * M.h_error) +
+             0x1p-45 * (fabs(k * h) + fabs(f * g));
+  } else {
+    error =
+        far * mix(N.height, N.h_error, &M, -M.height, M.h_error, &N, normal);
   }
-  struct hsr_screen_line line = {
-      by * q->a + dot(view->ray[1], N), by * q->b + dot(view->ray[2], N),
-      by * q->c + dot(view->ray[0], N) + rest,
-      2 * (by_error * Q + fabs(by) * q->error + cut->N_error * far +
-           rest_error) +
-          0x1p-45 * (fabs(by) * Q + n * far + fabs(rest)) + TINY};
-  if (!(line.error < INFINITY)) /* the coefficients say nothing */
-    line = (struct hsr_screen_line){0, 0, 0, INFINITY};
-  return cut->side > 0 ? line : opposite(line);
+  struct hsr_screen_line line = line_of(screen, normal, rest, error + TINY);
+  if (is_vague(view, &line)) {
+    hsr_cut_exactly(screen, own, cut, normal, &rest);
+    error = 0x1p-45 * (size_of(normal) * far + fabs(rest)) + TINY;
+    if (error < line.error)
+      line = line_of(screen, normal, rest, error);
+  }
+  /* M is turned as the polygon is: `inner` is the sign of g, or of k. */
+  return cut->side * inner > 0 ? line : opposite(line);
 }
 
 bool hsr_shape_divide(struct hsr_shape *shape, const struct hsr_screen *screen,
+                      const struct hsr_shape_cut *own,
                       const struct hsr_shape_cut *cut, uint32_t n_cuts,
                       struct hsr_arena *arena) {
   uint32_t n = shape->n_lines;
@@ -347,7 +405,7 @@ bool hsr_shape_divide(struct hsr_shape *shape, const struct hsr_screen *screen,
     return false;
   memcpy(line, shape->line, n * sizeof *line);
   for (uint32_t k = 0; k < n_cuts; k++)
-    line[n + k] = cut_line(screen, &shape->q, &cut[k]);
+    line[n + k] = cut_line(screen, own, shape->inner, &cut[k]);
   shape->line = line;
   shape->n_lines = n + n_cuts;
   shape->cut = cut;

@@ -40,11 +40,13 @@ struct hsr_square {
   double x, y, half; /* its middle */
 };
 
-/* A plane that cuts polygons: N . (X - P) = 0. Each component of N and of P is
- * within its error. What is kept lies where N . (X - P) has the sign of `side`.
+/* A plane that cuts polygons: N . (X - P) = 0, that of `face` of the screen's
+ * world or, if that is HSR_NO_ID, one across an axis, with N = 1 along it. Each
+ * component of N and of P is within its error. What is kept lies where N . (X - P) has the sign of `side`.
  */
 struct hsr_shape_cut {
   uint32_t plane; /* its number: equal for equal planes */
+  uint32_t face;
   int side;
   double N[3], P[3], N_error, P_error;
 };
@@ -77,11 +79,22 @@ bool hsr_shape_make(struct hsr_shape *shape, const struct hsr_screen *screen,
                     uint32_t f, uint32_t id, struct hsr_arena *arena,
                     struct hsr_tally *tally);
 
-/* Makes a piece of a shape, which has no cuts yet. `cut` is borrowed; the lines
- * are the arena's. False if memory ran out. */
+/* Makes a piece of a shape, which has no cuts yet and is on the plane `own`.
+ * `cut` is borrowed; the lines are the arena's. False if memory ran out. */
 bool hsr_shape_divide(struct hsr_shape *shape, const struct hsr_screen *screen,
+                      const struct hsr_shape_cut *own,
                       const struct hsr_shape_cut *cut, uint32_t n_cuts,
                       struct hsr_arena *arena);
+
+/* Where plane `cut` cuts a polygon on plane `own`, on the screen: positive where
+ * the sign of N . (X - P), of `cut`, is that of (X - E) . M, of `own`, or in
+ * parallel of F . M. Exact, but for rounding in the end to within 2^-50 of each
+ * of normal[] and of *rest: e = normal . D + *rest. Not finite: nothing is known.
+ */
+void hsr_cut_exactly(const struct hsr_screen *screen,
+                     const struct hsr_shape_cut *own,
+                     const struct hsr_shape_cut *cut, double normal[3],
+                     double *rest);
 
 /* All of e on a square lies within *lo and *hi. */
 static inline void hsr_line_range(const struct hsr_screen_line *line,

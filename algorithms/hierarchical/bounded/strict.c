@@ -4,8 +4,6 @@
 #include "algorithms/list_priority/fixed/bsp_walk.h"
 #include "common/exact/order.h"
 
-#include <string.h>
-
 /* --- Once ----------------------------------------------------------------- */
 
 static enum hsr_status check_convex(const struct hsr_world *world,
@@ -99,26 +97,30 @@ void hsr_strict_free(struct hsr_strict *s) {
 
 /* --- Pieces --------------------------------------------------------------- */
 
+static struct hsr_shape_cut plane_of(const struct hsr_mesh *mesh, uint32_t f) {
+  return (struct hsr_shape_cut){.plane = mesh->plane[f],
+                                .face = f,
+                                .side = 1,
+                                .N = {mesh->nx[f], mesh->ny[f], mesh->nz[f]},
+                                .P = {mesh->px[f], mesh->py[f], mesh->pz[f]},
+                                .N_error = mesh->n_error[f],
+                                .P_error = mesh->anchor_error[f]};
+}
+
 /* The plane of a side or of a cut, which says on which side of it the piece is.
  */
 static struct hsr_shape_cut cut_of(const struct hsr_bsp *bsp,
                                    const struct hsr_bsp_corner *by) {
   const struct hsr_mesh *mesh = &bsp->world->mesh;
-  struct hsr_shape_cut cut = {.plane = by->a,
-                              .side = by->b == HSR_BSP_FRONT ? 1 : -1};
-  if (by->a >= mesh->n_planes) {
+  struct hsr_shape_cut cut = {.plane = by->a, .face = HSR_NO_ID};
+  if (by->a < mesh->n_planes) {
+    cut = plane_of(mesh, bsp->face_of[by->a]);
+  } else {
     const struct hsr_bsp_median *median = &bsp->median[by->a - mesh->n_planes];
     cut.N[median->axis] = 1;
     cut.P[median->axis] = median->at;
-    return cut;
   }
-  uint32_t f = bsp->face_of[by->a];
-  const double N[3] = {mesh->nx[f], mesh->ny[f], mesh->nz[f]};
-  const double P[3] = {mesh->px[f], mesh->py[f], mesh->pz[f]};
-  memcpy(cut.N, N, sizeof N);
-  memcpy(cut.P, P, sizeof P);
-  cut.N_error = mesh->n_error[f];
-  cut.P_error = mesh->anchor_error[f];
+  cut.side = by->b == HSR_BSP_FRONT ? 1 : -1;
   return cut;
 }
 
@@ -154,7 +156,9 @@ static void tile_piece(void *context, const struct hsr_bsp_piece *piece,
   hsr_screen_plane(&w->screen, f);
   const struct hsr_shape_cut *cut =
       cuts_of(&w->strict->bsp, piece, w->tree->job->scratch, &n);
-  w->failed = !cut || !hsr_bounded_add_piece(w->tree, &w->screen, f, f, cut, n);
+  const struct hsr_shape_cut own = plane_of(&w->strict->world->mesh, f);
+  w->failed =
+      !cut || !hsr_bounded_add_piece(w->tree, &w->screen, f, f, &own, cut, n);
 }
 
 static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
