@@ -56,7 +56,8 @@ check_PROGRAMS += %D%/greene/figures
 %C%_greene_figures_SOURCES = %D%/greene/figures.c
 lesson_page = %D%/lesson/lesson.html %D%/lesson/lesson.css
 EXTRA_DIST += %D%/area/README.md %D%/area/make %D%/area/errors.txt \
-  %D%/area/passes.txt %D%/area/results.ndjson %D%/area/samples-house.txt \
+  %D%/area/passes.txt %D%/area/strict.txt \
+  %D%/area/results.ndjson %D%/area/samples-house.txt \
   %D%/area/samples-harbor.txt %D%/area/times.txt \
   %D%/peers/README.md %D%/peers/results.ndjson %D%/peers/times.txt \
   %D%/peers/mistakes %D%/peers/mistakes.md \
