@@ -10,7 +10,8 @@
  *             of the cell that it comes from; and nearly all of a set is found
  *             so.
  *
- * usage: cell_sets_test [EYES]      in each cell; standard: 8 */
+ * usage: cell_sets_test [EYES [SCENE...]]    in each cell; standard: 8. With a
+ * SCENE, only the first two of these are tested */
 #include "algorithms/hierarchical/culling/cell_sets.h"
 #include "tests/properties/hierarchical/claims.h"
 #include "tests/tap.h"
@@ -389,7 +390,11 @@ static void check_lines(struct tap *tap, const char *name, int buildings,
 
 int main(int argc, char **argv) {
   long eyes = argc > 1 ? atol(argv[1]) : 8;
-  struct tap tap = plan(11);
+  struct tap tap = plan(argc > 2 ? 2 * (argc - 2) : 11);
+  for (int k = 2; k < argc; k++)
+    check_building(&tap, argv[k], eyes, 1.01);
+  if (argc > 2)
+    return finish(&tap);
   check_building(&tap, "rooms:5", eyes, 0.9);
   check_building(&tap, "rooms:8:60", eyes, 0.5);
   check_building(&tap, "office:1", eyes, 1.01);

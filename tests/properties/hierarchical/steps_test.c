@@ -21,6 +21,7 @@
  * usage: steps_test [WORD...]    only variants whose names begin with a WORD */
 #include "algorithms/variant.h"
 #include "common/exact/screen.h"
+#include "common/scene/motion.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
 
@@ -410,6 +411,23 @@ static void check_faces(struct frame *f, bool fast) {
 
 /* --- Bodies --------------------------------------------------------------- */
 
+/* Where a box stays from frame 0 on, and how fast it may be. */
+static void promise(struct hsr_scene *scene, const double at[3]) {
+  static const double half[3] = {1.5, 1, 1.25};
+  struct hsr_motion motion = {.speed = 0.125};
+  struct hsr_key key[2] = {{.frame = 0}, {.frame = 64}};
+  for (int a = 0; a < 3; a++) {
+    motion.lo[a] = key[0].lo[a] = key[1].lo[a] = at[a] - half[a];
+    motion.hi[a] = key[0].hi[a] = key[1].hi[a] = at[a] + half[a];
+  }
+  key[1].lo[0] -= 4;
+  key[1].hi[0] += 4;
+  motion.lo[0] -= 4;
+  motion.hi[0] += 4;
+  if (hsr_scene_set_motion(scene, &motion, key, 2))
+    stop("bodies", "their motion is refused");
+}
+
 /* Six boxes that move and meet, and one that stands still. It stands among
  * them, or behind the eye, so that all others are outside its cube. */
 static struct hsr_scene *make_bodies(bool behind) {
@@ -438,10 +456,14 @@ static struct hsr_scene *make_bodies(bool behind) {
     if (behind && !k)
       m[11] = 30;
     hsr_scene_instance(scene, k > 0, m);
+    if (k)
+      promise(scene, at[k]);
   }
-  struct hsr_camera camera = {
-      .eye = {3, 4, 9}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 50};
-  if (hsr_scene_view(scene, &camera) || hsr_scene_finish(scene, &err))
+  const struct hsr_camera camera[2] = {
+      {.eye = {3, 4, 9}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 50},
+      {.eye = {4, 3, 9}, .at = {0, 0, 0}, .up = {0, 1, 0}, .fov = 50}};
+  if (hsr_scene_view(scene, &camera[0]) || hsr_scene_view(scene, &camera[1]) ||
+      hsr_scene_finish(scene, &err))
     stop("bodies", err.text);
   return scene;
 }
@@ -472,10 +494,75 @@ static void check_merges(struct frame *f) {
   }
 }
 
-/* Before an instance moves down, its cube was divided. */
-static void check_movers(struct frame *f) {
+/* Steps of what is known of motion, of all runs: there must be some. */
+static long n_looked, n_bounded, n_in_time, n_down;
+
+/* An instance is looked at once a frame at most. With movers=update all six of
+ * the bodies are, and stay where they are after the first frame. */
+static void check_looked(struct frame *f, const char *text, bool again) {
+  int looked = counter(f, "movers looked at");
+  unsigned seen = 0;
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    if (e->counter != looked)
+      continue;
+    n_looked++;
+    expect(f, e->a.id[0] < 7 && !(seen >> e->a.id[0] & 1),
+           "an instance is looked at twice");
+    expect(f, !again || e->outcome, "what has not moved leaves its cube");
+    seen |= 1u << e->a.id[0];
+  }
+  bool bodies = f->world->outline.scene->n_objects == 2 &&
+                hsr_scene_moves(f->world->outline.scene);
+  expect(f, !bodies || !strstr(text, "update") || seen == 0x7e,
+         "an instance is not looked at");
+}
+
+/* A cluster is divided once. The way of an instance is known, and bounded before
+ * it is handed down. */
+static void check_clusters(struct frame *f) {
+  int bounded = counter(f, "ways bounded"),
+      in_time = counter(f, "splits in time");
+  uint64_t divided = 0;
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    if (e->counter == bounded) {
+      n_bounded++;
+      expect(f, e->a.id[0] > 0 && e->a.id[0] < 7 && e->outcome,
+             "the way of an instance is not known");
+    } else if (e->counter == in_time) {
+      n_in_time++;
+      expect(f, e->a.id[0] < 64 && !(divided >> e->a.id[0] & 1),
+             "a cluster is divided twice");
+      divided |= (uint64_t)1 << e->a.id[0];
+    }
+  }
+}
+
+/* What is handed down goes into an octant of the cube that was divided last. */
+static void check_lazy_cubes(struct frame *f) {
+  int divided = counter(f, "cubes divided"), faces = counter(f, "faces down");
+  int still = counter(f, "instances down");
+  const struct hsr_event *last = NULL;
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct hsr_event *e = &f->event[k];
+    if (e->counter == divided) {
+      last = e;
+    } else if (e->counter == faces || e->counter == still) {
+      n_down++;
+      expect(f,
+             last && e->b.id[1] == last->a.id[1] && e->b.id[0] != last->a.id[0],
+             "what is handed down is not of the cube that was divided");
+    }
+  }
+}
+
+/* Before an instance moves down, its cube was divided; where the octree is kept,
+ * perhaps in an earlier frame, or it was made for the instance. */
+static void check_movers(struct frame *f, const char *text) {
   int moved = counter(f, "moved down"), splits = counter(f, "splits");
-  bool divided = false;
+  bool divided = strstr(text, "update") || strstr(text, "bounded") ||
+                 strstr(text, "fixed") || strstr(text, "space-time");
   for (size_t k = 0; k < f->n_events; k++) {
     const struct hsr_event *e = &f->event[k];
     divided |= e->counter == splits;
@@ -487,7 +574,7 @@ static void check_movers(struct frame *f) {
 
 /* --- Runs ----------------------------------------------------------------- */
 
-static void check_frame(struct frame *f, const char *text) {
+static void check_frame(struct frame *f, const char *text, bool again) {
   check_counts(f);
   if (!f->filtered) {
     check_picture(f);
@@ -506,7 +593,10 @@ static void check_frame(struct frame *f, const char *text) {
   check_frustum(f);
   if (counter(f, "cubes tested") < 0)
     return;
-  check_movers(f);
+  check_movers(f, text);
+  check_looked(f, text, again);
+  check_clusters(f);
+  check_lazy_cubes(f);
   bool one_by_one = !strstr(text, "coherence") && !strstr(text, "octree=off");
   if (one_by_one) {
     check_cubes(f, !strstr(text, "near") && !strstr(text, "sides"));
@@ -560,7 +650,7 @@ static size_t try_variant(const struct both_worlds *worlds, const char *text,
     hsr_arena_reset(&scratch);
     if (hsr_setup_render(&setup, &job, &err))
       stop(text, err.text);
-    check_frame(&f, text);
+    check_frame(&f, text, v > 0);
     if (!f.filtered && !strstr(text, "table"))
       check_truth(&f);
     events += f.n_events;
@@ -589,6 +679,13 @@ static const char *const variants[] = {
     "hzbuffer:coherence=passes",
     "hzbuffer:movers=lazy",
     "hzbuffer:movers=behind",
+    "hzbuffer:movers=update",
+    "hzbuffer:movers=bounded:interval=3",
+    "hzbuffer:movers=fixed",
+    "hzbuffer:movers=space-time:interval=8",
+    "hzbuffer:movers=space-time:octree=lazy:least=2",
+    "hzbuffer:movers=lazy:octree=lazy:least=4",
+    "hzbuffer:movers=update:octree=lazy:coherence=list",
     "tiling",
     "tiling:leaf=2",
     "tiling:start=root:intervals=8",
@@ -628,7 +725,7 @@ int main(int argc, char **argv) {
   int n = 0;
   for (int k = 0; k < VARIANTS; k++)
     n += is_asked(variants[k], argc, argv);
-  struct tap tap = plan(n + (argc == 1));
+  struct tap tap = plan(n + 2 * (argc == 1));
   for (int s = 0; s < NAMED; s++) {
     open_worlds(&worlds[s], scenes[s]);
     name[s] = scenes[s];
@@ -662,6 +759,11 @@ int main(int argc, char **argv) {
     ok(&tap, !wrong, "%s: %zu events%s%s%s%s", variants[k], events,
        wrong ? "; " : "", where, wrong ? ": " : "", wrong ? wrong : "");
   }
+  if (argc == 1)
+    ok(&tap, n_looked > 30 && n_bounded > 10 && n_in_time > 0 && n_down > 100,
+       "%ld movers looked at, %ld ways bounded, %ld splits in time, %ld handed "
+       "down",
+       n_looked, n_bounded, n_in_time, n_down);
   if (argc == 1)
     ok(&tap, n_merges > 1 && n_moved > 10, "%ld merges, %ld moved down",
        n_merges, n_moved);
