@@ -48,6 +48,7 @@ struct frame {
   struct hsr_tally tally;
   uint32_t ids[M * N], sums[3 * M * N];
   const char *wrong; /* the first thing that is wrong, or NULL */
+  uint64_t divided;  /* clusters, in this frame or an earlier one of the run */
 };
 
 static void listen(void *context, const struct hsr_event *event) {
@@ -518,12 +519,11 @@ static void check_looked(struct frame *f, const char *text, bool again) {
          "an instance is not looked at");
 }
 
-/* A cluster is divided once. The way of an instance is known, and bounded before
+/* A cluster is divided once, also over several frames. The way of an instance is known, and bounded before
  * it is handed down. */
 static void check_clusters(struct frame *f) {
   int bounded = counter(f, "ways bounded"),
       in_time = counter(f, "splits in time");
-  uint64_t divided = 0;
   for (size_t k = 0; k < f->n_events; k++) {
     const struct hsr_event *e = &f->event[k];
     if (e->counter == bounded) {
@@ -532,9 +532,9 @@ static void check_clusters(struct frame *f) {
              "the way of an instance is not known");
     } else if (e->counter == in_time) {
       n_in_time++;
-      expect(f, e->a.id[0] < 64 && !(divided >> e->a.id[0] & 1),
+      expect(f, e->a.id[0] < 64 && !(f->divided >> e->a.id[0] & 1),
              "a cluster is divided twice");
-      divided |= (uint64_t)1 << e->a.id[0];
+      f->divided |= (uint64_t)1 << e->a.id[0];
     }
   }
 }
@@ -553,6 +553,8 @@ static void check_lazy_cubes(struct frame *f) {
       expect(f,
              last && e->b.id[1] == last->a.id[1] && e->b.id[0] != last->a.id[0],
              "what is handed down is not of the cube that was divided");
+      expect(f, (e->counter == faces) == (e->a.kind == HSR_OF_FACE),
+             "faces are taken for instances");
     }
   }
 }
