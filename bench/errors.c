@@ -382,11 +382,13 @@ static enum hsr_status find_exact(struct place *p, struct hsr_error *err) {
 
 static enum hsr_status find(struct place *p, struct hsr_error *err) {
   static const char *const usual[] = {"zbuffer",
+                                      "zbuffer:filter=box4x4",
                                       "zbuffer:filter=box4x8",
                                       "zbuffer:filter=box",
                                       "zbuffer:filter=box:jitter=8",
                                       "zbuffer:filter=cosine",
                                       "zbuffer:filter=cosine:jitter=8",
+                                      "zbuffer:filter=field",
                                       "a-buffer",
                                       "error-bounded"};
   const struct options *o = p->options;
