@@ -4,6 +4,7 @@ algorithm_files += \
   %D%/canvas.h \
   %D%/masks.c \
   %D%/masks.h \
+  %D%/masks_avx2.h \
   %D%/masks_avx512.h \
   %D%/polygon.c \
   %D%/polygon.h

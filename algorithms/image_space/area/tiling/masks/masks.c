@@ -9,7 +9,8 @@
 /* The counting build takes the portable way, so that it counts the same on
  * every machine. */
 #if defined __x86_64__ && HSR_HAVE_TARGET_CLONES && !HSR_COUNTING
-#define HAVE_AVX512_TWIN 1
+#define HAVE_TWINS 1
+#include <immintrin.h>
 #endif
 
 static const uint64_t ALL = UINT64_MAX;
@@ -389,7 +390,8 @@ struct task {
   bool at_once; /* subcells of the finest level are tiled together */
 };
 
-/* The steps that are written twice, for every machine and for AVX-512. */
+/* The steps that are written for every machine, for AVX2 (masks_avx2.h) and for
+ * AVX-512 (masks_avx512.h). */
 struct hsr_mask_twin {
   bool (*compose)(const struct hsr_masks *p,
                   const struct hsr_mask_polygon *polygon,
@@ -522,30 +524,17 @@ static bool shows_finest_portable(const struct task *t,
 static const struct hsr_mask_twin portable = {compose, tile_pixels_portable,
                                               shows_finest_portable};
 
-#ifdef HAVE_AVX512_TWIN
+#ifdef HAVE_TWINS
+#include "algorithms/image_space/area/tiling/masks/masks_avx2.h"
 #include "algorithms/image_space/area/tiling/masks/masks_avx512.h"
-
-AVX512 static void tile_pixels_avx512(const struct task *t,
-                                      const struct hsr_mask_cell *cell,
-                                      const struct hsr_mask_lines *active,
-                                      struct hsr_triage *mask, uint64_t a) {
-  tile_pixels(t, cell, active, mask, a, split_avx512);
-}
-
-AVX512 static bool shows_finest_avx512(const struct task *t,
-                                       const struct hsr_mask_cell *cell,
-                                       const uint32_t *list, uint32_t n) {
-  return shows_finest(t, cell, list, n, split_avx512);
-}
-
-static const struct hsr_mask_twin avx512 = {compose_avx512, tile_pixels_avx512,
-                                            shows_finest_avx512};
 #endif
 
 static const struct hsr_mask_twin *choose_twin(void) {
-#ifdef HAVE_AVX512_TWIN
+#ifdef HAVE_TWINS
   if (__builtin_cpu_supports("avx512f"))
     return &avx512;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return &avx2;
 #endif
   return &portable;
 }

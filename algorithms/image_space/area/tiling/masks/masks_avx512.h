@@ -5,8 +5,6 @@
 #ifndef HSR_ALGORITHMS_TILING_MASKS_AVX512_H
 #define HSR_ALGORITHMS_TILING_MASKS_AVX512_H
 
-#include <immintrin.h>
-
 #define AVX512 __attribute__((target("avx512f")))
 
 AVX512 static inline void split_avx512(const struct hsr_mask_line *line,
@@ -179,5 +177,21 @@ AVX512 static bool compose_avx512(const struct hsr_masks *p,
   }
   return true;
 }
+
+AVX512 static void tile_pixels_avx512(const struct task *t,
+                                      const struct hsr_mask_cell *cell,
+                                      const struct hsr_mask_lines *active,
+                                      struct hsr_triage *mask, uint64_t a) {
+  tile_pixels(t, cell, active, mask, a, split_avx512);
+}
+
+AVX512 static bool shows_finest_avx512(const struct task *t,
+                                       const struct hsr_mask_cell *cell,
+                                       const uint32_t *list, uint32_t n) {
+  return shows_finest(t, cell, list, n, split_avx512);
+}
+
+static const struct hsr_mask_twin avx512 = {compose_avx512, tile_pixels_avx512,
+                                            shows_finest_avx512};
 
 #endif
