@@ -117,7 +117,8 @@ double rounded(const Gmpz &x, long exponent) {
 // The same, but what is not 0 does not become 0.
 double rounded_with_sign(const Gmpz &x, long exponent) {
   const double y = rounded(x, exponent);
-  return y == 0 ? CGAL::sign(x) * std::numeric_limits<double>::denorm_min() : y;
+  return y == 0 ? int(CGAL::sign(x)) * std::numeric_limits<double>::denorm_min()
+                : y;
 }
 
 long exponent_of(const Gmpz &x) {
