@@ -238,8 +238,8 @@ static enum hsr_status prepare(struct render *r, const struct hsr_algorithm *a,
   return hsr_setup_init(&r->setup, a, &variant->choice, &r->world, err);
 }
 
-/* Goes on to the frame at hand: where the algorithm takes the scene as an outline
- * and objects of it move, with all that it has prepared; else anew. */
+/* Goes on to the frame at hand. If the algorithm takes the scene as an outline,
+ * and objects move, it keeps what it has prepared. If not, all is made anew. */
 static enum hsr_status go_on(struct render *r, const struct hsr_algorithm *a,
                              struct hsr_variant *variant,
                              struct hsr_error *err) {

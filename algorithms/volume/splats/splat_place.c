@@ -254,15 +254,17 @@ static bool leave(struct hsr_splats *s, uint32_t cell) {
 
 /* --- The box of a splat that floats cannot tell --------------------------- */
 
-/* Whether a splat lies wholly beyond the rays of a column x (axis 0) or row y
- * (axis 1): on the side of greater coordinates if `greater`.
- *   The plane of these rays has the normal N, N' if its components are multiplied
- * by the cell's size, and the value X - x w at the middle. The splat covers rays
- * that are within g r of the middle, in cells. In perspective they are a cone
- * about V', the sine of whose half angle is g r / sqrt(|V'|^2 + (g r)^2). So it
- * is beyond if the value exceeds |N'| g r, in perspective times |V'| /
- * sqrt(|V'|^2 + (g r)^2). Rounding changes less than 2^-40 of the sizes of the
- * terms. */
+/* Does a splat lie wholly on one side of the rays of a column x (axis 0) or row y
+ * (axis 1): on the side of greater coordinates, or of smaller ones?
+ *   These rays are in one plane. Its normal is N; N' has the components of N
+ * times the cell's sizes. At the middle of the splat the plane's function has the
+ * value X - x w.
+ *   In parallel projection the splat covers the rays that pass the middle within
+ * g r. So it is on one side if the value exceeds |N'| g r.
+ *   In perspective it covers a cone of rays about V', and the sine of the cone's
+ * half angle is g r / sqrt(|V'|^2 + (g r)^2). So it is on one side if the value
+ * exceeds |N'| g r |V'| / sqrt(|V'|^2 + (g r)^2).
+ *   Rounding changes less than 2^-40 of the sizes of the terms. */
 static bool is_past(const struct hsr_splats *s, const struct hsr_placed *p,
                     int axis, double at, bool greater) {
   const struct hsr_view *v = s->view;
@@ -287,8 +289,8 @@ static bool is_past(const struct hsr_splats *s, const struct hsr_placed *p,
   return greater ? value > least : -value > least;
 }
 
-/* How many of the pixels from `from` on, or, if not `greater`, up to `to`, the
- * splat lies beyond, by bisection. */
+/* How many pixels of [from, to) the splat leaves free: from `from` on if it is on
+ * the side of greater coordinates, else before `to`. By bisection. */
 static int32_t count_past(const struct hsr_splats *s,
                           const struct hsr_placed *p, int axis, int32_t from,
                           int32_t to, bool greater) {
@@ -313,6 +315,8 @@ static void tighten(const struct hsr_splats *s, struct hsr_placed *p) {
   box->y0 += count_past(s, p, 1, box->y0, box->y1, true);
   box->y1 -= count_past(s, p, 1, box->y0, box->y1, false);
 }
+
+/* --- A splat of the batch ------------------------------------------------- */
 
 bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
   const struct hsr_splat_batch *b = &s->batch;

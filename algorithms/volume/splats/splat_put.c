@@ -81,6 +81,23 @@ static void put_portable(struct hsr_splats *s, const struct hsr_placed *p,
     }
 }
 
+/* --- For its twins -------------------------------------------------------- */
+
+#if HSR_SPLATS_HAVE_TWINS
+/* What is beyond the footprint for certain stays. */
+void hsr_splats_settle(const struct hsr_splats *s, const struct hsr_placed *p,
+                       int x, int j, int columns, unsigned doubt,
+                       uint32_t *index) {
+  for (; doubt; doubt &= doubt - 1) {
+    int l = __builtin_ctz(doubt), i = x + l % columns, row = j + l / columns;
+    if (i >= p->box.x1 || row >= p->box.y1)
+      index[l] = HSR_FOOTPRINT;
+    else if (index[l] <= HSR_FOOTPRINT)
+      index[l] = (uint32_t)hsr_splats_index(s, p, i, row);
+  }
+}
+#endif
+
 /* --- The choice ----------------------------------------------------------- */
 
 typedef void put_function(struct hsr_splats *s, const struct hsr_placed *p,

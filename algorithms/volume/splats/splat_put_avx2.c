@@ -60,20 +60,12 @@ AVX2 static inline struct footprint footprint_of(const struct hsr_splats *s,
                             s->knot};
 }
 
-/* Where floats cannot tell. What is beyond the footprint for certain stays; so
- * is what is beyond the box. */
 AVX2 __attribute__((noinline)) static __m256i
 settle(const struct hsr_splats *s, const struct hsr_placed *p, int x, int j,
        int columns, unsigned doubt, __m256i index) {
   uint32_t indices[ALL];
   _mm256_storeu_si256((__m256i *)indices, index);
-  for (; doubt; doubt &= doubt - 1) {
-    int l = __builtin_ctz(doubt), i = x + l % columns, row = j + l / columns;
-    if (i >= p->box.x1 || row >= p->box.y1)
-      indices[l] = HSR_FOOTPRINT;
-    else if (indices[l] <= HSR_FOOTPRINT)
-      indices[l] = (uint32_t)hsr_splats_index(s, p, i, row);
-  }
+  hsr_splats_settle(s, p, x, j, columns, doubt, indices);
   return _mm256_loadu_si256((const __m256i *)indices);
 }
 

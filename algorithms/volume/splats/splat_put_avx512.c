@@ -63,18 +63,12 @@ AVX512 static inline struct footprint footprint_of(const struct hsr_splats *s,
   return f;
 }
 
-/* Where floats cannot tell. What is beyond the footprint for certain stays. */
 AVX512 __attribute__((noinline)) static __m512i
 settle(const struct hsr_splats *s, const struct hsr_placed *p, int x, int j,
        int columns, unsigned doubt, __m512i index) {
   uint32_t indices[ALL];
   _mm512_storeu_si512(indices, index);
-  for (; doubt; doubt &= doubt - 1) {
-    int l = __builtin_ctz(doubt);
-    if (indices[l] <= HSR_FOOTPRINT)
-      indices[l] =
-          (uint32_t)hsr_splats_index(s, p, x + l % columns, j + l / columns);
-  }
+  hsr_splats_settle(s, p, x, j, columns, doubt, indices);
   return _mm512_loadu_si512(indices);
 }
 

@@ -329,6 +329,12 @@ void hsr_splats_put_avx2(struct hsr_splats *splats,
                          const struct hsr_placed *placed,
                          struct hsr_splat_picture *picture,
                          enum hsr_splat_way way);
+/* For a twin that weighs several pixels at once, `columns` of a row, from pixel
+ * (x, j) on: decides those whose bits are set in `doubt`. index[] has what floats
+ * say of each, and gets the index; HSR_FOOTPRINT beyond the box. */
+void hsr_splats_settle(const struct hsr_splats *splats,
+                       const struct hsr_placed *placed, int x, int j,
+                       int columns, unsigned doubt, uint32_t *index);
 #else
 #define HSR_SPLATS_HAVE_TWINS 0
 #endif
