@@ -113,7 +113,20 @@ void player_colour(const struct hsr_world *world, const struct hsr_view *view,
   bytes_of(linear, rgb);
 }
 
-/* Colours each face of the picture once. */
+/* The colour of a face in this picture. It is made once. */
+static const unsigned char *colour_of(struct player *p,
+                                      const struct hsr_world *world,
+                                      const struct hsr_view *view,
+                                      uint32_t id) {
+  unsigned char *rgb = p->face_rgb + 3 * (size_t)id;
+  if (p->stamp[id] != p->n_pictures) {
+    player_colour(world, view, id, rgb);
+    p->stamp[id] = p->n_pictures;
+  }
+  return rgb;
+}
+
+/* Neighbours often show one face, which is looked up once. */
 static void shade_ids(struct player *p, const struct hsr_view *view,
                       unsigned char *rgb) {
   const struct hsr_world *world = laid_out(p);
@@ -121,20 +134,12 @@ static void shade_ids(struct player *p, const struct hsr_view *view,
   const size_t n = (size_t)view->m * (size_t)view->n;
   unsigned char background[3];
   player_colour(world, view, HSR_BACKGROUND, background);
+  const unsigned char *from = background;
   for (size_t k = 0; k < n; k++, rgb += 3) {
-    const uint32_t id = ids[k];
-    const unsigned char *from = background;
-    if (id != HSR_BACKGROUND) {
-      unsigned char *of = p->face_rgb + 3 * (size_t)id;
-      if (p->stamp[id] != p->n_pictures) {
-        player_colour(world, view, id, of);
-        p->stamp[id] = p->n_pictures;
-      }
-      from = of;
-    }
-    rgb[0] = from[0];
-    rgb[1] = from[1];
-    rgb[2] = from[2];
+    if (!k || ids[k] != ids[k - 1])
+      from = ids[k] == HSR_BACKGROUND ? background
+                                      : colour_of(p, world, view, ids[k]);
+    memcpy(rgb, from, 3);
   }
 }
 

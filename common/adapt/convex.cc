@@ -3,11 +3,10 @@
 #include "common/exact/exact_plane.h"
 #include "common/exact/predicates.h"
 
-#include <CGAL/Exact_rational.h>
-
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <type_traits>
 
 namespace {
 
@@ -65,11 +64,6 @@ Level level_of(const hsr_world &w, uint32_t f) {
 
 // --- Corners in homogeneous numbers -----------------------------------------
 
-template <class T> struct Homogeneous {
-  Vector3<T> p;
-  T w;
-};
-
 // The corner of the edge from a to b with a plane. It is the same numbers
 // whichever way the edge runs.
 template <class T>
@@ -111,27 +105,6 @@ struct Meeting {
 };
 
 template <class T>
-FacePlane<T> plane_of(const Convex_pieces &pieces, const hsr_world *whole,
-                      uint32_t plane) {
-  const Level &level = pieces.level(plane);
-  return level.front ? FacePlane<T>(level.axis, level.at, level.front)
-                     : FacePlane<T>(whole, pieces.face_of(plane));
-}
-
-template <class T>
-Homogeneous<T> corner_of(const Convex_pieces &pieces, const hsr_world *whole,
-                         const Convex &piece, size_t k) {
-  const Meeting m(piece, k);
-  const auto plane = [&](uint32_t p) { return plane_of<T>(pieces, whole, p); };
-  if (m.before.b != NO_VERTEX)
-    return meet<T>(whole, m.before.a, m.before.b, plane(m.after.a));
-  if (m.after.b != NO_VERTEX)
-    return meet<T>(whole, m.after.a, m.after.b, plane(m.before.a));
-  return meet<T>(plane(piece.plane), plane(std::min(m.before.a, m.after.a)),
-                 plane(std::max(m.before.a, m.after.a)));
-}
-
-template <class T>
 int side_of(const Homogeneous<T> &corner, const FacePlane<T> &plane) {
   const T height =
       plane.k * (plane.normal * corner.p) - plane.offset * corner.w;
@@ -162,6 +135,47 @@ Convex_pieces::Convex_pieces(const hsr_world &world)
     const double off = whole_.mesh.deviation[f] / largest_normal(whole_, f);
     reach_[f] = std::fmax(std::sqrt(off * size_of(whole_, f)), TINY);
   }
+}
+
+// --- Exact corners ----------------------------------------------------------
+
+template <class T> FacePlane<T> Convex_pieces::plane_of(uint32_t plane) const {
+  const Level &level = level_[plane];
+  return level.front ? FacePlane<T>(level.axis, level.at, level.front)
+                     : FacePlane<T>(&whole_, face_of_[plane]);
+}
+
+const FacePlane<Exact> &Convex_pieces::exact_plane(uint32_t plane) const {
+  exact_.resize(level_.size());
+  if (!exact_[plane])
+    exact_[plane] = plane_of<Exact>(plane);
+  return *exact_[plane];
+}
+
+template <class T>
+Homogeneous<T> Convex_pieces::corner_of(const Convex &piece, size_t k) const {
+  const Meeting m(piece, k);
+  const auto plane = [&](uint32_t p) -> decltype(auto) {
+    if constexpr (std::is_same_v<T, Exact>)
+      return exact_plane(p);
+    else
+      return plane_of<T>(p);
+  };
+  if (m.before.b != NO_VERTEX)
+    return meet<T>(&whole_, m.before.a, m.before.b, plane(m.after.a));
+  if (m.after.b != NO_VERTEX)
+    return meet<T>(&whole_, m.after.a, m.after.b, plane(m.before.a));
+  return meet<T>(plane(piece.plane), plane(std::min(m.before.a, m.after.a)),
+                 plane(std::max(m.before.a, m.after.a)));
+}
+
+const Homogeneous<Exact> &Convex_pieces::exact_corner(const Convex &piece,
+                                                      size_t k) const {
+  const Corner &corner = piece.corners[k];
+  if (!corner.exact)
+    corner.exact =
+        std::make_shared<const Homogeneous<Exact>>(corner_of<Exact>(piece, k));
+  return *corner.exact;
 }
 
 // --- On which side ----------------------------------------------------------
@@ -223,13 +237,11 @@ int Convex_pieces::exact_side(const Convex &piece, size_t k,
   }
   try {
     CGAL::Protect_FPU_rounding<true> upwards;
-    return side_of(corner_of<Interval>(*this, &whole_, piece, k),
-                   plane_of<Interval>(*this, &whole_, plane));
+    return side_of(corner_of<Interval>(piece, k), plane_of<Interval>(plane));
   } catch (const CGAL::Uncertain_conversion_exception &) {
     // Below, with the rounding mode restored.
   }
-  return side_of(corner_of<Exact>(*this, &whole_, piece, k),
-                 plane_of<Exact>(*this, &whole_, plane));
+  return side_of(exact_corner(piece, k), exact_plane(plane));
 }
 
 // -1, 0 or +1: corner k behind a plane, on it, or in front; of a piece that is
@@ -269,6 +281,7 @@ unsigned Convex_pieces::about(const Convex &piece, uint32_t plane) const {
 void Convex_pieces::locate(const Convex &piece, size_t k,
                            Corner &corner) const {
   corner.error = TINY;
+  corner.exact.reset();
   const auto set = [&](size_t c, double lo, double hi) {
     corner.at[c] = lo + (hi - lo) / 2;
     corner.error = std::fmax(corner.error,
@@ -276,8 +289,7 @@ void Convex_pieces::locate(const Convex &piece, size_t k,
   };
   {
     CGAL::Protect_FPU_rounding<true> upwards;
-    const Homogeneous<Interval> h =
-        corner_of<Interval>(*this, &whole_, piece, k);
+    const Homogeneous<Interval> h = corner_of<Interval>(piece, k);
     if (h.w.inf() > 0 || h.w.sup() < 0) {
       for (int c = 0; c < 3; c++) {
         const Interval x = h.p[c] / h.w;
@@ -286,13 +298,11 @@ void Convex_pieces::locate(const Convex &piece, size_t k,
       return;
     }
   }
-  using Rational = CGAL::Exact_rational;
-  const Homogeneous<Rational> h = corner_of<Rational>(*this, &whole_, piece, k);
+  const Homogeneous<Exact> &h = exact_corner(piece, k);
   for (int c = 0; c < 3; c++) {
-    const std::pair<double, double> x =
-        CGAL::to_interval(Rational(h.p[c] / h.w));
+    const Safe_interval x = quotient(h.p[c], h.w);
     CGAL::Protect_FPU_rounding<true> upwards;
-    set(size_t(c), x.first, x.second);
+    set(size_t(c), x.inf(), x.sup());
   }
 }
 

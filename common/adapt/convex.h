@@ -22,8 +22,18 @@
 #define HSR_COMMON_CONVEX_H
 
 #include "common/adapt/division.h"
+#include "common/exact/exact_plane.h"
+
+#include <memory>
+#include <optional>
 
 namespace hsr {
+
+// The point p / w.
+template <class T> struct Homogeneous {
+  Vector3<T> p;
+  T w;
+};
 
 // A corner, and the side from it to the next one. The side lies on the edge
 // from vertex a to b or, if b is NO_VERTEX, in plane a.
@@ -32,6 +42,8 @@ struct Corner {
   Point at;
   double error; // of each coordinate
   uint32_t a, b;
+  // The exact point, once it was asked for. Pieces with this corner share it.
+  mutable std::shared_ptr<const Homogeneous<Exact>> exact{};
 };
 
 struct Convex {
@@ -53,6 +65,7 @@ struct Level {
   int front; // +1 where x, y or z is greater; 0: the plane is another
 };
 
+// Not for several threads at once: it keeps the exact planes that were asked for.
 class Convex_pieces {
 public:
   // Pieces of the faces of `world`, which is borrowed.
@@ -94,7 +107,13 @@ private:
   std::vector<signed char> turned_; // a face of whole_
   std::vector<double> reach_;       // a face of whole_
   std::vector<Level> level_;        // a plane
+  mutable std::vector<std::optional<FacePlane<Exact>>> exact_; // a plane
 
+  const FacePlane<Exact> &exact_plane(uint32_t plane) const;
+  const Homogeneous<Exact> &exact_corner(const Convex &piece, size_t k) const;
+  template <class T> FacePlane<T> plane_of(uint32_t plane) const;
+  template <class T>
+  Homogeneous<T> corner_of(const Convex &piece, size_t k) const;
   double height(uint32_t plane, const Corner &corner, double &error) const;
   int side(const Convex &piece, size_t k, uint32_t plane, bool &sure) const;
   bool is_within(const Corner &side, uint32_t plane) const;

@@ -154,16 +154,30 @@ static int compare_ids(const void *a, const void *b) {
   return (f > g) - (f < g);
 }
 
+/* Neighbours often show one face. */
+static bool is_as_before(const uint32_t *ids, size_t k) {
+  return k && ids[k] == ids[k - 1];
+}
+
 /* Writes the different faces of a picture to id[], ascending. Returns how many.
  */
 static uint32_t find_seen(const uint32_t *ids, size_t n, uint32_t *id) {
-  memcpy(id, ids, n * sizeof *id);
-  qsort(id, n, sizeof *id, compare_ids);
+  size_t n_id = 0;
+  for (size_t k = 0; k < n; k++)
+    if (ids[k] != HSR_BACKGROUND && !is_as_before(ids, k))
+      id[n_id++] = ids[k];
+  qsort(id, n_id, sizeof *id, compare_ids);
   uint32_t kept = 0;
-  for (size_t k = 0; k < n && id[k] != HSR_BACKGROUND; k++)
+  for (size_t k = 0; k < n_id; k++)
     if (!kept || id[k] != id[kept - 1])
       id[kept++] = id[k];
   return kept;
+}
+
+/* The place of a face in id[]. The background has none and stays what it is. */
+static uint32_t place_of(const uint32_t *id, uint32_t n, uint32_t face) {
+  const uint32_t *found = bsearch(&face, id, n, sizeof *id, compare_ids);
+  return found ? (uint32_t)(found - id) : HSR_BACKGROUND;
 }
 
 static enum hsr_status seen_init(struct seen *seen,
@@ -175,11 +189,9 @@ static enum hsr_status seen_init(struct seen *seen,
   if (!seen->id || !seen->ids)
     return hsr_fail_nomem(err);
   uint32_t n_seen = find_seen(ids, n, seen->id);
-  for (size_t k = 0; k < n; k++) {
-    const uint32_t *place =
-        bsearch(&ids[k], seen->id, n_seen, sizeof *seen->id, compare_ids);
-    seen->ids[k] = place ? (uint32_t)(place - seen->id) : HSR_BACKGROUND;
-  }
+  for (size_t k = 0; k < n; k++)
+    seen->ids[k] = is_as_before(ids, k) ? seen->ids[k - 1]
+                                        : place_of(seen->id, n_seen, ids[k]);
   return hsr_world_extract(&seen->world, world, seen->id, n_seen, err);
 }
 
