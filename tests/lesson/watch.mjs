@@ -312,6 +312,25 @@ async function asAReader(file, names) {
     assert.equal(await page.evaluate(() => globalThis.lesson.state.lead), 1);
   });
 
+  await test("the sentence and the pictures are seen at once", async () => {
+    for (const a of [names[0], names.slice(0, 2).join(","), some])
+      for (const k of [1, 40, 500]) {
+        await go(`#/?a=${a}&k=${k}`);
+        const { bottoms, tops, heights, first } = await page.evaluate(() => {
+          const boxes = (what) => [...document.querySelectorAll(what)]
+            .map((e) => e.getBoundingClientRect());
+          const pictures = boxes(".picture"), words = boxes(".words");
+          return { bottoms: [...pictures, ...words].map((b) => b.bottom),
+            tops: pictures.map((b) => b.top), first: scrollY,
+            heights: pictures.map((b) => b.height) };
+        });
+        assert.equal(first, 0);
+        for (const y of bottoms) assert.ok(y <= 900, `${a}, ${k}: down to ${y}`);
+        for (const y of tops) assert.equal(y, tops[0], `${a}, ${k}: not level`);
+        for (const y of heights) assert.equal(y, heights[0]);
+      }
+  });
+
   await test("a question waits for its answer", async () => {
     await go("#/?quiz=1");
     assert.ok(await page.isHidden(".quiz"));

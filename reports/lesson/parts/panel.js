@@ -16,7 +16,7 @@ export function panel(run, act) {
   const { header, trace } = run;
   const canvas = h("canvas", { class: "picture", tabindex: 0, role: "application",
     style: `aspect-ratio: ${run.width} / ${run.height}; ` +
-      `max-width: calc(68vh * ${run.width / run.height})`,
+      `--shape: ${run.width / run.height}`,
     "aria-label": `The picture that ${run.name} makes. Arrow keys choose a ` +
       "sample, with Shift eight samples on; its story is told below." });
   const view = picture(canvas, run);
@@ -26,7 +26,7 @@ export function panel(run, act) {
   const said = h("span");
   const raised = h("small");
   const words = h("div", { class: "words", "aria-live": "polite" },
-    h("p", {}, sign, said), h("p", {}, raised));
+    where, h("p", {}, sign, said), h("p", {}, raised));
   const outline = h("ol", { class: "outline", tabindex: 0,
     "aria-label": `What ${run.name} does` }, header.outline.map((text) =>
     h("li", { style: `--depth: ${(text.length - text.trimStart().length) / 2}` },
@@ -108,8 +108,8 @@ export function panel(run, act) {
       adapted.length && `the scene was adapted: ${adapted.join(", ")}`]
       .filter(Boolean).join(" · ")),
     h("div", { class: "left" },
-      h("div", { class: "seen" }, canvas, line.element, where,
-        strip.element), around.element, story.element),
+      h("div", { class: "seen" }, canvas, line.element, strip.element),
+      around.element, story.element),
     h("div", { class: "right" }, words,
       h("div", { class: "told" }, h("h3", {}, "What it does"), outline,
         h("h3", {}, "What it has counted"), counters.element, costs.element)));
