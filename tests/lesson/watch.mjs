@@ -140,6 +140,34 @@ function watched([name, stories]) {
       if (next !== node[side]) bad.push(`after plane ${trace.b0[e]}: ${next}`);
     }
 
+    // Comparisons of two faces at single samples of an accepted span, since the
+    // span before it; and the first division of its face, with the question that
+    // found its plane, and the pair's last tests.
+    const nameOf = (e) => run.header.counters[trace.counter[e]].name;
+    const kindOf = (e) => run.header.counters[trace.counter[e]].kind;
+    const atSamples = run.header.counters.map((c, number) =>
+      c.kind === "compare" && c.a === "face" && c.b === "face" &&
+      !trace.counter.some((x, e) => x === number && trace.width[e] !== 1));
+    const decisions = (accepted, face) => {
+      const found = [];
+      for (let e = (accepted ?? 0) - 1; e >= 0 && kindOf(e) !== "accept"; e--)
+        if (atSamples[trace.counter[e]] && trace.y[e] === trace.y[accepted] &&
+            trace.height[accepted] === 1 && trace.x[e] >= trace.x[accepted] &&
+            trace.x[e] < trace.x[accepted] + trace.width[accepted]) found.push(e);
+      const split = trace.counter.findIndex((_, e) => kindOf(e) === "split" &&
+        run.event(e).a.kind === "piece" && trace.a0[e] === face);
+      if (split >= 0) {
+        found.push(split);
+        for (let e = split; !/special|priority tests/.test(nameOf(e)); e--)
+          if (run.facesOf(e).every((f) => f === face || f === trace.b0[split]))
+            found.push(e);
+      }
+      return found;
+    };
+    const rowOf = (e) => {
+      while (trace.height[e] !== 1) e -= 1;
+      return trace.y[e];
+    };
     // The stories of some samples.
     for (let t = 0; t < stories && run.kind === "ids"; t++) {
       const at = { i: random(m), j: random(height) };
@@ -155,6 +183,14 @@ function watched([name, stories]) {
             at.j >= w.y && at.j < w.y + trace.height[e] && !told.has(e))
           expect(`story of ${at.i}, ${at.j}`, "without", e);
       }
+      for (const e of decisions(accepted.at(-1), face))
+        if (!told.has(e))
+          expect(`story of ${at.i}, ${at.j}`, "without the decision", e);
+      for (const e of events)
+        if (trace.height[e] === 1 && trace.y[e] !== at.j)
+          expect(`story of ${at.i}, ${at.j}`, "of another row", e);
+        else if (run.event(e).outcome === "turned off" && rowOf(e) !== at.j)
+          expect(`story of ${at.i}, ${at.j}`, "turned off elsewhere", e);
     }
     go(n);
     return { bad, steps: n, kind: run.kind,
