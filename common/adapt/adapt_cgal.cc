@@ -16,12 +16,13 @@
 // Outlines    A piece's outline is clipped by its cuts, moved outwards by a
 //             margin well above every rounding, so that it holds the piece. A
 //             plane that misses the outline by more than the margin misses the
-//             piece. If a face is not flat, the place where its plane is seen
-//             before a vertex depends on the eye. So the outlines of its pieces
-//             are not handed on; they are divided as if the face lay on its
-//             plane.
+//             piece; of any other plane the exact piece is asked (convex.h). If
+//             a face is not flat, the place where its plane is seen before a
+//             vertex depends on the eye. So the outlines of its pieces are not
+//             handed on; they are divided as if the face lay on its plane.
 
 #include "common/adapt/adapt.h"
+#include "common/adapt/convex.h"
 #include "common/adapt/division.h"
 #include "common/exact/exact_plane.h"
 #include "common/statistics/penetration.h"
@@ -328,6 +329,7 @@ std::vector<Point> clip(const std::vector<Point> &outline, const Cutter &plane,
   return kept;
 }
 
+// Whether the plane may pass through what an outline holds.
 bool reaches_both_sides(const std::vector<Point> &outline,
                         const Cutter &plane) {
   bool front = false, behind = false;
@@ -362,14 +364,15 @@ bool near_face(const std::vector<Point> &outline, const hsr_world &world,
   return true;
 }
 
-// Replaces every piece that the plane of g may pass through, near g, by two.
-void cut_pieces(const hsr_world &whole, uint32_t g,
+// Replaces every piece that the plane of g passes through, near g, by two.
+void cut_pieces(const hsr_world &whole, uint32_t g, const Convex_pieces &shapes,
                 std::vector<Piece> &pieces) {
   const size_t n = pieces.size();
   for (size_t k = 0; k < n; k++) {
     const Cutter plane(whole, g, pieces[k].parent);
     if (!reaches_both_sides(pieces[k].outline, plane) ||
-        !near_face(pieces[k].outline, whole, g, plane.reach))
+        !near_face(pieces[k].outline, whole, g, plane.reach) ||
+        !shapes.may_cross(pieces[k], g))
       continue;
     Piece behind = pieces[k];
     behind.outline = clip(pieces[k].outline, plane, -1);
@@ -407,6 +410,7 @@ hsr_status divide(const hsr_world *in, hsr_world *out, bool *changed,
     const std::vector<std::vector<uint32_t>> cuts = choose_cuts(whole, changed);
     if (!*changed)
       return HSR_OK;
+    const Convex_pieces shapes(*in);
     List list;
     std::vector<Piece> pieces;
     for (uint32_t f = 0; f < in->n_faces; f++) {
@@ -417,7 +421,7 @@ hsr_status divide(const hsr_world *in, hsr_world *out, bool *changed,
         for (uint32_t v : pieces[0].loop)
           pieces[0].outline.push_back(point_of(whole, v));
       for (uint32_t g : cuts[parent]) {
-        cut_pieces(whole, g, pieces);
+        cut_pieces(whole, g, shapes, pieces);
         if (list.size() + pieces.size() > MOST_PIECES)
           throw Refused{HSR_NP, parent, "is penetrated by too many others"};
       }

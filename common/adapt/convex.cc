@@ -343,10 +343,10 @@ Convex Convex_pieces::part(const Convex &piece, uint32_t plane,
   return part;
 }
 
-bool Convex_pieces::make(uint32_t f, Convex &piece) const {
-  const Piece given = piece_of(world_, f);
+// All but where the piece is from.
+bool Convex_pieces::make(const Piece &given, Convex &piece) const {
   const double reach = reach_[given.parent];
-  piece = {f, given.parent, whole_.mesh.plane[given.parent], {}, {}};
+  piece = {0, given.parent, whole_.mesh.plane[given.parent], {}, {}};
   for (size_t k = 0, n = given.loop.size(); k < n; k++)
     piece.corners.push_back({point_of(whole_, given.loop[k]), reach,
                              given.loop[k], given.loop[(k + 1) % n]});
@@ -360,6 +360,20 @@ bool Convex_pieces::make(uint32_t f, Convex &piece) const {
       piece = part(piece, plane, side);
   }
   return true;
+}
+
+bool Convex_pieces::make(uint32_t f, Convex &piece) const {
+  const bool has_points = make(piece_of(world_, f), piece);
+  piece.from = f;
+  return has_points;
+}
+
+bool Convex_pieces::may_cross(const Piece &given, uint32_t g) const {
+  Convex piece;
+  if (!make(given, piece))
+    return false;
+  const unsigned where = about(piece, whole_.mesh.plane[g]);
+  return where & UNSURE || where == (FRONT | BEHIND);
 }
 
 // A flat piece keeps only the cuts that it has a side on.

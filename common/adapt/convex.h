@@ -81,6 +81,10 @@ public:
   // Makes face f a piece. False if it has no point.
   bool make(uint32_t f, Convex &piece) const;
 
+  // Whether the plane of face g of the scene may pass through a piece of a face:
+  // not, if the face is flat and the piece has no points on both sides.
+  bool may_cross(const Piece &piece, uint32_t g) const;
+
   unsigned about(const Convex &piece, uint32_t plane) const;
 
   // The part of a piece on one side of a plane. The piece has points on both
@@ -114,6 +118,7 @@ private:
   template <class T> FacePlane<T> plane_of(uint32_t plane) const;
   template <class T>
   Homogeneous<T> corner_of(const Convex &piece, size_t k) const;
+  bool make(const Piece &given, Convex &piece) const;
   double height(uint32_t plane, const Corner &corner, double &error) const;
   int side(const Convex &piece, size_t k, uint32_t plane, bool &sure) const;
   bool is_within(const Corner &side, uint32_t plane) const;

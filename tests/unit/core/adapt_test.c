@@ -8,6 +8,7 @@
 #include "tests/draw.h"
 #include "tests/tap.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -276,11 +277,51 @@ static void check_star(struct tap *tap) {
   hsr_scene_delete(scene);
 }
 
+/* How many pieces triangles that pass through one another are divided into. Every
+ * coordinate is 2^exponent times a small integer. */
+static uint32_t n_pieces(int exponent) {
+  enum { TRIANGLES = 14 };
+  static const int corner[3][3] = {{-9, -5, 1}, {8, -6, -2}, {1, 9, 1}};
+  struct hsr_error err = {.text = ""};
+  struct hsr_scene *scene = hsr_scene_new("crossing");
+  struct hsr_object *object = hsr_scene_object(scene, "crossing");
+  for (int t = 0; t < TRIANGLES; t++) {
+    uint32_t vertex[3];
+    for (int k = 0; k < 3; k++) {
+      double at[3];
+      for (int c = 0; c < 3; c++)
+        at[c] = ldexp(corner[k][(c + t) % 3] + t * (c - k) % 4, exponent);
+      hsr_object_vertex(object, at[0], at[1], at[2], &vertex[k]);
+    }
+    hsr_object_face(object, vertex, 3, NULL);
+  }
+  struct hsr_world world;
+  if (hsr_scene_finish(scene, &err) || hsr_world_init(&world, scene, &err))
+    fail(&err);
+  struct hsr_algorithm algorithm = *hsr_algorithm_find("null")->plain;
+  struct hsr_setup setup;
+  algorithm.restrictions = HSR_NP;
+  if (hsr_setup_init(&setup, &algorithm, NULL, &world, &err))
+    fail(&err);
+  uint32_t n = setup.world->n_faces;
+  hsr_setup_free(&setup);
+  hsr_world_free(&world);
+  hsr_scene_delete(scene);
+  return n;
+}
+
+/* Below 2^-320, doubles cannot tell on which side of a plane a corner is. */
+static void check_tiny(struct tap *tap) {
+  const uint32_t n = n_pieces(0), tiny = n_pieces(-340);
+  ok(tap, n > 14 && n == tiny,
+     "tiny faces are divided into as many pieces: %u and %u", n, tiny);
+}
+
 int main(void) {
   static const char *const warped[] = {"non-planar", "non-convex", "behind-eye",
                                        "lattice:40:6"};
   enum { WARPED = sizeof warped / sizeof *warped };
-  struct tap tap = plan(4 * SCENES + WARPED + 1);
+  struct tap tap = plan(4 * SCENES + WARPED + 2);
   for (int s = 0; s < SCENES; s++) {
     struct fixture *x = calloc(1, sizeof *x);
     if (!x)
@@ -301,5 +342,6 @@ int main(void) {
     close_scene(x);
   }
   check_star(&tap);
+  check_tiny(&tap);
   return finish(&tap);
 }
