@@ -26,7 +26,7 @@ export function indexPage(report) {
       picture(report)),
     section("The algorithms", "tree", tree(report), apart(report)),
     section("What was run", "run", summary(report), leftOut(report)),
-    section("Where and when", "machine", report.headers.map(header)),
+    section("Where and when", "machine", runs(report.headers)),
   ] };
 }
 
@@ -101,6 +101,15 @@ function summary(report) {
         value: (r) => r.mean?.ratio ?? null, show: (r) => digits(r.mean?.ratio) },
     ].filter(Boolean) }),
   ];
+}
+
+// The last run, and those before it.
+function runs(headers) {
+  const sorted = [...headers].sort((a, b) =>
+    String(b.date).localeCompare(String(a.date)));
+  const [last, ...others] = sorted.map(header);
+  return [last, others.length ? folded(others.length === 1 ? "An earlier run"
+    : `${whole(others.length)} earlier runs`, others) : null];
 }
 
 function counted(cells) {
