@@ -5,9 +5,11 @@ import { read, set as setAddress } from "../page/data/address.js";
 import { h } from "../page/parts/dom.js";
 import { figures } from "./figures/all.js";
 import { kindLook, KINDS, setPaper } from "./data/kinds.js";
+import { closeness } from "./data/projection.js";
 import { runOf } from "./data/run.js";
 import { LESSONS } from "./data/survey.js";
 import { readTrace } from "./data/trace.js";
+import { eventWords } from "./data/words.js";
 import { controls, keyHelp, keys, LEVELS, TOGETHER } from "./parts/controls.js";
 import { panel } from "./parts/panel.js";
 import { lessonIndex, lessonText } from "./parts/lesson.js";
@@ -364,7 +366,8 @@ addEventListener("hashchange", () => {
 
 // For tests, and for teachers who want a page to do more.
 globalThis.lesson = { names, state, go, run: runNamed, lessons: LESSONS,
-  story: (name, at) => runs.get(name).story(at) };
+  story: (name, at) => runs.get(name).story(at), asks: isQuestion,
+  closeness, words: eventWords };
 
 readAddress();
 keys(Object.fromEntries(Object.entries(act).map(([name, does]) =>

@@ -97,6 +97,34 @@ function watched([name, stories]) {
           expect(`piece ${p} at ${e}`, run.pieceFace(e, p, face), face);
     }
 
+    // The words of one step are not those of the next, nor, after a division, of
+    // the question before it.
+    const wordsOf = (e) => globalThis.lesson.words(run, run.event(e));
+    for (let e = 2; e < Math.min(trace.kept, 20000); e++) {
+      const { kind, counter } = run.event(e);
+      const asked = run.event(e - 1).kind === "subdivide" ? e - 2 : e - 1;
+      if (kind !== "accept" && run.event(asked).counter === counter &&
+          wordsOf(e) === wordsOf(asked)) expect(`words of ${e}`, wordsOf(e), "new");
+    }
+    if (run.list?.ofPieces && ![...document.querySelectorAll(".board h3")].some((x) =>
+      x.textContent.includes("numbers of pieces")))
+      bad.push("whose numbers are in the list?");
+
+    // Along the line of a division the piece is as deep as the plane.
+    const near = run.header.faces.every((f) => f[3].length)
+      ? globalThis.lesson.closeness(run) : null;
+    for (let e = 0; e < trace.kept && trace.lists.length && near; e++) {
+      const { kind, a, b } = run.event(e);
+      if (kind !== "split" || a.kind !== "piece" || b.kind !== "face") continue;
+      const cut = run.cut(e, a.ids[1], a.ids[0]);
+      if (!cut) bad.push(`division ${e} without its line`);
+      for (const [x, y] of cut ?? []) {
+        const [p, q] = [near(a.ids[0])?.(x, y), near(b.ids[0])?.(x, y)];
+        if (!(Math.abs(p - q) <= 0.02 * Math.abs(q)))
+          bad.push(`division ${e}: ${p} and ${q} deep`);
+      }
+    }
+
     // Segments of a divided face lie in the outline of the piece at the head.
     const named = (c) => run.header.counters.findIndex((x) => x.name === c);
     const boundsOf = (points) => [0, 1].map((c) => points.map((p) => p[c]))
@@ -375,11 +403,51 @@ async function asAReader(file, names) {
     const k = await step(page);
     await page.keyboard.press(".");
     assert.equal(await step(page), k);
+    const level = () => page.evaluate(() =>
+      document.querySelector(".picture").getBoundingClientRect().top);
+    const top = await level();
+    assert.doesNotMatch(await page.textContent(".quiz b"), /,\s*(nearer|which)/);
     await page.click(".quiz .buttons button");
     assert.match(await page.textContent(".quiz [role=status]"), /of 1 right/);
     await page.click("text=Go on");
     assert.equal(await step(page), k + 1);
     assert.ok(await page.isHidden(".quiz"));
+    assert.equal(await level(), top, "the pictures stay");
+  });
+
+  await test("a step says who does what to whom", async () => {
+    const said = await page.evaluate(async (all) => {
+      if (!all.includes("newell")) return null;
+      const { run, words } = globalThis.lesson;
+      const newell = await run("newell");
+      const first = (name) => {
+        const c = newell.header.counters.findIndex((x) => x.name === name);
+        return words(newell, newell.event(newell.trace.counter.indexOf(c)));
+      };
+      return ["Z sort", "minimax tests", "overlap tests", "plane tests",
+        "circle search", "interchanges"].map(first);
+    }, names);
+    if (!said) return;
+    [/by the low digit$/, /: test [23]: /, /: test 6: /, /: tests 4 to 6: /,
+      /^The plane of piece \d+ of .* passes through piece \d+|does not pass through/,
+      /^Piece .* moved to the far end of the list, before piece .*with a marker$/]
+      .forEach((wanted, k) => assert.match(said[k], wanted));
+  });
+
+  await test("every comparison of two faces is asked", async () => {
+    await go(`#/?a=${some}`);
+    const asked = await page.evaluate(async () => {
+      const { run, asks, state } = globalThis.lesson;
+      const runs = await Promise.all(state.a.map(run));
+      return runs.map((own) => [own.name, [...new Set(own.header.counters.filter(
+        (_, c) => asks(own, own.trace.counter.indexOf(c))).map((c) => c.name))]]);
+    });
+    const wanted = { newell: ["Newell special", "minimax tests", "plane tests",
+      "overlap tests", "circle search"], bouknight: ["depth search"] };
+    for (const [name, counters] of asked) {
+      assert.ok(counters.length, name);
+      if (wanted[name]) assert.deepEqual(counters, wanted[name]);
+    }
   });
 
   await test("without JavaScript it says so", async () => {

@@ -78,7 +78,7 @@ static void sort_digit(struct hsr_priority_list *s, int digit,
     uint32_t p = from[k];
     to[begin[(piece_at(s, p)->bucket >> shift) % RADIX]++] = p;
     HSR_STEP(s->tally, HSR_LIST_Z_SORT, subject(s, p), HSR_NOTHING, *s->window,
-             0);
+             digit ? 3 : 0);
   }
 }
 
@@ -479,7 +479,7 @@ static bool try_to_divide(struct hsr_priority_list *s, uint32_t p,
   return passes;
 }
 
-/* Q is moved to the end of the list, in P's place. */
+/* Q is moved to the far end of the list, in P's place. */
 static void interchange(struct hsr_priority_list *s, uint32_t q) {
   HSR_STEP(s->tally, HSR_LIST_INTERCHANGES, subject(s, s->head), subject(s, q),
            *s->window, 0);

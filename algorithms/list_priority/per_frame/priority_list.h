@@ -161,28 +161,34 @@ enum hsr_special {
    HSR_SORT,                                                                   \
    HSR_OF_PIECE,                                                               \
    HSR_OF_PIECE,                                                               \
-   "put into a bucket|in order|out of order"},                                 \
+   "put into a bucket by the low digit|in order|out of order|put into a "      \
+   "bucket by the high digit"},                                                \
       {of "Newell special",                                                    \
        "pieces that may come before P in depth, put to the six tests",         \
        HSR_COMPARE,                                                            \
        HSR_OF_PIECE,                                                           \
        HSR_OF_PIECE,                                                           \
-       "end of {Q}|1: apart in Z|2: apart in X|3: apart in Y|4: P beyond Q's " \
-       "plane|5: Q before P's plane|6: no overlap|left to the samples|P may "  \
-       "obscure Q"},                                                           \
+       "end of {Q}|test 1: apart in Z|test 2: apart in X|test 3: apart in Y|"  \
+       "test 4: P beyond Q's plane|test 5: Q before P's plane|test 6: no "     \
+       "overlap|left to the samples|P may obscure Q"},                         \
       {of "minimax tests",                                                     \
        "tests 2 and 3: pairs whose boxes were compared in X, or in Y",         \
        HSR_COMPARE,                                                            \
        HSR_OF_PIECE,                                                           \
        HSR_OF_PIECE,                                                           \
-       "X: apart|X: overlap|Y: apart|Y: overlap"},                             \
-      {of "plane tests", "tests 4 to 6: pairs that the minimax tests left",    \
-       HSR_COMPARE,      HSR_OF_PIECE,                                         \
-       HSR_OF_PIECE,     "may obscure|does not obscure|left to the samples"},  \
+       "test 2: apart in X|test 2: overlap in X|test 3: apart in Y|test 3: "   \
+       "overlap in Y"},                                                        \
+      {of "plane tests",                                                       \
+       "tests 4 to 6: pairs that the minimax tests left",                      \
+       HSR_COMPARE,                                                            \
+       HSR_OF_PIECE,                                                           \
+       HSR_OF_PIECE,                                                           \
+       "tests 4 to 6: may obscure|tests 4 to 6: does not obscure|tests 4 to "  \
+       "6: left to the samples"},                                              \
       {of "overlap tests", "test 6: pairs tested for overlap on the screen",   \
        HSR_COMPARE,        HSR_OF_PIECE,                                       \
-       HSR_OF_PIECE,       "overlap|apart"},                                   \
-      {of "interchanges", "pieces moved to the end of the list", HSR_SORT,     \
+       HSR_OF_PIECE,       "test 6: overlap|test 6: apart"},                   \
+      {of "interchanges", "pieces moved to the far end of the list", HSR_SORT, \
        HSR_OF_PIECE, HSR_OF_PIECE},                                            \
       {of "divisions", "pieces divided by the plane of another", HSR_SPLIT,    \
        HSR_OF_PIECE, HSR_OF_FACE},                                             \
@@ -200,16 +206,19 @@ enum hsr_special {
   {in "Z sort: put the pieces in order of their farthest vertices",            \
    HSR_RAISES((first) + HSR_LIST_Z_SORT)},                                     \
       {in "for each piece P, the farthest first"},                             \
-      {in "  for each Q after P, up to the first wholly before P: six tests",  \
+      {in                                                                      \
+       "  for each Q after P, up to one wholly before P: six tests (1: in Z)", \
        HSR_RAISES((first) + HSR_LIST_SPECIAL)},                                \
-      {in "    do they overlap in X, and in Y?",                               \
+      {in "    do they overlap in X (test 2), and in Y (test 3)?",             \
        HSR_RAISES((first) + HSR_LIST_MINIMAX)},                                \
-      {in "    is P beyond the plane of Q, or Q before the plane of P?",       \
+      {in                                                                      \
+       "    is P beyond Q's plane (test 4), or Q before P's plane (test 5)?",  \
        HSR_RAISES((first) + HSR_LIST_PLANES)},                                 \
-      {in "    do they overlap on the screen?",                                \
+      {in "    do they overlap on the screen (test 6)?",                       \
        HSR_RAISES((first) + HSR_LIST_OVERLAPS)},                               \
       {in "  if P may obscure Q, which bears no marker"},                      \
-      {in "    move Q to the end of the list, with a marker: it is the new P", \
+      {in                                                                      \
+       "    move Q to the far end, before P, with a marker: it is the new P",  \
        HSR_RAISES((first) + HSR_LIST_INTERCHANGES)},                           \
       {in "  if Q bears one: find a plane that passes through the other",      \
        HSR_RAISES((first) + HSR_LIST_CIRCLES)},                                \

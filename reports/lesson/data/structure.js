@@ -9,6 +9,8 @@ export function structureOf(run) {
     outline: outlines(run),
     pieceFace: (k, p, face) => pieceAt(run, k, p, face)?.[0] ?? null,
     children: (k, p) => childrenOf(run, k, p),
+    cut: (k, p, face) => cutOf(childrenOf(run, k, p).filter(Boolean),
+      pieceAt(run, k, p, face)?.at(-1) ?? run.header.faces[face][4]),
     cubes: cubesOf(run), isCube: cubeSides(run) };
 }
 
@@ -45,6 +47,20 @@ function childrenOf(run, k, p) {
   return pieces.filter(([, parent]) => parent === p).map((piece) => piece.at(-1));
 }
 
+// Two points on the line along which a piece was divided, beyond its ends: the line
+// through the corners that the halves have in common, or, of a single half, that
+// the piece did not have. null: not known.
+function cutOf([half, other], whole) {
+  if (!half) return null;
+  const isOf = (points, [x, y]) =>
+    points.some(([u, v]) => Math.hypot(x - u, y - v) < 0.1);
+  const ends = half.filter((p) => other ? isOf(other, p) : !isOf(whole, p));
+  const [p, q] = [ends[0], ends.at(-1)];
+  if (!p || p === q) return null;
+  const beyond = (from, to) => to.map((x, c) => x + 0.25 * (x - from[c]));
+  return [beyond(q, p), beyond(p, q)];
+}
+
 // "node,instance" -> the images of a cube's corners.
 function cubesOf(run) {
   return new Map((run.trace.structure.cubes ?? []).map(([node, instance, at]) =>
@@ -68,7 +84,7 @@ function cubeSides(run) {
 
 // --- Lists of priority ---
 
-// { title, at(k): { painted, order, marked, sorting }, face(item) }: the items
+// { title, ofPieces, at(k): { painted, order, marked, sorting } }: the items
 // that are done, and those that wait, the next first. marked: those of them that
 // bear a marker. An item is a piece or a face.
 function listOf(run) {
@@ -97,8 +113,8 @@ function growingList(run, title, counter, outcome) {
   const items = when.map((k) => ({ face: trace.a0[k], piece:
     run.header.counters[counter].a === "piece" ? trace.a1[k] : null }));
   const sorted = Uint32Array.from(when);
-  return { title, faults: [], at: (k) => ({
-    painted: items.slice(0, above(sorted, k)), order: [], marked: new Set(),
+  return { title, faults: [], ofPieces: run.header.counters[counter].a ===
+    "piece", at: (k) => ({ painted: items.slice(0, above(sorted, k)), order: [], marked: new Set(),
     sorting: false }) };
 }
 
@@ -234,7 +250,7 @@ function priorityList(run) {
   // Where all pieces are put in order first, later steps name them by their places.
   const search = numberOf(run, "priority search", (c) => c.a === "piece");
   const places = search < 0 ? [] : at(run.n).painted.map(({ piece }) => piece);
-  return { title: "The priority list, the farthest first", at, faults,
+  return { title: "The priority list, the far end first", at, faults, ofPieces: true,
     numberOf: (c, p) => c === search ? places[p] : p };
 }
 

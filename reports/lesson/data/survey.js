@@ -100,7 +100,7 @@ export const LESSONS = {
     "Three bars, each over the next, have no order. A marker notices that one " +
       "is to be moved twice, and then it is divided by the plane of the other."],
     see: [["two pieces are apart in X", { counter: "Newell special",
-      outcome: "2: apart in X" }],
+      outcome: "test 2: apart in X" }],
     ["one may obscure the other", { counter: "Newell special",
       outcome: "P may obscure Q" }],
     ["the list is changed", { counter: "interchanges" }],

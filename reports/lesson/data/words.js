@@ -37,14 +37,50 @@ export function windowWords({ x, y, width, height }) {
 const isWhole = (run, w) => w && w.x <= 0 && w.y <= 0 &&
   w.x + w.width >= run.width && w.y + w.height >= run.height;
 
+// Where an event is, unless that is the whole picture.
+export const whereWords = (run, window) =>
+  window && !isWhole(run, window) ? windowWords(window) : "";
+
 // Of the list of priority, an interchange puts the second piece before the first;
 // others are of neighbours.
 function sortWords(e, a, b) {
   const name = e.counter.name.replace(/^.*: /, "");
-  if (name === "interchanges") return `${b} is put before ${a}, with a marker`;
+  if (name === "interchanges")
+    return `${b} is moved to the far end of the list, before ${a}, with a marker`;
   if (/interchange/.test(name)) return `${a} and ${b} change places`;
   return name === "insertions" ? `${a} goes past ${b}`
     : `${a} is put into its place, with ${b}`;
+}
+
+const FARTHEST = 64; // how many events before are looked at
+
+// How often this was done, up to event e, while the run was about nothing else:
+// the trace does not tell what changed in between.
+function timesSo(run, e) {
+  const { trace } = run;
+  const same = (k, fields) => fields.every((f) => trace[f][k] === trace[f][e.k]);
+  const faces = new Set(run.facesOf(e.k));
+  let times = 1;
+  for (let k = e.k - 1; k >= 0 && k > e.k - FARTHEST; k--) {
+    if (same(k, ALL)) times += 1;
+    else if (!same(k, WINDOW) || !faces.size ||
+        !run.facesOf(k).every((f) => faces.has(f))) break;
+  }
+  return times;
+}
+const WINDOW = ["x", "y", "width", "height"];
+const ALL = ["counter", "aKind", "a0", "a1", "a2", "bKind", "b0", "b1", "b2",
+  "outcome", ...WINDOW];
+
+const ENDINGS = { 1: "st", 2: "nd", 3: "rd" };
+const nth = (n) => `${n}${n % 100 > 10 && n % 100 < 14 ? "th"
+  : ENDINGS[n % 10] ?? "th"}`;
+
+function timesWords(run, e) {
+  const times = e.kind === "accept" ? 1 : timesSo(run, e);
+  const isSome = [e.a, e.b].some(({ kind, ids }) => kind === "edge" && ids[0] < 0);
+  return times < 2 ? "" : isSome ? `, the ${nth(times)} such edge`
+    : `, the ${nth(times)} time`;
 }
 
 // The subjects and what becomes of them: "face 12 (chimney) against face 3
@@ -52,12 +88,14 @@ function sortWords(e, a, b) {
 export function eventWords(run, e) {
   const a = subjectWords(run, e.a, e.window);
   const b = subjectWords(run, e.b, e.window);
-  const where = e.window && !isWhole(run, e.window) ? windowWords(e.window) : "";
+  const where = whereWords(run, e.window);
   const { verb } = kindLook(e.kind);
   const first = a || b || where || (e.window ? "the picture" : "");
   const second = a && b ? b : "";
   let text = first;
   if (e.kind === "sort" && second) text = sortWords(e, a, b);
+  else if (/pass(es)? through$/.test(e.outcome))
+    return `The plane of ${b} ${e.outcome} ${a}`;
   else if (e.outcome && e.kind !== "compare") text += second ? `, with ${second}` : "";
   else if (e.kind === "compare") text += second ? ` against ${second}` : "";
   else if (e.kind === "split" && e.b.kind === "face")
@@ -70,6 +108,7 @@ export function eventWords(run, e) {
         ? `, ${e.b.kind === "cell" ? "in" : "not"} ${second}` : ""}`;
   else text += ` is ${verb}${second ? `, with ${second}` : ""}`;
   if (e.outcome) text += `: ${e.outcome}`;
+  text += timesWords(run, e);
   if (e.part && run.kind === "segments")
     text += e.part[1] ? `: hidden by ${e.part[1] === 1 ? "one face"
       : `${e.part[1]} faces`}` : ": visible";

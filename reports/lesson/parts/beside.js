@@ -42,7 +42,8 @@ function board(label, title) {
 const MANY = 240; // items; of more, no numbers are shown
 
 function listStrip(run) {
-  const { element, draw, say, width } = board("The list", run.list.title);
+  const { element, draw, say, width } = board("The list",
+    `${run.list.title}${run.list.ofPieces ? "; numbers of pieces" : ""}`);
   const same = (item, s) => s && (s.kind === "piece"
     ? item.piece === s.ids[1] && item.face === s.ids[0] : s.kind === "face" && item.piece === null &&
       item.face === s.ids[0]);
@@ -54,7 +55,7 @@ function listStrip(run) {
     const across = Math.max(1, Math.floor(width() / w));
     const rows = Math.max(1, Math.ceil(items.length / across));
     say(sorting ? "It is being sorted." : !items.length ? "It is still empty."
-      : order.length ? `${whole(painted.length)} done (pale), ${whole(order.length)
+      : order.length ? `${whole(painted.length)} done (without colour), ${whole(order.length)
       } to come; next: ${nameOf(run, order[0])}${marked.size
         ? "; a black corner is a marker" : ""}` : `${whole(painted.length)} in the order in which they come`);
     draw(rows * (high + 2), (context, wide) => {
@@ -87,14 +88,15 @@ function listStrip(run) {
 
   const drawItem = (context, item, box, isDone, isMarked) => {
     const colour = run.header.faces[item.face]?.[2] ?? "#888888";
-    context.globalAlpha = isDone ? 0.35 : 1;
+    const strip = isDone ? 3 : box.h;
     context.fillStyle = colour;
-    context.fillRect(box.x, box.y, box.w, box.h);
+    context.fillRect(box.x, box.y + box.h - strip, box.w, strip);
     if (box.w > 20) {
-      context.fillStyle = isLight(colour) ? "#000" : "#fff";
-      context.fillText(String(item.face), box.x + box.w / 2, box.y + box.h / 2 + 1);
+      context.fillStyle = isDone ? colourOf("--ink")
+        : isLight(colour) ? "#000" : "#fff";
+      context.fillText(String(item.piece ?? item.face), box.x + box.w / 2,
+        box.y + (box.h - (isDone ? strip : 0)) / 2 + 1);
     }
-    context.globalAlpha = 1;
     if (!isMarked) return;
     context.fillStyle = colourOf("--ink");
     context.beginPath();

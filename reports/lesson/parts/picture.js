@@ -198,6 +198,8 @@ export function picture(canvas, run) {
       tint(half, colour, k ? 0.15 : 0.5);
       stroke(half, colour, 2.5, false);
     });
+    const cut = run.cut(e.k, e.a.ids[1], e.a.ids[0]);
+    if (cut) stroke(pathOf(cut), colourOf("--ink"), 2.5, true);
   };
 
   const markWindow = (w, colour, kind) => {

@@ -1,24 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Before a decision, a question; the next step answers it.
-import { subjectWords } from "../data/words.js";
+import { subjectWords, whereWords } from "../data/words.js";
 import { h } from "../../page/parts/dom.js";
 
-const DEPTHS = ["nearer", "farther", "behind", "in front", "hides"];
+const MEANINGS = { undecided: "undecided: neither is nearer all over, as far as " +
+  "this comparison can tell; the algorithm divides and asks again." };
 
-// Whether event k decides something that can be asked: in depth, if the run
-// compares depths at all.
+// Whether event k decides something that can be asked: between two faces or
+// pieces, if the run ever compares two of these.
 export function isQuestion(run, k) {
   if (k >= run.trace.kept) return false;
-  const { counters } = run.header;
-  run.asks ??= asksOf(counters);
+  run.asks ??= asksOf(run);
   return run.asks[run.trace.counter[k]];
 }
 
-function asksOf(counters) {
-  const compares = (c) => c.kind === "compare" && c.outcomes?.length > 1 &&
-    !c.computed;
-  const deep = (c) => compares(c) && c.outcomes.some((x) => DEPTHS.includes(x));
-  return counters.map(counters.some(deep) ? deep : compares);
+function asksOf({ header, trace }) {
+  const compares = header.counters.map((c, k) => c.kind === "compare" &&
+    c.outcomes?.length > 1 && !c.computed && trace.counts[k] > 0);
+  const ofFaces = header.counters.map(({ a, b }, k) => compares[k] &&
+    [a, b].every((x) => x === "face" || x === "piece"));
+  return ofFaces.includes(true) ? ofFaces : compares;
+}
+
+// The answers to choose from: of a counter with several questions, those to the
+// question that is asked ("test 2: apart", but not "test 3: apart").
+function answersTo({ counter, outcome }) {
+  const of = (word) => word.includes(":") ? word.split(":")[0] : null;
+  const same = counter.outcomes.filter((word) => of(word) === of(outcome));
+  return same.length > 1 ? same : counter.outcomes;
+}
+
+// The question, as the line of the outline puts it if that asks one.
+function questionOf(run, e) {
+  const a = subjectWords(run, e.a, e.window);
+  const b = subjectWords(run, e.b, e.window);
+  const where = whereWords(run, e.window);
+  const line = run.header.outline[e.counter.line - 1].trim();
+  const text = e.counter.outcomes.includes("nearer")
+    ? `Is ${a} nearer or farther than ${b}?`
+    : line.endsWith("?") && e.b.kind === "piece" ? `P is ${a}, Q is ${b}: ${line}`
+      : `${e.counter.name}, ${a}${b ? ` against ${b}` : ""}: which is it?`;
+  return text.charAt(0).toUpperCase() + text.slice(1) + (where && ` (${where})`);
 }
 
 // answered(): called when the reader has chosen and wants to go on.
@@ -29,11 +51,7 @@ export function quiz(answered) {
 
   const ask = (run, k) => {
     const e = run.event(k);
-    const a = subjectWords(run, e.a, e.window);
-    const b = subjectWords(run, e.b, e.window);
-    const question = e.counter.outcomes.includes("nearer")
-      ? `Which is nearer: is ${a}, nearer or farther than ${b}?`
-      : `${a}${b ? ` against ${b}` : ""}: which is it?`;
+    const answers = answersTo(e);
     const reply = h("p", { role: "status" });
     const choose = (word, button) => {
       score.asked += 1;
@@ -50,10 +68,12 @@ export function quiz(answered) {
     };
     element.hidden = false;
     element.replaceChildren(
-      h("p", {}, h("b", {}, question.charAt(0).toUpperCase() + question.slice(1))),
-      h("div", { class: "buttons" }, e.counter.outcomes.map((word) =>
+      h("p", {}, h("b", {}, questionOf(run, e))),
+      h("div", { class: "buttons" }, answers.map((word) =>
         h("button", { type: "button",
           onclick: (event) => choose(word, event.currentTarget) }, word))),
+      ...answers.filter((word) => MEANINGS[word]).map((word) =>
+        h("p", {}, h("small", {}, MEANINGS[word]))),
       reply);
     element.querySelector("button").focus();
   };
