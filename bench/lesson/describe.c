@@ -34,6 +34,18 @@ static json_t *costs_json(const struct hsr_algorithm *a,
   return costs;
 }
 
+/* The letters of the formulas: [symbol, meaning, measured]. */
+static json_t *letters_json(const struct hsr_table1 *table) {
+  json_t *letters = json_array();
+#define X(field, symbol, meaning)                                              \
+  hsr_json_append(&letters,                                                    \
+                  json_pack("[sso]", symbol, meaning,                          \
+                            number_or_null(table ? table->field : NAN)));
+  HSR_TABLE1(X)
+#undef X
+  return letters;
+}
+
 /* Where the vertices of the header are in the world. */
 static json_t *points_json(const struct trace_run *run) {
   const struct hsr_world *world =
@@ -55,13 +67,14 @@ json_t *lesson_describe(const struct lesson_recorder *recorder,
   struct trace_header header = {.run = recorder->run, .filter = &all};
   json_t *parts = recorder->parts;
   return json_pack(
-      "{ss so sI sI so sO so so ss? ss? so so so}", "schema", "hsr-lesson/2",
+      "{ss so sI sI so sO so so so ss? ss? so so so}", "schema", "hsr-lesson/2",
       "header", trace_header_json(&header), "events",
       (json_int_t)recorder->events, "kept", (json_int_t)recorder->kept,
       "counts", counts_json(a, tally->count), "parts", parts, "answer",
       answer->drawn.form.type->json(&answer->drawn, answer->view), "costs",
-      costs_json(a, table), "order", a->sort_order, "coherence", a->coherence,
-      "lists", lesson_lists_json(recorder->run, &recorder->notes), "structure",
+      costs_json(a, table), "letters", letters_json(table), "order",
+      a->sort_order, "coherence", a->coherence, "lists",
+      lesson_lists_json(recorder->run, &recorder->notes), "structure",
       lesson_structure_json(recorder->run), "points",
       points_json(recorder->run));
 }

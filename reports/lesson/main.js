@@ -10,7 +10,7 @@ import { runOf } from "./data/run.js";
 import { LESSONS } from "./data/survey.js";
 import { readTrace } from "./data/trace.js";
 import { eventWords } from "./data/words.js";
-import { controls, keyHelp, keys, LEVELS, TOGETHER } from "./parts/controls.js";
+import { controls, keys, LEVELS, TOGETHER } from "./parts/controls.js";
 import { panel } from "./parts/panel.js";
 import { lessonIndex, lessonText } from "./parts/lesson.js";
 import { isQuestion, quiz } from "./parts/quiz.js";
@@ -109,6 +109,7 @@ function place(k) {
 }
 
 function show() {
+  bar.step(now());
   panels.forEach((p, k) => p.show(state.k[k],
     { pixel: state.pixel, outlines: state.outlines }));
 }
@@ -220,6 +221,7 @@ const tell = (text) => { note.textContent = text; };
 
 const act = {
   start: () => { stop(); go(0); }, end: () => { stop(); go(leader().n); },
+  goTo: (k) => { stop(); go(k); },
   back: () => move(-1), forward: () => move(1), move, play, jump, jumpFace,
   set: (changes) => {
     Object.assign(state, changes);
@@ -257,6 +259,7 @@ function lead(p) {
   panels.forEach(({ element }, q) =>
     element.classList.toggle("leads", panels.length > 1 && q === p));
   state.to = bar.offer(leader(), state.to, state.face);
+  bar.step(now());
   writeAddress();
 }
 
@@ -333,8 +336,7 @@ async function begin() {
     h("div", { class: `panels of-${panels.length}` },
       panels.map(({ element }) => element)),
     survey && figures(shown[0], (name) =>
-      scenes.get(name) === scenes.get(state.a[0]) ? runNamed(name) : null) || "",
-    keyHelp());
+      scenes.get(name) === scenes.get(state.a[0]) ? runNamed(name) : null) || "");
   document.title = `${scene}: ${state.a.join(", ")} · hsr`;
   state.to = bar.offer(leader(), state.to, state.face);
   bar.pace(paceWords(), state.speed);

@@ -31,8 +31,11 @@ function watched([name, stories]) {
   return globalThis.lesson.run(name).then((run) => {
     const bad = [];
     const { trace, n, width: m, height } = run;
-    const shownCounts = () => [...document.querySelectorAll(
-      ".counters tbody tr td:nth-child(2)")].map((e) => e.textContent);
+    const shownCounts = () => run.header.counters.map((_, c) =>
+      document.querySelector(`.counters [data-counter="${c}"] td`).textContent);
+    const shownSum = () => document.querySelector(".counters tfoot td").textContent;
+    const sumOf = (counts) => counts.reduce((sum, x, c) =>
+      sum + (run.header.counters[c].kind === "compare" ? x ?? 0 : 0), 0);
     const go = (k) => globalThis.lesson.go(k);
     const expect = (what, got, wanted) => {
       if (JSON.stringify(got) !== JSON.stringify(wanted) && bad.length < 5)
@@ -48,6 +51,14 @@ function watched([name, stories]) {
     for (let k = 60; k < n; k += stride) go(k);
     go(n);
     expect("counts at the end", shownCounts(), numbers(trace.counts));
+    expect("all comparisons", shownSum(), sumOf(trace.counts).toLocaleString("en"));
+    trace.counts.forEach((x, c) => {
+      const row = document.querySelector(`.counters [data-counter="${c}"]`);
+      if (Boolean(row.closest(".idle")) !== (x === 0)) bad.push(`fold of ${c}`);
+      const line = run.header.counters[c].line;
+      if (x && line && document.querySelectorAll(".outline li")[line - 1]
+        .matches(".unused")) bad.push(`line ${line} is not unused`);
+    });
     if (!run.painting.equal()) bad.push("the painting is not the answer");
     for (let k = n; k > 0; k -= stride) go(k);
     go(0);
@@ -76,7 +87,10 @@ function watched([name, stories]) {
             i < Math.min(m, trace.x[e] + trace.width[e]); i++)
             ids[j * m + i] = trace.a0[e];
       }
-      if (k < n) expect(`counts at ${k}`, shownCounts(), numbers(counts));
+      if (k < n) {
+        expect(`counts at ${k}`, shownCounts(), numbers(counts));
+        expect(`sum at ${k}`, shownSum(), sumOf(counts).toLocaleString("en"));
+      }
       if (run.kind === "ids")
         expect(`ids at ${k}`, Array.from(run.painting.at(k)), Array.from(ids));
     }
@@ -303,8 +317,12 @@ async function asAReader(file, names) {
     assert.equal(await words(), said);
     await page.keyboard.press("End");
     assert.ok(await step(page) > 100);
+    assert.equal(Number(await page.inputValue("input[name=number]")),
+      await step(page));
     await page.keyboard.press("Home");
     assert.equal(await step(page), 0);
+    await page.click(".controls summary");
+    assert.match(await page.innerText(".controls"), /play and pause/);
     assert.match(await words(), /Before the first step/);
   });
 
@@ -321,6 +339,9 @@ async function asAReader(file, names) {
     assert.ok(await step(page) > first);
     await page.keyboard.press("p");
     assert.equal(await step(page), first);
+    await page.fill("input[name=number]", "17");
+    await page.press("input[name=number]", "Enter");
+    assert.equal(await step(page), 17);
     await page.fill("input[name=face]", "9");
     await page.click("button[name=start]");
     await page.focus("h1");
@@ -393,6 +414,30 @@ async function asAReader(file, names) {
         for (const y of tops) assert.equal(y, tops[0], `${a}, ${k}: not level`);
         for (const y of heights) assert.equal(y, heights[0]);
       }
+  });
+
+  await test("at the end nothing lies over the picture", async () => {
+    await go(`#/?a=${names[0]}&outlines=0&k=1000000000`);
+    const other = await page.evaluate(async () => {
+      const { run, state } = globalThis.lesson;
+      const { header, width, height, painting, n, kind } = await run(state.a[0]);
+      const canvas = document.querySelector(".picture");
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width,
+        canvas.height);
+      const ids = painting.at(n);
+      let wrong = 0;
+      for (let s = 0; s < width * height && kind === "ids"; s++) {
+        const place = (c, many, size) => Math.floor((c + 0.5) * size / many);
+        const at = 4 * (place(Math.floor(s / width), height, canvas.height) *
+          canvas.width + place(s % width, width, canvas.width));
+        const shown = `#${[0, 1, 2].map((c) =>
+          data[at + c].toString(16).padStart(2, "0")).join("")}`;
+        wrong += shown === (ids[s] < 0 ? header.background
+          : header.faces[ids[s]][2]) ? 0 : 1;
+      }
+      return wrong;
+    });
+    assert.equal(other, 0);
   });
 
   await test("a question waits for its answer", async () => {

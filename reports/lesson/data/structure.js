@@ -57,7 +57,7 @@ function cutOf([half, other], whole) {
   const ends = half.filter((p) => other ? isOf(other, p) : !isOf(whole, p));
   const [p, q] = [ends[0], ends.at(-1)];
   if (!p || p === q) return null;
-  const beyond = (from, to) => to.map((x, c) => x + 0.25 * (x - from[c]));
+  const beyond = (from, to) => to.map((x, c) => x + 0.7 * (x - from[c]));
   return [beyond(q, p), beyond(p, q)];
 }
 

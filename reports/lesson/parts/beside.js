@@ -57,7 +57,7 @@ function listStrip(run) {
     say(sorting ? "It is being sorted." : !items.length ? "It is still empty."
       : order.length ? `${whole(painted.length)} done (without colour), ${whole(order.length)
       } to come; next: ${nameOf(run, order[0])}${marked.size
-        ? "; a black corner is a marker" : ""}` : `${whole(painted.length)} in the order in which they come`);
+        ? "; a filled corner is a marker" : ""}` : `${whole(painted.length)} in the order in which they come`);
     draw(rows * (high + 2), (context, wide) => {
       const fit = Math.max(1, Math.floor(wide / w));
       context.font = "11px system-ui, sans-serif";

@@ -15,7 +15,7 @@ const labelled = (text, control) => h("label", {}, text, control);
 const grouped = (text, ...parts) => h("div", { class: "field", role: "group",
   "aria-label": text }, h("span", {}, text), h("span", { class: "jump" }, parts));
 
-// act: what is done: start, back, play, forward, end, set({ name: value }),
+// act: what is done: start, back, play, forward, end, goTo(k), set({ name: value }),
 // jump(direction), jumpFace(direction). state: what is chosen at first.
 export function controls(act, state, several) {
   const select = (name, all) => h("select", { name,
@@ -31,6 +31,8 @@ export function controls(act, state, several) {
   const face = h("input", { type: "number", name: "face", min: 0,
     "aria-label": "Number of a face",
     onchange: (e) => act.set({ face: e.target.value }) });
+  const number = h("input", { type: "number", name: "number", min: 0, value: 0,
+    onchange: (e) => act.goTo(Number(e.target.value)) });
   const quiz = h("input", { type: "checkbox", name: "quiz", checked: state.quiz,
     onchange: (e) => act.set({ quiz: e.target.checked }) });
   const outlines = h("input", { type: "checkbox", name: "outlines",
@@ -45,18 +47,20 @@ export function controls(act, state, several) {
     play,
     button("▶", "Forward (right arrow)", act.forward, { name: "forward" }),
     button("▶|", "To the end (End)", act.end, { name: "end" })),
+  labelled("Step", number),
   labelled("Move by", select("level", LEVELS)),
   labelled("Speed", h("span", { class: "speed" }, speed, pace)),
-  grouped("Next or last",
-    button("‹", "Last one of this kind (p)", () => act.jump(-1)), jumpTo,
+  grouped("Previous and next",
+    button("‹", "Previous one of this kind (p)", () => act.jump(-1)), jumpTo,
     button("›", "Next one of this kind (n)", () => act.jump(1))),
   grouped("Of face",
-    button("‹", "Last step of this face (Shift+f)", () => act.jumpFace(-1)), face,
+    button("‹", "Previous step of this face (Shift+f)", () => act.jumpFace(-1)), face,
     button("›", "Next step of this face (f)", () => act.jumpFace(1))),
   several ? labelled("Together", select("by", TOGETHER)) : null,
   h("div", { class: "checks" },
     h("label", {}, outlines, "outlines of all faces"),
-    h("label", {}, quiz, "ask me before a decision")));
+    h("label", {}, quiz, "ask me before a decision")),
+  keyHelp());
 
   return {
     element,
@@ -72,6 +76,7 @@ export function controls(act, state, several) {
     },
     level: (name) => { element.elements.level.value = name; },
     quiz: (is) => { quiz.checked = is; },
+    step: (k) => { if (Number(number.value) !== k) number.value = k; },
     // What can be jumped to in this run.
     offer: (run, chosen, faceChosen) => {
       const own = run.header.counters.filter((c) => !c.computed);
@@ -81,6 +86,7 @@ export function controls(act, state, several) {
       jumpTo.replaceChildren(...groups.map(([label, all]) =>
         h("optgroup", { label }, all.map(([value, text]) => h("option",
           { value, selected: value === chosen }, text)))));
+      number.max = run.n;
       face.max = run.header.faces.length - 1;
       face.value = faceChosen;
       return jumpTo.value;
@@ -119,12 +125,12 @@ export function keys(act) {
 const KEYS = [["space", "play and pause"], ["← →", "back and forward"],
   ["Shift ← →", "a row or window"], [", .", "a single step, always"],
   ["Home End", "start and end"], ["l", "what a move is"], ["+ −", "speed"],
-  ["n p", "next and last step of the kind chosen"],
-  ["f Shift+f", "next and last step of the face chosen"],
+  ["n p", "next and previous step of the kind chosen"],
+  ["f Shift+f", "next and previous step of the face chosen"],
   ["1 2 3", "which algorithm leads"], ["q", "questions on and off"],
   ["arrows on a picture", "choose a sample"], ["Esc", "no sample"]];
 
-export function keyHelp() {
+function keyHelp() {
   return h("details", { class: "key-help" }, h("summary", {}, "Keys"),
     h("dl", {}, KEYS.map(([key, what]) => h("div", {}, h("dt", {},
       h("kbd", {}, key)), h("dd", {}, what)))));

@@ -49,7 +49,7 @@ export function lessonText(survey, run, go) {
   return h("section", { class: "lesson", "aria-label": "The lesson" },
     h("p", { class: "way" }, link("#/", "All lessons"),
       ` · ${place + 1} of ${order.length}`,
-      place > 0 ? [" · ", link(to(order[place - 1]), "last")] : null,
+      place > 0 ? [" · ", link(to(order[place - 1]), "previous")] : null,
       place + 1 < order.length ? [" · ", link(to(order[place + 1]), "next")]
         : null),
     h("div", { class: "lesson-body" },

@@ -5,6 +5,7 @@ import { kindLook } from "../data/kinds.js";
 import { eventWords } from "../data/words.js";
 import { count, whole } from "../../page/data/format.js";
 import { h } from "../../page/parts/dom.js";
+import { formula } from "../../page/parts/symbols.js";
 import { beside } from "./beside.js";
 import { edgeStrip } from "./edge_strip.js";
 import { picture } from "./picture.js";
@@ -27,10 +28,12 @@ export function panel(run, act) {
   const raised = h("small");
   const words = h("div", { class: "words", "aria-live": "polite" },
     where, h("p", {}, sign, said), h("p", {}, raised));
+  const unused = unusedLines(run);
   const outline = h("ol", { class: "outline", tabindex: 0,
-    "aria-label": `What ${run.name} does` }, header.outline.map((text) =>
-    h("li", { style: `--depth: ${(text.length - text.trimStart().length) / 2}` },
-      text.trim())));
+    "aria-label": `What ${run.name} does` }, header.outline.map((text, k) =>
+    h("li", { style: `--depth: ${(text.length - text.trimStart().length) / 2}`,
+      class: unused[k] ? "unused" : null, title: unused[k] ? "not in this run"
+        : null }, text.trim())));
   const lines = [...outline.children];
   const counters = counterTable(run);
   const costs = costTable(run);
@@ -119,29 +122,60 @@ export function panel(run, act) {
     live: (is) => words.setAttribute("aria-live", is ? "polite" : "off") };
 }
 
-// The counters so far, and in the end.
+// The lines of the outline that this run has not come to: all their counters, or
+// all lines within them, stay 0.
+function unusedLines({ header, trace }) {
+  const depth = (text) => text.length - text.trimStart().length;
+  const own = header.outline.map((_, k) => trace.counts.filter((_, c) =>
+    header.counters[c].line === k + 1));
+  const unused = own.map(() => false);
+  for (let k = own.length - 1; k >= 0; k--) {
+    const within = [];
+    for (let l = k + 1; l < own.length &&
+      depth(header.outline[l]) > depth(header.outline[k]); l++) within.push(l);
+    unused[k] = own[k].length ? own[k].every((n) => !n)
+      : within.length > 0 && within.every((l) => unused[l]);
+  }
+  return unused;
+}
+
+// The counters so far, and in the end. Those that stay 0 are folded.
 function counterTable(run) {
   const { counters } = run.header;
+  const { counts } = run.trace;
   const cells = counters.map(() => h("td", { class: "number" }));
   const rows = counters.map((c, k) => {
     const look = kindLook(c.kind);
-    return h("tr", { title: c.meaning }, h("th", { scope: "row" },
+    return h("tr", { title: c.meaning, "data-counter": k }, h("th", { scope: "row" },
       h("span", { class: "sign", "aria-hidden": "true",
         style: `color: var(--hue-${look.hue})` }, look.sign), c.name),
-    cells[k], h("td", { class: "number faint" }, whole(run.trace.counts[k])));
+    cells[k], h("td", { class: "number faint" }, whole(counts[k])));
   });
+  const sumOf = (values) => counters.reduce((sum, { kind }, c) =>
+    sum + (kind === "compare" ? values[c] ?? 0 : 0), 0);
+  const all = h("td", { class: "number" });
+  const table = (label, body, foot) => h("table", { class: "counters",
+    "aria-label": label },
+  h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "counter"),
+    h("th", { scope: "col", class: "number" }, "so far"),
+    h("th", { scope: "col", class: "number" }, "in the end"))),
+  h("tbody", {}, body), foot);
+  const idle = rows.filter((_, c) => !counts[c]);
   let last = null;
   return {
-    element: h("table", { class: "counters" },
-      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "counter"),
-        h("th", { scope: "col", class: "number" }, "so far"),
-        h("th", { scope: "col", class: "number" }, "in the end"))),
-      h("tbody", {}, rows)),
+    element: h("div", {}, table("Counters", rows.filter((_, c) => counts[c]),
+      h("tfoot", {}, h("tr", {}, h("th", { scope: "row" }, "all comparisons"), all,
+        h("td", { class: "number faint" }, whole(sumOf(counts)))))),
+    idle.length ? h("details", { class: "idle" }, h("summary", {},
+      idle.length === 1 ? "One counter stayed 0" : `${idle.length} counters stayed 0`),
+    table("Counters that stayed 0", idle)) : null),
     show: (k, raised) => {
-      run.counts(k).forEach((x, c) => {
+      const now = run.counts(k);
+      now.forEach((x, c) => {
         const text = x === null ? "at the end" : whole(x);
         if (cells[c].textContent !== text) cells[c].textContent = text;
       });
+      all.textContent = whole(sumOf(now));
       last?.classList.remove("raised");
       last = raised === undefined ? null : rows[raised];
       last?.classList.add("raised");
@@ -149,25 +183,37 @@ function counterTable(run) {
   };
 }
 
-// The steps of Table III: what they cost so far, and what the survey predicts.
+// The steps of Table III: what they cost so far, and what the survey predicts. A
+// step's cost is the sum of its counters, each times its weight.
 function costTable(run) {
-  const { costs } = run.trace;
+  const { costs, letters } = run.trace;
   if (!costs.some((c) => c.predicted !== null))
     return { element: null, show: () => {} };
+  const nameOf = ([c, weight]) => weight === 1 ? run.header.counters[c].name
+    : `${whole(weight)} × ${run.header.counters[c].name}`;
   const cells = costs.map(() => h("td", { class: "number" }));
-  const rows = costs.map((c, k) => h("tr", {}, h("th", { scope: "row" }, c.label),
-    cells[k], h("td", { class: "number" }, count(c.predicted)),
-    h("td", {}, c.formula ?? "")));
+  const rows = costs.map((c, k) => h("tr", {}, h("th", { scope: "row" }, c.label,
+    c.terms.length > 1 || c.terms[0][1] !== 1 ? [h("br"), h("small", {},
+      c.terms.filter(([n]) => run.trace.counts[n]).map(nameOf).join(" + "))] : null),
+  cells[k], h("td", { class: "number" }, count(c.predicted)),
+  h("td", {}, c.formula ? lettered(c.formula, letters) : "")));
+  const used = letters.filter(([symbol]) =>
+    costs.some((c) => lettersIn(c.formula ?? "").includes(symbol)));
   return {
     element: h("details", { open: true },
-      h("summary", {}, "Comparisons, and the survey’s prediction"),
+      h("summary", {}, "Weighed steps, and the survey’s prediction"),
+      h("p", { class: "note" }, "The survey weighs steps by their work: here each " +
+        "counter is multiplied by its weight."),
       h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label":
-        `Comparisons of ${run.name}, and the survey’s prediction` },
+        `Weighed steps of ${run.name}, and the survey’s prediction` },
       h("table", { class: "costs" },
-        h("thead", {}, h("tr", {}, ["step of Table III", "so far", "predicted",
-          "by the formula"].map((text, k) => h("th", { scope: "col",
+        h("thead", {}, h("tr", {}, ["step of Table III", "so far, weighed",
+          "predicted", "by the formula"].map((text, k) => h("th", { scope: "col",
           class: k === 1 || k === 2 ? "number" : null }, text)))),
-        h("tbody", {}, rows)))),
+        h("tbody", {}, rows))),
+      h("p", { class: "note" }, used.map(([symbol, meaning, value], k) => [
+        k ? "; " : "", formula(symbol), `: ${meaning}${
+          value === null ? "" : ` (${count(value)})`}`]))),
     show: (k) => {
       const counts = run.counts(k);
       costs.forEach(({ terms }, row) => {
@@ -177,4 +223,14 @@ function costTable(run) {
       });
     },
   };
+}
+
+const LETTER = /([A-Z]_[a-z]|\b[nm]\b)/;
+const lettersIn = (text) => text.split(LETTER).filter((_, k) => k % 2);
+
+// A formula whose letters say what they mean.
+function lettered(text, letters) {
+  return text.split(LETTER).map((part, k) => k % 2
+    ? h("abbr", { title: letters.find(([symbol]) => symbol === part)?.[1] },
+      formula(part)) : part);
 }

@@ -268,7 +268,8 @@ export function picture(canvas, run) {
       context.stroke(every);
       context.globalAlpha = 1;
     }
-    if (event && k > 0 && k <= run.trace.kept) markEvent(run.event(k - 1));
+    // At the end, nothing lies over the picture.
+    if (event && k > 0 && k <= run.trace.kept && k < run.n) markEvent(run.event(k - 1));
     if (pixel) markPixel(pixel);
   };
 
