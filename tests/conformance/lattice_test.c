@@ -4,7 +4,7 @@
  * ties. Half of them are parallel: along an axis, isometric, dimetric.
  *
  * usage: lattice_test [SCENES [SEED [NAME...]]]
- *        standard: 2000 scenes, seed 1, all algorithms and proposals */
+ *        standard: 600 scenes, seed 1, all algorithms and proposals */
 #include "common/exact/predicates.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
@@ -138,7 +138,7 @@ static long check_scene(uint64_t *seed, long *samples) {
 }
 
 int main(int argc, char **argv) {
-  long n = argc > 1 ? atol(argv[1]) : 2000, samples = 0;
+  long n = argc > 1 ? atol(argv[1]) : 600, samples = 0;
   uint64_t seed = argc > 2 ? strtoull(argv[2], NULL, 10) : 1;
   asked = argv + (argc < 3 ? argc : 3);
   enum { PARTS = 20 };

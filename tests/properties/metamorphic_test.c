@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Changes of a scene that must not change its picture, or must change it in a
- * known way: for every algorithm, without the oracle. */
+ * known way: for every algorithm, without the oracle.
+ *
+ * usage: metamorphic_test [SCENES], of each change. The standard is 15. */
 #include "common/exact/predicates.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -9,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { M = 40, N = 33, SCENES = 60, MOST_FACES = 200, MOST_CORNERS = 1000 };
+enum { M = 40, N = 33, MOST_FACES = 200, MOST_CORNERS = 1000 };
 
 /* A small scene in plain arrays, easy to change. Face f has the corners from
  * start[f] up to start[f+1] in corner[]; each corner has its own point. */
@@ -263,12 +265,13 @@ static void try_algorithm(const struct hsr_algorithm *algorithm,
   }
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+  const long scenes = argc > 1 ? atol(argv[1]) : 15;
   struct tap tap = plan(N_PROPERTIES);
   uint64_t seed = 20;
   for (int p = 0; p < N_PROPERTIES; p++) {
     struct trial trial = {.property = &properties[p]};
-    for (int k = 0; k < SCENES; k++) {
+    for (long k = 0; k < scenes; k++) {
       struct toy from = toy_make(&seed, properties[p].generic), to;
       if (properties[p].no_near)
         from.camera.near = 0;
