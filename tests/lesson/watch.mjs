@@ -303,6 +303,8 @@ const step = (page) => page.evaluate(() => globalThis.lesson.state.k[0]);
 async function asAReader(file, names) {
   const { page, faults, go, close } = await open(file);
   const some = names.slice(0, 3).join(",");
+  const known = ["bouknight", "watkins", "newell"].filter((a) => names.includes(a));
+  const three = known.length === 3 ? known : names.slice(0, 3);
   const words = () => page.textContent(".panel .words");
 
   await test("keys step, forward and back", async () => {
@@ -398,7 +400,7 @@ async function asAReader(file, names) {
   });
 
   await test("the sentence and the pictures are seen at once", async () => {
-    for (const a of [names[0], names.slice(0, 2).join(","), some])
+    for (const a of [three[0], three.slice(0, 2).join(","), three.join(",")])
       for (const k of [1, 40, 500]) {
         await go(`#/?a=${a}&k=${k}`);
         const { bottoms, tops, heights, first } = await page.evaluate(() => {
@@ -417,7 +419,7 @@ async function asAReader(file, names) {
   });
 
   await test("at the end nothing lies over the picture", async () => {
-    await go(`#/?a=${names[0]}&outlines=0&k=1000000000`);
+    await go(`#/?a=${three[0]}&outlines=0&k=1000000000`);
     const other = await page.evaluate(async () => {
       const { run, state } = globalThis.lesson;
       const { header, width, height, painting, n, kind } = await run(state.a[0]);
@@ -480,12 +482,13 @@ async function asAReader(file, names) {
   });
 
   await test("every comparison of two faces is asked", async () => {
-    await go(`#/?a=${some}`);
+    await go(`#/?a=${three}`);
     const asked = await page.evaluate(async () => {
       const { run, asks, state } = globalThis.lesson;
       const runs = await Promise.all(state.a.map(run));
-      return runs.map((own) => [own.name, [...new Set(own.header.counters.filter(
-        (_, c) => asks(own, own.trace.counter.indexOf(c))).map((c) => c.name))]]);
+      return runs.map((own) => [own.name, own.header.counters.filter((_, c) =>
+        own.trace.counter.some((x, k) => x === c && asks(own, k)))
+        .map((c) => c.name)]);
     });
     const wanted = { newell: ["Newell special", "minimax tests", "plane tests",
       "overlap tests", "circle search"], bouknight: ["depth search"] };

@@ -192,9 +192,10 @@ function costTable(run) {
   const nameOf = ([c, weight]) => weight === 1 ? run.header.counters[c].name
     : `${whole(weight)} × ${run.header.counters[c].name}`;
   const cells = costs.map(() => h("td", { class: "number" }));
+  const sums = costs.map(({ terms }) =>
+    terms.filter(([n]) => run.trace.counts[n]).map(nameOf).join(" + "));
   const rows = costs.map((c, k) => h("tr", {}, h("th", { scope: "row" }, c.label,
-    c.terms.length > 1 || c.terms[0][1] !== 1 ? [h("br"), h("small", {},
-      c.terms.filter(([n]) => run.trace.counts[n]).map(nameOf).join(" + "))] : null),
+    sums[k] && sums[k] !== c.label ? [h("br"), h("small", {}, sums[k])] : null),
   cells[k], h("td", { class: "number" }, count(c.predicted)),
   h("td", {}, c.formula ? lettered(c.formula, letters) : "")));
   const used = letters.filter(([symbol]) =>

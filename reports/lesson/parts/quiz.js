@@ -11,7 +11,16 @@ const MEANINGS = { undecided: "undecided: neither is nearer all over, as far as 
 export function isQuestion(run, k) {
   if (k >= run.trace.kept) return false;
   run.asks ??= asksOf(run);
-  return run.asks[run.trace.counter[k]];
+  return run.asks[run.trace.counter[k]] && !sumsUp(run, k);
+}
+
+// Whether the step before, of a line within its own, has decided it.
+function sumsUp(run, k) {
+  if (!k) return false;
+  const [now, before] = [run.event(k), run.event(k - 1)];
+  const isSame = (p, q) => p.kind === q.kind && p.ids.every((x, c) => x === q.ids[c]);
+  return before.kind === "compare" && before.counter.line > now.counter.line &&
+    isSame(now.a, before.a) && isSame(now.b, before.b);
 }
 
 function asksOf({ header, trace }) {
@@ -30,16 +39,19 @@ function answersTo({ counter, outcome }) {
   return same.length > 1 ? same : counter.outcomes;
 }
 
-// The question, as the line of the outline puts it if that asks one.
+// The question; if the line of the outline asks one of P and Q, that.
 function questionOf(run, e) {
   const a = subjectWords(run, e.a, e.window);
   const b = subjectWords(run, e.b, e.window);
   const where = whereWords(run, e.window);
+  const pair = `P is ${a}, Q is ${b}`;
   const line = run.header.outline[e.counter.line - 1].trim();
-  const text = e.counter.outcomes.includes("nearer")
-    ? `Is ${a} nearer or farther than ${b}?`
-    : line.endsWith("?") && e.b.kind === "piece" ? `P is ${a}, Q is ${b}: ${line}`
-      : `${e.counter.name}, ${a}${b ? ` against ${b}` : ""}: which is it?`;
+  const has = (word) => e.counter.outcomes.includes(word);
+  const text = has("nearer") ? `Is ${a} nearer or farther than ${b}?`
+    : has("passes through") ? `Does the plane of ${b} pass through ${a}?`
+      : has("P may obscure Q") ? `${pair}: which of the six tests parts them?`
+        : line.endsWith("?") && e.b.kind === "piece" ? `${pair}: ${line}`
+          : `${e.counter.name}, ${a}${b ? ` against ${b}` : ""}: which is it?`;
   return text.charAt(0).toUpperCase() + text.slice(1) + (where && ` (${where})`);
 }
 

@@ -17,6 +17,7 @@ static const struct hand_object ahead[] = {HAND_RECTANGLE(2, 2, 10, 6, 8),
                                            HAND_RECTANGLE(4, 1, 6, 7, 4)};
 static const struct hand_count of_ahead[] = {
     {"Z sort", 4},
+    {"Z sort", 2, "put into a bucket by the high digit"},
     {"Newell special", 1},
     {"Newell special", 1, "end of {Q}"},
     {"minimax tests", 0},
