@@ -111,12 +111,14 @@ function watched([name, stories]) {
           expect(`piece ${p} at ${e}`, run.pieceFace(e, p, face), face);
     }
 
-    // The words of one step are not those of the next, nor, after a division, of
-    // the question before it.
+    // The words of one step are not those of the next, nor, after a division of two
+    // faces' span, of the question before it.
     const wordsOf = (e) => globalThis.lesson.words(run, run.event(e));
     for (let e = 2; e < Math.min(trace.kept, 20000); e++) {
       const { kind, counter } = run.event(e);
-      const asked = run.event(e - 1).kind === "subdivide" ? e - 2 : e - 1;
+      const before = run.event(e - 1);
+      const asked = before.kind === "subdivide" && before.b.kind === "face" &&
+        before.a.kind === "face" ? e - 2 : e - 1;
       if (kind !== "accept" && run.event(asked).counter === counter &&
           wordsOf(e) === wordsOf(asked)) expect(`words of ${e}`, wordsOf(e), "new");
     }
