@@ -44,7 +44,7 @@ enum hsr_status hsr_shades_init(struct hsr_shades *shades,
                                 .view = view,
                                 .arena = arena};
   for (int k = 0; k < 3; k++)
-    shades->light[k] = -view->F[k] - 0.5 * view->R[k] + 0.9 * view->U[k];
+    shades->light[k] = view->lamp[k];
   normalise(shades->light);
   if (shades->parts & HSR_PART_CORNERS)
     shades->normals =

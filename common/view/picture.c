@@ -84,10 +84,9 @@ float hsr_picture_light_of(const struct hsr_view *view, const double n[3],
                            bool turned) {
   double length = 0, light_length = 0, lit = 0;
   for (int k = 0; k < 3; k++) {
-    double l = -view->F[k] - 0.5 * view->R[k] + 0.9 * view->U[k];
     length += n[k] * n[k];
-    light_length += l * l;
-    lit += n[k] * l;
+    light_length += view->lamp[k] * view->lamp[k];
+    lit += n[k] * view->lamp[k];
   }
   double cosine = lit / sqrt(length * light_length);
   if (turned)

@@ -35,9 +35,9 @@ void hsr_picture_depth(const struct hsr_world *world,
                        float *depth);
 
 /* How brightly a face is lit, 0.25 .. 1: a quarter is ambient light, the rest
- * is N.L with a light above the eye's left shoulder. The face has this normal,
- * of any length, and its plane passes through `anchor`. The normal is turned to
- * the eye, so a face seen from behind is lit as well. */
+ * is N.L with the view's lamp. The face has this normal, of any length, and its
+ * plane passes through `anchor`. The normal is turned to the eye, so a face seen
+ * from behind is lit as well. */
 float hsr_picture_light(const struct hsr_view *view, const double normal[3],
                         const double anchor[3]);
 

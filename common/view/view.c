@@ -35,12 +35,15 @@ static double place_at_infinity(double forward) {
   return forward > 0 ? -INFINITY : forward < 0 ? INFINITY : NAN;
 }
 
-static void place_light(struct hsr_view *view) {
+/* `right` and `up` have length 1. */
+static void place_light(struct hsr_view *view, const double right[3],
+                        const double up[3]) {
   const double *given = view->camera.light;
   bool is_given = hsr_camera_has_light(&view->camera);
-  for (int k = 0; k < 3; k++)
-    view->light[k] =
-        is_given ? given[k] : -view->F[k] - 0.5 * view->R[k] + 0.9 * view->U[k];
+  for (int k = 0; k < 3; k++) {
+    view->lamp[k] = -view->F[k] - 0.23 * right[k] + 0.31 * up[k];
+    view->light[k] = is_given ? given[k] : view->lamp[k];
+  }
   view->light[3] = given[3];
 }
 
@@ -80,7 +83,7 @@ static enum hsr_status init(struct hsr_view *view,
     view->eye[k] = view->parallel ? place_at_infinity(view->F[k]) : view->E[k];
   }
 
-  place_light(view);
+  place_light(view, right, up);
   bool out_of_memory = false;
   if (!hsr_exact_view_matrices(view, &out_of_memory))
     return out_of_memory

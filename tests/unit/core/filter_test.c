@@ -350,6 +350,40 @@ static void test_light(struct tap *tap, const struct stage *stage) {
      "and a quarter of the light is everywhere");
 }
 
+/* A face's light in a view of this camera, and the sun of its shadows. */
+static float light_of(const struct hsr_camera *camera, int m, int n,
+                      double sun[4]) {
+  struct hsr_view view;
+  struct hsr_error err;
+  if (hsr_view_init(&view, camera, m, n, &err))
+    stop("light", err.text);
+  memcpy(sun, view.light, 4 * sizeof *sun);
+  return hsr_picture_light(&view, (double[]){-1, 1, 3}, camera->at);
+}
+
+/* Neither the angle of view nor the picture's shape changes a colour. */
+static void test_lamp(struct tap *tap) {
+  struct hsr_camera camera = {
+      .eye = {2, 3, 9}, .at = {0, 1, 0}, .up = {0, 1, 0}, .fov = 38};
+  double first[4], sun[4];
+  float light = light_of(&camera, 40, 30, first);
+  ok(tap, light > 0.3f && light < 0.99f, "a face in a slanting light");
+  ok(tap,
+     light_of(&camera, 90, 20, sun) == light && !memcmp(first, sun, sizeof sun),
+     "it has one colour in a wide picture");
+  camera.fov = 100;
+  ok(tap,
+     light_of(&camera, 40, 30, sun) == light && !memcmp(first, sun, sizeof sun),
+     "and in a wide angle of view");
+  camera.parallel = 300;
+  ok(tap,
+     light_of(&camera, 40, 30, sun) == light && !memcmp(first, sun, sizeof sun),
+     "and in parallel projection");
+  camera.up[0] = 1;
+  ok(tap, light_of(&camera, 40, 30, sun) != light,
+     "the light turns with the eye");
+}
+
 /* --- Sums ----------------------------------------------------------------- */
 
 /* A picture of one colour has that colour up to its borders. */
@@ -426,7 +460,7 @@ static void test_sums(struct tap *tap, const struct stage *stage,
 }
 
 int main(void) {
-  struct tap tap = plan(31);
+  struct tap tap = plan(36);
   test_weights(&tap, HSR_FILTER_BOX, "box");
   test_weights(&tap, HSR_FILTER_COSINE, "cosine");
   test_field(&tap);
@@ -446,6 +480,7 @@ int main(void) {
   test_sums(&tap, &stage, HSR_FILTER_FIELD, "field");
   test_pictures(&tap, &stage);
   test_light(&tap, &stage);
+  test_lamp(&tap);
   close_stage(&stage);
   open_stage(&stage, "office:2");
   test_colours(&tap, &stage, NULL);
