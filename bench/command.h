@@ -79,6 +79,10 @@ bool parse_range(const char *text, long least, long *first, long *last);
 error_t parse_area_filter(enum hsr_area_filter *filter, const char *arg,
                           struct option_base *base);
 
+/* --crease of line drawings. */
+error_t parse_crease(double *degrees, const char *arg,
+                     struct option_base *base);
+
 /* The name of a file of a series: the number in the place of the pattern's only
  * %d, which may have a width, as in f%03d.png; %% stands for one %. False if
  * the pattern has no such place, or several, or the name does not fit. */
@@ -146,6 +150,9 @@ error_t parse_camera_option(struct camera_options *options, int key, char *arg,
 bool has_camera_words(const struct camera_options *options);
 bool names_a_place(const struct camera_options *options);
 
+/* The option that gives a light, "--light" or "--sun"; NULL: none does. */
+const char *light_option(const struct camera_options *options);
+
 /* How many views are meant if --views does not say so: one if a place is named,
  * those of the file of --camera, or else `standard`; `most` at most.
  * HSR_E_INPUT, HSR_E_NOMEM: the file cannot be read. */
@@ -171,19 +178,28 @@ struct scene_options {
 /* An entry for an argp option array, and the parser of that option and of the
  * argument SCENE. ARGP_ERR_UNKNOWN if `key` is neither. `command` is the name
  * of the subcommand: "render", ... */
-enum { DROP_DEGENERATE = 0x180 };
+enum { DROP_DEGENERATE = 0x180, TWO_SIDED };
 #define SCENE_ARGP_OPTIONS                                                     \
+  {"drop-degenerate",                                                          \
+   DROP_DEGENERATE,                                                            \
+   NULL,                                                                       \
+   0,                                                                          \
+   "leave out faces of a mesh file that have no area or repeat a vertex, "     \
+   "instead of refusing the file",                                             \
+   0},                                                                         \
   {                                                                            \
-    "drop-degenerate", DROP_DEGENERATE, NULL, 0,                               \
-        "leave out faces of a mesh file that have no area or repeat a "        \
-        "vertex, instead of refusing the file",                                \
+    "two-sided", TWO_SIDED, NULL, 0,                                           \
+        "keep the back of a closed mesh, whose rear edges are hidden lines; "  \
+        "without it, faces that turn their backs to the eye do not exist",     \
         0                                                                      \
   }
+/* The same options, into a struct hsr_import. False if `key` is none. */
+bool parse_import_option(struct hsr_import *import, int key);
 error_t parse_scene_option(struct scene_options *options, int key, char *arg,
                            const char *command, struct option_base *base);
 
 /* Opens a scene, which the caller deletes, and says on stderr how many faces
- * were left out of it. The errors are those of hsr_scene_open. */
+ * were left out of it, and what else was passed over. The errors are those of hsr_scene_open. */
 enum hsr_status open_scene(const char *name, struct hsr_import import,
                            struct hsr_scene **scene, struct hsr_error *err);
 

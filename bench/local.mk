@@ -45,6 +45,7 @@ libbench_a_SOURCES = \
   %D%/list.h \
   %D%/options.c \
   %D%/render/command.c \
+  %D%/render/hint.c \
   %D%/render/options.c \
   %D%/render/passes.c \
   %D%/render/picture.c \

@@ -217,6 +217,13 @@ error_t parse_area_filter(enum hsr_area_filter *filter, const char *arg,
                      arg);
 }
 
+error_t parse_crease(double *degrees, const char *arg,
+                     struct option_base *base) {
+  return parse_number(arg, degrees) && *degrees >= 0 && *degrees <= 180
+             ? 0
+             : option_fail(base, "--crease %s: must be degrees, 0 to 180", arg);
+}
+
 bool parse_size(const char *text, int *m, int *n) {
   return parse_size_to(text, HSR_MAX_SIZE, m, n);
 }
@@ -276,6 +283,10 @@ error_t parse_camera_option(struct camera_options *o, int key, char *arg,
                                        : "a number");
   o->word[k] = arg;
   return 0;
+}
+
+const char *light_option(const struct camera_options *o) {
+  return o->word[LIGHT] ? "--light" : o->word[LIGHT + 1] ? "--sun" : NULL;
 }
 
 static bool has_any(const struct camera_options *o, int n) {
@@ -348,11 +359,18 @@ enum hsr_status aim_name(const struct camera_options *o, long view,
                              scene, MOST_AIMED_NAME - 1);
 }
 
+bool parse_import_option(struct hsr_import *import, int key) {
+  import->drop_degenerate |= key == DROP_DEGENERATE;
+  import->two_sided |= key == TWO_SIDED;
+  return key == DROP_DEGENERATE || key == TWO_SIDED;
+}
+
 error_t parse_scene_option(struct scene_options *o, int key, char *arg,
                            const char *command, struct option_base *base) {
   switch (key) {
   case DROP_DEGENERATE:
-    o->import.drop_degenerate = true;
+  case TWO_SIDED:
+    parse_import_option(&o->import, key);
     return 0;
   case ARGP_KEY_ARG:
     if (o->name)
@@ -373,6 +391,11 @@ error_t parse_scene_option(struct scene_options *o, int key, char *arg,
 enum hsr_status open_scene(const char *name, struct hsr_import import,
                            struct hsr_scene **scene, struct hsr_error *err) {
   enum hsr_status status = hsr_scene_open(name, &import, scene, err);
+  for (const char *note = import.notes; !status && *note;) {
+    const int length = (int)strcspn(note, "\n");
+    fprintf(stderr, "hsr: %.*s\n", length, note);
+    note += length + (note[length] == '\n');
+  }
   if (!status && import.n_dropped)
     fprintf(stderr, "hsr: %s: %llu degenerate faces left out\n", name,
             (unsigned long long)import.n_dropped);

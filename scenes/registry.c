@@ -256,6 +256,11 @@ static const struct hsr_builtin *find_builtin(const char *name, size_t n) {
   return NULL;
 }
 
+/* What hsr export writes, but nothing reads. */
+static bool is_only_written(const char *name) {
+  return has_suffix(name, ".glb") || has_suffix(name, ".vtu");
+}
+
 static enum hsr_status unknown(const char *name, struct hsr_error *err) {
   struct hsr_names list = {0};
   char word[64], hint[256] = "";
@@ -267,6 +272,11 @@ static enum hsr_status unknown(const char *name, struct hsr_error *err) {
   hsr_names_free(&list);
   if (status)
     return hsr_fail_nomem(err);
+  if (is_only_written(name))
+    return hsr_fail(err, HSR_E_INPUT,
+                    "%.200s: hsr writes such files, but does not read them; "
+                    "export the model as .obj, .ply, .stl, .off or .vtp",
+                    name);
   if (strpbrk(name, "./"))
     return hsr_fail(err, HSR_E_INPUT,
                     "%.200s: not a scene: files end in .scene.json, .off, "
@@ -471,8 +481,10 @@ static enum hsr_status open_scene(const char *name, struct hsr_import *import,
                                   struct hsr_part *part,
                                   struct hsr_scene **scene,
                                   struct hsr_error *err) {
-  if (import)
+  if (import) {
     import->n_dropped = 0;
+    *import->notes = '\0';
+  }
   size_t n = hsr_name_before_cameras(name);
   char *plain = strndup(name, n);
   *scene = hsr_scene_new(name);

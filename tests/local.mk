@@ -123,6 +123,7 @@ tap_scripts = \
   %D%/answers/layers.test \
   %D%/example/example.test \
   %D%/command.test \
+  %D%/import.test \
   %D%/cluster.test \
   %D%/completion.test \
   %D%/full.test \

@@ -21,7 +21,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { DROP = 0x200, ORDER, SAMPLES, MATRIX, DIFFERENCES, SORT_LAST, FRAMES };
+enum { ORDER = 0x200, SAMPLES, MATRIX, DIFFERENCES, SORT_LAST, FRAMES };
 
 /* --- Options -------------------------------------------------------------- */
 
@@ -199,8 +199,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
       return option_fail(&o->base, "--sort-last=%s: must be 1 to %d", arg,
                          (int)MOST_PARTS);
     return 0;
-  case DROP:
-    o->import.drop_degenerate = true;
+  case DROP_DEGENERATE:
+  case TWO_SIDED:
+    parse_import_option(&o->import, key);
     return 0;
   case ARGP_KEY_ARG:
     if (o->n_scenes == MOST_SCENES)
@@ -255,8 +256,7 @@ static const struct argp argp = {
          "is known to need more for a view is refused, and so is every line "
          "drawing if the line oracle takes longer",
          0},
-        {"drop-degenerate", DROP, NULL, 0,
-         "leave out faces of mesh files that cannot be used", 0},
+        SCENE_ARGP_OPTIONS,
         {"differences", DIFFERENCES, "DIR", 0,
          "write a picture of what differs, or both line drawings, into this "
          "folder",

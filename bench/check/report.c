@@ -95,11 +95,13 @@ static void say_again(const struct scene_run *run, int size, int view, int a,
                       char *text, size_t n) {
   const struct check_options *o = run->options;
   char scene[TERMINAL_NAME];
-  snprintf(
-      text, n, "again: hsr check %s -a %s --%s %d --size %dx%d --timeout %ld%s",
-      terminal_word(run->name, scene, sizeof scene), o->algorithm[a].name,
-      o->frames ? "frames" : "order", o->view[view] + 1, o->m[size], o->n[size],
-      o->timeout, o->import.drop_degenerate ? " --drop-degenerate" : "");
+  snprintf(text, n,
+           "again: hsr check %s -a %s --%s %d --size %dx%d --timeout %ld%s%s",
+           terminal_word(run->name, scene, sizeof scene), o->algorithm[a].name,
+           o->frames ? "frames" : "order", o->view[view] + 1, o->m[size],
+           o->n[size], o->timeout,
+           o->import.drop_degenerate ? " --drop-degenerate" : "",
+           o->import.two_sided ? " --two-sided" : "");
 }
 
 static void print_crash(const struct scene_run *run, int size, int view,

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WHAT = 0x200, VISIBLE, WORK };
+enum { WHAT = 0x200, VISIBLE, WORK, UNIT, Z_UP };
 
 /* What is exported: faces, or a shape. */
 struct shape {
@@ -37,7 +37,23 @@ struct options {
   const struct shape *shape;
   const char *algorithm, *output;
   bool visible, work;
+  const char *for_glb; /* the last option that is only for .glb, or NULL */
+  struct hsr_glb_frame frame;
 };
+
+static error_t choose_unit(struct options *o, const char *name) {
+  static const struct {
+    const char *name;
+    double metres;
+  } units[] = {{"mm", 0.001}, {"cm", 0.01}, {"m", 1}, {"in", 0.0254}};
+  o->for_glb = "--unit";
+  for (size_t k = 0; k < sizeof units / sizeof *units; k++)
+    if (!strcmp(units[k].name, name)) {
+      o->frame.metres = units[k].metres;
+      return 0;
+    }
+  return option_fail(&o->base, "--unit %s: must be mm, cm, m or in", name);
+}
 
 static error_t choose_shape(struct options *o, const char *name) {
   for (int k = 0; k < N_SHAPES; k++)
@@ -71,6 +87,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case WORK:
     o->work = true;
     return 0;
+  case UNIT:
+    return choose_unit(o, arg);
+  case Z_UP:
+    o->for_glb = "--z-up";
+    o->frame.z_up = true;
+    return 0;
   default:
     unknown = parse_scene_option(&o->scene, key, arg, "export", &o->base);
     return unknown == ARGP_ERR_UNKNOWN
@@ -97,6 +119,12 @@ static const struct argp_option entries[] = {
      2},
     {"work", WORK, NULL, 0, "of each, the algorithm's steps that are about it",
      2},
+    {NULL, 0, NULL, 0,
+     "In .glb files, which are in metres and have y up (else coordinates are "
+     "written as they are, here and in all other files):",
+     3},
+    {"unit", UNIT, "UNIT", 0, "the scene is in mm, cm, m (standard) or in", 3},
+    {"z-up", Z_UP, NULL, 0, "z is up in the scene", 3},
     {0}};
 
 static const struct argp argp = {
@@ -286,6 +314,8 @@ static enum hsr_status check(const struct options *o, struct hsr_error *err) {
     return hsr_fail(err, HSR_E_USAGE, "%.200s: must end in %s", out,
                     faces ? ".vtp, .vtu, .obj, .ply, .stl or .glb"
                           : ".vtp or .vtu");
+  if (o->for_glb && !(faces && hsr_ends_in(out, ".glb")))
+    return hsr_fail(err, HSR_E_USAGE, "%s is for .glb files", o->for_glb);
   if ((o->visible || o->work) && (!faces || !hsr_cells_keep_data(out)))
     return hsr_fail(err, HSR_E_USAGE,
                     "--visible and --work are for faces in .vtp and .vtu "
@@ -316,7 +346,7 @@ static enum hsr_status write_all(struct export *e,
                                  struct hsr_error *err) {
   const struct options *o = e->options;
   if (hsr_ends_in(o->output, ".glb"))
-    return hsr_scene_write_glb(e->scene, o->output, err);
+    return hsr_scene_write_glb(e->scene, o->frame, o->output, err);
   enum hsr_status status = open_world(e, variant, err);
   if (status)
     return status;
@@ -337,7 +367,8 @@ static void print_counts(const struct export *e) {
 }
 
 enum hsr_status command_export(int argc, char **argv, struct hsr_error *err) {
-  struct options o = {.view = VIEW_OPTIONS_STANDARD, .shape = &shapes[0]};
+  struct options o = {
+      .view = VIEW_OPTIONS_STANDARD, .shape = &shapes[0], .frame.metres = 1};
   enum hsr_status status = parse_options(&argp, argc, argv, &o, err);
   struct hsr_variant variant;
   if (!status)

@@ -3,6 +3,7 @@
 #include "bench/render/render.h"
 #include "bench/run/ranks.h"
 #include "bench/terminal/terminal.h"
+#include "common/lines/crease.h"
 #include "common/scene/motion.h"
 #include "scenes/cameras.h"
 
@@ -68,15 +69,26 @@ static void print_views(const struct render *r, char *text, size_t size) {
     snprintf(text, size, "view %ld", o->view.view);
 }
 
+/* "512 x 512 samples", or "512 x 512 pixels of 4 x 4 samples". */
+static void print_size(const struct render *r, char *text, size_t size) {
+  const struct render_options *o = r->options;
+  const int m = r->n_tiles ? o->view.m : r->view.m,
+            n = r->n_tiles ? o->view.n : r->view.n, s = (int)o->supersamples;
+  if (s > 1)
+    snprintf(text, size, "%d x %d pixels of %d x %d %s", m / s, n / s, s, s,
+             r->kind->grains);
+  else
+    snprintf(text, size, "%d x %d %s", m, n, r->kind->grains);
+}
+
 static void print_report(const struct render *r,
                          const struct hsr_algorithm *a) {
   char name[TERMINAL_NAME];
-  char views[100];
+  char views[100], size[100];
   print_views(r, views, sizeof views);
-  printf("%s, %s, %d x %d %s, %u faces, by %s: ",
-         terminal_plain(r->options->scene.name, name, sizeof name), views,
-         r->n_tiles ? r->options->view.m : r->view.m,
-         r->n_tiles ? r->options->view.n : r->view.n, r->kind->grains,
+  print_size(r, size, sizeof size);
+  printf("%s, %s, %s, %u faces, by %s: ",
+         terminal_plain(r->options->scene.name, name, sizeof name), views, size,
          r->options->sort_last ? r->n_faces : r->world.n_faces, a->name);
   struct hsr_showing showing = showing_of(r);
   if (r->n_tiles)
@@ -116,6 +128,24 @@ static void print_report(const struct render *r,
                       (unsigned long long)r->tally.count[k]);
     terminal_wrap(stdout, used, 35, a->counters[k].meaning);
   }
+}
+
+/* What to leave out of a drawing of faces that are divided: an edge within a
+ * plane shows nothing. */
+static enum hsr_status say_seams(const struct render *r,
+                                 struct hsr_error *err) {
+  const struct hsr_drawing *drawing = hsr_answer_drawing_of(&r->answer);
+  size_t seams = 0, edges = 0;
+  if (!drawing || r->options->crease >= 0 || !r->options->n_outputs)
+    return HSR_OK;
+  enum hsr_status status = hsr_drawing_count_seams(drawing, &r->world, &r->view,
+                                                   1, &seams, &edges, err);
+  if (!status && seams)
+    fprintf(stderr,
+            "hsr: %zu of %zu edges lie between faces of one plane; --crease=1 "
+            "leaves them out\n",
+            seams, edges);
+  return status;
 }
 
 /* What each rank tells rank 0 of its work. */
@@ -311,6 +341,8 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   }
   if (!status && !ranks_own())
     print_report(&r, a);
+  if (!status && !ranks_own())
+    status = say_seams(&r, err);
   if (!status)
     status = print_ranks(&r, err);
   render_close(&r);

@@ -2,6 +2,8 @@
 /* The command line of hsr render. */
 #include "bench/render/render.h"
 #include "bench/run/ranks.h"
+#include "common/files/srgb.h"
+#include "common/files/suffix.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -20,7 +22,10 @@ enum {
   CERTAIN,
   TILES,
   SORT_LAST,
-  MOST_ORBIT = 100000
+  BACKGROUND,
+  WIDTH,
+  MOST_ORBIT = 100000,
+  MOST_PAGE = 100000 /* pixels */
 };
 
 /* The index of a word in `words`, which NULL ends; -1 if it is not there. */
@@ -29,6 +34,48 @@ static int choose_word(const char *word, const char *const *words) {
     if (!strcmp(word, words[k]))
       return k;
   return -1;
+}
+
+/* white, none, or R,G,B: 8 bits a channel, sRGB. */
+static error_t parse_background(struct render_options *o, const char *arg) {
+  double rgb[3] = {255, 255, 255};
+  o->given[HSR_BACKDROP] = "--background";
+  o->no_background = !strcmp(arg, "none");
+  o->has_background = true;
+  bool good =
+      o->no_background || !strcmp(arg, "white") || parse_point(arg, rgb);
+  for (int k = 0; k < 3; k++) {
+    good &= rgb[k] >= 0 && rgb[k] <= 255;
+    o->background[k] =
+        o->no_background ? 0 : hsr_srgb_decode((float)(rgb[k] / 255));
+  }
+  return good ? 0
+              : option_fail(&o->base,
+                            "--background %s: must be white, none, or R,G,B, "
+                            "each 0 to 255",
+                            arg);
+}
+
+/* A length on paper. */
+static error_t parse_width(struct render_options *o, const char *arg) {
+  static const struct hsr_page units[] = {{0, "mm", 96 / 25.4},
+                                          {0, "cm", 96 / 2.54},
+                                          {0, "in", 96},
+                                          {0, "pt", 96 / 72.0},
+                                          {0, "px", 1}};
+  char *end;
+  const double width = strtod(arg, &end);
+  for (size_t k = 0; k < sizeof units / sizeof *units; k++)
+    if (end != arg && !strcmp(end, units[k].unit) && width > 0 &&
+        width * units[k].pixels <= MOST_PAGE) {
+      o->page = units[k];
+      o->page.width = width;
+      return 0;
+    }
+  return option_fail(&o->base,
+                     "--width %s: must be a length in mm, cm, in, pt or px, as "
+                     "85mm",
+                     arg);
 }
 
 /* Options that are for pictures of faces. */
@@ -53,6 +100,8 @@ static error_t parse_face_option(struct render_options *o, int key, char *arg) {
           &o->base, "--shade %s: must be lambert, gouraud, flat or ids", arg);
     o->shading = (enum hsr_shading)shading;
     return 0;
+  case BACKGROUND:
+    return parse_background(o, arg);
   case WORK:
     o->work = arg;
     return 0;
@@ -80,10 +129,7 @@ static error_t parse_line_option(struct render_options *o, int key, char *arg) {
     return 0;
   case CREASE:
     o->given[HSR_LINES] = "--crease";
-    if (!parse_number(arg, &o->crease) || o->crease < 0 || o->crease > 180)
-      return option_fail(&o->base, "--crease %s: must be degrees, 0 to 180",
-                         arg);
-    return 0;
+    return parse_crease(&o->crease, arg, &o->base);
   default:
     return ARGP_ERR_UNKNOWN;
   }
@@ -159,10 +205,13 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 'S':
   case SHADE:
   case WORK:
+  case BACKGROUND:
     return parse_face_option(o, key, arg);
   case HIDDEN:
   case CREASE:
     return parse_line_option(o, key, arg);
+  case WIDTH:
+    return parse_width(o, arg);
   case PASSES:
     o->passes = arg;
     return 0;
@@ -230,6 +279,10 @@ static const struct argp_option entries[] = {
      2},
     {"supersample", 'S', "N", 0,
      "N x N samples a pixel, averaged (colours only)", 2},
+    {"background", BACKGROUND, "COLOUR", 0,
+     "white, R,G,B (each 0 to 255), or none: transparent, in .png files "
+     "(standard: a dark blue grey)",
+     2},
     {NULL, 0, NULL, 0, "Where it draws in passes:", 4},
     {"passes", PASSES, "FILE", 0,
      "write the picture after each pass; FILE has %d in the place of the "
@@ -253,6 +306,12 @@ static const struct argp_option entries[] = {
     {"crease", CREASE, "DEG", 0,
      "leave out edges whose two faces turn by at most DEG degrees, except "
      "contour edges",
+     3},
+    {"width", WIDTH, "LENGTH", 0,
+     "how wide the page of .svg and .pdf files is, as 85mm (or cm, in, pt, "
+     "px); "
+     "lines are as wide as on any other page (standard: a pixel, 1/96 in, for "
+     "each sample)",
      3},
     {0}};
 
@@ -284,10 +343,14 @@ static enum hsr_status check_kind(const struct render_options *o,
                                   struct hsr_error *err) {
   const struct hsr_algorithm *a = variant->listed->plain;
   const struct hsr_answer_type *kind = variant->choice.form.type;
-  for (int k = 0; k < HSR_N_TAKES; k++)
-    if (o->given[k] && !(kind->takes & 1u << k))
-      return hsr_fail(err, HSR_E_USAGE, "%s is not for %s, which %s draws",
-                      o->given[k], kind->draws, variant->name);
+  char hint[MOST_HINT];
+  for (int k = 0; k < HSR_N_TAKES; k++) {
+    if (!o->given[k] || kind->takes & 1u << k)
+      continue;
+    hint_taker(variant, k, hint);
+    return hsr_fail(err, HSR_E_USAGE, "%s is not for %s, which %s draws%s",
+                    o->given[k], kind->draws, variant->name, hint);
+  }
   if (o->work && (!kind->by_places || hsr_choice_folds(a, &variant->choice)))
     return hsr_fail(err, HSR_E_USAGE,
                     "--work is only for samples drawn in one picture; %s draws "
@@ -296,10 +359,14 @@ static enum hsr_status check_kind(const struct render_options *o,
   if (o->work && ranks_count() > 1)
     return hsr_fail(err, HSR_E_USAGE, "--work is for one rank, not for %d",
                     ranks_count());
-  for (int k = 0; k < o->n_outputs; k++)
-    if (!kind->fits(o->output[k]))
-      return hsr_fail(err, HSR_E_USAGE, "%s: cannot hold %s, which %s draws",
-                      o->output[k], kind->draws, a->name);
+  for (int k = 0; k < o->n_outputs; k++) {
+    if (kind->fits(o->output[k]))
+      continue;
+    hint_writer(variant, o->output[k], hint);
+    return hsr_fail(err, HSR_E_USAGE,
+                    "%.200s: cannot hold %s, which %s draws%s", o->output[k],
+                    kind->draws, a->name, hint);
+  }
   return HSR_OK;
 }
 
@@ -331,8 +398,31 @@ static enum hsr_status check_series(const struct render_options *o,
 }
 
 static bool is_exr(const char *path) {
-  size_t length = strlen(path);
-  return length > 4 && !strcmp(path + length - 4, ".exr");
+  return hsr_ends_in(path, ".exr");
+}
+
+/* Checks that each file can be what is asked for. */
+static enum hsr_status check_files(const struct render_options *o,
+                                   const struct hsr_variant *variant,
+                                   struct hsr_error *err) {
+  const struct hsr_answer_type *kind = variant->choice.form.type;
+  if (o->no_background && kind != HSR_IDS)
+    return hsr_fail(err, HSR_E_USAGE,
+                    "--background none is not for %s, which %s draws",
+                    kind->draws, variant->name);
+  for (int k = 0; k < o->n_outputs; k++) {
+    if (o->no_background && !hsr_ends_in(o->output[k], ".png"))
+      return hsr_fail(err, HSR_E_USAGE,
+                      "%.200s: --background none is for .png files",
+                      o->output[k]);
+    if (o->page.width > 0 && !hsr_ends_in(o->output[k], ".svg") &&
+        !hsr_ends_in(o->output[k], ".pdf"))
+      return hsr_fail(err, HSR_E_USAGE,
+                      "%.200s: --width is for .svg and .pdf files; --size is "
+                      "the pixels of others",
+                      o->output[k]);
+  }
+  return HSR_OK;
 }
 
 /* Whether a tile of the picture can be made alone: ids, and colours that do not
@@ -369,12 +459,13 @@ static enum hsr_status check_tiles(const struct render_options *o,
                     "patterns begin at the corner of the picture");
   if (o->n_outputs != 1 || !is_exr(o->output[0]))
     return hsr_fail(err, HSR_E_USAGE, "--tiles needs one -o FILE.exr");
-  if (is_series(o) || o->work || o->given[HSR_SHADING] || o->supersamples > 1)
+  if (is_series(o) || o->work || o->given[HSR_SHADING] || o->supersamples > 1 ||
+      o->has_background)
     return hsr_fail(
         err, HSR_E_USAGE,
         "--tiles makes the picture of one view; it does not go with "
-        "--views, --orbit, --frames, --work, --shade or "
-        "--supersample");
+        "--views, --orbit, --frames, --work, --shade, --supersample or "
+        "--background");
   return HSR_OK;
 }
 
@@ -389,11 +480,12 @@ static enum hsr_status check_parts(const struct render_options *o,
     return hsr_fail(err, HSR_E_USAGE,
                     "--sort-last is not for %s, which %s draws", kind->draws,
                     variant->name);
-  if (is_series(o) || o->tile || o->work || o->shading == HSR_SHADE_GOURAUD)
+  if (is_series(o) || o->tile || o->work || o->has_background ||
+      o->shading == HSR_SHADE_GOURAUD)
     return hsr_fail(err, HSR_E_USAGE,
                     "--sort-last makes one picture; it does not go with "
-                    "--views, --orbit, --frames, --tiles, --work or --shade "
-                    "gouraud");
+                    "--views, --orbit, --frames, --tiles, --work, "
+                    "--background or --shade gouraud");
   return HSR_OK;
 }
 
@@ -410,11 +502,14 @@ enum hsr_status render_parse(int argc, char **argv, struct render_options *o,
   if (status)
     return status;
   o->given[HSR_PALETTE] = o->view.camera.palette ? "--palette" : NULL;
+  o->given[HSR_LIGHTING] = light_option(&o->view.camera);
   status = hsr_variant_parse(o->algorithm, variant, err);
   if (!status)
     status = aim_scene(&o->scene, &o->view, err);
   if (!status)
     status = check_series(o, err);
+  if (!status)
+    status = check_files(o, variant, err);
   if (!status)
     status = check_tiles(o, variant, err);
   if (!status)

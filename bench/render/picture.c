@@ -48,14 +48,19 @@ enum hsr_status draw_picture(struct render *r, struct hsr_error *err) {
 
 struct hsr_showing showing_of(const struct render *r) {
   const struct render_options *o = r->options;
-  return (struct hsr_showing){.world = &r->world,
-                              .view = &r->view,
-                              .scene = o->scene.name,
-                              .shading = o->shading,
-                              .depth = true,
-                              .supersamples = (int)o->supersamples,
-                              .hidden = o->hidden,
-                              .crease = o->crease};
+  return (struct hsr_showing){
+      .world = &r->world,
+      .view = &r->view,
+      .scene = o->scene.name,
+      .shading = o->shading,
+      .depth = true,
+      .supersamples = (int)o->supersamples,
+      .hidden = o->hidden,
+      .crease = o->crease,
+      .page = o->page,
+      .background = {o->has_background,
+                     o->no_background,
+                     {o->background[0], o->background[1], o->background[2]}}};
 }
 
 /* Does what comes between drawing and writing. */

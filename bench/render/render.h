@@ -19,6 +19,9 @@ struct render_options {
   enum hsr_shading shading;
   enum hsr_hidden hidden;
   double crease; /* degrees; negative: all edges */
+  struct hsr_page page;
+  bool has_background, no_background;
+  float background[3]; /* linear */
   /* For each of HSR_SHADING, ...: the last option given that only kinds of
    * answers which take account of it accept; or NULL. */
   const char *given[HSR_N_TAKES];
@@ -106,6 +109,15 @@ void render_close(struct render *r);
 enum hsr_status check_passes(const struct render_options *options,
                              const struct hsr_variant *variant,
                              struct hsr_error *err);
+
+/* For an error: which algorithms draw what takes account of a setting,
+ * HSR_SHADING and so on; or what fits the file of a drawing. "": none is
+ * named. */
+enum { MOST_HINT = 200 };
+void hint_taker(const struct hsr_variant *variant, int takes,
+                char text[MOST_HINT]);
+void hint_writer(const struct hsr_variant *variant, const char *path,
+                 char text[MOST_HINT]);
 
 /* For struct hsr_passes: tells of a pass and writes its files. `whom` is a
  * struct render; what fails first is left in its pass_status. */

@@ -11,13 +11,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { KEYS = 0x200, SCREENSHOT };
+enum { KEYS = 0x200, SCREENSHOT, CREASE };
 
 struct options {
   struct option_base base;
   struct view_options view;
   struct scene_options scene;
-  const char *algorithms, *keys, *screenshot;
+  const char *algorithms, *keys, *screenshot, *crease_word;
+  double crease;
   long threads;
 };
 
@@ -32,6 +33,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     if (!parse_count(arg, 1, 64, &o->threads))
       return option_fail(&o->base, "--jobs %s: must be 1 to 64", arg);
     return 0;
+  case CREASE:
+    o->crease_word = arg;
+    return parse_crease(&o->crease, arg, &o->base);
   case KEYS:
     o->keys = arg;
     return 0;
@@ -52,6 +56,10 @@ static const struct argp_option entries[] = {
      "zbuffer,watkins)",
      0},
     {"jobs", 'J', "N", 0, "threads (standard: 1)", 0},
+    {"crease", CREASE, "DEG", 0,
+     "leave out edges of line drawings whose two faces turn by at most DEG "
+     "degrees, except contour edges",
+     0},
     {"keys", KEYS, "LIST", 0,
      "press these keys: n,w,... and drag:X:Y:X:Y (also pan, zoom), click:X:Y, "
      "wheel:N, wait:MS, shot:FILE",
@@ -171,9 +179,9 @@ bool viewer_choose(struct viewer *v, const char *name) {
   struct player *player = calloc(1, sizeof *player);
   char full[HSR_MOST_VARIANT + 16];
   snprintf(full, sizeof full, "%s%s", name, v->filtered ? ":filter=box" : "");
-  enum hsr_status status = player ? player_open(player, full, PLAYER_PLAIN,
-                                                v->threads, v->scene, &err)
-                                  : hsr_fail_nomem(&err);
+  enum hsr_status status =
+      player ? player_open(player, full, PLAYER_PLAIN, v, &err)
+             : hsr_fail_nomem(&err);
   if (status) {
     viewer_say(v, "%s", err.text);
     free(player);
@@ -350,13 +358,13 @@ static enum hsr_status open_all(struct viewer *v, struct options *o,
     v->player[k] = calloc(1, sizeof *v->player[k]);
   if (!v->player[0] || !v->player[1])
     return hsr_fail_nomem(err);
-  return player_open(v->player[0], v->first, PLAYER_PLAIN, v->threads, v->scene,
-                     err);
+  return player_open(v->player[0], v->first, PLAYER_PLAIN, v, err);
 }
 
 enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
   struct options o = {.view = {.view = 1, .m = 1280, .n = 720},
                       .algorithms = "zbuffer",
+                      .crease = -1,
                       .threads = 1};
   struct viewer *v = calloc(1, sizeof *v);
   if (!v)
@@ -370,6 +378,8 @@ enum hsr_status command_view(int argc, char **argv, struct hsr_error *err) {
   v->scene_name = o.scene.name;
   v->import = o.scene.import;
   v->threads = o.threads;
+  v->crease_word = o.crease_word;
+  v->crease = o.crease;
   v->coarse = 1;
   v->page = PAGE_TIMES;
 #if HSR_HAVE_WINDOW

@@ -69,8 +69,7 @@ static enum hsr_status draw_numbers(struct viewer *v,
   enum hsr_status status = HSR_OK;
   if (!counter->is_ready || counter->sort != PLAYER_WORKS ||
       strcmp(counter->variant.name, name) != 0)
-    status =
-        player_open(counter, name, PLAYER_WORKS, v->threads, v->scene, err);
+    status = player_open(counter, name, PLAYER_WORKS, v, err);
   if (!status)
     status = player_draw(counter, view, v->other, err);
   if (!status)
@@ -99,7 +98,7 @@ static enum hsr_status draw_lines(struct viewer *v, const struct hsr_view *view,
   const size_t n = 3 * (size_t)view->m * (size_t)view->n;
   enum hsr_status status = HSR_OK;
   if (!v->lines.is_ready)
-    status = player_open(&v->lines, "appel", PLAYER_PLAIN, 1, v->scene, err);
+    status = player_open(&v->lines, LINES_BY, PLAYER_PLAIN, v, err);
   unsigned char *paper = status ? NULL : malloc(n);
   if (!status && !paper)
     status = hsr_fail_nomem(err);
@@ -142,8 +141,7 @@ static enum hsr_status open_second(struct viewer *v, struct hsr_error *err) {
   if (v->comparison == COMPARE_NONE ||
       (second->is_ready && !strcmp(second->variant.name, v->second)))
     return HSR_OK;
-  return player_open(second, v->second, PLAYER_PLAIN, v->threads, v->scene,
-                     err);
+  return player_open(second, v->second, PLAYER_PLAIN, v, err);
 }
 
 /* What is equal is dimmed; the rest is red. */

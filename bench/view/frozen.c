@@ -96,8 +96,7 @@ static enum hsr_status make(struct frozen *f, struct hsr_error *err) {
   struct viewer *v = f->viewer;
   enum hsr_status status = viewer_view(v, v->m, v->coarse, &v->culled, err);
   if (!status)
-    status = player_open(&f->player, name_with_tree(v), PLAYER_COUNTS, 1,
-                         v->scene, err);
+    status = player_open(&f->player, name_with_tree(v), PLAYER_COUNTS, v, err);
   if (!status)
     status = hsr_world_open(&f->world, v->scene, MOST_FROZEN, err);
   if (!status && hsr_is_outline(&f->world))

@@ -3,6 +3,7 @@
 
 #include "bench/terminal/terminal.h"
 #include "common/files/scene_json.h"
+#include "common/scene/part.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -101,6 +102,87 @@ static void previous_view(struct viewer *v) {
   look_from(v, (v->view + v->scene->n_views - 1) % v->scene->n_views);
 }
 
+/* Where a direction is up in the scene: the axis that its first view has
+ * upmost, and the direction of its front, from which it is looked at. */
+static void find_up(const struct viewer *v, double up[3], double front[3]) {
+  const double *given = v->scene->views[0].up;
+  int axis = 0;
+  for (int k = 1; k < 3; k++)
+    axis = fabs(given[k]) > fabs(given[axis]) ? k : axis;
+  for (int k = 0; k < 3; k++) {
+    up[k] = k == axis ? copysign(1, given[k]) : 0;
+    front[k] = axis == 2 ? -(k == 1) : k == 2;
+  }
+}
+
+/* Looks at the whole scene from a side, with this direction up. */
+static void look_at_all(struct viewer *v, const double side[3],
+                        const double up[3]) {
+  const double degree = 3.14159265358979323846 / 180;
+  struct hsr_camera *c = &v->camera;
+  double centre[3], radius = hsr_scene_sphere(v->scene, centre);
+  const double shape = v->m < v->n ? (double)v->m / v->n : 1;
+  const double half = atan(shape * tan(c->fov / 2 * degree));
+  const double far = radius / sin(half);
+  if (!(radius > 0) || !isfinite(far))
+    return;
+  for (int k = 0; k < 3; k++) {
+    c->at[k] = centre[k];
+    c->eye[k] = centre[k] + far * side[k];
+    c->up[k] = up[k];
+  }
+  if (c->parallel > 0)
+    c->parallel = 2 * radius / shape;
+  v->library->camera(v->window, c);
+}
+
+static void look_front(struct viewer *v) {
+  double up[3], front[3];
+  find_up(v, up, front);
+  look_at_all(v, front, up);
+}
+static void look_right(struct viewer *v) {
+  double up[3], front[3], right[3];
+  find_up(v, up, front);
+  for (int k = 0; k < 3; k++) {
+    const int l = (k + 1) % 3, m = (k + 2) % 3;
+    right[k] = up[l] * front[m] - up[m] * front[l];
+  }
+  look_at_all(v, right, up);
+}
+static void look_top(struct viewer *v) {
+  double up[3], front[3], back[3];
+  find_up(v, up, front);
+  for (int k = 0; k < 3; k++)
+    back[k] = -front[k];
+  look_at_all(v, up, back);
+}
+
+/* The direction of the view stays. */
+static void fit(struct viewer *v) {
+  const struct hsr_camera before = v->camera;
+  double side[3], length = 0;
+  for (int k = 0; k < 3; k++)
+    side[k] = before.eye[k] - before.at[k];
+  length = hypot(hypot(side[0], side[1]), side[2]);
+  for (int k = 0; k < 3; k++)
+    side[k] /= length;
+  look_at_all(v, side, before.up);
+}
+
+/* What is up in the scene is up in the picture. */
+static void level(struct viewer *v) {
+  double front[3];
+  struct hsr_camera levelled = v->camera;
+  find_up(v, levelled.up, front);
+  if (hsr_camera_check(&levelled, NULL)) {
+    viewer_say(v, "there is no horizon in a view straight up or down");
+    return;
+  }
+  v->camera = levelled;
+  v->library->camera(v->window, &v->camera);
+}
+
 static void walk(struct viewer *v) {
   v->walking = !v->walking;
   v->comparison = v->comparison == COMPARE_BLINK ? COMPARE_NONE : v->comparison;
@@ -171,19 +253,44 @@ static void new_name(char name[40], const char *suffix) {
   while (!access(name, F_OK));
 }
 
+/* The options that decide which edges a drawing has. */
+static void line_options(const struct viewer *v, char text[100]) {
+  snprintf(text, 100, " --hidden dashed%s%.60s",
+           v->crease_word ? " --crease " : "",
+           v->crease_word ? v->crease_word : "");
+}
+
+/* The command that draws what the window shows, as a picture or as lines, to a
+ * file whose name is that of the camera with this suffix. */
+static void command_of(const struct viewer *v, const struct player *player,
+                       const char *name, const char *suffix, char *text,
+                       size_t size) {
+  char scene[TERMINAL_NAME], algorithm[TERMINAL_NAME], lines[100] = "";
+  if (player->render.kind == HSR_SEGMENTS)
+    line_options(v, lines);
+  snprintf(text, size,
+           "hsr render %s --camera %s%s%s -a %s%s -s %dx%d -o %.*s%s",
+           terminal_word(v->scene_name, scene, sizeof scene), v->camera_file,
+           v->import.drop_degenerate ? " --drop-degenerate" : "",
+           v->import.two_sided ? " --two-sided" : "",
+           terminal_word(name, algorithm, sizeof algorithm), lines,
+           v->m / v->coarse, v->n / v->coarse, (int)strlen(v->camera_file) - 5,
+           v->camera_file, suffix);
+}
+
 static void save_camera(struct viewer *v) {
   struct hsr_error err = {HSR_OK, ""};
-  char scene[TERMINAL_NAME], algorithm[TERMINAL_NAME];
+  char picture[2 * TERMINAL_NAME + 200], lines[2 * TERMINAL_NAME + 200] = "\n";
   new_name(v->camera_file, ".json");
-  if (hsr_cameras_json_write(&v->camera, 1, v->camera_file, &err))
+  if (hsr_cameras_json_write(&v->camera, 1, v->camera_file, &err)) {
     viewer_say(v, "%s", err.text);
-  else
-    viewer_say(
-        v, "hsr render %s --camera %s -a %s -s %dx%d -o %.*s.png",
-        terminal_word(v->scene_name, scene, sizeof scene), v->camera_file,
-        terminal_word(v->player[0]->variant.name, algorithm, sizeof algorithm),
-        v->m / v->coarse, v->n / v->coarse, (int)strlen(v->camera_file) - 5,
-        v->camera_file);
+    return;
+  }
+  command_of(v, v->player[0], v->player[0]->variant.name, ".png", picture,
+             sizeof picture);
+  if (v->has_lines && v->lines.is_ready)
+    command_of(v, &v->lines, LINES_BY, ".svg", lines + 1, sizeof lines - 1);
+  viewer_say(v, "%s%s", picture, lines[1] ? lines : "");
 }
 
 static void load_camera(struct viewer *v) {
@@ -236,6 +343,11 @@ static const struct key {
             {"v", "next view", next_view},
             {"V", "previous view", previous_view},
             {"space", "walk along the views", walk},
+            {"1", "look from the front", look_front},
+            {"2", "  from the right", look_right},
+            {"3", "  from the top", look_top},
+            {"a", "fit all in the window", fit},
+            {"u", "level the horizon", level},
             {"o", "parallel, or perspective", project},
             {"z", "freeze, and look from elsewhere", freeze},
             {"bracketleft", "coarser", coarser, "["},
@@ -270,8 +382,14 @@ void keys_help(char *text, size_t size) {
       n += (size_t)snprintf(text + n, size - n, "%-6s %s\n",
                             keys[k].label ? keys[k].label : keys[k].name,
                             keys[k].about);
-  if (n < size)
-    snprintf(text + n, size - n, "%-6s %s\n", "click", "the faces there");
+  static const char *const mouse[][2] = {
+      {"click", "the point and the faces there"},
+      {"drag", "turn; with ctrl roll, with shift or"},
+      {"", "  the middle button shift"},
+      {"wheel", "nearer or farther; so the right button"}};
+  for (size_t k = 0; k < sizeof mouse / sizeof *mouse && n < size; k++)
+    n += (size_t)snprintf(text + n, size - n, "%-6s %s\n", mouse[k][0],
+                          mouse[k][1]);
 }
 
 void keys_press(void *viewer, const char *name) {

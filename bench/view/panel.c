@@ -109,8 +109,8 @@ static void add_counts(struct viewer *v, char *text) {
     return;
   }
   if (!status)
-    status = player_open(counter, v->player[0]->variant.name, PLAYER_COUNTS,
-                         v->threads, v->scene, &err);
+    status = player_open(counter, v->player[0]->variant.name, PLAYER_COUNTS, v,
+                         &err);
   if (!status)
     status = player_draw(counter, &view, v->other, &err);
   if (status)

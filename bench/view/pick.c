@@ -22,6 +22,42 @@ static void add_face(struct viewer *v, const struct hsr_world *world,
       place.object->name, place.instance, depth);
 }
 
+/* The plane of a face. False: it is that of a grid, which is not laid out. */
+static bool find_plane(const struct hsr_world *world, uint32_t id,
+                       double normal[3], double anchor[3]) {
+  const struct hsr_mesh *mesh = &world->mesh;
+  if (!hsr_is_outline(world)) {
+    memcpy(normal, (double[]){mesh->nx[id], mesh->ny[id], mesh->nz[id]},
+           3 * sizeof *normal);
+    memcpy(anchor, (double[]){mesh->px[id], mesh->py[id], mesh->pz[id]},
+           3 * sizeof *anchor);
+    return true;
+  }
+  if (hsr_scene_lacks_faces(world->outline.scene))
+    return false;
+  hsr_place_plane(world, hsr_place_of(world, id), normal, anchor);
+  return true;
+}
+
+/* Where the ray of sample (i, j) meets the plane of a face. */
+static void add_point(struct viewer *v, const struct hsr_world *world,
+                      const struct hsr_view *view, uint32_t id, int i, int j) {
+  double normal[3], anchor[3], at[3], height = 0, slope = 0;
+  const double sx = hsr_sample_x(view, i), sy = hsr_sample_y(view, j);
+  if (!find_plane(world, id, normal, anchor))
+    return;
+  for (int k = 0; k < 3; k++) {
+    at[k] = view->ray[0][k] + sx * view->ray[1][k] + sy * view->ray[2][k];
+    slope += normal[k] * (view->parallel ? view->F[k] : at[k]);
+    height += normal[k] * (anchor[k] - view->E[k]);
+    height -= view->parallel ? normal[k] * at[k] : 0;
+  }
+  for (int k = 0; k < 3; k++)
+    at[k] = view->E[k] + (view->parallel ? at[k] + height / slope * view->F[k]
+                                         : height / slope * at[k]);
+  add(v, "  the point (%.6g, %.6g, %.6g)\n", at[0], at[1], at[2]);
+}
+
 /* The faces that cover sample (i, j), from front to back; how many. */
 static uint32_t find_faces(const struct hsr_screen *screen, int i, int j,
                            uint32_t *face, struct hsr_tally *tally) {
@@ -50,6 +86,8 @@ static enum hsr_status add_faces(struct viewer *v,
   if (!face || hsr_screen_make(&screen, world, view, &arena, &tally))
     status = hsr_fail_nomem(err);
   uint32_t n = status ? 0 : find_faces(&screen, i, j, face, &tally);
+  if (n)
+    add_point(v, world, view, face[0], i, j);
   for (uint32_t k = 0; k < n; k++)
     add_face(v, world, face[k],
              hsr_view_depth(view, hsr_depth(&screen, face[k], i, j)));
@@ -74,6 +112,7 @@ static void add_visible(struct viewer *v, const struct hsr_view *view, int i,
     return;
   }
   const struct hsr_place place = hsr_place_of(&p->render.world, id);
+  add_point(v, &p->render.world, view, id, i, j);
   add(v,
       "  face %u, object %s, instance %u; others are not known of so many "
       "faces\n",
@@ -94,7 +133,8 @@ void pick(struct viewer *v, int x, int y) {
   if (status || x < 0 || y < 0 || i >= view.m || j >= view.n)
     return;
   view.window = (struct hsr_window){i, j, i + 1, j + 1};
-  add(v, "sample (%d, %d), from front to back:\n", i, j);
+  add(v, "sample (%d, %d), from front to back; t: depth along the view\n", i,
+      j);
   if (hsr_is_outline(world))
     add_visible(v, &view, i, j);
   else

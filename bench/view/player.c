@@ -66,12 +66,12 @@ static enum hsr_status make_ready(struct player *p, struct hsr_scene *scene,
 }
 
 enum hsr_status player_open(struct player *p, const char *name,
-                            enum player_sort sort, long threads,
-                            struct hsr_scene *scene, struct hsr_error *err) {
+                            enum player_sort sort, const struct viewer *v,
+                            struct hsr_error *err) {
   player_close(p);
   p->options =
-      (struct render_options){.crease = -1,
-                              .threads = threads,
+      (struct render_options){.crease = v->crease,
+                              .threads = v->threads,
                               .supersamples = 1,
                               .n_outputs = 1,
                               .work = sort == PLAYER_WORKS ? "" : NULL};
@@ -80,7 +80,7 @@ enum hsr_status player_open(struct player *p, const char *name,
   if (!status)
     status = check(p, err);
   if (!status)
-    status = make_ready(p, scene, err);
+    status = make_ready(p, v->scene, err);
   if (status)
     player_close(p);
   p->is_ready = !status;
@@ -159,10 +159,12 @@ static enum hsr_status shade_lines(struct player *p,
   const size_t n = (size_t)view->m * (size_t)view->n;
   float *linear = malloc(3 * n * sizeof *linear);
   struct hsr_plot plot = {.n_strokes = 0};
-  enum hsr_status status =
-      linear ? hsr_plot_init(&plot, hsr_answer_drawing_of(&p->render.answer),
-                             &p->render.world, view, HSR_HIDDEN_DASHED, err)
-             : hsr_fail_nomem(err);
+  enum hsr_status status = linear ? HSR_OK : hsr_fail_nomem(err);
+  if (!status)
+    status = shade_picture(&p->render, err); /* without seams */
+  if (!status)
+    status = hsr_plot_init(&plot, hsr_answer_drawing_of(&p->render.answer),
+                           &p->render.world, view, HSR_HIDDEN_DASHED, err);
   if (!status)
     status = hsr_plot_raster(&plot, linear, err);
   if (!status)

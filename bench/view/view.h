@@ -15,12 +15,15 @@
 #define HSR_BENCH_VIEW_H
 
 #include "bench/render/render.h"
+#include "bench/terminal/terminal.h"
 #include "bench/view/window.h"
 
 /* --- Players -------------------------------------------------------------- */
 
 /* Which build, and whether it makes a work picture. */
 enum player_sort { PLAYER_PLAIN, PLAYER_COUNTS, PLAYER_WORKS };
+
+struct viewer;
 
 /* One algorithm that draws the scene. All zero: none is chosen. */
 struct player {
@@ -37,13 +40,14 @@ struct player {
   double draw_ms, shade_ms; /* of the last picture */
 };
 
-/* Makes an algorithm ready for a scene, which is borrowed: the plain build, the
- * counting one, or that with a work picture. Closes what the player was before.
+/* Makes an algorithm ready for the viewer's scene, which is borrowed, with its
+ * threads and crease: the plain build, the counting one, or that with a work
+ * picture. Closes what the player was before.
  * HSR_E_USAGE, also if the algorithm makes no picture, or no work picture;
  * HSR_E_REFUSED; HSR_E_NOMEM; HSR_E_INPUT. */
 enum hsr_status player_open(struct player *player, const char *name,
-                            enum player_sort sort, long threads,
-                            struct hsr_scene *scene, struct hsr_error *err);
+                            enum player_sort sort, const struct viewer *viewer,
+                            struct hsr_error *err);
 void player_close(struct player *player);
 
 /* Draws a view, m x n samples, as sRGB bytes: the picture that hsr render
@@ -71,12 +75,15 @@ enum comparison {
 enum page { PAGE_NONE, PAGE_TIMES, PAGE_STEPS, PAGE_TABLE, PAGE_HELP, N_PAGES };
 
 enum { MOST_COARSE = 8, MOST_PANEL = 8192 };
+#define LINES_BY "appel" /* the line drawing over the picture */
 
 struct viewer {
   const struct window_library *library;
   struct window *window;
   const char *scene_name; /* with its cameras; borrowed */
   struct hsr_import import;
+  const char *crease_word; /* of --crease, or NULL */
+  double crease;           /* degrees; negative: all edges */
   struct hsr_scene *scene;
   struct player *player[2]; /* the second is for comparisons; owned */
   struct player counter;    /* of the first, counting; or zbuffer */
@@ -99,7 +106,7 @@ struct viewer {
   struct hsr_view culled; /* the view that is frozen */
 
   unsigned char *rgb, *other; /* 3 m n bytes: of the window, and for a player */
-  char message[400], picked[2000];
+  char message[4 * TERMINAL_NAME + 400], picked[2000];
   char camera_file[40];
 
   bool stopped;

@@ -131,6 +131,14 @@ void hsr_answer_unpack(struct hsr_answer *answer, const struct hsr_window *w,
   visit_rows(answer, w, copy_in, &from);
 }
 
+void hsr_show_background(const struct hsr_showing *showing, const uint32_t *ids,
+                         size_t n, float *rgb) {
+  for (size_t k = 0; k < n && showing->background.given; k++)
+    if (ids[k] == HSR_BACKGROUND)
+      memcpy(rgb + 3 * k, showing->background.rgb,
+             sizeof showing->background.rgb);
+}
+
 void hsr_shaded_free(struct hsr_shaded *shaded) {
   free(shaded->rgb);
   free(shaded->depth);

@@ -16,6 +16,7 @@
 #include "common/grids/splatting.h"
 #include "common/base/count.h"
 #include "common/files/image.h"
+#include "common/files/page.h"
 #include "common/base/option.h"
 #include "common/voxels/voxels.h"
 #include "common/lines/drawing.h"
@@ -95,7 +96,18 @@ struct hsr_showing {
   int supersamples;       /* s: s x s samples are averaged; 1: none */
   enum hsr_hidden hidden; /* how hidden lines are drawn */
   double crease;          /* degrees; negative: all edges */
+  struct hsr_page page;   /* of .svg and .pdf files */
+  /* Where there is no face: a linear colour; or nothing, in a .png file of
+   * ids. */
+  struct {
+    bool given, none;
+    float rgb[3];
+  } background;
 };
+
+/* Gives m n places of a picture that show no face the background. */
+void hsr_show_background(const struct hsr_showing *showing, const uint32_t *ids,
+                         size_t n, float *rgb);
 
 /* An answer made visible. Owned by the caller, freed by hsr_shaded_free. */
 struct hsr_shaded {
@@ -107,8 +119,10 @@ void hsr_shaded_free(struct hsr_shaded *shaded);
 enum {
   HSR_SHADING,
   HSR_SUPERSAMPLES,
-  HSR_LINES,   /* hidden, crease */
-  HSR_PALETTE, /* of a grid */
+  HSR_LINES,    /* hidden, crease */
+  HSR_PALETTE,  /* of a grid */
+  HSR_LIGHTING, /* the view's light */
+  HSR_BACKDROP, /* background */
   HSR_N_TAKES
 };
 

@@ -100,8 +100,12 @@ static enum hsr_status shade(const struct hsr_answer *answer,
   shaded->rgb = malloc(3 * n * sizeof *shaded->rgb);
   if ((showing->depth && !shaded->depth) || !shaded->rgb)
     return hsr_fail_nomem(err);
-  return hsr_picture_finish(showing->world, showing->view, answer->body,
-                            showing->shading, shaded->depth, shaded->rgb, err);
+  enum hsr_status status =
+      hsr_picture_finish(showing->world, showing->view, answer->body,
+                         showing->shading, shaded->depth, shaded->rgb, err);
+  if (!status)
+    hsr_show_background(showing, answer->body, n, shaded->rgb);
+  return status;
 }
 
 /* The colours of s x s samples, averaged. */
@@ -121,6 +125,41 @@ static void average(const struct hsr_answer *answer, int s, const float *rgb,
       }
 }
 
+/* The colours without the background, which was black, and which share of each
+ * pixel's s x s samples shows a face. */
+static void uncover(const struct hsr_answer *answer, int s, float *rgb,
+                    float *alpha) {
+  const uint32_t *ids = answer->body;
+  int m = answer->m / s, n = answer->n / s;
+  for (int j = 0; j < n; j++)
+    for (int i = 0; i < m; i++) {
+      const size_t pixel = (size_t)j * (size_t)m + (size_t)i;
+      int covered = 0;
+      for (int k = 0; k < s * s; k++)
+        covered += ids[(size_t)(j * s + k / s) * (size_t)answer->m +
+                       (size_t)(i * s + k % s)] != HSR_BACKGROUND;
+      alpha[pixel] = (float)covered / (float)(s * s);
+      for (size_t c = 0; c < 3 && covered; c++)
+        rgb[3 * pixel + c] /= alpha[pixel];
+    }
+}
+
+static enum hsr_status write_uncovered(const struct hsr_answer *answer,
+                                       const struct hsr_showing *showing,
+                                       float *rgb, const char *path,
+                                       struct hsr_error *err) {
+  int s = showing->supersamples, m = answer->m / s, n = answer->n / s;
+  float *alpha = malloc((size_t)m * (size_t)n * sizeof *alpha);
+  if (!alpha)
+    return hsr_fail_nomem(err);
+  uncover(answer, s, rgb, alpha);
+  struct hsr_picture picture = {m, n, NULL, NULL, rgb};
+  enum hsr_status status =
+      hsr_image_write_alpha(path, &picture, alpha, showing->text, err);
+  free(alpha);
+  return status;
+}
+
 static enum hsr_status write_averaged(const struct hsr_answer *answer,
                                       const struct hsr_showing *showing,
                                       const struct hsr_shaded *shaded,
@@ -131,7 +170,10 @@ static enum hsr_status write_averaged(const struct hsr_answer *answer,
     return hsr_fail_nomem(err);
   average(answer, s, shaded->rgb, rgb);
   struct hsr_picture picture = {m, n, NULL, NULL, rgb};
-  enum hsr_status status = hsr_image_write(path, &picture, showing->text, err);
+  enum hsr_status status =
+      showing->background.none
+          ? write_uncovered(answer, showing, rgb, path, err)
+          : hsr_image_write(path, &picture, showing->text, err);
   free(rgb);
   return status;
 }
@@ -140,7 +182,7 @@ static enum hsr_status write(const struct hsr_answer *answer,
                              const struct hsr_showing *showing,
                              struct hsr_shaded *shaded, const char *path,
                              struct hsr_error *err) {
-  if (showing->supersamples > 1)
+  if (showing->supersamples > 1 || showing->background.none)
     return write_averaged(answer, showing, shaded, path, err);
   struct hsr_picture picture = {answer->m, answer->n, answer->body,
                                 shaded->depth, shaded->rgb};
@@ -198,7 +240,7 @@ const struct hsr_answer_type hsr_answer_ids = {
     .grains = "samples",
     .by_windows = true,
     .by_places = true,
-    .takes = 1 << HSR_SHADING | 1 << HSR_SUPERSAMPLES,
+    .takes = 1 << HSR_SHADING | 1 << HSR_SUPERSAMPLES | 1 << HSR_BACKDROP,
     .make = make,
     .unset = unset,
     .free = free_body,

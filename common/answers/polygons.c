@@ -10,6 +10,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <string.h>
 
 struct hsr_polygons *hsr_answer_polygons_of(const struct hsr_answer *answer) {
   return answer->form.type == &hsr_answer_polygons ? answer->body : NULL;
@@ -72,6 +73,8 @@ static enum hsr_status shade(const struct hsr_answer *answer,
     status =
         hsr_picture_finish(showing->world, showing->view, ids, showing->shading,
                            shaded->depth, shaded->rgb, err);
+  if (!status)
+    hsr_show_background(showing, ids, n, shaded->rgb);
   free(ids);
   return status;
 }
@@ -89,6 +92,9 @@ static enum hsr_status write_plot(const struct hsr_answer *answer,
   enum hsr_status status =
       hsr_plot_init_polygons(&plot, answer->body, showing->world, showing->view,
                              showing->shading, err);
+  if (showing->background.given)
+    memcpy(plot.paper, showing->background.rgb, sizeof plot.paper);
+  plot.page = showing->page;
   plot.title = showing->title;
   plot.description = showing->description;
   if (!status)
@@ -180,7 +186,7 @@ const struct hsr_answer_type hsr_answer_polygons = {
     .draws = "polygons",
     .places = "faces",
     .grains = "pixels",
-    .takes = 1 << HSR_SHADING,
+    .takes = 1 << HSR_SHADING | 1 << HSR_BACKDROP,
     .make = make,
     .clear = clear,
     .free = free_body,

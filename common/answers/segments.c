@@ -95,6 +95,7 @@ static enum hsr_status write(const struct hsr_answer *answer,
   struct hsr_plot plot;
   enum hsr_status status = hsr_plot_init(&plot, answer->body, showing->world,
                                          showing->view, showing->hidden, err);
+  plot.page = showing->page;
   plot.title = showing->title;
   plot.description = showing->description;
   if (!status)

@@ -242,6 +242,7 @@ const struct hsr_answer_type hsr_answer_shadowed = {
     .draws = "shadows",
     .places = "samples",
     .grains = "samples",
+    .takes = 1 << HSR_LIGHTING,
     .options = options,
     .by_windows = true,
     .by_places = true,

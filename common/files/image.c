@@ -14,6 +14,15 @@ enum hsr_status hsr_image_write(const char *path,
   return images ? images->write(path, picture, text, err) : HSR_E_INPUT;
 }
 
+enum hsr_status hsr_image_write_alpha(const char *path,
+                                      const struct hsr_picture *picture,
+                                      const float *alpha, const char *text,
+                                      struct hsr_error *err) {
+  const struct hsr_image_library *images = load(err);
+  return images ? images->write_alpha(path, picture, alpha, text, err)
+                : HSR_E_INPUT;
+}
+
 enum hsr_status hsr_image_write_work(const char *path, int m, int n,
                                      const float *work, struct hsr_error *err) {
   const struct hsr_image_library *images = load(err);

@@ -22,6 +22,13 @@ enum hsr_status hsr_image_write(const char *path,
                                 const struct hsr_picture *picture,
                                 const char *text, struct hsr_error *err);
 
+/* Writes colours, of which the share alpha[k], 0 to 1, of pixel k is there, as
+ * .png, with 8 bits a channel. Fails as hsr_image_write. */
+enum hsr_status hsr_image_write_alpha(const char *path,
+                                      const struct hsr_picture *picture,
+                                      const float *alpha, const char *text,
+                                      struct hsr_error *err);
+
 /* Writes values from 0 to 1, m x n, through a perceptual colour ramp, dark to
  * bright. Not to .exr. Fails as hsr_image_write. */
 enum hsr_status hsr_image_write_ramp(const char *path, int m, int n,

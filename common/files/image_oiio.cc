@@ -169,6 +169,22 @@ void write_colours(const std::string &path, const hsr_picture &picture,
   write_file(path, spec, TypeDesc::UINT8, bytes.data());
 }
 
+/* With a fourth channel, by which the colours are not multiplied. */
+void write_with_alpha(const std::string &path, const hsr_picture &picture,
+                      const float *alpha, const char *text) {
+  ImageSpec spec(picture.m, picture.n, 4, TypeDesc::UINT8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  spec.attribute("oiio:UnassociatedAlpha", 1);
+  annotate(spec, text);
+  std::vector<unsigned char> bytes(4 * n_pixels(picture));
+  for (size_t k = 0; k < n_pixels(picture); k++) {
+    for (size_t c = 0; c < 3; c++)
+      bytes[4 * k + c] = byte_of(hsr_srgb_encode(picture.rgb[3 * k + c]));
+    bytes[4 * k + 3] = byte_of(alpha[k]);
+  }
+  write_file(path, spec, TypeDesc::UINT8, bytes.data());
+}
+
 /* Logarithmically to 1, over a factor of 256, since work is spread as unevenly
  * as that. */
 std::vector<float> to_its_most(int m, int n, const float *work) {
@@ -223,6 +239,12 @@ enum hsr_status write(const char *path, const struct hsr_picture *picture,
           write_colours(path, *picture, text);
       },
       err);
+}
+
+enum hsr_status write_alpha(const char *path, const struct hsr_picture *picture,
+                            const float *alpha, const char *text,
+                            struct hsr_error *err) {
+  return guarded([&] { write_with_alpha(path, *picture, alpha, text); }, err);
 }
 
 enum hsr_status write_bright(const char *path, int m, int n, const float *x,
@@ -444,6 +466,6 @@ enum hsr_status join_tiles(const char *path, const struct hsr_tile_grid *tiling,
 
 extern "C" {
 extern const struct hsr_image_library hsr_images;
-const struct hsr_image_library hsr_images = {write, write_work, write_bright,
-                                             read,  write_tile, join_tiles};
+const struct hsr_image_library hsr_images = {
+    write, write_alpha, write_work, write_bright, read, write_tile, join_tiles};
 }

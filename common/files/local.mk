@@ -3,6 +3,7 @@ nobase_pkginclude_HEADERS += \
   %D%/colour_tiles.h \
   %D%/image.h \
   %D%/palette_json.h \
+  %D%/page.h \
   %D%/plot.h \
   %D%/scene_json.h \
   %D%/whole_file.h

@@ -129,6 +129,11 @@ void hsr_plot_free(struct hsr_plot *plot) {
   plot->fill = NULL;
 }
 
+double hsr_plot_scale(const struct hsr_plot *plot) {
+  const struct hsr_page *page = &plot->page;
+  return page->width > 0 ? page->width * page->pixels / plot->m : 1;
+}
+
 size_t hsr_plot_run(const struct hsr_plot *plot, size_t k) {
   size_t n = 1;
   while (k + n < plot->n_strokes &&

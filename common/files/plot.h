@@ -9,6 +9,7 @@
 #ifndef HSR_COMMON_PLOT_H
 #define HSR_COMMON_PLOT_H
 
+#include "common/files/page.h"
 #include "common/lines/drawing.h"
 #include "common/lines/polygons.h"
 #include "common/view/picture.h"
@@ -39,6 +40,7 @@ struct hsr_fill {
 
 struct hsr_plot {
   int m, n;
+  struct hsr_page page;
   const struct hsr_pen *pen; /* n_pens, the visible one first */
   uint32_t n_pens;
   struct hsr_stroke *stroke; /* n_strokes; the last pen's first, so that what
@@ -74,6 +76,9 @@ enum hsr_status hsr_plot_init_polygons(struct hsr_plot *plot,
                                        enum hsr_shading shading,
                                        struct hsr_error *err);
 void hsr_plot_free(struct hsr_plot *plot);
+
+/* Pixels of the page, at 96 an inch, for each of the picture. */
+double hsr_plot_scale(const struct hsr_plot *plot);
 
 /* How many strokes, from number k on, share the pen and object of stroke k. */
 size_t hsr_plot_run(const struct hsr_plot *plot, size_t k);

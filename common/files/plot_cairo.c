@@ -17,10 +17,12 @@ static enum hsr_status judge(cairo_status_t said, const char *path,
                   path ? path : "cairo", cairo_status_to_string(said));
 }
 
-static void set_pen(cairo_t *cairo, const struct hsr_pen *pen) {
-  cairo_set_line_width(cairo, pen->width);
+/* A unit of the page is `wide` units of the drawing. */
+static void set_pen(cairo_t *cairo, const struct hsr_pen *pen, double wide) {
+  const double dash = wide * pen->dash;
+  cairo_set_line_width(cairo, wide * pen->width);
   cairo_set_source_rgb(cairo, pen->grey, pen->grey, pen->grey);
-  cairo_set_dash(cairo, &pen->dash, pen->dash > 0, 0);
+  cairo_set_dash(cairo, &dash, dash > 0, 0);
 }
 
 /* Strokes of one pen and object; a path of too many is slow to fill. */
@@ -63,11 +65,13 @@ static void fill_regions(cairo_t *cairo, const struct hsr_plot *plot) {
   }
 }
 
-/* Draws on a surface, pixel for unit, and finishes it. */
+/* Draws on a surface, of which a pixel of the page is `unit`, and finishes it.
+ */
 static cairo_status_t draw(const struct hsr_plot *plot,
-                           cairo_surface_t *surface, double scale) {
+                           cairo_surface_t *surface, double unit,
+                           double scale) {
   cairo_t *cairo = cairo_create(surface);
-  cairo_scale(cairo, scale, scale);
+  cairo_scale(cairo, unit * scale, unit * scale);
   set_colour(cairo, plot->paper);
   cairo_paint(cairo);
   if (plot->polygons)
@@ -76,7 +80,7 @@ static cairo_status_t draw(const struct hsr_plot *plot,
   cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
   for (size_t k = 0, n; k < plot->n_strokes; k += n) {
     n = hsr_plot_run(plot, k);
-    set_pen(cairo, &plot->pen[plot->stroke[k].pen]);
+    set_pen(cairo, &plot->pen[plot->stroke[k].pen], 1 / scale);
     draw_run(cairo, plot->stroke + k, n);
   }
   cairo_status_t said = cairo_status(cairo);
@@ -93,19 +97,20 @@ static cairo_status_t append(void *stream, const unsigned char *data,
 enum hsr_status hsr_plot_write_pdf(const struct hsr_plot *plot,
                                    const char *path, struct hsr_error *err) {
   const double points = 0.75; /* a pixel, at 96 pixels an inch */
+  const double scale = hsr_plot_scale(plot);
   struct hsr_whole_file file;
   enum hsr_status status = hsr_whole_file_open(&file, path, err);
   if (status)
     return status;
   cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(
-      append, file.stream, points * plot->m, points * plot->n);
+      append, file.stream, points * scale * plot->m, points * scale * plot->n);
   if (plot->title)
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE,
                                    plot->title);
   if (plot->description)
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_SUBJECT,
                                    plot->description);
-  cairo_status_t said = draw(plot, surface, points);
+  cairo_status_t said = draw(plot, surface, points, scale);
   cairo_surface_finish(surface);
   if (said == CAIRO_STATUS_SUCCESS)
     said = cairo_surface_status(surface);
@@ -132,7 +137,7 @@ enum hsr_status hsr_plot_raster(const struct hsr_plot *plot, float *rgb,
                                 struct hsr_error *err) {
   cairo_surface_t *surface =
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, plot->m, plot->n);
-  cairo_status_t said = draw(plot, surface, 1);
+  cairo_status_t said = draw(plot, surface, 1, 1);
   cairo_surface_flush(surface);
   if (said == CAIRO_STATUS_SUCCESS)
     said = cairo_surface_status(surface);

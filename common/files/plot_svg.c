@@ -53,13 +53,14 @@ static void put_element(FILE *out, const char *name, const char *text) {
   fprintf(out, "</%s>", name);
 }
 
-/* Coordinates are whole thousandths of a pixel. */
+/* Coordinates are whole thousandths of a pixel of the page. */
 struct place {
   long x, y;
 };
 
-static struct place place_of(const double at[2]) {
-  return (struct place){lround(1000 * at[0]), lround(1000 * at[1])};
+static struct place place_of(const struct hsr_plot *plot, const double at[2]) {
+  const double scale = 1000 * hsr_plot_scale(plot);
+  return (struct place){lround(scale * at[0]), lround(scale * at[1])};
 }
 
 static void put_number(FILE *out, long thousandths) {
@@ -88,7 +89,7 @@ static void put_path(FILE *out, const struct hsr_plot *plot, size_t k,
           plot->pen[first->pen].name, first->object);
   struct place at = {-1, -1};
   for (const struct hsr_stroke *s = first; s < first + n; s++) {
-    struct place from = place_of(s->from), to = place_of(s->to);
+    struct place from = place_of(plot, s->from), to = place_of(plot, s->to);
     if (from.x != at.x || from.y != at.y)
       put_place(out, 'M', from);
     put_place(out, 'L', to);
@@ -128,7 +129,8 @@ static void put_region(FILE *out, const struct hsr_plot *plot, size_t r) {
   for (size_t c = region->first; c < region->first + region->n; c++) {
     const struct hsr_polygon_cycle *cycle = &p->cycle[c];
     for (size_t k = 0; k < cycle->n; k++)
-      put_place(out, k ? 'L' : 'M', place_of(p->side[cycle->first + k].at));
+      put_place(out, k ? 'L' : 'M',
+                place_of(plot, p->side[cycle->first + k].at));
     fputc('Z', out);
   }
   fputs("\"/>\n", out);
@@ -141,12 +143,26 @@ static void put_regions(FILE *out, const struct hsr_plot *plot) {
   fputs("</g>\n", out);
 }
 
+static void put_size(FILE *out, const struct hsr_plot *plot) {
+  const struct hsr_page *page = &plot->page;
+  const struct place corner = place_of(plot, (double[]){plot->m, plot->n});
+  if (page->width > 0)
+    fprintf(out, "width=\"%.6g%s\" height=\"%.6g%s\" viewBox=\"0 0 ",
+            page->width, page->unit, page->width * plot->n / plot->m,
+            page->unit);
+  else
+    fprintf(out, "width=\"%d\" height=\"%d\" viewBox=\"0 0 ", plot->m, plot->n);
+  put_number(out, corner.x);
+  fputc(' ', out);
+  put_number(out, corner.y);
+  fputs("\">\n", out);
+}
+
 static void put_plot(FILE *out, const struct hsr_plot *plot) {
-  fprintf(out,
-          "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-          "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" "
-          "width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\">\n",
-          plot->m, plot->n, plot->m, plot->n);
+  fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" ",
+        out);
+  put_size(out, plot);
   put_element(out, "title", plot->title);
   put_element(out, "desc", plot->description);
   fputs("\n<rect id=\"paper\" width=\"100%\" height=\"100%\" fill=\"", out);

@@ -364,7 +364,8 @@ static enum hsr_status add_face(struct reader *reader,
   if (status && !drop)
     return refuse(reader, place,
                   n < 3 ? "has fewer than 3 vertices"
-                        : "has the same vertex twice");
+                        : "has the same vertex twice; --drop-degenerate "
+                          "leaves such faces out");
   reader->import.n_dropped += status != HSR_OK;
   return HSR_OK;
 }
@@ -496,6 +497,7 @@ static enum hsr_status read_new_mesh(struct reader *reader, char *path) {
     return status;
   mesh->object = reader->scene->n_objects - 1;
   mesh->n_dropped = import.n_dropped;
+  memcpy(reader->import.notes, import.notes, sizeof import.notes);
   const struct hsr_object *object = &reader->scene->objects[mesh->object];
   mesh->name = strdup(object->name);
   mesh->one_sided = object->one_sided;
@@ -1151,12 +1153,14 @@ static enum hsr_status read_with(const struct reader *with,
                                  struct hsr_import *import) {
   struct reader reader = *with;
   if (import)
-    reader.import.drop_degenerate = import->drop_degenerate;
+    reader.import =
+        (struct hsr_import){.drop_degenerate = import->drop_degenerate,
+                            .two_sided = import->two_sided};
   enum hsr_status status = read_file(&reader, read_scene);
   free(reader.corners);
   forget_meshes(&reader);
   if (import)
-    import->n_dropped = reader.import.n_dropped;
+    *import = reader.import;
   return status;
 }
 

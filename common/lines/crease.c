@@ -102,26 +102,68 @@ static bool is_before(const struct side *side, struct hsr_edge_name edge) {
   return side->a < edge.a || (side->a == edge.a && side->b < edge.b);
 }
 
+/* The sides of the edges of a drawing, which is in the order of the
+ * definition. */
+struct walk {
+  struct sides sides;
+  size_t next; /* no side before it is of an edge that follows */
+  double least_cosine;
+};
+
+static enum hsr_status walk_begin(struct walk *walk,
+                                  const struct hsr_world *world,
+                                  const struct hsr_view *view, double degrees,
+                                  struct hsr_error *err) {
+  const double pi = 3.14159265358979323846;
+  *walk = (struct walk){.least_cosine = cos(degrees * (pi / 180))};
+  return find_sides(&walk->sides, world, view, err);
+}
+
+static bool is_seam(struct walk *walk, const struct hsr_world *world,
+                    struct hsr_edge_name edge) {
+  const struct sides *sides = &walk->sides;
+  size_t n = 0;
+  if (edge.implied)
+    return false;
+  while (walk->next < sides->n && is_before(&sides->side[walk->next], edge))
+    walk->next++;
+  const struct side *side = sides->side + walk->next;
+  while (walk->next + n < sides->n && is_of(&side[n], edge))
+    n++;
+  return !is_shown(world, side, n, walk->least_cosine);
+}
+
 enum hsr_status hsr_drawing_crease(struct hsr_drawing *drawing,
                                    const struct hsr_world *world,
                                    const struct hsr_view *view, double degrees,
                                    struct hsr_error *err) {
-  const double pi = 3.14159265358979323846;
-  struct sides sides;
-  enum hsr_status status = find_sides(&sides, world, view, err);
-  size_t kept = 0, s = 0;
-  for (size_t k = 0; k < drawing->n && !status; k++) {
-    struct hsr_edge_name edge = drawing->segment[k].edge;
-    while (!edge.implied && s < sides.n && is_before(&sides.side[s], edge))
-      s++;
-    size_t n = 0;
-    while (!edge.implied && s + n < sides.n && is_of(&sides.side[s + n], edge))
-      n++;
-    if (is_shown(world, sides.side + s, n, cos(degrees * (pi / 180))))
+  struct walk walk;
+  enum hsr_status status = walk_begin(&walk, world, view, degrees, err);
+  size_t kept = 0;
+  for (size_t k = 0; k < drawing->n && !status; k++)
+    if (!is_seam(&walk, world, drawing->segment[k].edge))
       drawing->segment[kept++] = drawing->segment[k];
-  }
   if (!status)
     drawing->n = kept;
-  free(sides.side);
+  free(walk.sides.side);
+  return status;
+}
+
+enum hsr_status hsr_drawing_count_seams(const struct hsr_drawing *drawing,
+                                        const struct hsr_world *world,
+                                        const struct hsr_view *view,
+                                        double degrees, size_t *seams,
+                                        size_t *edges, struct hsr_error *err) {
+  struct walk walk;
+  enum hsr_status status = walk_begin(&walk, world, view, degrees, err);
+  *seams = *edges = 0;
+  for (size_t k = 0; k < drawing->n && !status; k++) {
+    const struct hsr_edge_name *edge = &drawing->segment[k].edge;
+    if (k && !hsr_edge_name_compare(edge, &drawing->segment[k - 1].edge))
+      continue;
+    ++*edges;
+    *seams += is_seam(&walk, world, *edge);
+  }
+  free(walk.sides.side);
   return status;
 }

@@ -22,6 +22,13 @@ enum hsr_status hsr_drawing_crease(struct hsr_drawing *drawing,
                                    const struct hsr_view *view, double degrees,
                                    struct hsr_error *err);
 
+/* How many edges of a drawing are such seams, of how many. HSR_E_NOMEM. */
+enum hsr_status hsr_drawing_count_seams(const struct hsr_drawing *drawing,
+                                        const struct hsr_world *world,
+                                        const struct hsr_view *view,
+                                        double degrees, size_t *seams,
+                                        size_t *edges, struct hsr_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -20,6 +20,10 @@ void hsr_scene_extent_add(struct hsr_scene_extent *extent, const double p[3]);
 void hsr_scene_extent_centre(struct hsr_scene_extent *extent);
 void hsr_scene_extent_reach(struct hsr_scene_extent *extent, const double p[3]);
 
+/* Finds the centre of the bounding box of all instances' vertices, or of a
+ * grid's cells, and returns the greatest distance of one from it. */
+double hsr_scene_sphere(const struct hsr_scene *scene, double centre[3]);
+
 /* Which part is wanted, and what is known of it once it is made. */
 struct hsr_part {
   uint32_t number, of;     /* from 0 */

@@ -314,9 +314,15 @@ enum hsr_status hsr_camera_check(const struct hsr_camera *camera,
     normal =
         fmax(normal, fabs(f[(k + 1) % 3] / length * (u[(k + 2) % 3] / up) -
                           f[(k + 2) % 3] / length * (u[(k + 1) % 3] / up)));
-  if (!(normal > 1e-12))
-    return hsr_fail(err, HSR_E_INPUT, "camera: up runs along the view");
-  return HSR_OK;
+  if (normal > 1e-12)
+    return HSR_OK;
+  int across = 0; /* the axis that is farthest from the view */
+  for (int k = 1; k < 3; k++)
+    across = fabs(f[k]) < fabs(f[across]) ? k : across;
+  return hsr_fail(err, HSR_E_INPUT,
+                  "camera: up runs along the view, from eye to at; another up "
+                  "would do, as --up %d,%d,%d",
+                  across == 0, across == 1, across == 2);
 }
 
 /* |d|, also where squares underflow. */
@@ -372,9 +378,7 @@ add_instance(struct hsr_scene_extent *extent, const struct hsr_scene *scene,
   }
 }
 
-/* The centre of the bounding box of all instances' vertices, and the greatest
- * distance of a vertex from it. */
-static double bounding_sphere(const struct hsr_scene *scene, double centre[3]) {
+double hsr_scene_sphere(const struct hsr_scene *scene, double centre[3]) {
   if (scene->grid)
     return sphere_of_grid(scene->grid, centre);
   struct hsr_scene_extent extent;
@@ -389,7 +393,7 @@ static double bounding_sphere(const struct hsr_scene *scene, double centre[3]) {
 }
 
 enum hsr_status hsr_scene_add_orbit(struct hsr_scene *scene, unsigned n) {
-  double centre[3], radius = bounding_sphere(scene, centre);
+  double centre[3], radius = hsr_scene_sphere(scene, centre);
   return hsr_scene_add_orbit_around(scene, centre, radius, n);
 }
 
@@ -437,7 +441,8 @@ static enum hsr_status check_object(const struct hsr_object *object,
     if (!hsr_has_normal_for_certain(&loop) &&
         !hsr_exact_has_normal(loop, &out_of_memory))
       return hsr_fail(err, HSR_E_INPUT,
-                      "object %s: face %u has no area (its normal is zero)",
+                      "object %s: face %u has no area (its normal is zero); "
+                      "--drop-degenerate leaves such faces out",
                       object->name, f);
   }
   return out_of_memory ? hsr_fail_nomem(err) : HSR_OK;

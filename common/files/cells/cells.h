@@ -94,11 +94,16 @@ enum hsr_status hsr_world_write_obj(const struct hsr_world *world,
  * view. Faces are divided into triangles, which share no vertex. The attribute
  * _FACE of a vertex is the number of its face in the object, and a node's
  * `extras` tell the instance and the id of its first face. Coordinates are in
- * single precision. HSR_E_INPUT: the file cannot be written, or would be larger
+ * single precision. The matrices of nodes place them in the frame. HSR_E_INPUT: the file cannot be written, or would be larger
  * than 4 GB; HSR_E_REFUSED: a face cannot be divided into triangles;
  * HSR_E_NOMEM. */
-enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene, const char *path,
-                                    struct hsr_error *err);
+struct hsr_glb_frame {
+  double metres; /* a unit of the scene; 1: coordinates stay as they are */
+  bool z_up;     /* z becomes y, which is up in glTF, and y becomes -z */
+};
+enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene,
+                                    struct hsr_glb_frame frame,
+                                    const char *path, struct hsr_error *err);
 
 /* Divides the faces of a world that are no triangles, by the adapter of HSR_TR.
  * *changed is false if there are none; else *out is freed with hsr_world_free,

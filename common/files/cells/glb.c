@@ -21,6 +21,7 @@ enum { FLOAT = 5126, ARRAY_BUFFER = 34962 };
 
 struct glb {
   struct hsr_scene *scene;
+  struct hsr_glb_frame frame;
   json_t *meshes, *accessors, *views, *materials, *nodes, *cameras;
   size_t n_accessors, n_views, n_materials;
   FILE *bin; /* of all primitives */
@@ -216,6 +217,24 @@ static json_t *matrix(const double m[12]) {
   return numbers(column, 16);
 }
 
+/* A point or direction in the file's frame: from z up to y up, and scaled. Of a
+ * matrix of 3 x 4, column c. */
+static void to_frame(const struct glb *g, double scale, double *m, int c) {
+  const double x = m[c], y = m[4 + c], z = m[8 + c];
+  const bool turned = g->frame.z_up;
+  m[c] = scale * x;
+  m[4 + c] = scale * (turned ? z : y);
+  m[8 + c] = scale * (turned ? 0 - y : z);
+}
+
+static json_t *instance_matrix(const struct glb *g, uint32_t instance) {
+  double m[12];
+  memcpy(m, g->scene->instances[instance].m, sizeof m);
+  for (int c = 0; c < 4; c++)
+    to_frame(g, g->frame.metres, m, c);
+  return matrix(m);
+}
+
 static void add_instances(struct glb *g) {
   const struct hsr_scene *scene = g->scene;
   json_int_t first = 0, mesh = 0;
@@ -225,9 +244,8 @@ static void add_instances(struct glb *g) {
       if (n_faces)
         hsr_json_append(&g->nodes,
                         json_pack("{sI so s{sI sI}}", "mesh", mesh, "matrix",
-                                  matrix(scene->instances[i].m), "extras",
-                                  "instance", (json_int_t)i, "first_face",
-                                  first));
+                                  instance_matrix(g, i), "extras", "instance",
+                                  (json_int_t)i, "first_face", first));
       first += n_faces;
     }
     mesh += n_faces > 0;
@@ -252,15 +270,19 @@ static void add_camera(struct glb *g, uint32_t number) {
     m[4 * k + 2] = -view.F[k];
     m[4 * k + 3] = view.E[k];
   }
-  const double near = fmax(camera->near, distance / 1000);
+  const double metres = g->frame.metres;
+  for (int c = 0; c < 4; c++)
+    to_frame(g, c < 3 ? 1 : metres, m, c);
+  const double near = metres * fmax(camera->near, distance / 1000);
+  const double height = metres * camera->parallel;
   const double degree = 3.14159265358979323846 / 180;
   hsr_json_append(
       &g->cameras,
       view.parallel
           ? json_pack("{ss s{sf sf sf sf}}", "type", "orthographic",
-                      "orthographic", "xmag", camera->parallel / 2, "ymag",
-                      camera->parallel / 2, "znear", camera->near, "zfar",
-                      camera->near + 1000 * distance)
+                      "orthographic", "xmag", height / 2, "ymag", height / 2,
+                      "znear", metres * camera->near, "zfar",
+                      metres * (camera->near + 1000 * distance))
           : json_pack("{ss s{sf sf}}", "type", "perspective", "perspective",
                       "yfov", camera->fov * degree, "znear", near));
   hsr_json_append(&g->nodes,
@@ -330,12 +352,14 @@ static enum hsr_status write_file(struct glb *g, const char *path,
   return status;
 }
 
-enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene, const char *path,
-                                    struct hsr_error *err) {
+enum hsr_status hsr_scene_write_glb(struct hsr_scene *scene,
+                                    struct hsr_glb_frame frame,
+                                    const char *path, struct hsr_error *err) {
   enum hsr_status status = hsr_scene_make_faces(scene, err);
   if (status)
     return status;
   struct glb g = {.scene = scene,
+                  .frame = frame,
                   .meshes = json_array(),
                   .accessors = json_array(),
                   .views = json_array(),

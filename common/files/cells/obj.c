@@ -11,12 +11,32 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* In the fewest digits that read back as the same double. */
+static void print_real(double x, FILE *out) {
+  char text[40];
+  int digits = 15;
+  do
+    snprintf(text, sizeof text, "%.*g", digits++, x);
+  while (digits <= 17 && strtod(text, NULL) != x);
+  fprintf(out, " %s", text);
+}
+
+/* A linear colour in sRGB, in the fewest digits that read back as the same. */
+static void print_colour(float linear, FILE *out) {
+  const double encoded = (double)hsr_srgb_encode(linear);
+  char text[40];
+  int digits = 1;
+  do
+    snprintf(text, sizeof text, "%.*g", digits++, encoded);
+  while (digits <= 9 && hsr_srgb_decode((float)strtod(text, NULL)) != linear);
+  fprintf(out, " %s", text);
+}
+
 static void print_materials(const struct hsr_colours *colours, FILE *out) {
   for (uint32_t k = 0; k < colours->n; k++) {
     fprintf(out, "newmtl colour%u\nKd", k);
     for (int c = 0; c < 3; c++)
-      fprintf(out, " %.9g",
-              (double)hsr_srgb_encode(colours->rgb[3 * (size_t)k + (size_t)c]));
+      print_colour(colours->rgb[3 * (size_t)k + (size_t)c], out);
     fputs("\n", out);
   }
 }
@@ -27,6 +47,15 @@ static void print_word(const char *name, FILE *out) {
     fputc(*name > ' ' && *name < 127 ? *name : '_', out);
 }
 
+/* Whether the object of an instance has no other one. Those of an object follow
+ * one another. */
+static bool is_alone(const struct hsr_scene *scene, uint32_t instance) {
+  const uint32_t object = scene->instances[instance].object;
+  return !(instance && scene->instances[instance - 1].object == object) &&
+         !(instance + 1 < scene->n_instances &&
+           scene->instances[instance + 1].object == object);
+}
+
 /* The faces of one instance. `of` are the colours of its object's faces. */
 static void print_instance(const struct hsr_world *world, uint32_t instance,
                            const uint32_t *of, FILE *out) {
@@ -34,7 +63,10 @@ static void print_instance(const struct hsr_world *world, uint32_t instance,
   const uint32_t *first = world->outline.first + instance;
   fputs("o ", out);
   print_word(scene->objects[scene->instances[instance].object].name, out);
-  fprintf(out, "-%u\n", instance);
+  if (is_alone(scene, instance))
+    fputs("\n", out);
+  else
+    fprintf(out, "-%u\n", instance);
   for (uint32_t f = first[0]; f < first[1]; f++) {
     if (f == first[0] || of[f - first[0]] != of[f - first[0] - 1])
       fprintf(out, "usemtl colour%u\n", of[f - first[0]]);
@@ -50,8 +82,13 @@ static void print_mesh(const struct hsr_world *world, const char *materials,
   const struct hsr_scene *scene = world->outline.scene;
   const struct hsr_mesh *mesh = &world->mesh;
   fprintf(out, "mtllib %s\n", materials);
-  for (uint32_t v = 0; v < mesh->n_vertices; v++)
-    fprintf(out, "v %.17g %.17g %.17g\n", mesh->x[v], mesh->y[v], mesh->z[v]);
+  for (uint32_t v = 0; v < mesh->n_vertices; v++) {
+    fputs("v", out);
+    print_real(mesh->x[v], out);
+    print_real(mesh->y[v], out);
+    print_real(mesh->z[v], out);
+    fputs("\n", out);
+  }
   const uint32_t *of = colours->of;
   for (uint32_t o = 0, i = 0; o < scene->n_objects; o++) {
     for (; i < scene->n_instances && scene->instances[i].object == o; i++)

@@ -209,6 +209,8 @@ void read_soup(Mesh_file &file, bool drop, Mesh_builder &builder) {
   Soup soup;
   Mesh_extent extent;
   read(file, drop, soup, extent);
+  for (const std::string &note : extent.notes)
+    builder.note(note);
   file.memory.reset();
   build(soup, extent, builder);
 }
@@ -284,6 +286,12 @@ private:
   struct hsr_scene *scene_;
 };
 
+void add_note(struct hsr_import *import, const std::string &line) {
+  const size_t used = std::strlen(import->notes);
+  if (used + line.size() < sizeof import->notes)
+    std::memcpy(import->notes + used, line.c_str(), line.size() + 1);
+}
+
 void mesh_read(struct hsr_scene *scene, const char *path,
                struct hsr_import *import) {
   const bool drop = import && import->drop_degenerate;
@@ -302,10 +310,13 @@ void mesh_read(struct hsr_scene *scene, const char *path,
   bool solid = false;
   if (hsr_object_is_solid(workshop.object, &solid))
     throw std::bad_alloc();
-  workshop.object->one_sided = solid;
+  workshop.object->one_sided = solid && !(import && import->two_sided);
   workshop.deliver(scene);
-  if (import)
-    import->n_dropped = builder.n_dropped();
+  if (!import)
+    return;
+  import->n_dropped = builder.n_dropped();
+  for (const std::string &note : builder.notes())
+    add_note(import, std::string(hsr::shown_path(path)) + ": " + note + "\n");
 }
 
 /* ---- Solids ---- */

@@ -3,10 +3,12 @@
  * drawings (.vtp) and voxels (.vti), written through VTK.
  *
  * Polygons are kept as polygons. A mesh that is closed and consistently
- * oriented outward becomes a one-sided object, any other a two-sided one.
+ * oriented outward becomes a one-sided object, any other a two-sided one;
+ * with hsr_import.two_sided, it becomes a two-sided one, too.
  *
- * A face has its own colour (.off .ply), or that of its material (.obj with its
- * .mtl), or the mean of its vertices' (.ply .obj), or else the object's. */
+ * A face has its own colour (.off .ply, and .vtp of hsr export), or that of its
+ * material (.obj with its .mtl), or the mean of its vertices' (.ply .obj), or
+ * else the object's. */
 #ifndef HSR_COMMON_EXCHANGE_H
 #define HSR_COMMON_EXCHANGE_H
 
@@ -21,7 +23,11 @@ extern "C" {
 struct hsr_import {
   bool drop_degenerate; /* leave out, and count, faces that cannot be used,
                            rather than refuse the file */
+  bool two_sided;       /* a mesh has the faces that turn their backs to the eye
+                           even if it is closed */
   uint64_t n_dropped;   /* out: how many were left out */
+  char notes[1000];     /* out: what else was passed over, a line for each sort;
+                           what has no room is left out */
 };
 
 /* Appends the mesh in `path` to the scene as one object named after the file,

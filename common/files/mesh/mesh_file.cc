@@ -187,7 +187,7 @@ void Mesh_builder::face(const uint32_t *vertices, size_t n, const float *rgb) {
       refuse_element(path_, "face", number, "names a vertex that is not there");
   refuse_element(path_, "face", number,
                  n < 3                        ? "has fewer than 3 vertices"
-                 : is_degenerate(vertices, n) ? "has the same vertex twice"
+                 : is_degenerate(vertices, n) ? TWICE
                                               : "is one more than can be held");
 }
 

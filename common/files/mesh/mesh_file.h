@@ -50,6 +50,10 @@ const char *shown_path(const char *path);
 /* At most 24 printable characters of a word, for a message. */
 std::string shown_word(std::string_view word);
 
+/* Of a face. */
+constexpr char TWICE[] =
+    "has the same vertex twice; --drop-degenerate leaves such faces out";
+
 /* A stream over bytes in memory. */
 class Memory_buffer : public std::streambuf {
 public:
@@ -80,6 +84,7 @@ struct Mesh_extent {
                              colour has NO_COLOUR */
   std::vector<float> vertex_rgb; /* 3 * n_vertices, linear; or empty */
   static constexpr float NO_COLOUR = -1;
+  std::vector<std::string> notes; /* what was passed over */
 };
 
 /* Each checks a whole file and throws Refused at the first thing that is wrong
@@ -104,6 +109,9 @@ public:
   void face(const uint32_t *vertices, size_t n, const float *rgb);
   /* Takes away the colours given so far. No more will be given. */
   void forget_colours();
+  /* Keeps a line about what was passed over in the file. */
+  void note(const std::string &text) { notes_.push_back(text); }
+  const std::vector<std::string> &notes() const { return notes_; }
   uint64_t n_dropped() const { return n_dropped_; }
   uint64_t n_given() const { return n_given_; }
 
@@ -114,6 +122,7 @@ private:
   const char *path_;
   bool drop_;
   uint64_t n_given_ = 0, n_dropped_ = 0;
+  std::vector<std::string> notes_;
 };
 
 /* Reads an .off file; throws as above. */

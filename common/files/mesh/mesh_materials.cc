@@ -60,6 +60,7 @@ void Materials::read_file(const std::string &path) {
     Rgb rgb;
     if (statement == "newmtl") {
       name = lines.rest();
+      defined_.insert(name);
       n++;
     } else if (statement == "Kd" && read_diffuse(lines, n, rgb)) {
       colours_[name] = rgb;
@@ -78,11 +79,42 @@ void Materials::read(const char *obj_path, const std::string &names) {
   for (std::string name; words >> name;)
     if (is_there(folder + name))
       read_file(folder + name);
+    else
+      missing_files_.insert(name);
 }
 
-const Rgb *Materials::find(const std::string &name) const {
+const Rgb *Materials::find(const std::string &name) {
   const auto found = colours_.find(name);
-  return found == colours_.end() ? nullptr : &found->second;
+  if (found != colours_.end())
+    return &found->second;
+  if (!defined_.count(name) &&
+      std::find(unknown_.begin(), unknown_.end(), name) == unknown_.end())
+    unknown_.push_back(name);
+  return nullptr;
+}
+
+namespace {
+
+/* "'a'", or "'a' and 2 more" */
+template <class Names> std::string first_of(const Names &names) {
+  std::string text = "'" + shown_word(*names.begin()) + "'";
+  if (names.size() > 1)
+    text += " and " + std::to_string(names.size() - 1) + " more";
+  return text;
+}
+
+} // namespace
+
+/* Without its file a material cannot be known. */
+std::vector<std::string> Materials::notes() const {
+  std::vector<std::string> notes;
+  if (!missing_files_.empty())
+    notes.push_back("there is no file " + first_of(missing_files_) +
+                    " of its materials, so faces lack their colours");
+  else if (!unknown_.empty())
+    notes.push_back("no .mtl file defines material " + first_of(unknown_) +
+                    ", so faces lack its colour");
+  return notes;
 }
 
 } // namespace hsr

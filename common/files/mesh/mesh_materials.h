@@ -5,8 +5,10 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hsr {
 
@@ -29,12 +31,17 @@ public:
   void read(const char *obj_path, const std::string &names);
 
   /* NULL: there is no such material, or it has no colour. */
-  const Rgb *find(const std::string &name) const;
+  const Rgb *find(const std::string &name);
+
+  /* What is missing, a line for each sort. */
+  std::vector<std::string> notes() const;
 
 private:
   void read_file(const std::string &path);
 
   std::map<std::string, Rgb, std::less<>> colours_;
+  std::set<std::string> defined_, missing_files_;
+  std::vector<std::string> unknown_; /* materials, in the order of their use */
 };
 
 } // namespace hsr

@@ -36,6 +36,7 @@ private:
   void statement();
   void vertex();
   void end_colours();
+  void note();
   void face();
   size_t corner(Word word);
   void check_parts(Word word, Word parts) const;
@@ -45,6 +46,7 @@ private:
   Face_checker checker_;
   Mesh_extent extent_;
   Materials materials_;
+  size_t n_lines_ = 0, n_points_ = 0, n_free_ = 0; /* passed over */
   const Rgb *material_ = nullptr;  /* of the faces that follow */
   std::vector<double> vertex_rgb_; /* of the first vertices, as they stand */
   /* Faces may name vertices that follow them: the highest number, and where it
@@ -137,9 +139,26 @@ void Obj_scan::statement() {
     if (std::find(std::begin(PASSED_OVER), std::end(PASSED_OVER), name) ==
         std::end(PASSED_OVER))
       lines_.refuse("'%s' is not a statement", shown_word(name).c_str());
+    n_lines_ += name == "l";
+    n_points_ += name == "p";
+    n_free_ += name == "surf" || name == "curv" || name == "curv2";
     Lines::blank(name);
     lines_.blank_rest();
   }
+}
+
+void Obj_scan::note() {
+  const auto passed_over = [&](size_t n, const char *statement,
+                               const char *what) {
+    if (n)
+      extent_.notes.push_back(std::to_string(n) + " statement" +
+                              (n > 1 ? "s" : "") + " '" + statement +
+                              "' passed over: " + what + " are not read");
+  };
+  extent_.notes = materials_.notes();
+  passed_over(n_lines_, "l", "lines");
+  passed_over(n_points_, "p", "points");
+  passed_over(n_free_, "curv' or 'surf", "free-form curves and surfaces");
 }
 
 /* Colours of vertices are kept if all have one. */
@@ -171,6 +190,7 @@ Mesh_extent Obj_scan::scan() {
                  highest_.face, highest_.vertex, extent_.n_vertices);
   if (!vertex_rgb_.empty())
     end_colours();
+  note();
   return std::move(extent_);
 }
 

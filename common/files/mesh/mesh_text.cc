@@ -208,7 +208,7 @@ const char *Face_checker::fault() {
     twice =
         std::adjacent_find(numbers_.begin(), numbers_.end()) != numbers_.end();
   }
-  return twice ? "has the same vertex twice" : nullptr;
+  return twice ? TWICE : nullptr;
 }
 
 } // namespace hsr

@@ -12,6 +12,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkExecutive.h>
 #include <vtkIdList.h>
 #include <vtkLogger.h>
@@ -19,6 +20,7 @@
 #include <vtkObject.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
@@ -57,7 +59,7 @@ public:
   void check(const Mesh_extent &extent) const;
 
 private:
-  void add_cells(vtkCellArray *cells, bool strips);
+  void add_cells(vtkCellArray *cells, bool strips, const unsigned char *rgb);
   void add_strip();
   void refuse() const { /* throws */
     sink_.refuse("VTK does not read what the file holds");
@@ -79,11 +81,21 @@ void Piece_builder::add(vtkPolyData *data) {
     sink_.vertex(p);
     found_.n_vertices++;
   }
-  add_cells(data->GetPolys(), false);
-  add_cells(data->GetStrips(), true);
+  auto *colours = vtkUnsignedCharArray::SafeDownCast(
+      data->GetCellData()->GetArray("colour"));
+  const vtkIdType n_polys = data->GetNumberOfPolys();
+  if (colours && (colours->GetNumberOfComponents() != 3 ||
+                  colours->GetNumberOfTuples() != n_polys ||
+                  data->GetNumberOfCells() != n_polys))
+    refuse();
+  add_cells(data->GetPolys(), false,
+            colours ? colours->GetPointer(0) : nullptr);
+  add_cells(data->GetStrips(), true, nullptr);
 }
 
-void Piece_builder::add_cells(vtkCellArray *cells, bool strips) {
+/* rgb: 3 bytes a cell, or NULL */
+void Piece_builder::add_cells(vtkCellArray *cells, bool strips,
+                              const unsigned char *rgb) {
   vtkNew<vtkIdList> ids;
   vtkIdType left = cells->GetNumberOfConnectivityIds();
   for (vtkIdType c = 0; c < cells->GetNumberOfCells(); c++) {
@@ -104,7 +116,7 @@ void Piece_builder::add_cells(vtkCellArray *cells, bool strips) {
     if (strips)
       add_strip();
     else
-      sink_.face(corners_.data(), corners_.size());
+      sink_.face(corners_.data(), corners_.size(), rgb ? rgb + 3 * c : nullptr);
   }
 }
 
@@ -113,7 +125,7 @@ void Piece_builder::add_strip() {
   for (size_t k = 2; k < corners_.size(); k++) {
     const uint32_t triangle[3] = {corners_[k - 2], corners_[k - 1 + k % 2],
                                   corners_[k - k % 2]};
-    sink_.face(triangle, 3);
+    sink_.face(triangle, 3, nullptr);
   }
 }
 

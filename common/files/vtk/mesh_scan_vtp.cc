@@ -8,8 +8,10 @@
 //             become spaces, and no byte moves. Every value of every array is
 //             decoded and checked here first (common/files/vtk/xml_array.h).
 // Departures  zlib is the only compressor; vertices and lines as cells are
-//             refused; point and cell data, fields and time steps are not read;
-//             all pieces have points of one type.
+//             refused; point and cell data, fields and time steps are not read,
+//             but for the colours that hsr export writes: cell data "colour",
+//             three bytes a polygon, which all pieces have or none; all pieces
+//             have points of one type.
 #include "common/files/vtk/xml_scan.h"
 
 #include <cfloat>
@@ -38,10 +40,11 @@ private:
   void piece(Tag &tag);
   void points(const Tag &tag, size_t n);
   void cells(const Tag &tag, size_t n, size_t n_points);
+  void colours(const Tag &tag, size_t n);
   void check_offsets();
 
   Mesh_extent extent_;
-  size_t n_pieces_ = 0;
+  size_t n_pieces_ = 0, n_coloured_ = 0;
   const Array_type *type_of_points_ = nullptr;
   std::vector<Cells> cells_;
 };
@@ -78,7 +81,7 @@ void Vtp_scan::piece(Tag &tag) {
   extent_.n_vertices += n_points;
   extent_.n_faces += n_polys + n_strips;
 
-  size_t n_found[3] = {0, 0, 0};
+  size_t n_found[4] = {0, 0, 0, 0};
   for (Tag child; markup_.child(tag, child);) {
     if (child.name == "Points" && ++n_found[0])
       points(child, n_points);
@@ -86,6 +89,8 @@ void Vtp_scan::piece(Tag &tag) {
       cells(child, n_polys, n_points);
     else if (child.name == "Strips" && n_strips && ++n_found[2])
       cells(child, n_strips, n_points);
+    else if (child.name == "CellData" && n_polys && !n_strips && !n_found[3]++)
+      colours(child, n_polys);
     else
       markup_.skip(child);
   }
@@ -160,6 +165,26 @@ void Vtp_scan::cells(const Tag &tag, size_t n, size_t n_points) {
   cells_.push_back(cells);
 }
 
+/* sRGB, of each polygon. */
+void Vtp_scan::colours(const Tag &tag, size_t n) {
+  bool found = false;
+  markup_.blank_others(tag);
+  for (Tag child; markup_.child(tag, child);) {
+    const Word *name = markup_.attribute(child, "Name");
+    const Word *size = markup_.attribute(child, "NumberOfComponents");
+    const Word *type = markup_.attribute(child, "type");
+    if (found || child.name != "DataArray" || !name || *name != "colour" ||
+        !size || *size != "3" || !type || *type != "UInt8") {
+      markup_.skip(child);
+      continue;
+    }
+    found = true;
+    add_array(child, {"colours", child.text.data(), 3 * n, 0, UINT8_MAX,
+                      Array::ANY_ORDER});
+  }
+  n_coloured_ += found;
+}
+
 /* The offset of a cell is where its corners end. */
 void Vtp_scan::check_offsets() {
   for (const Cells &cells : cells_) {
@@ -178,6 +203,11 @@ Mesh_extent Vtp_scan::scan() {
   scan_root();
   if (!extent_.n_faces)
     file_.refuse(0, "holds no face");
+  if (n_coloured_ && n_coloured_ < n_pieces_)
+    file_.refuse(0,
+                 "%zu of its %zu pieces have cell data 'colour'; all must, "
+                 "or none",
+                 n_coloured_, n_pieces_);
   check_arrays();
   check_offsets();
   return std::move(extent_);

@@ -2,6 +2,7 @@
 // Reads and writes files through hsr-vtk.so.
 #include "common/files/library.h"
 #include "common/files/mesh/mesh_file.h"
+#include "common/files/srgb.h"
 #include "common/files/vtk/vtk_library.h"
 
 #include <cstdlib>
@@ -19,8 +20,12 @@ public:
   Object_sink(const hsr::Mesh_file &file, hsr::Mesh_builder &builder)
       : file_(file), builder_(builder) {}
   void vertex(const double p[3]) override { builder_.vertex(p[0], p[1], p[2]); }
-  void face(const uint32_t *vertices, size_t n) override {
-    builder_.face(vertices, n, nullptr);
+  void face(const uint32_t *vertices, size_t n,
+            const unsigned char *rgb) override {
+    float linear[3] = {};
+    for (size_t k = 0; k < 3 && rgb; k++)
+      linear[k] = hsr_srgb_decode(rgb[k] / 255.0f);
+    builder_.face(vertices, n, rgb ? linear : nullptr);
   }
   [[noreturn]] void refuse(const char *why) override {
     file_.refuse(0, "%.180s", why);

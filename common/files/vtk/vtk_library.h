@@ -18,7 +18,9 @@ class Vtk_sink {
 public:
   virtual ~Vtk_sink() = default;
   virtual void vertex(const double xyz[3]) = 0;
-  virtual void face(const uint32_t *vertices, size_t n) = 0;
+  /* rgb: sRGB, 3 bytes; or NULL */
+  virtual void face(const uint32_t *vertices, size_t n,
+                    const unsigned char *rgb) = 0;
   [[noreturn]] virtual void refuse(const char *why) = 0;
 };
 

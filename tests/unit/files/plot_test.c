@@ -337,6 +337,25 @@ static void try_creases(struct tap *t) {
      "beside a face that does not exist, an edge is a contour");
 }
 
+/* A seam in two intervals, and a border. */
+static void try_count(struct tap *t) {
+  const double xyz[4][3] = {{0, 0, -5}, {0, 1, -5}, {-1, 0, -5}, {1, 0, -5}};
+  const uint32_t triangle[2][3] = {{0, 1, 2}, {1, 0, 3}};
+  struct setting s = {.scene = hsr_scene_new("flat")};
+  size_t seams, edges;
+  must(s.scene);
+  add_object(&s, "flat", 4, xyz, 2, triangle, false);
+  complete(&s);
+  add(&s, (struct hsr_edge_name){false, 0, 1, 0}, 0, 1, 1, 2, 2);
+  add(&s, (struct hsr_edge_name){false, 0, 1, 0}, 1, 2, 2, 3, 3);
+  add(&s, (struct hsr_edge_name){false, 1, 2, 0}, 0, 2, 2, 3, 3);
+  must(!hsr_drawing_count_seams(&s.drawing, &s.world, &s.view, 1, &seams,
+                                &edges, NULL));
+  ok(t, seams == 1 && edges == 2 && s.drawing.n == 3,
+     "%zu of %zu edges would be left out", seams, edges);
+  free_setting(&s);
+}
+
 static void try_contour(struct tap *t) {
   /* The eye sees the first face from its front, the second, folded under it,
    * from its back. */
@@ -372,13 +391,14 @@ static void try_three(struct tap *t) {
 }
 
 int main(void) {
-  struct tap t = plan(37);
+  struct tap t = plan(38);
   must(mkdtemp(directory));
   try_strokes(&t);
   try_svg(&t);
   try_pdf(&t);
   try_raster(&t);
   try_creases(&t);
+  try_count(&t);
   try_contour(&t);
   try_three(&t);
   remove(path_of("a.svg"));
