@@ -68,12 +68,13 @@ struct hsr_view {
   bool parallel;
   double E[3], F[3], R[3], U[3]; /* exact by definition */
   double near;
-  double lamp[3]; /* towards a sun above the eye's left shoulder, of any length.
-                      It turns with the eye, and does not depend on the
-                      picture's shape or its angle of view */
-  double
-      light[4]; /* the camera's, or the lamp: docs/shadow-picture.md. Exact by
-                      definition */
+  /* Towards a sun above the eye's left shoulder, of any length. It turns with
+   * the eye, and depends neither on the picture's shape nor on the angle of
+   * view. */
+  double lamp[3];
+  /* The camera's light, or the lamp (docs/shadow-picture.md). Exact by
+   * definition. */
+  double light[4];
 
   /* C by its coordinates, to be compared with planes across the axes. In
    * parallel a coordinate is -infinity where F is positive and +infinity where
