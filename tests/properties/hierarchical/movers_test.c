@@ -235,6 +235,79 @@ static void check_knowing(struct tap *tap, int per_cent, int way, uint32_t of) {
   hsr_scene_delete(scene);
 }
 
+/* A quadrilateral across the view, from corner to corner. */
+static void add_screen(struct hsr_object *object, const double lo[2],
+                       const double hi[2], double z) {
+  const double x[4] = {lo[0], hi[0], hi[0], lo[0]},
+               y[4] = {lo[1], lo[1], hi[1], hi[1]};
+  uint32_t vertex[4];
+  for (int k = 0; k < 4; k++)
+    if (hsr_object_vertex(object, x[k], y[k], z, &vertex[k]))
+      stop("out of memory");
+  if (hsr_object_face(object, vertex, 4, NULL))
+    stop("out of memory");
+}
+
+/* A shuttle comes out from behind a wall, a unit a frame. Farther back is a wall
+ * as wide as the view. */
+static struct hsr_scene *open_emerging(long frame) {
+  static const double still[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  const double moved[12] = {1, 0, 0, (double)frame, 0, 1, 0, 0, 0, 0, 1, 0};
+  static const struct hsr_camera camera = {
+      .at = {0, 0, -1}, .up = {0, 1, 0}, .fov = 90};
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_motion motion = hsr_motion_unknown();
+  struct hsr_scene *scene = hsr_scene_new("emerging");
+  if (!scene)
+    stop(err.text);
+  struct hsr_object *walls = hsr_scene_object(scene, "walls");
+  add_screen(walls, (double[]){-10, -10}, (double[]){0, 10}, -10);
+  add_screen(walls, (double[]){-40, -40}, (double[]){40, 40}, -40);
+  struct hsr_object *shuttle = hsr_scene_object(scene, "shuttle");
+  shuttle->moves = true;
+  add_screen(shuttle, (double[]){-3.6, 2.6}, (double[]){-2.6, 3.6}, -16.2);
+  motion.speed = 1;
+  if (hsr_scene_instance(scene, 0, still) ||
+      hsr_scene_instance(scene, 1, moved) ||
+      hsr_scene_set_motion(scene, &motion, NULL, 0) ||
+      hsr_scene_set_frame(scene, frame) || hsr_scene_view(scene, &camera) ||
+      hsr_scene_finish(scene, &err))
+    stop(err.text);
+  return scene;
+}
+
+/* The cube that the shuttle is in at first is hidden, and is small. */
+static void check_emerging(struct tap *tap) {
+  static struct ready ready;
+  static uint32_t right[M * N];
+  struct hsr_error err = {.text = "out of memory"};
+  struct hsr_scene *scene = open_emerging(0);
+  struct hsr_world outline;
+  struct hsr_view view;
+  long seen[8] = {0};
+  if (hsr_world_outline(&outline, scene, &err) ||
+      hsr_view_init(&view, &scene->views[0], M, N, &err))
+    stop(err.text);
+  begin(&ready, "hzbuffer:movers=bounded:interval=8", &outline);
+  for (long frame = 0; frame < 8; frame++) {
+    struct hsr_scene *then = open_emerging(frame);
+    struct hsr_world world;
+    if (hsr_scene_follow(scene, then, &err) ||
+        hsr_world_init(&world, scene, &err))
+      stop(err.text);
+    draw_ids(hsr_algorithm_find("zbuffer")->plain, &world, &view, right, NULL);
+    seen[frame] = carts_in(&world, right);
+    draw(&ready, &view, right);
+    hsr_world_free(&world);
+    hsr_scene_delete(then);
+  }
+  ok(tap, !ready.wrong && !seen[0] && seen[7],
+     "a shuttle comes out from behind a wall: %ld samples differ", ready.wrong);
+  end(&ready);
+  hsr_world_free(&outline);
+  hsr_scene_delete(scene);
+}
+
 /* --- What that takes ------------------------------------------------------ */
 
 enum { RUN = 33, WAYS = 6 };
@@ -447,13 +520,14 @@ static void check_stays(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(2 * (1 + VARIANTS) + 2 * KNOWING + 10);
+  struct tap tap = plan(2 * (1 + VARIANTS) + 2 * KNOWING + 11);
   check_update(&tap);
   check_stays(&tap);
   check(&tap, 5, 10);
   check(&tap, 20, 60);
   check_knowing(&tap, 20, 0, 60);
   check_knowing(&tap, 5, 2, 10);
+  check_emerging(&tap);
   check_costs(&tap);
   return finish(&tap);
 }
