@@ -235,7 +235,7 @@ static void check_knowing(struct tap *tap, int per_cent, int way, uint32_t of) {
   hsr_scene_delete(scene);
 }
 
-/* A quadrilateral across the view, from corner to corner. */
+/* Two triangles across the view, from corner to corner. */
 static void add_screen(struct hsr_object *object, const double lo[2],
                        const double hi[2], double z) {
   const double x[4] = {lo[0], hi[0], hi[0], lo[0]},
@@ -244,7 +244,9 @@ static void add_screen(struct hsr_object *object, const double lo[2],
   for (int k = 0; k < 4; k++)
     if (hsr_object_vertex(object, x[k], y[k], z, &vertex[k]))
       stop("out of memory");
-  if (hsr_object_face(object, vertex, 4, NULL))
+  const uint32_t other[3] = {vertex[0], vertex[2], vertex[3]};
+  if (hsr_object_face(object, vertex, 3, NULL) ||
+      hsr_object_face(object, other, 3, NULL))
     stop("out of memory");
 }
 
@@ -265,7 +267,8 @@ static struct hsr_scene *open_emerging(long frame) {
   add_screen(walls, (double[]){-40, -40}, (double[]){40, 40}, -40);
   struct hsr_object *shuttle = hsr_scene_object(scene, "shuttle");
   shuttle->moves = true;
-  add_screen(shuttle, (double[]){-3.6, 2.6}, (double[]){-2.6, 3.6}, -16.2);
+  add_screen(shuttle, (double[]){-3.75, 2.625}, (double[]){-2.75, 3.625},
+             -16.25);
   motion.speed = 1;
   if (hsr_scene_instance(scene, 0, still) ||
       hsr_scene_instance(scene, 1, moved) ||
