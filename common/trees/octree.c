@@ -240,10 +240,10 @@ static void set_tight(struct hsr_octree_node *node, struct hsr_box *tight) {
 static void add_own(const struct builder *b, const struct hsr_octree_node *node,
                     struct hsr_box *tight) {
   struct hsr_box cube = hsr_cube_box(node);
-  const uint32_t *item = (const uint32_t *)b->item.items + node->first;
+  const uint32_t *item = b->item.items;
   *tight = nothing;
   for (uint32_t i = 0; i < node->n; i++)
-    add_box(tight, &cube, &b->bounds[item[i]]);
+    add_box(tight, &cube, &b->bounds[item[node->first + i]]);
 }
 
 /* Finds the tight boxes, from children to parents. */

@@ -158,8 +158,9 @@ static void give_algorithm(struct results *results,
     for (int s = 0; s < 9; s++) {
       double count = step->predict(&table1[s]) / step->factor *
                      pow(10, decades) * pow(faces[s] / 2500, exponent);
-      must(!json_object_set_new(counts[s], a->counters[c].name,
-                                json_integer((json_int_t)ceil(count))));
+      must(!json_object_set_new(
+          counts[s], a->counters[c].name,
+          json_integer((json_int_t)fmin(ceil(count), 0x1p62))));
     }
   }
   give(results, walk_record(name, json_deep_copy(counts[HARBOR])));
