@@ -198,9 +198,11 @@ static void make_cell(struct hsr_cell_maker *m, uint32_t place,
 static void make_cells(struct hsr_cell_maker *m, const uint32_t *number) {
   const struct hsr_octree *octree = &m->c->octree;
   m->n_faces = m->n_starts = m->n_corners = m->n_vertices = 0;
-  for (uint32_t k = 0; k < octree->n_nodes; k++)
-    make_cell(m, k, number, octree->item + octree->node[k].first,
-              octree->node[k].n);
+  for (uint32_t k = 0; k < octree->n_nodes; k++) {
+    const struct hsr_octree_node *node = &octree->node[k];
+    make_cell(m, k, number, node->n ? octree->item + node->first : NULL,
+              node->n);
+  }
 }
 
 static enum hsr_status lay_out_cells(struct hsr_cubes *cubes, uint32_t o,

@@ -218,7 +218,8 @@ void hsr_border_divide(struct hsr_clipper *c,
       size_t first = at;
       while (at < n && all[at].polygon == of && all[at].edge == k)
         at++;
-      size_t kept = sort_along(c, &edge[k], all + first, at - first);
+      size_t kept =
+          at > first ? sort_along(c, &edge[k], all + first, at - first) : 0;
       uint32_t from = edge[k].from;
       for (size_t d = 0; d < kept; d++) {
         add_strand(c, &edge[k], from, all[first + d].point, of);
