@@ -199,7 +199,8 @@ error_t parse_scene_option(struct scene_options *options, int key, char *arg,
                            const char *command, struct option_base *base);
 
 /* Opens a scene, which the caller deletes, and says on stderr how many faces
- * were left out of it, and what else was passed over. The errors are those of hsr_scene_open. */
+ * were left out of it, and what else was passed over. The errors are those of
+ * hsr_scene_open. */
 enum hsr_status open_scene(const char *name, struct hsr_import import,
                            struct hsr_scene **scene, struct hsr_error *err);
 

@@ -81,8 +81,8 @@ public:
   // Makes face f a piece. False if it has no point.
   bool make(uint32_t f, Convex &piece) const;
 
-  // Whether the plane of face g of the scene may pass through a piece of a face:
-  // not, if the face is flat and the piece has no points on both sides.
+  // Whether the plane of face g of the scene passes through a piece. True also
+  // if that is uncertain, as it may be if the piece is not flat.
   bool may_cross(const Piece &piece, uint32_t g) const;
 
   unsigned about(const Convex &piece, uint32_t plane) const;

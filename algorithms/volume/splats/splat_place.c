@@ -170,6 +170,8 @@ static void place(const struct hsr_splats *restrict s,
     double loose = 8 * rough + 0x1p-40;
     double energy = 65536 / (hsr_max(1, apart) * width);
     double most_energy = energy * (1 + loose);
+    /* The limits differ, so that an energy beyond them is not taken for a whole
+     * one. The exact path decides it. */
     double least_energy = hsr_max(energy * (1 - loose), -1);
     int32_t least_whole = (int32_t)hsr_min(least_energy, 70001),
             most_whole = (int32_t)hsr_min(most_energy, 70000);

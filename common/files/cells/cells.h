@@ -94,7 +94,8 @@ enum hsr_status hsr_world_write_obj(const struct hsr_world *world,
  * view. Faces are divided into triangles, which share no vertex. The attribute
  * _FACE of a vertex is the number of its face in the object, and a node's
  * `extras` tell the instance and the id of its first face. Coordinates are in
- * single precision. The matrices of nodes place them in the frame. HSR_E_INPUT: the file cannot be written, or would be larger
+ * single precision. The matrices of nodes place them in the frame.
+ * HSR_E_INPUT: the file cannot be written, or would be larger
  * than 4 GB; HSR_E_REFUSED: a face cannot be divided into triangles;
  * HSR_E_NOMEM. */
 struct hsr_glb_frame {

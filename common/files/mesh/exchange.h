@@ -4,7 +4,7 @@
  *
  * Polygons are kept as polygons. A mesh that is closed and consistently
  * oriented outward becomes a one-sided object, any other a two-sided one;
- * with hsr_import.two_sided, it becomes a two-sided one, too.
+ * with hsr_import.two_sided, all become two-sided ones.
  *
  * A face has its own colour (.off .ply, and .vtp of hsr export), or that of its
  * material (.obj with its .mtl), or the mean of its vertices' (.ply .obj), or
