@@ -48,6 +48,10 @@ enum {
   HSR_VISIBLE_ONLY = 1 << 4, /* of segments: all invisibility over 0 is 1 */
   HSR_INSTANCED = 1 << 5,    /* takes a world that is an outline, too */
   HSR_FILTERS = 1 << 6,      /* filters by itself, if asked to */
+  HSR_FILTERS_FINELY = 1 << 9, /* with HSR_FILTERS: pixels of 64 x 64, too */
+  HSR_FOLLOWS = 1 << 8, /* with HSR_FRAME_STATE: what it has prepared goes on in
+                           another frame of a scene that is laid out. It holds
+                           numbers of faces, and nothing of where they are */
   HSR_RATHER_LAID_OUT = 1 << 7 /* with HSR_INSTANCED: takes an outline only if
                                   instances are apart (algorithms/image_space/area/tiling/grove.h) */
 };

@@ -67,15 +67,12 @@ static enum hsr_status check_subject(const struct hsr_algorithm *algorithm,
                   hsr_scene_subject_name[subject], algorithm->name);
 }
 
-enum hsr_status hsr_setup_init(struct hsr_setup *setup,
-                               const struct hsr_algorithm *algorithm,
-                               const struct hsr_choice *choice,
-                               const struct hsr_world *world,
-                               struct hsr_error *err) {
-  *setup = (struct hsr_setup){.algorithm = algorithm, .world = world};
-  setup->choice = choice ? *choice : hsr_choice_standard(algorithm);
-  setup->flags = hsr_choice_flags(algorithm, &setup->choice);
-  setup->filtering = hsr_form_filtering(&setup->choice.form);
+/* Makes the world that the algorithm gets. */
+static enum hsr_status adapt(struct hsr_setup *setup,
+                             const struct hsr_world *world,
+                             struct hsr_error *err) {
+  const struct hsr_algorithm *algorithm = setup->algorithm;
+  setup->world = world;
   enum hsr_status status = check_subject(algorithm, world, err);
   if (status)
     return status;
@@ -85,13 +82,53 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
     if (!hsr_is_outline(world) &&
         (algorithm->restrictions & a->mends) == a->mends)
       status = apply(setup, a, err);
-  if (status || !algorithm->prepare)
-    return status;
-  double begin = seconds_now();
-  status = algorithm->prepare(setup->world, setup->choice.values.option,
-                              &setup->prepared, err);
-  setup->prepare_seconds = seconds_now() - begin;
   return status;
+}
+
+static enum hsr_status prepare(struct hsr_setup *setup, struct hsr_error *err) {
+  const struct hsr_algorithm *algorithm = setup->algorithm;
+  setup->n_prepared = setup->world->n_faces;
+  if (!algorithm->prepare)
+    return HSR_OK;
+  double begin = seconds_now();
+  enum hsr_status status = algorithm->prepare(
+      setup->world, setup->choice.values.option, &setup->prepared, err);
+  setup->prepare_seconds += seconds_now() - begin;
+  return status;
+}
+
+enum hsr_status hsr_setup_init(struct hsr_setup *setup,
+                               const struct hsr_algorithm *algorithm,
+                               const struct hsr_choice *choice,
+                               const struct hsr_world *world,
+                               struct hsr_error *err) {
+  *setup = (struct hsr_setup){.algorithm = algorithm};
+  setup->choice = choice ? *choice : hsr_choice_standard(algorithm);
+  setup->flags = hsr_choice_flags(algorithm, &setup->choice);
+  setup->filtering = hsr_form_filtering(&setup->choice.form);
+  enum hsr_status status = adapt(setup, world, err);
+  return status ? status : prepare(setup, err);
+}
+
+static void release(struct hsr_setup *setup) {
+  if (setup->algorithm->release && setup->prepared)
+    setup->algorithm->release(setup->prepared);
+  setup->prepared = NULL;
+}
+
+enum hsr_status hsr_setup_follow(struct hsr_setup *setup,
+                                 const struct hsr_world *world, bool *kept,
+                                 struct hsr_error *err) {
+  hsr_world_free(&setup->adapted);
+  setup->adapted = (struct hsr_world){.n_faces = 0};
+  setup->n_adaptations = 0;
+  enum hsr_status status = adapt(setup, world, err);
+  *kept = !status && setup->flags & HSR_FOLLOWS &&
+          setup->world->n_faces == setup->n_prepared;
+  if (status || *kept)
+    return status;
+  release(setup);
+  return prepare(setup, err);
 }
 
 /* From pieces to the faces of the scene. */
@@ -175,7 +212,6 @@ enum hsr_status hsr_setup_render(const struct hsr_setup *setup,
 }
 
 void hsr_setup_free(struct hsr_setup *setup) {
-  if (setup->algorithm->release && setup->prepared)
-    setup->algorithm->release(setup->prepared);
+  release(setup);
   hsr_world_free(&setup->adapted);
 }

@@ -31,6 +31,7 @@ struct hsr_setup {
   int n_adaptations;    /* those that changed something */
   double adapt_seconds; /* of all, also where there was nothing to change */
   void *prepared;
+  uint32_t n_prepared; /* faces of the world that it was prepared for */
   double prepare_seconds;
   const struct hsr_passes
       *passes; /* for jobs that have none; NULL unless set */
@@ -52,6 +53,15 @@ enum hsr_status hsr_setup_init(struct hsr_setup *setup,
                                const struct hsr_choice *choice,
                                const struct hsr_world *world,
                                struct hsr_error *err);
+
+/* Goes on to another frame of the scene, whose world takes the place of the last
+ * one, which need not be there any more. What is prepared is kept, and *kept
+ * says so, if the algorithm follows (HSR_FOLLOWS) and there are as many faces as
+ * before; else all is prepared anew. Fails as hsr_setup_init, and is freed as
+ * before. */
+enum hsr_status hsr_setup_follow(struct hsr_setup *setup,
+                                 const struct hsr_world *world, bool *kept,
+                                 struct hsr_error *err);
 
 /* Renders job->view. The job's world, prepared object and options are
  * set here, and where it has an answer, the body of that. Ids are those of the

@@ -236,8 +236,9 @@ static const struct argp argp = {
         {"frames", FRAMES, "A-B", 0,
          "judge these frames, in order: SCENE has %d in the place of the "
          "number, as in traffic:20:%d. Algorithms that take the scene as an "
-         "outline keep what they have prepared from frame to frame, where its "
-         "objects move. With --views N, the frames are seen from the first N "
+         "outline, or keep an order or lists of faces, keep what they have "
+         "prepared from frame to frame, where its objects move. With --views "
+         "N, the frames are seen from the first N "
          "views in turn (standard: 1)",
          0},
         {"samples", SAMPLES, "N", 0,

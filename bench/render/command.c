@@ -37,16 +37,13 @@ static enum hsr_status choose_place(struct render *r, struct hsr_scene *scene,
   return choose_view(&place, scene, (int)o->supersamples, &r->view, err);
 }
 
+/* Chooses the view of a scene that is open, and opens its world. */
 static enum hsr_status open_place(struct render *r,
                                   const struct hsr_algorithm *a,
                                   struct hsr_error *err) {
   const struct render_options *o = r->options;
-  enum hsr_status status = open_named(r, &r->scene, err);
-  if (status)
-    return status;
-
   double begin = seconds_now();
-  status = choose_place(r, r->scene, err);
+  enum hsr_status status = choose_place(r, r->scene, err);
   if (!status && o->orbit)
     status = hsr_scene_turn(r->scene, (uint32_t)o->view.view - 1,
                             (uint32_t)o->orbit, err);
@@ -102,6 +99,9 @@ static void print_report(const struct render *r,
     printf("adapted: %s, %u faces, %.1f ms\n", adaptation->name,
            adaptation->n_faces, 1e3 * adaptation->seconds);
   }
+  if (r->options->last_frame >= 0 && r->setup.flags & HSR_FRAME_STATE)
+    printf("what it keeps from frame to frame was kept %ld of %ld times\n",
+           r->n_kept, r->options->last_frame - r->options->first_frame);
   if (hsr_scene_is_transparent(r->scene) && r->kind != HSR_TRANSPARENT)
     printf("the scene has transparent faces; they are drawn as opaque ones\n");
   char times[300];
@@ -256,7 +256,7 @@ static void ask_for_transparency(const struct render *r,
     variant->choice.form = hsr_form_standard(HSR_TRANSPARENT);
 }
 
-/* Opens the scene and makes ready for it. */
+/* Makes ready for the scene, which is open. */
 static enum hsr_status prepare(struct render *r, const struct hsr_algorithm *a,
                                struct hsr_variant *variant,
                                struct hsr_error *err) {
@@ -268,30 +268,74 @@ static enum hsr_status prepare(struct render *r, const struct hsr_algorithm *a,
   return hsr_setup_init(&r->setup, a, &variant->choice, &r->world, err);
 }
 
-/* Goes on to the frame at hand. If the algorithm takes the scene as an outline,
- * and objects move, it keeps what it has prepared. If not, all is made anew. */
+static enum hsr_status open_and_prepare(struct render *r,
+                                        const struct hsr_algorithm *a,
+                                        struct hsr_variant *variant,
+                                        struct hsr_error *err) {
+  enum hsr_status status = open_named(r, &r->scene, err);
+  return status ? status : prepare(r, a, variant, err);
+}
+
+/* Moves what moves to where it is in a frame. */
+static enum hsr_status follow(struct render *r, const struct hsr_scene *then,
+                              struct hsr_error *err) {
+  struct hsr_error why;
+  if (!hsr_scene_follow(r->scene, then, &why))
+    return HSR_OK;
+  return hsr_fail(err, why.status, "%.150s, frame %ld: %.300s",
+                  r->options->scene.name, r->frame, why.text);
+}
+
+/* Lays a frame out in the place of the last one. *kept: what was prepared is
+ * kept. */
+static enum hsr_status lay_out(struct render *r, const struct hsr_algorithm *a,
+                               struct hsr_scene *then, bool *kept,
+                               struct hsr_error *err) {
+  double begin = seconds_now();
+  hsr_world_free(&r->world);
+  r->world = (struct hsr_world){.n_faces = 0};
+  hsr_scene_delete(r->scene);
+  r->scene = then;
+  enum hsr_status status = choose_place(r, then, err);
+  if (!status)
+    status = hsr_setup_world(&r->world, a, then, err);
+  r->build += seconds_now() - begin;
+  return status ? status : hsr_setup_follow(&r->setup, &r->world, kept, err);
+}
+
+/* Whether a frame that is laid out may be followed. */
+static bool may_follow(const struct render *r, const struct hsr_scene *then) {
+  return r->setup.flags & HSR_FOLLOWS && hsr_scene_has_objects(r->scene, then);
+}
+
+/* Goes on to the frame at hand. What is prepared is kept if nothing moves; or if
+ * objects move, and the algorithm takes them as an outline, or follows. If not,
+ * all is made anew. */
 static enum hsr_status go_on(struct render *r, const struct hsr_algorithm *a,
                              struct hsr_variant *variant,
                              struct hsr_error *err) {
-  if (!hsr_is_outline(&r->world) || !hsr_scene_moves(r->scene)) {
-    render_forget_scene(r);
-    return prepare(r, a, variant, err);
-  }
-  struct hsr_scene *then;
+  struct hsr_scene *then = NULL;
   enum hsr_status status = open_named(r, &then, err);
   if (status)
     return status;
-  if (!hsr_scene_has_frame(r->scene, then)) {
+  bool outline = hsr_is_outline(&r->world), kept = true;
+  bool stays = hsr_scene_is_same(r->scene, then);
+  bool moves = outline && hsr_scene_moves(r->scene) &&
+               hsr_scene_has_frame(r->scene, then);
+  if (stays || moves) {
+    status = choose_place(r, then, err);
+    if (!status && moves)
+      status = follow(r, then, err);
     hsr_scene_delete(then);
+  } else if (!outline && may_follow(r, then)) {
+    status = lay_out(r, a, then, &kept, err);
+  } else {
+    kept = false;
     render_forget_scene(r);
-    return prepare(r, a, variant, err);
+    r->scene = then;
+    status = prepare(r, a, variant, err);
   }
-  struct hsr_error why;
-  status = choose_place(r, then, err);
-  if (!status && hsr_scene_follow(r->scene, then, &why))
-    status = hsr_fail(err, why.status, "%.150s, frame %ld: %.300s",
-                      r->options->scene.name, r->frame, why.text);
-  hsr_scene_delete(then);
+  r->n_kept += kept;
   return status;
 }
 
@@ -309,7 +353,7 @@ static enum hsr_status make_frames(struct render *r,
                   o->scene.name);
     r->frame = k;
     status = k > o->first_frame ? go_on(r, a, variant, err)
-                                : prepare(r, a, variant, err);
+                                : open_and_prepare(r, a, variant, err);
     if (!status)
       status = make_picture(r, err);
   }
@@ -335,7 +379,7 @@ enum hsr_status command_render(int argc, char **argv, struct hsr_error *err) {
   } else if (!status && options.last_frame >= 0) {
     status = make_frames(&r, a, &variant, err);
   } else if (!status) {
-    status = prepare(&r, a, &variant, err);
+    status = open_and_prepare(&r, a, &variant, err);
     if (!status)
       status = make_all(&r, err);
   }

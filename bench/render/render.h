@@ -67,6 +67,7 @@ struct render {
   long view_number, n_pictures; /* of this picture, from 1, or its frame's; and
                                    so far */
   long frame;                   /* of --frames */
+  long n_kept; /* frames that went on with what was prepared for the last one */
   long n_tiles, n_found; /* of --tiles: all, and those there were before */
   uint32_t n_faces;      /* of --sort-last: of all parts */
   long n_drawn;          /* parts, by this rank */

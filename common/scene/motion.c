@@ -166,6 +166,42 @@ bool hsr_scene_has_frame(const struct hsr_scene *a, const struct hsr_scene *b) {
   return true;
 }
 
+static bool has_colours(const struct hsr_object *a,
+                        const struct hsr_object *b) {
+  return !a->rgb == !b->rgb && a->opacity == b->opacity &&
+         !memcmp(a->colour, b->colour, sizeof a->colour) &&
+         (!a->rgb ||
+          !memcmp(a->rgb, b->rgb, 3 * (size_t)a->n_faces * sizeof *a->rgb));
+}
+
+/* Objects with as many faces and vertices. */
+static bool is_same_object(const struct hsr_object *a,
+                           const struct hsr_object *b) {
+  size_t n = a->n_faces;
+  if (!n || a->one_sided != b->one_sided || a->moves != b->moves)
+    return false;
+  return has_colours(a, b) &&
+         !memcmp(a->xyz, b->xyz, 3 * (size_t)a->n_vertices * sizeof *a->xyz) &&
+         !memcmp(a->start, b->start, (n + 1) * sizeof *a->start) &&
+         !memcmp(a->vertex, b->vertex, a->start[n] * sizeof *a->vertex);
+}
+
+bool hsr_scene_has_objects(const struct hsr_scene *a,
+                           const struct hsr_scene *b) {
+  bool same = !a->grid && !b->grid && hsr_scene_has_frame(a, b);
+  for (uint32_t o = 0; same && o < a->n_objects; o++)
+    same = is_same_object(&a->objects[o], &b->objects[o]);
+  return same;
+}
+
+bool hsr_scene_is_same(const struct hsr_scene *a, const struct hsr_scene *b) {
+  bool same = hsr_scene_has_objects(a, b);
+  for (uint32_t i = 0; same && i < a->n_instances; i++)
+    same =
+        !memcmp(a->instances[i].m, b->instances[i].m, sizeof a->instances[i].m);
+  return same;
+}
+
 /* What a frame is held to, of one instance. */
 struct promise {
   struct hsr_motion motion;

@@ -74,6 +74,14 @@ bool hsr_scene_moves(const struct hsr_scene *scene);
 bool hsr_scene_has_frame(const struct hsr_scene *scene,
                          const struct hsr_scene *then);
 
+/* Whether another scene is of the same objects to the last vertex and colour,
+ * wherever its instances are; and whether these are in the same places, too. A
+ * grid never is. */
+bool hsr_scene_has_objects(const struct hsr_scene *scene,
+                           const struct hsr_scene *then);
+bool hsr_scene_is_same(const struct hsr_scene *scene,
+                       const struct hsr_scene *then);
+
 /* Makes a scene another frame of itself: moves its instances to where they are
  * in `then`. HSR_E_INPUT, with *err naming the instance, if that is another
  * scene, if something was moved that does not move, or if a promise is broken;

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Algorithms take the subjects of scenes that they name, and refuse others. */
+/* Algorithms take the subjects of scenes that they name, and refuse others. Those
+ * that follow keep what they have prepared in another frame. */
+#include "algorithms/variant.h"
 #include "scenes/scenes.h"
 #include "tests/draw.h"
 #include "tests/tap.h"
@@ -49,6 +51,62 @@ static void open_bare(struct hsr_scene **scene, struct hsr_world *world) {
   }
 }
 
+enum { M = 40, N = 30 };
+
+/* Whether the picture of a world is right. */
+static bool is_right(const struct hsr_setup *setup,
+                     const struct both_worlds *at) {
+  static uint32_t ids[M * N], wanted[M * N];
+  struct hsr_arena scratch = HSR_ARENA_EMPTY;
+  struct hsr_error err;
+  struct hsr_view view;
+  struct hsr_tally tally = {.out_of_memory = false};
+  if (hsr_view_init(&view, &at->scene->views[0], M, N, &err))
+    return false;
+  struct hsr_job job = {.view = &view,
+                        .scratch = &scratch,
+                        .tally = &tally,
+                        .ids = ids,
+                        .ids_stride = M};
+  enum hsr_status status = hsr_setup_render(setup, &job, &err);
+  draw_ids(hsr_algorithm_find("oracle")->plain, &at->world, &view, wanted,
+           NULL);
+  hsr_arena_free(&scratch);
+  return !status && !memcmp(ids, wanted, sizeof ids);
+}
+
+/* Goes from the first world to one of as many faces, and to one of more. */
+static void test_follow(struct tap *tap, const char *text, bool follows) {
+  struct both_worlds at[3];
+  struct hsr_error err = {.text = ""};
+  struct hsr_variant variant;
+  struct hsr_setup setup;
+  bool kept[2] = {false, true}, right[3];
+  open_worlds(&at[0], "soup:60:1");
+  open_worlds(&at[1], "soup:60:2");
+  open_worlds(&at[2], "soup:90:2");
+  if (hsr_variant_parse(text, &variant, &err) ||
+      hsr_setup_init(&setup, variant.listed->plain, &variant.choice,
+                     &at[0].world, &err)) {
+    printf("Bail out! %s: %s\n", text, err.text);
+    exit(99);
+  }
+  const void *prepared = setup.prepared;
+  right[0] = is_right(&setup, &at[0]);
+  for (int k = 0; k < 2; k++)
+    right[k + 1] =
+        !hsr_setup_follow(&setup, &at[k + 1].world, &kept[k], &err) &&
+        (k || !follows || setup.prepared == prepared) &&
+        is_right(&setup, &at[k + 1]);
+  ok(tap, right[0] && right[1] && right[2], "%s: three frames are right", text);
+  ok(tap, kept[0] == follows && !kept[1],
+     "%s: what is prepared %s in a frame of as many faces, and not in another",
+     text, follows ? "is kept" : "is made anew");
+  hsr_setup_free(&setup);
+  for (int k = 0; k < 3; k++)
+    close_worlds(&at[k]);
+}
+
 int main(void) {
   struct both_worlds faces, cells;
   struct hsr_scene *scene;
@@ -59,11 +117,15 @@ int main(void) {
   int n = 0;
   for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
     n++;
-  struct tap tap = plan(n);
+  struct tap tap = plan(n + 8);
   for (const struct hsr_listed *l = hsr_algorithms; l->plain; l++)
     ok(&tap, l->plain->subjects && is_faithful(l->plain, &faces, &cells, &bare),
        "%s says what it takes, and refuses what it does not take",
        l->plain->name);
+  test_follow(&tap, "newell-previous", true);
+  test_follow(&tap, "warnock:regions=64", true);
+  test_follow(&tap, "hzbuffer", false);
+  test_follow(&tap, "schumacker", false);
   hsr_world_free(&bare);
   hsr_scene_delete(scene);
   close_worlds(&cells);

@@ -164,12 +164,49 @@ static void test_tiny(struct tap *tap) {
   hsr_scene_delete(scene);
 }
 
+static bool is_same(struct hsr_scene *then) {
+  struct hsr_scene *scene = new_scene(0, 0);
+  bool same = hsr_scene_is_same(scene, then);
+  hsr_scene_delete(scene);
+  hsr_scene_delete(then);
+  return same;
+}
+
+static void test_same(struct tap *tap) {
+  struct hsr_scene *then = new_scene(0, 3);
+  then->views[0].eye[0]++;
+  ok(tap, is_same(then), "from elsewhere, and later, a scene is the same");
+  struct hsr_scene *scene = new_scene(0, 0), *moved = new_scene(0.5, 0);
+  ok(tap,
+     !hsr_scene_is_same(scene, moved) && hsr_scene_has_objects(scene, moved),
+     "if something has moved, its objects are");
+  hsr_scene_delete(scene);
+  hsr_scene_delete(moved);
+  then = new_scene(0, 0);
+  then->objects[0].xyz[3] += 0.5;
+  ok(tap, !is_same(then), "nor if a vertex is elsewhere");
+  then = new_scene(0, 0);
+  then->objects[0].vertex[0] = 2;
+  then->objects[0].vertex[2] = 0;
+  ok(tap, !is_same(then), "nor if a face is turned");
+  then = new_scene(0, 0);
+  then->objects[0].colour[1] /= 2;
+  ok(tap, !is_same(then), "nor if it has another colour");
+  then = new_scene(0, 0);
+  then->objects[0].opacity = 0.5f;
+  ok(tap, !is_same(then), "nor if it is transparent");
+  then = new_scene(0, 0);
+  then->objects[0].one_sided = true;
+  ok(tap, !is_same(then), "nor if it has one side");
+}
+
 int main(void) {
-  struct tap tap = plan(4 + 5 + 5 + 1 + 1);
+  struct tap tap = plan(4 + 5 + 5 + 1 + 1 + 7);
   test_way(&tap);
   test_promises(&tap);
   test_refused(&tap);
   test_traffic(&tap);
   test_tiny(&tap);
+  test_same(&tap);
   return finish(&tap);
 }

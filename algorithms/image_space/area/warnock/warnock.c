@@ -107,8 +107,10 @@ enum { NO_REGIONS, BY_64, BY_256 };
 static const struct hsr_word kept_regions[] = {
     [NO_REGIONS] = {"none", "nothing is kept: the picture is the first window",
                     0},
-    [BY_64] = {"64", "each of 8 x 8 keeps its faces", HSR_FRAME_STATE},
-    [BY_256] = {"256", "each of 16 x 16 keeps its faces", HSR_FRAME_STATE},
+    [BY_64] = {"64", "each of 8 x 8 keeps its faces",
+               HSR_FRAME_STATE | HSR_FOLLOWS},
+    [BY_256] = {"256", "each of 16 x 16 keeps its faces",
+                HSR_FRAME_STATE | HSR_FOLLOWS},
     {NULL}};
 static const struct hsr_option options[] = {
     [OUTPUT] = {"output", "in what order the picture is put out", outputs, 0,
