@@ -162,26 +162,59 @@ static enum hsr_status follow_walk(const struct group *g,
   return status;
 }
 
-/* Made ready for each frame anew. */
+/* A frame that is laid out, or of a scene of its own. */
+struct still {
+  struct hsr_world world;
+  struct hsr_setup setup; /* .algorithm is NULL at first */
+};
+
+/* Whether a frame may be laid out in the place of the last one. */
+static bool may_follow(const struct still *still, const struct hsr_scene *last,
+                       const struct hsr_scene *now) {
+  return !hsr_is_outline(&still->world) && still->setup.flags & HSR_FOLLOWS &&
+         hsr_scene_has_objects(last, now);
+}
+
+/* Goes on to frame k: keeps all if nothing moves, and makes all anew if the
+ * algorithm does not follow. */
+static enum hsr_status go_on(const struct group *g, const struct player *player,
+                             int k, struct still *still,
+                             struct hsr_error *err) {
+  struct hsr_scene *now = g->walk->frame[k];
+  const struct hsr_scene *last = k > 0 ? g->walk->frame[k - 1] : NULL;
+  if (last && hsr_scene_is_same(last, now))
+    return HSR_OK;
+  bool kept = last && may_follow(still, last, now);
+  if (!kept && still->setup.algorithm)
+    hsr_setup_free(&still->setup);
+  hsr_world_free(&still->world);
+  if (!kept)
+    *still = (struct still){.setup = {.algorithm = NULL}};
+  enum hsr_status status =
+      hsr_setup_world(&still->world, player->algorithm, now, err);
+  if (status)
+    return status;
+  return kept ? hsr_setup_follow(&still->setup, &still->world, &kept, err)
+              : hsr_setup_init(&still->setup, player->algorithm,
+                               &g->algorithm[player->number].choice,
+                               &still->world, err);
+}
+
 static enum hsr_status judge_frames(const struct group *g,
                                     const struct player *player,
                                     const struct wanted *wanted,
                                     struct hsr_error *err) {
+  struct still still = {.setup = {.algorithm = NULL}};
   enum hsr_status status = HSR_OK;
   for (int k = 0; k < g->n_views && !status; k++) {
-    struct hsr_world world;
-    struct hsr_setup setup = {.algorithm = NULL};
-    status = hsr_setup_world(&world, player->algorithm, g->walk->frame[k], err);
+    status = go_on(g, player, k, &still, err);
     if (!status)
       status =
-          hsr_setup_init(&setup, player->algorithm,
-                         &g->algorithm[player->number].choice, &world, err);
-    if (!status)
-      status = judge_frame(g, player, &setup, k, &world, wanted, err);
-    if (setup.algorithm)
-      hsr_setup_free(&setup);
-    hsr_world_free(&world);
+          judge_frame(g, player, &still.setup, k, &still.world, wanted, err);
   }
+  if (still.setup.algorithm)
+    hsr_setup_free(&still.setup);
+  hsr_world_free(&still.world);
   return status;
 }
 

@@ -57,6 +57,44 @@ static void test_sequence(struct tap *tap) {
      "who keeps no state is prepared for every view");
 }
 
+static bool is_frame_wrong(const char *name, int frame) {
+  char line[100];
+  snprintf(line, sizeof line, "wrong: %s, frame %d, 24x16: 1 sample, (", name,
+           frame);
+  return printed(line);
+}
+
+/* Three frames; where the state of two is kept, the third is wrong. */
+static void test_frames(struct tap *tap) {
+  FILE *file = fopen("walk.scene.json", "w");
+  if (!file)
+    abort();
+  fputs("{\"schema\": \"hsr-scene/1\", \"name\": \"a walk\", \"objects\": [{"
+        "\"name\": \"cart\", \"moves\": true, \"faces\": [[0,2,1],[0,1,3],"
+        "[1,2,3],[2,0,3]], \"vertices\": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]}],"
+        "\"instances\": [{\"object\": \"cart\", \"places\": ["
+        "{\"frame\": 0, \"translate\": [0,0,0]}, "
+        "{\"frame\": 4, \"translate\": [0,0,0]}, "
+        "{\"frame\": 8, \"translate\": [2,0,0]}]}],"
+        "\"views\": [{\"eye\": [0,1,9], \"at\": [0,0,0]}]}\n",
+        file);
+  fclose(file);
+#define FRAMES " --size 24x16 -a follower,stale,fresh --frames "
+  int status = check("walk.scene.json:%%d" FRAMES "5-7");
+  ok(tap,
+     status == 1 && !is_frame_wrong("follower", 6) &&
+         is_frame_wrong("follower", 7) && sums_up(9 * 24 * 16, 1),
+     "the state of who follows is kept in a scene that moves");
+  check("walk.scene.json:%%d" FRAMES "0-2");
+  ok(tap,
+     is_frame_wrong("follower", 2) && is_frame_wrong("stale", 2) &&
+         is_frame_wrong("fresh", 2) && sums_up(9 * 24 * 16, 3),
+     "that of all is kept in one that does not");
+  status = check("soup:20:%%d" FRAMES "1-3");
+  ok(tap, !status && sums_up(9 * 24 * 16, 0),
+     "nobody's is kept in scenes of their own");
+}
+
 /* `broken` is wrong at one sample, (0, 0). */
 static void test_samples(struct tap *tap) {
   int status = check(SMALL "-a broken,zbuffer --views 1 --samples 20");
@@ -118,9 +156,10 @@ static void test_filters(struct tap *tap) {
 }
 
 int main(void) {
-  struct tap tap = plan(8 + 6 + 5);
+  struct tap tap = plan(8 + 3 + 6 + 5);
   enter_folder();
   test_sequence(&tap);
+  test_frames(&tap);
   test_samples(&tap);
   test_filters(&tap);
   return finish(&tap);

@@ -228,6 +228,8 @@ FIXTURE(broken, "broken", .render = broken)
 FIXTURE(banded, "banded", .render = banded)
 FIXTURE(stale, "stale", .prepare = forget, .render = stale,
         .release = forgotten, .flags = HSR_FRAME_STATE)
+FIXTURE(follower, "follower", .prepare = forget, .render = stale,
+        .release = forgotten, .flags = HSR_FRAME_STATE | HSR_FOLLOWS)
 FIXTURE(fresh, "fresh", .prepare = forget, .render = stale,
         .release = forgotten)
 FIXTURE(crasher, "crasher", .render = crasher)
@@ -261,6 +263,7 @@ const struct hsr_listed hsr_algorithms[] = {
     {&hsr_algorithm_watkins, &hsr_counting_watkins},
     BOTH(broken),
     BOTH(stale),
+    BOTH(follower),
     BOTH(fresh),
     BOTH(banded),
     BOTH(crasher),
