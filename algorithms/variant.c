@@ -32,8 +32,10 @@ bool hsr_can_draw(const struct hsr_algorithm *a,
 
 bool hsr_choice_folds(const struct hsr_algorithm *a,
                       const struct hsr_choice *choice) {
-  bool filters = a->flags & HSR_FILTERS &&
-                 hsr_filter_is_of_64(hsr_form_filtering(&choice->form).filter);
+  enum hsr_filter filter = hsr_form_filtering(&choice->form).filter;
+  bool fine = a->flags & HSR_FILTERS_FINELY && filter == HSR_FILTER_BOX_64X64;
+  bool filters =
+      fine || (a->flags & HSR_FILTERS && hsr_filter_is_of_64(filter));
   return choice->form.type != a->kind &&
          !hsr_makes_also(a, choice->form.type) && !filters;
 }

@@ -78,11 +78,12 @@ static void init_rows(struct hsr_kernel *kernel) {
 void hsr_kernel_init(struct hsr_kernel *kernel, enum hsr_filter filter) {
   *kernel = (struct hsr_kernel){.reach = filter == HSR_FILTER_COSINE ||
                                          filter == HSR_FILTER_FIELD,
+                                .cells = hsr_filter_cells(filter),
                                 .columns = hsr_filter_columns(filter),
                                 .rows = hsr_filter_rows(filter),
                                 .all = hsr_filter_all(filter)};
-  uint32_t equal =
-      HSR_WHOLE_WEIGHT / (uint32_t)(kernel->rows * kernel->columns);
+  int n = kernel->cells * kernel->cells * kernel->rows * kernel->columns;
+  uint32_t equal = HSR_WHOLE_WEIGHT / (uint32_t)n;
   if (filter == HSR_FILTER_COSINE)
     init_cosine(kernel);
   else if (filter == HSR_FILTER_FIELD)
@@ -122,7 +123,8 @@ int hsr_jitter_pattern(const struct hsr_filtering *filtering, int i, int j) {
   return (int)(random * (uint64_t)filtering->patterns >> 32);
 }
 
-/* All sums and quotients are exact: multiples of 1/256 below 8. */
+/* All sums and quotients are exact: multiples of 1/256 below 8. Of cells that
+ * are not pixels, the view is of 8 m x 8 n of them. */
 struct hsr_view hsr_subsample_view(const struct hsr_view *view,
                                    enum hsr_filter filter, int pattern,
                                    int bit) {
@@ -130,7 +132,9 @@ struct hsr_view hsr_subsample_view(const struct hsr_view *view,
   struct hsr_jitter jitter = {.x = {0}};
   if (pattern >= 0)
     hsr_jitter_init(&jitter, pattern);
-  struct hsr_view moved = *view;
+  int cells = hsr_filter_cells(filter);
+  struct hsr_view moved =
+      cells > 1 ? hsr_view_finer(view, cells, cells) : *view;
   moved.offset_x = (bit % HSR_SUB + 0.5 + jitter.x[bit]) / columns - 0.5;
   moved.offset_y = (bit / HSR_SUB + 0.5 + jitter.y[bit]) / rows - 0.5;
   return moved;
@@ -259,7 +263,8 @@ void hsr_filter_add_picture(const struct hsr_kernel *kernel,
                             const struct hsr_world *world,
                             const struct hsr_view *view, const uint32_t *ids,
                             uint32_t *sums) {
-  int m = view->m, n = view->n, columns = kernel->columns;
+  int cells = kernel->cells, columns = kernel->columns;
+  int m = view->m * cells, n = view->n * cells;
   size_t stride = (size_t)m * (size_t)columns;
   struct colours colours;
   colours_init(&colours, world, view);
@@ -275,8 +280,8 @@ void hsr_filter_add_picture(const struct hsr_kernel *kernel,
           continue;
         uint64_t mask =
             kernel->all & (alike ? UINT64_MAX : mask_of(id, id[bit]));
-        hsr_filter_add(kernel, m, n, i, j, mask, colour_of(&colours, id[bit]),
-                       sums);
+        hsr_filter_add(kernel, view->m, view->n, i / cells, j / cells, mask,
+                       colour_of(&colours, id[bit]), sums);
         done |= mask;
       }
     }
@@ -287,7 +292,8 @@ void hsr_filter_add_subsample(const struct hsr_kernel *kernel,
                               const struct hsr_world *world,
                               const struct hsr_view *view, int pattern, int bit,
                               const uint32_t *ids, uint32_t *sums) {
-  int m = view->m, n = view->n, reach = kernel->reach;
+  int cells = kernel->cells, reach = kernel->reach;
+  int m = view->m * cells, n = view->n * cells;
   struct colours colours;
   colours_init(&colours, world, view);
   for (int j = 0; j < n; j++)
@@ -298,13 +304,13 @@ void hsr_filter_add_subsample(const struct hsr_kernel *kernel,
           colour_of(&colours, ids[(size_t)j * (size_t)m + (size_t)i]);
       for (int dy = -reach; dy <= reach; dy++)
         for (int dx = -reach; dx <= reach; dx++)
-          add(m, n, i + dx, j + dy, kernel->weight[dy + 1][dx + 1][bit], rgb,
-              sums);
+          add(view->m, view->n, i / cells + dx, j / cells + dy,
+              kernel->weight[dy + 1][dx + 1][bit], rgb, sums);
     }
 }
 
 /* The sum of the weights of all sub-samples of a picture that reach its pixel
- * (i, j). */
+ * (i, j). All cells of a pixel weigh the same. */
 static uint32_t weight_within(const struct hsr_kernel *kernel, int m, int n,
                               int i, int j) {
   uint32_t weight = 0;
@@ -312,7 +318,7 @@ static uint32_t weight_within(const struct hsr_kernel *kernel, int m, int n,
     for (int dx = -1; dx <= 1; dx++)
       if (is_within(m, n, i - dx, j - dy))
         weight += weight_of(kernel->row[dy + 1][dx + 1], UINT64_MAX);
-  return weight;
+  return weight * (uint32_t)(kernel->cells * kernel->cells);
 }
 
 void hsr_filter_finish(const struct hsr_filtering *filtering, int m, int n,

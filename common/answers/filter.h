@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The filtered picture, whose pixels have 8 x 8 samples each, or 4 x 8, or 4 x 4
- * (docs/filtered-picture.md).
+/* The filtered picture, whose pixels have 8 x 8 samples each, or 4 x 8, 4 x 4 or
+ * 64 x 64 (docs/filtered-picture.md).
  *
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 4.4; P. Haeberli and K. Akeley, "The Accumulation
@@ -12,7 +12,10 @@
  *             sub-sample is sample (8 i + a, 8 j + b) of the picture of
  *             8 m x 8 n samples. In the pattern of 4 x 8, a is from 0 to 3, and
  *             4 takes the place of 8 along x; in that of 4 x 4 along y too.
- * Bit         Sub-sample (a, b) is bit 8 b + a of a mask of 64 bits, in all
+ * Cell        A pixel of 64 x 64 sub-samples is 8 x 8 cells. These are as the
+ *             pixels of 8 x 8 are in the picture of 8 m x 8 n pixels. In all
+ *             other patterns the cell is the pixel.
+ * Bit         Sub-sample (a, b) of a cell is bit 8 b + a of a mask of 64 bits, in all
  *             patterns.
  * Colour      A face has the colour of hsr_picture_colour, by N.L, in 16 bits a
  *             channel, linear.
@@ -37,14 +40,20 @@ enum {
 
 enum hsr_filter {
   HSR_FILTER_NONE,
-  HSR_FILTER_BOX,     /* area sampling: all of the pixel has one weight */
-  HSR_FILTER_COSINE,  /* a hump of one pixel's radius, (1 + cos pi r) / 2 */
-  HSR_FILTER_BOX_4X8, /* the box over 4 x 8 samples, Carpenter's masks */
-  HSR_FILTER_BOX_4X4, /* the box over 4 x 4 */
-  HSR_FILTER_FIELD    /* one field of a frame: 1-4-6-4-1 over its lines */
+  HSR_FILTER_BOX,       /* area sampling: all of the pixel has one weight */
+  HSR_FILTER_COSINE,    /* a hump of one pixel's radius, (1 + cos pi r) / 2 */
+  HSR_FILTER_BOX_4X8,   /* the box over 4 x 8 samples, Carpenter's masks */
+  HSR_FILTER_BOX_4X4,   /* the box over 4 x 4 */
+  HSR_FILTER_BOX_64X64, /* the box over 64 x 64: a level more of masks */
+  HSR_FILTER_FIELD      /* one field of a frame: 1-4-6-4-1 over its lines */
 };
 
-/* How many columns of sub-samples a pixel has. */
+/* How many cells a pixel has along a side. */
+static inline int hsr_filter_cells(enum hsr_filter filter) {
+  return filter == HSR_FILTER_BOX_64X64 ? HSR_SUB : 1;
+}
+
+/* How many columns of sub-samples a cell has. */
 static inline int hsr_filter_columns(enum hsr_filter filter) {
   return filter == HSR_FILTER_BOX_4X8 || filter == HSR_FILTER_BOX_4X4
              ? HSR_SUB_ABUFFER
@@ -56,11 +65,13 @@ static inline int hsr_filter_rows(enum hsr_filter filter) {
   return filter == HSR_FILTER_BOX_4X4 ? HSR_SUB_ABUFFER : HSR_SUB;
 }
 
+/* Whether a pixel is one mask of 64 sub-samples. */
 static inline bool hsr_filter_is_of_64(enum hsr_filter filter) {
-  return hsr_filter_columns(filter) * hsr_filter_rows(filter) == 64;
+  return hsr_filter_cells(filter) == 1 &&
+         hsr_filter_columns(filter) * hsr_filter_rows(filter) == 64;
 }
 
-/* The mask of all sub-samples of a pixel. */
+/* The mask of all sub-samples of a cell. */
 static inline uint64_t hsr_filter_all(enum hsr_filter filter) {
   return filter == HSR_FILTER_BOX_4X8   ? UINT64_C(0x0f0f0f0f0f0f0f0f)
          : filter == HSR_FILTER_BOX_4X4 ? UINT64_C(0x0f0f0f0f)
@@ -77,14 +88,15 @@ struct hsr_filtering {
 /* The weights of one filter. */
 #define HSR_WHOLE_WEIGHT 65536u /* of all within a kernel's reach */
 struct hsr_kernel {
-  /* The weight with which sub-sample `bit` of a pixel counts in the pixel dx to
-   * its right and dy below it: weight[dy + 1][dx + 1][bit]. */
+  /* The weight with which sub-sample `bit` of a cell counts in the pixel dx to
+   * the right of its own, and dy below: weight[dy + 1][dx + 1][bit]. */
   uint32_t weight[3][3][64];
   /* The sum of these weights over the sub-samples in row b of the pixel whose
    * bits are set in `byte`: row[dy + 1][dx + 1][b][byte]. */
   uint32_t row[3][3][HSR_SUB][256];
   int reach;         /* how many pixels to each side a pixel adds to: 0 or 1 */
-  int columns, rows; /* of sub-samples in a pixel */
+  int cells;         /* along a side of a pixel; over 1: all weigh the same */
+  int columns, rows; /* of sub-samples in a cell */
   uint64_t all;      /* the mask of all of them; others have no weight */
 };
 void hsr_kernel_init(struct hsr_kernel *kernel, enum hsr_filter filter);
@@ -96,11 +108,11 @@ struct hsr_jitter {
 };
 void hsr_jitter_init(struct hsr_jitter *jitter, int pattern);
 
-/* Which pattern a pixel has, 0 to patterns - 1; -1 where there is no jitter. */
+/* Which pattern a cell has, 0 to patterns - 1; -1 where there is no jitter. */
 int hsr_jitter_pattern(const struct hsr_filtering *filtering, int i, int j);
 
-/* The view whose sample (i, j) is sub-sample `bit` of pixel (i, j), for pixels
- * of this pattern of jitter; pattern -1: without jitter. */
+/* The view whose sample (i, j) is sub-sample `bit` of cell (i, j), for cells of
+ * this pattern of jitter; pattern -1: without jitter. */
 struct hsr_view hsr_subsample_view(const struct hsr_view *view,
                                    enum hsr_filter filter, int pattern,
                                    int bit);
@@ -111,21 +123,21 @@ void hsr_filter_colour(const struct hsr_world *world,
                        const struct hsr_view *view, uint32_t id,
                        uint16_t rgb[3]);
 
-/* Adds the colour of the sub-samples whose bits are set in the mask of pixel
- * (i, j) to the sums of all pixels of an m x n picture that they reach. */
+/* Adds the colour of the sub-samples whose bits are set in the mask of a cell of
+ * pixel (i, j) to the sums of all pixels of an m x n picture that they reach. */
 void hsr_filter_add(const struct hsr_kernel *kernel, int m, int n, int i, int j,
                     uint64_t mask, const uint16_t rgb[3], uint32_t *sums);
 
 /* Adds a whole picture without jitter: ids[] of 8 m x 8 n samples, or as many
- * columns and rows as the kernel's pixels have, where m x n is the size of
+ * columns and rows as the pixels have, where m x n is the size of
  * `view`. */
 void hsr_filter_add_picture(const struct hsr_kernel *kernel,
                             const struct hsr_world *world,
                             const struct hsr_view *view, const uint32_t *ids,
                             uint32_t *sums);
 
-/* Adds one sub-sample of every pixel that has this pattern: ids[] are the m x n
- * samples of the view of hsr_subsample_view. */
+/* Adds one sub-sample of every cell that has this pattern: ids[] are the samples
+ * of the view of hsr_subsample_view. `view` is that of the pixels. */
 void hsr_filter_add_subsample(const struct hsr_kernel *kernel,
                               const struct hsr_filtering *filtering,
                               const struct hsr_world *world,

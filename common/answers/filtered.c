@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Weighted sums of 8 x 8, 4 x 8 or 4 x 4 samples a pixel:
+/* Weighted sums of 8 x 8, 4 x 8, 4 x 4 or 64 x 64 samples a pixel:
  * docs/filtered-picture.md.
  * Two answers are equal if their sums are, to the last bit.
  *
  * The kind is folded from ids: without jitter, from one picture of 8 m x 8 n
- * samples, or 4 m x 8 n, or 4 m x 4 n; with jitter, from a picture of m x n samples for each
- * sub-sample and each pattern
+ * samples, or 4 m x 8 n, 4 m x 4 n or 64 m x 64 n; with jitter, from a picture
+ * of m x n samples, or 8 m x 8 n, for each sub-sample and each pattern
  * (Haeberli and Akeley 1990). */
 #include "common/answers/answer.h"
 #include "common/answers/coded.h"
@@ -27,11 +27,14 @@ static const struct hsr_word filters[] = {
      "one field of a frame of twice as many lines, of which five have the "
      "weights 1, 4, 6, 4, 1",
      0},
+    {"box64x64",
+     "the box, with 64 x 64 samples a pixel, at most 256 x 256 pixels", 0},
     {NULL}};
 
 static const struct hsr_option options[] = {
     [FILTER] = {"filter",
-                "the filtered picture of 8 x 8, 4 x 8 or 4 x 4 samples a pixel",
+                "the filtered picture of 8 x 8, 4 x 8, 4 x 4 or 64 x 64 "
+                "samples a pixel",
                 .words = filters},
     [JITTER] = {"jitter", "with filter: the samples jittered in N patterns",
                 .least = 0, .most = HSR_MOST_PATTERNS, .standard = 0},
@@ -39,12 +42,17 @@ static const struct hsr_option options[] = {
 
 struct hsr_filtering hsr_form_filtering(const struct hsr_form *form) {
   static const enum hsr_filter filter[] = {
-      HSR_FILTER_BOX, HSR_FILTER_COSINE, HSR_FILTER_BOX_4X8, HSR_FILTER_BOX_4X4,
-      HSR_FILTER_FIELD};
+      HSR_FILTER_BOX,     HSR_FILTER_COSINE, HSR_FILTER_BOX_4X8,
+      HSR_FILTER_BOX_4X4, HSR_FILTER_FIELD,  HSR_FILTER_BOX_64X64};
   if (form->type != &hsr_answer_filtered)
     return (struct hsr_filtering){HSR_FILTER_NONE, 0};
   return (struct hsr_filtering){filter[form->values.option[FILTER]],
                                 (int)form->values.option[JITTER]};
+}
+
+/* How many columns, or rows, of sub-samples a pixel has, of those a cell has. */
+static int of_pixel(enum hsr_filter filter, int of_cell) {
+  return hsr_filter_cells(filter) * of_cell;
 }
 
 struct body {
@@ -61,7 +69,30 @@ uint32_t *hsr_answer_sums_of(const struct hsr_answer *answer) {
   return body && answer->form.type == &hsr_answer_filtered ? body->sums : NULL;
 }
 
+static enum hsr_status too_many(int m, int n, int columns, int rows,
+                                const char *how, struct hsr_error *err) {
+  return hsr_fail(err, HSR_E_REFUSED,
+                  "%d x %d pixels of %d x %d samples%s: at most %d x %d", m, n,
+                  columns, rows, how, HSR_MAX_SIZE / columns,
+                  HSR_MAX_SIZE / rows);
+}
+
+/* Where a pixel is many cells, nobody draws more than HSR_MAX_SIZE samples a
+ * side. */
+static enum hsr_status check_size(const struct hsr_answer *answer,
+                                  struct hsr_error *err) {
+  enum hsr_filter filter = hsr_form_filtering(&answer->form).filter;
+  int side = of_pixel(filter, HSR_SUB), most = HSR_MAX_SIZE / side;
+  return hsr_filter_cells(filter) == 1 ||
+                 (answer->m <= most && answer->n <= most)
+             ? HSR_OK
+             : too_many(answer->m, answer->n, side, side, "", err);
+}
+
 static enum hsr_status make(struct hsr_answer *answer, struct hsr_error *err) {
+  enum hsr_status status = check_size(answer, err);
+  if (status)
+    return status;
   struct body *body = calloc(1, sizeof *body + size_of_sums(answer));
   answer->body = body;
   if (!body)
@@ -80,7 +111,7 @@ static void free_body(struct hsr_answer *answer) {
 
 /* --- Folding -------------------------------------------------------------- */
 
-/* How many sub-samples a pixel has, and the bit of the k-th. */
+/* How many sub-samples a cell has, and the bit of the k-th. */
 static long count_bits(const struct hsr_form *form) {
   enum hsr_filter filter = hsr_form_filtering(form).filter;
   return (long)hsr_filter_rows(filter) * hsr_filter_columns(filter);
@@ -102,20 +133,16 @@ static enum hsr_status picture_view(const struct hsr_form *form,
                                     struct hsr_view *picture,
                                     struct hsr_error *err) {
   struct hsr_filtering filtering = hsr_form_filtering(form);
-  int columns = hsr_filter_columns(filtering.filter);
-  int rows = hsr_filter_rows(filtering.filter);
+  enum hsr_filter filter = filtering.filter;
+  int columns = of_pixel(filter, hsr_filter_columns(filter));
+  int rows = of_pixel(filter, hsr_filter_rows(filter));
   if (filtering.patterns) {
-    *picture = hsr_subsample_view(view, filtering.filter,
-                                  (int)(k / count_bits(form)), bit_of(form, k));
+    *picture = hsr_subsample_view(view, filter, (int)(k / count_bits(form)),
+                                  bit_of(form, k));
     return HSR_OK;
   }
   if (view->m > HSR_MAX_SIZE / columns || view->n > HSR_MAX_SIZE / rows)
-    return hsr_fail(
-        err, HSR_E_REFUSED,
-        "%d x %d pixels of %d x %d samples, without jitter: at most "
-        "%d x %d",
-        view->m, view->n, columns, rows, HSR_MAX_SIZE / columns,
-        HSR_MAX_SIZE / rows);
+    return too_many(view->m, view->n, columns, rows, ", without jitter", err);
   *picture = hsr_view_finer(view, columns, rows);
   return HSR_OK;
 }
@@ -190,8 +217,8 @@ static void print(const struct hsr_answer *answer,
   struct hsr_filtering filtering = hsr_form_filtering(&answer->form);
   (void)showing;
   fprintf(out, "%d x %d samples a pixel, %s",
-          hsr_filter_columns(filtering.filter),
-          hsr_filter_rows(filtering.filter),
+          of_pixel(filtering.filter, hsr_filter_columns(filtering.filter)),
+          of_pixel(filtering.filter, hsr_filter_rows(filtering.filter)),
           filters[answer->form.values.option[FILTER]].name);
   if (filtering.patterns)
     fprintf(out, ", jittered in %d patterns", filtering.patterns);
@@ -232,7 +259,9 @@ static json_t *sums_json(const struct hsr_answer *answer,
 
 const struct hsr_answer_type hsr_answer_filtered = {
     .name = "filtered",
-    .meaning = "weighted integer sums of 8 x 8, 4 x 8 or 4 x 4 samples a pixel",
+    .meaning =
+        "weighted integer sums of 8 x 8, 4 x 8, 4 x 4 or 64 x 64 samples "
+        "a pixel",
     .draws = "filtered pixels",
     .places = "pixels",
     .grains = "pixels",

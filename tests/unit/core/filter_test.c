@@ -109,6 +109,23 @@ static void test_box4x4(struct tap *tap) {
      "box4x4: a sub-sample is a 16th of a pixel");
 }
 
+/* A pixel is 8 x 8 cells, which are the pixels of the box in a picture of 8 m x
+ * 8 n. */
+static void test_box64x64(struct tap *tap) {
+  struct hsr_kernel kernel;
+  bool good = true;
+  hsr_kernel_init(&kernel, HSR_FILTER_BOX_64X64);
+  for (int k = 0; k < 24 * 24; k++) {
+    int x = k % 24 - 8, y = k / 24 - 8;
+    bool inside = x >= 0 && y >= 0 && x < 8 && y < 8;
+    good &= at(&kernel, k % 24, k / 24) == (inside ? 16u : 0u);
+  }
+  ok(tap,
+     good && kernel.cells == 8 && kernel.columns == 8 && kernel.rows == 8 &&
+         kernel.all == UINT64_MAX && kernel.reach == 0,
+     "box64x64: the sub-samples of 8 x 8 cells have one weight");
+}
+
 /* --- Jitter --------------------------------------------------------------- */
 
 static bool is_place(double v) {
@@ -459,12 +476,64 @@ static void test_sums(struct tap *tap, const struct stage *stage,
      "%s: and so do 64 pictures of one sub-sample each", name);
 }
 
+/* Sums of 8 m x 8 n pixels of the box, added up, and the picture that hsr makes
+ * of them at once, or of a sub-sample of each cell. */
+static void test_cells(struct tap *tap, const struct stage *stage,
+                       int patterns) {
+  static uint32_t cells[3 * 64 * COLUMNS * ROWS], at_once[3 * COLUMNS * ROWS],
+      parts[3 * COLUMNS * ROWS];
+  static uint32_t ids[4096 * COLUMNS * ROWS], few[64 * COLUMNS * ROWS];
+  struct hsr_filtering box = {HSR_FILTER_BOX, patterns},
+                       fine = {HSR_FILTER_BOX_64X64, patterns};
+  struct hsr_kernel kernel[2];
+  struct hsr_view view = hsr_view_finer(&stage->pixels, 8, 8);
+  const struct hsr_algorithm *a = hsr_algorithm_find("zbuffer")->plain;
+  hsr_kernel_init(&kernel[0], box.filter);
+  hsr_kernel_init(&kernel[1], fine.filter);
+  memset(cells, 0, sizeof cells);
+  memset(parts, 0, sizeof parts);
+  memset(at_once, 0, sizeof at_once);
+  for (int p = patterns ? 0 : -1; p < patterns; p++)
+    for (int bit = 0; bit < BITS; bit++) {
+      struct hsr_view one = hsr_subsample_view(&view, box.filter, p, bit);
+      struct hsr_view other =
+          hsr_subsample_view(&stage->pixels, fine.filter, p, bit);
+      draw_ids(a, &stage->world, &one, few, NULL);
+      hsr_filter_add_subsample(&kernel[0], &box, &stage->world, &view, p, bit,
+                               few, cells);
+      draw_ids(a, &stage->world, &other, few, NULL);
+      hsr_filter_add_subsample(&kernel[1], &fine, &stage->world, &stage->pixels,
+                               p, bit, few, parts);
+    }
+  if (!patterns) {
+    struct hsr_view whole = hsr_view_finer(&stage->pixels, 64, 64);
+    draw_ids(a, &stage->world, &whole, ids, NULL);
+    hsr_filter_add_picture(&kernel[1], &stage->world, &stage->pixels, ids,
+                           at_once);
+  }
+  bool good = true;
+  for (int k = 0; k < 3 * COLUMNS * ROWS; k++) {
+    uint64_t sum = 0;
+    for (int cell = 0; cell < 64; cell++) {
+      int i = k / 3 % COLUMNS * 8 + cell % 8,
+          j = k / 3 / COLUMNS * 8 + cell / 8;
+      sum += cells[3 * (j * 8 * COLUMNS + i) + k % 3];
+    }
+    good &=
+        sum == 64 * (uint64_t)parts[k] && (patterns || parts[k] == at_once[k]);
+  }
+  ok(tap, good, "box64x64: a pixel is the mean of 8 x 8 pixels of the box, %s",
+     patterns ? "jittered"
+              : "and so is the picture of 64 x 64 samples a pixel");
+}
+
 int main(void) {
-  struct tap tap = plan(36);
+  struct tap tap = plan(39);
   test_weights(&tap, HSR_FILTER_BOX, "box");
   test_weights(&tap, HSR_FILTER_COSINE, "cosine");
   test_field(&tap);
   test_box4x4(&tap);
+  test_box64x64(&tap);
   test_jitter(&tap);
   test_patterns(&tap);
   struct stage stage;
@@ -478,6 +547,8 @@ int main(void) {
   test_sums(&tap, &stage, HSR_FILTER_BOX, "box");
   test_sums(&tap, &stage, HSR_FILTER_COSINE, "cosine");
   test_sums(&tap, &stage, HSR_FILTER_FIELD, "field");
+  test_cells(&tap, &stage, 0);
+  test_cells(&tap, &stage, 2);
   test_pictures(&tap, &stage);
   test_light(&tap, &stage);
   test_lamp(&tap);
