@@ -14,17 +14,18 @@ struct loop {
   struct hsr_kernel kernel;
   struct crew *crew;
   struct hsr_tally tally;
-  struct hsr_answer drawn; /* ids: one sub-sample of the pixels */
+  struct hsr_answer drawn; /* ids: one sub-sample of the cells */
   uint32_t *sums;
 };
 
-/* The pixel that is dx to the right and dy below of (i, j), if it is one that
- * is wanted; else -1. */
+/* The pixel that is dx to the right and dy below of that of cell (i, j), if it is
+ * one that is wanted; else -1. */
 static long target(const struct loop *loop, int i, int j, int dx, int dy) {
   int m = loop->pixels->m, n = loop->pixels->n;
-  if (i + dx < 0 || i + dx >= m || j + dy < 0 || j + dy >= n)
+  int x = i / loop->kernel.cells + dx, y = j / loop->kernel.cells + dy;
+  if (x < 0 || x >= m || y < 0 || y >= n)
     return -1;
-  long k = (long)(j + dy) * m + i + dx;
+  long k = (long)y * m + x;
   return !loop->wanted || loop->wanted[k] ? k : -1;
 }
 
@@ -37,7 +38,7 @@ static bool reaches_any(const struct loop *loop, int i, int j, int bit) {
   return false;
 }
 
-/* Adds what sub-sample `bit` of pixel (i, j), which shows a face, gives. */
+/* Adds what sub-sample `bit` of cell (i, j), which shows a face, gives. */
 static void add(struct loop *loop, int i, int j, int bit, uint32_t face) {
   uint16_t rgb[3];
   hsr_filter_colour(loop->oracle->world, loop->pixels, face, rgb);
@@ -56,7 +57,7 @@ static enum hsr_status ask(struct loop *loop, const struct hsr_view *view,
                      err);
 }
 
-/* One sub-sample of all pixels of a pattern: drawn at once where it is all that
+/* One sub-sample of all cells of a pattern: drawn at once where it is all that
  * there are, else one by one. */
 static enum hsr_status ask_subsample(struct loop *loop, int pattern, int bit,
                                      struct hsr_error *err) {
@@ -92,7 +93,8 @@ enum hsr_status judge_sums(const struct hsr_setup *oracle,
                       .crew = crew_new(1),
                       .sums = sums};
   hsr_kernel_init(&loop.kernel, filtering->filter);
-  enum hsr_status status = answer_init(&loop.drawn, oracle, view, err);
+  struct hsr_view cells = hsr_subsample_view(view, filtering->filter, -1, 0);
+  enum hsr_status status = answer_init(&loop.drawn, oracle, &cells, err);
   if (!status && !loop.crew)
     status = hsr_fail_nomem(err);
   int first = filtering->patterns ? 0 : -1;

@@ -58,7 +58,8 @@ long samples_to_compare(const struct hsr_world *world,
     return wanted;
   if (!hsr_is_outline(world) || world->n_faces <= HSR_MOST_LAID_OUT)
     return 0;
-  return form->type->fold ? SAMPLES_OF_MANY_FACES / (HSR_SUB * HSR_SUB)
+  int side = HSR_SUB * hsr_filter_cells(hsr_form_filtering(form).filter);
+  return form->type->fold ? SAMPLES_OF_MANY_FACES / (side * side)
                           : SAMPLES_OF_MANY_FACES;
 }
 
