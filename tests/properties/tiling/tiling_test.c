@@ -218,14 +218,16 @@ static void find_sums(const struct both_worlds *s, const char *text,
 /* Faces that are not flat may be refused: their place is not certain. */
 static void test_filtered(struct tap *tap, const char *name, bool may_refuse) {
   static const char *const texts[] = {
-      "tiling:filter=box", "tiling:filter=cosine", "tiling:filter=box:jitter=3",
-      "tiling:filter=cosine:jitter=3"};
+      "tiling:filter=box",          "tiling:filter=cosine",
+      "tiling:filter=box:jitter=3", "tiling:filter=cosine:jitter=3",
+      "tiling:filter=box64x64",     "tiling:filter=box64x64:jitter=2"};
+  enum { TEXTS = sizeof texts / sizeof *texts, BOX64 = 4 };
   struct both_worlds s;
   long wrong = 0, refused = 0, pictures = 0;
   open_worlds(&s, name);
-  for (int k = 0; k < 4; k++) {
+  for (int k = 0; k < TEXTS; k++) {
     uint32_t wanted[3 * COLUMNS * ROWS];
-    struct hsr_view view = view_of(&s, (uint32_t)k / 2, COLUMNS, ROWS);
+    struct hsr_view view = view_of(&s, (uint32_t)k / 2 % VIEWS, COLUMNS, ROWS);
     struct run r;
     if (!begin_run(&r, &s.world, texts[k], true))
       stop(name, "is refused");
@@ -239,13 +241,13 @@ static void test_filtered(struct tap *tap, const char *name, bool may_refuse) {
       if (differ)
         printf("# %s, %s: %ld sums differ\n", name, texts[k], differ);
       wrong += differ;
-      wrong += r.samples != 64 * COLUMNS * ROWS;
+      wrong += r.samples != (k < BOX64 ? 64 : 4096) * COLUMNS * ROWS;
       pictures++;
     }
     hsr_answer_free(&r.answer);
     hsr_setup_free(&r.setup);
   }
-  ok(tap, !wrong && pictures + refused == 4 && (may_refuse || !refused),
+  ok(tap, !wrong && pictures + refused == TEXTS && (may_refuse || !refused),
      "%s: %ld filtered pictures have the judge's sums, %ld are refused", name,
      pictures, refused);
   close_worlds(&s);

@@ -40,9 +40,16 @@ void hsr_sampling_free(struct hsr_sampling *s) {
   hsr_triage_free(&s->tables);
 }
 
+/* Samples along a side of a pixel: a mask; or of box64x64, a level more, 8 x 8
+ * masks. */
+static int side_of(const struct hsr_job *job) {
+  return job->filtering ? HSR_SUB * hsr_filter_cells(job->filtering->filter)
+                        : 1;
+}
+
 static struct hsr_view view_of(const struct hsr_job *job) {
-  return job->filtering ? hsr_view_finer(job->view, HSR_SUB, HSR_SUB)
-                        : *job->view;
+  int side = side_of(job);
+  return side > 1 ? hsr_view_finer(job->view, side, side) : *job->view;
 }
 
 int hsr_tiling_pattern(const struct hsr_job *job) {
@@ -79,7 +86,7 @@ static struct hsr_masks masks_of(struct hsr_tiling *t) {
                                       .finest = HSR_FINEST_CELLS,
                                       .pixels = HSR_PIXEL_CELLS,
                                       .unsure = HSR_SAMPLES_UNSURE},
-                            .pixel = filtering ? HSR_SUB : 1};
+                            .pixel = side_of(job)};
 }
 
 enum hsr_status hsr_tiling_begin(struct hsr_tiling *t,

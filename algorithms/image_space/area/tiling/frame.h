@@ -149,7 +149,7 @@ enum {
                        HSR_MASK_VISIT_OUTCOMES},                               \
   [HSR_SAMPLES_WRITTEN] = {"samples",                                          \
                            "written by masks, each once; of a filtered "       \
-                           "picture, 64 a pixel",                              \
+                           "picture, 64 a pixel, or 4096",                     \
                            HSR_ACCEPT, HSR_OF_FACE, HSR_OF_WINDOW},            \
   [HSR_SAMPLES_UNSURE] = {"unsure samples", "put to the exact predicates",     \
                           HSR_SAMPLE,       HSR_OF_FACE,                       \

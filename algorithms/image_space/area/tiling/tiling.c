@@ -397,7 +397,8 @@ const struct hsr_algorithm HSR_ALGORITHM(tiling) = {
     .restrictions = HSR_CF,
     .subjects = 1 << HSR_FACES,
     .kind = HSR_IDS,
-    .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS,
+    .flags = HSR_INSTANCED | HSR_RATHER_LAID_OUT | HSR_FILTERS |
+             HSR_FILTERS_FINELY,
     .sorts = sorts,
     .counters = counters,
     .outline = outline,

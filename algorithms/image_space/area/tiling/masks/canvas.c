@@ -79,25 +79,32 @@ static void add(const struct hsr_canvas *c, int i, int j, uint32_t weight) {
 
 static void box_samples(void *context, int x, int y, uint64_t mask) {
   struct hsr_canvas *c = context;
-  unsigned n = hsr_count_bits(mask);
+  unsigned n = hsr_count_bits(mask), all = (unsigned)(c->side * c->side);
   shade(c);
   count_samples(c, x, y, mask);
-  add(c, x / HSR_SUB, y / HSR_SUB, n * (HSR_WHOLE_WEIGHT / 64));
+  add(c, x / c->side, y / c->side, n * (HSR_WHOLE_WEIGHT / all));
 }
 
-/* Nothing has been added to these pixels before. */
+/* A square within a pixel; or of whole pixels, to which nothing has been added
+ * before. */
 static void box_square(void *context, int x, int y, int size) {
   struct hsr_canvas *c = context;
   shade(c);
+  if (size < c->side) {
+    uint32_t parts = (uint32_t)(c->side / size);
+    count_square(c, x, y, size);
+    add(c, x / c->side, y / c->side, HSR_WHOLE_WEIGHT / (parts * parts));
+    return;
+  }
   uint32_t whole[3];
   for (int k = 0; k < 3; k++)
     whole[k] = HSR_WHOLE_WEIGHT * c->rgb[k];
-  int i1 = least(x + size, c->window.x1) / HSR_SUB;
-  int j1 = least(y + size, c->window.y1) / HSR_SUB;
+  int i1 = least(x + size, c->window.x1) / c->side;
+  int j1 = least(y + size, c->window.y1) / c->side;
   count_square(c, x, y, size);
-  for (int j = y / HSR_SUB; j < j1; j++) {
-    uint32_t *sum = pixel(c, x / HSR_SUB, j);
-    for (int i = x / HSR_SUB; i < i1; i++, sum += 3)
+  for (int j = y / c->side; j < j1; j++) {
+    uint32_t *sum = pixel(c, x / c->side, j);
+    for (int i = x / c->side; i < i1; i++, sum += 3)
       for (int k = 0; k < 3; k++)
         sum[k] = whole[k];
   }
@@ -142,6 +149,8 @@ void hsr_canvas_begin(struct hsr_canvas *c, const struct hsr_job *job,
                       int counter) {
   *c = (struct hsr_canvas){
       .job = job, .window = window, .kernel = wide, .counter = counter};
+  if (job->filtering)
+    c->side = HSR_SUB * hsr_filter_cells(job->filtering->filter);
   for (int k = 0; k < 9; k++)
     for (int byte = 0; byte < 8; byte++)
       c->whole[k / 3][k % 3] += wide->row[k / 3][k % 3][byte][255];
@@ -158,10 +167,14 @@ void hsr_canvas_colour(struct hsr_canvas *c, const uint16_t rgb[3]) {
   c->has_colour = true;
 }
 
+static bool is_box(enum hsr_filter filter) {
+  return filter == HSR_FILTER_BOX || filter == HSR_FILTER_BOX_64X64;
+}
+
 struct hsr_mask_sink hsr_canvas_sink(struct hsr_canvas *c) {
   struct hsr_mask_sink ids = {put_samples, put_square, c};
   struct hsr_mask_sink box = {box_samples, box_square, c};
   struct hsr_mask_sink wide = {wide_samples, wide_square, c};
   const struct hsr_filtering *filtering = c->job->filtering;
-  return !filtering ? ids : filtering->filter == HSR_FILTER_BOX ? box : wide;
+  return !filtering ? ids : is_box(filtering->filter) ? box : wide;
 }

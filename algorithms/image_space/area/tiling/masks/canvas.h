@@ -4,8 +4,9 @@
  * Source      N. Greene, "Hierarchical Polygon Tiling with Coverage Masks",
  *             SIGGRAPH 1996, 4.4 and 4.5; L. Carpenter, "The A-buffer",
  *             SIGGRAPH 1984. The filters are those of common/answers/filter.h.
- * Notation    a pixel of a filtered picture is one mask of the finest level.
- *             The box filter counts the bits of a mask. Other filters look
+ * Notation    a pixel of a filtered picture is one mask of the finest level; of
+ *             box64x64, one of the level above (1996, 9: a level more).
+ *             The box filters count the bits of a mask. Other filters look
  *             up what each byte of a mask adds to the 3 x 3 pixels about it. */
 #ifndef HSR_ALGORITHMS_TILING_CANVAS_H
 #define HSR_ALGORITHMS_TILING_CANVAS_H
@@ -29,6 +30,7 @@ struct hsr_canvas {
   int counter;              /* raised for each sample that is written */
 
   /* Of a filtered picture. */
+  int side;        /* samples along a side of a pixel */
   bool has_colour; /* rgb is that of the face in hand */
   uint16_t rgb[3];
   const struct hsr_kernel *kernel;
