@@ -286,6 +286,13 @@ static enum hsr_status cast_shadows(struct frame *t) {
   return HSR_OK;
 }
 
+/* Puts the transparent faces over the opaque ones. It compares them in depth with
+ * faces, too, that were tiled in floats, without their planes. */
+static enum hsr_status show_glass(struct frame *t) {
+  hsr_screen_planes(&t->tiler.screen);
+  return hsr_peel(t->glass, &t->tiler);
+}
+
 static enum hsr_status render(const struct hsr_job *job,
                               struct hsr_error *err) {
   struct frame t = {.job = job};
@@ -293,7 +300,7 @@ static enum hsr_status render(const struct hsr_job *job,
   if (job->colours && hsr_glass_begin(&glass, job))
     return hsr_fail_nomem(err);
   t.glass = job->colours ? &glass : NULL;
-  if (begin_frame(&t) || tile(&t) || (t.glass && hsr_peel(&glass, &t.tiler)) ||
+  if (begin_frame(&t) || tile(&t) || (t.glass && show_glass(&t)) ||
       (job->lit && cast_shadows(&t)))
     return hsr_fail_nomem(err);
   return HSR_OK;

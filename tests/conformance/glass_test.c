@@ -141,6 +141,44 @@ static void check_failures(struct tap *tap, uint64_t *seed, long *samples) {
   }
 }
 
+/* Triangles alone, of which the z-buffer tiles the opaque ones in floats. */
+static struct hsr_scene *draw_triangles(uint64_t *seed) {
+  struct hsr_scene *scene = hsr_scene_new("triangles");
+  struct hsr_error err = {.text = "out of memory"};
+  for (int o = 0; o < 3; o++) {
+    struct hsr_object *object = hsr_scene_object(scene, "some");
+    object->opacity = 1 - 0.25f * (float)o;
+    for (uint32_t f = 0; f < 12; f++) {
+      int64_t x = draw_integer(seed, -40, 30), y = draw_integer(seed, -40, 30),
+              z = draw_integer(seed, -40, 40);
+      const int64_t at[3][3] = {
+          {x, y, z},
+          {x + draw_integer(seed, 5, 20), y, z + draw_integer(seed, -9, 9)},
+          {x, y + draw_integer(seed, 5, 20), z + draw_integer(seed, -9, 9)}};
+      for (int k = 0; k < 3; k++)
+        hsr_object_vertex(object, (double)at[k][0], (double)at[k][1],
+                          (double)at[k][2], NULL);
+      hsr_object_face(object, (const uint32_t[]){3 * f, 3 * f + 1, 3 * f + 2},
+                      3, NULL);
+    }
+  }
+  if (hsr_scene_finish(scene, &err))
+    fail("triangles", &err);
+  return scene;
+}
+
+static void check_triangles(struct tap *tap, uint64_t *seed, long *samples) {
+  enum { TIMES = 30 };
+  long differing = 0;
+  for (int k = 0; k < TIMES; k++) {
+    struct hsr_scene *scene = draw_triangles(seed);
+    differing += check_scene(scene, "triangles", seed, samples);
+    hsr_scene_delete(scene);
+  }
+  ok(tap, differing == 0, "%d scenes of triangles: %ld differences", (int)TIMES,
+     differing);
+}
+
 /* --- The judge ------------------------------------------------------------ */
 
 static void set_opacity(struct hsr_scene *scene, float opacity) {
@@ -250,12 +288,14 @@ int main(int argc, char **argv) {
   int n_failures = 0;
   for (const struct hsr_builtin *b = hsr_builtins; b->name; b++)
     n_failures += b->failure_case;
-  struct tap tap = plan(PARTS + 8 + n_failures);
+  struct tap tap = plan(PARTS + 9 + n_failures);
   check_stack(&tap, true);
   check_stack(&tap, false);
   check_extremes(&tap, "house");
   check_extremes(&tap, "lattice:60:2");
   check_failures(&tap, &seed, &samples);
+  uint64_t other = 1;
+  check_triangles(&tap, &other, &samples);
   for (long part = 0; part < PARTS; part++) {
     long differences = 0, first = n * part / PARTS,
          end = n * (part + 1) / PARTS;
