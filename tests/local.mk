@@ -388,4 +388,5 @@ EXTRA_DIST += \
   %D%/fuzz/fuzz_volume.cc \
   %D%/fuzz/grids.dict \
   %D%/fuzz/library.cc \
+  %D%/fuzz/scene_json.dict \
   %D%/fuzz/vtp.dict

@@ -178,8 +178,10 @@ static bool has_colours(const struct hsr_object *a,
 static bool is_same_object(const struct hsr_object *a,
                            const struct hsr_object *b) {
   size_t n = a->n_faces;
-  if (!n || a->one_sided != b->one_sided || a->moves != b->moves)
+  if (a->one_sided != b->one_sided || a->moves != b->moves)
     return false;
+  if (!n)
+    return true;
   return has_colours(a, b) &&
          !memcmp(a->xyz, b->xyz, 3 * (size_t)a->n_vertices * sizeof *a->xyz) &&
          !memcmp(a->start, b->start, (n + 1) * sizeof *a->start) &&
