@@ -8,6 +8,7 @@ algorithm_files += \
   %D%/bounded/quadtree.c \
   %D%/bounded/refine.c \
   %D%/bounded/refine.h \
+  %D%/bounded/side.c \
   %D%/bounded/spread.c \
   %D%/bounded/strict.c \
   %D%/bounded/strict.h \

@@ -43,6 +43,9 @@ extern "C" {
 #define hsr_bounded_mean HSR_OF_BUILD(hsr_bounded_mean)
 #define hsr_bounded_reach HSR_OF_BUILD(hsr_bounded_reach)
 #define hsr_bounded_now HSR_OF_BUILD(hsr_bounded_now)
+#define hsr_bounded_is_late HSR_OF_BUILD(hsr_bounded_is_late)
+#define hsr_bounded_leave HSR_OF_BUILD(hsr_bounded_leave)
+#define hsr_bounded_leave_all HSR_OF_BUILD(hsr_bounded_leave_all)
 #define hsr_bounded_free_below HSR_OF_BUILD(hsr_bounded_free_below)
 
 enum {
@@ -98,8 +101,9 @@ struct hsr_eb_cell {
   uint32_t first, n;      /* of a leaf: its list */
   int level;              /* the side is 2^level pixels */
   enum hsr_eb_place place;
-  bool done;   /* of a pixel: its interval is narrow enough */
-  double x, y; /* the middle of the square */
+  bool done;    /* of a pixel: its interval is narrow enough */
+  bool untiled; /* what the tiling pass did not come to may be seen here */
+  double x, y;  /* the middle of the square */
   double near, far;
   double lo[3], hi[3]; /* of the integral over the square, a channel each; of a
                           square of more than a pixel, of a pixel of it */
@@ -124,6 +128,9 @@ struct hsr_eb_tree {
   struct hsr_eb_planes *planes; /* HSR_EB_PLANES: what was asked last */
   uint32_t in_order; /* polygons from this one on came in strict order, from
                         front to back; HSR_EB_NONE: none did */
+  double until;      /* by hsr_bounded_now; INFINITY: any time */
+  bool late;         /* it is past that */
+  unsigned asked;
   double background[3];
   struct hsr_shades shades;
   struct hsr_growing surfaces; /* a shape: its own, unless a face has one colour
@@ -180,12 +187,12 @@ struct hsr_subject hsr_eb_subject(const struct hsr_eb_cell *cell);
 struct hsr_window hsr_eb_window(const struct hsr_eb_tree *t,
                                 const struct hsr_eb_cell *cell);
 
-/* Makes the root, which holds the window. `pair` compares faces of the job's
+/* Makes the root, which holds the window. The time ends at `until`. `pair` compares faces of the job's
  * scene; `form` has the shader. HSR_E_NOMEM. */
 enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *tree,
                                   const struct hsr_job *job,
                                   const struct hsr_area_form *form,
-                                  struct hsr_pair *pair);
+                                  double until, struct hsr_pair *pair);
 
 /* Puts a face of the screen's world into the quadtree, from the smallest cell
  * that encloses it on. The plane is filled in. False if memory ran out. */
@@ -227,10 +234,20 @@ struct hsr_eb_side {
 };
 
 /* CouldCubeFaceBeVisible: false if it is hidden all over. No more than `most`
- * cells are visited. True if memory ran out, too. */
+ * cells are visited. True if memory or time ran out, too. */
 bool hsr_bounded_could_be_seen(struct hsr_eb_tree *tree,
                                const struct hsr_eb_side *side, uint64_t most,
                                struct hsr_subject cube);
+
+/* Has the time ended? Then what follows is told of what is not tiled any more,
+ * and cells are bounded with little work. */
+bool hsr_bounded_is_late(struct hsr_eb_tree *tree);
+
+/* Behind the front faces of a cube, or anywhere, there may be polygons that are
+ * not tiled. False if memory ran out. */
+bool hsr_bounded_leave(struct hsr_eb_tree *tree,
+                       const struct hsr_eb_side *side);
+void hsr_bounded_leave_all(struct hsr_eb_tree *tree);
 
 /* The least and the greatest colours of polygon s over a cell. */
 void hsr_bounded_shade(const struct hsr_eb_tree *tree,
@@ -238,7 +255,7 @@ void hsr_bounded_shade(const struct hsr_eb_tree *tree,
                        double low[3], double high[3]);
 
 /* All that may be seen in a leaf: the least and the greatest of its polygons'
- * colours, a channel each. */
+ * colours, a channel each; any colour, where it is not known. */
 void hsr_bounded_hull(const struct hsr_eb_tree *tree,
                       const struct hsr_eb_cell *cell, double low[3],
                       double high[3]);
@@ -257,7 +274,6 @@ struct hsr_eb_limits {
   struct hsr_area_form
       form; /* a pixel's interval need not be narrower than eps */
   struct hsr_window window; /* the pixels that are asked for */
-  double begun, seconds;    /* end so long after `begun`; 0: at any time */
   int deepest;    /* cells have a side of at least 2^-deepest pixels, at most
                      HSR_EB_DEEPEST */
   uint32_t cells; /* no more cells at a time */

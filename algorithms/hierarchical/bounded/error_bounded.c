@@ -155,8 +155,9 @@ static const struct hsr_option options[] = {
     [DEPTH] = {"depth", "a cell is at least 2^-N pixels wide", NULL, 0,
                HSR_EB_DEEPEST, 16},
     [CELLS] = {"cells", "millions of cells at a time", NULL, 1, 1000, 16},
-    [SECONDS] = {"seconds", "refine no longer; 0: any time", .real = true,
-                 .real_least = 0, .real_most = 1e6, .real_standard = 0},
+    [SECONDS] = {"seconds", "a window takes no longer; 0: any time",
+                 .real = true, .real_least = 0, .real_most = 1e6,
+                 .real_standard = 0},
     [ORDER] = {"order", "in which polygons are tiled, front to back", tilings,
                0, ORDER_STRICT, ORDER_CUBES},
     {NULL}};
@@ -242,6 +243,27 @@ static bool could_be_visible(struct walk *w, const struct hsr_placing *placing,
   return could_box_be_visible(w, placing, &cube, n, subject);
 }
 
+/* The time has ended: what is in the cube is not tiled. */
+static bool leave(struct walk *w, const struct hsr_placing *placing,
+                  const struct hsr_octree_box *cube,
+                  struct hsr_subject subject) {
+  struct hsr_cube_image image;
+  if (hsr_cube_classify(&w->frame, placing, cube, HSR_EB_INEQUALITIES,
+                        subject) == HSR_BOX_OUT)
+    return true;
+  if (!hsr_cube_project(&w->frame, placing, cube, &image)) {
+    hsr_bounded_leave_all(&w->tree);
+    return true;
+  }
+  for (int side = 0; side < 6; side++)
+    if (image.front >> side & 1) {
+      struct hsr_eb_side face = side_of(w, placing, cube, &image, side);
+      if (!hsr_bounded_leave(&w->tree, &face))
+        return false;
+    }
+  return true;
+}
+
 /* Of the strict order, whose cubes are of the world. */
 static bool could_strict_cube_be_visible(void *context,
                                          const struct hsr_octree_box *cube,
@@ -249,6 +271,11 @@ static bool could_strict_cube_be_visible(void *context,
                                          struct hsr_subject subject) {
   struct walk *w = context;
   return could_box_be_visible(w, &w->frame.as_it_is, cube, n, subject);
+}
+
+static bool leave_strict(void *context, const struct hsr_octree_box *cube) {
+  struct walk *w = context;
+  return leave(w, &w->frame.as_it_is, cube, HSR_CELL(0, HSR_NO_ID, 0));
 }
 
 /* --- The tiling pass ------------------------------------------------------ */
@@ -295,6 +322,10 @@ static bool tile_cell(struct walk *w, uint32_t place) {
 
 static bool tile(struct walk *w, uint32_t k) {
   const struct hsr_octree_node *node = &w->frame.object->octree.node[k];
+  struct hsr_octree_box cube = hsr_octree_cube(node);
+  if (hsr_bounded_is_late(&w->tree))
+    return leave(w, &w->frame.placing, &cube,
+                 hsr_cube_subject(w->frame.instance, k));
   uint64_t n = w->prepared->within[w->frame.object - w->frame.cubes->object][k];
   if (!could_be_visible(w, &w->frame.placing, node, n,
                         hsr_cube_subject(w->frame.instance, k)))
@@ -319,6 +350,9 @@ static bool tile_instance(struct walk *w, uint32_t i) {
 static bool tile_instances(struct walk *w, uint32_t k) {
   const struct hsr_octree *octree = &w->frame.cubes->octree;
   const struct hsr_octree_node *node = &octree->node[k];
+  struct hsr_octree_box cube = hsr_octree_cube(node);
+  if (hsr_bounded_is_late(&w->tree))
+    return leave(w, &w->frame.as_it_is, &cube, hsr_cube_subject(HSR_NO_ID, k));
   if (!could_be_visible(w, &w->frame.as_it_is, node, w->prepared->instances[k],
                         hsr_cube_subject(HSR_NO_ID, k)))
     return true;
@@ -340,9 +374,14 @@ static bool tile_instances(struct walk *w, uint32_t k) {
  * last. */
 static bool tile_all(struct walk *w, struct hsr_tiler *loose) {
   const struct hsr_cubes *cubes = w->frame.cubes;
-  for (uint32_t f = 0; f < cubes->loose.n_faces; f++)
+  for (uint32_t f = 0; f < cubes->loose.n_faces; f++) {
+    if (hsr_bounded_is_late(&w->tree)) {
+      hsr_bounded_leave_all(&w->tree);
+      return true;
+    }
     if (!insert_face(w, loose, f))
       return false;
+  }
   if (!tile_instances(w, 0))
     return false;
   for (uint32_t k = 0; k < cubes->n_movers; k++)
@@ -357,6 +396,7 @@ static bool tile_in_order(struct walk *w) {
                                    .tree = &w->tree,
                                    .could_be_visible =
                                        could_strict_cube_be_visible,
+                                   .leave = leave_strict,
                                    .context = w};
   struct hsr_tiler loose;
   if (w->prepared->is_strict)
@@ -385,17 +425,17 @@ static enum hsr_status render(const struct hsr_job *job,
       .order = (enum hsr_eb_order)job->option[REFINE],
       .form = hsr_form_area(&job->answer->form),
       .window = job->view->window,
-      .begun = hsr_bounded_now(),
-      .seconds = job->real[SECONDS],
       .deepest = (int)job->option[DEPTH],
       .exact = (uint32_t)job->option[EXACT],
       .cells = (uint32_t)job->option[CELLS] << 20};
+  double seconds = job->real[SECONDS];
+  double until = seconds > 0 ? hsr_bounded_now() + seconds : INFINITY;
   widen(&view, limits.form.filter);
   wide.view = &view;
   w.met = HSR_NEW_ZEROED(job->scratch, uint32_t,
                          w.prepared->cubes.most_object_faces);
   if (!w.met || hsr_cube_frame_begin(&w.frame, &wide, &w.prepared->cubes) ||
-      hsr_bounded_begin(&w.tree, &wide, &limits.form, &w.frame.pair) ||
+      hsr_bounded_begin(&w.tree, &wide, &limits.form, until, &w.frame.pair) ||
       !tile_in_order(&w))
     return hsr_fail_nomem(err);
   return hsr_bounded_refine(&w.tree, &limits, err);

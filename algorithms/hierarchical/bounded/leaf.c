@@ -246,6 +246,12 @@ void hsr_bounded_hull(const struct hsr_eb_tree *t,
                       double high[3]) {
   bool covered = cell->far > -INFINITY;
   for (int c = 0; c < 3; c++) {
+    low[c] = 0;
+    high[c] = 1;
+  }
+  if (cell->untiled)
+    return;
+  for (int c = 0; c < 3; c++) {
     low[c] = covered ? INFINITY : t->background[c];
     high[c] = covered ? -INFINITY : t->background[c];
   }
@@ -276,7 +282,7 @@ void hsr_bounded_mean(const struct hsr_eb_tree *t,
   hsr_bounded_hull(t, cell, lo, hi);
   /* What is known of a larger cell as a whole says nothing of its pixels. */
   bool alone = cell->n == 1 && hsr_eb_entry(t, cell->first)->covers;
-  bool mixed = cell->level <= 0 && !(alone && t->shades.parts) &&
+  bool mixed = cell->level <= 0 && !(alone && t->shades.parts) && !t->late &&
                find_few(t, cell, &square, &few) && few.n <= most;
   if (mixed)
     integrate(t, &few, &square, low, high);

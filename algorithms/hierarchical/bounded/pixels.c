@@ -48,6 +48,15 @@ static void write_pixel(const struct hsr_eb_refining *r,
     to[c] = (struct hsr_area_bounds){cell->lo[c], fmin(1, cell->hi[c])};
 }
 
+/* A pixel, or all pixels of a larger cell. */
+static void write_pixels(const struct hsr_eb_refining *r,
+                         const struct hsr_eb_cell *cell) {
+  struct hsr_window w = hsr_eb_window(r->tree, cell);
+  for (int j = w.y0; j < w.y1; j++)
+    for (int i = w.x0; i < w.x1; i++)
+      write_pixel(r, cell, i, j);
+}
+
 /* A pixel, or all pixels of a larger cell: no more is done there. */
 static void accept(struct hsr_eb_refining *r, uint32_t c) {
   struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
@@ -90,7 +99,8 @@ static bool push_leaves(struct hsr_eb_refining *r, uint32_t c, uint32_t pixel) {
 static void bound_all(const struct hsr_eb_refining *r, uint32_t c) {
   struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
   if (!cell->child) {
-    hsr_bounded_settle(r->tree, c);
+    if (!hsr_bounded_is_late(r->tree))
+      hsr_bounded_settle(r->tree, c);
     bound(r, c);
     return;
   }
@@ -99,7 +109,8 @@ static void bound_all(const struct hsr_eb_refining *r, uint32_t c) {
   sum_children(r->tree, cell, true);
 }
 
-/* Every cell of at least a pixel: accepted, or divided down to its pixels. */
+/* Every cell of at least a pixel: accepted, or divided down to its pixels while
+ * there is time. */
 static bool begin_cell(struct hsr_eb_refining *r, uint32_t c) {
   struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
   if (cell->place == HSR_EB_OUTSIDE)
@@ -110,9 +121,9 @@ static bool begin_cell(struct hsr_eb_refining *r, uint32_t c) {
       accept(r, c);
       return true;
     }
-    if (cell->level == 0) {
+    if (cell->level == 0 || hsr_bounded_is_late(r->tree)) {
       r->unfinished++;
-      return push_leaves(r, c, c);
+      return r->tree->late || push_leaves(r, c, c);
     }
     if (!hsr_bounded_split(r->tree, c))
       return false;
@@ -166,16 +177,18 @@ static bool refine(struct hsr_eb_refining *r, const struct hsr_eb_item *item) {
 
 /* --- Pixels that are not done --------------------------------------------- */
 
+/* A leaf of more than a pixel is one that there was no time to divide. */
 static void write_cell(struct hsr_eb_refining *r, uint32_t c, bool accepted) {
   const struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
   if (cell->place == HSR_EB_OUTSIDE || cell->done)
     return;
-  for (uint32_t k = 0; cell->level > 0 && k < 4; k++)
-    write_cell(r, cell->child + k, accepted);
-  if (cell->level == 0 && accepted)
+  if (cell->level > 0 && cell->child)
+    for (uint32_t k = 0; k < 4; k++)
+      write_cell(r, cell->child + k, accepted);
+  else if (accepted)
     accept(r, c);
-  else if (cell->level == 0)
-    write_pixel(r, cell, (int)floor(cell->x), (int)floor(cell->y));
+  else
+    write_pixels(r, cell);
 }
 
 static void write(struct hsr_eb_refining *r) {

@@ -130,6 +130,7 @@ static void make_leaf(struct hsr_eb_tree *t, uint32_t parent, uint32_t k) {
                            .first = HSR_EB_NONE,
                            .level = from->level - 1,
                            .place = HSR_EB_INSIDE,
+                           .untiled = from->untiled,
                            .x = from->x + (k & 1 ? half : -half),
                            .y = from->y + (k & 2 ? half : -half),
                            .near = -INFINITY,
@@ -327,83 +328,6 @@ bool hsr_bounded_add_piece(struct hsr_eb_tree *t,
   return insert(t, s, enclosing(t, shape), false);
 }
 
-/* --- Cubes ---------------------------------------------------------------- */
-
-/* Whether a side meets a square: certainly not if all of it lies beyond one
- * edge, or beyond the box of its corners. */
-static bool side_meets(const struct hsr_eb_side *side,
-                       const struct hsr_square *square) {
-  double reach = square->half + side->margin;
-  double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
-  double turn = 0;
-  for (int k = 0; k < 4; k++) {
-    int l = (k + 1) % 4;
-    x0 = fmin(x0, side->x[k]), x1 = fmax(x1, side->x[k]);
-    y0 = fmin(y0, side->y[k]), y1 = fmax(y1, side->y[k]);
-    turn += side->x[k] * side->y[l] - side->x[l] * side->y[k];
-  }
-  if (x0 > square->x + reach || x1 < square->x - reach ||
-      y0 > square->y + reach || y1 < square->y - reach)
-    return false;
-  for (int k = 0; k < 4; k++) {
-    int l = (k + 1) % 4;
-    double dx = side->x[l] - side->x[k], dy = side->y[l] - side->y[k];
-    double e = dx * (square->y - side->y[k]) - dy * (square->x - side->x[k]);
-    /* A side of a few margins may turn the other way round. */
-    if (fabs(turn) > 64 * reach * (x1 - x0 + y1 - y0 + reach) &&
-        (turn > 0 ? e : -e) < -2 * reach * (fabs(dx) + fabs(dy) + 2 * reach))
-      return false;
-  }
-  return true;
-}
-
-static double side_nearest(const struct hsr_eb_side *side,
-                           const struct hsr_square *square) {
-  double q = side->a * square->x + side->b * square->y + side->c +
-             (fabs(side->a) + fabs(side->b)) * square->half;
-  return fmin(q, side->nearest);
-}
-
-static bool enqueue(struct hsr_eb_tree *t, uint32_t c) {
-  if (!hsr_arena_grow(t->job->scratch, &t->queue, sizeof c))
-    return false;
-  ((uint32_t *)t->queue.items)[t->queue.n - 1] = c;
-  return true;
-}
-
-bool hsr_bounded_could_be_seen(struct hsr_eb_tree *t,
-                               const struct hsr_eb_side *side, uint64_t most,
-                               struct hsr_subject cube) {
-  t->queue.n = 0;
-  if (!enqueue(t, 0))
-    return true;
-  uint64_t visited = 0;
-  for (size_t head = 0; head < t->queue.n; head++) {
-    uint32_t c = ((uint32_t *)t->queue.items)[head];
-    struct hsr_eb_cell *cell = hsr_eb_cell(t, c);
-    struct hsr_square square = hsr_eb_square(cell);
-    double nearest = side_nearest(side, &square);
-    if (cell->place == HSR_EB_OUTSIDE)
-      continue;
-    bool inside = cell->place == HSR_EB_INSIDE;
-    if (inside)
-      HSR_STEP(t->tally, HSR_EB_SIDE_CELLS, cube, hsr_eb_subject(cell),
-               hsr_eb_window(t, cell), 0);
-    if (inside && ++visited > most)
-      return true;
-    if (!side_meets(side, &square) || (inside && nearest < cell->far))
-      continue;
-    if (inside && (nearest > cell->near || cell->level <= -HSR_EB_TILING))
-      return true;
-    if (!cell->child && !hsr_bounded_split(t, c))
-      return true;
-    for (uint32_t k = 0; k < 4; k++)
-      if (!enqueue(t, cell->child + k))
-        return true;
-  }
-  return false;
-}
-
 /* --- Beginning ------------------------------------------------------------ */
 
 static enum hsr_eb_place place_of(const struct hsr_square *square,
@@ -440,7 +364,7 @@ static bool begin_cell(struct hsr_eb_tree *t, uint32_t c) {
 enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *t,
                                   const struct hsr_job *job,
                                   const struct hsr_area_form *form,
-                                  struct hsr_pair *pair) {
+                                  double until, struct hsr_pair *pair) {
   const struct hsr_window *w = &job->view->window;
   int side = w->x1 - w->x0 > w->y1 - w->y0 ? w->x1 - w->x0 : w->y1 - w->y0;
   int level = 0;
@@ -451,6 +375,7 @@ enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *t,
                             .tally = job->tally,
                             .pair = pair,
                             .in_order = HSR_EB_NONE,
+                            .until = until,
                             .free_entries = HSR_EB_NONE};
   hsr_filter_colour(job->world, job->view, HSR_BACKGROUND, rgb);
   for (int c = 0; c < 3; c++)

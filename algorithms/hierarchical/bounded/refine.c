@@ -4,13 +4,6 @@
 #include "algorithms/hierarchical/bounded/refine.h"
 
 #include <math.h>
-#include <time.h>
-
-double hsr_bounded_now(void) {
-  struct timespec time;
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 double hsr_eb_width(const double lo[3], const double hi[3]) {
   double width = 0;
@@ -26,11 +19,9 @@ void hsr_eb_accept(const struct hsr_eb_refining *r, int i, int j) {
                r->answer + 3 * at);
 }
 
-/* Has a limit been reached? The clock is looked at now and then. */
-static bool is_over(const struct hsr_eb_refining *r, uint64_t steps) {
-  return r->tree->n_cells > r->limits->cells ||
-         (r->limits->seconds > 0 && steps % 64 == 0 &&
-          hsr_bounded_now() - r->limits->begun > r->limits->seconds);
+/* Has a limit been reached? */
+static bool is_over(const struct hsr_eb_refining *r) {
+  return r->tree->n_cells > r->limits->cells || hsr_bounded_is_late(r->tree);
 }
 
 static void end_pass(struct hsr_eb_refining *r, const struct hsr_eb_way *way,
@@ -53,7 +44,7 @@ static bool refine(struct hsr_eb_refining *r, const struct hsr_eb_way *way,
       if (steps)
         end_pass(r, way, pass);
     }
-    if (is_over(r, steps))
+    if (is_over(r))
       return true;
     if (!way->is_wanted(r, &item))
       continue;

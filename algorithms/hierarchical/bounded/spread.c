@@ -260,11 +260,14 @@ static bool add_leaf(struct hsr_eb_refining *r, uint32_t c) {
          !(item.uncertainty > 0) || hsr_eb_push(&r->queue, item);
 }
 
-/* All leaves. One of more than a pixel is divided unless it has one colour. */
+/* All leaves. One of more than a pixel is divided unless it has one colour, while
+ * there is time. */
 static bool add_all(struct hsr_eb_refining *r, uint32_t c) {
   struct hsr_eb_cell *cell = hsr_eb_cell(r->tree, c);
   if (cell->place == HSR_EB_OUTSIDE)
     return true;
+  if (!cell->child && hsr_bounded_is_late(r->tree))
+    return add_leaf(r, c);
   if (!cell->child) {
     double low[3], high[3];
     hsr_bounded_settle(r->tree, c);

@@ -167,6 +167,10 @@ static bool enter_cube(void *context, const struct hsr_bsp_cube *cube) {
       {cube->centre[0], cube->centre[1], cube->centre[2]},
       {cube->half, cube->half, cube->half}};
   uint32_t number = (uint32_t)(cube - w->strict->bsp.cube);
+  if (hsr_bounded_is_late(w->tree)) {
+    w->failed = w->failed || !w->leave(w->context, &box);
+    return false;
+  }
   w->cube = HSR_CELL(number, HSR_NO_ID, 0);
   return !w->failed && w->could_be_visible(w->context, &box,
                                            w->strict->within[number], w->cube);
@@ -188,11 +192,15 @@ static bool add_loose(struct hsr_strict_walk *w, uint32_t f) {
 static bool add_all_loose(struct hsr_strict_walk *w) {
   const struct hsr_bsp *bsp = &w->strict->bsp;
   for (uint32_t k = 0; k < bsp->n_loose; k++) {
+    if (hsr_bounded_is_late(w->tree))
+      break;
     hsr_screen_plane(&w->screen, bsp->loose[k]);
     if (!add_loose(w, bsp->loose[k]))
       return false;
   }
   for (uint32_t f = 0; f < bsp->world->n_faces; f++) {
+    if (hsr_bounded_is_late(w->tree))
+      break;
     if (!(bsp->reach[f] > 0) || w->is_loose[f])
       continue;
     hsr_screen_plane(&w->screen, f);
@@ -223,6 +231,10 @@ enum hsr_status hsr_strict_tile(struct hsr_strict_walk *w) {
   hsr_screen_vertices(&w->screen);
   if (!add_all_loose(w))
     return HSR_E_NOMEM;
+  if (w->tree->late) {
+    hsr_bounded_leave_all(w->tree);
+    return HSR_OK;
+  }
   w->tree->in_order = (uint32_t)w->tree->shapes.n;
   hsr_bsp_walk_tree(&walk);
   return w->failed ? HSR_E_NOMEM : HSR_OK;

@@ -51,6 +51,8 @@ struct hsr_strict_walk {
   /* CouldCubeBeVisible; n pieces are in the cube. */
   bool (*could_be_visible)(void *context, const struct hsr_octree_box *cube,
                            uint64_t n, struct hsr_subject subject);
+  /* The time has ended before the cube. False if memory ran out. */
+  bool (*leave)(void *context, const struct hsr_octree_box *cube);
   void *context;
 
   /* Of hsr_strict_tile. */
