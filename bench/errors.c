@@ -122,7 +122,9 @@ static const struct argp argp = {
     "  hsr errors house\n"
     "  hsr errors harbor -s 256x256 -a zbuffer -S 1,2,4,8,16,32\n"
     "  hsr errors house -a zbuffer:filter=cosine --filter quadratic \\\n"
-    "    --where where.png",
+    "    --where where.png\n"
+    "  hsr errors house --where 'house-%d.png' --json >house.json\n"
+    "  hsr report results.ndjson --errors house.json -o report",
     NULL,
     NULL,
     NULL};
@@ -146,6 +148,7 @@ struct made {
   double *rgb;                /* 3 m n */
   double mean, largest, over; /* over: the share of pixels */
   int x, y;                   /* of the largest */
+  char where[MOST_FILE_NAME]; /* the picture of its errors; "": none */
 };
 
 static size_t n_pixels(const struct place *p) {
@@ -270,12 +273,14 @@ static void measure(const struct place *p, struct made *made) {
 }
 
 static enum hsr_status write_where(const struct place *p, long number,
-                                   struct hsr_error *err) {
-  char name[MOST_FILE_NAME];
+                                   struct made *made, struct hsr_error *err) {
   const char *file = p->options->where;
-  if (series_name(file, number, name))
-    file = name;
-  return hsr_image_write_ramp(file, p->view->m, p->view->n, p->share, err);
+  if (!file)
+    return HSR_OK;
+  if (!series_name(file, number, made->where))
+    snprintf(made->where, sizeof made->where, "%s", file);
+  return hsr_image_write_ramp(made->where, p->view->m, p->view->n, p->share,
+                              err);
 }
 
 /* --- Output --------------------------------------------------------------- */
@@ -300,10 +305,11 @@ static void print_made(const struct made *made) {
 }
 
 static json_t *made_json(const struct made *made) {
-  return json_pack("{ss so sf sf si si sf}", "picture", made->name, "samples",
-                   made->side ? json_integer(made->side) : json_null(), "mean",
-                   made->mean, "largest", made->largest, "x", made->x, "y",
-                   made->y, "over", made->over);
+  return json_pack(
+      "{ss so sf sf si si sf so}", "picture", made->name, "samples",
+      made->side ? json_integer(made->side) : json_null(), "mean", made->mean,
+      "largest", made->largest, "x", made->x, "y", made->y, "over", made->over,
+      "where", *made->where ? json_string(made->where) : json_null());
 }
 
 static json_t *all_json(const struct place *p, json_t *pictures) {
@@ -328,7 +334,7 @@ static enum hsr_status tell(struct place *p, const struct hsr_variant *variant,
   enum hsr_status status = make(p, variant, &made, err);
   if (!status) {
     measure(p, &made);
-    told->number++;
+    status = write_where(p, ++told->number, &made, err);
     if (told->pictures)
       hsr_json_append(&told->pictures, made_json(&made));
     else
@@ -336,8 +342,7 @@ static enum hsr_status tell(struct place *p, const struct hsr_variant *variant,
     fflush(stdout);
   }
   free(made.rgb);
-  return !status && p->options->where ? write_where(p, told->number, err)
-                                      : status;
+  return status;
 }
 
 /* An algorithm, with each number of samples a pixel if it draws samples. */

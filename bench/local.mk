@@ -100,6 +100,7 @@ libbench_a_SOURCES = \
   %D%/report/data.c \
   %D%/report/data.h \
   %D%/report/drawings.c \
+  %D%/report/errors.c \
   %D%/report/ladders.c \
   %D%/report/lessons.c \
   %D%/report/page.c \

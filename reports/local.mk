@@ -12,6 +12,7 @@ report_sources = \
   %D%/page/pages/algorithm.js \
   %D%/page/pages/beside.js \
   %D%/page/pages/check.js \
+  %D%/page/pages/errors.js \
   %D%/page/pages/index.js \
   %D%/page/pages/probe.js \
   %D%/page/pages/sweeps.js \

@@ -12,12 +12,12 @@
 #include <sys/stat.h>
 
 /* DIGITS of a number are enough for a page, and half as long as all. */
-enum { MOST_FILES = 4096, PATH = 4400, DIGITS = 9 };
+enum { MOST_FILES = 4096, MOST_ERRORS = 64, PATH = 4400, DIGITS = 9 };
 
 struct options {
   struct option_base base;
-  const char *file[MOST_FILES], *folder, *reference;
-  int n_files;
+  const char *file[MOST_FILES], *errors[MOST_ERRORS], *folder, *reference;
+  int n_files, n_errors;
   long most, timeout, budget;
 };
 
@@ -46,6 +46,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   case 'n':
     o->budget = 0;
+    return 0;
+  case 'e':
+    if (o->n_errors == MOST_ERRORS)
+      return option_fail(&o->base, "report: at most %d files of errors",
+                         (int)MOST_ERRORS);
+    o->errors[o->n_errors++] = arg;
     return 0;
   case ARGP_KEY_ARG:
     if (o->n_files == MOST_FILES)
@@ -76,6 +82,10 @@ static const struct argp argp = {
          "the most that all pictures may take, scenes of few faces first "
          "(standard: 20)",
          0},
+        {"errors", 'e', "FILE", 0,
+         "what hsr errors --json printed, for a page on filters; the pictures "
+         "of its --where are looked for beside it. May be given again",
+         0},
         {"timeout", 't', "SECONDS", 0,
          "the most that one picture may take (standard: 5)", 0},
         {0}},
@@ -99,7 +109,8 @@ static enum hsr_status cannot_write(const char *path, struct hsr_error *err) {
 
 static enum hsr_status make_folders(const char *folder, struct hsr_error *err) {
   static const char *const inside[] = {"",          "/pictures", "/work",
-                                       "/drawings", "/probe",    "/difference"};
+                                       "/drawings", "/probe",    "/difference",
+                                       "/errors"};
   for (size_t k = 0; k < sizeof inside / sizeof *inside; k++) {
     char path[PATH];
     snprintf(path, sizeof path, "%.4096s%s", folder, inside[k]);
@@ -158,10 +169,8 @@ static enum hsr_status append_file(FILE *out, const char *from,
   return status;
 }
 
-/* Joins the files, one after the other, into folder/name. */
-static enum hsr_status join_files(const char *const *from, int n,
-                                  const char *folder, const char *name,
-                                  struct hsr_error *err) {
+enum hsr_status report_join(const char *const *from, int n, const char *folder,
+                            const char *name, struct hsr_error *err) {
   char path[PATH];
   snprintf(path, sizeof path, "%.4096s/%.200s", folder, name);
   FILE *out = fopen(path, "wb");
@@ -186,7 +195,7 @@ static enum hsr_status copy_page(const char *folder, struct hsr_error *err) {
     char from[PATH + 16];
     snprintf(from, sizeof from, "%s/%s", page, name[k]);
     const char *file = from;
-    status = join_files(&file, 1, folder, name[k], err);
+    status = report_join(&file, 1, folder, name[k], err);
   }
   return status;
 }
@@ -198,7 +207,9 @@ static enum hsr_status write_report(const struct report *report,
   json_t *data = report_data(report, err);
   if (!data)
     return HSR_E_NOMEM;
-  enum hsr_status status = report_lessons(report, data, err);
+  enum hsr_status status = report_errors(report, data, err);
+  if (!status)
+    status = report_lessons(report, data, err);
   if (!status)
     status = report_pictures(report, data, err);
   if (status) {
@@ -221,8 +232,10 @@ static enum hsr_status make_report(const struct options *o,
   if (!status)
     status = copy_page(o->folder, err);
   if (!status)
-    status = join_files(o->file, o->n_files, o->folder, "results.ndjson", err);
+    status = report_join(o->file, o->n_files, o->folder, "results.ndjson", err);
   struct report report = {.results = results,
+                          .errors = o->errors,
+                          .n_errors = o->n_errors,
                           .folder = o->folder,
                           .reference = o->reference,
                           .most = o->most,

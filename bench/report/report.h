@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of hsr report share: data.c makes the numbers of the page,
  * from cells.c and ladders.c; pictures.c makes its pictures; lessons.c the pages
- * on which algorithms are watched. The page itself is
- * under reports/. */
+ * on which algorithms are watched; errors.c takes in what hsr errors found. The
+ * page itself is under reports/. */
 #ifndef HSR_BENCH_REPORT_REPORT_H
 #define HSR_BENCH_REPORT_REPORT_H
 
@@ -11,6 +11,8 @@
 
 struct report {
   const struct results *results;
+  const char *const *errors; /* files of hsr errors --json */
+  int n_errors;
   const char *folder;    /* where all files go */
   const char *reference; /* the algorithm by whose time others are divided */
   long most;             /* the most samples in a picture's row or column */
@@ -35,6 +37,16 @@ enum hsr_status report_pictures(const struct report *report, json_t *data,
  * as lesson_survey; a scene that cannot be shown is left out. */
 enum hsr_status report_lessons(const struct report *report, json_t *data,
                                struct hsr_error *err);
+
+/* Sets "errors" of the data: what the files of hsr errors say. Copies their
+ * pictures, if they are beside these files. HSR_E_INPUT: a file is not of that
+ * kind, or cannot be read. HSR_E_NOMEM. */
+enum hsr_status report_errors(const struct report *report, json_t *data,
+                              struct hsr_error *err);
+
+/* Joins the files, one after the other, into folder/name. HSR_E_INPUT. */
+enum hsr_status report_join(const char *const *from, int n, const char *folder,
+                            const char *name, struct hsr_error *err);
 
 /* Writes a script into folder/name: `before`, the value, `after`. The value is
  * a text that the script parses: a browser reads that twice as fast as the same

@@ -4,6 +4,7 @@ import { href, read } from "./data/address.js";
 import { model } from "./data/model.js";
 import { algorithmPage } from "./pages/algorithm.js";
 import { checkPage } from "./pages/check.js";
+import { errorsPage } from "./pages/errors.js";
 import { indexPage } from "./pages/index.js";
 import { probePage } from "./pages/probe.js";
 import { sweepsPage } from "./pages/sweeps.js";
@@ -17,6 +18,8 @@ const PAGES = {
   check: { label: "Agreement", show: checkPage },
   sweeps: { label: "Growth", show: sweepsPage },
   timings: { label: "Timings", show: timingsPage },
+  errors: { label: "Filters", show: errorsPage,
+    there: (report) => report.errors.length > 0 },
   tables: { label: "1974 tables", show: tablesPage },
   algorithm: { under: "", show: algorithmPage },
   probe: { under: "check", show: probePage },
@@ -37,7 +40,7 @@ function start(data) {
     const { page, argument } = read();
     const known = Object.hasOwn(PAGES, page) ? page : "";
     const { title, body } = PAGES[known].show(report, argument);
-    navigation(known);
+    navigation(report, known);
     const heading = h("h1", { tabindex: -1 }, title);
     main.replaceChildren(heading, ...body.flat(Infinity).filter(Boolean));
     document.title = title === report.title ? title
@@ -61,10 +64,11 @@ function start(data) {
     link("results.ndjson", "results.ndjson"), "."));
 }
 
-function navigation(page) {
+function navigation(report, page) {
   const here = PAGES[page].under ?? page;
   document.querySelector("header nav").replaceChildren(h("ul", {},
-    Object.entries(PAGES).filter(([, { label }]) => label)
+    Object.entries(PAGES).filter(([, { label, there }]) =>
+      label && (!there || there(report)))
       .map(([name, { label }]) => h("li", {}, h("a", { href: href(name),
         "aria-current": name === here ? "page" : null }, label)))));
 }

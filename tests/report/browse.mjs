@@ -37,8 +37,8 @@ async function visitAll(folder, width, colorScheme) {
       { viewport: { width, height: 800 }, colorScheme });
     await go("");
     const links = new Set(await hashes(page));
-    for (const hash of ["#/check", "#/sweeps", "#/timings", "#/tables"])
-      links.add(hash);
+    for (const hash of ["#/check", "#/sweeps", "#/timings", "#/errors",
+      "#/tables"]) links.add(hash);
     await go("#/check");
     const probes = (await hashes(page)).filter((x) => x.startsWith("#/probe/"));
     for (const path of new Set(probes.map((x) => x.split("?")[0])))
@@ -190,6 +190,19 @@ async function sampled(folder) {
     await go("#/timings?algorithms=embree");
     assert.match(await page.textContent("#peers"), /17 of 5,917/);
     assert.equal(await page.$("#modules"), null);
+  });
+
+  await test("errors of filters have a table and pictures", async () => {
+    await go("");
+    await follow("header nav a:text-is('Filters')");
+    assert.deepEqual(await column(page, "errors-0", 0),
+      ["zbuffer, 4 × 4 samples", "a-buffer"]);
+    assert.deepEqual(await column(page, "errors-0", 2), ["0.0312", "0.0580"]);
+    assert.deepEqual(await column(page, "errors-0", 3), ["1.25 %", "0.100 %"]);
+    const drawn = await page.$$eval("#errors-0 img", (all) =>
+      all.map((e) => e.complete && e.naturalWidth));
+    assert.deepEqual(drawn, [97]);
+    assert.equal(await page.locator("#errors-1 img").count(), 0);
   });
 
   await test("ticked algorithms alone are left, in their colours", async () => {

@@ -301,6 +301,7 @@ for (const id of ["house-1", "house-2", "odd-1"]) {
     `width="${W}" height="${H}"><path d="M10 10H50V50H10Z" fill="none" ` +
     `stroke="#000"/></svg>\n`);
 }
+write("errors/1-1.png", png((i, j) => Array(3).fill((i + j) % 256)));
 write("difference/house-1.png", png((i, j) => inside(i, j, A) &&
   inside(i, j, B) ? [255, 0, 0] : [40, 40, 40]));
 write("data.js", `window.hsr = ${JSON.stringify({
@@ -320,6 +321,14 @@ write("data.js", `window.hsr = ${JSON.stringify({
     ({ scene, view, walk: 1, width, height })), counters: counterLists, cells,
   baseline: "zbuffer", growth, geometric, tables,
   left_out: [{ scene: "big-harbor", view: 1, drawings: 30, why: "no time" }],
+  errors: [{ schema: "hsr-errors/1", scene: "house", view: 1, width: W, height: H,
+    filter: "box", pictures: [
+      { picture: "zbuffer", samples: 4, mean: 0.0014, largest: 0.0312, x: 5, y: 7,
+        over: 0.0125, where: "errors/1-1.png" },
+      { picture: "a-buffer", samples: null, mean: 3e-4, largest: 0.058, x: 2,
+        y: 9, over: 0.001, where: null }] },
+  { schema: "hsr-errors/1", scene: ODD, view: 1, width: W, height: H,
+    filter: "tent", pictures: [] }],
   pictures: [picture("house-1", "house", 1), picture("house-2", "house", 2),
     picture("odd-1", ODD, 1)],
 })};\n`);

@@ -43,6 +43,19 @@ export function cleanView(record) {
   };
 }
 
+// What hsr errors found. The places of pictures are of hsr report's own making.
+export function cleanErrors(record) {
+  const { scene, filter, pictures, view, width, height } = object(record);
+  return {
+    scene: text(scene) ?? "", filter: text(filter) ?? "", walk: 1,
+    ...numbers({ view, width, height }),
+    pictures: list(pictures).map(object).map((p) => ({
+      picture: text(p.picture) ?? "", where: text(p.where),
+      ...numbers({ samples: p.samples, mean: p.mean, largest: p.largest,
+        over: p.over, x: p.x, y: p.y }) })),
+  };
+}
+
 // Of a cell, only what is copied from the results.
 export function cleanCell(record) {
   return {

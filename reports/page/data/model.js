@@ -2,7 +2,7 @@
 // The numbers of data.js, with empty values for those that may be missing; and
 // functions with which pages look things up.
 import {
-  cleanCell, cleanHeader, cleanView, list, number,
+  cleanCell, cleanErrors, cleanHeader, cleanView, list, number,
 } from "./clean.js";
 
 export const STATUSES = {
@@ -58,6 +58,7 @@ export function model(data) {
     lessonPages: list(data.lessons).filter((l) => Array.isArray(l?.names)),
     pictures, leftOut: data.left_out ?? [],
     views: (data.views ?? []).map(cleanView),
+    errors: list(data.errors).map(cleanErrors),
     environments: tables.environments ?? [],
     algorithms, cells, tables,
     kind: (name) => kinds.get(name) ?? null,
