@@ -476,10 +476,13 @@ static enum hsr_status check_parts(const struct render_options *o,
   const struct hsr_answer_type *kind = variant->choice.form.type;
   if (!o->sort_last)
     return HSR_OK;
-  if (kind != HSR_IDS)
+  bool folds = kind->fold && kind->fold->of == HSR_IDS &&
+               variant->listed->plain->kind == HSR_IDS;
+  if (kind != HSR_IDS && !folds)
     return hsr_fail(err, HSR_E_USAGE,
-                    "--sort-last is not for %s, which %s draws", kind->draws,
-                    variant->name);
+                    "--sort-last is not for %s, which %s draws: those of parts "
+                    "do not make up that of the scene",
+                    kind->draws, variant->name);
   if (is_series(o) || o->tile || o->work || o->has_background ||
       o->shading == HSR_SHADE_GOURAUD)
     return hsr_fail(err, HSR_E_USAGE,

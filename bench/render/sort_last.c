@@ -1,23 +1,54 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hsr render --sort-last: a scene larger than memory, part by part. Each rank
  * opens and draws one part after the other, and keeps only what is seen; at last
- * the ranks put their pictures together (bench/run/composite.h). */
+ * the ranks put their pictures together (bench/run/composite.h). A kind that is
+ * folded from pictures of ids is folded at last, by rank 0, from whole pictures. */
 #include "bench/render/render.h"
 #include "bench/run/composite.h"
 #include "bench/run/ranks.h"
 #include "bench/terminal/terminal.h"
+
+#include <stdlib.h>
 
 /* What the parts are drawn with. */
 struct sorting {
   struct render *render;
   const struct hsr_algorithm *algorithm;
   const struct hsr_variant *variant;
+  struct hsr_choice choice;    /* of pictures of ids */
+  const struct hsr_fold *fold; /* NULL: that picture is wanted itself */
+  struct hsr_view view;        /* that is wanted */
   struct hsr_part part;
-  struct composite composite;
+  struct composite *composite; /* a picture */
+  long n;
   struct progress progress;
 };
 
-/* The part's world and its own picture. */
+/* The view of picture k. */
+static enum hsr_status choose_picture(struct sorting *s, long k,
+                                      struct hsr_error *err) {
+  struct hsr_view *view = &s->render->view;
+  *view = s->view;
+  return s->fold
+             ? s->fold->view(&s->variant->choice.form, &s->view, k, view, err)
+             : HSR_OK;
+}
+
+static enum hsr_status draw_and_add(struct sorting *s, long k,
+                                    struct hsr_error *err) {
+  struct render *r = s->render;
+  enum hsr_status status = choose_picture(s, k, err);
+  if (!status)
+    status = draw_picture(r, err);
+  double begin = seconds_now();
+  if (!status)
+    status = composite_add(&s->composite[k], &r->world, s->part.first,
+                           hsr_answer_ids_of(&r->answer), err);
+  r->compose += seconds_now() - begin;
+  return status;
+}
+
+/* The part's world and its own pictures. */
 static enum hsr_status draw_open_part(struct sorting *s,
                                       struct hsr_error *err) {
   struct render *r = s->render;
@@ -26,15 +57,25 @@ static enum hsr_status draw_open_part(struct sorting *s,
       hsr_setup_world(&r->world, s->algorithm, r->scene, err);
   r->build += seconds_now() - begin;
   if (!status)
-    status = hsr_setup_init(&r->setup, s->algorithm, &s->variant->choice,
-                            &r->world, err);
-  if (!status)
-    status = draw_picture(r, err);
-  begin = seconds_now();
-  if (!status)
-    status = composite_add(&s->composite, &r->world, s->part.first,
-                           hsr_answer_ids_of(&r->answer), err);
-  r->compose += seconds_now() - begin;
+    status =
+        hsr_setup_init(&r->setup, s->algorithm, &s->choice, &r->world, err);
+  for (long k = 0; k < s->n && !status; k++)
+    status = draw_and_add(s, k, err);
+  return status;
+}
+
+/* With the first part it is known what there is to draw. */
+static enum hsr_status begin_pictures(struct sorting *s,
+                                      struct hsr_error *err) {
+  struct render *r = s->render;
+  const struct render_options *o = r->options;
+  enum hsr_status status =
+      choose_view(&o->view, r->scene, (int)o->supersamples, &s->view, err);
+  for (long k = 0; k < s->n && !status; k++) {
+    status = choose_picture(s, k, err);
+    if (!status && !s->composite[k].ids)
+      status = composite_init(&s->composite[k], &r->view, err);
+  }
   return status;
 }
 
@@ -49,10 +90,7 @@ static enum hsr_status draw_part(struct sorting *s, uint32_t number,
       hsr_scene_open_part(o->scene.name, &import, &s->part, &r->scene, err);
   r->import += seconds_now() - begin;
   if (!status)
-    status =
-        choose_view(&o->view, r->scene, (int)o->supersamples, &r->view, err);
-  if (!status && !s->composite.ids)
-    status = composite_init(&s->composite, &r->view, err);
+    status = begin_pictures(s, err);
   if (!status && s->part.n_faces)
     status = draw_open_part(s, err);
   if (!status)
@@ -77,52 +115,80 @@ static enum hsr_status draw_parts(struct sorting *s, struct hsr_error *err) {
   return status;
 }
 
-/* In rank 0: the faces that are seen become the scene, and the answer has their
- * numbers; *ids becomes the picture in the scene's own. */
-static enum hsr_status lay_out_seen(struct sorting *s, struct hsr_error *err) {
+/* In rank 0: the faces that are seen in a picture become the scene. Its ids
+ * become their numbers in *to. */
+static enum hsr_status lay_out_seen(struct sorting *s,
+                                    const struct composite *composite,
+                                    struct hsr_answer *to,
+                                    struct hsr_error *err) {
   struct render *r = s->render;
-  size_t n = (size_t)r->view.m * (size_t)r->view.n;
+  size_t n = (size_t)composite->view.m * (size_t)composite->view.n;
+  hsr_world_free(&r->world);
+  hsr_scene_delete(r->scene);
+  r->scene = NULL;
   enum hsr_status status = loose_faces_lay_out(
-      &s->composite.faces, r->options->scene.name, &r->scene, &r->world, err);
-  if (!status)
-    status = hsr_answer_make(&r->answer, &s->variant->choice.form, &r->view,
-                             false, err);
+      &composite->faces, r->options->scene.name, &r->scene, &r->world, err);
   for (size_t k = 0; k < n && !status; k++) {
-    uint32_t id = s->composite.ids[k];
-    hsr_answer_ids_of(&r->answer)[k] =
-        id == HSR_BACKGROUND ? id : loose_faces_find(&s->composite.faces, id);
+    uint32_t id = composite->ids[k];
+    hsr_answer_ids_of(to)[k] =
+        id == HSR_BACKGROUND ? id : loose_faces_find(&composite->faces, id);
   }
   return status;
 }
 
 /* Colours by the seen faces, and then the scene's ids. */
-static enum hsr_status shade_and_write(struct sorting *s,
-                                       struct hsr_error *err) {
+static enum hsr_status shade_ids(struct sorting *s, struct hsr_error *err) {
   struct render *r = s->render;
   size_t n = (size_t)r->view.m * (size_t)r->view.n;
-  enum hsr_status status = lay_out_seen(s, err);
+  enum hsr_status status = lay_out_seen(s, s->composite, &r->answer, err);
   if (!status)
     status = shade_picture(r, err);
   if (status)
     return status;
   uint32_t *ids = hsr_answer_ids_of(&r->answer);
   for (size_t k = 0; k < n; k++)
-    ids[k] = s->composite.ids[k];
+    ids[k] = s->composite->ids[k];
   if (r->shaded.rgb && r->options->shading == HSR_SHADE_IDS)
     hsr_picture_shade(&r->world, &r->view, ids, HSR_SHADE_IDS, r->shaded.rgb);
+  return HSR_OK;
+}
+
+static enum hsr_status fold(struct sorting *s, struct hsr_error *err) {
+  struct render *r = s->render;
+  enum hsr_status status = HSR_OK;
+  for (long k = 0; k < s->n && !status; k++) {
+    status = lay_out_seen(s, &s->composite[k], r->answer.picture, err);
+    if (!status)
+      s->fold->add(&r->answer, &r->world, &r->view, k);
+  }
+  return status ? status : shade_picture(r, err);
+}
+
+static enum hsr_status shade_and_write(struct sorting *s,
+                                       struct hsr_error *err) {
+  struct render *r = s->render;
+  r->view = s->view;
+  enum hsr_status status = hsr_answer_make(&r->answer, &s->variant->choice.form,
+                                           &r->view, s->fold != NULL, err);
+  if (!status)
+    status = s->fold ? fold(s, err) : shade_ids(s, err);
   r->setup.algorithm = s->algorithm;
-  return write_picture(r, err);
+  return status ? status : write_picture(r, err);
 }
 
 static enum hsr_status gather(struct sorting *s, struct hsr_error *err) {
   struct render *r = s->render;
-  double begin = seconds_now();
-  enum hsr_status status = composite_gather(&s->composite, err);
-  r->compose += seconds_now() - begin;
+  enum hsr_status status = HSR_OK;
+  for (long k = 0; k < s->n && !status; k++) {
+    struct composite *composite = &s->composite[k];
+    double begin = seconds_now();
+    status = composite_gather(composite, err);
+    r->compose += seconds_now() - begin;
+    r->sent_bytes += composite->bytes;
+    r->sent_messages += composite->messages;
+    r->compared += composite->compared;
+  }
   r->n_faces = s->part.all;
-  r->sent_bytes = s->composite.bytes;
-  r->sent_messages = s->composite.messages;
-  r->compared = s->composite.compared;
   return status || ranks_own() ? status : shade_and_write(s, err);
 }
 
@@ -133,12 +199,17 @@ enum hsr_status make_sort_last(struct render *r, const struct hsr_algorithm *a,
   struct sorting s = {.render = r,
                       .algorithm = a,
                       .variant = variant,
+                      .choice = variant->choice,
+                      .fold = variant->choice.form.type->fold,
                       .part.of = (uint32_t)parts,
                       .progress = progress_begin(stderr)};
   r->kind = variant->choice.form.type;
   r->view_number = r->options->view.view;
-  enum hsr_status status = HSR_OK;
-  if (parts < ranks_count())
+  s.choice.form = hsr_form_standard(HSR_IDS);
+  s.n = s.fold ? s.fold->n(&variant->choice.form) : 1;
+  s.composite = calloc((size_t)s.n, sizeof *s.composite);
+  enum hsr_status status = s.composite ? HSR_OK : hsr_fail_nomem(err);
+  if (!status && parts < ranks_count())
     status = hsr_fail(err, HSR_E_USAGE,
                       "--sort-last=%ld: for %d ranks there must be as many "
                       "parts at least",
@@ -148,6 +219,8 @@ enum hsr_status make_sort_last(struct render *r, const struct hsr_algorithm *a,
   progress_end(&s.progress);
   if (!status)
     status = gather(&s, err);
-  composite_free(&s.composite);
+  for (long k = 0; s.composite && k < s.n; k++)
+    composite_free(&s.composite[k]);
+  free(s.composite);
   return status;
 }
