@@ -50,7 +50,7 @@ static size_t voxel_of(const struct samples *s, const struct hsr_grid *grid,
 static void colour(struct samples *s, const struct hsr_splats *splats) {
   for (uint32_t cell = 0; cell < splats->grid->n_cells; cell++) {
     uint16_t c[HSR_SPLAT_OPACITY + 1];
-    hsr_splats_colour(splats, cell, c);
+    hsr_splats_colour(splats, cell, hsr_splats_opacity(splats, cell), c);
     size_t voxel = voxel_of(s, splats->grid, cell);
     double opacity = c[HSR_SPLAT_OPACITY];
     s->opacity[voxel] = (float)(opacity / 65535);

@@ -27,9 +27,10 @@ enum { N_PEERS = sizeof peers / sizeof *peers };
 
 #define USAGE "hsr-volumes: list, or NAME SCENE VIEW WxH [FRAMES [PREFIX]]"
 
-/* Our picture: splats are not widened for pixels, which no peer does. In X-ray
+/* Our picture: from front to back, as rays go. Splats are not widened for pixels,
+ * which no peer does. In X-ray
  * mode the exposure is such that the brightest pixel has nearly the most. */
-#define OVER "splat:model=over:antialias=off"
+#define UNDER "splat:model=under:antialias=off"
 #define XRAY "splat-xray:kernel=gaussian:antialias=off:exposure=%.6g"
 #define FIRST_EXPOSURE (1.0 / 256)
 #define BRIGHTEST (60000.0 / 65535)
@@ -97,7 +98,7 @@ static enum hsr_status open_ours(struct run *run, struct hsr_error *err) {
   if (run->request.peer->sums)
     snprintf(text, sizeof text, XRAY, run->exposure);
   else
-    snprintf(text, sizeof text, OVER);
+    snprintf(text, sizeof text, UNDER);
   enum hsr_status status = hsr_variant_parse(text, &run->variant, err);
   if (!status)
     status = hsr_setup_init(&run->setup, run->variant.listed->plain,

@@ -5,10 +5,12 @@
  * Source      L. Westover, "Footprint Evaluation for Volume Rendering",
  *             SIGGRAPH 1990; J. E. Swan II, PhD thesis, Ohio State University,
  *             1998, 1.1 and 2.3
- * Full        from front to back, a pixel to which no splat can add any more is
- *             full: docs/composited-picture.md. A splat is left out if all
- *             blocks of pixels that it may touch are full. From time to time
- *             all blocks are looked at again.
+ * Full        from front to back, a splat adds nothing to a pixel whose room, 65536
+ *             less its opacity, is too small: docs/composited-picture.md. Of
+ *             each block of pixels the greatest room is kept. A splat is left
+ *             out if this holds in all blocks that it may touch; a piece of a
+ *             row of samples, if it holds there for the most opaque splat of the
+ *             palette. From time to time all blocks are looked at again.
  * Order       splats that are wider than a cell have no order that is right. That
  *             of pbtf is a part of the definition; how far the picture of
  *             another one is from it can be measured.
@@ -65,10 +67,11 @@ static const struct hsr_option options[] = {
 
 struct model {
   struct hsr_splat_picture picture;
-  uint32_t most; /* the greatest opacity that a splat gives to a pixel */
-  uint8_t *full; /* of each block of pixels */
-  int blocks;    /* a row */
-  int drawn;     /* since the last look */
+  uint32_t most;  /* the greatest opacity that a splat gives to a pixel */
+  uint32_t *room; /* of each block of pixels, when it was looked at: the most
+                     that 65536 exceeds the opacity of one of them */
+  int blocks;     /* a row */
+  int drawn;      /* since the last look */
 };
 
 /* --- Over ----------------------------------------------------------------- */
@@ -80,72 +83,80 @@ static void draw_over(struct hsr_splats *s, const struct hsr_placed *p) {
 
 /* --- Under ---------------------------------------------------------------- */
 
-static enum hsr_status open_blocks(struct hsr_splats *s, struct model *m) {
-  int width = s->window.x1 - s->window.x0, height = s->window.y1 - s->window.y0;
-  m->blocks = (width + BLOCK - 1) / BLOCK;
-  size_t rows = (size_t)(height + BLOCK - 1) / BLOCK;
-  m->full = HSR_NEW_ZEROED(s->job->scratch, uint8_t, rows * (size_t)m->blocks);
-  uint32_t opacity = 0;
-  for (int k = 0; k < HSR_LEVELS; k++)
-    if (s->grid->palette.opacity[k] > opacity)
-      opacity = s->grid->palette.opacity[k];
-  uint32_t weight = hsr_splats_weight(s->knot, 0);
-  m->most = s->splatting.normalise ? weight : weight * opacity >> 16;
-  return m->full ? HSR_OK : HSR_E_NOMEM;
+static size_t blocks_of(const struct hsr_splats *s, const struct model *m) {
+  int height = s->window.y1 - s->window.y0;
+  return (size_t)(height + BLOCK - 1) / BLOCK * (size_t)m->blocks;
 }
 
 static void empty_blocks(const struct hsr_splats *s, struct model *m) {
-  int height = s->window.y1 - s->window.y0;
-  size_t rows = (size_t)(height + BLOCK - 1) / BLOCK;
-  memset(m->full, 0, rows * (size_t)m->blocks * sizeof *m->full);
+  for (size_t k = 0; k < blocks_of(s, m); k++)
+    m->room[k] = 65536;
   m->drawn = 0;
 }
 
-static bool is_block_full(const struct hsr_splats *s, const struct model *m,
-                          int x0, int y0) {
+/* The most that a splat gives to a pixel, be it opacity or weight. */
+static uint32_t most_given(const struct hsr_splats *s, uint32_t opacity,
+                           uint32_t energy) {
+  uint64_t most = s->splatting.normalise ? 65536 : opacity;
+  return (uint32_t)(hsr_splats_weight(s->knot, 0) * (most * energy >> 16) >>
+                    16);
+}
+
+static enum hsr_status open_blocks(struct hsr_splats *s, struct model *m) {
+  m->blocks = (s->window.x1 - s->window.x0 + BLOCK - 1) / BLOCK;
+  m->room = HSR_NEW(s->job->scratch, uint32_t, blocks_of(s, m));
+  if (!m->room)
+    return HSR_E_NOMEM;
+  empty_blocks(s, m);
+  m->most = most_given(s, s->most_opacity, 65536);
+  return HSR_OK;
+}
+
+static uint32_t room_of(const struct hsr_splats *s, const struct model *m,
+                        int x0, int y0) {
   int width = s->window.x1 - s->window.x0, height = s->window.y1 - s->window.y0;
-  for (int y = y0; y < y0 + BLOCK && y < height; y++) {
+  int x1 = x0 + BLOCK < width ? x0 + BLOCK : width,
+      y1 = y0 + BLOCK < height ? y0 + BLOCK : height;
+  uint32_t least = 65536;
+  for (int y = y0; y < y1; y++) {
     uint16_t(*row)[4] = m->picture.rgba + (size_t)y * m->picture.stride;
-    for (int x = x0; x < x0 + BLOCK && x < width; x++)
-      if (m->most * (65536 - row[x][HSR_SPLAT_OPACITY]) >= 65536)
-        return false;
+    for (int x = x0; x < x1; x++)
+      least =
+          row[x][HSR_SPLAT_OPACITY] < least ? row[x][HSR_SPLAT_OPACITY] : least;
   }
-  return true;
+  return 65536 - least;
 }
 
-static void look_for_full_blocks(struct hsr_splats *s, struct model *m) {
+static void look_at_blocks(struct hsr_splats *s, struct model *m) {
   int height = s->window.y1 - s->window.y0;
-  for (int y = 0; y * BLOCK < height; y++)
-    for (int x = 0; x < m->blocks; x++) {
-      uint8_t *full = &m->full[(size_t)y * (size_t)m->blocks + (size_t)x];
-      *full = *full || is_block_full(s, m, BLOCK * x, BLOCK * y);
-    }
+  uint32_t *room = m->room;
+  for (int y = 0; y < height; y += BLOCK)
+    for (int k = 0; k < m->blocks; k++, room++)
+      if (*room * m->most >= 65536)
+        *room = room_of(s, m, BLOCK * k, y);
   m->drawn = 0;
 }
 
-static bool are_all_full(const struct hsr_splats *s, const struct model *m,
-                         const struct hsr_window *box) {
+static bool is_hidden(const struct hsr_splats *s, uint32_t opacity,
+                      uint32_t energy, const struct hsr_window *box) {
+  const struct model *m = s->model;
+  uint32_t most = most_given(s, opacity, energy);
   int x0 = (box->x0 - s->window.x0) / BLOCK,
       x1 = (box->x1 - 1 - s->window.x0) / BLOCK,
       y0 = (box->y0 - s->window.y0) / BLOCK,
       y1 = (box->y1 - 1 - s->window.y0) / BLOCK;
   for (int y = y0; y <= y1; y++)
     for (int x = x0; x <= x1; x++)
-      if (!m->full[(size_t)y * (size_t)m->blocks + (size_t)x])
+      if (m->room[(size_t)y * (size_t)m->blocks + (size_t)x] * most >= 65536)
         return false;
   return true;
 }
 
 static void draw_under(struct hsr_splats *s, const struct hsr_placed *p) {
   struct model *m = s->model;
-  if (are_all_full(s, m, &p->box)) {
-    HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0),
-             HSR_THE_WINDOW, p->box, 1);
-    return;
-  }
   hsr_splats_put(s, p, &m->picture, HSR_PUT_UNDER);
   if (++m->drawn == DRAWN_BETWEEN_LOOKS)
-    look_for_full_blocks(s, m);
+    look_at_blocks(s, m);
 }
 
 /* --- A frame -------------------------------------------------------------- */
@@ -207,6 +218,7 @@ static enum hsr_status render(const struct hsr_job *job,
   int frames = frames_of[job->option[ACCUMULATE]];
   s.model = &m;
   s.draw = s.splatting.model == HSR_UNDER ? draw_under : draw_over;
+  s.is_hidden = s.splatting.model == HSR_UNDER ? is_hidden : NULL;
   enum hsr_status status = frames > 1 && s.splatting.blur
                                ? accumulate(&s, &m, frames, err)
                                : draw(&s, err);
@@ -216,7 +228,9 @@ static enum hsr_status render(const struct hsr_job *job,
 
 static const struct hsr_line outline[] = {
     {"take the samples of the grid in an order, from the back or the front", 0},
-    {"for each row of samples; is its box out of the window? leave it",
+    {"for each row of samples, or piece of it from the front; is its box out "
+     "of "
+     "the window, or all full? leave it",
      HSR_RAISES(HSR_SPLAT_ROWS)},
     {"  for each sample of it that is kept", HSR_RAISES(HSR_SPLAT_CELLS)},
     {"    shade it by its density, its gradient and the light", 0},

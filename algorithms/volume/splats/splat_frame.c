@@ -51,6 +51,13 @@ static void fill_terms(struct hsr_splats *s) {
     s->most[c] += fabs(v->origin[c]);
 }
 
+static uint32_t most_opacity(const struct hsr_palette *palette) {
+  uint32_t most = 0;
+  for (int k = 0; k < HSR_LEVELS; k++)
+    most = palette->opacity[k] > most ? palette->opacity[k] : most;
+  return most;
+}
+
 /* The energy of a splat that is neither widened for pixels nor blurred. */
 static uint32_t plain_energy(struct hsr_splats *s) {
   struct hsr_splat splat = hsr_splats_exact(s, (const uint32_t[3]){0, 0, 0});
@@ -74,6 +81,7 @@ enum hsr_status hsr_splats_begin(struct hsr_splats *s,
   fill_terms(s);
   hsr_splats_fill_weights(s);
   hsr_splats_fill_lights(s);
+  s->most_opacity = most_opacity(&s->grid->palette);
   s->plain_energy = plain_energy(s);
   return HSR_OK;
 }
@@ -117,6 +125,8 @@ static inline void add(struct hsr_splats *s, uint32_t cell, uint32_t i,
 
 /* --- Rows ----------------------------------------------------------------- */
 
+enum { PIECE = 32 }; /* kept samples that are tested at once */
+
 /* Where the box around a row's splats is on the screen. */
 struct extent {
   double from[2], to[2];
@@ -148,15 +158,28 @@ static bool extend(const struct hsr_view *v, const double V[3],
   return true;
 }
 
-/* Whether a splat of a row, from x = lo to hi, may touch a pixel of the window.
+static int clamp(double x, int from, int to) {
+  return (int)fmin(fmax(x, from), to);
+}
+
+/* The pixels of the window that an extent may hold the middle of. */
+static struct hsr_window pixels_in(const struct hsr_window *w,
+                                   const struct extent *e) {
+  return (struct hsr_window){clamp(floor(e->from[0]), w->x0, w->x1),
+                             clamp(floor(e->from[1]), w->y0, w->y1),
+                             clamp(ceil(e->to[0]), w->x0, w->x1),
+                             clamp(ceil(e->to[1]), w->y0, w->y1)};
+}
+
+/* The pixels of the window that a splat of a row, from x = lo to hi, may touch.
  * Where the ray of a covered pixel is nearest to the sample, it is in a box
  * around the sample that reaches g r cells to all sides. So the pixel is between
  * the images of the corners of the row's box, if all are before the eye. A
  * blurred splat may be farther away. */
-static bool may_touch(const struct hsr_splats *s, uint32_t j, uint32_t k,
-                      uint32_t lo, uint32_t hi) {
+static struct hsr_window may_touch(const struct hsr_splats *s, uint32_t j,
+                                   uint32_t k, uint32_t lo, uint32_t hi) {
   if (s->splatting.blur)
-    return true;
+    return s->window;
   const uint32_t end[2][3] = {{lo, j, k}, {hi, j, k}};
   double depth = s->term[1][3][j] + s->term[2][3][k],
          t = fmax(s->term[0][3][lo], s->term[0][3][hi]) + depth;
@@ -170,14 +193,33 @@ static bool may_touch(const struct hsr_splats *s, uint32_t j, uint32_t k,
       V[a] = s->far[a][end[high][a]] + (high ? reach : -reach) * s->largest[a];
     }
     if (!extend(s->view, V, &box))
-      return true;
+      return s->window;
   }
-  const struct hsr_window *w = &s->window;
-  return box.to[0] > w->x0 && box.from[0] < w->x1 && box.to[1] > w->y0 &&
-         box.from[1] < w->y1;
+  return pixels_in(&s->window, &box);
 }
 
-/* The kept samples from x = lo to hi, both included, up or down. */
+/* The kept samples from c = begin up to end of a row, up or down. */
+static void visit_piece(struct hsr_splats *s, uint32_t j, uint32_t k,
+                        uint32_t begin, uint32_t end, int step) {
+  enum { OUT, FULL, IN };
+  const struct hsr_grid *g = s->grid;
+  struct hsr_window box = may_touch(s, j, k, g->x[begin], g->x[end - 1]);
+  int where = box.x0 >= box.x1 || box.y0 >= box.y1 ? OUT
+              : s->is_hidden && s->is_hidden(s, s->most_opacity, 65536, &box)
+                  ? FULL
+                  : IN;
+  HSR_STEP(s->tally, HSR_SPLAT_ROWS, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE,
+           where);
+  if (where != IN)
+    return;
+  for (uint32_t c = begin; c < end; c++) {
+    uint32_t cell = step > 0 ? c : end - 1 - (c - begin);
+    add(s, cell, g->x[cell], j, k);
+  }
+}
+
+/* The kept samples from x = lo to hi, both included, up or down: at once, or in
+ * pieces if they may be hidden. */
 static void visit_row(struct hsr_splats *s, uint32_t j, uint32_t k, uint32_t lo,
                       uint32_t hi, int step) {
   const struct hsr_grid *g = s->grid;
@@ -189,15 +231,12 @@ static void visit_row(struct hsr_splats *s, uint32_t j, uint32_t k, uint32_t lo,
     begin = hsr_grid_first_from(g, begin, end, lo);
   if (hi < g->n[0] - 1)
     end = hsr_grid_first_from(g, begin, end, hi + 1);
-  if (begin == end)
-    return;
-  bool in = may_touch(s, j, k, g->x[begin], g->x[end - 1]);
-  HSR_STEP(s->tally, HSR_SPLAT_ROWS, HSR_NOTHING, HSR_NOTHING, HSR_NOWHERE, in);
-  if (!in)
-    return;
-  for (uint32_t c = begin; c < end; c++) {
-    uint32_t cell = step > 0 ? c : end - 1 - (c - begin);
-    add(s, cell, g->x[cell], j, k);
+  uint32_t most = s->is_hidden ? PIECE : end - begin;
+  for (uint32_t left = end - begin; left;) {
+    uint32_t n = left < most ? left : most,
+             from = step > 0 ? end - left : begin + left - n;
+    visit_piece(s, j, k, from, from + n, step);
+    left -= n;
   }
 }
 

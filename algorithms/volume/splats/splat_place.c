@@ -255,6 +255,12 @@ static bool leave(struct hsr_splats *s, uint32_t cell) {
   return false;
 }
 
+static bool leave_hidden(struct hsr_splats *s, const struct hsr_placed *p) {
+  HSR_STEP(s->tally, HSR_SPLAT_SPLATS, HSR_CELL(p->cell, 0, 0), HSR_THE_WINDOW,
+           p->box, 1);
+  return false;
+}
+
 /* --- The box of a splat that floats cannot tell --------------------------- */
 
 /* Does a splat lie wholly on one side of the rays of a column x (axis 0) or row y
@@ -352,7 +358,10 @@ bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
     return leave(s, p->cell);
   if (!p->is_blurred || s->way_from == s->way_to)
     p->energy = energy_of(s, k, p->at);
-  hsr_splats_colour(s, p->cell, p->colour);
+  uint32_t opacity = hsr_splats_opacity(s, p->cell);
+  if (s->is_hidden && s->is_hidden(s, opacity, p->energy, &p->box))
+    return leave_hidden(s, p);
+  hsr_splats_colour(s, p->cell, opacity, p->colour);
   for (int c = 0; c <= HSR_SPLAT_OPACITY; c++)
     p->colour[c] = (uint16_t)((uint64_t)p->colour[c] * p->energy >> 16);
   return true;

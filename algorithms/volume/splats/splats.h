@@ -46,7 +46,7 @@ enum {
 #define HSR_SPLAT_COUNTERS                                                     \
   [HSR_SPLAT_ROWS] = {"rows",         "boxes around rows of samples tested",   \
                       HSR_COMPARE,    HSR_OF_NOTHING,                          \
-                      HSR_OF_NOTHING, "out of the window|in it"},              \
+                      HSR_OF_NOTHING, "out of the window|full|in it"},         \
   [HSR_SPLAT_CELLS] = {"samples", "kept samples visited", HSR_ACTIVATE,        \
                        HSR_OF_CELL, HSR_OF_NOTHING},                           \
   [HSR_SPLAT_SPLATS] = {"splats",      "rectangles around splats tested",      \
@@ -165,7 +165,13 @@ struct hsr_splats {
   struct hsr_splats_energy last;
   struct hsr_splat_batch batch;
   void (*draw)(struct hsr_splats *, const struct hsr_placed *);
-  void *model; /* of the module */
+  /* Whether no splat with at most this opacity and energy adds anything to a
+   * pixel of the box. NULL if that is never so; if not, rows are tested in
+   * pieces. */
+  bool (*is_hidden)(const struct hsr_splats *, uint32_t opacity,
+                    uint32_t energy, const struct hsr_window *);
+  uint32_t most_opacity; /* of any sample, by the palette */
+  void *model;           /* of the module */
 };
 
 /* Begins a frame. HSR_E_NOMEM. */
@@ -212,9 +218,14 @@ void hsr_splats_fill_parts(struct hsr_splats *splats);
 #define hsr_splats_fill_lights HSR_OF_BUILD(hsr_splats_fill_lights)
 void hsr_splats_fill_lights(struct hsr_splats *splats);
 
-/* The premultiplied colour of a kept sample, and its opacity. */
+/* The opacity A of a kept sample. */
+#define hsr_splats_opacity HSR_OF_BUILD(hsr_splats_opacity)
+uint32_t hsr_splats_opacity(const struct hsr_splats *splats, uint32_t cell);
+
+/* The premultiplied colour of a kept sample of this opacity, and the opacity. */
 #define hsr_splats_colour HSR_OF_BUILD(hsr_splats_colour)
 void hsr_splats_colour(const struct hsr_splats *splats, uint32_t cell,
+                       uint32_t opacity,
                        uint16_t colour[HSR_SPLAT_OPACITY + 1]);
 
 /* --- Places and weights --------------------------------------------------- */

@@ -44,7 +44,9 @@ static void fill_texels(struct hsr_texture *x) {
            cell < end; cell++) {
         at[0] = g->x[cell];
         size_t p = at[x->axis[0]], q = at[x->axis[1]];
-        hsr_splats_colour(&x->splats, cell, x->texel[q * (size_t)x->n[0] + p]);
+        hsr_splats_colour(&x->splats, cell,
+                          hsr_splats_opacity(&x->splats, cell),
+                          x->texel[q * (size_t)x->n[0] + p]);
       }
 }
 
