@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files through CGAL's readers; .off through mesh_off.cc, .vtp through
-// common/files/vtk/exchange_vtk.cc.
+// Mesh files: .obj and texts of .stl through CGAL's readers; .off, .ply and binary
+// .stl through our own; .vtp through common/files/vtk/exchange_vtk.cc.
 //
 // Safety      see common/files/mesh/mesh_file.h: CGAL sees only what a scan has
 //             passed, and must find in it what the scan found.
 // Memory      at once: the file, and what CGAL makes of it, 24 bytes a vertex
 //             and 4 a face and a corner; then, the file gone, that and the
-//             object. OFF: the file and the object. STL: also a search tree of
-//             about 80 bytes a vertex.
+//             object. OFF, PLY: the file and the object. Binary STL: also 28
+//             bytes a vertex; a text, a search tree of about 80.
 //             Colours: 12 bytes a face or vertex.
 #include "common/files/mesh/exchange.h"
 #include "common/base/exact.h"
 #include "common/files/mesh/mesh_file.h"
-#include "common/files/srgb.h"
 
 #include <CGAL/IO/OBJ.h>
-#include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -134,31 +132,6 @@ void read_obj(Mesh_file &file, bool drop, Soup &soup, Mesh_extent &extent) {
   check_read(file, read, soup.polygons.size(), extent);
 }
 
-std::vector<float> linear(const std::vector<CGAL::IO::Color> &colours) {
-  std::vector<float> rgb;
-  rgb.reserve(3 * colours.size());
-  for (const CGAL::IO::Color &colour : colours)
-    for (size_t k = 0; k < 3; k++)
-      rgb.push_back(hsr_srgb_decode(colour[k] / 255.0f));
-  return rgb;
-}
-
-void read_ply(Mesh_file &file, bool drop, Soup &soup, Mesh_extent &extent) {
-  extent = hsr::scan_ply(file, drop);
-  prepare(soup, extent, file);
-  hsr::Memory_buffer buffer(file.begin, file.end);
-  std::istream stream(&buffer);
-  errno = 0; /* where lack of memory shows */
-  std::vector<CGAL::IO::Color> of_faces, of_vertices;
-  const bool read = CGAL::IO::read_PLY(stream, soup.points, soup.polygons,
-                                       of_faces, of_vertices, false);
-  check_read(file, read, soup.polygons.size(), extent);
-  if (of_faces.size() == extent.n_faces)
-    extent.rgb = linear(of_faces);
-  else if (of_vertices.size() == extent.n_vertices)
-    extent.vertex_rgb = linear(of_vertices);
-}
-
 void read_stl(Mesh_file &file, bool, Soup &soup, Mesh_extent &extent) {
   extent = hsr::scan_stl(file);
   prepare(soup, extent, file);
@@ -215,6 +188,11 @@ void read_soup(Mesh_file &file, bool drop, Mesh_builder &builder) {
   build(soup, extent, builder);
 }
 
+void read_any_stl(Mesh_file &file, bool drop, Mesh_builder &builder) {
+  if (!hsr::binary_stl_read(file, builder))
+    read_soup<read_stl>(file, drop, builder);
+}
+
 void read_vtp(Mesh_file &file, bool, Mesh_builder &builder) {
   hsr::vtp_read(file, builder);
 }
@@ -228,8 +206,8 @@ struct Suffix {
 
 constexpr Suffix SUFFIXES[] = {{".off", hsr::off_read},
                                {".obj", read_soup<read_obj>},
-                               {".ply", read_soup<read_ply>},
-                               {".stl", read_soup<read_stl>},
+                               {".ply", hsr::ply_read},
+                               {".stl", read_any_stl},
                                {".vtp", read_vtp}};
 
 const char *file_name(const char *path) {

@@ -6,9 +6,9 @@
 // claims, and some stop at the first thing they do not understand as if the
 // file ended there. So a file is read into memory once, its grammar is checked
 // from first to last byte (hsr::scan_obj and its like), and only a text that
-// passed is given to them. The check of an .off file finds all that there is to
-// read, so that file is read by it alone (off_read). A failure is thrown as
-// hsr::Refused and caught in hsr_mesh_read.
+// passed is given to them. The check of an .off or .ply file, or of a binary .stl
+// file, finds all that there is to read, so these are read by it alone. A failure
+// is thrown as hsr::Refused and caught in hsr_mesh_read.
 #ifndef HSR_COMMON_MESH_FILE_H
 #define HSR_COMMON_MESH_FILE_H
 
@@ -93,7 +93,6 @@ struct Mesh_extent {
  * file.begin may be moved. Faces that are degenerate by their vertex numbers
  * are refused unless `drop`. */
 Mesh_extent scan_obj(Mesh_file &file, bool drop);
-Mesh_extent scan_ply(Mesh_file &file, bool drop);
 Mesh_extent scan_stl(Mesh_file &file);
 Mesh_extent scan_vtp(Mesh_file &file); /* in a build with VTK */
 
@@ -125,8 +124,16 @@ private:
   std::vector<std::string> notes_;
 };
 
-/* Reads an .off file; throws as above. */
+/* Each reads a file of its kind; throws as above. */
 void off_read(Mesh_file &file, bool drop, Mesh_builder &builder);
+void ply_read(Mesh_file &file, bool drop, Mesh_builder &builder);
+
+/* Reads an .stl file if it is binary; if not, returns false. Corners at the same
+ * place are one vertex. Throws as above. */
+bool binary_stl_read(Mesh_file &file, Mesh_builder &builder);
+
+/* Throws what is wrong with an .stl file that is neither binary nor a text. */
+[[noreturn]] void refuse_stl(const Mesh_file &file);
 
 /* Reads a .vtp file; throws as above. In common/files/vtk/vtk.cc, or, in a
  * build without VTK, exchange_no_vtk.cc, where it always throws. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The grammar of .stl files, text and binary.
+// The grammar of .stl files that are texts; mesh_stl.cc has the binary ones.
 //
 // Source      3D Systems, "StereoLithography Interface Specification"
 // Departures  keywords in any case; several solids in a file.
@@ -7,21 +7,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstring>
 #include <utility>
 
 namespace hsr {
 namespace {
-
-constexpr size_t HEADER = 80, TRIANGLE = 50;
-
-uint32_t little_endian(const char *bytes) {
-  uint32_t value = 0;
-  for (int i = 3; i >= 0; i--)
-    value = value << 8 | static_cast<unsigned char>(bytes[i]);
-  return value;
-}
 
 /* Whether a word is a keyword in any case; if so, it is put in lower case. */
 bool is_keyword(Word word, const char *keyword) {
@@ -119,24 +109,6 @@ Mesh_extent Text_stl_scan::scan() {
   return std::move(extent_);
 }
 
-Mesh_extent scan_binary(Mesh_file &file) {
-  Mesh_extent extent;
-  extent.n_faces = little_endian(file.begin + HEADER);
-  extent.n_corners = 3 * extent.n_faces;
-  const char *at = file.begin + HEADER + 4;
-  for (size_t f = 0; f < extent.n_faces; f++, at += TRIANGLE)
-    for (size_t k = 3; k < 12; k++) {
-      float value;
-      const uint32_t bits = little_endian(at + 4 * k);
-      std::memcpy(&value, &bits, sizeof value);
-      if (!std::isfinite(value))
-        file.refuse(0, "facet %zu has a coordinate that is not finite", f);
-    }
-  /* CGAL would take a header that starts with "solid" for a text. */
-  std::memset(file.begin, 0, HEADER);
-  return extent;
-}
-
 bool starts_as_text(const Mesh_file &file) {
   const Word solid("solid");
   const char *at = std::find_if_not(
@@ -150,25 +122,10 @@ bool starts_as_text(const Mesh_file &file) {
 } // namespace
 
 Mesh_extent scan_stl(Mesh_file &file) {
-  Mesh_extent extent;
-  if (file.size() >= HEADER + 4 &&
-      file.size() ==
-          HEADER + 4 + TRIANGLE * size_t{little_endian(file.begin + HEADER)}) {
-    extent = scan_binary(file);
-  } else if (skip_byte_order_mark(file), starts_as_text(file)) {
-    extent = Text_stl_scan(file).scan();
-  } else if (file.size() < HEADER + 4) {
-    file.refuse(0,
-                "is no STL: it neither starts with 'solid' nor has the %zu "
-                "bytes of a binary header",
-                HEADER + 4);
-  } else {
-    const size_t n = little_endian(file.begin + HEADER);
-    file.refuse(0,
-                "is no STL: it does not start with 'solid', and %zu binary "
-                "facets take %zu bytes, not %zu",
-                n, HEADER + 4 + TRIANGLE * n, file.size());
-  }
+  skip_byte_order_mark(file);
+  if (!starts_as_text(file))
+    refuse_stl(file);
+  Mesh_extent extent = Text_stl_scan(file).scan();
   if (extent.n_faces > static_cast<size_t>(MOST_ELEMENTS))
     file.refuse(0, "%zu facets are more than can be read", extent.n_faces);
   return extent;

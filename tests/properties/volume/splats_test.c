@@ -785,10 +785,29 @@ static void try_full(struct tap *tap) {
   close_stage(&stage);
 }
 
+/* Rows that are longer than the pieces in which they are tested, from their high
+ * ends. */
+static void try_pieces(struct tap *tap) {
+  enum { N = 36 };
+  const struct hsr_camera camera = {{1.5 * N, 1.5 * N, 1.5 * N},
+                                    {N / 2.0, N / 2.0, N / 2.0},
+                                    Y_UP,
+                                    60,
+                                    0,
+                                    0};
+  struct stage stage;
+  open_cube(&stage, N);
+  struct hsr_view view = splat_view(&camera, 8, 6);
+  struct hsr_variant made = splat_variant("splat:model=under");
+  struct found f = compare(&stage, &view, &made);
+  say(tap, "pieces of rows from the high end", &f, false);
+  close_stage(&stage);
+}
+
 int main(int argc, char **argv) {
   int views = argc > 2 ? atoi(argv[2]) : 500;
   state = argc > 1 ? (uint64_t)atoll(argv[1]) : 11;
-  struct tap tap = plan(2 * (2 * PLAYERS + 2) + TRIALS + 2 + 5);
+  struct tap tap = plan(2 * (2 * PLAYERS + 2) + TRIALS + 2 + 6);
   for (int parallel = 0; parallel < 2; parallel++)
     try_random(&tap, parallel, views);
   for (int k = 0; k < TRIALS; k++)
@@ -797,6 +816,7 @@ int main(int argc, char **argv) {
   /* under looks for full pixels after 16384 splats; xray moves its sums after
    * 65536; a volumetric buffer of over 2^25 bytes is divided into strips. */
   try_full(&tap);
+  try_pieces(&tap);
   try_many(&tap, "over 65536 splats",
            "splat-xray:model=xray:antialias=on:exposure=0.01", 41, 12, 8);
   try_many(&tap, "a volumetric buffer in strips",

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The header of .ply files: elements and the types of their properties.
+//
+// Source      G. Turk, "The PLY Polygon File Format", 1994
+// Departures  coordinates are float or double and vertex numbers int or uint.
+#ifndef HSR_COMMON_MESH_PLY_HEADER_H
+#define HSR_COMMON_MESH_PLY_HEADER_H
+
+#include "common/files/mesh/mesh_text.h"
+
+namespace hsr::ply {
+
+struct Type : Number_type {
+  Word name, other_name;
+};
+
+struct Property {
+  Word name;
+  const Type *type;
+  const Type *count_type; /* of a list; else NULL */
+};
+
+struct Element {
+  Word name;
+  size_t n;
+  std::vector<Property> properties;
+};
+
+enum class Format { text, little_endian, big_endian };
+
+/* NULL: there is none. */
+const Property *find_property(const Element &element, Word name);
+
+/* Reads the header of a file and checks it; throws Refused. A header claims no
+ * more than the file can hold, and has vertices with coordinates, and faces with
+ * one list of vertex numbers. */
+class Header {
+public:
+  explicit Header(const Mesh_file &file)
+      : file_(file), lines_(file, {0, false}) {}
+  void read();
+
+  Format format = Format::text;
+  std::vector<Element> elements;
+  size_t vertices = NONE, faces = NONE; /* which of elements[] */
+  Word index_list;                      /* the property of a face */
+  Lines &lines() { return lines_; }
+
+private:
+  static constexpr size_t NONE = SIZE_MAX;
+
+  Word word(const char *what);
+  const Type *type();
+  void next_line();
+  void signature();
+  void element();
+  void property();
+  void note(size_t &which, const char *what);
+  void check_vertices() const;
+  void check_faces();
+  void check_sizes() const;
+
+  const Mesh_file &file_;
+  Lines lines_;
+};
+
+} // namespace hsr::ply
+
+#endif
