@@ -789,12 +789,8 @@ static void try_full(struct tap *tap) {
  * ends. */
 static void try_pieces(struct tap *tap) {
   enum { N = 36 };
-  const struct hsr_camera camera = {{1.5 * N, 1.5 * N, 1.5 * N},
-                                    {N / 2.0, N / 2.0, N / 2.0},
-                                    Y_UP,
-                                    60,
-                                    0,
-                                    0};
+  const struct hsr_camera camera = {
+      {1.5 * N, 1.5 * N, 1.5 * N}, {N / 2.0, N / 2.0, N / 2.0}, Y_UP, 60, 0, 0};
   struct stage stage;
   open_cube(&stage, N);
   struct hsr_view view = splat_view(&camera, 8, 6);
