@@ -388,6 +388,44 @@ void try_binary_stl(tap *t) {
      "one of another length is none");
 }
 
+/* A fan of n triangles about the first corner, which is (0, 0, 0) or, in every
+ * second triangle, (-0, -0, -0). No two triangles share another corner. */
+void try_places(tap *t) {
+  const uint32_t n = 1000;
+  std::string bytes(84 + 50 * size_t{n}, '\0');
+  std::memcpy(&bytes[80], &n, sizeof n);
+  for (uint32_t f = 0; f < n; f++) {
+    const float zero = f % 2 ? -0.0f : 0.0f, x = static_cast<float>(f + 1);
+    const float corner[9] = {zero, zero, zero, x, 0, 0, 0, x, 1};
+    std::memcpy(&bytes[84 + 50 * size_t{f} + 12], corner, sizeof corner);
+  }
+  struct hsr_scene *scene = hsr_scene_new("");
+  const struct hsr_object *o = read(scene, file("fan.stl", bytes), nullptr);
+  ok(t,
+     o && o->n_faces == n && o->n_vertices == 2 * n + 1 &&
+         o->vertex[3 * (n - 1)] == 0 && o->vertex[3 * n - 1] == 2 * n,
+     "0 and -0 are the same place in a binary .stl, other places are others");
+  hsr_scene_delete(scene);
+}
+
+/* Vertices and faces in either sequence, and elements that are passed over. */
+void try_sequence(tap *t) {
+  const std::string vertices = "element vertex 3\nproperty float x\n"
+                               "property float y\nproperty float z\n",
+                    faces = "element face 2\n"
+                            "property list uchar int vertex_indices\n"
+                            "property uchar r\nproperty uchar g\n"
+                            "property uchar b\n",
+                    edges = "element edge 1\nproperty int v\n";
+  const std::string red_face = "3 0 1 2 255 0 0\n", other = "3 2 1 0 0 255 0\n";
+  const double red[3] = {1, 0, 0}, green[3] = {0, 1, 0};
+  try_face_colours(t,
+                   file("back.ply", "ply\nformat ascii 1.0\n" + faces + edges +
+                                        vertices + "end_header\n" + red_face +
+                                        other + "7\n0 0 0\n1 0 0\n0 1 0\n"),
+                   red, green, "faces may come before the vertices in .ply");
+}
+
 } // namespace
 
 int main() {
@@ -396,7 +434,8 @@ int main() {
     return 99;
   directory = name;
   const bool vtk = hsr_exchange_has_vtk();
-  struct tap t = plan(3 * 3 + (vtk ? 3 : 0) + 2 + 2 + 2 + 1 + 8 + 3 + 3 + 2);
+  struct tap t =
+      plan(3 * 3 + (vtk ? 3 : 0) + 2 + 2 + 2 + 1 + 8 + 3 + 3 + 2 + 1 + 1);
   try_cube(&t, file("cube.off", cube_off()));
   try_cube(&t, file("cube.obj", cube_obj()));
   try_cube(&t, file("cube.ply", cube_ply()));
@@ -414,6 +453,8 @@ int main() {
   try_plain_lines(&t);
   try_pinched(&t);
   try_binary_stl(&t);
+  try_places(&t);
+  try_sequence(&t);
   const std::string clean = "rm -rf '" + directory + "'";
   return finish(&t) | (std::system(clean.c_str()) != 0);
 }
