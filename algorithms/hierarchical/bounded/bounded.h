@@ -187,8 +187,8 @@ struct hsr_subject hsr_eb_subject(const struct hsr_eb_cell *cell);
 struct hsr_window hsr_eb_window(const struct hsr_eb_tree *t,
                                 const struct hsr_eb_cell *cell);
 
-/* Makes the root, which holds the window. The time ends at `until`. `pair` compares faces of the job's
- * scene; `form` has the shader. HSR_E_NOMEM. */
+/* Makes the root, which holds the window. The time ends at `until`. `pair`
+ * compares faces of the job's scene; `form` has the shader. HSR_E_NOMEM. */
 enum hsr_status hsr_bounded_begin(struct hsr_eb_tree *tree,
                                   const struct hsr_job *job,
                                   const struct hsr_area_form *form,

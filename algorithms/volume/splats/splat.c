@@ -5,12 +5,13 @@
  * Source      L. Westover, "Footprint Evaluation for Volume Rendering",
  *             SIGGRAPH 1990; J. E. Swan II, PhD thesis, Ohio State University,
  *             1998, 1.1 and 2.3
- * Full        from front to back, a splat adds nothing to a pixel whose room, 65536
- *             less its opacity, is too small: docs/composited-picture.md. Of
- *             each block of pixels the greatest room is kept. A splat is left
- *             out if this holds in all blocks that it may touch; a piece of a
- *             row of samples, if it holds there for the most opaque splat of the
- *             palette. From time to time all blocks are looked at again.
+ * Full        the room of a pixel is 65536 less its opacity. From front to back, a
+ *             splat adds nothing where there is too little room for it:
+ *             docs/composited-picture.md. The greatest room of each block of
+ *             pixels is kept. A splat is left out if all blocks that it may touch
+ *             have too little room. A piece of a row of samples is left out if
+ *             they have too little for the most opaque splat of the palette.
+ *             From time to time all blocks are looked at again.
  * Order       splats that are wider than a cell have no order that is right. That
  *             of pbtf is a part of the definition; how far the picture of
  *             another one is from it can be measured.
@@ -68,8 +69,7 @@ static const struct hsr_option options[] = {
 struct model {
   struct hsr_splat_picture picture;
   uint32_t most;  /* the greatest opacity that a splat gives to a pixel */
-  uint32_t *room; /* of each block of pixels, when it was looked at: the most
-                     that 65536 exceeds the opacity of one of them */
+  uint32_t *room; /* the greatest of each block, when it was last looked at */
   int blocks;     /* a row */
   int drawn;      /* since the last look */
 };

@@ -165,9 +165,9 @@ struct hsr_splats {
   struct hsr_splats_energy last;
   struct hsr_splat_batch batch;
   void (*draw)(struct hsr_splats *, const struct hsr_placed *);
-  /* Whether no splat with at most this opacity and energy adds anything to a
-   * pixel of the box. NULL if that is never so; if not, rows are tested in
-   * pieces. */
+  /* Whether splats of at most this opacity and energy add nothing to any pixel
+   * of the box. NULL in models that leave out no splat; otherwise rows are tested
+   * in pieces. */
   bool (*is_hidden)(const struct hsr_splats *, uint32_t opacity,
                     uint32_t energy, const struct hsr_window *);
   uint32_t most_opacity; /* of any sample, by the palette */

@@ -150,15 +150,7 @@ const float *face_colour(const Mesh_extent &extent, size_t f,
                          const uint32_t *corners, size_t n, float rgb[3]) {
   if (!extent.rgb.empty() && extent.rgb[3 * f] != Mesh_extent::NO_COLOUR)
     return &extent.rgb[3 * f];
-  if (extent.vertex_rgb.empty() || !n)
-    return nullptr;
-  for (size_t k = 0; k < 3; k++) {
-    double sum = 0;
-    for (size_t i = 0; i < n; i++)
-      sum += extent.vertex_rgb[3 * size_t{corners[i]} + k];
-    rgb[k] = static_cast<float>(sum / static_cast<double>(n));
-  }
-  return rgb;
+  return hsr::mean_colour(extent.vertex_rgb, corners, n, rgb);
 }
 
 void build(const Soup &soup, const Mesh_extent &extent, Mesh_builder &builder) {

@@ -126,6 +126,19 @@ bool is_degenerate(const uint32_t *vertices, size_t n) {
 
 } // namespace
 
+const float *mean_colour(const std::vector<float> &vertex_rgb,
+                         const uint32_t *corners, size_t n, float rgb[3]) {
+  if (vertex_rgb.empty() || !n)
+    return nullptr;
+  for (size_t k = 0; k < 3; k++) {
+    double sum = 0;
+    for (size_t i = 0; i < n; i++)
+      sum += vertex_rgb[3 * size_t{corners[i]} + k];
+    rgb[k] = static_cast<float>(sum / static_cast<double>(n));
+  }
+  return rgb;
+}
+
 void Mesh_builder::reserve(size_t n_vertices, size_t n_faces) {
   if (n_vertices >= UINT32_MAX || n_faces >= UINT32_MAX)
     return; /* hsr_object_vertex and hsr_object_face say so */

@@ -77,6 +77,10 @@ protected:
   }
 };
 
+/* The mean of the colours of n corners, in rgb; NULL if vertices have none. */
+const float *mean_colour(const std::vector<float> &vertex_rgb,
+                         const uint32_t *corners, size_t n, float rgb[3]);
+
 /* What a scan found in a file; the reader must find exactly the same. */
 struct Mesh_extent {
   size_t n_vertices = 0, n_faces = 0, n_corners = 0;

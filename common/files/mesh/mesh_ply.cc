@@ -174,7 +174,6 @@ private:
   void faces(const Element &element);
   void others(const Element &element);
   void colour(const Three &colours, float rgb[3]) const;
-  const float *mean_colour(size_t first, size_t end, float rgb[3]) const;
   void give();
 
   const ply::Header &header_;
@@ -256,27 +255,14 @@ template <class Source> void Reader<Source>::vertices(const Element &element) {
   give();
 }
 
-/* The mean of its corners' colours, if vertices have any; else NULL. */
-template <class Source>
-const float *Reader<Source>::mean_colour(size_t first, size_t end,
-                                         float rgb[3]) const {
-  if (vertex_rgb_.empty() || first == end)
-    return nullptr;
-  for (size_t k = 0; k < 3; k++) {
-    double sum = 0;
-    for (size_t c = first; c < end; c++)
-      sum += vertex_rgb_[3 * size_t{corners_[c]} + k];
-    rgb[k] = static_cast<float>(sum / static_cast<double>(end - first));
-  }
-  return rgb;
-}
-
 /* Gives the builder the faces read so far. */
 template <class Source> void Reader<Source>::give() {
   for (size_t f = 0, first = 0; f < ends_.size(); first = ends_[f++]) {
+    const uint32_t *corners = &corners_[first];
+    const size_t n = ends_[f] - first;
     float rgb[3];
-    builder_.face(&corners_[first], ends_[f] - first,
-                  face_rgb_.empty() ? mean_colour(first, ends_[f], rgb)
+    builder_.face(corners, n,
+                  face_rgb_.empty() ? mean_colour(vertex_rgb_, corners, n, rgb)
                                     : &face_rgb_[3 * f]);
   }
   corners_.clear();
