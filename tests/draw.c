@@ -148,11 +148,12 @@ void draw_parallel(uint64_t *seed, struct hsr_camera *camera, int n) {
 
 /* --- Algorithms and variants ---------------------------------------------- */
 
+/* What the survey proposes, and options that leave work out. */
 static const char *const proposals[] = {
 #define HSR_PROPOSED(variant) variant,
 #include "algorithms/proposals.def"
 #undef HSR_PROPOSED
-};
+    "zbuffer:groups=cones"};
 enum { N_PROPOSALS = sizeof proposals / sizeof *proposals, MOST_LISTED = 200 };
 
 /* A variant as an algorithm of its own, in one build. */

@@ -49,9 +49,9 @@ struct hsr_choice choose_also(const struct hsr_algorithm *algorithm,
 long count_differences(const struct hsr_view *view, const uint32_t *a,
                        const uint32_t *b);
 
-/* The listed algorithms, and after them the variants of proposals.def: each as
- * an algorithm of its own, of the variant's name, whose standard choice is the
- * variant's. Ended by .plain == NULL. */
+/* The listed algorithms, and after them the variants of proposals.def, and
+ * zbuffer:groups=cones: each as an algorithm of its own, of the variant's name,
+ * whose standard choice is the variant's. Ended by .plain == NULL. */
 const struct hsr_listed *all_listed(void);
 
 /* One of these, in the counting build. Ends the test program if there is none.

@@ -93,6 +93,7 @@ tap_programs = \
   %D%/properties/metamorphic_test \
   %D%/properties/tiles_test \
   %D%/properties/surfaces/glass_claims_test \
+  %D%/properties/surfaces/groups_test \
   %D%/properties/surfaces/shadow_claims_test \
   %D%/properties/surfaces/newell_test \
   %D%/properties/lines/roberts_test \

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 algorithm_files += \
+  %D%/groups.c \
+  %D%/groups.h \
+  %D%/groups_make.c \
   %D%/light_view.c \
   %D%/light_view.h \
   %D%/null.c \

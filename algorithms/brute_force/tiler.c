@@ -64,7 +64,8 @@ enum {
   LARGEST_BOX = 500,     /* pixels; keeps differences below 2^24 grid units */
   LANES = 16,
   SMALL_BOX = 16, /* samples; above, a triangle fills its own lanes */
-  QUEUE = 512     /* samples */
+  QUEUE = 512,    /* samples */
+  SNAPPED = 256   /* points that are transformed before they are snapped */
 };
 /* Pixels; sums and differences of snapped coordinates fit in an int. */
 static const double FARTHEST = 32767.9;
@@ -103,8 +104,15 @@ void hsr_tiler_need_screen(struct hsr_tiler *t) {
     lay_out(t->context);
 }
 
-static bool covers(struct hsr_tiler *t, uint32_t f, int i, int j) {
+/* The same for the corners of face f. */
+static void need_corners(struct hsr_tiler *t, uint32_t f) {
   hsr_tiler_need_screen(t);
+  if (t->list)
+    hsr_screen_corners(&t->screen, f);
+}
+
+static bool covers(struct hsr_tiler *t, uint32_t f, int i, int j) {
+  need_corners(t, f);
   t->screen.whole[f] = true;
   bool covered = hsr_covers(&t->screen, f, i, j, t->tally);
   HSR_STEP(t->tally, HSR_UNSURE_COVER, HSR_FACE(called(t, f)), HSR_THE_WINDOW,
@@ -177,12 +185,25 @@ static inline void settle(struct hsr_tiler *t, uint32_t f, uint32_t id, float q,
 
 /* --- Looking at a batch --------------------------------------------------- */
 
+/* The corners of the triangles to be looked at, and which are one-sided, from the
+ * batch's first on. */
+static inline const uint32_t *vertices_from(const struct hsr_tiler *t,
+                                            const struct hsr_batch *b) {
+  const uint32_t *vertex =
+      t->list ? t->list->vertex : t->screen.world->mesh.vertex;
+  return vertex + 3 * (size_t)b->first;
+}
+static inline const bool *sides_from(const struct hsr_tiler *t,
+                                     const struct hsr_batch *b) {
+  return (t->list ? t->list->one_sided : t->screen.world->mesh.one_sided) +
+         b->first;
+}
+
 /* The corners of the faces from the k-th on. */
 static void gather_from(const struct hsr_tiler *t, struct hsr_batch *batch,
                         int k) {
-  const struct hsr_world *world = t->screen.world;
-  const uint32_t *restrict vertex =
-      world->mesh.vertex + 3 * (size_t)batch->first;
+  const uint32_t *restrict vertex = vertices_from(t, batch);
+  const bool *one_sided = sides_from(t, batch);
   const struct hsr_corner *restrict corner = t->corner;
   struct hsr_corners *restrict r = &batch->corners;
   for (; k < batch->n; k++) {
@@ -191,7 +212,7 @@ static void gather_from(const struct hsr_tiler *t, struct hsr_batch *batch,
     r->ax[k] = a.x, r->ay[k] = a.y, r->qa[k] = a.q;
     r->bx[k] = b.x, r->by[k] = b.y, r->qb[k] = b.q;
     r->cx[k] = c.x, r->cy[k] = c.y, r->qc[k] = c.q;
-    batch->one_sided[k] = world->mesh.one_sided[batch->first + (uint32_t)k];
+    batch->one_sided[k] = one_sided[k];
   }
 }
 
@@ -355,7 +376,7 @@ void hsr_tiler_look(const struct hsr_tiler *t, struct hsr_batch *b,
   b->n_fast = b->general = 0;
   t->twin->look(t, b);
   for (int k = 0; k < b->n_fast; k++)
-    b->corners.id[k] = called(t, first + (uint32_t)b->place[k]);
+    b->corners.id[k] = called(t, hsr_tiler_face(t, b, b->place[k]));
 }
 
 void hsr_tiler_drop(struct hsr_batch *b, const int *drop) {
@@ -382,7 +403,8 @@ void hsr_tiler_set_up(const struct hsr_tiler *t, struct hsr_batch *b) {
   }
 }
 
-struct hsr_triangle hsr_tiler_take(const struct hsr_batch *b, int k) {
+struct hsr_triangle hsr_tiler_take(const struct hsr_tiler *t,
+                                   const struct hsr_batch *b, int k) {
   const struct hsr_triangles *s = &b->triangles;
   const struct hsr_corners *r = &b->corners;
   return (struct hsr_triangle){
@@ -391,7 +413,7 @@ struct hsr_triangle hsr_tiler_take(const struct hsr_batch *b, int k) {
       s->ey0[k],   s->ey1[k], s->ey2[k],
       s->bound[k], s->q[k],   s->qx[k],
       s->qy[k],    r->x0[k],  r->y0[k],
-      r->x1[k],    r->y1[k],  b->first + (uint32_t)b->place[k],
+      r->x1[k],    r->y1[k],  hsr_tiler_face(t, b, b->place[k]),
       r->id[k],    false};
 }
 
@@ -479,7 +501,7 @@ static void tile_whole(struct hsr_tiler *t, uint32_t f) {
 }
 
 bool hsr_tiler_place(struct hsr_tiler *t, uint32_t f) {
-  hsr_tiler_need_screen(t);
+  need_corners(t, f);
   if (t->few)
     hsr_world_find_plane(t->few, f, &t->tally->out_of_memory);
   hsr_screen_plane(&t->screen, f);
@@ -575,7 +597,7 @@ static void tile_batch_portable(struct hsr_tiler *t,
   for (int k = 0; k < b->n_fast; k++) {
     if (!b->good[k])
       continue;
-    struct hsr_triangle triangle = hsr_tiler_take(b, k);
+    struct hsr_triangle triangle = hsr_tiler_take(t, b, k);
     tile_portable(t, &triangle);
   }
 }
@@ -756,6 +778,20 @@ void hsr_tiler_snap(struct hsr_tiler *t) {
   if (t->view->parallel)
     snap_depths(n, mesh->x, mesh->y, mesh->z, t->view->E, t->view->depth,
                 t->far, t->corner);
+}
+
+void hsr_tiler_snap_points(struct hsr_tiler *t, size_t first, size_t n,
+                           const double *x, const double *y, const double *z) {
+  double sx[SNAPPED], sy[SNAPPED], q[SNAPPED];
+  for (size_t v = 0; v < n; v += SNAPPED) {
+    size_t some = n - v < SNAPPED ? n - v : SNAPPED;
+    struct hsr_corner *corner = t->corner + first + v;
+    hsr_screen_points(&t->screen, some, x + v, y + v, z + v, sx, sy, q);
+    snap(some, sx, sy, q, corner);
+    if (t->view->parallel)
+      snap_depths(some, x + v, y + v, z + v, t->view->E, t->view->depth, t->far,
+                  corner);
+  }
 }
 
 bool hsr_tiler_snap_far(struct hsr_tiler *t, size_t n, const double *x,

@@ -42,6 +42,7 @@ extern "C" {
 #define hsr_tiler_set_up HSR_OF_BUILD(hsr_tiler_set_up)
 #define hsr_tiler_shows HSR_OF_BUILD(hsr_tiler_shows)
 #define hsr_tiler_snap HSR_OF_BUILD(hsr_tiler_snap)
+#define hsr_tiler_snap_points HSR_OF_BUILD(hsr_tiler_snap_points)
 #define hsr_tiler_snap_far HSR_OF_BUILD(hsr_tiler_snap_far)
 #define hsr_tiler_take HSR_OF_BUILD(hsr_tiler_take)
 #define hsr_tiler_tile HSR_OF_BUILD(hsr_tiler_tile)
@@ -163,6 +164,13 @@ struct hsr_batch {
   int good[HSR_BATCH]; /* floats hold the depth of the k-th fast one */
 };
 
+/* Triangles in another order than their world's: of the k-th, corners vertex[3 k]
+ * to vertex[3 k + 2], in `corner`, and the face that it is. */
+struct hsr_triangle_list {
+  uint32_t *vertex, *face;
+  bool *one_sided;
+};
+
 struct hsr_tiler {
   const struct hsr_view *view;
   struct hsr_tally *tally;
@@ -170,6 +178,9 @@ struct hsr_tiler {
   struct hsr_corner *corner; /* a vertex */
   int *columns;              /* room for the spans of the largest face */
 
+  /* Not NULL: the triangles that are looked at. `corner` has their vertices,
+   * and the screen's own are only transformed for a face that is asked about. */
+  const struct hsr_triangle_list *list;
   /* What the world's faces are called: face f is first_id + id[f], or f if id
    * is NULL. */
   const uint32_t *id;
@@ -213,6 +224,10 @@ void hsr_tiler_set_range(struct hsr_tiler *tiler, double nearest,
 /* Snaps the vertices of the screen's world, once they are transformed. */
 void hsr_tiler_snap(struct hsr_tiler *tiler);
 
+/* Transforms n points and snaps them, for corner[first] and so on. */
+void hsr_tiler_snap_points(struct hsr_tiler *tiler, size_t first, size_t n,
+                           const double *x, const double *y, const double *z);
+
 /* How vertices are taken to the screen: rows X + origin = (w sx, w sy, w),
  * within 2^-24 pixel where w > sure. In parallel w is 1, row 2 and its origin
  * make t instead, within 2^-26 of the range of depths, and `sure` is below 1 if
@@ -234,11 +249,18 @@ bool hsr_tiler_snap_far(struct hsr_tiler *tiler, size_t n, const double *x,
 /* Clears the samples of a part, which is the next to be tiled. */
 void hsr_tiler_begin_part(struct hsr_tiler *tiler, struct hsr_window part);
 
-/* Looks at the n triangles from face `first` on: finds their boxes within the
+/* Looks at the n triangles from face `first`, or of the list, on: finds their boxes within the
  * window, turns them so that their area is positive and says what becomes of
  * them. The n_fast ones are those to be tiled. */
 void hsr_tiler_look(const struct hsr_tiler *tiler, struct hsr_batch *batch,
                     uint32_t first, int n);
+
+/* The face that the k-th of those looked at is. */
+static inline uint32_t hsr_tiler_face(const struct hsr_tiler *tiler,
+                                      const struct hsr_batch *batch, int k) {
+  uint32_t place = batch->first + (uint32_t)k;
+  return tiler->list ? tiler->list->face[place] : place;
+}
 
 /* Leaves the k-th of the fast ones out where drop[k] is not 0. */
 void hsr_tiler_drop(struct hsr_batch *batch, const int *drop);
@@ -251,7 +273,8 @@ void hsr_tiler_tile_batch(struct hsr_tiler *tiler,
                           const struct hsr_batch *batch);
 
 /* The k-th of the fast ones; and what of it lies in the part, tiled. */
-struct hsr_triangle hsr_tiler_take(const struct hsr_batch *batch, int k);
+struct hsr_triangle hsr_tiler_take(const struct hsr_tiler *tiler,
+                                   const struct hsr_batch *batch, int k);
 void hsr_tiler_tile(struct hsr_tiler *tiler,
                     const struct hsr_triangle *triangle);
 

@@ -109,7 +109,7 @@ AVX2 static inline __m256i either(__m256i a, __m256i b, __m256 turned) {
 AVX2 static inline void look_at_eight(const struct hsr_tiler *t,
                                       struct hsr_batch *b, const uint32_t *v,
                                       int k) {
-  const bool *one_sided = t->screen.world->mesh.one_sided + b->first;
+  const bool *one_sided = sides_from(t, b);
   struct corners8 A = gather_eight(t->corner, v),
                   B = gather_eight(t->corner, v + 1),
                   C = gather_eight(t->corner, v + 2);
@@ -197,7 +197,7 @@ AVX2 static inline void look_at_eight(const struct hsr_tiler *t,
 }
 
 AVX2 static void look_avx2(const struct hsr_tiler *t, struct hsr_batch *b) {
-  const uint32_t *v = t->screen.world->mesh.vertex + 3 * (size_t)b->first;
+  const uint32_t *v = vertices_from(t, b);
   int k = 0;
   for (; k + LANES_AVX2 <= b->n; k += LANES_AVX2)
     look_at_eight(t, b, v + 3 * k, k);
@@ -359,7 +359,7 @@ AVX2 static inline void take_lanes(struct hsr_tiler *t,
     compare_queue(t, queue);
   for (unsigned rest = maybe & ~sure; rest; rest &= rest - 1) {
     int l = __builtin_ctz(rest);
-    settle(t, b->first + (uint32_t)b->place[k + l], b->corners.id[k + l],
+    settle(t, hsr_tiler_face(t, b, b->place[k + l]), b->corners.id[k + l],
            depth[l], false, t->window.x0 + (int)(places[l] & 0xffff),
            t->window.y0 + (int)(places[l] >> 16));
   }
@@ -434,7 +434,7 @@ AVX2 static void tile_batch_avx2(struct hsr_tiler *t,
              (unsigned)_mm256_movemask_ps(_mm256_andnot_ps(small, good));
          large; large &= large - 1) {
       struct hsr_triangle triangle =
-          hsr_tiler_take(b, k + __builtin_ctz(large));
+          hsr_tiler_take(t, b, k + __builtin_ctz(large));
       tile_avx2(t, &triangle);
     }
   }

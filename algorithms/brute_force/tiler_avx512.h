@@ -86,7 +86,6 @@ AVX512 static inline void keep_lanes(void *row, int to, __mmask16 keep,
 AVX512 static inline void look_at_sixteen(const struct hsr_tiler *t,
                                           struct hsr_batch *b,
                                           const uint32_t *v, int k) {
-  const struct hsr_world *world = t->screen.world;
   const __m512 zero = _mm512_setzero_ps();
   struct corners16 A = gather_corners(t->corner, v),
                    B = gather_corners(t->corner, v + 1),
@@ -125,8 +124,7 @@ AVX512 static inline void look_at_sixteen(const struct hsr_tiler *t,
     __mmask16 behind = _mm512_mask_cmp_ps_mask(small, area, least, _CMP_GT_OQ);
     __mmask16 before = _mm512_mask_cmp_ps_mask(
         small, area, _mm512_sub_ps(zero, least), _CMP_LT_OQ);
-    __m128i bytes = _mm_loadu_si128(
-        (const __m128i *)(world->mesh.one_sided + b->first + k));
+    __m128i bytes = _mm_loadu_si128((const __m128i *)(sides_from(t, b) + k));
     __mmask16 back = _mm512_mask_test_epi32_mask(
         behind, _mm512_cvtepu8_epi32(bytes), _mm512_set1_epi32(1));
     __m512 nearest = _mm512_max_ps(_mm512_max_ps(A.q, B.q), C.q);
@@ -164,7 +162,7 @@ AVX512 static inline void look_at_sixteen(const struct hsr_tiler *t,
 }
 
 AVX512 static void look_avx512(const struct hsr_tiler *t, struct hsr_batch *b) {
-  const uint32_t *v = t->screen.world->mesh.vertex + 3 * (size_t)b->first;
+  const uint32_t *v = vertices_from(t, b);
   int k = 0;
   for (; k + LANES <= b->n; k += LANES)
     look_at_sixteen(t, b, v + 3 * k, k);
@@ -323,7 +321,7 @@ settle_lanes(struct hsr_tiler *t, const struct hsr_batch *b, int k,
   _mm512_storeu_ps(depth, q);
   for (; lanes; lanes &= lanes - 1) {
     int l = __builtin_ctz(lanes);
-    settle(t, b->first + (uint32_t)b->place[k + l], b->corners.id[k + l],
+    settle(t, hsr_tiler_face(t, b, b->place[k + l]), b->corners.id[k + l],
            depth[l], false, t->window.x0 + (int)(places[l] & 0xffff),
            t->window.y0 + (int)(places[l] >> 16));
   }
@@ -395,7 +393,7 @@ AVX512 static void tile_batch_avx512(struct hsr_tiler *t,
     tile_small(t, b, k, small, &queue);
     for (unsigned large = good & ~(unsigned)small; large; large &= large - 1) {
       struct hsr_triangle triangle =
-          hsr_tiler_take(b, k + __builtin_ctz(large));
+          hsr_tiler_take(t, b, k + __builtin_ctz(large));
       tile_avx512(t, &triangle);
     }
   }

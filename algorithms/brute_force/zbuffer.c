@@ -9,28 +9,68 @@
  * Glass       transparent faces in layers, over the opaque ones: peel.h
  * Shadows     by a second view, from the light: light_view.h
  * Departures  none in what is compared: the culls that the paper calls
- *             universally applicable come first
+ *             universally applicable come first. With groups=cones many back
+ *             faces, and faces outside of the picture, are culled together
+ *             (groups.h): where the scene has triangles only, the samples lie
+ *             on the tiler's grid, and the answer is ids alone, without glass
+ *             and light
  * Cost        10 H_f^2 F_r predicted
  *
  * A large picture is cut into parts, which are tiled one after the other in one
  * small memory of depths and ids. The triangles are set up once and sorted into
  * the parts. */
+#include "algorithms/brute_force/groups.h"
 #include "algorithms/brute_force/light_view.h"
 #include "algorithms/brute_force/peel.h"
 
-enum { SHADOWS = HSR_PEEL_SHOWN + 1 };
+#include <stdlib.h>
+
+enum {
+  SHADOWS = HSR_PEEL_SHOWN + 1,
+  GROUPS = SHADOWS + HSR_N_LIGHT_VIEW_COUNTERS,
+  AWAY,
+  OUT,
+  LEFT_OUT
+};
 
 static const struct hsr_counter counters[] = {
-    HSR_TILER_COUNTERS, HSR_PEEL_COUNTERS, HSR_LIGHT_VIEW_COUNTERS, {NULL}};
+    HSR_TILER_COUNTERS,
+    HSR_PEEL_COUNTERS,
+    HSR_LIGHT_VIEW_COUNTERS,
+    [GROUPS] = {"groups tested", "of triangles: may one of them be seen?",
+                HSR_COMPARE, HSR_OF_CELL, HSR_OF_WINDOW,
+                "kept|turned away|outside"},
+    [AWAY] = {"groups away", "by the cone of their normals", HSR_REJECT,
+              HSR_OF_CELL, HSR_OF_NOTHING},
+    [OUT] = {"groups out", "outside of the frustum", HSR_REJECT, HSR_OF_CELL,
+             HSR_OF_WINDOW},
+    [LEFT_OUT] = {"triangles left out", "with their groups", HSR_REJECT,
+                  HSR_OF_FACE, HSR_OF_CELL},
+    {NULL}};
 
 static const struct hsr_line outline[] = {
     {"clear the memory: at each raster element, no face"},
+    {"by groups: may a triangle of the group be seen?", HSR_RAISES(GROUPS)},
+    {"  if all turn away, or are outside of the frustum: leave them out",
+     HSR_RAISES(AWAY) | HSR_RAISES(OUT) | HSR_RAISES(LEFT_OUT)},
     {"for each face"},
     HSR_TILER_LINES("  "),
     HSR_PEEL_LINES,
     {"show the recorded ids"},
     HSR_LIGHT_VIEW_LINES(SHADOWS, ""),
     {NULL}};
+
+enum { NO_GROUPS, CONES };
+static const struct hsr_word groupings[] = {
+    {"none", "each face is looked at", 0},
+    {"cones",
+     "those that turn away or are outside are left out together, in ids of "
+     "scenes of triangles",
+     0},
+    {NULL, NULL, 0}};
+static const struct hsr_option options[] = {
+    {"groups", "of triangles, made beforehand", groupings, 0, 1, NO_GROUPS},
+    {NULL, NULL, NULL, 0, 0, 0}};
 
 static double predict_tiling(const struct hsr_table1 *t) {
   return 10 * t->H_f * t->H_f * t->F_r;
@@ -52,6 +92,8 @@ struct frame {
   struct hsr_tiler tiler;
   struct hsr_glass *glass; /* if the picture is transparent; else NULL */
   bool fast;               /* triangles only, and samples on the grid */
+  const struct hsr_groups *groups; /* NULL: all faces are looked at */
+  int *verdict;                    /* a group */
   int parts_across, parts_down;
   struct hsr_triangle
       *kept; /* set up, for all parts; NULL if there is but one */
@@ -64,9 +106,9 @@ struct frame {
 static void keep_batch(struct frame *t, const struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++)
     if (b->good[k])
-      t->kept[t->n_kept++] = hsr_tiler_take(b, k);
+      t->kept[t->n_kept++] = hsr_tiler_take(&t->tiler, b, k);
   for (int k = 0; k < b->n; k++) {
-    uint32_t f = b->first + (uint32_t)k;
+    uint32_t f = hsr_tiler_face(&t->tiler, b, k);
     if (b->fate[k] != HSR_GENERALLY || !hsr_tiler_place(&t->tiler, f))
       continue;
     const struct hsr_bounds *box = &t->tiler.screen.bounds[f];
@@ -152,7 +194,7 @@ static enum hsr_status tile_parts(struct frame *t) {
   return HSR_OK;
 }
 
-/* --- The algorithm -------------------------------------------------------- */
+/* --- The memory ----------------------------------------------------------- */
 
 /* The memory of depths, of the picture; or of depths and ids, of a part. */
 static enum hsr_status make_memory(struct frame *t) {
@@ -183,6 +225,59 @@ static enum hsr_status make_memory(struct frame *t) {
   return tiler->z && tiler->ids && t->kept ? HSR_OK : HSR_E_NOMEM;
 }
 
+/* --- Groups --------------------------------------------------------------- */
+
+static void tell_group(const struct frame *t, uint32_t g) {
+  struct hsr_tally *tally = t->job->tally;
+  struct hsr_subject group = HSR_CELL(g, HSR_NO_ID, 0);
+  const struct hsr_window *window = &t->tiler.window;
+  int verdict = t->verdict[g];
+  HSR_STEP(tally, GROUPS, group, HSR_THE_WINDOW, *window, verdict);
+  if (verdict == HSR_GROUP_AWAY)
+    HSR_STEP(tally, AWAY, group, HSR_NOTHING, HSR_NOWHERE, 0);
+  if (verdict == HSR_GROUP_OUT)
+    HSR_STEP(tally, OUT, group, HSR_THE_WINDOW, *window, 0);
+  for (uint32_t k = t->groups->first[g];
+       verdict != HSR_GROUP_KEPT && k < t->groups->first[g + 1]; k++)
+    HSR_STEP(tally, LEFT_OUT, HSR_FACE(t->groups->list.face[k]), group,
+             HSR_NOWHERE, 0);
+}
+
+/* In parallel: how far the groups lie along F, by the box around all. */
+static void find_range_of_groups(struct frame *t) {
+  const struct hsr_view *view = t->job->view;
+  const struct hsr_box *box = &t->groups->bounds;
+  double nearest = 0, farthest = 0, size = 0;
+  for (int k = 0; k < 3; k++) {
+    double lo = view->depth[k] * (box->lo[k] - view->E[k]),
+           hi = view->depth[k] * (box->hi[k] - view->E[k]);
+    nearest += fmin(lo, hi);
+    farthest += fmax(lo, hi);
+    size += fmax(fabs(lo), fabs(hi));
+  }
+  hsr_tiler_set_range(&t->tiler, nearest, farthest, size);
+}
+
+/* Looks at the groups, and snaps the vertices of those that are kept. */
+static enum hsr_status look_at_groups(struct frame *t) {
+  const struct hsr_groups *groups = t->groups;
+  struct hsr_arena *arena = t->job->scratch;
+  t->verdict = HSR_NEW(arena, int, groups->n);
+  bool *needed = HSR_NEW(arena, bool, groups->n);
+  if (!t->verdict || !needed)
+    return HSR_E_NOMEM;
+  hsr_groups_look(groups, t->job->view, t->verdict);
+  for (uint32_t g = 0; HSR_COUNTING && g < groups->n; g++)
+    tell_group(t, g);
+  if (t->job->view->parallel)
+    find_range_of_groups(t);
+  t->tiler.list = &groups->list;
+  hsr_groups_snap(groups, t->verdict, needed, &t->tiler);
+  return HSR_OK;
+}
+
+/* --- The vertices --------------------------------------------------------- */
+
 /* In parallel: how far the vertices lie along F. */
 static void find_range(struct hsr_tiler *tiler, const struct hsr_mesh *mesh) {
   const double *E = tiler->view->E, *d = tiler->view->depth;
@@ -197,6 +292,8 @@ static void find_range(struct hsr_tiler *tiler, const struct hsr_mesh *mesh) {
   }
   hsr_tiler_set_range(tiler, nearest, farthest, size);
 }
+
+/* --- The algorithm -------------------------------------------------------- */
 
 static enum hsr_status begin_frame(struct frame *t) {
   const struct hsr_job *job = t->job;
@@ -217,6 +314,10 @@ static enum hsr_status begin_frame(struct frame *t) {
   if (!tiler->corner || !tiler->columns || make_memory(t) ||
       hsr_screen_init(&tiler->screen, world, job->view, arena))
     return HSR_E_NOMEM;
+  if (t->fast && !t->glass && !job->lit)
+    t->groups = job->prepared;
+  if (t->groups)
+    return look_at_groups(t);
   hsr_screen_vertices(&tiler->screen);
   if (job->view->parallel)
     find_range(tiler, &world->mesh);
@@ -233,7 +334,7 @@ static void tile_batch(struct hsr_tiler *tiler, const struct hsr_batch *b) {
   hsr_tiler_tile_batch(tiler, b);
   for (int k = 0; k < b->n && b->general; k++)
     if (b->fate[k] == HSR_GENERALLY)
-      tile_face_generally(tiler, b->first + (uint32_t)k);
+      tile_face_generally(tiler, hsr_tiler_face(tiler, b, k));
 }
 
 /* Drops the transparent faces of a batch. */
@@ -247,12 +348,12 @@ static void leave_out_glass(struct hsr_glass *glass, struct hsr_batch *b) {
       b->fate[k] = HSR_DROP;
 }
 
-static enum hsr_status tile_triangles(struct frame *t) {
-  uint32_t n = t->job->world->n_faces;
+/* The triangles from `first` up to `end`, of the world or of the list. */
+static void tile_from(struct frame *t, uint32_t first, uint32_t end) {
   struct hsr_batch batch;
-  for (uint32_t f = 0; f < n; f += HSR_BATCH) {
+  for (uint32_t f = first; f < end; f += HSR_BATCH) {
     hsr_tiler_look(&t->tiler, &batch, f,
-                   n - f < HSR_BATCH ? (int)(n - f) : HSR_BATCH);
+                   end - f < HSR_BATCH ? (int)(end - f) : HSR_BATCH);
     if (t->glass)
       leave_out_glass(t->glass, &batch);
     hsr_tiler_set_up(&t->tiler, &batch);
@@ -261,6 +362,24 @@ static enum hsr_status tile_triangles(struct frame *t) {
     else
       tile_batch(&t->tiler, &batch);
   }
+}
+
+/* Groups that follow each other are taken together. */
+static void tile_groups(struct frame *t) {
+  const struct hsr_groups *groups = t->groups;
+  for (uint32_t g = 0, end; g < groups->n; g = end) {
+    for (end = g + 1; end < groups->n && t->verdict[end] == t->verdict[g];)
+      end++;
+    if (t->verdict[g] == HSR_GROUP_KEPT)
+      tile_from(t, groups->first[g], groups->first[end]);
+  }
+}
+
+static enum hsr_status tile_triangles(struct frame *t) {
+  if (t->groups)
+    tile_groups(t);
+  else
+    tile_from(t, 0, t->job->world->n_faces);
   return t->kept ? tile_parts(t) : HSR_OK;
 }
 
@@ -306,6 +425,23 @@ static enum hsr_status render(const struct hsr_job *job,
   return HSR_OK;
 }
 
+static enum hsr_status prepare(const struct hsr_world *world,
+                               const long *option, void **prepared,
+                               struct hsr_error *err) {
+  if (option[0] == NO_GROUPS || !world->outline.all_triangles ||
+      !world->n_faces)
+    return HSR_OK;
+  struct hsr_groups *groups = malloc(sizeof *groups);
+  *prepared = groups;
+  return groups && !hsr_groups_make(groups, world) ? HSR_OK
+                                                   : hsr_fail_nomem(err);
+}
+
+static void release(void *prepared) {
+  hsr_groups_free(prepared);
+  free(prepared);
+}
+
 const struct hsr_algorithm HSR_ALGORITHM(zbuffer) = {
     .name = "zbuffer",
     .title = "Brute force with a large memory: the z-buffer",
@@ -321,4 +457,7 @@ const struct hsr_algorithm HSR_ALGORITHM(zbuffer) = {
     .counters = counters,
     .steps = steps,
     .outline = outline,
-    .render = render};
+    .options = options,
+    .prepare = prepare,
+    .render = render,
+    .release = release};

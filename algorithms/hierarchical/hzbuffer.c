@@ -697,7 +697,7 @@ static void tile_generally(struct walk *w, uint32_t f) {
 /* The definitive test, of those that are set up and that the fast one left. */
 static void filter_definitively(struct walk *w, struct hsr_batch *b) {
   for (int k = 0; k < b->n_fast; k++) {
-    struct hsr_triangle triangle = hsr_tiler_take(b, k);
+    struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, k);
     struct hsr_subject face = HSR_FACE(b->corners.id[k]);
     read_for(w, FACE_READS, face);
     if (b->good[k] &&
@@ -721,7 +721,7 @@ static void tile_before_all(struct walk *w, struct hsr_batch *b) {
     q = r->qc[k] < q ? r->qc[k] : q;
     if (!b->good[k] || !hsr_pyramid_before(&w->pyramid, box, q))
       continue;
-    struct hsr_triangle triangle = hsr_tiler_take(b, k);
+    struct hsr_triangle triangle = hsr_tiler_take(&w->frame.tiler, b, k);
     hsr_tiler_tile_before(&w->frame.tiler, &triangle);
     hsr_pyramid_update(&w->pyramid, box);
     HSR_STEP(w->tally, FACES_TILED, face, HSR_THE_WINDOW, window_of(box), 0);

@@ -178,13 +178,27 @@ transform_points(size_t n, const double *restrict x, const double *restrict y,
   }
 }
 
-void hsr_screen_vertices(struct hsr_screen *screen) {
-  const struct hsr_world *world = screen->world;
+void hsr_screen_points(const struct hsr_screen *screen, size_t n,
+                       const double *x, const double *y, const double *z,
+                       double *sx, double *sy, double *q) {
   const struct hsr_view *view = screen->view;
-  transform_points(world->mesh.n_vertices, world->mesh.x, world->mesh.y,
-                   world->mesh.z, view->E, view->screen, view->origin,
-                   safe_cosine(view), view->parallel ? 0 : 0x1p-500, screen->sx,
-                   screen->sy, screen->q);
+  transform_points(n, x, y, z, view->E, view->screen, view->origin,
+                   safe_cosine(view), view->parallel ? 0 : 0x1p-500, sx, sy, q);
+}
+
+void hsr_screen_vertices(struct hsr_screen *screen) {
+  const struct hsr_mesh *mesh = &screen->world->mesh;
+  hsr_screen_points(screen, mesh->n_vertices, mesh->x, mesh->y, mesh->z,
+                    screen->sx, screen->sy, screen->q);
+}
+
+void hsr_screen_corners(struct hsr_screen *screen, uint32_t f) {
+  const struct hsr_mesh *mesh = &screen->world->mesh;
+  for (uint32_t c = mesh->start[f]; c < mesh->start[f + 1]; c++) {
+    uint32_t v = mesh->vertex[c];
+    hsr_screen_points(screen, 1, mesh->x + v, mesh->y + v, mesh->z + v,
+                      screen->sx + v, screen->sy + v, screen->q + v);
+  }
 }
 
 /* Constants of a view, the same for all faces: see hsr_screen and the proof

@@ -90,6 +90,13 @@ enum hsr_status hsr_screen_init(struct hsr_screen *screen,
 /* The perspective transform of all vertices: fills sx, sy, q. */
 void hsr_screen_vertices(struct hsr_screen *screen);
 
+/* The same of the corners of face f alone; and of n points of whatever kind,
+ * for arrays of the caller. */
+void hsr_screen_corners(struct hsr_screen *screen, uint32_t f);
+void hsr_screen_points(const struct hsr_screen *screen, size_t n,
+                       const double *x, const double *y, const double *z,
+                       double *sx, double *sy, double *q);
+
 /* The depth planes of all faces, or of face f: fills plane and facing. */
 void hsr_screen_planes(struct hsr_screen *screen);
 void hsr_screen_plane(struct hsr_screen *screen, uint32_t f);

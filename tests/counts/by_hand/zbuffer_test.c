@@ -45,13 +45,26 @@ static const struct hand_count derived[] = {
     {"lit", 0},
     {"light cells", 0},
     {"wide faces", 0},
+    /* No groups are asked for. */ {"groups tested", 0},
+    {"groups away", 0},
+    {"groups out", 0},
+    {"triangles left out", 0},
     {NULL}};
 
+/* The three are one group. They have two sides, so none turns away, and the group
+ * is in the picture. */
+static const struct hand_count grouped[] = {
+    {"groups tested", 1}, {"groups tested", 1, "kept"}, {"groups away", 0},
+    {"groups out", 0},    {"triangles left out", 0},    {"depth tests", 55},
+    {"writes", 55},       {"fast triangles", 2},        {NULL}};
+
 int main(void) {
-  struct tap tap = plan(1);
+  struct tap tap = plan(2);
   struct hand_picture p;
   pixel_open(&p, triangles, 3, M, N);
   ok(&tap, hand_compare(&p, "zbuffer", derived, true), "three triangles");
+  ok(&tap, hand_compare(&p, "zbuffer:groups=cones", grouped, false),
+     "the same in a group");
   hand_close(&p);
   return finish(&tap);
 }
