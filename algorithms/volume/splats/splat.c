@@ -98,8 +98,7 @@ static void empty_blocks(const struct hsr_splats *s, struct model *m) {
 static uint32_t most_given(const struct hsr_splats *s, uint32_t opacity,
                            uint32_t energy) {
   uint64_t most = s->splatting.normalise ? 65536 : opacity;
-  return (uint32_t)(hsr_splats_weight(s->knot, 0) * (most * energy >> 16) >>
-                    16);
+  return (uint32_t)(s->weight[0] * (most * energy >> 16) >> 16);
 }
 
 static enum hsr_status open_blocks(struct hsr_splats *s, struct model *m) {

@@ -139,6 +139,7 @@ static void find_way(struct hsr_splats *s, struct hsr_placed *p, double *x,
     return;
   double threshold = s->splatting.threshold;
   p->way_off = INFINITY;
+  p->way_length = p->way[0] = p->way[1] = p->way[2] = 0;
   if (seen > 0) {
     struct lens lens = lens_of(s, p, fabs(*x), fabs(*y), off);
     struct passing r = pass(&lens, *x, *y);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The walk over the grid: rows of samples, and which of them are drawn. */
 #include "algorithms/volume/splats/splats.h"
+#include "common/base/numbers.h"
 #include "common/grids/normal.h"
 
 #include <math.h>
@@ -44,6 +45,8 @@ static void fill_terms(struct hsr_splats *s) {
     }
     for (int c = 0; c < 4; c++)
       s->most[c] += most[c];
+    for (int c = 0; c < 3; c++)
+      s->spread[c] += fabs(row[c]) * s->largest[a];
     double u = v->U[a] / least / v->whole_n, r = v->R[a] / least / v->whole_m;
     s->apart += s->splatting.antialias ? 2 * (u * u + r * r) : 0;
   }
@@ -100,22 +103,17 @@ static void draw_batch(struct hsr_splats *s) {
   b->n = 0;
 }
 
-/* Whether a sample gives nothing to any pixel: it is wholly transparent, and no
- * weights are wanted. */
-static inline bool is_nothing(const struct hsr_splats *s, uint32_t cell) {
-  const struct hsr_grid *g = s->grid;
-  return !s->splatting.normalise && (!g->palette.opacity[g->level[cell]] ||
-                                     !g->palette.gradient[g->steep[cell]]);
-}
-
+/* A sample of opacity 0 gives nothing to any pixel, unless weights are wanted. */
 static inline void add(struct hsr_splats *s, uint32_t cell, uint32_t i,
                        uint32_t j, uint32_t k) {
   struct hsr_splat_batch *b = &s->batch;
   HSR_STEP(s->tally, HSR_SPLAT_CELLS, HSR_CELL(cell, 0, 0), HSR_NOTHING,
            HSR_NOWHERE, 0);
-  if (is_nothing(s, cell))
+  uint32_t opacity = hsr_splats_opacity(s, cell);
+  if (!opacity && !s->splatting.normalise)
     return;
   b->cell[b->n] = cell;
+  b->opacity[b->n] = opacity;
   b->at[0][b->n] = i;
   b->at[1][b->n] = j;
   b->at[2][b->n] = k;
@@ -127,75 +125,66 @@ static inline void add(struct hsr_splats *s, uint32_t cell, uint32_t i,
 
 enum { PIECE = 32 }; /* kept samples that are tested at once */
 
-/* Where the box around a row's splats is on the screen. */
+/* Where splats of a row are on the screen. */
 struct extent {
   double from[2], to[2];
 };
 
-/* Adds the image of a corner, V from the eye, and what may have been lost in
- * rounding. False if it may be behind the eye, or cannot be told. */
-static bool extend(const struct hsr_view *v, const double V[3],
-                   struct extent *extent) {
-  double image[3], size[3]; /* of the sum, and of its terms */
+/* Adds the image of the box that reaches `reach` cells to all sides of a sample.
+ * Within it, coordinate c of the sum of three terms changes by at most reach
+ * spread[c]. False if the box may be behind the eye. Rounding changes less than
+ * 2^-30 of the sizes of the terms. */
+static bool extend(const struct hsr_splats *s, uint32_t i, uint32_t j,
+                   uint32_t k, double reach, struct extent *extent) {
+  double image[3], pad[3], size[3];
   for (int c = 0; c < 3; c++) {
-    image[c] = v->origin[c];
-    size[c] = fabs(v->origin[c]);
-    for (int a = 0; a < 3; a++) {
-      image[c] += v->screen[c][a] * V[a];
-      size[c] += fabs(v->screen[c][a] * V[a]);
-    }
+    image[c] = s->term[0][c][i] + (s->term[1][c][j] + s->term[2][c][k]) +
+               s->view->origin[c];
+    pad[c] = reach * s->spread[c];
+    size[c] = s->most[c] + pad[c];
   }
-  if (!(image[2] > 0x1p-20 * size[2]))
+  double near = image[2] - pad[2], far = image[2] + pad[2];
+  if (!(near > 0x1p-20 * size[2]))
     return false;
+  double per_near = 1 / near, per_far = 1 / far;
   for (int c = 0; c < 2; c++) {
-    double at = image[c] / image[2],
-           off = 0x1p-30 * (size[c] + fabs(at) * size[2]) / image[2];
-    if (!(fabs(at) + off < 0x1p60))
+    double lo = image[c] - pad[c], hi = image[c] + pad[c];
+    double from = lo * (lo < 0 ? per_near : per_far),
+           to = hi * (hi < 0 ? per_far : per_near);
+    double off = 0x1p-30 * per_near *
+                 (size[c] + hsr_max(fabs(from), fabs(to)) * size[2]);
+    if (!(off < 0x1p60))
       return false;
-    extent->from[c] = fmin(extent->from[c], at - off);
-    extent->to[c] = fmax(extent->to[c], at + off);
+    extent->from[c] = hsr_min(extent->from[c], from - off);
+    extent->to[c] = hsr_max(extent->to[c], to + off);
   }
   return true;
-}
-
-static int clamp(double x, int from, int to) {
-  return (int)fmin(fmax(x, from), to);
-}
-
-/* The pixels of the window that an extent may hold the middle of. */
-static struct hsr_window pixels_in(const struct hsr_window *w,
-                                   const struct extent *e) {
-  return (struct hsr_window){clamp(floor(e->from[0]), w->x0, w->x1),
-                             clamp(floor(e->from[1]), w->y0, w->y1),
-                             clamp(ceil(e->to[0]), w->x0, w->x1),
-                             clamp(ceil(e->to[1]), w->y0, w->y1)};
 }
 
 /* The pixels of the window that a splat of a row, from x = lo to hi, may touch.
  * Where the ray of a covered pixel is nearest to the sample, it is in a box
  * around the sample that reaches g r cells to all sides. So the pixel is between
- * the images of the corners of the row's box, if all are before the eye. A
- * blurred splat may be farther away. */
+ * the images of the boxes around the first and the last sample, if both are
+ * before the eye. A blurred splat may be farther away. */
 static struct hsr_window may_touch(const struct hsr_splats *s, uint32_t j,
                                    uint32_t k, uint32_t lo, uint32_t hi) {
+  const struct hsr_view *v = s->view;
+  const struct hsr_window *w = &s->window;
   if (s->splatting.blur)
-    return s->window;
-  const uint32_t end[2][3] = {{lo, j, k}, {hi, j, k}};
+    return *w;
   double depth = s->term[1][3][j] + s->term[2][3][k],
-         t = fmax(s->term[0][3][lo], s->term[0][3][hi]) + depth;
-  double g = sqrt(fmax(1, s->apart * (s->view->parallel ? 1 : t * t)));
+         t = hsr_max(s->term[0][3][lo], s->term[0][3][hi]) + depth;
+  double g = sqrt(hsr_max(1, s->apart * (v->parallel ? 1 : t * t)));
   double reach = 1.001 * g * s->splatting.width * s->reach;
-  struct extent box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-  for (int corner = 0; corner < 8; corner++) {
-    double V[3];
-    for (int a = 0; a < 3; a++) {
-      int high = corner >> a & 1;
-      V[a] = s->far[a][end[high][a]] + (high ? reach : -reach) * s->largest[a];
-    }
-    if (!extend(s->view, V, &box))
-      return s->window;
-  }
-  return pixels_in(&s->window, &box);
+  struct extent e = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  if (!extend(s, lo, j, k, reach, &e) || !extend(s, hi, j, k, reach, &e))
+    return *w;
+  const double left = hsr_sample_x(v, 0), top = hsr_sample_y(v, 0);
+  return (struct hsr_window){
+      hsr_splats_first_pixel(e.from[0] - left, w->x0, w->x1),
+      hsr_splats_first_pixel(e.from[1] - top, w->y0, w->y1),
+      hsr_splats_end_pixel(e.to[0] - left, w->x0, w->x1),
+      hsr_splats_end_pixel(e.to[1] - top, w->y0, w->y1)};
 }
 
 /* The kept samples from c = begin up to end of a row, up or down. */

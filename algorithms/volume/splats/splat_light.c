@@ -58,14 +58,6 @@ void hsr_splats_fill_lights(struct hsr_splats *s) {
       (struct hsr_splat_light){(uint32_t)p->ambient + p->diffuse, 0};
 }
 
-uint32_t hsr_splats_opacity(const struct hsr_splats *s, uint32_t cell) {
-  const struct hsr_grid *g = s->grid;
-  const struct hsr_palette *p = &g->palette;
-  uint32_t opacity =
-      (uint32_t)p->opacity[g->level[cell]] * p->gradient[g->steep[cell]] / ONE;
-  return (uint32_t)((uint64_t)opacity * s->splatting.attenuate >> 16);
-}
-
 void hsr_splats_colour(const struct hsr_splats *s, uint32_t cell,
                        uint32_t opacity,
                        uint16_t colour[HSR_SPLAT_OPACITY + 1]) {

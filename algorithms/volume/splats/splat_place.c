@@ -45,11 +45,18 @@
 
 #include <math.h>
 
+/* What bounds the errors of a batch. */
+enum { COSINE2, ETA, SQUARE, OFF, ROUGH, MOST };
+
 /* What the lanes of a batch are computed from. */
 struct lanes {
   double x[HSR_SPLAT_BATCH], y[HSR_SPLAT_BATCH], w[HSR_SPLAT_BATCH];
   double along[3][HSR_SPLAT_BATCH]; /* t W: V, or in parallel F */
   double per_size[3][HSR_SPLAT_BATCH];
+  /* Of splats that floats may tell; 0 of others: the square of the cosine between
+   * A and B, eta, the greater of xx and yy, how far the middle may be off, and
+   * rough. */
+  double most[MOST][HSR_SPLAT_BATCH];
 };
 
 static void gather(struct hsr_splats *s, struct lanes *l) {
@@ -72,21 +79,8 @@ static void gather(struct hsr_splats *s, struct lanes *l) {
   }
 }
 
-/* The first pixel of [from, to] whose middle is not left of z, and the one after
- * the last whose middle is not right of it; z is in pixels from the middle of
- * pixel 0. */
-static inline int32_t first_pixel(double z, int32_t from, int32_t to) {
-  double in = hsr_min(hsr_max(z, from), to);
-  int32_t whole = (int32_t)in;
-  return whole + (whole < in);
-}
-static inline int32_t last_pixel(double z, int32_t from, int32_t to) {
-  return (int32_t)hsr_min(hsr_max(z + 1, from), to);
-}
-
 HSR_VECTOR
-static void place(const struct hsr_splats *restrict s,
-                  const struct lanes *restrict l,
+static void place(const struct hsr_splats *restrict s, struct lanes *restrict l,
                   struct hsr_splat_batch *restrict b) {
   const struct hsr_view *v = s->view;
   double U[3], R[3], right[3], down[3];
@@ -138,20 +132,10 @@ static void place(const struct hsr_splats *restrict s,
     double det = xx * yy - xy * xy, cosine2 = xy * xy / (xx * yy);
     double side_x = sqrt(yy / det), side_y = sqrt(xx / det);
     double eta = 48 * perspective * (fabs(p) * side_x + fabs(q) * side_y);
-    double cosine = sqrt(cosine2), cond = (1 + cosine) / (1 - cosine);
     double rough = 0x1p-48 * most_w * fabs(inverse) + 0x1p-40;
     double off =
         0x1p-49 * (most_x + hsr_max(fabs(x), fabs(y)) * most_w) * inverse +
         0x1p-51 * hsr_max(fabs(x), fabs(y));
-    double ratio = (1 + eta) / (1 - eta), spread = cond * ratio * ratio;
-    double in_float =
-        0x1p-24 * (1100 * (12 * spread + (12 * eta + 2) / (1 - eta) + 6) +
-                   12000 * spread);
-    double in_doubles = 800 * sqrt(hsr_max(xx, yy)) * off + 36000 * rough;
-    double error = in_float + in_doubles;
-    double moved = 128 * (1 + eta) / ((1 - eta) * sqrt(1 - cosine2));
-    double slope = 1 + 0x1p-24 * (4 * spread + (16 * eta + 4) / (1 - eta) + 8 +
-                                  moved / 33);
     double reach = 32 * (1 + eta) * (1 + 0x1p-20);
     bool good =
         (w > 0) & (rough < 0x1p-28) & (eta <= 0.5) & (aa * 1024 >= AA) &
@@ -161,11 +145,21 @@ static void place(const struct hsr_splats *restrict s,
     double reach_x = good ? reach * side_x + off : HSR_MAX_SIZE,
            reach_y = good ? reach * side_y + off : HSR_MAX_SIZE;
     double middle_x = good ? x : 0, middle_y = good ? y : 0;
-    b->x0[k] = first_pixel(middle_x - reach_x - left, window.x0, window.x1);
-    b->x1[k] = last_pixel(middle_x + reach_x - left, window.x0, window.x1);
-    b->y0[k] = first_pixel(middle_y - reach_y - top, window.y0, window.y1);
-    b->y1[k] = last_pixel(middle_y + reach_y - top, window.y0, window.y1);
+    b->x0[k] =
+        hsr_splats_first_pixel(middle_x - reach_x - left, window.x0, window.x1);
+    b->x1[k] =
+        hsr_splats_end_pixel(middle_x + reach_x - left, window.x0, window.x1);
+    b->y0[k] =
+        hsr_splats_first_pixel(middle_y - reach_y - top, window.y0, window.y1);
+    b->y1[k] =
+        hsr_splats_end_pixel(middle_y + reach_y - top, window.y0, window.y1);
     b->is_small[k] = good;
+    bool counts = good & (k < b->n);
+    l->most[COSINE2][k] = counts ? cosine2 : 0;
+    l->most[ETA][k] = counts ? eta : 0;
+    l->most[SQUARE][k] = counts ? hsr_max(xx, yy) : 0;
+    l->most[OFF][k] = counts ? off : 0;
+    l->most[ROUGH][k] = counts ? rough : 0;
 
     double loose = 8 * rough + 0x1p-40;
     double energy = 65536 / (hsr_max(1, apart) * width);
@@ -187,19 +181,46 @@ static void place(const struct hsr_splats *restrict s,
     b->yy[k] = (float)yy;
     b->p[k] = (float)(perspective * p);
     b->q[k] = (float)(perspective * q);
-    b->error[k] = (float)error;
-    b->constant[k] = (float)(0x1p-24 * 33 * moved + in_doubles);
-    b->slope[k] = (float)slope;
     b->apart[k] = apart;
     b->scale[k] = scale;
     b->rough[k] = rough;
   }
 }
 
+/* The greatest of each row moves to its first place. */
+HSR_VECTOR
+static void find_most(double row[MOST][HSR_SPLAT_BATCH]) {
+  for (int r = 0; r < MOST; r++)
+    for (int half = HSR_SPLAT_BATCH / 2; half; half /= 2)
+      for (int k = 0; k < half; k++)
+        row[r][k] = hsr_max(row[r][k], row[r][k + half]);
+}
+
+/* How far kappa may be off. What is worst in the batch bounds it for all splats
+ * of the batch: roots and quotients for each of them take longer than the few
+ * pixels more that must be decided in doubles. */
+static void bound_errors(struct lanes *l, struct hsr_splat_batch *b) {
+  find_most(l->most);
+  const double cosine2 = l->most[COSINE2][0], eta = l->most[ETA][0],
+               cosine = sqrt(cosine2), cond = (1 + cosine) / (1 - cosine),
+               ratio = (1 + eta) / (1 - eta), spread = cond * ratio * ratio;
+  const double in_float =
+      0x1p-24 *
+      (1100 * (12 * spread + (12 * eta + 2) / (1 - eta) + 6) + 12000 * spread);
+  const double in_doubles = 800 * sqrt(l->most[SQUARE][0]) * l->most[OFF][0] +
+                            36000 * l->most[ROUGH][0];
+  const double moved = 128 * (1 + eta) / ((1 - eta) * sqrt(1 - cosine2));
+  b->error = (float)(in_float + in_doubles);
+  b->constant = (float)(0x1p-24 * 33 * moved + in_doubles);
+  b->slope = (float)(1 + 0x1p-24 * (4 * spread + (16 * eta + 4) / (1 - eta) +
+                                    8 + moved / 33));
+}
+
 void hsr_splats_place(struct hsr_splats *s) {
   struct lanes lanes;
   gather(s, &lanes);
   place(s, &lanes, &s->batch);
+  bound_errors(&lanes, &s->batch);
 }
 
 /* --- Single splats -------------------------------------------------------- */
@@ -327,27 +348,36 @@ static void tighten(const struct hsr_splats *s, struct hsr_placed *p) {
 
 /* --- A splat of the batch ------------------------------------------------- */
 
+/* Members that only hsr_splats_stretch fills, and only for a blurred splat, are
+ * left as they are: to write all zeros takes longer than all of the rest. */
+static void fill(const struct hsr_splat_batch *b, int k, struct hsr_placed *p) {
+  p->cell = b->cell[k];
+  for (int a = 0; a < 3; a++)
+    p->at[a] = b->at[a][k];
+  p->x = b->x[k];
+  p->y = b->y[k];
+  p->scale = b->scale[k];
+  p->rough = b->rough[k];
+  p->xx = b->xx[k];
+  p->xy = b->xy[k];
+  p->yy = b->yy[k];
+  p->p = b->p[k];
+  p->q = b->q[k];
+  p->error = b->error;
+  p->constant = b->constant;
+  p->slope = b->slope;
+  p->is_small = b->is_small[k];
+  p->is_blurred = false;
+  p->way_x = p->way_y = p->s_x = p->s_y = p->way_error = 0;
+  p->box = (struct hsr_window){b->x0[k], b->y0[k], b->x1[k], b->y1[k]};
+}
+
 bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
   const struct hsr_splat_batch *b = &s->batch;
   bool may_move = s->splatting.blur && s->view->before.exists;
   if (!may_move && (b->x0[k] >= b->x1[k] || b->y0[k] >= b->y1[k]))
     return leave(s, b->cell[k]);
-  *p = (struct hsr_placed){.cell = b->cell[k],
-                           .at = {b->at[0][k], b->at[1][k], b->at[2][k]},
-                           .x = b->x[k],
-                           .y = b->y[k],
-                           .scale = b->scale[k],
-                           .rough = b->rough[k],
-                           .xx = b->xx[k],
-                           .xy = b->xy[k],
-                           .yy = b->yy[k],
-                           .p = b->p[k],
-                           .q = b->q[k],
-                           .error = b->error[k],
-                           .constant = b->constant[k],
-                           .slope = b->slope[k],
-                           .is_small = b->is_small[k],
-                           .box = {b->x0[k], b->y0[k], b->x1[k], b->y1[k]}};
+  fill(b, k, p);
   if (!is_beyond_near(s, k, p->at))
     return leave(s, p->cell);
   if (may_move)
@@ -358,7 +388,7 @@ bool hsr_splats_take(struct hsr_splats *s, int k, struct hsr_placed *p) {
     return leave(s, p->cell);
   if (!p->is_blurred || s->way_from == s->way_to)
     p->energy = energy_of(s, k, p->at);
-  uint32_t opacity = hsr_splats_opacity(s, p->cell);
+  uint32_t opacity = b->opacity[k];
   if (s->is_hidden && s->is_hidden(s, opacity, p->energy, &p->box))
     return leave_hidden(s, p);
   hsr_splats_colour(s, p->cell, opacity, p->colour);

@@ -76,7 +76,7 @@ static void put_portable(struct hsr_splats *s, const struct hsr_placed *p,
                  HSR_THE_WINDOW, HSR_AT(x + l, j), 0);
         HSR_TOUCH(s->tally, x + l, j);
         put_pixel(p, picture, hsr_splats_at(s, picture, x + l, j),
-                  hsr_splats_weight(s->knot, index[l]), way);
+                  s->weight[index[l]], way);
       }
     }
 }

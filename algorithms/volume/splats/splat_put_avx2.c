@@ -20,7 +20,7 @@ struct footprint {
   __m256 column, row;                             /* of each lane */
   __m256i colour;
   __m256 way_x, way_y, s_x, s_y, from, to; /* of a blurred splat */
-  const uint16_t *knot;
+  const int *weight;
 };
 
 AVX2 static inline __m256 all(float x) {
@@ -57,7 +57,7 @@ AVX2 static inline struct footprint footprint_of(const struct hsr_splats *s,
                             all(p->s_y),
                             all((float)s->way_from),
                             all((float)s->way_to),
-                            s->knot};
+                            (const int *)s->weight};
 }
 
 AVX2 __attribute__((noinline)) static __m256i
@@ -101,18 +101,6 @@ AVX2 static inline __m256 blurred_kappa_of(const struct footprint *f,
   __m256 yy = _mm256_mul_ps(f->yy, _mm256_mul_ps(y, y));
   return _mm256_fmadd_ps(_mm256_fmadd_ps(f->xx, x, _mm256_mul_ps(f->xy, y)), x,
                          yy);
-}
-
-/* W of indices below HSR_FOOTPRINT. T_i and T_(i+1) are read together. */
-AVX2 static inline __m256i weigh(const struct footprint *f, __m256i index) {
-  const __m256i i = _mm256_srli_epi32(index, 4),
-                j = _mm256_and_si256(index, all_of(15));
-  const __m256i knots = _mm256_i32gather_epi32((const int *)f->knot, i, 2),
-                T = _mm256_and_si256(knots, all_of(UINT16_MAX)),
-                fall = _mm256_sub_epi32(T, _mm256_srli_epi32(knots, 16)),
-                twice = _mm256_add_epi32(_mm256_add_epi32(j, j), all_of(1));
-  return _mm256_sub_epi32(
-      T, _mm256_srli_epi32(_mm256_mullo_epi32(fall, twice), 5));
 }
 
 /* In each pixel its opacity, four times. */
@@ -172,7 +160,7 @@ put_columns(struct hsr_splats *s, const struct hsr_placed *p,
   const struct hsr_window *box = &p->box;
   const int rows = ALL / columns;
   const size_t second = columns == ALL ? PIECE : picture->stride;
-  const __m256i last = all_of(HSR_FOOTPRINT - 1);
+  const __m256i end = all_of(HSR_FOOTPRINT);
   const struct column c =
       column_of(f, (float)(hsr_sample_x(s->view, x) - p->x));
   const __m256 dy = all((float)(hsr_sample_y(s->view, box->y0) - p->y));
@@ -189,10 +177,9 @@ put_columns(struct hsr_splats *s, const struct hsr_placed *p,
         _mm256_castsi256_ps(_mm256_cmpeq_epi32(index, most)));
     if (__builtin_expect(same != 0xff, 0))
       index = settle(s, p, x, j, columns, ~same & 0xff, index);
-    __m256i inner = _mm256_min_epu32(index, last),
-            in = _mm256_cmpeq_epi32(inner, index);
-    if (!_mm256_testz_si256(in, in)) {
-      __m256i weight = _mm256_and_si256(in, weigh(f, inner));
+    __m256i weight =
+        _mm256_i32gather_epi32(f->weight, _mm256_min_epu32(index, end), 4);
+    if (!_mm256_testz_si256(weight, weight)) {
       put_piece(picture, at, given(f, _mm256_castsi256_si128(weight)), way);
       if (columns == ALL || j + 1 < box->y1)
         put_piece(picture, at + second,

@@ -117,7 +117,7 @@ static void draw_pixel(struct hsr_splats *s, const struct hsr_placed *p, int i,
   uint32_t before = 0;
   for (bool more = true; more && b < m->n; b++) {
     int part = b < m->n - 1 ? part_before(s, p, i, j, &ray, b) : PARTS;
-    uint32_t here = hsr_splats_weight(s->before[part + PARTS], kappa);
+    uint32_t here = hsr_splats_between(s->before[part + PARTS], kappa);
     if (here > before)
       hsr_splats_add(s, p, &m->bucket[b], i, j, here - before);
     before = here;

@@ -28,6 +28,7 @@
 #define HSR_ALGORITHMS_SPLATS_H
 
 #include "algorithms/algorithm.h"
+#include "common/base/numbers.h"
 #include "common/base/vector.h"
 #include "common/exact/footprint.h"
 #include "common/grids/order.h"
@@ -78,16 +79,18 @@ enum {
 /* Splats that are about to be drawn, in sequence. */
 struct hsr_splat_batch {
   int n;
-  uint32_t cell[HSR_SPLAT_BATCH], at[3][HSR_SPLAT_BATCH];
+  uint32_t cell[HSR_SPLAT_BATCH], at[3][HSR_SPLAT_BATCH],
+      opacity[HSR_SPLAT_BATCH];
 
   /* Of each, by hsr_splats_place: where its middle is on the screen; kappa of
    * the pixel (dx, dy) from there, which is (xx dx^2 + 2 xy dx dy + yy dy^2) /
-   * (1 + p dx + q dy)^2; and how far that may be off. */
+   * (1 + p dx + q dy)^2. */
   double x[HSR_SPLAT_BATCH], y[HSR_SPLAT_BATCH];
   float xx[HSR_SPLAT_BATCH], xy[HSR_SPLAT_BATCH], yy[HSR_SPLAT_BATCH],
-      p[HSR_SPLAT_BATCH], q[HSR_SPLAT_BATCH], error[HSR_SPLAT_BATCH];
-  /* With fused products, it may be off by constant + (slope - 1) kappa. */
-  float constant[HSR_SPLAT_BATCH], slope[HSR_SPLAT_BATCH];
+      p[HSR_SPLAT_BATCH], q[HSR_SPLAT_BATCH];
+  /* How far kappa may be off, of any of the batch that is_small: by error; with
+   * fused products by constant + (slope - 1) kappa. */
+  float error, constant, slope;
   /* The pixels that it may touch, and whether they and floats can be told. */
   int32_t x0[HSR_SPLAT_BATCH], x1[HSR_SPLAT_BATCH], y0[HSR_SPLAT_BATCH],
       y1[HSR_SPLAT_BATCH], is_small[HSR_SPLAT_BATCH];
@@ -145,12 +148,15 @@ struct hsr_splats {
   double *far[3], *term[3][4], *per_size[3];
   double most[4];        /* the greatest sum of the sizes of three terms */
   double largest[3];     /* cell of each axis */
+  double spread[3];      /* what coordinate c changes by if along each axis one
+                            goes by the largest cell: at most */
   double apart;          /* the greatest g^2 / (width t)^2; in parallel g^2 /
                             width^2 */
   uint32_t plain_energy; /* e of a splat that is not widened or blurred */
   double reach;          /* r */
   struct hsr_splat_light *light;                 /* by code of normal */
   uint16_t knot[HSR_SPLAT_KNOTS + 1];            /* T: the kernel's table */
+  uint32_t weight[HSR_FOOTPRINT + 1];            /* W of kappa; 0 at the end */
   uint16_t *before[2 * HSR_FOOTPRINT_PARTS + 1]; /* of model volume */
 
   /* Of slices across x: the samples at x are those from start[x] on. */
@@ -201,7 +207,7 @@ int32_t hsr_splats_split(const struct hsr_splats *splats, int axis);
 
 /* W of kappa, by the knots T of a table that does not rise. kappa is below
  * HSR_FOOTPRINT. */
-static inline uint32_t hsr_splats_weight(const uint16_t *knot, int kappa) {
+static inline uint32_t hsr_splats_between(const uint16_t *knot, int kappa) {
   enum { EACH = HSR_FOOTPRINT / HSR_SPLAT_KNOTS };
   const uint16_t *T = knot + kappa / EACH;
   uint32_t twice = 2 * ((uint32_t)kappa % EACH) + 1;
@@ -219,8 +225,14 @@ void hsr_splats_fill_parts(struct hsr_splats *splats);
 void hsr_splats_fill_lights(struct hsr_splats *splats);
 
 /* The opacity A of a kept sample. */
-#define hsr_splats_opacity HSR_OF_BUILD(hsr_splats_opacity)
-uint32_t hsr_splats_opacity(const struct hsr_splats *splats, uint32_t cell);
+static inline uint32_t hsr_splats_opacity(const struct hsr_splats *splats,
+                                          uint32_t cell) {
+  const struct hsr_grid *g = splats->grid;
+  uint32_t by_density = g->palette.opacity[g->level[cell]],
+           by_gradient = g->palette.gradient[g->steep[cell]];
+  uint64_t opacity = by_density * by_gradient / 65535;
+  return (uint32_t)(opacity * splats->splatting.attenuate >> 16);
+}
 
 /* The premultiplied colour of a kept sample of this opacity, and the opacity. */
 #define hsr_splats_colour HSR_OF_BUILD(hsr_splats_colour)
@@ -229,6 +241,19 @@ void hsr_splats_colour(const struct hsr_splats *splats, uint32_t cell,
                        uint16_t colour[HSR_SPLAT_OPACITY + 1]);
 
 /* --- Places and weights --------------------------------------------------- */
+
+/* The first pixel of [from, to] whose middle is not left of z, and the one after
+ * the last whose middle is not right of it; z is in pixels from the middle of
+ * pixel 0. */
+static inline int32_t hsr_splats_first_pixel(double z, int32_t from,
+                                             int32_t to) {
+  double in = hsr_min(hsr_max(z, from), to);
+  int32_t whole = (int32_t)in;
+  return whole + (whole < in);
+}
+static inline int32_t hsr_splats_end_pixel(double z, int32_t from, int32_t to) {
+  return (int32_t)hsr_min(hsr_max(z + 1, from), to);
+}
 
 #define hsr_splats_place HSR_OF_BUILD(hsr_splats_place)
 void hsr_splats_place(struct hsr_splats *splats);

@@ -121,9 +121,7 @@ static double weight_of_splat(const struct hsr_texture *x,
   double wide = apart(v, size) * (v->parallel ? 1 : t),
          g2 = fmax(1, wide * wide),
          kappa = HSR_FOOTPRINT * rho2 / (g2 * m->reach * m->reach);
-  return kappa < HSR_FOOTPRINT
-             ? hsr_splats_weight(x->splats.knot, (int)fmax(kappa, 0)) / g2
-             : 0;
+  return kappa < HSR_FOOTPRINT ? x->splats.weight[(int)fmax(kappa, 0)] / g2 : 0;
 }
 
 /* --- Ellipses ------------------------------------------------------------- */
@@ -149,9 +147,7 @@ static double weight_of_ellipse(const struct hsr_texture *x,
   double dp = p + 0.5 - pre->at[0], dq = q + 0.5 - pre->at[1];
   double rho2 = e[0] * dp * dp + 2 * e[1] * dp * dq + e[2] * dq * dq,
          kappa = HSR_FOOTPRINT * rho2 / (m->reach * m->reach);
-  return kappa < HSR_FOOTPRINT
-             ? hsr_splats_weight(x->splats.knot, (int)fmax(kappa, 0))
-             : 0;
+  return kappa < HSR_FOOTPRINT ? x->splats.weight[(int)fmax(kappa, 0)] : 0;
 }
 
 /* --- Pixels --------------------------------------------------------------- */
