@@ -34,7 +34,7 @@ AVX2 static inline __m256i all_of(int k) {
 /* `columns` is PIECE or ALL. */
 AVX2 static inline struct footprint footprint_of(const struct hsr_splats *s,
                                                  const struct hsr_placed *p,
-                                                 int columns) {
+                                                 int columns, bool blurred) {
   const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7),
                 column = _mm256_and_si256(lane, all_of(columns - 1)),
                 row = _mm256_srli_epi32(_mm256_sub_epi32(lane, column), 2);
@@ -45,9 +45,9 @@ AVX2 static inline struct footprint footprint_of(const struct hsr_splats *s,
                             all(p->yy),
                             all(p->p),
                             all(p->q),
-                            all(p->is_blurred ? p->way_error : p->constant),
-                            all(p->is_blurred ? 1 : p->slope),
-                            all(p->is_blurred ? 1 : 2 - p->slope),
+                            all(blurred ? p->way_error : p->constant),
+                            all(blurred ? 1 : p->slope),
+                            all(blurred ? 1 : 2 - p->slope),
                             _mm256_cvtepi32_ps(column),
                             _mm256_cvtepi32_ps(row),
                             _mm256_set1_epi64x(rgba),
@@ -190,33 +190,56 @@ put_columns(struct hsr_splats *s, const struct hsr_placed *p,
   }
 }
 
-/* What is not wider than a piece is put two rows at once. */
+/* All columns of the box. */
 AVX2 static inline __attribute__((always_inline)) void
 put_box(struct hsr_splats *s, const struct hsr_placed *p,
-        struct hsr_splat_picture *picture, enum hsr_splat_way way) {
-  const bool narrow = p->box.x1 - p->box.x0 <= PIECE && !p->is_blurred;
-  const struct footprint f = footprint_of(s, p, narrow ? PIECE : ALL);
-  if (narrow)
-    put_columns(s, p, picture, &f, p->box.x0, PIECE, false, way);
-  else if (p->is_blurred)
-    for (int x = p->box.x0; x < p->box.x1; x += ALL)
-      put_columns(s, p, picture, &f, x, ALL, true, way);
+        struct hsr_splat_picture *picture, int columns, bool blurred,
+        enum hsr_splat_way way) {
+  const struct footprint f = footprint_of(s, p, columns, blurred);
+  for (int x = p->box.x0; x < p->box.x1; x += columns)
+    put_columns(s, p, picture, &f, x, columns, blurred, way);
+}
+
+/* Each way has code of its own. */
+AVX2 static inline __attribute__((always_inline)) void
+put_shape(struct hsr_splats *s, const struct hsr_placed *p,
+          struct hsr_splat_picture *picture, int columns, bool blurred,
+          enum hsr_splat_way way) {
+  if (way == HSR_PUT_OVER)
+    put_box(s, p, picture, columns, blurred, HSR_PUT_OVER);
+  else if (way == HSR_PUT_UNDER)
+    put_box(s, p, picture, columns, blurred, HSR_PUT_UNDER);
+  else if (way == HSR_PUT_ADD)
+    put_box(s, p, picture, columns, blurred, HSR_PUT_ADD);
   else
-    for (int x = p->box.x0; x < p->box.x1; x += ALL)
-      put_columns(s, p, picture, &f, x, ALL, false, way);
+    put_box(s, p, picture, columns, blurred, HSR_PUT_SUM);
+}
+
+/* So has each shape, as together they would need more registers than there are.
+ * What is not wider than a piece is put two rows at once. */
+#define SHAPE AVX2 static __attribute__((noinline)) void
+SHAPE put_narrow(struct hsr_splats *s, const struct hsr_placed *p,
+                 struct hsr_splat_picture *picture, enum hsr_splat_way way) {
+  put_shape(s, p, picture, PIECE, false, way);
+}
+SHAPE put_wide(struct hsr_splats *s, const struct hsr_placed *p,
+               struct hsr_splat_picture *picture, enum hsr_splat_way way) {
+  put_shape(s, p, picture, ALL, false, way);
+}
+SHAPE put_blurred(struct hsr_splats *s, const struct hsr_placed *p,
+                  struct hsr_splat_picture *picture, enum hsr_splat_way way) {
+  put_shape(s, p, picture, ALL, true, way);
 }
 
 AVX2 void hsr_splats_put_avx2(struct hsr_splats *s, const struct hsr_placed *p,
                               struct hsr_splat_picture *picture,
                               enum hsr_splat_way way) {
-  if (way == HSR_PUT_OVER)
-    put_box(s, p, picture, HSR_PUT_OVER);
-  else if (way == HSR_PUT_UNDER)
-    put_box(s, p, picture, HSR_PUT_UNDER);
-  else if (way == HSR_PUT_ADD)
-    put_box(s, p, picture, HSR_PUT_ADD);
+  if (p->is_blurred)
+    put_blurred(s, p, picture, way);
+  else if (p->box.x1 - p->box.x0 <= PIECE)
+    put_narrow(s, p, picture, way);
   else
-    put_box(s, p, picture, HSR_PUT_SUM);
+    put_wide(s, p, picture, way);
 }
 
 #endif
