@@ -64,8 +64,8 @@ enum hsr_status parse_json_option(int argc, char **argv, const char *about,
 
 enum { MOST_PARTS = 1 << 20 }; /* of --sort-last */
 
-/* Parse "512x512"; "x,y,z"; a decimal number; a whole number from `least` to
- * `most`. False if the text is anything else. */
+/* Parse "640x480", or "512", which is 512x512; "x,y,z"; a decimal number; a whole
+ * number from `least` to `most`. False if the text is anything else. */
 bool parse_size(const char *text, int *m, int *n);
 bool parse_size_to(const char *text, int most, int *m, int *n); /* each side */
 bool parse_point(const char *text, double point[3]);

@@ -231,13 +231,16 @@ bool parse_size(const char *text, int *m, int *n) {
 bool parse_size_to(const char *text, int most, int *m, int *n) {
   char *end;
   errno = 0;
-  long width = strtol(text, &end, 10);
-  if (end == text || *end != 'x' || errno)
+  long width = strtol(text, &end, 10), height = width;
+  if (end == text)
     return false;
-  const char *second = end + 1;
-  long height = strtol(second, &end, 10);
-  if (end == second || *end || errno || width < 1 || height < 1 ||
-      width > most || height > most)
+  if (*end == 'x') {
+    const char *second = end + 1;
+    height = strtol(second, &end, 10);
+    if (end == second)
+      return false;
+  }
+  if (*end || errno || width < 1 || height < 1 || width > most || height > most)
     return false;
   *m = (int)width;
   *n = (int)height;
@@ -452,7 +455,7 @@ error_t parse_view_option(struct view_options *o, int key, char *arg,
     return 0;
   case 's':
     if (!parse_size(arg, &o->m, &o->n))
-      return option_fail(base, "--size %s: must be MxN, each 1 to %d", arg,
+      return option_fail(base, "--size %s: must be MxN or N, each 1 to %d", arg,
                          HSR_MAX_SIZE);
     return 0;
   default:

@@ -30,8 +30,8 @@ static error_t add_sizes(struct check_options *o, char *arg) {
     if (o->n_sizes == MOST_SIZES)
       return option_fail(&o->base, "check: at most %d sizes", (int)MOST_SIZES);
     if (!parse_size(size, &o->m[o->n_sizes], &o->n[o->n_sizes]))
-      return option_fail(&o->base, "--size %s: must be MxN, each 1 to %d", size,
-                         HSR_MAX_SIZE);
+      return option_fail(&o->base, "--size %s: must be MxN or N, each 1 to %d",
+                         size, HSR_MAX_SIZE);
     o->n_sizes++;
   }
   return 0;

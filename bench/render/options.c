@@ -161,10 +161,11 @@ static error_t parse_tile_option(struct render_options *o, int key, char *arg) {
     return 0;
   }
   if (!parse_size_to(arg, HSR_MAX_WHOLE, &o->view.m, &o->view.n))
-    return option_fail(&o->base,
-                       "--size %s: must be MxN, each 1 to %d, or in tiles to "
-                       "%d",
-                       arg, HSR_MAX_SIZE, HSR_MAX_WHOLE);
+    return option_fail(
+        &o->base,
+        "--size %s: must be MxN or N, each 1 to %d, or in tiles to "
+        "%d",
+        arg, HSR_MAX_SIZE, HSR_MAX_WHOLE);
   return 0;
 }
 

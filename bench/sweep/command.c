@@ -59,8 +59,8 @@ static error_t add_sizes(struct sweep_options *o, char *arg) {
                          (int)SWEEP_MOST_SIZES);
     int m, n;
     if (!parse_size(size, &m, &n))
-      return option_fail(&o->base, "--size %s: must be MxN, each 1 to %d", size,
-                         HSR_MAX_SIZE);
+      return option_fail(&o->base, "--size %s: must be MxN or N, each 1 to %d",
+                         size, HSR_MAX_SIZE);
     if (has_size(o, m, n))
       continue;
     o->m[o->n_sizes] = m;

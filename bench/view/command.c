@@ -44,8 +44,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   default:
     unknown = parse_scene_option(&o->scene, key, arg, "view", &o->base);
-    return unknown == ARGP_ERR_UNKNOWN
-               ? parse_view_option(&o->view, key, arg, &o->base)
+    if (unknown == ARGP_ERR_UNKNOWN)
+      unknown = parse_view_option(&o->view, key, arg, &o->base);
+    return !unknown && light_option(&o->view.camera)
+               ? option_fail(&o->base,
+                             "%s: shadows are drawn by hsr render, not by view",
+                             light_option(&o->view.camera))
                : unknown;
   }
 }
