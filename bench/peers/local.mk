@@ -68,6 +68,8 @@ endif
 # zbuffer compiled again, without its exact fallback and under another name.
 noinst_LIBRARIES += libinexact.a
 libinexact_a_SOURCES = algorithms/brute_force/tiler.c algorithms/brute_force/tiler.h \
+  algorithms/brute_force/groups.c algorithms/brute_force/groups.h \
+  algorithms/brute_force/groups_make.c \
   algorithms/brute_force/peel.c algorithms/brute_force/peel.h algorithms/glass.c \
   algorithms/brute_force/light_view.c algorithms/brute_force/light_view.h \
   algorithms/glass.h algorithms/shadow.c algorithms/shadow.h \
