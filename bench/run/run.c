@@ -3,15 +3,16 @@
 #include "bench/command.h"
 #include "bench/run/ranks.h"
 
+#include "common/base/share.h"
+
 #include <math.h>
-#include <pthread.h>
 #include <sched.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
 
-enum { MOST_THREADS = 64, PARTS_OF_WORKER = 32, LEAST_SIDE = 16 };
+enum { PARTS_OF_WORKER = 32, LEAST_SIDE = 16 };
 
 double seconds_now(void) {
   struct timespec t;
@@ -44,8 +45,6 @@ struct parts {
 
 struct worker {
   struct parts *parts;
-  pthread_t thread;
-  bool started;
   struct hsr_arena scratch;
   struct hsr_tally tally;
   struct hsr_error err;
@@ -54,26 +53,23 @@ struct worker {
 };
 
 struct crew {
-  long n;
+  int n;
   bool together; /* with those of all ranks */
   struct crew_work work;
   struct worker worker[];
 };
 
 struct crew *crew_new(long threads) {
-  if (threads > MOST_THREADS)
-    threads = MOST_THREADS;
-  if (threads < 1)
-    threads = 1;
+  int n = hsr_threads(threads);
   struct crew *crew =
-      calloc(1, sizeof *crew + (size_t)threads * sizeof *crew->worker);
+      calloc(1, sizeof *crew + (size_t)n * sizeof *crew->worker);
   if (crew)
-    crew->n = threads;
+    crew->n = n;
   return crew;
 }
 
 void crew_free(struct crew *crew) {
-  for (long k = 0; crew && k < crew->n; k++)
+  for (int k = 0; crew && k < crew->n; k++)
     hsr_arena_free(&crew->worker[k].scratch);
   free(crew);
 }
@@ -104,8 +100,8 @@ static double processor_seconds(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static void *work(void *argument) {
-  struct worker *worker = argument;
+static void work(void *context, int thread) {
+  struct worker *worker = &((struct crew *)context)->worker[thread];
   struct parts *parts = worker->parts;
   const struct task *task = parts->task;
   double begin = processor_seconds();
@@ -124,19 +120,16 @@ static void *work(void *argument) {
       break;
   }
   worker->seconds = processor_seconds() - begin;
-  return NULL;
 }
 
-/* If no thread can be started, the first one does the work. */
-static void start(struct worker *worker, struct parts *parts,
-                  const struct hsr_tally *tally, bool in_thread) {
+static void get_ready(struct worker *worker, struct parts *parts,
+                      const struct hsr_tally *tally) {
   worker->parts = parts;
   worker->status = HSR_OK;
+  worker->seconds = 0;
   worker->tally = (struct hsr_tally){.work = tally->work,
                                      .work_stride = tally->work_stride,
                                      .trace = tally->trace};
-  worker->started =
-      in_thread && !pthread_create(&worker->thread, NULL, work, worker);
 }
 
 /* Squares of about so many samples that each of n workers draws some. */
@@ -147,15 +140,15 @@ static int side_for(double samples, long n) {
 
 /* Divides the picture into squares if these are chosen, or for several ranks;
  * otherwise into bands for several threads. */
-static void divide(struct parts *parts, long threads, bool by_ranks) {
+static void divide(struct parts *parts, int threads, bool by_ranks) {
   const struct hsr_window *w = &parts->view->window;
   int columns = w->x1 - w->x0, rows = w->y1 - w->y0;
   int window = (int)parts->task->setup->choice.window;
   if (!window && by_ranks)
-    window = side_for((double)columns * rows, threads * ranks_count());
+    window = side_for((double)columns * rows, (long)threads * ranks_count());
   parts->width = window ? window : columns;
   parts->height = window        ? window
-                  : threads > 1 ? rows / (int)(4 * threads) + 1
+                  : threads > 1 ? rows / (4 * threads) + 1
                                 : rows;
   parts->across = (columns + parts->width - 1) / parts->width;
   parts->all = parts->across * ((rows + parts->height - 1) / parts->height);
@@ -163,23 +156,21 @@ static void divide(struct parts *parts, long threads, bool by_ranks) {
 }
 
 static enum hsr_status draw_parts(struct crew *crew, struct parts *parts,
-                                  long threads, struct hsr_tally *tally,
+                                  int threads, struct hsr_tally *tally,
                                   struct hsr_error *err) {
-  for (long k = 0; k < threads; k++)
-    start(&crew->worker[k], parts, tally, k > 0);
-  work(&crew->worker[0]);
+  for (int k = 0; k < threads; k++)
+    get_ready(&crew->worker[k], parts, tally);
+  hsr_threads_run(threads, work, crew);
   enum hsr_status status = HSR_OK;
-  for (long k = 0; k < threads; k++) {
+  for (int k = 0; k < threads; k++) {
     struct worker *worker = &crew->worker[k];
-    if (worker->started)
-      pthread_join(worker->thread, NULL);
     if (worker->status && !status) {
       status = worker->status;
       if (err)
         *err = worker->err;
     }
     hsr_tally_add(tally, &worker->tally);
-    crew->work.seconds += k == 0 || worker->started ? worker->seconds : 0;
+    crew->work.seconds += worker->seconds;
   }
   return status;
 }
@@ -216,7 +207,7 @@ static void receive_parts(const struct parts *parts, void *bytes, size_t most) {
 /* All ranks draw, each what it takes from the queue, and rank 0 puts their
  * parts together. */
 static enum hsr_status draw_together(struct crew *crew, struct parts *parts,
-                                     long threads, struct hsr_tally *tally,
+                                     int threads, struct hsr_tally *tally,
                                      struct hsr_error *err) {
   struct hsr_window first = window_of_part(parts, 0); /* none is larger */
   size_t most = hsr_answer_window_size(parts->task->answer, &first);
@@ -244,7 +235,7 @@ static enum hsr_status draw(struct crew *crew, const struct task *task,
   bool together = crew->together && !whole;
   if (crew->together && whole && ranks_own())
     return HSR_OK; /* rank 0 makes it alone */
-  long threads = whole || task->setup->flags & HSR_FRAME_STATE ? 1 : crew->n;
+  int threads = whole || task->setup->flags & HSR_FRAME_STATE ? 1 : crew->n;
   struct parts parts = {.task = task, .view = view};
   divide(&parts, threads, together);
   return together ? draw_together(crew, &parts, threads, tally, err)

@@ -3,6 +3,7 @@ nobase_pkginclude_HEADERS += \
   %D%/arena.h \
   %D%/count.h \
   %D%/option.h \
+  %D%/share.h \
   %D%/status.h \
   %D%/window.h
 libhsr_a_SOURCES += \
@@ -14,5 +15,6 @@ libhsr_a_SOURCES += \
   %D%/names.h \
   %D%/numbers.h \
   %D%/option.c \
+  %D%/share.c \
   %D%/status.c \
   %D%/vector.h
